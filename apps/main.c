@@ -1,0 +1,2 @@
+/* The wirecut command. */
+int main(void) { return 2; }

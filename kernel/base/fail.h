@@ -1,0 +1,13 @@
+/* Say where something failed. */
+#ifndef WCUT_BASE_FAIL_H
+#define WCUT_BASE_FAIL_H
+
+#include <wirecut/status.h>
+
+/* fill error (may be NULL) with a status and a printf text; give the status back, so that `return wcut_fail(...)` reads
+ * well
+ */
+wcut_status wcut_fail(wcut_error *error, wcut_status status, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+#endif

@@ -1,0 +1,55 @@
+/* wirecut/equilibrium.h - the same equilibrium as force_density.h, by Newton: a handful of iterations however straight.
+ */
+#ifndef WCUT_EQUILIBRIUM_H
+#define WCUT_EQUILIBRIUM_H
+
+#include <wirecut/export.h>
+#include <wirecut/status.h>
+#include <wirecut/vec3.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** When to stop. */
+typedef struct wcut_equilibrium_options {
+    double tolerance;   /**< [1] strain, and unbalance over the largest load, to accept; default 1e-12 */
+    int max_iterations; /**< Newton steps before giving up; default 100 */
+} wcut_equilibrium_options;
+
+/** Where it stopped. */
+typedef struct wcut_equilibrium_report {
+    double strain;    /**< [1] max|p/l - 1| */
+    double unbalance; /**< [1] largest nodal force that is left over the sum of the loads */
+    int iterations;   /**< Newton steps taken */
+} wcut_equilibrium_report;
+
+WCUT_API wcut_equilibrium_options wcut_equilibrium_options_default(void);
+
+/**
+ * Shape an inextensible chain into equilibrium under given nodal forces, hanging in tension.
+ *
+ *     q_e (X_{e+1} - X_e) - q_{e-1} (X_e - X_{e-1}) + F_e = 0,   |X_{e+1} - X_e| = l_e     (Schek 1974; Newton)
+ *
+ * No first guess is needed: it starts from the arc that the resultant hangs the chain into.
+ *
+ * @param[in]     n       nodes, at least 3; the first and the last are fixed
+ * @param[in]     force   n [N], not all zero; the first and the last are not read
+ * @param[in]     length  n-1 [mm], positive, their sum greater than the ends' distance
+ * @param[in]     options NULL for the defaults
+ * @param[in,out] x       n [mm]; the two ends in, every node out
+ * @param[out]    q       n-1 [N/mm] force densities
+ * @param[out]    report  may be NULL
+ * @return WCUT_OK; WCUT_NOT_CONVERGED: x, q and report hold the last iterate;
+ *         WCUT_BAD_ARGUMENT, WCUT_DEGENERATE (wire not longer than the chord, no load), WCUT_NO_MEMORY: nothing was
+ *         written.
+ */
+WCUT_API wcut_status wcut_equilibrium_solve(int n, const wcut_vec3 *force, const double *length,
+                                            const wcut_equilibrium_options *options, wcut_vec3 *x, double *q,
+                                            wcut_equilibrium_report *report);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,117 @@
+/* wirecut/job.h - what is to be cut: block, wire, process, and the path or the design. */
+#ifndef WCUT_JOB_H
+#define WCUT_JOB_H
+
+#include <wirecut/curve.h>
+#include <wirecut/export.h>
+#include <wirecut/force_law.h>
+#include <wirecut/status.h>
+#include <wirecut/vec3.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Whether the mounts' path or the design's edge curves are given. */
+typedef enum wcut_mode { WCUT_MODE_PATH, WCUT_MODE_DESIGN } wcut_mode;
+
+/** One sine of a programmed speed dither: 1 + sum amplitude sin(2 pi t / period + phase). */
+typedef struct wcut_dither {
+    double amplitude; /**< [1] */
+    double period;    /**< [s] positive */
+    double phase;     /**< [rad] */
+} wcut_dither;
+
+/** One interval in which the heater's power is multiplied by a factor. */
+typedef struct wcut_heat_step {
+    double from, to; /**< [s] from < to */
+    double factor;   /**< [1] positive */
+} wcut_heat_step;
+
+/** A job; `wcut_job_create` gives one with every optional part at its default. */
+typedef struct wcut_job {
+    char *name;          /**< UTF-8 */
+    char *foam_material; /**< UTF-8, may be NULL */
+    char *wire_material; /**< UTF-8, may be NULL */
+
+    wcut_vec3 block_size; /**< [mm] W, L, H: the block fills [0,W] x [0,L] x [0,H] */
+    double wire_diameter; /**< [mm] */
+    double wire_length;   /**< [mm] path mode: between the mounts; design mode: not read */
+    int nodes;            /**< at least 3 */
+
+    double heat;    /**< [W/m] */
+    double tension; /**< [N] target at each mount, k */
+    wcut_force_law force_law;
+    wcut_tension_law tension_law; /**< a = 0 where the job gives none */
+    double speed_max;             /**< [mm/s] of the faster mount; default 100 */
+    double speed_min;             /**< [mm/s] of the faster mount; default 0.1 */
+
+    double kerf_width; /**< [mm] default 0 */
+    double kerf_per_q; /**< [mm m^2/J] growth with the local Q_eff; default 0 */
+
+    wcut_mode mode;
+    int stations;       /**< at least 2 */
+    wcut_vec3 *mount_a; /**< path mode: stations [mm]; NULL in design mode */
+    wcut_vec3 *mount_b; /**< path mode: stations [mm]; NULL in design mode */
+
+    wcut_curve *edge_a;   /**< design mode: where the wire enters the block's side A */
+    wcut_curve *edge_b;   /**< design mode: ... and side B */
+    int extra_count;      /**< design mode: points of the extra-length function, at least 1 */
+    double *extra_u;      /**< extra_count, strictly increasing in [0, 1] */
+    double *extra_length; /**< extra_count [mm], not negative: wire beyond |P_a P_b| */
+    double clearance;     /**< [mm] design mode: both mounts keep it from the block */
+
+    int dither_count;
+    wcut_dither *dither; /**< identification cuts: speed programme */
+    int heat_step_count;
+    wcut_heat_step *heat_step; /**< identification cuts: heater programme */
+} wcut_job;
+
+/**
+ * An empty job with the defaults of every optional part.
+ *
+ * @param[out] job the caller's, to wcut_job_destroy
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_job_create(wcut_job **job);
+
+/** Free a job with everything in it; NULL is allowed. */
+WCUT_API void wcut_job_destroy(wcut_job *job);
+
+/**
+ * Read a job file, "format": "wirecut-job/1". Keys that begin with x- are ignored, others unknown are refused.
+ *
+ * @param[in]  path  a JSON file
+ * @param[out] job   the caller's, to wcut_job_destroy
+ * @param[out] error may be NULL; the JSON path, what was found, what was expected
+ * @return WCUT_OK; WCUT_NOT_FOUND (no such file, not readable), WCUT_BAD_FORMAT, WCUT_BAD_ARGUMENT,
+ *         WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_job_read(const char *path, wcut_job **job, wcut_error *error);
+
+/**
+ * Write a job file; numbers are the shortest that read back the same.
+ *
+ * @param[in]  job   a job that wcut_setup_create would accept
+ * @param[in]  path  the target, replaced whole or not at all
+ * @param[out] error may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NOT_WRITTEN, WCUT_NO_MEMORY: the target is as it was.
+ */
+WCUT_API wcut_status wcut_job_write(const wcut_job *job, const char *path, wcut_error *error);
+
+/**
+ * Let a path-mode job have another number of stations: both mount paths are resampled at the same parameter, that of
+ * the mean of both paths' arc lengths, on the polylines through the given stations (a chord of a curve never leaves
+ * what was programmed). In design mode only the count changes.
+ *
+ * @param[in,out] job      a filled job
+ * @param[in]     stations at least 2
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: the job is as it was.
+ */
+WCUT_API wcut_status wcut_job_resample(wcut_job *job, int stations);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

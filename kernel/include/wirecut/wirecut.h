@@ -1,0 +1,20 @@
+/* wirecut/wirecut.h - the whole public API. */
+#ifndef WCUT_WIRECUT_H
+#define WCUT_WIRECUT_H
+
+#include <wirecut/curve.h>
+#include <wirecut/cut.h>
+#include <wirecut/equilibrium.h>
+#include <wirecut/export.h>
+#include <wirecut/force_density.h>
+#include <wirecut/force_law.h>
+#include <wirecut/history.h>
+#include <wirecut/job.h>
+#include <wirecut/mesh.h>
+#include <wirecut/status.h>
+#include <wirecut/surface.h>
+#include <wirecut/vec3.h>
+#include <wirecut/version.h>
+#include <wirecut/write.h>
+
+#endif

@@ -1,0 +1,84 @@
+/* wirecut/write.h - results to files: whole or not at all, exact numbers, millimetres. */
+#ifndef WCUT_WRITE_H
+#define WCUT_WRITE_H
+
+#include <wirecut/cut.h>
+#include <wirecut/export.h>
+#include <wirecut/history.h>
+#include <wirecut/mesh.h>
+#include <wirecut/status.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Every writer here: the target is replaced whole or left as it was; a name that ends in nothing known is not looked
+   at. @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is
+   as it was; error (may be NULL) says path and cause. */
+
+/** Binary STL; the header says millimetres. */
+WCUT_API wcut_status wcut_mesh_write_stl(const wcut_mesh *mesh, const char *path, wcut_error *error);
+
+/** OBJ with normals and texture coordinates where the mesh has them; a comment says millimetres. */
+WCUT_API wcut_status wcut_mesh_write_obj(const wcut_mesh *mesh, const char *path, wcut_error *error);
+
+/** Binary little-endian PLY, double coordinates; a scalar becomes the property `name` and a vertex colour. */
+WCUT_API wcut_status wcut_mesh_write_ply(const wcut_mesh *mesh, const char *name, const char *path, wcut_error *error);
+
+/** Binary glTF in metres as glTF demands (scale on the root node, coordinates in mm), scalar as vertex colour. */
+WCUT_API wcut_status wcut_mesh_write_glb(const wcut_mesh *mesh, const char *path, wcut_error *error);
+
+/** `path.csv` as FORMATS describes it: one row a station. mount_a, mount_b: history->stations [mm]. */
+WCUT_API wcut_status wcut_history_write_csv(const wcut_history *history, const wcut_vec3 *mount_a,
+                                            const wcut_vec3 *mount_b, const char *path, wcut_error *error);
+
+/** `history.vtp` of a whole history: one polyline a station, exact doubles, appended raw. */
+WCUT_API wcut_status wcut_history_write_vtp(const wcut_history *history, const char *path, wcut_error *error);
+
+/** A `.vtp` written station by station, for a history that memory should not hold. */
+typedef struct wcut_vtp_stream wcut_vtp_stream;
+
+/**
+ * Begin a streamed `.vtp` in a temporary file beside the target.
+ *
+ * @param[in]  path     the target
+ * @param[in]  stations the most that will be appended
+ * @param[in]  nodes    of every station
+ * @param[out] stream   the caller's, to wcut_vtp_stream_commit or wcut_vtp_stream_destroy
+ * @param[out] error    may be NULL
+ */
+WCUT_API wcut_status wcut_vtp_stream_create(const char *path, int stations, int nodes, wcut_vtp_stream **stream,
+                                            wcut_error *error);
+
+/** Append a station. */
+WCUT_API wcut_status wcut_vtp_stream_append(wcut_vtp_stream *stream, const wcut_station *station, wcut_error *error);
+
+/** Finish the file with the stations appended and put it in its place; the stream stays to be destroyed. */
+WCUT_API wcut_status wcut_vtp_stream_commit(wcut_vtp_stream *stream, wcut_error *error);
+
+/** Free a stream; what was not committed is removed. NULL is allowed. */
+WCUT_API void wcut_vtp_stream_destroy(wcut_vtp_stream *stream);
+
+/**
+ * `summary.json` as FORMATS describes it.
+ *
+ * @param[in] setup      that the history came from
+ * @param[in] history    at least one station
+ * @param[in] files      file_count names that were written
+ */
+WCUT_API wcut_status wcut_summary_write(const wcut_setup *setup, const wcut_history *history, int file_count,
+                                        const char *const *files, const char *path, wcut_error *error);
+
+/**
+ * The text of `summary.json`.
+ *
+ * @param[out] text the caller's, to free(); ends with a line feed
+ */
+WCUT_API wcut_status wcut_summary_print(const wcut_setup *setup, const wcut_history *history, int file_count,
+                                        const char *const *files, char **text);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
