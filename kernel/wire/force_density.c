@@ -36,7 +36,7 @@ wcut_status wcut_fdm_solve(int n, const wcut_vec3 *force, const double *length, 
         !all_positive(n - 1, length) || !all_positive(n - 1, q))
         return WCUT_BAD_ARGUMENT;
 
-    double *work = wcut_alloc(2 * n, sizeof *work), *g = work, *ratio = work + n;
+    double *work = wcut_alloc(2 * (size_t)n, sizeof *work), *g = work, *ratio = work + n;
     if (!work) return WCUT_NO_MEMORY;
 
     /* stop before (8), so that the q returned is the one x is in equilibrium with */

@@ -13,14 +13,14 @@ extern "C" {
 
 /** When to stop. */
 typedef struct wcut_equilibrium_options {
-    double tolerance;   /**< [1] strain, and unbalance over the largest load, to accept; default 1e-12 */
+    double tolerance;   /**< [1] strain, and unbalance over the largest force, to accept; default 1e-12 */
     int max_iterations; /**< Newton steps before giving up; default 100 */
 } wcut_equilibrium_options;
 
 /** Where it stopped. */
 typedef struct wcut_equilibrium_report {
     double strain;    /**< [1] max|p/l - 1| */
-    double unbalance; /**< [1] largest nodal force that is left over the sum of the loads */
+    double unbalance; /**< [1] largest nodal force left, over the largest of load and tension */
     int iterations;   /**< Newton steps taken */
 } wcut_equilibrium_report;
 
@@ -40,7 +40,8 @@ WCUT_API wcut_equilibrium_options wcut_equilibrium_options_default(void);
  * @param[in,out] x       n [mm]; the two ends in, every node out
  * @param[out]    q       n-1 [N/mm] force densities
  * @param[out]    report  may be NULL
- * @return WCUT_OK; WCUT_NOT_CONVERGED: x, q and report hold the last iterate;
+ * @return WCUT_OK; WCUT_NOT_CONVERGED: x, q and report hold the last iterate (a chain with so much slack that an
+ *         unloaded part of it goes without tension has no unique shape and ends here);
  *         WCUT_BAD_ARGUMENT, WCUT_DEGENERATE (wire not longer than the chord, no load), WCUT_NO_MEMORY: nothing was
  *         written.
  */
