@@ -1,0 +1,70 @@
+/* Say where something failed, in one printable line, and get memory. */
+#include "fail.h"
+
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+wcut_status wcut_io_fail(wcut_error *error, wcut_status status, const char *format, ...) {
+    if (error) {
+        error->status = status;
+        va_list arguments;
+        va_start(arguments, format);
+        vsnprintf(error->text, sizeof error->text, format, arguments);
+        va_end(arguments);
+    }
+    return status;
+}
+
+wcut_status wcut_io_fail_errno(wcut_error *error, wcut_status status, int code, const char *path, const char *what) {
+    char cause[128] = "", name[WCUT_QUOTE_SIZE];
+    if (strerror_r(code, cause, sizeof cause) != 0) snprintf(cause, sizeof cause, "error %d", code);
+    return wcut_io_fail(error, status, "%s: %s: %s", wcut_quote(name, path, WCUT_LABEL_MOST, 1), what, cause);
+}
+
+static _Thread_local long fail_countdown = 0;
+
+void wcut_io_alloc_fail_at(long k) { fail_countdown = k; }
+
+void *wcut_io_alloc(size_t count, size_t size) {
+    if (fail_countdown > 0 && --fail_countdown == 0) return NULL;
+    if (size != 0 && count > PTRDIFF_MAX / size) return NULL;
+    return calloc(count ? count : 1, size ? size : 1);
+}
+
+void *wcut_io_grow(void *memory, size_t size) {
+    if (fail_countdown > 0 && --fail_countdown == 0) return NULL;
+    return size <= PTRDIFF_MAX ? realloc(memory, size) : NULL;
+}
+
+/* how the byte at text[0] is shown: itself, or \xNN for control characters, C1 controls in UTF-8 among them */
+static int show_byte(char to[5], const char *text, const char *begin) {
+    unsigned char c = (unsigned char)text[0], before = text > begin ? (unsigned char)text[-1] : 0;
+    if (c < 0x20 || c == 0x7f || (before == 0xc2 && c < 0xa0)) return snprintf(to, 5, "\\x%02x", c);
+    to[0] = (char)c;
+    return 1;
+}
+
+const char *wcut_quote(char to[WCUT_QUOTE_SIZE], const char *text, int most, int tail) {
+    size_t length = strlen(text), keep = length < (size_t)most ? length : (size_t)most;
+    const char *from = tail ? text + (length - keep) : text;
+    const char *end = from + keep;
+    /* never begin or end within a UTF-8 sequence */
+    if (tail && keep < length)
+        while (from < end && ((unsigned char)*from & 0xc0) == 0x80) from++;
+    if (!tail && keep < length)
+        while (end > from && ((unsigned char)*end & 0xc0) == 0x80) end--;
+    size_t used = 0;
+    if (tail && keep < length) used = (size_t)snprintf(to, WCUT_QUOTE_SIZE, "...");
+    for (; from < end && used + 8 < WCUT_QUOTE_SIZE; from++) {
+        char shown[5];
+        int n = show_byte(shown, from, text);
+        memcpy(to + used, shown, (size_t)n);
+        used += (size_t)n;
+    }
+    to[used] = '\0';
+    if (from < end || (!tail && keep < length)) memcpy(to + used, "...", 4);
+    return to;
+}

@@ -1,0 +1,16 @@
+/* Numbers as text: the shortest that reads back the same, whatever the locale. */
+#ifndef WCUT_IO_NUMBER_H
+#define WCUT_IO_NUMBER_H
+
+#include <locale.h>
+
+enum { WCUT_NUMBER_SIZE = 32 };
+
+/* print a double, without a terminating zero; gives the length. Not finite: "nan", "inf", "-inf". */
+int wcut_number_print(double value, char text[WCUT_NUMBER_SIZE]);
+
+/* let the calling thread use the "C" locale (decimal points); gives the one to go back to */
+locale_t wcut_locale_plain(void);
+void wcut_locale_restore(locale_t before);
+
+#endif
