@@ -1,0 +1,35 @@
+# An install works from where it was put: command, headers, soname, find_package(wirecut), pkg-config; moved, too.
+set -eu
+source=$SOURCE_DIR/tests/install
+
+cmake --install "$BUILD_DIR" --prefix "$PWD/first" >install.log || { cat install.log; exit 1; }
+mv first moved # what holds after a move holds in a package and in DESTDIR
+prefix=$PWD/moved
+ldd "$prefix/bin/wirecut" | grep -F "$prefix/bin/../lib" || { echo "the command does not find its library"; exit 1; }
+"$prefix/bin/wirecut" --version | grep -F "$VERSION" || { echo "the command does not say version $VERSION"; exit 1; }
+library=$(find "$prefix" -name libwirecut.so)
+soname=$(objdump -p "$library" | awk '$1 == "SONAME" { print $2 }')
+[ "$soname" = "libwirecut.so.${VERSION%.*}" ] || { echo "soname $soname of version $VERSION"; exit 1; }
+for header in "$SOURCE_DIR"/kernel/include/wirecut/*.h; do
+    cmp "$header" "$prefix/include/wirecut/$(basename "$header")"
+done
+
+echo "find_package"
+cmake -S "$source" -B by_cmake -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_C_COMPILER="$CC" -DCMAKE_CXX_COMPILER="$CXX" \
+    -DWANTED="$VERSION" >cmake.log || { cat cmake.log; exit 1; }
+cmake --build by_cmake >build.log || { cat build.log; exit 1; }
+[ "$(by_cmake/consumer)" = "$VERSION" ]
+[ "$(by_cmake/consumer_cxx)" = "$VERSION" ]
+if cmake -S "$source" -B refused -DCMAKE_PREFIX_PATH="$prefix" -DWANTED=99.0 >refused.log 2>&1; then
+    echo "find_package(wirecut 99.0) was satisfied by $VERSION"
+    exit 1
+fi
+
+echo "pkg-config"
+PKG_CONFIG_PATH=$(dirname "$library")/pkgconfig
+export PKG_CONFIG_PATH
+[ "$(pkg-config --modversion wirecut)" = "$VERSION" ]
+# shellcheck disable=SC2046 # several flags
+"$CC" -std=c11 -Wall -Werror "$source/consumer.c" -o by_pkg_config $(pkg-config --cflags --libs wirecut)
+[ "$(LD_LIBRARY_PATH=$(dirname "$library") ./by_pkg_config)" = "$VERSION" ]
+echo "version $VERSION, soname $soname"
