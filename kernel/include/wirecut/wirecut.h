@@ -10,6 +10,7 @@
 #include <wirecut/force_law.h>
 #include <wirecut/history.h>
 #include <wirecut/job.h>
+#include <wirecut/loss.h>
 #include <wirecut/mesh.h>
 #include <wirecut/status.h>
 #include <wirecut/surface.h>
