@@ -1,4 +1,4 @@
-/* The smallest user of an installed library: header and library are of one version, and a solve gives an equilibrium. */
+/* The smallest user of an installed library: one version in header and library, and a solve in equilibrium. */
 #include <stdio.h>
 #include <string.h>
 #include <wirecut/wirecut.h>
