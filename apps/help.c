@@ -1,0 +1,182 @@
+/* The table as text for people and as JSON for programs. */
+#include <stdlib.h>
+#include <string.h>
+#include <wirecut/version.h>
+
+#include "command.h"
+
+enum { TEXT_WIDTH = 100, NAME_WIDTH = 32 };
+
+static const struct {
+    int code;
+    const char *text;
+} exit_code[] = {
+#define APP_EXIT_ENTRY(name, number, words) {number, words},
+    APP_EXIT_LIST(APP_EXIT_ENTRY)
+#undef APP_EXIT_ENTRY
+};
+enum { EXIT_CODES = sizeof exit_code / sizeof *exit_code };
+
+/* ---- text ----------------------------------------------------------------------------------------------------------
+ */
+
+/* Words between the left margin and TEXT_WIDTH; the cursor stands at `column`. */
+static void print_wrapped(FILE *out, const char *text, int margin, int column) {
+    while (*text) {
+        int length = (int)strcspn(text, " \n");
+        if (column > margin && column + 1 + length > TEXT_WIDTH) {
+            fprintf(out, "\n");
+            column = 0;
+        }
+        if (column < margin) {
+            fprintf(out, "%*s", margin - column, "");
+            column = margin;
+        } else if (column > margin) {
+            fprintf(out, " ");
+            column++;
+        }
+        fprintf(out, "%.*s", length, text);
+        column += length;
+        text += length;
+        for (; *text == ' ' || *text == '\n'; text++)
+            if (*text == '\n') fprintf(out, "\n"), column = 0;
+    }
+    fprintf(out, "\n");
+}
+
+static void print_entry(FILE *out, const char *name, const char *help) {
+    int column = fprintf(out, "  %s", name);
+    if (column > NAME_WIDTH - 2) {
+        fprintf(out, "\n");
+        column = 0;
+    }
+    print_wrapped(out, help, NAME_WIDTH, column);
+}
+
+static void print_option(FILE *out, const app_option *o) {
+    char name[96], help[400], range[64] = "";
+    char letter[] = {'-', o->letter, ',', ' ', 0};
+    snprintf(name, sizeof name, "%s--%s%s%s", o->letter ? letter : "    ", o->name, o->value ? " " : "",
+             o->value ? o->value : "");
+    if (o->kind == APP_INT || o->kind == APP_REAL) snprintf(range, sizeof range, ", %.12g to %.12g", o->low, o->high);
+    snprintf(help, sizeof help, "%s%s%s%s%s", o->help, range, o->standard ? "; default " : "",
+             o->standard ? o->standard : "", o->required ? "; required" : "");
+    print_entry(out, name, help);
+}
+
+static void print_usage_line(FILE *out, const app_verb *verb) {
+    fprintf(out, "usage: wirecut%s%s", verb->name[0] ? " " : "", verb->name);
+    for (const app_operand *o = verb->operand; o->name; o++) fprintf(out, " %s%s", o->name, o->many ? "..." : "");
+    for (const app_option *o = verb->option; o->kind != APP_END; o++)
+        if (o->required && o->letter)
+            fprintf(out, " -%c %s", o->letter, o->value);
+        else if (o->required)
+            fprintf(out, " --%s %s", o->name, o->value);
+    fprintf(out, " [options]\n");
+}
+
+void app_print_help(FILE *out, const app_verb *verb) {
+    bool self = verb == &app_self;
+    fprintf(out, "wirecut%s%s - %s\n\n", self ? "" : " ", verb->name, verb->brief);
+    if (self) fprintf(out, "usage: wirecut VERB ... (wirecut VERB --help says more)\n");
+    print_usage_line(out, verb);
+    fprintf(out, "\n");
+    print_wrapped(out, verb->about, 0, 0);
+    if (self) {
+        fprintf(out, "\nVerbs\n");
+        for (int i = 0; app_verbs[i]; i++) print_entry(out, app_verbs[i]->name, app_verbs[i]->brief);
+    }
+    if (verb->operand->name) {
+        fprintf(out, "\nInputs\n");
+        for (const app_operand *o = verb->operand; o->name; o++) print_entry(out, o->name, o->help);
+    }
+    fprintf(out, "\nOptions\n");
+    for (const app_option *o = verb->option; o->kind != APP_END; o++) print_option(out, o);
+    fprintf(out, "\nExit codes\n");
+    for (int i = 0; i < EXIT_CODES; i++) {
+        char code[16];
+        snprintf(code, sizeof code, "%d", exit_code[i].code);
+        print_entry(out, code, exit_code[i].text);
+    }
+}
+
+/* ---- JSON ----------------------------------------------------------------------------------------------------------
+ */
+
+static void json_text(FILE *out, const char *key, const char *text) {
+    fprintf(out, "\"%s\":", key);
+    if (!text) {
+        fputs("null", out);
+        return;
+    }
+    fputc('"', out);
+    for (; *text; text++)
+        if (*text == '"' || *text == '\\')
+            fprintf(out, "\\%c", *text);
+        else if ((unsigned char)*text < 0x20)
+            fprintf(out, "\\u%04x", *text);
+        else
+            fputc(*text, out);
+    fputc('"', out);
+}
+
+static void json_option(FILE *out, const app_option *o) {
+    static const char *const kind[] = {"", "flag", "text", "file", "folder", "int", "real", "choice"};
+    char letter[] = {o->letter, 0};
+    fputc('{', out);
+    json_text(out, "name", o->name);
+    fputc(',', out);
+    json_text(out, "letter", o->letter ? letter : NULL);
+    fputc(',', out);
+    json_text(out, "kind", kind[o->kind]);
+    fputc(',', out);
+    json_text(out, "value", o->value);
+    if (o->kind == APP_INT || o->kind == APP_REAL) fprintf(out, ",\"low\":%.17g,\"high\":%.17g", o->low, o->high);
+    fprintf(out, ",\"required\":%s,", o->required ? "true" : "false");
+    json_text(out, "default", o->standard);
+    fputc(',', out);
+    json_text(out, "help", o->help);
+    fputc('}', out);
+}
+
+static void json_verb(FILE *out, const app_verb *verb) {
+    fputc('{', out);
+    json_text(out, "name", verb->name);
+    fputc(',', out);
+    json_text(out, "brief", verb->brief);
+    fputc(',', out);
+    json_text(out, "about", verb->about);
+    fputs(",\"inputs\":[", out);
+    for (const app_operand *o = verb->operand; o->name; o++) {
+        fputs(o == verb->operand ? "{" : ",{", out);
+        json_text(out, "name", o->name);
+        fprintf(out, ",\"many\":%s,", o->many ? "true" : "false");
+        json_text(out, "help", o->help);
+        fputc('}', out);
+    }
+    fputs("],\"options\":[\n", out);
+    for (const app_option *o = verb->option; o->kind != APP_END; o++) {
+        fputs(o == verb->option ? "    " : ",\n    ", out);
+        json_option(out, o);
+    }
+    fputs("]}", out);
+}
+
+void app_print_json(FILE *out) {
+    fputs("{\"format\":\"wirecut-usage/1\",", out);
+    json_text(out, "version", wcut_version_text());
+    fputs(",\n\"command\":\n  ", out);
+    json_verb(out, &app_self);
+    fputs(",\n\"verbs\":[", out);
+    for (int i = 0; app_verbs[i]; i++) {
+        fputs(i ? ",\n  " : "\n  ", out);
+        json_verb(out, app_verbs[i]);
+    }
+    fputs("],\n\"exit_codes\":[", out);
+    for (int i = 0; i < EXIT_CODES; i++) {
+        fprintf(out, "%s{\"code\":%d,", i ? ",\n  " : "\n  ", exit_code[i].code);
+        json_text(out, "meaning", exit_code[i].text);
+        fputc('}', out);
+    }
+    fputs("]}\n", out);
+}

@@ -1,0 +1,233 @@
+/* wirecut simulate: a job file to history, surface, path curves and summary. */
+#include <stdlib.h>
+#include <wirecut/wirecut.h>
+
+#include "command.h"
+#include "results.h"
+#include "terminal.h"
+
+/* Sections nearer than a job's own rounding of its coordinates are one section. */
+#define MERGE_MM 1e-3
+
+/* What a run may leave in its folder, in the order written. */
+static const char *const result_name[] = {"history.vtp", "surface.stl", "surface.obj",  "surface.ply",
+                                          "surface.glb", "path.csv",    "summary.json", NULL};
+
+typedef struct simulation {
+    const app_call *call;
+    const char *path; /* of the job */
+    wcut_job *job;
+    wcut_setup *setup;
+    wcut_history *history;
+    app_results results;
+} simulation;
+
+/* ---- the run -------------------------------------------------------------------------------------------------------
+ */
+
+/* Read the job and let the options have their say. */
+static int load(simulation *s) {
+    wcut_error error = {0};
+    wcut_status status = wcut_job_read(s->path, &s->job, &error);
+    if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : s->path, &error);
+    if (app_given(s->call, "nodes")) s->job->nodes = app_int(s->call, "nodes");
+    if (app_given(s->call, "stations")) {
+        status = wcut_job_resample(s->job, app_int(s->call, "stations"));
+        if (status != WCUT_OK) return app_fail_status(status, s->path, NULL);
+    }
+    wcut_cut_options options = wcut_cut_options_default();
+    options.integrator = app_choice(s->call, "integrator") == 1 ? WCUT_HEUN : WCUT_IMPLICIT;
+    status = wcut_setup_create(s->job, &options, &s->setup, &error);
+    return status == WCUT_OK ? APP_DONE : app_fail_status(status, s->path, &error);
+}
+
+/* Cut from the first station to the last, or as far as it goes: then the history holds what there is. */
+static int run(simulation *s) {
+    wcut_error error = {0};
+    app_progress progress = app_progress_begin(app_given(s->call, "quiet"));
+    wcut_status status = wcut_setup_run(s->setup, app_progress_step, &progress, &s->history, &error);
+    app_progress_end(&progress);
+    if (status == WCUT_INTERRUPTED && s->history)
+        return app_fail(APP_INTERRUPTED, "%s: interrupted after station %d of 0 to %d", s->path,
+                        s->history->stations - 1, s->history->planned - 1);
+    return status == WCUT_OK ? APP_DONE : app_fail_status(status, s->path, &error);
+}
+
+/* ---- the files -----------------------------------------------------------------------------------------------------
+ */
+
+static int write_history(simulation *s) {
+    wcut_error error = {0};
+    const char *name = "history.vtp";
+    wcut_status status = wcut_history_write_vtp(s->history, app_results_path(&s->results, name), &error);
+    return app_results_add(&s->results, name, status, &error);
+}
+
+static int write_mesh(simulation *s, const wcut_mesh *mesh) {
+    wcut_error error = {0};
+    app_results *r = &s->results;
+    wcut_status status = wcut_mesh_write_stl(mesh, app_results_path(r, "surface.stl"), &error);
+    int code = app_results_add(r, "surface.stl", status, &error);
+    if (code != APP_DONE) return code;
+    status = wcut_mesh_write_obj(mesh, app_results_path(r, "surface.obj"), &error);
+    code = app_results_add(r, "surface.obj", status, &error);
+    if (code != APP_DONE) return code;
+    status = wcut_mesh_write_ply(mesh, "force_N_per_mm", app_results_path(r, "surface.ply"), &error);
+    code = app_results_add(r, "surface.ply", status, &error);
+    if (code != APP_DONE) return code;
+    status = wcut_mesh_write_glb(mesh, app_results_path(r, "surface.glb"), &error);
+    return app_results_add(r, "surface.glb", status, &error);
+}
+
+/* Loft the stations, triangulate, colour by the force on the wire. */
+static int write_surface(simulation *s) {
+    const wcut_history *h = s->history;
+    wcut_surface *surface = NULL;
+    wcut_mesh *mesh = NULL;
+    const char *step = "lofting the surface";
+    int code = APP_FAILED;
+    double *parameter = calloc((size_t)h->stations, sizeof *parameter);
+    wcut_status status = parameter ? WCUT_OK : WCUT_NO_MEMORY;
+    if (status == WCUT_OK)
+        status = wcut_surface_loft(h->stations, h->nodes, h->position, MERGE_MM, &surface, parameter, NULL);
+    if (status == WCUT_OK) {
+        step = "triangulating the surface";
+        status = wcut_surface_tessellate(surface, app_real(s->call, "chord-tolerance"), &mesh, NULL);
+    }
+    if (status == WCUT_OK) status = wcut_mesh_sample(mesh, h->stations, h->nodes, parameter, h->force_line);
+    if (status != WCUT_OK)
+        code = app_fail(app_exit_code(status), "%s: %s: %s", s->path, step, wcut_status_text(status));
+    else
+        code = write_mesh(s, mesh);
+    wcut_mesh_destroy(mesh);
+    wcut_surface_destroy(surface);
+    free(parameter);
+    return code;
+}
+
+static int write_path(simulation *s) {
+    const wcut_history *h = s->history;
+    double length = 0;
+    int code = APP_FAILED;
+    wcut_error error = {0};
+    wcut_vec3 *mount_a = calloc((size_t)h->stations, sizeof *mount_a);
+    wcut_vec3 *mount_b = calloc((size_t)h->stations, sizeof *mount_b);
+    wcut_status status = mount_a && mount_b ? WCUT_OK : WCUT_NO_MEMORY;
+    if (status == WCUT_OK) status = wcut_history_path(s->setup, h, mount_a, mount_b, &length);
+    if (status != WCUT_OK) {
+        code = app_fail(app_exit_code(status), "%s: path curves: %s", s->path, wcut_status_text(status));
+    } else {
+        status = wcut_history_write_csv(h, mount_a, mount_b, app_results_path(&s->results, "path.csv"), &error);
+        code = app_results_add(&s->results, "path.csv", status, &error);
+    }
+    free(mount_b);
+    free(mount_a);
+    return code;
+}
+
+/* Last, because it vouches for the others; it names itself too. */
+static int write_summary(simulation *s) {
+    wcut_error error = {0};
+    app_results *r = &s->results;
+    app_results_add(r, "summary.json", WCUT_OK, NULL);
+    wcut_status status =
+        wcut_summary_write(s->setup, s->history, r->count, r->name, app_results_path(r, "summary.json"), &error);
+    if (status == WCUT_OK) return APP_DONE;
+    r->count--;
+    return app_fail_status(status, NULL, &error);
+}
+
+static int write_results(simulation *s) {
+    bool surface = s->history->stations >= 2; /* a run that ended at its start swept none */
+    int code = app_results_remove(&s->results, "summary.json");
+    if (code == APP_DONE) code = write_history(s);
+    if (code == APP_DONE && surface) code = write_surface(s);
+    if (code == APP_DONE && surface) code = write_path(s);
+    if (code == APP_DONE) code = app_results_prune(&s->results, result_name);
+    if (code == APP_DONE) code = write_summary(s);
+    return code;
+}
+
+/* ---- the answer ----------------------------------------------------------------------------------------------------
+ */
+
+static int print_json(simulation *s) {
+    char *text = NULL;
+    wcut_status status = wcut_summary_print(s->setup, s->history, s->results.count, s->results.name, &text);
+    if (status != WCUT_OK) return app_fail_status(status, s->path, NULL);
+    fputs(text, stdout);
+    free(text);
+    return APP_DONE;
+}
+
+static int simulate(const app_call *call) {
+    simulation s = {.call = call, .path = call->operand[0]};
+    int ended = APP_DONE, code = load(&s);
+    if (code == APP_DONE) code = app_results_begin(&s.results, app_text(call, "output"));
+    if (code == APP_DONE) {
+        app_catch_interrupts();
+        ended = run(&s);
+        if (s.history && s.history->stations > 0) {
+            code = write_results(&s);
+            if (code == APP_DONE && app_given(call, "json")) code = print_json(&s);
+        }
+    }
+    if (code == APP_DONE) code = ended;
+    wcut_history_destroy(s.history);
+    wcut_setup_destroy(s.setup);
+    wcut_job_destroy(s.job);
+    return code;
+}
+
+/* ---- the table -----------------------------------------------------------------------------------------------------
+ */
+
+static const app_operand operand[] = {
+    {.name = "JOB", .kind = APP_FILE, .help = "a job file, wirecut-job/1"},
+    {.name = NULL},
+};
+
+static const app_option option[] = {
+    APP_OPTION_OUTPUT,
+    {.kind = APP_CHOICE,
+     .name = "integrator",
+     .value = "implicit|heun",
+     .standard = "implicit",
+     .help = "implicit: shape, tensions and rate solved together; heun: the scheme of Rust et al. 2016, (9)-(11), "
+             "unstable where stations lie close, for comparison"},
+    {.kind = APP_INT,
+     .name = "stations",
+     .value = "N",
+     .low = 2,
+     .high = 1000000,
+     .help = "stations along the path instead of the job's"},
+    {.kind = APP_INT,
+     .name = "nodes",
+     .value = "N",
+     .low = 3,
+     .high = 100000,
+     .help = "nodes along the wire instead of the job's"},
+    {.kind = APP_REAL,
+     .name = "chord-tolerance",
+     .value = "MM",
+     .low = 1e-4,
+     .high = 1e3,
+     .standard = "0.1",
+     .help = "largest distance between triangles and surface, mm"},
+    APP_OPTIONS_OF_ALL,
+};
+
+const app_verb app_verb_simulate = {
+    .name = "simulate",
+    .brief = "cut a job in simulation: history, surface, path curves",
+    .about =
+        "Advances the wire of a job from station to station and writes into DIR: history.vtp (every station's nodes, "
+        "forces, speeds and tensions, for ParaView), surface.stl, surface.obj, surface.ply and surface.glb (the "
+        "surface "
+        "lofted through the stations; force as vertex colour and scalar), path.csv (both mounts' path curves) and "
+        "summary.json, which is written last and lists the files.\n"
+        "A cut that cannot be solved to its end, or is interrupted, leaves the files of what was cut up to there.",
+    .operand = operand,
+    .option = option,
+    .run = simulate,
+};
