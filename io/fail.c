@@ -7,12 +7,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "number.h"
+
 wcut_status wcut_io_fail(wcut_error *error, wcut_status status, const char *format, ...) {
     if (error) {
         error->status = status;
         va_list arguments;
         va_start(arguments, format);
+        locale_t before = wcut_locale_plain();
         vsnprintf(error->text, sizeof error->text, format, arguments);
+        wcut_locale_restore(before);
         va_end(arguments);
     }
     return status;

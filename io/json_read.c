@@ -76,7 +76,9 @@ bool wcut_refuse(wcut_reader *reader, const wcut_place *at, wcut_status status, 
     print_value(found, sizeof found, at->value);
     va_list arguments;
     va_start(arguments, format);
+    locale_t before = wcut_locale_plain();
     vsnprintf(expected, sizeof expected, format, arguments);
+    wcut_locale_restore(before);
     va_end(arguments);
     reader->status = wcut_io_fail(reader->error, status, "%s: %s: found %s, expected %s",
                                   wcut_quote(label, reader->label, WCUT_LABEL_MOST, 1), path, found, expected);

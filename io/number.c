@@ -20,7 +20,8 @@ void wcut_locale_restore(locale_t before) { uselocale(before); }
 static int print_any(double value, char text[WCUT_NUMBER_SIZE]) {
     locale_t before = wcut_locale_plain();
     int length = 0;
-    for (int digits = 15; digits <= 17; digits++) {
+    /* 15 digits are enough for the shortest that 15 can tell, but for subnormal numbers, which have fewer */
+    for (int digits = fabs(value) < DBL_MIN ? 1 : 15; digits <= 17; digits++) {
         length = snprintf(text, WCUT_NUMBER_SIZE, "%.*g", digits, value);
         if (strtod(text, NULL) == value) break;
     }
@@ -31,16 +32,15 @@ static int print_any(double value, char text[WCUT_NUMBER_SIZE]) {
 static const long double power_of_ten[] = {1e0L,  1e1L,  1e2L,  1e3L,  1e4L,  1e5L,  1e6L,  1e7L,  1e8L,  1e9L,  1e10L,
                                            1e11L, 1e12L, 1e13L, 1e14L, 1e15L, 1e16L, 1e17L, 1e18L, 1e19L, 1e20L, 1e21L};
 
-/* whether the digits over 10^k read back as value. Both are exact in a long double (64 bits at least), so the quotient
-   is rounded once; it is in doubt only on the very edge between two doubles, where it would be rounded twice. */
-static bool reads_back(uint64_t digits, int k, double value) {
+/* Whether the digits over 10^k read back as value: 1 or 0, -1 in doubt. Both are exact in a long double (64 bits at
+   least), so the quotient is rounded once; on the very edge between two doubles it would be rounded twice. */
+static int reads_back(uint64_t digits, int k, double value) {
     long double quotient = (long double)digits / power_of_ten[k];
-    double rounded = (double)quotient;
-    if (rounded != value) return false;
-    long double half = (nextafter(value, INFINITY) - (long double)value) / 2;
-    long double half_below = ((long double)value - nextafter(value, 0)) / 2;
     long double off = quotient - (long double)value;
-    return off < half && -off < half_below;
+    long double half_above = (nextafter(value, INFINITY) - (long double)value) / 2;
+    long double half_below = ((long double)value - nextafter(value, 0)) / 2;
+    if (off == half_above || -off == half_below) return -1;
+    return off < half_above && -off < half_below;
 }
 
 /* digits / 10^k as a decimal fraction without trailing zeros */
@@ -72,9 +72,10 @@ int wcut_number_print(double value, char text[WCUT_NUMBER_SIZE]) {
     for (double s = size; s < 1 && s > 0; s *= 10) before_point--;
     for (int significant = 15; significant <= 17; significant++) {
         int k = significant - before_point;
-        if (k < 0) continue;
         uint64_t digits = (uint64_t)((long double)size * power_of_ten[k] + 0.5L);
-        if (!reads_back(digits, k, size)) continue;
+        int back = reads_back(digits, k, size);
+        if (back < 0) break;
+        if (back == 0) continue;
         if (sign) text[0] = '-';
         return sign + print_fraction(digits, k, text + sign);
     }

@@ -1,0 +1,181 @@
+/* Triangles to binary STL and OBJ, and the frame that all mesh writers share. */
+#include "mesh_write.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <wirecut/version.h>
+#include <wirecut/write.h>
+
+#include "fail.h"
+#include "number.h"
+
+_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "binary files are written as they lie in memory");
+
+/* ---- the frame ---- */
+
+static bool is_finite(wcut_vec3 a) { return isfinite(a.x) && isfinite(a.y) && isfinite(a.z); }
+
+/* the vertex at which something is not finite, -1 where none is */
+static int find_odd_vertex(const wcut_mesh *mesh) {
+    for (int i = 0; i < mesh->vertex_count; i++) {
+        bool ok = is_finite(mesh->vertex[i]) && (!mesh->normal || is_finite(mesh->normal[i])) &&
+                  (!mesh->scalar || isfinite(mesh->scalar[i])) &&
+                  (!mesh->uv || (isfinite(mesh->uv[2 * i]) && isfinite(mesh->uv[2 * i + 1])));
+        if (!ok) return i;
+    }
+    return -1;
+}
+
+static int find_odd_triangle(const wcut_mesh *mesh) {
+    for (int t = 0; t < mesh->triangle_count; t++) {
+        const int *v = mesh->triangle + 3 * (size_t)t;
+        for (int k = 0; k < 3; k++)
+            if (v[k] < 0 || v[k] >= mesh->vertex_count) return t;
+    }
+    return -1;
+}
+
+wcut_status wcut_mesh_check(const wcut_mesh *mesh, const char *path, wcut_error *error) {
+    char name[WCUT_QUOTE_SIZE];
+    if (!path) return wcut_io_fail(error, WCUT_BAD_ARGUMENT, "the path of a mesh is NULL");
+    wcut_quote(name, path, WCUT_LABEL_MOST, 1);
+    if (!mesh || mesh->vertex_count < 3 || mesh->triangle_count < 1 || !mesh->vertex || !mesh->triangle)
+        return wcut_io_fail(error, WCUT_BAD_ARGUMENT, "%s: found no mesh, expected at least one triangle", name);
+    int v = find_odd_vertex(mesh), t = find_odd_triangle(mesh);
+    if (v >= 0)
+        return wcut_io_fail(error, WCUT_BAD_ARGUMENT, "%s: vertex %d: found nan or inf, expected finite numbers", name,
+                            v);
+    if (t >= 0)
+        return wcut_io_fail(error, WCUT_BAD_ARGUMENT, "%s: triangle %d: found a vertex outside 0 .. %d", name, t,
+                            mesh->vertex_count - 1);
+    return WCUT_OK;
+}
+
+wcut_status wcut_mesh_write(const wcut_mesh *mesh, wcut_mesh_put *put, const void *context, const char *path,
+                            wcut_error *error) {
+    wcut_file *file = NULL;
+    wcut_text text = {0};
+    wcut_status status = wcut_mesh_check(mesh, path, error);
+    if (status == WCUT_OK) status = wcut_file_create(path, &file, error);
+    if (status != WCUT_OK) return status;
+    if (wcut_text_create(&text, file)) {
+        put(&text, mesh, context);
+        wcut_text_flush(&text);
+        status = wcut_file_commit(file, error);
+    } else {
+        status = wcut_io_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
+    }
+    wcut_text_destroy(&text);
+    wcut_file_destroy(file);
+    return status;
+}
+
+void wcut_range(int count, const double *value, double *least, double *greatest) {
+    *least = *greatest = value[0];
+    for (int i = 1; i < count; i++) {
+        if (value[i] < *least) *least = value[i];
+        if (value[i] > *greatest) *greatest = value[i];
+    }
+}
+
+/* ---- STL ---- */
+
+enum { STL_HEADER = 80, STL_FACET = 50 };
+
+/* unit normal, counter-clockwise; zero for a triangle without area */
+static void facet_normal(wcut_vec3 a, wcut_vec3 b, wcut_vec3 c, float normal[3]) {
+    double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z;
+    double vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
+    double nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+    double size = sqrt(nx * nx + ny * ny + nz * nz);
+    double scale = size > 0 ? 1 / size : 0;
+    normal[0] = (float)(nx * scale);
+    normal[1] = (float)(ny * scale);
+    normal[2] = (float)(nz * scale);
+}
+
+static void put_stl(wcut_text *text, const wcut_mesh *mesh, const void *context) {
+    (void)context;
+    /* not "solid", which would begin an ASCII file */
+    static const char header[STL_HEADER] = "wirecut " WCUT_VERSION ", binary STL, units: mm";
+    uint32_t count = (uint32_t)mesh->triangle_count;
+    wcut_text_put(text, header, STL_HEADER);
+    wcut_text_put(text, &count, sizeof count);
+    for (size_t t = 0; t < count; t++) {
+        const int *v = mesh->triangle + 3 * t;
+        float facet[12];
+        facet_normal(mesh->vertex[v[0]], mesh->vertex[v[1]], mesh->vertex[v[2]], facet);
+        for (int k = 0; k < 3; k++) {
+            wcut_vec3 p = mesh->vertex[v[k]];
+            facet[3 + 3 * k] = (float)p.x;
+            facet[4 + 3 * k] = (float)p.y;
+            facet[5 + 3 * k] = (float)p.z;
+        }
+        char *room = wcut_text_room(text);
+        memcpy(room, facet, sizeof facet);
+        memset(room + sizeof facet, 0, STL_FACET - sizeof facet);
+        text->count += STL_FACET;
+    }
+}
+
+wcut_status wcut_mesh_write_stl(const wcut_mesh *mesh, const char *path, wcut_error *error) {
+    return wcut_mesh_write(mesh, put_stl, NULL, path, error);
+}
+
+/* ---- OBJ ---- */
+
+/* "v 1 2.5 3\n" */
+static void put_line(wcut_text *text, const char *word, int count, const double *value) {
+    char *room = wcut_text_room(text);
+    size_t used = strlen(word);
+    memcpy(room, word, used);
+    for (int k = 0; k < count; k++) {
+        room[used++] = ' ';
+        used += (size_t)wcut_number_print(value[k], room + used);
+    }
+    room[used++] = '\n';
+    text->count += used;
+}
+
+static size_t print_index(char *room, int index) {
+    char reversed[12];
+    size_t n = 0;
+    for (unsigned rest = (unsigned)index; rest > 0; rest /= 10) reversed[n++] = (char)('0' + rest % 10);
+    for (size_t i = 0; i < n; i++) room[i] = reversed[n - 1 - i];
+    return n;
+}
+
+/* "f 1/1/1 2/2/2 3/3/3": position, texture and normal of a vertex have one index */
+static void put_face(wcut_text *text, const wcut_mesh *mesh, const int *v) {
+    char *room = wcut_text_room(text);
+    size_t used = 0;
+    room[used++] = 'f';
+    for (int k = 0; k < 3; k++) {
+        room[used++] = ' ';
+        used += print_index(room + used, v[k] + 1);
+        if (!mesh->uv && !mesh->normal) continue;
+        room[used++] = '/';
+        if (mesh->uv) used += print_index(room + used, v[k] + 1);
+        if (!mesh->normal) continue;
+        room[used++] = '/';
+        used += print_index(room + used, v[k] + 1);
+    }
+    room[used++] = '\n';
+    text->count += used;
+}
+
+static void put_obj(wcut_text *text, const wcut_mesh *mesh, const void *context) {
+    (void)context;
+    wcut_text_print(text, "# wirecut %s\n# units: mm, z up\n# %d vertices, %d triangles\no surface\n", WCUT_VERSION,
+                    mesh->vertex_count, mesh->triangle_count);
+    for (int i = 0; i < mesh->vertex_count; i++) put_line(text, "v", 3, &mesh->vertex[i].x);
+    for (int i = 0; mesh->uv && i < mesh->vertex_count; i++) put_line(text, "vt", 2, mesh->uv + 2 * (size_t)i);
+    for (int i = 0; mesh->normal && i < mesh->vertex_count; i++) put_line(text, "vn", 3, &mesh->normal[i].x);
+    for (size_t t = 0; t < (size_t)mesh->triangle_count; t++) put_face(text, mesh, mesh->triangle + 3 * t);
+}
+
+wcut_status wcut_mesh_write_obj(const wcut_mesh *mesh, const char *path, wcut_error *error) {
+    return wcut_mesh_write(mesh, put_obj, NULL, path, error);
+}
