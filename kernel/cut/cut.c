@@ -1,0 +1,233 @@
+/* A run of a cut, station by station. */
+#include <string.h>
+#include <wirecut/cut.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "base/numbers.h"
+#include "cut/run.h"
+#include "wire/chain.h"
+
+static bool create_wire(int n, wcut_wire *w) {
+    const size_t count = (size_t)n;
+    w->x = wcut_alloc(count, sizeof *w->x);
+    w->s = wcut_alloc(count, sizeof *w->s);
+    w->pattern = wcut_alloc(count, sizeof *w->pattern);
+    w->force = wcut_alloc(count, sizeof *w->force);
+    w->line = wcut_alloc(count, sizeof *w->line);
+    w->speed = wcut_alloc(count, sizeof *w->speed);
+    w->engaged = wcut_alloc(count, sizeof *w->engaged);
+    w->accumulated = wcut_alloc(count, sizeof *w->accumulated);
+    return w->x && w->s && w->pattern && w->force && w->line && w->speed && w->engaged && w->accumulated;
+}
+
+static void destroy_wire(wcut_wire *w) {
+    wcut_free(w->x);
+    wcut_free(w->s);
+    wcut_free(w->pattern);
+    wcut_free(w->force);
+    wcut_free(w->line);
+    wcut_free(w->speed);
+    wcut_free(w->engaged);
+    wcut_free(w->accumulated);
+}
+
+/* what the next step starts from; the fields that every step writes anew are left */
+static void copy_wire(int n, const wcut_wire *from, wcut_wire *to) {
+    const size_t count = (size_t)n;
+    memcpy(to->x, from->x, sizeof *to->x * count);
+    memcpy(to->s, from->s, sizeof *to->s * count);
+    memcpy(to->pattern, from->pattern, sizeof *to->pattern * count);
+    memcpy(to->force, from->force, sizeof *to->force * count);
+    memcpy(to->accumulated, from->accumulated, sizeof *to->accumulated * count);
+    to->length = from->length;
+    to->front_speed = from->front_speed;
+    to->loaded = from->loaded;
+    to->condition = from->condition;
+}
+
+/* station 0: the wire hangs trailing, under an even load against the feed */
+static bool begin(wcut_cut *cut) {
+    const wcut_setup *setup = cut->setup;
+    const int n = setup->job->nodes;
+    wcut_wire *w = &cut->now;
+    for (int i = 0; i < n; i++) w->pattern[i] = vec3_scale(-setup->job->tension / n, setup->feed);
+    const wcut_target target = {.end_a = setup->end_a[0], .end_b = setup->end_b[0], .length = setup->length[0]};
+    if (!wcut_cut_hang(cut, &target, w->pattern)) return false;
+    memcpy(w->x, cut->hung, sizeof *w->x * (size_t)n);
+    w->length = setup->length[0];
+    w->front_speed = setup->job->speed_max;
+    w->loaded = wcut_cut_touches(cut, w->x, 1);
+    w->condition = WCUT_BY_SPEED_MAX;
+    wcut_vec3 unused[2];
+    for (int i = 0; i < n; i++)
+        w->engaged[i] =
+            setup->foam.embedded ? 1 : wcut_block_engagement(&setup->foam.block, w->x[i], w->x[i], unused, unused + 1);
+    cut->touched = w->loaded;
+    return true;
+}
+
+wcut_status wcut_cut_create(const wcut_setup *setup, wcut_cut **out, wcut_error *error) {
+    if (!setup || !out) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a setup and a place for the cut are expected");
+    const int n = setup->job->nodes;
+    wcut_cut *cut = wcut_alloc(1, sizeof *cut);
+    if (!cut) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a run");
+    cut->setup = setup;
+    cut->was = wcut_alloc((size_t)n, sizeof *cut->was);
+    cut->hung = wcut_alloc((size_t)n, sizeof *cut->hung);
+    cut->hung_s = wcut_alloc((size_t)n, sizeof *cut->hung_s);
+    cut->softer = wcut_alloc((size_t)n, sizeof *cut->softer);
+    cut->softer_s = wcut_alloc((size_t)n, sizeof *cut->softer_s);
+    cut->edge = wcut_alloc((size_t)n, sizeof *cut->edge);
+    bool whole = create_wire(n, &cut->now);
+    whole = create_wire(n, &cut->next) && whole;
+    whole = wcut_solver_create(n, &cut->solver) && whole;
+    wcut_status status = WCUT_OK;
+    if (!whole || !cut->was || !cut->hung || !cut->hung_s || !cut->softer || !cut->softer_s || !cut->edge)
+        status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a wire of %d nodes", n);
+    else if (!begin(cut))
+        status = wcut_fail(error, WCUT_NOT_CONVERGED, "station 0: no equilibrium of the wire found under an even load");
+    if (status == WCUT_OK)
+        *out = cut;
+    else
+        wcut_cut_destroy(cut);
+    return status;
+}
+
+void wcut_cut_destroy(wcut_cut *cut) {
+    if (!cut) return;
+    destroy_wire(&cut->now);
+    destroy_wire(&cut->next);
+    wcut_solver_destroy(&cut->solver);
+    wcut_free(cut->was);
+    wcut_free(cut->hung);
+    wcut_free(cut->hung_s);
+    wcut_free(cut->softer);
+    wcut_free(cut->softer_s);
+    wcut_free(cut->edge);
+    wcut_free(cut);
+}
+
+/* advance to a target; on success `next` becomes `now` */
+static wcut_status advance(wcut_cut *cut, const wcut_target *target, wcut_integrator integrator, wcut_error *error) {
+    const int n = cut->setup->job->nodes;
+    const double way_a = vec3_distance(target->end_a, cut->now.x[0]);
+    const double way_b = vec3_distance(target->end_b, cut->now.x[n - 1]);
+    double elapsed = 0;
+    cut->iterations = cut->substeps = 0;
+    cut->residual = 0;
+    copy_wire(n, &cut->now, &cut->next);
+    const wcut_status status = integrator == WCUT_HEUN ? wcut_heun_advance(cut, target, &elapsed, error)
+                                                       : wcut_implicit_advance(cut, target, &elapsed, error);
+    if (status != WCUT_OK) return status;
+    const wcut_wire spare = cut->now;
+    cut->now = cut->next;
+    cut->next = spare;
+    cut->index++;
+    cut->time += elapsed;
+    cut->duration = elapsed;
+    cut->speed_a = way_a / elapsed;
+    cut->speed_b = way_b / elapsed;
+    cut->touched = cut->touched || cut->now.loaded;
+    return WCUT_OK;
+}
+
+wcut_status wcut_cut_step(wcut_cut *cut, wcut_error *error) {
+    if (!cut) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a run is expected");
+    const wcut_setup *setup = cut->setup;
+    const int j = cut->index + 1;
+    if (j >= setup->job->stations)
+        return wcut_fail(error, WCUT_NOT_FOUND, "station %d: the path ends with station %d", j, j - 1);
+    if (cut->over) return wcut_fail(error, WCUT_NOT_CONVERGED, "station %d: the run has ended before", j);
+    const wcut_target target = {
+        .end_a = setup->end_a[j], .end_b = setup->end_b[j], .length = setup->length[j], .heat = setup->job->heat};
+    wcut_error cause = {0};
+    const wcut_status status = advance(cut, &target, setup->options.integrator, &cause);
+    if (status == WCUT_OK) return WCUT_OK;
+    cut->over = true;
+    return wcut_fail(error, status, "station %d: %s", j, cause.text);
+}
+
+wcut_status wcut_cut_drive(wcut_cut *cut, wcut_vec3 mount_a, wcut_vec3 mount_b, double duration, double heat,
+                           wcut_error *error) {
+    if (!cut || !vec3_is_finite(mount_a) || !vec3_is_finite(mount_b) || !is_positive(duration) || !is_positive(heat))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                         "a run, finite positions, a positive duration and heat are expected");
+    const wcut_job *job = cut->setup->job;
+    if (job->mode != WCUT_MODE_PATH || cut->setup->options.integrator != WCUT_IMPLICIT)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "time-driven steps are for path mode and the implicit integrator");
+    const double chord = vec3_distance(mount_a, mount_b);
+    if (chord > job->wire_length)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "the mounts are %.6g mm apart, the wire is %.6g mm long", chord,
+                         job->wire_length);
+    const wcut_target target = {
+        .end_a = mount_a, .end_b = mount_b, .length = job->wire_length, .duration = duration, .heat = heat};
+    return advance(cut, &target, WCUT_IMPLICIT, error);
+}
+
+static double engaged_length(int n, const wcut_wire *w) {
+    double length = 0;
+    for (int i = 0; i < n; i++) length += w->engaged[i] * w->length / (n - 1) * (i > 0 && i < n - 1 ? 1 : 0.5);
+    return length;
+}
+
+/* whether no node of the span over the block, x = 0 .. W, is out of the foam */
+static bool is_whole(const wcut_setup *setup, const wcut_wire *w) {
+    if (setup->foam.embedded) return true;
+    for (int i = 0; i < setup->job->nodes; i++) {
+        const double x = w->x[i].x, margin = w->length / (setup->job->nodes - 1);
+        if (x > margin && x < setup->job->block_size.x - margin && w->engaged[i] < 1) return false;
+    }
+    return true;
+}
+
+static wcut_phase phase_of(const wcut_cut *cut) {
+    const wcut_setup *setup = cut->setup;
+    if (!cut->now.loaded) return cut->touched ? WCUT_LEFT : WCUT_APPROACH;
+    if (cut->index < setup->entry_end) return WCUT_ENTRY;
+    if (cut->index > setup->exit_begin) return WCUT_EXIT;
+    if (is_whole(setup, &cut->now)) return WCUT_STEADY;
+    const double middle = (cut->now.x[0].y + cut->now.x[setup->job->nodes - 1].y) / 2;
+    return middle < setup->job->block_size.y / 2 ? WCUT_ENTRY : WCUT_EXIT;
+}
+
+/* what a mount holds: the pull of its edge and the foam on its own node */
+static double mount_tension(wcut_vec3 mount, wcut_vec3 next, double s, wcut_vec3 force) {
+    return vec3_length(vec3_add_scaled(force, s, vec3_unit(vec3_sub(next, mount))));
+}
+
+void wcut_cut_view(const wcut_cut *cut, wcut_station *station) {
+    const int n = cut->setup->job->nodes;
+    const wcut_wire *w = &cut->now;
+    *station = (wcut_station){.index = cut->index,
+                              .time = cut->time,
+                              .duration = cut->duration,
+                              .nodes = n,
+                              .position = w->x,
+                              .force = w->force,
+                              .force_line = w->line,
+                              .speed = w->speed,
+                              .tension = w->s,
+                              .engaged = w->engaged,
+                              .speed_a = cut->speed_a,
+                              .speed_b = cut->speed_b,
+                              .tension_a = mount_tension(w->x[0], w->x[1], w->s[0], w->force[0]),
+                              .tension_b = mount_tension(w->x[n - 1], w->x[n - 2], w->s[n - 2], w->force[n - 1]),
+                              .engaged_length = engaged_length(n, w),
+                              .phase = phase_of(cut),
+                              .condition = w->condition,
+                              .iterations = cut->iterations,
+                              .substeps = cut->substeps,
+                              .residual = cut->residual};
+    wcut_chain_angles(n, w->x, &station->alpha_a, &station->beta_a, &station->alpha_b, &station->beta_b);
+}
+
+const char *wcut_phase_text(wcut_phase phase) {
+    static const char *const text[] = {"approach", "entry", "steady", "exit", "left"};
+    return (unsigned)phase < sizeof text / sizeof *text ? text[phase] : "unknown";
+}
+
+const char *wcut_condition_text(wcut_condition condition) {
+    static const char *const text[] = {"tension", "speed_max", "speed_min", "time"};
+    return (unsigned)condition < sizeof text / sizeof *text ? text[condition] : "unknown";
+}

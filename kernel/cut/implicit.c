@@ -1,0 +1,261 @@
+/* The implicit integrator: shape, edge tensions and rate at the new station solved together, under the complementarity
+   v <= v_max, T <= k; a step that does not converge is halved. */
+#include <string.h>
+
+#include "base/fail.h"
+#include "base/numbers.h"
+#include "cut/run.h"
+#include "wire/equilibrium.h"
+
+/* the softest face, as a share of the wire's length: deeper than a wire hangs at first contact */
+#define SOFTEST_FACE 0.1
+
+bool wcut_cut_hang(wcut_cut *cut, const wcut_target *target, const wcut_vec3 *load) {
+    const int n = cut->setup->job->nodes;
+    const wcut_equilibrium_options options = {.tolerance = 1e-9, .max_iterations = 100};
+    const double chord = vec3_distance(target->end_a, target->end_b);
+    for (int e = 0; e < n - 1; e++) cut->edge[e] = target->length / (n - 1);
+    cut->hung[0] = target->end_a, cut->hung[n - 1] = target->end_b;
+    if (target->length <= chord * (1 + 1e-12)) {
+        for (int i = 1; i < n - 1; i++) cut->hung[i] = vec3_mix(target->end_a, target->end_b, (double)i / (n - 1));
+        for (int e = 0; e < n - 1; e++) cut->hung_s[e] = 0;
+        return true;
+    }
+    if (wcut_equilibrium_shape(n, load, cut->edge, &options, cut->hung, cut->hung_s, NULL) != WCUT_OK) return false;
+    for (int e = 0; e < n - 1; e++) cut->hung_s[e] *= cut->edge[e];
+    return true;
+}
+
+bool wcut_cut_touches(const wcut_cut *cut, const wcut_vec3 *x, double edge) {
+    const wcut_foam *foam = &cut->setup->foam;
+    const int n = cut->setup->job->nodes;
+    if (foam->embedded) return true;
+    wcut_vec3 unused[2];
+    for (int e = 0; e < n - 1; e++)
+        if (wcut_block_engagement(&foam->block, x[e], x[e + 1], unused, unused + 1) * edge > 0) return true;
+    return false;
+}
+
+void wcut_cut_feed_free(wcut_cut *cut, const wcut_target *target, double reach, double *elapsed) {
+    const wcut_job *job = cut->setup->job;
+    const int n = job->nodes;
+    wcut_wire *w = &cut->next;
+    const double duration = target->duration > 0 ? target->duration : reach / job->speed_max;
+    for (int i = 0; i < n; i++) {
+        w->x[i] = cut->hung[i];
+        w->force[i] = vec3(0, 0, 0);
+        w->line[i] = w->engaged[i] = 0;
+        w->speed[i] = vec3_distance(cut->hung[i], cut->was[i]) / duration;
+    }
+    for (int e = 0; e < n - 1; e++) w->s[e] = 0;
+    w->length = target->length;
+    w->loaded = false;
+    w->condition = target->duration > 0 ? WCUT_BY_TIME : WCUT_BY_SPEED_MAX;
+    w->front_speed = reach / duration;
+    *elapsed += duration;
+}
+
+/* the solver's last evaluation becomes the wire */
+static void accept(wcut_cut *cut, const wcut_target *target, double rate, double reach, wcut_condition condition,
+                   double *elapsed) {
+    const int n = cut->setup->job->nodes;
+    wcut_wire *w = &cut->next;
+    memcpy(w->x, cut->hung, sizeof *w->x * (size_t)n);
+    memcpy(w->s, cut->hung_s, sizeof *w->s * (size_t)(n - 1));
+    double load = 0;
+    for (int i = 0; i < n; i++) {
+        const wcut_resistance *f = &cut->solver.system.node[i];
+        w->force[i] = f->force;
+        w->line[i] = f->line;
+        w->speed[i] = f->speed;
+        w->engaged[i] = f->engaged;
+        if (i > 0 && i < n - 1) load += vec3_length(f->force);
+    }
+    if (load > 0) memcpy(w->pattern, w->force, sizeof *w->pattern * (size_t)n);
+    w->length = target->length;
+    w->loaded = true;
+    w->condition = condition;
+    w->front_speed = reach * rate;
+    *elapsed += 1 / rate;
+}
+
+typedef struct attempt { /* one sub-step being solved */
+    wcut_cut *cut;
+    const wcut_target *target;
+    wcut_step step;
+    double reach; /* [mm] way of the faster end */
+} attempt;
+
+/* Newton from the wire in cut->hung, at a given depth of the block's faces */
+static bool newton(attempt *a, double depth, bool by_tension, double log_rate, wcut_solution *solution) {
+    wcut_cut *cut = a->cut;
+    const wcut_cut_options *o = &cut->setup->options;
+    wcut_foam foam = cut->setup->foam;
+    foam.block.depth = depth;
+    a->step.foam = &foam;
+    solution->log_rate = log_rate;
+    wcut_solver_run(&cut->solver, &a->step, by_tension, o->tolerance, o->max_iterations, cut->hung, cut->hung_s,
+                    solution);
+    cut->iterations += solution->iterations;
+    return solution->converged;
+}
+
+/* Where the wire comes to lie flat against a face, its load sets in at once over the whole width: too sudden for Newton
+   from the wire before. Then the face is made soft at first, over a depth that the wire notices early, and hardened. */
+static bool harden(attempt *a, bool by_tension, double log_rate, wcut_solution *solution) {
+    wcut_cut *cut = a->cut;
+    const double hard = cut->setup->foam.block.depth;
+    double depth = SOFTEST_FACE * cut->next.length, shrink = 0.5;
+    if (cut->setup->foam.embedded) return false;
+    if (!newton(a, depth, by_tension, log_rate, solution)) return false;
+    while (depth > hard) {
+        const double trial = fmax(depth * shrink, hard);
+        memcpy(cut->softer, cut->hung, sizeof *cut->softer * (size_t)a->step.n);
+        memcpy(cut->softer_s, cut->hung_s, sizeof *cut->softer_s * (size_t)(a->step.n - 1));
+        const double rate = solution->log_rate;
+        if (newton(a, trial, by_tension, rate, solution)) {
+            depth = trial;
+            continue;
+        }
+        memcpy(cut->hung, cut->softer, sizeof *cut->softer * (size_t)a->step.n);
+        memcpy(cut->hung_s, cut->softer_s, sizeof *cut->softer_s * (size_t)(a->step.n - 1));
+        solution->log_rate = rate;
+        shrink = sqrt(shrink);
+        if (shrink > 0.95) return false;
+    }
+    return true;
+}
+
+/* solve from the hung wire with the rate as an unknown, or given */
+static bool solve(attempt *a, bool by_tension, double speed, wcut_solution *solution) {
+    wcut_cut *cut = a->cut;
+    const double log_rate = log(speed / a->reach);
+    bool solved = newton(a, cut->setup->foam.block.depth, by_tension, log_rate, solution);
+    if (!solved) {
+        if (!wcut_cut_hang(cut, a->target, cut->next.pattern)) return false;
+        solved = harden(a, by_tension, log_rate, solution);
+    }
+    if (solved) cut->residual = fmax(cut->residual, solution->residual);
+    return solved;
+}
+
+/* v = limit: a solution where the tension is on the right side of k */
+static bool solve_at_limit(attempt *a, double limit, bool upper, double *speed) {
+    wcut_solution out;
+    const double k = a->cut->setup->job->tension;
+    if (!wcut_cut_hang(a->cut, a->target, a->cut->next.pattern) || !solve(a, false, limit, &out)) return false;
+    *speed = limit;
+    return upper ? out.pull <= k * (1 + 1e-12) : out.pull >= k * (1 - 1e-12);
+}
+
+/* T = k: a solution where the speed is inside its limits */
+static bool solve_at_tension(attempt *a, double guess, double *speed) {
+    const wcut_job *job = a->cut->setup->job;
+    wcut_solution out;
+    if (!wcut_cut_hang(a->cut, a->target, a->cut->next.pattern) || !solve(a, true, guess, &out)) return false;
+    *speed = a->reach * exp(out.log_rate);
+    return *speed <= job->speed_max && *speed >= job->speed_min;
+}
+
+/* One side of the complementarity after the other, the one that held last first. */
+static bool solve_complementary(attempt *a, double *speed, wcut_condition *condition) {
+    const wcut_job *job = a->cut->setup->job;
+    const wcut_wire *last = &a->cut->next;
+    const double guess = clamp(last->front_speed, job->speed_min, job->speed_max);
+    const bool max_first = !last->loaded || last->condition == WCUT_BY_SPEED_MAX;
+    *condition = WCUT_BY_SPEED_MAX;
+    if (max_first && solve_at_limit(a, job->speed_max, true, speed)) return true;
+    *condition = WCUT_BY_TENSION;
+    if (solve_at_tension(a, guess, speed)) return true;
+    *condition = WCUT_BY_SPEED_MAX;
+    if (!max_first && solve_at_limit(a, job->speed_max, true, speed)) return true;
+    *condition = WCUT_BY_SPEED_MIN;
+    return solve_at_limit(a, job->speed_min, false, speed);
+}
+
+/* A hanging wire that comes to touch the foam has slack: what touches is held back, without force, until the rest has
+   been pulled straight. The foam loads the wire only if it still touches when it hangs taut on what touches now. Then
+   that load is the pattern to begin with. */
+static bool begins_to_carry(wcut_cut *cut, const wcut_target *target) {
+    const wcut_setup *setup = cut->setup;
+    const int n = setup->job->nodes;
+    wcut_wire *w = &cut->next;
+    const wcut_step step = {.foam = &setup->foam, .heat = target->heat, .edge = target->length / (n - 1), .n = n};
+    const wcut_vec3 move = vec3_add(vec3_sub(target->end_a, w->x[0]), vec3_sub(target->end_b, w->x[n - 1]));
+    const double force = wcut_force_law_eval(&setup->foam.law, target->heat, setup->job->speed_max);
+    memcpy(cut->softer, w->pattern, sizeof *w->pattern * (size_t)n);
+    double load = 0;
+    for (int i = 0; i < n; i++) {
+        wcut_resistance f;
+        wcut_resistance_eval(step.foam, step.heat, step.edge, 1, n, cut->hung, cut->was, i, false, &f);
+        w->pattern[i] = vec3_scale(-force * f.engaged * step.edge, vec3_unit(move));
+        if (i > 0 && i < n - 1) load += vec3_length(w->pattern[i]);
+    }
+    if (load > 0 && wcut_cut_hang(cut, target, w->pattern) && wcut_cut_touches(cut, cut->hung, step.edge)) return true;
+    memcpy(w->pattern, cut->softer, sizeof *w->pattern * (size_t)n);
+    return false;
+}
+
+/* 0: the foam does not load the wire; 1: it does; -1: no shape of the wire was found */
+static int find_load(wcut_cut *cut, const wcut_target *target) {
+    if (!wcut_cut_hang(cut, target, cut->next.pattern)) return -1;
+    if (!wcut_cut_touches(cut, cut->hung, target->length)) return 0;
+    if (cut->next.loaded || cut->setup->foam.embedded) return 1;
+    if (begins_to_carry(cut, target)) return 1;
+    return wcut_cut_hang(cut, target, cut->next.pattern) ? 0 : -1;
+}
+
+static bool try_substep(wcut_cut *cut, const wcut_target *target, double *elapsed) {
+    const wcut_setup *setup = cut->setup;
+    const int n = setup->job->nodes;
+    wcut_wire *w = &cut->next;
+    memcpy(cut->was, w->x, sizeof *w->x * (size_t)n);
+    const double reach = fmax(vec3_distance(target->end_a, w->x[0]), vec3_distance(target->end_b, w->x[n - 1]));
+    const int load = find_load(cut, target);
+    if (load < 0) return false;
+    if (load == 0) {
+        wcut_cut_feed_free(cut, target, reach, elapsed);
+        return true;
+    }
+    attempt a = {.cut = cut, .target = target, .reach = reach};
+    a.step = (wcut_step){.heat = target->heat,
+                         .tension = setup->job->tension,
+                         .edge = target->length / (n - 1),
+                         .n = n,
+                         .was = cut->was};
+    double speed = target->duration > 0 ? reach / target->duration : 0;
+    wcut_condition condition = WCUT_BY_TIME;
+    wcut_solution out;
+    const bool solved = target->duration > 0 ? solve(&a, false, speed, &out) : solve_complementary(&a, &speed, &condition);
+    if (solved) accept(cut, target, speed / reach, reach, condition, elapsed);
+    return solved;
+}
+
+wcut_status wcut_implicit_advance(wcut_cut *cut, const wcut_target *target, double *elapsed, wcut_error *error) {
+    const int n = cut->setup->job->nodes;
+    const wcut_vec3 from_a = cut->next.x[0], from_b = cut->next.x[n - 1];
+    const double from_length = cut->next.length;
+    const double smallest = ldexp(1, -cut->setup->options.max_halvings);
+    double done = 0, size = 1;
+    while (done < 1) {
+        const double to = done + size;
+        const wcut_target part = {.end_a = to < 1 ? vec3_mix(from_a, target->end_a, to) : target->end_a,
+                                  .end_b = to < 1 ? vec3_mix(from_b, target->end_b, to) : target->end_b,
+                                  .length = to < 1 ? from_length + to * (target->length - from_length) : target->length,
+                                  .duration = size * target->duration,
+                                  .heat = target->heat};
+        if (try_substep(cut, &part, elapsed)) {
+            cut->substeps++;
+            done = to;
+            size = fmin(2 * size, 1 - done);
+            continue;
+        }
+        size /= 2;
+        if (size < smallest)
+            return wcut_fail(error, WCUT_NOT_CONVERGED,
+                             "no equilibrium of wire and foam found, with the step cut into %.0f parts; expected a "
+                             "residual below %g",
+                             1 / smallest, cut->setup->options.tolerance);
+    }
+    return WCUT_OK;
+}

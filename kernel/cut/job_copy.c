@@ -1,0 +1,41 @@
+/* A deep copy of a job. */
+#include "base/alloc.h"
+#include "cut/setup.h"
+
+static bool copy_text(const char *from, char **to) {
+    if (!from) return true;
+    return (*to = wcut_copy_text(from)) != NULL;
+}
+
+static bool copy_array(const void *from, int count, size_t size, void **to) {
+    if (!from) return true;
+    return (*to = wcut_copy(from, (size_t)count, size)) != NULL;
+}
+
+static bool copy_curve(const wcut_curve *c, wcut_curve **to) {
+    return !c || wcut_curve_create(c->degree, c->control_count, c->knots, c->control, c->weights, to) == WCUT_OK;
+}
+
+wcut_job *wcut_job_copy(const wcut_job *job) {
+    wcut_job *copy = wcut_copy(job, 1, sizeof *job);
+    if (!copy) return NULL;
+    copy->name = copy->foam_material = copy->wire_material = NULL;
+    copy->mount_a = copy->mount_b = NULL;
+    copy->edge_a = copy->edge_b = NULL;
+    copy->extra_u = copy->extra_length = NULL;
+    copy->dither = NULL;
+    copy->heat_step = NULL;
+    const bool whole =
+        copy_text(job->name, &copy->name) && copy_text(job->foam_material, &copy->foam_material) &&
+        copy_text(job->wire_material, &copy->wire_material) &&
+        copy_array(job->mount_a, job->stations, sizeof *job->mount_a, (void **)&copy->mount_a) &&
+        copy_array(job->mount_b, job->stations, sizeof *job->mount_b, (void **)&copy->mount_b) &&
+        copy_curve(job->edge_a, &copy->edge_a) && copy_curve(job->edge_b, &copy->edge_b) &&
+        copy_array(job->extra_u, job->extra_count, sizeof(double), (void **)&copy->extra_u) &&
+        copy_array(job->extra_length, job->extra_count, sizeof(double), (void **)&copy->extra_length) &&
+        copy_array(job->dither, job->dither_count, sizeof *job->dither, (void **)&copy->dither) &&
+        copy_array(job->heat_step, job->heat_step_count, sizeof *job->heat_step, (void **)&copy->heat_step);
+    if (whole) return copy;
+    wcut_job_destroy(copy);
+    return NULL;
+}

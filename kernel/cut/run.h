@@ -1,0 +1,68 @@
+/* One run of a cut: the wire as it is, the wire as it is being tried, and the solver's memory. */
+#ifndef WCUT_CUT_RUN_H
+#define WCUT_CUT_RUN_H
+
+#include <wirecut/cut.h>
+
+#include "cut/setup.h"
+#include "cut/solve.h"
+
+/* A wire at one moment, with what the step that led to it left behind. */
+typedef struct wcut_wire {
+    wcut_vec3 *x;       /* n [mm] */
+    double *s;          /* n-1 [N] edge tensions */
+    wcut_vec3 *pattern; /* n [N] the load that shaped it last: a wire that nothing touches keeps it, hence its shape */
+    wcut_vec3 *force;   /* n [N] of the foam */
+    double *line;       /* n [N/mm] */
+    double *speed;      /* n [mm/s] */
+    double *engaged;    /* n [1] */
+    double length;      /* [mm] */
+    double front_speed; /* [mm/s] of the faster end */
+    bool loaded;        /* the foam touches it */
+    wcut_condition condition;
+    wcut_vec3 *accumulated; /* n [N s] heun's memory; unused by implicit */
+} wcut_wire;
+
+struct wcut_cut {
+    const wcut_setup *setup;
+    int index;               /* of the station it is at */
+    double time;             /* [s] */
+    double duration;         /* [s] of the last step */
+    double speed_a, speed_b; /* [mm/s] of the ends over the last step */
+    int iterations, substeps;
+    double residual;
+    bool touched; /* the wire has been in contact */
+    bool over;    /* a step failed: the run cannot go on */
+    wcut_wire now, next;
+    wcut_vec3 *was;    /* n: where the nodes come from in the sub-step being tried */
+    wcut_vec3 *hung;   /* n: the wire under its last load between its new ends */
+    double *hung_s;    /* n-1 */
+    wcut_vec3 *softer; /* n: the last solution while a face is being hardened */
+    double *softer_s;  /* n-1 */
+    double *edge;      /* n-1 [mm] rest lengths */
+    wcut_solver solver;
+};
+
+/* Where a step or sub-step is to lead. */
+typedef struct wcut_target {
+    wcut_vec3 end_a, end_b;
+    double length;   /* [mm] of wire between them */
+    double duration; /* [s]; 0: tension-driven, the solver finds it */
+    double heat;     /* [W/m] */
+} wcut_target;
+
+/* Hang the wire between the target's ends under `load` into cut->hung and cut->hung_s. A wire no longer than its chord
+   is straight, without tension. False where there is no such shape. */
+bool wcut_cut_hang(wcut_cut *cut, const wcut_target *target, const wcut_vec3 *load);
+
+/* whether any part of the hung wire is in the block */
+bool wcut_cut_touches(const wcut_cut *cut, const wcut_vec3 *x, double edge);
+
+/* advance cut->next, which is a copy of cut->now, to the target; the time taken is added to *elapsed */
+wcut_status wcut_implicit_advance(wcut_cut *cut, const wcut_target *target, double *elapsed, wcut_error *error);
+wcut_status wcut_heun_advance(wcut_cut *cut, const wcut_target *target, double *elapsed, wcut_error *error);
+
+/* a wire that the foam does not touch: hung in its old pattern, fed at v_max or in the given time */
+void wcut_cut_feed_free(wcut_cut *cut, const wcut_target *target, double reach, double *elapsed);
+
+#endif

@@ -1,0 +1,233 @@
+/* Check a job and prepare what its runs share. */
+#include "cut/setup.h"
+
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "base/numbers.h"
+
+wcut_cut_options wcut_cut_options_default(void) {
+    return (wcut_cut_options){
+        .integrator = WCUT_IMPLICIT, .tolerance = 1e-10, .max_iterations = 40, .max_halvings = 10};
+}
+
+static wcut_status expect_positive(wcut_error *error, const char *key, double value) {
+    if (is_positive(value)) return WCUT_OK;
+    return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s: found %g, expected a number greater than 0", key, value);
+}
+
+static wcut_status check_numbers(const wcut_job *job, wcut_error *error) {
+    const struct {
+        const char *key;
+        double value;
+    } positive[] = {{"block.size_mm[0]", job->block_size.x},
+                    {"block.size_mm[1]", job->block_size.y},
+                    {"block.size_mm[2]", job->block_size.z},
+                    {"wire.diameter_mm", job->wire_diameter},
+                    {"process.heat_W_per_m", job->heat},
+                    {"process.tension_N", job->tension},
+                    {"process.force_law.a_N_per_mm", job->force_law.a},
+                    {"process.force_law.b_m2_per_J", job->force_law.b},
+                    {"limits.speed_max_mm_s", job->speed_max},
+                    {"limits.speed_min_mm_s", job->speed_min}};
+    for (size_t i = 0; i < sizeof positive / sizeof *positive; i++) {
+        const wcut_status status = expect_positive(error, positive[i].key, positive[i].value);
+        if (status != WCUT_OK) return status;
+    }
+    if (job->speed_min >= job->speed_max)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                         "limits.speed_min_mm_s: found %g, expected less than speed_max_mm_s = %g", job->speed_min,
+                         job->speed_max);
+    if (job->nodes < 3)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "wire.nodes: found %d, expected at least 3", job->nodes);
+    if (job->stations < 2)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "stations: found %d, expected at least 2", job->stations);
+    return WCUT_OK;
+}
+
+static wcut_status check_path(const wcut_job *job, wcut_error *error) {
+    if (!job->mount_a || !job->mount_b || !vec3_all_finite(job->stations, job->mount_a) ||
+        !vec3_all_finite(job->stations, job->mount_b))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "path: expected %d finite positions of each mount", job->stations);
+    return expect_positive(error, "wire.length_mm", job->wire_length);
+}
+
+static wcut_status check_design(const wcut_job *job, wcut_error *error) {
+    if (!job->edge_a || !job->edge_b || job->extra_count < 1 || !job->extra_u || !job->extra_length)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "design: expected two edge curves and an extra length");
+    for (int i = 0; i < job->extra_count; i++) {
+        const double u = job->extra_u[i], before = i > 0 ? job->extra_u[i - 1] : -1;
+        if (!(u >= 0 && u <= 1 && u > before))
+            return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                             "design.extra_length_mm[%d][0]: found %g, expected strictly increasing in 0 .. 1", i, u);
+        if (!(job->extra_length[i] >= 0 && isfinite(job->extra_length[i])))
+            return wcut_fail(error, WCUT_BAD_ARGUMENT, "design.extra_length_mm[%d][1]: found %g, expected 0 or more", i,
+                             job->extra_length[i]);
+    }
+    if (!(job->clearance >= 0 && isfinite(job->clearance)))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "design.clearance_mm: found %g, expected 0 or more", job->clearance);
+    return WCUT_OK;
+}
+
+static bool strictly_inside(const wcut_block *block, wcut_vec3 p) {
+    const double h = 1e-6 * block->size.x;
+    return p.x > h && p.x < block->size.x - h && p.y > h && p.y < block->size.y - h && p.z > h &&
+           p.z < block->size.z - h;
+}
+
+/* stations that the wire cannot reach, mounts in the foam, mounts that stand still */
+static wcut_status check_stations(const wcut_setup *setup, wcut_error *error) {
+    const wcut_job *job = setup->job;
+    for (int j = 0; j < job->stations; j++) {
+        const wcut_vec3 a = setup->end_a[j], b = setup->end_b[j];
+        const double chord = vec3_distance(a, b), length = setup->length[j];
+        /* only where it begins may the wire be straight: under load a straight wire would need endless tension */
+        if (length < chord * (1 - 1e-9))
+            return wcut_fail(
+                error, WCUT_DEGENERATE,
+                "station %d: the wire (%.6g mm) is shorter than the distance of its ends (%.6g mm) by %.3g mm", j,
+                length, chord, chord - length);
+        if (!(chord > 1e-6 * length))
+            return wcut_fail(error, WCUT_DEGENERATE, "station %d: both ends of the wire are in one place", j);
+        if (job->mode == WCUT_MODE_PATH &&
+            (strictly_inside(&setup->foam.block, a) || strictly_inside(&setup->foam.block, b)))
+            return wcut_fail(error, WCUT_DEGENERATE,
+                             "station %d: mount %c is inside the block, expected a path around it", j,
+                             strictly_inside(&setup->foam.block, a) ? 'A' : 'B');
+        if (j > 0 &&
+            !(fmax(vec3_distance(a, setup->end_a[j - 1]), vec3_distance(b, setup->end_b[j - 1])) > 1e-9 * length))
+            return wcut_fail(error, WCUT_DEGENERATE, "station %d: neither mount has moved since station %d", j, j - 1);
+    }
+    return WCUT_OK;
+}
+
+/* whether anything of the region that the wire sweeps can lie in the block: the hull of the ends, trailing by the slack
+ */
+static wcut_status check_contact(const wcut_setup *setup, wcut_error *error) {
+    const wcut_job *job = setup->job;
+    wcut_vec3 low = setup->end_a[0], high = low;
+    double slack = 0;
+    for (int j = 0; j < job->stations; j++) {
+        const wcut_vec3 end[2] = {setup->end_a[j], setup->end_b[j]};
+        for (int k = 0; k < 2; k++) {
+            low = vec3(fmin(low.x, end[k].x), fmin(low.y, end[k].y), fmin(low.z, end[k].z));
+            high = vec3(fmax(high.x, end[k].x), fmax(high.y, end[k].y), fmax(high.z, end[k].z));
+        }
+        const double chord = vec3_distance(end[0], end[1]), length = setup->length[j];
+        slack = fmax(slack, sqrt(fmax(length * length - chord * chord, 0)) / 2);
+    }
+    const wcut_vec3 size = setup->foam.block.size;
+    const bool meets = low.x - slack < size.x && high.x + slack > 0 && low.y - slack < size.y && high.y + slack > 0 &&
+                       low.z - slack < size.z && high.z + slack > 0;
+    if (meets) return WCUT_OK;
+    return wcut_fail(
+        error, WCUT_DEGENERATE,
+        "path: no contact with the block: the wire stays within x %.6g .. %.6g, y %.6g .. %.6g, z %.6g .. %.6g "
+        "mm, the block fills 0 .. %.6g, 0 .. %.6g, 0 .. %.6g mm",
+        low.x - slack, high.x + slack, low.y - slack, high.y + slack, low.z - slack, high.z + slack, size.x, size.y,
+        size.z);
+}
+
+static double slack_of(const wcut_setup *setup, int j) {
+    return setup->length[j] / vec3_distance(setup->end_a[j], setup->end_b[j]);
+}
+
+/* Entry: the wire gains slack from the beginning on, after whatever even approach. Exit: it loses slack until the end.
+   Rates below a fiftieth of the largest count as even. */
+static void find_phases(wcut_setup *setup) {
+    const int m = setup->job->stations;
+    double fastest = 0;
+    for (int j = 1; j < m; j++) fastest = fmax(fastest, fabs(slack_of(setup, j) - slack_of(setup, j - 1)));
+    const double even = fastest / 50;
+    int j = 1;
+    while (j < m && fabs(slack_of(setup, j) - slack_of(setup, j - 1)) <= even) j++;
+    while (j < m && slack_of(setup, j) - slack_of(setup, j - 1) > even) j++;
+    setup->entry_end = j - 1;
+    if (setup->entry_end == m - 1 && fastest < 1e-9) setup->entry_end = 0;
+    j = m - 1;
+    while (j > 0 && fabs(slack_of(setup, j) - slack_of(setup, j - 1)) <= even) j--;
+    while (j > 0 && slack_of(setup, j) - slack_of(setup, j - 1) < -even) j--;
+    setup->exit_begin = j > 0 ? j : m;
+    if (setup->exit_begin <= setup->entry_end) setup->exit_begin = m;
+}
+
+static wcut_vec3 find_feed(const wcut_setup *setup) {
+    const wcut_vec3 across = vec3_unit(vec3_sub(setup->end_b[0], setup->end_a[0]));
+    for (int j = 1; j < setup->job->stations; j++) {
+        const wcut_vec3 move =
+            vec3_add(vec3_sub(setup->end_a[j], setup->end_a[0]), vec3_sub(setup->end_b[j], setup->end_b[0]));
+        const wcut_vec3 feed = vec3_add_scaled(move, -vec3_dot(move, across), across);
+        if (vec3_length(feed) > 1e-9 * setup->length[0]) return vec3_unit(feed);
+    }
+    return vec3(0, 1, 0);
+}
+
+static wcut_status fill(wcut_setup *setup, wcut_error *error) {
+    const wcut_job *job = setup->job;
+    setup->foam = (wcut_foam){.law = job->force_law,
+                              .block = {.size = job->block_size, .depth = job->wire_diameter},
+                              .embedded = job->mode == WCUT_MODE_DESIGN};
+    if (job->mode == WCUT_MODE_DESIGN) {
+        const wcut_status status = wcut_design_ends(job, setup->end_a, setup->end_b, setup->length, error);
+        if (status != WCUT_OK) return status;
+    } else {
+        for (int j = 0; j < job->stations; j++) {
+            setup->end_a[j] = job->mount_a[j];
+            setup->end_b[j] = job->mount_b[j];
+            setup->length[j] = job->wire_length;
+        }
+    }
+    wcut_status status = check_stations(setup, error);
+    if (status == WCUT_OK) status = check_contact(setup, error);
+    if (status != WCUT_OK) return status;
+    setup->feed = find_feed(setup);
+    find_phases(setup);
+    return WCUT_OK;
+}
+
+static wcut_status check_options(const wcut_cut_options *o, wcut_error *error) {
+    if ((o->integrator == WCUT_IMPLICIT || o->integrator == WCUT_HEUN) && is_positive(o->tolerance) &&
+        o->max_iterations >= 1 && o->max_halvings >= 0 && o->max_halvings <= 30)
+        return WCUT_OK;
+    return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                     "options: a known integrator, a positive tolerance, at least 1 iteration and "
+                     "0 to 30 halvings expected");
+}
+
+wcut_status wcut_setup_create(const wcut_job *job, const wcut_cut_options *options, wcut_setup **out,
+                              wcut_error *error) {
+    const wcut_cut_options o = options ? *options : wcut_cut_options_default();
+    if (!job || !out) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a job and a place for the setup are expected");
+    wcut_status status = check_options(&o, error);
+    if (status == WCUT_OK) status = check_numbers(job, error);
+    if (status == WCUT_OK) status = job->mode == WCUT_MODE_PATH ? check_path(job, error) : check_design(job, error);
+    if (status != WCUT_OK) return status;
+
+    const size_t m = (size_t)job->stations;
+    wcut_setup *setup = wcut_alloc(1, sizeof *setup);
+    if (!setup) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for the setup");
+    setup->options = o;
+    setup->job = wcut_job_copy(job);
+    setup->end_a = wcut_alloc(m, sizeof *setup->end_a);
+    setup->end_b = wcut_alloc(m, sizeof *setup->end_b);
+    setup->length = wcut_alloc(m, sizeof *setup->length);
+    if (setup->job && setup->end_a && setup->end_b && setup->length)
+        status = fill(setup, error);
+    else
+        status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d stations", job->stations);
+    if (status == WCUT_OK)
+        *out = setup;
+    else
+        wcut_setup_destroy(setup);
+    return status;
+}
+
+void wcut_setup_destroy(wcut_setup *setup) {
+    if (!setup) return;
+    wcut_job_destroy(setup->job);
+    wcut_free(setup->end_a);
+    wcut_free(setup->end_b);
+    wcut_free(setup->length);
+    wcut_free(setup);
+}
+
+const wcut_job *wcut_setup_job(const wcut_setup *setup) { return setup->job; }

@@ -1,0 +1,153 @@
+/* The one residual of the wire in the foam, with its banded Jacobian bordered by the rate. */
+#include "cut/system.h"
+
+#include "base/alloc.h"
+#include "base/numbers.h"
+
+enum { BAND = 6 };
+
+bool wcut_system_create(int n, wcut_system *y) {
+    const int size = 4 * n - 7;
+    *y = (wcut_system){.n = n, .size = size};
+    y->jacobian = (wcut_banded){.n = size, .kl = BAND, .ku = BAND, .width = 3 * BAND + 1};
+    y->jacobian.entry = wcut_alloc(banded_size(size, BAND, BAND), sizeof(double));
+    y->jacobian.pivot = wcut_alloc((size_t)size, sizeof(int));
+    y->residual = wcut_alloc((size_t)size, sizeof(double));
+    y->by_log_rate = wcut_alloc((size_t)size, sizeof(double));
+    y->border = wcut_alloc((size_t)size, sizeof(double));
+    y->node = wcut_alloc((size_t)n, sizeof *y->node);
+    return y->jacobian.entry && y->jacobian.pivot && y->residual && y->by_log_rate && y->border && y->node;
+}
+
+void wcut_system_destroy(wcut_system *y) {
+    wcut_free(y->jacobian.entry);
+    wcut_free(y->jacobian.pivot);
+    wcut_free(y->residual);
+    wcut_free(y->by_log_rate);
+    wcut_free(y->border);
+    wcut_free(y->node);
+}
+
+/* where the unknowns stand */
+static int tension_at(int e) { return 4 * e; }
+static int node_at(int i) { return 4 * i - 3; }
+static bool is_free(const wcut_system *y, int i) { return i > 0 && i < y->n - 1; }
+
+static void put_vector(double *at, wcut_vec3 v) { at[0] = v.x, at[1] = v.y, at[2] = v.z; }
+
+static void add_vector(double *at, wcut_vec3 v) { at[0] += v.x, at[1] += v.y, at[2] += v.z; }
+
+static void add_block(wcut_banded *m, int row, int column, mat3 a) {
+    add_vector(banded_at(m, row, column), a.x);
+    add_vector(banded_at(m, row + 1, column), a.y);
+    add_vector(banded_at(m, row + 2, column), a.z);
+}
+
+/* (|E|^2 - l^2) / 2 l, the stretch to first order but polynomial */
+static void put_lengths(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, bool slopes) {
+    const double l = step->edge;
+    for (int e = 0; e < y->n - 1; e++) {
+        const wcut_vec3 edge = vec3_sub(x[e + 1], x[e]);
+        const int row = tension_at(e);
+        y->residual[row] = (vec3_dot(edge, edge) - l * l) / (2 * l);
+        if (!slopes) continue;
+        const wcut_vec3 u = vec3_scale(1 / l, edge);
+        if (is_free(y, e)) put_vector(banded_at(&y->jacobian, row, node_at(e)), vec3_scale(-1, u));
+        if (is_free(y, e + 1)) put_vector(banded_at(&y->jacobian, row, node_at(e + 1)), u);
+    }
+}
+
+static void put_equilibrium(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, const double *s, bool slopes) {
+    const double l = step->edge;
+    for (int i = 1; i < y->n - 1; i++) {
+        const wcut_vec3 back = vec3_scale(1 / l, vec3_sub(x[i], x[i - 1]));
+        const wcut_vec3 front = vec3_scale(1 / l, vec3_sub(x[i + 1], x[i]));
+        const wcut_resistance *f = &y->node[i];
+        const int row = node_at(i);
+        put_vector(y->residual + row, vec3_add_scaled(vec3_add_scaled(f->force, s[i], front), -s[i - 1], back));
+        if (!slopes) continue;
+        for (int c = 0; c < 3; c++) {
+            const double b[3] = {back.x, back.y, back.z}, a[3] = {front.x, front.y, front.z};
+            *banded_at(&y->jacobian, row + c, tension_at(i - 1)) = -b[c];
+            *banded_at(&y->jacobian, row + c, tension_at(i)) = a[c];
+        }
+        add_block(&y->jacobian, row, row, mat3_add_identity(f->by_here, -(s[i] + s[i - 1]) / l));
+        if (i > 1) add_block(&y->jacobian, row, node_at(i - 1), mat3_add_identity(f->by_before, s[i - 1] / l));
+        if (i < y->n - 2) add_block(&y->jacobian, row, node_at(i + 1), mat3_add_identity(f->by_after, s[i] / l));
+        put_vector(y->by_log_rate + row, f->by_log_rate);
+    }
+}
+
+/* An end of the wire: its outward tangent, from the one-sided difference of second order 3 X_0 - 4 X_1 + X_2 (the first
+   edge alone is half an edge off, an error of first order where the end is in the foam). */
+typedef struct wire_end {
+    wcut_vec3 outward;
+    double scale; /* [1/mm] of a unit tangent per length of that difference */
+} wire_end;
+
+static wire_end end_of(wcut_vec3 end, wcut_vec3 next, wcut_vec3 second) {
+    const wcut_vec3 difference = vec3_add_scaled(vec3_add_scaled(vec3_scale(3, end), -4, next), 1, second);
+    const double scale = 1 / vec3_length(difference);
+    return (wire_end){vec3_scale(scale, difference), scale};
+}
+
+/* d (direction . outward) by the position that enters the difference with `weight` */
+static wcut_vec3 turn_of(const wire_end *e, double weight, wcut_vec3 direction) {
+    return vec3_scale(weight * e->scale, vec3_add_scaled(direction, -vec3_dot(e->outward, direction), e->outward));
+}
+
+/* (4): |sum f| - k |t_0 + t_{n-1}| */
+static void put_condition(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, bool slopes) {
+    const int n = y->n;
+    wcut_vec3 sum = {0, 0, 0};
+    y->load = 0;
+    for (int i = 0; i < n; i++) {
+        sum = vec3_add(sum, y->node[i].force);
+        y->load += vec3_length(y->node[i].force);
+    }
+    const wire_end a = end_of(x[0], x[1], x[2]), b = end_of(x[n - 1], x[n - 2], x[n - 3]);
+    const wcut_vec3 out = vec3_add(a.outward, b.outward);
+    const double total = vec3_length(sum), opening = vec3_length(out);
+    y->condition = total - step->tension * opening;
+    y->pull = opening > 0 ? total / opening : 0;
+    if (!slopes) return;
+
+    const wcut_vec3 u = vec3_unit(sum), w = vec3_unit(out);
+    y->condition_by_log_rate = 0;
+    for (int i = 0; i < n; i++) {
+        const wcut_resistance *f = &y->node[i];
+        y->condition_by_log_rate += vec3_dot(u, f->by_log_rate);
+        if (is_free(y, i)) add_vector(y->border + node_at(i), mat3_row_product(u, f->by_here));
+        if (is_free(y, i - 1)) add_vector(y->border + node_at(i - 1), mat3_row_product(u, f->by_before));
+        if (is_free(y, i + 1)) add_vector(y->border + node_at(i + 1), mat3_row_product(u, f->by_after));
+    }
+    const double k = step->tension;
+    const int inner[4] = {1, 2, n - 2, n - 3}; /* the last two are ends of the other side where there are few nodes */
+    for (int i = 0; i < 4; i++)
+        if (is_free(y, inner[i]))
+            add_vector(y->border + node_at(inner[i]), vec3_scale(-k, turn_of(i < 2 ? &a : &b, i % 2 ? 1 : -4, w)));
+}
+
+void wcut_system_eval(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, const double *s, double log_rate,
+                      bool slopes) {
+    const double rate = exp(log_rate);
+    for (int i = 0; i < y->n; i++)
+        wcut_resistance_eval(step->foam, step->heat, step->edge, rate, y->n, x, step->was, i, slopes, &y->node[i]);
+    if (slopes) {
+        wcut_banded_clear(&y->jacobian);
+        for (int k = 0; k < y->size; k++) y->by_log_rate[k] = y->border[k] = 0;
+    }
+    put_lengths(y, step, x, slopes);
+    put_equilibrium(y, step, x, s, slopes);
+    put_condition(y, step, x, slopes);
+}
+
+wcut_misfit wcut_system_misfit(const wcut_system *y, const wcut_step *step) {
+    /* a load far below the target tension is held to what rounding of the target allows */
+    const double scale = fmax(y->load, 1e-6 * step->tension);
+    wcut_misfit m = {.condition = fabs(y->condition) / step->tension};
+    for (int e = 0; e < y->n - 1; e++) m.strain = fmax(m.strain, fabs(y->residual[tension_at(e)]) / step->edge);
+    for (int i = 1; i < y->n - 1; i++)
+        for (int c = 0; c < 3; c++) m.balance = fmax(m.balance, fabs(y->residual[node_at(i) + c]) / scale);
+    return m;
+}

@@ -1,0 +1,52 @@
+/* The one residual of the wire in the foam: equilibrium of every free node under (3) at the new shape, edge lengths,
+   and the tension condition (4), with its banded Jacobian. Tension-driven and time-driven steps share it. */
+#ifndef WCUT_CUT_SYSTEM_H
+#define WCUT_CUT_SYSTEM_H
+
+#include "base/banded.h"
+#include "foam/resistance.h"
+
+/* What one step is asked to do. */
+typedef struct wcut_step {
+    const wcut_foam *foam;
+    double heat;          /* [W/m] */
+    double tension;       /* [N] k */
+    double edge;          /* [mm] new rest length of an edge */
+    int n;                /* nodes */
+    const wcut_vec3 *was; /* n: where each node comes from */
+} wcut_step;
+
+/* Unknowns in the order S_0, X_1, S_1, X_2, .., X_{n-2}, S_{n-2} (S edge tensions [N]); the equations in the same
+   order: length of edge e where S_e stands, equilibrium of node i where X_i stands. The band reaches 6 to either side.
+ */
+typedef struct wcut_system {
+    int n, size; /* nodes; 4 n - 7 */
+    wcut_banded jacobian;
+    double *residual;    /* size: [N] and [mm] */
+    double *by_log_rate; /* size: d residual / d ln r */
+    double *border;      /* size: d condition / d unknown */
+    double condition;    /* [N] |sum f| - k |t_0 + t_{n-1}| */
+    double condition_by_log_rate;
+    double load;           /* [N] sum |f_i| */
+    double pull;           /* [N] |sum f| / |t_0 + t_{n-1}|: the tension that the foam's force asks for */
+    wcut_resistance *node; /* n: the foam's force on each node, as of the last evaluation */
+} wcut_system;
+
+/* how the residual is measured: largest parts, each relative */
+typedef struct wcut_misfit {
+    double balance;   /* [1] unbalanced force of a node over the load */
+    double strain;    /* [1] */
+    double condition; /* [1] of (4), over k */
+} wcut_misfit;
+
+bool wcut_system_create(int n, wcut_system *system);
+void wcut_system_destroy(wcut_system *system);
+
+/* evaluate at shape x (n, ends given), edge tensions s (n-1) and ln r; with `slopes` the Jacobian and the borders too
+ */
+void wcut_system_eval(wcut_system *system, const wcut_step *step, const wcut_vec3 *x, const double *s, double log_rate,
+                      bool slopes);
+
+wcut_misfit wcut_system_misfit(const wcut_system *system, const wcut_step *step);
+
+#endif

@@ -1,0 +1,75 @@
+/* wirecut/recording.h - what the machine measured during a cut. */
+#ifndef WCUT_RECORDING_H
+#define WCUT_RECORDING_H
+
+#include <wirecut/export.h>
+#include <wirecut/status.h>
+#include <wirecut/table.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Channel, column without its unit, unit, whether every recording has it. */
+#define WCUT_CHANNEL_LIST(X)                     \
+    X(TIME, "time", "s", 1)                      \
+    X(STATION, "station", "", 1)                 \
+    X(SPEED_A, "speed_a", "mm_s", 1)             \
+    X(SPEED_B, "speed_b", "mm_s", 1)             \
+    X(TENSION_A, "tension_a", "N", 1)            \
+    X(TENSION_B, "tension_b", "N", 1)            \
+    X(ALPHA_A, "alpha_a", "deg", 1)              \
+    X(BETA_A, "beta_a", "deg", 1)                \
+    X(ALPHA_B, "alpha_b", "deg", 1)              \
+    X(BETA_B, "beta_b", "deg", 1)                \
+    X(SPEED_COMMAND, "speed_command", "mm_s", 0) \
+    X(HEAT, "heat", "W_per_m", 0)                \
+    X(HEATER_VOLTAGE, "heater", "V", 0)          \
+    X(HEATER_CURRENT, "heater", "A", 0)          \
+    X(A_X, "a_x", "mm", 0)                       \
+    X(A_Y, "a_y", "mm", 0)                       \
+    X(A_Z, "a_z", "mm", 0)                       \
+    X(B_X, "b_x", "mm", 0)                       \
+    X(B_Y, "b_y", "mm", 0)                       \
+    X(B_Z, "b_z", "mm", 0)
+
+#define WCUT_CHANNEL_ENTRY(name, stem, unit, required) WCUT_CHANNEL_##name,
+/** The channels that the program knows; `time`, `station` and the eight of the mounts are in every recording. */
+typedef enum wcut_channel { WCUT_CHANNEL_LIST(WCUT_CHANNEL_ENTRY) WCUT_CHANNEL_COUNT } wcut_channel;
+#undef WCUT_CHANNEL_ENTRY
+
+/** A recording: structure of arrays, one sample a row. */
+typedef struct wcut_recording {
+    int samples;                             /**< at least 1 */
+    wcut_column channel[WCUT_CHANNEL_COUNT]; /**< [s, 1, mm/s, N, rad, W/m, V, A, mm]; name NULL: not in the file */
+    wcut_table *further;                     /**< the file's other columns, as they are, and every row's line */
+} wcut_recording;
+
+/**
+ * The column of a channel in a file, "speed_a_mm_s".
+ *
+ * @return a constant string; "" outside the enum.
+ */
+WCUT_API const char *wcut_channel_name(wcut_channel channel);
+
+/**
+ * Read a recording. Angles are turned from degrees into radians. Samples may be missing in every channel but time
+ * (a channel of which every sample is missing has channel[].missing == samples); stations outside the path are kept.
+ *
+ * @param[in]  path      a CSV file
+ * @param[out] recording the caller's, to wcut_recording_destroy
+ * @param[out] error     may be NULL; line and column, what was found, what was expected
+ * @return WCUT_OK; WCUT_NOT_FOUND (no such file, not readable), WCUT_BAD_FORMAT (as wcut_table_read; columns missing or
+ *         in another unit, no samples, time missing or not strictly increasing), WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY:
+ *         nothing was written.
+ */
+WCUT_API wcut_status wcut_recording_read(const char *path, wcut_recording **recording, wcut_error *error);
+
+/** Free a recording with everything in it; NULL is allowed. */
+WCUT_API void wcut_recording_destroy(wcut_recording *recording);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
