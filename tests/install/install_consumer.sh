@@ -7,6 +7,10 @@ mv first moved # what holds after a move holds in a package and in DESTDIR
 prefix=$PWD/moved
 ldd "$prefix/bin/wirecut" | grep -F "$prefix/bin/../lib" || { echo "the command does not find its library"; exit 1; }
 "$prefix/bin/wirecut" --version | grep -F "$VERSION" || { echo "the command does not say version $VERSION"; exit 1; }
+for file in share/man/man1/wirecut.1 share/bash-completion/completions/wirecut share/doc/wirecut/LICENSE; do
+    [ -s "$prefix/$file" ] || { echo "$file is missing or empty"; exit 1; }
+done
+bash -n "$prefix/share/bash-completion/completions/wirecut"
 library=$(find "$prefix" -name libwirecut.so)
 soname=$(objdump -p "$library" | awk '$1 == "SONAME" { print $2 }')
 [ "$soname" = "libwirecut.so.${VERSION%.*}" ] || { echo "soname $soname of version $VERSION"; exit 1; }
