@@ -180,29 +180,65 @@ static bool begins_to_carry(wcut_cut *cut, const wcut_target *target) {
     const wcut_setup *setup = cut->setup;
     const int n = setup->job->nodes;
     wcut_wire *w = &cut->next;
-    const wcut_step step = {.foam = &setup->foam, .heat = target->heat, .edge = target->length / (n - 1), .n = n};
+    const double edge = target->length / (n - 1);
     const wcut_vec3 move = vec3_add(vec3_sub(target->end_a, w->x[0]), vec3_sub(target->end_b, w->x[n - 1]));
     const double force = wcut_force_law_eval(&setup->foam.law, target->heat, setup->job->speed_max);
-    memcpy(cut->softer, w->pattern, sizeof *w->pattern * (size_t)n);
     double load = 0;
     for (int i = 0; i < n; i++) {
         wcut_resistance f;
-        wcut_resistance_eval(step.foam, step.heat, step.edge, 1, n, cut->hung, cut->was, i, false, &f);
-        w->pattern[i] = vec3_scale(-force * f.engaged * step.edge, vec3_unit(move));
+        wcut_resistance_eval(&setup->foam, target->heat, edge, 1, n, cut->hung, cut->was, i, false, &f);
+        w->pattern[i] = vec3_scale(-force * f.engaged * edge, vec3_unit(move));
         if (i > 0 && i < n - 1) load += vec3_length(w->pattern[i]);
     }
-    if (load > 0 && wcut_cut_hang(cut, target, w->pattern) && wcut_cut_touches(cut, cut->hung, step.edge)) return true;
-    memcpy(w->pattern, cut->softer, sizeof *w->pattern * (size_t)n);
-    return false;
+    return load > 0 && wcut_cut_hang(cut, target, w->pattern) && wcut_cut_touches(cut, cut->hung, edge);
 }
 
-/* 0: the foam does not load the wire; 1: it does; -1: no shape of the wire was found */
-static int find_load(wcut_cut *cut, const wcut_target *target) {
-    if (!wcut_cut_hang(cut, target, cut->next.pattern)) return -1;
-    if (!wcut_cut_touches(cut, cut->hung, target->length)) return 0;
-    if (cut->next.loaded || cut->setup->foam.embedded) return 1;
-    if (begins_to_carry(cut, target)) return 1;
-    return wcut_cut_hang(cut, target, cut->next.pattern) ? 0 : -1;
+/* A wire that has lost its load in parts goes slack there and has no one shape under the rest; an even load of a
+   hundredth of it, against the motion, gives it one. */
+static bool hang_slack(wcut_cut *cut, const wcut_target *target) {
+    const int n = cut->setup->job->nodes;
+    wcut_wire *w = &cut->next;
+    const wcut_vec3 move = vec3_add(vec3_sub(target->end_a, w->x[0]), vec3_sub(target->end_b, w->x[n - 1]));
+    double load = 0;
+    for (int i = 0; i < n; i++) load += vec3_length(w->pattern[i]);
+    for (int i = 0; i < n; i++) w->pattern[i] = vec3_add_scaled(w->pattern[i], -0.01 * load / n, vec3_unit(move));
+    return wcut_cut_hang(cut, target, w->pattern);
+}
+
+typedef enum carriage { NO_SHAPE, FREE, SLACK, LOADED } carriage;
+
+/* Whether the foam loads the wire at the target; cut->hung and the pattern are the guess to solve from. SLACK: it may,
+   but the wire hangs loose so far. */
+static carriage find_carriage(wcut_cut *cut, const wcut_target *target) {
+    bool slack = !cut->next.loaded;
+    if (!wcut_cut_hang(cut, target, cut->next.pattern)) {
+        if (!hang_slack(cut, target)) return NO_SHAPE;
+        slack = true;
+    }
+    memcpy(cut->kept, cut->next.pattern, sizeof *cut->kept * (size_t)cut->setup->job->nodes);
+    if (!wcut_cut_touches(cut, cut->hung, target->length)) return FREE;
+    if (!slack || cut->setup->foam.embedded) return LOADED;
+    return begins_to_carry(cut, target) ? SLACK : FREE;
+}
+
+/* feed the wire without load, in the pattern it had before the foam was tried on it */
+static bool feed_free(wcut_cut *cut, const wcut_target *target, double reach, double *elapsed) {
+    memcpy(cut->next.pattern, cut->kept, sizeof *cut->kept * (size_t)cut->setup->job->nodes);
+    if (!wcut_cut_hang(cut, target, cut->next.pattern)) return false;
+    wcut_cut_feed_free(cut, target, reach, elapsed);
+    return true;
+}
+
+/* a slack wire without an equilibrium under load is loose still; one that lies in the foam by half its span is not */
+static bool hangs_loose(const wcut_cut *cut) {
+    const wcut_setup *setup = cut->setup;
+    double inside = 0;
+    for (int i = 0; i < setup->job->nodes; i++) {
+        wcut_vec3 unused[2];
+        const wcut_vec3 x = cut->was[i];
+        inside += wcut_block_engagement(&setup->foam.block, x, x, unused, unused + 1);
+    }
+    return inside * cut->next.length / setup->job->nodes < setup->job->block_size.x / 2;
 }
 
 static bool try_substep(wcut_cut *cut, const wcut_target *target, double *elapsed) {
@@ -211,12 +247,9 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, double *elapse
     wcut_wire *w = &cut->next;
     memcpy(cut->was, w->x, sizeof *w->x * (size_t)n);
     const double reach = fmax(vec3_distance(target->end_a, w->x[0]), vec3_distance(target->end_b, w->x[n - 1]));
-    const int load = find_load(cut, target);
-    if (load < 0) return false;
-    if (load == 0) {
-        wcut_cut_feed_free(cut, target, reach, elapsed);
-        return true;
-    }
+    const carriage load = find_carriage(cut, target);
+    if (load == NO_SHAPE) return false;
+    if (load == FREE) return feed_free(cut, target, reach, elapsed);
     attempt a = {.cut = cut, .target = target, .reach = reach};
     a.step = (wcut_step){.heat = target->heat,
                          .tension = setup->job->tension,
@@ -226,9 +259,10 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, double *elapse
     double speed = target->duration > 0 ? reach / target->duration : 0;
     wcut_condition condition = WCUT_BY_TIME;
     wcut_solution out;
-    const bool solved = target->duration > 0 ? solve(&a, false, speed, &out) : solve_complementary(&a, &speed, &condition);
+    const bool solved =
+        target->duration > 0 ? solve(&a, false, speed, &out) : solve_complementary(&a, &speed, &condition);
     if (solved) accept(cut, target, speed / reach, reach, condition, elapsed);
-    return solved;
+    return solved || (load == SLACK && hangs_loose(cut) && feed_free(cut, target, reach, elapsed));
 }
 
 wcut_status wcut_implicit_advance(wcut_cut *cut, const wcut_target *target, double *elapsed, wcut_error *error) {

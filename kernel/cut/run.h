@@ -21,6 +21,7 @@ typedef struct wcut_wire {
     bool loaded;        /* the foam touches it */
     wcut_condition condition;
     wcut_vec3 *accumulated; /* n [N s] heun's memory; unused by implicit */
+    double step_duration;   /* [s] heun's h_j of the step that led here; 0 before the first */
 } wcut_wire;
 
 struct wcut_cut {
@@ -37,6 +38,7 @@ struct wcut_cut {
     wcut_vec3 *was;    /* n: where the nodes come from in the sub-step being tried */
     wcut_vec3 *hung;   /* n: the wire under its last load between its new ends */
     double *hung_s;    /* n-1 */
+    wcut_vec3 *kept;   /* n [N] the pattern before the foam was tried on it */
     wcut_vec3 *softer; /* n: the last solution while a face is being hardened */
     double *softer_s;  /* n-1 */
     double *edge;      /* n-1 [mm] rest lengths */

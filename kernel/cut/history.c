@@ -1,0 +1,88 @@
+/* A whole cut in memory. */
+#include <string.h>
+#include <wirecut/history.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+
+static wcut_history *create(int stations, int nodes) {
+    const size_t m = (size_t)stations, n = (size_t)nodes;
+    wcut_history *h = wcut_alloc(1, sizeof *h);
+    if (!h) return NULL;
+    h->planned = stations;
+    h->nodes = nodes;
+    h->row = wcut_alloc(m, sizeof *h->row);
+    h->position = wcut_alloc(m * n, sizeof *h->position);
+    h->force = wcut_alloc(m * n, sizeof *h->force);
+    h->force_line = wcut_alloc(m * n, sizeof *h->force_line);
+    h->speed = wcut_alloc(m * n, sizeof *h->speed);
+    h->tension = wcut_alloc(m * (n - 1), sizeof *h->tension);
+    if (h->row && h->position && h->force && h->force_line && h->speed && h->tension) return h;
+    wcut_history_destroy(h);
+    return NULL;
+}
+
+void wcut_history_destroy(wcut_history *h) {
+    if (!h) return;
+    wcut_free(h->row);
+    wcut_free(h->position);
+    wcut_free(h->force);
+    wcut_free(h->force_line);
+    wcut_free(h->speed);
+    wcut_free(h->tension);
+    wcut_free(h);
+}
+
+static void append(wcut_history *h, const wcut_cut *cut) {
+    wcut_station s;
+    wcut_cut_view(cut, &s);
+    const size_t n = (size_t)h->nodes, at = (size_t)h->stations * n;
+    memcpy(h->position + at, s.position, n * sizeof *s.position);
+    memcpy(h->force + at, s.force, n * sizeof *s.force);
+    memcpy(h->force_line + at, s.force_line, n * sizeof *s.force_line);
+    memcpy(h->speed + at, s.speed, n * sizeof *s.speed);
+    memcpy(h->tension + (size_t)h->stations * (n - 1), s.tension, (n - 1) * sizeof *s.tension);
+    h->row[h->stations++] = (wcut_history_row){.time = s.time,
+                                               .duration = s.duration,
+                                               .speed_a = s.speed_a,
+                                               .speed_b = s.speed_b,
+                                               .tension_a = s.tension_a,
+                                               .tension_b = s.tension_b,
+                                               .alpha_a = s.alpha_a,
+                                               .beta_a = s.beta_a,
+                                               .alpha_b = s.alpha_b,
+                                               .beta_b = s.beta_b,
+                                               .engaged_length = s.engaged_length,
+                                               .residual = s.residual,
+                                               .iterations = s.iterations,
+                                               .substeps = s.substeps,
+                                               .phase = s.phase,
+                                               .condition = s.condition};
+}
+
+wcut_status wcut_setup_run(const wcut_setup *setup, wcut_progress progress, void *context, wcut_history **history,
+                           wcut_error *error) {
+    if (!setup || !history) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a setup and a place for the history expected");
+    const wcut_job *job = wcut_setup_job(setup);
+    wcut_cut *cut = NULL;
+    wcut_status status = wcut_cut_create(setup, &cut, error);
+    if (status != WCUT_OK) return status;
+    wcut_history *h = create(job->stations, job->nodes);
+    if (!h) {
+        wcut_cut_destroy(cut);
+        return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a history of %d stations of %d nodes", job->stations,
+                         job->nodes);
+    }
+    append(h, cut);
+    while (status == WCUT_OK && h->stations < job->stations) {
+        status = wcut_cut_step(cut, error);
+        if (status != WCUT_OK) break;
+        append(h, cut);
+        if (progress && progress(h->stations, job->stations, context) != 0)
+            status = wcut_fail(error, WCUT_INTERRUPTED, "station %d of %d: stopped on request", h->stations - 1,
+                               job->stations);
+    }
+    wcut_cut_destroy(cut);
+    *history = h;
+    return status;
+}
