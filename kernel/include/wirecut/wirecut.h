@@ -12,8 +12,10 @@
 #include <wirecut/job.h>
 #include <wirecut/loss.h>
 #include <wirecut/mesh.h>
+#include <wirecut/recording.h>
 #include <wirecut/status.h>
 #include <wirecut/surface.h>
+#include <wirecut/table.h>
 #include <wirecut/vec3.h>
 #include <wirecut/version.h>
 #include <wirecut/write.h>

@@ -1,0 +1,281 @@
+/* CSV text to tables: numbers to the last bit, missing samples, and every way to be malformed. */
+#include <check.h>
+#include <locale.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/random.h"
+#include "csv.h"
+#include "decimal.h"
+#include "fail.h"
+#include "slurp.h"
+
+static const char *const numeric[] = {"x", "y"};
+static wcut_table *table;
+static wcut_error error;
+
+static wcut_status parse(const char *text) {
+    wcut_table_destroy(table);
+    table = NULL;
+    memset(&error, 0, sizeof error);
+    return wcut_csv_parse(text, strlen(text), "t.csv", 2, numeric, &table, &error);
+}
+
+static void forget(void) {
+    wcut_table_destroy(table);
+    table = NULL;
+}
+
+/* refused with WCUT_BAD_FORMAT, the words in the message, and no table */
+static void refused(const char *text, const char *words) {
+    ck_assert_int_eq(parse(text), WCUT_BAD_FORMAT);
+    ck_assert_ptr_null(table);
+    ck_assert_msg(strstr(error.text, words) != NULL, "found: %s\nexpected: %s", error.text, words);
+}
+
+START_TEST(columns_come_back_by_name_and_value) {
+    ck_assert_int_eq(parse("x,y\n1,2\n-3.5,4e2\n"), WCUT_OK);
+    ck_assert_int_eq(table->rows, 2);
+    ck_assert_int_eq(table->columns, 2);
+    int x = wcut_table_locate(table, "x"), y = wcut_table_locate(table, "y");
+    ck_assert(table->column[x].value[0] == 1 && table->column[x].value[1] == -3.5);
+    ck_assert(table->column[y].value[0] == 2 && table->column[y].value[1] == 400);
+    ck_assert(table->column[x].present == NULL && table->column[x].missing == 0);
+    ck_assert_int_eq(wcut_table_locate(table, "z"), -1);
+    ck_assert_int_eq(wcut_table_locate(NULL, "x"), -1);
+    forget();
+}
+END_TEST
+
+START_TEST(comments_empty_lines_mark_crlf_quotes_and_blanks_are_tolerated) {
+    ck_assert_int_eq(parse("\xef\xbb\xbf# by the machine\r\n\r\n\"x\", y ,\"a, \"\"b\"\"\nc\"\r\n"
+                           "# here too\r\n 1 ,\"2\",\t3\r\n\n4,5,6"),
+                     WCUT_OK);
+    ck_assert_int_eq(table->rows, 2);
+    ck_assert_str_eq(table->column[2].name, "a, \"b\"\nc");
+    ck_assert(table->column[1].value[0] == 2 && table->column[2].value[0] == 3 && table->column[2].value[1] == 6);
+    ck_assert_int_eq(table->line[0], 6);
+    ck_assert_int_eq(table->line[1], 8);
+    forget();
+}
+END_TEST
+
+START_TEST(an_empty_field_or_nan_is_missing_and_is_no_number) {
+    ck_assert_int_eq(parse("x,y\n1,\n,NaN\n3,\"\"\n"), WCUT_OK);
+    const wcut_column *x = &table->column[0], *y = &table->column[1];
+    ck_assert(x->missing == 1 && x->present[0] == 1 && x->present[1] == 0 && x->present[2] == 1 && x->value[1] == 0);
+    ck_assert(y->missing == 3 && y->text == 0 && y->value[0] == 0 && y->value[1] == 0 && y->value[2] == 0);
+    forget();
+}
+END_TEST
+
+START_TEST(text_in_an_unknown_column_is_kept_as_missing_and_counted) {
+    ck_assert_int_eq(parse("x,y,note\n1,2,first\n3,4,\n5,6,1e999\n7,8,9\n"), WCUT_OK);
+    ck_assert_int_eq(table->column[2].missing, 3);
+    ck_assert_int_eq(table->column[2].text, 2);
+    ck_assert(table->column[2].value[3] == 9);
+    forget();
+}
+END_TEST
+
+START_TEST(no_rows_are_a_table_too) {
+    ck_assert_int_eq(parse("x,y"), WCUT_OK);
+    ck_assert(table->rows == 0 && table->columns == 2);
+    ck_assert_int_eq(parse("x,y\n"), WCUT_OK);
+    ck_assert_int_eq(table->rows, 0);
+    forget();
+}
+END_TEST
+
+START_TEST(malformed_text_is_refused_with_line_column_and_what_was_expected) {
+    refused("", "line 1, column 1: found no header");
+    refused("# only words\n", "found no header");
+    refused("1,2\n3,4\n", "the names of the columns");
+    refused("x,\n1,2\n", "line 1, column 3: found a column without a name");
+    refused("x,y,x\n", "line 1, column 5: found x, expected every column named once");
+    refused("x;y\n1;2\n", "not by semicolons");
+    refused("x,y\n1,2\n3\n", "line 3, column 2 (y): found the end of the row");
+    refused("x,y\n1,2,3\n", "line 2, column 4: found more fields than the header has");
+    refused("x,y\n0,5,1,5\n", "not a decimal comma");
+    refused("x,y\n1,\"0,5\"\n", "line 2, column 3 (y): found 0,5, expected a decimal point, not a decimal comma");
+    refused("x,y\n1,2\n\n7,abc\n", "line 4, column 3 (y): found abc, expected a number, nan or an empty field");
+    refused("x,y\n1,1e999\n", "found 1e999, expected a number a double can hold");
+    refused("x,y\n1,inf\n", "found inf");
+    refused("x,y\n1,0x10\n", "found 0x10");
+    refused("x,y\n1,2 3\n", "found 2 3");
+    refused("x,y\n1,\"2\n", "line 2, column 3 (y): found an opening quote");
+    refused("x,y\n1,\"2\"3\n", "line 2, column 6 (y): found text behind a closing quote");
+    refused("x,y\n1,a\"b\n", "found a quote within a field");
+    refused("\xff\xfex\0,\0", "found UTF-16");
+    const char zero[] = "x,y\n1,\0002\n";
+    ck_assert_int_eq(wcut_csv_parse(zero, sizeof zero - 1, "t.csv", 2, numeric, &table, &error), WCUT_BAD_FORMAT);
+    ck_assert_ptr_nonnull(strstr(error.text, "found a zero byte"));
+    char wide[2 * 1001 + 1] = "";
+    for (int c = 0; c < 1001; c++) memcpy(wide + 2 * c, "a,", 2);
+    refused(wide, "named once");
+}
+END_TEST
+
+START_TEST(a_message_is_one_printable_line_whatever_the_file_holds) {
+    refused("x,y\n1,\"\x1b[31m\nred\"\n", "\\x1b");
+    ck_assert_ptr_null(strchr(error.text, '\n'));
+}
+END_TEST
+
+/* the C library is the oracle: it rounds correctly */
+static void as_strtod(const char *text) {
+    double value = 999, wanted = strtod(text, NULL);
+    const char *behind = wcut_decimal_read(text, &value);
+    ck_assert_msg(*behind == '\0' && memcmp(&value, &wanted, sizeof value) == 0, "%s: %.17g, expected %.17g", text,
+                  value, wanted);
+}
+
+START_TEST(numbers_of_every_shape_are_the_nearest_double) {
+    const char *const text[] = {"0",
+                                "-0",
+                                "+1",
+                                "1.",
+                                ".5",
+                                "-.5e1",
+                                "007",
+                                "1e22",
+                                "1e23",
+                                "9007199254740993",
+                                "9007199254740992.5",
+                                "123456789012345678901234567890",
+                                "2.2250738585072011e-308",
+                                "4.9406564584124654e-324",
+                                "2.4703282292062327e-324",
+                                "1e-400",
+                                "1e400",
+                                "-1e400",
+                                "1.7976931348623157e308",
+                                "1.7976931348623159e308",
+                                "0.000000000000000000000000000001",
+                                "0e99999999999",
+                                "1E+05",
+                                "8.41000000000000014e21",
+                                "1e0000000000001",
+                                "0.30000000000000004",
+                                "1.00000000000000011102230246251565404236316680908203125",
+                                "1.00000000000000011102230246251565404236316680908203124",
+                                "18446744073709551615e-27"};
+    for (size_t k = 0; k < sizeof text / sizeof text[0]; k++) as_strtod(text[k]);
+    wcut_random random = wcut_random_seed(11);
+    char buffer[80];
+    for (int k = 0; k < 300000; k++) {
+        int digits = 1 + wcut_random_below(&random, 20), point = wcut_random_below(&random, digits + 1), n = 0;
+        if (wcut_random_below(&random, 2)) buffer[n++] = '-';
+        for (int i = 0; i < digits; i++) {
+            if (i == point) buffer[n++] = '.';
+            buffer[n++] = (char)('0' + wcut_random_below(&random, 10));
+        }
+        buffer[n] = '\0';
+        if (k % 2)
+            snprintf(buffer + n, sizeof buffer - (size_t)n, "e%d",
+                     wcut_random_below(&random, k % 3 ? 60 : 700) - (k % 3 ? 30 : 350));
+        as_strtod(buffer);
+    }
+}
+END_TEST
+
+START_TEST(halfway_cases_round_to_even) {
+    /* m + 1/2 in units of the last place, written out: 54-bit odd integers over powers of two */
+    wcut_random random = wcut_random_seed(12);
+    char buffer[80];
+    for (int k = 0; k < 100000; k++) {
+        uint64_t odd = (wcut_random_bits(&random) >> 10) | (uint64_t)1 << 53 | 1;
+        int places = wcut_random_below(&random, 3);
+        snprintf(buffer, sizeof buffer, "%llu%s", (unsigned long long)(odd >> places),
+                 places == 0   ? ""
+                 : places == 1 ? ".5"
+                               : ".25");
+        as_strtod(buffer);
+    }
+}
+END_TEST
+
+START_TEST(text_that_is_no_number_is_not_touched) {
+    const char *const text[] = {"", "-", "+", ".", "e5", "-.e1", "nan", "inf", " 1", "--1"};
+    for (size_t k = 0; k < sizeof text / sizeof text[0]; k++) {
+        double value = 999;
+        ck_assert_ptr_eq(wcut_decimal_read(text[k], &value), text[k]);
+        ck_assert(value == 999);
+    }
+    double value;
+    const char *tail = "1e+x";
+    ck_assert_ptr_eq(wcut_decimal_read(tail, &value), tail + 1);
+}
+END_TEST
+
+START_TEST(a_locale_with_decimal_commas_changes_nothing) {
+    if (!setlocale(LC_ALL, "de_DE.UTF-8")) {
+        puts("no locale with decimal commas on this machine: left out");
+        return;
+    }
+    ck_assert_int_eq(parse("x,y\n1.5,1.7976931348623157e308\n"), WCUT_OK);
+    ck_assert(table->column[0].value[0] == 1.5 && table->column[1].value[0] == 1.7976931348623157e308);
+    ck_assert_str_eq(localeconv()->decimal_point, ",");
+    setlocale(LC_ALL, "C");
+    forget();
+}
+END_TEST
+
+START_TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
+    for (long k = 1;; k++) {
+        wcut_table *found = (wcut_table *)&error;
+        wcut_io_alloc_fail_at(k);
+        const char *text = "x,y,\"name\"\n1,,\"a\"\n3,4,5\n";
+        wcut_status status = wcut_csv_parse(text, strlen(text), "t.csv", 2, numeric, &found, &error);
+        wcut_io_alloc_fail_at(0);
+        if (status == WCUT_OK) {
+            wcut_table_destroy(found);
+            ck_assert_int_gt(k, 8);
+            break;
+        }
+        ck_assert_int_eq(status, WCUT_NO_MEMORY);
+        ck_assert(found == (wcut_table *)&error);
+    }
+}
+END_TEST
+
+START_TEST(a_file_that_is_not_there_and_bad_arguments_are_told_apart) {
+    wcut_table *found = (wcut_table *)&error;
+    const char *const nothing[] = {NULL};
+    ck_assert_int_eq(wcut_table_read("no/such.csv", 0, NULL, &found, &error), WCUT_NOT_FOUND);
+    ck_assert_ptr_nonnull(strstr(error.text, "no/such.csv"));
+    ck_assert_int_eq(wcut_table_read(NULL, 0, NULL, &found, &error), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_table_read("a.csv", 0, NULL, NULL, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_table_read("a.csv", -1, NULL, &found, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_table_read("a.csv", 1, NULL, &found, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_table_read("a.csv", 1, nothing, &found, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert(found == (wcut_table *)&error);
+    wcut_table_destroy(NULL);
+}
+END_TEST
+
+int main(void) {
+    Suite *suite = suite_create("csv");
+    TCase *tcase = tcase_create("text");
+    tcase_add_test(tcase, columns_come_back_by_name_and_value);
+    tcase_add_test(tcase, comments_empty_lines_mark_crlf_quotes_and_blanks_are_tolerated);
+    tcase_add_test(tcase, an_empty_field_or_nan_is_missing_and_is_no_number);
+    tcase_add_test(tcase, text_in_an_unknown_column_is_kept_as_missing_and_counted);
+    tcase_add_test(tcase, no_rows_are_a_table_too);
+    tcase_add_test(tcase, malformed_text_is_refused_with_line_column_and_what_was_expected);
+    tcase_add_test(tcase, a_message_is_one_printable_line_whatever_the_file_holds);
+    tcase_add_test(tcase, numbers_of_every_shape_are_the_nearest_double);
+    tcase_add_test(tcase, halfway_cases_round_to_even);
+    tcase_add_test(tcase, text_that_is_no_number_is_not_touched);
+    tcase_add_test(tcase, a_locale_with_decimal_commas_changes_nothing);
+    tcase_add_test(tcase, every_failing_allocation_is_reported_and_nothing_is_written);
+    tcase_add_test(tcase, a_file_that_is_not_there_and_bad_arguments_are_told_apart);
+    suite_add_tcase(suite, tcase);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
