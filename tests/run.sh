@@ -83,7 +83,7 @@ check_format() {
 # one source a call, as many at a time as there are cores; xargs ends with 123 where any call failed
 check_tidy() {
     # shellcheck disable=SC2016 # for the inner shell
-    find kernel io apps samples -name '*.c' | LC_ALL=C sort |
+    sources -name '*.c' ! -path 'tests/fuzz/*' ! -path 'tests/install/*' |
         xargs -P "$jobs" -n 1 sh -c 'clang-tidy-14 -p build/dev --quiet "$0" 2>"build/tidy.$$" ||
             { cat "build/tidy.$$" >&2; exit 1; }; rm -f "build/tidy.$$"'
 }

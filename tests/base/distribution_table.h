@@ -1,4 +1,5 @@
 /* Written by distribution_table.py (scipy, mpmath): arguments, then the value. */
+/* clang-format off */
 static const double normal_tail[][2] = {
     {-37.0, 1.0},
     {-8.0, 0.9999999999999993},

@@ -56,6 +56,7 @@ def quantiles(law, frozen, args):
 
 
 print("/* Written by distribution_table.py (scipy, mpmath): arguments, then the value. */")
+print("/* clang-format off */")
 z = [-37, -8, -1.5, 0, 1e-9, 0.3, 1.96, 5, 12, 37]
 table("normal_tail", 2, [(x, stats.norm.sf(x)) for x in z])
 table("normal_quantile", 2, [(p, stats.norm.ppf(p)) for p in PROBABILITY])
