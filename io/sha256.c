@@ -6,7 +6,7 @@
 #include <string.h>
 #include <wirecut/report.h>
 
-#include "base/fail.h"
+#include "fail.h"
 
 /* the first 32 bits of the fractional parts of the cube roots of the first 64 primes */
 static const uint32_t round_constant[64] = {
@@ -78,18 +78,19 @@ void wcut_sha256_end(wcut_sha256 *hash, uint8_t digest[WCUT_SHA256_SIZE]) {
 }
 
 wcut_status wcut_file_hash(const char *path, char *text, wcut_error *error) {
-    if (!path || !text) return wcut_fail(error, WCUT_BAD_ARGUMENT, "hash: a path and a place for the text are needed");
+    if (!path || !text)
+        return wcut_io_fail(error, WCUT_BAD_ARGUMENT, "hash: a path and a place for the text are needed");
     FILE *file = fopen(path, "rb");
-    if (!file) return wcut_fail(error, WCUT_NOT_FOUND, "%s: %s", path, strerror(errno));
+    if (!file) return wcut_io_fail_errno(error, WCUT_NOT_FOUND, errno, path, "cannot be opened");
 
     wcut_sha256 hash;
     wcut_sha256_begin(&hash);
     uint8_t buffer[65536], digest[WCUT_SHA256_SIZE];
     size_t count;
     while ((count = fread(buffer, 1, sizeof buffer, file)) > 0) wcut_sha256_add(&hash, buffer, count);
-    const int broken = ferror(file);
+    const int code = ferror(file) ? errno : 0;
     fclose(file);
-    if (broken) return wcut_fail(error, WCUT_NOT_FOUND, "%s: could not be read to its end", path);
+    if (code) return wcut_io_fail_errno(error, WCUT_NOT_FOUND, code, path, "cannot be read");
 
     wcut_sha256_end(&hash, digest);
     for (int i = 0; i < WCUT_SHA256_SIZE; i++) snprintf(text + 2 * i, 3, "%02x", digest[i]);

@@ -13,6 +13,7 @@
 #include <wirecut/loss.h>
 #include <wirecut/mesh.h>
 #include <wirecut/recording.h>
+#include <wirecut/report.h>
 #include <wirecut/status.h>
 #include <wirecut/surface.h>
 #include <wirecut/table.h>
