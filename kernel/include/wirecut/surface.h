@@ -28,9 +28,24 @@ typedef struct wcut_loft_report {
 } wcut_loft_report;
 
 /**
+ * Copy knots, control points and weights into a new surface, checked.
+ *
+ * @param[in]  degree_u, degree_v 1 .. WCUT_DEGREE_MAX
+ * @param[in]  count_u, count_v   more than the degree; their product at most INT_MAX / 8
+ * @param[in]  knots_u, knots_v   count + degree + 1, as in wcut_curve_create
+ * @param[in]  control            count_v x count_u [mm], finite
+ * @param[in]  weights            count_v x count_u, positive; NULL for a polynomial surface
+ * @param[out] surface            the caller's, to wcut_surface_destroy
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_surface_create(int degree_u, int degree_v, int count_u, int count_v, const double *knots_u,
+                                         const double *knots_v, const wcut_vec3 *control, const double *weights,
+                                         wcut_surface **surface);
+
+/**
  * Bicubic surface through the wire of every station: u along the wire from mount A to B at equal steps (equal arc
- * length, one knot vector for all sections), v over the stations at averaged chord length, both over [0, 1].
- * Degree 3, less where there are fewer than four nodes or sections.
+ * length, one knot vector for all sections), v over the stations at averaged chord length, both over [0, 1]: a step of
+ * v is the mean distance of its two sections. Degree 3, less where there are fewer than four nodes or sections.
  *
  * @param[in]  stations  at least 2
  * @param[in]  nodes     at least 2
@@ -60,6 +75,23 @@ WCUT_API void wcut_surface_destroy(wcut_surface *surface);
  * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was written.
  */
 WCUT_API wcut_status wcut_surface_eval(const wcut_surface *surface, double u, double v, int order, wcut_vec3 *ders);
+
+/**
+ * Points on the grid of given parameters, the basis functions of each computed once.
+ *
+ * @param[in]  surface  a valid surface
+ * @param[in]  count_u  columns, at least 1
+ * @param[in]  u        count_u, finite; outside the domain clamped to it
+ * @param[in]  count_v  rows, at least 1
+ * @param[in]  v        count_v, finite; outside the domain clamped to it
+ * @param[out] point    count_v x count_u [mm]
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_surface_eval_grid(const wcut_surface *surface, int count_u, const double *u, int count_v,
+                                            const double *v, wcut_vec3 *point);
+
+/** The parameter range of a valid surface: u in [first[0], last[0]], v in [first[1], last[1]]. */
+WCUT_API void wcut_surface_domain(const wcut_surface *surface, double first[2], double last[2]);
 
 #ifdef __cplusplus
 }

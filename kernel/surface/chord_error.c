@@ -1,0 +1,179 @@
+/* The distance between a surface and the triangles of its grid, measured by dense sampling. */
+#include "surface/chord_error.h"
+
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/numbers.h"
+#include "base/vec3.h"
+#include "surface/grid.h"
+
+enum { PIECES_MIN = 2, CELL_MIN = 4 }; /* samples between neighbouring knots, and in a cell */
+
+/* parameters to sample at: the grid lines and those between */
+typedef struct samples {
+    int count;
+    int widest; /* most steps of a cell */
+    double *at; /* count */
+    int *start; /* cells + 1: where each grid line stands in `at` */
+} samples;
+
+static void samples_clear(samples *s) {
+    wcut_free(s->at);
+    wcut_free(s->start);
+}
+
+/* steps to take between neighbouring breaks of a cell that `inside` knots divide */
+static int steps_between(int inside) {
+    const int even = (CELL_MIN + inside) / (inside + 1);
+    return even > PIECES_MIN ? even : PIECES_MIN;
+}
+
+/* the distinct knots inside (a, b), from knots[*next] on, which is moved along */
+static int knots_inside(const double *knots, int last, double a, double b, int *next) {
+    int inside = 0;
+    while (*next < last && knots[*next] <= a) ++*next;
+    for (int k = *next; k < last && knots[k] < b; k++) inside += knots[k] > knots[k - 1] && knots[k] > a;
+    return inside;
+}
+
+static wcut_status place_samples(int degree, int control_count, const double *knots, const wcut_spacing *lines,
+                                 samples *out) {
+    samples s = {.count = 1};
+    for (int c = 0, next = degree; c < lines->pieces; c++) {
+        const int inside = knots_inside(knots, control_count, lines->at[c], lines->at[c + 1], &next);
+        const int steps = (inside + 1) * steps_between(inside);
+        s.count += steps;
+        if (steps > s.widest) s.widest = steps;
+    }
+    s.at = wcut_alloc((size_t)s.count, sizeof *s.at);
+    s.start = wcut_alloc((size_t)lines->pieces + 1, sizeof *s.start);
+    if (!s.at || !s.start) {
+        samples_clear(&s);
+        return WCUT_NO_MEMORY;
+    }
+    int made = 0;
+    for (int c = 0, next = degree; c < lines->pieces; c++) {
+        const double end = lines->at[c + 1];
+        const int inside = knots_inside(knots, control_count, lines->at[c], end, &next);
+        const int steps = steps_between(inside);
+        double from = lines->at[c];
+        s.start[c] = made;
+        for (int piece = 0, k = next; piece <= inside; piece++) {
+            while (k < control_count && knots[k] <= from) k++;
+            const double to = piece < inside ? knots[k] : end;
+            for (int i = 0; i < steps; i++) s.at[made++] = from + (to - from) * i / steps;
+            from = to;
+        }
+    }
+    s.start[lines->pieces] = made;
+    s.at[made] = lines->at[lines->pieces];
+    *out = s;
+    return WCUT_OK;
+}
+
+static double segment_distance(wcut_vec3 p, wcut_vec3 a, wcut_vec3 b) {
+    const wcut_vec3 edge = vec3_sub(b, a), to = vec3_sub(p, a);
+    const double square = vec3_dot(edge, edge);
+    const double t = square > 0 ? clamp(vec3_dot(to, edge) / square, 0, 1) : 0;
+    return vec3_length(vec3_add_scaled(to, -t, edge));
+}
+
+double wcut_triangle_distance(wcut_vec3 p, wcut_vec3 a, wcut_vec3 b, wcut_vec3 c) {
+    const wcut_vec3 ab = vec3_sub(b, a), ac = vec3_sub(c, a), ap = vec3_sub(p, a), n = vec3_cross(ab, ac);
+    const double square = vec3_dot(n, n);
+    if (square > 0) {
+        const double s = vec3_dot(vec3_cross(ap, ac), n), t = vec3_dot(vec3_cross(ab, ap), n);
+        if (s >= 0 && t >= 0 && s + t <= square) return fabs(vec3_dot(ap, n)) / sqrt(square);
+    }
+    return fmin(segment_distance(p, a, b), fmin(segment_distance(p, b, c), segment_distance(p, c, a)));
+}
+
+/* the samples of one cell: its columns from..to of `rows` rows of points */
+typedef struct cell {
+    const wcut_vec3 *point;
+    ptrdiff_t stride;
+    int columns, rows;
+    const double *u, *v;
+} cell;
+
+/* the largest distance in a cell; those not above `enough` need not be known, and count as 0 */
+static double cell_error(const cell *c, double enough) {
+    const wcut_vec3 p00 = c->point[0], p10 = c->point[c->columns];
+    const wcut_vec3 p01 = c->point[c->rows * c->stride], p11 = c->point[c->rows * c->stride + c->columns];
+    const double scale_u = 1 / (c->u[c->columns] - c->u[0]), scale_v = 1 / (c->v[c->rows] - c->v[0]);
+    double most = 0;
+    for (int j = 0; j <= c->rows; j++)
+        for (int i = 0; i <= c->columns; i++) {
+            const wcut_vec3 p = c->point[j * c->stride + i];
+            const double s = (c->u[i] - c->u[0]) * scale_u, t = (c->v[j] - c->v[0]) * scale_v;
+            /* p00 p10 p11 where s >= t, else p00 p11 p01: the third corner's share makes the linear point */
+            const wcut_vec3 third = s >= t ? p10 : p01;
+            const double a = 1 - fmax(s, t), b = fabs(s - t), d = fmin(s, t);
+            const wcut_vec3 linear = vec3_add_scaled(vec3_add_scaled(vec3_scale(a, p00), b, third), d, p11);
+            const wcut_vec3 off = vec3_sub(p, linear);
+            const double bar = fmax(enough, most);
+            if (vec3_dot(off, off) <= bar * bar) continue;
+            most = fmax(most, wcut_triangle_distance(p, p00, third, p11));
+        }
+    return most;
+}
+
+/* one row of cells; `point` holds its rows of samples */
+static void row_error(const samples *su, const samples *sv, int j, const wcut_vec3 *point, double held, int cells,
+                      double *error_u, double *error_v, double *most) {
+    for (int i = 0; i < cells; i++) {
+        const cell c = {.point = point + su->start[i],
+                        .stride = su->count,
+                        .columns = su->start[i + 1] - su->start[i],
+                        .rows = sv->start[j + 1] - sv->start[j],
+                        .u = su->at + su->start[i],
+                        .v = sv->at + sv->start[j]};
+        /* below `held` only the largest of all is of interest, above it each row's and column's own */
+        const double error = cell_error(&c, fmax(fmin(*most, held), fmin(error_u[i], error_v[j])));
+        error_u[i] = fmax(error_u[i], error);
+        error_v[j] = fmax(error_v[j], error);
+        *most = fmax(*most, error);
+    }
+}
+
+wcut_status wcut_chord_error(const wcut_surface *s, const wcut_spacing *lines_u, const wcut_spacing *lines_v,
+                             double held, double *error_u, double *error_v, double *most) {
+    samples su = {.count = 0}, sv = {.count = 0};
+    wcut_axis u = {.count = 0}, v = {.count = 0};
+    wcut_homogeneous *fold = NULL;
+    wcut_vec3 *point = NULL;
+    wcut_status status = place_samples(s->degree_u, s->count_u, s->knots_u, lines_u, &su);
+    if (status == WCUT_OK) status = place_samples(s->degree_v, s->count_v, s->knots_v, lines_v, &sv);
+    if (status == WCUT_OK) status = wcut_axis_fill(s->degree_u, s->count_u, s->knots_u, su.count, su.at, 0, &u);
+    if (status == WCUT_OK) status = wcut_axis_fill(s->degree_v, s->count_v, s->knots_v, sv.count, sv.at, 0, &v);
+    if (status != WCUT_OK) goto done;
+    fold = wcut_alloc((size_t)s->count_u, sizeof *fold);
+    point = wcut_alloc((size_t)su.count, ((size_t)sv.widest + 1) * sizeof *point);
+    if (!fold || !point) {
+        status = WCUT_NO_MEMORY;
+        goto done;
+    }
+
+    *most = 0;
+    for (int i = 0; i < lines_u->pieces; i++) error_u[i] = 0;
+    for (int j = 0; j < lines_v->pieces; j++) {
+        const int rows = sv.start[j + 1] - sv.start[j];
+        error_v[j] = 0;
+        for (int k = j > 0; k <= rows; k++) { /* the first row is the last of the cells before */
+            wcut_grid_fold(s, &v, sv.start[j] + k, 0, fold);
+            wcut_grid_points(&u, s->weights != NULL, fold, point + (ptrdiff_t)k * su.count);
+        }
+        row_error(&su, &sv, j, point, held, lines_u->pieces, error_u, error_v, most);
+        memcpy(point, point + (ptrdiff_t)rows * su.count, (size_t)su.count * sizeof *point);
+    }
+
+done:
+    wcut_free(point);
+    wcut_free(fold);
+    wcut_axis_clear(&v);
+    wcut_axis_clear(&u);
+    samples_clear(&sv);
+    samples_clear(&su);
+    return status;
+}

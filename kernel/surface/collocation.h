@@ -1,0 +1,23 @@
+/* The banded, totally positive system of spline interpolation: one factorisation, all right-hand sides together. */
+#ifndef WCUT_SURFACE_COLLOCATION_H
+#define WCUT_SURFACE_COLLOCATION_H
+
+#include <wirecut/status.h>
+
+/* LU of the matrix N_j(u_i): row i holds the columns i-below .. i+above */
+typedef struct wcut_collocation {
+    int count, below, above;
+    double *entry; /* count x (below + above + 1) */
+} wcut_collocation;
+
+/* Factor for `count` parameters, increasing, and as many control points. `slopes`: the second and the last but one row
+   ask for the derivative at the ends instead of a value.
+   WCUT_SINGULAR where a parameter lies outside its function's support (Schoenberg, Whitney 1953); WCUT_NO_MEMORY.
+   The caller frees `entry`. */
+wcut_status wcut_collocation_factor(int degree, int count, const double *knots, const double *parameter, int slopes,
+                                    wcut_collocation *system);
+
+/* solve in place for `columns` right-hand sides: b is count x columns */
+void wcut_collocation_solve(const wcut_collocation *system, int columns, double *b);
+
+#endif

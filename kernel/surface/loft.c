@@ -1,0 +1,94 @@
+/* The bicubic surface through a wire's stations: skinning by two banded sweeps (Piegl, Tiller 1997, 9.2.5). */
+#include <limits.h>
+#include <wirecut/surface.h>
+
+#include "base/alloc.h"
+#include "base/numbers.h"
+#include "base/vec3.h"
+#include "surface/interpolate.h"
+#include "surface/rational.h"
+
+/* Steps of v below this share of the whole carry rounding, not shape: such sections are dropped whatever `merge` is. */
+static const double STEP_MIN = 1e-10;
+
+/* mean distance of two sections; *most: the largest */
+static double section_distance(int nodes, const wcut_vec3 *a, const wcut_vec3 *b, double *most) {
+    double sum = 0;
+    *most = 0;
+    for (int i = 0; i < nodes; i++) {
+        const double distance = vec3_distance(a[i], b[i]);
+        sum += distance;
+        *most = fmax(*most, distance);
+    }
+    return sum / nodes;
+}
+
+/* Pick the sections that differ from the one kept before: keep[] their stations, step[] the mean distances between
+   them. Returns how many, 0 where lengths overflow. */
+static int pick_sections(int stations, int nodes, const wcut_vec3 *position, double merge, int *keep, double *step) {
+    double total = 0, most;
+    for (int j = 1; j < stations; j++)
+        total += section_distance(nodes, position + (ptrdiff_t)(j - 1) * nodes, position + (ptrdiff_t)j * nodes, &most);
+    if (!isfinite(total)) return 0;
+    int kept = 1;
+    keep[0] = 0;
+    for (int j = 1; j < stations; j++) {
+        const wcut_vec3 *before = position + (ptrdiff_t)keep[kept - 1] * nodes;
+        const double mean = section_distance(nodes, before, position + (ptrdiff_t)j * nodes, &most);
+        if (most < merge || mean <= STEP_MIN * total) continue;
+        step[kept - 1] = mean;
+        keep[kept++] = j;
+    }
+    return kept;
+}
+
+/* fill a surface through the kept sections; v: their parameters */
+static wcut_status interpolate_grid(int nodes, const wcut_vec3 *position, int kept, const int *keep, const double *v,
+                                    wcut_surface *s) {
+    double *u = wcut_alloc((size_t)nodes, sizeof *u);
+    if (!u) return WCUT_NO_MEMORY;
+    for (int i = 0; i < nodes; i++) u[i] = (double)i / (nodes - 1);
+    for (int j = 0; j < kept; j++)
+        for (int i = 0; i < nodes; i++) s->control[(ptrdiff_t)j * nodes + i] = position[(ptrdiff_t)keep[j] * nodes + i];
+    wcut_knots_average(s->degree_u, nodes, u, s->knots_u);
+    wcut_knots_average(s->degree_v, kept, v, s->knots_v);
+    wcut_status status = wcut_interpolate_rows(s->degree_u, nodes, s->knots_u, u, kept, s->control);
+    if (status == WCUT_OK) status = wcut_interpolate_columns(s->degree_v, kept, s->knots_v, v, nodes, s->control);
+    wcut_free(u);
+    return status;
+}
+
+wcut_status wcut_surface_loft(int stations, int nodes, const wcut_vec3 *position, double merge, wcut_surface **surface,
+                              double *parameter, wcut_loft_report *report) {
+    if (stations < 2 || nodes < 2 || nodes > INT_MAX / 8 / stations || !position || !surface ||
+        !(isfinite(merge) && merge >= 0) || !vec3_all_finite(stations * nodes, position))
+        return WCUT_BAD_ARGUMENT;
+    wcut_status status = WCUT_NO_MEMORY;
+    wcut_surface *s = NULL;
+    int *keep = wcut_alloc((size_t)stations, sizeof *keep), kept;
+    double *v = wcut_alloc((size_t)stations, 2 * sizeof *v), *step = v + stations;
+    if (!keep || !v) goto done;
+
+    kept = pick_sections(stations, nodes, position, merge, keep, step);
+    status = kept >= 2 ? wcut_parameters_from_lengths(kept, step, v) : WCUT_DEGENERATE;
+    if (status != WCUT_OK) goto done;
+    status = wcut_surface_new(nodes > 3 ? 3 : nodes - 1, kept > 3 ? 3 : kept - 1, nodes, kept, false, &s);
+    if (status == WCUT_OK) status = interpolate_grid(nodes, position, kept, keep, v, s);
+    if (status == WCUT_SINGULAR) status = WCUT_DEGENERATE; /* steps so unequal that a pivot is lost to rounding */
+    if (status == WCUT_OK && !vec3_all_finite(kept * nodes, s->control)) status = WCUT_DEGENERATE;
+    if (status != WCUT_OK) goto done;
+
+    for (int j = 0, k = 0; parameter && j < stations; j++) {
+        if (k + 1 < kept && keep[k + 1] == j) k++;
+        parameter[j] = v[k];
+    }
+    if (report) *report = (wcut_loft_report){.used = kept, .dropped = stations - kept};
+    *surface = s;
+    s = NULL;
+
+done:
+    wcut_surface_destroy(s);
+    wcut_free(v);
+    wcut_free(keep);
+    return status;
+}
