@@ -127,7 +127,7 @@ static bool is_decimal_comma(const char *text) {
     double value;
     const char *comma = strchr(text, ',');
     if (!comma || strchr(text, '.') || strchr(comma + 1, ',') || strlen(text) >= sizeof point) return false;
-    strcpy(point, text);
+    memcpy(point, text, strlen(text) + 1);
     point[comma - text] = '.';
     return *wcut_decimal_read(point, &value) == '\0';
 }

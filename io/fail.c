@@ -9,6 +9,9 @@
 
 #include "number.h"
 
+#undef wcut_io_fail
+#undef wcut_io_fail_errno
+
 wcut_status wcut_io_fail(wcut_error *error, wcut_status status, const char *format, ...) {
     if (error) {
         error->status = status;

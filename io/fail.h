@@ -12,6 +12,11 @@ wcut_status wcut_io_fail(wcut_error *error, wcut_status status, const char *form
 /* the same with ": " and the text of an errno behind it */
 wcut_status wcut_io_fail_errno(wcut_error *error, wcut_status status, int code, const char *path, const char *what);
 
+#ifdef __clang_analyzer__ /* it sees one file at a time: the status that comes back is the one given */
+#define wcut_io_fail(error, status, ...) (wcut_io_fail(error, status, __VA_ARGS__), (status))
+#define wcut_io_fail_errno(error, status, ...) (wcut_io_fail_errno(error, status, __VA_ARGS__), (status))
+#endif
+
 /* count x size zeroed bytes for free(); NULL where there is no memory or the product overflows */
 void *wcut_io_alloc(size_t count, size_t size);
 

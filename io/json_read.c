@@ -85,6 +85,7 @@ bool wcut_refuse(wcut_reader *reader, const wcut_place *at, wcut_status status, 
     return false;
 }
 
+#undef wcut_refuse_memory
 bool wcut_refuse_memory(wcut_reader *reader) {
     char label[WCUT_QUOTE_SIZE];
     reader->status =

@@ -22,7 +22,7 @@ static int find_odd_vertex(const wcut_mesh *mesh) {
     for (int i = 0; i < mesh->vertex_count; i++) {
         bool ok = is_finite(mesh->vertex[i]) && (!mesh->normal || is_finite(mesh->normal[i])) &&
                   (!mesh->scalar || isfinite(mesh->scalar[i])) &&
-                  (!mesh->uv || (isfinite(mesh->uv[2 * i]) && isfinite(mesh->uv[2 * i + 1])));
+                  (!mesh->uv || (isfinite(mesh->uv[2 * (size_t)i]) && isfinite(mesh->uv[2 * (size_t)i + 1])));
         if (!ok) return i;
     }
     return -1;

@@ -93,6 +93,6 @@ wcut_status wcut_file_hash(const char *path, char *text, wcut_error *error) {
     if (code) return wcut_io_fail_errno(error, WCUT_NOT_FOUND, code, path, "cannot be read");
 
     wcut_sha256_end(&hash, digest);
-    for (int i = 0; i < WCUT_SHA256_SIZE; i++) snprintf(text + 2 * i, 3, "%02x", digest[i]);
+    for (int i = 0; i < WCUT_SHA256_SIZE; i++) snprintf(text + 2 * (size_t)i, 3, "%02x", digest[i]);
     return WCUT_OK;
 }

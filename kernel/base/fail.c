@@ -14,6 +14,7 @@ const char *wcut_status_text(wcut_status status) {
 
 const char *wcut_version_text(void) { return WCUT_VERSION; }
 
+#undef wcut_fail
 wcut_status wcut_fail(wcut_error *error, wcut_status status, const char *format, ...) {
     if (error) {
         error->status = status;
