@@ -2,6 +2,7 @@
 #ifndef WCUT_WIRECUT_H
 #define WCUT_WIRECUT_H
 
+#include <wirecut/calibration.h>
 #include <wirecut/curve.h>
 #include <wirecut/cut.h>
 #include <wirecut/equilibrium.h>

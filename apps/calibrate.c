@@ -1,0 +1,189 @@
+/* wirecut calibrate: a table of steady test cuts to the force and tension law of a job. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <wirecut/wirecut.h>
+
+#include "command.h"
+#include "results.h"
+#include "terminal.h"
+
+typedef struct calibration {
+    const app_call *call;
+    const char *path; /* of the table */
+    int cuts;
+    wcut_test_cut *cut;
+    wcut_calibration_options options;
+    wcut_calibration fit;
+    wcut_calibration_point *point;
+    app_results results;
+} calibration;
+
+static int load(calibration *c) {
+    wcut_error error = {0};
+    const char *weight = app_given(c->call, "weights") ? app_text(c->call, "weights") : NULL;
+    wcut_status status = wcut_calibration_table_read(c->path, weight, &c->cuts, &c->cut, &error);
+    if (status != WCUT_OK) return app_fail_status(status, NULL, &error);
+    c->options = wcut_calibration_options_default();
+    c->options.loss = app_given(c->call, "robust") ? WCUT_LOSS_TUKEY : WCUT_LOSS_SQUARE;
+    c->options.noise = app_choice(c->call, "noise") == 1 ? WCUT_NOISE_ABSOLUTE : WCUT_NOISE_RELATIVE;
+    if (app_given(c->call, "reference-force")) c->options.reference_force = app_real(c->call, "reference-force");
+    if (app_given(c->call, "reference-heat")) c->options.reference_heat = app_real(c->call, "reference-heat");
+    return APP_DONE;
+}
+
+static int fit(calibration *c) {
+    wcut_error error = {0};
+    c->point = calloc((size_t)c->cuts + 1, sizeof *c->point);
+    if (!c->point) return app_fail_status(WCUT_NO_MEMORY, c->path, NULL);
+    wcut_status status = wcut_calibration_fit(c->cuts, c->cut, &c->options, &c->fit, c->point, &error);
+    return status == WCUT_OK ? APP_DONE : app_fail_status(status, c->path, &error);
+}
+
+static int write_results(calibration *c) {
+    wcut_error error = {0};
+    const char *name = "force_law.json";
+    wcut_status status = wcut_force_law_write(c->cuts, c->cut, &c->options, &c->fit, c->point,
+                                              app_results_path(&c->results, name), &error);
+    return app_results_add(&c->results, name, status, &error);
+}
+
+static int print_json(const calibration *c) {
+    char *text = NULL;
+    wcut_status status = wcut_force_law_print(c->cuts, c->cut, &c->options, &c->fit, c->point, &text);
+    if (status != WCUT_OK) return app_fail_status(status, c->path, NULL);
+    fputs(text, stdout);
+    free(text);
+    return APP_DONE;
+}
+
+/* ---- the summary ---------------------------------------------------------------------------------------------------
+ */
+
+/* how well a law fits, in the words of its noise */
+static void say_quality(const calibration *c, const wcut_law_fit *law) {
+    if (c->options.noise == WCUT_NOISE_RELATIVE)
+        app_say("  scatter %.1f %% of the value, %.1f %% at cuts left out of the fit (%d of %d)", 100 * law->scale,
+                100 * law->leave_one_out, law->left_out, c->cuts);
+    else
+        app_say("  scatter %.3g N/mm, %.3g N/mm at cuts left out of the fit (%d of %d)", law->scale, law->leave_one_out,
+                law->left_out, c->cuts);
+    if (law->lack == WCUT_LACK_UNTESTED)
+        app_say("  too few cuts to test whether the law fits");
+    else
+        app_say("  %s: F(%d, %d) = %.2f, p = %.2g: %s",
+                law->lack == WCUT_LACK_REPLICATE ? "against repeated cuts"
+                                                 : "against a curvature in Q_eff and a power of the speed",
+                law->lack_degrees[0], law->lack_degrees[1], law->lack_f, law->lack_p,
+                law->lack_p < 0.05 ? "the law does not fit" : "no lack of fit");
+}
+
+static void say_laws(const calibration *c) {
+    const wcut_law_fit *f = &c->fit.force, *t = &c->fit.tension;
+    app_say("%s: %d cuts, %d heats, %d speeds, Q_eff %.0f to %.0f J/m^2", c->path, c->cuts, c->fit.heats, c->fit.speeds,
+            c->fit.q_eff_low, c->fit.q_eff_high);
+    app_say("force law: a = %.5g +- %.2g N/mm, b = %.5g +- %.2g m^2/J (standard errors)", f->a, f->standard_error[0],
+            f->b, f->standard_error[1]);
+    say_quality(c, f);
+    app_say("  at F0 = %.4g N/mm and %.4g W/m: V0 = %.4g +- %.2g mm/s, exponent 1/ln(a/F0) = %.4g +- %.2g",
+            c->fit.reference_force, c->fit.reference_heat, c->fit.reference_speed, c->fit.reference_speed_error,
+            c->fit.exponent, c->fit.exponent_error);
+    if (!c->fit.tension_fitted) {
+        app_say("tension law: these cuts do not determine it");
+        return;
+    }
+    app_say("tension law: a = %.5g +- %.2g N/mm, b = %.5g +- %.2g m^2/J, c = %.5g%s", t->a, t->standard_error[0], t->b,
+            t->standard_error[1], t->c, t->c_held ? " N/mm (held: it would be negative)" : " N/mm");
+    say_quality(c, t);
+}
+
+/* what the user should know before cutting by these numbers */
+static void say_warnings(const calibration *c) {
+    const wcut_calibration *fit = &c->fit;
+    bool relative = c->options.noise == WCUT_NOISE_RELATIVE;
+    if (!fit->told_apart)
+        app_say(
+            "warning: %d levels of Q_eff over a factor of %.2f do not tell a from b (correlation %.3f): use V0 and "
+            "the exponent near F0, or cut at more heats and speeds",
+            fit->q_effs, fit->q_eff_high / fit->q_eff_low, fit->correlation);
+    if (fit->heats < 2)
+        app_say("warning: one heat: whether the force hangs on Q_eff alone, or heat is lost elsewhere, cannot be seen");
+    if (fit->speeds < 2) app_say("warning: one speed: a power of the speed beside Q_eff cannot be seen");
+    if (fit->large_angles > 0)
+        app_say("warning: %d of %d cuts trail by more than 10 deg; a test cut is meant to be nearly straight",
+                fit->large_angles, c->cuts);
+    if ((relative ? -fit->force.evidence : fit->force.evidence) > 2)
+        app_say("warning: the scatter looks %s (log likelihood ratio %.1f); try --noise %s",
+                relative ? "absolute" : "relative", relative ? -fit->force.evidence : fit->force.evidence,
+                relative ? "absolute" : "relative");
+    for (int i = 0; i < c->cuts; i++)
+        if (c->point[i].force.loss_weight < 0.1)
+            app_say("warning: line %d is an outlier (%.1f standard deviations) and hardly counts", c->cut[i].line,
+                    c->point[i].force.residual);
+}
+
+static int calibrate(const app_call *call) {
+    calibration c = {.call = call, .path = call->operand[0]};
+    int code = load(&c);
+    if (code == APP_DONE) code = fit(&c);
+    if (code == APP_DONE) code = app_results_begin(&c.results, app_text(call, "output"));
+    if (code == APP_DONE) code = write_results(&c);
+    if (code == APP_DONE && app_given(call, "json")) code = print_json(&c);
+    if (code == APP_DONE && !app_given(call, "quiet")) {
+        say_laws(&c);
+        say_warnings(&c);
+    }
+    free(c.point);
+    wcut_test_cut_destroy(c.cut);
+    return code;
+}
+
+/* ---- the table -----------------------------------------------------------------------------------------------------
+ */
+
+static const app_operand operand[] = {
+    {.name = "TABLE",
+     .kind = APP_FILE,
+     .help = "steady test cuts: heat_W_per_m, speed_mm_s, engaged_mm, tension_N, alpha_deg"},
+    {.name = NULL},
+};
+
+static const app_option option[] = {
+    APP_OPTION_OUTPUT,
+    {.kind = APP_FLAG,
+     .name = "robust",
+     .help = "let outliers pull little: Tukey's biweight, started from Huber's loss"},
+    {.kind = APP_CHOICE,
+     .name = "noise",
+     .value = "relative|absolute",
+     .standard = "relative",
+     .help = "what the scatter of the cuts is proportional to: the force itself, or one number for all"},
+    {.kind = APP_TEXT, .name = "weights", .value = "COLUMN", .help = "a column of the table with the cuts' weights"},
+    {.kind = APP_REAL,
+     .name = "reference-force",
+     .value = "F0",
+     .low = 1e-9,
+     .high = 1e3,
+     .help = "N/mm at which V0 and the exponent are stated, instead of the geometric mean of the cuts"},
+    {.kind = APP_REAL,
+     .name = "reference-heat",
+     .value = "Q",
+     .low = 1e-3,
+     .high = 1e5,
+     .help = "W/m at which V0 is stated, instead of the median of the cuts"},
+    APP_OPTIONS_OF_ALL,
+};
+
+const app_verb app_verb_calibrate = {
+    .name = "calibrate",
+    .brief = "fit the force and tension law to steady test cuts",
+    .about =
+        "Fits F = a exp(-b Q_eff) to the force of each cut, (T_a sin alpha_a + T_b sin alpha_b) / engaged length, "
+        "and T = a exp(-b Q_eff) + c to its tension per engaged length (Rust et al. 2016, 2 and 1), and writes "
+        "force_law.json into DIR: the blocks of a job, with standard errors, covariances, the range of Q_eff they "
+        "hold in, a leave-one-out error, a test of the lack of fit, and every cut's residual.\n"
+        "a and b are nearly degenerate; the pair that the cuts fix is V0 = b Q / ln(a/F0), the speed at a force "
+        "F0, and the exponent 1/ln(a/F0).",
+    .operand = operand,
+    .option = option,
+    .run = calibrate,
+};

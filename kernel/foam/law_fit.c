@@ -1,0 +1,348 @@
+/* One process law fitted to steady test cuts: generalised least squares (Carroll, Ruppert 1988) and its tests. */
+#include "foam/law_fit.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/distribution.h"
+#include "base/least_squares.h"
+#include "base/numbers.h"
+
+/* more cuts are left out one at a time by leverage, to first order, instead of by refitting */
+enum { REFIT_MOST = 500 };
+
+/* what the residual function sees: the data, the standard deviations as they stand, and the parameters in use */
+typedef struct trial {
+    const wcut_law_data *d;
+    int parameters; /* 2: a, b with c = 0; 3: a, b, c */
+    double *sigma;  /* n */
+} trial;
+
+static double law_at(const double *x, int parameters, double q) {
+    return x[0] * exp(-x[1] * q) + (parameters > 2 ? x[2] : 0);
+}
+
+/* the slopes of the law in a, b, c */
+static void law_slopes(const double *x, int parameters, double q, double *slope) {
+    slope[0] = exp(-x[1] * q);
+    slope[1] = -q * x[0] * slope[0];
+    if (parameters > 2) slope[2] = 1;
+}
+
+static bool residuals(void *data, const double *x, double *r, double *jacobian) {
+    const trial *t = data;
+    for (int i = 0; i < t->d->n; i++) {
+        double slope[3];
+        law_slopes(x, t->parameters, t->d->q[i], slope);
+        r[i] = (law_at(x, t->parameters, t->d->q[i]) - t->d->y[i]) / t->sigma[i];
+        for (int j = 0; jacobian && j < t->parameters; j++)
+            jacobian[(size_t)i * t->parameters + j] = slope[j] / t->sigma[i];
+    }
+    return x[0] > 0;
+}
+
+/* ---- start ---------------------------------------------------------------------------------------------------------
+ */
+
+/* ln y = ln a - b q over the cuts with y > 0 and a weight */
+static wcut_status start_from_logs(const wcut_law_data *d, const double *weight, double *work, double *x) {
+    int m = 0;
+    for (int i = 0; i < d->n; i++) {
+        if (!(d->y[i] > 0 && weight[i] > 0)) continue;
+        double root = sqrt(weight[i]);
+        work[2 * m] = root;
+        work[2 * m + 1] = -root * d->q[i];
+        work[2 * (size_t)d->n + m++] = root * log(d->y[i]);
+    }
+    if (m < 2) return WCUT_DEGENERATE;
+    double line[2];
+    wcut_status status = wcut_qr_solve(m, 2, work, work + 2 * (size_t)d->n, line, NULL);
+    if (status != WCUT_OK) return status == WCUT_SINGULAR ? WCUT_DEGENERATE : status;
+    x[0] = exp(line[0]);
+    x[1] = line[1];
+    return isfinite(x[0]) && x[0] > 0 ? WCUT_OK : WCUT_DEGENERATE;
+}
+
+/* the best a and c for a given b, and the cost that is left */
+static double cost_at_decay(const wcut_law_data *d, const double *weight, double b, double *work, double *x) {
+    double cost = 0, *rhs = work + 2 * (size_t)d->n, ac[2];
+    int m = 0;
+    for (int i = 0; i < d->n; i++) {
+        double root = sqrt(weight[i]) / fabs(d->y[i]);
+        if (!(weight[i] > 0) || !isfinite(root)) continue;
+        work[2 * m] = root * exp(-b * d->q[i]);
+        work[2 * m + 1] = root;
+        rhs[m++] = root * d->y[i];
+    }
+    if (m < 3 || wcut_qr_solve(m, 2, work, rhs, ac, NULL) != WCUT_OK || !(ac[0] > 0)) return INFINITY;
+    for (int k = 2; k < m; k++) cost += rhs[k] * rhs[k];
+    x[0] = ac[0];
+    x[1] = b;
+    x[2] = ac[1];
+    return cost;
+}
+
+/* c makes the logarithm useless: the best of 80 decays that the range of Q_eff can show, a and c linear in each */
+static wcut_status start_with_c(const wcut_law_data *d, const double *weight, double *work, double *x) {
+    double low = d->q[0], high = low, best = INFINITY, candidate[3];
+    for (int i = 1; i < d->n; i++) low = fmin(low, d->q[i]), high = fmax(high, d->q[i]);
+    if (!(high > low)) return WCUT_DEGENERATE;
+    const double least = 0.05 / (high - low), most = 50 / (high - low);
+    for (int k = 0; k < 80; k++) {
+        double cost = cost_at_decay(d, weight, least * pow(most / least, k / 79.0), work, candidate);
+        if (cost < best) best = cost, memcpy(x, candidate, sizeof candidate);
+    }
+    return best < INFINITY ? WCUT_OK : WCUT_DEGENERATE;
+}
+
+/* ---- fit -----------------------------------------------------------------------------------------------------------
+ */
+
+/* what a fit hands back to itself */
+typedef struct solution {
+    double x[3], covariance[9];
+    int parameters;
+    wcut_lsq_report report;
+} solution;
+
+/* repeat the weighted fit until the standard deviations, which are the law's own values, stand still */
+static wcut_status fit_from(trial *t, wcut_noise noise, wcut_loss loss, const double *weight, double *loss_weight,
+                            solution *s) {
+    wcut_lsq_options o = wcut_lsq_options_default();
+    o.loss = loss;
+    wcut_lsq_problem problem = {t->d->n, s->parameters, residuals, t, weight};
+    t->parameters = s->parameters;
+    for (int round = 0; round < 200; round++) {
+        for (int i = 0; i < t->d->n; i++) {
+            t->sigma[i] = noise == WCUT_NOISE_ABSOLUTE ? 1 : law_at(s->x, s->parameters, t->d->q[i]);
+            if (!is_positive(t->sigma[i])) return WCUT_DEGENERATE;
+        }
+        double before[3];
+        memcpy(before, s->x, sizeof before);
+        wcut_status status = wcut_lsq_solve(&problem, &o, s->x, s->covariance, loss_weight, &s->report);
+        if (status != WCUT_OK)
+            return status == WCUT_NO_MEMORY || status == WCUT_NOT_CONVERGED ? status : WCUT_DEGENERATE;
+        double change = 0;
+        for (int j = 0; j < s->parameters; j++) {
+            double error = sqrt(s->covariance[j * (s->parameters + 1)]);
+            double floor = 1e-5 * fabs(s->x[j == 1]); /* data on the law itself have no error to compare with */
+            change = fmax(change, fabs(s->x[j] - before[j]) / fmax(error, floor));
+        }
+        if (round > 0 && (noise == WCUT_NOISE_ABSOLUTE || change < 1e-9)) return WCUT_OK;
+    }
+    return WCUT_NOT_CONVERGED;
+}
+
+/* start and fit; with c where the data determine one that is not negative, else with c = 0 */
+static wcut_status fit_law(trial *t, const wcut_calibration_options *o, wcut_loss loss, const double *weight,
+                           double *loss_weight, double *work, solution *s) {
+    if (t->d->with_c) {
+        s->parameters = 3;
+        wcut_status status = start_with_c(t->d, weight, work, s->x);
+        if (status == WCUT_OK) status = fit_from(t, o->noise, loss, weight, loss_weight, s);
+        if (status == WCUT_NO_MEMORY || (status == WCUT_OK && s->x[2] >= 0 && s->x[1] > 0)) return status;
+    }
+    s->parameters = 2;
+    s->x[2] = 0;
+    wcut_status status = start_from_logs(t->d, weight, work, s->x);
+    if (status == WCUT_OK) status = fit_from(t, o->noise, loss, weight, loss_weight, s);
+    if (status == WCUT_OK && !(s->x[1] > 0)) status = WCUT_DEGENERATE;
+    return status;
+}
+
+/* ---- what is known about the fit -----------------------------------------------------------------------------------
+ */
+
+/* log likelihood of normal noise, relative or absolute, at its own least squares fit, but for a constant */
+static wcut_status log_likelihood(trial *t, wcut_noise noise, int parameters, const double *x, double *work,
+                                  double *likelihood) {
+    const wcut_law_data *d = t->d;
+    solution s = {.parameters = parameters};
+    memcpy(s.x, x, sizeof s.x);
+    wcut_status status = fit_from(t, noise, WCUT_LOSS_SQUARE, d->weight, work, &s);
+    if (status != WCUT_OK) return status;
+    *likelihood = -0.5 * d->n * log(s.report.cost / d->n);
+    for (int i = 0; i < d->n; i++) *likelihood -= log(t->sigma[i]);
+    return isfinite(*likelihood) ? WCUT_OK : WCUT_DEGENERATE;
+}
+
+/* scaled residuals e (their squares sum to the misfit) and the scaled Jacobian with `extra` more columns */
+static void linearise(const trial *t, const solution *s, const double *loss_weight, int extra, double *jacobian,
+                      double *e) {
+    const wcut_law_data *d = t->d;
+    int p = s->parameters, columns = p + extra;
+    double mean = 0, spread = 0;
+    for (int i = 0; i < d->n; i++) mean += d->q[i] / d->n;
+    for (int i = 0; i < d->n; i++) spread = fmax(spread, fabs(d->q[i] - mean));
+    for (int i = 0; i < d->n; i++) {
+        double *row = jacobian + (size_t)i * columns, root = sqrt(d->weight[i] * loss_weight[i]) / t->sigma[i];
+        double value = law_at(s->x, p, d->q[i]), u = (d->q[i] - mean) / spread;
+        law_slopes(s->x, p, d->q[i], row);
+        if (extra > 0) row[p] = value * u * u;
+        if (extra > 1) row[p + 1] = value * d->log_speed[i];
+        for (int j = 0; j < columns; j++) row[j] *= root;
+        e[i] = root * (d->y[i] - value);
+    }
+}
+
+static void keep_test(wcut_law_fit *fit, wcut_lack_of_fit kind, double lack, int dof1, double rest, int dof2) {
+    fit->lack = kind;
+    fit->lack_degrees[0] = dof1;
+    fit->lack_degrees[1] = dof2;
+    /* where the richer law meets every cut to rounding there is no scatter to test against */
+    bool exact = !(rest > 1e-24 * (lack + rest)) || !(lack + rest > 0);
+    fit->lack_f = exact ? 0 : fmax(0, lack / dof1 / (rest / dof2));
+    fit->lack_p = exact ? 1 : wcut_f_tail(fit->lack_f, dof1, dof2);
+    if (exact) fit->lack = WCUT_LACK_UNTESTED;
+}
+
+static bool same_setting(const wcut_law_data *d, int i, int k) {
+    return fabs(d->log_heat[i] - d->log_heat[k]) < 1e-6 && fabs(d->log_speed[i] - d->log_speed[k]) < 1e-6;
+}
+
+/* the scatter of repeated cuts about their own means against the misfit; false where too few are repeated */
+static bool test_replicates(const trial *t, const solution *s, const double *loss_weight, const double *e,
+                            wcut_law_fit *fit) {
+    const wcut_law_data *d = t->d;
+    double misfit = 0, pure = 0;
+    int levels = 0;
+    for (int i = 0; i < d->n; i++) {
+        double mass = 0, mean = 0;
+        bool first = true;
+        for (int k = 0; k < d->n; k++) {
+            if (!same_setting(d, i, k)) continue;
+            first = first && k >= i;
+            mass += d->weight[k] * loss_weight[k];
+            mean += d->weight[k] * loss_weight[k] * d->y[k];
+        }
+        levels += first;
+        double off = mass > 0 ? (d->y[i] - mean / mass) / t->sigma[i] : 0;
+        pure += d->weight[i] * loss_weight[i] * off * off;
+        misfit += e[i] * e[i];
+    }
+    if (d->n - levels < 2 || levels <= s->parameters) return false;
+    keep_test(fit, WCUT_LACK_REPLICATE, misfit - pure, levels - s->parameters, pure, d->n - levels);
+    return true;
+}
+
+/* against two more terms; one where the second is not independent */
+static wcut_status test_flexible(const trial *t, const solution *s, const double *loss_weight, double *work,
+                                 wcut_law_fit *fit) {
+    int n = t->d->n;
+    double *jacobian = work, *e = work + 5 * (size_t)n, term[5];
+    for (int extra = 2; extra > 0; extra--) {
+        int columns = s->parameters + extra;
+        if (n <= columns) continue;
+        linearise(t, s, loss_weight, extra, jacobian, e);
+        double misfit = 0, rest = 0;
+        for (int i = 0; i < n; i++) misfit += e[i] * e[i];
+        wcut_status status = wcut_qr_solve(n, columns, jacobian, e, term, NULL);
+        if (status == WCUT_SINGULAR) continue;
+        if (status != WCUT_OK) return status;
+        for (int i = columns; i < n; i++) rest += e[i] * e[i]; /* Q^T e: its tail is what no column explains */
+        keep_test(fit, WCUT_LACK_FLEXIBLE, misfit - rest, extra, rest, n - columns);
+        return WCUT_OK;
+    }
+    return WCUT_OK;
+}
+
+/* each cut predicted by the law of the others */
+static wcut_status leave_out(trial *t, const solution *s, const wcut_calibration_options *o, double *work,
+                             wcut_law_fit *fit, wcut_fit_point *point) {
+    const wcut_law_data *d = t->d;
+    int n = d->n, p = s->parameters;
+    double sum = 0, *weight = work + 6 * (size_t)n, *loss_weight = weight + n, inverse[9], x[3];
+    if (n > REFIT_MOST) {
+        for (int i = 0; i < n; i++) loss_weight[i] = point[i].loss_weight;
+        linearise(t, s, loss_weight, 0, work, work + 5 * (size_t)n);
+        wcut_status status = wcut_qr_solve(n, p, work, work + 5 * (size_t)n, x, inverse);
+        if (status != WCUT_OK) return status;
+    }
+    memcpy(weight, d->weight, (size_t)n * sizeof *weight);
+    for (int i = 0; i < n; i++) {
+        solution other = *s;
+        wcut_status status = WCUT_OK;
+        if (n > REFIT_MOST) {
+            double slope[3], leverage = 0, off = point[i].measured - point[i].fitted;
+            law_slopes(s->x, p, d->q[i], slope);
+            for (int j = 0; j < p * p; j++) leverage += slope[j / p] * slope[j % p] * inverse[j];
+            leverage *= d->weight[i] * loss_weight[i] / (t->sigma[i] * t->sigma[i]);
+            point[i].left_out = point[i].measured - off / fmax(1 - leverage, 1e-9);
+        } else {
+            weight[i] = 0;
+            status = fit_from(t, o->noise, o->loss, weight, loss_weight, &other);
+            weight[i] = d->weight[i];
+            if (status == WCUT_NO_MEMORY) return status;
+            if (status == WCUT_OK) point[i].left_out = law_at(other.x, p, d->q[i]);
+        }
+        if (status != WCUT_OK) continue;
+        double off = point[i].measured - point[i].left_out;
+        off /= o->noise == WCUT_NOISE_RELATIVE ? point[i].left_out : 1;
+        sum += off * off;
+        fit->left_out++;
+    }
+    fit->leave_one_out = fit->left_out ? sqrt(sum / fit->left_out) : 0;
+    return WCUT_OK;
+}
+
+static void keep_solution(const trial *t, const solution *s, const wcut_calibration_options *o, wcut_law_fit *fit) {
+    int p = s->parameters;
+    *fit = (wcut_law_fit){.a = s->x[0], .b = s->x[1], .c = p > 2 ? s->x[2] : 0, .c_held = p < 3, .lack_p = 1};
+    fit->scale = s->report.scale;
+    fit->degrees = t->d->n - p;
+    double t_quantile = wcut_student_quantile(0.5 + o->confidence / 2, fit->degrees);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3 && i < p && j < p; j++) fit->covariance[3 * i + j] = s->covariance[i * p + j];
+        double value = i < p ? s->x[i] : 0;
+        fit->standard_error[i] = sqrt(fit->covariance[4 * i]);
+        fit->low[i] = value - t_quantile * fit->standard_error[i];
+        fit->high[i] = value + t_quantile * fit->standard_error[i];
+    }
+}
+
+/* all that is known beside the parameters; t->sigma is that of the solution */
+static wcut_status examine(trial *t, const solution *s, const wcut_calibration_options *o, double *work,
+                           wcut_law_fit *fit, wcut_fit_point *point) {
+    const wcut_law_data *d = t->d;
+    double *loss_weight = work + 7 * (size_t)d->n, *e = work + 5 * (size_t)d->n, relative, absolute;
+    for (int i = 0; i < d->n; i++) {
+        double fitted = law_at(s->x, s->parameters, d->q[i]), off = (d->y[i] - fitted) * sqrt(d->weight[i]);
+        double unit = s->report.scale * t->sigma[i];
+        point[i] = (wcut_fit_point){d->y[i], fitted, unit > 0 ? off / unit : 0, loss_weight[i], fitted};
+    }
+    linearise(t, s, loss_weight, 0, work, e);
+    wcut_status status = WCUT_OK;
+    if (!test_replicates(t, s, loss_weight, e, fit)) status = test_flexible(t, s, loss_weight, work, fit);
+    if (status == WCUT_OK) status = leave_out(t, s, o, work, fit, point);
+    if (status == WCUT_OK) status = log_likelihood(t, WCUT_NOISE_RELATIVE, s->parameters, s->x, work, &relative);
+    if (status == WCUT_OK) status = log_likelihood(t, WCUT_NOISE_ABSOLUTE, s->parameters, s->x, work, &absolute);
+    if (status == WCUT_OK) fit->evidence = relative - absolute;
+    return status == WCUT_NO_MEMORY ? status : WCUT_OK; /* a comparison that cannot be made says nothing: 0 */
+}
+
+wcut_status wcut_law_fit_solve(const wcut_law_data *d, const wcut_calibration_options *o, wcut_law_fit *fit,
+                               wcut_fit_point *point) {
+    size_t n = (size_t)d->n;
+    double *work = wcut_alloc(9 * n, sizeof *work);
+    wcut_fit_point *found = wcut_alloc(n, sizeof *found);
+    wcut_status status = work && found ? WCUT_OK : WCUT_NO_MEMORY;
+    if (status != WCUT_OK) goto done;
+
+    trial t = {.d = d, .sigma = work + 8 * n};
+    solution s = {.parameters = 0};
+    wcut_law_fit at;
+    status = fit_law(&t, o, o->loss, d->weight, work + 7 * n, work, &s);
+    if (status == WCUT_OK && d->n <= s.parameters) status = WCUT_DEGENERATE;
+    if (status != WCUT_OK) goto done;
+    keep_solution(&t, &s, o, &at);
+    status = examine(&t, &s, o, work, &at, found);
+    if (status != WCUT_OK) goto done;
+    *fit = at;
+    memcpy(point, found, n * sizeof *found);
+
+done:
+    wcut_free(found);
+    wcut_free(work);
+    return status;
+}

@@ -1,0 +1,197 @@
+/* wirecut/calibration.h - the force and tension laws of a foam from steady test cuts. */
+#ifndef WCUT_CALIBRATION_H
+#define WCUT_CALIBRATION_H
+
+#include <wirecut/export.h>
+#include <wirecut/force_law.h>
+#include <wirecut/loss.h>
+#include <wirecut/status.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** One straight cut in steady state. */
+typedef struct wcut_test_cut {
+    double heat;                 /**< [W/m] positive */
+    double speed;                /**< [mm/s] positive */
+    double engaged;              /**< [mm] wire inside the foam, positive */
+    double tension_a, tension_b; /**< [N] at the mounts, positive */
+    double alpha_a, alpha_b;     /**< [rad] by which the wire trails at the mounts, in (-pi/2, pi/2) */
+    double weight;               /**< [1] positive; the variance of the cut's error is inverse to it; 1 as a rule */
+    int line;                    /**< of the file it came from; 0 where it came from none */
+} wcut_test_cut;
+
+/** What the scatter of the test cuts is proportional to. */
+typedef enum wcut_noise {
+    WCUT_NOISE_RELATIVE, /**< the value itself; default: 44 of 48 measured tables are likelier so, by e^90 in all */
+    WCUT_NOISE_ABSOLUTE  /**< one number for every cut */
+} wcut_noise;
+
+/** How to fit. */
+typedef struct wcut_calibration_options {
+    wcut_noise noise;       /**< default WCUT_NOISE_RELATIVE; wcut_law_fit.evidence says what the data prefer */
+    wcut_loss loss;         /**< default WCUT_LOSS_SQUARE */
+    double confidence;      /**< [1] of the intervals, in (0, 1); default 0.95 */
+    double reference_force; /**< [N/mm] F0 of V0 and the exponent; 0: the geometric mean of the fitted forces */
+    double reference_heat;  /**< [W/m] Q_I of V0; 0: the median of the cuts' */
+    double alpha_large;     /**< [rad] deflections beyond it are counted; default 10 deg, the test cut's small angles */
+} wcut_calibration_options;
+
+/** What a law was tested against. */
+typedef enum wcut_lack_of_fit {
+    WCUT_LACK_UNTESTED,  /**< too few cuts */
+    WCUT_LACK_REPLICATE, /**< the scatter of cuts repeated at the same heat and speed */
+    WCUT_LACK_FLEXIBLE   /**< a law with a curvature in Q_eff and a power of the speed beside Q_eff */
+} wcut_lack_of_fit;
+
+/** One law fitted: y = a exp(-b Q_eff) + c. */
+typedef struct wcut_law_fit {
+    double a, b, c;           /**< [N/mm, m^2/J, N/mm]; c is 0 in the force law */
+    double standard_error[3]; /**< of a, b, c; 0 for a c that is held */
+    double low[3], high[3];   /**< interval of a, b, c at the stated confidence (Student's t) */
+    double covariance[9];     /**< 3 x 3 row-major, of a, b, c */
+    int c_held;               /**< 1: c is held at 0 (force law; or the data would have it negative) */
+    double scale;             /**< standard deviation of a cut: relative [1], or [N/mm], as the noise is */
+    int degrees;              /**< cuts less fitted parameters */
+    double leave_one_out;     /**< root mean square error at cuts left out of the fit, in the unit of scale */
+    int left_out;             /**< cuts that could be left out (the others are needed to have a law at all) */
+    wcut_lack_of_fit lack;    /**< what the law was tested against */
+    int lack_degrees[2];      /**< of the F statistic */
+    double lack_f, lack_p;    /**< F statistic, and the probability of a larger one if the law is right; 1 untested */
+    double evidence;          /**< log likelihood of relative noise less that of absolute noise */
+} wcut_law_fit;
+
+/** A calibration. */
+typedef struct wcut_calibration {
+    wcut_law_fit force;        /**< equation (2) to F = (T_a sin alpha_a + T_b sin alpha_b) / engaged length */
+    wcut_law_fit tension;      /**< equation (1) to the mean tension per engaged length; all 0 without tension_fitted */
+    int tension_fitted;        /**< 0: the cuts do not determine equation (1) */
+    double q_eff_low;          /**< [J/m^2] the least and ... */
+    double q_eff_high;         /**< [J/m^2] ... the greatest Q_eff of the cuts: where the laws are validated */
+    int heats, speeds, q_effs; /**< different levels of each among the cuts (apart by more than 1e-6) */
+    int told_apart;            /**< 1: the interval of b is narrower than b itself, so that a is told from b */
+    int large_angles;          /**< cuts with a deflection beyond alpha_large */
+    double reference_force;    /**< [N/mm] F0 */
+    double reference_heat;     /**< [W/m] Q_I */
+    double reference_speed;    /**< [mm/s] V0 = b Q_I / ln(a / F0): well determined even where a and b are not */
+    double reference_speed_error; /**< [mm/s] its standard error */
+    double exponent;              /**< [1] 1 / ln(a / F0) = d ln v / d ln F at F0 */
+    double exponent_error;        /**< [1] its standard error */
+    double correlation;           /**< [1] of a and b */
+} wcut_calibration;
+
+/** One cut in one law. */
+typedef struct wcut_fit_point {
+    double measured;    /**< [N/mm] */
+    double fitted;      /**< [N/mm] */
+    double residual;    /**< [1] measured less fitted, in standard deviations of this cut */
+    double loss_weight; /**< [1] what the loss left of its weight; 1 with WCUT_LOSS_SQUARE */
+    double left_out;    /**< [N/mm] predicted by the law fitted to the others; the fitted value where there is none */
+} wcut_fit_point;
+
+/** One cut in a calibration. */
+typedef struct wcut_calibration_point {
+    double q_eff;           /**< [J/m^2] */
+    wcut_fit_point force;   /**< equation (2) */
+    wcut_fit_point tension; /**< equation (1); measured alone where it is not fitted */
+} wcut_calibration_point;
+
+/** Least squares with relative noise, 95 % intervals, 10 degrees. */
+WCUT_API wcut_calibration_options wcut_calibration_options_default(void);
+
+/**
+ * The force of a test cut per engaged length (Rust et al. 2016, figure 2).
+ *
+ *     F = (T_a sin alpha_a + T_b sin alpha_b) / engaged length
+ *
+ * @param[in] cut positive engaged length
+ * @return [N/mm].
+ */
+WCUT_API double wcut_test_cut_force(const wcut_test_cut *cut);
+
+/**
+ * The mean tension of a test cut per engaged length.
+ *
+ * @param[in] cut positive engaged length
+ * @return [N/mm].
+ */
+WCUT_API double wcut_test_cut_tension(const wcut_test_cut *cut);
+
+/**
+ * Fit the laws (1) and (2) of Rust et al. (2016) to test cuts.
+ *
+ *     minimise sum_i weight_i loss((y_i - y(Q_i)) / sigma_i),   sigma_i = y(Q_i) or 1
+ *
+ * With relative noise sigma is that of the fitted law itself (generalised least squares, Carroll and Ruppert 1988),
+ * found by repeating the fit until it stands still; unlike a fit of logarithms this neither shifts the mean nor breaks
+ * at a cut whose measured force is not positive. The start is the fit of logarithms. A tension law with a negative c is
+ * not admitted: where the data want one, c is held at 0, the nearest admissible law. The leave-one-out error is by
+ * refitting up to 500 cuts, beyond that by leverages.
+ *
+ * @param[in]  n           cuts, at least 3
+ * @param[in]  cut         n
+ * @param[in]  options     NULL for the defaults
+ * @param[out] calibration the laws and what is known about them
+ * @param[out] point       n, in the cuts' order; may be NULL
+ * @param[out] error       may be NULL; says which cut, or what the cuts lack
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a value outside its range, or a reference force not below a),
+ *         WCUT_DEGENERATE (fewer than two levels of Q_eff, fewer than two of them with a positive force, or a force
+ *         that does not fall with Q_eff), WCUT_NOT_CONVERGED (a robust loss on which the weights do not come to rest),
+ *         WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_calibration_fit(int n, const wcut_test_cut *cut, const wcut_calibration_options *options,
+                                          wcut_calibration *calibration, wcut_calibration_point *point,
+                                          wcut_error *error);
+
+/**
+ * Read a calibration table: heat_W_per_m, speed_mm_s, engaged_mm, tension_N, alpha_deg, one row a test cut; tension and
+ * deflection are those of both mounts.
+ *
+ * @param[in]  path   a CSV file
+ * @param[in]  weight the name of a further column with the weights of the cuts; NULL: all 1
+ * @param[out] n      cuts, not negative
+ * @param[out] cut    n, the caller's, to wcut_test_cut_destroy
+ * @param[out] error  may be NULL; line and column, what was found, what was expected
+ * @return WCUT_OK; WCUT_NOT_FOUND (no such file, not readable), WCUT_BAD_FORMAT (as wcut_table_read; columns missing or
+ *         in another unit; a value missing or outside its range), WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was
+ *         written.
+ */
+WCUT_API wcut_status wcut_calibration_table_read(const char *path, const char *weight, int *n, wcut_test_cut **cut,
+                                                 wcut_error *error);
+
+/** Free what wcut_calibration_table_read gave; NULL is allowed. */
+WCUT_API void wcut_test_cut_destroy(wcut_test_cut *cut);
+
+/**
+ * Write `force_law.json`: the blocks "force_law" and "tension_law" of a job with their standard errors, covariances and
+ * range of Q_eff, the reference pair, the tests, and a list of residuals.
+ *
+ * @param[in]  n           cuts, at least 1
+ * @param[in]  cut         n
+ * @param[in]  options     that the fit was made with; NULL for the defaults
+ * @param[in]  calibration of these cuts
+ * @param[in]  point       n
+ * @param[in]  path        the target, replaced whole or not at all
+ * @param[out] error       may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NOT_WRITTEN, WCUT_NO_MEMORY: the target is as it was.
+ */
+WCUT_API wcut_status wcut_force_law_write(int n, const wcut_test_cut *cut, const wcut_calibration_options *options,
+                                          const wcut_calibration *calibration, const wcut_calibration_point *point,
+                                          const char *path, wcut_error *error);
+
+/**
+ * The text of `force_law.json`.
+ *
+ * @param[out] text the caller's, to free(); ends with a line feed
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_force_law_print(int n, const wcut_test_cut *cut, const wcut_calibration_options *options,
+                                          const wcut_calibration *calibration, const wcut_calibration_point *point,
+                                          char **text);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
