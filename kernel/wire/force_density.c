@@ -36,8 +36,9 @@ wcut_status wcut_fdm_solve(int n, const wcut_vec3 *force, const double *length, 
         !all_positive(n - 1, length) || !all_positive(n - 1, q))
         return WCUT_BAD_ARGUMENT;
 
-    double *work = wcut_alloc(2 * (size_t)n, sizeof *work), *g = work, *ratio = work + n;
+    double *work = wcut_alloc(2 * (size_t)n, sizeof *work);
     if (!work) return WCUT_NO_MEMORY;
+    double *g = work, *ratio = work + n;
 
     /* stop before (8), so that the q returned is the one x is in equilibrium with */
     wcut_fdm_report r = {.rounds = 1};
