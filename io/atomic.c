@@ -187,6 +187,8 @@ void wcut_file_write(wcut_file *file, const void *data, size_t size) {
     file->end += size;
 }
 
+void wcut_file_seek(wcut_file *file, uint64_t offset) { file->end = offset; }
+
 void wcut_file_move(wcut_file *file, uint64_t to, uint64_t from, uint64_t size) {
     if (to == from || size == 0 || file->code) return;
     char *block = wcut_io_alloc(MOVE_SIZE, 1);

@@ -14,8 +14,9 @@ typedef struct wcut_file wcut_file;
    or write-protected), WCUT_NO_MEMORY: nothing was written. */
 wcut_status wcut_file_create(const char *path, wcut_file **file, wcut_error *error);
 
-/* append, or write at an offset; nothing more is written once an error sticks */
+/* append, let the next append begin elsewhere, or write at an offset; nothing is written once an error sticks */
 void wcut_file_write(wcut_file *file, const void *data, size_t size);
+void wcut_file_seek(wcut_file *file, uint64_t offset);
 void wcut_file_write_at(wcut_file *file, uint64_t offset, const void *data, size_t size);
 
 /* move a range towards the front (to < from), and cut the file off at a size */

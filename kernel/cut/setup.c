@@ -231,3 +231,5 @@ void wcut_setup_destroy(wcut_setup *setup) {
 }
 
 const wcut_job *wcut_setup_job(const wcut_setup *setup) { return setup->job; }
+
+const wcut_cut_options *wcut_setup_options(const wcut_setup *setup) { return &setup->options; }

@@ -89,6 +89,9 @@ WCUT_API void wcut_setup_destroy(wcut_setup *setup);
 /** The job that a setup was made from, borrowed. */
 WCUT_API const wcut_job *wcut_setup_job(const wcut_setup *setup);
 
+/** The options that a setup was made with, defaults filled in, borrowed. */
+WCUT_API const wcut_cut_options *wcut_setup_options(const wcut_setup *setup);
+
 /**
  * Begin a run: station 0, the wire hanging trailing in equilibrium.
  *
