@@ -24,12 +24,14 @@ const tick = (_, values) => {
   return values.map(v => step < 1e-6 ? number(v) : fixed(v, places));
 };
 
-function axes(x, y) {
+function axes(x, y, height) {
   const common = {
     stroke: () => palette().faint, font: FONT, labelFont: FONT, labelGap: 2, values: tick,
     grid: {stroke: () => palette().grid, width: 1}, ticks: {stroke: () => palette().grid, size: 4}
   };
-  return [{...common, label: x, size: 30, labelSize: 20, space: 64}, {...common, label: y, size: 58, labelSize: 20, space: 36}];
+  // a label that is longer than the axis would be cut off; title and legend say what the unit is of
+  const short = y.length > (height - 60) / 6.5 && y.includes('[') ? y.slice(y.lastIndexOf('[')) : y;
+  return [{...common, label: x, size: 30, labelSize: 20, space: 64}, {...common, label: short, size: 58, labelSize: 20, space: 36}];
 }
 
 const listed = typed => Array.from(typed, v => Number.isNaN(v) ? null : v);
@@ -107,13 +109,15 @@ function words(chart) {
 function seriesOptions(chart) {
   const options = [{}], bands = [];
   chart.series.forEach((series, i) => {
-    const colour = () => palette().series[i % 8];
+    const colour = () => palette().series[i % 8], range = extent(doubles(series.y));
+    const span = range ? `${number(range[0])} to ${number(range[1])}` : '\u2013';
     options.push({
       label: labelled(series.label, chart.unit), stroke: colour, width: 1.5, spanGaps: false,
       dash: series.mark === 'dashed' ? [6, 4] : undefined,
       paths: series.mark === 'points' ? () => null : undefined,
       points: series.mark === 'points' ? {show: true, size: 6, stroke: colour, fill: () => palette().page} : {show: false},
-      value: (_, v) => number(v ?? null)
+      // without a cursor the legend says what the series spans
+      value: (_, v, __, at) => at === null || at === undefined ? span : number(v ?? null)
     });
     if (series.low === undefined) return;
     const edge = {stroke: 'transparent', width: 0, points: {show: false}, class: 'edge'};
@@ -149,10 +153,10 @@ export function chartFigure(chart, sync, height = 220) {
     }
     const {options, bands} = seriesOptions(chart);
     const x = labelled(chart.axes[axis].label, chart.axes[axis].unit);
-    options[0] = {label: x, value: (_, v) => number(v ?? null)};
+    options[0] = {label: x, value: (_, v, __, at) => at === null || at === undefined ? '' : number(v ?? null)};
     plot = new uPlot({
       width: Math.max(place.clientWidth, 280), height, scales: {x: {time: false}}, series: options, bands: bandsShown ? bands : [],
-      axes: axes(x, labelled(chart.label, chart.unit)), legend: {live: true},
+      axes: axes(x, labelled(chart.label, chart.unit), height), legend: {live: true},
       cursor: {sync: sync ? {key: `${sync}-${axis}`, setSeries: false} : undefined, points: {size: 6}, drag: {x: true, y: false}},
       hooks: {drawClear: [u => paintSpans(chart, u, axis)]}
     }, columns(chart, axis), place);
@@ -239,7 +243,7 @@ export function mapFigure(map, height = 260) {
       width: Math.max(place.clientWidth, 280), height, legend: {show: false},
       scales: {x: {time: false, range: () => ends(xe)}, y: {range: () => ends(ye)}},
       series: [{}, {stroke: 'transparent', points: {show: false}}],
-      axes: axes(labelled(map.x_label, map.x_unit), labelled(map.y_label, map.y_unit)),
+      axes: axes(labelled(map.x_label, map.x_unit), labelled(map.y_label, map.y_unit), height),
       cursor: {drag: {x: false, y: false}, points: {show: false}},
       hooks: {
         drawClear: [u => paintMap(u, map, xe, ye, value, scale)],

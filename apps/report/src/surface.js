@@ -30,6 +30,16 @@ function gridLines(shape, alongRow) {
   return out;
 }
 
+// what stands for a big shape while it is being turned on a slow machine: about 40,000 points, or the triangles of a
+// grid with every k-th row and column
+function coarse(shape) {
+  const step = Math.ceil(Math.sqrt(shape.count / 40000));
+  if (step < 2 || (shape.triangles && !shape.rows)) return null;
+  if (!shape.rows) return Uint32Array.from({length: Math.floor(shape.count / step ** 2)}, (_, i) => i * step ** 2);
+  const rows = Math.ceil((shape.rows - 1) / step) + 1, columns = Math.ceil((shape.columns - 1) / step) + 1;
+  return gridTriangles(rows, columns).map(i => Math.min(Math.floor(i / columns) * step, shape.rows - 1) * shape.columns + Math.min(i % columns * step, shape.columns - 1));
+}
+
 function boxLines([w, l, h]) {
   const corner = (i) => [i & 1 ? w : 0, i & 2 ? l : 0, i & 4 ? h : 0], out = [];
   for (let i = 0; i < 8; i++)
@@ -64,24 +74,18 @@ export class Surface {
     this.figure = element('section', {className: 'surface', 'aria-label': scene.title},
       element('h2', {}, scene.title), scene.note ? element('p', {className: 'note'}, scene.note) : null, this.notice,
       this.controls(), this.frame,
-      element('p', {className: 'note hint'}, 'Drag to turn, shift-drag to move, click and scroll to zoom, click a point to read it. Keys: arrows, + and \u2212, 0 to start over.'),
+      this.hint = element('p', {className: 'note hint'}, 'Drag to turn, shift-drag to move, click and scroll to zoom, click a point to read it. Keys: arrows, + and \u2212, 0 to start over.'),
       element('div', {className: 'scale'}, this.scaleLabel = element('p', {className: 'scale-label'}), this.histogram.canvas, this.words, this.range),
       this.finder, this.readout, this.profiles, this.statistics());
   }
 
   start() {
-    try {
-      if (!this.canvas.getContext('webgl2')) throw new Error('no WebGL 2');
-      this.view = new View(this.canvas, bounds(this.scene));
-      this.space = true;
-    } catch {
-      // a canvas that was asked for WebGL gives no other context
-      const fresh = element('canvas', {tabIndex: 0, role: 'img'});
-      this.canvas.replaceWith(fresh);
-      this.canvas = fresh;
-      this.view = new Plan(fresh);
-      this.space = false;
+    // asked of a canvas that is thrown away: the renderer gets its own with the attributes it wants
+    this.space = Boolean(document.createElement('canvas').getContext('webgl2'));
+    this.view = this.space ? new View(this.canvas, bounds(this.scene)) : new Plan(this.canvas);
+    if (!this.space) {
       this.notice.hidden = false;
+      this.hint.textContent = 'Click a point to read it.';
       this.notice.textContent = 'This browser offers no WebGL 2, so the view in space is replaced by a map seen from above: x to the right, feed direction y upward.';
     }
     this.view.drawn = () => this.paintOverlay();
@@ -163,7 +167,7 @@ export class Surface {
       if (this.gridNames) this.gridNames.forEach(name => this.view.clearLines(name));
       this.gridNames = shape.rows ? [`${shape.row_label} lines`, `${shape.column_label} curves`] : [];
       shape.triangles = shape.rows ? gridTriangles(shape.rows, shape.columns) : given(shape.triangle_array) ? new Uint32Array(ints(shape.triangle_array)) : null;
-      this.view.setShape({position: floats(shape.position), triangles: shape.triangles});
+      this.view.setShape({position: floats(shape.position), triangles: shape.triangles, coarse: coarse(shape)});
       this.buildBoxes(shape);
       this.buildFinder(shape);
       this.select(-1);
@@ -286,14 +290,14 @@ export class Surface {
         }
         const label = alongRow ? shape.row_label : shape.column_label;
         const name = original(line, alongRow ? shape.row_stride : shape.column_stride, alongRow ? shape.row_total : shape.column_total);
-        charts.push(chart(`Along ${label} ${number(name)}`, {axis: {label: 'distance along it', unit: 'mm'}, mark: 'line', values: x}, y));
+        charts.push(chart(`${field.label} along ${label} ${number(name)}`, {axis: {label: `distance along ${label}`, unit: 'mm'}, mark: 'line', values: x}, y));
       }
     } else {
       const position = floats(shape.position), y0 = position[3 * index + 1];
       const half = this.slab(position), picked = [];
       for (let i = 0; i < values.length; i++) if (Math.abs(position[3 * i + 1] - y0) <= half) picked.push(i);
       picked.sort((a, b) => position[3 * a] - position[3 * b]);
-      charts.push(chart(`Across the feed at y = ${number(y0)} \u00b1 ${number(half)} mm`, {axis: {label: 'x', unit: 'mm'}, mark: 'points', values: Float64Array.from(picked, i => position[3 * i])},
+      charts.push(chart(`${field.label} across the feed at y = ${number(y0)} \u00b1 ${number(half)} mm`, {axis: {label: 'x', unit: 'mm'}, mark: 'points', values: Float64Array.from(picked, i => position[3 * i])},
         Float64Array.from(picked, i => values[i])));
     }
     this.profiles.replaceChildren(...charts.map(c => c.figure));

@@ -1,6 +1,6 @@
 // The view in space (three.js): one shape coloured by one field, lines, block, and a camera for mouse, touch and keys.
 import {
-  BufferAttribute, BufferGeometry, Color, DataTexture, DoubleSide, LineBasicMaterial, LineSegments, Mesh, NearestFilter,
+  BufferAttribute, BufferGeometry, Color, DataTexture, DoubleSide, LineBasicMaterial, LineSegments, Matrix4, Mesh, NearestFilter,
   PerspectiveCamera, Points, Raycaster, Scene, ShaderMaterial, Vector2, Vector3, WebGLRenderer
 } from 'three';
 import {colourOf, palette} from './colour.js';
@@ -62,7 +62,7 @@ function segments(lines) {
 export class View {
   constructor(canvas, {centre, radius, corners}) {
     this.canvas = canvas;
-    this.renderer = new WebGLRenderer({canvas, antialias: true, preserveDrawingBuffer: true});
+    this.renderer = new WebGLRenderer({canvas, antialias: true});
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(26, 1, 1, 10);
     this.camera.up.set(0, 0, 1);
@@ -116,7 +116,10 @@ export class View {
     }
     geometry.setAttribute('position', new BufferAttribute(moved, 3));
     geometry.setAttribute('value', new BufferAttribute(new Float32Array(moved.length / 3), 1));
-    if (shape.triangles) geometry.setIndex(new BufferAttribute(shape.triangles, 1));
+    this.fine = shape.triangles ? new BufferAttribute(shape.triangles, 1) : null;
+    this.coarse = shape.coarse ? new BufferAttribute(shape.coarse, 1) : null;
+    this.slow = false;
+    geometry.setIndex(this.fine);
     this.surface = shape.triangles ? new Mesh(geometry, this.material) : new Points(geometry, this.material);
     this.surface.frustumCulled = false;
     this.material.uniforms.shade.value = shape.triangles ? 0.3 : 0;
@@ -206,7 +209,13 @@ export class View {
   // paint at the next frame, or now
   draw(now = false) {
     if (!now) {
-      if (!this.waiting) this.waiting = requestAnimationFrame(() => this.draw(true));
+      if (this.waiting) return;
+      const asked = performance.now();
+      this.waiting = requestAnimationFrame(() => {
+        // the frame before this one kept it waiting
+        if (this.resting && performance.now() - asked > 100) this.slow = true;
+        this.draw(true);
+      });
       return;
     }
     cancelAnimationFrame(this.waiting);
@@ -221,15 +230,31 @@ export class View {
     this.drawn?.();
   }
 
-  turn(right, up) {
+  // The view is being moved: where a frame takes long, fewer points are drawn until it rests.
+  moving() {
     this.touched = true;
+    if (!this.coarse) return;
+    clearTimeout(this.resting);
+    this.resting = setTimeout(() => this.rest(), 200);
+    if (this.slow) this.surface.geometry.setIndex(this.coarse);
+  }
+
+  rest() {
+    this.resting = 0;
+    if (this.surface.geometry.getIndex() === this.fine) return;
+    this.surface.geometry.setIndex(this.fine);
+    this.draw();
+  }
+
+  turn(right, up) {
+    this.moving();
     this.azimuth -= right;
     this.elevation = Math.min(Math.max(this.elevation + up, -1.55), 1.55);
     this.draw();
   }
 
   zoom(factor) {
-    this.touched = true;
+    this.moving();
     this.distance = Math.min(Math.max(this.distance * factor, 0.01), 4);
     this.draw();
   }
@@ -256,6 +281,7 @@ export class View {
   }
 
   pickTriangle() {
+    this.surface.geometry.setIndex(this.fine);
     const [hit] = this.raycaster.intersectObject(this.surface, false);
     if (!hit) return -1;
     const position = this.surface.geometry.getAttribute('position'), corner = new Vector3();
@@ -269,15 +295,19 @@ export class View {
 
   // of a cloud: the foremost point within a few pixels
   pickPoint(x, y, reach = 7) {
-    const {array} = this.surface.geometry.getAttribute('position'), p = new Vector3();
+    const {array} = this.surface.geometry.getAttribute('position');
+    const m = new Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse).elements;
+    const width = this.canvas.clientWidth, height = this.canvas.clientHeight;
     let best = -1, front = Infinity;
-    for (let i = 0; i < array.length / 3; i++) {
-      p.set(array[3 * i], array[3 * i + 1], array[3 * i + 2]).project(this.camera);
-      const away = Math.hypot((p.x + 1) / 2 * this.canvas.clientWidth - x, (1 - p.y) / 2 * this.canvas.clientHeight - y);
-      if (away > reach) continue;
+    for (let i = 0; i < array.length; i += 3) {
+      const a = array[i], b = array[i + 1], c = array[i + 2], w = m[3] * a + m[7] * b + m[11] * c + m[15];
+      const dx = ((m[0] * a + m[4] * b + m[8] * c + m[12]) / w + 1) / 2 * width - x;
+      const dy = (1 - (m[1] * a + m[5] * b + m[9] * c + m[13]) / w) / 2 * height - y;
+      const away = dx * dx + dy * dy;
+      if (w <= 0 || away > reach * reach) continue;
       // a pixel nearer to the pointer counts as much as a little nearer to the eye
-      const cost = p.z + away * 1e-4;
-      if (cost < front) [best, front] = [i, cost];
+      const cost = w + Math.sqrt(away) * this.radius * 1e-3;
+      if (cost < front) [best, front] = [i / 3, cost];
     }
     return best;
   }

@@ -1,0 +1,73 @@
+/* The page in a real browser: chromium, driven by browser.mjs. Without chromium or node it says so and passes.
+   With a folder as argument it only writes the pages there. */
+#include <check.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "report/pages.h"
+
+static pages_data data;
+
+static wcut_status write_pages(const char *folder, wcut_error *error) {
+    char path[4096];
+    pages_fill(&data);
+    if (!pages_fill_cloud(&data)) return WCUT_NO_MEMORY;
+    snprintf(path, sizeof path, "%s/cut.html", folder);
+    wcut_status status = pages_write_cut(&data, path, error);
+    snprintf(path, sizeof path, "%s/cloud.html", folder);
+    if (!status) status = pages_write_cloud(&data, path, error);
+    pages_free(&data);
+    return status;
+}
+
+/* give a command's exit code, -1 where it could not run */
+static int run(const char *const argument[]) {
+    const pid_t child = fork();
+    if (child == 0) {
+        execvp(argument[0], (char *const *)argument);
+        _exit(127);
+    }
+    int code = -1;
+    return child > 0 && waitpid(child, &code, 0) == child && WIFEXITED(code) ? WEXITSTATUS(code) : -1;
+}
+
+START_TEST(a_browser_shows_it_reads_it_back_and_runs_nothing_foreign) {
+    char folder[] = "/tmp/wirecut-page-XXXXXX", path[64];
+    wcut_error error = {WCUT_OK, ""};
+    ck_assert_ptr_nonnull(mkdtemp(folder));
+    ck_assert_msg(write_pages(folder, &error) == WCUT_OK, "%s", error.text);
+    const char *const browse[] = {"node", WCUT_SOURCE_DIR "/tests/report/browser.mjs", folder, NULL};
+    const int code = run(browse);
+    for (const char *const *name = (const char *const[]){"cut.html", "cloud.html", NULL}; *name; name++) {
+        snprintf(path, sizeof path, "%s/%s", folder, *name);
+        remove(path);
+    }
+    rmdir(folder);
+    if (code == 77 || code == 127)
+        puts("skipped: the page was not opened, for want of chromium or node");
+    else
+        ck_assert_int_eq(code, 0);
+}
+END_TEST
+
+int main(int count, char **argument) {
+    if (count == 2) {
+        wcut_error error = {WCUT_OK, ""};
+        const wcut_status status = write_pages(argument[1], &error);
+        if (status) fprintf(stderr, "%s\n", error.text);
+        return status ? EXIT_FAILURE : EXIT_SUCCESS;
+    }
+    Suite *suite = suite_create("report_page");
+    TCase *tcase = tcase_create("browser");
+    tcase_set_timeout(tcase, 300);
+    tcase_add_test(tcase, a_browser_shows_it_reads_it_back_and_runs_nothing_foreign);
+    suite_add_tcase(suite, tcase);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_ENV);
+    const int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
