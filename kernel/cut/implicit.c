@@ -126,11 +126,26 @@ static bool harden(attempt *a, bool by_tension, double log_rate, wcut_solution *
     return true;
 }
 
-/* solve from the hung wire with the rate as an unknown, or given */
+/* the wire as it was, carried along with its ends: the better guess the shorter the step */
+static void carry(attempt *a) {
+    wcut_cut *cut = a->cut;
+    const int n = a->step.n;
+    const wcut_vec3 *was = cut->was;
+    const wcut_vec3 way_a = vec3_sub(a->target->end_a, was[0]), way_b = vec3_sub(a->target->end_b, was[n - 1]);
+    for (int i = 1; i < n - 1; i++) cut->hung[i] = vec3_add(was[i], vec3_mix(way_a, way_b, (double)i / (n - 1)));
+    memcpy(cut->hung_s, cut->next.s, sizeof *cut->hung_s * (size_t)(n - 1));
+}
+
+/* Solve with the rate as an unknown, or given: from the wire hung in its last load, from the wire carried along, from a
+   softened block. */
 static bool solve(attempt *a, bool by_tension, double speed, wcut_solution *solution) {
     wcut_cut *cut = a->cut;
-    const double log_rate = log(speed / a->reach);
-    bool solved = newton(a, cut->setup->foam.block.depth, by_tension, log_rate, solution);
+    const double log_rate = log(speed / a->reach), depth = cut->setup->foam.block.depth;
+    bool solved = newton(a, depth, by_tension, log_rate, solution);
+    if (!solved && cut->next.loaded) {
+        carry(a);
+        solved = newton(a, depth, by_tension, log_rate, solution);
+    }
     if (!solved) {
         if (!wcut_cut_hang(cut, a->target, cut->next.pattern)) return false;
         solved = harden(a, by_tension, log_rate, solution);
