@@ -39,8 +39,8 @@ static char *follow_link(const char *path) {
     struct stat s;
     if (lstat(path, &s) == 0 && S_ISLNK(s.st_mode)) return realpath(path, NULL);
     char *copy = wcut_io_alloc(strlen(path) + 1, 1);
-    if (copy) memcpy(copy, path, strlen(path) + 1);
-    return copy;
+    if (!copy) return errno = ENOMEM, NULL; /* lstat has left another */
+    return memcpy(copy, path, strlen(path) + 1);
 }
 
 /* errno where the target may not be replaced, 0 where it may; mode: that of the file it replaces, -1 where there is
