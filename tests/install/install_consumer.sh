@@ -19,12 +19,14 @@ for header in "$SOURCE_DIR"/kernel/include/wirecut/*.h; do
 done
 
 echo "find_package"
-cmake -S "$source" -B by_cmake -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_C_COMPILER="$CC" -DCMAKE_CXX_COMPILER="$CXX" \
+cmake -G Ninja -S "$source" -B by_cmake -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_C_COMPILER="$CC" -DCMAKE_CXX_COMPILER="$CXX" \
     -DWANTED="$VERSION" >cmake.log || { cat cmake.log; exit 1; }
 cmake --build by_cmake >build.log || { cat build.log; exit 1; }
 [ "$(by_cmake/consumer)" = "$VERSION" ]
 [ "$(by_cmake/consumer_cxx)" = "$VERSION" ]
-if cmake -S "$source" -B refused -DCMAKE_PREFIX_PATH="$prefix" -DWANTED=99.0 >refused.log 2>&1; then
+if cmake -G Ninja -S "$source" -B refused -DCMAKE_PREFIX_PATH="$prefix" -DWANTED=99.0 >refused.log 2>&1 ||
+    ! grep -q 'requested version "99.0"' refused.log; then
+    cat refused.log
     echo "find_package(wirecut 99.0) was satisfied by $VERSION"
     exit 1
 fi
