@@ -129,7 +129,8 @@ static wcut_status explain_failure(wcut_status status, const wcut_calibration *c
     int positive = 0;
     for (int i = 0; i < d->n; i++) positive += d->y[i] > 0;
     if (status == WCUT_NOT_CONVERGED)
-        return wcut_fail(error, status, "force law: the weights of the robust loss do not come to rest");
+        return wcut_fail(error, status,
+                         "force law: the repeated fit does not come to rest; the forces scatter too much for the law");
     if (status != WCUT_DEGENERATE) return wcut_fail(error, status, "%s", wcut_status_text(status));
     if (c->q_effs < 2)
         return wcut_fail(

@@ -10,7 +10,7 @@
 #include "base/numbers.h"
 
 /* more cuts are left out one at a time by leverage, to first order, instead of by refitting */
-enum { REFIT_MOST = 500 };
+enum { REFIT_MOST = 200 };
 
 /* what the residual function sees: the data, the standard deviations as they stand, and the parameters in use */
 typedef struct trial {
@@ -113,7 +113,7 @@ static wcut_status fit_from(trial *t, wcut_noise noise, wcut_loss loss, const do
     o.loss = loss;
     wcut_lsq_problem problem = {t->d->n, s->parameters, residuals, t, weight};
     t->parameters = s->parameters;
-    for (int round = 0; round < 200; round++) {
+    for (int round = 0; round < 60; round++) {
         for (int i = 0; i < t->d->n; i++) {
             t->sigma[i] = noise == WCUT_NOISE_ABSOLUTE ? 1 : law_at(s->x, s->parameters, t->d->q[i]);
             if (!is_positive(t->sigma[i])) return WCUT_DEGENERATE;
@@ -186,15 +186,14 @@ static void linearise(const trial *t, const solution *s, const double *loss_weig
     }
 }
 
-static void keep_test(wcut_law_fit *fit, wcut_lack_of_fit kind, double lack, int dof1, double rest, int dof2) {
+/* the F test of a misfit that a richer law lowers to `rest`; exact data leave rounding alone, nothing to test */
+static void keep_test(wcut_law_fit *fit, wcut_lack_of_fit kind, double misfit, int dof1, double rest, int dof2) {
+    if (!(fit->scale > 1e-12) || !(rest > 0)) return;
     fit->lack = kind;
     fit->lack_degrees[0] = dof1;
     fit->lack_degrees[1] = dof2;
-    /* where the richer law meets every cut to rounding there is no scatter to test against */
-    bool exact = !(rest > 1e-24 * (lack + rest)) || !(lack + rest > 0);
-    fit->lack_f = exact ? 0 : fmax(0, lack / dof1 / (rest / dof2));
-    fit->lack_p = exact ? 1 : wcut_f_tail(fit->lack_f, dof1, dof2);
-    if (exact) fit->lack = WCUT_LACK_UNTESTED;
+    fit->lack_f = fmax(0, (misfit - rest) / dof1 / (rest / dof2));
+    fit->lack_p = wcut_f_tail(fit->lack_f, dof1, dof2);
 }
 
 static bool same_setting(const wcut_law_data *d, int i, int k) {
@@ -222,7 +221,7 @@ static bool test_replicates(const trial *t, const solution *s, const double *los
         misfit += e[i] * e[i];
     }
     if (d->n - levels < 2 || levels <= s->parameters) return false;
-    keep_test(fit, WCUT_LACK_REPLICATE, misfit - pure, levels - s->parameters, pure, d->n - levels);
+    keep_test(fit, WCUT_LACK_REPLICATE, misfit, levels - s->parameters, pure, d->n - levels);
     return true;
 }
 
@@ -241,7 +240,7 @@ static wcut_status test_flexible(const trial *t, const solution *s, const double
         if (status == WCUT_SINGULAR) continue;
         if (status != WCUT_OK) return status;
         for (int i = columns; i < n; i++) rest += e[i] * e[i]; /* Q^T e: its tail is what no column explains */
-        keep_test(fit, WCUT_LACK_FLEXIBLE, misfit - rest, extra, rest, n - columns);
+        keep_test(fit, WCUT_LACK_FLEXIBLE, misfit, extra, rest, n - columns);
         return WCUT_OK;
     }
     return WCUT_OK;

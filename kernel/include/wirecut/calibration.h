@@ -127,7 +127,7 @@ WCUT_API double wcut_test_cut_tension(const wcut_test_cut *cut);
  * found by repeating the fit until it stands still; unlike a fit of logarithms this neither shifts the mean nor breaks
  * at a cut whose measured force is not positive. The start is the fit of logarithms. A tension law with a negative c is
  * not admitted: where the data want one, c is held at 0, the nearest admissible law. The leave-one-out error is by
- * refitting up to 500 cuts, beyond that by leverages.
+ * refitting up to 200 cuts, beyond that by leverages.
  *
  * @param[in]  n           cuts, at least 3
  * @param[in]  cut         n
@@ -137,8 +137,8 @@ WCUT_API double wcut_test_cut_tension(const wcut_test_cut *cut);
  * @param[out] error       may be NULL; says which cut, or what the cuts lack
  * @return WCUT_OK; WCUT_BAD_ARGUMENT (a value outside its range, or a reference force not below a),
  *         WCUT_DEGENERATE (fewer than two levels of Q_eff, fewer than two of them with a positive force, or a force
- *         that does not fall with Q_eff), WCUT_NOT_CONVERGED (a robust loss on which the weights do not come to rest),
- *         WCUT_NO_MEMORY: nothing was written.
+ *         that does not fall with Q_eff), WCUT_NOT_CONVERGED (the repeated fit does not come to rest: a scatter as
+ *         large as the values), WCUT_NO_MEMORY: nothing was written.
  */
 WCUT_API wcut_status wcut_calibration_fit(int n, const wcut_test_cut *cut, const wcut_calibration_options *options,
                                           wcut_calibration *calibration, wcut_calibration_point *point,

@@ -1,0 +1,78 @@
+/* What the calibration promises, over 1,000 made tables: its intervals hold the truth as often as they say, its test of
+   the lack of fit cries wolf as seldom as it says. labels: property */
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+#include <wirecut/calibration.h>
+
+#include "base/random.h"
+
+enum { TABLES = 1000, CUTS = 12 };
+#define A 0.06
+#define B 7e-4
+#define SCATTER 0.03
+
+/* a table as the development cases have them: 12 cuts, deflections of 5 to 9.5 degrees, 3 % of scatter */
+static void make_table(wcut_random *random, wcut_noise noise, wcut_test_cut *cut) {
+    for (int i = 0; i < CUTS; i++) {
+        double heat = 45 + 45 * wcut_random_uniform(random),
+               speed = heat * (12 + 30 * wcut_random_uniform(random)) / 60;
+        double force = A * exp(-B * 1000 * heat / speed),
+               angle = (5 + 4.5 * wcut_random_uniform(random)) * acos(-1) / 180;
+        double scatter = SCATTER * wcut_random_normal(random);
+        force += scatter * (noise == WCUT_NOISE_RELATIVE ? force : 0.01);
+        double tension = force * 400 / (2 * sin(angle));
+        cut[i] = (wcut_test_cut){heat, speed, 400, tension, tension, angle, angle, 1, 0};
+    }
+}
+
+/* how often the intervals of a, b and V0 hold the truth, and how often the lack of fit is found at 5 % */
+static void count(wcut_noise noise, int held[3], int *lack) {
+    wcut_random random = wcut_random_seed(2016);
+    wcut_calibration_options o = wcut_calibration_options_default();
+    o.noise = noise;
+    o.reference_force = 0.0063;
+    o.reference_heat = 65;
+    const double truth = B * 65 * 1000 / log(A / 0.0063), t_quantile = 2.2281388519649385; /* 10 degrees */
+    for (int k = 0; k < TABLES; k++) {
+        wcut_test_cut cut[CUTS];
+        wcut_calibration c;
+        make_table(&random, noise, cut);
+        ck_assert_int_eq(wcut_calibration_fit(CUTS, cut, &o, &c, NULL, NULL), WCUT_OK);
+        held[0] += c.force.low[0] <= A && A <= c.force.high[0];
+        held[1] += c.force.low[1] <= B && B <= c.force.high[1];
+        held[2] += fabs(c.reference_speed - truth) <= t_quantile * c.reference_speed_error;
+        *lack += c.force.lack_p < 0.05;
+    }
+}
+
+static void check(wcut_noise noise) {
+    int held[3] = {0}, lack = 0;
+    count(noise, held, &lack);
+    for (int k = 0; k < 3; k++)
+        ck_assert_msg(held[k] >= 930 && held[k] <= 970, "%s: %d of 1000, expected 930 to 970",
+                      k == 0   ? "a"
+                      : k == 1 ? "b"
+                               : "V0",
+                      held[k]);
+    ck_assert_msg(lack >= 30 && lack <= 70, "lack of fit: %d of 1000, expected 30 to 70", lack);
+}
+
+START_TEST(intervals_hold_the_truth_as_often_as_they_say_under_relative_noise) { check(WCUT_NOISE_RELATIVE); }
+END_TEST
+
+START_TEST(intervals_hold_the_truth_as_often_as_they_say_under_absolute_noise) { check(WCUT_NOISE_ABSOLUTE); }
+END_TEST
+
+int main(void) {
+    Suite *suite = suite_create("coverage");
+    TCase *tcase = tcase_create("made tables");
+    tcase_add_test(tcase, intervals_hold_the_truth_as_often_as_they_say_under_relative_noise);
+    tcase_add_test(tcase, intervals_hold_the_truth_as_often_as_they_say_under_absolute_noise);
+    suite_add_tcase(suite, tcase);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
