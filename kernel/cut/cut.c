@@ -78,6 +78,7 @@ wcut_status wcut_cut_create(const wcut_setup *setup, wcut_cut **out, wcut_error 
     cut->hung = wcut_alloc((size_t)n, sizeof *cut->hung);
     cut->hung_s = wcut_alloc((size_t)n, sizeof *cut->hung_s);
     cut->kept = wcut_alloc((size_t)n, sizeof *cut->kept);
+    cut->contact = wcut_alloc((size_t)n, sizeof *cut->contact);
     cut->softer = wcut_alloc((size_t)n, sizeof *cut->softer);
     cut->softer_s = wcut_alloc((size_t)n, sizeof *cut->softer_s);
     cut->edge = wcut_alloc((size_t)n, sizeof *cut->edge);
@@ -85,7 +86,8 @@ wcut_status wcut_cut_create(const wcut_setup *setup, wcut_cut **out, wcut_error 
     whole = create_wire(n, &cut->next) && whole;
     whole = wcut_solver_create(n, &cut->solver) && whole;
     wcut_status status = WCUT_OK;
-    if (!whole || !cut->was || !cut->hung || !cut->hung_s || !cut->kept || !cut->softer || !cut->softer_s || !cut->edge)
+    if (!whole || !cut->was || !cut->hung || !cut->hung_s || !cut->kept || !cut->contact || !cut->softer ||
+        !cut->softer_s || !cut->edge)
         status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a wire of %d nodes", n);
     else if (!begin(cut))
         status = wcut_fail(error, WCUT_NOT_CONVERGED, "station 0: no equilibrium of the wire found under an even load");
@@ -105,6 +107,7 @@ void wcut_cut_destroy(wcut_cut *cut) {
     wcut_free(cut->hung);
     wcut_free(cut->hung_s);
     wcut_free(cut->kept);
+    wcut_free(cut->contact);
     wcut_free(cut->softer);
     wcut_free(cut->softer_s);
     wcut_free(cut->edge);

@@ -10,6 +10,9 @@
 /* the softest face, as a share of the wire's length: deeper than a wire hangs at first contact */
 #define SOFTEST_FACE 0.1
 
+/* a wire pulled less than this share of k hangs loose: what the foam does to it does not shape it */
+#define SLACK_TENSION 1e-6
+
 bool wcut_cut_hang(wcut_cut *cut, const wcut_target *target, const wcut_vec3 *load) {
     const int n = cut->setup->job->nodes;
     const wcut_equilibrium_options options = {.tolerance = 1e-9, .max_iterations = 100};
@@ -82,17 +85,17 @@ static void accept(wcut_cut *cut, const wcut_target *target, double rate, double
 typedef struct attempt { /* one sub-step being solved */
     wcut_cut *cut;
     const wcut_target *target;
-    wcut_step step;
-    double reach; /* [mm] way of the faster end */
+    wcut_foam foam; /* the setup's, its faces as deep as is being tried */
+    wcut_step step; /* refers to it */
+    double reach;   /* [mm] way of the faster end */
+    double pull;    /* [N] tension that the foam's force asks for in the last solution */
 } attempt;
 
 /* Newton from the wire in cut->hung, at a given depth of the block's faces */
 static bool newton(attempt *a, double depth, bool by_tension, double log_rate, wcut_solution *solution) {
     wcut_cut *cut = a->cut;
     const wcut_cut_options *o = &cut->setup->options;
-    wcut_foam foam = cut->setup->foam;
-    foam.block.depth = depth;
-    a->step.foam = &foam;
+    a->foam.block.depth = depth;
     solution->log_rate = log_rate;
     wcut_solver_run(&cut->solver, &a->step, by_tension, o->tolerance, o->max_iterations, cut->hung, cut->hung_s,
                     solution);
@@ -151,6 +154,7 @@ static bool solve(attempt *a, bool by_tension, double speed, wcut_solution *solu
         solved = harden(a, by_tension, log_rate, solution);
     }
     if (solved) cut->residual = fmax(cut->residual, solution->residual);
+    a->pull = solution->pull;
     return solved;
 }
 
@@ -188,13 +192,12 @@ static bool solve_complementary(attempt *a, double *speed, wcut_condition *condi
     return solve_at_limit(a, job->speed_min, false, speed);
 }
 
-/* A hanging wire that comes to touch the foam has slack: what touches is held back, without force, until the rest has
-   been pulled straight. The foam loads the wire only if it still touches when it hangs taut on what touches now. Then
-   that load is the pattern to begin with. */
-static bool begins_to_carry(wcut_cut *cut, const wcut_target *target) {
+/* The load of the foam on whatever touches, at v_max against the motion, into cut->contact; false where nothing does.
+ */
+static bool find_contact(wcut_cut *cut, const wcut_target *target) {
     const wcut_setup *setup = cut->setup;
     const int n = setup->job->nodes;
-    wcut_wire *w = &cut->next;
+    const wcut_wire *w = &cut->next;
     const double edge = target->length / (n - 1);
     const wcut_vec3 move = vec3_add(vec3_sub(target->end_a, w->x[0]), vec3_sub(target->end_b, w->x[n - 1]));
     const double force = wcut_force_law_eval(&setup->foam.law, target->heat, setup->job->speed_max);
@@ -202,10 +205,26 @@ static bool begins_to_carry(wcut_cut *cut, const wcut_target *target) {
     for (int i = 0; i < n; i++) {
         wcut_resistance f;
         wcut_resistance_eval(&setup->foam, target->heat, edge, 1, n, cut->hung, cut->was, i, false, &f);
-        w->pattern[i] = vec3_scale(-force * f.engaged * edge, vec3_unit(move));
-        if (i > 0 && i < n - 1) load += vec3_length(w->pattern[i]);
+        cut->contact[i] = vec3_scale(-force * f.engaged * edge, vec3_unit(move));
+        if (i > 0 && i < n - 1) load += vec3_length(cut->contact[i]);
     }
-    return load > 0 && wcut_cut_hang(cut, target, w->pattern) && wcut_cut_touches(cut, cut->hung, edge);
+    return load > 0;
+}
+
+static double sum_of(int n, const wcut_vec3 *load) {
+    double sum = 0;
+    for (int i = 1; i < n - 1; i++) sum += vec3_length(load[i]);
+    return sum;
+}
+
+/* hang the wire under its old pattern and a share of the contact, both of the contact's size; whether it still touches
+ */
+static bool touches_leaning(wcut_cut *cut, const wcut_target *target, double share) {
+    const int n = cut->setup->job->nodes;
+    const double scale = (1 - share) * sum_of(n, cut->contact) / sum_of(n, cut->kept);
+    for (int i = 0; i < n; i++)
+        cut->next.pattern[i] = vec3_add_scaled(vec3_scale(share, cut->contact[i]), scale, cut->kept[i]);
+    return wcut_cut_hang(cut, target, cut->next.pattern) && wcut_cut_touches(cut, cut->hung, target->length);
 }
 
 /* A wire that has lost its load in parts goes slack there and has no one shape under the rest; an even load of a
@@ -222,8 +241,28 @@ static bool hang_slack(wcut_cut *cut, const wcut_target *target) {
 
 typedef enum carriage { NO_SHAPE, FREE, SLACK, LOADED } carriage;
 
-/* Whether the foam loads the wire at the target; cut->hung and the pattern are the guess to solve from. SLACK: it may,
-   but the wire hangs loose so far. */
+/* A hanging wire that comes to touch the foam has slack: what touches leans on the face, without force to speak of, and
+   holds back until the rest has been pulled straight. Only a wire that touches even when it hangs on nothing but its
+   contact is loaded by it (and that contact is the load to begin with); before, it leans just so far that it does not
+   enter. */
+static carriage lean(wcut_cut *cut, const wcut_target *target) {
+    const double most = 0.999; /* a wire on its contact alone may have parts without any load, hence without a shape */
+    if (!find_contact(cut, target)) return FREE;
+    if (touches_leaning(cut, target, most)) return SLACK;
+    double low = 0, high = most;
+    for (int i = 0; i < 20; i++) {
+        const double middle = (low + high) / 2;
+        if (touches_leaning(cut, target, middle))
+            low = middle;
+        else
+            high = middle;
+    }
+    touches_leaning(cut, target, high);
+    return FREE;
+}
+
+/* Whether the foam loads the wire at the target; cut->hung and the pattern are the guess to solve from, or the shape if
+   the wire is free. SLACK: it may, but the wire hung loose so far. */
 static carriage find_carriage(wcut_cut *cut, const wcut_target *target) {
     bool slack = !cut->next.loaded;
     if (!wcut_cut_hang(cut, target, cut->next.pattern)) {
@@ -232,15 +271,13 @@ static carriage find_carriage(wcut_cut *cut, const wcut_target *target) {
     }
     memcpy(cut->kept, cut->next.pattern, sizeof *cut->kept * (size_t)cut->setup->job->nodes);
     if (!wcut_cut_touches(cut, cut->hung, target->length)) return FREE;
-    if (!slack || cut->setup->foam.embedded) return LOADED;
-    return begins_to_carry(cut, target) ? SLACK : FREE;
+    return slack && !cut->setup->foam.embedded ? lean(cut, target) : LOADED;
 }
 
-/* feed the wire without load, in the pattern it had before the foam was tried on it */
+/* feed the wire without load as it hangs, keeping the pattern it had before the foam was tried on it */
 static bool feed_free(wcut_cut *cut, const wcut_target *target, double reach, double *elapsed) {
-    memcpy(cut->next.pattern, cut->kept, sizeof *cut->kept * (size_t)cut->setup->job->nodes);
-    if (!wcut_cut_hang(cut, target, cut->next.pattern)) return false;
     wcut_cut_feed_free(cut, target, reach, elapsed);
+    memcpy(cut->next.pattern, cut->kept, sizeof *cut->kept * (size_t)cut->setup->job->nodes);
     return true;
 }
 
@@ -265,8 +302,9 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, double *elapse
     const carriage load = find_carriage(cut, target);
     if (load == NO_SHAPE) return false;
     if (load == FREE) return feed_free(cut, target, reach, elapsed);
-    attempt a = {.cut = cut, .target = target, .reach = reach};
-    a.step = (wcut_step){.heat = target->heat,
+    attempt a = {.cut = cut, .target = target, .foam = setup->foam, .reach = reach};
+    a.step = (wcut_step){.foam = &a.foam,
+                         .heat = target->heat,
                          .tension = setup->job->tension,
                          .edge = target->length / (n - 1),
                          .n = n,
@@ -276,8 +314,12 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, double *elapse
     wcut_solution out;
     const bool solved =
         target->duration > 0 ? solve(&a, false, speed, &out) : solve_complementary(&a, &speed, &condition);
-    if (solved) accept(cut, target, speed / reach, reach, condition, elapsed);
-    return solved || (load == SLACK && hangs_loose(cut) && feed_free(cut, target, reach, elapsed));
+    if (solved && a.pull >= SLACK_TENSION * setup->job->tension) {
+        accept(cut, target, speed / reach, reach, condition, elapsed);
+        return true;
+    }
+    if (!solved && !(load == SLACK && hangs_loose(cut))) return false;
+    return wcut_cut_hang(cut, target, w->pattern) && feed_free(cut, target, reach, elapsed);
 }
 
 wcut_status wcut_implicit_advance(wcut_cut *cut, const wcut_target *target, double *elapsed, wcut_error *error) {

@@ -35,13 +35,14 @@ struct wcut_cut {
     bool touched; /* the wire has been in contact */
     bool over;    /* a step failed: the run cannot go on */
     wcut_wire now, next;
-    wcut_vec3 *was;    /* n: where the nodes come from in the sub-step being tried */
-    wcut_vec3 *hung;   /* n: the wire under its last load between its new ends */
-    double *hung_s;    /* n-1 */
-    wcut_vec3 *kept;   /* n [N] the pattern before the foam was tried on it */
-    wcut_vec3 *softer; /* n: the last solution while a face is being hardened */
-    double *softer_s;  /* n-1 */
-    double *edge;      /* n-1 [mm] rest lengths */
+    wcut_vec3 *was;     /* n: where the nodes come from in the sub-step being tried */
+    wcut_vec3 *hung;    /* n: the wire under its last load between its new ends */
+    double *hung_s;     /* n-1 */
+    wcut_vec3 *kept;    /* n [N] the pattern before the foam was tried on it */
+    wcut_vec3 *contact; /* n [N] what the foam may load a loose wire with */
+    wcut_vec3 *softer;  /* n: the last solution while a face is being hardened */
+    double *softer_s;   /* n-1 */
+    double *edge;       /* n-1 [mm] rest lengths */
     wcut_solver solver;
 };
 

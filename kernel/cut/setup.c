@@ -74,6 +74,23 @@ static bool strictly_inside(const wcut_block *block, wcut_vec3 p) {
            p.z < block->size.z - h;
 }
 
+/* whether the straight way from p to q runs through the block (Liang, Barsky 1984) */
+static bool passes_inside(const wcut_block *block, wcut_vec3 p, wcut_vec3 q) {
+    const double h = 1e-6 * block->size.x;
+    const double from[3] = {p.x, p.y, p.z}, to[3] = {q.x, q.y, q.z};
+    const double size[3] = {block->size.x, block->size.y, block->size.z};
+    double enter = 0, leave = 1;
+    for (int k = 0; k < 3; k++) {
+        const double way = to[k] - from[k];
+        if (way == 0 && !(from[k] > h && from[k] < size[k] - h)) return false;
+        if (way == 0) continue;
+        const double low = (h - from[k]) / way, high = (size[k] - h - from[k]) / way;
+        enter = fmax(enter, fmin(low, high));
+        leave = fmin(leave, fmax(low, high));
+    }
+    return enter < leave;
+}
+
 /* stations that the wire cannot reach, mounts in the foam, mounts that stand still */
 static wcut_status check_stations(const wcut_setup *setup, wcut_error *error) {
     const wcut_job *job = setup->job;
@@ -93,6 +110,14 @@ static wcut_status check_stations(const wcut_setup *setup, wcut_error *error) {
             return wcut_fail(error, WCUT_DEGENERATE,
                              "station %d: mount %c is inside the block, expected a path around it", j,
                              strictly_inside(&setup->foam.block, a) ? 'A' : 'B');
+        if (job->mode == WCUT_MODE_PATH && j > 0) {
+            const bool by_a = passes_inside(&setup->foam.block, setup->end_a[j - 1], a);
+            if (by_a || passes_inside(&setup->foam.block, setup->end_b[j - 1], b))
+                return wcut_fail(error, WCUT_DEGENERATE,
+                                 "station %d: mount %c comes through the block from station %d, expected a path around "
+                                 "it",
+                                 j, by_a ? 'A' : 'B', j - 1);
+        }
         if (j > 0 &&
             !(fmax(vec3_distance(a, setup->end_a[j - 1]), vec3_distance(b, setup->end_b[j - 1])) > 1e-9 * length))
             return wcut_fail(error, WCUT_DEGENERATE, "station %d: neither mount has moved since station %d", j, j - 1);
