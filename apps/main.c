@@ -110,6 +110,8 @@ static int close_output(int code) {
 
 int main(int argc, char **argv) {
     if (!open_standard_streams()) return APP_FAILED;
-    signal(SIGPIPE, SIG_IGN); /* a reader that went away must not end a cut half written */
+    /* a reader that went away or a limit of size is an error to report, not an end in silence */
+    signal(SIGPIPE, SIG_IGN);
+    signal(SIGXFSZ, SIG_IGN);
     return close_output(run_verb(argc, argv));
 }

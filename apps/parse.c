@@ -161,6 +161,8 @@ static int check_complete(const app_verb *verb, int count, const app_call *call)
     if (call->operand_count > needed && !many)
         return app_fail(APP_USAGE, "found \"%s\", expected no more than %d input%s (see %s --help)",
                         call->operand[needed], needed, needed == 1 ? "" : "s", full_name(verb));
+    for (int i = 0; i < call->operand_count; i++)
+        if (!*call->operand[i]) return usage_error(verb, "an input", "", "a name that is not empty");
     for (int i = 0; i < count; i++) {
         const app_option *o = &verb->option[i];
         if (!o->required || call->value[i].text) continue;

@@ -53,9 +53,9 @@ static void escape(const char *text, char *line, size_t size) {
         uint32_t code = 0;
         int length = decode(from, &code);
         if (length == 0)
-            to += sprintf(to, "\\x%02X", *from++);
+            to += sprintf(to, "\\x%02x", *from++);
         else if (is_unprintable(code))
-            to += sprintf(to, code < 0x80 ? "\\x%02X" : "\\u%04X", (unsigned)code), from += length;
+            to += sprintf(to, code < 0x80 ? "\\x%02x" : "\\u%04x", (unsigned)code), from += length;
         else
             for (int i = 0; i < length; i++) *to++ = (char)*from++;
     }
@@ -120,11 +120,16 @@ static void on_signal(int number) {
     interrupted = 1;
 }
 
-void app_catch_interrupts(void) {
-    struct sigaction action = {.sa_handler = on_signal, .sa_flags = (int)SA_RESETHAND};
+/* A signal that whoever called us had ignored stays ignored: a job in the background of a script. */
+static void catch_signal(int number) {
+    struct sigaction action = {.sa_handler = on_signal, .sa_flags = (int)SA_RESETHAND}, before;
     sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
+    if (sigaction(number, NULL, &before) == 0 && before.sa_handler != SIG_IGN) sigaction(number, &action, NULL);
+}
+
+void app_catch_interrupts(void) {
+    catch_signal(SIGINT);
+    catch_signal(SIGTERM);
 }
 
 bool app_is_interrupted(void) { return interrupted; }

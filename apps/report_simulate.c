@@ -1,0 +1,271 @@
+/* The page of a simulated cut: force map and path curves in space, speeds, tensions and angles along the cut. */
+#include "report_simulate.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define DEGREES (180 / 3.14159265358979323846) /* files and pages say degrees */
+
+/* what is plotted of every station */
+enum {
+    TIME,
+    STATION,
+    SPEED_A,
+    SPEED_B,
+    TENSION_A,
+    TENSION_B,
+    ALPHA_A,
+    ALPHA_B,
+    BETA_A,
+    BETA_B,
+    ENGAGED,
+    STEPS,
+    RESIDUAL,
+    COLUMNS
+};
+
+enum { CHARTS = 5, SOLVER_CHARTS = 2, PHASES_MAX = 64 };
+
+/* everything the page borrows */
+typedef struct page {
+    const app_simulated *run;
+    const wcut_job *job;
+    const wcut_history *history;
+    double *column[COLUMNS];      /* stations each, in one block */
+    wcut_vec3 *mount_a, *mount_b; /* stations; none without a surface */
+    double *force, *curvature;    /* stations x nodes; none without a surface */
+    char verdict[512], block[96], hash[WCUT_SHA256_TEXT];
+} page;
+
+/* ---- what is copied -------------------------------------------------------------------------------------------------
+ */
+
+static void fill_columns(page *p) {
+    for (int s = 0; s < p->history->stations; s++) {
+        const wcut_history_row *row = &p->history->row[s];
+        const double value[COLUMNS] = {
+            [TIME] = row->time,
+            [STATION] = s,
+            /* the first station was not arrived at: it has no speed */
+            [SPEED_A] = s ? row->speed_a : NAN,
+            [SPEED_B] = s ? row->speed_b : NAN,
+            [TENSION_A] = row->tension_a,
+            [TENSION_B] = row->tension_b,
+            [ALPHA_A] = row->alpha_a * DEGREES,
+            [ALPHA_B] = row->alpha_b * DEGREES,
+            [BETA_A] = row->beta_a * DEGREES,
+            [BETA_B] = row->beta_b * DEGREES,
+            [ENGAGED] = row->engaged_length,
+            [STEPS] = row->iterations,
+            [RESIDUAL] = row->residual,
+        };
+        for (int c = 0; c < COLUMNS; c++) p->column[c][s] = value[c];
+    }
+}
+
+/* the larger principal curvature at every node; none where the surface is a point or an edge */
+static wcut_status fill_curvature(page *p) {
+    const wcut_history *h = p->history;
+    double *parameter = calloc((size_t)h->stations, sizeof *parameter);
+    wcut_surface *surface = NULL;
+    wcut_status status = parameter ? WCUT_OK : WCUT_NO_MEMORY;
+    if (!status)
+        status = wcut_surface_loft(h->stations, h->nodes, h->position, p->run->merge, &surface, parameter, NULL);
+    for (int s = 0; !status && s < h->stations; s++)
+        for (int n = 0; !status && n < h->nodes; n++) {
+            double *to = &p->curvature[s * h->nodes + n];
+            status = wcut_surface_curvature(surface, n / (h->nodes - 1.0), parameter[s], to, NULL);
+            if (status == WCUT_DEGENERATE) {
+                *to = NAN;
+                status = WCUT_OK;
+            }
+        }
+    wcut_surface_destroy(surface);
+    free(parameter);
+    return status;
+}
+
+static wcut_status fill(page *p, const wcut_setup *setup, wcut_error *error) {
+    const wcut_history *h = p->history;
+    const size_t stations = (size_t)h->stations, cells = stations * (size_t)h->nodes;
+    double *block = calloc(COLUMNS * stations, sizeof *block);
+    for (int c = 0; c < COLUMNS; c++) p->column[c] = block ? block + c * stations : NULL;
+    p->force = calloc(cells, sizeof *p->force);
+    p->curvature = calloc(cells, sizeof *p->curvature);
+    p->mount_a = calloc(stations, sizeof *p->mount_a);
+    p->mount_b = calloc(stations, sizeof *p->mount_b);
+    if (!block || !p->force || !p->curvature || !p->mount_a || !p->mount_b) return WCUT_NO_MEMORY;
+    fill_columns(p);
+    /* outside the foam there is no force, and no colour */
+    for (size_t i = 0; i < cells; i++) p->force[i] = h->force_line[i] > 0 ? h->force_line[i] : NAN;
+    wcut_status status = wcut_file_hash(p->run->job_path, p->hash, error);
+    if (status || h->stations < 2) return status;
+    double length;
+    status = wcut_history_path(setup, h, p->mount_a, p->mount_b, &length);
+    return status ? status : fill_curvature(p);
+}
+
+static void clear(page *p) {
+    free(p->column[0]);
+    free(p->force);
+    free(p->curvature);
+    free(p->mount_a);
+    free(p->mount_b);
+}
+
+/* ---- what is said ---------------------------------------------------------------------------------------------------
+ */
+
+static wcut_report_tone judge(page *p) {
+    const wcut_history *h = p->history;
+    const wcut_history_row *last = &h->row[h->stations - 1];
+    int slow = 0;
+    for (int s = 0; s < h->stations; s++) slow += h->row[s].condition == WCUT_BY_SPEED_MIN;
+    if (p->run->ended || h->stations < h->planned) {
+        snprintf(p->verdict, sizeof p->verdict, "The cut ends early, after station %d of 0 to %d and %.1f s: %s.",
+                 h->stations - 1, h->planned - 1, last->time, wcut_status_text(p->run->ended));
+        return WCUT_TONE_BAD;
+    }
+    const char *end = last->phase == WCUT_LEFT ? "leaves the block" : "ends its path in the foam";
+    if (slow > 0) {
+        snprintf(
+            p->verdict, sizeof p->verdict,
+            "The wire %s after %.1f s, but at %d of %d stations it is held at the lowest speed, %g mm/s, and pulled "
+            "harder than %g N.",
+            end, last->time, slow, h->stations, p->job->speed_min, p->job->tension);
+        return WCUT_TONE_WARNING;
+    }
+    snprintf(p->verdict, sizeof p->verdict, "The wire %s after %.1f s.", end, last->time);
+    return last->phase == WCUT_LEFT ? WCUT_TONE_GOOD : WCUT_TONE_PLAIN;
+}
+
+/* runs of stations of one phase; gives how many */
+static int list_phases(const page *p, wcut_report_span *span) {
+    const wcut_history *h = p->history;
+    int count = 0;
+    for (int s = 0, from = 0; s < h->stations && count < PHASES_MAX; s++) {
+        if (s + 1 < h->stations && h->row[s + 1].phase == h->row[from].phase) continue;
+        const int to = s + 1 < h->stations ? s + 1 : s;
+        span[count++] = (wcut_report_span){.label = wcut_phase_text(h->row[from].phase),
+                                           .from = {h->row[from].time, from},
+                                           .to = {h->row[to].time, to}};
+        from = s + 1;
+    }
+    return count;
+}
+
+static wcut_report_series series(const page *p, const char *label, wcut_report_mark mark, int column) {
+    return (wcut_report_series){.label = label,
+                                .mark = mark,
+                                .count = p->history->stations,
+                                .x = {p->column[TIME], p->column[STATION]},
+                                .y = p->column[column]};
+}
+
+static wcut_report_chart chart(const char *title, const char *label, const char *unit, int count,
+                               const wcut_report_series *of, int spans, const wcut_report_span *span) {
+    return (wcut_report_chart){.title = title,
+                               .x_label = {"time", "station"},
+                               .x_unit = {"s", ""},
+                               .y_label = label,
+                               .y_unit = unit,
+                               .series_count = count,
+                               .series = of,
+                               .span_count = spans,
+                               .span = span};
+}
+
+/* ---- the page -------------------------------------------------------------------------------------------------------
+ */
+
+static wcut_status write_page(page *p, const wcut_report_scene *scene, const char *path, wcut_error *error) {
+    const wcut_history *h = p->history;
+    const wcut_job *job = p->job;
+    wcut_report_span span[PHASES_MAX];
+    const int spans = list_phases(p, span);
+    const wcut_report_series pair[][2] = {
+        {series(p, "mount A", WCUT_MARK_LINE, SPEED_A), series(p, "mount B", WCUT_MARK_DASHED, SPEED_B)},
+        {series(p, "mount A", WCUT_MARK_LINE, TENSION_A), series(p, "mount B", WCUT_MARK_DASHED, TENSION_B)},
+        {series(p, "mount A", WCUT_MARK_LINE, ALPHA_A), series(p, "mount B", WCUT_MARK_DASHED, ALPHA_B)},
+        {series(p, "mount A", WCUT_MARK_LINE, BETA_A), series(p, "mount B", WCUT_MARK_DASHED, BETA_B)}};
+    const wcut_report_series engaged = series(p, "wire in the foam", WCUT_MARK_LINE, ENGAGED);
+    const wcut_report_series steps = series(p, "Newton iterations", WCUT_MARK_LINE, STEPS);
+    const wcut_report_series residual = series(p, "largest relative residual", WCUT_MARK_LINE, RESIDUAL);
+    const wcut_report_chart along[CHARTS] = {
+        chart("Speed of the mounts", "speed", "mm/s", 2, pair[0], spans, span),
+        chart("Tension at the mounts", "tension", "N", 2, pair[1], spans, span),
+        chart("Angle alpha, positive when the wire trails", "alpha", "deg", 2, pair[2], spans, span),
+        chart("Angle beta, positive upward", "beta", "deg", 2, pair[3], spans, span),
+        chart("Wire in the foam", "length", "mm", 1, &engaged, spans, span)};
+    const wcut_report_chart solver[SOLVER_CHARTS] = {chart("Iterations", "iterations", "", 1, &steps, spans, span),
+                                                     chart("Residual", "residual", "", 1, &residual, spans, span)};
+    const wcut_report_section section[] = {
+        {.title = "Along the cut", .chart_count = CHARTS, .chart = along},
+        {.title = "How well it was solved", .chart_count = SOLVER_CHARTS, .chart = solver}};
+
+    snprintf(p->block, sizeof p->block, "%g x %g x %g", job->block_size.x, job->block_size.y, job->block_size.z);
+    const wcut_report_fact fact[] = {{"duration", NULL, h->row[h->stations - 1].time, "s"},
+                                     {"stations", NULL, h->stations, ""},
+                                     {"nodes along the wire", NULL, h->nodes, ""},
+                                     {"block, x by y by z", p->block, 0, "mm"},
+                                     {"heat", NULL, job->heat, "W/m"},
+                                     {"tension aimed at", NULL, job->tension, "N"},
+                                     {"foam", job->foam_material ? job->foam_material : "not stated", 0, ""},
+                                     {"wire", job->wire_material ? job->wire_material : "not stated", 0, ""},
+                                     {"wire diameter", NULL, job->wire_diameter, "mm"},
+                                     {"force law, a", NULL, job->force_law.a, "N/mm"},
+                                     {"force law, b", NULL, job->force_law.b, "m\xc2\xb2/J"}};
+    const wcut_report_fact option[] = {{"integrator", p->run->integrator, 0, ""},
+                                       {"chord tolerance of the meshes", NULL, p->run->chord_tolerance, "mm"},
+                                       {"lowest speed allowed", NULL, job->speed_min, "mm/s"},
+                                       {"highest speed allowed", NULL, job->speed_max, "mm/s"},
+                                       {"kerf", NULL, job->kerf_width, "mm"}};
+    const wcut_report_source source = {"job", p->run->job_path, p->hash};
+    const wcut_report report = {.verb = "simulate",
+                                .title = job->name ? job->name : p->run->job_path,
+                                .tone = judge(p),
+                                .verdict = p->verdict,
+                                .fact_count = sizeof fact / sizeof *fact,
+                                .fact = fact,
+                                .scene = scene,
+                                .section_count = sizeof section / sizeof *section,
+                                .section = section,
+                                .source_count = 1,
+                                .source = &source,
+                                .option_count = sizeof option / sizeof *option,
+                                .option = option};
+    return wcut_report_write(&report, path, error);
+}
+
+wcut_status app_report_simulate(const app_simulated *run, const wcut_setup *setup, const wcut_history *history,
+                                const char *path, wcut_error *error) {
+    page p = {.run = run, .job = wcut_setup_job(setup), .history = history};
+    wcut_status status = fill(&p, setup, error);
+    if (!status) {
+        const wcut_report_field field[] = {{"force across the wire", "N/mm", WCUT_SCALE_SEQUENTIAL, 0, p.force},
+                                           {"speed of the wire", "mm/s", WCUT_SCALE_SEQUENTIAL, 0, history->speed},
+                                           {"largest curvature", "1/mm", WCUT_SCALE_DIVERGING, 0, p.curvature}};
+        const wcut_report_shape shape = {.name = "swept surface",
+                                         .vertex_count = history->stations * history->nodes,
+                                         .vertex = history->position,
+                                         .rows = history->stations,
+                                         .columns = history->nodes,
+                                         .row_label = "station",
+                                         .column_label = "node",
+                                         .field_count = sizeof field / sizeof *field,
+                                         .field = field};
+        const wcut_report_line line[] = {{"path curves", "A", history->stations, p.mount_a},
+                                         {"path curves", "B", history->stations, p.mount_b}};
+        const wcut_report_scene scene = {.title = "What the wire sweeps",
+                                         .note = "Grey: outside the foam, where nothing pushes on the wire.",
+                                         .block_size = p.job->block_size,
+                                         .shape_count = 1,
+                                         .shape = &shape,
+                                         .line_count = 2,
+                                         .line = line};
+        status = write_page(&p, history->stations > 1 ? &scene : NULL, path, error);
+    }
+    clear(&p);
+    return status;
+}
