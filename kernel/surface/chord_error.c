@@ -8,7 +8,7 @@
 #include "base/vec3.h"
 #include "surface/grid.h"
 
-enum { PIECES_MIN = 2, CELL_MIN = 4 }; /* samples between neighbouring knots, and in a cell */
+enum { CELL_MIN = 4 }; /* steps from sample to sample across a cell, at least */
 
 /* parameters to sample at: the grid lines and those between */
 typedef struct samples {
@@ -23,10 +23,11 @@ static void samples_clear(samples *s) {
     wcut_free(s->start);
 }
 
-/* steps to take between neighbouring breaks of a cell that `inside` knots divide */
-static int steps_between(int inside) {
-    const int even = (CELL_MIN + inside) / (inside + 1);
-    return even > PIECES_MIN ? even : PIECES_MIN;
+/* Steps to take between neighbouring breaks of a cell that `inside` knots divide. A bump of odd degree peaks at a knot,
+   one of even degree between two. */
+static int steps_between(int degree, int inside) {
+    const int even = (CELL_MIN + inside) / (inside + 1), least = degree % 2 ? 1 : 2;
+    return even > least ? even : least;
 }
 
 /* the distinct knots inside (a, b), from knots[*next] on, which is moved along */
@@ -42,7 +43,7 @@ static wcut_status place_samples(int degree, int control_count, const double *kn
     samples s = {.count = 1};
     for (int c = 0, next = degree; c < lines->pieces; c++) {
         const int inside = knots_inside(knots, control_count, lines->at[c], lines->at[c + 1], &next);
-        const int steps = (inside + 1) * steps_between(inside);
+        const int steps = (inside + 1) * steps_between(degree, inside);
         s.count += steps;
         if (steps > s.widest) s.widest = steps;
     }
@@ -56,7 +57,7 @@ static wcut_status place_samples(int degree, int control_count, const double *kn
     for (int c = 0, next = degree; c < lines->pieces; c++) {
         const double end = lines->at[c + 1];
         const int inside = knots_inside(knots, control_count, lines->at[c], end, &next);
-        const int steps = steps_between(inside);
+        const int steps = steps_between(degree, inside);
         double from = lines->at[c];
         s.start[c] = made;
         for (int piece = 0, k = next; piece <= inside; piece++) {

@@ -17,6 +17,7 @@ typedef struct nets {
     double *pure_u, *mixed_u; /* count_u */
     double *pure_v, *mixed_v; /* count_v */
     double *step_u, *step_v;  /* 1 / knot differences: first derivative's, then second's, count each */
+    double speed_u, speed_v;  /* sums of squares of the first derivatives' control points */
 } nets;
 
 void wcut_spacing_clear(wcut_spacing *spacing) {
@@ -75,8 +76,12 @@ static void bound_derivatives(const wcut_surface *s, nets *n) {
         for (int i = 0; j + 1 < s->count_v && i + 1 < m; i++) {
             const wcut_vec3 twist = vec3_sub(vec3_sub(row[i + m + 1], row[i + m]), vec3_sub(row[i + 1], row[i]));
             const double scale = n->step_u[i] * n->step_v[j], value = scale * scale * vec3_dot(twist, twist);
+            const wcut_vec3 du = vec3_scale(n->step_u[i], vec3_sub(row[i + 1], row[i]));
+            const wcut_vec3 dv = vec3_scale(n->step_v[j], vec3_sub(row[i + m], row[i]));
             raise(&n->mixed_u[i], value);
             raise(&n->mixed_v[j], value);
+            n->speed_u += vec3_dot(du, du);
+            n->speed_v += vec3_dot(dv, dv);
         }
     }
 }
@@ -87,9 +92,9 @@ static double largest(int count, const double *value) {
     return most;
 }
 
-/* the densities of one direction: every non-empty knot span a piece */
+/* the h^2 terms of one direction, in place of the densities: every non-empty knot span a piece */
 static wcut_status estimate_axis(int degree, int count, const double *knots, const double *pure, const double *mixed,
-                                 double ratio, double tolerance, wcut_spacing *spacing) {
+                                 double ratio, wcut_spacing *spacing) {
     int pieces = 0;
     for (int s = degree; s < count; s++) pieces += knots[s] < knots[s + 1];
     wcut_spacing result;
@@ -102,12 +107,34 @@ static wcut_status estimate_axis(int degree, int count, const double *knots, con
         const double twist = sqrt(largest(degree, mixed + s - degree));
         result.at[piece] = knots[s];
         result.crease[piece] = piece == 0 || knots[s - degree + 1] == knots[s];
-        result.density[piece++] = sqrt((second + twist * ratio) / (4 * tolerance));
+        result.density[piece++] = second + twist * ratio;
     }
     result.at[pieces] = knots[count];
     result.crease[pieces] = true;
     *spacing = result;
     return WCUT_OK;
+}
+
+/* the error that one cell over the whole domain would add */
+static double whole_error(const wcut_spacing *s) {
+    const double wide = s->at[s->pieces] - s->at[0];
+    return largest(s->pieces, s->density) * wide * wide / 8;
+}
+
+static void densities_from_terms(wcut_spacing *s, double tolerance) {
+    for (int p = 0; p < s->pieces; p++) s->density[p] = sqrt(s->density[p] / (8 * tolerance));
+}
+
+/* rho, with each direction at least so curved that one cell fills its domain: a plane has one, too */
+static double balance(const wcut_surface *s, const nets *n, double tolerance) {
+    const double wide_u = s->knots_u[s->count_u] - s->knots_u[s->degree_u];
+    const double wide_v = s->knots_v[s->count_v] - s->knots_v[s->degree_v];
+    const double twist = sqrt(largest(s->count_u, n->mixed_u));
+    const bool moves = n->speed_u > 0 && n->speed_v > 0;
+    const double square = moves ? sqrt(n->speed_u / n->speed_v) : wide_v / wide_u;
+    const double term_u = sqrt(largest(s->count_u, n->pure_u)) + twist * square + 4 * tolerance / (wide_u * wide_u);
+    const double term_v = sqrt(largest(s->count_v, n->pure_v)) + twist / square + 4 * tolerance / (wide_v * wide_v);
+    return sqrt(term_u / term_v);
 }
 
 wcut_status wcut_spacing_estimate(const wcut_surface *s, double chord_tolerance, wcut_spacing *along_u,
@@ -118,20 +145,17 @@ wcut_status wcut_spacing_estimate(const wcut_surface *s, double chord_tolerance,
     nets n = {.pure_u = work, .mixed_u = work + s->count_u, .step_u = work + 2 * (ptrdiff_t)s->count_u};
     n.pure_v = second, n.mixed_v = second + s->count_v, n.step_v = second + 2 * (ptrdiff_t)s->count_v;
     bound_derivatives(s, &n);
-
-    /* as if each direction were curved enough to fill its domain with one cell: rho of a plane or a twisted plane */
-    const double wide_u = s->knots_u[s->count_u] - s->knots_u[s->degree_u];
-    const double wide_v = s->knots_v[s->count_v] - s->knots_v[s->degree_v];
-    const double bend_u = sqrt(largest(s->count_u, n.pure_u)) + 4 * chord_tolerance / (wide_u * wide_u);
-    const double bend_v = sqrt(largest(s->count_v, n.pure_v)) + 4 * chord_tolerance / (wide_v * wide_v);
-    const double rho = sqrt(bend_u / bend_v);
+    const double rho = balance(s, &n, chord_tolerance);
 
     wcut_spacing u = {.pieces = 0}, v = {.pieces = 0};
-    wcut_status status =
-        estimate_axis(s->degree_u, s->count_u, s->knots_u, n.pure_u, n.mixed_u, rho, chord_tolerance, &u);
+    wcut_status status = estimate_axis(s->degree_u, s->count_u, s->knots_u, n.pure_u, n.mixed_u, rho, &u);
     if (status == WCUT_OK)
-        status = estimate_axis(s->degree_v, s->count_v, s->knots_v, n.pure_v, n.mixed_v, 1 / rho, chord_tolerance, &v);
+        status = estimate_axis(s->degree_v, s->count_v, s->knots_v, n.pure_v, n.mixed_v, 1 / rho, &v);
     if (status == WCUT_OK) {
+        /* a direction that needs no more than one cell leaves the rest of the tolerance to the other */
+        const double least_u = whole_error(&u), least_v = whole_error(&v), half = chord_tolerance / 2;
+        densities_from_terms(&u, least_v < half ? chord_tolerance - least_v : half);
+        densities_from_terms(&v, least_u < half ? chord_tolerance - least_u : half);
         *along_u = u, *along_v = v;
     } else {
         wcut_spacing_clear(&u);

@@ -18,6 +18,9 @@ static const double SAMPLED_SHARE = 0.94;
 /* An area element below this share of the largest has no direction but rounding's. */
 static const double AREA_MIN = 1e-10;
 
+/* Corners nearer than this share of the largest coordinate coincide. */
+static const double SAME = 1e-14;
+
 /* raise the density of the cells that are too coarse: the error falls with the square of their size */
 static void refine(wcut_spacing *lines, const double *error, double held) {
     for (int i = 0; i < lines->pieces; i++)
@@ -89,18 +92,20 @@ static wcut_status fill_vertices(const wcut_surface *s, const wcut_spacing *line
     return status;
 }
 
-static bool coincide(wcut_vec3 a, wcut_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-
-/* two triangles a cell along the diagonal from (0, 0) to (1, 1), those with coinciding corners left out */
+/* Two triangles a cell along the diagonal from (0, 0) to (1, 1). Those with coinciding corners are left out: at a pole
+   rounding alone keeps them apart. */
 static void fill_triangles(int columns, int rows, wcut_mesh *mesh) {
     const wcut_vec3 *x = mesh->vertex;
+    double size = 0;
+    for (int k = 0; k < mesh->vertex_count; k++) size = fmax(size, vec3_length(x[k]));
+    const double same = SAME * size;
     int *to = mesh->triangle;
     for (int j = 0; j + 1 < rows; j++)
         for (int i = 0; i + 1 < columns; i++) {
             const int a = j * columns + i, b = a + 1, d = a + columns, c = d + 1;
-            if (coincide(x[a], x[c])) continue;
-            if (!coincide(x[a], x[b]) && !coincide(x[b], x[c])) *to++ = a, *to++ = b, *to++ = c;
-            if (!coincide(x[c], x[d]) && !coincide(x[d], x[a])) *to++ = a, *to++ = c, *to++ = d;
+            if (vec3_distance(x[a], x[c]) <= same) continue;
+            if (vec3_distance(x[a], x[b]) > same && vec3_distance(x[b], x[c]) > same) *to++ = a, *to++ = b, *to++ = c;
+            if (vec3_distance(x[c], x[d]) > same && vec3_distance(x[d], x[a]) > same) *to++ = a, *to++ = c, *to++ = d;
         }
     mesh->triangle_count = (int)((to - mesh->triangle) / 3);
 }

@@ -46,7 +46,7 @@ typedef struct wcut_tessellation_report {
  * Triangulate a surface on a structured grid so that triangles and surface are no further apart than a chord tolerance:
  * spacing from the bound (h_u^2 |S_uu| + 2 h_u h_v |S_uv| + h_v^2 |S_vv|) / 8, then measured and refined until held.
  * Vertex j * columns + i is S(u_i, v_j); creases (knots of full multiplicity) are grid lines. Triangles whose corners
- * coincide are left out; a vertex without a normal of its own (a pole) takes that of its neighbours.
+ * coincide but for rounding are left out; a vertex without a normal of its own (a pole) takes that of its neighbours.
  *
  * @param[in]  surface         a valid surface
  * @param[in]  chord_tolerance [mm] positive

@@ -1,0 +1,62 @@
+/* Loft, evaluation and tessellation from any bytes: a status, never a NaN, never a mesh out of tolerance. */
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <wirecut/mesh.h>
+#include <wirecut/surface.h>
+
+enum { SIDE_MAX = 12 };
+
+static void demand(int truth) {
+    if (!truth) abort();
+}
+
+static int all_finite_points(int n, const wcut_vec3 *p) {
+    for (int i = 0; i < n; i++)
+        if (!isfinite(p[i].x) || !isfinite(p[i].y) || !isfinite(p[i].z)) return 0;
+    return 1;
+}
+
+/* tessellate and check what came out; overflow ends in a status too */
+static void tessellate(const wcut_surface *s, double tolerance) {
+    wcut_mesh *mesh;
+    wcut_tessellation_report report;
+    if (wcut_surface_tessellate(s, tolerance, &mesh, &report) != WCUT_OK) return;
+    demand(report.chord_error <= tolerance && mesh->vertex_count == report.rows * report.columns);
+    demand(all_finite_points(mesh->vertex_count, mesh->vertex) && all_finite_points(mesh->vertex_count, mesh->normal));
+    for (int k = 0; k < 3 * mesh->triangle_count; k++)
+        demand(mesh->triangle[k] >= 0 && mesh->triangle[k] < mesh->vertex_count);
+    wcut_mesh_destroy(mesh);
+}
+
+/* bytes: stations, nodes, merge, tolerance, then 3-byte nodes; an odd first byte takes whole doubles instead */
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    if (size < 4) return 0;
+    const int stations = data[0] / 2 % SIDE_MAX + 1, nodes = data[1] % SIDE_MAX + 1, raw = data[0] % 2;
+    const double merge = data[2] / 64.0, tolerance = 0.05 + data[3];
+    wcut_vec3 x[SIDE_MAX * SIDE_MAX] = {{0, 0, 0}};
+    double *to = &x[0].x;
+    data += 4, size -= 4;
+    for (int k = 0; k < 3 * stations * nodes && size >= (raw ? sizeof(double) : 1); k++) {
+        if (raw) {
+            memcpy(&to[k], data, sizeof(double));
+        } else {
+            to[k] = data[0] - 128;
+        }
+        data += raw ? sizeof(double) : 1, size -= raw ? sizeof(double) : 1;
+    }
+    wcut_surface *s;
+    double v[SIDE_MAX];
+    wcut_loft_report report;
+    if (wcut_surface_loft(stations, nodes, x, merge, &s, v, &report) != WCUT_OK) return 0;
+    demand(report.used + report.dropped == stations && v[0] == 0 && v[stations - 1] == 1);
+    demand(all_finite_points(s->count_u * s->count_v, s->control));
+    wcut_vec3 ders[16];
+    demand(wcut_surface_eval(s, 0.3, 0.7, 3, ders) == WCUT_OK);
+    double size_of = 0;
+    for (int k = 0; k < 3 * stations * nodes; k++) size_of = fmax(size_of, fabs(to[k]));
+    if (size_of < 1e3) tessellate(s, tolerance); /* larger ones have millions of triangles, and tell nothing new */
+    wcut_surface_destroy(s);
+    return 0;
+}
