@@ -4,8 +4,8 @@
 #include "base/numbers.h"
 #include "base/vec3.h"
 
-/* sine of the angle between S_u and S_v below which they span no plane in double arithmetic */
-#define PARALLEL 1e-10
+/* area of S_u, S_v over |S_u|^2 + |S_v|^2 below which rounding has made them span a plane, or one of them be there */
+#define FLAT 1e-10
 
 wcut_status wcut_surface_curvature(const wcut_surface *surface, double u, double v, double *larger, double *smaller) {
     if (!larger) return WCUT_BAD_ARGUMENT;
@@ -15,7 +15,7 @@ wcut_status wcut_surface_curvature(const wcut_surface *surface, double u, double
 
     const wcut_vec3 su = d[3], sv = d[1], across = vec3_cross(su, sv), n = vec3_unit(across);
     const double e = vec3_dot(su, su), f = vec3_dot(su, sv), g = vec3_dot(sv, sv), area2 = vec3_dot(across, across);
-    if (!(area2 > PARALLEL * PARALLEL * e * g)) return WCUT_DEGENERATE;
+    if (!(sqrt(area2) > FLAT * (e + g))) return WCUT_DEGENERATE;
 
     const double l = vec3_dot(d[6], n), m = vec3_dot(d[4], n), k = vec3_dot(d[2], n);
     const double mean = (e * k - 2 * f * m + g * l) / (2 * area2), gauss = (l * k - m * m) / area2;

@@ -3,6 +3,7 @@
 #define WCUT_WIRECUT_H
 
 #include <wirecut/calibration.h>
+#include <wirecut/curvature.h>
 #include <wirecut/curve.h>
 #include <wirecut/cut.h>
 #include <wirecut/equilibrium.h>
