@@ -1,13 +1,14 @@
 /* Newton on shape, edge tensions and rate together: banded LU, bordered by the rate, with backtracking. */
 #include "cut/solve.h"
 
+#include <stddef.h>
 #include <string.h>
 
 #include "base/alloc.h"
 #include "base/numbers.h"
 
 bool wcut_solver_create(int n, wcut_solver *o) {
-    const bool whole = wcut_system_create(n, &o->system);
+    bool whole = wcut_system_create(n, &o->system);
     o->step_by_residual = wcut_alloc((size_t)o->system.size, sizeof(double));
     o->step_by_rate = wcut_alloc((size_t)o->system.size, sizeof(double));
     o->trial_x = wcut_alloc((size_t)n, sizeof(wcut_vec3));
@@ -66,7 +67,7 @@ static bool find_direction(wcut_solver *o, bool by_tension, double *log_rate_ste
 static void try_step(wcut_solver *o, double t, const wcut_vec3 *x, const double *s) {
     const int n = o->system.n;
     const double *d = o->step_by_residual;
-    for (int e = 0; e < n - 1; e++) o->trial_s[e] = s[e] + t * d[4 * e];
+    for (int e = 0; e < n - 1; e++) o->trial_s[e] = s[e] + t * d[(ptrdiff_t)4 * e];
     o->trial_x[0] = x[0], o->trial_x[n - 1] = x[n - 1];
     for (int i = 1; i < n - 1; i++)
         o->trial_x[i] = vec3_add_scaled(x[i], t, vec3(d[4 * i - 3], d[4 * i - 2], d[4 * i - 1]));

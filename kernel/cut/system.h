@@ -39,14 +39,14 @@ typedef struct wcut_misfit {
     double condition; /* [1] of (4), over k */
 } wcut_misfit;
 
-bool wcut_system_create(int n, wcut_system *system);
-void wcut_system_destroy(wcut_system *system);
+bool wcut_system_create(int n, wcut_system *y);
+void wcut_system_destroy(wcut_system *y);
 
 /* evaluate at shape x (n, ends given), edge tensions s (n-1) and ln r; with `slopes` the Jacobian and the borders too
  */
-void wcut_system_eval(wcut_system *system, const wcut_step *step, const wcut_vec3 *x, const double *s, double log_rate,
+void wcut_system_eval(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, const double *s, double log_rate,
                       bool slopes);
 
-wcut_misfit wcut_system_misfit(const wcut_system *system, const wcut_step *step);
+wcut_misfit wcut_system_misfit(const wcut_system *y, const wcut_step *step);
 
 #endif
