@@ -25,9 +25,13 @@ json_t *wcut_json_load(wcut_reader *reader, const char *text, size_t length) {
     wcut_locale_restore(before);
     if (root) return root;
     wcut_quote(label, reader->label, WCUT_LABEL_MOST, 1);
-    if (json_error_code(&where) == json_error_out_of_memory) return wcut_refuse_memory(reader), NULL;
-    reader->status = wcut_io_fail(reader->error, WCUT_BAD_FORMAT, "%s: line %d, column %d: %s, expected valid JSON",
-                                  label, where.line, where.column, wcut_quote(cause, where.text, 160, 0));
+    /* jansson has no cause for some of its failed allocations */
+    if (where.text[0] == '\0' || json_error_code(&where) == json_error_out_of_memory)
+        return wcut_refuse_memory(reader), NULL;
+    bool nul = json_error_code(&where) == json_error_null_character;
+    reader->status =
+        wcut_io_fail(reader->error, WCUT_BAD_FORMAT, "%s: line %d, column %d: %s, expected valid JSON", label,
+                     where.line, where.column, nul ? "\\u0000 in a string" : wcut_quote(cause, where.text, 160, 0));
     return NULL;
 }
 

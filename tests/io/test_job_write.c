@@ -1,0 +1,164 @@
+/* Job files out: what was written reads back the same to the last bit, and nothing else is written. */
+#include <locale.h>
+#include <wirecut/job.h>
+
+#include "base/alloc.h"
+#include "fail.h"
+#include "given.h"
+#include "job.h"
+
+static wcut_job *job, *again;
+static wcut_error error;
+
+static void given_job(const char *text) {
+    ck_assert_int_eq(wcut_job_parse(text, strlen(text), "given", &job, &error), WCUT_OK);
+    enter_folder();
+}
+
+static void forget(void) {
+    wcut_job_destroy(job);
+    wcut_job_destroy(again);
+    job = again = NULL;
+    leave_folder();
+}
+
+static void write_and_read(void) {
+    wcut_job_destroy(again);
+    again = NULL;
+    error.text[0] = '\0';
+    ck_assert_msg(wcut_job_write(job, "job.json", &error) == WCUT_OK, "%s", error.text);
+    ck_assert_msg(wcut_job_read("job.json", &again, &error) == WCUT_OK, "%s", error.text);
+    ck_assert_int_eq(count_entries("."), 1);
+}
+
+static void same(const void *a, const void *b, size_t size) { ck_assert(a && b && memcmp(a, b, size) == 0); }
+
+START_TEST(a_path_job_comes_back_to_the_last_bit) {
+    given_job(given_path_job);
+    job->mount_a[1] = (wcut_vec3){-1.0 / 3, 5e-324, 1.7976931348623157e308};
+    job->mount_b[1] = (wcut_vec3){0.1 + 0.2, -0.0, 123456789012345680.0};
+    write_and_read();
+    same(job->mount_a, again->mount_a, 3 * sizeof(wcut_vec3));
+    same(job->mount_b, again->mount_b, 3 * sizeof(wcut_vec3));
+    same(job->dither, again->dither, sizeof *job->dither);
+    same(job->heat_step, again->heat_step, 2 * sizeof *job->heat_step);
+    same(&job->block_size, &again->block_size, sizeof job->block_size);
+    same(&job->force_law, &again->force_law, sizeof job->force_law);
+    same(&job->tension_law, &again->tension_law, sizeof job->tension_law);
+    ck_assert(again->nodes == 121 && again->wire_length == 620.25 && again->wire_diameter == 0.15);
+    ck_assert(again->heat == 60 && again->tension == 2 && again->speed_max == 80 && again->speed_min == 0.5);
+    ck_assert(again->kerf_width == 0.8 && again->kerf_per_q == 1.6e-4);
+    ck_assert_str_eq(again->foam_material, "EPS 15 kg/m3");
+    ck_assert_str_eq(again->wire_material, "Kanthal A");
+    forget();
+}
+END_TEST
+
+START_TEST(a_design_job_comes_back_to_the_last_bit) {
+    given_job(given_design_job);
+    write_and_read();
+    ck_assert(again->mode == WCUT_MODE_DESIGN && again->stations == 41 && again->clearance == 80);
+    const wcut_curve *a = job->edge_a, *b = again->edge_a;
+    ck_assert(a->degree == b->degree && a->control_count == b->control_count && !b->weights);
+    same(a->knots, b->knots, sizeof(double) * (size_t)(a->control_count + a->degree + 1));
+    same(a->control, b->control, sizeof(wcut_vec3) * (size_t)a->control_count);
+    same(job->edge_b->weights, again->edge_b->weights, 3 * sizeof(double));
+    same(job->extra_u, again->extra_u, 3 * sizeof(double));
+    same(job->extra_length, again->extra_length, 3 * sizeof(double));
+    forget();
+}
+END_TEST
+
+START_TEST(numbers_are_the_shortest_and_know_no_locale) {
+    given_job(given_path_job);
+    ck_assert_msg(setlocale(LC_ALL, "de_DE.UTF-8") != NULL, "the tests' own locale is missing");
+    job->heat = 0.1;
+    write_and_read();
+    size_t length;
+    char *text = read_back("job.json", &length);
+    ck_assert_ptr_nonnull(strstr(text, "\"heat_W_per_m\": 0.1,"));
+    ck_assert_ptr_nonnull(strstr(text, "[510, 3.0000000000000004, 150]"));
+    ck_assert_ptr_null(strstr(text, "0,1"));
+    free(text);
+    forget();
+}
+END_TEST
+
+START_TEST(hostile_names_come_back_as_they_are) {
+    static const char name[] = "</script>\"\\ \n\t\x01\x7f {\"a\": 1}\r Fl\xc3\xbcgel \xf0\x9f\x94\xa5 %s%n";
+    given_job(given_path_job);
+    free(job->name);
+    job->name = wcut_copy_text(name);
+    write_and_read();
+    ck_assert_str_eq(again->name, name);
+    forget();
+}
+END_TEST
+
+/* refused, and the file that was there is as it was */
+static void refused(const char *words) {
+    write_file("job.json", "the old one");
+    error = (wcut_error){WCUT_OK, ""};
+    ck_assert_int_eq(wcut_job_write(job, "job.json", &error), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(error.status, WCUT_BAD_ARGUMENT);
+    ck_assert_msg(strstr(error.text, words) != NULL, "found: %s", error.text);
+    file_holds("job.json", "the old one");
+    ck_assert_int_eq(count_entries("."), 1);
+}
+
+START_TEST(a_job_that_the_reader_would_refuse_is_not_written) {
+    given_job(given_path_job);
+    job->nodes = 2;
+    refused("job.json: $.wire.nodes: found 2, expected an integer");
+    job->nodes = 121;
+    job->mount_a[1].x = NAN;
+    refused("invalid token near 'nan'");
+    job->mount_a[1].x = INFINITY;
+    refused("invalid token near 'inf'");
+    job->mount_a[1].x = 0;
+    job->name[0] = '\xff'; /* no UTF-8 */
+    refused("unable to decode byte 0xff");
+    free(job->mount_b);
+    job->mount_b = NULL;
+    refused("without its name, path or design");
+    ck_assert_int_eq(wcut_job_write(NULL, "job.json", &error), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_job_write(job, NULL, NULL), WCUT_BAD_ARGUMENT);
+    forget();
+}
+END_TEST
+
+START_TEST(a_place_that_cannot_be_written_is_named) {
+    given_job(given_path_job);
+    ck_assert_int_eq(wcut_job_write(job, "none/job.json", &error), WCUT_NOT_WRITTEN);
+    ck_assert_str_eq(error.text, "none/job.json: not written: No such file or directory");
+    forget();
+}
+END_TEST
+
+START_TEST(running_out_of_memory_anywhere_writes_nothing) {
+    void (*const fail_at[])(long) = {wcut_alloc_fail_at, wcut_io_alloc_fail_at};
+    given_job(given_design_job);
+    for (int a = 0; a < 2; a++) {
+        wcut_status status = WCUT_NO_MEMORY;
+        for (long k = 1; status == WCUT_NO_MEMORY; k++) {
+            ck_assert_int_eq(count_entries("."), a); /* the file of the round before */
+            fail_at[a](k);
+            status = wcut_job_write(job, "job.json", &error);
+            fail_at[a](0);
+        }
+        ck_assert_int_eq(status, WCUT_OK);
+    }
+    forget();
+}
+END_TEST
+
+int main(void) {
+    const TTest *const test[] = {a_path_job_comes_back_to_the_last_bit,
+                                 a_design_job_comes_back_to_the_last_bit,
+                                 numbers_are_the_shortest_and_know_no_locale,
+                                 hostile_names_come_back_as_they_are,
+                                 a_job_that_the_reader_would_refuse_is_not_written,
+                                 a_place_that_cannot_be_written_is_named,
+                                 running_out_of_memory_anywhere_writes_nothing};
+    return run_suite("job_write", sizeof test / sizeof *test, test);
+}
