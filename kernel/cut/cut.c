@@ -5,6 +5,7 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "cut/contact.h"
 #include "cut/run.h"
 #include "wire/chain.h"
 
@@ -58,7 +59,7 @@ static bool begin(wcut_cut *cut) {
     memcpy(w->x, cut->hung, sizeof *w->x * (size_t)n);
     w->length = setup->length[0];
     w->front_speed = setup->job->speed_max;
-    w->loaded = wcut_cut_touches(cut, w->x, 1);
+    w->loaded = wcut_cut_touches(cut, w->x);
     w->condition = WCUT_BY_SPEED_MAX;
     wcut_vec3 unused[2];
     for (int i = 0; i < n; i++)

@@ -5,6 +5,7 @@
 
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "cut/contact.h"
 #include "cut/run.h"
 
 typedef struct moment { /* the wire at the new station, as far as it is known */
@@ -107,7 +108,7 @@ wcut_status wcut_heun_advance(wcut_cut *cut, const wcut_target *target, double *
 
     if (!wcut_cut_hang(cut, target, w->pattern))
         return wcut_fail(error, WCUT_NOT_CONVERGED, "heun: the wire has no shape under its accumulated force");
-    if (!wcut_cut_touches(cut, cut->hung, target->length)) {
+    if (!wcut_cut_touches(cut, cut->hung)) {
         wcut_cut_feed_free(cut, target, m.reach, elapsed);
         w->step_duration = *elapsed;
         return WCUT_OK;

@@ -4,59 +4,14 @@
 
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "cut/contact.h"
 #include "cut/run.h"
-#include "wire/equilibrium.h"
 
 /* the softest face, as a share of the wire's length: deeper than a wire hangs at first contact */
 #define SOFTEST_FACE 0.1
 
 /* a wire pulled less than this share of k hangs loose: what the foam does to it does not shape it */
 #define SLACK_TENSION 1e-6
-
-bool wcut_cut_hang(wcut_cut *cut, const wcut_target *target, const wcut_vec3 *load) {
-    const int n = cut->setup->job->nodes;
-    const wcut_equilibrium_options options = {.tolerance = 1e-9, .max_iterations = 100};
-    const double chord = vec3_distance(target->end_a, target->end_b);
-    for (int e = 0; e < n - 1; e++) cut->edge[e] = target->length / (n - 1);
-    cut->hung[0] = target->end_a, cut->hung[n - 1] = target->end_b;
-    if (target->length <= chord * (1 + 1e-12)) {
-        for (int i = 1; i < n - 1; i++) cut->hung[i] = vec3_mix(target->end_a, target->end_b, (double)i / (n - 1));
-        for (int e = 0; e < n - 1; e++) cut->hung_s[e] = 0;
-        return true;
-    }
-    if (wcut_equilibrium_shape(n, load, cut->edge, &options, cut->hung, cut->hung_s, NULL) != WCUT_OK) return false;
-    for (int e = 0; e < n - 1; e++) cut->hung_s[e] *= cut->edge[e];
-    return true;
-}
-
-bool wcut_cut_touches(const wcut_cut *cut, const wcut_vec3 *x, double edge) {
-    const wcut_foam *foam = &cut->setup->foam;
-    const int n = cut->setup->job->nodes;
-    if (foam->embedded) return true;
-    wcut_vec3 unused[2];
-    for (int e = 0; e < n - 1; e++)
-        if (wcut_block_engagement(&foam->block, x[e], x[e + 1], unused, unused + 1) * edge > 0) return true;
-    return false;
-}
-
-void wcut_cut_feed_free(wcut_cut *cut, const wcut_target *target, double reach, double *elapsed) {
-    const wcut_job *job = cut->setup->job;
-    const int n = job->nodes;
-    wcut_wire *w = &cut->next;
-    const double duration = target->duration > 0 ? target->duration : reach / job->speed_max;
-    for (int i = 0; i < n; i++) {
-        w->x[i] = cut->hung[i];
-        w->force[i] = vec3(0, 0, 0);
-        w->line[i] = w->engaged[i] = 0;
-        w->speed[i] = vec3_distance(cut->hung[i], cut->was[i]) / duration;
-    }
-    for (int e = 0; e < n - 1; e++) w->s[e] = 0;
-    w->length = target->length;
-    w->loaded = false;
-    w->condition = target->duration > 0 ? WCUT_BY_TIME : WCUT_BY_SPEED_MAX;
-    w->front_speed = reach / duration;
-    *elapsed += duration;
-}
 
 /* the solver's last evaluation becomes the wire */
 static void accept(wcut_cut *cut, const wcut_target *target, double rate, double reach, wcut_condition condition,
@@ -192,88 +147,6 @@ static bool solve_complementary(attempt *a, double *speed, wcut_condition *condi
     return solve_at_limit(a, job->speed_min, false, speed);
 }
 
-/* The load of the foam on whatever touches, at v_max against the motion, into cut->contact; false where nothing does.
- */
-static bool find_contact(wcut_cut *cut, const wcut_target *target) {
-    const wcut_setup *setup = cut->setup;
-    const int n = setup->job->nodes;
-    const wcut_wire *w = &cut->next;
-    const double edge = target->length / (n - 1);
-    const wcut_vec3 move = vec3_add(vec3_sub(target->end_a, w->x[0]), vec3_sub(target->end_b, w->x[n - 1]));
-    const double force = wcut_force_law_eval(&setup->foam.law, target->heat, setup->job->speed_max);
-    double load = 0;
-    for (int i = 0; i < n; i++) {
-        wcut_resistance f;
-        wcut_resistance_eval(&setup->foam, target->heat, edge, 1, n, cut->hung, cut->was, i, false, &f);
-        cut->contact[i] = vec3_scale(-force * f.engaged * edge, vec3_unit(move));
-        if (i > 0 && i < n - 1) load += vec3_length(cut->contact[i]);
-    }
-    return load > 0;
-}
-
-static double sum_of(int n, const wcut_vec3 *load) {
-    double sum = 0;
-    for (int i = 1; i < n - 1; i++) sum += vec3_length(load[i]);
-    return sum;
-}
-
-/* hang the wire under its old pattern and a share of the contact, both of the contact's size; whether it still touches
- */
-static bool touches_leaning(wcut_cut *cut, const wcut_target *target, double share) {
-    const int n = cut->setup->job->nodes;
-    const double scale = (1 - share) * sum_of(n, cut->contact) / sum_of(n, cut->kept);
-    for (int i = 0; i < n; i++)
-        cut->next.pattern[i] = vec3_add_scaled(vec3_scale(share, cut->contact[i]), scale, cut->kept[i]);
-    return wcut_cut_hang(cut, target, cut->next.pattern) && wcut_cut_touches(cut, cut->hung, target->length);
-}
-
-/* A wire that has lost its load in parts goes slack there and has no one shape under the rest; an even load of a
-   hundredth of it, against the motion, gives it one. */
-static bool hang_slack(wcut_cut *cut, const wcut_target *target) {
-    const int n = cut->setup->job->nodes;
-    wcut_wire *w = &cut->next;
-    const wcut_vec3 move = vec3_add(vec3_sub(target->end_a, w->x[0]), vec3_sub(target->end_b, w->x[n - 1]));
-    double load = 0;
-    for (int i = 0; i < n; i++) load += vec3_length(w->pattern[i]);
-    for (int i = 0; i < n; i++) w->pattern[i] = vec3_add_scaled(w->pattern[i], -0.01 * load / n, vec3_unit(move));
-    return wcut_cut_hang(cut, target, w->pattern);
-}
-
-typedef enum carriage { NO_SHAPE, FREE, SLACK, LOADED } carriage;
-
-/* A hanging wire that comes to touch the foam has slack: what touches leans on the face, without force to speak of, and
-   holds back until the rest has been pulled straight. Only a wire that touches even when it hangs on nothing but its
-   contact is loaded by it (and that contact is the load to begin with); before, it leans just so far that it does not
-   enter. */
-static carriage lean(wcut_cut *cut, const wcut_target *target) {
-    const double most = 0.999; /* a wire on its contact alone may have parts without any load, hence without a shape */
-    if (!find_contact(cut, target)) return FREE;
-    if (touches_leaning(cut, target, most)) return SLACK;
-    double low = 0, high = most;
-    for (int i = 0; i < 20; i++) {
-        const double middle = (low + high) / 2;
-        if (touches_leaning(cut, target, middle))
-            low = middle;
-        else
-            high = middle;
-    }
-    touches_leaning(cut, target, high);
-    return FREE;
-}
-
-/* Whether the foam loads the wire at the target; cut->hung and the pattern are the guess to solve from, or the shape if
-   the wire is free. SLACK: it may, but the wire hung loose so far. */
-static carriage find_carriage(wcut_cut *cut, const wcut_target *target) {
-    bool slack = !cut->next.loaded;
-    if (!wcut_cut_hang(cut, target, cut->next.pattern)) {
-        if (!hang_slack(cut, target)) return NO_SHAPE;
-        slack = true;
-    }
-    memcpy(cut->kept, cut->next.pattern, sizeof *cut->kept * (size_t)cut->setup->job->nodes);
-    if (!wcut_cut_touches(cut, cut->hung, target->length)) return FREE;
-    return slack && !cut->setup->foam.embedded ? lean(cut, target) : LOADED;
-}
-
 /* feed the wire without load as it hangs, keeping the pattern it had before the foam was tried on it */
 static bool feed_free(wcut_cut *cut, const wcut_target *target, double reach, double *elapsed) {
     wcut_cut_feed_free(cut, target, reach, elapsed);
@@ -299,9 +172,9 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, double *elapse
     wcut_wire *w = &cut->next;
     memcpy(cut->was, w->x, sizeof *w->x * (size_t)n);
     const double reach = fmax(vec3_distance(target->end_a, w->x[0]), vec3_distance(target->end_b, w->x[n - 1]));
-    const carriage load = find_carriage(cut, target);
-    if (load == NO_SHAPE) return false;
-    if (load == FREE) return feed_free(cut, target, reach, elapsed);
+    const wcut_carriage load = wcut_contact_find(cut, target);
+    if (load == WCUT_NO_SHAPE) return false;
+    if (load == WCUT_FREE) return feed_free(cut, target, reach, elapsed);
     attempt a = {.cut = cut, .target = target, .foam = setup->foam, .reach = reach};
     a.step = (wcut_step){.foam = &a.foam,
                          .heat = target->heat,
@@ -318,7 +191,7 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, double *elapse
         accept(cut, target, speed / reach, reach, condition, elapsed);
         return true;
     }
-    if (!solved && !(load == SLACK && hangs_loose(cut))) return false;
+    if (!solved && !(load == WCUT_SLACK && hangs_loose(cut))) return false;
     return wcut_cut_hang(cut, target, w->pattern) && feed_free(cut, target, reach, elapsed);
 }
 

@@ -54,18 +54,8 @@ typedef struct wcut_target {
     double heat;     /* [W/m] */
 } wcut_target;
 
-/* Hang the wire between the target's ends under `load` into cut->hung and cut->hung_s. A wire no longer than its chord
-   is straight, without tension. False where there is no such shape. */
-bool wcut_cut_hang(wcut_cut *cut, const wcut_target *target, const wcut_vec3 *load);
-
-/* whether any part of the hung wire is in the block */
-bool wcut_cut_touches(const wcut_cut *cut, const wcut_vec3 *x, double edge);
-
 /* advance cut->next, which is a copy of cut->now, to the target; the time taken is added to *elapsed */
 wcut_status wcut_implicit_advance(wcut_cut *cut, const wcut_target *target, double *elapsed, wcut_error *error);
 wcut_status wcut_heun_advance(wcut_cut *cut, const wcut_target *target, double *elapsed, wcut_error *error);
-
-/* a wire that the foam does not touch: hung in its old pattern, fed at v_max or in the given time */
-void wcut_cut_feed_free(wcut_cut *cut, const wcut_target *target, double reach, double *elapsed);
 
 #endif

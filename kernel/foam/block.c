@@ -7,12 +7,14 @@
 #include "base/numbers.h"
 #include "base/vec3.h"
 
-/* how far a wire's cross-section at coordinate y is between two faces, 0 .. 1, and the slope */
-static double ramp(double y, double size, double depth, double *slope) {
-    const double low = y / depth + 0.5, high = (size - y) / depth + 0.5;
-    const double inside = low < high ? low : high;
-    *slope = inside > 0 && inside < 1 ? (low < high ? 1 : -1) / depth : 0;
-    return clamp(inside, 0, 1);
+/* how far a wire's cross-section at coordinate y is between two faces, 0 .. 1 */
+static double ramp(double y, double size, double depth) {
+    return clamp(fmin(y / depth + 0.5, (size - y) / depth + 0.5), 0, 1);
+}
+
+static double ramp_slope(double y, double size, double depth) {
+    const double low = y / depth + 0.5, high = (size - y) / depth + 0.5, inside = fmin(low, high);
+    return inside > 0 && inside < 1 ? (low < high ? 1 : -1) / depth : 0;
 }
 
 /* where on 0 .. 1 a coordinate running from p to q passes a value; appended in order of call */
@@ -52,16 +54,6 @@ static bool clip_x(double p, double q, double width, slab *c) {
     return c->to > c->from;
 }
 
-/* weight of the cross-section at s, and its gradient along y and z */
-static double weight_at(const wcut_block *b, wcut_vec3 p, wcut_vec3 q, double s, double *wy, double *wz) {
-    double sy, sz;
-    const double ry = ramp(p.y + s * (q.y - p.y), b->size.y, b->depth, &sy);
-    const double rz = ramp(p.z + s * (q.z - p.z), b->size.z, b->depth, &sz);
-    *wy = sy * rz;
-    *wz = sz * ry;
-    return ry * rz;
-}
-
 /* the places between which the weight is one polynomial */
 static int find_pieces(const wcut_block *b, wcut_vec3 p, wcut_vec3 q, const slab *c, double *at) {
     const double h = b->depth / 2;
@@ -78,28 +70,28 @@ static int find_pieces(const wcut_block *b, wcut_vec3 p, wcut_vec3 q, const slab
     return count - 1;
 }
 
-/* Simpson's rule is exact: on a piece every integrand is a polynomial of degree two at most. The slopes jump at the
-   ends of a piece, so they are taken at its middle, where they are those of the whole piece. */
+static double weight_at(const wcut_block *b, wcut_vec3 x) {
+    return ramp(x.y, b->size.y, b->depth) * ramp(x.z, b->size.z, b->depth);
+}
+
+/* Integral of the weight over the slab, and its gradient along y and z. Simpson's rule is exact: on a piece every
+   integrand is a polynomial of degree two at most. The slopes jump at the ends of a piece and are constant inside. */
 static double integrate(const wcut_block *b, wcut_vec3 p, wcut_vec3 q, const slab *c, wcut_vec3 *dp, wcut_vec3 *dq) {
+    static const double simpson[3] = {1.0 / 6, 4.0 / 6, 1.0 / 6};
     double at[10], sum = 0;
     const int pieces = find_pieces(b, p, q, c, at);
     for (int k = 0; k < pieces; k++) {
-        const double s0 = at[k], s1 = at[k + 1], sm = (s0 + s1) / 2, h = s1 - s0;
-        double unused, wy, wz, sy, sz;
-        if (!(h > 0)) continue;
-        sum += h / 6 *
-               (weight_at(b, p, q, s0, &unused, &unused) + 4 * weight_at(b, p, q, sm, &wy, &wz) +
-                weight_at(b, p, q, s1, &unused, &unused));
-        if (wy == 0 && wz == 0) continue;
-        ramp(p.y + sm * (q.y - p.y), b->size.y, b->depth, &sy);
-        ramp(p.z + sm * (q.z - p.z), b->size.z, b->depth, &sz);
-        const double s[3] = {s0, sm, s1}, simpson[3] = {h / 6, 4 * h / 6, h / 6};
+        const double h = at[k + 1] - at[k];
+        const wcut_vec3 middle = vec3_mix(p, q, at[k] + h / 2);
+        const double slope_y = ramp_slope(middle.y, b->size.y, b->depth);
+        const double slope_z = ramp_slope(middle.z, b->size.z, b->depth);
         for (int i = 0; i < 3; i++) {
-            const double ry = ramp(p.y + s[i] * (q.y - p.y), b->size.y, b->depth, &unused);
-            const double rz = ramp(p.z + s[i] * (q.z - p.z), b->size.z, b->depth, &unused);
-            const double gy = simpson[i] * sy * rz, gz = simpson[i] * sz * ry;
-            dp->y += gy * (1 - s[i]), dq->y += gy * s[i];
-            dp->z += gz * (1 - s[i]), dq->z += gz * s[i];
+            const double s = at[k] + h * i / 2, w = simpson[i] * h;
+            const wcut_vec3 x = vec3_mix(p, q, s);
+            const double ry = ramp(x.y, b->size.y, b->depth), rz = ramp(x.z, b->size.z, b->depth);
+            sum += w * ry * rz;
+            dp->y += w * slope_y * rz * (1 - s), dq->y += w * slope_y * rz * s;
+            dp->z += w * slope_z * ry * (1 - s), dq->z += w * slope_z * ry * s;
         }
     }
     return sum;
@@ -121,9 +113,8 @@ double wcut_block_engagement(const wcut_block *block, wcut_vec3 p, wcut_vec3 q, 
     if (both_beyond(p.y, q.y, block->size.y, h) || both_beyond(p.z, q.z, block->size.z, h)) return 0;
     slab c;
     if (!clip_x(p.x, q.x, block->size.x, &c)) return 0;
-    double unused, share = integrate(block, p, q, &c, dp, dq);
-    const double first = weight_at(block, p, q, c.from, &unused, &unused);
-    const double last = weight_at(block, p, q, c.to, &unused, &unused);
+    const double share = integrate(block, p, q, &c, dp, dq);
+    const double first = weight_at(block, vec3_mix(p, q, c.from)), last = weight_at(block, vec3_mix(p, q, c.to));
     dp->x = last * c.to_dp - first * c.from_dp;
     dq->x = last * c.to_dq - first * c.from_dq;
     return clamp(share, 0, 1);

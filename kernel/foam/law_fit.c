@@ -2,6 +2,7 @@
 #include "foam/law_fit.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 #include "base/alloc.h"
@@ -45,35 +46,47 @@ static bool residuals(void *data, const double *x, double *r, double *jacobian) 
 /* ---- start ---------------------------------------------------------------------------------------------------------
  */
 
-/* ln y = ln a - b q over the cuts with y > 0 and a weight */
-static wcut_status start_from_logs(const wcut_law_data *d, const double *weight, double *work, double *x) {
-    int m = 0;
+/* ln a - b q - ln y, x = {ln a, b}; cuts without a positive y have no weight here */
+static bool log_residuals(void *data, const double *x, double *r, double *jacobian) {
+    const wcut_law_data *d = data;
     for (int i = 0; i < d->n; i++) {
-        if (!(d->y[i] > 0 && weight[i] > 0)) continue;
-        double root = sqrt(weight[i]);
-        work[2 * m] = root;
-        work[2 * m + 1] = -root * d->q[i];
-        work[2 * (size_t)d->n + m++] = root * log(d->y[i]);
+        r[i] = d->y[i] > 0 ? x[0] - x[1] * d->q[i] - log(d->y[i]) : 0;
+        if (!jacobian) continue;
+        jacobian[2 * (size_t)i] = 1;
+        jacobian[2 * (size_t)i + 1] = -d->q[i];
     }
-    if (m < 2) return WCUT_DEGENERATE;
-    double line[2];
-    wcut_status status = wcut_qr_solve(m, 2, work, work + 2 * (size_t)d->n, line, NULL);
-    if (status != WCUT_OK) return status == WCUT_SINGULAR ? WCUT_DEGENERATE : status;
+    return true;
+}
+
+/* the straight line through the logarithms, by the loss that is asked for: an outlier must not lead the start astray;
+   loss_weight: n, what the loss left of each cut; work: n */
+static wcut_status start_from_logs(const wcut_law_data *d, wcut_loss loss, const double *weight, double *work,
+                                   double *loss_weight, double *x) {
+    wcut_lsq_options o = wcut_lsq_options_default();
+    wcut_lsq_problem problem = {d->n, 2, log_residuals, (void *)(uintptr_t)d, work};
+    double line[2] = {0, 0};
+    for (int i = 0; i < d->n; i++) work[i] = d->y[i] > 0 ? weight[i] : 0;
+    /* least squares first: from a line that is nowhere near, no residual tells an outlier */
+    wcut_status status = wcut_lsq_solve(&problem, &o, line, NULL, loss_weight, NULL);
+    o.loss = loss;
+    if (status == WCUT_OK && loss != WCUT_LOSS_SQUARE)
+        status = wcut_lsq_solve(&problem, &o, line, NULL, loss_weight, NULL);
+    if (status == WCUT_SINGULAR) return WCUT_DEGENERATE;
+    if (status != WCUT_OK && status != WCUT_NOT_CONVERGED) return status; /* a start need not be at rest */
     x[0] = exp(line[0]);
     x[1] = line[1];
     return isfinite(x[0]) && x[0] > 0 ? WCUT_OK : WCUT_DEGENERATE;
 }
 
-/* the best a and c for a given b, and the cost that is left */
-static double cost_at_decay(const wcut_law_data *d, const double *weight, double b, double *work, double *x) {
+/* the best a and c for a given b, and the cost that is left; cuts count by root^2 */
+static double cost_at_decay(const wcut_law_data *d, const double *root, double b, double *work, double *x) {
     double cost = 0, *rhs = work + 2 * (size_t)d->n, ac[2];
     int m = 0;
     for (int i = 0; i < d->n; i++) {
-        double root = sqrt(weight[i]) / fabs(d->y[i]);
-        if (!(weight[i] > 0) || !isfinite(root)) continue;
-        work[2 * m] = root * exp(-b * d->q[i]);
-        work[2 * m + 1] = root;
-        rhs[m++] = root * d->y[i];
+        if (!(root[i] > 0)) continue;
+        work[2 * m] = root[i] * exp(-b * d->q[i]);
+        work[2 * m + 1] = root[i];
+        rhs[m++] = root[i] * d->y[i];
     }
     if (m < 3 || wcut_qr_solve(m, 2, work, rhs, ac, NULL) != WCUT_OK || !(ac[0] > 0)) return INFINITY;
     for (int k = 2; k < m; k++) cost += rhs[k] * rhs[k];
@@ -83,14 +96,20 @@ static double cost_at_decay(const wcut_law_data *d, const double *weight, double
     return cost;
 }
 
-/* c makes the logarithm useless: the best of 80 decays that the range of Q_eff can show, a and c linear in each */
-static wcut_status start_with_c(const wcut_law_data *d, const double *weight, double *work, double *x) {
+/* c bends the logarithm: the best of 80 decays that the range of Q_eff can show, a and c linear in each, and every cut
+   weighted by the straight line's own value there; x: that line in, the start out; root: n */
+static wcut_status start_with_c(const wcut_law_data *d, const double *weight, const double *loss_weight, double *root,
+                                double *work, double *x) {
     double low = d->q[0], high = low, best = INFINITY, candidate[3];
-    for (int i = 1; i < d->n; i++) low = fmin(low, d->q[i]), high = fmax(high, d->q[i]);
-    if (!(high > low)) return WCUT_DEGENERATE;
+    for (int i = 0; i < d->n; i++) {
+        low = fmin(low, d->q[i]);
+        high = fmax(high, d->q[i]);
+        root[i] = sqrt(weight[i] * loss_weight[i]) / law_at(x, 2, d->q[i]);
+        if (!isfinite(root[i])) return WCUT_DEGENERATE;
+    }
     const double least = 0.05 / (high - low), most = 50 / (high - low);
     for (int k = 0; k < 80; k++) {
-        double cost = cost_at_decay(d, weight, least * pow(most / least, k / 79.0), work, candidate);
+        double cost = cost_at_decay(d, root, least * pow(most / least, k / 79.0), work, candidate);
         if (cost < best) best = cost, memcpy(x, candidate, sizeof candidate);
     }
     return best < INFINITY ? WCUT_OK : WCUT_DEGENERATE;
@@ -118,6 +137,8 @@ static wcut_status fit_from(trial *t, wcut_noise noise, wcut_loss loss, const do
             t->sigma[i] = noise == WCUT_NOISE_ABSOLUTE ? 1 : law_at(s->x, s->parameters, t->d->q[i]);
             if (!is_positive(t->sigma[i])) return WCUT_DEGENERATE;
         }
+        /* a median of residuals moves by jumps: once it is about right it stays, so that the rest can come to rest */
+        if (loss != WCUT_LOSS_SQUARE && round == 5) o.scale = s->report.scale;
         double before[3];
         memcpy(before, s->x, sizeof before);
         wcut_status status = wcut_lsq_solve(&problem, &o, s->x, s->covariance, loss_weight, &s->report);
@@ -137,16 +158,19 @@ static wcut_status fit_from(trial *t, wcut_noise noise, wcut_loss loss, const do
 /* start and fit; with c where the data determine one that is not negative, else with c = 0 */
 static wcut_status fit_law(trial *t, const wcut_calibration_options *o, wcut_loss loss, const double *weight,
                            double *loss_weight, double *work, solution *s) {
+    double line[3] = {0, 0, 0}; /* the start for two parameters */
+    wcut_status status = start_from_logs(t->d, loss, weight, work, loss_weight, line);
+    if (status != WCUT_OK) return status;
     if (t->d->with_c) {
         s->parameters = 3;
-        wcut_status status = start_with_c(t->d, weight, work, s->x);
+        memcpy(s->x, line, sizeof line);
+        status = start_with_c(t->d, weight, loss_weight, work + 3 * (size_t)t->d->n, work, s->x);
         if (status == WCUT_OK) status = fit_from(t, o->noise, loss, weight, loss_weight, s);
         if (status == WCUT_NO_MEMORY || (status == WCUT_OK && s->x[2] >= 0 && s->x[1] > 0)) return status;
     }
     s->parameters = 2;
-    s->x[2] = 0;
-    wcut_status status = start_from_logs(t->d, weight, work, s->x);
-    if (status == WCUT_OK) status = fit_from(t, o->noise, loss, weight, loss_weight, s);
+    memcpy(s->x, line, sizeof line);
+    status = fit_from(t, o->noise, loss, weight, loss_weight, s);
     if (status == WCUT_OK && !(s->x[1] > 0)) status = WCUT_DEGENERATE;
     return status;
 }

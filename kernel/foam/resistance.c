@@ -64,7 +64,8 @@ void wcut_resistance_eval(const wcut_foam *foam, double heat, double edge, doubl
     here = mat3_add_outer(here, vec3_scale(-1, move), vec3_add_scaled(by_move, per_length, e.by_here));
     const wcut_vec3 turning =
         vec3_scale(w * along / span_length, p); /* the tangent turns: -(t.move)/|span| p by x[after] */
-    out->by_before = mat3_add_outer((mat3){zero, zero, zero}, vec3_scale(-1, move), vec3_scale(per_length, e.by_before));
+    out->by_before =
+        mat3_add_outer((mat3){zero, zero, zero}, vec3_scale(-1, move), vec3_scale(per_length, e.by_before));
     out->by_after = mat3_add_outer((mat3){zero, zero, zero}, vec3_scale(-1, move), vec3_scale(per_length, e.by_after));
     mat3 *front = i < n - 1 ? &out->by_after : &here, *back = i > 0 ? &out->by_before : &here;
     *front = mat3_add_outer(*front, move, turning);

@@ -1,0 +1,134 @@
+/* The wire that the foam does not load, and how it comes to be loaded: hanging, leaning on a face, taut. */
+#include "cut/contact.h"
+
+#include <string.h>
+
+#include "base/numbers.h"
+#include "wire/equilibrium.h"
+
+bool wcut_cut_hang(wcut_cut *cut, const wcut_target *target, const wcut_vec3 *load) {
+    const int n = cut->setup->job->nodes;
+    const wcut_equilibrium_options options = {.tolerance = 1e-9, .max_iterations = 100};
+    const double chord = vec3_distance(target->end_a, target->end_b);
+    for (int e = 0; e < n - 1; e++) cut->edge[e] = target->length / (n - 1);
+    cut->hung[0] = target->end_a, cut->hung[n - 1] = target->end_b;
+    if (target->length <= chord * (1 + 1e-12)) {
+        for (int i = 1; i < n - 1; i++) cut->hung[i] = vec3_mix(target->end_a, target->end_b, (double)i / (n - 1));
+        for (int e = 0; e < n - 1; e++) cut->hung_s[e] = 0;
+        return true;
+    }
+    if (wcut_equilibrium_shape(n, load, cut->edge, &options, cut->hung, cut->hung_s, NULL) != WCUT_OK) return false;
+    for (int e = 0; e < n - 1; e++) cut->hung_s[e] *= cut->edge[e];
+    return true;
+}
+
+bool wcut_cut_touches(const wcut_cut *cut, const wcut_vec3 *x) {
+    const wcut_foam *foam = &cut->setup->foam;
+    const int n = cut->setup->job->nodes;
+    if (foam->embedded) return true;
+    wcut_vec3 unused[2];
+    for (int e = 0; e < n - 1; e++)
+        if (wcut_block_engagement(&foam->block, x[e], x[e + 1], unused, unused + 1) > 0) return true;
+    return false;
+}
+
+void wcut_cut_feed_free(wcut_cut *cut, const wcut_target *target, double reach, double *elapsed) {
+    const wcut_job *job = cut->setup->job;
+    const int n = job->nodes;
+    wcut_wire *w = &cut->next;
+    const double duration = target->duration > 0 ? target->duration : reach / job->speed_max;
+    for (int i = 0; i < n; i++) {
+        w->x[i] = cut->hung[i];
+        w->force[i] = vec3(0, 0, 0);
+        w->line[i] = w->engaged[i] = 0;
+        w->speed[i] = vec3_distance(cut->hung[i], cut->was[i]) / duration;
+    }
+    for (int e = 0; e < n - 1; e++) w->s[e] = 0;
+    w->length = target->length;
+    w->loaded = false;
+    w->condition = target->duration > 0 ? WCUT_BY_TIME : WCUT_BY_SPEED_MAX;
+    w->front_speed = reach / duration;
+    *elapsed += duration;
+}
+
+/* the direction in which both ends together move to the target */
+static wcut_vec3 heading(const wcut_cut *cut, const wcut_target *target) {
+    const wcut_vec3 *from = cut->next.x;
+    const int n = cut->setup->job->nodes;
+    return vec3_unit(vec3_add(vec3_sub(target->end_a, from[0]), vec3_sub(target->end_b, from[n - 1])));
+}
+
+/* the load of the foam on whatever touches, at v_max against the motion, into cut->contact; false where nothing does */
+static bool find_contact(wcut_cut *cut, const wcut_target *target) {
+    const wcut_setup *setup = cut->setup;
+    const int n = setup->job->nodes;
+    const double edge = target->length / (n - 1);
+    const wcut_vec3 move = heading(cut, target);
+    const double force = wcut_force_law_eval(&setup->foam.law, target->heat, setup->job->speed_max);
+    double load = 0;
+    for (int i = 0; i < n; i++) {
+        wcut_resistance f;
+        wcut_resistance_eval(&setup->foam, target->heat, edge, 1, n, cut->hung, cut->was, i, false, &f);
+        cut->contact[i] = vec3_scale(-force * f.engaged * edge, move);
+        if (i > 0 && i < n - 1) load += vec3_length(cut->contact[i]);
+    }
+    return load > 0;
+}
+
+static double sum_of(int n, const wcut_vec3 *load) {
+    double sum = 0;
+    for (int i = 1; i < n - 1; i++) sum += vec3_length(load[i]);
+    return sum;
+}
+
+/* hang the wire under a share of the contact and for the rest under its old pattern; whether it still touches */
+static bool touches_leaning(wcut_cut *cut, const wcut_target *target, double share) {
+    const int n = cut->setup->job->nodes;
+    const double scale = (1 - share) * sum_of(n, cut->contact) / sum_of(n, cut->kept);
+    for (int i = 0; i < n; i++)
+        cut->next.pattern[i] = vec3_add_scaled(vec3_scale(share, cut->contact[i]), scale, cut->kept[i]);
+    return wcut_cut_hang(cut, target, cut->next.pattern) && wcut_cut_touches(cut, cut->hung);
+}
+
+/* A wire that has lost its load in parts goes slack there and has no one shape under the rest; an even load of a
+   hundredth of it, against the motion, gives it one. */
+static bool hang_slack(wcut_cut *cut, const wcut_target *target) {
+    const int n = cut->setup->job->nodes;
+    wcut_wire *w = &cut->next;
+    const wcut_vec3 move = heading(cut, target);
+    double load = 0;
+    for (int i = 0; i < n; i++) load += vec3_length(w->pattern[i]);
+    for (int i = 0; i < n; i++) w->pattern[i] = vec3_add_scaled(w->pattern[i], -0.01 * load / n, move);
+    return wcut_cut_hang(cut, target, w->pattern);
+}
+
+/* A hanging wire that comes to touch the foam has slack: what touches leans on the face, without force to speak of, and
+   holds back until the rest has been pulled straight. Only a wire that touches even when it hangs on nothing but its
+   contact is loaded by it (and that contact is the load to begin with); before, it leans just so far that it does not
+   enter. */
+static wcut_carriage lean(wcut_cut *cut, const wcut_target *target) {
+    const double most = 0.999; /* a wire on its contact alone may have parts without any load, hence without a shape */
+    if (!find_contact(cut, target)) return WCUT_FREE;
+    if (touches_leaning(cut, target, most)) return WCUT_SLACK;
+    double low = 0, high = most;
+    for (int i = 0; i < 20; i++) {
+        const double middle = (low + high) / 2;
+        if (touches_leaning(cut, target, middle))
+            low = middle;
+        else
+            high = middle;
+    }
+    touches_leaning(cut, target, high);
+    return WCUT_FREE;
+}
+
+wcut_carriage wcut_contact_find(wcut_cut *cut, const wcut_target *target) {
+    bool slack = !cut->next.loaded;
+    if (!wcut_cut_hang(cut, target, cut->next.pattern)) {
+        if (!hang_slack(cut, target)) return WCUT_NO_SHAPE;
+        slack = true;
+    }
+    memcpy(cut->kept, cut->next.pattern, sizeof *cut->kept * (size_t)cut->setup->job->nodes);
+    if (!wcut_cut_touches(cut, cut->hung)) return WCUT_FREE;
+    return slack && !cut->setup->foam.embedded ? lean(cut, target) : WCUT_LOADED;
+}
