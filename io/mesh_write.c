@@ -15,14 +15,19 @@ _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "binary files are writ
 
 /* ---- the frame ---- */
 
-static bool is_finite(wcut_vec3 a) { return isfinite(a.x) && isfinite(a.y) && isfinite(a.z); }
+/* beyond it single precision and squares of products are in danger; no wire gets there */
+#define SIZE_MOST 1e30
+
+static bool is_sound(double x) { return fabs(x) <= SIZE_MOST; /* false for nan, too */ }
+
+static bool is_finite(wcut_vec3 a) { return is_sound(a.x) && is_sound(a.y) && is_sound(a.z); }
 
 /* the vertex at which something is not finite, -1 where none is */
 static int find_odd_vertex(const wcut_mesh *mesh) {
     for (int i = 0; i < mesh->vertex_count; i++) {
         bool ok = is_finite(mesh->vertex[i]) && (!mesh->normal || is_finite(mesh->normal[i])) &&
-                  (!mesh->scalar || isfinite(mesh->scalar[i])) &&
-                  (!mesh->uv || (isfinite(mesh->uv[2 * (size_t)i]) && isfinite(mesh->uv[2 * (size_t)i + 1])));
+                  (!mesh->scalar || is_sound(mesh->scalar[i])) &&
+                  (!mesh->uv || (is_sound(mesh->uv[2 * (size_t)i]) && is_sound(mesh->uv[2 * (size_t)i + 1])));
         if (!ok) return i;
     }
     return -1;
@@ -45,8 +50,8 @@ wcut_status wcut_mesh_check(const wcut_mesh *mesh, const char *path, wcut_error 
         return wcut_io_fail(error, WCUT_BAD_ARGUMENT, "%s: found no mesh, expected at least one triangle", name);
     int v = find_odd_vertex(mesh), t = find_odd_triangle(mesh);
     if (v >= 0)
-        return wcut_io_fail(error, WCUT_BAD_ARGUMENT, "%s: vertex %d: found nan or inf, expected finite numbers", name,
-                            v);
+        return wcut_io_fail(error, WCUT_BAD_ARGUMENT,
+                            "%s: vertex %d: found nan, inf or more than 1e30, expected finite numbers", name, v);
     if (t >= 0)
         return wcut_io_fail(error, WCUT_BAD_ARGUMENT, "%s: triangle %d: found a vertex outside 0 .. %d", name, t,
                             mesh->vertex_count - 1);

@@ -95,7 +95,7 @@ static inline void write_file(const char *path, const char *text) {
 }
 
 /* a file's bytes, the caller's to free */
-static inline char *read_back(const char *path, size_t *length) {
+__attribute__((unused, noinline)) static char *read_back(const char *path, size_t *length) {
     char *text = NULL;
     ck_assert_int_eq(wcut_slurp(path, (size_t)1 << 30, &text, length, NULL), WCUT_OK);
     return text;
