@@ -2,9 +2,11 @@
 #include "report_simulate.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 
+#define FLAT 1e-6                              /* [1/mm] a radius of 1 km is flat: what is left is rounding */
 #define DEGREES (180 / 3.14159265358979323846) /* files and pages say degrees */
 
 /* what is plotted of every station */
@@ -99,8 +101,10 @@ static wcut_status fill(page *p, const wcut_setup *setup, wcut_error *error) {
     fill_columns(p);
     /* outside the foam there is no force, and no colour */
     for (size_t i = 0; i < cells; i++) p->force[i] = h->force_line[i] > 0 ? h->force_line[i] : NAN;
+    /* a job that came through a pipe cannot be read once more: the page then has a dash for its hash */
     wcut_status status = wcut_file_hash(p->run->job_path, p->hash, error);
-    if (status || h->stations < 2) return status;
+    if (status && status != WCUT_NOT_FOUND) return status;
+    if (h->stations < 2) return WCUT_OK;
     double length;
     status = wcut_history_path(setup, h, p->mount_a, p->mount_b, &length);
     return status ? status : fill_curvature(p);
@@ -127,7 +131,10 @@ static wcut_report_tone judge(page *p) {
                  h->stations - 1, h->planned - 1, last->time, wcut_status_text(p->run->ended));
         return WCUT_TONE_BAD;
     }
-    const char *end = last->phase == WCUT_LEFT ? "leaves the block" : "ends its path in the foam";
+    const bool whole = last->phase == WCUT_LEFT || p->job->mode == WCUT_MODE_DESIGN;
+    const char *end = last->phase == WCUT_LEFT ? "leaves the block"
+                      : whole                  ? "reaches the end of its design"
+                                               : "ends its path in the foam";
     if (slow > 0) {
         snprintf(
             p->verdict, sizeof p->verdict,
@@ -137,7 +144,7 @@ static wcut_report_tone judge(page *p) {
         return WCUT_TONE_WARNING;
     }
     snprintf(p->verdict, sizeof p->verdict, "The wire %s after %.1f s.", end, last->time);
-    return last->phase == WCUT_LEFT ? WCUT_TONE_GOOD : WCUT_TONE_PLAIN;
+    return whole ? WCUT_TONE_GOOD : WCUT_TONE_PLAIN;
 }
 
 /* runs of stations of one phase; gives how many */
@@ -204,7 +211,8 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
         {.title = "Along the cut", .chart_count = CHARTS, .chart = along},
         {.title = "How well it was solved", .chart_count = SOLVER_CHARTS, .chart = solver}};
 
-    snprintf(p->block, sizeof p->block, "%g x %g x %g", job->block_size.x, job->block_size.y, job->block_size.z);
+    snprintf(p->block, sizeof p->block, "%g \xc3\x97 %g \xc3\x97 %g", job->block_size.x, job->block_size.y,
+             job->block_size.z);
     const wcut_report_fact fact[] = {{"duration", NULL, h->row[h->stations - 1].time, "s"},
                                      {"stations", NULL, h->stations, ""},
                                      {"nodes along the wire", NULL, h->nodes, ""},
@@ -221,7 +229,7 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
                                        {"lowest speed allowed", NULL, job->speed_min, "mm/s"},
                                        {"highest speed allowed", NULL, job->speed_max, "mm/s"},
                                        {"kerf", NULL, job->kerf_width, "mm"}};
-    const wcut_report_source source = {"job", p->run->job_path, p->hash};
+    const wcut_report_source source = {"job", p->run->job_path, p->hash[0] ? p->hash : NULL};
     const wcut_report report = {.verb = "simulate",
                                 .title = job->name ? job->name : p->run->job_path,
                                 .tone = judge(p),
@@ -245,7 +253,7 @@ wcut_status app_report_simulate(const app_simulated *run, const wcut_setup *setu
     if (!status) {
         const wcut_report_field field[] = {{"force across the wire", "N/mm", WCUT_SCALE_SEQUENTIAL, 0, p.force},
                                            {"speed of the wire", "mm/s", WCUT_SCALE_SEQUENTIAL, 0, history->speed},
-                                           {"largest curvature", "1/mm", WCUT_SCALE_DIVERGING, 0, p.curvature}};
+                                           {"largest curvature", "1/mm", WCUT_SCALE_DIVERGING, FLAT, p.curvature}};
         const wcut_report_shape shape = {.name = "swept surface",
                                          .vertex_count = history->stations * history->nodes,
                                          .vertex = history->position,

@@ -5,6 +5,7 @@
 #include <wirecut/wirecut.h>
 
 #include "command.h"
+#include "report_simulate.h"
 #include "results.h"
 #include "terminal.h"
 
@@ -12,8 +13,8 @@
 #define MERGE_MM 1e-3
 
 /* What a run may leave in its folder, in the order written. */
-static const char *const result_name[] = {"history.vtp", "surface.stl", "surface.obj",  "surface.ply",
-                                          "surface.glb", "path.csv",    "summary.json", NULL};
+static const char *const result_name[] = {"history.vtp", "surface.stl", "surface.obj",  "surface.ply", "surface.glb",
+                                          "path.csv",    "report.html", "summary.json", NULL};
 
 typedef struct simulation {
     const app_call *call;
@@ -21,6 +22,7 @@ typedef struct simulation {
     wcut_job *job;
     wcut_setup *setup;
     wcut_history *history;
+    wcut_status ended; /* how the run ended */
     app_results results;
 } simulation;
 
@@ -49,6 +51,7 @@ static int run(simulation *s) {
     app_progress progress = app_progress_begin(app_given(s->call, "quiet"));
     wcut_status status = wcut_setup_run(s->setup, app_progress_step, &progress, &s->history, &error);
     app_progress_end(&progress);
+    s->ended = status;
     if (status == WCUT_INTERRUPTED && s->history)
         return app_fail(APP_INTERRUPTED, "%s: interrupted after station %d of 0 to %d", s->path,
                         s->history->stations - 1, s->history->planned - 1);
@@ -127,6 +130,18 @@ static int write_path(simulation *s) {
     return code;
 }
 
+static int write_report(simulation *s) {
+    wcut_error error = {0};
+    const char *name = "report.html";
+    const app_simulated run = {.job_path = s->path,
+                               .integrator = app_text(s->call, "integrator"),
+                               .chord_tolerance = app_real(s->call, "chord-tolerance"),
+                               .merge = MERGE_MM,
+                               .ended = s->ended};
+    wcut_status status = app_report_simulate(&run, s->setup, s->history, app_results_path(&s->results, name), &error);
+    return app_results_add(&s->results, name, status, &error);
+}
+
 /* Last, because it vouches for the others; it names itself too. */
 static int write_summary(simulation *s) {
     wcut_error error = {0};
@@ -145,6 +160,7 @@ static int write_results(simulation *s) {
     if (code == APP_DONE) code = write_history(s);
     if (code == APP_DONE && surface) code = write_surface(s);
     if (code == APP_DONE && surface) code = write_path(s);
+    if (code == APP_DONE) code = write_report(s);
     if (code == APP_DONE) code = app_results_prune(&s->results, result_name);
     if (code == APP_DONE) code = write_summary(s);
     return code;
@@ -246,8 +262,9 @@ const app_verb app_verb_simulate = {
         "Advances the wire of a job from station to station and writes into DIR: history.vtp (every station's nodes, "
         "forces, speeds and tensions, for ParaView), surface.stl, surface.obj, surface.ply and surface.glb (the "
         "surface "
-        "lofted through the stations; force as vertex colour and scalar), path.csv (both mounts' path curves) and "
-        "summary.json, which is written last and lists the files.\n"
+        "lofted through the stations; force as vertex colour and scalar), path.csv (both mounts' path curves), "
+        "report.html "
+        "(all of it on one page, for any browser) and summary.json, which is written last and lists the files.\n"
         "A cut that cannot be solved to its end, or is interrupted, leaves the files of what was cut up to there.",
     .operand = operand,
     .option = option,

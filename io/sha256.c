@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <wirecut/report.h>
 
 #include "fail.h"
@@ -80,8 +81,15 @@ void wcut_sha256_end(wcut_sha256 *hash, uint8_t digest[WCUT_SHA256_SIZE]) {
 wcut_status wcut_file_hash(const char *path, char *text, wcut_error *error) {
     if (!path || !text)
         return wcut_io_fail(error, WCUT_BAD_ARGUMENT, "hash: a path and a place for the text are needed");
+    struct stat s;
+    char name[WCUT_QUOTE_SIZE];
+    /* looked at before it is opened: a pipe would wait for a writer, and give another hash than at the first reading */
+    if (stat(path, &s) != 0) return wcut_io_fail_errno(error, WCUT_NOT_FOUND, errno, path, "cannot be read");
+    if (!S_ISREG(s.st_mode))
+        return wcut_io_fail(error, WCUT_NOT_FOUND, "%s: not a regular file",
+                            wcut_quote(name, path, WCUT_LABEL_MOST, 1));
     FILE *file = fopen(path, "rb");
-    if (!file) return wcut_io_fail_errno(error, WCUT_NOT_FOUND, errno, path, "cannot be opened");
+    if (!file) return wcut_io_fail_errno(error, WCUT_NOT_FOUND, errno, path, "cannot be read");
 
     wcut_sha256 hash;
     wcut_sha256_begin(&hash);

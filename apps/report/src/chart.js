@@ -31,8 +31,11 @@ function axes(x, y, height) {
   };
   // a label that is longer than the axis would be cut off; title and legend say what the unit is of
   const short = y.length > (height - 60) / 6.5 && y.includes('[') ? y.slice(y.lastIndexOf('[')) : y;
-  return [{...common, label: x, size: 30, labelSize: 20, space: 64}, {...common, label: short, size: 58, labelSize: 20, space: 36}];
+  return [{...common, label: x, size: 30, labelSize: 20, space: 64}, {...common, label: short, labelSize: 20, space: 36, size: (_, values) => 16 + 6.6 * Math.max(5, ...(values ?? []).map(v => v.length))}];
 }
+
+// a little more than the values span; around a line that is level, one unit up and down
+const spread = (_, low, high) => low === null ? [0, 1] : low === high ? [low - 1, high + 1] : uPlot.rangeNum(low, high, 0.08, true);
 
 const listed = typed => Array.from(typed, v => Number.isNaN(v) ? null : v);
 
@@ -155,7 +158,7 @@ export function chartFigure(chart, sync, height = 220) {
     const x = labelled(chart.axes[axis].label, chart.axes[axis].unit);
     options[0] = {label: x, value: (_, v, __, at) => at === null || at === undefined ? '' : number(v ?? null)};
     plot = new uPlot({
-      width: Math.max(place.clientWidth, 280), height, scales: {x: {time: false}}, series: options, bands: bandsShown ? bands : [],
+      width: Math.max(place.clientWidth, 280), height, scales: {x: {time: false}, y: {range: spread}}, series: options, bands: bandsShown ? bands : [],
       axes: axes(x, labelled(chart.label, chart.unit), height), legend: {live: true},
       cursor: {sync: sync ? {key: `${sync}-${axis}`, setSeries: false} : undefined, points: {size: 6}, drag: {x: true, y: false}},
       hooks: {drawClear: [u => paintSpans(chart, u, axis)]}

@@ -29,7 +29,7 @@ function section(part, i) {
   const maps = part.maps.map(map => mapFigure(map));
   later.push(...charts, ...maps);
   return element('section', {}, element('h2', {}, part.title), part.note ? element('p', {className: 'note'}, part.note) : null,
-    abscissa(part.charts, charts, i),
+    abscissa(part.charts, charts, i), charts.length ? element('p', {className: 'note hint'}, 'Drag across a chart to see a part of it, double-click to see all.') : null,
     charts.length || maps.length ? element('div', {className: 'charts'}, ...charts.map(c => c.figure), ...maps.map(m => m.figure)) : null,
     ...part.tables.map(table => tableFigure(table)));
 }

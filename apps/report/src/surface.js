@@ -262,7 +262,7 @@ export class Surface {
     const pairs = [
       ...(shape.rows ? [[shape.row_label, number(point.row)], [shape.column_label, number(point.column)]] : [['point', number(index)]]),
       ...['x', 'y', 'z'].map((name, k) => [name, withUnit(point.position[k], 'mm')]),
-      ...point.values.map(({label, unit, value}) => [label, Number.isNaN(value) ? 'not measured' : withUnit(value, unit)])
+      ...point.values.map(({label, unit, value}) => [label, Number.isNaN(value) ? 'none' : withUnit(value, unit)])
     ];
     this.readout.replaceChildren(...pairs.map(([label, value]) => element('div', {}, element('dt', {}, label), element('dd', {}, value))));
     if (shape.rows) this.view.setLines('picked', [gridLine(shape, Math.floor(index / shape.columns), true), gridLine(shape, index % shape.columns, false)], 'accent');

@@ -189,7 +189,7 @@ WCUT_API wcut_status wcut_report_write(const wcut_report *report, const char *pa
  * @param[in]  path  a regular file
  * @param[out] text  WCUT_SHA256_TEXT bytes, 64 hexadecimal digits
  * @param[out] error may be NULL
- * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NOT_FOUND (no such file, not readable): nothing was written.
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NOT_FOUND (no such file, not readable, not regular): nothing was written.
  */
 WCUT_API wcut_status wcut_file_hash(const char *path, char *text, wcut_error *error);
 
