@@ -239,22 +239,25 @@ static double loss_slope(wcut_loss loss, double u) {
 
 static double prior_weight(const solver *s, int i) { return s->p->weight ? s->p->weight[i] : 1; }
 
-/* r at x by the prior weights alone, into r_trial */
-static double plain_residuals(solver *s) {
-    double cost = 0;
-    s->p->model(s->p->data, s->x, s->r_trial, NULL); /* x was evaluated before: it is inside the domain */
+/* r at x by the prior weights alone, into r_trial, and their cost; false outside the domain */
+static bool plain_residuals(solver *s, double *cost) {
+    *cost = 0;
+    if (!s->p->model(s->p->data, s->x, s->r_trial, NULL)) return false;
     for (int i = 0; i < s->p->m; i++) {
         s->r_trial[i] *= sqrt(prior_weight(s, i));
-        cost += s->r_trial[i] * s->r_trial[i];
+        *cost += s->r_trial[i] * s->r_trial[i];
     }
-    return cost;
+    return isfinite(*cost);
 }
 
 /* minimise, reweight, until the weights stand still; the scale is frozen after 20 rounds so that they must */
 static wcut_status reweight(solver *s, wcut_loss loss, int degrees, double *scale, int *rounds) {
-    bool frozen = loss == WCUT_LOSS_TUKEY; /* redescending: the scale comes from Huber's fit */
+    /* redescending: the scale comes from Huber's fit */
+    bool frozen = loss == WCUT_LOSS_TUKEY || s->o.scale > 0;
+    if (s->o.scale > 0) *scale = s->o.scale;
     for (int k = 0; k < s->o.max_rounds; k++, (*rounds)++) {
-        plain_residuals(s);
+        double cost;
+        if (!plain_residuals(s, &cost)) return WCUT_BAD_ARGUMENT;
         if (!frozen) *scale = spread(s, s->r_trial, s->p->weight, degrees);
         frozen = frozen || k >= 20;
         double change = 0;
@@ -318,7 +321,8 @@ wcut_status wcut_lsq_solve(const wcut_lsq_problem *p, const wcut_lsq_options *op
                            double *loss_weight, wcut_lsq_report *report) {
     solver s = {.p = p, .o = options ? *options : wcut_lsq_options_default()};
     if (!p || !p->model || p->n < 1 || p->m < p->n || !x || !all_finite(p->n, x)) return WCUT_BAD_ARGUMENT;
-    if (!(s.o.tolerance > 0) || s.o.max_iterations < 1 || s.o.max_rounds < 1 || (unsigned)s.o.loss > WCUT_LOSS_TUKEY)
+    if (!(s.o.tolerance > 0) || s.o.max_iterations < 1 || s.o.max_rounds < 1 ||
+        !(s.o.scale >= 0 && isfinite(s.o.scale)) || (unsigned)s.o.loss > WCUT_LOSS_TUKEY)
         return WCUT_BAD_ARGUMENT;
     int degrees = -p->n;
     for (int i = 0; i < p->m; i++) {
@@ -333,14 +337,16 @@ wcut_status wcut_lsq_solve(const wcut_lsq_problem *p, const wcut_lsq_options *op
     wcut_lsq_report at = {.degrees = degrees};
     memcpy(s.x, x, (size_t)p->n * sizeof *x);
     for (int i = 0; i < p->m; i++) s.root[i] = sqrt(prior_weight(&s, i)), s.omega[i] = 1;
-    status = minimise(&s);
-    if (status == WCUT_OK && s.o.loss != WCUT_LOSS_SQUARE)
+    /* a robust fit does not begin with least squares: an outlier could lead it far from the start that was given */
+    if (s.o.loss == WCUT_LOSS_SQUARE)
+        status = minimise(&s);
+    else
         status = reweight(&s, WCUT_LOSS_HUBER, degrees, &at.scale, &at.rounds);
     if (status == WCUT_OK && s.o.loss == WCUT_LOSS_TUKEY)
         status = reweight(&s, WCUT_LOSS_TUKEY, degrees, &at.scale, &at.rounds);
     if (status != WCUT_OK && status != WCUT_NOT_CONVERGED) goto done;
 
-    at.cost = plain_residuals(&s);
+    plain_residuals(&s, &at.cost); /* inside the domain, or there would be no answer */
     at.iterations = s.iterations;
     double variance = degrees > 0 ? at.cost / degrees : 0;
     if (s.o.loss == WCUT_LOSS_SQUARE)

@@ -35,6 +35,7 @@ typedef struct wcut_lsq_options {
     double tolerance;   /* [1] cosine between the residual and every column of the Jacobian; default 1e-11 */
     int max_iterations; /* Levenberg-Marquardt steps of each reweighting round; default 200 */
     int max_rounds;     /* reweighting rounds of a robust loss; default 500 */
+    double scale;       /* of a robust loss; default 0: 1.4826 MAD of the residuals */
 } wcut_lsq_options;
 
 typedef struct wcut_lsq_report {

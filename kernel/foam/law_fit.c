@@ -2,7 +2,6 @@
 #include "foam/law_fit.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <string.h>
 
 #include "base/alloc.h"
@@ -48,7 +47,7 @@ static bool residuals(void *data, const double *x, double *r, double *jacobian) 
 
 /* ln a - b q - ln y, x = {ln a, b}; cuts without a positive y have no weight here */
 static bool log_residuals(void *data, const double *x, double *r, double *jacobian) {
-    const wcut_law_data *d = data;
+    const wcut_law_data *d = *(const wcut_law_data **)data;
     for (int i = 0; i < d->n; i++) {
         r[i] = d->y[i] > 0 ? x[0] - x[1] * d->q[i] - log(d->y[i]) : 0;
         if (!jacobian) continue;
@@ -63,7 +62,7 @@ static bool log_residuals(void *data, const double *x, double *r, double *jacobi
 static wcut_status start_from_logs(const wcut_law_data *d, wcut_loss loss, const double *weight, double *work,
                                    double *loss_weight, double *x) {
     wcut_lsq_options o = wcut_lsq_options_default();
-    wcut_lsq_problem problem = {d->n, 2, log_residuals, (void *)(uintptr_t)d, work};
+    wcut_lsq_problem problem = {d->n, 2, log_residuals, &d, work};
     double line[2] = {0, 0};
     for (int i = 0; i < d->n; i++) work[i] = d->y[i] > 0 ? weight[i] : 0;
     /* least squares first: from a line that is nowhere near, no residual tells an outlier */

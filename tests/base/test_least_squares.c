@@ -168,6 +168,24 @@ START_TEST(robust_fits_are_stationary_points_of_their_loss) {
 }
 END_TEST
 
+START_TEST(a_scale_that_is_given_is_kept) {
+    double y[12], x[2] = {0, 0}, left[12];
+    wcut_lsq_report report;
+    wcut_lsq_options o = wcut_lsq_options_default();
+    o.loss = WCUT_LOSS_HUBER;
+    o.scale = 1e6; /* so wide that nothing is an outlier: least squares */
+    wcut_lsq_problem p = noisy_line(y, NULL);
+    y[7] -= 4;
+    ck_assert_int_eq(wcut_lsq_solve(&p, &o, x, NULL, left, &report), WCUT_OK);
+    double square[2] = {0, 0};
+    ck_assert_int_eq(wcut_lsq_solve(&p, NULL, square, NULL, NULL, NULL), WCUT_OK);
+    ck_assert(report.scale == 1e6 && left[7] == 1);
+    ck_assert_double_eq_tol(x[1], square[1], 1e-10);
+    o.scale = -1;
+    ck_assert_int_eq(wcut_lsq_solve(&p, &o, x, NULL, left, &report), WCUT_BAD_ARGUMENT);
+}
+END_TEST
+
 START_TEST(data_on_the_curve_give_zero_errors_and_no_endless_loop) {
     for (int loss = 0; loss < 3; loss++) {
         double y[COUNT(misra_x)], x[2] = {250, 5e-4}, covariance[4];
@@ -244,6 +262,7 @@ int main(void) {
     tcase_add_test(tcase, a_weight_of_two_counts_a_sample_twice);
     tcase_add_test(tcase, an_outlier_pulls_least_squares_huber_less_and_tukey_not_at_all);
     tcase_add_test(tcase, robust_fits_are_stationary_points_of_their_loss);
+    tcase_add_test(tcase, a_scale_that_is_given_is_kept);
     tcase_add_test(tcase, data_on_the_curve_give_zero_errors_and_no_endless_loop);
     tcase_add_test(tcase, what_cannot_be_solved_is_refused_and_nothing_is_written);
     tcase_add_test(tcase, too_few_iterations_hand_out_the_last_iterate);

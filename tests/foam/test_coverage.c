@@ -64,11 +64,36 @@ END_TEST
 START_TEST(intervals_hold_the_truth_as_often_as_they_say_under_absolute_noise) { check(WCUT_NOISE_ABSOLUTE); }
 END_TEST
 
+START_TEST(robust_losses_come_to_rest_and_stay_near_the_truth_whatever_one_cut_does) {
+    wcut_random random = wcut_random_seed(7);
+    wcut_calibration_options o = wcut_calibration_options_default();
+    double worst[3] = {0};
+    for (int k = 0; k < 40; k++) {
+        wcut_test_cut cut[CUTS];
+        wcut_calibration c;
+        make_table(&random, WCUT_NOISE_RELATIVE, cut);
+        double factor = exp(3 * wcut_random_normal(&random));
+        cut[k % CUTS].tension_a *= factor;
+        cut[k % CUTS].tension_b *= factor;
+        for (int loss = WCUT_LOSS_SQUARE; loss <= WCUT_LOSS_TUKEY; loss++) {
+            o.loss = (wcut_loss)loss;
+            wcut_status status = wcut_calibration_fit(CUTS, cut, &o, &c, NULL, NULL);
+            if (loss == WCUT_LOSS_SQUARE && status != WCUT_OK) continue; /* so be it: that is what robust is for */
+            ck_assert_msg(status == WCUT_OK, "table %d, factor %g, loss %d: status %d", k, factor, loss, status);
+            worst[loss] = fmax(worst[loss], fabs(log(c.force.b / B)));
+        }
+    }
+    ck_assert_double_gt(worst[WCUT_LOSS_SQUARE], 0.5);
+    ck_assert_msg(worst[WCUT_LOSS_TUKEY] < 0.25, "b is off by up to %g", worst[WCUT_LOSS_TUKEY]);
+}
+END_TEST
+
 int main(void) {
     Suite *suite = suite_create("coverage");
     TCase *tcase = tcase_create("made tables");
     tcase_add_test(tcase, intervals_hold_the_truth_as_often_as_they_say_under_relative_noise);
     tcase_add_test(tcase, intervals_hold_the_truth_as_often_as_they_say_under_absolute_noise);
+    tcase_add_test(tcase, robust_losses_come_to_rest_and_stay_near_the_truth_whatever_one_cut_does);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_ENV);
