@@ -43,6 +43,7 @@ what_is() {
         surface.ply) echo "the cut surface with the force magnitude as colour and as a number" ;;
         surface.glb) echo "the cut surface for a viewer in the browser" ;;
         path.csv) echo "the robot path: both mounts' positions, speeds, angles and tensions, a row a station" ;;
+        report.html) echo "all of it on one page: open it in any browser" ;;
         summary.json) echo "how the run went: stations, iterations, residuals, files" ;;
         *) echo "also written" ;;
     esac
