@@ -10,9 +10,6 @@
 /* the softest face, as a share of the wire's length: deeper than a wire hangs at first contact */
 #define SOFTEST_FACE 0.1
 
-/* a softness below this is none */
-#define HARD 1e-4
-
 /* a wire pulled less than this share of k hangs loose: what the foam does to it does not shape it */
 #define SLACK_TENSION 1e-6
 
@@ -49,13 +46,11 @@ typedef struct attempt { /* one sub-step being solved */
     double pull;    /* [N] tension that the foam's force asks for in the last solution */
 } attempt;
 
-/* Newton from the wire in cut->hung, in foam of a given softness */
-static bool newton(attempt *a, double softness, bool by_tension, double log_rate, wcut_solution *solution) {
+/* Newton from the wire in cut->hung, at a given depth of the block's faces */
+static bool newton(attempt *a, double depth, bool by_tension, double log_rate, wcut_solution *solution) {
     wcut_cut *cut = a->cut;
     const wcut_cut_options *o = &cut->setup->options;
-    a->foam.softness = softness;
-    a->foam.viscous = a->step.tension / cut->next.length / cut->setup->job->speed_max;
-    a->foam.block.depth = fmax(cut->setup->foam.block.depth, softness * SOFTEST_FACE * cut->next.length);
+    a->foam.block.depth = depth;
     solution->log_rate = log_rate;
     wcut_solver_run(&cut->solver, &a->step, by_tension, o->tolerance, o->max_iterations, cut->hung, cut->hung_s,
                     solution);
@@ -63,25 +58,33 @@ static bool newton(attempt *a, double softness, bool by_tension, double log_rate
     return solution->converged;
 }
 
-/* Where the load sets in at once over the whole width (a wire that comes to lie flat against a face), or a part of the
-   wire is brought to rest (where (2) has neither force nor slope), the step is too sudden for Newton from the wire
-   before. Then the foam is made soft at first, its faces deep and its law viscous, and hardened. */
-static bool harden(attempt *a, bool by_tension, double log_rate, wcut_solution *solution) {
-    wcut_cut *cut = a->cut;
+/* while something is changed step by step, the last wire that solved it */
+static void keep_guess(attempt *a) {
     const size_t n = (size_t)a->step.n;
-    double softness = 1, shrink = 0.5;
-    if (!newton(a, softness, by_tension, log_rate, solution)) return false;
-    while (softness > 0) {
-        const double trial = softness * shrink > HARD ? softness * shrink : 0;
-        const double rate = solution->log_rate;
-        memcpy(cut->softer, cut->hung, sizeof *cut->softer * n);
-        memcpy(cut->softer_s, cut->hung_s, sizeof *cut->softer_s * (n - 1));
+    memcpy(a->cut->softer, a->cut->hung, sizeof *a->cut->softer * n);
+    memcpy(a->cut->softer_s, a->cut->hung_s, sizeof *a->cut->softer_s * (n - 1));
+}
+
+static void restore_guess(attempt *a) {
+    const size_t n = (size_t)a->step.n;
+    memcpy(a->cut->hung, a->cut->softer, sizeof *a->cut->softer * n);
+    memcpy(a->cut->hung_s, a->cut->softer_s, sizeof *a->cut->softer_s * (n - 1));
+}
+
+/* Where the wire comes to lie flat against a face, its load sets in at once over the whole width: too sudden for Newton
+   from the wire before. Then the face is made soft at first, over a depth that the wire notices early, and hardened. */
+static bool harden(attempt *a, bool by_tension, double log_rate, wcut_solution *solution) {
+    const double hard = a->cut->setup->foam.block.depth;
+    double depth = SOFTEST_FACE * a->cut->next.length, shrink = 0.5;
+    if (a->foam.embedded || !newton(a, depth, by_tension, log_rate, solution)) return false;
+    while (depth > hard) {
+        const double trial = fmax(depth * shrink, hard), rate = solution->log_rate;
+        keep_guess(a);
         if (newton(a, trial, by_tension, rate, solution)) {
-            softness = trial;
+            depth = trial;
             continue;
         }
-        memcpy(cut->hung, cut->softer, sizeof *cut->softer * n);
-        memcpy(cut->hung_s, cut->softer_s, sizeof *cut->softer_s * (n - 1));
+        restore_guess(a);
         solution->log_rate = rate;
         shrink = sqrt(shrink);
         if (shrink > 0.95) return false;
@@ -103,16 +106,13 @@ static void carry(attempt *a) {
    softened block. */
 static bool solve(attempt *a, bool by_tension, double speed, wcut_solution *solution) {
     wcut_cut *cut = a->cut;
-    const double log_rate = log(speed / a->reach);
-    bool solved = newton(a, 0, by_tension, log_rate, solution);
+    const double log_rate = log(speed / a->reach), depth = cut->setup->foam.block.depth;
+    bool solved = newton(a, depth, by_tension, log_rate, solution);
     if (!solved && cut->next.loaded) {
         carry(a);
-        solved = newton(a, 0, by_tension, log_rate, solution);
+        solved = newton(a, depth, by_tension, log_rate, solution);
     }
-    if (!solved) {
-        if (!wcut_cut_hang(cut, a->target, cut->next.pattern)) return false;
-        solved = harden(a, by_tension, log_rate, solution);
-    }
+    if (!solved && wcut_cut_hang(cut, a->target, cut->next.pattern)) solved = harden(a, by_tension, log_rate, solution);
     if (solved) cut->residual = fmax(cut->residual, solution->residual);
     a->pull = solution->pull;
     return solved;
@@ -200,9 +200,17 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, double *elapse
     return wcut_cut_hang(cut, target, w->pattern) && feed_free(cut, target, reach, elapsed);
 }
 
+/* how far a wire sags when it is a little longer than the distance of its ends [mm] (a flat parabola) */
+static double sag_of(wcut_vec3 a, wcut_vec3 b, double length) {
+    const double chord = vec3_distance(a, b);
+    return sqrt(0.375 * chord * fmax(length - chord, 0));
+}
+
 /* why no sub-step could be solved, as far as can be told */
 static wcut_status explain_failure(const wcut_cut *cut, const wcut_target *target, wcut_error *error) {
     const wcut_cut_options *o = &cut->setup->options;
+    const wcut_vec3 *from = cut->now.x;
+    const int n = cut->setup->job->nodes;
     const double slack = target->length - vec3_distance(target->end_a, target->end_b);
     if (slack <= 1e-7 * target->length)
         return wcut_fail(
@@ -210,6 +218,15 @@ static wcut_status explain_failure(const wcut_cut *cut, const wcut_target *targe
             "the wire is straight (%.3g mm longer than the distance of its ends): under load it would need "
             "endless tension; expected a longer wire or mounts nearer to each other",
             slack);
+    const double feed = fmax(vec3_distance(target->end_a, from[0]), vec3_distance(target->end_b, from[n - 1]));
+    const double sag =
+        sag_of(target->end_a, target->end_b, target->length) - sag_of(from[0], from[n - 1], cut->now.length);
+    if (cut->now.loaded && sag > feed)
+        return wcut_fail(
+            error, WCUT_NOT_CONVERGED,
+            "the wire gains %.3g mm of sag while its ends move %.3g mm: its middle would have to move back; "
+            "expected a wire that gains length more slowly (in a design, one that begins with more than 0)",
+            sag, feed);
     return wcut_fail(
         error, WCUT_NOT_CONVERGED,
         "no equilibrium of wire and foam found, with the step cut into %.0f parts; expected a residual below %g",
@@ -236,7 +253,7 @@ wcut_status wcut_implicit_advance(wcut_cut *cut, const wcut_target *target, doub
             continue;
         }
         size /= 2;
-        if (size < smallest) return explain_failure(cut, &part, error);
+        if (size < smallest) return explain_failure(cut, target, error);
     }
     return WCUT_OK;
 }

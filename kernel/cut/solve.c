@@ -92,6 +92,13 @@ static bool backtrack(wcut_solver *o, const wcut_step *step, bool by_tension, do
     return false;
 }
 
+/* (4) has absolute values on both sides: it is also met by an arch under compression, which no wire can be */
+static bool is_pulled(int n, const double *s, double tolerance, double tension) {
+    for (int e = 0; e < n - 1; e++)
+        if (s[e] < -tolerance * tension) return false;
+    return true;
+}
+
 void wcut_solver_run(wcut_solver *o, const wcut_step *step, bool by_tension, double tolerance, int max_iterations,
                      wcut_vec3 *x, double *s, wcut_solution *out) {
     wcut_system *y = &o->system;
@@ -100,8 +107,9 @@ void wcut_solver_run(wcut_solver *o, const wcut_step *step, bool by_tension, dou
         wcut_system_eval(y, step, x, s, out->log_rate, true);
         out->residual = worst_of(wcut_system_misfit(y, step), by_tension);
         out->pull = y->pull;
-        out->converged = out->residual <= tolerance;
-        if (out->converged || out->iterations >= max_iterations || !isfinite(out->residual)) return;
+        const bool met = out->residual <= tolerance;
+        out->converged = met && is_pulled(y->n, s, 1e-6, step->tension);
+        if (met || out->iterations >= max_iterations || !isfinite(out->residual)) return;
         double log_rate_step;
         if (!find_direction(o, by_tension, &log_rate_step)) return;
         const double merit = merit_of(y, step, by_tension);

@@ -33,11 +33,8 @@ void wcut_resistance_eval(const wcut_foam *foam, double heat, double edge, doubl
     const engagement e = engage(foam, edge, n, x, i);
     const wcut_vec3 move = vec3_sub(x[i], was[i]);
     const double distance = vec3_length(move), speed = rate * distance;
-    double slope, law = force_law_slope(&foam->law, heat, speed, &slope);
-    if (foam->softness > 0) {
-        law = (1 - foam->softness) * law + foam->softness * foam->viscous * speed;
-        slope = (1 - foam->softness) * slope + foam->softness * foam->viscous;
-    }
+    double slope;
+    const double law = force_law_slope(&foam->law, heat, speed, &slope);
 
     const wcut_vec3 zero = {0, 0, 0};
     *out = (wcut_resistance){.speed = speed, .engaged = e.length / (edge / 2 * ((i > 0) + (i < n - 1)))};

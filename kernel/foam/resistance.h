@@ -11,9 +11,7 @@
 typedef struct wcut_foam {
     wcut_force_law law;
     wcut_block block;
-    bool embedded;   /* the wire ends on the block: every node is in the foam (design mode) */
-    double softness; /* 0: the law as it is; above: mixed with a viscous one, while a solver finds its way */
-    double viscous;  /* [N s/mm^2] force per engaged length and speed of that one */
+    bool embedded; /* the wire ends on the block: every node is in the foam (design mode) */
 } wcut_foam;
 
 typedef struct wcut_resistance {
