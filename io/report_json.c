@@ -218,7 +218,8 @@ static void put_shape(document *d, json_t *item, const wcut_report_shape *shape,
     }
     put_int(d, item, "triangle_total", shape->triangle_count);
     if (view.triangles)
-        put_array(d, item, "triangle_array", wcut_report_pool_add_ints(d->pool, 3 * shape->triangle_count, shape->triangle));
+        put_array(d, item, "triangle_array",
+                  wcut_report_pool_add_ints(d->pool, 3 * shape->triangle_count, shape->triangle));
     put_array(d, item, "position", wcut_report_pool_add_points(d->pool, view.count, view.index, shape->vertex));
     json_t *fields = put_list(d, item, "fields");
     for (int f = 0; f < shape->field_count; f++) put_field(d, append_object(d, fields), shape, &view, &shape->field[f]);

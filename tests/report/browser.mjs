@@ -1,16 +1,18 @@
-// Open the pages of a folder in a headless Chromium and ask them what they show:  node browser.mjs FOLDER [PICTURES]
+// Open pages in a headless Chromium and ask them what they show:  node browser.mjs FOLDER|PAGE.html [PICTURES]
+// A folder holds what pages.h writes, with numbers known here; a page alone is the report of a simulated cut.
 // Ends with 0 (right), 1 (wrong, said on stderr) or 77 (no chromium here). Speaks the DevTools protocol over a pipe;
 // needs nothing but node. With a second folder it leaves screenshots there.
 import assert from 'node:assert/strict';
 import {spawn} from 'node:child_process';
-import {accessSync, mkdtempSync, rmSync, writeFileSync} from 'node:fs';
+import {accessSync, mkdtempSync, rmSync, statSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
-import {join} from 'node:path';
+import {basename, dirname, join} from 'node:path';
 import {pathToFileURL} from 'node:url';
 
-const [folder, pictures] = process.argv.slice(2);
+const [folder, pictures] = process.argv[2]?.endsWith('.html') ? [dirname(process.argv[2]), process.argv[3]] : process.argv.slice(2);
+const only = process.argv[2]?.endsWith('.html') ? basename(process.argv[2]) : null;
 const executable = (process.env.PATH ?? '').split(':').flatMap(at => ['chromium', 'chromium-browser'].map(name => join(at, name)))
-  .find(path => { try { accessSync(path, 1); return true; } catch { return false; } });
+  .find(path => { try { accessSync(path, 1); return statSync(path).isFile(); } catch { return false; } });
 if (!executable) {
   console.log('skipped: no chromium on the path');
   process.exit(77);
@@ -257,6 +259,14 @@ async function testCloud(browser) {
   })()`);
   assert.ok(coarse[0] < 50000 && coarse[1] === null, `a slow machine turns a part of the points and rests on all: ${coarse}`);
   const pick = await page.ask('(() => { const t = performance.now(); wirecut.surface.view.pick(300, 200); return performance.now() - t; })()');
+  // the other shape: a mesh with triangles of its own, and a field without a value
+  await page.ask('wirecut.surface.choose(1, 0)');
+  assert.equal(await page.ask('wirecut.surface.shape.triangles.length'), 6 * 19 * 19);
+  const corner = await page.ask('wirecut.pick(...(wirecut.surface.view.draw(true), wirecut.surface.view.project(...at(213).position)))');
+  assert.equal(corner.index, 213);
+  near(corner.values[0].value, 0.213, 1e-7, 'height');
+  await page.ask('wirecut.surface.choose(1, 1)');
+  assert.equal(await page.ask('document.querySelector(".share").textContent'), 'No value was measured.');
   console.log(`1,000,000 points: ready after ${page.opened} ms, a frame in software ${cost.toFixed(0)} ms, a pick ${pick.toFixed(0)} ms`);
   await page.close();
 }
@@ -277,7 +287,19 @@ async function testPlan(browser) {
   await page.close();
 }
 
-for (const [flags, tests] of [[['--use-angle=swiftshader', '--enable-unsafe-swiftshader'], [testCut, testCloud]], [['--disable-3d-apis'], [testPlan]]]) {
+// any page: it opens without a word, and what is clicked in its middle is what its boxes say
+async function testAny(browser) {
+  const page = await Page.open(browser, only);
+  await page.ask(HELPERS);
+  await page.picture('page.png');
+  const index = await page.ask('(wirecut.surface.shape.rows >> 1) * wirecut.surface.shape.columns + (wirecut.surface.shape.columns >> 1)');
+  const picked = await page.ask(`wirecut.pick(...wirecut.surface.view.project(...at(${index}).position))`);
+  assert.equal(picked.index, index);
+  for (let f = 0; f < await page.ask('wirecut.surface.shape.fields.length'); f++) await page.ask(`wirecut.surface.choose(0, ${f}); frame()`);
+  await page.close();
+}
+
+for (const [flags, tests] of only ? [[['--use-angle=swiftshader', '--enable-unsafe-swiftshader'], [testAny]]] : [[['--use-angle=swiftshader', '--enable-unsafe-swiftshader'], [testCut, testCloud]], [['--disable-3d-apis'], [testPlan]]]) {
   const browser = new Browser(...flags);
   try {
     for (const test of tests) await test(browser);

@@ -164,11 +164,34 @@ static inline wcut_status pages_write_cloud(const pages_data *d, const char *pat
     const wcut_report_field field = {"deviation", "mm", WCUT_SCALE_DIVERGING, 0.25, d->distance};
     const wcut_report_shape shape = {
         .name = "scan", .vertex_count = CLOUD, .vertex = d->point, .field_count = 1, .field = &field};
+    /* a small mesh beside it, with a field of which nothing was measured */
+    enum { PATCH = 20 };
+    wcut_vec3 corner[PATCH * PATCH];
+    double height[PATCH * PATCH], nothing[PATCH * PATCH];
+    int triangle[6 * (PATCH - 1) * (PATCH - 1)], corners = 0;
+    for (int i = 0; i < PATCH * PATCH; i++) {
+        height[i] = 0.001 * i;
+        nothing[i] = NAN;
+        corner[i] = (wcut_vec3){20.0 * (i % PATCH), 60.0 * (i / PATCH), 150};
+        if (i % PATCH == PATCH - 1 || i / PATCH == PATCH - 1) continue;
+        const int quad[] = {i, i + 1, i + PATCH, i + 1, i + PATCH + 1, i + PATCH};
+        for (int k = 0; k < 6; k++) triangle[corners++] = quad[k];
+    }
+    const wcut_report_field patch_field[] = {{"height", "mm", WCUT_SCALE_SEQUENTIAL, 0, height},
+                                             {"unknown", "", WCUT_SCALE_DIVERGING, 0, nothing}};
+    const wcut_report_shape shapes[] = {shape,
+                                        {.name = "patch",
+                                         .vertex_count = PATCH * PATCH,
+                                         .vertex = corner,
+                                         .triangle_count = corners / 3,
+                                         .triangle = triangle,
+                                         .field_count = 2,
+                                         .field = patch_field}};
     const wcut_report_scene scene = {.title = "Deviation",
                                      .note = "Positive: material left above the simulated face.",
                                      .block_size = {400, 1200, 300},
-                                     .shape_count = 1,
-                                     .shape = &shape};
+                                     .shape_count = 2,
+                                     .shape = shapes};
     const wcut_report_series series[] = {{"fit", WCUT_MARK_LINE, SIDE, {px, NULL}, py, low, high},
                                          {"test cuts", WCUT_MARK_POINTS, 5, {sx, NULL}, sy, NULL, NULL}};
     const wcut_report_chart chart = {.title = "Force law",
