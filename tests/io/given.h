@@ -50,10 +50,10 @@ static const char given_design_job[] =
 static inline char *given_changed(const char *text, const char *find, const char *by) {
     const char *at = strstr(text, find);
     ck_assert_msg(at != NULL, "not in the text: %s", find);
-    char *changed = calloc(strlen(text) + strlen(by) + 1, 1);
-    memcpy(changed, text, (size_t)(at - text));
-    strcat(changed, by);
-    return strcat(changed, at + strlen(find));
+    size_t size = strlen(text) + strlen(by) + 1;
+    char *changed = calloc(size, 1);
+    snprintf(changed, size, "%.*s%s%s", (int)(at - text), text, by, at + strlen(find));
+    return changed;
 }
 
 /* ---- a folder, the process's working one, removed by leave_folder ---- */
@@ -61,7 +61,7 @@ static inline char *given_changed(const char *text, const char *find, const char
 static char given_folder[64];
 
 static inline void enter_folder(void) {
-    strcpy(given_folder, "/tmp/wirecut-test-XXXXXX");
+    snprintf(given_folder, sizeof given_folder, "/tmp/wirecut-test-XXXXXX");
     ck_assert_ptr_nonnull(mkdtemp(given_folder));
     ck_assert_int_eq(chmod(given_folder, 0777), 0);
     ck_assert_int_eq(chdir(given_folder), 0);
@@ -118,7 +118,8 @@ static inline wcut_mesh given_mesh(int rows, int columns) {
     m.scalar = calloc((size_t)m.vertex_count, sizeof *m.scalar);
     m.triangle = calloc((size_t)m.triangle_count, 3 * sizeof *m.triangle);
     for (int k = 0; k < m.vertex_count; k++) {
-        double u = (k % columns) / (columns - 1.0), v = (k / columns) / (rows - 1.0);
+        int row = k / columns;
+        double u = (k % columns) / (columns - 1.0), v = row / (rows - 1.0);
         m.vertex[k] = (wcut_vec3){400 * u, 1200 * v, 150 + 20 * sin(3 * u) * cos(2 * v)};
         double gx = -60 * cos(3 * u) * cos(2 * v) / 400, gy = 40 * sin(3 * u) * sin(2 * v) / 1200;
         double size = sqrt(gx * gx + gy * gy + 1);

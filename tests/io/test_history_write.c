@@ -114,7 +114,7 @@ static const char *vtp_array(const char *text, size_t length, const char *name, 
 }
 
 static void holds(const char *text, size_t length, const char *name, const void *values, size_t size) {
-    uint64_t found;
+    uint64_t found = 0;
     const char *at = vtp_array(text, length, name, &found);
     ck_assert_msg(at && found == size, "%s: %llu bytes, expected %zu", name, (unsigned long long)found, size);
     ck_assert_msg(memcmp(at, values, size) == 0, "%s: other values", name);
@@ -143,7 +143,7 @@ static void check_point_data(const char *text, size_t length) {
     holds(text, length, "force_N", history.force, count * sizeof(wcut_vec3));
     holds(text, length, "force_N_per_mm", history.force_line, count * sizeof(double));
     holds(text, length, "speed_mm_s", history.speed, count * sizeof(double));
-    uint64_t size;
+    uint64_t size = 0;
     const char *tension = vtp_array(text, length, "tension_N", &size);
     ck_assert_uint_eq(size, count * sizeof(double));
     for (size_t i = 0; i < count; i++) {
@@ -173,7 +173,7 @@ static void check_cells(const char *text, size_t length) {
 }
 
 static void check_lines(const char *text, size_t length) {
-    uint64_t size;
+    uint64_t size = 0;
     const char *connectivity = vtp_array(text, length, "connectivity", &size);
     size_t count = (size_t)history.stations * (size_t)history.nodes;
     ck_assert_uint_eq(size, count * sizeof(int64_t));
@@ -277,7 +277,7 @@ START_TEST(a_stream_with_engagement_has_that_too) {
     stream_to("s.vtp", 20, engaged);
     check_vtp("s.vtp");
     size_t length;
-    uint64_t size;
+    uint64_t size = 0;
     char *text = read_back("s.vtp", &length);
     const char *at = vtp_array(text, length, "engaged", &size);
     ck_assert_uint_eq(size, 7 * sizeof engaged);

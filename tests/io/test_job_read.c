@@ -286,7 +286,7 @@ START_TEST(a_file_is_read_whole_and_one_that_is_too_long_is_refused) {
     unreadable("job.json", WCUT_BAD_FORMAT, "job.json: found more than 256 MB, expected at most that");
     char path[1200]; /* a long name is shown by its end */
     memset(path, 'd', sizeof path);
-    strcpy(path + 1000, "/job.json");
+    snprintf(path + 1000, 200, "/job.json");
     ck_assert_int_eq(wcut_job_read(path, &job, &error), WCUT_NOT_FOUND);
     ck_assert(strncmp(error.text, "...ddd", 6) == 0 &&
               strstr(error.text, "d/job.json: cannot be read: File name too long"));

@@ -51,7 +51,8 @@ START_TEST(stl_holds_every_triangle_with_its_normal_outwards) {
         wcut_vec3 n = mesh.normal[mesh.triangle[3 * t]];
         double along = facet[0] * n.x + facet[1] * n.y + facet[2] * n.z;
         ck_assert_double_gt(along, 0.99);
-        ck_assert_double_eq_tol(sqrt(facet[0] * facet[0] + facet[1] * facet[1] + facet[2] * facet[2]), 1, 1e-6);
+        ck_assert_double_eq_tol(
+            sqrt((double)facet[0] * facet[0] + (double)facet[1] * facet[1] + (double)facet[2] * facet[2]), 1, 1e-6);
         ck_assert(bytes[84 + 50 * t + 48] == 0 && bytes[84 + 50 * t + 49] == 0);
     }
     free(bytes);
@@ -96,8 +97,8 @@ static int next_line(char **at, char word[8], double value[9]) {
 
 static void check_obj(bool with_uv, bool with_normal) {
     size_t length;
-    char *text = read_back("a.obj", &length), *at = text, word[8];
-    double value[9];
+    char *text = read_back("a.obj", &length), *at = text, word[8] = "";
+    double value[9] = {0};
     int v = 0, vt = 0, vn = 0;
     size_t f = 0;
     ck_assert_ptr_nonnull(strstr(text, "# units: mm"));
