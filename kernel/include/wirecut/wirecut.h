@@ -3,6 +3,7 @@
 #define WCUT_WIRECUT_H
 
 #include <wirecut/calibration.h>
+#include <wirecut/control.h>
 #include <wirecut/curvature.h>
 #include <wirecut/curve.h>
 #include <wirecut/cut.h>
@@ -16,6 +17,7 @@
 #include <wirecut/mesh.h>
 #include <wirecut/recording.h>
 #include <wirecut/report.h>
+#include <wirecut/rig.h>
 #include <wirecut/status.h>
 #include <wirecut/surface.h>
 #include <wirecut/table.h>
