@@ -106,7 +106,7 @@ static wcut_status fill(page *p, const wcut_setup *setup, wcut_error *error) {
     if (status && status != WCUT_NOT_FOUND) return status;
     if (h->stations < 2) return WCUT_OK;
     double length;
-    status = wcut_history_path(setup, h, p->mount_a, p->mount_b, &length);
+    status = wcut_history_path(setup, h, p->mount_a, p->mount_b, &length, error);
     return status ? status : fill_curvature(p);
 }
 

@@ -118,9 +118,9 @@ static int write_path(simulation *s) {
     wcut_vec3 *mount_a = calloc((size_t)h->stations, sizeof *mount_a);
     wcut_vec3 *mount_b = calloc((size_t)h->stations, sizeof *mount_b);
     wcut_status status = mount_a && mount_b ? WCUT_OK : WCUT_NO_MEMORY;
-    if (status == WCUT_OK) status = wcut_history_path(s->setup, h, mount_a, mount_b, &length);
+    if (status == WCUT_OK) status = wcut_history_path(s->setup, h, mount_a, mount_b, &length, &error);
     if (status != WCUT_OK) {
-        code = app_fail(app_exit_code(status), "%s: path curves: %s", s->path, wcut_status_text(status));
+        code = app_fail_status(status, s->path, &error);
     } else {
         status = wcut_history_write_csv(h, mount_a, mount_b, app_results_path(&s->results, "path.csv"), &error);
         code = app_results_add(&s->results, "path.csv", status, &error);

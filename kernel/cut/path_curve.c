@@ -3,6 +3,7 @@
 #include <wirecut/history.h>
 
 #include "base/alloc.h"
+#include "base/fail.h"
 #include "base/numbers.h"
 #include "cut/setup.h"
 
@@ -38,45 +39,61 @@ typedef struct extension {
     double way_a, way_b; /* [mm] the least that keeps the clearance */
 } extension;
 
-static bool extend(const wcut_setup *setup, const wcut_history *h, int j, extension *e) {
+static wcut_status extend(const wcut_setup *setup, const wcut_history *h, int j, extension *e, wcut_error *error) {
     const int n = h->nodes;
     const wcut_vec3 *x = h->position + (size_t)j * (size_t)n;
     e->out_a = outward(x[0], x[1], x[2]);
     e->out_b = outward(x[n - 1], x[n - 2], x[n - 3]);
     const wcut_block *block = &setup->foam.block;
     const double clearance = setup->job->clearance;
-    return way_to_clearance(block, x[0], e->out_a, clearance, &e->way_a) &&
-           way_to_clearance(block, x[n - 1], e->out_b, clearance, &e->way_b);
+    const char *end = "A";
+    if (way_to_clearance(block, x[0], e->out_a, clearance, &e->way_a)) {
+        end = "B";
+        if (way_to_clearance(block, x[n - 1], e->out_b, clearance, &e->way_b)) return WCUT_OK;
+    }
+    return wcut_fail(
+        error, WCUT_DEGENERATE,
+        "station %d: the wire's tangent at end %s, prolonged, does not come %g mm clear of the block; expected "
+        "a wire that leaves the block there",
+        j, end, clearance);
+}
+
+/* what is left of the common length goes to both ends alike */
+static void place_mounts(const wcut_setup *setup, const wcut_history *h, const extension *e, double common,
+                         wcut_vec3 *mount_a, wcut_vec3 *mount_b) {
+    const size_t n = (size_t)h->nodes;
+    for (int j = 0; j < h->stations; j++) {
+        const wcut_vec3 *x = h->position + (size_t)j * n;
+        const double rest = (common - setup->length[j] - e[j].way_a - e[j].way_b) / 2;
+        mount_a[j] = vec3_add_scaled(x[0], e[j].way_a + rest, e[j].out_a);
+        mount_b[j] = vec3_add_scaled(x[n - 1], e[j].way_b + rest, e[j].out_b);
+    }
 }
 
 wcut_status wcut_history_path(const wcut_setup *setup, const wcut_history *history, wcut_vec3 *mount_a,
-                              wcut_vec3 *mount_b, double *length) {
+                              wcut_vec3 *mount_b, double *length, wcut_error *error) {
     if (!setup || !history || history->stations < 1 || history->nodes < 3 || !mount_a || !mount_b || !length)
-        return WCUT_BAD_ARGUMENT;
-    const int m = history->stations, n = history->nodes;
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "a setup, its history and places for the paths are expected");
+    const int m = history->stations;
+    const size_t n = (size_t)history->nodes;
     if (setup->job->mode == WCUT_MODE_PATH) {
         for (int j = 0; j < m; j++) {
-            mount_a[j] = history->position[(size_t)j * (size_t)n];
-            mount_b[j] = history->position[(size_t)j * (size_t)n + (size_t)n - 1];
+            mount_a[j] = history->position[(size_t)j * n];
+            mount_b[j] = history->position[(size_t)j * n + n - 1];
         }
         *length = setup->job->wire_length;
         return WCUT_OK;
     }
     extension *e = wcut_alloc((size_t)m, sizeof *e);
-    if (!e) return WCUT_NO_MEMORY;
+    if (!e) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for the path curves of %d stations", m);
     wcut_status status = WCUT_OK;
     double common = 0;
     for (int j = 0; j < m && status == WCUT_OK; j++) {
-        if (!extend(setup, history, j, &e[j])) status = WCUT_DEGENERATE;
+        status = extend(setup, history, j, &e[j], error);
         common = fmax(common, setup->length[j] + e[j].way_a + e[j].way_b);
     }
     if (status == WCUT_OK) {
-        for (int j = 0; j < m; j++) { /* what is left of the common length goes to both ends alike */
-            const wcut_vec3 *x = history->position + (size_t)j * (size_t)n;
-            const double rest = (common - setup->length[j] - e[j].way_a - e[j].way_b) / 2;
-            mount_a[j] = vec3_add_scaled(x[0], e[j].way_a + rest, e[j].out_a);
-            mount_b[j] = vec3_add_scaled(x[n - 1], e[j].way_b + rest, e[j].out_b);
-        }
+        place_mounts(setup, history, e, common, mount_a, mount_b);
         *length = common;
     }
     wcut_free(e);

@@ -86,7 +86,7 @@ START_TEST(path_curves_survive_a_failing_allocation) {
     double length = 999;
     a[0].x = b[9].z = 999;
     wcut_alloc_fail_at(1);
-    const wcut_status status = wcut_history_path(setup, h, a, b, &length);
+    const wcut_status status = wcut_history_path(setup, h, a, b, &length, NULL);
     wcut_alloc_fail_at(0);
     ck_assert_int_eq(status, WCUT_NO_MEMORY);
     ck_assert(a[0].x == 999 && b[9].z == 999 && length == 999);

@@ -65,11 +65,12 @@ WCUT_API void wcut_history_destroy(wcut_history *history);
  * @param[out] mount_a history->stations [mm]
  * @param[out] mount_b history->stations [mm]
  * @param[out] length  [mm] the one wire length between the mounts
+ * @param[out] error   may be NULL; the station at which there is no path
  * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_DEGENERATE (a tangent runs into the block):
  *         nothing was written.
  */
 WCUT_API wcut_status wcut_history_path(const wcut_setup *setup, const wcut_history *history, wcut_vec3 *mount_a,
-                                       wcut_vec3 *mount_b, double *length);
+                                       wcut_vec3 *mount_b, double *length, wcut_error *error);
 
 #ifdef __cplusplus
 }
