@@ -3,6 +3,7 @@
 #define WCUT_WIRECUT_H
 
 #include <wirecut/calibration.h>
+#include <wirecut/case.h>
 #include <wirecut/control.h>
 #include <wirecut/curvature.h>
 #include <wirecut/curve.h>
@@ -16,8 +17,10 @@
 #include <wirecut/loss.h>
 #include <wirecut/mesh.h>
 #include <wirecut/recording.h>
+#include <wirecut/replay.h>
 #include <wirecut/report.h>
 #include <wirecut/rig.h>
+#include <wirecut/score.h>
 #include <wirecut/status.h>
 #include <wirecut/surface.h>
 #include <wirecut/table.h>
