@@ -42,43 +42,57 @@ int wcut_basis_span(int degree, int count, const double *knots, double u) {
     return low;
 }
 
-/* N_{.,q} from N_{.,q-1}: the functions of degree q over the span whose knots are t[0] <= u < t[1] */
-static void raise_degree(int q, const double *t, double u, const double *lower, double *value) {
-    double saved = 0;
-    for (int r = 0; r < q; r++) {
-        const double share = lower[r] / (t[r + 1] - t[r + 1 - q]);
-        value[r] = saved + (t[r + 1] - u) * share;
-        saved = (u - t[r + 1 - q]) * share;
+/* what the recurrences need of the span whose knots are t[0] <= u < t[1]: 1 / (t[r + 1] - t[r + 1 - q]) */
+typedef struct triangle {
+    double value[WCUT_BASIS_SIZE][WCUT_BASIS_SIZE]; /* [q][r]: the functions of degree q */
+    double inverse[WCUT_BASIS_SIZE][WCUT_BASIS_SIZE];
+} triangle;
+
+/* the functions of every degree up to `degree`, each from the one below */
+static inline void raise_degrees(int degree, const double *t, double u, triangle *n) {
+    n->value[0][0] = 1;
+    for (int q = 1; q <= degree; q++) {
+        double saved = 0;
+        for (int r = 0; r < q; r++) {
+            const double inverse = 1 / (t[r + 1] - t[r + 1 - q]), share = n->value[q - 1][r] * inverse;
+            n->inverse[q][r] = inverse;
+            n->value[q][r] = saved + (t[r + 1] - u) * share;
+            saved = (u - t[r + 1 - q]) * share;
+        }
+        n->value[q][q] = saved;
     }
-    value[q] = saved;
 }
 
 /* d/du: N'_{i,q} = q (N_{i,q-1} / (t_{i+q} - t_i) - N_{i+1,q-1} / (t_{i+q+1} - t_{i+1})), in place */
-static void differentiate(int q, const double *t, double *value) {
+static inline void differentiate(int q, const double *inverse, double *value) {
     double saved = 0;
     for (int r = 0; r < q; r++) {
-        const double share = q * value[r] / (t[r + 1] - t[r + 1 - q]);
+        const double share = q * value[r] * inverse[r];
         value[r] = saved - share;
         saved = share;
     }
     value[q] = saved;
 }
 
+/* with the degree known to the compiler the loops unroll */
+static inline void fill_basis(int degree, const double *t, double u, int order, wcut_basis *basis) {
+    triangle n;
+    raise_degrees(degree, t, u, &n);
+    for (int r = 0; r <= degree; r++) basis->value[0][r] = n.value[degree][r];
+    for (int k = 1; k <= order; k++) { /* the functions of degree - k, differentiated k times */
+        for (int r = 0; r <= degree; r++)
+            basis->value[k][r] = k <= degree && r <= degree - k ? n.value[degree - k][r] : 0;
+        for (int q = degree - k + 1; k <= degree && q <= degree; q++) differentiate(q, n.inverse[q], basis->value[k]);
+    }
+}
+
 void wcut_basis_eval(int degree, int count, const double *knots, double u, int order, wcut_basis *basis) {
     u = clamp(u, knots[degree], knots[count]);
     basis->span = wcut_basis_span(degree, count, knots, u);
     const double *t = knots + basis->span;
-    double lower[2][WCUT_BASIS_SIZE] = {{1}};
-    for (int q = 0;; q++) {
-        const double *now = lower[q % 2];
-        const int k = degree - q; /* N_{.,q} differentiated k times is the k-th derivative */
-        if (k <= order) {
-            for (int r = 0; r <= q; r++) basis->value[k][r] = now[r];
-            for (int d = q + 1; d <= degree; d++) differentiate(d, t, basis->value[k]);
-        }
-        if (q == degree) break;
-        raise_degree(q + 1, t, u, now, lower[(q + 1) % 2]);
+    if (degree == 3) {
+        fill_basis(3, t, u, order, basis);
+    } else {
+        fill_basis(degree, t, u, order, basis);
     }
-    for (int k = degree + 1; k <= order; k++)
-        for (int r = 0; r <= degree; r++) basis->value[k][r] = 0;
 }

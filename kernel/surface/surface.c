@@ -109,11 +109,36 @@ static void sum_derivatives(const wcut_surface *s, double u, double v, int n, wc
     }
 }
 
+/* the same without weights, straight into the result */
+static inline void sum_polynomial(const wcut_surface *s, int degree_u, int degree_v, double u, double v, int n,
+                                  wcut_vec3 *ders) {
+    wcut_basis bu, bv;
+    wcut_basis_eval(degree_u, s->count_u, s->knots_u, u, n - 1, &bu);
+    wcut_basis_eval(degree_v, s->count_v, s->knots_v, v, n - 1, &bv);
+    for (int k = 0; k < n * n; k++) ders[k] = vec3(0, 0, 0);
+    for (int r = 0; r <= degree_v; r++) {
+        const wcut_vec3 *p = s->control + (ptrdiff_t)(bv.span - degree_v + r) * s->count_u + bu.span - degree_u;
+        for (int k = 0; k < n; k++) {
+            wcut_vec3 along = {0, 0, 0};
+            for (int i = 0; i <= degree_u; i++) along = vec3_add_scaled(along, bu.value[k][i], p[i]);
+            for (int l = 0; k + l < n; l++) ders[k * n + l] = vec3_add_scaled(ders[k * n + l], bv.value[l][r], along);
+        }
+    }
+}
+
 wcut_status wcut_surface_eval(const wcut_surface *surface, double u, double v, int order, wcut_vec3 *ders) {
     if (!surface || !ders || order < 0 || order > WCUT_ORDER_MAX || !isfinite(u) || !isfinite(v))
         return WCUT_BAD_ARGUMENT;
     if (order == 0) {
         ders[0] = evaluate_point(surface, u, v);
+        return WCUT_OK;
+    }
+    if (!surface->weights) {
+        if (surface->degree_u == 3 && surface->degree_v == 3) { /* lofts: the loops unroll */
+            sum_polynomial(surface, 3, 3, u, v, order + 1, ders);
+        } else {
+            sum_polynomial(surface, surface->degree_u, surface->degree_v, u, v, order + 1, ders);
+        }
         return WCUT_OK;
     }
     enum { MOST = (WCUT_ORDER_MAX + 1) * (WCUT_ORDER_MAX + 1) };

@@ -1,12 +1,14 @@
-/* How long the surface room takes: loft, evaluation, tessellation. CPU seconds, the median of five runs. */
+/* How long the surface room takes: loft, evaluation, tessellation, projection. CPU seconds, the median of five runs. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
 #include <wirecut/mesh.h>
+#include <wirecut/projection.h>
 #include <wirecut/surface.h>
 
 #include "base/random.h"
+#include "base/vec3.h"
 
 enum { RUNS = 5 };
 
@@ -98,6 +100,40 @@ static void bench_eval(const wcut_surface *s) {
     free(u);
 }
 
+/* 1e6 points planted up to 5 mm from the surface, in random order */
+static void bench_projection(const wcut_surface *s) {
+    enum { POINTS = 1000000 };
+    wcut_random random = wcut_random_seed(2);
+    wcut_vec3 *p = malloc(POINTS * sizeof *p);
+    wcut_foot *foot = malloc(POINTS * sizeof *foot);
+    double *height = malloc(POINTS * sizeof *height), worst = 0;
+    if (!p || !foot || !height) exit(EXIT_FAILURE);
+    for (int k = 0; k < POINTS; k++) {
+        wcut_vec3 d[4];
+        check(wcut_surface_eval(s, wcut_random_uniform(&random), wcut_random_uniform(&random), 1, d));
+        height[k] = 10 * wcut_random_uniform(&random) - 5;
+        p[k] = vec3_add_scaled(d[0], height[k], vec3_unit(vec3_cross(d[2], d[1])));
+    }
+    wcut_projection *projection;
+    double start = cpu_now();
+    check(wcut_projection_create(s, &projection));
+    const double prepared = cpu_now() - start;
+    start = cpu_now();
+    check(wcut_projection_locate(projection, POINTS, p, 1, foot));
+    const double located = cpu_now() - start;
+    int proven = 0;
+    for (int k = 0; k < POINTS; k++) {
+        worst = fmax(worst, fabs(foot[k].height - height[k]));
+        proven += foot[k].gap == 0;
+    }
+    printf("  1e6 closest points                   %9.4f s   prepared in %.4f s, worst %.1e mm, %d proven\n", located,
+           prepared, worst, proven);
+    wcut_projection_destroy(projection);
+    free(height);
+    free(foot);
+    free(p);
+}
+
 static void bench_tessellate(const wcut_surface *s, double tolerance) {
     double seconds[RUNS];
     wcut_tessellation_report report = {.rows = 0};
@@ -119,6 +155,7 @@ int main(void) {
         bench_eval(s);
         bench_tessellate(s, 0.1);
         bench_tessellate(s, 0.01);
+        bench_projection(s);
         wcut_surface_destroy(s);
     }
     return EXIT_SUCCESS;

@@ -1,0 +1,12 @@
+/* An order of points that keeps neighbours together (Morton 1966). */
+#ifndef WCUT_SURFACE_MORTON_H
+#define WCUT_SURFACE_MORTON_H
+
+#include <wirecut/status.h>
+#include <wirecut/vec3.h>
+
+/* count indices along the Z-curve through the points' bounding box, equal cells in the order given; the caller frees
+   them. WCUT_NO_MEMORY: nothing was written. */
+wcut_status wcut_morton_order(int count, const wcut_vec3 *point, int **order);
+
+#endif
