@@ -1,5 +1,4 @@
 /* wirecut simulate: a job file to history, surface, path curves and summary. */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <wirecut/wirecut.h>
@@ -169,22 +168,15 @@ static int write_results(simulation *s) {
 /* ---- the answer ----------------------------------------------------------------------------------------------------
  */
 
-/* A number of summary.json, so that what is said and what is written cannot differ: behind `member`, the next after
-   `key`. Both hold bare quotes, which no name inside the text can. */
-static double figure(const char *summary, const char *key, const char *member) {
-    const char *at = strstr(summary, key);
-    if (at) at = strstr(at, member);
-    return at ? strtod(at + strlen(member), NULL) : NAN;
-}
-
-static void say_summary(const simulation *s, const char *summary) {
-    const char *duration = "\"duration_s\": ", *least = "\"min\": ", *greatest = "\"max\": ", *mean = "\"mean\": ";
+static int say_summary(const simulation *s) {
+    wcut_summary sum;
+    const wcut_status status = wcut_summary_eval(s->history, &sum);
+    if (status != WCUT_OK) return app_fail_status(status, s->path, NULL);
     app_say("%s: %d of %d stations, %.1f s of cutting at %.3g to %.3g mm/s", s->job->name, s->history->stations,
-            s->history->planned, figure(summary, duration, duration), figure(summary, "\"speed_mm_s\"", least),
-            figure(summary, "\"speed_mm_s\"", greatest));
-    app_say("worst residual %.1e, %.1f iterations a station", figure(summary, "\"residual\"", greatest),
-            figure(summary, "\"iterations\"", mean));
+            s->history->planned, sum.duration, sum.speed.min, sum.speed.max);
+    app_say("worst residual %.1e, %.1f iterations a station", sum.residual_max, sum.iterations_mean);
     app_say("in %s: %s", s->results.folder, app_results_list(&s->results));
+    return APP_DONE;
 }
 
 /* The summary to whom it concerns: people read standard error, programs standard output. */
@@ -192,10 +184,10 @@ static int give_summary(const simulation *s) {
     char *text = NULL;
     wcut_status status = wcut_summary_print(s->setup, s->history, s->results.count, s->results.name, &text);
     if (status != WCUT_OK) return app_fail_status(status, s->path, NULL);
-    if (!app_given(s->call, "quiet")) say_summary(s, text);
+    const int code = app_given(s->call, "quiet") ? APP_DONE : say_summary(s);
     if (app_given(s->call, "json")) fputs(text, stdout);
     free(text);
-    return APP_DONE;
+    return code;
 }
 
 static int simulate(const app_call *call) {

@@ -75,13 +75,14 @@ wcut_status wcut_setup_run(const wcut_setup *setup, wcut_progress progress, void
     }
     append(h, cut);
     while (status == WCUT_OK && h->stations < job->stations) {
-        status = wcut_cut_step(cut, error);
+        status = wcut_cut_step(cut, &h->ended);
         if (status != WCUT_OK) break;
         append(h, cut);
         if (progress && progress(h->stations, job->stations, context) != 0)
-            status = wcut_fail(error, WCUT_INTERRUPTED, "station %d of %d: stopped on request", h->stations - 1,
+            status = wcut_fail(&h->ended, WCUT_INTERRUPTED, "station %d of %d: stopped on request", h->stations - 1,
                                job->stations);
     }
+    if (error && status != WCUT_OK) *error = h->ended;
     wcut_cut_destroy(cut);
     *history = h;
     return status;

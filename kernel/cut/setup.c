@@ -167,12 +167,13 @@ static void find_phases(wcut_setup *setup) {
     while (j < m && fabs(slack_of(setup, j) - slack_of(setup, j - 1)) <= even) j++;
     while (j < m && slack_of(setup, j) - slack_of(setup, j - 1) > even) j++;
     setup->entry_end = j - 1;
-    if (setup->entry_end == m - 1 && fastest < 1e-9) setup->entry_end = 0;
     j = m - 1;
     while (j > 0 && fabs(slack_of(setup, j) - slack_of(setup, j - 1)) <= even) j--;
     while (j > 0 && slack_of(setup, j) - slack_of(setup, j - 1) < -even) j--;
     setup->exit_begin = j > 0 ? j : m;
-    if (setup->exit_begin <= setup->entry_end) setup->exit_begin = m;
+    if (setup->exit_begin - setup->entry_end >= m / 5) return;
+    setup->entry_end = 0; /* a wire whose slack changes all along has no such phases; contact alone tells */
+    setup->exit_begin = m;
 }
 
 static wcut_vec3 find_feed(const wcut_setup *setup) {

@@ -33,6 +33,7 @@ typedef struct wcut_history {
     wcut_vec3 *force;      /**< m x n [N] */
     double *force_line;    /**< m x n [N/mm] */
     double *speed;         /**< m x n [mm/s] */
+    wcut_error ended;      /**< why it ends before the last planned station; status WCUT_OK where it does not */
     double *tension;       /**< m x (n-1) [N] */
 } wcut_history;
 

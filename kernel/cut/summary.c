@@ -1,0 +1,55 @@
+/* A cut in a few figures. */
+#include <stdlib.h>
+#include <wirecut/summary.h>
+
+#include "base/alloc.h"
+#include "base/numbers.h"
+
+static int ascending(const void *a, const void *b) {
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double front_speed(const wcut_history_row *r) { return fmax(r->speed_a, r->speed_b); }
+
+static void widen(wcut_range *range, double a, double b) {
+    range->min = fmin(range->min, fmin(a, b));
+    range->max = fmax(range->max, fmax(a, b));
+}
+
+static void add_row(wcut_summary *s, const wcut_history_row *r) {
+    widen(&s->speed, front_speed(r), front_speed(r));
+    widen(&s->alpha, r->alpha_a, r->alpha_b);
+    widen(&s->beta, r->beta_a, r->beta_b);
+    widen(&s->tension, r->tension_a, r->tension_b);
+    s->residual_max = fmax(s->residual_max, r->residual);
+    s->iterations_mean += r->iterations;
+    s->substeps_mean += r->substeps;
+    if (r->iterations > s->iterations_max) s->iterations_max = r->iterations;
+    if (r->substeps > s->substeps_max) s->substeps_max = r->substeps;
+    s->conditions[r->condition]++;
+    s->phases[r->phase]++;
+}
+
+wcut_status wcut_summary_eval(const wcut_history *h, wcut_summary *summary) {
+    if (!h || h->stations < 1 || h->nodes < 1 || !h->row || !h->force_line || !summary) return WCUT_BAD_ARGUMENT;
+    const int first = h->stations > 1, count = h->stations - first; /* nothing moved to station 0 */
+    double *speed = wcut_alloc((size_t)count, sizeof *speed);
+    if (!speed) return WCUT_NO_MEMORY;
+    const wcut_range none = {INFINITY, -INFINITY};
+    wcut_summary s = {
+        .duration = h->row[h->stations - 1].time, .speed = none, .alpha = none, .beta = none, .tension = none};
+    for (int j = 0; j < count; j++) {
+        add_row(&s, &h->row[first + j]);
+        speed[j] = front_speed(&h->row[first + j]);
+    }
+    s.iterations_mean /= count;
+    s.substeps_mean /= count;
+    for (size_t i = 0; i < (size_t)h->stations * (size_t)h->nodes; i++)
+        s.force_line_max = fmax(s.force_line_max, h->force_line[i]);
+    qsort(speed, (size_t)count, sizeof *speed, ascending);
+    s.speed_median = (speed[(count - 1) / 2] + speed[count / 2]) / 2;
+    wcut_free(speed);
+    *summary = s;
+    return WCUT_OK;
+}
