@@ -146,7 +146,7 @@ static double seconds(void) {
 app_progress app_progress_begin(bool quiet) {
     const char *terminal = getenv("TERM"), *no_color = getenv("NO_COLOR");
     bool plain = (no_color && *no_color) || !terminal || !*terminal || strcmp(terminal, "dumb") == 0;
-    return (app_progress){.visible = !quiet && !plain && isatty(STDERR_FILENO), .begun = seconds()};
+    return (app_progress){.visible = !quiet && !plain && isatty(STDERR_FILENO), .begun = seconds(), .unit = "stations"};
 }
 
 int app_progress_step(int station, int stations, void *context) {
@@ -157,7 +157,7 @@ int app_progress_step(int station, int stations, void *context) {
         char bar[BAR_WIDTH + 1];
         for (int i = 0; i < BAR_WIDTH; i++) bar[i] = i < done * BAR_WIDTH ? '#' : '.';
         bar[BAR_WIDTH] = 0;
-        fprintf(stderr, "\r[%s] %d/%d stations %3.0f %% %.0f s left\033[K", bar, station + 1, stations, 100 * done,
+        fprintf(stderr, "\r[%s] %d/%d %s %3.0f %% %.0f s left\033[K", bar, station + 1, stations, p->unit, 100 * done,
                 left);
         p->drawn = now;
     }

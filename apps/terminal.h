@@ -26,6 +26,7 @@ bool app_is_interrupted(void);
 typedef struct app_progress {
     bool visible;
     double begun, drawn; /* [s] */
+    const char *unit;    /* what is counted: "stations" */
 } app_progress;
 
 app_progress app_progress_begin(bool quiet);

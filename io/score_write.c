@@ -113,32 +113,15 @@ static void put_cut(wcut_text *text, const wcut_scored_cut *cut, bool first) {
 
 /* ---- means ---- */
 
-typedef const wcut_scores *scores_of(const wcut_comparison *comparison);
-static const wcut_scores *planned_of(const wcut_comparison *c) { return &c->planned_score; }
-static const wcut_scores *replayed_of(const wcut_comparison *c) { return &c->replayed_score; }
-
-/* the mean over cuts of every score; `room` is n */
-static wcut_scores mean_of(int n, const wcut_scored_cut *cut, scores_of *of, wcut_score *room) {
-    wcut_scores mean;
-    for (int k = 0; k < WCUT_SCORED_COUNT; k++)
-        for (int part = 0; part < WCUT_PART_COUNT; part++) {
-            int count = 0;
-            for (int i = 0; i < n; i++)
-                if (cut[i].comparison) room[count++] = of(cut[i].comparison)->of[k][part];
-            mean.of[k][part] = (wcut_score){0};
-            wcut_score_mean(count, room, &mean.of[k][part]);
-        }
-    return mean;
-}
-
-static void put_means(wcut_text *text, int n, const wcut_scored_cut *cut, wcut_score *room, const char *indent) {
-    const wcut_scores planned = mean_of(n, cut, planned_of, room), replayed = mean_of(n, cut, replayed_of, room);
+static void put_means(wcut_text *text, int n, const wcut_comparison *const *comparison, const char *indent) {
+    wcut_scores planned, replayed;
+    wcut_scores_mean(n, comparison, &planned, &replayed); /* its arguments are whole */
     put_scores(text, "\"planned\": ", &planned, indent);
     put_scores(text, ", \"replayed\": ", &replayed, indent);
 }
 
 /* the mean of every case, where there are any */
-static void put_cases(wcut_text *text, int n, const wcut_scored_cut *cut, wcut_score *room) {
+static void put_cases(wcut_text *text, int n, const wcut_scored_cut *cut, const wcut_comparison *const *comparison) {
     bool first = true;
     put(text, ",\n  \"cases\": [");
     for (int i = 0, end; i < n; i = end) {
@@ -147,7 +130,7 @@ static void put_cases(wcut_text *text, int n, const wcut_scored_cut *cut, wcut_s
         if (!cut[i].of_case) continue;
         put_string(text, first ? "\n    {\"case\": " : ",\n    {\"case\": ", cut[i].of_case);
         put(text, ", ");
-        put_means(text, end - i, cut + i, room, "      ");
+        put_means(text, end - i, comparison + i, "      ");
         put(text, "}");
         first = false;
     }
@@ -177,23 +160,24 @@ static bool are_usable(int n, const wcut_scored_cut *cut) {
 wcut_status wcut_score_print(int n, const wcut_scored_cut *cut, const wcut_comparison_options *options, char **text) {
     if (!are_usable(n, cut) || !text) return WCUT_BAD_ARGUMENT;
     const wcut_comparison_options o = options ? *options : wcut_comparison_options_default();
-    wcut_score *room = wcut_io_alloc((size_t)n, sizeof *room);
+    const wcut_comparison **comparison = wcut_io_alloc((size_t)n, sizeof *comparison);
     wcut_text out;
-    if (!room || !wcut_text_create(&out, NULL)) {
-        free(room);
+    if (!comparison || !wcut_text_create(&out, NULL)) {
+        free(comparison);
         return WCUT_NO_MEMORY;
     }
+    for (int i = 0; i < n; i++) comparison[i] = cut[i].comparison;
     wcut_text_print(&out, "{\n  \"format\": \"wirecut-score/1\",\n  \"version\": \"%s\"", WCUT_VERSION);
     put_options(&out, &o);
     put(&out, ",\n  \"mean\": {");
-    put_means(&out, n, cut, room, "    ");
+    put_means(&out, n, comparison, "    ");
     put(&out, "}");
-    put_cases(&out, n, cut, room);
+    put_cases(&out, n, cut, comparison);
     put(&out, ",\n  \"cuts\": [");
     for (int i = 0; i < n; i++) put_cut(&out, &cut[i], i == 0);
     put(&out, "]\n}\n");
     wcut_text_put(&out, "", 1);
-    free(room);
+    free(comparison);
     if (out.failed) {
         wcut_text_destroy(&out);
         return WCUT_NO_MEMORY;

@@ -178,11 +178,11 @@ wcut_status wcut_comparison_run(int n, const wcut_job *const *job, const wcut_re
         wcut_comparison_create(job[i], recording[i], &o, &comparison[i], &error[i]);
 #pragma omp critical(wcut_comparison_progress)
         {
-            done++;
             if (progress && progress(done, n, context) != 0) {
 #pragma omp atomic write
                 stop = 1;
             }
+            done++;
         }
     }
     return stop ? WCUT_INTERRUPTED : WCUT_OK;

@@ -71,22 +71,54 @@ wcut_status wcut_score_eval(int n, const double *measured, const double *predict
     return WCUT_OK;
 }
 
-wcut_status wcut_score_mean(int n, const wcut_score *score, wcut_score *mean) {
-    if (n < 0 || !mean || (n > 0 && !score)) return WCUT_BAD_ARGUMENT;
-    wcut_score m = {0};
-    int ranges = 0, correlations = 0;
-    for (int i = 0; i < n; i++) {
-        const wcut_score *s = &score[i];
-        if (s->count < 1) continue;
-        m.count++;
-        m.bias += s->bias, m.rmsd += s->rmsd, m.rmse += s->rmse;
-        if (s->correlated) m.correlation += s->correlation, correlations++;
-        if (!(s->range > 0)) continue;
-        m.range += s->range, m.nrmsd += s->nrmsd, m.rmse_over_range += s->rmse_over_range, ranges++;
-    }
-    if (m.count > 0) m.bias /= m.count, m.rmsd /= m.count, m.rmse /= m.count;
-    if (ranges > 0) m.range /= ranges, m.nrmsd /= ranges, m.rmse_over_range /= ranges;
-    if (correlations > 0) m.correlation /= correlations, m.correlated = true;
-    *mean = m;
+/* ---- means ---- */
+
+typedef struct mean {
+    wcut_score sum;
+    int ranges, correlations; /* scores that have them */
+} mean;
+
+static void add(mean *m, const wcut_score *s) {
+    if (s->count < 1) return;
+    m->sum.count++;
+    m->sum.bias += s->bias, m->sum.rmsd += s->rmsd, m->sum.rmse += s->rmse;
+    if (s->correlated) m->sum.correlation += s->correlation, m->correlations++;
+    if (!(s->range > 0)) return;
+    m->sum.range += s->range, m->sum.nrmsd += s->nrmsd, m->sum.rmse_over_range += s->rmse_over_range;
+    m->ranges++;
+}
+
+static wcut_score finish(const mean *m) {
+    wcut_score s = m->sum;
+    const int n = s.count > 0 ? s.count : 1, ranges = m->ranges > 0 ? m->ranges : 1;
+    s.bias /= n, s.rmsd /= n, s.rmse /= n;
+    s.range /= ranges, s.nrmsd /= ranges, s.rmse_over_range /= ranges;
+    s.correlated = m->correlations > 0;
+    if (s.correlated) s.correlation /= m->correlations;
+    return s;
+}
+
+wcut_status wcut_score_mean(int n, const wcut_score *score, wcut_score *out) {
+    if (n < 0 || !out || (n > 0 && !score)) return WCUT_BAD_ARGUMENT;
+    mean m = {0};
+    for (int i = 0; i < n; i++) add(&m, &score[i]);
+    *out = finish(&m);
+    return WCUT_OK;
+}
+
+wcut_status wcut_scores_mean(int n, const wcut_comparison *const *comparison, wcut_scores *planned,
+                             wcut_scores *replayed) {
+    if (n < 0 || !planned || !replayed || (n > 0 && !comparison)) return WCUT_BAD_ARGUMENT;
+    for (int k = 0; k < WCUT_SCORED_COUNT; k++)
+        for (int part = 0; part < WCUT_PART_COUNT; part++) {
+            mean of_plans = {0}, of_replays = {0};
+            for (int i = 0; i < n; i++) {
+                if (!comparison[i]) continue;
+                add(&of_plans, &comparison[i]->planned_score.of[k][part]);
+                add(&of_replays, &comparison[i]->replayed_score.of[k][part]);
+            }
+            planned->of[k][part] = finish(&of_plans);
+            replayed->of[k][part] = finish(&of_replays);
+        }
     return WCUT_OK;
 }

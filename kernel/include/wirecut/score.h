@@ -138,7 +138,8 @@ WCUT_API void wcut_comparison_destroy(wcut_comparison *comparison);
  * @param[in]  job        n; a cut whose job or recording is NULL is passed over
  * @param[in]  recording  n
  * @param[in]  options    NULL for the defaults
- * @param[in]  progress   may be NULL; called by one thread at a time, with the cuts that are done
+ * @param[in]  progress   may be NULL; called by one thread at a time after every cut, with how many were
+ *                         done before it
  * @param[in]  context    handed to progress
  * @param[out] comparison n, NULL where a cut was passed over or failed
  * @param[out] error      n, with the status of every cut that was tried
@@ -148,6 +149,18 @@ WCUT_API void wcut_comparison_destroy(wcut_comparison *comparison);
 WCUT_API wcut_status wcut_comparison_run(int n, const wcut_job *const *job, const wcut_recording *const *recording,
                                          const wcut_comparison_options *options, wcut_progress progress, void *context,
                                          wcut_comparison **comparison, wcut_error *error);
+
+/**
+ * The mean of every score over cuts, as wcut_score_mean.
+ *
+ * @param[in]  n          at least 0
+ * @param[in]  comparison n; NULL ones are passed over
+ * @param[out] planned    every score
+ * @param[out] replayed   every score
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was written.
+ */
+WCUT_API wcut_status wcut_scores_mean(int n, const wcut_comparison *const *comparison, wcut_scores *planned,
+                                      wcut_scores *replayed);
 
 /** A cut as the files name it; everything is borrowed. */
 typedef struct wcut_scored_cut {

@@ -1,0 +1,372 @@
+/* The page of recordings beside their predictions: scores by channel, phase and cut, then every channel over time. */
+#include "report_score.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define DEGREES (180 / 3.14159265358979323846) /* files and pages say degrees */
+
+enum {
+    CHARTS = 8,
+    SPANS_MAX = 64,
+    FIGURES = 8,       /* numbers in a row of a table of scores */
+    PLOTTED_MOST = 24, /* cuts: beyond them a page is slow to open */
+    PLOTTED_BYTES = 18000000
+};
+
+/* how much of the page a sample of a cut takes: its columns as base64 of doubles */
+#define BYTES_A_SAMPLE (42 * 8 * 4 / 3)
+
+/* memory that lives as long as the page is being written */
+typedef struct block {
+    struct block *next;
+} block;
+
+typedef struct page {
+    const app_scored *of;
+    block *memory;
+    bool failed; /* memory ran out */
+} page;
+
+static void *take(page *p, size_t count, size_t size) {
+    block *b = calloc(1, sizeof *b + (count ? count : 1) * size);
+    if (!b) {
+        p->failed = true;
+        return NULL;
+    }
+    b->next = p->memory;
+    p->memory = b;
+    return b + 1;
+}
+
+static void clear(page *p) {
+    while (p->memory) {
+        block *next = p->memory->next;
+        free(p->memory);
+        p->memory = next;
+    }
+}
+
+static char *join(page *p, const char *a, const char *between, const char *b) {
+    const size_t size = strlen(a) + strlen(between) + strlen(b) + 1;
+    char *text = take(p, size, 1);
+    if (text) snprintf(text, size, "%s%s%s", a, between, b);
+    return text;
+}
+
+/* "case, cut", or the cut alone */
+static const char *name_of(page *p, const wcut_scored_cut *cut) {
+    return cut->of_case ? join(p, cut->of_case, ", ", cut->name) : cut->name;
+}
+
+static double larger(double a, double b) { return a > b ? a : b; }
+
+static double unit_of(int scored) { return strcmp(wcut_scored_unit((wcut_scored)scored), "deg") ? 1 : DEGREES; }
+
+/* ---- tables ---------------------------------------------------------------------------------------------------------
+ */
+
+static double or_dash(bool there, double value) { return there ? value : NAN; }
+
+/* a table of scores: a row a channel, the phases' NRMSD at the end */
+static wcut_report_table channel_table(page *p, const char *title, const char *note, const wcut_scores *scores) {
+    static const char *const label[FIGURES] = {"RMSD",        "NRMSD",       "RMSE / range", "bias",
+                                               "correlation", "entry NRMSD", "steady NRMSD", "exit NRMSD"};
+    wcut_report_column *column = take(p, FIGURES + 2, sizeof *column);
+    const char **name = take(p, WCUT_SCORED_COUNT, sizeof *name), **unit = take(p, WCUT_SCORED_COUNT, sizeof *unit);
+    double *number = take(p, FIGURES * WCUT_SCORED_COUNT, sizeof *number);
+    wcut_report_table table = {.title = title, .note = note, .columns = FIGURES + 2, .column = column};
+    if (!column || !name || !unit || !number) return table;
+    for (int k = 0; k < WCUT_SCORED_COUNT; k++) {
+        const wcut_score *s = scores->of[k], *all = s;
+        if (all->count < 1) continue;
+        const double figure[FIGURES] = {all->rmsd * unit_of(k),
+                                        or_dash(all->range > 0, all->nrmsd),
+                                        or_dash(all->range > 0, all->rmse_over_range),
+                                        all->bias * unit_of(k),
+                                        or_dash(all->correlated, all->correlation),
+                                        or_dash(s[WCUT_PART_ENTRY].range > 0, s[WCUT_PART_ENTRY].nrmsd),
+                                        or_dash(s[WCUT_PART_STEADY].range > 0, s[WCUT_PART_STEADY].nrmsd),
+                                        or_dash(s[WCUT_PART_EXIT].range > 0, s[WCUT_PART_EXIT].nrmsd)};
+        name[table.rows] = wcut_scored_name((wcut_scored)k);
+        unit[table.rows] = wcut_scored_unit((wcut_scored)k);
+        for (int f = 0; f < FIGURES; f++) number[f * WCUT_SCORED_COUNT + table.rows] = figure[f];
+        table.rows++;
+    }
+    column[0] = (wcut_report_column){.label = "channel", .text = name};
+    column[1] = (wcut_report_column){.label = "unit", .text = unit};
+    for (int f = 0; f < FIGURES; f++)
+        column[f + 2] = (wcut_report_column){.label = label[f], .number = number + f * WCUT_SCORED_COUNT};
+    return table;
+}
+
+/* the columns of the table by case or cut: both mounts together */
+typedef struct group_column {
+    const char *label;
+    bool replayed;
+    wcut_scored scored;
+} group_column;
+
+static const group_column by_group[] = {
+    {"planned speed", false, WCUT_SCORED_SPEED},     {"planned tension", false, WCUT_SCORED_TENSION},
+    {"planned alpha", false, WCUT_SCORED_ALPHA},     {"planned beta", false, WCUT_SCORED_BETA},
+    {"replayed tension", true, WCUT_SCORED_TENSION}, {"replayed alpha", true, WCUT_SCORED_ALPHA},
+    {"replayed beta", true, WCUT_SCORED_BETA}};
+enum { BY_GROUP = sizeof by_group / sizeof *by_group };
+
+static wcut_report_table group_table(page *p, const char *title, const char *note, bool with_bias) {
+    const app_scored *of = p->of;
+    wcut_report_column *column = take(p, BY_GROUP + 1, sizeof *column);
+    double *number = take(p, (size_t)BY_GROUP * (size_t)of->groups, sizeof *number);
+    wcut_report_table table = {
+        .title = title, .note = note, .rows = of->groups, .columns = BY_GROUP + 1, .column = column};
+    if (!column || !number) return table;
+    column[0] = (wcut_report_column){.label = of->group_label, .text = of->group_name};
+    for (int c = 0; c < BY_GROUP; c++) {
+        double *to = number + (size_t)c * (size_t)of->groups;
+        const wcut_scores *scores = by_group[c].replayed ? of->replayed : of->planned;
+        for (int g = 0; g < of->groups; g++) {
+            const wcut_score *s = &scores[g].of[by_group[c].scored][WCUT_PART_ALL];
+            to[g] = or_dash(s->range > 0, with_bias ? s->rmse_over_range : s->nrmsd);
+        }
+        column[c + 1] = (wcut_report_column){.label = by_group[c].label, .number = to};
+    }
+    return table;
+}
+
+/* cuts that could not be scored, and samples that were not predicted */
+static wcut_report_table trouble_table(page *p) {
+    const app_scored *of = p->of;
+    wcut_report_column *column = take(p, 2, sizeof *column);
+    const char **name = take(p, (size_t)of->cuts, sizeof *name), **text = take(p, (size_t)of->cuts, sizeof *text);
+    wcut_report_table table = {.title = "What was not scored", .columns = 2, .column = column};
+    if (!column || !name || !text) return table;
+    for (int i = 0; i < of->cuts; i++) {
+        const wcut_scored_cut *cut = &of->cut[i];
+        char said[200] = "";
+        if (cut->comparison) {
+            const wcut_prediction *plan = cut->comparison->planned, *replay = cut->comparison->replayed;
+            if (plan->failed + replay->failed + replay->without_motion + replay->standing == 0) continue;
+            snprintf(said, sizeof said,
+                     "%d samples without motion, %d standing; not reached by the plan: %d, by the replay: %d",
+                     replay->without_motion, replay->standing, plan->failed, replay->failed);
+        }
+        name[table.rows] = name_of(p, cut);
+        text[table.rows++] = cut->comparison ? join(p, said, "", "") : cut->error ? cut->error->text : "";
+    }
+    column[0] = (wcut_report_column){.label = "cut", .text = name};
+    column[1] = (wcut_report_column){.label = "why", .text = text};
+    return table;
+}
+
+/* ---- charts ---------------------------------------------------------------------------------------------------------
+ */
+
+/* runs of samples of one phase */
+static int list_phases(const wcut_comparison *c, const double *time, const double *station, wcut_report_span *span) {
+    int count = 0;
+    for (int i = 0, from = 0; i < c->samples && count < SPANS_MAX - 1; i++) {
+        if (i + 1 < c->samples && c->phase[i + 1] == c->phase[from]) continue;
+        const int to = i + 1 < c->samples ? i + 1 : i;
+        span[count++] =
+            (wcut_report_span){wcut_phase_text(c->phase[from]), {time[from], station[from]}, {time[to], station[to]}};
+        from = i + 1;
+    }
+    return count;
+}
+
+/* a prediction with a band of two RMSE to either side */
+static void fill_series(page *p, const wcut_comparison *c, const wcut_prediction *from, const wcut_scores *scores,
+                        int k, wcut_report_series *to) {
+    static const wcut_scored of_signal[WCUT_SIGNAL_COUNT] = {
+        WCUT_SCORED_SPEED_A, WCUT_SCORED_SPEED_B, WCUT_SCORED_TENSION_A, WCUT_SCORED_TENSION_B,
+        WCUT_SCORED_ALPHA_A, WCUT_SCORED_BETA_A,  WCUT_SCORED_ALPHA_B,   WCUT_SCORED_BETA_B};
+    const wcut_score *score = scores ? &scores->of[of_signal[k]][WCUT_PART_ALL] : NULL;
+    const bool band = score && score->count > 0;
+    const double unit = k < 4 ? 1 : DEGREES;
+    double *y = take(p, (size_t)c->samples, sizeof *y);
+    double *low = band ? take(p, (size_t)c->samples, sizeof *low) : NULL;
+    double *high = band ? take(p, (size_t)c->samples, sizeof *high) : NULL;
+    if (p->failed) return;
+    for (int i = 0; i < c->samples; i++) {
+        y[i] = from->present[i] ? from->value[k][i] * unit : NAN;
+        if (!band) continue;
+        low[i] = c->counted[i] ? y[i] - 2 * score->rmse * unit : NAN;
+        high[i] = c->counted[i] ? y[i] + 2 * score->rmse * unit : NAN;
+    }
+    to->y = y, to->low = low, to->high = high;
+}
+
+static void fill_chart(page *p, const wcut_scored_cut *cut, int k, const double *time, const double *station, int spans,
+                       const wcut_report_span *span, wcut_report_chart *chart) {
+    static const char *const title[WCUT_SIGNAL_COUNT] = {"Speed, mount A",   "Speed, mount B", "Tension, mount A",
+                                                         "Tension, mount B", "Alpha, mount A", "Beta, mount A",
+                                                         "Alpha, mount B",   "Beta, mount B"};
+    static const char *const label[WCUT_SIGNAL_COUNT] = {"speed", "speed", "tension", "tension",
+                                                         "alpha", "beta",  "alpha",   "beta"};
+    const wcut_comparison *c = cut->comparison;
+    const wcut_column *channel = &cut->samples->channel[WCUT_CHANNEL_SPEED_A + k];
+    const bool replayed = k >= 2;
+    wcut_report_series *series = take(p, 3, sizeof *series);
+    double *measured = take(p, (size_t)c->samples, sizeof *measured);
+    if (p->failed) return;
+    for (int i = 0; i < c->samples; i++)
+        measured[i] = !channel->present || channel->present[i] ? channel->value[i] * (k < 4 ? 1 : DEGREES) : NAN;
+    for (int s = 0; s < 3; s++) series[s] = (wcut_report_series){.count = c->samples, .x = {time, station}};
+    series[0].label = "measured", series[0].mark = WCUT_MARK_POINTS, series[0].y = measured;
+    series[1].label = "planned", series[1].mark = WCUT_MARK_DASHED;
+    series[2].label = "replayed", series[2].mark = WCUT_MARK_LINE;
+    fill_series(p, c, c->planned, replayed ? NULL : &c->planned_score, k, &series[1]);
+    if (replayed) fill_series(p, c, c->replayed, &c->replayed_score, k, &series[2]);
+    *chart = (wcut_report_chart){.title = title[k],
+                                 .x_label = {"time", "station"},
+                                 .x_unit = {"s", ""},
+                                 .y_label = label[k],
+                                 .y_unit = k < 2   ? "mm/s"
+                                           : k < 4 ? "N"
+                                                   : "deg",
+                                 .series_count = replayed ? 3 : 2,
+                                 .series = series,
+                                 .span_count = spans,
+                                 .span = span};
+}
+
+/* a cut: its channels over time, and its own scores */
+static void fill_section(page *p, const wcut_scored_cut *cut, wcut_report_section *section) {
+    static const int order[CHARTS] = {0, 1, 2, 3, 4, 6, 5, 7};
+    const wcut_comparison *c = cut->comparison;
+    const wcut_column *recorded = &cut->samples->channel[WCUT_CHANNEL_STATION];
+    wcut_report_chart *chart = take(p, CHARTS, sizeof *chart);
+    wcut_report_table *table = take(p, 2, sizeof *table);
+    wcut_report_span *span = take(p, SPANS_MAX, sizeof *span);
+    double *time = take(p, (size_t)c->samples, sizeof *time), *station = take(p, (size_t)c->samples, sizeof *station);
+    char *note = take(p, 300, 1);
+    if (p->failed) return;
+    for (int i = 0; i < c->samples; i++) {
+        const bool there = !recorded->present || recorded->present[i];
+        time[i] = cut->samples->channel[WCUT_CHANNEL_TIME].value[i];
+        /* lines go forward, whatever the encoder's noise */
+        station[i] = larger(i ? station[i - 1] : 0, there ? recorded->value[i] : 0);
+    }
+    int spans = list_phases(c, time, station, span);
+    for (int k = 0; k < CHARTS; k++) fill_chart(p, cut, order[k], time, station, spans, span, &chart[k]);
+    snprintf(note, 300,
+             "Scored from %.1f s to %.1f s: %d of %d samples. The band is two RMSE to either side of the replayed "
+             "prediction, for speeds of the planned one.",
+             c->from, c->to, c->counted_samples, c->samples);
+    table[0] = channel_table(p, "Replayed", NULL, &c->replayed_score);
+    table[1] = channel_table(p, "Planned", NULL, &c->planned_score);
+    *section = (wcut_report_section){.title = name_of(p, cut),
+                                     .note = note,
+                                     .chart_count = CHARTS,
+                                     .chart = chart,
+                                     .table_count = 2,
+                                     .table = table};
+}
+
+/* how badly a cut fits, to show the worst where not all can be shown */
+static double badness(const wcut_comparison *c) {
+    double worst = 0;
+    if (!c) return -1;
+    for (int k = WCUT_SCORED_TENSION; k <= WCUT_SCORED_BETA; k++)
+        worst = larger(worst, c->replayed_score.of[k][WCUT_PART_ALL].rmse_over_range);
+    return worst;
+}
+
+/* which cuts are shown: 1 in `shown`; gives how many */
+static int choose(const app_scored *of, unsigned char *shown) {
+    size_t bytes = 0;
+    int count = 0;
+    for (;;) {
+        int worst = -1;
+        for (int i = 0; i < of->cuts; i++)
+            if (of->cut[i].comparison && !shown[i] &&
+                (worst < 0 || badness(of->cut[i].comparison) > badness(of->cut[worst].comparison)))
+                worst = i;
+        if (worst < 0 || count >= PLOTTED_MOST) return count;
+        bytes += (size_t)of->cut[worst].comparison->samples * BYTES_A_SAMPLE;
+        if (bytes > PLOTTED_BYTES) return count;
+        shown[worst] = 1;
+        count++;
+    }
+}
+
+/* ---- the page -------------------------------------------------------------------------------------------------------
+ */
+
+static void fill_overview(page *p, const char *note, wcut_report_section *section) {
+    const app_scored *of = p->of;
+    wcut_report_table *table = take(p, 5, sizeof *table);
+    if (p->failed) return;
+    table[0] = group_table(p, "NRMSD", "RMSD over the range of the measured data: blind to a bias.", false);
+    table[1] = group_table(p, "RMSE over range", "The same with what is off on the whole.", true);
+    table[2] = channel_table(p, "Replayed: mean over the cuts", "The speed is an input of the replay.",
+                             &of->replayed[of->groups]);
+    table[3] = channel_table(p, "Planned: mean over the cuts", NULL, &of->planned[of->groups]);
+    table[4] = trouble_table(p);
+    *section = (wcut_report_section){
+        .title = "Scores", .note = note, .table_count = table[4].rows > 0 ? 5 : 4, .table = table};
+}
+
+static wcut_status write_page(page *p, int compared, int shown, int sections, const wcut_report_section *section,
+                              const char *path, wcut_error *error) {
+    const app_scored *of = p->of;
+    const wcut_scores *planned = &of->planned[of->groups], *replayed = &of->replayed[of->groups];
+    char verdict[400], count[64], plots[64];
+    snprintf(verdict, sizeof verdict,
+             "Mean NRMSD of %d cuts: planned speed %.1f %%; replayed tension %.1f %%, alpha %.1f %%, beta %.1f %%.%s",
+             compared, 100 * planned->of[WCUT_SCORED_SPEED][0].nrmsd, 100 * replayed->of[WCUT_SCORED_TENSION][0].nrmsd,
+             100 * replayed->of[WCUT_SCORED_ALPHA][0].nrmsd, 100 * replayed->of[WCUT_SCORED_BETA][0].nrmsd,
+             compared < of->cuts ? " Some cuts could not be scored." : "");
+    snprintf(count, sizeof count, "%d of %d", compared, of->cuts);
+    snprintf(plots, sizeof plots, "%d of %d%s", shown, compared, shown < compared ? ", those that fit worst" : "");
+    const wcut_comparison_options *o = of->options;
+    const wcut_report_fact fact[] = {
+        {"cuts scored", count, 0, ""},
+        {"cuts plotted", plots, 0, ""},
+        {"planned speed, RMSD", NULL, planned->of[WCUT_SCORED_SPEED][0].rmsd, "mm/s"},
+        {"replayed tension, RMSD", NULL, replayed->of[WCUT_SCORED_TENSION][0].rmsd, "N"},
+        {"replayed alpha, RMSD", NULL, replayed->of[WCUT_SCORED_ALPHA][0].rmsd * DEGREES, "deg"},
+        {"replayed beta, RMSD", NULL, replayed->of[WCUT_SCORED_BETA][0].rmsd * DEGREES, "deg"}};
+    const wcut_report_fact option[] = {
+        {"motion from", o->replay.motion == WCUT_MOTION_POSITION ? "measured positions" : "station", 0, ""},
+        {"window of smoothing", NULL, o->replay.window, "s"},
+        {"left out after the first contact", NULL, o->settle, "s"},
+        {"left out before the end", NULL, o->leave, "s"},
+        {"nodes along the wire", of->nodes > 0 ? NULL : "as the jobs say", of->nodes, ""}};
+    const wcut_report report = {.verb = "score",
+                                .title = of->title,
+                                .tone = compared < of->cuts ? WCUT_TONE_WARNING : WCUT_TONE_PLAIN,
+                                .verdict = verdict,
+                                .fact_count = sizeof fact / sizeof *fact,
+                                .fact = fact,
+                                .section_count = sections,
+                                .section = section,
+                                .source_count = of->sources,
+                                .source = of->source,
+                                .option_count = sizeof option / sizeof *option,
+                                .option = option};
+    return wcut_report_write(&report, path, error);
+}
+
+wcut_status app_report_score(const app_scored *scored, const char *path, wcut_error *error) {
+    page p = {.of = scored};
+    int compared = 0, shown = 0, sections = 1;
+    for (int i = 0; i < scored->cuts; i++) compared += scored->cut[i].comparison != NULL;
+    unsigned char *chosen = take(&p, (size_t)scored->cuts, 1);
+    if (chosen) shown = choose(scored, chosen);
+    wcut_report_section *section = take(&p, (size_t)shown + 1, sizeof *section);
+    char note[200] = "";
+    if (shown < compared)
+        snprintf(note, sizeof note, "Below are the %d cuts that fit worst; residuals.csv holds them all.", shown);
+    if (section) fill_overview(&p, note, section);
+    for (int i = 0; !p.failed && i < scored->cuts; i++)
+        if (chosen[i]) fill_section(&p, &scored->cut[i], &section[sections++]);
+    const wcut_status status =
+        p.failed ? WCUT_NO_MEMORY : write_page(&p, compared, shown, sections, section, path, error);
+    clear(&p);
+    return status;
+}

@@ -1,0 +1,433 @@
+/* wirecut score: recordings beside what the simulation says of them, planned and replayed. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <wirecut/wirecut.h>
+
+#include "command.h"
+#include "report_score.h"
+#include "results.h"
+#include "terminal.h"
+
+/* a cut that is asked for */
+typedef struct trial {
+    const char *of_case; /* NULL: none */
+    const char *job_path, *recording_path;
+    int job_of; /* the trial that reads the job: an earlier one where they share it */
+    wcut_job *job;
+    wcut_recording *recording;
+    wcut_comparison *comparison;
+    wcut_error error;
+} trial;
+
+/* everything in a run; arrays in step are what the library takes */
+typedef struct scoring {
+    const app_call *call;
+    wcut_comparison_options options;
+    int cases, cuts, scored, code; /* code: the first bad cut's */
+    wcut_case **found;             /* cases */
+    trial *trial;                  /* cuts */
+    const wcut_job **job;
+    const wcut_recording **recording;
+    wcut_comparison **comparison;
+    wcut_error *error;
+    wcut_scored_cut *named;
+    int groups;
+    const char **group_name;
+    wcut_scores *planned, *replayed; /* groups + 1: the last is of all */
+    app_results results;
+} scoring;
+
+static const char *const result_name[] = {"score.json", "residuals.csv", "report.html", NULL};
+
+static int fail_memory(void) { return app_fail_status(WCUT_NO_MEMORY, "score", NULL); }
+
+/* a bad cut, or case: said, remembered, and not the end */
+static void note_bad(scoring *s, int code) {
+    if (s->code == APP_DONE) s->code = code;
+}
+
+/* ---- what is asked for ---------------------------------------------------------------------------------------------
+ */
+
+static int list_cases(scoring *s) {
+    const int n = s->call->operand_count;
+    s->found = calloc((size_t)n, sizeof *s->found);
+    if (!s->found) return fail_memory();
+    for (int i = 0; i < n; i++) {
+        wcut_error error = {0};
+        const wcut_status status = wcut_case_read(s->call->operand[i], &s->found[s->cases], &error);
+        if (status == WCUT_OK)
+            s->cuts += s->found[s->cases++]->cuts;
+        else
+            note_bad(s, app_fail_status(status, NULL, &error));
+    }
+    if (s->cuts == 0) return s->code;
+    s->trial = calloc((size_t)s->cuts, sizeof *s->trial);
+    if (!s->trial) return fail_memory();
+    int at = 0;
+    for (int c = 0; c < s->cases; c++)
+        for (int k = 0; k < s->found[c]->cuts; k++, at++)
+            s->trial[at] = (trial){.of_case = s->found[c]->name,
+                                   .job_path = s->found[c]->cut[k].job,
+                                   .recording_path = s->found[c]->cut[k].recording,
+                                   .job_of = at};
+    return APP_DONE;
+}
+
+static int list_recordings(scoring *s) {
+    s->cuts = s->call->operand_count - 1;
+    if (s->cuts == 0)
+        return app_fail(APP_USAGE,
+                        "%s: found a job alone, expected its recordings behind it (see wirecut score --help)",
+                        s->call->operand[0]);
+    s->trial = calloc((size_t)s->cuts, sizeof *s->trial);
+    if (!s->trial) return fail_memory();
+    for (int i = 0; i < s->cuts; i++)
+        s->trial[i] = (trial){.job_path = s->call->operand[0], .recording_path = s->call->operand[i + 1], .job_of = 0};
+    return APP_DONE;
+}
+
+/* the first operand says what they all are */
+static int list_cuts(scoring *s) {
+    char format[WCUT_FORMAT_SIZE];
+    wcut_error error = {0};
+    const wcut_status status = wcut_format_read(s->call->operand[0], format, &error);
+    if (status != WCUT_OK) return app_fail_status(status, NULL, &error);
+    if (strcmp(format, "wirecut-case/1") == 0) return list_cases(s);
+    if (strcmp(format, "wirecut-job/1") == 0) return list_recordings(s);
+    return app_fail(APP_BAD_INPUT, "%s: $.format: found \"%s\", expected \"wirecut-case/1\" or \"wirecut-job/1\"",
+                    s->call->operand[0], format);
+}
+
+/* read a cut's files; what is wrong with them is the cut's */
+static wcut_status read_trial(scoring *s, trial *t) {
+    wcut_status status = WCUT_OK;
+    if (&s->trial[t->job_of] == t) status = wcut_job_read(t->job_path, &t->job, &t->error);
+    if (status == WCUT_OK && t->job && app_given(s->call, "nodes")) t->job->nodes = app_int(s->call, "nodes");
+    if (status == WCUT_OK && !s->trial[t->job_of].job) {
+        t->error = s->trial[t->job_of].error; /* the same job could not be read before */
+        return t->error.status;
+    }
+    if (status == WCUT_OK) status = wcut_recording_read(t->recording_path, &t->recording, &t->error);
+    return status;
+}
+
+static int load(scoring *s) {
+    s->options = wcut_comparison_options_default();
+    s->options.replay.motion = app_choice(s->call, "motion") == 1 ? WCUT_MOTION_POSITION : WCUT_MOTION_STATION;
+    s->options.replay.window = app_real(s->call, "window");
+    s->options.settle = app_real(s->call, "settle");
+    s->options.leave = app_real(s->call, "leave");
+    const int code = list_cuts(s);
+    if (code != APP_DONE) return code;
+    for (int i = 0; i < s->cuts; i++) {
+        const wcut_status status = read_trial(s, &s->trial[i]);
+        if (status != WCUT_OK) note_bad(s, app_fail_status(status, NULL, &s->trial[i].error));
+    }
+    return APP_DONE;
+}
+
+/* ---- the run -------------------------------------------------------------------------------------------------------
+ */
+
+static bool make_room(scoring *s) {
+    const size_t n = (size_t)s->cuts;
+    s->job = calloc(n, sizeof *s->job);
+    s->recording = calloc(n, sizeof *s->recording);
+    s->comparison = calloc(n, sizeof *s->comparison);
+    s->error = calloc(n, sizeof *s->error);
+    s->named = calloc(n, sizeof *s->named);
+    s->group_name = calloc(n, sizeof *s->group_name);
+    s->planned = calloc(n + 1, sizeof *s->planned);
+    s->replayed = calloc(n + 1, sizeof *s->replayed);
+    return s->job && s->recording && s->comparison && s->error && s->named && s->group_name && s->planned &&
+           s->replayed;
+}
+
+/* Compare every cut that could be read. APP_DONE or APP_INTERRUPTED. */
+static int run(scoring *s) {
+    for (int i = 0; i < s->cuts; i++) {
+        trial *t = &s->trial[i];
+        if (t->recording) s->job[i] = s->trial[t->job_of].job, s->recording[i] = t->recording;
+    }
+    app_progress progress = app_progress_begin(app_given(s->call, "quiet"));
+    progress.unit = "cuts";
+    const wcut_status status = wcut_comparison_run(s->cuts, s->job, s->recording, &s->options, app_progress_step,
+                                                   &progress, s->comparison, s->error);
+    app_progress_end(&progress);
+    for (int i = 0; i < s->cuts; i++) {
+        trial *t = &s->trial[i];
+        t->comparison = s->comparison[i];
+        s->scored += t->comparison != NULL;
+        if (!t->recording || t->comparison) continue;
+        t->error = s->error[i];
+        if (t->error.status != WCUT_INTERRUPTED)
+            note_bad(s, app_fail_status(t->error.status, t->recording_path, &t->error));
+    }
+    if (status == WCUT_INTERRUPTED)
+        return app_fail(APP_INTERRUPTED, "interrupted after %d of %d cuts", s->scored, s->cuts);
+    return status == WCUT_OK ? APP_DONE : app_fail_status(status, "score", NULL);
+}
+
+/* a cut as its files name it */
+static void name_cuts(scoring *s) {
+    for (int i = 0; i < s->cuts; i++) {
+        const trial *t = &s->trial[i];
+        s->named[i] = (wcut_scored_cut){.of_case = t->of_case,
+                                        .name = !t->of_case ? t->recording_path
+                                                : t->job    ? t->job->name
+                                                            : t->job_path,
+                                        .job = t->job_path,
+                                        .recording = t->recording_path,
+                                        .samples = t->comparison ? t->recording : NULL,
+                                        .comparison = t->comparison,
+                                        .error = &t->error};
+    }
+}
+
+/* means by case, or by cut where there is one case or none; behind them the mean of all */
+static void find_means(scoring *s) {
+    const bool by_case = s->cases > 1;
+    int at = 0;
+    for (int g = 0; at < s->cuts; g++) {
+        const int count = by_case ? s->found[g]->cuts : 1;
+        s->group_name[g] = by_case ? s->found[g]->name : s->named[g].name;
+        wcut_scores_mean(count, (const wcut_comparison *const *)s->comparison + at, &s->planned[g], &s->replayed[g]);
+        at += count;
+        s->groups = g + 1;
+    }
+    wcut_scores_mean(s->cuts, (const wcut_comparison *const *)s->comparison, &s->planned[s->groups],
+                     &s->replayed[s->groups]);
+}
+
+/* ---- the files -----------------------------------------------------------------------------------------------------
+ */
+
+static int write_report(scoring *s) {
+    const app_call *call = s->call;
+    const char *role = s->cases > 0 ? "case" : "job";
+    wcut_report_source *source = calloc((size_t)call->operand_count, sizeof *source);
+    char(*hash)[WCUT_SHA256_TEXT] = calloc((size_t)call->operand_count, sizeof *hash);
+    wcut_error error = {0};
+    wcut_status status = source && hash ? WCUT_OK : WCUT_NO_MEMORY;
+    for (int i = 0; status == WCUT_OK && i < call->operand_count; i++) {
+        /* a file that came through a pipe cannot be read once more: the page then has a dash for its hash */
+        const bool hashed = wcut_file_hash(call->operand[i], hash[i], NULL) == WCUT_OK;
+        source[i] = (wcut_report_source){s->cases == 0 && i > 0 ? "recording" : role, call->operand[i],
+                                         hashed ? hash[i] : NULL};
+    }
+    char title[64];
+    snprintf(title, sizeof title, "%d cases, %d cuts", s->cases, s->cuts);
+    const app_scored scored = {.title = s->cases > 1    ? title
+                                        : s->cases == 1 ? s->found[0]->name
+                                                        : s->trial[0].job->name,
+                               .cuts = s->cuts,
+                               .cut = s->named,
+                               .groups = s->groups,
+                               .group_name = s->group_name,
+                               .planned = s->planned,
+                               .replayed = s->replayed,
+                               .group_label = s->cases > 1 ? "case" : "cut",
+                               .options = &s->options,
+                               .nodes = app_given(call, "nodes") ? app_int(call, "nodes") : 0,
+                               .sources = call->operand_count,
+                               .source = source};
+    if (status == WCUT_OK) status = app_report_score(&scored, app_results_path(&s->results, "report.html"), &error);
+    const int code = app_results_add(&s->results, "report.html", status, &error);
+    free(hash);
+    free(source);
+    return code;
+}
+
+/* What a run leaves in its folder. score.json last, because it vouches for the others. */
+static int write_results(scoring *s) {
+    wcut_error error = {0};
+    int code = app_results_remove(&s->results, "score.json");
+    if (code != APP_DONE) return code;
+    const char *name = "residuals.csv";
+    wcut_status status = wcut_residuals_write(s->cuts, s->named, app_results_path(&s->results, name), &error);
+    code = app_results_add(&s->results, name, status, &error);
+    if (code == APP_DONE) code = write_report(s);
+    if (code != APP_DONE) return code;
+    name = "score.json";
+    status = wcut_score_write(s->cuts, s->named, &s->options, app_results_path(&s->results, name), &error);
+    return app_results_add(&s->results, name, status, &error);
+}
+
+/* ---- the summary ---------------------------------------------------------------------------------------------------
+ */
+
+static void put_figure(char *to, size_t size, const wcut_score *s) {
+    if (s->range > 0)
+        snprintf(to, size, "%8.4f", s->nrmsd);
+    else
+        snprintf(to, size, "%8s", "-");
+}
+
+static void say_row(const char *name, const wcut_scores *planned, const wcut_scores *replayed) {
+    char figure[7][32];
+    for (int k = 0; k < 4; k++) put_figure(figure[k], sizeof figure[k], &planned->of[k][WCUT_PART_ALL]);
+    for (int k = 1; k < 4; k++) put_figure(figure[k + 3], sizeof figure[k + 3], &replayed->of[k][WCUT_PART_ALL]);
+    app_say("%-24.24s %s %s %s %s   %s %s %s", name, figure[0], figure[1], figure[2], figure[3], figure[4], figure[5],
+            figure[6]);
+}
+
+/* the highest of each figure over the groups, told apart from NRMSD 0 by its range */
+static void say_worst(const scoring *s) {
+    wcut_scores planned = {0}, replayed = {0};
+    for (int g = 0; g < s->groups; g++)
+        for (int k = 0; k < 4; k++) {
+            if (s->planned[g].of[k][0].nrmsd >= planned.of[k][0].nrmsd) planned.of[k][0] = s->planned[g].of[k][0];
+            if (s->replayed[g].of[k][0].nrmsd >= replayed.of[k][0].nrmsd) replayed.of[k][0] = s->replayed[g].of[k][0];
+        }
+    say_row("worst", &planned, &replayed);
+}
+
+static void say_samples(const scoring *s) {
+    int failed = 0, unplanned = 0, standing = 0;
+    for (int i = 0; i < s->cuts; i++) {
+        if (!s->comparison[i]) continue;
+        failed += s->comparison[i]->replayed->failed;
+        standing += s->comparison[i]->replayed->standing;
+        unplanned += s->comparison[i]->planned->failed;
+    }
+    if (failed + unplanned + standing > 0)
+        app_say(
+            "samples without a prediction: %d where the replay did not converge, %d beyond the plan, %d where the "
+            "mounts stood",
+            failed, unplanned, standing);
+}
+
+static void say_table(const scoring *s) {
+    app_say("NRMSD                     planned                                replayed");
+    app_say("%-24s %8s %8s %8s %8s   %8s %8s %8s", s->cases > 1 ? "case" : "cut", "speed", "tension", "alpha", "beta",
+            "tension", "alpha", "beta");
+    for (int g = 0; g < s->groups; g++) say_row(s->group_name[g], &s->planned[g], &s->replayed[g]);
+    if (s->groups > 1) {
+        say_row("mean over cuts", &s->planned[s->groups], &s->replayed[s->groups]);
+        say_worst(s);
+    }
+    say_samples(s);
+    app_say("%d of %d cuts scored; in %s: %s", s->scored, s->cuts, s->results.folder, app_results_list(&s->results));
+}
+
+static int give_summary(const scoring *s) {
+    if (!app_given(s->call, "quiet")) say_table(s);
+    if (!app_given(s->call, "json")) return APP_DONE;
+    char *text = NULL;
+    const wcut_status status = wcut_score_print(s->cuts, s->named, &s->options, &text);
+    if (status != WCUT_OK) return app_fail_status(status, "score", NULL);
+    fputs(text, stdout);
+    free(text);
+    return APP_DONE;
+}
+
+static void forget(scoring *s) {
+    for (int i = 0; s->trial && i < s->cuts; i++) {
+        wcut_comparison_destroy(s->trial[i].comparison);
+        wcut_recording_destroy(s->trial[i].recording);
+        wcut_job_destroy(s->trial[i].job);
+    }
+    for (int i = 0; i < s->cases; i++) wcut_case_destroy(s->found[i]);
+    free(s->found);
+    free(s->trial);
+    free(s->job);
+    free(s->recording);
+    free(s->comparison);
+    free(s->error);
+    free(s->named);
+    free(s->group_name);
+    free(s->planned);
+    free(s->replayed);
+}
+
+static int score(const app_call *call) {
+    scoring s = {.call = call};
+    int ended = APP_DONE, code = load(&s);
+    if (code == APP_DONE && !make_room(&s)) code = fail_memory();
+    if (code == APP_DONE) code = app_results_begin(&s.results, app_text(call, "output"));
+    if (code == APP_DONE) {
+        app_catch_interrupts();
+        ended = run(&s);
+        if (s.scored > 0) {
+            name_cuts(&s);
+            find_means(&s);
+            code = write_results(&s);
+            if (code == APP_DONE) code = give_summary(&s);
+        } else {
+            app_say("none of %d cuts could be scored: nothing is written", s.cuts);
+            code = app_results_prune(&s.results, result_name);
+        }
+    }
+    if (code == APP_DONE) code = ended != APP_DONE ? ended : s.code;
+    forget(&s);
+    return code;
+}
+
+/* ---- the table -----------------------------------------------------------------------------------------------------
+ */
+
+static const app_operand operand[] = {
+    {.name = "INPUT",
+     .kind = APP_FILE,
+     .help = "a job and its recordings, JOB.json RECORDING.csv..., or cases, CASE.json...",
+     .many = true},
+    {.name = NULL},
+};
+
+static const app_option option[] = {
+    APP_OPTION_OUTPUT,
+    {.kind = APP_CHOICE,
+     .name = "motion",
+     .value = "station|position",
+     .standard = "station",
+     .help = "what drives the replay: the job's path at the recorded station, or the measured mounts a_x_mm .. b_z_mm"},
+    {.kind = APP_REAL,
+     .name = "window",
+     .value = "S",
+     .low = 0,
+     .high = 60,
+     .standard = "0.5",
+     .help = "seconds over which the motion is smoothed before it is replayed; 0: as recorded"},
+    {.kind = APP_REAL,
+     .name = "settle",
+     .value = "S",
+     .low = 0,
+     .high = 1e6,
+     .standard = "2",
+     .help = "seconds left out after the first contact of the plan, where measured data oscillate"},
+    {.kind = APP_REAL,
+     .name = "leave",
+     .value = "S",
+     .low = 0,
+     .high = 1e6,
+     .standard = "1",
+     .help = "seconds left out before the wire leaves the block"},
+    {.kind = APP_INT,
+     .name = "nodes",
+     .value = "N",
+     .low = 3,
+     .high = 100000,
+     .help = "nodes along the wire instead of the job's"},
+    APP_OPTIONS_OF_ALL,
+};
+
+const app_verb app_verb_score = {
+    .name = "score",
+    .brief = "recordings beside two predictions: RMSD, NRMSD, bias",
+    .about =
+        "Predicts every recording twice: planned, from the job alone, and replayed, with the recorded motion driving "
+        "the wire (there the speed is an input, and is not scored). Writes into DIR: score.json (RMSD, NRMSD over the "
+        "range of the measured data, RMSE over range, bias, correlation, by channel and phase), residuals.csv (a row a "
+        "sample) and report.html.\n"
+        "NRMSD is blind to a bias; RMSE over range is not. A phase's figures are over the range of the whole cut. A "
+        "residual is measured less predicted.\n"
+        "A cut that cannot be scored is reported, and the others are scored all the same; the command then ends with "
+        "the exit code of the first such cut. A sample at which the replay does not converge has no prediction, and "
+        "is counted. A planned run leaves a job's excitation out.",
+    .operand = operand,
+    .option = option,
+    .run = score,
+};
