@@ -163,7 +163,7 @@ static wcut_vec3 noisy_position(rig *r, wcut_vec3 p) {
 
 static bool record(rig *r, const wcut_station *s, reading tension, wcut_rig_run *run) {
     if (!wcut_rig_run_grow(run)) return false;
-    const int j = segment_of(r), nearest = (int)(r->station + 0.5);
+    const int j = segment_of(r);
     const double a = way_of(r->job->mount_a, j), b = way_of(r->job->mount_b, j), share = a / fmax(a, b);
     const wcut_history_row *row = &r->plan->row[j + 1];
     wcut_control_view control;
@@ -191,7 +191,8 @@ static bool record(rig *r, const wcut_station *s, reading tension, wcut_rig_run 
     c[WCUT_CHANNEL_B_Z].value[i] = at_b.z;
     run->tension[i] = (s->tension_a + s->tension_b) / 2;
     run->planned[i] = row->speed_a;
-    run->phase[i] = r->plan->row[nearest].phase;
+    /* steady is what is steady at both ends of the segment */
+    run->phase[i] = row->phase == WCUT_STEADY ? r->plan->row[j].phase : row->phase;
     run->state[i] = control.state;
     run->beyond[i] = r->beyond;
     return true;

@@ -21,12 +21,12 @@ typedef struct wcut_rig_options {
     double density_from;   /**< [mm] y in the block; default half its length */
     double delay;          /**< [s] of the tension's readings, not negative, at most 10; default 0.05 */
     double lag;            /**< [s] first-order lag of the mounts' speed behind the command; default 0.05 */
-    double noise_tension;  /**< [N] standard deviations, not negative:
+    double noise_tension;  /**< [N] standard deviations, not negative: default 0.02 */
     double noise_angle;    /**< [rad] default 0.05 deg */
     double noise_speed;    /**< [mm/s] default 0.1 */
     double noise_position; /**< [mm] default 0.05 */
     uint64_t seed;         /**< of the noise; default 1 */
-    double period;         /**< [s] of the loop;
+    double period;         /**< [s] of the loop, 1e-4 .. 1; default 0.025 */
     int decimation;        /**< loop steps a recorded sample; default 0: 20 Hz, or every step of a slower loop */
     bool excitation;       /**< run the job's dither and heat steps; default true */
 } wcut_rig_options;
@@ -97,6 +97,30 @@ WCUT_API void wcut_rig_run_destroy(wcut_rig_run *run);
  */
 WCUT_API wcut_status wcut_recording_write(const wcut_recording *recording, const char *note, const char *path,
                                           wcut_error *error);
+
+/** What `control.json` tells: one job, the same disturbance, with feedback and with the plan alone. */
+typedef struct wcut_rig_summary {
+    const wcut_job *job;
+    const wcut_control_settings *control;
+    const wcut_rig_options *options;
+    const wcut_rig_run *feedback; /**< with feedback */
+    const wcut_rig_run *plan;     /**< the plan alone */
+    bool plan_recorded;           /**< recording.csv is that of the plan alone */
+    int file_count;
+    const char *const *files;
+} wcut_rig_summary;
+
+/**
+ * The text of `control.json`, "format": "wirecut-control/1".
+ *
+ * @param[in]  summary every pointer set
+ * @param[out] text    the caller's, to free(); ends with a line feed
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_rig_summary_print(const wcut_rig_summary *summary, char **text);
+
+/** Write `control.json`: the same text, whole or not at all. As above; WCUT_NOT_WRITTEN: the target is as it was. */
+WCUT_API wcut_status wcut_rig_summary_write(const wcut_rig_summary *summary, const char *path, wcut_error *error);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,352 @@
+/* wirecut control: a job in closed loop with a foam that is not what the job says, recorded as a machine would. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <wirecut/wirecut.h>
+
+#include "command.h"
+#include "report_control.h"
+#include "results.h"
+#include "terminal.h"
+
+#define DEGREE (3.14159265358979323846 / 180)
+
+static const char *const result_name[] = {"recording.csv", "report.html", "control.json", NULL};
+
+typedef struct loop {
+    const app_call *call;
+    const char *path; /* of the job */
+    wcut_job *job;
+    wcut_history *history;
+    wcut_control_settings settings;
+    wcut_rig_options options;
+    wcut_rig_run *feedback, *plan;
+    app_results results;
+} loop;
+
+/* ---- the disturbance -----------------------------------------------------------------------------------------------
+ */
+
+enum { KEY_MOST = 32 };
+
+static int refuse(const char *found, const char *expected) {
+    return app_fail(APP_USAGE, "control: --disturb: found \"%s\", expected %s", found, expected);
+}
+
+/* one KEY:VALUE */
+static int disturb_by(wcut_rig_options *o, const char *item) {
+    const struct {
+        const char *name;
+        double *to, unit, low, high;
+    } key[] = {{"law-a", &o->law_a, 1, 0.01, 100},
+               {"law-b", &o->law_b, 1, 0.01, 100},
+               {"density", &o->density, 1, 0.01, 100},
+               {"density-from", &o->density_from, 1, -1e6, 1e6},
+               {"delay", &o->delay, 1, 0, 10},
+               {"lag", &o->lag, 1, 0, 10},
+               {"noise", &o->noise_tension, 1, 0, 1e3},
+               {"angle-noise", &o->noise_angle, DEGREE, 0, 90},
+               {"speed-noise", &o->noise_speed, 1, 0, 1e3},
+               {"position-noise", &o->noise_position, 1, 0, 1e3}};
+    enum { KEYS = sizeof key / sizeof *key };
+    const char *names[KEYS + 1] = {NULL};
+    for (int k = 0; k < KEYS; k++) names[k] = key[k].name;
+    const size_t length = strcspn(item, ":");
+    char name[KEY_MOST] = "";
+    if (item[length] == ':' && length < sizeof name) memcpy(name, item, length);
+    for (int k = 0; k < KEYS; k++) {
+        if (strcmp(name, key[k].name) != 0) continue;
+        const char *digits = item + length + 1;
+        char *end = NULL;
+        const double value = strtod(digits, &end);
+        if (end == digits || *end || digits[strspn(digits, "0123456789.+-eE")] ||
+            !(value >= key[k].low && value <= key[k].high)) {
+            char expected[80];
+            snprintf(expected, sizeof expected, "%s:NUMBER with a number in %g .. %g", name, key[k].low, key[k].high);
+            return refuse(item, expected);
+        }
+        *key[k].to = value * key[k].unit;
+        return APP_DONE;
+    }
+    const char *near = app_suggest(name, names);
+    char expected[120];
+    snprintf(expected, sizeof expected, "KEY:NUMBER with a key of the table in --help%s%s",
+             near ? "; did you mean " : "", near ? near : "");
+    return refuse(item, expected);
+}
+
+static int disturb(loop *l) {
+    if (!app_given(l->call, "disturb")) return APP_DONE;
+    const char *text = app_text(l->call, "disturb");
+    char *copy = malloc(strlen(text) + 1);
+    if (!copy) return app_fail_status(WCUT_NO_MEMORY, NULL, NULL);
+    int code = APP_DONE;
+    char *item = strcpy(copy, text);
+    while (item && code == APP_DONE) {
+        char *comma = strchr(item, ',');
+        if (comma) *comma = 0;
+        code = disturb_by(&l->options, item);
+        item = comma ? comma + 1 : NULL;
+    }
+    free(copy);
+    return code;
+}
+
+/* ---- the runs ------------------------------------------------------------------------------------------------------
+ */
+
+static wcut_status simulate_job(loop *l, wcut_setup **setup, wcut_history **history, wcut_error *error) {
+    wcut_status status = wcut_setup_create(l->job, NULL, setup, error);
+    if (status == WCUT_OK) status = wcut_setup_run(*setup, NULL, NULL, history, error);
+    return status;
+}
+
+/* a design's path curves as the path of the job */
+static wcut_status take_path(loop *l, const wcut_setup *setup, const wcut_history *h, wcut_error *error) {
+    const size_t m = (size_t)h->stations;
+    wcut_vec3 *a = calloc(m, sizeof *a), *b = calloc(m, sizeof *b);
+    wcut_status status = a && b ? WCUT_OK : WCUT_NO_MEMORY;
+    if (status == WCUT_OK) status = wcut_history_path(setup, h, a, b, &l->job->wire_length, error);
+    if (status != WCUT_OK) {
+        free(a);
+        free(b);
+        return status;
+    }
+    l->job->mode = WCUT_MODE_PATH;
+    l->job->stations = h->stations;
+    l->job->mount_a = a;
+    l->job->mount_b = b;
+    return WCUT_OK;
+}
+
+static wcut_status simulate(loop *l, wcut_error *error) {
+    wcut_setup *setup = NULL;
+    wcut_status status = WCUT_OK;
+    if (l->job->mode == WCUT_MODE_DESIGN) {
+        wcut_history *design = NULL;
+        status = simulate_job(l, &setup, &design, error);
+        if (status == WCUT_OK) status = take_path(l, setup, design, error);
+        wcut_history_destroy(design);
+        wcut_setup_destroy(setup);
+        setup = NULL;
+    }
+    if (status == WCUT_OK) status = simulate_job(l, &setup, &l->history, error);
+    wcut_setup_destroy(setup);
+    return status;
+}
+
+static int load(loop *l) {
+    wcut_error error = {0};
+    wcut_status status = wcut_job_read(l->path, &l->job, &error);
+    if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : l->path, &error);
+    l->settings = wcut_control_settings_default(l->job);
+    l->options = wcut_rig_options_default(l->job);
+    const struct {
+        const char *name;
+        double *to;
+    } option[] = {{"gain", &l->settings.gain},
+                  {"integral", &l->settings.rate},
+                  {"filter", &l->settings.filter},
+                  {"acceleration", &l->settings.acceleration},
+                  {"tension-stop", &l->settings.tension_stop},
+                  {"period", &l->options.period}};
+    for (size_t i = 0; i < sizeof option / sizeof *option; i++)
+        if (app_given(l->call, option[i].name)) *option[i].to = app_real(l->call, option[i].name);
+    if (l->settings.tension_absurd < 2 * l->settings.tension_stop)
+        l->settings.tension_absurd = 2 * l->settings.tension_stop;
+    l->options.seed = (uint64_t)app_int(l->call, "seed");
+    l->options.excitation = !app_given(l->call, "no-excitation");
+    return disturb(l);
+}
+
+static int run_one(loop *l, bool feedback, wcut_rig_run **run) {
+    wcut_error error = {0};
+    wcut_control_settings settings = l->settings;
+    settings.feedback = feedback;
+    app_progress progress = app_progress_begin(app_given(l->call, "quiet"));
+    wcut_status status =
+        wcut_rig_run_create(l->job, l->history, &settings, &l->options, app_progress_step, &progress, run, &error);
+    app_progress_end(&progress);
+    return status == WCUT_OK ? APP_DONE : app_fail_status(status, l->path, &error);
+}
+
+static int run(loop *l) {
+    wcut_error error = {0};
+    wcut_status status = simulate(l, &error);
+    if (status != WCUT_OK) return app_fail_status(status, l->path, &error);
+    int code = run_one(l, true, &l->feedback);
+    if (code == APP_DONE) code = run_one(l, false, &l->plan);
+    return code;
+}
+
+/* ---- the files -----------------------------------------------------------------------------------------------------
+ */
+
+static const wcut_rig_run *recorded(const loop *l) { return app_given(l->call, "no-feedback") ? l->plan : l->feedback; }
+
+static wcut_rig_summary summarize(const loop *l) {
+    return (wcut_rig_summary){.job = l->job,
+                              .control = &l->settings,
+                              .options = &l->options,
+                              .feedback = l->feedback,
+                              .plan = l->plan,
+                              .plan_recorded = app_given(l->call, "no-feedback"),
+                              .file_count = l->results.count,
+                              .files = l->results.name};
+}
+
+static int write_results(loop *l) {
+    wcut_error error = {0};
+    app_results *r = &l->results;
+    int code = app_results_remove(r, "control.json");
+    if (code != APP_DONE) return code;
+    wcut_status status = wcut_recording_write(&recorded(l)->recording, "simulated by wirecut control",
+                                              app_results_path(r, "recording.csv"), &error);
+    code = app_results_add(r, "recording.csv", status, &error);
+    if (code != APP_DONE) return code;
+    wcut_rig_summary summary = summarize(l);
+    status = app_report_control(&summary, l->path, app_results_path(r, "report.html"), &error);
+    code = app_results_add(r, "report.html", status, &error);
+    if (code == APP_DONE) code = app_results_prune(r, result_name);
+    if (code != APP_DONE) return code;
+    app_results_add(r, "control.json", WCUT_OK,
+                    NULL); /* last, because it vouches for the others; it names itself too */
+    summary = summarize(l);
+    status = wcut_rig_summary_write(&summary, app_results_path(r, "control.json"), &error);
+    if (status == WCUT_OK) return APP_DONE;
+    r->count--;
+    return app_fail_status(status, NULL, &error);
+}
+
+static int print_json(const loop *l) {
+    char *text = NULL;
+    const wcut_rig_summary summary = summarize(l);
+    wcut_status status = wcut_rig_summary_print(&summary, &text);
+    if (status != WCUT_OK) return app_fail_status(status, l->path, NULL);
+    fputs(text, stdout);
+    free(text);
+    return APP_DONE;
+}
+
+static void say_run(const char *name, const wcut_rig_run *run) {
+    char end[80] = "";
+    if (run->ended != WCUT_CONTROL_RUN)
+        snprintf(end, sizeof end, ", ended by a safe %s", wcut_control_state_text(run->ended));
+    app_say("%s: %.1f s, at most %.0f %% over the target%s", name, run->duration, 100 * run->overshoot, end);
+    if (run->has_steady)
+        app_say("  steady phase: mean %.4g N (%+.2f %%), rms error %.2g %%, largest %.2g %%",
+                run->target * (1 + run->steady.mean), 100 * run->steady.mean, 100 * run->steady.rms,
+                100 * run->steady.max);
+    if (run->has_density)
+        app_say(
+            "  behind the middle of the density step: mean %+.2f %%, largest error %.2g %%, within 5 %% after %.1f s",
+            100 * run->density.mean, 100 * run->density.max, run->density.settled);
+}
+
+static void say_summary(const loop *l) {
+    app_say("%s: aimed at %.3g N, foam with %.3g a and %.3g b of the job, density step %.3g", l->job->name,
+            l->settings.tension, l->options.law_a, l->options.law_b, l->options.density);
+    say_run("with feedback", l->feedback);
+    say_run("plan alone", l->plan);
+    app_say("in %s: %s", l->results.folder, app_results_list(&l->results));
+}
+
+static int control(const app_call *call) {
+    loop l = {.call = call, .path = call->operand[0]};
+    int code = load(&l);
+    if (code == APP_DONE) code = app_results_begin(&l.results, app_text(call, "output"));
+    if (code == APP_DONE) {
+        app_catch_interrupts();
+        code = run(&l);
+    }
+    if (code == APP_DONE) code = write_results(&l);
+    if (code == APP_DONE && !app_given(call, "quiet")) say_summary(&l);
+    if (code == APP_DONE && app_given(call, "json")) code = print_json(&l);
+    if (code == APP_DONE && recorded(&l)->ended != WCUT_CONTROL_RUN)
+        code = app_fail(APP_OUTSIDE, "%s: safe %s at %.2f s", l.path, wcut_control_state_text(recorded(&l)->ended),
+                        recorded(&l)->duration);
+    wcut_rig_run_destroy(l.plan);
+    wcut_rig_run_destroy(l.feedback);
+    wcut_history_destroy(l.history);
+    wcut_job_destroy(l.job);
+    return code;
+}
+
+/* ---- the table -----------------------------------------------------------------------------------------------------
+ */
+
+static const app_operand operand[] = {
+    {.name = "JOB", .kind = APP_FILE, .help = "a job file, wirecut-job/1"},
+    {.name = NULL},
+};
+
+static const app_option option[] = {
+    APP_OPTION_OUTPUT,
+    {.kind = APP_TEXT,
+     .name = "disturb",
+     .value = "KEY:X,...",
+     .help = "how the rig differs from the job: law-a and law-b (factors), density (factor of a where y is beyond "
+             "density-from mm, half the block), delay and lag (s, 0.05), noise (N, 0.02), angle-noise (deg, 0.05), "
+             "speed-noise (mm/s, 0.1), position-noise (mm, 0.05)"},
+    {.kind = APP_FLAG, .name = "no-feedback", .help = "record the run with the plan alone; both are run and reported"},
+    {.kind = APP_FLAG, .name = "no-excitation", .help = "leave out the job's speed dither and heat steps"},
+    {.kind = APP_INT,
+     .name = "seed",
+     .value = "N",
+     .low = 0,
+     .high = 2147483647,
+     .standard = "1",
+     .help = "of the sensors' noise"},
+    {.kind = APP_REAL,
+     .name = "period",
+     .value = "S",
+     .low = 1e-3,
+     .high = 1,
+     .help = "of the control loop, s; 0.025 where none is given. The recording has 20 samples a second or fewer"},
+    {.kind = APP_REAL,
+     .name = "gain",
+     .value = "KP",
+     .low = 0,
+     .high = 100,
+     .help = "proportional, on ln(tension / target); 0.3 where none is given"},
+    {.kind = APP_REAL,
+     .name = "integral",
+     .value = "KI",
+     .low = 0,
+     .high = 1000,
+     .help = "integral, 1/s; 1.5 where none is given"},
+    {.kind = APP_REAL,
+     .name = "filter",
+     .value = "S",
+     .low = 0,
+     .high = 100,
+     .help = "time constant of the tension's low-pass, s; 0.1 where none is given"},
+    {.kind = APP_REAL,
+     .name = "acceleration",
+     .value = "A",
+     .low = 1e-3,
+     .high = 1e6,
+     .help = "largest of the mounts, mm/s^2; 200 in the loop and 1000 for robots where none is given"},
+    {.kind = APP_REAL,
+     .name = "tension-stop",
+     .value = "N",
+     .low = 1e-6,
+     .high = 1e6,
+     .help = "tension of either mount that stops the machine, N; 2.5 times the target where none is given"},
+    APP_OPTIONS_OF_ALL,
+};
+
+const app_verb app_verb_control = {
+    .name = "control",
+    .brief = "run a job in closed loop against a disturbed simulation, and record it",
+    .about =
+        "Simulates the job, takes its speeds as the plan, and cuts once more against the time-driven simulation with a "
+        "foam, sensors and a machine that differ from the job, with feedback of the measured tension and with the plan "
+        "alone. The controller adds u = gain e + integral of e, e = ln(tension / target), to the exponent b Q / v of "
+        "the force law, in which the tension is linear.\n"
+        "Writes into DIR: recording.csv (what the machine would have recorded), report.html and control.json (tension "
+        "error, overshoot, settling). A safe stop of the recorded run ends with 5.",
+    .operand = operand,
+    .option = option,
+    .run = control,
+};
