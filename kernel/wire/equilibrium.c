@@ -76,7 +76,8 @@ static wcut_vec3 taut_guess(int n, const wcut_vec3 *force, const double *length,
 static double search(int n, const wcut_vec3 *force, const double *length, wcut_vec3 reach, wcut_vec3 step, wcut_vec3 *h,
                      dual *d) {
     const double slope = vec3_dot(d->gradient, step);
-    const double rounding = 8 * DBL_EPSILON * (fabs(d->value) + vec3_length(*h) * vec3_length(reach));
+    /* what a sum of n terms may be off by: near the least value a full step lowers it by less than that */
+    const double rounding = n * DBL_EPSILON * (fabs(d->value) + vec3_length(*h) * vec3_length(reach));
     for (double t = 1; t > 1e-12; t /= 2) {
         const wcut_vec3 trial = vec3_add_scaled(*h, t, step);
         const dual at = evaluate(n, force, length, reach, trial);

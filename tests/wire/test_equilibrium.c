@@ -9,7 +9,7 @@
 #include "base/vec3.h"
 #include "wire/equilibrium_table.h"
 
-enum { MOST = 641 };
+enum { MOST = 3201 };
 static wcut_vec3 force[MOST], x[MOST], other[MOST];
 static double length[MOST], q[MOST], other_q[MOST];
 
@@ -89,7 +89,7 @@ START_TEST(an_even_load_per_arc_length_hangs_a_catenary_with_order_two) {
     const double inverse = root_of(catenary_excess, 400, 450, 1e-6, 1);
     const double sag = (cosh(200 * inverse) - 1) / inverse;
     double before = 0;
-    for (int n = 21; n <= MOST; n = 2 * n - 1) {
+    for (int n = 21; n <= 641; n = 2 * n - 1) {
         given_a_chain(n, 400, 450);
         load_evenly(n, 2);
         solve_by_newton(n);
@@ -153,7 +153,7 @@ START_TEST(an_even_load_over_the_span_of_equal_edges_tends_to_the_parabola_with_
     const double c = root_of(parabola_excess, 400, 450, 1e-6, 1), sag = c * 400 * 400 / 8;
     ck_assert_double_eq_tol(sag, 91.1828, 5e-5);
     double before = 0;
-    for (int n = 21; n <= MOST; n = 2 * n - 1) {
+    for (int n = 21; n <= 641; n = 2 * n - 1) {
         given_a_chain(n, 400, 450);
         load_evenly(n, 2);
         for (int round = 0; round < 60; round++) { /* the load follows the span that each node has */
@@ -183,6 +183,19 @@ START_TEST(from_however_straight_a_wire_newton_needs_ten_steps_where_the_fixed_p
                       row[k].slack, rounds, row[k].rounds);
         ck_assert_double_lt(difference_of(n, x, other), 1e-8);
     }
+}
+END_TEST
+
+START_TEST(a_chain_of_thousands_of_nodes_takes_no_more_steps_than_a_short_one) {
+    const double slack[] = {1.125, 1.02, 1.0005};
+    for (int k = 0; k < 3; k++)
+        for (int n = 201; n <= MOST; n = 2 * n - 1)
+            for (int uneven = 0; uneven < 2; uneven++) { /* all of it loaded, or the middle two thirds, as in a block */
+                given_a_chain(n, 400, 400 * slack[k]);
+                for (int i = 0; i < n; i++)
+                    if (!uneven || (6 * i > n && 6 * i < 5 * n)) force[i] = vec3(0, 2.0 / n, 0);
+                ck_assert_int_le(solve_by_newton(n), 12);
+            }
 }
 END_TEST
 
@@ -278,6 +291,7 @@ int main(void) {
     suite_add_tcase(suite, closed);
     TCase *both = tcase_create("against each other and scipy");
     tcase_add_test(both, from_however_straight_a_wire_newton_needs_ten_steps_where_the_fixed_point_needs_thousands);
+    tcase_add_test(both, a_chain_of_thousands_of_nodes_takes_no_more_steps_than_a_short_one);
     tcase_add_test(both, chains_in_space_have_the_shapes_and_tensions_that_scipy_finds);
     tcase_add_test(both, turning_chain_and_load_turns_the_shape);
     suite_add_tcase(suite, both);
