@@ -1,9 +1,11 @@
-/* Loft, evaluation and tessellation from any bytes: a status, never a NaN, never a mesh out of tolerance. */
+/* Loft, evaluation, tessellation, projection and split from any bytes: a status, never a NaN, never a false claim. */
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <wirecut/edit.h>
 #include <wirecut/mesh.h>
+#include <wirecut/projection.h>
 #include <wirecut/surface.h>
 
 enum { SIDE_MAX = 12 };
@@ -30,11 +32,42 @@ static void tessellate(const wcut_surface *s, double tolerance) {
     wcut_mesh_destroy(mesh);
 }
 
+static double distance(wcut_vec3 a, wcut_vec3 b) {
+    return sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z));
+}
+
+/* no point of a coarse grid may be closer than the foot, by more than its gap */
+static void project(const wcut_surface *s, wcut_vec3 query) {
+    wcut_projection *projection;
+    if (wcut_projection_create(s, &projection) != WCUT_OK) return;
+    wcut_foot foot;
+    demand(wcut_projection_locate(projection, 1, &query, 1, &foot) == WCUT_OK);
+    demand(isfinite(foot.distance) && isfinite(foot.height) && foot.gap >= 0);
+    for (int k = 0; k < 49; k++) {
+        wcut_vec3 p;
+        demand(wcut_surface_eval(s, k % 7 / 6.0, k / 7 / 6.0, 0, &p) == WCUT_OK);
+        const double there = distance(p, query);
+        demand(foot.distance <= there * (1 + 1e-9) + 1e-7 && foot.distance - foot.gap <= there * (1 + 1e-9) + 1e-7);
+    }
+    wcut_projection_destroy(projection);
+}
+
+/* the parts meet */
+static void split(const wcut_surface *s, double at) {
+    wcut_surface *low, *high;
+    if (wcut_surface_split(s, WCUT_ALONG_V, at, &low, &high) != WCUT_OK) return;
+    wcut_vec3 a, b;
+    demand(wcut_surface_eval(low, 0.4, at, 0, &a) == WCUT_OK && wcut_surface_eval(high, 0.4, at, 0, &b) == WCUT_OK);
+    demand(distance(a, b) < 1e-6);
+    wcut_surface_destroy(low);
+    wcut_surface_destroy(high);
+}
+
 /* bytes: stations, nodes, merge, tolerance, then 3-byte nodes; an odd first byte takes whole doubles instead */
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (size < 4) return 0;
     const int stations = data[0] / 2 % SIDE_MAX + 1, nodes = data[1] % SIDE_MAX + 1, raw = data[0] % 2;
-    const double merge = data[2] / 64.0, tolerance = 0.05 + data[3];
+    const double merge = data[2] / 64.0, tolerance = 1 + data[3];
     wcut_vec3 x[SIDE_MAX * SIDE_MAX] = {{0, 0, 0}};
     double *to = &x[0].x;
     data += 4, size -= 4;
@@ -56,7 +89,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     demand(wcut_surface_eval(s, 0.3, 0.7, 3, ders) == WCUT_OK);
     double size_of = 0;
     for (int k = 0; k < 3 * stations * nodes; k++) size_of = fmax(size_of, fabs(to[k]));
-    if (size_of < 1e3) tessellate(s, tolerance); /* larger ones have millions of triangles, and tell nothing new */
+    if (size_of < 1e3) { /* larger ones have millions of triangles, and tell nothing new */
+        tessellate(s, tolerance);
+        project(s, (wcut_vec3){to[0] + merge, to[1], to[2] - tolerance});
+        split(s, merge / 4);
+    }
     wcut_surface_destroy(s);
     return 0;
 }
