@@ -1,4 +1,5 @@
 /* Written by calibration_reference.py (scipy): test cuts and what curve_fit makes of them. */
+/* clang-format off: as the script writes it */
 static const double heat[] = {52.6, 85.8, 76.2, 87.5, 68.9, 73.5, 84.6, 69.2, 65.5, 48.2, 59.2, 70.1, 82.0, 63.1};
 static const double speed[] = {39.73, 41.78, 59.7, 47.09, 53.39, 19.35, 43.18, 31.5, 18.84, 55.62, 57.38, 38.78, 15.26, 23.02};
 static const double engaged[] = {300.0, 500.0, 300.0, 300.0, 300.0, 400.0, 400.0, 400.0, 500.0, 500.0, 400.0, 300.0, 400.0, 400.0};

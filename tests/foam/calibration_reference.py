@@ -7,6 +7,7 @@ Relative noise is fitted as the library states it: sigma is the law itself, and 
 still."""
 import numpy as np
 from scipy.optimize import curve_fit
+from scipy.stats import norm, t as student
 
 CUTS = 14
 SEED = 20160913
@@ -66,7 +67,20 @@ alpha = np.round(np.degrees(np.arcsin(wanted * engaged / 2 / tension_n)), 4)
 f = 2 * tension_n * np.sin(np.radians(alpha)) / engaged
 t = tension_n / engaged
 
+# where the band of the laws is compared: at no heat at all, inside, and beyond the cuts
+band_q = np.array([0.0, q.min(), 2000.0, q.max(), 6000.0])
+
+
+def band(name, law, slope, x, covariance):
+    g = slope(band_q, *x)
+    error = np.sqrt(np.einsum("ij,jk,ik->i", g, covariance, g))
+    reach = student.ppf(0.95, CUTS - len(x)) * error
+    array(f"{name}_low", law(band_q, *x) - reach)
+    array(f"{name}_high", law(band_q, *x) + reach)
+
+
 print("/* Written by calibration_reference.py (scipy): test cuts and what curve_fit makes of them. */")
+print("/* clang-format off: as the script writes it */")
 for name, column in (("heat", heat), ("speed", speed), ("engaged", engaged), ("tension_n", tension_n), ("alpha", alpha)):
     array(name, column)
 for relative in (True, False):
@@ -74,9 +88,15 @@ for relative in (True, False):
     x, covariance = fit(force, force_slope, q, f, (0.05, 5e-4), relative)
     array(f"force_{word}", x)
     array(f"force_{word}_covariance", covariance)
+    if relative:
+        j = force_slope(q, *x) / force(q, *x)[:, None]
+        leverage = np.diag(j @ np.linalg.inv(j.T @ j) @ j.T)
+        force_band = (x, covariance)
     x, covariance = fit(tension, tension_slope, q, t, (0.3, 6e-4, 0.02), relative)
     array(f"tension_{word}", x)
     array(f"tension_{word}_covariance", covariance)
+    if relative:
+        tension_band = (x, covariance)
 # each cut predicted by the others
 left = []
 for i in range(CUTS):
@@ -84,3 +104,10 @@ for i in range(CUTS):
     x, _ = fit(force, force_slope, q[others], f[others], (0.05, 5e-4), True)
     left.append(force(q[i], *x))
 array("force_left_out", left)
+array("force_leverage", leverage)
+# the 90 % band of both curves
+array("band_q", band_q)
+band("force_band", force, force_slope, *force_band)
+band("tension_band", tension, tension_slope, *tension_band)
+# Blom's scores of seven values
+array("blom", norm.ppf((np.arange(1, 8) - 0.375) / 7.25))
