@@ -165,14 +165,31 @@ static wcut_report_table trouble_table(page *p) {
 /* ---- charts ---------------------------------------------------------------------------------------------------------
  */
 
-/* runs of samples of one phase */
-static int list_phases(const wcut_comparison *c, const double *time, const double *station, wcut_report_span *span) {
+/* The samples of a cut that are drawn: from the first contact to the last that counts. Before and behind, the plan
+   feeds at the highest speed and the wire whips out of the foam: the rest would shrink to a line. */
+typedef struct drawn {
+    int first, count;
+    const double *time, *station; /* count */
+} drawn;
+
+static drawn choose_samples(const wcut_scored_cut *cut) {
+    const wcut_comparison *c = cut->comparison;
+    const double *time = cut->samples->channel[WCUT_CHANNEL_TIME].value;
+    int first = 0, end = c->samples;
+    while (first < c->samples && time[first] < c->contact) first++;
+    while (end > first && time[end - 1] > c->to) end--;
+    return end - first > 1 ? (drawn){.first = first, .count = end - first} : (drawn){.first = 0, .count = c->samples};
+}
+
+/* runs of drawn samples of one phase */
+static int list_phases(const wcut_comparison *c, const drawn *d, wcut_report_span *span) {
+    const wcut_phase *phase = c->phase + d->first;
     int count = 0;
-    for (int i = 0, from = 0; i < c->samples && count < SPANS_MAX - 1; i++) {
-        if (i + 1 < c->samples && c->phase[i + 1] == c->phase[from]) continue;
-        const int to = i + 1 < c->samples ? i + 1 : i;
-        span[count++] =
-            (wcut_report_span){wcut_phase_text(c->phase[from]), {time[from], station[from]}, {time[to], station[to]}};
+    for (int i = 0, from = 0; i < d->count && count < SPANS_MAX; i++) {
+        if (i + 1 < d->count && phase[i + 1] == phase[from]) continue;
+        const int to = i + 1 < d->count ? i + 1 : i;
+        span[count++] = (wcut_report_span){
+            wcut_phase_text(phase[from]), {d->time[from], d->station[from]}, {d->time[to], d->station[to]}};
         from = i + 1;
     }
     return count;
@@ -180,27 +197,28 @@ static int list_phases(const wcut_comparison *c, const double *time, const doubl
 
 /* a prediction with a band of two RMSE to either side */
 static void fill_series(page *p, const wcut_comparison *c, const wcut_prediction *from, const wcut_scores *scores,
-                        int k, wcut_report_series *to) {
+                        int k, const drawn *d, wcut_report_series *to) {
     static const wcut_scored of_signal[WCUT_SIGNAL_COUNT] = {
         WCUT_SCORED_SPEED_A, WCUT_SCORED_SPEED_B, WCUT_SCORED_TENSION_A, WCUT_SCORED_TENSION_B,
         WCUT_SCORED_ALPHA_A, WCUT_SCORED_BETA_A,  WCUT_SCORED_ALPHA_B,   WCUT_SCORED_BETA_B};
     const wcut_score *score = scores ? &scores->of[of_signal[k]][WCUT_PART_ALL] : NULL;
     const bool band = score && score->count > 0;
     const double unit = k < 4 ? 1 : DEGREES;
-    double *y = take(p, (size_t)c->samples, sizeof *y);
-    double *low = band ? take(p, (size_t)c->samples, sizeof *low) : NULL;
-    double *high = band ? take(p, (size_t)c->samples, sizeof *high) : NULL;
+    double *y = take(p, (size_t)d->count, sizeof *y);
+    double *low = band ? take(p, (size_t)d->count, sizeof *low) : NULL;
+    double *high = band ? take(p, (size_t)d->count, sizeof *high) : NULL;
     if (p->failed) return;
-    for (int i = 0; i < c->samples; i++) {
-        y[i] = from->present[i] ? from->value[k][i] * unit : NAN;
+    for (int i = 0; i < d->count; i++) {
+        const int sample = d->first + i;
+        y[i] = from->present[sample] ? from->value[k][sample] * unit : NAN;
         if (!band) continue;
-        low[i] = c->counted[i] ? y[i] - 2 * score->rmse * unit : NAN;
-        high[i] = c->counted[i] ? y[i] + 2 * score->rmse * unit : NAN;
+        low[i] = c->counted[sample] ? y[i] - 2 * score->rmse * unit : NAN;
+        high[i] = c->counted[sample] ? y[i] + 2 * score->rmse * unit : NAN;
     }
     to->y = y, to->low = low, to->high = high;
 }
 
-static void fill_chart(page *p, const wcut_scored_cut *cut, int k, const double *time, const double *station, int spans,
+static void fill_chart(page *p, const wcut_scored_cut *cut, int k, const drawn *d, int spans,
                        const wcut_report_span *span, wcut_report_chart *chart) {
     static const char *const title[WCUT_SIGNAL_COUNT] = {"Speed, mount A",   "Speed, mount B", "Tension, mount A",
                                                          "Tension, mount B", "Alpha, mount A", "Beta, mount A",
@@ -211,16 +229,19 @@ static void fill_chart(page *p, const wcut_scored_cut *cut, int k, const double 
     const wcut_column *channel = &cut->samples->channel[WCUT_CHANNEL_SPEED_A + k];
     const bool replayed = k >= 2;
     wcut_report_series *series = take(p, 3, sizeof *series);
-    double *measured = take(p, (size_t)c->samples, sizeof *measured);
+    double *measured = take(p, (size_t)d->count, sizeof *measured);
     if (p->failed) return;
-    for (int i = 0; i < c->samples; i++)
-        measured[i] = !channel->present || channel->present[i] ? channel->value[i] * (k < 4 ? 1 : DEGREES) : NAN;
-    for (int s = 0; s < 3; s++) series[s] = (wcut_report_series){.count = c->samples, .x = {time, station}};
-    series[0].label = "measured", series[0].mark = WCUT_MARK_POINTS, series[0].y = measured;
+    for (int i = 0; i < d->count; i++) {
+        const int sample = d->first + i;
+        const bool there = !channel->present || channel->present[sample];
+        measured[i] = there ? channel->value[sample] * (k < 4 ? 1 : DEGREES) : NAN;
+    }
+    for (int s = 0; s < 3; s++) series[s] = (wcut_report_series){.count = d->count, .x = {d->time, d->station}};
+    series[0].label = "measured", series[0].mark = WCUT_MARK_LINE, series[0].y = measured;
     series[1].label = "planned", series[1].mark = WCUT_MARK_DASHED;
     series[2].label = "replayed", series[2].mark = WCUT_MARK_LINE;
-    fill_series(p, c, c->planned, replayed ? NULL : &c->planned_score, k, &series[1]);
-    if (replayed) fill_series(p, c, c->replayed, &c->replayed_score, k, &series[2]);
+    fill_series(p, c, c->planned, replayed ? NULL : &c->planned_score, k, d, &series[1]);
+    if (replayed) fill_series(p, c, c->replayed, &c->replayed_score, k, d, &series[2]);
     *chart = (wcut_report_chart){.title = title[k],
                                  .x_label = {"time", "station"},
                                  .x_unit = {"s", ""},
@@ -242,20 +263,23 @@ static void fill_section(page *p, const wcut_scored_cut *cut, wcut_report_sectio
     wcut_report_chart *chart = take(p, CHARTS, sizeof *chart);
     wcut_report_table *table = take(p, 2, sizeof *table);
     wcut_report_span *span = take(p, SPANS_MAX, sizeof *span);
-    double *time = take(p, (size_t)c->samples, sizeof *time), *station = take(p, (size_t)c->samples, sizeof *station);
+    drawn d = choose_samples(cut);
+    double *time = take(p, (size_t)d.count, sizeof *time), *station = take(p, (size_t)d.count, sizeof *station);
     char *note = take(p, 300, 1);
     if (p->failed) return;
-    for (int i = 0; i < c->samples; i++) {
-        const bool there = !recorded->present || recorded->present[i];
-        time[i] = cut->samples->channel[WCUT_CHANNEL_TIME].value[i];
+    for (int i = 0; i < d.count; i++) {
+        const int sample = d.first + i;
+        const bool there = !recorded->present || recorded->present[sample];
+        time[i] = cut->samples->channel[WCUT_CHANNEL_TIME].value[sample];
         /* lines go forward, whatever the encoder's noise */
-        station[i] = larger(i ? station[i - 1] : 0, there ? recorded->value[i] : 0);
+        station[i] = larger(i ? station[i - 1] : 0, there ? recorded->value[sample] : 0);
     }
-    int spans = list_phases(c, time, station, span);
-    for (int k = 0; k < CHARTS; k++) fill_chart(p, cut, order[k], time, station, spans, span, &chart[k]);
+    d.time = time, d.station = station;
+    const int spans = list_phases(c, &d, span);
+    for (int k = 0; k < CHARTS; k++) fill_chart(p, cut, order[k], &d, spans, span, &chart[k]);
     snprintf(note, 300,
-             "Scored from %.1f s to %.1f s: %d of %d samples. The band is two RMSE to either side of the replayed "
-             "prediction, for speeds of the planned one.",
+             "Scored from %.1f s to %.1f s, %d of %d samples; shown from the first contact on. The band is two RMSE to "
+             "either side of the replayed prediction, for speeds of the planned one.",
              c->from, c->to, c->counted_samples, c->samples);
     table[0] = channel_table(p, "Replayed", NULL, &c->replayed_score);
     table[1] = channel_table(p, "Planned", NULL, &c->planned_score);

@@ -8,7 +8,8 @@
 static const int scored_signal[WCUT_SCORED_COUNT][2] = {WCUT_SCORED_LIST(SIGNAL_ENTRY)};
 
 wcut_comparison_options wcut_comparison_options_default(void) {
-    return (wcut_comparison_options){.replay = wcut_replay_options_default(), .settle = 2, .leave = 1};
+    return (wcut_comparison_options){
+        .replay = wcut_replay_options_default(), .tolerance = 1e-6, .settle = 2, .leave = 1};
 }
 
 /* ---- which samples count ---- */
@@ -104,7 +105,9 @@ static wcut_status compare(const wcut_job *job, const wcut_recording *recording,
                            double *room, wcut_comparison *c, wcut_error *error) {
     wcut_setup *setup = NULL;
     wcut_history *plan = NULL;
-    wcut_status status = wcut_setup_create(job, NULL, &setup, error);
+    wcut_cut_options cut = wcut_cut_options_default();
+    cut.tolerance = o->tolerance;
+    wcut_status status = wcut_setup_create(job, &cut, &setup, error);
     if (status != WCUT_OK) return status;
     wcut_error ended = {0};
     status = wcut_setup_run(setup, NULL, NULL, &plan, &ended);
@@ -127,15 +130,17 @@ static wcut_status compare(const wcut_job *job, const wcut_recording *recording,
 }
 
 static bool are_usable(const wcut_comparison_options *o) {
-    return o->settle >= 0 && isfinite(o->settle) && o->leave >= 0 && isfinite(o->leave);
+    return o->settle >= 0 && isfinite(o->settle) && o->leave >= 0 && isfinite(o->leave) && is_positive(o->tolerance);
 }
 
 wcut_status wcut_comparison_create(const wcut_job *job, const wcut_recording *recording,
                                    const wcut_comparison_options *options, wcut_comparison **out, wcut_error *error) {
     const wcut_comparison_options o = options ? *options : wcut_comparison_options_default();
     if (!job || !recording || recording->samples < 1 || !recording->further || !out || !are_usable(&o))
-        return wcut_fail(error, WCUT_BAD_ARGUMENT,
-                         "a job, a recording, a place for the comparison, and times of 0 s or more are expected");
+        return wcut_fail(
+            error, WCUT_BAD_ARGUMENT,
+            "a job, a recording, a place for the comparison, a positive tolerance and times of 0 s or more are "
+            "expected");
     const size_t n = (size_t)recording->samples;
     wcut_comparison *c = wcut_alloc(1, sizeof *c);
     double *room = wcut_alloc(4 * n, sizeof *room);

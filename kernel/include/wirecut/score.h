@@ -83,6 +83,9 @@ WCUT_API const char *wcut_part_name(wcut_part part);
 /** What of a recording counts, and how it is replayed. */
 typedef struct wcut_comparison_options {
     wcut_replay_options replay;
+    /** [1] of the solver, positive. Default 1e-6: against 1e-10 tensions move by 1e-5 N in the mean, a thousandth of a
+        sensor's noise, for three quarters of the iterations. */
+    double tolerance;
     double settle; /**< [s] left out after the first contact, where measured data oscillate; default 2 */
     double leave;  /**< [s] left out before the wire leaves, or the recording ends; default 1 */
 } wcut_comparison_options;
