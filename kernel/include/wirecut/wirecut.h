@@ -7,7 +7,9 @@
 #include <wirecut/control.h>
 #include <wirecut/curvature.h>
 #include <wirecut/curve.h>
+#include <wirecut/curve_measure.h>
 #include <wirecut/cut.h>
+#include <wirecut/edit.h>
 #include <wirecut/equilibrium.h>
 #include <wirecut/export.h>
 #include <wirecut/force_density.h>
@@ -16,12 +18,15 @@
 #include <wirecut/job.h>
 #include <wirecut/loss.h>
 #include <wirecut/mesh.h>
+#include <wirecut/projection.h>
 #include <wirecut/recording.h>
 #include <wirecut/replay.h>
 #include <wirecut/report.h>
 #include <wirecut/rig.h>
+#include <wirecut/robot.h>
 #include <wirecut/score.h>
 #include <wirecut/status.h>
+#include <wirecut/summary.h>
 #include <wirecut/surface.h>
 #include <wirecut/table.h>
 #include <wirecut/vec3.h>

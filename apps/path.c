@@ -1,0 +1,278 @@
+/* wirecut path: a job to the programs of two synchronised robots, held against the limits of cell and wire. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <wirecut/wirecut.h>
+
+#include "command.h"
+#include "results.h"
+#include "terminal.h"
+
+#define DEGREE (3.14159265358979323846 / 180)
+
+typedef struct export_ {
+    const app_call *call;
+    const char *path; /* of the job */
+    wcut_job *job;
+    wcut_setup *setup;
+    wcut_history *history;
+    wcut_vec3 *mount_a, *mount_b;
+    wcut_robot_motion *motion;
+    wcut_robot_check check[WCUT_ROBOT_CHECKS];
+    wcut_robot_format format;
+    app_results results;
+} export_;
+
+static int load(export_ *e) {
+    wcut_error error = {0};
+    wcut_status status = wcut_job_read(e->path, &e->job, &error);
+    if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : e->path, &error);
+    e->format = (wcut_robot_format)app_choice(e->call, "format");
+    status = wcut_setup_create(e->job, NULL, &e->setup, &error);
+    return status == WCUT_OK ? APP_DONE : app_fail_status(status, e->path, &error);
+}
+
+/* a cut that does not reach its end is no program */
+static int run(export_ *e) {
+    wcut_error error = {0};
+    double length;
+    app_progress progress = app_progress_begin(app_given(e->call, "quiet"));
+    wcut_status status = wcut_setup_run(e->setup, app_progress_step, &progress, &e->history, &error);
+    app_progress_end(&progress);
+    if (status != WCUT_OK) return app_fail_status(status, e->path, &error);
+    e->mount_a = calloc((size_t)e->history->stations, sizeof *e->mount_a);
+    e->mount_b = calloc((size_t)e->history->stations, sizeof *e->mount_b);
+    status = e->mount_a && e->mount_b ? WCUT_OK : WCUT_NO_MEMORY;
+    if (status == WCUT_OK) status = wcut_history_path(e->setup, e->history, e->mount_a, e->mount_b, &length, &error);
+    return status == WCUT_OK ? APP_DONE : app_fail_status(status, e->path, &error);
+}
+
+static void choose(const app_call *call, const char *option, double unit, double *to) {
+    if (app_given(call, option)) *to = app_real(call, option) * unit;
+}
+
+static int make_motion(export_ *e) {
+    wcut_error error = {0};
+    wcut_robot_options o = wcut_robot_options_default();
+    choose(e->call, "chord-tolerance", 1, &o.chord_tolerance);
+    choose(e->call, "time-tolerance", 1, &o.time_tolerance);
+    choose(e->call, "lead-in", 1, &o.lead_in);
+    choose(e->call, "lead-out", 1, &o.lead_out);
+    choose(e->call, "zone", 1, &o.zone);
+    o.frame = app_choice(e->call, "tool-frame") == 1 ? WCUT_TOOL_FOLLOWING : WCUT_TOOL_FIXED;
+    wcut_status status = wcut_robot_motion_create(e->history, e->mount_a, e->mount_b, &o, &e->motion, &error);
+    return status == WCUT_OK ? APP_DONE : app_fail_status(status, e->path, &error);
+}
+
+static int check_limits(export_ *e) {
+    wcut_robot_limits l = wcut_robot_limits_default(e->job);
+    choose(e->call, "speed", 1, &l.speed);
+    choose(e->call, "acceleration", 1, &l.acceleration);
+    choose(e->call, "alpha", DEGREE, &l.alpha);
+    choose(e->call, "beta", DEGREE, &l.beta);
+    wcut_status status = wcut_robot_limits_check(e->job, e->history, e->mount_a, e->mount_b, &l, e->check);
+    if (status != WCUT_OK)
+        return app_fail(app_exit_code(status), "%s: limits: expected a wire that stays below 3000 degC", e->path);
+    int over = 0;
+    for (int i = 0; i < WCUT_ROBOT_CHECKS; i++) over += e->check[i].over;
+    if (over == 0 || !app_given(e->call, "strict")) return APP_DONE;
+    for (int i = 0; i < WCUT_ROBOT_CHECKS; i++)
+        if (e->check[i].over)
+            return app_fail(APP_OUTSIDE,
+                            "%s: %s: %.4g %s, limit %.4g %s; %d of %d limits are exceeded, nothing was written",
+                            e->path, e->check[i].name, e->check[i].value, e->check[i].unit, e->check[i].limit,
+                            e->check[i].unit, over, WCUT_ROBOT_CHECKS);
+    return APP_DONE;
+}
+
+static int write_programs(export_ *e) {
+    wcut_error error = {0};
+    wcut_robot_names names = wcut_robot_names_default();
+    names.title = e->job->name;
+    names.sync_io = app_int(e->call, "sync-io");
+    if (app_given(e->call, "wire-on")) names.wire_on = app_text(e->call, "wire-on");
+    if (app_given(e->call, "wire-off")) names.wire_off = app_text(e->call, "wire-off");
+    int code = APP_DONE;
+    for (int robot = 0; robot < 2 && code == APP_DONE; robot++) {
+        const char *name = wcut_robot_file_name(e->format, robot);
+        if (!name) continue;
+        wcut_status status =
+            wcut_robot_write(e->motion, &names, e->format, robot, app_results_path(&e->results, name), &error);
+        if (status == WCUT_BAD_ARGUMENT) return app_fail(APP_USAGE, "path: %s", error.text); /* a name that is none */
+        code = app_results_add(&e->results, name, status, &error);
+    }
+    return code;
+}
+
+static int print_json(const export_ *e) {
+    char *text = NULL;
+    const wcut_robot_summary summary = {.job = e->job,
+                                        .motion = e->motion,
+                                        .check = e->check,
+                                        .format = e->format,
+                                        .file_count = e->results.count,
+                                        .files = e->results.name};
+    wcut_status status = wcut_robot_summary_print(&summary, &text);
+    if (status != WCUT_OK) return app_fail_status(status, e->path, NULL);
+    fputs(text, stdout);
+    free(text);
+    return APP_DONE;
+}
+
+static void say_summary(const export_ *e) {
+    const wcut_robot_motion *m = e->motion;
+    app_say("%s: %d targets of %d stations, %.1f s; off the path by at most %.2g mm, along it by %.2g mm", e->job->name,
+            m->count, m->stations, m->duration, m->chord_error, m->time_error);
+    for (int i = 0; i < WCUT_ROBOT_CHECKS; i++) {
+        const wcut_robot_check *c = &e->check[i];
+        if (!c->over) continue;
+        if (c->station >= 0)
+            app_say("warning: %s: %.4g %s at station %d, limit %.4g %s", c->name, c->value, c->unit, c->station,
+                    c->limit, c->unit);
+        else
+            app_say("warning: %s: %.4g %s, limit %.4g %s", c->name, c->value, c->unit, c->limit, c->unit);
+    }
+    app_say("in %s: %s", e->results.folder, app_results_list(&e->results));
+}
+
+static int path(const app_call *call) {
+    export_ e = {.call = call, .path = call->operand[0]};
+    int code = load(&e);
+    if (code == APP_DONE) app_catch_interrupts();
+    if (code == APP_DONE) code = run(&e);
+    if (code == APP_DONE) code = make_motion(&e);
+    if (code == APP_DONE) code = check_limits(&e);
+    if (code == APP_DONE) code = app_results_begin(&e.results, app_text(call, "output"));
+    if (code == APP_DONE) code = write_programs(&e);
+    if (code == APP_DONE && !app_given(call, "quiet")) say_summary(&e);
+    if (code == APP_DONE && app_given(call, "json")) code = print_json(&e);
+    wcut_robot_motion_destroy(e.motion);
+    free(e.mount_a);
+    free(e.mount_b);
+    wcut_history_destroy(e.history);
+    wcut_setup_destroy(e.setup);
+    wcut_job_destroy(e.job);
+    return code;
+}
+
+/* ---- the table -----------------------------------------------------------------------------------------------------
+ */
+
+static const app_operand operand[] = {
+    {.name = "JOB", .kind = APP_FILE, .help = "a job file, wirecut-job/1"},
+    {.name = NULL},
+};
+
+static const app_option option[] = {
+    {.kind = APP_FOLDER,
+     .name = "output",
+     .letter = 'o',
+     .value = "DIR",
+     .standard = ".",
+     .help = "folder for the programs, created where there is none"},
+    {.kind = APP_CHOICE,
+     .name = "format",
+     .required = true,
+     .value = "urscript|rapid|krl|csv|json",
+     .help = "Universal Robots, ABB with MultiMove, KUKA: a program each; one table; one object"},
+    {.kind = APP_REAL,
+     .name = "chord-tolerance",
+     .value = "MM",
+     .low = 1e-4,
+     .high = 1e3,
+     .standard = "0.1",
+     .help = "largest distance between triangles and surface, or of a mount from its path, mm"},
+    {.kind = APP_REAL,
+     .name = "time-tolerance",
+     .value = "MM",
+     .low = 1e-4,
+     .high = 1e3,
+     .standard = "1",
+     .help = "largest way between a mount and where it would be at that moment, mm"},
+    {.kind = APP_REAL,
+     .name = "lead-in",
+     .value = "MM",
+     .low = 0,
+     .high = 1e4,
+     .standard = "0",
+     .help = "both mounts begin so far before the path, against the feed"},
+    {.kind = APP_REAL,
+     .name = "lead-out",
+     .value = "MM",
+     .low = 0,
+     .high = 1e4,
+     .standard = "0",
+     .help = "both mounts go on so far behind the path"},
+    {.kind = APP_REAL,
+     .name = "zone",
+     .value = "MM",
+     .low = 0,
+     .high = 1e3,
+     .standard = "1",
+     .help = "blend radius at a target, cut to 2/5 of the shorter move beside it"},
+    {.kind = APP_CHOICE,
+     .name = "tool-frame",
+     .value = "fixed|following",
+     .standard = "fixed",
+     .help = "fixed: along x, the head's own axes give way; following: along the wire, by the simulated angles"},
+    {.kind = APP_TEXT,
+     .name = "wire-on",
+     .value = "NAME",
+     .help = "procedure that robot A calls at its first target; wire_on"},
+    {.kind = APP_TEXT, .name = "wire-off", .value = "NAME", .help = "procedure that it calls after its last; wire_off"},
+    {.kind = APP_INT,
+     .name = "sync-io",
+     .value = "N",
+     .low = 0,
+     .high = 255,
+     .standard = "1",
+     .help = "output of either robot that is this input of the other (urscript, krl)"},
+    {.kind = APP_REAL,
+     .name = "speed",
+     .value = "V",
+     .low = 1e-3,
+     .high = 1e5,
+     .help = "largest of a mount, mm/s; the job's speed_max where none is given"},
+    {.kind = APP_REAL,
+     .name = "acceleration",
+     .value = "A",
+     .low = 1e-3,
+     .high = 1e6,
+     .help = "largest of the mounts, mm/s^2; 200 in the loop and 1000 for robots where none is given"},
+    {.kind = APP_REAL,
+     .name = "alpha",
+     .value = "DEG",
+     .low = 0.1,
+     .high = 90,
+     .standard = "60",
+     .help = "largest of the head, deg"},
+    {.kind = APP_REAL,
+     .name = "beta",
+     .value = "DEG",
+     .low = 0.1,
+     .high = 90,
+     .standard = "30",
+     .help = "largest of the head, deg"},
+    {.kind = APP_FLAG,
+     .name = "strict",
+     .help = "a limit that is exceeded is an error: nothing is written, and it ends with 5"},
+    APP_OPTIONS_OF_ALL,
+};
+
+const app_verb app_verb_path = {
+    .name = "path",
+    .brief = "robot programs for a job: two synchronised robots",
+    .about =
+        "Simulates the job and writes the motion of both mounts for two robots that reach every target together, "
+        "thinned to a chord tolerance in space and a tolerance in time.\n"
+        "urscript and krl: wirecut_a.* and wirecut_b.*, started together by an output of either wired to an input of "
+        "the other, then keeping the time or the speed of every move. rapid: two modules for MultiMove, moves of one "
+        "ID "
+        "end together. csv: robot.csv; json: robot.json.\n"
+        "Mount speeds and accelerations, the angles of the Cardan head, and the wire's heat in still air and its "
+        "stress "
+        "are held against limits, and what is over is said with numbers.",
+    .operand = operand,
+    .option = option,
+    .run = path,
+};

@@ -1,0 +1,130 @@
+/* A cut against what cell and wire bear: speeds, accelerations, the head's angles, heat and stress of the wire. */
+#include <wirecut/robot.h>
+
+#include "base/numbers.h"
+#include "base/vec3.h"
+
+#define ZERO_CELSIUS 273.15
+#define HOTTEST 3000 /* [degC] */
+
+wcut_robot_limits wcut_robot_limits_default(const wcut_job *job) {
+    return (wcut_robot_limits){.speed = job->speed_max,
+                               .acceleration = 1000,
+                               .alpha = 60 * WCUT_PI / 180,
+                               .beta = 30 * WCUT_PI / 180,
+                               .ambient = 20,
+                               .emissivity = 0.7,
+                               .temperature = 900,
+                               .cold_strength = 725,
+                               .hot_strength = 37,
+                               .hot_temperature = 900};
+}
+
+/* ---- the wire ------------------------------------------------------------------------------------------------------
+ */
+
+/* heat that a wire of t gives off to still air at t0, both in K [W/m] */
+static double lost_heat(double t, double t0, double diameter, double emissivity) {
+    const double film = (t + t0) / 2, d = diameter / 1000;
+    const double viscosity = 1.458e-6 * pow(film, 1.5) / (film + 110.4); /* [Pa s] Sutherland 1893 */
+    const double conductivity = 2.64638e-3 * pow(film, 1.5) / (film + 245.4 * pow(10, -12 / film)); /* [W/mK] US 1976 */
+    const double density = 101325 / (287.05 * film), capacity = 1005 + 0.15 * fmax(film - 300, 0);  /* [J/kgK] */
+    const double diffusivity = conductivity / (density * capacity), prandtl = viscosity / density / diffusivity;
+    const double rayleigh = 9.81 / film * (t - t0) * d * d * d / (viscosity / density * diffusivity);
+    const double root =
+        0.60 + 0.387 * pow(rayleigh, 1.0 / 6) / pow(1 + pow(0.559 / prandtl, 9.0 / 16), 8.0 / 27); /* Churchill, Chu */
+    const double h = root * root * conductivity / d;
+    return WCUT_PI * d * (h * (t - t0) + emissivity * 5.670374419e-8 * (pow(t, 4) - pow(t0, 4)));
+}
+
+wcut_status wcut_wire_temperature(double heat, double diameter, double ambient, double emissivity,
+                                  double *temperature) {
+    if (!(heat >= 0 && isfinite(heat)) || !is_positive(diameter) || !(ambient >= -100 && ambient <= 200) ||
+        !(emissivity >= 0 && emissivity <= 1) || !temperature)
+        return WCUT_BAD_ARGUMENT;
+    const double t0 = ambient + ZERO_CELSIUS;
+    double low = t0, high = HOTTEST + ZERO_CELSIUS;
+    if (!(lost_heat(high, t0, diameter, emissivity) > heat)) return WCUT_BAD_ARGUMENT;
+    while (high - low > 1e-6) { /* the loss grows with the temperature */
+        const double middle = (low + high) / 2;
+        if (lost_heat(middle, t0, diameter, emissivity) > heat)
+            high = middle;
+        else
+            low = middle;
+    }
+    *temperature = (low + high) / 2 - ZERO_CELSIUS;
+    return WCUT_OK;
+}
+
+/* [MPa] between its two known values, and on, exponentially */
+static double strength(const wcut_robot_limits *l, double temperature) {
+    const double share = (temperature - 20) / (l->hot_temperature - 20);
+    return l->cold_strength * pow(l->hot_strength / l->cold_strength, share);
+}
+
+/* ---- the motion ----------------------------------------------------------------------------------------------------
+ */
+
+static void raise(wcut_robot_check *check, double value, int station) {
+    if (!(value > check->value) && check->station >= 0) return;
+    check->value = value;
+    check->station = station;
+}
+
+/* the change of a mount's velocity at station j over the mean of the moves before and behind it */
+static double acceleration(const wcut_history_row *row, const wcut_vec3 *x, int j) {
+    const wcut_vec3 before = vec3_scale(1 / row[j].duration, vec3_sub(x[j], x[j - 1]));
+    const wcut_vec3 after = vec3_scale(1 / row[j + 1].duration, vec3_sub(x[j + 1], x[j]));
+    return vec3_distance(before, after) / ((row[j].duration + row[j + 1].duration) / 2);
+}
+
+enum { SPEED, ACCELERATION = 2, ALPHA = 4, BETA = 6, TEMPERATURE = 8, STRESS };
+
+static void check_motion(const wcut_history *h, const wcut_vec3 *const mount[2], wcut_robot_check *check) {
+    for (int j = 0; j < h->stations; j++) {
+        const wcut_history_row *r = &h->row[j];
+        const double alpha[2] = {fabs(r->alpha_a), fabs(r->alpha_b)}, beta[2] = {fabs(r->beta_a), fabs(r->beta_b)};
+        for (int k = 0; k < 2; k++) {
+            if (j > 0) raise(&check[SPEED + k], vec3_distance(mount[k][j], mount[k][j - 1]) / r->duration, j);
+            if (j > 0 && j < h->stations - 1) raise(&check[ACCELERATION + k], acceleration(h->row, mount[k], j), j);
+            raise(&check[ALPHA + k], alpha[k] * 180 / WCUT_PI, j);
+            raise(&check[BETA + k], beta[k] * 180 / WCUT_PI, j);
+        }
+        raise(&check[STRESS], fmax(r->tension_a, r->tension_b), j); /* [N] so far */
+    }
+}
+
+wcut_status wcut_robot_limits_check(const wcut_job *job, const wcut_history *history, const wcut_vec3 *mount_a,
+                                    const wcut_vec3 *mount_b, const wcut_robot_limits *limits, wcut_robot_check *out) {
+    if (!job || !history || !history->row || history->stations < 2 || !mount_a || !mount_b || !out ||
+        !vec3_all_finite(history->stations, mount_a) || !vec3_all_finite(history->stations, mount_b))
+        return WCUT_BAD_ARGUMENT;
+    const wcut_robot_limits l = limits ? *limits : wcut_robot_limits_default(job);
+    const double positive[] = {l.speed,         l.acceleration, l.alpha,       l.beta,
+                               l.cold_strength, l.hot_strength, l.temperature, l.hot_temperature};
+    double temperature;
+    if (!all_positive(sizeof positive / sizeof *positive, positive) || !(l.hot_temperature > 20) ||
+        wcut_wire_temperature(job->heat, job->wire_diameter, l.ambient, l.emissivity, &temperature) != WCUT_OK)
+        return WCUT_BAD_ARGUMENT;
+    const double degree = 180 / WCUT_PI;
+    wcut_robot_check check[WCUT_ROBOT_CHECKS] = {{"speed of mount A", "mm/s", 0, l.speed, -1, false},
+                                                 {"speed of mount B", "mm/s", 0, l.speed, -1, false},
+                                                 {"acceleration of mount A", "mm/s^2", 0, l.acceleration, -1, false},
+                                                 {"acceleration of mount B", "mm/s^2", 0, l.acceleration, -1, false},
+                                                 {"alpha at mount A", "deg", 0, l.alpha * degree, -1, false},
+                                                 {"alpha at mount B", "deg", 0, l.alpha * degree, -1, false},
+                                                 {"beta at mount A", "deg", 0, l.beta * degree, -1, false},
+                                                 {"beta at mount B", "deg", 0, l.beta * degree, -1, false},
+                                                 {"wire in still air", "degC", 0, l.temperature, -1, false},
+                                                 {"stress of the wire in air", "MPa", 0, 0, -1, false}};
+    const wcut_vec3 *const mount[2] = {mount_a, mount_b};
+    check_motion(history, mount, check);
+    check[TEMPERATURE].value = temperature;
+    check[STRESS].value /= WCUT_PI / 4 * job->wire_diameter * job->wire_diameter;
+    check[STRESS].limit = strength(&l, temperature);
+    for (int i = 0; i < WCUT_ROBOT_CHECKS; i++) {
+        check[i].over = check[i].value > check[i].limit * (1 + 1e-9); /* what is at its limit is within it */
+        out[i] = check[i];
+    }
+    return WCUT_OK;
+}

@@ -1,0 +1,217 @@
+/* A cut as targets that two robots reach together: thinning in space and time (Ramer 1972; Douglas, Peucker 1973). */
+#include <wirecut/robot.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "base/numbers.h"
+#include "base/vec3.h"
+
+#define BLEND 0.4 /* [1] of the shorter neighbouring move: two zones never meet */
+
+typedef struct path { /* what is thinned */
+    const wcut_history_row *row;
+    const wcut_vec3 *a, *b;
+    wcut_robot_options o;
+    double chord_error, time_error; /* [mm] the largest of what was accepted */
+} path;
+
+wcut_robot_options wcut_robot_options_default(void) {
+    return (wcut_robot_options){.chord_tolerance = 0.1,
+                                .time_tolerance = 1,
+                                .angle_tolerance = 0.5 * WCUT_PI / 180,
+                                .zone = 1,
+                                .frame = WCUT_TOOL_FIXED};
+}
+
+/* ---- thinning ------------------------------------------------------------------------------------------------------
+ */
+
+/* how far a mount is off at station j, when it goes straight and evenly from i to k: across and along its way */
+static void stray(const wcut_vec3 *x, int i, int j, int k, double share, double *across, double *along) {
+    const wcut_vec3 way = vec3_sub(x[k], x[i]), off = vec3_sub(x[j], vec3_add_scaled(x[i], share, way));
+    *along = vec3_dot(off, vec3_unit(way));
+    *across = vec3_length(vec3_add_scaled(off, -*along, vec3_unit(way)));
+    *along = fabs(*along);
+}
+
+static double turn(double from, double to, double share, double at) { return fabs(at - (from + share * (to - from))); }
+
+/* the station between i and k that strays most, as a share of its tolerance; gives that share */
+static double find_worst(path *p, int i, int k, int *worst) {
+    double most = 0, chord = 0, time = 0;
+    *worst = i + 1;
+    for (int j = i + 1; j < k; j++) {
+        const wcut_history_row *f = &p->row[i], *t = &p->row[k], *r = &p->row[j];
+        const double share = (r->time - f->time) / (t->time - f->time);
+        double across[2], along[2], angle = 0;
+        stray(p->a, i, j, k, share, &across[0], &along[0]);
+        stray(p->b, i, j, k, share, &across[1], &along[1]);
+        if (p->o.frame == WCUT_TOOL_FOLLOWING)
+            angle = fmax(
+                fmax(turn(f->alpha_a, t->alpha_a, share, r->alpha_a), turn(f->beta_a, t->beta_a, share, r->beta_a)),
+                fmax(turn(f->alpha_b, t->alpha_b, share, r->alpha_b), turn(f->beta_b, t->beta_b, share, r->beta_b)));
+        const double c = fmax(across[0], across[1]), l = fmax(along[0], along[1]);
+        const double size = fmax(fmax(c / p->o.chord_tolerance, l / p->o.time_tolerance), angle / p->o.angle_tolerance);
+        chord = fmax(chord, c);
+        time = fmax(time, l);
+        if (size > most) {
+            most = size;
+            *worst = j;
+        }
+    }
+    if (most <= 1) {
+        p->chord_error = fmax(p->chord_error, chord);
+        p->time_error = fmax(p->time_error, time);
+    }
+    return most;
+}
+
+/* mark the stations to keep; `stack` has room for m */
+static void thin(path *p, int m, int *stack, unsigned char *keep) {
+    int depth = 0, from = 0;
+    keep[0] = keep[m - 1] = 1;
+    stack[depth++] = m - 1;
+    while (depth > 0) { /* the stack holds ends, nearest on top; its span begins at `from` */
+        const int to = stack[depth - 1];
+        int worst;
+        if (find_worst(p, from, to, &worst) > 1) {
+            keep[worst] = 1;
+            stack[depth++] = worst;
+        } else {
+            from = to;
+            depth--;
+        }
+    }
+}
+
+/* ---- targets -------------------------------------------------------------------------------------------------------
+ */
+
+/* rotation with the x axis along d and the z axis as far up as that allows, as a quaternion */
+static void frame_along(wcut_vec3 d, double q[4]) {
+    const double across = hypot(d.x, d.y), yaw = across > 0 ? atan2(d.y, d.x) : 0, pitch = -atan2(d.z, across);
+    const double cy = cos(yaw / 2), sy = sin(yaw / 2), cp = cos(pitch / 2), sp = sin(pitch / 2);
+    const double w = cy * cp, sign = w < 0 ? -1 : 1;
+    q[0] = sign * w;
+    q[1] = sign * -sy * sp;
+    q[2] = sign * cy * sp;
+    q[3] = sign * sy * cp;
+}
+
+/* direction of the wire leaving a mount; u is +1 at A and -1 at B */
+static wcut_vec3 direction(double u, double alpha, double beta) {
+    return vec3(u * cos(beta) * cos(alpha), -cos(beta) * sin(alpha), sin(beta));
+}
+
+static wcut_robot_target at_station(const path *p, int j) {
+    const wcut_history_row *r = &p->row[j];
+    wcut_robot_target t = {.station = j, .time = r->time, .a = p->a[j], .b = p->b[j]};
+    const bool follow = p->o.frame == WCUT_TOOL_FOLLOWING;
+    frame_along(follow ? direction(1, r->alpha_a, r->beta_a) : vec3(1, 0, 0), t.frame_a);
+    frame_along(follow ? direction(-1, r->alpha_b, r->beta_b) : vec3(-1, 0, 0), t.frame_b);
+    return t;
+}
+
+/* a lead: both mounts by the same vector along the mean motion from station i to j, at the speed of the faster one */
+static wcut_robot_target lead(const path *p, int from, int i, int j, double way, double speed) {
+    wcut_robot_target t = at_station(p, from);
+    const wcut_vec3 move = vec3_add(vec3_sub(p->a[j], p->a[i]), vec3_sub(p->b[j], p->b[i]));
+    const wcut_vec3 step = vec3_scale(way, vec3_unit(move));
+    t.station = way < 0 ? -1 : -2;
+    t.a = vec3_add(t.a, step);
+    t.b = vec3_add(t.b, step);
+    t.time += way / speed;
+    return t;
+}
+
+/* durations, speeds and zones from times and places */
+static void finish(wcut_robot_motion *motion, double zone) {
+    const int n = motion->count;
+    const double begin = motion->target[0].time;
+    for (int i = 0; i < n; i++) motion->target[i].time -= begin;
+    for (int i = 1; i < n; i++) {
+        wcut_robot_target *t = &motion->target[i], *before = t - 1;
+        t->duration = t->time - before->time;
+        t->speed_a = vec3_distance(before->a, t->a) / t->duration;
+        t->speed_b = vec3_distance(before->b, t->b) / t->duration;
+    }
+    for (int i = 1; i < n - 1; i++) {
+        wcut_robot_target *t = &motion->target[i], *after = t + 1;
+        t->zone_a = fmin(zone, BLEND * fmin(t->speed_a * t->duration, after->speed_a * after->duration));
+        t->zone_b = fmin(zone, BLEND * fmin(t->speed_b * t->duration, after->speed_b * after->duration));
+    }
+    motion->duration = motion->target[n - 1].time;
+}
+
+static wcut_status fill(const wcut_history *h, path *p, const unsigned char *keep, wcut_robot_motion *motion) {
+    const int m = h->stations;
+    int count = 0;
+    for (int j = 0; j < m; j++) count += keep[j];
+    motion->target = wcut_alloc((size_t)count + 2, sizeof *motion->target);
+    if (!motion->target) return WCUT_NO_MEMORY;
+    int n = 0;
+    const double first = fmax(h->row[1].speed_a, h->row[1].speed_b);
+    const double last = fmax(h->row[m - 1].speed_a, h->row[m - 1].speed_b);
+    if (p->o.lead_in > 0) motion->target[n++] = lead(p, 0, 0, 1, -p->o.lead_in, first);
+    motion->first = n;
+    for (int j = 0; j < m; j++)
+        if (keep[j]) motion->target[n++] = at_station(p, j);
+    motion->last = n - 1;
+    if (p->o.lead_out > 0) motion->target[n++] = lead(p, m - 1, m - 2, m - 1, p->o.lead_out, last);
+    motion->count = n;
+    motion->stations = m;
+    motion->chord_error = p->chord_error;
+    motion->time_error = p->time_error;
+    finish(motion, p->o.zone);
+    return WCUT_OK;
+}
+
+static wcut_status check(const wcut_history *h, const wcut_vec3 *a, const wcut_vec3 *b, const wcut_robot_options *o,
+                         wcut_error *error) {
+    if (!is_positive(o->chord_tolerance) || !is_positive(o->time_tolerance) || !is_positive(o->angle_tolerance) ||
+        !(o->lead_in >= 0 && isfinite(o->lead_in)) || !(o->lead_out >= 0 && isfinite(o->lead_out)) ||
+        !(o->zone >= 0 && isfinite(o->zone)) || (o->frame != WCUT_TOOL_FIXED && o->frame != WCUT_TOOL_FOLLOWING))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                         "positive tolerances, leads and a zone of 0 or more and a known tool frame are expected");
+    if (!h->row || h->stations < 2 || !vec3_all_finite(h->stations, a) || !vec3_all_finite(h->stations, b))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "a history of at least two stations and finite paths are expected");
+    for (int j = 1; j < h->stations; j++) {
+        const wcut_history_row *r = &h->row[j];
+        if (!(r->time > r[-1].time) || !is_positive(fmax(r->speed_a, r->speed_b)))
+            return wcut_fail(error, WCUT_BAD_ARGUMENT, "station %d: expected a later time and a positive speed", j);
+    }
+    return WCUT_OK;
+}
+
+wcut_status wcut_robot_motion_create(const wcut_history *history, const wcut_vec3 *mount_a, const wcut_vec3 *mount_b,
+                                     const wcut_robot_options *options, wcut_robot_motion **out, wcut_error *error) {
+    if (!history || !mount_a || !mount_b || !out)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                         "a history, its path curves and a place for the motion are expected");
+    path p = {.row = history->row, .a = mount_a, .b = mount_b, .o = options ? *options : wcut_robot_options_default()};
+    wcut_status status = check(history, mount_a, mount_b, &p.o, error);
+    if (status != WCUT_OK) return status;
+    const size_t m = (size_t)history->stations;
+    wcut_robot_motion *motion = wcut_alloc(1, sizeof *motion);
+    int *stack = wcut_alloc(m, sizeof *stack);
+    unsigned char *keep = wcut_alloc(m, 1);
+    status = WCUT_NO_MEMORY;
+    if (motion && stack && keep) {
+        thin(&p, history->stations, stack, keep);
+        status = fill(history, &p, keep, motion);
+    }
+    wcut_free(stack);
+    wcut_free(keep);
+    if (status == WCUT_OK) {
+        *out = motion;
+        return WCUT_OK;
+    }
+    wcut_robot_motion_destroy(motion);
+    return wcut_fail(error, status, "no memory for the targets of %d stations", history->stations);
+}
+
+void wcut_robot_motion_destroy(wcut_robot_motion *motion) {
+    if (!motion) return;
+    wcut_free(motion->target);
+    wcut_free(motion);
+}

@@ -1,0 +1,200 @@
+/* wirecut/robot.h - a cut as the motion of two synchronised robots: thinned targets, limits, programs. */
+#ifndef WCUT_ROBOT_H
+#define WCUT_ROBOT_H
+
+#include <stdbool.h>
+#include <wirecut/export.h>
+#include <wirecut/history.h>
+#include <wirecut/job.h>
+#include <wirecut/status.h>
+#include <wirecut/vec3.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** What the tool frame does. Its x axis looks along the wire into the cut, its z axis up, at both mounts. */
+typedef enum wcut_tool_frame {
+    WCUT_TOOL_FIXED,    /**< along the rest direction, +x at A and -x at B; the head's own axes give way and measure */
+    WCUT_TOOL_FOLLOWING /**< along the wire, by the simulated alpha and beta */
+} wcut_tool_frame;
+
+/** How the motion is made from a history. */
+typedef struct wcut_robot_options {
+    double chord_tolerance; /**< [mm] either mount's distance from its path; default 0.1 */
+    double time_tolerance;  /**< [mm] how far along its path either mount may be from where it would be; default 1 */
+    double angle_tolerance; /**< [rad] of a following frame; default 0.5 deg */
+    double lead_in;         /**< [mm] both mounts begin so far before station 0, against the feed; default 0 */
+    double lead_out;        /**< [mm] and go on so far behind the last station; default 0 */
+    double zone;            /**< [mm] blend radius, at most 2/5 of the shorter neighbouring move; default 1 */
+    wcut_tool_frame frame;
+} wcut_robot_options;
+
+/** A target that both robots reach at the same moment. */
+typedef struct wcut_robot_target {
+    int station;             /**< of the history; -1: lead-in, -2: lead-out */
+    double time, duration;   /**< [s] since the first target; of the move to this one */
+    wcut_vec3 a, b;          /**< [mm] block frame */
+    double speed_a, speed_b; /**< [mm/s] of the move to this one; first: 0 */
+    double zone_a, zone_b;   /**< [mm] 0: exact stop, at the first and the last */
+    double frame_a[4];       /**< unit quaternion w, x, y, z of the tool in the block frame, w not negative */
+    double frame_b[4];
+} wcut_robot_target;
+
+/** The motion of both robots. */
+typedef struct wcut_robot_motion {
+    int count;                 /**< at least 2 */
+    wcut_robot_target *target; /**< count */
+    int stations;              /**< that it was made from */
+    int first, last;           /**< targets between which the wire is over the path: lead-in and -out are outside */
+    double chord_error;        /**< [mm] largest that thinning left */
+    double time_error;         /**< [mm] the same along the path */
+    double duration;           /**< [s] */
+} wcut_robot_motion;
+
+/** What the cell and the wire bear; `wcut_robot_limits_default` fills it in. */
+typedef struct wcut_robot_limits {
+    double speed;           /**< [mm/s] of a mount; default the job's speed_max */
+    double acceleration;    /**< [mm/s^2] of a mount; default 1000 */
+    double alpha, beta;     /**< [rad] largest size of the head's angles; default 60 and 30 deg */
+    double ambient;         /**< [degC] default 20 */
+    double emissivity;      /**< [1] of the oxidised wire; default 0.7 */
+    double temperature;     /**< [degC] of the wire in air; default 900 */
+    double cold_strength;   /**< [MPa] at 20 degC; default 725, Kanthal A */
+    double hot_strength;    /**< [MPa] at hot_temperature; default 37, Kanthal A */
+    double hot_temperature; /**< [degC] default 900 */
+} wcut_robot_limits;
+
+/** One figure against its limit. */
+typedef struct wcut_robot_check {
+    const char *name; /**< "speed of mount A" */
+    const char *unit; /**< "mm/s" */
+    double value, limit;
+    int station; /**< where it is largest; -1: everywhere */
+    bool over;   /**< value beyond the limit */
+} wcut_robot_check;
+
+enum { WCUT_ROBOT_CHECKS = 10 };
+
+/** Programs' formats. */
+typedef enum wcut_robot_format {
+    WCUT_ROBOT_URSCRIPT, /**< Universal Robots: two programs */
+    WCUT_ROBOT_RAPID,    /**< ABB MultiMove: two modules */
+    WCUT_ROBOT_KRL,      /**< KUKA: two programs */
+    WCUT_ROBOT_CSV,      /**< both robots in one table */
+    WCUT_ROBOT_JSON      /**< both robots in one object, "format": "wirecut-robot/1" */
+} wcut_robot_format;
+
+/** What the programs call things. Names are letters, digits and _, beginning with a letter, at most 22 long: KRL has no
+ * more. */
+typedef struct wcut_robot_names {
+    const char *title;    /**< the job's; any text, for comments */
+    const char *program;  /**< default "wirecut": module and program names get _a and _b */
+    const char *wire_on;  /**< procedure that robot A calls at its first target; NULL: none; default "wire_on" */
+    const char *wire_off; /**< ... after its last; default "wire_off" */
+    int sync_io;          /**< digital output of one robot that is this input of the other, 0 .. 255; default 1 */
+} wcut_robot_names;
+
+WCUT_API wcut_robot_options wcut_robot_options_default(void);
+WCUT_API wcut_robot_limits wcut_robot_limits_default(const wcut_job *job);
+WCUT_API wcut_robot_names wcut_robot_names_default(void);
+
+/**
+ * Make the motion of two robots from a history and its path curves: one list of targets for both, so that they stay in
+ * step; between targets both go straight and evenly. A station is left out where both mounts stay within the chord
+ * tolerance of their paths and the time tolerance of their places at every moment (Ramer 1972, Douglas, Peucker 1973).
+ *
+ * @param[in]  history at least two stations
+ * @param[in]  mount_a history->stations [mm], from wcut_history_path
+ * @param[in]  mount_b history->stations [mm]
+ * @param[in]  options NULL for the defaults
+ * @param[out] motion  the caller's, to wcut_robot_motion_destroy
+ * @param[out] error   may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (tolerances not positive, leads or zone negative, speeds not positive),
+ *         WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_robot_motion_create(const wcut_history *history, const wcut_vec3 *mount_a,
+                                              const wcut_vec3 *mount_b, const wcut_robot_options *options,
+                                              wcut_robot_motion **motion, wcut_error *error);
+
+/** Free a motion; NULL is allowed. */
+WCUT_API void wcut_robot_motion_destroy(wcut_robot_motion *motion);
+
+/**
+ * Temperature of a hot wire in still air: Q_I / (pi d) = h (T - T0) + e sigma (T^4 - T0^4) with natural convection
+ * around a horizontal cylinder, Nu = (0.60 + 0.387 Ra^(1/6) / (1 + (0.559 / Pr)^(9/16))^(8/27))^2 (Churchill, Chu
+ * 1975), air by Sutherland's law at the film temperature. Kanthal A 0.15 mm: 649 degC at 65 W/m, 759 at 85.
+ *
+ * @param[in]  heat        [W/m] not negative
+ * @param[in]  diameter    [mm] positive
+ * @param[in]  ambient     [degC] -100 .. 200
+ * @param[in]  emissivity  [1] 0 .. 1
+ * @param[out] temperature [degC]
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (hotter than 3000 degC, too): nothing was written.
+ */
+WCUT_API wcut_status wcut_wire_temperature(double heat, double diameter, double ambient, double emissivity,
+                                           double *temperature);
+
+/**
+ * Hold a cut against the limits of cell and wire. Speeds and accelerations are those of the stations, not of the
+ * thinned targets. The wire's strength falls exponentially from its cold to its hot value and on; the stress is that of
+ * the largest tension of either mount, and its check is `over` where it exceeds the strength at the temperature in air.
+ *
+ * @param[in]  job     that the history came from
+ * @param[in]  history at least two stations
+ * @param[in]  mount_a history->stations [mm]
+ * @param[in]  mount_b history->stations [mm]
+ * @param[in]  limits  NULL for the defaults; all finite and positive, but emissivity 0 .. 1 and any ambient
+ * @param[out] check   WCUT_ROBOT_CHECKS
+ * @return WCUT_OK, whatever is over; WCUT_BAD_ARGUMENT: nothing was written.
+ */
+WCUT_API wcut_status wcut_robot_limits_check(const wcut_job *job, const wcut_history *history, const wcut_vec3 *mount_a,
+                                             const wcut_vec3 *mount_b, const wcut_robot_limits *limits,
+                                             wcut_robot_check *check);
+
+/** The name of a file of a format: robot 0 or 1; a format with one file has a NULL for robot 1. */
+WCUT_API const char *wcut_robot_file_name(wcut_robot_format format, int robot);
+
+/**
+ * Write one robot's program, or the one file of csv and json. Positions are in the block frame, to 1e-3 mm (json:
+ * exact); what else the cell has to define stands in the program's head.
+ *
+ * @param[in]  motion
+ * @param[in]  names   NULL for the defaults
+ * @param[in]  format
+ * @param[in]  robot   0 or 1
+ * @param[in]  path    the target, replaced whole or not at all
+ * @param[out] error   may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a name that is none; a robot that the format has no file for), WCUT_NO_MEMORY,
+ *         WCUT_NOT_WRITTEN: the target is as it was.
+ */
+WCUT_API wcut_status wcut_robot_write(const wcut_robot_motion *motion, const wcut_robot_names *names,
+                                      wcut_robot_format format, int robot, const char *path, wcut_error *error);
+
+/** What a verb tells of an export. */
+typedef struct wcut_robot_summary {
+    const wcut_job *job;
+    const wcut_robot_motion *motion;
+    const wcut_robot_check *check; /**< WCUT_ROBOT_CHECKS */
+    wcut_robot_format format;
+    int file_count;
+    const char *const *files;
+} wcut_robot_summary;
+
+/**
+ * The text of an export's figures, "format": "wirecut-path/1".
+ *
+ * @param[in]  summary every pointer set
+ * @param[out] text    the caller's, to free(); ends with a line feed
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_robot_summary_print(const wcut_robot_summary *summary, char **text);
+
+/** The word of a format: "urscript", "rapid", "krl", "csv", "json". */
+WCUT_API const char *wcut_robot_format_text(wcut_robot_format format);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
