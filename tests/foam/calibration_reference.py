@@ -80,7 +80,7 @@ def band(name, law, slope, x, covariance):
 
 
 print("/* Written by calibration_reference.py (scipy): test cuts and what curve_fit makes of them. */")
-print("/* clang-format off: as the script writes it */")
+print("/* clang-format off */")
 for name, column in (("heat", heat), ("speed", speed), ("engaged", engaged), ("tension_n", tension_n), ("alpha", alpha)):
     array(name, column)
 for relative in (True, False):
