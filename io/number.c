@@ -45,7 +45,7 @@ static int reads_back(uint64_t digits, int k, double value) {
 
 /* digits / 10^k as a decimal fraction without trailing zeros */
 static int print_fraction(uint64_t digits, int k, char *text) {
-    char reversed[WCUT_NUMBER_SIZE];
+    char reversed[WCUT_NUMBER_SIZE] = "";
     int n = 0, length = 0;
     while (k > 0 && digits % 10 == 0) digits /= 10, k--;
     for (; digits > 0 || n <= k; digits /= 10) {

@@ -23,7 +23,7 @@ wcut_status wcut_curve_new(int degree, int control_count, bool rational, wcut_cu
     if (!c) return WCUT_NO_MEMORY;
     c->degree = degree;
     c->control_count = control_count;
-    c->knots = wcut_alloc((size_t)(control_count + degree + 1), sizeof *c->knots);
+    c->knots = wcut_alloc((size_t)control_count + (size_t)degree + 1, sizeof *c->knots);
     c->control = wcut_alloc((size_t)control_count, sizeof *c->control);
     c->weights = rational ? wcut_alloc((size_t)control_count, sizeof *c->weights) : NULL;
     if (!c->knots || !c->control || (rational && !c->weights)) {

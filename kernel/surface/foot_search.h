@@ -14,6 +14,6 @@ struct wcut_projection {
 };
 
 /* the closest point to p; `near`, if not NULL, is a foot found for a neighbour */
-void wcut_foot_search(const wcut_projection *projection, wcut_vec3 p, const wcut_foot *near, wcut_foot *foot);
+void wcut_foot_search(const wcut_projection *m, wcut_vec3 p, const wcut_foot *near, wcut_foot *foot);
 
 #endif

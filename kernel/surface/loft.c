@@ -66,8 +66,8 @@ wcut_status wcut_surface_loft(int stations, int nodes, const wcut_vec3 *position
     wcut_status status = WCUT_NO_MEMORY;
     wcut_surface *s = NULL;
     int *keep = wcut_alloc((size_t)stations, sizeof *keep), kept;
-    double *v = wcut_alloc((size_t)stations, 2 * sizeof *v), *step = v + stations;
-    if (!keep || !v) goto done;
+    double *v = wcut_alloc((size_t)stations, sizeof *v), *step = wcut_alloc((size_t)stations, sizeof *step);
+    if (!keep || !v || !step) goto done;
 
     kept = pick_sections(stations, nodes, position, merge, keep, step);
     status = kept >= 2 ? wcut_parameters_from_lengths(kept, step, v) : WCUT_DEGENERATE;
@@ -88,6 +88,7 @@ wcut_status wcut_surface_loft(int stations, int nodes, const wcut_vec3 *position
 
 done:
     wcut_surface_destroy(s);
+    wcut_free(step);
     wcut_free(v);
     wcut_free(keep);
     return status;

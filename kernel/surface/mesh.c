@@ -72,6 +72,7 @@ wcut_status wcut_mesh_sample(wcut_mesh *mesh, int stations, int nodes, const dou
     if (!mesh->scalar) mesh->scalar = wcut_alloc((size_t)mesh->vertex_count, sizeof *mesh->scalar);
     if (!mesh->scalar) return WCUT_NO_MEMORY;
     for (int k = 0; k < mesh->vertex_count; k++)
-        mesh->scalar[k] = bilinear(stations, nodes, parameter, field, mesh->uv[2 * k], mesh->uv[2 * k + 1]);
+        mesh->scalar[k] =
+            bilinear(stations, nodes, parameter, field, mesh->uv[2 * (size_t)k], mesh->uv[2 * (size_t)k + 1]);
     return WCUT_OK;
 }

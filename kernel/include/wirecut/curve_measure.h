@@ -48,7 +48,8 @@ WCUT_API wcut_status wcut_curve_length(const wcut_curve *curve, double from, dou
  * @param[in]  curve  a valid curve
  * @param[in]  length [mm] from 0 to the curve's own; beyond that the end is given
  * @param[out] u      parameter, its length right to 1e-11 of the curve's
- * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_DEGENERATE (the curve has no length, or one that overflows): nothing was written.
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_DEGENERATE (the curve has no length, or one that overflows): nothing was
+ * written.
  */
 WCUT_API wcut_status wcut_curve_locate_length(const wcut_curve *curve, double length, double *u);
 
