@@ -113,6 +113,7 @@ static void put_point(wcut_text *text, const char *name, const wcut_fit_point *p
         put_number(text, ", \"residual\": ", p->residual);
         put_number(text, ", \"weight\": ", p->loss_weight);
         put_number(text, ", \"left_out_N_per_mm\": ", p->left_out);
+        put_number(text, ", \"leverage\": ", p->leverage);
     }
     put(text, "}");
 }

@@ -101,8 +101,7 @@ static wcut_status find_reference(int n, const wcut_calibration_point *point, co
     double variance = da * da * f->covariance[0] + 2 * da * db * f->covariance[1] + db * db * f->covariance[4];
     c->reference_speed_error = c->reference_speed * sqrt(fmax(0, variance));
     c->exponent_error = c->exponent * fabs(da) * f->standard_error[0];
-    double size = f->standard_error[0] * f->standard_error[1];
-    c->correlation = size > 0 ? f->covariance[1] / size : 0;
+    c->correlation = f->correlation[1];
     c->told_apart = f->high[1] - f->low[1] < f->b;
     return WCUT_OK;
 }

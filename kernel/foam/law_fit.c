@@ -269,28 +269,36 @@ static wcut_status test_flexible(const trial *t, const solution *s, const double
     return WCUT_OK;
 }
 
+/* the share of each cut in its own fitted value: the diagonal of J (J^T J)^-1 J^T, J scaled and weighted */
+static wcut_status find_leverages(const trial *t, const solution *s, const double *loss_weight, double *work,
+                                  wcut_fit_point *point) {
+    const wcut_law_data *d = t->d;
+    int n = d->n, p = s->parameters;
+    double inverse[9], x[3];
+    linearise(t, s, loss_weight, 0, work, work + 5 * (size_t)n);
+    wcut_status status = wcut_qr_solve(n, p, work, work + 5 * (size_t)n, x, inverse);
+    for (int i = 0; i < n && status == WCUT_OK; i++) {
+        double slope[3], leverage = 0;
+        law_slopes(s->x, p, d->q[i], slope);
+        for (int j = 0; j < p * p; j++) leverage += slope[j / p] * slope[j % p] * inverse[j];
+        point[i].leverage = leverage * d->weight[i] * loss_weight[i] / (t->sigma[i] * t->sigma[i]);
+    }
+    return status;
+}
+
 /* each cut predicted by the law of the others */
 static wcut_status leave_out(trial *t, const solution *s, const wcut_calibration_options *o, double *work,
                              wcut_law_fit *fit, wcut_fit_point *point) {
     const wcut_law_data *d = t->d;
     int n = d->n, p = s->parameters;
-    double sum = 0, *weight = work + 6 * (size_t)n, *loss_weight = weight + n, inverse[9], x[3];
-    if (n > REFIT_MOST) {
-        for (int i = 0; i < n; i++) loss_weight[i] = point[i].loss_weight;
-        linearise(t, s, loss_weight, 0, work, work + 5 * (size_t)n);
-        wcut_status status = wcut_qr_solve(n, p, work, work + 5 * (size_t)n, x, inverse);
-        if (status != WCUT_OK) return status;
-    }
+    double sum = 0, *weight = work + 6 * (size_t)n, *loss_weight = weight + n;
     memcpy(weight, d->weight, (size_t)n * sizeof *weight);
     for (int i = 0; i < n; i++) {
         solution other = *s;
         wcut_status status = WCUT_OK;
         if (n > REFIT_MOST) {
-            double slope[3], leverage = 0, off = point[i].measured - point[i].fitted;
-            law_slopes(s->x, p, d->q[i], slope);
-            for (int j = 0; j < p * p; j++) leverage += slope[j / p] * slope[j % p] * inverse[j];
-            leverage *= d->weight[i] * loss_weight[i] / (t->sigma[i] * t->sigma[i]);
-            point[i].left_out = point[i].measured - off / fmax(1 - leverage, 1e-9);
+            double off = point[i].measured - point[i].fitted;
+            point[i].left_out = point[i].measured - off / fmax(1 - point[i].leverage, 1e-9);
         } else {
             weight[i] = 0;
             status = fit_from(t, o->noise, o->loss, weight, loss_weight, &other);
@@ -308,6 +316,27 @@ static wcut_status leave_out(trial *t, const solution *s, const wcut_calibration
     return WCUT_OK;
 }
 
+double wcut_law_fit_error(const wcut_law_fit *fit, double q) {
+    const double x[3] = {fit->a, fit->b, fit->c};
+    double slope[3], variance = 0;
+    law_slopes(x, 3, q, slope);
+    for (int j = 0; j < 9; j++) variance += slope[j / 3] * slope[j % 3] * fit->covariance[j];
+    return sqrt(fmax(0, variance));
+}
+
+/* what a reader should look at twice; data on the law itself leave rounding alone, nothing unusual */
+static void mark_unusual(const wcut_law_data *d, int parameters, const wcut_law_fit *fit, wcut_fit_point *point) {
+    const double share = (double)parameters / d->n;
+    for (int i = 0; i < d->n && fit->scale > 1e-12; i++) {
+        wcut_fit_point *at = &point[i];
+        double error = wcut_law_fit_error(fit, d->q[i]);
+        at->influence = error > 0 ? (at->fitted - at->left_out) / error : 0;
+        at->unusual = (fabs(at->residual) > 3 ? WCUT_FIT_OUTLIER : 0) +
+                      (at->leverage > 2 * share ? WCUT_FIT_LEVERAGE : 0) +
+                      (fabs(at->influence) > 2 * sqrt(share) ? WCUT_FIT_INFLUENTIAL : 0);
+    }
+}
+
 static void keep_solution(const trial *t, const solution *s, const wcut_calibration_options *o, wcut_law_fit *fit) {
     int p = s->parameters;
     *fit = (wcut_law_fit){.a = s->x[0], .b = s->x[1], .c = p > 2 ? s->x[2] : 0, .c_held = p < 3, .lack_p = 1};
@@ -321,6 +350,10 @@ static void keep_solution(const trial *t, const solution *s, const wcut_calibrat
         fit->low[i] = value - t_quantile * fit->standard_error[i];
         fit->high[i] = value + t_quantile * fit->standard_error[i];
     }
+    for (int j = 0; j < 9; j++) {
+        double size = fit->standard_error[j / 3] * fit->standard_error[j % 3];
+        fit->correlation[j] = size > 0 ? fit->covariance[j] / size : 0;
+    }
 }
 
 /* all that is known beside the parameters; t->sigma is that of the solution */
@@ -331,12 +364,19 @@ static wcut_status examine(trial *t, const solution *s, const wcut_calibration_o
     for (int i = 0; i < d->n; i++) {
         double fitted = law_at(s->x, s->parameters, d->q[i]), off = (d->y[i] - fitted) * sqrt(d->weight[i]);
         double unit = s->report.scale * t->sigma[i];
-        point[i] = (wcut_fit_point){d->y[i], fitted, unit > 0 ? off / unit : 0, loss_weight[i], fitted};
+        point[i] = (wcut_fit_point){.measured = d->y[i],
+                                    .fitted = fitted,
+                                    .residual = unit > 0 ? off / unit : 0,
+                                    .loss_weight = loss_weight[i],
+                                    .left_out = fitted,
+                                    .relative = d->y[i] / fitted - 1};
     }
     linearise(t, s, loss_weight, 0, work, e);
     wcut_status status = WCUT_OK;
     if (!test_replicates(t, s, loss_weight, e, fit)) status = test_flexible(t, s, loss_weight, work, fit);
+    if (status == WCUT_OK) status = find_leverages(t, s, loss_weight, work, point);
     if (status == WCUT_OK) status = leave_out(t, s, o, work, fit, point);
+    if (status == WCUT_OK) mark_unusual(d, s->parameters, fit, point);
     if (status == WCUT_OK) status = log_likelihood(t, WCUT_NOISE_RELATIVE, s->parameters, s->x, work, &relative);
     if (status == WCUT_OK) status = log_likelihood(t, WCUT_NOISE_ABSOLUTE, s->parameters, s->x, work, &absolute);
     if (status == WCUT_OK) fit->evidence = relative - absolute;

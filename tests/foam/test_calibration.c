@@ -345,6 +345,122 @@ START_TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
 }
 END_TEST
 
+START_TEST(the_band_of_a_curve_is_that_of_scipy_s_covariance) {
+    enum { AT = (int)(sizeof band_q / sizeof band_q[0]) };
+    double value[AT], low[AT], high[AT];
+    given_the_reference_table();
+    ck_assert_int_eq(solve(REFERENCE, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_law_fit_eval(&fit.force, 0.9, AT, band_q, value, low, high), WCUT_OK);
+    for (int i = 0; i < AT; i++) {
+        ck_assert_double_eq_tol(value[i] / (fit.force.a * exp(-fit.force.b * band_q[i])), 1, 1e-14);
+        ck_assert_double_eq_tol(low[i] / force_band_low[i], 1, 1e-7);
+        ck_assert_double_eq_tol(high[i] / force_band_high[i], 1, 1e-7);
+    }
+    ck_assert_int_eq(wcut_law_fit_eval(&fit.tension, 0.9, AT, band_q, value, low, high), WCUT_OK);
+    for (int i = 0; i < AT; i++) {
+        ck_assert_double_eq_tol(value[i], fit.tension.a * exp(-fit.tension.b * band_q[i]) + fit.tension.c, 1e-14);
+        ck_assert_double_eq_tol(low[i], tension_band_low[i], 1e-9);
+        ck_assert_double_eq_tol(high[i], tension_band_high[i], 1e-9);
+    }
+    /* without heat the curve is a + c: its band there is the interval of a, where c is held */
+    ck_assert_int_eq(wcut_law_fit_eval(&fit.force, 0.95, 1, band_q, value, low, high), WCUT_OK);
+    ck_assert_double_eq_tol(low[0] / fit.force.low[0], 1, 1e-12);
+    ck_assert_double_eq_tol(high[0] / fit.force.high[0], 1, 1e-12);
+    ck_assert_int_eq(wcut_law_fit_eval(&fit.force, 0.95, 1, band_q, value, NULL, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_law_fit_eval(&fit.force, 0.95, 0, NULL, NULL, NULL, NULL), WCUT_OK);
+}
+END_TEST
+
+START_TEST(a_band_of_what_is_no_fit_is_refused) {
+    given_the_reference_table();
+    ck_assert_int_eq(solve(REFERENCE, NULL), WCUT_OK);
+    const wcut_law_fit law = fit.force;
+    const double good[2] = {1000, 2000}, below[2] = {1000, -1}, none[2] = {1000, NAN};
+    double out[3][2] = {{999, 999}, {999, 999}, {999, 999}};
+    wcut_law_fit exact = law, broken = law;
+    exact.degrees = 0;
+    broken.covariance[4] = NAN;
+    const struct {
+        const wcut_law_fit *law;
+        double confidence;
+        int n;
+        const double *q;
+    } bad[] = {{NULL, 0.9, 2, good},   {&law, 0, 2, good},     {&law, 1, 2, good},    {&law, NAN, 2, good},
+               {&law, 0.9, -1, good},  {&law, 0.9, 2, NULL},   {&law, 0.9, 2, below}, {&law, 0.9, 2, none},
+               {&exact, 0.9, 2, good}, {&broken, 0.9, 2, good}};
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; k++)
+        ck_assert_msg(wcut_law_fit_eval(bad[k].law, bad[k].confidence, bad[k].n, bad[k].q, out[0], out[1], out[2]) ==
+                          WCUT_BAD_ARGUMENT,
+                      "call %zu", k);
+    ck_assert_int_eq(wcut_law_fit_eval(&law, 0.9, 2, good, NULL, out[1], out[2]), WCUT_BAD_ARGUMENT);
+    for (int k = 0; k < 6; k++) ck_assert(out[k / 2][k % 2] == 999);
+}
+END_TEST
+
+START_TEST(leverages_are_those_of_the_hat_matrix_and_sum_to_the_parameters) {
+    double force = 0, tension = 0;
+    given_the_reference_table();
+    ck_assert_int_eq(solve(REFERENCE, NULL), WCUT_OK);
+    for (int i = 0; i < REFERENCE; i++) {
+        const wcut_fit_point *p = &point[i].force;
+        ck_assert_double_eq_tol(p->leverage / force_leverage[i], 1, 1e-7);
+        ck_assert_double_eq_tol(p->relative, p->measured / p->fitted - 1, 1e-15);
+        ck_assert_double_eq_tol(p->relative, p->residual * fit.force.scale, 1e-12); /* all weights are 1 */
+        force += p->leverage;
+        tension += point[i].tension.leverage;
+        /* to first order the fitted value goes by h r / (1 - h), and its standard error is s sqrt(h) */
+        double h = p->leverage, expected = sqrt(h) * p->residual / (1 - h);
+        ck_assert_double_eq_tol(p->influence, expected, 0.03 + 0.1 * fabs(expected));
+    }
+    ck_assert_double_eq_tol(force, 2, 1e-9);
+    ck_assert_double_eq_tol(tension, 3, 1e-9);
+    for (int k = 0; k < 9; k++) {
+        const wcut_law_fit *f = &fit.tension;
+        double size = f->standard_error[k / 3] * f->standard_error[k % 3];
+        ck_assert_double_eq_tol(f->correlation[k], f->covariance[k] / size, 1e-14);
+    }
+    ck_assert(fit.force.correlation[8] == 0 && fit.force.correlation[1] == fit.correlation);
+}
+END_TEST
+
+START_TEST(a_cut_alone_at_its_q_eff_and_one_off_the_law_are_marked) {
+    for (int i = 0; i < N; i++) {
+        double q_i = 60 + i, v = 1000 * q_i / (2000 + 10 * i);
+        if (i == N - 1) v = 1000 * q_i / 4000;
+        double force = 0.06 * exp(-7e-4 * 1000 * q_i / v) * (1 + (i % 2 ? 0.01 : -0.01));
+        cut[i] = cut_of(q_i, v, i == 5 ? 1.2 * force : force, 0.3);
+    }
+    ck_assert_int_eq(solve(N, NULL), WCUT_OK);
+    for (int i = 0; i < N; i++) {
+        ck_assert_int_eq((point[i].force.unusual & WCUT_FIT_LEVERAGE) != 0, i == N - 1);
+        ck_assert_int_eq((point[i].force.unusual & WCUT_FIT_OUTLIER) != 0, i == 5);
+    }
+    ck_assert(point[5].force.unusual & WCUT_FIT_INFLUENTIAL);
+    given_a_made_table(10, 1, 0); /* on the law itself nothing is unusual */
+    ck_assert_int_eq(solve(10, NULL), WCUT_OK);
+    for (int i = 0; i < 10; i++) ck_assert(!(point[i].force.unusual & (WCUT_FIT_OUTLIER | WCUT_FIT_INFLUENTIAL)));
+}
+END_TEST
+
+START_TEST(normal_scores_are_those_of_blom_whatever_the_order) {
+    const double value[7] = {3, -2, 8, 0, 8, 1, 5}; /* ranks 4 1 6 2 7 3 5: equal ones in their order */
+    const int rank[7] = {4, 1, 6, 2, 7, 3, 5};
+    double score[7] = {999, 999, 999, 999, 999, 999, 999};
+    wcut_alloc_fail_at(1);
+    ck_assert_int_eq(wcut_normal_scores(7, value, score), WCUT_NO_MEMORY);
+    wcut_alloc_fail_at(0);
+    const double broken[2] = {1, INFINITY};
+    ck_assert_int_eq(wcut_normal_scores(2, broken, score), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_normal_scores(-1, value, score), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_normal_scores(7, NULL, score), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_normal_scores(7, value, NULL), WCUT_BAD_ARGUMENT);
+    for (int i = 0; i < 7; i++) ck_assert(score[i] == 999);
+    ck_assert_int_eq(wcut_normal_scores(0, NULL, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_normal_scores(7, value, score), WCUT_OK);
+    for (int i = 0; i < 7; i++) ck_assert_double_eq_tol(score[i], blom[rank[i] - 1], 1e-10);
+}
+END_TEST
+
 START_TEST(the_same_cuts_give_the_same_bytes) {
     given_the_reference_table();
     ck_assert_int_eq(solve(REFERENCE, NULL), WCUT_OK);
@@ -375,6 +491,11 @@ int main(void) {
     tcase_add_test(tcase, cuts_that_determine_no_law_are_refused_with_what_they_lack);
     tcase_add_test(tcase, a_scatter_as_large_as_the_forces_does_not_come_to_rest_and_is_said);
     tcase_add_test(tcase, every_failing_allocation_is_reported_and_nothing_is_written);
+    tcase_add_test(tcase, the_band_of_a_curve_is_that_of_scipy_s_covariance);
+    tcase_add_test(tcase, a_band_of_what_is_no_fit_is_refused);
+    tcase_add_test(tcase, leverages_are_those_of_the_hat_matrix_and_sum_to_the_parameters);
+    tcase_add_test(tcase, a_cut_alone_at_its_q_eff_and_one_off_the_law_are_marked);
+    tcase_add_test(tcase, normal_scores_are_those_of_blom_whatever_the_order);
     tcase_add_test(tcase, the_same_cuts_give_the_same_bytes);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);

@@ -26,8 +26,9 @@ static void make_table(wcut_random *random, wcut_noise noise, wcut_test_cut *cut
     }
 }
 
-/* how often the intervals of a, b and V0 hold the truth, and how often the lack of fit is found at 5 % */
-static void count(wcut_noise noise, int held[3], int *lack) {
+/* how often the intervals of a, b and V0 and the band of the curve at 3,000 J/m^2 hold the truth, and how often the
+   lack of fit is found at 5 % */
+static void count(wcut_noise noise, int held[4], int *lack) {
     wcut_random random = wcut_random_seed(2016);
     wcut_calibration_options o = wcut_calibration_options_default();
     o.noise = noise;
@@ -42,19 +43,20 @@ static void count(wcut_noise noise, int held[3], int *lack) {
         held[0] += c.force.low[0] <= A && A <= c.force.high[0];
         held[1] += c.force.low[1] <= B && B <= c.force.high[1];
         held[2] += fabs(c.reference_speed - truth) <= t_quantile * c.reference_speed_error;
+        const double q = 3000, force = A * exp(-B * q);
+        double fitted, low, high;
+        ck_assert_int_eq(wcut_law_fit_eval(&c.force, o.confidence, 1, &q, &fitted, &low, &high), WCUT_OK);
+        held[3] += low <= force && force <= high;
         *lack += c.force.lack_p < 0.05;
     }
 }
 
 static void check(wcut_noise noise) {
-    int held[3] = {0}, lack = 0;
+    static const char *const of[4] = {"a", "b", "V0", "the curve"};
+    int held[4] = {0}, lack = 0;
     count(noise, held, &lack);
-    for (int k = 0; k < 3; k++)
-        ck_assert_msg(held[k] >= 930 && held[k] <= 970, "%s: %d of 1000, expected 930 to 970",
-                      k == 0   ? "a"
-                      : k == 1 ? "b"
-                               : "V0",
-                      held[k]);
+    for (int k = 0; k < 4; k++)
+        ck_assert_msg(held[k] >= 930 && held[k] <= 970, "%s: %d of 1000, expected 930 to 970", of[k], held[k]);
     ck_assert_msg(lack >= 30 && lack <= 70, "lack of fit: %d of 1000, expected 30 to 70", lack);
 }
 

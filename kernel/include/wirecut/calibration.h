@@ -51,6 +51,7 @@ typedef struct wcut_law_fit {
     double standard_error[3]; /**< of a, b, c; 0 for a c that is held */
     double low[3], high[3];   /**< interval of a, b, c at the stated confidence (Student's t) */
     double covariance[9];     /**< 3 x 3 row-major, of a, b, c */
+    double correlation[9];    /**< [1] 3 x 3, the same over the standard errors; 0 beside a c that is held */
     int c_held;               /**< 1: c is held at 0 (force law; or the data would have it negative) */
     double scale;             /**< standard deviation of a cut: relative [1], or [N/mm], as the noise is */
     int degrees;              /**< cuts less fitted parameters */
@@ -81,6 +82,13 @@ typedef struct wcut_calibration {
     double correlation;           /**< [1] of a and b */
 } wcut_calibration;
 
+/** What is unusual about a cut in a law, for the eye; 5 to 10 % of good cuts have something. */
+enum {
+    WCUT_FIT_OUTLIER = 1,    /**< more than 3 standard deviations off the law */
+    WCUT_FIT_LEVERAGE = 2,   /**< leverage beyond 2 p / n (Hoaglin, Welsch 1978): alone at its Q_eff */
+    WCUT_FIT_INFLUENTIAL = 4 /**< influence beyond 2 sqrt(p / n) (Belsley, Kuh, Welsch 1980): it moves the law */
+};
+
 /** One cut in one law. */
 typedef struct wcut_fit_point {
     double measured;    /**< [N/mm] */
@@ -88,6 +96,10 @@ typedef struct wcut_fit_point {
     double residual;    /**< [1] measured less fitted, in standard deviations of this cut */
     double loss_weight; /**< [1] what the loss left of its weight; 1 with WCUT_LOSS_SQUARE */
     double left_out;    /**< [N/mm] predicted by the law fitted to the others; the fitted value where there is none */
+    double relative;    /**< [1] measured less fitted, over fitted */
+    double leverage;  /**< [1] share of a cut in its own fitted value, in [0, 1]; their sum is the parameters' count */
+    double influence; /**< [1] fitted less left out, in standard errors of the fitted value */
+    int unusual;      /**< WCUT_FIT_OUTLIER and its like, added; 0: nothing */
 } wcut_fit_point;
 
 /** One cut in a calibration. */
@@ -143,6 +155,39 @@ WCUT_API double wcut_test_cut_tension(const wcut_test_cut *cut);
 WCUT_API wcut_status wcut_calibration_fit(int n, const wcut_test_cut *cut, const wcut_calibration_options *options,
                                           wcut_calibration *calibration, wcut_calibration_point *point,
                                           wcut_error *error);
+
+/**
+ * A fitted law over Q_eff, with the confidence band of the curve (pointwise, delta method).
+ *
+ *     y(Q) = a exp(-b Q) + c,   band y(Q) -+ t sqrt(g^T C g),   g = (dy/da, dy/db, dy/dc)
+ *
+ * C is the covariance of the fit, t Student's quantile at its degrees of freedom. The band is that of the law, not of
+ * the next cut; outside the Q_eff of the cuts it holds only if the law does.
+ *
+ * @param[in]  law        fitted: finite, at least 1 degree of freedom
+ * @param[in]  confidence [1] of the band, in (0, 1)
+ * @param[in]  n          values, not negative
+ * @param[in]  q_eff      n [J/m^2] not negative
+ * @param[out] fitted     n [N/mm]
+ * @param[out] low        n [N/mm] may be NULL
+ * @param[out] high       n [N/mm] may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was written.
+ */
+WCUT_API wcut_status wcut_law_fit_eval(const wcut_law_fit *law, double confidence, int n, const double *q_eff,
+                                       double *fitted, double *low, double *high);
+
+/**
+ * What each value would be were they the expected order of as many standard normal ones (Blom 1958), for a plot that
+ * shows by a straight line that residuals are normal.
+ *
+ *     score_i = z((rank_i - 3/8) / (n + 1/4)),   P(Z <= z(p)) = p
+ *
+ * @param[in]  n     values, not negative
+ * @param[in]  value n, finite; equal ones are ranked in their order
+ * @param[out] score n [1]
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_normal_scores(int n, const double *value, double *score);
 
 /**
  * Read a calibration table: heat_W_per_m, speed_mm_s, engaged_mm, tension_N, alpha_deg, one row a test cut; tension and
