@@ -1,0 +1,67 @@
+# Robot programs of a job: the files, the words about limits, --strict, and what is refused.
+. "$SOURCE_DIR/tests/apps/common.sh"
+job=$jobs/freeform-2.json
+
+# wrote FORMAT FILE...: these and no others
+wrote() {
+    format=$1
+    shift
+    rm -rf made
+    run 0 path "$job" --format "$format" -o made
+    no_result
+    no_leavings made
+    [ "$(ls made | tr '\n' ' ')" = "$* " ] || fail "$called: wrote $(ls made), expected $*"
+    grep -q 'targets of 241 stations' err || fail "$called: no summary: $(cat err)"
+}
+wrote urscript wirecut_a.script wirecut_b.script
+wrote rapid wirecut_a.mod wirecut_b.mod
+wrote krl wirecut_a.src wirecut_b.src
+wrote csv robot.csv
+wrote json robot.json
+python3 - made/robot.json <<'EOF' || fail "robot.json"
+import json, sys
+d = json.load(open(sys.argv[1]))
+assert d["format"] == "wirecut-robot/1" and d["stations"] == 241 and 2 < len(d["targets"]) < 241
+assert d["chord_error_mm"] <= 0.1 and d["targets"][0]["time_s"] == 0
+assert abs(sum(t["duration_s"] for t in d["targets"]) - d["duration_s"]) < 1e-9
+EOF
+
+# 2 N on 0.15 mm are 113 MPa, more than the wire bears at its temperature in air: a warning, an error if asked
+run 0 path "$job" --format csv -o made
+grep -q 'warning: stress of the wire in air: 113' err || fail "no warning: $(cat err)"
+run 5 path "$job" --format csv -o strict --strict
+one_line 'stress of the wire in air: 113' 'nothing was written'
+untouched strict
+run 0 path "$job" --format csv -o made --alpha 20
+grep -q 'warning: alpha at mount A: .* limit 20 deg' err || fail "no warning of alpha: $(cat err)"
+
+run 0 path "$job" --format rapid -o made --json --quiet --lead-in 20 --lead-out 30 --wire-on heater_on --tool-frame following
+[ -s err ] && fail "--quiet spoke: $(cat err)"
+python3 - <<'EOF' || fail "--json"
+import json
+d = json.load(open("out"))
+assert d["format"] == "wirecut-path/1" and d["program"] == "rapid" and len(d["limits"]) == 10
+assert d["files"] == ["wirecut_a.mod", "wirecut_b.mod"]
+EOF
+grep -q '^    heater_on;$' made/wirecut_a.mod || fail "the hook is not called"
+grep -q 'heater_on' made/wirecut_b.mod && fail "both robots switch the wire"
+
+# without -o into the folder it is called in
+run 0 path "$job" --format krl --quiet
+[ -s wirecut_a.src ] && [ -s wirecut_b.src ] || fail "no programs in the current folder"
+
+# path mode, too; finer is more
+run 0 path "$jobs/steady-400-60.json" --format csv -o coarse --chord-tolerance 1 --time-tolerance 10
+run 0 path "$jobs/steady-400-60.json" --format csv -o fine --chord-tolerance 0.01 --time-tolerance 0.1
+[ "$(wc -l <coarse/robot.csv)" -lt "$(wc -l <fine/robot.csv)" ] || fail "a finer tolerance, not more targets"
+
+rm -rf made
+run 2 path "$job" -o made; one_line "--format"
+run 2 path "$job" -o made --format gcode; one_line '"gcode"' 'urscript|rapid|krl|csv|json'
+run 2 path "$job" -o made --format krl --sync-io 256; one_line "--sync-io"
+run 2 path "$job" -o made --format krl --wire-on 'x();y'; one_line 'expected a name of letters'
+untouched made
+run 2 path "$job" -o made --format krl --zone -1; one_line "--zone"
+run 3 path nowhere.json -o made --format krl
+run 4 path "$job" -o coarse/robot.csv/in --format krl
+finish
