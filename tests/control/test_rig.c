@@ -110,6 +110,22 @@ START_TEST(behind_a_density_step_the_tension_comes_back) {
 }
 END_TEST
 
+START_TEST(the_wire_itself_is_stable_where_the_map_says_and_swings_where_it_does_not) {
+    options.delay = 0.3; /* kernel/stability.svg: stable up to 2.5 times the default gains */
+    options.density = 1.1;
+    settings.gain *= 1.5;
+    settings.rate *= 1.5;
+    cut(true);
+    ck_assert(run->complete && run->has_density);
+    ck_assert_double_lt(run->density.settled, 3);
+    ck_assert_double_lt(run->steady.rms, 0.03);
+    settings.gain *= 3;
+    settings.rate *= 3;
+    cut(true);
+    ck_assert(!run->complete || run->steady.rms > 0.2);
+}
+END_TEST
+
 START_TEST(the_recording_is_one_of_its_seed_to_the_bit) {
     cut(true);
     wcut_rig_run *first = run;
@@ -255,6 +271,7 @@ int main(void) {
     tcase_add_loop_test(tests, with_the_plan_alone_the_tension_is_off_as_the_law_is, 0, 4);
     tcase_add_test(tests, without_feedback_a_law_that_hides_the_force_ends_in_a_safe_stop);
     tcase_add_loop_test(tests, behind_a_density_step_the_tension_comes_back, 0, 2);
+    tcase_add_test(tests, the_wire_itself_is_stable_where_the_map_says_and_swings_where_it_does_not);
     tcase_add_test(tests, the_recording_is_one_of_its_seed_to_the_bit);
     tcase_add_test(tests, sensor_noise_is_as_large_as_asked_and_samples_come_at_20_hz);
     tcase_add_test(tests, the_excitation_is_run_once_the_wire_is_in_and_can_be_left_out);
