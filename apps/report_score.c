@@ -176,7 +176,7 @@ static drawn choose_samples(const wcut_scored_cut *cut) {
     const wcut_comparison *c = cut->comparison;
     const double *time = cut->samples->channel[WCUT_CHANNEL_TIME].value;
     int first = 0, end = c->samples;
-    while (first < c->samples && time[first] < c->contact) first++;
+    while (first < c->samples && time[first] < (c->contact + c->from) / 2) first++;
     while (end > first && time[end - 1] > c->to) end--;
     return end - first > 1 ? (drawn){.first = first, .count = end - first} : (drawn){.first = 0, .count = c->samples};
 }
@@ -278,7 +278,8 @@ static void fill_section(page *p, const wcut_scored_cut *cut, wcut_report_sectio
     const int spans = list_phases(c, &d, span);
     for (int k = 0; k < CHARTS; k++) fill_chart(p, cut, order[k], &d, spans, span, &chart[k]);
     snprintf(note, 300,
-             "Scored from %.1f s to %.1f s, %d of %d samples; shown from the first contact on. The band is two RMSE to "
+             "Scored from %.1f s to %.1f s, %d of %d samples; and shown with half of the time to settle before. The "
+             "band is two RMSE to "
              "either side of the replayed prediction, for speeds of the planned one.",
              c->from, c->to, c->counted_samples, c->samples);
     table[0] = channel_table(p, "Replayed", NULL, &c->replayed_score);

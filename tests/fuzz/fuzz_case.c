@@ -1,0 +1,43 @@
+/* Any bytes as a case: never a crash, and no name that leaves the folder. */
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "case.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+static void check(int true_or_abort) {
+    if (!true_or_abort) abort();
+}
+
+/* below "folder/", and nowhere up */
+static void check_name(const char *name) {
+    if (!name) return;
+    check(strncmp(name, "folder/", 7) == 0 && name[7] != '/' && name[7] != '\0');
+    check(!strstr(name, "/../"));
+    const size_t length = strlen(name);
+    check(length < 3 || strcmp(name + length - 3, "/..") != 0);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    wcut_case *found = NULL;
+    wcut_error error = {WCUT_OK, ""};
+    char format[WCUT_FORMAT_SIZE];
+    const wcut_status status = wcut_case_parse((const char *)data, size, "folder/case.json", &found, &error);
+    check((status == WCUT_OK) == (found != NULL) && (status == WCUT_OK || error.text[0] != '\0'));
+    for (int i = 0; found && i < found->cuts; i++) {
+        check(found->cut[i].job && found->cut[i].recording);
+        check_name(found->cut[i].job);
+        check_name(found->cut[i].recording);
+        check_name(found->cut[i].scan);
+    }
+    if (found) {
+        check(found->name && found->cuts > 0);
+        check_name(found->calibration);
+        check(wcut_format_parse((const char *)data, size, "folder/case.json", format, &error) == WCUT_OK);
+        check(strcmp(format, "wirecut-case/1") == 0);
+    }
+    wcut_case_destroy(found);
+    return 0;
+}
