@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "effects.h"
 #include "fail.h"
 #include "json_read.h"
 #include "slurp.h"
@@ -276,7 +277,7 @@ static bool read_design(wcut_reader *reader, const wcut_place *at, void *into) {
     return READ_OBJECT(fields, into);
 }
 
-/* ---- identification cuts and effects ---- */
+/* ---- identification cuts ---- */
 
 static bool read_dither(wcut_reader *reader, const wcut_place *at, void *dither) {
     static const wcut_field fields[] = {
@@ -336,17 +337,6 @@ static bool read_excitation(wcut_reader *reader, const wcut_place *at, void *job
     return READ_OBJECT(fields, job);
 }
 
-/* none is simulated yet: one that would silently be left out is refused */
-static bool read_effects(wcut_reader *reader, const wcut_place *at, void *job) {
-    (void)job;
-    if (!json_is_array(at->value)) return wcut_refuse(reader, at, WCUT_BAD_FORMAT, "an array of effects");
-    if (json_array_size(at->value) == 0) return true;
-    wcut_place item = {at, NULL, 0, json_array_get(at->value, 0)};
-    wcut_place name = wcut_place_member(&item, "name");
-    if (!json_is_string(name.value)) return wcut_refuse(reader, &name, WCUT_BAD_FORMAT, "the name of an effect");
-    return wcut_refuse(reader, &name, WCUT_BAD_ARGUMENT, "no effect: this version simulates none of them");
-}
-
 /* ---- the whole ---- */
 
 static bool read_format(wcut_reader *reader, const wcut_place *at, void *job) {
@@ -357,12 +347,17 @@ static bool read_format(wcut_reader *reader, const wcut_place *at, void *job) {
 
 static bool read_job(wcut_reader *reader, const wcut_place *at, wcut_job *job) {
     static const wcut_field fields[] = {
-        PART("format", true, read_format),    IN_JOB(name, "name", true, wcut_read_text),
-        PART("block", true, read_block),      PART("wire", true, read_wire),
-        PART("process", true, read_process),  PART("path", false, read_path),
-        PART("design", false, read_design),   PART("limits", false, read_limits),
-        PART("kerf", false, read_kerf),       PART("excitation", false, read_excitation),
-        PART("effects", false, read_effects),
+        PART("format", true, read_format),
+        IN_JOB(name, "name", true, wcut_read_text),
+        PART("block", true, read_block),
+        PART("wire", true, read_wire),
+        PART("process", true, read_process),
+        PART("path", false, read_path),
+        PART("design", false, read_design),
+        PART("limits", false, read_limits),
+        PART("kerf", false, read_kerf),
+        PART("excitation", false, read_excitation),
+        PART("effects", false, wcut_read_effects),
     };
     /* the format before all else: another format has other keys */
     wcut_place format = wcut_place_member(at, "format");

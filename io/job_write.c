@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "atomic.h"
+#include "effects.h"
 #include "fail.h"
 #include "job.h"
 #include "text.h"
@@ -122,6 +123,7 @@ static void put_job(wcut_text *text, const wcut_job *job) {
         put_design(text, job);
     }
     if (job->dither_count > 0 || job->heat_step_count > 0) put_excitation(text, job);
+    wcut_put_effects(text, job->effect_count, job->effect);
     wcut_text_print(text, "\n}\n");
 }
 
@@ -138,6 +140,8 @@ wcut_status wcut_job_print(const wcut_job *job, const char *label, char **text, 
     wcut_quote(name, label, WCUT_LABEL_MOST, 1);
     if (!is_whole(job))
         return wcut_io_fail(error, WCUT_BAD_ARGUMENT, "%s: found a job without its name, path or design", name);
+    const wcut_status known = wcut_effects_check(job->effect_count, job->effect, error);
+    if (known != WCUT_OK) return known;
     wcut_text out;
     bool made = wcut_text_create(&out, NULL);
     if (made) put_job(&out, job);

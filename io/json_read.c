@@ -186,6 +186,28 @@ bool wcut_read_array(wcut_reader *reader, const wcut_place *at, int least, int m
     return true;
 }
 
+bool wcut_read_word(wcut_reader *reader, const wcut_place *at, const char *const *word, int *into) {
+    const char *found = json_string_value(at->value);
+    int nearest = -1, least = found ? (int)strlen(found) / 3 + 1 : 0;
+    char list[200] = "";
+    size_t used = 0;
+    for (int k = 0; word[k]; k++) {
+        if (found && strcmp(found, word[k]) == 0) {
+            *into = k;
+            return true;
+        }
+        const int distance = found && strlen(found) <= LONGEST_KEY ? edit_distance(found, word[k]) : LONGEST_KEY;
+        if (distance <= least && (nearest < 0 || distance < least)) nearest = k, least = distance;
+        if (used + strlen(word[k]) + 8 < sizeof list)
+            used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", k ? ", " : "", word[k]);
+        else if (used + 5 < sizeof list)
+            used += (size_t)snprintf(list + used, sizeof list - used, ", ..") + sizeof list;
+    }
+    const wcut_status status = found ? WCUT_BAD_ARGUMENT : WCUT_BAD_FORMAT;
+    if (nearest >= 0) return wcut_refuse(reader, at, status, "\"%s\"", word[nearest]);
+    return wcut_refuse(reader, at, status, "one of %s", list);
+}
+
 /* a number for which low < value, or low <= value where that is allowed */
 static bool read_number(wcut_reader *reader, const wcut_place *at, double low, bool open, const char *expected,
                         double *into) {

@@ -69,6 +69,9 @@ bool wcut_read_point(wcut_reader *reader, const wcut_place *at, void *into);
 /* a string: `into` is a char *, the caller's to free; what it held is freed */
 bool wcut_read_text(wcut_reader *reader, const wcut_place *at, void *into);
 
+/* one of the words of a list that NULL ends: `into` is an int, its place; another word gets the nearest as advice */
+bool wcut_read_word(wcut_reader *reader, const wcut_place *at, const char *const *word, int *into);
+
 /* the member `key` of the object at a place; its value is NULL where there is none */
 wcut_place wcut_place_member(const wcut_place *at, const char *key);
 

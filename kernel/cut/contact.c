@@ -4,15 +4,16 @@
 #include <string.h>
 
 #include "base/numbers.h"
+#include "cut/effects.h"
 #include "wire/equilibrium.h"
 
 bool wcut_cut_hang(wcut_cut *cut, const wcut_target *target, const wcut_vec3 *load) {
     const int n = cut->setup->job->nodes;
     const wcut_equilibrium_options options = {.tolerance = 1e-9, .max_iterations = 100};
     const double chord = vec3_distance(target->end_a, target->end_b);
-    for (int e = 0; e < n - 1; e++) cut->edge[e] = target->length / (n - 1);
+    const double length = wcut_cut_rest(cut, target);
     cut->hung[0] = target->end_a, cut->hung[n - 1] = target->end_b;
-    if (target->length <= chord * (1 + 1e-12)) {
+    if (length <= chord * (1 + 1e-12)) {
         for (int i = 1; i < n - 1; i++) cut->hung[i] = vec3_mix(target->end_a, target->end_b, (double)i / (n - 1));
         for (int e = 0; e < n - 1; e++) cut->hung_s[e] = 0;
         return true;
@@ -48,6 +49,7 @@ void wcut_cut_feed_free(wcut_cut *cut, const wcut_target *target, double reach, 
     w->loaded = false;
     w->condition = target->duration > 0 ? WCUT_BY_TIME : WCUT_BY_SPEED_MAX;
     w->front_speed = reach / duration;
+    wcut_cut_remember(cut, target, 1 / duration);
     *elapsed += duration;
 }
 

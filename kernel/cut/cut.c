@@ -19,7 +19,8 @@ static bool create_wire(int n, wcut_wire *w) {
     w->speed = wcut_alloc(count, sizeof *w->speed);
     w->engaged = wcut_alloc(count, sizeof *w->engaged);
     w->accumulated = wcut_alloc(count, sizeof *w->accumulated);
-    return w->x && w->s && w->pattern && w->force && w->line && w->speed && w->engaged && w->accumulated;
+    w->state = wcut_alloc(count, sizeof *w->state);
+    return w->state && w->x && w->s && w->pattern && w->force && w->line && w->speed && w->engaged && w->accumulated;
 }
 
 static void destroy_wire(wcut_wire *w) {
@@ -31,10 +32,11 @@ static void destroy_wire(wcut_wire *w) {
     wcut_free(w->speed);
     wcut_free(w->engaged);
     wcut_free(w->accumulated);
+    wcut_free(w->state);
 }
 
 /* what the next step starts from; the fields that every step writes anew are left */
-static void copy_wire(int n, const wcut_wire *from, wcut_wire *to) {
+static void copy_wire(int n, int effects, const wcut_wire *from, wcut_wire *to) {
     const size_t count = (size_t)n;
     memcpy(to->x, from->x, sizeof *to->x * count);
     memcpy(to->s, from->s, sizeof *to->s * count);
@@ -46,6 +48,13 @@ static void copy_wire(int n, const wcut_wire *from, wcut_wire *to) {
     to->loaded = from->loaded;
     to->condition = from->condition;
     to->step_duration = from->step_duration;
+    to->end_a = from->end_a, to->end_b = from->end_b;
+    if (effects == 0) return;
+    memcpy(to->state, from->state, sizeof *to->state * count);
+    memcpy(to->engaged, from->engaged, sizeof *to->engaged * count);
+    to->cut_length = from->cut_length;
+    for (int m = 0; m < 2; m++) to->offset[m] = from->offset[m], to->pull[m] = from->pull[m];
+    to->pulled = from->pulled;
 }
 
 /* station 0: the wire hangs trailing, under an even load against the feed */
@@ -54,7 +63,9 @@ static bool begin(wcut_cut *cut) {
     const int n = setup->job->nodes;
     wcut_wire *w = &cut->now;
     for (int i = 0; i < n; i++) w->pattern[i] = vec3_scale(-setup->job->tension / n, setup->feed);
-    const wcut_target target = {.end_a = setup->end_a[0], .end_b = setup->end_b[0], .length = setup->length[0]};
+    const wcut_target target = {
+        .end_a = setup->end_a[0], .end_b = setup->end_b[0], .length = setup->length[0], .heat = setup->job->heat};
+    w->end_a = target.end_a, w->end_b = target.end_b;
     if (!wcut_cut_hang(cut, &target, w->pattern)) return false;
     memcpy(w->x, cut->hung, sizeof *w->x * (size_t)n);
     w->length = setup->length[0];
@@ -118,15 +129,16 @@ void wcut_cut_destroy(wcut_cut *cut) {
 /* advance to a target; on success `next` becomes `now` */
 static wcut_status advance(wcut_cut *cut, const wcut_target *target, wcut_integrator integrator, wcut_error *error) {
     const int n = cut->setup->job->nodes;
-    const double way_a = vec3_distance(target->end_a, cut->now.x[0]);
-    const double way_b = vec3_distance(target->end_b, cut->now.x[n - 1]);
+    const double way_a = vec3_distance(target->end_a, cut->now.end_a);
+    const double way_b = vec3_distance(target->end_b, cut->now.end_b);
     double elapsed = 0;
     cut->iterations = cut->substeps = 0;
     cut->residual = 0;
-    copy_wire(n, &cut->now, &cut->next);
+    copy_wire(n, cut->setup->effect_count, &cut->now, &cut->next);
     const wcut_status status = integrator == WCUT_HEUN ? wcut_heun_advance(cut, target, &elapsed, error)
                                                        : wcut_implicit_advance(cut, target, &elapsed, error);
     if (status != WCUT_OK) return status;
+    cut->next.end_a = target->end_a, cut->next.end_b = target->end_b;
     const wcut_wire spare = cut->now;
     cut->now = cut->next;
     cut->next = spare;

@@ -6,6 +6,7 @@
 #include "base/fail.h"
 #include "base/numbers.h"
 #include "cut/contact.h"
+#include "cut/effects.h"
 #include "cut/run.h"
 
 typedef struct moment { /* the wire at the new station, as far as it is known */
@@ -95,6 +96,7 @@ static void keep(moment *m, double speed, wcut_condition condition, double *elap
     w->condition = condition;
     w->front_speed = speed;
     w->step_duration = h;
+    wcut_cut_remember(cut, m->target, 1 / h);
     *elapsed += h;
 }
 

@@ -5,6 +5,7 @@
 #include "base/fail.h"
 #include "base/numbers.h"
 #include "cut/contact.h"
+#include "cut/effects.h"
 #include "cut/run.h"
 
 /* the softest face, as a share of the wire's length: deeper than a wire hangs at first contact */
@@ -34,6 +35,7 @@ static void accept(wcut_cut *cut, const wcut_target *target, double rate, double
     w->loaded = true;
     w->condition = condition;
     w->front_speed = reach * rate;
+    wcut_cut_remember(cut, target, rate);
     *elapsed += 1 / rate;
 }
 
@@ -97,7 +99,8 @@ static void carry(attempt *a) {
     wcut_cut *cut = a->cut;
     const int n = a->step.n;
     const wcut_vec3 *was = cut->was;
-    const wcut_vec3 way_a = vec3_sub(a->target->end_a, was[0]), way_b = vec3_sub(a->target->end_b, was[n - 1]);
+    const wcut_vec3 way_a = vec3_sub(a->target->end_a, cut->next.end_a);
+    const wcut_vec3 way_b = vec3_sub(a->target->end_b, cut->next.end_b);
     for (int i = 1; i < n - 1; i++) cut->hung[i] = vec3_add(was[i], vec3_mix(way_a, way_b, (double)i / (n - 1)));
     memcpy(cut->hung_s, cut->next.s, sizeof *cut->hung_s * (size_t)(n - 1));
 }
@@ -176,7 +179,7 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, double *elapse
     const int n = setup->job->nodes;
     wcut_wire *w = &cut->next;
     memcpy(cut->was, w->x, sizeof *w->x * (size_t)n);
-    const double reach = fmax(vec3_distance(target->end_a, w->x[0]), vec3_distance(target->end_b, w->x[n - 1]));
+    const double reach = fmax(vec3_distance(target->end_a, w->end_a), vec3_distance(target->end_b, w->end_b));
     const wcut_carriage load = wcut_contact_find(cut, target);
     if (load == WCUT_NO_SHAPE) return false;
     if (load == WCUT_FREE) return feed_free(cut, target, reach, elapsed);
@@ -187,6 +190,8 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, double *elapse
                          .edge = target->length / (n - 1),
                          .n = n,
                          .was = cut->was};
+    wcut_extension extension;
+    wcut_extension_apply(cut, target, &extension, &a.foam, &a.step);
     double speed = target->duration > 0 ? reach / target->duration : 0;
     wcut_condition condition = WCUT_BY_TIME;
     wcut_solution out;
@@ -234,8 +239,7 @@ static wcut_status explain_failure(const wcut_cut *cut, const wcut_target *targe
 }
 
 wcut_status wcut_implicit_advance(wcut_cut *cut, const wcut_target *target, double *elapsed, wcut_error *error) {
-    const int n = cut->setup->job->nodes;
-    const wcut_vec3 from_a = cut->next.x[0], from_b = cut->next.x[n - 1];
+    const wcut_vec3 from_a = cut->next.end_a, from_b = cut->next.end_b;
     const double from_length = cut->next.length;
     const double smallest = ldexp(1, -cut->setup->options.max_halvings);
     double done = 0, size = 1;

@@ -33,6 +33,7 @@ void wcut_job_destroy(wcut_job *job) {
     wcut_free(job->extra_length);
     wcut_free(job->dither);
     wcut_free(job->heat_step);
+    wcut_free(job->effect);
     wcut_free(job);
 }
 

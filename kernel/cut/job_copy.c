@@ -25,6 +25,7 @@ wcut_job *wcut_job_copy(const wcut_job *job) {
     copy->extra_u = copy->extra_length = NULL;
     copy->dither = NULL;
     copy->heat_step = NULL;
+    copy->effect = NULL;
     const bool whole =
         copy_text(job->name, &copy->name) && copy_text(job->foam_material, &copy->foam_material) &&
         copy_text(job->wire_material, &copy->wire_material) &&
@@ -34,7 +35,8 @@ wcut_job *wcut_job_copy(const wcut_job *job) {
         copy_array(job->extra_u, job->extra_count, sizeof(double), (void **)&copy->extra_u) &&
         copy_array(job->extra_length, job->extra_count, sizeof(double), (void **)&copy->extra_length) &&
         copy_array(job->dither, job->dither_count, sizeof *job->dither, (void **)&copy->dither) &&
-        copy_array(job->heat_step, job->heat_step_count, sizeof *job->heat_step, (void **)&copy->heat_step);
+        copy_array(job->heat_step, job->heat_step_count, sizeof *job->heat_step, (void **)&copy->heat_step) &&
+        copy_array(job->effect, job->effect_count, sizeof *job->effect, (void **)&copy->effect);
     if (whole) return copy;
     wcut_job_destroy(copy);
     return NULL;

@@ -20,8 +20,13 @@ typedef struct wcut_wire {
     double front_speed; /* [mm/s] of the faster end */
     bool loaded;        /* the foam touches it */
     wcut_condition condition;
-    wcut_vec3 *accumulated; /* n [N s] heun's memory; unused by implicit */
-    double step_duration;   /* [s] heun's h_j of the step that led here; 0 before the first */
+    wcut_vec3 *accumulated;       /* n [N s] heun's memory; unused by implicit */
+    double step_duration;         /* [s] heun's h_j of the step that led here; 0 before the first */
+    wcut_vec3 end_a, end_b;       /* [mm] where its ends were led to: they are there unless mounts give way */
+    wcut_node_state *state;       /* n: effects' memory */
+    double cut_length;            /* [mm] way of its ends' middle in contact */
+    wcut_vec3 offset[2], pull[2]; /* [mm] [N] of the mounts */
+    bool pulled;                  /* offset and pull are there */
 } wcut_wire;
 
 struct wcut_cut {
@@ -42,7 +47,7 @@ struct wcut_cut {
     wcut_vec3 *contact; /* n [N] what the foam may load a loose wire with */
     wcut_vec3 *softer;  /* n: the last solution while a face is being hardened */
     double *softer_s;   /* n-1 */
-    double *edge;       /* n-1 [mm] rest lengths */
+    double *edge;       /* n-1 [mm] rest lengths, warm where the wire gets longer by heat */
     wcut_solver solver;
 };
 

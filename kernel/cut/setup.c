@@ -68,6 +68,37 @@ static wcut_status check_design(const wcut_job *job, wcut_error *error) {
     return WCUT_OK;
 }
 
+static bool acts_in_step(const wcut_effect *effect) {
+    return wcut_effect_view(effect->kind)->place == WCUT_EFFECT_STEP && !wcut_effect_is_neutral(effect);
+}
+
+static wcut_status check_effects(const wcut_job *job, wcut_integrator integrator, wcut_error *error) {
+    const wcut_status status = wcut_effects_check(job->effect_count, job->effect, error);
+    for (int e = 0; status == WCUT_OK && e < job->effect_count; e++) {
+        const wcut_effect_info *info = wcut_effect_view(job->effect[e].kind);
+        if (!acts_in_step(&job->effect[e])) continue;
+        if (integrator == WCUT_HEUN)
+            return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                             "effects[%d]: found %s with the integrator heun, expected implicit: heun is the paper's "
+                             "plain model",
+                             e, info->name);
+        if (info->needs_mounts && job->mode == WCUT_MODE_DESIGN)
+            return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                             "effects[%d]: found %s in a design, expected a job with a path: a design has no mounts", e,
+                             info->name);
+    }
+    return status;
+}
+
+/* the physics that the step has to compute, apart from all else that a job may name */
+static bool pick_effects(wcut_setup *setup) {
+    const wcut_job *job = setup->job;
+    setup->effect = wcut_alloc((size_t)job->effect_count, sizeof *setup->effect);
+    for (int e = 0; setup->effect && e < job->effect_count; e++)
+        if (acts_in_step(&job->effect[e])) setup->effect[setup->effect_count++] = job->effect[e];
+    return setup->effect != NULL;
+}
+
 static bool strictly_inside(const wcut_block *block, wcut_vec3 p) {
     const double h = 1e-6 * block->size.x;
     return p.x > h && p.x < block->size.x - h && p.y > h && p.y < block->size.y - h && p.z > h &&
@@ -226,6 +257,7 @@ wcut_status wcut_setup_create(const wcut_job *job, const wcut_cut_options *optio
     wcut_status status = check_options(&o, error);
     if (status == WCUT_OK) status = check_numbers(job, error);
     if (status == WCUT_OK) status = job->mode == WCUT_MODE_PATH ? check_path(job, error) : check_design(job, error);
+    if (status == WCUT_OK) status = check_effects(job, o.integrator, error);
     if (status != WCUT_OK) return status;
 
     const size_t m = (size_t)job->stations;
@@ -236,7 +268,7 @@ wcut_status wcut_setup_create(const wcut_job *job, const wcut_cut_options *optio
     setup->end_a = wcut_alloc(m, sizeof *setup->end_a);
     setup->end_b = wcut_alloc(m, sizeof *setup->end_b);
     setup->length = wcut_alloc(m, sizeof *setup->length);
-    if (setup->job && setup->end_a && setup->end_b && setup->length)
+    if (setup->job && setup->end_a && setup->end_b && setup->length && pick_effects(setup))
         status = fill(setup, error);
     else
         status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d stations", job->stations);
@@ -253,6 +285,7 @@ void wcut_setup_destroy(wcut_setup *setup) {
     wcut_free(setup->end_a);
     wcut_free(setup->end_b);
     wcut_free(setup->length);
+    wcut_free(setup->effect);
     wcut_free(setup);
 }
 

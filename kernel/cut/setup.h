@@ -11,10 +11,12 @@ struct wcut_setup {
     wcut_cut_options options;
     wcut_foam foam;
     wcut_vec3 *end_a, *end_b; /* stations: the fixed ends of the simulated wire: mounts, or points of the edge curves */
-    double *length;           /* stations [mm] of the simulated wire */
-    wcut_vec3 feed;           /* [1] direction in which the cut begins */
-    int entry_end;            /* the last station at which the wire still gains slack at the beginning of the cut */
-    int exit_begin;           /* the first station from which it loses slack to the end */
+    int effect_count;         /* of those that act in the step and are not neutral */
+    wcut_effect *effect;
+    double *length; /* stations [mm] of the simulated wire */
+    wcut_vec3 feed; /* [1] direction in which the cut begins */
+    int entry_end;  /* the last station at which the wire still gains slack at the beginning of the cut */
+    int exit_begin; /* the first station from which it loses slack to the end */
 };
 
 /* a deep copy; NULL where there is no memory */

@@ -80,8 +80,9 @@ static bool backtrack(wcut_solver *o, const wcut_step *step, bool by_tension, do
     const int n = o->system.n;
     const double longest = fabs(log_rate_step) > 1 ? 1 / fabs(log_rate_step) : 1;
     for (double t = longest; t > 1e-4 * longest; t /= 2) {
-        try_step(o, t, x, s);
         const double trial_rate = *log_rate + t * log_rate_step;
+        try_step(o, t, x, s);
+        wcut_system_place_ends(step, o->trial_s, trial_rate, o->trial_x);
         wcut_system_eval(&o->system, step, o->trial_x, o->trial_s, trial_rate, false);
         if (!(merit_of(&o->system, step, by_tension) < (1 - 0.1 * t) * merit)) continue;
         memcpy(x, o->trial_x, sizeof *x * (size_t)n);
@@ -103,6 +104,7 @@ void wcut_solver_run(wcut_solver *o, const wcut_step *step, bool by_tension, dou
                      wcut_vec3 *x, double *s, wcut_solution *out) {
     wcut_system *y = &o->system;
     out->converged = false;
+    wcut_system_place_ends(step, s, out->log_rate, x);
     for (out->iterations = 0;; out->iterations++) {
         wcut_system_eval(y, step, x, s, out->log_rate, true);
         out->residual = worst_of(wcut_system_misfit(y, step), by_tension);

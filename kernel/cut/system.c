@@ -44,9 +44,9 @@ static void add_block(wcut_banded *m, int row, int column, mat3 a) {
 }
 
 /* (|E|^2 - l^2) / 2 l, the stretch to first order but polynomial */
-static void put_lengths(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, bool slopes) {
-    const double l = step->edge;
+static void put_lengths(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, const double *s, bool slopes) {
     for (int e = 0; e < y->n - 1; e++) {
+        const double l = wcut_edge_length(step->yielding, step->edge, e, s[e]);
         const wcut_vec3 edge = vec3_sub(x[e + 1], x[e]);
         const int row = tension_at(e);
         y->residual[row] = (vec3_dot(edge, edge) - l * l) / (2 * l);
@@ -54,26 +54,33 @@ static void put_lengths(wcut_system *y, const wcut_step *step, const wcut_vec3 *
         const wcut_vec3 u = vec3_scale(1 / l, edge);
         if (is_free(y, e)) put_vector(banded_at(&y->jacobian, row, node_at(e)), vec3_scale(-1, u));
         if (is_free(y, e + 1)) put_vector(banded_at(&y->jacobian, row, node_at(e + 1)), u);
+        if (step->yielding)
+            *banded_at(&y->jacobian, row, row) = -(1 + y->residual[row] / l) * wcut_edge_softness(step->yielding, e);
     }
 }
 
 static void put_equilibrium(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, const double *s, bool slopes) {
-    const double l = step->edge;
+    const wcut_yielding *give = step->yielding;
     for (int i = 1; i < y->n - 1; i++) {
+        const double l = wcut_edge_length(give, step->edge, i - 1, s[i - 1]);
+        const double m = wcut_edge_length(give, step->edge, i, s[i]);
         const wcut_vec3 back = vec3_scale(1 / l, vec3_sub(x[i], x[i - 1]));
-        const wcut_vec3 front = vec3_scale(1 / l, vec3_sub(x[i + 1], x[i]));
+        const wcut_vec3 front = vec3_scale(1 / m, vec3_sub(x[i + 1], x[i]));
         const wcut_resistance *f = &y->node[i];
         const int row = node_at(i);
         put_vector(y->residual + row, vec3_add_scaled(vec3_add_scaled(f->force, s[i], front), -s[i - 1], back));
         if (!slopes) continue;
+        const double less_back = give ? 1 - s[i - 1] * wcut_edge_softness(give, i - 1) / l : 1;
+        const double less_front = give ? 1 - s[i] * wcut_edge_softness(give, i) / m : 1;
         for (int c = 0; c < 3; c++) {
             const double b[3] = {back.x, back.y, back.z}, a[3] = {front.x, front.y, front.z};
-            *banded_at(&y->jacobian, row + c, tension_at(i - 1)) = -b[c];
-            *banded_at(&y->jacobian, row + c, tension_at(i)) = a[c];
+            *banded_at(&y->jacobian, row + c, tension_at(i - 1)) = -b[c] * less_back;
+            *banded_at(&y->jacobian, row + c, tension_at(i)) = a[c] * less_front;
         }
-        add_block(&y->jacobian, row, row, mat3_add_identity(f->by_here, -(s[i] + s[i - 1]) / l));
+        const double both = give ? s[i] / m + s[i - 1] / l : (s[i] + s[i - 1]) / l;
+        add_block(&y->jacobian, row, row, mat3_add_identity(f->by_here, -both));
         if (i > 1) add_block(&y->jacobian, row, node_at(i - 1), mat3_add_identity(f->by_before, s[i - 1] / l));
-        if (i < y->n - 2) add_block(&y->jacobian, row, node_at(i + 1), mat3_add_identity(f->by_after, s[i] / l));
+        if (i < y->n - 2) add_block(&y->jacobian, row, node_at(i + 1), mat3_add_identity(f->by_after, s[i] / m));
         put_vector(y->by_log_rate + row, f->by_log_rate);
     }
 }
@@ -128,6 +135,55 @@ static void put_condition(wcut_system *y, const wcut_step *step, const wcut_vec3
             add_vector(y->border + node_at(inner[i]), vec3_scale(-k, turn_of(i < 2 ? &a : &b, i % 2 ? 1 : -4, w)));
 }
 
+/* ---- ends that give way with their mounts ---- */
+
+static wcut_end end_on_mount(const wcut_step *step, const wcut_vec3 *x, const double *s, double rate, int mount) {
+    const int e = mount == 0 ? 0 : step->n - 2, next = mount == 0 ? 1 : step->n - 2;
+    const double length = wcut_edge_length(step->yielding, step->edge, e, s[e]);
+    return wcut_yielding_end(step->yielding, mount, x[next], s[e], length, wcut_edge_softness(step->yielding, e), rate);
+}
+
+static bool mounts_give(const wcut_step *step) { return step->yielding && step->yielding->compliance > 0; }
+
+void wcut_system_place_ends(const wcut_step *step, const double *s, double log_rate, wcut_vec3 *x) {
+    if (!mounts_give(step)) return;
+    const double rate = exp(log_rate);
+    x[0] = end_on_mount(step, x, s, rate, 0).at;
+    x[step->n - 1] = end_on_mount(step, x, s, rate, 1).at;
+}
+
+/* what an equation has by the end, by what moves the end: the next node, its edge's tension, ln r */
+static void pass_on(wcut_system *y, const wcut_end *end, int row, int e, int next, wcut_vec3 by_end) {
+    add_vector(banded_at(&y->jacobian, row, node_at(next)), vec3_scale(end->by_next, by_end));
+    *banded_at(&y->jacobian, row, tension_at(e)) += vec3_dot(by_end, end->by_tension);
+    y->by_log_rate[row] += vec3_dot(by_end, end->by_log_rate);
+}
+
+/* The ends are no unknowns: their share in the equations goes to those that they follow. */
+static void put_mounts(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, const double *s, double rate) {
+    const int n = y->n;
+    wcut_vec3 sum = {0, 0, 0};
+    for (int i = 0; i < n; i++) sum = vec3_add(sum, y->node[i].force);
+    const wire_end side[2] = {end_of(x[0], x[1], x[2]), end_of(x[n - 1], x[n - 2], x[n - 3])};
+    const wcut_vec3 u = vec3_unit(sum), w = vec3_unit(vec3_add(side[0].outward, side[1].outward));
+    for (int m = 0; m < 2; m++) {
+        const int e = m == 0 ? 0 : n - 2, next = m == 0 ? 1 : n - 2, here = m == 0 ? 0 : n - 1;
+        const wcut_end end = end_on_mount(step, x, s, rate, m);
+        const double l = wcut_edge_length(step->yielding, step->edge, e, s[e]);
+        const mat3 by_next = m == 0 ? y->node[next].by_before : y->node[next].by_after;
+        const mat3 balance = mat3_add_identity(by_next, s[e] / l);
+        pass_on(y, &end, tension_at(e), e, next, vec3_scale(1 / l, vec3_sub(x[here], x[next])));
+        pass_on(y, &end, node_at(next), e, next, balance.x);
+        pass_on(y, &end, node_at(next) + 1, e, next, balance.y);
+        pass_on(y, &end, node_at(next) + 2, e, next, balance.z);
+        wcut_vec3 by_end = vec3_add(mat3_row_product(u, y->node[here].by_here), mat3_row_product(u, by_next));
+        by_end = vec3_add_scaled(by_end, -step->tension, turn_of(&side[m], 3, w));
+        add_vector(y->border + node_at(next), vec3_scale(end.by_next, by_end));
+        y->border[tension_at(e)] += vec3_dot(by_end, end.by_tension);
+        y->condition_by_log_rate += vec3_dot(by_end, end.by_log_rate);
+    }
+}
+
 void wcut_system_eval(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, const double *s, double log_rate,
                       bool slopes) {
     const double rate = exp(log_rate);
@@ -137,9 +193,10 @@ void wcut_system_eval(wcut_system *y, const wcut_step *step, const wcut_vec3 *x,
         wcut_banded_clear(&y->jacobian);
         for (int k = 0; k < y->size; k++) y->by_log_rate[k] = y->border[k] = 0;
     }
-    put_lengths(y, step, x, slopes);
+    put_lengths(y, step, x, s, slopes);
     put_equilibrium(y, step, x, s, slopes);
     put_condition(y, step, x, slopes);
+    if (slopes && mounts_give(step)) put_mounts(y, step, x, s, rate);
 }
 
 wcut_misfit wcut_system_misfit(const wcut_system *y, const wcut_step *step) {

@@ -4,16 +4,18 @@
 #define WCUT_CUT_SYSTEM_H
 
 #include "base/banded.h"
+#include "cut/yielding.h"
 #include "foam/resistance.h"
 
 /* What one step is asked to do. */
 typedef struct wcut_step {
     const wcut_foam *foam;
-    double heat;          /* [W/m] */
-    double tension;       /* [N] k */
-    double edge;          /* [mm] new rest length of an edge */
-    int n;                /* nodes */
-    const wcut_vec3 *was; /* n: where each node comes from */
+    double heat;                   /* [W/m] */
+    double tension;                /* [N] k */
+    double edge;                   /* [mm] new rest length of an edge */
+    int n;                         /* nodes */
+    const wcut_vec3 *was;          /* n: where each node comes from */
+    const wcut_yielding *yielding; /* NULL: the wire keeps its length and its ends stay where they are put */
 } wcut_step;
 
 /* Unknowns in the order S_0, X_1, S_1, X_2, .., X_{n-2}, S_{n-2} (S edge tensions [N]); the equations in the same
@@ -42,7 +44,11 @@ typedef struct wcut_misfit {
 bool wcut_system_create(int n, wcut_system *y);
 void wcut_system_destroy(wcut_system *y);
 
-/* evaluate at shape x (n, ends given), edge tensions s (n-1) and ln r; with `slopes` the Jacobian and the borders too
+/* where mounts give way: put both ends of x where tensions and rate have them; else nothing */
+void wcut_system_place_ends(const wcut_step *step, const double *s, double log_rate, wcut_vec3 *x);
+
+/* evaluate at shape x (n, ends in place), edge tensions s (n-1) and ln r; with `slopes` the Jacobian and the borders
+ * too
  */
 void wcut_system_eval(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, const double *s, double log_rate,
                       bool slopes);

@@ -1,6 +1,8 @@
 /* The force of the foam on one node of a moving wire, and how it changes (Rust et al. 2016, 3). */
 #include "foam/resistance.h"
 
+#include <stddef.h>
+
 #include "foam/force_law.h"
 
 typedef struct engagement { /* of a node's length, which reaches half an edge to either side */
@@ -28,13 +30,71 @@ static engagement engage(const wcut_foam *foam, double edge, int n, const wcut_v
     return e;
 }
 
+double wcut_foam_inside(const wcut_foam *foam, wcut_vec3 was, wcut_vec3 x, wcut_vec3 *by_x) {
+    wcut_vec3 by_was;
+    *by_x = vec3(0, 0, 0);
+    return foam->embedded ? 1 : wcut_block_engagement(&foam->block, was, x, &by_was, by_x);
+}
+
+static wcut_local_law law_at(const wcut_foam *foam, double heat, double rate, double speed, int n, wcut_vec3 x,
+                             wcut_vec3 was, int i) {
+    wcut_local_law at = {0};
+    if (foam->local) {
+        wcut_vec3 inside_by;
+        const double inside = wcut_foam_inside(foam, was, x, &inside_by);
+        return wcut_local_law_eval(foam->local, &foam->block, &foam->law, heat, rate, speed, inside, inside_by, n, x,
+                                   i);
+    }
+    at.force = force_law_slope(&foam->law, heat, speed, &at.by_speed);
+    return at;
+}
+
+typedef struct motion {           /* of a node with force, and how long a piece of it is engaged */
+    wcut_vec3 move, normal, t, p; /* normal: move across t; p: its direction */
+    double distance, along, across, span, speed, rate;
+    const engagement *e;
+    const wcut_local_law *law;
+} motion;
+
+/* - mu |f| tanh(v_t / v_smooth) t, v_t the speed along the wire, |f| = F L |t x d| */
+static void add_drag(const motion *m, double mu, double smooth, bool slopes, mat3 *before, mat3 *here, mat3 *after,
+                     wcut_resistance *out) {
+    const double sliding = m->rate * m->along, turn = tanh(sliding / smooth), turn_by = (1 - turn * turn) / smooth;
+    const double share = m->across / m->distance, per_length = m->law->force * share;
+    const double pressing = per_length * m->e->length;
+    out->force = vec3_add_scaled(out->force, -mu * pressing * turn, m->t);
+    const double by_log_rate = (m->law->by_speed * m->speed + m->law->by_log_rate) * m->e->length * share;
+    out->by_log_rate =
+        vec3_add_scaled(out->by_log_rate, -mu * (turn * by_log_rate + pressing * turn_by * sliding), m->t);
+    if (!slopes) return;
+
+    const double length = m->e->length, force = m->law->force, d = m->distance;
+    wcut_vec3 by_here = vec3_scale(length * (m->law->by_speed * m->rate * share - force * share / d) / d, m->move);
+    by_here = vec3_add_scaled(by_here, length * force / d, m->p);
+    by_here = vec3_add_scaled(by_here, length * share, m->law->by_position);
+    by_here = vec3_add_scaled(vec3_scale(turn, by_here), pressing * turn_by * m->rate, m->t);
+    *here = mat3_add_outer(*here, vec3_scale(-mu, m->t), vec3_add_scaled(by_here, turn * per_length, m->e->by_here));
+    const wcut_vec3 push = vec3_scale(-mu * turn * per_length, m->t);
+    *before = mat3_add_outer(*before, push, m->e->by_before);
+    *after = mat3_add_outer(*after, push, m->e->by_after);
+
+    /* the tangent turns: t, |t x d| and v_t by x[after], the opposite by x[before] */
+    wcut_vec3 by_turn = vec3_scale(-turn * length * force / d * m->along / m->span, m->p);
+    by_turn = vec3_add_scaled(by_turn, pressing * turn_by * m->rate / m->span, m->normal);
+    const double c = -mu * pressing * turn / m->span;
+    mat3 turning = mat3_add_outer((mat3){{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, vec3_scale(-mu, m->t), by_turn);
+    turning = mat3_add_identity(mat3_add_outer(turning, vec3_scale(-c, m->t), m->t), c);
+    *after = mat3_add(*after, turning);
+    *before = (mat3){vec3_sub(before->x, turning.x), vec3_sub(before->y, turning.y), vec3_sub(before->z, turning.z)};
+}
+
 void wcut_resistance_eval(const wcut_foam *foam, double heat, double edge, double rate, int n, const wcut_vec3 *x,
                           const wcut_vec3 *was, int i, bool slopes, wcut_resistance *out) {
     const engagement e = engage(foam, edge, n, x, i);
     const wcut_vec3 move = vec3_sub(x[i], was[i]);
     const double distance = vec3_length(move), speed = rate * distance;
-    double slope;
-    const double law = force_law_slope(&foam->law, heat, speed, &slope);
+    const wcut_local_law at = law_at(foam, heat, rate, speed, n, x[i], was[i], i);
+    const double law = at.force, slope = at.by_speed;
 
     const wcut_vec3 zero = {0, 0, 0};
     *out = (wcut_resistance){.speed = speed, .engaged = e.length / (edge / 2 * ((i > 0) + (i < n - 1)))};
@@ -53,9 +113,15 @@ void wcut_resistance_eval(const wcut_foam *foam, double heat, double edge, doubl
     out->line = law * across / distance;
     out->force = vec3_scale(-w * across, move);
     out->by_log_rate = vec3_scale(-slope * speed * e.length / square * across, move);
+    if (foam->local)
+        out->by_log_rate = vec3_add_scaled(out->by_log_rate, -at.by_log_rate * e.length / square * across, move);
+    const wcut_vec3 p = across > 0 ? vec3_scale(1 / across, normal) : zero;
+    double mu, smooth;
+    const bool drags = foam->local && wcut_locality_drag(foam->local, &mu, &smooth);
+    const motion m = {move, normal, t, p, distance, along, across, span_length, speed, rate, &e, &at};
+    if (!slopes && drags) add_drag(&m, mu, smooth, false, NULL, NULL, NULL, out);
     if (!slopes) return;
 
-    const wcut_vec3 p = across > 0 ? vec3_scale(1 / across, normal) : zero;
     const double w_by_distance = e.length * (slope * rate - 2 * law / distance) / square;
     const wcut_vec3 by_move = vec3_add_scaled(vec3_scale(w_by_distance * across / distance, move), w, p);
     const double per_length = law * across / square;
@@ -70,5 +136,9 @@ void wcut_resistance_eval(const wcut_foam *foam, double heat, double edge, doubl
     mat3 *front = i < n - 1 ? &out->by_after : &here, *back = i > 0 ? &out->by_before : &here;
     *front = mat3_add_outer(*front, move, turning);
     *back = mat3_add_outer(*back, move, vec3_scale(-1, turning));
+    if (foam->local) {
+        here = mat3_add_outer(here, vec3_scale(-e.length * across / square, move), at.by_position);
+        if (drags) add_drag(&m, mu, smooth, true, back, &here, front, out);
+    }
     out->by_here = here;
 }

@@ -7,11 +7,13 @@
 
 #include "base/mat3.h"
 #include "foam/block.h"
+#include "foam/local_law.h"
 
 typedef struct wcut_foam {
     wcut_force_law law;
     wcut_block block;
-    bool embedded; /* the wire ends on the block: every node is in the foam (design mode) */
+    bool embedded;              /* the wire ends on the block: every node is in the foam (design mode) */
+    const wcut_locality *local; /* effects at work; NULL: the plain law */
 } wcut_foam;
 
 typedef struct wcut_resistance {
@@ -24,8 +26,12 @@ typedef struct wcut_resistance {
 } wcut_resistance;
 
 /* f = F(v, Q) l e |t x d| (-d) for node i of n at x, which was at `was` a time 1/rate ago. `edge`: rest length of an
-   edge [mm]. Where the node does not move there is no force. With `slopes` false the derivatives are left alone. */
+   edge [mm]. Where the node does not move there is no force. Drag along the wire is in the force, not in `line`. With
+   `slopes` false the derivatives are left alone. */
 void wcut_resistance_eval(const wcut_foam *foam, double heat, double edge, double rate, int n, const wcut_vec3 *x,
                           const wcut_vec3 *was, int i, bool slopes, wcut_resistance *out);
+
+/* share of the straight way of a node from `was` to x that is in the foam, with its gradient by x */
+double wcut_foam_inside(const wcut_foam *foam, wcut_vec3 was, wcut_vec3 x, wcut_vec3 *by_x);
 
 #endif

@@ -165,7 +165,7 @@ START_TEST(wrong_types_are_refused) {
          "$.path.mount_a_mm[1]: found an array of 2, expected a point [x, y, z]");
     PATH("3.0000000000000004", "{}", WCUT_BAD_FORMAT, "$.path.mount_b_mm[2][1]: found an object, expected a number");
     PATH("\"effects\": []", "\"effects\": {}", WCUT_BAD_FORMAT,
-         "$.effects: found an object, expected an array of effects");
+         "$.effects: found an object, expected an array of at least 0 effects");
     DESIGN("[0.5, 60]", "0.5", WCUT_BAD_FORMAT,
            "$.design.extra_length_mm[1]: found 0.5, expected a pair [u, extra length in mm]");
     DESIGN("[[0, 5], [0.5, 60], [1, 5]]", "5", WCUT_BAD_FORMAT,
@@ -234,11 +234,26 @@ START_TEST(design_values_outside_their_range_are_refused) {
 END_TEST
 
 START_TEST(an_effect_is_refused_by_name_not_ignored) {
-    PATH("\"effects\": []", "\"effects\": [{\"name\": \"wire_thermal_lag\", \"time_constant_s\": 1}]",
-         WCUT_BAD_ARGUMENT,
-         "$.effects[0].name: found \"wire_thermal_lag\", expected no effect: this version simulates none of them");
-    PATH("\"effects\": []", "\"effects\": [7]", WCUT_BAD_FORMAT,
-         "$.effects[0].name: found nothing, expected the name of an effect");
+#define EFFECT(text, status, message) PATH("\"effects\": []", "\"effects\": [" text "]", status, message)
+    EFFECT("{\"name\": \"wire_termal_lag\", \"time_constant_s\": 1}", WCUT_BAD_ARGUMENT,
+           "$.effects[0].name: found \"wire_termal_lag\", expected \"wire_thermal_lag\"");
+    EFFECT("{\"name\": \"wire_thermal_lag\", \"time_constant\": 1}", WCUT_BAD_FORMAT,
+           "$.effects[0]: found the unknown key \"time_constant\", expected \"time_constant_s\"");
+    EFFECT("{\"name\": \"wire_thermal_lag\"}", WCUT_BAD_FORMAT,
+           "$.effects[0].time_constant_s: found nothing, expected a number");
+    EFFECT("{\"name\": \"wire_thermal_lag\", \"time_constant_s\": -1}", WCUT_BAD_ARGUMENT,
+           "$.effects[0].time_constant_s: found -1, expected a number from 0 to 60");
+    EFFECT("{\"name\": \"foam_density_gradient\", \"relative_change_across_block\": 0}", WCUT_BAD_FORMAT,
+           "$.effects[0].axis: found nothing, expected one of x, y, z");
+    EFFECT("{\"name\": \"foam_density_gradient\", \"axis\": \"w\", \"relative_change_across_block\": 0}",
+           WCUT_BAD_ARGUMENT, "$.effects[0].axis: found \"w\", expected \"x\"");
+    EFFECT("{\"name\": \"rate_dependence\", \"exponent\": 0}, {\"name\": \"rate_dependence\", \"exponent\": 0}",
+           WCUT_BAD_ARGUMENT, "$.effects[1]: found an object, expected no second rate_dependence");
+    EFFECT("{\"name\": \"foam_inclusion\", \"amplitude\": 0, \"radius_mm\": 9, \"position_mm\": [1, 2, 1e9]}",
+           WCUT_BAD_ARGUMENT,
+           "$.effects[0].position_mm: found an array of 3, expected coordinates from -1e+06 to 1e+06");
+    EFFECT("7", WCUT_BAD_FORMAT, "$.effects[0]: found 7, expected an effect: {\"name\": .., ..}");
+#undef EFFECT
 }
 END_TEST
 

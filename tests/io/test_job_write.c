@@ -69,6 +69,46 @@ START_TEST(a_design_job_comes_back_to_the_last_bit) {
 }
 END_TEST
 
+START_TEST(every_effect_comes_back_to_the_last_bit) {
+    given_job(given_path_job);
+    free(job->effect);
+    job->effect = wcut_alloc(WCUT_EFFECT_COUNT, sizeof *job->effect);
+    ck_assert_ptr_nonnull(job->effect);
+    job->effect_count = WCUT_EFFECT_COUNT;
+    for (int k = 0; k < WCUT_EFFECT_COUNT; k++) {
+        const wcut_effect_info *info = wcut_effect_view((wcut_effect_kind)k);
+        job->effect[k] = wcut_effect_default((wcut_effect_kind)k);
+        for (const wcut_effect_parameter *p = info->parameter; p->key; p++)
+            for (int c = 0; c < p->size; c++) job->effect[k].value[p->at + c] = p->low + (p->high - p->low) / (3 + c);
+        job->effect[k].choice = info->choice_key ? 1 : 0;
+    }
+    write_and_read();
+    ck_assert_int_eq(again->effect_count, WCUT_EFFECT_COUNT);
+    for (int k = 0; k < WCUT_EFFECT_COUNT; k++) {
+        ck_assert_int_eq(again->effect[k].kind, k);
+        ck_assert_int_eq(again->effect[k].choice, job->effect[k].choice);
+        same(again->effect[k].value, job->effect[k].value, sizeof job->effect[k].value);
+    }
+    forget();
+}
+END_TEST
+
+START_TEST(an_effect_that_the_reader_would_refuse_is_not_written) {
+    given_job(given_path_job);
+    free(job->effect);
+    job->effect = wcut_alloc(1, sizeof *job->effect);
+    ck_assert_ptr_nonnull(job->effect);
+    job->effect_count = 1;
+    *job->effect = (wcut_effect){.kind = WCUT_WIRE_THERMAL_LAG, .value = {-1, 10, 0.059, 0.0079}};
+    ck_assert_int_eq(wcut_job_write(job, "job.json", &error), WCUT_BAD_ARGUMENT);
+    ck_assert_ptr_nonnull(strstr(error.text, "effects[0].time_constant_s (wire_thermal_lag): found -1"));
+    job->effect->kind = WCUT_EFFECT_COUNT;
+    ck_assert_int_eq(wcut_job_write(job, "job.json", &error), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(count_entries("."), 0);
+    forget();
+}
+END_TEST
+
 START_TEST(numbers_are_the_shortest_and_know_no_locale) {
     given_job(given_path_job);
     ck_assert_msg(setlocale(LC_ALL, "de_DE.UTF-8") != NULL, "the tests' own locale is missing");
@@ -155,6 +195,8 @@ END_TEST
 int main(void) {
     const TTest *const test[] = {a_path_job_comes_back_to_the_last_bit,
                                  a_design_job_comes_back_to_the_last_bit,
+                                 every_effect_comes_back_to_the_last_bit,
+                                 an_effect_that_the_reader_would_refuse_is_not_written,
                                  numbers_are_the_shortest_and_know_no_locale,
                                  hostile_names_come_back_as_they_are,
                                  a_job_that_the_reader_would_refuse_is_not_written,

@@ -3,6 +3,7 @@
 #define WCUT_JOB_H
 
 #include <wirecut/curve.h>
+#include <wirecut/effects.h>
 #include <wirecut/export.h>
 #include <wirecut/force_law.h>
 #include <wirecut/status.h>
@@ -65,6 +66,9 @@ typedef struct wcut_job {
     wcut_dither *dither; /**< identification cuts: speed programme */
     int heat_step_count;
     wcut_heat_step *heat_step; /**< identification cuts: heater programme */
+
+    int effect_count;
+    wcut_effect *effect; /**< what is simulated beyond the plain model; 0 of them by default */
 } wcut_job;
 
 /**

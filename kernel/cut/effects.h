@@ -1,0 +1,23 @@
+/* The effects of a run: made ready for a sub-step, remembered after it. A run without them passes all of it by. */
+#ifndef WCUT_CUT_EFFECTS_H
+#define WCUT_CUT_EFFECTS_H
+
+#include "cut/run.h"
+
+typedef struct wcut_extension { /* what foam and step refer to while a sub-step is being solved */
+    wcut_locality local;
+    wcut_yielding yielding;
+} wcut_extension;
+
+/* Rest lengths of the edges at the target into cut->edge, warm where the wire gets longer by heat, by the engagement it
+   comes with (its temperature follows the foam, it does not jump at a face); their sum [mm]. */
+double wcut_cut_rest(wcut_cut *cut, const wcut_target *target);
+
+/* let foam and step know the run's effects; they refer to `out` from now on */
+void wcut_extension_apply(wcut_cut *cut, const wcut_target *target, wcut_extension *out, wcut_foam *foam,
+                          wcut_step *step);
+
+/* cut->next has become the wire at the target, 1/rate after cut->was: keep what effects must remember of that */
+void wcut_cut_remember(wcut_cut *cut, const wcut_target *target, double rate);
+
+#endif

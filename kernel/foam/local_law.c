@@ -1,0 +1,166 @@
+/* The force law at one node of the wire, with what effects make of coefficient, heat and rate there:
+   F = a c_a exp(-b c_b q / v) (v / v_0)^m, every factor 1 where its effect is absent (NOTATION.md, Effects). */
+#include "foam/local_law.h"
+
+#include <stddef.h>
+
+#include "base/numbers.h"
+#include "base/vec3.h"
+#include "foam/force_law.h"
+
+static const wcut_effect *find(const wcut_locality *at, wcut_effect_kind kind) {
+    for (int e = 0; e < at->count; e++)
+        if (at->effect[e].kind == kind) return &at->effect[e];
+    return NULL;
+}
+
+/* ---- coefficients ---- */
+
+typedef struct factors { /* on a and b, with the gradient of ln c_a */
+    double a, b;
+    wcut_vec3 by_position;
+} factors;
+
+static void add_gradient(const wcut_effect *e, const wcut_block *block, wcut_vec3 x, factors *f) {
+    const double at[3] = {x.x, x.y, x.z}, size[3] = {block->size.x, block->size.y, block->size.z};
+    const double g = e->value[0], c = 1 + g * (at[e->choice] / size[e->choice] - 0.5), slope = g / size[e->choice] / c;
+    f->a *= c;
+    if (e->choice == 0) f->by_position.x += slope;
+    if (e->choice == 1) f->by_position.y += slope;
+    if (e->choice == 2) f->by_position.z += slope;
+}
+
+static void add_inclusion(const wcut_effect *e, wcut_vec3 x, factors *f) {
+    const wcut_vec3 r = vec3_sub(x, vec3(e->value[2], e->value[3], e->value[4]));
+    const double square = e->value[1] * e->value[1], bump = e->value[0] * exp(-vec3_dot(r, r) / (2 * square));
+    f->a *= 1 + bump;
+    f->by_position = vec3_add_scaled(f->by_position, -bump / (1 + bump) / square, r);
+}
+
+static factors coefficients(const wcut_locality *at, const wcut_block *block, wcut_vec3 x) {
+    factors f = {1, 1, {0, 0, 0}};
+    for (int k = 0; k < at->count; k++) {
+        const wcut_effect *e = &at->effect[k];
+        if (e->kind == WCUT_FOAM_DENSITY_GRADIENT) add_gradient(e, block, x, &f);
+        if (e->kind == WCUT_FOAM_INCLUSION) add_inclusion(e, x, &f);
+        if (e->kind == WCUT_WIRE_FOULING) {
+            const double change = e->value[0] * -expm1(-(e->value[2] + at->cut_length) / e->value[1]);
+            *(e->choice == 0 ? &f.a : &f.b) *= 1 + change;
+        }
+    }
+    return f;
+}
+
+/* ---- heat ---- */
+
+typedef struct power { /* [W/m] and how it changes */
+    double value, by_speed, by_log_rate;
+    wcut_vec3 by_position;
+} power;
+
+static void scale(power *q, double factor) {
+    q->value *= factor, q->by_speed *= factor, q->by_log_rate *= factor;
+    q->by_position = vec3_scale(factor, q->by_position);
+}
+
+static double age_after(const wcut_locality *at, double rate, double inside, int i) {
+    return inside > 0 ? at->state[i].age + inside / rate : 0;
+}
+
+/* Q (1 + (ratio - 1) exp(-t/tau)), t the time in the foam at the end of the step */
+static void overheat(const wcut_effect *e, double age, double inside, wcut_vec3 inside_by, double rate, power *q) {
+    const double tau = e->value[1], excess = (e->value[0] - 1) * exp(-age / tau), by_age = -excess / tau * q->value;
+    scale(q, 1 + excess);
+    q->by_log_rate -= by_age * inside / rate;
+    q->by_position = vec3_add_scaled(q->by_position, by_age / rate, inside_by);
+}
+
+/* Temperatures of a node with C dtheta/dt = Q - H(v) theta over a step. */
+typedef struct thermal {
+    double loss, loss_by_speed;       /* H [W/mK] */
+    double steady, theta;             /* [K] at the end */
+    double decay, hold;               /* E = exp(-z), G = (1 - E)/z */
+    double theta_by_z, z, z_by_speed; /* z: the step over the time constant */
+} thermal;
+
+/* Exact for a steady temperature that changes evenly over the step (first-order hold) and the mean of both losses:
+   theta = steady_1 + (theta_0 - steady_0) E - (steady_1 - steady_0) G. */
+static thermal cool(const wcut_effect *e, const wcut_node_state *s, double heat, double rate, double speed) {
+    const double capacity = e->value[0] * (e->value[2] + e->value[3] * e->value[1]); /* [J/mK] */
+    thermal t = {.loss = e->value[2] + e->value[3] * speed, .loss_by_speed = e->value[3]};
+    t.steady = t.theta = heat / t.loss;
+    if (!s->set) return t;
+    t.z = (s->loss + t.loss) / (2 * capacity * rate);
+    t.z_by_speed = t.loss_by_speed / (2 * capacity * rate);
+    t.decay = exp(-t.z);
+    t.hold = -expm1(-t.z) / t.z;
+    const double ahead = s->theta - s->steady, change = t.steady - s->steady;
+    t.theta += ahead * t.decay - change * t.hold;
+    t.theta_by_z = -ahead * t.decay - change * (t.decay - t.hold) / t.z;
+    return t;
+}
+
+/* q = H(v) theta reaches the foam, not Q */
+static void delay(const wcut_effect *e, const wcut_node_state *s, double rate, double speed, power *q) {
+    const thermal t = cool(e, s, q->value, rate, speed);
+    const double follows = 1 - t.hold; /* d theta / d steady */
+    const double steady_by_speed = q->by_speed / t.loss - t.steady * t.loss_by_speed / t.loss;
+    q->by_speed = t.loss_by_speed * t.theta + t.loss * (follows * steady_by_speed + t.theta_by_z * t.z_by_speed);
+    q->by_log_rate = follows * q->by_log_rate - t.loss * t.theta_by_z * t.z;
+    q->by_position = vec3_scale(follows, q->by_position);
+    q->value = t.loss * t.theta;
+}
+
+/* factors on the heat that do not depend on the wire's motion */
+static double cooled_end(const wcut_effect *e, double edge, int n, int i) {
+    return 1 - e->value[0] * exp(-edge * (i < n - 1 - i ? i : n - 1 - i) / e->value[1]);
+}
+
+static power supply(const wcut_locality *at, double heat, double rate, double inside, wcut_vec3 inside_by, int n,
+                    int i) {
+    power q = {.value = heat};
+    const wcut_effect *end = find(at, WCUT_END_COOLING), *air = find(at, WCUT_AIR_OVERHEATING);
+    if (end) scale(&q, cooled_end(end, at->edge, n, i));
+    if (air) overheat(air, age_after(at, rate, inside, i), inside, inside_by, rate, &q);
+    return q;
+}
+
+/* ---- the law ---- */
+
+wcut_local_law wcut_local_law_eval(const wcut_locality *at, const wcut_block *block, const wcut_force_law *law,
+                                   double heat, double rate, double speed, double inside, wcut_vec3 inside_by, int n,
+                                   wcut_vec3 x, int i) {
+    const factors f = coefficients(at, block, x);
+    power q = supply(at, heat, rate, inside, inside_by, n, i);
+    const wcut_effect *lag = find(at, WCUT_WIRE_THERMAL_LAG), *faster = find(at, WCUT_RATE_DEPENDENCE);
+    if (lag) delay(lag, &at->state[i], rate, speed, &q);
+    wcut_local_law out = {.heat = q.value};
+    if (!(speed > 0)) return out;
+
+    const double b = law->b * f.b * MM_PER_M / speed, exponent = b * q.value;
+    if (exponent > 700) return out;
+    const double m = faster ? faster->value[0] : 0;
+    out.force = law->a * f.a * exp(-exponent) * (faster ? pow(speed / faster->value[1], m) : 1);
+    out.by_speed = out.force * ((exponent + m) / speed - b * q.by_speed);
+    out.by_log_rate = -out.force * b * q.by_log_rate;
+    out.by_position = vec3_scale(out.force, vec3_add_scaled(f.by_position, -b, q.by_position));
+    return out;
+}
+
+wcut_node_state wcut_node_state_after(const wcut_locality *at, double heat, double rate, double speed, double inside,
+                                      int n, int i) {
+    wcut_node_state state = {.set = true, .age = age_after(at, rate, inside, i)};
+    const wcut_effect *lag = find(at, WCUT_WIRE_THERMAL_LAG);
+    if (!lag) return state;
+    const power q = supply(at, heat, rate, inside, vec3(0, 0, 0), n, i);
+    const thermal t = cool(lag, &at->state[i], q.value, rate, speed);
+    state.theta = t.theta, state.steady = t.steady, state.loss = t.loss;
+    return state;
+}
+
+bool wcut_locality_drag(const wcut_locality *at, double *mu, double *smooth) {
+    const wcut_effect *drag = find(at, WCUT_TANGENTIAL_DRAG);
+    if (!drag) return false;
+    *mu = drag->value[0], *smooth = drag->value[1];
+    return true;
+}

@@ -1,0 +1,234 @@
+/* The force law with effects at one node: closed forms, and every derivative against central differences.
+   labels: unit property */
+#include <check.h>
+#include <stdlib.h>
+
+#include "base/numbers.h"
+#include "base/random.h"
+#include "foam/local_law.h"
+#include "foam/resistance.h"
+
+enum { N = 5 };
+
+static const wcut_force_law law = {0.1, 8.6e-4};
+static const wcut_block block = {.size = {400, 600, 300}, .depth = 0.15};
+static const double heat = 65, edge = 5;
+
+static wcut_node_state state[N];
+static wcut_vec3 x[N], was[N];
+
+static wcut_effect effect_of(wcut_effect_kind kind, double a, double b, int choice) {
+    wcut_effect e = wcut_effect_default(kind);
+    e.value[0] = a, e.choice = choice;
+    if (b > 0) e.value[1] = b;
+    return e;
+}
+
+static wcut_locality locality(int count, const wcut_effect *e) {
+    return (wcut_locality){.count = count, .effect = e, .state = state, .edge = edge, .cut_length = 300};
+}
+
+static double plain_law(double q, double v) { return law.a * exp(-law.b * q * 1000 / v); }
+
+static double law_of(wcut_effect e, double speed, wcut_vec3 at, int i) {
+    const wcut_locality l = locality(1, &e);
+    return wcut_local_law_eval(&l, &block, &law, heat, 5, speed, 1, vec3(0, 0, 0), N, at, i).force;
+}
+
+START_TEST(without_memory_every_effect_is_its_formula) {
+    const wcut_vec3 at = vec3(100, 450, 30);
+    const double f = plain_law(heat, 20);
+    ck_assert_double_eq_tol(law_of(effect_of(WCUT_FOAM_DENSITY_GRADIENT, 0.4, 0, 0), 20, at, 2) / f, 0.9, 1e-15);
+    ck_assert_double_eq_tol(law_of(effect_of(WCUT_FOAM_DENSITY_GRADIENT, 0.4, 0, 1), 20, at, 2) / f, 1.1, 1e-15);
+    ck_assert_double_eq_tol(law_of(effect_of(WCUT_FOAM_DENSITY_GRADIENT, 0.4, 0, 2), 20, at, 2) / f, 0.84, 1e-15);
+    wcut_effect e = effect_of(WCUT_FOAM_INCLUSION, 0.5, 40, 0);
+    e.value[2] = 100, e.value[3] = 450, e.value[4] = 70; /* one radius away */
+    ck_assert_double_eq_tol(law_of(e, 20, at, 2) / f, 1 + 0.5 * exp(-0.5), 1e-15);
+    ck_assert_double_eq_tol(law_of(effect_of(WCUT_RATE_DEPENDENCE, 0.3, 10, 0), 20, at, 2) / f, pow(2, 0.3), 1e-15);
+    e = effect_of(WCUT_WIRE_FOULING, 0.2, 500, 0);
+    ck_assert_double_eq_tol(law_of(e, 20, at, 2) / f, 1 + 0.2 * (1 - exp(-0.6)), 1e-15);
+    e.value[2] = 200; /* it had cut 200 mm before */
+    ck_assert_double_eq_tol(law_of(e, 20, at, 2) / f, 1 + 0.2 * (1 - exp(-1)), 1e-15);
+    e.choice = 1;
+    const double b = law.b * (1 + 0.2 * (1 - exp(-1)));
+    ck_assert_double_eq_tol(law_of(e, 20, at, 2), law.a * exp(-b * heat * 50), 1e-16);
+    e = effect_of(WCUT_END_COOLING, 0.3, 8, 0);
+    for (int i = 0; i < N; i++) {
+        const double q = heat * (1 - 0.3 * exp(-fmin(i, N - 1 - i) * edge / 8));
+        ck_assert_double_eq_tol(law_of(e, 20, at, i), plain_law(q, 20), 1e-16);
+    }
+}
+END_TEST
+
+START_TEST(overheated_wire_cools_with_its_time_in_the_foam_and_is_hot_again_outside) {
+    const wcut_effect e = effect_of(WCUT_AIR_OVERHEATING, 1.6, 0.8, 0);
+    const wcut_locality l = locality(1, &e);
+    for (int i = 0; i < N; i++) state[i] = (wcut_node_state){.set = true, .age = 0.3};
+    const wcut_vec3 zero = {0, 0, 0};
+    wcut_local_law at = wcut_local_law_eval(&l, &block, &law, heat, 5, 20, 1, zero, N, vec3(9, 9, 9), 1);
+    ck_assert_double_eq_tol(at.heat, heat * (1 + 0.6 * exp(-0.5 / 0.8)), 1e-12);
+    at = wcut_local_law_eval(&l, &block, &law, heat, 5, 20, 0, zero, N, vec3(9, 9, 9), 1);
+    ck_assert_double_eq_tol(at.heat, heat * 1.6, 1e-12);
+    ck_assert_double_eq_tol(wcut_node_state_after(&l, heat, 5, 20, 1, N, 1).age, 0.5, 1e-15);
+    ck_assert_double_eq(wcut_node_state_after(&l, heat, 5, 20, 0, N, 1).age, 0);
+}
+END_TEST
+
+/* heat that reaches the foam after `time` in so many steps at a given speed, from the steady state of another */
+static double lagged(const wcut_effect *e, double from, double to, double time, int steps) {
+    const wcut_vec3 zero = {0, 0, 0};
+    wcut_locality l = locality(1, e);
+    state[1] = (wcut_node_state){0};
+    state[1] = wcut_node_state_after(&l, heat, 10, from, 1, N, 1);
+    double q = 0;
+    for (int k = 0; k < steps; k++) {
+        const double rate = steps / time;
+        q = wcut_local_law_eval(&l, &block, &law, heat, rate, to, 1, zero, N, zero, 1).heat;
+        wcut_node_state next = wcut_node_state_after(&l, heat, rate, to, 1, N, 1);
+        if (k == 0) { /* the speed jumps before the first step, not along it: no first-order hold across it */
+            const double loss = e->value[2] + e->value[3] * to,
+                         tau = e->value[0] * (e->value[2] + e->value[3] * e->value[1]) / loss;
+            next.theta = heat / loss + (state[1].theta - heat / loss) * exp(-1 / (rate * tau));
+            q = loss * next.theta;
+        }
+        state[1] = next;
+    }
+    return q;
+}
+
+START_TEST(a_held_speed_lets_the_lag_run_out_as_one_exponential_however_it_is_stepped) {
+    const wcut_effect e = effect_of(WCUT_WIRE_THERMAL_LAG, 0.4, 0, 0);
+    const double h0 = e.value[2], h1 = e.value[3], slow = h0 + 10 * h1, fast = h0 + 25 * h1;
+    const double tau = 0.4 * slow / fast; /* C / H(25), tau being C / H(10) */
+    for (int steps = 1; steps <= 64; steps *= 4) {
+        const double q = lagged(&e, 10, 25, 0.3, steps);
+        /* theta from Q/H(10) to Q/H(25); the foam gets H(25) theta: more than Q at first */
+        ck_assert_double_eq_tol(q, heat * (1 + (fast / slow - 1) * exp(-0.3 / tau)), 1e-10);
+    }
+    ck_assert_double_eq_tol(lagged(&e, 10, 25, 30, 8), heat, 1e-10);
+}
+END_TEST
+
+START_TEST(an_even_change_of_heat_is_followed_exactly_behind_by_the_time_constant) {
+    /* at one speed, theta obeys C theta' = Q - H theta: for Q = Q0 + p t it trails by tau p / H once settled */
+    const wcut_effect e = effect_of(WCUT_WIRE_THERMAL_LAG, 0.5, 0, 0);
+    const wcut_vec3 zero = {0, 0, 0};
+    const wcut_locality l = locality(1, &e);
+    for (double step = 0.05; step < 1; step *= 3) {
+        state[1] = (wcut_node_state){0};
+        double q = 60, reached = 0;
+        state[1] = wcut_node_state_after(&l, q, 1 / step, 10, 1, N, 1);
+        for (double t = 0; t < 8; t += step) {
+            q += 3 * step;
+            reached = wcut_local_law_eval(&l, &block, &law, q, 1 / step, 10, 1, zero, N, zero, 1).heat;
+            state[1] = wcut_node_state_after(&l, q, 1 / step, 10, 1, N, 1);
+        }
+        ck_assert_double_eq_tol(reached, q - 3 * 0.5, 1e-5);
+    }
+}
+END_TEST
+
+START_TEST(drag_pulls_back_along_the_wire_by_mu_times_the_force_across) {
+    const wcut_effect e = effect_of(WCUT_TANGENTIAL_DRAG, 0.25, 0, 0);
+    const wcut_locality l = locality(1, &e);
+    const wcut_foam plain = {.law = law, .block = block}, dragging = {.law = law, .block = block, .local = &l};
+    for (int i = 0; i < N; i++) x[i] = vec3(100 + 5 * i, 50, 150), was[i] = vec3(100 + 5 * i - 1, 46, 150);
+    wcut_resistance a, b;
+    wcut_resistance_eval(&plain, heat, edge, 5, N, x, was, 2, false, &a);
+    wcut_resistance_eval(&dragging, heat, edge, 5, N, x, was, 2, false, &b);
+    const wcut_vec3 drag = vec3_sub(b.force, a.force);
+    ck_assert_double_eq_tol(drag.x, -0.25 * vec3_length(a.force) * tanh(5 / 0.3), 1e-15);
+    ck_assert(fabs(drag.y) < 1e-17 && fabs(drag.z) < 1e-17);
+    ck_assert_double_eq(a.line, b.line);
+}
+END_TEST
+
+/* ---- derivatives ---- */
+
+static void given_a_moving_wire(wcut_random *random) {
+    for (int i = 0; i < N; i++) {
+        x[i] = vec3(200 + (i - 2) * 4.6 + wcut_random_uniform(random), 1 + 2 * wcut_random_uniform(random),
+                    150 + 2 * wcut_random_uniform(random));
+        was[i] = vec3_sub(x[i], vec3(wcut_random_uniform(random) - 0.5, 3 + 2 * wcut_random_uniform(random),
+                                     wcut_random_uniform(random) - 0.5));
+        state[i] = (wcut_node_state){true, 0.2, 280 + 60 * wcut_random_uniform(random),
+                                     280 + 60 * wcut_random_uniform(random), 0.2};
+    }
+}
+
+static wcut_vec3 force_at(const wcut_foam *foam, double log_rate, int i) {
+    wcut_resistance r;
+    wcut_resistance_eval(foam, heat, edge, exp(log_rate), N, x, was, i, false, &r);
+    return r.force;
+}
+
+static double difference(wcut_vec3 high, wcut_vec3 low, double h, mat3 given, int c) {
+    const wcut_vec3 d = vec3_scale(1 / (2 * h), vec3_sub(high, low));
+    const double column[3] = {c == 0   ? given.x.x
+                              : c == 1 ? given.x.y
+                                       : given.x.z,
+                              c == 0   ? given.y.x
+                              : c == 1 ? given.y.y
+                                       : given.y.z,
+                              c == 0   ? given.z.x
+                              : c == 1 ? given.z.y
+                                       : given.z.z};
+    return vec3_distance(d, vec3(column[0], column[1], column[2]));
+}
+
+START_TEST(all_effects_at_once_have_exact_derivatives) {
+    wcut_effect e[9] = {effect_of(WCUT_FOAM_DENSITY_GRADIENT, 0.8, 0, 1),  effect_of(WCUT_FOAM_INCLUSION, 0.7, 20, 0),
+                        effect_of(WCUT_FOAM_DENSITY_GRADIENT, -0.8, 0, 2), effect_of(WCUT_RATE_DEPENDENCE, -0.3, 0, 0),
+                        effect_of(WCUT_WIRE_FOULING, 0.3, 0, 1),           effect_of(WCUT_END_COOLING, 0.4, 9, 0),
+                        effect_of(WCUT_AIR_OVERHEATING, 1.5, 0.7, 0),      effect_of(WCUT_WIRE_THERMAL_LAG, 0.3, 0, 0),
+                        effect_of(WCUT_TANGENTIAL_DRAG, 0.5, 2, 0)};
+    e[1].value[2] = 195, e[1].value[3] = 10, e[1].value[4] = 140;
+    const wcut_locality l = locality(9, e);
+    const wcut_foam foam = {.law = law, .block = {.size = {400, 600, 300}, .depth = 3}, .local = &l};
+    wcut_random random = wcut_random_seed(3);
+    double worst = 0;
+    for (int trial = 0; trial < 60; trial++) {
+        given_a_moving_wire(&random);
+        for (int i = 0; i < N; i++) {
+            const double log_rate = 1.5, h = 1e-5;
+            wcut_resistance r;
+            wcut_resistance_eval(&foam, heat, edge, exp(log_rate), N, x, was, i, true, &r);
+            const wcut_vec3 rate =
+                vec3_scale(1 / (2 * h), vec3_sub(force_at(&foam, log_rate + h, i), force_at(&foam, log_rate - h, i)));
+            worst = fmax(worst, vec3_distance(rate, r.by_log_rate));
+            for (int k = i > 0 ? i - 1 : i; k <= i + 1 && k < N; k++)
+                for (int c = 0; c < 3; c++) {
+                    double *component = &x[k].x + c, at = *component;
+                    *component = at + h;
+                    const wcut_vec3 high = force_at(&foam, log_rate, i);
+                    *component = at - h;
+                    const wcut_vec3 low = force_at(&foam, log_rate, i);
+                    *component = at;
+                    worst = fmax(worst, difference(high, low, h,
+                                                   k < i   ? r.by_before
+                                                   : k > i ? r.by_after
+                                                           : r.by_here,
+                                                   c));
+                }
+        }
+    }
+    ck_assert_double_lt(worst, 1e-7);
+}
+END_TEST
+
+int main(void) {
+    Suite *suite = suite_create("local_law");
+    TCase *tcase = tcase_create("effects");
+    tcase_add_test(tcase, without_memory_every_effect_is_its_formula);
+    tcase_add_test(tcase, overheated_wire_cools_with_its_time_in_the_foam_and_is_hot_again_outside);
+    tcase_add_test(tcase, a_held_speed_lets_the_lag_run_out_as_one_exponential_however_it_is_stepped);
+    tcase_add_test(tcase, an_even_change_of_heat_is_followed_exactly_behind_by_the_time_constant);
+    tcase_add_test(tcase, drag_pulls_back_along_the_wire_by_mu_times_the_force_across);
+    tcase_add_test(tcase, all_effects_at_once_have_exact_derivatives);
+    suite_add_tcase(suite, tcase);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_ENV);
+    const int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
