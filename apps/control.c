@@ -61,7 +61,7 @@ static int disturb_by(wcut_rig_options *o, const char *item) {
         const double value = strtod(digits, &end);
         if (end == digits || *end || digits[strspn(digits, "0123456789.+-eE")] ||
             !(value >= key[k].low && value <= key[k].high)) {
-            char expected[80];
+            char expected[160];
             snprintf(expected, sizeof expected, "%s:NUMBER with a number in %g .. %g", name, key[k].low, key[k].high);
             return refuse(item, expected);
         }

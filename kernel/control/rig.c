@@ -8,6 +8,7 @@
 #include "base/vec3.h"
 #include "control/rig_run.h"
 #include "cut/setup.h"
+#include "cut/track.h"
 
 #define MOST_OF_WIRE 0.5 /* [1] share of the plan's longest engagement from which excitation runs */
 #define PATIENCE 20      /* times the plan's duration */
@@ -27,9 +28,10 @@ typedef struct rig {
     reading *line; /* delays: as many readings as the delay lasts */
     int delays, next;
     double time, station;
-    double speed;   /* [mm/s] of the faster mount, actual */
-    double way_a;   /* [mm] of mount A in the last step */
-    double way_b;   /* [mm] */
+    double speed; /* [mm/s] of the faster mount, actual */
+    double way_a; /* [mm] of mount A in the last step */
+    double way_b; /* [mm] */
+    wcut_vec3 at_a, at_b;
     double command; /* [mm/s] of the faster mount: plan x controller x excitation */
     double heat;    /* [W/m] */
     double beyond;  /* [1] share of the engaged wire beyond density_from */
@@ -84,23 +86,26 @@ static int segment_of(const rig *r) {
     return j < last ? j : last;
 }
 
-/* the faster mount goes `way` along the path, the other one keeps step; stops at the path's end */
-static void move_mounts(rig *r, double way) {
-    r->way_a = r->way_b = 0;
-    while (way > 0 && r->station < r->job->stations - 1) {
-        const int j = segment_of(r);
-        const double a = way_of(r->job->mount_a, j), b = way_of(r->job->mount_b, j), longer = fmax(a, b);
-        const double left = (j + 1 - r->station) * longer, part = fmin(way, left) / longer;
-        r->station = way < left ? r->station + part : j + 1;
-        r->way_a += part * a;
-        r->way_b += part * b;
-        way -= left;
-    }
+/* a mount's place on the smooth curve through its stations: on chords its direction would jump at each, and a nearly
+   straight wire answers that with a fifth of its tension */
+static wcut_vec3 mount_at(const rig *r, const wcut_vec3 *mount) {
+    return wcut_path_at(r->job->stations, mount, r->station);
 }
 
-static wcut_vec3 mount_at(const rig *r, const wcut_vec3 *mount) {
-    const int j = segment_of(r);
-    return vec3_mix(mount[j], mount[j + 1], r->station - j);
+/* the faster mount goes `way`, the other one keeps step; stops at the path's end */
+static void move_mounts(rig *r, double way) {
+    const wcut_vec3 from_a = mount_at(r, r->job->mount_a), from_b = mount_at(r, r->job->mount_b);
+    while (way > 0 && r->station < r->job->stations - 1) {
+        const int j = segment_of(r);
+        const double longer = fmax(way_of(r->job->mount_a, j), way_of(r->job->mount_b, j));
+        const double left = (j + 1 - r->station) * longer;
+        r->station = way < left ? r->station + way / longer : j + 1;
+        way -= left;
+    }
+    r->at_a = mount_at(r, r->job->mount_a);
+    r->at_b = mount_at(r, r->job->mount_b);
+    r->way_a = vec3_distance(from_a, r->at_a);
+    r->way_b = vec3_distance(from_b, r->at_b);
 }
 
 /* heater programme and speed dither of an identification cut */
@@ -208,8 +213,7 @@ static wcut_status advance(rig *r, reading *tension, wcut_error *error) {
     wcut_status status = WCUT_OK;
     if (r->way_a > 0 || r->way_b > 0) {
         wcut_error cause = {0};
-        status =
-            wcut_cut_drive(r->cut, mount_at(r, r->job->mount_a), mount_at(r, r->job->mount_b), dt, r->heat, &cause);
+        status = wcut_cut_drive(r->cut, r->at_a, r->at_b, dt, r->heat, &cause);
         if (status != WCUT_OK)
             return wcut_fail(error, status, "at %.2f s, station %.2f: %s", r->time, r->station, cause.text);
     }
