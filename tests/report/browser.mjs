@@ -1,5 +1,5 @@
 // Open pages in a headless Chromium and ask them what they show:  node browser.mjs FOLDER|PAGE.html [PICTURES]
-// A folder holds what pages.h writes, with numbers known here; a page alone is the report of a simulated cut.
+// A folder holds what pages.h writes, with numbers known here; a page alone is any verb's report.
 // Ends with 0 (right), 1 (wrong, said on stderr) or 77 (no chromium here). Speaks the DevTools protocol over a pipe;
 // needs nothing but node. With a second folder it leaves screenshots there.
 import assert from 'node:assert/strict';
@@ -287,11 +287,14 @@ async function testPlan(browser) {
   await page.close();
 }
 
-// any page: it opens without a word, and what is clicked in its middle is what its boxes say
+// any page: it opens without a word, its charts are drawn, and what is clicked in its middle is what its boxes say
 async function testAny(browser) {
   const page = await Page.open(browser, only);
   await page.ask(HELPERS);
   await page.picture('page.png');
+  const charts = await page.ask('wirecut.report.sections.reduce((sum, section) => sum + section.charts.length, 0)');
+  assert.equal(await page.ask("document.querySelectorAll('figure.chart .uplot canvas').length"), charts);
+  if (await page.ask('wirecut.surface === null')) return page.close();
   const index = await page.ask('(wirecut.surface.shape.rows >> 1) * wirecut.surface.shape.columns + (wirecut.surface.shape.columns >> 1)');
   const picked = await page.ask(`wirecut.pick(...wirecut.surface.view.project(...at(${index}).position))`);
   assert.equal(picked.index, index);

@@ -145,7 +145,7 @@ function reachLegend(plot) {
   });
 }
 
-// a figure of a chart; sync names the charts whose cursors move together
+// a figure of a chart; sync names the charts whose cursors move together, those over the same abscissa
 export function chartFigure(chart, sync, height = 220) {
   const place = element('div', {className: 'plot', role: 'img', 'aria-label': words(chart)});
   let axis = 0, plot = null, bandsShown = true;
@@ -160,7 +160,7 @@ export function chartFigure(chart, sync, height = 220) {
     plot = new uPlot({
       width: Math.max(place.clientWidth, 280), height, scales: {x: {time: false}, y: {range: spread}}, series: options, bands: bandsShown ? bands : [],
       axes: axes(x, labelled(chart.label, chart.unit), height), legend: {live: true},
-      cursor: {sync: sync ? {key: `${sync}-${axis}`, setSeries: false} : undefined, points: {size: 6}, drag: {x: true, y: false}},
+      cursor: {sync: sync ? {key: `${sync}-${chart.axes[axis].label}`, setSeries: false} : undefined, points: {size: 6}, drag: {x: true, y: false}},
       hooks: {drawClear: [u => paintSpans(chart, u, axis)]}
     }, columns(chart, axis), place);
     live(place, plot, height);
