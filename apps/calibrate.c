@@ -1,27 +1,35 @@
 /* wirecut calibrate: a table of steady test cuts to the force and tension law of a job. */
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <wirecut/wirecut.h>
 
 #include "command.h"
+#include "report_calibrate.h"
 #include "results.h"
 #include "terminal.h"
 
 typedef struct calibration {
     const app_call *call;
-    const char *path; /* of the table */
+    const char *path;    /* of the table */
+    const char *weights; /* a column of it, or NULL */
     int cuts;
     wcut_test_cut *cut;
     wcut_calibration_options options;
     wcut_calibration fit;
     wcut_calibration_point *point;
+    app_calibrated of; /* all of the above, as the page wants it */
+    char (*sentence)[APP_SENTENCE];
+    const char **warning; /* the sentences, as the page wants them */
     app_results results;
 } calibration;
 
+enum { WARNINGS_OF_ALL = 6 }; /* beside one a cut */
+
 static int load(calibration *c) {
     wcut_error error = {0};
-    const char *weight = app_given(c->call, "weights") ? app_text(c->call, "weights") : NULL;
-    wcut_status status = wcut_calibration_table_read(c->path, weight, &c->cuts, &c->cut, &error);
+    c->weights = app_given(c->call, "weights") ? app_text(c->call, "weights") : NULL;
+    wcut_status status = wcut_calibration_table_read(c->path, c->weights, &c->cuts, &c->cut, &error);
     if (status != WCUT_OK) return app_fail_status(status, NULL, &error);
     c->options = wcut_calibration_options_default();
     c->options.loss = app_given(c->call, "robust") ? WCUT_LOSS_TUKEY : WCUT_LOSS_SQUARE;
@@ -33,18 +41,27 @@ static int load(calibration *c) {
 
 static int fit(calibration *c) {
     wcut_error error = {0};
+    const size_t most = (size_t)c->cuts + WARNINGS_OF_ALL;
     c->point = calloc((size_t)c->cuts + 1, sizeof *c->point);
-    if (!c->point) return app_fail_status(WCUT_NO_MEMORY, c->path, NULL);
+    c->sentence = calloc(most, sizeof *c->sentence);
+    c->warning = calloc(most, sizeof *c->warning);
+    if (!c->point || !c->sentence || !c->warning) return app_fail_status(WCUT_NO_MEMORY, c->path, NULL);
     wcut_status status = wcut_calibration_fit(c->cuts, c->cut, &c->options, &c->fit, c->point, &error);
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, c->path, &error);
 }
 
+/* force_law.json last: where it stands, the page beside it is of the same cuts */
 static int write_results(calibration *c) {
     wcut_error error = {0};
-    const char *name = "force_law.json";
-    wcut_status status = wcut_force_law_write(c->cuts, c->cut, &c->options, &c->fit, c->point,
-                                              app_results_path(&c->results, name), &error);
-    return app_results_add(&c->results, name, status, &error);
+    const char *page = "report.html", *law = "force_law.json";
+    int code = app_results_remove(&c->results, law);
+    if (code != APP_DONE) return code;
+    wcut_status status = app_report_calibrate(&c->of, app_results_path(&c->results, page), &error);
+    code = app_results_add(&c->results, page, status, &error);
+    if (code != APP_DONE) return code;
+    status = wcut_force_law_write(c->cuts, c->cut, &c->options, &c->fit, c->point, app_results_path(&c->results, law),
+                                  &error);
+    return app_results_add(&c->results, law, status, &error);
 }
 
 static int print_json(const calibration *c) {
@@ -59,22 +76,13 @@ static int print_json(const calibration *c) {
 /* ---- the summary ---------------------------------------------------------------------------------------------------
  */
 
-/* how well a law fits, in the words of its noise */
+/* how well a law fits */
 static void say_quality(const calibration *c, const wcut_law_fit *law) {
-    if (c->options.noise == WCUT_NOISE_RELATIVE)
-        app_say("  scatter %.1f %% of the value, %.1f %% at cuts left out of the fit (%d of %d)", 100 * law->scale,
-                100 * law->leave_one_out, law->left_out, c->cuts);
-    else
-        app_say("  scatter %.3g N/mm, %.3g N/mm at cuts left out of the fit (%d of %d)", law->scale, law->leave_one_out,
-                law->left_out, c->cuts);
-    if (law->lack == WCUT_LACK_UNTESTED)
-        app_say("  too few cuts to test whether the law fits");
-    else
-        app_say("  %s: F(%d, %d) = %.2f, p = %.2g: %s",
-                law->lack == WCUT_LACK_REPLICATE ? "against repeated cuts"
-                                                 : "against a curvature in Q_eff and a power of the speed",
-                law->lack_degrees[0], law->lack_degrees[1], law->lack_f, law->lack_p,
-                law->lack_p < 0.05 ? "the law does not fit" : "no lack of fit");
+    char sentence[APP_SENTENCE];
+    app_describe_scatter(&c->of, law, sentence);
+    app_say("  %s", sentence);
+    app_describe_lack(law, sentence);
+    app_say("  %s", sentence);
 }
 
 static void say_laws(const calibration *c) {
@@ -96,42 +104,67 @@ static void say_laws(const calibration *c) {
     say_quality(c, t);
 }
 
+/* ---- warnings ------------------------------------------------------------------------------------------------------
+ */
+
+static void warn(calibration *c, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    const int k = c->of.warnings++;
+    vsnprintf(c->sentence[k], APP_SENTENCE, format, arguments);
+    c->warning[k] = c->sentence[k];
+    va_end(arguments);
+}
+
 /* what the user should know before cutting by these numbers */
-static void say_warnings(const calibration *c) {
+static void find_warnings(calibration *c) {
     const wcut_calibration *fit = &c->fit;
     bool relative = c->options.noise == WCUT_NOISE_RELATIVE;
+    const double against = relative ? -fit->force.evidence : fit->force.evidence;
     if (!fit->told_apart)
-        app_say(
-            "warning: %d levels of Q_eff over a factor of %.2f do not tell a from b (correlation %.3f): use V0 and "
-            "the exponent near F0, or cut at more heats and speeds",
+        warn(
+            c,
+            "%d levels of Q_eff over a factor of %.2f do not tell a from b (correlation %.3f): use V0 and the exponent "
+            "near F0, or cut at more heats and speeds",
             fit->q_effs, fit->q_eff_high / fit->q_eff_low, fit->correlation);
+    if (fit->tension_fitted && !(fit->tension.low[1] > 0))
+        warn(
+            c,
+            "the tension law is loose: the interval of its b holds 0; its curve is good in the range of the cuts only");
     if (fit->heats < 2)
-        app_say("warning: one heat: whether the force hangs on Q_eff alone, or heat is lost elsewhere, cannot be seen");
-    if (fit->speeds < 2) app_say("warning: one speed: a power of the speed beside Q_eff cannot be seen");
+        warn(c, "one heat: whether the force hangs on Q_eff alone, or heat is lost elsewhere, cannot be seen");
+    if (fit->speeds < 2) warn(c, "one speed: a power of the speed beside Q_eff cannot be seen");
     if (fit->large_angles > 0)
-        app_say("warning: %d of %d cuts trail by more than 10 deg; a test cut is meant to be nearly straight",
-                fit->large_angles, c->cuts);
-    if ((relative ? -fit->force.evidence : fit->force.evidence) > 2)
-        app_say("warning: the scatter looks %s (log likelihood ratio %.1f); try --noise %s",
-                relative ? "absolute" : "relative", relative ? -fit->force.evidence : fit->force.evidence,
-                relative ? "absolute" : "relative");
+        warn(c, "%d of %d cuts trail by more than 10 deg; a test cut is meant to be nearly straight", fit->large_angles,
+             c->cuts);
+    if (against > 2)
+        warn(c, "the scatter looks %s (log likelihood ratio %.1f); try --noise %s", relative ? "absolute" : "relative",
+             against, relative ? "absolute" : "relative");
     for (int i = 0; i < c->cuts; i++)
         if (c->point[i].force.loss_weight < 0.1)
-            app_say("warning: line %d is an outlier (%.1f standard deviations) and hardly counts", c->cut[i].line,
-                    c->point[i].force.residual);
+            warn(c, "line %d is an outlier (%.1f standard deviations) and hardly counts", c->cut[i].line,
+                 c->point[i].force.residual);
+}
+
+static void describe(calibration *c) {
+    c->of = (app_calibrated){c->path, c->weights, c->cuts, c->cut, &c->options, &c->fit, c->point, 0, c->warning};
+    find_warnings(c);
 }
 
 static int calibrate(const app_call *call) {
     calibration c = {.call = call, .path = call->operand[0]};
     int code = load(&c);
     if (code == APP_DONE) code = fit(&c);
+    if (code == APP_DONE) describe(&c);
     if (code == APP_DONE) code = app_results_begin(&c.results, app_text(call, "output"));
     if (code == APP_DONE) code = write_results(&c);
     if (code == APP_DONE && app_given(call, "json")) code = print_json(&c);
     if (code == APP_DONE && !app_given(call, "quiet")) {
         say_laws(&c);
-        say_warnings(&c);
+        for (int i = 0; i < c.of.warnings; i++) app_say("warning: %s", c.warning[i]);
     }
+    free(c.warning);
+    free(c.sentence);
     free(c.point);
     wcut_test_cut_destroy(c.cut);
     return code;
@@ -179,8 +212,9 @@ const app_verb app_verb_calibrate = {
     .about =
         "Fits F = a exp(-b Q_eff) to the force of each cut, (T_a sin alpha_a + T_b sin alpha_b) / engaged length, "
         "and T = a exp(-b Q_eff) + c to its tension per engaged length (Rust et al. 2016, 2 and 1), and writes "
-        "force_law.json into DIR: the blocks of a job, with standard errors, covariances, the range of Q_eff they "
-        "hold in, a leave-one-out error, a test of the lack of fit, and every cut's residual.\n"
+        "force_law.json and report.html into DIR: the blocks of a job, with standard errors, covariances, the range of "
+        "Q_eff they hold in, a leave-one-out error, a test of the lack of fit, and every cut's residual; the same in "
+        "charts and tables.\n"
         "a and b are nearly degenerate; the pair that the cuts fix is V0 = b Q / ln(a/F0), the speed at a force "
         "F0, and the exponent 1/ln(a/F0).",
     .operand = operand,

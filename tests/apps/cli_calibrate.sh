@@ -32,23 +32,83 @@ cmp -s out made/force_law.json || fail "--json is not the file"
 [ -s err ] && fail "--quiet spoke: $(cat err)"
 cmp -s made/force_law.json again/force_law.json || fail "two runs, two results"
 
+# the page: whole, the same again, with the table's hash, both laws and every cut, and no place outside
+cmp -s made/report.html again/report.html || fail "two runs, two pages"
+[ "$(head -c 15 made/report.html)" = '<!doctype html>' ] || fail "report.html has no head"
+[ "$(tail -n 1 made/report.html)" = '</html>' ] || fail "report.html has no end"
+if grep -oE '(src|href)="?(https?:)?//[^"]*' made/report.html; then fail "report.html names a place outside"; fi
+python3 - made table.csv <<'EOF' || fail "report.html does not say what force_law.json says"
+import hashlib, json, re, sys
+text = open(sys.argv[1] + "/report.html", encoding="utf-8").read()
+page = json.loads(re.search(r'id="report">(.*?)</script>', text, re.S).group(1))
+law = json.load(open(sys.argv[1] + "/force_law.json"))
+assert page["sources"][0]["sha256"] == hashlib.sha256(open(sys.argv[2], "rb").read()).hexdigest()
+titles = [section["title"] for section in page["sections"]]
+assert [t for t in titles if t.endswith("law")] == ["Force law", "Tension law"], titles
+for name, title in (("force_law", "Force law"), ("tension_law", "Tension law")):
+    section = page["sections"][titles.index(title)]
+    assert len(section["charts"]) == 5 and all(c["axes"][0]["label"] and c["label"] for c in section["charts"])
+    band = section["charts"][0]["series"][0]
+    assert "low" in band and "high" in band
+    assert [t["title"] for t in section["tables"]] == ["Parameters", "Correlation", "Every cut"]
+    assert section["tables"][2]["rows"] == len(law["residuals"]) == 8
+    assert "p = %.2g" % law[name]["lack_of_fit"]["p"] in section["note"], section["note"]
+verdict = re.search(r'class="verdict">(.*?)</p>', text).group(1)
+low, high = law["force_law"]["interval"]["a_N_per_mm"]
+assert "a = %.4g N/mm" % law["force_law"]["a_N_per_mm"] in verdict, verdict
+assert "%.4g to %.4g" % (low, high) in verdict and verdict.endswith("."), verdict
+labels = [fact["label"] for fact in page["facts"]]
+assert any(label.startswith("force law, b (95 %") for label in labels) and "validated Q_eff" in labels, labels
+EOF
+if command -v node >/dev/null 2>&1; then
+    status=0
+    node "$SOURCE_DIR/tests/report/browser.mjs" made/report.html || status=$?
+    [ "$status" -eq 0 ] || [ "$status" -eq 77 ] || fail "the page is wrong in a browser"
+else
+    echo "skipped: the page was not opened, for want of node"
+fi
+
+# the sample: as its script makes it, and the law it was made from is within the intervals
+python3 "$SOURCE_DIR/samples/calibration/make_table.py" | cmp -s - "$SOURCE_DIR/samples/calibration/table.csv" ||
+    fail "samples/calibration/table.csv is not what make_table.py makes"
+run 0 calibrate "$SOURCE_DIR/samples/calibration/table.csv" -o sample
+grep -q warning err && fail "the sample has a warning: $(cat err)"
+[ -s sample/report.html ] || fail "no report.html of the sample"
+python3 - sample/force_law.json <<'EOF' || fail "the sample's law is not found again"
+import json, sys
+law = json.load(open(sys.argv[1]))
+truth = {"force_law": {"a_N_per_mm": 0.1, "b_m2_per_J": 8.6e-4},
+         "tension_law": {"a_N_per_mm": 0.35, "b_m2_per_J": 8.6e-4, "c_N_per_mm": 0.002}}
+for name, values in truth.items():
+    for key, value in values.items():
+        low, high = law[name]["interval"][key]
+        assert low <= value <= high, (name, key, low, high)
+    assert law[name]["lack_of_fit"]["against"] == "replicates" and law[name]["lack_of_fit"]["p"] > 0.05
+EOF
+
 # an outlier hardly counts, and is named
 sed '$s/125.914/300/' table.csv >outlier.csv
 run 0 calibrate outlier.csv -o robust --robust
 grep -q 'line 9 is an outlier' err || fail "the outlier is not named: $(cat err)"
+for words in 'line 9 is an outlier' 'hardly counts"' 'What to know first'; do
+    grep -q "$words" robust/report.html || fail "the page does not say: $words"
+done
 
 # too little is said
 printf '%s\n60,30,400,20,5\n60,30.3,400,20.4,5\n60,30.6,400,20.9,12\n60,30.9,400,21.2,5\n' $header >narrow.csv
 run 0 calibrate narrow.csv -o narrow
 for words in 'do not tell a from b' 'one heat' 'more than 10 deg'; do
     grep -q "$words" err || fail "not said: $words: $(cat err)"
+    grep -q "$words" narrow/report.html || fail "the page does not say: $words"
 done
+grep -q 'Residuals over the speed' narrow/report.html || fail "no chart over the speed"
+grep -q 'Residuals over the heat' narrow/report.html && fail "a chart over one heat"
 
 refused() {
     run 3 calibrate broken.csv -o broken
     one_line "$@"
     no_result
-    [ -e broken/force_law.json ] && fail "a result of a refused table"
+    [ -e broken/force_law.json ] || [ -e broken/report.html ] && fail "a result of a refused table"
 }
 printf '%s\n60,30,400,20,5\n60,30,400,21,5\n30,15,400,20,5\n' $header >broken.csv
 refused 'broken.csv' 'one level of Q_eff (2000 J/m^2)'
@@ -65,4 +125,11 @@ one_line 'reference force: found 5'
 run 3 calibrate nowhere.csv -o broken
 run 2 calibrate table.csv
 run 4 calibrate table.csv -o table.csv/in
+
+# a page that cannot be written is said, and no law of an earlier run stands beside it
+mkdir -p taken/report.html
+cp made/force_law.json taken
+run 4 calibrate table.csv -o taken
+[ -e taken/force_law.json ] && fail "$called: the law of an earlier run is still there"
+no_leavings taken
 finish

@@ -1,0 +1,486 @@
+/* The page of a calibration: the laws and how sure they are, each over its cuts with its band, residuals, every cut. */
+#include "report_calibrate.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define DEGREES (180 / 3.14159265358979323846) /* files and pages say degrees */
+#define PERCENT 100
+
+enum { CURVE = 201, CHARTS = 5, TABLES = 3, COLUMNS = 12, LAWS = 2 };
+
+#define A_UNIT "N/mm"
+#define B_UNIT "m\xc2\xb2/J"
+#define Q_UNIT "J/m\xc2\xb2"
+
+/* memory that lives as long as the page is being written */
+typedef struct block {
+    struct block *next;
+} block;
+
+/* what every chart and table is drawn from, a value a cut */
+typedef struct columns {
+    double *line, *heat, *speed, *q_eff;
+} columns;
+
+typedef struct page {
+    const app_calibrated *of;
+    columns cuts;
+    block *memory;
+    bool failed; /* memory ran out */
+    char hash[WCUT_SHA256_TEXT];
+} page;
+
+/* one of the laws, as a section is made from it */
+typedef struct law {
+    const char *title, *symbol, *chart, *label; /* "Force law", "F = a exp(-b Q_eff)", "Force per engaged length" */
+    int parameters;
+    const wcut_law_fit *fit;
+    const wcut_fit_point **point; /* cuts */
+} law;
+
+static void *take(page *p, size_t count, size_t size) {
+    block *b = calloc(1, sizeof *b + (count ? count : 1) * size);
+    if (!b) {
+        p->failed = true;
+        return NULL;
+    }
+    b->next = p->memory;
+    p->memory = b;
+    return b + 1;
+}
+
+static double *take_numbers(page *p, int count) { return take(p, (size_t)count, sizeof(double)); }
+
+static void clear(page *p) {
+    while (p->memory) {
+        block *next = p->memory->next;
+        free(p->memory);
+        p->memory = next;
+    }
+}
+
+static bool is_relative(const app_calibrated *of) { return of->options->noise == WCUT_NOISE_RELATIVE; }
+
+/* ---- sentences ------------------------------------------------------------------------------------------------------
+ */
+
+void app_describe_scatter(const app_calibrated *of, const wcut_law_fit *fit, char sentence[APP_SENTENCE]) {
+    const bool relative = is_relative(of);
+    const double unit = relative ? PERCENT : 1;
+    snprintf(sentence, APP_SENTENCE,
+             "cuts lie off the law by %.3g %s (standard deviation), those left out of the fit one at a time by %.3g %s "
+             "(root mean square of %d cuts)",
+             unit * fit->scale, relative ? "%" : A_UNIT, unit * fit->leave_one_out, relative ? "%" : A_UNIT,
+             fit->left_out);
+}
+
+void app_describe_lack(const wcut_law_fit *fit, char sentence[APP_SENTENCE]) {
+    if (fit->lack == WCUT_LACK_UNTESTED)
+        snprintf(sentence, APP_SENTENCE, "too few cuts, or none off the law, to test whether it fits");
+    else
+        snprintf(sentence, APP_SENTENCE, "%s, tested against %s: F(%d, %d) = %.2f, p = %.2g",
+                 fit->lack_p < 0.05 ? "the law does not fit" : "no lack of fit is seen",
+                 fit->lack == WCUT_LACK_REPLICATE ? "the scatter of repeated cuts"
+                                                  : "a curvature in Q_eff and a power of the speed",
+                 fit->lack_degrees[0], fit->lack_degrees[1], fit->lack_f, fit->lack_p);
+}
+
+static wcut_report_tone judge(const app_calibrated *of, char *verdict, size_t size) {
+    const wcut_law_fit *f = &of->fit->force;
+    const bool tested = f->lack != WCUT_LACK_UNTESTED, fits = !tested || f->lack_p >= 0.05;
+    int n = snprintf(verdict, size,
+                     "%d cuts give the force law a = %.4g " A_UNIT " (%g %% interval %.4g to %.4g), b = %.4g " B_UNIT
+                     " (%.4g to %.4g); a and b %s",
+                     of->cuts, f->a, PERCENT * of->options->confidence, f->low[0], f->high[0], f->b, f->low[1],
+                     f->high[1], of->fit->told_apart ? "can be told apart" : "cannot be told apart");
+    char *rest = verdict + n;
+    size -= (size_t)n;
+    if (!tested)
+        snprintf(rest, size, ", and there is nothing to test the law against.");
+    else
+        snprintf(rest, size,
+                 fits ? ", and no lack of fit is seen (p = %.2g)." : ", but the law does not fit (p = %.2g).",
+                 f->lack_p);
+    return !fits || !of->fit->told_apart || of->warnings > 0 ? WCUT_TONE_WARNING
+           : tested                                          ? WCUT_TONE_GOOD
+                                                             : WCUT_TONE_PLAIN;
+}
+
+/* ---- charts ---------------------------------------------------------------------------------------------------------
+ */
+
+static wcut_report_series points(const char *label, int count, const double *x, const double *y) {
+    return (wcut_report_series){.label = label, .mark = WCUT_MARK_POINTS, .count = count, .x = {x, NULL}, .y = y};
+}
+
+/* the values of the cuts that have something unusual, NaN elsewhere; NULL where none has */
+static double *pick_unusual(page *p, const law *l, const double *y) {
+    int marked = 0;
+    double *out = take_numbers(p, p->of->cuts);
+    for (int i = 0; out && i < p->of->cuts; i++) {
+        out[i] = l->point[i]->unusual ? y[i] : NAN;
+        marked += l->point[i]->unusual != 0;
+    }
+    return marked ? out : NULL;
+}
+
+/* a series for the eye, the cuts, and those of them that want a second look */
+static wcut_report_chart chart_of_cuts(page *p, const law *l, const char *title, const char *x_label,
+                                       const char *x_unit, const double *x, const char *y_label, const char *y_unit,
+                                       const double *y, const wcut_report_series *guide) {
+    wcut_report_series *series = take(p, 3, sizeof *series);
+    wcut_report_chart chart = {.title = title,
+                               .x_label = {x_label, NULL},
+                               .x_unit = {x_unit, NULL},
+                               .y_label = y_label,
+                               .y_unit = y_unit,
+                               .series = series};
+    if (p->failed) return chart;
+    const double *unusual = pick_unusual(p, l, y);
+    series[0] = *guide;
+    series[1] = points("test cuts", p->of->cuts, x, y);
+    if (unusual) series[2] = points("marked in the table", p->of->cuts, x, unusual);
+    chart.series_count = unusual ? 3 : 2;
+    return chart;
+}
+
+/* the fitted curve with its band, where the law is validated */
+static wcut_report_chart curve_chart(page *p, const law *l, const double *measured) {
+    const wcut_calibration *fit = p->of->fit;
+    double *q = take_numbers(p, CURVE), *y = take_numbers(p, CURVE);
+    double *low = take_numbers(p, CURVE), *high = take_numbers(p, CURVE);
+    char *note = take(p, APP_SENTENCE, 1);
+    if (p->failed) return (wcut_report_chart){.title = l->title};
+    for (int k = 0; k < CURVE; k++) q[k] = fit->q_eff_low + (fit->q_eff_high - fit->q_eff_low) * k / (CURVE - 1);
+    wcut_law_fit_eval(l->fit, p->of->options->confidence, CURVE, q, y, low, high);
+    const wcut_report_series guide = {
+        .label = "fitted law", .count = CURVE, .x = {q}, .y = y, .low = low, .high = high};
+    wcut_report_chart chart = chart_of_cuts(p, l, l->chart, "effective heat input Q_eff", Q_UNIT, p->cuts.q_eff,
+                                            l->label, A_UNIT, measured, &guide);
+    snprintf(note, APP_SENTENCE, "The band holds the law with %g %% confidence at each Q_eff, not the next cut.",
+             PERCENT * p->of->options->confidence);
+    chart.note = note;
+    return chart;
+}
+
+/* a level line as long as the cuts spread, where the residuals should lie */
+static wcut_report_series zero(page *p, const double *x) {
+    double *end = take_numbers(p, 2), *level = take_numbers(p, 2);
+    wcut_report_series line = {.label = "the law", .mark = WCUT_MARK_DASHED, .count = 2, .x = {end}, .y = level};
+    if (p->failed) return line;
+    end[0] = end[1] = x[0];
+    for (int i = 1; i < p->of->cuts; i++) {
+        if (x[i] < end[0]) end[0] = x[i];
+        if (x[i] > end[1]) end[1] = x[i];
+    }
+    return line;
+}
+
+static wcut_report_chart residual_chart(page *p, const law *l, const char *title, const char *x_label,
+                                        const char *x_unit, const double *x, const double *residual) {
+    const wcut_report_series guide = zero(p, x);
+    return chart_of_cuts(p, l, title, x_label, x_unit, x, "residual", "%", residual, &guide);
+}
+
+/* residuals in their standard deviations beside normal ones: a straight line if they are normal */
+static wcut_report_chart normal_chart(page *p, const law *l) {
+    const int n = p->of->cuts;
+    double *residual = take_numbers(p, n), *score = take_numbers(p, n);
+    wcut_report_chart none = {.title = ""};
+    if (p->failed) return none;
+    for (int i = 0; i < n; i++) residual[i] = l->point[i]->residual;
+    if (wcut_normal_scores(n, residual, score) != WCUT_OK) {
+        p->failed = true;
+        return none;
+    }
+    wcut_report_series guide = zero(p, score);
+    guide.label = "normal scatter";
+    guide.y = guide.x[0];
+    wcut_report_chart chart = chart_of_cuts(p, l, "Residuals beside normal ones", "normal quantile", "", score,
+                                            "residual, standardised", "", residual, &guide);
+    chart.note = "In standard deviations of a cut; on the line if the scatter is normal.";
+    return chart;
+}
+
+/* ---- tables ---------------------------------------------------------------------------------------------------------
+ */
+
+/* what of a cut wants a second look */
+static const char *remark(page *p, int i, const wcut_fit_point *at) {
+    const wcut_test_cut *cut = &p->of->cut[i];
+    const double most = p->of->options->alpha_large;
+    const bool large = fabs(cut->alpha_a) > most || fabs(cut->alpha_b) > most;
+    const char *const word[] = {at->unusual & WCUT_FIT_OUTLIER ? "outlier" : NULL,
+                                at->unusual & WCUT_FIT_LEVERAGE ? "alone at its Q_eff" : NULL,
+                                at->unusual & WCUT_FIT_INFLUENTIAL ? "moves the law" : NULL,
+                                at->loss_weight < 0.1 ? "hardly counts" : NULL, large ? "large angle" : NULL};
+    char *text = take(p, 80, 1);
+    for (size_t k = 0; text && k < sizeof word / sizeof *word; k++) {
+        if (!word[k]) continue;
+        if (*text) strcat(text, ", ");
+        strcat(text, word[k]);
+    }
+    return text;
+}
+
+static wcut_report_table cut_table(page *p, const law *l, const double *measured, const double *residual) {
+    const int n = p->of->cuts;
+    wcut_report_column *column = take(p, COLUMNS, sizeof *column);
+    double *fitted = take_numbers(p, n), *standard = take_numbers(p, n), *leverage = take_numbers(p, n);
+    double *left_out = take_numbers(p, n), *influence = take_numbers(p, n);
+    const char **text = take(p, (size_t)n, sizeof *text);
+    wcut_report_table table = {.title = "Every cut", .rows = n, .columns = COLUMNS, .column = column};
+    if (p->failed) return table;
+    for (int i = 0; i < n; i++) {
+        fitted[i] = l->point[i]->fitted;
+        standard[i] = l->point[i]->residual;
+        leverage[i] = l->point[i]->leverage;
+        left_out[i] = l->point[i]->left_out;
+        influence[i] = l->point[i]->influence;
+        text[i] = remark(p, i, l->point[i]);
+    }
+    const wcut_report_column of[COLUMNS] = {{"line", "", p->cuts.line, NULL},
+                                            {"heat", "W/m", p->cuts.heat, NULL},
+                                            {"speed", "mm/s", p->cuts.speed, NULL},
+                                            {"Q_eff", Q_UNIT, p->cuts.q_eff, NULL},
+                                            {"measured", A_UNIT, measured, NULL},
+                                            {"fitted", A_UNIT, fitted, NULL},
+                                            {"residual", "%", residual, NULL},
+                                            {"residual, standardised", "", standard, NULL},
+                                            {"predicted by the others", A_UNIT, left_out, NULL},
+                                            {"leverage", "", leverage, NULL},
+                                            {"influence", "", influence, NULL},
+                                            {"remark", "", NULL, text}};
+    memcpy(column, of, sizeof of);
+    table.note =
+        "Residual: measured less fitted, over fitted; standardised: in standard deviations of a cut. Leverage: "
+        "the cut's share in its own fitted value. Influence: by how many of its standard errors that value "
+        "moves when the cut is left out.";
+    return table;
+}
+
+static const char *const parameter[3] = {"a", "b", "c"};
+
+/* standard errors and intervals */
+static wcut_report_table parameter_table(page *p, const law *l) {
+    enum { ROWS = 4 };
+    static const char *const unit[3] = {A_UNIT, B_UNIT, A_UNIT};
+    const double value[3] = {l->fit->a, l->fit->b, l->fit->c};
+    wcut_report_column *column = take(p, 4, sizeof *column);
+    double *number = take_numbers(p, ROWS * 3);
+    const char **row = take(p, ROWS, sizeof *row);
+    char *low = take(p, 64, 1), *high = take(p, 64, 1);
+    wcut_report_table table = {.title = "Parameters", .rows = ROWS, .columns = 1 + l->parameters, .column = column};
+    if (p->failed) return table;
+    snprintf(low, 64, "%g %% interval, from", PERCENT * p->of->options->confidence);
+    snprintf(high, 64, "%g %% interval, to", PERCENT * p->of->options->confidence);
+    row[0] = "value", row[1] = "standard error", row[2] = low, row[3] = high;
+    column[0] = (wcut_report_column){.label = "", .text = row};
+    for (int j = 0; j < l->parameters; j++) {
+        const double of[ROWS] = {value[j], l->fit->standard_error[j], l->fit->low[j], l->fit->high[j]};
+        memcpy(number + ROWS * j, of, sizeof of);
+        column[1 + j] = (wcut_report_column){.label = parameter[j], .unit = unit[j], .number = number + ROWS * j};
+    }
+    return table;
+}
+
+static wcut_report_table correlation_table(page *p, const law *l) {
+    wcut_report_column *column = take(p, 4, sizeof *column);
+    double *number = take_numbers(p, 9);
+    wcut_report_table table = {
+        .title = "Correlation", .rows = l->parameters, .columns = 1 + l->parameters, .column = column};
+    table.note = "Near 1 or -1, an error of one parameter is made up for by the other: keep them together.";
+    if (p->failed) return table;
+    memcpy(number, l->fit->correlation, sizeof l->fit->correlation); /* symmetric: a row is a column */
+    column[0] = (wcut_report_column){.label = "", .text = parameter};
+    for (int j = 0; j < l->parameters; j++)
+        column[1 + j] = (wcut_report_column){.label = parameter[j], .number = number + 3 * j};
+    return table;
+}
+
+static wcut_report_table warning_table(page *p) {
+    wcut_report_column *column = take(p, 1, sizeof *column);
+    wcut_report_table table = {.title = "Warnings", .rows = p->of->warnings, .columns = 1, .column = column};
+    if (column) column[0] = (wcut_report_column){.label = "before cutting by these numbers", .text = p->of->warning};
+    return table;
+}
+
+/* ---- sections -------------------------------------------------------------------------------------------------------
+ */
+
+static void fill_cuts(page *p) {
+    const int n = p->of->cuts;
+    p->cuts =
+        (columns){take_numbers(p, n), take_numbers(p, n), take_numbers(p, n), take_numbers(p, n), take_numbers(p, n)};
+    for (int i = 0; i < n && !p->failed; i++) {
+        p->cuts.line[i] = p->of->cut[i].line;
+        p->cuts.heat[i] = p->of->cut[i].heat;
+        p->cuts.speed[i] = p->of->cut[i].speed;
+        p->cuts.q_eff[i] = p->of->point[i].q_eff;
+    }
+}
+
+/* two sentences of their own, from those that the summary has on lines of their own */
+static char *section_note(page *p, const law *l) {
+    char *note = take(p, 3 * APP_SENTENCE, 1), scatter[APP_SENTENCE], lack[APP_SENTENCE];
+    if (!note) return NULL;
+    app_describe_scatter(p->of, l->fit, scatter);
+    app_describe_lack(l->fit, lack);
+    snprintf(note, 3 * APP_SENTENCE, "%s. How far off: %s. Whether it fits: %s.", l->symbol, scatter, lack);
+    return note;
+}
+
+static void fill_section(page *p, const law *l, wcut_report_section *section) {
+    const int n = p->of->cuts;
+    double *measured = take_numbers(p, n), *residual = take_numbers(p, n);
+    wcut_report_chart *chart = take(p, CHARTS, sizeof *chart);
+    wcut_report_table *table = take(p, TABLES, sizeof *table);
+    if (p->failed) return;
+    for (int i = 0; i < n; i++) {
+        measured[i] = l->point[i]->measured;
+        residual[i] = PERCENT * l->point[i]->relative;
+    }
+    int charts = 0;
+    chart[charts++] = curve_chart(p, l, measured);
+    chart[charts++] =
+        residual_chart(p, l, "Residuals over Q_eff", "effective heat input Q_eff", Q_UNIT, p->cuts.q_eff, residual);
+    if (p->of->fit->speeds > 1)
+        chart[charts++] = residual_chart(p, l, "Residuals over the speed", "speed", "mm/s", p->cuts.speed, residual);
+    if (p->of->fit->heats > 1)
+        chart[charts++] = residual_chart(p, l, "Residuals over the heat", "heat", "W/m", p->cuts.heat, residual);
+    chart[charts++] = normal_chart(p, l);
+    table[0] = parameter_table(p, l);
+    table[1] = correlation_table(p, l);
+    table[2] = cut_table(p, l, measured, residual);
+    *section = (wcut_report_section){.title = l->title,
+                                     .note = section_note(p, l),
+                                     .chart_count = charts,
+                                     .chart = chart,
+                                     .table_count = TABLES,
+                                     .table = table};
+}
+
+/* gives how many sections there are */
+static int fill_sections(page *p, wcut_report_section *section) {
+    const wcut_calibration *fit = p->of->fit;
+    const wcut_report_table *warnings = NULL;
+    int count = 0;
+    law of[LAWS] = {
+        {"Force law", "F = a exp(-b Q_eff), the force across the wire", "Force per engaged length", "force per length",
+         2, &fit->force, NULL},
+        {"Tension law", "T = a exp(-b Q_eff) + c, the mean tension of both mounts", "Tension per engaged length",
+         "tension per length", fit->tension.c_held ? 2 : 3, &fit->tension, NULL}};
+    if (p->of->warnings > 0) {
+        wcut_report_table *table = take(p, 1, sizeof *table);
+        if (table) *table = warning_table(p);
+        warnings = table;
+        section[count++] = (wcut_report_section){.title = "What to know first", .table_count = 1, .table = warnings};
+    }
+    for (int k = 0; k < LAWS && !p->failed; k++) {
+        if (k && !fit->tension_fitted) break;
+        of[k].point = take(p, (size_t)p->of->cuts, sizeof *of[k].point);
+        for (int i = 0; i < p->of->cuts && !p->failed; i++)
+            of[k].point[i] = k ? &p->of->point[i].tension : &p->of->point[i].force;
+        if (!p->failed) fill_section(p, &of[k], &section[count++]);
+    }
+    return count;
+}
+
+/* ---- the page -------------------------------------------------------------------------------------------------------
+ */
+
+/* "force law, a: 0.094 to 0.108", the interval in the label, the value by itself */
+static wcut_report_fact with_interval(page *p, const char *name, const wcut_law_fit *fit, int k) {
+    const double value[3] = {fit->a, fit->b, fit->c};
+    char *label = take(p, 96, 1);
+    if (label)
+        snprintf(label, 96, "%s, %s (%g %%: %.4g to %.4g)", name, parameter[k], PERCENT * p->of->options->confidence,
+                 fit->low[k], fit->high[k]);
+    return (wcut_report_fact){label, NULL, value[k], k == 1 ? B_UNIT : A_UNIT};
+}
+
+static const char *with_error(page *p, double value, double error) {
+    char *text = take(p, 96, 1);
+    if (text) snprintf(text, 96, "%.4g \xc2\xb1 %.2g", value, error);
+    return text;
+}
+
+/* the answer in numbers; gives how many */
+static int fill_facts(page *p, wcut_report_fact *fact) {
+    const wcut_calibration *fit = p->of->fit;
+    const wcut_law_fit *f = &fit->force, *t = &fit->tension;
+    int n = 0;
+    char *at = take(p, 96, 1);
+    if (p->failed) return 0;
+    for (int k = 0; k < 2; k++) fact[n++] = with_interval(p, "force law", f, k);
+    for (int k = 0; k < 3 - t->c_held && fit->tension_fitted; k++) fact[n++] = with_interval(p, "tension law", t, k);
+    if (fit->tension_fitted && t->c_held) fact[n++] = (wcut_report_fact){"tension law, c (held)", NULL, 0, A_UNIT};
+    if (!fit->tension_fitted) fact[n++] = (wcut_report_fact){"tension law", "not determined by these cuts", 0, ""};
+    snprintf(at, 96, "%.4g N/mm, %.4g W/m", fit->reference_force, fit->reference_heat);
+    fact[n++] = (wcut_report_fact){"at force F0, heat Q", at, 0, ""};
+    fact[n++] = (wcut_report_fact){"speed V0 there, \xc2\xb1 standard error",
+                                   with_error(p, fit->reference_speed, fit->reference_speed_error), 0, "mm/s"};
+    fact[n++] = (wcut_report_fact){"exponent 1/ln(a/F0), \xc2\xb1 standard error",
+                                   with_error(p, fit->exponent, fit->exponent_error), 0, ""};
+    char *range = take(p, 64, 1);
+    if (range) snprintf(range, 64, "%.0f to %.0f", fit->q_eff_low, fit->q_eff_high);
+    fact[n++] = (wcut_report_fact){"validated Q_eff", range, 0, Q_UNIT};
+    fact[n++] = (wcut_report_fact){"test cuts", NULL, p->of->cuts, ""};
+    fact[n++] = (wcut_report_fact){"different heats", NULL, fit->heats, ""};
+    fact[n++] = (wcut_report_fact){"different speeds", NULL, fit->speeds, ""};
+    fact[n++] = (wcut_report_fact){"cuts with large angles", NULL, fit->large_angles, ""};
+    return n;
+}
+
+static wcut_status write_page(page *p, int sections, const wcut_report_section *section, const char *path,
+                              wcut_error *error) {
+    static const char *const loss[] = {"least squares", "Huber", "Tukey's biweight"};
+    const app_calibrated *of = p->of;
+    const wcut_calibration_options *o = of->options;
+    char verdict[512];
+    wcut_report_fact fact[16];
+    const int facts = fill_facts(p, fact);
+    if (p->failed) return WCUT_NO_MEMORY;
+    const wcut_report_fact option[] = {{"noise", is_relative(of) ? "relative to the value" : "absolute", 0, ""},
+                                       {"loss", loss[o->loss], 0, ""},
+                                       {"weights", of->weights ? of->weights : "all 1", 0, ""},
+                                       {"confidence of intervals and bands", NULL, PERCENT * o->confidence, "%"},
+                                       {"large angles begin at", NULL, o->alpha_large * DEGREES, "deg"},
+                                       {"F0", o->reference_force > 0 ? NULL : "geometric mean of the fitted forces",
+                                        o->reference_force, o->reference_force > 0 ? A_UNIT : ""},
+                                       {"Q of V0", o->reference_heat > 0 ? NULL : "median of the cuts",
+                                        o->reference_heat, o->reference_heat > 0 ? "W/m" : ""}};
+    const wcut_report_source source = {"calibration table", of->path, p->hash[0] ? p->hash : NULL};
+    const wcut_report report = {.verb = "calibrate",
+                                .title = of->path,
+                                .tone = judge(of, verdict, sizeof verdict),
+                                .verdict = verdict,
+                                .fact_count = facts,
+                                .fact = fact,
+                                .section_count = sections,
+                                .section = section,
+                                .source_count = 1,
+                                .source = &source,
+                                .option_count = sizeof option / sizeof *option,
+                                .option = option};
+    return wcut_report_write(&report, path, error);
+}
+
+wcut_status app_report_calibrate(const app_calibrated *of, const char *path, wcut_error *error) {
+    page p = {.of = of};
+    wcut_report_section section[1 + LAWS];
+    /* a table that came through a pipe cannot be read once more: the page then has a dash for its hash */
+    wcut_status status = wcut_file_hash(of->path, p.hash, error);
+    if (status == WCUT_NOT_FOUND) status = WCUT_OK;
+    if (!status) {
+        fill_cuts(&p);
+        const int sections = p.failed ? 0 : fill_sections(&p, section);
+        status = p.failed ? WCUT_NO_MEMORY : write_page(&p, sections, section, path, error);
+    }
+    clear(&p);
+    return status;
+}
