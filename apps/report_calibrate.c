@@ -314,8 +314,7 @@ static wcut_report_table warning_table(page *p) {
 
 static void fill_cuts(page *p) {
     const int n = p->of->cuts;
-    p->cuts =
-        (columns){take_numbers(p, n), take_numbers(p, n), take_numbers(p, n), take_numbers(p, n), take_numbers(p, n)};
+    p->cuts = (columns){take_numbers(p, n), take_numbers(p, n), take_numbers(p, n), take_numbers(p, n)};
     for (int i = 0; i < n && !p->failed; i++) {
         p->cuts.line[i] = p->of->cut[i].line;
         p->cuts.heat[i] = p->of->cut[i].heat;
