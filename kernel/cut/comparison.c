@@ -181,7 +181,7 @@ wcut_status wcut_comparison_run(int n, const wcut_job *const *job, const wcut_re
             continue;
         }
         wcut_comparison_create(job[i], recording[i], &o, &comparison[i], &error[i]);
-#pragma omp critical(wcut_comparison_progress)
+#pragma omp critical /* unnamed: a name would be a global of ours */
         {
             if (progress && progress(done, n, context) != 0) {
 #pragma omp atomic write

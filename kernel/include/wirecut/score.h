@@ -141,8 +141,8 @@ WCUT_API void wcut_comparison_destroy(wcut_comparison *comparison);
  * @param[in]  job        n; a cut whose job or recording is NULL is passed over
  * @param[in]  recording  n
  * @param[in]  options    NULL for the defaults
- * @param[in]  progress   may be NULL; called by one thread at a time after every cut, with how many were
- *                         done before it
+ * @param[in]  progress   may be NULL; begins no run of its own; called by one thread at a time after every cut, with
+ * how many were done before it
  * @param[in]  context    handed to progress
  * @param[out] comparison n, NULL where a cut was passed over or failed
  * @param[out] error      n, with the status of every cut that was tried
