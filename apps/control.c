@@ -78,10 +78,11 @@ static int disturb_by(wcut_rig_options *o, const char *item) {
 static int disturb(loop *l) {
     if (!app_given(l->call, "disturb")) return APP_DONE;
     const char *text = app_text(l->call, "disturb");
-    char *copy = malloc(strlen(text) + 1);
+    const size_t size = strlen(text) + 1;
+    char *copy = malloc(size);
     if (!copy) return app_fail_status(WCUT_NO_MEMORY, NULL, NULL);
     int code = APP_DONE;
-    char *item = strcpy(copy, text);
+    char *item = memcpy(copy, text, size);
     while (item && code == APP_DONE) {
         char *comma = strchr(item, ',');
         if (comma) *comma = 0;
@@ -195,22 +196,35 @@ static wcut_rig_summary summarize(const loop *l) {
                               .files = l->results.name};
 }
 
-static int write_results(loop *l) {
+static int write_recording(loop *l) {
     wcut_error error = {0};
     app_results *r = &l->results;
     int code = app_results_remove(r, "control.json");
     if (code != APP_DONE) return code;
     wcut_status status = wcut_recording_write(&recorded(l)->recording, "simulated by wirecut control",
                                               app_results_path(r, "recording.csv"), &error);
-    code = app_results_add(r, "recording.csv", status, &error);
+    return app_results_add(r, "recording.csv", status, &error);
+}
+
+/* a run that was interrupted or could not go on leaves its recording, and nothing that says it is whole */
+static int write_part(loop *l) {
+    if (!recorded(l)) return APP_DONE;
+    int code = write_recording(l);
+    return code == APP_DONE ? app_results_prune(&l->results, result_name) : code;
+}
+
+static int write_results(loop *l) {
+    wcut_error error = {0};
+    app_results *r = &l->results;
+    int code = write_recording(l);
     if (code != APP_DONE) return code;
     wcut_rig_summary summary = summarize(l);
-    status = app_report_control(&summary, l->path, app_results_path(r, "report.html"), &error);
+    wcut_status status = app_report_control(&summary, l->path, app_results_path(r, "report.html"), &error);
     code = app_results_add(r, "report.html", status, &error);
     if (code == APP_DONE) code = app_results_prune(r, result_name);
     if (code != APP_DONE) return code;
-    app_results_add(r, "control.json", WCUT_OK,
-                    NULL); /* last, because it vouches for the others; it names itself too */
+    /* last, because it vouches for the others; it names itself too */
+    app_results_add(r, "control.json", WCUT_OK, NULL);
     summary = summarize(l);
     status = wcut_rig_summary_write(&summary, app_results_path(r, "control.json"), &error);
     if (status == WCUT_OK) return APP_DONE;
@@ -258,8 +272,11 @@ static int control(const app_call *call) {
     if (code == APP_DONE) {
         app_catch_interrupts();
         code = run(&l);
+        if (code == APP_DONE)
+            code = write_results(&l);
+        else if (code == APP_INTERRUPTED || code == APP_NOT_CONVERGED)
+            code = write_part(&l) == APP_DONE ? code : APP_NOT_WRITTEN;
     }
-    if (code == APP_DONE) code = write_results(&l);
     if (code == APP_DONE && !app_given(call, "quiet")) say_summary(&l);
     if (code == APP_DONE && app_given(call, "json")) code = print_json(&l);
     if (code == APP_DONE && recorded(&l)->ended != WCUT_CONTROL_RUN)

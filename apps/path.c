@@ -16,7 +16,7 @@ typedef struct export_ {
     wcut_job *job;
     wcut_setup *setup;
     wcut_history *history;
-    wcut_vec3 *mount_a, *mount_b;
+    wcut_vec3 *mount_a, *mount_b; /* one block */
     wcut_robot_motion *motion;
     wcut_robot_check check[WCUT_ROBOT_CHECKS];
     wcut_robot_format format;
@@ -40,10 +40,11 @@ static int run(export_ *e) {
     wcut_status status = wcut_setup_run(e->setup, app_progress_step, &progress, &e->history, &error);
     app_progress_end(&progress);
     if (status != WCUT_OK) return app_fail_status(status, e->path, &error);
-    e->mount_a = calloc((size_t)e->history->stations, sizeof *e->mount_a);
-    e->mount_b = calloc((size_t)e->history->stations, sizeof *e->mount_b);
-    status = e->mount_a && e->mount_b ? WCUT_OK : WCUT_NO_MEMORY;
-    if (status == WCUT_OK) status = wcut_history_path(e->setup, e->history, e->mount_a, e->mount_b, &length, &error);
+    const size_t stations = (size_t)e->history->stations;
+    e->mount_a = calloc(2 * stations, sizeof *e->mount_a);
+    if (!e->mount_a) return app_fail_status(WCUT_NO_MEMORY, e->path, NULL);
+    e->mount_b = e->mount_a + stations;
+    status = wcut_history_path(e->setup, e->history, e->mount_a, e->mount_b, &length, &error);
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, e->path, &error);
 }
 
@@ -147,8 +148,7 @@ static int path(const app_call *call) {
     if (code == APP_DONE && !app_given(call, "quiet")) say_summary(&e);
     if (code == APP_DONE && app_given(call, "json")) code = print_json(&e);
     wcut_robot_motion_destroy(e.motion);
-    free(e.mount_a);
-    free(e.mount_b);
+    free(e.mount_a); /* and mount_b, which lies behind it */
     wcut_history_destroy(e.history);
     wcut_setup_destroy(e.setup);
     wcut_job_destroy(e.job);

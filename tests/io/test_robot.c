@@ -92,28 +92,29 @@ static bool sees(const char *word) {
 
 /* the words in order, "#" for a number that goes to the next double * */
 static void expect(const char *words, ...) {
+    enum { NUMBERS = 16 };
+    double *to[NUMBERS];
+    int count = 0, next = 0;
+    for (const char *w = words; *w; w++) count += *w == '#';
+    ck_assert_int_le(count, NUMBERS);
     va_list list;
     va_start(list, words);
-    for (const char *w = words; *w;) {
-        if (*w == ' ') {
-            w++;
-            continue;
-        }
+    for (int k = 0; k < count; k++) to[k] = va_arg(list, double *);
+    va_end(list);
+    for (const char *w = words; *w; w++) {
+        if (*w == ' ') continue;
         skip();
         if (*w == '#') {
             const size_t length = strspn(at, "+-0123456789.");
             char *end;
-            *va_arg(list, double *) = strtod(at, &end);
+            *to[next++] = strtod(at, &end);
             ck_assert_msg(length > 0 && end == at + length, "expected a number at: %.60s", at);
             at += length;
-            w++;
         } else {
             ck_assert_msg(*at == *w, "expected \"%s\" at: %.60s", w, at);
             at++;
-            w++;
         }
     }
-    va_end(list);
 }
 
 /* ---- what a program must say ---- */
