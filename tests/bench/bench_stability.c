@@ -75,7 +75,8 @@ static void draw(FILE *out, double time[ROWS][COLUMNS]) {
             fprintf(out, "<path fill=\"%s\" d=\"M%d %dh%dv%dh-%dz\"/>\n", colour, left + j * cell, top + i * cell, cell,
                     cell, cell);
         }
-    const double x = left + (COLUMNS / 2 + 0.5) * cell, y = top + height - (0.05 / 0.5 * (ROWS - 1) + 0.5) * cell;
+    const double x = left + (COLUMNS - 1) / 2.0 * cell + 0.5 * cell,
+                 y = top + height - (0.05 / 0.5 * (ROWS - 1) + 0.5) * cell;
     fprintf(out,
             "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"6\" fill=\"none\" stroke=\"#b3261e\" stroke-width=\"2.5\"/>\n"
             "<text x=\"%.1f\" y=\"%.1f\" fill=\"#fff\">defaults</text>\n",

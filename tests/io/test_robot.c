@@ -93,13 +93,13 @@ static bool sees(const char *word) {
 /* the words in order, "#" for a number that goes to the next double * */
 static void expect(const char *words, ...) {
     enum { NUMBERS = 16 };
-    double *to[NUMBERS];
+    double *to[NUMBERS], unused = 0;
     int count = 0, next = 0;
     for (const char *w = words; *w; w++) count += *w == '#';
     ck_assert_int_le(count, NUMBERS);
     va_list list;
     va_start(list, words);
-    for (int k = 0; k < count; k++) to[k] = va_arg(list, double *);
+    for (int k = 0; k < NUMBERS; k++) to[k] = k < count ? va_arg(list, double *) : &unused;
     va_end(list);
     for (const char *w = words; *w; w++) {
         if (*w == ' ') continue;
