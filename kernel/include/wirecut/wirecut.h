@@ -4,12 +4,14 @@
 
 #include <wirecut/calibration.h>
 #include <wirecut/case.h>
+#include <wirecut/cloud.h>
 #include <wirecut/control.h>
 #include <wirecut/curvature.h>
 #include <wirecut/curve.h>
 #include <wirecut/curve_measure.h>
 #include <wirecut/cut.h>
 #include <wirecut/edit.h>
+#include <wirecut/effects.h>
 #include <wirecut/equilibrium.h>
 #include <wirecut/export.h>
 #include <wirecut/force_density.h>

@@ -1,0 +1,263 @@
+/* wirecut/cloud.h - point clouds of a scanned face: reading, units, thinning, cleaning, normals. */
+#ifndef WCUT_CLOUD_H
+#define WCUT_CLOUD_H
+
+#include <wirecut/export.h>
+#include <wirecut/status.h>
+#include <wirecut/vec3.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** How a cloud is stored. */
+typedef enum wcut_cloud_format {
+    WCUT_CLOUD_ANY,  /**< told by the file's first bytes; an STL without "solid" by its name's ending */
+    WCUT_CLOUD_PLY,  /**< ascii, binary of either byte order */
+    WCUT_CLOUD_TEXT, /**< XYZ, PTS, ASC, CSV: a point a line */
+    WCUT_CLOUD_STL,  /**< the corners of its triangles, so that most come several times; no normals */
+    WCUT_CLOUD_LAS,  /**< 1.2 to 1.4, point formats 0 to 10, not compressed */
+    WCUT_CLOUD_PCD   /**< ascii or binary; the viewpoint is not applied */
+} wcut_cloud_format;
+
+/** The unit that a file's coordinates are in. */
+typedef enum wcut_length_unit { WCUT_UNIT_MM, WCUT_UNIT_CM, WCUT_UNIT_M, WCUT_UNIT_INCH } wcut_length_unit;
+
+/** How a cloud is read. */
+typedef struct wcut_cloud_options {
+    wcut_cloud_format format; /**< default WCUT_CLOUD_ANY */
+    wcut_length_unit unit;    /**< default WCUT_UNIT_MM */
+    int most;     /**< wcut_cloud_read keeps at most so many points and refuses more, 1 or more; default 20000000 */
+    double voxel; /**< [mm] wcut_cloud_read keeps the first point of each cube of this side; default 0: every point */
+} wcut_cloud_options;
+
+/** What a source has given so far. */
+typedef struct wcut_cloud_info {
+    wcut_cloud_format format; /**< as found, never WCUT_CLOUD_ANY */
+    int has_normals;          /**< 1 where the file has them */
+    int stated;               /**< points that the header claims, -1 where it claims nothing; it was held to it */
+    int read;                 /**< points handed out */
+    int not_finite;           /**< points left out since a coordinate is NaN or infinite: scanners write misses so */
+    int withheld;             /**< points left out since the file itself says so (LAS) */
+    int thinned;              /**< points left out by wcut_cloud_read for its option voxel */
+    wcut_vec3 low, high;      /**< [mm] the box of the points handed out; 0 before the first */
+} wcut_cloud_info;
+
+/** A cloud in memory. */
+typedef struct wcut_cloud {
+    int count;            /**< 1 or more */
+    wcut_vec3 *point;     /**< count [mm] */
+    wcut_vec3 *normal;    /**< count [1] of length 1, or 0 where the file has none for a point; NULL: none at all */
+    wcut_cloud_info info; /**< of the file it came from */
+} wcut_cloud;
+
+/** A cloud that comes in pieces, however long it is; memory stays below 1 MiB. */
+typedef struct wcut_cloud_source wcut_cloud_source;
+
+WCUT_API wcut_cloud_options wcut_cloud_options_default(void);
+
+/**
+ * Begin to read a cloud.
+ *
+ * Text: separated by blanks, commas or semicolons, told from the first row; decimal commas where those do not separate;
+ * comments (#, //), up to ten lines of header, a line with the count of the points (PTS). A header that names x, y, z
+ * (and nx, ny, nz) says where they stand; without it the first three columns are x, y, z, and of six the last three are
+ * a normal where the first row's has length 1. A header's unit (x_m) must be that of the options.
+ * PLY: coordinates of any scalar type; other properties, lists and elements are skipped.
+ *
+ * @param[in]  path    a file, or a pipe
+ * @param[in]  options NULL for the defaults; most and voxel are not read
+ * @param[out] source  the caller's, to wcut_cloud_source_destroy
+ * @param[out] error   may be NULL; line or byte, what was found, what was expected
+ * @return WCUT_OK; WCUT_NOT_FOUND (no such file, not readable), WCUT_BAD_FORMAT (no cloud; LAZ, E57, compressed PCD; a
+ *         header that is malformed or claims more than the file can hold), WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing
+ *         was written.
+ */
+WCUT_API wcut_status wcut_cloud_source_create(const char *path, const wcut_cloud_options *options,
+                                              wcut_cloud_source **source, wcut_error *error);
+
+/**
+ * The next points, in the file's order. What stands before a fault is handed out first, then the fault is reported, by
+ * this call and every further one.
+ *
+ * @param[in]  capacity 1 or more
+ * @param[out] point    capacity [mm], the first `count` of them
+ * @param[out] normal   capacity [1], the first `count` of them, length 1 or 0; not written where the file has none; may
+ *                      be NULL
+ * @param[out] count    points given; 0: the end
+ * @param[out] error    may be NULL; line or byte, what was found, what was expected
+ * @return WCUT_OK; WCUT_NOT_FOUND (reading failed), WCUT_BAD_FORMAT (the file ends early or goes on behind what its
+ *         header states, text where a number belongs, a coordinate beyond 1e12 mm or most of the first thousand points
+ *         below 1e-30 mm, as of the wrong byte order, more than 2147483647 points), WCUT_BAD_ARGUMENT: nothing was
+ *         written.
+ */
+WCUT_API wcut_status wcut_cloud_source_next(wcut_cloud_source *source, int capacity, wcut_vec3 *point,
+                                            wcut_vec3 *normal, int *count, wcut_error *error);
+
+/** What a source has given so far, borrowed; NULL for NULL. */
+WCUT_API const wcut_cloud_info *wcut_cloud_source_info(const wcut_cloud_source *source);
+
+/** Close a source; NULL is allowed. */
+WCUT_API void wcut_cloud_source_destroy(wcut_cloud_source *source);
+
+/**
+ * Read a whole cloud into memory; with the option voxel as much as memory needs for the points kept.
+ *
+ * @param[in]  path    a file, or a pipe
+ * @param[in]  options NULL for the defaults
+ * @param[out] cloud   the caller's, to wcut_cloud_destroy
+ * @param[out] error   may be NULL; line or byte, what was found, what was expected
+ * @return as wcut_cloud_source_create and wcut_cloud_source_next; WCUT_BAD_FORMAT also where there is no point, or more
+ *         than options->most: nothing was written.
+ */
+WCUT_API wcut_status wcut_cloud_read(const char *path, const wcut_cloud_options *options, wcut_cloud **cloud,
+                                     wcut_error *error);
+
+/** Free a cloud that wcut_cloud_read gave; NULL is allowed. */
+WCUT_API void wcut_cloud_destroy(wcut_cloud *cloud);
+
+/** How a cloud's size compares with the block's. */
+typedef struct wcut_cloud_fit {
+    double ratio;  /**< [1] diagonal of the cloud's box over that of the block's W x L */
+    double factor; /**< [1] what its coordinates should be multiplied by: 1 where the sizes agree (ratio 0.2 to 1.5),
+                      else the one of 10, 25.4, 1000 and their inverses that comes nearest to ratio 1, within 0.5
+                      to 1.25; 0 where none does */
+} wcut_cloud_fit;
+
+/**
+ * Compare a cloud's size with the block's, to notice a wrong unit.
+ *
+ * @param[in]  low, high  [mm] the cloud's box; low <= high
+ * @param[in]  block_size [mm] W, L, H; positive
+ * @param[out] fit        ratio and factor
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was written.
+ */
+WCUT_API wcut_status wcut_cloud_fit_eval(wcut_vec3 low, wcut_vec3 high, wcut_vec3 block_size, wcut_cloud_fit *fit);
+
+/** Thinning as points come in: the first point of each cube of a lattice through the origin stays. */
+typedef struct wcut_thinning wcut_thinning;
+
+/**
+ * Begin to thin.
+ *
+ * @param[in]  voxel    [mm] side of a cube, 1e-3 or more
+ * @param[out] thinning the caller's, to wcut_thinning_destroy; 16 to 43 bytes for each cube that holds a point
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_thinning_create(double voxel, wcut_thinning **thinning);
+
+/**
+ * Thin some more points.
+ *
+ * @param[in]  count 0 or more
+ * @param[in]  point count [mm], finite, up to 1e12
+ * @param[out] keep  count: 1 the first of its cube, of all calls, 0 not
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was written; WCUT_NO_MEMORY: keep is not to be used, nor the thinning.
+ */
+WCUT_API wcut_status wcut_thinning_step(wcut_thinning *thinning, int count, const wcut_vec3 *point,
+                                        unsigned char *keep);
+
+/** Free a thinning; NULL is allowed. */
+WCUT_API void wcut_thinning_destroy(wcut_thinning *thinning);
+
+/** What became of a point, in the order of the steps. */
+typedef enum wcut_removal {
+    WCUT_KEPT,
+    WCUT_DUPLICATE, /**< as near as `duplicate` to a kept point before it */
+    WCUT_ISOLATED,  /**< fewer than `radius_least` others within `radius` */
+    WCUT_OUTLIER,   /**< further from its neighbours than points of this cloud are */
+    WCUT_THINNED,   /**< not the first in its cube of side `voxel` */
+    WCUT_REMOVAL_COUNT
+} wcut_removal;
+
+/** What is removed. */
+typedef struct wcut_clean_options {
+    double duplicate;  /**< [mm] default 0: only equal points; negative: none */
+    double radius;     /**< [mm] default 0: no point is isolated */
+    int radius_least;  /**< default 4; 1 or more */
+    int neighbours;    /**< k, to whose mean distance a point is held; default 16; 0: no point is an outlier */
+    double deviations; /**< m; default 6; not negative */
+    double least;      /**< [1] default 3; 0 or more */
+    int robust;        /**< default 1: centre and scale are median and 1.4826 MAD; 0: mean and standard deviation, which
+                            far outliers move */
+    double voxel;      /**< [mm] default 0: not thinned; else 1e-3 or more */
+} wcut_clean_options;
+
+/** What was removed. */
+typedef struct wcut_clean_report {
+    int removed[WCUT_REMOVAL_COUNT]; /**< by cause; removed[WCUT_KEPT] points are left */
+    double centre, scale;            /**< [mm] of the mean distance to the neighbours; 0 without that step */
+    double limit;                    /**< [mm] an outlier's is greater; 0 without that step */
+} wcut_clean_report;
+
+WCUT_API wcut_clean_options wcut_clean_options_default(void);
+
+/**
+ * Find the points of a cloud that do not belong to the scanned face, without changing it:
+ *
+ *     outlier:  d_i > max(centre + m scale, least centre),   d_i the mean distance to the k nearest   (Rusu 2008)
+ *
+ * The second bound is there for regular scans, whose scale is almost 0: at their corners d_i is twice that of the
+ * inside. Isolated points and outliers are both judged in what is left without duplicates.
+ *
+ * @param[in]  count   points, 1 or more
+ * @param[in]  point   count [mm], finite, up to 1e12
+ * @param[in]  options NULL for the defaults
+ * @param[in]  threads 1 or more; the result does not depend on it
+ * @param[out] removal count wcut_removal
+ * @param[out] report  may be NULL
+ * @return WCUT_OK; WCUT_DEGENERATE (every point is removed, or too few are left for the neighbours asked for),
+ *         WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_cloud_clean(int count, const wcut_vec3 *point, const wcut_clean_options *options, int threads,
+                                      unsigned char *removal, wcut_clean_report *report);
+
+/**
+ * Move the kept rows of an array to its front, in their order.
+ *
+ * @param[in]     count   rows, 0 or more
+ * @param[in]     removal count, as wcut_cloud_clean gives
+ * @param[in,out] row     count points or normals
+ * @return rows kept; 0 where an argument is NULL or negative.
+ */
+WCUT_API int wcut_cloud_keep(int count, const unsigned char *removal, wcut_vec3 *row);
+
+/** How normals are found. */
+typedef struct wcut_normal_options {
+    int neighbours; /**< k nearest points and the point itself make the plane; default 16; 2 or more */
+    wcut_vec3 side; /**< the removed half is there; default +z, right for the lower half; not 0 */
+    double steep; /**< [1] in 0 .. 1: where |n . side| is at least that, the side decides a normal's sign; a steeper one
+                       follows its neighbours (Hoppe 1992). Default 0.5; 1: each connected sheet is turned as a whole,
+                       which takes longer and is right under overhangs, too */
+} wcut_normal_options;
+
+/** What was found. */
+typedef struct wcut_normal_report {
+    int undefined;  /**< points whose neighbours are on one line or in one place: their normal is 0 */
+    int propagated; /**< points whose sign came from their neighbours */
+    int guessed;    /**< of these, the starts of connected pieces that are steep throughout: turned to the side */
+} wcut_normal_report;
+
+WCUT_API wcut_normal_options wcut_normal_options_default(void);
+
+/**
+ * Normals of a cloud: for each point the direction in which its k nearest points vary least (Pearson 1901), turned
+ * towards the removed half.
+ *
+ * @param[in]  count   points, 3 or more
+ * @param[in]  point   count [mm], finite, up to 1e12
+ * @param[in]  options NULL for the defaults
+ * @param[in]  threads 1 or more; the result does not depend on it
+ * @param[out] normal  count [1]
+ * @param[out] report  may be NULL
+ * @return WCUT_OK; WCUT_DEGENERATE (no point has a normal: all are on one line or in one place), WCUT_BAD_ARGUMENT,
+ *         WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_cloud_normals(int count, const wcut_vec3 *point, const wcut_normal_options *options,
+                                        int threads, wcut_vec3 *normal, wcut_normal_report *report);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
