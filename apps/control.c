@@ -251,10 +251,12 @@ static void say_run(const char *name, const wcut_rig_run *run) {
         app_say("  steady phase: mean %.4g N (%+.2f %%), rms error %.2g %%, largest %.2g %%",
                 run->target * (1 + run->steady.mean), 100 * run->steady.mean, 100 * run->steady.rms,
                 100 * run->steady.max);
-    if (run->has_density)
-        app_say(
-            "  behind the middle of the density step: mean %+.2f %%, largest error %.2g %%, within 5 %% after %.1f s",
-            100 * run->density.mean, 100 * run->density.max, run->density.settled);
+    if (!run->has_density) return;
+    const wcut_rig_figures *f = &run->density;
+    char settled[64] = "never within 5 % to stay";
+    if (f->settled < f->to - f->from) snprintf(settled, sizeof settled, "within 5 %% after %.1f s", f->settled);
+    app_say("  behind the middle of the density step: mean %+.2f %%, largest error %.2g %%, %s", 100 * f->mean,
+            100 * f->max, settled);
 }
 
 static void say_summary(const loop *l) {

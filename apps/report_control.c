@@ -92,6 +92,7 @@ static wcut_report_chart chart(const char *title, const char *note, const char *
 /* a column of the table of figures: one run */
 static void list_figures(const wcut_rig_run *run, double *to) {
     const bool s = run->has_steady, d = run->has_density;
+    const bool settles = run->density.settled < run->density.to - run->density.from;
     const double value[FIGURES] = {run->duration,
                                    100 * run->overshoot,
                                    s ? run->target * (1 + run->steady.mean) : NAN,
@@ -99,7 +100,7 @@ static void list_figures(const wcut_rig_run *run, double *to) {
                                    s ? 100 * run->steady.rms : NAN,
                                    s ? 100 * run->steady.max : NAN,
                                    d ? 100 * run->density.max : NAN,
-                                   d ? run->density.settled : NAN};
+                                   d && settles ? run->density.settled : NAN};
     for (int i = 0; i < FIGURES; i++) to[i] = value[i];
 }
 
