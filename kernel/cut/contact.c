@@ -10,11 +10,11 @@
 bool wcut_cut_hang(wcut_cut *cut, const wcut_target *target, const wcut_vec3 *load) {
     const int n = cut->setup->job->nodes;
     const wcut_equilibrium_options options = {.tolerance = 1e-9, .max_iterations = 100};
-    const double chord = vec3_distance(target->end_a, target->end_b);
-    const double length = wcut_cut_rest(cut, target);
-    cut->hung[0] = target->end_a, cut->hung[n - 1] = target->end_b;
+    wcut_vec3 a, b;
+    const double length = wcut_cut_fit(cut, target, &a, &b), chord = vec3_distance(a, b);
+    cut->hung[0] = a, cut->hung[n - 1] = b;
     if (length <= chord * (1 + 1e-12)) {
-        for (int i = 1; i < n - 1; i++) cut->hung[i] = vec3_mix(target->end_a, target->end_b, (double)i / (n - 1));
+        for (int i = 1; i < n - 1; i++) cut->hung[i] = vec3_mix(a, b, (double)i / (n - 1));
         for (int e = 0; e < n - 1; e++) cut->hung_s[e] = 0;
         return true;
     }

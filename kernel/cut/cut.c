@@ -52,7 +52,6 @@ static void copy_wire(int n, int effects, const wcut_wire *from, wcut_wire *to) 
     if (effects == 0) return;
     memcpy(to->state, from->state, sizeof *to->state * count);
     memcpy(to->engaged, from->engaged, sizeof *to->engaged * count);
-    to->cut_length = from->cut_length;
     for (int m = 0; m < 2; m++) to->offset[m] = from->offset[m], to->pull[m] = from->pull[m];
     to->pulled = from->pulled;
 }
@@ -94,12 +93,13 @@ wcut_status wcut_cut_create(const wcut_setup *setup, wcut_cut **out, wcut_error 
     cut->softer = wcut_alloc((size_t)n, sizeof *cut->softer);
     cut->softer_s = wcut_alloc((size_t)n, sizeof *cut->softer_s);
     cut->edge = wcut_alloc((size_t)n, sizeof *cut->edge);
+    cut->rest = wcut_alloc((size_t)n, sizeof *cut->rest);
     bool whole = create_wire(n, &cut->now);
     whole = create_wire(n, &cut->next) && whole;
     whole = wcut_solver_create(n, &cut->solver) && whole;
     wcut_status status = WCUT_OK;
     if (!whole || !cut->was || !cut->hung || !cut->hung_s || !cut->kept || !cut->contact || !cut->softer ||
-        !cut->softer_s || !cut->edge)
+        !cut->softer_s || !cut->edge || !cut->rest)
         status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a wire of %d nodes", n);
     else if (!begin(cut))
         status = wcut_fail(error, WCUT_NOT_CONVERGED, "station 0: no equilibrium of the wire found under an even load");
@@ -123,6 +123,7 @@ void wcut_cut_destroy(wcut_cut *cut) {
     wcut_free(cut->softer);
     wcut_free(cut->softer_s);
     wcut_free(cut->edge);
+    wcut_free(cut->rest);
     wcut_free(cut);
 }
 

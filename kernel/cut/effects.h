@@ -9,9 +9,10 @@ typedef struct wcut_extension { /* what foam and step refer to while a sub-step 
     wcut_yielding yielding;
 } wcut_extension;
 
-/* Rest lengths of the edges at the target into cut->edge, warm where the wire gets longer by heat, by the engagement it
-   comes with (its temperature follows the foam, it does not jump at a face); their sum [mm]. */
-double wcut_cut_rest(wcut_cut *cut, const wcut_target *target);
+/* Lengths of the edges at the target: cut->rest without tension, warm where the wire gets longer by heat, by the
+   engagement it comes with (its temperature follows the foam, it does not jump at a face), and cut->edge stretched by
+   the tension it comes with. Where its ends are with their mounts as they were. The sum of cut->edge [mm]. */
+double wcut_cut_fit(wcut_cut *cut, const wcut_target *target, wcut_vec3 *end_a, wcut_vec3 *end_b);
 
 /* let foam and step know the run's effects; they refer to `out` from now on */
 void wcut_extension_apply(wcut_cut *cut, const wcut_target *target, wcut_extension *out, wcut_foam *foam,

@@ -24,7 +24,6 @@ typedef struct wcut_wire {
     double step_duration;         /* [s] heun's h_j of the step that led here; 0 before the first */
     wcut_vec3 end_a, end_b;       /* [mm] where its ends were led to: they are there unless mounts give way */
     wcut_node_state *state;       /* n: effects' memory */
-    double cut_length;            /* [mm] way of its ends' middle in contact */
     wcut_vec3 offset[2], pull[2]; /* [mm] [N] of the mounts */
     bool pulled;                  /* offset and pull are there */
 } wcut_wire;
@@ -47,7 +46,8 @@ struct wcut_cut {
     wcut_vec3 *contact; /* n [N] what the foam may load a loose wire with */
     wcut_vec3 *softer;  /* n: the last solution while a face is being hardened */
     double *softer_s;   /* n-1 */
-    double *edge;       /* n-1 [mm] rest lengths, warm where the wire gets longer by heat */
+    double *edge;       /* n-1 [mm] lengths of the edges of the hung wire */
+    double *rest;       /* n-1 [mm] the same without tension: other than edge where the wire stretches */
     wcut_solver solver;
 };
 

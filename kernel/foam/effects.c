@@ -22,7 +22,7 @@ static const parameter air_overheating[] = {{"air_to_foam_ratio", 0, 1, true, 1,
                                             {"time_constant_s", 1, 1, true, 1, 1e-3, 1000, 0.2, 5},
                                             END};
 static const parameter end_cooling[] = {
-    {"amplitude", 0, 1, true, 0, -5, 0.95, 0.05, 0.5}, {"length_mm", 1, 1, true, 100, 0.01, 1e5, 20, 200}, END};
+    {"amplitude", 0, 1, true, 0, -5, 0.49, 0.05, 0.4}, {"length_mm", 1, 1, true, 100, 0.01, 1e6, 20, 200}, END};
 static const parameter gradient[] = {{"relative_change_across_block", 0, 1, true, 0, -1.9, 1.9, -0.8, 0.8}, END};
 static const parameter inclusion[] = {{"amplitude", 0, 1, true, 0, -0.99, 20, -0.6, 1},
                                       {"radius_mm", 1, 1, true, 50, 0.1, 1e5, 15, 100},

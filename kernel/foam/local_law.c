@@ -37,14 +37,15 @@ static void add_inclusion(const wcut_effect *e, wcut_vec3 x, factors *f) {
     f->by_position = vec3_add_scaled(f->by_position, -bump / (1 + bump) / square, r);
 }
 
-static factors coefficients(const wcut_locality *at, const wcut_block *block, wcut_vec3 x) {
+/* fouling: as far as the node has cut before the step */
+static factors coefficients(const wcut_locality *at, const wcut_block *block, wcut_vec3 x, int i) {
     factors f = {1, 1, {0, 0, 0}};
     for (int k = 0; k < at->count; k++) {
         const wcut_effect *e = &at->effect[k];
         if (e->kind == WCUT_FOAM_DENSITY_GRADIENT) add_gradient(e, block, x, &f);
         if (e->kind == WCUT_FOAM_INCLUSION) add_inclusion(e, x, &f);
         if (e->kind == WCUT_WIRE_FOULING) {
-            const double change = e->value[0] * -expm1(-(e->value[2] + at->cut_length) / e->value[1]);
+            const double change = e->value[0] * -expm1(-(e->value[2] + at->state[i].way) / e->value[1]);
             *(e->choice == 0 ? &f.a : &f.b) *= 1 + change;
         }
     }
@@ -111,16 +112,16 @@ static void delay(const wcut_effect *e, const wcut_node_state *s, double rate, d
     q->value = t.loss * t.theta;
 }
 
-/* factors on the heat that do not depend on the wire's motion */
-static double cooled_end(const wcut_effect *e, double edge, int n, int i) {
-    return 1 - e->value[0] * exp(-edge * (i < n - 1 - i ? i : n - 1 - i) / e->value[1]);
+/* 1 - A (exp(-s_A/l) + exp(-s_B/l)), s the way along the wire to either mount: a rod whose ends are cold */
+static double cooled_ends(const wcut_effect *e, double edge, int n, int i) {
+    return 1 - e->value[0] * (exp(-edge * i / e->value[1]) + exp(-edge * (n - 1 - i) / e->value[1]));
 }
 
 static power supply(const wcut_locality *at, double heat, double rate, double inside, wcut_vec3 inside_by, int n,
                     int i) {
     power q = {.value = heat};
     const wcut_effect *end = find(at, WCUT_END_COOLING), *air = find(at, WCUT_AIR_OVERHEATING);
-    if (end) scale(&q, cooled_end(end, at->edge, n, i));
+    if (end) scale(&q, cooled_ends(end, at->edge, n, i));
     if (air) overheat(air, age_after(at, rate, inside, i), inside, inside_by, rate, &q);
     return q;
 }
@@ -130,7 +131,7 @@ static power supply(const wcut_locality *at, double heat, double rate, double in
 wcut_local_law wcut_local_law_eval(const wcut_locality *at, const wcut_block *block, const wcut_force_law *law,
                                    double heat, double rate, double speed, double inside, wcut_vec3 inside_by, int n,
                                    wcut_vec3 x, int i) {
-    const factors f = coefficients(at, block, x);
+    const factors f = coefficients(at, block, x, i);
     power q = supply(at, heat, rate, inside, inside_by, n, i);
     const wcut_effect *lag = find(at, WCUT_WIRE_THERMAL_LAG), *faster = find(at, WCUT_RATE_DEPENDENCE);
     if (lag) delay(lag, &at->state[i], rate, speed, &q);
@@ -150,6 +151,7 @@ wcut_local_law wcut_local_law_eval(const wcut_locality *at, const wcut_block *bl
 wcut_node_state wcut_node_state_after(const wcut_locality *at, double heat, double rate, double speed, double inside,
                                       int n, int i) {
     wcut_node_state state = {.set = true, .age = age_after(at, rate, inside, i)};
+    state.way = at->state[i].way + inside * speed / rate;
     const wcut_effect *lag = find(at, WCUT_WIRE_THERMAL_LAG);
     if (!lag) return state;
     const power q = supply(at, heat, rate, inside, vec3(0, 0, 0), n, i);

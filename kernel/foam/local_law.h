@@ -10,6 +10,7 @@
 /* What a node remembers of its way, for effects that have a memory. */
 typedef struct wcut_node_state {
     bool set;      /* false: nothing yet, it is in its steady state */
+    double way;    /* [mm] it has cut */
     double age;    /* [s] since it entered the foam; 0 outside */
     double theta;  /* [K] wire over ambient */
     double steady; /* [K] where theta was heading, Q / H(v) */
@@ -22,7 +23,6 @@ typedef struct wcut_locality {
     const wcut_effect *effect;
     const wcut_node_state *state; /* a node each, at the beginning of the step */
     double edge;                  /* [mm] rest length */
-    double cut_length;            /* [mm] that this wire has cut, at the end of the step */
 } wcut_locality;
 
 /* F [N/mm] at a node and how it changes */

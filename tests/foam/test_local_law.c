@@ -25,7 +25,7 @@ static wcut_effect effect_of(wcut_effect_kind kind, double a, double b, int choi
 }
 
 static wcut_locality locality(int count, const wcut_effect *e) {
-    return (wcut_locality){.count = count, .effect = e, .state = state, .edge = edge, .cut_length = 300};
+    return (wcut_locality){.count = count, .effect = e, .state = state, .edge = edge};
 }
 
 static double plain_law(double q, double v) { return law.a * exp(-law.b * q * 1000 / v); }
@@ -46,6 +46,7 @@ START_TEST(without_memory_every_effect_is_its_formula) {
     ck_assert_double_eq_tol(law_of(e, 20, at, 2) / f, 1 + 0.5 * exp(-0.5), 1e-15);
     ck_assert_double_eq_tol(law_of(effect_of(WCUT_RATE_DEPENDENCE, 0.3, 10, 0), 20, at, 2) / f, pow(2, 0.3), 1e-15);
     e = effect_of(WCUT_WIRE_FOULING, 0.2, 500, 0);
+    state[2].way = 300;
     ck_assert_double_eq_tol(law_of(e, 20, at, 2) / f, 1 + 0.2 * (1 - exp(-0.6)), 1e-15);
     e.value[2] = 200; /* it had cut 200 mm before */
     ck_assert_double_eq_tol(law_of(e, 20, at, 2) / f, 1 + 0.2 * (1 - exp(-1)), 1e-15);
@@ -54,7 +55,7 @@ START_TEST(without_memory_every_effect_is_its_formula) {
     ck_assert_double_eq_tol(law_of(e, 20, at, 2), law.a * exp(-b * heat * 50), 1e-16);
     e = effect_of(WCUT_END_COOLING, 0.3, 8, 0);
     for (int i = 0; i < N; i++) {
-        const double q = heat * (1 - 0.3 * exp(-fmin(i, N - 1 - i) * edge / 8));
+        const double q = heat * (1 - 0.3 * (exp(-i * edge / 8) + exp(-(N - 1 - i) * edge / 8)));
         ck_assert_double_eq_tol(law_of(e, 20, at, i), plain_law(q, 20), 1e-16);
     }
 }
@@ -151,7 +152,7 @@ static void given_a_moving_wire(wcut_random *random) {
                     150 + 2 * wcut_random_uniform(random));
         was[i] = vec3_sub(x[i], vec3(wcut_random_uniform(random) - 0.5, 3 + 2 * wcut_random_uniform(random),
                                      wcut_random_uniform(random) - 0.5));
-        state[i] = (wcut_node_state){true, 0.2, 280 + 60 * wcut_random_uniform(random),
+        state[i] = (wcut_node_state){true, 40, 0.2, 280 + 60 * wcut_random_uniform(random),
                                      280 + 60 * wcut_random_uniform(random), 0.2};
     }
 }

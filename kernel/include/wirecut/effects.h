@@ -110,8 +110,8 @@ WCUT_API wcut_status wcut_effects_check(int count, const wcut_effect *effect, wc
 enum { WCUT_SENSED_TENSION_A = 2, WCUT_SENSED_ALPHA_A = 4, WCUT_SENSED_COUNT = 8 };
 
 /**
- * What faulty instruments make of a prediction: angle_offset, tension_gain, tension_drift and clock_offset, in that
- * order; other effects are passed over. Signals are speed_a, speed_b, tension_a, tension_b [N], alpha_a, beta_a,
+ * What faulty instruments make of a prediction: clock_offset before angle_offset, tension_gain and tension_drift; other
+ * effects are passed over. Signals are speed_a, speed_b, tension_a, tension_b [N], alpha_a, beta_a,
  * alpha_b, beta_b [rad], as in wcut_prediction; speeds stay as they are (they come with the motion).
  *
  * @param[in]     count   effects, at least 0

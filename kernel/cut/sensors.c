@@ -1,0 +1,100 @@
+/* What faulty instruments make of a prediction: offsets, gains, drifts, and a clock that runs behind. */
+#include <wirecut/effects.h>
+
+#include "base/alloc.h"
+#include "base/numbers.h"
+
+typedef struct span { /* the samples that are there */
+    int samples;
+    const double *time;
+    const unsigned char *present;
+} span;
+
+static bool is_there(const span *s, int i) { return !s->present || s->present[i]; }
+
+/* sensor "a", "b" or "both" */
+static bool is_meant(const wcut_effect *e, int mount) { return e->choice == mount || e->choice == 2; }
+
+static void offset_angle(const wcut_effect *e, const span *s, double *const value[WCUT_SENSED_COUNT]) {
+    double *angle = value[WCUT_SENSED_ALPHA_A + e->choice];
+    for (int i = 0; angle && i < s->samples; i++)
+        if (is_there(s, i)) angle[i] += e->value[0] * WCUT_PI / 180;
+}
+
+/* drift [N]: d t / 100 s, or d (1 - exp(-t/tau)) */
+static double drift_at(const wcut_effect *e, double time) {
+    return e->value[1] > 0 ? -e->value[0] * expm1(-time / e->value[1]) : e->value[0] * time / 100;
+}
+
+static void spoil_tension(const wcut_effect *e, const span *s, double *const value[WCUT_SENSED_COUNT]) {
+    for (int mount = 0; mount < 2; mount++) {
+        double *tension = value[WCUT_SENSED_TENSION_A + mount];
+        if (!tension || !is_meant(e, mount)) continue;
+        for (int i = 0; i < s->samples; i++) {
+            if (!is_there(s, i)) continue;
+            if (e->kind == WCUT_TENSION_GAIN)
+                tension[i] *= 1 + e->value[0];
+            else
+                tension[i] += drift_at(e, s->time[i] - s->time[0]);
+        }
+    }
+}
+
+/* value(t - delay), linear between the samples that are there and held beyond them */
+static void shift(const span *s, double delay, const double *from, double *to) {
+    int below = -1;
+    for (int i = 0; i < s->samples; i++) {
+        if (!is_there(s, i)) continue;
+        const double t = s->time[i] - delay;
+        int j = below < 0 ? 0 : below, low = -1, high = -1;
+        for (; j < s->samples; j++) {
+            if (!is_there(s, j)) continue;
+            if (s->time[j] <= t) low = j;
+            if (s->time[j] > t) {
+                high = j;
+                break;
+            }
+        }
+        below = low;
+        if (low < 0 || high < 0) {
+            to[i] = from[low < 0 ? high : low];
+            continue;
+        }
+        const double share = (t - s->time[low]) / (s->time[high] - s->time[low]);
+        to[i] = (1 - share) * from[low] + share * from[high];
+    }
+}
+
+static wcut_status delay_clock(const wcut_effect *e, const span *s, double *const value[WCUT_SENSED_COUNT]) {
+    double *from = wcut_alloc((size_t)s->samples, sizeof *from);
+    if (!from) return WCUT_NO_MEMORY;
+    for (int k = WCUT_SENSED_TENSION_A; k < WCUT_SENSED_COUNT; k++) {
+        if (!value[k]) continue;
+        for (int i = 0; i < s->samples; i++) from[i] = value[k][i];
+        shift(s, e->value[0], from, value[k]);
+    }
+    wcut_free(from);
+    return WCUT_OK;
+}
+
+wcut_status wcut_sensors_eval(int count, const wcut_effect *effect, int samples, const double *time,
+                              const unsigned char *present, double *const value[WCUT_SENSED_COUNT]) {
+    if (samples < 0 || !value || (samples > 0 && !time) || wcut_effects_check(count, effect, NULL) != WCUT_OK)
+        return WCUT_BAD_ARGUMENT;
+    for (int i = 0; i < samples; i++)
+        if (!isfinite(time[i]) || (i > 0 && !(time[i] > time[i - 1]))) return WCUT_BAD_ARGUMENT;
+    const span s = {samples, time, present};
+    /* the clock first: it alone needs memory, and its order with what is constant or grows slowly does not matter */
+    for (int e = 0; e < count; e++) {
+        if (effect[e].kind != WCUT_CLOCK_OFFSET || wcut_effect_is_neutral(&effect[e])) continue;
+        const wcut_status status = delay_clock(&effect[e], &s, value);
+        if (status != WCUT_OK) return status;
+    }
+    for (int e = 0; e < count; e++) {
+        if (wcut_effect_is_neutral(&effect[e])) continue;
+        if (effect[e].kind == WCUT_ANGLE_OFFSET) offset_angle(&effect[e], &s, value);
+        if (effect[e].kind == WCUT_TENSION_GAIN || effect[e].kind == WCUT_TENSION_DRIFT)
+            spoil_tension(&effect[e], &s, value);
+    }
+    return WCUT_OK;
+}
