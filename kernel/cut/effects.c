@@ -42,6 +42,7 @@ static wcut_locality locality_of(const wcut_cut *cut, const wcut_target *target)
     return (wcut_locality){.count = cut->setup->effect_count,
                            .effect = cut->setup->effect,
                            .state = cut->next.state,
+                           .age = cut->next.age,
                            .edge = target->length / (cut->setup->job->nodes - 1)};
 }
 
@@ -81,11 +82,11 @@ void wcut_cut_remember(wcut_cut *cut, const wcut_target *target, double rate) {
     const int n = setup->job->nodes;
     if (setup->effect_count > 0) {
         const wcut_locality local = locality_of(cut, target);
-        wcut_vec3 unused;
         for (int i = 0; i < n; i++) {
-            const double inside = wcut_foam_inside(&setup->foam, cut->was[i], w->x[i], &unused);
+            const double inside = wcut_foam_inside(&setup->foam, cut->was[i], w->x[i]);
             w->state[i] = wcut_node_state_after(&local, target->heat, rate, w->speed[i], inside, n, i);
         }
+        w->age = w->loaded ? w->age + 1 / rate : 0;
         remember_mounts(w, n, target);
     }
     w->end_a = target->end_a, w->end_b = target->end_b;

@@ -25,6 +25,7 @@ typedef struct wcut_wire {
     wcut_vec3 end_a, end_b;       /* [mm] where its ends were led to: they are there unless mounts give way */
     wcut_node_state *state;       /* n: effects' memory */
     wcut_vec3 offset[2], pull[2]; /* [mm] [N] of the mounts */
+    double age;                   /* [s] since it entered the foam; 0 outside */
     bool pulled;                  /* offset and pull are there */
 } wcut_wire;
 

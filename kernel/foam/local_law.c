@@ -64,16 +64,12 @@ static void scale(power *q, double factor) {
     q->by_position = vec3_scale(factor, q->by_position);
 }
 
-static double age_after(const wcut_locality *at, double rate, double inside, int i) {
-    return inside > 0 ? at->state[i].age + inside / rate : 0;
-}
-
-/* Q (1 + (ratio - 1) exp(-t/tau)), t the time in the foam at the end of the step */
-static void overheat(const wcut_effect *e, double age, double inside, wcut_vec3 inside_by, double rate, power *q) {
-    const double tau = e->value[1], excess = (e->value[0] - 1) * exp(-age / tau), by_age = -excess / tau * q->value;
+/* Q (1 + (ratio - 1) exp(-t/tau)), t the wire's time in the foam at the end of the step */
+static void overheat(const wcut_effect *e, double age, double rate, power *q) {
+    const double tau = e->value[1], excess = (e->value[0] - 1) * exp(-(age + 1 / rate) / tau);
+    const double by_log_rate = excess / tau / rate * q->value;
     scale(q, 1 + excess);
-    q->by_log_rate -= by_age * inside / rate;
-    q->by_position = vec3_add_scaled(q->by_position, by_age / rate, inside_by);
+    q->by_log_rate += by_log_rate;
 }
 
 /* Temperatures of a node with C dtheta/dt = Q - H(v) theta over a step. */
@@ -117,22 +113,20 @@ static double cooled_ends(const wcut_effect *e, double edge, int n, int i) {
     return 1 - e->value[0] * (exp(-edge * i / e->value[1]) + exp(-edge * (n - 1 - i) / e->value[1]));
 }
 
-static power supply(const wcut_locality *at, double heat, double rate, double inside, wcut_vec3 inside_by, int n,
-                    int i) {
+static power supply(const wcut_locality *at, double heat, double rate, int n, int i) {
     power q = {.value = heat};
     const wcut_effect *end = find(at, WCUT_END_COOLING), *air = find(at, WCUT_AIR_OVERHEATING);
     if (end) scale(&q, cooled_ends(end, at->edge, n, i));
-    if (air) overheat(air, age_after(at, rate, inside, i), inside, inside_by, rate, &q);
+    if (air) overheat(air, at->age, rate, &q);
     return q;
 }
 
 /* ---- the law ---- */
 
 wcut_local_law wcut_local_law_eval(const wcut_locality *at, const wcut_block *block, const wcut_force_law *law,
-                                   double heat, double rate, double speed, double inside, wcut_vec3 inside_by, int n,
-                                   wcut_vec3 x, int i) {
+                                   double heat, double rate, double speed, int n, wcut_vec3 x, int i) {
     const factors f = coefficients(at, block, x, i);
-    power q = supply(at, heat, rate, inside, inside_by, n, i);
+    power q = supply(at, heat, rate, n, i);
     const wcut_effect *lag = find(at, WCUT_WIRE_THERMAL_LAG), *faster = find(at, WCUT_RATE_DEPENDENCE);
     if (lag) delay(lag, &at->state[i], rate, speed, &q);
     wcut_local_law out = {.heat = q.value};
@@ -150,11 +144,10 @@ wcut_local_law wcut_local_law_eval(const wcut_locality *at, const wcut_block *bl
 
 wcut_node_state wcut_node_state_after(const wcut_locality *at, double heat, double rate, double speed, double inside,
                                       int n, int i) {
-    wcut_node_state state = {.set = true, .age = age_after(at, rate, inside, i)};
-    state.way = at->state[i].way + inside * speed / rate;
+    wcut_node_state state = {.set = true, .way = at->state[i].way + inside * speed / rate};
     const wcut_effect *lag = find(at, WCUT_WIRE_THERMAL_LAG);
     if (!lag) return state;
-    const power q = supply(at, heat, rate, inside, vec3(0, 0, 0), n, i);
+    const power q = supply(at, heat, rate, n, i);
     const thermal t = cool(lag, &at->state[i], q.value, rate, speed);
     state.theta = t.theta, state.steady = t.steady, state.loss = t.loss;
     return state;

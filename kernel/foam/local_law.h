@@ -11,7 +11,6 @@
 typedef struct wcut_node_state {
     bool set;      /* false: nothing yet, it is in its steady state */
     double way;    /* [mm] it has cut */
-    double age;    /* [s] since it entered the foam; 0 outside */
     double theta;  /* [K] wire over ambient */
     double steady; /* [K] where theta was heading, Q / H(v) */
     double loss;   /* [W/mK] H(v) */
@@ -23,6 +22,7 @@ typedef struct wcut_locality {
     const wcut_effect *effect;
     const wcut_node_state *state; /* a node each, at the beginning of the step */
     double edge;                  /* [mm] rest length */
+    double age;                   /* [s] since the wire entered the foam, at the beginning of the step */
 } wcut_locality;
 
 /* F [N/mm] at a node and how it changes */
@@ -34,13 +34,11 @@ typedef struct wcut_local_law {
     double heat;           /* [W/m] that reaches the foam */
 } wcut_local_law;
 
-/* Node i of n at x, which was at `was` a time 1/rate ago and moves at `speed`. inside: share of that way in the foam,
-   with its gradient by x. */
+/* node i of n at x, moving at `speed` in a step that takes 1/rate */
 wcut_local_law wcut_local_law_eval(const wcut_locality *at, const wcut_block *block, const wcut_force_law *law,
-                                   double heat, double rate, double speed, double inside, wcut_vec3 inside_by, int n,
-                                   wcut_vec3 x, int i);
+                                   double heat, double rate, double speed, int n, wcut_vec3 x, int i);
 
-/* what the node remembers after such a step */
+/* what the node remembers after such a step, of whose way the share `inside` was in the foam */
 wcut_node_state wcut_node_state_after(const wcut_locality *at, double heat, double rate, double speed, double inside,
                                       int n, int i);
 

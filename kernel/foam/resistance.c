@@ -30,21 +30,14 @@ static engagement engage(const wcut_foam *foam, double edge, int n, const wcut_v
     return e;
 }
 
-double wcut_foam_inside(const wcut_foam *foam, wcut_vec3 was, wcut_vec3 x, wcut_vec3 *by_x) {
-    wcut_vec3 by_was;
-    *by_x = vec3(0, 0, 0);
-    return foam->embedded ? 1 : wcut_block_engagement(&foam->block, was, x, &by_was, by_x);
+double wcut_foam_inside(const wcut_foam *foam, wcut_vec3 was, wcut_vec3 x) {
+    wcut_vec3 unused[2];
+    return foam->embedded ? 1 : wcut_block_engagement(&foam->block, was, x, unused, unused + 1);
 }
 
-static wcut_local_law law_at(const wcut_foam *foam, double heat, double rate, double speed, int n, wcut_vec3 x,
-                             wcut_vec3 was, int i) {
+static wcut_local_law law_at(const wcut_foam *foam, double heat, double rate, double speed, int n, wcut_vec3 x, int i) {
+    if (foam->local) return wcut_local_law_eval(foam->local, &foam->block, &foam->law, heat, rate, speed, n, x, i);
     wcut_local_law at = {0};
-    if (foam->local) {
-        wcut_vec3 inside_by;
-        const double inside = wcut_foam_inside(foam, was, x, &inside_by);
-        return wcut_local_law_eval(foam->local, &foam->block, &foam->law, heat, rate, speed, inside, inside_by, n, x,
-                                   i);
-    }
     at.force = force_law_slope(&foam->law, heat, speed, &at.by_speed);
     return at;
 }
@@ -93,7 +86,7 @@ void wcut_resistance_eval(const wcut_foam *foam, double heat, double edge, doubl
     const engagement e = engage(foam, edge, n, x, i);
     const wcut_vec3 move = vec3_sub(x[i], was[i]);
     const double distance = vec3_length(move), speed = rate * distance;
-    const wcut_local_law at = law_at(foam, heat, rate, speed, n, x[i], was[i], i);
+    const wcut_local_law at = law_at(foam, heat, rate, speed, n, x[i], i);
     const double law = at.force, slope = at.by_speed;
 
     const wcut_vec3 zero = {0, 0, 0};

@@ -31,7 +31,7 @@ typedef struct wcut_resistance {
 void wcut_resistance_eval(const wcut_foam *foam, double heat, double edge, double rate, int n, const wcut_vec3 *x,
                           const wcut_vec3 *was, int i, bool slopes, wcut_resistance *out);
 
-/* share of the straight way of a node from `was` to x that is in the foam, with its gradient by x */
-double wcut_foam_inside(const wcut_foam *foam, wcut_vec3 was, wcut_vec3 x, wcut_vec3 *by_x);
+/* share of the straight way of a node from `was` to x that is in the foam */
+double wcut_foam_inside(const wcut_foam *foam, wcut_vec3 was, wcut_vec3 x);
 
 #endif

@@ -25,14 +25,14 @@ static wcut_effect effect_of(wcut_effect_kind kind, double a, double b, int choi
 }
 
 static wcut_locality locality(int count, const wcut_effect *e) {
-    return (wcut_locality){.count = count, .effect = e, .state = state, .edge = edge};
+    return (wcut_locality){.count = count, .effect = e, .state = state, .edge = edge, .age = 0.3};
 }
 
 static double plain_law(double q, double v) { return law.a * exp(-law.b * q * 1000 / v); }
 
 static double law_of(wcut_effect e, double speed, wcut_vec3 at, int i) {
     const wcut_locality l = locality(1, &e);
-    return wcut_local_law_eval(&l, &block, &law, heat, 5, speed, 1, vec3(0, 0, 0), N, at, i).force;
+    return wcut_local_law_eval(&l, &block, &law, heat, 5, speed, N, at, i).force;
 }
 
 START_TEST(without_memory_every_effect_is_its_formula) {
@@ -61,17 +61,21 @@ START_TEST(without_memory_every_effect_is_its_formula) {
 }
 END_TEST
 
-START_TEST(overheated_wire_cools_with_its_time_in_the_foam_and_is_hot_again_outside) {
+START_TEST(overheated_wire_cools_with_its_time_in_the_foam) {
     const wcut_effect e = effect_of(WCUT_AIR_OVERHEATING, 1.6, 0.8, 0);
     const wcut_locality l = locality(1, &e);
-    for (int i = 0; i < N; i++) state[i] = (wcut_node_state){.set = true, .age = 0.3};
-    const wcut_vec3 zero = {0, 0, 0};
-    wcut_local_law at = wcut_local_law_eval(&l, &block, &law, heat, 5, 20, 1, zero, N, vec3(9, 9, 9), 1);
+    const wcut_local_law at = wcut_local_law_eval(&l, &block, &law, heat, 5, 20, N, vec3(9, 9, 9), 1);
     ck_assert_double_eq_tol(at.heat, heat * (1 + 0.6 * exp(-0.5 / 0.8)), 1e-12);
-    at = wcut_local_law_eval(&l, &block, &law, heat, 5, 20, 0, zero, N, vec3(9, 9, 9), 1);
-    ck_assert_double_eq_tol(at.heat, heat * 1.6, 1e-12);
-    ck_assert_double_eq_tol(wcut_node_state_after(&l, heat, 5, 20, 1, N, 1).age, 0.5, 1e-15);
-    ck_assert_double_eq(wcut_node_state_after(&l, heat, 5, 20, 0, N, 1).age, 0);
+    ck_assert_double_eq_tol(at.force, plain_law(at.heat, 20), 1e-16);
+}
+END_TEST
+
+START_TEST(a_node_has_cut_as_far_as_it_moved_in_the_foam) {
+    const wcut_effect e = effect_of(WCUT_WIRE_FOULING, 0.2, 500, 0);
+    const wcut_locality l = locality(1, &e);
+    state[1] = (wcut_node_state){.set = true, .way = 7};
+    ck_assert_double_eq_tol(wcut_node_state_after(&l, heat, 5, 20, 0.25, N, 1).way, 8, 1e-15);
+    ck_assert_double_eq_tol(wcut_node_state_after(&l, heat, 5, 20, 0, N, 1).way, 7, 1e-15);
 }
 END_TEST
 
@@ -84,7 +88,7 @@ static double lagged(const wcut_effect *e, double from, double to, double time, 
     double q = 0;
     for (int k = 0; k < steps; k++) {
         const double rate = steps / time;
-        q = wcut_local_law_eval(&l, &block, &law, heat, rate, to, 1, zero, N, zero, 1).heat;
+        q = wcut_local_law_eval(&l, &block, &law, heat, rate, to, N, zero, 1).heat;
         wcut_node_state next = wcut_node_state_after(&l, heat, rate, to, 1, N, 1);
         if (k == 0) { /* the speed jumps before the first step, not along it: no first-order hold across it */
             const double loss = e->value[2] + e->value[3] * to,
@@ -121,7 +125,7 @@ START_TEST(an_even_change_of_heat_is_followed_exactly_behind_by_the_time_constan
         state[1] = wcut_node_state_after(&l, q, 1 / step, 10, 1, N, 1);
         for (double t = 0; t < 8; t += step) {
             q += 3 * step;
-            reached = wcut_local_law_eval(&l, &block, &law, q, 1 / step, 10, 1, zero, N, zero, 1).heat;
+            reached = wcut_local_law_eval(&l, &block, &law, q, 1 / step, 10, N, zero, 1).heat;
             state[1] = wcut_node_state_after(&l, q, 1 / step, 10, 1, N, 1);
         }
         ck_assert_double_eq_tol(reached, q - 3 * 0.5, 1e-5);
@@ -152,7 +156,7 @@ static void given_a_moving_wire(wcut_random *random) {
                     150 + 2 * wcut_random_uniform(random));
         was[i] = vec3_sub(x[i], vec3(wcut_random_uniform(random) - 0.5, 3 + 2 * wcut_random_uniform(random),
                                      wcut_random_uniform(random) - 0.5));
-        state[i] = (wcut_node_state){true, 40, 0.2, 280 + 60 * wcut_random_uniform(random),
+        state[i] = (wcut_node_state){true, 40, 280 + 60 * wcut_random_uniform(random),
                                      280 + 60 * wcut_random_uniform(random), 0.2};
     }
 }
@@ -221,7 +225,8 @@ int main(void) {
     Suite *suite = suite_create("local_law");
     TCase *tcase = tcase_create("effects");
     tcase_add_test(tcase, without_memory_every_effect_is_its_formula);
-    tcase_add_test(tcase, overheated_wire_cools_with_its_time_in_the_foam_and_is_hot_again_outside);
+    tcase_add_test(tcase, overheated_wire_cools_with_its_time_in_the_foam);
+    tcase_add_test(tcase, a_node_has_cut_as_far_as_it_moved_in_the_foam);
     tcase_add_test(tcase, a_held_speed_lets_the_lag_run_out_as_one_exponential_however_it_is_stepped);
     tcase_add_test(tcase, an_even_change_of_heat_is_followed_exactly_behind_by_the_time_constant);
     tcase_add_test(tcase, drag_pulls_back_along_the_wire_by_mu_times_the_force_across);
