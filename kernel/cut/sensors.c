@@ -40,40 +40,26 @@ static void spoil_tension(const wcut_effect *e, const span *s, double *const val
     }
 }
 
-/* value(t - delay), linear between the samples that are there and held beyond them */
-static void shift(const span *s, double delay, const double *from, double *to) {
-    int below = -1;
+/* value(t - delay), linear between the samples that are there, held beyond them; t and y: room for them */
+static void shift(const span *s, double delay, double *t, double *y, double *value) {
+    int count = 0, j = 0;
+    for (int i = 0; i < s->samples; i++)
+        if (is_there(s, i)) t[count] = s->time[i], y[count++] = value[i];
     for (int i = 0; i < s->samples; i++) {
         if (!is_there(s, i)) continue;
-        const double t = s->time[i] - delay;
-        int j = below < 0 ? 0 : below, low = -1, high = -1;
-        for (; j < s->samples; j++) {
-            if (!is_there(s, j)) continue;
-            if (s->time[j] <= t) low = j;
-            if (s->time[j] > t) {
-                high = j;
-                break;
-            }
-        }
-        below = low;
-        if (low < 0 || high < 0) {
-            to[i] = from[low < 0 ? high : low];
-            continue;
-        }
-        const double share = (t - s->time[low]) / (s->time[high] - s->time[low]);
-        to[i] = (1 - share) * from[low] + share * from[high];
+        const double at = clamp(s->time[i] - delay, t[0], t[count - 1]);
+        while (j < count - 2 && t[j + 1] <= at) j++;
+        const double share = count > 1 ? (at - t[j]) / (t[j + 1] - t[j]) : 0;
+        value[i] = count > 1 ? (1 - share) * y[j] + share * y[j + 1] : y[0];
     }
 }
 
 static wcut_status delay_clock(const wcut_effect *e, const span *s, double *const value[WCUT_SENSED_COUNT]) {
-    double *from = wcut_alloc((size_t)s->samples, sizeof *from);
-    if (!from) return WCUT_NO_MEMORY;
-    for (int k = WCUT_SENSED_TENSION_A; k < WCUT_SENSED_COUNT; k++) {
-        if (!value[k]) continue;
-        for (int i = 0; i < s->samples; i++) from[i] = value[k][i];
-        shift(s, e->value[0], from, value[k]);
-    }
-    wcut_free(from);
+    double *work = wcut_alloc((size_t)s->samples, 2 * sizeof *work);
+    if (!work) return WCUT_NO_MEMORY;
+    for (int k = WCUT_SENSED_TENSION_A; k < WCUT_SENSED_COUNT; k++)
+        if (value[k]) shift(s, e->value[0], work, work + s->samples, value[k]);
+    wcut_free(work);
     return WCUT_OK;
 }
 
