@@ -57,7 +57,7 @@ static const char *read_with_comma(const char *at, double *value) {
     size_t n = 0;
     bool seen = false;
     while (n < sizeof text - 1 && !wcut_is_blank(at[n]) && at[n] != ';' && at[n] != '\n' && at[n] != '\r' && at[n]) {
-        if (at[n] == '.' || (at[n] == ',' && seen)) return NULL;
+        if (at[n] == '.' || (at[n] == ',' && (seen || at[n + 1] < '0' || at[n + 1] > '9'))) return NULL;
         text[n] = at[n];
         if (at[n] == ',') text[n] = '.', seen = true;
         n++;

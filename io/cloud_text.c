@@ -100,17 +100,15 @@ static bool commas_are_decimal(const char *line, const char *end) {
     return words >= 3;
 }
 
+/* commas that do not separate are decimal ones, also where the first row has none */
 static void find_separator(const char *line, const char *end, text_layout *t) {
     const size_t n = (size_t)(end - line);
     t->separator = ' ';
-    t->comma = false;
-    if (memchr(line, ';', n)) {
+    if (memchr(line, ';', n))
         t->separator = ';';
-        t->comma = true;
-    } else if (memchr(line, ',', n)) {
-        t->comma = commas_are_decimal(line, end);
-        t->separator = t->comma ? ' ' : ',';
-    }
+    else if (memchr(line, ',', n) && !commas_are_decimal(line, end))
+        t->separator = ',';
+    t->comma = t->separator != ',';
 }
 
 /* go to the next column: behind the separator; NULL where the line ends */

@@ -1,0 +1,7 @@
+/* Any bytes as a PLY cloud. */
+#include "cloud_fuzz.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    fuzz_cloud(data, size, WCUT_CLOUD_PLY);
+    return 0;
+}

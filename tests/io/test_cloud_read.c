@@ -1,0 +1,484 @@
+/* Clouds of every format come back as they were written, through windows and in pieces of any size. */
+#include <locale.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "cloud_given.h"
+#include "fail.h"
+
+enum { COUNT = 300 };
+
+/* coordinates that a float, an int and four decimals hold exactly */
+static wcut_vec3 truth(int k) { return (wcut_vec3){k - 100, 2.5 * k, 0.0625 * (k % 37) - 1}; }
+static wcut_vec3 whole(int k) { return (wcut_vec3){k % 120, (k / 3) % 100, k % 7}; }
+static wcut_vec3 up(int k) { return k % 3 == 0 ? (wcut_vec3){0.6, 0, 0.8} : (wcut_vec3){0, -0.28, 0.96}; }
+
+static bool equal(wcut_vec3 a, wcut_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+static bool close_to(wcut_vec3 a, wcut_vec3 b, double by) {
+    return fabs(a.x - b.x) <= by && fabs(a.y - b.y) <= by && fabs(a.z - b.z) <= by;
+}
+
+static void came_back(wcut_cloud_format format, int stated) {
+    reads(COUNT);
+    for (int k = 0; k < COUNT; k++) ck_assert(equal(got[k], truth(k)));
+    ck_assert(got_info.format == format && got_info.stated == stated && got_info.not_finite == 0);
+    ck_assert(got_info.low.x == -100 && got_info.high.x == COUNT - 101 && got_info.low.y == 0);
+    ck_assert(got_info.high.y == 2.5 * (COUNT - 1) && got_info.low.z == -1 && got_info.high.z == 1.25);
+}
+
+static void normals_came_back(double by) {
+    ck_assert_int_eq(got_info.has_normals, 1);
+    for (int k = 0; k < COUNT; k++) ck_assert(close_to(got_normal[k], up(k), by));
+}
+
+static void no_normals(void) {
+    ck_assert_int_eq(got_info.has_normals, 0);
+    for (int k = 0; k < COUNT; k++) ck_assert(got_normal[k].x == 999);
+}
+
+/* ---- PLY ---- */
+
+/* properties of the vertex: x, lists and scalars that nobody asked for, y, z, normals */
+static void put_ply(const char *format, const char *type, bool list, bool normals) {
+    const bool ascii = strcmp(format, "ascii") == 0, big = strstr(format, "big") != NULL;
+    put_text("ply\nformat %s 1.0\ncomment element vertex 3\nobj_info anything\n", format);
+    put_text("element camera 2\nproperty double view\nproperty list uchar short steps\n");
+    put_text("element vertex %d\nproperty %s x\nproperty uchar red\n%s", COUNT, type,
+             list ? "property list int float w\n" : "");
+    put_text("property %s y\nproperty %s z\n", type, type);
+    if (normals) put_text("property float nx\nproperty double ny\nproperty float32 nz\n");
+    put_text("element face 1\nproperty list uint8 int32 vertex_indices\nend_header\n");
+    for (int k = 0; k < 2; k++) {
+        if (ascii) put_text("1e300 2 7 8\n");
+        if (!ascii) put_double(1e300, big), put_bits(2, 1, big), put_bits(7, 2, big), put_bits(8, 2, big);
+    }
+    for (int k = 0; k < COUNT; k++) {
+        const wcut_vec3 p = truth(k), n = up(k);
+        if (ascii) {
+            put_text("%.9g 200 %s%.9g  %.9g", p.x, list ? k % 2 ? "3 1 2 nan " : "0 " : "", p.y, p.z);
+            if (normals) put_text(" %.9g %.9g %.9g", n.x, n.y, n.z);
+            put_text(k % 5 ? "\n" : " \r\n");
+            continue;
+        }
+        put_scalar(type, p.x, big), put_bits(200, 1, big);
+        if (list) put_bits((uint64_t)(k % 2 ? 3 : 0), 4, big);
+        for (int j = 0; list && j < (k % 2 ? 3 : 0); j++) put_float(1, big);
+        put_scalar(type, p.y, big), put_scalar(type, p.z, big);
+        if (normals) put_float(n.x, big), put_double(n.y, big), put_float(n.z, big);
+    }
+    if (ascii)
+        put_text("3 0 1 2\n\n");
+    else
+        put_bits(3, 1, big), put_bits(0, 4, big), put_bits(1, 4, big), put_bits(2, 4, big);
+}
+
+START_TEST(ply_of_every_byte_order_with_lists_and_normals_and_strange_elements) {
+    const char *const formats[] = {"ascii", "binary_little_endian", "binary_big_endian"};
+    const char *const types[] = {"float", "double", "float32", "float64"};
+    for (int k = 0; k < 3 * 4 * 4; k++) {
+        begin();
+        put_ply(formats[k / 16], types[k / 4 % 4], k & 1, k & 2);
+        came_back(WCUT_CLOUD_PLY, COUNT);
+        if (k & 2)
+            normals_came_back(1e-7);
+        else
+            no_normals();
+    }
+}
+END_TEST
+
+START_TEST(ply_of_integer_coordinates) {
+    const char *const types[] = {"char",   "int8",   "uchar", "uint8", "short", "int16",
+                                 "ushort", "uint16", "int",   "int32", "uint",  "uint32"};
+    for (int t = 0; t < 24; t++) {
+        const char *type = types[t / 2];
+        begin();
+        put_text("ply\r\nformat binary_%s_endian 1.0\r\nelement vertex %d\r\nproperty %s x\r\nproperty %s y\r\n",
+                 t % 2 ? "big" : "little", COUNT, type, type);
+        put_text("property %s z\r\nend_header\r\n", type);
+        for (int k = 0; k < 3 * COUNT; k++) {
+            const wcut_vec3 p = whole(k / 3);
+            put_scalar(type, (const double[]){p.x, p.y, p.z}[k % 3], t % 2);
+        }
+        reads(COUNT);
+        for (int k = 0; k < COUNT; k++) ck_assert(equal(got[k], whole(k)));
+    }
+    begin();
+    put_text(
+        "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty short x\nproperty char y\nproperty int "
+        "z\nend_header\n");
+    put_bits((uint64_t)-300, 2, false), put_bits((uint64_t)-5, 1, false), put_bits((uint64_t)-70000, 4, false);
+    reads(1);
+    ck_assert(equal(got[0], (wcut_vec3){-300, -5, -70000}));
+}
+END_TEST
+
+/* ---- text ---- */
+
+static void put_rows(const char *separator, const char *end, bool normals, bool comma) {
+    for (int k = 0; k < COUNT; k++) {
+        const size_t from = size;
+        const wcut_vec3 p = truth(k), n = up(k);
+        put_text("%.9g%s%.9g%s%.9g", p.x, separator, p.y, separator, p.z);
+        if (normals) put_text("%s%.9g%s%.9g%s%.9g", separator, n.x, separator, n.y, separator, n.z);
+        put_text("%s", end);
+        for (size_t i = from; comma && i < size; i++)
+            if (bytes[i] == '.') bytes[i] = ',';
+    }
+}
+
+START_TEST(text_of_every_separator) {
+    const char *const separators[] = {" ", "\t", ",", ";", "  \t ", ", ", " ; "}, *const ends[] = {"\n", "\r\n", " \n"};
+    for (int k = 0; k < 7 * 3 * 2; k++) {
+        begin();
+        put_rows(separators[k / 6], ends[k / 2 % 3], k % 2, false);
+        came_back(WCUT_CLOUD_TEXT, -1);
+        if (k % 2)
+            normals_came_back(1e-12);
+        else
+            no_normals();
+        size--; /* the last line without its feed */
+        came_back(WCUT_CLOUD_TEXT, -1);
+    }
+}
+END_TEST
+
+START_TEST(decimal_commas_are_known_between_semicolons_and_blanks) {
+    const char *const separators[] = {";", "\t", " "};
+    for (int k = 0; k < 6; k++) {
+        begin();
+        put_rows(separators[k / 2], "\n", k % 2, true);
+        came_back(WCUT_CLOUD_TEXT, -1);
+    }
+    given("1;2;3\n1,5;-2,5;3,5e1\n1.5;2;3\n"); /* the first row need not tell */
+    reads(3);
+    ck_assert(equal(got[1], (wcut_vec3){1.5, -2.5, 35}));
+    given("1 2 3\n1, 2, 3\n"); /* the first row has blanks alone */
+    refused(1, "line 2, column 1: found 1, 2, 3, expected a number");
+    given("0,5,1,5,2,5\n1,5,1,5,2,5\n");
+    refused(0, "the commas could be decimal ones");
+    given("x,y,z,a,b,c\n0,5,1,5,2,5\n"); /* named: they are not */
+    reads(1);
+    given("1;2;3\n1.234,5;2;3\n");
+    refused(1, "line 2, column 1: found 1.234,5;2;3, expected a number");
+}
+END_TEST
+
+START_TEST(headers_comments_counts_and_marks_are_tolerated) {
+    given("\xef\xbb\xbf# by the scanner\n\n// 2 lines\nScan of Monday\nunit,mm\n3\n1 2 3\n# between\n4 5 6\n\n7 8 9\n");
+    reads(3);
+    ck_assert(equal(got[2], (wcut_vec3){7, 8, 9}) && got_info.stated == 3);
+    given("//X Y Z R G B\n1 2 3 0 0 1\n"); /* colours, though of length 1 */
+    reads(1);
+    ck_assert_int_eq(got_info.has_normals, 0);
+    given("id,x_mm,y_mm,z_mm,nx,ny,nz,note\n17,1,2,3,0,3,4,\"any text\"\n");
+    reads(1);
+    ck_assert(equal(got[0], (wcut_vec3){1, 2, 3}) && close_to(got_normal[0], (wcut_vec3){0, 0.6, 0.8}, 1e-15));
+    given("\"x\";\"y\";\"z\"\n1;2;3\n");
+    reads(1);
+    given("z y x\n1 2 3\n");
+    reads(1);
+    ck_assert(equal(got[0], (wcut_vec3){3, 2, 1}));
+    given("1 2 3 40 255 0 0\n4 5 6 40 0 255 0\n"); /* x y z intensity r g b */
+    reads(2);
+    given("1 2 3 128 0 255\n"); /* six columns, but no normal */
+    reads(1);
+    ck_assert_int_eq(got_info.has_normals, 0);
+    given("1 2 3 0.6 0 0.8\n4 5 6 0 0 0\n4 5 6 nan 0 1\n4 5 6 0 0 -5e200\n"); /* a normal of any length, or none */
+    reads(4);
+    ck_assert(got_normal[1].z == 0 && got_normal[2].z == 0 && got_normal[3].z == -1);
+}
+END_TEST
+
+START_TEST(units_become_millimetres) {
+    const wcut_length_unit units[] = {WCUT_UNIT_MM, WCUT_UNIT_CM, WCUT_UNIT_M, WCUT_UNIT_INCH};
+    const double factor[] = {1, 10, 1000, 25.4};
+    const char *const header[] = {"x_mm", "x(cm)", "x [m]", "x_inch"};
+    for (int k = 0; k < 4; k++) {
+        given("1 2 3\n");
+        options.unit = units[k];
+        reads(1);
+        ck_assert(close_to(got[0], (wcut_vec3){factor[k], 2 * factor[k], 3 * factor[k]}, 1e-12));
+        if (k == 2) continue; /* a blank within a name makes another column */
+        given(header[k]);
+        options.unit = units[k];
+        put_text(";y;z\n1;2;3\n");
+        reads(1);
+        options.unit = units[(k + 1) % 4];
+        refused(0, "line 1, column 1: found x");
+    }
+}
+END_TEST
+
+START_TEST(a_locale_with_decimal_commas_changes_nothing) {
+    if (!setlocale(LC_ALL, "de_DE.UTF-8")) printf("no locale with decimal commas here: not tested\n");
+    given("1.5 2.25 3.125\n");
+    reads(1);
+    ck_assert(equal(got[0], (wcut_vec3){1.5, 2.25, 3.125}));
+    given("1.5 2.25 1e20\n");
+    refused(0, "1e+20 mm");
+    setlocale(LC_ALL, "C");
+}
+END_TEST
+
+/* ---- the others ---- */
+
+START_TEST(stl_gives_the_corners_of_its_triangles) {
+    for (int named = 0; named < 2; named++) {
+        begin();
+        put_text("%s", named ? "solid but binary all the same" : "STLB");
+        while (size < 80) put_bits(0, 1, false);
+        put_bits(COUNT / 3, 4, false);
+        for (int k = 0; k < COUNT; k++) {
+            for (int c = 0; k % 3 == 0 && c < 3; c++) put_float(7, false);
+            const wcut_vec3 p = truth(k);
+            put_float(p.x, false), put_float(p.y, false), put_float(p.z, false);
+            if (k % 3 == 2) put_bits(0xffff, 2, false);
+        }
+        options.format = WCUT_CLOUD_STL;
+        came_back(WCUT_CLOUD_STL, COUNT);
+        no_normals();
+    }
+    begin();
+    for (int k = 0; k < COUNT; k++) {
+        const wcut_vec3 p = truth(k);
+        if (k % 150 == 0) put_text("solid part %d of two\n", k);
+        if (k % 3 == 0) put_text("  facet normal 0 0 1e0\r\n\touter loop\n");
+        put_text("VERTEX %.9g %.9g %.9g\n", p.x, p.y, p.z);
+        if (k % 3 == 2) put_text("endloop\n endfacet\n");
+        if (k % 150 == 149) put_text("endsolid part\n\n");
+    }
+    came_back(WCUT_CLOUD_STL, -1);
+}
+END_TEST
+
+START_TEST(las_of_every_version_and_point_format) {
+    const int least[] = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
+    for (int minor = 2; minor <= 4; minor++) {
+        for (int format = 0; format <= (minor < 4 ? 5 : 10); format++) {
+            const int length = least[format] + format % 3;
+            begin();
+            put_las_header(minor, format, length, COUNT + 1, 0.0625, -512);
+            for (int k = 0; k <= COUNT; k++) {
+                const wcut_vec3 p = truth(k < 10 ? k : k - 1);
+                const double v[3] = {(p.x + 512) * 16, (p.y + 1024) * 16, (p.z + 1536) * 16};
+                for (int c = 0; c < 3; c++) put_bits((uint64_t)(int64_t)v[c], 4, false);
+                for (int c = 12; c < length; c++) put_bits(0, 1, false);
+                /* the eleventh is withheld */
+                if (k == 10) bytes[size - (size_t)length + 15] = format <= 5 ? 0x80 : 0x04;
+            }
+            put_text("records behind the points");
+            came_back(WCUT_CLOUD_LAS, COUNT + 1);
+            ck_assert_int_eq(got_info.withheld, 1);
+        }
+    }
+}
+END_TEST
+
+START_TEST(pcd_ascii_and_binary_with_fields_of_any_type) {
+    for (int binary = 0; binary < 2; binary++) {
+        begin();
+        put_text("# .PCD v.7 - Point Cloud Data\nVERSION .7\nFIELDS rgb x curve normal_x y z normal_z normal_y id\n");
+        put_text("SIZE 4 4 2 4 8 4 4 8 8\nTYPE U F I F F F F F U\nCOUNT 1 1 3 1 1 1 1 1 1\nWIDTH %d\nHEIGHT 3\n",
+                 COUNT / 3);
+        put_text("VIEWPOINT 0 0 0 1 0 0 0\nPOINTS %d\nDATA %s\n", COUNT, binary ? "binary" : "ascii");
+        for (int k = 0; k < COUNT; k++) {
+            const wcut_vec3 p = truth(k), n = up(k);
+            if (!binary) {
+                put_text("4.2108e+06 %.9g 1 2 3 %.9g %.9g %.9g %.9g %.9g 77\n", p.x, n.x, p.y, p.z, n.z, n.y);
+                continue;
+            }
+            put_bits(0xffffff, 4, false), put_float(p.x, false);
+            for (int c = 0; c < 3; c++) put_bits(9, 2, false);
+            put_float(n.x, false), put_double(p.y, false), put_float(p.z, false), put_float(n.z, false);
+            put_double(n.y, false), put_bits(77, 8, false);
+        }
+        came_back(WCUT_CLOUD_PCD, COUNT);
+        normals_came_back(1e-7);
+    }
+    begin();
+    put_text("VERSION 0.7\nFIELDS x y z\nSIZE 8 1 2\nTYPE I U I\nWIDTH 2\nDATA binary\n");
+    put_bits((uint64_t)-5000000000, 8, false), put_bits(250, 1, false), put_bits((uint64_t)-300, 2, false);
+    put_bits(1, 8, false), put_bits(2, 1, false), put_bits(3, 2, false);
+    reads(2);
+    ck_assert(equal(got[0], (wcut_vec3){-5e9, 250, -300}) && equal(got[1], (wcut_vec3){1, 2, 3}));
+}
+END_TEST
+
+START_TEST(points_that_are_not_finite_are_left_out_and_counted) {
+    given("1 2 3\nnan 2 3\n4 -inf 6\n4 5 Infinity\n1.#QNAN 0 0\n-nan(ind) 0 0\n7 8 9\n");
+    reads(2);
+    ck_assert(got_info.not_finite == 5 && equal(got[1], (wcut_vec3){7, 8, 9}));
+    begin();
+    put_text(
+        "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+        "z\nend_header\n");
+    for (int k = 0; k < 9; k++) put_float(k == 4 ? (double)NAN : k == 8 ? -(double)INFINITY : k, true);
+    reads(1);
+    ck_assert_int_eq(got_info.not_finite, 2);
+}
+END_TEST
+
+/* ---- whole files ---- */
+
+static char path[64];
+
+static void on_disk(const char *ending) {
+    snprintf(path, sizeof path, "/tmp/wirecut-test-%ld%s", (long)getpid(), ending);
+    FILE *file = fopen(path, "wb");
+    ck_assert_ptr_nonnull(file);
+    ck_assert(fwrite(bytes, 1, size, file) == size && fclose(file) == 0);
+}
+
+START_TEST(a_whole_cloud_is_in_memory_thinned_where_asked) {
+    wcut_cloud *cloud = NULL;
+    begin();
+    put_ply("binary_little_endian", "float", false, true);
+    on_disk(".ply");
+    ck_assert_int_eq(wcut_cloud_read(path, NULL, &cloud, &error), WCUT_OK);
+    ck_assert(cloud->count == COUNT && cloud->info.read == COUNT && cloud->info.thinned == 0);
+    for (int k = 0; k < COUNT; k++)
+        ck_assert(equal(cloud->point[k], truth(k)) && close_to(cloud->normal[k], up(k), 1e-7));
+    wcut_cloud_destroy(cloud);
+    options.voxel = 1e6;
+    options.most = 5;
+    ck_assert_int_eq(wcut_cloud_read(path, &options, &cloud, &error), WCUT_OK);
+    ck_assert(cloud->count == 4 && cloud->info.thinned == COUNT - 4); /* about the origin: x and z of either sign */
+    ck_assert(equal(cloud->point[0], truth(0)) && close_to(cloud->normal[0], up(0), 1e-7));
+    wcut_cloud_destroy(cloud);
+    unlink(path);
+    wcut_cloud_destroy(NULL);
+    /* an STL is known by its name where its first bytes say nothing */
+    begin();
+    while (size < 80) put_bits('x', 1, false);
+    put_bits(0, 4, false);
+    on_disk(".STL");
+    cloud = (void *)path;
+    ck_assert_int_eq(wcut_cloud_read(path, NULL, &cloud, &error), WCUT_BAD_FORMAT);
+    ck_assert(strstr(error.text, "found no point, expected at least one") && cloud == (void *)path);
+    unlink(path);
+}
+END_TEST
+
+START_TEST(more_points_than_allowed_are_refused) {
+    wcut_cloud *cloud = (void *)path;
+    begin();
+    put_rows(" ", "\n", false, false);
+    on_disk(".xyz");
+    options.most = COUNT - 1;
+    ck_assert_int_eq(wcut_cloud_read(path, &options, &cloud, &error), WCUT_BAD_FORMAT);
+    ck_assert_ptr_nonnull(strstr(error.text, "found more than 299 points, expected at most that"));
+    ck_assert_ptr_eq(cloud, (void *)path);
+    options.most = COUNT;
+    ck_assert_int_eq(wcut_cloud_read(path, &options, &cloud, &error), WCUT_OK);
+    ck_assert(cloud->count == COUNT && cloud->normal == NULL);
+    wcut_cloud_destroy(cloud);
+    unlink(path);
+}
+END_TEST
+
+START_TEST(a_pipe_is_read_like_a_file) {
+    begin();
+    put_ply("binary_little_endian", "double", true, false);
+    int ends[2];
+    ck_assert_int_eq(pipe(ends), 0);
+    ck_assert(write(ends[1], bytes, size) == (ssize_t)size && close(ends[1]) == 0);
+    snprintf(path, sizeof path, "/dev/fd/%d", ends[0]);
+    wcut_cloud *cloud = NULL;
+    ck_assert_int_eq(wcut_cloud_read(path, NULL, &cloud, &error), WCUT_OK);
+    ck_assert_int_eq(cloud->count, COUNT);
+    wcut_cloud_destroy(cloud);
+    close(ends[0]);
+}
+END_TEST
+
+START_TEST(what_cannot_be_read_is_not_found) {
+    wcut_cloud_source *source = (void *)path;
+    wcut_cloud *cloud = (void *)path;
+    ck_assert_int_eq(wcut_cloud_source_create("/no/such/file", NULL, &source, &error), WCUT_NOT_FOUND);
+    ck_assert_ptr_nonnull(strstr(error.text, "/no/such/file: cannot be read"));
+    ck_assert_int_eq(wcut_cloud_read("/", NULL, &cloud, &error), WCUT_NOT_FOUND); /* a folder */
+    ck_assert_ptr_nonnull(strstr(error.text, "cannot be read"));
+    ck_assert(source == (void *)path && cloud == (void *)path);
+}
+END_TEST
+
+START_TEST(arguments_outside_their_range_are_refused) {
+    wcut_cloud_source *source = (void *)path, *good = NULL;
+    wcut_cloud *cloud = (void *)path;
+    wcut_vec3 p;
+    int count = 999;
+    begin();
+    put_rows(" ", "\n", false, false);
+    on_disk(".xyz");
+    wcut_cloud_options bad[6];
+    for (int k = 0; k < 6; k++) bad[k] = wcut_cloud_options_default();
+    bad[0].format = (wcut_cloud_format)6, bad[1].unit = (wcut_length_unit)4;
+    bad[2].most = 0, bad[3].voxel = -1, bad[4].voxel = NAN, bad[5].voxel = INFINITY;
+    for (int k = 0; k < 6; k++) {
+        if (k < 2) ck_assert_int_eq(wcut_cloud_source_create(path, &bad[k], &source, NULL), WCUT_BAD_ARGUMENT);
+        ck_assert_int_eq(wcut_cloud_read(path, &bad[k], &cloud, NULL), WCUT_BAD_ARGUMENT);
+    }
+    ck_assert_int_eq(wcut_cloud_source_create(NULL, NULL, &source, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_cloud_source_create(path, NULL, NULL, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_cloud_read(NULL, NULL, &cloud, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_cloud_read(path, NULL, NULL, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_cloud_source_create(path, NULL, &good, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_cloud_source_next(NULL, 1, &p, NULL, &count, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_cloud_source_next(good, 0, &p, NULL, &count, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_cloud_source_next(good, 1, NULL, NULL, &count, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_cloud_source_next(good, 1, &p, NULL, NULL, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert(source == (void *)path && cloud == (void *)path && count == 999);
+    ck_assert_ptr_null(wcut_cloud_source_info(NULL));
+    wcut_cloud_source_destroy(good);
+    wcut_cloud_source_destroy(NULL);
+    unlink(path);
+}
+END_TEST
+
+START_TEST(without_memory_nothing_is_written) {
+    const char *const names[] = {"ascii", "binary_little_endian"};
+    for (int t = 0; t < 2; t++) {
+        begin();
+        put_ply(names[t], "float", false, true);
+        on_disk(".ply");
+        options.voxel = 1;
+        wcut_status status = WCUT_NO_MEMORY;
+        wcut_cloud *cloud = (void *)path;
+        long k = 1;
+        for (; k < 50 && status == WCUT_NO_MEMORY; k++) {
+            ck_assert_ptr_eq(cloud, (void *)path);
+            error.text[0] = '\0';
+            wcut_io_alloc_fail_at(k);
+            status = wcut_cloud_read(path, &options, &cloud, &error);
+            wcut_io_alloc_fail_at(0);
+            ck_assert(status == WCUT_OK || strstr(error.text, "out of memory"));
+        }
+        ck_assert_int_eq(status, WCUT_OK);
+        ck_assert_int_gt(k, 7);
+        wcut_cloud_destroy(cloud);
+        unlink(path);
+    }
+}
+END_TEST
+
+int main(void) {
+    const TTest *const test[] = {ply_of_every_byte_order_with_lists_and_normals_and_strange_elements,
+                                 ply_of_integer_coordinates,
+                                 text_of_every_separator,
+                                 decimal_commas_are_known_between_semicolons_and_blanks,
+                                 headers_comments_counts_and_marks_are_tolerated,
+                                 units_become_millimetres,
+                                 a_locale_with_decimal_commas_changes_nothing,
+                                 stl_gives_the_corners_of_its_triangles,
+                                 las_of_every_version_and_point_format,
+                                 pcd_ascii_and_binary_with_fields_of_any_type,
+                                 points_that_are_not_finite_are_left_out_and_counted,
+                                 a_whole_cloud_is_in_memory_thinned_where_asked,
+                                 more_points_than_allowed_are_refused,
+                                 a_pipe_is_read_like_a_file,
+                                 what_cannot_be_read_is_not_found,
+                                 arguments_outside_their_range_are_refused,
+                                 without_memory_nothing_is_written};
+    return run_cloud_suite("cloud_read", sizeof test / sizeof *test, test);
+}
