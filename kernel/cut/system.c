@@ -61,11 +61,12 @@ static void put_lengths(wcut_system *y, const wcut_step *step, const wcut_vec3 *
 
 static void put_equilibrium(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, const double *s, bool slopes) {
     const wcut_yielding *give = step->yielding;
+    const double edge = step->edge, per_edge = 1 / edge;
     for (int i = 1; i < y->n - 1; i++) {
-        const double l = wcut_edge_length(give, step->edge, i - 1, s[i - 1]);
-        const double m = wcut_edge_length(give, step->edge, i, s[i]);
-        const wcut_vec3 back = vec3_scale(1 / l, vec3_sub(x[i], x[i - 1]));
-        const wcut_vec3 front = vec3_scale(1 / m, vec3_sub(x[i + 1], x[i]));
+        const double l = give ? wcut_edge_length(give, edge, i - 1, s[i - 1]) : edge;
+        const double m = give ? wcut_edge_length(give, edge, i, s[i]) : edge;
+        const wcut_vec3 back = vec3_scale(give ? 1 / l : per_edge, vec3_sub(x[i], x[i - 1]));
+        const wcut_vec3 front = vec3_scale(give ? 1 / m : per_edge, vec3_sub(x[i + 1], x[i]));
         const wcut_resistance *f = &y->node[i];
         const int row = node_at(i);
         put_vector(y->residual + row, vec3_add_scaled(vec3_add_scaled(f->force, s[i], front), -s[i - 1], back));

@@ -35,13 +35,6 @@ double wcut_foam_inside(const wcut_foam *foam, wcut_vec3 was, wcut_vec3 x) {
     return foam->embedded ? 1 : wcut_block_engagement(&foam->block, was, x, unused, unused + 1);
 }
 
-static wcut_local_law law_at(const wcut_foam *foam, double heat, double rate, double speed, int n, wcut_vec3 x, int i) {
-    if (foam->local) return wcut_local_law_eval(foam->local, &foam->block, &foam->law, heat, rate, speed, n, x, i);
-    wcut_local_law at = {0};
-    at.force = force_law_slope(&foam->law, heat, speed, &at.by_speed);
-    return at;
-}
-
 typedef struct motion {           /* of a node with force, and how long a piece of it is engaged */
     wcut_vec3 move, normal, t, p; /* normal: move across t; p: its direction */
     double distance, along, across, span, speed, rate;
@@ -81,12 +74,28 @@ static void add_drag(const motion *m, double mu, double smooth, bool slopes, mat
     *before = (mat3){vec3_sub(before->x, turning.x), vec3_sub(before->y, turning.y), vec3_sub(before->z, turning.z)};
 }
 
+/* what effects add to the plain force and its slopes */
+static void add_effects(const wcut_locality *local, const motion *m, bool slopes, bool first, bool last,
+                        wcut_resistance *out) {
+    const double per_law = m->e->length * m->across / (m->distance * m->distance);
+    out->by_log_rate = vec3_add_scaled(out->by_log_rate, -m->law->by_log_rate * per_law, m->move);
+    if (slopes) out->by_here = mat3_add_outer(out->by_here, vec3_scale(-per_law, m->move), m->law->by_position);
+    double mu, smooth;
+    if (!wcut_locality_drag(local, &mu, &smooth)) return;
+    mat3 *before = first ? &out->by_here : &out->by_before, *after = last ? &out->by_here : &out->by_after;
+    add_drag(m, mu, smooth, slopes, before, &out->by_here, after, out);
+}
+
 void wcut_resistance_eval(const wcut_foam *foam, double heat, double edge, double rate, int n, const wcut_vec3 *x,
                           const wcut_vec3 *was, int i, bool slopes, wcut_resistance *out) {
     const engagement e = engage(foam, edge, n, x, i);
     const wcut_vec3 move = vec3_sub(x[i], was[i]);
     const double distance = vec3_length(move), speed = rate * distance;
-    const wcut_local_law at = law_at(foam, heat, rate, speed, n, x[i], i);
+    wcut_local_law at = {0};
+    if (foam->local)
+        at = wcut_local_law_eval(foam->local, &foam->block, &foam->law, heat, rate, speed, n, x[i], i);
+    else
+        at.force = force_law_slope(&foam->law, heat, speed, &at.by_speed);
     const double law = at.force, slope = at.by_speed;
 
     const wcut_vec3 zero = {0, 0, 0};
@@ -106,32 +115,26 @@ void wcut_resistance_eval(const wcut_foam *foam, double heat, double edge, doubl
     out->line = law * across / distance;
     out->force = vec3_scale(-w * across, move);
     out->by_log_rate = vec3_scale(-slope * speed * e.length / square * across, move);
-    if (foam->local)
-        out->by_log_rate = vec3_add_scaled(out->by_log_rate, -at.by_log_rate * e.length / square * across, move);
     const wcut_vec3 p = across > 0 ? vec3_scale(1 / across, normal) : zero;
-    double mu, smooth;
-    const bool drags = foam->local && wcut_locality_drag(foam->local, &mu, &smooth);
-    const motion m = {move, normal, t, p, distance, along, across, span_length, speed, rate, &e, &at};
-    if (!slopes && drags) add_drag(&m, mu, smooth, false, NULL, NULL, NULL, out);
-    if (!slopes) return;
 
-    const double w_by_distance = e.length * (slope * rate - 2 * law / distance) / square;
-    const wcut_vec3 by_move = vec3_add_scaled(vec3_scale(w_by_distance * across / distance, move), w, p);
-    const double per_length = law * across / square;
-
-    mat3 here = mat3_add_identity((mat3){zero, zero, zero}, -w * across);
-    here = mat3_add_outer(here, vec3_scale(-1, move), vec3_add_scaled(by_move, per_length, e.by_here));
-    const wcut_vec3 turning =
-        vec3_scale(w * along / span_length, p); /* the tangent turns: -(t.move)/|span| p by x[after] */
-    out->by_before =
-        mat3_add_outer((mat3){zero, zero, zero}, vec3_scale(-1, move), vec3_scale(per_length, e.by_before));
-    out->by_after = mat3_add_outer((mat3){zero, zero, zero}, vec3_scale(-1, move), vec3_scale(per_length, e.by_after));
-    mat3 *front = i < n - 1 ? &out->by_after : &here, *back = i > 0 ? &out->by_before : &here;
-    *front = mat3_add_outer(*front, move, turning);
-    *back = mat3_add_outer(*back, move, vec3_scale(-1, turning));
-    if (foam->local) {
-        here = mat3_add_outer(here, vec3_scale(-e.length * across / square, move), at.by_position);
-        if (drags) add_drag(&m, mu, smooth, true, back, &here, front, out);
+    if (slopes) {
+        const double w_by_distance = e.length * (slope * rate - 2 * law / distance) / square;
+        const wcut_vec3 by_move = vec3_add_scaled(vec3_scale(w_by_distance * across / distance, move), w, p);
+        const double per_length = law * across / square;
+        mat3 here = mat3_add_identity((mat3){zero, zero, zero}, -w * across);
+        here = mat3_add_outer(here, vec3_scale(-1, move), vec3_add_scaled(by_move, per_length, e.by_here));
+        const wcut_vec3 turning =
+            vec3_scale(w * along / span_length, p); /* the tangent turns: -(t.move)/|span| p by x[after] */
+        out->by_before =
+            mat3_add_outer((mat3){zero, zero, zero}, vec3_scale(-1, move), vec3_scale(per_length, e.by_before));
+        out->by_after =
+            mat3_add_outer((mat3){zero, zero, zero}, vec3_scale(-1, move), vec3_scale(per_length, e.by_after));
+        mat3 *front = i < n - 1 ? &out->by_after : &here, *back = i > 0 ? &out->by_before : &here;
+        *front = mat3_add_outer(*front, move, turning);
+        *back = mat3_add_outer(*back, move, vec3_scale(-1, turning));
+        out->by_here = here;
     }
-    out->by_here = here;
+    if (!foam->local) return;
+    const motion m = {move, normal, t, p, distance, along, across, span_length, speed, rate, &e, &at};
+    add_effects(foam->local, &m, slopes, i == 0, i == n - 1, out);
 }
