@@ -54,7 +54,7 @@ double wcut_scalar_load(const unsigned char *at, wcut_scalar scalar, bool big_en
 
 static inline bool take(wcut_cloud_source *s, const wcut_record *r, const unsigned char *at, wcut_batch *b,
                         const bool big_endian) {
-    double value[WCUT_FIELDS];
+    double value[WCUT_FIELDS] = {0};
     for (int k = 0; k < r->fields; k++)
         value[k] =
             load(at + r->field[k].offset, r->field[k].scalar, big_endian) * r->field[k].factor + r->field[k].shift;

@@ -22,12 +22,12 @@ static bool is_binary(wcut_cloud_source *s) {
 /* s->left counts corners: three a triangle */
 static bool fill_binary(wcut_cloud_source *s, wcut_batch *b) {
     while (s->left > 0 && b->count < b->capacity) {
-        const int corner = 2 - (int)((s->left - 1) % 3);
+        const size_t corner = 2 - (size_t)((s->left - 1) % 3);
         if (corner == 0 && wcut_stream_fill(&s->stream, FACET) < FACET)
             return wcut_cloud_refuse_truncated(s, "corners");
         const unsigned char *at = s->stream.data + s->stream.at + CORNER * (1 + corner);
         double value[WCUT_FIELDS] = {0};
-        for (int k = 0; k < 3; k++) value[k] = wcut_scalar_load(at + 4 * k, WCUT_F32, false);
+        for (size_t k = 0; k < 3; k++) value[k] = wcut_scalar_load(at + 4 * k, WCUT_F32, false);
         if (!wcut_cloud_take(s, b, value)) return false;
         s->left--;
         if (corner == 2) s->stream.at += FACET;
@@ -78,12 +78,9 @@ static bool read_line(wcut_cloud_source *s, const char *line, wcut_batch *b) {
     const char *p = match(line, words[at][0]);
     if (p && words[at][1][0]) p = match(p, words[at][1]);
     if (!p) {
-        char expected[64] = "endsolid or facet normal";
-        if (at != FACET_OR_END) {
-            strcpy(expected, words[at][0]);
-            if (words[at][1][0]) strcat(strcat(expected, " "), words[at][1]);
-        }
-        return wcut_cloud_refuse_text(s, line, wcut_skip_blanks(line), expected);
+        static const char *const expected[] = {
+            "solid", "endsolid or facet normal", "outer loop", "vertex", "vertex", "vertex", "endloop", "endfacet"};
+        return wcut_cloud_refuse_text(s, line, wcut_skip_blanks(line), expected[at]);
     }
     if (at == FACET_OR_END && !read_three(s, line, p, value)) return false;
     if (at >= FIRST && at <= THIRD && !(read_three(s, line, p, value) && wcut_cloud_take(s, b, value))) return false;

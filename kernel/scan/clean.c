@@ -1,5 +1,4 @@
 /* Cleaning: which points of a scan do not belong to the face, each with its cause. */
-#include <stdlib.h>
 #include <string.h>
 #include <wirecut/cloud.h>
 
@@ -17,7 +16,7 @@ wcut_clean_options wcut_clean_options_default(void) {
     return (wcut_clean_options){.duplicate = 0,
                                 .radius = 0,
                                 .radius_least = 4,
-                                .neighbours = 16,
+                                .neighbours = 10,
                                 .deviations = 6,
                                 .least = 3,
                                 .robust = 1,
@@ -63,15 +62,33 @@ static void gather(cleaning *c) {
 
 /* ---- outliers ---- */
 
-static int compare(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
+/* the value of a rank, by partition (Hoare 1961); the values are left partly sorted */
+static double select_rank(int n, double *value, int rank) {
+    for (int first = 0, last = n - 1; first < last;) {
+        const double pivot = value[first + (last - first) / 2];
+        int i = first, j = last;
+        while (i <= j) {
+            while (value[i] < pivot) i++;
+            while (value[j] > pivot) j--;
+            if (i > j) break;
+            const double keep = value[i];
+            value[i++] = value[j];
+            value[j--] = keep;
+        }
+        if (rank <= j)
+            last = j;
+        else if (rank >= i)
+            first = i;
+        else
+            break;
+    }
+    return value[rank];
 }
 
-/* the middle one; the values are sorted */
+/* the middle one, or the mean of the middle two */
 static double median(int n, double *value) {
-    qsort(value, (size_t)n, sizeof *value, compare);
-    return n % 2 ? value[n / 2] : value[n / 2 - 1] / 2 + value[n / 2] / 2;
+    const double upper = select_rank(n, value, n / 2);
+    return n % 2 ? upper : select_rank(n, value, n / 2 - 1) / 2 + upper / 2;
 }
 
 static void measure_robust(cleaning *c, double *work) {

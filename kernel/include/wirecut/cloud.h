@@ -175,7 +175,8 @@ typedef struct wcut_clean_options {
     double duplicate;  /**< [mm] default 0: only equal points; negative: none */
     double radius;     /**< [mm] default 0: no point is isolated */
     int radius_least;  /**< default 4; 1 or more */
-    int neighbours;    /**< k, to whose mean distance a point is held; default 16; 0: no point is an outlier */
+    int neighbours;    /**< k, to whose mean distance a point is held; default 10, up to 128; 0: no point is an
+ outlier. Outliers in clusters of more than k go unnoticed */
     double deviations; /**< m; default 6; not negative */
     double least;      /**< [1] default 3; 0 or more */
     int robust;        /**< default 1: centre and scale are median and 1.4826 MAD; 0: mean and standard deviation, which
@@ -224,7 +225,7 @@ WCUT_API int wcut_cloud_keep(int count, const unsigned char *removal, wcut_vec3 
 
 /** How normals are found. */
 typedef struct wcut_normal_options {
-    int neighbours; /**< k nearest points and the point itself make the plane; default 16; 2 or more */
+    int neighbours; /**< k nearest points and the point itself make the plane; default 16; 2 to 128 */
     wcut_vec3 side; /**< the removed half is there; default +z, right for the lower half; not 0 */
     double steep; /**< [1] in 0 .. 1: where |n . side| is at least that, the side decides a normal's sign; a steeper one
                        follows its neighbours (Hoppe 1992). Default 0.5; 1: each connected sheet is turned as a whole,
