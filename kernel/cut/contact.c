@@ -47,6 +47,7 @@ void wcut_cut_feed_free(wcut_cut *cut, const wcut_target *target, double reach, 
     for (int e = 0; e < n - 1; e++) w->s[e] = 0;
     w->length = target->length;
     w->loaded = false;
+    w->asked = 0;
     w->condition = target->duration > 0 ? WCUT_BY_TIME : WCUT_BY_SPEED_MAX;
     w->front_speed = reach / duration;
     wcut_cut_remember(cut, target, 1 / duration);
@@ -132,5 +133,6 @@ wcut_carriage wcut_contact_find(wcut_cut *cut, const wcut_target *target) {
     }
     memcpy(cut->kept, cut->next.pattern, sizeof *cut->kept * (size_t)cut->setup->job->nodes);
     if (!wcut_cut_touches(cut, cut->hung)) return WCUT_FREE;
+    if (cut->weighted) return WCUT_LOADED;
     return slack && !cut->setup->foam.embedded ? lean(cut, target) : WCUT_LOADED;
 }

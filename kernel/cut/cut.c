@@ -46,6 +46,7 @@ static void copy_wire(int n, int effects, const wcut_wire *from, wcut_wire *to) 
     to->length = from->length;
     to->front_speed = from->front_speed;
     to->loaded = from->loaded;
+    to->asked = from->asked;
     to->condition = from->condition;
     to->step_duration = from->step_duration;
     to->end_a = from->end_a, to->end_b = from->end_b;
@@ -86,11 +87,13 @@ wcut_status wcut_cut_create(const wcut_setup *setup, wcut_cut **out, wcut_error 
     wcut_cut *cut = wcut_alloc(1, sizeof *cut);
     if (!cut) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a run");
     cut->setup = setup;
+    cut->weighted = setup->options.weighted;
     cut->was = wcut_alloc((size_t)n, sizeof *cut->was);
     cut->hung = wcut_alloc((size_t)n, sizeof *cut->hung);
     cut->hung_s = wcut_alloc((size_t)n, sizeof *cut->hung_s);
     cut->kept = wcut_alloc((size_t)n, sizeof *cut->kept);
     cut->contact = wcut_alloc((size_t)n, sizeof *cut->contact);
+    cut->hanging = wcut_alloc((size_t)n, sizeof *cut->hanging);
     cut->softer = wcut_alloc((size_t)n, sizeof *cut->softer);
     cut->softer_s = wcut_alloc((size_t)n, sizeof *cut->softer_s);
     cut->edge = wcut_alloc((size_t)n, sizeof *cut->edge);
@@ -99,8 +102,8 @@ wcut_status wcut_cut_create(const wcut_setup *setup, wcut_cut **out, wcut_error 
     whole = create_wire(n, &cut->next) && whole;
     whole = wcut_solver_create(n, &cut->solver) && whole;
     wcut_status status = WCUT_OK;
-    if (!whole || !cut->was || !cut->hung || !cut->hung_s || !cut->kept || !cut->contact || !cut->softer ||
-        !cut->softer_s || !cut->edge || !cut->rest)
+    if (!whole || !cut->was || !cut->hung || !cut->hung_s || !cut->kept || !cut->contact || !cut->hanging ||
+        !cut->softer || !cut->softer_s || !cut->edge || !cut->rest)
         status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a wire of %d nodes", n);
     else if (!begin(cut))
         status = wcut_fail(error, WCUT_NOT_CONVERGED, "station 0: no equilibrium of the wire found under an even load");
@@ -121,6 +124,7 @@ void wcut_cut_destroy(wcut_cut *cut) {
     wcut_free(cut->hung_s);
     wcut_free(cut->kept);
     wcut_free(cut->contact);
+    wcut_free(cut->hanging);
     wcut_free(cut->softer);
     wcut_free(cut->softer_s);
     wcut_free(cut->edge);

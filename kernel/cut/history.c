@@ -4,6 +4,7 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
+#include "cut/run.h"
 
 static wcut_history *create(int stations, int nodes) {
     const size_t m = (size_t)stations, n = (size_t)nodes;
@@ -60,6 +61,45 @@ static void append(wcut_history *h, const wcut_cut *cut) {
                                                .condition = s.condition};
 }
 
+/* run a cut to its end, or as far as it goes; h->ended says why it went no further */
+static wcut_status run(wcut_cut *cut, wcut_progress progress, void *context, wcut_history *h) {
+    wcut_status status = WCUT_OK;
+    h->stations = 0;
+    h->ended = (wcut_error){.status = WCUT_OK};
+    append(h, cut);
+    while (status == WCUT_OK && h->stations < h->planned) {
+        status = wcut_cut_step(cut, &h->ended);
+        if (status != WCUT_OK) break;
+        append(h, cut);
+        if (progress && progress(h->stations, h->planned, context) != 0)
+            status = wcut_fail(&h->ended, WCUT_INTERRUPTED, "station %d of %d: stopped on request", h->stations - 1,
+                               h->planned);
+    }
+    return status;
+}
+
+/* A run that found no way on, once more with a weight for the loose wire; it is kept if it comes further. */
+static wcut_status run_weighted(const wcut_setup *setup, wcut_progress progress, void *context,
+                                wcut_history **history) {
+    wcut_cut *cut = NULL;
+    wcut_history *h = create((*history)->planned, (*history)->nodes);
+    wcut_status status = h ? wcut_cut_create(setup, &cut, NULL) : WCUT_NO_MEMORY;
+    if (status == WCUT_OK) {
+        cut->weighted = true;
+        status = run(cut, progress, context, h);
+    }
+    if (h && h->stations > (*history)->stations) {
+        wcut_history *shorter = *history;
+        *history = h;
+        h = shorter;
+    } else {
+        status = (*history)->ended.status;
+    }
+    wcut_history_destroy(h);
+    wcut_cut_destroy(cut);
+    return status;
+}
+
 wcut_status wcut_setup_run(const wcut_setup *setup, wcut_progress progress, void *context, wcut_history **history,
                            wcut_error *error) {
     if (!setup || !history) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a setup and a place for the history expected");
@@ -73,17 +113,12 @@ wcut_status wcut_setup_run(const wcut_setup *setup, wcut_progress progress, void
         return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a history of %d stations of %d nodes", job->stations,
                          job->nodes);
     }
-    append(h, cut);
-    while (status == WCUT_OK && h->stations < job->stations) {
-        status = wcut_cut_step(cut, &h->ended);
-        if (status != WCUT_OK) break;
-        append(h, cut);
-        if (progress && progress(h->stations, job->stations, context) != 0)
-            status = wcut_fail(&h->ended, WCUT_INTERRUPTED, "station %d of %d: stopped on request", h->stations - 1,
-                               job->stations);
-    }
-    if (error && status != WCUT_OK) *error = h->ended;
+    status = run(cut, progress, context, h);
+    const bool again = status == WCUT_NOT_CONVERGED && job->mode == WCUT_MODE_PATH &&
+                       setup->options.integrator == WCUT_IMPLICIT && !cut->weighted;
     wcut_cut_destroy(cut);
+    if (again) status = run_weighted(setup, progress, context, &h);
+    if (error && status != WCUT_OK) *error = h->ended;
     *history = h;
     return status;
 }

@@ -14,9 +14,16 @@
 /* a wire pulled less than this share of k hangs loose: what the foam does to it does not shape it */
 #define SLACK_TENSION 1e-6
 
+/* A wire that found no way through a first contact is given a weight of WEIGHT k, which fades until the foam pulls it
+   with LOOSE k, and up to 2^SLOWER times shorter sub-steps (a wire of 0.15 mm and 600 mm weighs 4e-4 of 2 N). Its shape
+   then is unique at every moment, however it touches. */
+#define LOOSE 1e-2
+#define WEIGHT 1e-4
+#define SLOWER 4
+
 /* the solver's last evaluation becomes the wire */
-static void accept(wcut_cut *cut, const wcut_target *target, double rate, double reach, wcut_condition condition,
-                   double *elapsed) {
+static void accept(wcut_cut *cut, const wcut_target *target, double rate, double reach, double pull,
+                   wcut_condition condition, double *elapsed) {
     const int n = cut->setup->job->nodes;
     wcut_wire *w = &cut->next;
     memcpy(w->x, cut->hung, sizeof *w->x * (size_t)n);
@@ -30,9 +37,11 @@ static void accept(wcut_cut *cut, const wcut_target *target, double rate, double
         w->engaged[i] = f->engaged;
         if (i > 0 && i < n - 1) load += vec3_length(f->force);
     }
-    if (load > 0) memcpy(w->pattern, w->force, sizeof *w->pattern * (size_t)n);
+    const bool pulls = !cut->weighted || pull > LOOSE * cut->setup->job->tension;
+    if (load > 0 && pulls) memcpy(w->pattern, w->force, sizeof *w->pattern * (size_t)n);
     w->length = target->length;
     w->loaded = true;
+    w->asked = pull;
     w->condition = condition;
     w->front_speed = reach * rate;
     wcut_cut_remember(cut, target, rate);
@@ -45,6 +54,7 @@ typedef struct attempt { /* one sub-step being solved */
     wcut_foam foam; /* the setup's, its faces as deep as is being tried */
     wcut_step step; /* refers to it */
     double reach;   /* [mm] way of the faster end */
+    double weight;  /* [1] share of the pattern that a loose wire has for a weight */
     double pull;    /* [N] tension that the foam's force asks for in the last solution */
 } attempt;
 
@@ -105,17 +115,32 @@ static void carry(attempt *a) {
     memcpy(cut->hung_s, cut->next.s, sizeof *cut->hung_s * (size_t)(n - 1));
 }
 
+/* the wire hung in its last load; a loose one is pulled by its weight only */
+static bool hang(attempt *a) {
+    wcut_cut *cut = a->cut;
+    if (!wcut_cut_hang(cut, a->target, cut->next.pattern)) return false;
+    if (a->weight > 0)
+        for (int e = 0; e < a->step.n - 1; e++) cut->hung_s[e] *= a->weight;
+    return true;
+}
+
 /* Solve with the rate as an unknown, or given: from the wire hung in its last load, from the wire carried along, from a
-   softened block. */
+   softened block. A loose wire that touches is carried along first: its shape is not that of its pattern. */
 static bool solve(attempt *a, bool by_tension, double speed, wcut_solution *solution) {
     wcut_cut *cut = a->cut;
     const double log_rate = log(speed / a->reach), depth = cut->setup->foam.block.depth;
-    bool solved = newton(a, depth, by_tension, log_rate, solution);
-    if (!solved && cut->next.loaded) {
-        carry(a);
+    const bool carry_first = cut->next.loaded && a->weight > 0;
+    bool solved = false;
+    for (int turn = 0; turn < 2 && !solved; turn++) {
+        if ((turn == 0) == carry_first) {
+            if (!cut->next.loaded) continue;
+            carry(a);
+        } else if (!hang(a)) {
+            continue;
+        }
         solved = newton(a, depth, by_tension, log_rate, solution);
     }
-    if (!solved && wcut_cut_hang(cut, a->target, cut->next.pattern)) solved = harden(a, by_tension, log_rate, solution);
+    if (!solved && hang(a)) solved = harden(a, by_tension, log_rate, solution);
     if (solved) cut->residual = fmax(cut->residual, solution->residual);
     a->pull = solution->pull;
     return solved;
@@ -125,7 +150,7 @@ static bool solve(attempt *a, bool by_tension, double speed, wcut_solution *solu
 static bool solve_at_limit(attempt *a, double limit, bool upper, double *speed) {
     wcut_solution out;
     const double k = a->cut->setup->job->tension;
-    if (!wcut_cut_hang(a->cut, a->target, a->cut->next.pattern) || !solve(a, false, limit, &out)) return false;
+    if (!solve(a, false, limit, &out)) return false;
     *speed = limit;
     return upper ? out.pull <= k * (1 + 1e-12) : out.pull >= k * (1 - 1e-12);
 }
@@ -134,7 +159,7 @@ static bool solve_at_limit(attempt *a, double limit, bool upper, double *speed) 
 static bool solve_at_tension(attempt *a, double guess, double *speed) {
     const wcut_job *job = a->cut->setup->job;
     wcut_solution out;
-    if (!wcut_cut_hang(a->cut, a->target, a->cut->next.pattern) || !solve(a, true, guess, &out)) return false;
+    if (!solve(a, true, guess, &out)) return false;
     *speed = a->reach * exp(out.log_rate);
     return *speed <= job->speed_max && *speed >= job->speed_min;
 }
@@ -174,12 +199,46 @@ static bool hangs_loose(const wcut_cut *cut) {
     return inside * cut->next.length / setup->job->nodes < setup->job->block_size.x / 2;
 }
 
+/* what a loose wire weighs, in the pattern that shaped it last; NULL where it is not loose */
+static const wcut_vec3 *find_hanging(wcut_cut *cut, double *weight) {
+    const int n = cut->setup->job->nodes;
+    const wcut_wire *w = &cut->next;
+    const double k = cut->setup->job->tension;
+    double load = 0;
+    for (int i = 1; i < n - 1; i++) load += vec3_length(w->pattern[i]);
+    const double fade = w->loaded ? clamp(1 - w->asked / (LOOSE * k), 0, 1) : 1;
+    *weight = cut->weighted && load > 0 ? fade * WEIGHT * k / load : 0;
+    if (!(*weight > 0)) return NULL;
+    for (int i = 0; i < n; i++) cut->hanging[i] = vec3_scale(*weight, w->pattern[i]);
+    return cut->hanging;
+}
+
+/* a wire whose mounts stand still in the given time cuts nothing and is pulled by nothing */
+static void stand_still(wcut_cut *cut, const wcut_target *target, double *elapsed) {
+    const int n = cut->setup->job->nodes;
+    wcut_wire *w = &cut->next;
+    for (int i = 0; i < n; i++) {
+        w->force[i] = vec3(0, 0, 0);
+        w->line[i] = w->speed[i] = 0;
+    }
+    for (int e = 0; e < n - 1; e++) w->s[e] = 0;
+    memcpy(w->engaged, cut->now.engaged, sizeof *w->engaged * (size_t)n);
+    w->asked = 0;
+    w->condition = WCUT_BY_TIME;
+    wcut_cut_remember(cut, target, 1 / target->duration);
+    *elapsed += target->duration;
+}
+
 static bool try_substep(wcut_cut *cut, const wcut_target *target, double *elapsed) {
     const wcut_setup *setup = cut->setup;
     const int n = setup->job->nodes;
     wcut_wire *w = &cut->next;
     memcpy(cut->was, w->x, sizeof *w->x * (size_t)n);
     const double reach = fmax(vec3_distance(target->end_a, w->end_a), vec3_distance(target->end_b, w->end_b));
+    if (reach == 0) {
+        stand_still(cut, target, elapsed);
+        return true;
+    }
     const wcut_carriage load = wcut_contact_find(cut, target);
     if (load == WCUT_NO_SHAPE) return false;
     if (load == WCUT_FREE) return feed_free(cut, target, reach, elapsed);
@@ -189,7 +248,8 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, double *elapse
                          .tension = setup->job->tension,
                          .edge = target->length / (n - 1),
                          .n = n,
-                         .was = cut->was};
+                         .was = cut->was,
+                         .hanging = find_hanging(cut, &a.weight)};
     wcut_extension extension;
     wcut_extension_apply(cut, target, &extension, &a.foam, &a.step);
     double speed = target->duration > 0 ? reach / target->duration : 0;
@@ -197,8 +257,8 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, double *elapse
     wcut_solution out;
     const bool solved =
         target->duration > 0 ? solve(&a, false, speed, &out) : solve_complementary(&a, &speed, &condition);
-    if (solved && a.pull >= SLACK_TENSION * setup->job->tension) {
-        accept(cut, target, speed / reach, reach, condition, elapsed);
+    if (solved && (cut->weighted || a.pull >= SLACK_TENSION * setup->job->tension)) {
+        accept(cut, target, speed / reach, reach, a.pull, condition, elapsed);
         return true;
     }
     if (!solved && !(load == WCUT_SLACK && hangs_loose(cut))) return false;
@@ -241,7 +301,7 @@ static wcut_status explain_failure(const wcut_cut *cut, const wcut_target *targe
 wcut_status wcut_implicit_advance(wcut_cut *cut, const wcut_target *target, double *elapsed, wcut_error *error) {
     const wcut_vec3 from_a = cut->next.end_a, from_b = cut->next.end_b;
     const double from_length = cut->next.length;
-    const double smallest = ldexp(1, -cut->setup->options.max_halvings);
+    const double smallest = ldexp(1, -(cut->setup->options.max_halvings + (cut->weighted ? SLOWER : 0)));
     double done = 0, size = 1;
     while (done < 1) {
         const double to = done + size;

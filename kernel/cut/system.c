@@ -69,7 +69,8 @@ static void put_equilibrium(wcut_system *y, const wcut_step *step, const wcut_ve
         const wcut_vec3 front = vec3_scale(give ? 1 / m : per_edge, vec3_sub(x[i + 1], x[i]));
         const wcut_resistance *f = &y->node[i];
         const int row = node_at(i);
-        put_vector(y->residual + row, vec3_add_scaled(vec3_add_scaled(f->force, s[i], front), -s[i - 1], back));
+        const wcut_vec3 load = step->hanging ? vec3_add(f->force, step->hanging[i]) : f->force;
+        put_vector(y->residual + row, vec3_add_scaled(vec3_add_scaled(load, s[i], front), -s[i - 1], back));
         if (!slopes) continue;
         const double less_back = give ? 1 - s[i - 1] * wcut_edge_softness(give, i - 1) / l : 1;
         const double less_front = give ? 1 - s[i] * wcut_edge_softness(give, i) / m : 1;

@@ -15,6 +15,7 @@ typedef struct wcut_step {
     double edge;                   /* [mm] new rest length of an edge */
     int n;                         /* nodes */
     const wcut_vec3 *was;          /* n: where each node comes from */
+    const wcut_vec3 *hanging;      /* n [N] what else loads the free nodes; NULL: nothing */
     const wcut_yielding *yielding; /* NULL: the wire keeps its length and its ends stay where they are put */
 } wcut_step;
 

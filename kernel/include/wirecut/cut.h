@@ -2,6 +2,7 @@
 #ifndef WCUT_CUT_H
 #define WCUT_CUT_H
 
+#include <stdbool.h>
 #include <wirecut/export.h>
 #include <wirecut/job.h>
 #include <wirecut/status.h>
@@ -40,6 +41,9 @@ typedef struct wcut_cut_options {
     double tolerance;           /**< [1] largest relative residual to accept; default 1e-10 */
     int max_iterations;         /**< Newton iterations a (sub-)step; default 40 */
     int max_halvings;           /**< a step may be cut into 2^this sub-steps; default 10 */
+    bool weighted;              /**< a loose wire has a weight, 1e-4 of the tension: a slower way through first contacts
+                                     that none is found through without; default false, and wcut_setup_run turns to it by
+                                     itself where a run ends early */
 } wcut_cut_options;
 
 /** A station of the history; the arrays are borrowed until the next step of the same cut. */

@@ -1,0 +1,94 @@
+/* First contact of wires that come loose, tilted, one side before the other; mounts that stand still.
+   labels: property */
+#include "cut/cuts.h"
+
+/* A wire with `slack` to spare at contact, its ends at different heights and speeds. */
+static wcut_job *tilted_job(int nodes, int stations, bool late) {
+    wcut_job *job = job_without_path(400, 620, nodes, stations);
+    for (int j = 0; j < stations; j++) {
+        const double u = (double)j / (stations - 1), near = late ? u * u : u;
+        job->mount_a[j] = vec3(-109.8 + 40 * near, -6 + 400 * u, 140 + 30 * sin(2 * u));
+        job->mount_b[j] = vec3(509.8 - 50 * near, -8 + 380 * u + 30 * u * u, 150 - 40 * u * u);
+    }
+    return job;
+}
+
+/* what is seen once the wire is taut must not hang on how it got there */
+static double angle_late(const wcut_history *h) { return h->row[h->stations * 3 / 4].alpha_a; }
+
+START_TEST(a_tilted_wire_gets_through_its_first_contact_at_any_resolution) {
+    const int stations[] = {60, 240, 480}, nodes[] = {31, 61};
+    for (int late = 0; late < 2; late++) {
+        double angle[6];
+        for (int k = 0; k < 6; k++) {
+            wcut_job *job = tilted_job(nodes[k % 2], stations[k / 2], late);
+            wcut_history *h = run_of(job);
+            angle[k] = angle_late(h);
+            ck_assert_double_gt(h->row[h->stations - 1].tension_a, 1.5);
+            for (int j = 1; j < h->stations; j++) ck_assert_double_le(h->row[j].residual, 1e-10);
+            wcut_history_destroy(h);
+            wcut_job_destroy(job);
+        }
+        for (int k = 0; k < 4; k++) ck_assert_double_eq_tol(angle[k], angle[k + 2], 0.02);
+    }
+}
+END_TEST
+
+START_TEST(a_weight_leaves_no_trace_once_the_foam_pulls) {
+    wcut_job *job = sample_job("steady-400-60.json");
+    wcut_cut_options options = wcut_cut_options_default();
+    wcut_history *history[2];
+    for (int k = 0; k < 2; k++) {
+        options.weighted = k == 1;
+        wcut_setup *setup = setup_of(job, &options);
+        ck_assert_int_eq(wcut_setup_run(setup, NULL, NULL, &history[k], NULL), WCUT_OK);
+        wcut_setup_destroy(setup);
+    }
+    const int j = history[0]->stations / 2;
+    ck_assert_double_eq_tol(history[0]->row[j].speed_a, history[1]->row[j].speed_a, 1e-6);
+    ck_assert_double_eq_tol(history[0]->row[j].alpha_a, history[1]->row[j].alpha_a, 1e-8);
+    for (int k = 0; k < 2; k++) wcut_history_destroy(history[k]);
+    wcut_job_destroy(job);
+}
+END_TEST
+
+START_TEST(mounts_that_stand_still_cut_nothing_and_pull_nothing) {
+    wcut_job *job = swinging_job(61, 150);
+    wcut_setup *setup = setup_of(job, NULL);
+    wcut_cut *cut = NULL;
+    ck_assert_int_eq(wcut_cut_create(setup, &cut, NULL), WCUT_OK);
+    wcut_station s;
+    for (int j = 1; j < 10; j++)
+        ck_assert_int_eq(wcut_cut_drive(cut, job->mount_a[j], job->mount_b[j], 0.1, 65, NULL), WCUT_OK);
+    wcut_cut_view(cut, &s);
+    const double tension = s.tension_a;
+    wcut_vec3 before[61];
+    memcpy(before, s.position, sizeof before);
+    ck_assert_int_eq(wcut_cut_drive(cut, job->mount_a[9], job->mount_b[9], 2.5, 65, NULL), WCUT_OK);
+    wcut_cut_view(cut, &s);
+    ck_assert_double_eq_tol(s.duration, 2.5, 1e-12);
+    ck_assert_double_eq(s.tension_a, 0);
+    ck_assert_double_eq(s.speed_a, 0);
+    ck_assert_int_eq(memcmp(before, s.position, sizeof before), 0);
+    ck_assert_int_eq(wcut_cut_drive(cut, job->mount_a[10], job->mount_b[10], 0.1, 65, NULL), WCUT_OK);
+    wcut_cut_view(cut, &s);
+    ck_assert_double_eq_tol(s.tension_a, tension, 0.2 * tension);
+    wcut_cut_destroy(cut);
+    wcut_setup_destroy(setup);
+    wcut_job_destroy(job);
+}
+END_TEST
+
+int main(void) {
+    Suite *suite = suite_create("contact");
+    TCase *tcase = tcase_create("first contact");
+    tcase_add_test(tcase, a_tilted_wire_gets_through_its_first_contact_at_any_resolution);
+    tcase_add_test(tcase, a_weight_leaves_no_trace_once_the_foam_pulls);
+    tcase_add_test(tcase, mounts_that_stand_still_cut_nothing_and_pull_nothing);
+    suite_add_tcase(suite, tcase);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_ENV);
+    const int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
