@@ -73,8 +73,7 @@ static int print_json(const calibration *c) {
     return APP_DONE;
 }
 
-/* ---- the summary ---------------------------------------------------------------------------------------------------
- */
+/* ---- the summary ---- */
 
 /* how well a law fits */
 static void say_quality(const calibration *c, const wcut_law_fit *law) {
@@ -104,8 +103,7 @@ static void say_laws(const calibration *c) {
     say_quality(c, t);
 }
 
-/* ---- warnings ------------------------------------------------------------------------------------------------------
- */
+/* ---- warnings ---- */
 
 static void warn(calibration *c, const char *format, ...) {
     va_list arguments;
@@ -170,8 +168,7 @@ static int calibrate(const app_call *call) {
     return code;
 }
 
-/* ---- the table -----------------------------------------------------------------------------------------------------
- */
+/* ---- the table ---- */
 
 static const app_operand operand[] = {
     {.name = "TABLE",

@@ -24,8 +24,7 @@ typedef struct loop {
     app_results results;
 } loop;
 
-/* ---- the disturbance -----------------------------------------------------------------------------------------------
- */
+/* ---- the disturbance ---- */
 
 enum { KEY_MOST = 32 };
 
@@ -93,8 +92,7 @@ static int disturb(loop *l) {
     return code;
 }
 
-/* ---- the runs ------------------------------------------------------------------------------------------------------
- */
+/* ---- the runs ---- */
 
 static wcut_status simulate_job(loop *l, wcut_setup **setup, wcut_history **history, wcut_error *error) {
     wcut_status status = wcut_setup_create(l->job, NULL, setup, error);
@@ -180,8 +178,7 @@ static int run(loop *l) {
     return code;
 }
 
-/* ---- the files -----------------------------------------------------------------------------------------------------
- */
+/* ---- the files ---- */
 
 static const wcut_rig_run *recorded(const loop *l) { return app_given(l->call, "no-feedback") ? l->plan : l->feedback; }
 
@@ -291,8 +288,7 @@ static int control(const app_call *call) {
     return code;
 }
 
-/* ---- the table -----------------------------------------------------------------------------------------------------
- */
+/* ---- the table ---- */
 
 static const app_operand operand[] = {
     {.name = "JOB", .kind = APP_FILE, .help = "a job file, wirecut-job/1"},

@@ -17,8 +17,7 @@ static const struct {
 };
 enum { EXIT_CODES = sizeof exit_code / sizeof *exit_code };
 
-/* ---- text ----------------------------------------------------------------------------------------------------------
- */
+/* ---- text ---- */
 
 /* Words between the left margin and TEXT_WIDTH; the cursor stands at `column`. */
 static void print_wrapped(FILE *out, const char *text, int margin, int column) {
@@ -100,8 +99,7 @@ void app_print_help(FILE *out, const app_verb *verb) {
     }
 }
 
-/* ---- JSON ----------------------------------------------------------------------------------------------------------
- */
+/* ---- JSON ---- */
 
 static void json_text(FILE *out, const char *key, const char *text) {
     fprintf(out, "\"%s\":", key);

@@ -13,8 +13,7 @@
 const app_verb *const app_verbs[] = {APP_VERB_LIST(APP_VERB_ENTRY) NULL};
 #undef APP_VERB_ENTRY
 
-/* ---- the command without a verb ------------------------------------------------------------------------------------
- */
+/* ---- the command without a verb ---- */
 
 static const app_operand no_operand[] = {{.name = NULL}};
 
@@ -52,8 +51,7 @@ const app_verb app_self = {
     .run = run_self,
 };
 
-/* ---- finding the verb ----------------------------------------------------------------------------------------------
- */
+/* ---- finding the verb ---- */
 
 static const app_verb *find_verb(const char *name) {
     for (int i = 0; app_verbs[i]; i++)
@@ -87,8 +85,7 @@ static int run_verb(int argc, char **argv) {
     return code;
 }
 
-/* ---- the standard streams ------------------------------------------------------------------------------------------
- */
+/* ---- the standard streams ---- */
 
 /* A closed standard stream would lend its number to an output file, and words would land in it. */
 static bool open_standard_streams(void) {

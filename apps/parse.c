@@ -28,8 +28,7 @@ static int usage_error(const app_verb *verb, const char *what, const char *found
     return app_fail(APP_USAGE, "%s: found \"%s\", expected %s (see %s --help)", what, found, expected, full_name(verb));
 }
 
-/* ---- values --------------------------------------------------------------------------------------------------------
- */
+/* ---- values ---- */
 
 /* Decimal numbers only; the command never calls setlocale, so that strtod reads a point whatever the user's locale. */
 static bool read_number(const app_option *option, const char *text, double *number) {
@@ -76,8 +75,7 @@ static int set_value(const app_verb *verb, const app_option *option, const char 
     return APP_DONE;
 }
 
-/* ---- words ---------------------------------------------------------------------------------------------------------
- */
+/* ---- words ---- */
 
 static void describe_table(const app_verb *verb, int count, struct option *longs, char *shorts) {
     *shorts++ = '-'; /* operands come in order, POSIXLY_CORRECT or not */
@@ -126,8 +124,7 @@ static int refuse_option(const app_verb *verb, int count, int code, char **argv)
                     full_name(verb));
 }
 
-/* ---- a whole call --------------------------------------------------------------------------------------------------
- */
+/* ---- a whole call ---- */
 
 static int read_words(const app_verb *verb, int count, int argc, char **argv, app_call *call) {
     struct option longs[APP_OPTIONS_MAX + 1];
@@ -191,8 +188,7 @@ void app_call_clear(app_call *call) {
     *call = (app_call){0};
 }
 
-/* ---- what the verb asks --------------------------------------------------------------------------------------------
- */
+/* ---- what the verb asks ---- */
 
 static const app_value *find_value(const app_call *call, const char *option) {
     for (int i = 0; call->verb->option[i].kind != APP_END; i++)

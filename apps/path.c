@@ -155,8 +155,7 @@ static int path(const app_call *call) {
     return code;
 }
 
-/* ---- the table -----------------------------------------------------------------------------------------------------
- */
+/* ---- the table ---- */
 
 static const app_operand operand[] = {
     {.name = "JOB", .kind = APP_FILE, .help = "a job file, wirecut-job/1"},

@@ -65,8 +65,7 @@ static void clear(page *p) {
 
 static bool is_relative(const app_calibrated *of) { return of->options->noise == WCUT_NOISE_RELATIVE; }
 
-/* ---- sentences ------------------------------------------------------------------------------------------------------
- */
+/* ---- sentences ---- */
 
 void app_describe_scatter(const app_calibrated *of, const wcut_law_fit *fit, char sentence[APP_SENTENCE]) {
     const bool relative = is_relative(of);
@@ -110,8 +109,7 @@ static wcut_report_tone judge(const app_calibrated *of, char *verdict, size_t si
                                                              : WCUT_TONE_PLAIN;
 }
 
-/* ---- charts ---------------------------------------------------------------------------------------------------------
- */
+/* ---- charts ---- */
 
 static wcut_report_series points(const char *label, int count, const double *x, const double *y) {
     return (wcut_report_series){.label = label, .mark = WCUT_MARK_POINTS, .count = count, .x = {x, NULL}, .y = y};
@@ -206,8 +204,7 @@ static wcut_report_chart normal_chart(page *p, const law *l) {
     return chart;
 }
 
-/* ---- tables ---------------------------------------------------------------------------------------------------------
- */
+/* ---- tables ---- */
 
 /* what of a cut wants a second look */
 static const char *remark(page *p, int i, const wcut_fit_point *at) {
@@ -309,8 +306,7 @@ static wcut_report_table warning_table(page *p) {
     return table;
 }
 
-/* ---- sections -------------------------------------------------------------------------------------------------------
- */
+/* ---- sections ---- */
 
 static void fill_cuts(page *p) {
     const int n = p->of->cuts;
@@ -389,8 +385,7 @@ static int fill_sections(page *p, wcut_report_section *section) {
     return count;
 }
 
-/* ---- the page -------------------------------------------------------------------------------------------------------
- */
+/* ---- the page ---- */
 
 /* "force law, a: 0.094 to 0.108", the interval in the label, the value by itself */
 static wcut_report_fact with_interval(page *p, const char *name, const wcut_law_fit *fit, int k) {

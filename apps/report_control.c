@@ -15,8 +15,7 @@ typedef struct page {
     char verdict[400], hash[WCUT_SHA256_TEXT];
 } page;
 
-/* ---- what is said --------------------------------------------------------------------------------------------------
- */
+/* ---- what is said ---- */
 
 static wcut_report_tone judge(page *p) {
     const wcut_rig_run *with = p->s->feedback, *plan = p->s->plan;
@@ -86,8 +85,7 @@ static wcut_report_chart chart(const char *title, const char *note, const char *
                                .span = span};
 }
 
-/* ---- the page ------------------------------------------------------------------------------------------------------
- */
+/* ---- the page ---- */
 
 /* a column of the table of figures: one run */
 static void list_figures(const wcut_rig_run *run, double *to) {

@@ -66,8 +66,7 @@ static double larger(double a, double b) { return a > b ? a : b; }
 
 static double unit_of(int scored) { return strcmp(wcut_scored_unit((wcut_scored)scored), "deg") ? 1 : DEGREES; }
 
-/* ---- tables ---------------------------------------------------------------------------------------------------------
- */
+/* ---- tables ---- */
 
 static double or_dash(bool there, double value) { return there ? value : NAN; }
 
@@ -162,8 +161,7 @@ static wcut_report_table trouble_table(page *p) {
     return table;
 }
 
-/* ---- charts ---------------------------------------------------------------------------------------------------------
- */
+/* ---- charts ---- */
 
 /* The samples of a cut that are drawn: from the first contact to the last that counts. Before and behind, the plan
    feeds at the highest speed and the wire whips out of the foam: the rest would shrink to a line. */
@@ -319,8 +317,7 @@ static int choose(const app_scored *of, unsigned char *shown) {
     }
 }
 
-/* ---- the page -------------------------------------------------------------------------------------------------------
- */
+/* ---- the page ---- */
 
 static void fill_overview(page *p, const char *note, wcut_report_section *section) {
     const app_scored *of = p->of;

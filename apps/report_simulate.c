@@ -40,8 +40,7 @@ typedef struct page {
     char verdict[512], block[96], hash[WCUT_SHA256_TEXT];
 } page;
 
-/* ---- what is copied -------------------------------------------------------------------------------------------------
- */
+/* ---- what is copied ---- */
 
 static void fill_columns(page *p) {
     for (int s = 0; s < p->history->stations; s++) {
@@ -118,8 +117,7 @@ static void clear(page *p) {
     free(p->mount_b);
 }
 
-/* ---- what is said ---------------------------------------------------------------------------------------------------
- */
+/* ---- what is said ---- */
 
 static wcut_report_tone judge(page *p) {
     const wcut_history *h = p->history;
@@ -183,8 +181,7 @@ static wcut_report_chart chart(const char *title, const char *label, const char 
                                .span = span};
 }
 
-/* ---- the page -------------------------------------------------------------------------------------------------------
- */
+/* ---- the page ---- */
 
 static wcut_status write_page(page *p, const wcut_report_scene *scene, const char *path, wcut_error *error) {
     const wcut_history *h = p->history;

@@ -48,8 +48,7 @@ static void note_bad(scoring *s, int code) {
     if (s->code == APP_DONE) s->code = code;
 }
 
-/* ---- what is asked for ---------------------------------------------------------------------------------------------
- */
+/* ---- what is asked for ---- */
 
 static int list_cases(scoring *s) {
     const int n = s->call->operand_count;
@@ -129,8 +128,7 @@ static int load(scoring *s) {
     return APP_DONE;
 }
 
-/* ---- the run -------------------------------------------------------------------------------------------------------
- */
+/* ---- the run ---- */
 
 static bool make_room(scoring *s) {
     const size_t n = (size_t)s->cuts;
@@ -202,8 +200,7 @@ static void find_means(scoring *s) {
                      &s->replayed[s->groups]);
 }
 
-/* ---- the files -----------------------------------------------------------------------------------------------------
- */
+/* ---- the files ---- */
 
 static int write_report(scoring *s) {
     const app_call *call = s->call;
@@ -256,8 +253,7 @@ static int write_results(scoring *s) {
     return app_results_add(&s->results, name, status, &error);
 }
 
-/* ---- the summary ---------------------------------------------------------------------------------------------------
- */
+/* ---- the summary ---- */
 
 static void put_figure(char *to, size_t size, const wcut_score *s) {
     if (s->range > 0)
@@ -366,8 +362,7 @@ static int score(const app_call *call) {
     return code;
 }
 
-/* ---- the table -----------------------------------------------------------------------------------------------------
- */
+/* ---- the table ---- */
 
 static const app_operand operand[] = {
     {.name = "INPUT",

@@ -25,8 +25,7 @@ typedef struct simulation {
     app_results results;
 } simulation;
 
-/* ---- the run -------------------------------------------------------------------------------------------------------
- */
+/* ---- the run ---- */
 
 /* Read the job and let the options have their say. */
 static int load(simulation *s) {
@@ -57,8 +56,7 @@ static int run(simulation *s) {
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, s->path, &error);
 }
 
-/* ---- the files -----------------------------------------------------------------------------------------------------
- */
+/* ---- the files ---- */
 
 static int write_history(simulation *s) {
     wcut_error error = {0};
@@ -165,8 +163,7 @@ static int write_results(simulation *s) {
     return code;
 }
 
-/* ---- the answer ----------------------------------------------------------------------------------------------------
- */
+/* ---- the answer ---- */
 
 static int say_summary(const simulation *s) {
     wcut_summary sum;
@@ -209,8 +206,7 @@ static int simulate(const app_call *call) {
     return code;
 }
 
-/* ---- the table -----------------------------------------------------------------------------------------------------
- */
+/* ---- the table ---- */
 
 static const app_operand operand[] = {
     {.name = "JOB", .kind = APP_FILE, .help = "a job file, wirecut-job/1"},

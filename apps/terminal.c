@@ -21,8 +21,7 @@ enum {
 
 static volatile sig_atomic_t interrupted;
 
-/* ---- escaping ------------------------------------------------------------------------------------------------------
- */
+/* ---- escaping ---- */
 
 /* Length of the UTF-8 sequence at text and its code point; 0 where it is none (RFC 3629). */
 static int decode(const unsigned char *text, uint32_t *code) {
@@ -62,8 +61,7 @@ static void escape(const char *text, char *line, size_t size) {
     *to = 0;
 }
 
-/* ---- lines ---------------------------------------------------------------------------------------------------------
- */
+/* ---- lines ---- */
 
 static void put_line(const char *prefix, const char *format, va_list arguments) {
     char text[LINE_MAX_BYTES], line[LINE_MAX_BYTES];
@@ -112,8 +110,7 @@ int app_fail_status(wcut_status status, const char *place, const wcut_error *err
     return app_fail(app_exit_code(status), "%s%s%s", place ? place : "", place ? ": " : "", text);
 }
 
-/* ---- interruption --------------------------------------------------------------------------------------------------
- */
+/* ---- interruption ---- */
 
 static void on_signal(int number) {
     (void)number;
@@ -134,8 +131,7 @@ void app_catch_interrupts(void) {
 
 bool app_is_interrupted(void) { return interrupted; }
 
-/* ---- progress ------------------------------------------------------------------------------------------------------
- */
+/* ---- progress ---- */
 
 static double seconds(void) {
     struct timespec now;

@@ -1,5 +1,5 @@
-/* PLY (Turk 1994) as a cloud: the vertices of any header, ascii or binary; other elements and properties are skipped.
- */
+/* PLY (Turk 1994) as a cloud: the vertices of any header, ascii or binary; other elements and properties are
+   skipped. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -80,8 +80,7 @@ static void euler_angles(const double q[4], double abc[3]) {
     abc[2] = atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)) * DEG;
 }
 
-/* ---- URScript: metres, rotation vectors, a duration for every move -------------------------------------------------
- */
+/* ---- URScript: metres, rotation vectors, a duration for every move ---- */
 
 static void put_ur_pose(wcut_text *text, const half *h) {
     double v[3];
@@ -133,8 +132,7 @@ void wcut_urscript_put(wcut_text *text, const wcut_robot_motion *m, const wcut_r
     wcut_text_print(text, "end\n");
 }
 
-/* ---- RAPID: millimetres, quaternions, MultiMove: moves of one ID end together ---------------------------------------
- */
+/* ---- RAPID: millimetres, quaternions, MultiMove: moves of one ID end together ---- */
 
 static void put_rapid_move(wcut_text *text, const half *h, int id, double speed) {
     put(text, "    MoveL [[", h->at.x, 3);
@@ -182,8 +180,7 @@ void wcut_rapid_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robo
     wcut_text_print(text, "  ENDPROC\nENDMODULE\n");
 }
 
-/* ---- KRL: millimetres, A B C in degrees, a speed for every move ----------------------------------------------------
- */
+/* ---- KRL: millimetres, A B C in degrees, a speed for every move ---- */
 
 static void put_krl_move(wcut_text *text, const half *h) {
     double abc[3];

@@ -28,8 +28,7 @@ const char *wcut_robot_file_name(wcut_robot_format format, int robot) {
     return (unsigned)format < FORMATS && (robot == 0 || robot == 1) ? known[format].file[robot] : NULL;
 }
 
-/* ---- table ---------------------------------------------------------------------------------------------------------
- */
+/* ---- table ---- */
 
 static void put_fixed(wcut_text *text, const char *before, double value, int decimals) {
     wcut_text_print(text, "%s", before);
@@ -56,8 +55,7 @@ static void put_csv(wcut_text *text, const wcut_robot_motion *m) {
     }
 }
 
-/* ---- JSON ----------------------------------------------------------------------------------------------------------
- */
+/* ---- JSON ---- */
 
 static void put_number(wcut_text *text, const char *before, double value) {
     wcut_text_print(text, "%s", before);
@@ -98,8 +96,7 @@ static void put_json(wcut_text *text, const wcut_robot_motion *m, const wcut_rob
     wcut_text_print(text, "\n  ]\n}\n");
 }
 
-/* ---- files ---------------------------------------------------------------------------------------------------------
- */
+/* ---- files ---- */
 
 /* letters, digits and _, beginning with a letter */
 static bool is_name(const char *name) {
@@ -175,8 +172,7 @@ wcut_status wcut_robot_write(const wcut_robot_motion *motion, const wcut_robot_n
     return status;
 }
 
-/* ---- figures -------------------------------------------------------------------------------------------------------
- */
+/* ---- figures ---- */
 
 wcut_status wcut_robot_summary_print(const wcut_robot_summary *s, char **text) {
     if (!s || !s->job || !s->motion || !s->check || (unsigned)s->format >= FORMATS || s->file_count < 0 ||

@@ -4,9 +4,7 @@
 
 #include <wirecut/status.h>
 
-/* fill error (may be NULL) with a status and a printf text; give the status back, so that `return wcut_fail(...)` reads
- * well
- */
+/* fill error (may be NULL) with a status and a printf text, and give the status back: return wcut_fail(...) */
 wcut_status wcut_fail(wcut_error *error, wcut_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

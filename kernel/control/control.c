@@ -106,8 +106,8 @@ static double speed_near_contact(const wcut_control *c, const wcut_history_row *
     return least;
 }
 
-/* the plan's speeds, slow at contact, no drop of which needs more than SPARE of the acceleration: v0^2 <= v1^2 + 2 a d
- */
+/* the plan's speeds, slow at contact, no drop of which needs more than SPARE of the acceleration: v0^2 <= v1^2
+   + 2 a d */
 static bool fill(wcut_control *c, const wcut_history *plan) {
     const wcut_history_row *row = plan->row;
     for (int j = 0; j < c->stations; j++) {
@@ -167,8 +167,7 @@ static double interpolate(int count, const double *table, double at) {
     return table[j] + (at - j) * (table[j + 1] - table[j]);
 }
 
-/* ---- watchdog ------------------------------------------------------------------------------------------------------
- */
+/* ---- watchdog ---- */
 
 static bool is_stopped(const wcut_control *c) { return c->view.state >= WCUT_CONTROL_STOP_TENSION; }
 
@@ -217,8 +216,7 @@ static bool watch(wcut_control *c, double dt, double station, double a, double b
     return true;
 }
 
-/* ---- law -----------------------------------------------------------------------------------------------------------
- */
+/* ---- law ---- */
 
 /* The error that is fed back: of the filtered tension. What would speed the wire up counts as far as the plan expects
    a load, and as far as there is one. */

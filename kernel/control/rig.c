@@ -75,8 +75,7 @@ static wcut_status check(const wcut_rig_options *o, wcut_error *error) {
     return WCUT_OK;
 }
 
-/* ---- the plant -----------------------------------------------------------------------------------------------------
- */
+/* ---- the plant ---- */
 
 static double way_of(const wcut_vec3 *mount, int j) { return vec3_distance(mount[j], mount[j + 1]); }
 
@@ -140,8 +139,7 @@ static void meet_foam(rig *r) {
     r->setup->foam.law.a = r->job->force_law.a * r->o.law_a * (1 + (r->o.density - 1) * r->beyond);
 }
 
-/* ---- the loop ------------------------------------------------------------------------------------------------------
- */
+/* ---- the loop ---- */
 
 /* what the sensors gave a delay ago; before there was anything to read, the first reading */
 static reading delay(rig *r, reading now) {

@@ -20,8 +20,7 @@ wcut_robot_limits wcut_robot_limits_default(const wcut_job *job) {
                                .hot_temperature = 900};
 }
 
-/* ---- the wire ------------------------------------------------------------------------------------------------------
- */
+/* ---- the wire ---- */
 
 /* heat that a wire of t gives off to still air at t0, both in K [W/m] */
 static double lost_heat(double t, double t0, double diameter, double emissivity) {
@@ -62,8 +61,7 @@ static double strength(const wcut_robot_limits *l, double temperature) {
     return l->cold_strength * pow(l->hot_strength / l->cold_strength, share);
 }
 
-/* ---- the motion ----------------------------------------------------------------------------------------------------
- */
+/* ---- the motion ---- */
 
 static void raise(wcut_robot_check *check, double value, int station) {
     if (!(value > check->value) && check->station >= 0) return;

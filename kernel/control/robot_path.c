@@ -23,8 +23,7 @@ wcut_robot_options wcut_robot_options_default(void) {
                                 .frame = WCUT_TOOL_FIXED};
 }
 
-/* ---- thinning ------------------------------------------------------------------------------------------------------
- */
+/* ---- thinning ---- */
 
 /* how far a mount is off at station j, when it goes straight and evenly from i to k: across and along its way */
 static void stray(const wcut_vec3 *x, int i, int j, int k, double share, double *across, double *along) {
@@ -84,8 +83,7 @@ static void thin(path *p, int m, int *stack, unsigned char *keep) {
     }
 }
 
-/* ---- targets -------------------------------------------------------------------------------------------------------
- */
+/* ---- targets ---- */
 
 /* rotation with the x axis along d and the z axis as far up as that allows, as a quaternion */
 static void frame_along(wcut_vec3 d, double q[4]) {

@@ -148,7 +148,7 @@ static bool solve(attempt *a, bool by_tension, double speed, wcut_solution *solu
 
 /* v = limit: a solution where the tension is on the right side of k */
 static bool solve_at_limit(attempt *a, double limit, bool upper, double *speed) {
-    wcut_solution out;
+    wcut_solution out = {0};
     const double k = a->cut->setup->job->tension;
     if (!solve(a, false, limit, &out)) return false;
     *speed = limit;
@@ -158,7 +158,7 @@ static bool solve_at_limit(attempt *a, double limit, bool upper, double *speed) 
 /* T = k: a solution where the speed is inside its limits */
 static bool solve_at_tension(attempt *a, double guess, double *speed) {
     const wcut_job *job = a->cut->setup->job;
-    wcut_solution out;
+    wcut_solution out = {0};
     if (!solve(a, true, guess, &out)) return false;
     *speed = a->reach * exp(out.log_rate);
     return *speed <= job->speed_max && *speed >= job->speed_min;
@@ -254,7 +254,7 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, double *elapse
     wcut_extension_apply(cut, target, &extension, &a.foam, &a.step);
     double speed = target->duration > 0 ? reach / target->duration : 0;
     wcut_condition condition = WCUT_BY_TIME;
-    wcut_solution out;
+    wcut_solution out = {0};
     const bool solved =
         target->duration > 0 ? solve(&a, false, speed, &out) : solve_complementary(&a, &speed, &condition);
     if (solved && (cut->weighted || a.pull >= SLACK_TENSION * setup->job->tension)) {

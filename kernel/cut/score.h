@@ -4,7 +4,7 @@
 
 #include <wirecut/score.h>
 
-/* wcut_score_eval of finite values */
-wcut_score wcut_score_of(int n, const double *measured, const double *predicted, double range);
+/* wcut_score_eval of finite values: measured x, predicted y */
+wcut_score wcut_score_of(int n, const double *x, const double *y, double range);
 
 #endif

@@ -156,8 +156,8 @@ static wcut_status check_stations(const wcut_setup *setup, wcut_error *error) {
     return WCUT_OK;
 }
 
-/* whether anything of the region that the wire sweeps can lie in the block: the hull of the ends, trailing by the slack
- */
+/* whether anything of the region that the wire sweeps can lie in the block: the hull of the ends, trailing by
+   the slack */
 static wcut_status check_contact(const wcut_setup *setup, wcut_error *error) {
     const wcut_job *job = setup->job;
     wcut_vec3 low = setup->end_a[0], high = low;

@@ -20,8 +20,8 @@ typedef struct wcut_step {
 } wcut_step;
 
 /* Unknowns in the order S_0, X_1, S_1, X_2, .., X_{n-2}, S_{n-2} (S edge tensions [N]); the equations in the same
-   order: length of edge e where S_e stands, equilibrium of node i where X_i stands. The band reaches 6 to either side.
- */
+   order: length of edge e where S_e stands, equilibrium of node i where X_i stands. The band reaches 6 to
+   either side. */
 typedef struct wcut_system {
     int n, size; /* nodes; 4 n - 7 */
     wcut_banded jacobian;
@@ -48,9 +48,7 @@ void wcut_system_destroy(wcut_system *y);
 /* where mounts give way: put both ends of x where tensions and rate have them; else nothing */
 void wcut_system_place_ends(const wcut_step *step, const double *s, double log_rate, wcut_vec3 *x);
 
-/* evaluate at shape x (n, ends in place), edge tensions s (n-1) and ln r; with `slopes` the Jacobian and the borders
- * too
- */
+/* evaluate at shape x (n, ends in place), edge tensions s (n-1) and ln r; with `slopes` Jacobian and borders too */
 void wcut_system_eval(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, const double *s, double log_rate,
                       bool slopes);
 

@@ -18,8 +18,8 @@ typedef struct wcut_track {
 wcut_status wcut_track_check(int stations, const wcut_recording *recording, wcut_error *error);
 
 /* the track on a job's path; WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written */
-wcut_status wcut_track_create(const wcut_job *job, const wcut_recording *recording, const wcut_replay_options *options,
-                              wcut_track *track, wcut_error *error);
+wcut_status wcut_track_create(const wcut_job *job, const wcut_recording *recording, const wcut_replay_options *o,
+                              wcut_track *out, wcut_error *error);
 void wcut_track_destroy(wcut_track *track);
 
 /* A point of the smooth path through m >= 2 points, at a real-valued station in 0 .. m-1: a cubic between every two

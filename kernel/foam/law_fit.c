@@ -42,8 +42,7 @@ static bool residuals(void *data, const double *x, double *r, double *jacobian) 
     return x[0] > 0;
 }
 
-/* ---- start ---------------------------------------------------------------------------------------------------------
- */
+/* ---- start ---- */
 
 /* ln a - b q - ln y, x = {ln a, b}; cuts without a positive y have no weight here */
 static bool log_residuals(void *data, const double *x, double *r, double *jacobian) {
@@ -114,8 +113,7 @@ static wcut_status start_with_c(const wcut_law_data *d, const double *weight, co
     return best < INFINITY ? WCUT_OK : WCUT_DEGENERATE;
 }
 
-/* ---- fit -----------------------------------------------------------------------------------------------------------
- */
+/* ---- fit ---- */
 
 /* what a fit hands back to itself */
 typedef struct solution {
@@ -174,8 +172,7 @@ static wcut_status fit_law(trial *t, const wcut_calibration_options *o, wcut_los
     return status;
 }
 
-/* ---- what is known about the fit -----------------------------------------------------------------------------------
- */
+/* ---- what is known about the fit ---- */
 
 /* log likelihood of normal noise, relative or absolute, at its own least squares fit, but for a constant */
 static wcut_status log_likelihood(trial *t, wcut_noise noise, int parameters, const double *x, double *work,

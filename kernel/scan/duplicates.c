@@ -49,8 +49,8 @@ static bool has_earlier(const table *t, wcut_vec3 p, double tolerance, size_t *o
     return false;
 }
 
-/* [mm] cubes so wide that their numbers stay below 2^50, and with a margin for rounding wider than the tolerance asks
- */
+/* [mm] cubes so wide that their numbers stay below 2^50, and with a margin for rounding wider than the
+   tolerance asks */
 static double side_of(int count, const wcut_vec3 *point, double tolerance) {
     double most = 0;
     for (int k = 0; k < count; k++) most = fmax(most, fmax(fabs(point[k].x), fmax(fabs(point[k].y), fabs(point[k].z))));

@@ -193,8 +193,8 @@ static wcut_patch join(const wcut_patch *a, const wcut_patch *c) {
 }
 
 /* What a range becomes: WCUT_OK with a patch in the node, and whether and where to divide it further. A patch is only
-   made where a Taylor polynomial holds, over few spans and no crease; above that a node is the ball about its children.
- */
+   made where a Taylor polynomial holds, over few spans and no crease; above that a node is the ball about its
+   children. */
 static bool decide(builder *b, int node, const int range[4], bool *along_u, int *at, bool *is_ball) {
     const int wide = range[1] - range[0], high = range[3] - range[2];
     *is_ball = true;

@@ -91,8 +91,7 @@ static double watched(const run *r) {
     return NAN;
 }
 
-/* ---- drawing ------------------------------------------------------------------------------------------------------
- */
+/* ---- drawing ---- */
 
 typedef struct panel { /* data to picture */
     double left, top, width, height;

@@ -1,5 +1,5 @@
-/* How fast a recording is read: MB per CPU second, and the ratio to a memchr scan of the same bytes.  bench_csv [ROWS]
- */
+/* How fast a recording is read: MB per CPU second, and the ratio to a memchr scan of the same bytes. 
+   bench_csv [ROWS] */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

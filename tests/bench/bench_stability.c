@@ -52,8 +52,7 @@ static double settle(const wcut_control_settings *settings, double delay, double
     return last > HORIZON - 1 ? INFINITY : last;
 }
 
-/* ---- the picture ---------------------------------------------------------------------------------------------------
- */
+/* ---- the picture ---- */
 
 static double gain_of(int column) { return pow(10, -1 + 2.0 * column / (COLUMNS - 1)); } /* 0.1 .. 10 */
 static double delay_of(int line) { return 0.5 * line / (ROWS - 1); }                     /* 0 .. 0.5 s */
@@ -101,8 +100,7 @@ static void draw(FILE *out, double time[ROWS][COLUMNS]) {
             left, top + height + 62, left, top + height + 80);
 }
 
-/* ---- why the slowness ----------------------------------------------------------------------------------------------
- */
+/* ---- why the slowness ---- */
 
 /* the change of ln T for a unit of what a controller may act on: how the loop's gain changes with the speed */
 static void compare_actions(void) {
