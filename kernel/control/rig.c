@@ -185,7 +185,7 @@ static bool record(rig *r, const wcut_station *s, reading tension, wcut_rig_run 
     c[WCUT_CHANNEL_BETA_B].value[i] = noisy(r, s->beta_b, r->o.noise_angle);
     c[WCUT_CHANNEL_SPEED_COMMAND].value[i] = r->command * share;
     c[WCUT_CHANNEL_HEAT].value[i] = r->heat;
-    const wcut_vec3 at_a = noisy_position(r, s->position[0]), at_b = noisy_position(r, s->position[s->nodes - 1]);
+    const wcut_vec3 at_a = noisy_position(r, s->mount_a), at_b = noisy_position(r, s->mount_b);
     c[WCUT_CHANNEL_A_X].value[i] = at_a.x;
     c[WCUT_CHANNEL_A_Y].value[i] = at_a.y;
     c[WCUT_CHANNEL_A_Z].value[i] = at_a.z;

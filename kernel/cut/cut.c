@@ -234,6 +234,8 @@ void wcut_cut_view(const wcut_cut *cut, wcut_station *station) {
                               .speed = w->speed,
                               .tension = w->s,
                               .engaged = w->engaged,
+                              .mount_a = w->end_a,
+                              .mount_b = w->end_b,
                               .speed_a = cut->speed_a,
                               .speed_b = cut->speed_b,
                               .tension_a = mount_tension(w->x[0], w->x[1], w->s[0], w->force[0]),

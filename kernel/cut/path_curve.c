@@ -75,11 +75,13 @@ wcut_status wcut_history_path(const wcut_setup *setup, const wcut_history *histo
     if (!setup || !history || history->stations < 1 || history->nodes < 3 || !mount_a || !mount_b || !length)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "a setup, its history and places for the paths are expected");
     const int m = history->stations;
-    const size_t n = (size_t)history->nodes;
+    if (m > setup->job->stations)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "found a history of %d stations, expected at most the setup's %d", m,
+                         setup->job->stations);
     if (setup->job->mode == WCUT_MODE_PATH) {
         for (int j = 0; j < m; j++) {
-            mount_a[j] = history->position[(size_t)j * n];
-            mount_b[j] = history->position[(size_t)j * n + n - 1];
+            mount_a[j] = setup->end_a[j]; /* not the wire's ends: mounts may give way */
+            mount_b[j] = setup->end_b[j];
         }
         *length = setup->job->wire_length;
         return WCUT_OK;

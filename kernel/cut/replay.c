@@ -163,7 +163,7 @@ static wcut_status lead(replay *r, int i, wcut_error *error) {
         wcut_cut_view(r->cut, &view);
         r->out->iterations += view.iterations;
         r->station = s;
-        r->mount_a = view.position[0], r->mount_b = view.position[view.nodes - 1];
+        r->mount_a = view.mount_a, r->mount_b = view.mount_b;
         r->time = there ? t->time[i] : begun + k * duration;
     }
     return WCUT_OK;

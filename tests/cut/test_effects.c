@@ -251,6 +251,28 @@ START_TEST(mounts_that_give_stand_where_their_springs_hold_the_wire) {
     const wcut_vec3 offset = vec3_sub(x[0], job->mount_a[j]);
     ck_assert_double_lt(vec3_distance(vec3_scale(0.8, offset), pull), 1e-6);
 
+    /* what a robot is told, and what a recording says, are the mounts, not the ends of the wire */
+    wcut_setup *setup = setup_of(job, NULL);
+    wcut_vec3 a[200], b[200];
+    double length = 999;
+    ck_assert_int_eq(wcut_history_path(setup, giving, a, b, &length, NULL), WCUT_OK);
+    ck_assert_int_eq(memcmp(a, job->mount_a, sizeof a), 0);
+    ck_assert_int_eq(memcmp(b, job->mount_b, sizeof b), 0);
+    ck_assert_double_eq(length, 560);
+    giving->stations++; /* of another setup, it seems */
+    ck_assert_int_eq(wcut_history_path(setup, giving, a, b, &length, NULL), WCUT_BAD_ARGUMENT);
+    giving->stations--;
+    wcut_cut *cut;
+    ck_assert_int_eq(wcut_cut_create(setup, &cut, NULL), WCUT_OK);
+    for (int k = 0; k < 20; k++) ck_assert_int_eq(wcut_cut_step(cut, NULL), WCUT_OK);
+    wcut_station s;
+    wcut_cut_view(cut, &s);
+    ck_assert_double_eq(vec3_distance(s.mount_a, job->mount_a[20]), 0);
+    ck_assert_double_eq(vec3_distance(s.mount_b, job->mount_b[20]), 0);
+    ck_assert_double_gt(vec3_distance(s.mount_b, s.position[s.nodes - 1]), 0.1);
+    wcut_cut_destroy(cut);
+    wcut_setup_destroy(setup);
+
     give(job, 0, NULL); /* the same as rigid mounts that are led there */
     for (int k = 0; k < job->stations; k++) job->mount_a[k].x += offset.x, job->mount_b[k].x -= offset.x;
     wcut_history *rigid = run_of(job);

@@ -58,7 +58,8 @@ typedef struct wcut_station {
     const double *speed;       /**< n [mm/s] of the node; station 0: 0 */
     const double *tension;     /**< n-1 [N] of the edge; in design mode too */
     const double *engaged;     /**< n [1] how much of the node's length is in the foam */
-    double speed_a, speed_b;   /**< [mm/s] of the mounts */
+    wcut_vec3 mount_a, mount_b; /**< [mm] where the mounts were led; the wire's ends are there unless mounts give way */
+    double speed_a, speed_b;    /**< [mm/s] of the mounts */
     double tension_a, tension_b;
     double alpha_a, beta_a, alpha_b, beta_b; /**< [rad] as FORMATS defines */
     double engaged_length;                   /**< [mm] of wire in the foam */
