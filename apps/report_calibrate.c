@@ -120,8 +120,10 @@ static double *pick_unusual(page *p, const law *l, const double *y) {
     int marked = 0;
     double *out = take_numbers(p, p->of->cuts);
     for (int i = 0; out && i < p->of->cuts; i++) {
-        out[i] = l->point[i]->unusual ? y[i] : NAN;
-        marked += l->point[i]->unusual != 0;
+        const wcut_fit_point *point = l->point[i];
+        const bool unusual = point && point->unusual;
+        out[i] = unusual ? y[i] : NAN;
+        marked += unusual;
     }
     return marked ? out : NULL;
 }
@@ -215,12 +217,11 @@ static const char *remark(page *p, int i, const wcut_fit_point *at) {
                                 at->unusual & WCUT_FIT_LEVERAGE ? "alone at its Q_eff" : NULL,
                                 at->unusual & WCUT_FIT_INFLUENTIAL ? "moves the law" : NULL,
                                 at->loss_weight < 0.1 ? "hardly counts" : NULL, large ? "large angle" : NULL};
-    char *text = take(p, 80, 1);
-    for (size_t k = 0; text && k < sizeof word / sizeof *word; k++) {
-        if (!word[k]) continue;
-        if (*text) strcat(text, ", ");
-        strcat(text, word[k]);
-    }
+    enum { ROOM = 80 };
+    char *text = take(p, ROOM, 1);
+    int used = 0;
+    for (size_t k = 0; text && k < sizeof word / sizeof *word; k++)
+        if (word[k]) used += snprintf(text + used, (size_t)(ROOM - used), "%s%s", used ? ", " : "", word[k]);
     return text;
 }
 
@@ -279,8 +280,9 @@ static wcut_report_table parameter_table(page *p, const law *l) {
     column[0] = (wcut_report_column){.label = "", .text = row};
     for (int j = 0; j < l->parameters; j++) {
         const double of[ROWS] = {value[j], l->fit->standard_error[j], l->fit->low[j], l->fit->high[j]};
-        memcpy(number + ROWS * j, of, sizeof of);
-        column[1 + j] = (wcut_report_column){.label = parameter[j], .unit = unit[j], .number = number + ROWS * j};
+        memcpy(number + (size_t)ROWS * (size_t)j, of, sizeof of);
+        column[1 + j] =
+            (wcut_report_column){.label = parameter[j], .unit = unit[j], .number = number + (size_t)ROWS * (size_t)j};
     }
     return table;
 }
@@ -295,7 +297,7 @@ static wcut_report_table correlation_table(page *p, const law *l) {
     memcpy(number, l->fit->correlation, sizeof l->fit->correlation); /* symmetric: a row is a column */
     column[0] = (wcut_report_column){.label = "", .text = parameter};
     for (int j = 0; j < l->parameters; j++)
-        column[1 + j] = (wcut_report_column){.label = parameter[j], .number = number + 3 * j};
+        column[1 + j] = (wcut_report_column){.label = parameter[j], .number = number + (size_t)3 * (size_t)j};
     return table;
 }
 
@@ -321,11 +323,11 @@ static void fill_cuts(page *p) {
 
 /* two sentences of their own, from those that the summary has on lines of their own */
 static char *section_note(page *p, const law *l) {
-    char *note = take(p, 3 * APP_SENTENCE, 1), scatter[APP_SENTENCE], lack[APP_SENTENCE];
+    char *note = take(p, (size_t)3 * APP_SENTENCE, 1), scatter[APP_SENTENCE], lack[APP_SENTENCE];
     if (!note) return NULL;
     app_describe_scatter(p->of, l->fit, scatter);
     app_describe_lack(l->fit, lack);
-    snprintf(note, 3 * APP_SENTENCE, "%s. How far off: %s. Whether it fits: %s.", l->symbol, scatter, lack);
+    snprintf(note, (size_t)3 * APP_SENTENCE, "%s. How far off: %s. Whether it fits: %s.", l->symbol, scatter, lack);
     return note;
 }
 
@@ -391,7 +393,7 @@ static int fill_sections(page *p, wcut_report_section *section) {
 static wcut_report_fact with_interval(page *p, const char *name, const wcut_law_fit *fit, int k) {
     const double value[3] = {fit->a, fit->b, fit->c};
     char *label = take(p, 96, 1);
-    if (label)
+    if (label && k >= 0 && k < 3)
         snprintf(label, 96, "%s, %s (%g %%: %.4g to %.4g)", name, parameter[k], PERCENT * p->of->options->confidence,
                  fit->low[k], fit->high[k]);
     return (wcut_report_fact){label, NULL, value[k], k == 1 ? B_UNIT : A_UNIT};

@@ -20,10 +20,10 @@ typedef struct app_calibrated {
 enum { APP_SENTENCE = 256 };
 
 /* How far cuts lie from a law: those it was fitted to, and those left out of the fit. */
-void app_describe_scatter(const app_calibrated *of, const wcut_law_fit *law, char sentence[APP_SENTENCE]);
+void app_describe_scatter(const app_calibrated *of, const wcut_law_fit *fit, char sentence[APP_SENTENCE]);
 
 /* Whether a law fits, and what it was tested against. */
-void app_describe_lack(const wcut_law_fit *law, char sentence[APP_SENTENCE]);
+void app_describe_lack(const wcut_law_fit *fit, char sentence[APP_SENTENCE]);
 
 /* Write report.html to path. WCUT_OK; as wcut_report_write and wcut_file_hash: nothing was written. */
 wcut_status app_report_calibrate(const app_calibrated *of, const char *path, wcut_error *error);

@@ -76,7 +76,7 @@ static wcut_report_table channel_table(page *p, const char *title, const char *n
                                                "correlation", "entry NRMSD", "steady NRMSD", "exit NRMSD"};
     wcut_report_column *column = take(p, FIGURES + 2, sizeof *column);
     const char **name = take(p, WCUT_SCORED_COUNT, sizeof *name), **unit = take(p, WCUT_SCORED_COUNT, sizeof *unit);
-    double *number = take(p, FIGURES * WCUT_SCORED_COUNT, sizeof *number);
+    double *number = take(p, (size_t)FIGURES * WCUT_SCORED_COUNT, sizeof *number);
     wcut_report_table table = {.title = title, .note = note, .columns = FIGURES + 2, .column = column};
     if (!column || !name || !unit || !number) return table;
     for (int k = 0; k < WCUT_SCORED_COUNT; k++) {
@@ -98,7 +98,7 @@ static wcut_report_table channel_table(page *p, const char *title, const char *n
     column[0] = (wcut_report_column){.label = "channel", .text = name};
     column[1] = (wcut_report_column){.label = "unit", .text = unit};
     for (int f = 0; f < FIGURES; f++)
-        column[f + 2] = (wcut_report_column){.label = label[f], .number = number + f * WCUT_SCORED_COUNT};
+        column[f + 2] = (wcut_report_column){.label = label[f], .number = number + (size_t)f * WCUT_SCORED_COUNT};
     return table;
 }
 

@@ -131,7 +131,7 @@ static int load(scoring *s) {
 /* ---- the run ---- */
 
 static bool make_room(scoring *s) {
-    const size_t n = (size_t)s->cuts;
+    const size_t n = s->cuts > 0 ? (size_t)s->cuts : 1;
     s->job = calloc(n, sizeof *s->job);
     s->recording = calloc(n, sizeof *s->recording);
     s->comparison = calloc(n, sizeof *s->comparison);

@@ -44,7 +44,7 @@ static bool read_name(wcut_reader *reader, const wcut_place *at, const filling *
     char *path = wcut_io_alloc(of->length + strlen(name) + 1, 1);
     if (!path) return wcut_refuse_memory(reader);
     memcpy(path, of->folder, of->length);
-    strcpy(path + of->length, name);
+    memcpy(path + of->length, name, strlen(name) + 1);
     *into = path;
     return true;
 }
@@ -138,7 +138,7 @@ wcut_status wcut_format_parse(const char *text, size_t length, const char *path,
     const wcut_place at = {NULL, NULL, 0, root}, member = wcut_place_member(&at, "format");
     const char *name = json_string_value(member.value);
     const bool fits = name && strlen(name) < WCUT_FORMAT_SIZE;
-    if (fits) strcpy(format, name);
+    if (fits) memcpy(format, name, strlen(name) + 1);
     if (!fits) wcut_refuse(&reader, &member, WCUT_BAD_FORMAT, "the name of a format");
     json_decref(root);
     return reader.status;

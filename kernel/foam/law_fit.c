@@ -33,7 +33,7 @@ static void law_slopes(const double *x, int parameters, double q, double *slope)
 static bool residuals(void *data, const double *x, double *r, double *jacobian) {
     const trial *t = data;
     for (int i = 0; i < t->d->n; i++) {
-        double slope[3];
+        double slope[3] = {0};
         law_slopes(x, t->parameters, t->d->q[i], slope);
         r[i] = (law_at(x, t->parameters, t->d->q[i]) - t->d->y[i]) / t->sigma[i];
         for (int j = 0; jacobian && j < t->parameters; j++)
@@ -82,8 +82,8 @@ static double cost_at_decay(const wcut_law_data *d, const double *root, double b
     int m = 0;
     for (int i = 0; i < d->n; i++) {
         if (!(root[i] > 0)) continue;
-        work[2 * m] = root[i] * exp(-b * d->q[i]);
-        work[2 * m + 1] = root[i];
+        work[2 * (size_t)m] = root[i] * exp(-b * d->q[i]);
+        work[2 * (size_t)m + 1] = root[i];
         rhs[m++] = root[i] * d->y[i];
     }
     if (m < 3 || wcut_qr_solve(m, 2, work, rhs, ac, NULL) != WCUT_OK || !(ac[0] > 0)) return INFINITY;
@@ -143,7 +143,7 @@ static wcut_status fit_from(trial *t, wcut_noise noise, wcut_loss loss, const do
             return status == WCUT_NO_MEMORY || status == WCUT_NOT_CONVERGED ? status : WCUT_DEGENERATE;
         double change = 0;
         for (int j = 0; j < s->parameters; j++) {
-            double error = sqrt(s->covariance[j * (s->parameters + 1)]);
+            double error = sqrt(s->covariance[(size_t)j * (size_t)(s->parameters + 1)]);
             double floor = 1e-5 * fabs(s->x[j == 1]); /* data on the law itself have no error to compare with */
             change = fmax(change, fabs(s->x[j] - before[j]) / fmax(error, floor));
         }
@@ -271,11 +271,11 @@ static wcut_status find_leverages(const trial *t, const solution *s, const doubl
                                   wcut_fit_point *point) {
     const wcut_law_data *d = t->d;
     int n = d->n, p = s->parameters;
-    double inverse[9], x[3];
+    double inverse[9] = {0}, x[3];
     linearise(t, s, loss_weight, 0, work, work + 5 * (size_t)n);
     wcut_status status = wcut_qr_solve(n, p, work, work + 5 * (size_t)n, x, inverse);
     for (int i = 0; i < n && status == WCUT_OK; i++) {
-        double slope[3], leverage = 0;
+        double slope[3] = {0}, leverage = 0;
         law_slopes(s->x, p, d->q[i], slope);
         for (int j = 0; j < p * p; j++) leverage += slope[j / p] * slope[j % p] * inverse[j];
         point[i].leverage = leverage * d->weight[i] * loss_weight[i] / (t->sigma[i] * t->sigma[i]);
@@ -343,7 +343,7 @@ static void keep_solution(const trial *t, const solution *s, const wcut_calibrat
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3 && i < p && j < p; j++) fit->covariance[3 * i + j] = s->covariance[i * p + j];
         double value = i < p ? s->x[i] : 0;
-        fit->standard_error[i] = sqrt(fit->covariance[4 * i]);
+        fit->standard_error[i] = sqrt(fit->covariance[(size_t)4 * (size_t)i]);
         fit->low[i] = value - t_quantile * fit->standard_error[i];
         fit->high[i] = value + t_quantile * fit->standard_error[i];
     }
