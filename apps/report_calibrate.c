@@ -393,7 +393,7 @@ static int fill_sections(page *p, wcut_report_section *section) {
 static wcut_report_fact with_interval(page *p, const char *name, const wcut_law_fit *fit, int k) {
     const double value[3] = {fit->a, fit->b, fit->c};
     char *label = take(p, 96, 1);
-    if (label && k >= 0 && k < 3)
+    if (label)
         snprintf(label, 96, "%s, %s (%g %%: %.4g to %.4g)", name, parameter[k], PERCENT * p->of->options->confidence,
                  fit->low[k], fit->high[k]);
     return (wcut_report_fact){label, NULL, value[k], k == 1 ? B_UNIT : A_UNIT};
@@ -413,7 +413,8 @@ static int fill_facts(page *p, wcut_report_fact *fact) {
     char *at = take(p, 96, 1);
     if (p->failed) return 0;
     for (int k = 0; k < 2; k++) fact[n++] = with_interval(p, "force law", f, k);
-    for (int k = 0; k < 3 - t->c_held && fit->tension_fitted; k++) fact[n++] = with_interval(p, "tension law", t, k);
+    for (int k = 0; k < (t->c_held ? 2 : 3) && fit->tension_fitted; k++)
+        fact[n++] = with_interval(p, "tension law", t, k);
     if (fit->tension_fitted && t->c_held) fact[n++] = (wcut_report_fact){"tension law, c (held)", NULL, 0, A_UNIT};
     if (!fit->tension_fitted) fact[n++] = (wcut_report_fact){"tension law", "not determined by these cuts", 0, ""};
     snprintf(at, 96, "%.4g N/mm, %.4g W/m", fit->reference_force, fit->reference_heat);
