@@ -52,7 +52,7 @@ static int disturb_by(wcut_rig_options *o, const char *item) {
     for (int k = 0; k < KEYS; k++) names[k] = key[k].name;
     const size_t length = strcspn(item, ":");
     char name[KEY_MOST] = "";
-    if (item[length] == ':' && length < sizeof name) memcpy(name, item, length);
+    if (length < sizeof name && item[length] == ':') memcpy(name, item, length);
     for (int k = 0; k < KEYS; k++) {
         if (strcmp(name, key[k].name) != 0) continue;
         const char *digits = item + length + 1;

@@ -46,7 +46,7 @@ static void put(wcut_text *text, const char *before, double value, int decimals)
 static void put_comment(wcut_text *text, const char *mark, const char *words) {
     char line[121];
     int n = 0;
-    for (; words[n] && n < 120; n++) line[n] = words[n] >= ' ' && words[n] <= '~' ? words[n] : '?';
+    for (; n < 120 && words[n]; n++) line[n] = words[n] >= ' ' && words[n] <= '~' ? words[n] : '?';
     line[n] = 0;
     wcut_text_print(text, "%s%s\n", mark, line);
 }

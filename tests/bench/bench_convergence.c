@@ -182,6 +182,7 @@ int main(int argc, char **argv) {
     run *fine = cut(0.5, WCUT_IMPLICIT);
     run *half = cut(1, WCUT_IMPLICIT);
     const double exact = 2 * watched(fine) - watched(half);
+    free(half);
     printf(
         "alpha at y = %g mm: %.6f deg (implicit, 1 and 0.5 mm, extrapolated)\nstation distance  implicit     heun  "
         "[deg off]\n",

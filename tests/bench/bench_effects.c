@@ -45,7 +45,7 @@ static void find_span(const wcut_recording *r, const wcut_prediction *p, double 
 }
 
 static void compare(const wcut_recording *r, wcut_prediction *const p[2], tally *t) {
-    double from, to, sum[2];
+    double from, to, sum[2] = {0, 0};
     find_span(r, p[0], &from, &to);
     const double *time = r->channel[WCUT_CHANNEL_TIME].value;
     for (int c = 0; c < CHANNELS; c++) {

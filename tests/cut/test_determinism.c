@@ -69,6 +69,7 @@ END_TEST
 
 #ifndef __SANITIZE_ADDRESS__ /* the sanitizer has its own malloc, and is not to be stepped between */
 #define COUNTS_MALLOC
+/* NOLINTBEGIN: the C library's own names, for its own functions */
 extern void *__libc_malloc(size_t size);
 extern void *__libc_calloc(size_t count, size_t size);
 extern void *__libc_realloc(void *memory, size_t size);
@@ -79,6 +80,7 @@ static volatile long allocations;
 void *malloc(size_t size) { return allocations++, __libc_malloc(size); }
 void *calloc(size_t count, size_t size) { return allocations++, __libc_calloc(count, size); }
 void *realloc(void *memory, size_t size) { return allocations++, __libc_realloc(memory, size); }
+/* NOLINTEND */
 #else
 static volatile long allocations;
 #endif
