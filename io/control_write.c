@@ -86,20 +86,8 @@ static wcut_status print_summary(const wcut_rig_summary *s, char **text, size_t 
     put_rig(&out, s->options, 3.14159265358979323846 / 180);
     put_run(&out, "feedback", s->feedback);
     put_run(&out, "plan_alone", s->plan);
-    wcut_text_print(&out, ",\n  \"files\": [");
-    for (int i = 0; i < s->file_count; i++) {
-        wcut_text_print(&out, "%s", i ? ", " : "");
-        wcut_text_string(&out, s->files[i]);
-    }
-    wcut_text_print(&out, "]\n}\n");
-    wcut_text_put(&out, "", 1);
-    if (out.failed) {
-        wcut_text_destroy(&out);
-        return WCUT_NO_MEMORY;
-    }
-    *text = out.data;
-    *length = out.count - 1;
-    return WCUT_OK;
+    wcut_text_files(&out, s->file_count, s->files);
+    return wcut_text_finish(&out, text, length);
 }
 
 wcut_status wcut_rig_summary_print(const wcut_rig_summary *summary, char **text) {

@@ -197,17 +197,7 @@ wcut_status wcut_robot_summary_print(const wcut_robot_summary *s, char **text) {
         if (c->station >= 0) wcut_text_print(&out, ", \"station\": %d", c->station);
         wcut_text_print(&out, ", \"over\": %s}", c->over ? "true" : "false");
     }
-    wcut_text_print(&out, "\n  ],\n  \"files\": [");
-    for (int i = 0; i < s->file_count; i++) {
-        wcut_text_print(&out, "%s", i ? ", " : "");
-        wcut_text_string(&out, s->files[i]);
-    }
-    wcut_text_print(&out, "]\n}\n");
-    wcut_text_put(&out, "", 1);
-    if (out.failed) {
-        wcut_text_destroy(&out);
-        return WCUT_NO_MEMORY;
-    }
-    *text = out.data;
-    return WCUT_OK;
+    wcut_text_print(&out, "\n  ]");
+    wcut_text_files(&out, s->file_count, s->files);
+    return wcut_text_finish(&out, text, NULL);
 }

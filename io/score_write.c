@@ -176,14 +176,8 @@ wcut_status wcut_score_print(int n, const wcut_scored_cut *cut, const wcut_compa
     put(&out, ",\n  \"cuts\": [");
     for (int i = 0; i < n; i++) put_cut(&out, &cut[i], i == 0);
     put(&out, "]\n}\n");
-    wcut_text_put(&out, "", 1);
     free(comparison);
-    if (out.failed) {
-        wcut_text_destroy(&out);
-        return WCUT_NO_MEMORY;
-    }
-    *text = out.data;
-    return WCUT_OK;
+    return wcut_text_finish(&out, text, NULL);
 }
 
 wcut_status wcut_score_write(int n, const wcut_scored_cut *cut, const wcut_comparison_options *options,

@@ -68,15 +68,6 @@ static void put_figures(wcut_text *text, const wcut_summary *s) {
     put_counts(text, s);
 }
 
-static void put_files(wcut_text *text, int count, const char *const *files) {
-    wcut_text_print(text, ",\n  \"files\": [");
-    for (int i = 0; i < count; i++) {
-        wcut_text_print(text, "%s", i ? ", " : "");
-        wcut_text_string(text, files[i]);
-    }
-    wcut_text_print(text, "]\n}\n");
-}
-
 static bool are_usable(const wcut_setup *setup, const wcut_history *h, int count, const char *const *files) {
     if (!setup || !wcut_history_is_usable(h) || !h->force_line || count < 0 || (count > 0 && !files)) return false;
     for (int i = 0; i < count; i++)
@@ -94,15 +85,8 @@ static wcut_status print_summary(const wcut_setup *setup, const wcut_history *h,
     if (wcut_summary_eval(h, &summary) != WCUT_OK || !wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
     put_head(&out, setup, h);
     put_figures(&out, &summary);
-    put_files(&out, file_count, files);
-    wcut_text_put(&out, "", 1);
-    if (out.failed) {
-        wcut_text_destroy(&out);
-        return WCUT_NO_MEMORY;
-    }
-    *text = out.data;
-    *length = out.count - 1;
-    return WCUT_OK;
+    wcut_text_files(&out, file_count, files);
+    return wcut_text_finish(&out, text, length);
 }
 
 wcut_status wcut_summary_print(const wcut_setup *setup, const wcut_history *history, int file_count,
