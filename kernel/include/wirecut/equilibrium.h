@@ -42,8 +42,7 @@ WCUT_API wcut_equilibrium_options wcut_equilibrium_options_default(void);
  * @param[out]    report  may be NULL
  * @return WCUT_OK; WCUT_NOT_CONVERGED: x, q and report hold the last iterate (a chain with so much slack that an
  *         unloaded part of it goes without tension has no unique shape and ends here);
- *         WCUT_BAD_ARGUMENT, WCUT_DEGENERATE (wire not longer than the chord, no load), WCUT_NO_MEMORY: nothing was
- *         written.
+ *         WCUT_BAD_ARGUMENT, WCUT_DEGENERATE (wire not longer than the chord, no load): nothing was written.
  */
 WCUT_API wcut_status wcut_equilibrium_solve(int n, const wcut_vec3 *force, const double *length,
                                             const wcut_equilibrium_options *options, wcut_vec3 *x, double *q,

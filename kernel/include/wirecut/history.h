@@ -62,7 +62,7 @@ WCUT_API void wcut_history_destroy(wcut_history *history);
  * both mounts keep the job's clearance from the block; in path mode the mounts as they are.
  *
  * @param[in]  setup   that the history came from
- * @param[in]  history at least two stations
+ * @param[in]  history of that setup, at least one station
  * @param[out] mount_a history->stations [mm]
  * @param[out] mount_b history->stations [mm]
  * @param[out] length  [mm] the one wire length between the mounts
