@@ -4,11 +4,10 @@
 #include <string.h>
 #include <wirecut/wirecut.h>
 
+#include "angle.h"
 #include "command.h"
 #include "results.h"
 #include "terminal.h"
-
-#define DEGREE (3.14159265358979323846 / 180)
 
 typedef struct export_ {
     const app_call *call;
@@ -69,8 +68,8 @@ static int check_limits(export_ *e) {
     wcut_robot_limits l = wcut_robot_limits_default(e->job);
     choose(e->call, "speed", 1, &l.speed);
     choose(e->call, "acceleration", 1, &l.acceleration);
-    choose(e->call, "alpha", DEGREE, &l.alpha);
-    choose(e->call, "beta", DEGREE, &l.beta);
+    choose(e->call, "alpha", RAD_PER_DEG, &l.alpha);
+    choose(e->call, "beta", RAD_PER_DEG, &l.beta);
     wcut_status status = wcut_robot_limits_check(e->job, e->history, e->mount_a, e->mount_b, &l, e->check);
     if (status != WCUT_OK)
         return app_fail(app_exit_code(status), "%s: limits: expected a wire that stays below 3000 degC", e->path);
@@ -240,14 +239,14 @@ static const app_option option[] = {
      .help = "largest of the mounts, mm/s^2; 200 in the loop and 1000 for robots where none is given"},
     {.kind = APP_REAL,
      .name = "alpha",
-     .value = "DEG",
+     .value = "DEG_PER_RAD",
      .low = 0.1,
      .high = 90,
      .standard = "60",
      .help = "largest of the head, deg"},
     {.kind = APP_REAL,
      .name = "beta",
-     .value = "DEG",
+     .value = "DEG_PER_RAD",
      .low = 0.1,
      .high = 90,
      .standard = "30",

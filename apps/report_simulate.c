@@ -1,14 +1,13 @@
 /* The page of a simulated cut: force map and path curves in space, speeds, tensions and angles along the cut. */
 #include "report_simulate.h"
+#include "angle.h"
 
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#define FLAT 1e-6                              /* [1/mm] a radius of 1 km is flat: what is left is rounding */
-#define DEGREES (180 / 3.14159265358979323846) /* files and pages say degrees */
-
+#define FLAT 1e-6 /* [1/mm] a radius of 1 km is flat: what is left is rounding */
 /* what is plotted of every station */
 enum {
     TIME,
@@ -53,10 +52,10 @@ static void fill_columns(page *p) {
             [SPEED_B] = s ? row->speed_b : NAN,
             [TENSION_A] = row->tension_a,
             [TENSION_B] = row->tension_b,
-            [ALPHA_A] = row->alpha_a * DEGREES,
-            [ALPHA_B] = row->alpha_b * DEGREES,
-            [BETA_A] = row->beta_a * DEGREES,
-            [BETA_B] = row->beta_b * DEGREES,
+            [ALPHA_A] = row->alpha_a * DEG_PER_RAD,
+            [ALPHA_B] = row->alpha_b * DEG_PER_RAD,
+            [BETA_A] = row->beta_a * DEG_PER_RAD,
+            [BETA_B] = row->beta_b * DEG_PER_RAD,
             [ENGAGED] = row->engaged_length,
             [STEPS] = row->iterations,
             [RESIDUAL] = row->residual,

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <wirecut/calibration.h>
 
+#include "angle.h"
 #include "csv.h"
 #include "fail.h"
 
@@ -42,7 +43,7 @@ static wcut_status read_cut(const wcut_table *table, const int *place, int weigh
     double mass = weight >= 0 ? table->column[weight].value[row] : 1;
     if (!(mass > 0))
         return refuse(error, path, line, table->column[weight].name, "found no positive weight, expected one");
-    double alpha = value[ALPHA] * (acos(-1) / 180);
+    double alpha = value[ALPHA] * RAD_PER_DEG;
     *cut = (wcut_test_cut){value[HEAT], value[SPEED], value[ENGAGED], value[TENSION], value[TENSION], alpha, alpha,
                            mass,        line};
     return WCUT_OK;

@@ -4,6 +4,7 @@
 #include <wirecut/rig.h>
 #include <wirecut/version.h>
 
+#include "angle.h"
 #include "fail.h"
 #include "text.h"
 
@@ -83,7 +84,7 @@ static wcut_status print_summary(const wcut_rig_summary *s, char **text, size_t 
     put(&out, ",\n  \"target_N\": ", s->control->tension);
     wcut_text_print(&out, ",\n  \"recorded\": \"%s\"", s->plan_recorded ? "plan_alone" : "feedback");
     put_settings(&out, s->control);
-    put_rig(&out, s->options, 3.14159265358979323846 / 180);
+    put_rig(&out, s->options, RAD_PER_DEG);
     put_run(&out, "feedback", s->feedback);
     put_run(&out, "plan_alone", s->plan);
     wcut_text_files(&out, s->file_count, s->files);

@@ -4,11 +4,10 @@
 #include <string.h>
 #include <wirecut/write.h>
 
+#include "angle.h"
 #include "fail.h"
 #include "history_check.h"
 #include "text.h"
-
-#define DEG (180 / 3.14159265358979323846)
 
 bool wcut_history_is_usable(const wcut_history *history) {
     if (!history || history->stations < 1 || history->nodes < 2 || !history->row) return false;
@@ -44,10 +43,10 @@ static void put_row(wcut_text *text, const wcut_history *history, int j, wcut_ve
                             moved->speed_b,
                             r->tension_a,
                             r->tension_b,
-                            r->alpha_a * DEG,
-                            r->beta_a * DEG,
-                            r->alpha_b * DEG,
-                            r->beta_b * DEG};
+                            r->alpha_a * DEG_PER_RAD,
+                            r->beta_a * DEG_PER_RAD,
+                            r->alpha_b * DEG_PER_RAD,
+                            r->beta_b * DEG_PER_RAD};
     wcut_text_print(text, "%d,", j);
     wcut_text_number(text, r->time);
     wcut_text_print(text, ",%s", wcut_phase_text(r->phase));

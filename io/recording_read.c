@@ -4,6 +4,7 @@
 #include <string.h>
 #include <wirecut/recording.h>
 
+#include "angle.h"
 #include "csv.h"
 #include "fail.h"
 
@@ -66,10 +67,9 @@ wcut_status wcut_recording_read(const char *path, wcut_recording **recording, wc
         return status;
     }
     sort_out(table, r);
-    const double degree = acos(-1) / 180;
     for (int k = 0; k < WCUT_CHANNEL_COUNT; k++) {
         bool angle = strcmp(channel_column[k].unit, "deg") == 0;
-        for (int i = 0; angle && i < r->samples; i++) r->channel[k].value[i] *= degree;
+        for (int i = 0; angle && i < r->samples; i++) r->channel[k].value[i] *= RAD_PER_DEG;
     }
     *recording = r;
     return WCUT_OK;

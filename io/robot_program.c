@@ -1,10 +1,10 @@
 /* Robot programs: URScript (Universal Robots), RAPID with MultiMove (ABB), KRL (KUKA); an honest subset of each. */
 #include "robot_program.h"
+#include "angle.h"
 
 #include <math.h>
 #include <stdio.h>
 
-#define DEG (180 / 3.14159265358979323846)
 #define STANDING 5e-4     /* [mm] a move shorter than it is printed */
 #define START_SPEED 50    /* [mm/s] to the first target */
 #define UR_ACCELERATION 1 /* [m/s^2] read by the controller only where t is not met */
@@ -75,9 +75,9 @@ static void rotation_vector(const double q[4], double v[3]) {
 static void euler_angles(const double q[4], double abc[3]) {
     const double w = q[0], x = q[1], y = q[2], z = q[3];
     const double sine = 2 * (w * y - z * x);
-    abc[0] = atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)) * DEG;
-    abc[1] = asin(sine < -1 ? -1 : sine > 1 ? 1 : sine) * DEG;
-    abc[2] = atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)) * DEG;
+    abc[0] = atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)) * DEG_PER_RAD;
+    abc[1] = asin(sine < -1 ? -1 : sine > 1 ? 1 : sine) * DEG_PER_RAD;
+    abc[2] = atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)) * DEG_PER_RAD;
 }
 
 /* ---- URScript: metres, rotation vectors, a duration for every move ---- */

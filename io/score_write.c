@@ -5,11 +5,10 @@
 #include <wirecut/score.h>
 #include <wirecut/version.h>
 
+#include "angle.h"
 #include "atomic.h"
 #include "fail.h"
 #include "text.h"
-
-#define DEG (180 / 3.14159265358979323846)
 
 static void put(wcut_text *text, const char *word) { wcut_text_put(text, word, strlen(word)); }
 
@@ -24,7 +23,9 @@ static void put_string(wcut_text *text, const char *before, const char *value) {
 }
 
 /* from the API's unit to the file's */
-static double unit_of(int scored) { return strcmp(wcut_scored_unit((wcut_scored)scored), "deg") == 0 ? DEG : 1; }
+static double unit_of(int scored) {
+    return strcmp(wcut_scored_unit((wcut_scored)scored), "deg") == 0 ? DEG_PER_RAD : 1;
+}
 
 /* ---- scores ---- */
 
@@ -237,7 +238,7 @@ static void put_row(wcut_text *text, const wcut_scored_cut *cut, int i) {
     wcut_text_print(text, ",%s,%d", placed ? wcut_phase_text(c->phase[i]) : "", c->counted[i]);
     for (int k = 0; k < WCUT_SIGNAL_COUNT; k++) {
         const wcut_column *x = &channel[WCUT_CHANNEL_SPEED_A + k];
-        const double unit = k < 4 ? 1 : DEG;
+        const double unit = k < 4 ? 1 : DEG_PER_RAD;
         const bool measured = !x->present || x->present[i];
         const bool planned = c->planned->present[i], replayed = c->replayed->present[i];
         put_value(text, measured, x->value[i] * unit);

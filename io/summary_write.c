@@ -5,11 +5,10 @@
 #include <wirecut/version.h>
 #include <wirecut/write.h>
 
+#include "angle.h"
 #include "fail.h"
 #include "history_check.h"
 #include "text.h"
-
-#define DEG (180 / 3.14159265358979323846)
 
 static void put_number(wcut_text *text, const char *before, double value) {
     wcut_text_print(text, "%s", before);
@@ -55,8 +54,8 @@ static void put_figures(wcut_text *text, const wcut_summary *s) {
     put_number(text, ", \"median\": ", s->speed_median);
     put_number(text, ", \"max\": ", s->speed.max);
     wcut_text_print(text, "}");
-    put_range(text, ",\n  \"alpha_deg\": ", s->alpha, DEG);
-    put_range(text, ",\n  \"beta_deg\": ", s->beta, DEG);
+    put_range(text, ",\n  \"alpha_deg\": ", s->alpha, DEG_PER_RAD);
+    put_range(text, ",\n  \"beta_deg\": ", s->beta, DEG_PER_RAD);
     put_range(text, ",\n  \"tension_N\": ", s->tension, 1);
     put_number(text, ",\n  \"force_N_per_mm\": {\"max\": ", s->force_line_max);
     put_number(text, "},\n  \"residual\": {\"max\": ", s->residual_max);

@@ -8,12 +8,11 @@
 #include <wirecut/version.h>
 #include <wirecut/write.h>
 
+#include "angle.h"
 #include "fail.h"
 #include "text.h"
 
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "the file says LittleEndian");
-
-#define DEG (180 / 3.14159265358979323846)
 
 /* where an array of the file gets its values */
 typedef enum section { POINT_DATA, CELL_REAL, CELL_INTEGER, POINTS, LINES } section;
@@ -161,9 +160,18 @@ static bool all_finite(const double *value, int count) {
 }
 
 static void list_reals(const wcut_station *t, double real[REALS]) {
-    const double value[REALS] = {t->time,          t->duration,     t->speed_a,        t->speed_b,
-                                 t->tension_a,     t->tension_b,    t->alpha_a * DEG,  t->beta_a * DEG,
-                                 t->alpha_b * DEG, t->beta_b * DEG, t->engaged_length, t->residual};
+    const double value[REALS] = {t->time,
+                                 t->duration,
+                                 t->speed_a,
+                                 t->speed_b,
+                                 t->tension_a,
+                                 t->tension_b,
+                                 t->alpha_a * DEG_PER_RAD,
+                                 t->beta_a * DEG_PER_RAD,
+                                 t->alpha_b * DEG_PER_RAD,
+                                 t->beta_b * DEG_PER_RAD,
+                                 t->engaged_length,
+                                 t->residual};
     memcpy(real, value, sizeof value);
 }
 

@@ -78,7 +78,7 @@ static bool find_contact(wcut_cut *cut, const wcut_target *target) {
     return load > 0;
 }
 
-static double sum_of(int n, const wcut_vec3 *load) {
+double wcut_load_sum(int n, const wcut_vec3 *load) {
     double sum = 0;
     for (int i = 1; i < n - 1; i++) sum += vec3_length(load[i]);
     return sum;
@@ -87,7 +87,7 @@ static double sum_of(int n, const wcut_vec3 *load) {
 /* hang the wire under a share of the contact and for the rest under its old pattern; whether it still touches */
 static bool touches_leaning(wcut_cut *cut, const wcut_target *target, double share) {
     const int n = cut->setup->job->nodes;
-    const double scale = (1 - share) * sum_of(n, cut->contact) / sum_of(n, cut->kept);
+    const double scale = (1 - share) * wcut_load_sum(n, cut->contact) / wcut_load_sum(n, cut->kept);
     for (int i = 0; i < n; i++)
         cut->next.pattern[i] = vec3_add_scaled(vec3_scale(share, cut->contact[i]), scale, cut->kept[i]);
     return wcut_cut_hang(cut, target, cut->next.pattern) && wcut_cut_touches(cut, cut->hung);

@@ -15,6 +15,9 @@ typedef enum wcut_carriage {
    is straight, without tension. False where there is no such shape. */
 bool wcut_cut_hang(wcut_cut *cut, const wcut_target *target, const wcut_vec3 *load);
 
+/* sum of the loads' sizes over the free nodes [N] */
+double wcut_load_sum(int n, const wcut_vec3 *load);
+
 /* whether any part of a wire is in the block; in design mode all of it is */
 bool wcut_cut_touches(const wcut_cut *cut, const wcut_vec3 *x);
 

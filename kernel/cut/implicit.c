@@ -28,17 +28,15 @@ static void accept(wcut_cut *cut, const wcut_target *target, double rate, double
     wcut_wire *w = &cut->next;
     memcpy(w->x, cut->hung, sizeof *w->x * (size_t)n);
     memcpy(w->s, cut->hung_s, sizeof *w->s * (size_t)(n - 1));
-    double load = 0;
     for (int i = 0; i < n; i++) {
         const wcut_resistance *f = &cut->solver.system.node[i];
         w->force[i] = f->force;
         w->line[i] = f->line;
         w->speed[i] = f->speed;
         w->engaged[i] = f->engaged;
-        if (i > 0 && i < n - 1) load += vec3_length(f->force);
     }
     const bool pulls = !cut->weighted || pull > LOOSE * cut->setup->job->tension;
-    if (load > 0 && pulls) memcpy(w->pattern, w->force, sizeof *w->pattern * (size_t)n);
+    if (pulls && wcut_load_sum(n, w->force) > 0) memcpy(w->pattern, w->force, sizeof *w->pattern * (size_t)n);
     w->length = target->length;
     w->loaded = true;
     w->asked = pull;
@@ -204,8 +202,7 @@ static const wcut_vec3 *find_hanging(wcut_cut *cut, double *weight) {
     const int n = cut->setup->job->nodes;
     const wcut_wire *w = &cut->next;
     const double k = cut->setup->job->tension;
-    double load = 0;
-    for (int i = 1; i < n - 1; i++) load += vec3_length(w->pattern[i]);
+    const double load = wcut_load_sum(n, w->pattern);
     const double fade = w->loaded ? clamp(1 - w->asked / (LOOSE * k), 0, 1) : 1;
     *weight = cut->weighted && load > 0 ? fade * WEIGHT * k / load : 0;
     if (!(*weight > 0)) return NULL;

@@ -6,11 +6,7 @@
 #include "base/fail.h"
 #include "base/numbers.h"
 #include "cut/setup.h"
-
-/* outward tangent at an end, of second order (the wire's nodes are equally spaced) */
-static wcut_vec3 outward(wcut_vec3 end, wcut_vec3 next, wcut_vec3 second) {
-    return vec3_unit(vec3_add_scaled(vec3_add_scaled(vec3_scale(3, end), -4, next), 1, second));
-}
+#include "wire/chain.h"
 
 /* The shortest way along t from a point on the block until it is `clearance` away. The distance from a convex block is
    convex along a line, so that beyond the shortest way it only grows. False where the line runs into the block. */
@@ -42,8 +38,9 @@ typedef struct extension {
 static wcut_status extend(const wcut_setup *setup, const wcut_history *h, int j, extension *e, wcut_error *error) {
     const int n = h->nodes;
     const wcut_vec3 *x = h->position + (size_t)j * (size_t)n;
-    e->out_a = outward(x[0], x[1], x[2]);
-    e->out_b = outward(x[n - 1], x[n - 2], x[n - 3]);
+    double unused;
+    e->out_a = wcut_chain_outward(x[0], x[1], x[2], &unused);
+    e->out_b = wcut_chain_outward(x[n - 1], x[n - 2], x[n - 3], &unused);
     const wcut_block *block = &setup->foam.block;
     const double clearance = setup->job->clearance;
     const char *end = "A";

@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/numbers.h"
+#include "wire/chain.h"
 
 enum { BAND = 6 };
 
@@ -87,17 +88,15 @@ static void put_equilibrium(wcut_system *y, const wcut_step *step, const wcut_ve
     }
 }
 
-/* An end of the wire: its outward tangent, from the one-sided difference of second order 3 X_0 - 4 X_1 + X_2 (the first
-   edge alone is half an edge off, an error of first order where the end is in the foam). */
-typedef struct wire_end {
+typedef struct wire_end { /* see wcut_chain_outward */
     wcut_vec3 outward;
-    double scale; /* [1/mm] of a unit tangent per length of that difference */
+    double scale; /* [1/mm] */
 } wire_end;
 
 static wire_end end_of(wcut_vec3 end, wcut_vec3 next, wcut_vec3 second) {
-    const wcut_vec3 difference = vec3_add_scaled(vec3_add_scaled(vec3_scale(3, end), -4, next), 1, second);
-    const double scale = 1 / vec3_length(difference);
-    return (wire_end){vec3_scale(scale, difference), scale};
+    wire_end e;
+    e.outward = wcut_chain_outward(end, next, second, &e.scale);
+    return e;
 }
 
 /* d (direction . outward) by the position that enters the difference with `weight` */

@@ -1,17 +1,12 @@
-/* A chain of nodes: tangents, lengths, the angles at its mounts. */
+/* A chain of nodes: its end tangents, the angles at its mounts. */
 #include "wire/chain.h"
 
 #include "base/vec3.h"
 
-wcut_vec3 wcut_chain_tangent(int n, const wcut_vec3 *x, int i) {
-    const int before = i > 0 ? i - 1 : 0, after = i < n - 1 ? i + 1 : n - 1;
-    return vec3_unit(vec3_sub(x[after], x[before]));
-}
-
-double wcut_chain_length(int n, const wcut_vec3 *x) {
-    double length = 0;
-    for (int e = 0; e < n - 1; e++) length += vec3_distance(x[e], x[e + 1]);
-    return length;
+wcut_vec3 wcut_chain_outward(wcut_vec3 end, wcut_vec3 next, wcut_vec3 second, double *scale) {
+    const wcut_vec3 difference = vec3_add_scaled(vec3_add_scaled(vec3_scale(3, end), -4, next), 1, second);
+    *scale = 1 / vec3_length(difference);
+    return vec3_scale(*scale, difference);
 }
 
 /* the wire leaves the mount along d; at rest along side * x */
