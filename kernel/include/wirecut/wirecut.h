@@ -21,7 +21,9 @@
 #include <wirecut/loss.h>
 #include <wirecut/mesh.h>
 #include <wirecut/projection.h>
+#include <wirecut/reconstruction.h>
 #include <wirecut/recording.h>
+#include <wirecut/registration.h>
 #include <wirecut/replay.h>
 #include <wirecut/report.h>
 #include <wirecut/rig.h>

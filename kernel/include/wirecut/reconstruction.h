@@ -1,0 +1,105 @@
+/* wirecut/reconstruction.h - the scanned face as a mesh, only where it was scanned. */
+#ifndef WCUT_RECONSTRUCTION_H
+#define WCUT_RECONSTRUCTION_H
+
+#include <stdint.h>
+#include <wirecut/export.h>
+#include <wirecut/mesh.h>
+#include <wirecut/projection.h>
+#include <wirecut/status.h>
+#include <wirecut/surface.h>
+#include <wirecut/vec3.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** How a face is made from points. */
+typedef enum wcut_reconstruction_method {
+    WCUT_RECONSTRUCTION_FIELD,  /**< a smooth field of deviation over the simulated face, as far as its border */
+    WCUT_RECONSTRUCTION_POISSON /**< Poisson reconstruction in space (Kazhdan 2006) of the scan closed below and at its
+                                     rim, trimmed to the scan; 50 times slower */
+} wcut_reconstruction_method;
+
+/** How a reconstruction is made. */
+typedef struct wcut_reconstruction_options {
+    wcut_reconstruction_method method; /**< default WCUT_RECONSTRUCTION_FIELD */
+    double support; /**< [mm] no vertex is further from the nearest point of the scan; positive, default 1.5 */
+    /** [mm] largest distance of neighbouring vertices along u and v; default 0: twice that of the points, at most
+        `support`. Poisson: default 0: three times that of the points */
+    double spacing;
+    /** [mm] deviations of a shorter wavelength than about 2 pi times this are noise; default 0: twice the distance
+        of the points */
+    double smoothing;
+    /** [mm] W, L, H: what of the face lies outside 0 .. W, 0 .. L, 0 .. H is no unmeasured area; default 0: all of
+        the face is to be measured */
+    wcut_vec3 block;
+    double hole_least; /**< [mm^2] smaller gaps are counted in unmeasured_area, not listed as holes; default 10 */
+    uint64_t seed;     /**< of Poisson's mesh refinement; default 1: same input and seed, same bytes */
+} wcut_reconstruction_options;
+
+/** A connected part of the face where the scan has no points. */
+typedef struct wcut_hole {
+    double area;      /**< [mm^2] of the simulated face */
+    wcut_vec3 centre; /**< [mm] of its area */
+    int open;         /**< 1: it reaches the border of the face or of the block; 0: the scan is all around it */
+} wcut_hole;
+
+/** A scanned face. */
+typedef struct wcut_reconstruction {
+    wcut_mesh *mesh; /**< the face as scanned: normals, uv of the closest point of the simulated face, scalar: signed
+                                 deviation [mm] from it, positive on the side of S_u x S_v. Gaps in the scan are gaps here */
+    wcut_mesh *unmeasured; /**< the simulated face where the scan has no points: normals, uv; 0 triangles where it has
+                                 everywhere */
+    wcut_hole *hole;       /**< hole_count, the largest first */
+    int hole_count;
+    double point_spacing;      /**< [mm] of the scan: root of the area per point */
+    double spacing, smoothing; /**< [mm] used */
+    int used;                  /**< points */
+    int beyond;                /**< points left out since they lie beyond the face's border; Poisson uses them */
+    double area;               /**< [mm^2] of `mesh` */
+    double supported_area;  /**< [mm^2] of the simulated face within `support` of the scan: what could be in `mesh` */
+    double lost;            /**< [1] share of supported_area that is not in `mesh` */
+    double unmeasured_area; /**< [mm^2] of the simulated face, inside the block, that is in `unmeasured` */
+    double farthest;        /**< [mm] of a vertex of `mesh` from its nearest point of the scan; at most the support */
+    double rms;             /**< [mm] of the points about the field: noise and what is smoothed away; Poisson: 0 */
+    int iterations;         /**< of the field's solver; Poisson: 0 */
+} wcut_reconstruction;
+
+WCUT_API wcut_reconstruction_options wcut_reconstruction_options_default(void);
+
+/**
+ * The scanned face from points and their feet on the simulated one. Field: the deviation h(u, v), bilinear on a grid,
+ * that is nearest to the points' heights and bends least,
+ *
+ *     min  sum (h(u_i, v_i) - h_i)^2  +  rho s^4 int h_xx^2 + 2 h_xy^2 + h_yy^2 dA,
+ *
+ * rho points per area, s the smoothing; the vertex is S + h n. It is a function over the face: right where the scan has
+ * one height over it, smaller than its radius of curvature. Vertices without a point within the support are left out,
+ * so that no hole is bridged.
+ *
+ * @param[in]  surface        the simulated face
+ * @param[in]  count          points, 10 or more
+ * @param[in]  point          count [mm], finite, up to 1e12
+ * @param[in]  foot           count, of wcut_projection_locate on that surface
+ * @param[in]  options        NULL for the defaults
+ * @param[in]  threads        1 or more; the result does not depend on it. Poisson is serial
+ * @param[out] reconstruction the caller's, to wcut_reconstruction_destroy
+ * @param[out] error          may be NULL
+ * @return WCUT_OK; WCUT_DEGENERATE (fewer than ten points over the face, all in one place or on one line; no triangle
+ *         has support: points further apart than it), WCUT_NOT_CONVERGED (Poisson's or the field's solver),
+ *         WCUT_BAD_ARGUMENT (also a spacing that asks for more than 20 million vertices), WCUT_NO_MEMORY,
+ *         WCUT_INTERNAL (an exception in Poisson): nothing was written.
+ */
+WCUT_API wcut_status wcut_reconstruction_create(const wcut_surface *surface, int count, const wcut_vec3 *point,
+                                                const wcut_foot *foot, const wcut_reconstruction_options *options,
+                                                int threads, wcut_reconstruction **reconstruction, wcut_error *error);
+
+/** Free a reconstruction; NULL is allowed. */
+WCUT_API void wcut_reconstruction_destroy(wcut_reconstruction *reconstruction);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
