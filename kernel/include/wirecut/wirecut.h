@@ -2,6 +2,7 @@
 #ifndef WCUT_WIRECUT_H
 #define WCUT_WIRECUT_H
 
+#include <wirecut/brep.h>
 #include <wirecut/calibration.h>
 #include <wirecut/case.h>
 #include <wirecut/cloud.h>
@@ -20,6 +21,7 @@
 #include <wirecut/job.h>
 #include <wirecut/loss.h>
 #include <wirecut/mesh.h>
+#include <wirecut/mould.h>
 #include <wirecut/projection.h>
 #include <wirecut/reconstruction.h>
 #include <wirecut/recording.h>

@@ -1,0 +1,72 @@
+/* wirecut/brep.h - a solid by its faces: plane or spline faces, their border curves, shared edges and vertices. */
+#ifndef WCUT_BREP_H
+#define WCUT_BREP_H
+
+#include <wirecut/curve.h>
+#include <wirecut/surface.h>
+#include <wirecut/vec3.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Where two faces meet: from one vertex to another, each edge used by exactly two loops, once in either direction. */
+typedef struct wcut_brep_edge {
+    int from, to;      /**< vertices, different ones */
+    wcut_curve *curve; /**< clamped, from its first point at `from` to its last at `to`; NULL for a straight line */
+} wcut_brep_edge;
+
+/** An edge as a loop uses it. */
+typedef struct wcut_brep_coedge {
+    int edge;
+    int reversed; /**< 1: run through from `to` to `from` */
+} wcut_brep_coedge;
+
+/** What part of the solid's skin a face is. */
+typedef enum wcut_brep_part {
+    WCUT_PART_CUT,       /**< the cut face: spline */
+    WCUT_PART_SIDE_X0,   /**< x = 0: plane, as all up to OPPOSITE */
+    WCUT_PART_SIDE_XW,   /**< x = W */
+    WCUT_PART_SIDE_Y0,   /**< y = 0 */
+    WCUT_PART_SIDE_YL,   /**< y = L */
+    WCUT_PART_OPPOSITE,  /**< z = 0 of the lower half, z = H of the upper: with a hole for every registration key */
+    WCUT_PART_KEY_FLANK, /**< half a cone: spline, rational */
+    WCUT_PART_KEY_TIP    /**< the flat end of a key: plane */
+} wcut_brep_part;
+
+/** A piece of the skin. */
+typedef struct wcut_brep_face {
+    wcut_brep_part part;
+    wcut_surface
+        *surface;     /**< the border of its domain is the face's one loop, nothing is cut from it; NULL: a plane */
+    int same_sense;   /**< spline: 1 where S_u x S_v points out of the solid, 0 where it points in; plane: 1 */
+    wcut_vec3 origin; /**< plane: a point of it [mm] */
+    wcut_vec3 normal; /**< plane: unit, out of the solid */
+    int first_loop, loop_count; /**< in `loop`, the outer one first, the others its holes */
+} wcut_brep_face;
+
+/** A closed run of coedges: the face lies to its left, seen from outside the solid. */
+typedef struct wcut_brep_loop {
+    int first_coedge,
+        coedge_count; /**< in `coedge`: each ends where the next begins, the last where the first begins */
+} wcut_brep_loop;
+
+/**
+ * One closed shell, exact: the vertices lie on the curves' ends, the curves on both faces that they part, to rounding.
+ * The four loop edges of the face WCUT_PART_CUT are its border curves, in this order for the upper side of the surface
+ * (same_sense 1): v = first, u = last, v = last reversed, u = first reversed.
+ */
+typedef struct wcut_brep {
+    int vertex_count, edge_count, coedge_count, loop_count, face_count;
+    wcut_vec3 *vertex; /**< vertex_count [mm] */
+    wcut_brep_edge *edge;
+    wcut_brep_coedge *coedge;
+    wcut_brep_loop *loop;
+    wcut_brep_face *face;
+} wcut_brep;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
