@@ -1,0 +1,233 @@
+/* wirecut/diagnosis.h - what explains the difference between recordings, scans and simulation of a case. */
+#ifndef WCUT_DIAGNOSIS_H
+#define WCUT_DIAGNOSIS_H
+
+#include <stdbool.h>
+#include <wirecut/calibration.h>
+#include <wirecut/cloud.h>
+#include <wirecut/effects.h>
+#include <wirecut/export.h>
+#include <wirecut/history.h>
+#include <wirecut/job.h>
+#include <wirecut/recording.h>
+#include <wirecut/status.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Kind of verdict, its name in files. */
+#define WCUT_VERDICT_LIST(X)    \
+    X(NONE, "none")             \
+    X(PHYSICS, "physics")       \
+    X(INSTRUMENT, "instrument") \
+    X(BOTH, "both")             \
+    X(AMBIGUOUS, "ambiguous")   \
+    X(UNKNOWN, "unknown")
+
+#define WCUT_VERDICT_ENTRY(name, text) WCUT_VERDICT_##name,
+/** What was decided. */
+typedef enum wcut_verdict_kind { WCUT_VERDICT_LIST(WCUT_VERDICT_ENTRY) WCUT_VERDICT_COUNT } wcut_verdict_kind;
+#undef WCUT_VERDICT_ENTRY
+
+/** What of a cut is measured: both mounts together, and the scan. */
+typedef enum wcut_evidence_channel {
+    WCUT_EVIDENCE_SPEED,   /**< [mm/s] of the planned run; never fitted */
+    WCUT_EVIDENCE_TENSION, /**< [N] */
+    WCUT_EVIDENCE_ALPHA,   /**< [deg] */
+    WCUT_EVIDENCE_BETA,    /**< [deg] */
+    WCUT_EVIDENCE_SCAN,    /**< [mm] signed distance along the face's normal */
+    WCUT_EVIDENCE_COUNT
+} wcut_evidence_channel;
+
+/** A cut as it comes in; everything is borrowed. What is missing is NULL, and the diagnosis says what it cost. */
+typedef struct wcut_diagnosis_cut {
+    const wcut_job *job;             /**< path mode; NULL: the cut is left out */
+    const wcut_recording *recording; /**< NULL: the cut is left out */
+    const wcut_cloud *scan;          /**< NULL: not scanned */
+} wcut_diagnosis_cut;
+
+/** How a case is diagnosed. */
+typedef struct wcut_diagnosis_options {
+    int threads;                     /**< 1 or more; the result is the same for any number; default 1 */
+    bool without[WCUT_EFFECT_COUNT]; /**< effects that are taken out of the library; default none */
+    bool proof;                      /**< run the forward proof and the black box; default true */
+    unsigned long long seed;         /**< of the simulated nulls; default 1 */
+} wcut_diagnosis_options;
+
+/** A parameter with its interval. */
+typedef struct wcut_estimate {
+    double value, low, high; /**< 95 %; low = -inf, high = inf where the data leave it open */
+} wcut_estimate;
+
+enum { WCUT_DIAGNOSIS_EFFECTS = 4, WCUT_DIAGNOSIS_TEXT = 400 };
+
+/** An effect that was found, or that stays possible. */
+typedef struct wcut_found_effect {
+    wcut_effect effect;                          /**< as a job would name it */
+    wcut_estimate parameter[WCUT_EFFECT_VALUES]; /**< of effect.value, in the unit of its key */
+    bool estimated[WCUT_EFFECT_VALUES];          /**< false: kept at its initial value */
+    bool present;                                /**< named by the verdict; false: an alternative */
+    double confidence;                           /**< 0 .. 1 that it is present */
+} wcut_found_effect;
+
+/** One hypothesis of the ranking: none, one effect, or two. */
+typedef struct wcut_hypothesis {
+    int count;             /**< effects: 0 (recalibration alone), 1 or 2 */
+    wcut_effect effect[2]; /**< with their best values */
+    int parameters;        /**< fitted beyond recalibration */
+    double gain;           /**< fall of the misfit (chi-square units) against recalibration alone */
+    double held_out;       /**< the same on cuts that were not fitted, each predicted from the others */
+    double adequacy;       /**< [1] what is left over what noise leaves: 1 is adequate */
+    double probability;    /**< 0 .. 1, over all hypotheses of the ranking */
+    const char *why;       /**< why it was set aside, a constant text; "" of the one that was chosen */
+} wcut_hypothesis;
+
+/** A place where simulation and measurement differ by more than noise. */
+typedef struct wcut_mismatch {
+    int cut;
+    wcut_evidence_channel channel;
+    char column[24]; /**< "alpha_a_deg", or "scan" */
+    double time[2];  /**< [s] of the recording */
+    double station[2];
+    double wire[2];     /**< [mm] along the wire in the foam; NaN: not told */
+    wcut_vec3 block[2]; /**< [mm] corners of the box where the wire, or the scanned face, was */
+    double mean;        /**< measured less predicted, in the channel's unit */
+    double share;       /**< 0 .. 1 of the whole misfit beyond noise */
+    double p_value;     /**< corrected for the search */
+    char regime[16];    /**< "entry", "steady", "exit", "" where it spans several */
+} wcut_mismatch;
+
+/** How far a model is from the measurements of a channel. */
+typedef struct wcut_fit {
+    int count;                           /**< 0: nothing to compare */
+    double rmsd, nrmsd, rmse_over_range; /**< as wcut_score */
+    double low, high;                    /**< 95 % of rmse_over_range over resampled blocks; NaN where not run */
+} wcut_fit;
+
+/** The models that are compared: as the job says, recalibrated, with the effects found, and a mere fit. */
+typedef enum wcut_fit_model {
+    WCUT_FIT_BEFORE,
+    WCUT_FIT_RECALIBRATED,
+    WCUT_FIT_AFTER,
+    WCUT_FIT_BLACK_BOX,
+    WCUT_FIT_MODELS
+} wcut_fit_model;
+
+/** What the residual depends on, where no known effect explains it. */
+typedef struct wcut_dependence {
+    char quantity[40];             /**< "ln speed", "sin(2 pi y / 70 mm)" */
+    wcut_evidence_channel channel; /**< that it changes most */
+    wcut_estimate coefficient;     /**< relative change of the foam's force per unit of the quantity */
+    double gain;                   /**< fall of the misfit on held-out cuts, chi-square units */
+} wcut_dependence;
+
+/** A residual over time and wire, before and after, as the report draws it. */
+typedef struct wcut_residual_trace {
+    int cut;
+    wcut_evidence_channel channel;
+    char column[24];
+    int count;
+    double *time, *station;                /**< count: middles of bins [s], [1] */
+    double *before, *recalibrated, *after; /**< count: measured less replayed, channel's unit; NaN: none */
+    double noise;                          /**< standard deviation of a bin's mean by noise alone */
+} wcut_residual_trace;
+
+/** A diagnosis: everything that was found, owned. */
+typedef struct wcut_diagnosis {
+    wcut_verdict_kind kind;
+    double confidence;                  /**< 0 .. 1 that the verdict's effects are exactly right */
+    char sentence[WCUT_DIAGNOSIS_TEXT]; /**< for an operator */
+    int effects;                        /**< found and alternative, those present first */
+    wcut_found_effect effect[WCUT_DIAGNOSIS_EFFECTS];
+    wcut_estimate a, b, length_change; /**< [N/mm], [m^2/J], [mm]: recalibrated, shared by all cuts */
+    wcut_estimate kerf;                /**< [mm] constant kerf that the scans show; NaN without scans */
+    double a_job, b_job;               /**< what the jobs say */
+    double adequacy, adequacy_p;       /**< of the chosen model; p-value against its simulated null */
+    int hypotheses;
+    wcut_hypothesis *hypothesis; /**< ranked, best first */
+    int mismatches;
+    wcut_mismatch *mismatch; /**< largest share first */
+    int dependences;
+    wcut_dependence *dependence;
+    int traces;
+    wcut_residual_trace *trace;
+    int cuts;
+    bool *held_out; /**< cuts: not used in the fit that the held-out figures are of */
+    wcut_fit fit[WCUT_FIT_MODELS][WCUT_EVIDENCE_COUNT];          /**< over all cuts, all fitted */
+    wcut_fit held_out_fit[WCUT_FIT_MODELS][WCUT_EVIDENCE_COUNT]; /**< over the held-out cuts */
+    wcut_job *improved;        /**< the first cut's job, recalibrated, effects switched on */
+    wcut_job *next_experiment; /**< a cut that would tell the alternatives apart; NULL: none needed */
+    char next_reason[WCUT_DIAGNOSIS_TEXT];
+    int limits;
+    char (*limit)[WCUT_DIAGNOSIS_TEXT]; /**< what could not be told, and why */
+    double noise[WCUT_EVIDENCE_COUNT];  /**< standard deviation of a sample, channel's unit; NaN: none */
+    bool naive_false;                   /**< whether plain least squares on the recorded speed names an effect */
+    char naive[80];                     /**< which */
+    bool interrupted;
+} wcut_diagnosis;
+
+WCUT_API wcut_diagnosis_options wcut_diagnosis_options_default(void);
+
+/** The name of a verdict in files, "physics"; "" outside the enum. */
+WCUT_API const char *wcut_verdict_name(wcut_verdict_kind kind);
+
+/** The name of a channel in files, "tension", and its unit, "N"; "" outside the enum. */
+WCUT_API const char *wcut_evidence_name(wcut_evidence_channel channel);
+WCUT_API const char *wcut_evidence_unit(wcut_evidence_channel channel);
+
+/**
+ * Diagnose a case: recalibrate, locate what is left, try every effect and every pair of them, decide, and show on cuts
+ * that were not fitted what the decision is worth. Method: NOTATION.md, Diagnosis.
+ *
+ * @param[in]  cuts        at least 1
+ * @param[in]  cut         cuts
+ * @param[in]  test_cuts   0 where there is no calibration table
+ * @param[in]  calibration test_cuts, steady
+ * @param[in]  options     NULL for the defaults
+ * @param[in]  progress    may be NULL; steps done of all; return non-zero to stop
+ * @param[in]  context     handed to progress
+ * @param[out] diagnosis   the caller's, to wcut_diagnosis_destroy
+ * @param[out] error       may be NULL; the cut and what is wrong with it
+ * @return WCUT_OK; WCUT_INTERRUPTED: what was found so far, marked; WCUT_BAD_ARGUMENT (no usable cut), WCUT_DEGENERATE
+ *         (a job that cannot be simulated), WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *cut, int test_cuts,
+                                           const wcut_test_cut *calibration, const wcut_diagnosis_options *options,
+                                           wcut_progress progress, void *context, wcut_diagnosis **diagnosis,
+                                           wcut_error *error);
+
+/** Free a diagnosis with everything in it; NULL is allowed. */
+WCUT_API void wcut_diagnosis_destroy(wcut_diagnosis *diagnosis);
+
+/**
+ * diagnosis.json: `{"format": "wirecut-diagnosis/1", ...}`, FORMATS.md.
+ *
+ * @param[in]  diagnosis
+ * @param[in]  name  of the case
+ * @param[in]  path  the target, replaced whole or not at all
+ * @param[out] error may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as it was.
+ */
+WCUT_API wcut_status wcut_diagnosis_write(const wcut_diagnosis *diagnosis, const char *name, const char *path,
+                                          wcut_error *error);
+
+/**
+ * A set of identification cuts for a job: copies of it with a dithered speed and stepped heater, the second on the
+ * block turned end for end where the path allows it, chosen so that lags, rates and heats can be told apart.
+ *
+ * @param[in]  job   path mode, can be simulated
+ * @param[in]  count cuts wanted, 1 .. 8
+ * @param[in]  seed  of the phases
+ * @param[out] out   count, the caller's, each to wcut_job_destroy
+ * @param[out] error may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_DEGENERATE, WCUT_NOT_CONVERGED, WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_identification_create(const wcut_job *job, int count, unsigned long long seed, wcut_job **out,
+                                                wcut_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
