@@ -1,0 +1,19 @@
+/* What verdicts and channels of a diagnosis are called in files. */
+#include <wirecut/diagnosis.h>
+
+const char *wcut_verdict_name(wcut_verdict_kind kind) {
+#define NAME(name, text) text,
+    static const char *const names[] = {WCUT_VERDICT_LIST(NAME)};
+#undef NAME
+    return (unsigned)kind < WCUT_VERDICT_COUNT ? names[kind] : "";
+}
+
+const char *wcut_evidence_name(wcut_evidence_channel channel) {
+    static const char *const names[WCUT_EVIDENCE_COUNT] = {"speed", "tension", "alpha", "beta", "scan"};
+    return (unsigned)channel < WCUT_EVIDENCE_COUNT ? names[channel] : "";
+}
+
+const char *wcut_evidence_unit(wcut_evidence_channel channel) {
+    static const char *const units[WCUT_EVIDENCE_COUNT] = {"mm/s", "N", "deg", "deg", "mm"};
+    return (unsigned)channel < WCUT_EVIDENCE_COUNT ? units[channel] : "";
+}
