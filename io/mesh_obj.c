@@ -1,0 +1,96 @@
+/* OBJ (Wavefront) as a mesh: v and f; what changes no triangle is passed over, free-form geometry refused. */
+#include <limits.h>
+#include <string.h>
+
+#include "cloud_row.h"
+#include "mesh_formats.h"
+
+/* behind the word at p, or NULL */
+static const char *match(const char *p, const char *word) {
+    const char *w = word;
+    while (*w && *p == *w) p++, w++;
+    return *w == '\0' && (wcut_is_blank(*p) || wcut_is_line_end(p)) ? wcut_skip_blanks(p) : NULL;
+}
+
+/* x y z, then nothing, a weight of 1, or a colour of three numbers */
+static bool read_vertex(wcut_cloud_source *s, const char *line, const char *p, wcut_growth *g, wcut_numbered *n) {
+    double value[6] = {0};
+    int count = 0;
+    for (; !wcut_is_line_end(p) && count < 6; count++) {
+        const char *behind = wcut_row_number(p, ' ', false, &value[count]);
+        if (!behind) return wcut_cloud_refuse_text(s, line, p, "a number");
+        p = wcut_skip_blanks(behind);
+    }
+    if (!wcut_is_line_end(p) || count < 3 || count == 5)
+        return wcut_cloud_refuse_text(s, line, p, "3 coordinates, with a weight or a colour at most");
+    if (count == 4 && value[3] != 1) return wcut_cloud_refuse_text(s, line, line, "a vertex of weight 1");
+    return wcut_numbered_add(g, n, value);
+}
+
+/* an index that is not 0; NULL: none */
+static const char *read_index(const char *p, int64_t *index) {
+    const char *at = p + (*p == '-');
+    int64_t i = 0;
+    const char *first = at;
+    for (; *at >= '0' && *at <= '9'; at++) {
+        if (i > INT_MAX) return NULL;
+        i = 10 * i + (*at - '0');
+    }
+    *index = *p == '-' ? -i : i;
+    return at > first && i != 0 ? at : NULL;
+}
+
+/* "7", "7/1", "7//2", "7/1/2", the first counted from 1, or back from the last vertex where it is negative */
+static const char *read_corner(const char *p, int count, int *vertex) {
+    int64_t index, other;
+    p = read_index(p, &index);
+    for (int part = 0; p && *p == '/' && part < 2; part++) {
+        p++;
+        if (!(part == 0 && *p == '/')) p = read_index(p, &other);
+    }
+    if (!p || !(wcut_is_blank(*p) || wcut_is_line_end(p))) return NULL;
+    index = index < 0 ? count + index : index - 1;
+    if (index < 0 || index >= count) return NULL;
+    *vertex = (int)index;
+    return p;
+}
+
+static bool read_face(wcut_cloud_source *s, const char *line, const char *p, wcut_growth *g, wcut_numbered *n) {
+    int vertex[WCUT_POLYGON_MOST], count = 0, i = 0;
+    for (; !wcut_is_line_end(p); count++) {
+        if (count == WCUT_POLYGON_MOST) return wcut_cloud_refuse_text(s, line, p, "at most 1024 corners");
+        const char *behind = read_corner(p, n->count, &i);
+        if (!behind) return wcut_cloud_refuse_text(s, line, p, "a corner at one of the vertices above");
+        vertex[count] = wcut_numbered_use(g, n, i);
+        if (vertex[count] < 0) return false;
+        p = wcut_skip_blanks(behind);
+    }
+    return wcut_growth_polygon(g, count, vertex);
+}
+
+static bool is_passed_over(const char *p) {
+    static const char *const word[] = {"vt", "vn", "o", "g", "s", "usemtl", "mtllib", "l", "p", "lod", "mg"};
+    if (*p == '#' || wcut_is_line_end(p)) return true;
+    for (size_t k = 0; k < sizeof word / sizeof *word; k++)
+        if (match(p, word[k])) return true;
+    return false;
+}
+
+static bool read_line(wcut_cloud_source *s, const char *line, wcut_growth *g, wcut_numbered *n) {
+    const char *p = wcut_skip_blanks(line), *rest;
+    if ((rest = match(p, "v")) != NULL) return read_vertex(s, line, rest, g, n);
+    if ((rest = match(p, "f")) != NULL) return read_face(s, line, rest, g, n);
+    return is_passed_over(p) || wcut_cloud_refuse_text(s, line, p, "a polygon mesh: v, vt, vn, f, o, g, s, usemtl");
+}
+
+bool wcut_mesh_fill_obj(wcut_cloud_source *s, wcut_growth *g) {
+    wcut_numbered n = {0};
+    size_t length;
+    bool done = true;
+    s->line = 1;
+    for (const char *line; done && (line = wcut_row_peek(s, &length)) != NULL; wcut_row_done(s, length))
+        done = !memchr(line, 0, length) ? read_line(s, line, g, &n)
+                                        : wcut_cloud_refuse_text(s, line, memchr(line, 0, length), "text");
+    wcut_numbered_free(&n);
+    return done && s->failure.status == WCUT_OK;
+}
