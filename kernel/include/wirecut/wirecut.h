@@ -23,6 +23,7 @@
 #include <wirecut/mesh.h>
 #include <wirecut/mould.h>
 #include <wirecut/projection.h>
+#include <wirecut/read.h>
 #include <wirecut/reconstruction.h>
 #include <wirecut/recording.h>
 #include <wirecut/registration.h>
