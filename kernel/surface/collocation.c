@@ -15,7 +15,9 @@ static double *at(const wcut_collocation *s, int i, int j) {
 }
 
 /* which derivative row i asks for */
-static int order_of(int i, int count, int slopes) { return slopes && (i == 1 || i == count - 2); }
+static int order_of(int i, int count, int slopes) {
+    return ((slopes & WCUT_SLOPE_FIRST) && i == 1) || ((slopes & WCUT_SLOPE_LAST) && i == count - 2);
+}
 
 static void measure_band(int degree, const double *knots, const double *parameter, wcut_collocation *s) {
     s->below = s->above = 0;
@@ -27,7 +29,7 @@ static void measure_band(int degree, const double *knots, const double *paramete
     }
 }
 
-static wcut_status eliminate(wcut_collocation *s) {
+wcut_status wcut_collocation_eliminate(wcut_collocation *s) {
     for (int k = 0; k < s->count; k++) {
         const double pivot = *at(s, k, k);
         if (!(fabs(pivot) > 0) || !isfinite(pivot)) return WCUT_SINGULAR;
@@ -54,7 +56,7 @@ wcut_status wcut_collocation_factor(int degree, int count, const double *knots, 
         wcut_basis_eval(degree, count, knots, parameter[i], order, &basis);
         for (int r = 0; r <= degree; r++) *at(&s, i, basis.span - degree + r) = basis.value[order][r];
     }
-    const wcut_status status = eliminate(&s);
+    const wcut_status status = wcut_collocation_eliminate(&s);
     if (status == WCUT_OK) {
         *system = s;
     } else {

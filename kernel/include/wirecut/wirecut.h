@@ -3,6 +3,7 @@
 #define WCUT_WIRECUT_H
 
 #include <wirecut/brep.h>
+#include <wirecut/bounds.h>
 #include <wirecut/calibration.h>
 #include <wirecut/case.h>
 #include <wirecut/cloud.h>
@@ -23,12 +24,13 @@
 #include <wirecut/mesh.h>
 #include <wirecut/mould.h>
 #include <wirecut/projection.h>
-#include <wirecut/read.h>
 #include <wirecut/reconstruction.h>
+#include <wirecut/read.h>
 #include <wirecut/recording.h>
 #include <wirecut/registration.h>
 #include <wirecut/replay.h>
 #include <wirecut/report.h>
+#include <wirecut/reshape.h>
 #include <wirecut/rig.h>
 #include <wirecut/robot.h>
 #include <wirecut/score.h>

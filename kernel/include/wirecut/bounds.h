@@ -1,0 +1,51 @@
+/* wirecut/bounds.h - the box about a curve or a surface, and how far they keep from a block. */
+#ifndef WCUT_BOUNDS_H
+#define WCUT_BOUNDS_H
+
+#include <wirecut/curve.h>
+#include <wirecut/export.h>
+#include <wirecut/status.h>
+#include <wirecut/surface.h>
+#include <wirecut/vec3.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A box with its sides along the axes. */
+typedef struct wcut_box {
+    wcut_vec3 low, high; /**< [mm] low <= high */
+} wcut_box;
+
+/**
+ * A box that holds a curve and is nowhere wider by more than a tolerance: hulls of control points, halved until tight.
+ *
+ * @param[in]  curve     a valid curve
+ * @param[in]  tolerance [mm] positive
+ * @param[out] box       each side beyond the curve by at most tolerance, or 1e-12 of its coordinates where that is more
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was written.
+ */
+WCUT_API wcut_status wcut_curve_bounds(const wcut_curve *curve, double tolerance, wcut_box *box);
+
+/** A box that holds a surface; as wcut_curve_bounds. */
+WCUT_API wcut_status wcut_surface_bounds(const wcut_surface *surface, double tolerance, wcut_box *box);
+
+/**
+ * How near a whole curve comes to a block, not its points at some parameters alone: no point is nearer than `distance`.
+ *
+ * @param[in]  curve     a valid curve
+ * @param[in]  block     filled; low <= high, finite
+ * @param[in]  tolerance [mm] positive: how much less than the true one the distance may be, or 1e-12 of the
+ *                       coordinates where that is more
+ * @param[out] distance  [mm] 0 where the curve touches or enters the block
+ * @param[out] u         a parameter at which it is at most distance + tolerance; may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was written.
+ */
+WCUT_API wcut_status wcut_curve_clearance(const wcut_curve *curve, const wcut_box *block, double tolerance,
+                                          double *distance, double *u);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
