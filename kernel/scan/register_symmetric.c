@@ -1,0 +1,98 @@
+/* Eigenvalues and eigenvectors of a small symmetric matrix: cyclic rotations (Jacobi 1846); its inverse by Cholesky. */
+#include "scan/register_symmetric.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <string.h>
+
+enum { SWEEPS = 60 }; /* quadratic convergence: ten are many */
+
+/* turn rows and columns p, q so that a[p][q] becomes 0 */
+static void rotate(int n, double *a, double *vector, int p, int q) {
+    const double tau = (a[q * n + q] - a[p * n + p]) / (2 * a[p * n + q]);
+    const double t = (tau < 0 ? -1 : 1) / (fabs(tau) + hypot(1, tau)), c = 1 / hypot(1, t), s = t * c;
+    for (int k = 0; k < n; k++) {
+        const double x = a[k * n + p], y = a[k * n + q];
+        a[k * n + p] = c * x - s * y, a[k * n + q] = s * x + c * y;
+    }
+    for (int k = 0; k < n; k++) {
+        const double x = a[p * n + k], y = a[q * n + k];
+        a[p * n + k] = c * x - s * y, a[q * n + k] = s * x + c * y;
+    }
+    for (int k = 0; k < n; k++) {
+        const double x = vector[k * n + p], y = vector[k * n + q];
+        vector[k * n + p] = c * x - s * y, vector[k * n + q] = s * x + c * y;
+    }
+    a[p * n + q] = a[q * n + p] = 0;
+}
+
+/* one pass over all pairs; false where nothing was left to turn */
+static bool sweep(int n, double *a, double *vector) {
+    bool turned = false;
+    for (int p = 0; p < n; p++)
+        for (int q = p + 1; q < n; q++)
+            if (fabs(a[p * n + q]) > 1e-17 * sqrt(fabs(a[p * n + p] * a[q * n + q])) && fabs(a[p * n + q]) > 1e-300) {
+                rotate(n, a, vector, p, q);
+                turned = true;
+            }
+    return turned;
+}
+
+static void order(int n, double *value, double *vector) {
+    for (int k = 0; k < n; k++) {
+        int most = k;
+        for (int j = k + 1; j < n; j++)
+            if (value[j] > value[most]) most = j;
+        const double keep = value[k];
+        value[k] = value[most], value[most] = keep;
+        for (int i = 0; i < n; i++) {
+            const double x = vector[i * n + k];
+            vector[i * n + k] = vector[i * n + most], vector[i * n + most] = x;
+        }
+    }
+}
+
+void wcut_symmetric_eigen(int n, double *a, double *value, double *vector) {
+    for (int i = 0; i < n * n; i++) vector[i] = i % (n + 1) == 0;
+    for (int k = 0; k < SWEEPS && sweep(n, a, vector); k++) continue;
+    for (int i = 0; i < n; i++) value[i] = a[i * n + i];
+    order(n, value, vector);
+}
+
+/* the lower factor in place of a; false where a pivot is not positive */
+static bool factor(int n, double *a) {
+    for (int j = 0; j < n; j++) {
+        for (int i = j; i < n; i++) {
+            double sum = a[i * n + j];
+            for (int k = 0; k < j; k++) sum -= a[i * n + k] * a[j * n + k];
+            if (i == j && !(sum > 0)) return false;
+            a[i * n + j] = i == j ? sqrt(sum) : sum / a[j * n + j];
+        }
+    }
+    return true;
+}
+
+static void substitute(int n, const double *l, double *b) {
+    for (int i = 0; i < n; i++) {
+        for (int k = 0; k < i; k++) b[i] -= l[i * n + k] * b[k];
+        b[i] /= l[i * n + i];
+    }
+    for (int i = n - 1; i >= 0; i--) {
+        for (int k = i + 1; k < n; k++) b[i] -= l[k * n + i] * b[k];
+        b[i] /= l[i * n + i];
+    }
+}
+
+int wcut_symmetric_solve(int n, const double *a, const double *b, double *x, double *inverse) {
+    double l[WCUT_SYMMETRIC_MOST * WCUT_SYMMETRIC_MOST], column[WCUT_SYMMETRIC_MOST];
+    memcpy(l, a, (size_t)(n * n) * sizeof *l);
+    if (!factor(n, l)) return 0;
+    memmove(x, b, (size_t)n * sizeof *x);
+    substitute(n, l, x);
+    for (int j = 0; inverse && j < n; j++) {
+        for (int i = 0; i < n; i++) column[i] = i == j;
+        substitute(n, l, column);
+        for (int i = 0; i < n; i++) inverse[i * n + j] = column[i];
+    }
+    return 1;
+}
