@@ -1,0 +1,125 @@
+/* wirecut identify: from a job the identification cuts that let a diagnosis tell lags, rates and heats apart. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <wirecut/diagnosis.h>
+#include <wirecut/wirecut.h>
+
+#include "command.h"
+#include "results.h"
+#include "terminal.h"
+
+enum { CUTS_MOST = 8, NAME_SIZE = 32 };
+
+typedef struct identification {
+    const app_call *call;
+    int count;
+    wcut_job *job, *cut[CUTS_MOST];
+    char name[CUTS_MOST][NAME_SIZE];
+    app_results results;
+} identification;
+
+static int load(identification *x) {
+    wcut_error error = {0};
+    const char *path = x->call->operand[0];
+    wcut_status status = wcut_job_read(path, &x->job, &error);
+    if (status != WCUT_OK) return app_fail_status(status, NULL, &error);
+    x->count = app_int(x->call, "cuts");
+    status = wcut_identification_create(x->job, x->count, (unsigned long long)app_int(x->call, "seed"), x->cut, &error);
+    return status == WCUT_OK ? APP_DONE : app_fail_status(status, path, &error);
+}
+
+static int write_results(identification *x) {
+    int code = APP_DONE;
+    for (int k = 0; k < CUTS_MOST && code == APP_DONE; k++) {
+        snprintf(x->name[k], sizeof x->name[k], "identification-%d.json", k + 1);
+        if (k >= x->count) {
+            code = app_results_remove(&x->results, x->name[k]); /* of an earlier run that made more */
+            continue;
+        }
+        wcut_error error = {0};
+        const wcut_status status = wcut_job_write(x->cut[k], app_results_path(&x->results, x->name[k]), &error);
+        code = app_results_add(&x->results, x->name[k], status, &error);
+    }
+    return code;
+}
+
+static double dither_of(const wcut_job *job) {
+    double sum = 0;
+    for (int i = 0; i < job->dither_count; i++) sum += job->dither[i].amplitude;
+    return sum;
+}
+
+static double step_of(const wcut_job *job) {
+    double most = 0;
+    for (int i = 0; i < job->heat_step_count; i++) {
+        const double size = job->heat_step[i].factor - 1;
+        if (size > most) most = size;
+        if (-size > most) most = -size;
+    }
+    return most;
+}
+
+static void say_summary(const identification *x) {
+    for (int k = 0; k < x->count; k++)
+        app_say("%s: %s: speed dithered by up to %.1f %%, %d heater steps of %.1f %%", x->name[k], x->cut[k]->name,
+                100 * dither_of(x->cut[k]), x->cut[k]->heat_step_count, 100 * step_of(x->cut[k]));
+    app_say("in %s: %s", x->results.folder, app_results_list(&x->results));
+}
+
+static void print_json(const identification *x) {
+    printf("{\"format\": \"wirecut-identification/1\", \"files\": [");
+    for (int k = 0; k < x->count; k++) printf("%s\"%s\"", k ? ", " : "", x->name[k]);
+    printf("]}\n");
+}
+
+static int identify(const app_call *call) {
+    identification x = {.call = call};
+    int code = load(&x);
+    if (code == APP_DONE) code = app_results_begin(&x.results, app_text(call, "output"));
+    if (code == APP_DONE) code = write_results(&x);
+    if (code == APP_DONE && !app_given(call, "quiet")) say_summary(&x);
+    if (code == APP_DONE && app_given(call, "json")) print_json(&x);
+    for (int k = 0; k < x.count; k++) wcut_job_destroy(x.cut[k]);
+    wcut_job_destroy(x.job);
+    return code;
+}
+
+static const app_operand operand[] = {
+    {.name = "JOB", .kind = APP_FILE, .help = "a job file with the mounts' path, wirecut-job/1"},
+    {.name = NULL},
+};
+
+static const app_option option[] = {
+    APP_OPTION_OUTPUT,
+    {.kind = APP_INT,
+     .name = "cuts",
+     .value = "N",
+     .low = 1,
+     .high = CUTS_MOST,
+     .standard = "2",
+     .help = "identification cuts to make"},
+    {.kind = APP_INT,
+     .name = "seed",
+     .value = "N",
+     .low = 0,
+     .high = 2147483647,
+     .standard = "1",
+     .help = "of periods, phases and steps"},
+    APP_OPTIONS_OF_ALL,
+};
+
+const app_verb app_verb_identify = {
+    .name = "identify",
+    .brief = "make identification cuts from a job: a dithered speed and heater steps",
+    .about =
+        "Ordinary cuts cannot tell a lag of the wire from one of a sensor, nor either from a rate dependence: speed, "
+        "heat, time and place go together in them. An identification cut is the same cut with three sines on the speed "
+        "(4 to 5.5 % each, 3 to 12 s) and steps of the heater (10 %, 6 to 14 s). The second one is run backwards where "
+        "the path allows it, so that what lies in the block is told from what comes with time.\n"
+        "Writes into DIR: identification-1.json and so on, jobs with \"excitation\". The programme is as strong as the "
+        "job's speed limits allow, and keeps the tension below twice its target without any feedback. Cut them, put "
+        "their recordings into the case, and run wirecut diagnose.",
+    .operand = operand,
+    .option = option,
+    .run = identify,
+};

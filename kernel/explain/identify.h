@@ -1,0 +1,27 @@
+/* Identification cuts: a programme that tells lags, rates and heats apart, and the same path run backwards. */
+#ifndef WCUT_EXPLAIN_IDENTIFY_H
+#define WCUT_EXPLAIN_IDENTIFY_H
+
+#include <wirecut/job.h>
+
+#include "base/random.h"
+#include "explain/rehearsal.h"
+
+/* what a programme holds, added up */
+enum { WCUT_PROGRAMME_SPEED = 1, WCUT_PROGRAMME_HEAT = 2 };
+
+/* Give a job an excitation in place of its own, within its limits: NOTATION.md, Identification cuts.
+   schedule: of the job without excitation; parts: sum of WCUT_PROGRAMME_...; random: draws as many numbers for any
+   parts as the duration asks for.
+   WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_DEGENERATE, WCUT_NOT_CONVERGED, WCUT_NO_MEMORY: as wcut_rehearsal_run, the job's
+   excitation is not to be used. */
+wcut_status wcut_programme_create(wcut_job *job, const wcut_schedule *schedule, int parts, wcut_random *random,
+                                  wcut_error *error);
+
+/* run a path from its last station to its first */
+void wcut_job_reverse(wcut_job *job);
+
+/* the job's name with more behind it; false: no memory, the name is as it was */
+bool wcut_job_name(wcut_job *job, const char *behind);
+
+#endif
