@@ -201,6 +201,14 @@ WCUT_API wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *c
 WCUT_API void wcut_diagnosis_destroy(wcut_diagnosis *diagnosis);
 
 /**
+ * diagnosis.json as text: as wcut_diagnosis_write.
+ *
+ * @param[out] text the caller's, to free(); ends with a line feed
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_diagnosis_print(const wcut_diagnosis *diagnosis, const char *name, char **text);
+
+/**
  * diagnosis.json: `{"format": "wirecut-diagnosis/1", ...}`, FORMATS.md.
  *
  * @param[in]  diagnosis
@@ -213,8 +221,8 @@ WCUT_API wcut_status wcut_diagnosis_write(const wcut_diagnosis *diagnosis, const
                                           wcut_error *error);
 
 /**
- * A set of identification cuts for a job: copies of it with a dithered speed and stepped heater, the second on the
- * block turned end for end where the path allows it, chosen so that lags, rates and heats can be told apart.
+ * A set of identification cuts for a job: copies of it with a dithered speed and stepped heater, the second run
+ * backwards along its path where that can be planned, so that lags, rates, heats and places can be told apart.
  *
  * @param[in]  job   path mode, can be simulated
  * @param[in]  count cuts wanted, 1 .. 8

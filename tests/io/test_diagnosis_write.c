@@ -1,0 +1,254 @@
+/* diagnosis.json: every key that FORMATS names, numbers as they are, nothing where there is nothing. */
+#include <check.h>
+#include <float.h>
+#include <jansson.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "fail.h"
+#include "io/diagnosis_given.h"
+
+static given_diagnosis given;
+
+static json_t *printed(void) {
+    char *text = NULL;
+    ck_assert_int_eq(wcut_diagnosis_print(&given.d, "c\"07\"", &text), WCUT_OK);
+    ck_assert_int_eq(text[strlen(text) - 1], '\n');
+    json_error_t error;
+    json_t *root = json_loads(text, JSON_REJECT_DUPLICATES, &error);
+    ck_assert_msg(root != NULL, "line %d: %s", error.line, error.text);
+    free(text);
+    return root;
+}
+
+/* a value by its path: keys, and numbers for places in lists */
+static const json_t *at(const json_t *value, const char *path) {
+    char part[80];
+    for (const char *p = path; *p; p += *p == '.') {
+        const size_t length = strcspn(p, ".");
+        ck_assert_uint_lt(length, sizeof part);
+        memcpy(part, p, length);
+        part[length] = 0;
+        value = json_is_array(value) ? json_array_get(value, (size_t)atoi(part)) : json_object_get(value, part);
+        p += length;
+    }
+    ck_assert_msg(value != NULL, "no %s", path);
+    return value;
+}
+
+static double number(const json_t *root, const char *path) {
+    ck_assert_msg(json_is_number(at(root, path)), "%s is no number", path);
+    return json_number_value(at(root, path));
+}
+
+static const char *string(const json_t *root, const char *path) {
+    ck_assert_msg(json_is_string(at(root, path)), "%s is no text", path);
+    return json_string_value(at(root, path));
+}
+
+START_TEST(every_key_of_the_format_is_there_with_its_value) {
+    give_diagnosis(&given);
+    json_t *root = printed();
+    ck_assert_str_eq(string(root, "format"), "wirecut-diagnosis/1");
+    ck_assert_str_eq(string(root, "case"), "c\"07\"");
+    ck_assert_str_eq(string(root, "verdict.kind"), "physics");
+    ck_assert_uint_eq(json_array_size(at(root, "verdict.effects")), 1);
+    ck_assert_str_eq(string(root, "verdict.effects.0"), "wire_thermal_lag");
+    ck_assert_double_eq(number(root, "verdict.confidence"), 0.93);
+    ck_assert_str_eq(string(root, "verdict.alternatives.0.name"), "scan_offset");
+    ck_assert_double_eq(number(root, "verdict.alternatives.0.confidence"), 0.05);
+    ck_assert_str_eq(string(root, "verdict.sentence"), given.d.sentence);
+    ck_assert(json_is_true(at(root, "effects.0.present")) && json_is_false(at(root, "effects.1.present")));
+    ck_assert_double_eq(number(root, "effects.0.parameters.time_constant_s.value"), 0.8);
+    ck_assert_double_eq(number(root, "effects.0.parameters.time_constant_s.ci95.0"), 0.7);
+    ck_assert_double_eq(number(root, "effects.0.parameters.time_constant_s.ci95.1"), 0.9);
+    ck_assert_int_eq((int)number(root, "mismatch.0.cut"), 1);
+    ck_assert_str_eq(string(root, "mismatch.0.channel"), "alpha_a_deg");
+    ck_assert_double_eq(number(root, "mismatch.0.time_s.1"), 19.5);
+    ck_assert_double_eq(number(root, "mismatch.0.station.0"), 30);
+    ck_assert(json_is_null(at(root, "mismatch.0.wire_mm")));
+    ck_assert_double_eq(number(root, "mismatch.0.block_mm.1.2"), 300);
+    ck_assert_double_eq(number(root, "mismatch.0.share_of_misfit"), 0.41);
+    ck_assert_double_eq(number(root, "mismatch.0.p_value"), 1e-6);
+    ck_assert_double_eq(number(root, "mismatch.1.wire_mm.1"), 90);
+    ck_assert(json_is_null(at(root, "mismatch.1.block_mm")));
+    ck_assert_double_eq(number(root, "fit.before.speed.rmsd"), 1);
+    ck_assert_double_eq(number(root, "fit.recalibrated.tension.nrmsd"), 0.06);
+    ck_assert_double_eq(number(root, "fit.after.beta.rmse_over_range"), 0.04);
+    ck_assert_int_eq((int)number(root, "fit.held_out_cuts.0"), 2);
+    ck_assert_double_eq(number(root, "fit.held_out.after.scan.rmsd"), 0.5);
+    ck_assert(json_is_null(at(root, "next_experiment")));
+    json_decref(root);
+}
+END_TEST
+
+START_TEST(what_was_weighed_is_there_too) {
+    give_diagnosis(&given);
+    json_t *root = printed();
+    ck_assert_double_eq(number(root, "recalibrated.a_N_per_mm.value"), 0.09);
+    ck_assert_double_eq(number(root, "recalibrated.a_N_per_mm.job"), 0.1);
+    ck_assert(json_is_null(at(root, "recalibrated.kerf_mm.value")));
+    ck_assert_str_eq(string(root, "ranking.1.set_aside"), "explains less");
+    ck_assert_uint_eq(json_array_size(at(root, "ranking.2.effects")), 0);
+    ck_assert_str_eq(string(root, "limits.1"), given.limit[1]);
+    ck_assert_str_eq(string(root, "dependences.0.quantity"), "ln speed");
+    ck_assert_double_eq(number(root, "adequacy.p_value"), 0.4);
+    ck_assert(json_is_null(at(root, "noise.scan")));
+    ck_assert_str_eq(string(root, "naive.which"), "clock_offset");
+    ck_assert_double_eq(number(root, "fit.black_box.tension.rmsd"), 0.4);
+    ck_assert_ptr_null(json_object_get(at(root, "fit.black_box"), "scan"));
+    json_decref(root);
+}
+END_TEST
+
+START_TEST(choices_are_words_points_are_lists_and_open_ends_are_the_parameters_own) {
+    give_diagnosis(&given);
+    given.d.effects = 4;
+    given.d.effect[2] = given_effect(WCUT_ANGLE_OFFSET, true, 0.5);
+    given.d.effect[2].effect.choice = 2;
+    given.d.effect[3] = given_effect(WCUT_MOUNT_COMPLIANCE, true, 0.5);
+    given.d.effect[3].effect.value[0] = 3;
+    given.d.effect[3].parameter[0] = (wcut_estimate){3, 2, INFINITY};
+    given.d.effect[3].estimated[0] = true;
+    json_t *root = printed();
+    ck_assert_str_eq(string(root, "effects.2.parameters.channel"), "alpha_b_deg");
+    ck_assert(json_is_null(at(root, "effects.2.parameters.offset_deg.ci95")));
+    ck_assert_double_eq(number(root, "effects.1.parameters.shift_mm.value.2"), 2);
+    ck_assert_double_eq(number(root, "effects.1.parameters.shift_mm.ci95.2.1"), 2.5);
+    ck_assert_double_eq(number(root, "effects.1.parameters.shift_mm.ci95.0.0"), -1000);
+    ck_assert_double_eq(number(root, "effects.3.parameters.stiffness_N_per_mm.ci95.1"), DBL_MAX);
+    ck_assert_str_eq(string(root, "effects.3.parameters.stiffness_N_per_mm.open"), "high");
+    json_decref(root);
+}
+END_TEST
+
+START_TEST(verdicts_that_name_nothing_hold_no_effects_and_all_their_alternatives) {
+    static const wcut_verdict_kind kind[] = {WCUT_VERDICT_NONE, WCUT_VERDICT_AMBIGUOUS, WCUT_VERDICT_UNKNOWN};
+    for (int k = 0; k < 3; k++) {
+        give_diagnosis(&given);
+        given.d.kind = kind[k];
+        json_t *root = printed();
+        ck_assert_uint_eq(json_array_size(at(root, "verdict.effects")), 0);
+        ck_assert_uint_eq(json_array_size(at(root, "verdict.alternatives")), 2);
+        json_decref(root);
+    }
+}
+END_TEST
+
+START_TEST(an_empty_diagnosis_and_one_cut_short_are_whole_files) {
+    memset(&given, 0, sizeof given);
+    given.d.interrupted = true;
+    json_t *root = printed();
+    ck_assert(json_is_true(at(root, "interrupted")));
+    ck_assert_str_eq(string(root, "verdict.kind"), "none");
+    ck_assert_uint_eq(json_object_size(at(root, "fit.after")), 0);
+    ck_assert_uint_eq(json_array_size(at(root, "fit.held_out_cuts")), 0);
+    json_decref(root);
+}
+END_TEST
+
+START_TEST(the_next_experiment_is_named_with_its_reason) {
+    give_diagnosis(&given);
+    wcut_job job = {.name = (char *)"wider"};
+    given.d.next_experiment = &job;
+    snprintf(given.d.next_reason, sizeof given.d.next_reason, "tells both apart");
+    json_t *root = printed();
+    ck_assert_str_eq(string(root, "next_experiment.job"), "next-experiment.json");
+    ck_assert_str_eq(string(root, "next_experiment.name"), "wider");
+    ck_assert_str_eq(string(root, "next_experiment.reason"), "tells both apart");
+    json_decref(root);
+}
+END_TEST
+
+START_TEST(what_is_no_diagnosis_is_refused_and_nothing_is_written) {
+    wcut_error error = {0};
+    char *text = (char *)"999";
+    give_diagnosis(&given);
+    ck_assert_int_eq(wcut_diagnosis_print(NULL, "c", &text), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_diagnosis_print(&given.d, NULL, &text), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_diagnosis_print(&given.d, "c", NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_diagnosis_write(&given.d, "c", NULL, &error), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_diagnosis_write(&given.d, "c", "no/such/folder/d.json", &error), WCUT_NOT_WRITTEN);
+    given.d.effect[1].effect.choice = 1;
+    ck_assert_int_eq(wcut_diagnosis_print(&given.d, "c", &text), WCUT_BAD_ARGUMENT);
+    give_diagnosis(&given);
+    given.d.kind = WCUT_VERDICT_COUNT;
+    ck_assert_int_eq(wcut_diagnosis_print(&given.d, "c", &text), WCUT_BAD_ARGUMENT);
+    give_diagnosis(&given);
+    given.d.mismatch = NULL;
+    ck_assert_int_eq(wcut_diagnosis_print(&given.d, "c", &text), WCUT_BAD_ARGUMENT);
+    give_diagnosis(&given);
+    given.hypothesis[1].count = 3;
+    ck_assert_int_eq(wcut_diagnosis_print(&given.d, "c", &text), WCUT_BAD_ARGUMENT);
+    ck_assert_str_eq(text, "999");
+}
+END_TEST
+
+START_TEST(wherever_memory_ends_nothing_is_written) {
+    give_diagnosis(&given);
+    char *text = NULL;
+    int failures = 0;
+    for (long k = 1; k < 100; k++) {
+        wcut_io_alloc_fail_at(k);
+        const wcut_status status = wcut_diagnosis_print(&given.d, "c", &text);
+        wcut_io_alloc_fail_at(0);
+        if (status == WCUT_OK) break;
+        ck_assert_int_eq(status, WCUT_NO_MEMORY);
+        ck_assert_ptr_null(text);
+        failures++;
+    }
+    ck_assert_int_ge(failures, 1);
+    free(text);
+}
+END_TEST
+
+START_TEST(a_file_holds_what_is_printed) {
+    char path[] = "diagnosis-XXXXXX", read[20000], *text = NULL;
+    give_diagnosis(&given);
+    const int file = mkstemp(path);
+    ck_assert_int_ge(file, 0);
+    close(file);
+    wcut_error error = {0};
+    ck_assert_msg(wcut_diagnosis_write(&given.d, "c", path, &error) == WCUT_OK, "%s", error.text);
+    ck_assert_int_eq(wcut_diagnosis_print(&given.d, "c", &text), WCUT_OK);
+    FILE *in = fopen(path, "r");
+    ck_assert_ptr_nonnull(in);
+    const size_t size = fread(read, 1, sizeof read - 1, in);
+    read[size] = 0;
+    fclose(in);
+    unlink(path);
+    ck_assert_str_eq(read, text);
+    free(text);
+}
+END_TEST
+
+START_TEST(verdicts_and_channels_have_names_and_what_is_none_has_none) {
+    ck_assert_str_eq(wcut_verdict_name(WCUT_VERDICT_AMBIGUOUS), "ambiguous");
+    ck_assert_str_eq(wcut_verdict_name(WCUT_VERDICT_COUNT), "");
+    ck_assert_str_eq(wcut_evidence_name(WCUT_EVIDENCE_BETA), "beta");
+    ck_assert_str_eq(wcut_evidence_unit(WCUT_EVIDENCE_SCAN), "mm");
+    ck_assert_str_eq(wcut_evidence_name(WCUT_EVIDENCE_COUNT), "");
+    ck_assert_str_eq(wcut_evidence_unit((wcut_evidence_channel)-1), "");
+}
+END_TEST
+
+int main(void) {
+    Suite *suite = suite_create("diagnosis.json");
+    TCase *tests = tcase_create("diagnosis");
+    tcase_add_test(tests, every_key_of_the_format_is_there_with_its_value);
+    tcase_add_test(tests, what_was_weighed_is_there_too);
+    tcase_add_test(tests, choices_are_words_points_are_lists_and_open_ends_are_the_parameters_own);
+    tcase_add_test(tests, verdicts_that_name_nothing_hold_no_effects_and_all_their_alternatives);
+    tcase_add_test(tests, an_empty_diagnosis_and_one_cut_short_are_whole_files);
+    tcase_add_test(tests, the_next_experiment_is_named_with_its_reason);
+    tcase_add_test(tests, what_is_no_diagnosis_is_refused_and_nothing_is_written);
+    tcase_add_test(tests, wherever_memory_ends_nothing_is_written);
+    tcase_add_test(tests, a_file_holds_what_is_printed);
+    tcase_add_test(tests, verdicts_and_channels_have_names_and_what_is_none_has_none);
+    suite_add_tcase(suite, tests);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_ENV);
+    const int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
