@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <wirecut/curvature.h>
 
+#include "surface/shapes.h"
+
 #define R 37.0
 static double bezier1[] = {0, 0, 1, 1}, bezier2[] = {0, 0, 0, 1, 1, 1};
 
@@ -72,6 +74,54 @@ START_TEST(a_plane_is_flat_and_bad_arguments_are_refused) {
 }
 END_TEST
 
+START_TEST(a_torus_has_its_principal_directions_and_its_gaussian_and_mean_curvature) {
+    const double a = 50, b = 20;
+    wcut_surface *s = shape_torus(a, b);
+    for (double u = 0.03; u < 1; u += 0.11)
+        for (double v = 0.02; v < 1; v += 0.13) {
+            wcut_tangent_frame f = {.gauss = 999};
+            ck_assert_int_eq(wcut_surface_frame(s, u, v, &f), WCUT_OK);
+            const double rho = hypot(f.point.x, f.point.y), c = (rho - a) / b; /* cos of the angle around the tube */
+            const wcut_vec3 out = vec3(c * f.point.x / rho, c * f.point.y / rho, f.point.z / b);
+            const double side = vec3_dot(out, f.normal);
+            ck_assert_double_eq_tol(fabs(side), 1, 1e-12);
+            ck_assert_double_eq_tol(f.gauss, c / (b * rho), 1e-12);
+            ck_assert_double_eq_tol(f.mean, -side * (1 / b + c / rho) / 2, 1e-12);
+            ck_assert_double_eq_tol(f.larger * f.smaller, f.gauss, 1e-14);
+            ck_assert_double_eq_tol(f.larger + f.smaller, 2 * f.mean, 1e-14);
+            ck_assert_double_eq_tol(fabs(f.larger), 1 / b, 1e-12); /* the tube bends more than the ring */
+            const wcut_vec3 ring = vec3(-f.point.y / rho, f.point.x / rho, 0);
+            ck_assert_double_le(fabs(vec3_dot(f.along, ring)), 1e-9);
+            ck_assert_double_eq_tol(fabs(vec3_dot(f.across, ring)), 1, 1e-12);
+            ck_assert_double_le(apart(vec3_cross(f.along, f.across), f.normal), 1e-12);
+            wcut_vec3 n = {999, 0, 0};
+            ck_assert_int_eq(wcut_surface_normal(s, u, v, &n), WCUT_OK);
+            ck_assert_double_le(apart(n, f.normal), 0);
+        }
+    wcut_surface_destroy(s);
+}
+END_TEST
+
+START_TEST(a_normal_where_there_is_none_is_refused) {
+    wcut_surface *s = shape_octant();
+    wcut_tangent_frame f = {.gauss = 999};
+    wcut_vec3 n = {999, 0, 0};
+    ck_assert_int_eq(wcut_surface_normal(s, 0.5, 1, &n), WCUT_DEGENERATE);
+    ck_assert_int_eq(wcut_surface_frame(s, 0.5, 1, &f), WCUT_DEGENERATE);
+    ck_assert_int_eq(wcut_surface_normal(NULL, 0.5, 0, &n), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_surface_normal(s, 0.5, 0, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_surface_frame(s, INFINITY, 0, &f), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_surface_frame(s, 0, 0, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert(n.x == 999 && f.gauss == 999);
+    ck_assert_int_eq(wcut_surface_frame(s, 0.3, 0.4, &f), WCUT_OK); /* umbilic everywhere: along S_u */
+    wcut_vec3 d[4];
+    ck_assert_int_eq(wcut_surface_eval(s, 0.3, 0.4, 1, d), WCUT_OK);
+    ck_assert_double_eq_tol(fabs(f.larger), 1, 1e-7);
+    ck_assert_double_eq_tol(vec3_length(f.along), 1, 1e-12);
+    wcut_surface_destroy(s);
+}
+END_TEST
+
 int main(void) {
     Suite *suite = suite_create("curvature");
     TCase *tcase = tcase_create("known");
@@ -79,6 +129,8 @@ int main(void) {
     tcase_add_test(tcase, a_sphere_bends_alike_in_every_direction_and_has_no_curvature_formula_at_its_pole);
     tcase_add_test(tcase, a_saddle_has_both_signs_and_the_larger_size_first);
     tcase_add_test(tcase, a_plane_is_flat_and_bad_arguments_are_refused);
+    tcase_add_test(tcase, a_torus_has_its_principal_directions_and_its_gaussian_and_mean_curvature);
+    tcase_add_test(tcase, a_normal_where_there_is_none_is_refused);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_ENV);
