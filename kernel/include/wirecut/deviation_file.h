@@ -1,0 +1,129 @@
+/* wirecut/deviation_file.h - a comparison of scan and face to files: deviation.json, zones.csv, coloured points, mesh. */
+#ifndef WCUT_DEVIATION_FILE_H
+#define WCUT_DEVIATION_FILE_H
+
+#include <wirecut/cloud.h>
+#include <wirecut/deviation.h>
+#include <wirecut/export.h>
+#include <wirecut/mesh.h>
+#include <wirecut/reconstruction.h>
+#include <wirecut/registration.h>
+#include <wirecut/status.h>
+#include <wirecut/survey.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A file of a scan. */
+typedef struct wcut_compared_scan {
+    const char *name;
+    const char *sha256; /**< hexadecimal; "" where it was not hashed */
+    int read;           /**< points */
+    int not_finite, withheld;
+} wcut_compared_scan;
+
+/** What is written of a comparison; everything is borrowed. */
+typedef struct wcut_compared {
+    const char *reference; /**< the job or the mesh */
+    const char *distance;  /**< how distances were taken: "surface", "mesh", "reconstruction" */
+    int scans;             /**< 1 or more */
+    const wcut_compared_scan *scan;
+    int removed[WCUT_REMOVAL_COUNT]; /**< by cause; removed[WCUT_KEPT] points were compared */
+    const wcut_registration *registration;
+    const wcut_survey_result *found;     /**< as registered */
+    const wcut_survey_result *unmoved;   /**< as the scan came; the same as `found` without a registration */
+    const wcut_statistics *face_to_scan; /**< [mm] distances of the face from the nearest point; not signed */
+    double resolution;                   /**< [mm] by so much they may be too long, since points were thinned for it */
+    double kerf;                         /**< [mm] that the face was lowered for half of, on average; 0 for a mesh */
+    int has_kerf;                        /**< 1 where the face is a job's: the offset says what the kerf really is */
+    double unmeasured;                   /**< [mm^2] of the face without points; negative: not known */
+    double support;                      /**< [mm] a point speaks for the face that far around it */
+    double tolerance, share;             /**< [mm], [1] the gate; tolerance 0: none */
+    int within;                          /**< 1: as much as the gate asks is within the tolerance */
+    const char *reconstruction_method;   /**< "field", "poisson" */
+    const wcut_reconstruction *reconstruction; /**< NULL where none was made */
+    const wcut_statistics *to_scan;            /**< [mm] face to reconstruction, signed; NULL without one */
+    const wcut_statistics *to_face;            /**< [mm] reconstruction to face, signed; NULL without one */
+    int files;
+    const char *const *file; /**< files written */
+} wcut_compared;
+
+/**
+ * The text of deviation.json, "wirecut-deviation/1" as FORMATS describes it, with more keys.
+ *
+ * @param[out] text the caller's, to free(); ends with a line feed
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_deviation_print(const wcut_compared *compared, char **text);
+
+/* The writers: the target is replaced whole or left as it was. @return WCUT_OK: the file is wholly on disk;
+   WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as it was; error may be NULL. */
+
+WCUT_API wcut_status wcut_deviation_write(const wcut_compared *compared, const char *path, wcut_error *error);
+
+/** zones.csv: a row a zone; an empty field where a zone has no points. */
+WCUT_API wcut_status wcut_zones_write(const wcut_survey_result *found, const char *path, wcut_error *error);
+
+/**
+ * A mesh with a deviation at every vertex, to binary PLY (doubles, the scalar `deviation_mm`, a colour) or to OBJ (a
+ * colour behind each vertex): blue below, orange above, grey and nan where `present` is 0.
+ *
+ * @param[in] mesh    at least one triangle
+ * @param[in] value   mesh->vertex_count [mm], finite
+ * @param[in] present mesh->vertex_count; NULL: everywhere
+ * @param[in] limit   [mm] value of the strongest colour, positive
+ */
+WCUT_API wcut_status wcut_deviation_mesh_write_ply(const wcut_mesh *mesh, const double *value,
+                                                   const unsigned char *present, double limit, const char *path,
+                                                   wcut_error *error);
+WCUT_API wcut_status wcut_deviation_mesh_write_obj(const wcut_mesh *mesh, const double *value,
+                                                   const unsigned char *present, double limit, const char *path,
+                                                   wcut_error *error);
+
+/** deviation.ply, written as points come, however many: position, deviation_mm, place, colour. */
+typedef struct wcut_deviation_stream wcut_deviation_stream;
+
+/** Begin it in a temporary file beside the target. limit: [mm] value of the strongest colour, positive. */
+WCUT_API wcut_status wcut_deviation_stream_create(const char *path, double limit, wcut_deviation_stream **stream,
+                                                  wcut_error *error);
+
+/** Append count points and their deviations; those that do not count are grey and nan. */
+WCUT_API wcut_status wcut_deviation_stream_append(wcut_deviation_stream *stream, int count, const wcut_vec3 *point,
+                                                  const wcut_deviation *deviation, wcut_error *error);
+
+/** Finish the file and put it in its place; the stream stays to be destroyed. */
+WCUT_API wcut_status wcut_deviation_stream_commit(wcut_deviation_stream *stream, wcut_error *error);
+
+/** Free a stream; what was not committed is removed. NULL is allowed. */
+WCUT_API void wcut_deviation_stream_destroy(wcut_deviation_stream *stream);
+
+/** Datums of a registration. */
+typedef struct wcut_datums {
+    int pairs, faces;
+    wcut_datum_pair *pair;
+    wcut_datum_face *face; /**< of one point each */
+    wcut_vec3 *point;      /**< faces: what face[k].scan points to */
+} wcut_datums;
+
+/**
+ * Read datums: a CSV with the columns scan_x_mm, scan_y_mm, scan_z_mm, block_x_mm, block_y_mm, block_z_mm and, if
+ * wanted, sigma_mm. A row with all three block coordinates is a pair of points; one with a single one says that the
+ * scan's point lies on the plane where that coordinate has this value, on a face that the wire did not cut.
+ *
+ * @param[in]  path   a file
+ * @param[out] datums the caller's, to wcut_datums_destroy
+ * @param[out] error  may be NULL; the line, what was found, what was expected
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, as wcut_table_read, WCUT_BAD_FORMAT also where a row is neither,
+ *         or there is none: nothing was written.
+ */
+WCUT_API wcut_status wcut_datums_read(const char *path, wcut_datums **datums, wcut_error *error);
+
+/** Free datums; NULL is allowed. */
+WCUT_API void wcut_datums_destroy(wcut_datums *datums);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

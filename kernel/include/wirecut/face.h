@@ -1,0 +1,113 @@
+/* wirecut/face.h - the simulated cut face of the lower half: what a scan is held against. */
+#ifndef WCUT_FACE_H
+#define WCUT_FACE_H
+
+#include <wirecut/deviation.h>
+#include <wirecut/export.h>
+#include <wirecut/history.h>
+#include <wirecut/job.h>
+#include <wirecut/status.h>
+#include <wirecut/surface.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The face under the wire's surface, and the part of it that is in the block as a grid. */
+typedef struct wcut_face {
+    wcut_surface *surface; /**< u along the wire, v over the stations; S_u x S_v points to the removed half */
+    wcut_vec3 low, high;   /**< [mm] the block */
+    int stations, nodes;   /**< rows and columns of the grid */
+    double *parameter;     /**< stations: v of each */
+    double *begin, *end;   /**< stations: u where the wire of each enters and leaves the block's width */
+    wcut_vec3 *point;      /**< stations x nodes [mm]: at even steps of u from begin to end; rows in front of the block
+                                and behind it are drawn back to its edge, so that the grid ends where the block does */
+    double *v;             /**< stations x nodes: of the points */
+    unsigned char *inside; /**< stations x nodes: 1 where the station itself is in the block, 0 where drawn back */
+    double *force;         /**< stations x nodes [N/mm] of the foam across the wire */
+    double *curvature;     /**< stations x nodes [1/mm] of the face, the larger principal one; 0 where it has none */
+    double *half_kerf;     /**< stations x nodes [mm] by which the wire's surface was lowered */
+    double *time;          /**< stations [s] since entry */
+    double *path_bend;     /**< stations [1/mm] curvature of the path: the mean of both mounts' paths */
+    wcut_phase *phase;     /**< stations */
+    int dropped;           /**< sections that were too near to the one before */
+} wcut_face;
+
+/**
+ * The face that a cut leaves on the lower half: every node of every station lowered along the wire's surface's normal
+ * by half the kerf, width + per_q Q_eff with the job's Q_eff = Q_I / v at the node, moved by what effects of the job
+ * act on the face or its scan, and lofted.
+ *
+ * @param[in]  job     its block, heat, kerf and effects are read
+ * @param[in]  history of that job, at least two stations and nodes
+ * @param[in]  mount_a history->stations [mm] path of the mount, as wcut_history_path gives; NULL: path_bend is 0
+ * @param[in]  mount_b history->stations [mm]; NULL as mount_a
+ * @param[in]  merge   [mm] as wcut_surface_loft
+ * @param[out] face    the caller's, to wcut_face_destroy
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_DEGENERATE (the wire sweeps no surface, or none in the block),
+ *         WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_face_create(const wcut_job *job, const wcut_history *history, const wcut_vec3 *mount_a,
+                                      const wcut_vec3 *mount_b, double merge, wcut_face **face);
+
+/** Free a face; NULL is allowed. */
+WCUT_API void wcut_face_destroy(wcut_face *face);
+
+/** Where a foot is on a face's grid: row + share in v, column + share in u, both clamped to the grid. */
+WCUT_API void wcut_face_locate(const wcut_face *face, double u, double v, double *row, double *column);
+
+/**
+ * Deviations spread over a face's grid: the mean of what is near each point, weighted by a hat of one step each way;
+ * where no weight of `least` comes together, of a window that grows up to `support`.
+ */
+typedef struct wcut_face_map {
+    int rows, columns;
+    double *sum, *weight; /**< rows x columns */
+} wcut_face_map;
+
+/**
+ * Begin a map.
+ *
+ * @param[in]  face of the deviations' feet
+ * @param[out] map  the caller's, to wcut_face_map_destroy
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_face_map_create(const wcut_face *face, wcut_face_map **map);
+
+/** Spread some deviations; those beyond or ambiguous are passed over. */
+WCUT_API void wcut_face_map_step(wcut_face_map *map, const wcut_face *face, int count, const wcut_deviation *deviation);
+
+/**
+ * The values of a map.
+ *
+ * @param[in]  support [mm] how far a point's deviation may come from; not negative
+ * @param[out] value   rows x columns [mm]
+ * @param[out] present rows x columns: 0 where nothing was measured; then the value is 0
+ * @param[out] area    [mm^2] of the face in the block where nothing was measured; may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_face_map_eval(const wcut_face_map *map, const wcut_face *face, double support, double *value,
+                                        unsigned char *present, double *area);
+
+/**
+ * Spread deviations from a mesh over its vertices, each by the weights of its foot; those that do not count are passed
+ * over. What is at a vertex is sum / weight.
+ *
+ * @param[in]     mesh      that the deviations are from
+ * @param[in]     count     0 or more
+ * @param[in]     deviation count
+ * @param[in,out] sum       mesh->vertex_count [mm]
+ * @param[in,out] weight    mesh->vertex_count
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a triangle that the mesh has not): nothing of use was written.
+ */
+WCUT_API wcut_status wcut_mesh_spread(const wcut_mesh *mesh, int count, const wcut_deviation *deviation, double *sum,
+                                      double *weight);
+
+/** Free a map; NULL is allowed. */
+WCUT_API void wcut_face_map_destroy(wcut_face_map *map);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,63 @@
+/* wirecut/statistics.h - many signed deviations in a few figures, however many they are. */
+#ifndef WCUT_STATISTICS_H
+#define WCUT_STATISTICS_H
+
+#include <wirecut/export.h>
+#include <wirecut/status.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { WCUT_BANDS_MOST = 8 };
+
+/** Figures of deviations; all 0 where there is none. */
+typedef struct wcut_statistics {
+    int count;
+    double mean, std, rms, mae;          /**< [mm] std about the mean, of n - 1; mae: mean size */
+    double median, p01, p05, p95, p99;   /**< [mm] to 6e-5 of their size or 1e-9 mm */
+    double min, max;                     /**< [mm] exact */
+    double hausdorff;                    /**< [mm] max |d|: from scan to face */
+    double profile;                      /**< [mm] 2 max |d|: the width of the zone about the face that holds all */
+    int positive, negative;              /**< deviations above and below 0 */
+    double positive_mean, negative_mean; /**< [mm] of each part; 0 where it is empty */
+    int bands;
+    double band[WCUT_BANDS_MOST];   /**< [mm] tolerances */
+    double within[WCUT_BANDS_MOST]; /**< [1] share with |d| <= band */
+    double over[WCUT_BANDS_MOST];   /**< [1] share with d > band */
+    double under[WCUT_BANDS_MOST];  /**< [1] share with d < -band */
+} wcut_statistics;
+
+/** A count of deviations that goes on: sums, and a histogram whose bins grow with size, 11 MiB whatever the count. */
+typedef struct wcut_tally wcut_tally;
+
+/**
+ * Begin to count.
+ *
+ * @param[in]  bands 0 .. WCUT_BANDS_MOST
+ * @param[in]  band  bands [mm] positive
+ * @param[out] tally the caller's, to wcut_tally_destroy
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_tally_create(int bands, const double *band, wcut_tally **tally);
+
+/**
+ * Count some more.
+ *
+ * @param[in] count     0 or more; not more than INT_MAX in all
+ * @param[in] deviation count [mm], finite
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was counted.
+ */
+WCUT_API wcut_status wcut_tally_step(wcut_tally *tally, int count, const double *deviation);
+
+/** The figures so far. WCUT_OK; WCUT_BAD_ARGUMENT: nothing was written. */
+WCUT_API wcut_status wcut_tally_eval(const wcut_tally *tally, wcut_statistics *statistics);
+
+/** Free a tally; NULL is allowed. */
+WCUT_API void wcut_tally_destroy(wcut_tally *tally);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

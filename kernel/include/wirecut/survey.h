@@ -1,0 +1,117 @@
+/* wirecut/survey.h - what the deviations of a whole scan say, taken in as they come: figures, zones, worst areas. */
+#ifndef WCUT_SURVEY_H
+#define WCUT_SURVEY_H
+
+#include <wirecut/deviation.h>
+#include <wirecut/export.h>
+#include <wirecut/face.h>
+#include <wirecut/statistics.h>
+#include <wirecut/status.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { WCUT_WORST_MOST = 10, WCUT_ZONE_NAME = 32 };
+
+/** How a scan is divided. */
+typedef struct wcut_survey_options {
+    wcut_vec3 low, high; /**< [mm] the block, or the face's box; low < high in x and y */
+    double patch;        /**< [mm] side that patches of the block have, nearly; default 100; positive */
+    double cell;         /**< [mm] side of the smallest cell that worst areas consist of; default 1; positive */
+    int bands;           /**< 0 .. WCUT_BANDS_MOST; default 0 */
+    double band[WCUT_BANDS_MOST]; /**< [mm] positive tolerances */
+} wcut_survey_options;
+
+/** A part of the cut, or a patch of the block, by the place of the feet. */
+typedef struct wcut_zone {
+    char name[WCUT_ZONE_NAME]; /**< "entry", "steady", "exit"; "patch 2 5": second from x = 0, fifth from y = 0 */
+    int is_patch;
+    wcut_vec3 low, high;            /**< [mm] of a patch its sides in x and y; of a part of the cut the feet's box */
+    int count;                      /**< deviations; where it is 0 so is the rest */
+    double mean, std, rms, mae;     /**< [mm] */
+    double min, max;                /**< [mm] */
+    double within[WCUT_BANDS_MOST]; /**< [1] share with |d| <= band */
+} wcut_zone;
+
+/** A connected area of cells whose mean deviations are of one sign and among the largest 5 % of the face. */
+typedef struct wcut_worst {
+    wcut_vec3 place;     /**< [mm] mean of its feet */
+    wcut_vec3 low, high; /**< [mm] its box in x and y, of the feet in z */
+    double area;         /**< [mm^2] of its cells seen along z */
+    double volume;       /**< [mm^3] mean deviation times area: material too much, or too little where negative */
+    double mean;         /**< [mm] */
+    double peak;         /**< [mm] the deviation of largest size */
+    int count;           /**< deviations */
+} wcut_worst;
+
+/** A deviation in three parts: one constant, what changes from cell to cell, and what changes within a cell. */
+typedef struct wcut_split {
+    double offset;       /**< [mm] mean of the cells' means, whatever the scan's density */
+    double offset_error; /**< [mm] standard error of it by the noise alone */
+    double form_rms;     /**< [mm] of the cells' means about it, their own noise taken off */
+    double noise_rms;    /**< [mm] of deviations about their cell's mean */
+    double cell;         /**< [mm] side of a cell: doubled until half of them hold 8 points */
+    int cells;           /**< with 2 points or more */
+} wcut_split;
+
+/** How deviations go with something else: Pearson's r, 0 where either does not change. */
+typedef struct wcut_relation {
+    double of_deviation; /**< of d */
+    double of_size;      /**< of |d| */
+} wcut_relation;
+
+/** What a survey found. */
+typedef struct wcut_survey_result {
+    wcut_statistics statistics;
+    int place[WCUT_PLACE_COUNT]; /**< points at each place; inside and border are in the figures */
+    int zones;
+    const wcut_zone *zone; /**< parts of the cut where a face is known, then patches row by row */
+    int worsts;
+    const wcut_worst *worst; /**< by size of volume */
+    wcut_split split;
+    int related;                    /**< 1: the relations are known, since a face is */
+    wcut_relation time, path, bend; /**< time since entry, curvature of the path, size of the face's curvature */
+} wcut_survey_result;
+
+/** A survey that goes on; memory does not grow with the count of points. */
+typedef struct wcut_survey wcut_survey;
+
+WCUT_API wcut_survey_options wcut_survey_options_default(void);
+
+/**
+ * Begin a survey.
+ *
+ * @param[in]  options
+ * @param[in]  face    that the deviations are from, borrowed; NULL: unknown, deviations from a mesh
+ * @param[out] survey  the caller's, to wcut_survey_destroy
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (also more than 10000 patches), WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_survey_create(const wcut_survey_options *options, const wcut_face *face,
+                                        wcut_survey **survey);
+
+/**
+ * Take in some deviations.
+ *
+ * @param[in] count     0 or more; not more than INT_MAX in all
+ * @param[in] deviation count
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was taken in; WCUT_NO_MEMORY.
+ */
+WCUT_API wcut_status wcut_survey_step(wcut_survey *survey, int count, const wcut_deviation *deviation);
+
+/**
+ * What was found so far.
+ *
+ * @param[out] result borrowed until the next call with this survey
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_survey_eval(wcut_survey *survey, const wcut_survey_result **result);
+
+/** Free a survey; NULL is allowed. */
+WCUT_API void wcut_survey_destroy(wcut_survey *survey);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

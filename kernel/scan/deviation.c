@@ -1,0 +1,107 @@
+/* A point's deviation from a face: the signed distance to its closest point, and whether that counts. */
+#include <wirecut/deviation.h>
+
+#include "base/alloc.h"
+#include "base/numbers.h"
+#include "base/vec3.h"
+
+static const double FAR = 1e12; /* [mm] */
+
+/* The distance is all height where the foot is inside. Below this share of it no side can be told; at an edge of two
+   faces at right angles, whose normal is between theirs, the share is 0.7. */
+static const double SIDE = 0.5, NEAR = 1e-9; /* [1]; [mm] nearer than this there is no side to tell */
+
+wcut_deviation_options wcut_deviation_options_default(void) {
+    return (wcut_deviation_options){
+        .low = {-INFINITY, -INFINITY, -INFINITY}, .high = {INFINITY, INFINITY, INFINITY}, .border = 1};
+}
+
+const char *wcut_place_text(wcut_place place) {
+    static const char *const text[] = {"inside", "border", "beyond", "ambiguous"};
+    return (unsigned)place < WCUT_PLACE_COUNT ? text[place] : NULL;
+}
+
+static bool are_usable(const wcut_deviation_options *o) {
+    return o->low.x <= o->high.x && o->low.y <= o->high.y && o->low.z <= o->high.z && isfinite(o->border) &&
+           o->border >= 0 && isfinite(o->reach) && o->reach >= 0;
+}
+
+static bool are_near(int count, const wcut_vec3 *p) {
+    for (int k = 0; k < count; k++)
+        if (!(fabs(p[k].x) <= FAR && fabs(p[k].y) <= FAR && fabs(p[k].z) <= FAR)) return false;
+    return true;
+}
+
+/* how far a foot is inside the window's sides: negative outside */
+static double depth_of(const wcut_deviation_options *o, wcut_vec3 p) {
+    const double x = fmin(p.x - o->low.x, o->high.x - p.x), y = fmin(p.y - o->low.y, o->high.y - p.y);
+    return fmin(fmin(x, y), fmin(p.z - o->low.z, o->high.z - p.z));
+}
+
+/* what there is to say of a foot on either kind of face */
+typedef struct finding {
+    wcut_vec3 foot;
+    double distance, height;
+    bool border, beyond, tied;
+} finding;
+
+static void judge(const wcut_deviation_options *o, const finding *f, wcut_deviation *d) {
+    const double depth = depth_of(o, f->foot);
+    const bool aside = fabs(f->height) < SIDE * f->distance && f->distance > NEAR;
+    d->foot = f->foot;
+    d->distance = (f->height < 0) == (o->flip != 0) ? f->distance : -f->distance;
+    if (f->distance == 0) d->distance = 0;
+    if (f->beyond || depth < 0 || (o->reach > 0 && f->distance > o->reach))
+        d->place = WCUT_PLACE_BEYOND;
+    else if (f->tied || aside)
+        d->place = WCUT_PLACE_AMBIGUOUS;
+    else
+        d->place = f->border || depth < o->border ? WCUT_PLACE_BORDER : WCUT_PLACE_INSIDE;
+}
+
+wcut_status wcut_deviation_from_surface(const wcut_projection *projection, int count, const wcut_vec3 *point,
+                                        const wcut_deviation_options *options, int threads, wcut_deviation *deviation,
+                                        wcut_foot *foot) {
+    const wcut_deviation_options o = options ? *options : wcut_deviation_options_default();
+    if (!projection || count < 0 || threads < 1 || !are_usable(&o) ||
+        (count > 0 && (!point || !deviation || !are_near(count, point))))
+        return WCUT_BAD_ARGUMENT;
+    wcut_foot *found = foot ? foot : wcut_alloc((size_t)count, sizeof *found);
+    if (!found) return WCUT_NO_MEMORY;
+    const wcut_status status = wcut_projection_locate(projection, count, point, threads, found);
+    for (int k = 0; k < count && status == WCUT_OK; k++) {
+        const wcut_foot *at = &found[k];
+        const finding f = {.foot = at->point,
+                           .distance = at->distance,
+                           .height = at->height,
+                           .beyond = at->beyond != 0,
+                           .tied = at->gap > 0};
+        deviation[k].u = at->u, deviation[k].v = at->v, deviation[k].triangle = -1;
+        judge(&o, &f, &deviation[k]);
+    }
+    if (!foot) wcut_free(found);
+    return status;
+}
+
+wcut_status wcut_deviation_from_mesh(const wcut_mesh_tree *tree, int count, const wcut_vec3 *point,
+                                     const wcut_deviation_options *options, int threads, wcut_deviation *deviation) {
+    const wcut_deviation_options o = options ? *options : wcut_deviation_options_default();
+    if (!tree || count < 0 || threads < 1 || !are_usable(&o) ||
+        (count > 0 && (!point || !deviation || !are_near(count, point))))
+        return WCUT_BAD_ARGUMENT;
+    wcut_mesh_foot *found = wcut_alloc((size_t)count, sizeof *found);
+    if (!found) return WCUT_NO_MEMORY;
+    const wcut_status status = wcut_mesh_tree_locate(tree, count, point, threads, found);
+    for (int k = 0; k < count && status == WCUT_OK; k++) {
+        const wcut_mesh_foot *at = &found[k];
+        const finding f = {.foot = at->point,
+                           .distance = at->distance,
+                           .height = at->height,
+                           .border = at->border != 0,
+                           .beyond = at->beyond != 0};
+        deviation[k].u = at->b, deviation[k].v = at->c, deviation[k].triangle = at->triangle;
+        judge(&o, &f, &deviation[k]);
+    }
+    wcut_free(found);
+    return status;
+}

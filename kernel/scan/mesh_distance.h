@@ -1,0 +1,42 @@
+/* A mesh laid out for closest-point queries: triangles in the order of a tree, boxes eight to a node, edges' sides. */
+#ifndef WCUT_SCAN_MESH_DISTANCE_H
+#define WCUT_SCAN_MESH_DISTANCE_H
+
+#include <wirecut/mesh_tree.h>
+
+enum { WCUT_MESH_WIDE = 8, WCUT_MESH_LEAF = 4 };
+
+/* Up to eight boxes in single precision, rounded outwards and about the mesh's centre; an unused one is empty. */
+typedef struct wcut_mesh_node {
+    float low[3][WCUT_MESH_WIDE], high[3][WCUT_MESH_WIDE];
+    int first[WCUT_MESH_WIDE]; /* of a leaf its first triangle, else the child */
+    int count[WCUT_MESH_WIDE]; /* triangles of a leaf; 0: an inner node */
+} wcut_mesh_node;
+
+typedef struct wcut_mesh_corners {
+    wcut_vec3 a, b, c;
+} wcut_mesh_corners;
+
+struct wcut_mesh_tree {
+    int triangles;
+    wcut_mesh_corners *corner; /* triangles, in the order of the leaves */
+    int *index;                /* triangles: the number that each has in the mesh */
+    int *vertex;               /* triangles x 3 in the order of the leaves */
+    int *neighbour;            /* triangles x 3, in the order of the leaves: across the edge from corner k to the next;
+                                  -1: border, -2: odd */
+    wcut_vec3 *normal;         /* vertices: angle-weighted, of length 1 or 0 */
+    unsigned char *on_border;  /* vertices */
+    wcut_mesh_node *node;      /* node[0] is the root */
+    wcut_vec3 centre;
+    double size; /* [mm] half the box's diagonal */
+    wcut_mesh_tree_info info;
+};
+
+/* order, boxes and nodes; fills triangles, corner, index, vertex, node, centre, size and the box. WCUT_NO_MEMORY:
+   what was made stays to be cleared. */
+wcut_status wcut_mesh_boxes_build(const wcut_mesh *mesh, wcut_mesh_tree *tree);
+
+/* edges, border and normals of a tree whose triangles are in order. WCUT_NO_MEMORY. */
+wcut_status wcut_mesh_edges_build(const wcut_mesh *mesh, wcut_mesh_tree *tree);
+
+#endif
