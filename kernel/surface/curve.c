@@ -1,4 +1,4 @@
-/* Rational B-spline curves: ownership, evaluation by the quotient rule, interpolation by chord length. */
+/* Rational B-spline curves: ownership, evaluation by the quotient rule, interpolation with end derivatives. */
 #include <limits.h>
 #include <wirecut/curve.h>
 
@@ -6,6 +6,7 @@
 #include "base/numbers.h"
 #include "base/vec3.h"
 #include "surface/basis.h"
+#include "surface/collocation.h"
 #include "surface/interpolate.h"
 #include "surface/rational.h"
 
@@ -54,30 +55,68 @@ wcut_status wcut_curve_create(int degree, int control_count, const double *knots
     return WCUT_OK;
 }
 
-wcut_status wcut_curve_interpolate(int count, const wcut_vec3 *point, wcut_curve **curve) {
-    if (count < 2 || count > INT_MAX / 8 || !point || !curve || !vec3_all_finite(count, point))
-        return WCUT_BAD_ARGUMENT;
-    wcut_curve *c = NULL;
-    double *parameter = wcut_alloc((size_t)count, 2 * sizeof *parameter), *length = parameter + count;
-    const int degree = count > 3 ? 3 : count - 1;
-    wcut_status status = parameter ? wcut_curve_new(degree, count, false, &c) : WCUT_NO_MEMORY;
-    if (status != WCUT_OK) goto done;
-
+/* parameters from chord lengths; WCUT_DEGENERATE, WCUT_NO_MEMORY */
+static wcut_status chord_parameters(int count, const wcut_vec3 *point, double *parameter) {
+    double *length = wcut_alloc((size_t)count, sizeof *length);
+    if (!length) return WCUT_NO_MEMORY;
     for (int i = 0; i < count - 1; i++) length[i] = vec3_distance(point[i], point[i + 1]);
-    for (int i = 0; i < count; i++) c->control[i] = point[i];
-    status = wcut_parameters_from_lengths(count, length, parameter);
-    if (status != WCUT_OK) goto done;
-    wcut_knots_average(degree, count, parameter, c->knots);
-    status = wcut_interpolate_rows(degree, count, c->knots, parameter, 1, c->control);
-    if (status == WCUT_SINGULAR) status = WCUT_DEGENERATE; /* neighbours apart by rounding alone */
-    if (status != WCUT_OK) goto done;
-    *curve = c;
-    c = NULL;
-
-done:
-    wcut_curve_destroy(c);
-    wcut_free(parameter);
+    const wcut_status status = wcut_parameters_from_lengths(count, length, parameter);
+    wcut_free(length);
     return status;
+}
+
+/* an end with a derivative is a site twice; returns how many sites */
+static int place_sites(int count, const double *parameter, const wcut_vec3 *point, const wcut_vec3 *first,
+                       const wcut_vec3 *last, double *site, wcut_vec3 *right) {
+    int made = 0;
+    for (int i = 0; i < count; i++) {
+        if (i == count - 1 && last) site[made] = parameter[i], right[made++] = *last;
+        site[made] = parameter[i], right[made++] = point[i];
+        if (i == 0 && first) site[made] = parameter[i], right[made++] = *first;
+    }
+    return made;
+}
+
+static wcut_status solve_sites(const wcut_curve *c, const double *site, int slopes) {
+    wcut_collocation system;
+    const wcut_status status = wcut_collocation_factor(c->degree, c->control_count, c->knots, site, slopes, &system);
+    if (status != WCUT_OK) return status == WCUT_SINGULAR ? WCUT_DEGENERATE : status;
+    wcut_collocation_solve(&system, 3, &c->control->x);
+    wcut_free(system.entry);
+    return vec3_all_finite(c->control_count, c->control) ? WCUT_OK : WCUT_DEGENERATE;
+}
+
+wcut_status wcut_curve_interpolate_at(int count, const wcut_vec3 *point, const double *parameter,
+                                      const wcut_vec3 *first, const wcut_vec3 *last, wcut_curve **curve) {
+    if (count < 2 || count > INT_MAX / 8 - 2 || !point || !curve || !vec3_all_finite(count, point) ||
+        (first && !vec3_is_finite(*first)) || (last && !vec3_is_finite(*last)))
+        return WCUT_BAD_ARGUMENT;
+    for (int i = 0; parameter && i < count; i++)
+        if (!isfinite(parameter[i]) || (i > 0 && !(parameter[i] > parameter[i - 1]))) return WCUT_BAD_ARGUMENT;
+    const int sites = count + (first != NULL) + (last != NULL), degree = sites > 3 ? 3 : sites - 1;
+    wcut_curve *c = NULL;
+    double *own = wcut_alloc((size_t)count, sizeof *own), *site = wcut_alloc((size_t)sites, sizeof *site);
+    wcut_status status = own && site ? wcut_curve_new(degree, sites, false, &c) : WCUT_NO_MEMORY;
+    if (status == WCUT_OK && !parameter) status = chord_parameters(count, point, own);
+    if (status == WCUT_OK) {
+        place_sites(count, parameter ? parameter : own, point, first, last, site, c->control);
+        wcut_knots_average(degree, sites, site, c->knots);
+        if (!wcut_knots_are_valid(degree, sites, c->knots)) status = WCUT_DEGENERATE;
+    }
+    const int slopes = (first ? WCUT_SLOPE_FIRST : 0) | (last ? WCUT_SLOPE_LAST : 0);
+    if (status == WCUT_OK) status = solve_sites(c, site, slopes);
+    if (status == WCUT_OK) {
+        *curve = c;
+        c = NULL;
+    }
+    wcut_curve_destroy(c);
+    wcut_free(site);
+    wcut_free(own);
+    return status;
+}
+
+wcut_status wcut_curve_interpolate(int count, const wcut_vec3 *point, wcut_curve **curve) {
+    return wcut_curve_interpolate_at(count, point, NULL, NULL, NULL, curve);
 }
 
 wcut_status wcut_curve_eval(const wcut_curve *curve, double u, int order, wcut_vec3 *ders) {

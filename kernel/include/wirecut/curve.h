@@ -52,6 +52,22 @@ WCUT_API void wcut_curve_destroy(wcut_curve *curve);
 WCUT_API wcut_status wcut_curve_interpolate(int count, const wcut_vec3 *point, wcut_curve **curve);
 
 /**
+ * Cubic curve through points at given parameters, with given derivatives at its ends (less than cubic where points and
+ * derivatives are fewer than four together).
+ *
+ * @param[in]  count     points, at least 2
+ * @param[in]  point     count [mm], finite
+ * @param[in]  parameter count, finite, rising; NULL: chord lengths over [0, 1], neighbours apart
+ * @param[in]  first     dC/du [mm] at the first point, finite; NULL: left free
+ * @param[in]  last      dC/du [mm] at the last point, finite; NULL: left free
+ * @param[out] curve     the caller's, to wcut_curve_destroy
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_DEGENERATE (neighbours coincide, or all but), WCUT_NO_MEMORY: nothing was
+ *         written.
+ */
+WCUT_API wcut_status wcut_curve_interpolate_at(int count, const wcut_vec3 *point, const double *parameter,
+                                               const wcut_vec3 *first, const wcut_vec3 *last, wcut_curve **curve);
+
+/**
  * A point of the curve and its derivatives.
  *
  * @param[in]  curve a valid curve

@@ -54,6 +54,30 @@ WCUT_API void wcut_projection_destroy(wcut_projection *projection);
 WCUT_API wcut_status wcut_projection_locate(const wcut_projection *projection, int count, const wcut_vec3 *query,
                                             int threads, wcut_foot *foot);
 
+/** The point of a curve that is closest to a query. */
+typedef struct wcut_curve_foot {
+    double u;        /**< parameter */
+    wcut_vec3 point; /**< [mm] C(u) */
+    double distance; /**< [mm] from the query */
+    double gap;      /**< [mm] no point of the curve is closer than distance - gap; 0 (to rounding, 1e-12 of the curve's
+                          size) but where a continuum of points ties, as at the centre of a circle */
+    int beyond;      /**< 1: the foot is an end of the curve and the query beyond it; 0 otherwise */
+} wcut_curve_foot;
+
+/**
+ * The closest point of a curve for each query: pieces bounded by the hulls of their control points, halved where they
+ * may hold a closer one; Newton's method inside them. The same bytes for every number of threads.
+ *
+ * @param[in]  curve   a valid curve
+ * @param[in]  count   queries, 0 or more
+ * @param[in]  query   count [mm], finite, nearer than 1e100
+ * @param[in]  threads 1 or more
+ * @param[out] foot    count
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_DEGENERATE (lengths beyond 1e100 mm), WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_curve_locate(const wcut_curve *curve, int count, const wcut_vec3 *query, int threads,
+                                       wcut_curve_foot *foot);
+
 #ifdef __cplusplus
 }
 #endif
