@@ -18,6 +18,7 @@
 #include <wirecut/edit.h>
 #include <wirecut/effects.h>
 #include <wirecut/equilibrium.h>
+#include <wirecut/exchange.h>
 #include <wirecut/export.h>
 #include <wirecut/face.h>
 #include <wirecut/force_density.h>
