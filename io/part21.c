@@ -1,0 +1,150 @@
+/* The clear text encoding of STEP (ISO 10303-21): numbered instances, reals, strings. */
+#include "part21.h"
+
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "number.h"
+#include "utf8.h"
+
+enum { A_LINE = 8, INTEGER_SIZE = 20 };
+
+/* ---- into a room ---- */
+
+static size_t print_integer(char *to, long value) {
+    char reversed[INTEGER_SIZE];
+    size_t n = 0, length = 0;
+    unsigned long rest = value < 0 ? 0UL - (unsigned long)value : (unsigned long)value;
+    do reversed[n++] = (char)('0' + rest % 10);
+    while ((rest /= 10) > 0);
+    if (value < 0) to[length++] = '-';
+    while (n > 0) to[length++] = reversed[--n];
+    return length;
+}
+
+/* the shortest digits, a point behind the first ones where there is none, a capital exponent */
+static size_t print_real(char *to, double value) {
+    char digits[WCUT_NUMBER_SIZE];
+    const size_t length = (size_t)wcut_number_print(value, digits);
+    size_t used = 0;
+    bool has_point = false;
+    for (size_t i = 0; i < length; i++) {
+        const bool is_exponent = digits[i] == 'e';
+        has_point = has_point || digits[i] == '.';
+        if (is_exponent && !has_point) to[used++] = '.', has_point = true;
+        to[used++] = is_exponent ? 'E' : digits[i];
+    }
+    if (!has_point) to[used++] = '.';
+    return used;
+}
+
+static size_t print_words(char *to, const char *words) {
+    const size_t n = strlen(words);
+    memcpy(to, words, n);
+    return n;
+}
+
+static size_t print_begin(char *to, wcut_id id) {
+    size_t used = print_words(to, "#");
+    used += print_integer(to + used, id);
+    to[used++] = '=';
+    return used;
+}
+
+static wcut_id put_triple(wcut_part21 *p, const char *words, wcut_vec3 v) {
+    char *room = wcut_text_room(p->text);
+    const double value[3] = {v.x, v.y, v.z};
+    size_t used = print_begin(room, ++p->last);
+    used += print_words(room + used, words);
+    for (int k = 0; k < 3; k++) {
+        room[used++] = k ? ',' : '(';
+        used += print_real(room + used, value[k]);
+    }
+    used += print_words(room + used, "));\n");
+    p->text->count += used;
+    return p->last;
+}
+
+/* ---- instances ---- */
+
+wcut_id wcut_p21_begin(wcut_part21 *p) {
+    char *room = wcut_text_room(p->text);
+    p->text->count += print_begin(room, ++p->last);
+    return p->last;
+}
+
+wcut_id wcut_p21_put(wcut_part21 *p, const char *format, ...) {
+    const wcut_id id = wcut_p21_begin(p);
+    va_list arguments;
+    va_start(arguments, format);
+    char *room = wcut_text_room(p->text);
+    const int n = vsnprintf(room, WCUT_TEXT_ROOM, format, arguments);
+    va_end(arguments);
+    p->text->count += n < WCUT_TEXT_ROOM ? (size_t)n : WCUT_TEXT_ROOM - 1;
+    wcut_text_put(p->text, ";\n", 2);
+    return id;
+}
+
+wcut_id wcut_p21_point(wcut_part21 *p, wcut_vec3 point) { return put_triple(p, "CARTESIAN_POINT('',", point); }
+
+wcut_id wcut_p21_direction(wcut_part21 *p, wcut_vec3 direction) { return put_triple(p, "DIRECTION('',", direction); }
+
+/* ---- values ---- */
+
+void wcut_p21_real(wcut_part21 *p, double value) {
+    char *room = wcut_text_room(p->text);
+    p->text->count += print_real(room, value);
+}
+
+void wcut_p21_string(wcut_part21 *p, const char *text) {
+    wcut_text_put(p->text, "'", 1);
+    while (*text) {
+        uint32_t code;
+        text = wcut_utf8_next(text, &code);
+        if (code == '\'' || code == '\\')
+            wcut_text_print(p->text, "%c%c", (char)code, (char)code);
+        else if (code >= 0x20 && code < 0x7f)
+            wcut_text_print(p->text, "%c", (char)code);
+        else if (code <= 0xffff)
+            wcut_text_print(p->text, "\\X2\\%04X\\X0\\", (unsigned)code);
+        else
+            wcut_text_print(p->text, "\\X4\\%08X\\X0\\", (unsigned)code);
+    }
+    wcut_text_put(p->text, "'", 1);
+}
+
+/* what stands before entry k of a list: its opening, or a comma and at times a line feed */
+static size_t print_gap(char *to, int k) { return print_words(to, k == 0 ? "(" : k % A_LINE ? "," : ",\n"); }
+
+void wcut_p21_references(wcut_part21 *p, wcut_id first, int count, int step) {
+    for (int k = 0; k < count; k++) {
+        char *room = wcut_text_room(p->text);
+        size_t used = print_gap(room, k);
+        room[used++] = '#';
+        used += print_integer(room + used, first + (wcut_id)k * step);
+        p->text->count += used;
+    }
+    wcut_text_put(p->text, ")", 1);
+}
+
+void wcut_p21_reals(wcut_part21 *p, const double *value, int count, int step) {
+    for (int k = 0; k < count; k++) {
+        char *room = wcut_text_room(p->text);
+        size_t used = print_gap(room, k);
+        used += print_real(room + used, value[(size_t)k * (size_t)step]);
+        p->text->count += used;
+    }
+    wcut_text_put(p->text, ")", 1);
+}
+
+void wcut_p21_integers(wcut_part21 *p, const int *value, int count) {
+    for (int k = 0; k < count; k++) {
+        char *room = wcut_text_room(p->text);
+        size_t used = print_gap(room, k);
+        used += print_integer(room + used, value[k]);
+        p->text->count += used;
+    }
+    wcut_text_put(p->text, ")", 1);
+}

@@ -1,0 +1,78 @@
+/* wirecut/exchange.h - exact geometry to CAD files, meshes as named parts: whole or not at all, in millimetres. */
+#ifndef WCUT_EXCHANGE_H
+#define WCUT_EXCHANGE_H
+
+#include <wirecut/brep.h>
+#include <wirecut/curve.h>
+#include <wirecut/export.h>
+#include <wirecut/mesh.h>
+#include <wirecut/status.h>
+#include <wirecut/surface.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A named piece of geometry: exactly one of solid, surface and curve. All borrowed. */
+typedef struct wcut_shape {
+    const char *name; /**< UTF-8, as CAD programs show it */
+    const wcut_brep *solid;
+    const wcut_surface *surface;
+    const wcut_curve *curve;
+} wcut_shape;
+
+/** The application protocol of a STEP file; geometry is the same in both. */
+typedef enum wcut_step_schema { WCUT_STEP_AP214, WCUT_STEP_AP242, WCUT_STEP_SCHEMA_COUNT } wcut_step_schema;
+
+/**
+ * Shapes to a STEP file (ISO 10303-21), each a product of its own. Every number is the shortest that reads back as the
+ * same double: knots, poles and weights come back bit for bit. A solid becomes a manifold solid B-rep with shared edges
+ * and vertices; a surface a face bounded by its border, or, where it is closed, has a pole or is not clamped, the
+ * surface alone in a geometric set; a curve a geometric curve set. The same shapes give the same bytes: no date is in
+ * the file. Memory does not grow with the shapes.
+ *
+ * @param[in]  count  1 or more
+ * @param[in]  shape   count
+ * @param[in]  schema WCUT_STEP_AP214 unless the receiver asks for AP242
+ * @param[in]  path   the target, replaced whole or left as it was
+ * @param[out] error  may be NULL; shape, what was found, what was expected
+ * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT (no or several geometries in a shape, a number that is
+ *         not finite or beyond 1e12, counts, knots or weights that make no curve or surface, a solid whose indices lead
+ *         nowhere or whose loops are open), WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as it was.
+ */
+WCUT_API wcut_status wcut_step_write(int count, const wcut_shape *shape, wcut_step_schema schema, const char *path,
+                                     wcut_error *error);
+
+/**
+ * Surfaces and curves to an IGES 5.3 file: rational B-spline surfaces (type 128) and curves (126) with their names
+ * (406 form 15; 50 characters of them, "_" for what is not ASCII). Numbers as in wcut_step_write. Solids are refused: they belong into STEP.
+ *
+ * @param[in]  count  1 or more
+ * @param[in]  shape   count, none of them a solid
+ * @param[in]  path   the target, replaced whole or left as it was
+ * @param[out] error  may be NULL; shape, what was found, what was expected
+ * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT (as wcut_step_write; more than 9999999 lines),
+ *         WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as it was.
+ */
+WCUT_API wcut_status wcut_iges_write(int count, const wcut_shape *shape, const char *path, wcut_error *error);
+
+/**
+ * Meshes to a 3MF package (3MF core specification 1.3, deflated), each an object with its name, in millimetres, of
+ * type model where it is closed by index and surface where it is open. Coordinates are the shortest numbers that read back as the same double.
+ *
+ * @param[in]  count  1 or more
+ * @param[in]  mesh   count, borrowed
+ * @param[in]  name   count, UTF-8
+ * @param[in]  path   the target, replaced whole or left as it was
+ * @param[out] error  may be NULL
+ * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT (as the writers of write.h; a name that is not UTF-8
+ *         or holds control characters), WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as it was.
+ */
+WCUT_API wcut_status wcut_mesh_write_3mf(int count, const wcut_mesh *const *mesh, const char *const *name,
+                                         const char *path, wcut_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
