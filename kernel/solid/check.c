@@ -1,0 +1,130 @@
+/* Edges counted by the corner they leave from, volumes by the divergence theorem: one pass over the triangles each. */
+#include "solid/check.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+#include "base/alloc.h"
+#include "base/vec3.h"
+
+/* ends of the directed edges that leave each vertex: end[first[v]] to end[first[v + 1] - 1] */
+typedef struct fans {
+    int *first, *end;
+} fans;
+
+static wcut_status gather(const wcut_mesh *m, fans *f) {
+    const int corners = 3 * m->triangle_count;
+    f->first = wcut_alloc((size_t)m->vertex_count + 2, sizeof *f->first);
+    f->end = wcut_alloc((size_t)corners, sizeof *f->end);
+    if (!f->first || !f->end) return WCUT_NO_MEMORY;
+    int *start = f->first + 1; /* filling moves every start to that of the next vertex, where it belongs */
+    for (int k = 0; k < corners; k++) start[m->triangle[k] + 1]++;
+    for (int v = 0; v < m->vertex_count; v++) start[v + 1] += start[v];
+    for (int k = 0; k < corners; k++) {
+        const int next = k % 3 == 2 ? k - 2 : k + 1;
+        f->end[start[m->triangle[k]]++] = m->triangle[next];
+    }
+    return WCUT_OK;
+}
+
+static int times(const fans *f, int from, int to) {
+    int n = 0;
+    for (int k = f->first[from]; k < f->first[from + 1]; k++) n += f->end[k] == to;
+    return n;
+}
+
+/* is every edge run through once in either direction? *two: by two triangles at all */
+static bool edges_match(const wcut_mesh *m, const fans *f, bool *two) {
+    bool match = true;
+    *two = true;
+    for (int v = 0; v < m->vertex_count; v++)
+        for (int k = f->first[v]; k < f->first[v + 1]; k++) {
+            const int along = times(f, v, f->end[k]), back = times(f, f->end[k], v);
+            match = match && along == 1 && back == 1;
+            *two = *two && along + back == 2;
+        }
+    return match;
+}
+
+static int root_of(int *parent, int v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+}
+
+/* connected parts; parent: vertex_count */
+static int count_pieces(const wcut_mesh *m, const fans *f, int *parent) {
+    int pieces = 0;
+    for (int v = 0; v < m->vertex_count; v++) parent[v] = v;
+    for (int v = 0; v < m->vertex_count; v++)
+        for (int k = f->first[v]; k < f->first[v + 1]; k++) parent[root_of(parent, v)] = root_of(parent, f->end[k]);
+    for (int v = 0; v < m->vertex_count; v++) pieces += parent[v] == v && f->first[v] < f->first[v + 1];
+    return pieces;
+}
+
+double wcut_mesh_volume(const wcut_mesh *m) {
+    double sum = 0, lost = 0; /* compensated (Kahan 1965): a million terms that cancel */
+    const wcut_vec3 from = m->vertex_count > 0 ? m->vertex[0] : vec3(0, 0, 0);
+    for (int t = 0; t < m->triangle_count; t++) {
+        const int *c = m->triangle + 3 * (ptrdiff_t)t;
+        const wcut_vec3 a = vec3_sub(m->vertex[c[0]], from), b = vec3_sub(m->vertex[c[1]], from);
+        const double term = vec3_dot(vec3_cross(a, b), vec3_sub(m->vertex[c[2]], from)) - lost, next = sum + term;
+        lost = next - sum - term;
+        sum = next;
+    }
+    return sum / 6;
+}
+
+/* twice a triangle's area along its normal */
+static wcut_vec3 spread(const wcut_mesh *m, int t) {
+    const int *c = m->triangle + 3 * (ptrdiff_t)t;
+    const wcut_vec3 a = m->vertex[c[0]];
+    return vec3_cross(vec3_sub(m->vertex[c[1]], a), vec3_sub(m->vertex[c[2]], a));
+}
+
+wcut_status wcut_check_skin(const wcut_mesh *mesh, wcut_half_report *report) {
+    fans f = {.first = NULL};
+    int *parent = wcut_alloc((size_t)mesh->vertex_count, sizeof *parent);
+    wcut_status status = parent ? gather(mesh, &f) : WCUT_NO_MEMORY;
+    if (status == WCUT_OK) {
+        wcut_half_report *r = report;
+        bool two;
+        r->oriented = edges_match(mesh, &f, &two);
+        r->closed = two && mesh->triangle_count > 0;
+        r->pieces = count_pieces(mesh, &f, parent);
+        r->volume = wcut_mesh_volume(mesh);
+        r->oriented = r->oriented && r->volume > 0;
+        r->area = 0;
+        for (int t = 0; t < mesh->triangle_count; t++) r->area += vec3_length(spread(mesh, t)) / 2;
+        r->box_low = r->box_high = mesh->vertex_count > 0 ? mesh->vertex[0] : vec3(0, 0, 0);
+        for (int v = 1; v < mesh->vertex_count; v++) {
+            const wcut_vec3 p = mesh->vertex[v];
+            r->box_low = vec3(fmin(r->box_low.x, p.x), fmin(r->box_low.y, p.y), fmin(r->box_low.z, p.z));
+            r->box_high = vec3(fmax(r->box_high.x, p.x), fmax(r->box_high.y, p.y), fmax(r->box_high.z, p.z));
+        }
+    }
+    wcut_free(f.end);
+    wcut_free(f.first);
+    wcut_free(parent);
+    return status;
+}
+
+void wcut_check_draft(const wcut_mesh *mesh, const unsigned char *tag, wcut_vec3 pull, wcut_half_report *report) {
+    report->cut_area = report->undercut_area = 0;
+    report->draft_min = INFINITY;
+    for (int t = 0; t < mesh->triangle_count; t++) {
+        if (!tag[t]) continue;
+        const wcut_vec3 n = spread(mesh, t);
+        const double area = vec3_length(n) / 2;
+        if (!(area > 0)) continue;
+        const double rise = vec3_dot(n, pull) / (2 * area);
+        const double draft = asin(rise > 1 ? 1 : rise < -1 ? -1 : rise);
+        report->cut_area += area;
+        if (draft < 0) report->undercut_area += area;
+        if (draft < report->draft_min) {
+            const int *c = mesh->triangle + 3 * (ptrdiff_t)t;
+            report->draft_min = draft;
+            report->draft_place =
+                vec3_scale(1.0 / 3, vec3_add(mesh->vertex[c[0]], vec3_add(mesh->vertex[c[1]], mesh->vertex[c[2]])));
+        }
+    }
+}

@@ -1,0 +1,17 @@
+/* What a half is like: closed, oriented, how many pieces, how large, how it leaves the mould. */
+#ifndef WCUT_SOLID_CHECK_H
+#define WCUT_SOLID_CHECK_H
+
+#include <wirecut/mould.h>
+
+/* Every directed edge once, its opposite once; pieces by shared corners; volume, area and box.
+   WCUT_NO_MEMORY: nothing was written. Fields of the cut face are not touched. */
+wcut_status wcut_check_skin(const wcut_mesh *mesh, wcut_half_report *report);
+
+/* area, draft and undercut of the triangles of the cut face; tag: 1 for those, triangle_count; pull: unit */
+void wcut_check_draft(const wcut_mesh *mesh, const unsigned char *tag, wcut_vec3 pull, wcut_half_report *report);
+
+/* [mm3] inside closed and oriented triangles */
+double wcut_mesh_volume(const wcut_mesh *mesh);
+
+#endif

@@ -1,0 +1,98 @@
+/* From the wire's surface to one face of the cut, and the cases in which it divides nothing. */
+#include "solid/cut_face.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+#include "base/fail.h"
+#include "base/vec3.h"
+
+/* Triangles and fit this share of the kerf from their face: those of the two sides never meet. */
+static const double KERF_SHARE = 0.2;
+
+void wcut_cut_face_clear(wcut_cut_face *face) {
+    wcut_surface_destroy(face->skin.patch);
+    wcut_lid_clear(&face->lid);
+    *face = (wcut_cut_face){.chord_error = 0};
+}
+
+wcut_status wcut_cut_face_fit(const wcut_division *d, double side, double margin, wcut_cut_face *face,
+                              wcut_error *error) {
+    const wcut_mould_options *o = d->options;
+    const wcut_sides sides = {{-margin, d->block.x + margin}, {-margin, d->block.y + margin}};
+    const double height[2] = {0, d->block.z}, prolong = margin > 0 ? INFINITY : o->prolong;
+    wcut_sheet sheet = wcut_sheet_of(d->surface);
+    sheet.width = d->width;
+    sheet.side = side;
+    wcut_trim trim;
+    wcut_cut_face f = {.chord_error = 0};
+    wcut_status status = wcut_trim_begin(&sheet, sides, &trim, error);
+    if (status != WCUT_OK) return status;
+    status = wcut_skin_fit(&trim, height, prolong, o->fit_tolerance, &f.skin, error);
+    wcut_trim_clear(&trim);
+    if (status != WCUT_OK) return status;
+    double tolerance = o->chord_tolerance;
+    if (d->width) tolerance = fmin(tolerance, KERF_SHARE * f.skin.width_least);
+    if (d->width && f.skin.fit_error > KERF_SHARE * f.skin.width_least)
+        status = wcut_fail(error, WCUT_NOT_CONVERGED, "the fit of %.3g mm is too coarse for a kerf of %.3g mm",
+                           f.skin.fit_error, f.skin.width_least);
+    if (status == WCUT_OK) {
+        status = wcut_lid_tessellate(f.skin.patch, sides, tolerance, &f.lid, &f.chord_error);
+        if (status != WCUT_OK) wcut_fail(error, status, "triangulating the cut face: %s", wcut_status_text(status));
+    }
+    if (status != WCUT_OK) {
+        wcut_cut_face_clear(&f);
+        return status;
+    }
+    f.low = f.high = f.lid.vertex[0].z;
+    for (int k = 1; k < f.lid.vertex_count; k++) {
+        f.low = fmin(f.low, f.lid.vertex[k].z);
+        f.high = fmax(f.high, f.lid.vertex[k].z);
+    }
+    *face = f;
+    return WCUT_OK;
+}
+
+/* The face z = level is touched within `near`: which edge or corner is it, if all of it is there? */
+static wcut_status say_touch(const wcut_division *d, const wcut_lid *lid, double level, double near,
+                             wcut_error *error) {
+    const double x[2] = {0, d->block.x}, y[2] = {0, d->block.y};
+    bool at_x[2] = {true, true}, at_y[2] = {true, true};
+    wcut_vec3 place = {0, 0, 0};
+    double least = INFINITY;
+    for (int k = 0; k < lid->vertex_count; k++) {
+        const wcut_vec3 p = lid->vertex[k];
+        const double off = fabs(p.z - level);
+        if (off > near) continue;
+        if (off < least) least = off, place = p;
+        for (int e = 0; e < 2; e++) {
+            at_x[e] = at_x[e] && fabs(p.x - x[e]) <= near;
+            at_y[e] = at_y[e] && fabs(p.y - y[e]) <= near;
+        }
+    }
+    const bool on_x = at_x[0] || at_x[1], on_y = at_y[0] || at_y[1];
+    if (on_x && on_y)
+        return wcut_fail(error, WCUT_DEGENERATE, "the cut runs through the block's corner (%.6g, %.6g, %.6g) mm",
+                         at_x[0] ? x[0] : x[1], at_y[0] ? y[0] : y[1], level);
+    if (on_x || on_y)
+        return wcut_fail(error, WCUT_DEGENERATE,
+                         "the cut runs along the block's edge %c = %.6g, z = %.6g mm near (%.6g, %.6g, %.6g) mm",
+                         on_x ? 'x' : 'y', on_x ? (at_x[0] ? x[0] : x[1]) : (at_y[0] ? y[0] : y[1]), level, place.x,
+                         place.y, place.z);
+    return wcut_fail(error, WCUT_DEGENERATE,
+                     "the cut grazes the block's face z = %.6g mm: %.3g mm from it at (%.6g, %.6g, %.6g) mm", level,
+                     least, place.x, place.y, place.z);
+}
+
+wcut_status wcut_cut_face_place(const wcut_division *d, const wcut_cut_face *lower, const wcut_cut_face *upper,
+                                int *leaves, wcut_error *error) {
+    const double top = d->block.z, near = d->options->chord_tolerance;
+    if (upper->low > top + near || lower->high < -near)
+        return wcut_fail(error, WCUT_DEGENERATE, "the cut misses the block: it passes %s it, from z = %.6g to %.6g mm",
+                         lower->high < -near ? "below" : "above", lower->low, upper->high);
+    *leaves = lower->low < -near || upper->high > top + near;
+    if (*leaves) return WCUT_OK;
+    if (upper->high >= top - near) return say_touch(d, &upper->lid, top, near, error);
+    if (lower->low <= near) return say_touch(d, &lower->lid, 0, near, error);
+    return WCUT_OK;
+}

@@ -1,0 +1,216 @@
+/* The solids below, above and between the faces of a cut. */
+#include "solid/halves.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "base/vec3.h"
+#include "solid/boolean.h"
+#include "solid/check.h"
+
+static void part_clear(wcut_part *p) {
+    wcut_mesh_destroy(p->mesh);
+    wcut_free(p->tag);
+    *p = (wcut_part){.mesh = NULL};
+}
+
+void wcut_parts_clear(wcut_parts *parts) {
+    part_clear(&parts->lower);
+    part_clear(&parts->upper);
+    part_clear(&parts->kerf);
+}
+
+/* the level face of a half with the keys that are on it */
+static wcut_status key_face(const wcut_division *d, wcut_sides sides, int upper, double z, wcut_lid *lid,
+                            wcut_error *error) {
+    const wcut_mould_options *o = d->options;
+    wcut_key *own = wcut_alloc((size_t)o->key_count, sizeof *own);
+    if (!own) return WCUT_NO_MEMORY;
+    int count = 0;
+    for (int k = 0; k < o->key_count; k++)
+        if (!o->key[k].upper == !upper) own[count++] = o->key[k];
+    const wcut_status status = wcut_lid_flat(sides, z, count, own, o->chord_tolerance, lid);
+    if (status == WCUT_BAD_ARGUMENT)
+        wcut_fail(error, status, "keys of the %s half: two of them meet, or one reaches the block's side",
+                  upper ? "upper" : "lower");
+    wcut_free(own);
+    return status;
+}
+
+wcut_status wcut_halves_check_keys(const wcut_division *d, int upper, const wcut_cut_face *face, double *wall,
+                                   wcut_error *error) {
+    const wcut_lid *l = &face->lid;
+    double longest = 0; /* a triangle over a circle has a corner at most this far beyond it */
+    for (int t = 0; t < l->triangle_count; t++)
+        for (int k = 0; k < 3; k++) {
+            const wcut_vec3 *p = &l->vertex[l->triangle[3 * t + k]], *q = &l->vertex[l->triangle[3 * t + (k + 1) % 3]];
+            longest = fmax(longest, hypot(p->x - q->x, p->y - q->y));
+        }
+    *wall = INFINITY;
+    for (int k = 0; k < d->options->key_count; k++) {
+        const wcut_key *key = &d->options->key[k];
+        if (!key->upper != !upper) continue;
+        const double level = upper ? d->block.z : 0, rise = wcut_key_rise(key);
+        const double reach = upper ? fmin(level, level + rise) : fmax(level, level + rise);
+        for (int v = 0; v < l->vertex_count; v++) {
+            const wcut_vec3 p = l->vertex[v];
+            if (hypot(p.x - key->x, p.y - key->y) > key->radius + longest) continue;
+            const double left = upper ? reach - p.z : p.z - reach;
+            if (!(left > 0))
+                return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                                 "the key at x = %.6g, y = %.6g mm reaches the cut face near (%.6g, %.6g, %.6g) mm",
+                                 key->x, key->y, p.x, p.y, p.z);
+            *wall = fmin(*wall, left);
+        }
+    }
+    return WCUT_OK;
+}
+
+/* the solid between two lids; the cut's triangles are the ceiling's, the floor's or both (sum of 1 and 2) */
+static wcut_status enclose(const wcut_lid *floor, const wcut_lid *ceiling, int cut, wcut_part *part) {
+    wcut_part p = {.mesh = NULL};
+    wcut_status status = wcut_lid_enclose(floor, ceiling, &p.mesh);
+    if (status != WCUT_OK) return status;
+    p.tag = wcut_alloc((size_t)p.mesh->triangle_count, sizeof *p.tag);
+    if (!p.tag) {
+        part_clear(&p);
+        return WCUT_NO_MEMORY;
+    }
+    if (cut & 1) memset(p.tag, 1, (size_t)ceiling->triangle_count);
+    if (cut & 2) memset(p.tag + ceiling->triangle_count, 1, (size_t)floor->triangle_count);
+    *part = p;
+    return WCUT_OK;
+}
+
+/* Two lids that are met once by every vertical line and lie one above the other make a solid that nowhere meets itself:
+   its sides are parts of planes. Otherwise CGAL looks. */
+static wcut_status prove_simple(int proven, wcut_part *part) {
+    if (proven) return WCUT_OK;
+    return wcut_self_intersections(part->mesh, &part->self_intersections, &part->place);
+}
+
+/* a border that crosses itself leaves no region on its side */
+static wcut_status name_enclosure(wcut_status status, wcut_error *error) {
+    if (status == WCUT_DEGENERATE)
+        wcut_fail(error, status, "the cut folds over itself: its border crosses itself on a side of the block");
+    return status;
+}
+
+wcut_status wcut_halves_by_index(const wcut_division *d, const wcut_cut_face *lower, const wcut_cut_face *upper,
+                                 wcut_parts *parts, wcut_error *error) {
+    const wcut_sides sides = {{0, d->block.x}, {0, d->block.y}};
+    wcut_lid bottom = {.vertex_count = 0}, top = {.vertex_count = 0};
+    wcut_parts p = {.lower = {.mesh = NULL}};
+    wcut_status status = key_face(d, sides, 0, 0, &bottom, error);
+    if (status == WCUT_OK) status = key_face(d, sides, 1, d->block.z, &top, error);
+    if (status == WCUT_OK) {
+        status = enclose(&bottom, &lower->lid, 1, &p.lower);
+        if (status == WCUT_OK) status = enclose(&upper->lid, &top, 2, &p.upper);
+        if (status == WCUT_OK && d->width) status = enclose(&lower->lid, &upper->lid, 3, &p.kerf);
+        name_enclosure(status, error);
+    }
+    if (status == WCUT_OK) status = prove_simple(wcut_lid_is_graph(&lower->lid), &p.lower);
+    if (status == WCUT_OK) status = prove_simple(wcut_lid_is_graph(&upper->lid), &p.upper);
+    if (status == WCUT_OK) {
+        *parts = p;
+    } else {
+        wcut_parts_clear(&p);
+    }
+    wcut_lid_clear(&top);
+    wcut_lid_clear(&bottom);
+    return status;
+}
+
+/* ---- booleans ---- */
+
+/* the block with its keys, or the stock */
+static wcut_status make_stock(const wcut_division *d, wcut_part *stock, wcut_error *error) {
+    const wcut_sides sides = {{0, d->block.x}, {0, d->block.y}};
+    wcut_lid bottom = {.vertex_count = 0}, top = {.vertex_count = 0};
+    wcut_status status = key_face(d, sides, 0, 0, &bottom, error);
+    if (status == WCUT_OK) status = key_face(d, sides, 1, d->block.z, &top, error);
+    if (status == WCUT_OK) status = enclose(&bottom, &top, 0, stock);
+    wcut_lid_clear(&top);
+    wcut_lid_clear(&bottom);
+    return status;
+}
+
+/* the space below, above or between the faces, far enough down and up; sides as those of the faces */
+static wcut_status make_space(const wcut_division *d, const wcut_lid *floor, const wcut_lid *ceiling, double margin,
+                              const double height[2], wcut_part *space, wcut_error *error) {
+    const wcut_sides sides = {{-margin, d->block.x + margin}, {-margin, d->block.y + margin}};
+    wcut_lid flat = {.vertex_count = 0};
+    const int cut = (ceiling ? 1 : 0) + (floor ? 2 : 0);
+    wcut_status status = WCUT_OK;
+    if (cut != 3) status = wcut_lid_flat(sides, ceiling ? height[0] : height[1], 0, NULL, 1, &flat);
+    if (status == WCUT_OK) {
+        status = enclose(floor ? floor : &flat, ceiling ? ceiling : &flat, cut, space);
+        name_enclosure(status, error);
+    }
+    wcut_lid_clear(&flat);
+    if (status != WCUT_OK) return status;
+    const int graph = (!floor || wcut_lid_is_graph(floor)) && (!ceiling || wcut_lid_is_graph(ceiling));
+    status = prove_simple(graph && cut != 3, space);
+    if (status == WCUT_OK && space->self_intersections > 0)
+        status = wcut_fail(error, WCUT_DEGENERATE, "the cut folds over itself near (%.6g, %.6g, %.6g) mm",
+                           space->place.x, space->place.y, space->place.z);
+    if (status != WCUT_OK) part_clear(space);
+    return status;
+}
+
+/* what stock and space have in common */
+static wcut_status intersect(const wcut_part *stock, const wcut_part *space, const char *name, wcut_part *part,
+                             wcut_error *error) {
+    wcut_part p = {.mesh = NULL};
+    wcut_status status = wcut_boolean_intersect(stock->mesh, stock->tag, space->mesh, space->tag, &p.mesh, &p.tag);
+    if (status != WCUT_OK)
+        return wcut_fail(error, status, "no boolean of the %s and the stock: %s", name, wcut_status_text(status));
+    if (p.mesh->triangle_count == 0)
+        status = wcut_fail(error, WCUT_DEGENERATE, "the cut misses the block: there is no %s", name);
+    if (status == WCUT_OK) status = wcut_self_intersections(p.mesh, &p.self_intersections, &p.place);
+    if (status == WCUT_OK) {
+        *part = p;
+    } else {
+        part_clear(&p);
+    }
+    return status;
+}
+
+wcut_status wcut_halves_by_boolean(const wcut_division *d, const wcut_cut_face *lower, const wcut_cut_face *upper,
+                                   double margin, wcut_parts *parts, double *block_volume, wcut_error *error) {
+    double reach = margin;
+    for (int k = 0; k < d->options->key_count; k++) reach = fmax(reach, margin + fabs(d->options->key[k].height));
+    const double height[2] = {fmin(0, lower->low) - reach, fmax(d->block.z, upper->high) + reach};
+    const wcut_lid *floor[3] = {NULL, &upper->lid, &lower->lid}, *ceiling[3] = {&lower->lid, NULL, &upper->lid};
+    static const char *const name[3] = {"lower half", "upper half", "kerf"};
+    wcut_part stock = {.mesh = NULL};
+    wcut_parts p = {.lower = {.mesh = NULL}};
+    wcut_part *part[3] = {&p.lower, &p.upper, &p.kerf};
+    wcut_status status = WCUT_OK;
+    wcut_mesh whole = {.vertex_count = 0};
+    if (d->options->stock) { /* borrowed, with tags of its own */
+        whole = *d->options->stock;
+        stock.tag = wcut_alloc((size_t)whole.triangle_count, sizeof *stock.tag);
+        if (!stock.tag) return WCUT_NO_MEMORY;
+    } else {
+        status = make_stock(d, &stock, error);
+        if (status == WCUT_OK) whole = *stock.mesh;
+    }
+    const wcut_part from = {.mesh = &whole, .tag = stock.tag};
+    for (int k = 0; status == WCUT_OK && k < (d->width ? 3 : 2); k++) {
+        wcut_part space = {.mesh = NULL};
+        status = make_space(d, floor[k], ceiling[k], margin, height, &space, error);
+        if (status == WCUT_OK) status = intersect(&from, &space, name[k], part[k], error);
+        part_clear(&space);
+    }
+    if (status == WCUT_OK) {
+        *block_volume = wcut_mesh_volume(&whole);
+        *parts = p;
+    } else {
+        wcut_parts_clear(&p);
+    }
+    part_clear(&stock);
+    return status;
+}

@@ -1,0 +1,83 @@
+/* Kerf by heat per area, and its spline: values at the knots' averages are its control points (Schoenberg 1967), so
+   that it never leaves their range. */
+#include "solid/kerf.h"
+
+#include <limits.h>
+#include <stdbool.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "base/numbers.h"
+#include "base/vec3.h"
+
+static const double W_MM_S_PER_J_M2 = 1000; /* Q [W/m] / v [mm/s] in J/m^2 */
+
+wcut_status wcut_kerf_eval(int count, const double *heat, const double *speed, double floor, double width, double per_q,
+                           double *kerf) {
+    if (count < 0 || (count > 0 && (!heat || !speed || !kerf)) || !is_positive(floor) || !isfinite(width) ||
+        width < 0 || !isfinite(per_q) || per_q < 0 || !all_finite(count, heat) || !all_finite(count, speed))
+        return WCUT_BAD_ARGUMENT;
+    for (int k = 0; k < count; k++)
+        if (heat[k] < 0) return WCUT_BAD_ARGUMENT;
+    for (int k = 0; k < count; k++) kerf[k] = width + per_q * W_MM_S_PER_J_M2 * heat[k] / fmax(speed[k], floor);
+    return WCUT_OK;
+}
+
+static double knot_average(int degree, const double *knots, int k) {
+    double sum = 0;
+    for (int r = 1; r <= degree; r++) sum += knots[k + r];
+    return sum / degree;
+}
+
+/* Greville's parameters of every control point, u over [0, 1] */
+static void fill_parameters(const wcut_surface *s, double *uv) {
+    const double first = s->knots_u[s->degree_u], wide = s->knots_u[s->count_u] - first;
+    for (int j = 0; j < s->count_v; j++)
+        for (int i = 0; i < s->count_u; i++) {
+            double *to = uv + 2 * ((ptrdiff_t)j * s->count_u + i);
+            to[0] = (knot_average(s->degree_u, s->knots_u, i) - first) / wide;
+            to[1] = knot_average(s->degree_v, s->knots_v, j);
+        }
+}
+
+/* the field's value for every control point; `least` and `most` of them */
+static wcut_status sample_field(const wcut_surface *s, const wcut_mould_options *o, wcut_vec3 *control, double *least,
+                                double *most) {
+    const int count = s->count_u * s->count_v;
+    wcut_mesh *at = NULL;
+    wcut_status status = wcut_mesh_create(count, 0, WCUT_MESH_UV | WCUT_MESH_SCALAR, &at);
+    if (status != WCUT_OK) return status;
+    fill_parameters(s, at->uv);
+    status = wcut_mesh_sample(at, o->kerf_stations, o->kerf_nodes, o->kerf_parameter, o->kerf_field);
+    for (int k = 0; status == WCUT_OK && k < count; k++) {
+        control[k] = vec3(0, 0, at->scalar[k]);
+        *least = fmin(*least, at->scalar[k]);
+        *most = fmax(*most, at->scalar[k]);
+    }
+    wcut_mesh_destroy(at);
+    return status;
+}
+
+wcut_status wcut_kerf_width(const wcut_surface *surface, const wcut_mould_options *options, wcut_surface **width,
+                            wcut_error *error) {
+    const int count = surface->count_u * surface->count_v;
+    double least = options->kerf, most = options->kerf;
+    wcut_vec3 *control = wcut_alloc((size_t)count, sizeof *control);
+    wcut_status status = control ? WCUT_OK : WCUT_NO_MEMORY;
+    wcut_surface *made = NULL;
+    for (int k = 0; status == WCUT_OK && k < count; k++) control[k] = vec3(0, 0, options->kerf);
+    if (status == WCUT_OK && options->kerf_stations > 0) {
+        least = INFINITY, most = -INFINITY;
+        status = sample_field(surface, options, control, &least, &most);
+        if (status != WCUT_OK) wcut_fail(error, status, "kerf: the field does not fit its stations and nodes");
+    }
+    if (status == WCUT_OK && (least < 0 || (most > 0 && !(least > 0))))
+        status = wcut_fail(error, WCUT_BAD_ARGUMENT,
+                           "kerf: found %.4g to %.4g mm, expected 0 everywhere or more than 0 everywhere", least, most);
+    if (status == WCUT_OK && most > 0)
+        status = wcut_surface_create(surface->degree_u, surface->degree_v, surface->count_u, surface->count_v,
+                                     surface->knots_u, surface->knots_v, control, NULL, &made);
+    if (status == WCUT_OK) *width = made;
+    wcut_free(control);
+    return status;
+}

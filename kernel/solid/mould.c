@@ -1,0 +1,302 @@
+/* A block divided along the wire's surface: options checked, faces fitted, halves made, everything proven or refused. */
+#include <limits.h>
+#include <stdbool.h>
+#include <string.h>
+#include <wirecut/mould.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "base/numbers.h"
+#include "base/vec3.h"
+#include "solid/boolean.h"
+#include "solid/check.h"
+#include "solid/halves.h"
+#include "solid/kerf.h"
+#include "solid/solid_brep.h"
+
+/* lower + upper + kerf - keys = block to this share, or it is a defect */
+static const double VOLUME_HELD = 1e-6;
+
+/* Booleans cut beside the sides, by this share of the block: coinciding planes would leave slivers. */
+static const double MARGIN_SHARE = 2e-3;
+
+/* A stock may reach beyond the block by this share of it. */
+static const double STOCK_SHARE = 1e-6;
+
+wcut_mould_options wcut_mould_default(void) {
+    return (wcut_mould_options){
+        .chord_tolerance = 0.1, .fit_tolerance = 0.005, .scale = 1, .pull = {.x = 0, .y = 0, .z = 1}};
+}
+
+static void half_clear(wcut_half *half) {
+    wcut_mesh_destroy(half->mesh);
+    wcut_brep_destroy(half->brep);
+}
+
+void wcut_mould_destroy(wcut_mould *mould) {
+    if (!mould) return;
+    half_clear(&mould->lower);
+    half_clear(&mould->upper);
+    wcut_mesh_destroy(mould->kerf);
+    wcut_free(mould);
+}
+
+/* ---- what is asked for ---- */
+
+static wcut_status check_key(const wcut_key *key, wcut_vec3 block, wcut_error *error) {
+    const bool ok = isfinite(key->x) && isfinite(key->y) && is_positive(key->radius) && is_positive(key->tip_radius) &&
+                    key->tip_radius < key->radius && isfinite(key->height) && key->height != 0 &&
+                    fabs(key->height) < block.z;
+    if (ok) return WCUT_OK;
+    return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                     "key: radius %.4g, tip %.4g, height %.4g mm, expected 0 < tip < radius and a height other than 0, "
+                     "less than the block's",
+                     key->radius, key->tip_radius, key->height);
+}
+
+static wcut_status check_stock(const wcut_mesh *stock, wcut_vec3 block, wcut_error *error) {
+    const double over = STOCK_SHARE * fmax(block.x, fmax(block.y, block.z));
+    if (stock->vertex_count < 4 || stock->triangle_count < 4 || stock->triangle_count > INT_MAX / 3 || !stock->vertex ||
+        !stock->triangle || !vec3_all_finite(stock->vertex_count, stock->vertex))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "stock: expected a closed mesh with finite coordinates");
+    for (int k = 0; k < 3 * stock->triangle_count; k++)
+        if (stock->triangle[k] < 0 || stock->triangle[k] >= stock->vertex_count)
+            return wcut_fail(error, WCUT_BAD_ARGUMENT, "stock: triangle %d names no vertex", k / 3);
+    wcut_half_report r = {.closed = 0};
+    wcut_status status = wcut_check_skin(stock, &r);
+    if (status != WCUT_OK) return status;
+    if (!r.closed || !r.oriented)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "stock: the mesh is %s",
+                         r.closed ? "not oriented outwards" : "not closed");
+    if (r.box_low.x < -over || r.box_low.y < -over || r.box_low.z < -over || r.box_high.x > block.x + over ||
+        r.box_high.y > block.y + over || r.box_high.z > block.z + over)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                         "stock: from (%.6g, %.6g, %.6g) to (%.6g, %.6g, %.6g) mm, expected it inside the block",
+                         r.box_low.x, r.box_low.y, r.box_low.z, r.box_high.x, r.box_high.y, r.box_high.z);
+    int pairs;
+    wcut_vec3 at;
+    status = wcut_self_intersections(stock, &pairs, &at);
+    if (status == WCUT_DEGENERATE) status = WCUT_BAD_ARGUMENT;
+    if (status == WCUT_OK && pairs > 0) status = WCUT_BAD_ARGUMENT;
+    if (status == WCUT_BAD_ARGUMENT) wcut_fail(error, status, "stock: the mesh meets itself");
+    return status;
+}
+
+static wcut_status check_options(const wcut_mould_options *o, wcut_vec3 block, wcut_error *error) {
+    if (!is_positive(o->chord_tolerance) || !is_positive(o->fit_tolerance))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "tolerances: found %g and %g mm, expected them positive",
+                         o->chord_tolerance, o->fit_tolerance);
+    if (!(o->prolong >= 0) || !isfinite(o->kerf) || o->kerf < 0 || !(o->wire_diameter >= 0))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "prolong %g, kerf %g, wire %g mm: expected none of them negative",
+                         o->prolong, o->kerf, o->wire_diameter);
+    if (o->kerf_stations != 0 && (o->kerf_stations < 2 || o->kerf_nodes < 2 || !o->kerf_parameter || !o->kerf_field))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "kerf: expected a field of at least 2 x 2 values");
+    if (!is_positive(o->scale) || !vec3_is_finite(o->pull) || !(vec3_length(o->pull) > 0))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "scale %g: expected it positive, and a direction to pull in",
+                         o->scale);
+    if (o->key_count < 0 || o->key_count > 1000 || (o->key_count > 0 && !o->key) || (o->key_count > 0 && o->stock))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "keys: found %d, expected at most 1000, and none with a stock",
+                         o->key_count);
+    for (int k = 0; k < o->key_count; k++) {
+        const wcut_status status = check_key(&o->key[k], block, error);
+        if (status != WCUT_OK) return status;
+    }
+    return o->stock ? check_stock(o->stock, block, error) : WCUT_OK;
+}
+
+/* ---- what came out ---- */
+
+/* exact for the polygons that the triangles have in the circles' place: a frustum of similar polygons */
+static double volume_of_keys(const wcut_mould_options *o, int upper) {
+    double sum = 0;
+    for (int k = 0; k < o->key_count; k++) {
+        const wcut_key *key = &o->key[k];
+        if (!key->upper != !upper) continue;
+        const int arcs = wcut_key_arcs(key, o->chord_tolerance);
+        const double share = arcs / 2.0 * sin(2 * WCUT_PI / arcs), r = key->radius, q = key->tip_radius;
+        sum += share * key->height / 3 * (r * r + r * q + q * q);
+    }
+    return sum;
+}
+
+static wcut_status report_half(const wcut_division *d, const wcut_part *part, int upper, wcut_half *half,
+                               wcut_error *error) {
+    const char *name = upper ? "upper" : "lower";
+    const wcut_vec3 pull = vec3_unit(d->options->pull);
+    wcut_half_report *r = &half->report;
+    const wcut_status status = wcut_check_skin(part->mesh, r);
+    if (status != WCUT_OK) return status;
+    wcut_check_draft(part->mesh, part->tag, upper ? vec3_scale(-1, pull) : pull, r);
+    r->self_intersections = part->self_intersections;
+    r->key_volume = volume_of_keys(d->options, upper);
+    if (r->self_intersections > 0)
+        return wcut_fail(error, WCUT_DEGENERATE,
+                         "the cut folds over itself: %d pairs of triangles of the %s half meet near (%.6g, %.6g, %.6g) "
+                         "mm",
+                         r->self_intersections, name, part->place.x, part->place.y, part->place.z);
+    if (!r->closed || !r->oriented)
+        return wcut_fail(error, WCUT_INTERNAL, "the %s half is %s", name,
+                         r->closed ? "turned inside out" : "not closed");
+    return WCUT_OK;
+}
+
+/* the volumes of the parts against that of the block; WCUT_INTERNAL where they do not add up */
+static wcut_status balance(wcut_mould *m, wcut_error *error) {
+    const double keys = m->lower.report.key_volume + m->upper.report.key_volume;
+    m->kerf_volume = m->kerf ? wcut_mesh_volume(m->kerf) : 0;
+    m->volume_error = fabs(m->lower.report.volume + m->upper.report.volume + m->kerf_volume - keys - m->block_volume) /
+                      m->block_volume;
+    if (m->volume_error <= VOLUME_HELD && m->kerf_volume >= 0) return WCUT_OK;
+    return wcut_fail(error, WCUT_INTERNAL,
+                     "the volumes do not add up: lower %.9g, upper %.9g, kerf %.9g, keys %.9g, block %.9g mm3",
+                     m->lower.report.volume, m->upper.report.volume, m->kerf_volume, keys, m->block_volume);
+}
+
+static void scale_mesh(wcut_mesh *mesh, double f) {
+    for (int k = 0; mesh && k < mesh->vertex_count; k++) mesh->vertex[k] = vec3_scale(f, mesh->vertex[k]);
+}
+
+static void scale_half(wcut_half *half, double f) {
+    wcut_half_report *r = &half->report;
+    scale_mesh(half->mesh, f);
+    if (half->brep) wcut_brep_scale(half->brep, f);
+    r->volume *= f * f * f, r->key_volume *= f * f * f;
+    r->area *= f * f, r->cut_area *= f * f, r->undercut_area *= f * f;
+    r->wall_min *= f;
+    r->box_low = vec3_scale(f, r->box_low), r->box_high = vec3_scale(f, r->box_high);
+    r->draft_place = vec3_scale(f, r->draft_place);
+}
+
+/* the halves grow with the cast's shrinkage; tolerances and what is said of the cut itself stay those of the cut */
+static void scale_mould(wcut_mould *m, double f) {
+    scale_half(&m->lower, f);
+    scale_half(&m->upper, f);
+    scale_mesh(m->kerf, f);
+    m->kerf_volume *= f * f * f, m->block_volume *= f * f * f;
+}
+
+/* ---- the division ---- */
+
+/* faces of the cut: one and the same where there is no kerf */
+typedef struct faces {
+    wcut_cut_face made[2];
+    const wcut_cut_face *lower, *upper;
+} faces;
+
+static void faces_clear(faces *f) {
+    wcut_cut_face_clear(&f->made[0]);
+    wcut_cut_face_clear(&f->made[1]);
+}
+
+static wcut_status fit_faces(const wcut_division *d, double margin, faces *f, wcut_error *error) {
+    memset(f, 0, sizeof *f);
+    wcut_status status = wcut_cut_face_fit(d, d->width ? -0.5 : 0, margin, &f->made[0], error);
+    if (status == WCUT_OK && d->width) status = wcut_cut_face_fit(d, 0.5, margin, &f->made[1], error);
+    f->lower = &f->made[0];
+    f->upper = d->width ? &f->made[1] : &f->made[0];
+    return status;
+}
+
+static void describe_cut(const faces *f, wcut_mould *m) {
+    const wcut_skin *a = &f->lower->skin, *b = &f->upper->skin;
+    m->fit_error = fmax(a->fit_error, b->fit_error);
+    m->chord_error = fmax(f->lower->chord_error, f->upper->chord_error);
+    m->prolonged_entry = fmax(a->entry, b->entry);
+    m->prolonged_exit = fmax(a->exit, b->exit);
+    m->prolonged_side = fmax(a->wire, b->wire);
+    m->radius_min = fmin(a->radius, b->radius);
+    m->radius_place = a->radius <= b->radius ? a->radius_place : b->radius_place;
+    m->kerf_min = fmin(a->width_least, b->width_least);
+    m->kerf_max = fmax(a->width_most, b->width_most);
+}
+
+/* exact faces, and walls towards the faces that are not cut */
+static wcut_status describe_halves(const wcut_division *d, const faces *f, wcut_mould *m, wcut_error *error) {
+    for (int upper = 0; upper < 2; upper++) {
+        const wcut_cut_face *face = upper ? f->upper : f->lower;
+        wcut_half *half = upper ? &m->upper : &m->lower;
+        double wall;
+        wcut_status status = wcut_halves_check_keys(d, upper, face, &wall, error);
+        if (status != WCUT_OK) return status;
+        half->report.wall_min = NAN;
+        if (m->by_boolean) continue;
+        half->report.wall_min = fmin(wall, upper ? d->block.z - face->high : face->low);
+        wcut_key *own = wcut_alloc((size_t)d->options->key_count, sizeof *own);
+        if (!own) return WCUT_NO_MEMORY;
+        int count = 0;
+        for (int k = 0; k < d->options->key_count; k++)
+            if (!d->options->key[k].upper == !upper) own[count++] = d->options->key[k];
+        status = wcut_brep_of_half(face->skin.patch, upper, upper ? d->block.z : 0, count, own, &half->brep);
+        wcut_free(own);
+        if (status != WCUT_OK) return status;
+    }
+    return WCUT_OK;
+}
+
+/* parts from the faces, by index or by booleans */
+static wcut_status make_parts(const wcut_division *d, const faces *f, wcut_mould *m, wcut_parts *parts,
+                              wcut_error *error) {
+    int leaves = 0;
+    wcut_status status = d->options->stock ? WCUT_OK : wcut_cut_face_place(d, f->lower, f->upper, &leaves, error);
+    if (status != WCUT_OK) return status;
+    m->by_boolean = leaves || d->options->stock;
+    if (!m->by_boolean) {
+        m->block_volume = d->block.x * d->block.y * d->block.z;
+        return wcut_halves_by_index(d, f->lower, f->upper, parts, error);
+    }
+    const double margin = MARGIN_SHARE * fmax(d->block.x, d->block.y);
+    faces wide;
+    status = fit_faces(d, margin, &wide, error);
+    if (status == WCUT_OK)
+        status = wcut_halves_by_boolean(d, wide.lower, wide.upper, margin, parts, &m->block_volume, error);
+    faces_clear(&wide);
+    return status;
+}
+
+static wcut_status divide(const wcut_division *d, wcut_mould *m, wcut_error *error) {
+    faces f;
+    wcut_parts parts = {.lower = {.mesh = NULL}};
+    wcut_status status = fit_faces(d, 0, &f, error);
+    if (status == WCUT_OK) status = make_parts(d, &f, m, &parts, error);
+    if (status == WCUT_OK) {
+        describe_cut(&f, m);
+        status = describe_halves(d, &f, m, error);
+    }
+    if (status == WCUT_OK) status = report_half(d, &parts.lower, 0, &m->lower, error);
+    if (status == WCUT_OK) status = report_half(d, &parts.upper, 1, &m->upper, error);
+    if (status == WCUT_OK) {
+        m->lower.mesh = parts.lower.mesh, m->upper.mesh = parts.upper.mesh, m->kerf = parts.kerf.mesh;
+        parts.lower.mesh = parts.upper.mesh = parts.kerf.mesh = NULL;
+        status = balance(m, error);
+    }
+    if (status == WCUT_OK) scale_mould(m, d->options->scale);
+    wcut_parts_clear(&parts);
+    faces_clear(&f);
+    return status;
+}
+
+wcut_status wcut_mould_create(const wcut_surface *surface, wcut_vec3 block_size, const wcut_mould_options *options,
+                              wcut_mould **mould, wcut_error *error) {
+    const wcut_mould_options standard = wcut_mould_default(), *o = options ? options : &standard;
+    if (!surface || !mould) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a surface and a place for the mould expected");
+    if (!is_positive(block_size.x) || !is_positive(block_size.y) || !is_positive(block_size.z))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "block: found %g x %g x %g mm, expected it positive", block_size.x,
+                         block_size.y, block_size.z);
+    wcut_surface *width = NULL;
+    wcut_mould *m = NULL;
+    wcut_status status = check_options(o, block_size, error);
+    if (status == WCUT_OK) status = wcut_kerf_width(surface, o, &width, error);
+    if (status == WCUT_OK) {
+        const wcut_division d = {.surface = surface, .width = width, .block = block_size, .options = o};
+        m = wcut_alloc(1, sizeof *m);
+        status = m ? divide(&d, m, error) : WCUT_NO_MEMORY;
+    }
+    wcut_surface_destroy(width);
+    if (status == WCUT_OK) {
+        *mould = m;
+        return WCUT_OK;
+    }
+    wcut_mould_destroy(m);
+    if (status == WCUT_NO_MEMORY) wcut_fail(error, status, "dividing the block: %s", wcut_status_text(status));
+    return status;
+}

@@ -1,0 +1,190 @@
+/* Ear clipping with exact turns: holes are joined to the border by bridges (Eberly 2002), thin ears wait. */
+#include "solid/polygon.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+#include "base/alloc.h"
+
+/* a corner of the region that is still to be cut; a bridge makes two corners of one point */
+typedef struct corner {
+    int at; /* place in the runs */
+    int before, after;
+    double turn; /* wcut_turn of it and its neighbours */
+} corner;
+
+typedef struct region {
+    const wcut_flat *point;
+    corner *corner;
+    int corners; /* made so far */
+} region;
+
+/* Ears lower than this share of their longest side wait until there are no others: slivers whose area is all rounding
+   have no normal. */
+static const double THIN = 1e-3;
+
+static wcut_flat flat_of(const region *r, int c) { return r->point[r->corner[c].at]; }
+
+static void measure(region *r, int c) {
+    corner *k = &r->corner[c];
+    k->turn = wcut_turn(flat_of(r, k->before), flat_of(r, c), flat_of(r, k->after));
+}
+
+static void link(region *r, int a, int b) {
+    r->corner[a].after = b;
+    r->corner[b].before = a;
+}
+
+/* the corners of a run, closed upon themselves; gives the first */
+static int add_run(region *r, int start, int size) {
+    const int first = r->corners;
+    for (int k = 0; k < size; k++) {
+        r->corner[r->corners++] =
+            (corner){.at = start + k, .before = first + (k + size - 1) % size, .after = first + (k + 1) % size};
+    }
+    for (int k = 0; k < size; k++) measure(r, first + k);
+    return first;
+}
+
+/* is x in the triangle a, b, c, its border included? */
+static bool holds(wcut_flat a, wcut_flat b, wcut_flat c, wcut_flat x) {
+    return wcut_turn(a, b, x) >= 0 && wcut_turn(b, c, x) >= 0 && wcut_turn(c, a, x) >= 0;
+}
+
+static bool same(wcut_flat a, wcut_flat b) { return a.p == b.p && a.q == b.q; }
+
+/* do the open segments a b and c d meet, or does an end of c d lie within a b? */
+static bool blocks(wcut_flat a, wcut_flat b, wcut_flat c, wcut_flat d) {
+    const double at_c = wcut_turn(a, b, c), at_d = wcut_turn(a, b, d);
+    if (same(c, a) || same(c, b) || same(d, a) || same(d, b)) return false;
+    if ((at_c > 0 && at_d > 0) || (at_c < 0 && at_d < 0)) return false;
+    const double at_a = wcut_turn(c, d, a), at_b = wcut_turn(c, d, b);
+    return !((at_a > 0 && at_b > 0) || (at_a < 0 && at_b < 0));
+}
+
+/* does the direction to x lie inside the region at a corner? */
+static bool opens_to(const region *r, int c, wcut_flat x) {
+    const corner *k = &r->corner[c];
+    const wcut_flat a = flat_of(r, k->before), b = flat_of(r, c), d = flat_of(r, k->after);
+    const double from = wcut_turn(b, d, x), to = wcut_turn(a, b, x);
+    return k->turn > 0 ? from > 0 && to > 0 : from > 0 || to > 0;
+}
+
+/* can a corner of the run from `start` see x past every edge of that run and of the run from `other`? */
+static bool sees(const region *r, int start, int other, int c, wcut_flat x) {
+    if (!opens_to(r, c, x)) return false;
+    const int run[2] = {start, other};
+    for (int k = 0; k < 2; k++) {
+        int e = run[k];
+        do {
+            const int next = r->corner[e].after;
+            if (blocks(flat_of(r, c), x, flat_of(r, e), flat_of(r, next))) return false;
+            e = next;
+        } while (e != run[k]);
+    }
+    return true;
+}
+
+static double distance(wcut_flat a, wcut_flat b) { return hypot(a.p - b.p, a.q - b.q); }
+
+/* Join a hole to the border by a bridge there and back from the hole's corner of largest p: holes that lie further are
+   joined already. False where no corner of the border sees it. */
+static bool join_hole(region *r, int border, int hole) {
+    int h = hole;
+    for (int c = r->corner[hole].after; c != hole; c = r->corner[c].after)
+        if (flat_of(r, c).p > flat_of(r, h).p) h = c;
+    const wcut_flat x = flat_of(r, h);
+    int best = -1, c = border;
+    do {
+        if ((best < 0 || distance(flat_of(r, c), x) < distance(flat_of(r, best), x)) && sees(r, border, h, c, x))
+            best = c;
+        c = r->corner[c].after;
+    } while (c != border);
+    if (best < 0) return false;
+    const int back = r->corners++, again = r->corners++;
+    r->corner[back].at = r->corner[h].at;
+    r->corner[again].at = r->corner[best].at;
+    link(r, r->corner[h].before, back);
+    link(r, again, r->corner[best].after);
+    link(r, best, h);
+    link(r, back, again);
+    measure(r, best), measure(r, h), measure(r, back), measure(r, again);
+    return true;
+}
+
+/* join the holes, the one that reaches furthest in p first */
+static bool join_holes(region *r, int loops, const int *size, bool *joined) {
+    for (int round = 1; round < loops; round++) {
+        int best = -1, best_at = 0, at = 0;
+        double most = -INFINITY;
+        for (int l = 0; l < loops; at += size[l++])
+            for (int k = 0; l > 0 && !joined[l] && k < size[l]; k++)
+                if (r->point[at + k].p > most) most = r->point[at + k].p, best = l, best_at = at;
+        if (best < 0) return false;
+        joined[best] = true;
+        if (!join_hole(r, 0, add_run(r, best_at, size[best]))) return false;
+    }
+    return true;
+}
+
+/* No other corner in the triangle, nor on its new side. Only corners that do not turn left can be the first inside. */
+static bool is_ear(const region *r, int c) {
+    const corner *k = &r->corner[c];
+    if (!(k->turn > 0)) return false;
+    const wcut_flat a = flat_of(r, k->before), b = flat_of(r, c), d = flat_of(r, k->after);
+    for (int o = r->corner[k->after].after; o != k->before; o = r->corner[o].after) {
+        if (r->corner[o].turn > 0) continue;
+        const wcut_flat x = flat_of(r, o);
+        if (!same(x, a) && !same(x, b) && !same(x, d) && holds(a, b, d, x)) return false;
+    }
+    return true;
+}
+
+static bool is_thin(const region *r, int c) {
+    const corner *k = &r->corner[c];
+    const wcut_flat a = flat_of(r, k->before), b = flat_of(r, c), d = flat_of(r, k->after);
+    const double longest = fmax(distance(a, b), fmax(distance(b, d), distance(d, a)));
+    return k->turn < THIN * longest * longest;
+}
+
+/* cut ears until three corners are left; after each go on beyond it, so that they do not all share a corner */
+static bool cut_ears(region *r, int left, int c, int *triangle) {
+    int waited = 0;
+    while (left > 3) {
+        const corner k = r->corner[c];
+        if (waited > 2 * left) return false;
+        if ((waited < left && is_thin(r, c)) || !is_ear(r, c)) {
+            c = k.after;
+            waited++;
+            continue;
+        }
+        *triangle++ = r->corner[k.before].at, *triangle++ = k.at, *triangle++ = r->corner[k.after].at;
+        link(r, k.before, k.after);
+        measure(r, k.before), measure(r, k.after);
+        left--;
+        waited = 0;
+        c = r->corner[k.after].after;
+    }
+    const corner k = r->corner[c];
+    *triangle++ = r->corner[k.before].at, *triangle++ = k.at, *triangle = r->corner[k.after].at;
+    return k.turn > 0;
+}
+
+wcut_status wcut_polygon_triangulate(int loops, const int *size, const wcut_flat *point, int *triangle) {
+    int points = 0;
+    for (int l = 0; l < loops; l++) {
+        if (size[l] < 3) return WCUT_DEGENERATE;
+        points += size[l];
+    }
+    const int corners = points + 2 * (loops - 1);
+    bool *joined = wcut_alloc((size_t)loops, sizeof *joined);
+    region r = {.point = point, .corner = wcut_alloc((size_t)corners, sizeof *r.corner)};
+    wcut_status status = joined && r.corner ? WCUT_OK : WCUT_NO_MEMORY;
+    if (status == WCUT_OK) {
+        const int first = add_run(&r, 0, size[0]);
+        if (!join_holes(&r, loops, size, joined) || !cut_ears(&r, corners, first, triangle)) status = WCUT_DEGENERATE;
+    }
+    wcut_free(r.corner);
+    wcut_free(joined);
+    return status;
+}
