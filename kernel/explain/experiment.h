@@ -6,10 +6,11 @@
 
 /*
  * Every candidate is rehearsed with the effects a, with the effects b, and with a, b and the wire's length of the plain
- * model changed, all along one planned motion. What a refit of these three could explain is taken out of the difference
- * of both; what is left, in units of the sensors' noise, is the candidate's separation. Candidates: the cut as it is,
- * a dithered speed, heater steps, both, the path backwards, three quarters of the width, a fifth less and a quarter
- * more heat, half again the tension, a cold entry. Scans count where an explanation moves the face or the scan.
+ * model changed, all along one planned motion. What a refit of these three, of a constant kerf and of the strength of
+ * one explanation (within 30 %) could explain is taken out of the difference; what is left, in units of the sensors'
+ * noise and the less of both ways round, is the candidate's separation. Candidates: the cut as it is, a dithered speed,
+ * heater steps, both, the path backwards, three quarters of the width, a fifth less and a quarter more heat, a quarter
+ * more tension, a cold entry. Scans count where an explanation moves the face or the scan.
  *
  * job: path mode, with what is known of a, b; its own excitation is not used. count_a, a; count_b, b: each explanation,
  * 0 for the plain model. best: the candidate's job, named, without effects beyond those of job, the caller's.
