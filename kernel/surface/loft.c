@@ -1,6 +1,7 @@
 /* The bicubic surface through a wire's stations: skinning by two banded sweeps (Piegl, Tiller 1997, 9.2.5). */
+#include "surface/loft.h"
+
 #include <limits.h>
-#include <wirecut/surface.h>
 
 #include "base/alloc.h"
 #include "base/numbers.h"
@@ -42,9 +43,44 @@ static int pick_sections(int stations, int nodes, const wcut_vec3 *position, dou
     return kept;
 }
 
-/* fill a surface through the kept sections; v: their parameters */
-static wcut_status interpolate_grid(int nodes, const wcut_vec3 *position, int kept, const int *keep, const double *v,
+void wcut_sections_clear(wcut_sections *sections) {
+    wcut_free(sections->station);
+    wcut_free(sections->v);
+    *sections = (wcut_sections){.kept = 0};
+}
+
+wcut_status wcut_sections_pick(int stations, int nodes, const wcut_vec3 *position, double merge,
+                               wcut_sections *sections) {
+    wcut_sections s = {.kept = 0};
+    s.station = wcut_alloc((size_t)stations, sizeof *s.station);
+    s.v = wcut_alloc((size_t)stations, sizeof *s.v);
+    double *step = wcut_alloc((size_t)stations, sizeof *step);
+    wcut_status status = s.station && s.v && step ? WCUT_OK : WCUT_NO_MEMORY;
+    if (status == WCUT_OK) {
+        s.kept = pick_sections(stations, nodes, position, merge, s.station, step);
+        status = s.kept >= 2 ? wcut_parameters_from_lengths(s.kept, step, s.v) : WCUT_DEGENERATE;
+    }
+    wcut_free(step);
+    if (status == WCUT_OK) {
+        *sections = s;
+    } else {
+        wcut_sections_clear(&s);
+    }
+    return status;
+}
+
+void wcut_sections_spread(const wcut_sections *s, int stations, double *parameter) {
+    for (int j = 0, k = 0; j < stations; j++) {
+        if (k + 1 < s->kept && s->station[k + 1] == j) k++;
+        parameter[j] = s->v[k];
+    }
+}
+
+/* fill a surface through the kept sections */
+static wcut_status interpolate_grid(int nodes, const wcut_vec3 *position, const wcut_sections *sections,
                                     wcut_surface *s) {
+    const int kept = sections->kept, *keep = sections->station;
+    const double *v = sections->v;
     double *u = wcut_alloc((size_t)nodes, sizeof *u);
     if (!u) return WCUT_NO_MEMORY;
     for (int i = 0; i < nodes; i++) u[i] = (double)i / (nodes - 1);
@@ -63,33 +99,22 @@ wcut_status wcut_surface_loft(int stations, int nodes, const wcut_vec3 *position
     if (stations < 2 || nodes < 2 || nodes > INT_MAX / 8 / stations || !position || !surface ||
         !(isfinite(merge) && merge >= 0) || !vec3_all_finite(stations * nodes, position))
         return WCUT_BAD_ARGUMENT;
-    wcut_status status = WCUT_NO_MEMORY;
+    wcut_sections sections;
     wcut_surface *s = NULL;
-    int *keep = wcut_alloc((size_t)stations, sizeof *keep), kept;
-    double *v = wcut_alloc((size_t)stations, sizeof *v), *step = wcut_alloc((size_t)stations, sizeof *step);
-    if (!keep || !v || !step) goto done;
-
-    kept = pick_sections(stations, nodes, position, merge, keep, step);
-    status = kept >= 2 ? wcut_parameters_from_lengths(kept, step, v) : WCUT_DEGENERATE;
-    if (status != WCUT_OK) goto done;
+    wcut_status status = wcut_sections_pick(stations, nodes, position, merge, &sections);
+    if (status != WCUT_OK) return status;
+    const int kept = sections.kept;
     status = wcut_surface_new(nodes > 3 ? 3 : nodes - 1, kept > 3 ? 3 : kept - 1, nodes, kept, false, &s);
-    if (status == WCUT_OK) status = interpolate_grid(nodes, position, kept, keep, v, s);
+    if (status == WCUT_OK) status = interpolate_grid(nodes, position, &sections, s);
     if (status == WCUT_SINGULAR) status = WCUT_DEGENERATE; /* steps so unequal that a pivot is lost to rounding */
     if (status == WCUT_OK && !vec3_all_finite(kept * nodes, s->control)) status = WCUT_DEGENERATE;
-    if (status != WCUT_OK) goto done;
-
-    for (int j = 0, k = 0; parameter && j < stations; j++) {
-        if (k + 1 < kept && keep[k + 1] == j) k++;
-        parameter[j] = v[k];
+    if (status == WCUT_OK) {
+        if (parameter) wcut_sections_spread(&sections, stations, parameter);
+        if (report) *report = (wcut_loft_report){.used = kept, .dropped = stations - kept};
+        *surface = s;
+        s = NULL;
     }
-    if (report) *report = (wcut_loft_report){.used = kept, .dropped = stations - kept};
-    *surface = s;
-    s = NULL;
-
-done:
     wcut_surface_destroy(s);
-    wcut_free(step);
-    wcut_free(v);
-    wcut_free(keep);
+    wcut_sections_clear(&sections);
     return status;
 }

@@ -21,6 +21,7 @@
 #include <wirecut/exchange.h>
 #include <wirecut/export.h>
 #include <wirecut/face.h>
+#include <wirecut/fit.h>
 #include <wirecut/force_density.h>
 #include <wirecut/force_law.h>
 #include <wirecut/history.h>
