@@ -54,8 +54,8 @@ static wcut_status measure(const wcut_surface *s, const wcut_surface *loft, int 
                            const double *v, const wcut_vec3 *point, double *at_nodes, double *between) {
     const int wide = 2 * nodes - 1;
     double *at = wcut_alloc((size_t)wide, sizeof *at);
-    wcut_vec3 *a = wcut_alloc((size_t)wide, 2 * sizeof *a), *b = a + wide;
-    wcut_status status = at && a ? WCUT_OK : WCUT_NO_MEMORY;
+    wcut_vec3 *a = wcut_alloc((size_t)wide, sizeof *a), *b = wcut_alloc((size_t)wide, sizeof *b);
+    wcut_status status = at && a && b ? WCUT_OK : WCUT_NO_MEMORY;
     double most = 0, most_between = 0;
     for (int i = 0; i < wide && status == WCUT_OK; i++) at[i] = i % 2 ? (u[i / 2] + u[i / 2 + 1]) / 2 : u[i / 2];
     for (int j = 0; j < 2 * kept - 1 && status == WCUT_OK; j++) {
@@ -70,8 +70,9 @@ static wcut_status measure(const wcut_surface *s, const wcut_surface *loft, int 
             }
         }
     }
-    wcut_free(at);
+    wcut_free(b);
     wcut_free(a);
+    wcut_free(at);
     if (status == WCUT_OK) *at_nodes = most, *between = most_between;
     return status;
 }

@@ -184,7 +184,11 @@ wcut_status wcut_line_fit_points(int rows, const double *parameter, int columns,
         adapt(&d, missed, tolerance, held, &s);
     }
     if (status == WCUT_OK && best.count == 0) status = interpolate(&d, &best);
-    if (status == WCUT_OK) *fit = best;
+    if (status == WCUT_OK) {
+        *fit = best;
+    } else {
+        wcut_line_fit_clear(&best);
+    }
     wcut_spacing_clear(&s);
     wcut_free(missed);
     return status;
