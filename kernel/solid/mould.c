@@ -24,8 +24,11 @@ static const double MARGIN_SHARE = 2e-3;
 static const double STOCK_SHARE = 1e-6;
 
 wcut_mould_options wcut_mould_default(void) {
-    return (wcut_mould_options){
-        .chord_tolerance = 0.1, .fit_tolerance = 0.005, .scale = 1, .pull = {.x = 0, .y = 0, .z = 1}};
+    return (wcut_mould_options){.chord_tolerance = 0.1,
+                                .fit_tolerance = 0.005,
+                                .scale = 1,
+                                .draft_asked = -WCUT_PI / 2,
+                                .pull = {.x = 0, .y = 0, .z = 1}};
 }
 
 static void half_clear(wcut_half *half) {
@@ -91,6 +94,10 @@ static wcut_status check_options(const wcut_mould_options *o, wcut_vec3 block, w
                          o->prolong, o->kerf, o->wire_diameter);
     if (o->kerf_stations != 0 && (o->kerf_stations < 2 || o->kerf_nodes < 2 || !o->kerf_parameter || !o->kerf_field))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "kerf: expected a field of at least 2 x 2 values");
+    if (!(o->wall_asked >= 0) || !(fabs(o->draft_asked) <= WCUT_PI / 2))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                         "wall %g mm, draft %g rad: expected a length and an angle up to pi/2", o->wall_asked,
+                         o->draft_asked);
     if (!is_positive(o->scale) || !vec3_is_finite(o->pull) || !(vec3_length(o->pull) > 0))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "scale %g: expected it positive, and a direction to pull in",
                          o->scale);
@@ -152,6 +159,12 @@ static wcut_status balance(wcut_mould *m, wcut_error *error) {
                      m->lower.report.volume, m->upper.report.volume, m->kerf_volume, keys, m->block_volume);
 }
 
+/* what was asked for beside the geometry, of the solids as they will be */
+static void judge_half(const wcut_mould_options *o, wcut_half_report *r) {
+    r->wall_held = o->wall_asked == 0 || r->wall_min >= o->wall_asked;
+    r->draft_held = r->draft_min >= o->draft_asked;
+}
+
 static void scale_mesh(wcut_mesh *mesh, double f) {
     for (int k = 0; mesh && k < mesh->vertex_count; k++) mesh->vertex[k] = vec3_scale(f, mesh->vertex[k]);
 }
@@ -173,6 +186,7 @@ static void scale_mould(wcut_mould *m, double f) {
     scale_half(&m->upper, f);
     scale_mesh(m->kerf, f);
     m->kerf_volume *= f * f * f, m->block_volume *= f * f * f;
+    m->scale = f;
 }
 
 /* ---- the division ---- */
@@ -269,7 +283,14 @@ static wcut_status divide(const wcut_division *d, wcut_mould *m, wcut_error *err
         parts.lower.mesh = parts.upper.mesh = parts.kerf.mesh = NULL;
         status = balance(m, error);
     }
-    if (status == WCUT_OK) scale_mould(m, d->options->scale);
+    if (status == WCUT_OK) {
+        const wcut_mould_options *o = d->options;
+        scale_mould(m, o->scale);
+        judge_half(o, &m->lower.report);
+        judge_half(o, &m->upper.report);
+        m->wire_radius = o->wire_diameter / 2;
+        m->wall_asked = o->wall_asked, m->draft_asked = o->draft_asked;
+    }
     wcut_parts_clear(&parts);
     faces_clear(&f);
     return status;

@@ -4,6 +4,8 @@
 
 #include <wirecut/brep.h>
 #include <wirecut/export.h>
+#include <wirecut/history.h>
+#include <wirecut/job.h>
 #include <wirecut/mesh.h>
 #include <wirecut/status.h>
 #include <wirecut/surface.h>
@@ -37,6 +39,8 @@ typedef struct wcut_mould_options {
     wcut_vec3 pull;         /**< [1] direction in which the cast leaves the lower half, the upper half's is opposite;
                                  any length; +z */
     double wire_diameter;   /**< [mm] to judge the surface's smallest radius by; 0 */
+    double wall_asked;      /**< [mm] least wall_min that is wanted; 0 */
+    double draft_asked;     /**< [rad] least draft_min that is wanted; -pi/2: any */
     const wcut_mesh *stock; /**< closed mesh inside the block that is cut in the block's place; NULL */
 } wcut_mould_options;
 
@@ -55,6 +59,7 @@ typedef struct wcut_half_report {
     double undercut_area;        /**< [mm2] of the cut face that turns away from the pull */
     double wall_min;             /**< [mm] least distance along z from the cut face to the opposite face or a pocket;
                                      NaN with a stock, or where the cut leaves through top or bottom */
+    int wall_held, draft_held;   /**< 1: as asked for; a wall that is not known does not hold unless 0 was asked for */
     double key_volume;           /**< [mm3] of its keys, those of pockets negative */
 } wcut_half_report;
 
@@ -80,6 +85,10 @@ typedef struct wcut_mould {
     double radius_min;         /**< [mm] least radius of curvature of the cut, INFINITY where it is flat */
     wcut_vec3 radius_place;    /**< [mm] ... and where */
     double kerf_min, kerf_max; /**< [mm] over the cut face */
+    double scale;              /**< [1] as asked for */
+    double wire_radius;        /**< [mm] as asked for */
+    double wall_asked;         /**< [mm] as asked for */
+    double draft_asked;        /**< [rad] as asked for */
     int by_boolean;            /**< 1: made by mesh booleans (stock, or the cut leaves through top or bottom) */
 } wcut_mould;
 
@@ -112,19 +121,35 @@ WCUT_API wcut_status wcut_mould_create(const wcut_surface *surface, wcut_vec3 bl
 WCUT_API void wcut_mould_destroy(wcut_mould *mould);
 
 /**
- * The kerf of wire nodes, width + per_q Q_eff with Q_eff = Q_I / v [MODEL (1)].
+ * The kerf at every node of a cut, the job's width + per_q Q_eff with Q_eff = Q_I / v: Q_I the job's heat by its
+ * programme, v the node's speed, at least the job's lowest one; station 0, which was not arrived at, has that of
+ * station 1.
  *
- * @param[in]  count  0 or more
- * @param[in]  heat   count [W/m], not negative
- * @param[in]  speed  count [mm/s]
- * @param[in]  floor  [mm/s] positive: slower nodes count as moving at this speed
- * @param[in]  width  [mm] not negative
- * @param[in]  per_q  [mm m^2/J] not negative
- * @param[out] kerf   count [mm]
+ * @param[in]  job     that the history came from
+ * @param[in]  history of that job, at least two stations
+ * @param[out] field   history->stations x history->nodes [mm], for options->kerf_field
  * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was written.
  */
-WCUT_API wcut_status wcut_kerf_eval(int count, const double *heat, const double *speed, double floor, double width,
-                                    double per_q, double *kerf);
+WCUT_API wcut_status wcut_history_kerf(const wcut_job *job, const wcut_history *history, double *field);
+
+/**
+ * `mould.json` as FORMATS describes it, and more.
+ *
+ * @param[in]  mould      from wcut_mould_create
+ * @param[in]  name       of the job, UTF-8
+ * @param[in]  file_count 0 or more
+ * @param[in]  files      file_count names that were written
+ * @param[in]  path       the target, replaced whole or left as it was
+ * @param[out] error      may be NULL
+ * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as
+ *         it was.
+ */
+WCUT_API wcut_status wcut_mould_write(const wcut_mould *mould, const char *name, int file_count,
+                                      const char *const *files, const char *path, wcut_error *error);
+
+/** The text of `mould.json`: the caller's, to free(); ends with a line feed. Statuses as wcut_mould_write. */
+WCUT_API wcut_status wcut_mould_print(const wcut_mould *mould, const char *name, int file_count,
+                                      const char *const *files, char **text);
 
 #ifdef __cplusplus
 }
