@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "base/alloc.h"
+#include "base/numbers.h"
 #include "base/vec3.h"
 
 /* ends of the directed edges that leave each vertex: end[first[v]] to end[first[v + 1] - 1] */
@@ -108,7 +109,9 @@ wcut_status wcut_check_skin(const wcut_mesh *mesh, wcut_half_report *report) {
     return status;
 }
 
-void wcut_check_draft(const wcut_mesh *mesh, const unsigned char *tag, wcut_vec3 pull, wcut_half_report *report) {
+void wcut_check_draft(const wcut_mesh *mesh, const unsigned char *tag, wcut_vec3 pull, wcut_half_report *report,
+                      double *draft) {
+    for (int v = 0; v < mesh->vertex_count; v++) draft[v] = NAN;
     report->cut_area = report->undercut_area = 0;
     report->draft_min = INFINITY;
     for (int t = 0; t < mesh->triangle_count; t++) {
@@ -117,12 +120,13 @@ void wcut_check_draft(const wcut_mesh *mesh, const unsigned char *tag, wcut_vec3
         const double area = vec3_length(n) / 2;
         if (!(area > 0)) continue;
         const double rise = vec3_dot(n, pull) / (2 * area);
-        const double draft = asin(rise > 1 ? 1 : rise < -1 ? -1 : rise);
+        const double angle = asin(clamp(rise, -1, 1));
+        const int *c = mesh->triangle + 3 * (ptrdiff_t)t;
+        for (int k = 0; k < 3; k++) draft[c[k]] = fmin(draft[c[k]], angle); /* fmin leaves a NaN out */
         report->cut_area += area;
-        if (draft < 0) report->undercut_area += area;
-        if (draft < report->draft_min) {
-            const int *c = mesh->triangle + 3 * (ptrdiff_t)t;
-            report->draft_min = draft;
+        if (angle < 0) report->undercut_area += area;
+        if (angle < report->draft_min) {
+            report->draft_min = angle;
             report->draft_place =
                 vec3_scale(1.0 / 3, vec3_add(mesh->vertex[c[0]], vec3_add(mesh->vertex[c[1]], mesh->vertex[c[2]])));
         }

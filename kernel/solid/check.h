@@ -8,8 +8,10 @@
    WCUT_NO_MEMORY: nothing was written. Fields of the cut face are not touched. */
 wcut_status wcut_check_skin(const wcut_mesh *mesh, wcut_half_report *report);
 
-/* area, draft and undercut of the triangles of the cut face; tag: 1 for those, triangle_count; pull: unit */
-void wcut_check_draft(const wcut_mesh *mesh, const unsigned char *tag, wcut_vec3 pull, wcut_half_report *report);
+/* Area, draft and undercut of the triangles of the cut face; tag: 1 for those, triangle_count; pull: unit; draft:
+   vertex_count, the least at each vertex of the cut face, NaN elsewhere. */
+void wcut_check_draft(const wcut_mesh *mesh, const unsigned char *tag, wcut_vec3 pull, wcut_half_report *report,
+                      double *draft);
 
 /* [mm3] inside closed and oriented triangles */
 double wcut_mesh_volume(const wcut_mesh *mesh);

@@ -9,6 +9,7 @@
 #include "base/vec3.h"
 #include "solid/boolean.h"
 #include "solid/check.h"
+#include "solid/keys.h"
 
 static void part_clear(wcut_part *p) {
     wcut_mesh_destroy(p->mesh);
@@ -25,47 +26,16 @@ void wcut_parts_clear(wcut_parts *parts) {
 /* the level face of a half with the keys that are on it */
 static wcut_status key_face(const wcut_division *d, wcut_sides sides, int upper, double z, wcut_lid *lid,
                             wcut_error *error) {
-    const wcut_mould_options *o = d->options;
-    wcut_key *own = wcut_alloc((size_t)o->key_count, sizeof *own);
-    if (!own) return WCUT_NO_MEMORY;
-    int count = 0;
-    for (int k = 0; k < o->key_count; k++)
-        if (!o->key[k].upper == !upper) own[count++] = o->key[k];
-    const wcut_status status = wcut_lid_flat(sides, z, count, own, o->chord_tolerance, lid);
+    wcut_key *own;
+    int count;
+    wcut_status status = wcut_keys_of(d->options, upper, &own, &count);
+    if (status != WCUT_OK) return status;
+    status = wcut_lid_flat(sides, z, count, own, d->options->chord_tolerance, lid);
     if (status == WCUT_BAD_ARGUMENT)
         wcut_fail(error, status, "keys of the %s half: two of them meet, or one reaches the block's side",
                   upper ? "upper" : "lower");
     wcut_free(own);
     return status;
-}
-
-wcut_status wcut_halves_check_keys(const wcut_division *d, int upper, const wcut_cut_face *face, double *wall,
-                                   wcut_error *error) {
-    const wcut_lid *l = &face->lid;
-    double longest = 0; /* a triangle over a circle has a corner at most this far beyond it */
-    for (int t = 0; t < l->triangle_count; t++)
-        for (int k = 0; k < 3; k++) {
-            const wcut_vec3 *p = &l->vertex[l->triangle[3 * t + k]], *q = &l->vertex[l->triangle[3 * t + (k + 1) % 3]];
-            longest = fmax(longest, hypot(p->x - q->x, p->y - q->y));
-        }
-    *wall = INFINITY;
-    for (int k = 0; k < d->options->key_count; k++) {
-        const wcut_key *key = &d->options->key[k];
-        if (!key->upper != !upper) continue;
-        const double level = upper ? d->block.z : 0, rise = wcut_key_rise(key);
-        const double reach = upper ? fmin(level, level + rise) : fmax(level, level + rise);
-        for (int v = 0; v < l->vertex_count; v++) {
-            const wcut_vec3 p = l->vertex[v];
-            if (hypot(p.x - key->x, p.y - key->y) > key->radius + longest) continue;
-            const double left = upper ? reach - p.z : p.z - reach;
-            if (!(left > 0))
-                return wcut_fail(error, WCUT_BAD_ARGUMENT,
-                                 "the key at x = %.6g, y = %.6g mm reaches the cut face near (%.6g, %.6g, %.6g) mm",
-                                 key->x, key->y, p.x, p.y, p.z);
-            *wall = fmin(*wall, left);
-        }
-    }
-    return WCUT_OK;
 }
 
 /* the solid between two lids; the cut's triangles are the ceiling's, the floor's or both (sum of 1 and 2) */

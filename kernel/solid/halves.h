@@ -23,11 +23,6 @@ wcut_status wcut_halves_by_index(const wcut_division *d, const wcut_cut_face *lo
 wcut_status wcut_halves_by_boolean(const wcut_division *d, const wcut_cut_face *lower, const wcut_cut_face *upper,
                                    double margin, wcut_parts *parts, double *block_volume, wcut_error *error);
 
-/* Do the keys stay clear of the cut face? *wall: [mm] least distance along z between them and it, INFINITY where there
-   are none. WCUT_BAD_ARGUMENT: a key reaches the cut face. */
-wcut_status wcut_halves_check_keys(const wcut_division *d, int upper, const wcut_cut_face *face, double *wall,
-                                   wcut_error *error);
-
 /* free what the two above gave; zeroed parts are allowed */
 void wcut_parts_clear(wcut_parts *parts);
 

@@ -8,10 +8,8 @@
 #include "base/alloc.h"
 #include "base/numbers.h"
 #include "base/vec3.h"
+#include "solid/keys.h"
 #include "solid/polygon.h"
-
-/* arcs of a key's circle: a multiple of four, so that they meet where the exact circle's pieces do */
-enum { ARCS_MIN = 16, ARCS_MAX = 1024 };
 
 void wcut_lid_clear(wcut_lid *lid) {
     wcut_free(lid->vertex);
@@ -91,13 +89,6 @@ int wcut_lid_is_graph(const wcut_lid *lid) {
 }
 
 /* ---- the flat face with keys ---- */
-
-double wcut_key_rise(const wcut_key *key) { return key->upper ? key->height : -key->height; }
-
-int wcut_key_arcs(const wcut_key *key, double chord_tolerance) {
-    const double share = fmin(chord_tolerance / key->radius, 0.5), arcs = WCUT_PI / acos(1 - share);
-    return arcs < ARCS_MIN ? ARCS_MIN : arcs > ARCS_MAX ? ARCS_MAX : 4 * (int)ceil(arcs / 4);
-}
 
 static void add_circle(const wcut_key *key, int arcs, double radius, double z, wcut_vec3 *to) {
     for (int k = 0; k < arcs; k++) {

@@ -30,12 +30,6 @@ void wcut_lid_clear(wcut_lid *lid);
 /* does every vertical line meet the lid once? proven by the exact turn of every triangle seen from above */
 int wcut_lid_is_graph(const wcut_lid *lid);
 
-/* how much a key raises the face it is on: cones stand out, pockets go in */
-double wcut_key_rise(const wcut_key *key);
-
-/* corners of the polygons that stand for a key's circles */
-int wcut_key_arcs(const wcut_key *key, double chord_tolerance);
-
 /* The solid between two lids over the same sides; they do not touch. The ceiling's triangles come first, then the
    floor's, then those of the sides. WCUT_DEGENERATE (borders that cross), WCUT_NO_MEMORY: nothing was written. */
 wcut_status wcut_lid_enclose(const wcut_lid *floor, const wcut_lid *ceiling, wcut_mesh **mesh);

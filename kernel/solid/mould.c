@@ -12,6 +12,7 @@
 #include "solid/check.h"
 #include "solid/halves.h"
 #include "solid/kerf.h"
+#include "solid/keys.h"
 #include "solid/solid_brep.h"
 
 /* lower + upper + kerf - keys = block to this share, or it is a defect */
@@ -34,6 +35,7 @@ wcut_mould_options wcut_mould_default(void) {
 static void half_clear(wcut_half *half) {
     wcut_mesh_destroy(half->mesh);
     wcut_brep_destroy(half->brep);
+    wcut_free(half->draft);
 }
 
 void wcut_mould_destroy(wcut_mould *mould) {
@@ -113,19 +115,6 @@ static wcut_status check_options(const wcut_mould_options *o, wcut_vec3 block, w
 
 /* ---- what came out ---- */
 
-/* exact for the polygons that the triangles have in the circles' place: a frustum of similar polygons */
-static double volume_of_keys(const wcut_mould_options *o, int upper) {
-    double sum = 0;
-    for (int k = 0; k < o->key_count; k++) {
-        const wcut_key *key = &o->key[k];
-        if (!key->upper != !upper) continue;
-        const int arcs = wcut_key_arcs(key, o->chord_tolerance);
-        const double share = arcs / 2.0 * sin(2 * WCUT_PI / arcs), r = key->radius, q = key->tip_radius;
-        sum += share * key->height / 3 * (r * r + r * q + q * q);
-    }
-    return sum;
-}
-
 static wcut_status report_half(const wcut_division *d, const wcut_part *part, int upper, wcut_half *half,
                                wcut_error *error) {
     const char *name = upper ? "upper" : "lower";
@@ -133,9 +122,11 @@ static wcut_status report_half(const wcut_division *d, const wcut_part *part, in
     wcut_half_report *r = &half->report;
     const wcut_status status = wcut_check_skin(part->mesh, r);
     if (status != WCUT_OK) return status;
-    wcut_check_draft(part->mesh, part->tag, upper ? vec3_scale(-1, pull) : pull, r);
+    half->draft = wcut_alloc((size_t)part->mesh->vertex_count, sizeof *half->draft);
+    if (!half->draft) return WCUT_NO_MEMORY;
+    wcut_check_draft(part->mesh, part->tag, upper ? vec3_scale(-1, pull) : pull, r, half->draft);
     r->self_intersections = part->self_intersections;
-    r->key_volume = volume_of_keys(d->options, upper);
+    r->key_volume = wcut_keys_volume(d->options, upper);
     if (r->self_intersections > 0)
         return wcut_fail(error, WCUT_DEGENERATE,
                          "the cut folds over itself: %d pairs of triangles of the %s half meet near (%.6g, %.6g, %.6g) "
@@ -230,16 +221,15 @@ static wcut_status describe_halves(const wcut_division *d, const faces *f, wcut_
         const wcut_cut_face *face = upper ? f->upper : f->lower;
         wcut_half *half = upper ? &m->upper : &m->lower;
         double wall;
-        wcut_status status = wcut_halves_check_keys(d, upper, face, &wall, error);
+        wcut_status status = wcut_keys_check(d, upper, face, &wall, error);
         if (status != WCUT_OK) return status;
         half->report.wall_min = NAN;
         if (m->by_boolean) continue;
         half->report.wall_min = fmin(wall, upper ? d->block.z - face->high : face->low);
-        wcut_key *own = wcut_alloc((size_t)d->options->key_count, sizeof *own);
-        if (!own) return WCUT_NO_MEMORY;
-        int count = 0;
-        for (int k = 0; k < d->options->key_count; k++)
-            if (!d->options->key[k].upper == !upper) own[count++] = d->options->key[k];
+        wcut_key *own;
+        int count;
+        status = wcut_keys_of(d->options, upper, &own, &count);
+        if (status != WCUT_OK) return status;
         status = wcut_brep_of_half(face->skin.patch, upper, upper ? d->block.z : 0, count, own, &half->brep);
         wcut_free(own);
         if (status != WCUT_OK) return status;

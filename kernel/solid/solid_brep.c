@@ -10,7 +10,7 @@
 #include "base/alloc.h"
 #include "base/numbers.h"
 #include "base/vec3.h"
-#include "solid/lid.h"
+#include "solid/keys.h"
 
 enum {
     CORNERS = 4,

@@ -66,6 +66,7 @@ typedef struct wcut_half_report {
 /** One half. */
 typedef struct wcut_half {
     wcut_mesh *mesh; /**< closed, oriented outwards; vertices shared by index */
+    double *draft; /**< vertex_count [rad]: least angle to the pull of the cut face's triangles there, NaN elsewhere */
     wcut_brep *brep; /**< the same solid exactly; NULL where the cut leaves through top or bottom, or with a stock */
     wcut_half_report report;
 } wcut_half;
@@ -119,6 +120,19 @@ WCUT_API wcut_status wcut_mould_create(const wcut_surface *surface, wcut_vec3 bl
 
 /** Free a mould; NULL is allowed. */
 WCUT_API void wcut_mould_destroy(wcut_mould *mould);
+
+/**
+ * Three keys on the uncut face of each half, near its corners at x low and y low, at x high and y low, and at x low and
+ * y high, so that a half fits in one way only; flanks 20 deg from the axis, radius / 2 away from the block's sides.
+ *
+ * @param[in]  block_size [mm] W, L, H, positive
+ * @param[in]  radius     [mm] positive
+ * @param[in]  height     [mm] positive: cones, negative: pockets; |height| tan 20 deg is less than the radius
+ * @param[out] key        WCUT_KEYS_AT_CORNERS
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was written.
+ */
+enum { WCUT_KEYS_AT_CORNERS = 6 };
+WCUT_API wcut_status wcut_keys_at_corners(wcut_vec3 block_size, double radius, double height, wcut_key *key);
 
 /**
  * The kerf at every node of a cut, the job's width + per_q Q_eff with Q_eff = Q_I / v: Q_I the job's heat by its

@@ -1,0 +1,88 @@
+/* Where keys are, how many corners their circles get, and how far the cut stays from them. */
+#include "solid/keys.h"
+
+#include <math.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "base/numbers.h"
+
+/* corners of a circle: a multiple of four, so that the exact circle's pieces meet at corners */
+enum { ARCS_MIN = 16, ARCS_MAX = 1024 };
+
+static const double TAN_FLANK = 0.36397023426620234; /* tan 20 deg */
+
+wcut_status wcut_keys_at_corners(wcut_vec3 block_size, double radius, double height, wcut_key *key) {
+    if (!is_positive(block_size.x) || !is_positive(block_size.y) || !is_positive(block_size.z) ||
+        !is_positive(radius) || !isfinite(height) || height == 0 || !key || !(fabs(height) * TAN_FLANK < radius))
+        return WCUT_BAD_ARGUMENT;
+    const double in = 1.5 * radius, x[3] = {in, block_size.x - in, in}, y[3] = {in, in, block_size.y - in};
+    for (int k = 0; k < WCUT_KEYS_AT_CORNERS; k++)
+        key[k] = (wcut_key){.upper = k / 3,
+                            .x = x[k % 3],
+                            .y = y[k % 3],
+                            .radius = radius,
+                            .tip_radius = radius - fabs(height) * TAN_FLANK,
+                            .height = height};
+    return WCUT_OK;
+}
+
+double wcut_key_rise(const wcut_key *key) { return key->upper ? key->height : -key->height; }
+
+int wcut_key_arcs(const wcut_key *key, double chord_tolerance) {
+    const double share = fmin(chord_tolerance / key->radius, 0.5), arcs = WCUT_PI / acos(1 - share);
+    return arcs < ARCS_MIN ? ARCS_MIN : arcs > ARCS_MAX ? ARCS_MAX : 4 * (int)ceil(arcs / 4);
+}
+
+wcut_status wcut_keys_of(const wcut_mould_options *options, int upper, wcut_key **own, int *count) {
+    wcut_key *k = wcut_alloc((size_t)options->key_count, sizeof *k);
+    if (!k) return WCUT_NO_MEMORY;
+    int made = 0;
+    for (int i = 0; i < options->key_count; i++)
+        if (!options->key[i].upper == !upper) k[made++] = options->key[i];
+    *own = k;
+    *count = made;
+    return WCUT_OK;
+}
+
+/* a frustum between similar polygons */
+double wcut_keys_volume(const wcut_mould_options *o, int upper) {
+    double sum = 0;
+    for (int k = 0; k < o->key_count; k++) {
+        const wcut_key *key = &o->key[k];
+        if (!key->upper != !upper) continue;
+        const int arcs = wcut_key_arcs(key, o->chord_tolerance);
+        const double share = arcs / 2.0 * sin(2 * WCUT_PI / arcs), r = key->radius, q = key->tip_radius;
+        sum += share * key->height / 3 * (r * r + r * q + q * q);
+    }
+    return sum;
+}
+
+wcut_status wcut_keys_check(const wcut_division *d, int upper, const wcut_cut_face *face, double *wall,
+                            wcut_error *error) {
+    const wcut_lid *l = &face->lid;
+    double longest = 0; /* a triangle over a circle has a corner at most this far beyond it */
+    for (int t = 0; t < l->triangle_count; t++)
+        for (int k = 0; k < 3; k++) {
+            const wcut_vec3 *p = &l->vertex[l->triangle[3 * t + k]], *q = &l->vertex[l->triangle[3 * t + (k + 1) % 3]];
+            longest = fmax(longest, hypot(p->x - q->x, p->y - q->y));
+        }
+    *wall = INFINITY;
+    for (int k = 0; k < d->options->key_count; k++) {
+        const wcut_key *key = &d->options->key[k];
+        if (!key->upper != !upper) continue;
+        const double level = upper ? d->block.z : 0, rise = wcut_key_rise(key);
+        const double reach = upper ? fmin(level, level + rise) : fmax(level, level + rise);
+        for (int v = 0; v < l->vertex_count; v++) {
+            const wcut_vec3 p = l->vertex[v];
+            if (hypot(p.x - key->x, p.y - key->y) > key->radius + longest) continue;
+            const double left = upper ? reach - p.z : p.z - reach;
+            if (!(left > 0))
+                return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                                 "the key at x = %.6g, y = %.6g mm reaches the cut face near (%.6g, %.6g, %.6g) mm",
+                                 key->x, key->y, p.x, p.y, p.z);
+            *wall = fmin(*wall, left);
+        }
+    }
+    return WCUT_OK;
+}
