@@ -1,6 +1,7 @@
 /* The page of recordings beside their predictions: scores by channel, phase and cut, then every channel over time. */
 #include "report_score.h"
 #include "angle.h"
+#include "page_memory.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -19,35 +20,12 @@ enum {
 /* how much of the page a sample of a cut takes: its columns as base64 of doubles */
 #define BYTES_A_SAMPLE (42 * 8 * 4 / 3)
 
-/* memory that lives as long as the page is being written */
-typedef struct block {
-    struct block *next;
-} block;
-
 typedef struct page {
     const app_scored *of;
-    block *memory;
-    bool failed; /* memory ran out */
+    app_memory memory;
 } page;
 
-static void *take(page *p, size_t count, size_t size) {
-    block *b = calloc(1, sizeof *b + (count ? count : 1) * size);
-    if (!b) {
-        p->failed = true;
-        return NULL;
-    }
-    b->next = p->memory;
-    p->memory = b;
-    return b + 1;
-}
-
-static void clear(page *p) {
-    while (p->memory) {
-        block *next = p->memory->next;
-        free(p->memory);
-        p->memory = next;
-    }
-}
+static void *take(page *p, size_t count, size_t size) { return app_take(&p->memory, count, size); }
 
 static char *join(page *p, const char *a, const char *between, const char *b) {
     const size_t size = strlen(a) + strlen(between) + strlen(b) + 1;
@@ -204,7 +182,7 @@ static void fill_series(page *p, const wcut_comparison *c, const wcut_prediction
     double *y = take(p, (size_t)d->count, sizeof *y);
     double *low = band ? take(p, (size_t)d->count, sizeof *low) : NULL;
     double *high = band ? take(p, (size_t)d->count, sizeof *high) : NULL;
-    if (p->failed) return;
+    if (p->memory.failed) return;
     for (int i = 0; i < d->count; i++) {
         const int sample = d->first + i;
         y[i] = from->present[sample] ? from->value[k][sample] * unit : NAN;
@@ -227,7 +205,7 @@ static void fill_chart(page *p, const wcut_scored_cut *cut, int k, const drawn *
     const bool replayed = k >= 2;
     wcut_report_series *series = take(p, 3, sizeof *series);
     double *measured = take(p, (size_t)d->count, sizeof *measured);
-    if (p->failed) return;
+    if (p->memory.failed) return;
     for (int i = 0; i < d->count; i++) {
         const int sample = d->first + i;
         const bool there = !channel->present || channel->present[sample];
@@ -263,7 +241,7 @@ static void fill_section(page *p, const wcut_scored_cut *cut, wcut_report_sectio
     drawn d = choose_samples(cut);
     double *time = take(p, (size_t)d.count, sizeof *time), *station = take(p, (size_t)d.count, sizeof *station);
     char *note = take(p, 300, 1);
-    if (p->failed) return;
+    if (p->memory.failed) return;
     for (int i = 0; i < d.count; i++) {
         const int sample = d.first + i;
         const bool there = !recorded->present || recorded->present[sample];
@@ -321,7 +299,7 @@ static int choose(const app_scored *of, unsigned char *shown) {
 static void fill_overview(page *p, const char *note, wcut_report_section *section) {
     const app_scored *of = p->of;
     wcut_report_table *table = take(p, 5, sizeof *table);
-    if (p->failed) return;
+    if (p->memory.failed) return;
     table[0] = group_table(p, "NRMSD", "RMSD over the range of the measured data: blind to a bias.", false);
     table[1] = group_table(p, "RMSE over range", "The same with what is off on the whole.", true);
     table[2] = channel_table(p, "Replayed: mean over the cuts", "The speed is an input of the replay.",
@@ -384,10 +362,10 @@ wcut_status app_report_score(const app_scored *scored, const char *path, wcut_er
     if (shown < compared)
         snprintf(note, sizeof note, "Below are the %d cuts that fit worst; residuals.csv holds them all.", shown);
     if (section) fill_overview(&p, note, section);
-    for (int i = 0; !p.failed && i < scored->cuts; i++)
+    for (int i = 0; !p.memory.failed && i < scored->cuts; i++)
         if (chosen[i]) fill_section(&p, &scored->cut[i], &section[sections++]);
     const wcut_status status =
-        p.failed ? WCUT_NO_MEMORY : write_page(&p, compared, shown, sections, section, path, error);
-    clear(&p);
+        p.memory.failed ? WCUT_NO_MEMORY : write_page(&p, compared, shown, sections, section, path, error);
+    app_give_back(&p.memory);
     return status;
 }

@@ -292,7 +292,7 @@ async function testAny(browser) {
   const page = await Page.open(browser, only);
   await page.ask(HELPERS);
   await page.picture('page.png');
-  const charts = await page.ask('wirecut.report.sections.reduce((sum, section) => sum + section.charts.length, 0)');
+  const charts = await page.ask('wirecut.report.sections.reduce((sum, section) => sum + section.charts.length + section.maps.length, 0)');
   assert.equal(await page.ask("document.querySelectorAll('figure.chart .uplot canvas').length"), charts);
   if (await page.ask('wirecut.surface === null')) return page.close();
   const index = await page.ask('(wirecut.surface.shape.rows >> 1) * wirecut.surface.shape.columns + (wirecut.surface.shape.columns >> 1)');

@@ -1,0 +1,403 @@
+/* The page of a diagnosis: the verdict, what it rests on, what else was weighed, what it is worth on other cuts. */
+#include "report_diagnose.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "page_memory.h"
+#include "report_evidence.h"
+
+enum { SECTIONS_BESIDE_CUTS = 5 };
+
+typedef struct page {
+    const app_diagnosed *of;
+    const wcut_diagnosis *d;
+    app_memory memory;
+} page;
+
+/* ---- words ---- */
+
+/* "foam density gradient, axis y" */
+static const char *words_of(page *p, const wcut_effect *effect) {
+    const wcut_effect_info *info = wcut_effect_view(effect->kind);
+    char name[80];
+    snprintf(name, sizeof name, "%s", info->name);
+    for (char *c = name; *c; c++)
+        if (*c == '_') *c = ' ';
+    if (!info->choice_key) return app_take_text(&p->memory, "%s", name);
+    return app_take_text(&p->memory, "%s, %s %s", name, info->choice_key, info->choice[effect->choice]);
+}
+
+static const char *hypothesis_words(page *p, const wcut_hypothesis *h) {
+    if (h->count == 0) return "recalibration alone";
+    const char *first = words_of(p, &h->effect[0]);
+    return h->count == 1 ? first : app_take_text(&p->memory, "%s + %s", first, words_of(p, &h->effect[1]));
+}
+
+/* the column of a table with room for its rows */
+static double *numbers(page *p, wcut_report_column *column, const char *label, const char *unit, int rows) {
+    double *number = app_take(&p->memory, (size_t)rows, sizeof *number);
+    *column = (wcut_report_column){.label = label, .unit = unit, .number = number};
+    return number;
+}
+
+static const char **texts(page *p, wcut_report_column *column, const char *label, int rows) {
+    const char **text = app_take(&p->memory, (size_t)rows, sizeof *text);
+    *column = (wcut_report_column){.label = label, .text = text};
+    return text;
+}
+
+static wcut_report_column *columns(page *p, int count) {
+    return app_take(&p->memory, (size_t)count, sizeof(wcut_report_column));
+}
+
+/* what a page can show: infinite ends and what was not estimated become a dash */
+static double shown(double value) { return isfinite(value) && fabs(value) < 1e30 ? value : NAN; }
+
+/* a number of its own size: a column of numbers has one precision for all */
+static const char *number_words(page *p, double value) {
+    return isfinite(value) ? app_take_text(&p->memory, "%.4g", value) : NULL;
+}
+
+/* ---- what was found ---- */
+
+static int count_values(const wcut_diagnosis *d) {
+    int count = 0;
+    for (int e = 0; e < d->effects; e++)
+        for (const wcut_effect_parameter *q = wcut_effect_view(d->effect[e].effect.kind)->parameter; q->key; q++)
+            count += q->size;
+    return count;
+}
+
+static wcut_report_table effect_table(page *p) {
+    const wcut_diagnosis *d = p->d;
+    const int rows = count_values(d);
+    wcut_report_column *c = columns(p, 7);
+    wcut_report_table table = {.title = "Effects and their parameters", .columns = 7, .column = c};
+    if (!c) return table;
+    const char **effect = texts(p, &c[0], "effect", rows), **verdict = texts(p, &c[1], "is", rows);
+    double *confidence = numbers(p, &c[2], "confidence", "%", rows);
+    const char **key = texts(p, &c[3], "parameter", rows);
+    const char **value = texts(p, &c[4], "value", rows), **low = texts(p, &c[5], "95 % from", rows),
+               **high = texts(p, &c[6], "to", rows);
+    if (p->memory.failed) return table;
+    table.note = "A value without an interval was kept at its usual size. An open end is a dash.";
+    for (int e = 0; e < d->effects; e++) {
+        const wcut_found_effect *f = &d->effect[e];
+        for (const wcut_effect_parameter *q = wcut_effect_view(f->effect.kind)->parameter; q->key; q++)
+            for (int k = 0; k < q->size; k++) {
+                const int r = table.rows++;
+                const wcut_estimate *estimate = &f->parameter[q->at + k];
+                const bool estimated = f->estimated[q->at + k];
+                effect[r] = words_of(p, &f->effect);
+                verdict[r] = f->present ? "present" : "possible";
+                confidence[r] = 100 * f->confidence;
+                key[r] = q->size == 1 ? q->key : app_take_text(&p->memory, "%s, %c", q->key, 'x' + k);
+                value[r] = number_words(p, f->effect.value[q->at + k]);
+                low[r] = estimated ? number_words(p, estimate->low) : NULL;
+                high[r] = estimated ? number_words(p, estimate->high) : NULL;
+            }
+    }
+    return table;
+}
+
+static wcut_report_table base_table(page *p) {
+    const wcut_diagnosis *d = p->d;
+    const struct {
+        const char *name;
+        double job;
+        const wcut_estimate *found;
+    } row[] = {{"a [N/mm]", d->a_job, &d->a},
+               {"b [m2/J]", d->b_job, &d->b},
+               {"wire's length, change [mm]", 0, &d->length_change},
+               {"constant kerf that the scans show [mm]", NAN, &d->kerf}};
+    enum { ROWS = sizeof row / sizeof *row };
+    wcut_report_column *c = columns(p, 5);
+    wcut_report_table table = {.title = "Recalibrated", .columns = 5, .column = c};
+    table.note = "Set anew before any effect is named, shared by all cuts: none of these is an effect.";
+    if (!c) return table;
+    const char **name = texts(p, &c[0], "of the plain model", ROWS);
+    const char **job = texts(p, &c[1], "the job says", ROWS), **value = texts(p, &c[2], "value", ROWS),
+               **low = texts(p, &c[3], "95 % from", ROWS), **high = texts(p, &c[4], "to", ROWS);
+    if (p->memory.failed) return table;
+    for (int r = 0; r < ROWS; r++) {
+        name[r] = row[r].name, job[r] = number_words(p, row[r].job), value[r] = number_words(p, row[r].found->value);
+        low[r] = number_words(p, row[r].found->low), high[r] = number_words(p, row[r].found->high);
+    }
+    table.rows = ROWS;
+    return table;
+}
+
+static wcut_report_table limit_table(page *p) {
+    const app_diagnosed *of = p->of;
+    const int rows = of->said + p->d->limits;
+    wcut_report_column *c = columns(p, 1);
+    wcut_report_table table = {.title = "What could not be told", .columns = 1, .column = c};
+    const char **text = c ? texts(p, &c[0], "why", rows) : NULL;
+    if (!text) return table;
+    for (int i = 0; i < of->said; i++) text[table.rows++] = of->said_text[i];
+    for (int i = 0; i < p->d->limits; i++) text[table.rows++] = p->d->limit[i];
+    return table;
+}
+
+static wcut_report_table next_table(page *p) {
+    const wcut_job *job = p->d->next_experiment;
+    wcut_report_column *c = columns(p, 2);
+    wcut_report_table table = {.title = "Next experiment", .columns = 2, .column = c};
+    const char **label = c ? texts(p, &c[0], "what", 4) : NULL, **text = c ? texts(p, &c[1], "which", 4) : NULL;
+    if (!label || !text) return table;
+    label[0] = "cut", text[0] = job->name ? job->name : "";
+    label[1] = "job", text[1] = "next-experiment.json";
+    label[2] = "why", text[2] = p->d->next_reason;
+    label[3] = "excitation", text[3] = app_take_text(&p->memory, "%d sines on the speed, %d heater steps",
+                                                     job->dither_count, job->heat_step_count);
+    table.rows = 4;
+    return table;
+}
+
+static bool fill_found(page *p, wcut_report_section *section) {
+    wcut_report_table *table = app_take(&p->memory, 4, sizeof *table);
+    int count = 0;
+    if (!table) return false;
+    if (p->d->effects > 0) table[count++] = effect_table(p);
+    table[count++] = base_table(p);
+    if (p->d->limits + p->of->said > 0) table[count++] = limit_table(p);
+    if (p->d->next_experiment) table[count++] = next_table(p);
+    *section = (wcut_report_section){.title = "What was found", .table_count = count, .table = table};
+    return !p->memory.failed;
+}
+
+/* ---- what it is worth ---- */
+
+typedef const wcut_fit (*fits)[WCUT_EVIDENCE_COUNT];
+
+static double figure_of(const wcut_fit *f, bool with_bias) {
+    return f->count > 0 ? shown(with_bias ? f->rmse_over_range : f->nrmsd) : NAN;
+}
+
+/* a row a channel, a column a model */
+static wcut_report_table fit_table(page *p, const char *title, const char *note, fits fit, bool with_bias) {
+    static const char *const label[WCUT_FIT_MODELS] = {"before", "recalibrated", "after", "black box"};
+    wcut_report_column *c = columns(p, WCUT_FIT_MODELS + 2);
+    wcut_report_table table = {.title = title, .note = note, .columns = with_bias ? 6 : 5, .column = c};
+    const char **name = c ? texts(p, &c[0], "channel", WCUT_EVIDENCE_COUNT) : NULL;
+    const char **interval = c ? texts(p, &c[WCUT_FIT_MODELS + 1], "95 % after", WCUT_EVIDENCE_COUNT) : NULL;
+    double *number[WCUT_FIT_MODELS] = {NULL};
+    for (int m = 0; c && m < WCUT_FIT_MODELS; m++) number[m] = numbers(p, &c[m + 1], label[m], "", WCUT_EVIDENCE_COUNT);
+    if (p->memory.failed) return table;
+    for (int k = 0; k < WCUT_EVIDENCE_COUNT; k++) {
+        const int r = table.rows;
+        bool there = false;
+        for (int m = 0; m < WCUT_FIT_MODELS; m++) {
+            number[m][r] = figure_of(&fit[m][k], with_bias);
+            there = there || fit[m][k].count > 0;
+        }
+        if (!there) continue;
+        const wcut_fit *after = &fit[WCUT_FIT_AFTER][k];
+        name[r] = wcut_evidence_name((wcut_evidence_channel)k);
+        interval[r] = after->count > 0 && isfinite(after->low) && isfinite(after->high)
+                          ? app_take_text(&p->memory, "%.3g to %.3g", after->low, after->high)
+                          : NULL;
+        table.rows++;
+    }
+    return table;
+}
+
+static bool fill_worth(page *p, wcut_report_section *section) {
+    const wcut_diagnosis *d = p->d;
+    static const char *const bias = "With what is off on the whole.";
+    static const char *const blind = "RMSD over range: blind to a bias.";
+    wcut_report_table *table = app_take(&p->memory, 4, sizeof *table);
+    if (!table) return false;
+    table[0] = fit_table(p, "Held-out cuts: RMSE over range", bias, d->held_out_fit, true);
+    table[1] = fit_table(p, "Held-out cuts: NRMSD", blind, d->held_out_fit, false);
+    table[2] = fit_table(p, "All cuts, all fitted: RMSE over range", bias, d->fit, true);
+    table[3] = fit_table(p, "All cuts, all fitted: NRMSD", blind, d->fit, false);
+    int first = 0;
+    while (first < 4 && table[first].rows == 0) first++;
+    if (first == 4) return false;
+    *section = (wcut_report_section){
+        .title = "What it is worth",
+        .note =
+            "The speed is that of the planned run, which no fit has seen; the other channels are replayed. The "
+            "black box is a mere fit of the recalibrated residuals, without physics.",
+        .table_count = 4 - first,
+        .table = table + first};
+    return !p->memory.failed;
+}
+
+/* ---- what else was weighed ---- */
+
+static wcut_report_table ranking_table(page *p) {
+    const wcut_diagnosis *d = p->d;
+    const int rows = d->hypotheses;
+    wcut_report_column *c = columns(p, 7);
+    wcut_report_table table = {.title = "All explanations, the best first", .columns = 7, .column = c};
+    table.note =
+        "Gain: fall of the misfit against recalibration alone, in chi-square units; held out: the same on cuts "
+        "predicted from the others. Adequacy: what is left over what noise leaves.";
+    if (!c) return table;
+    const char **name = texts(p, &c[0], "explanation", rows);
+    double *number[5];
+    static const char *const label[5] = {"parameters", "gain", "held-out gain", "adequacy", "probability"};
+    for (int k = 0; k < 5; k++) number[k] = numbers(p, &c[k + 1], label[k], k == 4 ? "%" : "", rows);
+    const char **why = texts(p, &c[6], "set aside because", rows);
+    if (p->memory.failed) return table;
+    for (int r = 0; r < rows; r++) {
+        const wcut_hypothesis *h = &d->hypothesis[r];
+        name[r] = hypothesis_words(p, h);
+        number[0][r] = h->parameters, number[1][r] = shown(h->gain), number[2][r] = shown(h->held_out);
+        number[3][r] = shown(h->adequacy), number[4][r] = shown(100 * h->probability);
+        why[r] = h->why && h->why[0] ? h->why : "chosen";
+    }
+    table.rows = rows;
+    return table;
+}
+
+static wcut_report_table dependence_table(page *p) {
+    const wcut_diagnosis *d = p->d;
+    const int rows = d->dependences;
+    wcut_report_column *c = columns(p, 6);
+    wcut_report_table table = {.title = "What the residual depends on", .columns = 6, .column = c};
+    table.note =
+        "No known effect explains it: this is what the foam's force would have to depend on. Coefficient: "
+        "relative change of the force per unit of the quantity.";
+    if (!c) return table;
+    const char **quantity = texts(p, &c[0], "quantity", rows), **channel = texts(p, &c[1], "seen best in", rows);
+    const char **value = texts(p, &c[2], "coefficient", rows), **low = texts(p, &c[3], "95 % from", rows),
+               **high = texts(p, &c[4], "to", rows);
+    double *gain = numbers(p, &c[5], "held-out gain", "", rows);
+    if (p->memory.failed) return table;
+    for (int r = 0; r < rows; r++) {
+        const wcut_dependence *x = &d->dependence[r];
+        quantity[r] = x->quantity, channel[r] = wcut_evidence_name(x->channel);
+        value[r] = number_words(p, x->coefficient.value), low[r] = number_words(p, x->coefficient.low);
+        high[r] = number_words(p, x->coefficient.high), gain[r] = shown(x->gain);
+    }
+    table.rows = rows;
+    return table;
+}
+
+static bool fill_weighed(page *p, wcut_report_section *section) {
+    wcut_report_table *table = app_take(&p->memory, 2, sizeof *table);
+    int count = 0;
+    if (!table) return false;
+    if (p->d->hypotheses > 0) table[count++] = ranking_table(p);
+    if (p->d->dependences > 0) table[count++] = dependence_table(p);
+    *section = (wcut_report_section){.title = "What was weighed", .table_count = count, .table = table};
+    return !p->memory.failed && count > 0;
+}
+
+/* ---- where ---- */
+
+static const char *span_words(page *p, double from, double to) {
+    return isfinite(from) && isfinite(to) ? app_take_text(&p->memory, "%.4g .. %.4g", from, to) : NULL;
+}
+
+static bool fill_where(page *p, wcut_report_section *section) {
+    const wcut_diagnosis *d = p->d;
+    const int rows = d->mismatches;
+    wcut_report_column *c = columns(p, 12);
+    wcut_report_table *table = app_take(&p->memory, 1, sizeof *table);
+    if (!c || !table || rows == 0) return false;
+    static const char *const label[8] = {"cut",   "channel", "time, s", "station", "along the wire, mm",
+                                         "x, mm", "y, mm",   "z, mm"};
+    const char **text[8];
+    for (int k = 0; k < 8; k++) text[k] = texts(p, &c[k], label[k], rows);
+    const char **mean = texts(p, &c[8], "measured less model", rows);
+    double *share = numbers(p, &c[9], "share of the misfit", "%", rows), *p_value = numbers(p, &c[10], "p", "", rows);
+    const char **regime = texts(p, &c[11], "while", rows);
+    if (p->memory.failed) return false;
+    for (int r = 0; r < rows; r++) {
+        const wcut_mismatch *m = &d->mismatch[r];
+        text[0][r] = m->cut >= 0 && m->cut < d->cuts ? p->of->cut_name[m->cut] : "all";
+        text[1][r] = m->column;
+        text[2][r] = span_words(p, m->time[0], m->time[1]);
+        text[3][r] = span_words(p, m->station[0], m->station[1]);
+        text[4][r] = span_words(p, m->wire[0], m->wire[1]);
+        text[5][r] = span_words(p, m->block[0].x, m->block[1].x);
+        text[6][r] = span_words(p, m->block[0].y, m->block[1].y);
+        text[7][r] = span_words(p, m->block[0].z, m->block[1].z);
+        mean[r] =
+            isfinite(m->mean) ? app_take_text(&p->memory, "%+.3g %s", m->mean, wcut_evidence_unit(m->channel)) : NULL;
+        share[r] = shown(100 * m->share), p_value[r] = shown(m->p_value), regime[r] = m->regime;
+    }
+    *table = (wcut_report_table){.title = "Where they differ by more than noise, after recalibration",
+                                 .note = "p-values are corrected for the search.",
+                                 .rows = rows,
+                                 .columns = 12,
+                                 .column = c};
+    *section = (wcut_report_section){.title = "Where", .table_count = 1, .table = table};
+    return !p->memory.failed;
+}
+
+/* ---- the page ---- */
+
+static wcut_report_tone tone_of(const wcut_diagnosis *d) {
+    if (d->interrupted) return WCUT_TONE_WARNING;
+    if (d->kind == WCUT_VERDICT_NONE) return WCUT_TONE_GOOD;
+    return d->kind == WCUT_VERDICT_UNKNOWN || d->kind == WCUT_VERDICT_AMBIGUOUS ? WCUT_TONE_WARNING : WCUT_TONE_PLAIN;
+}
+
+/* geometric mean over the channels of RMSE over range after over recalibrated, on held-out cuts; NaN: none */
+static double improvement(const wcut_diagnosis *d) {
+    double sum = 0;
+    int count = 0;
+    for (int c = 0; c < WCUT_EVIDENCE_COUNT; c++) {
+        const wcut_fit *from = &d->held_out_fit[WCUT_FIT_RECALIBRATED][c], *to = &d->held_out_fit[WCUT_FIT_AFTER][c];
+        if (from->count < 1 || to->count < 1 || !(from->rmse_over_range > 0) || !(to->rmse_over_range > 0)) continue;
+        sum += log(to->rmse_over_range / from->rmse_over_range);
+        count++;
+    }
+    return count > 0 ? exp(sum / count) : NAN;
+}
+
+static wcut_status write_page(page *p, int sections, const wcut_report_section *section, const char *path,
+                              wcut_error *error) {
+    const wcut_diagnosis *d = p->d;
+    int held = 0;
+    for (int i = 0; d->held_out && i < d->cuts; i++) held += d->held_out[i];
+    char cuts[60], verdict[WCUT_DIAGNOSIS_TEXT + 40];
+    snprintf(cuts, sizeof cuts, "%d, %d of them held out", d->cuts, held);
+    snprintf(verdict, sizeof verdict, "%s%s", d->interrupted ? "Interrupted, as far as it went: " : "", d->sentence);
+    const wcut_report_fact fact[] = {
+        {"verdict", wcut_verdict_name(d->kind), 0, ""},
+        {"confidence that it is exactly right", NULL, 100 * d->confidence, "%"},
+        {"cuts", cuts, 0, ""},
+        {"misfit on held-out cuts, after over recalibrated", NULL, improvement(d), ""},
+        {"left over what noise leaves", NULL, shown(d->adequacy), ""},
+        {"p-value of that", NULL, shown(d->adequacy_p), ""},
+        {"plain least squares would name", d->naive_false && d->naive[0] ? d->naive : "nothing", 0, ""}};
+    const wcut_report report = {.verb = "diagnose",
+                                .title = p->of->title,
+                                .tone = tone_of(d),
+                                .verdict = verdict,
+                                .fact_count = sizeof fact / sizeof *fact,
+                                .fact = fact,
+                                .section_count = sections,
+                                .section = section,
+                                .source_count = p->of->sources,
+                                .source = p->of->source,
+                                .option_count = p->of->options,
+                                .option = p->of->option};
+    return wcut_report_write(&report, path, error);
+}
+
+wcut_status app_report_diagnose(const app_diagnosed *diagnosed, const char *path, wcut_error *error) {
+    page p = {.of = diagnosed, .d = diagnosed->diagnosis};
+    int count = 0;
+    wcut_report_section *section = app_take(&p.memory, SECTIONS_BESIDE_CUTS + (size_t)p.d->cuts, sizeof *section);
+    if (section) {
+        count += app_fill_evidence(&p.memory, diagnosed, &section[count]);
+        count += fill_found(&p, &section[count]);
+        count += fill_worth(&p, &section[count]);
+        count += fill_weighed(&p, &section[count]);
+        count += fill_where(&p, &section[count]);
+    }
+    for (int cut = 0; section && cut < p.d->cuts; cut++)
+        count += app_fill_residuals(&p.memory, diagnosed, cut, &section[count]);
+    const wcut_status status = p.memory.failed ? WCUT_NO_MEMORY : write_page(&p, count, section, path, error);
+    app_give_back(&p.memory);
+    return status;
+}

@@ -1,0 +1,227 @@
+/* The evidence on a diagnosis's page: residuals of all models as maps and as lines. */
+#include "report_evidence.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MODELS = 3, MAP_COLUMNS = 240, SPANS_MOST = 24 };
+
+static const char *const model_title[MODELS] = {"Before: the job as it is", "Recalibrated: a, b and the wire's length",
+                                                "After: with what was found"};
+
+static const double *values_of(const wcut_residual_trace *t, int model) {
+    return model == 0 ? t->before : model == 1 ? t->recalibrated : t->after;
+}
+
+/* ---- maps ---- */
+
+/* the grid of all maps: a row a trace, even columns over the time of all cuts */
+typedef struct grid {
+    int columns, rows;
+    double *x, *y;
+    const wcut_residual_trace **row;
+} grid;
+
+/* channels together, within them cut by cut */
+static int by_channel(const void *a, const void *b) {
+    const wcut_residual_trace *s = *(const wcut_residual_trace *const *)a, *t = *(const wcut_residual_trace *const *)b;
+    if (s->channel != t->channel) return s->channel < t->channel ? -1 : 1;
+    const int order = strcmp(s->column, t->column);
+    if (order) return order;
+    return s->cut < t->cut ? -1 : s->cut > t->cut;
+}
+
+static bool make_grid(app_memory *memory, const wcut_diagnosis *d, grid *g) {
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    *g = (grid){.columns = MAP_COLUMNS};
+    g->row = app_take(memory, (size_t)d->traces, sizeof *g->row);
+    g->x = app_take(memory, MAP_COLUMNS, sizeof *g->x);
+    g->y = app_take(memory, (size_t)d->traces, sizeof *g->y);
+    if (memory->failed) return false;
+    for (int i = 0; i < d->traces; i++) {
+        const wcut_residual_trace *t = &d->trace[i];
+        if (t->count < 2) continue;
+        g->y[g->rows] = g->rows + 1;
+        g->row[g->rows++] = t;
+        low = fmin(low, t->time[0]), high = fmax(high, t->time[t->count - 1]);
+    }
+    if (g->rows < 2 || !(high > low)) return false; /* a map has two rows */
+    qsort(g->row, (size_t)g->rows, sizeof *g->row, by_channel);
+    for (int c = 0; c < MAP_COLUMNS; c++) g->x[c] = low + (high - low) * (c + 0.5) / MAP_COLUMNS;
+    return true;
+}
+
+/* the bin that a time is in; -1: none */
+static int bin_at(const wcut_residual_trace *t, double time) {
+    int low = 0, high = t->count - 1;
+    if (time < t->time[0] - (t->time[1] - t->time[0]) || time > 2 * t->time[high] - t->time[high - 1]) return -1;
+    while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        if (t->time[middle] <= time)
+            low = middle;
+        else
+            high = middle;
+    }
+    return time - t->time[low] < t->time[high] - time ? low : high;
+}
+
+/* residuals in standard deviations of noise, so that all channels share one scale */
+static double *fill_map(app_memory *memory, const grid *g, int model) {
+    double *value = app_take(memory, (size_t)g->rows * (size_t)g->columns, sizeof *value);
+    for (int r = 0; value && r < g->rows; r++) {
+        const wcut_residual_trace *t = g->row[r];
+        const double *from = values_of(t, model);
+        for (int c = 0; c < g->columns; c++) {
+            const int bin = bin_at(t, g->x[c]);
+            const bool there = from && bin >= 0 && t->noise > 0;
+            value[(size_t)r * (size_t)g->columns + (size_t)c] = there ? from[bin] / t->noise : NAN;
+        }
+    }
+    return value;
+}
+
+static int by_size(const void *a, const void *b) {
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* what 98 of 100 cells of the map before stay below, five standard deviations at least */
+static double common_limit(app_memory *memory, const grid *g, const double *before) {
+    double *size = app_take(memory, (size_t)g->rows * (size_t)g->columns, sizeof *size);
+    size_t count = 0;
+    for (size_t i = 0; size && i < (size_t)g->rows * (size_t)g->columns; i++)
+        if (isfinite(before[i])) size[count++] = fabs(before[i]);
+    if (count == 0) return 5;
+    qsort(size, count, sizeof *size, by_size);
+    return fmax(5, size[(size_t)(0.98 * (double)(count - 1))]);
+}
+
+static wcut_report_table row_table(app_memory *memory, const app_diagnosed *of, const grid *g) {
+    wcut_report_column *column = app_take(memory, 4, sizeof *column);
+    const char **name = app_take(memory, (size_t)g->rows, sizeof *name);
+    const char **cut = app_take(memory, (size_t)g->rows, sizeof *cut);
+    double *noise = app_take(memory, (size_t)g->rows, sizeof *noise);
+    if (memory->failed) return (wcut_report_table){.title = ""};
+    for (int r = 0; r < g->rows; r++) {
+        name[r] = g->row[r]->column;
+        cut[r] = of->cut_name[g->row[r]->cut];
+        noise[r] = g->row[r]->noise;
+    }
+    column[0] = (wcut_report_column){.label = "row", .number = g->y};
+    column[1] = (wcut_report_column){.label = "channel", .text = name};
+    column[2] = (wcut_report_column){.label = "cut", .text = cut};
+    column[3] = (wcut_report_column){.label = "noise of a bin, channel's unit", .number = noise};
+    return (wcut_report_table){.title = "Rows of the maps", .rows = g->rows, .columns = 4, .column = column};
+}
+
+bool app_fill_evidence(app_memory *memory, const app_diagnosed *of, wcut_report_section *section) {
+    grid g;
+    if (of->diagnosis->traces < 1 || !make_grid(memory, of->diagnosis, &g)) return false;
+    wcut_report_map *map = app_take(memory, MODELS, sizeof *map);
+    wcut_report_table *table = app_take(memory, 1, sizeof *table);
+    double *value[MODELS];
+    for (int m = 0; m < MODELS; m++) value[m] = fill_map(memory, &g, m);
+    if (memory->failed) return false;
+    const double limit = common_limit(memory, &g, value[0]);
+    for (int m = 0; m < MODELS; m++)
+        map[m] = (wcut_report_map){.title = model_title[m],
+                                   .x_label = "time",
+                                   .x_unit = "s",
+                                   .y_label = "row",
+                                   .y_unit = "",
+                                   .label = "residual over noise",
+                                   .unit = "",
+                                   .columns = g.columns,
+                                   .rows = g.rows,
+                                   .x = g.x,
+                                   .y = g.y,
+                                   .value = value[m],
+                                   .scale = WCUT_SCALE_DIVERGING,
+                                   .limit = limit};
+    table[0] = row_table(memory, of, &g);
+    *section = (wcut_report_section){
+        .title = "Evidence",
+        .note =
+            "Measured less replayed, in standard deviations of what noise alone leaves of a bin; one colour scale "
+            "for all three. What is left in colour is not explained.",
+        .map_count = MODELS,
+        .map = map,
+        .table_count = 1,
+        .table = table};
+    return !memory->failed;
+}
+
+/* ---- lines ---- */
+
+/* the mismatches of a trace, as spans */
+static int list_spans(app_memory *memory, const wcut_diagnosis *d, const wcut_residual_trace *t,
+                      wcut_report_span *span) {
+    int count = 0;
+    for (int i = 0; i < d->mismatches && count < SPANS_MOST; i++) {
+        const wcut_mismatch *m = &d->mismatch[i];
+        if (m->cut != t->cut || strcmp(m->column, t->column) != 0) continue;
+        if (!isfinite(m->time[0] + m->time[1] + m->station[0] + m->station[1])) continue;
+        span[count++] = (wcut_report_span){.label = app_take_text(memory, "%.0f %% of the misfit", 100 * m->share),
+                                           .from = {m->time[0], m->station[0]},
+                                           .to = {m->time[1], m->station[1]}};
+    }
+    return count;
+}
+
+/* stations that go forward, whatever the encoder's noise */
+static const double *forward(app_memory *memory, const wcut_residual_trace *t) {
+    double *station = app_take(memory, (size_t)t->count, sizeof *station);
+    for (int i = 0; station && i < t->count; i++)
+        station[i] = i > 0 ? fmax(station[i - 1], t->station[i]) : t->station[i];
+    return station;
+}
+
+static void fill_chart(app_memory *memory, const app_diagnosed *of, const wcut_residual_trace *t,
+                       wcut_report_chart *chart) {
+    static const char *const label[MODELS] = {"before", "recalibrated", "after"};
+    static const wcut_report_mark mark[MODELS] = {WCUT_MARK_DASHED, WCUT_MARK_LINE, WCUT_MARK_LINE};
+    wcut_report_series *series = app_take(memory, MODELS, sizeof *series);
+    wcut_report_span *span = app_take(memory, SPANS_MOST, sizeof *span);
+    double *low = app_take(memory, (size_t)t->count, sizeof *low);
+    double *high = app_take(memory, (size_t)t->count, sizeof *high);
+    const double *station = forward(memory, t);
+    if (memory->failed) return;
+    for (int i = 0; i < t->count; i++) low[i] = -2 * t->noise, high[i] = 2 * t->noise;
+    int count = 0;
+    for (int m = 0; m < MODELS; m++) {
+        if (!values_of(t, m)) continue;
+        series[count] = (wcut_report_series){
+            .label = label[m], .mark = mark[m], .count = t->count, .x = {t->time, station}, .y = values_of(t, m)};
+        count++;
+    }
+    if (count > 0 && t->noise > 0) series[count - 1].low = low, series[count - 1].high = high;
+    const int spans = list_spans(memory, of->diagnosis, t, span);
+    *chart = (wcut_report_chart){.title = t->column,
+                                 .x_label = {"time", "station"},
+                                 .x_unit = {"s", ""},
+                                 .y_label = "measured less model",
+                                 .y_unit = wcut_evidence_unit(t->channel),
+                                 .series_count = count,
+                                 .series = series,
+                                 .span_count = spans,
+                                 .span = span};
+}
+
+bool app_fill_residuals(app_memory *memory, const app_diagnosed *of, int cut, wcut_report_section *section) {
+    const wcut_diagnosis *d = of->diagnosis;
+    wcut_report_chart *chart = app_take(memory, (size_t)d->traces, sizeof *chart);
+    int charts = 0;
+    for (int i = 0; chart && i < d->traces; i++)
+        if (d->trace[i].cut == cut && d->trace[i].count > 1) fill_chart(memory, of, &d->trace[i], &chart[charts++]);
+    if (memory->failed || charts == 0) return false;
+    *section = (wcut_report_section){
+        .title = app_take_text(memory, "Residuals, %s", of->cut_name[cut]),
+        .note = d->held_out && d->held_out[cut] ? "This cut was held out where held-out figures are given. The band is "
+                                                  "what noise leaves of a bin, twice; shaded is where they differ."
+                                                : "The band is what noise leaves of a bin, twice; shaded is where they "
+                                                  "differ.",
+        .chart_count = charts,
+        .chart = chart};
+    return !memory->failed;
+}
