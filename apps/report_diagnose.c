@@ -340,17 +340,17 @@ static wcut_report_tone tone_of(const wcut_diagnosis *d) {
     return d->kind == WCUT_VERDICT_UNKNOWN || d->kind == WCUT_VERDICT_AMBIGUOUS ? WCUT_TONE_WARNING : WCUT_TONE_PLAIN;
 }
 
-/* geometric mean over the channels of RMSE over range after over recalibrated, on held-out cuts; NaN: none */
+/* mean over the channels of RMSE over range after over recalibrated, on held-out cuts; NaN: none */
 static double improvement(const wcut_diagnosis *d) {
     double sum = 0;
     int count = 0;
     for (int c = 0; c < WCUT_EVIDENCE_COUNT; c++) {
         const wcut_fit *from = &d->held_out_fit[WCUT_FIT_RECALIBRATED][c], *to = &d->held_out_fit[WCUT_FIT_AFTER][c];
         if (from->count < 1 || to->count < 1 || !(from->rmse_over_range > 0) || !(to->rmse_over_range > 0)) continue;
-        sum += log(to->rmse_over_range / from->rmse_over_range);
+        sum += to->rmse_over_range / from->rmse_over_range;
         count++;
     }
-    return count > 0 ? exp(sum / count) : NAN;
+    return count > 0 ? sum / count : NAN;
 }
 
 static wcut_status write_page(page *p, int sections, const wcut_report_section *section, const char *path,
