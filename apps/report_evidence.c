@@ -14,6 +14,8 @@ static const double *values_of(const wcut_residual_trace *t, int model) {
     return model == 0 ? t->before : model == 1 ? t->recalibrated : t->after;
 }
 
+static double larger(double a, double b) { return a > b ? a : b; }
+
 /* ---- maps ---- */
 
 /* the grid of all maps: a row a trace, even columns over the time of all cuts */
@@ -44,7 +46,7 @@ static bool make_grid(app_memory *memory, const wcut_diagnosis *d, grid *g) {
         if (t->count < 2) continue;
         g->y[g->rows] = g->rows + 1;
         g->row[g->rows++] = t;
-        low = fmin(low, t->time[0]), high = fmax(high, t->time[t->count - 1]);
+        low = -larger(-low, -t->time[0]), high = larger(high, t->time[t->count - 1]);
     }
     if (g->rows < 2 || !(high > low)) return false; /* a map has two rows */
     qsort(g->row, (size_t)g->rows, sizeof *g->row, by_channel);
@@ -94,7 +96,7 @@ static double common_limit(app_memory *memory, const grid *g, const double *befo
         if (isfinite(before[i])) size[count++] = fabs(before[i]);
     if (count == 0) return 5;
     qsort(size, count, sizeof *size, by_size);
-    return fmax(5, size[(size_t)(0.98 * (double)(count - 1))]);
+    return larger(5, size[(size_t)(0.98 * (double)(count - 1))]);
 }
 
 static wcut_report_table row_table(app_memory *memory, const app_diagnosed *of, const grid *g) {
@@ -173,7 +175,7 @@ static int list_spans(app_memory *memory, const wcut_diagnosis *d, const wcut_re
 static const double *forward(app_memory *memory, const wcut_residual_trace *t) {
     double *station = app_take(memory, (size_t)t->count, sizeof *station);
     for (int i = 0; station && i < t->count; i++)
-        station[i] = i > 0 ? fmax(station[i - 1], t->station[i]) : t->station[i];
+        station[i] = i > 0 ? larger(station[i - 1], t->station[i]) : t->station[i];
     return station;
 }
 
