@@ -105,3 +105,21 @@ wcut_status wcut_deviation_from_mesh(const wcut_mesh_tree *tree, int count, cons
     wcut_free(found);
     return status;
 }
+
+wcut_status wcut_deviation_onto_surface(const wcut_mesh *mesh, int count, wcut_deviation *deviation) {
+    if (!mesh || !mesh->uv || count < 0 || (count > 0 && !deviation)) return WCUT_BAD_ARGUMENT;
+    for (int i = 0; i < count; i++)
+        if (deviation[i].triangle < 0 || deviation[i].triangle >= mesh->triangle_count) return WCUT_BAD_ARGUMENT;
+    for (int i = 0; i < count; i++) {
+        wcut_deviation *d = &deviation[i];
+        const double share[3] = {1 - d->u - d->v, d->u, d->v};
+        d->u = d->v = 0;
+        for (int k = 0; k < 3; k++) {
+            const double *uv = &mesh->uv[2 * (size_t)mesh->triangle[3 * (size_t)d->triangle + k]];
+            d->u += share[k] * uv[0];
+            d->v += share[k] * uv[1];
+        }
+        d->triangle = -1;
+    }
+    return WCUT_OK;
+}

@@ -1,11 +1,13 @@
 /* Deviations spread over the grid of a face: hats of one step, and windows where points are few. */
+#include <limits.h>
 #include <wirecut/face.h>
 
 #include "base/alloc.h"
 #include "base/numbers.h"
 #include "base/vec3.h"
 
-static const double LEAST = 3; /* points that a value is the mean of, where a window may grow to find them */
+static const double FLAT = 1e-9; /* [mm^2] twice the area of a triangle that is none */
+static const double LEAST = 3;   /* points that a value is the mean of, where a window may grow to find them */
 
 void wcut_face_locate(const wcut_face *face, double u, double v, double *row, double *column) {
     int low = 0, high = face->stations - 1;
@@ -22,6 +24,43 @@ void wcut_face_locate(const wcut_face *face, double u, double v, double *row, do
     const double width = face->end[low] + t * (face->end[high] - face->end[low]) - begin;
     *row = low + t;
     *column = clamp(width > 0 ? (u - begin) / width : 0, 0, 1) * (face->nodes - 1);
+}
+
+double wcut_face_kerf(const wcut_face *face) {
+    double sum = 0;
+    int count = 0;
+    for (size_t i = 0; i < (size_t)face->stations * face->nodes; i++)
+        if (face->inside[i]) sum += 2 * face->half_kerf[i], count++;
+    return count > 0 ? sum / count : 0;
+}
+
+static bool is_flat(wcut_vec3 a, wcut_vec3 b, wcut_vec3 c) {
+    return vec3_length(vec3_cross(vec3_sub(b, a), vec3_sub(c, a))) < FLAT;
+}
+
+wcut_status wcut_face_mesh(const wcut_face *face, wcut_mesh **mesh) {
+    if (!face || !mesh) return WCUT_BAD_ARGUMENT;
+    const size_t cells = ((size_t)face->stations - 1) * ((size_t)face->nodes - 1);
+    wcut_mesh *m = NULL;
+    if (cells > INT_MAX / 6) return WCUT_BAD_ARGUMENT;
+    const wcut_status status = wcut_mesh_create(face->stations * face->nodes, (int)(2 * cells), 0, &m);
+    if (status != WCUT_OK) return status;
+    int count = 0;
+    for (int r = 0; r + 1 < face->stations; r++)
+        for (int c = 0; c + 1 < face->nodes; c++) {
+            const int i = r * face->nodes + c, j = i + face->nodes;
+            const int corner[2][3] = {{i, i + 1, j + 1}, {i, j + 1, j}};
+            for (int k = 0; k < 2; k++) {
+                const int *v = corner[k];
+                if (is_flat(face->point[v[0]], face->point[v[1]], face->point[v[2]])) continue;
+                for (int n = 0; n < 3; n++) m->triangle[3 * (size_t)count + n] = v[n];
+                count++;
+            }
+        }
+    for (int i = 0; i < m->vertex_count; i++) m->vertex[i] = face->point[i];
+    m->triangle_count = count;
+    *mesh = m;
+    return WCUT_OK;
 }
 
 wcut_status wcut_face_map_create(const wcut_face *face, wcut_face_map **map) {

@@ -76,6 +76,16 @@ WCUT_API wcut_status wcut_deviation_from_mesh(const wcut_mesh_tree *tree, int co
                                               wcut_deviation *deviation);
 
 /**
+ * Let feet on a tessellation stand for feet on its surface: u, v become the surface's parameters, triangle -1.
+ *
+ * @param[in]     mesh      with uv, that the deviations are from
+ * @param[in]     count     0 or more
+ * @param[in,out] deviation count
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a triangle that the mesh has not): nothing was written.
+ */
+WCUT_API wcut_status wcut_deviation_onto_surface(const wcut_mesh *mesh, int count, wcut_deviation *deviation);
+
+/**
  * The way back: how far each query is from the nearest of some points, as a face from its scan.
  *
  * @param[in]  count    points, 1 or more

@@ -6,6 +6,7 @@
 #include <wirecut/export.h>
 #include <wirecut/history.h>
 #include <wirecut/job.h>
+#include <wirecut/mesh.h>
 #include <wirecut/status.h>
 #include <wirecut/surface.h>
 
@@ -52,6 +53,19 @@ WCUT_API wcut_status wcut_face_create(const wcut_job *job, const wcut_history *h
 
 /** Free a face; NULL is allowed. */
 WCUT_API void wcut_face_destroy(wcut_face *face);
+
+/** [mm] The kerf that a face was lowered for half of, on average over the grid in the block. */
+WCUT_API double wcut_face_kerf(const wcut_face *face);
+
+/**
+ * The grid of a face as triangles, two to a cell, those left out that are drawn back to nothing. Vertices are the grid's
+ * points, all of them, in its order.
+ *
+ * @param[in]  face
+ * @param[out] mesh the caller's, to wcut_mesh_destroy
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (also more triangles than INT_MAX / 3), WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_face_mesh(const wcut_face *face, wcut_mesh **mesh);
 
 /** Where a foot is on a face's grid: row + share in v, column + share in u, both clamped to the grid. */
 WCUT_API void wcut_face_locate(const wcut_face *face, double u, double v, double *row, double *column);

@@ -1,0 +1,402 @@
+/* wirecut compare: a scan of the cut face beside the face that a job, or a mesh, says it should be. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "angle.h"
+#include "command.h"
+#include "compare_run.h"
+#include "report_compare.h"
+#include "results.h"
+#include "terminal.h"
+
+/* What a run may leave in its folder, in the order written. */
+static const char *const result_name[] = {"deviation.ply",      "deviation_mesh.ply", "deviation_mesh.obj",
+                                          "reconstruction.ply", "reconstruction.stl", "zones.csv",
+                                          "report.html",        "deviation.json",     NULL};
+
+/* ---- what is asked for ---- */
+
+/* The next number of a list; NULL where there is none or it is not positive and finite. */
+static const char *read_number(const char *text, double *number) {
+    char *end;
+    if (strspn(text, "+-.0123456789eE") == 0) return NULL;
+    *number = strtod(text, &end);
+    return end > text && isfinite(*number) && *number > 0 && *number <= 1e6 ? end : NULL;
+}
+
+static int refuse_bands(const char *text) {
+    return app_fail(APP_USAGE, "--bands: found \"%s\", expected up to %d positive tolerances in mm, as 0.25,0.5,1",
+                    text, WCUT_BANDS_MOST - 1);
+}
+
+/* keep the list in order, each tolerance once; there is room for one more than may be listed, that of the gate */
+static void add_band(app_compare_options *o, double band) {
+    int at = o->bands;
+    for (int k = 0; k < o->bands; k++)
+        if (o->band[k] == band) return;
+    for (; at > 0 && o->band[at - 1] > band; at--) o->band[at] = o->band[at - 1];
+    o->band[at] = band;
+    o->bands++;
+}
+
+static int read_bands(const char *text, app_compare_options *o) {
+    const char *at = text;
+    for (;;) {
+        double band;
+        at = read_number(at, &band);
+        if (!at || o->bands == WCUT_BANDS_MOST - 1) return refuse_bands(text);
+        add_band(o, band);
+        if (!*at) return APP_DONE;
+        if (*at++ != ',') return refuse_bands(text);
+    }
+}
+
+/* ---- degrees of freedom ---- */
+
+static int refuse_dof(const char *text) {
+    return app_fail(APP_USAGE,
+                    "--dof: found \"%s\", expected degrees of freedom tx, ty, tz (mm) and rx, ry, rz (deg), each free "
+                    "or with a standard deviation, as tx:0.2,rz:0.01deg,tz:free",
+                    text);
+}
+
+/* "tx:0.2" or "tz:free" or "tz", up to a comma or the end; NULL where it is none */
+static const char *read_dof(const char *at, wcut_registration_options *options) {
+    static const char *const name[WCUT_DOF_COUNT] = {"tx", "ty", "tz", "rx", "ry", "rz"};
+    int k = 0;
+    while (k < WCUT_DOF_COUNT && strncmp(at, name[k], 2) != 0) k++;
+    if (k == WCUT_DOF_COUNT) return NULL;
+    wcut_dof *dof = &options->dof[k];
+    dof->kind = WCUT_DOF_FREE;
+    at += 2;
+    if (*at != ':') return at;
+    at++;
+    if (strncmp(at, "free", 4) == 0) return at + 4;
+    at = read_number(at, &dof->sigma);
+    if (!at) return NULL;
+    dof->kind = WCUT_DOF_PRIOR;
+    if (k < 3) return strncmp(at, "mm", 2) == 0 ? at + 2 : at;
+    if (strncmp(at, "rad", 3) == 0) return at + 3;
+    dof->sigma /= DEG_PER_RAD;
+    return strncmp(at, "deg", 3) == 0 ? at + 3 : at;
+}
+
+/* those that are not named stay where they are */
+static int read_dofs(const char *text, wcut_registration_options *options) {
+    for (int k = 0; k < WCUT_DOF_COUNT; k++) options->dof[k].kind = WCUT_DOF_LOCKED;
+    for (const char *at = text;; at++) {
+        at = read_dof(at, options);
+        if (!at || (*at && *at != ',')) return refuse_dof(text);
+        if (!*at) return APP_DONE;
+    }
+}
+
+/* ---- options ---- */
+
+static void read_cleaning(const app_call *call, app_scan_options *o) {
+    o->clean = wcut_clean_options_default();
+    o->clean.duplicate = app_given(call, "duplicates") ? 0 : -1;
+    o->clean.radius = app_given(call, "isolated") ? app_real(call, "isolated") : 0;
+    o->clean.voxel = app_given(call, "thin") ? app_real(call, "thin") : 0;
+    if (app_given(call, "outliers"))
+        o->clean.deviations = app_real(call, "outliers");
+    else
+        o->clean.neighbours = 0;
+    o->cleaned = app_given(call, "duplicates") || app_given(call, "isolated") || app_given(call, "thin") ||
+                 app_given(call, "outliers");
+}
+
+static int read_registration(const app_call *call, app_compare_options *o) {
+    o->method = (wcut_registration_method)app_choice(call, "register");
+    o->registration = wcut_registration_options_default();
+    o->datum_path = app_text(call, "datum");
+    const bool by_datum = o->method == WCUT_REGISTRATION_DATUM;
+    if (by_datum != (o->datum_path != NULL))
+        return app_fail(APP_USAGE, "%s: expected --register datum and --datum FILE together",
+                        by_datum ? "--register datum" : "--datum");
+    if (!app_given(call, "dof")) return APP_DONE;
+    if (o->method == WCUT_REGISTRATION_NONE)
+        return app_fail(APP_USAGE, "--dof: expected --register datum or fit with it");
+    return read_dofs(app_text(call, "dof"), &o->registration);
+}
+
+static int read_options(const app_call *call, app_compare_options *o) {
+    const long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    *o = (app_compare_options){.reference = call->operand[0],
+                               .files = call->operand_count - 1,
+                               .scan = call->operand + 1,
+                               .quiet = app_given(call, "quiet"),
+                               .flip = app_given(call, "flip"),
+                               .distance = (app_distance)app_choice(call, "distance"),
+                               .chord_tolerance = app_real(call, "chord-tolerance"),
+                               .share = app_real(call, "share") / 100,
+                               .reconstruct = app_choice(call, "reconstruct"),
+                               .threads = processors > 1 ? processors < 64 ? (int)processors : 64 : 1};
+    if (app_given(call, "threads")) o->threads = app_int(call, "threads");
+    if (app_given(call, "support")) o->support = app_real(call, "support");
+    o->scans.unit = (wcut_length_unit)app_choice(call, "unit");
+    o->scans.hold = app_int(call, "hold");
+    o->scans.threads = o->threads;
+    read_cleaning(call, &o->scans);
+    if (o->distance == APP_TO_RECONSTRUCTION && o->reconstruct == 0) o->reconstruct = 1;
+    int code = read_bands(app_text(call, "bands"), o);
+    if (code == APP_DONE && app_given(call, "tolerance")) {
+        o->tolerance = app_real(call, "tolerance");
+        add_band(o, o->tolerance);
+    }
+    return code == APP_DONE ? read_registration(call, o) : code;
+}
+
+/* ---- the files ---- */
+
+static int write_meshes(const app_comparison *c, app_results *r) {
+    wcut_error error = {0};
+    wcut_status status = wcut_deviation_mesh_write_ply(c->mesh, c->value, c->present, c->limit,
+                                                       app_results_path(r, "deviation_mesh.ply"), &error);
+    int code = app_results_add(r, "deviation_mesh.ply", status, &error);
+    if (code != APP_DONE) return code;
+    status = wcut_deviation_mesh_write_obj(c->mesh, c->value, c->present, c->limit,
+                                           app_results_path(r, "deviation_mesh.obj"), &error);
+    code = app_results_add(r, "deviation_mesh.obj", status, &error);
+    if (code != APP_DONE || !c->reconstruction) return code;
+    const wcut_mesh *mesh = c->reconstruction->mesh;
+    status = wcut_deviation_mesh_write_ply(mesh, mesh->scalar, NULL, c->limit,
+                                           app_results_path(r, "reconstruction.ply"), &error);
+    code = app_results_add(r, "reconstruction.ply", status, &error);
+    if (code != APP_DONE) return code;
+    status = wcut_mesh_write_stl(mesh, app_results_path(r, "reconstruction.stl"), &error);
+    return app_results_add(r, "reconstruction.stl", status, &error);
+}
+
+static int write_report(const app_comparison *c, app_results *r) {
+    wcut_error error = {0};
+    const wcut_status status = app_report_compare(c, app_results_path(r, "report.html"), &error);
+    return app_results_add(r, "report.html", status, &error);
+}
+
+/* Last, because it vouches for the others; it names itself too. */
+static int write_figures(app_comparison *c, app_results *r) {
+    wcut_error error = {0};
+    app_results_add(r, "deviation.json", WCUT_OK, NULL);
+    c->found.files = r->count, c->found.file = r->name;
+    const wcut_status status = wcut_deviation_write(&c->found, app_results_path(r, "deviation.json"), &error);
+    if (status == WCUT_OK) return APP_DONE;
+    r->count--;
+    return app_fail_status(status, NULL, &error);
+}
+
+static int write_results(app_comparison *c, app_results *r) {
+    wcut_error error = {0};
+    int code = app_results_remove(r, "deviation.json");
+    if (code == APP_DONE)
+        code = app_results_add(r, "deviation.ply", wcut_deviation_stream_commit(c->points, &error), &error);
+    if (code == APP_DONE) code = write_meshes(c, r);
+    if (code == APP_DONE) {
+        const wcut_status status = wcut_zones_write(c->found.found, app_results_path(r, "zones.csv"), &error);
+        code = app_results_add(r, "zones.csv", status, &error);
+    }
+    if (code == APP_DONE) code = write_report(c, r);
+    if (code == APP_DONE) code = app_results_prune(r, result_name);
+    return code == APP_DONE ? write_figures(c, r) : code;
+}
+
+/* ---- the answer ---- */
+
+static void say_figures(const char *label, const wcut_survey_result *r) {
+    const wcut_statistics *s = &r->statistics;
+    app_say("%-13s mean %+.3f, rms %.3f, 1 %% %+.3f, median %+.3f, 99 %% %+.3f, max %.3f mm", label, s->mean, s->rms,
+            s->p01, s->median, s->p99, s->hausdorff);
+    app_say("%-13s offset %+.3f \xc2\xb1 %.3f, form %.3f rms, noise %.3f rms mm", "", r->split.offset,
+            r->split.offset_error, r->split.form_rms, r->split.noise_rms);
+}
+
+static void say_registration(const wcut_registration *r) {
+    static const char *const name[WCUT_DOF_COUNT] = {"tx", "ty", "tz", "rx", "ry", "rz"};
+    char text[256] = "";
+    size_t used = 0;
+    for (int k = 0; k < WCUT_DOF_COUNT; k++) {
+        const double unit = k < 3 ? 1 : DEG_PER_RAD;
+        used += (size_t)snprintf(text + used, sizeof text - used, " %s %.4g%s", name[k], r->parameter[k] * unit,
+                                 r->determined[k] ? "" : "*");
+    }
+    app_say("moved by%s (mm, deg; * not found from data), overlap %.1f %%", text, 100 * r->overlap);
+}
+
+static void say_answer(const app_comparison *c, const app_results *results) {
+    const wcut_compared *f = &c->found;
+    app_say("%s: %d points compared, %d outside, %d ambiguous", c->options.scan[0], f->found->statistics.count,
+            f->found->place[WCUT_PLACE_BEYOND], f->found->place[WCUT_PLACE_AMBIGUOUS]);
+    say_figures("as scanned", f->unmoved);
+    if (c->registration.method != WCUT_REGISTRATION_NONE) {
+        say_figures(c->registration.method == WCUT_REGISTRATION_FIT ? "best fit" : "by datums", f->found);
+        say_registration(&c->registration);
+    }
+    if (f->has_kerf)
+        app_say("kerf by the scan %.3f mm, of the job %.3f mm", f->kerf - 2 * f->found->split.offset, f->kerf);
+    if (f->tolerance > 0)
+        app_say("%s: \xc2\xb1%g mm is asked of %g %% of the points",
+                f->within ? "within tolerance" : "OUTSIDE TOLERANCE", f->tolerance, 100 * f->share);
+    app_say("in %s: %s", results->folder, app_results_list(results));
+}
+
+static int give_answer(const app_comparison *c, const app_results *results) {
+    if (!c->options.quiet) say_answer(c, results);
+    return c->found.within ? APP_DONE : APP_OUTSIDE;
+}
+
+static int print_json(const app_comparison *c) {
+    char *text = NULL;
+    const wcut_status status = wcut_deviation_print(&c->found, &text);
+    if (status != WCUT_OK) return app_fail_status(status, "compare", NULL);
+    fputs(text, stdout);
+    free(text);
+    return APP_DONE;
+}
+
+static int compare(const app_call *call) {
+    app_compare_options options;
+    app_results results;
+    if (call->operand_count < 2)
+        return app_fail(APP_USAGE, "%s: found no scan behind it, expected one (see wirecut compare --help)",
+                        call->operand[0]);
+    int code = read_options(call, &options);
+    if (code == APP_DONE) code = app_results_begin(&results, app_text(call, "output"));
+    if (code != APP_DONE) return code;
+    app_catch_interrupts();
+    app_comparison *c = calloc(1, sizeof *c);
+    if (!c) return app_fail_status(WCUT_NO_MEMORY, "compare", NULL);
+    code = app_comparison_run(c, &options, &results);
+    if (code == APP_DONE) code = write_results(c, &results);
+    if (code == APP_DONE && app_given(call, "json")) code = print_json(c);
+    if (code == APP_DONE) code = give_answer(c, &results);
+    app_comparison_clear(c);
+    free(c);
+    return code;
+}
+
+/* ---- the table ---- */
+
+static const app_operand operand[] = {
+    {.name = "JOB", .kind = APP_FILE, .help = "a job, wirecut-job/1, or a mesh: .stl .ply .obj .off .glb"},
+    {.name = "SCAN", .kind = APP_FILE, .many = true, .help = "clouds of the lower half's cut face, together one scan"},
+    {.name = NULL},
+};
+
+static const app_option option[] = {
+    APP_OPTION_OUTPUT,
+    {.kind = APP_CHOICE, .name = "unit", .value = "mm|cm|m|inch", .standard = "mm", .help = "unit of the scans"},
+    {.kind = APP_CHOICE,
+     .name = "register",
+     .value = "none|datum|fit",
+     .standard = "none",
+     .help = "none: as scanned; datum: by --datum; fit: best fit to the face, which hides deviations that look like a "
+             "motion. The result as scanned is always given beside"},
+    {.kind = APP_FILE,
+     .name = "datum",
+     .value = "FILE.csv",
+     .help = "scan_x_mm, scan_y_mm, scan_z_mm and block_x_mm, block_y_mm, block_z_mm: all three, or the one of a face "
+             "that was not cut; sigma_mm if known"},
+    {.kind = APP_TEXT,
+     .name = "dof",
+     .value = "LIST",
+     .help =
+         "degrees of freedom that may move, with a standard deviation or free: tx:0.2,rz:0.01deg,tz:free; those not "
+         "named are locked"},
+    {.kind = APP_FLAG, .name = "duplicates", .help = "remove points that are equal to one before them"},
+    {.kind = APP_REAL,
+     .name = "outliers",
+     .value = "M",
+     .low = 0,
+     .high = 1e6,
+     .help =
+         "remove points whose mean distance from 10 neighbours is M robust deviations above the median; 6 is usual"},
+    {.kind = APP_REAL,
+     .name = "isolated",
+     .value = "MM",
+     .low = 1e-3,
+     .high = 1e6,
+     .help = "remove points with fewer than 4 others within this radius, mm"},
+    {.kind = APP_REAL,
+     .name = "thin",
+     .value = "MM",
+     .low = 1e-3,
+     .high = 1e6,
+     .help = "keep one point in each cube of this side, mm"},
+    {.kind = APP_REAL,
+     .name = "tolerance",
+     .value = "MM",
+     .low = 1e-6,
+     .high = 1e6,
+     .help = "end with 5 unless --share of the deviations are within plus or minus this, mm"},
+    {.kind = APP_REAL,
+     .name = "share",
+     .value = "PERCENT",
+     .low = 0,
+     .high = 100,
+     .standard = "95",
+     .help = "how many of the deviations must be within --tolerance"},
+    {.kind = APP_TEXT,
+     .name = "bands",
+     .value = "LIST",
+     .standard = "0.25,0.5,1,2",
+     .help = "tolerances in mm whose shares are reported"},
+    {.kind = APP_CHOICE,
+     .name = "distance",
+     .value = "surface|mesh|reconstruction",
+     .standard = "surface",
+     .help =
+         "from points to the exact surface, to its triangles (a mesh has only those), or from the reconstructed scan "
+         "to the surface"},
+    {.kind = APP_CHOICE,
+     .name = "reconstruct",
+     .value = "none|field|poisson",
+     .standard = "none",
+     .help = "make a mesh of the scan: a smooth field over the face, or Poisson in space, which is slow"},
+    {.kind = APP_REAL,
+     .name = "support",
+     .value = "MM",
+     .low = 1e-3,
+     .high = 1e6,
+     .help = "how far around it a point speaks for the face, mm; else 1.5, or 2.5 times the points' distance"},
+    {.kind = APP_REAL,
+     .name = "chord-tolerance",
+     .value = "MM",
+     .low = 1e-4,
+     .high = 1e3,
+     .standard = "0.01",
+     .help = "largest distance between triangles and surface, mm, for --distance mesh"},
+    {.kind = APP_INT,
+     .name = "hold",
+     .value = "N",
+     .low = 1000,
+     .high = 100000000,
+     .standard = "2000000",
+     .help = "points held in memory; of more a sample is held, and the files are read twice"},
+    {.kind = APP_INT,
+     .name = "threads",
+     .value = "N",
+     .low = 1,
+     .high = 64,
+     .help = "threads, else as many as there are processors; no result depends on it"},
+    {.kind = APP_FLAG, .name = "flip", .help = "a mesh's triangles face the wrong way: turn them"},
+    APP_OPTIONS_OF_ALL,
+};
+
+const app_verb app_verb_compare = {
+    .name = "compare",
+    .brief = "compare a scan with the simulation: deviations, statistics, report",
+    .about =
+        "Measures how far every point of a scan is from the cut face of the lower half, the wire's surface lowered by "
+        "half the kerf; positive where material was left above it. Points beyond the face's border are counted as "
+        "outside, not as deviations.\n"
+        "Writes into DIR: deviation.ply (every point with its deviation), deviation_mesh.ply and .obj (the face, "
+        "coloured), zones.csv, report.html (all of it on one page, for any browser), with --reconstruct "
+        "reconstruction.ply and .stl, and deviation.json, which is written last and lists the files.\n"
+        "Ends with 5 where the deviations are outside --tolerance; the files are written all the same.",
+    .operand = operand,
+    .option = option,
+    .run = compare,
+};

@@ -1,0 +1,133 @@
+/* What a scan is compared with: the face that a job leaves, or a mesh. */
+#include "compare_reference.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "command.h"
+#include "terminal.h"
+
+/* Sections nearer than a job's own rounding of its coordinates are one section. */
+#define MERGE_MM 1e-3
+
+static bool names_mesh(const char *path) {
+    static const char *const ending[] = {".stl", ".ply", ".obj", ".off", ".glb", ".gltf"};
+    const char *dot = strrchr(path, '.');
+    for (size_t k = 0; dot && k < sizeof ending / sizeof *ending; k++)
+        if (strcasecmp(dot, ending[k]) == 0) return true;
+    return false;
+}
+
+/* ---- a job ---- */
+
+static int simulate(app_reference *r, bool quiet) {
+    wcut_error error = {0};
+    wcut_status status = wcut_job_read(r->path, &r->job, &error);
+    if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : r->path, &error);
+    status = wcut_setup_create(r->job, NULL, &r->setup, &error);
+    if (status != WCUT_OK) return app_fail_status(status, r->path, &error);
+    app_progress progress = app_progress_begin(quiet);
+    status = wcut_setup_run(r->setup, app_progress_step, &progress, &r->history, &error);
+    app_progress_end(&progress);
+    /* half a face would be compared with a whole scan */
+    return status == WCUT_OK ? APP_DONE : app_fail_status(status, r->path, &error);
+}
+
+static wcut_status make_face(app_reference *r, wcut_error *error) {
+    const size_t stations = (size_t)r->history->stations;
+    double length;
+    r->mount_a = calloc(stations, sizeof *r->mount_a);
+    r->mount_b = calloc(stations, sizeof *r->mount_b);
+    if (!r->mount_a || !r->mount_b) return WCUT_NO_MEMORY;
+    wcut_status status = wcut_history_path(r->setup, r->history, r->mount_a, r->mount_b, &length, error);
+    if (status == WCUT_OK) status = wcut_face_create(r->job, r->history, r->mount_a, r->mount_b, MERGE_MM, &r->face);
+    if (status == WCUT_OK) status = wcut_projection_create(r->face->surface, &r->projection);
+    return status;
+}
+
+static int load_job(app_reference *r, double chord_tolerance, bool quiet) {
+    wcut_error error = {0};
+    int code = simulate(r, quiet);
+    if (code != APP_DONE) return code;
+    wcut_status status = make_face(r, &error);
+    if (status == WCUT_OK && r->distance == APP_TO_MESH) {
+        status = wcut_surface_tessellate(r->face->surface, chord_tolerance, &r->mesh, NULL);
+        if (status == WCUT_OK) status = wcut_mesh_tree_create(r->mesh, &r->tree);
+    }
+    if (status != WCUT_OK) return app_fail_status(status, r->path, &error);
+    r->low = r->face->low, r->high = r->face->high;
+    r->options.low = r->low, r->options.high = r->high;
+    r->kerf = wcut_face_kerf(r->face);
+    return APP_DONE;
+}
+
+/* ---- a mesh ---- */
+
+static void warn_of_mesh(const app_reference *r, const wcut_mesh_tree_info *info) {
+    const char *const down = info->area_sum.z < 0 ? "down" : NULL;
+    if (down && !r->options.flip)
+        app_say("%s: warning: its triangles face down, so positive is below them; --flip turns them", r->path);
+    if (!down && r->options.flip)
+        app_say("%s: warning: its triangles faced up; turned, positive is below them", r->path);
+    if (info->odd_edges > 0)
+        app_say(
+            "%s: warning: %d edges have three triangles or more, or two wound against each other: the sign is not "
+            "to be trusted near them",
+            r->path, info->odd_edges);
+}
+
+static int load_mesh(app_reference *r) {
+    wcut_error error = {0};
+    wcut_status status = wcut_mesh_read(r->path, NULL, &r->mesh, NULL, &error);
+    if (status != WCUT_OK) return app_fail_status(status, NULL, &error);
+    status = wcut_mesh_tree_create(r->mesh, &r->tree);
+    if (status != WCUT_OK) return app_fail_status(status, r->path, NULL);
+    const wcut_mesh_tree_info *info = wcut_mesh_tree_view(r->tree);
+    r->low = info->low, r->high = info->high;
+    warn_of_mesh(r, info);
+    if (r->low.x < r->high.x && r->low.y < r->high.y) return APP_DONE;
+    return app_fail(APP_BAD_INPUT, "%s: found a mesh that has no extent in x or y, expected a cut face", r->path);
+}
+
+/* ---- either ---- */
+
+int app_reference_load(app_reference *reference, const char *path, app_distance distance, double chord_tolerance,
+                       bool flip, bool quiet) {
+    wcut_error error = {0};
+    app_reference *r = reference;
+    *r = (app_reference){.path = path, .distance = distance, .options = wcut_deviation_options_default()};
+    r->is_job = !names_mesh(path);
+    r->options.flip = flip;
+    if (!r->is_job && distance == APP_TO_RECONSTRUCTION)
+        return app_fail(APP_USAGE, "--distance: found reconstruction, expected mesh: %s is a mesh, not a job", path);
+    const int code = r->is_job ? load_job(r, chord_tolerance, quiet) : load_mesh(r);
+    if (code != APP_DONE) return code;
+    if (!r->is_job) r->distance = APP_TO_MESH;
+    r->plan = (r->high.x - r->low.x) * (r->high.y - r->low.y);
+    /* a job that came through a pipe cannot be read once more: it has no hash */
+    const wcut_status status = wcut_file_hash(path, r->hash, &error);
+    return status == WCUT_OK || status == WCUT_NOT_FOUND ? APP_DONE : app_fail_status(status, NULL, &error);
+}
+
+void app_reference_clear(app_reference *reference) {
+    wcut_mesh_tree_destroy(reference->tree);
+    wcut_mesh_destroy(reference->mesh);
+    wcut_projection_destroy(reference->projection);
+    wcut_face_destroy(reference->face);
+    wcut_history_destroy(reference->history);
+    wcut_setup_destroy(reference->setup);
+    wcut_job_destroy(reference->job);
+    free(reference->mount_a);
+    free(reference->mount_b);
+    *reference = (app_reference){0};
+}
+
+wcut_status app_reference_locate(const app_reference *reference, int count, const wcut_vec3 *point, int threads,
+                                 wcut_deviation *deviation, wcut_foot *foot) {
+    const app_reference *r = reference;
+    if (!r->tree)
+        return wcut_deviation_from_surface(r->projection, count, point, &r->options, threads, deviation, foot);
+    const wcut_status status = wcut_deviation_from_mesh(r->tree, count, point, &r->options, threads, deviation);
+    return status == WCUT_OK && r->is_job ? wcut_deviation_onto_surface(r->mesh, count, deviation) : status;
+}

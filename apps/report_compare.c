@@ -1,0 +1,517 @@
+/* The page of a comparison: the deviation in space, figures as scanned and as registered, along the cut, worst areas. */
+#include "report_compare.h"
+#include "angle.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LINES_MOST = WCUT_WORST_MOST + 2, FACTS_MOST = 16, FIGURES = 27, TEXT = 96, HOLES_MOST = 20 };
+
+/* what the page borrows: rows of tables, columns of charts */
+typedef struct page {
+    const app_comparison *c;
+    wcut_report_tone tone;
+    char verdict[512];
+    /* figures side by side */
+    char figure_label[FIGURES + 3 * WCUT_BANDS_MOST][TEXT];
+    const char *figure_name[FIGURES + 3 * WCUT_BANDS_MOST];
+    const char *figure_unit[FIGURES + 3 * WCUT_BANDS_MOST];
+    double figure[2][FIGURES + 3 * WCUT_BANDS_MOST];
+    int figures;
+    wcut_report_column figure_column[4];
+    /* worst areas */
+    char worst_label[WCUT_WORST_MOST][8];
+    const char *worst_name[WCUT_WORST_MOST];
+    double worst[8][WCUT_WORST_MOST];
+    wcut_report_column worst_column[9];
+    /* zones: the rows that hold points */
+    int zones;
+    const char **zone_name;
+    double *zone[8];
+    wcut_report_column zone_column[9];
+    /* registration */
+    double motion[2][WCUT_DOF_COUNT];
+    const char *motion_known[WCUT_DOF_COUNT];
+    wcut_report_column motion_column[4];
+    char matrix[4][TEXT];
+    const char *matrix_row[4];
+    wcut_report_column matrix_column;
+    /* points */
+    double point_count[WCUT_REMOVAL_COUNT + WCUT_PLACE_COUNT];
+    wcut_report_column point_column[2];
+    /* holes of the reconstruction */
+    double hole[4][HOLES_MOST];
+    const char *hole_kind[HOLES_MOST];
+    wcut_report_column hole_column[5];
+    /* along the cut */
+    double *station, *mean, *low, *high;
+    double *value; /* of the face's points, nan where nothing was measured */
+} page;
+
+/* ---- figures side by side ---- */
+
+static void add_figure(page *p, const char *label, const char *unit, double found, double unmoved) {
+    const int k = p->figures++;
+    snprintf(p->figure_label[k], TEXT, "%s", label);
+    p->figure_name[k] = p->figure_label[k], p->figure_unit[k] = unit;
+    p->figure[0][k] = found, p->figure[1][k] = unmoved;
+}
+
+static void add_length(page *p, const char *label, double found, double unmoved) {
+    add_figure(p, label, "mm", found, unmoved);
+}
+
+static void add_shares(page *p, const wcut_statistics *a, const wcut_statistics *b) {
+    char label[TEXT];
+    for (int k = 0; k < a->bands; k++) {
+        snprintf(label, sizeof label, "within \xc2\xb1%g mm", a->band[k]);
+        add_figure(p, label, "%", 100 * a->within[k], 100 * b->within[k]);
+        snprintf(label, sizeof label, "above +%g mm", a->band[k]);
+        add_figure(p, label, "%", 100 * a->over[k], 100 * b->over[k]);
+        snprintf(label, sizeof label, "below \xe2\x88\x92%g mm", a->band[k]);
+        add_figure(p, label, "%", 100 * a->under[k], 100 * b->under[k]);
+    }
+}
+
+static void fill_figures(page *p) {
+    const wcut_survey_result *x = p->c->found.found, *y = p->c->found.unmoved;
+    const wcut_statistics *a = &x->statistics, *b = &y->statistics;
+    add_figure(p, "deviations", "", a->count, b->count);
+    add_figure(p, "points outside the face", "", x->place[WCUT_PLACE_BEYOND], y->place[WCUT_PLACE_BEYOND]);
+    add_figure(p, "points without a clear side", "", x->place[WCUT_PLACE_AMBIGUOUS], y->place[WCUT_PLACE_AMBIGUOUS]);
+    add_length(p, "mean", a->mean, b->mean);
+    add_length(p, "median", a->median, b->median);
+    add_length(p, "standard deviation", a->std, b->std);
+    add_length(p, "root mean square", a->rms, b->rms);
+    add_length(p, "mean size", a->mae, b->mae);
+    add_length(p, "1 % are below", a->p01, b->p01);
+    add_length(p, "5 % are below", a->p05, b->p05);
+    add_length(p, "95 % are below", a->p95, b->p95);
+    add_length(p, "99 % are below", a->p99, b->p99);
+    add_length(p, "lowest", a->min, b->min);
+    add_length(p, "highest", a->max, b->max);
+    add_length(p, "scan to face, largest (Hausdorff)", a->hausdorff, b->hausdorff);
+    add_length(p, "profile, 2 max |d|", a->profile, b->profile);
+    add_length(p, "constant offset", x->split.offset, y->split.offset);
+    add_length(p, "form, RMS", x->split.form_rms, y->split.form_rms);
+    add_length(p, "noise, RMS", x->split.noise_rms, y->split.noise_rms);
+    add_length(p, "mean of what is above", a->positive_mean, b->positive_mean);
+    add_length(p, "mean of what is below", a->negative_mean, b->negative_mean);
+    add_shares(p, a, b);
+}
+
+static wcut_report_table figure_table(page *p) {
+    static const char *const method[] = {"as scanned", "by datums", "best fit"};
+    const bool moved = p->c->registration.method != WCUT_REGISTRATION_NONE;
+    p->figure_column[0] = (wcut_report_column){.label = "figure", .text = p->figure_name};
+    p->figure_column[1] = (wcut_report_column){.label = "unit", .text = p->figure_unit};
+    p->figure_column[2] = (wcut_report_column){.label = method[p->c->registration.method], .number = p->figure[0]};
+    p->figure_column[3] = (wcut_report_column){.label = "as scanned", .number = p->figure[1]};
+    return (wcut_report_table){.title = "Deviation",
+                               .note = moved ? "Registered and as scanned: a registration on the cut face hides "
+                                               "deviations that look like a motion."
+                                             : NULL,
+                               .rows = p->figures,
+                               .columns = moved ? 4 : 3,
+                               .column = p->figure_column};
+}
+
+/* ---- worst areas, zones ---- */
+
+static wcut_report_table worst_table(page *p) {
+    static const char *const label[] = {"x", "y", "z", "area", "mean", "peak", "volume", "points"};
+    static const char *const unit[] = {"mm", "mm", "mm", "mm\xc2\xb2", "mm", "mm", "mm\xc2\xb3", ""};
+    const wcut_survey_result *r = p->c->found.found;
+    for (int k = 0; k < r->worsts; k++) {
+        const wcut_worst *w = &r->worst[k];
+        const double figure[] = {w->place.x, w->place.y, w->place.z, w->area, w->mean, w->peak, w->volume, w->count};
+        snprintf(p->worst_label[k], sizeof p->worst_label[k], "%d", k + 1);
+        p->worst_name[k] = p->worst_label[k];
+        for (int f = 0; f < 8; f++) p->worst[f][k] = figure[f];
+    }
+    p->worst_column[0] = (wcut_report_column){.label = "area", .text = p->worst_name};
+    for (int f = 0; f < 8; f++) p->worst_column[f + 1] = (wcut_report_column){label[f], unit[f], p->worst[f], NULL};
+    return (wcut_report_table){.title = "Worst areas",
+                               .note =
+                                   "Connected areas of one sign whose means are among the largest 5 % of the face, "
+                                   "by volume; positive: material left.",
+                               .rows = r->worsts,
+                               .columns = 9,
+                               .column = p->worst_column};
+}
+
+static bool fill_zones(page *p) {
+    const wcut_survey_result *r = p->c->found.found;
+    const size_t count = r->zones > 0 ? (size_t)r->zones : 1;
+    p->zone_name = calloc(count, sizeof *p->zone_name);
+    p->zone[0] = calloc(8 * count, sizeof *p->zone[0]);
+    if (!p->zone_name || !p->zone[0]) return false;
+    for (int f = 1; f < 8; f++) p->zone[f] = p->zone[0] + (size_t)f * count;
+    for (int k = 0; k < r->zones; k++) {
+        const wcut_zone *z = &r->zone[k];
+        const double figure[] = {
+            (z->low.x + z->high.x) / 2, (z->low.y + z->high.y) / 2, z->count, z->mean, z->std, z->rms, z->min, z->max};
+        if (z->count == 0) continue;
+        p->zone_name[p->zones] = z->name;
+        for (int f = 0; f < 8; f++) p->zone[f][p->zones] = figure[f];
+        p->zones++;
+    }
+    return true;
+}
+
+static wcut_report_table zone_table(page *p) {
+    static const char *const label[] = {"x, middle",          "y, middle",        "points", "mean",
+                                        "standard deviation", "root mean square", "lowest", "highest"};
+    static const char *const unit[] = {"mm", "mm", "", "mm", "mm", "mm", "mm", "mm"};
+    p->zone_column[0] = (wcut_report_column){.label = "zone", .text = p->zone_name};
+    for (int f = 0; f < 8; f++) p->zone_column[f + 1] = (wcut_report_column){label[f], unit[f], p->zone[f], NULL};
+    return (wcut_report_table){.title = "Zones",
+                               .note =
+                                   "Parts of the cut, then patches of the block: first number along x, second "
+                                   "along y.",
+                               .rows = p->zones,
+                               .columns = 9,
+                               .column = p->zone_column};
+}
+
+/* ---- registration, points, holes ---- */
+
+static wcut_report_table motion_table(page *p) {
+    static const char *const name[] = {"shift along x",    "shift along y",    "shift along z",
+                                       "rotation about x", "rotation about y", "rotation about z"};
+    static const char *const unit[] = {"mm", "mm", "mm", "deg", "deg", "deg"};
+    const wcut_registration *r = &p->c->registration;
+    for (int k = 0; k < WCUT_DOF_COUNT; k++) {
+        const double to = k < 3 ? 1 : DEG_PER_RAD;
+        p->motion[0][k] = r->parameter[k] * to;
+        p->motion[1][k] = sqrt(r->covariance[k * WCUT_DOF_COUNT + k]) * to;
+        p->motion_known[k] = r->determined[k] ? unit[k]
+                             : k < 3          ? "mm, not found from data"
+                                              : "deg, not found from data";
+    }
+    p->motion_column[0] = (wcut_report_column){.label = "parameter", .text = name};
+    p->motion_column[1] = (wcut_report_column){.label = "value", .number = p->motion[0]};
+    p->motion_column[2] = (wcut_report_column){.label = "standard error", .number = p->motion[1]};
+    p->motion_column[3] = (wcut_report_column){.label = "unit", .text = p->motion_known};
+    return (wcut_report_table){.title = "Motion of the scan",
+                               .note =
+                                   "Rotation about the pivot; standard errors as if the errors of points were "
+                                   "independent. The whole covariance is in deviation.json.",
+                               .rows = WCUT_DOF_COUNT,
+                               .columns = 4,
+                               .column = p->motion_column};
+}
+
+static wcut_report_table matrix_table(page *p) {
+    for (int k = 0; k < 4; k++) {
+        const double *m = &p->c->registration.matrix[4 * k];
+        snprintf(p->matrix[k], sizeof p->matrix[k], "%.10g   %.10g   %.10g   %.10g", m[0], m[1], m[2], m[3]);
+        p->matrix_row[k] = p->matrix[k];
+    }
+    p->matrix_column = (wcut_report_column){.label = "row", .text = p->matrix_row};
+    return (wcut_report_table){
+        .title = "Matrix, scan to block, mm", .rows = 4, .columns = 1, .column = &p->matrix_column};
+}
+
+static wcut_report_table point_table(page *p) {
+    static const char *const name[] = {"compared",
+                                       "removed as duplicates",
+                                       "removed as isolated",
+                                       "removed as outliers",
+                                       "removed by thinning",
+                                       "inside the face",
+                                       "at its border",
+                                       "outside, beyond its border",
+                                       "without a clear side"};
+    for (int k = 0; k < WCUT_REMOVAL_COUNT; k++) p->point_count[k] = p->c->found.removed[k];
+    for (int k = 0; k < WCUT_PLACE_COUNT; k++) p->point_count[WCUT_REMOVAL_COUNT + k] = p->c->found.found->place[k];
+    p->point_column[0] = (wcut_report_column){.label = "points", .text = name};
+    p->point_column[1] = (wcut_report_column){.label = "count", .number = p->point_count};
+    return (wcut_report_table){.title = "What became of the points",
+                               .rows = WCUT_REMOVAL_COUNT + WCUT_PLACE_COUNT,
+                               .columns = 2,
+                               .column = p->point_column};
+}
+
+static wcut_report_table hole_table(page *p) {
+    static const char *const label[] = {"x", "y", "z", "area"};
+    static const char *const unit[] = {"mm", "mm", "mm", "mm\xc2\xb2"};
+    const wcut_reconstruction *r = p->c->reconstruction;
+    const int rows = r->hole_count < HOLES_MOST ? r->hole_count : HOLES_MOST;
+    for (int k = 0; k < rows; k++) {
+        const wcut_hole *h = &r->hole[k];
+        p->hole[0][k] = h->centre.x, p->hole[1][k] = h->centre.y, p->hole[2][k] = h->centre.z, p->hole[3][k] = h->area;
+        p->hole_kind[k] = h->open ? "at the border" : "within the scan";
+    }
+    for (int f = 0; f < 4; f++) p->hole_column[f] = (wcut_report_column){label[f], unit[f], p->hole[f], NULL};
+    p->hole_column[4] = (wcut_report_column){.label = "where", .text = p->hole_kind};
+    return (wcut_report_table){.title = "Holes in the scan",
+                               .note = "The largest of them: nothing was made up there.",
+                               .rows = rows,
+                               .columns = 5,
+                               .column = p->hole_column};
+}
+
+/* ---- along the cut ---- */
+
+/* mean, lowest and highest of every station, of the part of the face that is coloured */
+static bool fill_stations(page *p) {
+    const app_comparison *c = p->c;
+    const wcut_face *f = c->reference.face;
+    const int vertices = c->mesh->vertex_count, rows = f ? f->stations : 1;
+    p->value = calloc((size_t)vertices, sizeof *p->value);
+    p->station = calloc(4 * (size_t)rows, sizeof *p->station);
+    if (!p->value || !p->station) return false;
+    for (int k = 0; k < vertices; k++) p->value[k] = c->present[k] ? c->value[k] : NAN;
+    p->mean = p->station + rows, p->low = p->mean + rows, p->high = p->low + rows;
+    for (int s = 0; f && s < rows; s++) {
+        int count = 0;
+        double sum = 0, low = INFINITY, high = -INFINITY;
+        for (int n = 0; n < f->nodes; n++) {
+            const int i = s * f->nodes + n;
+            if (!f->inside[i] || !c->present[i]) continue;
+            sum += c->value[i], low = fmin(low, c->value[i]), high = fmax(high, c->value[i]), count++;
+        }
+        p->station[s] = s;
+        p->mean[s] = count ? sum / count : NAN, p->low[s] = count ? low : NAN, p->high[s] = count ? high : NAN;
+    }
+    return true;
+}
+
+/* runs of stations of one phase, as far as there is room; gives how many */
+static int list_phases(const wcut_face *f, int most, wcut_report_span *span) {
+    int count = 0;
+    for (int s = 0, from = 0; s < f->stations && count < most; s++) {
+        if (s + 1 < f->stations && f->phase[s + 1] == f->phase[from]) continue;
+        const int to = s + 1 < f->stations ? s + 1 : s;
+        span[count++] = (wcut_report_span){wcut_phase_text(f->phase[from]), {f->time[from], from}, {f->time[to], to}};
+        from = s + 1;
+    }
+    return count;
+}
+
+/* ---- what is said ---- */
+
+static void judge(page *p) {
+    const wcut_compared *f = &p->c->found;
+    const wcut_statistics *s = &f->found->statistics;
+    char *to = p->verdict;
+    size_t room = sizeof p->verdict;
+    p->tone = f->tolerance == 0 ? WCUT_TONE_PLAIN : f->within ? WCUT_TONE_GOOD : WCUT_TONE_BAD;
+    int n = 0;
+    for (int k = 0; k < s->bands && f->tolerance > 0; k++)
+        if (s->band[k] == f->tolerance)
+            n = snprintf(to, room,
+                         "%.4g %% of the scan lie within \xc2\xb1%g mm of the simulated face, %g %% are asked. ",
+                         100 * s->within[k], f->tolerance, 100 * f->share);
+    snprintf(to + n, room - (size_t)n,
+             "RMS deviation %.3g mm: a constant %+.3g mm, form %.3g mm, noise %.3g mm; the largest is %.3g mm.", s->rms,
+             f->found->split.offset, f->found->split.form_rms, f->found->split.noise_rms, s->hausdorff);
+}
+
+static int list_facts(const page *p, wcut_report_fact *fact) {
+    const app_comparison *c = p->c;
+    const wcut_compared *f = &c->found;
+    const wcut_survey_result *r = f->found;
+    int n = 0;
+    fact[n++] = (wcut_report_fact){"deviations", NULL, r->statistics.count, ""};
+    fact[n++] = (wcut_report_fact){"points outside", NULL, r->place[WCUT_PLACE_BEYOND], ""};
+    fact[n++] = (wcut_report_fact){"RMS", NULL, r->statistics.rms, "mm"};
+    fact[n++] = (wcut_report_fact){"scan to face, largest", NULL, r->statistics.hausdorff, "mm"};
+    fact[n++] = (wcut_report_fact){"face to scan, largest", NULL, f->face_to_scan->max, "mm"};
+    fact[n++] = (wcut_report_fact){"constant offset", NULL, r->split.offset, "mm"};
+    fact[n++] = (wcut_report_fact){"form, RMS", NULL, r->split.form_rms, "mm"};
+    if (f->has_kerf) {
+        fact[n++] = (wcut_report_fact){"kerf of the job", NULL, f->kerf, "mm"};
+        fact[n++] = (wcut_report_fact){"kerf by the scan", NULL, f->kerf - 2 * r->split.offset, "mm"};
+    }
+    if (f->unmeasured >= 0) fact[n++] = (wcut_report_fact){"face without points", NULL, f->unmeasured, "mm\xc2\xb2"};
+    if (!r->related) return n;
+    fact[n++] = (wcut_report_fact){"correlation of |d| with time since entry", NULL, r->time.of_size, ""};
+    fact[n++] = (wcut_report_fact){"correlation of |d| with curvature of the path", NULL, r->path.of_size, ""};
+    fact[n++] = (wcut_report_fact){"correlation of |d| with curvature of the face", NULL, r->bend.of_size, ""};
+    return n;
+}
+
+/* ---- the page ---- */
+
+static int list_options(const page *p, wcut_report_fact *option) {
+    static const char *const unit[] = {"mm", "cm", "m", "inch"};
+    static const char *const method[] = {"none", "datum", "fit"};
+    const app_compare_options *o = &p->c->options;
+    int n = 0;
+    option[n++] = (wcut_report_fact){"distance", p->c->found.distance, 0, ""};
+    option[n++] = (wcut_report_fact){"unit of the scan", unit[o->scans.unit], 0, ""};
+    option[n++] = (wcut_report_fact){"registration", method[o->method], 0, ""};
+    option[n++] = (wcut_report_fact){"support of a point", NULL, p->c->support, "mm"};
+    option[n++] = (wcut_report_fact){"border", NULL, p->c->reference.options.border, "mm"};
+    option[n++] = (wcut_report_fact){"side of a cell", NULL, p->c->found.found->split.cell, "mm"};
+    if (p->c->reconstruction)
+        option[n++] = (wcut_report_fact){"reconstruction", p->c->found.reconstruction_method, 0, ""};
+    if (p->c->scans.spacing > 0) option[n++] = (wcut_report_fact){"view thinned to", NULL, p->c->scans.spacing, "mm"};
+    return n;
+}
+
+static wcut_status write_page(page *p, const wcut_report_scene *scene, const char *path, wcut_error *error) {
+    const app_comparison *c = p->c;
+    const wcut_face *f = c->reference.face;
+    wcut_report_span span[32];
+    const int spans = f ? list_phases(f, 32, span) : 0;
+    const wcut_report_series mean = {.label = "mean of a station, and its range",
+                                     .count = f ? f->stations : 0,
+                                     .x = {f ? f->time : NULL, p->station},
+                                     .y = p->mean,
+                                     .low = p->low,
+                                     .high = p->high};
+    const wcut_report_series bend = {.label = "mean of both mounts' paths",
+                                     .count = f ? f->stations : 0,
+                                     .x = {f ? f->time : NULL, p->station},
+                                     .y = f ? f->path_bend : NULL};
+    const wcut_report_chart chart[] = {{.title = "Deviation along the cut",
+                                        .x_label = {"time since entry", "station"},
+                                        .x_unit = {"s", ""},
+                                        .y_label = "deviation",
+                                        .y_unit = "mm",
+                                        .series_count = 1,
+                                        .series = &mean,
+                                        .span_count = spans,
+                                        .span = span},
+                                       {.title = "Curvature of the path",
+                                        .x_label = {"time since entry", "station"},
+                                        .x_unit = {"s", ""},
+                                        .y_label = "curvature",
+                                        .y_unit = "1/mm",
+                                        .series_count = 1,
+                                        .series = &bend,
+                                        .span_count = spans,
+                                        .span = span}};
+    const bool moved = c->registration.method != WCUT_REGISTRATION_NONE;
+    const wcut_report_table figures[] = {figure_table(p), worst_table(p), zone_table(p)};
+    const wcut_report_table facts[] = {point_table(p), moved ? motion_table(p) : (wcut_report_table){0},
+                                       moved ? matrix_table(p) : (wcut_report_table){0}};
+    const wcut_report_table holes = c->reconstruction ? hole_table(p) : (wcut_report_table){0};
+    char note[TEXT + 64];
+    snprintf(note, sizeof note, "Overlap %.3g %%, RMS of the points used %.4g mm, before %.4g mm.",
+             100 * c->registration.overlap, c->registration.rms, c->registration.rms_before);
+    wcut_report_section section[4];
+    int sections = 0;
+    section[sections++] = (wcut_report_section){.title = "Figures", .table_count = 3, .table = figures};
+    if (f) section[sections++] = (wcut_report_section){.title = "Along the cut", .chart_count = 2, .chart = chart};
+    section[sections++] = (wcut_report_section){.title = moved ? "Points and registration" : "Points",
+                                                .note = moved ? note : NULL,
+                                                .table_count = moved ? 3 : 1,
+                                                .table = facts};
+    if (c->reconstruction && c->reconstruction->hole_count > 0)
+        section[sections++] = (wcut_report_section){.title = "Reconstruction", .table_count = 1, .table = &holes};
+
+    wcut_report_fact fact[FACTS_MOST], option[FACTS_MOST];
+    wcut_report_source *source = calloc((size_t)c->scans.files + 1, sizeof *source);
+    if (!source) return WCUT_NO_MEMORY;
+    source[0] = (wcut_report_source){c->reference.is_job ? "job" : "mesh", c->reference.path,
+                                     c->reference.hash[0] ? c->reference.hash : NULL};
+    for (int k = 0; k < c->scans.files; k++)
+        source[k + 1] =
+            (wcut_report_source){"scan", c->scans.scan[k].name, c->scans.hash[k][0] ? c->scans.hash[k] : NULL};
+    judge(p);
+    const wcut_report report = {
+        .verb = "compare",
+        .title = c->reference.job && c->reference.job->name ? c->reference.job->name : c->reference.path,
+        .tone = p->tone,
+        .verdict = p->verdict,
+        .fact_count = list_facts(p, fact),
+        .fact = fact,
+        .scene = scene,
+        .section_count = sections,
+        .section = section,
+        .source_count = c->scans.files + 1,
+        .source = source,
+        .option_count = list_options(p, option),
+        .option = option};
+    const wcut_status status = wcut_report_write(&report, path, error);
+    free(source);
+    return status;
+}
+
+/* the tolerance that the view begins with: that of the gate, or the smallest one reported */
+static double tolerance_of(const app_comparison *c) {
+    return c->options.tolerance > 0 ? c->options.tolerance : c->options.bands > 0 ? c->options.band[0] : 0;
+}
+
+static int list_lines(const page *p, wcut_report_line *line) {
+    const app_comparison *c = p->c;
+    const wcut_survey_result *r = c->found.found;
+    int n = 0;
+    if (c->reference.is_job) {
+        line[n++] = (wcut_report_line){"path curves", "A", c->reference.history->stations, c->reference.mount_a};
+        line[n++] = (wcut_report_line){"path curves", "B", c->reference.history->stations, c->reference.mount_b};
+    }
+    for (int k = 0; k < r->worsts; k++)
+        line[n++] = (wcut_report_line){"worst areas", p->worst_label[k], 1, &r->worst[k].place};
+    return n;
+}
+
+static wcut_status write_scene(page *p, const char *path, wcut_error *error) {
+    const app_comparison *c = p->c;
+    const wcut_face *f = c->reference.face;
+    const double tolerance = tolerance_of(c);
+    const wcut_report_field of_face[] = {
+        {"deviation", "mm", WCUT_SCALE_DIVERGING, tolerance, p->value},
+        {"force across the wire", "N/mm", WCUT_SCALE_SEQUENTIAL, 0, f ? f->force : NULL},
+        {"largest curvature", "1/mm", WCUT_SCALE_DIVERGING, 1e-6, f ? f->curvature : NULL}};
+    const wcut_report_field of_scan = {"deviation", "mm", WCUT_SCALE_DIVERGING, tolerance, c->deviation};
+    wcut_report_shape shape[3];
+    int shapes = 0;
+    shape[shapes++] = (wcut_report_shape){.name = "simulated face",
+                                          .vertex_count = c->mesh->vertex_count,
+                                          .vertex = c->mesh->vertex,
+                                          .rows = f ? f->stations : 0,
+                                          .columns = f ? f->nodes : 0,
+                                          .row_label = "station",
+                                          .column_label = "step",
+                                          .triangle_count = f ? 0 : c->mesh->triangle_count,
+                                          .triangle = f ? NULL : c->mesh->triangle,
+                                          .field_count = f ? 3 : 1,
+                                          .field = of_face};
+    shape[shapes++] = (wcut_report_shape){
+        .name = "scan", .vertex_count = c->scans.count, .vertex = c->scans.point, .field_count = 1, .field = &of_scan};
+    wcut_report_field of_mesh = {"deviation", "mm", WCUT_SCALE_DIVERGING, tolerance, NULL};
+    if (c->reconstruction) {
+        const wcut_mesh *mesh = c->reconstruction->mesh;
+        of_mesh.value = mesh->scalar;
+        shape[shapes++] = (wcut_report_shape){.name = "reconstructed scan",
+                                              .vertex_count = mesh->vertex_count,
+                                              .vertex = mesh->vertex,
+                                              .triangle_count = mesh->triangle_count,
+                                              .triangle = mesh->triangle,
+                                              .field_count = 1,
+                                              .field = &of_mesh};
+    }
+    worst_table(p); /* names the marks */
+    wcut_report_line line[LINES_MOST];
+    const wcut_report_scene scene = {.title = "Deviation of the scan from the simulated face",
+                                     .note = "Positive: material left above the face. Grey: no points there.",
+                                     .block_size = f ? f->high : (wcut_vec3){0, 0, 0},
+                                     .shape_count = shapes,
+                                     .shape = shape,
+                                     .line_count = list_lines(p, line),
+                                     .line = line};
+    return write_page(p, &scene, path, error);
+}
+
+wcut_status app_report_compare(const app_comparison *comparison, const char *path, wcut_error *error) {
+    page *p = calloc(1, sizeof *p);
+    if (!p) return WCUT_NO_MEMORY;
+    p->c = comparison;
+    fill_figures(p);
+    wcut_status status = fill_zones(p) && fill_stations(p) ? WCUT_OK : WCUT_NO_MEMORY;
+    if (status == WCUT_OK) status = write_scene(p, path, error);
+    free(p->value);
+    free(p->station);
+    free(p->zone[0]);
+    free(p->zone_name);
+    free(p);
+    return status;
+}
