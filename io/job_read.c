@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "curve_json.h"
 #include "effects.h"
 #include "fail.h"
 #include "json_read.h"
@@ -137,85 +138,6 @@ static bool read_path(wcut_reader *reader, const wcut_place *at, void *job) {
 
 /* ---- design mode ---- */
 
-/* a CURVE as it stands in the file */
-typedef struct curve_text {
-    int points, degree, knots, controls, weights;
-    wcut_vec3 *point, *control;
-    double *knot, *weight;
-} curve_text;
-
-static bool read_curve_points(wcut_reader *reader, const wcut_place *at, void *into) {
-    curve_text *c = into;
-    return wcut_read_array(reader, at, 2, POINTS_MOST, "points", wcut_read_point, sizeof(wcut_vec3), &c->points,
-                           (void **)&c->point);
-}
-
-static bool read_degree(wcut_reader *reader, const wcut_place *at, void *into) {
-    return wcut_read_int(reader, at, 1, WCUT_DEGREE_MAX, into);
-}
-
-static bool read_controls(wcut_reader *reader, const wcut_place *at, void *into) {
-    curve_text *c = into;
-    return wcut_read_array(reader, at, c->degree + 1, POINTS_MOST, "control points", wcut_read_point, sizeof(wcut_vec3),
-                           &c->controls, (void **)&c->control);
-}
-
-static bool read_knots(wcut_reader *reader, const wcut_place *at, void *into) {
-    curve_text *c = into;
-    int count = c->controls + c->degree + 1;
-    if (json_is_array(at->value) && json_array_size(at->value) != (size_t)count)
-        return wcut_refuse(reader, at, WCUT_BAD_ARGUMENT, "%d knots: control points + degree + 1", count);
-    return wcut_read_array(reader, at, count, count, "knots", wcut_read_finite, sizeof(double), &c->knots,
-                           (void **)&c->knot);
-}
-
-static bool read_weights(wcut_reader *reader, const wcut_place *at, void *into) {
-    curve_text *c = into;
-    if (json_is_array(at->value) && json_array_size(at->value) != (size_t)c->controls)
-        return wcut_refuse(reader, at, WCUT_BAD_ARGUMENT, "%d weights, one a control point", c->controls);
-    return wcut_read_array(reader, at, c->controls, c->controls, "weights", wcut_read_positive, sizeof(double),
-                           &c->weights, (void **)&c->weight);
-}
-
-static bool read_curve_text(wcut_reader *reader, const wcut_place *at, curve_text *c) {
-    static const wcut_field interpolated[] = {PART("points_mm", true, read_curve_points)};
-    static const wcut_field spline[] = {
-        IN(curve_text, degree, "degree", true, read_degree),
-        PART("control_points_mm", true, read_controls),
-        PART("knots", true, read_knots),
-        PART("weights", false, read_weights),
-    };
-    bool points = json_object_get(at->value, "points_mm"), degree = json_object_get(at->value, "degree");
-    if (points && degree)
-        return wcut_refuse(reader, at, WCUT_BAD_FORMAT, "either \"points_mm\" or \"degree\", not both");
-    if (json_is_object(at->value) && !points && !degree && json_object_size(at->value) == 0)
-        return wcut_refuse(reader, at, WCUT_BAD_FORMAT,
-                           "a curve: \"points_mm\", or \"degree\", \"knots\" and \"control_points_mm\"");
-    return degree || json_object_get(at->value, "knots") ? READ_OBJECT(spline, c) : READ_OBJECT(interpolated, c);
-}
-
-static bool read_curve(wcut_reader *reader, const wcut_place *at, void *into) {
-    curve_text c = {0};
-    wcut_curve *curve = NULL;
-    bool ok = read_curve_text(reader, at, &c);
-    if (ok) {
-        wcut_status status = c.point ? wcut_curve_interpolate(c.points, c.point, &curve)
-                                     : wcut_curve_create(c.degree, c.controls, c.knot, c.control, c.weight, &curve);
-        if (status == WCUT_NO_MEMORY) ok = wcut_refuse_memory(reader);
-        if (status != WCUT_OK && status != WCUT_NO_MEMORY)
-            ok = c.point ? wcut_refuse(reader, at, WCUT_BAD_ARGUMENT, "points of which no two neighbours coincide")
-                         : wcut_refuse(reader, at, WCUT_BAD_ARGUMENT,
-                                       "knots that do not decrease, span a domain, and repeat at most degree times "
-                                       "inside it");
-    }
-    free(c.point);
-    free(c.control);
-    free(c.knot);
-    free(c.weight);
-    if (ok) *(wcut_curve **)into = curve;
-    return ok;
-}
-
 /* [u, extra mm] */
 typedef struct extra_point {
     double u, length;
@@ -267,8 +189,8 @@ static bool read_stations(wcut_reader *reader, const wcut_place *at, void *into)
 
 static bool read_design(wcut_reader *reader, const wcut_place *at, void *into) {
     static const wcut_field fields[] = {
-        IN_JOB(edge_a, "edge_a", true, read_curve),
-        IN_JOB(edge_b, "edge_b", true, read_curve),
+        IN_JOB(edge_a, "edge_a", true, wcut_read_curve),
+        IN_JOB(edge_b, "edge_b", true, wcut_read_curve),
         IN_JOB(stations, "stations", true, read_stations),
         PART("extra_length_mm", true, read_extra),
         IN_JOB(clearance, "clearance_mm", true, wcut_read_not_negative),

@@ -1,8 +1,9 @@
-/* wirecut/read.h - meshes from files: stock, targets, cutters. Strict, bounded, in millimetres. */
+/* wirecut/read.h - meshes and curves from files: stock, targets, edges, paths. Strict, bounded, in millimetres. */
 #ifndef WCUT_READ_H
 #define WCUT_READ_H
 
 #include <wirecut/cloud.h>
+#include <wirecut/curve.h>
 #include <wirecut/export.h>
 #include <wirecut/mesh.h>
 #include <wirecut/status.h>
@@ -60,6 +61,60 @@ WCUT_API wcut_mesh_read_options wcut_mesh_read_options_default(void);
  */
 WCUT_API wcut_status wcut_mesh_read(const char *path, const wcut_mesh_read_options *options, wcut_mesh **mesh,
                                     wcut_mesh_read_info *info, wcut_error *error);
+
+/** How curves are stored. */
+typedef enum wcut_curve_format {
+    WCUT_CURVE_ANY,  /**< told by the file's first bytes, or by its name's ending */
+    WCUT_CURVE_STEP, /**< ISO 10303-21 with the curves of part 42, in the unit that the file states */
+    WCUT_CURVE_IGES, /**< 5.3 and before: types 126, 110 and 106 forms 2, 12, in the unit that the file states */
+    WCUT_CURVE_JSON, /**< a CURVE as in a job's edges, or {"curves": [CURVE, ...]} */
+    WCUT_CURVE_CSV,  /**< points in columns x_mm, y_mm, z_mm; a column curve, where there is one, counts the curves */
+    WCUT_CURVE_FORMAT_COUNT
+} wcut_curve_format;
+
+/** How curves are read. */
+typedef struct wcut_curve_read_options {
+    wcut_curve_format format; /**< default WCUT_CURVE_ANY */
+    int interpolate;          /**< CSV: 1 a cubic through the points (default), 0 straight pieces between them */
+    int most;                 /**< more curves are refused, 1 or more; default 10000 */
+} wcut_curve_read_options;
+
+/** Curves of a file. */
+typedef struct wcut_curve_set {
+    wcut_curve_format format; /**< as found */
+    int count;                /**< 1 or more */
+    wcut_curve **curve;       /**< count [mm] */
+    char **name;              /**< count, "" where the file has none */
+    int left_out;             /**< curves in the file that were not read */
+    char why[240];            /**< their kinds or the reasons, comma-separated; "" where there are none */
+} wcut_curve_set;
+
+WCUT_API wcut_curve_read_options wcut_curve_read_options_default(void);
+
+/**
+ * Read the curves of a file: edges or paths for a design.
+ *
+ * STEP: the curves of geometric sets, in their order; where there are none, the edges of faces and solids. B-splines,
+ * rational or not, come back as they are, poles bit for bit where the unit is mm; polylines and lines become splines of
+ * degree 1, arcs of circles and ellipses rational ones of degree 2, composite curves their segments. What else there
+ * is (parabolas, offsets, degrees above 7) is left out and told. A file that moves its parts (an assembly) is refused:
+ * export the parts where they stand.
+ * IGES: what is a piece of another entity, or lies in a surface's parameters, is left out and told.
+ *
+ * @param[in]  path    a file
+ * @param[in]  options NULL for the defaults
+ * @param[out] set     the caller's, to wcut_curve_set_destroy
+ * @param[out] error   may be NULL; line, instance or JSON path, what was found, what was expected
+ * @return WCUT_OK; WCUT_NOT_FOUND (no such file, not readable), WCUT_BAD_FORMAT (no curves in a known format,
+ *         malformed, truncated, over 256 MB, a number not finite or beyond 1e12 mm, knots or weights that make no
+ *         curve, no curve that could be read, more than options->most), WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was
+ *         written.
+ */
+WCUT_API wcut_status wcut_curve_set_read(const char *path, const wcut_curve_read_options *options, wcut_curve_set **set,
+                                         wcut_error *error);
+
+/** Free what wcut_curve_set_read gave; NULL is allowed. */
+WCUT_API void wcut_curve_set_destroy(wcut_curve_set *set);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,93 @@
+/* Write everything that is exchanged into a folder, with the figures that a reader must find in `given.json`:
+   write_given FOLDER [LOCALE] */
+#include <locale.h>
+#include <stdio.h>
+#include <unistd.h>
+
+#include "exchange/given_parts.h"
+#include "number.h"
+
+static wcut_error error;
+
+static void must(wcut_status status) {
+    if (status == WCUT_OK) return;
+    fprintf(stderr, "%s: %s\n", wcut_status_text(status), error.text);
+    exit(1);
+}
+
+static void put_number(FILE *file, const char *before, double value) {
+    char text[WCUT_NUMBER_SIZE];
+    fprintf(file, "%s%.*s", before, wcut_number_print(value, text), text);
+}
+
+/* "name": {"poles": [[x,y,z], ..], "weights": [..]}, poles in our order */
+static void put_poles(FILE *file, const char *name, size_t count, const wcut_vec3 *pole, const double *weight) {
+    fprintf(file, " \"%s\": {\"poles\": [", name);
+    for (size_t k = 0; k < count; k++) {
+        put_number(file, k ? ",[" : "[", pole[k].x);
+        put_number(file, ",", pole[k].y);
+        put_number(file, ",", pole[k].z);
+        fputs("]", file);
+    }
+    fputs("], \"weights\": [", file);
+    for (size_t k = 0; weight && k < count; k++) put_number(file, k ? "," : "", weight[k]);
+    fputs("]},\n", file);
+}
+
+static void put_surface(FILE *file, const char *name, const wcut_surface *s) {
+    put_poles(file, name, (size_t)s->count_u * (size_t)s->count_v, s->control, s->weights);
+}
+
+static void put_curve(FILE *file, const char *name, const wcut_curve *c) {
+    put_poles(file, name, (size_t)c->control_count, c->control, c->weights);
+}
+
+static void write_parts(FILE *file) {
+    wcut_surface *loft = given_loft(41, 31), *cylinder = given_cylinder(), *patch = given_patch();
+    wcut_curve *curve = given_curve(), *arc = given_arc();
+    const wcut_shape shape[] = {{"loft", NULL, loft, NULL},
+                                {"cylinder 'quoted' \xc3\xbc", NULL, cylinder, NULL},
+                                {"curve", NULL, NULL, curve},
+                                {"arc", NULL, NULL, arc}};
+    must(wcut_step_write(4, shape, WCUT_STEP_AP214, "parts.step", &error));
+    must(wcut_step_write(4, shape, WCUT_STEP_AP242, "parts-242.step", &error));
+    must(wcut_iges_write(4, shape, "parts.igs", &error));
+    const wcut_shape sheet = {"loft", NULL, patch, NULL};
+    must(wcut_step_write(1, &sheet, WCUT_STEP_AP214, "patch.step", &error));
+    put_surface(file, "loft", loft);
+    put_surface(file, "cylinder", cylinder);
+    put_curve(file, "curve", curve);
+    put_curve(file, "arc", arc);
+    put_surface(file, "patch", patch);
+    wcut_curve_destroy(arc);
+    wcut_curve_destroy(curve);
+    wcut_surface_destroy(patch);
+    wcut_surface_destroy(cylinder);
+    wcut_surface_destroy(loft);
+}
+
+static void write_solids(FILE *file) {
+    given_solid lower, upper;
+    given_solid_create(&lower, 0);
+    given_solid_create(&upper, 1);
+    const wcut_shape both[] = {{"lower", &lower.brep, NULL, NULL}, {"upper", &upper.brep, NULL, NULL}};
+    must(wcut_step_write(2, both, WCUT_STEP_AP214, "solids.step", &error));
+    must(wcut_step_write(2, both, WCUT_STEP_AP242, "solids-242.step", &error));
+    put_number(file, " \"volume\": {\"lower\": ", lower.volume);
+    put_number(file, ", \"upper\": ", upper.volume);
+    fputs("},\n", file);
+    given_solid_destroy(&upper);
+    given_solid_destroy(&lower);
+}
+
+int main(int argc, char **argv) {
+    if (argc < 2 || chdir(argv[1]) != 0) return 2;
+    if (argc > 2 && !setlocale(LC_ALL, argv[2])) return 2;
+    FILE *file = fopen("given.json", "w");
+    if (!file) return 1;
+    fputs("{\n", file);
+    write_parts(file);
+    write_solids(file);
+    fputs(" \"unit\": \"mm\"\n}\n", file);
+    return fclose(file) == 0 ? 0 : 1;
+}

@@ -1,0 +1,343 @@
+/* Curves in: our own STEP and IGES bit for bit, what other programs write of the rest, and what is refused or told. */
+#include <locale.h>
+#include <wirecut/curve.h>
+#include <wirecut/exchange.h>
+#include <wirecut/read.h>
+
+#include "curve_set.h"
+#include "exchange/given_parts.h"
+#include "fail.h"
+#include "given.h"
+
+static wcut_curve_set *set;
+static wcut_error error;
+static wcut_curve_read_options options;
+
+static wcut_status read_text(const char *label, const char *text, size_t length) {
+    char *copy = calloc(length + 1, 1);
+    memcpy(copy, text, length);
+    if (options.most == 0) options = wcut_curve_read_options_default();
+    wcut_curve_set_destroy(set);
+    set = NULL;
+    error.text[0] = '\0';
+    const wcut_status status = wcut_curve_set_read_memory(copy, length, label, &options, &set, &error);
+    free(copy);
+    return status;
+}
+
+static void reads(const char *label, const char *text, int count) {
+    ck_assert_msg(read_text(label, text, strlen(text)) == WCUT_OK, "%s", error.text);
+    ck_assert_int_eq(set->count, count);
+}
+
+static void refuses(const char *label, const char *text, const char *words) {
+    ck_assert_int_eq(read_text(label, text, strlen(text)), WCUT_BAD_FORMAT);
+    ck_assert_ptr_null(set);
+    ck_assert_msg(strstr(error.text, words) != NULL, "found: %s\nexpected: %s", error.text, words);
+}
+
+static wcut_vec3 at(int k, double share) {
+    double first, last;
+    wcut_vec3 p = {999, 999, 999};
+    wcut_curve_domain(set->curve[k], &first, &last);
+    ck_assert_int_eq(wcut_curve_eval(set->curve[k], first + share * (last - first), 0, &p), WCUT_OK);
+    return p;
+}
+
+static void is_at(wcut_vec3 p, double x, double y, double z) {
+    ck_assert_msg(fabs(p.x - x) + fabs(p.y - y) + fabs(p.z - z) < 1e-9, "%.12g %.12g %.12g", p.x, p.y, p.z);
+}
+
+static void is_same(const wcut_curve *a, const wcut_curve *b) {
+    ck_assert(a->degree == b->degree && a->control_count == b->control_count);
+    const size_t n = (size_t)a->control_count;
+    ck_assert(memcmp(a->knots, b->knots, (n + (size_t)a->degree + 1) * sizeof *a->knots) == 0);
+    for (size_t k = 0; k < n; k++)
+        ck_assert(a->control[k].x == b->control[k].x && a->control[k].y == b->control[k].y &&
+                  a->control[k].z == b->control[k].z);
+    ck_assert((a->weights == NULL) == (b->weights == NULL));
+    if (a->weights) ck_assert(memcmp(a->weights, b->weights, n * sizeof *a->weights) == 0);
+}
+
+/* ---- what we write ---- */
+
+START_TEST(our_own_step_and_iges_come_back_bit_for_bit_whatever_the_locale) {
+    wcut_curve *curve = given_curve(), *arc = given_arc();
+    const wcut_shape shape[] = {{"path a", NULL, NULL, curve}, {"arc 'b'", NULL, NULL, arc}};
+    enter_folder();
+    ck_assert_ptr_nonnull(setlocale(LC_ALL, "de_DE.UTF-8"));
+    ck_assert_int_eq(wcut_step_write(2, shape, WCUT_STEP_AP214, "a.step", NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_step_write(2, shape, WCUT_STEP_AP242, "b.stp", NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_iges_write(2, shape, "a.igs", NULL), WCUT_OK);
+    static const char *const name[] = {"a.step", "b.stp", "a.igs"};
+    for (int f = 0; f < 3; f++) {
+        ck_assert_msg(wcut_curve_set_read(name[f], NULL, &set, &error) == WCUT_OK, "%s", error.text);
+        ck_assert(set->count == 2 && set->left_out == 0 && set->why[0] == '\0');
+        ck_assert_int_eq(set->format, f < 2 ? WCUT_CURVE_STEP : WCUT_CURVE_IGES);
+        is_same(set->curve[0], curve);
+        is_same(set->curve[1], arc);
+        ck_assert_str_eq(set->name[0], f < 2 ? "path a" : "");
+        wcut_curve_set_destroy(set);
+        set = NULL;
+    }
+    setlocale(LC_ALL, "C");
+    leave_folder();
+    wcut_curve_destroy(arc);
+    wcut_curve_destroy(curve);
+}
+END_TEST
+
+START_TEST(a_solid_gives_its_edges) {
+    given_solid solid;
+    given_solid_create(&solid, 0);
+    const wcut_shape shape = {"lower", &solid.brep, NULL, NULL};
+    enter_folder();
+    ck_assert_int_eq(wcut_step_write(1, &shape, WCUT_STEP_AP214, "a.step", NULL), WCUT_OK);
+    ck_assert_msg(wcut_curve_set_read("a.step", NULL, &set, &error) == WCUT_OK, "%s", error.text);
+    ck_assert_int_eq(set->count, 12);
+    for (int k = 0; k < 4; k++) is_same(set->curve[k], solid.edge[k].curve);
+    is_at(at(4, 1), 0, 0, 0);
+    wcut_curve_set_destroy(set);
+    set = NULL;
+    leave_folder();
+    given_solid_destroy(&solid);
+}
+END_TEST
+
+/* ---- what others write: instances #20 and on, the elements of the geometric set first ---- */
+
+#define STEP(unit, elements, data)                                                                      \
+    "ISO-10303-21; /* a comment; */ HEADER; FILE_NAME('a;b','it''s(',$); ENDSEC;\nDATA;\n" unit         \
+    "#6=(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.));\n"                                        \
+    "#9=( GEOMETRIC_REPRESENTATION_CONTEXT(3) GLOBAL_UNIT_ASSIGNED_CONTEXT((#5,#6)) "                   \
+    "REPRESENTATION_CONTEXT('','') );\n"                                                                \
+    "#10=CARTESIAN_POINT('',(0.,0.,0.));#11=CARTESIAN_POINT('',(3.,0.,1.));\n"                          \
+    "#12=CARTESIAN_POINT('',(3.,4.,1.E0));#13=DIRECTION('',(0.,0.,2.));#14=DIRECTION('',(1.,0.,0.));\n" \
+    "#15=AXIS2_PLACEMENT_3D('',#11,#13,#14);\n"                                                         \
+    "#19=GEOMETRIC_CURVE_SET('',(" elements "));\n" data "ENDSEC;\nEND-ISO-10303-21;\n"
+#define MM "#5=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));"
+
+START_TEST(lines_polylines_arcs_and_composites_become_splines) {
+    reads(
+        "a.step",
+        STEP(MM, "#20,#21,#22,#10",
+             "#20=POLYLINE('zig',(#10,#11,#12,#12));\n"
+             "#21=TRIMMED_CURVE('',#30,(#10,PARAMETER_VALUE(0.)),(#11,PARAMETER_VALUE(9.)),.T.,.CARTESIAN.);\n"
+             "#30=LINE('',#10,#31);#31=VECTOR('',#14,2.);\n"
+             "#22=TRIMMED_CURVE('',#40,(PARAMETER_VALUE(0.)),(PARAMETER_VALUE(1.5707963267948966)),.T.,.PARAMETER.);\n"
+             "#40=CIRCLE('',#15,2.);\n"),
+        3);
+    ck_assert(set->curve[0]->degree == 1 && set->curve[0]->control_count == 3);
+    ck_assert_str_eq(set->name[0], "zig");
+    is_at(at(0, 0.5), 3, 0, 1);
+    is_at(at(1, 1), 3, 0, 1);
+    is_at(at(2, 0), 5, 0, 1);
+    is_at(at(2, 0.5), 3 + sqrt(2), sqrt(2), 1);
+    is_at(at(2, 1), 3, 2, 1);
+    reads("a.step",
+          STEP(MM, "#20,#21,#22",
+               "#20=ELLIPSE('',#15,2.,1.);\n"
+               "#21=COMPOSITE_CURVE('',(#30,#31),.U.);\n"
+               "#30=COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.T.,#40);#31=COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.F.,#40);\n"
+               "#40=POLYLINE('',(#10,#12));\n"
+               "#22=TRIMMED_CURVE('',#20,(PARAMETER_VALUE(0.)),(PARAMETER_VALUE(-3.1415926535897931)),.F.,.PARAMETER.);"
+               "\n"),
+          4);
+    is_at(at(0, 0.25), 3, 1, 1);
+    is_at(at(0, 1), 5, 0, 1);
+    is_at(at(1, 1), 3, 4, 1);
+    is_at(at(2, 1), 0, 0, 0);
+    is_at(at(3, 0.5), 3, -1, 1);
+    is_at(at(3, 1), 1, 0, 1);
+}
+END_TEST
+
+START_TEST(a_trimmed_spline_is_cut_at_its_parameters) {
+    reads("a.step",
+          STEP(MM, "#20,#21",
+               "#20=TRIMMED_CURVE('',#30,(PARAMETER_VALUE(1.)),(PARAMETER_VALUE(3.)),.T.,.PARAMETER.);\n"
+               "#21=TRIMMED_CURVE('',#30,(PARAMETER_VALUE(4.)),(PARAMETER_VALUE(2.)),.F.,.PARAMETER.);\n"
+               "#30=B_SPLINE_CURVE_WITH_KNOTS('',1,(#10,#11),.UNSPECIFIED.,.F.,.F.,(2,2),(0.,4.),.UNSPECIFIED.);\n"),
+          2);
+    is_at(at(0, 0), 0.75, 0, 0.25);
+    is_at(at(0, 1), 2.25, 0, 0.75);
+    is_at(at(1, 0), 3, 0, 1);
+    is_at(at(1, 1), 1.5, 0, 0.5);
+}
+END_TEST
+
+START_TEST(the_files_own_unit_is_obeyed) {
+    reads("a.step",
+          STEP("#5=(CONVERSION_BASED_UNIT('INCH',#4)LENGTH_UNIT()NAMED_UNIT(#3));"
+               "#4=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#2);#2=(LENGTH_UNIT()NAMED_UNIT(*)"
+               "SI_UNIT(.MILLI.,.METRE.));#3=DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.);",
+               "#20", "#20=POLYLINE('',(#10,#12));\n"),
+          1);
+    is_at(at(0, 1), 76.2, 101.6, 25.4);
+    reads("a.step", STEP("#5=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT($,.METRE.));", "#20", "#20=CIRCLE('',#15,2.);\n"), 1);
+    is_at(at(0, 0), 5000, 0, 1000);
+}
+END_TEST
+
+START_TEST(what_is_left_out_is_told_and_the_rest_is_read) {
+    reads("a.step",
+          STEP(MM, "#20,#21,#22,#23",
+               "#20=POLYLINE('',(#10,#11));#21=PARABOLA('',#15,1.);#22=HYPERBOLA('',#15,1.,1.);#23=PARABOLA('',#15,2.);"
+               "\n"),
+          1);
+    ck_assert_int_eq(set->left_out, 3);
+    ck_assert_str_eq(set->why, "PARABOLA, HYPERBOLA");
+    refuses("a.step", STEP(MM, "#21", "#21=PARABOLA('',#15,1.);\n"),
+            "found no curve that is read, 1 left out: PARABOLA");
+}
+END_TEST
+
+START_TEST(a_broken_step_file_is_refused_with_its_words) {
+    refuses("a.step", "", "found nothing, expected ISO-10303-21;");
+    refuses("a.step", "solid a\n", "expected ISO-10303-21;");
+    refuses("a.step", "ISO-10303-21;DATA;", "found the end of the file, expected END-ISO-10303-21;");
+    refuses("a.step", "ISO-10303-21;DATA;#1=A(;", "expected parentheses in pairs");
+    refuses("a.step", "ISO-10303-21;DATA;#1=A('", "found a string or comment without an end");
+    refuses("a.step", "ISO-10303-21;DATA;#1=A();#1=B();END-ISO-10303-21;", "found #1 twice");
+    refuses("a.step", "ISO-10303-21;DATA;#x=A();END-ISO-10303-21;", "expected #, a number and =");
+    refuses("a.step", "ISO-10303-21;DATA;#1=A();END-ISO-10303-21;", "found no unit of length");
+    refuses("a.step", STEP(MM, "#20", "#20=POLYLINE('',(#10,#99));\n"), "#99: expected a CARTESIAN_POINT");
+    refuses("a.step", STEP(MM, "#20", "#20=POLYLINE('',(#10,#21));#21=CARTESIAN_POINT('',(0.,1.));\n"),
+            "#21: expected a CARTESIAN_POINT with three numbers up to 1e12 mm");
+    refuses("a.step", STEP(MM, "#20", "#20=POLYLINE('',(#10,#21));#21=CARTESIAN_POINT('',(0.,1.,1.E13));\n"),
+            "#21: expected a CARTESIAN_POINT with three numbers up to 1e12 mm");
+    refuses("a.step", STEP(MM, "#20", "#20=POLYLINE('',(#10,#10));\n"), "#20: found 2 points in one place");
+    refuses("a.step", STEP(MM, "#20", "#20=CIRCLE('',#15,-1.);\n"), "#20: found no radius");
+    refuses("a.step", STEP(MM, "#20", "#20=B_SPLINE_CURVE_WITH_KNOTS('',1,(#10,#11),.U.,.F.,.F.,(2,3),(0.,4.),.U.);\n"),
+            "#20: found knots and multiplicities that do not add up");
+    refuses("a.step", STEP(MM, "#20", "#20=B_SPLINE_CURVE_WITH_KNOTS('',1,(#10,#11),.U.,.F.,.F.,(2,2),(4.,0.),.U.);\n"),
+            "#20: found knots or weights that make no curve of degree 1 with 2 control points");
+    refuses("a.step", STEP(MM, "#20", "#20=POLYLINE('',(#10,#11));#21=MAPPED_ITEM('',#1,#2);\n"),
+            "#21: found an assembly that moves its parts");
+    refuses("a.step", STEP(MM, "#20", "#20=SURFACE_CURVE('',#20,(),.CURVE_3D.);\n"), "found curves nested too deep");
+}
+END_TEST
+
+START_TEST(json_and_csv_hold_curves_in_millimetres) {
+    reads("a.json", "{\"points_mm\": [[0,0,0],[1,0,0],[2,1,0],[3,1,0]]}", 1);
+    is_at(at(0, 1), 3, 1, 0);
+    reads("a.json",
+          "{\"curves\": [{\"points_mm\": [[0,0,0],[1,0,0]]}, {\"degree\": 1, \"knots\": [0,0,1,1], "
+          "\"control_points_mm\": [[0,0,0],[0,2,0]]}]}",
+          2);
+    is_at(at(1, 0.5), 0, 1, 0);
+    refuses("a.json", "{\"curves\": [{\"points_mm\": [[0,0,0],[0,0,0]]}]}", "$.curves[0]");
+    refuses("a.json", "{\"curves\": []}", "found no curve, expected at least one");
+    reads("a.csv", "x_mm,y_mm,z_mm,curve\n0,0,0,1\n1,0,0,1\n2,0,0,1\n0,5,0,2\n0,6,0,2\n", 2);
+    is_at(at(0, 1), 2, 0, 0);
+    is_at(at(1, 0), 0, 5, 0);
+    options.interpolate = 0;
+    reads("a.csv", "x_mm,y_mm,z_mm\n0,0,0\n1,0,0\n1,3,0\n", 1);
+    ck_assert_int_eq(set->curve[0]->degree, 1);
+    is_at(at(0, 0.5), 1, 0, 0);
+    options.interpolate = 1;
+    refuses("a.csv", "x_mm,y_mm\n0,0\n1,0\n", "found no column z_mm");
+    refuses("a.csv", "x_mm,y_mm,z_mm\n0,0,0\n1,,0\n", "line 3: found no y_mm, expected a number");
+    refuses("a.csv", "x_mm,y_mm,z_mm\n0,0,0\n0,0,0\n",
+            "line 2: found 2 points, expected two or more, neighbours apart");
+    refuses("a.txt", "hello", "found no curves in a known format, expected STEP, IGES, JSON or CSV");
+}
+END_TEST
+
+/* ---- IGES ---- */
+
+/* lines of 80 columns from "text|section" */
+static void put_lines(char *to, const char *const *text, const char *sections) {
+    int number = 0;
+    char before = 0;
+    for (int k = 0; text[k]; k++) {
+        number = sections[k] == before ? number + 1 : 1;
+        before = sections[k];
+        to += sprintf(to, "%-72.72s%c%7d\r\n", text[k], sections[k], number);
+    }
+}
+
+START_TEST(iges_lines_points_and_splines_are_read_in_their_unit) {
+    char text[4000];
+    static const char *const lines[] = {"start",
+                                        "1H,,1H;,5Ha,b;c,4Hfile,1Hs,1Hp,32,38,6,308,15,,1.,1,4HINCH,1,0.01,",
+                                        "15H20000101.000000,1.D-6,0.,,,11,0,;",
+                                        "     110       1       0       0       0       0       0       000000000",
+                                        "     110       0       0       1       0",
+                                        "     106       2       0       0       0       0       0       000000000",
+                                        "     106       0       0       1      12",
+                                        "     100       3       0       0       0       0       0       000000000",
+                                        "     100       0       0       1       0",
+                                        "     110       4       0       0       0       0       0       000010000",
+                                        "     110       0       0       1       0",
+                                        "110,0.,0.,0.,1.,2D0,3.;",
+                                        "106,2,3,0.,0.,0.,1.,0.,0.,1.,1.,0.;",
+                                        "100,0.,0.,0.,1.,0.,0.,1.;",
+                                        "110,0.,0.,0.,1.,0.,0.;",
+                                        "S      1G      2D      8P      4",
+                                        NULL};
+    put_lines(text, lines, "SGGDDDDDDDDPPPPT");
+    reads("a.igs", text, 2);
+    is_at(at(0, 1), 25.4, 50.8, 76.2);
+    is_at(at(1, 1), 25.4, 25.4, 0);
+    ck_assert_int_eq(set->left_out, 2);
+    ck_assert_str_eq(set->why, "type 100 form 0, a piece of another entity");
+    *strstr(text, "110,0.") = '3';
+    refuses("a.igs", text, "line 4: found too few or other values than its kind has");
+    put_lines(text, lines, "SGGDDDDDDDDPPPPP");
+    refuses("a.igs", text, "found no section in its order, expected S, G, D, P and T");
+    refuses("a.igs", "short\n", "line 1: found 5 columns, expected 80 of text");
+}
+END_TEST
+
+/* ---- misuse, memory ---- */
+
+START_TEST(arguments_outside_their_range_and_missing_files_are_refused) {
+    wcut_curve_read_options o = wcut_curve_read_options_default();
+    ck_assert_int_eq(wcut_curve_set_read(NULL, NULL, &set, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_curve_set_read("a.step", NULL, NULL, NULL), WCUT_BAD_ARGUMENT);
+    o.most = 0;
+    ck_assert_int_eq(wcut_curve_set_read("a.step", &o, &set, NULL), WCUT_BAD_ARGUMENT);
+    o = wcut_curve_read_options_default();
+    o.interpolate = 2;
+    ck_assert_int_eq(wcut_curve_set_read("a.step", &o, &set, NULL), WCUT_BAD_ARGUMENT);
+    o.interpolate = 1;
+    o.format = WCUT_CURVE_FORMAT_COUNT;
+    ck_assert_int_eq(wcut_curve_set_read("a.step", &o, &set, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_curve_set_read("/nowhere/a.step", NULL, &set, &error), WCUT_NOT_FOUND);
+    options = wcut_curve_read_options_default();
+    options.most = 1;
+    refuses("a.csv", "x_mm,y_mm,z_mm,curve\n0,0,0,1\n1,0,0,1\n0,5,0,2\n0,6,0,2\n", "found more than 1 curves");
+    options.most = 10000;
+}
+END_TEST
+
+START_TEST(without_memory_nothing_is_given_and_nothing_lost) {
+    static const char text[] = STEP(MM, "#20,#21", "#20=POLYLINE('',(#10,#11));#21=CIRCLE('',#15,1.);\n");
+    wcut_status status = WCUT_NO_MEMORY;
+    int failures = 0;
+    for (long k = 1; status == WCUT_NO_MEMORY; k++, failures++) {
+        wcut_io_alloc_fail_at(k);
+        status = read_text("a.step", text, strlen(text));
+        ck_assert((status == WCUT_OK) == (set != NULL));
+    }
+    wcut_io_alloc_fail_at(0);
+    ck_assert_int_eq(status, WCUT_OK);
+    ck_assert_int_ge(failures, 6);
+}
+END_TEST
+
+int main(void) {
+    const TTest *const test[] = {our_own_step_and_iges_come_back_bit_for_bit_whatever_the_locale,
+                                 a_solid_gives_its_edges,
+                                 lines_polylines_arcs_and_composites_become_splines,
+                                 a_trimmed_spline_is_cut_at_its_parameters,
+                                 the_files_own_unit_is_obeyed,
+                                 what_is_left_out_is_told_and_the_rest_is_read,
+                                 a_broken_step_file_is_refused_with_its_words,
+                                 json_and_csv_hold_curves_in_millimetres,
+                                 iges_lines_points_and_splines_are_read_in_their_unit,
+                                 arguments_outside_their_range_and_missing_files_are_refused,
+                                 without_memory_nothing_is_given_and_nothing_lost};
+    return run_suite("curve_read", sizeof test / sizeof *test, test);
+}
