@@ -1,0 +1,431 @@
+/* Evidence: what a case measured and what the simulator says of it, in bins of time and patches of the scanned face. */
+#include "explain/evidence.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "base/numbers.h"
+#include "base/vec3.h"
+#include "cut/setup.h"
+
+enum { NODES_FINE = WCUT_NODES_FINE, NODES_COARSE = WCUT_NODES_COARSE, PARTS = 5 };
+
+/* trails: smoothing of the encoder, of the exogenous progress, and the step of the latter [s] */
+#define WINDOW 0.5
+#define WIDTH 6.0
+#define STEP 0.2
+/* the first two seconds after the wire is taut and the last one are the least physical part of a cut */
+#define SETTLE 2.0
+#define LAST 1.5
+
+/* ---- models ---- */
+
+/* way that a wire has gone through foam in the cuts before, at the middle of the block */
+static double way_before(const wcut_evidence *e, int cut) {
+    double way = 0;
+    for (int k = 0; k < cut; k++)
+        if (e->cut[k].job) way += e->cut[k].job->block_size.y;
+    return way;
+}
+
+wcut_job wcut_model_job(const wcut_evidence *e, const wcut_model *model, int cut, wcut_effect *effect) {
+    wcut_job job = *e->cut[cut].job;
+    job.force_law.a = model->a, job.force_law.b = model->b;
+    job.wire_length += model->length_change;
+    for (int k = 0; k < model->effects; k++) {
+        effect[k] = model->effect[k];
+        if (effect[k].kind == WCUT_WIRE_FOULING && model->carried) effect[k].value[2] = way_before(e, cut);
+    }
+    job.effect_count = model->effects, job.effect = effect;
+    return job;
+}
+
+/* ---- bins ---- */
+
+static double nan_value(void) { return (double)NAN; }
+
+/* mean of samples in each bin; NaN where fewer than half of the usual number are there */
+static void bin_samples(const wcut_evidence_cut *c, int n, const double *time, const double *value, int *count,
+                        double *out) {
+    int most = 0;
+    for (int i = 0; i < c->bins; i++) count[i] = 0, out[i] = 0;
+    for (int i = 0; i < n; i++) {
+        const double place = (time[i] - c->from) / WCUT_BIN_WIDTH;
+        if (!(place >= 0) || place >= c->bins || !isfinite(value[i])) continue;
+        count[(int)place]++, out[(int)place] += value[i];
+    }
+    for (int i = 0; i < c->bins; i++) most = count[i] > most ? count[i] : most;
+    for (int i = 0; i < c->bins; i++) out[i] = count[i] > 0 && 2 * count[i] >= most ? out[i] / count[i] : nan_value();
+}
+
+/* mean of the broken line through a trail's values over each bin */
+static void bin_line(const wcut_evidence_cut *c, const wcut_trail *t, const double *value, double *out) {
+    for (int i = 0; i < c->bins; i++) {
+        double sum = 0;
+        for (int k = 0; k < PARTS; k++)
+            sum += wcut_between(t->count, t->time, value, c->from + (i + (k + 0.5) / PARTS) * WCUT_BIN_WIDTH);
+        out[i] = sum / PARTS;
+    }
+}
+
+/* signals of a run as faulty instruments would show them; room: 6 x count */
+static wcut_status sense(const wcut_model *model, const double *time, const wcut_driven *d, double *room) {
+    double *value[WCUT_SENSED_COUNT] = {NULL};
+    for (int k = 0; k < WCUT_TRAIL_SIGNALS; k++) {
+        value[WCUT_SENSED_TENSION_A + k] = room + (size_t)k * (size_t)d->count;
+        memcpy(room + (size_t)k * (size_t)d->count, d->signal[k], (size_t)d->count * sizeof *room);
+    }
+    return wcut_sensors_eval(model->effects, model->effect, d->count, time, d->present, value);
+}
+
+wcut_status wcut_evidence_bin_recorded(const wcut_evidence_cut *c, const wcut_model *model, const wcut_driven *d,
+                                       double *out) {
+    const size_t n = (size_t)d->count;
+    double *room = wcut_alloc(WCUT_TRAIL_SIGNALS * n, sizeof *room);
+    int *count = wcut_alloc((size_t)c->bins, sizeof *count);
+    wcut_status status = room && count ? sense(model, c->recorded.time, d, room) : WCUT_NO_MEMORY;
+    for (int k = 0; status == WCUT_OK && k < WCUT_TRAIL_SIGNALS; k++) {
+        for (size_t i = 0; i < n; i++)
+            if (!d->present[i]) room[(size_t)k * n + i] = nan_value();
+        bin_samples(c, d->count, c->recorded.time, room + (size_t)k * n, count, out + (size_t)k * (size_t)c->bins);
+    }
+    wcut_free(room);
+    wcut_free(count);
+    return status;
+}
+
+/* ---- rows ---- */
+
+/* a trail's place of a station: the sample before it and the way to the next */
+static int locate(const wcut_trail *t, double station, double *way) {
+    int low = 0, high = t->count - 1;
+    while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        if (t->station[middle] <= station)
+            low = middle;
+        else
+            high = middle;
+    }
+    const double step = t->station[high] - t->station[low];
+    *way = step > 0 ? clamp((station - t->station[low]) / step, 0, 1) : 0;
+    return low;
+}
+
+static int across_node(int nodes, double across, double *way) {
+    const double place = clamp(across, 0, 1) * (nodes - 1);
+    const int node = (int)fmin(floor(place), nodes - 2);
+    *way = place - node;
+    return node;
+}
+
+wcut_vec3 wcut_trail_position(const wcut_trail *t, const wcut_driven *d, double station, double across) {
+    double along, beside;
+    const int i = locate(t, station, &along), j = across_node(d->nodes, across, &beside);
+    const wcut_vec3 *low = d->position + (size_t)i * (size_t)d->nodes + j, *high = low + d->nodes;
+    return vec3_mix(vec3_mix(low[0], low[1], beside), vec3_mix(high[0], high[1], beside), along);
+}
+
+double wcut_trail_speed(const wcut_trail *t, const wcut_driven *d, double station, double across) {
+    double along, beside;
+    const int i = locate(t, station, &along), j = across_node(d->nodes, across, &beside);
+    const double *low = d->speed + (size_t)i * (size_t)d->nodes + j, *high = low + d->nodes;
+    return (1 - along) * ((1 - beside) * low[0] + beside * low[1]) +
+           along * ((1 - beside) * high[0] + beside * high[1]);
+}
+
+static wcut_status patch_rows(const wcut_evidence_cut *c, const wcut_model *model, const wcut_driven *d, double *out) {
+    const wcut_patches *p = &c->patch;
+    wcut_vec3 *moved = wcut_copy(p->point, (size_t)p->count, sizeof *moved);
+    if (!moved) return WCUT_NO_MEMORY;
+    const wcut_status status =
+        wcut_face_eval(model->effects, model->effect, c->job->block_size, p->count, p->normal, p->q_eff, moved);
+    for (int k = 0; status == WCUT_OK && k < p->count; k++) {
+        const wcut_vec3 now = wcut_trail_position(&c->exogenous, d, p->station[k], p->across[k]);
+        const wcut_vec3 then = wcut_trail_position(&c->exogenous, &c->reference, p->station[k], p->across[k]);
+        const wcut_vec3 way = vec3_add(vec3_sub(now, then), vec3_sub(moved[k], p->point[k]));
+        out[k] = vec3_dot(p->normal[k], way);
+    }
+    wcut_free(moved);
+    return status;
+}
+
+wcut_status wcut_evidence_bin_exogenous(const wcut_evidence_cut *c, const wcut_model *model, const wcut_driven *d,
+                                        double *out) {
+    double *room = wcut_alloc((size_t)WCUT_TRAIL_SIGNALS * (size_t)d->count, sizeof *room);
+    const wcut_status status = room ? sense(model, c->exogenous.time, d, room) : WCUT_NO_MEMORY;
+    for (int k = 0; status == WCUT_OK && k < WCUT_TRAIL_SIGNALS; k++)
+        bin_line(c, &c->exogenous, room + (size_t)k * (size_t)d->count, out + (size_t)k * (size_t)c->bins);
+    wcut_free(room);
+    return status;
+}
+
+wcut_status wcut_evidence_rows(const wcut_evidence *e, int cut, const wcut_model *model, const wcut_driven *d,
+                               double *out) {
+    const wcut_evidence_cut *c = &e->cut[cut];
+    if (c->bins == 0) return WCUT_OK;
+    const wcut_status status = wcut_evidence_bin_exogenous(c, model, d, out + c->row);
+    if (status != WCUT_OK || c->patch.count == 0) return status;
+    return patch_rows(c, model, d, out + c->row + WCUT_TRAIL_SIGNALS * c->bins);
+}
+
+void wcut_evidence_residual(const wcut_evidence *e, double *out) {
+    for (int k = 0; k < e->cuts; k++) {
+        const wcut_evidence_cut *c = &e->cut[k];
+        for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++)
+            for (int i = 0; i < c->bins; i++) out[c->row + s * c->bins + i] = c->measured[s][i] - c->predicted[s][i];
+        for (int i = 0; i < c->patch.count; i++) out[c->row + WCUT_TRAIL_SIGNALS * c->bins + i] = c->patch.distance[i];
+    }
+}
+
+void wcut_evidence_whiten(const wcut_evidence *e, const double *residual, const double *in, double *out) {
+    const double keep = exp(-WCUT_BIN_WIDTH / WCUT_NOISE_MEMORY);
+    for (int k = 0; k < e->cuts; k++) {
+        const wcut_evidence_cut *c = &e->cut[k];
+        for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++) {
+            double mean = 0, variance = e->coloured;
+            for (int i = 0; i < c->bins; i++) {
+                const int row = c->row + s * c->bins + i;
+                if (isfinite(residual[row])) {
+                    const double innovation = in[row] / e->sigma[s] - mean, size = variance + 1;
+                    out[row] = innovation / sqrt(size);
+                    mean += variance / size * innovation;
+                    variance /= size;
+                } else {
+                    out[row] = 0;
+                }
+                mean *= keep;
+                variance = keep * keep * variance + (1 - keep * keep) * e->coloured;
+            }
+        }
+        for (int i = 0; i < c->patch.count; i++) {
+            const int row = c->row + WCUT_TRAIL_SIGNALS * c->bins + i;
+            out[row] = in[row] / c->patch.sigma[i];
+        }
+    }
+}
+
+/* ---- creation ---- */
+
+static void destroy_cut(wcut_evidence_cut *c) {
+    wcut_trail_destroy(&c->recorded);
+    wcut_trail_destroy(&c->exogenous);
+    wcut_driven_destroy(&c->reference);
+    wcut_patches_destroy(&c->patch);
+    wcut_free(c->middle);
+    for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++) wcut_free(c->measured[s]), wcut_free(c->predicted[s]);
+    wcut_free(c->station);
+    wcut_free(c->heat);
+    wcut_free(c->pace);
+    wcut_free(c->engaged);
+}
+
+void wcut_evidence_destroy(wcut_evidence *e) {
+    if (!e) return;
+    for (int k = 0; e->cut && k < e->cuts; k++) destroy_cut(&e->cut[k]);
+    wcut_free(e->cut);
+    wcut_free(e);
+}
+
+/* when the wire is taut, and when most of it has left; false where it never is */
+static bool find_contact(wcut_evidence_cut *c, const wcut_driven *d) {
+    const wcut_trail *t = &c->exogenous;
+    double most = 0;
+    int first = -1, last = -1;
+    for (int i = 0; i < d->count; i++) most = fmax(most, d->engaged[i]);
+    for (int i = 0; i < d->count; i++) {
+        if (first < 0 && d->present[i] && d->signal[0][i] > 0.25 * c->job->tension) first = i;
+        if (first >= 0 && d->engaged[i] > 0.3 * most) last = i;
+    }
+    if (first < 0 || last < first) return false;
+    c->contact = t->time[first], c->leave = t->time[last];
+    return true;
+}
+
+static bool make_bins(wcut_evidence_cut *c) {
+    const double end = fmin(c->recorded.time[c->recorded.count - 1] - LAST, c->leave - 0.5);
+    c->from = c->contact + SETTLE;
+    const double bins = floor((end - c->from) / WCUT_BIN_WIDTH);
+    c->bins = bins >= 8 ? (int)fmin(bins, 100000) : 0;
+    const size_t n = (size_t)c->bins;
+    bool whole = (c->middle = wcut_alloc(n, sizeof(double))) != NULL;
+    for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++) {
+        c->measured[s] = wcut_alloc(n, sizeof(double));
+        c->predicted[s] = wcut_alloc(n, sizeof(double));
+        whole = whole && c->measured[s] && c->predicted[s];
+    }
+    c->station = wcut_alloc(n, sizeof(double));
+    c->heat = wcut_alloc(n, sizeof(double));
+    c->pace = wcut_alloc(n, sizeof(double));
+    c->engaged = wcut_alloc(n, sizeof(double));
+    return whole && c->station && c->heat && c->pace && c->engaged;
+}
+
+static wcut_status measure(wcut_evidence_cut *c, const wcut_driven *d) {
+    const int n = c->recorded.count;
+    double *value = wcut_alloc((size_t)n, sizeof *value);
+    int *count = wcut_alloc((size_t)c->bins, sizeof *count);
+    if (value && count) {
+        for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++) {
+            const wcut_column *column = &c->recording->channel[WCUT_CHANNEL_TENSION_A + s];
+            for (int i = 0; i < n; i++) {
+                const int sample = c->recorded.sample[i];
+                value[i] = !column->present || column->present[sample] ? column->value[sample] : nan_value();
+            }
+            bin_samples(c, n, c->recorded.time, value, count, c->measured[s]);
+        }
+        bin_line(c, &c->exogenous, c->exogenous.station, c->station);
+        bin_line(c, &c->exogenous, c->exogenous.heat, c->heat);
+        bin_line(c, &c->exogenous, d->engaged, c->engaged);
+        for (int i = 0; i < c->bins; i++) {
+            c->middle[i] = c->from + (i + 0.5) * WCUT_BIN_WIDTH;
+            const int j = (int)clamp(floor(c->station[i]), 0, c->job->stations - 2);
+            const double way = fmax(vec3_distance(c->job->mount_a[j], c->job->mount_a[j + 1]),
+                                    vec3_distance(c->job->mount_b[j], c->job->mount_b[j + 1]));
+            const double half = WCUT_BIN_WIDTH / 2;
+            const wcut_trail *t = &c->exogenous;
+            c->pace[i] = way / WCUT_BIN_WIDTH *
+                         (wcut_between(t->count, t->time, t->station, c->middle[i] + half) -
+                          wcut_between(t->count, t->time, t->station, c->middle[i] - half));
+        }
+    }
+    const wcut_status status = value && count ? WCUT_OK : WCUT_NO_MEMORY;
+    wcut_free(value);
+    wcut_free(count);
+    return status;
+}
+
+static wcut_status fill_cut(wcut_evidence_cut *c, wcut_error *error) {
+    wcut_status status = wcut_trail_recorded(c->job, c->recording, WINDOW, &c->recorded, error);
+    if (status != WCUT_OK) return status;
+    status = wcut_trail_exogenous(c->job, &c->recorded, WIDTH, STEP, &c->exogenous);
+    if (status == WCUT_BAD_ARGUMENT) return WCUT_OK; /* too short to say anything: no bins */
+    wcut_driven d = {0};
+    if (status == WCUT_OK) status = wcut_trail_drive(c->job, NODES_COARSE, &c->exogenous, false, &d, error);
+    if (status != WCUT_OK) return status;
+    if (find_contact(c, &d)) status = make_bins(c) ? WCUT_OK : WCUT_NO_MEMORY;
+    if (status == WCUT_OK && c->bins > 0) status = measure(c, &d);
+    wcut_driven_destroy(&d);
+    return status == WCUT_NO_MEMORY ? wcut_fail(error, status, "no memory for cut %d", c->index + 1) : status;
+}
+
+wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, int threads, wcut_evidence **out,
+                                 wcut_error *error) {
+    wcut_evidence *e = wcut_alloc(1, sizeof *e);
+    wcut_error *failed = wcut_alloc((size_t)cuts, sizeof *failed);
+    wcut_status status = WCUT_OK;
+    if (e) *e = (wcut_evidence){.cuts = cuts, .cut = wcut_alloc((size_t)cuts, sizeof *e->cut), .threads = threads};
+    if (!e || !failed || !e->cut) status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d cuts", cuts);
+    const wcut_job *first = NULL;
+    for (int k = 0; status == WCUT_OK && k < cuts; k++) {
+        const bool whole = cut[k].job && cut[k].recording;
+        e->cut[k].index = k;
+        if (!whole) continue;
+        e->cut[k].job = cut[k].job, e->cut[k].recording = cut[k].recording, e->cut[k].scan = cut[k].scan;
+        if (!first) first = cut[k].job;
+    }
+    if (status == WCUT_OK && !first)
+        status = wcut_fail(error, WCUT_BAD_ARGUMENT, "found no cut with a job and a recording, expected one at least");
+    if (status == WCUT_OK) {
+        e->at = (wcut_model){.a = first->force_law.a, .b = first->force_law.b};
+        e->coloured = 0.25;
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+        for (int k = 0; k < cuts; k++)
+            if (e->cut[k].job) failed[k].status = fill_cut(&e->cut[k], &failed[k]);
+    }
+    for (int k = 0; status == WCUT_OK && k < cuts; k++) {
+        if (failed[k].status != WCUT_OK)
+            status = wcut_fail(error, failed[k].status, "cut %d: %s", k + 1, failed[k].text);
+        e->cut[k].row = e->rows;
+        e->rows += WCUT_TRAIL_SIGNALS * e->cut[k].bins;
+    }
+    if (status == WCUT_OK && e->rows == 0)
+        status = wcut_fail(error, WCUT_BAD_ARGUMENT, "found no cut that is 4 s in the foam, expected one at least");
+    wcut_free(failed);
+    if (status == WCUT_OK)
+        *out = e;
+    else
+        wcut_evidence_destroy(e);
+    return status;
+}
+
+/* ---- prediction along the recorded motion ---- */
+
+static int compare(const void *a, const void *b) {
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double median(int n, double *value) {
+    if (n == 0) return 0;
+    qsort(value, (size_t)n, sizeof *value, compare);
+    return n % 2 ? value[n / 2] : (value[n / 2 - 1] + value[n / 2]) / 2;
+}
+
+/* white part of a channel's noise in a bin: from the median of steps between neighbours, which no slow misfit reaches */
+static double white_noise(const wcut_evidence *e, int s, double *room) {
+    int n = 0;
+    for (int k = 0; k < e->cuts; k++) {
+        const wcut_evidence_cut *c = &e->cut[k];
+        for (int i = 1; i < c->bins; i++) {
+            const double step =
+                c->measured[s][i] - c->predicted[s][i] - (c->measured[s][i - 1] - c->predicted[s][i - 1]);
+            if (isfinite(step)) room[n++] = fabs(step);
+        }
+    }
+    const double floor = s < 2 ? 1e-4 : 1e-5; /* [N], [rad]: channels without noise, of simulated recordings */
+    return fmax(1.4826 * median(n, room) / sqrt(2), floor);
+}
+
+static wcut_status predict_cut(wcut_evidence *e, int k, bool scans, wcut_error *error) {
+    wcut_evidence_cut *c = &e->cut[k];
+    const bool scan = scans && c->scan;
+    wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
+    const wcut_job job = wcut_model_job(e, &e->at, k, effect);
+    double *out = wcut_alloc((size_t)WCUT_TRAIL_SIGNALS * (size_t)c->bins, sizeof *out);
+    wcut_driven d = {0}, reference = {0};
+    wcut_status status = out ? wcut_trail_drive(&job, NODES_FINE, &c->recorded, scan, &d, error)
+                             : wcut_fail(error, WCUT_NO_MEMORY, "no memory");
+    if (status == WCUT_OK) status = wcut_evidence_bin_recorded(c, &e->at, &d, out);
+    if (status == WCUT_OK) status = wcut_trail_drive(&job, NODES_COARSE, &c->exogenous, scan, &reference, error);
+    for (int s = 0; status == WCUT_OK && s < WCUT_TRAIL_SIGNALS; s++)
+        memcpy(c->predicted[s], out + (size_t)s * (size_t)c->bins, (size_t)c->bins * sizeof *out);
+    if (status == WCUT_OK) {
+        wcut_driven_destroy(&c->reference);
+        c->reference = reference;
+        reference = (wcut_driven){0};
+        if (scan) {
+            wcut_patches_destroy(&c->patch);
+            status = wcut_patches_create(c, &d, &c->patch, error);
+        }
+    }
+    wcut_driven_destroy(&reference);
+    wcut_driven_destroy(&d);
+    wcut_free(out);
+    return status;
+}
+
+wcut_status wcut_evidence_predict(wcut_evidence *e, const wcut_model *model, bool scans, wcut_error *error) {
+    wcut_error *failed = wcut_alloc((size_t)e->cuts, sizeof *failed);
+    if (!failed) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d cuts", e->cuts);
+    e->at = *model;
+#pragma omp parallel for num_threads(e->threads) schedule(dynamic, 1)
+    for (int k = 0; k < e->cuts; k++)
+        if (e->cut[k].bins > 0) failed[k].status = predict_cut(e, k, scans, &failed[k]);
+    wcut_status status = WCUT_OK;
+    e->rows = 0;
+    for (int k = 0; k < e->cuts; k++) {
+        if (status == WCUT_OK && failed[k].status != WCUT_OK)
+            status = wcut_fail(error, failed[k].status, "cut %d: %s", k + 1, failed[k].text);
+        e->cut[k].row = e->rows;
+        e->rows += WCUT_TRAIL_SIGNALS * e->cut[k].bins + e->cut[k].patch.count;
+    }
+    wcut_free(failed);
+    if (status != WCUT_OK) return status;
+    double *room = wcut_alloc((size_t)e->rows, sizeof *room);
+    if (!room) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d rows", e->rows);
+    for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++) e->sigma[s] = white_noise(e, s, room);
+    wcut_free(room);
+    return WCUT_OK;
+}

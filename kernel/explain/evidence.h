@@ -1,0 +1,113 @@
+/* Evidence: what a case measured and what the simulator says of it, in bins of time and patches of the scanned face. */
+#ifndef WCUT_EXPLAIN_EVIDENCE_H
+#define WCUT_EXPLAIN_EVIDENCE_H
+
+#include <wirecut/diagnosis.h>
+
+#include "explain/trail.h"
+
+/* A model of a case: what its cuts share. The plain one has no effects. */
+typedef struct wcut_model {
+    double a, b;          /* [N/mm], [m^2/J] of the force law */
+    double length_change; /* [mm] added to every job's wire length */
+    int effects;
+    wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
+    bool carried; /* fouling is brought along from cut to cut */
+} wcut_model;
+
+/* A scan as means over patches of the face: rows of the evidence behind those of time. */
+typedef struct wcut_patches {
+    int count;
+    double *station;   /* count: of the path */
+    double *across;    /* count: share of the wire's length from mount A */
+    wcut_vec3 *point;  /* count [mm] of the face */
+    wcut_vec3 *normal; /* count, out of the lower half */
+    double *distance;  /* count [mm] of the scan above the wire's surface */
+    double *sigma;     /* count [mm] of the mean */
+    double *q_eff;     /* count [J/m^2] */
+    double spread;     /* [mm] standard deviation of a point within its patch */
+} wcut_patches;
+
+typedef struct wcut_evidence_cut {
+    int index; /* in the case */
+    const wcut_job *job;
+    const wcut_recording *recording;
+    const wcut_cloud *scan; /* NULL: none */
+    wcut_trail recorded, exogenous;
+    double contact, leave;                   /* [s] when the wire is taut, and when it leaves */
+    int bins;                                /* may be 0 */
+    double from;                             /* [s] where the first bin begins */
+    double *middle;                          /* bins [s] */
+    double *measured[WCUT_TRAIL_SIGNALS];    /* bins; NaN where missing */
+    double *predicted[WCUT_TRAIL_SIGNALS];   /* bins, along the recorded motion under `at`; NaN where missing */
+    double *station, *heat, *pace, *engaged; /* bins; pace [mm/s] of the faster mount */
+    wcut_patches patch;
+    wcut_driven reference; /* along the exogenous trail under `at`, with positions where there is a scan */
+    int row;               /* channel c of bin i is row + c * bins + i, patch p row + 6 bins + p */
+} wcut_evidence_cut;
+
+typedef struct wcut_evidence {
+    int cuts;
+    wcut_evidence_cut *cut;
+    wcut_model at; /* what predicted, patches and reference are of */
+    int rows;
+    double sigma[WCUT_TRAIL_SIGNALS]; /* [N, rad] of a bin's mean, its white part */
+    double coloured;                  /* [1] variance of the slow part of the noise over that of the white one */
+    int threads;
+} wcut_evidence;
+
+/* nodes of the wire along the recorded motion, and along the exogenous one, where only differences count: the
+   simulator's order in the node count is 2, tensions move by 3e-4 of themselves from 41 to 121 */
+enum { WCUT_NODES_FINE = 41, WCUT_NODES_COARSE = 21 };
+
+#define WCUT_BIN_WIDTH 0.5    /* [s] */
+#define WCUT_NOISE_MEMORY 5.0 /* [s] of the slow part of the noise */
+
+/*
+ * Gather the evidence of a case: trails, bins, what was measured. The model `at` is the jobs' own. Cuts without job or
+ * recording, or which never touch the foam, have no bins.
+ * WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_DEGENERATE, WCUT_NOT_CONVERGED, WCUT_NO_MEMORY: nothing was written.
+ */
+wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, int threads, wcut_evidence **out,
+                                 wcut_error *error);
+void wcut_evidence_destroy(wcut_evidence *evidence);
+
+/* Predict along the recorded motion under a model, which becomes `at`; noise and, if `scans`, patches follow. */
+wcut_status wcut_evidence_predict(wcut_evidence *evidence, const wcut_model *model, bool scans, wcut_error *error);
+
+/* The job of a cut under a model; effect: room for WCUT_DIAGNOSIS_EFFECTS. Borrows everything. */
+wcut_job wcut_model_job(const wcut_evidence *evidence, const wcut_model *model, int cut, wcut_effect *effect);
+
+/* Rows of a prediction along the exogenous trail: what its signals, instruments and face come to. out: rows, those of
+   other cuts are not touched. */
+wcut_status wcut_evidence_rows(const wcut_evidence *evidence, int cut, const wcut_model *model,
+                               const wcut_driven *driven, double *out);
+
+/* Signals of a prediction along the exogenous trail in the bins of a cut; out: 6 x bins. */
+wcut_status wcut_evidence_bin_exogenous(const wcut_evidence_cut *cut, const wcut_model *model,
+                                        const wcut_driven *driven, double *out);
+
+/* Signals of a prediction along the recorded motion in the bins of a cut; out: 6 x bins. */
+wcut_status wcut_evidence_bin_recorded(const wcut_evidence_cut *cut, const wcut_model *model, const wcut_driven *driven,
+                                       double *out);
+
+/* Measured less predicted, rows; absent ones are NaN. */
+void wcut_evidence_residual(const wcut_evidence *evidence, double *out);
+
+/*
+ * Whiten rows: noise of every channel is white with variance sigma^2 plus a slow part with `coloured` of it and the
+ * memory WCUT_NOISE_MEMORY; what comes out has unit variance. The innovations of a Kalman filter, linear in the rows.
+ * present: rows of which the residual is NaN become 0 in all columns. in and out: rows, may be the same.
+ */
+void wcut_evidence_whiten(const wcut_evidence *evidence, const double *residual, const double *in, double *out);
+
+/* Patches of a scan by their feet on the face of the recorded run (explain/patches.c). */
+wcut_status wcut_patches_create(const wcut_evidence_cut *cut, const wcut_driven *recorded, wcut_patches *out,
+                                wcut_error *error);
+void wcut_patches_destroy(wcut_patches *patches);
+
+/* position (or, component by component, anything else of the nodes) at a station and a share of the wire's length */
+wcut_vec3 wcut_trail_position(const wcut_trail *trail, const wcut_driven *driven, double station, double across);
+double wcut_trail_speed(const wcut_trail *trail, const wcut_driven *driven, double station, double across);
+
+#endif

@@ -1,0 +1,502 @@
+/* A hypothesis fitted: recalibration and effects together, by the moments of what cannot be fed back. */
+#include "explain/fit.h"
+
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "base/numbers.h"
+#include "base/vec3.h"
+
+enum { NODES_FINE = WCUT_NODES_FINE, NODES_COARSE = WCUT_NODES_COARSE, ROUNDS = 4, JACOBIANS = 2 };
+
+/* priors of what a job may have mis-set: ln a, ln b, which no table holds better than a factor of 1.6; and the wire's
+   length [mm], which a job states to a tenth of a millimetre */
+const double wcut_base_spread[WCUT_BASE] = {0.5, 0.5, 0.05};
+const double wcut_base_step[WCUT_BASE] = {0.02, 0.02, 0.5};
+
+/* a scan comes with its own small registration error [mm], [rad]; a hot wire's kerf in foam is about a millimetre */
+#define SCAN_SHIFT 0.25
+#define SCAN_TURN 2.5e-4
+#define KERF 1.0
+#define KERF_SPREAD 0.4
+
+/* ---- rows of models ---- */
+
+static bool same_effect(const wcut_effect *a, const wcut_effect *b) {
+    if (a->kind != b->kind || a->choice != b->choice) return false;
+    for (int k = 0; k < WCUT_EFFECT_VALUES; k++)
+        if (a->value[k] != b->value[k]) return false;
+    return true;
+}
+
+static const wcut_effect *next_moving(const wcut_model *m, int *from) {
+    while (*from < m->effects) {
+        const wcut_effect *e = &m->effect[(*from)++];
+        if (wcut_effect_view(e->kind)->place == WCUT_EFFECT_STEP && !wcut_effect_is_neutral(e)) return e;
+    }
+    return NULL;
+}
+
+bool wcut_models_same_motion(const wcut_model *a, const wcut_model *b) {
+    if (a->a != b->a || a->b != b->b || a->length_change != b->length_change || a->carried != b->carried) return false;
+    int i = 0, j = 0;
+    for (;;) {
+        const wcut_effect *x = next_moving(a, &i), *y = next_moving(b, &j);
+        if (!x || !y) return !x && !y;
+        if (!same_effect(x, y)) return false;
+    }
+}
+
+/* rows of one model in one cut; `moved`: what the first model's drive gave, or NULL */
+static wcut_status model_rows(const wcut_evidence *e, int cut, const wcut_model *model, const wcut_driven *moved,
+                              double *rows, wcut_error *error) {
+    if (moved) return wcut_evidence_rows(e, cut, model, moved, rows);
+    const wcut_evidence_cut *c = &e->cut[cut];
+    wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
+    const wcut_job job = wcut_model_job(e, model, cut, effect);
+    wcut_driven d = {0};
+    wcut_status status = wcut_trail_drive(&job, NODES_COARSE, &c->exogenous, c->patch.count > 0, &d, error);
+    if (status == WCUT_OK) status = wcut_evidence_rows(e, cut, model, &d, rows);
+    wcut_driven_destroy(&d);
+    return status;
+}
+
+/* where a model's motion is known already: that of the evidence, -1; of an earlier model of the list; itself */
+static int motion_of(const wcut_evidence *e, const wcut_model *model, int k) {
+    if (wcut_models_same_motion(&e->at, &model[k])) return -1;
+    for (int j = 0; j < k; j++)
+        if (wcut_models_same_motion(&model[j], &model[k])) return j;
+    return k;
+}
+
+wcut_status wcut_models_rows(const wcut_evidence *e, int count, const wcut_model *model, double *rows,
+                             wcut_error *error) {
+    const int tasks = count * e->cuts;
+    wcut_error *failed = wcut_alloc((size_t)tasks, sizeof *failed);
+    int *motion = wcut_alloc((size_t)count, sizeof *motion);
+    /* an earlier model's drive is kept where a later one moves alike: the first of a list of instruments */
+    wcut_driven *kept = wcut_alloc((size_t)e->cuts, sizeof *kept);
+    int shared = -2;
+    wcut_status status = failed && motion && kept ? WCUT_OK : wcut_fail(error, WCUT_NO_MEMORY, "no memory");
+    for (int k = 0; status == WCUT_OK && k < count; k++) {
+        motion[k] = motion_of(e, model, k);
+        if (motion[k] >= 0 && motion[k] < k) shared = motion[k];
+    }
+    if (status == WCUT_OK && shared >= 0) {
+#pragma omp parallel for num_threads(e->threads) schedule(dynamic, 1)
+        for (int cut = 0; cut < e->cuts; cut++) {
+            if (e->cut[cut].bins == 0) continue;
+            wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
+            const wcut_job job = wcut_model_job(e, &model[shared], cut, effect);
+            failed[cut].status = wcut_trail_drive(&job, NODES_COARSE, &e->cut[cut].exogenous,
+                                                  e->cut[cut].patch.count > 0, &kept[cut], &failed[cut]);
+        }
+        for (int cut = 0; status == WCUT_OK && cut < e->cuts; cut++)
+            if (failed[cut].status != WCUT_OK) status = wcut_fail(error, failed[cut].status, "%s", failed[cut].text);
+    }
+    if (status == WCUT_OK) {
+#pragma omp parallel for num_threads(e->threads) schedule(dynamic, 1)
+        for (int task = 0; task < tasks; task++) {
+            const int k = task / e->cuts, cut = task % e->cuts;
+            if (e->cut[cut].bins == 0) continue;
+            const wcut_driven *moved = motion[k] == -1       ? &e->cut[cut].reference
+                                       : motion[k] == shared ? &kept[cut]
+                                                             : NULL;
+            failed[task].status =
+                model_rows(e, cut, &model[k], moved, rows + (size_t)k * (size_t)e->rows, &failed[task]);
+        }
+    }
+    for (int task = 0; status == WCUT_OK && task < tasks; task++)
+        if (failed[task].status != WCUT_OK) status = wcut_fail(error, failed[task].status, "%s", failed[task].text);
+    for (int cut = 0; kept && cut < e->cuts; cut++) wcut_driven_destroy(&kept[cut]);
+    wcut_free(kept);
+    wcut_free(motion);
+    wcut_free(failed);
+    return status;
+}
+
+/* ---- nuisances of scans ---- */
+
+int wcut_nuisance_count(const wcut_evidence *e) {
+    int scans = 0;
+    for (int k = 0; k < e->cuts; k++) scans += e->cut[k].patch.count > 0;
+    return scans > 0 ? WCUT_SCAN_NUISANCES * scans + 1 : 0;
+}
+
+void wcut_nuisance_columns(const wcut_evidence *e, double *column, double *spread) {
+    const int count = wcut_nuisance_count(e);
+    const size_t rows = (size_t)e->rows;
+    if (count == 0) return;
+    memset(column, 0, (size_t)count * rows * sizeof *column);
+    int at = 0;
+    double *kerf = column + (size_t)(count - 1) * rows;
+    for (int k = 0; k < e->cuts; k++) {
+        const wcut_evidence_cut *c = &e->cut[k];
+        if (c->patch.count == 0) continue;
+        const wcut_vec3 middle = vec3_scale(0.5, c->job->block_size);
+        for (int i = 0; i < c->patch.count; i++) {
+            const int row = c->row + WCUT_TRAIL_SIGNALS * c->bins + i;
+            const wcut_vec3 n = c->patch.normal[i], turn = vec3_cross(vec3_sub(c->patch.point[i], middle), n);
+            const double value[WCUT_SCAN_NUISANCES] = {n.x, n.y, n.z, turn.x, turn.y, turn.z};
+            for (int j = 0; j < WCUT_SCAN_NUISANCES; j++) column[(size_t)(at + j) * rows + (size_t)row] = value[j];
+            kerf[row] = -0.5;
+        }
+        for (int j = 0; j < WCUT_SCAN_NUISANCES; j++) spread[at + j] = j < 3 ? SCAN_SHIFT : SCAN_TURN;
+        at += WCUT_SCAN_NUISANCES;
+    }
+    spread[at] = KERF_SPREAD;
+}
+
+/* ---- the fit ---- */
+
+typedef struct fitting {
+    const wcut_evidence *e;
+    wcut_fitted *f;
+    int shared, nuisances, n; /* base and effects; of scans; both */
+    double *rows;             /* (1 + shared) x rows: of the model and of each perturbed one */
+    double *at_rows;          /* rows of the evidence's own model */
+    double *measured;         /* rows: measured less predicted under the evidence's model */
+    double *column;           /* n x rows, whitened */
+    double *residual;         /* rows, whitened */
+    double centre[WCUT_FIT_MAX], precision[WCUT_FIT_MAX];
+    wcut_normal normal;
+} fitting;
+
+static double value_at(const wcut_fitted *f, int k) {
+    const wcut_coordinate *c = &f->coordinate[k];
+    return wcut_scale_in(c->scale, f->model.effect[f->effect_of[k]].value[c->at]);
+}
+
+wcut_model wcut_fitted_model(const wcut_fitted *f, const double *x) {
+    wcut_model m = f->model;
+    m.a = exp(x[0]), m.b = exp(x[1]), m.length_change = x[2];
+    for (int k = 0; k < f->count; k++)
+        m.effect[f->effect_of[k]].value[f->coordinate[k].at] = wcut_scale_out(f->coordinate[k].scale, x[WCUT_BASE + k]);
+    return m;
+}
+
+static bool list_coordinates(const wcut_model *start, wcut_fitted *f) {
+    f->model = *start;
+    for (int e = 0; e < start->effects; e++) {
+        const wcut_explanation *x = wcut_explanation_view(start->effect[e].kind);
+        for (int k = 0; k < x->count; k++) {
+            if (f->count == WCUT_FIT_MAX - WCUT_BASE) return false;
+            f->effect_of[f->count] = e;
+            f->coordinate[f->count++] = wcut_effect_coordinate(&start->effect[e], k);
+        }
+    }
+    f->x[0] = log(start->a), f->x[1] = log(start->b), f->x[2] = start->length_change;
+    for (int k = 0; k < f->count; k++) f->x[WCUT_BASE + k] = value_at(f, k);
+    return true;
+}
+
+static wcut_status fitting_create(const wcut_evidence *e, const wcut_model *start, wcut_fitted *f, fitting *g) {
+    const size_t rows = (size_t)e->rows;
+    if (!list_coordinates(start, f)) return WCUT_BAD_ARGUMENT;
+    g->e = e, g->f = f;
+    g->shared = WCUT_BASE + f->count;
+    g->nuisances = wcut_nuisance_count(e);
+    g->n = g->shared + g->nuisances;
+    if (g->n > WCUT_FIT_MAX) return WCUT_BAD_ARGUMENT;
+    g->rows = wcut_alloc((size_t)(1 + g->shared) * rows, sizeof(double));
+    g->at_rows = wcut_alloc(rows, sizeof(double));
+    g->measured = wcut_alloc(rows, sizeof(double));
+    g->column = wcut_alloc((size_t)g->n * rows, sizeof(double));
+    g->residual = wcut_alloc(rows, sizeof(double));
+    f->cut_cost = wcut_alloc((size_t)e->cuts, sizeof(double));
+    f->held_out = wcut_alloc((size_t)e->cuts, sizeof(double));
+    f->without = wcut_alloc((size_t)e->cuts * (size_t)g->shared, sizeof(double));
+    f->residual = wcut_alloc(rows, sizeof(double));
+    f->predicted = wcut_alloc(rows, sizeof(double));
+    if (!g->rows || !g->at_rows || !g->measured || !g->column || !g->residual || !f->cut_cost || !f->held_out ||
+        !f->without || !f->residual || !f->predicted)
+        return WCUT_NO_MEMORY;
+    for (int k = 0; k < WCUT_BASE; k++) g->precision[k] = 1 / (wcut_base_spread[k] * wcut_base_spread[k]);
+    for (int k = 0; k < f->count; k++)
+        g->precision[WCUT_BASE + k] = 1 / (f->coordinate[k].spread * f->coordinate[k].spread);
+    double spread[WCUT_FIT_MAX];
+    double *own = g->column + (size_t)g->shared * rows;
+    wcut_nuisance_columns(e, own, spread);
+    wcut_evidence_residual(e, g->measured);
+    for (int k = 0; k < g->nuisances; k++) {
+        g->precision[g->shared + k] = 1 / (spread[k] * spread[k]);
+        g->centre[g->shared + k] = k == g->nuisances - 1 ? KERF : 0;
+        wcut_evidence_whiten(e, g->measured, own + (size_t)k * rows, own + (size_t)k * rows);
+    }
+    return wcut_normal_create(g->n, e->cuts, &g->normal);
+}
+
+static void fitting_destroy(fitting *g) {
+    wcut_free(g->rows);
+    wcut_free(g->at_rows);
+    wcut_free(g->measured);
+    wcut_free(g->column);
+    wcut_free(g->residual);
+    wcut_normal_destroy(&g->normal);
+}
+
+static double step_of(const wcut_fitted *f, int k) {
+    if (k < WCUT_BASE) return wcut_base_step[k];
+    const wcut_coordinate *c = &f->coordinate[k - WCUT_BASE];
+    return f->x[k] + c->step > c->high ? -c->step : c->step;
+}
+
+/* columns of base and effects about the present x, and the rows there */
+static wcut_status take_columns(fitting *g, wcut_error *error) {
+    wcut_model model[1 + WCUT_FIT_MAX];
+    wcut_fitted *f = g->f;
+    const size_t rows = (size_t)g->e->rows;
+    model[0] = wcut_fitted_model(f, f->x);
+    for (int k = 0; k < g->shared; k++) {
+        double x[WCUT_FIT_MAX];
+        memcpy(x, f->x, sizeof x);
+        x[k] += step_of(f, k);
+        model[1 + k] = wcut_fitted_model(f, x);
+    }
+    const wcut_status status = wcut_models_rows(g->e, 1 + g->shared, model, g->rows, error);
+    if (status != WCUT_OK) return status;
+    for (int k = 0; k < g->shared; k++) {
+        double *column = g->column + (size_t)k * rows;
+        for (size_t i = 0; i < rows; i++)
+            column[i] = (g->rows[(size_t)(1 + k) * rows + i] - g->rows[i]) / step_of(f, k);
+        wcut_evidence_whiten(g->e, g->measured, column, column);
+    }
+    return WCUT_OK;
+}
+
+/* priors of the base hold about the evidence's own model, those of effects about their centres */
+static void set_centres(fitting *g) {
+    const wcut_fitted *f = g->f;
+    const wcut_model *at = &g->e->at;
+    const double base[WCUT_BASE] = {log(at->a), log(at->b), 0};
+    for (int k = 0; k < WCUT_BASE; k++) g->centre[k] = base[k] - f->x[k];
+    for (int k = 0; k < f->count; k++) g->centre[WCUT_BASE + k] = f->coordinate[k].centre - f->x[WCUT_BASE + k];
+}
+
+static void all_columns(int n, int *chosen) {
+    for (int k = 0; k < n; k++) chosen[k] = k;
+}
+
+/* solve for the step; whitened residual in g->residual. False where the columns are dependent. */
+static bool find_step(fitting *g, double *t, double *covariance, double *cost) {
+    int chosen[WCUT_FIT_MAX];
+    all_columns(g->n, chosen);
+    set_centres(g);
+    wcut_normal_fill(g->e, g->column, g->residual, &g->normal);
+    return wcut_normal_solve(&g->normal, g->n, chosen, g->centre, g->precision, -1, t, covariance, cost);
+}
+
+/* residual at the present x, by the difference along the exogenous trail */
+static void exogenous_residual(fitting *g) {
+    for (int i = 0; i < g->e->rows; i++) g->residual[i] = g->measured[i] - (g->rows[i] - g->at_rows[i]);
+    wcut_evidence_whiten(g->e, g->measured, g->residual, g->residual);
+}
+
+/* what the present x costs once the scans' nuisances are taken out */
+static bool present_cost(fitting *g, double *cost) {
+    int chosen[WCUT_FIT_MAX];
+    double t[WCUT_FIT_MAX];
+    for (int k = 0; k < g->nuisances; k++) chosen[k] = g->shared + k;
+    set_centres(g);
+    wcut_normal_fill(g->e, g->column, g->residual, &g->normal);
+    if (!wcut_normal_solve(&g->normal, g->nuisances, chosen, g->centre, g->precision, -1, t, NULL, cost)) return false;
+    for (int k = 0; k < g->shared; k++) *cost += g->precision[k] * g->centre[k] * g->centre[k];
+    return true;
+}
+
+/* move by a share of a step, inside the bounds; gives the longest move in standard errors */
+static double move(const fitting *g, const double *from, const double *step, const double *covariance, double share) {
+    wcut_fitted *f = g->f;
+    double longest = 0;
+    f->at_bound = false;
+    for (int k = 0; k < g->shared; k++) {
+        double to = from[k] + share * step[k];
+        if (k >= WCUT_BASE) {
+            const wcut_coordinate *c = &f->coordinate[k - WCUT_BASE];
+            if (to <= c->low || to >= c->high) f->at_bound = true;
+            to = clamp(to, c->low, c->high);
+        }
+        f->x[k] = to;
+        longest = fmax(longest, fabs(to - from[k]) / sqrt(fmax(covariance[k * g->n + k], 1e-300)));
+    }
+    return longest;
+}
+
+static wcut_status present_rows(fitting *g, wcut_error *error) {
+    const wcut_model model = wcut_fitted_model(g->f, g->f->x);
+    const wcut_status status = wcut_models_rows(g->e, 1, &model, g->rows, error);
+    if (status == WCUT_OK) exogenous_residual(g);
+    return status;
+}
+
+/* Gauss-Newton along the exogenous trail: columns anew for the first rounds, then the last ones again */
+static wcut_status iterate(fitting *g, double *covariance, wcut_error *error) {
+    double t[WCUT_FIT_MAX], from[WCUT_FIT_MAX], cost = 0, before = HUGE_VAL;
+    wcut_status status = wcut_models_rows(g->e, 1, &g->e->at, g->at_rows, error);
+    for (int round = 0; status == WCUT_OK && round < ROUNDS; round++) {
+        if (round < JACOBIANS) status = take_columns(g, error);
+        if (status != WCUT_OK) break;
+        exogenous_residual(g);
+        if (round == 0 && !present_cost(g, &before)) return WCUT_NOT_CONVERGED;
+        if (!find_step(g, t, covariance, &cost)) return WCUT_NOT_CONVERGED;
+        memcpy(from, g->f->x, sizeof from);
+        double share = 1, longest = 0;
+        for (int half = 0; half < 4; half++, share /= 2) {
+            longest = move(g, from, t, covariance, share);
+            status = present_rows(g, error);
+            if (status == WCUT_OK && (!present_cost(g, &cost) || cost > before + 1)) status = WCUT_NOT_CONVERGED;
+            if (status != WCUT_NOT_CONVERGED) break;
+        }
+        if (status == WCUT_NOT_CONVERGED) { /* no way down from here: this is it */
+            memcpy(g->f->x, from, sizeof from);
+            return present_rows(g, error);
+        }
+        const double gain = before - cost;
+        before = cost;
+        if (longest < 0.3 || gain < 0.5) break;
+    }
+    return status;
+}
+
+/* predicted along the recorded motion at the present x, and the residual there; patches stay with the exogenous one */
+static wcut_status recorded_residual(fitting *g, wcut_error *error) {
+    const wcut_evidence *e = g->e;
+    const wcut_model model = wcut_fitted_model(g->f, g->f->x);
+    wcut_error *failed = wcut_alloc((size_t)e->cuts, sizeof *failed);
+    if (!failed) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d cuts", e->cuts);
+#pragma omp parallel for num_threads(e->threads) schedule(dynamic, 1)
+    for (int k = 0; k < e->cuts; k++) {
+        const wcut_evidence_cut *c = &e->cut[k];
+        if (c->bins == 0) continue;
+        wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
+        const wcut_job job = wcut_model_job(e, &model, k, effect);
+        wcut_driven d = {0};
+        failed[k].status = wcut_trail_drive(&job, NODES_FINE, &c->recorded, false, &d, &failed[k]);
+        if (failed[k].status == WCUT_OK)
+            failed[k].status = wcut_evidence_bin_recorded(c, &model, &d, g->f->predicted + c->row);
+        wcut_driven_destroy(&d);
+    }
+    wcut_status status = WCUT_OK;
+    for (int k = 0; k < e->cuts; k++) {
+        const wcut_evidence_cut *c = &e->cut[k];
+        if (status == WCUT_OK && failed[k].status != WCUT_OK)
+            status = wcut_fail(error, failed[k].status, "cut %d: %s", k + 1, failed[k].text);
+        for (int i = 0; i < WCUT_TRAIL_SIGNALS * c->bins; i++)
+            g->residual[c->row + i] = c->measured[i / c->bins][i % c->bins] - g->f->predicted[c->row + i];
+        for (int i = 0; i < c->patch.count; i++) {
+            const int row = c->row + WCUT_TRAIL_SIGNALS * c->bins + i;
+            g->residual[row] = g->measured[row] - (g->rows[row] - g->at_rows[row]);
+        }
+    }
+    wcut_free(failed);
+    if (status != WCUT_OK) return status;
+    for (int i = 0; i < e->rows; i++) /* a sample that one run reached and the other did not says nothing */
+        if (!isfinite(g->residual[i])) g->residual[i] = 0;
+    wcut_evidence_whiten(e, g->measured, g->residual, g->residual);
+    return WCUT_OK;
+}
+
+/* cost of a cut at given base and effects, its own scan's nuisances at their best */
+static double held_out_cost(const fitting *g, int cut, const double *t) {
+    int shared[WCUT_FIT_MAX], own[WCUT_SCAN_NUISANCES], free_count = 0, scan = 0;
+    double whole[WCUT_FIT_MAX], best[WCUT_SCAN_NUISANCES], cost = 0;
+    all_columns(g->shared, shared);
+    int count = g->shared;
+    memcpy(whole, t, (size_t)g->shared * sizeof *t);
+    for (int k = 0; k < g->e->cuts; k++) {
+        if (g->e->cut[k].patch.count == 0) continue;
+        for (int j = 0; k == cut && j < WCUT_SCAN_NUISANCES; j++)
+            own[free_count++] = g->shared + scan * WCUT_SCAN_NUISANCES + j;
+        scan++;
+    }
+    if (g->nuisances > 0) { /* the kerf is shared */
+        shared[count] = g->n - 1, whole[count] = t[g->n - 1];
+        count++;
+    }
+    if (free_count == 0) return wcut_normal_cost(&g->normal, cut, count, shared, whole);
+    /* moments of what the shared ones leave, then a small ridge problem */
+    const int n = g->n;
+    const double *gram = g->normal.cut_gram + (size_t)cut * (size_t)n * (size_t)n;
+    double left[WCUT_FIT_MAX * 1] = {0};
+    wcut_normal small = {.n = free_count, .total = wcut_normal_cost(&g->normal, cut, count, shared, whole)};
+    double small_gram[WCUT_SCAN_NUISANCES * WCUT_SCAN_NUISANCES], precision[WCUT_SCAN_NUISANCES];
+    const double none[WCUT_SCAN_NUISANCES] = {0};
+    int chosen[WCUT_SCAN_NUISANCES];
+    for (int i = 0; i < free_count; i++) {
+        chosen[i] = i;
+        left[i] = g->normal.cut_moment[(size_t)cut * (size_t)n + (size_t)own[i]];
+        for (int j = 0; j < count; j++) left[i] -= whole[j] * gram[(size_t)own[i] * (size_t)n + (size_t)shared[j]];
+        for (int j = 0; j < free_count; j++)
+            small_gram[i * free_count + j] = gram[(size_t)own[i] * (size_t)n + (size_t)own[j]];
+        precision[i] = g->precision[own[i]];
+    }
+    small.gram = small_gram, small.moment = left;
+    return wcut_normal_solve(&small, free_count, chosen, none, precision, -1, best, NULL, &cost) ? cost : small.total;
+}
+
+static void judge(fitting *g, const double *t) {
+    wcut_fitted *f = g->f;
+    int chosen[WCUT_FIT_MAX];
+    all_columns(g->n, chosen);
+    for (int k = 0; k < g->e->cuts; k++) {
+        double without[WCUT_FIT_MAX], cost;
+        f->cut_cost[k] = wcut_normal_cost(&g->normal, k, g->n, chosen, t);
+        const bool solved =
+            wcut_normal_solve(&g->normal, g->n, chosen, g->centre, g->precision, k, without, NULL, &cost);
+        f->held_out[k] = solved ? held_out_cost(g, k, without) : f->cut_cost[k];
+        for (int i = 0; i < g->shared; i++) {
+            double to = f->x[i] + (solved ? without[i] : t[i]);
+            if (i >= WCUT_BASE) to = clamp(to, f->coordinate[i - WCUT_BASE].low, f->coordinate[i - WCUT_BASE].high);
+            f->without[k * g->shared + i] = to;
+        }
+    }
+    for (int i = 0; i < g->e->rows; i++) {
+        f->residual[i] = g->residual[i];
+        for (int k = 0; k < g->n; k++) f->residual[i] -= t[k] * g->column[(size_t)k * (size_t)g->e->rows + (size_t)i];
+    }
+}
+
+static wcut_status finish(fitting *g, double *covariance, wcut_error *error) {
+    wcut_fitted *f = g->f;
+    double t[WCUT_FIT_MAX], from[WCUT_FIT_MAX];
+    const wcut_status status = recorded_residual(g, error);
+    if (status != WCUT_OK) return status;
+    if (!find_step(g, t, covariance, &f->cost)) return WCUT_NOT_CONVERGED;
+    judge(g, t);
+    memcpy(from, f->x, sizeof from);
+    const bool bound = f->at_bound;
+    move(g, from, t, covariance, 1);
+    f->at_bound = f->at_bound || bound;
+    for (int k = 0; k < g->shared; k++) f->error[k] = sqrt(covariance[k * g->n + k]);
+    f->kerf = f->kerf_error = (double)NAN;
+    if (g->nuisances > 0) f->kerf = t[g->n - 1], f->kerf_error = sqrt(covariance[(g->n - 1) * g->n + g->n - 1]);
+    f->model = wcut_fitted_model(f, f->x);
+    return WCUT_OK;
+}
+
+wcut_status wcut_fit_solve(const wcut_evidence *e, const wcut_model *start, wcut_fitted *out, wcut_error *error) {
+    fitting g = {0};
+    wcut_fitted f = {.kerf = 0};
+    double *covariance = wcut_alloc(WCUT_FIT_MAX * WCUT_FIT_MAX, sizeof *covariance);
+    wcut_status status = covariance ? fitting_create(e, start, &f, &g) : WCUT_NO_MEMORY;
+    if (status != WCUT_OK) wcut_fail(error, status, "a fit of %d effects", start->effects);
+    if (status == WCUT_OK) status = iterate(&g, covariance, error);
+    if (status == WCUT_OK) status = finish(&g, covariance, error);
+    fitting_destroy(&g);
+    wcut_free(covariance);
+    if (status == WCUT_OK)
+        *out = f;
+    else
+        wcut_fitted_destroy(&f);
+    return status;
+}
+
+void wcut_fitted_destroy(wcut_fitted *f) {
+    wcut_free(f->cut_cost);
+    wcut_free(f->held_out);
+    wcut_free(f->without);
+    wcut_free(f->residual);
+    wcut_free(f->predicted);
+    *f = (wcut_fitted){0};
+}

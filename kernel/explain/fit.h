@@ -1,0 +1,86 @@
+/* A hypothesis fitted: recalibration and effects together, by the moments of what cannot be fed back. */
+#ifndef WCUT_EXPLAIN_FIT_H
+#define WCUT_EXPLAIN_FIT_H
+
+#include "explain/library.h"
+
+/* base coordinates: ln a, ln b, wire length; then of each scan a shift and a turn, and one constant kerf for all */
+enum { WCUT_BASE = 3, WCUT_SCAN_NUISANCES = 6, WCUT_FIT_MAX = 64 };
+
+/* prior standard deviations and finite steps of the base coordinates: ln a, ln b, length [mm] */
+extern const double wcut_base_spread[WCUT_BASE], wcut_base_step[WCUT_BASE];
+
+/* Columns of a linear problem in whitened rows, with normal priors. */
+typedef struct wcut_normal {
+    int n;
+    double *gram;   /* n x n, whole */
+    double *moment; /* n */
+    double total;   /* residual squared */
+    int cuts;
+    double *cut_gram;   /* cuts x n x n */
+    double *cut_moment; /* cuts x n */
+    double *cut_total;  /* cuts */
+} wcut_normal;
+
+wcut_status wcut_normal_create(int n, int cuts, wcut_normal *out);
+void wcut_normal_destroy(wcut_normal *normal);
+
+/* sums of whitened columns (n x rows) and residual (rows), by cut */
+void wcut_normal_fill(const wcut_evidence *evidence, const double *column, const double *residual, wcut_normal *out);
+
+/*
+ * min |r - X t|^2 + sum precision (t - centre)^2 over the chosen columns, all cuts or all but one (without: -1 for all).
+ * chosen: count indices; centre, precision: by column of `normal` (n). t: count; covariance: count x count or NULL.
+ * *cost: the minimum. False where the columns are dependent beyond what the priors hold.
+ */
+bool wcut_normal_solve(const wcut_normal *normal, int count, const int *chosen, const double *centre,
+                       const double *precision, int without, double *t, double *covariance, double *cost);
+
+/* |r - X t|^2 of one cut */
+double wcut_normal_cost(const wcut_normal *normal, int cut, int count, const int *chosen, const double *t);
+
+/* What a fit gives. */
+typedef struct wcut_fitted {
+    wcut_model model;
+    int count;                   /* coordinates of effects, after the base ones */
+    int effect_of[WCUT_FIT_MAX]; /* count: of the model */
+    wcut_coordinate coordinate[WCUT_FIT_MAX];
+    double x[WCUT_FIT_MAX], error[WCUT_FIT_MAX]; /* WCUT_BASE + count, fitted scale, and standard errors before any
+                                                     allowance for dispersion */
+    double kerf;                                 /* [mm] constant kerf the scans show; NaN without scans */
+    double kerf_error;
+    double cost;       /* whitened misfit, priors included */
+    double *cut_cost;  /* cuts: of the misfit, fitted on all */
+    double *held_out;  /* cuts: of the misfit of each, its effects and base fitted on the others */
+    double *without;   /* cuts x (WCUT_BASE + count): x fitted on all cuts but this one */
+    double *residual;  /* rows, whitened */
+    double *predicted; /* rows: along the recorded motion, in N, rad, mm; patches: 0 */
+    bool at_bound;     /* a coordinate ended at a bound */
+} wcut_fitted;
+
+/*
+ * Fit a model whose effects stand at a start: Gauss-Newton with the columns taken along the exogenous trail, the
+ * residual along the recorded one (Forssell, Ljung 1999: a closed loop's noise does not enter the columns).
+ * evidence: predicted under its `at`. WCUT_OK; WCUT_NOT_CONVERGED, WCUT_NO_MEMORY: nothing was written.
+ */
+wcut_status wcut_fit_solve(const wcut_evidence *evidence, const wcut_model *start, wcut_fitted *out, wcut_error *error);
+void wcut_fitted_destroy(wcut_fitted *fitted);
+
+/* the model at other coordinates, WCUT_BASE + count of them */
+wcut_model wcut_fitted_model(const wcut_fitted *fitted, const double *x);
+
+/*
+ * Rows of models along the exogenous trail, every cut driven once for each model whose physics differ from the first.
+ * count: at least 1; rows: count x evidence->rows.
+ */
+wcut_status wcut_models_rows(const wcut_evidence *evidence, int count, const wcut_model *model, double *rows,
+                             wcut_error *error);
+
+/* shifts, turns and kerf of the scans: how many nuisances, their columns (count x rows), prior standard deviations */
+int wcut_nuisance_count(const wcut_evidence *evidence);
+void wcut_nuisance_columns(const wcut_evidence *evidence, double *column, double *spread);
+
+/* whether two models move the wire alike */
+bool wcut_models_same_motion(const wcut_model *a, const wcut_model *b);
+
+#endif

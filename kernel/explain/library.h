@@ -1,0 +1,55 @@
+/* The library of explanations: what of each effect is fitted, on which scale, and which variants are tried first. */
+#ifndef WCUT_EXPLAIN_LIBRARY_H
+#define WCUT_EXPLAIN_LIBRARY_H
+
+#include "explain/evidence.h"
+
+/* how a value is fitted: as it is, by its logarithm, or by its reciprocal (a stiffness without end is no effect) */
+typedef enum wcut_fit_scale { WCUT_FIT_LINEAR, WCUT_FIT_LOG, WCUT_FIT_RECIPROCAL } wcut_fit_scale;
+
+/* A value of an effect that is fitted; centre, spread, step and bounds are on the fitted scale. */
+typedef struct wcut_coordinate {
+    int at; /* of effect.value */
+    wcut_fit_scale scale;
+    double centre, spread; /* normal prior: wide enough to leave the plausible range of NOTATION to the data */
+    double step;           /* of the finite difference */
+    double low, high;      /* the fit stays inside */
+} wcut_coordinate;
+
+enum { WCUT_COORDINATES = 5, WCUT_VARIANTS = 64 };
+
+/* What of a kind is fitted; the strengths first. */
+typedef struct wcut_explanation {
+    wcut_effect_kind kind;
+    bool instrument;
+    double gate; /* practical size, of the first coordinate from its neutral: less is not named, whatever its odds */
+    int count;
+    wcut_coordinate coordinate[WCUT_COORDINATES];
+} wcut_explanation;
+
+const wcut_explanation *wcut_explanation_view(wcut_effect_kind kind);
+
+/* the k-th thing fitted of an effect: as its kind says, but that a kerf law of the other kind has its own coefficient */
+wcut_coordinate wcut_effect_coordinate(const wcut_effect *effect, int k);
+
+/* value on the fitted scale and back */
+double wcut_scale_in(wcut_fit_scale scale, double value);
+double wcut_scale_out(wcut_fit_scale scale, double x);
+
+/* neutral value of a kind's first coordinate on the fitted scale */
+double wcut_explanation_neutral(wcut_effect_kind kind);
+
+/* size of an effect in units of its kind's gate, not negative */
+double wcut_effect_size(const wcut_effect *effect);
+
+/* One thing to try: an effect with its choice and shape parameters, at a strength at which its column is taken. */
+typedef struct wcut_variant {
+    wcut_effect effect;
+    bool carried;
+} wcut_variant;
+
+/* The variants of all kinds that `without` leaves, but inclusions (they are searched by place); out: WCUT_VARIANTS.
+   several: more than one cut; scans: any. Gives how many. */
+int wcut_library_variants(const bool without[WCUT_EFFECT_COUNT], bool several, bool scans, wcut_variant *out);
+
+#endif

@@ -1,0 +1,252 @@
+/* The screen: every effect of the library as a column, every single one and every pair solved at once. */
+#include "explain/screen.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "base/numbers.h"
+#include "base/vec3.h"
+#include "explain/inclusions.h"
+
+static wcut_coordinate first_coordinate(const wcut_effect *effect, int part) {
+    return wcut_effect_coordinate(effect, wcut_explanation_view(effect->kind)->count > part ? part : 0);
+}
+
+static double strength(const wcut_effect *effect, int part) {
+    const wcut_coordinate c = first_coordinate(effect, part);
+    return wcut_scale_in(c.scale, effect->value[c.at]);
+}
+
+static void set_strength(wcut_effect *effect, int part, double x) {
+    const wcut_coordinate c = first_coordinate(effect, part);
+    effect->value[c.at] = wcut_scale_out(c.scale, clamp(x, c.low, c.high));
+}
+
+static double neutral_of(const wcut_effect *effect, int part) {
+    return first_coordinate(effect, part).at == 0 ? wcut_explanation_neutral(effect->kind) : 0;
+}
+
+/* ---- columns ---- */
+
+typedef struct making {
+    const wcut_evidence *e;
+    const wcut_model *about;
+    wcut_screen *s;
+    wcut_model *model; /* 1 + base + variants' parts */
+    double *rows;      /* as many x rows of the evidence */
+    double *column;    /* n x rows, whitened */
+    double *measured;  /* rows */
+    int inclusions;
+} making;
+
+static void add_column(wcut_screen *s, const wcut_variant *v, int part, bool grouped) {
+    if (!grouped) s->groups++;
+    s->column[s->columns++] = (wcut_screen_column){v->effect, v->carried, part, s->groups - 1};
+}
+
+/* the models of base coordinates and of variants: each column's own model is model[1 + base + column] */
+static bool list_models(making *m, int variants, const wcut_variant *variant) {
+    wcut_screen *s = m->s;
+    const wcut_model *at = m->about;
+    for (int k = 0; k <= WCUT_BASE; k++) m->model[k] = *at;
+    m->model[1].a *= exp(wcut_base_step[0]), m->model[2].b *= exp(wcut_base_step[1]),
+        m->model[3].length_change += wcut_base_step[2];
+    if (at->effects == WCUT_DIAGNOSIS_EFFECTS) return false;
+    for (int k = 0; k < variants; k++) {
+        const int parts = variant[k].effect.kind == WCUT_SCAN_OFFSET ? 3 : 1;
+        for (int p = 0; p < parts; p++) {
+            wcut_model *model = &m->model[1 + WCUT_BASE + s->columns];
+            *model = *at;
+            wcut_effect effect = variant[k].effect;
+            if (parts == 3) effect.value[p] = 1;
+            model->effect[model->effects++] = effect;
+            model->carried = model->carried || variant[k].carried;
+            add_column(s, &variant[k], p, p > 0);
+            s->column[s->columns - 1].effect = effect;
+        }
+    }
+    return true;
+}
+
+/* an effect the model has already is no variant of itself: its own column is its first coordinate moved */
+static int drop_known(const wcut_model *about, int variants, wcut_variant *variant) {
+    int kept = 0;
+    for (int k = 0; k < variants; k++) {
+        bool known = false;
+        for (int j = 0; j < about->effects; j++) {
+            const wcut_effect *has = &about->effect[j], *v = &variant[k].effect;
+            if (has->kind != v->kind) continue;
+            known = known || !wcut_effect_view(v->kind)->repeats || has->choice == v->choice;
+        }
+        if (!known) variant[kept++] = variant[k];
+    }
+    return kept;
+}
+
+static wcut_status fill_columns(making *m, wcut_error *error) {
+    wcut_screen *s = m->s;
+    const size_t rows = (size_t)m->e->rows;
+    const int simulated = WCUT_BASE + s->columns;
+    wcut_status status = wcut_models_rows(m->e, 1 + simulated, m->model, m->rows, error);
+    for (int k = 0; status == WCUT_OK && k < simulated; k++) {
+        const int place = k < WCUT_BASE ? k : k + s->nuisances;
+        double *column = m->column + (size_t)place * rows, step = k < WCUT_BASE ? wcut_base_step[k] : 0;
+        if (k >= WCUT_BASE) {
+            const wcut_screen_column *c = &s->column[k - WCUT_BASE];
+            step = strength(&c->effect, c->part) - neutral_of(&c->effect, c->part);
+        }
+        for (size_t i = 0; i < rows; i++) column[i] = (m->rows[(size_t)(1 + k) * rows + i] - m->rows[i]) / step;
+        wcut_evidence_whiten(m->e, m->measured, column, column);
+    }
+    return status;
+}
+
+static void set_priors(making *m) {
+    wcut_screen *s = m->s;
+    for (int k = 0; k < WCUT_BASE; k++) s->precision[k] = 1 / (wcut_base_spread[k] * wcut_base_spread[k]);
+    double spread[WCUT_FIT_MAX];
+    double *own = m->column + (size_t)WCUT_BASE * (size_t)m->e->rows;
+    wcut_nuisance_columns(m->e, own, spread);
+    for (int k = 0; k < s->nuisances; k++) {
+        double *column = own + (size_t)k * (size_t)m->e->rows;
+        wcut_evidence_whiten(m->e, m->measured, column, column);
+        s->precision[WCUT_BASE + k] = 1 / (spread[k] * spread[k]);
+        s->centre[WCUT_BASE + k] = k == s->nuisances - 1 ? 1.0 : 0; /* the kerf, [mm] */
+    }
+    for (int k = 0; k < s->columns; k++) {
+        const double wide = first_coordinate(&s->column[k].effect, s->column[k].part).spread;
+        s->precision[WCUT_BASE + s->nuisances + k] = 1 / (wide * wide);
+    }
+}
+
+void wcut_screen_destroy(wcut_screen *s) {
+    wcut_free(s->column);
+    wcut_free(s->centre);
+    wcut_free(s->precision);
+    wcut_normal_destroy(&s->normal);
+    *s = (wcut_screen){0};
+}
+
+wcut_status wcut_screen_create(const wcut_evidence *e, const wcut_model *about, const double *residual,
+                               const bool without[WCUT_EFFECT_COUNT], wcut_screen *out, wcut_error *error) {
+    wcut_variant variant[WCUT_VARIANTS];
+    wcut_screen s = {.base = WCUT_BASE, .nuisances = wcut_nuisance_count(e)};
+    making m = {.e = e, .about = about, .s = &s};
+    const int variants =
+        drop_known(about, wcut_library_variants(without, e->cuts > 1, s.nuisances > 0, variant), variant);
+    bool places = !without[WCUT_FOAM_INCLUSION] && about->effects < WCUT_DIAGNOSIS_EFFECTS;
+    for (int k = 0; k < about->effects; k++) places = places && about->effect[k].kind != WCUT_FOAM_INCLUSION;
+    wcut_inclusions inclusions = {0};
+    wcut_status status = places ? wcut_inclusions_create(e, about, &inclusions, error) : WCUT_OK;
+    const size_t rows = (size_t)e->rows, most = (size_t)(variants + 2 + inclusions.count);
+    const size_t n = WCUT_BASE + (size_t)s.nuisances + most;
+    s.column = wcut_alloc(most, sizeof *s.column);
+    s.centre = wcut_alloc(n, sizeof(double));
+    s.precision = wcut_alloc(n, sizeof(double));
+    m.model = wcut_alloc(WCUT_BASE + 3 + (size_t)variants, sizeof *m.model);
+    m.rows = wcut_alloc((WCUT_BASE + 3 + (size_t)variants) * rows, sizeof(double));
+    m.column = wcut_alloc(n * rows, sizeof(double));
+    m.measured = wcut_alloc(rows, sizeof(double));
+    if (status == WCUT_OK && !(s.column && s.centre && s.precision && m.model && m.rows && m.column && m.measured))
+        status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for the columns of %d effects", variants);
+    if (status == WCUT_OK) {
+        wcut_evidence_residual(e, m.measured);
+        if (!list_models(&m, variants, variant)) status = WCUT_BAD_ARGUMENT;
+    }
+    if (status == WCUT_OK) status = fill_columns(&m, error);
+    if (status == WCUT_OK) {
+        for (int k = 0; k < inclusions.count; k++) {
+            const wcut_variant v = {.effect = inclusions.effect[k]};
+            double *column = m.column + (size_t)(WCUT_BASE + s.nuisances + s.columns) * rows;
+            wcut_evidence_whiten(e, m.measured, inclusions.column + (size_t)k * rows, column);
+            add_column(&s, &v, 0, false);
+        }
+        set_priors(&m);
+        status = wcut_normal_create(WCUT_BASE + s.nuisances + s.columns, e->cuts, &s.normal);
+    }
+    if (status == WCUT_OK) {
+        wcut_screened none;
+        wcut_normal_fill(e, m.column, residual, &s.normal);
+        s.cost = 0;
+        if (wcut_screen_solve(&s, 0, NULL, &none)) s.cost = -none.gain;
+        *out = s;
+    } else {
+        wcut_screen_destroy(&s);
+    }
+    wcut_inclusions_destroy(&inclusions);
+    wcut_free(m.model);
+    wcut_free(m.rows);
+    wcut_free(m.column);
+    wcut_free(m.measured);
+    return status;
+}
+
+/* ---- solving ---- */
+
+bool wcut_screen_solve(const wcut_screen *s, int groups, const int *group, wcut_screened *out) {
+    int chosen[WCUT_FIT_MAX], count = 0;
+    double t[WCUT_FIT_MAX], cost;
+    for (int k = 0; k < s->base + s->nuisances; k++) chosen[count++] = k;
+    for (int c = 0; c < s->columns; c++)
+        for (int g = 0; g < groups; g++)
+            if (s->column[c].group == group[g] && count < WCUT_FIT_MAX) chosen[count++] = s->base + s->nuisances + c;
+    if (!wcut_normal_solve(&s->normal, count, chosen, s->centre, s->precision, -1, t, NULL, &cost)) return false;
+    wcut_screened found = {.groups = groups, .gain = s->cost - cost};
+    for (int g = 0; g < groups; g++) found.group[g] = group[g];
+    for (int k = s->base + s->nuisances; k < count; k++) {
+        const wcut_screen_column *c = &s->column[chosen[k] - s->base - s->nuisances];
+        const int g = groups == 2 && c->group == group[1];
+        if (c->part == 0) found.effect[g] = c->effect;
+        set_strength(&found.effect[g], c->part, neutral_of(&c->effect, c->part) + t[k]);
+        found.carried = found.carried || c->carried;
+    }
+    for (int g = 0; g < groups; g++) found.size[g] = wcut_effect_size(&found.effect[g]);
+    *out = found;
+    return true;
+}
+
+static int by_gain(const void *a, const void *b) {
+    const wcut_screened *x = a, *y = b;
+    if (x->gain != y->gain) return x->gain < y->gain ? 1 : -1;
+    return x->group[0] != y->group[0] ? x->group[0] - y->group[0] : x->group[1] - y->group[1];
+}
+
+int wcut_screen_singles(const wcut_screen *s, wcut_screened *out) {
+    int count = 0;
+    for (int g = 0; g < s->groups; g++) count += wcut_screen_solve(s, 1, &g, &out[count]);
+    qsort(out, (size_t)count, sizeof *out, by_gain);
+    return count;
+}
+
+static wcut_effect_kind kind_of(const wcut_screen *s, int group, int *choice) {
+    for (int c = 0; c < s->columns; c++)
+        if (s->column[c].group == group) {
+            *choice = s->column[c].effect.choice;
+            return s->column[c].effect.kind;
+        }
+    return WCUT_EFFECT_COUNT;
+}
+
+int wcut_screen_pairs(const wcut_screen *s, int most, wcut_screened *out) {
+    int count = 0;
+    for (int i = 0; i < s->groups; i++)
+        for (int j = i + 1; j < s->groups; j++) {
+            int first, second;
+            const int group[2] = {i, j};
+            const wcut_effect_kind kind = kind_of(s, i, &first);
+            wcut_screened found;
+            if (kind == kind_of(s, j, &second))
+                continue; /* two of a kind is one family: MODEL 7, one explanation each */
+            if (!wcut_screen_solve(s, 2, group, &found)) continue;
+            int at = count < most ? count++ : most - 1;
+            if (at == most - 1 && count == most && out[at].groups == 2 && out[at].gain >= found.gain) continue;
+            out[at] = found;
+            while (at > 0 && by_gain(&out[at - 1], &out[at]) > 0) {
+                const wcut_screened swap = out[at];
+                out[at] = out[at - 1], out[at - 1] = swap, at--;
+            }
+        }
+    return count;
+}

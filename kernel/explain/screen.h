@@ -1,0 +1,49 @@
+/* The screen: every effect of the library as a column, every single one and every pair solved at once. */
+#ifndef WCUT_EXPLAIN_SCREEN_H
+#define WCUT_EXPLAIN_SCREEN_H
+
+#include "explain/fit.h"
+
+/* A column: an effect whose first coordinate is free, at the shape its variant says. */
+typedef struct wcut_screen_column {
+    wcut_effect effect;
+    bool carried;
+    int part;  /* of an effect of several strengths (scan_offset) the strength; else 0 */
+    int group; /* columns of one group are taken together */
+} wcut_screen_column;
+
+typedef struct wcut_screen {
+    int base, nuisances, columns; /* base and nuisances come first in `normal` */
+    int groups;
+    wcut_screen_column *column; /* columns */
+    wcut_normal normal;
+    double *centre, *precision; /* base + nuisances + columns */
+    double cost;                /* of recalibration alone */
+    double cost_held_out;
+} wcut_screen;
+
+/* Columns about a model, which may hold effects already. residual: rows, whitened, measured less predicted there.
+   WCUT_OK; as wcut_models_rows: nothing was written. */
+wcut_status wcut_screen_create(const wcut_evidence *evidence, const wcut_model *about, const double *residual,
+                               const bool without[WCUT_EFFECT_COUNT], wcut_screen *out, wcut_error *error);
+void wcut_screen_destroy(wcut_screen *screen);
+
+/* What a choice of groups gives. */
+typedef struct wcut_screened {
+    int groups, group[2];
+    double gain;           /* fall of the cost */
+    wcut_effect effect[2]; /* at the strength found */
+    bool carried;
+    double size[2]; /* in gates */
+} wcut_screened;
+
+/* groups: 1 or 2, different. False where they cannot be told apart. */
+bool wcut_screen_solve(const wcut_screen *screen, int groups, const int *group, wcut_screened *out);
+
+/* every single group, best gain first; out: screen->groups. Gives how many. */
+int wcut_screen_singles(const wcut_screen *screen, wcut_screened *out);
+
+/* the best pairs of different kinds (or of one kind that may repeat), best first; out: most. Gives how many. */
+int wcut_screen_pairs(const wcut_screen *screen, int most, wcut_screened *out);
+
+#endif

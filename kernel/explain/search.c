@@ -1,0 +1,242 @@
+/* The search: recalibration, every effect alone, every pair that matters, each fitted in full. */
+#include "explain/search.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "base/numbers.h"
+
+enum { SINGLES = 5, SECONDS = 3, PAIRS = 3, BLOCK = 8 };
+
+/* a gain below this of a thousand rows' misfit is in the noise of the search over the whole library */
+#define WORTH 12.0
+/* what is tried in full: half of a practical size or more */
+#define NEARLY 0.5
+
+/* ---- leftovers ---- */
+
+typedef struct tally {
+    double sum;
+    int blocks;
+} tally;
+
+/* squares of block sums over their length */
+static tally slow_part(int n, const double *z) {
+    tally t = {0, 0};
+    for (int i = 0; i + BLOCK <= n; i += BLOCK) {
+        double sum = 0;
+        for (int k = 0; k < BLOCK; k++) sum += z[i + k];
+        t.sum += sum * sum / BLOCK;
+        t.blocks++;
+    }
+    return t;
+}
+
+wcut_leftover wcut_leftover_eval(const wcut_evidence *e, const double *residual) {
+    wcut_leftover left = {0};
+    tally slow = {0, 0}, common = {0, 0};
+    double sum = 0, patches = 0;
+    int rows = 0, patch_count = 0;
+    for (int k = 0; k < e->cuts; k++) {
+        const wcut_evidence_cut *c = &e->cut[k];
+        const double *z = residual + c->row;
+        for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++) {
+            const tally t = slow_part(c->bins, z + s * c->bins);
+            slow.sum += t.sum, slow.blocks += t.blocks;
+            if (t.blocks > 4) left.worst = fmax(left.worst, t.sum / t.blocks);
+        }
+        for (int i = 0; i + BLOCK <= c->bins; i += BLOCK) {
+            double both = 0;
+            for (int j = i; j < i + BLOCK; j++) both += z[j] + z[c->bins + j];
+            common.sum += both * both / (2 * BLOCK), common.blocks++;
+        }
+        for (int i = 0; i < WCUT_TRAIL_SIGNALS * c->bins; i++) sum += z[i] * z[i];
+        rows += WCUT_TRAIL_SIGNALS * c->bins;
+        const double *p = z + WCUT_TRAIL_SIGNALS * c->bins;
+        for (int i = 0; i < c->patch.count; i++) patches += p[i] * p[i];
+        patch_count += c->patch.count;
+    }
+    left.per_row = rows ? sum / rows : 0;
+    left.slow = slow.blocks ? slow.sum / slow.blocks : 0;
+    left.common = common.blocks ? common.sum / common.blocks : 0;
+    left.patches = patch_count ? patches / patch_count : 0;
+    return left;
+}
+
+/* ---- candidates ---- */
+
+typedef struct searching {
+    const wcut_evidence *e;
+    wcut_search *s;
+    const bool *without;
+    wcut_progress progress;
+    void *context;
+    int done, steps;
+} searching;
+
+static bool stopped(searching *g) {
+    const int step = g->done++;
+    return g->progress && g->progress(step < g->steps ? step : g->steps - 1, g->steps, g->context) != 0;
+}
+
+static bool same_effects(const wcut_model *a, const wcut_model *b) {
+    if (a->effects != b->effects || a->carried != b->carried) return false;
+    for (int i = 0; i < a->effects; i++) {
+        bool found = false;
+        for (int j = 0; j < b->effects; j++)
+            found = found || (a->effect[i].kind == b->effect[j].kind && a->effect[i].choice == b->effect[j].choice);
+        if (!found) return false;
+    }
+    return true;
+}
+
+static bool tried(const wcut_search *s, const wcut_model *model) {
+    for (int k = 0; k < s->count; k++)
+        if (same_effects(&s->candidate[k].fit.model, model)) return true;
+    return false;
+}
+
+static void compare_held_out(const wcut_evidence *e, const wcut_fitted *none, wcut_candidate *c) {
+    for (int k = 0; k < e->cuts; k++) {
+        if (e->cut[k].bins == 0) continue;
+        const double fall = none->held_out[k] - c->fit.held_out[k];
+        c->held_out += fall;
+        c->better += fall > 0, c->judged++;
+    }
+}
+
+/* Fit a model in full and keep it. WCUT_OK where it did not converge, too: then it is no candidate. */
+static wcut_status try_model(searching *g, const wcut_model *start, wcut_error *error) {
+    wcut_search *s = g->s;
+    if (s->count == WCUT_CANDIDATES || tried(s, start)) return WCUT_OK;
+    if (stopped(g)) return wcut_fail(error, WCUT_INTERRUPTED, "interrupted");
+    wcut_candidate c = {.effects = start->effects};
+    const wcut_status status = wcut_fit_solve(g->e, start, &c.fit, error);
+    if (status == WCUT_NO_MEMORY) return status;
+    if (status != WCUT_OK) return WCUT_OK;
+    c.gain = s->none.cost - c.fit.cost;
+    c.second_size = HUGE_VAL;
+    for (int k = 0; k < start->effects; k++)
+        c.second_size = fmin(c.second_size, wcut_effect_size(&c.fit.model.effect[k]));
+    compare_held_out(g->e, &s->none, &c);
+    c.left = wcut_leftover_eval(g->e, c.fit.residual);
+    c.refined = true;
+    s->candidate[s->count++] = c;
+    return WCUT_OK;
+}
+
+static wcut_model with_effects(const wcut_model *base, const wcut_screened *found) {
+    wcut_model m = *base;
+    for (int k = 0; k < found->groups && m.effects < WCUT_DIAGNOSIS_EFFECTS; k++)
+        m.effect[m.effects++] = found->effect[k];
+    m.carried = m.carried || found->carried;
+    return m;
+}
+
+/* the best variant of every kind; gives how many */
+static int best_of_kinds(const wcut_screen *screen, wcut_screened *out, wcut_error *error) {
+    wcut_screened *all = wcut_alloc((size_t)screen->groups, sizeof *all);
+    if (!all) {
+        wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d columns", screen->groups);
+        return -1;
+    }
+    const int n = wcut_screen_singles(screen, all);
+    int count = 0;
+    for (int i = 0; i < n; i++) {
+        bool seen = false;
+        for (int k = 0; k < count; k++) seen = seen || out[k].effect[0].kind == all[i].effect[0].kind;
+        if (!seen && count < WCUT_EFFECT_COUNT) out[count++] = all[i];
+    }
+    wcut_free(all);
+    return count;
+}
+
+/* the scale of chance: what a row costs where nothing is left to explain, estimated from the best fit so far */
+static double scale(const wcut_search *s) {
+    double least = s->left.per_row;
+    for (int k = 0; k < s->count; k++) least = fmin(least, s->candidate[k].left.per_row);
+    return fmax(least, 1);
+}
+
+static wcut_status try_singles(searching *g, wcut_error *error) {
+    wcut_search *s = g->s;
+    wcut_screen screen = {0};
+    wcut_status status = wcut_screen_create(g->e, &s->none.model, s->none.residual, g->without, &screen, error);
+    if (status != WCUT_OK) return status;
+    s->screened = best_of_kinds(&screen, s->single, error);
+    s->pairs = wcut_screen_pairs(&screen, WCUT_SCREENED, s->pair);
+    wcut_screen_destroy(&screen);
+    if (s->screened < 0) return WCUT_NO_MEMORY;
+    for (int k = 0, full = 0; status == WCUT_OK && k < s->screened && full < SINGLES; k++) {
+        if (s->single[k].gain < WORTH * s->left.slow || s->single[k].size[0] < NEARLY) continue;
+        const wcut_model start = with_effects(&s->none.model, &s->single[k]);
+        status = try_model(g, &start, error);
+        full++;
+    }
+    return status;
+}
+
+static int best_candidate(const wcut_search *s, int effects) {
+    int best = -1;
+    for (int k = 0; k < s->count; k++)
+        if (s->candidate[k].effects == effects && (best < 0 || s->candidate[k].gain > s->candidate[best].gain))
+            best = k;
+    return best;
+}
+
+/* what to add to the best single ones, and the best pairs of the screen */
+static wcut_status try_pairs(searching *g, wcut_error *error) {
+    wcut_search *s = g->s;
+    const int best = best_candidate(s, 1);
+    if (best < 0) return WCUT_OK;
+    wcut_screen screen = {0};
+    const wcut_model about = s->candidate[best].fit.model;
+    wcut_status status = wcut_screen_create(g->e, &about, s->candidate[best].fit.residual, g->without, &screen, error);
+    if (status != WCUT_OK) return status == WCUT_NO_MEMORY ? status : WCUT_OK;
+    s->next = best_of_kinds(&screen, s->second, error);
+    wcut_screen_destroy(&screen);
+    if (s->next < 0) return WCUT_NO_MEMORY;
+    const double chance = WORTH * scale(s);
+    for (int k = 0, full = 0; status == WCUT_OK && k < s->next && full < SECONDS; k++) {
+        if (s->second[k].gain < chance || s->second[k].size[0] < NEARLY) continue;
+        const wcut_model start = with_effects(&about, &s->second[k]);
+        status = try_model(g, &start, error);
+        full++;
+    }
+    for (int k = 0, full = 0; status == WCUT_OK && k < s->pairs && full < PAIRS; k++) {
+        const wcut_screened *p = &s->pair[k];
+        if (p->gain < s->candidate[best].gain + chance || fmin(p->size[0], p->size[1]) < 1) continue;
+        const wcut_model start = with_effects(&s->none.model, p);
+        status = try_model(g, &start, error);
+        full++;
+    }
+    return status;
+}
+
+void wcut_search_destroy(wcut_search *s) {
+    wcut_fitted_destroy(&s->none);
+    for (int k = 0; k < s->count; k++) wcut_fitted_destroy(&s->candidate[k].fit);
+    *s = (wcut_search){0};
+}
+
+wcut_status wcut_search_run(const wcut_evidence *e, const bool without[WCUT_EFFECT_COUNT], wcut_progress progress,
+                            void *context, wcut_search *out, wcut_error *error) {
+    wcut_search *s = wcut_alloc(1, sizeof *s);
+    if (!s) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for the search");
+    searching g = {.e = e, .s = s, .without = without, .progress = progress, .context = context};
+    g.steps = 1 + SINGLES + SECONDS + PAIRS;
+    wcut_status status = wcut_fit_solve(e, &e->at, &s->none, error);
+    if (status == WCUT_OK) {
+        s->left = wcut_leftover_eval(e, s->none.residual);
+        status = try_singles(&g, error);
+    }
+    if (status == WCUT_OK) status = try_pairs(&g, error);
+    if (status == WCUT_OK || status == WCUT_INTERRUPTED)
+        *out = *s;
+    else
+        wcut_search_destroy(s);
+    wcut_free(s);
+    return status;
+}

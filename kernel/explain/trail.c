@@ -1,0 +1,221 @@
+/* A trail: where the mounts of a cut were when, and under which heat; and the wire driven along it. */
+#include "explain/trail.h"
+
+#include <string.h>
+#include <wirecut/cut.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "base/numbers.h"
+#include "base/vec3.h"
+#include "cut/track.h"
+
+/* against 1e-10 a tension moves by 1e-5 N in the mean, a thousandth of a sensor noise */
+#define TOLERANCE 1e-6
+/* stations that a step must advance: below, the mounts stand and the wire keeps its shape */
+#define STANDING 1e-4
+
+void wcut_trail_destroy(wcut_trail *trail) {
+    wcut_free(trail->time);
+    wcut_free(trail->station);
+    wcut_free(trail->heat);
+    wcut_free(trail->sample);
+    *trail = (wcut_trail){0};
+}
+
+static bool trail_create(int count, bool sampled, wcut_trail *trail) {
+    const size_t n = (size_t)count;
+    *trail = (wcut_trail){.count = count,
+                          .time = wcut_alloc(n, sizeof(double)),
+                          .station = wcut_alloc(n, sizeof(double)),
+                          .heat = wcut_alloc(n, sizeof(double)),
+                          .sample = sampled ? wcut_alloc(n, sizeof(int)) : NULL};
+    if (trail->time && trail->station && trail->heat && (!sampled || trail->sample)) return true;
+    wcut_trail_destroy(trail);
+    return false;
+}
+
+double wcut_between(int n, const double *x, const double *y, double at) {
+    if (!(at > x[0])) return y[0];
+    if (at >= x[n - 1]) return y[n - 1];
+    int low = 0, high = n - 1;
+    while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        if (x[middle] <= at)
+            low = middle;
+        else
+            high = middle;
+    }
+    const double width = x[high] - x[low];
+    return width > 0 ? y[low] + (y[high] - y[low]) * (at - x[low]) / width : y[low];
+}
+
+/* ---- motion ---- */
+
+static double programmed_heat(const wcut_job *job, double time) {
+    double heat = job->heat;
+    for (int k = 0; k < job->heat_step_count; k++)
+        if (time >= job->heat_step[k].from && time < job->heat_step[k].to) heat *= job->heat_step[k].factor;
+    return heat;
+}
+
+static double programmed_pace(const wcut_job *job, double time) {
+    double factor = 1;
+    for (int k = 0; k < job->dither_count; k++)
+        factor += job->dither[k].amplitude * sin(2 * WCUT_PI * time / job->dither[k].period + job->dither[k].phase);
+    return fmax(factor, 0.05);
+}
+
+wcut_status wcut_trail_recorded(const wcut_job *job, const wcut_recording *recording, double window, wcut_trail *out,
+                                wcut_error *error) {
+    wcut_track track = {0};
+    const wcut_replay_options options = {.motion = WCUT_MOTION_STATION, .window = window};
+    const wcut_status status = wcut_track_create(job, recording, &options, &track, error);
+    if (status != WCUT_OK) return status;
+    wcut_trail trail = {0};
+    wcut_status made = WCUT_OK;
+    if (track.count < 8)
+        made = wcut_fail(error, WCUT_BAD_ARGUMENT, "found %d samples with a station, expected 8 or more", track.count);
+    else if (!trail_create(track.count, true, &trail))
+        made = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a motion of %d samples", track.count);
+    if (made == WCUT_OK) {
+        const wcut_column *heat = &recording->channel[WCUT_CHANNEL_HEAT];
+        double last = programmed_heat(job, track.time[0]);
+        for (int i = 0; i < track.count; i++) {
+            const int sample = track.sample[i];
+            const bool there = heat->name && (!heat->present || heat->present[sample]) && heat->value[sample] > 0;
+            if (!heat->name)
+                last = programmed_heat(job, track.time[i]);
+            else if (there)
+                last = heat->value[sample];
+            trail.time[i] = track.time[i], trail.station[i] = track.station[i], trail.heat[i] = last;
+            trail.sample[i] = sample;
+        }
+        *out = trail;
+    }
+    wcut_track_destroy(&track);
+    return made;
+}
+
+wcut_status wcut_trail_exogenous(const wcut_job *job, const wcut_trail *recorded, double width, double step,
+                                 wcut_trail *out) {
+    const int n = recorded->count;
+    const double begun = recorded->time[0], length = recorded->time[n - 1] - begun;
+    const int count = (int)fmin(floor(length / step), 1e7) + 1;
+    double *programme = wcut_alloc(2 * (size_t)n, sizeof *programme), *smooth = programme + n;
+    wcut_trail trail = {0};
+    if (!programme || count < 2 || !trail_create(count, false, &trail)) {
+        wcut_free(programme);
+        return count < 2 ? WCUT_BAD_ARGUMENT : WCUT_NO_MEMORY;
+    }
+    for (int i = 1; i < n; i++) {
+        const double middle = (recorded->time[i] + recorded->time[i - 1]) / 2;
+        programme[i] = programme[i - 1] + (recorded->time[i] - recorded->time[i - 1]) * programmed_pace(job, middle);
+    }
+    wcut_smooth(n, programme, recorded->station, width, smooth);
+    double furthest = 0;
+    for (int i = 0; i < n; i++) furthest = smooth[i] = clamp(smooth[i], furthest, job->stations - 1);
+    for (int i = 0; i < count; i++) {
+        trail.time[i] = begun + i * step;
+        trail.station[i] = wcut_between(n, recorded->time, smooth, trail.time[i]);
+        trail.heat[i] = wcut_between(n, recorded->time, recorded->heat, trail.time[i]);
+    }
+    wcut_free(programme);
+    *out = trail;
+    return WCUT_OK;
+}
+
+/* ---- driving ---- */
+
+void wcut_driven_destroy(wcut_driven *driven) {
+    for (int k = 0; k < WCUT_TRAIL_SIGNALS; k++) wcut_free(driven->signal[k]);
+    wcut_free(driven->engaged);
+    wcut_free(driven->present);
+    wcut_free(driven->position);
+    wcut_free(driven->speed);
+    *driven = (wcut_driven){0};
+}
+
+static bool driven_create(int count, int nodes, bool positions, wcut_driven *d) {
+    const size_t n = (size_t)count, all = n * (size_t)nodes;
+    *d = (wcut_driven){.count = count, .nodes = nodes};
+    bool whole = true;
+    for (int k = 0; k < WCUT_TRAIL_SIGNALS; k++) whole = (d->signal[k] = wcut_alloc(n, sizeof(double))) && whole;
+    d->engaged = wcut_alloc(n, sizeof(double));
+    d->present = wcut_alloc(n, 1);
+    if (positions) d->position = wcut_alloc(all, sizeof *d->position), d->speed = wcut_alloc(all, sizeof *d->speed);
+    if (whole && d->engaged && d->present && (!positions || (d->position && d->speed))) return true;
+    wcut_driven_destroy(d);
+    return false;
+}
+
+typedef struct driver {
+    const wcut_job *job;
+    const wcut_trail *trail;
+    wcut_cut *cut;
+    double time, station;
+} driver;
+
+static bool advance(driver *d, int i) {
+    const wcut_trail *t = d->trail;
+    const int steps = (int)fmax(1, ceil(t->station[i] - d->station));
+    const double from = d->station, begun = d->time, duration = (t->time[i] - begun) / steps;
+    for (int k = 1; k <= steps; k++) {
+        const double s = k == steps ? t->station[i] : from + (t->station[i] - from) * k / steps;
+        const wcut_vec3 a = wcut_path_at(d->job->stations, d->job->mount_a, s);
+        const wcut_vec3 b = wcut_path_at(d->job->stations, d->job->mount_b, s);
+        if (wcut_cut_drive(d->cut, a, b, duration, t->heat[i], NULL) != WCUT_OK) return false;
+        d->station = s, d->time = begun + k * duration;
+    }
+    return true;
+}
+
+static void keep(const driver *d, int i, wcut_driven *out) {
+    wcut_station s;
+    wcut_cut_view(d->cut, &s);
+    const double value[WCUT_TRAIL_SIGNALS] = {s.tension_a, s.tension_b, s.alpha_a, s.beta_a, s.alpha_b, s.beta_b};
+    for (int k = 0; k < WCUT_TRAIL_SIGNALS; k++) out->signal[k][i] = value[k];
+    out->engaged[i] = s.engaged_length;
+    out->present[i] = 1;
+    if (!out->position) return;
+    memcpy(out->position + (size_t)i * (size_t)out->nodes, s.position, (size_t)out->nodes * sizeof *s.position);
+    memcpy(out->speed + (size_t)i * (size_t)out->nodes, s.speed, (size_t)out->nodes * sizeof *s.speed);
+}
+
+/* the wire leaves station 0 so early that it reaches the first sample at the pace of the first second */
+static void begin(driver *d) {
+    const wcut_trail *t = d->trail;
+    int i = 1;
+    while (i < t->count - 1 && t->time[i] - t->time[0] < 1) i++;
+    const double pace = (t->station[i] - t->station[0]) / (t->time[i] - t->time[0]);
+    d->station = 0;
+    d->time = t->time[0] - fmax(t->station[0], 0.2) / fmax(pace, 0.1);
+}
+
+static void drive(driver *d, wcut_driven *out) {
+    begin(d);
+    for (int i = 0; i < d->trail->count; i++)
+        if (d->trail->station[i] - d->station < STANDING ? i > 0 : advance(d, i)) keep(d, i, out);
+}
+
+wcut_status wcut_trail_drive(const wcut_job *job, int nodes, const wcut_trail *trail, bool positions, wcut_driven *out,
+                             wcut_error *error) {
+    wcut_job coarse = *job; /* borrowed arrays: the setup copies them */
+    coarse.nodes = nodes;
+    wcut_cut_options options = wcut_cut_options_default();
+    options.tolerance = TOLERANCE;
+    wcut_setup *setup = NULL;
+    driver d = {.job = job, .trail = trail};
+    wcut_driven driven = {0};
+    wcut_status status = wcut_setup_create(&coarse, &options, &setup, error);
+    if (status == WCUT_OK) status = wcut_cut_create(setup, &d.cut, error);
+    if (status == WCUT_OK && !driven_create(trail->count, nodes, positions, &driven))
+        status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d samples", trail->count);
+    if (status == WCUT_OK) {
+        drive(&d, &driven);
+        *out = driven;
+    }
+    wcut_cut_destroy(d.cut);
+    wcut_setup_destroy(setup);
+    return status;
+}
