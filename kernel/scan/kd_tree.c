@@ -218,3 +218,20 @@ int wcut_kd_tree_within(const wcut_kd_tree *t, int place, double radius, int mos
     }
     return count;
 }
+
+double wcut_kd_tree_distance(const wcut_kd_tree *t, wcut_vec3 p, double limit) {
+    visit stack[DEPTH_MOST];
+    int depth = 1;
+    double least = limit * limit;
+    stack[0] = (visit){0, 0, 0, t->count, 0};
+    while (depth > 0) {
+        const visit top = stack[--depth];
+        if (top.square >= least) continue;
+        const visit leaf = descend(t, top, p, least, stack, &depth);
+        for (int i = leaf.first; i < leaf.end; i++) {
+            const double square = point_square(t->point[i], p);
+            least = square < least ? square : least;
+        }
+    }
+    return sqrt(least);
+}

@@ -37,4 +37,7 @@ void wcut_kd_tree_nearest(const wcut_kd_tree *tree, int place, int k, wcut_kd_ne
 /* how many points, itself not among them, are within the radius of tree->point[place]; counts up to `most` */
 int wcut_kd_tree_within(const wcut_kd_tree *tree, int place, double radius, int most);
 
+/* how far [mm] any place is from the nearest point; `limit` where none is nearer than that */
+double wcut_kd_tree_distance(const wcut_kd_tree *tree, wcut_vec3 p, double limit);
+
 #endif

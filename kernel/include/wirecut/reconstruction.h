@@ -56,7 +56,7 @@ typedef struct wcut_reconstruction {
     double point_spacing;      /**< [mm] of the scan: root of the area per point */
     double spacing, smoothing; /**< [mm] used */
     int used;                  /**< points */
-    int beyond;                /**< points left out since they lie beyond the face's border; Poisson uses them */
+    int beyond;                /**< points left out since they lie beyond the face's border */
     double area;               /**< [mm^2] of `mesh` */
     double supported_area;  /**< [mm^2] of the simulated face within `support` of the scan: what could be in `mesh` */
     double lost;            /**< [1] share of supported_area that is not in `mesh` */

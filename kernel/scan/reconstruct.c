@@ -1,0 +1,199 @@
+/* The scanned face from points and their feet: spacing, field of deviation, the mesh where there is support. */
+#include <stdlib.h>
+#include <wirecut/reconstruction.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "base/numbers.h"
+#include "base/vec3.h"
+#include "scan/kd_tree.h"
+#include "scan/reconstruct_field.h"
+#include "scan/reconstruct_poisson.h"
+#include "scan/reconstruct_sheet.h"
+#include "scan/register_symmetric.h"
+
+enum { LEAST = 10, NEAR = 8, SAMPLE = 2000 };
+
+static const double FAR = 1e12;
+static const double LINE = 1e-12; /* [1] variance across over along, below which points are on a line */
+
+wcut_reconstruction_options wcut_reconstruction_options_default(void) {
+    return (wcut_reconstruction_options){
+        .method = WCUT_RECONSTRUCTION_FIELD, .support = 1.5, .hole_least = 10, .seed = 1};
+}
+
+void wcut_reconstruction_destroy(wcut_reconstruction *reconstruction) {
+    if (!reconstruction) return;
+    wcut_mesh_destroy(reconstruction->mesh);
+    wcut_mesh_destroy(reconstruction->unmeasured);
+    wcut_free(reconstruction->hole);
+    wcut_free(reconstruction);
+}
+
+/* ---- what is given ---- */
+
+static wcut_status check_options(const wcut_reconstruction_options *o, wcut_error *error) {
+    if (o->method != WCUT_RECONSTRUCTION_FIELD && o->method != WCUT_RECONSTRUCTION_POISSON)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "method: found %d, expected field or Poisson", (int)o->method);
+    if (!is_positive(o->support) || o->support > FAR)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "support: found %g, expected a positive number", o->support);
+    if (!(o->spacing >= 0 && o->spacing <= FAR) || !(o->smoothing >= 0 && o->smoothing <= FAR) ||
+        !(o->hole_least >= 0 && o->hole_least <= FAR))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "spacing, smoothing, hole_least: expected 0 or a positive number");
+    const wcut_vec3 b = o->block;
+    const bool none = b.x == 0 && b.y == 0 && b.z == 0;
+    if (!none && !(is_positive(b.x) && is_positive(b.y) && is_positive(b.z)))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "block: expected three positive numbers, or none");
+    return WCUT_OK;
+}
+
+static wcut_status check_scan(const wcut_surface *surface, int count, const wcut_vec3 *point, const wcut_foot *foot,
+                              wcut_error *error) {
+    double first[2], last[2];
+    wcut_surface_domain(surface, first, last);
+    for (int k = 0; k < count; k++) {
+        const wcut_foot *f = &foot[k];
+        if (!(fabs(point[k].x) <= FAR && fabs(point[k].y) <= FAR && fabs(point[k].z) <= FAR))
+            return wcut_fail(error, WCUT_BAD_ARGUMENT, "scan: point %d: expected numbers up to 1e12", k);
+        if (!(f->u >= first[0] && f->u <= last[0] && f->v >= first[1] && f->v <= last[1]) || !isfinite(f->height))
+            return wcut_fail(error, WCUT_BAD_ARGUMENT, "scan: point %d: its foot is not on the surface", k);
+    }
+    return WCUT_OK;
+}
+
+/* whether the points span more than a line */
+static bool spans_plane(int count, const wcut_vec3 *point) {
+    wcut_vec3 sum = {0, 0, 0};
+    double a[9] = {0}, value[3], vector[9];
+    for (int k = 0; k < count; k++) sum = vec3_add(sum, vec3_sub(point[k], point[0]));
+    const wcut_vec3 centre = vec3_add_scaled(point[0], 1.0 / count, sum);
+    for (int k = 0; k < count; k++) {
+        const wcut_vec3 p = vec3_sub(point[k], centre);
+        const double row[3] = {p.x, p.y, p.z};
+        for (int i = 0; i < 9; i++) a[i] += row[i / 3] * row[i % 3];
+    }
+    wcut_symmetric_eigen(3, a, value, vector);
+    return value[1] > LINE * value[0];
+}
+
+static int ascending(const void *a, const void *b) {
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* [mm] root of the area per point: the median, over some points, of the disc that reaches to the eighth neighbour */
+static double point_spacing(const wcut_kd_tree *tree) {
+    double spacing[SAMPLE];
+    const int count = tree->count < SAMPLE ? tree->count : SAMPLE;
+    const int neighbours = tree->count - 1 < NEAR ? tree->count - 1 : NEAR;
+    for (int k = 0; k < count; k++) {
+        wcut_kd_nearest nearest;
+        wcut_kd_tree_nearest(tree, (int)((long long)k * tree->count / count), neighbours, &nearest);
+        spacing[k] = sqrt(WCUT_PI * nearest.square[neighbours - 1] / (neighbours - 0.5));
+    }
+    qsort(spacing, (size_t)count, sizeof *spacing, ascending);
+    return spacing[count / 2];
+}
+
+/* ---- the field ---- */
+
+/* the points over the face, by place and height */
+typedef struct heights {
+    int count;
+    wcut_lattice_place *place;
+    double *height;
+} heights;
+
+static void clear_heights(heights *h) {
+    wcut_free(h->place);
+    wcut_free(h->height);
+}
+
+static wcut_status find_heights(const wcut_lattice *lattice, int count, const wcut_foot *foot, int threads,
+                                heights *found) {
+    heights h = {0, wcut_alloc((size_t)count, sizeof *h.place), wcut_alloc((size_t)count, sizeof *h.height)};
+    if (!h.place || !h.height) {
+        clear_heights(&h);
+        return WCUT_NO_MEMORY;
+    }
+#pragma omp parallel for schedule(static) num_threads(threads)
+    for (int k = 0; k < count; k++) h.place[k] = wcut_lattice_locate(lattice, foot[k].u, foot[k].v);
+    for (int k = 0; k < count; k++)
+        if (!foot[k].beyond) {
+            h.place[h.count] = h.place[k];
+            h.height[h.count++] = foot[k].height;
+        }
+    *found = h;
+    return WCUT_OK;
+}
+
+/* everything but Poisson's mesh, into a zeroed reconstruction */
+static wcut_status reconstruct(const wcut_surface *surface, const wcut_kd_tree *tree, const wcut_foot *foot,
+                               const wcut_reconstruction_options *o, int threads, wcut_reconstruction *r,
+                               wcut_error *error) {
+    wcut_lattice lattice = {0};
+    wcut_field field = {0};
+    wcut_sheet sheet = {0};
+    heights h = {0};
+    r->point_spacing = point_spacing(tree);
+    if (!(r->point_spacing > 0))
+        return wcut_fail(error, WCUT_DEGENERATE, "scan: most points are in one place with eight others");
+    const bool own = o->spacing > 0 && o->method == WCUT_RECONSTRUCTION_FIELD; /* Poisson's is another */
+    r->spacing = own ? o->spacing : fmin(2 * r->point_spacing, o->support);
+    r->smoothing = o->smoothing > 0 ? o->smoothing : 2 * r->point_spacing;
+    wcut_status status = wcut_lattice_build(surface, r->spacing, threads, &lattice);
+    if (status == WCUT_OK) status = find_heights(&lattice, tree->count, foot, threads, &h);
+    r->used = h.count;
+    r->beyond = tree->count - h.count;
+    if (status == WCUT_OK && h.count < LEAST) status = WCUT_DEGENERATE;
+    if (status == WCUT_OK) {
+        const int reach = (int)fmin(ceil(o->support / r->spacing), 1000);
+        const double density = 1 / (r->point_spacing * r->point_spacing);
+        status = wcut_field_solve(&lattice, h.count, h.place, h.height, density, r->smoothing, reach, threads, &field);
+    }
+    clear_heights(&h);
+    r->rms = field.rms;
+    r->iterations = field.iterations;
+    if (status == WCUT_OK) status = wcut_sheet_raise(&lattice, &field, tree, o->support, o->block, threads, &sheet);
+    if (status == WCUT_OK) status = wcut_sheet_cut(&sheet, o->hole_least, r);
+    wcut_sheet_clear(&sheet);
+    wcut_field_clear(&field);
+    wcut_lattice_clear(&lattice);
+    if (status == WCUT_OK) return status;
+    return wcut_fail(error, status,
+                     "reconstruction: %s; %d points over the face, %g mm apart, support %g mm, grid %g mm",
+                     wcut_status_text(status), r->used, r->point_spacing, o->support, r->spacing);
+}
+
+wcut_status wcut_reconstruction_create(const wcut_surface *surface, int count, const wcut_vec3 *point,
+                                       const wcut_foot *foot, const wcut_reconstruction_options *options, int threads,
+                                       wcut_reconstruction **reconstruction, wcut_error *error) {
+    const wcut_reconstruction_options o = options ? *options : wcut_reconstruction_options_default();
+    if (!surface || !point || !foot || threads < 1 || !reconstruction)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "reconstruction: an argument is missing");
+    if (count < LEAST)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "scan: found %d points, expected at least %d", count, LEAST);
+    wcut_status status = check_options(&o, error);
+    if (status == WCUT_OK) status = check_scan(surface, count, point, foot, error);
+    if (status != WCUT_OK) return status;
+    if (!spans_plane(count, point))
+        return wcut_fail(error, WCUT_DEGENERATE, "scan: its points are in one place or on one line");
+    wcut_kd_tree tree;
+    wcut_reconstruction *r = wcut_alloc(1, sizeof *r);
+    status = r ? wcut_kd_tree_build(count, point, threads, &tree) : WCUT_NO_MEMORY;
+    if (status != WCUT_OK) {
+        wcut_free(r);
+        return wcut_fail(error, status, "reconstruction: %s", wcut_status_text(status));
+    }
+    status = reconstruct(surface, &tree, foot, &o, threads, r, error);
+    if (status == WCUT_OK && o.method == WCUT_RECONSTRUCTION_POISSON) {
+        status = wcut_reconstruct_poisson(surface, count, point, foot, &tree, &o, threads, r);
+        if (status != WCUT_OK) wcut_fail(error, status, "Poisson reconstruction: %s", wcut_status_text(status));
+    }
+    wcut_kd_tree_clear(&tree);
+    if (status != WCUT_OK)
+        wcut_reconstruction_destroy(r);
+    else
+        *reconstruction = r;
+    return status;
+}
