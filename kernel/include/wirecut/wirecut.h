@@ -25,6 +25,7 @@
 #include <wirecut/force_density.h>
 #include <wirecut/force_law.h>
 #include <wirecut/history.h>
+#include <wirecut/intersect.h>
 #include <wirecut/job.h>
 #include <wirecut/loss.h>
 #include <wirecut/mesh.h>
