@@ -12,7 +12,7 @@
 #include "base/vec3.h"
 #include "surface/interpolate.h"
 
-enum { LINES_FIRST = 9, LINES_MAX = 2049, ROUNDS_MAX = 12, DEGREE = 3 };
+enum { LINES_FIRST = 9, CONTROL_MAX = 1000000, ROUNDS_MAX = 14, DEGREE = 3 };
 
 /* Between two lines the error is seen at the middle, where that of a cubic is largest but for a few percent. */
 static const double SEEN_SHARE = 0.9;
@@ -265,7 +265,7 @@ static wcut_status refine(const wcut_trim *trim, double tolerance, lines *s, lin
         status = lines_refine(s);
         if (status == WCUT_OK) status = lines_refine(t);
         if (status != WCUT_OK) return status;
-        if (s->count > LINES_MAX || t->count > LINES_MAX) break;
+        if (s->count > CONTROL_MAX / t->count) break;
     }
     return wcut_fail(error, WCUT_NOT_CONVERGED,
                      "no bicubic cut face within %.3g mm: %.3g mm with %d x %d control points", tolerance,
