@@ -11,6 +11,7 @@
 #include <wirecut/crossing.h>
 #include <wirecut/curvature.h>
 #include <wirecut/curve.h>
+#include <wirecut/curve_loft.h>
 #include <wirecut/curve_measure.h>
 #include <wirecut/cut.h>
 #include <wirecut/deviation.h>
