@@ -1,0 +1,50 @@
+/* The forward proof: every cut predicted by models that were fitted on the other cuts, and the figures of it. */
+#ifndef WCUT_EXPLAIN_PROOF_H
+#define WCUT_EXPLAIN_PROOF_H
+
+#include "explain/fit.h"
+
+/* A prediction of a whole case beside its measurements, in bins and patches. */
+typedef struct wcut_forecast {
+    double *row;   /* evidence->rows: along the recorded motion [N, rad]; patches [mm]; NaN where missing */
+    double *speed; /* 2 x all bins [mm/s]: cut by cut mount A's bins, then mount B's, of the planned run; NaN missing */
+} wcut_forecast;
+
+/* What is measured is the same for all models: `row` is that of the evidence, patches their distance. */
+typedef struct wcut_proof {
+    wcut_forecast measured;
+    wcut_forecast in_sample[WCUT_FIT_BLACK_BOX]; /* before, recalibrated, after: fitted on all cuts */
+    wcut_forecast held_out[WCUT_FIT_BLACK_BOX];  /* each cut by models fitted on all but it; before: as in_sample */
+    wcut_fit fit[WCUT_FIT_MODELS][WCUT_EVIDENCE_COUNT];
+    wcut_fit held_out_fit[WCUT_FIT_MODELS][WCUT_EVIDENCE_COUNT]; /* all cuts, each held out in turn */
+} wcut_proof;
+
+/*
+ * Predict every cut of a case and score it: as the jobs are (their own law and effects), recalibrated, and with the
+ * effects chosen.
+ *
+ * Tension and angles are replayed along the recorded motion with WCUT_NODES_FINE nodes; the speed, which nothing was
+ * fitted to, is that of a tension-driven run of the model's job, and of cuts without excitation alone, for a plan knows
+ * none; a plan that ends early is compared as far as it goes. Scans are compared by patches after each is registered
+ * (shift and turn, with the fit's priors) to the face predicted, half a kerf below the wire: the job's own kerf before,
+ * the one that the fits give after, for a left-out cut from the other scans.
+ *
+ * Figures are of half-second means over all cuts, differences of both mounts and all cuts pooled, one range: rmsd,
+ * nrmsd and rmse_over_range as wcut_score. Intervals: bootstrap of blocks of 5 s (scans: of 20 patches), drawn alike
+ * for all models. With one cut alone nothing can be held out: the counts of held_out_fit are 0.
+ * The rows of WCUT_FIT_BLACK_BOX are left at count 0 (explain/black_box.h fills them).
+ *
+ * evidence: predicted, under any model; recalibrated, chosen: fitted on it; may be the same, then it is run once.
+ * out: the caller's, to wcut_proof_destroy; the same for any number of threads.
+ * WCUT_OK; as wcut_trail_drive, WCUT_NO_MEMORY: nothing was written.
+ */
+wcut_status wcut_proof_create(const wcut_evidence *evidence, const wcut_fitted *recalibrated, const wcut_fitted *chosen,
+                              unsigned long long seed, wcut_proof *out, wcut_error *error);
+void wcut_proof_destroy(wcut_proof *proof);
+
+/* Figures of a forecast in each channel; pairs of which a side is NaN are left out. fit: WCUT_EVIDENCE_COUNT.
+   WCUT_OK; WCUT_NO_MEMORY: nothing was written. */
+wcut_status wcut_forecast_score(const wcut_evidence *evidence, const wcut_forecast *measured,
+                                const wcut_forecast *predicted, unsigned long long seed, wcut_fit *fit);
+
+#endif
