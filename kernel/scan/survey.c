@@ -136,13 +136,13 @@ wcut_status wcut_survey_eval(wcut_survey *survey, const wcut_survey_result **res
     wcut_status status = wcut_lattice_coarsen(&survey->lattice, &coarse);
     if (status != WCUT_OK) return status;
     status = wcut_worst_list(&coarse, &r->worsts, survey->found_worst);
+    if (status == WCUT_OK) status = wcut_lattice_split(&coarse, &r->split);
     if (status == WCUT_OK) {
         wcut_tally_eval(survey->tally, &r->statistics); /* its arguments are there */
         for (int k = 0; k < WCUT_PLACE_COUNT; k++) r->place[k] = survey->place[k];
         wcut_zones_fill(survey, survey->found_zone);
         r->zones = survey->parts + survey->patch_columns * survey->patch_rows;
         r->zone = survey->found_zone, r->worst = survey->found_worst;
-        r->split = wcut_lattice_split(&coarse);
         r->related = survey->face != NULL;
         r->time = relation_of(survey, 0), r->path = relation_of(survey, 1), r->bend = relation_of(survey, 2);
         *result = r;

@@ -21,7 +21,7 @@ typedef struct wcut_zone_sums {
 typedef struct wcut_cell {
     wcut_moments of;
     wcut_vec3 feet; /* their sum */
-    double low_z, high_z, peak;
+    double low_z, high_z;
 } wcut_cell;
 
 /* cells in x and y, row by row */
@@ -73,7 +73,7 @@ wcut_status wcut_lattice_create(const wcut_survey_options *options, wcut_lattice
 void wcut_lattice_add(wcut_lattice *lattice, const wcut_deviation *deviation);
 /* cells large enough to have means: the lattice itself is left as it was. WCUT_NO_MEMORY */
 wcut_status wcut_lattice_coarsen(const wcut_lattice *fine, wcut_lattice *coarse);
-wcut_split wcut_lattice_split(const wcut_lattice *lattice);
+wcut_status wcut_lattice_split(const wcut_lattice *lattice, wcut_split *split); /* WCUT_NO_MEMORY */
 /* at most WCUT_WORST_MOST areas; WCUT_NO_MEMORY */
 wcut_status wcut_worst_list(const wcut_lattice *lattice, int *count, wcut_worst *worst);
 

@@ -30,7 +30,6 @@ void wcut_lattice_add(wcut_lattice *lattice, const wcut_deviation *deviation) {
     wcut_cell *c = &lattice->cell[row * lattice->columns + column];
     if (c->of.count == 0) c->low_z = c->high_z = p.z;
     c->low_z = fmin(c->low_z, p.z), c->high_z = fmax(c->high_z, p.z);
-    if (fabs(deviation->distance) > fabs(c->peak)) c->peak = deviation->distance;
     c->feet = vec3_add(c->feet, p);
     wcut_moments_add(&c->of, deviation->distance);
 }
@@ -50,7 +49,6 @@ static void merge(wcut_cell *to, const wcut_cell *from) {
     to->of.min = fmin(to->of.min, m->min), to->of.max = fmax(to->of.max, m->max);
     to->feet = vec3_add(to->feet, from->feet);
     to->low_z = fmin(to->low_z, from->low_z), to->high_z = fmax(to->high_z, from->high_z);
-    if (fabs(from->peak) > fabs(to->peak)) to->peak = from->peak;
 }
 
 /* are half of the cells that hold points worth a mean? */
@@ -88,47 +86,70 @@ wcut_status wcut_lattice_coarsen(const wcut_lattice *fine, wcut_lattice *coarse)
     return WCUT_OK;
 }
 
-/* ---- offset, form, noise ---- */
-
-wcut_split wcut_lattice_split(const wcut_lattice *lattice) {
-    const int count = lattice->columns * lattice->rows;
-    double sum = 0, inner = 0, degrees = 0, shares = 0, about = 0;
-    wcut_split s = {.cell = lattice->side};
-    for (int k = 0; k < count; k++) {
-        const wcut_moments *m = &lattice->cell[k].of;
-        if (m->count < TOLD) continue;
-        s.cells++;
-        sum += wcut_moments_mean(m);
-        inner += (m->count - 1) * wcut_moments_variance(m);
-        degrees += m->count - 1;
-        shares += 1.0 / m->count;
-    }
-    if (s.cells == 0) return s;
-    const double noise = degrees > 0 ? inner / degrees : 0;
-    s.offset = sum / s.cells;
-    s.offset_error = sqrt(noise * shares) / s.cells;
-    s.noise_rms = sqrt(noise);
-    for (int k = 0; k < count; k++) {
-        const wcut_moments *m = &lattice->cell[k].of;
-        const double d = wcut_moments_mean(m) - s.offset;
-        if (m->count >= TOLD) about += d * d;
-    }
-    s.form_rms = sqrt(fmax(about / s.cells - noise * shares / s.cells, 0));
-    return s;
+/* The mean of a cell without its lowest and its highest, so that one stray point does not make a bump of 12 mm noise. */
+static double mean_of(const wcut_cell *cell) {
+    const wcut_moments *m = &cell->of;
+    if (m->count < HELD / 2) return wcut_moments_mean(m);
+    return m->shift + (m->sum - (m->min - m->shift) - (m->max - m->shift)) / (m->count - 2);
 }
-
-/* ---- worst areas ---- */
 
 static int compare_sizes(const void *a, const void *b) {
     const double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
 }
 
+/* ---- offset, form, noise ---- */
+
+/* The median of the cells' variances, each over the median of its chi-square (Wilson, Hilferty 1931): strays spoil few
+   cells. */
+static double noise_square(const wcut_lattice *l, double *scratch) {
+    int count = 0;
+    for (int k = 0; k < l->columns * l->rows; k++) {
+        const wcut_moments *m = &l->cell[k].of;
+        if (m->count < TOLD) continue;
+        const double freedom = m->count - 1.0, root = 1 - 2 / (9 * freedom);
+        scratch[count++] = wcut_moments_variance(m) / (root * root * root);
+    }
+    if (count == 0) return 0;
+    qsort(scratch, (size_t)count, sizeof *scratch, compare_sizes);
+    return (scratch[(count - 1) / 2] + scratch[count / 2]) / 2;
+}
+
+wcut_status wcut_lattice_split(const wcut_lattice *lattice, wcut_split *split) {
+    const int count = lattice->columns * lattice->rows;
+    double sum = 0, shares = 0, about = 0;
+    wcut_split s = {.cell = lattice->side};
+    double *scratch = wcut_alloc((size_t)count, sizeof *scratch);
+    if (!scratch) return WCUT_NO_MEMORY;
+    const double noise = noise_square(lattice, scratch);
+    wcut_free(scratch);
+    for (int k = 0; k < count; k++) {
+        if (lattice->cell[k].of.count < TOLD) continue;
+        s.cells++;
+        sum += mean_of(&lattice->cell[k]);
+        shares += 1.0 / lattice->cell[k].of.count;
+    }
+    if (s.cells > 0) {
+        s.offset = sum / s.cells;
+        s.offset_error = sqrt(noise * shares) / s.cells;
+        s.noise_rms = sqrt(noise);
+        for (int k = 0; k < count; k++) {
+            const double d = mean_of(&lattice->cell[k]) - s.offset;
+            if (lattice->cell[k].of.count >= TOLD) about += d * d;
+        }
+        s.form_rms = sqrt(fmax(about / s.cells - noise * shares / s.cells, 0));
+    }
+    *split = s;
+    return WCUT_OK;
+}
+
+/* ---- worst areas ---- */
+
 /* the size of mean that only the worst cells exceed; cells of a single point or two have no say unless all are such */
 static double level_of(const wcut_lattice *l, double *scratch) {
     int count = 0;
     for (int k = 0; k < l->columns * l->rows; k++)
-        if (l->cell[k].of.count >= TOLD) scratch[count++] = fabs(wcut_moments_mean(&l->cell[k].of));
+        if (l->cell[k].of.count >= TOLD) scratch[count++] = fabs(mean_of(&l->cell[k]));
     if (count == 0) return INFINITY;
     qsort(scratch, (size_t)count, sizeof *scratch, compare_sizes);
     return scratch[(int)(SHARE * (count - 1))];
@@ -137,7 +158,7 @@ static double level_of(const wcut_lattice *l, double *scratch) {
 /* 1 above the level, -1 below minus it, 0 else */
 static int side_of(const wcut_lattice *l, int k, double level) {
     if (l->cell[k].of.count < TOLD) return 0;
-    const double mean = wcut_moments_mean(&l->cell[k].of);
+    const double mean = mean_of(&l->cell[k]);
     return fabs(mean) < level || mean == 0 ? 0 : mean > 0 ? 1 : -1;
 }
 
@@ -145,7 +166,7 @@ static int side_of(const wcut_lattice *l, int k, double level) {
 typedef struct area {
     wcut_cell sum;
     int cells, left, right, front, back;
-    double volume; /* [mm] of the cells' means */
+    double volume, peak; /* [mm] of the cells' means: their sum, that of largest size */
 } area;
 
 static void grow(area *a, const wcut_lattice *l, int k) {
@@ -154,7 +175,9 @@ static void grow(area *a, const wcut_lattice *l, int k) {
     if (column < a->left) a->left = column;
     if (column > a->right) a->right = column;
     if (row > a->back) a->back = row;
-    a->volume += wcut_moments_mean(&l->cell[k].of);
+    const double mean = mean_of(&l->cell[k]);
+    if (fabs(mean) > fabs(a->peak)) a->peak = mean;
+    a->volume += mean;
     merge(&a->sum, &l->cell[k]);
 }
 
@@ -183,8 +206,8 @@ static wcut_worst worst_of(const wcut_lattice *l, const area *a) {
         .high = {l->low.x + (a->right + 1) * side, l->low.y + (a->back + 1) * side, c->high_z},
         .area = a->cells * side * side,
         .volume = a->volume * side * side,
-        .mean = wcut_moments_mean(&c->of),
-        .peak = c->peak,
+        .mean = a->volume / a->cells,
+        .peak = a->peak,
         .count = c->of.count,
     };
 }

@@ -40,19 +40,21 @@ typedef struct wcut_worst {
     wcut_vec3 low, high; /**< [mm] its box in x and y, of the feet in z */
     double area;         /**< [mm^2] of its cells seen along z */
     double volume;       /**< [mm^3] mean deviation times area: material too much, or too little where negative */
-    double mean;         /**< [mm] */
-    double peak;         /**< [mm] the deviation of largest size */
+    double mean;         /**< [mm] of its cells' means */
+    double peak;         /**< [mm] the mean of largest size among its cells' */
     int count;           /**< deviations */
 } wcut_worst;
 
-/** A deviation in three parts: one constant, what changes from cell to cell, and what changes within a cell. */
+/** A deviation in three parts: one constant, what changes from cell to cell, and what changes within a cell. A cell's
+    mean leaves out its lowest and its highest where it has four or more, the noise is a median over cells: strays count
+    in the statistics, not here. */
 typedef struct wcut_split {
     double offset;       /**< [mm] mean of the cells' means, whatever the scan's density */
     double offset_error; /**< [mm] standard error of it by the noise alone */
     double form_rms;     /**< [mm] of the cells' means about it, their own noise taken off */
-    double noise_rms;    /**< [mm] of deviations about their cell's mean */
+    double noise_rms;    /**< [mm] of deviations about their cell's mean, in the middle one of the cells */
     double cell;         /**< [mm] side of a cell: doubled until half of them hold 8 points */
-    int cells;           /**< with 2 points or more */
+    int cells;           /**< with two points or more */
 } wcut_split;
 
 /** How deviations go with something else: Pearson's r, 0 where either does not change. */
