@@ -19,7 +19,7 @@ void wcut_cut_face_clear(wcut_cut_face *face) {
 wcut_status wcut_cut_face_fit(const wcut_division *d, double side, double margin, wcut_cut_face *face,
                               wcut_error *error) {
     const wcut_mould_options *o = d->options;
-    const wcut_sides sides = {{-margin, d->block.x + margin}, {-margin, d->block.y + margin}};
+    const wcut_sides sides = {{0 - margin, d->block.x + margin}, {0 - margin, d->block.y + margin}};
     const double height[2] = {0, d->block.z}, prolong = margin > 0 ? INFINITY : o->prolong;
     wcut_sheet sheet = wcut_sheet_of(d->surface);
     sheet.width = d->width;

@@ -110,7 +110,7 @@ static wcut_status make_stock(const wcut_division *d, wcut_part *stock, wcut_err
 /* the space below, above or between the faces, far enough down and up; sides as those of the faces */
 static wcut_status make_space(const wcut_division *d, const wcut_lid *floor, const wcut_lid *ceiling, double margin,
                               const double height[2], wcut_part *space, wcut_error *error) {
-    const wcut_sides sides = {{-margin, d->block.x + margin}, {-margin, d->block.y + margin}};
+    const wcut_sides sides = {{0 - margin, d->block.x + margin}, {0 - margin, d->block.y + margin}};
     wcut_lid flat = {.vertex_count = 0};
     const int cut = (ceiling ? 1 : 0) + (floor ? 2 : 0);
     wcut_status status = WCUT_OK;

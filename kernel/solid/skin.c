@@ -20,6 +20,9 @@ static const double SEEN_SHARE = 0.9;
 /* An area element this small beside its sides has no direction: the surface is folded flat. */
 static const double FOLDED = 1e-7;
 
+/* Prolonged by less than this share of the block is not prolonged. */
+static const double ROUNDING = 1e-11;
+
 /* a direction's lines over [0, 1] */
 typedef struct lines {
     int count;
@@ -204,6 +207,7 @@ static wcut_status judge(const wcut_trim *trim, const wcut_surface *patch, lines
 /* how far the wire's surface was prolonged inside the block, how strongly it is curved, how wide the kerf is */
 static wcut_status survey(const wcut_trim *trim, const sampled *g, const double height[2], wcut_skin *skin) {
     const wcut_sheet *sheet = trim->sheet;
+    const double rounding = ROUNDING * fmax(trim->sides.x[1], trim->sides.y[1]);
     skin->entry = skin->exit = skin->wire = 0;
     skin->radius = skin->width_least = INFINITY;
     skin->width_most = 0;
@@ -211,6 +215,8 @@ static wcut_status survey(const wcut_trim *trim, const sampled *g, const double 
         const double u = g->u[k], v = g->v[k];
         double wire, feed, larger;
         wcut_sheet_prolonged(sheet, u, v, &wire, &feed);
+        if (wire < rounding) wire = 0; /* a wire drawn onto the block's side ends there */
+        if (feed < rounding) feed = 0;
         if (g->at[k].z > height[0] && g->at[k].z < height[1]) {
             skin->wire = fmax(skin->wire, wire);
             if (v < sheet->first[1]) skin->entry = fmax(skin->entry, feed);

@@ -2,7 +2,6 @@
    loop runs the other way. */
 #include "solid/solid_brep.h"
 
-#include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <wirecut/edit.h>
@@ -23,13 +22,15 @@ enum {
     KEY_FACES = 3,
     KEY_LOOPS = 4, /* the hole, two flanks, the tip */
     KEY_COEDGES = 12,
-    ARC_CONTROL = 5
+    ARC_DEGREE = 3,
+    ARC_CONTROL = 4
 };
 
-/* half a circle as two quarters: control points on the square around it, weighted by cos 45 deg */
-static const double arc_knots[ARC_CONTROL + 3] = {0, 0, 0, 0.5, 0.5, 1, 1, 1};
-static const double arc_x[2][ARC_CONTROL] = {{1, 1, 0, -1, -1}, {-1, -1, 0, 1, 1}};
-static const double arc_y[2][ARC_CONTROL] = {{0, 1, 1, 1, 0}, {0, -1, -1, -1, 0}};
+/* half a circle as one rational cubic */
+static const double arc_knots[ARC_CONTROL + 4] = {0, 0, 0, 0, 1, 1, 1, 1};
+static const double arc_x[2][ARC_CONTROL] = {{1, 1, -1, -1}, {-1, -1, 1, 1}};
+static const double arc_y[2][ARC_CONTROL] = {{0, 2, 2, 0}, {0, -2, -2, 0}};
+static const double arc_weight[ARC_CONTROL] = {1, 1.0 / 3, 1.0 / 3, 1};
 static const double line_knots[4] = {0, 0, 1, 1};
 
 void wcut_brep_destroy(wcut_brep *brep) {
@@ -141,7 +142,7 @@ static wcut_status add_block_faces(wcut_brep *b, bool upper, const wcut_surface 
 static void arc_control(const wcut_key *key, int half, double radius, double z, wcut_vec3 *control, double *weight) {
     for (int i = 0; i < ARC_CONTROL; i++) {
         control[i] = vec3(key->x + radius * arc_x[half][i], key->y + radius * arc_y[half][i], z);
-        weight[i] = i % 2 ? sqrt(0.5) : 1;
+        weight[i] = arc_weight[i];
     }
 }
 
@@ -157,7 +158,8 @@ static wcut_status add_key_edges(wcut_brep *b, int k, const wcut_key *key, doubl
             b->vertex[v + 2 * end + half] = control[0];
             wcut_brep_edge *arc = &b->edge[e + 2 * end + half];
             *arc = (wcut_brep_edge){.from = v + 2 * end + half, .to = v + 2 * end + 1 - half};
-            const wcut_status status = wcut_curve_create(2, ARC_CONTROL, arc_knots, control, weight, &arc->curve);
+            const wcut_status status =
+                wcut_curve_create(ARC_DEGREE, ARC_CONTROL, arc_knots, control, weight, &arc->curve);
             if (status != WCUT_OK) return status;
         }
     for (int half = 0; half < 2; half++) b->edge[e + 4 + half] = (wcut_brep_edge){.from = v + half, .to = v + 2 + half};
@@ -172,7 +174,7 @@ static wcut_status add_key_flank(wcut_brep *b, bool upper, int half, int e, cons
     arc_control(key, half, key->tip_radius, level + wcut_key_rise(key), control + ARC_CONTROL, weight + ARC_CONTROL);
     wcut_surface *flank;
     const wcut_status status =
-        wcut_surface_create(2, 1, ARC_CONTROL, 2, arc_knots, line_knots, control, weight, &flank);
+        wcut_surface_create(ARC_DEGREE, 1, ARC_CONTROL, 2, arc_knots, line_knots, control, weight, &flank);
     if (status != WCUT_OK) return status;
     add_face(b, !upper, WCUT_PART_KEY_FLANK, flank, vec3(0, 0, 0), vec3(0, 0, 0));
     const int around[4] = {e + 1 + half, e + 5 + 1 - half, -(e + 3 + half), -(e + 5 + half)};

@@ -1,0 +1,367 @@
+/* wirecut mould: a job file to the two halves of its block, as triangles and exact faces. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <wirecut/wirecut.h>
+
+#include "angle.h"
+#include "command.h"
+#include "report_mould.h"
+#include "results.h"
+#include "terminal.h"
+
+/* Sections nearer than a job's own rounding of its coordinates are one section. */
+#define MERGE_MM 1e-3
+
+enum { LABEL_MAX = 40, FORMATS = 5, STEP = 4, HALF_FILES = 2 * FORMATS, PAIR = HALF_FILES, NAMES };
+
+static const char *const format[FORMATS] = {"stl", "obj", "ply", "3mf", "step"};
+
+typedef struct moulding {
+    const app_call *call;
+    const char *path; /* of the job */
+    wcut_job *job;
+    wcut_setup *setup;
+    wcut_history *history;
+    wcut_surface *surface;
+    double *parameter, *kerf; /* of the stations, of the nodes */
+    wcut_mesh *stock;
+    wcut_mould *mould;
+    char name[NAMES][APP_RESULT_NAME_MAX]; /* lower.stl .. lower.step, upper.stl .., mould.3mf, with the label */
+    char solid[2][512];                    /* what CAD programs show */
+    app_results results;
+} moulding;
+
+/* ---- names ---- */
+
+static int name_results(moulding *m) {
+    static const char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
+    const char *label = app_given(m->call, "label") ? app_text(m->call, "label") : NULL;
+    if (label && (!label[0] || strlen(label) > LABEL_MAX || label[0] == '.' || label[strspn(label, letters)]))
+        return app_fail(APP_USAGE,
+                        "--label: expected 1 to %d letters, digits, dots, dashes or underscores, not a dot first",
+                        LABEL_MAX);
+    const char *before = label ? label : "", *dash = label ? "-" : "";
+    for (int upper = 0; upper < 2; upper++) {
+        const char *half = upper ? "upper" : "lower";
+        for (int f = 0; f < FORMATS; f++)
+            snprintf(m->name[upper * FORMATS + f], APP_RESULT_NAME_MAX, "%s%s%s.%s", before, dash, half, format[f]);
+        snprintf(m->solid[upper], sizeof m->solid[upper], "%.400s %s", label ? label : m->job->name, half);
+    }
+    snprintf(m->name[PAIR], APP_RESULT_NAME_MAX, "%s%smould.3mf", before, dash);
+    return APP_DONE;
+}
+
+/* ---- the cut ---- */
+
+static int load(moulding *m) {
+    wcut_error error = {0};
+    wcut_status status = wcut_job_read(m->path, &m->job, &error);
+    if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : m->path, &error);
+    if (app_given(m->call, "nodes")) m->job->nodes = app_int(m->call, "nodes");
+    if (app_given(m->call, "stations")) {
+        status = wcut_job_resample(m->job, app_int(m->call, "stations"));
+        if (status != WCUT_OK) return app_fail_status(status, m->path, NULL);
+    }
+    if (app_given(m->call, "stock")) {
+        const char *path = app_text(m->call, "stock");
+        status = wcut_mesh_read(path, NULL, &m->stock, NULL, &error);
+        if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : path, &error);
+    }
+    status = wcut_setup_create(m->job, NULL, &m->setup, &error);
+    return status == WCUT_OK ? APP_DONE : app_fail_status(status, m->path, &error);
+}
+
+/* a block is divided by a whole cut, or not at all */
+static int run(moulding *m) {
+    wcut_error error = {0};
+    app_progress progress = app_progress_begin(app_given(m->call, "quiet"));
+    const wcut_status status = wcut_setup_run(m->setup, app_progress_step, &progress, &m->history, &error);
+    app_progress_end(&progress);
+    if (status == WCUT_INTERRUPTED) return app_fail(APP_INTERRUPTED, "%s: interrupted", m->path);
+    return status == WCUT_OK ? APP_DONE : app_fail_status(status, m->path, &error);
+}
+
+static int loft(moulding *m) {
+    const wcut_history *h = m->history;
+    m->parameter = calloc((size_t)h->stations, sizeof *m->parameter);
+    m->kerf = calloc((size_t)h->stations * (size_t)h->nodes, sizeof *m->kerf);
+    wcut_status status = m->parameter && m->kerf ? WCUT_OK : WCUT_NO_MEMORY;
+    if (status == WCUT_OK)
+        status = wcut_surface_loft(h->stations, h->nodes, h->position, MERGE_MM, &m->surface, m->parameter, NULL);
+    if (status == WCUT_OK) status = wcut_history_kerf(m->job, h, m->kerf);
+    if (status == WCUT_OK) return APP_DONE;
+    return app_fail(app_exit_code(status), "%s: lofting the surface: %s", m->path, wcut_status_text(status));
+}
+
+static int divide(moulding *m) {
+    wcut_error error = {0};
+    wcut_key key[WCUT_KEYS_AT_CORNERS];
+    wcut_mould_options o = wcut_mould_default();
+    const int keys = app_choice(m->call, "keys");
+    o.chord_tolerance = app_real(m->call, "chord-tolerance");
+    o.fit_tolerance = app_real(m->call, "fit-tolerance");
+    o.prolong = app_real(m->call, "prolong");
+    o.kerf_stations = m->history->stations, o.kerf_nodes = m->history->nodes;
+    o.kerf_parameter = m->parameter, o.kerf_field = m->kerf;
+    o.scale = app_real(m->call, "scale");
+    o.wire_diameter = m->job->wire_diameter;
+    o.wall_asked = app_real(m->call, "minimum-wall");
+    if (app_given(m->call, "minimum-draft")) o.draft_asked = app_real(m->call, "minimum-draft") * RAD_PER_DEG;
+    o.stock = m->stock;
+    if (keys > 0) {
+        const double height = app_real(m->call, "key-height");
+        const wcut_status status = wcut_keys_at_corners(m->job->block_size, app_real(m->call, "key-radius"),
+                                                        keys == 1 ? -height : height, key);
+        if (status != WCUT_OK)
+            return app_fail(APP_USAGE, "--key-height: a key of that radius ends in a point before that height");
+        o.key = key, o.key_count = WCUT_KEYS_AT_CORNERS;
+    }
+    const wcut_status status = wcut_mould_create(m->surface, m->job->block_size, &o, &m->mould, &error);
+    return status == WCUT_OK ? APP_DONE : app_fail_status(status, m->path, &error);
+}
+
+/* ---- the files ---- */
+
+static wcut_status write_half(const moulding *m, int upper, int f, const char *path, wcut_error *error) {
+    const wcut_half *half = upper ? &m->mould->upper : &m->mould->lower;
+    const wcut_mesh *mesh = half->mesh;
+    const char *name = m->solid[upper];
+    const wcut_shape shape = {.name = name, .solid = half->brep};
+    switch (f) {
+        case 0:
+            return wcut_mesh_write_stl(mesh, path, error);
+        case 1:
+            return wcut_mesh_write_obj(mesh, path, error);
+        case 2:
+            return wcut_mesh_write_ply(mesh, NULL, path, error);
+        case 3:
+            return wcut_mesh_write_3mf(1, &mesh, &name, path, error);
+        default:
+            return wcut_step_write(1, &shape, WCUT_STEP_AP214, path, error);
+    }
+}
+
+static int write_halves(moulding *m) {
+    wcut_error error = {0};
+    for (int k = 0; k < HALF_FILES; k++) {
+        const int upper = k / FORMATS, f = k % FORMATS;
+        if (f == STEP && m->mould->by_boolean) continue; /* triangles alone: there are no exact faces */
+        const wcut_status status = write_half(m, upper, f, app_results_path(&m->results, m->name[k]), &error);
+        const int code = app_results_add(&m->results, m->name[k], status, &error);
+        if (code != APP_DONE) return code;
+    }
+    const wcut_mesh *const both[2] = {m->mould->lower.mesh, m->mould->upper.mesh};
+    const char *const name[2] = {m->solid[0], m->solid[1]};
+    const wcut_status status = wcut_mesh_write_3mf(2, both, name, app_results_path(&m->results, m->name[PAIR]), &error);
+    return app_results_add(&m->results, m->name[PAIR], status, &error);
+}
+
+static int write_report(moulding *m) {
+    wcut_error error = {0};
+    const char *name = "report.html";
+    const app_moulded run = {.job_path = m->path,
+                             .stock_path = app_given(m->call, "stock") ? app_text(m->call, "stock") : NULL,
+                             .chord_tolerance = app_real(m->call, "chord-tolerance"),
+                             .fit_tolerance = app_real(m->call, "fit-tolerance"),
+                             .prolong = app_real(m->call, "prolong")};
+    const wcut_status status =
+        app_report_mould(&run, m->job, m->history, m->mould, app_results_path(&m->results, name), &error);
+    return app_results_add(&m->results, name, status, &error);
+}
+
+/* last, because it vouches for the others; it names itself too */
+static int write_figures(moulding *m) {
+    wcut_error error = {0};
+    app_results *r = &m->results;
+    app_results_add(r, "mould.json", WCUT_OK, NULL);
+    const wcut_status status =
+        wcut_mould_write(m->mould, m->job->name, r->count, r->name, app_results_path(r, "mould.json"), &error);
+    if (status == WCUT_OK) return APP_DONE;
+    r->count--;
+    return app_fail_status(status, NULL, &error);
+}
+
+static int write_results(moulding *m) {
+    const char *name[NAMES + 1] = {NULL};
+    for (int k = 0; k < NAMES; k++) name[k] = m->name[k];
+    int code = app_results_remove(&m->results, "mould.json");
+    if (code == APP_DONE) code = write_halves(m);
+    if (code == APP_DONE) code = write_report(m);
+    if (code == APP_DONE) code = app_results_prune(&m->results, name);
+    if (code == APP_DONE) code = write_figures(m);
+    return code;
+}
+
+/* ---- the answer ---- */
+
+static void say_half(const char *name, const wcut_half_report *r) {
+    app_say("%s: %.6g mm3, closed, %d piece%s; draft at least %.3g deg, undercut %.4g mm2", name, r->volume, r->pieces,
+            r->pieces == 1 ? "" : "s", DEG_PER_RAD * r->draft_min, r->undercut_area);
+}
+
+static void say_mould(const moulding *m) {
+    const wcut_mould *d = m->mould;
+    say_half("lower", &d->lower.report);
+    say_half("upper", &d->upper.report);
+    app_say("halves and kerf are the block to %.1e of its volume", d->volume_error);
+    if (d->prolonged_entry > 0 || d->prolonged_exit > 0 || d->prolonged_side > 0)
+        app_say(
+            "the cut was continued straight: %.3g mm where it begins, %.3g mm where it ends, %.3g mm at the wire's "
+            "ends",
+            d->prolonged_entry, d->prolonged_exit, d->prolonged_side);
+    if (d->by_boolean)
+        app_say("no STEP files: %s, the halves are triangles alone",
+                m->stock ? "of a stock" : "the cut leaves through top or bottom");
+    app_say("in %s: %s", m->results.folder, app_results_list(&m->results));
+}
+
+static int give(const moulding *m) {
+    char *text = NULL;
+    const wcut_status status = wcut_mould_print(m->mould, m->job->name, m->results.count, m->results.name, &text);
+    if (status != WCUT_OK) return app_fail_status(status, m->path, NULL);
+    if (!app_given(m->call, "quiet")) say_mould(m);
+    if (app_given(m->call, "json")) fputs(text, stdout);
+    free(text);
+    const wcut_half_report *half[2] = {&m->mould->lower.report, &m->mould->upper.report};
+    for (int k = 0; k < 2; k++) {
+        const char *name = k ? "upper" : "lower";
+        if (!half[k]->wall_held)
+            return app_fail(APP_OUTSIDE, "the %s half's wall is %.4g mm, asked for were %.4g mm", name,
+                            half[k]->wall_min, m->mould->wall_asked);
+        if (!half[k]->draft_held)
+            return app_fail(APP_OUTSIDE, "the %s half's draft is %.4g deg, asked for were %.4g deg", name,
+                            DEG_PER_RAD * half[k]->draft_min, DEG_PER_RAD * m->mould->draft_asked);
+    }
+    return APP_DONE;
+}
+
+static int mould(const app_call *call) {
+    moulding m = {.call = call, .path = call->operand[0]};
+    int code = load(&m);
+    if (code == APP_DONE) code = name_results(&m);
+    if (code == APP_DONE) code = app_results_begin(&m.results, app_text(call, "output"));
+    if (code == APP_DONE) {
+        app_catch_interrupts();
+        code = run(&m);
+    }
+    if (code == APP_DONE) code = loft(&m);
+    if (code == APP_DONE) code = divide(&m);
+    if (code == APP_DONE) code = write_results(&m);
+    if (code == APP_DONE) code = give(&m);
+    wcut_mould_destroy(m.mould);
+    wcut_mesh_destroy(m.stock);
+    free(m.kerf);
+    free(m.parameter);
+    wcut_surface_destroy(m.surface);
+    wcut_history_destroy(m.history);
+    wcut_setup_destroy(m.setup);
+    wcut_job_destroy(m.job);
+    return code;
+}
+
+/* ---- the table ---- */
+
+static const app_operand operand[] = {
+    {.name = "JOB", .kind = APP_FILE, .help = "a job file, wirecut-job/1"},
+    {.name = NULL},
+};
+
+static const app_option option[] = {
+    APP_OPTION_OUTPUT,
+    {.kind = APP_INT,
+     .name = "stations",
+     .value = "N",
+     .low = 2,
+     .high = 1000000,
+     .help = "stations along the path instead of the job's"},
+    {.kind = APP_INT,
+     .name = "nodes",
+     .value = "N",
+     .low = 3,
+     .high = 100000,
+     .help = "nodes along the wire instead of the job's"},
+    {.kind = APP_REAL,
+     .name = "chord-tolerance",
+     .value = "MM",
+     .low = 1e-4,
+     .high = 1e3,
+     .standard = "0.1",
+     .help = "largest distance between triangles and surface, mm"},
+    {.kind = APP_REAL,
+     .name = "fit-tolerance",
+     .value = "MM",
+     .low = 1e-5,
+     .high = 10,
+     .standard = "0.005",
+     .help = "largest distance between the exact cut face and the wire's surface, mm"},
+    {.kind = APP_REAL,
+     .name = "prolong",
+     .value = "MM",
+     .low = 0,
+     .high = 1e6,
+     .standard = "100",
+     .help = "how far the cut may be continued straight where it ends inside the block, mm"},
+    {.kind = APP_FILE, .name = "stock", .value = "MESH", .help = "a closed mesh inside the block, cut in its place"},
+    {.kind = APP_CHOICE,
+     .name = "keys",
+     .value = "none|pockets|cones",
+     .standard = "none",
+     .help = "registration keys on the faces that are not cut: three each, near the corners"},
+    {.kind = APP_REAL,
+     .name = "key-radius",
+     .value = "MM",
+     .low = 0.1,
+     .high = 1e4,
+     .standard = "15",
+     .help = "radius of a key on its face, mm"},
+    {.kind = APP_REAL,
+     .name = "key-height",
+     .value = "MM",
+     .low = 0.1,
+     .high = 1e4,
+     .standard = "12",
+     .help = "height of a cone or depth of a pocket, mm; flanks lean by 20 deg"},
+    {.kind = APP_REAL,
+     .name = "scale",
+     .value = "FACTOR",
+     .low = 0.5,
+     .high = 2,
+     .standard = "1",
+     .help = "size of the halves, to allow for the shrinkage of what is cast"},
+    {.kind = APP_REAL,
+     .name = "minimum-wall",
+     .value = "MM",
+     .low = 0,
+     .high = 1e6,
+     .standard = "0",
+     .help = "least thickness of a half, mm; where it is less the command ends with 5"},
+    {.kind = APP_REAL,
+     .name = "minimum-draft",
+     .value = "DEG",
+     .low = -90,
+     .high = 90,
+     .help = "least angle between cut face and the direction of the pull, z; where it is less the command ends with 5"},
+    {.kind = APP_TEXT,
+     .name = "label",
+     .value = "NAME",
+     .help = "begins the names of files and solids instead of the job's name"},
+    APP_OPTIONS_OF_ALL,
+};
+
+const app_verb app_verb_mould = {
+    .name = "mould",
+    .brief = "divide a job's block along its cut into two closed solids",
+    .about =
+        "Cuts a job in simulation and divides its block along the surface, with the job's kerf. Writes into DIR the "
+        "lower "
+        "and the upper half, each as lower.stl, .obj, .ply, .3mf and .step (a closed solid of exact faces), mould.3mf "
+        "(both), report.html (both to turn, with their drafts) and mould.json: volumes, walls, drafts, and the proof "
+        "that both are closed, oriented and free of self-intersections.\n"
+        "Where the cut leaves through top or bottom, and for a stock, halves are triangles alone. A cut that misses "
+        "the "
+        "block, grazes a face, runs along an edge, folds over itself or ends inside is refused with its place.",
+    .operand = operand,
+    .option = option,
+    .run = mould,
+};

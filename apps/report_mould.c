@@ -1,0 +1,192 @@
+/* The page of a divided block: both halves to turn, coloured by their draft, and what they measure. */
+#include "report_mould.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "angle.h"
+
+enum { ROWS = 12 };
+
+/* everything the page borrows */
+typedef struct page {
+    const app_moulded *run;
+    const wcut_job *job;
+    const wcut_history *history;
+    const wcut_mould *mould;
+    double *draft[2]; /* of the halves' vertices [deg] */
+    char verdict[512], block[96], hash[2][WCUT_SHA256_TEXT];
+} page;
+
+static const wcut_half *half_of(const page *p, int upper) { return upper ? &p->mould->upper : &p->mould->lower; }
+
+/* ---- what is copied ---- */
+
+static wcut_status fill_drafts(page *p) {
+    for (int upper = 0; upper < 2; upper++) {
+        const wcut_half *half = half_of(p, upper);
+        const int count = half->mesh->vertex_count;
+        p->draft[upper] = calloc((size_t)count, sizeof(double));
+        if (!p->draft[upper]) return WCUT_NO_MEMORY;
+        for (int v = 0; v < count; v++) p->draft[upper][v] = DEG_PER_RAD * half->draft[v];
+    }
+    return WCUT_OK;
+}
+
+/* one that came through a pipe cannot be read once more: the page then has a dash for its hash */
+static wcut_status hash(const char *path, char *text, wcut_error *error) {
+    const wcut_status status = path ? wcut_file_hash(path, text, error) : WCUT_OK;
+    return status == WCUT_NOT_FOUND ? WCUT_OK : status;
+}
+
+/* ---- what is said ---- */
+
+static wcut_report_tone judge(page *p) {
+    const wcut_mould *m = p->mould;
+    const wcut_half_report *a = &m->lower.report, *b = &m->upper.report;
+    const double prolonged = fmax(m->prolonged_entry, fmax(m->prolonged_exit, m->prolonged_side));
+    const char *halves = "Two closed solids, free of self-intersections, whose volumes add up to the block";
+    if (!a->wall_held || !b->wall_held || !a->draft_held || !b->draft_held) {
+        snprintf(p->verdict, sizeof p->verdict, "%s, but a wall or a draft is less than was asked for.", halves);
+        return WCUT_TONE_BAD;
+    }
+    if (a->undercut_area > 0 || b->undercut_area > 0) {
+        snprintf(
+            p->verdict, sizeof p->verdict,
+            "%s, but %.4g mm\xc2\xb2 of the lower half and %.4g mm\xc2\xb2 of the upper half hold on to what is cast.",
+            halves, a->undercut_area, b->undercut_area);
+        return WCUT_TONE_WARNING;
+    }
+    if (m->radius_min < m->wire_radius) {
+        snprintf(p->verdict, sizeof p->verdict, "%s, but the cut bends to a radius of %.3g mm, less than the wire's.",
+                 halves, m->radius_min);
+        return WCUT_TONE_WARNING;
+    }
+    if (prolonged > 0) {
+        snprintf(p->verdict, sizeof p->verdict,
+                 "%s. The cut ends inside it and was continued straight by up to %.3g mm.", halves, prolonged);
+        return WCUT_TONE_PLAIN;
+    }
+    snprintf(p->verdict, sizeof p->verdict, "%s.", halves);
+    return WCUT_TONE_GOOD;
+}
+
+/* figures of both halves side by side */
+static wcut_report_table table_of_halves(const page *p, double number[2][ROWS], wcut_report_column column[4]) {
+    static const char *const what[ROWS] = {"volume",      "skin",        "cut face",      "undercut",
+                                           "least draft", "least wall",  "keys",          "triangles",
+                                           "pieces",      "exact faces", "height, least", "height, greatest"};
+    static const char *const unit[ROWS] = {"mm\xc2\xb3", "mm\xc2\xb2", "mm\xc2\xb2", "mm\xc2\xb2", "deg", "mm",
+                                           "mm\xc2\xb3", "",           "",           "",           "mm",  "mm"};
+    for (int k = 0; k < 2; k++) {
+        const wcut_half *h = half_of(p, k);
+        const wcut_half_report *r = &h->report;
+        const double value[ROWS] = {r->volume,
+                                    r->area,
+                                    r->cut_area,
+                                    r->undercut_area,
+                                    DEG_PER_RAD * r->draft_min,
+                                    r->wall_min,
+                                    r->key_volume,
+                                    h->mesh->triangle_count,
+                                    r->pieces,
+                                    h->brep ? (double)h->brep->face_count : (double)NAN,
+                                    r->box_low.z,
+                                    r->box_high.z};
+        for (int i = 0; i < ROWS; i++) number[k][i] = value[i];
+    }
+    column[0] = (wcut_report_column){.label = "figure", .text = what};
+    column[1] = (wcut_report_column){.label = "unit", .text = unit};
+    column[2] = (wcut_report_column){.label = "lower half", .number = number[0]};
+    column[3] = (wcut_report_column){.label = "upper half", .number = number[1]};
+    return (wcut_report_table){.title = "The halves",
+                               .note = p->mould->by_boolean ? "Made by booleans: triangles alone." : NULL,
+                               .rows = ROWS,
+                               .columns = 4,
+                               .column = column};
+}
+
+/* ---- the page ---- */
+
+static wcut_status write_page(page *p, const wcut_report_scene *scene, const char *path, wcut_error *error) {
+    const wcut_job *job = p->job;
+    const wcut_mould *m = p->mould;
+    double number[2][ROWS];
+    wcut_report_column column[4];
+    const wcut_report_table table = table_of_halves(p, number, column);
+    const wcut_report_section section = {.title = "What the halves measure", .table_count = 1, .table = &table};
+    snprintf(p->block, sizeof p->block, "%g \xc3\x97 %g \xc3\x97 %g", job->block_size.x, job->block_size.y,
+             job->block_size.z);
+    const double radius = isfinite(m->radius_min) && m->radius_min < 1e9 ? m->radius_min : NAN;
+    const wcut_report_fact fact[] = {{"block, x by y by z", p->block, 0, "mm"},
+                                     {"lower half", NULL, m->lower.report.volume, "mm\xc2\xb3"},
+                                     {"upper half", NULL, m->upper.report.volume, "mm\xc2\xb3"},
+                                     {"kerf", NULL, m->kerf_volume, "mm\xc2\xb3"},
+                                     {"volumes off by, of the block's", NULL, m->volume_error, ""},
+                                     {"kerf's width, least", NULL, m->kerf_min, "mm"},
+                                     {"kerf's width, greatest", NULL, m->kerf_max, "mm"},
+                                     {"exact face from the wire's surface", NULL, m->fit_error, "mm"},
+                                     {"triangles from the exact face", NULL, m->chord_error, "mm"},
+                                     {"continued where the cut begins", NULL, m->prolonged_entry, "mm"},
+                                     {"continued where it ends", NULL, m->prolonged_exit, "mm"},
+                                     {"continued at the wire's ends", NULL, m->prolonged_side, "mm"},
+                                     {"least radius of the cut", NULL, radius, "mm"},
+                                     {"radius of the wire", NULL, m->wire_radius, "mm"}};
+    const wcut_report_fact option[] = {{"chord tolerance", NULL, p->run->chord_tolerance, "mm"},
+                                       {"fit tolerance", NULL, p->run->fit_tolerance, "mm"},
+                                       {"may be continued by", NULL, p->run->prolong, "mm"},
+                                       {"scale", NULL, m->scale, ""},
+                                       {"least wall asked for", NULL, m->wall_asked, "mm"},
+                                       {"least draft asked for", NULL, DEG_PER_RAD * m->draft_asked, "deg"}};
+    const wcut_report_source source[] = {{"job", p->run->job_path, p->hash[0][0] ? p->hash[0] : NULL},
+                                         {"stock", p->run->stock_path, p->hash[1][0] ? p->hash[1] : NULL}};
+    const wcut_report report = {.verb = "mould",
+                                .title = job->name ? job->name : p->run->job_path,
+                                .tone = judge(p),
+                                .verdict = p->verdict,
+                                .fact_count = sizeof fact / sizeof *fact,
+                                .fact = fact,
+                                .scene = scene,
+                                .section_count = 1,
+                                .section = &section,
+                                .source_count = p->run->stock_path ? 2 : 1,
+                                .source = source,
+                                .option_count = sizeof option / sizeof *option,
+                                .option = option};
+    return wcut_report_write(&report, path, error);
+}
+
+wcut_status app_report_mould(const app_moulded *run, const wcut_job *job, const wcut_history *history,
+                             const wcut_mould *mould, const char *path, wcut_error *error) {
+    page p = {.run = run, .job = job, .history = history, .mould = mould};
+    wcut_status status = fill_drafts(&p);
+    if (!status) status = hash(run->job_path, p.hash[0], error);
+    if (!status) status = hash(run->stock_path, p.hash[1], error);
+    if (!status) {
+        wcut_report_field field[2];
+        wcut_report_shape shape[2];
+        for (int k = 0; k < 2; k++) {
+            const wcut_mesh *mesh = half_of(&p, k)->mesh;
+            field[k] = (wcut_report_field){"draft of the cut face", "deg", WCUT_SCALE_SEQUENTIAL, 0, p.draft[k]};
+            shape[k] = (wcut_report_shape){.name = k ? "upper half" : "lower half",
+                                           .vertex_count = mesh->vertex_count,
+                                           .vertex = mesh->vertex,
+                                           .triangle_count = mesh->triangle_count,
+                                           .triangle = mesh->triangle,
+                                           .field_count = 1,
+                                           .field = &field[k]};
+        }
+        const double f = mould->scale;
+        const wcut_report_scene scene = {
+            .title = "The halves",
+            .note = "Grey: faces that the wire does not cut.",
+            .block_size = {f * job->block_size.x, f * job->block_size.y, f * job->block_size.z},
+            .shape_count = 2,
+            .shape = shape};
+        status = write_page(&p, &scene, path, error);
+    }
+    free(p.draft[1]);
+    free(p.draft[0]);
+    return status;
+}
