@@ -183,14 +183,15 @@ static wcut_report_table fit_table(page *p, const char *title, const char *note,
     wcut_report_table table = {.title = title, .note = note, .columns = with_bias ? 6 : 5, .column = c};
     const char **name = c ? texts(p, &c[0], "channel", WCUT_EVIDENCE_COUNT) : NULL;
     const char **interval = c ? texts(p, &c[WCUT_FIT_MODELS + 1], "95 % after", WCUT_EVIDENCE_COUNT) : NULL;
-    double *number[WCUT_FIT_MODELS] = {NULL};
-    for (int m = 0; c && m < WCUT_FIT_MODELS; m++) number[m] = numbers(p, &c[m + 1], label[m], "", WCUT_EVIDENCE_COUNT);
-    if (p->memory.failed) return table;
+    double *number = app_take(&p->memory, (size_t)WCUT_FIT_MODELS * WCUT_EVIDENCE_COUNT, sizeof *number);
+    if (!c || !name || !interval || !number) return table;
+    for (int m = 0; m < WCUT_FIT_MODELS; m++)
+        c[m + 1] = (wcut_report_column){.label = label[m], .number = number + (size_t)m * WCUT_EVIDENCE_COUNT};
     for (int k = 0; k < WCUT_EVIDENCE_COUNT; k++) {
         const int r = table.rows;
         bool there = false;
         for (int m = 0; m < WCUT_FIT_MODELS; m++) {
-            number[m][r] = figure_of(&fit[m][k], with_bias);
+            number[m * WCUT_EVIDENCE_COUNT + r] = figure_of(&fit[m][k], with_bias);
             there = there || fit[m][k].count > 0;
         }
         if (!there) continue;

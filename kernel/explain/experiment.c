@@ -127,14 +127,14 @@ static wcut_status make_candidate(candidate which, wcut_job *job, wcut_schedule 
 /* ---- runs ---- */
 
 static bool add_effects(wcut_job *job, int count, const wcut_effect *effect) {
-    const size_t all = (size_t)(job->effect_count + count);
-    wcut_effect *list = wcut_alloc(all, sizeof *list);
+    const int all = job->effect_count + count;
+    wcut_effect *list = wcut_alloc((size_t)all, sizeof *list);
     if (!list) return false;
     if (job->effect_count > 0) memcpy(list, job->effect, (size_t)job->effect_count * sizeof *list);
     if (count > 0) memcpy(list + job->effect_count, effect, (size_t)count * sizeof *list);
     wcut_free(job->effect);
     job->effect = list;
-    job->effect_count = (int)all;
+    job->effect_count = all;
     return true;
 }
 

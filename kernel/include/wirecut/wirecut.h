@@ -16,6 +16,7 @@
 #include <wirecut/cut.h>
 #include <wirecut/deviation.h>
 #include <wirecut/deviation_file.h>
+#include <wirecut/diagnosis.h>
 #include <wirecut/edit.h>
 #include <wirecut/effects.h>
 #include <wirecut/equilibrium.h>
