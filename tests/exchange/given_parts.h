@@ -108,7 +108,7 @@ static inline wcut_surface *given_cylinder(void) {
     return s;
 }
 
-/* a wire's stations: 41 sections of 31 nodes */
+/* a wire's stations across the block [0, 400] x [0, 600] x [0, 200] */
 static inline wcut_surface *given_loft(int stations, int nodes) {
     wcut_vec3 *node = calloc((size_t)stations * (size_t)nodes, sizeof *node);
     wcut_surface *s = NULL;
@@ -116,7 +116,7 @@ static inline wcut_surface *given_loft(int stations, int nodes) {
         for (int i = 0; i < nodes; i++) {
             const double u = (double)i / (nodes - 1), v = (double)j / (stations - 1);
             node[(size_t)j * (size_t)nodes + (size_t)i] =
-                (wcut_vec3){420 * u - 10, 620 * v - 10 - 30 * sin(3 * u), 100 + 30 * sin(4 * u + v) * cos(5 * v)};
+                (wcut_vec3){420 * u - 10, 660 * v - 10 - 30 * sin(3 * u), 100 + 30 * sin(4 * u + v) * cos(5 * v)};
         }
     if (wcut_surface_loft(stations, nodes, node, 1e-3, &s, NULL, NULL) != WCUT_OK) abort();
     free(node);

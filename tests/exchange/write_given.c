@@ -80,6 +80,52 @@ static void write_solids(FILE *file) {
     given_solid_destroy(&lower);
 }
 
+/* both halves of a cut block with keys, exactly and as triangles, and the surface's colours */
+static void write_mould(FILE *file) {
+    static const wcut_key key[] = {{0, 60, 60, 15, 10, 12}, {0, 340, 540, 15, 10, -12}, {1, 340, 60, 15, 10, 12}};
+    wcut_surface *loft = given_loft(41, 31);
+    wcut_mould *mould = NULL;
+    wcut_mould_options options = wcut_mould_default();
+    options.key_count = 3;
+    options.key = key;
+    must(wcut_mould_create(loft, (wcut_vec3){400, 600, 200}, &options, &mould, &error));
+    const wcut_shape both[] = {{"lower", mould->lower.brep, NULL, NULL}, {"upper", mould->upper.brep, NULL, NULL}};
+    must(wcut_step_write(2, both, WCUT_STEP_AP214, "mould.step", &error));
+    const wcut_mesh *mesh[] = {mould->lower.mesh, mould->upper.mesh};
+    static const char *const name[] = {"lower", "upper"};
+    must(wcut_mesh_write_3mf(2, mesh, name, "mould.3mf", &error));
+    for (int k = 0; k < 2; k++) {
+        static const char *const target[][4] = {{"lower.stl", "lower.ply", "lower.obj", "lower.glb"},
+                                                {"upper.stl", "upper.ply", "upper.obj", "upper.glb"}};
+        must(wcut_mesh_write_stl(mesh[k], target[k][0], &error));
+        must(wcut_mesh_write_ply(mesh[k], "value", target[k][1], &error));
+        must(wcut_mesh_write_obj(mesh[k], target[k][2], &error));
+        must(wcut_mesh_write_glb(mesh[k], target[k][3], &error));
+        const wcut_half_report *r = k ? &mould->upper.report : &mould->lower.report;
+        fprintf(file, " \"%s\": {\"triangles\": %d, \"vertices\": %d, ", name[k], mesh[k]->triangle_count,
+                mesh[k]->vertex_count);
+        put_number(file, "\"volume\": ", r->volume);
+        put_number(file, ", \"area\": ", r->area);
+        put_number(file, ", \"low\": [", r->box_low.x);
+        put_number(file, ",", r->box_low.y);
+        put_number(file, ",", r->box_low.z);
+        put_number(file, "], \"high\": [", r->box_high.x);
+        put_number(file, ",", r->box_high.y);
+        put_number(file, ",", r->box_high.z);
+        fputs("]},\n", file);
+    }
+    put_number(file, " \"mould\": {\"block\": ", mould->block_volume);
+    double keys = 0; /* exactly, where the report's are those of the triangles */
+    for (int k = 0; k < 3; k++) {
+        const double r = key[k].radius, tip = key[k].tip_radius;
+        keys += acos(-1) * key[k].height / 3 * (r * r + r * tip + tip * tip);
+    }
+    put_number(file, ", \"keys\": ", keys);
+    fputs("},\n", file);
+    wcut_mould_destroy(mould);
+    wcut_surface_destroy(loft);
+}
+
 int main(int argc, char **argv) {
     if (argc < 2 || chdir(argv[1]) != 0) return 2;
     if (argc > 2 && !setlocale(LC_ALL, argv[2])) return 2;
@@ -88,6 +134,7 @@ int main(int argc, char **argv) {
     fputs("{\n", file);
     write_parts(file);
     write_solids(file);
+    write_mould(file);
     fputs(" \"unit\": \"mm\"\n}\n", file);
     return fclose(file) == 0 ? 0 : 1;
 }
