@@ -8,12 +8,15 @@
 #include "base/numbers.h"
 #include "base/vec3.h"
 
-enum { NODES_FINE = WCUT_NODES_FINE, NODES_COARSE = WCUT_NODES_COARSE, ROUNDS = 4, JACOBIANS = 2 };
+enum { NODES_FINE = WCUT_NODES_FINE, NODES_COARSE = WCUT_NODES_COARSE, ROUNDS = 7, JACOBIANS = 2, ANCHORS = 4 };
 
 /* priors of what a job may have mis-set: ln a, ln b, which no table holds better than a factor of 1.6; and the wire's
-   length [mm], which a job states to a tenth of a millimetre */
-const double wcut_base_spread[WCUT_BASE] = {0.5, 0.5, 0.05};
+   length [mm], which a job states to a tenth: the rounding alone */
+const double wcut_base_spread[WCUT_BASE] = {0.5, 0.5, 0.03};
 const double wcut_base_step[WCUT_BASE] = {0.02, 0.02, 0.5};
+
+/* [standard errors] a step beyond which the columns are taken anew */
+#define FAR 4
 
 /* a scan comes with its own small registration error [mm], [rad]; a hot wire's kerf in foam is about a millimetre */
 #define SCAN_SHIFT 0.25
@@ -155,10 +158,11 @@ typedef struct fitting {
     wcut_fitted *f;
     int shared, nuisances, n; /* base and effects; of scans; both */
     double *rows;             /* (1 + shared) x rows: of the model and of each perturbed one */
-    double *at_rows;          /* rows of the evidence's own model */
-    double *measured;         /* rows: measured less predicted under the evidence's model */
-    double *column;           /* n x rows, whitened */
-    double *residual;         /* rows, whitened */
+    double *at_rows;          /* rows of the model that the anchor is of, along the exogenous trail */
+    double *measured;         /* rows: measured less predicted under the evidence's model: what is missing there */
+    double *anchor;   /* rows: measured less predicted along the recorded motion, of a model near the present one */
+    double *column;   /* n x rows, whitened */
+    double *residual; /* rows, whitened */
     double centre[WCUT_FIT_MAX], precision[WCUT_FIT_MAX];
     wcut_normal normal;
 } fitting;
@@ -202,6 +206,7 @@ static wcut_status fitting_create(const wcut_evidence *e, const wcut_model *star
     g->rows = wcut_alloc((size_t)(1 + g->shared) * rows, sizeof(double));
     g->at_rows = wcut_alloc(rows, sizeof(double));
     g->measured = wcut_alloc(rows, sizeof(double));
+    g->anchor = wcut_alloc(rows, sizeof(double));
     g->column = wcut_alloc((size_t)g->n * rows, sizeof(double));
     g->residual = wcut_alloc(rows, sizeof(double));
     f->cut_cost = wcut_alloc((size_t)e->cuts, sizeof(double));
@@ -209,8 +214,8 @@ static wcut_status fitting_create(const wcut_evidence *e, const wcut_model *star
     f->without = wcut_alloc((size_t)e->cuts * (size_t)g->shared, sizeof(double));
     f->residual = wcut_alloc(rows, sizeof(double));
     f->predicted = wcut_alloc(rows, sizeof(double));
-    if (!g->rows || !g->at_rows || !g->measured || !g->column || !g->residual || !f->cut_cost || !f->held_out ||
-        !f->without || !f->residual || !f->predicted)
+    if (!g->rows || !g->at_rows || !g->measured || !g->anchor || !g->column || !g->residual || !f->cut_cost ||
+        !f->held_out || !f->without || !f->residual || !f->predicted)
         return WCUT_NO_MEMORY;
     for (int k = 0; k < WCUT_BASE; k++) g->precision[k] = 1 / (wcut_base_spread[k] * wcut_base_spread[k]);
     for (int k = 0; k < f->count; k++)
@@ -219,6 +224,7 @@ static wcut_status fitting_create(const wcut_evidence *e, const wcut_model *star
     double *own = g->column + (size_t)g->shared * rows;
     wcut_nuisance_columns(e, own, spread);
     wcut_evidence_residual(e, g->measured);
+    memcpy(g->anchor, g->measured, rows * sizeof(double));
     for (int k = 0; k < g->nuisances; k++) {
         g->precision[g->shared + k] = 1 / (spread[k] * spread[k]);
         g->centre[g->shared + k] = k == g->nuisances - 1 ? KERF : 0;
@@ -231,6 +237,7 @@ static void fitting_destroy(fitting *g) {
     wcut_free(g->rows);
     wcut_free(g->at_rows);
     wcut_free(g->measured);
+    wcut_free(g->anchor);
     wcut_free(g->column);
     wcut_free(g->residual);
     wcut_normal_destroy(&g->normal);
@@ -289,7 +296,7 @@ static bool find_step(fitting *g, double *t, double *covariance, double *cost) {
 
 /* residual at the present x, by the difference along the exogenous trail */
 static void exogenous_residual(fitting *g) {
-    for (int i = 0; i < g->e->rows; i++) g->residual[i] = g->measured[i] - (g->rows[i] - g->at_rows[i]);
+    for (int i = 0; i < g->e->rows; i++) g->residual[i] = g->anchor[i] - (g->rows[i] - g->at_rows[i]);
     wcut_evidence_whiten(g->e, g->measured, g->residual, g->residual);
 }
 
@@ -330,18 +337,18 @@ static wcut_status present_rows(fitting *g, wcut_error *error) {
     return status;
 }
 
-/* Gauss-Newton along the exogenous trail: columns anew for the first rounds, then the last ones again */
+/* Gauss-Newton along the exogenous trail: columns anew while the steps are long, then the last ones again */
 static wcut_status iterate(fitting *g, double *covariance, wcut_error *error) {
-    double t[WCUT_FIT_MAX], from[WCUT_FIT_MAX], cost = 0, before = HUGE_VAL;
-    wcut_status status = wcut_models_rows(g->e, 1, &g->e->at, g->at_rows, error);
+    double t[WCUT_FIT_MAX], from[WCUT_FIT_MAX], cost = 0, before = HUGE_VAL, longest = 0;
+    wcut_status status = WCUT_OK;
     for (int round = 0; status == WCUT_OK && round < ROUNDS; round++) {
-        if (round < JACOBIANS) status = take_columns(g, error);
+        if (round < JACOBIANS || longest > FAR) status = take_columns(g, error);
         if (status != WCUT_OK) break;
         exogenous_residual(g);
         if (round == 0 && !present_cost(g, &before)) return WCUT_NOT_CONVERGED;
         if (!find_step(g, t, covariance, &cost)) return WCUT_NOT_CONVERGED;
         memcpy(from, g->f->x, sizeof from);
-        double share = 1, longest = 0;
+        double share = 1;
         for (int half = 0; half < 4; half++, share /= 2) {
             longest = move(g, from, t, covariance, share);
             status = present_rows(g, error);
@@ -359,8 +366,9 @@ static wcut_status iterate(fitting *g, double *covariance, wcut_error *error) {
     return status;
 }
 
-/* predicted along the recorded motion at the present x, and the residual there; patches stay with the exogenous one */
-static wcut_status recorded_residual(fitting *g, wcut_error *error) {
+/* Predict along the recorded motion at the present x, of which g->rows are the rows: the differences along the exogenous
+   trail count from here. */
+static wcut_status set_anchor(fitting *g, wcut_error *error) {
     const wcut_evidence *e = g->e;
     const wcut_model model = wcut_fitted_model(g->f, g->f->x);
     wcut_error *failed = wcut_alloc((size_t)e->cuts, sizeof *failed);
@@ -383,17 +391,19 @@ static wcut_status recorded_residual(fitting *g, wcut_error *error) {
         if (status == WCUT_OK && failed[k].status != WCUT_OK)
             status = wcut_fail(error, failed[k].status, "cut %d: %s", k + 1, failed[k].text);
         for (int i = 0; i < WCUT_TRAIL_SIGNALS * c->bins; i++)
-            g->residual[c->row + i] = c->measured[i / c->bins][i % c->bins] - g->f->predicted[c->row + i];
-        for (int i = 0; i < c->patch.count; i++) {
+            g->anchor[c->row + i] = c->measured[i / c->bins][i % c->bins] - g->f->predicted[c->row + i];
+        for (int i = 0; i < c->patch.count; i++) { /* a face has no loop: the exogenous difference is exact */
             const int row = c->row + WCUT_TRAIL_SIGNALS * c->bins + i;
-            g->residual[row] = g->measured[row] - (g->rows[row] - g->at_rows[row]);
+            g->anchor[row] -= g->rows[row] - g->at_rows[row];
         }
     }
     wcut_free(failed);
     if (status != WCUT_OK) return status;
-    for (int i = 0; i < e->rows; i++) /* a sample that one run reached and the other did not says nothing */
-        if (!isfinite(g->residual[i])) g->residual[i] = 0;
-    wcut_evidence_whiten(e, g->measured, g->residual, g->residual);
+    for (int i = 0; i < e->rows; i++) { /* a sample that one run reached and the other did not says nothing */
+        if (isfinite(g->measured[i]) && !isfinite(g->anchor[i])) g->anchor[i] = 0;
+        g->at_rows[i] = g->rows[i];
+    }
+    exogenous_residual(g);
     return WCUT_OK;
 }
 
@@ -435,6 +445,13 @@ static double held_out_cost(const fitting *g, int cut, const double *t) {
     return wcut_normal_solve(&small, free_count, chosen, none, precision, -1, best, NULL, &cost) ? cost : small.total;
 }
 
+/* whether what the anchored residual still asks for is within chance: half a unit of cost for every coordinate */
+static bool has_settled(fitting *g, double *covariance) {
+    double t[WCUT_FIT_MAX], present, best;
+    if (!present_cost(g, &present) || !find_step(g, t, covariance, &best)) return true;
+    return present - best < 2 + 0.001 * best;
+}
+
 static void judge(fitting *g, const double *t) {
     wcut_fitted *f = g->f;
     int chosen[WCUT_FIT_MAX];
@@ -457,11 +474,9 @@ static void judge(fitting *g, const double *t) {
     }
 }
 
-static wcut_status finish(fitting *g, double *covariance, wcut_error *error) {
+static wcut_status finish(fitting *g, double *covariance) {
     wcut_fitted *f = g->f;
     double t[WCUT_FIT_MAX], from[WCUT_FIT_MAX];
-    const wcut_status status = recorded_residual(g, error);
-    if (status != WCUT_OK) return status;
     if (!find_step(g, t, covariance, &f->cost)) return WCUT_NOT_CONVERGED;
     judge(g, t);
     memcpy(from, f->x, sizeof from);
@@ -481,8 +496,14 @@ wcut_status wcut_fit_solve(const wcut_evidence *e, const wcut_model *start, wcut
     double *covariance = wcut_alloc(WCUT_FIT_MAX * WCUT_FIT_MAX, sizeof *covariance);
     wcut_status status = covariance ? fitting_create(e, start, &f, &g) : WCUT_NO_MEMORY;
     if (status != WCUT_OK) wcut_fail(error, status, "a fit of %d effects", start->effects);
-    if (status == WCUT_OK) status = iterate(&g, covariance, error);
-    if (status == WCUT_OK) status = finish(&g, covariance, error);
+    if (status == WCUT_OK) status = wcut_models_rows(e, 1, &e->at, g.at_rows, error);
+    bool settled = false;
+    for (int round = 0; status == WCUT_OK && round < ANCHORS && !settled; round++) {
+        status = iterate(&g, covariance, error);
+        if (status == WCUT_OK) status = set_anchor(&g, error);
+        if (status == WCUT_OK) settled = has_settled(&g, covariance);
+    }
+    if (status == WCUT_OK) status = finish(&g, covariance);
     fitting_destroy(&g);
     wcut_free(covariance);
     if (status == WCUT_OK)

@@ -113,7 +113,9 @@ static wcut_status try_model(searching *g, const wcut_model *start, wcut_error *
     if (s->count == WCUT_CANDIDATES || tried(s, start)) return WCUT_OK;
     if (stopped(g)) return wcut_fail(error, WCUT_INTERRUPTED, "interrupted");
     wcut_candidate c = {.effects = start->effects};
-    const wcut_status status = wcut_fit_solve(g->e, start, &c.fit, error);
+    wcut_model model = *start; /* from the jobs' own wire length: without the effect it has gone where it could */
+    model.length_change = 0;
+    const wcut_status status = wcut_fit_solve(g->e, &model, &c.fit, error);
     if (status == WCUT_NO_MEMORY) return status;
     if (status != WCUT_OK) return WCUT_OK;
     c.gain = s->none.cost - c.fit.cost;

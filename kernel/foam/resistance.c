@@ -42,11 +42,12 @@ typedef struct motion {           /* of a node with force, and how long a piece 
     const wcut_local_law *law;
 } motion;
 
-/* - mu |f| tanh(v_t / v_smooth) t, v_t the speed along the wire, |f| = F L |t x d| */
+/* - mu |f_n| tanh(v_t / v_smooth) t, v_t the speed along the wire; |f_n| = F L |t x d|^2 presses, what the foam's force
+   has across the wire (Coulomb) */
 static void add_drag(const motion *m, double mu, double smooth, bool slopes, mat3 *before, mat3 *here, mat3 *after,
                      wcut_resistance *out) {
     const double sliding = m->rate * m->along, turn = tanh(sliding / smooth), turn_by = (1 - turn * turn) / smooth;
-    const double share = m->across / m->distance, per_length = m->law->force * share;
+    const double sine = m->across / m->distance, share = sine * sine, per_length = m->law->force * share;
     const double pressing = per_length * m->e->length;
     out->force = vec3_add_scaled(out->force, -mu * pressing * turn, m->t);
     const double by_log_rate = (m->law->by_speed * m->speed + m->law->by_log_rate) * m->e->length * share;
@@ -55,8 +56,8 @@ static void add_drag(const motion *m, double mu, double smooth, bool slopes, mat
     if (!slopes) return;
 
     const double length = m->e->length, force = m->law->force, d = m->distance;
-    wcut_vec3 by_here = vec3_scale(length * (m->law->by_speed * m->rate * share - force * share / d) / d, m->move);
-    by_here = vec3_add_scaled(by_here, length * force / d, m->p);
+    wcut_vec3 by_here = vec3_scale(length * (m->law->by_speed * m->rate - 2 * force / d) * share / d, m->move);
+    by_here = vec3_add_scaled(by_here, 2 * sine * length * force / d, m->p);
     by_here = vec3_add_scaled(by_here, length * share, m->law->by_position);
     by_here = vec3_add_scaled(vec3_scale(turn, by_here), pressing * turn_by * m->rate, m->t);
     *here = mat3_add_outer(*here, vec3_scale(-mu, m->t), vec3_add_scaled(by_here, turn * per_length, m->e->by_here));
@@ -65,7 +66,7 @@ static void add_drag(const motion *m, double mu, double smooth, bool slopes, mat
     *after = mat3_add_outer(*after, push, m->e->by_after);
 
     /* the tangent turns: t, |t x d| and v_t by x[after], the opposite by x[before] */
-    wcut_vec3 by_turn = vec3_scale(-turn * length * force / d * m->along / m->span, m->p);
+    wcut_vec3 by_turn = vec3_scale(-2 * sine * turn * length * force / d * m->along / m->span, m->p);
     by_turn = vec3_add_scaled(by_turn, pressing * turn_by * m->rate / m->span, m->normal);
     const double c = -mu * pressing * turn / m->span;
     mat3 turning = mat3_add_outer((mat3){{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, vec3_scale(-mu, m->t), by_turn);
