@@ -25,9 +25,9 @@ typedef struct wcut_proof {
  *
  * Tension and angles are replayed along the recorded motion with WCUT_NODES_FINE nodes; the speed, which nothing was
  * fitted to, is that of a tension-driven run of the model's job, and of cuts without excitation alone, for a plan knows
- * none; a plan that ends early is compared as far as it goes. Scans are compared by patches after each is registered
- * (shift and turn, with the fit's priors) to the face predicted, half a kerf below the wire: the job's own kerf before,
- * the one that the fits give after, for a left-out cut from the other scans.
+ * none; a plan that ends early is compared as far as it goes. Scans are compared by patches as they come, for what a
+ * scan is shifted by may be the effect; the face lies half a kerf below the wire: the job's own kerf before, the one
+ * that the fits found after, for a left-out cut the one that the other scans show.
  *
  * Figures are of half-second means over all cuts, differences of both mounts and all cuts pooled, one range: rmsd,
  * nrmsd and rmse_over_range as wcut_score. Intervals: bootstrap of blocks of 5 s (scans: of 20 patches), drawn alike

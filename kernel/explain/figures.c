@@ -1,0 +1,108 @@
+/* Figures of a forecast with intervals from resampled blocks (Kuensch 1989): neighbours in time err alike. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/numbers.h"
+#include "base/random.h"
+#include "cut/score.h"
+#include "explain/proof.h"
+
+/* block [bins, patches]: the memory of the slow noise; draws, of which the interval holds 95 % */
+enum { BLOCK = 10, PATCH_BLOCK = 20, DRAWS = 400 };
+
+/* the pairs of a channel, and the block of each */
+typedef struct pairs {
+    int count, blocks;
+    double *measured, *predicted;
+    int *block;
+} pairs;
+
+static void add_pair(pairs *p, double measured, double predicted, int block) {
+    if (!isfinite(measured) || !isfinite(predicted)) return;
+    p->measured[p->count] = measured, p->predicted[p->count] = predicted, p->block[p->count++] = block;
+}
+
+/* both mounts of a bin are in one block */
+static void gather(const wcut_evidence *e, wcut_evidence_channel channel, const wcut_forecast *measured,
+                   const wcut_forecast *predicted, pairs *p) {
+    static const int signal[WCUT_EVIDENCE_COUNT][2] = {{0, 1}, {0, 1}, {2, 4}, {3, 5}, {0, 0}};
+    const double unit = channel == WCUT_EVIDENCE_ALPHA || channel == WCUT_EVIDENCE_BETA ? 180 / WCUT_PI : 1;
+    size_t speed = 0;
+    p->count = p->blocks = 0;
+    for (int k = 0; k < e->cuts; k++) {
+        const wcut_evidence_cut *c = &e->cut[k];
+        const size_t row = (size_t)c->row, bins = (size_t)c->bins, face = row + WCUT_TRAIL_SIGNALS * bins;
+        const bool is_scan = channel == WCUT_EVIDENCE_SCAN;
+        const int length = is_scan ? PATCH_BLOCK : BLOCK, n = is_scan ? c->patch.count : c->bins;
+        for (int i = 0; i < n; i++) {
+            const int block = p->blocks + i / length;
+            if (is_scan) add_pair(p, measured->row[face + (size_t)i], predicted->row[face + (size_t)i], block);
+            for (int side = 0; !is_scan && side < 2; side++) {
+                const size_t at = (size_t)signal[channel][side] * bins + (size_t)i;
+                if (channel == WCUT_EVIDENCE_SPEED)
+                    add_pair(p, measured->speed[speed + at], predicted->speed[speed + at], block);
+                else
+                    add_pair(p, unit * measured->row[row + at], unit * predicted->row[row + at], block);
+            }
+        }
+        p->blocks += (n + length - 1) / length;
+        speed += 2 * bins;
+    }
+}
+
+static int compare(const void *a, const void *b) {
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* 95 % of rmse over range; sum, number: blocks + 1 each */
+static void bootstrap(const pairs *p, double range, wcut_random *random, double *sum, int *number, wcut_fit *fit) {
+    double draw[DRAWS];
+    fit->low = fit->high = (double)NAN;
+    memset(sum, 0, (size_t)p->blocks * sizeof *sum);
+    memset(number, 0, (size_t)p->blocks * sizeof *number);
+    for (int i = 0; i < p->count; i++) {
+        const double d = p->measured[i] - p->predicted[i];
+        sum[p->block[i]] += d * d, number[p->block[i]]++;
+    }
+    int used = 0;
+    for (int k = 0; k < p->blocks; k++)
+        if (number[k] > 0) sum[used] = sum[k], number[used++] = number[k];
+    if (used < 2 || !(range > 0)) return;
+    for (int k = 0; k < DRAWS; k++) {
+        double square = 0, count = 0;
+        for (int i = 0; i < used; i++) {
+            const int block = wcut_random_below(random, used);
+            square += sum[block], count += number[block];
+        }
+        draw[k] = sqrt(square / count) / range;
+    }
+    qsort(draw, DRAWS, sizeof *draw, compare);
+    fit->low = draw[DRAWS / 40], fit->high = draw[DRAWS - 1 - DRAWS / 40];
+}
+
+wcut_status wcut_forecast_score(const wcut_evidence *e, const wcut_forecast *measured, const wcut_forecast *predicted,
+                                unsigned long long seed, wcut_fit *fit) {
+    size_t most = 0;
+    for (int k = 0; k < e->cuts; k++) most += (size_t)(2 * e->cut[k].bins + e->cut[k].patch.count) + 2;
+    pairs p = {.measured = wcut_alloc(most, sizeof(double)),
+               .predicted = wcut_alloc(most, sizeof(double)),
+               .block = wcut_alloc(most, sizeof(int))};
+    double *sum = wcut_alloc(most, sizeof *sum);
+    int *number = wcut_alloc(most, sizeof *number);
+    const bool whole = p.measured && p.predicted && p.block && sum && number;
+    for (int k = 0; whole && k < WCUT_EVIDENCE_COUNT; k++) {
+        gather(e, (wcut_evidence_channel)k, measured, predicted, &p);
+        const wcut_score s = wcut_score_of(p.count, p.measured, p.predicted, 0);
+        fit[k] = (wcut_fit){.count = s.count, .rmsd = s.rmsd, .nrmsd = s.nrmsd, .rmse_over_range = s.rmse_over_range};
+        wcut_random random = wcut_random_seed(seed + (unsigned)k);
+        bootstrap(&p, s.range, &random, sum, number, &fit[k]);
+    }
+    wcut_free(number);
+    wcut_free(sum);
+    wcut_free(p.block);
+    wcut_free(p.predicted);
+    wcut_free(p.measured);
+    return whole ? WCUT_OK : WCUT_NO_MEMORY;
+}
