@@ -3,11 +3,12 @@
 #include "explain/experiment.h"
 
 #include "cut/cuts.h"
+#include "explain/identify.h"
 
 static wcut_job *short_job(void) {
     wcut_job *job = straight_job(400, 60, 560, 31, 120, -20, 700);
     job->block_size = vec3(400, 600, 300);
-    job->name = wcut_copy_text("short");
+    ck_assert(wcut_job_name(job, "short"));
     job->speed_max = 60;
     return job;
 }

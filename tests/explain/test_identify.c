@@ -10,7 +10,7 @@
 static wcut_job *short_job(void) {
     wcut_job *job = straight_job(300, 60, 450, 31, 90, -20, 700);
     job->block_size = vec3(300, 600, 200);
-    job->name = wcut_copy_text("short");
+    ck_assert(wcut_job_name(job, "short"));
     job->speed_max = 60;
     for (int j = 0; j < job->stations; j++) {
         job->mount_a[j].z = job->mount_b[j].z = 100;
