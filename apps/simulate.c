@@ -12,8 +12,8 @@
 #define MERGE_MM 1e-3
 
 /* What a run may leave in its folder, in the order written. */
-static const char *const result_name[] = {"history.vtp", "surface.stl", "surface.obj",  "surface.ply", "surface.glb",
-                                          "path.csv",    "report.html", "summary.json", NULL};
+static const char *const result_name[] = {"history.vtp", "surface.stl",  "surface.obj", "surface.ply",  "surface.glb",
+                                          "path.csv",    "surface.step", "report.html", "summary.json", NULL};
 
 typedef struct simulation {
     const app_call *call;
@@ -21,7 +21,8 @@ typedef struct simulation {
     wcut_job *job;
     wcut_setup *setup;
     wcut_history *history;
-    wcut_status ended; /* how the run ended */
+    wcut_surface *surface; /* through the stations */
+    wcut_status ended;     /* how the run ended */
     app_results results;
 } simulation;
 
@@ -84,17 +85,16 @@ static int write_mesh(simulation *s, const wcut_mesh *mesh) {
 /* Loft the stations, triangulate, colour by the force on the wire. */
 static int write_surface(simulation *s) {
     const wcut_history *h = s->history;
-    wcut_surface *surface = NULL;
     wcut_mesh *mesh = NULL;
     const char *step = "lofting the surface";
     int code = APP_FAILED;
     double *parameter = calloc((size_t)h->stations, sizeof *parameter);
     wcut_status status = parameter ? WCUT_OK : WCUT_NO_MEMORY;
     if (status == WCUT_OK)
-        status = wcut_surface_loft(h->stations, h->nodes, h->position, MERGE_MM, &surface, parameter, NULL);
+        status = wcut_surface_loft(h->stations, h->nodes, h->position, MERGE_MM, &s->surface, parameter, NULL);
     if (status == WCUT_OK) {
         step = "triangulating the surface";
-        status = wcut_surface_tessellate(surface, app_real(s->call, "chord-tolerance"), &mesh, NULL);
+        status = wcut_surface_tessellate(s->surface, app_real(s->call, "chord-tolerance"), &mesh, NULL);
     }
     if (status == WCUT_OK) status = wcut_mesh_sample(mesh, h->stations, h->nodes, parameter, h->force_line);
     if (status != WCUT_OK)
@@ -102,9 +102,43 @@ static int write_surface(simulation *s) {
     else
         code = write_mesh(s, mesh);
     wcut_mesh_destroy(mesh);
-    wcut_surface_destroy(surface);
     free(parameter);
     return code;
+}
+
+/* Smooth curve through the positions of a mount, dwells passed over; it stays NULL where the mount stands still. */
+static wcut_status make_path(int count, const wcut_vec3 *mount, wcut_curve **curve) {
+    wcut_vec3 *apart = calloc((size_t)count, sizeof *apart);
+    int kept = 0;
+    for (int k = 0; apart && k < count; k++) {
+        const wcut_vec3 p = mount[k], q = kept ? apart[kept - 1] : p;
+        const double x = p.x - q.x, y = p.y - q.y, z = p.z - q.z;
+        if (kept == 0 || x * x + y * y + z * z > MERGE_MM * MERGE_MM) apart[kept++] = p;
+    }
+    const wcut_status status = !apart     ? WCUT_NO_MEMORY
+                               : kept < 2 ? WCUT_OK
+                                          : wcut_curve_interpolate(kept, apart, curve);
+    free(apart);
+    return status;
+}
+
+/* The surface and both path curves, exactly. */
+static int write_step(simulation *s, const wcut_vec3 *mount_a, const wcut_vec3 *mount_b) {
+    wcut_error error = {0};
+    const char *name = "surface.step";
+    wcut_curve *a = NULL, *b = NULL;
+    wcut_status status = make_path(s->history->stations, mount_a, &a);
+    if (status == WCUT_OK) status = make_path(s->history->stations, mount_b, &b);
+    if (status == WCUT_OK) {
+        wcut_shape shape[3] = {{.name = "cut", .surface = s->surface}};
+        int count = 1;
+        if (a) shape[count++] = (wcut_shape){.name = "path of mount A", .curve = a};
+        if (b) shape[count++] = (wcut_shape){.name = "path of mount B", .curve = b};
+        status = wcut_step_write(count, shape, WCUT_STEP_AP214, app_results_path(&s->results, name), &error);
+    }
+    wcut_curve_destroy(a);
+    wcut_curve_destroy(b);
+    return app_results_add(&s->results, name, status, &error);
 }
 
 static int write_path(simulation *s) {
@@ -121,6 +155,7 @@ static int write_path(simulation *s) {
     } else {
         status = wcut_history_write_csv(h, mount_a, mount_b, app_results_path(&s->results, "path.csv"), &error);
         code = app_results_add(&s->results, "path.csv", status, &error);
+        if (code == APP_DONE) code = write_step(s, mount_a, mount_b);
     }
     free(mount_b);
     free(mount_a);
@@ -200,6 +235,7 @@ static int simulate(const app_call *call) {
         }
     }
     if (code == APP_DONE) code = ended;
+    wcut_surface_destroy(s.surface);
     wcut_history_destroy(s.history);
     wcut_setup_destroy(s.setup);
     wcut_job_destroy(s.job);
@@ -251,7 +287,7 @@ const app_verb app_verb_simulate = {
         "forces, speeds and tensions, for ParaView), surface.stl, surface.obj, surface.ply and surface.glb (the "
         "surface "
         "lofted through the stations; force as vertex colour and scalar), path.csv (both mounts' path curves), "
-        "report.html "
+        "surface.step (surface and path curves, exactly, for CAD), report.html "
         "(all of it on one page, for any browser) and summary.json, which is written last and lists the files.\n"
         "A cut that cannot be solved to its end, or is interrupted, leaves the files of what was cut up to there.",
     .operand = operand,

@@ -42,6 +42,7 @@ what_is() {
         surface.obj) echo "the cut surface as OBJ, with normals" ;;
         surface.ply) echo "the cut surface with the force magnitude as colour and as a number" ;;
         surface.glb) echo "the cut surface for a viewer in the browser" ;;
+        surface.step) echo "the cut surface and the path curves, exactly, for CAD" ;;
         path.csv) echo "the robot path: both mounts' positions, speeds, angles and tensions, a row a station" ;;
         report.html) echo "all of it on one page: open it in any browser" ;;
         summary.json) echo "how the run went: stations, iterations, residuals, files" ;;

@@ -1,7 +1,7 @@
 # Outputs that cannot be written, interruption, readers that went away: said in one line, nothing torn, nothing lost.
 . "$SOURCE_DIR/tests/apps/common.sh"
 job=$jobs/steady-300-60.json
-files="history.vtp surface.stl surface.obj surface.ply surface.glb path.csv report.html summary.json"
+files="history.vtp surface.stl surface.obj surface.ply surface.glb path.csv surface.step report.html summary.json"
 
 whole() { python3 "$SOURCE_DIR/tests/apps/whole.py" "$@" || fail "$called: results are not whole"; }
 

@@ -10,7 +10,7 @@ import struct
 import sys
 import xml.etree.ElementTree as ElementTree
 
-SURFACE = ["surface.stl", "surface.obj", "surface.ply", "surface.glb", "path.csv"]
+SURFACE = ["surface.stl", "surface.obj", "surface.ply", "surface.glb", "path.csv", "surface.step"]
 COLUMNS = ("station,time_s,phase,a_x_mm,a_y_mm,a_z_mm,b_x_mm,b_y_mm,b_z_mm,speed_a_mm_s,speed_b_mm_s,tension_a_N,"
            "tension_b_N,alpha_a_deg,beta_a_deg,alpha_b_deg,beta_b_deg").split(",")
 folder, partial = sys.argv[1], "--partial" in sys.argv
@@ -76,6 +76,15 @@ def check_glb():
     expect(json.loads(data[20:20 + size])["meshes"], "surface.glb: no mesh")
 
 
+def check_step():
+    text = read("surface.step").decode("ascii")
+    expect(text.startswith("ISO-10303-21;\n") and text.endswith("END-ISO-10303-21;\n"), "surface.step: not whole")
+    expect("(.MILLI.,.METRE.)" in text, "surface.step: no millimetres")
+    expect(text.count("B_SPLINE_SURFACE_WITH_KNOTS(") == 1, "surface.step: no surface")
+    for mount in "AB":
+        expect(f"PRODUCT('path of mount {mount}'" in text, f"surface.step: no path of mount {mount}")
+
+
 def check_vtp(stations, nodes):
     data = read("history.vtp")
     start = data.index(b"<AppendedData")
@@ -118,4 +127,5 @@ if stations >= 2:
     triangles = check_stl()
     check_ply(check_obj(triangles), triangles)
     check_glb()
+    check_step()
     check_csv(stations)
