@@ -99,22 +99,30 @@ static double common_limit(app_memory *memory, const grid *g, const double *befo
     return larger(5, size[(size_t)(0.98 * (double)(count - 1))]);
 }
 
+/* a row of the table for the rows of a channel: which, of which cuts in this order, their noise */
 static wcut_report_table row_table(app_memory *memory, const app_diagnosed *of, const grid *g) {
     wcut_report_column *column = app_take(memory, 4, sizeof *column);
-    const char **name = app_take(memory, (size_t)g->rows, sizeof *name);
-    const char **cut = app_take(memory, (size_t)g->rows, sizeof *cut);
-    double *noise = app_take(memory, (size_t)g->rows, sizeof *noise);
-    if (memory->failed) return (wcut_report_table){.title = ""};
-    for (int r = 0; r < g->rows; r++) {
-        name[r] = g->row[r]->column;
-        cut[r] = of->cut_name[g->row[r]->cut];
-        noise[r] = g->row[r]->noise;
+    const char **text[4];
+    for (int k = 0; k < 4; k++) text[k] = app_take(memory, (size_t)g->rows, sizeof *text[k]);
+    wcut_report_table table = {.title = "Rows of the maps", .columns = 4, .column = column};
+    if (memory->failed) return table;
+    for (int from = 0, to; from < g->rows; from = to) {
+        const wcut_residual_trace *first = g->row[from];
+        double least = first->noise, most = first->noise;
+        const char *cuts = of->cut_name[first->cut];
+        for (to = from + 1; to < g->rows && strcmp(g->row[to]->column, first->column) == 0; to++) {
+            cuts = app_take_text(memory, "%s; %s", cuts, of->cut_name[g->row[to]->cut]);
+            least = -larger(-least, -g->row[to]->noise), most = larger(most, g->row[to]->noise);
+        }
+        const int r = table.rows++;
+        text[0][r] = app_take_text(memory, "%d .. %d", from + 1, to);
+        text[1][r] = first->column;
+        text[2][r] = cuts;
+        text[3][r] = app_take_text(memory, "%.2g .. %.2g %s", least, most, wcut_evidence_unit(first->channel));
     }
-    column[0] = (wcut_report_column){.label = "row", .number = g->y};
-    column[1] = (wcut_report_column){.label = "channel", .text = name};
-    column[2] = (wcut_report_column){.label = "cut", .text = cut};
-    column[3] = (wcut_report_column){.label = "noise of a bin, channel's unit", .number = noise};
-    return (wcut_report_table){.title = "Rows of the maps", .rows = g->rows, .columns = 4, .column = column};
+    static const char *const label[4] = {"rows", "channel", "cuts, in this order", "noise of a bin"};
+    for (int k = 0; k < 4; k++) column[k] = (wcut_report_column){.label = label[k], .text = text[k]};
+    return table;
 }
 
 bool app_fill_evidence(app_memory *memory, const app_diagnosed *of, wcut_report_section *section) {
