@@ -259,9 +259,6 @@ static int print_json(const app_comparison *c) {
 static int compare(const app_call *call) {
     app_compare_options options;
     app_results results;
-    if (call->operand_count < 2)
-        return app_fail(APP_USAGE, "%s: found no scan behind it, expected one (see wirecut compare --help)",
-                        call->operand[0]);
     int code = read_options(call, &options);
     if (code == APP_DONE) code = app_results_begin(&results, app_text(call, "output"));
     if (code != APP_DONE) return code;

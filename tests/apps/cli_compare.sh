@@ -1,0 +1,151 @@
+# wirecut compare: scans with a known truth, registration, gates, meshes, streams, bad scans; files whole, equal bytes.
+. "$SOURCE_DIR/tests/apps/common.sh"
+steady=$jobs/steady-400-60.json
+scan=$SOURCE_DIR/samples/scans/steady-400-60.xyz
+bumped=$SOURCE_DIR/samples/scans/freeform-4.ply
+
+# look DEVIATION.json CODE: python that must hold of the result `d`
+look() {
+    python3 - "$@" <<'EOF' || fail "$called: not what was expected: $2"
+import json, sys
+d = json.load(open(sys.argv[1]))
+near = lambda a, b, by: abs(a - b) <= by
+assert d["format"] == "wirecut-deviation/1"
+p = d["points"]
+assert p["read"] == p["removed"] + p["outside"] + p["ambiguous"] + p["used"] or d["distance"] == "reconstruction", p
+assert eval(sys.argv[2]), {k: v for k, v in d.items() if k not in ("zones", "registration", "as_scanned")}
+EOF
+}
+
+# the kerf of a clean scan, in every file
+run 0 compare "$steady" "$scan" -o a/b
+no_result
+no_leavings a
+for name in deviation.ply deviation_mesh.ply deviation_mesh.obj zones.csv report.html deviation.json; do
+    [ -s "a/b/$name" ] || fail "$called: no $name"
+    grep -q "$name" err || fail "$called: $name is not named"
+done
+look a/b/deviation.json 'near(d["kerf_offset_mm"], -0.6, 0.003) and near(d["noise_rms_mm"], 0.05, 0.003) and d["form_rms_mm"] < 0.02'
+look a/b/deviation.json 'near(d["kerf_mm"]["by_scan"], 1.2, 0.006) and p["used"] == 4000 and p["outside"] == 0'
+look a/b/deviation.json 'd["registration"]["method"] == "none" and d["as_scanned"]["distance_mm"] == d["distance_mm"]'
+look a/b/deviation.json 'len(d["scans"][0]["sha256"]) == 64 and {z["name"] for z in d["zones"]} >= {"entry", "steady", "exit", "patch 1 1"}'
+look a/b/deviation.json '"time_since_entry" in d["correlation"] and len(d["worst"]) == 10 and d["hausdorff_face_to_scan_mm"] > 1'
+LC_ALL=C grep -q "$(printf '[\r\033]')" err && fail "$called: progress was written to a file"
+
+# the same bytes whatever the threads and the locale
+(
+    export LC_ALL=de_DE.UTF-8
+    "$WIRECUT" compare "$steady" "$scan" -o again --quiet --json --threads 3 >json 2>err
+) || fail "a second run: $(cat err)"
+[ -s err ] && fail "--quiet is not quiet: $(cat err)"
+diff -r a/b again >/dev/null || fail "two runs differ: $(diff -rq a/b again)"
+cmp -s json again/deviation.json || fail "--json is not deviation.json"
+
+# a bump is the worst area, a hole is unmeasured, and a registration hides a kerf but is always shown beside
+run 0 compare "$jobs/freeform-4.json" "$bumped" -o bump --register fit --dof tz:free --quiet
+look bump/deviation.json 'near(d["registration"]["parameters"]["tz_mm"]["value"], 0.48, 0.06) and d["registration"]["free"] == 1'
+look bump/deviation.json 'abs(d["kerf_offset_mm"]) < 0.05 and near(d["as_scanned"]["kerf_offset_mm"], -0.48, 0.02)'
+look bump/deviation.json 'near(d["worst"][0]["place_mm"][0], 300, 8) and near(d["worst"][0]["place_mm"][1], 250, 8) and d["worst"][0]["mean_mm"] > 0.5'
+look bump/deviation.json '100 < d["unmeasured_mm2"] < 3.2 * 30**2'
+
+# the gate
+run 5 compare "$steady" "$scan" -o gate --tolerance 0.5 --quiet
+look gate/deviation.json 'd["gate"]["within"] is False and near(d["gate"]["share"], 0.95, 1e-12)'
+run 0 compare "$steady" "$scan" -o gate --tolerance 0.8 --bands 0.1,0.8 --quiet
+look gate/deviation.json 'd["gate"]["within"] is True and [b["tolerance_mm"] for b in d["bands"]] == [0.1, 0.8]'
+
+# distances to triangles, and to a mesh from a file: within the chord tolerance of those to the surface
+run 0 compare "$steady" "$scan" -o mesh --distance mesh --quiet
+look mesh/deviation.json 'd["distance"] == "mesh" and near(d["kerf_offset_mm"], -0.6, 0.01)'
+run 0 simulate "$steady" -o surface --chord-tolerance 0.05 --quiet
+for name in surface.stl surface.ply surface.obj; do
+    run 0 compare "surface/$name" "$scan" -o mesh --quiet
+    look mesh/deviation.json 'd["reference"].startswith("surface/") and near(d["kerf_offset_mm"], -0.6, 0.02) and "kerf_mm" not in d'
+done
+[ -e mesh/deviation_mesh.ply ] || fail "no coloured mesh of a mesh"
+
+# more points than are to be held are streamed, to the same figures
+run 0 compare "$steady" "$scan" -o streamed --hold 1000 --quiet
+cmp -s streamed/deviation.ply a/b/deviation.ply || fail "a streamed scan leaves another deviation.ply"
+python3 - <<'EOF' || fail "a streamed scan gives other figures"
+import json
+a, b = (json.load(open(f"{n}/deviation.json")) for n in ("a/b", "streamed"))
+same = [k for k in a if not k.startswith(("hausdorff_face", "face_to_scan"))]
+assert all(a[k] == b[k] for k in same), [k for k in same if a[k] != b[k]]
+EOF
+
+# two files are one scan; cleaning is counted
+head -n 2000 "$scan" >first.xyz
+tail -n +2001 "$scan" >second.xyz
+run 0 compare "$steady" first.xyz second.xyz -o two --quiet
+look two/deviation.json 'len(d["scans"]) == 2 and p["read"] == 4000'
+{ cat "$scan"; head -n 10 "$scan"; printf '200 600 260\n'; } >dirty.xyz
+run 0 compare "$steady" dirty.xyz -o clean --duplicates --outliers 6 --quiet
+look clean/deviation.json 'p["removed_as"]["duplicate"] == 10 and p["removed_as"]["outlier"] >= 1 and d["distance_mm"]["max"] < 1'
+run 0 compare "$steady" dirty.xyz -o clean --thin 20 --quiet
+look clean/deviation.json '1000 < p["removed_as"]["thinned"] < 3500'
+
+# datums: three points of the scan that are 2 mm off along y
+awk '{ printf "%s %s %s\n", $1, $2 + 2, $3 }' "$scan" >moved.xyz
+printf 'scan_x_mm,scan_y_mm,scan_z_mm,block_x_mm,block_y_mm,block_z_mm\n0,2,0,0,0,0\n400,2,0,400,0,0\n0,1202,0,0,1200,0\n0,2,300,0,0,300\n' >datum.csv
+run 0 compare "$steady" moved.xyz -o datum --register datum --datum datum.csv --quiet
+look datum/deviation.json 'near(d["registration"]["parameters"]["ty_mm"]["value"], -2, 1e-6) and near(d["kerf_offset_mm"], -0.6, 0.003)'
+
+# reconstruction
+run 0 compare "$steady" "$scan" -o made --reconstruct field --distance reconstruction --quiet
+look made/deviation.json 'd["distance"] == "reconstruction" and near(d["kerf_offset_mm"], -0.6, 0.02) and d["reconstruction"]["vertices"] > 1000'
+[ -s made/reconstruction.stl ] || fail "no reconstruction.stl"
+run 0 compare "$steady" "$scan" -o made --quiet
+[ -e made/reconstruction.stl ] && fail "an earlier run's reconstruction lies beside another result"
+
+# units
+awk '{ printf "%s %s %s\n", $1 / 1000, $2 / 1000, $3 / 1000 }' "$scan" >metres.xyz
+run 0 compare "$steady" metres.xyz -o units
+grep -q "warning: .* times 1000 it would fit" err || fail "$called: no warning of the unit: $(cat err)"
+run 0 compare "$steady" metres.xyz -o units --unit m --quiet
+look units/deviation.json 'near(d["kerf_offset_mm"], -0.6, 0.003)'
+
+# names of files are text, not markup
+cp "$scan" '</script><script>window.broken=1<'"'"'.xyz' 2>/dev/null || cp "$scan" 'broken.xyz'
+hostile=$(ls | grep broken)
+run 0 compare "$steady" "./$hostile" -o hostile --quiet
+grep -q '<script>window.broken' hostile/report.html && fail "a scan's name is markup in the report"
+
+# bad scans
+refused() {
+    run "$1" compare "$steady" "$2" -o bad
+    grep -qF -- "$3" err || fail "$called: expected \"$3\" in: $(cat err)"
+    [ -e bad/deviation.json ] && fail "$called: it left a result"
+    no_leavings bad
+}
+: >empty.xyz
+refused 3 empty.xyz "end of the file"
+printf '5000 5000 5000\n5001 5000 5000\n' >away.xyz
+refused 3 away.xyz "none of them over the face"
+printf '1 2 3\n1 nonsense 3\n' >text.xyz
+refused 3 text.xyz "line 2"
+refused 3 nowhere.xyz "nowhere.xyz"
+printf 'ply\nformat binary_little_endian 1.0\nelement vertex 2147483647\nproperty float x\nproperty float y\nproperty float z\nend_header\n' >lie.ply
+refused 3 lie.ply "lie.ply"
+printf '200 600 150\n' >one.xyz
+run 0 compare "$steady" one.xyz -o one --quiet
+look one/deviation.json 'p["used"] == 1'
+run 3 compare "$steady" one.xyz -o one --register fit --quiet
+
+# wrong calls
+run 2 compare "$steady" -o bad
+one_line "SCAN is missing"
+run 2 compare "$steady" "$scan" -o bad --bands 0.5,,1
+one_line "--bands"
+run 2 compare "$steady" "$scan" -o bad --dof tx:0.2 --register none
+one_line "--dof"
+for list in tx:0.2, q:1 tx:-1 tx:0.2mmm rz:0.1rd; do
+    run 2 compare "$steady" "$scan" -o bad --register fit --dof "$list"
+    one_line "--dof"
+done
+run 2 compare "$steady" "$scan" -o bad --register datum
+one_line "--datum"
+run 2 compare surface/surface.stl "$scan" -o bad --register fit --quiet
+one_line "is a mesh"
+run 3 compare broken.json "$scan" -o bad
+finish
