@@ -51,10 +51,10 @@ typedef struct channel {
 
 typedef struct search {
     const wcut_evidence *e;
-    double *residual;                  /* rows, whitened; what was found is taken out */
-    const double *whole;               /* rows, whitened, as it came */
-    double *raw;                       /* rows: measured less predicted, to know what is missing */
-    double dispersion[3 + 1][LENGTHS]; /* tension, alpha, beta by length; scans */
+    double *residual;    /* rows, whitened; what was found is taken out */
+    const double *whole; /* rows, whitened, as it came */
+    double *raw;         /* rows: measured less predicted, to know what is missing */
+    double dispersion[LENGTHS], scan_dispersion;
     double tests;
     int count, room;
     window *found;
@@ -178,24 +178,22 @@ static double lower_half(int n, double *square) {
     return fmax(1, sum / (n / 2) / LOWER_HALF);
 }
 
-/* dispersion of each kind of channel and length, and how many tests there are; room: for a channel, and all windows */
+/* dispersion of windows by length, over all channels: an effect in one of them is not to pass for its noise; and how
+   many tests there are. room: for a channel; square: all windows of a length */
 static void find_dispersion(search *s, double *room, double *square) {
-    for (int kind = 0; kind < 3; kind++) {
-        for (int l = 0; l < LENGTHS; l++) {
-            int n = 0;
-            for (int k = 0; k < s->e->cuts; k++) {
-                for (int signal = 0; signal < WCUT_TRAIL_SIGNALS; signal++) {
-                    if (kind_of(signal) != kind) continue;
-                    const channel h = channel_of(s, k, signal, room);
-                    window w;
-                    for (int i = 0; window_at(&h, i, &w); i++)
-                        if (w.kind == l && w.last - w.first == window_length[l] && test_window(&h, &w))
-                            square[n++] = w.t * w.t;
-                }
+    for (int l = 0; l < LENGTHS; l++) {
+        int n = 0;
+        for (int k = 0; k < s->e->cuts; k++) {
+            for (int signal = 0; s->e->cut[k].bins > 0 && signal < WCUT_TRAIL_SIGNALS; signal++) {
+                const channel h = channel_of(s, k, signal, room);
+                window w;
+                for (int i = 0; window_at(&h, i, &w); i++)
+                    if (w.kind == l && w.last - w.first == window_length[l] && test_window(&h, &w))
+                        square[n++] = w.t * w.t;
             }
-            s->tests += n;
-            s->dispersion[kind][l] = lower_half(n, square);
         }
+        s->tests += n;
+        s->dispersion[l] = lower_half(n, square);
     }
     for (int k = 0; k < s->e->cuts; k++) s->tests += s->e->cut[k].bins > 0 ? WCUT_TRAIL_SIGNALS * PART_WINDOWS : 0;
 }
@@ -206,6 +204,23 @@ static double sidak(double tests, double t) {
 }
 
 /* ---- channels searched ---- */
+
+/* Whether neighbours err alike: windows of some length, side by side, against the mean square of all bins. Values that
+   are large but in no order are not a place. */
+static bool has_order(const search *s, const channel *h, double own) {
+    double least = 1;
+    for (int l = 0; l < LENGTHS; l++) {
+        double sum = 0;
+        int n = 0;
+        for (int first = 0; first + window_length[l] <= h->n; first += window_length[l]) {
+            window w = {.first = first, .last = first + window_length[l]};
+            if (test_window(h, &w)) sum += w.t * w.t, n++;
+        }
+        if (n > 0) least = fmin(least, wcut_chi_square_tail(sum / fmax(own, s->dispersion[l]), n));
+    }
+    const double tests = (double)s->e->cuts * WCUT_TRAIL_SIGNALS * LENGTHS;
+    return least < WCUT_LOCATE_LEVEL / tests;
+}
 
 static bool overlaps(const search *s, const window *w) {
     for (int k = 0; k < s->count; k++) {
@@ -221,21 +236,21 @@ static bool overlaps(const search *s, const window *w) {
 static void search_channel(search *s, int cut, int signal, double *room) {
     const channel h = channel_of(s, cut, signal, room);
     for (int found = 0; found < MOST && s->count < s->room; found++) {
-        const double own = mean_square(&h);
+        const double square = mean_square(&h), own = has_order(s, &h, square) ? 1 : square;
         window best = {.t = 0}, w = {.cut = cut, .signal = signal, .left = 0, .right = 1};
         double most = 0;
         for (int k = 0; window_at(&h, k, &w); k++) {
             if (overlaps(s, &w) || !test_window(&h, &w)) continue;
-            const double t = fabs(w.t) / sqrt(fmax(s->dispersion[kind_of(signal)][w.kind], own));
+            const double t = fabs(w.t) / sqrt(fmax(s->dispersion[w.kind], own));
             if (t > most) most = t, best = w;
         }
         best.p = sidak(s->tests, most);
         if (!(best.p <= WCUT_LOCATE_LEVEL)) return;
-        double product, square, sum = 0;
+        double product, response, sum = 0;
         const double *z = s->whole + h.c->row + signal * h.n;
         for (int i = best.first; i < best.last; i++) sum += z[i] * z[i] - (h.scale[i] > 0);
         best.excess = fmax(best.t * best.t - 1, sum);
-        respond(&h, best.first, best.last, -best.shift, &product, &square);
+        respond(&h, best.first, best.last, -best.shift, &product, &response);
         s->found[s->count++] = best;
     }
 }
@@ -306,7 +321,7 @@ static void find_scan_dispersion(search *s, double *square) {
         window w = {.first = 0, .last = 1};
         while (next_rectangle(&w)) s->tests++;
     }
-    s->dispersion[3][0] = lower_half(n, square);
+    s->scan_dispersion = lower_half(n, square);
 }
 
 static void search_scan(search *s, int cut) {
@@ -323,7 +338,7 @@ static void search_scan(search *s, int cut) {
             const int count = sum_rectangle(&in, &w, &sum);
             if (count < LEAST || overlaps(s, &w)) continue;
             w.t = sum / sqrt(count), w.shift = sum / count;
-            const double t = fabs(w.t) / sqrt(fmax(s->dispersion[3][0], own));
+            const double t = fabs(w.t) / sqrt(fmax(s->scan_dispersion, own));
             if (t > most) most = t, best = w;
         }
         best.p = sidak(s->tests, most);
@@ -494,7 +509,7 @@ wcut_status wcut_mismatch_locate(const wcut_evidence *e, const double *residual,
     s.found = wcut_alloc((size_t)s.room, sizeof *s.found);
     double *room = wcut_alloc(4 * (size_t)bins, sizeof *room);
     /* windows of a length start every bin at most */
-    double *square = wcut_alloc((size_t)e->cuts * (size_t)(4 * bins + STRIPES), sizeof *square);
+    double *square = wcut_alloc((size_t)e->cuts * (size_t)(WCUT_TRAIL_SIGNALS * (bins + 1) + STRIPES), sizeof *square);
     wcut_status status = WCUT_NO_MEMORY;
     if (s.residual && s.raw && s.found && room && square) {
         wcut_evidence_residual(e, s.raw);
