@@ -1,0 +1,135 @@
+# wirecut mould: halves whole on disk, their figures, options, what is refused and with which exit code.
+. "$SOURCE_DIR/tests/apps/common.sh"
+coarse="--stations 60 --nodes 41 --chord-tolerance 1"
+path=$jobs/steady-300-60.json
+design=$jobs/freeform-2.json
+
+# figures MOULD.json: what every mould must say, and that volumes are those of the STL files beside it
+figures() {
+    python3 - "$@" <<'EOF' || fail "$called: not the figures that were expected"
+import json, os, struct, sys
+mould = json.load(open(sys.argv[1]))
+folder = os.path.dirname(sys.argv[1])
+assert mould["format"] == "wirecut-mould/1" and mould["job"], mould.keys()
+total = mould["kerf_volume_mm3"]
+for name in ("lower", "upper"):
+    half = mould[name]
+    assert half["closed"] is True and half["oriented"] is True and half["self_intersections"] == 0, half
+    stl = [f for f in mould["files"] if f.endswith(name + ".stl")]
+    assert len(stl) == 1, mould["files"]
+    data = open(os.path.join(folder, stl[0]), "rb").read()
+    count, = struct.unpack_from("<I", data, 80)
+    assert count == half["triangles"], (count, half)
+    volume = 0
+    for k in range(count):
+        a, b, c = (struct.unpack_from("<3f", data, 84 + 50 * k + 12 * i) for i in (1, 2, 3))
+        volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6
+    assert abs(volume / half["volume_mm3"] - 1) < 1e-5, (volume, half)
+    total += half["volume_mm3"] - half["keys_mm3"]
+assert abs(total / mould["block_volume_mm3"] - 1) < 1e-6 and mould["volume_error"] < 1e-6, mould
+for name in mould["files"]:
+    assert os.path.getsize(os.path.join(folder, name)) > 0, name
+assert sorted(os.listdir(folder)) == sorted(mould["files"]), (os.listdir(folder), mould["files"])
+EOF
+}
+
+# value FILE EXPRESSION: `m` is the mould
+value() {
+    python3 -c "import json, sys; m = json.load(open('$1')); sys.exit(0 if ($2) else 1)" || fail "$called: not so: $2"
+}
+
+# a cut that goes through
+# shellcheck disable=SC2086 # the options are several words
+run 0 mould "$path" -o a/b $coarse
+no_result
+no_leavings a
+figures a/b/mould.json
+value a/b/mould.json 'abs(m["lower"]["volume_mm3"] / 54e6 - 1) < 1e-3 and m["made_by"] == "index"'
+value a/b/mould.json 'm["lower"]["exact_faces"] == 6 and m["prolonged_mm"]["exit"] == 0'
+for word in "closed, 1 piece" "a/b" mould.json lower.step; do grep -q -- "$word" err || fail "$called: no $word in: $(cat err)"; done
+head -c 13 a/b/lower.step | grep -q '^ISO-10303-21;' || fail "lower.step is no STEP file"
+grep -q "MANIFOLD_SOLID_BREP" a/b/upper.step || fail "upper.step holds no solid"
+grep -q "<html" a/b/report.html || fail "report.html is no page"
+
+# a design ends inside; with keys, a kerf by the heat, shrinkage and a label; the same bytes again in another locale
+sed 's/"process":/"kerf": {"width_mm": 0.8, "per_J_m2_mm": 1.6e-4}, "process":/' "$design" >design.json
+# shellcheck disable=SC2086
+run 0 mould design.json -o c $coarse --keys pockets --key-radius 20 --key-height 10 --scale 1.02 --label panel_7
+figures c/mould.json
+value c/mould.json 'm["prolonged_mm"]["exit"] > 10 and m["kerf_mm"]["max"] > m["kerf_mm"]["min"] > 0.8'
+value c/mould.json 'm["kerf_volume_mm3"] > 3e5 and m["lower"]["keys_mm3"] < 0 and m["asked"]["scale"] == 1.02'
+value c/mould.json 'm["lower"]["box_mm"][1][:2] == [408, 918] and "panel_7-lower.step" in m["files"]'
+grep -q "continued straight" err || fail "$called: does not say that the cut was continued: $(cat err)"
+grep -q "panel_7 lower" c/panel_7-lower.step || fail "the solid has no name"
+(
+    export OMP_NUM_THREADS=3 LC_ALL=de_DE.UTF-8
+    # shellcheck disable=SC2086
+    "$WIRECUT" mould design.json -o d $coarse --keys pockets --key-radius 20 --key-height 10 --scale 1.02 \
+        --label panel_7 --quiet --json >json 2>err
+) || fail "a second run: $(cat err)"
+[ -s err ] && fail "--quiet is not quiet: $(cat err)"
+diff -r c d >/dev/null || fail "two runs differ: $(diff -rq c d)"
+cmp -s json d/mould.json || fail "--json is not mould.json"
+
+# refused: nothing is written, the words say where
+# shellcheck disable=SC2086
+run 3 mould "$design" -o e $coarse --prolong 1
+one_line "ends inside the block" "900"
+untouched e
+sed 's/150\.0*\]/310]/g; s/, 150\]/, 310]/g' "$path" >above.json
+# shellcheck disable=SC2086
+run 3 mould above.json -o e $coarse
+one_line "misses the block" "above"
+untouched e
+# shellcheck disable=SC2086
+run 2 mould "$path" -o e $coarse --label ../x
+one_line "--label"
+untouched e
+# shellcheck disable=SC2086
+run 2 mould "$path" -o e $coarse --keys cones --key-radius 2 --key-height 20
+one_line "--key-height"
+run 3 mould none.json -o e
+one_line "none.json"
+run 3 mould "$path" -o e --stock none.stl
+one_line "none.stl"
+
+# walls and drafts that are asked for and not there: files, and 5
+# shellcheck disable=SC2086
+run 5 mould "$path" -o f $coarse --minimum-wall 151
+grep -q "wall is 150 mm, asked for were 151" err || fail "$called: $(cat err)"
+figures f/mould.json
+# shellcheck disable=SC2086
+run 5 mould "$design" -o f $coarse --minimum-draft 89
+grep -q "draft" err || fail "$called: $(cat err)"
+# shellcheck disable=SC2086
+run 0 mould "$path" -o f $coarse --minimum-wall 149 --minimum-draft 80
+
+# through top and bottom, and a stock: triangles alone, STEP files of an earlier run go
+python3 - "$path" <<'EOF' >rising.json || fail "a rising path"
+import json, sys
+job = json.load(open(sys.argv[1]))
+for m in "ab":
+    p = job["path"][f"mount_{m}_mm"]
+    job["path"][f"mount_{m}_mm"] = [[x, y, 150 + 0.4 * (y - 600)] for x, y, z in p]
+json.dump(job, sys.stdout)
+EOF
+# shellcheck disable=SC2086
+run 0 mould rising.json -o f $coarse
+grep -q "no STEP files" err || fail "$called: does not say that there is no STEP: $(cat err)"
+[ -e f/lower.step ] && fail "$called: lower.step of an earlier run is still there"
+figures f/mould.json
+value f/mould.json 'm["made_by"] == "booleans" and m["lower"]["exact_faces"] == 0 and m["lower"]["wall_mm"]["min"] is None'
+python3 - <<'EOF' >stock.off || fail "a stock"
+print("OFF\n5 6 0")
+for p in ((20, 100, 20), (280, 100, 20), (280, 1000, 20), (20, 1000, 20), (150, 500, 280)): print(*p)
+for t in ((0, 2, 1), (0, 3, 2), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)): print(3, *t)
+EOF
+# shellcheck disable=SC2086
+run 0 mould "$path" -o g $coarse --stock stock.off
+figures g/mould.json
+value g/mould.json 'abs(m["block_volume_mm3"] / (260 * 900 * 260 / 3) - 1) < 1e-9 and m["lower"]["box_mm"][0][2] == 20'
+sed '$d' stock.off | sed 's/5 6 0/5 5 0/' >open.off
+# shellcheck disable=SC2086
+run 3 mould "$path" -o g $coarse --stock open.off
+one_line "not closed"
+finish
