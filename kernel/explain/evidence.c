@@ -14,8 +14,9 @@ enum { NODES_FINE = WCUT_NODES_FINE, NODES_COARSE = WCUT_NODES_COARSE, PARTS = 5
 
 /* trails: smoothing of the encoder, of the exogenous progress, and the step of the latter [s] */
 #define WINDOW 0.5
-#define WIDTH 6.0
+#define WIDTH 2.5
 #define STEP 0.2
+#define FED_BACK_STEP 0.05
 /* the first two seconds after the wire is taut and the last one are the least physical part of a cut */
 #define SETTLE 2.0
 #define LAST 1.5
@@ -296,10 +297,11 @@ static wcut_status measure(wcut_evidence_cut *c, const wcut_driven *d) {
     return status;
 }
 
-static wcut_status fill_cut(wcut_evidence_cut *c, wcut_error *error) {
+static wcut_status fill_cut(wcut_evidence_cut *c, bool fed_back, wcut_error *error) {
     wcut_status status = wcut_trail_recorded(c->job, c->recording, WINDOW, &c->recorded, error);
     if (status != WCUT_OK) return status;
-    status = wcut_trail_exogenous(c->job, &c->recorded, WIDTH, STEP, &c->exogenous);
+    status = fed_back ? wcut_trail_thin(&c->recorded, FED_BACK_STEP, &c->exogenous)
+                      : wcut_trail_exogenous(c->job, &c->recorded, WIDTH, STEP, &c->exogenous);
     if (status == WCUT_BAD_ARGUMENT) return WCUT_OK; /* too short to say anything: no bins */
     wcut_driven d = {0};
     if (status == WCUT_OK) status = wcut_trail_drive(c->job, NODES_COARSE, &c->exogenous, false, &d, error);
@@ -310,8 +312,8 @@ static wcut_status fill_cut(wcut_evidence_cut *c, wcut_error *error) {
     return status == WCUT_NO_MEMORY ? wcut_fail(error, status, "no memory for cut %d", c->index + 1) : status;
 }
 
-wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, int threads, wcut_evidence **out,
-                                 wcut_error *error) {
+wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, bool fed_back, int threads,
+                                 wcut_evidence **out, wcut_error *error) {
     wcut_evidence *e = wcut_alloc(1, sizeof *e);
     wcut_error *failed = wcut_alloc((size_t)cuts, sizeof *failed);
     wcut_status status = WCUT_OK;
@@ -332,7 +334,7 @@ wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, int th
         e->coloured = 0.25;
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
         for (int k = 0; k < cuts; k++)
-            if (e->cut[k].job) failed[k].status = fill_cut(&e->cut[k], &failed[k]);
+            if (e->cut[k].job) failed[k].status = fill_cut(&e->cut[k], fed_back, &failed[k]);
     }
     for (int k = 0; status == WCUT_OK && k < cuts; k++) {
         if (failed[k].status != WCUT_OK)

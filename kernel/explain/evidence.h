@@ -65,11 +65,12 @@ enum { WCUT_NODES_FINE = 41, WCUT_NODES_COARSE = 21 };
 
 /*
  * Gather the evidence of a case: trails, bins, what was measured. The model `at` is the jobs' own. Cuts without job or
- * recording, or which never touch the foam, have no bins.
+ * recording, or which never touch the foam, have no bins. fed_back: take the recorded motion itself for the exogenous one,
+ * as plain least squares does: a control of what that costs.
  * WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_DEGENERATE, WCUT_NOT_CONVERGED, WCUT_NO_MEMORY: nothing was written.
  */
-wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, int threads, wcut_evidence **out,
-                                 wcut_error *error);
+wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, bool fed_back, int threads,
+                                 wcut_evidence **out, wcut_error *error);
 void wcut_evidence_destroy(wcut_evidence *evidence);
 
 /* Predict along the recorded motion under a model, which becomes `at`; noise and, if `scans`, patches follow. */

@@ -213,9 +213,10 @@ static wcut_status fitting_create(const wcut_evidence *e, const wcut_model *star
     f->held_out = wcut_alloc((size_t)e->cuts, sizeof(double));
     f->without = wcut_alloc((size_t)e->cuts * (size_t)g->shared, sizeof(double));
     f->residual = wcut_alloc(rows, sizeof(double));
+    f->open = wcut_alloc(rows, sizeof(double));
     f->predicted = wcut_alloc(rows, sizeof(double));
     if (!g->rows || !g->at_rows || !g->measured || !g->anchor || !g->column || !g->residual || !f->cut_cost ||
-        !f->held_out || !f->without || !f->residual || !f->predicted)
+        !f->held_out || !f->without || !f->residual || !f->open || !f->predicted)
         return WCUT_NO_MEMORY;
     for (int k = 0; k < WCUT_BASE; k++) g->precision[k] = 1 / (wcut_base_spread[k] * wcut_base_spread[k]);
     for (int k = 0; k < f->count; k++)
@@ -470,7 +471,11 @@ static void judge(fitting *g, const double *t) {
     }
     for (int i = 0; i < g->e->rows; i++) {
         f->residual[i] = g->residual[i];
-        for (int k = 0; k < g->n; k++) f->residual[i] -= t[k] * g->column[(size_t)k * (size_t)g->e->rows + (size_t)i];
+        for (int k = 0; k < g->n; k++) {
+            if (k == g->shared) f->open[i] = f->residual[i];
+            f->residual[i] -= t[k] * g->column[(size_t)k * (size_t)g->e->rows + (size_t)i];
+        }
+        if (g->nuisances == 0) f->open[i] = f->residual[i];
     }
 }
 
@@ -518,6 +523,7 @@ void wcut_fitted_destroy(wcut_fitted *f) {
     wcut_free(f->held_out);
     wcut_free(f->without);
     wcut_free(f->residual);
+    wcut_free(f->open);
     wcut_free(f->predicted);
     *f = (wcut_fitted){0};
 }

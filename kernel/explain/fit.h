@@ -54,6 +54,7 @@ typedef struct wcut_fitted {
     double *held_out;  /* cuts: of the misfit of each, its effects and base fitted on the others */
     double *without;   /* cuts x (WCUT_BASE + count): x fitted on all cuts but this one */
     double *residual;  /* rows, whitened */
+    double *open;      /* rows, whitened: the same, shifts, turns and kerf of scans still in */
     double *predicted; /* rows: along the recorded motion, in N, rad, mm; patches: 0 */
     bool at_bound;     /* a coordinate ended at a bound */
 } wcut_fitted;

@@ -22,7 +22,8 @@ typedef struct wcut_screen {
     double cost_held_out;
 } wcut_screen;
 
-/* Columns about a model, which may hold effects already. residual: rows, whitened, measured less predicted there.
+/* Columns about a model, which may hold effects already. residual: rows, whitened, measured less predicted there, the
+   scans' shifts, turns and kerf still in (wcut_fitted.open).
    WCUT_OK; as wcut_models_rows: nothing was written. */
 wcut_status wcut_screen_create(const wcut_evidence *evidence, const wcut_model *about, const double *residual,
                                const bool without[WCUT_EFFECT_COUNT], wcut_screen *out, wcut_error *error);

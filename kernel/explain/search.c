@@ -8,12 +8,14 @@
 #include "base/fail.h"
 #include "base/numbers.h"
 
-enum { SINGLES = 5, SECONDS = 3, PAIRS = 3, BLOCK = 8 };
+enum { SINGLES = 4, SECONDS = 2, PAIRS = 2, BLOCK = 8 };
 
 /* a gain below this of a thousand rows' misfit is in the noise of the search over the whole library */
 #define WORTH 12.0
 /* what is tried in full: half of a practical size or more */
 #define NEARLY 0.5
+/* and what comes near the best of the screen, whose columns are straight lines through bent responses */
+#define CONTENDS 0.2
 
 /* ---- leftovers ---- */
 
@@ -165,14 +167,15 @@ static double scale(const wcut_search *s) {
 static wcut_status try_singles(searching *g, wcut_error *error) {
     wcut_search *s = g->s;
     wcut_screen screen = {0};
-    wcut_status status = wcut_screen_create(g->e, &s->none.model, s->none.residual, g->without, &screen, error);
+    wcut_status status = wcut_screen_create(g->e, &s->none.model, s->none.open, g->without, &screen, error);
     if (status != WCUT_OK) return status;
     s->screened = best_of_kinds(&screen, s->single, error);
     s->pairs = wcut_screen_pairs(&screen, WCUT_SCREENED, s->pair);
     wcut_screen_destroy(&screen);
     if (s->screened < 0) return WCUT_NO_MEMORY;
     for (int k = 0, full = 0; status == WCUT_OK && k < s->screened && full < SINGLES; k++) {
-        if (s->single[k].gain < WORTH * s->left.slow || s->single[k].size[0] < NEARLY) continue;
+        if (s->single[k].gain < fmax(WORTH * s->left.slow, CONTENDS * s->single[0].gain)) continue;
+        if (s->single[k].size[0] < NEARLY) continue;
         const wcut_model start = with_effects(&s->none.model, &s->single[k]);
         status = try_model(g, &start, error);
         full++;
@@ -195,14 +198,14 @@ static wcut_status try_pairs(searching *g, wcut_error *error) {
     if (best < 0) return WCUT_OK;
     wcut_screen screen = {0};
     const wcut_model about = s->candidate[best].fit.model;
-    wcut_status status = wcut_screen_create(g->e, &about, s->candidate[best].fit.residual, g->without, &screen, error);
+    wcut_status status = wcut_screen_create(g->e, &about, s->candidate[best].fit.open, g->without, &screen, error);
     if (status != WCUT_OK) return status == WCUT_NO_MEMORY ? status : WCUT_OK;
     s->next = best_of_kinds(&screen, s->second, error);
     wcut_screen_destroy(&screen);
     if (s->next < 0) return WCUT_NO_MEMORY;
     const double chance = WORTH * scale(s);
     for (int k = 0, full = 0; status == WCUT_OK && k < s->next && full < SECONDS; k++) {
-        if (s->second[k].gain < chance || s->second[k].size[0] < NEARLY) continue;
+        if (s->second[k].gain < fmax(chance, CONTENDS * s->second[0].gain) || s->second[k].size[0] < NEARLY) continue;
         const wcut_model start = with_effects(&about, &s->second[k]);
         status = try_model(g, &start, error);
         full++;

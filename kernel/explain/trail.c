@@ -125,6 +125,21 @@ wcut_status wcut_trail_exogenous(const wcut_job *job, const wcut_trail *recorded
     return WCUT_OK;
 }
 
+wcut_status wcut_trail_thin(const wcut_trail *recorded, double step, wcut_trail *out) {
+    const int n = recorded->count;
+    const int count = (int)fmin(floor((recorded->time[n - 1] - recorded->time[0]) / step), 1e7) + 1;
+    wcut_trail trail = {0};
+    if (count < 2) return WCUT_BAD_ARGUMENT;
+    if (!trail_create(count, false, &trail)) return WCUT_NO_MEMORY;
+    for (int i = 0; i < count; i++) {
+        trail.time[i] = recorded->time[0] + i * step;
+        trail.station[i] = wcut_between(n, recorded->time, recorded->station, trail.time[i]);
+        trail.heat[i] = wcut_between(n, recorded->time, recorded->heat, trail.time[i]);
+    }
+    *out = trail;
+    return WCUT_OK;
+}
+
 /* ---- driving ---- */
 
 void wcut_driven_destroy(wcut_driven *driven) {

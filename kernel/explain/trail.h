@@ -41,6 +41,9 @@ wcut_status wcut_trail_recorded(const wcut_job *job, const wcut_recording *recor
 wcut_status wcut_trail_exogenous(const wcut_job *job, const wcut_trail *recorded, double width, double step,
                                  wcut_trail *out);
 
+/* The recorded motion as it is, every `step` [s]: what plain least squares takes its columns along. */
+wcut_status wcut_trail_thin(const wcut_trail *recorded, double step, wcut_trail *out);
+
 void wcut_trail_destroy(wcut_trail *trail);
 
 /*

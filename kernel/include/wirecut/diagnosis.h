@@ -52,6 +52,7 @@ typedef struct wcut_diagnosis_options {
     int threads;                     /**< 1 or more; the result is the same for any number; default 1 */
     bool without[WCUT_EFFECT_COUNT]; /**< effects that are taken out of the library; default none */
     bool proof;                      /**< run the forward proof and the black box; default true */
+    bool naive;                      /**< run plain least squares beside it, for comparison; default false */
     unsigned long long seed;         /**< of the simulated nulls; default 1 */
 } wcut_diagnosis_options;
 

@@ -1,0 +1,27 @@
+/* The decision: one effect, two, an instrument, nothing, ambiguous, or unknown. */
+#ifndef WCUT_EXPLAIN_DECIDE_H
+#define WCUT_EXPLAIN_DECIDE_H
+
+#include "explain/search.h"
+
+enum { WCUT_RIVALS = 3 };
+
+typedef struct wcut_decision {
+    wcut_verdict_kind kind;
+    int chosen;             /* candidate that the verdict is about, or that comes nearest; -1: recalibration alone */
+    int rivals;             /* of an ambiguous verdict, `chosen` the first of them */
+    int rival[WCUT_RIVALS]; /* candidates */
+    double confidence;
+    double adequacy; /* [1] slow misfit that is left over that of noise */
+} wcut_decision;
+
+/* Decide by what the search found. */
+wcut_decision wcut_search_decide(const wcut_search *search);
+
+/* why a candidate is not the verdict, a constant text; "" of the one that is */
+const char *wcut_candidate_why(const wcut_search *search, const wcut_decision *decision, int candidate);
+
+/* the misfit of a candidate in units of chance, its coordinates paid for: what candidates are ranked by */
+double wcut_candidate_score(const wcut_search *search, int candidate);
+
+#endif

@@ -1,0 +1,187 @@
+/* What a diagnosis says in words: the verdict for an operator, and what could not be told. */
+#include "explain/words.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/alloc.h"
+
+/* a sentence's subject for every effect, with room for its first value */
+typedef struct phrase {
+    const char *what;
+    const char *number; /* a printf format of one double */
+    double unit;        /* of the value as it is shown */
+} phrase;
+
+static const phrase phrases[WCUT_EFFECT_COUNT] = {
+    [WCUT_WIRE_THERMAL_LAG] = {"the wire follows heat and speed with a delay", "time constant %.2f s", 1},
+    [WCUT_AIR_OVERHEATING] = {"the wire enters the foam overheated by the air", "%.2f times its power at first", 1},
+    [WCUT_END_COOLING] = {"the wire is cooler near its mounts", "by %.0f %%", 100},
+    [WCUT_FOAM_DENSITY_GRADIENT] = {"the foam gets denser across the block", "by %+.0f %%", 100},
+    [WCUT_FOAM_INCLUSION] = {"there is a spot of other density in the block", "%+.0f %%", 100},
+    [WCUT_KERF_GROWTH] = {"the kerf grows with the heat", "%.2f mm per kJ/m2", 1000},
+    [WCUT_TANGENTIAL_DRAG] = {"the foam drags along the wire", "friction %.2f", 1},
+    [WCUT_WIRE_ELONGATION] = {"the hot wire is longer than the cold one", "by %.2f %%", 100},
+    [WCUT_MOUNT_COMPLIANCE] = {"the mounts give way", "%.1f N/mm", 1},
+    [WCUT_RATE_DEPENDENCE] = {"the foam's force follows the speed itself", "exponent %+.2f", 1},
+    [WCUT_WIRE_FOULING] = {"residue on the wire changes the force as it cuts", "by %+.0f %%", 100},
+    [WCUT_BLOCK_SPRINGBACK] = {"the block changed shape after the cut", "%+.1f mm", 1},
+    [WCUT_ANGLE_OFFSET] = {"an angle encoder is offset", "by %+.2f deg", 1},
+    [WCUT_TENSION_GAIN] = {"a tension sensor reads", "%+.1f %% off", 100},
+    [WCUT_TENSION_DRIFT] = {"a tension sensor drifts", "%+.2f N in 100 s", 1},
+    [WCUT_CLOCK_OFFSET] = {"sensors are recorded late", "by %.2f s", 1},
+    [WCUT_SCAN_OFFSET] = {"the scan is displaced", "%.2f mm along x", 1},
+    [WCUT_SCAN_SCALE] = {"the scan has another scale", "factor %.4f", 1},
+};
+
+typedef struct text {
+    char *to;
+    size_t size, at;
+} text;
+
+static void add(text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+static void add(text *t, const char *format, ...) {
+    va_list list;
+    va_start(list, format);
+    const int length = vsnprintf(t->to + t->at, t->size - t->at, format, list);
+    va_end(list);
+    if (length > 0) t->at = t->at + (size_t)length < t->size ? t->at + (size_t)length : t->size - 1;
+}
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wformat-nonliteral"
+static void add_number(text *t, const phrase *p, double value) {
+    char number[64];
+    snprintf(number, sizeof number, p->number, p->unit * value);
+    add(t, " (%s)", number);
+}
+#pragma GCC diagnostic pop
+
+static void add_effect(text *t, const wcut_found_effect *f) {
+    const wcut_effect_info *info = wcut_effect_view(f->effect.kind);
+    const phrase *p = &phrases[f->effect.kind];
+    add(t, "%s", p->what);
+    if (info->choice) add(t, " [%s %s]", info->choice_key, info->choice[f->effect.choice]);
+    if (f->effect.kind == WCUT_KERF_GROWTH && f->effect.choice == 1)
+        add(t, " (%.2f mm for e times the heat)", f->effect.value[1]);
+    else
+        add_number(t, p, f->effect.value[0]);
+}
+
+void wcut_diagnosis_sentence(wcut_diagnosis *d) {
+    text t = {d->sentence, sizeof d->sentence, 0};
+    switch (d->kind) {
+        case WCUT_VERDICT_NONE:
+            add(&t, "Nothing is wrong beyond noise: the recalibrated simulation predicts these cuts.");
+            return;
+        case WCUT_VERDICT_UNKNOWN:
+            add(&t, "Something that is in no list changes these cuts");
+            if (d->mismatches > 0) {
+                const wcut_mismatch *m = &d->mismatch[0];
+                add(&t, ", most of all %s of cut %d from %.0f to %.0f s", m->column, m->cut + 1, m->time[0],
+                    m->time[1]);
+            }
+            if (d->dependences > 0) add(&t, "; it follows %s", d->dependence[0].quantity);
+            add(&t, ".");
+            return;
+        case WCUT_VERDICT_AMBIGUOUS:
+            add(&t, "Either ");
+            break;
+        default:
+            break;
+    }
+    for (int k = 0; k < d->effects; k++) {
+        if (k > 0) add(&t, d->kind == WCUT_VERDICT_AMBIGUOUS ? ", or " : ", and ");
+        add_effect(&t, &d->effect[k]);
+    }
+    add(&t, ".");
+    if (t.at > 0 && d->kind != WCUT_VERDICT_AMBIGUOUS && d->sentence[0] >= 'a' && d->sentence[0] <= 'z')
+        d->sentence[0] = (char)(d->sentence[0] - 'a' + 'A');
+}
+
+/* ---- limits ---- */
+
+enum { LIMITS_MOST = 12 };
+
+static void limit(wcut_diagnosis *d, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+static void limit(wcut_diagnosis *d, const char *format, ...) {
+    if (d->limits == LIMITS_MOST) return;
+    va_list list;
+    va_start(list, format);
+    vsnprintf(d->limit[d->limits++], WCUT_DIAGNOSIS_TEXT, format, list);
+    va_end(list);
+}
+
+static bool has_commands(const wcut_recording *r) { return r->channel[WCUT_CHANNEL_SPEED_COMMAND].name != NULL; }
+
+static int missing_channels(const wcut_recording *r) {
+    int missing = 0;
+    for (int k = WCUT_CHANNEL_TENSION_A; k <= WCUT_CHANNEL_BETA_B; k++) missing += r->channel[k].missing == r->samples;
+    return missing;
+}
+
+static void limit_cuts(wcut_diagnosis *d, int cuts, const wcut_diagnosis_cut *cut) {
+    int used = 0, scans = 0, excited = 0, commands = 0, missing = 0;
+    double least = HUGE_VAL, most = 0;
+    for (int k = 0; k < cuts; k++) {
+        if (!cut[k].job || !cut[k].recording) {
+            limit(d, "Cut %d is left out: it has no %s.", k + 1, cut[k].job ? "recording" : "job");
+            continue;
+        }
+        used++, scans += cut[k].scan != NULL, commands += has_commands(cut[k].recording);
+        excited += cut[k].job->dither_count > 0 || cut[k].job->heat_step_count > 0;
+        missing += missing_channels(cut[k].recording);
+        least = fmin(least, cut[k].job->heat), most = fmax(most, cut[k].job->heat);
+    }
+    if (used == 1)
+        limit(d,
+              "With one cut nothing can be held out, and what belongs to the block is not told from what belongs to "
+              "time.");
+    if (scans == 0) limit(d, "Without a scan nothing can be said of kerf, springback or the scanner.");
+    if (excited == 0)
+        limit(d,
+              "No cut has an excitation: a clock offset, a short lag and a dependence on the speed are hardly told "
+              "apart (wirecut identify makes such cuts).");
+    if (used > 0 && commands == 0) limit(d, "The commanded speed is not recorded: the diagnosis has less power.");
+    if (missing > 0) limit(d, "%d channels of the recordings are empty and say nothing.", missing);
+    if (used > 0 && most < 1.05 * least)
+        limit(d,
+              "All cuts have one heat: a and b are told apart by the speed alone, and losses of heat are hidden in "
+              "them.");
+}
+
+static void limit_calibration(wcut_diagnosis *d, int test_cuts, const wcut_test_cut *calibration) {
+    wcut_calibration *fit = wcut_alloc(1, sizeof *fit);
+    if (!fit) return; /* one sentence less */
+    wcut_calibration_point *none = NULL;
+    if (test_cuts == 0)
+        limit(d, "There is no calibration table: a and b come from these cuts alone.");
+    else if (wcut_calibration_fit(test_cuts, calibration, NULL, fit, none, NULL) == WCUT_OK) {
+        const double reference = fit->reference_force, speed = d->b.value * fit->reference_heat * 1000;
+        const double ours = speed / log(d->a.value / reference);
+        if (reference < d->a.value && fabs(ours - fit->reference_speed) > 4 * fit->reference_speed_error)
+            limit(d,
+                  "The calibration table contradicts the cuts: at %.4f N/mm and %.0f W/m it has %.1f +- %.1f mm/s, the "
+                  "cuts %.1f.",
+                  reference, fit->reference_heat, fit->reference_speed, 2 * fit->reference_speed_error, ours);
+    }
+    wcut_free(fit);
+}
+
+bool wcut_diagnosis_limits(wcut_diagnosis *d, int cuts, const wcut_diagnosis_cut *cut, int test_cuts,
+                           const wcut_test_cut *calibration) {
+    d->limit = wcut_alloc(LIMITS_MOST, sizeof *d->limit);
+    if (!d->limit) return false;
+    limit_cuts(d, cuts, cut);
+    limit_calibration(d, test_cuts, calibration);
+    for (int k = 0; k < d->effects; k++)
+        if (d->effect[k].effect.kind == WCUT_TENSION_GAIN && d->effect[k].effect.choice < 2)
+            limit(d,
+                  "Which of the two tension sensors is off is not told: one gain up and the other down differ by a "
+                  "alone.");
+    return true;
+}
