@@ -15,6 +15,7 @@
 enum { LEAST = 10, NEAR = 8, SAMPLE = 2000 };
 
 static const double FAR = 1e12;
+static const double COARSE = 1.5; /* [1] spacing of the points that Poisson uses over that of the vertices */
 static const double LINE = 1e-12; /* [1] variance across over along, below which points are on a line */
 
 wcut_reconstruction_options wcut_reconstruction_options_default(void) {
@@ -127,38 +128,83 @@ static wcut_status find_heights(const wcut_lattice *lattice, int count, const wc
     return WCUT_OK;
 }
 
-/* everything but Poisson's mesh, into a zeroed reconstruction */
-static wcut_status reconstruct(const wcut_surface *surface, const wcut_kd_tree *tree, const wcut_foot *foot,
-                               const wcut_reconstruction_options *o, int threads, wcut_reconstruction *r,
-                               wcut_error *error) {
-    wcut_lattice lattice = {0};
-    wcut_field field = {0};
-    wcut_sheet sheet = {0};
+/* a scan on its way */
+typedef struct job {
+    const wcut_surface *surface;
+    int count, threads;
+    const wcut_vec3 *point;
+    const wcut_foot *foot;
+    const wcut_reconstruction_options *options;
+    wcut_kd_tree tree;
+    wcut_lattice lattice;
+    wcut_field field;
+} job;
+
+static wcut_status solve_field(job *j, wcut_reconstruction *r) {
     heights h = {0};
-    r->point_spacing = point_spacing(tree);
-    if (!(r->point_spacing > 0))
-        return wcut_fail(error, WCUT_DEGENERATE, "scan: most points are in one place with eight others");
-    const bool own = o->spacing > 0 && o->method == WCUT_RECONSTRUCTION_FIELD; /* Poisson's is another */
-    r->spacing = own ? o->spacing : fmin(2 * r->point_spacing, o->support);
-    r->smoothing = o->smoothing > 0 ? o->smoothing : 2 * r->point_spacing;
-    wcut_status status = wcut_lattice_build(surface, r->spacing, threads, &lattice);
-    if (status == WCUT_OK) status = find_heights(&lattice, tree->count, foot, threads, &h);
+    wcut_status status = find_heights(&j->lattice, j->count, j->foot, j->threads, &h);
     r->used = h.count;
-    r->beyond = tree->count - h.count;
+    r->beyond = j->count - h.count;
     if (status == WCUT_OK && h.count < LEAST) status = WCUT_DEGENERATE;
     if (status == WCUT_OK) {
-        const int reach = (int)fmin(ceil(o->support / r->spacing), 1000);
+        const int reach = (int)fmin(ceil(j->options->support / r->spacing), 1000);
         const double density = 1 / (r->point_spacing * r->point_spacing);
-        status = wcut_field_solve(&lattice, h.count, h.place, h.height, density, r->smoothing, reach, threads, &field);
+        status = wcut_field_solve(&j->lattice, h.count, h.place, h.height, density, r->smoothing, reach, j->threads,
+                                  &j->field);
     }
     clear_heights(&h);
-    r->rms = field.rms;
-    r->iterations = field.iterations;
-    if (status == WCUT_OK) status = wcut_sheet_raise(&lattice, &field, tree, o->support, o->block, threads, &sheet);
+    r->rms = j->field.rms;
+    r->iterations = j->field.iterations;
+    return status;
+}
+
+/* the field as meshes */
+static wcut_status cut(const job *j, double support, wcut_reconstruction *r) {
+    wcut_sheet sheet = {0};
+    const wcut_reconstruction_options *o = j->options;
+    wcut_status status = wcut_sheet_raise(&j->lattice, &j->field, &j->tree, support, o->block, j->threads, &sheet);
     if (status == WCUT_OK) status = wcut_sheet_cut(&sheet, o->hole_least, r);
     wcut_sheet_clear(&sheet);
-    wcut_field_clear(&field);
-    wcut_lattice_clear(&lattice);
+    return status;
+}
+
+/* Poisson's heights in the place of the field's; the field's own sheet tells where the scan ends, without the gaps that
+   are no wider than the thinned points are apart */
+static wcut_status solve_poisson(job *j, wcut_reconstruction *r) {
+    wcut_reconstruction own = {0};
+    wcut_status status = cut(j, fmax(j->options->support, 2 * COARSE * r->spacing), &own);
+    const wcut_poisson_input input = {.surface = j->surface,
+                                      .lattice = &j->lattice,
+                                      .sheet = own.mesh,
+                                      .count = j->count,
+                                      .point = j->point,
+                                      .foot = j->foot,
+                                      .spacing = COARSE * r->spacing,
+                                      .reach = j->options->support,
+                                      .seed = j->options->seed,
+                                      .threads = j->threads};
+    if (status == WCUT_OK) status = wcut_reconstruct_poisson(&input, &j->field);
+    wcut_mesh_destroy(own.mesh);
+    wcut_mesh_destroy(own.unmeasured);
+    wcut_free(own.hole);
+    r->rms = 0;
+    r->iterations = 0;
+    return status;
+}
+
+static wcut_status reconstruct(job *j, wcut_reconstruction *r, wcut_error *error) {
+    const wcut_reconstruction_options *o = j->options;
+    r->point_spacing = point_spacing(&j->tree);
+    if (!(r->point_spacing > 0))
+        return wcut_fail(error, WCUT_DEGENERATE, "scan: most points are in one place with eight others");
+    r->spacing = o->spacing > 0 ? o->spacing : fmin(2 * r->point_spacing, o->support);
+    r->smoothing = o->smoothing > 0 ? o->smoothing : 2 * r->point_spacing;
+    wcut_status status = wcut_lattice_build(j->surface, r->spacing, j->threads, &j->lattice);
+    if (status == WCUT_OK) status = solve_field(j, r);
+    if (status == WCUT_OK && o->method == WCUT_RECONSTRUCTION_POISSON) status = solve_poisson(j, r);
+    if (status == WCUT_OK) status = cut(j, o->support, r);
+    wcut_field_clear(&j->field);
+    wcut_lattice_clear(&j->lattice);
     if (status == WCUT_OK) return status;
     return wcut_fail(error, status,
                      "reconstruction: %s; %d points over the face, %g mm apart, support %g mm, grid %g mm",
@@ -178,19 +224,15 @@ wcut_status wcut_reconstruction_create(const wcut_surface *surface, int count, c
     if (status != WCUT_OK) return status;
     if (!spans_plane(count, point))
         return wcut_fail(error, WCUT_DEGENERATE, "scan: its points are in one place or on one line");
-    wcut_kd_tree tree;
+    job j = {.surface = surface, .count = count, .threads = threads, .point = point, .foot = foot, .options = &o};
     wcut_reconstruction *r = wcut_alloc(1, sizeof *r);
-    status = r ? wcut_kd_tree_build(count, point, threads, &tree) : WCUT_NO_MEMORY;
+    status = r ? wcut_kd_tree_build(count, point, threads, &j.tree) : WCUT_NO_MEMORY;
     if (status != WCUT_OK) {
         wcut_free(r);
         return wcut_fail(error, status, "reconstruction: %s", wcut_status_text(status));
     }
-    status = reconstruct(surface, &tree, foot, &o, threads, r, error);
-    if (status == WCUT_OK && o.method == WCUT_RECONSTRUCTION_POISSON) {
-        status = wcut_reconstruct_poisson(surface, count, point, foot, &tree, &o, threads, r);
-        if (status != WCUT_OK) wcut_fail(error, status, "Poisson reconstruction: %s", wcut_status_text(status));
-    }
-    wcut_kd_tree_clear(&tree);
+    status = reconstruct(&j, r, error);
+    wcut_kd_tree_clear(&j.tree);
     if (status != WCUT_OK)
         wcut_reconstruction_destroy(r);
     else

@@ -1,21 +1,15 @@
-/* Poisson reconstruction of an open sheet: closed to a thin body by a copy below and a rim, then trimmed to the scan. */
+/* Poisson reconstruction of an open sheet: closed to a thin body by a copy below and a rim. */
 #include "scan/reconstruct_poisson.h"
 
 #include <limits.h>
 #include <string.h>
-#include <wirecut/cloud.h>
 
 #include "base/alloc.h"
 #include "base/numbers.h"
 #include "base/vec3.h"
 #include "scan/reconstruct_poisson_cgal.h"
-#include "scan/reconstruct_sheet.h"
 
-static const double COARSE = 3;       /* [1] spacing of the thinned points over that of the scan's */
-static const double THICK = 10;       /* [1] thickness of the body over the spacing */
-static const double SIZE = 1.5;       /* [1] of a triangle over the spacing */
-static const double DISTANCE = 0.375; /* [1] of a triangle from the surface, over the spacing */
-static const double UPRIGHT = 0.5;    /* [1] cosine to the face's normal below which a triangle belongs to the rim */
+static const int THICK = 10; /* [1] thickness of the body over the spacing */
 
 /* points with normals that point out of the body */
 typedef struct body {
@@ -66,20 +60,19 @@ static wcut_vec3 normal_at(const wcut_surface *surface, const wcut_foot *foot) {
 
 /* ---- the sheet itself ---- */
 
-/* the scan's points over the face, thinned; normals are those of the face, then of the points around on its side */
-static wcut_status take_scan(const wcut_surface *surface, int count, const wcut_vec3 *point, const wcut_foot *foot,
-                             double spacing, int threads, body *b) {
-    wcut_status status = make_room(b, count);
-    for (int k = 0; k < count && status == WCUT_OK; k++)
-        if (!foot[k].beyond) put(b, point[k], normal_at(surface, &foot[k]));
-    if (status == WCUT_OK) status = thin(spacing, b);
+/* the scan's points over the face, thinned; normals of the points around, on the face's side */
+static wcut_status take_scan(const wcut_poisson_input *in, body *b) {
+    wcut_status status = make_room(b, in->count);
+    for (int k = 0; k < in->count && status == WCUT_OK; k++)
+        if (!in->foot[k].beyond) put(b, in->point[k], normal_at(in->surface, &in->foot[k]));
+    if (status == WCUT_OK) status = thin(in->spacing, b);
     if (status != WCUT_OK) return status;
     if (b->count < 3) return WCUT_DEGENERATE;
     wcut_vec3 *own = wcut_alloc((size_t)b->count, sizeof *own);
-    status = own ? wcut_cloud_normals(b->count, b->point, NULL, threads, own, NULL) : WCUT_NO_MEMORY;
+    status = own ? wcut_cloud_normals(b->count, b->point, NULL, in->threads, own, NULL) : WCUT_NO_MEMORY;
     for (int k = 0; k < b->count && status == WCUT_OK; k++) {
         const double cosine = vec3_dot(own[k], b->normal[k]);
-        if (cosine != 0) b->normal[k] = vec3_scale(cosine < 0 ? -1 : 1, own[k]);
+        if (cosine > 0 || cosine < 0) b->normal[k] = vec3_scale(cosine < 0 ? -1 : 1, own[k]);
     }
     wcut_free(own);
     return status;
@@ -118,7 +111,7 @@ static void put_rim(const wcut_mesh *m, int a, int b, wcut_vec3 down, double spa
 
 /* the sheet's copy below it, and the rim between the two */
 static wcut_status close_below(const wcut_mesh *m, double spacing, body *closing) {
-    const int corners = 3 * m->triangle_count, steps = (int)THICK;
+    const int corners = 3 * m->triangle_count, steps = THICK;
     unsigned char *border = wcut_alloc((size_t)corners, 1);
     wcut_status status = border ? find_border(m, border) : WCUT_NO_MEMORY;
     wcut_vec3 down = {0, 0, 0};
@@ -135,113 +128,56 @@ static wcut_status close_below(const wcut_mesh *m, double spacing, body *closing
     return status == WCUT_OK ? thin(spacing, closing) : status;
 }
 
-/* ---- trimming ---- */
+/* ---- the whole ---- */
 
-/* foot, deviation and distance from the scan of every vertex; keep: 1 where it belongs to the scanned sheet */
-static wcut_status measure(const wcut_surface *surface, const wcut_kd_tree *tree, double support, int threads,
-                           wcut_mesh *m, double *distance, unsigned char *keep) {
-    wcut_projection *projection = NULL;
-    wcut_foot *foot = wcut_alloc((size_t)m->vertex_count, sizeof *foot);
-    wcut_status status = foot ? wcut_projection_create(surface, &projection) : WCUT_NO_MEMORY;
-    if (status == WCUT_OK) status = wcut_projection_locate(projection, m->vertex_count, m->vertex, threads, foot);
-    const double limit = nextafter(support, INFINITY);
-    for (int k = 0; k < m->vertex_count && status == WCUT_OK; k++) {
-        distance[k] = wcut_kd_tree_distance(tree, m->vertex[k], limit);
-        keep[k] =
-            distance[k] <= support && !foot[k].beyond && vec3_dot(m->normal[k], normal_at(surface, &foot[k])) > UPRIGHT;
-        m->uv[2 * k] = foot[k].u, m->uv[2 * k + 1] = foot[k].v;
-        m->scalar[k] = foot[k].height;
-    }
-    wcut_projection_destroy(projection);
-    wcut_free(foot);
+/* the points of `closing` behind those of `all` */
+static wcut_status join(body *all, const body *closing) {
+    body both = {0};
+    if (all->count > INT_MAX - closing->count) return WCUT_NO_MEMORY;
+    const wcut_status status = make_room(&both, all->count + closing->count);
+    for (int k = 0; k < all->count && status == WCUT_OK; k++) put(&both, all->point[k], all->normal[k]);
+    for (int k = 0; k < closing->count && status == WCUT_OK; k++) put(&both, closing->point[k], closing->normal[k]);
+    clear_body(all);
+    *all = both;
     return status;
 }
 
-/* the triangles whose corners are all kept, as a mesh of their own; the furthest of its vertices */
-static wcut_status trim(const wcut_mesh *m, const unsigned char *keep, const double *distance, wcut_mesh **trimmed,
-                        double *farthest) {
-    int triangles = 0, vertices = 0, *place = wcut_alloc((size_t)m->vertex_count, sizeof *place);
-    if (!place) return WCUT_NO_MEMORY;
-    for (int k = 0; k < m->triangle_count; k++) {
-        const int *t = m->triangle + 3 * k;
-        if (!keep[t[0]] || !keep[t[1]] || !keep[t[2]]) continue;
-        triangles++;
-        for (int a = 0; a < 3; a++)
-            if (!place[t[a]]) place[t[a]] = ++vertices;
+/* where Poisson's surface of a body crosses the normals of the field's active nodes */
+static wcut_status cross(const wcut_poisson_input *in, const body *b, int scanned, wcut_field *field) {
+    const int nodes = lattice_nodes(in->lattice);
+    body line = {0};
+    int *node = wcut_alloc((size_t)nodes, sizeof *node);
+    double *along = wcut_alloc((size_t)nodes, sizeof *along);
+    unsigned char *crossed = wcut_alloc((size_t)nodes, 1);
+    wcut_status status = node && along && crossed ? make_room(&line, nodes) : WCUT_NO_MEMORY;
+    for (int k = 0; k < nodes && status == WCUT_OK; k++) {
+        const wcut_vec3 n = in->lattice->normal[k];
+        if (!field->active[k] || !(vec3_dot(n, n) > 0)) continue;
+        node[line.count] = k;
+        put(&line, vec3_add_scaled(in->lattice->point[k], field->height[k], n), n);
     }
-    wcut_mesh *to = NULL;
-    wcut_status status =
-        triangles ? wcut_mesh_create(vertices, triangles, WCUT_MESH_NORMAL | WCUT_MESH_UV | WCUT_MESH_SCALAR, &to)
-                  : WCUT_DEGENERATE;
-    *farthest = 0;
-    for (int k = 0; k < m->vertex_count && status == WCUT_OK; k++) {
-        const int at = place[k] - 1;
-        if (at < 0) continue;
-        to->vertex[at] = m->vertex[k];
-        to->uv[2 * at] = m->uv[2 * k], to->uv[2 * at + 1] = m->uv[2 * k + 1];
-        to->scalar[at] = m->scalar[k];
-        *farthest = fmax(*farthest, distance[k]);
-    }
-    for (int k = 0, at = 0; k < m->triangle_count && status == WCUT_OK; k++) {
-        const int *t = m->triangle + 3 * k;
-        if (!keep[t[0]] || !keep[t[1]] || !keep[t[2]]) continue;
-        for (int a = 0; a < 3; a++) to->triangle[at++] = place[t[a]] - 1;
-    }
-    wcut_free(place);
-    if (status == WCUT_OK) *trimmed = to;
-    return status;
-}
-
-/* the body's mesh, less everything that is not the scanned sheet */
-static wcut_status cut_out(const wcut_surface *surface, const wcut_kd_tree *tree, double support, int threads,
-                           wcut_mesh *whole, wcut_reconstruction *r) {
-    double *distance = wcut_alloc((size_t)whole->vertex_count, sizeof *distance), farthest;
-    unsigned char *keep = wcut_alloc((size_t)whole->vertex_count, 1);
-    wcut_mesh *sheet = NULL;
-    wcut_status status = distance && keep ? WCUT_OK : WCUT_NO_MEMORY;
-    wcut_sheet_normals(whole);
-    if (status == WCUT_OK) status = measure(surface, tree, support, threads, whole, distance, keep);
-    if (status == WCUT_OK) status = trim(whole, keep, distance, &sheet, &farthest);
-    wcut_free(distance);
-    wcut_free(keep);
-    if (status != WCUT_OK) return status;
-    /* what the field's mesh has of the supported area tells how much that is on the scan itself */
-    const double whole_area = r->area / (1 - r->lost);
-    r->area = wcut_sheet_normals(sheet);
-    r->lost = fmax(0, 1 - r->area / whole_area);
-    r->farthest = farthest;
-    r->rms = 0;
-    r->iterations = 0;
-    wcut_mesh_destroy(r->mesh);
-    r->mesh = sheet;
-    return WCUT_OK;
-}
-
-wcut_status wcut_reconstruct_poisson(const wcut_surface *surface, int count, const wcut_vec3 *point,
-                                     const wcut_foot *foot, const wcut_kd_tree *tree,
-                                     const wcut_reconstruction_options *o, int threads, wcut_reconstruction *r) {
-    const double spacing = o->spacing > 0 ? o->spacing : COARSE * r->point_spacing;
-    body all = {0}, closing = {0};
-    wcut_mesh *whole = NULL;
-    wcut_status status = take_scan(surface, count, point, foot, spacing, threads, &all);
-    if (status == WCUT_OK) status = close_below(r->mesh, spacing, &closing);
-    if (status == WCUT_OK && all.count > INT_MAX - closing.count) status = WCUT_NO_MEMORY;
-    const int scanned = all.count;
-    if (status == WCUT_OK && all.count + closing.count > all.room) {
-        body both = {0};
-        status = make_room(&both, all.count + closing.count);
-        for (int k = 0; k < all.count && status == WCUT_OK; k++) put(&both, all.point[k], all.normal[k]);
-        clear_body(&all);
-        all = both;
-    }
-    for (int k = 0; k < closing.count && status == WCUT_OK; k++) put(&all, closing.point[k], closing.normal[k]);
-    clear_body(&closing);
     if (status == WCUT_OK)
-        status = wcut_poisson_cgal(all.count, scanned, all.point, all.normal, SIZE * spacing, DISTANCE * spacing,
-                                   o->seed, &whole);
+        status = wcut_poisson_cross(b->count, scanned, b->point, b->normal, in->seed, line.count, line.point,
+                                    line.normal, in->reach, along, crossed);
+    for (int k = 0; k < line.count && status == WCUT_OK; k++) {
+        field->active[node[k]] = crossed[k];
+        field->height[node[k]] += crossed[k] ? along[k] : 0;
+    }
+    clear_body(&line);
+    wcut_free(node);
+    wcut_free(along);
+    wcut_free(crossed);
+    return status;
+}
+
+wcut_status wcut_reconstruct_poisson(const wcut_poisson_input *in, wcut_field *field) {
+    body all = {0}, closing = {0};
+    wcut_status status = take_scan(in, &all);
+    const int scanned = all.count;
+    if (status == WCUT_OK) status = close_below(in->sheet, in->spacing, &closing);
+    if (status == WCUT_OK) status = join(&all, &closing);
+    clear_body(&closing);
+    if (status == WCUT_OK) status = cross(in, &all, scanned, field);
     clear_body(&all);
-    if (status == WCUT_OK) status = cut_out(surface, tree, o->support, threads, whole, r);
-    if (status == WCUT_OK) r->spacing = spacing;
-    wcut_mesh_destroy(whole);
     return status;
 }

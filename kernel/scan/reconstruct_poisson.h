@@ -2,15 +2,29 @@
 #ifndef WCUT_SCAN_RECONSTRUCT_POISSON_H
 #define WCUT_SCAN_RECONSTRUCT_POISSON_H
 
-#include <wirecut/reconstruction.h>
+#include <stdint.h>
+#include <wirecut/cloud.h>
+#include <wirecut/mesh.h>
+#include <wirecut/projection.h>
 
-#include "scan/kd_tree.h"
+#include "scan/reconstruct_field.h"
 
-/* Put Poisson's mesh in the place of the field's in a reconstruction. Points beyond the face's border are left out.
-   WCUT_DEGENERATE, WCUT_NOT_CONVERGED, WCUT_NO_MEMORY, WCUT_INTERNAL: the reconstruction is as it was. */
-wcut_status wcut_reconstruct_poisson(const wcut_surface *surface, int count, const wcut_vec3 *point,
-                                     const wcut_foot *foot, const wcut_kd_tree *tree,
-                                     const wcut_reconstruction_options *options, int threads,
-                                     wcut_reconstruction *reconstruction);
+/* the scan over the face, and its sheet as the field has it */
+typedef struct wcut_poisson_input {
+    const wcut_surface *surface;
+    const wcut_lattice *lattice;
+    const wcut_mesh *sheet; /* only where there is support: its border is closed */
+    int count;
+    const wcut_vec3 *point; /* count [mm] */
+    const wcut_foot *foot;  /* count; those beyond the border are left out */
+    double spacing;         /* [mm] of the points that are used */
+    double reach;           /* [mm] how far a height may be from the field's */
+    uint64_t seed;
+    int threads;
+} wcut_poisson_input;
+
+/* Replace the heights of a field by those of Poisson's surface; what that does not reach becomes inactive.
+   WCUT_DEGENERATE, WCUT_NOT_CONVERGED, WCUT_NO_MEMORY, WCUT_INTERNAL: the field is as it was. */
+wcut_status wcut_reconstruct_poisson(const wcut_poisson_input *input, wcut_field *field);
 
 #endif

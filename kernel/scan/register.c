@@ -61,11 +61,13 @@ void wcut_register_matrix(const wcut_motion *motion, double *matrix) {
     const wcut_vec3 zero = motion_apply(motion, vec3(0, 0, 0));
     const wcut_vec3 row[3] = {motion->rotation.x, motion->rotation.y, motion->rotation.z};
     const double shift[3] = {zero.x, zero.y, zero.z};
+    double m[16] = {0};
     for (int k = 0; k < 3; k++) {
-        matrix[4 * k] = row[k].x, matrix[4 * k + 1] = row[k].y, matrix[4 * k + 2] = row[k].z;
-        matrix[4 * k + 3] = shift[k];
+        m[4 * k] = row[k].x, m[4 * k + 1] = row[k].y, m[4 * k + 2] = row[k].z;
+        m[4 * k + 3] = shift[k];
     }
-    memcpy(matrix + 12, (double[]){0, 0, 0, 1}, 4 * sizeof *matrix);
+    m[15] = 1;
+    memcpy(matrix, m, sizeof m);
 }
 
 wcut_status wcut_registration_move(const wcut_registration *registration, int count, wcut_vec3 *point,

@@ -41,7 +41,8 @@ static frame frame_of_surface(const wcut_surface *surface) {
     double weight[GRID * GRID], first[2], last[2];
     wcut_surface_domain(surface, first, last);
     for (int i = 0; i < GRID * GRID; i++) {
-        const double s = (i % GRID + 0.5) / GRID, t = (i / GRID + 0.5) / GRID;
+        const int column = i % GRID, row = i / GRID;
+        const double s = (column + 0.5) / GRID, t = (row + 0.5) / GRID;
         /* cannot fail: the surface is valid */
         (void)wcut_surface_eval(surface, first[0] + s * (last[0] - first[0]), first[1] + t * (last[1] - first[1]), 1,
                                 d);
@@ -115,7 +116,7 @@ static wcut_status choose(wcut_register_cloud *few, wcut_register_cloud *some, c
                           double length, wcut_motion *motion, double *rival) {
     wcut_registration_options o = *options;
     wcut_motion reached[TRIED + 1];
-    double rms[TRIED + 1];
+    double rms[TRIED + 1] = {0};
     int start[TRIED], best = 0;
     const frame scan = frame_of_cloud(some), surface = frame_of_surface(some->projection->surface);
     o.tolerance = fmax(o.tolerance, 1e-6 * length);

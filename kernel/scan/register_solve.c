@@ -48,7 +48,7 @@ static void to_parameters(const wcut_register_problem *p, const wcut_motion *mot
     for (int i = 0; i < N; i++)
         for (int j = 0; j < N; j++)
             for (int k = 0; k < N; k++) ht[N * i + j] += s->h[i < k ? N * i + k : N * k + i] * t[N * k + j];
-    memset(h, 0, N * N * sizeof *h);
+    memset(h, 0, (size_t)N * N * sizeof *h);
     memset(g, 0, N * sizeof *g);
     for (int i = 0; i < N; i++)
         for (int k = 0; k < N; k++) {
@@ -154,8 +154,9 @@ static wcut_status advance(const wcut_register_problem *p, const normal *n, doub
     const double weight = sums->weight;
     const double cost = sums->square / variance + prior_cost(p->options, motion->x);
     for (; *damping < DAMPED_MOST; *damping = fmax(1e-3, 10 * *damping)) {
-        double y[N], x[N];
+        double y[N] = {0}, x[N];
         *moved = step_of(n, variance, *damping, y);
+        if (*moved <= p->options->tolerance && *damping > 1) break; /* small only for its damping */
         if (*moved <= p->options->tolerance) return WCUT_OK;
         if (!isfinite(*moved)) continue;
         memcpy(x, motion->x, sizeof x);

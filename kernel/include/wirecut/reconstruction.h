@@ -17,8 +17,8 @@ extern "C" {
 /** How a face is made from points. */
 typedef enum wcut_reconstruction_method {
     WCUT_RECONSTRUCTION_FIELD,  /**< a smooth field of deviation over the simulated face, as far as its border */
-    WCUT_RECONSTRUCTION_POISSON /**< Poisson reconstruction in space (Kazhdan 2006) of the scan closed below and at its
-                                     rim, trimmed to the scan; 50 times slower */
+    WCUT_RECONSTRUCTION_POISSON /**< Poisson reconstruction in space (Kazhdan 2006) of the thinned scan, closed below
+                                     and at its rim, where the normals of the face cross it; slower, less exact */
 } wcut_reconstruction_method;
 
 /** How a reconstruction is made. */
@@ -26,7 +26,7 @@ typedef struct wcut_reconstruction_options {
     wcut_reconstruction_method method; /**< default WCUT_RECONSTRUCTION_FIELD */
     double support; /**< [mm] no vertex is further from the nearest point of the scan; positive, default 1.5 */
     /** [mm] largest distance of neighbouring vertices along u and v; default 0: twice that of the points, at most
-        `support`. Poisson: default 0: three times that of the points */
+        `support`. Poisson thins the points to 1.5 times that */
     double spacing;
     /** [mm] deviations of a shorter wavelength than about 2 pi times this are noise; default 0: twice the distance
         of the points */
@@ -35,7 +35,7 @@ typedef struct wcut_reconstruction_options {
         the face is to be measured */
     wcut_vec3 block;
     double hole_least; /**< [mm^2] smaller gaps are counted in unmeasured_area, not listed as holes; default 10 */
-    uint64_t seed;     /**< of Poisson's mesh refinement; default 1: same input and seed, same bytes */
+    uint64_t seed;     /**< of Poisson's tetrahedra; default 1: same input and seed, same bytes */
 } wcut_reconstruction_options;
 
 /** A connected part of the face where the scan has no points. */
@@ -88,7 +88,7 @@ WCUT_API wcut_reconstruction_options wcut_reconstruction_options_default(void);
  * @param[out] error          may be NULL
  * @return WCUT_OK; WCUT_DEGENERATE (fewer than ten points over the face, all in one place or on one line; no triangle
  *         has support: points further apart than it), WCUT_NOT_CONVERGED (Poisson's or the field's solver),
- *         WCUT_BAD_ARGUMENT (also a spacing that asks for more than 20 million vertices), WCUT_NO_MEMORY,
+ *         WCUT_BAD_ARGUMENT (also a spacing that asks for more than 5 million vertices), WCUT_NO_MEMORY,
  *         WCUT_INTERNAL (an exception in Poisson): nothing was written.
  */
 WCUT_API wcut_status wcut_reconstruction_create(const wcut_surface *surface, int count, const wcut_vec3 *point,
