@@ -10,6 +10,7 @@
 
 #include "fail.h"
 #include "number.h"
+#include "stl.h"
 
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "binary files are written as they lie in memory");
 
@@ -87,42 +88,10 @@ void wcut_range(int count, const double *value, double *least, double *greatest)
 
 /* ---- STL ---- */
 
-enum { STL_HEADER = 80, STL_FACET = 50 };
-
-/* unit normal, counter-clockwise; zero for a triangle without area */
-static void facet_normal(wcut_vec3 a, wcut_vec3 b, wcut_vec3 c, float normal[3]) {
-    double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z;
-    double vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
-    double nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
-    double size = sqrt(nx * nx + ny * ny + nz * nz);
-    double scale = size > 0 ? 1 / size : 0;
-    normal[0] = (float)(nx * scale);
-    normal[1] = (float)(ny * scale);
-    normal[2] = (float)(nz * scale);
-}
-
 static void put_stl(wcut_text *text, const wcut_mesh *mesh, const void *context) {
     (void)context;
-    /* not "solid", which would begin an ASCII file */
-    static const char header[STL_HEADER] = "wirecut " WCUT_VERSION ", binary STL, units: mm";
-    uint32_t count = (uint32_t)mesh->triangle_count;
-    wcut_text_put(text, header, STL_HEADER);
-    wcut_text_put(text, &count, sizeof count);
-    for (size_t t = 0; t < count; t++) {
-        const int *v = mesh->triangle + 3 * t;
-        float facet[12];
-        facet_normal(mesh->vertex[v[0]], mesh->vertex[v[1]], mesh->vertex[v[2]], facet);
-        for (int k = 0; k < 3; k++) {
-            wcut_vec3 p = mesh->vertex[v[k]];
-            facet[3 + 3 * k] = (float)p.x;
-            facet[4 + 3 * k] = (float)p.y;
-            facet[5 + 3 * k] = (float)p.z;
-        }
-        char *room = wcut_text_room(text);
-        memcpy(room, facet, sizeof facet);
-        memset(room + sizeof facet, 0, STL_FACET - sizeof facet);
-        text->count += STL_FACET;
-    }
+    wcut_stl_put_header(text, (uint32_t)mesh->triangle_count);
+    wcut_stl_put_facets(text, (size_t)mesh->triangle_count, mesh->vertex, mesh->triangle);
 }
 
 wcut_status wcut_mesh_write_stl(const wcut_mesh *mesh, const char *path, wcut_error *error) {

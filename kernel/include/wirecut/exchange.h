@@ -71,6 +71,37 @@ WCUT_API wcut_status wcut_iges_write(int count, const wcut_shape *shape, const c
 WCUT_API wcut_status wcut_mesh_write_3mf(int count, const wcut_mesh *const *mesh, const char *const *name,
                                          const char *path, wcut_error *error);
 
+/** A binary STL written triangle by triangle, for more than memory should hold. */
+typedef struct wcut_stl_stream wcut_stl_stream;
+
+/**
+ * Begin a streamed STL in a temporary file beside the target; 1 MiB of memory, however long it becomes.
+ *
+ * @param[in]  path   the target
+ * @param[out] stream the caller's, to wcut_stl_stream_commit or wcut_stl_stream_destroy
+ * @param[out] error  may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: nothing was written.
+ */
+WCUT_API wcut_status wcut_stl_stream_create(const char *path, wcut_stl_stream **stream, wcut_error *error);
+
+/**
+ * Append triangles.
+ *
+ * @param[in]  count  0 or more; at most 4294967295 in all
+ * @param[in]  corner 3 count [mm], counter-clockwise seen from outside
+ * @param[out] error  may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT: none of them was appended; WCUT_NOT_WRITTEN: the stream is of no more use.
+ */
+WCUT_API wcut_status wcut_stl_stream_append(wcut_stl_stream *stream, int count, const wcut_vec3 *corner,
+                                            wcut_error *error);
+
+/** Put the file in its place; the stream stays to be destroyed. WCUT_BAD_ARGUMENT: no triangle was appended;
+ *  WCUT_NOT_WRITTEN: the target is as it was. */
+WCUT_API wcut_status wcut_stl_stream_commit(wcut_stl_stream *stream, wcut_error *error);
+
+/** Free a stream; what was not committed is removed. NULL is allowed. */
+WCUT_API void wcut_stl_stream_destroy(wcut_stl_stream *stream);
+
 #ifdef __cplusplus
 }
 #endif
