@@ -1,0 +1,436 @@
+/* A case diagnosed: evidence, search, decision, and what follows from it. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <wirecut/diagnosis.h>
+
+#include "base/alloc.h"
+#include "base/distribution.h"
+#include "base/fail.h"
+#include "base/numbers.h"
+#include "cut/setup.h"
+#include "explain/black_box.h"
+#include "explain/decide.h"
+#include "explain/dependence.h"
+#include "explain/experiment.h"
+#include "explain/locate.h"
+#include "explain/proof.h"
+#include "explain/words.h"
+
+#define DEGREES (180 / WCUT_PI)
+
+wcut_diagnosis_options wcut_diagnosis_options_default(void) {
+    return (wcut_diagnosis_options){.threads = 1, .proof = true, .seed = 1};
+}
+
+void wcut_diagnosis_destroy(wcut_diagnosis *d) {
+    if (!d) return;
+    for (int k = 0; k < d->traces; k++) {
+        wcut_free(d->trace[k].time);
+        wcut_free(d->trace[k].station);
+        wcut_free(d->trace[k].before);
+        wcut_free(d->trace[k].recalibrated);
+        wcut_free(d->trace[k].after);
+    }
+    wcut_free(d->trace);
+    wcut_free(d->hypothesis);
+    wcut_free(d->mismatch);
+    wcut_free(d->dependence);
+    wcut_free(d->held_out);
+    wcut_free(d->limit);
+    wcut_job_destroy(d->improved);
+    wcut_job_destroy(d->next_experiment);
+    wcut_free(d);
+}
+
+/* everything in a run */
+typedef struct diagnosing {
+    int cuts;
+    const wcut_diagnosis_cut *cut;
+    int test_cuts;
+    const wcut_test_cut *calibration;
+    const wcut_diagnosis_options *options;
+    wcut_progress progress;
+    void *context;
+    int done;
+    wcut_evidence *evidence;
+    wcut_model job_model; /* as the jobs say */
+    double *before;       /* rows of time: residual under the jobs' own model, N and rad, in the evidence's rows */
+    int before_rows;
+    wcut_search search;
+    wcut_decision decision;
+    wcut_proof proof;
+    wcut_diagnosis *out;
+} diagnosing;
+
+enum { STEPS = 20, SEARCH_FROM = 3, SEARCH_STEPS = 12 };
+
+static bool stopped(diagnosing *g, int step) {
+    g->done = step > g->done ? step : g->done;
+    return g->progress && g->progress(g->done < STEPS ? g->done : STEPS - 1, STEPS, g->context) != 0;
+}
+
+static int search_progress(int step, int steps, void *context) {
+    (void)steps;
+    return stopped(context, SEARCH_FROM + (step < SEARCH_STEPS ? step : SEARCH_STEPS - 1));
+}
+
+/* ---- evidence under the recalibrated model ---- */
+
+static wcut_status keep_before(diagnosing *g) {
+    const wcut_evidence *e = g->evidence;
+    g->before = wcut_alloc((size_t)e->rows, sizeof(double));
+    if (!g->before) return WCUT_NO_MEMORY;
+    wcut_evidence_residual(e, g->before);
+    g->before_rows = e->rows;
+    return WCUT_OK;
+}
+
+static wcut_status prepare(diagnosing *g, wcut_error *error) {
+    wcut_status status = wcut_evidence_create(g->cuts, g->cut, false, g->options->threads, &g->evidence, error);
+    if (status != WCUT_OK) return status;
+    wcut_evidence *e = g->evidence;
+    g->job_model = e->at;
+    status = wcut_evidence_predict(e, &g->job_model, false, error);
+    if (status == WCUT_OK) status = keep_before(g);
+    if (status == WCUT_OK && stopped(g, 1)) return wcut_fail(error, WCUT_INTERRUPTED, "interrupted");
+    wcut_fitted first = {0};
+    if (status == WCUT_OK) status = wcut_fit_solve(e, &e->at, &first, error);
+    if (status != WCUT_OK) return status;
+    const wcut_model recalibrated = first.model;
+    wcut_fitted_destroy(&first);
+    if (stopped(g, 2)) return wcut_fail(error, WCUT_INTERRUPTED, "interrupted");
+    return wcut_evidence_predict(e, &recalibrated, true, error);
+}
+
+/* ---- what was found, in words and numbers ---- */
+
+static const wcut_candidate *chosen(const diagnosing *g) {
+    return g->decision.chosen >= 0 && g->decision.kind != WCUT_VERDICT_NONE ? &g->search.candidate[g->decision.chosen]
+                                                                            : NULL;
+}
+
+static bool names_effects(const diagnosing *g) { return chosen(g) && g->decision.kind != WCUT_VERDICT_UNKNOWN; }
+
+static const wcut_fitted *final_fit(const diagnosing *g) {
+    return names_effects(g) ? &chosen(g)->fit : &g->search.none;
+}
+
+/* Standard error with what the linear fit does not know: slow noise beyond the whitening, and the simulator's own error
+   against another simulator of the same physics, 2 % of a strength. */
+static double widened(double error, double value, double slow) {
+    return hypot(1.2 * error * sqrt(fmax(slow, 1)), 0.02 * value);
+}
+
+static void estimate(const wcut_fitted *f, int k, double slow, wcut_estimate *out) {
+    const wcut_coordinate *c = &f->coordinate[k];
+    const double x = f->x[WCUT_BASE + k], own = c->scale == WCUT_FIT_LOG ? 1 : x;
+    const double half = 1.96 * widened(f->error[WCUT_BASE + k], own, slow);
+    const double ends[2] = {fmax(x - half, c->low), fmin(x + half, c->high)};
+    out->value = wcut_scale_out(c->scale, x);
+    out->low = wcut_scale_out(c->scale, ends[0]), out->high = wcut_scale_out(c->scale, ends[1]);
+    if (c->scale == WCUT_FIT_RECIPROCAL) {
+        const double swap = out->low;
+        out->low = out->high, out->high = swap;
+    }
+}
+
+static void add_effects(diagnosing *g, int candidate, bool present, double confidence) {
+    wcut_diagnosis *d = g->out;
+    const wcut_candidate *c = &g->search.candidate[candidate];
+    for (int e = 0; e < c->fit.model.effects && d->effects < WCUT_DIAGNOSIS_EFFECTS; e++) {
+        bool listed = false;
+        for (int k = 0; k < d->effects; k++) listed = listed || d->effect[k].effect.kind == c->fit.model.effect[e].kind;
+        if (listed) continue;
+        wcut_found_effect *f = &d->effect[d->effects++];
+        *f = (wcut_found_effect){.effect = c->fit.model.effect[e], .present = present, .confidence = confidence};
+        for (int k = 0; k < WCUT_EFFECT_VALUES; k++)
+            f->parameter[k] = (wcut_estimate){f->effect.value[k], f->effect.value[k], f->effect.value[k]};
+        for (int k = 0; k < c->fit.count; k++) {
+            if (c->fit.effect_of[k] != e) continue;
+            const int at = c->fit.coordinate[k].at;
+            estimate(&c->fit, k, c->left.slow, &f->parameter[at]);
+            f->effect.value[at] = f->parameter[at].value;
+            f->estimated[at] = true;
+        }
+    }
+}
+
+static wcut_estimate positive(double x, double error, double slow) {
+    const double half = 1.96 * widened(error, 0, slow);
+    return (wcut_estimate){exp(x), exp(x - half), exp(x + half)};
+}
+
+static void report_base(diagnosing *g) {
+    wcut_diagnosis *d = g->out;
+    const wcut_fitted *f = final_fit(g);
+    const double slow = g->decision.adequacy;
+    d->a_job = g->job_model.a, d->b_job = g->job_model.b;
+    d->a = positive(f->x[0], f->error[0], slow), d->b = positive(f->x[1], f->error[1], slow);
+    const double half = 1.96 * widened(f->error[2], 0, slow);
+    d->length_change = (wcut_estimate){f->x[2], f->x[2] - half, f->x[2] + half};
+    const double kerf = 1.96 * f->kerf_error;
+    d->kerf = (wcut_estimate){f->kerf, f->kerf - kerf, f->kerf + kerf};
+    d->noise[WCUT_EVIDENCE_SPEED] = d->noise[WCUT_EVIDENCE_SCAN] = (double)NAN;
+    const double bin = sqrt(WCUT_BIN_WIDTH / 0.05); /* of a sample at 20 Hz */
+    d->noise[WCUT_EVIDENCE_TENSION] = bin * (g->evidence->sigma[0] + g->evidence->sigma[1]) / 2;
+    d->noise[WCUT_EVIDENCE_ALPHA] = bin * DEGREES * (g->evidence->sigma[2] + g->evidence->sigma[4]) / 2;
+    d->noise[WCUT_EVIDENCE_BETA] = bin * DEGREES * (g->evidence->sigma[3] + g->evidence->sigma[5]) / 2;
+    for (int k = 0; k < g->cuts; k++)
+        if (g->evidence->cut[k].patch.count > 0) d->noise[WCUT_EVIDENCE_SCAN] = g->evidence->cut[k].patch.spread;
+}
+
+/* ---- ranking ---- */
+
+static int by_score(const void *a, const void *b) {
+    const wcut_hypothesis *x = a, *y = b;
+    return x->probability < y->probability ? 1 : x->probability > y->probability ? -1 : x->count - y->count;
+}
+
+static wcut_status rank(diagnosing *g) {
+    wcut_diagnosis *d = g->out;
+    const wcut_search *s = &g->search;
+    d->hypothesis = wcut_alloc((size_t)(s->count + 1 + WCUT_EFFECT_COUNT), sizeof *d->hypothesis);
+    if (!d->hypothesis) return WCUT_NO_MEMORY;
+    double most = 0, sum = 0;
+    for (int k = -1; k < s->count; k++) most = fmax(most, wcut_candidate_score(s, k));
+    for (int k = -1; k < s->count; k++) {
+        wcut_hypothesis *h = &d->hypothesis[d->hypotheses++];
+        *h = (wcut_hypothesis){.adequacy = s->left.slow, .why = wcut_candidate_why(s, &g->decision, k)};
+        h->probability = exp(fmax((wcut_candidate_score(s, k) - most) / 2, -700));
+        sum += h->probability;
+        if (k < 0) continue;
+        const wcut_candidate *c = &s->candidate[k];
+        h->count = c->effects < 2 ? c->effects : 2;
+        for (int e = 0; e < h->count; e++) h->effect[e] = c->fit.model.effect[e];
+        h->parameters = c->fit.count, h->gain = c->gain, h->held_out = c->held_out, h->adequacy = c->left.slow;
+    }
+    for (int k = 0; k < d->hypotheses; k++) d->hypothesis[k].probability /= sum;
+    for (int k = 0; k < s->screened; k++) { /* what the screen alone set aside */
+        bool full = false;
+        for (int j = 0; j < s->count; j++)
+            full = full || (s->candidate[j].effects == 1 &&
+                            s->candidate[j].fit.model.effect[0].kind == s->single[k].effect[0].kind);
+        if (full) continue;
+        d->hypothesis[d->hypotheses++] =
+            (wcut_hypothesis){.count = 1,
+                              .effect = {s->single[k].effect[0]},
+                              .parameters = 1,
+                              .gain = s->single[k].gain,
+                              .adequacy = s->left.slow,
+                              .why = s->single[k].size[0] < 1 ? "too small to matter" : "no more than chance"};
+    }
+    qsort(d->hypothesis, (size_t)d->hypotheses, sizeof *d->hypothesis, by_score);
+    return WCUT_OK;
+}
+
+/* ---- traces ---- */
+
+static bool trace_of(diagnosing *g, int cut, int signal, wcut_residual_trace *t) {
+    const wcut_evidence_cut *c = &g->evidence->cut[cut];
+    const size_t n = (size_t)c->bins;
+    const wcut_evidence_channel channels[] = {WCUT_EVIDENCE_TENSION, WCUT_EVIDENCE_ALPHA, WCUT_EVIDENCE_BETA};
+    const wcut_evidence_channel channel = channels[signal < 2 ? 0 : signal % 2 ? 2 : 1];
+    const double unit = signal < 2 ? 1 : DEGREES;
+    *t = (wcut_residual_trace){
+        .cut = cut, .channel = channel, .count = c->bins, .noise = unit * g->evidence->sigma[signal]};
+    snprintf(t->column, sizeof t->column, "%s", wcut_channel_name((wcut_channel)(WCUT_CHANNEL_TENSION_A + signal)));
+    t->time = wcut_copy(c->middle, n, sizeof(double));
+    t->station = wcut_copy(c->station, n, sizeof(double));
+    t->before = wcut_alloc(n, sizeof(double));
+    t->recalibrated = wcut_alloc(n, sizeof(double));
+    t->after = wcut_alloc(n, sizeof(double));
+    if (!t->time || !t->station || !t->before || !t->recalibrated || !t->after) return false;
+    int before_row = 0; /* rows before there were patches */
+    for (int k = 0; k < cut; k++) before_row += WCUT_TRAIL_SIGNALS * g->evidence->cut[k].bins;
+    for (int i = 0; i < c->bins; i++) {
+        const int at = signal * c->bins + i;
+        t->before[i] = unit * g->before[before_row + at];
+        t->recalibrated[i] = unit * (c->measured[signal][i] - g->search.none.predicted[c->row + at]);
+        t->after[i] = unit * (c->measured[signal][i] - final_fit(g)->predicted[c->row + at]);
+    }
+    return true;
+}
+
+static wcut_status trace(diagnosing *g) {
+    wcut_diagnosis *d = g->out;
+    d->trace = wcut_alloc((size_t)(g->cuts * WCUT_TRAIL_SIGNALS), sizeof *d->trace);
+    if (!d->trace) return WCUT_NO_MEMORY;
+    for (int cut = 0; cut < g->cuts; cut++)
+        for (int s = 0; s < WCUT_TRAIL_SIGNALS && g->evidence->cut[cut].bins > 0; s++)
+            if (!trace_of(g, cut, s, &d->trace[d->traces++])) return WCUT_NO_MEMORY;
+    return WCUT_OK;
+}
+
+/* ---- what follows ---- */
+
+static const wcut_job *first_job(const diagnosing *g) {
+    for (int k = 0; k < g->cuts; k++)
+        if (g->evidence->cut[k].bins > 0) return g->evidence->cut[k].job;
+    return NULL;
+}
+
+/* the first cut's job, recalibrated; with the effects that were named */
+static wcut_status improve(diagnosing *g) {
+    const wcut_model *m = &final_fit(g)->model;
+    wcut_job job = *first_job(g);
+    job.force_law.a = m->a, job.force_law.b = m->b;
+    job.wire_length += m->length_change;
+    job.effect_count = m->effects, job.effect = (wcut_effect *)(m->effects ? m->effect : NULL);
+    g->out->improved = wcut_job_copy(&job);
+    return g->out->improved ? WCUT_OK : WCUT_NO_MEMORY;
+}
+
+static wcut_status propose(diagnosing *g, wcut_error *error) {
+    const wcut_decision *v = &g->decision;
+    wcut_diagnosis *d = g->out;
+    if (v->kind != WCUT_VERDICT_AMBIGUOUS) return WCUT_OK;
+    const wcut_model *a = &g->search.candidate[v->rival[0]].fit.model, *b = &g->search.candidate[v->rival[1]].fit.model;
+    wcut_job job = *first_job(g);
+    job.force_law.a = g->search.none.model.a, job.force_law.b = g->search.none.model.b;
+    double separation;
+    const wcut_status status = wcut_experiment_choose(&job, a->effects, a->effect, b->effects, b->effect,
+                                                      &d->next_experiment, &separation, d->next_reason, error);
+    if (status == WCUT_NO_MEMORY) return status;
+    if (status != WCUT_OK) snprintf(d->next_reason, sizeof d->next_reason, "no cut could be rehearsed");
+    return WCUT_OK;
+}
+
+static wcut_status prove(diagnosing *g, wcut_error *error) {
+    wcut_diagnosis *d = g->out;
+    if (!g->options->proof) return WCUT_OK;
+    wcut_status status =
+        wcut_proof_create(g->evidence, &g->search.none, final_fit(g), g->options->seed, &g->proof, error);
+    if (status == WCUT_OK) status = wcut_black_box_run(g->evidence, g->options->seed, &g->proof);
+    if (status == WCUT_NO_MEMORY) return status;
+    if (status != WCUT_OK) return WCUT_OK; /* counts stay 0: there is no proof, and the limits say so */
+    memcpy(d->fit, g->proof.fit, sizeof d->fit);
+    memcpy(d->held_out_fit, g->proof.held_out_fit, sizeof d->held_out_fit);
+    for (int k = 0; k < g->cuts; k++) d->held_out[k] = g->evidence->cut[k].bins > 0;
+    return WCUT_OK;
+}
+
+/* the control: plain least squares, columns along the recorded motion, white noise, the likeliest single effect */
+static wcut_status try_naive(diagnosing *g, wcut_error *error) {
+    wcut_diagnosis *d = g->out;
+    if (!g->options->naive) return WCUT_OK;
+    wcut_evidence *e = NULL;
+    wcut_screen screen = {0};
+    wcut_fitted plain = {0};
+    wcut_status status = wcut_evidence_create(g->cuts, g->cut, true, g->options->threads, &e, error);
+    if (status == WCUT_OK) {
+        e->coloured = 0;
+        status = wcut_evidence_predict(e, &g->evidence->at, false, error);
+    }
+    if (status == WCUT_OK) status = wcut_fit_solve(e, &e->at, &plain, error);
+    if (status == WCUT_OK)
+        status = wcut_screen_create(e, &plain.model, plain.open, g->options->without, &screen, error);
+    wcut_screened *found = status == WCUT_OK ? wcut_alloc((size_t)screen.groups, sizeof *found) : NULL;
+    if (found && wcut_screen_singles(&screen, found) > 0) {
+        /* likelihood ratio at one part in ten thousand, as a textbook has it */
+        d->naive_false = found[0].gain > wcut_chi_square_quantile(0.9999, 1);
+        if (d->naive_false)
+            snprintf(d->naive, sizeof d->naive, "%s, likelihood ratio %.0f",
+                     wcut_effect_view(found[0].effect[0].kind)->name, found[0].gain);
+    }
+    wcut_free(found);
+    wcut_fitted_destroy(&plain);
+    wcut_screen_destroy(&screen);
+    wcut_evidence_destroy(e);
+    return status;
+}
+
+static wcut_status locate(diagnosing *g, wcut_error *error) {
+    wcut_diagnosis *d = g->out;
+    d->mismatch = wcut_alloc(WCUT_MISMATCHES, sizeof *d->mismatch);
+    if (!d->mismatch) return WCUT_NO_MEMORY;
+    return wcut_mismatch_locate(g->evidence, g->search.none.residual, &d->mismatches, d->mismatch, error);
+}
+
+static wcut_status depend(diagnosing *g, wcut_error *error) {
+    wcut_diagnosis *d = g->out;
+    if (g->decision.kind != WCUT_VERDICT_UNKNOWN) return WCUT_OK;
+    d->dependence = wcut_alloc(WCUT_DEPENDENCES, sizeof *d->dependence);
+    if (!d->dependence) return WCUT_NO_MEMORY;
+    return wcut_dependence_find(g->evidence, &g->search.none, &d->dependences, d->dependence, error);
+}
+
+static void decide(diagnosing *g) {
+    wcut_diagnosis *d = g->out;
+    g->decision = wcut_search_decide(&g->search);
+    const wcut_decision *v = &g->decision;
+    d->kind = v->kind, d->confidence = v->confidence, d->adequacy = v->adequacy;
+    if (v->kind == WCUT_VERDICT_AMBIGUOUS)
+        for (int r = 0; r < v->rivals; r++) add_effects(g, v->rival[r], false, v->confidence / v->rivals);
+    else if (names_effects(g))
+        add_effects(g, v->chosen, true, v->confidence);
+    report_base(g);
+}
+
+static wcut_status conclude(diagnosing *g, wcut_error *error) {
+    wcut_status status = WCUT_OK;
+    decide(g);
+    if (status == WCUT_OK) status = rank(g);
+    if (status == WCUT_OK) status = trace(g);
+    if (status == WCUT_OK) status = improve(g);
+    if (status == WCUT_OK) status = locate(g, error);
+    if (status == WCUT_OK && stopped(g, STEPS - 4)) status = WCUT_INTERRUPTED;
+    if (status == WCUT_OK) status = prove(g, error);
+    if (status == WCUT_OK && stopped(g, STEPS - 2)) status = WCUT_INTERRUPTED;
+    if (status == WCUT_OK) status = depend(g, error);
+    if (status == WCUT_OK) status = propose(g, error);
+    if (status == WCUT_OK) status = try_naive(g, error);
+    if (status == WCUT_OK || status == WCUT_INTERRUPTED) {
+        wcut_diagnosis_sentence(g->out);
+        if (!wcut_diagnosis_limits(g->out, g->cuts, g->cut, g->test_cuts, g->calibration)) status = WCUT_NO_MEMORY;
+    }
+    return status;
+}
+
+static wcut_status check(int cuts, const wcut_diagnosis_cut *cut, int test_cuts, const wcut_test_cut *calibration,
+                         const wcut_diagnosis_options *o, wcut_diagnosis **out, wcut_error *error) {
+    if (cuts < 1 || !cut || !out || test_cuts < 0 || (test_cuts > 0 && !calibration))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "cuts and a place for the diagnosis are expected");
+    if (o->threads < 1) return wcut_fail(error, WCUT_BAD_ARGUMENT, "found %d threads, expected 1 or more", o->threads);
+    for (int k = 0; k < cuts; k++)
+        if (cut[k].job && cut[k].job->mode != WCUT_MODE_PATH)
+            return wcut_fail(error, WCUT_BAD_ARGUMENT, "cut %d: found a design, expected a job with the mounts' path",
+                             k + 1);
+    return WCUT_OK;
+}
+
+wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *cut, int test_cuts,
+                                  const wcut_test_cut *calibration, const wcut_diagnosis_options *options,
+                                  wcut_progress progress, void *context, wcut_diagnosis **diagnosis,
+                                  wcut_error *error) {
+    const wcut_diagnosis_options o = options ? *options : wcut_diagnosis_options_default();
+    wcut_status status = check(cuts, cut, test_cuts, calibration, &o, diagnosis, error);
+    if (status != WCUT_OK) return status;
+    diagnosing g = {.cuts = cuts, .cut = cut, .test_cuts = test_cuts, .calibration = calibration, .options = &o};
+    g.progress = progress, g.context = context;
+    g.decision.chosen = -1;
+    g.out = wcut_alloc(1, sizeof *g.out);
+    if (g.out) g.out->cuts = cuts, g.out->held_out = wcut_alloc((size_t)cuts, sizeof *g.out->held_out);
+    status = g.out && g.out->held_out ? prepare(&g, error) : wcut_fail(error, WCUT_NO_MEMORY, "no memory");
+    bool interrupted = false;
+    if (status == WCUT_OK) {
+        status = wcut_search_run(g.evidence, o.without, search_progress, &g, &g.search, error);
+        interrupted = status == WCUT_INTERRUPTED;
+        if (interrupted) status = WCUT_OK;
+    }
+    if (status == WCUT_OK) status = conclude(&g, error);
+    interrupted = interrupted || status == WCUT_INTERRUPTED;
+    if (status == WCUT_OK || (status == WCUT_INTERRUPTED && g.out->hypotheses > 0)) {
+        g.out->interrupted = interrupted;
+        *diagnosis = g.out;
+        g.out = NULL;
+        status = interrupted ? WCUT_INTERRUPTED : WCUT_OK;
+    }
+    wcut_diagnosis_destroy(g.out);
+    wcut_proof_destroy(&g.proof);
+    wcut_search_destroy(&g.search);
+    wcut_evidence_destroy(g.evidence);
+    wcut_free(g.before);
+    return status;
+}
