@@ -1,0 +1,141 @@
+/* Both halves of a block along a surface of 209,000 triangles: by index, and by CGAL's booleans with the same cutter.
+   CPU seconds.  bench_mould [FOLDER]  also writes the cutter there, for bench_mould.py and its peer. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <wirecut/mould.h>
+
+#include "base/alloc.h"
+#include "solid/boolean.h"
+#include "solid/lid.h"
+
+enum { RUNS = 5, STATIONS = 600, NODES = 121 };
+
+static const wcut_vec3 block = {400, 900, 300};
+
+static double cpu_now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void check(wcut_status status, const char *what) {
+    if (status == WCUT_OK) return;
+    fprintf(stderr, "bench_mould: %s: %s\n", what, wcut_status_text(status));
+    exit(EXIT_FAILURE);
+}
+
+static int ascending(const void *a, const void *b) {
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* a wire's cut over the block and beyond, sagging backwards, twisted and waved */
+static wcut_surface *loft(void) {
+    static wcut_vec3 x[STATIONS * NODES];
+    for (int j = 0; j < STATIONS; j++)
+        for (int i = 0; i < NODES; i++) {
+            const double s = i / (NODES - 1.0), t = j / (STATIONS - 1.0);
+            x[j * NODES + i] = (wcut_vec3){480 * s - 40, 1100 * t - 60 - 240 * s * (1 - s),
+                                           150 + 60 * sin(6.0 * t + 1.5 * s) + 80 * t * (s - 0.5)};
+        }
+    wcut_surface *surface;
+    check(wcut_surface_loft(STATIONS, NODES, x, 0, &surface, NULL, NULL), "loft");
+    return surface;
+}
+
+/* the closed solid below the cut and around the block, from the half's own cut face: what booleans are given */
+static wcut_mesh *cutter_of(const wcut_mould *m, double chord_tolerance) {
+    const wcut_sides sides = {{0, block.x}, {0, block.y}};
+    wcut_lid face, floor;
+    wcut_mesh *mesh;
+    double off;
+    check(wcut_lid_tessellate(m->lower.brep->face[0].surface, sides, chord_tolerance, &face, &off), "cutter");
+    for (int k = 0; k < face.vertex_count; k++) { /* 1 % larger: no sides that coincide */
+        face.vertex[k].x = 1.01 * (face.vertex[k].x - 200) + 200;
+        face.vertex[k].y = 1.01 * (face.vertex[k].y - 450) + 450;
+    }
+    const wcut_sides wide = {{-2, 402}, {-4.5, 904.5}};
+    check(wcut_lid_flat(wide, -10, 0, NULL, 1, &floor), "floor");
+    check(wcut_lid_enclose(&floor, &face, &mesh), "cutter");
+    wcut_lid_clear(&floor);
+    wcut_lid_clear(&face);
+    return mesh;
+}
+
+static wcut_mesh *block_mesh(void) {
+    const wcut_sides sides = {{0, block.x}, {0, block.y}};
+    wcut_lid floor, ceiling;
+    wcut_mesh *mesh;
+    check(wcut_lid_flat(sides, 0, 0, NULL, 1, &floor), "block");
+    check(wcut_lid_flat(sides, block.z, 0, NULL, 1, &ceiling), "block");
+    check(wcut_lid_enclose(&floor, &ceiling, &mesh), "block");
+    wcut_lid_clear(&ceiling);
+    wcut_lid_clear(&floor);
+    return mesh;
+}
+
+/* the same solid, its triangles turned, in a box: what is above the cut */
+static wcut_mesh *turned(const wcut_mesh *m) {
+    wcut_mesh *up;
+    check(wcut_mesh_create(m->vertex_count, m->triangle_count, 0, &up), "turn");
+    memcpy(up->triangle, m->triangle, (size_t)m->triangle_count * 3 * sizeof *m->triangle);
+    for (int k = 0; k < m->vertex_count; k++) { /* half a turn about the block's long axis, raised to where it was */
+        const wcut_vec3 p = m->vertex[k];
+        up->vertex[k] = (wcut_vec3){400 - p.x, p.y, 300 - p.z};
+    }
+    return up;
+}
+
+static void write_cutter(const wcut_mesh *m, const char *folder) {
+    char path[4096];
+    snprintf(path, sizeof path, "%s/cutter.bin", folder);
+    FILE *f = fopen(path, "wb");
+    const int head[2] = {m->vertex_count, m->triangle_count};
+    const bool ok = f && fwrite(head, sizeof head, 1, f) == 1 &&
+                    fwrite(m->vertex, sizeof *m->vertex, (size_t)m->vertex_count, f) == (size_t)m->vertex_count &&
+                    fwrite(m->triangle, 3 * sizeof(int), (size_t)m->triangle_count, f) == (size_t)m->triangle_count;
+    if (!f || fclose(f) != 0 || !ok) check(WCUT_NOT_WRITTEN, path);
+}
+
+int main(int argc, char **argv) {
+    wcut_surface *surface = loft();
+    wcut_mould_options o = wcut_mould_default();
+    wcut_mould *m = NULL;
+    wcut_error error = {.text = ""};
+    double seconds[RUNS];
+    o.chord_tolerance = 0.00253;
+    for (int k = 0; k < RUNS; k++) {
+        wcut_mould_destroy(m);
+        const double from = cpu_now();
+        const wcut_status status = wcut_mould_create(surface, block, &o, &m, &error);
+        seconds[k] = cpu_now() - from;
+        check(status, error.text);
+    }
+    qsort(seconds, RUNS, sizeof *seconds, ascending);
+    printf("by index: fit, both halves, exact faces and every check  %.3f s  (%d and %d triangles, %d x %d poles)\n",
+           seconds[RUNS / 2], m->lower.mesh->triangle_count, m->upper.mesh->triangle_count,
+           m->lower.brep->face[0].surface->count_u, m->lower.brep->face[0].surface->count_v);
+
+    wcut_mesh *cutter = cutter_of(m, o.chord_tolerance), *stock = block_mesh(), *half;
+    unsigned char *tag;
+    if (argc > 1) write_cutter(cutter, argv[1]);
+    wcut_mesh *above = turned(cutter); /* as many triangles again, for the second half */
+    const double from = cpu_now();
+    check(wcut_boolean_intersect(stock, NULL, cutter, NULL, &half, &tag), "boolean");
+    wcut_mesh_destroy(half);
+    wcut_free(tag);
+    check(wcut_boolean_intersect(stock, NULL, above, NULL, &half, &tag), "boolean");
+    printf("CGAL: both booleans, cutter of %d triangles             %.3f s\n", cutter->triangle_count,
+           cpu_now() - from);
+    wcut_mesh_destroy(half);
+    wcut_free(tag);
+    wcut_mesh_destroy(above);
+    wcut_mesh_destroy(stock);
+    wcut_mesh_destroy(cutter);
+    wcut_mould_destroy(m);
+    wcut_surface_destroy(surface);
+    return 0;
+}
