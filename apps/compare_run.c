@@ -9,6 +9,7 @@
 #include "terminal.h"
 
 enum { FOUND, UNMOVED };
+enum { MANY = 100000 };
 enum { GLANCE = 20000 }; /* points that set the colours, the support and the first warnings */
 
 static int fail(wcut_status status, const char *step, const wcut_error *error) {
@@ -41,6 +42,13 @@ static int glance(const app_comparison *c, wcut_vec3 *point) {
 static double spacing_of(const app_comparison *c) {
     const int count = c->scans.held ? c->scans.count : c->scans.removed[WCUT_KEPT];
     return sqrt(c->reference.plan / fmax(count, 1));
+}
+
+/* worth its while for many points only */
+static int hasten(app_comparison *c) {
+    if (!c->reference.projection || c->scans.removed[WCUT_KEPT] < MANY) return APP_DONE;
+    const wcut_status status = wcut_projection_hasten(c->reference.projection);
+    return status == WCUT_OK ? APP_DONE : fail(status, "compare", NULL);
 }
 
 /* ---- registration ---- */
@@ -391,7 +399,8 @@ int app_comparison_run(app_comparison *comparison, const app_compare_options *op
     if (code == APP_DONE) code = app_scans_read(&c->scans, &scans, o->files, o->scan);
     if (code != APP_DONE) return code;
     warn_of_unit(c);
-    code = register_scan(c);
+    code = hasten(c);
+    if (code == APP_DONE) code = register_scan(c);
     if (code == APP_DONE) code = prepare(c, results);
     if (code == APP_DONE) code = measure(c);
     if (code == APP_DONE) code = reconstruct(c);

@@ -5,10 +5,12 @@
 #include <wirecut/projection.h>
 
 #include "surface/patch_tree.h"
+#include "surface/quick_foot.h"
 
 struct wcut_projection {
     const wcut_surface *surface;
     wcut_patch_node *node;
+    wcut_quick *quick;        /* NULL until hastened, and where there is no quick way */
     double first[2], last[2]; /* the domain */
     double size;              /* [mm] of the surface and its coordinates: what rounding is relative to */
 };

@@ -46,8 +46,14 @@ wcut_status wcut_projection_create(const wcut_surface *surface, wcut_projection 
 
 void wcut_projection_destroy(wcut_projection *projection) {
     if (!projection) return;
+    wcut_quick_destroy(projection->quick);
     wcut_free(projection->node);
     wcut_free(projection);
+}
+
+wcut_status wcut_projection_hasten(wcut_projection *projection) {
+    if (!projection) return WCUT_BAD_ARGUMENT;
+    return projection->quick ? WCUT_OK : wcut_quick_create(projection->surface, &projection->quick);
 }
 
 wcut_status wcut_projection_locate(const wcut_projection *projection, int count, const wcut_vec3 *query, int threads,
@@ -64,8 +70,10 @@ wcut_status wcut_projection_locate(const wcut_projection *projection, int count,
         const wcut_foot *near = NULL;
         const int end = block == blocks - 1 ? count : (block + 1) * BLOCK;
         for (int k = block * BLOCK; k < end; k++) {
-            wcut_foot_search(projection, query[order[k]], near, &foot[order[k]]);
-            near = &foot[order[k]];
+            wcut_foot *to = &foot[order[k]];
+            if (!near || !projection->quick || !wcut_quick_foot(projection->quick, query[order[k]], near, to))
+                wcut_foot_search(projection, query[order[k]], near, to);
+            near = to;
         }
     }
     wcut_free(order);

@@ -40,6 +40,16 @@ WCUT_API wcut_status wcut_projection_create(const wcut_surface *surface, wcut_pr
 WCUT_API void wcut_projection_destroy(wcut_projection *projection);
 
 /**
+ * Prepare once more, for a hundred thousand queries or more near a smooth bicubic surface: for each of its spans a radius
+ * is found within which a stationary foot is proven to be the closest of all, so that most queries take a few Newton
+ * steps. The feet are as exact and as certain as without; where the surface or a query has no quick way, nothing changes.
+ *
+ * @param[in,out] projection not in use by another thread
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: the projection is as it was.
+ */
+WCUT_API wcut_status wcut_projection_hasten(wcut_projection *projection);
+
+/**
  * The closest point of the surface for each query: Newton's method in pieces where the squared distance is provably
  * convex, every other piece excluded by its bound. Queries are taken in an order that keeps neighbours together; feet
  * come back in the order given, the same bytes for every number of threads.

@@ -1,0 +1,148 @@
+/* The quick way to a foot beside the slow one, which is proven elsewhere: the same feet, on tame and on wild surfaces. */
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <wirecut/projection.h>
+
+#include "base/alloc.h"
+#include "base/random.h"
+#include "base/vec3.h"
+#include "surface/foot_search.h"
+
+enum { ROWS = 60, COLUMNS = 50, QUERIES = 4000 };
+
+static wcut_surface *surface;
+static wcut_projection *slow, *quick;
+static wcut_vec3 node[ROWS * COLUMNS], query[QUERIES];
+static wcut_foot expected[QUERIES], found[QUERIES];
+
+/* 0 waves, 1 a tube all but closed, 2 a sheet folded back on itself, 3 a cone with its tip, 4 rows that crowd and pause */
+static wcut_vec3 at(int shape, double s, double t) {
+    const double angle = 6.2 * s;
+    switch (shape) {
+        case 0:
+            return vec3(400 * s, 900 * t, 30 * sin(5 * s) + 20 * cos(7 * t));
+        case 1:
+            return vec3(20 * cos(angle), 300 * t, 20 * sin(angle));
+        case 2:
+            return vec3(100 * sin(3 * s), 300 * t, 12 * s + 3 * sin(9 * t));
+        case 3:
+            return vec3(80 * t * cos(angle), 80 * t * sin(angle), 100 * t);
+        default:
+            return vec3(400 * s, 900 * t * t * t, 40 * sin(4 * s) * t);
+    }
+}
+
+static void given_shape(int shape) {
+    for (int k = 0; k < ROWS * COLUMNS; k++)
+        node[k] = at(shape, (k % COLUMNS) / (COLUMNS - 1.0), (k / COLUMNS) / (ROWS - 1.0));
+    ck_assert_int_eq(wcut_surface_loft(ROWS, COLUMNS, node, 0, &surface, NULL, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_projection_create(surface, &slow), WCUT_OK);
+    ck_assert_int_eq(wcut_projection_create(surface, &quick), WCUT_OK);
+    ck_assert_int_eq(wcut_projection_hasten(quick), WCUT_OK);
+    ck_assert_int_eq(wcut_projection_hasten(quick), WCUT_OK); /* once is enough */
+}
+
+static void forget(void) {
+    wcut_projection_destroy(quick);
+    wcut_projection_destroy(slow);
+    wcut_surface_destroy(surface);
+}
+
+/* near the surface, off it by up to `away`, at its border and beyond it too */
+static void given_queries(int shape, double away, uint64_t seed) {
+    wcut_random r = wcut_random_seed(seed);
+    for (int k = 0; k < QUERIES; k++) {
+        const double s = 1.02 * wcut_random_uniform(&r) - 0.01, t = 1.02 * wcut_random_uniform(&r) - 0.01;
+        query[k] = at(shape, s, t);
+        query[k].x += away * wcut_random_normal(&r), query[k].y += away * wcut_random_normal(&r);
+        query[k].z += away * wcut_random_normal(&r);
+    }
+}
+
+START_TEST(quick_feet_are_the_slow_ones) {
+    const double away[] = {0.01, 0.5, 5, 60};
+    for (int shape = 0; shape < 5; shape++) {
+        given_shape(shape);
+        for (int a = 0; a < 4; a++) {
+            given_queries(shape, away[a], (uint64_t)a + 1);
+            ck_assert_int_eq(wcut_projection_locate(slow, QUERIES, query, 1, expected), WCUT_OK);
+            ck_assert_int_eq(wcut_projection_locate(quick, QUERIES, query, 1, found), WCUT_OK);
+            for (int k = 0; k < QUERIES; k++) {
+                const wcut_foot *e = &expected[k], *f = &found[k];
+                ck_assert_msg(fabs(f->distance - e->distance) < 1e-9, "shape %d, query %d: %.12g, expected %.12g",
+                              shape, k, f->distance, e->distance);
+                if (e->gap > 0) continue; /* several feet tie */
+                ck_assert_int_eq(f->beyond, e->beyond);
+                if (e->distance > 1e-6 && vec3_distance(e->point, f->point) < 1e-6)
+                    ck_assert_double_eq_tol(f->height, e->height, 1e-6);
+            }
+        }
+        forget();
+    }
+}
+END_TEST
+
+START_TEST(most_feet_near_a_tame_surface_are_found_quickly) {
+    given_shape(0);
+    given_queries(0, 1, 9);
+    ck_assert_ptr_nonnull(quick->quick);
+    ck_assert_int_eq(wcut_projection_locate(slow, QUERIES, query, 1, expected), WCUT_OK);
+    int taken = 0, inside = 0;
+    for (int k = 1; k < QUERIES; k++) {
+        wcut_foot foot;
+        const bool border = expected[k].u <= 0 || expected[k].u >= 1 || expected[k].v <= 0 || expected[k].v >= 1;
+        inside += !border;
+        const double near_u = fmin(fmax(expected[k].u + 0.004, 0), 1);
+        const wcut_foot near = {.u = near_u, .v = expected[k].v};
+        if (!border && wcut_quick_foot(quick->quick, query[k], &near, &foot)) taken++;
+    }
+    ck_assert_int_gt(taken, inside * 9 / 10);
+    forget();
+}
+END_TEST
+
+START_TEST(surfaces_without_a_quick_way_stay_as_they_were) {
+    wcut_vec3 corner[4] = {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {10, 10, 1}};
+    ck_assert_int_eq(wcut_surface_loft(2, 2, corner, 0, &surface, NULL, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_projection_create(surface, &quick), WCUT_OK);
+    ck_assert_int_eq(wcut_projection_hasten(quick), WCUT_OK);
+    ck_assert_ptr_null(quick->quick);
+    query[0] = vec3(5, 5, 3);
+    ck_assert_int_eq(wcut_projection_locate(quick, 1, query, 1, found), WCUT_OK);
+    wcut_projection_destroy(quick);
+    wcut_surface_destroy(surface);
+    ck_assert_int_eq(wcut_projection_hasten(NULL), WCUT_BAD_ARGUMENT);
+}
+END_TEST
+
+START_TEST(without_memory_a_projection_is_as_it_was) {
+    given_shape(0);
+    for (long k = 1;; k += 2) {
+        wcut_alloc_fail_at(k);
+        const wcut_status status = wcut_projection_hasten(slow);
+        wcut_alloc_fail_at(0);
+        if (status == WCUT_OK) break;
+        ck_assert_int_eq(status, WCUT_NO_MEMORY);
+        ck_assert_ptr_null(slow->quick);
+        ck_assert_int_lt(k, 200);
+    }
+    forget();
+}
+END_TEST
+
+int main(void) {
+    Suite *suite = suite_create("quick_foot");
+    TCase *tcase = tcase_create("quick");
+    tcase_add_test(tcase, quick_feet_are_the_slow_ones);
+    tcase_add_test(tcase, most_feet_near_a_tame_surface_are_found_quickly);
+    tcase_add_test(tcase, surfaces_without_a_quick_way_stay_as_they_were);
+    tcase_add_test(tcase, without_memory_a_projection_is_as_it_was);
+    suite_add_tcase(suite, tcase);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_ENV);
+    const int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
