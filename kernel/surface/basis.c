@@ -96,3 +96,19 @@ void wcut_basis_eval(int degree, int count, const double *knots, double u, int o
         fill_basis(degree, t, u, order, basis);
     }
 }
+
+int wcut_basis_cubic(int count, const double *knots, double u, double value[4]) {
+    u = clamp(u, knots[3], knots[count]);
+    const int span = wcut_basis_span(3, count, knots, u);
+    const double *t = knots + span;
+    const double low[3] = {u - t[0], u - t[-1], u - t[-2]}, high[3] = {t[1] - u, t[2] - u, t[3] - u};
+    const double one = 1 / (t[1] - t[0]), a = high[0] * one, b = low[0] * one;
+    const double a2 = a * (1 / (t[1] - t[-1])), b2 = b * (1 / (t[2] - t[0]));
+    const double n0 = high[0] * a2, n1 = low[1] * a2 + high[1] * b2, n2 = low[0] * b2;
+    const double m0 = n0 * (1 / (t[1] - t[-2])), m1 = n1 * (1 / (t[2] - t[-1])), m2 = n2 * (1 / (t[3] - t[0]));
+    value[0] = high[0] * m0;
+    value[1] = low[2] * m0 + high[1] * m1;
+    value[2] = low[1] * m1 + high[2] * m2;
+    value[3] = low[0] * m2;
+    return span;
+}

@@ -22,4 +22,7 @@ int wcut_basis_span(int degree, int count, const double *knots, double u);
 /* values and derivatives up to `order` (0 .. WCUT_ORDER_MAX) at u, which is clamped to the domain */
 void wcut_basis_eval(int degree, int count, const double *knots, double u, int order, wcut_basis *basis);
 
+/* the values alone of the four cubic functions at u; returns the span. The same numbers, without a table. */
+int wcut_basis_cubic(int count, const double *knots, double u, double value[4]);
+
 #endif

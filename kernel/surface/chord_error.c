@@ -103,20 +103,23 @@ static double cell_error(const cell *c, double enough) {
     const wcut_vec3 p00 = c->point[0], p10 = c->point[c->columns];
     const wcut_vec3 p01 = c->point[c->rows * c->stride], p11 = c->point[c->rows * c->stride + c->columns];
     const double scale_u = 1 / (c->u[c->columns] - c->u[0]), scale_v = 1 / (c->v[c->rows] - c->v[0]);
-    double most = 0;
-    for (int j = 0; j <= c->rows; j++)
+    double most = 0, bar = enough * enough;
+    for (int j = 0; j <= c->rows; j++) {
+        /* on p00 p10 p11 where s >= t, else on p00 p11 p01, the linear point is p00 + s side + t other side */
+        const double t = (c->v[j] - c->v[0]) * scale_v;
+        const wcut_vec3 side[2] = {vec3_sub(p10, p00), vec3_sub(p11, p01)};
+        const wcut_vec3 start[2] = {vec3_add_scaled(p00, t, vec3_sub(p11, p10)),
+                                    vec3_add_scaled(p00, t, vec3_sub(p01, p00))};
+        const wcut_vec3 *row = c->point + j * c->stride;
         for (int i = 0; i <= c->columns; i++) {
-            const wcut_vec3 p = c->point[j * c->stride + i];
-            const double s = (c->u[i] - c->u[0]) * scale_u, t = (c->v[j] - c->v[0]) * scale_v;
-            /* p00 p10 p11 where s >= t, else p00 p11 p01: the third corner's share makes the linear point */
-            const wcut_vec3 third = s >= t ? p10 : p01;
-            const double a = 1 - fmax(s, t), b = fabs(s - t), d = fmin(s, t);
-            const wcut_vec3 linear = vec3_add_scaled(vec3_add_scaled(vec3_scale(a, p00), b, third), d, p11);
-            const wcut_vec3 off = vec3_sub(p, linear);
-            const double bar = fmax(enough, most);
-            if (vec3_dot(off, off) <= bar * bar) continue;
-            most = fmax(most, wcut_triangle_distance(p, p00, third, p11));
+            const double s = (c->u[i] - c->u[0]) * scale_u;
+            const int upper = s < t;
+            const wcut_vec3 off = vec3_sub(row[i], vec3_add_scaled(start[upper], s, side[upper]));
+            if (vec3_dot(off, off) <= bar) continue;
+            most = fmax(most, wcut_triangle_distance(row[i], p00, upper ? p01 : p10, p11));
+            bar = fmax(bar, most * most);
         }
+    }
     return most;
 }
 
@@ -161,10 +164,8 @@ wcut_status wcut_chord_error(const wcut_surface *s, const wcut_spacing *lines_u,
     for (int j = 0; j < lines_v->pieces; j++) {
         const int rows = sv.start[j + 1] - sv.start[j];
         error_v[j] = 0;
-        for (int k = j > 0; k <= rows; k++) { /* the first row is the last of the cells before */
-            wcut_grid_fold(s, &v, sv.start[j] + k, 0, fold);
-            wcut_grid_points(&u, s->weights != NULL, fold, point + (ptrdiff_t)k * su.count);
-        }
+        for (int k = j > 0; k <= rows; k++) /* the first row is the last of the cells before */
+            wcut_grid_row(s, &u, &v, sv.start[j] + k, fold, point + (ptrdiff_t)k * su.count);
         row_error(&su, &sv, j, point, held, lines_u->pieces, error_u, error_v, most);
         memcpy(point, point + (ptrdiff_t)rows * su.count, (size_t)su.count * sizeof *point);
     }

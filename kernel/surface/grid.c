@@ -64,11 +64,48 @@ wcut_homogeneous wcut_grid_along(const wcut_axis *u, int i, int k, const wcut_ho
     return sum;
 }
 
-void wcut_grid_points(const wcut_axis *u, bool rational, const wcut_homogeneous *row, wcut_vec3 *point) {
+/* a polynomial row: coordinates side by side, no weights */
+static void fold_plain(const wcut_surface *surface, const wcut_axis *v, int j, double *restrict row) {
+    const double *basis = basis_at(v, j, 0);
+    const int size = 3 * surface->count_u;
+    for (int r = 0; r <= v->degree; r++) {
+        const double b = basis[r], *restrict p = &surface->control[(ptrdiff_t)(v->first[j] + r) * surface->count_u].x;
+        if (r == 0) {
+#pragma omp simd
+            for (int i = 0; i < size; i++) row[i] = b * p[i];
+        } else {
+#pragma omp simd
+            for (int i = 0; i < size; i++) row[i] += b * p[i];
+        }
+    }
+}
+
+static inline void points_plain(const wcut_axis *u, int degree, const double *row, wcut_vec3 *point) {
     for (int i = 0; i < u->count; i++) {
-        const wcut_homogeneous h = wcut_grid_along(u, i, 0, row);
-        const double scale = rational ? 1 / h.w : 1;
-        point[i] = vec3(scale * h.x, scale * h.y, scale * h.z);
+        const double *basis = u->value + (ptrdiff_t)i * (u->order + 1) * (degree + 1),
+                     *p = row + 3 * (ptrdiff_t)u->first[i];
+        double x = 0, y = 0, z = 0;
+        for (int r = 0; r <= degree; r++)
+            x += basis[r] * p[3 * r], y += basis[r] * p[3 * r + 1], z += basis[r] * p[3 * r + 2];
+        point[i] = vec3(x, y, z);
+    }
+}
+
+void wcut_grid_row(const wcut_surface *surface, const wcut_axis *u, const wcut_axis *v, int j, wcut_homogeneous *room,
+                   wcut_vec3 *point) {
+    if (!surface->weights) {
+        fold_plain(surface, v, j, &room->x);
+        if (u->degree == 3) { /* the loops unroll */
+            points_plain(u, 3, &room->x, point);
+        } else {
+            points_plain(u, u->degree, &room->x, point);
+        }
+        return;
+    }
+    wcut_grid_fold(surface, v, j, 0, room);
+    for (int i = 0; i < u->count; i++) {
+        const wcut_homogeneous h = wcut_grid_along(u, i, 0, room);
+        point[i] = vec3(h.x / h.w, h.y / h.w, h.z / h.w);
     }
 }
 
@@ -83,10 +120,8 @@ wcut_status wcut_surface_eval_grid(const wcut_surface *surface, int count_u, con
         status = wcut_axis_fill(surface->degree_v, surface->count_v, surface->knots_v, count_v, v, 0, &across);
     wcut_homogeneous *row = wcut_alloc((size_t)surface->count_u, sizeof *row);
     if (!row) status = WCUT_NO_MEMORY;
-    for (int j = 0; status == WCUT_OK && j < count_v; j++) {
-        wcut_grid_fold(surface, &across, j, 0, row);
-        wcut_grid_points(&along, surface->weights != NULL, row, point + (ptrdiff_t)j * count_u);
-    }
+    for (int j = 0; status == WCUT_OK && j < count_v; j++)
+        wcut_grid_row(surface, &along, &across, j, row, point + (ptrdiff_t)j * count_u);
     wcut_free(row);
     wcut_axis_clear(&across);
     wcut_axis_clear(&along);

@@ -26,7 +26,8 @@ void wcut_grid_fold(const wcut_surface *surface, const wcut_axis *v, int j, int 
 /* the k-th derivative of a folded row at u_i */
 wcut_homogeneous wcut_grid_along(const wcut_axis *u, int i, int k, const wcut_homogeneous *row);
 
-/* the points of a folded row at every u */
-void wcut_grid_points(const wcut_axis *u, bool rational, const wcut_homogeneous *row, wcut_vec3 *point);
+/* the points at v_j and every u; room: count_u of the surface, to fold in */
+void wcut_grid_row(const wcut_surface *surface, const wcut_axis *u, const wcut_axis *v, int j, wcut_homogeneous *room,
+                   wcut_vec3 *point);
 
 #endif

@@ -59,7 +59,22 @@ wcut_status wcut_surface_create(int degree_u, int degree_v, int count_u, int cou
     return WCUT_OK;
 }
 
-/* a point alone, the case that is called a million times */
+/* a point of a bicubic polynomial surface, the case that is called a million times */
+static wcut_vec3 evaluate_bicubic(const wcut_surface *s, double u, double v) {
+    double bu[4], bv[4];
+    const int span_u = wcut_basis_cubic(s->count_u, s->knots_u, u, bu),
+              span_v = wcut_basis_cubic(s->count_v, s->knots_v, v, bv);
+    const wcut_vec3 *p = s->control + (ptrdiff_t)(span_v - 3) * s->count_u + span_u - 3;
+    wcut_vec3 sum = {0, 0, 0};
+    for (int r = 0; r < 4; r++, p += s->count_u) {
+        wcut_vec3 along = {0, 0, 0};
+        for (int i = 0; i < 4; i++) along = vec3_add_scaled(along, bu[i], p[i]);
+        sum = vec3_add_scaled(sum, bv[r], along);
+    }
+    return sum;
+}
+
+/* a point of any surface */
 static wcut_vec3 evaluate_point(const wcut_surface *s, double u, double v) {
     wcut_basis bu, bv;
     wcut_basis_eval(s->degree_u, s->count_u, s->knots_u, u, 0, &bu);
@@ -130,7 +145,8 @@ wcut_status wcut_surface_eval(const wcut_surface *surface, double u, double v, i
     if (!surface || !ders || order < 0 || order > WCUT_ORDER_MAX || !isfinite(u) || !isfinite(v))
         return WCUT_BAD_ARGUMENT;
     if (order == 0) {
-        ders[0] = evaluate_point(surface, u, v);
+        const bool bicubic = !surface->weights && surface->degree_u == 3 && surface->degree_v == 3;
+        ders[0] = bicubic ? evaluate_bicubic(surface, u, v) : evaluate_point(surface, u, v);
         return WCUT_OK;
     }
     if (!surface->weights) {
