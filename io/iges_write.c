@@ -35,7 +35,7 @@ typedef struct entry {
 /* a number at the right of its columns */
 static void put_field(char *to, int width, long value) {
     for (int k = width - 1; k >= 0; k--, value /= 10)
-        to[k] = value > 0 || k == width - 1 ? (char)('0' + value % 10) : ' ';
+        to[k] = (char)(value > 0 || k == width - 1 ? '0' + value % 10 : ' ');
 }
 
 static void end_line(iges *f) {
@@ -261,7 +261,7 @@ static wcut_status write_all(wcut_file *file, wcut_text *text, int count, const 
         const entry e = put_entity(&f, shape, k);
         if (f.sequence > LINES_MOST) return refuse_length(error);
         print_entry(two, &e, 2 * k + 1);
-        wcut_file_write_at(file, directory + (uint64_t)k * 2 * LINE, two, 2 * LINE);
+        wcut_file_write_at(file, directory + (uint64_t)k * 2 * LINE, two, sizeof two);
     }
     const long data = f.sequence - 1;
     begin_section(&f, 'T', GLOBAL);

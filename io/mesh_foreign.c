@@ -83,10 +83,10 @@ typedef struct message {
 static void multiply(const struct aiMatrix4x4 *local, const double above[12], double product[12]) {
     const double m[16] = {local->a1, local->a2, local->a3, local->a4, local->b1, local->b2, local->b3, local->b4,
                           local->c1, local->c2, local->c3, local->c4, 0,         0,         0,         1};
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 4; j++)
-            product[4 * i + j] = above[4 * i] * m[j] + above[4 * i + 1] * m[4 + j] + above[4 * i + 2] * m[8 + j] +
-                                 (j == 3 ? above[4 * i + 3] : 0);
+    for (size_t i = 0; i < 12; i += 4)
+        for (size_t j = 0; j < 4; j++)
+            product[i + j] =
+                above[i] * m[j] + above[i + 1] * m[4 + j] + above[i + 2] * m[8 + j] + (j == 3 ? above[i + 3] : 0);
 }
 
 static bool is_mirrored(const double m[12]) {
@@ -99,7 +99,7 @@ static bool send_vertices(const struct aiMesh *mesh, const double m[12], int fd)
     for (unsigned i = 0; i < mesh->mNumVertices; i++) {
         const struct aiVector3D v = mesh->mVertices[i];
         double p[3];
-        for (int k = 0; k < 3; k++) p[k] = m[4 * k] * v.x + m[4 * k + 1] * v.y + m[4 * k + 2] * v.z + m[4 * k + 3];
+        for (size_t k = 0; k < 3; k++) p[k] = m[4 * k] * v.x + m[4 * k + 1] * v.y + m[4 * k + 2] * v.z + m[4 * k + 3];
         if (!wcut_child_write(fd, p, sizeof p)) return false;
     }
     return true;

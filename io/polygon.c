@@ -50,6 +50,7 @@ static bool is_ear(int left, const int *ring, int k, const wcut_vec3 *corner, co
 
 void wcut_polygon_split(int count, const wcut_vec3 *corner, int *triangle) {
     int ring[WCUT_POLYGON_MOST], axis[2], left = count;
+    if (count < 3 || count > WCUT_POLYGON_MOST) return;
     find_axes(count, corner, axis);
     for (int i = 0; i < count; i++) ring[i] = i;
     while (left > 3) {
