@@ -76,7 +76,7 @@ static wcut_status sample_field(const wcut_surface *s, const wcut_mould_options 
 wcut_status wcut_kerf_width(const wcut_surface *surface, const wcut_mould_options *options, wcut_surface **width,
                             wcut_error *error) {
     const int count = surface->count_u * surface->count_v;
-    double least = options->kerf, most = options->kerf;
+    double least = options->kerf, most = least;
     wcut_vec3 *control = wcut_alloc((size_t)count, sizeof *control);
     wcut_status status = control ? WCUT_OK : WCUT_NO_MEMORY;
     wcut_surface *made = NULL;

@@ -22,7 +22,8 @@ typedef struct frame {
 static frame eval_frame(const wcut_sheet *sheet, double u, double v, bool second) {
     const double b = u - clamp(u, sheet->first[0], sheet->last[0]), c = v - clamp(v, sheet->first[1], sheet->last[1]);
     const bool inside = b == 0 && c == 0;
-    const int order = (inside ? 1 : 2) + second, n = order + 1;
+    const int order = (inside ? 1 : 2) + second;
+    const ptrdiff_t n = order + 1;
     wcut_vec3 d[16];
     wcut_surface_eval(sheet->surface, u, v, order, d); /* finite parameters and an order in range: cannot fail */
     frame f = {.at = d[0], .u = d[n], .v = d[1]};

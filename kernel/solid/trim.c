@@ -41,7 +41,7 @@ static void net_clear(net *n) {
 static int net_lines(int degree, int count, const double *knots, double **line) {
     int spans = 0, made = 0;
     for (int k = degree; k < count; k++) spans += knots[k] < knots[k + 1];
-    const int parts = (LINES_MIN + spans - 1) / spans;
+    const int parts = spans > 0 ? (LINES_MIN + spans - 1) / spans : 1; /* a valid surface has a span */
     double *l = wcut_alloc((size_t)spans * (size_t)parts + 1, sizeof *l);
     *line = l;
     if (!l) return 0;
