@@ -39,7 +39,7 @@ enum what {
 
 static void add(wcut_feature *list, int *n, int what, double constant, const char *name) {
     list[*n] = (wcut_feature){.what = what, .constant = constant, .wave = what == SINE};
-    snprintf(list[*n].name, sizeof list[*n].name, "%s", name);
+    snprintf(list[*n].name, sizeof list[*n].name, "%.39s", name);
     ++*n;
 }
 
