@@ -161,7 +161,7 @@ static void put_curve(iges *f, const wcut_curve *c, long name) {
     put_integer(f, is_same(c->control[0], c->control[n - 1]), ',');
     put_integer(f, c->weights == NULL, ',');
     put_integer(f, 0, ',');
-    put_reals(f, c->knots, (size_t)(n + p + 1));
+    put_reals(f, c->knots, (size_t)n + (size_t)p + 1);
     put_weights(f, c->weights, (size_t)n);
     put_reals(f, &c->control->x, 3 * (size_t)n);
     put_real(f, c->knots[p], ',');
@@ -192,8 +192,8 @@ static void put_surface(iges *f, const wcut_surface *s, long name) {
     put_integer(f, s->weights == NULL, ',');
     put_integer(f, 0, ',');
     put_integer(f, 0, ',');
-    put_reals(f, s->knots_u, (size_t)(s->count_u + s->degree_u + 1));
-    put_reals(f, s->knots_v, (size_t)(s->count_v + s->degree_v + 1));
+    put_reals(f, s->knots_u, (size_t)s->count_u + (size_t)s->degree_u + 1);
+    put_reals(f, s->knots_v, (size_t)s->count_v + (size_t)s->degree_v + 1);
     put_weights(f, s->weights, count);
     put_reals(f, &s->control->x, 3 * count);
     put_real(f, s->knots_u[s->degree_u], ',');
@@ -213,7 +213,7 @@ static void put_name(iges *f, const char *name) {
 /* the data of entity k of the directory: shape k / 2, its name before its geometry */
 static entry put_entity(iges *f, const wcut_shape *shape, long k) {
     const wcut_shape *s = shape + k / 2;
-    entry e = {.first = f->sequence};
+    entry e;
     f->entity = 2 * k + 1;
     if (k % 2 == 0) {
         e = (entry){406, 15, f->sequence, 0, "00020200"};

@@ -121,7 +121,7 @@ static void note_faces(pieces *n) {
     for (int f = 0; f < b->face_count; f++) {
         const wcut_brep_loop *l = b->loop + b->face[f].first_loop;
         for (int k = 0; b->face[f].surface && k < l->coedge_count; k++) {
-            int *face = n->face + 2 * b->coedge[l->first_coedge + k].edge;
+            int *face = n->face + 2 * (size_t)b->coedge[l->first_coedge + k].edge;
             face[face[0] >= 0] = f;
         }
     }

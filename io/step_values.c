@@ -137,8 +137,8 @@ bool wcut_step_placement(wcut_step_source *s, long id, wcut_vec3 *origin, wcut_v
 static wcut_vec3 *read_points(wcut_step_source *s, long id, const char *list, int *count) {
     *count = wcut_p21_length(list);
     wcut_vec3 *point = wcut_io_alloc((size_t)*count, sizeof *point);
-    bool ok =
-        point ? *count >= 2 || wcut_step_refuse(s, id, "fewer than two points") : wcut_curves_refuse_memory(s->reader);
+    if (!point) return wcut_curves_refuse_memory(s->reader), NULL;
+    bool ok = *count >= 2 || wcut_step_refuse(s, id, "fewer than two points");
     const char *item = wcut_p21_item(list, 0);
     for (int k = 0; ok && k < *count; k++, item = wcut_p21_next(item)) {
         long at = 0;

@@ -156,12 +156,11 @@ wcut_status wcut_mesh_write_3mf(int count, const wcut_mesh *const *mesh, const c
     if (status != WCUT_OK) return status;
     sink s = {0};
     const bool ready = wcut_zip_create(&s.zip, file) && wcut_text_create(&s.text, NULL);
-    if (!ready)
+    const bool fits = ready && put_package(&s, count, mesh, name);
+    if (!ready || s.text.failed)
         status = wcut_io_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
-    else if (!put_package(&s, count, mesh, name))
+    else if (!fits)
         status = wcut_io_fail(error, WCUT_BAD_ARGUMENT, "found a model of more than 4 GiB, expected less: use STL");
-    else if (s.text.failed)
-        status = wcut_io_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
     else
         status = wcut_file_commit(file, error);
     wcut_text_destroy(&s.text);
