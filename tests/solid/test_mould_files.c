@@ -1,0 +1,107 @@
+/* labels: unit
+   mould.json, and the kerf of a history: what they say, what they refuse. */
+#include "solid/cuts.h"
+
+#include <unistd.h>
+#include <wirecut/job.h>
+
+static char *slurp(const char *path) {
+    FILE *f = fopen(path, "rb");
+    ck_assert_ptr_nonnull(f);
+    char *text = calloc(1, 100000);
+    ck_assert_ptr_nonnull(text);
+    ck_assert_uint_gt(fread(text, 1, 99999, f), 0);
+    ck_assert_int_eq(fclose(f), 0);
+    return text;
+}
+
+START_TEST(the_figures_are_printed_and_written_alike_with_null_for_what_is_not_known) {
+    wcut_surface *s = cut_of(cut_leaving);
+    wcut_mould *m = cut_divide(s, cut_block, NULL);
+    const char *const files[2] = {"lower.stl", "mould.json"};
+    char *text = NULL;
+    ck_assert_int_eq(wcut_mould_print(m, "a \"quoted\" name", 2, files, &text), WCUT_OK);
+    static const char *const part[] = {"\"format\": \"wirecut-mould/1\"",
+                                       "\"job\": \"a \\\"quoted\\\" name\"",
+                                       "\"closed\": true",
+                                       "\"oriented\": true",
+                                       "\"self_intersections\": 0",
+                                       "\"wall_mm\": {\"min\": null, \"held\": true}",
+                                       "\"made_by\": \"booleans\"",
+                                       "\"exact_faces\": 0",
+                                       "\"files\": [\"lower.stl\", \"mould.json\"]"};
+    for (size_t k = 0; k < sizeof part / sizeof *part; k++)
+        ck_assert_msg(strstr(text, part[k]) != NULL, "expected %s in: %s", part[k], text);
+    wcut_error error = {.text = ""};
+    ck_assert_int_eq(wcut_mould_write(m, "a \"quoted\" name", 2, files, "mould_test.json", &error), WCUT_OK);
+    char *written = slurp("mould_test.json");
+    ck_assert_str_eq(text, written);
+    free(written);
+    free(text);
+    ck_assert_int_eq(unlink("mould_test.json"), 0);
+
+    char *const mark = (char *)&cut_block, *kept = mark;
+    const char *const none[1] = {NULL};
+    ck_assert_int_eq(wcut_mould_print(NULL, "name", 0, NULL, &kept), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_mould_print(m, NULL, 0, NULL, &kept), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_mould_print(m, "name", 1, none, &kept), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_mould_print(m, "name", -1, files, &kept), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_mould_print(m, "name", 0, NULL, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert(kept == mark);
+    ck_assert_int_eq(wcut_mould_write(m, "name", 0, NULL, NULL, &error), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_mould_write(m, "name", 0, NULL, "no/such/folder/mould.json", &error), WCUT_NOT_WRITTEN);
+    ck_assert(error.status == WCUT_NOT_WRITTEN && strstr(error.text, "no/such/folder"));
+    wcut_mould_destroy(m);
+    wcut_surface_destroy(s);
+}
+END_TEST
+
+START_TEST(the_kerf_of_a_history_grows_with_the_heat_left_per_area) {
+    enum { STATIONS = 3, NODES = 2 };
+    wcut_history_row row[STATIONS] = {{.time = 0}, {.time = 2}, {.time = 5}};
+    double speed[STATIONS * NODES] = {0, 0, 20, 40, 10, 0.01}, field[STATIONS * NODES];
+    wcut_heat_step step = {.from = 4, .to = 6, .factor = 0.5};
+    wcut_history h = {.stations = STATIONS, .nodes = NODES, .row = row, .speed = speed};
+    wcut_job *job = NULL;
+    ck_assert_int_eq(wcut_job_create(&job), WCUT_OK);
+    job->heat = 60, job->kerf_width = 0.8, job->kerf_per_q = 1e-4, job->speed_min = 0.1;
+    job->heat_step_count = 1, job->heat_step = &step;
+    ck_assert_int_eq(wcut_history_kerf(job, &h, field), WCUT_OK);
+    /* 60 W/m at 20 mm/s leave 3000 J/m^2, 0.3 mm; the last station has half the heat, its last node the least speed */
+    const double wanted[STATIONS * NODES] = {1.1, 0.95, 1.1, 0.95, 1.1, 0.8 + 30};
+    for (int k = 0; k < STATIONS * NODES; k++) ck_assert_double_le(fabs(field[k] - wanted[k]), 1e-12);
+
+    for (int k = 0; k < STATIONS * NODES; k++) field[k] = 999;
+    speed[3] = NAN;
+    ck_assert_int_eq(wcut_history_kerf(job, &h, field), WCUT_BAD_ARGUMENT);
+    speed[3] = 40;
+    h.stations = 1;
+    ck_assert_int_eq(wcut_history_kerf(job, &h, field), WCUT_BAD_ARGUMENT);
+    h.stations = STATIONS;
+    job->kerf_width = -1;
+    ck_assert_int_eq(wcut_history_kerf(job, &h, field), WCUT_BAD_ARGUMENT);
+    job->kerf_width = 0.8, job->kerf_per_q = NAN;
+    ck_assert_int_eq(wcut_history_kerf(job, &h, field), WCUT_BAD_ARGUMENT);
+    job->kerf_per_q = 0, job->heat = 0;
+    ck_assert_int_eq(wcut_history_kerf(job, &h, field), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_history_kerf(NULL, &h, field), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_history_kerf(job, NULL, field), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_history_kerf(job, &h, NULL), WCUT_BAD_ARGUMENT);
+    for (int k = 0; k < STATIONS * NODES; k++) ck_assert_double_eq(field[k], 999);
+    job->heat_step_count = 0, job->heat_step = NULL;
+    wcut_job_destroy(job);
+}
+END_TEST
+
+int main(void) {
+    Suite *suite = suite_create("mould_files");
+    TCase *files = tcase_create("files");
+    tcase_add_test(files, the_figures_are_printed_and_written_alike_with_null_for_what_is_not_known);
+    tcase_add_test(files, the_kerf_of_a_history_grows_with_the_heat_left_per_area);
+    suite_add_tcase(suite, files);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_ENV);
+    int failed = srunner_ntests_failed(runner);
+    srunner_free(runner);
+    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
