@@ -9,7 +9,7 @@
 #include "scan/mesh_distance.h"
 #include "surface/morton.h"
 
-enum { BLOCK = 256, STACK = 160 };
+enum { BLOCK = 256, STACK = 160, AHEAD = 8 };
 
 static const double FAR = 1e12;    /* [mm] */
 static const double BEYOND = 1e-9; /* of the size: a query this far outwards of the border is beyond it */
@@ -115,11 +115,14 @@ typedef struct search {
     int triangle;
 } search;
 
-static void offer(search *s, int first, int count) {
+/* true where one of these triangles is closer than what is known */
+static bool offer(search *s, int first, int count) {
+    bool closer = false;
     for (int i = first; i < first + count; i++) {
         const spot found = closest(&s->t->corner[i], s->p);
-        if (found.square < s->best.square) s->best = found, s->triangle = i;
+        if (found.square < s->best.square) s->best = found, s->triangle = i, closer = true;
     }
+    return closer;
 }
 
 /* what a box's distance is squared against */
@@ -153,8 +156,7 @@ static void search_tree(search *s) {
         depth--;
         if (stack[depth].square > limit) continue;
         if (stack[depth].count > 0) {
-            offer(s, stack[depth].first, stack[depth].count);
-            limit = limit_of(s);
+            if (offer(s, stack[depth].first, stack[depth].count)) limit = limit_of(s);
             continue;
         }
         const wcut_mesh_node *n = &s->t->node[stack[depth].first];
@@ -220,6 +222,10 @@ wcut_status wcut_mesh_tree_locate(const wcut_mesh_tree *tree, int count, const w
         const int end = block == blocks - 1 ? count : (block + 1) * BLOCK;
         search s = {.t = tree, .triangle = 0};
         for (int k = block * BLOCK; k < end; k++) {
+            if (k + AHEAD < end) {
+                __builtin_prefetch(&query[order[k + AHEAD]]);
+                __builtin_prefetch(&foot[order[k + AHEAD]], 1);
+            }
             s.p = query[order[k]];
             const wcut_vec3 at = vec3_sub(s.p, tree->centre);
             s.at[0] = (float)at.x, s.at[1] = (float)at.y, s.at[2] = (float)at.z;

@@ -8,7 +8,7 @@
 #include "surface/morton.h"
 
 /* Queries of a block start from the one before; blocks know nothing of each other, so threads change no byte. */
-enum { BLOCK = 256 };
+enum { BLOCK = 256, AHEAD = 8 };
 
 /* [mm] squares of lengths up to this stay finite, with room for products */
 static const double FAR = 1e100;
@@ -68,10 +68,15 @@ wcut_status wcut_projection_locate(const wcut_projection *projection, int count,
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
     for (int block = 0; block < blocks; block++) {
         const wcut_foot *near = NULL;
+        wcut_quick_place place = {-1, -1};
         const int end = block == blocks - 1 ? count : (block + 1) * BLOCK;
         for (int k = block * BLOCK; k < end; k++) {
+            if (k + AHEAD < end) {
+                __builtin_prefetch(&query[order[k + AHEAD]]);
+                __builtin_prefetch(&foot[order[k + AHEAD]], 1);
+            }
             wcut_foot *to = &foot[order[k]];
-            if (!near || !projection->quick || !wcut_quick_foot(projection->quick, query[order[k]], near, to))
+            if (!near || !projection->quick || !wcut_quick_foot(projection->quick, query[order[k]], near, &place, to))
                 wcut_foot_search(projection, query[order[k]], near, to);
             near = to;
         }

@@ -14,9 +14,9 @@
 #include "base/numbers.h"
 #include "base/vec3.h"
 
-enum { CUBIC = 3, ORDER = CUBIC + 1, SPANS_MOST = 200000, STEPS = 8, WALK = 64, BLOCKS = 3, LEVELS = 20 };
+enum { CUBIC = 3, ORDER = CUBIC + 1, SPANS_MOST = 200000, STEPS = 8, WALK = 64, BLOCKS = 2, LEVELS = 20 };
 
-static const int block_reach[BLOCKS] = {2, 4, 7}; /* spans on either side of c */
+static const int block_reach[BLOCKS] = {3, 6}; /* spans on either side of c */
 
 /* [mm] a step this short is the last: the foot is then right to its square over the radius of curvature */
 static const double LAST = 1e-5;
@@ -411,13 +411,14 @@ static int find(const double *knot, int spans, double x) {
     return low;
 }
 
-/* Newton's step; false where the squared distance is not convex there */
-static inline bool step_of(const jet *f, wcut_vec3 r, double *ds, double *dt) {
-    const double gs = vec3_dot(r, f->s), gt = vec3_dot(r, f->t);
-    const double ss = vec3_dot(f->s, f->s) - vec3_dot(r, f->ss), st = vec3_dot(f->s, f->t) - vec3_dot(r, f->st);
-    const double tt = vec3_dot(f->t, f->t) - vec3_dot(r, f->tt), area = ss * tt - st * st;
-    *ds = (gs * tt - gt * st) / area;
-    *dt = (gt * ss - gs * st) / area;
+/* Newton's step and the square of its length, nearly; false where the squared distance is not convex there */
+static inline bool step_of(const jet *f, wcut_vec3 r, double *ds, double *dt, double *square) {
+    const double gs = vec3_dot(r, f->s), gt = vec3_dot(r, f->t), plain_s = vec3_dot(f->s, f->s);
+    const double plain_t = vec3_dot(f->t, f->t), ss = plain_s - vec3_dot(r, f->ss), tt = plain_t - vec3_dot(r, f->tt);
+    const double st = vec3_dot(f->s, f->t) - vec3_dot(r, f->st), area = ss * tt - st * st, by = 1 / area;
+    *ds = (gs * tt - gt * st) * by;
+    *dt = (gt * ss - gs * st) * by;
+    *square = *ds * *ds * plain_s + *dt * *dt * plain_t;
     return ss > 0 && area > 1e-9 * ss * tt;
 }
 
@@ -437,29 +438,46 @@ static bool finish(const span *of, const jet *f, wcut_vec3 p, double ds, double 
     return size > 0 && foot->distance < of->radius;
 }
 
-bool wcut_quick_foot(const wcut_quick *quick, wcut_vec3 p, const wcut_foot *near, wcut_foot *foot) {
+/* the span of a neighbour's foot, from that of the one before */
+static bool begin(const wcut_quick *q, const wcut_foot *near, wcut_quick_place *at) {
+    if (at->column >= 0) at->column = walk(q->u, q->columns, at->column, near->u);
+    if (at->row >= 0) at->row = walk(q->v, q->rows, at->row, near->v);
+    if (at->column < 0) at->column = find(q->u, q->columns, near->u);
+    if (at->row < 0) at->row = find(q->v, q->rows, near->v);
+    return at->column >= 0 && at->row >= 0;
+}
+
+bool wcut_quick_foot(const wcut_quick *quick, wcut_vec3 p, const wcut_foot *near, wcut_quick_place *place,
+                     wcut_foot *foot) {
     const wcut_quick *q = quick;
-    double u = near->u, v = near->v;
-    int column = find(q->u, q->columns, u), row = find(q->v, q->rows, v);
+    if (!begin(q, near, place)) return false;
+    wcut_quick_place at = *place;
+    double u0 = q->u[at.column], v0 = q->v[at.row], wide = q->u[at.column + 1] - u0, high = q->v[at.row + 1] - v0;
+    double s = (near->u - u0) / wide, t = (near->v - v0) / high;
     for (int step = 0; step < STEPS; step++) {
-        const span *of = &q->span[row * q->columns + column];
-        const double wide = q->u[column + 1] - q->u[column], high = q->v[row + 1] - q->v[row];
+        const span *of = &q->span[at.row * q->columns + at.column];
         jet f;
-        double ds, dt;
-        eval(of, (u - q->u[column]) / wide, (v - q->v[row]) / high, &f);
-        if (!step_of(&f, vec3_sub(p, f.at), &ds, &dt)) return false;
-        u += ds * wide, v += dt * high;
+        double ds, dt, square;
+        eval(of, s, t, &f);
+        if (!step_of(&f, vec3_sub(p, f.at), &ds, &dt, &square)) return false;
+        s += ds, t += dt;
+        const bool inside = s >= 0 && s <= 1 && t >= 0 && t <= 1, last = square <= LAST * LAST;
+        const double u = u0 + s * wide, v = v0 + t * high;
         /* on the border more is to be said than that it is stationary */
-        if (!(u > q->u[0] && u < q->u[q->columns] && v > q->v[0] && v < q->v[q->rows])) return false;
-        const double moved = fabs(ds) * vec3_length(f.s) + fabs(dt) * vec3_length(f.t);
-        if (moved <= LAST) {
+        if ((!inside || last) && !(u > q->u[0] && u < q->u[q->columns] && v > q->v[0] && v < q->v[q->rows]))
+            return false;
+        if (last) {
             wcut_foot found = {.u = u, .v = v};
             if (!finish(of, &f, p, ds, dt, &found)) return false;
             *foot = found;
+            *place = at;
             return true;
         }
-        column = walk(q->u, q->columns, column, u), row = walk(q->v, q->rows, row, v);
-        if (column < 0 || row < 0) return false;
+        if (inside) continue;
+        at.column = walk(q->u, q->columns, at.column, u), at.row = walk(q->v, q->rows, at.row, v);
+        if (at.column < 0 || at.row < 0) return false;
+        u0 = q->u[at.column], v0 = q->v[at.row], wide = q->u[at.column + 1] - u0, high = q->v[at.row + 1] - v0;
+        s = (u - u0) / wide, t = (v - v0) / high;
     }
     return false;
 }

@@ -14,8 +14,14 @@ typedef struct wcut_quick wcut_quick;
 wcut_status wcut_quick_create(const wcut_surface *surface, wcut_quick **quick);
 void wcut_quick_destroy(wcut_quick *quick);
 
+/* the span of the last foot: where the search for the next one's begins; -1, -1: unknown */
+typedef struct wcut_quick_place {
+    int column, row;
+} wcut_quick_place;
+
 /* The foot of p, starting from that of a neighbour; false where it is not found or not proven so quickly, or lies on
-   the surface's border: then nothing was written. */
-bool wcut_quick_foot(const wcut_quick *quick, wcut_vec3 p, const wcut_foot *near, wcut_foot *foot);
+   the surface's border: then foot was not written. */
+bool wcut_quick_foot(const wcut_quick *quick, wcut_vec3 p, const wcut_foot *near, wcut_quick_place *place,
+                     wcut_foot *foot);
 
 #endif

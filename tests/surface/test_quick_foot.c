@@ -92,11 +92,12 @@ START_TEST(most_feet_near_a_tame_surface_are_found_quickly) {
     int taken = 0, inside = 0;
     for (int k = 1; k < QUERIES; k++) {
         wcut_foot foot;
+        wcut_quick_place place = {-1, -1};
         const bool border = expected[k].u <= 0 || expected[k].u >= 1 || expected[k].v <= 0 || expected[k].v >= 1;
         inside += !border;
         const double near_u = fmin(fmax(expected[k].u + 0.004, 0), 1);
         const wcut_foot near = {.u = near_u, .v = expected[k].v};
-        if (!border && wcut_quick_foot(quick->quick, query[k], &near, &foot)) taken++;
+        if (!border && wcut_quick_foot(quick->quick, query[k], &near, &place, &foot)) taken++;
     }
     ck_assert_int_gt(taken, inside * 9 / 10);
     forget();
