@@ -17,6 +17,9 @@
 /* candidates of a step that are held against the other cuts */
 enum { TRIED = 6 };
 
+/* beside recalibration: latencies of the instruments, which the shortest memories of speed and heat stand for */
+enum { BASE = WCUT_BASE + WCUT_LATENCIES };
+
 typedef struct regression {
     const wcut_evidence *e;
     int features, n; /* n: base and features */
@@ -26,7 +29,7 @@ typedef struct regression {
     double *residual;
     wcut_normal normal;
     double *centre, *precision; /* n */
-    int count, chosen[WCUT_BASE + 2 * WCUT_DEPENDENCES];
+    int count, chosen[BASE + 2 * WCUT_DEPENDENCES];
     double cost;
 } regression;
 
@@ -150,7 +153,7 @@ static wcut_status fill(regression *r, const wcut_fitted *about, const double *r
 /* ---- selection ---- */
 
 static bool solve(const regression *r, const step *s, int without, double *t, double *covariance, double *cost) {
-    int chosen[WCUT_BASE + 2 * WCUT_DEPENDENCES + 2], count = r->count;
+    int chosen[BASE + 2 * WCUT_DEPENDENCES + 2], count = r->count;
     memcpy(chosen, r->chosen, (size_t)r->count * sizeof *chosen);
     for (int k = 0; s && k < s->width; k++) chosen[count++] = WCUT_BASE + s->feature + k;
     return wcut_normal_solve(&r->normal, count, chosen, r->centre, r->precision, without, t, covariance, cost);
@@ -176,7 +179,7 @@ static int confirm(const regression *r, step *s) {
     s->fall = 0;
     for (int cut = 0; cut < r->e->cuts; cut++) {
         double without[WCUT_FIT_MAX], with[WCUT_FIT_MAX], cost;
-        int chosen[WCUT_BASE + 2 * WCUT_DEPENDENCES + 2];
+        int chosen[BASE + 2 * WCUT_DEPENDENCES + 2];
         if (r->e->cut[cut].bins == 0) continue;
         if (!solve(r, NULL, cut, without, NULL, &cost) || !solve(r, s, cut, with, NULL, &cost)) return 0;
         memcpy(chosen, r->chosen, (size_t)r->count * sizeof *chosen);
@@ -281,18 +284,20 @@ static void tell(const regression *r, const step *s, int at, const double *t, co
 
 static wcut_status find(regression *r, int cuts, int *count, wcut_dependence *out, wcut_error *error) {
     double *room = wcut_alloc((size_t)r->e->rows, sizeof *room), t[WCUT_FIT_MAX];
-    double covariance[(WCUT_BASE + 2 * WCUT_DEPENDENCES) * (WCUT_BASE + 2 * WCUT_DEPENDENCES)];
+    double covariance[(BASE + 2 * WCUT_DEPENDENCES) * (BASE + 2 * WCUT_DEPENDENCES)];
     step taken[WCUT_DEPENDENCES];
     if (!room) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d rows", r->e->rows);
-    r->count = WCUT_BASE;
+    r->count = BASE;
     for (int k = 0; k < WCUT_BASE; k++) r->chosen[k] = k;
+    for (int k = 0, at = WCUT_BASE; k < r->features && at < BASE; k++)
+        if (r->feature[k].latency) r->chosen[at++] = WCUT_BASE + k;
     int steps = 0;
     if (solve(r, NULL, -1, t, NULL, &r->cost))
         while (steps < WCUT_DEPENDENCES && take_step(r, cuts, room, &taken[steps])) steps++;
     const step none = {.width = 0};
     const double noise = dispersion(r, &none, room);
     if (steps > 0 && solve(r, NULL, -1, t, covariance, &r->cost))
-        for (int k = 0, at = WCUT_BASE; k < steps; at += taken[k++].width)
+        for (int k = 0, at = BASE; k < steps; at += taken[k++].width)
             tell(r, &taken[k], at, t, covariance, noise, &out[k]);
     *count = steps;
     wcut_free(room);

@@ -39,6 +39,7 @@ enum what {
 
 static void add(wcut_feature *list, int *n, int what, double constant, const char *name) {
     list[*n] = (wcut_feature){.what = what, .constant = constant, .wave = what == SINE};
+    list[*n].latency = (what == MEMORY_SPEED || what == MEMORY_HEAT) && constant < WCUT_BIN_WIDTH;
     snprintf(list[*n].name, sizeof list[*n].name, "%.39s", name);
     ++*n;
 }

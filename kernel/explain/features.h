@@ -4,14 +4,15 @@
 
 #include "explain/evidence.h"
 
-enum { WCUT_WAVES = 90, WCUT_FEATURES_MOST = 40 + 2 * WCUT_WAVES };
+enum { WCUT_WAVES = 90, WCUT_LATENCIES = 2, WCUT_FEATURES_MOST = 40 + 2 * WCUT_WAVES };
 
 /* A quantity; a sine and a cosine of one wavelength follow each other and make one quantity. */
 typedef struct wcut_feature {
     char name[40]; /* of a sine with %s where its phase goes */
     int what;      /* which, and below its constant: exponent, [s] or [mm] */
     double constant;
-    bool wave; /* first of a pair */
+    bool wave;    /* first of a pair */
+    bool latency; /* a memory so short that it is a latency of instruments; WCUT_LATENCIES of them */
 } wcut_feature;
 
 /* Which node counts how much: all in the foam alike, those near mount A more, those near mount B more. */

@@ -178,22 +178,26 @@ static double lower_half(int n, double *square) {
     return fmax(1, sum / (n / 2) / LOWER_HALF);
 }
 
-/* dispersion of windows by length, over all channels: an effect in one of them is not to pass for its noise; and how
-   many tests there are. room: for a channel; square: all windows of a length */
+/* dispersion of windows by length, that of the two quietest of the six channels: an effect in the others is not to pass
+   for noise; and how many tests there are. room: for a channel; square: all windows of a length in a channel */
 static void find_dispersion(search *s, double *room, double *square) {
     for (int l = 0; l < LENGTHS; l++) {
-        int n = 0;
-        for (int k = 0; k < s->e->cuts; k++) {
-            for (int signal = 0; s->e->cut[k].bins > 0 && signal < WCUT_TRAIL_SIGNALS; signal++) {
+        double shown[WCUT_TRAIL_SIGNALS];
+        for (int signal = 0; signal < WCUT_TRAIL_SIGNALS; signal++) {
+            int n = 0;
+            for (int k = 0; k < s->e->cuts; k++) {
+                if (s->e->cut[k].bins == 0) continue;
                 const channel h = channel_of(s, k, signal, room);
                 window w;
                 for (int i = 0; window_at(&h, i, &w); i++)
                     if (w.kind == l && w.last - w.first == window_length[l] && test_window(&h, &w))
                         square[n++] = w.t * w.t;
             }
+            s->tests += n;
+            shown[signal] = lower_half(n, square);
         }
-        s->tests += n;
-        s->dispersion[l] = lower_half(n, square);
+        qsort(shown, WCUT_TRAIL_SIGNALS, sizeof *shown, compare);
+        s->dispersion[l] = (shown[0] + shown[1]) / 2;
     }
     for (int k = 0; k < s->e->cuts; k++) s->tests += s->e->cut[k].bins > 0 ? WCUT_TRAIL_SIGNALS * PART_WINDOWS : 0;
 }
@@ -232,16 +236,26 @@ static bool overlaps(const search *s, const window *w) {
     return false;
 }
 
+/* mean square of a channel beside a window; of all of it where less than a quarter is beside */
+static double beside(const channel *h, const window *w) {
+    double sum = 0;
+    int n = 0;
+    for (int i = 0; i < h->n; i++)
+        if ((i < w->first || i >= w->last) && h->scale[i] > 0) sum += h->z[i] * h->z[i], n++;
+    return 4 * n >= h->there && n > 0 ? sum / n : mean_square(h);
+}
+
 /* the window that stands out most, found again and again with what was found taken out */
 static void search_channel(search *s, int cut, int signal, double *room) {
     const channel h = channel_of(s, cut, signal, room);
     for (int found = 0; found < MOST && s->count < s->room; found++) {
-        const double square = mean_square(&h), own = has_order(s, &h, square) ? 1 : square;
+        const bool order = has_order(s, &h, mean_square(&h));
         window best = {.t = 0}, w = {.cut = cut, .signal = signal, .left = 0, .right = 1};
         double most = 0;
         for (int k = 0; window_at(&h, k, &w); k++) {
             if (overlaps(s, &w) || !test_window(&h, &w)) continue;
-            const double t = fabs(w.t) / sqrt(fmax(s->dispersion[w.kind], own));
+            double t = fabs(w.t) / sqrt(s->dispersion[w.kind]);
+            if (!order && t > most) t = fmin(t, fabs(w.t) / sqrt(beside(&h, &w)));
             if (t > most) most = t, best = w;
         }
         best.p = sidak(s->tests, most);
@@ -509,7 +523,7 @@ wcut_status wcut_mismatch_locate(const wcut_evidence *e, const double *residual,
     s.found = wcut_alloc((size_t)s.room, sizeof *s.found);
     double *room = wcut_alloc(4 * (size_t)bins, sizeof *room);
     /* windows of a length start every bin at most */
-    double *square = wcut_alloc((size_t)e->cuts * (size_t)(WCUT_TRAIL_SIGNALS * (bins + 1) + STRIPES), sizeof *square);
+    double *square = wcut_alloc((size_t)e->cuts * (size_t)(bins + 1 + STRIPES), sizeof *square);
     wcut_status status = WCUT_NO_MEMORY;
     if (s.residual && s.raw && s.found && room && square) {
         wcut_evidence_residual(e, s.raw);

@@ -13,9 +13,9 @@ enum { WCUT_MISMATCHES = 20 };
 /*
  * List where a whitened residual differs from noise: windows of 2 to 32 s, the regimes and the whole of a cut, each
  * channel of each mount by itself; rectangles of patches of a scan. Each is tested for a constant shift, by generalised
- * least squares under the noise that whitening assumed; its dispersion is what the quietest half of all the case's
- * windows of that length shows, 1 at least. Where neighbours do not err alike, it is the channel's mean square at
- * least, so that the same values in another order are nothing.
+ * least squares under the noise that whitening assumed; its dispersion is what windows of that length show in the
+ * two quietest of the six channels (by their quieter half), 1 at least. Where neighbours do not err alike, it is the channel's mean square beside the window
+ * at least, so that the same values in another order are nothing.
  * p-values are Sidak's over all windows of the case.
  *
  * evidence: predicted under its `at`, of which rows are missing is what its residual says.
