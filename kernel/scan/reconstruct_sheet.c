@@ -121,7 +121,7 @@ double wcut_sheet_normals(wcut_mesh *mesh) {
     double area = 0;
     for (int k = 0; k < mesh->vertex_count; k++) mesh->normal[k] = vec3(0, 0, 0);
     for (int k = 0; k < mesh->triangle_count; k++) {
-        const int *t = mesh->triangle + 3 * k;
+        const int *t = mesh->triangle + 3 * (size_t)k;
         const wcut_vec3 n = vec3_cross(vec3_sub(mesh->vertex[t[1]], mesh->vertex[t[0]]),
                                        vec3_sub(mesh->vertex[t[2]], mesh->vertex[t[0]]));
         area += vec3_length(n) / 2;
@@ -144,7 +144,7 @@ static wcut_status make_mesh(const wcut_sheet *s, const list *l, bool raised, wc
     const wcut_status status = wcut_mesh_create(count, l->count, parts, &m);
     for (int k = 0; k < nodes && status == WCUT_OK; k++) {
         if (!place[k]) continue;
-        const int to = place[k] - 1;
+        const size_t to = (size_t)place[k] - 1;
         m->vertex[to] = raised ? s->vertex[k] : s->lattice->point[k];
         m->normal[to] = s->lattice->normal[k];
         m->uv[2 * to] = s->lattice->u[k % columns];
