@@ -157,7 +157,7 @@ typedef struct entry {
 
 /* field k of a directory line, blank as 0; false: it is no number */
 static bool read_field(const char *line, int k, int *value) {
-    const char *p = line + FIELD * k, *end = p + FIELD;
+    const char *p = line + (size_t)FIELD * (size_t)k, *end = p + FIELD;
     int n = 0, sign = 1;
     while (p < end && *p == ' ') p++;
     if (p < end && *p == '-') sign = -1, p++;

@@ -41,8 +41,10 @@ static int loop(int fd, void *context) {
 static int take_memory(int fd, void *context) {
     (void)fd, (void)context;
     volatile char *block = malloc((size_t)1 << 30);
-    if (block) block[0] = 1;
-    return block ? 1 : 2;
+    if (!block) return 2;
+    block[0] = 1;
+    free((void *)block);
+    return 1;
 }
 
 static int open_files(int fd, void *context) {
