@@ -42,6 +42,15 @@ static void widen(node *n, wcut_vec3 low, wcut_vec3 high) {
     n->high = vec3(fmax(n->high.x, high.x), fmax(n->high.y, high.y), fmax(n->high.z, high.z));
 }
 
+/* narrower than what counts as one place: it crosses nothing that its neighbours do not, and thousands of such in one
+   place would be tested against each other */
+static bool is_sliver(const finder *f, int t) {
+    const wcut_vec3 a = corner(f->mesh, t, 0), ab = vec3_sub(corner(f->mesh, t, 1), a),
+                    ac = vec3_sub(corner(f->mesh, t, 2), a), bc = vec3_sub(ac, ab);
+    const double longest = fmax(vec3_length(ab), fmax(vec3_length(ac), vec3_length(bc)));
+    return !(vec3_length(vec3_cross(ab, ac)) > f->same * longest);
+}
+
 static wcut_status build(finder *f) {
     const wcut_mesh *m = f->mesh;
     f->leaves = 1;
@@ -58,8 +67,8 @@ static wcut_status build(finder *f) {
     for (int k = 0; k < f->leaves; k++) {
         node *leaf = &f->tree[f->leaves - 1 + k];
         *leaf = empty;
-        for (int c = 0; k < m->triangle_count && c < 3; c++)
-            widen(leaf, corner(m, f->order[k], c), corner(m, f->order[k], c));
+        if (k >= m->triangle_count || is_sliver(f, f->order[k])) continue;
+        for (int c = 0; c < 3; c++) widen(leaf, corner(m, f->order[k], c), corner(m, f->order[k], c));
     }
     for (int k = f->leaves - 2; k >= 0; k--) {
         f->tree[k] = f->tree[2 * k + 1];
@@ -111,7 +120,7 @@ static void keep(finder *f, wcut_crossing c) {
 static void test_pair(finder *f, int p, int q) {
     const int a = f->order[p], b = f->order[q];
     wcut_vec3 where;
-    if (share_corner(f, a, b) || !(pierces(f, a, b, &where) || pierces(f, b, a, &where))) return;
+    if (!(pierces(f, a, b, &where) || pierces(f, b, a, &where)) || share_corner(f, a, b)) return;
     keep(f, (wcut_crossing){.first = a < b ? a : b, .second = a < b ? b : a, .point = where});
 }
 
@@ -131,10 +140,10 @@ wcut_status wcut_mesh_crossings(const wcut_mesh *mesh, int room, wcut_crossing *
         return WCUT_BAD_ARGUMENT;
     if (mesh->triangle_count > INT_MAX / 4) return WCUT_BAD_ARGUMENT;
     finder f = {.mesh = mesh, .room = room};
+    for (int k = 0; k < mesh->vertex_count; k++) f.same = fmax(f.same, SAME * vec3_length(mesh->vertex[k]));
     f.found = wcut_alloc((size_t)room + 1, sizeof *f.found);
     wcut_status status = f.found ? build(&f) : WCUT_NO_MEMORY;
     if (status == WCUT_OK) {
-        f.same = SAME * fmax(vec3_length(f.tree[0].low), vec3_length(f.tree[0].high));
         for (int k = 0; k < f.leaves - 1; k++) cross(&f, 2 * k + 1, 2 * k + 2);
         for (int k = 0; k < room && k < f.count; k++) crossing[k] = f.found[k];
         *count = f.count;
