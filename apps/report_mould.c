@@ -168,7 +168,8 @@ wcut_status app_report_mould(const app_moulded *run, const wcut_job *job, const 
         wcut_report_shape shape[2];
         for (int k = 0; k < 2; k++) {
             const wcut_mesh *mesh = half_of(&p, k)->mesh;
-            field[k] = (wcut_report_field){"draft of the cut face", "deg", WCUT_SCALE_SEQUENTIAL, 0, p.draft[k]};
+            field[k] = (wcut_report_field){k ? "draft of the upper half" : "draft of the lower half", "deg",
+                                           WCUT_SCALE_SEQUENTIAL, 0, p.draft[k]};
             shape[k] = (wcut_report_shape){.name = k ? "upper half" : "lower half",
                                            .vertex_count = mesh->vertex_count,
                                            .vertex = mesh->vertex,
