@@ -470,7 +470,7 @@ static wcut_status write_scene(page *p, const char *path, wcut_error *error) {
                                           .rows = f ? f->stations : 0,
                                           .columns = f ? f->nodes : 0,
                                           .row_label = "station",
-                                          .column_label = "step",
+                                          .column_label = "position",
                                           .triangle_count = f ? 0 : c->mesh->triangle_count,
                                           .triangle = f ? NULL : c->mesh->triangle,
                                           .field_count = f ? 3 : 1,

@@ -4,8 +4,7 @@
 #include "base/alloc.h"
 #include "base/numbers.h"
 #include "base/vec3.h"
-
-static const double FAR = 1e12; /* [mm] */
+#include "scan/mesh_distance.h"
 
 /* The distance is all height where the foot is inside. Below this share of it no side can be told; at an edge of two
    faces at right angles, whose normal is between theirs, the share is 0.7. */
@@ -24,12 +23,6 @@ const char *wcut_place_text(wcut_place place) {
 static bool are_usable(const wcut_deviation_options *o) {
     return o->low.x <= o->high.x && o->low.y <= o->high.y && o->low.z <= o->high.z && isfinite(o->border) &&
            o->border >= 0 && isfinite(o->reach) && o->reach >= 0;
-}
-
-static bool are_near(int count, const wcut_vec3 *p) {
-    for (int k = 0; k < count; k++)
-        if (!(fabs(p[k].x) <= FAR && fabs(p[k].y) <= FAR && fabs(p[k].z) <= FAR)) return false;
-    return true;
 }
 
 /* how far a foot is inside the window's sides: negative outside */
@@ -64,7 +57,7 @@ wcut_status wcut_deviation_from_surface(const wcut_projection *projection, int c
                                         wcut_foot *foot) {
     const wcut_deviation_options o = options ? *options : wcut_deviation_options_default();
     if (!projection || count < 0 || threads < 1 || !are_usable(&o) ||
-        (count > 0 && (!point || !deviation || !are_near(count, point))))
+        (count > 0 && (!point || !deviation || !wcut_are_near(count, point))))
         return WCUT_BAD_ARGUMENT;
     wcut_foot *found = foot ? foot : wcut_alloc((size_t)count, sizeof *found);
     if (!found) return WCUT_NO_MEMORY;
@@ -87,7 +80,7 @@ wcut_status wcut_deviation_from_mesh(const wcut_mesh_tree *tree, int count, cons
                                      const wcut_deviation_options *options, int threads, wcut_deviation *deviation) {
     const wcut_deviation_options o = options ? *options : wcut_deviation_options_default();
     if (!tree || count < 0 || threads < 1 || !are_usable(&o) ||
-        (count > 0 && (!point || !deviation || !are_near(count, point))))
+        (count > 0 && (!point || !deviation || !wcut_are_near(count, point))))
         return WCUT_BAD_ARGUMENT;
     wcut_mesh_foot *found = wcut_alloc((size_t)count, sizeof *found);
     if (!found) return WCUT_NO_MEMORY;

@@ -11,7 +11,6 @@
 
 enum { BLOCK = 256, STACK = 160, AHEAD = 8 };
 
-static const double FAR = 1e12;    /* [mm] */
 static const double BEYOND = 1e-9; /* of the size: a query this far outwards of the border is beyond it */
 
 /* ---- making ---- */
@@ -28,14 +27,11 @@ void wcut_mesh_tree_destroy(wcut_mesh_tree *tree) {
     wcut_free(tree);
 }
 
-static bool is_near(wcut_vec3 p) { return fabs(p.x) <= FAR && fabs(p.y) <= FAR && fabs(p.z) <= FAR; }
-
 static bool is_usable(const wcut_mesh *mesh) {
     if (!mesh || mesh->triangle_count < 1 || mesh->triangle_count > INT_MAX / 3 || mesh->vertex_count < 1 ||
         !mesh->vertex || !mesh->triangle)
         return false;
-    for (int i = 0; i < mesh->vertex_count; i++)
-        if (!is_near(mesh->vertex[i])) return false;
+    if (!wcut_are_near(mesh->vertex_count, mesh->vertex)) return false;
     for (size_t k = 0; k < 3 * (size_t)mesh->triangle_count; k++)
         if (mesh->triangle[k] < 0 || mesh->triangle[k] >= mesh->vertex_count) return false;
     return true;
@@ -210,9 +206,8 @@ static void fill_foot(const search *s, wcut_mesh_foot *foot) {
 
 wcut_status wcut_mesh_tree_locate(const wcut_mesh_tree *tree, int count, const wcut_vec3 *query, int threads,
                                   wcut_mesh_foot *foot) {
-    if (!tree || count < 0 || threads < 1 || (count > 0 && (!query || !foot))) return WCUT_BAD_ARGUMENT;
-    for (int k = 0; k < count; k++)
-        if (!is_near(query[k])) return WCUT_BAD_ARGUMENT;
+    if (!tree || count < 0 || threads < 1 || (count > 0 && (!query || !foot || !wcut_are_near(count, query))))
+        return WCUT_BAD_ARGUMENT;
     int *order;
     const wcut_status status = wcut_morton_order(count, query, &order);
     if (status != WCUT_OK) return status;

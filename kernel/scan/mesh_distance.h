@@ -2,6 +2,8 @@
 #ifndef WCUT_SCAN_MESH_DISTANCE_H
 #define WCUT_SCAN_MESH_DISTANCE_H
 
+#include <math.h>
+#include <stdbool.h>
 #include <wirecut/mesh_tree.h>
 
 enum { WCUT_MESH_WIDE = 8, WCUT_MESH_LEAF = 4 };
@@ -31,6 +33,14 @@ struct wcut_mesh_tree {
     double size; /* [mm] half the box's diagonal */
     wcut_mesh_tree_info info;
 };
+
+/* finite and within 1e12 mm: squares and products stay finite, and a double tells points 1e-4 mm apart */
+static inline bool wcut_are_near(int count, const wcut_vec3 *p) {
+    const double far = 1e12;
+    for (int k = 0; k < count; k++)
+        if (!(fabs(p[k].x) <= far && fabs(p[k].y) <= far && fabs(p[k].z) <= far)) return false;
+    return true;
+}
 
 /* order, boxes and nodes; fills triangles, corner, index, vertex, node, centre, size and the box. WCUT_NO_MEMORY:
    what was made stays to be cleared. */
