@@ -1,0 +1,192 @@
+/* Evidence: bins of what was measured and predicted, and noise made white. */
+#include "explain/evidence.h"
+
+#include "explain/synthetic.h"
+
+static const concealed nothing = {.noise = 0, .seed = 1}, noisy = {.noise = 1, .seed = 2};
+
+START_TEST(the_jobs_own_wire_leaves_nothing_but_the_smoothing_of_its_motion) {
+    synthetic s = synthetic_create(2, &nothing);
+    wcut_evidence *e = evidence_of(&s, 1);
+    double *residual = wcut_alloc((size_t)e->rows, sizeof *residual);
+    wcut_evidence_residual(e, residual);
+    ck_assert_int_eq(e->rows, WCUT_TRAIL_SIGNALS * (e->cut[0].bins + e->cut[1].bins));
+    for (int k = 0; k < 2; k++) {
+        const wcut_evidence_cut *c = &e->cut[k];
+        ck_assert_int_gt(c->bins, 25);
+        ck_assert_double_gt(c->from, c->contact);
+        for (int i = 0; i < WCUT_TRAIL_SIGNALS * c->bins; i++)
+            ck_assert_double_le(fabs(residual[c->row + i]), i < 2 * c->bins ? 0.02 : 0.002);
+        for (int i = 1; i < c->bins; i++) {
+            ck_assert_double_eq_tol(c->middle[i] - c->middle[i - 1], WCUT_BIN_WIDTH, 1e-12);
+            ck_assert_double_gt(c->station[i], c->station[i - 1]);
+            ck_assert(c->pace[i] > 9 && c->pace[i] < 20 && c->heat[i] > 50 && c->heat[i] < 80);
+            ck_assert(c->engaged[i] > 150 && c->engaged[i] < 400);
+        }
+    }
+    wcut_free(residual);
+    wcut_evidence_destroy(e);
+    synthetic_destroy(&s);
+}
+END_TEST
+
+START_TEST(whitened_noise_has_unit_variance_and_no_memory) {
+    synthetic s = synthetic_create(1, &noisy);
+    wcut_evidence *e = evidence_of(&s, 1);
+    double *z = wcut_alloc((size_t)e->rows, sizeof *z), square = 0, product = 0, next = 0;
+    const wcut_evidence_cut *c = &e->cut[0];
+    wcut_random random = wcut_random_seed(11);
+    int n = 0, pairs = 0;
+    for (int draw = 0; draw < 200; draw++) {
+        white_rows(e, &random, z);
+        for (int k = 0; k < WCUT_TRAIL_SIGNALS; k++) {
+            for (int i = 0; i < c->bins; i++) square += pow(z[k * c->bins + i], 2), n++;
+            for (int i = 2; i < c->bins; i++) {
+                product += z[k * c->bins + i] * z[k * c->bins + i - 1];
+                next += z[k * c->bins + i] * z[k * c->bins + i - 2], pairs++;
+            }
+        }
+    }
+    /* four standard errors */
+    ck_assert_double_eq_tol(square / n, 1, 4 * sqrt(2.0 / n));
+    ck_assert_double_eq_tol(product / pairs, 0, 4 / sqrt(pairs));
+    ck_assert_double_eq_tol(next / pairs, 0, 4 / sqrt(pairs));
+    wcut_free(z);
+    wcut_evidence_destroy(e);
+    synthetic_destroy(&s);
+}
+END_TEST
+
+START_TEST(whitening_is_linear_and_missing_rows_are_nothing) {
+    synthetic s = synthetic_create(1, &noisy);
+    wcut_evidence *e = evidence_of(&s, 1);
+    const size_t rows = (size_t)e->rows;
+    double *x = wcut_alloc(5 * rows, sizeof *x), *y = x + rows, *sum = x + 2 * rows, *wx = x + 3 * rows;
+    double *wy = x + 4 * rows;
+    e->cut[0].measured[0][7] = (double)NAN;
+    wcut_random random = wcut_random_seed(3);
+    noise_rows(e, &random, x);
+    noise_rows(e, &random, y);
+    for (size_t i = 0; i < rows; i++) sum[i] = 2 * x[i] - 3 * y[i];
+    double *raw = wcut_alloc(rows, sizeof *raw);
+    wcut_evidence_residual(e, raw);
+    ck_assert(isnan(raw[7]));
+    wcut_evidence_whiten(e, raw, x, wx);
+    wcut_evidence_whiten(e, raw, y, wy);
+    wcut_evidence_whiten(e, raw, sum, sum);
+    for (size_t i = 0; i < rows; i++) ck_assert_double_eq_tol(sum[i], 2 * wx[i] - 3 * wy[i], 1e-10);
+    ck_assert_double_eq(wx[7], 0);
+    ck_assert_double_ne(wx[8], 0);
+    wcut_free(raw);
+    wcut_free(x);
+    wcut_evidence_destroy(e);
+    synthetic_destroy(&s);
+}
+END_TEST
+
+START_TEST(the_white_part_of_the_noise_is_measured_and_a_misfit_does_not_move_it) {
+    synthetic s = synthetic_create(2, &noisy);
+    wcut_evidence *e = evidence_of(&s, 1);
+    /* five samples of 0.02 N, 0.05 deg in a bin; what smoothing does to the motion comes on top */
+    const double tension = 0.02 / sqrt(5), angle = 0.05 * WCUT_PI / 180 / sqrt(5);
+    for (int k = 0; k < WCUT_TRAIL_SIGNALS; k++) {
+        const double expected = k < 2 ? tension : angle;
+        ck_assert(e->sigma[k] > 0.6 * expected && e->sigma[k] < 2 * expected);
+    }
+    const double before = e->sigma[2];
+    wcut_model model = e->at;
+    model.a *= 0.7;
+    ck_assert_int_eq(wcut_evidence_predict(e, &model, false, NULL), WCUT_OK);
+    ck_assert_double_eq_tol(e->sigma[2], before, 0.4 * before);
+    wcut_evidence_destroy(e);
+    synthetic_destroy(&s);
+}
+END_TEST
+
+START_TEST(the_same_bytes_come_from_any_number_of_threads) {
+    synthetic s = synthetic_create(2, &noisy);
+    wcut_evidence *one = evidence_of(&s, 1), *two = evidence_of(&s, 2);
+    ck_assert_int_eq(one->rows, two->rows);
+    for (int k = 0; k < 2; k++) {
+        const wcut_evidence_cut *a = &one->cut[k], *b = &two->cut[k];
+        const size_t bytes = (size_t)a->bins * sizeof(double);
+        for (int i = 0; i < WCUT_TRAIL_SIGNALS; i++) {
+            ck_assert_int_eq(memcmp(a->predicted[i], b->predicted[i], bytes), 0);
+            ck_assert_int_eq(memcmp(a->measured[i], b->measured[i], bytes), 0);
+        }
+    }
+    wcut_evidence_destroy(one);
+    wcut_evidence_destroy(two);
+    synthetic_destroy(&s);
+}
+END_TEST
+
+START_TEST(a_model_of_a_cut_is_its_job_with_another_law_length_and_effects) {
+    synthetic s = synthetic_create(2, &nothing);
+    wcut_evidence *e = evidence_of(&s, 1);
+    wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
+    wcut_model model = {.a = 0.07, .b = 5e-4, .length_change = -0.5, .effects = 1, .carried = true};
+    model.effect[0] = effect_of(WCUT_WIRE_FOULING, 0.1);
+    const wcut_job first = wcut_model_job(e, &model, 0, effect);
+    ck_assert_double_eq(first.force_law.a, 0.07);
+    ck_assert_double_eq(first.force_law.b, 5e-4);
+    ck_assert_double_eq(first.wire_length, 379.5);
+    ck_assert_int_eq(first.effect_count, 1);
+    ck_assert_double_eq(first.effect[0].value[2], 0);
+    const wcut_job second = wcut_model_job(e, &model, 1, effect);
+    ck_assert_double_eq(second.effect[0].value[2], 400); /* the block's length, brought along */
+    wcut_evidence_destroy(e);
+    synthetic_destroy(&s);
+}
+END_TEST
+
+START_TEST(a_case_that_shows_nothing_is_refused) {
+    synthetic s = synthetic_create(1, &nothing);
+    wcut_evidence *e = NULL;
+    wcut_error error = {0};
+    wcut_diagnosis_cut without = {.job = s.job[0]};
+    ck_assert_int_eq(wcut_evidence_create(1, &without, false, 1, &e, &error), WCUT_BAD_ARGUMENT);
+    ck_assert_ptr_null(e);
+    ck_assert_ptr_nonnull(strstr(error.text, "no cut with a job and a recording"));
+    s.recording[0]->samples = 30; /* 3 s: it has not touched the foam for long */
+    ck_assert_int_eq(wcut_evidence_create(1, s.cut, false, 1, &e, &error), WCUT_BAD_ARGUMENT);
+    ck_assert_ptr_null(e);
+    ck_assert_ptr_nonnull(strstr(error.text, "4 s in the foam"));
+    s.recording[0]->samples = SYNTHETIC_SAMPLES;
+    s.job[0]->wire_length = 100; /* shorter than the mounts are apart */
+    const wcut_status status = wcut_evidence_create(1, s.cut, false, 1, &e, &error);
+    ck_assert_msg(status == WCUT_DEGENERATE || status == WCUT_BAD_ARGUMENT, "%d %s", status, error.text);
+    ck_assert_ptr_null(e);
+    synthetic_destroy(&s);
+}
+END_TEST
+
+START_TEST(without_memory_nothing_is_written) {
+    synthetic s = synthetic_create(1, &nothing);
+    for (long k = 1; k <= 3; k++) {
+        wcut_evidence *e = NULL;
+        wcut_error error = {0};
+        wcut_alloc_fail_at(k);
+        const wcut_status status = wcut_evidence_create(1, s.cut, false, 1, &e, &error);
+        wcut_alloc_fail_at(0);
+        ck_assert_msg(status == WCUT_NO_MEMORY, "allocation %ld: %d %s", k, status, error.text);
+        ck_assert_ptr_null(e);
+    }
+    synthetic_destroy(&s);
+}
+END_TEST
+
+int main(void) {
+    Suite *suite = suite_create("evidence");
+    TCase *tcase = tcase_create("all");
+    tcase_add_test(tcase, the_jobs_own_wire_leaves_nothing_but_the_smoothing_of_its_motion);
+    tcase_add_test(tcase, whitened_noise_has_unit_variance_and_no_memory);
+    tcase_add_test(tcase, whitening_is_linear_and_missing_rows_are_nothing);
+    tcase_add_test(tcase, the_white_part_of_the_noise_is_measured_and_a_misfit_does_not_move_it);
+    tcase_add_test(tcase, the_same_bytes_come_from_any_number_of_threads);
+    tcase_add_test(tcase, a_model_of_a_cut_is_its_job_with_another_law_length_and_effects);
+    tcase_add_test(tcase, a_case_that_shows_nothing_is_refused);
+    tcase_add_test(tcase, without_memory_nothing_is_written);
+    suite_add_tcase(suite, tcase);
+    return run_suite(suite);
+}
