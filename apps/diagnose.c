@@ -1,0 +1,363 @@
+/* wirecut diagnose: a case to what explains it, what that is worth on other cuts, and the job that knows it. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include <wirecut/diagnosis.h>
+#include <wirecut/wirecut.h>
+
+#include "command.h"
+#include "page_memory.h"
+#include "report_diagnose.h"
+#include "results.h"
+#include "terminal.h"
+
+/* what a run may leave in its folder, in the order written */
+static const char *const result_name[] = {"job-improved.json", "next-experiment.json", "report.html", "diagnosis.json",
+                                          NULL};
+
+/* a cut of the case as far as its files could be read */
+typedef struct trial {
+    wcut_job *job;
+    wcut_recording *recording;
+    wcut_cloud *scan;
+} trial;
+
+typedef struct run {
+    const app_call *call;
+    wcut_case *found;
+    trial *trial; /* found->cuts */
+    wcut_diagnosis_cut *cut;
+    int test_cuts;
+    wcut_test_cut *calibration;
+    wcut_diagnosis_options options;
+    wcut_diagnosis *diagnosis;
+    app_memory memory; /* texts */
+    int said, sources;
+    const char **said_text;
+    wcut_report_source *source;
+    int code; /* of the first file that could not be read */
+    app_results results;
+} run;
+
+/* ---- options ---- */
+
+static int leave_out(run *r, const char *name) {
+    const char *names[WCUT_EFFECT_COUNT + 1] = {NULL};
+    wcut_effect_kind kind;
+    if (wcut_effect_locate(name, &kind) == WCUT_OK) {
+        r->options.without[kind] = true;
+        return APP_DONE;
+    }
+    for (int k = 0; k < WCUT_EFFECT_COUNT; k++) names[k] = wcut_effect_view((wcut_effect_kind)k)->name;
+    const char *near = app_suggest(name, names);
+    return app_fail(APP_USAGE, "diagnose: --without: found \"%s\", expected an effect's name%s%s", name,
+                    near ? "; did you mean " : "", near ? near : "");
+}
+
+static int read_options(run *r) {
+    r->options = wcut_diagnosis_options_default();
+    const long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    r->options.threads = app_given(r->call, "threads") ? app_int(r->call, "threads")
+                         : processors > 0              ? (int)processors
+                                                       : 1;
+    r->options.seed = (unsigned long long)app_int(r->call, "seed");
+    r->options.proof = !app_given(r->call, "no-proof");
+    if (!app_given(r->call, "without")) return APP_DONE;
+    const char *list = app_text(r->call, "without");
+    int code = APP_DONE;
+    while (code == APP_DONE) {
+        const int length = (int)strcspn(list, ",");
+        code = leave_out(r, app_take_text(&r->memory, "%.*s", length, list));
+        if (!list[length]) break;
+        list += length + 1;
+    }
+    return code;
+}
+
+/* ---- what is there ---- */
+
+static int fail_memory(void) { return app_fail_status(WCUT_NO_MEMORY, "diagnose", NULL); }
+
+/* a file that cannot be read is said, here and on the page, and the diagnosis goes on without it */
+static void note_bad(run *r, wcut_status status, const wcut_error *error, const char *loss) {
+    const int code = app_fail_status(status, NULL, error);
+    if (r->code == APP_DONE) r->code = code;
+    r->said_text[r->said++] = app_take_text(&r->memory, "%s: %s", error->text, loss);
+}
+
+static void note_source(run *r, const char *role, const char *path) {
+    char *hash = app_take(&r->memory, WCUT_SHA256_TEXT, 1);
+    const bool hashed = hash && wcut_file_hash(path, hash, NULL) == WCUT_OK;
+    r->source[r->sources++] = (wcut_report_source){role, path, hashed ? hash : NULL};
+}
+
+static void read_cut(run *r, int i) {
+    const wcut_case_cut *files = &r->found->cut[i];
+    trial *t = &r->trial[i];
+    wcut_error error = {0};
+    wcut_status status = wcut_job_read(files->job, &t->job, &error);
+    if (status == WCUT_OK)
+        note_source(r, "job", files->job);
+    else
+        note_bad(r, status, &error, "the cut is left out");
+    if (status == WCUT_OK) {
+        status = wcut_recording_read(files->recording, &t->recording, &error);
+        if (status == WCUT_OK)
+            note_source(r, "recording", files->recording);
+        else
+            note_bad(r, status, &error, "the cut is left out");
+    }
+    if (status == WCUT_OK && files->scan) {
+        status = wcut_cloud_read(files->scan, NULL, &t->scan, &error);
+        if (status == WCUT_OK)
+            note_source(r, "scan", files->scan);
+        else
+            note_bad(r, status, &error, "the cut is diagnosed without its scan");
+    }
+    r->cut[i] = (wcut_diagnosis_cut){.job = t->job, .recording = t->recording, .scan = t->scan};
+}
+
+static void read_calibration(run *r) {
+    if (!r->found->calibration) return;
+    wcut_error error = {0};
+    const wcut_status status =
+        wcut_calibration_table_read(r->found->calibration, NULL, &r->test_cuts, &r->calibration, &error);
+    if (status == WCUT_OK)
+        note_source(r, "calibration", r->found->calibration);
+    else
+        note_bad(r, status, &error, "diagnosed without the calibration table");
+}
+
+static int load(run *r) {
+    wcut_error error = {0};
+    const char *path = r->call->operand[0];
+    int code = read_options(r);
+    if (code != APP_DONE) return code;
+    const wcut_status status = wcut_case_read(path, &r->found, &error);
+    if (status != WCUT_OK) return app_fail_status(status, NULL, &error);
+    const size_t n = (size_t)r->found->cuts;
+    r->trial = app_take(&r->memory, n, sizeof *r->trial);
+    r->cut = app_take(&r->memory, n, sizeof *r->cut);
+    r->said_text = app_take(&r->memory, 2 * n + 1, sizeof *r->said_text);
+    r->source = app_take(&r->memory, 3 * n + 2, sizeof *r->source);
+    if (r->memory.failed) return fail_memory();
+    note_source(r, "case", path);
+    int usable = 0;
+    for (int i = 0; i < r->found->cuts; i++) {
+        read_cut(r, i);
+        usable += r->trial[i].recording != NULL;
+    }
+    read_calibration(r);
+    if (r->memory.failed) return fail_memory();
+    if (usable > 0) return APP_DONE;
+    return app_fail(r->code, "%s: no cut with a job and a recording that can be read", path);
+}
+
+/* ---- the run ---- */
+
+static int diagnose_case(run *r) {
+    wcut_error error = {0};
+    app_progress progress = app_progress_begin(app_given(r->call, "quiet"));
+    progress.unit = "steps";
+    const wcut_status status = wcut_diagnosis_create(r->found->cuts, r->cut, r->test_cuts, r->calibration, &r->options,
+                                                     app_progress_step, &progress, &r->diagnosis, &error);
+    app_progress_end(&progress);
+    if (status == WCUT_INTERRUPTED) return app_fail(APP_INTERRUPTED, "%s: interrupted", r->call->operand[0]);
+    return status == WCUT_OK ? APP_DONE : app_fail_status(status, r->call->operand[0], &error);
+}
+
+/* ---- the files ---- */
+
+static int write_job(run *r, const wcut_job *job, const char *name) {
+    wcut_error error = {0};
+    if (!job) return APP_DONE;
+    const wcut_status status = wcut_job_write(job, app_results_path(&r->results, name), &error);
+    return app_results_add(&r->results, name, status, &error);
+}
+
+/* "2 free form": what a cut is called on the page */
+static const char *cut_name(run *r, int i) {
+    const wcut_job *job = r->trial[i].job;
+    return app_take_text(&r->memory, "%d %s", i + 1, job && job->name ? job->name : r->found->cut[i].job);
+}
+
+static int write_report(run *r) {
+    const wcut_diagnosis *d = r->diagnosis;
+    wcut_error error = {0};
+    const char **name = app_take(&r->memory, (size_t)r->found->cuts, sizeof *name);
+    for (int i = 0; name && i < r->found->cuts; i++) name[i] = cut_name(r, i);
+    if (r->memory.failed) return fail_memory();
+    const wcut_report_fact option[] = {
+        {"effects left out", app_given(r->call, "without") ? app_text(r->call, "without") : "none", 0, ""},
+        {"forward proof", r->options.proof ? "run" : "not run", 0, ""},
+        {"seed", NULL, (double)r->options.seed, ""}};
+    const app_diagnosed page = {.title = r->found->name,
+                                .diagnosis = d,
+                                .cut_name = name,
+                                .said = r->said,
+                                .said_text = r->said_text,
+                                .options = sizeof option / sizeof *option,
+                                .option = option,
+                                .sources = r->sources,
+                                .source = r->source};
+    const wcut_status status = app_report_diagnose(&page, app_results_path(&r->results, "report.html"), &error);
+    return app_results_add(&r->results, "report.html", status, &error);
+}
+
+/* diagnosis.json last, because it vouches for the others */
+static int write_results(run *r) {
+    wcut_error error = {0};
+    int code = app_results_remove(&r->results, "diagnosis.json");
+    if (code == APP_DONE) code = write_job(r, r->diagnosis->improved, "job-improved.json");
+    if (code == APP_DONE) code = write_job(r, r->diagnosis->next_experiment, "next-experiment.json");
+    if (code == APP_DONE) code = write_report(r);
+    if (code != APP_DONE) return code;
+    const char *path = app_results_path(&r->results, "diagnosis.json");
+    const wcut_status status = wcut_diagnosis_write(r->diagnosis, r->found->name, path, &error);
+    code = app_results_add(&r->results, "diagnosis.json", status, &error);
+    return code == APP_DONE ? app_results_prune(&r->results, result_name) : code;
+}
+
+/* ---- the summary ---- */
+
+static void print_effects(const wcut_diagnosis *d) {
+    for (int e = 0; e < d->effects; e++) {
+        const wcut_found_effect *f = &d->effect[e];
+        const wcut_effect_info *info = wcut_effect_view(f->effect.kind);
+        printf("  %-8s %s", f->present ? "present" : "possible", info->name);
+        if (info->choice_key) printf(", %s %s", info->choice_key, info->choice[f->effect.choice]);
+        printf(" (confidence %.2f)", f->confidence);
+        for (const wcut_effect_parameter *p = info->parameter; p->key; p++)
+            for (int k = 0; k < p->size; k++)
+                if (f->estimated[p->at + k])
+                    printf("%s %s %.4g [%.4g, %.4g]", k ? "," : ";", k ? "" : p->key, f->effect.value[p->at + k],
+                           f->parameter[p->at + k].low, f->parameter[p->at + k].high);
+        printf("\n");
+    }
+}
+
+static void print_figure(const wcut_fit *f) {
+    if (f->count > 0)
+        printf(" %12.4f", f->rmse_over_range);
+    else
+        printf(" %12s", "-");
+}
+
+/* of held-out cuts where there are any, else of all */
+static void print_fits(const wcut_diagnosis *d) {
+    bool held = false;
+    for (int i = 0; d->held_out && i < d->cuts; i++) held = held || d->held_out[i];
+    printf("RMSE over range, %-14s %12s %12s %12s\n", held ? "held-out cuts" : "all cuts", "before", "recalibrated",
+           "after");
+    for (int c = 0; c < WCUT_EVIDENCE_COUNT; c++) {
+        if (d->fit[WCUT_FIT_BEFORE][c].count < 1) continue;
+        printf("  %-29s", wcut_evidence_name((wcut_evidence_channel)c));
+        for (int m = WCUT_FIT_BEFORE; m <= WCUT_FIT_AFTER; m++)
+            print_figure(held ? &d->held_out_fit[m][c] : &d->fit[m][c]);
+        printf("\n");
+    }
+}
+
+static void print_summary(const run *r) {
+    const wcut_diagnosis *d = r->diagnosis;
+    printf("%s\n", d->sentence);
+    printf("verdict %s, confidence %.2f\n", wcut_verdict_name(d->kind), d->confidence);
+    print_effects(d);
+    print_fits(d);
+    if (d->next_experiment) printf("next experiment: %s\n", d->next_reason);
+}
+
+static int give_summary(const run *r) {
+    if (!app_given(r->call, "quiet")) app_say("in %s: %s", r->results.folder, app_results_list(&r->results));
+    if (!app_given(r->call, "json")) {
+        if (!app_given(r->call, "quiet")) print_summary(r);
+        return APP_DONE;
+    }
+    char *text = NULL;
+    const wcut_status status = wcut_diagnosis_print(r->diagnosis, r->found->name, &text);
+    if (status != WCUT_OK) return app_fail_status(status, "diagnose", NULL);
+    fputs(text, stdout);
+    free(text);
+    return APP_DONE;
+}
+
+static void forget(run *r) {
+    for (int i = 0; r->trial && i < r->found->cuts; i++) {
+        wcut_cloud_destroy(r->trial[i].scan);
+        wcut_recording_destroy(r->trial[i].recording);
+        wcut_job_destroy(r->trial[i].job);
+    }
+    wcut_test_cut_destroy(r->calibration);
+    wcut_diagnosis_destroy(r->diagnosis);
+    wcut_case_destroy(r->found);
+    app_give_back(&r->memory);
+}
+
+static int diagnose(const app_call *call) {
+    run r = {.call = call};
+    int code = load(&r);
+    if (code == APP_DONE) code = app_results_begin(&r.results, app_text(call, "output"));
+    if (code == APP_DONE) {
+        app_catch_interrupts();
+        code = diagnose_case(&r);
+        if (r.diagnosis) {
+            const int written = write_results(&r);
+            if (written != APP_DONE) code = written;
+            if (written == APP_DONE) {
+                const int given = give_summary(&r);
+                if (code == APP_DONE) code = given;
+            }
+        }
+    }
+    if (code == APP_DONE) code = r.code;
+    forget(&r);
+    return code;
+}
+
+/* ---- the table ---- */
+
+static const app_operand operand[] = {
+    {.name = "CASE", .kind = APP_FILE, .help = "a case file, wirecut-case/1"},
+    {.name = NULL},
+};
+
+static const app_option option[] = {
+    APP_OPTION_OUTPUT,
+    {.kind = APP_INT,
+     .name = "threads",
+     .value = "N",
+     .low = 1,
+     .high = 1024,
+     .help = "processors to use, all where none is given; the results are the same for any number"},
+    {.kind = APP_TEXT,
+     .name = "without",
+     .value = "EFFECT,...",
+     .help = "effects that are taken out of the library, by their names in files"},
+    {.kind = APP_FLAG, .name = "no-proof", .help = "leave out the forward proof and the black box"},
+    {.kind = APP_INT,
+     .name = "seed",
+     .value = "N",
+     .low = 0,
+     .high = 2147483647,
+     .standard = "1",
+     .help = "of the simulated nulls"},
+    APP_OPTIONS_OF_ALL,
+};
+
+const app_verb app_verb_diagnose = {
+    .name = "diagnose",
+    .brief = "what explains the difference between recordings, scans and simulation of a case",
+    .about =
+        "Recalibrates what may be mis-set (a, b, the wire's length), locates what is left beyond noise, tries every "
+        "effect of physics and of instruments and every pair of them, and decides: physics, instrument, both, none, "
+        "ambiguous or unknown. Every name is held against cuts that were not fitted.\n"
+        "Writes into DIR: diagnosis.json, report.html, job-improved.json (the first cut's job, recalibrated, with the "
+        "effects found) and, where another cut would tell more, next-experiment.json. The verdict and a table go to "
+        "standard output.\n"
+        "A file that cannot be read is reported, and the diagnosis goes on with what there is; the command then ends "
+        "with the exit code of the first such file. Interrupted, it leaves what was found up to then, marked.",
+    .operand = operand,
+    .option = option,
+    .run = diagnose,
+};
