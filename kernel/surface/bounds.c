@@ -98,30 +98,38 @@ static double largest_coordinate(int count, const wcut_vec3 *p) {
     return size;
 }
 
-/* of a curve, or of a surface where there is none */
-static void find_box(const wcut_curve *curve, const wcut_surface *s, double tolerance, wcut_box *box) {
-    const int count = curve ? curve->control_count : s->count_u * s->count_v;
-    const wcut_vec3 *control = curve ? curve->control : s->control;
-    const double size = largest_coordinate(count, control);
+/* what the box is about: a curve, or a surface where there is none */
+typedef struct shape {
+    const wcut_curve *curve;
+    const wcut_surface *surface;
+    int count;
+    const wcut_vec3 *control;
+} shape;
+
+/* the point of the shape that its k-th control point draws most */
+static wcut_vec3 point_near(const shape *f, int k) {
+    wcut_vec3 p = f->control[k];
+    const wcut_curve *c = f->curve;
+    const wcut_surface *s = f->surface;
+    if (c) {
+        wcut_curve_eval(c, greville(c->degree, c->knots, k), 0, &p);
+    } else if (s) {
+        wcut_surface_eval(s, greville(s->degree_u, s->knots_u, k % s->count_u),
+                          greville(s->degree_v, s->knots_v, k / s->count_u), 0, &p);
+    }
+    return p;
+}
+
+static void find_box(const shape *f, double tolerance, wcut_box *box) {
+    const double size = largest_coordinate(f->count, f->control);
     double side[6];
     for (int k = 0; k < 6; k++) {
         const double sign = k % 2 ? 1 : -1;
         reach r = {.outward = vec3(k / 2 == 0 ? sign : 0, k / 2 == 1 ? sign : 0, k / 2 == 2 ? sign : 0)};
         r.tolerance = fmax(tolerance, ROUNDED * size), r.bound = -INFINITY;
-        const int top = highest(&r, count, control);
-        wcut_vec3 p;
-        if (curve) {
-            wcut_curve_eval(curve, greville(curve->degree, curve->knots, top), 0, &p);
-        } else {
-            wcut_surface_eval(s, greville(s->degree_u, s->knots_u, top % s->count_u),
-                              greville(s->degree_v, s->knots_v, top / s->count_u), 0, &p);
-        }
-        r.attained = vec3_dot(r.outward, p);
-        if (curve) {
-            climb_curve(&r, curve);
-        } else {
-            climb_surface(&r, s);
-        }
+        r.attained = vec3_dot(r.outward, point_near(f, highest(&r, f->count, f->control)));
+        if (f->curve) climb_curve(&r, f->curve);
+        if (f->surface) climb_surface(&r, f->surface);
         side[k] = sign * r.bound;
     }
     *box = (wcut_box){{side[0], side[2], side[4]}, {side[1], side[3], side[5]}};
@@ -129,13 +137,15 @@ static void find_box(const wcut_curve *curve, const wcut_surface *s, double tole
 
 wcut_status wcut_curve_bounds(const wcut_curve *curve, double tolerance, wcut_box *box) {
     if (!curve || !box || !is_positive(tolerance)) return WCUT_BAD_ARGUMENT;
-    find_box(curve, NULL, tolerance, box);
+    const shape f = {.curve = curve, .count = curve->control_count, .control = curve->control};
+    find_box(&f, tolerance, box);
     return WCUT_OK;
 }
 
 wcut_status wcut_surface_bounds(const wcut_surface *surface, double tolerance, wcut_box *box) {
     if (!surface || !box || !is_positive(tolerance)) return WCUT_BAD_ARGUMENT;
-    find_box(NULL, surface, tolerance, box);
+    const shape f = {.surface = surface, .count = surface->count_u * surface->count_v, .control = surface->control};
+    find_box(&f, tolerance, box);
     return WCUT_OK;
 }
 

@@ -74,7 +74,7 @@ static wcut_status add_piece(wcut_contour *c, wcut_contour_piece piece) {
 static bool is_above(double f) { return f >= 0; }
 
 static double value_at(int n, const double *b, double t) {
-    double line[WCUT_BASIS_SIZE];
+    double line[WCUT_BASIS_SIZE] = {b[0]};
     for (int k = 0; k <= n; k++) line[k] = b[k];
     for (int k = n; k > 0; k--)
         for (int i = 0; i < k; i++) line[i] = (1 - t) * line[i] + t * line[i + 1];

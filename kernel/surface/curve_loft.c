@@ -101,7 +101,7 @@ wcut_status wcut_surface_loft_curves(int count, const wcut_curve *const *curve, 
         if (!curve[j]) return WCUT_BAD_ARGUMENT;
     sections s;
     wcut_curve_loft_report r = {.used = 0};
-    wcut_loft_report loft;
+    wcut_loft_report loft = {.used = 0};
     wcut_status status = sections_fill(count, curve, &s);
     for (int nodes = NODES_FIRST; status == WCUT_OK; nodes = 2 * nodes - 1) {
         if (nodes > NODES_MAX) status = WCUT_NOT_CONVERGED;
