@@ -1,0 +1,173 @@
+/* The forward proof: figures as a score's, cuts predicted from the others, better where the model is right. */
+#include "explain/proof.h"
+
+#include "cut/score.h"
+#include "explain/synthetic.h"
+
+static synthetic given;
+static wcut_evidence *evidence;
+static wcut_fitted none, lag;
+
+static void given_a_lag(int cuts, bool plain, int threads) {
+    const concealed what = {.effects = 1,
+                            .effect = effect_of(WCUT_WIRE_THERMAL_LAG, 1),
+                            .law_a = 1.15,
+                            .noise = 1,
+                            .plain_programme = plain,
+                            .seed = 31};
+    given = synthetic_create(cuts, &what);
+    evidence = evidence_of(&given, threads);
+    none = fit_of(evidence, 0, what.effect);
+    lag = fit_of(evidence, 1, effect_of(WCUT_WIRE_THERMAL_LAG, 0.4));
+}
+
+static void forget(void) {
+    wcut_fitted_destroy(&none);
+    wcut_fitted_destroy(&lag);
+    wcut_evidence_destroy(evidence);
+    synthetic_destroy(&given);
+}
+
+static wcut_proof prove(const wcut_fitted *recalibrated, const wcut_fitted *chosen) {
+    wcut_proof p = {.fit = {{{999}}}};
+    wcut_error error = {0};
+    const wcut_status status = wcut_proof_create(evidence, recalibrated, chosen, 1, &p, &error);
+    ck_assert_msg(status == WCUT_OK, "%s", error.text);
+    return p;
+}
+
+START_TEST(a_true_effect_predicts_left_out_cuts_better_than_any_law) {
+    given_a_lag(SYNTHETIC_CUTS, false, 2);
+    wcut_proof p = prove(&none, &lag);
+    const int tension = WCUT_EVIDENCE_TENSION, alpha = WCUT_EVIDENCE_ALPHA;
+    const wcut_fit *before = p.held_out_fit[WCUT_FIT_BEFORE], *again = p.held_out_fit[WCUT_FIT_RECALIBRATED];
+    const wcut_fit *after = p.held_out_fit[WCUT_FIT_AFTER];
+    ck_assert_double_lt(after[tension].rmsd, 0.6 * again[tension].rmsd);
+    ck_assert_double_lt(after[tension].rmse_over_range, 0.6 * again[tension].rmse_over_range);
+    /* a law that is bent to take up a lag is no better than one that is off by a seventh */
+    ck_assert_double_lt(after[tension].rmse_over_range, 0.6 * before[tension].rmse_over_range);
+    ck_assert_double_lt(after[alpha].rmsd, again[alpha].rmsd);
+    /* in sample it is no worse */
+    ck_assert_double_le(p.fit[WCUT_FIT_AFTER][tension].rmsd, 1.02 * after[tension].rmsd);
+    for (int m = 0; m < WCUT_FIT_BLACK_BOX; m++) {
+        for (int k = WCUT_EVIDENCE_TENSION; k <= WCUT_EVIDENCE_BETA; k++) {
+            const wcut_fit *f = &p.held_out_fit[m][k];
+            int bins = 0;
+            for (int cut = 0; cut < SYNTHETIC_CUTS; cut++) bins += 2 * evidence->cut[cut].bins;
+            ck_assert(f->count > 0.9 * bins && f->count <= bins);
+            ck_assert(f->low > 0 && f->low <= f->rmse_over_range && f->rmse_over_range <= f->high);
+        }
+        /* programmed cuts have no plan, and these were not scanned */
+        ck_assert_int_eq(p.fit[m][WCUT_EVIDENCE_SPEED].count, 0);
+        ck_assert_int_eq(p.fit[m][WCUT_EVIDENCE_SCAN].count, 0);
+    }
+    for (int k = 0; k < WCUT_EVIDENCE_COUNT; k++) {
+        ck_assert_int_eq(p.fit[WCUT_FIT_BLACK_BOX][k].count, 0);
+        if (p.fit[WCUT_FIT_BEFORE][k].count == 0) continue;
+        /* what nothing was fitted to is the same, held out or not */
+        ck_assert_double_eq(p.fit[WCUT_FIT_BEFORE][k].rmsd, p.held_out_fit[WCUT_FIT_BEFORE][k].rmsd);
+    }
+    wcut_proof_destroy(&p);
+    forget();
+}
+END_TEST
+
+START_TEST(one_model_proved_against_itself_gives_equal_figures_for_any_number_of_threads) {
+    given_a_lag(2, false, 1);
+    wcut_proof one = prove(&none, &none);
+    ck_assert_int_eq(
+        memcmp(one.held_out_fit[WCUT_FIT_AFTER], one.held_out_fit[WCUT_FIT_RECALIBRATED], sizeof one.held_out_fit[0]),
+        0);
+    evidence->threads = 3;
+    wcut_proof three = prove(&none, &none);
+    ck_assert_int_eq(memcmp(one.fit, three.fit, sizeof one.fit), 0);
+    ck_assert_int_eq(memcmp(one.held_out_fit, three.held_out_fit, sizeof one.held_out_fit), 0);
+    ck_assert_int_eq(memcmp(one.held_out[1].row, three.held_out[1].row, (size_t)evidence->rows * sizeof(double)), 0);
+    wcut_proof_destroy(&one);
+    wcut_proof_destroy(&three);
+    forget();
+}
+END_TEST
+
+START_TEST(one_cut_is_planned_but_nothing_can_be_held_out) {
+    given_a_lag(1, true, 1);
+    wcut_proof p = prove(&none, &lag);
+    for (int m = 0; m < WCUT_FIT_MODELS; m++)
+        for (int k = 0; k < WCUT_EVIDENCE_COUNT; k++) ck_assert_int_eq(p.held_out_fit[m][k].count, 0);
+    ck_assert_int_gt(p.fit[WCUT_FIT_BEFORE][WCUT_EVIDENCE_SPEED].count, evidence->cut[0].bins);
+    ck_assert_double_gt(p.fit[WCUT_FIT_BEFORE][WCUT_EVIDENCE_SPEED].rmse_over_range, 0);
+    /* the measured speed of the forecast is that of the recording */
+    const double pace = 3.4 * 500 / 120;
+    ck_assert_double_eq_tol(p.measured.speed[3], pace, 0.02);
+    wcut_proof_destroy(&p);
+    forget();
+}
+END_TEST
+
+/* ---- figures ---- */
+
+START_TEST(figures_are_a_scores_and_their_interval_holds_them) {
+    enum { BINS = 60 };
+    wcut_evidence_cut cut = {.bins = BINS};
+    wcut_evidence e = {.cuts = 1, .cut = &cut, .rows = 6 * BINS, .threads = 1};
+    double row[6 * BINS], other[6 * BINS], speed[2 * BINS], none_there[2 * BINS], x[2 * BINS], y[2 * BINS];
+    wcut_random random = wcut_random_seed(2);
+    for (int i = 0; i < 6 * BINS; i++) row[i] = sin(0.1 * i), other[i] = row[i] + 0.1 * wcut_random_normal(&random);
+    for (int i = 0; i < 2 * BINS; i++) speed[i] = i, none_there[i] = (double)NAN;
+    other[2 * BINS + 5] = (double)NAN; /* a bin of alpha_a */
+    const wcut_forecast measured = {row, speed}, predicted = {other, none_there};
+    wcut_fit fit[WCUT_EVIDENCE_COUNT], again[WCUT_EVIDENCE_COUNT];
+    ck_assert_int_eq(wcut_forecast_score(&e, &measured, &predicted, 7, fit), WCUT_OK);
+    ck_assert_int_eq(fit[WCUT_EVIDENCE_SPEED].count, 0);
+    ck_assert(isnan(fit[WCUT_EVIDENCE_SPEED].low));
+    ck_assert_int_eq(fit[WCUT_EVIDENCE_SCAN].count, 0);
+    ck_assert_int_eq(fit[WCUT_EVIDENCE_ALPHA].count, 2 * BINS - 1);
+    wcut_score score = wcut_score_of(2 * BINS, row, other, 0); /* both tensions stand first */
+    ck_assert_int_eq(fit[WCUT_EVIDENCE_TENSION].count, 2 * BINS);
+    ck_assert_double_eq_tol(fit[WCUT_EVIDENCE_TENSION].rmsd, score.rmsd, 1e-12);
+    ck_assert_double_eq_tol(fit[WCUT_EVIDENCE_TENSION].nrmsd, score.nrmsd, 1e-12);
+    ck_assert_double_eq_tol(fit[WCUT_EVIDENCE_TENSION].rmse_over_range, score.rmse_over_range, 1e-12);
+    int n = 0;
+    for (int i = 0; i < 2 * BINS; i++) { /* beta: the fourth and the sixth signal, in deg */
+        const int at = (i < BINS ? 3 : 4) * BINS + i;
+        x[n] = row[at] * 180 / WCUT_PI, y[n++] = other[at] * 180 / WCUT_PI;
+    }
+    score = wcut_score_of(n, x, y, 0);
+    const wcut_fit *beta = &fit[WCUT_EVIDENCE_BETA];
+    ck_assert_double_eq_tol(beta->rmsd, score.rmsd, 1e-10);
+    /* 120 independent values: 95 % of their root mean square lie within about 13 % */
+    ck_assert_double_eq_tol(beta->low / beta->rmse_over_range, 0.87, 0.06);
+    ck_assert_double_eq_tol(beta->high / beta->rmse_over_range, 1.13, 0.06);
+    ck_assert_int_eq(wcut_forecast_score(&e, &measured, &predicted, 7, again), WCUT_OK);
+    ck_assert_double_eq(again[WCUT_EVIDENCE_BETA].low, beta->low);
+    ck_assert_int_eq(wcut_forecast_score(&e, &measured, &predicted, 8, again), WCUT_OK);
+    ck_assert_double_ne(again[WCUT_EVIDENCE_BETA].low, beta->low);
+}
+END_TEST
+
+START_TEST(without_memory_nothing_is_written) {
+    given_a_lag(1, true, 1);
+    for (long k = 1; k <= 15; k += 2) {
+        wcut_proof p = {.fit = {{{.count = 999}}}};
+        wcut_error error = {0};
+        wcut_alloc_fail_at(k);
+        const wcut_status status = wcut_proof_create(evidence, &none, &lag, 1, &p, &error);
+        wcut_alloc_fail_at(0);
+        ck_assert_msg(status == WCUT_NO_MEMORY, "allocation %ld: %d %s", k, status, error.text);
+        ck_assert_int_eq(p.fit[0][0].count, 999);
+    }
+    forget();
+}
+END_TEST
+
+int main(void) {
+    Suite *suite = suite_create("proof");
+    TCase *tcase = tcase_create("all");
+    tcase_add_test(tcase, a_true_effect_predicts_left_out_cuts_better_than_any_law);
+    tcase_add_test(tcase, one_model_proved_against_itself_gives_equal_figures_for_any_number_of_threads);
+    tcase_add_test(tcase, one_cut_is_planned_but_nothing_can_be_held_out);
+    tcase_add_test(tcase, figures_are_a_scores_and_their_interval_holds_them);
+    tcase_add_test(tcase, without_memory_nothing_is_written);
+    suite_add_tcase(suite, tcase);
+    return run_suite(suite);
+}
