@@ -107,7 +107,7 @@ static void put_leaf(builder *b, int first, int end, float low[3], float high[3]
 }
 
 /* the node of a range and all below it; gives its number and its box. The depth is the logarithm to base 8. */
-static int put_node(builder *b, int first, int end, float low[3], float high[3]) { /* NOLINT(misc-no-recursion) */
+static int put_node(builder *b, int first, int end, float low[3], float high[3]) {
     int bound[WCUT_MESH_WIDE + 1];
     const int parts = divide(b->item, first, end, bound), number = b->nodes++;
     for (int k = 0; k < WCUT_MESH_WIDE; k++) {
