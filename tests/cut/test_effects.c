@@ -192,15 +192,16 @@ static void draw_aslant(const wcut_effect *effect, int count, double tension[2])
     wcut_job_destroy(job);
 }
 
-START_TEST(drag_adds_mu_times_the_force_across_to_the_difference_of_the_tensions) {
-    const double mu = 0.2, force = 0.1 * exp(-8.6e-4 * 65000 / 20);
+START_TEST(drag_adds_mu_times_what_presses_to_the_difference_of_the_tensions) {
+    const double mu = 0.2, force = 0.1 * exp(-8.6e-4 * 65000 / 20), sine = 420 / hypot(420, 200);
     const wcut_effect e = sized(WCUT_TANGENTIAL_DRAG, mu);
     double plain[2], dragged[2];
     draw_aslant(NULL, 0, plain);
     draw_aslant(&e, 1, dragged);
-    /* each mm of wire feels F sin(phi) across and mu times that along: over the foam F W mu */
+    /* each mm of wire feels F sin(phi), of which sin(phi) presses, and mu times that along: over the foam F W sin mu */
     const double added = (dragged[1] - dragged[0]) - (plain[1] - plain[0]);
-    ck_assert_double_eq_tol(added, mu * force * 400, 5e-3 * mu * force * 400);
+    const double expected = mu * force * 400 * sine;
+    ck_assert_double_eq_tol(added, expected, 5e-3 * expected);
 }
 END_TEST
 
@@ -449,7 +450,7 @@ int main(void) {
     tcase_add_test(tcase, the_steady_force_is_the_plain_one_so_speed_answers_every_change_of_the_law);
     tcase_add_test(tcase, a_gradient_is_a_linear_map_of_the_force_along_the_wire);
     tcase_add_test(tcase, after_a_heater_step_the_tension_follows_one_exponential_of_the_time_constant);
-    tcase_add_test(tcase, drag_adds_mu_times_the_force_across_to_the_difference_of_the_tensions);
+    tcase_add_test(tcase, drag_adds_mu_times_what_presses_to_the_difference_of_the_tensions);
     tcase_add_test(tcase, a_wire_that_heat_makes_longer_cuts_like_a_longer_wire);
     tcase_add_test(tcase, every_edge_is_as_much_longer_as_its_tension_stretches_it);
     tcase_add_test(tcase, mounts_that_give_stand_where_their_springs_hold_the_wire);
