@@ -3,10 +3,10 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <wirecut/force_law.h>
 
 #include "base/numbers.h"
 #include "base/vec3.h"
-#include "wirecut/force_law.h"
 
 /* wavelengths over the block [mm], evenly in frequency */
 #define SHORTEST 40.0
