@@ -7,6 +7,12 @@
 #include "base/fail.h"
 #include "base/vec3.h"
 
+/* stations that the cut may begin at later, points looked at along each */
+enum { STARTS_MAX = 12, STARTS_SEEN = 32 };
+
+/* A face that reaches beyond the block's sides is prolonged by so many times as much, at most: it may lie askew. */
+static const double MARGINS = 10;
+
 /* Triangles and fit this share of the kerf from their face: those of the two sides never meet. */
 static const double KERF_SHARE = 0.2;
 
@@ -16,20 +22,58 @@ void wcut_cut_face_clear(wcut_cut_face *face) {
     *face = (wcut_cut_face){.chord_error = 0};
 }
 
+/* the next knot of v at which the wire has reached the side y low somewhere between the other two; `last`: none */
+static double next_start(const wcut_sheet *sheet, wcut_sides sides) {
+    const wcut_surface *s = sheet->surface;
+    for (int k = s->degree_v; k < s->count_v; k++) {
+        if (!(s->knots_v[k] > sheet->first[1])) continue;
+        for (int i = 0; i <= STARTS_SEEN; i++) {
+            const double t = (double)i / STARTS_SEEN, u = (1 - t) * sheet->first[0] + t * sheet->last[0];
+            wcut_vec3 p;
+            if (wcut_surface_eval(s, u, s->knots_v[k], 0, &p) == WCUT_OK && p.x >= sides.x[0] && p.x <= sides.x[1] &&
+                p.y > sides.y[0])
+                return s->knots_v[k];
+        }
+    }
+    return sheet->last[1];
+}
+
+/* trim and fit one part of the surface */
+static wcut_status fit_part(const wcut_sheet *sheet, wcut_sides sides, const double height[2], double prolong,
+                            double tolerance, wcut_skin *skin, wcut_error *error) {
+    wcut_trim trim;
+    wcut_status status = wcut_trim_begin(sheet, sides, &trim, error);
+    if (status != WCUT_OK) return status;
+    status = wcut_skin_fit(&trim, height, prolong, tolerance, skin, error);
+    wcut_trim_clear(&trim);
+    return status;
+}
+
+/* A wire that meets the block at speed stops there, and the surface through its stations waves: it may pass the side
+   more than once. Then the cut begins at a later station, straight before it; how far that is counts as prolonged. */
+static wcut_status fit_skin(wcut_sheet *sheet, wcut_sides sides, const double height[2], double prolong, bool later,
+                            double tolerance, wcut_skin *skin, wcut_error *error) {
+    wcut_status status = fit_part(sheet, sides, height, prolong, tolerance, skin, error);
+    wcut_error unsaid = {.text = ""};
+    for (int k = 0; later && status == WCUT_DEGENERATE && k < STARTS_MAX; k++) {
+        sheet->first[1] = next_start(sheet, sides);
+        if (!(sheet->first[1] < sheet->last[1])) break;
+        const wcut_status again = fit_part(sheet, sides, height, prolong, tolerance, skin, &unsaid);
+        if (again != WCUT_DEGENERATE) return again; /* else the first error stands: it is of the cut as it is */
+    }
+    return status;
+}
+
 wcut_status wcut_cut_face_fit(const wcut_division *d, double side, double margin, wcut_cut_face *face,
                               wcut_error *error) {
     const wcut_mould_options *o = d->options;
     const wcut_sides sides = {{0 - margin, d->block.x + margin}, {0 - margin, d->block.y + margin}};
-    const double height[2] = {0, d->block.z}, prolong = margin > 0 ? INFINITY : o->prolong;
+    const double height[2] = {0, d->block.z}, prolong = o->prolong + MARGINS * margin;
     wcut_sheet sheet = wcut_sheet_of(d->surface);
     sheet.width = d->width;
     sheet.side = side;
-    wcut_trim trim;
     wcut_cut_face f = {.chord_error = 0};
-    wcut_status status = wcut_trim_begin(&sheet, sides, &trim, error);
-    if (status != WCUT_OK) return status;
-    status = wcut_skin_fit(&trim, height, prolong, o->fit_tolerance, &f.skin, error);
-    wcut_trim_clear(&trim);
+    wcut_status status = fit_skin(&sheet, sides, height, prolong, o->prolong > 0, o->fit_tolerance, &f.skin, error);
     if (status != WCUT_OK) return status;
     double tolerance = o->chord_tolerance;
     if (d->width) tolerance = fmin(tolerance, KERF_SHARE * f.skin.width_least);

@@ -20,12 +20,13 @@ typedef struct frame {
 
 /* S(u, v) = S + b S_u + c S_v + b c S_uv beyond the domain, the derivatives there those of this expression */
 static frame eval_frame(const wcut_sheet *sheet, double u, double v, bool second) {
-    const double b = u - clamp(u, sheet->first[0], sheet->last[0]), c = v - clamp(v, sheet->first[1], sheet->last[1]);
+    const double at_u = clamp(u, sheet->first[0], sheet->last[0]), at_v = clamp(v, sheet->first[1], sheet->last[1]);
+    const double b = u - at_u, c = v - at_v;
     const bool inside = b == 0 && c == 0;
     const int order = (inside ? 1 : 2) + second;
     const ptrdiff_t n = order + 1;
     wcut_vec3 d[16];
-    wcut_surface_eval(sheet->surface, u, v, order, d); /* finite parameters and an order in range: cannot fail */
+    wcut_surface_eval(sheet->surface, at_u, at_v, order, d); /* finite parameters and an order in range: cannot fail */
     frame f = {.at = d[0], .u = d[n], .v = d[1]};
     if (!inside) {
         const wcut_vec3 twist = d[n + 1];
@@ -48,7 +49,8 @@ static wcut_vec3 turn_of(wcut_vec3 unit, double length, wcut_vec3 normal_rate) {
 /* the width and its derivatives, constant beyond the domain */
 static void eval_width(const wcut_sheet *sheet, double u, double v, double *d, double *d_u, double *d_v) {
     wcut_vec3 w[4];
-    wcut_surface_eval(sheet->width, u, v, 1, w);
+    wcut_surface_eval(sheet->width, clamp(u, sheet->first[0], sheet->last[0]),
+                      clamp(v, sheet->first[1], sheet->last[1]), 1, w);
     *d = sheet->side * w[0].z;
     *d_v = v < sheet->first[1] || v > sheet->last[1] ? 0 : sheet->side * w[1].z;
     *d_u = u < sheet->first[0] || u > sheet->last[0] ? 0 : sheet->side * w[2].z;
@@ -76,7 +78,8 @@ wcut_sheet_point wcut_sheet_eval(const wcut_sheet *sheet, double u, double v) {
 
 void wcut_sheet_prolonged(const wcut_sheet *sheet, double u, double v, double *wire, double *feed) {
     wcut_vec3 d[4];
-    wcut_surface_eval(sheet->surface, u, v, 1, d);
-    *wire = fabs(u - clamp(u, sheet->first[0], sheet->last[0])) * vec3_length(d[2]);
-    *feed = fabs(v - clamp(v, sheet->first[1], sheet->last[1])) * vec3_length(d[1]);
+    const double at_u = clamp(u, sheet->first[0], sheet->last[0]), at_v = clamp(v, sheet->first[1], sheet->last[1]);
+    wcut_surface_eval(sheet->surface, at_u, at_v, 1, d);
+    *wire = fabs(u - at_u) * vec3_length(d[2]);
+    *feed = fabs(v - at_v) * vec3_length(d[1]);
 }

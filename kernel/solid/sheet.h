@@ -9,7 +9,7 @@ typedef struct wcut_sheet {
     const wcut_surface *surface;
     const wcut_surface *width; /* [mm] its z, over the same parameters; NULL where the sheet is the surface itself */
     double side;               /* +1/2 above, -1/2 below */
-    double first[2], last[2];  /* the domain */
+    double first[2], last[2];  /* the part of the surface's domain that is taken; beyond it the sheet is straight */
 } wcut_sheet;
 
 typedef struct wcut_sheet_point {
@@ -23,7 +23,7 @@ wcut_sheet wcut_sheet_of(const wcut_surface *surface);
 /* a point, at any finite u and v */
 wcut_sheet_point wcut_sheet_eval(const wcut_sheet *sheet, double u, double v);
 
-/* [mm] how far beyond the surface's own border the sheet is prolonged at u, v: along the wire and along the feed */
+/* [mm] how far beyond the part that is taken the sheet is prolonged at u, v: along the wire and along the feed */
 void wcut_sheet_prolonged(const wcut_sheet *sheet, double u, double v, double *wire, double *feed);
 
 #endif

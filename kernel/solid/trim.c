@@ -37,25 +37,26 @@ static void net_clear(net *n) {
     *n = (net){.columns = 0};
 }
 
-/* every span of the knots in equal parts, so that there are at least LINES_MIN; gives their number */
-static int net_lines(int degree, int count, const double *knots, double **line) {
+/* every span of the knots from `first` on in equal parts, so that there are at least LINES_MIN; gives their number */
+static int net_lines(int degree, int count, const double *knots, double first, double **line) {
     int spans = 0, made = 0;
-    for (int k = degree; k < count; k++) spans += knots[k] < knots[k + 1];
+    for (int k = degree; k < count; k++) spans += fmax(knots[k], first) < knots[k + 1];
     const int parts = spans > 0 ? (LINES_MIN + spans - 1) / spans : 1; /* a valid surface has a span */
     double *l = wcut_alloc((size_t)spans * (size_t)parts + 1, sizeof *l);
     *line = l;
     if (!l) return 0;
-    for (int k = degree; k < count; k++)
-        for (int i = 0; knots[k] < knots[k + 1] && i < parts; i++)
-            l[made++] = knots[k] + (knots[k + 1] - knots[k]) * i / parts;
+    for (int k = degree; k < count; k++) {
+        const double from = fmax(knots[k], first);
+        for (int i = 0; from < knots[k + 1] && i < parts; i++) l[made++] = from + (knots[k + 1] - from) * i / parts;
+    }
     l[made++] = knots[count];
     return made;
 }
 
 static wcut_status net_fill(const wcut_sheet *sheet, net *n) {
     const wcut_surface *s = sheet->surface;
-    n->columns = net_lines(s->degree_u, s->count_u, s->knots_u, &n->u);
-    n->rows = net_lines(s->degree_v, s->count_v, s->knots_v, &n->v);
+    n->columns = net_lines(s->degree_u, s->count_u, s->knots_u, sheet->first[0], &n->u);
+    n->rows = net_lines(s->degree_v, s->count_v, s->knots_v, sheet->first[1], &n->v);
     if (!n->u || !n->v) return WCUT_NO_MEMORY;
     if (n->columns > INT_MAX / n->rows) return WCUT_BAD_ARGUMENT;
     n->at = wcut_alloc((size_t)n->columns * (size_t)n->rows, sizeof *n->at);
