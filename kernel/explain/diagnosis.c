@@ -393,10 +393,14 @@ static wcut_status check(int cuts, const wcut_diagnosis_cut *cut, int test_cuts,
     if (cuts < 1 || !cut || !out || test_cuts < 0 || (test_cuts > 0 && !calibration))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "cuts and a place for the diagnosis are expected");
     if (o->threads < 1) return wcut_fail(error, WCUT_BAD_ARGUMENT, "found %d threads, expected 1 or more", o->threads);
-    for (int k = 0; k < cuts; k++)
+    for (int k = 0; k < cuts; k++) {
         if (cut[k].job && cut[k].job->mode != WCUT_MODE_PATH)
             return wcut_fail(error, WCUT_BAD_ARGUMENT, "cut %d: found a design, expected a job with the mounts' path",
                              k + 1);
+        if (cut[k].recording && (cut[k].recording->samples < 1 || !cut[k].recording->further))
+            return wcut_fail(error, WCUT_BAD_ARGUMENT, "cut %d: expected a recording with samples and their lines",
+                             k + 1);
+    }
     return WCUT_OK;
 }
 
