@@ -207,7 +207,7 @@ static wcut_report_table motion_table(page *p) {
 
 static wcut_report_table matrix_table(page *p) {
     for (int k = 0; k < 4; k++) {
-        const double *m = &p->c->registration.matrix[4 * k];
+        const double *m = &p->c->registration.matrix[4 * (size_t)k];
         snprintf(p->matrix[k], sizeof p->matrix[k], "%.10g   %.10g   %.10g   %.10g", m[0], m[1], m[2], m[3]);
         p->matrix_row[k] = p->matrix[k];
     }

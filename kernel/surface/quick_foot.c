@@ -65,7 +65,7 @@ static double *list_thirds(int spans, const double *knot) {
     double *list = wcut_alloc(CUBIC * (size_t)spans + 1, sizeof *list);
     for (int k = 0; list && k < spans; k++)
         for (int i = 0; i < CUBIC; i++) list[CUBIC * k + i] = knot[k] + i * (knot[k + 1] - knot[k]) / CUBIC;
-    if (list) list[CUBIC * spans] = knot[spans];
+    if (list) list[CUBIC * (size_t)spans] = knot[spans];
     return list;
 }
 

@@ -258,7 +258,7 @@ static void given_history(void) {
             force[s * COLUMNS + n] = 0.01;
             speed[s * COLUMNS + n] = s ? 12 + t : 0;
         }
-        mount_a[s] = node[s * COLUMNS], mount_b[s] = node[s * COLUMNS + COLUMNS - 1];
+        mount_a[s] = node[(size_t)s * COLUMNS], mount_b[s] = node[(size_t)s * COLUMNS + COLUMNS - 1];
     }
     history = (wcut_history){.stations = ROWS,
                              .planned = ROWS,
@@ -313,7 +313,7 @@ START_TEST(its_grid_ends_where_the_block_does) {
     ck_assert_int_eq(wcut_face_mesh(face, &mesh), WCUT_OK);
     double area = 0;
     for (int t = 0; t < mesh->triangle_count; t++) {
-        const wcut_vec3 a = mesh->vertex[mesh->triangle[3 * t]], b = mesh->vertex[mesh->triangle[3 * t + 1]],
+        const wcut_vec3 a = mesh->vertex[mesh->triangle[3 * (size_t)t]], b = mesh->vertex[mesh->triangle[3 * t + 1]],
                         c = mesh->vertex[mesh->triangle[3 * t + 2]];
         const double twice = vec3_cross(vec3_sub(b, a), vec3_sub(c, a)).z;
         ck_assert_double_gt(twice, 0);

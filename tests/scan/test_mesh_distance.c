@@ -32,8 +32,8 @@ static void given_soup(int triangles, uint64_t seed) {
                 vec3_scale(100, at),
                 vec3(size * wcut_random_normal(&r), size * wcut_random_normal(&r), size * wcut_random_normal(&r)));
         }
-        if (t % 7 == 3) mesh->vertex[3 * t + 2] = vec3_mix(mesh->vertex[3 * t], mesh->vertex[3 * t + 1], 0.3);
-        if (t % 11 == 5) mesh->vertex[3 * t + 1] = mesh->vertex[3 * t + 2] = mesh->vertex[3 * t];
+        if (t % 7 == 3) mesh->vertex[3 * t + 2] = vec3_mix(mesh->vertex[3 * (size_t)t], mesh->vertex[3 * t + 1], 0.3);
+        if (t % 11 == 5) mesh->vertex[3 * t + 1] = mesh->vertex[3 * t + 2] = mesh->vertex[3 * (size_t)t];
     }
 }
 
@@ -116,7 +116,7 @@ static double triangle_distance(wcut_vec3 p, wcut_vec3 a, wcut_vec3 b, wcut_vec3
 static double full_search(wcut_vec3 p) {
     double best = INFINITY;
     for (int t = 0; t < mesh->triangle_count; t++) {
-        const int *v = mesh->triangle + 3 * t;
+        const int *v = mesh->triangle + 3 * (size_t)t;
         best = fmin(best, triangle_distance(p, mesh->vertex[v[0]], mesh->vertex[v[1]], mesh->vertex[v[2]]));
     }
     return best;
@@ -133,7 +133,7 @@ START_TEST(the_closest_point_is_that_of_a_full_search) {
         ck_assert_int_eq(wcut_mesh_tree_locate(tree, QUERIES, query, 1, foot), WCUT_OK);
         for (int k = 0; k < QUERIES; k++) {
             const wcut_mesh_foot *f = &foot[k];
-            const int *v = mesh->triangle + 3 * f->triangle;
+            const int *v = mesh->triangle + 3 * (size_t)f->triangle;
             wcut_vec3 at = vec3_scale(1 - f->b - f->c, mesh->vertex[v[0]]);
             at = vec3_add_scaled(vec3_add_scaled(at, f->b, mesh->vertex[v[1]]), f->c, mesh->vertex[v[2]]);
             ck_assert_double_eq_tol(f->distance, full_search(query[k]), 1e-9);
@@ -164,7 +164,7 @@ START_TEST(the_side_is_right_everywhere_about_a_closed_mesh) {
     ck_assert_double_eq_tol(vec3_length(info->area_sum), 0, 1e-9 * info->area);
     given_queries(-90, 90, 9);
     for (int k = 0; k < QUERIES / 2; k++) { /* over corners and the middles of edges, on both sides */
-        const int *v = mesh->triangle + 3 * (k % mesh->triangle_count);
+        const int *v = mesh->triangle + 3 * (size_t)(k % mesh->triangle_count);
         const wcut_vec3 on = k % 2 ? mesh->vertex[v[0]] : vec3_mix(mesh->vertex[v[0]], mesh->vertex[v[1]], 0.5);
         query[k] = vec3_scale(k % 4 < 2 ? 1.3 : 0.7, on);
     }
