@@ -474,6 +474,29 @@ START_TEST(a_cut_that_ends_inside_is_continued_straight_as_far_as_is_allowed) {
 }
 END_TEST
 
+START_TEST(a_wire_that_stops_where_it_meets_the_block_may_begin_a_station_later) {
+    enum { STATIONS = 275, NODES = 41 };
+    static wcut_vec3 x[STATIONS * NODES];
+    for (int j = 0; j < STATIONS; j++)
+        for (int i = 0; i < NODES; i++) { /* 3.75 mm a station in air, then a stop at the side */
+            const double s = i / (NODES - 1.0), free = -40 + 3.75 * j - 48 * s * (1 - s);
+            x[j * NODES + i] = vec3(500 * s - 50, free < 0 ? free : fmax(-0.07, free - 7.5), 150 + 0.02 * free);
+        }
+    wcut_surface *s = NULL;
+    ck_assert_int_eq(wcut_surface_loft(STATIONS, NODES, x, 0, &s, NULL, NULL), WCUT_OK);
+    wcut_mould_options o = wcut_mould_default();
+    cut_refused(s, cut_block, &o, WCUT_DEGENERATE, "side y = 0 mm");
+    o.prolong = 20;
+    wcut_mould *m = cut_divide(s, cut_block, &o);
+    printf("stopped at the side: begins %.3f mm later\n", m->prolonged_entry);
+    ck_assert_double_gt(m->prolonged_entry, 0);
+    ck_assert_double_lt(m->prolonged_entry, 20);
+    ck_assert_double_le(m->prolonged_exit, 1e-9);
+    wcut_mould_destroy(m);
+    wcut_surface_destroy(s);
+}
+END_TEST
+
 START_TEST(a_finer_fit_is_asked_for_and_held_where_nobody_looked) {
     wcut_surface *s = cut_of(cut_hilly);
     wcut_projection *p = NULL;
@@ -580,6 +603,7 @@ int main(void) {
     tcase_add_test(halves, the_same_cut_gives_the_same_bytes);
     tcase_add_test(halves, every_failing_allocation_is_reported_and_nothing_is_written);
     tcase_add_test(exact, exact_faces_are_a_closed_shell_whose_edges_lie_on_both_their_faces);
+    tcase_add_test(asked, a_wire_that_stops_where_it_meets_the_block_may_begin_a_station_later);
     tcase_add_test(exact, a_finer_fit_is_asked_for_and_held_where_nobody_looked);
     tcase_add_test(exact, the_least_radius_is_that_of_the_wires_surface);
     tcase_add_test(asked, keys_add_and_take_the_volume_of_frustums_and_leave_a_wall);
