@@ -148,13 +148,13 @@ const char *wcut_candidate_why(const wcut_search *s, const wcut_decision *d, int
 /* How often verdicts of a kind were right on the labelled cases, each left out in turn, as (hits + 1) / (cases + 2); less
    where the best explanation is not far from the next or hardly beyond chance. */
 static double confidence(const wcut_search *s, const wcut_decision *d) {
-    if (d->kind == WCUT_VERDICT_UNKNOWN) return d->adequacy > 2 * SLOW_MOST ? 0.9 : 0.7;
+    if (d->kind == WCUT_VERDICT_UNKNOWN) return d->adequacy > 2 * SLOW_MOST ? 0.9 : 0.8;
     if (d->kind == WCUT_VERDICT_AMBIGUOUS) return 0.5;
     if (d->kind == WCUT_VERDICT_NONE) {
         double most = 0;
         for (int k = 0; k < s->count; k++)
             if (s->candidate[k].second_size >= 1) most = fmax(most, wcut_candidate_score(s, k));
-        return most > GAIN_LEAST / 4 ? 0.7 : 0.9;
+        return most > GAIN_LEAST / 4 ? 0.7 : 0.8;
     }
     const wcut_candidate *best = &s->candidate[d->chosen];
     double next = 0;
@@ -165,7 +165,7 @@ static double confidence(const wcut_search *s, const wcut_decision *d) {
     }
     const double ahead = wcut_candidate_score(s, d->chosen) - next;
     if (!is_adequate(&best->left)) return 0.7;
-    return ahead > 3 * RIVAL + 0.03 * best->gain / chance(s) ? 0.95 : 0.8;
+    return ahead > 3 * RIVAL + 0.03 * best->gain / chance(s) ? 0.97 : 0.8;
 }
 
 wcut_decision wcut_search_decide(const wcut_search *s) {

@@ -118,9 +118,9 @@ static const wcut_fitted *final_fit(const diagnosing *g) {
 }
 
 /* Standard error with what the linear fit does not know: slow noise beyond the whitening, and the simulator's own error
-   against another simulator of the same physics, 2 % of a strength. */
+   against another simulator of the same physics, 4 % of a strength. */
 static double widened(double error, double value, double slow) {
-    return hypot(1.2 * error * sqrt(fmax(slow, 1)), 0.02 * value);
+    return hypot(1.2 * error * sqrt(fmax(slow, 1)), 0.04 * value);
 }
 
 static void estimate(const wcut_fitted *f, int k, double slow, wcut_estimate *out) {

@@ -8,8 +8,9 @@
 #include "cut/score.h"
 #include "explain/proof.h"
 
-/* block [bins, patches]: the memory of the slow noise; draws, of which the interval holds 95 % */
-enum { BLOCK = 10, PATCH_BLOCK = 20, DRAWS = 400 };
+/* bins of a mean: one second, which the sensors' own noise hardly reaches; block [means, patches]: the memory of the slow
+   noise; draws, of which the interval holds 95 % */
+enum { MEAN = 2, BLOCK = 5, PATCH_BLOCK = 20, DRAWS = 400 };
 
 /* the pairs of a channel, and the block of each */
 typedef struct pairs {
@@ -23,7 +24,14 @@ static void add_pair(pairs *p, double measured, double predicted, int block) {
     p->measured[p->count] = measured, p->predicted[p->count] = predicted, p->block[p->count++] = block;
 }
 
-/* both mounts of a bin are in one block */
+/* mean of MEAN bins; NaN where one is missing */
+static double mean_of(const double *bin) {
+    double sum = 0;
+    for (int i = 0; i < MEAN; i++) sum += bin[i];
+    return sum / MEAN;
+}
+
+/* both mounts of a second are in one block */
 static void gather(const wcut_evidence *e, wcut_evidence_channel channel, const wcut_forecast *measured,
                    const wcut_forecast *predicted, pairs *p) {
     static const int signal[WCUT_EVIDENCE_COUNT][2] = {{0, 1}, {0, 1}, {2, 4}, {3, 5}, {0, 0}};
@@ -34,16 +42,17 @@ static void gather(const wcut_evidence *e, wcut_evidence_channel channel, const 
         const wcut_evidence_cut *c = &e->cut[k];
         const size_t row = (size_t)c->row, bins = (size_t)c->bins, face = row + WCUT_TRAIL_SIGNALS * bins;
         const bool is_scan = channel == WCUT_EVIDENCE_SCAN;
-        const int length = is_scan ? PATCH_BLOCK : BLOCK, n = is_scan ? c->patch.count : c->bins;
+        const int length = is_scan ? PATCH_BLOCK : BLOCK, n = is_scan ? c->patch.count : c->bins / MEAN;
         for (int i = 0; i < n; i++) {
             const int block = p->blocks + i / length;
             if (is_scan) add_pair(p, measured->row[face + (size_t)i], predicted->row[face + (size_t)i], block);
             for (int side = 0; !is_scan && side < 2; side++) {
-                const size_t at = (size_t)signal[channel][side] * bins + (size_t)i;
+                const size_t at = (size_t)signal[channel][side] * bins + (size_t)(MEAN * i);
                 if (channel == WCUT_EVIDENCE_SPEED)
-                    add_pair(p, measured->speed[speed + at], predicted->speed[speed + at], block);
+                    add_pair(p, mean_of(measured->speed + speed + at), mean_of(predicted->speed + speed + at), block);
                 else
-                    add_pair(p, unit * measured->row[row + at], unit * predicted->row[row + at], block);
+                    add_pair(p, unit * mean_of(measured->row + row + at), unit * mean_of(predicted->row + row + at),
+                             block);
             }
         }
         p->blocks += (n + length - 1) / length;

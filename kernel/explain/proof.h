@@ -29,7 +29,7 @@ typedef struct wcut_proof {
  * scan is shifted by may be the effect; the face lies half a kerf below the wire: the job's own kerf before, the one
  * that the fits found after, for a left-out cut the one that the other scans show.
  *
- * Figures are of half-second means over all cuts, differences of both mounts and all cuts pooled, one range: rmsd,
+ * Figures are of one-second means over all cuts, differences of both mounts and all cuts pooled, one range: rmsd,
  * nrmsd and rmse_over_range as wcut_score. Intervals: bootstrap of blocks of 5 s (scans: of 20 patches), drawn alike
  * for all models. With one cut alone nothing can be held out: the counts of held_out_fit are 0.
  * The rows of WCUT_FIT_BLACK_BOX are left at count 0 (explain/black_box.h fills them).
