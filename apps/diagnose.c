@@ -63,6 +63,7 @@ static int read_options(run *r) {
                                                        : 1;
     r->options.seed = (unsigned long long)app_int(r->call, "seed");
     r->options.proof = !app_given(r->call, "no-proof");
+    r->options.naive = app_given(r->call, "naive");
     if (!app_given(r->call, "without")) return APP_DONE;
     const char *list = app_text(r->call, "without");
     int code = APP_DONE;
@@ -335,6 +336,7 @@ static const app_option option[] = {
      .value = "EFFECT,...",
      .help = "effects that are taken out of the library, by their names in files"},
     {.kind = APP_FLAG, .name = "no-proof", .help = "leave out the forward proof and the black box"},
+    {.kind = APP_FLAG, .name = "naive", .help = "run plain least squares beside it, to see what that would name"},
     {.kind = APP_INT,
      .name = "seed",
      .value = "N",

@@ -362,19 +362,19 @@ static wcut_status write_page(page *p, int sections, const wcut_report_section *
     char cuts[60], verdict[WCUT_DIAGNOSIS_TEXT + 40];
     snprintf(cuts, sizeof cuts, "%d, %d of them held out", d->cuts, held);
     snprintf(verdict, sizeof verdict, "%s%s", d->interrupted ? "Interrupted, as far as it went: " : "", d->sentence);
-    const wcut_report_fact fact[] = {
-        {"verdict", wcut_verdict_name(d->kind), 0, ""},
-        {"confidence that it is exactly right", NULL, 100 * d->confidence, "%"},
-        {"cuts", cuts, 0, ""},
-        {"misfit on held-out cuts, after over recalibrated", NULL, improvement(d), ""},
-        {"left over what noise leaves", NULL, shown(d->adequacy), ""},
-        {"p-value of that", NULL, shown(d->adequacy_p), ""},
-        {"plain least squares would name", d->naive_false && d->naive[0] ? d->naive : "nothing", 0, ""}};
+    const wcut_report_fact fact[] = {{"verdict", wcut_verdict_name(d->kind), 0, ""},
+                                     {"confidence that it is exactly right", NULL, 100 * d->confidence, "%"},
+                                     {"cuts", cuts, 0, ""},
+                                     {"misfit on held-out cuts, after over recalibrated", NULL, improvement(d), ""},
+                                     {"left over what noise leaves", NULL, shown(d->adequacy), ""},
+                                     {"p-value of that", NULL, shown(d->adequacy_p), ""},
+                                     {"plain least squares would name", d->naive, 0, ""}};
     const wcut_report report = {.verb = "diagnose",
                                 .title = p->of->title,
                                 .tone = tone_of(d),
                                 .verdict = verdict,
-                                .fact_count = sizeof fact / sizeof *fact,
+                                /* the last one where it was run */
+                                .fact_count = (int)(sizeof fact / sizeof *fact) - (d->naive[0] == 0),
                                 .fact = fact,
                                 .section_count = sections,
                                 .section = section,

@@ -286,9 +286,14 @@ static void put_weighed(wcut_text *text, const wcut_diagnosis *d) {
         wcut_text_print(text, "%s\"%s\": ", c ? ", " : "", wcut_evidence_name((wcut_evidence_channel)c));
         put_number(text, "", d->noise[c]);
     }
-    wcut_text_print(text, "},\n  \"naive\": {\"names_an_effect\": %s", d->naive_false ? "true" : "false");
-    put_string(text, ", \"which\": ", d->naive);
-    put(text, "}");
+    put(text, "},\n  \"naive\": ");
+    if (d->naive_false || d->naive[0]) { /* else it was not run */
+        wcut_text_print(text, "{\"names_an_effect\": %s", d->naive_false ? "true" : "false");
+        put_string(text, ", \"which\": ", d->naive);
+        put(text, "}");
+    } else {
+        put(text, "null");
+    }
 }
 
 static void put_next(wcut_text *text, const wcut_diagnosis *d) {

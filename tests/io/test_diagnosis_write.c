@@ -141,6 +141,7 @@ START_TEST(an_empty_diagnosis_and_one_cut_short_are_whole_files) {
     json_t *root = printed();
     ck_assert(json_is_true(at(root, "interrupted")));
     ck_assert_str_eq(string(root, "verdict.kind"), "none");
+    ck_assert(json_is_null(at(root, "naive")));
     ck_assert_uint_eq(json_object_size(at(root, "fit.after")), 0);
     ck_assert_uint_eq(json_array_size(at(root, "fit.held_out_cuts")), 0);
     json_decref(root);
