@@ -176,7 +176,7 @@ wcut_status wcut_halves_by_boolean(const wcut_division *d, const wcut_cut_face *
         part_clear(&space);
     }
     if (status == WCUT_OK) {
-        *block_volume = wcut_mesh_volume(&whole);
+        *block_volume = d->options->stock ? wcut_mesh_volume(&whole) : d->block.x * d->block.y * d->block.z;
         *parts = p;
     } else {
         wcut_parts_clear(&p);

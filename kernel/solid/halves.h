@@ -19,7 +19,8 @@ typedef struct wcut_parts {
 wcut_status wcut_halves_by_index(const wcut_division *d, const wcut_cut_face *lower, const wcut_cut_face *upper,
                                  wcut_parts *parts, wcut_error *error);
 
-/* The parts of the stock, or of the block; the faces reach beyond its sides by `margin`. *block_volume: [mm3] of it */
+/* The parts of the stock, or of the block; the faces reach beyond its sides by `margin`. *block_volume: [mm3] of it,
+   without keys */
 wcut_status wcut_halves_by_boolean(const wcut_division *d, const wcut_cut_face *lower, const wcut_cut_face *upper,
                                    double margin, wcut_parts *parts, double *block_volume, wcut_error *error);
 

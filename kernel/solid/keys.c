@@ -2,13 +2,18 @@
 #include "solid/keys.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "base/vec3.h"
 
 /* corners of a circle: a multiple of four, so that the exact circle's pieces meet at corners */
 enum { ARCS_MIN = 16, ARCS_MAX = 1024 };
+
+/* A key that is nearer to the cut than this share of the block touches it. */
+static const double TOUCHING = 1e-9;
 
 static const double TAN_FLANK = 0.36397023426620234; /* tan 20 deg */
 
@@ -58,29 +63,40 @@ double wcut_keys_volume(const wcut_mould_options *o, int upper) {
     return sum;
 }
 
+/* The least and the greatest z of a triangle over a circle, or beyond them: of its corners, and of its plane there.
+   False where the triangle's box is beside the circle. */
+static bool heights_over(const wcut_lid *l, int t, const wcut_key *key, double *low, double *high) {
+    const int *c = l->triangle + 3 * (ptrdiff_t)t;
+    const wcut_vec3 a = l->vertex[c[0]], b = l->vertex[c[1]], d = l->vertex[c[2]];
+    const double x = clamp(key->x, fmin(a.x, fmin(b.x, d.x)), fmax(a.x, fmax(b.x, d.x)));
+    const double y = clamp(key->y, fmin(a.y, fmin(b.y, d.y)), fmax(a.y, fmax(b.y, d.y)));
+    if (hypot(key->x - x, key->y - y) > key->radius) return false;
+    *low = fmin(a.z, fmin(b.z, d.z)), *high = fmax(a.z, fmax(b.z, d.z));
+    const wcut_vec3 n = vec3_cross(vec3_sub(b, a), vec3_sub(d, a));
+    if (fabs(n.z) > 0) {
+        const double at = a.z - (n.x * (key->x - a.x) + n.y * (key->y - a.y)) / n.z;
+        const double rise = key->radius * hypot(n.x, n.y) / fabs(n.z);
+        *low = fmax(*low, at - rise), *high = fmin(*high, at + rise);
+    }
+    return true;
+}
+
 wcut_status wcut_keys_check(const wcut_division *d, int upper, const wcut_cut_face *face, double *wall,
                             wcut_error *error) {
-    const wcut_lid *l = &face->lid;
-    double longest = 0; /* a triangle over a circle has a corner at most this far beyond it */
-    for (int t = 0; t < l->triangle_count; t++)
-        for (int k = 0; k < 3; k++) {
-            const wcut_vec3 *p = &l->vertex[l->triangle[3 * t + k]], *q = &l->vertex[l->triangle[3 * t + (k + 1) % 3]];
-            longest = fmax(longest, hypot(p->x - q->x, p->y - q->y));
-        }
     *wall = INFINITY;
     for (int k = 0; k < d->options->key_count; k++) {
         const wcut_key *key = &d->options->key[k];
         if (!key->upper != !upper) continue;
         const double level = upper ? d->block.z : 0, rise = wcut_key_rise(key);
         const double reach = upper ? fmin(level, level + rise) : fmax(level, level + rise);
-        for (int v = 0; v < l->vertex_count; v++) {
-            const wcut_vec3 p = l->vertex[v];
-            if (hypot(p.x - key->x, p.y - key->y) > key->radius + longest) continue;
-            const double left = upper ? reach - p.z : p.z - reach;
-            if (!(left > 0))
+        for (int t = 0; t < face->lid.triangle_count; t++) {
+            double low, high;
+            if (!heights_over(&face->lid, t, key, &low, &high)) continue;
+            const double left = upper ? reach - high : low - reach;
+            if (!(left > TOUCHING * d->block.z))
                 return wcut_fail(error, WCUT_BAD_ARGUMENT,
-                                 "the key at x = %.6g, y = %.6g mm reaches the cut face near (%.6g, %.6g, %.6g) mm",
-                                 key->x, key->y, p.x, p.y, p.z);
+                                 "the key at x = %.6g, y = %.6g mm reaches the cut face, at z = %.6g mm", key->x,
+                                 key->y, upper ? high : low);
             *wall = fmin(*wall, left);
         }
     }

@@ -59,6 +59,12 @@ START_TEST(a_cut_through_top_and_bottom_makes_two_wedges) {
     ck_assert_double_le(fabs(m->kerf_volume / (2 * 400 * 600 * sqrt(1.25)) - 1), 1e-3);
     ck_assert(!m->lower.report.wall_held);
     wcut_mould_destroy(m);
+    const wcut_key key[2] = {{0, 200, 700, 20, 12, -30}, {1, 200, 200, 20, 12, 15}}; /* where the halves are thick */
+    o.key = key, o.key_count = 2;
+    m = cut_divide(s, cut_block, &o);
+    ck_assert(m->lower.report.key_volume < 0 && m->upper.report.key_volume > 0);
+    ck_assert_double_eq(m->block_volume, 400.0 * 900 * 300);
+    wcut_mould_destroy(m);
     wcut_surface_destroy(s);
 }
 END_TEST
