@@ -53,7 +53,7 @@ START_TEST(a_true_effect_predicts_left_out_cuts_better_than_any_law) {
         for (int k = WCUT_EVIDENCE_TENSION; k <= WCUT_EVIDENCE_BETA; k++) {
             const wcut_fit *f = &p.held_out_fit[m][k];
             int bins = 0;
-            for (int cut = 0; cut < SYNTHETIC_CUTS; cut++) bins += 2 * evidence->cut[cut].bins;
+            for (int cut = 0; cut < SYNTHETIC_CUTS; cut++) bins += 2 * (evidence->cut[cut].bins / 2);
             ck_assert(f->count > 0.9 * bins && f->count <= bins);
             ck_assert(f->low > 0 && f->low <= f->rmse_over_range && f->rmse_over_range <= f->high);
         }
@@ -94,7 +94,7 @@ START_TEST(one_cut_is_planned_but_nothing_can_be_held_out) {
     wcut_proof p = prove(&none, &lag);
     for (int m = 0; m < WCUT_FIT_MODELS; m++)
         for (int k = 0; k < WCUT_EVIDENCE_COUNT; k++) ck_assert_int_eq(p.held_out_fit[m][k].count, 0);
-    ck_assert_int_gt(p.fit[WCUT_FIT_BEFORE][WCUT_EVIDENCE_SPEED].count, evidence->cut[0].bins);
+    ck_assert_double_gt(p.fit[WCUT_FIT_BEFORE][WCUT_EVIDENCE_SPEED].count, 0.9 * evidence->cut[0].bins);
     ck_assert_double_gt(p.fit[WCUT_FIT_BEFORE][WCUT_EVIDENCE_SPEED].rmse_over_range, 0);
     /* the measured speed of the forecast is that of the recording */
     const double pace = 3.4 * 500 / 120;
@@ -110,7 +110,7 @@ START_TEST(figures_are_a_scores_and_their_interval_holds_them) {
     enum { BINS = 60 };
     wcut_evidence_cut cut = {.bins = BINS};
     wcut_evidence e = {.cuts = 1, .cut = &cut, .rows = 6 * BINS, .threads = 1};
-    double row[6 * BINS], other[6 * BINS], speed[2 * BINS], none_there[2 * BINS], x[2 * BINS], y[2 * BINS];
+    double row[6 * BINS], other[6 * BINS], speed[2 * BINS], none_there[2 * BINS], x[BINS], y[BINS];
     wcut_random random = wcut_random_seed(2);
     for (int i = 0; i < 6 * BINS; i++) row[i] = sin(0.1 * i), other[i] = row[i] + 0.1 * wcut_random_normal(&random);
     for (int i = 0; i < 2 * BINS; i++) speed[i] = i, none_there[i] = (double)NAN;
@@ -121,23 +121,24 @@ START_TEST(figures_are_a_scores_and_their_interval_holds_them) {
     ck_assert_int_eq(fit[WCUT_EVIDENCE_SPEED].count, 0);
     ck_assert(isnan(fit[WCUT_EVIDENCE_SPEED].low));
     ck_assert_int_eq(fit[WCUT_EVIDENCE_SCAN].count, 0);
-    ck_assert_int_eq(fit[WCUT_EVIDENCE_ALPHA].count, 2 * BINS - 1);
-    wcut_score score = wcut_score_of(2 * BINS, row, other, 0); /* both tensions stand first */
-    ck_assert_int_eq(fit[WCUT_EVIDENCE_TENSION].count, 2 * BINS);
+    ck_assert_int_eq(fit[WCUT_EVIDENCE_ALPHA].count, BINS - 1); /* both mounts, means of two bins */
+    for (int i = 0; i < BINS; i++)                              /* both tensions stand first */
+        x[i] = (row[2 * i] + row[2 * i + 1]) / 2, y[i] = (other[2 * i] + other[2 * i + 1]) / 2;
+    wcut_score score = wcut_score_of(BINS, x, y, 0);
+    ck_assert_int_eq(fit[WCUT_EVIDENCE_TENSION].count, BINS);
     ck_assert_double_eq_tol(fit[WCUT_EVIDENCE_TENSION].rmsd, score.rmsd, 1e-12);
     ck_assert_double_eq_tol(fit[WCUT_EVIDENCE_TENSION].nrmsd, score.nrmsd, 1e-12);
     ck_assert_double_eq_tol(fit[WCUT_EVIDENCE_TENSION].rmse_over_range, score.rmse_over_range, 1e-12);
-    int n = 0;
-    for (int i = 0; i < 2 * BINS; i++) { /* beta: the fourth and the sixth signal, in deg */
-        const int at = (i < BINS ? 3 : 4) * BINS + i;
-        x[n] = row[at] * 180 / WCUT_PI, y[n++] = other[at] * 180 / WCUT_PI;
+    for (int i = 0; i < BINS; i++) { /* beta: the fourth and the sixth signal, in deg */
+        const int at = (i < BINS / 2 ? 3 : 4) * BINS + 2 * i;
+        x[i] = (row[at] + row[at + 1]) / 2 * 180 / WCUT_PI, y[i] = (other[at] + other[at + 1]) / 2 * 180 / WCUT_PI;
     }
-    score = wcut_score_of(n, x, y, 0);
+    score = wcut_score_of(BINS, x, y, 0);
     const wcut_fit *beta = &fit[WCUT_EVIDENCE_BETA];
     ck_assert_double_eq_tol(beta->rmsd, score.rmsd, 1e-10);
-    /* 120 independent values: 95 % of their root mean square lie within about 13 % */
-    ck_assert_double_eq_tol(beta->low / beta->rmse_over_range, 0.87, 0.06);
-    ck_assert_double_eq_tol(beta->high / beta->rmse_over_range, 1.13, 0.06);
+    /* 60 independent values: 95 % of their root mean square lie within about 18 % */
+    ck_assert_double_eq_tol(beta->low / beta->rmse_over_range, 0.82, 0.09);
+    ck_assert_double_eq_tol(beta->high / beta->rmse_over_range, 1.18, 0.09);
     ck_assert_int_eq(wcut_forecast_score(&e, &measured, &predicted, 7, again), WCUT_OK);
     ck_assert_double_eq(again[WCUT_EVIDENCE_BETA].low, beta->low);
     ck_assert_int_eq(wcut_forecast_score(&e, &measured, &predicted, 8, again), WCUT_OK);
