@@ -1,0 +1,210 @@
+/* Diagnoses of small and of bad cases: any number of threads, stopped half way, with parts missing, refused.
+   labels: unit slow */
+#include <stdint.h>
+
+#include "cut/cuts.h"
+#include "explain/machine.h"
+
+#define UNTOUCHED ((wcut_diagnosis *)(uintptr_t)999)
+
+static machine_secret lag(void) {
+    return (machine_secret){.effects = 1, .effect = {machine_effect(WCUT_WIRE_THERMAL_LAG, 0, 0.8, 0)}, .seed = 5};
+}
+
+static bool says(const wcut_diagnosis *d, const char *what) {
+    for (int k = 0; k < d->limits; k++)
+        if (strstr(d->limit[k], what)) return true;
+    return false;
+}
+
+static wcut_diagnosis *diagnose(int cuts, const wcut_diagnosis_cut *cut, int test_cuts, const wcut_test_cut *table) {
+    wcut_diagnosis_options options = wcut_diagnosis_options_default();
+    wcut_diagnosis *d = NULL;
+    wcut_error error = {0};
+    options.proof = false;
+    const wcut_status status = wcut_diagnosis_create(cuts, cut, test_cuts, table, &options, NULL, NULL, &d, &error);
+    ck_assert_msg(status == WCUT_OK, "%s", error.text);
+    return d;
+}
+
+/* ---- threads and progress ---- */
+
+typedef struct watch {
+    int stop_at, last, calls;
+    bool in_order;
+} watch;
+
+static int look(int done, int all, void *context) {
+    watch *w = context;
+    w->in_order = w->in_order && done >= w->last && done < all;
+    w->last = done, w->calls++;
+    return done >= w->stop_at;
+}
+
+START_TEST(one_thread_and_two_give_the_same_bytes) {
+    const machine_secret secret = lag();
+    machine_case m = machine_create(2, &secret);
+    char *text[2] = {NULL, NULL};
+    for (int k = 0; k < 2; k++) {
+        wcut_diagnosis_options options = wcut_diagnosis_options_default();
+        wcut_diagnosis *d = NULL;
+        wcut_error error = {0};
+        watch w = {.stop_at = 1000, .in_order = true};
+        options.threads = k + 1;
+        const wcut_status status = wcut_diagnosis_create(2, m.cut, 0, NULL, &options, look, &w, &d, &error);
+        ck_assert_msg(status == WCUT_OK, "%s", error.text);
+        ck_assert(w.in_order && w.calls > 5);
+        ck_assert(!d->interrupted);
+        ck_assert_int_eq(wcut_diagnosis_print(d, "a case", &text[k]), WCUT_OK);
+        wcut_diagnosis_destroy(d);
+    }
+    ck_assert_str_eq(text[0], text[1]);
+    free(text[0]), free(text[1]);
+    machine_destroy(&m);
+}
+END_TEST
+
+START_TEST(a_diagnosis_that_is_stopped_keeps_what_it_has) {
+    const machine_secret secret = lag();
+    machine_case m = machine_create(2, &secret);
+    static const int stop_at[] = {1, 2, 4, 16};
+    for (int k = 0; k < 4; k++) {
+        wcut_diagnosis *d = UNTOUCHED;
+        watch w = {.stop_at = stop_at[k], .in_order = true};
+        ck_assert_int_eq(wcut_diagnosis_create(2, m.cut, 0, NULL, NULL, look, &w, &d, NULL), WCUT_INTERRUPTED);
+        if (k < 2) {
+            ck_assert_msg(d == UNTOUCHED, "stopped at %d, before there was anything", stop_at[k]);
+            continue;
+        }
+        ck_assert(d != UNTOUCHED && d->interrupted);
+        ck_assert_int_ge(d->hypotheses, 1);
+        ck_assert_int_eq(d->traces, 12);
+        ck_assert_int_gt((int)strlen(d->sentence), 10);
+        ck_assert_int_eq(d->fit[WCUT_FIT_AFTER][WCUT_EVIDENCE_TENSION].count, 0);
+        if (stop_at[k] == 16)
+            ck_assert_msg(machine_names(d, WCUT_WIRE_THERMAL_LAG, WCUT_WIRE_THERMAL_LAG), "%s", machine_verdict(d));
+        char *text = NULL;
+        ck_assert_int_eq(wcut_diagnosis_print(d, "a case", &text), WCUT_OK);
+        ck_assert_ptr_nonnull(strstr(text, "interrupted"));
+        free(text);
+        wcut_diagnosis_destroy(d);
+    }
+    machine_destroy(&m);
+}
+END_TEST
+
+/* ---- bad cases ---- */
+
+/* steady test cuts of a foam with this law, 1 % of scatter in turn up and down */
+static void make_table(double a, double b, wcut_test_cut *table) {
+    static const double heat[] = {50, 60, 70, 85}, alpha[] = {18, 27, 36};
+    for (int i = 0; i < 12; i++) {
+        const double turn = alpha[i % 3] * WCUT_PI / 180, force = 2 * 2 * sin(turn) / 400;
+        const double tension = 2 * (i % 2 ? 1.01 : 0.99);
+        table[i] = (wcut_test_cut){.heat = heat[i / 3],
+                                   .speed = 1000 * heat[i / 3] * b / log(a / force),
+                                   .engaged = 400,
+                                   .tension_a = tension,
+                                   .tension_b = tension,
+                                   .alpha_a = turn,
+                                   .alpha_b = turn,
+                                   .weight = 1};
+    }
+}
+
+static void empty(wcut_recording *r, wcut_channel channel) {
+    wcut_column *c = &r->channel[channel];
+    wcut_free(c->present);
+    c->present = wcut_alloc((size_t)r->samples, 1);
+    memset(c->present, 0, (size_t)r->samples);
+    c->missing = r->samples;
+}
+
+START_TEST(a_good_case_has_none_of_the_bad_ones_limits) {
+    const machine_secret secret = {.seed = 31};
+    machine_case m = machine_create(2, &secret);
+    wcut_test_cut table[12];
+    make_table(0.1, 8.6e-4, table);
+    wcut_diagnosis *d = diagnose(2, m.cut, 12, table);
+    static const char *const bad[] = {"left out", "With one cut", "No cut has an excitation",
+                                      "empty",    "one heat",     "calibration table"};
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) ck_assert_msg(!says(d, bad[k]), "%s", bad[k]);
+    ck_assert_msg(says(d, "Without a scan"), "no scan");
+    wcut_diagnosis_destroy(d);
+    machine_destroy(&m);
+}
+END_TEST
+
+START_TEST(everything_bad_at_once_runs_and_each_of_it_is_said) {
+    const machine_secret secret = {.plain = true, .one_heat = true, .seed = 32};
+    machine_case m = machine_create(1, &secret);
+    wcut_test_cut table[12];
+    make_table(0.1 * 1.6, 8.6e-4 * 1.5, table);
+    empty(&m.run[0]->recording, WCUT_CHANNEL_BETA_A);
+    const wcut_diagnosis_cut cut[3] = {m.cut[0], {.job = m.job[0]}, {.recording = m.cut[0].recording}};
+    wcut_diagnosis *d = diagnose(3, cut, 12, table);
+    static const char *const bad[] = {"Cut 2 is left out: it has no recording",
+                                      "Cut 3 is left out: it has no job",
+                                      "With one cut nothing can be held out",
+                                      "Without a scan",
+                                      "No cut has an excitation",
+                                      "1 channels of the recordings are empty",
+                                      "one heat",
+                                      "The calibration table contradicts the cuts"};
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) ck_assert_msg(says(d, bad[k]), "not said: %s", bad[k]);
+    ck_assert_int_eq(d->cuts, 3);
+    ck_assert_msg(d->effects == 0, "%s", machine_verdict(d)); /* no effect was there, whatever is missing */
+    wcut_diagnosis_destroy(d);
+    machine_destroy(&m);
+}
+END_TEST
+
+/* ---- refused ---- */
+
+static wcut_status refused(int cuts, const wcut_diagnosis_cut *cut, int test_cuts, int threads) {
+    wcut_diagnosis_options options = wcut_diagnosis_options_default();
+    wcut_diagnosis *d = UNTOUCHED;
+    wcut_error error = {0};
+    options.threads = threads;
+    const wcut_status status = wcut_diagnosis_create(cuts, cut, test_cuts, NULL, &options, NULL, NULL, &d, &error);
+    ck_assert(d == UNTOUCHED);
+    ck_assert_int_gt((int)strlen(error.text), 0);
+    return status;
+}
+
+START_TEST(what_cannot_be_diagnosed_is_refused_and_nothing_written) {
+    const machine_secret secret = {.plain = true, .seed = 33};
+    machine_case m = machine_create(1, &secret);
+    const wcut_diagnosis_cut none = {0}, alone = {.job = m.job[0]};
+    ck_assert_int_eq(refused(0, m.cut, 0, 1), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(refused(1, NULL, 0, 1), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(refused(1, m.cut, 3, 1), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(refused(1, m.cut, 0, 0), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(refused(1, &none, 0, 1), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(refused(1, &alone, 0, 1), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_diagnosis_create(1, m.cut, 0, NULL, NULL, NULL, NULL, NULL, NULL), WCUT_BAD_ARGUMENT);
+    wcut_recording bare = *m.cut[0].recording;
+    bare.further = NULL;
+    const wcut_diagnosis_cut unnumbered = {.job = m.job[0], .recording = &bare};
+    ck_assert_int_eq(refused(1, &unnumbered, 0, 1), WCUT_BAD_ARGUMENT);
+    m.job[0]->wire_length = 300; /* shorter than the mounts are apart */
+    ck_assert_int_eq(refused(1, m.cut, 0, 1), WCUT_DEGENERATE);
+    m.job[0]->wire_length = 560;
+    m.job[0]->mode = WCUT_MODE_DESIGN;
+    ck_assert_int_eq(refused(1, m.cut, 0, 1), WCUT_BAD_ARGUMENT);
+    m.job[0]->mode = WCUT_MODE_PATH;
+    machine_destroy(&m);
+}
+END_TEST
+
+int main(void) {
+    Suite *suite = suite_create("diagnosis");
+    TCase *tests = tcase_create("diagnosis");
+    tcase_add_test(tests, what_cannot_be_diagnosed_is_refused_and_nothing_written);
+    tcase_add_test(tests, everything_bad_at_once_runs_and_each_of_it_is_said);
+    tcase_add_test(tests, a_good_case_has_none_of_the_bad_ones_limits);
+    tcase_add_test(tests, one_thread_and_two_give_the_same_bytes);
+    tcase_add_test(tests, a_diagnosis_that_is_stopped_keeps_what_it_has);
+    suite_add_tcase(suite, tests);
+    return run_suite(suite);
+}
