@@ -327,6 +327,7 @@ static wcut_status try_naive(diagnosing *g, wcut_error *error) {
     if (status == WCUT_OK)
         status = wcut_screen_create(e, &plain.model, plain.open, g->options->without, &screen, error);
     wcut_screened *found = status == WCUT_OK ? wcut_alloc((size_t)screen.groups, sizeof *found) : NULL;
+    if (found) snprintf(d->naive, sizeof d->naive, "nothing");
     if (found && wcut_screen_singles(&screen, found) > 0) {
         /* likelihood ratio at one part in ten thousand, as a textbook has it */
         d->naive_false = found[0].gain > wcut_chi_square_quantile(0.9999, 1);

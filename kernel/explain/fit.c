@@ -350,11 +350,13 @@ static wcut_status iterate(fitting *g, double *covariance, wcut_error *error) {
         if (!find_step(g, t, covariance, &cost)) return WCUT_NOT_CONVERGED;
         memcpy(from, g->f->x, sizeof from);
         double share = 1;
-        for (int half = 0; half < 4; half++, share /= 2) {
+        for (int half = 0; half < 6; half++, share /= 2) {
             longest = move(g, from, t, covariance, share);
             status = present_rows(g, error);
-            if (status == WCUT_OK && (!present_cost(g, &cost) || cost > before + 1)) status = WCUT_NOT_CONVERGED;
-            if (status != WCUT_NOT_CONVERGED) break;
+            if (status == WCUT_NO_MEMORY) return status;
+            /* too far is where the misfit rises, or no wire spans the mounts any more */
+            if (status == WCUT_OK && present_cost(g, &cost) && cost <= before + 1) break;
+            status = WCUT_NOT_CONVERGED;
         }
         if (status == WCUT_NOT_CONVERGED) { /* no way down from here: this is it */
             memcpy(g->f->x, from, sizeof from);
