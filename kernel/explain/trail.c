@@ -12,6 +12,9 @@
 
 /* against 1e-10 a tension moves by 1e-5 N in the mean, a thousandth of a sensor noise */
 #define TOLERANCE 1e-6
+/* a step is cut into 2^this at most, and so many steps in a row that fail end the run: a wire drawn taut, by a length that
+   is tried, would cost thousands of solves a sample */
+enum { HALVINGS = 5, GIVE_UP = 12 };
 /* stations that a step must advance: below, the mounts stand and the wire keeps its shape */
 #define STANDING 1e-4
 
@@ -209,8 +212,11 @@ static void begin(driver *d) {
 
 static void drive(driver *d, wcut_driven *out) {
     begin(d);
-    for (int i = 0; i < d->trail->count; i++)
-        if (d->trail->station[i] - d->station < STANDING ? i > 0 : advance(d, i)) keep(d, i, out);
+    for (int i = 0, failed = 0; i < d->trail->count && failed < GIVE_UP; i++) {
+        const bool there = d->trail->station[i] - d->station < STANDING ? i > 0 : advance(d, i);
+        if (there) keep(d, i, out);
+        failed = there ? 0 : failed + 1;
+    }
 }
 
 wcut_status wcut_trail_drive(const wcut_job *job, int nodes, const wcut_trail *trail, bool positions, wcut_driven *out,
@@ -219,6 +225,7 @@ wcut_status wcut_trail_drive(const wcut_job *job, int nodes, const wcut_trail *t
     coarse.nodes = nodes;
     wcut_cut_options options = wcut_cut_options_default();
     options.tolerance = TOLERANCE;
+    options.max_halvings = HALVINGS;
     wcut_setup *setup = NULL;
     driver d = {.job = job, .trail = trail};
     wcut_driven driven = {0};
