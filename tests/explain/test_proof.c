@@ -141,8 +141,12 @@ START_TEST(figures_are_a_scores_and_their_interval_holds_them) {
     ck_assert_double_eq_tol(beta->high / beta->rmse_over_range, 1.18, 0.09);
     ck_assert_int_eq(wcut_forecast_score(&e, &measured, &predicted, 7, again), WCUT_OK);
     ck_assert_double_eq(again[WCUT_EVIDENCE_BETA].low, beta->low);
-    ck_assert_int_eq(wcut_forecast_score(&e, &measured, &predicted, 8, again), WCUT_OK);
-    ck_assert_double_ne(again[WCUT_EVIDENCE_BETA].low, beta->low);
+    bool differs = false; /* six blocks have few means: a quantile may be the same by chance */
+    for (unsigned seed = 8; seed < 14; seed++) {
+        ck_assert_int_eq(wcut_forecast_score(&e, &measured, &predicted, seed, again), WCUT_OK);
+        differs = differs || again[WCUT_EVIDENCE_BETA].low != beta->low;
+    }
+    ck_assert(differs);
 }
 END_TEST
 
