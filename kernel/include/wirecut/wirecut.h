@@ -2,8 +2,8 @@
 #ifndef WCUT_WIRECUT_H
 #define WCUT_WIRECUT_H
 
-#include <wirecut/brep.h>
 #include <wirecut/bounds.h>
+#include <wirecut/brep.h>
 #include <wirecut/calibration.h>
 #include <wirecut/case.h>
 #include <wirecut/cloud.h>
@@ -35,8 +35,8 @@
 #include <wirecut/mould.h>
 #include <wirecut/offset.h>
 #include <wirecut/projection.h>
-#include <wirecut/reconstruction.h>
 #include <wirecut/read.h>
+#include <wirecut/reconstruction.h>
 #include <wirecut/recording.h>
 #include <wirecut/registration.h>
 #include <wirecut/replay.h>

@@ -197,7 +197,7 @@ int main(int count, char **word) {
         project(small, 10, "closest_small");
         project(large, 5, "closest_large");
         tessellate(large, 0.1, "tessellate_coarse");
-        if (all) { // minutes
+        if (all) {  // minutes
             tessellate(large, 0.01, "tessellate_fine");
             thru_sections(2000, 200, "skin_large");
             fit(500, 100, "fit_small");
