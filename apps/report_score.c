@@ -362,7 +362,7 @@ wcut_status app_report_score(const app_scored *scored, const char *path, wcut_er
     if (shown < compared)
         snprintf(note, sizeof note, "Below are the %d cuts that fit worst; residuals.csv holds them all.", shown);
     if (section) fill_overview(&p, note, section);
-    for (int i = 0; !p.memory.failed && i < scored->cuts; i++)
+    for (int i = 0; !p.memory.failed && chosen && section && i < scored->cuts; i++)
         if (chosen[i]) fill_section(&p, &scored->cut[i], &section[sections++]);
     const wcut_status status =
         p.memory.failed ? WCUT_NO_MEMORY : write_page(&p, compared, shown, sections, section, path, error);
