@@ -23,7 +23,7 @@ typedef struct page {
     int figures;
     wcut_report_column figure_column[4];
     /* worst areas */
-    char worst_label[WCUT_WORST_MOST][8];
+    char worst_label[WCUT_WORST_MOST][16];
     const char *worst_name[WCUT_WORST_MOST];
     double worst[8][WCUT_WORST_MOST];
     wcut_report_column worst_column[9];

@@ -91,7 +91,7 @@ check_tidy() {
 # objectIndex: a wcut_vec3 is read as three doubles by design
 check_cppcheck() {
     mkdir -p build/cppcheck
-    cppcheck --quiet -j "$jobs" --std=c11 --language=c --enable=warning,portability --inline-suppr --error-exitcode=1 \
+    cppcheck --quiet -j "$jobs" --std=c11 --language=c --file-filter='*.c' --enable=warning,portability --inline-suppr --error-exitcode=1 \
         --suppress=missingIncludeSystem --suppress=objectIndex --cppcheck-build-dir=build/cppcheck \
         -I kernel/include -I kernel kernel io apps
 }

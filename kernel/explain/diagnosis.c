@@ -191,7 +191,7 @@ static int by_score(const void *a, const void *b) {
 static wcut_status rank(diagnosing *g) {
     wcut_diagnosis *d = g->out;
     const wcut_search *s = &g->search;
-    d->hypothesis = wcut_alloc((size_t)(s->count + 1 + WCUT_EFFECT_COUNT), sizeof *d->hypothesis);
+    d->hypothesis = wcut_alloc((size_t)s->count + 1 + WCUT_EFFECT_COUNT, sizeof *d->hypothesis);
     if (!d->hypothesis) return WCUT_NO_MEMORY;
     double most = 0, sum = 0;
     for (int k = -1; k < s->count; k++) most = fmax(most, wcut_candidate_score(s, k));
@@ -255,7 +255,7 @@ static bool trace_of(diagnosing *g, int cut, int signal, wcut_residual_trace *t)
 
 static wcut_status trace(diagnosing *g) {
     wcut_diagnosis *d = g->out;
-    d->trace = wcut_alloc((size_t)(g->cuts * WCUT_TRAIL_SIGNALS), sizeof *d->trace);
+    d->trace = wcut_alloc((size_t)g->cuts * WCUT_TRAIL_SIGNALS, sizeof *d->trace);
     if (!d->trace) return WCUT_NO_MEMORY;
     for (int cut = 0; cut < g->cuts; cut++)
         for (int s = 0; s < WCUT_TRAIL_SIGNALS && g->evidence->cut[cut].bins > 0; s++)

@@ -168,7 +168,7 @@ wcut_status wcut_evidence_rows(const wcut_evidence *e, int cut, const wcut_model
     if (c->bins == 0) return WCUT_OK;
     const wcut_status status = wcut_evidence_bin_exogenous(c, model, d, out + c->row);
     if (status != WCUT_OK || c->patch.count == 0) return status;
-    return patch_rows(c, model, d, out + c->row + WCUT_TRAIL_SIGNALS * c->bins);
+    return patch_rows(c, model, d, out + c->row + (ptrdiff_t)WCUT_TRAIL_SIGNALS * c->bins);
 }
 
 void wcut_evidence_residual(const wcut_evidence *e, double *out) {

@@ -208,5 +208,6 @@ void wcut_feature_eval(const wcut_evidence_cut *c, const wcut_driven *d, const w
         for (int i = 0; i < c->bins; i++)
             out[i] = f->what == ENTRY ? exp(-(c->middle[i] - c->contact) / f->constant) : of_bin(c, f->what, i);
     }
-    for (int k = 1; k < WCUT_WEIGHTS; k++) memcpy(out + k * c->bins, out, (size_t)c->bins * sizeof *out);
+    for (int k = 1; k < WCUT_WEIGHTS; k++)
+        memcpy(out + (size_t)k * (size_t)c->bins, out, (size_t)c->bins * sizeof *out);
 }

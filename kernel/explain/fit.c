@@ -221,7 +221,7 @@ static wcut_status fitting_create(const wcut_evidence *e, const wcut_model *star
     for (int k = 0; k < WCUT_BASE; k++) g->precision[k] = 1 / (wcut_base_spread[k] * wcut_base_spread[k]);
     for (int k = 0; k < f->count; k++)
         g->precision[WCUT_BASE + k] = 1 / (f->coordinate[k].spread * f->coordinate[k].spread);
-    double spread[WCUT_FIT_MAX];
+    double spread[WCUT_FIT_MAX] = {0};
     double *own = g->column + (size_t)g->shared * rows;
     wcut_nuisance_columns(e, own, spread);
     wcut_evidence_residual(e, g->measured);
@@ -500,7 +500,7 @@ static wcut_status finish(fitting *g, double *covariance) {
 wcut_status wcut_fit_solve(const wcut_evidence *e, const wcut_model *start, wcut_fitted *out, wcut_error *error) {
     fitting g = {0};
     wcut_fitted f = {.kerf = 0};
-    double *covariance = wcut_alloc(WCUT_FIT_MAX * WCUT_FIT_MAX, sizeof *covariance);
+    double *covariance = wcut_alloc((size_t)WCUT_FIT_MAX * WCUT_FIT_MAX, sizeof *covariance);
     wcut_status status = covariance ? fitting_create(e, start, &f, &g) : WCUT_NO_MEMORY;
     if (status != WCUT_OK) wcut_fail(error, status, "a fit of %d effects", start->effects);
     if (status == WCUT_OK) status = wcut_models_rows(e, 1, &e->at, g.at_rows, error);

@@ -45,9 +45,10 @@ typedef struct wcut_fitted {
     int count;                   /* coordinates of effects, after the base ones */
     int effect_of[WCUT_FIT_MAX]; /* count: of the model */
     wcut_coordinate coordinate[WCUT_FIT_MAX];
-    double x[WCUT_FIT_MAX], error[WCUT_FIT_MAX]; /* WCUT_BASE + count, fitted scale, and standard errors before any
+    double x[WCUT_BASE + WCUT_FIT_MAX],
+        error[WCUT_BASE + WCUT_FIT_MAX]; /* WCUT_BASE + count, fitted scale, and standard errors before any
                                                      allowance for dispersion */
-    double kerf;                                 /* [mm] constant kerf the scans show; NaN without scans */
+    double kerf;                         /* [mm] constant kerf the scans show; NaN without scans */
     double kerf_error;
     double cost;       /* whitened misfit, priors included */
     double *cut_cost;  /* cuts: of the misfit, fitted on all */

@@ -149,9 +149,10 @@ static wcut_status list_places(const wcut_evidence *e, const blobs *b, wcut_incl
         width = fmin(width, e->cut[k].job->block_size.x), length = fmax(length, e->cut[k].job->block_size.y);
     }
     const int along = (int)fmin(length / PITCH, 200);
-    out->effect = wcut_alloc((size_t)(PLACES_X * along), sizeof *out->effect);
-    out->column = wcut_alloc((size_t)(PLACES_X * along) * (size_t)e->rows, sizeof(double));
+    out->effect = wcut_alloc((size_t)PLACES_X * (size_t)along, sizeof *out->effect);
+    out->column = wcut_alloc((size_t)PLACES_X * (size_t)along * (size_t)e->rows, sizeof(double));
     if (!out->effect || !out->column) return WCUT_NO_MEMORY;
+    if (!first) return WCUT_OK; /* no cut with bins: no places */
     for (int i = 0; i < PLACES_X * along; i++) {
         const double x = place_share[i / along] * width, y = PITCH * (i % along + 0.5);
         double *column = out->column + (size_t)out->count * (size_t)e->rows;

@@ -88,7 +88,7 @@ static channel channel_of(const search *s, int cut, int signal, double *room) {
     const int row = c->row + signal * c->bins;
     channel h = {.c = c, .signal = signal, .n = c->bins, .sigma = s->e->sigma[signal]};
     h.gain = room, h.scale = room + c->bins, h.z = s->residual + row;
-    find_regimes(&h, room + 2 * c->bins);
+    find_regimes(&h, room + 2 * (ptrdiff_t)c->bins);
     double variance = s->e->coloured;
     for (int i = 0; i < h.n; i++) {
         const double size = variance + 1;
@@ -175,7 +175,8 @@ static double lower_half(int n, double *square) {
     if (n < 2 * LEAST) return 1;
     qsort(square, (size_t)n, sizeof *square, compare);
     for (int i = 0; i < n / 2; i++) sum += square[i];
-    return fmax(1, sum / (n / 2) / LOWER_HALF);
+    const int half = n / 2;
+    return fmax(1, sum / half / LOWER_HALF);
 }
 
 /* dispersion of windows by length, that of the two quietest of the six channels: an effect in the others is not to pass
@@ -261,7 +262,7 @@ static void search_channel(search *s, int cut, int signal, double *room) {
         best.p = sidak(s->tests, most);
         if (!(best.p <= WCUT_LOCATE_LEVEL)) return;
         double product, response, sum = 0;
-        const double *z = s->whole + h.c->row + signal * h.n;
+        const double *z = s->whole + h.c->row + (ptrdiff_t)signal * h.n;
         for (int i = best.first; i < best.last; i++) sum += z[i] * z[i] - (h.scale[i] > 0);
         best.excess = fmax(best.t * best.t - 1, sum);
         respond(&h, best.first, best.last, -best.shift, &product, &response);
@@ -287,7 +288,7 @@ typedef struct cells {
 } cells;
 
 static double *scan_rows(const search *s, int cut) {
-    return s->residual + s->e->cut[cut].row + WCUT_TRAIL_SIGNALS * s->e->cut[cut].bins;
+    return s->residual + s->e->cut[cut].row + (ptrdiff_t)WCUT_TRAIL_SIGNALS * s->e->cut[cut].bins;
 }
 
 static cells sum_cells(const search *s, int cut) {
@@ -407,9 +408,9 @@ static double station_at(const wcut_evidence_cut *c, double time) {
 static void tell_channel(const search *s, const window *w, const wcut_driven *d, double *room, wcut_mismatch *out) {
     const wcut_evidence_cut *c = &s->e->cut[w->cut];
     channel h = channel_of(s, w->cut, w->signal, room);
-    double *value = room + 3 * c->bins, sum = 0;
+    double *value = room + 3 * (ptrdiff_t)c->bins, sum = 0;
     int n = 0;
-    colour(&h, s->whole + c->row + w->signal * c->bins, value);
+    colour(&h, s->whole + c->row + (ptrdiff_t)w->signal * c->bins, value);
     for (int i = w->first; i < w->last; i++)
         if (h.scale[i] > 0) sum += value[i], n++;
     const double unit = w->signal < 2 ? 1 : 180 / WCUT_PI;
@@ -440,7 +441,7 @@ static double entering(const wcut_patches *p) {
 static void tell_scan(const search *s, const window *w, wcut_mismatch *out) {
     const wcut_evidence_cut *c = &s->e->cut[w->cut];
     const wcut_patches *p = &c->patch;
-    const double *z = s->whole + c->row + WCUT_TRAIL_SIGNALS * c->bins, length = c->job->wire_length;
+    const double *z = s->whole + c->row + (ptrdiff_t)WCUT_TRAIL_SIGNALS * c->bins, length = c->job->wire_length;
     box where = {.any = false}, range = {.any = false};
     double sum = 0;
     int n = 0;

@@ -133,7 +133,7 @@ static void find_heat(const wcut_evidence_cut *c, wcut_patches *p) {
 wcut_status wcut_patches_create(const wcut_evidence_cut *c, const wcut_driven *recorded, wcut_patches *out,
                                 wcut_error *error) {
     const int count = c->scan->count, stride = count > POINTS ? count / POINTS + 1 : 1, n = (count - 1) / stride + 1;
-    const size_t room = ALONG * ACROSS;
+    const size_t room = (size_t)ALONG * ACROSS;
     face f = {0};
     wcut_vec3 *point = wcut_alloc((size_t)n, sizeof *point);
     wcut_foot *foot = wcut_alloc((size_t)n, sizeof *foot);

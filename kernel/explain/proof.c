@@ -83,12 +83,12 @@ static void fill_measured(const wcut_evidence *e, wcut_forecast *f) {
         const wcut_evidence_cut *c = &e->cut[k];
         if (c->bins == 0) continue;
         for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++)
-            memcpy(f->row + c->row + s * c->bins, c->measured[s], (size_t)c->bins * sizeof(double));
+            memcpy(f->row + c->row + (ptrdiff_t)s * c->bins, c->measured[s], (size_t)c->bins * sizeof(double));
         for (int i = 0; i < c->patch.count; i++)
             f->row[c->row + WCUT_TRAIL_SIGNALS * c->bins + i] = c->patch.distance[i];
         for (int side = 0; side < 2; side++) {
             const wcut_column *column = &c->recording->channel[WCUT_CHANNEL_SPEED_A + side];
-            bin_speed(c, column->value, column->present, speed_of(e, f, k) + side * c->bins);
+            bin_speed(c, column->value, column->present, speed_of(e, f, k) + (ptrdiff_t)side * c->bins);
         }
     }
 }
@@ -134,7 +134,8 @@ static wcut_status forecast_face(const wcut_evidence *e, int cut, const subject 
     const wcut_evidence_cut *c = &e->cut[cut];
     if (c->patch.count == 0) return WCUT_OK;
     wcut_driven d = {0};
-    double *rows = wcut_alloc((size_t)e->rows, sizeof *rows), *face = f->row + c->row + WCUT_TRAIL_SIGNALS * c->bins;
+    double *rows = wcut_alloc((size_t)e->rows, sizeof *rows),
+           *face = f->row + c->row + (ptrdiff_t)WCUT_TRAIL_SIGNALS * c->bins;
     wcut_status status = rows ? wcut_trail_drive(job, WCUT_NODES_COARSE, &c->exogenous, true, &d, error)
                               : wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d rows", e->rows);
     if (status == WCUT_OK) {
@@ -165,7 +166,7 @@ static wcut_status forecast_speed(const wcut_evidence *e, int cut, const wcut_jo
     status = wcut_setup_run(setup, NULL, NULL, &history, error);
     if (history) status = wcut_prediction_plan(history, c->recording, &prediction, error);
     for (int side = 0; prediction && side < 2; side++)
-        bin_speed(c, prediction->value[side], prediction->present, speed_of(e, f, cut) + side * c->bins);
+        bin_speed(c, prediction->value[side], prediction->present, speed_of(e, f, cut) + (ptrdiff_t)side * c->bins);
     wcut_prediction_destroy(prediction);
     wcut_history_destroy(history);
     wcut_setup_destroy(setup);

@@ -140,7 +140,7 @@ wcut_status wcut_screen_create(const wcut_evidence *e, const wcut_model *about, 
     for (int k = 0; k < about->effects; k++) places = places && about->effect[k].kind != WCUT_FOAM_INCLUSION;
     wcut_inclusions inclusions = {0};
     wcut_status status = places ? wcut_inclusions_create(e, about, &inclusions, error) : WCUT_OK;
-    const size_t rows = (size_t)e->rows, most = (size_t)(variants + 2 + inclusions.count);
+    const size_t rows = (size_t)e->rows, most = (size_t)variants + 2 + (size_t)inclusions.count;
     const size_t n = WCUT_BASE + (size_t)s.nuisances + most;
     s.column = wcut_alloc(most, sizeof *s.column);
     s.centre = wcut_alloc(n, sizeof(double));

@@ -45,7 +45,7 @@ wcut_leftover wcut_leftover_eval(const wcut_evidence *e, const double *residual)
         const wcut_evidence_cut *c = &e->cut[k];
         const double *z = residual + c->row;
         for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++) {
-            const tally t = slow_part(c->bins, z + s * c->bins);
+            const tally t = slow_part(c->bins, z + (ptrdiff_t)s * c->bins);
             slow.sum += t.sum, slow.blocks += t.blocks;
             if (t.blocks > 4) left.worst = fmax(left.worst, t.sum / t.blocks);
         }
@@ -56,7 +56,7 @@ wcut_leftover wcut_leftover_eval(const wcut_evidence *e, const double *residual)
         }
         for (int i = 0; i < WCUT_TRAIL_SIGNALS * c->bins; i++) sum += z[i] * z[i];
         rows += WCUT_TRAIL_SIGNALS * c->bins;
-        const double *p = z + WCUT_TRAIL_SIGNALS * c->bins;
+        const double *p = z + (ptrdiff_t)WCUT_TRAIL_SIGNALS * c->bins;
         for (int i = 0; i < c->patch.count; i++) patches += p[i] * p[i];
         patch_count += c->patch.count;
     }

@@ -105,10 +105,11 @@ wcut_status wcut_trail_exogenous(const wcut_job *job, const wcut_trail *recorded
     const int n = recorded->count;
     const double begun = recorded->time[0], length = recorded->time[n - 1] - begun;
     const int count = (int)fmin(floor(length / step), 1e7) + 1;
-    double *programme = wcut_alloc(2 * (size_t)n, sizeof *programme), *smooth = programme + n;
+    double *programme = wcut_alloc((size_t)n, sizeof *programme), *smooth = wcut_alloc((size_t)n, sizeof *smooth);
     wcut_trail trail = {0};
-    if (!programme || count < 2 || !trail_create(count, false, &trail)) {
+    if (!programme || !smooth || count < 2 || !trail_create(count, false, &trail)) {
         wcut_free(programme);
+        wcut_free(smooth);
         return count < 2 ? WCUT_BAD_ARGUMENT : WCUT_NO_MEMORY;
     }
     for (int i = 1; i < n; i++) {
@@ -124,6 +125,7 @@ wcut_status wcut_trail_exogenous(const wcut_job *job, const wcut_trail *recorded
         trail.heat[i] = wcut_between(n, recorded->time, recorded->heat, trail.time[i]);
     }
     wcut_free(programme);
+    wcut_free(smooth);
     *out = trail;
     return WCUT_OK;
 }

@@ -84,7 +84,7 @@ static int ascending(const void *a, const void *b) {
 
 /* [mm] root of the area per point: the median, over some points, of the disc that reaches to the eighth neighbour */
 static double point_spacing(const wcut_kd_tree *tree) {
-    double spacing[SAMPLE];
+    double spacing[SAMPLE] = {0};
     const int count = tree->count < SAMPLE ? tree->count : SAMPLE;
     const int neighbours = tree->count - 1 < NEAR ? tree->count - 1 : NEAR;
     for (int k = 0; k < count; k++) {

@@ -63,8 +63,9 @@ void wcut_register_matrix(const wcut_motion *motion, double *matrix) {
     const double shift[3] = {zero.x, zero.y, zero.z};
     double m[16] = {0};
     for (int k = 0; k < 3; k++) {
-        m[4 * k] = row[k].x, m[4 * k + 1] = row[k].y, m[4 * k + 2] = row[k].z;
-        m[4 * k + 3] = shift[k];
+        double *to = m + (size_t)4 * (size_t)k;
+        to[0] = row[k].x, to[1] = row[k].y, to[2] = row[k].z;
+        to[3] = shift[k];
     }
     m[15] = 1;
     memcpy(matrix, m, sizeof m);

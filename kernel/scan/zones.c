@@ -38,7 +38,7 @@ static void fill(const wcut_survey_options *o, const wcut_zone_sums *sums, wcut_
 void wcut_zones_fill(const wcut_survey *survey, wcut_zone *zone) {
     static const char *const part[WCUT_PARTS] = {"entry", "steady", "exit"};
     const wcut_survey_options *o = &survey->options;
-    for (int k = 0; k < survey->parts; k++) {
+    for (int k = 0; k < survey->parts && k < WCUT_PARTS; k++) {
         zone[k] = (wcut_zone){.is_patch = 0};
         snprintf(zone[k].name, sizeof zone[k].name, "%s", part[k]);
         fill(o, &survey->zone[k], &zone[k]);

@@ -51,7 +51,7 @@ static void fill_right(const wcut_band_rows *a, int count, int columns, const do
 
 wcut_status wcut_band_fit(const wcut_band_rows *a, int count, int columns, const double *b, double *x) {
     wcut_collocation s = {.count = count, .below = a->width - 1, .above = a->width - 1};
-    const size_t band = (size_t)(s.below + s.above + 1);
+    const size_t band = (size_t)s.below + (size_t)s.above + 1;
     s.entry = wcut_alloc((size_t)count, band * sizeof *s.entry);
     double *diagonal = wcut_alloc((size_t)count, sizeof *diagonal);
     double *sum = wcut_alloc((size_t)count, (size_t)columns * sizeof *sum);

@@ -61,7 +61,7 @@ wcut_status wcut_net_rewrite(const wcut_net *net, int degree, int count, const d
     if (status != WCUT_OK) return status;
     for (int k = 0; k < count + degree + 1; k++) n.knots[k] = knots[k];
     for (int i = 0; i < count; i++) {
-        double share[WCUT_BASIS_SIZE];
+        double share[WCUT_BASIS_SIZE] = {0};
         int first;
         if (degree > net->degree) {
             elevated_row(net, knots, i, &first, share);

@@ -56,7 +56,7 @@ static wcut_status add_point(wcut_contour *c, double u, double v) {
     double *uv = grown(c->uv, c->point_count, &c->point_room, 2 * sizeof *uv);
     if (!uv) return WCUT_NO_MEMORY;
     c->uv = uv;
-    uv[2 * c->point_count] = u, uv[2 * c->point_count + 1] = v;
+    uv[2 * (size_t)c->point_count] = u, uv[2 * (size_t)c->point_count + 1] = v;
     c->point_count++;
     return WCUT_OK;
 }
@@ -135,7 +135,7 @@ typedef struct graph {
 
 /* the polynomial along s at t, a share of the cell */
 static void across_at(const graph *g, double share, double *b) {
-    double column[WCUT_BASIS_SIZE];
+    double column[WCUT_BASIS_SIZE] = {0};
     for (int i = 0; i <= g->n; i++) {
         for (int j = 0; j <= g->m; j++) column[j] = g->turned ? g->k->f[i][j] : g->k->f[j][i];
         b[i] = value_at(g->m, column, share);
@@ -144,7 +144,7 @@ static void across_at(const graph *g, double share, double *b) {
 
 /* s of the zero at t, which is there */
 static double graph_at(const graph *g, double t) {
-    double b[WCUT_BASIS_SIZE];
+    double b[WCUT_BASIS_SIZE] = {0};
     across_at(g, (t - g->t0) / (g->t1 - g->t0), b);
     if (is_above(b[0]) == is_above(b[g->n])) /* on an edge, to rounding: the nearer one */
         return fabs(b[0]) < fabs(b[g->n]) ? g->s0 : g->s1;

@@ -161,9 +161,9 @@ static wcut_status mesh_crossings_by_parameter(const wcut_mesh *mesh, int *count
     if (status != WCUT_OK) return status;
     *count = found;
     for (int k = 0; k < 2 && found > 0; k++) {
-        const int *t = &mesh->triangle[3 * (k ? first.second : first.first)];
-        u[k] = (mesh->uv[2 * t[0]] + mesh->uv[2 * t[1]] + mesh->uv[2 * t[2]]) / 3;
-        v[k] = (mesh->uv[2 * t[0] + 1] + mesh->uv[2 * t[1] + 1] + mesh->uv[2 * t[2] + 1]) / 3;
+        const int *t = &mesh->triangle[3 * (size_t)(k ? first.second : first.first)];
+        u[k] = (mesh->uv[2 * (size_t)t[0]] + mesh->uv[2 * (size_t)t[1]] + mesh->uv[2 * (size_t)t[2]]) / 3;
+        v[k] = (mesh->uv[2 * (size_t)t[0] + 1] + mesh->uv[2 * (size_t)t[1] + 1] + mesh->uv[2 * (size_t)t[2] + 1]) / 3;
     }
     return WCUT_OK;
 }
@@ -200,10 +200,10 @@ static void find_folds(const wcut_surface *s, const wcut_mesh *m, int columns, i
             bool fold = false;
             for (int k = 0; k < 4 && !fold; k++) { /* its two diagonals, and the edges it begins with */
                 const int a = at[k < 2 ? k : 0], b = at[k < 2 ? k + 2 : k == 2 ? 1 : 3];
-                fold = jumps(s, &m->uv[2 * a], m->normal[a], &m->uv[2 * b], m->normal[b], 0);
+                fold = jumps(s, &m->uv[2 * (size_t)a], m->normal[a], &m->uv[2 * (size_t)b], m->normal[b], 0);
             }
             if (!fold) continue;
-            if (r->folds++ == 0) r->fold_u = m->uv[2 * at[0]], r->fold_v = m->uv[2 * at[0] + 1];
+            if (r->folds++ == 0) r->fold_u = m->uv[2 * (size_t)at[0]], r->fold_v = m->uv[2 * (size_t)at[0] + 1];
         }
 }
 

@@ -171,7 +171,7 @@ static void search_piece(search *s, const piece *q, double bound, int depth) {
         return;
     }
     if (++s->halvings % PATIENCE == 0) s->same *= 10; /* proof is long in coming: a tie */
-    piece half[2];
+    piece half[2] = {0};
     halve(q, degree, half);
     offer(s, half[0].u1, space(&half[1].at[0]));
     if (depth < 3) descend(s, q->u0, q->u1, (q->u0 + q->u1) / 2);

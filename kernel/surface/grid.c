@@ -70,7 +70,7 @@ static void fold_plain(const wcut_surface *surface, const wcut_axis *v, int j, d
     const int size = 3 * surface->count_u;
     for (int r = 0; r <= v->degree; r++) {
         const double b = basis[r], *restrict p = &surface->control[(ptrdiff_t)(v->first[j] + r) * surface->count_u].x;
-        if (r == 0) {
+        if (r == 0) { /* NOLINT(bugprone-branch-clone): = and += are not alike */
 #pragma omp simd
             for (int i = 0; i < size; i++) row[i] = b * p[i];
         } else {
@@ -86,7 +86,8 @@ static inline void points_plain(const wcut_axis *u, int degree, const double *ro
                      *p = row + 3 * (ptrdiff_t)u->first[i];
         double x = 0, y = 0, z = 0;
         for (int r = 0; r <= degree; r++)
-            x += basis[r] * p[3 * r], y += basis[r] * p[3 * r + 1], z += basis[r] * p[3 * r + 2];
+            x += basis[r] * p[3 * (size_t)r], y += basis[r] * p[3 * (size_t)r + 1],
+                z += basis[r] * p[3 * (size_t)r + 2];
         point[i] = vec3(x, y, z);
     }
 }

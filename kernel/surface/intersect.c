@@ -161,7 +161,8 @@ static wcut_status take_trace(const wcut_surface *s, const wcut_contour *c, cons
     }
     t.count = follow(c, tips, start, used, &t, &closed);
     t.closed = closed;
-    for (int k = 0; k < t.count; k++) wcut_surface_eval(s, t.uv[2 * k], t.uv[2 * k + 1], 0, &t.point[k]);
+    for (int k = 0; k < t.count; k++)
+        wcut_surface_eval(s, t.uv[2 * (size_t)k], t.uv[2 * (size_t)k + 1], 0, &t.point[k]);
     all->trace[all->count++] = t;
     return WCUT_OK;
 }
@@ -276,7 +277,7 @@ typedef struct clip {
 } clip;
 
 static void clip_add(clip *c, const double *uv, wcut_vec3 point) {
-    c->now.uv[2 * c->now.count] = uv[0], c->now.uv[2 * c->now.count + 1] = uv[1];
+    c->now.uv[2 * (size_t)c->now.count] = uv[0], c->now.uv[2 * (size_t)c->now.count + 1] = uv[1];
     c->now.point[c->now.count++] = point;
 }
 
@@ -338,13 +339,13 @@ static wcut_status clip_trace(clip *c, const wcut_trace *t) {
         if (is_inside && !was_inside) {
             status = clip_begin(c, room);
             if (status == WCUT_OK && n > 0) {
-                find_crossing(&c->f, &t->uv[2 * k], &t->uv[2 * before], uv, &point);
+                find_crossing(&c->f, &t->uv[2 * (size_t)k], &t->uv[2 * (size_t)before], uv, &point);
                 clip_add(c, uv, point);
             }
         }
-        if (status == WCUT_OK && is_inside) clip_add(c, &t->uv[2 * k], t->point[k]);
+        if (status == WCUT_OK && is_inside) clip_add(c, &t->uv[2 * (size_t)k], t->point[k]);
         if (!is_inside && was_inside) {
-            find_crossing(&c->f, &t->uv[2 * before], &t->uv[2 * k], uv, &point);
+            find_crossing(&c->f, &t->uv[2 * (size_t)before], &t->uv[2 * (size_t)k], uv, &point);
             clip_add(c, uv, point);
             status = clip_end(c);
         }

@@ -309,7 +309,8 @@ static wcut_status fill_spans(const wcut_surface *s, wcut_quick *q, bounds *b) {
         for (int column = 0; column < q->columns; column++) {
             wcut_vec3 net[ORDER][ORDER];
             for (int j = 0; j < ORDER; j++)
-                memcpy(net[j], &point[(size_t)(CUBIC * row + j) * across + CUBIC * column], sizeof net[j]);
+                memcpy(net[j], &point[(size_t)(CUBIC * row + j) * across + (size_t)CUBIC * (size_t)column],
+                       sizeof net[j]);
             convert(to_bezier, net);
             b[row * q->columns + column] =
                 bound_span(net, speed_u * (q->u[column + 1] - q->u[column]), speed_v * (q->v[row + 1] - q->v[row]));

@@ -1,11 +1,11 @@
 /* Diagnoses of small and of bad cases: any number of threads, stopped half way, with parts missing, refused.
    labels: unit slow */
-#include <stdint.h>
-
 #include "cut/cuts.h"
 #include "explain/machine.h"
 
-#define UNTOUCHED ((wcut_diagnosis *)(uintptr_t)999)
+/* what an output holds before a call */
+static char untouched;
+#define UNTOUCHED ((wcut_diagnosis *)(void *)&untouched)
 
 static machine_secret lag(void) {
     return (machine_secret){.effects = 1, .effect = {machine_effect(WCUT_WIRE_THERMAL_LAG, 0, 0.8, 0)}, .seed = 5};

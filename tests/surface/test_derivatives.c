@@ -42,7 +42,7 @@ static number evaluate(const wcut_surface *s, double u, double v, number at_u, n
 
 static wcut_surface *random_surface(wcut_random *random, int p, int q, bool rational) {
     enum { MOST = 12 };
-    double ku[MOST + 8], kv[MOST + 8], w[MOST * MOST];
+    double ku[MOST + 8] = {0}, kv[MOST + 8] = {0}, w[MOST * MOST];
     wcut_vec3 c[MOST * MOST];
     const int m = p + 1 + wcut_random_below(random, MOST - p), n = q + 1 + wcut_random_below(random, MOST - q);
     for (int k = 0; k < m + p + 1; k++)
