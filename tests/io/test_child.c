@@ -76,9 +76,11 @@ START_TEST(it_has_no_files_and_only_so_much_memory) {
     wcut_child_end end = run(open_files, 20, (size_t)1 << 30, 1000);
     ck_assert(end.how == WCUT_CHILD_DONE && end.code == 0);
     free(data);
+#ifndef __SANITIZE_ADDRESS__ /* whose allocator has its terabytes of addresses before the limit comes */
     end = run(take_memory, 20, (size_t)1 << 28, 1000);
     ck_assert_msg(end.how != WCUT_CHILD_DONE || end.code == 2, "%d %d", end.how, end.code);
     free(data);
+#endif
     end = run(take_memory, 20, (size_t)4 << 30, 1000);
     ck_assert_msg(end.how == WCUT_CHILD_DONE && end.code == 1, "%d %d", end.how, end.code);
     free(data);
