@@ -245,9 +245,10 @@ static void fitting_destroy(fitting *g) {
 }
 
 static double step_of(const wcut_fitted *f, int k) {
-    if (k < WCUT_BASE) return wcut_base_step[k];
-    const wcut_coordinate *c = &f->coordinate[k - WCUT_BASE];
-    return f->x[k] + c->step > c->high ? -c->step : c->step;
+    const int own = k - WCUT_BASE;
+    if (own < 0) return wcut_base_step[k];
+    const wcut_coordinate *c = &f->coordinate[own];
+    return f->x[WCUT_BASE + own] + c->step > c->high ? -c->step : c->step;
 }
 
 /* columns of base and effects about the present x, and the rows there */
