@@ -149,13 +149,19 @@ const char *wcut_p21_find(const wcut_p21_file *f, long id) {
 
 /* ---- records and items; parentheses are balanced ---- */
 
+/* from a string's first quote to its last, or to the end: a record that is cut short may begin inside one */
+static const char *skip_string(const char *p) {
+    for (p++; *p && *p != '\''; p++) {
+    }
+    return p;
+}
+
 /* from an item (or a keyword) to the "," or ")" behind it, or to the end */
 static const char *skip_item(const char *p) {
     int depth = 0;
     for (; *p && !(depth == 0 && (*p == ',' || *p == ')')); p++) {
-        if (*p == '\'')
-            for (p++; *p != '\''; p++) {
-            }
+        if (*p == '\'') p = skip_string(p);
+        if (*p == '\0') break;
         depth += (*p == '(') - (*p == ')');
     }
     return p;
@@ -170,12 +176,11 @@ const char *wcut_p21_record(const char *body, const char *name) {
     if (body[0] != '(') return has_name(body, name) ? body + strlen(name) : NULL;
     for (const char *p = body + 1; *p && *p != ')';) {
         if (has_name(p, name)) return p + strlen(name);
-        while (*p && *p != '(' && *p != ')') p++;
+        for (; *p && *p != '(' && *p != ')'; p++)
+            if (*p == '\'' && *(p = skip_string(p)) == '\0') break;
         int depth = 0;
         do {
-            if (*p == '\'')
-                for (p++; *p != '\''; p++) {
-                }
+            if (*p == '\'') p = skip_string(p);
             depth += (*p == '(') - (*p == ')');
             if (*p) p++;
         } while (*p && depth > 0);
