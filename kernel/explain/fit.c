@@ -18,12 +18,6 @@ const double wcut_base_step[WCUT_BASE] = {0.02, 0.02, 0.5};
 /* [standard errors] a step beyond which the columns are taken anew */
 #define FAR 4
 
-/* a scan comes with its own small registration error [mm], [rad]; a hot wire's kerf in foam is about a millimetre */
-#define SCAN_SHIFT 0.25
-#define SCAN_TURN 2.5e-4
-#define KERF 1.0
-#define KERF_SPREAD 0.4
-
 /* ---- rows of models ---- */
 
 static bool same_effect(const wcut_effect *a, const wcut_effect *b) {
@@ -145,10 +139,10 @@ void wcut_nuisance_columns(const wcut_evidence *e, double *column, double *sprea
             for (int j = 0; j < WCUT_SCAN_NUISANCES; j++) column[(size_t)(at + j) * rows + (size_t)row] = value[j];
             kerf[row] = -0.5;
         }
-        for (int j = 0; j < WCUT_SCAN_NUISANCES; j++) spread[at + j] = j < 3 ? SCAN_SHIFT : SCAN_TURN;
+        for (int j = 0; j < WCUT_SCAN_NUISANCES; j++) spread[at + j] = j < 3 ? WCUT_SCAN_SHIFT : WCUT_SCAN_TURN;
         at += WCUT_SCAN_NUISANCES;
     }
-    spread[at] = KERF_SPREAD;
+    spread[at] = WCUT_KERF_SPREAD;
 }
 
 /* ---- the fit ---- */
@@ -228,7 +222,7 @@ static wcut_status fitting_create(const wcut_evidence *e, const wcut_model *star
     memcpy(g->anchor, g->measured, rows * sizeof(double));
     for (int k = 0; k < g->nuisances; k++) {
         g->precision[g->shared + k] = 1 / (spread[k] * spread[k]);
-        g->centre[g->shared + k] = k == g->nuisances - 1 ? KERF : 0;
+        g->centre[g->shared + k] = k == g->nuisances - 1 ? WCUT_KERF : 0;
         wcut_evidence_whiten(e, g->measured, own + (size_t)k * rows, own + (size_t)k * rows);
     }
     return wcut_normal_create(g->n, e->cuts, &g->normal);

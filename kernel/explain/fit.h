@@ -7,6 +7,12 @@
 /* base coordinates: ln a, ln b, wire length; then of each scan a shift and a turn, and one constant kerf for all */
 enum { WCUT_BASE = 3, WCUT_SCAN_NUISANCES = 6, WCUT_FIT_MAX = 64 };
 
+/* a scan comes with its own small registration error [mm], [rad]; a hot wire's kerf in foam is about a millimetre */
+#define WCUT_SCAN_SHIFT 0.25
+#define WCUT_SCAN_TURN 2.5e-4
+#define WCUT_KERF 1.0
+#define WCUT_KERF_SPREAD 0.4
+
 /* prior standard deviations and finite steps of the base coordinates: ln a, ln b, length [mm] */
 extern const double wcut_base_spread[WCUT_BASE], wcut_base_step[WCUT_BASE];
 

@@ -13,11 +13,6 @@
 
 enum { MODELS = WCUT_FIT_BLACK_BOX };
 
-/* prior of a constant kerf [mm] and of a scan's shift, as those of the fit: where no other scan tells */
-#define KERF 1.0
-#define KERF_SPREAD 0.4
-#define SHIFT_SPREAD 0.25
-
 /* the solver's tolerance: tensions move by a thousandth of a sensor's noise against 1e-10 */
 #define TOLERANCE 1e-6
 
@@ -187,8 +182,8 @@ static wcut_status forecast_cut(const wcut_evidence *e, int cut, const subject *
 
 /* mean of what scans but those of cut `but` lie below a forecast without kerf, with the prior of the fit */
 static double other_kerf(const wcut_evidence *e, int but, const double *distance, const double *face) {
-    const double own = 1 / (KERF_SPREAD * KERF_SPREAD), other = 1 / (4 * SHIFT_SPREAD * SHIFT_SPREAD);
-    double sum = own * KERF, weight = own;
+    const double own = 1 / (WCUT_KERF_SPREAD * WCUT_KERF_SPREAD), other = 1 / (4 * WCUT_SCAN_SHIFT * WCUT_SCAN_SHIFT);
+    double sum = own * WCUT_KERF, weight = own;
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
         if (k == but || c->patch.count == 0) continue;

@@ -113,7 +113,7 @@ static void set_priors(making *m) {
         double *column = own + (size_t)k * (size_t)m->e->rows;
         wcut_evidence_whiten(m->e, m->measured, column, column);
         s->precision[WCUT_BASE + k] = 1 / (spread[k] * spread[k]);
-        s->centre[WCUT_BASE + k] = k == s->nuisances - 1 ? 1.0 : 0; /* the kerf, [mm] */
+        s->centre[WCUT_BASE + k] = k == s->nuisances - 1 ? WCUT_KERF : 0;
     }
     for (int k = 0; k < s->columns; k++) {
         const double wide = first_coordinate(&s->column[k].effect, s->column[k].part).spread;

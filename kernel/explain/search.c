@@ -126,7 +126,6 @@ static wcut_status try_model(searching *g, const wcut_model *start, wcut_error *
         c.second_size = fmin(c.second_size, wcut_effect_size(&c.fit.model.effect[k]));
     compare_held_out(g->e, &s->none, &c);
     c.left = wcut_leftover_eval(g->e, c.fit.residual);
-    c.refined = true;
     s->candidate[s->count++] = c;
     return WCUT_OK;
 }

@@ -23,8 +23,6 @@ typedef struct wcut_candidate {
     int better, judged; /* cuts on which the held-out misfit falls, of those compared */
     double second_size; /* of a pair: least size in gates; of a single: its size */
     wcut_leftover left;
-    bool refined; /* false: screened alone */
-    wcut_screened screened;
 } wcut_candidate;
 
 typedef struct wcut_search {
