@@ -10,6 +10,7 @@
 #include "base/fail.h"
 #include "base/numbers.h"
 #include "cut/setup.h"
+#include "explain/adequacy.h"
 #include "explain/black_box.h"
 #include "explain/decide.h"
 #include "explain/dependence.h"
@@ -63,6 +64,9 @@ typedef struct diagnosing {
     wcut_proof proof;
     wcut_diagnosis *out;
 } diagnosing;
+
+/* recordings of noise that adequacy is held against */
+enum { NULLS = 500 };
 
 enum { STEPS = 20, SEARCH_FROM = 3, SEARCH_STEPS = 12 };
 
@@ -370,8 +374,9 @@ static void decide(diagnosing *g) {
 }
 
 static wcut_status conclude(diagnosing *g, wcut_error *error) {
-    wcut_status status = WCUT_OK;
     decide(g);
+    wcut_status status =
+        wcut_adequacy_p_value(g->evidence, g->out->adequacy, NULLS, g->options->seed, &g->out->adequacy_p);
     if (status == WCUT_OK) status = rank(g);
     if (status == WCUT_OK) status = trace(g);
     if (status == WCUT_OK) status = improve(g);

@@ -1,0 +1,44 @@
+/* Adequacy: whether noise alone could leave what a model leaves, by recordings of noise drawn at random. */
+#include "explain/adequacy.h"
+
+#include <math.h>
+
+#include "base/alloc.h"
+#include "base/random.h"
+#include "explain/search.h"
+
+/* one null: the noise of every channel, in units as measured */
+static void draw_noise(const wcut_evidence *e, wcut_random *random, double *out) {
+    const double share = WCUT_SLOWEST_NOISE * wcut_random_uniform(random);
+    const double keeps = exp(-WCUT_BIN_WIDTH / WCUT_NOISE_MEMORY), adds = sqrt(1 - keeps * keeps);
+    for (int k = 0; k < e->cuts; k++) {
+        const wcut_evidence_cut *c = &e->cut[k];
+        for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++) {
+            double *row = out + c->row + (ptrdiff_t)s * c->bins, slow = wcut_random_normal(random);
+            for (int i = 0; i < c->bins; i++) {
+                row[i] = e->sigma[s] * (sqrt(share) * slow + wcut_random_normal(random));
+                slow = keeps * slow + adds * wcut_random_normal(random);
+            }
+        }
+    }
+}
+
+wcut_status wcut_adequacy_p_value(const wcut_evidence *e, double slow, int draws, unsigned long long seed, double *p) {
+    double *measured = wcut_alloc((size_t)e->rows, sizeof *measured);
+    double *noise = wcut_alloc((size_t)e->rows, sizeof *noise);
+    const bool whole = measured && noise;
+    if (whole) {
+        wcut_random random = wcut_random_seed(seed);
+        int as_much = 0;
+        wcut_evidence_residual(e, measured); /* for its gaps */
+        for (int d = 0; d < draws; d++) {
+            draw_noise(e, &random, noise);
+            wcut_evidence_whiten(e, measured, noise, noise);
+            as_much += wcut_leftover_eval(e, noise).slow >= slow;
+        }
+        *p = (as_much + 1.0) / (draws + 1);
+    }
+    wcut_free(measured);
+    wcut_free(noise);
+    return whole ? WCUT_OK : WCUT_NO_MEMORY;
+}
