@@ -88,15 +88,27 @@ static int by_size(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/* what 98 of 100 cells of the map before stay below, five standard deviations at least */
-static double common_limit(app_memory *memory, const grid *g, const double *before) {
+/* what 98 of 100 cells of the recalibrated map stay below, five standard deviations at least: the map before, whose force
+   law is another's, would leave the others without colour */
+static double common_limit(app_memory *memory, const grid *g, const double *recalibrated) {
     double *size = app_take(memory, (size_t)g->rows * (size_t)g->columns, sizeof *size);
     size_t count = 0;
     for (size_t i = 0; size && i < (size_t)g->rows * (size_t)g->columns; i++)
-        if (isfinite(before[i])) size[count++] = fabs(before[i]);
+        if (isfinite(recalibrated[i])) size[count++] = fabs(recalibrated[i]);
     if (count == 0) return 5;
     qsort(size, count, sizeof *size, by_size);
     return larger(5, size[(size_t)(0.98 * (double)(count - 1))]);
+}
+
+/* the channels beside the rows of a map */
+static void name_bands(app_memory *memory, const grid *g, wcut_report_map *map) {
+    int *first = app_take(memory, (size_t)g->rows, sizeof *first);
+    const char **label = app_take(memory, (size_t)g->rows, sizeof *label);
+    for (int r = 0; !memory->failed && r < g->rows; r++) {
+        if (r > 0 && strcmp(g->row[r]->column, g->row[r - 1]->column) == 0) continue;
+        first[map->bands] = r, label[map->bands++] = g->row[r]->column;
+    }
+    map->band = first, map->band_label = label;
 }
 
 /* a row of the table for the rows of a channel: which, of which cuts in this order, their noise */
@@ -133,8 +145,8 @@ bool app_fill_evidence(app_memory *memory, const app_diagnosed *of, wcut_report_
     double *value[MODELS];
     for (int m = 0; m < MODELS; m++) value[m] = fill_map(memory, &g, m);
     if (memory->failed) return false;
-    const double limit = common_limit(memory, &g, value[0]);
-    for (int m = 0; m < MODELS; m++)
+    const double limit = common_limit(memory, &g, value[1]);
+    for (int m = 0; m < MODELS; m++) {
         map[m] = (wcut_report_map){.title = model_title[m],
                                    .x_label = "time",
                                    .x_unit = "s",
@@ -148,13 +160,18 @@ bool app_fill_evidence(app_memory *memory, const app_diagnosed *of, wcut_report_
                                    .y = g.y,
                                    .value = value[m],
                                    .scale = WCUT_SCALE_DIVERGING,
-                                   .limit = limit};
+                                   .limit = limit,
+                                   .blank_missing = true};
+        name_bands(memory, &g, &map[m]);
+    }
     table[0] = row_table(memory, of, &g);
     *section = (wcut_report_section){
         .title = "Evidence",
         .note =
             "Measured less replayed, in standard deviations of what noise alone leaves of a bin; one colour scale "
-            "for all three. What is left in colour is not explained.",
+            "for all three, its ends stand for more as well. A row a cut, from the top as listed below. What is left "
+            "in "
+            "colour is not explained.",
         .map_count = MODELS,
         .map = map,
         .table_count = 1,

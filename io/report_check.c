@@ -80,6 +80,12 @@ static wcut_status check_map(const wcut_report_map *map, wcut_error *error) {
             return bad(error, "map", map->title, "y does not increase");
     if (!all_shown(map->rows * map->columns, map->value) || !isfinite(map->limit) || map->limit < 0)
         return bad(error, "map", map->title, "a number beyond 1e30");
+    if (!is_list(map->bands, map->band) || !is_list(map->bands, map->band_label))
+        return bad(error, "map", map->title, "bands without rows or labels");
+    for (int i = 0; i < map->bands; i++)
+        if (!map->band_label[i] || map->band[i] >= map->rows ||
+            (i ? map->band[i] <= map->band[i - 1] : map->band[0] != 0))
+            return bad(error, "map", map->title, "bands whose rows do not increase from 0");
     return WCUT_OK;
 }
 

@@ -160,6 +160,13 @@ static void put_map(document *d, json_t *item, const wcut_report_map *map) {
     put_array(d, item, "x", wcut_report_pool_add_doubles(d->pool, map->columns, NULL, map->x));
     put_array(d, item, "y", wcut_report_pool_add_doubles(d->pool, map->rows, NULL, map->y));
     put_array(d, item, "value", wcut_report_pool_add_floats(d->pool, map->rows * map->columns, NULL, map->value));
+    put(d, item, "blank_missing", json_boolean(map->blank_missing));
+    json_t *bands = put_list(d, item, "bands");
+    for (int i = 0; i < map->bands; i++) {
+        json_t *band = append_object(d, bands);
+        put_text(d, band, "label", map->band_label[i]);
+        put(d, band, "row", json_integer(map->band[i]));
+    }
 }
 
 static void put_table(document *d, json_t *item, const wcut_report_table *table) {

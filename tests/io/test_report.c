@@ -191,8 +191,9 @@ START_TEST(more_than_25_megabytes_are_refused_and_the_target_stays) {
     for (int i = 0; i < CELLS; i++) x[i] = i;
     wcut_report_map map[5];
     for (int k = 0; k < 5; k++)
-        map[k] = (wcut_report_map){
-            "m", NULL, "x", "", "y", "", "v", "", CELLS, CELLS, x, x, value, WCUT_SCALE_SEQUENTIAL, 0};
+        map[k] =
+            (wcut_report_map){"m", NULL,  "x", "",   "y", "", "v", "", CELLS, CELLS, x, x, value, WCUT_SCALE_SEQUENTIAL,
+                              0,   false, 0,   NULL, NULL};
     wcut_report_section section = {"s", NULL, 0, 4, 0, NULL, map, NULL};
     wcut_report report = plain();
     report.section_count = 1, report.section = &section;
@@ -215,7 +216,7 @@ START_TEST(what_breaks_a_limit_is_refused_and_nothing_is_written) {
     int triangle[] = {0, 1, 2};
     const char *text[] = {"a", NULL, "b", "c"};
     wcut_vec3 vertex[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
-    for (int broken = -1; broken < 32; broken++) {
+    for (int broken = -1; broken < 36; broken++) {
         wcut_report_fact fact = {"f", NULL, 1, ""};
         wcut_report_series series = {"s", WCUT_MARK_LINE, 4, {x, NULL}, y, NULL, NULL};
         wcut_report_span span = {"p", {0, 0}, {1, 1}};
@@ -226,7 +227,10 @@ START_TEST(what_breaks_a_limit_is_refused_and_nothing_is_written) {
                                    .series = &series,
                                    .span_count = 1,
                                    .span = &span};
-        wcut_report_map map = {"m", NULL, "x", "", "y", "", "v", "", 2, 2, x, x, y, WCUT_SCALE_DIVERGING, 0};
+        int band[] = {0, 1};
+        const char *name[] = {"p", "q"};
+        wcut_report_map map = {"m", NULL,  "x", "",   "y", "", "v", "", 2, 2, x, x, y, WCUT_SCALE_DIVERGING,
+                               0,   false, 2,   band, name};
         wcut_report_column column[] = {{"n", "", x, NULL}, {"t", "", NULL, text}};
         wcut_report_table table = {"t", NULL, 4, 2, column};
         wcut_report_section section = {"s", NULL, 1, 1, 1, &chart, &map, &table};
@@ -351,6 +355,18 @@ START_TEST(what_breaks_a_limit_is_refused_and_nothing_is_written) {
             case 31:
                 shape.rows = 2, shape.columns = 2;
                 break; /* a grid has no triangles of its own */
+            case 32:
+                map.band_label = NULL;
+                break;
+            case 33:
+                name[1] = NULL;
+                break;
+            case 34:
+                band[1] = 0;
+                break;
+            case 35:
+                band[1] = 2; /* of two rows */
+                break;
             default:
                 break;
         }

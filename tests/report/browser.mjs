@@ -233,6 +233,10 @@ async function testCloud(browser) {
   near(Number(/([\d.]+)\s%\slie within/.exec(words)[1]), within / 1e4, 0.15, words);
   assert.equal(await page.ask('(() => { let most = 0; for (let i = 0; i < wirecut.surface.shape.count; i++) most = Math.max(most, at(i).values[0].value); return most; })()'), 7.5, 'the outlier is shown');
 
+  // bands of a map are named where their numbers would be, for those too who hear it
+  const said = await page.ask('[...document.querySelectorAll(".plot")].map(p => p.getAttribute("aria-label"))');
+  assert.ok(said.some(label => /residual over time and tension, angle,/.test(label)), said.join('\n'));
+
   // picking gives a point whose numbers agree with the formula
   const picked = await page.ask(`wirecut.pick(...wirecut.surface.view.project(200, 600, 170))`);
   const u = picked.position[0] / 400, v = picked.position[1] / 1200;

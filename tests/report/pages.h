@@ -201,6 +201,8 @@ static inline wcut_status pages_write_cloud(const pages_data *d, const char *pat
                                      .y_unit = "N/mm",
                                      .series_count = 2,
                                      .series = series};
+    static const char *const band_label[] = {"tension", "angle"};
+    static const int band[] = {0, 10};
     const wcut_report_map map = {"Residual before",
                                  NULL,
                                  "time",
@@ -215,7 +217,11 @@ static inline wcut_status pages_write_cloud(const pages_data *d, const char *pat
                                  y,
                                  value,
                                  WCUT_SCALE_DIVERGING,
-                                 1.5};
+                                 1.5,
+                                 true,
+                                 2,
+                                 band,
+                                 band_label};
     const wcut_report_section section = {"Evidence", "Where recording and prediction differ.", 1, 1, 0, &chart, &map,
                                          NULL};
     const wcut_report report = {.verb = "compare",

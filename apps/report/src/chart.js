@@ -209,11 +209,28 @@ function paintMap(plot, map, xe, ye, value, scale) {
     for (let i = 0; i < image.width; i++, k += 4) {
       if (row < 0 || columnOf[i] < 0) continue;
       const v = value[row * (xe.length - 1) + columnOf[i]];
+      if (map.blank_missing && Number.isNaN(v)) continue;
       const rgb = Number.isNaN(v) ? missing : table[Math.min(511, Math.max(0, Math.round((v - scale.low) / (scale.high - scale.low) * 511)))];
       image.data.set([rgb[0], rgb[1], rgb[2], 255], k);
     }
   }
   plot.ctx.putImageData(image, Math.round(left), Math.round(top));
+}
+
+// names of bands of rows in place of numbers, between rules
+function bandAxis(axis, bands, ye) {
+  const ends = bands.map((_, b) => ye[b + 1 < bands.length ? bands[b + 1].row : ye.length - 1]);
+  const middles = bands.map((band, b) => (ye[band.row] + ends[b]) / 2);
+  return {
+    ...axis, label: undefined, labelSize: 0, space: 1, splits: () => middles, values: () => bands.map(band => band.label),
+    grid: {show: false}, ticks: {show: false}
+  };
+}
+
+function ruleBands(plot, bands, ye) {
+  const {left, width} = plot.bbox;
+  plot.ctx.fillStyle = palette().faint;
+  for (const band of bands.slice(1)) plot.ctx.fillRect(left, Math.round(plot.valToPos(ye[band.row], 'y', true)), width, 1);
 }
 
 // a strip of a scale's colours with its ends named
@@ -237,23 +254,32 @@ export function mapFigure(map, height = 260) {
   const limit = map.limit || Math.max(Math.abs(range[0]), Math.abs(range[1])) || 1;
   const scale = map.scale === 'diverging' ? {kind: 'diverging', low: -limit, high: limit, tolerance: 0}
     : {kind: 'sequential', low: Math.min(range[0], 0), high: map.limit || range[1]};
-  const label = `${map.title}: ${map.label} over ${map.x_label} and ${map.y_label}, from ${number(range[0])} to ${number(range[1])} ${map.unit}.`;
+  const bands = map.bands ?? [];
+  const label = `${map.title}: ${map.label} over ${map.x_label} and ${bands.length ? bands.map(band => band.label).join(', ') : map.y_label}, from ${number(range[0])} to ${number(range[1])} ${map.unit}.`;
   const place = element('div', {className: 'plot', role: 'img', 'aria-label': label});
   const readout = element('p', {className: 'note readout-line'}, '\u00a0');
+  const rowText = j => {
+    const band = bands.filter(each => each.row <= j).pop();
+    return band ? `${band.label}, row ${j - band.row + 1}` : `${map.y_label} ${number(y[j])} ${map.y_unit}`;
+  };
   const start = () => {
     const ends = e => [e[0], e[e.length - 1]];
+    const [xAxis, yAxis] = axes(labelled(map.x_label, map.x_unit), labelled(map.y_label, map.y_unit), height);
     const plot = new uPlot({
       width: Math.max(place.clientWidth, 280), height, legend: {show: false},
       scales: {x: {time: false, range: () => ends(xe)}, y: {range: () => ends(ye)}},
       series: [{}, {stroke: 'transparent', points: {show: false}}],
-      axes: axes(labelled(map.x_label, map.x_unit), labelled(map.y_label, map.y_unit), height),
+      axes: [xAxis, bands.length ? bandAxis(yAxis, bands, ye) : yAxis],
       cursor: {drag: {x: false, y: false}, points: {show: false}},
       hooks: {
-        drawClear: [u => paintMap(u, map, xe, ye, value, scale)],
+        drawClear: [u => {
+          paintMap(u, map, xe, ye, value, scale);
+          ruleBands(u, bands, ye);
+        }],
         setCursor: [u => {
           const i = cellAt(xe, u.posToVal(u.cursor.left, 'x')), j = cellAt(ye, u.posToVal(u.cursor.top, 'y'));
           readout.textContent = i < 0 || j < 0 || u.cursor.left < 0 ? '\u00a0'
-            : `${map.x_label} ${number(x[i])} ${map.x_unit}, ${map.y_label} ${number(y[j])} ${map.y_unit}: ${number(value[j * x.length + i])} ${map.unit}`;
+            : `${map.x_label} ${number(x[i])} ${map.x_unit}, ${rowText(j)}: ${number(value[j * x.length + i])} ${map.unit}`;
         }]
       }
     }, [Array.from(x), Array.from(x, () => null)], place);

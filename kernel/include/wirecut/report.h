@@ -90,7 +90,11 @@ typedef struct wcut_report_map {
     const double *x, *y; /**< columns, rows: centres of the cells, increasing */
     const double *value; /**< rows x columns */
     wcut_report_scale scale;
-    double limit; /**< value of the strongest colour, so that two maps compare; 0: from the values */
+    double limit;                  /**< value of the strongest colour, so that two maps compare; 0: from the values */
+    bool blank_missing;            /**< a cell without a value is left blank, not grey */
+    int bands;                     /**< 0: y is numbered; else rows come in bands, named beside them and ruled apart */
+    const int *band;               /**< bands: the first row of each, increasing from 0 */
+    const char *const *band_label; /**< bands */
 } wcut_report_map;
 
 /** Charts, maps and tables that belong together. */
