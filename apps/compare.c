@@ -278,7 +278,11 @@ static int compare(const app_call *call) {
 
 static const app_operand operand[] = {
     {.name = "JOB", .kind = APP_FILE, .help = "a job, wirecut-job/1, or a mesh: .stl .ply .obj .off .glb"},
-    {.name = "SCAN", .kind = APP_FILE, .many = true, .help = "clouds of the lower half's cut face, together one scan"},
+    {.name = "SCAN",
+     .kind = APP_FILE,
+     .many = true,
+     .help = "clouds of the lower half's cut face, together one scan: PLY, text (XYZ, PTS, CSV, ASC), LAS, PCD; or the "
+             "vertices of STL, OBJ, OFF, glTF"},
     {.name = NULL},
 };
 

@@ -6,6 +6,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "cloud_foreign.h"
 #include "cloud_source.h"
 #include "fail.h"
 #include "number.h"
@@ -17,7 +18,7 @@ wcut_cloud_options wcut_cloud_options_default(void) {
 }
 
 static bool options_are_usable(const wcut_cloud_options *o) {
-    return (unsigned)o->format <= WCUT_CLOUD_PCD && (unsigned)o->unit <= WCUT_UNIT_INCH;
+    return (unsigned)o->format <= WCUT_CLOUD_GLTF && (unsigned)o->unit <= WCUT_UNIT_INCH;
 }
 
 /* ---- refusals ---- */
@@ -182,6 +183,9 @@ static wcut_cloud_format find_format(wcut_cloud_source *s) {
     if (begins(t, "ply\n") || begins(t, "ply\r")) return WCUT_CLOUD_PLY;
     if (begins(t, "LASF")) return WCUT_CLOUD_LAS;
     if (begins(t, "# .PCD") || begins(t, "VERSION .7") || begins(t, "VERSION 0.7")) return WCUT_CLOUD_PCD;
+    if (ends_with(s->label, ".obj")) return WCUT_CLOUD_OBJ;
+    if (ends_with(s->label, ".off")) return WCUT_CLOUD_OFF;
+    if (wcut_cloud_foreign_ending((const char *)t->data + t->at, s->label)) return WCUT_CLOUD_GLTF;
     if (ends_with(s->label, ".stl") || begins(t, "solid ") || begins(t, "solid\n")) return WCUT_CLOUD_STL;
     return WCUT_CLOUD_TEXT;
 }
@@ -190,16 +194,17 @@ static wcut_cloud_format find_format(wcut_cloud_source *s) {
 static bool check_readable(wcut_cloud_source *s) {
     static const struct {
         const char *begin, *name;
-    } refused[] = {{"ASTM-E57", "an E57 file"}, {"PK\003\004", "a ZIP archive"}, {"\037\213", "a gzip archive"},
-                   {"glTF", "a glTF model"},    {"Kaydara FBX", "an FBX model"}, {"ISO-10303", "a STEP file"},
-                   {"\377\376", "UTF-16 text"}, {"\376\377", "UTF-16 text"},     {"%PDF", "a PDF document"},
-                   {"\x89PNG", "a PNG picture"}};
+    } refused[] = {{"ASTM-E57", "an E57 file"},     {"PK\003\004", "a ZIP archive"}, {"\037\213", "a gzip archive"},
+                   {"Kaydara FBX", "an FBX model"}, {"ISO-10303", "a STEP file"},    {"\377\376", "UTF-16 text"},
+                   {"\376\377", "UTF-16 text"},     {"%PDF", "a PDF document"},      {"\x89PNG", "a PNG picture"}};
     for (size_t k = 0; k < sizeof refused / sizeof *refused; k++)
         if (begins(&s->stream, refused[k].begin))
-            return wcut_cloud_refuse(s,
-                                     "found %s, expected PLY, XYZ/PTS/CSV text, STL, LAS or PCD: export the points "
-                                     "as one of these",
-                                     refused[k].name);
+            return wcut_cloud_refuse(
+                s,
+                "found %s, expected PLY, XYZ/PTS/CSV text, STL, OBJ, OFF, glTF, LAS or PCD: export the "
+                "points "
+                "as one of these",
+                refused[k].name);
     return true;
 }
 
@@ -209,7 +214,10 @@ static bool begin_format(wcut_cloud_source *s) {
                                               wcut_cloud_begin_text,
                                               wcut_cloud_begin_stl,
                                               wcut_cloud_begin_las,
-                                              wcut_cloud_begin_pcd};
+                                              wcut_cloud_begin_pcd,
+                                              wcut_cloud_begin_obj,
+                                              wcut_cloud_begin_off,
+                                              wcut_cloud_begin_foreign};
     static const double millimetres[] = {1, 10, 1000, 25.4};
     s->scale = millimetres[s->options.unit];
     if (wcut_stream_fill(&s->stream, SNIFF) == 0) return wcut_cloud_refuse_end(s, "points");

@@ -12,7 +12,7 @@
 #include "fail.h"
 #include "mesh_formats.h"
 
-enum { DEPTH_MOST = 200, ENOUGH = 64 };
+enum { DEPTH_MOST = 200, ENOUGH = 64, MESSAGE_HEAD = 2 * sizeof(int32_t) };
 enum { DONE, NOTHING_READ, TOO_DEEP, TOO_MANY, NOT_SENT };
 static const uint32_t LAST_WORD = 0x57435554; /* behind the last triangle: nothing is missing */
 
@@ -22,7 +22,8 @@ typedef struct request {
     const char *bytes;
     size_t size, at;
     const char *ending;
-    int most; /* triangles */
+    int most;         /* triangles, or vertices where these are all that is wanted */
+    bool as_vertices; /* each place once, no triangles */
 } request;
 
 static size_t read_some(struct aiFile *file, char *to, size_t size, size_t count) {
@@ -76,8 +77,8 @@ static void close_one(struct aiFileIO *io, struct aiFile *file) {
 
 typedef struct message {
     int fd, depth, vertices, triangles, most;
-    bool sending; /* false: counting */
-    int base;     /* of the indices of the mesh being sent */
+    bool as_vertices;
+    int base; /* of the indices of the mesh being sent */
 } message;
 
 static void multiply(const struct aiMatrix4x4 *local, const double above[12], double product[12]) {
@@ -118,8 +119,10 @@ static bool send_triangles(const struct aiMesh *mesh, bool mirrored, const messa
 }
 
 static int count_triangles(const struct aiMesh *mesh, message *t) {
-    if (mesh->mNumVertices > (unsigned)(INT_MAX - t->vertices)) return TOO_MANY;
+    const int most = t->as_vertices ? t->most : INT_MAX;
+    if (mesh->mNumVertices > (unsigned)(most - t->vertices)) return TOO_MANY;
     t->vertices += (int)mesh->mNumVertices;
+    if (t->as_vertices) return DONE;
     for (unsigned f = 0; f < mesh->mNumFaces; f++) {
         if (mesh->mFaces[f].mNumIndices != 3) continue;
         if (t->triangles == t->most) return TOO_MANY;
@@ -150,13 +153,14 @@ static int walk(const struct aiScene *scene, const struct aiNode *node, const do
     return code;
 }
 
-static int send_scene(const struct aiScene *scene, int fd, int most) {
+static int send_scene(const struct aiScene *scene, int fd, const request *r) {
     static const double here[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-    message t = {.fd = fd, .most = most};
+    message t = {.fd = fd, .most = r->most, .as_vertices = r->as_vertices};
+    const int last_pass = r->as_vertices ? SEND_VERTICES : SEND_TRIANGLES;
     int code = walk(scene, scene->mRootNode, here, COUNT, &t);
     const int32_t head[2] = {t.vertices, t.triangles};
     if (code == DONE && !wcut_child_write(fd, head, sizeof head)) code = NOT_SENT;
-    for (int pass = SEND_VERTICES; code == DONE && pass <= SEND_TRIANGLES; pass++)
+    for (int pass = SEND_VERTICES; code == DONE && pass <= last_pass; pass++)
         code = walk(scene, scene->mRootNode, here, pass, &t);
     if (code == DONE && !wcut_child_write(fd, &LAST_WORD, sizeof LAST_WORD)) code = NOT_SENT;
     return code;
@@ -168,33 +172,44 @@ static int import(int fd, void *context) {
     struct aiFileIO io = {open_one, close_one, (char *)r};
     char name[ENOUGH];
     file_name(r, name);
-    const struct aiScene *scene = aiImportFileEx(name, aiProcess_Triangulate | aiProcess_ValidateDataStructure, &io);
-    return scene && scene->mRootNode ? send_scene(scene, fd, r->most) : NOTHING_READ;
+    const unsigned steps = r->as_vertices ? aiProcess_JoinIdenticalVertices : aiProcess_Triangulate;
+    const struct aiScene *scene = aiImportFileEx(name, steps | aiProcess_ValidateDataStructure, &io);
+    return scene && scene->mRootNode ? send_scene(scene, fd, r) : NOTHING_READ;
 }
 
 /* ---- in the parent: the message, believed in nothing ---- */
 
-static bool take_message(wcut_cloud_source *s, wcut_growth *g, bool is_gltf, const char *data, size_t length) {
-    int32_t head[2] = {-1, -1};
+/* how many vertices and triangles it holds, and that it is whole */
+static bool check_message(wcut_cloud_source *s, const char *data, size_t length, int32_t head[2]) {
     uint32_t last = 0;
-    if (length >= sizeof head) memcpy(head, data, sizeof head);
+    head[0] = head[1] = -1;
+    if (length >= MESSAGE_HEAD) memcpy(head, data, MESSAGE_HEAD);
     const size_t vertices = (size_t)head[0], triangles = (size_t)head[1];
     if (head[0] < 0 || head[1] < 0 ||
-        length != sizeof head + vertices * 3 * sizeof(double) + triangles * 3 * sizeof(int32_t) + sizeof last)
+        length != MESSAGE_HEAD + vertices * 3 * sizeof(double) + triangles * 3 * sizeof(int32_t) + sizeof last)
         return wcut_cloud_refuse(s, "found half a mesh from assimp's process, expected all of it");
     memcpy(&last, data + length - sizeof last, sizeof last);
-    if (last != LAST_WORD) return wcut_cloud_refuse(s, "found no end of the mesh from assimp's process");
+    return last == LAST_WORD || wcut_cloud_refuse(s, "found no end of the mesh from assimp's process");
+}
 
+/* glTF has y upwards */
+static void take_position(const char *at, bool is_gltf, double position[3]) {
+    double p[3];
+    memcpy(p, at, sizeof p);
+    position[0] = p[0], position[1] = is_gltf ? -p[2] : p[1], position[2] = is_gltf ? p[1] : p[2];
+}
+
+static bool take_triangles(wcut_cloud_source *s, wcut_growth *g, bool is_gltf, const char *data,
+                           const int32_t head[2]) {
     wcut_numbered n = {0};
     bool done = true;
-    const char *at = data + sizeof head;
-    for (size_t i = 0; done && i < vertices; i++, at += 3 * sizeof(double)) {
-        double p[3];
-        memcpy(p, at, sizeof p);
-        const double turned[3] = {p[0], is_gltf ? -p[2] : p[1], is_gltf ? p[1] : p[2]};
-        done = wcut_numbered_add(g, &n, turned);
+    const char *at = data + MESSAGE_HEAD;
+    for (int32_t i = 0; done && i < head[0]; i++, at += 3 * sizeof(double)) {
+        double position[3];
+        take_position(at, is_gltf, position);
+        done = wcut_numbered_add(g, &n, position);
     }
-    for (size_t t = 0; done && t < triangles; t++, at += 3 * sizeof(int32_t)) {
+    for (int32_t t = 0; done && t < head[1]; t++, at += 3 * sizeof(int32_t)) {
         int32_t v[3];
         memcpy(v, at, sizeof v);
         for (int k = 0; done && k < 3; k++) {
@@ -225,7 +240,8 @@ static bool refuse_end(wcut_cloud_source *s, wcut_child_end end, const request *
             break;
     }
     if (end.how == WCUT_CHILD_TALKATIVE || end.code == TOO_MANY)
-        return wcut_cloud_refuse(s, "found more than %d triangles, expected at most that", r->most);
+        return wcut_cloud_refuse(s, "found more than %d %s, expected at most that", r->most,
+                                 r->as_vertices ? "vertices" : "triangles");
     if (end.code == TOO_DEEP) return wcut_cloud_refuse(s, "found nodes nested more than %d deep", DEPTH_MOST);
     return wcut_cloud_refuse(s, "assimp reads no mesh in it, expected a sound %s file", r->ending + 1);
 }
@@ -253,20 +269,50 @@ static char *slurp(wcut_cloud_source *s, size_t *size) {
     return NULL;
 }
 
+/* the file's mesh as the child sends it, whole; NULL: refused */
+static char *ask(wcut_cloud_source *s, request *r, size_t of_each, int seconds, int32_t head[2]) {
+    size_t length = 0;
+    char *bytes = slurp(s, &r->size), *data = NULL;
+    if (!bytes) {
+        if (s->failure.status == WCUT_OK) wcut_cloud_refuse_end(s, "a mesh");
+        return NULL;
+    }
+    r->bytes = bytes;
+    const wcut_child_limits limits = {seconds, (size_t)4 << 30, (size_t)r->most * of_each + ENOUGH};
+    const wcut_child_end end = wcut_child_run(import, r, &limits, &data, &length);
+    free(bytes);
+    const bool done = end.how == WCUT_CHILD_DONE && end.code == DONE ? check_message(s, data, length, head)
+                                                                     : refuse_end(s, end, r, seconds);
+    if (done) return data;
+    free(data);
+    return NULL;
+}
+
+static bool is_gltf(const char *ending) { return strcmp(ending, ".glb") == 0 || strcmp(ending, ".gltf") == 0; }
+
 bool wcut_mesh_fill_foreign(wcut_cloud_source *s, wcut_growth *g, const char *ending, int seconds) {
     request r = {.ending = ending, .most = g->most};
-    char *bytes = slurp(s, &r.size), *data = NULL;
-    size_t length = 0;
-    if (!bytes) return s->failure.status != WCUT_OK ? false : wcut_cloud_refuse_end(s, "a mesh");
-    r.bytes = bytes;
-    const bool is_gltf = strcmp(ending, ".off") != 0;
-    if (is_gltf) s->scale = 1000;
-    const size_t triangle = 3 * (3 * sizeof(double) + sizeof(int32_t));
-    const wcut_child_limits limits = {seconds, (size_t)4 << 30, (size_t)g->most * triangle + ENOUGH};
-    const wcut_child_end end = wcut_child_run(import, &r, &limits, &data, &length);
-    const bool done = end.how == WCUT_CHILD_DONE && end.code == DONE ? take_message(s, g, is_gltf, data, length)
-                                                                     : refuse_end(s, end, &r, seconds);
+    int32_t head[2];
+    if (is_gltf(ending)) s->scale = 1000;
+    char *data = ask(s, &r, 3 * (3 * sizeof(double) + sizeof(int32_t)), seconds, head);
+    const bool done = data && take_triangles(s, g, is_gltf(ending), data, head);
     free(data);
-    free(bytes);
     return done;
+}
+
+bool wcut_mesh_vertices_foreign(wcut_cloud_source *s, const char *ending, int most, int seconds, double **position,
+                                int *count) {
+    request r = {.ending = ending, .most = most, .as_vertices = true};
+    int32_t head[2];
+    if (is_gltf(ending)) s->scale = 1000;
+    char *data = ask(s, &r, 3 * sizeof(double), seconds, head);
+    if (!data) return false;
+    double *to = (double *)data; /* in place: the head is shorter than a position */
+    for (int32_t i = 0; i < head[0]; i++) {
+        double p[3];
+        take_position(data + MESSAGE_HEAD + (size_t)i * sizeof p, is_gltf(ending), p);
+        memcpy(to + 3 * (size_t)i, p, sizeof p);
+    }
+    *position = to, *count = head[0];
+    return true;
 }

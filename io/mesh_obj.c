@@ -2,29 +2,12 @@
 #include <limits.h>
 #include <string.h>
 
-#include "cloud_row.h"
 #include "mesh_formats.h"
+#include "obj.h"
 
-/* behind the word at p, or NULL */
-static const char *match(const char *p, const char *word) {
-    const char *w = word;
-    while (*w && *p == *w) p++, w++;
-    return *w == '\0' && (wcut_is_blank(*p) || wcut_is_line_end(p)) ? wcut_skip_blanks(p) : NULL;
-}
-
-/* x y z, then nothing, a weight of 1, or a colour of three numbers */
-static bool read_vertex(wcut_cloud_source *s, const char *line, const char *p, wcut_growth *g, wcut_numbered *n) {
-    double value[6] = {0};
-    int count = 0;
-    for (; !wcut_is_line_end(p) && count < 6; count++) {
-        const char *behind = wcut_row_number(p, ' ', false, &value[count]);
-        if (!behind) return wcut_cloud_refuse_text(s, line, p, "a number");
-        p = wcut_skip_blanks(behind);
-    }
-    if (!wcut_is_line_end(p) || count < 3 || count == 5)
-        return wcut_cloud_refuse_text(s, line, p, "3 coordinates, with a weight or a colour at most");
-    if (count == 4 && value[3] != 1) return wcut_cloud_refuse_text(s, line, line, "a vertex of weight 1");
-    return wcut_numbered_add(g, n, value);
+static bool add_vertex(wcut_cloud_source *s, const char *line, const char *p, wcut_growth *g, wcut_numbered *n) {
+    double value[WCUT_FIELDS];
+    return wcut_obj_vertex(s, line, p, value) && wcut_numbered_add(g, n, value);
 }
 
 /* an index that is not 0; NULL: none */
@@ -68,19 +51,11 @@ static bool read_face(wcut_cloud_source *s, const char *line, const char *p, wcu
     return wcut_growth_polygon(g, count, vertex);
 }
 
-static bool is_passed_over(const char *p) {
-    static const char *const word[] = {"vt", "vn", "o", "g", "s", "usemtl", "mtllib", "l", "p", "lod", "mg"};
-    if (*p == '#' || wcut_is_line_end(p)) return true;
-    for (size_t k = 0; k < sizeof word / sizeof *word; k++)
-        if (match(p, word[k])) return true;
-    return false;
-}
-
 static bool read_line(wcut_cloud_source *s, const char *line, wcut_growth *g, wcut_numbered *n) {
     const char *p = wcut_skip_blanks(line), *rest;
-    if ((rest = match(p, "v")) != NULL) return read_vertex(s, line, rest, g, n);
-    if ((rest = match(p, "f")) != NULL) return read_face(s, line, rest, g, n);
-    return is_passed_over(p) || wcut_cloud_refuse_text(s, line, p, "a polygon mesh: v, vt, vn, f, o, g, s, usemtl");
+    if ((rest = wcut_obj_match(p, "v")) != NULL) return add_vertex(s, line, rest, g, n);
+    if ((rest = wcut_obj_match(p, "f")) != NULL) return read_face(s, line, rest, g, n);
+    return wcut_obj_is_passed_over(p) || wcut_obj_refuse(s, line, p);
 }
 
 bool wcut_mesh_fill_obj(wcut_cloud_source *s, wcut_growth *g) {
@@ -88,9 +63,8 @@ bool wcut_mesh_fill_obj(wcut_cloud_source *s, wcut_growth *g) {
     size_t length;
     bool done = true;
     s->line = 1;
-    for (const char *line; done && (line = wcut_row_peek(s, &length)) != NULL; wcut_row_done(s, length))
-        done = !memchr(line, 0, length) ? read_line(s, line, g, &n)
-                                        : wcut_cloud_refuse_text(s, line, memchr(line, 0, length), "text");
+    for (const char *line; done && (line = wcut_obj_line(s, &length)) != NULL; wcut_row_done(s, length))
+        done = read_line(s, line, g, &n);
     wcut_numbered_free(&n);
     return done && s->failure.status == WCUT_OK;
 }

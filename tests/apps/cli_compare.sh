@@ -85,6 +85,14 @@ look clean/deviation.json 'p["removed_as"]["duplicate"] == 10 and p["removed_as"
 run 0 compare "$steady" dirty.xyz -o clean --thin 20 --quiet
 look clean/deviation.json '1000 < p["removed_as"]["thinned"] < 3500'
 
+# the vertices of a mesh are a scan, too
+awk '{ print "v", $0 } END { print "f 1 2 3" }' "$scan" >scan.obj
+{ printf 'OFF\n4000 1 0\n'; cat "$scan"; echo 3 0 1 2; } >scan.off
+for name in scan.obj scan.off; do
+    run 0 compare "$steady" $name -o vertices --quiet
+    look vertices/deviation.json 'p["used"] == 4000 and near(d["kerf_offset_mm"], -0.6, 0.003)'
+done
+
 # datums: three points of the scan that are 2 mm off along y
 awk '{ printf "%s %s %s\n", $1, $2 + 2, $3 }' "$scan" >moved.xyz
 printf 'scan_x_mm,scan_y_mm,scan_z_mm,block_x_mm,block_y_mm,block_z_mm\n0,2,0,0,0,0\n400,2,0,400,0,0\n0,1202,0,0,1200,0\n0,2,300,0,0,300\n' >datum.csv
@@ -127,6 +135,12 @@ refused 3 text.xyz "line 2"
 refused 3 nowhere.xyz "nowhere.xyz"
 printf 'ply\nformat binary_little_endian 1.0\nelement vertex 2147483647\nproperty float x\nproperty float y\nproperty float z\nend_header\n' >lie.ply
 refused 3 lie.ply "lie.ply"
+printf 'v 1 2 3\nv 1 2\n' >short.obj
+refused 3 short.obj "line 2, column 6"
+printf 'OFF\n2147483647 1 0\n1 2 3\n' >lie.off
+refused 3 lie.off "2147483647 vertices stated"
+printf 'glTF\002' >bad.glb
+refused 3 bad.glb "assimp reads no mesh in it"
 printf '200 600 150\n' >one.xyz
 run 0 compare "$steady" one.xyz -o one --quiet
 look one/deviation.json 'p["used"] == 1'

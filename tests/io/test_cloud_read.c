@@ -252,6 +252,55 @@ START_TEST(stl_gives_the_corners_of_its_triangles) {
 }
 END_TEST
 
+START_TEST(obj_and_off_give_their_vertices) {
+    begin();
+    put_text("# a sheet\nmtllib sheet.mtl\no sheet\n\n");
+    for (int k = 0; k < COUNT; k++) {
+        const wcut_vec3 p = truth(k);
+        static const char *const rest[] = {"", " 1", " 0.5 0.25 1", "\r"};
+        put_text("%sv %.9g %.9g %.9g%s\n", k % 5 ? "" : " ", p.x, p.y, p.z, rest[k % 4]);
+        if (k % 3 == 2) put_text("vn 0 0 1\nvt 0 1\nf %d/1/1 -2 %d\n", k - 1, k + 1);
+    }
+    options.format = WCUT_CLOUD_OBJ;
+    came_back(WCUT_CLOUD_OBJ, -1);
+    no_normals();
+    for (int apart = 0; apart < 2; apart++) {
+        begin();
+        put_text("# a sheet\nOFF%s%d 1 0 # counts\n\n", apart ? " # one\n" : " ", COUNT);
+        for (int k = 0; k < COUNT; k++) {
+            const wcut_vec3 p = truth(k);
+            put_text("%.9g %.9g %.9g%s\n", p.x, p.y, p.z, k % 2 ? "" : " 255 0 0");
+        }
+        put_text("3 0 1 2\n");
+        options.format = WCUT_CLOUD_OFF;
+        came_back(WCUT_CLOUD_OFF, COUNT);
+    }
+}
+END_TEST
+
+/* two nodes with one mesh of three points each, the second shifted by (10, 20, 30) m */
+static const char gltf[] =
+    "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0,1]}],"
+    "\"nodes\":[{\"mesh\":0},{\"mesh\":0,\"translation\":[10,20,30]}],"
+    "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"mode\":%d}]}],"
+    "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\","
+    "\"min\":[0,0,0],\"max\":[1,2,0]}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+    "\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/octet-stream;base64,"
+    "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAAEAAAAAA\"}]}";
+
+START_TEST(gltf_gives_the_vertices_of_every_node_in_mm_with_z_upwards) {
+    for (int mode = 0; mode <= 4; mode += 4) { /* points, triangles */
+        begin();
+        put_text(gltf, mode);
+        options.format = WCUT_CLOUD_GLTF;
+        reads(6);
+        ck_assert(got_info.format == WCUT_CLOUD_GLTF && got_info.stated == 6);
+        no_normals();
+        ck_assert(equal(got_info.low, (wcut_vec3){0, -30000, 0}) && equal(got_info.high, (wcut_vec3){11000, 0, 22000}));
+    }
+}
+END_TEST
+
 START_TEST(las_of_every_version_and_point_format) {
     const int least[] = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
     for (int minor = 2; minor <= 4; minor++) {
@@ -413,7 +462,7 @@ START_TEST(arguments_outside_their_range_are_refused) {
     on_disk(".xyz");
     wcut_cloud_options bad[6];
     for (int k = 0; k < 6; k++) bad[k] = wcut_cloud_options_default();
-    bad[0].format = (wcut_cloud_format)6, bad[1].unit = (wcut_length_unit)4;
+    bad[0].format = (wcut_cloud_format)9, bad[1].unit = (wcut_length_unit)4;
     bad[2].most = 0, bad[3].voxel = -1, bad[4].voxel = NAN, bad[5].voxel = INFINITY;
     for (int k = 0; k < 6; k++) {
         if (k < 2) ck_assert_int_eq(wcut_cloud_source_create(path, &bad[k], &source, NULL), WCUT_BAD_ARGUMENT);
@@ -471,6 +520,8 @@ int main(void) {
                                  units_become_millimetres,
                                  a_locale_with_decimal_commas_changes_nothing,
                                  stl_gives_the_corners_of_its_triangles,
+                                 obj_and_off_give_their_vertices,
+                                 gltf_gives_the_vertices_of_every_node_in_mm_with_z_upwards,
                                  las_of_every_version_and_point_format,
                                  pcd_ascii_and_binary_with_fields_of_any_type,
                                  points_that_are_not_finite_are_left_out_and_counted,

@@ -51,7 +51,7 @@ START_TEST(zero_bytes_other_alphabets_and_endless_lines_are_refused) {
     put("\xff\xfe"
         "1\0 \0",
         6);
-    refused(0, "found UTF-16 text, expected PLY, XYZ/PTS/CSV text, STL, LAS or PCD");
+    refused(0, "found UTF-16 text, expected PLY, XYZ/PTS/CSV text, STL, OBJ, OFF, glTF, LAS or PCD");
     begin();
     for (int k = 0; k < 50000; k++) put("1 ", 2);
     refused(0, "without a line feed");
@@ -364,6 +364,38 @@ START_TEST(pcd_that_lies_is_refused) {
 }
 END_TEST
 
+static void mesh_refused(wcut_cloud_format format, int count, const char *text, const char *words) {
+    given(text);
+    options.format = format;
+    refused(count, words);
+}
+
+START_TEST(meshes_that_lie_are_refused) {
+    const wcut_cloud_format obj = WCUT_CLOUD_OBJ, off = WCUT_CLOUD_OFF, gltf = WCUT_CLOUD_GLTF;
+    mesh_refused(obj, 1, "v 1 2 3\nv 1 2\n", "line 2, column 6: found the end of the line, expected 3 coordinates");
+    mesh_refused(obj, 0, "v 1 2 x\n", "line 1, column 7: found x, expected a number");
+    mesh_refused(obj, 0, "v 1 2 3 0.5\n", "expected a vertex of weight 1");
+    mesh_refused(obj, 1, "v 1 2 3\ncurv 0 1 1 2\n", "line 2, column 1: found curv 0 1 1 2, expected a polygon mesh");
+    mesh_refused(obj, 0, "1 2 3\n", "line 1, column 1: found 1 2 3, expected a polygon mesh");
+    begin();
+    put("v 1 2 3\nv 4\0 5\n", 15);
+    options.format = obj;
+    refused(1, "line 2, column 4: found a zero byte");
+    mesh_refused(off, 0, "1 2 3\n", "line 1, column 1: found 1 2 3, expected OFF");
+    mesh_refused(off, 0, "NOFF\n1 0 0\n", "found NOFF, expected OFF: with plain vertices");
+    mesh_refused(off, 0, "OFF\n", "line 2: found the end of the file, expected the counts");
+    mesh_refused(off, 0, "OFF\n3 1\n", "line 2, column 1: found 3 1, expected the counts");
+    mesh_refused(off, 0, "OFF\n-3 1 0\n", "found -3 1 0, expected the counts");
+    mesh_refused(off, 0, "OFF\n2147483648 1 0\n1 2 3\n", "found a count of 2147483648 vertices");
+    mesh_refused(off, 0, "OFF\n2000000000 1 0\n1 2 3\n", "found 2000000000 vertices stated, 6 bytes for them");
+    mesh_refused(off, 1, "OFF\n2 0 0\n1.2345678 2 3\n", "found the end of the file, expected 1 vertices more");
+    mesh_refused(off, 1, "OFF\n2 0 0\n1 2 3\n4 5 six\n", "line 4, column 5: found six, expected a number");
+    mesh_refused(gltf, 0, "{\"asset\":", "assimp reads no mesh in it, expected a sound gltf file");
+    mesh_refused(gltf, 0, "glTF\2\1", "assimp reads no mesh in it, expected a sound glb file");
+    mesh_refused(gltf, 0, "", "found the end of the file, expected points");
+}
+END_TEST
+
 START_TEST(a_format_that_is_asked_for_is_not_guessed) {
     given("1 2 3\n");
     options.format = WCUT_CLOUD_PLY;
@@ -411,6 +443,7 @@ int main(void) {
                                  stl_that_lies_is_refused,
                                  las_that_lies_is_refused,
                                  pcd_that_lies_is_refused,
+                                 meshes_that_lie_are_refused,
                                  a_format_that_is_asked_for_is_not_guessed,
                                  every_truncation_of_a_good_file_is_refused_or_shorter};
     return run_cloud_suite("cloud_refused", sizeof test / sizeof *test, test);

@@ -12,12 +12,17 @@ extern "C" {
 
 /** How a cloud is stored. */
 typedef enum wcut_cloud_format {
-    WCUT_CLOUD_ANY,  /**< told by the file's first bytes; an STL without "solid" by its name's ending */
+    WCUT_CLOUD_ANY,  /**< told by the file's first bytes; an STL without "solid", OBJ and OFF by its name's ending */
     WCUT_CLOUD_PLY,  /**< ascii, binary of either byte order */
     WCUT_CLOUD_TEXT, /**< XYZ, PTS, ASC, CSV: a point a line */
     WCUT_CLOUD_STL,  /**< the corners of its triangles, so that most come several times; no normals */
     WCUT_CLOUD_LAS,  /**< 1.2 to 1.4, point formats 0 to 10, not compressed */
-    WCUT_CLOUD_PCD   /**< ascii or binary; the viewpoint is not applied */
+    WCUT_CLOUD_PCD,  /**< ascii or binary; the viewpoint is not applied */
+    WCUT_CLOUD_OBJ,  /**< its vertices, whatever its faces are; no normals */
+    WCUT_CLOUD_OFF,  /**< the same */
+    /** glTF, by assimp in a process of its own: the vertices of every node, held as a whole, at most 20000000; it is in
+        metres with y upwards, and becomes mm with z upwards whatever the option unit says */
+    WCUT_CLOUD_GLTF
 } wcut_cloud_format;
 
 /** The unit that a file's coordinates are in. */

@@ -1,0 +1,7 @@
+/* Any bytes as an OBJ cloud. */
+#include "cloud_fuzz.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    fuzz_cloud(data, size, WCUT_CLOUD_OBJ);
+    return 0;
+}
