@@ -107,23 +107,10 @@ static void move_mounts(rig *r, double way) {
     r->way_b = vec3_distance(from_b, r->at_b);
 }
 
-/* heater programme and speed dither of an identification cut */
-static double heat_factor(const rig *r) {
-    for (int i = 0; r->o.excitation && i < r->job->heat_step_count; i++) {
-        const wcut_heat_step *s = &r->job->heat_step[i];
-        if (r->time >= s->from && r->time < s->to) return s->factor;
-    }
-    return 1;
-}
-
+/* the speed dither of an identification cut, while most of the wire is in the foam */
 static double dither(const rig *r, double engaged) {
-    double factor = 1;
     if (!r->o.excitation || engaged < MOST_OF_WIRE * r->longest) return 1;
-    for (int i = 0; i < r->job->dither_count; i++) {
-        const wcut_dither *d = &r->job->dither[i];
-        factor += d->amplitude * sin(2 * WCUT_PI * r->time / d->period + d->phase);
-    }
-    return fmax(factor, 0);
+    return fmax(wcut_job_pace_eval(r->job, r->time), 0);
 }
 
 /* the foam that the wire is in now, for the next step */
@@ -206,7 +193,7 @@ static wcut_status advance(rig *r, reading *tension, wcut_error *error) {
     const double dt = r->o.period;
     r->speed += (r->command - r->speed) * dt / (r->o.lag + dt);
     r->time += dt;
-    r->heat = r->job->heat * heat_factor(r);
+    r->heat = r->o.excitation ? wcut_job_heat_eval(r->job, r->time) : r->job->heat;
     move_mounts(r, r->speed * dt);
     wcut_status status = WCUT_OK;
     if (r->way_a > 0 || r->way_b > 0) {

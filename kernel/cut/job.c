@@ -1,8 +1,9 @@
-/* A job in memory: its defaults, its end, and another number of stations on the same path. */
+/* A job in memory: its defaults, its end, another number of stations on the same path, and its programme. */
 #include <math.h>
 #include <wirecut/job.h>
 
 #include "base/alloc.h"
+#include "base/numbers.h"
 #include "base/vec3.h"
 
 wcut_status wcut_job_create(wcut_job **job) {
@@ -90,4 +91,20 @@ wcut_status wcut_job_resample(wcut_job *job, int stations) {
     wcut_status status = job->mode == WCUT_MODE_PATH ? resample_path(job, stations) : WCUT_OK;
     if (status == WCUT_OK) job->stations = stations;
     return status;
+}
+
+/* ---- the programme ---- */
+
+double wcut_job_heat_eval(const wcut_job *job, double time) {
+    double heat = job->heat;
+    for (int k = 0; k < job->heat_step_count; k++)
+        if (time >= job->heat_step[k].from && time < job->heat_step[k].to) heat *= job->heat_step[k].factor;
+    return heat;
+}
+
+double wcut_job_pace_eval(const wcut_job *job, double time) {
+    double pace = 1;
+    for (int k = 0; k < job->dither_count; k++)
+        pace += job->dither[k].amplitude * sin(2 * WCUT_PI * time / job->dither[k].period + job->dither[k].phase);
+    return pace;
 }

@@ -117,19 +117,11 @@ typedef struct replay {
     wcut_vec3 mount_a, mount_b;
 } replay;
 
-/* the job's heater power at a time, by its programme */
-static double programmed_heat(const wcut_job *job, double time) {
-    double heat = job->heat;
-    for (int k = 0; k < job->heat_step_count; k++)
-        if (time >= job->heat_step[k].from && time < job->heat_step[k].to) heat *= job->heat_step[k].factor;
-    return heat;
-}
-
 /* heat over the step that ends at a sample: recorded, or the last one recorded, or the job's */
 static double heat_at(const replay *r, int sample) {
     const wcut_column *heat = &r->recording->channel[WCUT_CHANNEL_HEAT];
     const double time = r->recording->channel[WCUT_CHANNEL_TIME].value[sample];
-    if (!heat->name) return programmed_heat(r->job, time);
+    if (!heat->name) return wcut_job_heat_eval(r->job, time);
     return !heat->present || heat->present[sample] ? heat->value[sample] : r->heat;
 }
 
@@ -191,7 +183,7 @@ static void begin(replay *r) {
     const wcut_track *t = r->track;
     const double pace = first_pace(t);
     r->mount_a = r->job->mount_a[0], r->mount_b = r->job->mount_b[0];
-    r->heat = programmed_heat(r->job, t->time[0]);
+    r->heat = wcut_job_heat_eval(r->job, t->time[0]);
     const double way = fmax(vec3_distance(r->mount_a, t->mount_a[0]), vec3_distance(r->mount_b, t->mount_b[0]));
     r->time = t->time[0] - (pace > 0 && t->station[0] > 0 ? t->station[0] / pace : way / r->job->speed_max);
 }

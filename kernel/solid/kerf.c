@@ -12,14 +12,6 @@
 
 static const double W_MM_S_PER_J_M2 = 1000; /* Q [W/m] / v [mm/s] in J/m^2 */
 
-/* the job's heater power at a time, by its programme */
-static double heat_at(const wcut_job *job, double time) {
-    double heat = job->heat;
-    for (int k = 0; k < job->heat_step_count; k++)
-        if (time >= job->heat_step[k].from && time < job->heat_step[k].to) heat *= job->heat_step[k].factor;
-    return heat;
-}
-
 wcut_status wcut_history_kerf(const wcut_job *job, const wcut_history *history, double *field) {
     if (!job || !history || !field || history->stations < 2 || history->nodes < 2 || !history->row || !history->speed ||
         !is_positive(job->heat) || !is_positive(job->speed_min) || !isfinite(job->kerf_width) || job->kerf_width < 0 ||
@@ -28,7 +20,7 @@ wcut_status wcut_history_kerf(const wcut_job *job, const wcut_history *history, 
         return WCUT_BAD_ARGUMENT;
     for (int j = 0; j < history->stations; j++) {
         const int station = j > 0 ? j : 1;
-        const double heat = heat_at(job, history->row[station].time);
+        const double heat = wcut_job_heat_eval(job, history->row[station].time);
         for (int i = 0; i < history->nodes; i++) {
             const double speed = fmax(history->speed[(ptrdiff_t)station * history->nodes + i], job->speed_min);
             field[(ptrdiff_t)j * history->nodes + i] =

@@ -1,4 +1,4 @@
-/* A job in memory: defaults, and another number of stations on the same path. */
+/* A job in memory: defaults, another number of stations on the same path, its programme. */
 #include <check.h>
 #include <float.h>
 #include <math.h>
@@ -32,6 +32,23 @@ START_TEST(a_new_job_has_the_defaults_of_every_optional_part) {
     forget();
     wcut_job_destroy(NULL);
     ck_assert_int_eq(wcut_job_create(NULL), WCUT_BAD_ARGUMENT);
+}
+END_TEST
+
+/* a step holds from its beginning up to its end; a sine of period 4 s and phase 90 deg is at its crest at 0 s */
+START_TEST(the_programme_says_heat_and_pace_at_any_time) {
+    ck_assert_int_eq(wcut_job_create(&job), WCUT_OK);
+    job->heat = 60;
+    ck_assert(wcut_job_heat_eval(job, 3) == 60 && wcut_job_pace_eval(job, 3) == 1);
+    static const wcut_heat_step step[] = {{2, 4, 0.9}, {4, 5, 1.1}};
+    static const wcut_dither dither[] = {{0.05, 4, 1.5707963267948966}, {0.02, 8, 0}};
+    job->heat_step = wcut_copy(step, 2, sizeof *step), job->heat_step_count = 2;
+    job->dither = wcut_copy(dither, 2, sizeof *dither), job->dither_count = 2;
+    static const double time[] = {-1, 1.999, 2, 3.999, 4, 5}, heat[] = {60, 60, 54, 54, 66, 60};
+    for (int k = 0; k < 6; k++) ck_assert_double_eq_tol(wcut_job_heat_eval(job, time[k]), heat[k], 1e-12);
+    ck_assert_double_eq_tol(wcut_job_pace_eval(job, 0), 1.05, 1e-15);
+    ck_assert_double_eq_tol(wcut_job_pace_eval(job, 2), 1 - 0.05 + 0.02, 1e-15);
+    forget();
 }
 END_TEST
 
@@ -121,6 +138,7 @@ int main(void) {
     Suite *suite = suite_create("job");
     TCase *tcase = tcase_create("job");
     tcase_add_test(tcase, a_new_job_has_the_defaults_of_every_optional_part);
+    tcase_add_test(tcase, the_programme_says_heat_and_pace_at_any_time);
     tcase_add_test(tcase, stations_lie_at_equal_steps_of_the_mean_way);
     tcase_add_test(tcase, both_ends_stay_bit_for_bit);
     tcase_add_test(tcase, a_pause_in_the_path_is_passed_over);

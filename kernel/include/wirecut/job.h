@@ -114,6 +114,24 @@ WCUT_API wcut_status wcut_job_write(const wcut_job *job, const char *path, wcut_
  */
 WCUT_API wcut_status wcut_job_resample(wcut_job *job, int stations);
 
+/**
+ * Heater power at a time of a recording: the job's, times the factor of the step of its programme that holds there.
+ *
+ * @param[in] job  a filled job
+ * @param[in] time [s]
+ * @return [W/m]
+ */
+WCUT_API double wcut_job_heat_eval(const wcut_job *job, double time);
+
+/**
+ * Speed at a time over what the controller asks for: 1 + sum A sin(2 pi t / P + phase) of the job's programme.
+ *
+ * @param[in] job  a filled job
+ * @param[in] time [s]
+ * @return [1]; 1 without a programme
+ */
+WCUT_API double wcut_job_pace_eval(const wcut_job *job, double time);
+
 #ifdef __cplusplus
 }
 #endif
