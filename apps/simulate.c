@@ -200,6 +200,16 @@ static int write_results(simulation *s) {
 
 /* ---- the answer ---- */
 
+/* effects of instruments, scans and the scanned face change neither wire nor surface: nobody shall think they did */
+static void say_effects(const wcut_job *job) {
+    for (int k = 0; k < job->effect_count; k++) {
+        const wcut_effect_info *info = wcut_effect_view(job->effect[k].kind);
+        if (info->place == WCUT_EFFECT_STEP || wcut_effect_is_neutral(&job->effect[k])) continue;
+        app_say("note: %s acts on %s, not on the wire: nothing here shows it", info->name,
+                info->place == WCUT_EFFECT_SENSOR ? "what is recorded" : "what is scanned");
+    }
+}
+
 static int say_summary(const simulation *s) {
     wcut_summary sum;
     const wcut_status status = wcut_summary_eval(s->history, &sum);
@@ -207,6 +217,7 @@ static int say_summary(const simulation *s) {
     app_say("%s: %d of %d stations, %.1f s of cutting at %.3g to %.3g mm/s", s->job->name, s->history->stations,
             s->history->planned, sum.duration, sum.speed.min, sum.speed.max);
     app_say("worst residual %.1e, %.1f iterations a station", sum.residual_max, sum.iterations_mean);
+    say_effects(s->job);
     app_say("in %s: %s", s->results.folder, app_results_list(&s->results));
     return APP_DONE;
 }

@@ -33,6 +33,20 @@ static void put_counts(wcut_text *text, const wcut_summary *s) {
     wcut_text_print(text, "}");
 }
 
+/* the names of a job's effects that act in the step, or of those that do not; neutral ones are none */
+static void put_effects(wcut_text *text, const char *key, const wcut_job *job, bool in_step) {
+    int listed = 0;
+    for (int k = 0; k < job->effect_count; k++) {
+        const wcut_effect_info *info = wcut_effect_view(job->effect[k].kind);
+        if ((info->place == WCUT_EFFECT_STEP) != in_step || wcut_effect_is_neutral(&job->effect[k])) continue;
+        if (listed++ == 0)
+            wcut_text_print(text, ",\n  \"%s\": [\"%s\"", key, info->name);
+        else
+            wcut_text_print(text, ", \"%s\"", info->name);
+    }
+    if (listed) wcut_text_print(text, "]");
+}
+
 static void put_head(wcut_text *text, const wcut_setup *setup, const wcut_history *h) {
     const wcut_job *job = wcut_setup_job(setup);
     bool implicit = wcut_setup_options(setup)->integrator == WCUT_IMPLICIT;
@@ -42,6 +56,8 @@ static void put_head(wcut_text *text, const wcut_setup *setup, const wcut_histor
                     job->mode == WCUT_MODE_PATH ? "path" : "design", implicit ? "implicit" : "heun");
     wcut_text_print(text, ",\n  \"stations\": %d,\n  \"planned_stations\": %d,\n  \"complete\": %s,\n  \"nodes\": %d",
                     h->stations, h->planned, h->stations == h->planned ? "true" : "false", h->nodes);
+    put_effects(text, "effects", job, true);
+    put_effects(text, "effects_not_shown", job, false);
     if (h->ended.status != WCUT_OK) {
         wcut_text_print(text, ",\n  \"ended\": ");
         wcut_text_string(text, h->ended.text);

@@ -20,6 +20,21 @@ for name in plain neutral instrument lag mounts; do simulate 0 $name; done
 cmp -s plain/path.csv neutral/path.csv || fail "neutral effects change path.csv"
 cmp -s plain/path.csv instrument/path.csv || fail "instruments change path.csv"
 cmp -s plain/path.csv lag/path.csv && fail "a thermal lag changes nothing"
+# what acts behind the wire is said not to show, in the summary and to whoever reads
+python3 - <<'EOF' || fail "summary.json does not tell which effects show"
+import json
+of = lambda name: json.load(open(name + "/summary.json"))
+assert "effects" not in of("plain") and "effects_not_shown" not in of("plain")
+assert of("instrument")["effects_not_shown"] == ["tension_gain", "scan_scale"] and "effects" not in of("instrument")
+assert of("lag")["effects"] == ["wire_thermal_lag"] and "effects_not_shown" not in of("lag")
+EOF
+# shellcheck disable=SC2086
+run 0 simulate instrument.json -o loud $small
+grep -q 'note: tension_gain acts on what is recorded' err && grep -q 'note: scan_scale acts on what is scanned' err ||
+    fail "$called: effects that do not show are not named: $(cat err)"
+# shellcheck disable=SC2086
+run 0 simulate lag.json -o loud $small
+grep -q 'note:' err && fail "$called: a note about an effect that shows: $(cat err)"
 cut -d, -f4-9 plain/path.csv >way
 cut -d, -f4-9 mounts/path.csv >way_of_mounts
 cmp -s way way_of_mounts || fail "mounts that give way are led elsewhere"
