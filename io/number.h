@@ -3,11 +3,15 @@
 #define WCUT_IO_NUMBER_H
 
 #include <locale.h>
+#include <stdint.h>
 
 enum { WCUT_NUMBER_SIZE = 32 };
 
 /* print a double, without a terminating zero; gives the length. Not finite: "nan", "inf", "-inf". */
 int wcut_number_print(double value, char text[WCUT_NUMBER_SIZE]);
+
+/* the same of a whole number */
+int wcut_integer_print(uint64_t value, char text[WCUT_NUMBER_SIZE]);
 
 /* let the calling thread use the "C" locale (decimal points); gives the one to go back to */
 locale_t wcut_locale_plain(void);

@@ -9,35 +9,20 @@
 #include "number.h"
 #include "utf8.h"
 
-enum { A_LINE = 8, INTEGER_SIZE = 20 };
+enum { A_LINE = 8 };
 
 /* ---- into a room ---- */
 
-static size_t print_integer(char *to, long value) {
-    char reversed[INTEGER_SIZE];
-    size_t n = 0, length = 0;
-    unsigned long rest = value < 0 ? 0UL - (unsigned long)value : (unsigned long)value;
-    do reversed[n++] = (char)('0' + rest % 10);
-    while ((rest /= 10) > 0);
-    if (value < 0) to[length++] = '-';
-    while (n > 0) to[length++] = reversed[--n];
-    return length;
-}
-
 /* the shortest digits, a point behind the first ones where there is none, a capital exponent */
 static size_t print_real(char *to, double value) {
-    char digits[WCUT_NUMBER_SIZE];
-    const size_t length = (size_t)wcut_number_print(value, digits);
-    size_t used = 0;
-    bool has_point = false;
-    for (size_t i = 0; i < length; i++) {
-        const bool is_exponent = digits[i] == 'e';
-        has_point = has_point || digits[i] == '.';
-        if (is_exponent && !has_point) to[used++] = '.', has_point = true;
-        to[used++] = is_exponent ? 'E' : digits[i];
-    }
-    if (!has_point) to[used++] = '.';
-    return used;
+    const size_t length = (size_t)wcut_number_print(value, to);
+    char *exponent = memchr(to, 'e', length);
+    if (exponent) *exponent = 'E';
+    if (memchr(to, '.', length)) return length;
+    char *end = exponent ? exponent : to + length;
+    memmove(end + 1, end, (size_t)(to + length - end));
+    *end = '.';
+    return length + 1;
 }
 
 static size_t print_words(char *to, const char *words) {
@@ -48,7 +33,7 @@ static size_t print_words(char *to, const char *words) {
 
 static size_t print_begin(char *to, wcut_id id) {
     size_t used = print_words(to, "#");
-    used += print_integer(to + used, id);
+    used += (size_t)wcut_integer_print((uint64_t)id, to + used);
     to[used++] = '=';
     return used;
 }
@@ -123,7 +108,7 @@ void wcut_p21_references(wcut_part21 *p, wcut_id first, int count, int step) {
         char *room = wcut_text_room(p->text);
         size_t used = print_gap(room, k);
         room[used++] = '#';
-        used += print_integer(room + used, first + (wcut_id)k * step);
+        used += (size_t)wcut_integer_print((uint64_t)(first + (wcut_id)k * step), room + used);
         p->text->count += used;
     }
     wcut_text_put(p->text, ")", 1);
@@ -134,16 +119,6 @@ void wcut_p21_reals(wcut_part21 *p, const double *value, int count, int step) {
         char *room = wcut_text_room(p->text);
         size_t used = print_gap(room, k);
         used += print_real(room + used, value[(size_t)k * (size_t)step]);
-        p->text->count += used;
-    }
-    wcut_text_put(p->text, ")", 1);
-}
-
-void wcut_p21_integers(wcut_part21 *p, const int *value, int count) {
-    for (int k = 0; k < count; k++) {
-        char *room = wcut_text_room(p->text);
-        size_t used = print_gap(room, k);
-        used += print_integer(room + used, value[k]);
         p->text->count += used;
     }
     wcut_text_put(p->text, ")", 1);

@@ -33,8 +33,7 @@ wcut_id wcut_p21_direction(wcut_part21 *p, wcut_vec3 direction);
 /* count references #first, #(first + step), ... in parentheses, with line feeds */
 void wcut_p21_references(wcut_part21 *p, wcut_id first, int count, int step);
 
-/* reals or integers in parentheses, with line feeds; the reals are every step-th of value */
+/* count reals in parentheses, every step-th of value, with line feeds */
 void wcut_p21_reals(wcut_part21 *p, const double *value, int count, int step);
-void wcut_p21_integers(wcut_part21 *p, const int *value, int count);
 
 #endif

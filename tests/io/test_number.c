@@ -64,7 +64,14 @@ static void check_number(double value) {
     ck_assert_int_lt(length, WCUT_NUMBER_SIZE - 4);
     text[length] = '\0';
     ck_assert_msg(strtod(text, NULL) == value, "%.17g printed as %s", value, text);
-    ck_assert_msg(count_digits(text) <= fewest_digits(value), "%.17g printed as %s", value, text);
+    const int fewest = fewest_digits(value);
+    ck_assert_msg(count_digits(text) <= fewest, "%.17g printed as %s", value, text);
+    /* of several that are as short the nearest, which printf gives */
+    char near[40];
+    snprintf(near, sizeof near, "%.*e", fewest - 1, value);
+    const double off = fabs((double)(strtold(text, NULL) - (long double)value));
+    const double least = fabs((double)(strtold(near, NULL) - (long double)value));
+    ck_assert_msg(off <= least, "%.17g printed as %s, nearer is %s", value, text, near);
 }
 
 START_TEST(every_number_reads_back_and_none_could_be_shorter) {
