@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <wirecut/reshape.h>
 
 #include "fail.h"
 #include "number.h"
@@ -70,6 +71,23 @@ bool wcut_curves_add(wcut_curve_reader *r, wcut_curve *curve, const char *name, 
     r->set->curve[r->set->count] = curve;
     r->set->name[r->set->count++] = copy;
     return true;
+}
+
+bool wcut_curves_add_chain(wcut_curve_reader *r, int count, wcut_curve **curve, const char *name, size_t length) {
+    static const double gap = 1e-3; /* [mm] what CAD programs call one point */
+    wcut_curve *whole = NULL;
+    bool ok = true;
+    const wcut_status status = wcut_curve_join(count, (const wcut_curve *const *)curve, gap, &whole, NULL);
+    if (status == WCUT_NO_MEMORY) ok = wcut_curves_refuse_memory(r);
+    if (status == WCUT_OK) ok = wcut_curves_add(r, whole, name, length);
+    for (int k = 0; k < count; k++) {
+        if (status != WCUT_OK && ok)
+            ok = wcut_curves_add(r, curve[k], name, length);
+        else
+            wcut_curve_destroy(curve[k]);
+    }
+    free(curve);
+    return ok;
 }
 
 /* each kind is told once */

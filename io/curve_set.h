@@ -23,6 +23,10 @@ bool wcut_curves_refuse_memory(wcut_curve_reader *reader);
 /* a curve becomes the set's, or is destroyed; its name (length bytes) is copied, control characters left out */
 bool wcut_curves_add(wcut_curve_reader *reader, wcut_curve *curve, const char *name, size_t length);
 
+/* Curves in their order become one of the set's where each begins where the one before ends, within 1e-3 mm, else each
+   for itself; all are taken, and the array too. */
+bool wcut_curves_add_chain(wcut_curve_reader *reader, int count, wcut_curve **curve, const char *name, size_t length);
+
 /* a curve that is not read, since it is of that kind */
 void wcut_curves_leave_out(wcut_curve_reader *reader, const char *kind);
 

@@ -1,10 +1,13 @@
 /* Curves from STEP files (ISO 10303-42): those of geometric sets, or the edges of faces where there are none. */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <wirecut/edit.h>
+#include <wirecut/projection.h>
 
 #include "arc.h"
+#include "fail.h"
 #include "step_curves.h"
 
 enum { DEPTH_MOST = 8 };
@@ -112,25 +115,44 @@ static wcut_curve *cut(wcut_step_source *s, wcut_curve *curve, double u, bool ke
     return keep_low ? low : high;
 }
 
-/* a spline is whole, or cut at parameters; points that are not its ends cannot be found exactly and are left out */
+/* where a point lies on a curve; false: further from it than the slack, or refused */
+static bool find_parameter(wcut_step_source *s, const wcut_curve *curve, wcut_vec3 point, double slack, double *u) {
+    wcut_curve_foot foot;
+    const wcut_status status = wcut_curve_locate(curve, 1, &point, 1, &foot);
+    if (status == WCUT_NO_MEMORY) return wcut_curves_refuse_memory(s->reader);
+    if (status != WCUT_OK || foot.distance > slack) {
+        wcut_curves_leave_out(s->reader, "a spline whose ends are not on it");
+        return false;
+    }
+    *u = foot.u;
+    return true;
+}
+
+/* A spline is whole, or cut at parameters, or at the points of it that are the piece's ends. */
 static wcut_curve *cut_spline(wcut_step_source *s, wcut_curve *curve, const piece *p) {
-    if (!curve) return NULL;
-    if (p->has_parameters) {
-        const double low = fmin(p->parameter[0], p->parameter[1]), high = fmax(p->parameter[0], p->parameter[1]);
-        curve = cut(s, curve, low, false);
-        if (curve) curve = cut(s, curve, high, true);
-    } else if (p->has_points) {
+    double u[2] = {p->parameter[0], p->parameter[1]};
+    bool cuts = curve && p->has_parameters, ok = curve != NULL;
+    if (ok && !cuts && p->has_points) {
         wcut_vec3 end[2];
         double first, last;
         wcut_curve_domain(curve, &first, &last);
         wcut_curve_eval(curve, first, 0, &end[0]);
         wcut_curve_eval(curve, last, 0, &end[1]);
         const int begins = p->forwards ? 0 : 1;
-        if (distance(end[begins], p->point[0]) > p->slack || distance(end[1 - begins], p->point[1]) > p->slack) {
-            wcut_curves_leave_out(s->reader, "a spline longer than its edge");
-            wcut_curve_destroy(curve);
-            return NULL;
+        cuts = distance(end[begins], p->point[0]) > p->slack || distance(end[1 - begins], p->point[1]) > p->slack;
+        for (int k = 0; cuts && ok && k < 2; k++) ok = find_parameter(s, curve, p->point[k], p->slack, &u[k]);
+        if (cuts && ok && (p->forwards ? u[0] >= u[1] : u[0] <= u[1])) {
+            wcut_curves_leave_out(s->reader, "a piece over the seam of a closed spline");
+            ok = false;
         }
+    }
+    if (ok && cuts) {
+        curve = cut(s, curve, fmin(u[0], u[1]), false);
+        if (curve) curve = cut(s, curve, fmax(u[0], u[1]), true);
+    }
+    if (!ok) {
+        wcut_curve_destroy(curve);
+        return NULL;
     }
     return p->forwards ? curve : reversed(s, curve);
 }
@@ -220,18 +242,30 @@ static bool add(wcut_step_source *s, long id, const piece *p, const char *body) 
     return s->reader->failure.status == WCUT_OK;
 }
 
+/* the segments of a composite curve; one that is left out leaves out all */
 static bool add_segments(wcut_step_source *s, long id, const char *list) {
+    const int count = wcut_p21_length(wcut_p21_item(list, 1));
+    size_t length;
+    const char *name = find_name(wcut_p21_find(&s->file, id), &length);
+    if (count < 1) return wcut_step_refuse(s, id, "no segments");
+    wcut_curve **part = wcut_io_alloc((size_t)count, sizeof *part);
+    if (!part) return wcut_curves_refuse_memory(s->reader);
+    int made = 0;
     for (const char *item = wcut_p21_item(wcut_p21_item(list, 1), 0); item; item = wcut_p21_next(item)) {
         long at = 0, parent = 0;
-        if (!reference(s, id, item, &at)) return false;
+        if (!reference(s, id, item, &at)) break;
         const char *body = wcut_p21_find(&s->file, at);
         const char *segment = body ? wcut_p21_record(body, "COMPOSITE_CURVE_SEGMENT") : NULL;
-        if (!reference(s, at, wcut_p21_item(segment, 2), &parent)) return false;
+        if (!reference(s, at, wcut_p21_item(segment, 2), &parent)) break;
         wcut_curve *curve = make(s, parent, NULL, DEPTH_MOST);
         if (curve && wcut_p21_is(wcut_p21_item(segment, 1), ".F.")) curve = reversed(s, curve);
-        if (curve ? !wcut_curves_add(s->reader, curve, "", 0) : s->reader->failure.status != WCUT_OK) return false;
+        if (!curve) break;
+        part[made++] = curve;
     }
-    return true;
+    if (made == count) return wcut_curves_add_chain(s->reader, count, part, name, length);
+    for (int k = 0; k < made; k++) wcut_curve_destroy(part[k]);
+    free(part);
+    return s->reader->failure.status == WCUT_OK;
 }
 
 /* the curves among a geometric set's elements */

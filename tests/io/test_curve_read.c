@@ -142,13 +142,54 @@ START_TEST(lines_polylines_arcs_and_composites_become_splines) {
                "#40=POLYLINE('',(#10,#12));\n"
                "#22=TRIMMED_CURVE('',#20,(PARAMETER_VALUE(0.)),(PARAMETER_VALUE(-3.1415926535897931)),.F.,.PARAMETER.);"
                "\n"),
-          4);
+          3);
     is_at(at(0, 0.25), 3, 1, 1);
     is_at(at(0, 1), 5, 0, 1);
-    is_at(at(1, 1), 3, 4, 1);
-    is_at(at(2, 1), 0, 0, 0);
-    is_at(at(3, 0.5), 3, -1, 1);
-    is_at(at(3, 1), 1, 0, 1);
+    is_at(at(1, 0.5), 3, 4, 1);
+    is_at(at(1, 1), 0, 0, 0);
+    is_at(at(2, 0.5), 3, -1, 1);
+    is_at(at(2, 1), 1, 0, 1);
+}
+END_TEST
+
+START_TEST(a_composite_whose_segments_meet_is_one_curve_and_else_its_segments) {
+    /* from (1, 0, 1) by half a circle to (5, 0, 1), on by a line to (3, 4, 1) */
+    static const char arc[] =
+        "#20=COMPOSITE_CURVE('edge',(#30,#31),.U.);\n"
+        "#30=COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.T.,#40);\n"
+        "#31=COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.F.,#41);\n"
+        "#40=TRIMMED_CURVE('',#42,(PARAMETER_VALUE(3.1415926535897931)),(PARAMETER_VALUE("
+        "6.2831853071795862)),.T.,.PARAMETER.);#42=CIRCLE('',#15,2.);\n"
+        "#41=POLYLINE('',(#12,#43));#43=CARTESIAN_POINT('',(%s,0.,1.));\n";
+    char text[4000], data[1000];
+    for (int apart = 0; apart < 2; apart++) {
+        snprintf(data, sizeof data, arc, apart ? "5.1" : "5.");
+        snprintf(text, sizeof text, STEP(MM, "#20", "%s"), data);
+        reads("a.step", text, apart ? 2 : 1);
+        ck_assert_str_eq(set->name[0], "edge");
+        is_at(at(0, 0), 1, 0, 1);
+        is_at(at(apart, 1), 3, 4, 1);
+        if (apart) is_at(at(0, 1), 5, 0, 1);
+        ck_assert_int_eq(set->curve[0]->degree, 2);
+    }
+}
+END_TEST
+
+START_TEST(a_spline_trimmed_by_points_is_cut_where_they_lie_on_it) {
+    reads("a.step",
+          STEP(MM, "#20,#21,#22",
+               "#20=TRIMMED_CURVE('',#30,(#31),(#32),.T.,.CARTESIAN.);\n"
+               "#21=TRIMMED_CURVE('',#30,(#32),(#31),.F.,.CARTESIAN.);\n"
+               "#22=TRIMMED_CURVE('',#30,(#31),(#33),.T.,.CARTESIAN.);\n"
+               "#31=CARTESIAN_POINT('',(0.75,0.,0.25));#32=CARTESIAN_POINT('',(2.25,0.,0.75));\n"
+               "#33=CARTESIAN_POINT('',(2.25,1.,0.75));\n"
+               "#30=B_SPLINE_CURVE_WITH_KNOTS('',1,(#10,#11),.UNSPECIFIED.,.F.,.F.,(2,2),(0.,4.),.UNSPECIFIED.);\n"),
+          2);
+    is_at(at(0, 0), 0.75, 0, 0.25);
+    is_at(at(0, 1), 2.25, 0, 0.75);
+    is_at(at(1, 0), 2.25, 0, 0.75);
+    is_at(at(1, 1), 0.75, 0, 0.25);
+    ck_assert_str_eq(set->why, "a spline whose ends are not on it");
 }
 END_TEST
 
@@ -277,16 +318,79 @@ START_TEST(iges_lines_points_and_splines_are_read_in_their_unit) {
                                         "S      1G      2D      8P      4",
                                         NULL};
     put_lines(text, lines, "SGGDDDDDDDDPPPPT");
-    reads("a.igs", text, 2);
+    reads("a.igs", text, 3);
     is_at(at(0, 1), 25.4, 50.8, 76.2);
     is_at(at(1, 1), 25.4, 25.4, 0);
-    ck_assert_int_eq(set->left_out, 2);
-    ck_assert_str_eq(set->why, "type 100 form 0, a piece of another entity");
+    is_at(at(2, 0), 25.4, 0, 0);
+    is_at(at(2, 1), 0, 25.4, 0);
+    is_at(at(2, 0.5), 25.4 * sqrt(0.5), 25.4 * sqrt(0.5), 0);
+    ck_assert_int_eq(set->left_out, 1);
+    ck_assert_str_eq(set->why, "a piece of another entity");
     *strstr(text, "110,0.") = '3';
     refuses("a.igs", text, "line 4: found too few or other values than its kind has");
     put_lines(text, lines, "SGGDDDDDDDDPPPPP");
     refuses("a.igs", text, "found no section in its order, expected S, G, D, P and T");
     refuses("a.igs", "short\n", "line 1: found 5 columns, expected 80 of text");
+}
+END_TEST
+
+START_TEST(iges_arcs_composites_and_transformations_are_read) {
+    char text[6000];
+    /* entries 1 and 3: an arc and a line, pieces of 5; 7: an ellipse moved by 9, which 11 moves on; 13: a hyperbola */
+    static const char *const lines[] = {"start",
+                                        "1H,,1H;,5Ha,b;c,4Hfile,1Hs,1Hp,32,38,6,308,15,,1.,2,2HMM,1,0.01,",
+                                        "15H20000101.000000,1.D-6,0.,,,11,0,;",
+                                        "     100       1       0       0       0       0       0       000010000",
+                                        "     100       0       0       1       0",
+                                        "     110       2       0       0       0       0       0       000010000",
+                                        "     110       0       0       1       0",
+                                        "     102       3       0       0       0       0       0       000000000",
+                                        "     102       0       0       1       0",
+                                        "     104       4       0       0       0       0       9       000000000",
+                                        "     104       0       0       1       1",
+                                        "     124       5       0       0       0       0      11       000000000",
+                                        "     124       0       0       1       0",
+                                        "     124       6       0       0       0       0       0       000000000",
+                                        "     124       0       0       1       0",
+                                        "     104       7       0       0       0       0       0       000000000",
+                                        "     104       0       0       1       2",
+                                        "100,7.,10.,0.,12.,0.,8.,0.;",
+                                        "110,8.,0.,7.,8.,-5.,7.;",
+                                        "102,2,1,3;",
+                                        "104,0.25,0.,1.,0.,0.,-1.,3.,2.,0.,2.,0.;",
+                                        "124,0.,-1.,0.,5.,1.,0.,0.,6.,0.,0.,1.,7.;",
+                                        "124,1.,0.,0.,100.,0.,1.,0.,0.,0.,0.,1.,0.;",
+                                        "104,1.,0.,-1.,0.,0.,-1.,3.,2.,0.,2.,0.;",
+                                        "S      1G      2D     14P      7",
+                                        NULL};
+    put_lines(text, lines, "SGGDDDDDDDDDDDDDDPPPPPPPT");
+    reads("a.igs", text, 2);
+    is_at(at(0, 0), 12, 0, 7);
+    is_at(at(0, 1), 8, -5, 7);
+    ck_assert_int_eq(set->curve[0]->degree, 2);
+    /* the ellipse's half axes are 2 along x and 1 along y; a quarter turn and (5, 6, 7), then 100 along x */
+    is_at(at(1, 0), 105, 8, 10);
+    is_at(at(1, 0.25), 104, 6, 10);
+    is_at(at(1, 1), 105, 8, 10);
+    ck_assert_int_eq(set->left_out, 3);
+    ck_assert_str_eq(set->why, "a piece of another entity, type 104 form 2");
+    char *at_piece = strstr(text, "102,2,1,3;");
+    memcpy(at_piece, "102,2,1,4;", 10); /* entries have odd numbers */
+    refuses("a.igs", text, "line 8: found no directory entry 4");
+    memcpy(at_piece, "102,2,1,7;", 10); /* the ellipse follows on nowhere: pieces */
+    reads("a.igs", text, 3);
+    is_at(at(0, 1), 8, 0, 7);
+    memcpy(at_piece, "102,2,1,;;", 10);
+    refuses("a.igs", text, "line 8: found too few or other values than its kind has");
+    memcpy(at_piece, "102,2,1,3;", 10);
+    memcpy(strstr(text, "100,7."), "100,x.", 6);
+    refuses("a.igs", text, "line 4: found too few or other values than its kind has");
+    put_lines(text, lines, "SGGDDDDDDDDDDDDDDPPPPPPPT");
+    memcpy(strstr(text, "     0      11 ") + 12, " 9", 2); /* a transformation that moves itself */
+    refuses("a.igs", text, "found no transformation, expected one of type 124");
+    put_lines(text, lines, "SGGDDDDDDDDDDDDDDPPPPPPPT");
+    memcpy(strstr(text, "124,1.,0.,0.,100."), "124,1.,0.,0.,9e20", 17);
+    refuses("a.igs", text, "moved beyond 1e12 mm");
 }
 END_TEST
 
@@ -331,12 +435,15 @@ int main(void) {
     const TTest *const test[] = {our_own_step_and_iges_come_back_bit_for_bit_whatever_the_locale,
                                  a_solid_gives_its_edges,
                                  lines_polylines_arcs_and_composites_become_splines,
+                                 a_composite_whose_segments_meet_is_one_curve_and_else_its_segments,
                                  a_trimmed_spline_is_cut_at_its_parameters,
+                                 a_spline_trimmed_by_points_is_cut_where_they_lie_on_it,
                                  the_files_own_unit_is_obeyed,
                                  what_is_left_out_is_told_and_the_rest_is_read,
                                  a_broken_step_file_is_refused_with_its_words,
                                  json_and_csv_hold_curves_in_millimetres,
                                  iges_lines_points_and_splines_are_read_in_their_unit,
+                                 iges_arcs_composites_and_transformations_are_read,
                                  arguments_outside_their_range_and_missing_files_are_refused,
                                  without_memory_nothing_is_given_and_nothing_lost};
     return run_suite("curve_read", sizeof test / sizeof *test, test);
