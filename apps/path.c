@@ -9,6 +9,9 @@
 #include "results.h"
 #include "terminal.h"
 
+/* How exactly the least distance of a mount's path to the block is found. */
+#define CLEARANCE_MM 1e-3
+
 typedef struct export_ {
     const app_call *call;
     const char *path; /* of the job */
@@ -18,6 +21,7 @@ typedef struct export_ {
     wcut_vec3 *mount_a, *mount_b; /* one block */
     wcut_robot_motion *motion;
     wcut_robot_check check[WCUT_ROBOT_CHECKS];
+    wcut_path_near near[2]; /* the mounts' paths and the block */
     wcut_robot_format format;
     app_results results;
 } export_;
@@ -45,6 +49,17 @@ static int run(export_ *e) {
     e->mount_b = e->mount_a + stations;
     status = wcut_history_path(e->setup, e->history, e->mount_a, e->mount_b, &length, &error);
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, e->path, &error);
+}
+
+/* how near the mounts' paths come to the block, between the stations too */
+static int approach(export_ *e) {
+    const wcut_box block = {{0, 0, 0}, e->job->block_size};
+    for (int k = 0; k < 2; k++) {
+        const wcut_status status =
+            wcut_path_clearance(e->history->stations, k ? e->mount_b : e->mount_a, &block, CLEARANCE_MM, &e->near[k]);
+        if (status != WCUT_OK) return app_fail_status(status, e->path, NULL);
+    }
+    return APP_DONE;
 }
 
 static void choose(const app_call *call, const char *option, double unit, double *to) {
@@ -109,6 +124,7 @@ static int print_json(const export_ *e) {
     const wcut_robot_summary summary = {.job = e->job,
                                         .motion = e->motion,
                                         .check = e->check,
+                                        .near = e->near,
                                         .format = e->format,
                                         .file_count = e->results.count,
                                         .files = e->results.name};
@@ -123,6 +139,21 @@ static void say_summary(const export_ *e) {
     const wcut_robot_motion *m = e->motion;
     app_say("%s: %d targets of %d stations, %.1f s; off the path by at most %.2g mm, along it by %.2g mm", e->job->name,
             m->count, m->stations, m->duration, m->chord_error, m->time_error);
+    for (int k = 0; k < 2; k++) {
+        const wcut_path_near *n = &e->near[k];
+        const char *mount = k ? "B" : "A";
+        if (n->distance > 0)
+            app_say(
+                "mount %s keeps %.4g mm from the block along its whole path, nearest at station %.4g, (%.4g, %.4g, "
+                "%.4g) mm",
+                mount, n->distance, n->station, n->place.x, n->place.y, n->place.z);
+        else
+            app_say("warning: mount %s touches the block at station %.4g, (%.4g, %.4g, %.4g) mm", mount, n->station,
+                    n->place.x, n->place.y, n->place.z);
+        if (n->distance > 0 && n->distance < e->job->clearance - CLEARANCE_MM)
+            app_say("warning: mount %s: %.4g mm from the block, asked for were %.4g mm", mount, n->distance,
+                    e->job->clearance);
+    }
     for (int i = 0; i < WCUT_ROBOT_CHECKS; i++) {
         const wcut_robot_check *c = &e->check[i];
         if (!c->over) continue;
@@ -140,6 +171,7 @@ static int path(const app_call *call) {
     int code = load(&e);
     if (code == APP_DONE) app_catch_interrupts();
     if (code == APP_DONE) code = run(&e);
+    if (code == APP_DONE) code = approach(&e);
     if (code == APP_DONE) code = make_motion(&e);
     if (code == APP_DONE) code = check_limits(&e);
     if (code == APP_DONE) code = app_results_begin(&e.results, app_text(call, "output"));

@@ -175,7 +175,7 @@ wcut_status wcut_robot_write(const wcut_robot_motion *motion, const wcut_robot_n
 /* ---- figures ---- */
 
 wcut_status wcut_robot_summary_print(const wcut_robot_summary *s, char **text) {
-    if (!s || !s->job || !s->motion || !s->check || (unsigned)s->format >= FORMATS || s->file_count < 0 ||
+    if (!s || !s->job || !s->motion || !s->check || !s->near || (unsigned)s->format >= FORMATS || s->file_count < 0 ||
         (s->file_count > 0 && !s->files) || !text)
         return WCUT_BAD_ARGUMENT;
     wcut_text out;
@@ -196,6 +196,17 @@ wcut_status wcut_robot_summary_print(const wcut_robot_summary *s, char **text) {
         put_number(&out, ", \"limit\": ", c->limit);
         if (c->station >= 0) wcut_text_print(&out, ", \"station\": %d", c->station);
         wcut_text_print(&out, ", \"over\": %s}", c->over ? "true" : "false");
+    }
+    wcut_text_print(&out, "\n  ],\n  \"clearance\": [");
+    for (int i = 0; i < 2; i++) {
+        const wcut_path_near *n = &s->near[i];
+        wcut_text_print(&out, "%s\n    {\"mount\": \"%s\"", i ? "," : "", i ? "B" : "A");
+        put_number(&out, ", \"least_mm\": ", n->distance);
+        put_number(&out, ", \"station\": ", n->station);
+        put_number(&out, ", \"at_mm\": [", n->place.x);
+        put_number(&out, ", ", n->place.y);
+        put_number(&out, ", ", n->place.z);
+        wcut_text_print(&out, "]}");
     }
     wcut_text_print(&out, "\n  ]");
     wcut_text_files(&out, s->file_count, s->files);

@@ -35,6 +35,7 @@ untouched strict
 run 0 path "$job" --format csv -o made --alpha 20
 grep -q 'warning: alpha at mount A: .* limit 20 deg' err || fail "no warning of alpha: $(cat err)"
 
+cp "$job" job
 run 0 path "$job" --format rapid -o made --json --quiet --lead-in 20 --lead-out 30 --wire-on heater_on --tool-frame following
 [ -s err ] && fail "--quiet spoke: $(cat err)"
 python3 - <<'EOF' || fail "--json"
@@ -42,9 +43,20 @@ import json
 d = json.load(open("out"))
 assert d["format"] == "wirecut-path/1" and d["program"] == "rapid" and len(d["limits"]) == 10
 assert d["files"] == ["wirecut_a.mod", "wirecut_b.mod"]
+# the design asks for 80 mm; what the curves between the stations keep is at most what the stations do
+job = json.load(open("job"))
+asked, size = job["design"]["clearance_mm"], job["block"]["size_mm"]
+for c, mount in zip(d["clearance"], "AB"):
+    p = c["at_mm"]
+    off = sum(max(0, -x, x - s) ** 2 for x, s in zip(p, size)) ** 0.5
+    assert c["mount"] == mount and abs(off - c["least_mm"]) < 2e-3, c
+    assert asked - 1 < c["least_mm"] < asked + 1e-6 and 0 <= c["station"] <= 240, c
 EOF
 grep -q '^    heater_on;$' made/wirecut_a.mod || fail "the hook is not called"
 grep -q 'heater_on' made/wirecut_b.mod && fail "both robots switch the wire"
+
+run 0 path "$jobs/steady-400-60.json" --format csv -o made
+grep -q 'mount A keeps 60 mm from the block along its whole path' err || fail "no clearance: $(cat err)"
 
 # without -o into the folder it is called in
 run 0 path "$job" --format krl --quiet

@@ -2,6 +2,7 @@
    Boxes and clearances against closed forms and dense samples. */
 #include <wirecut/bounds.h>
 
+#include "base/alloc.h"
 #include "base/random.h"
 #include "surface/shapes.h"
 
@@ -101,6 +102,51 @@ START_TEST(a_curve_along_a_face_of_the_block_keeps_its_distance) {
 }
 END_TEST
 
+/* the mount turns around the block's edge at x = 0, y = 0: its stations stay 20 mm away, the curve between does not */
+START_TEST(a_path_comes_nearer_between_its_stations_than_at_them) {
+    const wcut_vec3 mount[6] = {{-20, 80, 5}, {-20, 40, 5}, {-20, 40, 5}, {-16, -12, 5}, {40, -20, 5}, {80, -20, 5}};
+    const wcut_box block = {{0, 0, 0}, {100, 100, 10}};
+    wcut_path_near near = {.distance = 999};
+    wcut_vec3 apart[5] = {mount[0], mount[1], mount[3], mount[4], mount[5]};
+    wcut_curve *c = NULL;
+    ck_assert_int_eq(wcut_path_clearance(6, mount, &block, 1e-6, &near), WCUT_OK);
+    ck_assert_int_eq(wcut_curve_interpolate(5, apart, &c), WCUT_OK);
+    double least = INFINITY;
+    for (int k = 0; k <= 100000; k++) {
+        wcut_vec3 p;
+        ck_assert_int_eq(wcut_curve_eval(c, k / 1e5, 0, &p), WCUT_OK);
+        least = fmin(least, hypot(fmax(0, -p.x), fmax(0, -p.y)));
+    }
+    ck_assert_double_le(fabs(near.distance - least), 1e-5);
+    ck_assert_double_lt(near.distance, 19.5); /* 20 at every station */
+    ck_assert_double_le(fabs(hypot(fmax(0, -near.place.x), fmax(0, -near.place.y)) - near.distance), 1e-5);
+    ck_assert(near.station > 0 && near.station < 5 && fabs(near.station - floor(near.station + 0.5)) > 0.05);
+    wcut_curve_destroy(c);
+    /* one that stands still, for as many stations as there are */
+    for (int k = 0; k < 6; k++) apart[k % 5] = vec3(-3, 50, 14);
+    ck_assert_int_eq(wcut_path_clearance(5, apart, &block, 1e-6, &near), WCUT_OK);
+    ck_assert(near.distance == 5 && near.station == 0 && near.place.x == -3);
+    ck_assert_int_eq(wcut_path_clearance(0, mount, &block, 1, &near), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_path_clearance(6, NULL, &block, 1, &near), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_path_clearance(6, mount, NULL, 1, &near), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_path_clearance(6, mount, &block, 0, &near), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_path_clearance(6, mount, &block, 1, NULL), WCUT_BAD_ARGUMENT);
+    apart[2].y = NAN;
+    ck_assert_int_eq(wcut_path_clearance(5, apart, &block, 1, &near), WCUT_BAD_ARGUMENT);
+    ck_assert(near.distance == 5);
+    int failed = 0;
+    for (int k = 1;; k++) {
+        wcut_alloc_fail_at(k);
+        const wcut_status status = wcut_path_clearance(6, mount, &block, 1e-3, &near);
+        wcut_alloc_fail_at(0);
+        if (status == WCUT_OK) break;
+        ck_assert_int_eq(status, WCUT_NO_MEMORY);
+        failed++;
+    }
+    ck_assert_int_gt(failed, 3);
+}
+END_TEST
+
 START_TEST(bad_arguments_are_refused_and_nothing_is_written) {
     wcut_surface *s = shape_octant();
     wcut_random random = wcut_random_seed(23);
@@ -132,6 +178,7 @@ int main(void) {
     tcase_add_test(tcase, a_box_holds_its_curve_and_touches_it_on_every_side);
     tcase_add_test(tcase, no_point_of_a_curve_is_nearer_to_a_block_than_its_clearance);
     tcase_add_test(tcase, a_curve_along_a_face_of_the_block_keeps_its_distance);
+    tcase_add_test(tcase, a_path_comes_nearer_between_its_stations_than_at_them);
     tcase_add_test(tcase, bad_arguments_are_refused_and_nothing_is_written);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);

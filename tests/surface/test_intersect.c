@@ -233,6 +233,84 @@ START_TEST(a_sheet_through_a_block_has_a_curve_on_each_side_and_their_ends_meet)
 }
 END_TEST
 
+/* every line closed, its points on the block's skin, steps no longer than those it came from */
+static void check_outline(const wcut_traces *parts, const wcut_box *block, int lines) {
+    wcut_traces *t = NULL;
+    double length = 0, joined = 0;
+    ck_assert_int_eq(wcut_traces_join(parts, 1e-6, &t), WCUT_OK);
+    ck_assert_int_eq(t->count, lines);
+    ck_assert_int_eq(t->loose, 0);
+    for (int k = 0; k < parts->count; k++)
+        for (int i = 0; i + 1 < parts->trace[k].count + parts->trace[k].closed; i++)
+            length += vec3_distance(parts->trace[k].point[i], parts->trace[k].point[(i + 1) % parts->trace[k].count]);
+    for (int k = 0; k < t->count; k++) {
+        const wcut_trace *a = &t->trace[k];
+        ck_assert(a->closed);
+        for (int i = 0; i < a->count; i++) {
+            const wcut_vec3 p = a->point[i];
+            const double step = vec3_distance(p, a->point[(i + 1) % a->count]);
+            const double x = fmin(fabs(p.x - block->low.x), fabs(p.x - block->high.x));
+            const double y = fmin(fabs(p.y - block->low.y), fabs(p.y - block->high.y));
+            ck_assert_double_le(fmin(fmin(x, y), fabs(p.z - block->high.z)), 1e-9);
+            ck_assert_double_gt(step, 0);
+            joined += step;
+        }
+    }
+    ck_assert_double_le(fabs(joined - length), 1e-9 * length);
+    wcut_traces_destroy(t);
+}
+
+START_TEST(curves_on_a_blocks_faces_join_into_closed_outlines) {
+    enum { STATIONS = 50, NODES = 30 };
+    static wcut_vec3 x[STATIONS * NODES];
+    for (int j = 0; j < STATIONS; j++)
+        for (int i = 0; i < NODES; i++) x[j * NODES + i] = sheet_point(i / (NODES - 1.0), j / (STATIONS - 1.0));
+    wcut_surface *s = NULL;
+    ck_assert_int_eq(wcut_surface_loft(STATIONS, NODES, x, 0, &s, NULL, NULL), WCUT_OK);
+    const wcut_box block = {{50, 50, 0}, {350, 700, 400}}, low = {{50, 50, 0}, {350, 700, 160}};
+    wcut_traces *t = NULL, *joined = NULL;
+    ck_assert_int_eq(wcut_surface_intersect_box(s, &block, 1e-3, &t), WCUT_OK);
+    check_outline(t, &block, 1);
+    ck_assert_int_eq(wcut_traces_join(t, 1e-6, &joined), WCUT_OK);
+    ck_assert_int_eq(joined->trace[0].face, -1);
+    wcut_traces_destroy(joined);
+    /* of a line that is taken out the ends stay free */
+    wcut_traces most = *t;
+    most.count--;
+    ck_assert_int_eq(wcut_traces_join(&most, 1e-6, &joined), WCUT_OK);
+    ck_assert(joined->count == 1 && joined->loose == 2 && !joined->trace[0].closed);
+    wcut_traces_destroy(joined);
+    wcut_traces_destroy(t);
+    /* cut through the top, in as many loops as areas that stay below it, and those that pass the top alone */
+    ck_assert_int_eq(wcut_surface_intersect_box(s, &low, 1e-3, &t), WCUT_OK);
+    ck_assert_int_eq(wcut_traces_join(t, 1e-6, &joined), WCUT_OK);
+    const int lines = joined->count;
+    ck_assert(lines >= 1 && lines < t->count);
+    wcut_traces_destroy(joined);
+    check_outline(t, &low, lines);
+
+    wcut_traces *const mark = (wcut_traces *)&s, *kept = mark;
+    ck_assert_int_eq(wcut_traces_join(NULL, 1, &kept), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_traces_join(t, 0, &kept), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_traces_join(t, NAN, &kept), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_traces_join(t, 1, NULL), WCUT_BAD_ARGUMENT);
+    for (int k = 1;; k++) {
+        wcut_alloc_fail_at(k);
+        const wcut_status status = wcut_traces_join(t, 1e-6, &kept);
+        wcut_alloc_fail_at(0);
+        if (status == WCUT_OK) {
+            ck_assert_int_gt(k, 5);
+            break;
+        }
+        ck_assert_int_eq(status, WCUT_NO_MEMORY);
+        ck_assert_ptr_eq(kept, mark);
+    }
+    wcut_traces_destroy(kept);
+    wcut_traces_destroy(t);
+    wcut_surface_destroy(s);
+}
+END_TEST
+
 START_TEST(what_cannot_be_intersected_is_refused_and_nothing_is_written) {
     wcut_surface *s = shape_octant();
     wcut_traces *const mark = (wcut_traces *)&s, *t = mark;
@@ -278,6 +356,7 @@ int main(void) {
     tcase_add_test(tcase, no_curve_of_a_crumpled_sheet_is_missed);
     tcase_add_test(tcase, chords_stay_within_the_tolerance);
     tcase_add_test(tcase, a_sheet_through_a_block_has_a_curve_on_each_side_and_their_ends_meet);
+    tcase_add_test(tcase, curves_on_a_blocks_faces_join_into_closed_outlines);
     tcase_add_test(tcase, what_cannot_be_intersected_is_refused_and_nothing_is_written);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);

@@ -44,6 +44,27 @@ WCUT_API wcut_status wcut_surface_bounds(const wcut_surface *surface, double tol
 WCUT_API wcut_status wcut_curve_clearance(const wcut_curve *curve, const wcut_box *block, double tolerance,
                                           double *distance, double *u);
 
+/** Where a path comes nearest to a block. */
+typedef struct wcut_path_near {
+    double distance; /**< [mm] 0 where it touches or enters the block */
+    double station;  /**< real-valued, 0 .. count - 1 */
+    wcut_vec3 place; /**< [mm] on the path */
+} wcut_path_near;
+
+/**
+ * How near a mount comes to a block along the whole curve through its stations, between them too: the cubic of
+ * wcut_curve_interpolate, dwells passed over, held against the block as by wcut_curve_clearance.
+ *
+ * @param[in]  count     stations, at least 1
+ * @param[in]  mount     count [mm], finite
+ * @param[in]  block     filled; low <= high, finite
+ * @param[in]  tolerance [mm] positive, as for wcut_curve_clearance
+ * @param[out] near      the least distance, and where
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_path_clearance(int count, const wcut_vec3 *mount, const wcut_box *block, double tolerance,
+                                         wcut_path_near *near);
+
 #ifdef __cplusplus
 }
 #endif

@@ -16,7 +16,8 @@ extern "C" {
 typedef struct wcut_trace {
     int count;        /**< points, at least 2 */
     int closed;       /**< 1: the last point is joined to the first, which is not repeated */
-    int face;         /**< of the block: 0 x low, 1 x high, 2 y low, 3 y high, 4 z low, 5 z high; 0 for a plane */
+    int face;         /**< of the block: 0 x low, 1 x high, 2 y low, 3 y high, 4 z low, 5 z high; 0 for a plane; -1: it
+                           passes over several (wcut_traces_join) */
     wcut_vec3 *point; /**< count [mm], on the surface, off the plane by rounding */
     double *uv;       /**< count x 2, their parameters; a curve over the seam of a closed surface jumps there */
 } wcut_trace;
@@ -61,6 +62,17 @@ WCUT_API wcut_status wcut_surface_intersect_plane(const wcut_surface *surface, w
  */
 WCUT_API wcut_status wcut_surface_intersect_box(const wcut_surface *surface, const wcut_box *block, double tolerance,
                                                 wcut_traces **traces);
+
+/**
+ * Join curves end to end: of those on a block's faces, over its edges, the outline of the cut. A cut whose border is
+ * outside the block gives closed lines alone.
+ *
+ * @param[in]  traces    from wcut_surface_intersect_box or wcut_surface_intersect_plane
+ * @param[in]  tolerance [mm] positive; ends nearer than this are one place, the nearest first
+ * @param[out] outline   the caller's, to wcut_traces_destroy; `loose` counts the ends that stay free
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_traces_join(const wcut_traces *traces, double tolerance, wcut_traces **outline);
 
 /** Free traces; NULL is allowed. */
 WCUT_API void wcut_traces_destroy(wcut_traces *traces);

@@ -3,6 +3,7 @@
 #define WCUT_ROBOT_H
 
 #include <stdbool.h>
+#include <wirecut/bounds.h>
 #include <wirecut/export.h>
 #include <wirecut/history.h>
 #include <wirecut/job.h>
@@ -176,6 +177,7 @@ typedef struct wcut_robot_summary {
     const wcut_job *job;
     const wcut_robot_motion *motion;
     const wcut_robot_check *check; /**< WCUT_ROBOT_CHECKS */
+    const wcut_path_near *near;    /**< 2: of the mounts' paths and the block (wcut_path_clearance) */
     wcut_robot_format format;
     int file_count;
     const char *const *files;
