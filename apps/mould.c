@@ -1,4 +1,5 @@
 /* wirecut mould: a job file to the two halves of its block, as triangles and exact faces. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,6 +27,7 @@ typedef struct moulding {
     wcut_surface *surface;
     double *parameter, *kerf; /* of the stations, of the nodes */
     wcut_mesh *stock;
+    wcut_vec3 pull;
     wcut_mould *mould;
     char name[NAMES][APP_RESULT_NAME_MAX]; /* lower.stl .. lower.step, upper.stl .., mould.3mf, with the label */
     char solid[2][512];                    /* what CAD programs show */
@@ -94,10 +96,27 @@ static int loft(moulding *m) {
     return app_fail(app_exit_code(status), "%s: lofting the surface: %s", m->path, wcut_status_text(status));
 }
 
+/* "0,0,1" */
+static int read_pull(const char *text, wcut_vec3 *pull) {
+    double number[3];
+    const char *at = text;
+    for (int k = 0; k < 3; k++) {
+        char *end = NULL;
+        number[k] = at && strspn(at, "+-.0123456789eE") ? strtod(at, &end) : NAN;
+        const bool goes_on = end && isfinite(number[k]) && fabs(number[k]) <= 1e6 && *end == (k < 2 ? ',' : '\0');
+        at = goes_on ? end + 1 : NULL;
+    }
+    if (!at || !(hypot(hypot(number[0], number[1]), number[2]) > 1e-6))
+        return app_fail(APP_USAGE, "--pull: found \"%s\", expected a direction of three numbers as 0,0.2,1", text);
+    *pull = (wcut_vec3){number[0], number[1], number[2]};
+    return APP_DONE;
+}
+
 static int divide(moulding *m) {
     wcut_error error = {0};
     wcut_key key[WCUT_KEYS_AT_CORNERS];
     wcut_mould_options o = wcut_mould_default();
+    o.pull = m->pull;
     const int keys = app_choice(m->call, "keys");
     o.chord_tolerance = app_real(m->call, "chord-tolerance");
     o.fit_tolerance = app_real(m->call, "fit-tolerance");
@@ -198,6 +217,9 @@ static int write_results(moulding *m) {
 static void say_half(const char *name, const wcut_half_report *r) {
     app_say("%s: %.6g mm3, closed, %d piece%s; draft at least %.3g deg, undercut %.4g mm2", name, r->volume, r->pieces,
             r->pieces == 1 ? "" : "s", DEG_PER_RAD * r->draft_min, r->undercut_area);
+    if (isfinite(r->wall_min))
+        app_say("%s: wall at least %.4g mm, at (%.4g, %.4g, %.4g); edges at the block's sides at least %.3g deg", name,
+                r->wall_min, r->wall_place.x, r->wall_place.y, r->wall_place.z, DEG_PER_RAD * r->edge_min);
 }
 
 static void say_mould(const moulding *m) {
@@ -226,6 +248,11 @@ static int give(const moulding *m) {
     const wcut_half_report *half[2] = {&m->mould->lower.report, &m->mould->upper.report};
     for (int k = 0; k < 2; k++) {
         const char *name = k ? "upper" : "lower";
+        if (!half[k]->wall_held && !isfinite(half[k]->wall_min))
+            return app_fail(APP_OUTSIDE,
+                            "the %s half's wall is not known, for it was made by booleans; asked for were "
+                            "%.4g mm",
+                            name, m->mould->wall_asked);
         if (!half[k]->wall_held)
             return app_fail(APP_OUTSIDE, "the %s half's wall is %.4g mm, asked for were %.4g mm", name,
                             half[k]->wall_min, m->mould->wall_asked);
@@ -239,6 +266,7 @@ static int give(const moulding *m) {
 static int mould(const app_call *call) {
     moulding m = {.call = call, .path = call->operand[0]};
     int code = load(&m);
+    if (code == APP_DONE) code = read_pull(app_text(call, "pull"), &m.pull);
     if (code == APP_DONE) code = name_results(&m);
     if (code == APP_DONE) code = app_results_begin(&m.results, app_text(call, "output"));
     if (code == APP_DONE) {
@@ -335,13 +363,19 @@ static const app_option option[] = {
      .low = 0,
      .high = 1e6,
      .standard = "0",
-     .help = "least thickness of a half, mm; where it is less the command ends with 5"},
+     .help = "least thickness of a half behind the cut face, mm; where it is less the command ends with 5"},
     {.kind = APP_REAL,
      .name = "minimum-draft",
      .value = "DEG",
      .low = -90,
      .high = 90,
-     .help = "least angle between cut face and the direction of the pull, z; where it is less the command ends with 5"},
+     .help = "least angle between cut face and pull; where it is less the command ends with 5"},
+    {.kind = APP_TEXT,
+     .name = "pull",
+     .value = "X,Y,Z",
+     .standard = "0,0,1",
+     .help = "direction in which what is cast leaves the lower half, for draft and undercut; the upper half's is "
+             "opposite"},
     {.kind = APP_TEXT,
      .name = "label",
      .value = "NAME",
@@ -354,13 +388,16 @@ const app_verb app_verb_mould = {
     .brief = "divide a job's block along its cut into two closed solids",
     .about =
         "Cuts a job in simulation and divides its block along the surface, with the job's kerf. Writes into DIR the "
-        "lower "
-        "and the upper half, each as lower.stl, .obj, .ply, .3mf and .step (a closed solid of exact faces), mould.3mf "
-        "(both), report.html (both to turn, with their drafts) and mould.json: volumes, walls, drafts, and the proof "
-        "that both are closed, oriented and free of self-intersections.\n"
-        "Where the cut leaves through top or bottom, and for a stock, halves are triangles alone. A cut that misses "
-        "the "
-        "block, grazes a face, runs along an edge, folds over itself or ends inside is refused with its place.",
+        "lower and the upper half, each as lower.stl, .obj, .ply, .3mf and .step (a closed solid of exact faces), "
+        "mould.3mf (both), report.html (both to turn, with their drafts) and mould.json: volumes, walls, drafts, and "
+        "the proof that both are closed, oriented and free of self-intersections.\n"
+        "A wall is the least distance, in any direction, from the cut face to the face opposite and to pockets in it, "
+        "and to a side of the block that the cut face turns to by 45 deg or more. How sharp the edges are in which it "
+        "meets the sides is said beside it.\n"
+        "Where the cut leaves through top or bottom, and for a stock, halves come from booleans: triangles alone, no "
+        "STEP, and mould.json says so. A cut that misses the block, grazes a face, runs along an edge, folds over "
+        "itself or ends inside is refused with its place.\n"
+        "Rhino opens the STEP files; 3DM is not written: its one library is neither in Debian nor for C.",
     .operand = operand,
     .option = option,
     .run = mould,

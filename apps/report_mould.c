@@ -7,7 +7,7 @@
 
 #include "angle.h"
 
-enum { ROWS = 12 };
+enum { ROWS = 13 };
 
 /* everything the page borrows */
 typedef struct page {
@@ -74,10 +74,10 @@ static wcut_report_tone judge(page *p) {
 
 /* figures of both halves side by side */
 static wcut_report_table table_of_halves(const page *p, double number[2][ROWS], wcut_report_column column[4]) {
-    static const char *const what[ROWS] = {"volume",      "skin",        "cut face",      "undercut",
-                                           "least draft", "least wall",  "keys",          "triangles",
-                                           "pieces",      "exact faces", "height, least", "height, greatest"};
-    static const char *const unit[ROWS] = {"mm\xc2\xb3", "mm\xc2\xb2", "mm\xc2\xb2", "mm\xc2\xb2", "deg", "mm",
+    static const char *const what[ROWS] = {
+        "volume", "skin",      "cut face", "undercut",    "least draft",   "least wall",      "sharpest edge",
+        "keys",   "triangles", "pieces",   "exact faces", "height, least", "height, greatest"};
+    static const char *const unit[ROWS] = {"mm\xc2\xb3", "mm\xc2\xb2", "mm\xc2\xb2", "mm\xc2\xb2", "deg", "mm", "deg",
                                            "mm\xc2\xb3", "",           "",           "",           "mm",  "mm"};
     for (int k = 0; k < 2; k++) {
         const wcut_half *h = half_of(p, k);
@@ -88,6 +88,7 @@ static wcut_report_table table_of_halves(const page *p, double number[2][ROWS], 
                                     r->undercut_area,
                                     DEG_PER_RAD * r->draft_min,
                                     r->wall_min,
+                                    DEG_PER_RAD * r->edge_min,
                                     r->key_volume,
                                     h->mesh->triangle_count,
                                     r->pieces,
@@ -100,11 +101,12 @@ static wcut_report_table table_of_halves(const page *p, double number[2][ROWS], 
     column[1] = (wcut_report_column){.label = "unit", .text = unit};
     column[2] = (wcut_report_column){.label = "lower half", .number = number[0]};
     column[3] = (wcut_report_column){.label = "upper half", .number = number[1]};
-    return (wcut_report_table){.title = "The halves",
-                               .note = p->mould->by_boolean ? "Made by booleans: triangles alone." : NULL,
-                               .rows = ROWS,
-                               .columns = 4,
-                               .column = column};
+    return (wcut_report_table){
+        .title = "The halves",
+        .note = p->mould->by_boolean ? "Made by booleans: triangles alone, no STEP files." : NULL,
+        .rows = ROWS,
+        .columns = 4,
+        .column = column};
 }
 
 /* ---- the page ---- */

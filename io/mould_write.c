@@ -46,9 +46,12 @@ static void put_half(wcut_text *text, const char *name, const wcut_half *half) {
     put_point(text, ", \"at_mm\": [", r->draft_place);
     put_truth(text, ", \"held\": ", r->draft_held);
     put_number(text, "},\n    \"undercut_mm2\": ", r->undercut_area);
-    put_number(text, ", \"wall_mm\": {\"min\": ", r->wall_min);
+    put_number(text, ",\n    \"wall_mm\": {\"min\": ", r->wall_min);
+    put_point(text, ", \"at_mm\": [", r->wall_place);
     put_truth(text, ", \"held\": ", r->wall_held);
-    put_number(text, "}, \"keys_mm3\": ", r->key_volume);
+    put_number(text, "},\n    \"edge_deg\": {\"min\": ", DEG_PER_RAD * r->edge_min);
+    put_point(text, ", \"at_mm\": [", r->edge_place);
+    put_number(text, "},\n    \"keys_mm3\": ", r->key_volume);
     wcut_text_print(text, ", \"exact_faces\": %d}", half->brep ? half->brep->face_count : 0);
 }
 
@@ -69,7 +72,10 @@ static void put_cut(wcut_text *text, const wcut_mould *m) {
     put_number(text, "},\n  \"asked\": {\"wall_mm\": ", m->wall_asked);
     put_number(text, ", \"draft_deg\": ", DEG_PER_RAD * m->draft_asked);
     put_number(text, ", \"scale\": ", m->scale);
-    wcut_text_print(text, "},\n  \"made_by\": \"%s\"", m->by_boolean ? "booleans" : "index");
+    put_point(text, ", \"pull\": [", m->pull);
+    wcut_text_print(text, "},\n  \"made_by\": \"%s\",\n  \"step\": ", m->by_boolean ? "booleans" : "index");
+    wcut_text_string(text, m->by_boolean ? "not written: made by booleans, the halves are triangles without exact faces"
+                                         : "exact faces");
 }
 
 static bool is_usable(const wcut_mould *m, const char *name, int count, const char *const *files) {

@@ -81,9 +81,7 @@ static bool heights_over(const wcut_lid *l, int t, const wcut_key *key, double *
     return true;
 }
 
-wcut_status wcut_keys_check(const wcut_division *d, int upper, const wcut_cut_face *face, double *wall,
-                            wcut_error *error) {
-    *wall = INFINITY;
+wcut_status wcut_keys_check(const wcut_division *d, int upper, const wcut_cut_face *face, wcut_error *error) {
     for (int k = 0; k < d->options->key_count; k++) {
         const wcut_key *key = &d->options->key[k];
         if (!key->upper != !upper) continue;
@@ -97,7 +95,6 @@ wcut_status wcut_keys_check(const wcut_division *d, int upper, const wcut_cut_fa
                 return wcut_fail(error, WCUT_BAD_ARGUMENT,
                                  "the key at x = %.6g, y = %.6g mm reaches the cut face, at z = %.6g mm", key->x,
                                  key->y, upper ? high : low);
-            *wall = fmin(*wall, left);
         }
     }
     return WCUT_OK;

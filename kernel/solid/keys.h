@@ -16,9 +16,7 @@ wcut_status wcut_keys_of(const wcut_mould_options *options, int upper, wcut_key 
 /* [mm3] that the keys of a half add to it, exact for their triangles; pockets count negative */
 double wcut_keys_volume(const wcut_mould_options *options, int upper);
 
-/* Do the keys of a half stay clear of the cut face? *wall: [mm] least distance along z between them and it, INFINITY
-   where there are none. WCUT_BAD_ARGUMENT: a key reaches the cut face; error says where. */
-wcut_status wcut_keys_check(const wcut_division *d, int upper, const wcut_cut_face *face, double *wall,
-                            wcut_error *error);
+/* Do the keys of a half stay clear of the cut face? WCUT_BAD_ARGUMENT: one reaches it; error says where. */
+wcut_status wcut_keys_check(const wcut_division *d, int upper, const wcut_cut_face *face, wcut_error *error);
 
 #endif

@@ -14,6 +14,7 @@
 #include "solid/kerf.h"
 #include "solid/keys.h"
 #include "solid/solid_brep.h"
+#include "solid/wall.h"
 
 /* lower + upper + kerf - keys = block to this share, or it is a defect */
 static const double VOLUME_HELD = 1e-6;
@@ -169,6 +170,7 @@ static void scale_half(wcut_half *half, double f) {
     r->wall_min *= f;
     r->box_low = vec3_scale(f, r->box_low), r->box_high = vec3_scale(f, r->box_high);
     r->draft_place = vec3_scale(f, r->draft_place);
+    r->wall_place = vec3_scale(f, r->wall_place), r->edge_place = vec3_scale(f, r->edge_place);
 }
 
 /* the halves grow with the cast's shrinkage; tolerances and what is said of the cut itself stay those of the cut */
@@ -215,17 +217,17 @@ static void describe_cut(const faces *f, wcut_mould *m) {
     m->kerf_max = fmax(a->width_most, b->width_most);
 }
 
-/* exact faces, and walls towards the faces that are not cut */
+/* exact faces, walls and edges */
 static wcut_status describe_halves(const wcut_division *d, const faces *f, wcut_mould *m, wcut_error *error) {
     for (int upper = 0; upper < 2; upper++) {
         const wcut_cut_face *face = upper ? f->upper : f->lower;
         wcut_half *half = upper ? &m->upper : &m->lower;
-        double wall;
-        wcut_status status = wcut_keys_check(d, upper, face, &wall, error);
+        wcut_status status = wcut_keys_check(d, upper, face, error);
         if (status != WCUT_OK) return status;
-        half->report.wall_min = NAN;
+        half->report.wall_min = half->report.edge_min = NAN;
+        half->report.wall_place = half->report.edge_place = vec3(NAN, NAN, NAN);
         if (m->by_boolean) continue;
-        half->report.wall_min = fmin(wall, upper ? d->block.z - face->high : face->low);
+        wcut_wall_measure(d, upper, face, &half->report);
         wcut_key *own;
         int count;
         status = wcut_keys_of(d->options, upper, &own, &count);
@@ -279,7 +281,7 @@ static wcut_status divide(const wcut_division *d, wcut_mould *m, wcut_error *err
         judge_half(o, &m->lower.report);
         judge_half(o, &m->upper.report);
         m->wire_radius = o->wire_diameter / 2;
-        m->wall_asked = o->wall_asked, m->draft_asked = o->draft_asked;
+        m->wall_asked = o->wall_asked, m->draft_asked = o->draft_asked, m->pull = vec3_unit(o->pull);
     }
     wcut_parts_clear(&parts);
     faces_clear(&f);

@@ -26,7 +26,9 @@ START_TEST(the_figures_are_printed_and_written_alike_with_null_for_what_is_not_k
                                        "\"closed\": true",
                                        "\"oriented\": true",
                                        "\"self_intersections\": 0",
-                                       "\"wall_mm\": {\"min\": null, \"held\": true}",
+                                       "\"wall_mm\": {\"min\": null, \"at_mm\": [null, null, null], \"held\": true}",
+                                       "\"pull\": [0, 0, 1]",
+                                       "\"step\": \"not written: made by booleans",
                                        "\"made_by\": \"booleans\"",
                                        "\"exact_faces\": 0",
                                        "\"files\": [\"lower.stl\", \"mould.json\"]"};

@@ -57,8 +57,14 @@ typedef struct wcut_half_report {
     double draft_min;            /**< [rad] least angle between cut face and pull, negative where it is undercut */
     wcut_vec3 draft_place;       /**< [mm] ... and where */
     double undercut_area;        /**< [mm2] of the cut face that turns away from the pull */
-    double wall_min;             /**< [mm] least distance along z from the cut face to the opposite face or a pocket;
-                                     NaN with a stock, or where the cut leaves through top or bottom */
+    double wall_min;             /**< [mm] least distance, in any direction, from the cut face to the face opposite and
+                                     to pockets in it; and to a side that it turns to: where the way straight from the
+                                     cut face through the half meets the side within 45 deg, so that an edge sharper
+                                     than that is no wall: 0. NaN with a stock, or where the cut leaves through top or
+                                     bottom */
+    wcut_vec3 wall_place;        /**< [mm] ... and where on the cut face; NaN likewise */
+    double edge_min;             /**< [rad] least angle inside the half between cut face and a side; NaN likewise */
+    wcut_vec3 edge_place;        /**< [mm] ... and where; NaN likewise */
     int wall_held, draft_held;   /**< 1: as asked for; a wall that is not known does not hold unless 0 was asked for */
     double key_volume;           /**< [mm3] of its keys, those of pockets negative */
 } wcut_half_report;
@@ -90,6 +96,7 @@ typedef struct wcut_mould {
     double wire_radius;        /**< [mm] as asked for */
     double wall_asked;         /**< [mm] as asked for */
     double draft_asked;        /**< [rad] as asked for */
+    wcut_vec3 pull;            /**< [1] unit; out of the lower half, the upper half's is opposite */
     int by_boolean;            /**< 1: made by mesh booleans (stock, or the cut leaves through top or bottom) */
 } wcut_mould;
 
