@@ -169,9 +169,8 @@ bool app_fill_evidence(app_memory *memory, const app_diagnosed *of, wcut_report_
         .title = "Evidence",
         .note =
             "Measured less replayed, in standard deviations of what noise alone leaves of a bin; one colour scale "
-            "for all three, its ends stand for more as well. A row a cut, from the top as listed below. What is left "
-            "in "
-            "colour is not explained.",
+            "for all three, its ends stand for more as well. In a band a row a cut, the first one lowest. What is left "
+            "in colour is not explained.",
         .map_count = MODELS,
         .map = map,
         .table_count = 1,
