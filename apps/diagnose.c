@@ -164,7 +164,7 @@ static int diagnose_case(run *r) {
     const wcut_status status = wcut_diagnosis_create(r->found->cuts, r->cut, r->test_cuts, r->calibration, &r->options,
                                                      app_progress_step, &progress, &r->diagnosis, &error);
     app_progress_end(&progress);
-    if (status == WCUT_INTERRUPTED) return app_fail(APP_INTERRUPTED, "%s: interrupted", r->call->operand[0]);
+    if (status == WCUT_INTERRUPTED) return app_fail_status(status, r->call->operand[0], &error);
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, r->call->operand[0], &error);
 }
 

@@ -359,9 +359,8 @@ static wcut_status write_page(page *p, int sections, const wcut_report_section *
     const wcut_diagnosis *d = p->d;
     int held = 0;
     for (int i = 0; d->held_out && i < d->cuts; i++) held += d->held_out[i];
-    char cuts[60], verdict[WCUT_DIAGNOSIS_TEXT + 40];
+    char cuts[60];
     snprintf(cuts, sizeof cuts, "%d, %d of them held out", d->cuts, held);
-    snprintf(verdict, sizeof verdict, "%s%s", d->interrupted ? "Interrupted, as far as it went: " : "", d->sentence);
     const wcut_report_fact fact[] = {{"verdict", wcut_verdict_name(d->kind), 0, ""},
                                      {"confidence that it is exactly right", NULL, 100 * d->confidence, "%"},
                                      {"cuts", cuts, 0, ""},
@@ -372,7 +371,7 @@ static wcut_status write_page(page *p, int sections, const wcut_report_section *
     const wcut_report report = {.verb = "diagnose",
                                 .title = p->of->title,
                                 .tone = tone_of(d),
-                                .verdict = verdict,
+                                .verdict = d->sentence,
                                 /* the last one where it was run */
                                 .fact_count = (int)(sizeof fact / sizeof *fact) - (d->naive[0] == 0),
                                 .fact = fact,

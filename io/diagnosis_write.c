@@ -340,7 +340,10 @@ wcut_status wcut_diagnosis_print(const wcut_diagnosis *diagnosis, const char *na
     if (!wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
     wcut_text_print(&out, "{\n  \"format\": \"wirecut-diagnosis/1\",\n  \"version\": \"%s\"", WCUT_VERSION);
     put_string(&out, ",\n  \"case\": ", name);
-    if (diagnosis->interrupted) put(&out, ",\n  \"interrupted\": true");
+    if (diagnosis->interrupted) {
+        put(&out, ",\n  \"interrupted\": true");
+        put_string(&out, ",\n  \"stopped\": ", diagnosis->stopped);
+    }
     put_verdict(&out, diagnosis);
     put_effects(&out, diagnosis);
     put_recalibrated(&out, diagnosis);

@@ -128,7 +128,8 @@ static wcut_status fill(regression *r, const wcut_fitted *about, const double *r
             if (e->cut[k].bins == 0) continue;
             wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
             const wcut_job job = wcut_model_job(e, &about->model, k, effect);
-            failed[k].status = wcut_trail_drive(&job, WCUT_NODES_COARSE, &e->cut[k].exogenous, true, &d[k], &failed[k]);
+            failed[k].status =
+                wcut_trail_drive(&job, WCUT_NODES_COARSE, &e->cut[k].exogenous, true, e->stop, &d[k], &failed[k]);
         }
         for (int k = 0; status == WCUT_OK && k < e->cuts; k++)
             if (failed[k].status != WCUT_OK) status = wcut_fail(error, failed[k].status, "%s", failed[k].text);

@@ -52,9 +52,7 @@ typedef struct diagnosing {
     int test_cuts;
     const wcut_test_cut *calibration;
     const wcut_diagnosis_options *options;
-    wcut_progress progress;
-    void *context;
-    int done;
+    wcut_stop stop;
     wcut_evidence *evidence;
     wcut_model job_model; /* as the jobs say */
     double *before;       /* rows of time: residual under the jobs' own model, N and rad, in the evidence's rows */
@@ -68,16 +66,11 @@ typedef struct diagnosing {
 /* recordings of noise that adequacy is held against */
 enum { NULLS = 500 };
 
-enum { STEPS = 20, SEARCH_FROM = 3, SEARCH_STEPS = 12 };
+/* of preparing, of the search, of what follows from it */
+enum { FIRST_STEPS = 3, PROOF = FIRST_STEPS + WCUT_SEARCH_STEPS + 1, DEPENDENCE, EXPERIMENT, CONTROL, STEPS };
 
-static bool stopped(diagnosing *g, int step) {
-    g->done = step > g->done ? step : g->done;
-    return g->progress && g->progress(g->done < STEPS ? g->done : STEPS - 1, STEPS, g->context) != 0;
-}
-
-static int search_progress(int step, int steps, void *context) {
-    (void)steps;
-    return stopped(context, SEARCH_FROM + (step < SEARCH_STEPS ? step : SEARCH_STEPS - 1));
+static wcut_status step(diagnosing *g, const char *stage, int done, wcut_error *error) {
+    return wcut_stop_step(&g->stop, stage, done) ? wcut_fail(error, WCUT_INTERRUPTED, "interrupted") : WCUT_OK;
 }
 
 /* ---- evidence under the recalibrated model ---- */
@@ -92,20 +85,22 @@ static wcut_status keep_before(diagnosing *g) {
 }
 
 static wcut_status prepare(diagnosing *g, wcut_error *error) {
-    wcut_status status = wcut_evidence_create(g->cuts, g->cut, false, g->options->threads, &g->evidence, error);
+    wcut_status status = step(g, "the recordings were replayed", 0, error);
+    if (status == WCUT_OK)
+        status = wcut_evidence_create(g->cuts, g->cut, false, g->options->threads, &g->stop, &g->evidence, error);
     if (status != WCUT_OK) return status;
     wcut_evidence *e = g->evidence;
     g->job_model = e->at;
     status = wcut_evidence_predict(e, &g->job_model, false, error);
     if (status == WCUT_OK) status = keep_before(g);
-    if (status == WCUT_OK && stopped(g, 1)) return wcut_fail(error, WCUT_INTERRUPTED, "interrupted");
+    if (status == WCUT_OK) status = step(g, "the recalibration was fitted", 1, error);
     wcut_fitted first = {0};
     if (status == WCUT_OK) status = wcut_fit_solve(e, &e->at, &first, error);
     if (status != WCUT_OK) return status;
     const wcut_model recalibrated = first.model;
     wcut_fitted_destroy(&first);
-    if (stopped(g, 2)) return wcut_fail(error, WCUT_INTERRUPTED, "interrupted");
-    return wcut_evidence_predict(e, &recalibrated, true, error);
+    status = step(g, "recordings and scans were replayed", 2, error);
+    return status == WCUT_OK ? wcut_evidence_predict(e, &recalibrated, true, error) : status;
 }
 
 /* ---- what was found, in words and numbers ---- */
@@ -294,9 +289,9 @@ static wcut_status propose(diagnosing *g, wcut_error *error) {
     wcut_job job = *first_job(g);
     job.force_law.a = g->search.none.model.a, job.force_law.b = g->search.none.model.b;
     double separation;
-    const wcut_status status = wcut_experiment_choose(&job, a->effects, a->effect, b->effects, b->effect,
+    const wcut_status status = wcut_experiment_choose(&job, a->effects, a->effect, b->effects, b->effect, &g->stop,
                                                       &d->next_experiment, &separation, d->next_reason, error);
-    if (status == WCUT_NO_MEMORY) return status;
+    if (status == WCUT_NO_MEMORY || status == WCUT_INTERRUPTED) return status;
     if (status != WCUT_OK) snprintf(d->next_reason, sizeof d->next_reason, "no cut could be rehearsed");
     return WCUT_OK;
 }
@@ -307,7 +302,7 @@ static wcut_status prove(diagnosing *g, wcut_error *error) {
     wcut_status status =
         wcut_proof_create(g->evidence, &g->search.none, final_fit(g), g->options->seed, &g->proof, error);
     if (status == WCUT_OK) status = wcut_black_box_run(g->evidence, g->options->seed, &g->proof);
-    if (status == WCUT_NO_MEMORY) return status;
+    if (status == WCUT_NO_MEMORY || status == WCUT_INTERRUPTED) return status;
     if (status != WCUT_OK) return WCUT_OK; /* counts stay 0: there is no proof, and the limits say so */
     memcpy(d->fit, g->proof.fit, sizeof d->fit);
     memcpy(d->held_out_fit, g->proof.held_out_fit, sizeof d->held_out_fit);
@@ -322,7 +317,7 @@ static wcut_status try_naive(diagnosing *g, wcut_error *error) {
     wcut_evidence *e = NULL;
     wcut_screen screen = {0};
     wcut_fitted plain = {0};
-    wcut_status status = wcut_evidence_create(g->cuts, g->cut, true, g->options->threads, &e, error);
+    wcut_status status = wcut_evidence_create(g->cuts, g->cut, true, g->options->threads, &g->stop, &e, error);
     if (status == WCUT_OK) {
         e->coloured = 0;
         status = wcut_evidence_predict(e, &g->evidence->at, false, error);
@@ -373,22 +368,48 @@ static void decide(diagnosing *g) {
     report_base(g);
 }
 
-static wcut_status conclude(diagnosing *g, wcut_error *error) {
+/* A search that was cut short has no verdict: what was not tried is not ruled out. Later, only what follows is missing. */
+static void tell_stop(diagnosing *g, bool searched) {
+    wcut_diagnosis *d = g->out;
+    char found[WCUT_DIAGNOSIS_TEXT];
+    const int room = WCUT_DIAGNOSIS_TEXT - 200; /* beside the words here and a stage */
+    const bool named = d->effects > 0;
+    d->interrupted = true;
+    snprintf(d->stopped, sizeof d->stopped, "while %s", g->stop.stage);
+    snprintf(found, sizeof found, "%s", d->sentence);
+    if (searched) {
+        snprintf(d->sentence, sizeof d->sentence, "%.*s Stopped on request %s: the rest of the report is missing.",
+                 room, found, d->stopped);
+        return;
+    }
+    d->confidence = 0;
+    for (int k = 0; k < d->effects; k++) d->effect[k].confidence = 0;
+    if (!named) d->kind = WCUT_VERDICT_UNKNOWN;
+    snprintf(d->sentence, sizeof d->sentence, "Stopped on request %s, before there was a verdict; so far: %.*s",
+             d->stopped, room, named ? found : "nothing that was tried explains more than recalibration does.");
+}
+
+/* searched: to its end */
+static wcut_status conclude(diagnosing *g, bool searched, wcut_error *error) {
     decide(g);
     wcut_status status =
         wcut_adequacy_p_value(g->evidence, g->out->adequacy, NULLS, g->options->seed, &g->out->adequacy_p);
     if (status == WCUT_OK) status = rank(g);
     if (status == WCUT_OK) status = trace(g);
     if (status == WCUT_OK) status = improve(g);
+    if (status == WCUT_OK && !searched) status = WCUT_INTERRUPTED;
     if (status == WCUT_OK) status = locate(g, error);
-    if (status == WCUT_OK && stopped(g, STEPS - 4)) status = WCUT_INTERRUPTED;
+    if (status == WCUT_OK) status = step(g, "the forward proof was run", PROOF, error);
     if (status == WCUT_OK) status = prove(g, error);
-    if (status == WCUT_OK && stopped(g, STEPS - 2)) status = WCUT_INTERRUPTED;
+    if (status == WCUT_OK) status = step(g, "dependences were sought", DEPENDENCE, error);
     if (status == WCUT_OK) status = depend(g, error);
+    if (status == WCUT_OK) status = step(g, "the next experiment was chosen", EXPERIMENT, error);
     if (status == WCUT_OK) status = propose(g, error);
+    if (status == WCUT_OK) status = step(g, "plain least squares were run beside it", CONTROL, error);
     if (status == WCUT_OK) status = try_naive(g, error);
     if (status == WCUT_OK || status == WCUT_INTERRUPTED) {
         wcut_diagnosis_sentence(g->out);
+        if (status == WCUT_INTERRUPTED) tell_stop(g, searched);
         if (!wcut_diagnosis_limits(g->out, g->cuts, g->cut, g->test_cuts, g->calibration)) status = WCUT_NO_MEMORY;
     }
     return status;
@@ -418,24 +439,22 @@ wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *cut, int t
     wcut_status status = check(cuts, cut, test_cuts, calibration, &o, diagnosis, error);
     if (status != WCUT_OK) return status;
     diagnosing g = {.cuts = cuts, .cut = cut, .test_cuts = test_cuts, .calibration = calibration, .options = &o};
-    g.progress = progress, g.context = context;
+    wcut_stop_begin(&g.stop, progress, context, STEPS);
     g.decision.chosen = -1;
     g.out = wcut_alloc(1, sizeof *g.out);
     if (g.out) g.out->cuts = cuts, g.out->held_out = wcut_alloc((size_t)cuts, sizeof *g.out->held_out);
     status = g.out && g.out->held_out ? prepare(&g, error) : wcut_fail(error, WCUT_NO_MEMORY, "no memory");
-    bool interrupted = false;
-    if (status == WCUT_OK) {
-        status = wcut_search_run(g.evidence, o.without, search_progress, &g, &g.search, error);
-        interrupted = status == WCUT_INTERRUPTED;
-        if (interrupted) status = WCUT_OK;
-    }
-    if (status == WCUT_OK) status = conclude(&g, error);
-    interrupted = interrupted || status == WCUT_INTERRUPTED;
-    if (status == WCUT_OK || (status == WCUT_INTERRUPTED && g.out->hypotheses > 0)) {
-        g.out->interrupted = interrupted;
+    if (status == WCUT_OK) status = wcut_search_run(g.evidence, o.without, &g.search, error);
+    const bool recalibrated = g.search.none.predicted != NULL; /* the least that is worth handing out */
+    if (status == WCUT_OK || (status == WCUT_INTERRUPTED && recalibrated))
+        status = conclude(&g, status == WCUT_OK, error);
+    if (status == WCUT_INTERRUPTED)
+        wcut_fail(error, status, "stopped on request while %s%s", g.stop.stage,
+                  recalibrated ? "; what was found up to then is marked as cut short"
+                               : ", before anything was found: nothing is written");
+    if (status == WCUT_OK || (status == WCUT_INTERRUPTED && recalibrated)) {
         *diagnosis = g.out;
         g.out = NULL;
-        status = interrupted ? WCUT_INTERRUPTED : WCUT_OK;
     }
     wcut_diagnosis_destroy(g.out);
     wcut_proof_destroy(&g.proof);

@@ -297,14 +297,14 @@ static wcut_status measure(wcut_evidence_cut *c, const wcut_driven *d) {
     return status;
 }
 
-static wcut_status fill_cut(wcut_evidence_cut *c, bool fed_back, wcut_error *error) {
+static wcut_status fill_cut(wcut_evidence_cut *c, bool fed_back, wcut_stop *stop, wcut_error *error) {
     wcut_status status = wcut_trail_recorded(c->job, c->recording, WINDOW, &c->recorded, error);
     if (status != WCUT_OK) return status;
     status = fed_back ? wcut_trail_thin(&c->recorded, FED_BACK_STEP, &c->exogenous)
                       : wcut_trail_exogenous(c->job, &c->recorded, WIDTH, STEP, &c->exogenous);
     if (status == WCUT_BAD_ARGUMENT) return WCUT_OK; /* too short to say anything: no bins */
     wcut_driven d = {0};
-    if (status == WCUT_OK) status = wcut_trail_drive(c->job, NODES_COARSE, &c->exogenous, false, &d, error);
+    if (status == WCUT_OK) status = wcut_trail_drive(c->job, NODES_COARSE, &c->exogenous, false, stop, &d, error);
     if (status != WCUT_OK) return status;
     if (find_contact(c, &d)) status = make_bins(c) ? WCUT_OK : WCUT_NO_MEMORY;
     if (status == WCUT_OK && c->bins > 0) status = measure(c, &d);
@@ -312,12 +312,14 @@ static wcut_status fill_cut(wcut_evidence_cut *c, bool fed_back, wcut_error *err
     return status == WCUT_NO_MEMORY ? wcut_fail(error, status, "no memory for cut %d", c->index + 1) : status;
 }
 
-wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, bool fed_back, int threads,
+wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, bool fed_back, int threads, wcut_stop *stop,
                                  wcut_evidence **out, wcut_error *error) {
     wcut_evidence *e = wcut_alloc(1, sizeof *e);
     wcut_error *failed = wcut_alloc((size_t)cuts, sizeof *failed);
     wcut_status status = WCUT_OK;
-    if (e) *e = (wcut_evidence){.cuts = cuts, .cut = wcut_alloc((size_t)cuts, sizeof *e->cut), .threads = threads};
+    if (e)
+        *e = (wcut_evidence){
+            .cuts = cuts, .cut = wcut_alloc((size_t)cuts, sizeof *e->cut), .threads = threads, .stop = stop};
     if (!e || !failed || !e->cut) status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d cuts", cuts);
     const wcut_job *first = NULL;
     for (int k = 0; status == WCUT_OK && k < cuts; k++) {
@@ -334,7 +336,7 @@ wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, bool f
         e->coloured = 0.25;
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
         for (int k = 0; k < cuts; k++)
-            if (e->cut[k].job) failed[k].status = fill_cut(&e->cut[k], fed_back, &failed[k]);
+            if (e->cut[k].job) failed[k].status = fill_cut(&e->cut[k], fed_back, stop, &failed[k]);
     }
     for (int k = 0; status == WCUT_OK && k < cuts; k++) {
         if (failed[k].status != WCUT_OK)
@@ -387,10 +389,11 @@ static wcut_status predict_cut(wcut_evidence *e, int k, bool scans, wcut_error *
     const wcut_job job = wcut_model_job(e, &e->at, k, effect);
     double *out = wcut_alloc((size_t)WCUT_TRAIL_SIGNALS * (size_t)c->bins, sizeof *out);
     wcut_driven d = {0}, reference = {0};
-    wcut_status status = out ? wcut_trail_drive(&job, NODES_FINE, &c->recorded, scan, &d, error)
+    wcut_status status = out ? wcut_trail_drive(&job, NODES_FINE, &c->recorded, scan, e->stop, &d, error)
                              : wcut_fail(error, WCUT_NO_MEMORY, "no memory");
     if (status == WCUT_OK) status = wcut_evidence_bin_recorded(c, &e->at, &d, out);
-    if (status == WCUT_OK) status = wcut_trail_drive(&job, NODES_COARSE, &c->exogenous, scan, &reference, error);
+    if (status == WCUT_OK)
+        status = wcut_trail_drive(&job, NODES_COARSE, &c->exogenous, scan, e->stop, &reference, error);
     for (int s = 0; status == WCUT_OK && s < WCUT_TRAIL_SIGNALS; s++)
         memcpy(c->predicted[s], out + (size_t)s * (size_t)c->bins, (size_t)c->bins * sizeof *out);
     if (status == WCUT_OK) {

@@ -54,6 +54,7 @@ typedef struct wcut_evidence {
     double sigma[WCUT_TRAIL_SIGNALS]; /* [N, rad] of a bin's mean, its white part */
     double coloured;                  /* [1] variance of the slow part of the noise over that of the white one */
     int threads;
+    wcut_stop *stop; /* NULL: nobody stops what is done with it */
 } wcut_evidence;
 
 /* nodes of the wire along the recorded motion, and along the exogenous one, where only differences count: the
@@ -67,9 +68,11 @@ enum { WCUT_NODES_FINE = 41, WCUT_NODES_COARSE = 21 };
  * Gather the evidence of a case: trails, bins, what was measured. The model `at` is the jobs' own. Cuts without job or
  * recording, or which never touch the foam, have no bins. fed_back: take the recorded motion itself for the exogenous one,
  * as plain least squares does: a control of what that costs.
- * WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_DEGENERATE, WCUT_NOT_CONVERGED, WCUT_NO_MEMORY: nothing was written.
+ * stop: NULL, or borrowed: whatever drives a wire over this evidence ends with WCUT_INTERRUPTED once it is asked for.
+ * WCUT_OK; WCUT_INTERRUPTED, WCUT_BAD_ARGUMENT, WCUT_DEGENERATE, WCUT_NOT_CONVERGED, WCUT_NO_MEMORY: nothing was
+ * written.
  */
-wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, bool fed_back, int threads,
+wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, bool fed_back, int threads, wcut_stop *stop,
                                  wcut_evidence **out, wcut_error *error);
 void wcut_evidence_destroy(wcut_evidence *evidence);
 

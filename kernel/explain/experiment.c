@@ -65,6 +65,7 @@ typedef struct trial {
     int first, last; /* samples of the schedule that count */
     wcut_rehearsal run[RUNS];
     int side; /* the explanation that is taken for true; the other one is refitted */
+    wcut_stop *stop;
     int rows, room;
     double *row; /* room x WIDTH, in standard deviations */
 } trial;
@@ -147,7 +148,7 @@ static wcut_status run_one(trial *t, const wcut_job *candidate_job, int which, w
     if (made && which == OTHER_LAW_A) job->force_law.a *= 1 + LAW_CHANGE;
     if (made && which == OTHER_LAW_B) job->force_law.b *= 1 + LAW_CHANGE;
     if (made && which == LONGER) job->wire_length *= 1 + LENGTH_CHANGE;
-    if (made) status = wcut_rehearsal_run(job, &t->schedule, &t->run[which], error);
+    if (made) status = wcut_rehearsal_run(job, &t->schedule, t->stop, &t->run[which], error);
     wcut_job_destroy(job);
     return status;
 }
@@ -368,11 +369,11 @@ static wcut_job *copy_plain(const wcut_job *job) {
 }
 
 wcut_status wcut_experiment_choose(const wcut_job *job, int count_a, const wcut_effect *a, int count_b,
-                                   const wcut_effect *b, wcut_job **best, double *separation,
+                                   const wcut_effect *b, wcut_stop *stop, wcut_job **best, double *separation,
                                    char reason[WCUT_DIAGNOSIS_TEXT], wcut_error *error) {
     wcut_status status = check(job, count_a, a, count_b, b, best && separation && reason, error);
     if (status != WCUT_OK) return status;
-    trial t = {.count = {count_a, count_b}, .effect = {a, b}};
+    trial t = {.count = {count_a, count_b}, .effect = {a, b}, .stop = stop};
     t.scan = moves_face(count_a, a) || moves_face(count_b, b);
     wcut_job *chosen = NULL;
     candidate choice = AS_IT_IS;
@@ -383,7 +384,7 @@ wcut_status wcut_experiment_choose(const wcut_job *job, int count_a, const wcut_
         double found = 0;
         status = made ? measure(&t, (candidate)k, made, &found, error)
                       : wcut_fail(error, WCUT_NO_MEMORY, "no memory for a copy of a job");
-        if (status == WCUT_NO_MEMORY || (status != WCUT_OK && k == AS_IT_IS)) {
+        if (status == WCUT_NO_MEMORY || status == WCUT_INTERRUPTED || (status != WCUT_OK && k == AS_IT_IS)) {
             wcut_job_destroy(made);
             break;
         }

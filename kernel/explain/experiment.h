@@ -4,6 +4,8 @@
 
 #include <wirecut/diagnosis.h>
 
+#include "explain/stop.h"
+
 /*
  * Every candidate is rehearsed with the effects a, with the effects b, and with a, b and the wire's length of the plain
  * model changed, all along one planned motion. What a refit of these three, of a constant kerf and of the strength of
@@ -20,7 +22,7 @@
  * written. Candidates that cannot be run are passed over.
  */
 wcut_status wcut_experiment_choose(const wcut_job *job, int count_a, const wcut_effect *a, int count_b,
-                                   const wcut_effect *b, wcut_job **best, double *separation,
+                                   const wcut_effect *b, wcut_stop *stop, wcut_job **best, double *separation,
                                    char reason[WCUT_DIAGNOSIS_TEXT], wcut_error *error);
 
 #endif

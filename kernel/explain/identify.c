@@ -95,7 +95,7 @@ static wcut_status find_peak(const wcut_job *job, double *peak, wcut_error *erro
     wcut_schedule excited = {0};
     wcut_rehearsal r = {0};
     wcut_status status = wcut_schedule_create(job, &excited, error);
-    if (status == WCUT_OK) status = wcut_rehearsal_run(job, &excited, &r, error);
+    if (status == WCUT_OK) status = wcut_rehearsal_run(job, &excited, NULL, &r, error);
     double most = 0;
     for (int i = 0; status == WCUT_OK && i < r.count; i++)
         if (r.present[i] && excited.held[i] && excited.engaged[i] >= WCUT_MOST_OF_WIRE)

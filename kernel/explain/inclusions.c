@@ -79,7 +79,7 @@ static wcut_status run_column(const wcut_evidence *e, const wcut_model *about, i
     }
     if (job.effect_count == known) return WCUT_OK;
     wcut_driven d = {0};
-    wcut_status status = wcut_trail_drive(&job, NODES, &c->exogenous, false, &d, NULL);
+    wcut_status status = wcut_trail_drive(&job, NODES, &c->exogenous, false, e->stop, &d, NULL);
     if (status == WCUT_OK) status = wcut_evidence_bin_exogenous(c, about, &d, bins);
     const int last = plain->count - 1;
     for (int i = 0; status == WCUT_OK && i < c->bins; i++) {
@@ -111,7 +111,7 @@ static wcut_status run_cut(const wcut_evidence *e, const wcut_model *about, int 
                  .y = wcut_alloc(most, sizeof(double)),
                  .change = wcut_alloc(most * size, sizeof(double))};
     wcut_status status = bins && b->x && b->y && b->change ? WCUT_OK : WCUT_NO_MEMORY;
-    if (status == WCUT_OK) status = wcut_trail_drive(&job, NODES, &c->exogenous, true, &plain, NULL);
+    if (status == WCUT_OK) status = wcut_trail_drive(&job, NODES, &c->exogenous, true, e->stop, &plain, NULL);
     if (status == WCUT_OK) status = wcut_evidence_bin_exogenous(c, about, &plain, bins + size);
     for (int task = 0; status == WCUT_OK && task < COLUMNS * PHASES; task++)
         status = run_column(e, about, cut, &plain, bins + size, task / PHASES, task % PHASES, bins, b);

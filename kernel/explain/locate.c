@@ -485,7 +485,7 @@ static wcut_status drive_cuts(const search *s, int count, wcut_driven *d, wcut_e
         wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
         const wcut_job job = wcut_model_job(s->e, &s->e->at, cut, effect);
         const wcut_status status =
-            wcut_trail_drive(&job, WCUT_NODES_COARSE, &s->e->cut[cut].exogenous, true, &d[cut], error);
+            wcut_trail_drive(&job, WCUT_NODES_COARSE, &s->e->cut[cut].exogenous, true, s->e->stop, &d[cut], error);
         if (status != WCUT_OK) return status;
     }
     return WCUT_OK;

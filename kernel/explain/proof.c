@@ -115,7 +115,7 @@ static wcut_status forecast_motion(const wcut_evidence *e, int cut, const subjec
                                    wcut_forecast *f, wcut_error *error) {
     const wcut_evidence_cut *c = &e->cut[cut];
     wcut_driven d = {0};
-    wcut_status status = wcut_trail_drive(job, WCUT_NODES_FINE, &c->recorded, false, &d, error);
+    wcut_status status = wcut_trail_drive(job, WCUT_NODES_FINE, &c->recorded, false, e->stop, &d, error);
     if (status == WCUT_OK) {
         status = wcut_evidence_bin_recorded(c, &s->model, &d, f->row + c->row);
         if (status != WCUT_OK) wcut_fail(error, status, "the instruments of a prediction");
@@ -131,7 +131,7 @@ static wcut_status forecast_face(const wcut_evidence *e, int cut, const subject 
     wcut_driven d = {0};
     double *rows = wcut_alloc((size_t)e->rows, sizeof *rows),
            *face = f->row + c->row + (ptrdiff_t)WCUT_TRAIL_SIGNALS * c->bins;
-    wcut_status status = rows ? wcut_trail_drive(job, WCUT_NODES_COARSE, &c->exogenous, true, &d, error)
+    wcut_status status = rows ? wcut_trail_drive(job, WCUT_NODES_COARSE, &c->exogenous, true, e->stop, &d, error)
                               : wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d rows", e->rows);
     if (status == WCUT_OK) {
         status = wcut_evidence_rows(e, cut, &s->model, &d, rows);
@@ -158,8 +158,8 @@ static wcut_status forecast_speed(const wcut_evidence *e, int cut, const wcut_jo
     wcut_prediction *prediction = NULL;
     wcut_status status = wcut_setup_create(&planned, &options, &setup, error);
     if (status != WCUT_OK) return status;
-    status = wcut_setup_run(setup, NULL, NULL, &history, error);
-    if (history) status = wcut_prediction_plan(history, c->recording, &prediction, error);
+    status = wcut_setup_run(setup, wcut_stop_progress, e->stop, &history, error);
+    if (history && status != WCUT_INTERRUPTED) status = wcut_prediction_plan(history, c->recording, &prediction, error);
     for (int side = 0; prediction && side < 2; side++)
         bin_speed(c, prediction->value[side], prediction->present, speed_of(e, f, cut) + (ptrdiff_t)side * c->bins);
     wcut_prediction_destroy(prediction);

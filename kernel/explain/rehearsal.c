@@ -43,18 +43,8 @@ static wcut_status plan(const wcut_job *job, planned *p, wcut_error *error) {
     return wcut_fail(error, WCUT_DEGENERATE, "the planned run never touches the block, expected a cut");
 }
 
-static double dither(const wcut_job *job, double time) {
-    double factor = 1;
-    for (int i = 0; i < job->dither_count; i++)
-        factor += job->dither[i].amplitude * sin(2 * WCUT_PI * time / job->dither[i].period + job->dither[i].phase);
-    return fmax(factor, 0.05); /* a schedule ends, whatever was programmed */
-}
-
-static double heat_factor(const wcut_job *job, double time) {
-    for (int i = 0; i < job->heat_step_count; i++)
-        if (time >= job->heat_step[i].from && time < job->heat_step[i].to) return job->heat_step[i].factor;
-    return 1;
-}
+/* a schedule ends, whatever was programmed */
+static double dither(const wcut_job *job, double time) { return fmax(wcut_job_pace_eval(job, time), 0.05); }
 
 void wcut_schedule_destroy(wcut_schedule *s) {
     wcut_free(s->station);
@@ -105,7 +95,7 @@ static bool walk(const planned *p, int room, wcut_schedule *s) {
         station = advance(p, station, pace);
         const wcut_history_row *row = &p->history->row[(int)fmin(station, last - 1) + 1];
         s->station[s->count] = station;
-        s->heat[s->count] = p->job->heat * heat_factor(p->job, time + WCUT_REHEARSAL_STEP / 2);
+        s->heat[s->count] = wcut_job_heat_eval(p->job, time + WCUT_REHEARSAL_STEP / 2);
         s->engaged[s->count] = engaged_at(p, station);
         s->speed[s->count] = fmax(row->speed_a, row->speed_b);
         s->held[s->count] = row->condition == WCUT_BY_TENSION;
@@ -179,10 +169,11 @@ static void keep(const wcut_cut *cut, int i, wcut_rehearsal *r) {
     r->present[i] = 1;
 }
 
-/* a step that the solver does not take is missing, and the next one begins where the wire still is */
-static void lead(const wcut_job *job, const wcut_schedule *s, wcut_cut *cut, wcut_rehearsal *r) {
+/* false where it was stopped; a step that the solver does not take is missing, and the next one begins where the wire still is */
+static bool lead(const wcut_job *job, const wcut_schedule *s, wcut_cut *cut, wcut_stop *stop, wcut_rehearsal *r) {
     double time = 0;
     for (int i = 0; i < s->count; i++) {
+        if (wcut_stop_asked(stop)) return false;
         time += WCUT_REHEARSAL_STEP;
         const wcut_vec3 a = wcut_path_at(job->stations, job->mount_a, s->station[i]);
         const wcut_vec3 b = wcut_path_at(job->stations, job->mount_b, s->station[i]);
@@ -190,6 +181,7 @@ static void lead(const wcut_job *job, const wcut_schedule *s, wcut_cut *cut, wcu
         keep(cut, i, r);
         time = 0;
     }
+    return true;
 }
 
 static wcut_status sense(const wcut_job *job, const wcut_rehearsal *r, wcut_error *error) {
@@ -201,8 +193,8 @@ static wcut_status sense(const wcut_job *job, const wcut_rehearsal *r, wcut_erro
     return status == WCUT_OK ? WCUT_OK : wcut_fail(error, status, "instruments: %s", wcut_status_text(status));
 }
 
-wcut_status wcut_rehearsal_run(const wcut_job *job, const wcut_schedule *schedule, wcut_rehearsal *rehearsal,
-                               wcut_error *error) {
+wcut_status wcut_rehearsal_run(const wcut_job *job, const wcut_schedule *schedule, wcut_stop *stop,
+                               wcut_rehearsal *rehearsal, wcut_error *error) {
     wcut_job *few = wcut_job_copy(job);
     wcut_setup *setup = NULL;
     wcut_cut *cut = NULL;
@@ -215,10 +207,9 @@ wcut_status wcut_rehearsal_run(const wcut_job *job, const wcut_schedule *schedul
     if (status == WCUT_OK) status = wcut_cut_create(setup, &cut, error);
     if (status == WCUT_OK && !make_rehearsal(schedule->count, few->nodes, &made))
         status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d samples", schedule->count);
-    if (status == WCUT_OK) {
-        lead(few, schedule, cut, &made);
-        status = sense(few, &made, error);
-    }
+    if (status == WCUT_OK && !lead(few, schedule, cut, stop, &made))
+        status = wcut_fail(error, WCUT_INTERRUPTED, "interrupted");
+    if (status == WCUT_OK) status = sense(few, &made, error);
     wcut_cut_destroy(cut);
     wcut_setup_destroy(setup);
     wcut_job_destroy(few);

@@ -5,6 +5,8 @@
 #include <wirecut/history.h>
 #include <wirecut/job.h>
 
+#include "explain/stop.h"
+
 /* nodes of a rehearsal: what two models differ by is the same with more */
 enum { WCUT_REHEARSAL_NODES = 25 };
 
@@ -40,10 +42,10 @@ typedef struct wcut_rehearsal {
 } wcut_rehearsal;
 
 /* Drive a job, its effects included, along a schedule of that job or of one that differs in effects, law or length.
-   WCUT_OK, also where steps failed; WCUT_BAD_ARGUMENT, WCUT_DEGENERATE, WCUT_NOT_CONVERGED (no equilibrium at
-   station 0), WCUT_NO_MEMORY: nothing was written. */
-wcut_status wcut_rehearsal_run(const wcut_job *job, const wcut_schedule *schedule, wcut_rehearsal *rehearsal,
-                               wcut_error *error);
+   stop: NULL, or asked at every step. WCUT_OK, also where steps failed; WCUT_INTERRUPTED, WCUT_BAD_ARGUMENT,
+   WCUT_DEGENERATE, WCUT_NOT_CONVERGED (no equilibrium at station 0), WCUT_NO_MEMORY: nothing was written. */
+wcut_status wcut_rehearsal_run(const wcut_job *job, const wcut_schedule *schedule, wcut_stop *stop,
+                               wcut_rehearsal *rehearsal, wcut_error *error);
 void wcut_rehearsal_destroy(wcut_rehearsal *rehearsal);
 
 #endif

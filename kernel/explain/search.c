@@ -73,14 +73,12 @@ typedef struct searching {
     const wcut_evidence *e;
     wcut_search *s;
     const bool *without;
-    wcut_progress progress;
-    void *context;
-    int done, steps;
+    int done;
 } searching;
 
-static bool stopped(searching *g) {
-    const int step = g->done++;
-    return g->progress && g->progress(step < g->steps ? step : g->steps - 1, g->steps, g->context) != 0;
+static wcut_status step(searching *g, const char *stage, wcut_error *error) {
+    if (!wcut_stop_step(g->e->stop, stage, g->done++)) return WCUT_OK;
+    return wcut_fail(error, WCUT_INTERRUPTED, "interrupted");
 }
 
 static bool same_effects(const wcut_model *a, const wcut_model *b) {
@@ -113,12 +111,14 @@ static void compare_held_out(const wcut_evidence *e, const wcut_fitted *none, wc
 static wcut_status try_model(searching *g, const wcut_model *start, wcut_error *error) {
     wcut_search *s = g->s;
     if (s->count == WCUT_CANDIDATES || tried(s, start)) return WCUT_OK;
-    if (stopped(g)) return wcut_fail(error, WCUT_INTERRUPTED, "interrupted");
+    wcut_status status =
+        step(g, start->effects > 1 ? "pairs of effects were fitted" : "effects were fitted one by one", error);
+    if (status != WCUT_OK) return status;
     wcut_candidate c = {.effects = start->effects};
     wcut_model model = *start; /* from the jobs' own wire length: without the effect it has gone where it could */
     model.length_change = 0;
-    const wcut_status status = wcut_fit_solve(g->e, &model, &c.fit, error);
-    if (status == WCUT_NO_MEMORY) return status;
+    status = wcut_fit_solve(g->e, &model, &c.fit, error);
+    if (status == WCUT_NO_MEMORY || status == WCUT_INTERRUPTED) return status;
     if (status != WCUT_OK) return WCUT_OK;
     c.gain = s->none.cost - c.fit.cost;
     c.second_size = HUGE_VAL;
@@ -166,7 +166,8 @@ static double scale(const wcut_search *s) {
 static wcut_status try_singles(searching *g, wcut_error *error) {
     wcut_search *s = g->s;
     wcut_screen screen = {0};
-    wcut_status status = wcut_screen_create(g->e, &s->none.model, s->none.open, g->without, &screen, error);
+    wcut_status status = step(g, "the library was screened", error);
+    if (status == WCUT_OK) status = wcut_screen_create(g->e, &s->none.model, s->none.open, g->without, &screen, error);
     if (status != WCUT_OK) return status;
     s->screened = best_of_kinds(&screen, s->single, error);
     s->pairs = wcut_screen_pairs(&screen, WCUT_SCREENED, s->pair);
@@ -197,8 +198,10 @@ static wcut_status try_pairs(searching *g, wcut_error *error) {
     if (best < 0) return WCUT_OK;
     wcut_screen screen = {0};
     const wcut_model about = s->candidate[best].fit.model;
-    wcut_status status = wcut_screen_create(g->e, &about, s->candidate[best].fit.open, g->without, &screen, error);
-    if (status != WCUT_OK) return status == WCUT_NO_MEMORY ? status : WCUT_OK;
+    wcut_status status = step(g, "the library was screened for a second effect", error);
+    if (status == WCUT_OK)
+        status = wcut_screen_create(g->e, &about, s->candidate[best].fit.open, g->without, &screen, error);
+    if (status != WCUT_OK) return status == WCUT_NO_MEMORY || status == WCUT_INTERRUPTED ? status : WCUT_OK;
     s->next = best_of_kinds(&screen, s->second, error);
     wcut_screen_destroy(&screen);
     if (s->next < 0) return WCUT_NO_MEMORY;
@@ -225,19 +228,20 @@ void wcut_search_destroy(wcut_search *s) {
     *s = (wcut_search){0};
 }
 
-wcut_status wcut_search_run(const wcut_evidence *e, const bool without[WCUT_EFFECT_COUNT], wcut_progress progress,
-                            void *context, wcut_search *out, wcut_error *error) {
+wcut_status wcut_search_run(const wcut_evidence *e, const bool without[WCUT_EFFECT_COUNT], wcut_search *out,
+                            wcut_error *error) {
     wcut_search *s = wcut_alloc(1, sizeof *s);
     if (!s) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for the search");
-    searching g = {.e = e, .s = s, .without = without, .progress = progress, .context = context};
-    g.steps = 1 + SINGLES + SECONDS + PAIRS;
-    wcut_status status = wcut_fit_solve(e, &e->at, &s->none, error);
+    searching g = {.e = e, .s = s, .without = without, .done = e->stop ? e->stop->done + 1 : 0};
+    wcut_status status = step(&g, "the recalibration was fitted", error);
+    if (status == WCUT_OK) status = wcut_fit_solve(e, &e->at, &s->none, error);
+    const bool fitted = status == WCUT_OK;
     if (status == WCUT_OK) {
         s->left = wcut_leftover_eval(e, s->none.residual);
         status = try_singles(&g, error);
     }
     if (status == WCUT_OK) status = try_pairs(&g, error);
-    if (status == WCUT_OK || status == WCUT_INTERRUPTED)
+    if (status == WCUT_OK || (status == WCUT_INTERRUPTED && fitted))
         *out = *s;
     else
         wcut_search_destroy(s);

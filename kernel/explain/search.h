@@ -38,12 +38,15 @@ typedef struct wcut_search {
     wcut_screened second[WCUT_EFFECT_COUNT];
 } wcut_search;
 
+enum { WCUT_SEARCH_STEPS = 12 };
+
 /*
- * Search a case. progress: may be NULL; called between fits; non-zero stops.
- * WCUT_OK; WCUT_INTERRUPTED: what was found so far; as wcut_fit_solve: nothing was written.
+ * Search a case, in up to WCUT_SEARCH_STEPS steps of evidence->stop.
+ * WCUT_OK; WCUT_INTERRUPTED: what was found so far, where `none` was fitted at least, else nothing was written; as
+ * wcut_fit_solve: nothing was written.
  */
-wcut_status wcut_search_run(const wcut_evidence *evidence, const bool without[WCUT_EFFECT_COUNT],
-                            wcut_progress progress, void *context, wcut_search *out, wcut_error *error);
+wcut_status wcut_search_run(const wcut_evidence *evidence, const bool without[WCUT_EFFECT_COUNT], wcut_search *out,
+                            wcut_error *error);
 void wcut_search_destroy(wcut_search *search);
 
 wcut_leftover wcut_leftover_eval(const wcut_evidence *evidence, const double *residual);

@@ -55,19 +55,8 @@ double wcut_between(int n, const double *x, const double *y, double at) {
 
 /* ---- motion ---- */
 
-static double programmed_heat(const wcut_job *job, double time) {
-    double heat = job->heat;
-    for (int k = 0; k < job->heat_step_count; k++)
-        if (time >= job->heat_step[k].from && time < job->heat_step[k].to) heat *= job->heat_step[k].factor;
-    return heat;
-}
-
-static double programmed_pace(const wcut_job *job, double time) {
-    double factor = 1;
-    for (int k = 0; k < job->dither_count; k++)
-        factor += job->dither[k].amplitude * sin(2 * WCUT_PI * time / job->dither[k].period + job->dither[k].phase);
-    return fmax(factor, 0.05);
-}
+/* programmed speed over the plan's, never backwards: progress is a function of its integral */
+static double programmed_pace(const wcut_job *job, double time) { return fmax(wcut_job_pace_eval(job, time), 0.05); }
 
 wcut_status wcut_trail_recorded(const wcut_job *job, const wcut_recording *recording, double window, wcut_trail *out,
                                 wcut_error *error) {
@@ -83,12 +72,12 @@ wcut_status wcut_trail_recorded(const wcut_job *job, const wcut_recording *recor
         made = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a motion of %d samples", track.count);
     if (made == WCUT_OK) {
         const wcut_column *heat = &recording->channel[WCUT_CHANNEL_HEAT];
-        double last = programmed_heat(job, track.time[0]);
+        double last = wcut_job_heat_eval(job, track.time[0]);
         for (int i = 0; i < track.count; i++) {
             const int sample = track.sample[i];
             const bool there = heat->name && (!heat->present || heat->present[sample]) && heat->value[sample] > 0;
             if (!heat->name)
-                last = programmed_heat(job, track.time[i]);
+                last = wcut_job_heat_eval(job, track.time[i]);
             else if (there)
                 last = heat->value[sample];
             trail.time[i] = track.time[i], trail.station[i] = track.station[i], trail.heat[i] = last;
@@ -212,17 +201,20 @@ static void begin(driver *d) {
     d->time = t->time[0] - fmax(t->station[0], 0.2) / fmax(pace, 0.1);
 }
 
-static void drive(driver *d, wcut_driven *out) {
+/* false where it was stopped */
+static bool drive(driver *d, wcut_stop *stop, wcut_driven *out) {
     begin(d);
     for (int i = 0, failed = 0; i < d->trail->count && failed < GIVE_UP; i++) {
+        if (wcut_stop_asked(stop)) return false;
         const bool there = d->trail->station[i] - d->station < STANDING ? i > 0 : advance(d, i);
         if (there) keep(d, i, out);
         failed = there ? 0 : failed + 1;
     }
+    return true;
 }
 
-wcut_status wcut_trail_drive(const wcut_job *job, int nodes, const wcut_trail *trail, bool positions, wcut_driven *out,
-                             wcut_error *error) {
+wcut_status wcut_trail_drive(const wcut_job *job, int nodes, const wcut_trail *trail, bool positions, wcut_stop *stop,
+                             wcut_driven *out, wcut_error *error) {
     wcut_job coarse = *job; /* borrowed arrays: the setup copies them */
     coarse.nodes = nodes;
     wcut_cut_options options = wcut_cut_options_default();
@@ -235,10 +227,11 @@ wcut_status wcut_trail_drive(const wcut_job *job, int nodes, const wcut_trail *t
     if (status == WCUT_OK) status = wcut_cut_create(setup, &d.cut, error);
     if (status == WCUT_OK && !driven_create(trail->count, nodes, positions, &driven))
         status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d samples", trail->count);
-    if (status == WCUT_OK) {
-        drive(&d, &driven);
+    if (status == WCUT_OK && !drive(&d, stop, &driven)) status = wcut_fail(error, WCUT_INTERRUPTED, "interrupted");
+    if (status == WCUT_OK)
         *out = driven;
-    }
+    else
+        wcut_driven_destroy(&driven);
     wcut_cut_destroy(d.cut);
     wcut_setup_destroy(setup);
     return status;

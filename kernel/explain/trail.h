@@ -6,6 +6,8 @@
 #include <wirecut/recording.h>
 #include <wirecut/status.h>
 
+#include "explain/stop.h"
+
 /* tension_a, tension_b [N], alpha_a, beta_a, alpha_b, beta_b [rad]: the channels of a recording from TENSION_A on */
 enum { WCUT_TRAIL_SIGNALS = 6 };
 
@@ -48,10 +50,11 @@ void wcut_trail_destroy(wcut_trail *trail);
 
 /*
  * Drive a wire of so many nodes along a trail, time-driven. Where the solver fails the sample is absent and the next
- * step begins at the last place reached. WCUT_OK; as wcut_setup_create, wcut_cut_create: nothing was written.
+ * step begins at the last place reached. stop: NULL, or asked at every sample. WCUT_OK; WCUT_INTERRUPTED; as
+ * wcut_setup_create, wcut_cut_create: nothing was written.
  */
-wcut_status wcut_trail_drive(const wcut_job *job, int nodes, const wcut_trail *trail, bool positions, wcut_driven *out,
-                             wcut_error *error);
+wcut_status wcut_trail_drive(const wcut_job *job, int nodes, const wcut_trail *trail, bool positions, wcut_stop *stop,
+                             wcut_driven *out, wcut_error *error);
 void wcut_driven_destroy(wcut_driven *driven);
 
 /* y at x between given points, held beyond them; x: n, not decreasing, n >= 1 */

@@ -61,7 +61,9 @@ grep -q 'in a: .*diagnosis.json' err || fail "$called: files are not named: $(ca
 run 0 diagnose case/case.json -o b --threads 2 --quiet --json
 [ -s err ] && fail "$called: expected no words with --quiet: $(cat err)"
 cmp -s out b/diagnosis.json || fail "$called: --json is not diagnosis.json"
+run 0 diagnose case/case.json -o c --threads 3 --quiet
 diff -r a b >differ || fail "one thread and two differ: $(head -c 300 differ)"
+diff -r a c >differ || fail "one thread and three differ: $(head -c 300 differ)"
 run 0 simulate a/job-improved.json -o improved --stations 40 --chord-tolerance 1 --quiet
 
 # with what there is: it is said, the rest is diagnosed, and the exit code tells
@@ -84,14 +86,37 @@ cp a/job-improved.json one/next-experiment.json
 run 0 diagnose case/one.json -o one --no-proof --quiet
 whole one 1
 
-# interrupted: what was found is whole, and marked
-code=0
-timeout -s INT 1 "$WIRECUT" diagnose case/case.json -o cut --quiet >out 2>err || code=$?
-called="diagnose, interrupted"
-if [ -e cut/diagnosis.json ] && [ "$code" -ne 0 ]; then
-    grep -q '"interrupted": true' cut/diagnosis.json || fail "$called: not marked"
-fi
-no_leavings cut
+# stop SIGNAL STEP: the signal in that step of a diagnosis, which ends with 130 and says where it was
+stop() {
+    called="diagnose, $1 in step $2"
+    code=0
+    python3 "$SOURCE_DIR/tests/apps/terminal.py" --interrupt "$1" --after "$2" "$WIRECUT" \
+        diagnose case/case.json -o cut --threads 2 || code=$?
+    [ "$code" -eq 130 ] || fail "$called: exit code $code, expected 130: $(cat terminal)"
+    grep -q 'stopped on request while' terminal || fail "$called: nothing said: $(cat terminal)"
+    no_leavings cut
+}
+# marked STAGE: files that say that it was cut short, and where
+marked() {
+    python3 - "$1" <<'EOF' || fail "$called: not marked as cut short"
+import json, sys
+d = json.load(open("cut/diagnosis.json"))
+assert d["interrupted"] is True and d["stopped"] == "while " + sys.argv[1], (d["interrupted"], d["stopped"])
+assert "Stopped on request while " + sys.argv[1] in d["verdict"]["sentence"], d["verdict"]
+page = open("cut/report.html").read()
+assert "Stopped on request while " + sys.argv[1] in page
+assert json.load(open("cut/job-improved.json"))["format"] == "wirecut-job/1"
+EOF
+    rm -rf cut
+}
+stop SIGINT 2
+grep -q 'before anything was found' terminal || fail "$called: $(cat terminal)"
+untouched cut
+stop SIGTERM 6
+grep -q '"confidence": 0[,}]' cut/diagnosis.json || fail "$called: confidence in a verdict that was not reached"
+marked "effects were fitted one by one"
+stop SIGINT 17
+marked "the forward proof was run"
 
 # what cannot be
 run 2 diagnose case/case.json -o x --without wire_termal_lag

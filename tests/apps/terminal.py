@@ -1,19 +1,23 @@
-"""terminal.py [--interrupt SIGNAL] [--environment NAME=VALUE]... COMMAND...: a command with a terminal as standard error.
+"""terminal.py [--interrupt SIGNAL] [--after N] [--environment NAME=VALUE]... COMMAND...: a command with a terminal as
+standard error.
 
 What it says there goes to the file `terminal`, its standard output to `out`. With --interrupt the signal is sent as
-soon as progress is seen. Ends with the command's exit code, 128 + n where it died of signal n.
+soon as progress is seen, or as it has come to N with --after. Ends with the command's exit code, 128 + n where it died of signal n.
 """
 import os
 import pty
+import re
 import signal
 import subprocess
 import sys
 
-arguments, interrupt, environment = sys.argv[1:], None, dict(os.environ, TERM="xterm")
+arguments, interrupt, after, environment = sys.argv[1:], None, 0, dict(os.environ, TERM="xterm")
 environment.pop("NO_COLOR", None)
 while arguments[0].startswith("--"):
     if arguments[0] == "--interrupt":
         interrupt = getattr(signal, arguments[1])
+    elif arguments[0] == "--after":
+        after = int(arguments[1])
     else:
         name, value = arguments[1].split("=", 1)
         environment[name] = value
@@ -32,7 +36,7 @@ while True:
     if not read:
         break
     said += read
-    if interrupt and b"stations" in said:
+    if interrupt and any(int(at) >= after for at in re.findall(rb"\] (\d+)/\d+ st", said)):
         process.send_signal(interrupt)
         interrupt = None
 with open("terminal", "wb") as file:

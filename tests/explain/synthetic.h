@@ -73,7 +73,7 @@ static inline wcut_recording *synthetic_recording(const wcut_job *job, const con
     wcut_trail t = synthetic_trail(job);
     wcut_driven d = {0};
     wcut_error error = {0};
-    const wcut_status status = wcut_trail_drive(&real, WCUT_NODES_FINE, &t, false, &d, &error);
+    const wcut_status status = wcut_trail_drive(&real, WCUT_NODES_FINE, &t, false, NULL, &d, &error);
     ck_assert_msg(status == WCUT_OK, "%s", error.text);
     wcut_recording *r = blank_recording(t.count, SYNTHETIC_STEP);
     double *value[WCUT_SENSED_COUNT] = {NULL}, *heat = add_channel(r, WCUT_CHANNEL_HEAT);
@@ -120,7 +120,7 @@ static inline void synthetic_destroy(synthetic *s) {
 static inline wcut_evidence *evidence_of(const synthetic *s, int threads) {
     wcut_evidence *e = NULL;
     wcut_error error = {0};
-    wcut_status status = wcut_evidence_create(s->cuts, s->cut, false, threads, &e, &error);
+    wcut_status status = wcut_evidence_create(s->cuts, s->cut, false, threads, NULL, &e, &error);
     ck_assert_msg(status == WCUT_OK, "%s", error.text);
     const wcut_model model = e->at;
     status = wcut_evidence_predict(e, &model, true, &error);

@@ -137,14 +137,14 @@ START_TEST(the_search_finds_nothing_in_residuals_that_are_shuffled_in_time) {
     wcut_search search = {0};
     wcut_random random = wcut_random_seed(41);
     wcut_error error = {0};
-    ck_assert_int_eq(wcut_evidence_create(m.cuts, m.cut, false, 1, &e, &error), WCUT_OK);
+    ck_assert_int_eq(wcut_evidence_create(m.cuts, m.cut, false, 1, NULL, &e, &error), WCUT_OK);
     const wcut_model plain = e->at;
     ck_assert_int_eq(wcut_evidence_predict(e, &plain, false, &error), WCUT_OK);
     ck_assert_int_eq(wcut_fit_solve(e, &plain, &first, &error), WCUT_OK);
     ck_assert_int_eq(wcut_evidence_predict(e, &first.model, false, &error), WCUT_OK);
     shuffle(e, &random);
     ck_assert_int_eq(wcut_evidence_predict(e, &first.model, false, &error), WCUT_OK); /* the noise follows */
-    ck_assert_int_eq(wcut_search_run(e, without, NULL, NULL, &search, &error), WCUT_OK);
+    ck_assert_int_eq(wcut_search_run(e, without, &search, &error), WCUT_OK);
     const wcut_decision decision = wcut_search_decide(&search);
     ck_assert_msg(decision.kind == WCUT_VERDICT_NONE, "%s, left over %.2f", wcut_verdict_name(decision.kind),
                   search.left.slow);

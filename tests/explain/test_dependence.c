@@ -55,7 +55,7 @@ static void plant(const wcut_feature *f, double size) {
         const wcut_evidence_cut *c = &evidence->cut[k];
         wcut_driven d = {0};
         double *value = wcut_alloc((size_t)WCUT_WEIGHTS * (size_t)c->bins, sizeof *value);
-        ck_assert_int_eq(wcut_trail_drive(c->job, WCUT_NODES_COARSE, &c->exogenous, true, &d, NULL), WCUT_OK);
+        ck_assert_int_eq(wcut_trail_drive(c->job, WCUT_NODES_COARSE, &c->exogenous, true, NULL, &d, NULL), WCUT_OK);
         wcut_feature_eval(c, &d, f, value);
         for (int i = 0; i < WCUT_TRAIL_SIGNALS * c->bins; i++) {
             const int row = c->row + i, weight = i < 2 * c->bins ? 0 : i < 4 * c->bins ? 1 : 2;

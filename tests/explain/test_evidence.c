@@ -145,16 +145,16 @@ START_TEST(a_case_that_shows_nothing_is_refused) {
     wcut_evidence *e = NULL;
     wcut_error error = {0};
     wcut_diagnosis_cut without = {.job = s.job[0]};
-    ck_assert_int_eq(wcut_evidence_create(1, &without, false, 1, &e, &error), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_evidence_create(1, &without, false, 1, NULL, &e, &error), WCUT_BAD_ARGUMENT);
     ck_assert_ptr_null(e);
     ck_assert_ptr_nonnull(strstr(error.text, "no cut with a job and a recording"));
     s.recording[0]->samples = 30; /* 3 s: it has not touched the foam for long */
-    ck_assert_int_eq(wcut_evidence_create(1, s.cut, false, 1, &e, &error), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_evidence_create(1, s.cut, false, 1, NULL, &e, &error), WCUT_BAD_ARGUMENT);
     ck_assert_ptr_null(e);
     ck_assert_ptr_nonnull(strstr(error.text, "4 s in the foam"));
     s.recording[0]->samples = SYNTHETIC_SAMPLES;
     s.job[0]->wire_length = 100; /* shorter than the mounts are apart */
-    const wcut_status status = wcut_evidence_create(1, s.cut, false, 1, &e, &error);
+    const wcut_status status = wcut_evidence_create(1, s.cut, false, 1, NULL, &e, &error);
     ck_assert_msg(status == WCUT_DEGENERATE || status == WCUT_BAD_ARGUMENT, "%d %s", status, error.text);
     ck_assert_ptr_null(e);
     synthetic_destroy(&s);
@@ -167,7 +167,7 @@ START_TEST(without_memory_nothing_is_written) {
         wcut_evidence *e = NULL;
         wcut_error error = {0};
         wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_evidence_create(1, s.cut, false, 1, &e, &error);
+        const wcut_status status = wcut_evidence_create(1, s.cut, false, 1, NULL, &e, &error);
         wcut_alloc_fail_at(0);
         ck_assert_msg(status == WCUT_NO_MEMORY, "allocation %ld: %d %s", k, status, error.text);
         ck_assert_ptr_null(e);

@@ -22,7 +22,7 @@ static wcut_effect sized(wcut_effect_kind kind, double size) {
 static double chosen(const wcut_job *job, wcut_effect a, wcut_effect b, wcut_job **best, char *reason) {
     double separation = 999;
     wcut_error error = {0};
-    const wcut_status status = wcut_experiment_choose(job, 1, &a, 1, &b, best, &separation, reason, &error);
+    const wcut_status status = wcut_experiment_choose(job, 1, &a, 1, &b, NULL, best, &separation, reason, &error);
     ck_assert_msg(status == WCUT_OK, "%s", error.text);
     return separation;
 }
@@ -82,10 +82,10 @@ START_TEST(what_a_refit_of_the_plain_model_explains_does_not_count) {
     char reason[WCUT_DIAGNOSIS_TEXT];
     double weak = 0, strong = 0;
     const wcut_effect level = sized(WCUT_RATE_DEPENDENCE, 0.004), gain = sized(WCUT_TENSION_GAIN, 0.5);
-    ck_assert_int_eq(wcut_experiment_choose(job, 1, &level, 0, NULL, &best, &weak, reason, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_experiment_choose(job, 1, &level, 0, NULL, NULL, &best, &weak, reason, NULL), WCUT_OK);
     ck_assert_ptr_nonnull(strstr(reason, "the plain model"));
     wcut_job_destroy(best);
-    ck_assert_int_eq(wcut_experiment_choose(job, 1, &gain, 0, NULL, &best, &strong, reason, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_experiment_choose(job, 1, &gain, 0, NULL, NULL, &best, &strong, reason, NULL), WCUT_OK);
     ck_assert_msg(weak < 3 && strong > 30, "%g %g", weak, strong);
     wcut_job_destroy(best);
     wcut_job_destroy(job);
@@ -98,14 +98,15 @@ START_TEST(what_cannot_be_run_is_refused_and_nothing_is_written) {
     double s = 999;
     wcut_error error = {0};
     wcut_effect lag = sized(WCUT_WIRE_THERMAL_LAG, 0.4);
-    ck_assert_int_eq(wcut_experiment_choose(NULL, 1, &lag, 0, NULL, &best, &s, reason, &error), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_experiment_choose(job, 1, NULL, 0, NULL, &best, &s, reason, &error), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_experiment_choose(job, 1, &lag, 0, NULL, NULL, &s, reason, &error), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_experiment_choose(NULL, 1, &lag, 0, NULL, NULL, &best, &s, reason, &error),
+                     WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_experiment_choose(job, 1, NULL, 0, NULL, NULL, &best, &s, reason, &error), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_experiment_choose(job, 1, &lag, 0, NULL, NULL, NULL, &s, reason, &error), WCUT_BAD_ARGUMENT);
     lag.value[0] = -1;
-    ck_assert_int_eq(wcut_experiment_choose(job, 1, &lag, 0, NULL, &best, &s, reason, &error), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_experiment_choose(job, 1, &lag, 0, NULL, NULL, &best, &s, reason, &error), WCUT_BAD_ARGUMENT);
     lag.value[0] = 0.4;
     for (int j = 0; j < job->stations; j++) job->mount_a[j].z += 1000, job->mount_b[j].z += 1000;
-    ck_assert_int_eq(wcut_experiment_choose(job, 1, &lag, 0, NULL, &best, &s, reason, &error), WCUT_DEGENERATE);
+    ck_assert_int_eq(wcut_experiment_choose(job, 1, &lag, 0, NULL, NULL, &best, &s, reason, &error), WCUT_DEGENERATE);
     ck_assert_ptr_eq(best, job);
     ck_assert_double_eq(s, 999);
     ck_assert_str_eq(reason, "as it was");
@@ -122,7 +123,7 @@ START_TEST(where_memory_ends_nothing_is_written) {
     for (int j = 0; j < job->stations; j++) job->mount_a[j].y = job->mount_b[j].y = -20 + 36.0 * j;
     for (long k = 1; k < 4000; k = k * 5 / 4 + 1) {
         wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_experiment_choose(job, 1, &lag, 0, NULL, &best, &s, reason, NULL);
+        const wcut_status status = wcut_experiment_choose(job, 1, &lag, 0, NULL, NULL, &best, &s, reason, NULL);
         wcut_alloc_fail_at(0);
         if (status == WCUT_OK) break;
         ck_assert_int_eq(status, WCUT_NO_MEMORY);

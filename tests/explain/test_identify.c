@@ -109,7 +109,7 @@ START_TEST(even_without_feedback_the_tension_stays_below_twice_the_target) {
     wcut_schedule schedule = {0};
     wcut_rehearsal run = {0};
     ck_assert_int_eq(wcut_schedule_create(cut, &schedule, NULL), WCUT_OK);
-    ck_assert_int_eq(wcut_rehearsal_run(cut, &schedule, &run, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_rehearsal_run(cut, &schedule, NULL, &run, NULL), WCUT_OK);
     double most = 0;
     for (int i = 0; i < run.count; i++)
         if (run.present[i] && schedule.engaged[i] >= WCUT_MOST_OF_WIRE && schedule.held[i])

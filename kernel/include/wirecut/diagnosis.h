@@ -166,6 +166,7 @@ typedef struct wcut_diagnosis {
     bool naive_false;                   /**< whether plain least squares on the recorded speed names an effect */
     char naive[80];                     /**< which */
     bool interrupted;
+    char stopped[80]; /**< "while pairs of effects were fitted": where it was cut short; "" of a whole one */
 } wcut_diagnosis;
 
 WCUT_API wcut_diagnosis_options wcut_diagnosis_options_default(void);
@@ -186,12 +187,14 @@ WCUT_API const char *wcut_evidence_unit(wcut_evidence_channel channel);
  * @param[in]  test_cuts   0 where there is no calibration table
  * @param[in]  calibration test_cuts, steady
  * @param[in]  options     NULL for the defaults
- * @param[in]  progress    may be NULL; steps done of all; return non-zero to stop
+ * @param[in]  progress    may be NULL; steps done of all; return non-zero to stop. Called in the caller's thread alone,
+ *                         every few milliseconds
  * @param[in]  context     handed to progress
  * @param[out] diagnosis   the caller's, to wcut_diagnosis_destroy
  * @param[out] error       may be NULL; the cut and what is wrong with it
- * @return WCUT_OK; WCUT_INTERRUPTED: what was found so far, marked; WCUT_BAD_ARGUMENT (no usable cut), WCUT_DEGENERATE
- *         (a job that cannot be simulated), WCUT_NO_MEMORY: nothing was written.
+ * @return WCUT_OK; WCUT_INTERRUPTED: what was found so far, marked, in its sentence too; nothing where not even the
+ *         recalibration was fitted; WCUT_BAD_ARGUMENT (no usable cut), WCUT_DEGENERATE (a job that cannot be simulated),
+ *         WCUT_NO_MEMORY: nothing was written.
  */
 WCUT_API wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *cut, int test_cuts,
                                            const wcut_test_cut *calibration, const wcut_diagnosis_options *options,

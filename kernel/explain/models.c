@@ -1,0 +1,137 @@
+/* Models in the rows of the evidence: what each predicts along the exogenous trail, every motion driven once; and what a
+   scan is free to do. */
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "base/vec3.h"
+#include "explain/fit.h"
+
+enum { NODES_COARSE = WCUT_NODES_COARSE };
+
+/* ---- rows ---- */
+
+static bool same_effect(const wcut_effect *a, const wcut_effect *b) {
+    if (a->kind != b->kind || a->choice != b->choice) return false;
+    for (int k = 0; k < WCUT_EFFECT_VALUES; k++)
+        if (a->value[k] != b->value[k]) return false;
+    return true;
+}
+
+static const wcut_effect *next_moving(const wcut_model *m, int *from) {
+    while (*from < m->effects) {
+        const wcut_effect *e = &m->effect[(*from)++];
+        if (wcut_effect_view(e->kind)->place == WCUT_EFFECT_STEP && !wcut_effect_is_neutral(e)) return e;
+    }
+    return NULL;
+}
+
+bool wcut_models_same_motion(const wcut_model *a, const wcut_model *b) {
+    if (a->a != b->a || a->b != b->b || a->length_change != b->length_change || a->carried != b->carried) return false;
+    int i = 0, j = 0;
+    for (;;) {
+        const wcut_effect *x = next_moving(a, &i), *y = next_moving(b, &j);
+        if (!x || !y) return !x && !y;
+        if (!same_effect(x, y)) return false;
+    }
+}
+
+/* rows of one model in one cut; `moved`: what the first model's drive gave, or NULL */
+static wcut_status model_rows(const wcut_evidence *e, int cut, const wcut_model *model, const wcut_driven *moved,
+                              double *rows, wcut_error *error) {
+    if (moved) return wcut_evidence_rows(e, cut, model, moved, rows);
+    const wcut_evidence_cut *c = &e->cut[cut];
+    wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
+    const wcut_job job = wcut_model_job(e, model, cut, effect);
+    wcut_driven d = {0};
+    wcut_status status = wcut_trail_drive(&job, NODES_COARSE, &c->exogenous, c->patch.count > 0, e->stop, &d, error);
+    if (status == WCUT_OK) status = wcut_evidence_rows(e, cut, model, &d, rows);
+    wcut_driven_destroy(&d);
+    return status;
+}
+
+/* where a model's motion is known already: that of the evidence, -1; of an earlier model of the list; itself */
+static int motion_of(const wcut_evidence *e, const wcut_model *model, int k) {
+    if (wcut_models_same_motion(&e->at, &model[k])) return -1;
+    for (int j = 0; j < k; j++)
+        if (wcut_models_same_motion(&model[j], &model[k])) return j;
+    return k;
+}
+
+wcut_status wcut_models_rows(const wcut_evidence *e, int count, const wcut_model *model, double *rows,
+                             wcut_error *error) {
+    const int tasks = count * e->cuts;
+    wcut_error *failed = wcut_alloc((size_t)tasks, sizeof *failed);
+    int *motion = wcut_alloc((size_t)count, sizeof *motion);
+    /* an earlier model's drive is kept where a later one moves alike: the first of a list of instruments */
+    wcut_driven *kept = wcut_alloc((size_t)e->cuts, sizeof *kept);
+    int shared = -2;
+    wcut_status status = failed && motion && kept ? WCUT_OK : wcut_fail(error, WCUT_NO_MEMORY, "no memory");
+    for (int k = 0; status == WCUT_OK && k < count; k++) {
+        motion[k] = motion_of(e, model, k);
+        if (motion[k] >= 0 && motion[k] < k) shared = motion[k];
+    }
+    if (status == WCUT_OK && shared >= 0) {
+#pragma omp parallel for num_threads(e->threads) schedule(dynamic, 1)
+        for (int cut = 0; cut < e->cuts; cut++) {
+            if (e->cut[cut].bins == 0) continue;
+            wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
+            const wcut_job job = wcut_model_job(e, &model[shared], cut, effect);
+            failed[cut].status = wcut_trail_drive(&job, NODES_COARSE, &e->cut[cut].exogenous,
+                                                  e->cut[cut].patch.count > 0, e->stop, &kept[cut], &failed[cut]);
+        }
+        for (int cut = 0; status == WCUT_OK && cut < e->cuts; cut++)
+            if (failed[cut].status != WCUT_OK) status = wcut_fail(error, failed[cut].status, "%s", failed[cut].text);
+    }
+    if (status == WCUT_OK) {
+#pragma omp parallel for num_threads(e->threads) schedule(dynamic, 1)
+        for (int task = 0; task < tasks; task++) {
+            const int k = task / e->cuts, cut = task % e->cuts;
+            if (e->cut[cut].bins == 0) continue;
+            const wcut_driven *moved = motion[k] == -1       ? &e->cut[cut].reference
+                                       : motion[k] == shared ? &kept[cut]
+                                                             : NULL;
+            failed[task].status =
+                model_rows(e, cut, &model[k], moved, rows + (size_t)k * (size_t)e->rows, &failed[task]);
+        }
+    }
+    for (int task = 0; status == WCUT_OK && task < tasks; task++)
+        if (failed[task].status != WCUT_OK) status = wcut_fail(error, failed[task].status, "%s", failed[task].text);
+    for (int cut = 0; kept && cut < e->cuts; cut++) wcut_driven_destroy(&kept[cut]);
+    wcut_free(kept);
+    wcut_free(motion);
+    wcut_free(failed);
+    return status;
+}
+
+/* ---- nuisances of scans ---- */
+
+int wcut_nuisance_count(const wcut_evidence *e) {
+    int scans = 0;
+    for (int k = 0; k < e->cuts; k++) scans += e->cut[k].patch.count > 0;
+    return scans > 0 ? WCUT_SCAN_NUISANCES * scans + 1 : 0;
+}
+
+void wcut_nuisance_columns(const wcut_evidence *e, double *column, double *spread) {
+    const int count = wcut_nuisance_count(e);
+    const size_t rows = (size_t)e->rows;
+    if (count == 0) return;
+    memset(column, 0, (size_t)count * rows * sizeof *column);
+    int at = 0;
+    double *kerf = column + (size_t)(count - 1) * rows;
+    for (int k = 0; k < e->cuts; k++) {
+        const wcut_evidence_cut *c = &e->cut[k];
+        if (c->patch.count == 0) continue;
+        const wcut_vec3 middle = vec3_scale(0.5, c->job->block_size);
+        for (int i = 0; i < c->patch.count; i++) {
+            const int row = c->row + WCUT_TRAIL_SIGNALS * c->bins + i;
+            const wcut_vec3 n = c->patch.normal[i], turn = vec3_cross(vec3_sub(c->patch.point[i], middle), n);
+            const double value[WCUT_SCAN_NUISANCES] = {n.x, n.y, n.z, turn.x, turn.y, turn.z};
+            for (int j = 0; j < WCUT_SCAN_NUISANCES; j++) column[(size_t)(at + j) * rows + (size_t)row] = value[j];
+            kerf[row] = -0.5;
+        }
+        for (int j = 0; j < WCUT_SCAN_NUISANCES; j++) spread[at + j] = j < 3 ? WCUT_SCAN_SHIFT : WCUT_SCAN_TURN;
+        at += WCUT_SCAN_NUISANCES;
+    }
+    spread[at] = WCUT_KERF_SPREAD;
+}
