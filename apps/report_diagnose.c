@@ -221,8 +221,10 @@ static bool fill_worth(page *p, wcut_report_section *section) {
     *section = (wcut_report_section){
         .title = "What it is worth",
         .note =
-            "The speed is that of the planned run, which no fit has seen; the other channels are replayed. The "
-            "black box is a mere fit of the recalibrated residuals, without physics.",
+            "The speed is that of the planned run, which no fit has seen, while the tension is within 10 % of its "
+            "target; the other channels are replayed. The black box is a mere fit of the recalibrated residuals, "
+            "without "
+            "physics.",
         .table_count = 4 - first,
         .table = table + first};
     return !p->memory.failed;

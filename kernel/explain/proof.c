@@ -16,6 +16,9 @@ enum { MODELS = WCUT_FIT_BLACK_BOX };
 /* the solver's tolerance: tensions move by a thousandth of a sensor's noise against 1e-10 */
 #define TOLERANCE 1e-6
 
+/* [1] of the target: a tension that the loop holds */
+#define SETTLED 0.1
+
 /* ---- forecasts ---- */
 
 static int all_bins(const wcut_evidence *e) {
@@ -72,6 +75,16 @@ static void bin_speed(const wcut_evidence_cut *c, const double *value, const uns
     }
 }
 
+/* A planned run says the speed at the target tension: where the loop is not there yet, or no longer, the recorded speed
+   answers another question. speed: 2 x bins, both sides. */
+static void keep_settled(const wcut_evidence_cut *c, double *speed) {
+    const double target = c->job->tension;
+    for (int i = 0; i < c->bins; i++) {
+        const double mean = (c->measured[0][i] + c->measured[1][i]) / 2;
+        if (!(fabs(mean - target) <= SETTLED * target)) speed[i] = speed[c->bins + i] = (double)NAN;
+    }
+}
+
 /* what was measured, in the evidence's rows and in bins of speed */
 static void fill_measured(const wcut_evidence *e, wcut_forecast *f) {
     for (int k = 0; k < e->cuts; k++) {
@@ -85,6 +98,7 @@ static void fill_measured(const wcut_evidence *e, wcut_forecast *f) {
             const wcut_column *column = &c->recording->channel[WCUT_CHANNEL_SPEED_A + side];
             bin_speed(c, column->value, column->present, speed_of(e, f, k) + (ptrdiff_t)side * c->bins);
         }
+        keep_settled(c, speed_of(e, f, k));
     }
 }
 

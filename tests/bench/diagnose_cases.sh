@@ -3,7 +3,7 @@
 #   sh tests/bench/diagnose_cases.sh WIRECUT CASES OUT [SCORER ANSWERS]
 # CASES holds a folder a case, each with a case.json; OUT gets a folder a case. As many cases at a time as there are
 # cores, one thread each; a line a case says its CPU seconds and its exit code. SCORER is a Python program called with
-# OUT and ANSWERS. Further options of the verb, such as --naive, stand in WCUT_DIAGNOSE.
+# OUT and ANSWERS (by $PYTHON, or python3). Further options of the verb, such as --naive, stand in WCUT_DIAGNOSE.
 set -u
 [ $# -eq 3 ] || [ $# -eq 5 ] || { echo "usage: sh $0 WIRECUT CASES OUT [SCORER ANSWERS]" >&2; exit 2; }
 wirecut=$1
@@ -20,5 +20,5 @@ find "$2" -mindepth 2 -maxdepth 2 -name case.json | LC_ALL=C sort |
         code=$?
         [ $code -eq 0 ] || { echo "$name ended with $code: $(head -n 1 "$OUT/$name.log")"; exit 1; }'
 status=$?
-[ $# -eq 3 ] || python3 "$4" "$out" "$5" || status=1
+[ $# -eq 3 ] || "${PYTHON:-python3}" "$4" "$out" "$5" || status=1
 exit $status

@@ -89,8 +89,15 @@ START_TEST(one_model_proved_against_itself_gives_equal_figures_for_any_number_of
 }
 END_TEST
 
+/* the tension that the programmed speed ends at is the target, or so much of it */
+static void aim(double part) {
+    const wcut_evidence_cut *c = &evidence->cut[0];
+    given.job[0]->tension = part * (c->measured[0][c->bins - 8] + c->measured[1][c->bins - 8]) / 2;
+}
+
 START_TEST(one_cut_is_planned_but_nothing_can_be_held_out) {
     given_a_lag(1, true, 1);
+    aim(1);
     wcut_proof p = prove(&none, &lag);
     for (int m = 0; m < WCUT_FIT_MODELS; m++)
         for (int k = 0; k < WCUT_EVIDENCE_COUNT; k++) ck_assert_int_eq(p.held_out_fit[m][k].count, 0);
@@ -99,6 +106,18 @@ START_TEST(one_cut_is_planned_but_nothing_can_be_held_out) {
     /* the measured speed of the forecast is that of the recording */
     const double pace = 3.4 * 500 / 120;
     ck_assert_double_eq_tol(p.measured.speed[3], pace, 0.02);
+    wcut_proof_destroy(&p);
+    forget();
+}
+END_TEST
+
+START_TEST(a_speed_at_another_tension_than_the_target_is_no_judge_of_a_plan) {
+    given_a_lag(1, true, 1);
+    aim(1.25);
+    wcut_proof p = prove(&none, &none);
+    ck_assert_int_eq(p.fit[WCUT_FIT_BEFORE][WCUT_EVIDENCE_SPEED].count, 0);
+    ck_assert_int_gt(p.fit[WCUT_FIT_BEFORE][WCUT_EVIDENCE_TENSION].count, 0);
+    for (int i = 0; i < 2 * evidence->cut[0].bins; i++) ck_assert(isnan(p.measured.speed[i]));
     wcut_proof_destroy(&p);
     forget();
 }
@@ -171,6 +190,7 @@ int main(void) {
     tcase_add_test(tcase, a_true_effect_predicts_left_out_cuts_better_than_any_law);
     tcase_add_test(tcase, one_model_proved_against_itself_gives_equal_figures_for_any_number_of_threads);
     tcase_add_test(tcase, one_cut_is_planned_but_nothing_can_be_held_out);
+    tcase_add_test(tcase, a_speed_at_another_tension_than_the_target_is_no_judge_of_a_plan);
     tcase_add_test(tcase, figures_are_a_scores_and_their_interval_holds_them);
     tcase_add_test(tcase, without_memory_nothing_is_written);
     suite_add_tcase(suite, tcase);

@@ -32,7 +32,7 @@ typedef enum wcut_verdict_kind { WCUT_VERDICT_LIST(WCUT_VERDICT_ENTRY) WCUT_VERD
 
 /** What of a cut is measured: both mounts together, and the scan. */
 typedef enum wcut_evidence_channel {
-    WCUT_EVIDENCE_SPEED,   /**< [mm/s] of the planned run; never fitted */
+    WCUT_EVIDENCE_SPEED, /**< [mm/s] of the planned run, while the tension is within 10 % of its target; never fitted */
     WCUT_EVIDENCE_TENSION, /**< [N] */
     WCUT_EVIDENCE_ALPHA,   /**< [deg] */
     WCUT_EVIDENCE_BETA,    /**< [deg] */
