@@ -28,7 +28,7 @@ case_of() {
     [ "$table" = null ] || table="\"$table\""
     printf '], "calibration": %s}\n' "$table" >>"$file"
 }
-# whole FOLDER CUTS: files that parse, numbers that are probabilities, effects that are known
+# whole FOLDER CUTS [unproven]: files that parse, numbers that are probabilities, effects that are known
 whole() {
     python3 - "$@" <<'EOF' || fail "$called: not the diagnosis that was expected"
 import json, os, sys
@@ -45,7 +45,8 @@ for m in d["mismatch"]:
     assert 0 <= m["cut"] < int(sys.argv[2]) and m["time_s"][0] <= m["time_s"][1] and 0 <= m["p_value"] <= 1, m
 assert d["recalibrated"]["a_N_per_mm"]["value"] > 0, d["recalibrated"]
 assert (d["next_experiment"] is None) == (not os.path.exists(folder + "/next-experiment.json"))
-assert d["fit"]["before"] and d["fit"]["recalibrated"] and d["fit"]["after"], d["fit"]
+for model in ("before", "recalibrated", "after"):
+    assert bool(d["fit"][model]) == (len(sys.argv) < 4), d["fit"]
 assert open(folder + "/report.html").read(200).startswith("<!doctype html>")
 job = json.load(open(folder + "/job-improved.json"))
 assert job["format"] == "wirecut-job/1" and job["process"]["force_law"] != {"a_N_per_mm": 0.1, "b_m2_per_J": 8.6e-4}
@@ -75,16 +76,16 @@ run 3 diagnose case/bad.json -o bad --no-proof
 for text in nowhere.csv no-channel.csv none.ply none.json missing.csv; do
     grep -qF "$text" err || fail "$called: $text is not named: $(cat err)"
 done
-whole bad 5
+whole bad 5 unproven
 case_of case/one.json null job-3.json:recording-3.csv:
 run 0 diagnose case/one.json -o one --no-proof --without wire_thermal_lag,clock_offset --quiet
-whole one 1
+whole one 1 unproven
 grep -q '"effects": \["wire_thermal_lag"\]' one/diagnosis.json && fail "an effect that was left out is named"
 
 # an earlier next experiment does not stay beside another diagnosis
 cp a/job-improved.json one/next-experiment.json
 run 0 diagnose case/one.json -o one --no-proof --quiet
-whole one 1
+whole one 1 unproven
 
 # stop SIGNAL STEP: the signal in that step of a diagnosis, which ends with 130 and says where it was
 stop() {
@@ -92,8 +93,8 @@ stop() {
     code=0
     python3 "$SOURCE_DIR/tests/apps/terminal.py" --interrupt "$1" --after "$2" "$WIRECUT" \
         diagnose case/case.json -o cut --threads 2 || code=$?
-    [ "$code" -eq 130 ] || fail "$called: exit code $code, expected 130: $(cat terminal)"
-    grep -q 'stopped on request while' terminal || fail "$called: nothing said: $(cat terminal)"
+    [ "$code" -eq 130 ] || fail "$called: exit code $code, expected 130: $(tail -c 300 terminal)"
+    grep -q 'stopped on request while' terminal || fail "$called: nothing said: $(tail -c 300 terminal)"
     no_leavings cut
 }
 # marked STAGE: files that say that it was cut short, and where
@@ -110,7 +111,7 @@ EOF
     rm -rf cut
 }
 stop SIGINT 2
-grep -q 'before anything was found' terminal || fail "$called: $(cat terminal)"
+grep -q 'before anything was found' terminal || fail "$called: $(tail -c 300 terminal)"
 untouched cut
 stop SIGTERM 6
 grep -q '"confidence": 0[,}]' cut/diagnosis.json || fail "$called: confidence in a verdict that was not reached"

@@ -23,6 +23,8 @@ while arguments[0].startswith("--"):
         environment[name] = value
     arguments = arguments[2:]
 
+if interrupt:  # heard also where whoever runs this had it ignored, as a shell does in the background
+    signal.signal(interrupt, signal.SIG_DFL)
 master, slave = pty.openpty()
 with open("out", "wb") as out:
     process = subprocess.Popen(arguments, stdin=slave, stdout=out, stderr=slave, env=environment)

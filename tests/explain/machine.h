@@ -23,6 +23,7 @@ typedef struct machine_secret {
     double law_a, law_b; /* [1] the foam's over the job's; 0: 1 */
     double noise;        /* [1] of the rig's own; 0: 1 */
     double delay;        /* [s] of the tension's readings; 0: none */
+    int decimation;      /* steps of the loop (40 Hz) a sample; 0: 20 Hz */
     bool plain;          /* no identification cuts */
     bool one_heat;
     uint64_t seed;
@@ -104,7 +105,7 @@ static inline wcut_rig_run *machine_record(const wcut_job *job, int cut, const m
     const double noise = secret->noise > 0 ? secret->noise : 1;
     o.noise_tension *= noise, o.noise_angle *= noise, o.noise_speed *= noise, o.noise_position *= noise;
     o.seed = secret->seed + 100 * (uint64_t)cut;
-    o.delay = secret->delay;
+    o.delay = secret->delay, o.decimation = secret->decimation;
     wcut_effect effect[2] = {secret->effect[0], secret->effect[1]};
     wcut_job real = *job;
     real.effect_count = secret->effects, real.effect = effect;

@@ -29,12 +29,21 @@ static machine_secret one(wcut_effect_kind kind, int choice, double strength, ui
 
 /* ---- hidden by the loop ---- */
 
+/* the wire's own tension off its target, at most, once the loop has had its time to take hold */
+static double held_within(const wcut_rig_run *run, double from) {
+    double most = 0;
+    int samples = 0;
+    for (int i = 0; i < run->recording.samples; i++)
+        if (run->recording.channel[WCUT_CHANNEL_TIME].value[i] >= from)
+            most = fmax(most, fabs(run->tension[i] / run->target - 1)), samples++;
+    ck_assert_int_gt(samples, 200);
+    return most;
+}
+
 START_TEST(the_loop_holds_the_tension_and_the_effect_is_found_all_the_same) {
     const machine_secret secret = one(WCUT_WIRE_THERMAL_LAG, 0, 0.5, 6);
     machine_case m = machine_create(MACHINE_CUTS, &secret);
-    ck_assert(m.run[0]->has_steady);
-    ck_assert_double_lt(fabs(m.run[0]->steady.mean), 0.01);
-    ck_assert_double_lt(m.run[0]->steady.rms, 0.02);
+    ck_assert_double_lt(held_within(m.run[0], 10), 0.02);
     wcut_diagnosis *d = machine_diagnose(&m, NULL);
     ck_assert_msg(machine_names(d, WCUT_WIRE_THERMAL_LAG, WCUT_WIRE_THERMAL_LAG), "%s", machine_verdict(d));
     ck_assert_msg(fabs(d->effect[0].effect.value[0] - 0.5) < 0.1, "%s", machine_verdict(d));
@@ -67,6 +76,26 @@ START_TEST(a_lag_is_no_clock_offset) {
 }
 END_TEST
 
+/* A step of the simulator is late by half its length. Fitted alone to cuts in which nothing is late, a clock offset of
+   0.041 s, more than is named, came out of a recording at 5 Hz when its samples were the steps. */
+START_TEST(a_coarse_recording_is_no_late_one) {
+    const machine_secret secret = {.decimation = 8, .seed = 12};
+    machine_case m = machine_create(MACHINE_CUTS, &secret);
+    wcut_evidence *e = NULL;
+    wcut_fitted f = {0};
+    wcut_error error = {0};
+    ck_assert_int_eq(wcut_evidence_create(m.cuts, m.cut, false, 1, NULL, &e, &error), WCUT_OK);
+    wcut_model model = e->at;
+    ck_assert_int_eq(wcut_evidence_predict(e, &model, false, &error), WCUT_OK);
+    model.effects = 1, model.effect[0] = machine_effect(WCUT_CLOCK_OFFSET, 0, 0.02, 0);
+    ck_assert_int_eq(wcut_fit_solve(e, &model, &f, &error), WCUT_OK);
+    ck_assert_msg(fabs(f.model.effect[0].value[0]) < 0.03, "%.4f s", f.model.effect[0].value[0]);
+    wcut_fitted_destroy(&f);
+    wcut_evidence_destroy(e);
+    machine_destroy(&m);
+}
+END_TEST
+
 /* ---- two at once ---- */
 
 START_TEST(two_effects_at_once_are_both_named) {
@@ -85,8 +114,8 @@ END_TEST
 /* ---- taken out of the library ---- */
 
 START_TEST(what_the_library_does_not_have_is_unknown_not_the_next_best) {
-    const machine_secret secret[] = {one(WCUT_WIRE_THERMAL_LAG, 0, 0.5, 6), one(WCUT_FOAM_DENSITY_GRADIENT, 0, 0.2, 7),
-                                     one(WCUT_ANGLE_OFFSET, 2, 1, 11)};
+    const machine_secret secret[] = {one(WCUT_WIRE_THERMAL_LAG, 0, 0.5, 6), one(WCUT_CLOCK_OFFSET, 0, 0.15, 9),
+                                     one(WCUT_RATE_DEPENDENCE, 0, 0.2, 8)};
     bool without[WCUT_EFFECT_COUNT] = {false};
     without[secret[_i].effect[0].kind] = true;
     wcut_diagnosis *d = diagnose_secret(&secret[_i], without);
@@ -163,6 +192,7 @@ int main(void) {
     tcase_add_test(tests, a_job_that_is_a_fifth_off_does_not_swallow_the_effect);
     tcase_add_test(tests, a_clock_offset_is_no_lag);
     tcase_add_test(tests, a_lag_is_no_clock_offset);
+    tcase_add_test(tests, a_coarse_recording_is_no_late_one);
     tcase_add_test(tests, two_effects_at_once_are_both_named);
     tcase_add_loop_test(tests, what_the_library_does_not_have_is_unknown_not_the_next_best, 0, 3);
     tcase_add_loop_test(tests, nothing_is_found_where_nothing_is, 0, 3);
