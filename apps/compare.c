@@ -17,6 +17,9 @@ static const char *const result_name[] = {"deviation.ply",      "deviation_mesh.
                                           "reconstruction.ply", "reconstruction.stl", "zones.csv",
                                           "report.html",        "deviation.json",     NULL};
 
+/* points held in memory, unless something else is asked for */
+enum { HOLD = 500000, HOLD_WHOLE = 2000000 };
+
 /* ---- what is asked for ---- */
 
 /* The next number of a list; NULL where there is none or it is not positive and finite. */
@@ -138,10 +141,10 @@ static int read_options(const app_call *call, app_compare_options *o) {
     if (app_given(call, "threads")) o->threads = app_int(call, "threads");
     if (app_given(call, "support")) o->support = app_real(call, "support");
     o->scans.unit = (wcut_length_unit)app_choice(call, "unit");
-    o->scans.hold = app_int(call, "hold");
     o->scans.threads = o->threads;
     read_cleaning(call, &o->scans);
     if (o->distance == APP_TO_RECONSTRUCTION && o->reconstruct == 0) o->reconstruct = 1;
+    o->scans.hold = app_given(call, "hold") ? app_int(call, "hold") : o->reconstruct ? HOLD_WHOLE : HOLD;
     int code = read_bands(app_text(call, "bands"), o);
     if (code == APP_DONE && app_given(call, "tolerance")) {
         o->tolerance = app_real(call, "tolerance");
@@ -374,8 +377,8 @@ static const app_option option[] = {
      .value = "N",
      .low = 1000,
      .high = 100000000,
-     .standard = "2000000",
-     .help = "points held in memory; of more a sample is held, and the files are read twice"},
+     .help = "points held in memory; of more a sample is held, and the files are read twice; else 500000, with "
+             "--reconstruct 2000000"},
     {.kind = APP_INT,
      .name = "threads",
      .value = "N",

@@ -90,6 +90,21 @@ static int load_mesh(app_reference *r) {
     return app_fail(APP_BAD_INPUT, "%s: found a mesh that has no extent in x or y, expected a cut face", r->path);
 }
 
+int app_reference_base(app_reference *reference, const wcut_surface **surface) {
+    app_reference *r = reference;
+    *surface = r->is_job ? r->face->surface : r->base;
+    if (*surface) return APP_DONE;
+    wcut_status status = wcut_mesh_base(r->mesh, r->options.flip, &r->base);
+    if (status == WCUT_DEGENERATE)
+        return app_fail(APP_BAD_INPUT,
+                        "%s: found a mesh that is closed, folds over or is steeper than 84 deg somewhere, expected a "
+                        "sheet over a plane to reconstruct a scan beside it",
+                        r->path);
+    if (status == WCUT_OK) status = wcut_projection_create(r->base, &r->projection);
+    *surface = r->base;
+    return status == WCUT_OK ? APP_DONE : app_fail_status(status, r->path, NULL);
+}
+
 /* ---- either ---- */
 
 int app_reference_load(app_reference *reference, const char *path, app_distance distance, double chord_tolerance,
@@ -99,11 +114,9 @@ int app_reference_load(app_reference *reference, const char *path, app_distance 
     *r = (app_reference){.path = path, .distance = distance, .options = wcut_deviation_options_default()};
     r->is_job = !names_mesh(path);
     r->options.flip = flip;
-    if (!r->is_job && distance == APP_TO_RECONSTRUCTION)
-        return app_fail(APP_USAGE, "--distance: found reconstruction, expected mesh: %s is a mesh, not a job", path);
     const int code = r->is_job ? load_job(r, chord_tolerance, quiet) : load_mesh(r);
     if (code != APP_DONE) return code;
-    if (!r->is_job) r->distance = APP_TO_MESH;
+    if (!r->is_job && distance == APP_TO_SURFACE) r->distance = APP_TO_MESH;
     r->plan = (r->high.x - r->low.x) * (r->high.y - r->low.y);
     /* a job that came through a pipe cannot be read once more: it has no hash */
     const wcut_status status = wcut_file_hash(path, r->hash, &error);
@@ -114,6 +127,7 @@ void app_reference_clear(app_reference *reference) {
     wcut_mesh_tree_destroy(reference->tree);
     wcut_mesh_destroy(reference->mesh);
     wcut_projection_destroy(reference->projection);
+    wcut_surface_destroy(reference->base);
     wcut_face_destroy(reference->face);
     wcut_history_destroy(reference->history);
     wcut_setup_destroy(reference->setup);

@@ -27,11 +27,17 @@ typedef struct app_reference {
     /* of a mesh, or of a job whose distances are taken to triangles */
     wcut_mesh *mesh;
     wcut_mesh_tree *tree;
+    wcut_surface *base; /* of a mesh: the plane below it; `projection` is then of that */
 } app_reference;
 
 /* Read, simulate, prepare. Gives an exit code, after a line that says why. */
 int app_reference_load(app_reference *reference, const char *path, app_distance distance, double chord_tolerance,
                        bool flip, bool quiet);
+
+/* The surface that a scan is reconstructed over: a job's face, or the plane below a mesh. Gives an exit code, after a
+   line that says why where the mesh is no sheet. */
+int app_reference_base(app_reference *reference, const wcut_surface **surface);
+
 void app_reference_clear(app_reference *reference);
 
 /* Deviations of points, by the exact surface or by triangles; foot may be NULL, and is not written for triangles. */

@@ -66,14 +66,13 @@ static int register_datum(app_comparison *c) {
 
 static int register_fit(app_comparison *c) {
     wcut_error error = {0};
-    if (!c->reference.is_job)
-        return app_fail(APP_USAGE,
-                        "--register: found fit, expected none or datum: %s is a mesh, and a fit needs the "
-                        "exact surface of a job",
-                        c->reference.path);
-    const wcut_status status =
-        wcut_registration_fit(c->reference.projection, c->scans.count, c->scans.point, &c->options.registration,
-                              c->options.threads, &c->registration, &error);
+    const app_reference *r = &c->reference;
+    const app_compare_options *o = &c->options;
+    const wcut_status status = r->is_job
+                                   ? wcut_registration_fit(r->projection, c->scans.count, c->scans.point,
+                                                           &o->registration, o->threads, &c->registration, &error)
+                                   : wcut_registration_fit_mesh(r->mesh, r->tree, c->scans.count, c->scans.point,
+                                                                &o->registration, o->threads, &c->registration, &error);
     return status == WCUT_OK ? APP_DONE : fail(status, "registering the scan", &error);
 }
 
@@ -273,25 +272,29 @@ static wcut_status tally(const app_comparison *c, int count, const wcut_deviatio
 
 /* the reconstruction's vertices from the face; they are what is surveyed where distances are taken so */
 static wcut_status measure_to_face(app_comparison *c, wcut_deviation *d) {
+    const app_reference *r = &c->reference;
     const wcut_mesh *mesh = c->reconstruction->mesh;
-    wcut_status status = wcut_deviation_from_surface(c->reference.projection, mesh->vertex_count, mesh->vertex,
-                                                     &c->reference.options, c->options.threads, d, NULL);
-    if (status == WCUT_OK) status = tally(c, mesh->vertex_count, d, 1, &c->to_face);
+    const int count = mesh->vertex_count, threads = c->options.threads;
+    wcut_status status =
+        r->is_job ? wcut_deviation_from_surface(r->projection, count, mesh->vertex, &r->options, threads, d, NULL)
+                  : app_reference_locate(r, count, mesh->vertex, threads, d, NULL);
+    for (int k = 0; k < count && status == WCUT_OK && !r->is_job; k++) mesh->scalar[k] = d[k].distance;
+    if (status == WCUT_OK) status = tally(c, count, d, 1, &c->to_face);
     if (status == WCUT_OK && c->options.distance == APP_TO_RECONSTRUCTION)
-        status = wcut_survey_step(c->survey[FOUND], mesh->vertex_count, d);
+        status = wcut_survey_step(c->survey[FOUND], count, d);
     return status;
 }
 
-/* the face's grid from the reconstruction: what is above the face has it below */
+/* the face's grid, or the mesh's vertices, from the reconstruction: what is above the face has it below */
 static wcut_status measure_to_scan(app_comparison *c, wcut_deviation *d) {
     const wcut_face *face = c->reference.face;
-    const int count = face->stations * face->nodes;
     wcut_mesh_tree *tree = NULL;
     wcut_status status = wcut_mesh_tree_create(c->reconstruction->mesh, &tree);
-    if (status == WCUT_OK) status = wcut_deviation_from_mesh(tree, count, face->point, NULL, c->options.threads, d);
-    for (int k = 0; k < count && status == WCUT_OK; k++)
+    if (status == WCUT_OK)
+        status = wcut_deviation_from_mesh(tree, c->mesh->vertex_count, c->mesh->vertex, NULL, c->options.threads, d);
+    for (int k = 0; k < c->mesh->vertex_count && status == WCUT_OK && face; k++)
         if (!face->inside[k]) d[k].place = WCUT_PLACE_BEYOND;
-    if (status == WCUT_OK) status = tally(c, count, d, -1, &c->to_scan);
+    if (status == WCUT_OK) status = tally(c, c->mesh->vertex_count, d, -1, &c->to_scan);
     wcut_mesh_tree_destroy(tree);
     return status;
 }
@@ -301,10 +304,17 @@ static int reconstruct(app_comparison *c) {
     if (c->options.reconstruct == 0) return APP_DONE;
     wcut_reconstruction_options options = wcut_reconstruction_options_default();
     options.method = c->options.reconstruct == 2 ? WCUT_RECONSTRUCTION_POISSON : WCUT_RECONSTRUCTION_FIELD;
-    options.support = c->support;
-    options.block = c->reference.high;
-    wcut_status status = wcut_reconstruction_create(c->reference.face->surface, c->scans.count, c->scans.point, c->foot,
-                                                    &options, c->options.threads, &c->reconstruction, &error);
+    /* of a scan that was streamed there is a sample only, whose points are that far apart */
+    options.support = fmax(c->support, 2.5 * c->scans.spacing);
+    if (c->reference.is_job)
+        options.block = c->reference.high;
+    else
+        options.mesh = c->reference.mesh;
+    const wcut_surface *surface = NULL;
+    const int code = app_reference_base(&c->reference, &surface);
+    if (code != APP_DONE) return code;
+    wcut_status status = wcut_reconstruction_create(surface, c->scans.count, c->scans.point, c->foot, &options,
+                                                    c->options.threads, &c->reconstruction, &error);
     if (status != WCUT_OK) return fail(status, "reconstructing the scan", &error);
     const int vertices = c->reconstruction->mesh->vertex_count, grid = c->mesh->vertex_count;
     wcut_deviation *d = calloc((size_t)(vertices > grid ? vertices : grid), sizeof *d);
@@ -337,20 +347,17 @@ static wcut_status measure_back(app_comparison *c) {
 }
 
 static wcut_status fill_map(app_comparison *c, double *unmeasured) {
-    *unmeasured = -1;
     if (c->map) return wcut_face_map_eval(c->map, c->reference.face, c->support, c->value, c->present, unmeasured);
-    for (int k = 0; k < c->mesh->vertex_count; k++) {
-        c->present[k] = c->weight[k] > 0;
-        c->value[k] = c->present[k] ? c->sum[k] / c->weight[k] : 0;
-    }
-    return WCUT_OK;
+    return wcut_mesh_map_eval(c->mesh, c->sum, c->weight, c->scans.count, c->scans.point,
+                              fmax(c->support, sqrt(3) * c->scans.spacing), c->options.threads, c->value, c->present,
+                              unmeasured);
 }
 
 /* everything that is written, in one place */
 static int conclude(app_comparison *c) {
     static const char *const distance[] = {"surface", "mesh", "reconstruction"};
     static const char *const method[] = {NULL, "field", "poisson"};
-    double unmeasured;
+    double unmeasured = 0;
     wcut_status status = measure_back(c);
     if (status == WCUT_OK) status = fill_map(c, &unmeasured);
     const wcut_survey_result *found = NULL, *unmoved = NULL;
@@ -391,9 +398,8 @@ int app_comparison_run(app_comparison *comparison, const app_compare_options *op
     *c = (app_comparison){.options = *options};
     const app_compare_options *o = &c->options;
     int code = app_reference_load(&c->reference, o->reference, o->distance, o->chord_tolerance, o->flip, o->quiet);
-    if (code == APP_DONE && !c->reference.is_job && o->reconstruct > 0)
-        code = app_fail(APP_USAGE, "--reconstruct: %s is a mesh, and a reconstruction needs the exact surface of a job",
-                        o->reference);
+    const wcut_surface *surface;
+    if (code == APP_DONE && o->reconstruct > 0) code = app_reference_base(&c->reference, &surface);
     app_scan_options scans = o->scans;
     scans.plan = c->reference.plan;
     if (code == APP_DONE) code = app_scans_read(&c->scans, &scans, o->files, o->scan);

@@ -7,16 +7,16 @@
 #include "base/numbers.h"
 #include "base/vec3.h"
 #include "scan/kd_tree.h"
+#include "scan/reconstruct_base.h"
 #include "scan/reconstruct_field.h"
 #include "scan/reconstruct_poisson.h"
 #include "scan/reconstruct_sheet.h"
-#include "scan/register_symmetric.h"
+#include "scan/span.h"
 
 enum { LEAST = 10, NEAR = 8, SAMPLE = 2000 };
 
 static const double FAR = 1e12;
 static const double COARSE = 1.5; /* [1] spacing of the points that Poisson uses over that of the vertices */
-static const double LINE = 1e-12; /* [1] variance across over along, below which points are on a line */
 
 wcut_reconstruction_options wcut_reconstruction_options_default(void) {
     return (wcut_reconstruction_options){
@@ -62,21 +62,6 @@ static wcut_status check_scan(const wcut_surface *surface, int count, const wcut
     return WCUT_OK;
 }
 
-/* whether the points span more than a line */
-static bool spans_plane(int count, const wcut_vec3 *point) {
-    wcut_vec3 sum = {0, 0, 0};
-    double a[9] = {0}, value[3], vector[9];
-    for (int k = 0; k < count; k++) sum = vec3_add(sum, vec3_sub(point[k], point[0]));
-    const wcut_vec3 centre = vec3_add_scaled(point[0], 1.0 / count, sum);
-    for (int k = 0; k < count; k++) {
-        const wcut_vec3 p = vec3_sub(point[k], centre);
-        const double row[3] = {p.x, p.y, p.z};
-        for (int i = 0; i < 9; i++) a[i] += row[i / 3] * row[i % 3];
-    }
-    wcut_symmetric_eigen(3, a, value, vector);
-    return value[1] > LINE * value[0];
-}
-
 static int ascending(const void *a, const void *b) {
     const double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
@@ -110,8 +95,8 @@ static void clear_heights(heights *h) {
     wcut_free(h->height);
 }
 
-static wcut_status find_heights(const wcut_lattice *lattice, int count, const wcut_foot *foot, int threads,
-                                heights *found) {
+static wcut_status find_heights(const wcut_lattice *lattice, const wcut_base *base, int count, const wcut_foot *foot,
+                                int threads, heights *found) {
     heights h = {0, wcut_alloc((size_t)count, sizeof *h.place), wcut_alloc((size_t)count, sizeof *h.height)};
     if (!h.place || !h.height) {
         clear_heights(&h);
@@ -122,7 +107,7 @@ static wcut_status find_heights(const wcut_lattice *lattice, int count, const wc
     for (int k = 0; k < count; k++)
         if (!foot[k].beyond) {
             h.place[h.count] = h.place[k];
-            h.height[h.count++] = foot[k].height;
+            h.height[h.count++] = foot[k].height - (base->height ? wcut_base_eval(base, lattice, h.place[k]) : 0);
         }
     *found = h;
     return WCUT_OK;
@@ -137,12 +122,13 @@ typedef struct job {
     const wcut_reconstruction_options *options;
     wcut_kd_tree tree;
     wcut_lattice lattice;
+    wcut_base base; /* of a mesh */
     wcut_field field;
 } job;
 
 static wcut_status solve_field(job *j, wcut_reconstruction *r) {
     heights h = {0};
-    wcut_status status = find_heights(&j->lattice, j->count, j->foot, j->threads, &h);
+    wcut_status status = find_heights(&j->lattice, &j->base, j->count, j->foot, j->threads, &h);
     r->used = h.count;
     r->beyond = j->count - h.count;
     if (status == WCUT_OK && h.count < LEAST) status = WCUT_DEGENERATE;
@@ -162,7 +148,8 @@ static wcut_status solve_field(job *j, wcut_reconstruction *r) {
 static wcut_status cut(const job *j, double support, wcut_reconstruction *r) {
     wcut_sheet sheet = {0};
     const wcut_reconstruction_options *o = j->options;
-    wcut_status status = wcut_sheet_raise(&j->lattice, &j->field, &j->tree, support, o->block, j->threads, &sheet);
+    wcut_status status =
+        wcut_sheet_raise(&j->lattice, &j->field, j->base.covered, &j->tree, support, o->block, j->threads, &sheet);
     if (status == WCUT_OK) status = wcut_sheet_cut(&sheet, o->hole_least, r);
     wcut_sheet_clear(&sheet);
     return status;
@@ -200,10 +187,12 @@ static wcut_status reconstruct(job *j, wcut_reconstruction *r, wcut_error *error
     r->spacing = o->spacing > 0 ? o->spacing : fmin(2 * r->point_spacing, o->support);
     r->smoothing = o->smoothing > 0 ? o->smoothing : 2 * r->point_spacing;
     wcut_status status = wcut_lattice_build(j->surface, r->spacing, j->threads, &j->lattice);
+    if (status == WCUT_OK && o->mesh) status = wcut_base_lay(j->surface, o->mesh, j->threads, &j->lattice, &j->base);
     if (status == WCUT_OK) status = solve_field(j, r);
     if (status == WCUT_OK && o->method == WCUT_RECONSTRUCTION_POISSON) status = solve_poisson(j, r);
     if (status == WCUT_OK) status = cut(j, o->support, r);
     wcut_field_clear(&j->field);
+    wcut_base_clear(&j->base);
     wcut_lattice_clear(&j->lattice);
     if (status == WCUT_OK) return status;
     return wcut_fail(error, status,
@@ -222,7 +211,7 @@ wcut_status wcut_reconstruction_create(const wcut_surface *surface, int count, c
     wcut_status status = check_options(&o, error);
     if (status == WCUT_OK) status = check_scan(surface, count, point, foot, error);
     if (status != WCUT_OK) return status;
-    if (!spans_plane(count, point))
+    if (!wcut_spans_plane(count, point, sizeof *point, NULL))
         return wcut_fail(error, WCUT_DEGENERATE, "scan: its points are in one place or on one line");
     job j = {.surface = surface, .count = count, .threads = threads, .point = point, .foot = foot, .options = &o};
     wcut_reconstruction *r = wcut_alloc(1, sizeof *r);

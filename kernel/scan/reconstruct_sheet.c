@@ -8,10 +8,14 @@
 
 enum { RING = 4, CELL_TRIANGLES = 2 };
 
-wcut_status wcut_sheet_raise(const wcut_lattice *lattice, const wcut_field *field, const wcut_kd_tree *tree,
-                             double support, wcut_vec3 block, int threads, wcut_sheet *sheet) {
+static bool is_covered(const wcut_sheet *s, int k) { return !s->covered || s->covered[k]; }
+
+wcut_status wcut_sheet_raise(const wcut_lattice *lattice, const wcut_field *field, const unsigned char *covered,
+                             const wcut_kd_tree *tree, double support, wcut_vec3 block, int threads,
+                             wcut_sheet *sheet) {
     const int nodes = lattice_nodes(lattice);
-    wcut_sheet s = {lattice, field, tree, support, block, NULL, NULL};
+    wcut_sheet s = {
+        .lattice = lattice, .field = field, .covered = covered, .tree = tree, .support = support, .block = block};
     s.vertex = wcut_alloc((size_t)nodes, sizeof *s.vertex);
     s.distance = wcut_alloc((size_t)nodes, sizeof *s.distance);
     if (!s.vertex || !s.distance) {
@@ -22,7 +26,8 @@ wcut_status wcut_sheet_raise(const wcut_lattice *lattice, const wcut_field *fiel
     const double limit = nextafter(support, INFINITY);
 #pragma omp parallel for schedule(dynamic, 1024) num_threads(threads)
     for (int k = 0; k < nodes; k++) {
-        const bool usable = field->active[k] && vec3_dot(lattice->normal[k], lattice->normal[k]) > 0;
+        const bool usable =
+            field->active[k] && is_covered(&s, k) && vec3_dot(lattice->normal[k], lattice->normal[k]) > 0;
         s.vertex[k] = vec3_add_scaled(lattice->point[k], usable ? field->height[k] : 0, lattice->normal[k]);
         s.distance[k] = usable ? wcut_kd_tree_distance(tree, s.vertex[k], limit) : limit;
     }
@@ -80,9 +85,10 @@ static double triangle_area(const wcut_vec3 *p, const int t[3]) {
     return vec3_length(vec3_cross(vec3_sub(p[t[1]], p[t[0]]), vec3_sub(p[t[2]], p[t[0]]))) / 2;
 }
 
-/* whether a triangle of the face counts: its middle is in the block */
+/* whether a triangle of the lattice counts: the face is there, and its middle in the block */
 static bool in_block(const wcut_sheet *s, const int t[3]) {
     const wcut_vec3 *p = s->lattice->point, b = s->block;
+    if (!is_covered(s, t[0]) || !is_covered(s, t[1]) || !is_covered(s, t[2])) return false;
     if (!(b.x > 0)) return true;
     const wcut_vec3 m = vec3_scale(1.0 / 3, vec3_add(vec3_add(p[t[0]], p[t[1]]), p[t[2]]));
     return m.x >= 0 && m.x <= b.x && m.y >= 0 && m.y <= b.y && m.z >= 0 && m.z <= b.z;
@@ -93,7 +99,7 @@ static double supported_share(const wcut_sheet *s, int cell) {
     int ring[RING], count = 0;
     ring_of(s, cell, ring);
     for (int a = 0; a < RING; a++)
-        if (!s->field->active[ring[a]]) return 0;
+        if (!s->field->active[ring[a]] || !is_covered(s, ring[a])) return 0;
     for (int a = 0; a < RING; a++) {
         const double x = a % 2 ? 0.75 : 0.25, y = a / 2 ? 0.75 : 0.25;
         const wcut_vec3 low = vec3_mix(s->vertex[ring[0]], s->vertex[ring[1]], x);

@@ -10,16 +10,17 @@
 typedef struct wcut_sheet {
     const wcut_lattice *lattice;
     const wcut_field *field;
-    const wcut_kd_tree *tree; /* of the scan */
-    double support;           /* [mm] */
-    wcut_vec3 block;          /* [mm]; 0: everything counts */
-    wcut_vec3 *vertex;        /* nodes: S + h n; S where the field is not active */
-    double *distance;         /* nodes [mm] from the scan, `support` or more where it has none */
+    const unsigned char *covered; /* nodes: the face is there; NULL: everywhere */
+    const wcut_kd_tree *tree;     /* of the scan */
+    double support;               /* [mm] */
+    wcut_vec3 block;              /* [mm]; 0: everything counts */
+    wcut_vec3 *vertex;            /* nodes: S + h n; S where the field is not active */
+    double *distance;             /* nodes [mm] from the scan, `support` or more where it has none */
 } wcut_sheet;
 
 /* vertices and their distances. WCUT_NO_MEMORY: nothing was written. */
-wcut_status wcut_sheet_raise(const wcut_lattice *lattice, const wcut_field *field, const wcut_kd_tree *tree,
-                             double support, wcut_vec3 block, int threads, wcut_sheet *sheet);
+wcut_status wcut_sheet_raise(const wcut_lattice *lattice, const wcut_field *field, const unsigned char *covered,
+                             const wcut_kd_tree *tree, double support, wcut_vec3 block, int threads, wcut_sheet *sheet);
 void wcut_sheet_clear(wcut_sheet *sheet);
 
 /* mesh, unmeasured, holes, areas and farthest of a zeroed reconstruction. WCUT_DEGENERATE (no triangle has support),

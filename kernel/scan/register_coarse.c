@@ -36,6 +36,24 @@ static frame principal(int count, const wcut_vec3 *point, const double *weight) 
     return f;
 }
 
+/* of the triangles' centres, by their areas */
+static wcut_status frame_of_mesh(const wcut_mesh *mesh, frame *found) {
+    const size_t count = (size_t)mesh->triangle_count;
+    wcut_vec3 *point = wcut_alloc(count, sizeof *point);
+    double *weight = wcut_alloc(count, sizeof *weight);
+    const bool done = point && weight;
+    for (size_t t = 0; t < count && done; t++) {
+        const int *v = mesh->triangle + 3 * t;
+        const wcut_vec3 a = mesh->vertex[v[0]], b = mesh->vertex[v[1]], c = mesh->vertex[v[2]];
+        point[t] = vec3_scale(1.0 / 3, vec3_add(a, vec3_add(b, c)));
+        weight[t] = vec3_length(vec3_cross(vec3_sub(b, a), vec3_sub(c, a)));
+    }
+    if (done) *found = principal(mesh->triangle_count, point, weight);
+    wcut_free(weight);
+    wcut_free(point);
+    return done ? WCUT_OK : WCUT_NO_MEMORY;
+}
+
 static frame frame_of_surface(const wcut_surface *surface) {
     wcut_vec3 point[GRID * GRID], d[4];
     double weight[GRID * GRID], first[2], last[2];
@@ -50,6 +68,12 @@ static frame frame_of_surface(const wcut_surface *surface) {
         weight[i] = vec3_length(vec3_cross(d[2], d[1]));
     }
     return principal(GRID * GRID, point, weight);
+}
+
+static wcut_status frame_of_face(const wcut_register_face *face, frame *found) {
+    if (!face->projection) return frame_of_mesh(face->mesh, found);
+    *found = frame_of_surface(face->projection->surface);
+    return WCUT_OK;
 }
 
 static frame frame_of_cloud(const wcut_register_cloud *c) {
@@ -118,9 +142,11 @@ static wcut_status choose(wcut_register_cloud *few, wcut_register_cloud *some, c
     wcut_motion reached[TRIED + 1];
     double rms[TRIED + 1] = {0};
     int start[TRIED], best = 0;
-    const frame scan = frame_of_cloud(some), surface = frame_of_surface(some->projection->surface);
+    const frame scan = frame_of_cloud(some);
+    frame surface;
     o.tolerance = fmax(o.tolerance, 1e-6 * length);
-    wcut_status status = rank_starts(few, motion->pivot, &scan, &surface, start);
+    wcut_status status = frame_of_face(&some->face, &surface);
+    if (status == WCUT_OK) status = rank_starts(few, motion->pivot, &scan, &surface, start);
     for (int k = 0; k <= TRIED && status == WCUT_OK; k++) {
         reached[k] = k ? start_of(start[k - 1], motion->pivot, &scan, &surface) : *motion;
         status = approach(some, &o, length, &reached[k], &rms[k]);
@@ -136,12 +162,12 @@ static wcut_status choose(wcut_register_cloud *few, wcut_register_cloud *some, c
     return WCUT_OK;
 }
 
-wcut_status wcut_register_coarse(const wcut_projection *projection, int count, const wcut_vec3 *point, double length,
+wcut_status wcut_register_coarse(wcut_register_face face, int count, const wcut_vec3 *point, double length,
                                  const wcut_registration_options *options, int threads, wcut_motion *motion,
                                  double *rival) {
     wcut_register_cloud few = {0}, some = {0};
-    wcut_status status = wcut_register_sample(projection, count, point, FEW, options->keep, threads, &few);
-    if (status == WCUT_OK) status = wcut_register_sample(projection, count, point, SOME, options->keep, threads, &some);
+    wcut_status status = wcut_register_sample(face, count, point, FEW, options->keep, threads, &few);
+    if (status == WCUT_OK) status = wcut_register_sample(face, count, point, SOME, options->keep, threads, &some);
     if (status == WCUT_OK) status = choose(&few, &some, options, length, motion, rival);
     wcut_register_sample_clear(&few);
     wcut_register_sample_clear(&some);

@@ -6,9 +6,9 @@
 #include "scan/register.h"
 #include "scan/register_solve.h"
 #include "scan/register_symmetric.h"
+#include "scan/span.h"
 
 static const double FAR = 1e12;
-static const double LINE = 1e-12; /* [1] variance across over along, below which points are on a line */
 
 typedef struct datums {
     int pairs, faces;
@@ -54,18 +54,6 @@ static void centre_pairs(const datums *d, wcut_vec3 *scan, wcut_vec3 *block) {
     }
     *scan = vec3_scale(1 / weight, *scan);
     *block = vec3_scale(1 / weight, *block);
-}
-
-/* whether the pairs' points in the scan span more than a line */
-static bool spans_plane(const datums *d, wcut_vec3 centre) {
-    double c[9] = {0}, value[3], vector[9];
-    for (int i = 0; i < d->pairs; i++) {
-        const wcut_vec3 p = vec3_sub(d->pair[i].scan, centre);
-        const double a[3] = {p.x, p.y, p.z};
-        for (int k = 0; k < 9; k++) c[k] += a[k / 3] * a[k % 3];
-    }
-    wcut_symmetric_eigen(3, c, value, vector);
-    return value[1] > LINE * value[0];
 }
 
 /* the rotation of the quaternion that is the greatest eigenvector of Horn's matrix */
@@ -167,7 +155,7 @@ static wcut_motion start(const datums *d, const wcut_registration_options *o, wc
     wcut_register_start(o, x);
     if (d->pairs < 3 || !all_free(o->dof)) return wcut_motion_of(pivot, x);
     centre_pairs(d, &scan, &block);
-    if (!spans_plane(d, scan)) return wcut_motion_of(pivot, x);
+    if (!wcut_spans_plane(d->pairs, &d->pair->scan, sizeof *d->pair, NULL)) return wcut_motion_of(pivot, x);
     return wcut_motion_between(pivot, horn(d, scan, block), scan, block);
 }
 

@@ -7,26 +7,26 @@
 #include "base/distribution.h"
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "scan/mesh_distance.h"
 #include "scan/register.h"
-#include "scan/register_symmetric.h"
+#include "scan/span.h"
 #include "surface/foot_search.h"
 
 enum { LEAST = WCUT_DOF_COUNT };
 
 static const double FAR = 1e12;
-static const double LINE = 1e-12; /* [1] variance across over along, below which points are on a line */
 
-wcut_status wcut_register_sample(const wcut_projection *projection, int count, const wcut_vec3 *point, int most,
-                                 double keep, int threads, wcut_register_cloud *cloud) {
-    wcut_register_cloud c = {
-        .projection = projection, .count = count < most ? count : most, .keep = keep, .threads = threads};
+wcut_status wcut_register_sample(wcut_register_face face, int count, const wcut_vec3 *point, int most, double keep,
+                                 int threads, wcut_register_cloud *cloud) {
+    wcut_register_cloud c = {.face = face, .count = count < most ? count : most, .keep = keep, .threads = threads};
     const size_t n = (size_t)c.count;
     c.point = wcut_alloc(n, sizeof *c.point);
     c.moved = wcut_alloc(n, sizeof *c.moved);
     c.normal = wcut_alloc(n, sizeof *c.normal);
-    c.foot = wcut_alloc(n, sizeof *c.foot);
+    c.at = wcut_alloc(n, sizeof *c.at);
+    c.foot = wcut_alloc(n, face.projection ? sizeof(wcut_foot) : sizeof(wcut_mesh_foot));
     c.square = wcut_alloc(n, sizeof *c.square);
-    if (!c.point || !c.moved || !c.normal || !c.foot || !c.square) {
+    if (!c.point || !c.moved || !c.normal || !c.at || !c.foot || !c.square) {
         wcut_register_sample_clear(&c);
         return WCUT_NO_MEMORY;
     }
@@ -39,14 +39,53 @@ void wcut_register_sample_clear(wcut_register_cloud *cloud) {
     wcut_free(cloud->point);
     wcut_free(cloud->moved);
     wcut_free(cloud->normal);
+    wcut_free(cloud->at);
     wcut_free(cloud->foot);
     wcut_free(cloud->square);
     *cloud = (wcut_register_cloud){0};
 }
 
+/* S_u x S_v of length 1 at a foot; 0 where the point is beyond the border or the surface has no normal */
+static wcut_vec3 normal_of_surface(const wcut_projection *projection, const wcut_foot *foot) {
+    wcut_vec3 d[4];
+    if (foot->beyond) return vec3(0, 0, 0);
+    /* cannot fail: the surface is valid, so are the feet */
+    (void)wcut_surface_eval(projection->surface, foot->u, foot->v, 1, d);
+    return vec3_unit(vec3_cross(d[2], d[1]));
+}
+
+/* that of the triangle */
+static wcut_vec3 normal_of_mesh(const wcut_mesh *mesh, const wcut_mesh_foot *foot) {
+    if (foot->beyond) return vec3(0, 0, 0);
+    const int *v = mesh->triangle + 3 * (size_t)foot->triangle;
+    const wcut_vec3 a = mesh->vertex[v[0]];
+    return vec3_unit(vec3_cross(vec3_sub(mesh->vertex[v[1]], a), vec3_sub(mesh->vertex[v[2]], a)));
+}
+
+/* the sample moved, and its feet */
 static wcut_status find_feet(wcut_register_cloud *c, const wcut_motion *motion) {
+    const wcut_register_face *f = &c->face;
     for (int i = 0; i < c->count; i++) c->moved[i] = motion_apply(motion, c->point[i]);
-    return wcut_projection_locate(c->projection, c->count, c->moved, c->threads, c->foot);
+    if (!f->projection) {
+        wcut_mesh_foot *foot = c->foot;
+        const wcut_status status = wcut_mesh_tree_locate(f->tree, c->count, c->moved, c->threads, foot);
+        for (int i = 0; i < c->count && status == WCUT_OK; i++) c->at[i] = foot[i].point;
+        return status;
+    }
+    wcut_foot *foot = c->foot;
+    const wcut_status status = wcut_projection_locate(f->projection, c->count, c->moved, c->threads, foot);
+    for (int i = 0; i < c->count && status == WCUT_OK; i++) c->at[i] = foot[i].point;
+    return status;
+}
+
+static void find_normals(wcut_register_cloud *c) {
+    const wcut_register_face *f = &c->face;
+    const wcut_foot *of_surface = f->projection ? c->foot : NULL;
+    const wcut_mesh_foot *of_mesh = f->projection ? NULL : c->foot;
+#pragma omp parallel for schedule(static) num_threads(c->threads)
+    for (int i = 0; i < c->count; i++)
+        c->normal[i] =
+            of_surface ? normal_of_surface(f->projection, &of_surface[i]) : normal_of_mesh(f->mesh, &of_mesh[i]);
 }
 
 static int ascending(const void *a, const void *b) {
@@ -64,7 +103,10 @@ static double limit_of(int count, double keep, double *square) {
 wcut_status wcut_register_closeness(wcut_register_cloud *c, const wcut_motion *motion, double *rms) {
     const wcut_status status = find_feet(c, motion);
     if (status != WCUT_OK) return status;
-    for (int i = 0; i < c->count; i++) c->square[i] = c->foot[i].distance * c->foot[i].distance;
+    for (int i = 0; i < c->count; i++) {
+        const wcut_vec3 d = vec3_sub(c->moved[i], c->at[i]);
+        c->square[i] = vec3_dot(d, d);
+    }
     const double limit = limit_of(c->count, c->keep, c->square);
     double sum = 0;
     int used = 0;
@@ -73,17 +115,8 @@ wcut_status wcut_register_closeness(wcut_register_cloud *c, const wcut_motion *m
     return WCUT_OK;
 }
 
-/* S_u x S_v of length 1 at a foot; 0 where the point is beyond the border or the surface has no normal */
-static wcut_vec3 normal_at(const wcut_projection *projection, const wcut_foot *foot) {
-    wcut_vec3 d[4];
-    if (foot->beyond) return vec3(0, 0, 0);
-    /* cannot fail: the surface is valid, so are the feet */
-    (void)wcut_surface_eval(projection->surface, foot->u, foot->v, 1, d);
-    return vec3_unit(vec3_cross(d[2], d[1]));
-}
-
 static double height_of(const wcut_register_cloud *c, int i) {
-    return vec3_dot(c->normal[i], vec3_sub(c->moved[i], c->foot[i].point));
+    return vec3_dot(c->normal[i], vec3_sub(c->moved[i], c->at[i]));
 }
 
 wcut_status wcut_register_distances(void *data, const wcut_motion *motion, wcut_register_sums *sums) {
@@ -91,8 +124,7 @@ wcut_status wcut_register_distances(void *data, const wcut_motion *motion, wcut_
     const wcut_status status = find_feet(c, motion);
     if (status != WCUT_OK) return status;
     int over = 0;
-#pragma omp parallel for schedule(static) num_threads(c->threads)
-    for (int i = 0; i < c->count; i++) c->normal[i] = normal_at(c->projection, &c->foot[i]);
+    find_normals(c);
     for (int i = 0; i < c->count; i++)
         if (vec3_dot(c->normal[i], c->normal[i]) > 0) {
             const double r = height_of(c, i);
@@ -127,21 +159,6 @@ wcut_register_problem wcut_register_fit_problem(wcut_register_cloud *cloud, cons
                                    .max_iterations = options->max_iterations};
 }
 
-/* the centroid of the sample, and whether it spans more than a line */
-static bool spans_plane(const wcut_register_cloud *c, wcut_vec3 *centroid) {
-    wcut_vec3 sum = {0, 0, 0};
-    double a[9] = {0}, value[3], vector[9];
-    for (int i = 0; i < c->count; i++) sum = vec3_add(sum, vec3_sub(c->point[i], c->point[0]));
-    *centroid = vec3_add_scaled(c->point[0], 1.0 / c->count, sum);
-    for (int i = 0; i < c->count; i++) {
-        const wcut_vec3 p = vec3_sub(c->point[i], *centroid);
-        const double row[3] = {p.x, p.y, p.z};
-        for (int k = 0; k < 9; k++) a[k] += row[k / 3] * row[k % 3];
-    }
-    wcut_symmetric_eigen(3, a, value, vector);
-    return value[1] > LINE * value[0];
-}
-
 static double distance_rms(const wcut_register_cloud *c, wcut_vec3 pivot) {
     double sum = 0;
     for (int i = 0; i < c->count; i++) {
@@ -162,7 +179,8 @@ static wcut_status solve(wcut_register_cloud *c, const wcut_registration_options
     wcut_registration r = wcut_registration_none();
     wcut_vec3 pivot;
     double x[WCUT_DOF_COUNT];
-    if (!spans_plane(c, &pivot)) return wcut_fail(error, WCUT_DEGENERATE, "scan: its points are on one line");
+    if (!wcut_spans_plane(c->count, c->point, sizeof *c->point, &pivot))
+        return wcut_fail(error, WCUT_DEGENERATE, "scan: its points are on one line");
     if (o->pivot_given) pivot = o->pivot;
     const double length = distance_rms(c, pivot);
     const wcut_motion stay = wcut_motion_of(pivot, (double[WCUT_DOF_COUNT]){0});
@@ -170,15 +188,14 @@ static wcut_status solve(wcut_register_cloud *c, const wcut_registration_options
     wcut_motion motion = wcut_motion_of(pivot, x);
     wcut_status status = wcut_register_closeness(c, &stay, &r.rms_before);
     if (status == WCUT_OK && wants_coarse(o))
-        status = wcut_register_coarse(c->projection, c->count, c->point, length, o, c->threads, &motion, &r.rival);
+        status = wcut_register_coarse(c->face, c->count, c->point, length, o, c->threads, &motion, &r.rival);
     if (status != WCUT_OK) return wcut_fail(error, status, "registration: %s", wcut_status_text(status));
     r.method = WCUT_REGISTRATION_FIT;
     r.points = c->count;
     const wcut_register_problem problem = wcut_register_fit_problem(c, o, length);
     status = wcut_register_solve(&problem, &motion, &r);
     if (status == WCUT_DEGENERATE)
-        return wcut_fail(error, status, "scan: fewer than %d points over the surface, or nothing to be determined",
-                         LEAST);
+        return wcut_fail(error, status, "scan: fewer than %d points over the face, or nothing to be determined", LEAST);
     if (status != WCUT_OK && status != WCUT_NOT_CONVERGED)
         return wcut_fail(error, status, "registration: %s", wcut_status_text(status));
     wcut_register_matrix(&motion, r.matrix);
@@ -186,12 +203,12 @@ static wcut_status solve(wcut_register_cloud *c, const wcut_registration_options
     return status == WCUT_OK ? status : wcut_fail(error, status, "registration: stopped after %d steps", r.iterations);
 }
 
-wcut_status wcut_registration_fit(const wcut_projection *projection, int count, const wcut_vec3 *point,
-                                  const wcut_registration_options *options, int threads,
-                                  wcut_registration *registration, wcut_error *error) {
+static wcut_status fit(wcut_register_face face, int count, const wcut_vec3 *point,
+                       const wcut_registration_options *options, int threads, wcut_registration *registration,
+                       wcut_error *error) {
     wcut_registration_options o;
     wcut_register_cloud cloud;
-    if (!projection || !point || threads < 1 || !registration)
+    if (!point || threads < 1 || !registration)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "registration: an argument is missing");
     if (count < LEAST)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "scan: found %d points, expected at least %d", count, LEAST);
@@ -200,9 +217,24 @@ wcut_status wcut_registration_fit(const wcut_projection *projection, int count, 
     for (int i = 0; i < count; i++)
         if (!(fabs(point[i].x) <= FAR && fabs(point[i].y) <= FAR && fabs(point[i].z) <= FAR))
             return wcut_fail(error, WCUT_BAD_ARGUMENT, "scan: point %d: expected numbers up to 1e12", i);
-    status = wcut_register_sample(projection, count, point, o.most, o.keep, threads, &cloud);
+    status = wcut_register_sample(face, count, point, o.most, o.keep, threads, &cloud);
     if (status != WCUT_OK) return wcut_fail(error, status, "registration: %s", wcut_status_text(status));
     status = solve(&cloud, &o, registration, error);
     wcut_register_sample_clear(&cloud);
     return status;
+}
+
+wcut_status wcut_registration_fit(const wcut_projection *projection, int count, const wcut_vec3 *point,
+                                  const wcut_registration_options *options, int threads,
+                                  wcut_registration *registration, wcut_error *error) {
+    if (!projection) return wcut_fail(error, WCUT_BAD_ARGUMENT, "registration: an argument is missing");
+    return fit((wcut_register_face){.projection = projection}, count, point, options, threads, registration, error);
+}
+
+wcut_status wcut_registration_fit_mesh(const wcut_mesh *mesh, const wcut_mesh_tree *tree, int count,
+                                       const wcut_vec3 *point, const wcut_registration_options *options, int threads,
+                                       wcut_registration *registration, wcut_error *error) {
+    if (!mesh || !tree || mesh->triangle_count != tree->triangles)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "registration: expected a mesh and its tree");
+    return fit((wcut_register_face){.mesh = mesh, .tree = tree}, count, point, options, threads, registration, error);
 }

@@ -1,26 +1,35 @@
-/* Distances of a scan from a surface, as a best fit sees them. */
+/* Distances of a scan from a face, as a best fit sees them. */
 #ifndef WCUT_SCAN_REGISTER_FIT_H
 #define WCUT_SCAN_REGISTER_FIT_H
 
+#include <wirecut/mesh_tree.h>
 #include <wirecut/projection.h>
 
 #include "scan/register_solve.h"
 
+/* what is registered to: a surface, or the triangles of a mesh; borrowed */
+typedef struct wcut_register_face {
+    const wcut_projection *projection; /* NULL: a mesh */
+    const wcut_mesh *mesh;
+    const wcut_mesh_tree *tree;
+} wcut_register_face;
+
 /* a sample of the scan, and room for its distances at a motion */
 typedef struct wcut_register_cloud {
-    const wcut_projection *projection;
+    wcut_register_face face;
     int count, threads;
     double keep;
     wcut_vec3 *point;  /* count, the scan's */
     wcut_vec3 *moved;  /* count */
-    wcut_vec3 *normal; /* count, of the surface at the foot; 0 where the point does not count */
-    wcut_foot *foot;   /* count */
+    wcut_vec3 *normal; /* count, of the face at the foot; 0 where the point does not count */
+    wcut_vec3 *at;     /* count, the foot */
+    void *foot;        /* count wcut_foot, or wcut_mesh_foot */
     double *square;    /* count */
 } wcut_register_cloud;
 
 /* at most `most` of the points, evenly over their order. WCUT_NO_MEMORY: nothing was written. */
-wcut_status wcut_register_sample(const wcut_projection *projection, int count, const wcut_vec3 *point, int most,
-                                 double keep, int threads, wcut_register_cloud *cloud);
+wcut_status wcut_register_sample(wcut_register_face face, int count, const wcut_vec3 *point, int most, double keep,
+                                 int threads, wcut_register_cloud *cloud);
 void wcut_register_sample_clear(wcut_register_cloud *cloud);
 
 /* a wcut_register_model of distances along the surface's normal, trimmed; data is a wcut_register_cloud */
@@ -36,7 +45,7 @@ wcut_register_problem wcut_register_fit_problem(wcut_register_cloud *cloud, cons
 /* Motions that put the sheet of the scan onto the surface's, turned about its normal and with either side up: the best
    of them, brought close with few points, against `motion` itself. motion: the best one out; rival as in
    wcut_registration. WCUT_NO_MEMORY: nothing was written. */
-wcut_status wcut_register_coarse(const wcut_projection *projection, int count, const wcut_vec3 *point, double length,
+wcut_status wcut_register_coarse(wcut_register_face face, int count, const wcut_vec3 *point, double length,
                                  const wcut_registration_options *options, int threads, wcut_motion *motion,
                                  double *rival);
 

@@ -64,6 +64,18 @@ for name in surface.stl surface.ply surface.obj; do
 done
 [ -e mesh/deviation_mesh.ply ] || fail "no coloured mesh of a mesh"
 
+# beside a mesh, too: a fit, a reconstruction with both directions, the area without points
+run 0 compare surface/surface.ply "$scan" -o mesh --register fit --dof tz:free --quiet
+look mesh/deviation.json 'near(d["registration"]["parameters"]["tz_mm"]["value"], 0.6, 0.1) and abs(d["kerf_offset_mm"]) < 0.02'
+run 0 compare surface/surface.ply "$scan" -o mesh --reconstruct field --quiet
+look mesh/deviation.json 'near(d["reconstruction"]["scan_to_face_mm"]["mean"], -0.6, 0.02) and near(d["reconstruction"]["face_to_scan_mm"]["mean"], -0.6, 0.02)'
+look mesh/deviation.json 'd["unmeasured_mm2"] >= 0 and d["reconstruction"]["vertices"] > 1000'
+run 0 compare surface/surface.ply "$scan" -o mesh --distance reconstruction --quiet
+look mesh/deviation.json 'd["distance"] == "reconstruction" and near(d["kerf_offset_mm"], -0.6, 0.02)'
+printf 'OFF\n4 4 0\n0 0 0\n400 0 0\n0 1200 0\n0 0 300\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n' >solid.off
+run 3 compare solid.off "$scan" -o mesh --reconstruct field --quiet
+one_line "solid.off" "expected a sheet over a plane"
+
 # more points than are to be held are streamed, to the same figures
 run 0 compare "$steady" "$scan" -o streamed --hold 1000 --quiet
 cmp -s streamed/deviation.ply a/b/deviation.ply || fail "a streamed scan leaves another deviation.ply"
@@ -159,7 +171,6 @@ for list in tx:0.2, q:1 tx:-1 tx:0.2mmm rz:0.1rd; do
 done
 run 2 compare "$steady" "$scan" -o bad --register datum
 one_line "--datum"
-run 2 compare surface/surface.stl "$scan" -o bad --register fit --quiet
-one_line "is a mesh"
+run 2 compare surface/surface.stl "$scan" -o bad --reconstruct solid
 run 3 compare broken.json "$scan" -o bad
 finish

@@ -117,6 +117,25 @@ WCUT_API wcut_status wcut_face_map_eval(const wcut_face_map *map, const wcut_fac
 WCUT_API wcut_status wcut_mesh_spread(const wcut_mesh *mesh, int count, const wcut_deviation *deviation, double *sum,
                                       double *weight);
 
+/**
+ * The values of a mesh's vertices from what was spread over them; a vertex that has none of its own but points of the
+ * scan within `support` takes the mean of its neighbours, from one to the next.
+ *
+ * @param[in]  mesh        that the deviations are from
+ * @param[in]  sum, weight of wcut_mesh_spread
+ * @param[in]  count       points of the scan, 1 or more
+ * @param[in]  point       count [mm], finite, up to 1e12
+ * @param[in]  support     [mm] how far around it a point speaks for the face, positive
+ * @param[in]  threads     1 or more; the result does not depend on it
+ * @param[out] value       mesh->vertex_count [mm]
+ * @param[out] present     mesh->vertex_count: 0 where nothing was measured; then the value is 0
+ * @param[out] area        [mm^2] of the mesh without a point within the support, by places that far apart
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing of use was written.
+ */
+WCUT_API wcut_status wcut_mesh_map_eval(const wcut_mesh *mesh, const double *sum, const double *weight, int count,
+                                        const wcut_vec3 *point, double support, int threads, double *value,
+                                        unsigned char *present, double *area);
+
 /** Free a map; NULL is allowed. */
 WCUT_API void wcut_face_map_destroy(wcut_face_map *map);
 

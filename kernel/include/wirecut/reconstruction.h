@@ -34,6 +34,9 @@ typedef struct wcut_reconstruction_options {
     /** [mm] W, L, H: what of the face lies outside 0 .. W, 0 .. L, 0 .. H is no unmeasured area; default 0: all of
         the face is to be measured */
     wcut_vec3 block;
+    /** borrowed; the face where `surface` is only the plane below it, of wcut_mesh_base: heights are then over the plane,
+        and what the mesh does not cover is neither face nor hole; default NULL: the surface is the face */
+    const wcut_mesh *mesh;
     double hole_least; /**< [mm^2] smaller gaps are counted in unmeasured_area, not listed as holes; default 10 */
     uint64_t seed;     /**< of Poisson's tetrahedra; default 1: same input and seed, same bytes */
 } wcut_reconstruction_options;
@@ -94,6 +97,18 @@ WCUT_API wcut_reconstruction_options wcut_reconstruction_options_default(void);
 WCUT_API wcut_status wcut_reconstruction_create(const wcut_surface *surface, int count, const wcut_vec3 *point,
                                                 const wcut_foot *foot, const wcut_reconstruction_options *options,
                                                 int threads, wcut_reconstruction **reconstruction, wcut_error *error);
+
+/**
+ * The plane that a mesh is a sheet over: to be the surface of a reconstruction beside that mesh. It faces as the mesh's
+ * triangles do on the whole and is a rectangle around the mesh seen along its normal.
+ *
+ * @param[in]  mesh    at least one triangle; finite vertices up to 1e12 mm
+ * @param[in]  flip    1: the mesh's triangles face the wrong way
+ * @param[out] surface the caller's, to wcut_surface_destroy; bilinear
+ * @return WCUT_OK; WCUT_DEGENERATE (the mesh is closed, folds over or stands steeper than 84 deg somewhere: it is no
+ *         sheet), WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_mesh_base(const wcut_mesh *mesh, int flip, wcut_surface **surface);
 
 /** Free a reconstruction; NULL is allowed. */
 WCUT_API void wcut_reconstruction_destroy(wcut_reconstruction *reconstruction);

@@ -3,6 +3,7 @@
 #define WCUT_REGISTRATION_H
 
 #include <wirecut/export.h>
+#include <wirecut/mesh_tree.h>
 #include <wirecut/projection.h>
 #include <wirecut/status.h>
 #include <wirecut/vec3.h>
@@ -151,6 +152,19 @@ WCUT_API wcut_status wcut_registration_solve_datum(int pairs, const wcut_datum_p
 WCUT_API wcut_status wcut_registration_fit(const wcut_projection *projection, int count, const wcut_vec3 *point,
                                            const wcut_registration_options *options, int threads,
                                            wcut_registration *registration, wcut_error *error);
+
+/**
+ * The same beside the triangles of a mesh: distances along the normal of the triangle that holds the closest point.
+ *
+ * @param[in]  mesh         the face
+ * @param[in]  tree         of that mesh, from wcut_mesh_tree_create
+ * @param[in]  count, point, options, threads as in wcut_registration_fit
+ * @param[out] registration, error            as in wcut_registration_fit
+ * @return as wcut_registration_fit.
+ */
+WCUT_API wcut_status wcut_registration_fit_mesh(const wcut_mesh *mesh, const wcut_mesh_tree *tree, int count,
+                                                const wcut_vec3 *point, const wcut_registration_options *options,
+                                                int threads, wcut_registration *registration, wcut_error *error);
 
 /**
  * Move points, and turn their normals, as a registration says.
