@@ -5,9 +5,12 @@
 #include "base/numbers.h"
 #include "base/vec3.h"
 #include "scan/mesh_distance.h"
+#include "surface/sweep.h"
 
 /* The distance is all height where the foot is inside. Below this share of it no side can be told; at an edge of two
    faces at right angles, whose normal is between theirs, the share is 0.7. */
+enum { AHEAD = 16 };
+
 static const double SIDE = 0.5, NEAR = 1e-9; /* [1]; [mm] nearer than this there is no side to tell */
 
 wcut_deviation_options wcut_deviation_options_default(void) {
@@ -25,10 +28,12 @@ static bool are_usable(const wcut_deviation_options *o) {
            o->border >= 0 && isfinite(o->reach) && o->reach >= 0;
 }
 
+static inline double smaller(double a, double b) { return a < b ? a : b; }
+
 /* how far a foot is inside the window's sides: negative outside */
-static double depth_of(const wcut_deviation_options *o, wcut_vec3 p) {
-    const double x = fmin(p.x - o->low.x, o->high.x - p.x), y = fmin(p.y - o->low.y, o->high.y - p.y);
-    return fmin(fmin(x, y), fmin(p.z - o->low.z, o->high.z - p.z));
+static inline double depth_of(const wcut_deviation_options *o, wcut_vec3 p) {
+    const double x = smaller(p.x - o->low.x, o->high.x - p.x), y = smaller(p.y - o->low.y, o->high.y - p.y);
+    return smaller(smaller(x, y), smaller(p.z - o->low.z, o->high.z - p.z));
 }
 
 /* what there is to say of a foot on either kind of face */
@@ -52,6 +57,33 @@ static void judge(const wcut_deviation_options *o, const finding *f, wcut_deviat
         d->place = f->border || depth < o->border ? WCUT_PLACE_BORDER : WCUT_PLACE_INSIDE;
 }
 
+/* where feet become deviations */
+typedef struct desk {
+    const wcut_deviation_options *options;
+    wcut_deviation *deviation;
+    wcut_foot *foot; /* NULL: not asked for */
+} desk;
+
+static void judge_feet(void *to, int count, const int *index, const wcut_foot *foot) {
+    const desk *d = to;
+    for (int k = 0; k < count; k++) {
+        if (k + AHEAD < count) { /* a deviation lies across two lines of the cache */
+            __builtin_prefetch(&d->deviation[index[k + AHEAD]], 1);
+            __builtin_prefetch(&d->deviation[index[k + AHEAD]].place, 1);
+        }
+        const wcut_foot *at = &foot[k];
+        wcut_deviation *of = &d->deviation[index[k]];
+        const finding f = {.foot = at->point,
+                           .distance = at->distance,
+                           .height = at->height,
+                           .beyond = at->beyond != 0,
+                           .tied = at->gap > 0};
+        of->u = at->u, of->v = at->v, of->triangle = -1;
+        judge(d->options, &f, of);
+        if (d->foot) d->foot[index[k]] = *at;
+    }
+}
+
 wcut_status wcut_deviation_from_surface(const wcut_projection *projection, int count, const wcut_vec3 *point,
                                         const wcut_deviation_options *options, int threads, wcut_deviation *deviation,
                                         wcut_foot *foot) {
@@ -59,21 +91,8 @@ wcut_status wcut_deviation_from_surface(const wcut_projection *projection, int c
     if (!projection || count < 0 || threads < 1 || !are_usable(&o) ||
         (count > 0 && (!point || !deviation || !wcut_are_near(count, point))))
         return WCUT_BAD_ARGUMENT;
-    wcut_foot *found = foot ? foot : wcut_alloc((size_t)count, sizeof *found);
-    if (!found) return WCUT_NO_MEMORY;
-    const wcut_status status = wcut_projection_locate(projection, count, point, threads, found);
-    for (int k = 0; k < count && status == WCUT_OK; k++) {
-        const wcut_foot *at = &found[k];
-        const finding f = {.foot = at->point,
-                           .distance = at->distance,
-                           .height = at->height,
-                           .beyond = at->beyond != 0,
-                           .tied = at->gap > 0};
-        deviation[k].u = at->u, deviation[k].v = at->v, deviation[k].triangle = -1;
-        judge(&o, &f, &deviation[k]);
-    }
-    if (!foot) wcut_free(found);
-    return status;
+    desk d = {.options = &o, .deviation = deviation, .foot = foot};
+    return wcut_projection_sweep(projection, count, point, threads, judge_feet, &d);
 }
 
 wcut_status wcut_deviation_from_mesh(const wcut_mesh_tree *tree, int count, const wcut_vec3 *point,

@@ -209,7 +209,7 @@ wcut_status wcut_mesh_tree_locate(const wcut_mesh_tree *tree, int count, const w
     if (!tree || count < 0 || threads < 1 || (count > 0 && (!query || !foot || !wcut_are_near(count, query))))
         return WCUT_BAD_ARGUMENT;
     int *order;
-    const wcut_status status = wcut_morton_order(count, query, &order);
+    const wcut_status status = wcut_morton_order(count, query, threads, &order);
     if (status != WCUT_OK) return status;
     const int blocks = count / BLOCK + (count % BLOCK > 0);
 #pragma omp parallel for schedule(dynamic) num_threads(threads)

@@ -60,7 +60,7 @@ static wcut_status build(finder *f) {
     wcut_status status = middle && f->tree ? WCUT_OK : WCUT_NO_MEMORY;
     for (int t = 0; t < m->triangle_count && status == WCUT_OK; t++)
         middle[t] = vec3_scale(1.0 / 3, vec3_add(vec3_add(corner(m, t, 0), corner(m, t, 1)), corner(m, t, 2)));
-    if (status == WCUT_OK) status = wcut_morton_order(m->triangle_count, middle, &f->order);
+    if (status == WCUT_OK) status = wcut_morton_order(m->triangle_count, middle, 1, &f->order);
     wcut_free(middle);
     if (status != WCUT_OK) return status;
     const node empty = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};

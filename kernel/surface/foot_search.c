@@ -257,6 +257,15 @@ static double outwards(const wcut_projection *m, double at, double first, double
     return at <= first ? -off : at >= last ? off : 0;
 }
 
+void wcut_foot_describe(const wcut_projection *m, wcut_vec3 p, const wcut_quick_spot *at, wcut_foot *foot) {
+    const wcut_vec3 r = vec3_sub(p, at->point);
+    const double off_u = outwards(m, at->u, m->first[0], m->last[0], r, at->along_u);
+    const double off_v = outwards(m, at->v, m->first[1], m->last[1], r, at->along_v);
+    *foot = (wcut_foot){.u = at->u, .v = at->v, .point = at->point, .distance = vec3_length(r)};
+    foot->height = vec3_dot(r, normal_at(m, at->u, at->v, at->along_u, at->along_v));
+    foot->beyond = fmax(off_u, off_v) > BEYOND * m->size;
+}
+
 void wcut_foot_search(const wcut_projection *m, wcut_vec3 p, const wcut_foot *near, wcut_foot *foot) {
     search s = {.m = m, .p = p, .best = {.distance = INFINITY}, .lowest = INFINITY};
     const double same = s.same = SAME * (m->size + vec3_length(p));
@@ -273,12 +282,8 @@ void wcut_foot_search(const wcut_projection *m, wcut_vec3 p, const wcut_foot *ne
         wcut_surface_eval(m->surface, s.best.u, s.best.v, 1, d);
         s.best.along_u = d[2], s.best.along_v = d[1];
     }
-    const wcut_vec3 r = vec3_sub(p, s.best.point);
-    const double off_u = outwards(m, s.best.u, m->first[0], m->last[0], r, s.best.along_u);
-    const double off_v = outwards(m, s.best.v, m->first[1], m->last[1], r, s.best.along_v);
-    *foot = (wcut_foot){.u = s.best.u, .v = s.best.v, .point = s.best.point, .distance = s.best.distance};
-    foot->height = vec3_dot(r, normal_at(m, s.best.u, s.best.v, s.best.along_u, s.best.along_v));
-    const double low = fmax(0, s.lowest);
-    foot->gap = s.best.distance - low > 2 * same ? s.best.distance - low : 0;
-    foot->beyond = fmax(off_u, off_v) > BEYOND * m->size;
+    const wcut_quick_spot at = {s.best.u, s.best.v, s.best.point, s.best.along_u, s.best.along_v};
+    wcut_foot_describe(m, p, &at, foot);
+    const double distance = foot->distance = s.best.distance, low = fmax(0, s.lowest);
+    foot->gap = distance - low > 2 * same ? distance - low : 0;
 }

@@ -1,68 +1,141 @@
-/* An order of points that keeps neighbours together (Morton 1966). */
+/* An order of points that keeps neighbours together (Morton 1966): a stable sort by digits of the bits of their cells,
+   the coordinates' taken in turn. Chunks are sorted side by side; a stable sort has one result, however many there are. */
 #include "surface/morton.h"
 
+#include <math.h>
 #include <stdint.h>
 
 #include "base/alloc.h"
 #include "base/numbers.h"
 
-enum { BITS = 10, CELLS = 1 << BITS, BUCKETS = 1 << 10, PASSES = 3 };
+enum { BITS = 11, BUCKETS = 1 << BITS, PASSES = 2, CHUNKS = 64, SMALL = 10000 };
 
-/* every third bit: abc -> a00b00c */
-static uint32_t spread(uint32_t x) {
-    x = (x | x << 16) & 0x030000ffu;
-    x = (x | x << 8) & 0x0300f00fu;
-    x = (x | x << 4) & 0x030c30c3u;
-    return (x | x << 2) & 0x09249249u;
+typedef struct sorter {
+    int count, chunks;
+    const wcut_vec3 *point;
+    wcut_vec3 low[CHUNKS], high[CHUNKS];
+    int most[3];               /* the last cell along each axis */
+    double by[3];              /* from half a coordinate's difference to cells */
+    uint32_t code[3][BUCKETS]; /* the bits of a cell's number, where they stand in the code */
+    int (*start)[BUCKETS];     /* chunks: where a chunk's next item of a bucket goes */
+    uint64_t *now, *next;      /* count: cell, then index */
+} sorter;
+
+static int begin_of(const sorter *s, int chunk) { return (int)((int64_t)s->count * chunk / s->chunks); }
+
+static inline wcut_vec3 lower(wcut_vec3 a, wcut_vec3 b) {
+    return (wcut_vec3){a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y, a.z < b.z ? a.z : b.z};
 }
 
-static uint32_t cell_of(double x, double low, double high) {
+static inline wcut_vec3 higher(wcut_vec3 a, wcut_vec3 b) {
+    return (wcut_vec3){a.x > b.x ? a.x : b.x, a.y > b.y ? a.y : b.y, a.z > b.z ? a.z : b.z};
+}
+
+static void find_box(sorter *s, int chunk) {
+    const int begin = begin_of(s, chunk), end = begin_of(s, chunk + 1);
+    wcut_vec3 low = s->point[begin], high = low;
+    for (int k = begin + 1; k < end; k++) low = lower(low, s->point[k]), high = higher(high, s->point[k]);
+    s->low[chunk] = low, s->high[chunk] = high;
+}
+
+/* Cells are halved across their longest side, so that they become cubes, nearly; a halving is a bit of the code, the
+   first one its highest. */
+static void plan_cells(sorter *s) {
+    const wcut_vec3 low = s->low[0], high = s->high[0];
     /* halves keep the difference of the largest doubles finite */
-    const double wide = high / 2 - low / 2, share = wide > 0 ? (x / 2 - low / 2) / wide : 0;
-    return (uint32_t)clamp(share * CELLS, 0, CELLS - 1);
-}
-
-static void code_points(int count, const wcut_vec3 *point, uint32_t *code) {
-    wcut_vec3 low = point[0], high = point[0];
-    for (int k = 1; k < count; k++) {
-        low.x = fmin(low.x, point[k].x), low.y = fmin(low.y, point[k].y), low.z = fmin(low.z, point[k].z);
-        high.x = fmax(high.x, point[k].x), high.y = fmax(high.y, point[k].y), high.z = fmax(high.z, point[k].z);
+    const double wide[3] = {high.x / 2 - low.x / 2, high.y / 2 - low.y / 2, high.z / 2 - low.z / 2};
+    double cell[3] = {wide[0], wide[1], wide[2]};
+    int bits[3] = {0, 0, 0}, axis[PASSES * BITS];
+    for (int b = PASSES * BITS - 1; b >= 0; b--) {
+        int c = -1;
+        for (int other = 0; other < 3; other++)
+            if (bits[other] < BITS && (c < 0 || cell[other] > cell[c])) c = other;
+        axis[b] = c;
+        bits[c]++, cell[c] /= 2;
     }
-    /* one scale for all axes, so that a flat cloud gets all its bits along its long sides */
-    const double wide = fmax(high.x / 2 - low.x / 2, fmax(high.y / 2 - low.y / 2, high.z / 2 - low.z / 2));
-    for (int k = 0; k < count; k++)
-        code[k] = spread(cell_of(point[k].x, low.x, low.x + 2 * wide)) |
-                  spread(cell_of(point[k].y, low.y, low.y + 2 * wide)) << 1 |
-                  spread(cell_of(point[k].z, low.z, low.z + 2 * wide)) << 2;
-}
-
-/* stable counting sort by one digit */
-static void sort_pass(int count, const uint32_t *code, int shift, const int *from, int *to) {
-    int start[BUCKETS + 1] = {0};
-    for (int k = 0; k < count; k++) start[(code[k] >> shift & (BUCKETS - 1)) + 1]++;
-    for (int b = 0; b < BUCKETS; b++) start[b + 1] += start[b];
-    for (int k = 0; k < count; k++) to[start[code[from[k]] >> shift & (BUCKETS - 1)]++] = from[k];
-}
-
-wcut_status wcut_morton_order(int count, const wcut_vec3 *point, int **order) {
-    uint32_t *code = wcut_alloc((size_t)count, sizeof *code);
-    int *now = wcut_alloc((size_t)count, sizeof *now), *next = wcut_alloc((size_t)count, sizeof *next);
-    const wcut_status status = code && now && next ? WCUT_OK : WCUT_NO_MEMORY;
-    if (status == WCUT_OK && count > 0) {
-        code_points(count, point, code);
-        for (int k = 0; k < count; k++) now[k] = k;
-        for (int pass = 0; pass < PASSES; pass++) {
-            sort_pass(count, code, 10 * pass, now, next);
-            int *swap = now;
-            now = next, next = swap;
+    for (int c = 0; c < 3; c++) {
+        s->most[c] = (1 << bits[c]) - 1;
+        s->by[c] = wide[c] > 1e-290 ? (s->most[c] + 1) / wide[c] : 0;
+        for (int k = 0; k <= s->most[c]; k++) {
+            s->code[c][k] = 0;
+            for (int b = 0, bit = 0; b < PASSES * BITS; b++)
+                if (axis[b] == c) s->code[c][k] |= (uint32_t)(k >> bit++ & 1) << b;
         }
     }
-    if (status == WCUT_OK) {
-        *order = now;
-        now = NULL;
+}
+
+static inline uint32_t code_along(const sorter *s, int axis, double x, double low) {
+    const int cell = (int)((x / 2 - low / 2) * s->by[axis]); /* not negative: low is the lowest of all */
+    return s->code[axis][cell < s->most[axis] ? cell : s->most[axis]];
+}
+
+static void code_points(sorter *s, int chunk) {
+    const wcut_vec3 low = s->low[0];
+    const int end = begin_of(s, chunk + 1);
+    for (int k = begin_of(s, chunk); k < end; k++) {
+        const wcut_vec3 p = s->point[k];
+        const uint32_t code =
+            code_along(s, 0, p.x, low.x) | code_along(s, 1, p.y, low.y) | code_along(s, 2, p.z, low.z);
+        s->now[k] = (uint64_t)code << 32 | (uint64_t)k;
     }
-    wcut_free(next);
-    wcut_free(now);
-    wcut_free(code);
+}
+
+static inline int digit_of(uint64_t item, int pass) { return (int)(item >> (32 + BITS * pass) & (BUCKETS - 1)); }
+
+static void count_digits(sorter *s, int chunk, int pass) {
+    int *start = s->start[chunk];
+    const int end = begin_of(s, chunk + 1);
+    for (int b = 0; b < BUCKETS; b++) start[b] = 0;
+    for (int k = begin_of(s, chunk); k < end; k++) start[digit_of(s->now[k], pass)]++;
+}
+
+static void sum_counts(sorter *s) {
+    int sum = 0;
+    for (int b = 0; b < BUCKETS; b++)
+        for (int c = 0; c < s->chunks; c++) {
+            const int here = s->start[c][b];
+            s->start[c][b] = sum;
+            sum += here;
+        }
+}
+
+static void move_items(sorter *s, int chunk, int pass) {
+    int *start = s->start[chunk];
+    const int end = begin_of(s, chunk + 1);
+    for (int k = begin_of(s, chunk); k < end; k++) s->next[start[digit_of(s->now[k], pass)]++] = s->now[k];
+}
+
+static void sort(sorter *s) {
+#pragma omp parallel for schedule(static) num_threads(s->chunks)
+    for (int c = 0; c < s->chunks; c++) find_box(s, c);
+    for (int c = 1; c < s->chunks; c++)
+        s->low[0] = lower(s->low[0], s->low[c]), s->high[0] = higher(s->high[0], s->high[c]);
+    plan_cells(s);
+#pragma omp parallel for schedule(static) num_threads(s->chunks)
+    for (int c = 0; c < s->chunks; c++) code_points(s, c);
+    for (int pass = 0; pass < PASSES; pass++) {
+#pragma omp parallel for schedule(static) num_threads(s->chunks)
+        for (int c = 0; c < s->chunks; c++) count_digits(s, c, pass);
+        sum_counts(s);
+#pragma omp parallel for schedule(static) num_threads(s->chunks)
+        for (int c = 0; c < s->chunks; c++) move_items(s, c, pass);
+        uint64_t *swap = s->now;
+        s->now = s->next, s->next = swap;
+    }
+}
+
+wcut_status wcut_morton_order(int count, const wcut_vec3 *point, int threads, int **order) {
+    sorter s = {.count = count, .chunks = count < SMALL ? 1 : threads < CHUNKS ? threads : CHUNKS, .point = point};
+    int *list = wcut_alloc((size_t)count, sizeof *list);
+    s.start = wcut_alloc((size_t)s.chunks, sizeof *s.start);
+    s.now = wcut_alloc((size_t)count, sizeof *s.now), s.next = wcut_alloc((size_t)count, sizeof *s.next);
+    const wcut_status status = list && s.start && s.now && s.next ? WCUT_OK : WCUT_NO_MEMORY;
+    if (status == WCUT_OK && count > 0) sort(&s);
+    for (int k = 0; status == WCUT_OK && k < count; k++) list[k] = (int)(uint32_t)s.now[k];
+    if (status == WCUT_OK) *order = list;
+    if (status != WCUT_OK) wcut_free(list);
+    wcut_free(s.next);
+    wcut_free(s.now);
+    wcut_free(s.start);
     return status;
 }

@@ -6,9 +6,10 @@
 #include "base/vec3.h"
 #include "surface/foot_search.h"
 #include "surface/morton.h"
+#include "surface/sweep.h"
 
 /* Queries of a block start from the one before; blocks know nothing of each other, so threads change no byte. */
-enum { BLOCK = 256, AHEAD = 8 };
+enum { BLOCK = WCUT_QUICK_MOST };
 
 /* [mm] squares of lengths up to this stay finite, with room for products */
 static const double FAR = 1e100;
@@ -53,7 +54,63 @@ void wcut_projection_destroy(wcut_projection *projection) {
 
 wcut_status wcut_projection_hasten(wcut_projection *projection) {
     if (!projection) return WCUT_BAD_ARGUMENT;
-    return projection->quick ? WCUT_OK : wcut_quick_create(projection->surface, &projection->quick);
+    return projection->quick ? WCUT_OK : wcut_quick_create(projection->surface, projection->size, &projection->quick);
+}
+
+/* ---- many queries ---- */
+
+/* the first query by a search of the tree, then all of a block side by side; what is left one by one, from where such a
+   search ended last */
+static void locate_block(const wcut_projection *m, int count, const wcut_vec3 *query, wcut_foot *foot) {
+    unsigned char done[BLOCK] = {0};
+    wcut_quick_place start[BLOCK];
+    const wcut_foot *near = &foot[0];
+    wcut_foot_search(m, query[0], NULL, &foot[0]);
+    if (m->quick) {
+        const wcut_quick_place from = wcut_quick_at(m->quick, near->u, near->v);
+        wcut_quick_feet(m->quick, count - 1, query + 1, from, foot + 1, done + 1, start + 1);
+    }
+    for (int k = 1; k < count; k++) {
+        if (done[k]) continue;
+        wcut_quick_spot at;
+        if (m->quick && wcut_quick_slide(m->quick, query[k], start[k], &at)) {
+            wcut_foot_describe(m, query[k], &at, &foot[k]);
+            continue;
+        }
+        if (m->quick) {
+            const wcut_quick_place from = wcut_quick_at(m->quick, near->u, near->v);
+            if (wcut_quick_slide(m->quick, query[k], wcut_quick_walk(m->quick, query[k], from), &at)) {
+                wcut_foot_describe(m, query[k], &at, &foot[k]);
+                continue;
+            }
+        }
+        wcut_foot_search(m, query[k], near, &foot[k]);
+        near = &foot[k];
+    }
+}
+
+wcut_status wcut_projection_sweep(const wcut_projection *projection, int count, const wcut_vec3 *query, int threads,
+                                  wcut_feet_taker *take, void *to) {
+    int *order;
+    const wcut_status status = wcut_morton_order(count, query, threads, &order);
+    if (status != WCUT_OK) return status;
+    const int blocks = count / BLOCK + (count % BLOCK > 0);
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
+    for (int block = 0; block < blocks; block++) {
+        const int first = block * BLOCK, here = block == blocks - 1 ? count - first : BLOCK;
+        wcut_vec3 near[BLOCK];
+        wcut_foot foot[BLOCK];
+        for (int k = 0; k < here; k++) near[k] = query[order[first + k]];
+        locate_block(projection, here, near, foot);
+        take(to, here, &order[first], foot);
+    }
+    wcut_free(order);
+    return WCUT_OK;
+}
+
+static void put_feet(void *to, int count, const int *index, const wcut_foot *foot) {
+    wcut_foot *all = to;
+    for (int k = 0; k < count; k++) all[index[k]] = foot[k];
 }
 
 wcut_status wcut_projection_locate(const wcut_projection *projection, int count, const wcut_vec3 *query, int threads,
@@ -61,26 +118,5 @@ wcut_status wcut_projection_locate(const wcut_projection *projection, int count,
     if (!projection || count < 0 || threads < 1 || (count > 0 && (!query || !foot))) return WCUT_BAD_ARGUMENT;
     for (int k = 0; k < count; k++)
         if (!(vec3_length(query[k]) < FAR)) return WCUT_BAD_ARGUMENT;
-    int *order;
-    const wcut_status status = wcut_morton_order(count, query, &order);
-    if (status != WCUT_OK) return status;
-    const int blocks = count / BLOCK + (count % BLOCK > 0);
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-    for (int block = 0; block < blocks; block++) {
-        const wcut_foot *near = NULL;
-        wcut_quick_place place = {-1, -1};
-        const int end = block == blocks - 1 ? count : (block + 1) * BLOCK;
-        for (int k = block * BLOCK; k < end; k++) {
-            if (k + AHEAD < end) {
-                __builtin_prefetch(&query[order[k + AHEAD]]);
-                __builtin_prefetch(&foot[order[k + AHEAD]], 1);
-            }
-            wcut_foot *to = &foot[order[k]];
-            if (!near || !projection->quick || !wcut_quick_foot(projection->quick, query[order[k]], near, &place, to))
-                wcut_foot_search(projection, query[order[k]], near, to);
-            near = to;
-        }
-    }
-    wcut_free(order);
-    return WCUT_OK;
+    return wcut_projection_sweep(projection, count, query, threads, put_feet, foot);
 }

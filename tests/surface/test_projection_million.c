@@ -26,21 +26,26 @@ START_TEST(a_million_planted_feet_are_found_again) {
         wcut_surface_eval(s, u[k], v[k], 1, d);
         query[k] = vec3_add_scaled(d[0], height[k], vec3_unit(vec3_cross(d[2], d[1])));
     }
-    ck_assert_int_eq(wcut_projection_locate(m, POINTS, query, 2, foot), WCUT_OK);
-    double worst = 0, worst_point = 0;
-    int unproven = 0, beyond = 0;
-    for (int k = 0; k < POINTS; k++) {
-        wcut_vec3 p;
-        wcut_surface_eval(s, u[k], v[k], 0, &p);
-        worst = fmax(worst, fmax(fabs(foot[k].distance - fabs(height[k])), fabs(foot[k].height - height[k])));
-        worst_point = fmax(worst_point, vec3_distance(p, foot[k].point));
-        unproven += foot[k].gap != 0;
-        beyond += foot[k].beyond;
+    for (int quick = 0; quick < 2; quick++) {
+        if (quick) ck_assert_int_eq(wcut_projection_hasten(m), WCUT_OK);
+        for (int k = 0; k < POINTS; k++) foot[k].distance = foot[k].gap = 999;
+        ck_assert_int_eq(wcut_projection_locate(m, POINTS, query, 2, foot), WCUT_OK);
+        double worst = 0, worst_point = 0;
+        int unproven = 0, beyond = 0;
+        for (int k = 0; k < POINTS; k++) {
+            wcut_vec3 p;
+            wcut_surface_eval(s, u[k], v[k], 0, &p);
+            worst = fmax(worst, fmax(fabs(foot[k].distance - fabs(height[k])), fabs(foot[k].height - height[k])));
+            worst_point = fmax(worst_point, vec3_distance(p, foot[k].point));
+            unproven += foot[k].gap != 0;
+            beyond += foot[k].beyond;
+        }
+        printf("1,000,000 planted points%s: worst distance %.2g mm, worst foot %.2g mm\n", quick ? ", quickly" : "",
+               worst, worst_point);
+        ck_assert(unproven == 0 && beyond == 0);
+        ck_assert_double_lt(worst, 1e-9);
+        ck_assert_double_lt(worst_point, 1e-9);
     }
-    printf("1,000,000 planted points: worst distance %.2g mm, worst foot %.2g mm\n", worst, worst_point);
-    ck_assert(unproven == 0 && beyond == 0);
-    ck_assert_double_lt(worst, 1e-9);
-    ck_assert_double_lt(worst_point, 1e-9);
     wcut_projection_destroy(m);
     wcut_surface_destroy(s);
     free(height), free(v), free(u), free(foot), free(query), free(x);

@@ -84,22 +84,58 @@ START_TEST(quick_feet_are_the_slow_ones) {
 }
 END_TEST
 
+static bool is_at_border(const wcut_foot *f) { return f->u <= 0 || f->u >= 1 || f->v <= 0 || f->v >= 1; }
+
 START_TEST(most_feet_near_a_tame_surface_are_found_quickly) {
+    enum { BLOCK = WCUT_QUICK_MOST };
     given_shape(0);
     given_queries(0, 1, 9);
     ck_assert_ptr_nonnull(quick->quick);
     ck_assert_int_eq(wcut_projection_locate(slow, QUERIES, query, 1, expected), WCUT_OK);
-    int taken = 0, inside = 0;
-    for (int k = 1; k < QUERIES; k++) {
-        wcut_foot foot;
-        wcut_quick_place place = {-1, -1};
-        const bool border = expected[k].u <= 0 || expected[k].u >= 1 || expected[k].v <= 0 || expected[k].v >= 1;
-        inside += !border;
-        const double near_u = fmin(fmax(expected[k].u + 0.004, 0), 1);
-        const wcut_foot near = {.u = near_u, .v = expected[k].v};
-        if (!border && wcut_quick_foot(quick->quick, query[k], &near, &place, &foot)) taken++;
+    static wcut_foot foot[BLOCK];
+    static wcut_quick_place start[BLOCK];
+    unsigned char done[BLOCK];
+    memset(foot, 0, sizeof foot), memset(done, 9, sizeof done);
+    const wcut_quick_place from = wcut_quick_at(quick->quick, expected[0].u, expected[0].v);
+    wcut_quick_feet(quick->quick, BLOCK, query, from, foot, done, start);
+    int taken = 0, inside = 0, slid = 0, border = 0;
+    for (int k = 0; k < BLOCK; k++) {
+        wcut_quick_spot spot;
+        const bool follows = wcut_quick_slide(quick->quick, query[k], start[k], &spot);
+        ck_assert_int_le(done[k], 1);
+        if (done[k]) ck_assert_double_lt(vec3_distance(foot[k].point, expected[k].point), 1e-9);
+        if (follows) ck_assert_double_lt(vec3_distance(spot.point, expected[k].point), 1e-9);
+        if (is_at_border(&expected[k])) {
+            ck_assert(!done[k]);
+            border++, slid += follows;
+        } else {
+            inside++, taken += done[k];
+        }
     }
+    ck_assert_int_gt(border, 20);
     ck_assert_int_gt(taken, inside * 9 / 10);
+    ck_assert_int_gt(slid, border * 9 / 10);
+    forget();
+}
+END_TEST
+
+START_TEST(feet_are_the_same_for_any_number_of_threads) {
+    enum { MANY = 30000 };
+    static wcut_vec3 many[MANY];
+    static wcut_foot one[MANY], other[MANY];
+    wcut_random r = wcut_random_seed(5);
+    given_shape(0);
+    for (int k = 0; k < MANY; k++) {
+        many[k] = at(0, 1.01 * wcut_random_uniform(&r), 1.01 * wcut_random_uniform(&r));
+        many[k].z += wcut_random_normal(&r);
+    }
+    ck_assert_int_eq(wcut_projection_locate(quick, MANY, many, 1, one), WCUT_OK);
+    const int threads[] = {2, 3, 7, 100};
+    for (int k = 0; k < 4; k++) {
+        memset(other, 9, sizeof other);
+        ck_assert_int_eq(wcut_projection_locate(quick, MANY, many, threads[k], other), WCUT_OK);
+        ck_assert_mem_eq(one, other, sizeof one);
+    }
     forget();
 }
 END_TEST
@@ -138,6 +174,7 @@ int main(void) {
     TCase *tcase = tcase_create("quick");
     tcase_add_test(tcase, quick_feet_are_the_slow_ones);
     tcase_add_test(tcase, most_feet_near_a_tame_surface_are_found_quickly);
+    tcase_add_test(tcase, feet_are_the_same_for_any_number_of_threads);
     tcase_add_test(tcase, surfaces_without_a_quick_way_stay_as_they_were);
     tcase_add_test(tcase, without_memory_a_projection_is_as_it_was);
     suite_add_tcase(suite, tcase);
