@@ -20,17 +20,20 @@ void wcut_stl_put_header(wcut_text *text, uint32_t count) {
     wcut_text_put(text, &count, sizeof count);
 }
 
-/* a facet and its unit normal, counter-clockwise; zero for a triangle without area */
+/* A facet and its unit normal, counter-clockwise; zero for a triangle without area. The normal is that of the rounded
+   corners: of a needle the given ones may have quite another, and a checker would call it wrong. */
 static inline void put_facet(char *to, wcut_vec3 a, wcut_vec3 b, wcut_vec3 c) {
-    const double ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z;
-    const double vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
+    const float corner[9] = {(float)a.x, (float)a.y, (float)a.z, (float)b.x, (float)b.y,
+                             (float)b.z, (float)c.x, (float)c.y, (float)c.z};
+    const double ax = corner[0], ay = corner[1], az = corner[2];
+    const double ux = corner[3] - ax, uy = corner[4] - ay, uz = corner[5] - az;
+    const double vx = corner[6] - ax, vy = corner[7] - ay, vz = corner[8] - az;
     const double nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
     const double size = sqrt(nx * nx + ny * ny + nz * nz), scale = size > 0 ? 1 / size : 0;
-    const float facet[12] = {(float)(nx * scale), (float)(ny * scale), (float)(nz * scale), (float)a.x,
-                             (float)a.y,          (float)a.z,          (float)b.x,          (float)b.y,
-                             (float)b.z,          (float)c.x,          (float)c.y,          (float)c.z};
-    memcpy(to, facet, sizeof facet);
-    memset(to + sizeof facet, 0, FACET - sizeof facet);
+    const float normal[3] = {(float)(nx * scale), (float)(ny * scale), (float)(nz * scale)};
+    memcpy(to, normal, sizeof normal);
+    memcpy(to + sizeof normal, corner, sizeof corner);
+    memset(to + sizeof normal + sizeof corner, 0, FACET - sizeof normal - sizeof corner);
 }
 
 void wcut_stl_put_facets(wcut_text *text, size_t count, const wcut_vec3 *vertex, const int *triangle) {

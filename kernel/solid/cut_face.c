@@ -16,6 +16,9 @@ static const double MARGINS = 10;
 /* Triangles and fit this share of the kerf from their face: those of the two sides never meet. */
 static const double KERF_SHARE = 0.2;
 
+/* What touches a face within this share of the block from its edge touches the edge. */
+static const double EDGE_SHARE = 0.01;
+
 void wcut_cut_face_clear(wcut_cut_face *face) {
     wcut_surface_destroy(face->skin.patch);
     wcut_lid_clear(&face->lid);
@@ -110,8 +113,8 @@ static wcut_status say_touch(const wcut_division *d, const wcut_lid *lid, double
         if (off > near) continue;
         if (off < least) least = off, place = p;
         for (int e = 0; e < 2; e++) {
-            at_x[e] = at_x[e] && fabs(p.x - x[e]) <= near;
-            at_y[e] = at_y[e] && fabs(p.y - y[e]) <= near;
+            at_x[e] = at_x[e] && fabs(p.x - x[e]) <= EDGE_SHARE * d->block.x;
+            at_y[e] = at_y[e] && fabs(p.y - y[e]) <= EDGE_SHARE * d->block.y;
         }
     }
     const bool on_x = at_x[0] || at_x[1], on_y = at_y[0] || at_y[1];

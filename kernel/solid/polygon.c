@@ -19,9 +19,10 @@ typedef struct region {
     int corners; /* made so far */
 } region;
 
-/* Ears lower than this share of their longest side wait until there are no others: slivers whose area is all rounding
-   have no normal. */
-static const double THIN = 1e-3;
+/* Ears lower than a share of their longest side wait until there are no others, those of a smaller share longer:
+   slivers whose area is all rounding have no normal, in the single precision of an STL file none below about 1e-5. */
+static const double THIN[] = {1e-3, 1e-4, 1e-5, 1e-6, 0};
+enum { ROUNDS = sizeof THIN / sizeof *THIN };
 
 static wcut_flat flat_of(const region *r, int c) { return r->point[r->corner[c].at]; }
 
@@ -140,11 +141,24 @@ static bool is_ear(const region *r, int c) {
     return true;
 }
 
-static bool is_thin(const region *r, int c) {
+static bool is_thin(const region *r, int c, double share) {
     const corner *k = &r->corner[c];
     const wcut_flat a = flat_of(r, k->before), b = flat_of(r, c), d = flat_of(r, k->after);
     const double longest = fmax(distance(a, b), fmax(distance(b, d), distance(d, a)));
-    return k->turn < THIN * longest * longest;
+    return k->turn < share * longest * longest;
+}
+
+/* does an ear's new side pass another corner nearer than a share of its length? what it cuts off would be slivers alone */
+static bool grazes(const region *r, int c, double share) {
+    const corner *k = &r->corner[c];
+    const wcut_flat a = flat_of(r, k->before), d = flat_of(r, k->after);
+    const double p = d.p - a.p, q = d.q - a.q, size = p * p + q * q;
+    for (int o = r->corner[k->after].after; o != k->before; o = r->corner[o].after) {
+        const wcut_flat x = flat_of(r, o);
+        const double along = p * (x.p - a.p) + q * (x.q - a.q), across = p * (x.q - a.q) - q * (x.p - a.p);
+        if (along > 0 && along < size && fabs(across) < share * size) return true;
+    }
+    return false;
 }
 
 /* cut ears until three corners are left; after each go on beyond it, so that they do not all share a corner */
@@ -152,8 +166,9 @@ static bool cut_ears(region *r, int left, int c, int *triangle) {
     int waited = 0;
     while (left > 3) {
         const corner k = r->corner[c];
-        if (waited > 2 * left) return false;
-        if ((waited < left && is_thin(r, c)) || !is_ear(r, c)) {
+        if (waited >= ROUNDS * left) return false;
+        const double share = THIN[waited / left];
+        if (is_thin(r, c, share) || !is_ear(r, c) || grazes(r, c, share)) {
             c = k.after;
             waited++;
             continue;

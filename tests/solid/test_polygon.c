@@ -113,6 +113,34 @@ START_TEST(a_box_under_a_straight_border_of_many_points_is_filled_without_flat_t
 }
 END_TEST
 
+/* least height of a triangle over its longest side, when its corners are rounded to single precision */
+static double least_height(int triangles, const int *triangle, const wcut_flat *x) {
+    double least = INFINITY;
+    for (int t = 0; t < triangles; t++) {
+        double p[3], q[3], longest = 0;
+        for (int k = 0; k < 3; k++) p[k] = (float)x[triangle[3 * t + k]].p, q[k] = (float)x[triangle[3 * t + k]].q;
+        for (int k = 0; k < 3; k++) longest = fmax(longest, hypot(p[k] - p[(k + 1) % 3], q[k] - q[(k + 1) % 3]));
+        least = fmin(least, ((p[1] - p[0]) * (q[2] - q[0]) - (p[2] - p[0]) * (q[1] - q[0])) / longest);
+    }
+    return least;
+}
+
+START_TEST(a_border_that_is_straight_but_for_rounding_makes_no_needles) {
+    static int triangle[3 * POINTS_MAX];
+    wcut_flat x[402] = {{0, 0}, {1200, 0}};
+    const int size = 402;
+    wcut_random random = wcut_random_seed(3);
+    for (int noise = -14; noise <= -7; noise++) {
+        for (int k = 0; k < 400; k++)
+            x[2 + k] =
+                (wcut_flat){1200 - 1200.0 * k / 399, 150 + pow(10, noise) * (wcut_random_uniform(&random) - 0.5)};
+        check_fill(1, &size, x);
+        ck_assert_int_eq(wcut_polygon_triangulate(1, &size, x, triangle), WCUT_OK);
+        ck_assert_double_gt(least_height(size - 2, triangle, x), 1e-2);
+    }
+}
+END_TEST
+
 START_TEST(holes_are_left_free_wherever_they_are) {
     static wcut_flat x[POINTS_MAX];
     wcut_random random = wcut_random_seed(9);
@@ -166,6 +194,7 @@ int main(void) {
     tcase_add_test(turn, a_turn_has_the_sign_of_exact_arithmetic_where_rounding_has_not);
     tcase_add_test(turn, a_turn_changes_sign_with_two_points_exchanged_and_not_with_three_turned);
     tcase_add_test(fill, a_box_under_a_straight_border_of_many_points_is_filled_without_flat_triangles);
+    tcase_add_test(fill, a_border_that_is_straight_but_for_rounding_makes_no_needles);
     tcase_add_test(fill, holes_are_left_free_wherever_they_are);
     tcase_add_test(fill, what_is_no_region_is_degenerate);
     suite_add_tcase(suite, turn);
