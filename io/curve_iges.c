@@ -172,10 +172,15 @@ bool wcut_iges_open(wcut_iges *f, const wcut_iges_entry *e, wcut_iges_cursor *c)
 bool wcut_curves_fill_iges(wcut_curve_reader *r, char *text, size_t length) {
     wcut_iges f = {.reader = r};
     bool done = find_lines(&f, text, length) && find_sections(&f) && read_global(&f);
-    for (int at = f.directory; done && at < f.data; at += 2) {
-        wcut_iges_entry entry;
-        done = wcut_iges_find(&f, at, &entry) && wcut_iges_add(&f, &entry);
-    }
+    if (done) f.is_piece = wcut_io_alloc((size_t)(f.data - f.directory) / 2 + 1, sizeof *f.is_piece);
+    if (done && !f.is_piece) done = wcut_curves_refuse_memory(r);
+    for (int pass = 0; pass < 2; pass++)
+        for (int at = f.directory; done && at < f.data; at += 2) {
+            wcut_iges_entry entry;
+            done = wcut_iges_find(&f, at, &entry) &&
+                   (pass ? wcut_iges_add(&f, &entry) : wcut_iges_note_pieces(&f, &entry));
+        }
+    free(f.is_piece);
     free(f.line);
     return done;
 }

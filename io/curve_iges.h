@@ -13,7 +13,8 @@ typedef struct wcut_iges {
     const char **line;                /* each of at least 80 characters */
     int global, directory, data, end; /* lines */
     char separator, terminator;
-    double scale; /* [mm] */
+    double scale;   /* [mm] */
+    bool *is_piece; /* of a composite curve, two lines an entry */
 } wcut_iges;
 
 /* values one after the other, across the lines of a section */
@@ -40,6 +41,9 @@ bool wcut_iges_open(wcut_iges *f, const wcut_iges_entry *entry, wcut_iges_cursor
 bool wcut_iges_real(wcut_iges_cursor *c, double *value);
 bool wcut_iges_int(wcut_iges_cursor *c, int least, int most, int *value);
 bool wcut_iges_reals(wcut_iges_cursor *c, int count, double *value);
+
+/* note the pieces of a composite curve, which are read with it; anything else is passed over; false: refused */
+bool wcut_iges_note_pieces(wcut_iges *f, const wcut_iges_entry *entry);
 
 /* the curve of an entry into the set, if it is one and none of another's pieces; false: refused */
 bool wcut_iges_add(wcut_iges *f, const wcut_iges_entry *entry);

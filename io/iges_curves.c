@@ -212,9 +212,21 @@ static bool add_composite(wcut_iges *f, const wcut_iges_entry *e) {
     return f->reader->failure.status == WCUT_OK;
 }
 
+bool wcut_iges_note_pieces(wcut_iges *f, const wcut_iges_entry *e) {
+    wcut_iges_cursor c;
+    int count = 0, number = 0;
+    if (e->type != 102) return true;
+    if (!wcut_iges_open(f, e, &c)) return false;
+    if (!wcut_iges_int(&c, 1, most_values(&c), &count)) return refuse_data(f, e);
+    for (int k = 0; k < count && wcut_iges_int(&c, 1, f->data - f->directory, &number); k++)
+        f->is_piece[number / 2] = true;
+    return true;
+}
+
 bool wcut_iges_add(wcut_iges *f, const wcut_iges_entry *e) {
-    if (!is_curve(e)) return true;
-    if (e->status[3] == '1' || e->status[3] == '3' || (e->status[4] == '0' && e->status[5] == '5'))
+    const bool depends = e->status[3] == '1' || e->status[3] == '3';
+    if (!is_curve(e) || (depends && f->is_piece[(e->at - f->directory) / 2])) return true;
+    if (depends || (e->status[4] == '0' && e->status[5] == '5'))
         return wcut_curves_leave_out(f->reader, "a piece of another entity"), true;
     if (e->type == 102) return add_composite(f, e);
     wcut_curve *curve = read_simple(f, e);

@@ -1,4 +1,7 @@
-"""Curves as FreeCAD (OpenCASCADE) writes them, with where they begin, are in the middle and end: write_freecad.py FOLDER"""
+"""Curves as FreeCAD (OpenCASCADE) writes them, and what they are: a line each with ends and length. write_freecad.py FOLDER
+
+freecad.step, freecad.igs: an edge each. wire.igs, wire.step: one edge of a mould as a CAD system has it, of lines, arcs
+and a spline end to end, turned in space: IGES writes it as a composite curve with transformations."""
 import json
 import os
 import sys
@@ -20,11 +23,33 @@ edges = [
     Part.LineSegment(V(1, 2, 3), V(40, 50, 60)).toShape(),
     Part.Arc(V(10, 0, 5), V(0, 10, 5), V(-10, 0, 5)).toShape(),
     spline.toShape(spline.FirstParameter + 0.2, spline.LastParameter - 0.3),
+    Part.Ellipse(V(5, 6, 7), 30, 10).toShape(0.3, 2.9),
+    Part.Circle(V(7, 8, 9), V(1, 2, 2), 25).toShape(0.5, 4),
 ]
-shape = Part.makeCompound(edges)
-shape.exportStep(os.path.join(folder, "freecad.step"))
-shape.exportIges(os.path.join(folder, "freecad.igs"))
-with open(os.path.join(folder, "freecad.txt"), "w") as file:
-    for e in edges:
-        ends = [e.valueAt(e.FirstParameter), e.valueAt(e.LastParameter)]
-        file.write(" ".join(repr(x) for p in ends for x in p) + f" {e.Length!r}\n")
+
+
+def write(name, shape, expected):
+    shape.exportStep(os.path.join(folder, name + ".step"))
+    shape.exportIges(os.path.join(folder, name + ".igs"))
+    with open(os.path.join(folder, name + ".txt"), "w") as file:
+        for ends, length in expected:
+            file.write(" ".join(repr(x) for p in ends for x in p) + f" {length!r}\n")
+
+
+def ends_of(edge):
+    return [edge.valueAt(edge.FirstParameter), edge.valueAt(edge.LastParameter)]
+
+
+write("freecad", Part.makeCompound(edges), [(ends_of(e), e.Length) for e in edges])
+bend = Part.BSplineCurve()
+bend.interpolate([V(0, 400, 100), V(5, 480, 130), V(-2, 560, 90), V(0, 600, 100)])
+parts = [
+    Part.LineSegment(V(0, 0, 100), V(0, 150, 100)).toShape(),
+    Part.Arc(V(0, 150, 100), V(0, 200, 120), V(0, 250, 100)).toShape(),
+    Part.LineSegment(V(0, 250, 100), V(0, 400, 100)).toShape(),
+    bend.toShape(),
+]
+wire = Part.Wire(parts)
+wire.Placement = FreeCAD.Placement(V(10, 20, 30), FreeCAD.Rotation(V(1, 2, 3), 40))
+ends = [wire.Placement.multVec(V(0, 0, 100)), wire.Placement.multVec(V(0, 600, 100))]
+write("wire", wire, [(ends, wire.Length)])

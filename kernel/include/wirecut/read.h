@@ -95,11 +95,14 @@ WCUT_API wcut_curve_read_options wcut_curve_read_options_default(void);
  * Read the curves of a file: edges or paths for a design.
  *
  * STEP: the curves of geometric sets, in their order; where there are none, the edges of faces and solids. B-splines,
- * rational or not, come back as they are, poles bit for bit where the unit is mm; polylines and lines become splines of
- * degree 1, arcs of circles and ellipses rational ones of degree 2, composite curves their segments. What else there
- * is (parabolas, offsets, degrees above 7) is left out and told. A file that moves its parts (an assembly) is refused:
- * export the parts where they stand.
- * IGES: what is a piece of another entity, or lies in a surface's parameters, is left out and told.
+ * rational or not, come back as they are, poles bit for bit where the unit is mm, and cut where the file trims them;
+ * polylines and lines become splines of degree 1, arcs of circles and ellipses rational ones of degree 2, composite
+ * curves one curve where their segments meet within 1e-3 mm, else the segments. What else there is (parabolas, offsets,
+ * degrees above 7) is left out and told. A file that moves its parts (an assembly) is refused: export the parts where
+ * they stand.
+ * IGES: arcs (100), composites (102), ellipses (104), points (106), lines (110), B-splines (126), each moved by its
+ * transformation (124), likewise. What is a piece of another entity, or lies in a surface's parameters, is left out and
+ * told.
  *
  * @param[in]  path    a file
  * @param[in]  options NULL for the defaults
