@@ -310,12 +310,17 @@ static wcut_status propose(diagnosing *g, wcut_error *error) {
 
 static wcut_status prove(diagnosing *g, wcut_error *error) {
     wcut_diagnosis *d = g->out;
+    snprintf(d->unproven, sizeof d->unproven, "it was left out");
     if (!g->options->proof) return WCUT_OK;
     wcut_status status =
         wcut_proof_create(g->evidence, &g->search.none, final_fit(g), g->options->seed, &g->proof, error);
     if (status == WCUT_OK) status = wcut_black_box_run(g->evidence, g->options->seed, &g->proof);
     if (status == WCUT_NO_MEMORY || status == WCUT_INTERRUPTED) return status;
-    if (status != WCUT_OK) return WCUT_OK; /* counts stay 0: there is no proof, and the limits say so */
+    if (status != WCUT_OK) { /* what was found stands without it, and the limits say so */
+        snprintf(d->unproven, sizeof d->unproven, "%.110s", error ? error->text : wcut_status_text(status));
+        return WCUT_OK;
+    }
+    d->unproven[0] = 0;
     memcpy(d->fit, g->proof.fit, sizeof d->fit);
     memcpy(d->held_out_fit, g->proof.held_out_fit, sizeof d->held_out_fit);
     for (int k = 0; k < g->cuts; k++) d->held_out[k] = g->evidence->cut[k].bins > 0;
@@ -350,7 +355,10 @@ static wcut_status try_naive(diagnosing *g, wcut_error *error) {
     wcut_fitted_destroy(&plain);
     wcut_screen_destroy(&screen);
     wcut_evidence_destroy(e);
-    return status;
+    if (status == WCUT_OK || status == WCUT_NO_MEMORY || status == WCUT_INTERRUPTED) return status;
+    /* a control that does not come to its end takes nothing from the diagnosis */
+    snprintf(d->naive, sizeof d->naive, "cannot be said: %.60s", error ? error->text : wcut_status_text(status));
+    return WCUT_OK;
 }
 
 static wcut_status locate(diagnosing *g, wcut_error *error) {

@@ -10,11 +10,15 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "base/vec3.h"
 
 enum { MODELS = WCUT_FIT_BLACK_BOX };
 
 /* the solver's tolerance: tensions move by a thousandth of a sensor's noise against 1e-10 */
 #define TOLERANCE 1e-6
+
+/* [mm] that a wire is longer than the way between its mounts, at least */
+#define LONGER 1e-3
 
 /* [1] of the target: a tension that the loop holds */
 #define SETTLED 0.1
@@ -214,12 +218,25 @@ typedef struct task {
     bool held_out;
 } task;
 
+/* [mm] the change of length that leaves every wire longer than the way between its mounts: a fit that has not seen a cut
+   may ask for less */
+static double least_change(const wcut_evidence *e) {
+    double least = -HUGE_VAL;
+    for (int k = 0; k < e->cuts; k++) {
+        const wcut_job *job = e->cut[k].bins > 0 ? e->cut[k].job : NULL;
+        for (int j = 0; job && j < job->stations; j++)
+            least = fmax(least, vec3_distance(job->mount_a[j], job->mount_b[j]) + LONGER - job->wire_length);
+    }
+    return fmin(least, 0);
+}
+
 static subject subject_of(const wcut_evidence *e, const task *t, const wcut_fitted *const *fitted) {
     if (t->model == WCUT_FIT_BEFORE) return own_subject(e->cut[t->cut].job);
     const wcut_fitted *f = fitted[t->model];
     subject s = {.model = f->model, .kerf = isfinite(f->kerf) ? f->kerf : 0};
     if (!t->held_out) return s;
     s.model = wcut_fitted_model(f, f->without + (size_t)t->cut * (size_t)(WCUT_BASE + f->count));
+    s.model.length_change = fmax(s.model.length_change, least_change(e));
     s.kerf = 0; /* from the other scans, once they are predicted */
     return s;
 }

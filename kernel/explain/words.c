@@ -29,7 +29,7 @@ static const phrase phrases[WCUT_EFFECT_COUNT] = {
     [WCUT_WIRE_FOULING] = {"residue on the wire changes the force as it cuts", "by %+.0f %%", 100},
     [WCUT_BLOCK_SPRINGBACK] = {"the block changed shape after the cut", "%+.1f mm", 1},
     [WCUT_ANGLE_OFFSET] = {"an angle encoder is offset", "by %+.2f deg", 1},
-    [WCUT_TENSION_GAIN] = {"a tension sensor reads", "%+.1f %% off", 100},
+    [WCUT_TENSION_GAIN] = {"a tension sensor has another gain than it should", "%+.1f %% off", 100},
     [WCUT_TENSION_DRIFT] = {"a tension sensor drifts", "%+.2f N in 100 s", 1},
     [WCUT_CLOCK_OFFSET] = {"sensors are recorded late", "by %.2f s", 1},
     [WCUT_SCAN_OFFSET] = {"the scan is displaced", "%.2f mm along x", 1},
@@ -177,6 +177,7 @@ bool wcut_diagnosis_limits(wcut_diagnosis *d, int cuts, const wcut_diagnosis_cut
     d->limit = wcut_alloc(LIMITS_MOST, sizeof *d->limit);
     if (!d->limit) return false;
     limit_cuts(d, cuts, cut);
+    if (d->unproven[0]) limit(d, "There is no forward proof: %s.", d->unproven);
     limit_calibration(d, test_cuts, calibration);
     for (int k = 0; k < d->effects; k++)
         if (d->effect[k].effect.kind == WCUT_TENSION_GAIN && d->effect[k].effect.choice < 2)
