@@ -81,11 +81,21 @@ wcut_status wcut_stl_stream_create(const char *path, wcut_stl_stream **stream, w
     return status;
 }
 
+static const double INCREDIBLE = 1e30; /* [mm] far below what a float holds */
+
+/* Corners of whole triangles. A sum that is small has no large term, nor a nan; only where it is not are they looked at
+   one by one. */
 static bool are_sound(size_t count, const wcut_vec3 *p) {
-    int odd = 0;
-    for (size_t k = 0; k < count; k++) /* nan is odd, too; without a branch, for it is never taken */
-        odd |= !(fabs(p[k].x) <= 1e30) | !(fabs(p[k].y) <= 1e30) | !(fabs(p[k].z) <= 1e30);
-    return odd == 0;
+    double a = 0, b = 0, c = 0;
+    for (size_t k = 0; k + 3 <= count; k += 3) { /* three sums, for each waits for its last addition */
+        a += fabs(p[k].x) + fabs(p[k].y) + fabs(p[k].z);
+        b += fabs(p[k + 1].x) + fabs(p[k + 1].y) + fabs(p[k + 1].z);
+        c += fabs(p[k + 2].x) + fabs(p[k + 2].y) + fabs(p[k + 2].z);
+    }
+    if (a + b + c <= INCREDIBLE) return true;
+    for (size_t k = 0; k < count; k++) /* false for nan, too */
+        if (!(fabs(p[k].x) <= INCREDIBLE && fabs(p[k].y) <= INCREDIBLE && fabs(p[k].z) <= INCREDIBLE)) return false;
+    return true;
 }
 
 wcut_status wcut_stl_stream_append(wcut_stl_stream *s, int count, const wcut_vec3 *corner, wcut_error *error) {

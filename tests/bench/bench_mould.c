@@ -1,13 +1,10 @@
 /* Both halves of a block along a surface of 209,000 triangles: by index, and by CGAL's booleans with the same cutter.
-   CPU seconds.  bench_mould [FOLDER]  also writes the cutter there, for bench_mould.py and its peer. */
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
+   One line each for bench_table.sh.  bench_mould [FOLDER]  also writes the cutter there, for bench_mould.mjs. */
 #include <string.h>
-#include <time.h>
 #include <wirecut/mould.h>
 
 #include "base/alloc.h"
+#include "bench/peers/common.h"
 #include "solid/boolean.h"
 #include "solid/lid.h"
 
@@ -15,21 +12,10 @@ enum { RUNS = 5, STATIONS = 600, NODES = 121 };
 
 static const wcut_vec3 block = {400, 900, 300};
 
-static double cpu_now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 static void check(wcut_status status, const char *what) {
     if (status == WCUT_OK) return;
     fprintf(stderr, "bench_mould: %s: %s\n", what, wcut_status_text(status));
     exit(EXIT_FAILURE);
-}
-
-static int ascending(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
 }
 
 /* a wire's cut over the block and beyond, sagging backwards, twisted and waved */
@@ -100,40 +86,47 @@ static void write_cutter(const wcut_mesh *m, const char *folder) {
     if (!f || fclose(f) != 0 || !ok) check(WCUT_NOT_WRITTEN, path);
 }
 
+/* both halves as booleans make them: block and cutter, block and as many triangles again from above */
+static void bench_booleans(const wcut_mesh *cutter) {
+    wcut_mesh *above = turned(cutter), *stock = block_mesh();
+    const wcut_mesh *const side[2] = {cutter, above};
+    double seconds;
+    char note[80];
+    TIMED(2, seconds, {
+        for (int k = 0; k < 2; k++) {
+            wcut_mesh *half;
+            unsigned char *tag;
+            check(wcut_boolean_intersect(stock, NULL, side[k], NULL, &half, &tag), "boolean");
+            wcut_mesh_destroy(half);
+            wcut_free(tag);
+        }
+    });
+    snprintf(note, sizeof note, "both booleans, cutter of %d triangles", cutter->triangle_count);
+    say("halves", "CGAL", seconds, note);
+    wcut_mesh_destroy(stock);
+    wcut_mesh_destroy(above);
+}
+
 int main(int argc, char **argv) {
     wcut_surface *surface = loft();
     wcut_mould_options o = wcut_mould_default();
     wcut_mould *m = NULL;
     wcut_error error = {.text = ""};
-    double seconds[RUNS];
+    double seconds;
+    char note[120];
     o.chord_tolerance = 0.00253;
-    for (int k = 0; k < RUNS; k++) {
+    TIMED(RUNS, seconds, {
         wcut_mould_destroy(m);
-        const double from = cpu_now();
-        const wcut_status status = wcut_mould_create(surface, block, &o, &m, &error);
-        seconds[k] = cpu_now() - from;
-        check(status, error.text);
-    }
-    qsort(seconds, RUNS, sizeof *seconds, ascending);
-    printf("by index: fit, both halves, exact faces and every check  %.3f s  (%d and %d triangles, %d x %d poles)\n",
-           seconds[RUNS / 2], m->lower.mesh->triangle_count, m->upper.mesh->triangle_count,
-           m->lower.brep->face[0].surface->count_u, m->lower.brep->face[0].surface->count_v);
-
-    wcut_mesh *cutter = cutter_of(m, o.chord_tolerance), *stock = block_mesh(), *half;
-    unsigned char *tag;
+        m = NULL;
+        check(wcut_mould_create(surface, block, &o, &m, &error), error.text);
+    });
+    const wcut_surface *face = m->lower.brep->face[0].surface;
+    snprintf(note, sizeof note, "fit, both halves of %d and %d triangles, exact faces of %d x %d poles, every check",
+             m->lower.mesh->triangle_count, m->upper.mesh->triangle_count, face->count_u, face->count_v);
+    say("halves", "wirecut", seconds, note);
+    wcut_mesh *cutter = cutter_of(m, o.chord_tolerance);
     if (argc > 1) write_cutter(cutter, argv[1]);
-    wcut_mesh *above = turned(cutter); /* as many triangles again, for the second half */
-    const double from = cpu_now();
-    check(wcut_boolean_intersect(stock, NULL, cutter, NULL, &half, &tag), "boolean");
-    wcut_mesh_destroy(half);
-    wcut_free(tag);
-    check(wcut_boolean_intersect(stock, NULL, above, NULL, &half, &tag), "boolean");
-    printf("CGAL: both booleans, cutter of %d triangles             %.3f s\n", cutter->triangle_count,
-           cpu_now() - from);
-    wcut_mesh_destroy(half);
-    wcut_free(tag);
-    wcut_mesh_destroy(above);
-    wcut_mesh_destroy(stock);
+    bench_booleans(cutter);
     wcut_mesh_destroy(cutter);
     wcut_mould_destroy(m);
     wcut_surface_destroy(surface);

@@ -1,4 +1,4 @@
-// The surface jobs as Open CASCADE does them, on the same sheet: one line each for surface_peers.sh.
+// The surface jobs as Open CASCADE does them, on the same sheet: one line each for bench_table.sh.
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
@@ -81,7 +81,7 @@ void thru_sections(int stations, int nodes, const char *job) {
     }
     char note[120];
     snprintf(note, sizeof note, "ThruSections, degree %d across, %d poles", degree, poles);
-    say(job, "OCCT ThruSections", seconds, note);
+    say(job, "ThruSections", seconds, note);
 }
 
 // exactly the loft of this library, so that points and distances can be compared
@@ -191,7 +191,7 @@ int main(int count, char **word) {
         const bool all = count > 1 && std::strcmp(word[1], "all") == 0;
         skin(500, 100, "skin_small");
         skin(2000, 200, "skin_large");
-        thru_sections(500, 100, "skin_small");
+        thru_sections(2000, 200, "skin_large");
         const Handle(Geom_BSplineSurface) small = same_surface(500, 100), large = same_surface(2000, 200);
         evaluate(large);
         project(small, 10, "closest_small");
@@ -199,7 +199,6 @@ int main(int count, char **word) {
         tessellate(large, 0.1, "tessellate_coarse");
         if (all) {  // minutes
             tessellate(large, 0.01, "tessellate_fine");
-            thru_sections(2000, 200, "skin_large");
             fit(500, 100, "fit_small");
         }
         return EXIT_SUCCESS;

@@ -1,4 +1,4 @@
-/* The surface jobs as SISL does them, on the same sheet: one line each for surface_peers.sh. A program of its own: SISL
+/* The surface jobs as SISL does them, on the same sheet: one line each for bench_table.sh. A program of its own: SISL
    is under the AGPL, and nothing of it is linked into the library. */
 #include <sisl.h>
 #include <wirecut/surface.h>

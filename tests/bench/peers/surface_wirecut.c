@@ -1,4 +1,4 @@
-/* The surface jobs as this library does them: one line each for surface_peers.sh. */
+/* The surface jobs as this library does them: one line each for bench_table.sh. */
 #include <wirecut/fit.h>
 #include <wirecut/mesh.h>
 #include <wirecut/projection.h>
