@@ -1,6 +1,5 @@
 /* The page of a comparison: the deviation in space, figures as scanned and as registered, along the cut, worst areas. */
 #include "report_compare.h"
-#include "angle.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -8,11 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LINES_MOST = WCUT_WORST_MOST + 2, FACTS_MOST = 16, FIGURES = 27, TEXT = 96, HOLES_MOST = 20 };
+#include "report_scan.h"
+
+enum { LINES_MOST = WCUT_WORST_MOST + 2, FACTS_MOST = 16, FIGURES = 27, TEXT = 96 };
 
 /* what the page borrows: rows of tables, columns of charts */
 typedef struct page {
     const app_comparison *c;
+    app_memory memory;
     wcut_report_tone tone;
     char verdict[512];
     /* figures side by side */
@@ -32,20 +34,6 @@ typedef struct page {
     const char **zone_name;
     double *zone[8];
     wcut_report_column zone_column[9];
-    /* registration */
-    double motion[2][WCUT_DOF_COUNT];
-    const char *motion_known[WCUT_DOF_COUNT];
-    wcut_report_column motion_column[4];
-    char matrix[4][TEXT];
-    const char *matrix_row[4];
-    wcut_report_column matrix_column;
-    /* points */
-    double point_count[WCUT_REMOVAL_COUNT + WCUT_PLACE_COUNT];
-    wcut_report_column point_column[2];
-    /* holes of the reconstruction */
-    double hole[4][HOLES_MOST];
-    const char *hole_kind[HOLES_MOST];
-    wcut_report_column hole_column[5];
     /* along the cut */
     double *station, *mean, *low, *high;
     double *value; /* of the face's points, nan where nothing was measured */
@@ -175,84 +163,6 @@ static wcut_report_table zone_table(page *p) {
                                .rows = p->zones,
                                .columns = 9,
                                .column = p->zone_column};
-}
-
-/* ---- registration, points, holes ---- */
-
-static wcut_report_table motion_table(page *p) {
-    static const char *const name[] = {"shift along x",    "shift along y",    "shift along z",
-                                       "rotation about x", "rotation about y", "rotation about z"};
-    static const char *const unit[] = {"mm", "mm", "mm", "deg", "deg", "deg"};
-    const wcut_registration *r = &p->c->registration;
-    for (int k = 0; k < WCUT_DOF_COUNT; k++) {
-        const double to = k < 3 ? 1 : DEG_PER_RAD;
-        p->motion[0][k] = r->parameter[k] * to;
-        p->motion[1][k] = sqrt(r->covariance[k * WCUT_DOF_COUNT + k]) * to;
-        p->motion_known[k] = r->determined[k] ? unit[k]
-                             : k < 3          ? "mm, not found from data"
-                                              : "deg, not found from data";
-    }
-    p->motion_column[0] = (wcut_report_column){.label = "parameter", .text = name};
-    p->motion_column[1] = (wcut_report_column){.label = "value", .number = p->motion[0]};
-    p->motion_column[2] = (wcut_report_column){.label = "standard error", .number = p->motion[1]};
-    p->motion_column[3] = (wcut_report_column){.label = "unit", .text = p->motion_known};
-    return (wcut_report_table){.title = "Motion of the scan",
-                               .note =
-                                   "Rotation about the pivot; standard errors as if the errors of points were "
-                                   "independent. The whole covariance is in deviation.json.",
-                               .rows = WCUT_DOF_COUNT,
-                               .columns = 4,
-                               .column = p->motion_column};
-}
-
-static wcut_report_table matrix_table(page *p) {
-    for (int k = 0; k < 4; k++) {
-        const double *m = &p->c->registration.matrix[4 * (size_t)k];
-        snprintf(p->matrix[k], sizeof p->matrix[k], "%.10g   %.10g   %.10g   %.10g", m[0], m[1], m[2], m[3]);
-        p->matrix_row[k] = p->matrix[k];
-    }
-    p->matrix_column = (wcut_report_column){.label = "row", .text = p->matrix_row};
-    return (wcut_report_table){
-        .title = "Matrix, scan to block, mm", .rows = 4, .columns = 1, .column = &p->matrix_column};
-}
-
-static wcut_report_table point_table(page *p) {
-    static const char *const name[] = {"compared",
-                                       "removed as duplicates",
-                                       "removed as isolated",
-                                       "removed as outliers",
-                                       "removed by thinning",
-                                       "inside the face",
-                                       "at its border",
-                                       "outside, beyond its border",
-                                       "without a clear side"};
-    for (int k = 0; k < WCUT_REMOVAL_COUNT; k++) p->point_count[k] = p->c->found.removed[k];
-    for (int k = 0; k < WCUT_PLACE_COUNT; k++) p->point_count[WCUT_REMOVAL_COUNT + k] = p->c->found.found->place[k];
-    p->point_column[0] = (wcut_report_column){.label = "points", .text = name};
-    p->point_column[1] = (wcut_report_column){.label = "count", .number = p->point_count};
-    return (wcut_report_table){.title = "What became of the points",
-                               .rows = WCUT_REMOVAL_COUNT + WCUT_PLACE_COUNT,
-                               .columns = 2,
-                               .column = p->point_column};
-}
-
-static wcut_report_table hole_table(page *p) {
-    static const char *const label[] = {"x", "y", "z", "area"};
-    static const char *const unit[] = {"mm", "mm", "mm", "mm\xc2\xb2"};
-    const wcut_reconstruction *r = p->c->reconstruction;
-    const int rows = r->hole_count < HOLES_MOST ? r->hole_count : HOLES_MOST;
-    for (int k = 0; k < rows; k++) {
-        const wcut_hole *h = &r->hole[k];
-        p->hole[0][k] = h->centre.x, p->hole[1][k] = h->centre.y, p->hole[2][k] = h->centre.z, p->hole[3][k] = h->area;
-        p->hole_kind[k] = h->open ? "at the border" : "within the scan";
-    }
-    for (int f = 0; f < 4; f++) p->hole_column[f] = (wcut_report_column){label[f], unit[f], p->hole[f], NULL};
-    p->hole_column[4] = (wcut_report_column){.label = "where", .text = p->hole_kind};
-    return (wcut_report_table){.title = "Holes in the scan",
-                               .note = "The largest of them: nothing was made up there.",
-                               .rows = rows,
-                               .columns = 5,
-                               .column = p->hole_column};
 }
 
 /* ---- along the cut ---- */
@@ -388,24 +298,13 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
                                         .series = &bend,
                                         .span_count = spans,
                                         .span = span}};
-    const bool moved = c->registration.method != WCUT_REGISTRATION_NONE;
     const wcut_report_table figures[] = {figure_table(p), worst_table(p), zone_table(p)};
-    const wcut_report_table facts[] = {point_table(p), moved ? motion_table(p) : (wcut_report_table){0},
-                                       moved ? matrix_table(p) : (wcut_report_table){0}};
-    const wcut_report_table holes = c->reconstruction ? hole_table(p) : (wcut_report_table){0};
-    char note[TEXT + 64];
-    snprintf(note, sizeof note, "Overlap %.3g %%, RMS of the points used %.4g mm, before %.4g mm.",
-             100 * c->registration.overlap, c->registration.rms, c->registration.rms_before);
     wcut_report_section section[4];
     int sections = 0;
     section[sections++] = (wcut_report_section){.title = "Figures", .table_count = 3, .table = figures};
     if (f) section[sections++] = (wcut_report_section){.title = "Along the cut", .chart_count = 2, .chart = chart};
-    section[sections++] = (wcut_report_section){.title = moved ? "Points and registration" : "Points",
-                                                .note = moved ? note : NULL,
-                                                .table_count = moved ? 3 : 1,
-                                                .table = facts};
-    if (c->reconstruction && c->reconstruction->hole_count > 0)
-        section[sections++] = (wcut_report_section){.title = "Reconstruction", .table_count = 1, .table = &holes};
+    if (!app_fill_registration(&p->memory, c, &section[sections++])) return WCUT_NO_MEMORY;
+    if (c->reconstruction && !app_fill_reconstruction(&p->memory, c, &section[sections++])) return WCUT_NO_MEMORY;
 
     wcut_report_fact fact[FACTS_MOST], option[FACTS_MOST];
     wcut_report_source *source = calloc((size_t)c->scans.files + 1, sizeof *source);
@@ -508,6 +407,7 @@ wcut_status app_report_compare(const app_comparison *comparison, const char *pat
     fill_figures(p);
     wcut_status status = fill_zones(p) && fill_stations(p) ? WCUT_OK : WCUT_NO_MEMORY;
     if (status == WCUT_OK) status = write_scene(p, path, error);
+    app_give_back(&p->memory);
     free(p->value);
     free(p->station);
     free(p->zone[0]);
