@@ -127,11 +127,15 @@ static double widened(double error, double value, double slow) {
     return hypot(1.2 * error * sqrt(fmax(slow, 1)), 0.04 * value);
 }
 
+/* a profile's half width, widened alike */
+static double widened_95(double half, double value, double slow) { return 1.96 * widened(half / 1.96, value, slow); }
+
 static void estimate(const wcut_fitted *f, int k, double slow, wcut_estimate *out) {
     const wcut_coordinate *c = &f->coordinate[k];
     const double x = f->x[WCUT_BASE + k], own = c->scale == WCUT_FIT_LOG ? 1 : x;
-    const double half = 1.96 * widened(f->error[WCUT_BASE + k], own, slow);
-    const double ends[2] = {fmax(x - half, c->low), fmin(x + half, c->high)};
+    const double below = widened_95(f->below[WCUT_BASE + k], own, slow);
+    const double above = widened_95(f->above[WCUT_BASE + k], own, slow);
+    const double ends[2] = {fmax(x - below, c->low), fmin(x + above, c->high)};
     out->value = wcut_scale_out(c->scale, x);
     out->low = wcut_scale_out(c->scale, ends[0]), out->high = wcut_scale_out(c->scale, ends[1]);
     if (c->scale == WCUT_FIT_RECIPROCAL) {
@@ -376,16 +380,34 @@ static wcut_status depend(diagnosing *g, wcut_error *error) {
     return wcut_dependence_find(g->evidence, &g->search.none, &d->dependences, d->dependence, error);
 }
 
-static void decide(diagnosing *g) {
+/* intervals of what will be reported by its profile; without it those of the curvature stand, and the limits say so */
+static wcut_status profile(diagnosing *g, bool searched, wcut_error *error) {
+    const wcut_decision *v = &g->decision;
+    const bool rivals = v->kind == WCUT_VERDICT_AMBIGUOUS;
+    const int count = rivals ? v->rivals : names_effects(g);
+    wcut_status status = searched ? WCUT_OK : WCUT_INTERRUPTED;
+    for (int r = 0; status == WCUT_OK && r < count; r++)
+        status = wcut_fit_profile(g->evidence, &g->search.candidate[rivals ? v->rival[r] : v->chosen].fit, error);
+    if (status == WCUT_NO_MEMORY) return status;
+    if (count > 0 && status == WCUT_INTERRUPTED) snprintf(g->out->unprofiled, sizeof g->out->unprofiled, "interrupted");
+    if (count > 0 && status == WCUT_NOT_CONVERGED)
+        snprintf(g->out->unprofiled, sizeof g->out->unprofiled, "%.110s", error ? error->text : "no profile");
+    return WCUT_OK;
+}
+
+static wcut_status decide(diagnosing *g, bool searched, wcut_error *error) {
     wcut_diagnosis *d = g->out;
     g->decision = wcut_search_decide(&g->search);
     const wcut_decision *v = &g->decision;
     d->kind = v->kind, d->confidence = v->confidence, d->adequacy = v->adequacy;
+    const wcut_status status = profile(g, searched, error);
+    if (status != WCUT_OK) return status;
     if (v->kind == WCUT_VERDICT_AMBIGUOUS)
         for (int r = 0; r < v->rivals; r++) add_effects(g, v->rival[r], false, v->confidence / v->rivals);
     else if (names_effects(g))
         add_effects(g, v->chosen, true, v->confidence);
     report_base(g);
+    return wcut_adequacy_p_value(g->evidence, d->adequacy, NULLS, g->options->seed, &d->adequacy_p);
 }
 
 /* A search that was cut short has no verdict: what was not tried is not ruled out. Later, only what follows is missing. */
@@ -411,9 +433,7 @@ static void tell_stop(diagnosing *g, bool searched) {
 
 /* searched: to its end */
 static wcut_status conclude(diagnosing *g, bool searched, wcut_error *error) {
-    decide(g);
-    wcut_status status =
-        wcut_adequacy_p_value(g->evidence, g->out->adequacy, NULLS, g->options->seed, &g->out->adequacy_p);
+    wcut_status status = decide(g, searched, error);
     if (status == WCUT_OK) status = rank(g);
     if (status == WCUT_OK) status = trace(g);
     if (status == WCUT_OK) status = improve(g);

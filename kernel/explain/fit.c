@@ -7,12 +7,16 @@
 #include "base/fail.h"
 #include "base/numbers.h"
 
-enum { NODES_FINE = WCUT_NODES_FINE, ROUNDS = 7, JACOBIANS = 2, ANCHORS = 4 };
+enum { NODES_FINE = WCUT_NODES_FINE, ROUNDS = 7, JACOBIANS = 2, ANCHORS = 4, ENDS = 3 };
 
 /* priors of what a job may have mis-set: ln a, ln b, which no table holds better than a factor of 1.6; and the wire's
    length [mm], which a job states to a tenth: the rounding alone */
 const double wcut_base_spread[WCUT_BASE] = {0.5, 0.5, 0.03};
 const double wcut_base_step[WCUT_BASE] = {0.02, 0.02, 0.5};
+
+/* of a normal distribution, and of chi-square (1) */
+#define NORMAL_95 1.96
+#define RISE_95 (NORMAL_95 * NORMAL_95)
 
 /* [standard errors] a step beyond which the columns are taken anew */
 #define FAR 4
@@ -355,7 +359,10 @@ static wcut_status finish(fitting *g, double *covariance) {
     const bool bound = f->at_bound;
     move(g, from, t, covariance, 1);
     f->at_bound = f->at_bound || bound;
-    for (int k = 0; k < g->shared; k++) f->error[k] = sqrt(covariance[k * g->n + k]);
+    for (int k = 0; k < g->shared; k++) {
+        f->error[k] = sqrt(covariance[k * g->n + k]);
+        f->below[k] = f->above[k] = NORMAL_95 * f->error[k];
+    }
     f->kerf = f->kerf_error = (double)NAN;
     if (g->nuisances > 0) f->kerf = t[g->n - 1], f->kerf_error = sqrt(covariance[(g->n - 1) * g->n + g->n - 1]);
     f->model = wcut_fitted_model(f, f->x);
@@ -382,6 +389,88 @@ wcut_status wcut_fit_solve(const wcut_evidence *e, const wcut_model *start, wcut
         *out = f;
     else
         wcut_fitted_destroy(&f);
+    return status;
+}
+
+/* ---- profile ---- */
+
+typedef struct summit {
+    double x[WCUT_FIT_MAX], cost;
+    const double *covariance;
+} summit;
+
+/* cost with coordinate k held at a value: the others go along with it, then take the step that is best beside it */
+static wcut_status held_cost(fitting *g, const summit *s, int k, double value, double *cost, wcut_error *error) {
+    int chosen[WCUT_FIT_MAX], count = 0;
+    double t[WCUT_FIT_MAX];
+    for (int i = 0; i < g->shared; i++) {
+        const wcut_coordinate *c = i < WCUT_BASE ? NULL : &g->f->coordinate[i - WCUT_BASE];
+        const double along = s->covariance[i * g->n + k] / s->covariance[k * g->n + k];
+        const double to = i == k ? value : s->x[i] + along * (value - s->x[k]);
+        g->f->x[i] = c ? clamp(to, c->low, c->high) : to;
+    }
+    for (int i = 0; i < g->n; i++)
+        if (i != k) chosen[count++] = i;
+    const wcut_status status = present_rows(g, error);
+    if (status != WCUT_OK) return status;
+    set_centres(g);
+    wcut_normal_fill(g->e, g->column, g->residual, &g->normal);
+    if (!wcut_normal_solve(&g->normal, count, chosen, g->centre, g->precision, -1, t, NULL, cost))
+        return wcut_fail(error, WCUT_NOT_CONVERGED, "the coordinates beside a profile depend on each other");
+    *cost += g->precision[k] * g->centre[k] * g->centre[k];
+    return WCUT_OK;
+}
+
+/* how far coordinate k goes to one side until the misfit has risen by RISE_95, or to its bound */
+static wcut_status find_end(fitting *g, const summit *s, int k, double side, double *half, wcut_error *error) {
+    const wcut_coordinate *c = &g->f->coordinate[k - WCUT_BASE];
+    const double room = fmax(side < 0 ? s->x[k] - c->low : c->high - s->x[k], 0);
+    double far = fmin(NORMAL_95 * sqrt(s->covariance[k * g->n + k]), room);
+    for (int round = 0; far > 0 && round < ENDS; round++) {
+        double cost = HUGE_VAL;
+        const wcut_status status = held_cost(g, s, k, s->x[k] + side * far, &cost, error);
+        if (status == WCUT_NO_MEMORY || status == WCUT_INTERRUPTED) return status;
+        const double rise =
+            status == WCUT_OK ? fmax(cost - s->cost, 1e-3) : 16 * RISE_95; /* no wire spans the mounts */
+        if (fabs(rise - RISE_95) < 0.1 * RISE_95 || (far >= room && rise < RISE_95)) break;
+        far = fmin(far * clamp(sqrt(RISE_95 / rise), 0.4, 2.5), room);
+    }
+    *half = far;
+    return WCUT_OK;
+}
+
+/* everything of a fit at its summit, as wcut_fit_solve leaves it */
+static wcut_status climb_again(const wcut_evidence *e, const wcut_model *model, wcut_fitted *f, fitting *g,
+                               double *covariance, summit *s, wcut_error *error) {
+    double t[WCUT_FIT_MAX];
+    wcut_status status = fitting_create(e, model, f, g);
+    if (status != WCUT_OK) return wcut_fail(error, status, "a profile of %d effects", model->effects);
+    status = wcut_models_rows(e, 1, &e->at, g->at_rows, error);
+    if (status == WCUT_OK) status = take_columns(g, error);
+    if (status == WCUT_OK) status = set_anchor(g, error);
+    if (status == WCUT_OK && !find_step(g, t, covariance, &s->cost))
+        status = wcut_fail(error, WCUT_NOT_CONVERGED, "the coordinates of a fit depend on each other");
+    memcpy(s->x, f->x, sizeof s->x);
+    s->covariance = covariance;
+    return status;
+}
+
+wcut_status wcut_fit_profile(const wcut_evidence *e, wcut_fitted *fitted, wcut_error *error) {
+    fitting g = {0};
+    wcut_fitted f = {.kerf = 0};
+    summit s;
+    double half[WCUT_FIT_MAX][2];
+    double *covariance = wcut_alloc((size_t)WCUT_FIT_MAX * WCUT_FIT_MAX, sizeof *covariance);
+    wcut_status status = covariance ? climb_again(e, &fitted->model, &f, &g, covariance, &s, error)
+                                    : wcut_fail(error, WCUT_NO_MEMORY, "no memory for a profile");
+    for (int k = WCUT_BASE; status == WCUT_OK && k < g.shared; k++)
+        for (int side = 0; status == WCUT_OK && side < 2; side++)
+            status = find_end(&g, &s, k, side ? 1 : -1, &half[k][side], error);
+    for (int k = WCUT_BASE; status == WCUT_OK && k < g.shared; k++)
+        fitted->below[k] = half[k][0], fitted->above[k] = half[k][1];
+    fitting_destroy(&g);
+    wcut_fitted_destroy(&f);
+    wcut_free(covariance);
     return status;
 }
 

@@ -54,6 +54,8 @@ typedef struct wcut_fitted {
     double x[WCUT_BASE + WCUT_FIT_MAX],
         error[WCUT_BASE + WCUT_FIT_MAX]; /* WCUT_BASE + count, fitted scale, and standard errors before any
                                                      allowance for dispersion */
+    double below[WCUT_BASE + WCUT_FIT_MAX],
+        above[WCUT_BASE + WCUT_FIT_MAX]; /* half widths at 95 %, fitted scale: 1.96 errors, or a profile's */
     double kerf;                         /* [mm] constant kerf the scans show; NaN without scans */
     double kerf_error;
     double cost;       /* whitened misfit, priors included */
@@ -73,6 +75,13 @@ typedef struct wcut_fitted {
  */
 wcut_status wcut_fit_solve(const wcut_evidence *evidence, const wcut_model *start, wcut_fitted *out, wcut_error *error);
 void wcut_fitted_destroy(wcut_fitted *fitted);
+
+/*
+ * Replace `below` and `above` of the effects' coordinates by a profile's: where the misfit has risen by 3.84, the wire run
+ * anew at each end and all other coordinates at their best beside it (linear about the fit); a bound, where that comes
+ * first. evidence: as at the fit. WCUT_OK; WCUT_NOT_CONVERGED, WCUT_INTERRUPTED, WCUT_NO_MEMORY: nothing was changed.
+ */
+wcut_status wcut_fit_profile(const wcut_evidence *evidence, wcut_fitted *fitted, wcut_error *error);
 
 /* the model at other coordinates, WCUT_BASE + count of them */
 wcut_model wcut_fitted_model(const wcut_fitted *fitted, const double *x);

@@ -177,6 +177,8 @@ bool wcut_diagnosis_limits(wcut_diagnosis *d, int cuts, const wcut_diagnosis_cut
     d->limit = wcut_alloc(LIMITS_MOST, sizeof *d->limit);
     if (!d->limit) return false;
     limit_cuts(d, cuts, cut);
+    if (d->unprofiled[0])
+        limit(d, "Intervals are those of the misfit's curvature, not of its profile: %s.", d->unprofiled);
     if (d->unproven[0]) limit(d, "There is no forward proof: %s.", d->unproven);
     limit_calibration(d, test_cuts, calibration);
     for (int k = 0; k < d->effects; k++)

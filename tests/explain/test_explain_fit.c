@@ -206,6 +206,59 @@ START_TEST(models_that_move_the_wire_alike_are_told) {
 }
 END_TEST
 
+START_TEST(a_profile_is_the_curvature_where_the_response_is_straight) {
+    const concealed what = {.effects = 1, .effect = effect_of(WCUT_TENSION_DRIFT, 0.1), .noise = 1, .seed = 12};
+    synthetic s = synthetic_create(2, &what);
+    wcut_evidence *e = evidence_of(&s, 1);
+    wcut_fitted f = fit_of(e, 1, effect_of(WCUT_TENSION_DRIFT, 0.05));
+    ck_assert_double_eq(f.below[WCUT_BASE], 1.96 * f.error[WCUT_BASE]);
+    f.below[WCUT_BASE] = f.above[WCUT_BASE] = 999;
+    ck_assert_int_eq(wcut_fit_profile(e, &f, NULL), WCUT_OK);
+    ck_assert_double_eq_tol(f.below[WCUT_BASE], 1.96 * f.error[WCUT_BASE], 0.06 * 1.96 * f.error[WCUT_BASE]);
+    ck_assert_double_eq_tol(f.above[WCUT_BASE], 1.96 * f.error[WCUT_BASE], 0.06 * 1.96 * f.error[WCUT_BASE]);
+    wcut_fitted_destroy(&f);
+    wcut_evidence_destroy(e);
+    synthetic_destroy(&s);
+}
+END_TEST
+
+START_TEST(a_profile_holds_the_truth_and_ends_at_the_bounds) {
+    /* a hundred times the noise: hardly anything is known of a stiffness of 100 N/mm, and its reciprocal has a bound at 0 */
+    const concealed what = {.effects = 1, .effect = effect_of(WCUT_MOUNT_COMPLIANCE, 100), .noise = 100, .seed = 3};
+    synthetic s = synthetic_create(2, &what);
+    wcut_evidence *e = evidence_of(&s, 1);
+    wcut_fitted f = fit_of(e, 1, effect_of(WCUT_MOUNT_COMPLIANCE, 60));
+    const wcut_coordinate *c = &f.coordinate[0];
+    const double x = f.x[WCUT_BASE], truth = wcut_scale_in(c->scale, 100);
+    ck_assert_double_lt(x - 1.96 * f.error[WCUT_BASE], c->low); /* the curvature knows no bound */
+    ck_assert_int_eq(wcut_fit_profile(e, &f, NULL), WCUT_OK);
+    ck_assert_double_eq_tol(x - f.below[WCUT_BASE], c->low, 1e-12);
+    ck_assert(x + f.above[WCUT_BASE] > truth && x + f.above[WCUT_BASE] <= c->high);
+    wcut_fitted_destroy(&f);
+    wcut_evidence_destroy(e);
+    synthetic_destroy(&s);
+}
+END_TEST
+
+START_TEST(a_profile_without_memory_changes_nothing) {
+    const concealed what = {.effects = 1, .effect = effect_of(WCUT_TENSION_DRIFT, 0.1), .noise = 1, .seed = 12};
+    synthetic s = synthetic_create(1, &what);
+    wcut_evidence *e = evidence_of(&s, 1);
+    wcut_fitted f = fit_of(e, 1, effect_of(WCUT_TENSION_DRIFT, 0.05));
+    f.below[WCUT_BASE] = f.above[WCUT_BASE] = 999;
+    for (long k = 1; k < 40; k += 6) {
+        wcut_alloc_fail_at(k);
+        const wcut_status status = wcut_fit_profile(e, &f, NULL);
+        wcut_alloc_fail_at(0);
+        ck_assert_msg(status == WCUT_NO_MEMORY, "allocation %ld: %d", k, status);
+        ck_assert(f.below[WCUT_BASE] == 999 && f.above[WCUT_BASE] == 999);
+    }
+    wcut_fitted_destroy(&f);
+    wcut_evidence_destroy(e);
+    synthetic_destroy(&s);
+}
+END_TEST
+
 START_TEST(without_memory_nothing_is_written) {
     const concealed what = {.noise = 1, .seed = 25};
     synthetic s = synthetic_create(1, &what);
@@ -235,6 +288,9 @@ int main(void) {
     tcase_add_test(tcase, a_faulty_instrument_is_fitted_along_the_same_motion);
     tcase_add_test(tcase, the_same_bytes_come_from_any_number_of_threads);
     tcase_add_test(tcase, models_that_move_the_wire_alike_are_told);
+    tcase_add_test(tcase, a_profile_is_the_curvature_where_the_response_is_straight);
+    tcase_add_test(tcase, a_profile_holds_the_truth_and_ends_at_the_bounds);
+    tcase_add_test(tcase, a_profile_without_memory_changes_nothing);
     tcase_add_test(tcase, without_memory_nothing_is_written);
     suite_add_tcase(suite, tcase);
     return run_suite(suite);

@@ -163,6 +163,7 @@ typedef struct wcut_diagnosis {
     int limits;
     char (*limit)[WCUT_DIAGNOSIS_TEXT]; /**< what could not be told, and why */
     double noise[WCUT_EVIDENCE_COUNT];  /**< standard deviation of a sample, channel's unit; NaN: none */
+    char unprofiled[120];               /**< why intervals are of the curvature alone; empty: of a profile */
     char unproven[120];                 /**< why there is no forward proof; empty: there is one */
     bool naive_false;                   /**< whether plain least squares on the recorded speed names an effect */
     char naive[80];                     /**< which */
