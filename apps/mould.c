@@ -14,7 +14,7 @@
 /* Sections nearer than a job's own rounding of its coordinates are one section. */
 #define MERGE_MM 1e-3
 
-enum { LABEL_MAX = 40, FORMATS = 5, STEP = 4, HALF_FILES = 2 * FORMATS, PAIR = HALF_FILES, NAMES };
+enum { LABEL_MAX = 40, FORMATS = 5, STEP = 4, HALF_FILES = 2 * FORMATS, PAIR = HALF_FILES, CUT, NAMES };
 
 static const char *const format[FORMATS] = {"stl", "obj", "ply", "3mf", "step"};
 
@@ -29,7 +29,8 @@ typedef struct moulding {
     wcut_mesh *stock;
     wcut_vec3 pull;
     wcut_mould *mould;
-    char name[NAMES][APP_RESULT_NAME_MAX]; /* lower.stl .. lower.step, upper.stl .., mould.3mf, with the label */
+    char name[NAMES][APP_RESULT_NAME_MAX]; /* lower.stl .. lower.step, upper.stl .., mould.3mf, cut.igs,
+                                                      with the label */
     char solid[2][512];                    /* what CAD programs show */
     app_results results;
 } moulding;
@@ -51,6 +52,7 @@ static int name_results(moulding *m) {
         snprintf(m->solid[upper], sizeof m->solid[upper], "%.400s %s", label ? label : m->job->name, half);
     }
     snprintf(m->name[PAIR], APP_RESULT_NAME_MAX, "%s%smould.3mf", before, dash);
+    snprintf(m->name[CUT], APP_RESULT_NAME_MAX, "%s%scut.igs", before, dash);
     return APP_DONE;
 }
 
@@ -157,7 +159,7 @@ static wcut_status write_half(const moulding *m, int upper, int f, const char *p
         case 3:
             return wcut_mesh_write_3mf(1, &mesh, &name, path, error);
         default:
-            return wcut_step_write(1, &shape, WCUT_STEP_AP214, path, error);
+            return wcut_step_write(1, &shape, (wcut_step_schema)app_choice(m->call, "step-schema"), path, error);
     }
 }
 
@@ -174,6 +176,21 @@ static int write_halves(moulding *m) {
     const char *const name[2] = {m->solid[0], m->solid[1]};
     const wcut_status status = wcut_mesh_write_3mf(2, both, name, app_results_path(&m->results, m->name[PAIR]), &error);
     return app_results_add(&m->results, m->name[PAIR], status, &error);
+}
+
+/* the cut faces alone, exactly: one where there is no kerf */
+static int write_cut(moulding *m) {
+    wcut_error error = {0};
+    wcut_shape shape[2] = {{.name = "cut face of the lower half"}, {.name = "cut face of the upper half"}};
+    if (!app_given(m->call, "iges") || m->mould->by_boolean) return APP_DONE;
+    for (int upper = 0; upper < 2; upper++) {
+        const wcut_brep *brep = upper ? m->mould->upper.brep : m->mould->lower.brep;
+        for (int f = 0; f < brep->face_count; f++)
+            if (brep->face[f].part == WCUT_PART_CUT) shape[upper].surface = brep->face[f].surface;
+    }
+    const wcut_status status =
+        wcut_iges_write(m->mould->kerf ? 2 : 1, shape, app_results_path(&m->results, m->name[CUT]), &error);
+    return app_results_add(&m->results, m->name[CUT], status, &error);
 }
 
 static int write_report(moulding *m) {
@@ -206,6 +223,7 @@ static int write_results(moulding *m) {
     for (int k = 0; k < NAMES; k++) name[k] = m->name[k];
     int code = app_results_remove(&m->results, "mould.json");
     if (code == APP_DONE) code = write_halves(m);
+    if (code == APP_DONE) code = write_cut(m);
     if (code == APP_DONE) code = write_report(m);
     if (code == APP_DONE) code = app_results_prune(&m->results, name);
     if (code == APP_DONE) code = write_figures(m);
@@ -233,7 +251,8 @@ static void say_mould(const moulding *m) {
             "ends",
             d->prolonged_entry, d->prolonged_exit, d->prolonged_side);
     if (d->by_boolean)
-        app_say("no STEP files: %s, the halves are triangles alone",
+        app_say("no STEP files%s: %s, the halves are triangles alone",
+                app_given(m->call, "iges") ? ", no IGES file" : "",
                 m->stock ? "of a stock" : "the cut leaves through top or bottom");
     app_say("in %s: %s", m->results.folder, app_results_list(&m->results));
 }
@@ -376,6 +395,12 @@ static const app_option option[] = {
      .standard = "0,0,1",
      .help = "direction in which what is cast leaves the lower half, for draft and undercut; the upper half's is "
              "opposite"},
+    {.kind = APP_CHOICE,
+     .name = "step-schema",
+     .value = "ap214|ap242",
+     .standard = "ap214",
+     .help = "application protocol of the STEP files"},
+    {.kind = APP_FLAG, .name = "iges", .help = "the exact cut faces as cut.igs too, IGES 5.3 type 128"},
     {.kind = APP_TEXT,
      .name = "label",
      .value = "NAME",

@@ -71,6 +71,20 @@ grep -q "panel_7 lower" c/panel_7-lower.step || fail "the solid has no name"
 diff -r c d >/dev/null || fail "two runs differ: $(diff -rq c d)"
 cmp -s json d/mould.json || fail "--json is not mould.json"
 
+# AP242 and the cut faces alone, where they are asked for; the IGES file of an earlier run goes
+# shellcheck disable=SC2086
+run 0 mould design.json -o h $coarse --step-schema ap242 --iges
+figures h/mould.json
+grep -q "AP242_MANAGED_MODEL_BASED_3D_ENGINEERING" h/lower.step || fail "lower.step is not of AP242"
+[ "$(grep -c '^     128 .*D *[0-9]*[13579]$' h/cut.igs)" -eq 2 ] || fail "cut.igs does not hold two surfaces"
+# shellcheck disable=SC2086
+run 0 mould "$design" -o h $coarse --iges
+[ "$(grep -c '^     128 .*D *[0-9]*[13579]$' h/cut.igs)" -eq 1 ] || fail "cut.igs does not hold the one cut face"
+# shellcheck disable=SC2086
+run 0 mould "$design" -o h $coarse
+[ -e h/cut.igs ] && fail "$called: cut.igs of an earlier run is still there"
+grep -q AUTOMOTIVE_DESIGN h/lower.step || fail "lower.step is not of AP214"
+
 # refused: nothing is written, the words say where
 # shellcheck disable=SC2086
 run 3 mould "$design" -o e $coarse --prolong 1

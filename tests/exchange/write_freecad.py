@@ -1,7 +1,8 @@
 """Curves as FreeCAD (OpenCASCADE) writes them, and what they are: a line each with ends and length. write_freecad.py FOLDER
 
 freecad.step, freecad.igs: an edge each. wire.igs, wire.step: one edge of a mould as a CAD system has it, of lines, arcs
-and a spline end to end, turned in space: IGES writes it as a composite curve with transformations."""
+and a spline end to end, turned in space: IGES writes it as a composite curve with transformations. edges.step,
+edges.igs: a spline and an arc for samples/mould.c."""
 import json
 import os
 import sys
@@ -53,3 +54,7 @@ wire = Part.Wire(parts)
 wire.Placement = FreeCAD.Placement(V(10, 20, 30), FreeCAD.Rotation(V(1, 2, 3), 40))
 ends = [wire.Placement.multVec(V(0, 0, 100)), wire.Placement.multVec(V(0, 600, 100))]
 write("wire", wire, [(ends, wire.Length)])
+edge = Part.BSplineCurve()
+edge.interpolate([V(0, 0, 150), V(0, 250, 195), V(0, 500, 160), V(0, 900, 130)])
+pair = [edge.toShape(), Part.Arc(V(400, 0, 140), V(400, 450, 190), V(400, 900, 140)).toShape()]
+write("edges", Part.makeCompound(pair), [(ends_of(e), e.Length) for e in pair])
