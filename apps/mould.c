@@ -245,6 +245,10 @@ static void say_mould(const moulding *m) {
     say_half("lower", &d->lower.report);
     say_half("upper", &d->upper.report);
     app_say("halves and kerf are the block to %.1e of its volume", d->volume_error);
+    if (isfinite(d->radius_min))
+        app_say("%sthe cut's least radius is %.4g mm, at (%.4g, %.4g, %.4g); the wire's is %.4g mm",
+                d->radius_min < d->wire_radius ? "warning: " : "", d->radius_min, d->radius_place.x, d->radius_place.y,
+                d->radius_place.z, d->wire_radius);
     if (d->prolonged_entry > 0 || d->prolonged_exit > 0 || d->prolonged_side > 0)
         app_say(
             "the cut was continued straight: %.3g mm where it begins, %.3g mm where it ends, %.3g mm at the wire's "

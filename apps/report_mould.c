@@ -16,7 +16,7 @@ typedef struct page {
     const wcut_history *history;
     const wcut_mould *mould;
     double *draft[2]; /* of the halves' vertices [deg] */
-    char verdict[512], block[96], hash[2][WCUT_SHA256_TEXT];
+    char verdict[512], block[96], pull[96], hash[2][WCUT_SHA256_TEXT];
 } page;
 
 static const wcut_half *half_of(const page *p, int upper) { return upper ? &p->mould->upper : &p->mould->lower; }
@@ -120,6 +120,7 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
     const wcut_report_section section = {.title = "What the halves measure", .table_count = 1, .table = &table};
     snprintf(p->block, sizeof p->block, "%g \xc3\x97 %g \xc3\x97 %g", job->block_size.x, job->block_size.y,
              job->block_size.z);
+    snprintf(p->pull, sizeof p->pull, "%g, %g, %g", m->pull.x, m->pull.y, m->pull.z);
     const double radius = isfinite(m->radius_min) && m->radius_min < 1e9 ? m->radius_min : NAN;
     const wcut_report_fact fact[] = {{"block, x by y by z", p->block, 0, "mm"},
                                      {"lower half", NULL, m->lower.report.volume, "mm\xc2\xb3"},
@@ -139,6 +140,7 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
                                        {"fit tolerance", NULL, p->run->fit_tolerance, "mm"},
                                        {"may be continued by", NULL, p->run->prolong, "mm"},
                                        {"scale", NULL, m->scale, ""},
+                                       {"pull out of the lower half, x, y, z", p->pull, 0, ""},
                                        {"least wall asked for", NULL, m->wall_asked, "mm"},
                                        {"least draft asked for", NULL, DEG_PER_RAD * m->draft_asked, "deg"}};
     const wcut_report_source source[] = {{"job", p->run->job_path, p->hash[0][0] ? p->hash[0] : NULL},

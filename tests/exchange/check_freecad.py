@@ -6,6 +6,7 @@ import sys
 sys.path += ["/usr/lib/freecad-python3/lib", "/usr/lib/freecad/lib"]
 import FreeCAD  # noqa: E402, F401 (Part needs it)
 import Part  # noqa: E402
+from freecad_faults import find_faults  # noqa: E402
 
 folder = sys.argv[1]
 given = json.load(open(os.path.join(folder, "given.json")))
@@ -89,16 +90,6 @@ def check_shapes(name):
         expect(len(same) >= 1, f"{name}: {what}: {len(same)} of {len(curves)} spline edges")
         if same:
             check_poles(name, what, [tuple(p) for p in same[0].getPoles()], same[0].getWeights())
-
-
-def find_faults(solid):
-    """OpenCASCADE's analyser, with self-intersections. A round edge of two quarters is smooth, but its knot is one of
-    position alone (C0), which it mentions and which is no fault."""
-    try:
-        solid.check(True)
-    except ValueError as fault:
-        return {line for line in str(fault).splitlines()[1:] if line and not line.endswith("GeomAbs_C0")}
-    return set()
 
 
 def check_solids(name, volumes, tolerance):

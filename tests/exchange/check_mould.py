@@ -5,6 +5,7 @@ import sys
 
 import FreeCAD  # noqa: F401 (Part needs it)
 import Part
+from freecad_faults import find_faults
 
 folder, label = sys.argv[1:]
 mould = json.load(open(os.path.join(folder, "mould.json")))
@@ -15,16 +16,6 @@ def expect(true, words):
     global failed
     print(("ok      " if true else "BROKEN  ") + folder + ": " + words)
     failed += not true
-
-
-def find_faults(solid):
-    """OpenCASCADE's analyser, with self-intersections; that a round edge of two quarters has a knot of position alone is
-    no fault"""
-    try:
-        solid.check(True)
-    except ValueError as fault:
-        return {line for line in str(fault).splitlines()[1:] if line and not line.endswith("GeomAbs_C0")}
-    return set()
 
 
 total = 0

@@ -2,7 +2,7 @@
 # labels: exchange slow
 . "$SOURCE_DIR/tests/exchange/exchange.sh"
 need_module 'import sys; sys.path += ["/usr/lib/freecad-python3/lib"]; import FreeCAD' freecad-python3
-/usr/bin/python3 "$SOURCE_DIR/tests/exchange/check_freecad.py" "$PWD"
+/usr/bin/python3 -B "$SOURCE_DIR/tests/exchange/check_freecad.py" "$PWD"
 /usr/bin/python3 "$SOURCE_DIR/tests/exchange/write_freecad.py" "$PWD"
 "$READ_CURVES" freecad.txt freecad.step freecad.igs
 "$READ_CURVES" wire.txt wire.igs

@@ -16,7 +16,7 @@ fi
 
 # check FOLDER LABEL: everything in it, against its mould.json
 check() {
-    /usr/bin/python3 "$SOURCE_DIR/tests/exchange/check_mould.py" "$1" "$2"
+    /usr/bin/python3 -B "$SOURCE_DIR/tests/exchange/check_mould.py" "$1" "$2"
     for half in lower upper; do
         triangles=$(/usr/bin/python3 -c "import json; print(json.load(open('$1/mould.json'))['$half']['triangles'])")
         if have admesh; then
