@@ -18,6 +18,17 @@ static int fail(wcut_status status, const char *step, const wcut_error *error) {
 
 /* ---- what is compared ---- */
 
+/* a point, or a row of them, says nothing of a face */
+static int check_span(const app_comparison *c) {
+    static const char *const where[] = {"in one place", "on one line"};
+    int span;
+    const wcut_status status = wcut_cloud_span(c->scans.count, c->scans.point, &span);
+    if (status != WCUT_OK) return fail(status, c->options.scan[0], NULL);
+    if (span == 2) return APP_DONE;
+    return app_fail(APP_BAD_INPUT, "%s: found %d points %s, expected a scan of a face", c->options.scan[0],
+                    c->scans.held ? c->scans.count : c->scans.removed[WCUT_KEPT], where[span]);
+}
+
 static void warn_of_unit(const app_comparison *c) {
     const app_reference *r = &c->reference;
     const wcut_vec3 size = {r->high.x - r->low.x, r->high.y - r->low.y, fmax(r->high.z - r->low.z, 1)};
@@ -403,6 +414,7 @@ int app_comparison_run(app_comparison *comparison, const app_compare_options *op
     app_scan_options scans = o->scans;
     scans.plan = c->reference.plan;
     if (code == APP_DONE) code = app_scans_read(&c->scans, &scans, o->files, o->scan);
+    if (code == APP_DONE) code = check_span(c);
     if (code != APP_DONE) return code;
     warn_of_unit(c);
     code = hasten(c);

@@ -65,8 +65,12 @@ static size_t used_memory(void) {
     return pages * (size_t)sysconf(_SC_PAGESIZE);
 }
 
+/* the host's own limit stays where it is lower */
 static bool limit(int resource, size_t most) {
-    const struct rlimit r = {.rlim_cur = most, .rlim_max = most};
+    struct rlimit r;
+    if (getrlimit(resource, &r) != 0) return false;
+    if (r.rlim_max > most) r.rlim_max = most;
+    r.rlim_cur = r.rlim_max;
     return setrlimit(resource, &r) == 0;
 }
 

@@ -180,7 +180,7 @@ static wcut_status solve(wcut_register_cloud *c, const wcut_registration_options
     wcut_vec3 pivot;
     double x[WCUT_DOF_COUNT];
     if (!wcut_spans_plane(c->count, c->point, sizeof *c->point, &pivot))
-        return wcut_fail(error, WCUT_DEGENERATE, "scan: its points are on one line");
+        return wcut_fail(error, WCUT_DEGENERATE, "scan: its points are in one place or on one line");
     if (o->pivot_given) pivot = o->pivot;
     const double length = distance_rms(c, pivot);
     const wcut_motion stay = wcut_motion_of(pivot, (double[WCUT_DOF_COUNT]){0});

@@ -1,12 +1,17 @@
-/* Whether points span more than a line: the second eigenvalue of their covariance against the first. */
+/* Whether points span more than a line: the eigenvalues of their covariance, the second against the first. */
 #include "scan/span.h"
 
+#include <wirecut/cloud.h>
+
+#include "base/numbers.h"
 #include "base/vec3.h"
+#include "scan/mesh_distance.h"
 #include "scan/register_symmetric.h"
 
-static const double LINE = 1e-12; /* [1] variance across over along, below which points are on a line */
+static const double LINE = 1e-12;  /* [1] variance across over along, below which points are on a line */
+static const double PLACE = 1e-12; /* [1] spread over the size of the coordinates, below which they are in one place */
 
-bool wcut_spans_plane(int count, const wcut_vec3 *point, size_t stride, wcut_vec3 *centroid) {
+int wcut_span_of(int count, const wcut_vec3 *point, size_t stride, wcut_vec3 *centroid) {
     const char *first = (const char *)point;
     wcut_vec3 sum = {0, 0, 0};
     double a[9] = {0}, value[3], vector[9];
@@ -20,5 +25,12 @@ bool wcut_spans_plane(int count, const wcut_vec3 *point, size_t stride, wcut_vec
     }
     if (centroid) *centroid = centre;
     wcut_symmetric_eigen(3, a, value, vector);
-    return value[1] > LINE * value[0];
+    if (!(sqrt(fmax(value[0], 0) / count) > PLACE * vec3_length(centre))) return 0;
+    return value[1] > LINE * value[0] ? 2 : 1;
+}
+
+wcut_status wcut_cloud_span(int count, const wcut_vec3 *point, int *span) {
+    if (count < 1 || !point || !span || !wcut_are_near(count, point)) return WCUT_BAD_ARGUMENT;
+    *span = wcut_span_of(count, point, sizeof *point, NULL);
+    return WCUT_OK;
 }

@@ -131,33 +131,6 @@ hostile=$(ls | grep broken)
 run 0 compare "$steady" "./$hostile" -o hostile --quiet
 grep -q '<script>window.broken' hostile/report.html && fail "a scan's name is markup in the report"
 
-# bad scans
-refused() {
-    run "$1" compare "$steady" "$2" -o bad
-    grep -qF -- "$3" err || fail "$called: expected \"$3\" in: $(cat err)"
-    [ -e bad/deviation.json ] && fail "$called: it left a result"
-    no_leavings bad
-}
-: >empty.xyz
-refused 3 empty.xyz "end of the file"
-printf '5000 5000 5000\n5001 5000 5000\n' >away.xyz
-refused 3 away.xyz "none of them over the face"
-printf '1 2 3\n1 nonsense 3\n' >text.xyz
-refused 3 text.xyz "line 2"
-refused 3 nowhere.xyz "nowhere.xyz"
-printf 'ply\nformat binary_little_endian 1.0\nelement vertex 2147483647\nproperty float x\nproperty float y\nproperty float z\nend_header\n' >lie.ply
-refused 3 lie.ply "lie.ply"
-printf 'v 1 2 3\nv 1 2\n' >short.obj
-refused 3 short.obj "line 2, column 6"
-printf 'OFF\n2147483647 1 0\n1 2 3\n' >lie.off
-refused 3 lie.off "2147483647 vertices stated"
-printf 'glTF\002' >bad.glb
-refused 3 bad.glb "assimp reads no mesh in it"
-printf '200 600 150\n' >one.xyz
-run 0 compare "$steady" one.xyz -o one --quiet
-look one/deviation.json 'p["used"] == 1'
-run 3 compare "$steady" one.xyz -o one --register fit --quiet
-
 # wrong calls
 run 2 compare "$steady" -o bad
 one_line "SCAN is missing"

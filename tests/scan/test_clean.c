@@ -351,6 +351,33 @@ START_TEST(a_box_that_is_none_fits_nothing) {
 }
 END_TEST
 
+START_TEST(one_place_and_one_line_are_no_scan) {
+    wcut_vec3 p[50];
+    int span = 999;
+    for (int shift = 0; shift < 2; shift++) {
+        const double far = shift ? 5e5 : 0;
+        for (int k = 0; k < 50; k++) p[k] = (wcut_vec3){far + 1, 2, 3};
+        ck_assert_int_eq(wcut_cloud_span(50, p, &span), WCUT_OK);
+        ck_assert_int_eq(span, 0);
+        for (int k = 0; k < 50; k++) p[k] = (wcut_vec3){far + (float)(0.3 * k), (float)(2.1 * k), (float)(-0.7 * k)};
+        ck_assert_int_eq(wcut_cloud_span(50, p, &span), WCUT_OK);
+        ck_assert_int_eq(span, 1);
+        p[20].z += 0.01;
+        ck_assert_int_eq(wcut_cloud_span(50, p, &span), WCUT_OK);
+        ck_assert_int_eq(span, 2);
+    }
+    ck_assert_int_eq(wcut_cloud_span(1, p, &span), WCUT_OK);
+    ck_assert_int_eq(span, 0);
+    span = 999;
+    ck_assert_int_eq(wcut_cloud_span(0, p, &span), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_cloud_span(50, NULL, &span), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_cloud_span(50, p, NULL), WCUT_BAD_ARGUMENT);
+    p[3].y = NAN;
+    ck_assert_int_eq(wcut_cloud_span(50, p, &span), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(span, 999);
+}
+END_TEST
+
 int main(void) {
     const TTest *const test[] = {a_regular_sheet_loses_nothing_not_even_its_corners,
                                  a_noisy_sheet_at_random_places_loses_nothing,
@@ -368,6 +395,7 @@ int main(void) {
                                  arguments_outside_their_range_are_refused_and_nothing_is_written,
                                  without_memory_nothing_is_written,
                                  a_wrong_unit_is_noticed_and_named_by_its_factor,
-                                 a_box_that_is_none_fits_nothing};
+                                 a_box_that_is_none_fits_nothing,
+                                 one_place_and_one_line_are_no_scan};
     return run_suite("clean", sizeof test / sizeof *test, test);
 }

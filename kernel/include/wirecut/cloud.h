@@ -139,6 +139,16 @@ typedef struct wcut_cloud_fit {
  */
 WCUT_API wcut_status wcut_cloud_fit_eval(wcut_vec3 low, wcut_vec3 high, wcut_vec3 block_size, wcut_cloud_fit *fit);
 
+/**
+ * Whether a cloud can be a scan of a face at all.
+ *
+ * @param[in]  count points, 1 or more
+ * @param[in]  point count [mm], finite, up to 1e12
+ * @param[out] span  0: all of them in one place; 1: on one line; 2: neither
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was written.
+ */
+WCUT_API wcut_status wcut_cloud_span(int count, const wcut_vec3 *point, int *span);
+
 /** Thinning as points come in: the first point of each cube of a lattice through the origin stays. */
 typedef struct wcut_thinning wcut_thinning;
 
