@@ -159,6 +159,28 @@ static wcut_status make_map(app_comparison *c) {
     return c->value && c->present && c->sum && c->weight ? WCUT_OK : WCUT_NO_MEMORY;
 }
 
+/* the points' normals, where they are wanted: of what is held, as registered, to the side of the removed half */
+static int find_normals(app_comparison *c) {
+    const size_t count = (size_t)c->scans.count;
+    wcut_normal_options options = wcut_normal_options_default();
+    options.neighbours = c->options.normals;
+    if (c->options.normals == 0) return APP_DONE;
+    if (!c->scans.held)
+        return app_fail(APP_USAGE, "--normals: found %d points, expected --hold of at least as many",
+                        c->scans.removed[WCUT_KEPT]);
+    c->normal = calloc(count, sizeof *c->normal);
+    wcut_vec3 *moved = calloc(count, sizeof *moved);
+    wcut_status status = c->normal && moved ? WCUT_OK : WCUT_NO_MEMORY;
+    if (status == WCUT_OK) {
+        memcpy(moved, c->scans.point, count * sizeof *moved);
+        status = wcut_registration_move(&c->registration, c->scans.count, moved, NULL);
+    }
+    if (status == WCUT_OK)
+        status = wcut_cloud_normals(c->scans.count, moved, &options, c->options.threads, c->normal, NULL);
+    free(moved);
+    return status == WCUT_OK ? APP_DONE : fail(status, "finding the points' normals", NULL);
+}
+
 static int prepare(app_comparison *c, app_results *results) {
     wcut_error error = {0};
     int counted = 0;
@@ -174,7 +196,8 @@ static int prepare(app_comparison *c, app_results *results) {
     if (c->options.reconstruct > 0) c->foot = calloc(count, sizeof *c->foot);
     if (status == WCUT_OK && (!c->deviation || (c->options.reconstruct > 0 && !c->foot))) status = WCUT_NO_MEMORY;
     if (status == WCUT_OK)
-        status = wcut_deviation_stream_create(app_results_path(results, "deviation.ply"), c->limit, &c->points, &error);
+        status = wcut_deviation_stream_create(app_results_path(results, "deviation.ply"), c->limit, c->normal != NULL,
+                                              &c->points, &error);
     return status == WCUT_OK ? APP_DONE : fail(status, "compare", &error);
 }
 
@@ -222,7 +245,9 @@ static int take_piece(void *context, int first, int count, const wcut_vec3 *poin
     if (status == WCUT_OK && c->options.distance != APP_TO_RECONSTRUCTION)
         status = wcut_survey_step(c->survey[FOUND], count, p->found);
     if (status == WCUT_OK) status = spread(c, count, p->found);
-    if (status == WCUT_OK) status = wcut_deviation_stream_append(c->points, count, p->moved, p->found, &error);
+    if (status == WCUT_OK)
+        status = wcut_deviation_stream_append(c->points, count, p->moved, c->normal ? c->normal + first : NULL,
+                                              p->found, &error);
     if (status != WCUT_OK) return fail(status, "measuring deviations", &error);
     if (c->scans.held) keep(c, first, count, p->moved, p->found);
     if (app_progress_step(first + count - 1, p->total, &p->progress))
@@ -419,6 +444,7 @@ int app_comparison_run(app_comparison *comparison, const app_compare_options *op
     warn_of_unit(c);
     code = hasten(c);
     if (code == APP_DONE) code = register_scan(c);
+    if (code == APP_DONE) code = find_normals(c);
     if (code == APP_DONE) code = prepare(c, results);
     if (code == APP_DONE) code = measure(c);
     if (code == APP_DONE) code = reconstruct(c);
@@ -432,7 +458,7 @@ void app_comparison_clear(app_comparison *comparison) {
     wcut_face_map_destroy(c->map);
     if (c->reference.is_job) wcut_mesh_destroy(c->mesh);
     for (int k = 0; k < 2; k++) wcut_survey_destroy(c->survey[k]);
-    void *const memory[] = {c->value, c->present, c->sum, c->weight, c->deviation, c->foot};
+    void *const memory[] = {c->value, c->present, c->sum, c->weight, c->deviation, c->normal, c->foot};
     for (size_t k = 0; k < sizeof memory / sizeof *memory; k++) free(memory[k]);
     app_scans_clear(&c->scans);
     app_reference_clear(&c->reference);

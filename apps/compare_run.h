@@ -23,6 +23,7 @@ typedef struct app_compare_options {
     int bands;
     double band[WCUT_BANDS_MOST]; /* [mm] ascending */
     double tolerance, share;      /* [mm], [1]; tolerance 0: no gate */
+    int normals;                  /* neighbours that make a point's; 0: none are wanted */
     int reconstruct;              /* 0 none, 1 field, 2 Poisson */
     double support;               /* [mm] 0: by the scan's spacing */
     int threads;
@@ -45,6 +46,7 @@ typedef struct app_comparison {
     double *sum, *weight; /* of a mesh */
     /* the points of scans.point, moved as registered */
     double *deviation; /* scans.count [mm]; nan where a point does not count */
+    wcut_vec3 *normal; /* scans.count, of the points as registered; NULL unless wanted */
     wcut_foot *foot;   /* scans.count; NULL unless they are to be reconstructed */
     wcut_reconstruction *reconstruction;
     wcut_statistics face_to_scan, to_scan, to_face;

@@ -49,6 +49,7 @@ static void put_value(wcut_text *text, bool there, double value, double limit) {
     wcut_text_put(text, rgb, sizeof rgb);
 }
 
+static const char normal_properties[] = "property double nx\nproperty double ny\nproperty double nz\n";
 static const char value_properties[] =
     "property double deviation_mm\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n";
 
@@ -58,6 +59,7 @@ struct wcut_deviation_stream {
     wcut_file *file;
     wcut_text text;
     double limit;
+    bool normals;
     int count;
     uint64_t count_at; /* where the header has the count */
 };
@@ -73,17 +75,18 @@ static void put_header(wcut_deviation_stream *s) {
     wcut_text_print(t, "element vertex ");
     s->count_at = t->count;
     wcut_text_print(t, "%-*d\n", COUNT_ROOM, 0);
-    wcut_text_print(t, "property double x\nproperty double y\nproperty double z\n%sproperty uchar place\nend_header\n",
-                    value_properties);
+    wcut_text_print(t,
+                    "property double x\nproperty double y\nproperty double z\n%s%sproperty uchar place\nend_header\n",
+                    s->normals ? normal_properties : "", value_properties);
 }
 
-wcut_status wcut_deviation_stream_create(const char *path, double limit, wcut_deviation_stream **stream,
+wcut_status wcut_deviation_stream_create(const char *path, double limit, int normals, wcut_deviation_stream **stream,
                                          wcut_error *error) {
     if (!path || !stream || !isfinite(limit) || limit <= 0)
         return wcut_io_fail(error, WCUT_BAD_ARGUMENT, "%s", wcut_status_text(WCUT_BAD_ARGUMENT));
     wcut_deviation_stream *s = wcut_io_alloc(1, sizeof *s);
     if (!s) return wcut_io_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
-    s->limit = limit;
+    s->limit = limit, s->normals = normals != 0;
     wcut_status status = wcut_file_create(path, &s->file, error);
     if (status == WCUT_OK && !wcut_text_create(&s->text, s->file))
         status = wcut_io_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
@@ -97,13 +100,15 @@ wcut_status wcut_deviation_stream_create(const char *path, double limit, wcut_de
 }
 
 wcut_status wcut_deviation_stream_append(wcut_deviation_stream *stream, int count, const wcut_vec3 *point,
-                                         const wcut_deviation *deviation, wcut_error *error) {
-    if (!stream || count < 0 || count > INT32_MAX - stream->count || (count > 0 && (!point || !deviation)))
+                                         const wcut_vec3 *normal, const wcut_deviation *deviation, wcut_error *error) {
+    if (!stream || count < 0 || count > INT32_MAX - stream->count ||
+        (count > 0 && (!point || !deviation || stream->normals != (normal != NULL))))
         return wcut_io_fail(error, WCUT_BAD_ARGUMENT, "%s", wcut_status_text(WCUT_BAD_ARGUMENT));
     for (int i = 0; i < count; i++) {
         const bool there = deviation[i].place <= WCUT_PLACE_BORDER;
         const unsigned char place = (unsigned char)deviation[i].place;
         wcut_text_put(&stream->text, &point[i], sizeof point[i]);
+        if (normal) wcut_text_put(&stream->text, &normal[i], sizeof normal[i]);
         put_value(&stream->text, there, deviation[i].distance, stream->limit);
         wcut_text_put(&stream->text, &place, 1);
     }
@@ -143,12 +148,13 @@ static void put_ply(wcut_text *text, const wcut_mesh *mesh, const void *context)
     wcut_text_print(text, "ply\nformat binary_little_endian 1.0\ncomment wirecut %s\ncomment units: mm, z up\ncomment ",
                     WCUT_VERSION);
     put_scale(text, c->limit);
-    wcut_text_print(text, "element vertex %d\nproperty double x\nproperty double y\nproperty double z\n%s",
-                    mesh->vertex_count, value_properties);
+    wcut_text_print(text, "element vertex %d\nproperty double x\nproperty double y\nproperty double z\n%s%s",
+                    mesh->vertex_count, mesh->normal ? normal_properties : "", value_properties);
     wcut_text_print(text, "element face %d\nproperty list uchar int vertex_indices\nend_header\n",
                     mesh->triangle_count);
     for (int i = 0; i < mesh->vertex_count; i++) {
         wcut_text_put(text, &mesh->vertex[i], sizeof mesh->vertex[i]);
+        if (mesh->normal) wcut_text_put(text, &mesh->normal[i], sizeof mesh->normal[i]);
         put_value(text, is_there(c, i), c->value[i], c->limit);
     }
     for (size_t t = 0; t < (size_t)mesh->triangle_count; t++) {

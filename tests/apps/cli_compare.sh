@@ -97,6 +97,23 @@ look clean/deviation.json 'p["removed_as"]["duplicate"] == 10 and p["removed_as"
 run 0 compare "$steady" dirty.xyz -o clean --thin 20 --quiet
 look clean/deviation.json '1000 < p["removed_as"]["thinned"] < 3500'
 
+# normals of the points, upwards, and of the reconstruction
+run 0 compare "$steady" "$scan" -o normals --normals 16 --reconstruct field --quiet
+python3 - <<'EOF' || fail "$called: normals are not what they should be"
+import struct
+for name in "deviation", "reconstruction":
+    data = open(f"normals/{name}.ply", "rb").read()
+    head, body = data.split(b"end_header\n", 1)
+    size = {"double": 8, "uchar": 1}
+    row = [l.split()[1:] for l in head.decode().split("\n") if l.startswith("property") and "list" not in l]
+    at = {n: sum(size[t] for t, _ in row[:k]) for k, (_, n) in enumerate(row)}
+    for k in range(1000):
+        x, y, z = struct.unpack_from("<3d", body, k * sum(size[t] for t, _ in row) + at["nx"])
+        assert z > 0.5 and abs(x * x + y * y + z * z - 1) < 1e-9, (name, k, x, y, z)
+EOF
+run 2 compare "$steady" "$scan" -o normals --normals 16 --hold 1000 --quiet
+one_line "--normals: found 4000 points"
+
 # the vertices of a mesh are a scan, too
 awk '{ print "v", $0 } END { print "f 1 2 3" }' "$scan" >scan.obj
 { printf 'OFF\n4000 1 0\n'; cat "$scan"; echo 3 0 1 2; } >scan.off

@@ -154,9 +154,9 @@ START_TEST(points_are_written_as_they_come_and_read_back) {
     given_comparison();
     enter_folder();
     const char *path = "deviation.ply";
-    ck_assert_int_eq(wcut_deviation_stream_create(path, 1, &stream, &error), WCUT_OK);
+    ck_assert_int_eq(wcut_deviation_stream_create(path, 1, 0, &stream, &error), WCUT_OK);
     for (int k = 0; k < POINTS; k += 1000)
-        ck_assert_int_eq(wcut_deviation_stream_append(stream, 1000, point + k, deviation + k, &error), WCUT_OK);
+        ck_assert_int_eq(wcut_deviation_stream_append(stream, 1000, point + k, NULL, deviation + k, &error), WCUT_OK);
     ck_assert_int_ne(access(path, F_OK), 0); /* not before it is whole */
     ck_assert_int_eq(wcut_deviation_stream_commit(stream, &error), WCUT_OK);
     wcut_deviation_stream_destroy(stream);
@@ -187,24 +187,51 @@ START_TEST(points_are_written_as_they_come_and_read_back) {
 }
 END_TEST
 
+START_TEST(normals_come_back_with_their_points) {
+    wcut_deviation_stream *stream = NULL;
+    wcut_cloud *cloud = NULL;
+    static wcut_vec3 normal[POINTS];
+    given_comparison();
+    enter_folder();
+    for (int k = 0; k < POINTS; k++) normal[k] = (wcut_vec3){k % 2 ? 0.6 : -0.6, 0, 0.8};
+    ck_assert_int_eq(wcut_deviation_stream_create("n.ply", 1, 1, &stream, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_deviation_stream_append(stream, POINTS, point, NULL, deviation, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_deviation_stream_append(stream, POINTS, point, normal, deviation, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_deviation_stream_commit(stream, NULL), WCUT_OK);
+    wcut_deviation_stream_destroy(stream);
+    ck_assert_int_eq(wcut_cloud_read("n.ply", NULL, &cloud, NULL), WCUT_OK);
+    ck_assert(cloud->count == POINTS && cloud->normal);
+    for (int k = 0; k < POINTS; k++) {
+        ck_assert(memcmp(&cloud->point[k], &point[k], sizeof *point) == 0);
+        ck_assert(fabs(cloud->normal[k].x - normal[k].x) < 1e-15 && fabs(cloud->normal[k].z - 0.8) < 1e-15);
+    }
+    wcut_cloud_destroy(cloud);
+    ck_assert_int_eq(wcut_deviation_stream_create("n.ply", 1, 0, &stream, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_deviation_stream_append(stream, POINTS, point, normal, deviation, NULL), WCUT_BAD_ARGUMENT);
+    wcut_deviation_stream_destroy(stream);
+    leave_folder();
+    forget();
+}
+END_TEST
+
 START_TEST(a_stream_that_is_not_committed_leaves_nothing) {
     wcut_deviation_stream *stream = NULL;
     given_comparison();
     enter_folder();
-    ck_assert_int_eq(wcut_deviation_stream_create("d.ply", 1, &stream, NULL), WCUT_OK);
-    ck_assert_int_eq(wcut_deviation_stream_append(stream, POINTS, point, deviation, NULL), WCUT_OK);
-    ck_assert_int_eq(wcut_deviation_stream_append(stream, -1, point, deviation, NULL), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_deviation_stream_append(stream, 1, NULL, deviation, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_deviation_stream_create("d.ply", 1, 0, &stream, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_deviation_stream_append(stream, POINTS, point, NULL, deviation, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_deviation_stream_append(stream, -1, point, NULL, deviation, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_deviation_stream_append(stream, 1, NULL, NULL, deviation, NULL), WCUT_BAD_ARGUMENT);
     wcut_deviation_stream_destroy(stream);
     wcut_deviation_stream_destroy(NULL);
     ck_assert_int_eq(count_entries("."), 0);
     stream = (wcut_deviation_stream *)999;
-    ck_assert_int_eq(wcut_deviation_stream_create(NULL, 1, &stream, NULL), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_deviation_stream_create("d.ply", 0, &stream, NULL), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_deviation_stream_create("/nowhere/d.ply", 1, &stream, NULL), WCUT_NOT_WRITTEN);
+    ck_assert_int_eq(wcut_deviation_stream_create(NULL, 1, 0, &stream, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_deviation_stream_create("d.ply", 0, 0, &stream, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_deviation_stream_create("/nowhere/d.ply", 1, 0, &stream, NULL), WCUT_NOT_WRITTEN);
     for (long k = 1; k <= 2; k++) {
         wcut_io_alloc_fail_at(k);
-        ck_assert_int_eq(wcut_deviation_stream_create("d.ply", 1, &stream, NULL), WCUT_NO_MEMORY);
+        ck_assert_int_eq(wcut_deviation_stream_create("d.ply", 1, 0, &stream, NULL), WCUT_NO_MEMORY);
         wcut_io_alloc_fail_at(0);
     }
     ck_assert_ptr_eq(stream, (wcut_deviation_stream *)999);
@@ -293,6 +320,7 @@ int main(void) {
                                  bad_comparisons_are_refused,
                                  zones_are_a_table,
                                  points_are_written_as_they_come_and_read_back,
+                                 normals_come_back_with_their_points,
                                  a_stream_that_is_not_committed_leaves_nothing,
                                  a_coloured_mesh_keeps_its_holes_grey,
                                  datums_are_pairs_and_points_on_faces};

@@ -84,13 +84,16 @@ WCUT_API wcut_status wcut_deviation_mesh_write_obj(const wcut_mesh *mesh, const 
 /** deviation.ply, written as points come, however many: position, deviation_mm, place, colour. */
 typedef struct wcut_deviation_stream wcut_deviation_stream;
 
-/** Begin it in a temporary file beside the target. limit: [mm] value of the strongest colour, positive. */
-WCUT_API wcut_status wcut_deviation_stream_create(const char *path, double limit, wcut_deviation_stream **stream,
-                                                  wcut_error *error);
+/** Begin it in a temporary file beside the target. limit: [mm] value of the strongest colour, positive; normals: 1 where
+    points come with them. */
+WCUT_API wcut_status wcut_deviation_stream_create(const char *path, double limit, int normals,
+                                                  wcut_deviation_stream **stream, wcut_error *error);
 
-/** Append count points and their deviations; those that do not count are grey and nan. */
+/** Append count points, their normals (NULL if begun without) and deviations; those that do not count are grey and
+    nan. */
 WCUT_API wcut_status wcut_deviation_stream_append(wcut_deviation_stream *stream, int count, const wcut_vec3 *point,
-                                                  const wcut_deviation *deviation, wcut_error *error);
+                                                  const wcut_vec3 *normal, const wcut_deviation *deviation,
+                                                  wcut_error *error);
 
 /** Finish the file and put it in its place; the stream stays to be destroyed. */
 WCUT_API wcut_status wcut_deviation_stream_commit(wcut_deviation_stream *stream, wcut_error *error);
