@@ -3,7 +3,8 @@
 #   ninja bench_table            or  sh tests/bench/bench_table.sh BUILD/tests      after  ninja bench_table_programs
 #
 # The table goes to standard output, what each program reached to standard error. CPU time on one core, the least of
-# several runs. SISL and Open CASCADE take part where they were installed when the build was configured, manifold where
+# several runs. SISL and Open CASCADE (packages of purpose `bench` in tests/packages.txt) take part where they were
+# installed when the build was configured, manifold where
 # npm can install it. It ends with 1 where two programs did not work on the same input.
 set -eu
 LC_ALL=C
