@@ -4,8 +4,8 @@
 #
 # The table goes to standard output, what each program reached to standard error. CPU time on one core, the least of
 # several runs. SISL and Open CASCADE (packages of purpose `bench` in tests/packages.txt) take part where they were
-# installed when the build was configured, manifold where
-# npm can install it. It ends with 1 where two programs did not work on the same input.
+# installed when the build was configured, manifold where npm can install it. It ends with 1 where two programs did not
+# work on the same input.
 set -eu
 LC_ALL=C
 export LC_ALL OMP_NUM_THREADS=1
