@@ -9,8 +9,6 @@
 
 /* The distance is all height where the foot is inside. Below this share of it no side can be told; at an edge of two
    faces at right angles, whose normal is between theirs, the share is 0.7. */
-enum { AHEAD = 16 };
-
 static const double SIDE = 0.5, NEAR = 1e-9; /* [1]; [mm] nearer than this there is no side to tell */
 
 wcut_deviation_options wcut_deviation_options_default(void) {
@@ -64,23 +62,27 @@ typedef struct desk {
     wcut_foot *foot; /* NULL: not asked for */
 } desk;
 
-static void judge_feet(void *to, int count, const int *index, const wcut_foot *foot) {
+/* into the cache; it lies across two of its lines */
+static inline void fetch(const wcut_deviation *d) {
+    __builtin_prefetch(d, 1);
+    __builtin_prefetch(&d->place, 1);
+}
+
+static void judge_feet(void *to, int count, const int *index, const void *feet) {
     const desk *d = to;
+    const wcut_foot *foot = feet;
     for (int k = 0; k < count; k++) {
-        if (k + AHEAD < count) { /* a deviation lies across two lines of the cache */
-            __builtin_prefetch(&d->deviation[index[k + AHEAD]], 1);
-            __builtin_prefetch(&d->deviation[index[k + AHEAD]].place, 1);
-        }
-        const wcut_foot *at = &foot[k];
+        if (k + WCUT_SWEEP_AHEAD < count) fetch(&d->deviation[index[k + WCUT_SWEEP_AHEAD]]);
+        const wcut_foot *from = &foot[k];
         wcut_deviation *of = &d->deviation[index[k]];
-        const finding f = {.foot = at->point,
-                           .distance = at->distance,
-                           .height = at->height,
-                           .beyond = at->beyond != 0,
-                           .tied = at->gap > 0};
-        of->u = at->u, of->v = at->v, of->triangle = -1;
+        const finding f = {.foot = from->point,
+                           .distance = from->distance,
+                           .height = from->height,
+                           .beyond = from->beyond != 0,
+                           .tied = from->gap > 0};
+        of->u = from->u, of->v = from->v, of->triangle = -1;
         judge(d->options, &f, of);
-        if (d->foot) d->foot[index[k]] = *at;
+        if (d->foot) d->foot[index[k]] = *from;
     }
 }
 
@@ -95,27 +97,31 @@ wcut_status wcut_deviation_from_surface(const wcut_projection *projection, int c
     return wcut_projection_sweep(projection, count, point, threads, judge_feet, &d);
 }
 
+static void judge_mesh_feet(void *to, int count, const int *index, const void *feet) {
+    const desk *d = to;
+    const wcut_mesh_foot *foot = feet;
+    for (int k = 0; k < count; k++) {
+        if (k + WCUT_SWEEP_AHEAD < count) fetch(&d->deviation[index[k + WCUT_SWEEP_AHEAD]]);
+        const wcut_mesh_foot *from = &foot[k];
+        wcut_deviation *of = &d->deviation[index[k]];
+        const finding f = {.foot = from->point,
+                           .distance = from->distance,
+                           .height = from->height,
+                           .border = from->border != 0,
+                           .beyond = from->beyond != 0};
+        of->u = from->b, of->v = from->c, of->triangle = from->triangle;
+        judge(d->options, &f, of);
+    }
+}
+
 wcut_status wcut_deviation_from_mesh(const wcut_mesh_tree *tree, int count, const wcut_vec3 *point,
                                      const wcut_deviation_options *options, int threads, wcut_deviation *deviation) {
     const wcut_deviation_options o = options ? *options : wcut_deviation_options_default();
     if (!tree || count < 0 || threads < 1 || !are_usable(&o) ||
         (count > 0 && (!point || !deviation || !wcut_are_near(count, point))))
         return WCUT_BAD_ARGUMENT;
-    wcut_mesh_foot *found = wcut_alloc((size_t)count, sizeof *found);
-    if (!found) return WCUT_NO_MEMORY;
-    const wcut_status status = wcut_mesh_tree_locate(tree, count, point, threads, found);
-    for (int k = 0; k < count && status == WCUT_OK; k++) {
-        const wcut_mesh_foot *at = &found[k];
-        const finding f = {.foot = at->point,
-                           .distance = at->distance,
-                           .height = at->height,
-                           .border = at->border != 0,
-                           .beyond = at->beyond != 0};
-        deviation[k].u = at->b, deviation[k].v = at->c, deviation[k].triangle = at->triangle;
-        judge(&o, &f, &deviation[k]);
-    }
-    wcut_free(found);
-    return status;
+    desk d = {.options = &o, .deviation = deviation};
+    return wcut_mesh_tree_sweep(tree, count, point, threads, judge_mesh_feet, &d);
 }
 
 wcut_status wcut_deviation_onto_surface(const wcut_mesh *mesh, int count, wcut_deviation *deviation) {

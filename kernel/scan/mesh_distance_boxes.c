@@ -1,71 +1,38 @@
-/* A mesh's triangles in a balanced tree of boxes, eight to a node: ranges are halved across their longest side. */
+/* A mesh's triangles in a tree of boxes, eight to a node: ranges of the Z-curve, divided where its cells are. */
 #include <string.h>
 
 #include "base/alloc.h"
 #include "base/vec3.h"
 #include "scan/mesh_distance.h"
-
-/* a triangle on its way to its leaf */
-typedef struct item {
-    float at[3]; /* its middle, about the mesh's centre */
-    int index;
-} item;
+#include "surface/morton.h"
 
 typedef struct builder {
     const wcut_mesh *mesh;
     wcut_mesh_tree *tree;
-    item *item;
-    int nodes;
+    const uint64_t *item; /* triangles along the Z-curve of their middles */
+    int nodes, leaves;
 } builder;
 
-static inline void swap_items(item *a, item *b) {
-    const item keep = *a;
-    *a = *b;
-    *b = keep;
-}
-
-/* put the item of rank `rank` into its place, no larger one before it, no smaller one behind it (Hoare 1961); equal
-   items stop both sides. The middle of three makes sorted input harmless; what is contrived against it is only slow. */
-static void select_rank(item *a, int first, int end, int rank, int axis) {
-    int low = first, high = end - 1;
-    while (high > low) {
+/* Where to divide a range of the curve: at the highest bit that its codes do not share (Lauterbach 2009), which is the
+   middle of a cell; a range in one cell is halved. */
+static int split_of(const uint64_t *item, int first, int end) {
+    const uint64_t changed = (item[first] ^ item[end - 1]) >> WCUT_MORTON_INDEX;
+    if (changed == 0) return first + (end - first) / 2;
+    uint64_t bit = (uint64_t)1 << WCUT_MORTON_INDEX;
+    for (uint64_t rest = changed >> 1; rest > 0; rest >>= 1) bit <<= 1;
+    int low = first, high = end - 1; /* the bit is 0 at low, 1 at high */
+    while (high - low > 1) {
         const int middle = low + (high - low) / 2;
-        if (a[middle].at[axis] < a[low].at[axis]) swap_items(&a[middle], &a[low]);
-        if (a[high].at[axis] < a[low].at[axis]) swap_items(&a[high], &a[low]);
-        if (a[high].at[axis] < a[middle].at[axis]) swap_items(&a[high], &a[middle]);
-        const float pivot = a[middle].at[axis];
-        int i = low, j = high;
-        while (i <= j) {
-            while (a[i].at[axis] < pivot) i++;
-            while (a[j].at[axis] > pivot) j--;
-            if (i <= j) swap_items(&a[i++], &a[j--]);
-        }
-        if (rank <= j)
-            high = j;
-        else if (rank >= i)
-            low = i;
+        if (item[middle] & bit)
+            high = middle;
         else
-            return;
+            low = middle;
     }
-}
-
-static int longest_axis(const item *a, int first, int end) {
-    float low[3], high[3];
-    memcpy(low, a[first].at, sizeof low);
-    memcpy(high, a[first].at, sizeof high);
-    for (int i = first + 1; i < end; i++)
-        for (int c = 0; c < 3; c++) {
-            low[c] = a[i].at[c] < low[c] ? a[i].at[c] : low[c];
-            high[c] = a[i].at[c] > high[c] ? a[i].at[c] : high[c];
-        }
-    int axis = 0;
-    for (int c = 1; c < 3; c++)
-        if (high[c] - low[c] > high[axis] - low[axis]) axis = c;
-    return axis;
+    return high;
 }
 
 /* a range into at most eight, none of them empty; gives how many. bound[k] .. bound[k + 1] is the k-th. */
-static int divide(item *a, int first, int end, int bound[WCUT_MESH_WIDE + 1]) {
+static int divide(const uint64_t *item, int first, int end, int bound[WCUT_MESH_WIDE + 1]) {
     int parts = 1;
     bound[0] = first, bound[1] = end;
     for (int round = 0; round < 3; round++) {
@@ -73,9 +40,7 @@ static int divide(item *a, int first, int end, int bound[WCUT_MESH_WIDE + 1]) {
         for (int k = 0; k < parts; k++) {
             next[count++] = bound[k];
             if (bound[k + 1] - bound[k] <= WCUT_MESH_LEAF) continue;
-            const int middle = bound[k] + (bound[k + 1] - bound[k]) / 2;
-            select_rank(a, bound[k], bound[k + 1], middle, longest_axis(a, bound[k], bound[k + 1]));
-            next[count++] = middle;
+            next[count++] = split_of(item, bound[k], bound[k + 1]);
         }
         next[count] = end;
         parts = count;
@@ -95,18 +60,53 @@ static void widen(const wcut_mesh_tree *t, wcut_vec3 p, float low[3], float high
     }
 }
 
-static void put_leaf(builder *b, int first, int end, float low[3], float high[3]) {
-    wcut_mesh_tree *t = b->tree;
-    for (int i = first; i < end; i++) {
-        const int *v = b->mesh->triangle + 3 * (size_t)b->item[i].index;
-        t->index[i] = b->item[i].index;
-        memcpy(t->vertex + 3 * (size_t)i, v, 3 * sizeof *v);
-        t->corner[i] = (wcut_mesh_corners){b->mesh->vertex[v[0]], b->mesh->vertex[v[1]], b->mesh->vertex[v[2]]};
-        for (int k = 0; k < 3; k++) widen(t, b->mesh->vertex[v[k]], low, high);
+/* [1], [of the mesh's size]: what is thinner has no normal that can be told to 1e-6 */
+static const double THIN = 1e-6, LOW = 1e-9;
+
+/* the unit normal of a triangle; zero where it is too thin */
+static wcut_vec3 normal_of(const wcut_mesh_tree *t, const wcut_vec3 corner[3]) {
+    const wcut_vec3 ab = vec3_sub(corner[1], corner[0]), ac = vec3_sub(corner[2], corner[0]);
+    const wcut_vec3 bc = vec3_sub(corner[2], corner[1]), area = vec3_cross(ab, ac);
+    const double longest = sqrt(fmax(vec3_dot(ab, ab), fmax(vec3_dot(ac, ac), vec3_dot(bc, bc))));
+    const double size = vec3_length(area);
+    return size > longest * fmax(THIN * longest, LOW * t->size) ? vec3_scale(1 / size, area) : vec3(0, 0, 0);
+}
+
+/* a plane of a triangle's prism: the height over the face, the distance beyond an edge's side */
+static void put_plane(wcut_mesh_leaf *leaf, int plane, int lane, wcut_vec3 normal, wcut_vec3 at) {
+    leaf->plane[plane][0][lane] = (float)normal.x, leaf->plane[plane][1][lane] = (float)normal.y;
+    leaf->plane[plane][2][lane] = (float)normal.z, leaf->plane[plane][3][lane] = (float)-vec3_dot(normal, at);
+}
+
+/* without a normal all are zero, and the triangle is never left out */
+static void put_prism(const wcut_mesh_tree *t, int i, wcut_mesh_leaf *leaf, int lane) {
+    const int *v = t->vertex + 3 * (size_t)i;
+    const wcut_vec3 corner[3] = {vec3_sub(t->point[v[0]], t->centre), vec3_sub(t->point[v[1]], t->centre),
+                                 vec3_sub(t->point[v[2]], t->centre)};
+    const wcut_vec3 n = normal_of(t, corner);
+    put_plane(leaf, 0, lane, n, corner[0]);
+    for (int k = 0; k < 3; k++) {
+        const wcut_vec3 along = vec3_sub(corner[(k + 1) % 3], corner[k]);
+        put_plane(leaf, k + 1, lane, vec3_unit(vec3_cross(along, n)), corner[k]);
     }
 }
 
-/* the node of a range and all below it; gives its number and its box. The depth is the logarithm to base 8. */
+static void put_leaf(builder *b, int first, int end, float low[3], float high[3]) {
+    wcut_mesh_tree *t = b->tree;
+    wcut_mesh_leaf *leaf = &t->leaf[b->leaves++];
+    leaf->first = first, leaf->count = end - first;
+    for (int i = first; i < end; i++) {
+        t->index[i] = wcut_morton_index(b->item[i]);
+        const int *v = b->mesh->triangle + 3 * (size_t)t->index[i];
+        memcpy(t->vertex + 3 * (size_t)i, v, 3 * sizeof *v);
+        for (int k = 0; k < 3; k++) widen(t, t->point[v[k]], low, high);
+        put_prism(t, i, leaf, i - first);
+    }
+    for (int lane = end - first; lane < WCUT_MESH_LEAF; lane++) leaf->plane[0][3][lane] = INFINITY;
+}
+
+/* the node of a range and all below it; gives its number and its box. Each level takes a bit of the code at least, or
+   the logarithm to base 8 of those in one cell. */
 static int put_node(builder *b, int first, int end, float low[3], float high[3]) {
     int bound[WCUT_MESH_WIDE + 1];
     const int parts = divide(b->item, first, end, bound), number = b->nodes++;
@@ -115,10 +115,9 @@ static int put_node(builder *b, int first, int end, float low[3], float high[3])
         float l[3] = {INFINITY, INFINITY, INFINITY}, h[3] = {-INFINITY, -INFINITY, -INFINITY};
         const int count = k < parts ? bound[k + 1] - bound[k] : 0;
         if (count > WCUT_MESH_LEAF) {
-            node->first[k] = put_node(b, bound[k], bound[k + 1], l, h);
+            node->child[k] = put_node(b, bound[k], bound[k + 1], l, h);
         } else if (count > 0) {
-            node->first[k] = bound[k];
-            node->count[k] = count;
+            node->child[k] = ~b->leaves;
             put_leaf(b, bound[k], bound[k + 1], l, h);
         }
         for (int c = 0; c < 3; c++) {
@@ -142,27 +141,50 @@ static void find_box(const wcut_mesh *mesh, wcut_mesh_tree *t) {
     t->size = vec3_distance(low, high) / 2;
 }
 
+/* leaves and nodes that a range will have */
+static void count_nodes(const uint64_t *item, int first, int end, size_t *nodes, size_t *leaves) {
+    int bound[WCUT_MESH_WIDE + 1];
+    const int parts = divide(item, first, end, bound);
+    ++*nodes;
+    for (int k = 0; k < parts; k++)
+        if (bound[k + 1] - bound[k] > WCUT_MESH_LEAF)
+            count_nodes(item, bound[k], bound[k + 1], nodes, leaves);
+        else
+            ++*leaves;
+}
+
+static wcut_status sort_triangles(const wcut_mesh *mesh, const wcut_mesh_tree *t, uint64_t **item) {
+    const size_t n = (size_t)mesh->triangle_count;
+    wcut_vec3 *middle = wcut_alloc(n, sizeof *middle);
+    for (size_t i = 0; middle && i < n; i++) {
+        const int *v = mesh->triangle + 3 * i;
+        const wcut_vec3 sum = vec3_add(vec3_add(mesh->vertex[v[0]], mesh->vertex[v[1]]), mesh->vertex[v[2]]);
+        middle[i] = vec3_sub(vec3_scale(1.0 / 3, sum), t->centre);
+    }
+    const wcut_status status = middle ? wcut_morton_sort(mesh->triangle_count, middle, 1, 3, item) : WCUT_NO_MEMORY;
+    wcut_free(middle);
+    return status;
+}
+
 wcut_status wcut_mesh_boxes_build(const wcut_mesh *mesh, wcut_mesh_tree *tree) {
     const size_t n = (size_t)mesh->triangle_count;
-    builder b = {.mesh = mesh, .tree = tree, .item = wcut_alloc(n, sizeof *b.item)};
+    size_t nodes = 0, leaves = 0;
+    uint64_t *item = NULL;
+    find_box(mesh, tree);
     tree->triangles = mesh->triangle_count;
-    tree->corner = wcut_alloc(n, sizeof *tree->corner);
+    if (sort_triangles(mesh, tree, &item) != WCUT_OK) return WCUT_NO_MEMORY;
+    count_nodes(item, 0, (int)n, &nodes, &leaves);
+    tree->point = wcut_copy(mesh->vertex, (size_t)mesh->vertex_count, sizeof *tree->point);
     tree->index = wcut_alloc(n, sizeof *tree->index);
     tree->vertex = wcut_alloc(n, 3 * sizeof *tree->vertex);
-    /* a node's range has more than a leaf holds, and those of one level are disjoint: 1/5 + 1/40 + ... < 1/4 */
-    tree->node = wcut_alloc(n / 4 + 8, sizeof *tree->node);
-    const bool there = b.item && tree->corner && tree->index && tree->vertex && tree->node;
+    tree->node = wcut_alloc(nodes, sizeof *tree->node);
+    tree->leaf = wcut_alloc(leaves, sizeof *tree->leaf);
+    const bool there = tree->point && tree->index && tree->vertex && tree->node && tree->leaf;
     if (there) {
-        find_box(mesh, tree);
-        for (size_t i = 0; i < n; i++) {
-            const int *v = mesh->triangle + 3 * i;
-            wcut_vec3 m = vec3_add(vec3_add(mesh->vertex[v[0]], mesh->vertex[v[1]]), mesh->vertex[v[2]]);
-            m = vec3_sub(vec3_scale(1.0 / 3, m), tree->centre);
-            b.item[i] = (item){{(float)m.x, (float)m.y, (float)m.z}, (int)i};
-        }
+        builder b = {.mesh = mesh, .tree = tree, .item = item};
         float low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
         put_node(&b, 0, (int)n, low, high);
     }
-    wcut_free(b.item);
+    wcut_free(item);
     return there ? WCUT_OK : WCUT_NO_MEMORY;
 }

@@ -1,65 +1,87 @@
 /* What meets at a mesh's edges and corners: neighbours, the border, angle-weighted normals (Baerentzen, Aanaes 2005). */
 #include "base/alloc.h"
+#include "base/numbers.h"
 #include "base/vec3.h"
 #include "scan/mesh_distance.h"
 
-/* the edge of triangle `triangle` from its corner `corner` to the next, by its lower and its higher vertex */
+/* An edge of a triangle: its lower and higher vertex in turn as it is sorted, then which one it is: 3 triangle + corner
+   that it begins at, twice, and 1 if it runs from the higher vertex to the lower. */
 typedef struct edge {
-    int low, high, triangle;
-    unsigned char corner, turned; /* turned: it runs from high to low */
+    int other;
+    unsigned which;
 } edge;
 
-static wcut_vec3 area_of(const wcut_mesh_corners *t) {
-    return vec3_scale(0.5, vec3_cross(vec3_sub(t->b, t->a), vec3_sub(t->c, t->a)));
+static inline int corner_of(edge e) { return (int)(e.which >> 1); }
+
+/* the vertex that the edge begins at, and the next one */
+static inline void ends_of(const wcut_mesh_tree *t, int corner, int *from, int *to) {
+    *from = t->vertex[corner], *to = t->vertex[corner % 3 == 2 ? corner - 2 : corner + 1];
 }
 
-/* stable counting sort by one of the vertices */
-static void sort_pass(int count, int vertices, int *start, const edge *from, edge *to, bool by_low) {
-    for (int v = 0; v <= vertices; v++) start[v] = 0;
-    for (int k = 0; k < count; k++) start[(by_low ? from[k].low : from[k].high) + 1]++;
+static void begin_buckets(int vertices, int *start) {
     for (int v = 0; v < vertices; v++) start[v + 1] += start[v];
-    for (int k = 0; k < count; k++) to[start[by_low ? from[k].low : from[k].high]++] = from[k];
 }
 
-static void list_edges(const wcut_mesh_tree *t, edge *list) {
-    for (int i = 0; i < t->triangles; i++)
-        for (int k = 0; k < 3; k++) {
-            const int from = t->vertex[3 * (size_t)i + k], to = t->vertex[3 * (size_t)i + (k + 1) % 3];
-            const bool turned = from > to;
-            list[3 * (size_t)i + k] =
-                (edge){turned ? to : from, turned ? from : to, i, (unsigned char)k, (unsigned char)turned};
-        }
+/* by the higher vertex, then by the lower: stable counting sorts. `other` is the lower one, then the higher one;
+   start[v] ends as the end of the lower vertex v. */
+static void sort_edges(const wcut_mesh_tree *t, int vertices, int *start, edge *room, edge *sorted) {
+    const int edges = 3 * t->triangles;
+    int from, to;
+    for (int k = 0; k < edges; k++) {
+        ends_of(t, k, &from, &to);
+        start[(from > to ? from : to) + 1]++;
+    }
+    begin_buckets(vertices, start);
+    for (int k = 0; k < edges; k++) {
+        ends_of(t, k, &from, &to);
+        const bool turned = from > to;
+        room[start[turned ? from : to]++] = (edge){turned ? to : from, 2 * (unsigned)k + turned};
+    }
+    for (int v = 0; v <= vertices; v++) start[v] = 0;
+    for (int k = 0; k < edges; k++) start[room[k].other + 1]++;
+    begin_buckets(vertices, start);
+    for (int k = 0; k < edges; k++) {
+        ends_of(t, corner_of(room[k]), &from, &to);
+        sorted[start[room[k].other]++] = (edge){from > to ? from : to, room[k].which};
+    }
 }
 
 /* the triangles of one edge of space: one is a border, two are neighbours, anything else is odd */
 static void join(wcut_mesh_tree *t, const edge *e, int count) {
-    const bool whole = count == 2 && e[0].turned != e[1].turned && e[0].low != e[0].high;
-    for (int k = 0; k < count; k++) {
-        int *to = &t->neighbour[3 * (size_t)e[k].triangle + e[k].corner];
-        *to = whole ? e[1 - k].triangle : count == 1 ? -1 : -2;
-    }
+    int low, high;
+    ends_of(t, corner_of(e[0]), &low, &high);
+    const bool whole = count == 2 && (e[0].which & 1) != (e[1].which & 1) && low != high;
+    for (int k = 0; k < count; k++)
+        t->neighbour[corner_of(e[k])] = whole ? corner_of(e[1 - k]) / 3 : count == 1 ? -1 : -2;
     t->info.border_edges += count == 1;
     t->info.odd_edges += count > 1 && !whole;
-    if (count == 1) t->on_border[e->low] = t->on_border[e->high] = 1;
+    if (count == 1) t->on_border[low] = t->on_border[high] = 1;
 }
 
-static double angle_at(wcut_vec3 at, wcut_vec3 p, wcut_vec3 q) {
-    const wcut_vec3 r = vec3_sub(p, at), s = vec3_sub(q, at);
-    return atan2(vec3_length(vec3_cross(r, s)), vec3_dot(r, s));
+/* edges come in the order of their lower vertex, whose range ends at end[low] */
+static void join_edges(wcut_mesh_tree *t, int vertices, const int *end, const edge *sorted) {
+    for (int v = 0, k = 0; v < vertices; v++)
+        for (int next; k < end[v]; k = next) {
+            for (next = k + 1; next < end[v] && sorted[next].other == sorted[k].other;) next++;
+            join(t, &sorted[k], next - k);
+        }
 }
 
 static void find_normals(int vertices, wcut_mesh_tree *t) {
     for (int i = 0; i < t->triangles; i++) {
-        const wcut_mesh_corners *p = &t->corner[i];
-        const wcut_vec3 area = area_of(p), n = vec3_unit(area);
+        const wcut_mesh_corners p = wcut_mesh_corners_of(t, i);
+        const wcut_vec3 ab = vec3_sub(p.b, p.a), ac = vec3_sub(p.c, p.a), bc = vec3_sub(p.c, p.b);
+        const wcut_vec3 area = vec3_scale(0.5, vec3_cross(ab, ac));
         const double size = vec3_length(area);
         t->info.flat += size == 0;
         t->info.area += size;
         t->info.area_sum = vec3_add(t->info.area_sum, area);
         if (size == 0) continue;
-        const double angle[3] = {angle_at(p->a, p->b, p->c), angle_at(p->b, p->c, p->a), angle_at(p->c, p->a, p->b)};
+        const wcut_vec3 n = vec3_scale(1 / size, area);
+        const double at_a = atan2(2 * size, vec3_dot(ab, ac)), at_b = atan2(2 * size, -vec3_dot(ab, bc));
+        const double angle[3] = {at_a, at_b, fmax(0, WCUT_PI - at_a - at_b)};
         for (int k = 0; k < 3; k++) {
-            wcut_vec3 *to = &t->normal[t->vertex[3 * (size_t)i + k]];
+            wcut_vec3 *to = &t->normal[t->vertex[3 * (size_t)i + (size_t)k]];
             *to = vec3_add_scaled(*to, angle[k], n);
         }
     }
@@ -67,25 +89,21 @@ static void find_normals(int vertices, wcut_mesh_tree *t) {
 }
 
 wcut_status wcut_mesh_edges_build(const wcut_mesh *mesh, wcut_mesh_tree *tree) {
-    const int vertices = mesh->vertex_count, edges = 3 * tree->triangles;
-    edge *list = wcut_alloc((size_t)edges, sizeof *list), *sorted = wcut_alloc((size_t)edges, sizeof *sorted);
+    const int vertices = mesh->vertex_count;
+    const size_t edges = 3 * (size_t)tree->triangles;
+    edge *room = wcut_alloc(edges, sizeof *room), *sorted = wcut_alloc(edges, sizeof *sorted);
     int *start = wcut_alloc((size_t)vertices + 1, sizeof *start);
-    tree->neighbour = wcut_alloc((size_t)edges, sizeof *tree->neighbour);
+    tree->neighbour = wcut_alloc(edges, sizeof *tree->neighbour);
     tree->normal = wcut_alloc((size_t)vertices, sizeof *tree->normal);
     tree->on_border = wcut_alloc((size_t)vertices, 1);
-    const bool there = list && sorted && start && tree->neighbour && tree->normal && tree->on_border;
+    const bool there = room && sorted && start && tree->neighbour && tree->normal && tree->on_border;
     if (there) {
-        list_edges(tree, list);
-        sort_pass(edges, vertices, start, list, sorted, false);
-        sort_pass(edges, vertices, start, sorted, list, true);
-        for (int k = 0, end; k < edges; k = end) {
-            for (end = k + 1; end < edges && list[end].low == list[k].low && list[end].high == list[k].high;) end++;
-            join(tree, &list[k], end - k);
-        }
+        sort_edges(tree, vertices, start, room, sorted);
+        join_edges(tree, vertices, start, sorted);
         find_normals(vertices, tree);
     }
     wcut_free(start);
     wcut_free(sorted);
-    wcut_free(list);
+    wcut_free(room);
     return there ? WCUT_OK : WCUT_NO_MEMORY;
 }

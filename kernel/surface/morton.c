@@ -8,15 +8,15 @@
 #include "base/alloc.h"
 #include "base/numbers.h"
 
-enum { BITS = 11, BUCKETS = 1 << BITS, PASSES = 2, CHUNKS = 64, SMALL = 10000 };
+enum { BITS = 11, BUCKETS = 1 << BITS, CHUNKS = 64, SMALL = 10000 };
 
 typedef struct sorter {
-    int count, chunks;
+    int count, chunks, digits;
     const wcut_vec3 *point;
     wcut_vec3 low[CHUNKS], high[CHUNKS];
     int most[3];               /* the last cell along each axis */
     double by[3];              /* from half a coordinate's difference to cells */
-    uint32_t code[3][BUCKETS]; /* the bits of a cell's number, where they stand in the code */
+    uint64_t code[3][BUCKETS]; /* the bits of a cell's number, where they stand in the code */
     int (*start)[BUCKETS];     /* chunks: where a chunk's next item of a bucket goes */
     uint64_t *now, *next;      /* count: cell, then index */
 } sorter;
@@ -45,8 +45,9 @@ static void plan_cells(sorter *s) {
     /* halves keep the difference of the largest doubles finite */
     const double wide[3] = {high.x / 2 - low.x / 2, high.y / 2 - low.y / 2, high.z / 2 - low.z / 2};
     double cell[3] = {wide[0], wide[1], wide[2]};
-    int bits[3] = {0, 0, 0}, axis[PASSES * BITS];
-    for (int b = PASSES * BITS - 1; b >= 0; b--) {
+    const int all = s->digits * BITS;
+    int bits[3] = {0, 0, 0}, axis[3 * BITS];
+    for (int b = all - 1; b >= 0; b--) {
         int c = -1;
         for (int other = 0; other < 3; other++)
             if (bits[other] < BITS && (c < 0 || cell[other] > cell[c])) c = other;
@@ -58,13 +59,13 @@ static void plan_cells(sorter *s) {
         s->by[c] = wide[c] > 1e-290 ? (s->most[c] + 1) / wide[c] : 0;
         for (int k = 0; k <= s->most[c]; k++) {
             s->code[c][k] = 0;
-            for (int b = 0, bit = 0; b < PASSES * BITS; b++)
-                if (axis[b] == c) s->code[c][k] |= (uint32_t)(k >> bit++ & 1) << b;
+            for (int b = 0, bit = 0; b < all; b++)
+                if (axis[b] == c) s->code[c][k] |= (uint64_t)(k >> bit++ & 1) << (b + WCUT_MORTON_INDEX);
         }
     }
 }
 
-static inline uint32_t code_along(const sorter *s, int axis, double x, double low) {
+static inline uint64_t code_along(const sorter *s, int axis, double x, double low) {
     const int cell = (int)((x / 2 - low / 2) * s->by[axis]); /* not negative: low is the lowest of all */
     return s->code[axis][cell < s->most[axis] ? cell : s->most[axis]];
 }
@@ -74,13 +75,14 @@ static void code_points(sorter *s, int chunk) {
     const int end = begin_of(s, chunk + 1);
     for (int k = begin_of(s, chunk); k < end; k++) {
         const wcut_vec3 p = s->point[k];
-        const uint32_t code =
-            code_along(s, 0, p.x, low.x) | code_along(s, 1, p.y, low.y) | code_along(s, 2, p.z, low.z);
-        s->now[k] = (uint64_t)code << 32 | (uint64_t)k;
+        s->now[k] =
+            code_along(s, 0, p.x, low.x) | code_along(s, 1, p.y, low.y) | code_along(s, 2, p.z, low.z) | (uint64_t)k;
     }
 }
 
-static inline int digit_of(uint64_t item, int pass) { return (int)(item >> (32 + BITS * pass) & (BUCKETS - 1)); }
+static inline int digit_of(uint64_t item, int pass) {
+    return (int)(item >> (WCUT_MORTON_INDEX + BITS * pass) & (BUCKETS - 1));
+}
 
 static void count_digits(sorter *s, int chunk, int pass) {
     int *start = s->start[chunk];
@@ -113,7 +115,7 @@ static void sort(sorter *s) {
     plan_cells(s);
 #pragma omp parallel for schedule(static) num_threads(s->chunks)
     for (int c = 0; c < s->chunks; c++) code_points(s, c);
-    for (int pass = 0; pass < PASSES; pass++) {
+    for (int pass = 0; pass < s->digits; pass++) {
 #pragma omp parallel for schedule(static) num_threads(s->chunks)
         for (int c = 0; c < s->chunks; c++) count_digits(s, c, pass);
         sum_counts(s);
@@ -124,18 +126,32 @@ static void sort(sorter *s) {
     }
 }
 
-wcut_status wcut_morton_order(int count, const wcut_vec3 *point, int threads, int **order) {
-    sorter s = {.count = count, .chunks = count < SMALL ? 1 : threads < CHUNKS ? threads : CHUNKS, .point = point};
-    int *list = wcut_alloc((size_t)count, sizeof *list);
+wcut_status wcut_morton_sort(int count, const wcut_vec3 *point, int threads, int digits, uint64_t **items) {
+    sorter s = {.count = count, .digits = digits, .point = point};
+    s.chunks = count < SMALL ? 1 : threads < CHUNKS ? threads : CHUNKS;
     s.start = wcut_alloc((size_t)s.chunks, sizeof *s.start);
     s.now = wcut_alloc((size_t)count, sizeof *s.now), s.next = wcut_alloc((size_t)count, sizeof *s.next);
-    const wcut_status status = list && s.start && s.now && s.next ? WCUT_OK : WCUT_NO_MEMORY;
+    const wcut_status status = s.start && s.now && s.next ? WCUT_OK : WCUT_NO_MEMORY;
     if (status == WCUT_OK && count > 0) sort(&s);
-    for (int k = 0; status == WCUT_OK && k < count; k++) list[k] = (int)(uint32_t)s.now[k];
-    if (status == WCUT_OK) *order = list;
-    if (status != WCUT_OK) wcut_free(list);
+    if (status == WCUT_OK)
+        *items = s.now;
+    else
+        wcut_free(s.now);
     wcut_free(s.next);
-    wcut_free(s.now);
     wcut_free(s.start);
     return status;
+}
+
+wcut_status wcut_morton_order(int count, const wcut_vec3 *point, int threads, int **order) {
+    uint64_t *items;
+    int *list = wcut_alloc((size_t)count, sizeof *list);
+    const wcut_status status = list ? wcut_morton_sort(count, point, threads, 2, &items) : WCUT_NO_MEMORY;
+    if (status != WCUT_OK) {
+        wcut_free(list);
+        return status;
+    }
+    for (int k = 0; k < count; k++) list[k] = wcut_morton_index(items[k]);
+    wcut_free(items);
+    *order = list;
+    return WCUT_OK;
 }

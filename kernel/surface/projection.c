@@ -8,8 +8,8 @@
 #include "surface/morton.h"
 #include "surface/sweep.h"
 
-/* Queries of a block start from the one before; blocks know nothing of each other, so threads change no byte. */
-enum { BLOCK = WCUT_QUICK_MOST };
+/* Queries of a block start from those before; blocks know nothing of each other, so threads change no byte. */
+enum { BLOCK = WCUT_SWEEP_BLOCK };
 
 /* [mm] squares of lengths up to this stay finite, with room for products */
 static const double FAR = 1e100;
@@ -61,7 +61,9 @@ wcut_status wcut_projection_hasten(wcut_projection *projection) {
 
 /* the first query by a search of the tree, then all of a block side by side; what is left one by one, from where such a
    search ended last */
-static void locate_block(const wcut_projection *m, int count, const wcut_vec3 *query, wcut_foot *foot) {
+static void locate_block(const void *on, int count, const wcut_vec3 *query, void *feet) {
+    const wcut_projection *m = on;
+    wcut_foot *foot = feet;
     unsigned char done[BLOCK] = {0};
     wcut_quick_place start[BLOCK];
     const wcut_foot *near = &foot[0];
@@ -90,27 +92,19 @@ static void locate_block(const wcut_projection *m, int count, const wcut_vec3 *q
 }
 
 wcut_status wcut_projection_sweep(const wcut_projection *projection, int count, const wcut_vec3 *query, int threads,
-                                  wcut_feet_taker *take, void *to) {
-    int *order;
-    const wcut_status status = wcut_morton_order(count, query, threads, &order);
-    if (status != WCUT_OK) return status;
-    const int blocks = count / BLOCK + (count % BLOCK > 0);
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-    for (int block = 0; block < blocks; block++) {
-        const int first = block * BLOCK, here = block == blocks - 1 ? count - first : BLOCK;
-        wcut_vec3 near[BLOCK];
-        wcut_foot foot[BLOCK];
-        for (int k = 0; k < here; k++) near[k] = query[order[first + k]];
-        locate_block(projection, here, near, foot);
-        take(to, here, &order[first], foot);
-    }
-    wcut_free(order);
-    return WCUT_OK;
+                                  wcut_sweep_taker *take, void *to) {
+    _Static_assert(sizeof(wcut_foot) <= WCUT_SWEEP_FOOT, "fits");
+    const wcut_sweep sweep = {.locate = locate_block, .on = projection, .take = take, .to = to};
+    return wcut_sweep_run(&sweep, count, query, threads);
 }
 
-static void put_feet(void *to, int count, const int *index, const wcut_foot *foot) {
+static void put_feet(void *to, int count, const int *index, const void *foot) {
+    const wcut_foot *from = foot;
     wcut_foot *all = to;
-    for (int k = 0; k < count; k++) all[index[k]] = foot[k];
+    for (int k = 0; k < count; k++) {
+        if (k + WCUT_SWEEP_AHEAD < count) __builtin_prefetch(&all[index[k + WCUT_SWEEP_AHEAD]], 1);
+        all[index[k]] = from[k];
+    }
 }
 
 wcut_status wcut_projection_locate(const wcut_projection *projection, int count, const wcut_vec3 *query, int threads,
