@@ -292,7 +292,7 @@ static bool is_gltf(const char *ending) { return strcmp(ending, ".glb") == 0 || 
 
 bool wcut_mesh_fill_foreign(wcut_cloud_source *s, wcut_growth *g, const char *ending, int seconds) {
     request r = {.ending = ending, .most = g->most};
-    int32_t head[2];
+    int32_t head[2] = {0};
     if (is_gltf(ending)) s->scale = 1000;
     char *data = ask(s, &r, 3 * (3 * sizeof(double) + sizeof(int32_t)), seconds, head);
     const bool done = data && take_triangles(s, g, is_gltf(ending), data, head);
@@ -303,11 +303,11 @@ bool wcut_mesh_fill_foreign(wcut_cloud_source *s, wcut_growth *g, const char *en
 bool wcut_mesh_vertices_foreign(wcut_cloud_source *s, const char *ending, int most, int seconds, double **position,
                                 int *count) {
     request r = {.ending = ending, .most = most, .as_vertices = true};
-    int32_t head[2];
+    int32_t head[2] = {0};
     if (is_gltf(ending)) s->scale = 1000;
     char *data = ask(s, &r, 3 * sizeof(double), seconds, head);
     if (!data) return false;
-    double *to = (double *)data; /* in place: the head is shorter than a position */
+    double *to = (void *)data; /* in place: the head is shorter than a position */
     for (int32_t i = 0; i < head[0]; i++) {
         double p[3];
         take_position(data + MESSAGE_HEAD + (size_t)i * sizeof p, is_gltf(ending), p);

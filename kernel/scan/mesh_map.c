@@ -82,7 +82,8 @@ static double missing_of(const wcut_vec3 p[3], double side, double support, cons
     int missing = 0;
     for (int i = 0; i < parts; i++)
         for (int j = 0; j < 2 * (parts - i) - 1; j++) { /* upright and hanging ones in turn */
-            const double s = j / 2 + (j % 2 ? 2.0 / 3 : 1.0 / 3), t = i + (j % 2 ? 2.0 / 3 : 1.0 / 3);
+            const int column = j / 2;
+            const double middle = j % 2 ? 2.0 / 3 : 1.0 / 3, s = column + middle, t = i + middle;
             const wcut_vec3 at = vec3_add_scaled(vec3_add_scaled(p[0], s / parts, a), t / parts, b);
             missing += !(wcut_kd_tree_distance(tree, at, limit) < limit);
         }

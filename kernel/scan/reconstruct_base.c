@@ -74,7 +74,8 @@ typedef struct corner {
 
 static corner corner_of(const wcut_lattice *l, const wcut_foot *foot, double height) {
     const wcut_lattice_place p = wcut_lattice_locate(l, foot->u, foot->v);
-    return (corner){p.cell % l->columns + (double)p.s, p.cell / l->columns + (double)p.t, height};
+    const int column = p.cell % l->columns, row = p.cell / l->columns;
+    return (corner){column + (double)p.s, row + (double)p.t, height};
 }
 
 static double turn(const corner *a, const corner *b, double x, double y) {

@@ -80,12 +80,10 @@ static wcut_status find_feet(wcut_register_cloud *c, const wcut_motion *motion) 
 
 static void find_normals(wcut_register_cloud *c) {
     const wcut_register_face *f = &c->face;
-    const wcut_foot *of_surface = f->projection ? c->foot : NULL;
-    const wcut_mesh_foot *of_mesh = f->projection ? NULL : c->foot;
 #pragma omp parallel for schedule(static) num_threads(c->threads)
     for (int i = 0; i < c->count; i++)
-        c->normal[i] =
-            of_surface ? normal_of_surface(f->projection, &of_surface[i]) : normal_of_mesh(f->mesh, &of_mesh[i]);
+        c->normal[i] = f->projection ? normal_of_surface(f->projection, (const wcut_foot *)c->foot + i)
+                                     : normal_of_mesh(f->mesh, (const wcut_mesh_foot *)c->foot + i);
 }
 
 static int ascending(const void *a, const void *b) {
