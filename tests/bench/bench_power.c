@@ -16,7 +16,7 @@ static const row table[ROWS] = {{WCUT_WIRE_THERMAL_LAG, 0, {0.03, 0.06, 0.12, 0.
                                 {WCUT_ANGLE_OFFSET, 2, {0.05, 0.1, 0.2, 0.4, 0.8}}};
 
 typedef struct tally {
-    int named, noticed; /* exactly right; any verdict but none */
+    int named, noticed; /* exactly right, the channel too; any verdict but none */
     double off;         /* [1] relative error of the strength, squared and summed over those named */
 } tally;
 
@@ -29,7 +29,7 @@ static void add(const row *r, double strength, int seed, tally *t) {
     machine_case m = machine_create(MACHINE_CUTS, &secret);
     wcut_diagnosis *d = machine_diagnose(&m, NULL);
     t->noticed += d->kind != WCUT_VERDICT_NONE;
-    if (machine_names(d, r->kind, r->kind)) {
+    if (machine_names(d, r->kind, r->kind) && d->effect[0].effect.choice == r->choice) {
         t->named++;
         t->off += pow(d->effect[0].effect.value[0] / strength - 1, 2);
     }
