@@ -11,13 +11,16 @@
 /* Sections nearer than a job's own rounding of its coordinates are one section. */
 #define MERGE_MM 1e-3
 
-static bool names_mesh(const char *path) {
-    static const char *const ending[] = {".stl", ".ply", ".obj", ".off", ".glb", ".gltf"};
+/* whether a name ends with one of a list, which ends with NULL */
+static bool ends_with(const char *path, const char *const *ending) {
     const char *dot = strrchr(path, '.');
-    for (size_t k = 0; dot && k < sizeof ending / sizeof *ending; k++)
-        if (strcasecmp(dot, ending[k]) == 0) return true;
+    for (; dot && *ending; ending++)
+        if (strcasecmp(dot, *ending) == 0) return true;
     return false;
 }
+
+static const char *const mesh_ending[] = {".stl", ".ply", ".obj", ".off", ".glb", ".gltf", NULL};
+static const char *const cad_ending[] = {".step", ".stp", ".iges", ".igs", NULL};
 
 /* ---- a job ---- */
 
@@ -112,7 +115,12 @@ int app_reference_load(app_reference *reference, const char *path, app_distance 
     wcut_error error = {0};
     app_reference *r = reference;
     *r = (app_reference){.path = path, .distance = distance, .options = wcut_deviation_options_default()};
-    r->is_job = !names_mesh(path);
+    if (ends_with(path, cad_ending))
+        return app_fail(APP_BAD_INPUT,
+                        "%s: found a CAD file, expected a job, whose surface is exact, or a mesh: .stl .ply .obj .off "
+                        ".glb",
+                        path);
+    r->is_job = !ends_with(path, mesh_ending);
     r->options.flip = flip;
     const int code = r->is_job ? load_job(r, chord_tolerance, quiet) : load_mesh(r);
     if (code != APP_DONE) return code;

@@ -80,6 +80,11 @@ refused short.las "byte 4: found the end of the file"
 printf 'PK\003\004' >a.zip
 refused a.zip "found a ZIP archive"
 
+# CAD surfaces are no reference
+printf 'ISO-10303-21;\n' >surface.step
+run 3 compare surface.step "$good" -o bad
+one_line "surface.step: found a CAD file, expected a job"
+
 # a mesh of triangles without area is no reference
 run 3 compare flat.stl "$good" -o bad
 one_line "flat.stl: line 10: found no triangle (1 collapsed)"
