@@ -67,6 +67,13 @@ static int load(moulding *m) {
         status = wcut_job_resample(m->job, app_int(m->call, "stations"));
         if (status != WCUT_OK) return app_fail_status(status, m->path, NULL);
     }
+    if (app_given(m->call, "edges")) {
+        const char *path = app_text(m->call, "edges");
+        status = wcut_job_read_edges(m->job, path, &error);
+        if (status == WCUT_BAD_ARGUMENT)
+            return app_fail(APP_BAD_INPUT, "%s: --edges: expected a design, found a path", m->path);
+        if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : path, &error);
+    }
     if (app_given(m->call, "stock")) {
         const char *path = app_text(m->call, "stock");
         status = wcut_mesh_read(path, NULL, &m->stock, NULL, &error);
@@ -198,6 +205,7 @@ static int write_report(moulding *m) {
     const char *name = "report.html";
     const app_moulded run = {.job_path = m->path,
                              .stock_path = app_given(m->call, "stock") ? app_text(m->call, "stock") : NULL,
+                             .edges_path = app_given(m->call, "edges") ? app_text(m->call, "edges") : NULL,
                              .chord_tolerance = app_real(m->call, "chord-tolerance"),
                              .fit_tolerance = app_real(m->call, "fit-tolerance"),
                              .prolong = app_real(m->call, "prolong")};
@@ -353,6 +361,10 @@ static const app_option option[] = {
      .high = 1e6,
      .standard = "100",
      .help = "how far the cut may be continued straight where it ends inside the block, mm"},
+    {.kind = APP_FILE,
+     .name = "edges",
+     .value = "FILE",
+     .help = "two curves of a STEP, IGES, JSON or CSV file in the place of a design's edges"},
     {.kind = APP_FILE, .name = "stock", .value = "MESH", .help = "a closed mesh inside the block, cut in its place"},
     {.kind = APP_CHOICE,
      .name = "keys",

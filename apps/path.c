@@ -30,6 +30,13 @@ static int load(export_ *e) {
     wcut_error error = {0};
     wcut_status status = wcut_job_read(e->path, &e->job, &error);
     if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : e->path, &error);
+    if (app_given(e->call, "edges")) {
+        const char *path = app_text(e->call, "edges");
+        status = wcut_job_read_edges(e->job, path, &error);
+        if (status == WCUT_BAD_ARGUMENT)
+            return app_fail(APP_BAD_INPUT, "%s: --edges: expected a design, found a path", e->path);
+        if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : path, &error);
+    }
     e->format = (wcut_robot_format)app_choice(e->call, "format");
     status = wcut_setup_create(e->job, NULL, &e->setup, &error);
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, e->path, &error);
@@ -205,6 +212,10 @@ static const app_option option[] = {
      .required = true,
      .value = "urscript|rapid|krl|csv|json",
      .help = "Universal Robots, ABB with MultiMove, KUKA: a program each; one table; one object"},
+    {.kind = APP_FILE,
+     .name = "edges",
+     .value = "FILE",
+     .help = "two curves of a STEP, IGES, JSON or CSV file in the place of a design's edges"},
     {.kind = APP_REAL,
      .name = "chord-tolerance",
      .value = "MM",

@@ -16,7 +16,7 @@ typedef struct page {
     const wcut_history *history;
     const wcut_mould *mould;
     double *draft[2]; /* of the halves' vertices [deg] */
-    char verdict[512], block[96], pull[96], hash[2][WCUT_SHA256_TEXT];
+    char verdict[512], block[96], pull[96], hash[3][WCUT_SHA256_TEXT];
 } page;
 
 static const wcut_half *half_of(const page *p, int upper) { return upper ? &p->mould->upper : &p->mould->lower; }
@@ -143,8 +143,13 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
                                        {"pull out of the lower half, x, y, z", p->pull, 0, ""},
                                        {"least wall asked for", NULL, m->wall_asked, "mm"},
                                        {"least draft asked for", NULL, DEG_PER_RAD * m->draft_asked, "deg"}};
-    const wcut_report_source source[] = {{"job", p->run->job_path, p->hash[0][0] ? p->hash[0] : NULL},
-                                         {"stock", p->run->stock_path, p->hash[1][0] ? p->hash[1] : NULL}};
+    const wcut_report_source from[3] = {{"job", p->run->job_path, p->hash[0][0] ? p->hash[0] : NULL},
+                                        {"stock", p->run->stock_path, p->hash[1][0] ? p->hash[1] : NULL},
+                                        {"edges", p->run->edges_path, p->hash[2][0] ? p->hash[2] : NULL}};
+    wcut_report_source source[3];
+    int sources = 0;
+    for (int k = 0; k < 3; k++)
+        if (k == 0 || from[k].name) source[sources++] = from[k];
     const wcut_report report = {.verb = "mould",
                                 .title = job->name ? job->name : p->run->job_path,
                                 .tone = judge(p),
@@ -154,7 +159,7 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
                                 .scene = scene,
                                 .section_count = 1,
                                 .section = &section,
-                                .source_count = p->run->stock_path ? 2 : 1,
+                                .source_count = sources,
                                 .source = source,
                                 .option_count = sizeof option / sizeof *option,
                                 .option = option};
@@ -167,6 +172,7 @@ wcut_status app_report_mould(const app_moulded *run, const wcut_job *job, const 
     wcut_status status = fill_drafts(&p);
     if (!status) status = hash(run->job_path, p.hash[0], error);
     if (!status) status = hash(run->stock_path, p.hash[1], error);
+    if (!status) status = hash(run->edges_path, p.hash[2], error);
     if (!status) {
         wcut_report_field field[2];
         wcut_report_shape shape[2];

@@ -8,6 +8,7 @@
 typedef struct app_moulded {
     const char *job_path;
     const char *stock_path;                         /* NULL: the job's block */
+    const char *edges_path;                         /* NULL: the job's own, or none */
     double chord_tolerance, fit_tolerance, prolong; /* [mm] as asked for */
 } app_moulded;
 

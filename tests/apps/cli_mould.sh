@@ -85,6 +85,37 @@ run 0 mould "$design" -o h $coarse
 [ -e h/cut.igs ] && fail "$called: cut.igs of an earlier run is still there"
 grep -q AUTOMOTIVE_DESIGN h/lower.step || fail "lower.step is not of AP214"
 
+# edges of a file in the place of the design's own, in another order and one run backwards: the same mould
+python3 - "$design" <<'EOF' >edges.csv || fail "edges.csv"
+import json, sys
+job = json.load(open(sys.argv[1]))
+print("x_mm,y_mm,z_mm,curve")
+for k, edge in enumerate(("edge_b", "edge_a")):
+    points = job["design"][edge]["points_mm"]
+    for p in points[::-1] if k == 0 else points:
+        print(*p, k, sep=",")
+EOF
+# shellcheck disable=SC2086
+run 0 mould "$design" -o h $coarse --edges edges.csv
+figures h/mould.json
+grep -q "edges.csv" h/report.html || fail "report.html does not name the edges"
+cp h/mould.json with_edges.json
+# shellcheck disable=SC2086
+run 0 mould "$design" -o h $coarse
+python3 -c '
+import json
+a, b = json.load(open("with_edges.json")), json.load(open("h/mould.json"))
+assert abs(a["lower"]["volume_mm3"] / b["lower"]["volume_mm3"] - 1) < 1e-9, (a["lower"], b["lower"])
+' || fail "other edges, another mould"
+sed '/,1$/d' edges.csv >one.csv
+run 3 mould "$design" -o e --edges one.csv
+one_line "one.csv: found 1 curves, 0 left out, expected two edges"
+run 3 mould "$path" -o e --edges edges.csv
+one_line "--edges: expected a design, found a path"
+run 3 path "$design" --format csv -o e --edges none.step
+one_line "none.step"
+untouched e
+
 # refused: nothing is written, the words say where
 # shellcheck disable=SC2086
 run 3 mould "$design" -o e $coarse --prolong 1

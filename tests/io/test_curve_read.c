@@ -2,6 +2,7 @@
 #include <locale.h>
 #include <wirecut/curve.h>
 #include <wirecut/exchange.h>
+#include <wirecut/job.h>
 #include <wirecut/read.h>
 
 #include "curve_set.h"
@@ -416,6 +417,34 @@ START_TEST(arguments_outside_their_range_and_missing_files_are_refused) {
 }
 END_TEST
 
+START_TEST(edges_of_a_file_become_those_of_a_design) {
+    wcut_job *job = NULL;
+    wcut_vec3 p[2] = {{0, 0, 150}, {0, 900, 150}};
+    enter_folder();
+    write_file("edges.csv", "x_mm,y_mm,z_mm,curve\n400,900,5,0\n400,0,6,0\n0,0,7,1\n0,900,8,1\n");
+    write_file("one.csv", "x_mm,y_mm,z_mm\n400,900,5\n400,0,6\n");
+    ck_assert_int_eq(wcut_job_create(&job), WCUT_OK);
+    job->mode = WCUT_MODE_PATH;
+    ck_assert_int_eq(wcut_job_read_edges(job, "edges.csv", &error), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_job_read_edges(NULL, "edges.csv", &error), WCUT_BAD_ARGUMENT);
+    job->mode = WCUT_MODE_DESIGN;
+    ck_assert_int_eq(wcut_curve_interpolate(2, p, &job->edge_a), WCUT_OK);
+    const wcut_curve *own = job->edge_a;
+    ck_assert_int_eq(wcut_job_read_edges(job, NULL, &error), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_job_read_edges(job, "nowhere.csv", &error), WCUT_NOT_FOUND);
+    ck_assert_int_eq(wcut_job_read_edges(job, "one.csv", &error), WCUT_BAD_FORMAT);
+    ck_assert_ptr_nonnull(strstr(error.text, "expected two edges"));
+    ck_assert(job->edge_a == own && job->edge_b == NULL);
+    ck_assert_int_eq(wcut_job_read_edges(job, "edges.csv", &error), WCUT_OK);
+    ck_assert_int_eq(wcut_curve_eval(job->edge_a, 0, 0, &p[0]), WCUT_OK);
+    ck_assert(p[0].x == 0 && p[0].y == 0 && p[0].z == 7);
+    ck_assert_int_eq(wcut_curve_eval(job->edge_b, 0, 0, &p[0]), WCUT_OK);
+    ck_assert(p[0].x == 400 && p[0].y == 0 && p[0].z == 6);
+    wcut_job_destroy(job);
+    leave_folder();
+}
+END_TEST
+
 START_TEST(without_memory_nothing_is_given_and_nothing_lost) {
     static const char text[] = STEP(MM, "#20,#21", "#20=POLYLINE('',(#10,#11));#21=CIRCLE('',#15,1.);\n");
     wcut_status status = WCUT_NO_MEMORY;
@@ -445,6 +474,7 @@ int main(void) {
                                  iges_lines_points_and_splines_are_read_in_their_unit,
                                  iges_arcs_composites_and_transformations_are_read,
                                  arguments_outside_their_range_and_missing_files_are_refused,
+                                 edges_of_a_file_become_those_of_a_design,
                                  without_memory_nothing_is_given_and_nothing_lost};
     return run_suite("curve_read", sizeof test / sizeof *test, test);
 }

@@ -104,6 +104,18 @@ WCUT_API wcut_status wcut_job_read(const char *path, wcut_job **job, wcut_error 
 WCUT_API wcut_status wcut_job_write(const wcut_job *job, const char *path, wcut_error *error);
 
 /**
+ * Take the two edges of a design from a file of curves, as a CAD program writes it: STEP, IGES, JSON or CSV
+ * (wcut_curve_set_read). The curve of lower x becomes that of mount A, and either runs with the feed, turned if need be.
+ *
+ * @param[in,out] job   in design mode
+ * @param[in]     path  a file that holds two curves
+ * @param[out]    error may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a job in path mode), WCUT_BAD_FORMAT (not two curves, and as
+ *         wcut_curve_set_read), WCUT_NOT_FOUND, WCUT_NO_MEMORY: the job is as it was.
+ */
+WCUT_API wcut_status wcut_job_read_edges(wcut_job *job, const char *path, wcut_error *error);
+
+/**
  * Let a path-mode job have another number of stations: both mount paths are resampled at the same parameter, that of
  * the mean of both paths' arc lengths, on the polylines through the given stations (a chord of a curve never leaves
  * what was programmed). In design mode only the count changes.
