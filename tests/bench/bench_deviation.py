@@ -28,11 +28,18 @@ import sys, time
 import numpy, open3d
 mesh = open3d.t.io.read_triangle_mesh("mesh.ply")
 points = numpy.asarray(open3d.io.read_point_cloud("points.ply").points, dtype=numpy.float32)
-begin = time.process_time()
-scene = open3d.t.geometry.RaycastingScene(nthreads=1) if "nthreads" in (open3d.t.geometry.RaycastingScene.__init__.__doc__ or "") else open3d.t.geometry.RaycastingScene()
-scene.add_triangles(mesh)
-distance = scene.compute_distance(open3d.core.Tensor(points)).numpy()
-print(time.process_time() - begin)
+new_scene = open3d.t.geometry.RaycastingScene
+threads = {"nthreads": 1} if "nthreads" in (new_scene.__init__.__doc__ or "") else {}
+shortest = [float("inf")] * 2
+for _ in range(3):
+    begin = time.process_time()
+    scene = new_scene(**threads)
+    scene.add_triangles(mesh)
+    scene.compute_distance(open3d.core.Tensor(points[:1]))
+    ready = time.process_time()
+    distance = scene.compute_distance(open3d.core.Tensor(points)).numpy()
+    shortest = [min(shortest[0], ready - begin), min(shortest[1], time.process_time() - ready)]
+print(*shortest)
 distance.astype("f8").tofile("open3d.f64")
 """
 
@@ -47,7 +54,9 @@ def with_open3d(ours):
     if done.returncode != 0:
         print("Open3D: skipped:", (done.stderr.strip().split("\n") or ["?"])[-1])
         return
-    report("Open3D", float(done.stdout.split()[-1]), ours, numpy.fromfile("open3d.f64"))
+    prepared, measured = (float(s) for s in done.stdout.split()[-2:])
+    print("(Open3D: %.2f s to prepare, then)" % prepared)
+    report("Open3D", measured, ours, numpy.fromfile("open3d.f64"))
 
 
 def read_ply(path):
