@@ -11,6 +11,9 @@
 /* Sections nearer than a job's own rounding of its coordinates are one section. */
 #define MERGE_MM 1e-3
 
+/* [1] the area that a mesh shows from one side more than from the other, over its whole area, for it to face that way */
+#define SIDED 1e-3
+
 /* whether a name ends with one of a list, which ends with NULL */
 static bool ends_with(const char *path, const char *const *ending) {
     const char *dot = strrchr(path, '.');
@@ -67,12 +70,12 @@ static int load_job(app_reference *r, double chord_tolerance, bool quiet) {
 
 /* ---- a mesh ---- */
 
+/* which way a mesh faces on the whole; a closed one faces no way */
 static void warn_of_mesh(const app_reference *r, const wcut_mesh_tree_info *info) {
-    const char *const down = info->area_sum.z < 0 ? "down" : NULL;
+    const bool up = info->area_sum.z > SIDED * info->area, down = info->area_sum.z < -SIDED * info->area;
     if (down && !r->options.flip)
         app_say("%s: warning: its triangles face down, so positive is below them; --flip turns them", r->path);
-    if (!down && r->options.flip)
-        app_say("%s: warning: its triangles faced up; turned, positive is below them", r->path);
+    if (up && r->options.flip) app_say("%s: warning: its triangles faced up; turned, positive is below them", r->path);
     if (info->odd_edges > 0)
         app_say(
             "%s: warning: %d edges have three triangles or more, or two wound against each other: the sign is not "

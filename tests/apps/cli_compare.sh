@@ -75,6 +75,11 @@ look mesh/deviation.json 'd["distance"] == "reconstruction" and near(d["kerf_off
 printf 'OFF\n4 4 0\n0 0 0\n400 0 0\n0 1200 0\n0 0 300\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n' >solid.off
 run 3 compare solid.off "$scan" -o mesh --reconstruct field --quiet
 one_line "solid.off" "expected a sheet over a plane"
+run 0 compare solid.off "$scan" -o mesh
+grep -q "its triangles face" err && fail "$called: a closed mesh faces no way: $(cat err)"
+run 0 compare surface/surface.ply "$scan" -o mesh --flip
+grep -q "warning: its triangles faced up" err || fail "$called: no warning of a mesh turned wrongly"
+look mesh/deviation.json 'near(d["kerf_offset_mm"], 0.6, 0.02)'
 
 # more points than are to be held are streamed, to the same figures
 run 0 compare "$steady" "$scan" -o streamed --hold 1000 --quiet
