@@ -62,17 +62,10 @@ typedef struct desk {
     wcut_foot *foot; /* NULL: not asked for */
 } desk;
 
-/* into the cache; it lies across two of its lines */
-static inline void fetch(const wcut_deviation *d) {
-    __builtin_prefetch(d, 1);
-    __builtin_prefetch(&d->place, 1);
-}
-
 static void judge_feet(void *to, int count, const int *index, const void *feet) {
     const desk *d = to;
     const wcut_foot *foot = feet;
     for (int k = 0; k < count; k++) {
-        if (k + WCUT_SWEEP_AHEAD < count) fetch(&d->deviation[index[k + WCUT_SWEEP_AHEAD]]);
         const wcut_foot *from = &foot[k];
         wcut_deviation *of = &d->deviation[index[k]];
         const finding f = {.foot = from->point,
@@ -94,14 +87,19 @@ wcut_status wcut_deviation_from_surface(const wcut_projection *projection, int c
         (count > 0 && (!point || !deviation || !wcut_are_near(count, point))))
         return WCUT_BAD_ARGUMENT;
     desk d = {.options = &o, .deviation = deviation, .foot = foot};
-    return wcut_projection_sweep(projection, count, point, threads, judge_feet, &d);
+    const wcut_sweep sweep = {.locate = wcut_projection_sweep,
+                              .on = projection,
+                              .take = judge_feet,
+                              .to = &d,
+                              .result = deviation,
+                              .size = sizeof *deviation};
+    return wcut_sweep_run(&sweep, count, point, threads);
 }
 
 static void judge_mesh_feet(void *to, int count, const int *index, const void *feet) {
     const desk *d = to;
     const wcut_mesh_foot *foot = feet;
     for (int k = 0; k < count; k++) {
-        if (k + WCUT_SWEEP_AHEAD < count) fetch(&d->deviation[index[k + WCUT_SWEEP_AHEAD]]);
         const wcut_mesh_foot *from = &foot[k];
         wcut_deviation *of = &d->deviation[index[k]];
         const finding f = {.foot = from->point,
@@ -121,7 +119,13 @@ wcut_status wcut_deviation_from_mesh(const wcut_mesh_tree *tree, int count, cons
         (count > 0 && (!point || !deviation || !wcut_are_near(count, point))))
         return WCUT_BAD_ARGUMENT;
     desk d = {.options = &o, .deviation = deviation};
-    return wcut_mesh_tree_sweep(tree, count, point, threads, judge_mesh_feet, &d);
+    const wcut_sweep sweep = {.locate = wcut_mesh_tree_sweep,
+                              .on = tree,
+                              .take = judge_mesh_feet,
+                              .to = &d,
+                              .result = deviation,
+                              .size = sizeof *deviation};
+    return wcut_sweep_run(&sweep, count, point, threads);
 }
 
 wcut_status wcut_deviation_onto_surface(const wcut_mesh *mesh, int count, wcut_deviation *deviation) {

@@ -347,7 +347,9 @@ static void prepare_group(const search *s, int count, const wcut_vec3 *query, fr
 }
 
 /* a block of queries; none is further from the mesh than the one before and the way from there */
-static void locate_block(const void *on, int count, const wcut_vec3 *query, void *feet) {
+void wcut_mesh_tree_sweep(const void *on, int count, const wcut_vec3 *query, const wcut_sweep_ahead *ahead,
+                          void *feet) {
+    _Static_assert(sizeof(wcut_mesh_foot) <= WCUT_SWEEP_FOOT, "fits");
     const wcut_mesh_tree *tree = on;
     wcut_mesh_foot *foot = feet;
     search s = {.t = tree};
@@ -356,6 +358,7 @@ static void locate_block(const void *on, int count, const wcut_vec3 *query, void
         const bool leads = k % GROUP == 0;
         const double distance = k > 0 ? foot[k - 1].distance + vec3_distance(query[k - 1], query[k]) : INFINITY;
         place_query(&s, query[k]);
+        wcut_sweep_fetch(ahead, k);
         search_tree(&s, distance, leads ? 1 : f.count, leads ? tree->node : f.node);
         assert(s.best.square < INFINITY);
         fill_foot(&s, &foot[k]);
@@ -363,25 +366,17 @@ static void locate_block(const void *on, int count, const wcut_vec3 *query, void
     }
 }
 
-wcut_status wcut_mesh_tree_sweep(const wcut_mesh_tree *tree, int count, const wcut_vec3 *query, int threads,
-                                 wcut_sweep_taker *take, void *to) {
-    _Static_assert(sizeof(wcut_mesh_foot) <= WCUT_SWEEP_FOOT, "fits");
-    const wcut_sweep sweep = {.locate = locate_block, .on = tree, .take = take, .to = to};
-    return wcut_sweep_run(&sweep, count, query, threads);
-}
-
 static void put_feet(void *to, int count, const int *index, const void *foot) {
     const wcut_mesh_foot *from = foot;
     wcut_mesh_foot *all = to;
-    for (int k = 0; k < count; k++) {
-        if (k + WCUT_SWEEP_AHEAD < count) __builtin_prefetch(&all[index[k + WCUT_SWEEP_AHEAD]], 1);
-        all[index[k]] = from[k];
-    }
+    for (int k = 0; k < count; k++) all[index[k]] = from[k];
 }
 
 wcut_status wcut_mesh_tree_locate(const wcut_mesh_tree *tree, int count, const wcut_vec3 *query, int threads,
                                   wcut_mesh_foot *foot) {
     if (!tree || count < 0 || threads < 1 || (count > 0 && (!query || !foot || !wcut_are_near(count, query))))
         return WCUT_BAD_ARGUMENT;
-    return wcut_mesh_tree_sweep(tree, count, query, threads, put_feet, foot);
+    const wcut_sweep sweep = {
+        .locate = wcut_mesh_tree_sweep, .on = tree, .take = put_feet, .to = foot, .result = foot, .size = sizeof *foot};
+    return wcut_sweep_run(&sweep, count, query, threads);
 }

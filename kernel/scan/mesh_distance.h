@@ -64,8 +64,7 @@ wcut_status wcut_mesh_boxes_build(const wcut_mesh *mesh, wcut_mesh_tree *tree);
 /* edges, border and normals of a tree whose triangles are in order. WCUT_NO_MEMORY. */
 wcut_status wcut_mesh_edges_build(const wcut_mesh *mesh, wcut_mesh_tree *tree);
 
-/* As wcut_mesh_tree_locate, of checked arguments, with a taker of wcut_mesh_foot */
-wcut_status wcut_mesh_tree_sweep(const wcut_mesh_tree *tree, int count, const wcut_vec3 *query, int threads,
-                                 wcut_sweep_taker *take, void *to);
+/* a sweep's locator of wcut_mesh_foot on a wcut_mesh_tree */
+wcut_sweep_locator wcut_mesh_tree_sweep;
 
 #endif

@@ -61,16 +61,20 @@ wcut_status wcut_projection_hasten(wcut_projection *projection) {
 
 /* the first query by a search of the tree, then all of a block side by side; what is left one by one, from where such a
    search ended last */
-static void locate_block(const void *on, int count, const wcut_vec3 *query, void *feet) {
+void wcut_projection_sweep(const void *on, int count, const wcut_vec3 *query, const wcut_sweep_ahead *ahead,
+                           void *feet) {
     const wcut_projection *m = on;
     wcut_foot *foot = feet;
+    _Static_assert(sizeof(wcut_foot) <= WCUT_SWEEP_FOOT, "fits");
     unsigned char done[BLOCK] = {0};
     wcut_quick_place start[BLOCK];
     const wcut_foot *near = &foot[0];
     wcut_foot_search(m, query[0], NULL, &foot[0]);
     if (m->quick) {
         const wcut_quick_place from = wcut_quick_at(m->quick, near->u, near->v);
-        wcut_quick_feet(m->quick, count - 1, query + 1, from, foot + 1, done + 1, start + 1);
+        wcut_sweep_ahead rest = *ahead;
+        rest.index++, rest.next++;
+        wcut_quick_feet(m->quick, count - 1, query + 1, from, &rest, foot + 1, done + 1, start + 1);
     }
     for (int k = 1; k < count; k++) {
         if (done[k]) continue;
@@ -91,20 +95,10 @@ static void locate_block(const void *on, int count, const wcut_vec3 *query, void
     }
 }
 
-wcut_status wcut_projection_sweep(const wcut_projection *projection, int count, const wcut_vec3 *query, int threads,
-                                  wcut_sweep_taker *take, void *to) {
-    _Static_assert(sizeof(wcut_foot) <= WCUT_SWEEP_FOOT, "fits");
-    const wcut_sweep sweep = {.locate = locate_block, .on = projection, .take = take, .to = to};
-    return wcut_sweep_run(&sweep, count, query, threads);
-}
-
 static void put_feet(void *to, int count, const int *index, const void *foot) {
     const wcut_foot *from = foot;
     wcut_foot *all = to;
-    for (int k = 0; k < count; k++) {
-        if (k + WCUT_SWEEP_AHEAD < count) __builtin_prefetch(&all[index[k + WCUT_SWEEP_AHEAD]], 1);
-        all[index[k]] = from[k];
-    }
+    for (int k = 0; k < count; k++) all[index[k]] = from[k];
 }
 
 wcut_status wcut_projection_locate(const wcut_projection *projection, int count, const wcut_vec3 *query, int threads,
@@ -112,5 +106,11 @@ wcut_status wcut_projection_locate(const wcut_projection *projection, int count,
     if (!projection || count < 0 || threads < 1 || (count > 0 && (!query || !foot))) return WCUT_BAD_ARGUMENT;
     for (int k = 0; k < count; k++)
         if (!(vec3_length(query[k]) < FAR)) return WCUT_BAD_ARGUMENT;
-    return wcut_projection_sweep(projection, count, query, threads, put_feet, foot);
+    const wcut_sweep sweep = {.locate = wcut_projection_sweep,
+                              .on = projection,
+                              .take = put_feet,
+                              .to = foot,
+                              .result = foot,
+                              .size = sizeof *foot};
+    return wcut_sweep_run(&sweep, count, query, threads);
 }

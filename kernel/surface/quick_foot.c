@@ -208,11 +208,12 @@ static int collect(const wcut_quick *q, int first, int last, lanes *l, wcut_foot
 }
 
 void wcut_quick_feet(const wcut_quick *quick, int count, const wcut_vec3 *query, wcut_quick_place place,
-                     wcut_foot *foot, unsigned char *done, wcut_quick_place *start) {
+                     const wcut_sweep_ahead *ahead, wcut_foot *foot, unsigned char *done, wcut_quick_place *start) {
     const wcut_quick *q = quick;
     lanes l;
     for (int k = 0; k < count;
          k++) { /* from a neighbour, but not each from the last: several are under way at a time */
+        if (ahead) wcut_sweep_fetch(ahead, k);
         start[k] = wcut_quick_walk(q, query[k], place);
         if (k % STRIDE == 0) place = start[k];
         done[k] = 0;

@@ -7,6 +7,8 @@
 #include <wirecut/projection.h>
 #include <wirecut/surface.h>
 
+#include "surface/sweep.h"
+
 enum { WCUT_QUICK_MOST = 1024 }; /* queries taken together */
 
 typedef struct wcut_quick wcut_quick;
@@ -27,9 +29,10 @@ typedef struct wcut_quick_place {
 wcut_quick_place wcut_quick_at(const wcut_quick *quick, double u, double v);
 
 /* Feet within spans for up to WCUT_QUICK_MOST queries, neighbours near one another, the first near `place`. done[k] is
-   1 where foot[k] was found and proven; else 0, foot[k] was not written, and start[k] is where to go on. */
+   1 where foot[k] was found and proven; else 0, foot[k] was not written, and start[k] is where to go on. ahead, if not
+   NULL, is fetched meanwhile. */
 void wcut_quick_feet(const wcut_quick *quick, int count, const wcut_vec3 *query, wcut_quick_place place,
-                     wcut_foot *foot, unsigned char *done, wcut_quick_place *start);
+                     const wcut_sweep_ahead *ahead, wcut_foot *foot, unsigned char *done, wcut_quick_place *start);
 
 /* a foot and the derivatives there */
 typedef struct wcut_quick_spot {

@@ -17,7 +17,12 @@ wcut_status wcut_sweep_run(const wcut_sweep *sweep, int count, const wcut_vec3 *
         wcut_vec3 near[BLOCK];
         _Alignas(16) char foot[BLOCK * WCUT_SWEEP_FOOT];
         for (int k = 0; k < here; k++) near[k] = query[order[first + k]];
-        sweep->locate(sweep->on, here, near, foot);
+        const wcut_sweep_ahead ahead = {.result = sweep->result,
+                                        .size = sweep->size,
+                                        .query = query,
+                                        .index = &order[first],
+                                        .next = &order[block + 2 < blocks ? first + BLOCK : first]};
+        sweep->locate(sweep->on, here, near, &ahead, foot);
         sweep->take(sweep->to, here, &order[first], foot);
     }
     wcut_free(order);

@@ -7,12 +7,28 @@
 
 enum {
     WCUT_SWEEP_BLOCK = 1024,
-    WCUT_SWEEP_FOOT = 128, /* bytes of a foot, at most */
-    WCUT_SWEEP_AHEAD = 16  /* how far ahead a taker fetches what it will write: the order of memory is another one */
+    WCUT_SWEEP_FOOT = 128 /* bytes of a foot, at most */
 };
 
+/* What will be met in memory, in an order of its own: fetched while a block is searched, it takes no time. */
+typedef struct wcut_sweep_ahead {
+    const char *result; /* what the taker will write, `size` bytes a query */
+    size_t size;
+    const wcut_vec3 *query;  /* all of them */
+    const int *index, *next; /* of this block and the next */
+} wcut_sweep_ahead;
+
+/* to be called for each query of a block */
+static inline void wcut_sweep_fetch(const wcut_sweep_ahead *a, int k) {
+    const char *result = a->result + a->size * (size_t)a->index[k];
+    __builtin_prefetch(result, 1, 2);
+    __builtin_prefetch(result + a->size - 1, 1, 2);
+    __builtin_prefetch(&a->query[a->next[k]], 0, 2);
+}
+
 /* finds the feet of 1 to WCUT_SWEEP_BLOCK queries that are near one another */
-typedef void wcut_sweep_locator(const void *on, int count, const wcut_vec3 *query, void *foot);
+typedef void wcut_sweep_locator(const void *on, int count, const wcut_vec3 *query, const wcut_sweep_ahead *ahead,
+                                void *foot);
 
 /* takes foot[k] of query index[k]; called by several threads at a time, for disjoint queries */
 typedef void wcut_sweep_taker(void *to, int count, const int *index, const void *foot);
@@ -22,13 +38,14 @@ typedef struct wcut_sweep {
     const void *on;
     wcut_sweep_taker *take;
     void *to;
+    const void *result; /* what is taken goes here, */
+    size_t size;        /* so many bytes a query */
 } wcut_sweep;
 
 /* Queries are finite; the same blocks for any number of threads. WCUT_NO_MEMORY: nothing was taken. */
 wcut_status wcut_sweep_run(const wcut_sweep *sweep, int count, const wcut_vec3 *query, int threads);
 
-/* wcut_projection_locate, of checked arguments, with a taker of wcut_foot */
-wcut_status wcut_projection_sweep(const wcut_projection *projection, int count, const wcut_vec3 *query, int threads,
-                                  wcut_sweep_taker *take, void *to);
+/* a sweep's locator of wcut_foot on a wcut_projection */
+wcut_sweep_locator wcut_projection_sweep;
 
 #endif

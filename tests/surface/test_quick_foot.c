@@ -97,7 +97,7 @@ START_TEST(most_feet_near_a_tame_surface_are_found_quickly) {
     unsigned char done[BLOCK];
     memset(foot, 0, sizeof foot), memset(done, 9, sizeof done);
     const wcut_quick_place from = wcut_quick_at(quick->quick, expected[0].u, expected[0].v);
-    wcut_quick_feet(quick->quick, BLOCK, query, from, foot, done, start);
+    wcut_quick_feet(quick->quick, BLOCK, query, from, NULL, foot, done, start);
     int taken = 0, inside = 0, slid = 0, border = 0;
     for (int k = 0; k < BLOCK; k++) {
         wcut_quick_spot spot;
