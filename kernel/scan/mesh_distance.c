@@ -252,7 +252,7 @@ WCUT_INLINE int near_lanes(const wcut_mesh_node *n, const float *low, const floa
 /* level by level, as long as the lanes fit */
 WCUT_WIDE static void find_front(const wcut_mesh_tree *t, const float *low, const float *high, float limit, front *f) {
     enum { ROOM = FRONT * WCUT_MESH_WIDE };
-    lane list[ROOM], next[ROOM + WCUT_MESH_WIDE];
+    lane list[ROOM], next[ROOM + WCUT_MESH_WIDE] = {{NULL, 0}};
     int count = near_lanes(&t->node[0], low, high, limit, list);
     for (bool deeper = true; deeper;) {
         int more = 0;

@@ -46,11 +46,11 @@ static void plan_cells(sorter *s) {
     const double wide[3] = {high.x / 2 - low.x / 2, high.y / 2 - low.y / 2, high.z / 2 - low.z / 2};
     double cell[3] = {wide[0], wide[1], wide[2]};
     const int all = s->digits * BITS;
-    int bits[3] = {0, 0, 0}, axis[3 * BITS];
+    int bits[3] = {0, 0, 0}, axis[3 * BITS] = {0};
     for (int b = all - 1; b >= 0; b--) {
-        int c = -1;
-        for (int other = 0; other < 3; other++)
-            if (bits[other] < BITS && (c < 0 || cell[other] > cell[c])) c = other;
+        int c = bits[0] < BITS ? 0 : bits[1] < BITS ? 1 : 2;
+        for (int other = c + 1; other < 3; other++)
+            if (bits[other] < BITS && cell[other] > cell[c]) c = other;
         axis[b] = c;
         bits[c]++, cell[c] /= 2;
     }
