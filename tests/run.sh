@@ -96,7 +96,8 @@ check_cppcheck() {
         -I kernel/include -I kernel kernel io apps
 }
 
-# fuzz_one TARGET: new inputs go to the build, the committed corpus is only read, a finding stays for a debugger
+# fuzz_one TARGET: new inputs go to the build, the committed corpus is only read, a finding stays for a debugger. Leaves
+# its exit code beside its log, since as many run at a time as there are cores.
 fuzz_one() {
     name=$(basename "$1")
     name=${name#fuzz_}
@@ -104,11 +105,28 @@ fuzz_one() {
     mkdir -p "build/fuzz/corpus/$name" "$found"
     set -- "$1" "build/fuzz/corpus/$name"
     [ ! -d "tests/fuzz/corpus/$name" ] || set -- "$@" "tests/fuzz/corpus/$name"
-    if "$@" -max_total_time="$fuzz_seconds" -timeout=10 -rss_limit_mb=2048 -artifact_prefix="$found/" \
-        -print_final_stats=1 >"build/fuzz/$name.log" 2>&1; then
-        sed -n "s/^stat::number_of_executed_units: */$name: executions /p" "build/fuzz/$name.log"
+    "$@" -max_total_time="$fuzz_seconds" -timeout=10 -rss_limit_mb=2048 -artifact_prefix="$found/" \
+        -print_final_stats=1 >"build/fuzz/$name.log" 2>&1
+    echo $? >"build/fuzz/$name.status"
+}
+
+fuzz_all() {
+    running=0
+    for source in tests/fuzz/fuzz_*.c; do
+        rm -f "build/fuzz/$(basename "$source" .c | sed 's/^fuzz_//').status"
+        fuzz_one "build/fuzz/fuzz/$(basename "$source" .c)" &
+        running=$((running + 1))
+        [ $((running % jobs)) -ne 0 ] || wait
+    done
+    wait
+}
+
+# fuzz_said NAME: what became of it
+fuzz_said() {
+    if [ "$(cat "build/fuzz/$1.status" 2>/dev/null)" = 0 ]; then
+        sed -n "s/^stat::number_of_executed_units: */$1: executions /p" "build/fuzz/$1.log"
     else
-        tail -n 60 "build/fuzz/$name.log"
+        tail -n 60 "build/fuzz/$1.log"
         return 1
     fi
 }
@@ -128,10 +146,11 @@ if ! $quick; then
         run_tests asan
     fi
     if step "build, fuzz" configure_and_build fuzz --preset fuzz; then
+        heading "fuzzing, $fuzz_seconds s each"
+        fuzz_all
         for source in tests/fuzz/fuzz_*.c; do
-            [ -f "$source" ] || continue
-            name=$(basename "$source" .c)
-            step "fuzz $name, $fuzz_seconds s" fuzz_one "build/fuzz/fuzz/$name"
+            name=$(basename "$source" .c | sed 's/^fuzz_//')
+            step "fuzz $name" fuzz_said "$name"
         done
     fi
 fi

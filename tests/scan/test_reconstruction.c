@@ -359,16 +359,16 @@ END_TEST
 
 /* ---- Poisson ---- */
 
-static int given_poisson(double noise) {
+static int given_poisson(int points, double noise) {
     given(wavy_height);
-    const int count = given_points(20000, 20, noise, deviation);
+    const int count = given_points(points, 20, noise, deviation);
     options.method = WCUT_RECONSTRUCTION_POISSON;
     options.spacing = 3;
     return count;
 }
 
 START_TEST(poisson_in_space_follows_the_scan_and_leaves_its_hole) {
-    const int count = given_poisson(0.02);
+    const int count = given_poisson(20000, 0.02);
     double most;
     wcut_kd_tree tree;
     options.block = vec3(WIDE, LONG, 300);
@@ -393,8 +393,8 @@ START_TEST(poisson_in_space_follows_the_scan_and_leaves_its_hole) {
 END_TEST
 
 START_TEST(poisson_repeats_to_the_bit_after_others_have_drawn_numbers) {
-    const int count = given_poisson(0.02);
-    options.spacing = 5;
+    const int count = given_poisson(4000, 0.02);
+    options.spacing = 8;
     ck_assert_int_eq(reconstruct(count, NULL), WCUT_OK);
     wcut_reconstruction *first = made, *other = NULL;
     options.seed = 77;
