@@ -24,8 +24,10 @@
 #define RIVAL 12.0
 /* price of a coordinate in units of cost */
 #define PRICE 4.0
-/* of an inadequate model: the part of the slow misfit it must take away to be named all the same */
+/* of an inadequate model: the part of the slow misfit it must take away to be named all the same, and what it may leave
+   at most: more, and it is the next best of what is not in the library */
 #define TAKES_AWAY 0.85
+#define LEAVES_MOST 2.0
 
 static double excess(const wcut_leftover *left) {
     return fmax(left->slow - 1.1, 0) + fmax(left->common - 1.5, 0) / 3 + fmax(left->patches - 1.1, 0);
@@ -73,10 +75,20 @@ static bool is_significant(const wcut_candidate *c, double allowance) {
     return true;
 }
 
+/* a spot as wide as the block is no spot: whatever is fitted must stay inside the range it is plausible in */
+static bool runs_out(const wcut_candidate *c) {
+    for (int k = 0; k < c->fit.count; k++) {
+        const wcut_coordinate *q = &c->fit.coordinate[k];
+        const double x = c->fit.x[WCUT_BASE + k], wide = 1e-6 * (q->high - q->low);
+        if (x < q->low + wide || x > q->high - wide) return true;
+    }
+    return false;
+}
+
 static bool may_be_named(const wcut_search *s, int candidate) {
     const wcut_candidate *c = &s->candidate[candidate];
     const double gain = c->gain / chance(s);
-    if (c->second_size < 1 || !is_significant(c, sqrt(chance(s)))) return false;
+    if (c->second_size < 1 || !is_significant(c, sqrt(chance(s))) || runs_out(c)) return false;
     if (moves_scans_alone(c)) return gain > GAIN_SCAN;
     return gain > GAIN_LEAST && c->held_out > 0 && 2 * c->better > c->judged;
 }
@@ -180,7 +192,8 @@ wcut_decision wcut_search_decide(const wcut_search *s) {
     }
     const wcut_candidate *best = &s->candidate[d.chosen];
     d.adequacy = best->left.slow;
-    if (!is_adequate(&best->left) && excess(&best->left) > (1 - TAKES_AWAY) * excess(&s->left)) {
+    if (!is_adequate(&best->left) &&
+        (excess(&best->left) > (1 - TAKES_AWAY) * excess(&s->left) || best->left.slow > LEAVES_MOST * SLOW_MOST)) {
         d.kind = WCUT_VERDICT_UNKNOWN;
         d.confidence = confidence(s, &d);
         return d;
