@@ -389,9 +389,11 @@ static wcut_status profile(diagnosing *g, bool searched, wcut_error *error) {
     for (int r = 0; status == WCUT_OK && r < count; r++)
         status = wcut_fit_profile(g->evidence, &g->search.candidate[rivals ? v->rival[r] : v->chosen].fit, error);
     if (status == WCUT_NO_MEMORY) return status;
-    if (count > 0 && status == WCUT_INTERRUPTED) snprintf(g->out->unprofiled, sizeof g->out->unprofiled, "interrupted");
-    if (count > 0 && status == WCUT_NOT_CONVERGED)
-        snprintf(g->out->unprofiled, sizeof g->out->unprofiled, "%.110s", error ? error->text : "no profile");
+    if (count > 0 && status != WCUT_OK)
+        snprintf(g->out->unprofiled, sizeof g->out->unprofiled, "%.110s",
+                 status == WCUT_INTERRUPTED ? "interrupted"
+                 : error                    ? error->text
+                                            : wcut_status_text(status));
     return WCUT_OK;
 }
 
