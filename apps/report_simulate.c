@@ -122,16 +122,16 @@ static wcut_report_tone judge(page *p) {
     const wcut_history *h = p->history;
     const wcut_history_row *last = &h->row[h->stations - 1];
     int slow = 0;
-    for (int s = 0; s < h->stations; s++) slow += h->row[s].condition == WCUT_BY_SPEED_MIN;
+    for (int s = 0; s < h->stations; s++) slow += h->row[s].condition == WCUT_CONDITION_SPEED_MIN;
     if (p->run->ended || h->stations < h->planned) {
         snprintf(p->verdict, sizeof p->verdict, "The cut ends early, after station %d of 0 to %d and %.1f s: %s.",
                  h->stations - 1, h->planned - 1, last->time, wcut_status_text(p->run->ended));
         return WCUT_TONE_BAD;
     }
-    const bool whole = last->phase == WCUT_LEFT || p->job->mode == WCUT_MODE_DESIGN;
-    const char *end = last->phase == WCUT_LEFT ? "leaves the block"
-                      : whole                  ? "reaches the end of its design"
-                                               : "ends its path in the foam";
+    const bool whole = last->phase == WCUT_PHASE_LEFT || p->job->mode == WCUT_MODE_DESIGN;
+    const char *end = last->phase == WCUT_PHASE_LEFT ? "leaves the block"
+                      : whole                        ? "reaches the end of its design"
+                                                     : "ends its path in the foam";
     if (slow > 0) {
         snprintf(
             p->verdict, sizeof p->verdict,

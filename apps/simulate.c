@@ -39,7 +39,7 @@ static int load(simulation *s) {
         if (status != WCUT_OK) return app_fail_status(status, s->path, NULL);
     }
     wcut_cut_options options = wcut_cut_options_default();
-    options.integrator = app_choice(s->call, "integrator") == 1 ? WCUT_HEUN : WCUT_IMPLICIT;
+    options.integrator = app_choice(s->call, "integrator") == 1 ? WCUT_INTEGRATOR_HEUN : WCUT_INTEGRATOR_IMPLICIT;
     status = wcut_setup_create(s->job, &options, &s->setup, &error);
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, s->path, &error);
 }

@@ -25,10 +25,10 @@ static void put_range(wcut_text *text, const char *before, wcut_range range, dou
 
 static void put_counts(wcut_text *text, const wcut_summary *s) {
     wcut_text_print(text, ",\n  \"speed_set_by\": ");
-    for (int k = 0; k <= WCUT_BY_TIME; k++)
+    for (int k = 0; k <= WCUT_CONDITION_TIME; k++)
         wcut_text_print(text, "%s\"%s\": %d", k ? ", " : "{", wcut_condition_text((wcut_condition)k), s->conditions[k]);
     wcut_text_print(text, "},\n  \"phases\": ");
-    for (int k = 0; k <= WCUT_LEFT; k++)
+    for (int k = 0; k <= WCUT_PHASE_LEFT; k++)
         wcut_text_print(text, "%s\"%s\": %d", k ? ", " : "{", wcut_phase_text((wcut_phase)k), s->phases[k]);
     wcut_text_print(text, "}");
 }
@@ -49,7 +49,7 @@ static void put_effects(wcut_text *text, const char *key, const wcut_job *job, b
 
 static void put_head(wcut_text *text, const wcut_setup *setup, const wcut_history *h) {
     const wcut_job *job = wcut_setup_job(setup);
-    bool implicit = wcut_setup_options(setup)->integrator == WCUT_IMPLICIT;
+    bool implicit = wcut_setup_options(setup)->integrator == WCUT_INTEGRATOR_IMPLICIT;
     wcut_text_print(text, "{\n  \"format\": \"wirecut-summary/1\",\n  \"version\": \"%s\",\n  \"job\": ", WCUT_VERSION);
     wcut_text_string(text, job->name);
     wcut_text_print(text, ",\n  \"mode\": \"%s\",\n  \"integrator\": \"%s\"",

@@ -85,12 +85,12 @@ static void put_header(wcut_text *text, const wcut_vtp_stream *s, int m) {
         "the wire's nodes from mount A to mount B.\n     tension_N: of the edge from the point towards "
         "mount B; the last point repeats it.\n     phase:",
         WCUT_VERSION);
-    for (int k = WCUT_APPROACH; k <= WCUT_LEFT; k++)
-        wcut_text_print(text, " %d %s%s", k, wcut_phase_text((wcut_phase)k), k < WCUT_LEFT ? "," : ".");
+    for (int k = WCUT_PHASE_APPROACH; k <= WCUT_PHASE_LEFT; k++)
+        wcut_text_print(text, " %d %s%s", k, wcut_phase_text((wcut_phase)k), k < WCUT_PHASE_LEFT ? "," : ".");
     wcut_text_print(text, " condition (what set the speed):");
-    for (int k = WCUT_BY_TENSION; k <= WCUT_BY_TIME; k++)
+    for (int k = WCUT_CONDITION_TENSION; k <= WCUT_CONDITION_TIME; k++)
         wcut_text_print(text, " %d %s%s", k, wcut_condition_text((wcut_condition)k),
-                        k < WCUT_BY_TIME ? "," : ". -->\n");
+                        k < WCUT_CONDITION_TIME ? "," : ". -->\n");
     wcut_text_print(text,
                     "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
                     "  <PolyData>\n    <Piece NumberOfPoints=\"%lld\" NumberOfVerts=\"0\" NumberOfLines=\"%d\" "

@@ -86,7 +86,7 @@ static double way_of(const wcut_history_row *row, int j) { /* [mm] of the faster
 }
 
 static bool is_cut(const wcut_history_row *row, int j) { /* whether the wire is in contact from station j to j+1 */
-    return row[j + 1].phase != WCUT_APPROACH && row[j + 1].phase != WCUT_LEFT;
+    return row[j + 1].phase != WCUT_PHASE_APPROACH && row[j + 1].phase != WCUT_PHASE_LEFT;
 }
 
 /* The least speed at which the plan cuts within the margin of segment j, where contact begins or ends there: the load

@@ -182,7 +182,7 @@ static bool record(rig *r, const wcut_station *s, reading tension, wcut_rig_run 
     run->tension[i] = (s->tension_a + s->tension_b) / 2;
     run->planned[i] = row->speed_a;
     /* steady is what is steady at both ends of the segment */
-    run->phase[i] = row->phase == WCUT_STEADY ? r->plan->row[j].phase : row->phase;
+    run->phase[i] = row->phase == WCUT_PHASE_STEADY ? r->plan->row[j].phase : row->phase;
     run->state[i] = control.state;
     run->beyond[i] = r->beyond;
     return true;

@@ -80,9 +80,9 @@ static wcut_rig_figures measure(const wcut_rig_run *run, int from, int to) {
 void wcut_rig_run_finish(wcut_rig_run *run) {
     const int count = run->recording.samples;
     int from = 0;
-    while (from < count && run->phase[from] != WCUT_STEADY) from++;
+    while (from < count && run->phase[from] != WCUT_PHASE_STEADY) from++;
     int to = from;
-    while (to < count && run->phase[to] == WCUT_STEADY) to++;
+    while (to < count && run->phase[to] == WCUT_PHASE_STEADY) to++;
     if (to <= from) return;
     run->has_steady = true;
     run->steady = measure(run, from, to);

@@ -14,7 +14,9 @@ wcut_comparison_options wcut_comparison_options_default(void) {
 
 /* ---- which samples count ---- */
 
-static bool is_cutting(wcut_phase phase) { return phase == WCUT_ENTRY || phase == WCUT_STEADY || phase == WCUT_EXIT; }
+static bool is_cutting(wcut_phase phase) {
+    return phase == WCUT_PHASE_ENTRY || phase == WCUT_PHASE_STEADY || phase == WCUT_PHASE_EXIT;
+}
 
 /* the plan's first station in contact, and the first after its last; false where it has none */
 static bool find_contact(const wcut_history *plan, int *contact, int *left) {
@@ -62,7 +64,8 @@ static wcut_status count_samples(const wcut_history *plan, const wcut_recording 
 /* the pairs of one scored channel in one part; gives how many */
 static int gather(const wcut_recording *recording, const wcut_comparison *c, const wcut_prediction *p, int scored,
                   wcut_part part, double *measured, double *predicted) {
-    static const wcut_phase phase_of[WCUT_PART_COUNT] = {WCUT_APPROACH, WCUT_ENTRY, WCUT_STEADY, WCUT_EXIT};
+    static const wcut_phase phase_of[WCUT_PART_COUNT] = {WCUT_PHASE_APPROACH, WCUT_PHASE_ENTRY, WCUT_PHASE_STEADY,
+                                                         WCUT_PHASE_EXIT};
     const int first = scored_signal[scored][0], last = scored_signal[scored][1];
     int n = 0;
     for (int k = first; k <= last; k += last > first ? last - first : 1) {

@@ -12,14 +12,15 @@ bool wcut_cut_hang(wcut_cut *cut, const wcut_target *target, const wcut_vec3 *lo
     const wcut_equilibrium_options options = {.tolerance = 1e-9, .max_iterations = 100};
     wcut_vec3 a, b;
     const double length = wcut_cut_fit(cut, target, &a, &b), chord = vec3_distance(a, b);
-    cut->hung[0] = a, cut->hung[n - 1] = b;
+    cut->hanging_shape[0] = a, cut->hanging_shape[n - 1] = b;
     if (length <= chord * (1 + 1e-12)) {
-        for (int i = 1; i < n - 1; i++) cut->hung[i] = vec3_mix(a, b, (double)i / (n - 1));
-        for (int e = 0; e < n - 1; e++) cut->hung_s[e] = 0;
+        for (int i = 1; i < n - 1; i++) cut->hanging_shape[i] = vec3_mix(a, b, (double)i / (n - 1));
+        for (int e = 0; e < n - 1; e++) cut->hanging_tension[e] = 0;
         return true;
     }
-    if (wcut_equilibrium_shape(n, load, cut->edge, &options, cut->hung, cut->hung_s, NULL) != WCUT_OK) return false;
-    for (int e = 0; e < n - 1; e++) cut->hung_s[e] *= cut->edge[e];
+    if (wcut_equilibrium_shape(n, load, cut->edge, &options, cut->hanging_shape, cut->hanging_tension, NULL) != WCUT_OK)
+        return false;
+    for (int e = 0; e < n - 1; e++) cut->hanging_tension[e] *= cut->edge[e];
     return true;
 }
 
@@ -39,16 +40,16 @@ void wcut_cut_feed_free(wcut_cut *cut, const wcut_target *target, double reach, 
     wcut_wire *w = &cut->next;
     const double duration = target->duration > 0 ? target->duration : reach / job->speed_max;
     for (int i = 0; i < n; i++) {
-        w->x[i] = cut->hung[i];
+        w->x[i] = cut->hanging_shape[i];
         w->force[i] = vec3(0, 0, 0);
         w->line[i] = w->engaged[i] = 0;
-        w->speed[i] = vec3_distance(cut->hung[i], cut->was[i]) / duration;
+        w->speed[i] = vec3_distance(cut->hanging_shape[i], cut->was[i]) / duration;
     }
     for (int e = 0; e < n - 1; e++) w->s[e] = 0;
     w->length = target->length;
     w->loaded = false;
-    w->asked = 0;
-    w->condition = target->duration > 0 ? WCUT_BY_TIME : WCUT_BY_SPEED_MAX;
+    w->required_tension = 0;
+    w->condition = target->duration > 0 ? WCUT_CONDITION_TIME : WCUT_CONDITION_SPEED_MAX;
     w->front_speed = reach / duration;
     wcut_cut_remember(cut, target, 1 / duration);
     *elapsed += duration;
@@ -71,7 +72,7 @@ static bool find_contact(wcut_cut *cut, const wcut_target *target) {
     double load = 0;
     for (int i = 0; i < n; i++) {
         wcut_resistance f;
-        wcut_resistance_eval(&setup->foam, target->heat, edge, 1, n, cut->hung, cut->was, i, false, &f);
+        wcut_resistance_eval(&setup->foam, target->heat, edge, 1, n, cut->hanging_shape, cut->was, i, false, &f);
         cut->contact[i] = vec3_scale(-force * f.engaged * edge, move);
         if (i > 0 && i < n - 1) load += vec3_length(cut->contact[i]);
     }
@@ -90,7 +91,7 @@ static bool touches_leaning(wcut_cut *cut, const wcut_target *target, double sha
     const double scale = (1 - share) * wcut_load_sum(n, cut->contact) / wcut_load_sum(n, cut->kept);
     for (int i = 0; i < n; i++)
         cut->next.pattern[i] = vec3_add_scaled(vec3_scale(share, cut->contact[i]), scale, cut->kept[i]);
-    return wcut_cut_hang(cut, target, cut->next.pattern) && wcut_cut_touches(cut, cut->hung);
+    return wcut_cut_hang(cut, target, cut->next.pattern) && wcut_cut_touches(cut, cut->hanging_shape);
 }
 
 /* A wire that has lost its load in parts goes slack there and has no one shape under the rest; an even load of a
@@ -109,10 +110,10 @@ static bool hang_slack(wcut_cut *cut, const wcut_target *target) {
    holds back until the rest has been pulled straight. Only a wire that touches even when it hangs on nothing but its
    contact is loaded by it (and that contact is the load to begin with); before, it leans just so far that it does not
    enter. */
-static wcut_carriage lean(wcut_cut *cut, const wcut_target *target) {
+static wcut_contact_state lean(wcut_cut *cut, const wcut_target *target) {
     const double most = 0.999; /* a wire on its contact alone may have parts without any load, hence without a shape */
-    if (!find_contact(cut, target)) return WCUT_FREE;
-    if (touches_leaning(cut, target, most)) return WCUT_SLACK;
+    if (!find_contact(cut, target)) return WCUT_CONTACT_FREE;
+    if (touches_leaning(cut, target, most)) return WCUT_CONTACT_SLACK;
     double low = 0, high = most;
     for (int i = 0; i < 20; i++) {
         const double middle = (low + high) / 2;
@@ -122,17 +123,17 @@ static wcut_carriage lean(wcut_cut *cut, const wcut_target *target) {
             high = middle;
     }
     touches_leaning(cut, target, high);
-    return WCUT_FREE;
+    return WCUT_CONTACT_FREE;
 }
 
-wcut_carriage wcut_contact_find(wcut_cut *cut, const wcut_target *target) {
+wcut_contact_state wcut_contact_find(wcut_cut *cut, const wcut_target *target) {
     bool slack = !cut->next.loaded;
     if (!wcut_cut_hang(cut, target, cut->next.pattern)) {
-        if (!hang_slack(cut, target)) return WCUT_NO_SHAPE;
+        if (!hang_slack(cut, target)) return WCUT_CONTACT_NO_SHAPE;
         slack = true;
     }
     memcpy(cut->kept, cut->next.pattern, sizeof *cut->kept * (size_t)cut->setup->job->nodes);
-    if (!wcut_cut_touches(cut, cut->hung)) return WCUT_FREE;
-    if (cut->weighted) return WCUT_LOADED;
-    return slack && !cut->setup->foam.embedded ? lean(cut, target) : WCUT_LOADED;
+    if (!wcut_cut_touches(cut, cut->hanging_shape)) return WCUT_CONTACT_FREE;
+    if (cut->weighted) return WCUT_CONTACT_LOADED;
+    return slack && !cut->setup->foam.embedded ? lean(cut, target) : WCUT_CONTACT_LOADED;
 }

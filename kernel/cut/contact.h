@@ -1,18 +1,65 @@
-/* The wire that the foam does not load, and how it comes to be loaded: hanging, leaning on a face, taut. */
+/* The wire that the foam does not load, and the transition to the wire that it loads.
+
+   State of a run = contact x weighted x condition.
+
+   Contact, found anew for every sub-step by wcut_contact_find from the wire before it:
+
+        +---------+   touches, but not on its contact alone: leans    +---------+
+        |  FREE   |<---------------------------------------------+    | NO_SHAPE|  the sub-step is halved
+        +---------+                                              |    +---------+  (wcut_implicit_advance)
+          |     ^                                                |         ^
+          |     | nothing touches, or no tension: feed_free      |         | hang_slack fails
+          |     |                                                |         |
+          |     +------------------------------------+           |         |
+          | touches: lean                            |           |   from any state
+          v                                          |           |
+        +---------+   Newton converges with      +---------+     |
+        |  SLACK  |----- tension: accept ------->| LOADED  |     |
+        +---------+                              +---------+     |
+          |                                          |   ^       |
+          |  no solution, and hangs_loose            |   |       |
+          +------------------------------------------+---|-------+
+                                                     +---+  it still touches: accept
+
+        transition             function                 what it leaves in cut->next
+        FREE   -> FREE         wcut_cut_feed_free       the hanging shape, no force, loaded = false
+        FREE   -> SLACK        lean                     nothing yet: the step decides
+        SLACK  -> LOADED       accept                   shape, tensions and forces of Newton, loaded = true
+        SLACK  -> FREE         feed_free                the pattern from before the foam was tried (cut->kept)
+        LOADED -> LOADED       accept
+        LOADED -> FREE         feed_free
+
+   Weighted (cut->weighted): the loose wire has a weight (implicit.c). Then lean is never used, every touching wire is
+   LOADED, and a solution without tension is accepted too. wcut_setup_run turns to it where a run ends early.
+
+   Condition (cut->next.condition), set by solve_complementary: SPEED_MAX while FREE; when LOADED one of SPEED_MAX,
+   TENSION, SPEED_MIN, the one that held last tried first. Time-driven steps have TIME throughout.
+
+   Scratch arrays of wcut_cut, and when each is valid:
+
+        was                    from the start of try_substep to its end: nodes before the sub-step
+        edge, rest             after wcut_cut_fit (called by wcut_cut_hang): lengths for the target of this sub-step
+        hanging_shape,         after wcut_cut_hang: shape under the last load; while Newton runs: its iterate;
+        hanging_tension          after it: the solution that accept copies
+        kept                   after wcut_contact_find: the pattern before the foam was tried on it
+        contact                inside lean: load of the foam on what touches
+        dead_load              after find_dead_load, in a weighted run, while the wire is loose
+        softer, softer_tension inside harden: the last solution, at a softer face; heun: its accumulated force
+*/
 #ifndef WCUT_CUT_CONTACT_H
 #define WCUT_CUT_CONTACT_H
 
 #include "cut/run.h"
 
-typedef enum wcut_carriage {
-    WCUT_NO_SHAPE, /* no equilibrium of the wire was found */
-    WCUT_FREE,     /* nothing loads it; cut->hung is its shape */
-    WCUT_SLACK,    /* it hung loose so far but is taut on its contact now; cut->hung and the pattern are a guess */
-    WCUT_LOADED    /* the foam loads it as before; cut->hung and the pattern are a guess */
-} wcut_carriage;
+typedef enum wcut_contact_state {
+    WCUT_CONTACT_NO_SHAPE, /* no equilibrium of the wire was found */
+    WCUT_CONTACT_FREE,     /* nothing loads it; cut->hanging_shape is its shape */
+    WCUT_CONTACT_SLACK,    /* loose before, taut on its contact now; hanging_shape and the pattern are a guess */
+    WCUT_CONTACT_LOADED    /* the foam loads it as before; hanging_shape and the pattern are a guess */
+} wcut_contact_state;
 
-/* Hang the wire between the target's ends under `load` into cut->hung and cut->hung_s. A wire no longer than its chord
-   is straight, without tension. False where there is no such shape. */
+/* Hang the wire between the target's ends under `load` into cut->hanging_shape and cut->hanging_tension. A wire no
+   longer than its chord is straight, without tension. False where there is no such shape. */
 bool wcut_cut_hang(wcut_cut *cut, const wcut_target *target, const wcut_vec3 *load);
 
 /* sum of the loads' sizes over the free nodes [N] */
@@ -22,9 +69,10 @@ double wcut_load_sum(int n, const wcut_vec3 *load);
 bool wcut_cut_touches(const wcut_cut *cut, const wcut_vec3 *x);
 
 /* Whether the foam loads the wire at the target, coming from cut->was. The pattern from before is left in cut->kept. */
-wcut_carriage wcut_contact_find(wcut_cut *cut, const wcut_target *target);
+wcut_contact_state wcut_contact_find(wcut_cut *cut, const wcut_target *target);
 
-/* the hung wire becomes the wire, without load: fed at v_max or in the given time; reach: way of the faster end [mm] */
+/* the hanging shape becomes the wire, without load: fed at v_max or in the given time; reach: way of the faster end
+   [mm] */
 void wcut_cut_feed_free(wcut_cut *cut, const wcut_target *target, double reach, double *elapsed);
 
 #endif

@@ -46,7 +46,7 @@ static void copy_wire(int n, int effects, const wcut_wire *from, wcut_wire *to) 
     to->length = from->length;
     to->front_speed = from->front_speed;
     to->loaded = from->loaded;
-    to->asked = from->asked;
+    to->required_tension = from->required_tension;
     to->condition = from->condition;
     to->step_duration = from->step_duration;
     to->end_a = from->end_a, to->end_b = from->end_b;
@@ -68,11 +68,11 @@ static bool begin(wcut_cut *cut) {
         .end_a = setup->end_a[0], .end_b = setup->end_b[0], .length = setup->length[0], .heat = setup->job->heat};
     w->end_a = target.end_a, w->end_b = target.end_b;
     if (!wcut_cut_hang(cut, &target, w->pattern)) return false;
-    memcpy(w->x, cut->hung, sizeof *w->x * (size_t)n);
+    memcpy(w->x, cut->hanging_shape, sizeof *w->x * (size_t)n);
     w->length = setup->length[0];
     w->front_speed = setup->job->speed_max;
     w->loaded = wcut_cut_touches(cut, w->x);
-    w->condition = WCUT_BY_SPEED_MAX;
+    w->condition = WCUT_CONDITION_SPEED_MAX;
     wcut_vec3 unused[2];
     for (int i = 0; i < n; i++)
         w->engaged[i] =
@@ -89,21 +89,21 @@ wcut_status wcut_cut_create(const wcut_setup *setup, wcut_cut **out, wcut_error 
     cut->setup = setup;
     cut->weighted = setup->options.weighted;
     cut->was = wcut_alloc((size_t)n, sizeof *cut->was);
-    cut->hung = wcut_alloc((size_t)n, sizeof *cut->hung);
-    cut->hung_s = wcut_alloc((size_t)n, sizeof *cut->hung_s);
+    cut->hanging_shape = wcut_alloc((size_t)n, sizeof *cut->hanging_shape);
+    cut->hanging_tension = wcut_alloc((size_t)n, sizeof *cut->hanging_tension);
     cut->kept = wcut_alloc((size_t)n, sizeof *cut->kept);
     cut->contact = wcut_alloc((size_t)n, sizeof *cut->contact);
-    cut->hanging = wcut_alloc((size_t)n, sizeof *cut->hanging);
+    cut->dead_load = wcut_alloc((size_t)n, sizeof *cut->dead_load);
     cut->softer = wcut_alloc((size_t)n, sizeof *cut->softer);
-    cut->softer_s = wcut_alloc((size_t)n, sizeof *cut->softer_s);
+    cut->softer_tension = wcut_alloc((size_t)n, sizeof *cut->softer_tension);
     cut->edge = wcut_alloc((size_t)n, sizeof *cut->edge);
     cut->rest = wcut_alloc((size_t)n, sizeof *cut->rest);
     bool whole = create_wire(n, &cut->now);
     whole = create_wire(n, &cut->next) && whole;
     whole = wcut_solver_create(n, &cut->solver) && whole;
     wcut_status status = WCUT_OK;
-    if (!whole || !cut->was || !cut->hung || !cut->hung_s || !cut->kept || !cut->contact || !cut->hanging ||
-        !cut->softer || !cut->softer_s || !cut->edge || !cut->rest)
+    if (!whole || !cut->was || !cut->hanging_shape || !cut->hanging_tension || !cut->kept || !cut->contact ||
+        !cut->dead_load || !cut->softer || !cut->softer_tension || !cut->edge || !cut->rest)
         status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a wire of %d nodes", n);
     else if (!begin(cut))
         status = wcut_fail(error, WCUT_NOT_CONVERGED, "station 0: no equilibrium of the wire found under an even load");
@@ -120,13 +120,13 @@ void wcut_cut_destroy(wcut_cut *cut) {
     destroy_wire(&cut->next);
     wcut_solver_destroy(&cut->solver);
     wcut_free(cut->was);
-    wcut_free(cut->hung);
-    wcut_free(cut->hung_s);
+    wcut_free(cut->hanging_shape);
+    wcut_free(cut->hanging_tension);
     wcut_free(cut->kept);
     wcut_free(cut->contact);
-    wcut_free(cut->hanging);
+    wcut_free(cut->dead_load);
     wcut_free(cut->softer);
-    wcut_free(cut->softer_s);
+    wcut_free(cut->softer_tension);
     wcut_free(cut->edge);
     wcut_free(cut->rest);
     wcut_free(cut);
@@ -141,8 +141,8 @@ static wcut_status advance(wcut_cut *cut, const wcut_target *target, wcut_integr
     cut->iterations = cut->substeps = 0;
     cut->residual = 0;
     copy_wire(n, cut->setup->effect_count, &cut->now, &cut->next);
-    const wcut_status status = integrator == WCUT_HEUN ? wcut_heun_advance(cut, target, &elapsed, error)
-                                                       : wcut_implicit_advance(cut, target, &elapsed, error);
+    const wcut_status status = integrator == WCUT_INTEGRATOR_HEUN ? wcut_heun_advance(cut, target, &elapsed, error)
+                                                                  : wcut_implicit_advance(cut, target, &elapsed, error);
     if (status != WCUT_OK) return status;
     cut->next.end_a = target->end_a, cut->next.end_b = target->end_b;
     const wcut_wire spare = cut->now;
@@ -179,7 +179,7 @@ wcut_status wcut_cut_drive(wcut_cut *cut, wcut_vec3 mount_a, wcut_vec3 mount_b, 
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "a run, finite positions, a positive duration and heat are expected");
     const wcut_job *job = cut->setup->job;
-    if (job->mode != WCUT_MODE_PATH || cut->setup->options.integrator != WCUT_IMPLICIT)
+    if (job->mode != WCUT_MODE_PATH || cut->setup->options.integrator != WCUT_INTEGRATOR_IMPLICIT)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "time-driven steps are for path mode and the implicit integrator");
     const double chord = vec3_distance(mount_a, mount_b);
     if (chord > job->wire_length)
@@ -187,7 +187,7 @@ wcut_status wcut_cut_drive(wcut_cut *cut, wcut_vec3 mount_a, wcut_vec3 mount_b, 
                          job->wire_length);
     const wcut_target target = {
         .end_a = mount_a, .end_b = mount_b, .length = job->wire_length, .duration = duration, .heat = heat};
-    return advance(cut, &target, WCUT_IMPLICIT, error);
+    return advance(cut, &target, WCUT_INTEGRATOR_IMPLICIT, error);
 }
 
 static double engaged_length(int n, const wcut_wire *w) {
@@ -208,12 +208,12 @@ static bool is_whole(const wcut_setup *setup, const wcut_wire *w) {
 
 static wcut_phase phase_of(const wcut_cut *cut) {
     const wcut_setup *setup = cut->setup;
-    if (!cut->now.loaded) return cut->touched ? WCUT_LEFT : WCUT_APPROACH;
-    if (cut->index < setup->entry_end) return WCUT_ENTRY;
-    if (cut->index > setup->exit_begin) return WCUT_EXIT;
-    if (is_whole(setup, &cut->now)) return WCUT_STEADY;
+    if (!cut->now.loaded) return cut->touched ? WCUT_PHASE_LEFT : WCUT_PHASE_APPROACH;
+    if (cut->index < setup->entry_end) return WCUT_PHASE_ENTRY;
+    if (cut->index > setup->exit_begin) return WCUT_PHASE_EXIT;
+    if (is_whole(setup, &cut->now)) return WCUT_PHASE_STEADY;
     const double middle = (cut->now.x[0].y + cut->now.x[setup->job->nodes - 1].y) / 2;
-    return middle < setup->job->block_size.y / 2 ? WCUT_ENTRY : WCUT_EXIT;
+    return middle < setup->job->block_size.y / 2 ? WCUT_PHASE_ENTRY : WCUT_PHASE_EXIT;
 }
 
 /* what a mount holds: the pull of its edge and the foam on its own node */

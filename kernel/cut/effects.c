@@ -55,17 +55,17 @@ void wcut_extension_apply(wcut_cut *cut, const wcut_target *target, wcut_extensi
     foam->local = &out->local;
     const wcut_effect *longer = find(setup, WCUT_WIRE_ELONGATION), *mounts = find(setup, WCUT_MOUNT_COMPLIANCE);
     if (!longer && !mounts) return;
-    out->yielding = (wcut_yielding){.mount = {{target->end_a, w->offset[0], w->pull[0], w->pulled},
-                                              {target->end_b, w->offset[1], w->pull[1], w->pulled}}};
+    out->compliance = (wcut_compliance){.mount = {{target->end_a, w->offset[0], w->pull[0], w->pulled},
+                                                  {target->end_b, w->offset[1], w->pull[1], w->pulled}}};
     if (longer) {
         double sum = 0;
         for (int e = 0; e < step->n - 1; e++) sum += cut->rest[e];
         step->edge = sum / (step->n - 1); /* what the foam acts on, per length, has got longer */
-        out->yielding.rest = cut->rest;
-        out->yielding.softness = softness(longer);
+        out->compliance.rest = cut->rest;
+        out->compliance.softness = softness(longer);
     }
-    if (mounts) out->yielding.compliance = 1 / mounts->value[0], out->yielding.settling = mounts->value[1];
-    step->yielding = &out->yielding;
+    if (mounts) out->compliance.mount_compliance = 1 / mounts->value[0], out->compliance.settling = mounts->value[1];
+    step->compliance = &out->compliance;
 }
 
 static void remember_mounts(wcut_wire *w, int n, const wcut_target *target) {

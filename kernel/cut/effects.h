@@ -6,7 +6,7 @@
 
 typedef struct wcut_extension { /* what foam and step refer to while a sub-step is being solved */
     wcut_locality local;
-    wcut_yielding yielding;
+    wcut_compliance compliance;
 } wcut_extension;
 
 /* Lengths of the edges at the target: cut->rest without tension, warm where the wire gets longer by heat, by the

@@ -18,7 +18,7 @@ typedef struct moment { /* the wire at the new station, as far as it is known */
     double pull;         /* [N] tension that they ask for */
 } moment;
 
-/* (3) on the hung wire at a speed of the faster end; the left side of (11) over |t_0 + t_{n-1}|, less k */
+/* (3) on the hanging wire at a speed of the faster end; the left side of (11) over |t_0 + t_{n-1}|, less k */
 static double excess_at(moment *m, double speed) {
     wcut_cut *cut = m->cut;
     const wcut_step step = {.foam = &cut->setup->foam,
@@ -27,7 +27,8 @@ static double excess_at(moment *m, double speed) {
                             .edge = m->target->length / (cut->setup->job->nodes - 1),
                             .n = cut->setup->job->nodes,
                             .was = cut->was};
-    wcut_system_eval(&cut->solver.system, &step, cut->hung, cut->hung_s, log(speed / m->reach), false);
+    wcut_system_eval(&cut->solver.system, &step, cut->hanging_shape, cut->hanging_tension, log(speed / m->reach),
+                     false);
     m->pull = cut->solver.system.pull;
     return m->pull - step.tension;
 }
@@ -37,10 +38,10 @@ static double find_speed(moment *m, wcut_condition *condition, int *rounds) {
     const wcut_job *job = m->cut->setup->job;
     double low = job->speed_min, high = job->speed_max;
     double at_high = excess_at(m, high), at_low = at_high > 0 ? excess_at(m, low) : 0;
-    *condition = at_high <= 0 ? WCUT_BY_SPEED_MAX : WCUT_BY_SPEED_MIN;
+    *condition = at_high <= 0 ? WCUT_CONDITION_SPEED_MAX : WCUT_CONDITION_SPEED_MIN;
     if (at_high <= 0) return excess_at(m, high), high;
     if (at_low >= 0) return low;
-    *condition = WCUT_BY_TENSION;
+    *condition = WCUT_CONDITION_TENSION;
     double speed = high;
     int side = 0;
     for (*rounds = 0; *rounds < 200; ++*rounds) {
@@ -60,7 +61,7 @@ static double find_speed(moment *m, wcut_condition *condition, int *rounds) {
     return speed;
 }
 
-/* accumulated + h (share_now F_j + share_next F at the hung wire) */
+/* accumulated + h (share_now F_j + share_next F at the hanging wire) */
 static void accumulate(moment *m, double h, double share_now, double share_next) {
     const wcut_wire *w = &m->cut->next;
     for (int i = 0; i < m->cut->setup->job->nodes; i++) {
@@ -82,7 +83,7 @@ static void keep(moment *m, double speed, wcut_condition condition, double *elap
     }
     const double scale = vec3_length(sum) > 0 ? vec3_length(now) / vec3_length(sum) : 0;
     for (int i = 0; i < n; i++) {
-        w->x[i] = cut->hung[i];
+        w->x[i] = cut->hanging_shape[i];
         w->force[i] = m->at[i].force;
         w->line[i] = m->at[i].line;
         w->speed[i] = m->at[i].speed;
@@ -90,7 +91,7 @@ static void keep(moment *m, double speed, wcut_condition condition, double *elap
         w->pattern[i] = m->total[i];
         w->accumulated[i] = vec3_scale(scale * h, m->total[i]);
     }
-    for (int e = 0; e < n - 1; e++) w->s[e] = cut->hung_s[e] * scale;
+    for (int e = 0; e < n - 1; e++) w->s[e] = cut->hanging_tension[e] * scale;
     w->length = m->target->length;
     w->loaded = true;
     w->condition = condition;
@@ -110,7 +111,7 @@ wcut_status wcut_heun_advance(wcut_cut *cut, const wcut_target *target, double *
 
     if (!wcut_cut_hang(cut, target, w->pattern))
         return wcut_fail(error, WCUT_NOT_CONVERGED, "heun: the wire has no shape under its accumulated force");
-    if (!wcut_cut_touches(cut, cut->hung)) {
+    if (!wcut_cut_touches(cut, cut->hanging_shape)) {
         wcut_cut_feed_free(cut, target, m.reach, elapsed);
         w->step_duration = *elapsed;
         return WCUT_OK;
@@ -129,7 +130,7 @@ wcut_status wcut_heun_advance(wcut_cut *cut, const wcut_target *target, double *
         return wcut_fail(error, WCUT_NOT_CONVERGED, "heun: the corrected force (10) gives the wire no shape");
     speed = find_speed(&m, &condition, &rounds);
     cut->iterations += rounds;
-    if (condition == WCUT_BY_TENSION) cut->residual = fabs(m.pull / cut->setup->job->tension - 1);
+    if (condition == WCUT_CONDITION_TENSION) cut->residual = fabs(m.pull / cut->setup->job->tension - 1);
     keep(&m, speed, condition, elapsed);
     return WCUT_OK;
 }

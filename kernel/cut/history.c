@@ -115,7 +115,7 @@ wcut_status wcut_setup_run(const wcut_setup *setup, wcut_progress progress, void
     }
     status = run(cut, progress, context, h);
     const bool again = status == WCUT_NOT_CONVERGED && job->mode == WCUT_MODE_PATH &&
-                       setup->options.integrator == WCUT_IMPLICIT && !cut->weighted;
+                       setup->options.integrator == WCUT_INTEGRATOR_IMPLICIT && !cut->weighted;
     wcut_cut_destroy(cut);
     if (again) status = run_weighted(setup, progress, context, &h);
     if (error && status != WCUT_OK) *error = h->ended;

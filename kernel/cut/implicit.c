@@ -26,8 +26,8 @@ static void accept(wcut_cut *cut, const wcut_target *target, double rate, double
                    wcut_condition condition, double *elapsed) {
     const int n = cut->setup->job->nodes;
     wcut_wire *w = &cut->next;
-    memcpy(w->x, cut->hung, sizeof *w->x * (size_t)n);
-    memcpy(w->s, cut->hung_s, sizeof *w->s * (size_t)(n - 1));
+    memcpy(w->x, cut->hanging_shape, sizeof *w->x * (size_t)n);
+    memcpy(w->s, cut->hanging_tension, sizeof *w->s * (size_t)(n - 1));
     for (int i = 0; i < n; i++) {
         const wcut_resistance *f = &cut->solver.system.node[i];
         w->force[i] = f->force;
@@ -39,7 +39,7 @@ static void accept(wcut_cut *cut, const wcut_target *target, double rate, double
     if (pulls && wcut_load_sum(n, w->force) > 0) memcpy(w->pattern, w->force, sizeof *w->pattern * (size_t)n);
     w->length = target->length;
     w->loaded = true;
-    w->asked = pull;
+    w->required_tension = pull;
     w->condition = condition;
     w->front_speed = reach * rate;
     wcut_cut_remember(cut, target, rate);
@@ -56,14 +56,14 @@ typedef struct attempt { /* one sub-step being solved */
     double pull;    /* [N] tension that the foam's force asks for in the last solution */
 } attempt;
 
-/* Newton from the wire in cut->hung, at a given depth of the block's faces */
+/* Newton from the wire in cut->hanging_shape, at a given depth of the block's faces */
 static bool newton(attempt *a, double depth, bool by_tension, double log_rate, wcut_solution *solution) {
     wcut_cut *cut = a->cut;
     const wcut_cut_options *o = &cut->setup->options;
     a->foam.block.depth = depth;
     solution->log_rate = log_rate;
-    wcut_solver_run(&cut->solver, &a->step, by_tension, o->tolerance, o->max_iterations, cut->hung, cut->hung_s,
-                    solution);
+    wcut_solver_run(&cut->solver, &a->step, by_tension, o->tolerance, o->max_iterations, cut->hanging_shape,
+                    cut->hanging_tension, solution);
     cut->iterations += solution->iterations;
     return solution->converged;
 }
@@ -71,14 +71,14 @@ static bool newton(attempt *a, double depth, bool by_tension, double log_rate, w
 /* while something is changed step by step, the last wire that solved it */
 static void keep_guess(attempt *a) {
     const size_t n = (size_t)a->step.n;
-    memcpy(a->cut->softer, a->cut->hung, sizeof *a->cut->softer * n);
-    memcpy(a->cut->softer_s, a->cut->hung_s, sizeof *a->cut->softer_s * (n - 1));
+    memcpy(a->cut->softer, a->cut->hanging_shape, sizeof *a->cut->softer * n);
+    memcpy(a->cut->softer_tension, a->cut->hanging_tension, sizeof *a->cut->softer_tension * (n - 1));
 }
 
 static void restore_guess(attempt *a) {
     const size_t n = (size_t)a->step.n;
-    memcpy(a->cut->hung, a->cut->softer, sizeof *a->cut->softer * n);
-    memcpy(a->cut->hung_s, a->cut->softer_s, sizeof *a->cut->softer_s * (n - 1));
+    memcpy(a->cut->hanging_shape, a->cut->softer, sizeof *a->cut->softer * n);
+    memcpy(a->cut->hanging_tension, a->cut->softer_tension, sizeof *a->cut->softer_tension * (n - 1));
 }
 
 /* Where the wire comes to lie flat against a face, its load sets in at once over the whole width: too sudden for Newton
@@ -109,8 +109,9 @@ static void carry(attempt *a) {
     const wcut_vec3 *was = cut->was;
     const wcut_vec3 way_a = vec3_sub(a->target->end_a, cut->next.end_a);
     const wcut_vec3 way_b = vec3_sub(a->target->end_b, cut->next.end_b);
-    for (int i = 1; i < n - 1; i++) cut->hung[i] = vec3_add(was[i], vec3_mix(way_a, way_b, (double)i / (n - 1)));
-    memcpy(cut->hung_s, cut->next.s, sizeof *cut->hung_s * (size_t)(n - 1));
+    for (int i = 1; i < n - 1; i++)
+        cut->hanging_shape[i] = vec3_add(was[i], vec3_mix(way_a, way_b, (double)i / (n - 1)));
+    memcpy(cut->hanging_tension, cut->next.s, sizeof *cut->hanging_tension * (size_t)(n - 1));
 }
 
 /* the wire hung in its last load; a loose one is pulled by its weight only */
@@ -118,7 +119,7 @@ static bool hang(attempt *a) {
     wcut_cut *cut = a->cut;
     if (!wcut_cut_hang(cut, a->target, cut->next.pattern)) return false;
     if (a->weight > 0)
-        for (int e = 0; e < a->step.n - 1; e++) cut->hung_s[e] *= a->weight;
+        for (int e = 0; e < a->step.n - 1; e++) cut->hanging_tension[e] *= a->weight;
     return true;
 }
 
@@ -167,14 +168,14 @@ static bool solve_complementary(attempt *a, double *speed, wcut_condition *condi
     const wcut_job *job = a->cut->setup->job;
     const wcut_wire *last = &a->cut->next;
     const double guess = clamp(last->front_speed, job->speed_min, job->speed_max);
-    const bool max_first = !last->loaded || last->condition == WCUT_BY_SPEED_MAX;
-    *condition = WCUT_BY_SPEED_MAX;
+    const bool max_first = !last->loaded || last->condition == WCUT_CONDITION_SPEED_MAX;
+    *condition = WCUT_CONDITION_SPEED_MAX;
     if (max_first && solve_at_limit(a, job->speed_max, true, speed)) return true;
-    *condition = WCUT_BY_TENSION;
+    *condition = WCUT_CONDITION_TENSION;
     if (solve_at_tension(a, guess, speed)) return true;
-    *condition = WCUT_BY_SPEED_MAX;
+    *condition = WCUT_CONDITION_SPEED_MAX;
     if (!max_first && solve_at_limit(a, job->speed_max, true, speed)) return true;
-    *condition = WCUT_BY_SPEED_MIN;
+    *condition = WCUT_CONDITION_SPEED_MIN;
     return solve_at_limit(a, job->speed_min, false, speed);
 }
 
@@ -198,16 +199,16 @@ static bool hangs_loose(const wcut_cut *cut) {
 }
 
 /* what a loose wire weighs, in the pattern that shaped it last; NULL where it is not loose */
-static const wcut_vec3 *find_hanging(wcut_cut *cut, double *weight) {
+static const wcut_vec3 *find_dead_load(wcut_cut *cut, double *weight) {
     const int n = cut->setup->job->nodes;
     const wcut_wire *w = &cut->next;
     const double k = cut->setup->job->tension;
     const double load = wcut_load_sum(n, w->pattern);
-    const double fade = w->loaded ? clamp(1 - w->asked / (LOOSE * k), 0, 1) : 1;
+    const double fade = w->loaded ? clamp(1 - w->required_tension / (LOOSE * k), 0, 1) : 1;
     *weight = cut->weighted && load > 0 ? fade * WEIGHT * k / load : 0;
     if (!(*weight > 0)) return NULL;
-    for (int i = 0; i < n; i++) cut->hanging[i] = vec3_scale(*weight, w->pattern[i]);
-    return cut->hanging;
+    for (int i = 0; i < n; i++) cut->dead_load[i] = vec3_scale(*weight, w->pattern[i]);
+    return cut->dead_load;
 }
 
 /* a wire whose mounts stand still in the given time cuts nothing and is pulled by nothing */
@@ -220,8 +221,8 @@ static void stand_still(wcut_cut *cut, const wcut_target *target, double *elapse
     }
     for (int e = 0; e < n - 1; e++) w->s[e] = 0;
     memcpy(w->engaged, cut->now.engaged, sizeof *w->engaged * (size_t)n);
-    w->asked = 0;
-    w->condition = WCUT_BY_TIME;
+    w->required_tension = 0;
+    w->condition = WCUT_CONDITION_TIME;
     wcut_cut_remember(cut, target, 1 / target->duration);
     *elapsed += target->duration;
 }
@@ -236,9 +237,9 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, double *elapse
         stand_still(cut, target, elapsed);
         return true;
     }
-    const wcut_carriage load = wcut_contact_find(cut, target);
-    if (load == WCUT_NO_SHAPE) return false;
-    if (load == WCUT_FREE) return feed_free(cut, target, reach, elapsed);
+    const wcut_contact_state load = wcut_contact_find(cut, target);
+    if (load == WCUT_CONTACT_NO_SHAPE) return false;
+    if (load == WCUT_CONTACT_FREE) return feed_free(cut, target, reach, elapsed);
     attempt a = {.cut = cut, .target = target, .foam = setup->foam, .reach = reach};
     a.step = (wcut_step){.foam = &a.foam,
                          .heat = target->heat,
@@ -246,11 +247,11 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, double *elapse
                          .edge = target->length / (n - 1),
                          .n = n,
                          .was = cut->was,
-                         .hanging = find_hanging(cut, &a.weight)};
+                         .dead_load = find_dead_load(cut, &a.weight)};
     wcut_extension extension;
     wcut_extension_apply(cut, target, &extension, &a.foam, &a.step);
     double speed = target->duration > 0 ? reach / target->duration : 0;
-    wcut_condition condition = WCUT_BY_TIME;
+    wcut_condition condition = WCUT_CONDITION_TIME;
     wcut_solution out = {0};
     const bool solved =
         target->duration > 0 ? solve(&a, false, speed, &out) : solve_complementary(&a, &speed, &condition);
@@ -258,7 +259,7 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, double *elapse
         accept(cut, target, speed / reach, reach, a.pull, condition, elapsed);
         return true;
     }
-    if (!solved && !(load == WCUT_SLACK && hangs_loose(cut))) return false;
+    if (!solved && !(load == WCUT_CONTACT_SLACK && hangs_loose(cut))) return false;
     return wcut_cut_hang(cut, target, w->pattern) && feed_free(cut, target, reach, elapsed);
 }
 

@@ -19,7 +19,7 @@ typedef struct wcut_wire {
     double length;      /* [mm] */
     double front_speed; /* [mm/s] of the faster end */
     bool loaded;        /* the foam touches it */
-    double asked;       /* [N] tension that the foam's force asks for */
+    double required_tension; /* [N] tension that the foam's force asks for */
     wcut_condition condition;
     wcut_vec3 *accumulated;       /* n [N s] heun's memory; unused by implicit */
     double step_duration;         /* [s] heun's h_j of the step that led here; 0 before the first */
@@ -42,16 +42,16 @@ struct wcut_cut {
     bool over;     /* a step failed: the run cannot go on */
     bool weighted; /* a loose wire has a weight: the slower way through a first contact, see implicit.c */
     wcut_wire now, next;
-    wcut_vec3 *was;     /* n: where the nodes come from in the sub-step being tried */
-    wcut_vec3 *hung;    /* n: the wire under its last load between its new ends */
-    double *hung_s;     /* n-1 */
-    wcut_vec3 *kept;    /* n [N] the pattern before the foam was tried on it */
-    wcut_vec3 *contact; /* n [N] what the foam may load a loose wire with */
-    wcut_vec3 *hanging; /* n [N] the weight of a loose wire */
-    wcut_vec3 *softer;  /* n: the last solution while a face is being hardened */
-    double *softer_s;   /* n-1 */
-    double *edge;       /* n-1 [mm] lengths of the edges of the hung wire */
-    double *rest;       /* n-1 [mm] the same without tension: other than edge where the wire stretches */
+    wcut_vec3 *was;           /* n: where the nodes come from in the sub-step being tried */
+    wcut_vec3 *hanging_shape; /* n: the wire under its last load between its new ends */
+    double *hanging_tension;  /* n-1 */
+    wcut_vec3 *kept;          /* n [N] the pattern before the foam was tried on it */
+    wcut_vec3 *contact;       /* n [N] what the foam may load a loose wire with */
+    wcut_vec3 *dead_load;     /* n [N] the weight of a loose wire */
+    wcut_vec3 *softer;        /* n: the last solution while a face is being hardened */
+    double *softer_tension;   /* n-1 */
+    double *edge;             /* n-1 [mm] lengths of the edges of the hung wire */
+    double *rest;             /* n-1 [mm] the same without tension: other than edge where the wire stretches */
     wcut_solver solver;
 };
 

@@ -7,7 +7,7 @@
 
 wcut_cut_options wcut_cut_options_default(void) {
     return (wcut_cut_options){
-        .integrator = WCUT_IMPLICIT, .tolerance = 1e-10, .max_iterations = 40, .max_halvings = 10};
+        .integrator = WCUT_INTEGRATOR_IMPLICIT, .tolerance = 1e-10, .max_iterations = 40, .max_halvings = 10};
 }
 
 static wcut_status expect_positive(wcut_error *error, const char *key, double value) {
@@ -77,7 +77,7 @@ static wcut_status check_effects(const wcut_job *job, wcut_integrator integrator
     for (int e = 0; status == WCUT_OK && e < job->effect_count; e++) {
         const wcut_effect_info *info = wcut_effect_view(job->effect[e].kind);
         if (!acts_in_step(&job->effect[e])) continue;
-        if (integrator == WCUT_HEUN)
+        if (integrator == WCUT_INTEGRATOR_HEUN)
             return wcut_fail(error, WCUT_BAD_ARGUMENT,
                              "effects[%d]: found %s with the integrator heun, expected implicit: heun is the paper's "
                              "plain model",
@@ -242,8 +242,8 @@ static wcut_status fill(wcut_setup *setup, wcut_error *error) {
 }
 
 static wcut_status check_options(const wcut_cut_options *o, wcut_error *error) {
-    if ((o->integrator == WCUT_IMPLICIT || o->integrator == WCUT_HEUN) && is_positive(o->tolerance) &&
-        o->max_iterations >= 1 && o->max_halvings >= 0 && o->max_halvings <= 30)
+    if ((o->integrator == WCUT_INTEGRATOR_IMPLICIT || o->integrator == WCUT_INTEGRATOR_HEUN) &&
+        is_positive(o->tolerance) && o->max_iterations >= 1 && o->max_halvings >= 0 && o->max_halvings <= 30)
         return WCUT_OK;
     return wcut_fail(error, WCUT_BAD_ARGUMENT,
                      "options: a known integrator, a positive tolerance, at least 1 iteration and "

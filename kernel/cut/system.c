@@ -47,7 +47,7 @@ static void add_block(wcut_banded *m, int row, int column, mat3 a) {
 /* (|E|^2 - l^2) / 2 l, the stretch to first order but polynomial */
 static void put_lengths(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, const double *s, bool slopes) {
     for (int e = 0; e < y->n - 1; e++) {
-        const double l = wcut_edge_length(step->yielding, step->edge, e, s[e]);
+        const double l = wcut_edge_length(step->compliance, step->edge, e, s[e]);
         const wcut_vec3 edge = vec3_sub(x[e + 1], x[e]);
         const int row = tension_at(e);
         y->residual[row] = (vec3_dot(edge, edge) - l * l) / (2 * l);
@@ -55,13 +55,13 @@ static void put_lengths(wcut_system *y, const wcut_step *step, const wcut_vec3 *
         const wcut_vec3 u = vec3_scale(1 / l, edge);
         if (is_free(y, e)) put_vector(banded_at(&y->jacobian, row, node_at(e)), vec3_scale(-1, u));
         if (is_free(y, e + 1)) put_vector(banded_at(&y->jacobian, row, node_at(e + 1)), u);
-        if (step->yielding)
-            *banded_at(&y->jacobian, row, row) = -(1 + y->residual[row] / l) * wcut_edge_softness(step->yielding, e);
+        if (step->compliance)
+            *banded_at(&y->jacobian, row, row) = -(1 + y->residual[row] / l) * wcut_edge_softness(step->compliance, e);
     }
 }
 
 static void put_equilibrium(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, const double *s, bool slopes) {
-    const wcut_yielding *give = step->yielding;
+    const wcut_compliance *give = step->compliance;
     const double edge = step->edge, per_edge = 1 / edge;
     for (int i = 1; i < y->n - 1; i++) {
         const double l = give ? wcut_edge_length(give, edge, i - 1, s[i - 1]) : edge;
@@ -70,7 +70,7 @@ static void put_equilibrium(wcut_system *y, const wcut_step *step, const wcut_ve
         const wcut_vec3 front = vec3_scale(give ? 1 / m : per_edge, vec3_sub(x[i + 1], x[i]));
         const wcut_resistance *f = &y->node[i];
         const int row = node_at(i);
-        const wcut_vec3 load = step->hanging ? vec3_add(f->force, step->hanging[i]) : f->force;
+        const wcut_vec3 load = step->dead_load ? vec3_add(f->force, step->dead_load[i]) : f->force;
         put_vector(y->residual + row, vec3_add_scaled(vec3_add_scaled(load, s[i], front), -s[i - 1], back));
         if (!slopes) continue;
         const double less_back = give ? 1 - s[i - 1] * wcut_edge_softness(give, i - 1) / l : 1;
@@ -140,11 +140,12 @@ static void put_condition(wcut_system *y, const wcut_step *step, const wcut_vec3
 
 static wcut_end end_on_mount(const wcut_step *step, const wcut_vec3 *x, const double *s, double rate, int mount) {
     const int e = mount == 0 ? 0 : step->n - 2, next = mount == 0 ? 1 : step->n - 2;
-    const double length = wcut_edge_length(step->yielding, step->edge, e, s[e]);
-    return wcut_yielding_end(step->yielding, mount, x[next], s[e], length, wcut_edge_softness(step->yielding, e), rate);
+    const double length = wcut_edge_length(step->compliance, step->edge, e, s[e]);
+    return wcut_compliance_end(step->compliance, mount, x[next], s[e], length, wcut_edge_softness(step->compliance, e),
+                               rate);
 }
 
-static bool mounts_give(const wcut_step *step) { return step->yielding && step->yielding->compliance > 0; }
+static bool mounts_give(const wcut_step *step) { return step->compliance && step->compliance->mount_compliance > 0; }
 
 void wcut_system_place_ends(const wcut_step *step, const double *s, double log_rate, wcut_vec3 *x) {
     if (!mounts_give(step)) return;
@@ -170,7 +171,7 @@ static void put_mounts(wcut_system *y, const wcut_step *step, const wcut_vec3 *x
     for (int m = 0; m < 2; m++) {
         const int e = m == 0 ? 0 : n - 2, next = m == 0 ? 1 : n - 2, here = m == 0 ? 0 : n - 1;
         const wcut_end end = end_on_mount(step, x, s, rate, m);
-        const double l = wcut_edge_length(step->yielding, step->edge, e, s[e]);
+        const double l = wcut_edge_length(step->compliance, step->edge, e, s[e]);
         const mat3 by_next = m == 0 ? y->node[next].by_before : y->node[next].by_after;
         const mat3 balance = mat3_add_identity(by_next, s[e] / l);
         pass_on(y, &end, tension_at(e), e, next, vec3_scale(1 / l, vec3_sub(x[here], x[next])));

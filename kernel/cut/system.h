@@ -4,19 +4,19 @@
 #define WCUT_CUT_SYSTEM_H
 
 #include "base/banded.h"
-#include "cut/yielding.h"
+#include "cut/compliance.h"
 #include "foam/resistance.h"
 
 /* What one step is asked to do. */
 typedef struct wcut_step {
     const wcut_foam *foam;
-    double heat;                   /* [W/m] */
-    double tension;                /* [N] k */
-    double edge;                   /* [mm] new rest length of an edge */
-    int n;                         /* nodes */
-    const wcut_vec3 *was;          /* n: where each node comes from */
-    const wcut_vec3 *hanging;      /* n [N] what else loads the free nodes; NULL: nothing */
-    const wcut_yielding *yielding; /* NULL: the wire keeps its length and its ends stay where they are put */
+    double heat;                       /* [W/m] */
+    double tension;                    /* [N] k */
+    double edge;                       /* [mm] new rest length of an edge */
+    int n;                             /* nodes */
+    const wcut_vec3 *was;              /* n: where each node comes from */
+    const wcut_vec3 *dead_load;        /* n [N] what else loads the free nodes; NULL: nothing */
+    const wcut_compliance *compliance; /* NULL: the wire keeps its length and its ends stay where they are put */
 } wcut_step;
 
 /* Unknowns in the order S_0, X_1, S_1, X_2, .., X_{n-2}, S_{n-2} (S edge tensions [N]); the equations in the same

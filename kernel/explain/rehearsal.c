@@ -98,7 +98,7 @@ static bool walk(const planned *p, int room, wcut_schedule *s) {
         s->heat[s->count] = wcut_job_heat_eval(p->job, time + WCUT_REHEARSAL_STEP / 2);
         s->engaged[s->count] = engaged_at(p, station);
         s->speed[s->count] = fmax(row->speed_a, row->speed_b);
-        s->held[s->count] = row->condition == WCUT_BY_TENSION;
+        s->held[s->count] = row->condition == WCUT_CONDITION_TENSION;
     }
     return true;
 }

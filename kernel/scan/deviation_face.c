@@ -209,7 +209,7 @@ static void fill_stations(maker *m) {
     const wcut_history *h = m->history;
     double entry = h->row[0].time;
     for (int s = h->stations - 1; s >= 0; s--)
-        if (h->row[s].phase != WCUT_APPROACH) entry = h->row[s].time;
+        if (h->row[s].phase != WCUT_PHASE_APPROACH) entry = h->row[s].time;
     for (int s = 0; s < h->stations; s++) {
         m->face->time[s] = h->row[s].time - entry;
         m->face->phase[s] = h->row[s].phase;

@@ -66,7 +66,7 @@ static int patch_of(const wcut_survey *s, wcut_vec3 foot) {
 }
 
 /* 0 entry, 1 steady, 2 exit; what was approached or left belongs to the part next to it */
-static int part_of(wcut_phase phase) { return phase <= WCUT_ENTRY ? 0 : phase == WCUT_STEADY ? 1 : 2; }
+static int part_of(wcut_phase phase) { return phase <= WCUT_PHASE_ENTRY ? 0 : phase == WCUT_PHASE_STEADY ? 1 : 2; }
 
 static double between(const double *field, int low, int high, double t) {
     return field[low] + t * (field[high] - field[low]);

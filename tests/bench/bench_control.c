@@ -26,7 +26,7 @@ static wcut_control *make(void) {
                                     .speed_b = 18,
                                     .tension_a = 2,
                                     .tension_b = 2,
-                                    .phase = WCUT_STEADY};
+                                    .phase = WCUT_PHASE_STEADY};
     const wcut_history plan = {.stations = STATIONS, .planned = STATIONS, .nodes = 3, .row = row};
     const wcut_job job = {.tension = 2, .heat = 60, .force_law = {0.1, 8.6e-4}, .speed_min = 0.1, .speed_max = 100};
     const wcut_control_settings settings = wcut_control_settings_default(&job);

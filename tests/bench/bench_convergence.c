@@ -71,7 +71,7 @@ static run *cut(double step, wcut_integrator integrator) {
         exit(EXIT_FAILURE);
     }
     if (error.text[0])
-        fprintf(stderr, "%g mm, %s: %s\n", step, integrator == WCUT_HEUN ? "heun" : "implicit", error.text);
+        fprintf(stderr, "%g mm, %s: %s\n", step, integrator == WCUT_INTEGRATOR_HEUN ? "heun" : "implicit", error.text);
     r->stations = job->stations, r->reached = h->stations;
     for (int j = 0; j < h->stations; j++) {
         r->y[j] = job->mount_a[j].y;
@@ -179,8 +179,8 @@ int main(int argc, char **argv) {
     const double step[STEPS] = {45, 36, 20, 12, 9, 6, 4, 3, 2, 1};
     run *heun[STEPS], *implicit[STEPS];
     double error[2][STEPS];
-    run *fine = cut(0.5, WCUT_IMPLICIT);
-    run *half = cut(1, WCUT_IMPLICIT);
+    run *fine = cut(0.5, WCUT_INTEGRATOR_IMPLICIT);
+    run *half = cut(1, WCUT_INTEGRATOR_IMPLICIT);
     const double exact = 2 * watched(fine) - watched(half);
     free(half);
     printf(
@@ -188,8 +188,8 @@ int main(int argc, char **argv) {
         "[deg off]\n",
         WATCHED, exact);
     for (int k = 0; k < STEPS; k++) {
-        heun[k] = cut(step[k], WCUT_HEUN);
-        implicit[k] = cut(step[k], WCUT_IMPLICIT);
+        heun[k] = cut(step[k], WCUT_INTEGRATOR_HEUN);
+        implicit[k] = cut(step[k], WCUT_INTEGRATOR_IMPLICIT);
         error[0][k] = fabs(watched(implicit[k]) - exact);
         error[1][k] = fabs(watched(heun[k]) - exact);
         printf("%13g mm  %8.5f  %8.5f   heun reached %d of %d stations\n", step[k], error[0][k], error[1][k],

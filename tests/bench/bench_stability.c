@@ -27,7 +27,7 @@ static void make_plan(double speed) {
                                     .speed_b = speed,
                                     .tension_a = 2,
                                     .tension_b = 2,
-                                    .phase = WCUT_STEADY};
+                                    .phase = WCUT_PHASE_STEADY};
     plan = (wcut_history){.stations = STATIONS, .planned = STATIONS, .nodes = 3, .row = row};
 }
 

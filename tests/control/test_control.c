@@ -22,13 +22,13 @@ static wcut_error error;
 static void prepare(void) {
     memset(row, 0, sizeof row);
     for (int j = 0; j < STATIONS; j++) {
-        const wcut_phase phase = j <= 20 ? WCUT_APPROACH : j <= 90 ? WCUT_STEADY : WCUT_LEFT;
+        const wcut_phase phase = j <= 20 ? WCUT_PHASE_APPROACH : j <= 90 ? WCUT_PHASE_STEADY : WCUT_PHASE_LEFT;
         row[j].phase = phase;
-        row[j].speed_a = phase == WCUT_STEADY ? 20 : 100;
+        row[j].speed_a = phase == WCUT_PHASE_STEADY ? 20 : 100;
         row[j].speed_b = 0.5 * row[j].speed_a;
         row[j].duration = j ? 4 / row[j].speed_a : 0;
         row[j].time = j ? row[j - 1].time + row[j].duration : 0;
-        row[j].tension_a = row[j].tension_b = phase == WCUT_STEADY ? 2 : 0;
+        row[j].tension_a = row[j].tension_b = phase == WCUT_PHASE_STEADY ? 2 : 0;
     }
     plan = (wcut_history){.stations = STATIONS, .planned = STATIONS, .nodes = 3, .row = row};
     wcut_job job = {.tension = 2, .heat = 60, .force_law = {0.1, 8.6e-4}, .speed_min = 0.1, .speed_max = 100};

@@ -19,15 +19,15 @@ static tally check_every_station(const wcut_job *job, const wcut_history *h) {
         ck_assert_double_lt(v, job->speed_max * (1 + 1e-12));
         if (r->substeps != 1) continue; /* the sub-steps' speeds differ, the station tells their mean */
         const bool loaded = r->engaged_length > 0;
-        if (r->condition == WCUT_BY_TENSION) {
+        if (r->condition == WCUT_CONDITION_TENSION) {
             ck_assert_double_eq_tol(pull, k, 1e-9 * k);
             count.tension++;
-        } else if (r->condition == WCUT_BY_SPEED_MAX) {
+        } else if (r->condition == WCUT_CONDITION_SPEED_MAX) {
             ck_assert_double_eq_tol(v, job->speed_max, 1e-12 * v);
             if (loaded) ck_assert_double_le(pull, k * (1 + 1e-9));
             loaded ? count.max++ : count.free++;
         } else {
-            ck_assert_int_eq(r->condition, WCUT_BY_SPEED_MIN);
+            ck_assert_int_eq(r->condition, WCUT_CONDITION_SPEED_MIN);
             ck_assert_double_eq_tol(v, job->speed_min, 1e-12 * v);
             ck_assert_double_ge(pull, k * (1 - 1e-9));
             count.min++;
@@ -84,8 +84,8 @@ START_TEST(without_contact_the_wire_keeps_its_shape_and_feeds_at_its_limit) {
     for (int j = 1; j < h->stations; j++) {
         const wcut_history_row *r = &h->row[j];
         ck_assert_double_eq_tol(faster_speed(r), 80, 1e-10);
-        ck_assert_int_eq(r->condition, WCUT_BY_SPEED_MAX);
-        ck_assert_int_eq(r->phase, WCUT_APPROACH);
+        ck_assert_int_eq(r->condition, WCUT_CONDITION_SPEED_MAX);
+        ck_assert_int_eq(r->phase, WCUT_PHASE_APPROACH);
         ck_assert(r->tension_a == 0 && r->engaged_length == 0);
         const wcut_vec3 way = vec3_sub(job->mount_a[j], job->mount_a[0]);
         for (int i = 0; i < h->nodes; i++)
@@ -109,7 +109,7 @@ START_TEST(at_station_0_the_wire_hangs_trailing_or_straight_where_it_is_as_long_
         ck_assert_double_eq_tol(way, job->wire_length, 1e-6);
         if (k == 0) ck_assert_double_lt(s.position[30].y, -150 - 40);
         if (k == 1) ck_assert_double_eq_tol(s.position[30].y, -150, 1e-9);
-        ck_assert(s.index == 0 && s.time == 0 && s.tension_a == 0 && s.phase == WCUT_APPROACH);
+        ck_assert(s.index == 0 && s.time == 0 && s.tension_a == 0 && s.phase == WCUT_PHASE_APPROACH);
         wcut_cut_destroy(cut);
         wcut_setup_destroy(setup);
         wcut_job_destroy(job);

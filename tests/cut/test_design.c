@@ -60,7 +60,7 @@ START_TEST(the_tension_condition_holds_while_the_wires_length_changes) {
         wcut_job *job = sample_job(design_jobs[k]);
         wcut_history *h = run_of(job);
         for (int j = 1; j < h->stations; j++) {
-            ck_assert_int_eq(h->row[j].condition, WCUT_BY_TENSION);
+            ck_assert_int_eq(h->row[j].condition, WCUT_CONDITION_TENSION);
             if (h->row[j].substeps == 1) ck_assert_double_eq_tol(pull_at(h, j), 2, 2e-9);
         }
         wcut_history_destroy(h);

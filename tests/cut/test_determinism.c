@@ -90,7 +90,7 @@ START_TEST(stepping_and_driving_allocate_nothing) {
     wcut_cut_options options = wcut_cut_options_default();
     for (int k = 0; k < 5; k++) {
         const wcut_job *now = job[k < 3 ? k : 2];
-        options.integrator = k == 3 ? WCUT_HEUN : WCUT_IMPLICIT;
+        options.integrator = k == 3 ? WCUT_INTEGRATOR_HEUN : WCUT_INTEGRATOR_IMPLICIT;
         wcut_setup *setup = setup_of(now, &options);
         wcut_cut *cut = NULL;
         const long before_create = allocations;

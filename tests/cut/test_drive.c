@@ -21,9 +21,9 @@ START_TEST(a_run_replayed_in_its_own_time_has_its_own_shapes_and_tension) {
                 WCUT_OK);
             wcut_station s;
             wcut_cut_view(cut, &s);
-            ck_assert_int_eq(s.condition, WCUT_BY_TIME);
+            ck_assert_int_eq(s.condition, WCUT_CONDITION_TIME);
             ck_assert_double_eq_tol(s.time, h->row[j].time, 1e-9 * s.time);
-            if (h->row[j].condition != WCUT_BY_TENSION) continue;
+            if (h->row[j].condition != WCUT_CONDITION_TENSION) continue;
             worst = fmax(worst, fabs(s.tension_a - h->row[j].tension_a));
             worst = fmax(worst, fabs(s.tension_b - h->row[j].tension_b));
             if (k == 1) worst = fmax(worst, fabs(s.tension_a - job[k]->tension)); /* planar, the mounts alike */
@@ -121,7 +121,7 @@ END_TEST
 START_TEST(design_mode_and_heun_are_not_driven) {
     wcut_job *design = sample_job("freeform-1.json"), *path = swinging_job(31, 20);
     wcut_cut_options heun = wcut_cut_options_default();
-    heun.integrator = WCUT_HEUN;
+    heun.integrator = WCUT_INTEGRATOR_HEUN;
     for (int k = 0; k < 2; k++) {
         wcut_setup *setup = setup_of(k == 0 ? design : path, k == 0 ? NULL : &heun);
         wcut_cut *cut = begin(setup);

@@ -81,7 +81,7 @@ static double last_speed(wcut_job *job, int count, const wcut_effect *effect) {
     give(job, count, effect);
     wcut_history *h = run_of(job);
     const wcut_history_row *last = &h->row[h->stations - 1];
-    ck_assert_int_eq(last->condition, WCUT_BY_TENSION);
+    ck_assert_int_eq(last->condition, WCUT_CONDITION_TENSION);
     const double speed = last->speed_a;
     wcut_history_destroy(h);
     return speed;
@@ -291,9 +291,9 @@ START_TEST(a_mount_settles_as_one_exponential_however_it_is_stepped) {
     /* a pull of 2 N along a wire so long that its direction stays */
     const double far = 1e9, k = 0.5, tau = 0.3;
     for (int steps = 1; steps <= 81; steps *= 9) {
-        wcut_yielding y = {.compliance = 1 / k, .settling = tau, .mount = {{.pull = {2, 0, 0}, .set = true}}};
+        wcut_compliance y = {.mount_compliance = 1 / k, .settling = tau, .mount = {{.pull = {2, 0, 0}, .set = true}}};
         for (int i = 0; i < steps; i++)
-            y.mount[0].offset = wcut_yielding_end(&y, 0, vec3(far, 0, 0), 2, far, 0, steps / 0.45).at;
+            y.mount[0].offset = wcut_compliance_end(&y, 0, vec3(far, 0, 0), 2, far, 0, steps / 0.45).at;
         ck_assert_double_eq_tol(y.mount[0].offset.x, 2 / k * (1 - exp(-0.45 / tau)), 1e-7);
     }
 }
@@ -318,14 +318,14 @@ START_TEST(jacobian_and_borders_hold_where_wire_and_mounts_give) {
             was[i] = vec3_sub(x[i], vec3(wcut_random_uniform(&random) - 0.5, 3, wcut_random_uniform(&random) - 0.5));
             if (i < N - 1) s[i] = 1.5 + wcut_random_uniform(&random), rest[i] = 7.2 * (1 + 0.01 * i);
         }
-        const wcut_yielding give_way = {
+        const wcut_compliance give_way = {
             .rest = rest,
             .softness = 0.003,
-            .compliance = 0.7,
+            .mount_compliance = 0.7,
             .settling = 0.3,
             .mount = {{x[0], {0.4, 0.1, 0.2}, {1, 0.5, 0}, true}, {x[N - 1], {-0.3, 0.1, 0}, {-1, 0.4, 0.1}, true}}};
         const wcut_step step = {
-            .foam = &foam, .heat = 65, .tension = 2, .edge = 7.2, .n = N, .was = was, .yielding = &give_way};
+            .foam = &foam, .heat = 65, .tension = 2, .edge = 7.2, .n = N, .was = was, .compliance = &give_way};
         wcut_system_place_ends(&step, s, log_rate, x);
         wcut_system_eval(&y, &step, x, s, log_rate, true);
         for (int i = 0; i < SIZE; i++) {
@@ -391,7 +391,7 @@ START_TEST(what_cannot_be_simulated_is_refused_with_its_place) {
     ck_assert_str_eq(error.text, "effects[1]: found a second rate_dependence, expected one at most");
     give(job, 1, e);
     wcut_cut_options heun = wcut_cut_options_default();
-    heun.integrator = WCUT_HEUN;
+    heun.integrator = WCUT_INTEGRATOR_HEUN;
     ck_assert_int_eq(wcut_setup_create(job, &heun, &setup, &error), WCUT_BAD_ARGUMENT);
     ck_assert_ptr_nonnull(strstr(error.text, "effects[0]: found rate_dependence with the integrator heun"));
     e[0] = sized(WCUT_TENSION_GAIN, 0.1); /* no physics: heun does not mind */

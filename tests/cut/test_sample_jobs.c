@@ -41,12 +41,13 @@ START_TEST(the_phases_follow_each_other_and_the_planned_geometry) {
         if (isnan(first[p])) first[p] = job->mount_a[j].y;
         last[p] = job->mount_a[j].y;
     }
-    ck_assert_double_eq(first[WCUT_APPROACH], -6);
-    ck_assert_double_eq_tol(first[WCUT_ENTRY], 6, 4);     /* 6 mm of sag behind the mounts at most */
-    ck_assert_double_eq_tol(first[WCUT_STEADY], 300, 16); /* the mounts approach each other up to y = 300, ever less */
-    ck_assert_double_eq_tol(last[WCUT_STEADY], 900, 16);  /* and part from y = 900 on, ever more */
-    ck_assert_double_gt(first[WCUT_LEFT], 1200);
-    ck_assert_double_lt(first[WCUT_LEFT], 1200 + 20);
+    ck_assert_double_eq(first[WCUT_PHASE_APPROACH], -6);
+    ck_assert_double_eq_tol(first[WCUT_PHASE_ENTRY], 6, 4); /* 6 mm of sag behind the mounts at most */
+    ck_assert_double_eq_tol(first[WCUT_PHASE_STEADY], 300,
+                            16); /* the mounts approach each other up to y = 300, ever less */
+    ck_assert_double_eq_tol(last[WCUT_PHASE_STEADY], 900, 16); /* and part from y = 900 on, ever more */
+    ck_assert_double_gt(first[WCUT_PHASE_LEFT], 1200);
+    ck_assert_double_lt(first[WCUT_PHASE_LEFT], 1200 + 20);
     wcut_history_destroy(h);
     wcut_job_destroy(job);
 }

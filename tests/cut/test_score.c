@@ -159,9 +159,9 @@ START_TEST(the_samples_that_count_lie_between_contact_and_leaving) {
     wcut_comparison *c = compared();
     wcut_history *plan = run_of(job);
     int contact = 0, left = 0, counted = 0;
-    while (plan->row[contact].phase == WCUT_APPROACH) contact++;
+    while (plan->row[contact].phase == WCUT_PHASE_APPROACH) contact++;
     for (int j = 0; j < plan->stations; j++)
-        if (plan->row[j].phase != WCUT_APPROACH && plan->row[j].phase != WCUT_LEFT) left = j + 1;
+        if (plan->row[j].phase != WCUT_PHASE_APPROACH && plan->row[j].phase != WCUT_PHASE_LEFT) left = j + 1;
     ck_assert(contact > 0 && left < 45); /* 45 stations were driven */
     const double first = ceil(contact / 0.3 - 1e-9) * 0.1 - 0.1, last = ceil(left / 0.3 - 1e-9) * 0.1 - 0.1;
     ck_assert_double_eq_tol(c->contact, first, 1e-9);
@@ -170,12 +170,12 @@ START_TEST(the_samples_that_count_lie_between_contact_and_leaving) {
     ck_assert_double_eq_tol(c->to, last - 0.35, 1e-9);
     for (int i = 0; i < SAMPLES; i++) {
         const double t = 0.1 * i;
-        if (c->counted[i]) ck_assert(t >= c->from && t <= c->to && c->phase[i] != WCUT_LEFT);
+        if (c->counted[i]) ck_assert(t >= c->from && t <= c->to && c->phase[i] != WCUT_PHASE_LEFT);
         counted += c->counted[i];
     }
     ck_assert_int_eq(counted, c->counted_samples);
-    ck_assert_int_eq(c->phase[0], WCUT_APPROACH);
-    ck_assert_int_eq(c->phase[SAMPLES - 1], WCUT_LEFT);
+    ck_assert_int_eq(c->phase[0], WCUT_PHASE_APPROACH);
+    ck_assert_int_eq(c->phase[SAMPLES - 1], WCUT_PHASE_LEFT);
     int parts = 0;
     for (int part = WCUT_PART_ENTRY; part < WCUT_PART_COUNT; part++)
         parts += c->replayed_score.of[WCUT_SCORED_ALPHA_A][part].count;

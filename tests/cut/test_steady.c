@@ -53,7 +53,7 @@ static answer last_of(const wcut_history *h) {
 static answer answer_of(wcut_job *job) {
     wcut_history *h = run_of(job);
     const answer a = last_of(h);
-    ck_assert_int_eq(h->row[h->stations - 1].condition, WCUT_BY_TENSION);
+    ck_assert_int_eq(h->row[h->stations - 1].condition, WCUT_CONDITION_TENSION);
     wcut_history_destroy(h);
     wcut_job_destroy(job);
     return a;
@@ -115,7 +115,7 @@ START_TEST(beside_a_block_narrower_than_the_chord_the_wire_is_straight_along_the
     ck_assert_double_eq_tol(h->row[j].speed_a, s.speed, 1e-4 * s.speed);
     ck_assert_double_eq_tol(h->row[j].tension_a, 2, 1e-9);
     ck_assert_double_eq_tol(h->row[j].tension_b, 2, 1e-9);
-    ck_assert_int_eq(h->row[j].phase, WCUT_STEADY);
+    ck_assert_int_eq(h->row[j].phase, WCUT_PHASE_STEADY);
     wcut_history_destroy(h);
     wcut_job_destroy(job);
 }

@@ -35,8 +35,8 @@ static inline double force_zigzag(const wcut_history *h, int j) {
 static inline wobble wobble_of(const wcut_history *h, int skip) {
     wobble w = {0};
     int first = 0, last = h->stations - 1;
-    while (first < last && h->row[first].phase == WCUT_APPROACH) first++;
-    while (last > first && h->row[last].phase == WCUT_LEFT) last--;
+    while (first < last && h->row[first].phase == WCUT_PHASE_APPROACH) first++;
+    while (last > first && h->row[last].phase == WCUT_PHASE_LEFT) last--;
     for (int j = first + skip; j + 4 <= last; j++) {
         const wcut_history_row *r = h->row + j;
         w.speed = fmax(w.speed, zigzag_of(speed_at(h, j), speed_at(h, j + 1), speed_at(h, j + 2), speed_at(h, j + 3)) /

@@ -247,11 +247,11 @@ static void given_history(void) {
         const double y0 = -60 + 1360.0 * s / (ROWS - 1);
         row[s] = none;
         row[s].time = 2.0 * s;
-        row[s].phase = s < 5    ? WCUT_APPROACH
-                       : s < 20 ? WCUT_ENTRY
-                       : s < 60 ? WCUT_STEADY
-                       : s < 76 ? WCUT_EXIT
-                                : WCUT_LEFT;
+        row[s].phase = s < 5    ? WCUT_PHASE_APPROACH
+                       : s < 20 ? WCUT_PHASE_ENTRY
+                       : s < 60 ? WCUT_PHASE_STEADY
+                       : s < 76 ? WCUT_PHASE_EXIT
+                                : WCUT_PHASE_LEFT;
         for (int n = 0; n < COLUMNS; n++) {
             const double t = 2.0 * n / (COLUMNS - 1) - 1, x = 200 + 300 * t, y = y0 - 40 * (1 - t * t);
             node[s * COLUMNS + n] = vec3(x, y, height(x, y));
@@ -308,7 +308,7 @@ START_TEST(its_grid_ends_where_the_block_does) {
         inside += face->inside[k];
     }
     ck_assert(inside > ROWS * COLUMNS * 8 / 10 && inside < ROWS * COLUMNS);
-    ck_assert(face->time[5] == 0 && face->time[15] == 20 && face->phase[30] == WCUT_STEADY);
+    ck_assert(face->time[5] == 0 && face->time[15] == 20 && face->phase[30] == WCUT_PHASE_STEADY);
     /* the mesh covers the block seen from above, without gap or overlap */
     ck_assert_int_eq(wcut_face_mesh(face, &mesh), WCUT_OK);
     double area = 0;

@@ -14,30 +14,30 @@ extern "C" {
 
 /** How the wire is advanced from station to station. */
 typedef enum wcut_integrator {
-    WCUT_IMPLICIT, /**< shape, edge tensions and rate solved together at the new station */
-    WCUT_HEUN      /**< the paper's accumulated forces (9)-(11); unstable for short steps, kept for comparison */
+    WCUT_INTEGRATOR_IMPLICIT, /**< shape, edge tensions and rate solved together at the new station */
+    WCUT_INTEGRATOR_HEUN /**< the paper's accumulated forces (9)-(11); unstable for short steps, kept for comparison */
 } wcut_integrator;
 
 /** Where along the cut a station is. */
 typedef enum wcut_phase {
-    WCUT_APPROACH, /**< no contact yet */
-    WCUT_ENTRY,    /**< in contact, the mounts approach each other or not all of the wire's span is in */
-    WCUT_STEADY,   /**< the whole width engaged, mounts moving in parallel */
-    WCUT_EXIT,     /**< the mounts part, or the wire is leaving the block */
-    WCUT_LEFT      /**< contact is over */
+    WCUT_PHASE_APPROACH, /**< no contact yet */
+    WCUT_PHASE_ENTRY,    /**< in contact, the mounts approach each other or not all of the wire's span is in */
+    WCUT_PHASE_STEADY,   /**< the whole width engaged, mounts moving in parallel */
+    WCUT_PHASE_EXIT,     /**< the mounts part, or the wire is leaving the block */
+    WCUT_PHASE_LEFT      /**< contact is over */
 } wcut_phase;
 
 /** Which side of the complementarity v <= v_max, T <= k set the rate. */
 typedef enum wcut_condition {
-    WCUT_BY_TENSION,   /**< (4) holds with equality */
-    WCUT_BY_SPEED_MAX, /**< v = v_max and T < k, or no contact */
-    WCUT_BY_SPEED_MIN, /**< v = v_min and T > k */
-    WCUT_BY_TIME       /**< time-driven: the step's duration was given */
+    WCUT_CONDITION_TENSION,   /**< (4) holds with equality */
+    WCUT_CONDITION_SPEED_MAX, /**< v = v_max and T < k, or no contact */
+    WCUT_CONDITION_SPEED_MIN, /**< v = v_min and T > k */
+    WCUT_CONDITION_TIME       /**< time-driven: the step's duration was given */
 } wcut_condition;
 
 /** Settings of the solver; the job says what is cut, these say how finely it is solved. */
 typedef struct wcut_cut_options {
-    wcut_integrator integrator; /**< default WCUT_IMPLICIT */
+    wcut_integrator integrator; /**< default WCUT_INTEGRATOR_IMPLICIT */
     double tolerance;           /**< [1] largest relative residual to accept; default 1e-10 */
     int max_iterations;         /**< Newton iterations a (sub-)step; default 40 */
     int max_halvings;           /**< a step may be cut into 2^this sub-steps; default 10 */

@@ -28,8 +28,8 @@ typedef struct wcut_summary {
     int iterations_max;
     double substeps_mean;
     int substeps_max;
-    int conditions[WCUT_BY_TIME + 1]; /**< stations by what set their rate */
-    int phases[WCUT_LEFT + 1];        /**< stations by phase */
+    int conditions[WCUT_CONDITION_TIME + 1]; /**< stations by what set their rate */
+    int phases[WCUT_PHASE_LEFT + 1];         /**< stations by phase */
 } wcut_summary;
 
 /**

@@ -1,6 +1,6 @@
 /* What gives way to the wire's tension: its own length, and the mounts. A mount is a spring that settles:
    du/dt = (F/k - u)/tau, solved exactly over the step for a pull F that changes evenly (first-order hold). */
-#include "cut/yielding.h"
+#include "cut/compliance.h"
 
 #include "base/vec3.h"
 
@@ -10,20 +10,20 @@ typedef struct settling {
     double give, give_by_log_rate;    /* [mm/N] (1 - G)/k */
 } settling;
 
-static settling settle(const wcut_yielding *y, const wcut_mount *m, double rate) {
-    settling s = {{0, 0, 0}, {0, 0, 0}, y->compliance, 0};
+static settling settle(const wcut_compliance *y, const wcut_mount *m, double rate) {
+    settling s = {{0, 0, 0}, {0, 0, 0}, y->mount_compliance, 0};
     if (!m->set || !(y->settling > 0)) return s;
     const double z = 1 / (rate * y->settling), decay = exp(-z), hold = -expm1(-z) / z;
-    const wcut_vec3 was = vec3_scale(y->compliance, m->pull), ahead = vec3_sub(m->offset, was);
+    const wcut_vec3 was = vec3_scale(y->mount_compliance, m->pull), ahead = vec3_sub(m->offset, was);
     s.kept = vec3_add_scaled(vec3_scale(decay, ahead), hold, was);
     s.kept_by_log_rate = vec3_add_scaled(vec3_scale(z * decay, ahead), hold - decay, was);
-    s.give = y->compliance * (1 - hold);
-    s.give_by_log_rate = -y->compliance * (hold - decay);
+    s.give = y->mount_compliance * (1 - hold);
+    s.give_by_log_rate = -y->mount_compliance * (hold - decay);
     return s;
 }
 
-wcut_end wcut_yielding_end(const wcut_yielding *y, int mount, wcut_vec3 x, double s, double length, double softness,
-                           double rate) {
+wcut_end wcut_compliance_end(const wcut_compliance *y, int mount, wcut_vec3 x, double s, double length, double softness,
+                             double rate) {
     const wcut_mount *m = &y->mount[mount];
     const settling g = settle(y, m, rate);
     const double kappa = g.give * s / length, one = 1 + kappa;

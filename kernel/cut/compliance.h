@@ -1,6 +1,6 @@
 /* What gives way to the wire's tension: its own length, and the mounts. */
-#ifndef WCUT_CUT_YIELDING_H
-#define WCUT_CUT_YIELDING_H
+#ifndef WCUT_CUT_COMPLIANCE_H
+#define WCUT_CUT_COMPLIANCE_H
 
 #include <stdbool.h>
 #include <wirecut/vec3.h>
@@ -13,13 +13,13 @@ typedef struct wcut_mount { /* A or B: where it is led to, and how it was bent a
 } wcut_mount;
 
 /* A step without has NULL in its place. */
-typedef struct wcut_yielding {
-    const double *rest; /* n-1 [mm] edges warm and without tension; NULL: all as the step says, and stiff */
-    double softness;    /* [1/N] stretch of an edge a tension, 1/EA */
-    double compliance;  /* [mm/N] of a mount; 0: rigid */
-    double settling;    /* [s] of a mount */
+typedef struct wcut_compliance {
+    const double *rest;      /* n-1 [mm] edges warm and without tension; NULL: all as the step says, and stiff */
+    double softness;         /* [1/N] stretch of an edge a tension, 1/EA */
+    double mount_compliance; /* [mm/N]; 0: rigid */
+    double settling;         /* [s] of a mount */
     wcut_mount mount[2];
-} wcut_yielding;
+} wcut_compliance;
 
 /* An end of the wire on its mount: X_0 = (c + kappa X_1) / (1 + kappa), and how that moves with X_1, S_0 and ln r. */
 typedef struct wcut_end {
@@ -30,18 +30,18 @@ typedef struct wcut_end {
 } wcut_end;
 
 /* length of edge e of rest length l under tension s [mm] */
-static inline double wcut_edge_length(const wcut_yielding *y, double l, int e, double s) {
+static inline double wcut_edge_length(const wcut_compliance *y, double l, int e, double s) {
     return y && y->rest ? y->rest[e] * (1 + y->softness * s) : l;
 }
 
 /* d length / d s of that edge [mm/N] */
-static inline double wcut_edge_softness(const wcut_yielding *y, int e) {
+static inline double wcut_edge_softness(const wcut_compliance *y, int e) {
     return y && y->rest ? y->rest[e] * y->softness : 0;
 }
 
 /* The end on mount 0 or 1, the next node at x, the tension s in the edge between, which is as long as `length` and gets
    longer by `softness` a unit of s. */
-wcut_end wcut_yielding_end(const wcut_yielding *y, int mount, wcut_vec3 x, double s, double length, double softness,
-                           double rate);
+wcut_end wcut_compliance_end(const wcut_compliance *y, int mount, wcut_vec3 x, double s, double length, double softness,
+                             double rate);
 
 #endif
