@@ -13,7 +13,7 @@ static void draw_noise(const wcut_evidence *e, wcut_random *random, double *out)
     const double keeps = exp(-WCUT_BIN_WIDTH / WCUT_NOISE_MEMORY), adds = sqrt(1 - keeps * keeps);
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
-        for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++) {
+        for (int s = 0; s < WCUT_SIGNALS; s++) {
             double *row = out + c->row + (ptrdiff_t)s * c->bins, slow = wcut_random_normal(random);
             for (int i = 0; i < c->bins; i++) {
                 row[i] = e->sigma[s] * (sqrt(share) * slow + wcut_random_normal(random));
@@ -34,7 +34,7 @@ wcut_status wcut_adequacy_p_value(const wcut_evidence *e, double slow, int draws
         for (int d = 0; d < draws; d++) {
             draw_noise(e, &random, noise);
             wcut_evidence_whiten(e, measured, noise, noise);
-            as_much += wcut_leftover_eval(e, noise).slow >= slow;
+            as_much += wcut_residual_stats_eval(e, noise).slow >= slow;
         }
         *p = (as_much + 1.0) / (draws + 1);
     }

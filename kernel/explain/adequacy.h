@@ -9,7 +9,7 @@
 #define WCUT_SLOWEST_NOISE 0.75
 
 /*
- * p-value of a slow misfit (wcut_leftover.slow) against a simulated null: recordings of noise alone, in the same bins and
+ * p-value of a slow misfit (wcut_residual_stats.slow) against a simulated null: recordings of noise alone, in the same bins and
  * with the same gaps, white and slow with a share of the slow one that is drawn from 0 to WCUT_SLOWEST_NOISE for each,
  * whitened as the case is. The share of `draws` nulls that leave as much, (k + 1) / (draws + 1).
  * WCUT_OK; WCUT_NO_MEMORY: *p was not written.

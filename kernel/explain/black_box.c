@@ -179,11 +179,11 @@ static bool start(const wcut_evidence *e, const wcut_forecast *from, wcut_foreca
     for (size_t i = 0; out->speed && i < speeds; i++) out->speed[i] = (double)NAN;
     for (int k = 0; out->row && k < e->cuts; k++)
         for (int i = 0; i < e->cut[k].patch.count; i++)
-            out->row[e->cut[k].row + WCUT_TRAIL_SIGNALS * e->cut[k].bins + i] = (double)NAN;
+            out->row[e->cut[k].row + WCUT_SIGNALS * e->cut[k].bins + i] = (double)NAN;
     return out->row && out->speed;
 }
 
-wcut_status wcut_black_box_run(const wcut_evidence *e, unsigned long long seed, wcut_proof *p) {
+wcut_status wcut_black_box_run(const wcut_evidence *e, unsigned long long seed, wcut_cross_validation *p) {
     const double *measured = p->measured.row, *replayed = p->in_sample[WCUT_FIT_RECALIBRATED].row;
     regression r = {0};
     wcut_forecast all = {0}, held_out = {0};
@@ -195,7 +195,7 @@ wcut_status wcut_black_box_run(const wcut_evidence *e, unsigned long long seed, 
     if (made && y && start(e, &p->in_sample[WCUT_FIT_RECALIBRATED], &all) &&
         start(e, &p->held_out[WCUT_FIT_RECALIBRATED], &held_out)) {
         for (int i = 0; i < e->rows; i++) y[i] = measured[i] - replayed[i];
-        for (int signal = 0; signal < WCUT_TRAIL_SIGNALS; signal++) {
+        for (int signal = 0; signal < WCUT_SIGNALS; signal++) {
             add_up(&r, signal, y);
             const bool learnt = learn(&r, -1, -1, choose_ridge(&r, -1), w);
             for (int k = 0; learnt && k < e->cuts; k++) predict(&r, k, signal, w, all.row);

@@ -2,7 +2,7 @@
 #ifndef WCUT_EXPLAIN_BLACK_BOX_H
 #define WCUT_EXPLAIN_BLACK_BOX_H
 
-#include "explain/proof.h"
+#include "explain/cross_validation.h"
 
 /*
  * Predict the residual of the recalibrated replay, signal by signal, by a ridge regression on ln speed, heat,
@@ -14,6 +14,6 @@
  * and held out; speed and scan stay at count 0, held out also where there is one cut alone.
  * WCUT_OK; WCUT_NO_MEMORY: nothing was written.
  */
-wcut_status wcut_black_box_run(const wcut_evidence *evidence, unsigned long long seed, wcut_proof *proof);
+wcut_status wcut_black_box_run(const wcut_evidence *evidence, unsigned long long seed, wcut_cross_validation *proof);
 
 #endif

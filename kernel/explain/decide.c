@@ -29,11 +29,11 @@
 #define TAKES_AWAY 0.85
 #define LEAVES_MOST 2.0
 
-static double excess(const wcut_leftover *left) {
+static double excess(const wcut_residual_stats *left) {
     return fmax(left->slow - 1.1, 0) + fmax(left->common - 1.5, 0) / 3 + fmax(left->patches - 1.1, 0);
 }
 
-static bool is_adequate(const wcut_leftover *left) {
+static bool is_adequate(const wcut_residual_stats *left) {
     return left->slow <= SLOW_MOST && left->common <= COMMON_MOST && left->worst <= WORST_MOST &&
            left->patches <= PATCHES_MOST;
 }

@@ -84,14 +84,13 @@ static wcut_status base_columns(regression *r, const wcut_model *about, wcut_err
 
 static void clear_patches(const wcut_evidence *e, double *row) {
     for (int k = 0; k < e->cuts; k++)
-        for (int i = 0; i < e->cut[k].patch.count; i++)
-            row[e->cut[k].row + WCUT_TRAIL_SIGNALS * e->cut[k].bins + i] = 0;
+        for (int i = 0; i < e->cut[k].patch.count; i++) row[e->cut[k].row + WCUT_SIGNALS * e->cut[k].bins + i] = 0;
 }
 
 /* a feature times the change with ln a: the force's relative change; value: WCUT_WEIGHTS x the most bins */
-static void feature_column(regression *r, int k, const wcut_driven *d, double *value) {
-    static const wcut_weight weight[WCUT_TRAIL_SIGNALS] = {WCUT_WEIGHT_EVEN, WCUT_WEIGHT_EVEN, WCUT_WEIGHT_A,
-                                                           WCUT_WEIGHT_A,    WCUT_WEIGHT_B,    WCUT_WEIGHT_B};
+static void feature_column(regression *r, int k, const wcut_response *d, double *value) {
+    static const wcut_weight weight[WCUT_SIGNALS] = {WCUT_WEIGHT_EVEN, WCUT_WEIGHT_EVEN, WCUT_WEIGHT_A,
+                                                     WCUT_WEIGHT_A,    WCUT_WEIGHT_B,    WCUT_WEIGHT_B};
     double *column = r->column + (size_t)(WCUT_BASE + k) * (size_t)r->e->rows, mean = 0, square = 0;
     int bins = 0;
     for (int pass = 0; pass < 2; pass++) { /* mean and spread first */
@@ -100,7 +99,7 @@ static void feature_column(regression *r, int k, const wcut_driven *d, double *v
             if (c->bins == 0) continue;
             wcut_feature_eval(c, &d[cut], &r->feature[k], value);
             for (int i = 0; pass == 0 && i < c->bins; i++) mean += value[i], square += value[i] * value[i], bins++;
-            for (int i = 0; pass == 1 && i < WCUT_TRAIL_SIGNALS * c->bins; i++)
+            for (int i = 0; pass == 1 && i < WCUT_SIGNALS * c->bins; i++)
                 column[c->row + i] = r->column[c->row + i] * r->scale[k] *
                                      (value[(int)weight[i / c->bins] * c->bins + i % c->bins] - mean);
         }
@@ -118,7 +117,7 @@ static wcut_status fill(regression *r, const wcut_fitted *about, const double *r
     if (status != WCUT_OK) return status;
     int bins = 0;
     for (int k = 0; k < e->cuts; k++) bins = e->cut[k].bins > bins ? e->cut[k].bins : bins;
-    wcut_driven *d = wcut_alloc((size_t)e->cuts, sizeof *d);
+    wcut_response *d = wcut_alloc((size_t)e->cuts, sizeof *d);
     wcut_error *failed = wcut_alloc((size_t)e->cuts, sizeof *failed);
     double *value = wcut_alloc((size_t)e->threads * WCUT_WEIGHTS * (size_t)bins, sizeof *value);
     if (!d || !value || !failed) status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for the features");
@@ -129,7 +128,7 @@ static wcut_status fill(regression *r, const wcut_fitted *about, const double *r
             wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
             const wcut_job job = wcut_model_job(e, &about->model, k, effect);
             failed[k].status =
-                wcut_trail_drive(&job, WCUT_NODES_COARSE, &e->cut[k].exogenous, true, e->stop, &d[k], &failed[k]);
+                wcut_response_run(&job, WCUT_NODES_COARSE, &e->cut[k].exogenous, true, e->stop, &d[k], &failed[k]);
         }
         for (int k = 0; status == WCUT_OK && k < e->cuts; k++)
             if (failed[k].status != WCUT_OK) status = wcut_fail(error, failed[k].status, "%s", failed[k].text);
@@ -144,7 +143,7 @@ static wcut_status fill(regression *r, const wcut_fitted *about, const double *r
     memcpy(r->residual, about->residual, rows * sizeof(double));
     clear_patches(e, r->residual);
     if (status == WCUT_OK) wcut_normal_fill(e, r->column, r->residual, &r->normal);
-    for (int k = 0; d && k < e->cuts; k++) wcut_driven_destroy(&d[k]);
+    for (int k = 0; d && k < e->cuts; k++) wcut_response_destroy(&d[k]);
     wcut_free(value);
     wcut_free(failed);
     wcut_free(d);
@@ -170,7 +169,7 @@ static double dispersion(const regression *r, const step *s, double *room) {
         const double *column = r->column + (size_t)at * (size_t)r->e->rows;
         for (int i = 0; i < r->e->rows; i++) room[i] -= t[k] * column[i];
     }
-    const wcut_leftover left = wcut_leftover_eval(r->e, room);
+    const wcut_residual_stats left = wcut_residual_stats_eval(r->e, room);
     return fmax(1, fmax(left.slow, left.per_row));
 }
 
@@ -240,14 +239,14 @@ static bool take_step(regression *r, int cuts, double *room, step *taken) {
 
 /* the channel whose misfit a dependence takes away most */
 static wcut_evidence_channel strongest(const regression *r, int at, int width, const double *t) {
-    static const wcut_evidence_channel channel[WCUT_TRAIL_SIGNALS] = {WCUT_EVIDENCE_TENSION, WCUT_EVIDENCE_TENSION,
-                                                                      WCUT_EVIDENCE_ALPHA,   WCUT_EVIDENCE_BETA,
-                                                                      WCUT_EVIDENCE_ALPHA,   WCUT_EVIDENCE_BETA};
+    static const wcut_evidence_channel channel[WCUT_SIGNALS] = {WCUT_EVIDENCE_TENSION, WCUT_EVIDENCE_TENSION,
+                                                                WCUT_EVIDENCE_ALPHA,   WCUT_EVIDENCE_BETA,
+                                                                WCUT_EVIDENCE_ALPHA,   WCUT_EVIDENCE_BETA};
     double sum[WCUT_EVIDENCE_COUNT] = {0};
     int best = WCUT_EVIDENCE_TENSION;
     for (int cut = 0; cut < r->e->cuts; cut++) {
         const wcut_evidence_cut *c = &r->e->cut[cut];
-        for (int i = 0; i < WCUT_TRAIL_SIGNALS * c->bins; i++) {
+        for (int i = 0; i < WCUT_SIGNALS * c->bins; i++) {
             double change = 0;
             for (int k = 0; k < width; k++)
                 change += t[k] * r->column[(size_t)r->chosen[at + k] * (size_t)r->e->rows + (size_t)(c->row + i)];

@@ -8,7 +8,7 @@ enum { WCUT_DEPENDENCES = 3 };
 
 /*
  * Find quantities that a relative change of the foam's force follows. A feature is a quantity along the exogenous
- * trail, nothing that a tension loop feeds back; its column is the prediction's change with ln a, times the feature,
+ * trajectory, nothing that a tension loop feeds back; its column is the prediction's change with ln a, times the feature,
  * whitened. Forward selection over the features, recalibration beside them, each step tested over the whole list and
  * confirmed on cuts that it was not fitted to.
  *

@@ -12,12 +12,12 @@
 #include "cut/setup.h"
 #include "explain/adequacy.h"
 #include "explain/black_box.h"
+#include "explain/cross_validation.h"
 #include "explain/decide.h"
 #include "explain/dependence.h"
 #include "explain/experiment.h"
 #include "explain/locate.h"
-#include "explain/proof.h"
-#include "explain/words.h"
+#include "explain/verdict_text.h"
 
 #define DEGREES (180 / WCUT_PI)
 
@@ -59,7 +59,7 @@ typedef struct diagnosing {
     int before_rows;
     wcut_search search;
     wcut_decision decision;
-    wcut_proof proof;
+    wcut_cross_validation proof;
     wcut_diagnosis *out;
 } diagnosing;
 
@@ -258,7 +258,7 @@ static bool trace_of(diagnosing *g, int cut, int signal, wcut_residual_trace *t)
     t->after = wcut_alloc(n, sizeof(double));
     if (!t->time || !t->station || !t->before || !t->recalibrated || !t->after) return false;
     int before_row = 0; /* rows before there were patches */
-    for (int k = 0; k < cut; k++) before_row += WCUT_TRAIL_SIGNALS * g->evidence->cut[k].bins;
+    for (int k = 0; k < cut; k++) before_row += WCUT_SIGNALS * g->evidence->cut[k].bins;
     for (int i = 0; i < c->bins; i++) {
         const int at = signal * c->bins + i;
         t->before[i] = unit * g->before[before_row + at];
@@ -270,10 +270,10 @@ static bool trace_of(diagnosing *g, int cut, int signal, wcut_residual_trace *t)
 
 static wcut_status trace(diagnosing *g) {
     wcut_diagnosis *d = g->out;
-    d->trace = wcut_alloc((size_t)g->cuts * WCUT_TRAIL_SIGNALS, sizeof *d->trace);
+    d->trace = wcut_alloc((size_t)g->cuts * WCUT_SIGNALS, sizeof *d->trace);
     if (!d->trace) return WCUT_NO_MEMORY;
     for (int cut = 0; cut < g->cuts; cut++)
-        for (int s = 0; s < WCUT_TRAIL_SIGNALS && g->evidence->cut[cut].bins > 0; s++)
+        for (int s = 0; s < WCUT_SIGNALS && g->evidence->cut[cut].bins > 0; s++)
             if (!trace_of(g, cut, s, &d->trace[d->traces++])) return WCUT_NO_MEMORY;
     return WCUT_OK;
 }
@@ -308,7 +308,7 @@ static wcut_status propose(diagnosing *g, wcut_error *error) {
     const wcut_status status = wcut_experiment_choose(&job, a->effects, a->effect, b->effects, b->effect, &g->stop,
                                                       &d->next_experiment, &separation, d->next_reason, error);
     if (status == WCUT_NO_MEMORY || status == WCUT_INTERRUPTED) return status;
-    if (status != WCUT_OK) snprintf(d->next_reason, sizeof d->next_reason, "no cut could be rehearsed");
+    if (status != WCUT_OK) snprintf(d->next_reason, sizeof d->next_reason, "no cut could be predicted");
     return WCUT_OK;
 }
 
@@ -317,7 +317,7 @@ static wcut_status prove(diagnosing *g, wcut_error *error) {
     snprintf(d->unproven, sizeof d->unproven, "it was left out");
     if (!g->options->proof) return WCUT_OK;
     wcut_status status =
-        wcut_proof_create(g->evidence, &g->search.none, final_fit(g), g->options->seed, &g->proof, error);
+        wcut_cross_validation_create(g->evidence, &g->search.none, final_fit(g), g->options->seed, &g->proof, error);
     if (status == WCUT_OK) status = wcut_black_box_run(g->evidence, g->options->seed, &g->proof);
     if (status == WCUT_NO_MEMORY || status == WCUT_INTERRUPTED) return status;
     if (status != WCUT_OK) { /* what was found stands without it, and the limits say so */
@@ -499,7 +499,7 @@ wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *cut, int t
         g.out = NULL;
     }
     wcut_diagnosis_destroy(g.out);
-    wcut_proof_destroy(&g.proof);
+    wcut_cross_validation_destroy(&g.proof);
     wcut_search_destroy(&g.search);
     wcut_evidence_destroy(g.evidence);
     wcut_free(g.before);

@@ -12,7 +12,7 @@
 
 enum { NODES_FINE = WCUT_NODES_FINE, NODES_COARSE = WCUT_NODES_COARSE, PARTS = 5 };
 
-/* trails: smoothing of the encoder, of the exogenous progress, and the step of the latter [s] */
+/* trajectories: smoothing of the encoder, of the exogenous progress, and the step of the latter [s] */
 #define WINDOW 0.5
 #define WIDTH 2.5
 #define STEP 0.2
@@ -61,8 +61,8 @@ static void bin_samples(const wcut_evidence_cut *c, int n, const double *time, c
     for (int i = 0; i < c->bins; i++) out[i] = count[i] > 0 && 2 * count[i] >= most ? out[i] / count[i] : nan_value();
 }
 
-/* mean of the broken line through a trail's values over each bin */
-static void bin_line(const wcut_evidence_cut *c, const wcut_trail *t, const double *value, double *out) {
+/* mean of the broken line through a trajectory's values over each bin */
+static void bin_line(const wcut_evidence_cut *c, const wcut_trajectory *t, const double *value, double *out) {
     for (int i = 0; i < c->bins; i++) {
         double sum = 0;
         for (int k = 0; k < PARTS; k++)
@@ -72,22 +72,22 @@ static void bin_line(const wcut_evidence_cut *c, const wcut_trail *t, const doub
 }
 
 /* signals of a run as faulty instruments would show them; room: 6 x count */
-static wcut_status sense(const wcut_model *model, const double *time, const wcut_driven *d, double *room) {
+static wcut_status sense(const wcut_model *model, const double *time, const wcut_response *d, double *room) {
     double *value[WCUT_SENSED_COUNT] = {NULL};
-    for (int k = 0; k < WCUT_TRAIL_SIGNALS; k++) {
+    for (int k = 0; k < WCUT_SIGNALS; k++) {
         value[WCUT_SENSED_TENSION_A + k] = room + (size_t)k * (size_t)d->count;
         memcpy(room + (size_t)k * (size_t)d->count, d->signal[k], (size_t)d->count * sizeof *room);
     }
     return wcut_sensors_eval(model->effects, model->effect, d->count, time, d->present, value);
 }
 
-wcut_status wcut_evidence_bin_recorded(const wcut_evidence_cut *c, const wcut_model *model, const wcut_driven *d,
+wcut_status wcut_evidence_bin_recorded(const wcut_evidence_cut *c, const wcut_model *model, const wcut_response *d,
                                        double *out) {
     const size_t n = (size_t)d->count;
-    double *room = wcut_alloc(WCUT_TRAIL_SIGNALS * n, sizeof *room);
+    double *room = wcut_alloc(WCUT_SIGNALS * n, sizeof *room);
     int *count = wcut_alloc((size_t)c->bins, sizeof *count);
     wcut_status status = room && count ? sense(model, c->recorded.time, d, room) : WCUT_NO_MEMORY;
-    for (int k = 0; status == WCUT_OK && k < WCUT_TRAIL_SIGNALS; k++) {
+    for (int k = 0; status == WCUT_OK && k < WCUT_SIGNALS; k++) {
         for (size_t i = 0; i < n; i++)
             if (!d->present[i]) room[(size_t)k * n + i] = nan_value();
         bin_samples(c, d->count, c->recorded.time, room + (size_t)k * n, count, out + (size_t)k * (size_t)c->bins);
@@ -99,8 +99,8 @@ wcut_status wcut_evidence_bin_recorded(const wcut_evidence_cut *c, const wcut_mo
 
 /* ---- rows ---- */
 
-/* a trail's place of a station: the sample before it and the way to the next */
-static int locate(const wcut_trail *t, double station, double *way) {
+/* a trajectory's place of a station: the sample before it and the way to the next */
+static int locate(const wcut_trajectory *t, double station, double *way) {
     int low = 0, high = t->count - 1;
     while (high - low > 1) {
         const int middle = (low + high) / 2;
@@ -121,14 +121,14 @@ static int across_node(int nodes, double across, double *way) {
     return node;
 }
 
-wcut_vec3 wcut_trail_position(const wcut_trail *t, const wcut_driven *d, double station, double across) {
+wcut_vec3 wcut_response_position(const wcut_trajectory *t, const wcut_response *d, double station, double across) {
     double along, beside;
     const int i = locate(t, station, &along), j = across_node(d->nodes, across, &beside);
     const wcut_vec3 *low = d->position + (size_t)i * (size_t)d->nodes + j, *high = low + d->nodes;
     return vec3_mix(vec3_mix(low[0], low[1], beside), vec3_mix(high[0], high[1], beside), along);
 }
 
-double wcut_trail_speed(const wcut_trail *t, const wcut_driven *d, double station, double across) {
+double wcut_response_speed(const wcut_trajectory *t, const wcut_response *d, double station, double across) {
     double along, beside;
     const int i = locate(t, station, &along), j = across_node(d->nodes, across, &beside);
     const double *low = d->speed + (size_t)i * (size_t)d->nodes + j, *high = low + d->nodes;
@@ -136,15 +136,16 @@ double wcut_trail_speed(const wcut_trail *t, const wcut_driven *d, double statio
            along * ((1 - beside) * high[0] + beside * high[1]);
 }
 
-static wcut_status patch_rows(const wcut_evidence_cut *c, const wcut_model *model, const wcut_driven *d, double *out) {
+static wcut_status patch_rows(const wcut_evidence_cut *c, const wcut_model *model, const wcut_response *d,
+                              double *out) {
     const wcut_patches *p = &c->patch;
     wcut_vec3 *moved = wcut_copy(p->point, (size_t)p->count, sizeof *moved);
     if (!moved) return WCUT_NO_MEMORY;
     const wcut_status status =
         wcut_face_eval(model->effects, model->effect, c->job->block_size, p->count, p->normal, p->q_eff, moved);
     for (int k = 0; status == WCUT_OK && k < p->count; k++) {
-        const wcut_vec3 now = wcut_trail_position(&c->exogenous, d, p->station[k], p->across[k]);
-        const wcut_vec3 then = wcut_trail_position(&c->exogenous, &c->reference, p->station[k], p->across[k]);
+        const wcut_vec3 now = wcut_response_position(&c->exogenous, d, p->station[k], p->across[k]);
+        const wcut_vec3 then = wcut_response_position(&c->exogenous, &c->reference, p->station[k], p->across[k]);
         const wcut_vec3 way = vec3_add(vec3_sub(now, then), vec3_sub(moved[k], p->point[k]));
         out[k] = vec3_dot(p->normal[k], way);
     }
@@ -152,31 +153,31 @@ static wcut_status patch_rows(const wcut_evidence_cut *c, const wcut_model *mode
     return status;
 }
 
-wcut_status wcut_evidence_bin_exogenous(const wcut_evidence_cut *c, const wcut_model *model, const wcut_driven *d,
+wcut_status wcut_evidence_bin_exogenous(const wcut_evidence_cut *c, const wcut_model *model, const wcut_response *d,
                                         double *out) {
-    double *room = wcut_alloc((size_t)WCUT_TRAIL_SIGNALS * (size_t)d->count, sizeof *room);
+    double *room = wcut_alloc((size_t)WCUT_SIGNALS * (size_t)d->count, sizeof *room);
     const wcut_status status = room ? sense(model, c->exogenous.time, d, room) : WCUT_NO_MEMORY;
-    for (int k = 0; status == WCUT_OK && k < WCUT_TRAIL_SIGNALS; k++)
+    for (int k = 0; status == WCUT_OK && k < WCUT_SIGNALS; k++)
         bin_line(c, &c->exogenous, room + (size_t)k * (size_t)d->count, out + (size_t)k * (size_t)c->bins);
     wcut_free(room);
     return status;
 }
 
-wcut_status wcut_evidence_rows(const wcut_evidence *e, int cut, const wcut_model *model, const wcut_driven *d,
+wcut_status wcut_evidence_rows(const wcut_evidence *e, int cut, const wcut_model *model, const wcut_response *d,
                                double *out) {
     const wcut_evidence_cut *c = &e->cut[cut];
     if (c->bins == 0) return WCUT_OK;
     const wcut_status status = wcut_evidence_bin_exogenous(c, model, d, out + c->row);
     if (status != WCUT_OK || c->patch.count == 0) return status;
-    return patch_rows(c, model, d, out + c->row + (ptrdiff_t)WCUT_TRAIL_SIGNALS * c->bins);
+    return patch_rows(c, model, d, out + c->row + (ptrdiff_t)WCUT_SIGNALS * c->bins);
 }
 
 void wcut_evidence_residual(const wcut_evidence *e, double *out) {
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
-        for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++)
+        for (int s = 0; s < WCUT_SIGNALS; s++)
             for (int i = 0; i < c->bins; i++) out[c->row + s * c->bins + i] = c->measured[s][i] - c->predicted[s][i];
-        for (int i = 0; i < c->patch.count; i++) out[c->row + WCUT_TRAIL_SIGNALS * c->bins + i] = c->patch.distance[i];
+        for (int i = 0; i < c->patch.count; i++) out[c->row + WCUT_SIGNALS * c->bins + i] = c->patch.distance[i];
     }
 }
 
@@ -184,7 +185,7 @@ void wcut_evidence_whiten(const wcut_evidence *e, const double *residual, const 
     const double keep = exp(-WCUT_BIN_WIDTH / WCUT_NOISE_MEMORY);
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
-        for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++) {
+        for (int s = 0; s < WCUT_SIGNALS; s++) {
             double mean = 0, variance = e->coloured;
             for (int i = 0; i < c->bins; i++) {
                 const int row = c->row + s * c->bins + i;
@@ -201,7 +202,7 @@ void wcut_evidence_whiten(const wcut_evidence *e, const double *residual, const 
             }
         }
         for (int i = 0; i < c->patch.count; i++) {
-            const int row = c->row + WCUT_TRAIL_SIGNALS * c->bins + i;
+            const int row = c->row + WCUT_SIGNALS * c->bins + i;
             out[row] = in[row] / c->patch.sigma[i];
         }
     }
@@ -210,12 +211,12 @@ void wcut_evidence_whiten(const wcut_evidence *e, const double *residual, const 
 /* ---- creation ---- */
 
 static void destroy_cut(wcut_evidence_cut *c) {
-    wcut_trail_destroy(&c->recorded);
-    wcut_trail_destroy(&c->exogenous);
-    wcut_driven_destroy(&c->reference);
+    wcut_trajectory_destroy(&c->recorded);
+    wcut_trajectory_destroy(&c->exogenous);
+    wcut_response_destroy(&c->reference);
     wcut_patches_destroy(&c->patch);
     wcut_free(c->middle);
-    for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++) wcut_free(c->measured[s]), wcut_free(c->predicted[s]);
+    for (int s = 0; s < WCUT_SIGNALS; s++) wcut_free(c->measured[s]), wcut_free(c->predicted[s]);
     wcut_free(c->station);
     wcut_free(c->heat);
     wcut_free(c->pace);
@@ -230,8 +231,8 @@ void wcut_evidence_destroy(wcut_evidence *e) {
 }
 
 /* when the wire is taut, and when most of it has left; false where it never is */
-static bool find_contact(wcut_evidence_cut *c, const wcut_driven *d) {
-    const wcut_trail *t = &c->exogenous;
+static bool find_contact(wcut_evidence_cut *c, const wcut_response *d) {
+    const wcut_trajectory *t = &c->exogenous;
     double most = 0;
     int first = -1, last = -1;
     for (int i = 0; i < d->count; i++) most = fmax(most, d->engaged[i]);
@@ -251,7 +252,7 @@ static bool make_bins(wcut_evidence_cut *c) {
     c->bins = bins >= 8 ? (int)fmin(bins, 100000) : 0;
     const size_t n = (size_t)c->bins;
     bool whole = (c->middle = wcut_alloc(n, sizeof(double))) != NULL;
-    for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++) {
+    for (int s = 0; s < WCUT_SIGNALS; s++) {
         c->measured[s] = wcut_alloc(n, sizeof(double));
         c->predicted[s] = wcut_alloc(n, sizeof(double));
         whole = whole && c->measured[s] && c->predicted[s];
@@ -263,12 +264,12 @@ static bool make_bins(wcut_evidence_cut *c) {
     return whole && c->station && c->heat && c->pace && c->engaged;
 }
 
-static wcut_status measure(wcut_evidence_cut *c, const wcut_driven *d) {
+static wcut_status measure(wcut_evidence_cut *c, const wcut_response *d) {
     const int n = c->recorded.count;
     double *value = wcut_alloc((size_t)n, sizeof *value);
     int *count = wcut_alloc((size_t)c->bins, sizeof *count);
     if (value && count) {
-        for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++) {
+        for (int s = 0; s < WCUT_SIGNALS; s++) {
             const wcut_column *column = &c->recording->channel[WCUT_CHANNEL_TENSION_A + s];
             for (int i = 0; i < n; i++) {
                 const int sample = c->recorded.sample[i];
@@ -285,7 +286,7 @@ static wcut_status measure(wcut_evidence_cut *c, const wcut_driven *d) {
             const double way = fmax(vec3_distance(c->job->mount_a[j], c->job->mount_a[j + 1]),
                                     vec3_distance(c->job->mount_b[j], c->job->mount_b[j + 1]));
             const double half = WCUT_BIN_WIDTH / 2;
-            const wcut_trail *t = &c->exogenous;
+            const wcut_trajectory *t = &c->exogenous;
             c->pace[i] = way / WCUT_BIN_WIDTH *
                          (wcut_between(t->count, t->time, t->station, c->middle[i] + half) -
                           wcut_between(t->count, t->time, t->station, c->middle[i] - half));
@@ -298,17 +299,17 @@ static wcut_status measure(wcut_evidence_cut *c, const wcut_driven *d) {
 }
 
 static wcut_status fill_cut(wcut_evidence_cut *c, bool fed_back, wcut_stop *stop, wcut_error *error) {
-    wcut_status status = wcut_trail_recorded(c->job, c->recording, WINDOW, &c->recorded, error);
+    wcut_status status = wcut_trajectory_recorded(c->job, c->recording, WINDOW, &c->recorded, error);
     if (status != WCUT_OK) return status;
-    status = fed_back ? wcut_trail_thin(&c->recorded, FED_BACK_STEP, &c->exogenous)
-                      : wcut_trail_exogenous(c->job, &c->recorded, WIDTH, STEP, &c->exogenous);
+    status = fed_back ? wcut_trajectory_thin(&c->recorded, FED_BACK_STEP, &c->exogenous)
+                      : wcut_trajectory_exogenous(c->job, &c->recorded, WIDTH, STEP, &c->exogenous);
     if (status == WCUT_BAD_ARGUMENT) return WCUT_OK; /* too short to say anything: no bins */
-    wcut_driven d = {0};
-    if (status == WCUT_OK) status = wcut_trail_drive(c->job, NODES_COARSE, &c->exogenous, false, stop, &d, error);
+    wcut_response d = {0};
+    if (status == WCUT_OK) status = wcut_response_run(c->job, NODES_COARSE, &c->exogenous, false, stop, &d, error);
     if (status != WCUT_OK) return status;
     if (find_contact(c, &d)) status = make_bins(c) ? WCUT_OK : WCUT_NO_MEMORY;
     if (status == WCUT_OK && c->bins > 0) status = measure(c, &d);
-    wcut_driven_destroy(&d);
+    wcut_response_destroy(&d);
     return status == WCUT_NO_MEMORY ? wcut_fail(error, status, "no memory for cut %d", c->index + 1) : status;
 }
 
@@ -342,7 +343,7 @@ wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, bool f
         if (failed[k].status != WCUT_OK)
             status = wcut_fail(error, failed[k].status, "cut %d: %s", k + 1, failed[k].text);
         e->cut[k].row = e->rows;
-        e->rows += WCUT_TRAIL_SIGNALS * e->cut[k].bins;
+        e->rows += WCUT_SIGNALS * e->cut[k].bins;
     }
     if (status == WCUT_OK && e->rows == 0)
         status = wcut_fail(error, WCUT_BAD_ARGUMENT, "found no cut that is 4 s in the foam, expected one at least");
@@ -387,26 +388,26 @@ static wcut_status predict_cut(wcut_evidence *e, int k, bool scans, wcut_error *
     const bool scan = scans && c->scan;
     wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
     const wcut_job job = wcut_model_job(e, &e->at, k, effect);
-    double *out = wcut_alloc((size_t)WCUT_TRAIL_SIGNALS * (size_t)c->bins, sizeof *out);
-    wcut_driven d = {0}, reference = {0};
-    wcut_status status = out ? wcut_trail_drive(&job, NODES_FINE, &c->recorded, scan, e->stop, &d, error)
+    double *out = wcut_alloc((size_t)WCUT_SIGNALS * (size_t)c->bins, sizeof *out);
+    wcut_response d = {0}, reference = {0};
+    wcut_status status = out ? wcut_response_run(&job, NODES_FINE, &c->recorded, scan, e->stop, &d, error)
                              : wcut_fail(error, WCUT_NO_MEMORY, "no memory");
     if (status == WCUT_OK) status = wcut_evidence_bin_recorded(c, &e->at, &d, out);
     if (status == WCUT_OK)
-        status = wcut_trail_drive(&job, NODES_COARSE, &c->exogenous, scan, e->stop, &reference, error);
-    for (int s = 0; status == WCUT_OK && s < WCUT_TRAIL_SIGNALS; s++)
+        status = wcut_response_run(&job, NODES_COARSE, &c->exogenous, scan, e->stop, &reference, error);
+    for (int s = 0; status == WCUT_OK && s < WCUT_SIGNALS; s++)
         memcpy(c->predicted[s], out + (size_t)s * (size_t)c->bins, (size_t)c->bins * sizeof *out);
     if (status == WCUT_OK) {
-        wcut_driven_destroy(&c->reference);
+        wcut_response_destroy(&c->reference);
         c->reference = reference;
-        reference = (wcut_driven){0};
+        reference = (wcut_response){0};
         if (scan) {
             wcut_patches_destroy(&c->patch);
             status = wcut_patches_create(c, &d, &c->patch, error);
         }
     }
-    wcut_driven_destroy(&reference);
-    wcut_driven_destroy(&d);
+    wcut_response_destroy(&reference);
+    wcut_response_destroy(&d);
     wcut_free(out);
     return status;
 }
@@ -424,13 +425,13 @@ wcut_status wcut_evidence_predict(wcut_evidence *e, const wcut_model *model, boo
         if (status == WCUT_OK && failed[k].status != WCUT_OK)
             status = wcut_fail(error, failed[k].status, "cut %d: %s", k + 1, failed[k].text);
         e->cut[k].row = e->rows;
-        e->rows += WCUT_TRAIL_SIGNALS * e->cut[k].bins + e->cut[k].patch.count;
+        e->rows += WCUT_SIGNALS * e->cut[k].bins + e->cut[k].patch.count;
     }
     wcut_free(failed);
     if (status != WCUT_OK) return status;
     double *room = wcut_alloc((size_t)e->rows, sizeof *room);
     if (!room) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d rows", e->rows);
-    for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++) e->sigma[s] = white_noise(e, s, room);
+    for (int s = 0; s < WCUT_SIGNALS; s++) e->sigma[s] = white_noise(e, s, room);
     wcut_free(room);
     return WCUT_OK;
 }

@@ -4,7 +4,7 @@
 
 #include <wirecut/diagnosis.h>
 
-#include "explain/trail.h"
+#include "explain/trajectory.h"
 
 /* A model of a case: what its cuts share. The plain one has no effects. */
 typedef struct wcut_model {
@@ -33,17 +33,17 @@ typedef struct wcut_evidence_cut {
     const wcut_job *job;
     const wcut_recording *recording;
     const wcut_cloud *scan; /* NULL: none */
-    wcut_trail recorded, exogenous;
+    wcut_trajectory recorded, exogenous;
     double contact, leave;                   /* [s] when the wire is taut, and when it leaves */
     int bins;                                /* may be 0 */
     double from;                             /* [s] where the first bin begins */
     double *middle;                          /* bins [s] */
-    double *measured[WCUT_TRAIL_SIGNALS];    /* bins; NaN where missing */
-    double *predicted[WCUT_TRAIL_SIGNALS];   /* bins, along the recorded motion under `at`; NaN where missing */
+    double *measured[WCUT_SIGNALS];          /* bins; NaN where missing */
+    double *predicted[WCUT_SIGNALS];         /* bins, along the recorded motion under `at`; NaN where missing */
     double *station, *heat, *pace, *engaged; /* bins; pace [mm/s] of the faster mount */
     wcut_patches patch;
-    wcut_driven reference; /* along the exogenous trail under `at`, with positions where there is a scan */
-    int row;               /* channel c of bin i is row + c * bins + i, patch p row + 6 bins + p */
+    wcut_response reference; /* along the exogenous trajectory under `at`, with positions where there is a scan */
+    int row;                 /* channel c of bin i is row + c * bins + i, patch p row + 6 bins + p */
 } wcut_evidence_cut;
 
 typedef struct wcut_evidence {
@@ -51,8 +51,8 @@ typedef struct wcut_evidence {
     wcut_evidence_cut *cut;
     wcut_model at; /* what predicted, patches and reference are of */
     int rows;
-    double sigma[WCUT_TRAIL_SIGNALS]; /* [N, rad] of a bin's mean, its white part */
-    double coloured;                  /* [1] variance of the slow part of the noise over that of the white one */
+    double sigma[WCUT_SIGNALS]; /* [N, rad] of a bin's mean, its white part */
+    double coloured;            /* [1] variance of the slow part of the noise over that of the white one */
     int threads;
     wcut_stop *stop; /* NULL: nobody stops what is done with it */
 } wcut_evidence;
@@ -65,7 +65,7 @@ enum { WCUT_NODES_FINE = 41, WCUT_NODES_COARSE = 21 };
 #define WCUT_NOISE_MEMORY 5.0 /* [s] of the slow part of the noise */
 
 /*
- * Gather the evidence of a case: trails, bins, what was measured. The model `at` is the jobs' own. Cuts without job or
+ * Gather the evidence of a case: trajectories, bins, what was measured. The model `at` is the jobs' own. Cuts without job or
  * recording, or which never touch the foam, have no bins. fed_back: take the recorded motion itself for the exogenous one,
  * as plain least squares does: a control of what that costs.
  * stop: NULL, or borrowed: whatever drives a wire over this evidence ends with WCUT_INTERRUPTED once it is asked for.
@@ -82,18 +82,18 @@ wcut_status wcut_evidence_predict(wcut_evidence *evidence, const wcut_model *mod
 /* The job of a cut under a model; effect: room for WCUT_DIAGNOSIS_EFFECTS. Borrows everything. */
 wcut_job wcut_model_job(const wcut_evidence *evidence, const wcut_model *model, int cut, wcut_effect *effect);
 
-/* Rows of a prediction along the exogenous trail: what its signals, instruments and face come to. out: rows, those of
+/* Rows of a prediction along the exogenous trajectory: what its signals, instruments and face come to. out: rows, those of
    other cuts are not touched. */
 wcut_status wcut_evidence_rows(const wcut_evidence *evidence, int cut, const wcut_model *model,
-                               const wcut_driven *driven, double *out);
+                               const wcut_response *driven, double *out);
 
-/* Signals of a prediction along the exogenous trail in the bins of a cut; out: 6 x bins. */
+/* Signals of a prediction along the exogenous trajectory in the bins of a cut; out: 6 x bins. */
 wcut_status wcut_evidence_bin_exogenous(const wcut_evidence_cut *cut, const wcut_model *model,
-                                        const wcut_driven *driven, double *out);
+                                        const wcut_response *driven, double *out);
 
 /* Signals of a prediction along the recorded motion in the bins of a cut; out: 6 x bins. */
-wcut_status wcut_evidence_bin_recorded(const wcut_evidence_cut *cut, const wcut_model *model, const wcut_driven *driven,
-                                       double *out);
+wcut_status wcut_evidence_bin_recorded(const wcut_evidence_cut *cut, const wcut_model *model,
+                                       const wcut_response *driven, double *out);
 
 /* Measured less predicted, rows; absent ones are NaN. */
 void wcut_evidence_residual(const wcut_evidence *evidence, double *out);
@@ -106,12 +106,14 @@ void wcut_evidence_residual(const wcut_evidence *evidence, double *out);
 void wcut_evidence_whiten(const wcut_evidence *evidence, const double *residual, const double *in, double *out);
 
 /* Patches of a scan by their feet on the face of the recorded run (explain/patches.c). */
-wcut_status wcut_patches_create(const wcut_evidence_cut *cut, const wcut_driven *recorded, wcut_patches *out,
+wcut_status wcut_patches_create(const wcut_evidence_cut *cut, const wcut_response *recorded, wcut_patches *out,
                                 wcut_error *error);
 void wcut_patches_destroy(wcut_patches *patches);
 
 /* position (or, component by component, anything else of the nodes) at a station and a share of the wire's length */
-wcut_vec3 wcut_trail_position(const wcut_trail *trail, const wcut_driven *driven, double station, double across);
-double wcut_trail_speed(const wcut_trail *trail, const wcut_driven *driven, double station, double across);
+wcut_vec3 wcut_response_position(const wcut_trajectory *trajectory, const wcut_response *driven, double station,
+                                 double across);
+double wcut_response_speed(const wcut_trajectory *trajectory, const wcut_response *driven, double station,
+                           double across);
 
 #endif

@@ -1,4 +1,4 @@
-/* The next experiment (Hunter, Reiner 1965; Box, Hill 1967): of candidate cuts, rehearsed under both explanations, the
+/* The next experiment (Hunter, Reiner 1965; Box, Hill 1967): of candidate cuts, predicted under both explanations, the
    one with the largest difference that no refit of the plain model takes away. */
 #include "explain/experiment.h"
 
@@ -63,7 +63,7 @@ typedef struct trial {
     wcut_vec3 block; /* [mm] of the candidate */
     wcut_schedule schedule;
     int first, last; /* samples of the schedule that count */
-    wcut_rehearsal run[RUNS];
+    wcut_predicted_cut run[RUNS];
     int side; /* the explanation that is taken for true; the other one is refitted */
     wcut_stop *stop;
     int rows, room;
@@ -92,7 +92,7 @@ static bool enter_cold(wcut_job *job, const wcut_schedule *s) {
     while (i < s->count - 1 && s->engaged[i] < WCUT_MOST_OF_WIRE) i++;
     job->heat_step = wcut_alloc(1, sizeof *job->heat_step);
     if (!job->heat_step) return false;
-    job->heat_step[0] = (wcut_heat_step){0, (i + 1) * WCUT_REHEARSAL_STEP, 0.85};
+    job->heat_step[0] = (wcut_heat_step){0, (i + 1) * WCUT_PREDICTED_CUT_STEP, 0.85};
     job->heat_step_count = 1;
     return true;
 }
@@ -148,7 +148,7 @@ static wcut_status run_one(trial *t, const wcut_job *candidate_job, int which, w
     if (made && which == OTHER_LAW_A) job->force_law.a *= 1 + LAW_CHANGE;
     if (made && which == OTHER_LAW_B) job->force_law.b *= 1 + LAW_CHANGE;
     if (made && which == LONGER) job->wire_length *= 1 + LENGTH_CHANGE;
-    if (made) status = wcut_rehearsal_run(job, &t->schedule, t->stop, &t->run[which], error);
+    if (made) status = wcut_predicted_cut_run(job, &t->schedule, t->stop, &t->run[which], error);
     wcut_job_destroy(job);
     return status;
 }
@@ -179,8 +179,8 @@ static void find_counted(trial *t) {
     t->first = 0, t->last = s->count - 1;
     while (t->first < t->last && !(s->engaged[t->first] > 0)) t->first++;
     while (t->last > t->first && !(s->engaged[t->last] > 0)) t->last--;
-    t->first += (int)(SETTLE / WCUT_REHEARSAL_STEP);
-    t->last -= (int)(LEAVE / WCUT_REHEARSAL_STEP);
+    t->first += (int)(SETTLE / WCUT_PREDICTED_CUT_STEP);
+    t->last -= (int)(LEAVE / WCUT_PREDICTED_CUT_STEP);
 }
 
 static void add_recording(trial *t) {
@@ -196,7 +196,7 @@ static void add_recording(trial *t) {
 }
 
 /* the face's normal at a node, upwards; zero where the wire does not move */
-static wcut_vec3 normal_at(const wcut_rehearsal *r, int i, int node) {
+static wcut_vec3 normal_at(const wcut_predicted_cut *r, int i, int node) {
     const wcut_vec3 *now = r->position + (size_t)i * (size_t)r->nodes, *before = now - r->nodes;
     const wcut_vec3 along = vec3_sub(now[node + 1], now[node - 1]), moved = vec3_sub(now[node], before[node]);
     const wcut_vec3 n = vec3_unit(vec3_cross(along, moved));
@@ -205,7 +205,7 @@ static wcut_vec3 normal_at(const wcut_rehearsal *r, int i, int node) {
 
 /* where a node's point of the face is scanned under each model, along the plain face's normal [mm] */
 static bool face_heights(const trial *t, int i, int node, double value[RUNS]) {
-    const wcut_rehearsal *plain = &t->run[PLAIN];
+    const wcut_predicted_cut *plain = &t->run[PLAIN];
     const size_t at = (size_t)i * (size_t)plain->nodes + (size_t)node;
     const wcut_vec3 n = normal_at(plain, i, node);
     if (vec3_length(n) < 0.5 || plain->inside[at] < 0.99) return false;
@@ -288,7 +288,7 @@ static wcut_status find_least(trial *t, double *separation, wcut_error *error) {
 
 static void clear(trial *t) {
     wcut_schedule_destroy(&t->schedule);
-    for (int k = 0; k < RUNS; k++) wcut_rehearsal_destroy(&t->run[k]);
+    for (int k = 0; k < RUNS; k++) wcut_predicted_cut_destroy(&t->run[k]);
     wcut_free(t->row);
     t->row = NULL;
     t->rows = 0;
@@ -300,7 +300,7 @@ static wcut_status measure(trial *t, candidate which, wcut_job *job, double *sep
     for (int k = 0; k < RUNS && status == WCUT_OK; k++) status = run_one(t, job, k, error);
     if (status == WCUT_OK) {
         t->room =
-            t->schedule.count * (WCUT_SENSED_COUNT - WCUT_SENSED_TENSION_A + (t->scan ? WCUT_REHEARSAL_NODES : 0));
+            t->schedule.count * (WCUT_SENSED_COUNT - WCUT_SENSED_TENSION_A + (t->scan ? WCUT_PREDICTED_CUT_NODES : 0));
         t->row = wcut_alloc((size_t)(t->room + COLUMNS) * WIDTH, sizeof *t->row);
         if (!t->row) status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d samples", t->schedule.count);
     }
@@ -338,14 +338,13 @@ static void tell(const trial *t, int tried, candidate best, double separation, d
     name_effects(t->count[1], t->effect[1], b, sizeof b);
     if (separation < TOLD_APART)
         snprintf(reason, WCUT_DIAGNOSIS_TEXT,
-                 "None of %d cuts that were rehearsed tells %s from %s: at best %s%s, by %.1f standard deviations.",
-                 tried, a, b, in_words[best], t->scan ? ", scanned" : "", separation);
+                 "None of %d predicted cuts tells %s from %s: at best %s%s, by %.1f standard deviations.", tried, a, b,
+                 in_words[best], t->scan ? ", scanned" : "", separation);
     else
-        snprintf(
-            reason, WCUT_DIAGNOSIS_TEXT,
-            "Of %d cuts that were rehearsed, %s%s tells %s from %s best: by %.0f standard deviations, against %.0f "
-            "if the cut were made once more as it is.",
-            tried, in_words[best], t->scan ? ", scanned," : "", a, b, separation, as_it_is);
+        snprintf(reason, WCUT_DIAGNOSIS_TEXT,
+                 "Of %d predicted cuts, %s%s tells %s from %s best: by %.0f standard deviations, against %.0f "
+                 "if the cut were made once more as it is.",
+                 tried, in_words[best], t->scan ? ", scanned," : "", a, b, separation, as_it_is);
 }
 
 static wcut_status check(const wcut_job *job, int count_a, const wcut_effect *a, int count_b, const wcut_effect *b,

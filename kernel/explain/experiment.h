@@ -7,7 +7,7 @@
 #include "explain/stop.h"
 
 /*
- * Every candidate is rehearsed with the effects a, with the effects b, and with a, b and the wire's length of the plain
+ * Every candidate is predicted with the effects a, with the effects b, and with a, b and the wire's length of the plain
  * model changed, all along one planned motion. What a refit of these three, of a constant kerf and of the strength of
  * one explanation (within 30 %) could explain is taken out of the difference; what is left, in units of the sensors'
  * noise and the less of both ways round, is the candidate's separation. Candidates: the cut as it is, a dithered speed,

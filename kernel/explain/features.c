@@ -1,4 +1,4 @@
-/* Quantities along the exogenous trail that the foam's force might follow: nothing that a tension loop feeds back. */
+/* Quantities along the exogenous trajectory that the foam's force might follow: nothing that a tension loop feeds back. */
 #include "explain/features.h"
 
 #include <stdio.h>
@@ -165,8 +165,8 @@ static double of_node(const wcut_feature *f, wcut_vec3 block, wcut_vec3 p) {
     }
 }
 
-/* means over the nodes in the block of one sample of the trail, added up; false where none is */
-static bool add_nodes(const wcut_evidence_cut *c, const wcut_driven *d, const wcut_feature *f, int sample,
+/* means over the nodes in the block of one sample of the trajectory, added up; false where none is */
+static bool add_nodes(const wcut_evidence_cut *c, const wcut_response *d, const wcut_feature *f, int sample,
                       double sum[WCUT_WEIGHTS]) {
     const wcut_vec3 block = c->job->block_size, *node = d->position + (size_t)sample * (size_t)d->nodes;
     double total[WCUT_WEIGHTS] = {0}, weight[WCUT_WEIGHTS] = {0};
@@ -182,8 +182,8 @@ static bool add_nodes(const wcut_evidence_cut *c, const wcut_driven *d, const wc
     return true;
 }
 
-static void eval_nodes(const wcut_evidence_cut *c, const wcut_driven *d, const wcut_feature *f, double *out) {
-    const wcut_trail *t = &c->exogenous;
+static void eval_nodes(const wcut_evidence_cut *c, const wcut_response *d, const wcut_feature *f, double *out) {
+    const wcut_trajectory *t = &c->exogenous;
     int sample = 0;
     for (int i = 0; i < c->bins; i++) {
         double sum[WCUT_WEIGHTS] = {0};
@@ -195,7 +195,7 @@ static void eval_nodes(const wcut_evidence_cut *c, const wcut_driven *d, const w
     }
 }
 
-void wcut_feature_eval(const wcut_evidence_cut *c, const wcut_driven *d, const wcut_feature *f, double *out) {
+void wcut_feature_eval(const wcut_evidence_cut *c, const wcut_response *d, const wcut_feature *f, double *out) {
     if (f->what >= OF_NODES) {
         eval_nodes(c, d, f, out);
         return;

@@ -1,4 +1,4 @@
-/* Quantities along the exogenous trail that the foam's force might follow. */
+/* Quantities along the exogenous trajectory that the foam's force might follow. */
 #ifndef WCUT_EXPLAIN_FEATURES_H
 #define WCUT_EXPLAIN_FEATURES_H
 
@@ -21,9 +21,9 @@ typedef enum wcut_weight { WCUT_WEIGHT_EVEN, WCUT_WEIGHT_A, WCUT_WEIGHT_B, WCUT_
 /* out: WCUT_FEATURES_MOST; gives how many. several: more than one cut. */
 int wcut_features_list(bool several, wcut_feature *out);
 
-/* A feature in the bins of a cut, mean over the wire in the foam; driven: along the exogenous trail with positions;
+/* A feature in the bins of a cut, mean over the wire in the foam; driven: along the exogenous trajectory with positions;
    out: WCUT_WEIGHTS x bins. */
-void wcut_feature_eval(const wcut_evidence_cut *cut, const wcut_driven *driven, const wcut_feature *feature,
+void wcut_feature_eval(const wcut_evidence_cut *cut, const wcut_response *driven, const wcut_feature *feature,
                        double *out);
 
 #endif

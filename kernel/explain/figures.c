@@ -6,7 +6,7 @@
 #include "base/numbers.h"
 #include "base/random.h"
 #include "cut/score.h"
-#include "explain/proof.h"
+#include "explain/cross_validation.h"
 
 /* bins of a mean: one second, which the sensors' own noise hardly reaches; block [means, patches]: the memory of the slow
    noise; draws, of which the interval holds 95 % */
@@ -40,7 +40,7 @@ static void gather(const wcut_evidence *e, wcut_evidence_channel channel, const 
     p->count = p->blocks = 0;
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
-        const size_t row = (size_t)c->row, bins = (size_t)c->bins, face = row + WCUT_TRAIL_SIGNALS * bins;
+        const size_t row = (size_t)c->row, bins = (size_t)c->bins, face = row + WCUT_SIGNALS * bins;
         const bool is_scan = channel == WCUT_EVIDENCE_SCAN;
         const int length = is_scan ? PATCH_BLOCK : BLOCK, n = is_scan ? c->patch.count : c->bins / MEAN;
         for (int i = 0; i < n; i++) {

@@ -26,7 +26,7 @@ typedef struct fitting {
     wcut_fitted *f;
     int shared, nuisances, n; /* base and effects; of scans; both */
     double *rows;             /* (1 + shared) x rows: of the model and of each perturbed one */
-    double *at_rows;          /* rows of the model that the anchor is of, along the exogenous trail */
+    double *at_rows;          /* rows of the model that the anchor is of, along the exogenous trajectory */
     double *measured;         /* rows: measured less predicted under the evidence's model: what is missing there */
     double *anchor;   /* rows: measured less predicted along the recorded motion, of a model near the present one */
     double *column;   /* n x rows, whitened */
@@ -164,7 +164,7 @@ static bool find_step(fitting *g, double *t, double *covariance, double *cost) {
     return wcut_normal_solve(&g->normal, g->n, chosen, g->centre, g->precision, -1, t, covariance, cost);
 }
 
-/* residual at the present x, by the difference along the exogenous trail */
+/* residual at the present x, by the difference along the exogenous trajectory */
 static void exogenous_residual(fitting *g) {
     for (int i = 0; i < g->e->rows; i++) g->residual[i] = g->anchor[i] - (g->rows[i] - g->at_rows[i]);
     wcut_evidence_whiten(g->e, g->measured, g->residual, g->residual);
@@ -207,7 +207,7 @@ static wcut_status present_rows(fitting *g, wcut_error *error) {
     return status;
 }
 
-/* Gauss-Newton along the exogenous trail: columns anew while the steps are long, then the last ones again */
+/* Gauss-Newton along the exogenous trajectory: columns anew while the steps are long, then the last ones again */
 static wcut_status iterate(fitting *g, double *covariance, wcut_error *error) {
     double t[WCUT_FIT_MAX], from[WCUT_FIT_MAX], cost = 0, before = HUGE_VAL, longest = 0;
     wcut_status status = WCUT_OK;
@@ -239,7 +239,7 @@ static wcut_status iterate(fitting *g, double *covariance, wcut_error *error) {
 }
 
 /* Predict along the recorded motion at the present x, of which g->rows are the rows: the differences along the exogenous
-   trail count from here. */
+   trajectory count from here. */
 static wcut_status set_anchor(fitting *g, wcut_error *error) {
     const wcut_evidence *e = g->e;
     const wcut_model model = wcut_fitted_model(g->f, g->f->x);
@@ -251,21 +251,21 @@ static wcut_status set_anchor(fitting *g, wcut_error *error) {
         if (c->bins == 0) continue;
         wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
         const wcut_job job = wcut_model_job(e, &model, k, effect);
-        wcut_driven d = {0};
-        failed[k].status = wcut_trail_drive(&job, NODES_FINE, &c->recorded, false, e->stop, &d, &failed[k]);
+        wcut_response d = {0};
+        failed[k].status = wcut_response_run(&job, NODES_FINE, &c->recorded, false, e->stop, &d, &failed[k]);
         if (failed[k].status == WCUT_OK)
             failed[k].status = wcut_evidence_bin_recorded(c, &model, &d, g->f->predicted + c->row);
-        wcut_driven_destroy(&d);
+        wcut_response_destroy(&d);
     }
     wcut_status status = WCUT_OK;
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
         if (status == WCUT_OK && failed[k].status != WCUT_OK)
             status = wcut_fail(error, failed[k].status, "cut %d: %s", k + 1, failed[k].text);
-        for (int i = 0; i < WCUT_TRAIL_SIGNALS * c->bins; i++)
+        for (int i = 0; i < WCUT_SIGNALS * c->bins; i++)
             g->anchor[c->row + i] = c->measured[i / c->bins][i % c->bins] - g->f->predicted[c->row + i];
         for (int i = 0; i < c->patch.count; i++) { /* a face has no loop: the exogenous difference is exact */
-            const int row = c->row + WCUT_TRAIL_SIGNALS * c->bins + i;
+            const int row = c->row + WCUT_SIGNALS * c->bins + i;
             g->anchor[row] -= g->rows[row] - g->at_rows[row];
         }
     }

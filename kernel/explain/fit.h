@@ -69,7 +69,7 @@ typedef struct wcut_fitted {
 } wcut_fitted;
 
 /*
- * Fit a model whose effects stand at a start: Gauss-Newton with the columns taken along the exogenous trail, the
+ * Fit a model whose effects stand at a start: Gauss-Newton with the columns taken along the exogenous trajectory, the
  * residual along the recorded one (Forssell, Ljung 1999: a closed loop's noise does not enter the columns).
  * evidence: predicted under its `at`. WCUT_OK; WCUT_NOT_CONVERGED, WCUT_NO_MEMORY: nothing was written.
  */
@@ -87,7 +87,7 @@ wcut_status wcut_fit_profile(const wcut_evidence *evidence, wcut_fitted *fitted,
 wcut_model wcut_fitted_model(const wcut_fitted *fitted, const double *x);
 
 /*
- * Rows of models along the exogenous trail, every cut driven once for each model whose physics differ from the first.
+ * Rows of models along the exogenous trajectory, every cut driven once for each model whose physics differ from the first.
  * count: at least 1; rows: count x evidence->rows.
  */
 wcut_status wcut_models_rows(const wcut_evidence *evidence, int count, const wcut_model *model, double *rows,

@@ -73,9 +73,9 @@ static int draw_heat(const wcut_schedule *s, int room, wcut_heat_step *step, wcu
     int first = 0, last = s->count - 1, count = 0;
     while (first < last && s->engaged[first] < WCUT_MOST_OF_WIRE) first++;
     while (last > first && s->engaged[last] < WCUT_MOST_OF_WIRE) last--;
-    const double end = last * WCUT_REHEARSAL_STEP, span = end - first * WCUT_REHEARSAL_STEP;
+    const double end = last * WCUT_PREDICTED_CUT_STEP, span = end - first * WCUT_PREDICTED_CUT_STEP;
     const double shorter = fmin(1, span / (2 * (STEP_MOST + GAP_MOST)));
-    double time = first * WCUT_REHEARSAL_STEP + shorter * between(random, GAP_LEAST, GAP_MOST);
+    double time = first * WCUT_PREDICTED_CUT_STEP + shorter * between(random, GAP_LEAST, GAP_MOST);
     bool up = false;
     while (count < room) {
         const double to = time + shorter * between(random, STEP_LEAST, STEP_MOST);
@@ -93,14 +93,14 @@ static int draw_heat(const wcut_schedule *s, int room, wcut_heat_step *step, wcu
 /* [1] the highest tension of the excited cut over the target, without feedback */
 static wcut_status find_peak(const wcut_job *job, double *peak, wcut_error *error) {
     wcut_schedule excited = {0};
-    wcut_rehearsal r = {0};
+    wcut_predicted_cut r = {0};
     wcut_status status = wcut_schedule_create(job, &excited, error);
-    if (status == WCUT_OK) status = wcut_rehearsal_run(job, &excited, NULL, &r, error);
+    if (status == WCUT_OK) status = wcut_predicted_cut_run(job, &excited, NULL, &r, error);
     double most = 0;
     for (int i = 0; status == WCUT_OK && i < r.count; i++)
         if (r.present[i] && excited.held[i] && excited.engaged[i] >= WCUT_MOST_OF_WIRE)
             most = fmax(most, (r.value[2][i] + r.value[3][i]) / 2);
-    wcut_rehearsal_destroy(&r);
+    wcut_predicted_cut_destroy(&r);
     wcut_schedule_destroy(&excited);
     if (status == WCUT_OK) *peak = most / job->tension;
     return status;
@@ -132,7 +132,7 @@ static void forget(wcut_job *job) {
 
 wcut_status wcut_programme_create(wcut_job *job, const wcut_schedule *schedule, int parts, wcut_random *random,
                                   wcut_error *error) {
-    const int room = (int)(schedule->count * WCUT_REHEARSAL_STEP / STEP_LEAST) + 2;
+    const int room = (int)(schedule->count * WCUT_PREDICTED_CUT_STEP / STEP_LEAST) + 2;
     double *speed = wcut_alloc((size_t)schedule->count, sizeof *speed);
     forget(job);
     job->dither = wcut_alloc(SINES, sizeof *job->dither);

@@ -41,7 +41,7 @@ static void blobs_destroy(blobs *b) {
 }
 
 /* where the wire is at x, at a sample; false where it does not reach there */
-static bool wire_at(const wcut_driven *d, int sample, double x, double *y, double *z) {
+static bool wire_at(const wcut_response *d, int sample, double x, double *y, double *z) {
     const wcut_vec3 *p = d->position + (size_t)sample * (size_t)d->nodes;
     for (int i = 0; i + 1 < d->nodes; i++) {
         if (!(p[i].x <= x && p[i + 1].x > x)) continue;
@@ -53,7 +53,7 @@ static bool wire_at(const wcut_driven *d, int sample, double x, double *y, doubl
 }
 
 /* height of the wire when it passes (x, y); the block's middle where it never does */
-static double height_at(const wcut_evidence_cut *c, const wcut_driven *d, double x, double y) {
+static double height_at(const wcut_evidence_cut *c, const wcut_response *d, double x, double y) {
     double best = HUGE_VAL, height = c->job->block_size.z / 2, wire_y, wire_z;
     for (int i = 0; i < d->count; i += 5)
         if (d->present[i] && wire_at(d, i, x, &wire_y, &wire_z) && fabs(wire_y - y) < best)
@@ -62,7 +62,7 @@ static double height_at(const wcut_evidence_cut *c, const wcut_driven *d, double
 }
 
 /* the last blob column's run: `bins` is room for 6 x bins of the cut, `plain` the reference with positions */
-static wcut_status run_column(const wcut_evidence *e, const wcut_model *about, int cut, const wcut_driven *plain,
+static wcut_status run_column(const wcut_evidence *e, const wcut_model *about, int cut, const wcut_response *plain,
                               const double *plain_bins, int column, int phase, double *bins, blobs *b) {
     const wcut_evidence_cut *c = &e->cut[cut];
     wcut_effect effect[BLOBS_MAX + WCUT_DIAGNOSIS_EFFECTS];
@@ -78,8 +78,8 @@ static wcut_status run_column(const wcut_evidence *e, const wcut_model *about, i
         b->x[b->count] = x, b->y[b->count++] = y;
     }
     if (job.effect_count == known) return WCUT_OK;
-    wcut_driven d = {0};
-    wcut_status status = wcut_trail_drive(&job, NODES, &c->exogenous, false, e->stop, &d, NULL);
+    wcut_response d = {0};
+    wcut_status status = wcut_response_run(&job, NODES, &c->exogenous, false, e->stop, &d, NULL);
     if (status == WCUT_OK) status = wcut_evidence_bin_exogenous(c, about, &d, bins);
     const int last = plain->count - 1;
     for (int i = 0; status == WCUT_OK && i < c->bins; i++) {
@@ -89,33 +89,32 @@ static wcut_status run_column(const wcut_evidence *e, const wcut_model *about, i
         int nearest = begun;
         for (int k = begun; k < b->count; k++)
             if (fabs(b->y[k] - y) < fabs(b->y[nearest] - y)) nearest = k;
-        for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++) {
+        for (int s = 0; s < WCUT_SIGNALS; s++) {
             const size_t at = (size_t)s * (size_t)c->bins + (size_t)i;
-            b->change[(size_t)nearest * WCUT_TRAIL_SIGNALS * (size_t)c->bins + at] =
-                (bins[at] - plain_bins[at]) / AMPLITUDE;
+            b->change[(size_t)nearest * WCUT_SIGNALS * (size_t)c->bins + at] = (bins[at] - plain_bins[at]) / AMPLITUDE;
         }
     }
-    wcut_driven_destroy(&d);
+    wcut_response_destroy(&d);
     return status;
 }
 
 static wcut_status run_cut(const wcut_evidence *e, const wcut_model *about, int cut, blobs *b) {
     const wcut_evidence_cut *c = &e->cut[cut];
-    const size_t size = WCUT_TRAIL_SIGNALS * (size_t)c->bins;
+    const size_t size = WCUT_SIGNALS * (size_t)c->bins;
     const size_t most = COLUMNS * (size_t)(c->job->block_size.y / PITCH + PHASES + 1);
     wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
     const wcut_job job = wcut_model_job(e, about, cut, effect);
-    wcut_driven plain = {0};
+    wcut_response plain = {0};
     double *bins = wcut_alloc(2 * size, sizeof *bins);
     *b = (blobs){.x = wcut_alloc(most, sizeof(double)),
                  .y = wcut_alloc(most, sizeof(double)),
                  .change = wcut_alloc(most * size, sizeof(double))};
     wcut_status status = bins && b->x && b->y && b->change ? WCUT_OK : WCUT_NO_MEMORY;
-    if (status == WCUT_OK) status = wcut_trail_drive(&job, NODES, &c->exogenous, true, e->stop, &plain, NULL);
+    if (status == WCUT_OK) status = wcut_response_run(&job, NODES, &c->exogenous, true, e->stop, &plain, NULL);
     if (status == WCUT_OK) status = wcut_evidence_bin_exogenous(c, about, &plain, bins + size);
     for (int task = 0; status == WCUT_OK && task < COLUMNS * PHASES; task++)
         status = run_column(e, about, cut, &plain, bins + size, task / PHASES, task % PHASES, bins, b);
-    wcut_driven_destroy(&plain);
+    wcut_response_destroy(&plain);
     wcut_free(bins);
     return status;
 }
@@ -125,7 +124,7 @@ static bool spread(const wcut_evidence *e, const blobs *b, double x, double y, d
     bool felt = false;
     for (int cut = 0; cut < e->cuts; cut++) {
         const wcut_evidence_cut *c = &e->cut[cut];
-        const int size = WCUT_TRAIL_SIGNALS * c->bins;
+        const int size = WCUT_SIGNALS * c->bins;
         for (int k = 0; k < b[cut].count; k++) {
             const double dx = (b[cut].x[k] - x) / WIDE_X, dy = (b[cut].y[k] - y) / WIDE_Y;
             const double weight = exp(-(dx * dx + dy * dy) / 2);

@@ -10,7 +10,7 @@ typedef struct wcut_inclusions {
     double *column;      /* count x rows of the evidence: change of the prediction by an amplitude of 1 */
 } wcut_inclusions;
 
-/* WCUT_OK; as wcut_trail_drive: nothing was written. */
+/* WCUT_OK; as wcut_response_run: nothing was written. */
 wcut_status wcut_inclusions_create(const wcut_evidence *evidence, const wcut_model *about, wcut_inclusions *out,
                                    wcut_error *error);
 void wcut_inclusions_destroy(wcut_inclusions *inclusions);

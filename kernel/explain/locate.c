@@ -33,7 +33,7 @@ enum { TAIL = 40 };
 
 /* a window with its shift: t in standard errors that whitening promises, shift in the rows' own unit */
 typedef struct window {
-    int cut, signal; /* signal WCUT_TRAIL_SIGNALS: the scan */
+    int cut, signal; /* signal WCUT_SIGNALS: the scan */
     int first, last; /* bins, or stripes; `last` is the one behind */
     int left, right; /* lanes of a scan */
     int kind;        /* of its length: which dispersion is its own */
@@ -62,7 +62,7 @@ typedef struct search {
 
 /* ---- channels ---- */
 
-static int kind_of(int signal) { return signal < 2 ? 0 : signal < WCUT_TRAIL_SIGNALS ? 1 + signal % 2 : 3; }
+static int kind_of(int signal) { return signal < 2 ? 0 : signal < WCUT_SIGNALS ? 1 + signal % 2 : 3; }
 
 static int compare(const void *a, const void *b) {
     const double x = *(const double *)a, y = *(const double *)b;
@@ -183,8 +183,8 @@ static double lower_half(int n, double *square) {
    for noise; and how many tests there are. room: for a channel; square: all windows of a length in a channel */
 static void find_dispersion(search *s, double *room, double *square) {
     for (int l = 0; l < LENGTHS; l++) {
-        double shown[WCUT_TRAIL_SIGNALS];
-        for (int signal = 0; signal < WCUT_TRAIL_SIGNALS; signal++) {
+        double shown[WCUT_SIGNALS];
+        for (int signal = 0; signal < WCUT_SIGNALS; signal++) {
             int n = 0;
             for (int k = 0; k < s->e->cuts; k++) {
                 if (s->e->cut[k].bins == 0) continue;
@@ -197,10 +197,10 @@ static void find_dispersion(search *s, double *room, double *square) {
             s->tests += n;
             shown[signal] = lower_half(n, square);
         }
-        qsort(shown, WCUT_TRAIL_SIGNALS, sizeof *shown, compare);
+        qsort(shown, WCUT_SIGNALS, sizeof *shown, compare);
         s->dispersion[l] = (shown[0] + shown[1]) / 2;
     }
-    for (int k = 0; k < s->e->cuts; k++) s->tests += s->e->cut[k].bins > 0 ? WCUT_TRAIL_SIGNALS * PART_WINDOWS : 0;
+    for (int k = 0; k < s->e->cuts; k++) s->tests += s->e->cut[k].bins > 0 ? WCUT_SIGNALS * PART_WINDOWS : 0;
 }
 
 static double sidak(double tests, double t) {
@@ -223,7 +223,7 @@ static bool has_order(const search *s, const channel *h, double own) {
         }
         if (n > 0) least = fmin(least, wcut_chi_square_tail(sum / fmax(own, s->dispersion[l]), n));
     }
-    const double tests = (double)s->e->cuts * WCUT_TRAIL_SIGNALS * LENGTHS;
+    const double tests = (double)s->e->cuts * WCUT_SIGNALS * LENGTHS;
     return least < WCUT_LOCATE_LEVEL / tests;
 }
 
@@ -288,7 +288,7 @@ typedef struct cells {
 } cells;
 
 static double *scan_rows(const search *s, int cut) {
-    return s->residual + s->e->cut[cut].row + (ptrdiff_t)WCUT_TRAIL_SIGNALS * s->e->cut[cut].bins;
+    return s->residual + s->e->cut[cut].row + (ptrdiff_t)WCUT_SIGNALS * s->e->cut[cut].bins;
 }
 
 static cells sum_cells(const search *s, int cut) {
@@ -347,7 +347,7 @@ static void search_scan(search *s, int cut) {
         const cells in = sum_cells(s, cut);
         double own = 0, most = 0;
         for (int i = 0; i < c->patch.count; i++) own += z[i] * z[i] / c->patch.count;
-        window best = {.t = 0}, w = {.cut = cut, .signal = WCUT_TRAIL_SIGNALS, .first = 0, .last = 1};
+        window best = {.t = 0}, w = {.cut = cut, .signal = WCUT_SIGNALS, .first = 0, .last = 1};
         while (next_rectangle(&w)) {
             double sum;
             const int count = sum_rectangle(&in, &w, &sum);
@@ -384,8 +384,8 @@ static void box_add(box *b, wcut_vec3 p) {
 }
 
 /* where the wire was in the foam meanwhile; where none of it was, where its middle was */
-static box swept(const wcut_evidence_cut *c, const wcut_driven *d, double from, double to) {
-    const wcut_trail *t = &c->exogenous;
+static box swept(const wcut_evidence_cut *c, const wcut_response *d, double from, double to) {
+    const wcut_trajectory *t = &c->exogenous;
     const wcut_vec3 size = c->job->block_size;
     box inside = {.any = false}, beside = {.any = false};
     for (int i = 0; i < d->count; i++) {
@@ -405,7 +405,7 @@ static double station_at(const wcut_evidence_cut *c, double time) {
     return wcut_between(c->exogenous.count, c->exogenous.time, c->exogenous.station, time);
 }
 
-static void tell_channel(const search *s, const window *w, const wcut_driven *d, double *room, wcut_mismatch *out) {
+static void tell_channel(const search *s, const window *w, const wcut_response *d, double *room, wcut_mismatch *out) {
     const wcut_evidence_cut *c = &s->e->cut[w->cut];
     channel h = channel_of(s, w->cut, w->signal, room);
     double *value = room + 3 * (ptrdiff_t)c->bins, sum = 0;
@@ -441,7 +441,7 @@ static double entering(const wcut_patches *p) {
 static void tell_scan(const search *s, const window *w, wcut_mismatch *out) {
     const wcut_evidence_cut *c = &s->e->cut[w->cut];
     const wcut_patches *p = &c->patch;
-    const double *z = s->whole + c->row + (ptrdiff_t)WCUT_TRAIL_SIGNALS * c->bins, length = c->job->wire_length;
+    const double *z = s->whole + c->row + (ptrdiff_t)WCUT_SIGNALS * c->bins, length = c->job->wire_length;
     box where = {.any = false}, range = {.any = false};
     double sum = 0;
     int n = 0;
@@ -477,15 +477,15 @@ static double whole_excess(const search *s) {
     return fmax(sum, found);
 }
 
-/* the wire's positions along the exogenous trail of the cuts that have findings; d: cuts */
-static wcut_status drive_cuts(const search *s, int count, wcut_driven *d, wcut_error *error) {
+/* the wire's positions along the exogenous trajectory of the cuts that have findings; d: cuts */
+static wcut_status drive_cuts(const search *s, int count, wcut_response *d, wcut_error *error) {
     for (int k = 0; k < count; k++) {
         const int cut = s->found[k].cut;
-        if (d[cut].position || s->found[k].signal == WCUT_TRAIL_SIGNALS) continue;
+        if (d[cut].position || s->found[k].signal == WCUT_SIGNALS) continue;
         wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
         const wcut_job job = wcut_model_job(s->e, &s->e->at, cut, effect);
         const wcut_status status =
-            wcut_trail_drive(&job, WCUT_NODES_COARSE, &s->e->cut[cut].exogenous, true, s->e->stop, &d[cut], error);
+            wcut_response_run(&job, WCUT_NODES_COARSE, &s->e->cut[cut].exogenous, true, s->e->stop, &d[cut], error);
         if (status != WCUT_OK) return status;
     }
     return WCUT_OK;
@@ -495,17 +495,17 @@ static wcut_status tell(search *s, double *room, int *count, wcut_mismatch *out,
     const double whole = whole_excess(s);
     qsort(s->found, (size_t)s->count, sizeof *s->found, compare_excess);
     const int most = s->count < WCUT_MISMATCHES ? s->count : WCUT_MISMATCHES;
-    wcut_driven *d = wcut_alloc((size_t)s->e->cuts, sizeof *d);
+    wcut_response *d = wcut_alloc((size_t)s->e->cuts, sizeof *d);
     wcut_status status = d ? drive_cuts(s, most, d, error) : wcut_fail(error, WCUT_NO_MEMORY, "no memory");
     for (int k = 0; status == WCUT_OK && k < most; k++) {
         const window *w = &s->found[k];
         out[k] = (wcut_mismatch){.cut = s->e->cut[w->cut].index, .p_value = w->p, .share = w->excess / whole};
-        if (w->signal < WCUT_TRAIL_SIGNALS)
+        if (w->signal < WCUT_SIGNALS)
             tell_channel(s, w, &d[w->cut], room, &out[k]);
         else
             tell_scan(s, w, &out[k]);
     }
-    for (int k = 0; d && k < s->e->cuts; k++) wcut_driven_destroy(&d[k]);
+    for (int k = 0; d && k < s->e->cuts; k++) wcut_response_destroy(&d[k]);
     wcut_free(d);
     if (status == WCUT_OK) *count = most;
     return status;
@@ -518,7 +518,7 @@ wcut_status wcut_mismatch_locate(const wcut_evidence *e, const double *residual,
         bins = e->cut[k].bins > bins ? e->cut[k].bins : bins;
         scans += e->cut[k].patch.count > 0;
     }
-    search s = {.e = e, .whole = residual, .room = MOST * (WCUT_TRAIL_SIGNALS * e->cuts + scans)};
+    search s = {.e = e, .whole = residual, .room = MOST * (WCUT_SIGNALS * e->cuts + scans)};
     s.residual = wcut_copy(residual, (size_t)e->rows, sizeof *residual);
     s.raw = wcut_alloc((size_t)e->rows, sizeof(double));
     s.found = wcut_alloc((size_t)s.room, sizeof *s.found);
@@ -532,7 +532,7 @@ wcut_status wcut_mismatch_locate(const wcut_evidence *e, const double *residual,
         find_scan_dispersion(&s, square);
         for (int k = 0; k < e->cuts; k++) {
             if (e->cut[k].bins == 0) continue;
-            for (int signal = 0; signal < WCUT_TRAIL_SIGNALS; signal++) search_channel(&s, k, signal, room);
+            for (int signal = 0; signal < WCUT_SIGNALS; signal++) search_channel(&s, k, signal, room);
             search_scan(&s, k);
         }
         status = tell(&s, room, count, out, error);

@@ -22,8 +22,8 @@ enum { WCUT_MISMATCHES = 20 };
  * residual: rows, whitened, as wcut_fitted.residual of the recalibrated model.
  * count, out: WCUT_MISMATCHES; disjoint in each channel of a cut, largest share of the misfit first. `mean` is the
  * residual itself, without whitening, angles in deg. The block box is that of the wire in the foam along the exogenous
- * trail, or of the patches; `wire` of recordings is NaN, of scans the way along the wire from where it enters the block.
- * WCUT_OK; WCUT_NO_MEMORY; as wcut_trail_drive: nothing was written.
+ * trajectory, or of the patches; `wire` of recordings is NaN, of scans the way along the wire from where it enters the block.
+ * WCUT_OK; WCUT_NO_MEMORY; as wcut_response_run: nothing was written.
  */
 wcut_status wcut_mismatch_locate(const wcut_evidence *evidence, const double *residual, int *count, wcut_mismatch *out,
                                  wcut_error *error);

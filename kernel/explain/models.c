@@ -1,4 +1,4 @@
-/* Models in the rows of the evidence: what each predicts along the exogenous trail, every motion driven once; and what a
+/* Models in the rows of the evidence: what each predicts along the exogenous trajectory, every motion driven once; and what a
    scan is free to do. */
 #include <string.h>
 
@@ -37,16 +37,16 @@ bool wcut_models_same_motion(const wcut_model *a, const wcut_model *b) {
 }
 
 /* rows of one model in one cut; `moved`: what the first model's drive gave, or NULL */
-static wcut_status model_rows(const wcut_evidence *e, int cut, const wcut_model *model, const wcut_driven *moved,
+static wcut_status model_rows(const wcut_evidence *e, int cut, const wcut_model *model, const wcut_response *moved,
                               double *rows, wcut_error *error) {
     if (moved) return wcut_evidence_rows(e, cut, model, moved, rows);
     const wcut_evidence_cut *c = &e->cut[cut];
     wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
     const wcut_job job = wcut_model_job(e, model, cut, effect);
-    wcut_driven d = {0};
-    wcut_status status = wcut_trail_drive(&job, NODES_COARSE, &c->exogenous, c->patch.count > 0, e->stop, &d, error);
+    wcut_response d = {0};
+    wcut_status status = wcut_response_run(&job, NODES_COARSE, &c->exogenous, c->patch.count > 0, e->stop, &d, error);
     if (status == WCUT_OK) status = wcut_evidence_rows(e, cut, model, &d, rows);
-    wcut_driven_destroy(&d);
+    wcut_response_destroy(&d);
     return status;
 }
 
@@ -64,7 +64,7 @@ wcut_status wcut_models_rows(const wcut_evidence *e, int count, const wcut_model
     wcut_error *failed = wcut_alloc((size_t)tasks, sizeof *failed);
     int *motion = wcut_alloc((size_t)count, sizeof *motion);
     /* an earlier model's drive is kept where a later one moves alike: the first of a list of instruments */
-    wcut_driven *kept = wcut_alloc((size_t)e->cuts, sizeof *kept);
+    wcut_response *kept = wcut_alloc((size_t)e->cuts, sizeof *kept);
     int shared = -2;
     wcut_status status = failed && motion && kept ? WCUT_OK : wcut_fail(error, WCUT_NO_MEMORY, "no memory");
     for (int k = 0; status == WCUT_OK && k < count; k++) {
@@ -77,8 +77,8 @@ wcut_status wcut_models_rows(const wcut_evidence *e, int count, const wcut_model
             if (e->cut[cut].bins == 0) continue;
             wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
             const wcut_job job = wcut_model_job(e, &model[shared], cut, effect);
-            failed[cut].status = wcut_trail_drive(&job, NODES_COARSE, &e->cut[cut].exogenous,
-                                                  e->cut[cut].patch.count > 0, e->stop, &kept[cut], &failed[cut]);
+            failed[cut].status = wcut_response_run(&job, NODES_COARSE, &e->cut[cut].exogenous,
+                                                   e->cut[cut].patch.count > 0, e->stop, &kept[cut], &failed[cut]);
         }
         for (int cut = 0; status == WCUT_OK && cut < e->cuts; cut++)
             if (failed[cut].status != WCUT_OK) status = wcut_fail(error, failed[cut].status, "%s", failed[cut].text);
@@ -88,16 +88,16 @@ wcut_status wcut_models_rows(const wcut_evidence *e, int count, const wcut_model
         for (int task = 0; task < tasks; task++) {
             const int k = task / e->cuts, cut = task % e->cuts;
             if (e->cut[cut].bins == 0) continue;
-            const wcut_driven *moved = motion[k] == -1       ? &e->cut[cut].reference
-                                       : motion[k] == shared ? &kept[cut]
-                                                             : NULL;
+            const wcut_response *moved = motion[k] == -1       ? &e->cut[cut].reference
+                                         : motion[k] == shared ? &kept[cut]
+                                                               : NULL;
             failed[task].status =
                 model_rows(e, cut, &model[k], moved, rows + (size_t)k * (size_t)e->rows, &failed[task]);
         }
     }
     for (int task = 0; status == WCUT_OK && task < tasks; task++)
         if (failed[task].status != WCUT_OK) status = wcut_fail(error, failed[task].status, "%s", failed[task].text);
-    for (int cut = 0; kept && cut < e->cuts; cut++) wcut_driven_destroy(&kept[cut]);
+    for (int cut = 0; kept && cut < e->cuts; cut++) wcut_response_destroy(&kept[cut]);
     wcut_free(kept);
     wcut_free(motion);
     wcut_free(failed);
@@ -124,7 +124,7 @@ void wcut_nuisance_columns(const wcut_evidence *e, double *column, double *sprea
         if (c->patch.count == 0) continue;
         const wcut_vec3 middle = vec3_scale(0.5, c->job->block_size);
         for (int i = 0; i < c->patch.count; i++) {
-            const int row = c->row + WCUT_TRAIL_SIGNALS * c->bins + i;
+            const int row = c->row + WCUT_SIGNALS * c->bins + i;
             const wcut_vec3 n = c->patch.normal[i], turn = vec3_cross(vec3_sub(c->patch.point[i], middle), n);
             const double value[WCUT_SCAN_NUISANCES] = {n.x, n.y, n.z, turn.x, turn.y, turn.z};
             for (int j = 0; j < WCUT_SCAN_NUISANCES; j++) column[(size_t)(at + j) * rows + (size_t)row] = value[j];

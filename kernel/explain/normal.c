@@ -43,7 +43,7 @@ void wcut_normal_fill(const wcut_evidence *e, const double *column, const double
 #pragma omp parallel for num_threads(e->threads) schedule(dynamic, 1)
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
-        const int count = WCUT_TRAIL_SIGNALS * c->bins + c->patch.count, from = c->row;
+        const int count = WCUT_SIGNALS * c->bins + c->patch.count, from = c->row;
         double *gram = out->cut_gram + (size_t)k * square, *moment = out->cut_moment + (size_t)k * (size_t)n;
         for (int i = 0; i < n; i++) {
             const double *x = column + (size_t)i * rows + from;

@@ -51,8 +51,8 @@ static void face_destroy(face *f) {
     wcut_free(f->station);
 }
 
-static wcut_status face_create(const wcut_evidence_cut *c, const wcut_driven *d, face *f) {
-    const wcut_trail *t = &c->recorded;
+static wcut_status face_create(const wcut_evidence_cut *c, const wcut_response *d, face *f) {
+    const wcut_trajectory *t = &c->recorded;
     const size_t n = (size_t)d->nodes;
     wcut_vec3 *position = wcut_alloc((size_t)d->count * n, sizeof *position);
     f->parameter = wcut_alloc((size_t)d->count, sizeof(double));
@@ -122,15 +122,15 @@ static void keep_patches(const sums *patch, wcut_patches *p) {
 
 /* q_eff at each patch: heat over the speed of the wire's nodes, [J/m^2] */
 static void find_heat(const wcut_evidence_cut *c, wcut_patches *p) {
-    const wcut_trail *t = &c->exogenous;
+    const wcut_trajectory *t = &c->exogenous;
     for (int i = 0; i < p->count; i++) {
         const double heat = wcut_between(t->count, t->station, t->heat, p->station[i]);
-        const double speed = wcut_trail_speed(t, &c->reference, p->station[i], p->across[i]);
+        const double speed = wcut_response_speed(t, &c->reference, p->station[i], p->across[i]);
         p->q_eff[i] = 1000 * heat / fmax(speed, 0.5);
     }
 }
 
-wcut_status wcut_patches_create(const wcut_evidence_cut *c, const wcut_driven *recorded, wcut_patches *out,
+wcut_status wcut_patches_create(const wcut_evidence_cut *c, const wcut_response *recorded, wcut_patches *out,
                                 wcut_error *error) {
     const int count = c->scan->count, stride = count > POINTS ? count / POINTS + 1 : 1, n = (count - 1) / stride + 1;
     const size_t room = (size_t)ALONG * ACROSS;

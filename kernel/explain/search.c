@@ -17,7 +17,7 @@ enum { SINGLES = 4, SECONDS = 2, PAIRS = 2, BLOCK = 8 };
 /* and what comes near the best of the screen, whose columns are straight lines through bent responses */
 #define CONTENDS 0.2
 
-/* ---- leftovers ---- */
+/* ---- residual statistics ---- */
 
 typedef struct tally {
     double sum;
@@ -36,15 +36,15 @@ static tally slow_part(int n, const double *z) {
     return t;
 }
 
-wcut_leftover wcut_leftover_eval(const wcut_evidence *e, const double *residual) {
-    wcut_leftover left = {0};
+wcut_residual_stats wcut_residual_stats_eval(const wcut_evidence *e, const double *residual) {
+    wcut_residual_stats left = {0};
     tally slow = {0, 0}, common = {0, 0};
     double sum = 0, patches = 0;
     int rows = 0, patch_count = 0;
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
         const double *z = residual + c->row;
-        for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++) {
+        for (int s = 0; s < WCUT_SIGNALS; s++) {
             const tally t = slow_part(c->bins, z + (ptrdiff_t)s * c->bins);
             slow.sum += t.sum, slow.blocks += t.blocks;
             if (t.blocks > 4) left.worst = fmax(left.worst, t.sum / t.blocks);
@@ -54,9 +54,9 @@ wcut_leftover wcut_leftover_eval(const wcut_evidence *e, const double *residual)
             for (int j = i; j < i + BLOCK; j++) both += z[j] + z[c->bins + j];
             common.sum += both * both / (2 * BLOCK), common.blocks++;
         }
-        for (int i = 0; i < WCUT_TRAIL_SIGNALS * c->bins; i++) sum += z[i] * z[i];
-        rows += WCUT_TRAIL_SIGNALS * c->bins;
-        const double *p = z + (ptrdiff_t)WCUT_TRAIL_SIGNALS * c->bins;
+        for (int i = 0; i < WCUT_SIGNALS * c->bins; i++) sum += z[i] * z[i];
+        rows += WCUT_SIGNALS * c->bins;
+        const double *p = z + (ptrdiff_t)WCUT_SIGNALS * c->bins;
         for (int i = 0; i < c->patch.count; i++) patches += p[i] * p[i];
         patch_count += c->patch.count;
     }
@@ -125,7 +125,7 @@ static wcut_status try_model(searching *g, const wcut_model *start, wcut_error *
     for (int k = 0; k < start->effects; k++)
         c.second_size = fmin(c.second_size, wcut_effect_size(&c.fit.model.effect[k]));
     compare_held_out(g->e, &s->none, &c);
-    c.left = wcut_leftover_eval(g->e, c.fit.residual);
+    c.left = wcut_residual_stats_eval(g->e, c.fit.residual);
     s->candidate[s->count++] = c;
     return WCUT_OK;
 }
@@ -237,7 +237,7 @@ wcut_status wcut_search_run(const wcut_evidence *e, const bool without[WCUT_EFFE
     if (status == WCUT_OK) status = wcut_fit_solve(e, &e->at, &s->none, error);
     const bool fitted = status == WCUT_OK;
     if (status == WCUT_OK) {
-        s->left = wcut_leftover_eval(e, s->none.residual);
+        s->left = wcut_residual_stats_eval(e, s->none.residual);
         status = try_singles(&g, error);
     }
     if (status == WCUT_OK) status = try_pairs(&g, error);

@@ -7,13 +7,13 @@
 enum { WCUT_CANDIDATES = 24, WCUT_SCREENED = 12 };
 
 /* What a fit leaves, against what noise would leave. */
-typedef struct wcut_leftover {
+typedef struct wcut_residual_stats {
     double per_row; /* whitened misfit a row */
     double slow;    /* mean square of the means over four seconds, times their number: 1 for white noise */
     double common;  /* the same of what both tensions share: noise of sensors is their own, physics is not */
     double patches; /* misfit a patch of the scans; 0 without */
     double worst;   /* largest `slow` of a cut's channel */
-} wcut_leftover;
+} wcut_residual_stats;
 
 typedef struct wcut_candidate {
     wcut_fitted fit;
@@ -22,13 +22,13 @@ typedef struct wcut_candidate {
     double held_out;    /* the same on cuts not fitted, summed */
     int better, judged; /* cuts on which the held-out misfit falls, of those compared */
     double second_size; /* of a pair: least size in gates; of a single: its size */
-    wcut_leftover left;
+    wcut_residual_stats left;
 } wcut_candidate;
 
 typedef struct wcut_search {
     wcut_fitted none;
-    wcut_leftover left; /* of none */
-    int count;          /* candidates fitted: singles, then pairs, each by gain */
+    wcut_residual_stats left; /* of none */
+    int count;                /* candidates fitted: singles, then pairs, each by gain */
     wcut_candidate candidate[WCUT_CANDIDATES];
     int screened; /* the best variant of every kind, by the screen, best first */
     wcut_screened single[WCUT_EFFECT_COUNT];
@@ -49,6 +49,6 @@ wcut_status wcut_search_run(const wcut_evidence *evidence, const bool without[WC
                             wcut_error *error);
 void wcut_search_destroy(wcut_search *search);
 
-wcut_leftover wcut_leftover_eval(const wcut_evidence *evidence, const double *residual);
+wcut_residual_stats wcut_residual_stats_eval(const wcut_evidence *evidence, const double *residual);
 
 #endif

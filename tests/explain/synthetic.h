@@ -45,12 +45,12 @@ static inline wcut_job *synthetic_job(int k, bool plain) {
     return job;
 }
 
-static inline wcut_trail synthetic_trail(const wcut_job *job) {
+static inline wcut_trajectory synthetic_trail(const wcut_job *job) {
     const size_t n = SYNTHETIC_SAMPLES;
-    wcut_trail t = {.count = SYNTHETIC_SAMPLES,
-                    .time = wcut_alloc(n, sizeof(double)),
-                    .station = wcut_alloc(n, sizeof(double)),
-                    .heat = wcut_alloc(n, sizeof(double))};
+    wcut_trajectory t = {.count = SYNTHETIC_SAMPLES,
+                         .time = wcut_alloc(n, sizeof(double)),
+                         .station = wcut_alloc(n, sizeof(double)),
+                         .heat = wcut_alloc(n, sizeof(double))};
     double station = 1;
     for (int i = 0; i < t.count; i++) {
         double pace = 1, heat = job->heat;
@@ -70,19 +70,19 @@ static inline wcut_recording *synthetic_recording(const wcut_job *job, const con
     wcut_job real = *job;
     real.effect_count = what->effects, real.effect = effect;
     real.force_law.a *= what->law_a > 0 ? what->law_a : 1, real.force_law.b *= what->law_b > 0 ? what->law_b : 1;
-    wcut_trail t = synthetic_trail(job);
-    wcut_driven d = {0};
+    wcut_trajectory t = synthetic_trail(job);
+    wcut_response d = {0};
     wcut_error error = {0};
-    const wcut_status status = wcut_trail_drive(&real, WCUT_NODES_FINE, &t, false, NULL, &d, &error);
+    const wcut_status status = wcut_response_run(&real, WCUT_NODES_FINE, &t, false, NULL, &d, &error);
     ck_assert_msg(status == WCUT_OK, "%s", error.text);
     wcut_recording *r = blank_recording(t.count, SYNTHETIC_STEP);
     double *value[WCUT_SENSED_COUNT] = {NULL}, *heat = add_channel(r, WCUT_CHANNEL_HEAT);
-    for (int k = 0; k < WCUT_TRAIL_SIGNALS; k++) {
+    for (int k = 0; k < WCUT_SIGNALS; k++) {
         value[WCUT_SENSED_TENSION_A + k] = values(r, (wcut_channel)(WCUT_CHANNEL_TENSION_A + k));
         memcpy(value[WCUT_SENSED_TENSION_A + k], d.signal[k], (size_t)t.count * sizeof(double));
     }
     ck_assert_int_eq(wcut_sensors_eval(what->effects, effect, t.count, t.time, d.present, value), WCUT_OK);
-    for (int k = 0; k < WCUT_TRAIL_SIGNALS; k++)
+    for (int k = 0; k < WCUT_SIGNALS; k++)
         for (int i = 0; i < t.count; i++)
             value[WCUT_SENSED_TENSION_A + k][i] +=
                 what->noise * (k < 2 ? 0.02 : 0.05 * WCUT_PI / 180) * wcut_random_normal(random);
@@ -93,8 +93,8 @@ static inline wcut_recording *synthetic_recording(const wcut_job *job, const con
             values(r, (wcut_channel)(WCUT_CHANNEL_SPEED_A + side))[i] =
                 500.0 / 120 * (t.station[behind] - t.station[before]) / (t.time[behind] - t.time[before]);
     }
-    wcut_driven_destroy(&d);
-    wcut_trail_destroy(&t);
+    wcut_response_destroy(&d);
+    wcut_trajectory_destroy(&t);
     return r;
 }
 
@@ -150,7 +150,7 @@ static inline void noise_rows(const wcut_evidence *e, wcut_random *random, doubl
     const double keep = exp(-WCUT_BIN_WIDTH / WCUT_NOISE_MEMORY), fresh = sqrt(e->coloured * (1 - keep * keep));
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
-        for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++) {
+        for (int s = 0; s < WCUT_SIGNALS; s++) {
             double slow = sqrt(e->coloured) * wcut_random_normal(random);
             for (int i = 0; i < c->bins; i++) {
                 out[c->row + s * c->bins + i] = e->sigma[s] * (wcut_random_normal(random) + slow);
@@ -158,7 +158,7 @@ static inline void noise_rows(const wcut_evidence *e, wcut_random *random, doubl
             }
         }
         for (int i = 0; i < c->patch.count; i++)
-            out[c->row + WCUT_TRAIL_SIGNALS * c->bins + i] = c->patch.sigma[i] * wcut_random_normal(random);
+            out[c->row + WCUT_SIGNALS * c->bins + i] = c->patch.sigma[i] * wcut_random_normal(random);
     }
 }
 

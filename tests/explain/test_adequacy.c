@@ -34,7 +34,7 @@ static double slow_of_noise(double share, wcut_random *random) {
     noise_rows(evidence, random, row);
     evidence->coloured = assumed;
     wcut_evidence_whiten(evidence, row, row, row);
-    const double left = wcut_leftover_eval(evidence, row).slow;
+    const double left = wcut_residual_stats_eval(evidence, row).slow;
     wcut_free(row);
     return left;
 }
@@ -43,7 +43,7 @@ START_TEST(what_the_true_model_leaves_is_no_surprise) {
     double *z = wcut_alloc((size_t)evidence->rows, sizeof *z);
     wcut_evidence_residual(evidence, z);
     wcut_evidence_whiten(evidence, z, z, z);
-    const double left = wcut_leftover_eval(evidence, z).slow;
+    const double left = wcut_residual_stats_eval(evidence, z).slow;
     ck_assert_double_gt(p_of(left, 1), 0.05);
     wcut_free(z);
 }

@@ -5,14 +5,14 @@
 
 static synthetic given;
 static wcut_evidence *evidence;
-static wcut_proof proof;
+static wcut_cross_validation proof;
 
 /* forecasts made in place: measured = predicted + noise + `share` of an input two bins ago */
 static void given_a_residual(int cuts, double share, double noise) {
     const concealed nothing = {.noise = 1, .seed = 41};
     given = synthetic_create(cuts, &nothing);
     evidence = evidence_of(&given, 1);
-    proof = (wcut_proof){.fit = {{{0}}}};
+    proof = (wcut_cross_validation){.fit = {{{0}}}};
     const size_t rows = (size_t)evidence->rows;
     size_t speeds = 0;
     for (int k = 0; k < cuts; k++) speeds += 2 * (size_t)evidence->cut[k].bins;
@@ -24,7 +24,7 @@ static void given_a_residual(int cuts, double share, double noise) {
     wcut_random random = wcut_random_seed(5);
     for (int k = 0; k < cuts; k++) {
         const wcut_evidence_cut *c = &evidence->cut[k];
-        for (int i = 0; i < WCUT_TRAIL_SIGNALS * c->bins; i++) {
+        for (int i = 0; i < WCUT_SIGNALS * c->bins; i++) {
             const int bin = i % c->bins, ago = bin > 1 ? bin - 2 : 0, row = c->row + i;
             const double predicted = sin(0.2 * bin);
             for (int m = 0; m < WCUT_FIT_BLACK_BOX; m++)
@@ -36,7 +36,7 @@ static void given_a_residual(int cuts, double share, double noise) {
 }
 
 static void forget(void) {
-    wcut_proof_destroy(&proof);
+    wcut_cross_validation_destroy(&proof);
     wcut_evidence_destroy(evidence);
     synthetic_destroy(&given);
 }

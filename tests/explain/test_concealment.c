@@ -145,7 +145,7 @@ END_TEST
 static void shuffle(wcut_evidence *e, wcut_random *random) {
     for (int k = 0; k < e->cuts; k++) {
         wcut_evidence_cut *c = &e->cut[k];
-        for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++) {
+        for (int s = 0; s < WCUT_SIGNALS; s++) {
             double *measured = c->measured[s];
             const double *predicted = c->predicted[s];
             for (int i = 0; i < c->bins; i++) measured[i] -= predicted[i];

@@ -53,15 +53,15 @@ static void plant(const wcut_feature *f, double size) {
     ck_assert_int_eq(wcut_models_rows(evidence, 2, model, all, NULL), WCUT_OK);
     for (int k = 0; k < evidence->cuts; k++) {
         const wcut_evidence_cut *c = &evidence->cut[k];
-        wcut_driven d = {0};
+        wcut_response d = {0};
         double *value = wcut_alloc((size_t)WCUT_WEIGHTS * (size_t)c->bins, sizeof *value);
-        ck_assert_int_eq(wcut_trail_drive(c->job, WCUT_NODES_COARSE, &c->exogenous, true, NULL, &d, NULL), WCUT_OK);
+        ck_assert_int_eq(wcut_response_run(c->job, WCUT_NODES_COARSE, &c->exogenous, true, NULL, &d, NULL), WCUT_OK);
         wcut_feature_eval(c, &d, f, value);
-        for (int i = 0; i < WCUT_TRAIL_SIGNALS * c->bins; i++) {
+        for (int i = 0; i < WCUT_SIGNALS * c->bins; i++) {
             const int row = c->row + i, weight = i < 2 * c->bins ? 0 : i < 4 * c->bins ? 1 : 2;
             all[row] = size * value[weight * c->bins + i % c->bins] * (all[rows + (size_t)row] - all[row]) / 0.02;
         }
-        wcut_driven_destroy(&d);
+        wcut_response_destroy(&d);
         wcut_free(value);
     }
     wcut_evidence_residual(evidence, raw);

@@ -10,12 +10,12 @@ START_TEST(the_jobs_own_wire_leaves_nothing_but_the_smoothing_of_its_motion) {
     wcut_evidence *e = evidence_of(&s, 1);
     double *residual = wcut_alloc((size_t)e->rows, sizeof *residual);
     wcut_evidence_residual(e, residual);
-    ck_assert_int_eq(e->rows, WCUT_TRAIL_SIGNALS * (e->cut[0].bins + e->cut[1].bins));
+    ck_assert_int_eq(e->rows, WCUT_SIGNALS * (e->cut[0].bins + e->cut[1].bins));
     for (int k = 0; k < 2; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
         ck_assert_int_gt(c->bins, 25);
         ck_assert_double_gt(c->from, c->contact);
-        for (int i = 0; i < WCUT_TRAIL_SIGNALS * c->bins; i++)
+        for (int i = 0; i < WCUT_SIGNALS * c->bins; i++)
             ck_assert_double_le(fabs(residual[c->row + i]), i < 2 * c->bins ? 0.02 : 0.002);
         for (int i = 1; i < c->bins; i++) {
             ck_assert_double_eq_tol(c->middle[i] - c->middle[i - 1], WCUT_BIN_WIDTH, 1e-12);
@@ -39,7 +39,7 @@ START_TEST(whitened_noise_has_unit_variance_and_no_memory) {
     int n = 0, pairs = 0;
     for (int draw = 0; draw < 200; draw++) {
         white_rows(e, &random, z);
-        for (int k = 0; k < WCUT_TRAIL_SIGNALS; k++) {
+        for (int k = 0; k < WCUT_SIGNALS; k++) {
             for (int i = 0; i < c->bins; i++) square += pow(z[k * c->bins + i], 2), n++;
             for (int i = 2; i < c->bins; i++) {
                 product += z[k * c->bins + i] * z[k * c->bins + i - 1];
@@ -89,7 +89,7 @@ START_TEST(the_white_part_of_the_noise_is_measured_and_a_misfit_does_not_move_it
     wcut_evidence *e = evidence_of(&s, 1);
     /* five samples of 0.02 N, 0.05 deg in a bin; what smoothing does to the motion comes on top */
     const double tension = 0.02 / sqrt(5), angle = 0.05 * WCUT_PI / 180 / sqrt(5);
-    for (int k = 0; k < WCUT_TRAIL_SIGNALS; k++) {
+    for (int k = 0; k < WCUT_SIGNALS; k++) {
         const double expected = k < 2 ? tension : angle;
         ck_assert(e->sigma[k] > 0.6 * expected && e->sigma[k] < 2 * expected);
     }
@@ -110,7 +110,7 @@ START_TEST(the_same_bytes_come_from_any_number_of_threads) {
     for (int k = 0; k < 2; k++) {
         const wcut_evidence_cut *a = &one->cut[k], *b = &two->cut[k];
         const size_t bytes = (size_t)a->bins * sizeof(double);
-        for (int i = 0; i < WCUT_TRAIL_SIGNALS; i++) {
+        for (int i = 0; i < WCUT_SIGNALS; i++) {
             ck_assert_int_eq(memcmp(a->predicted[i], b->predicted[i], bytes), 0);
             ck_assert_int_eq(memcmp(a->measured[i], b->measured[i], bytes), 0);
         }

@@ -107,15 +107,15 @@ START_TEST(even_without_feedback_the_tension_stays_below_twice_the_target) {
     ck_assert_int_eq(wcut_identification_create(job, 1, 5, &cut, NULL), WCUT_OK);
     ck_assert_double_lt(fabs(cut->heat_step[0].factor - 1), 0.1);
     wcut_schedule schedule = {0};
-    wcut_rehearsal run = {0};
+    wcut_predicted_cut run = {0};
     ck_assert_int_eq(wcut_schedule_create(cut, &schedule, NULL), WCUT_OK);
-    ck_assert_int_eq(wcut_rehearsal_run(cut, &schedule, NULL, &run, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_predicted_cut_run(cut, &schedule, NULL, &run, NULL), WCUT_OK);
     double most = 0;
     for (int i = 0; i < run.count; i++)
         if (run.present[i] && schedule.engaged[i] >= WCUT_MOST_OF_WIRE && schedule.held[i])
             most = fmax(most, (run.value[2][i] + run.value[3][i]) / 2);
     ck_assert_msg(most > 1.2 * job->tension && most < 2.01 * job->tension, "%g N", most);
-    wcut_rehearsal_destroy(&run);
+    wcut_predicted_cut_destroy(&run);
     wcut_schedule_destroy(&schedule);
     wcut_job_destroy(cut);
     wcut_job_destroy(job);

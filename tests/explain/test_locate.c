@@ -53,7 +53,7 @@ static void give_patches(void) {
     evidence->rows = 0;
     for (int k = 0; k < evidence->cuts; k++) {
         evidence->cut[k].row = evidence->rows;
-        evidence->rows += WCUT_TRAIL_SIGNALS * evidence->cut[k].bins + evidence->cut[k].patch.count;
+        evidence->rows += WCUT_SIGNALS * evidence->cut[k].bins + evidence->cut[k].patch.count;
     }
 }
 
@@ -132,7 +132,7 @@ START_TEST(the_same_values_in_another_order_are_nothing) {
         wcut_random random = wcut_random_seed(seed + 100);
         for (int k = 0; k < evidence->cuts; k++) {
             const wcut_evidence_cut *c = &evidence->cut[k];
-            for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++) {
+            for (int s = 0; s < WCUT_SIGNALS; s++) {
                 double *z = residual + c->row + s * c->bins, mean = 0;
                 for (int i = 0; i < c->bins; i++) mean += z[i] / c->bins;
                 for (int i = 0; i < c->bins; i++) {
@@ -154,7 +154,7 @@ START_TEST(patches_of_a_face_that_are_off_are_found_along_the_wire) {
     wcut_random random = wcut_random_seed(4);
     white_rows(evidence, &random, residual);
     const wcut_evidence_cut *c = &evidence->cut[0];
-    double *z = residual + c->row + WCUT_TRAIL_SIGNALS * c->bins;
+    double *z = residual + c->row + WCUT_SIGNALS * c->bins;
     for (int i = 0; i < c->patch.count; i++)
         if (c->patch.point[i].x > 170 && c->patch.point[i].y < 200) z[i] += 3;
     locate();

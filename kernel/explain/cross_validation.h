@@ -1,6 +1,6 @@
 /* The forward proof: every cut predicted by models that were fitted on the other cuts, and the figures of it. */
-#ifndef WCUT_EXPLAIN_PROOF_H
-#define WCUT_EXPLAIN_PROOF_H
+#ifndef WCUT_EXPLAIN_CROSS_VALIDATION_H
+#define WCUT_EXPLAIN_CROSS_VALIDATION_H
 
 #include "explain/fit.h"
 
@@ -11,13 +11,13 @@ typedef struct wcut_forecast {
 } wcut_forecast;
 
 /* What is measured is the same for all models: `row` is that of the evidence, patches their distance. */
-typedef struct wcut_proof {
+typedef struct wcut_cross_validation {
     wcut_forecast measured;
     wcut_forecast in_sample[WCUT_FIT_BLACK_BOX]; /* before, recalibrated, after: fitted on all cuts */
     wcut_forecast held_out[WCUT_FIT_BLACK_BOX];  /* each cut by models fitted on all but it; before: as in_sample */
     wcut_fit fit[WCUT_FIT_MODELS][WCUT_EVIDENCE_COUNT];
     wcut_fit held_out_fit[WCUT_FIT_MODELS][WCUT_EVIDENCE_COUNT]; /* all cuts, each held out in turn */
-} wcut_proof;
+} wcut_cross_validation;
 
 /*
  * Predict every cut of a case and score it: as the jobs are (their own law and effects), recalibrated, and with the
@@ -35,12 +35,13 @@ typedef struct wcut_proof {
  * The rows of WCUT_FIT_BLACK_BOX are left at count 0 (explain/black_box.h fills them).
  *
  * evidence: predicted, under any model; recalibrated, chosen: fitted on it; may be the same, then it is run once.
- * out: the caller's, to wcut_proof_destroy; the same for any number of threads.
- * WCUT_OK; as wcut_trail_drive, WCUT_NO_MEMORY: nothing was written.
+ * out: the caller's, to wcut_cross_validation_destroy; the same for any number of threads.
+ * WCUT_OK; as wcut_response_run, WCUT_NO_MEMORY: nothing was written.
  */
-wcut_status wcut_proof_create(const wcut_evidence *evidence, const wcut_fitted *recalibrated, const wcut_fitted *chosen,
-                              unsigned long long seed, wcut_proof *out, wcut_error *error);
-void wcut_proof_destroy(wcut_proof *proof);
+wcut_status wcut_cross_validation_create(const wcut_evidence *evidence, const wcut_fitted *recalibrated,
+                                         const wcut_fitted *chosen, unsigned long long seed, wcut_cross_validation *out,
+                                         wcut_error *error);
+void wcut_cross_validation_destroy(wcut_cross_validation *proof);
 
 /* Figures of a forecast in each channel; pairs of which a side is NaN are left out. fit: WCUT_EVIDENCE_COUNT.
    WCUT_OK; WCUT_NO_MEMORY: nothing was written. */

@@ -1,5 +1,5 @@
 /* The forward proof: every cut predicted by models that were fitted on the other cuts, and the figures of it. */
-#include "explain/proof.h"
+#include "explain/cross_validation.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -46,10 +46,10 @@ static void forecast_destroy(wcut_forecast *f) {
     wcut_free(f->speed);
 }
 
-void wcut_proof_destroy(wcut_proof *p) {
+void wcut_cross_validation_destroy(wcut_cross_validation *p) {
     forecast_destroy(&p->measured);
     for (int m = 0; m < MODELS; m++) forecast_destroy(&p->in_sample[m]), forecast_destroy(&p->held_out[m]);
-    *p = (wcut_proof){.fit = {{{0}}}};
+    *p = (wcut_cross_validation){.fit = {{{0}}}};
 }
 
 /* where a cut's bins of speed begin */
@@ -94,10 +94,9 @@ static void fill_measured(const wcut_evidence *e, wcut_forecast *f) {
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
         if (c->bins == 0) continue;
-        for (int s = 0; s < WCUT_TRAIL_SIGNALS; s++)
+        for (int s = 0; s < WCUT_SIGNALS; s++)
             memcpy(f->row + c->row + (ptrdiff_t)s * c->bins, c->measured[s], (size_t)c->bins * sizeof(double));
-        for (int i = 0; i < c->patch.count; i++)
-            f->row[c->row + WCUT_TRAIL_SIGNALS * c->bins + i] = c->patch.distance[i];
+        for (int i = 0; i < c->patch.count; i++) f->row[c->row + WCUT_SIGNALS * c->bins + i] = c->patch.distance[i];
         for (int side = 0; side < 2; side++) {
             const wcut_column *column = &c->recording->channel[WCUT_CHANNEL_SPEED_A + side];
             bin_speed(c, column->value, column->present, speed_of(e, f, k) + (ptrdiff_t)side * c->bins);
@@ -132,13 +131,13 @@ static wcut_job job_of(const wcut_evidence *e, const subject *s, int cut, wcut_e
 static wcut_status forecast_motion(const wcut_evidence *e, int cut, const subject *s, const wcut_job *job,
                                    wcut_forecast *f, wcut_error *error) {
     const wcut_evidence_cut *c = &e->cut[cut];
-    wcut_driven d = {0};
-    wcut_status status = wcut_trail_drive(job, WCUT_NODES_FINE, &c->recorded, false, e->stop, &d, error);
+    wcut_response d = {0};
+    wcut_status status = wcut_response_run(job, WCUT_NODES_FINE, &c->recorded, false, e->stop, &d, error);
     if (status == WCUT_OK) {
         status = wcut_evidence_bin_recorded(c, &s->model, &d, f->row + c->row);
         if (status != WCUT_OK) wcut_fail(error, status, "the instruments of a prediction");
     }
-    wcut_driven_destroy(&d);
+    wcut_response_destroy(&d);
     return status;
 }
 
@@ -146,18 +145,18 @@ static wcut_status forecast_face(const wcut_evidence *e, int cut, const subject 
                                  wcut_forecast *f, wcut_error *error) {
     const wcut_evidence_cut *c = &e->cut[cut];
     if (c->patch.count == 0) return WCUT_OK;
-    wcut_driven d = {0};
+    wcut_response d = {0};
     double *rows = wcut_alloc((size_t)e->rows, sizeof *rows),
-           *face = f->row + c->row + (ptrdiff_t)WCUT_TRAIL_SIGNALS * c->bins;
-    wcut_status status = rows ? wcut_trail_drive(job, WCUT_NODES_COARSE, &c->exogenous, true, e->stop, &d, error)
+           *face = f->row + c->row + (ptrdiff_t)WCUT_SIGNALS * c->bins;
+    wcut_status status = rows ? wcut_response_run(job, WCUT_NODES_COARSE, &c->exogenous, true, e->stop, &d, error)
                               : wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d rows", e->rows);
     if (status == WCUT_OK) {
         status = wcut_evidence_rows(e, cut, &s->model, &d, rows);
         if (status != WCUT_OK) wcut_fail(error, status, "the face of a prediction");
     }
     for (int i = 0; status == WCUT_OK && i < c->patch.count; i++)
-        face[i] = rows[c->row + WCUT_TRAIL_SIGNALS * c->bins + i] - (s->kerf + s->kerf_per_q * c->patch.q_eff[i]) / 2;
-    wcut_driven_destroy(&d);
+        face[i] = rows[c->row + WCUT_SIGNALS * c->bins + i] - (s->kerf + s->kerf_per_q * c->patch.q_eff[i]) / 2;
+    wcut_response_destroy(&d);
     wcut_free(rows);
     return status;
 }
@@ -205,7 +204,7 @@ static double other_kerf(const wcut_evidence *e, int but, const double *distance
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
         if (k == but || c->patch.count == 0) continue;
-        const int row = c->row + WCUT_TRAIL_SIGNALS * c->bins;
+        const int row = c->row + WCUT_SIGNALS * c->bins;
         double below = 0;
         for (int i = 0; i < c->patch.count; i++) below += (face[row + i] - distance[row + i]) / c->patch.count;
         sum += other * 2 * below, weight += other;
@@ -248,7 +247,7 @@ static void apply_kerf(const wcut_evidence *e, const double *distance, const wcu
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
         const double other = c->patch.count > 0 ? other_kerf(e, k, distance, room) : 0;
-        for (int i = 0; i < c->patch.count; i++) held_out->row[c->row + WCUT_TRAIL_SIGNALS * c->bins + i] -= other / 2;
+        for (int i = 0; i < c->patch.count; i++) held_out->row[c->row + WCUT_SIGNALS * c->bins + i] -= other / 2;
     }
 }
 
@@ -257,7 +256,7 @@ static void copy_forecast(const wcut_evidence *e, const wcut_forecast *from, wcu
     memcpy(to->speed, from->speed, 2 * (size_t)all_bins(e) * sizeof(double));
 }
 
-static wcut_status forecast_all(const wcut_evidence *e, const wcut_fitted *const *fitted, wcut_proof *p,
+static wcut_status forecast_all(const wcut_evidence *e, const wcut_fitted *const *fitted, wcut_cross_validation *p,
                                 wcut_error *error) {
     const int models = fitted[WCUT_FIT_AFTER] == fitted[WCUT_FIT_RECALIBRATED] ? WCUT_FIT_AFTER : MODELS;
     const int tasks = 2 * models * e->cuts;
@@ -290,10 +289,11 @@ static wcut_status forecast_all(const wcut_evidence *e, const wcut_fitted *const
     return status;
 }
 
-wcut_status wcut_proof_create(const wcut_evidence *e, const wcut_fitted *recalibrated, const wcut_fitted *chosen,
-                              unsigned long long seed, wcut_proof *out, wcut_error *error) {
+wcut_status wcut_cross_validation_create(const wcut_evidence *e, const wcut_fitted *recalibrated,
+                                         const wcut_fitted *chosen, unsigned long long seed, wcut_cross_validation *out,
+                                         wcut_error *error) {
     const wcut_fitted *const fitted[MODELS] = {NULL, recalibrated, chosen};
-    wcut_proof p = {.fit = {{{0}}}};
+    wcut_cross_validation p = {.fit = {{{0}}}};
     bool whole = forecast_create(e, &p.measured);
     int cuts = 0;
     for (int m = 0; m < MODELS; m++)
@@ -313,6 +313,6 @@ wcut_status wcut_proof_create(const wcut_evidence *e, const wcut_fitted *recalib
     if (status == WCUT_OK)
         *out = p;
     else
-        wcut_proof_destroy(&p);
+        wcut_cross_validation_destroy(&p);
     return status;
 }

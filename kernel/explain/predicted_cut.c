@@ -1,5 +1,5 @@
-/* A cut rehearsed: the mounts led over time as the plan and its programme have it, and what would be measured. */
-#include "explain/rehearsal.h"
+/* A cut predicted before it is made: the mounts moved over time as the plan and its programme have it, and what would be measured. */
+#include "explain/predicted_cut.h"
 
 #include <string.h>
 
@@ -32,7 +32,7 @@ static wcut_status plan(const wcut_job *job, planned *p, wcut_error *error) {
     *p = (planned){.job = wcut_job_copy(job)};
     if (!p->job) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a copy of a job");
     p->job->effect_count = 0;
-    if (p->job->nodes > WCUT_REHEARSAL_NODES) p->job->nodes = WCUT_REHEARSAL_NODES;
+    if (p->job->nodes > WCUT_PREDICTED_CUT_NODES) p->job->nodes = WCUT_PREDICTED_CUT_NODES;
     wcut_cut_options o = wcut_cut_options_default();
     o.tolerance = TOLERANCE;
     wcut_status status = wcut_setup_create(p->job, &o, &p->setup, error);
@@ -67,7 +67,7 @@ static bool make_schedule(size_t room, wcut_schedule *s) {
 /* where the mounts are a step later: each segment takes the plan's time, less or more by the dither */
 static double advance(const planned *p, double station, double pace) {
     const int last = p->history->stations - 1;
-    double left = WCUT_REHEARSAL_STEP * pace;
+    double left = WCUT_PREDICTED_CUT_STEP * pace;
     while (station < last) {
         const int j = (int)station;
         const double duration = p->history->row[j + 1].duration, rest = (j + 1 - station) * duration;
@@ -90,12 +90,12 @@ static bool walk(const planned *p, int room, wcut_schedule *s) {
     double station = 0;
     for (s->count = 0; station < last; s->count++) {
         if (s->count == room) return false;
-        const double time = s->count * WCUT_REHEARSAL_STEP;
+        const double time = s->count * WCUT_PREDICTED_CUT_STEP;
         const double pace = engaged_at(p, station) >= WCUT_MOST_OF_WIRE ? dither(p->job, time) : 1;
         station = advance(p, station, pace);
         const wcut_history_row *row = &p->history->row[(int)fmin(station, last - 1) + 1];
         s->station[s->count] = station;
-        s->heat[s->count] = wcut_job_heat_eval(p->job, time + WCUT_REHEARSAL_STEP / 2);
+        s->heat[s->count] = wcut_job_heat_eval(p->job, time + WCUT_PREDICTED_CUT_STEP / 2);
         s->engaged[s->count] = engaged_at(p, station);
         s->speed[s->count] = fmax(row->speed_a, row->speed_b);
         s->held[s->count] = row->condition == WCUT_CONDITION_TENSION;
@@ -110,8 +110,8 @@ wcut_status wcut_schedule_create(const wcut_job *job, wcut_schedule *schedule, w
     wcut_schedule made = {0};
     wcut_status status = plan(job, &p, error);
     if (status == WCUT_OK) {
-        const double most = p.history->row[p.history->stations - 1].time / WCUT_REHEARSAL_STEP / 0.05 + 2;
-        const double usual = p.history->row[p.history->stations - 1].time / WCUT_REHEARSAL_STEP * 2 + 100;
+        const double most = p.history->row[p.history->stations - 1].time / WCUT_PREDICTED_CUT_STEP / 0.05 + 2;
+        const double usual = p.history->row[p.history->stations - 1].time / WCUT_PREDICTED_CUT_STEP * 2 + 100;
         if (!(most < 1e8))
             status = wcut_fail(error, WCUT_DEGENERATE, "the planned run takes %.3g s, expected a day at most",
                                p.history->row[p.history->stations - 1].time);
@@ -131,23 +131,23 @@ wcut_status wcut_schedule_create(const wcut_job *job, wcut_schedule *schedule, w
 
 /* ---- the run ---- */
 
-void wcut_rehearsal_destroy(wcut_rehearsal *r) {
+void wcut_predicted_cut_destroy(wcut_predicted_cut *r) {
     wcut_free(r->present);
     for (int k = 0; k < WCUT_SENSED_COUNT; k++) wcut_free(r->value[k]);
     wcut_free(r->position);
     wcut_free(r->speed);
     wcut_free(r->inside);
-    *r = (wcut_rehearsal){0};
+    *r = (wcut_predicted_cut){0};
 }
 
-static bool make_rehearsal(int count, int nodes, wcut_rehearsal *r) {
+static bool make_predicted_cut(int count, int nodes, wcut_predicted_cut *r) {
     const size_t n = (size_t)count, all = n * (size_t)nodes;
-    *r = (wcut_rehearsal){.count = count,
-                          .nodes = nodes,
-                          .present = wcut_alloc(n, 1),
-                          .position = wcut_alloc(all, sizeof *r->position),
-                          .speed = wcut_alloc(all, sizeof *r->speed),
-                          .inside = wcut_alloc(all, sizeof *r->inside)};
+    *r = (wcut_predicted_cut){.count = count,
+                              .nodes = nodes,
+                              .present = wcut_alloc(n, 1),
+                              .position = wcut_alloc(all, sizeof *r->position),
+                              .speed = wcut_alloc(all, sizeof *r->speed),
+                              .inside = wcut_alloc(all, sizeof *r->inside)};
     bool whole = r->present && r->position && r->speed && r->inside;
     for (int k = 0; k < WCUT_SENSED_COUNT; k++) {
         r->value[k] = wcut_alloc(n, sizeof *r->value[k]);
@@ -156,7 +156,7 @@ static bool make_rehearsal(int count, int nodes, wcut_rehearsal *r) {
     return whole;
 }
 
-static void keep(const wcut_cut *cut, int i, wcut_rehearsal *r) {
+static void keep(const wcut_cut *cut, int i, wcut_predicted_cut *r) {
     wcut_station s;
     wcut_cut_view(cut, &s);
     const double value[WCUT_SENSED_COUNT] = {s.speed_a, s.speed_b, s.tension_a, s.tension_b,
@@ -170,11 +170,11 @@ static void keep(const wcut_cut *cut, int i, wcut_rehearsal *r) {
 }
 
 /* false where it was stopped; a step that the solver does not take is missing, and the next one begins where the wire still is */
-static bool lead(const wcut_job *job, const wcut_schedule *s, wcut_cut *cut, wcut_stop *stop, wcut_rehearsal *r) {
+static bool lead(const wcut_job *job, const wcut_schedule *s, wcut_cut *cut, wcut_stop *stop, wcut_predicted_cut *r) {
     double time = 0;
     for (int i = 0; i < s->count; i++) {
         if (wcut_stop_asked(stop)) return false;
-        time += WCUT_REHEARSAL_STEP;
+        time += WCUT_PREDICTED_CUT_STEP;
         const wcut_vec3 a = wcut_path_at(job->stations, job->mount_a, s->station[i]);
         const wcut_vec3 b = wcut_path_at(job->stations, job->mount_b, s->station[i]);
         if (wcut_cut_drive(cut, a, b, time, s->heat[i], NULL) != WCUT_OK) continue;
@@ -184,28 +184,28 @@ static bool lead(const wcut_job *job, const wcut_schedule *s, wcut_cut *cut, wcu
     return true;
 }
 
-static wcut_status sense(const wcut_job *job, const wcut_rehearsal *r, wcut_error *error) {
+static wcut_status sense(const wcut_job *job, const wcut_predicted_cut *r, wcut_error *error) {
     double *time = wcut_alloc((size_t)r->count, sizeof *time);
     if (!time) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d samples", r->count);
-    for (int i = 0; i < r->count; i++) time[i] = (i + 1) * WCUT_REHEARSAL_STEP;
+    for (int i = 0; i < r->count; i++) time[i] = (i + 1) * WCUT_PREDICTED_CUT_STEP;
     const wcut_status status = wcut_sensors_eval(job->effect_count, job->effect, r->count, time, r->present, r->value);
     wcut_free(time);
     return status == WCUT_OK ? WCUT_OK : wcut_fail(error, status, "instruments: %s", wcut_status_text(status));
 }
 
-wcut_status wcut_rehearsal_run(const wcut_job *job, const wcut_schedule *schedule, wcut_stop *stop,
-                               wcut_rehearsal *rehearsal, wcut_error *error) {
+wcut_status wcut_predicted_cut_run(const wcut_job *job, const wcut_schedule *schedule, wcut_stop *stop,
+                                   wcut_predicted_cut *predicted, wcut_error *error) {
     wcut_job *few = wcut_job_copy(job);
     wcut_setup *setup = NULL;
     wcut_cut *cut = NULL;
-    wcut_rehearsal made = {0};
+    wcut_predicted_cut made = {0};
     if (!few) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a copy of a job");
-    if (few->nodes > WCUT_REHEARSAL_NODES) few->nodes = WCUT_REHEARSAL_NODES;
+    if (few->nodes > WCUT_PREDICTED_CUT_NODES) few->nodes = WCUT_PREDICTED_CUT_NODES;
     wcut_cut_options o = wcut_cut_options_default();
     o.tolerance = TOLERANCE;
     wcut_status status = wcut_setup_create(few, &o, &setup, error);
     if (status == WCUT_OK) status = wcut_cut_create(setup, &cut, error);
-    if (status == WCUT_OK && !make_rehearsal(schedule->count, few->nodes, &made))
+    if (status == WCUT_OK && !make_predicted_cut(schedule->count, few->nodes, &made))
         status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d samples", schedule->count);
     if (status == WCUT_OK && !lead(few, schedule, cut, stop, &made))
         status = wcut_fail(error, WCUT_INTERRUPTED, "interrupted");
@@ -214,8 +214,8 @@ wcut_status wcut_rehearsal_run(const wcut_job *job, const wcut_schedule *schedul
     wcut_setup_destroy(setup);
     wcut_job_destroy(few);
     if (status == WCUT_OK)
-        *rehearsal = made;
+        *predicted = made;
     else
-        wcut_rehearsal_destroy(&made);
+        wcut_predicted_cut_destroy(&made);
     return status;
 }

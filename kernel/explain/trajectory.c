@@ -1,5 +1,5 @@
-/* A trail: where the mounts of a cut were when, and under which heat; and the wire driven along it. */
-#include "explain/trail.h"
+/* A trajectory: where the mounts of a cut were when, and under which heat; and the wire driven along it. */
+#include "explain/trajectory.h"
 
 #include <string.h>
 #include <wirecut/cut.h>
@@ -21,23 +21,23 @@ enum { HALVINGS = 5, GIVE_UP = 12 };
 /* stations that a step must advance: below, the mounts stand and the wire keeps its shape */
 #define STANDING 1e-4
 
-void wcut_trail_destroy(wcut_trail *trail) {
-    wcut_free(trail->time);
-    wcut_free(trail->station);
-    wcut_free(trail->heat);
-    wcut_free(trail->sample);
-    *trail = (wcut_trail){0};
+void wcut_trajectory_destroy(wcut_trajectory *trajectory) {
+    wcut_free(trajectory->time);
+    wcut_free(trajectory->station);
+    wcut_free(trajectory->heat);
+    wcut_free(trajectory->sample);
+    *trajectory = (wcut_trajectory){0};
 }
 
-static bool trail_create(int count, bool sampled, wcut_trail *trail) {
+static bool trajectory_create(int count, bool sampled, wcut_trajectory *trajectory) {
     const size_t n = (size_t)count;
-    *trail = (wcut_trail){.count = count,
-                          .time = wcut_alloc(n, sizeof(double)),
-                          .station = wcut_alloc(n, sizeof(double)),
-                          .heat = wcut_alloc(n, sizeof(double)),
-                          .sample = sampled ? wcut_alloc(n, sizeof(int)) : NULL};
-    if (trail->time && trail->station && trail->heat && (!sampled || trail->sample)) return true;
-    wcut_trail_destroy(trail);
+    *trajectory = (wcut_trajectory){.count = count,
+                                    .time = wcut_alloc(n, sizeof(double)),
+                                    .station = wcut_alloc(n, sizeof(double)),
+                                    .heat = wcut_alloc(n, sizeof(double)),
+                                    .sample = sampled ? wcut_alloc(n, sizeof(int)) : NULL};
+    if (trajectory->time && trajectory->station && trajectory->heat && (!sampled || trajectory->sample)) return true;
+    wcut_trajectory_destroy(trajectory);
     return false;
 }
 
@@ -61,17 +61,17 @@ double wcut_between(int n, const double *x, const double *y, double at) {
 /* programmed speed over the plan's, never backwards: progress is a function of its integral */
 static double programmed_pace(const wcut_job *job, double time) { return fmax(wcut_job_pace_eval(job, time), 0.05); }
 
-wcut_status wcut_trail_recorded(const wcut_job *job, const wcut_recording *recording, double window, wcut_trail *out,
-                                wcut_error *error) {
+wcut_status wcut_trajectory_recorded(const wcut_job *job, const wcut_recording *recording, double window,
+                                     wcut_trajectory *out, wcut_error *error) {
     wcut_track track = {0};
     const wcut_replay_options options = {.motion = WCUT_MOTION_STATION, .window = window};
     const wcut_status status = wcut_track_create(job, recording, &options, &track, error);
     if (status != WCUT_OK) return status;
-    wcut_trail trail = {0};
+    wcut_trajectory trajectory = {0};
     wcut_status made = WCUT_OK;
     if (track.count < 8)
         made = wcut_fail(error, WCUT_BAD_ARGUMENT, "found %d samples with a station, expected 8 or more", track.count);
-    else if (!trail_create(track.count, true, &trail))
+    else if (!trajectory_create(track.count, true, &trajectory))
         made = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a motion of %d samples", track.count);
     if (made == WCUT_OK) {
         const wcut_column *heat = &recording->channel[WCUT_CHANNEL_HEAT];
@@ -83,23 +83,23 @@ wcut_status wcut_trail_recorded(const wcut_job *job, const wcut_recording *recor
                 last = wcut_job_heat_eval(job, track.time[i]);
             else if (there)
                 last = heat->value[sample];
-            trail.time[i] = track.time[i], trail.station[i] = track.station[i], trail.heat[i] = last;
-            trail.sample[i] = sample;
+            trajectory.time[i] = track.time[i], trajectory.station[i] = track.station[i], trajectory.heat[i] = last;
+            trajectory.sample[i] = sample;
         }
-        *out = trail;
+        *out = trajectory;
     }
     wcut_track_destroy(&track);
     return made;
 }
 
-wcut_status wcut_trail_exogenous(const wcut_job *job, const wcut_trail *recorded, double width, double step,
-                                 wcut_trail *out) {
+wcut_status wcut_trajectory_exogenous(const wcut_job *job, const wcut_trajectory *recorded, double width, double step,
+                                      wcut_trajectory *out) {
     const int n = recorded->count;
     const double begun = recorded->time[0], length = recorded->time[n - 1] - begun;
     const int count = (int)fmin(floor(length / step), 1e7) + 1;
     double *programme = wcut_alloc((size_t)n, sizeof *programme), *smooth = wcut_alloc((size_t)n, sizeof *smooth);
-    wcut_trail trail = {0};
-    if (!programme || !smooth || count < 2 || !trail_create(count, false, &trail)) {
+    wcut_trajectory trajectory = {0};
+    if (!programme || !smooth || count < 2 || !trajectory_create(count, false, &trajectory)) {
         wcut_free(programme);
         wcut_free(smooth);
         return count < 2 ? WCUT_BAD_ARGUMENT : WCUT_NO_MEMORY;
@@ -112,64 +112,64 @@ wcut_status wcut_trail_exogenous(const wcut_job *job, const wcut_trail *recorded
     double furthest = 0;
     for (int i = 0; i < n; i++) furthest = smooth[i] = clamp(smooth[i], furthest, job->stations - 1);
     for (int i = 0; i < count; i++) {
-        trail.time[i] = begun + i * step;
-        trail.station[i] = wcut_between(n, recorded->time, smooth, trail.time[i]);
-        trail.heat[i] = wcut_between(n, recorded->time, recorded->heat, trail.time[i]);
+        trajectory.time[i] = begun + i * step;
+        trajectory.station[i] = wcut_between(n, recorded->time, smooth, trajectory.time[i]);
+        trajectory.heat[i] = wcut_between(n, recorded->time, recorded->heat, trajectory.time[i]);
     }
     wcut_free(programme);
     wcut_free(smooth);
-    *out = trail;
+    *out = trajectory;
     return WCUT_OK;
 }
 
-wcut_status wcut_trail_thin(const wcut_trail *recorded, double step, wcut_trail *out) {
+wcut_status wcut_trajectory_thin(const wcut_trajectory *recorded, double step, wcut_trajectory *out) {
     const int n = recorded->count;
     const int count = (int)fmin(floor((recorded->time[n - 1] - recorded->time[0]) / step), 1e7) + 1;
-    wcut_trail trail = {0};
+    wcut_trajectory trajectory = {0};
     if (count < 2) return WCUT_BAD_ARGUMENT;
-    if (!trail_create(count, false, &trail)) return WCUT_NO_MEMORY;
+    if (!trajectory_create(count, false, &trajectory)) return WCUT_NO_MEMORY;
     for (int i = 0; i < count; i++) {
-        trail.time[i] = recorded->time[0] + i * step;
-        trail.station[i] = wcut_between(n, recorded->time, recorded->station, trail.time[i]);
-        trail.heat[i] = wcut_between(n, recorded->time, recorded->heat, trail.time[i]);
+        trajectory.time[i] = recorded->time[0] + i * step;
+        trajectory.station[i] = wcut_between(n, recorded->time, recorded->station, trajectory.time[i]);
+        trajectory.heat[i] = wcut_between(n, recorded->time, recorded->heat, trajectory.time[i]);
     }
-    *out = trail;
+    *out = trajectory;
     return WCUT_OK;
 }
 
 /* ---- driving ---- */
 
-void wcut_driven_destroy(wcut_driven *driven) {
-    for (int k = 0; k < WCUT_TRAIL_SIGNALS; k++) wcut_free(driven->signal[k]);
+void wcut_response_destroy(wcut_response *driven) {
+    for (int k = 0; k < WCUT_SIGNALS; k++) wcut_free(driven->signal[k]);
     wcut_free(driven->engaged);
     wcut_free(driven->present);
     wcut_free(driven->position);
     wcut_free(driven->speed);
-    *driven = (wcut_driven){0};
+    *driven = (wcut_response){0};
 }
 
-static bool driven_create(int count, int nodes, bool positions, wcut_driven *d) {
+static bool response_create(int count, int nodes, bool positions, wcut_response *d) {
     const size_t n = (size_t)count, all = n * (size_t)nodes;
-    *d = (wcut_driven){.count = count, .nodes = nodes};
+    *d = (wcut_response){.count = count, .nodes = nodes};
     bool whole = true;
-    for (int k = 0; k < WCUT_TRAIL_SIGNALS; k++) whole = (d->signal[k] = wcut_alloc(n, sizeof(double))) && whole;
+    for (int k = 0; k < WCUT_SIGNALS; k++) whole = (d->signal[k] = wcut_alloc(n, sizeof(double))) && whole;
     d->engaged = wcut_alloc(n, sizeof(double));
     d->present = wcut_alloc(n, 1);
     if (positions) d->position = wcut_alloc(all, sizeof *d->position), d->speed = wcut_alloc(all, sizeof *d->speed);
     if (whole && d->engaged && d->present && (!positions || (d->position && d->speed))) return true;
-    wcut_driven_destroy(d);
+    wcut_response_destroy(d);
     return false;
 }
 
 typedef struct driver {
     const wcut_job *job;
-    const wcut_trail *trail;
+    const wcut_trajectory *trajectory;
     wcut_cut *cut;
     double time, station;
 } driver;
 
 static bool advance(driver *d, int i) {
-    const wcut_trail *t = d->trail;
+    const wcut_trajectory *t = d->trajectory;
     const double wait = t->sample ? (t->time[i] - d->time) / LONGEST : 1; /* an exogenous one is for differences */
     const int steps = (int)clamp(ceil(fmax(wait, t->station[i] - d->station)), 1, 1e6);
     const double from = d->station, begun = d->time, duration = (t->time[i] - begun) / steps;
@@ -183,11 +183,11 @@ static bool advance(driver *d, int i) {
     return true;
 }
 
-static void keep(const driver *d, int i, wcut_driven *out) {
+static void keep(const driver *d, int i, wcut_response *out) {
     wcut_station s;
     wcut_cut_view(d->cut, &s);
-    const double value[WCUT_TRAIL_SIGNALS] = {s.tension_a, s.tension_b, s.alpha_a, s.beta_a, s.alpha_b, s.beta_b};
-    for (int k = 0; k < WCUT_TRAIL_SIGNALS; k++) out->signal[k][i] = value[k];
+    const double value[WCUT_SIGNALS] = {s.tension_a, s.tension_b, s.alpha_a, s.beta_a, s.alpha_b, s.beta_b};
+    for (int k = 0; k < WCUT_SIGNALS; k++) out->signal[k][i] = value[k];
     out->engaged[i] = s.engaged_length;
     out->present[i] = 1;
     if (!out->position) return;
@@ -197,7 +197,7 @@ static void keep(const driver *d, int i, wcut_driven *out) {
 
 /* the wire leaves station 0 so early that it reaches the first sample at the pace of the first second */
 static void begin(driver *d) {
-    const wcut_trail *t = d->trail;
+    const wcut_trajectory *t = d->trajectory;
     int i = 1;
     while (i < t->count - 1 && t->time[i] - t->time[0] < 1) i++;
     const double pace = (t->station[i] - t->station[0]) / (t->time[i] - t->time[0]);
@@ -206,36 +206,36 @@ static void begin(driver *d) {
 }
 
 /* false where it was stopped */
-static bool drive(driver *d, wcut_stop *stop, wcut_driven *out) {
+static bool drive(driver *d, wcut_stop *stop, wcut_response *out) {
     begin(d);
-    for (int i = 0, failed = 0; i < d->trail->count && failed < GIVE_UP; i++) {
+    for (int i = 0, failed = 0; i < d->trajectory->count && failed < GIVE_UP; i++) {
         if (wcut_stop_asked(stop)) return false;
-        const bool there = d->trail->station[i] - d->station < STANDING ? i > 0 : advance(d, i);
+        const bool there = d->trajectory->station[i] - d->station < STANDING ? i > 0 : advance(d, i);
         if (there) keep(d, i, out);
         failed = there ? 0 : failed + 1;
     }
     return true;
 }
 
-wcut_status wcut_trail_drive(const wcut_job *job, int nodes, const wcut_trail *trail, bool positions, wcut_stop *stop,
-                             wcut_driven *out, wcut_error *error) {
+wcut_status wcut_response_run(const wcut_job *job, int nodes, const wcut_trajectory *trajectory, bool positions,
+                              wcut_stop *stop, wcut_response *out, wcut_error *error) {
     wcut_job coarse = *job; /* borrowed arrays: the setup copies them */
     coarse.nodes = nodes;
     wcut_cut_options options = wcut_cut_options_default();
     options.tolerance = TOLERANCE;
     options.max_halvings = HALVINGS;
     wcut_setup *setup = NULL;
-    driver d = {.job = job, .trail = trail};
-    wcut_driven driven = {0};
+    driver d = {.job = job, .trajectory = trajectory};
+    wcut_response driven = {0};
     wcut_status status = wcut_setup_create(&coarse, &options, &setup, error);
     if (status == WCUT_OK) status = wcut_cut_create(setup, &d.cut, error);
-    if (status == WCUT_OK && !driven_create(trail->count, nodes, positions, &driven))
-        status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d samples", trail->count);
+    if (status == WCUT_OK && !response_create(trajectory->count, nodes, positions, &driven))
+        status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d samples", trajectory->count);
     if (status == WCUT_OK && !drive(&d, stop, &driven)) status = wcut_fail(error, WCUT_INTERRUPTED, "interrupted");
     if (status == WCUT_OK)
         *out = driven;
     else
-        wcut_driven_destroy(&driven);
+        wcut_response_destroy(&driven);
     wcut_cut_destroy(d.cut);
     wcut_setup_destroy(setup);
     return status;

@@ -1,5 +1,5 @@
 /* What a diagnosis says in words: the verdict for an operator, and what could not be told. */
-#include "explain/words.h"
+#include "explain/verdict_text.h"
 
 #include <math.h>
 #include <stdarg.h>

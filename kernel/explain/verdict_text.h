@@ -1,6 +1,6 @@
 /* What a diagnosis says in words: the verdict for an operator, and what could not be told. */
-#ifndef WCUT_EXPLAIN_WORDS_H
-#define WCUT_EXPLAIN_WORDS_H
+#ifndef WCUT_EXPLAIN_VERDICT_TEXT_H
+#define WCUT_EXPLAIN_VERDICT_TEXT_H
 
 #include <stdbool.h>
 #include <wirecut/diagnosis.h>

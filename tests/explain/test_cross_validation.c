@@ -1,5 +1,5 @@
 /* The forward proof: figures as a score's, cuts predicted from the others, better where the model is right. */
-#include "explain/proof.h"
+#include "explain/cross_validation.h"
 
 #include "cut/score.h"
 #include "explain/synthetic.h"
@@ -28,17 +28,17 @@ static void forget(void) {
     synthetic_destroy(&given);
 }
 
-static wcut_proof prove(const wcut_fitted *recalibrated, const wcut_fitted *chosen) {
-    wcut_proof p = {.fit = {{{999}}}};
+static wcut_cross_validation prove(const wcut_fitted *recalibrated, const wcut_fitted *chosen) {
+    wcut_cross_validation p = {.fit = {{{999}}}};
     wcut_error error = {0};
-    const wcut_status status = wcut_proof_create(evidence, recalibrated, chosen, 1, &p, &error);
+    const wcut_status status = wcut_cross_validation_create(evidence, recalibrated, chosen, 1, &p, &error);
     ck_assert_msg(status == WCUT_OK, "%s", error.text);
     return p;
 }
 
 START_TEST(a_true_effect_predicts_left_out_cuts_better_than_any_law) {
     given_a_lag(SYNTHETIC_CUTS, false, 2);
-    wcut_proof p = prove(&none, &lag);
+    wcut_cross_validation p = prove(&none, &lag);
     const int tension = WCUT_EVIDENCE_TENSION, alpha = WCUT_EVIDENCE_ALPHA;
     const wcut_fit *before = p.held_out_fit[WCUT_FIT_BEFORE], *again = p.held_out_fit[WCUT_FIT_RECALIBRATED];
     const wcut_fit *after = p.held_out_fit[WCUT_FIT_AFTER];
@@ -67,24 +67,24 @@ START_TEST(a_true_effect_predicts_left_out_cuts_better_than_any_law) {
         /* what nothing was fitted to is the same, held out or not */
         ck_assert_double_eq(p.fit[WCUT_FIT_BEFORE][k].rmsd, p.held_out_fit[WCUT_FIT_BEFORE][k].rmsd);
     }
-    wcut_proof_destroy(&p);
+    wcut_cross_validation_destroy(&p);
     forget();
 }
 END_TEST
 
 START_TEST(one_model_proved_against_itself_gives_equal_figures_for_any_number_of_threads) {
     given_a_lag(2, false, 1);
-    wcut_proof one = prove(&none, &none);
+    wcut_cross_validation one = prove(&none, &none);
     ck_assert_int_eq(
         memcmp(one.held_out_fit[WCUT_FIT_AFTER], one.held_out_fit[WCUT_FIT_RECALIBRATED], sizeof one.held_out_fit[0]),
         0);
     evidence->threads = 3;
-    wcut_proof three = prove(&none, &none);
+    wcut_cross_validation three = prove(&none, &none);
     ck_assert_int_eq(memcmp(one.fit, three.fit, sizeof one.fit), 0);
     ck_assert_int_eq(memcmp(one.held_out_fit, three.held_out_fit, sizeof one.held_out_fit), 0);
     ck_assert_int_eq(memcmp(one.held_out[1].row, three.held_out[1].row, (size_t)evidence->rows * sizeof(double)), 0);
-    wcut_proof_destroy(&one);
-    wcut_proof_destroy(&three);
+    wcut_cross_validation_destroy(&one);
+    wcut_cross_validation_destroy(&three);
     forget();
 }
 END_TEST
@@ -98,7 +98,7 @@ static void aim(double part) {
 START_TEST(one_cut_is_planned_but_nothing_can_be_held_out) {
     given_a_lag(1, true, 1);
     aim(1);
-    wcut_proof p = prove(&none, &lag);
+    wcut_cross_validation p = prove(&none, &lag);
     for (int m = 0; m < WCUT_FIT_MODELS; m++)
         for (int k = 0; k < WCUT_EVIDENCE_COUNT; k++) ck_assert_int_eq(p.held_out_fit[m][k].count, 0);
     ck_assert_double_gt(p.fit[WCUT_FIT_BEFORE][WCUT_EVIDENCE_SPEED].count, 0.9 * evidence->cut[0].bins);
@@ -106,7 +106,7 @@ START_TEST(one_cut_is_planned_but_nothing_can_be_held_out) {
     /* the measured speed of the forecast is that of the recording */
     const double pace = 3.4 * 500 / 120;
     ck_assert_double_eq_tol(p.measured.speed[3], pace, 0.02);
-    wcut_proof_destroy(&p);
+    wcut_cross_validation_destroy(&p);
     forget();
 }
 END_TEST
@@ -114,11 +114,11 @@ END_TEST
 START_TEST(a_speed_at_another_tension_than_the_target_is_no_judge_of_a_plan) {
     given_a_lag(1, true, 1);
     aim(1.25);
-    wcut_proof p = prove(&none, &none);
+    wcut_cross_validation p = prove(&none, &none);
     ck_assert_int_eq(p.fit[WCUT_FIT_BEFORE][WCUT_EVIDENCE_SPEED].count, 0);
     ck_assert_int_gt(p.fit[WCUT_FIT_BEFORE][WCUT_EVIDENCE_TENSION].count, 0);
     for (int i = 0; i < 2 * evidence->cut[0].bins; i++) ck_assert(isnan(p.measured.speed[i]));
-    wcut_proof_destroy(&p);
+    wcut_cross_validation_destroy(&p);
     forget();
 }
 END_TEST
@@ -172,10 +172,10 @@ END_TEST
 START_TEST(without_memory_nothing_is_written) {
     given_a_lag(1, true, 1);
     for (long k = 1; k <= 15; k += 2) {
-        wcut_proof p = {.fit = {{{.count = 999}}}};
+        wcut_cross_validation p = {.fit = {{{.count = 999}}}};
         wcut_error error = {0};
         wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_proof_create(evidence, &none, &lag, 1, &p, &error);
+        const wcut_status status = wcut_cross_validation_create(evidence, &none, &lag, 1, &p, &error);
         wcut_alloc_fail_at(0);
         ck_assert_msg(status == WCUT_NO_MEMORY, "allocation %ld: %d %s", k, status, error.text);
         ck_assert_int_eq(p.fit[0][0].count, 999);
