@@ -73,14 +73,14 @@ static const char *read_dof(const char *at, wcut_registration_options *options) 
     while (k < WCUT_DOF_COUNT && strncmp(at, name[k], 2) != 0) k++;
     if (k == WCUT_DOF_COUNT) return NULL;
     wcut_dof *dof = &options->dof[k];
-    dof->kind = WCUT_DOF_FREE;
+    dof->kind = WCUT_DOF_KIND_FREE;
     at += 2;
     if (*at != ':') return at;
     at++;
     if (strncmp(at, "free", 4) == 0) return at + 4;
     at = read_number(at, &dof->sigma);
     if (!at) return NULL;
-    dof->kind = WCUT_DOF_PRIOR;
+    dof->kind = WCUT_DOF_KIND_PRIOR;
     if (k < 3) return strncmp(at, "mm", 2) == 0 ? at + 2 : at;
     if (strncmp(at, "rad", 3) == 0) return at + 3;
     dof->sigma /= DEG_PER_RAD;
@@ -89,7 +89,7 @@ static const char *read_dof(const char *at, wcut_registration_options *options) 
 
 /* those that are not named stay where they are */
 static int read_dofs(const char *text, wcut_registration_options *options) {
-    for (int k = 0; k < WCUT_DOF_COUNT; k++) options->dof[k].kind = WCUT_DOF_LOCKED;
+    for (int k = 0; k < WCUT_DOF_COUNT; k++) options->dof[k].kind = WCUT_DOF_KIND_LOCKED;
     for (const char *at = text;; at++) {
         at = read_dof(at, options);
         if (!at || (*at && *at != ',')) return refuse_dof(text);
@@ -116,12 +116,12 @@ static int read_registration(const app_call *call, app_compare_options *o) {
     o->method = (wcut_registration_method)app_choice(call, "register");
     o->registration = wcut_registration_options_default();
     o->datum_path = app_text(call, "datum");
-    const bool by_datum = o->method == WCUT_REGISTRATION_DATUM;
+    const bool by_datum = o->method == WCUT_REGISTRATION_METHOD_DATUM;
     if (by_datum != (o->datum_path != NULL))
         return app_fail(APP_USAGE, "%s: expected --register datum and --datum FILE together",
                         by_datum ? "--register datum" : "--datum");
     if (!app_given(call, "dof")) return APP_DONE;
-    if (o->method == WCUT_REGISTRATION_NONE)
+    if (o->method == WCUT_REGISTRATION_METHOD_NONE)
         return app_fail(APP_USAGE, "--dof: expected --register datum or fit with it");
     return read_dofs(app_text(call, "dof"), &o->registration);
 }
@@ -234,8 +234,8 @@ static void say_answer(const app_comparison *c, const app_results *results) {
     app_say("%s: %d points compared, %d outside, %d ambiguous", c->options.scan[0], f->found->statistics.count,
             f->found->place[WCUT_PLACE_BEYOND], f->found->place[WCUT_PLACE_AMBIGUOUS]);
     say_figures("as scanned", f->unmoved);
-    if (c->registration.method != WCUT_REGISTRATION_NONE) {
-        say_figures(c->registration.method == WCUT_REGISTRATION_FIT ? "best fit" : "by datums", f->found);
+    if (c->registration.method != WCUT_REGISTRATION_METHOD_NONE) {
+        say_figures(c->registration.method == WCUT_REGISTRATION_METHOD_FIT ? "best fit" : "by datums", f->found);
         say_registration(&c->registration);
     }
     if (f->has_kerf)

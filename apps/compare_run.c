@@ -26,7 +26,7 @@ static int check_span(const app_comparison *c) {
     if (status != WCUT_OK) return fail(status, c->options.scan[0], NULL);
     if (span == 2) return APP_DONE;
     return app_fail(APP_BAD_INPUT, "%s: found %d points %s, expected a scan of a face", c->options.scan[0],
-                    c->scans.held ? c->scans.count : c->scans.removed[WCUT_KEPT], where[span]);
+                    c->scans.held ? c->scans.count : c->scans.removed[WCUT_REMOVAL_KEPT], where[span]);
 }
 
 static void warn_of_unit(const app_comparison *c) {
@@ -51,13 +51,13 @@ static int glance(const app_comparison *c, wcut_vec3 *point) {
 
 /* [mm] the distance of neighbouring points, if they cover the face evenly */
 static double spacing_of(const app_comparison *c) {
-    const int count = c->scans.held ? c->scans.count : c->scans.removed[WCUT_KEPT];
+    const int count = c->scans.held ? c->scans.count : c->scans.removed[WCUT_REMOVAL_KEPT];
     return sqrt(c->reference.plan / fmax(count, 1));
 }
 
 /* worth its while for many points only */
 static int hasten(app_comparison *c) {
-    if (!c->reference.projection || c->scans.removed[WCUT_KEPT] < MANY) return APP_DONE;
+    if (!c->reference.projection || c->scans.removed[WCUT_REMOVAL_KEPT] < MANY) return APP_DONE;
     const wcut_status status = wcut_projection_hasten(c->reference.projection);
     return status == WCUT_OK ? APP_DONE : fail(status, "compare", NULL);
 }
@@ -89,8 +89,8 @@ static int register_fit(app_comparison *c) {
 
 static int register_scan(app_comparison *c) {
     c->registration = wcut_registration_none();
-    if (c->options.method == WCUT_REGISTRATION_DATUM) return register_datum(c);
-    return c->options.method == WCUT_REGISTRATION_FIT ? register_fit(c) : APP_DONE;
+    if (c->options.method == WCUT_REGISTRATION_METHOD_DATUM) return register_datum(c);
+    return c->options.method == WCUT_REGISTRATION_METHOD_FIT ? register_fit(c) : APP_DONE;
 }
 
 /* ---- what comes before the points ---- */
@@ -167,7 +167,7 @@ static int find_normals(app_comparison *c) {
     if (c->options.normals == 0) return APP_DONE;
     if (!c->scans.held)
         return app_fail(APP_USAGE, "--normals: found %d points, expected --hold of at least as many",
-                        c->scans.removed[WCUT_KEPT]);
+                        c->scans.removed[WCUT_REMOVAL_KEPT]);
     c->normal = calloc(count, sizeof *c->normal);
     wcut_vec3 *moved = calloc(count, sizeof *moved);
     wcut_status status = c->normal && moved ? WCUT_OK : WCUT_NO_MEMORY;
@@ -189,7 +189,7 @@ static int prepare(app_comparison *c, app_results *results) {
     const double spacing = spacing_of(c);
     c->support = c->options.support > 0 ? c->options.support : fmax(1.5, 2.5 * spacing);
     if (status == WCUT_OK) status = begin_survey(c, FOUND);
-    if (status == WCUT_OK && c->options.method != WCUT_REGISTRATION_NONE) status = begin_survey(c, UNMOVED);
+    if (status == WCUT_OK && c->options.method != WCUT_REGISTRATION_METHOD_NONE) status = begin_survey(c, UNMOVED);
     if (status == WCUT_OK) status = make_map(c);
     const size_t count = (size_t)c->scans.count;
     c->deviation = calloc(count, sizeof *c->deviation);
@@ -268,7 +268,7 @@ static int take_sample(void *context, int first, int count, const wcut_vec3 *poi
 }
 
 static int measure(app_comparison *c) {
-    pass p = {.c = c, .total = c->scans.held ? c->scans.count : c->scans.removed[WCUT_KEPT]};
+    pass p = {.c = c, .total = c->scans.held ? c->scans.count : c->scans.removed[WCUT_REMOVAL_KEPT]};
     p.moved = calloc(APP_SCAN_PIECE, sizeof *p.moved);
     p.found = calloc(APP_SCAN_PIECE, sizeof *p.found);
     int code = p.moved && p.found ? APP_DONE : fail(WCUT_NO_MEMORY, "compare", NULL);
@@ -339,7 +339,8 @@ static int reconstruct(app_comparison *c) {
     wcut_error error = {0};
     if (c->options.reconstruct == 0) return APP_DONE;
     wcut_reconstruction_options options = wcut_reconstruction_options_default();
-    options.method = c->options.reconstruct == 2 ? WCUT_RECONSTRUCTION_POISSON : WCUT_RECONSTRUCTION_FIELD;
+    options.method =
+        c->options.reconstruct == 2 ? WCUT_RECONSTRUCTION_METHOD_POISSON : WCUT_RECONSTRUCTION_METHOD_FIELD;
     /* of a scan that was streamed there is a sample only, whose points are that far apart */
     options.support = fmax(c->support, 2.5 * c->scans.spacing);
     if (c->reference.is_job)

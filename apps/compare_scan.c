@@ -176,8 +176,8 @@ static int read_all(growth *g) {
     double read = 0;
     for (int k = 0; k < s->files; k++) read += s->scan[k].read;
     if (read > 2147483647.0) return app_fail(APP_BAD_INPUT, "found %.0f points, expected at most 2147483647", read);
-    s->removed[WCUT_KEPT] = s->held ? s->count : (int)read;
-    if (g->thin_all) s->removed[WCUT_THINNED] = (int)read - s->count;
+    s->removed[WCUT_REMOVAL_KEPT] = s->held ? s->count : (int)read;
+    if (g->thin_all) s->removed[WCUT_REMOVAL_THINNED] = (int)read - s->count;
     return s->options.cleaned && !g->thin_all ? clean(s) : APP_DONE;
 }
 

@@ -21,7 +21,7 @@ typedef struct app_scans {
     const char **path;
     wcut_compared_scan *scan;        /* files */
     char (*hash)[WCUT_SHA256_TEXT];  /* files */
-    int removed[WCUT_REMOVAL_COUNT]; /* removed[WCUT_KEPT] are compared */
+    int removed[WCUT_REMOVAL_COUNT]; /* removed[WCUT_REMOVAL_KEPT] are compared */
     wcut_vec3 low, high;             /* [mm] of what was read */
     bool held;                       /* point is all that is compared; else an even sample of it */
     int count;

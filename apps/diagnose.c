@@ -251,10 +251,10 @@ static void print_fits(const wcut_diagnosis *d) {
     for (int i = 0; d->held_out && i < d->cuts; i++) held = held || d->held_out[i];
     printf("RMSE over range, %-14s %12s %12s %12s\n", held ? "held-out cuts" : "all cuts", "before", "recalibrated",
            "after");
-    for (int c = 0; c < WCUT_EVIDENCE_COUNT; c++) {
-        if (d->fit[WCUT_FIT_BEFORE][c].count < 1) continue;
+    for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) {
+        if (d->fit[WCUT_FIT_MODEL_BEFORE][c].count < 1) continue;
         printf("  %-29s", wcut_evidence_name((wcut_evidence_channel)c));
-        for (int m = WCUT_FIT_BEFORE; m <= WCUT_FIT_AFTER; m++)
+        for (int m = WCUT_FIT_MODEL_BEFORE; m <= WCUT_FIT_MODEL_AFTER; m++)
             print_figure(held ? &d->held_out_fit[m][c] : &d->fit[m][c]);
         printf("\n");
     }

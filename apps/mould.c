@@ -193,7 +193,7 @@ static int write_cut(moulding *m) {
     for (int upper = 0; upper < 2; upper++) {
         const wcut_brep *brep = upper ? m->mould->upper.brep : m->mould->lower.brep;
         for (int f = 0; f < brep->face_count; f++)
-            if (brep->face[f].part == WCUT_PART_CUT) shape[upper].surface = brep->face[f].surface;
+            if (brep->face[f].part == WCUT_BREP_PART_CUT) shape[upper].surface = brep->face[f].surface;
     }
     const wcut_status status =
         wcut_iges_write(m->mould->kerf ? 2 : 1, shape, app_results_path(&m->results, m->name[CUT]), &error);

@@ -81,7 +81,7 @@ static int make_motion(export_ *e) {
     choose(e->call, "lead-in", 1, &o.lead_in);
     choose(e->call, "lead-out", 1, &o.lead_out);
     choose(e->call, "zone", 1, &o.zone);
-    o.frame = app_choice(e->call, "tool-frame") == 1 ? WCUT_TOOL_FOLLOWING : WCUT_TOOL_FIXED;
+    o.frame = app_choice(e->call, "tool-frame") == 1 ? WCUT_TOOL_FRAME_FOLLOWING : WCUT_TOOL_FRAME_FIXED;
     wcut_status status = wcut_robot_motion_create(e->history, e->mount_a, e->mount_b, &o, &e->motion, &error);
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, e->path, &error);
 }

@@ -78,19 +78,19 @@ void app_describe_scatter(const app_calibrated *of, const wcut_law_fit *fit, cha
 }
 
 void app_describe_lack(const wcut_law_fit *fit, char sentence[APP_SENTENCE]) {
-    if (fit->lack == WCUT_LACK_UNTESTED)
+    if (fit->lack == WCUT_LACK_OF_FIT_UNTESTED)
         snprintf(sentence, APP_SENTENCE, "too few cuts, or none off the law, to test whether it fits");
     else
         snprintf(sentence, APP_SENTENCE, "%s, tested against %s: F(%d, %d) = %.2f, p = %.2g",
                  fit->lack_p < 0.05 ? "the law does not fit" : "no lack of fit is seen",
-                 fit->lack == WCUT_LACK_REPLICATE ? "the scatter of repeated cuts"
-                                                  : "a curvature in Q_eff and a power of the speed",
+                 fit->lack == WCUT_LACK_OF_FIT_REPLICATE ? "the scatter of repeated cuts"
+                                                         : "a curvature in Q_eff and a power of the speed",
                  fit->lack_degrees[0], fit->lack_degrees[1], fit->lack_f, fit->lack_p);
 }
 
 static wcut_report_tone judge(const app_calibrated *of, char *verdict, size_t size) {
     const wcut_law_fit *f = &of->fit->force;
-    const bool tested = f->lack != WCUT_LACK_UNTESTED, fits = !tested || f->lack_p >= 0.05;
+    const bool tested = f->lack != WCUT_LACK_OF_FIT_UNTESTED, fits = !tested || f->lack_p >= 0.05;
     int n = snprintf(verdict, size,
                      "%d cuts give the force law a = %.4g " A_UNIT " (%g %% interval %.4g to %.4g), b = %.4g " B_UNIT
                      " (%.4g to %.4g); a and b %s",
@@ -104,15 +104,16 @@ static wcut_report_tone judge(const app_calibrated *of, char *verdict, size_t si
         snprintf(rest, size,
                  fits ? ", and no lack of fit is seen (p = %.2g)." : ", but the law does not fit (p = %.2g).",
                  f->lack_p);
-    return !fits || !of->fit->told_apart || of->warnings > 0 ? WCUT_TONE_WARNING
-           : tested                                          ? WCUT_TONE_GOOD
-                                                             : WCUT_TONE_PLAIN;
+    return !fits || !of->fit->told_apart || of->warnings > 0 ? WCUT_REPORT_TONE_WARNING
+           : tested                                          ? WCUT_REPORT_TONE_GOOD
+                                                             : WCUT_REPORT_TONE_PLAIN;
 }
 
 /* ---- charts ---- */
 
 static wcut_report_series points(const char *label, int count, const double *x, const double *y) {
-    return (wcut_report_series){.label = label, .mark = WCUT_MARK_POINTS, .count = count, .x = {x, NULL}, .y = y};
+    return (wcut_report_series){
+        .label = label, .mark = WCUT_REPORT_MARK_POINTS, .count = count, .x = {x, NULL}, .y = y};
 }
 
 /* the values of the cuts that have something unusual, NaN elsewhere; NULL where none has */
@@ -170,7 +171,7 @@ static wcut_report_chart curve_chart(page *p, const law *l, const double *measur
 /* a level line as long as the cuts spread, where the residuals should lie */
 static wcut_report_series zero(page *p, const double *x) {
     double *end = take_numbers(p, 2), *level = take_numbers(p, 2);
-    wcut_report_series line = {.label = "the law", .mark = WCUT_MARK_DASHED, .count = 2, .x = {end}, .y = level};
+    wcut_report_series line = {.label = "the law", .mark = WCUT_REPORT_MARK_DASHED, .count = 2, .x = {end}, .y = level};
     if (p->failed) return line;
     end[0] = end[1] = x[0];
     for (int i = 1; i < p->of->cuts; i++) {
@@ -213,9 +214,9 @@ static const char *remark(page *p, int i, const wcut_fit_point *at) {
     const wcut_test_cut *cut = &p->of->cut[i];
     const double most = p->of->options->alpha_large;
     const bool large = fabs(cut->alpha_a) > most || fabs(cut->alpha_b) > most;
-    const char *const word[] = {at->unusual & WCUT_FIT_OUTLIER ? "outlier" : NULL,
-                                at->unusual & WCUT_FIT_LEVERAGE ? "alone at its Q_eff" : NULL,
-                                at->unusual & WCUT_FIT_INFLUENTIAL ? "moves the law" : NULL,
+    const char *const word[] = {at->unusual & WCUT_UNUSUAL_OUTLIER ? "outlier" : NULL,
+                                at->unusual & WCUT_UNUSUAL_LEVERAGE ? "alone at its Q_eff" : NULL,
+                                at->unusual & WCUT_UNUSUAL_INFLUENTIAL ? "moves the law" : NULL,
                                 at->loss_weight < 0.1 ? "hardly counts" : NULL, large ? "large angle" : NULL};
     enum { ROOM = 80 };
     char *text = take(p, ROOM, 1);

@@ -93,7 +93,7 @@ static void fill_figures(page *p) {
 
 static wcut_report_table figure_table(page *p) {
     static const char *const method[] = {"as scanned", "by datums", "best fit"};
-    const bool moved = p->c->registration.method != WCUT_REGISTRATION_NONE;
+    const bool moved = p->c->registration.method != WCUT_REGISTRATION_METHOD_NONE;
     p->figure_column[0] = (wcut_report_column){.label = "figure", .text = p->figure_name};
     p->figure_column[1] = (wcut_report_column){.label = "unit", .text = p->figure_unit};
     p->figure_column[2] = (wcut_report_column){.label = method[p->c->registration.method], .number = p->figure[0]};
@@ -210,7 +210,7 @@ static void judge(page *p) {
     const wcut_statistics *s = &f->found->statistics;
     char *to = p->verdict;
     size_t room = sizeof p->verdict;
-    p->tone = f->tolerance == 0 ? WCUT_TONE_PLAIN : f->within ? WCUT_TONE_GOOD : WCUT_TONE_BAD;
+    p->tone = f->tolerance == 0 ? WCUT_REPORT_TONE_PLAIN : f->within ? WCUT_REPORT_TONE_GOOD : WCUT_REPORT_TONE_BAD;
     int n = 0;
     for (int k = 0; k < s->bands && f->tolerance > 0; k++)
         if (s->band[k] == f->tolerance)
@@ -357,10 +357,10 @@ static wcut_status write_scene(page *p, const char *path, wcut_error *error) {
     const wcut_face *f = c->reference.face;
     const double tolerance = tolerance_of(c);
     const wcut_report_field of_face[] = {
-        {"deviation", "mm", WCUT_SCALE_DIVERGING, tolerance, p->value},
-        {"force across the wire", "N/mm", WCUT_SCALE_SEQUENTIAL, 0, f ? f->force : NULL},
-        {"largest curvature", "1/mm", WCUT_SCALE_DIVERGING, 1e-6, f ? f->curvature : NULL}};
-    const wcut_report_field of_scan = {"deviation", "mm", WCUT_SCALE_DIVERGING, tolerance, c->deviation};
+        {"deviation", "mm", WCUT_REPORT_SCALE_DIVERGING, tolerance, p->value},
+        {"force across the wire", "N/mm", WCUT_REPORT_SCALE_SEQUENTIAL, 0, f ? f->force : NULL},
+        {"largest curvature", "1/mm", WCUT_REPORT_SCALE_DIVERGING, 1e-6, f ? f->curvature : NULL}};
+    const wcut_report_field of_scan = {"deviation", "mm", WCUT_REPORT_SCALE_DIVERGING, tolerance, c->deviation};
     wcut_report_shape shape[3];
     int shapes = 0;
     shape[shapes++] = (wcut_report_shape){.name = "simulated face",
@@ -376,7 +376,7 @@ static wcut_status write_scene(page *p, const char *path, wcut_error *error) {
                                           .field = of_face};
     shape[shapes++] = (wcut_report_shape){
         .name = "scan", .vertex_count = c->scans.count, .vertex = c->scans.point, .field_count = 1, .field = &of_scan};
-    wcut_report_field of_mesh = {"deviation", "mm", WCUT_SCALE_DIVERGING, tolerance, NULL};
+    wcut_report_field of_mesh = {"deviation", "mm", WCUT_REPORT_SCALE_DIVERGING, tolerance, NULL};
     if (c->reconstruction) {
         const wcut_mesh *mesh = c->reconstruction->mesh;
         of_mesh.value = mesh->scalar;

@@ -30,18 +30,18 @@ static wcut_report_tone judge(page *p) {
     if (!with->complete) {
         snprintf(p->verdict, sizeof p->verdict, "With feedback the cut ends at %.1f s: %s; %s.", with->duration,
                  wcut_control_state_text(with->ended), without);
-        return WCUT_TONE_BAD;
+        return WCUT_REPORT_TONE_BAD;
     }
     if (!with->has_steady) {
         snprintf(p->verdict, sizeof p->verdict, "With feedback the tension stays below %.3g N; %s.",
                  with->target * (1 + with->overshoot), without);
-        return WCUT_TONE_PLAIN;
+        return WCUT_REPORT_TONE_PLAIN;
     }
     const bool good = fabs(with->steady.mean) <= 0.05;
     snprintf(p->verdict, sizeof p->verdict,
              "With feedback the mean tension of the steady phase is %.4g N, %.2g %% from the %.3g N aimed at; %s.",
              with->target * (1 + with->steady.mean), 100 * fabs(with->steady.mean), with->target, without);
-    return good ? WCUT_TONE_GOOD : WCUT_TONE_WARNING;
+    return good ? WCUT_REPORT_TONE_GOOD : WCUT_REPORT_TONE_WARNING;
 }
 
 /* runs of samples of one phase; gives how many */
@@ -118,17 +118,18 @@ static wcut_status write_page(page *p, const char *job_path, const char *path, w
     list_figures(plan, of_plan);
     wcut_report_span span[SPANS];
     const int spans = list_phases(with, span);
-    const wcut_report_series tension[] = {series(with, "with feedback", WCUT_MARK_LINE, with->tension),
-                                          series(plan, "plan alone", WCUT_MARK_LINE, plan->tension),
-                                          series(with, "aimed at", WCUT_MARK_DASHED, p->target)};
-    const wcut_report_series reading[] = {series(with, "sensor A", WCUT_MARK_LINE, c[WCUT_CHANNEL_TENSION_A].value),
-                                          series(with, "sensor B", WCUT_MARK_LINE, c[WCUT_CHANNEL_TENSION_B].value)};
+    const wcut_report_series tension[] = {series(with, "with feedback", WCUT_REPORT_MARK_LINE, with->tension),
+                                          series(plan, "plan alone", WCUT_REPORT_MARK_LINE, plan->tension),
+                                          series(with, "aimed at", WCUT_REPORT_MARK_DASHED, p->target)};
+    const wcut_report_series reading[] = {
+        series(with, "sensor A", WCUT_REPORT_MARK_LINE, c[WCUT_CHANNEL_TENSION_A].value),
+        series(with, "sensor B", WCUT_REPORT_MARK_LINE, c[WCUT_CHANNEL_TENSION_B].value)};
     const wcut_report_series speed[] = {
-        series(with, "commanded, with feedback", WCUT_MARK_LINE, c[WCUT_CHANNEL_SPEED_COMMAND].value),
-        series(plan, "commanded, plan alone", WCUT_MARK_LINE, d[WCUT_CHANNEL_SPEED_COMMAND].value),
-        series(with, "planned", WCUT_MARK_DASHED, with->planned)};
-    const wcut_report_series alpha[] = {series(with, "with feedback", WCUT_MARK_LINE, p->alpha[0]),
-                                        series(plan, "plan alone", WCUT_MARK_DASHED, p->alpha[1])};
+        series(with, "commanded, with feedback", WCUT_REPORT_MARK_LINE, c[WCUT_CHANNEL_SPEED_COMMAND].value),
+        series(plan, "commanded, plan alone", WCUT_REPORT_MARK_LINE, d[WCUT_CHANNEL_SPEED_COMMAND].value),
+        series(with, "planned", WCUT_REPORT_MARK_DASHED, with->planned)};
+    const wcut_report_series alpha[] = {series(with, "with feedback", WCUT_REPORT_MARK_LINE, p->alpha[0]),
+                                        series(plan, "plan alone", WCUT_REPORT_MARK_DASHED, p->alpha[1])};
     const wcut_report_chart charts[] = {
         chart("Tension, mean of both mounts", "The wire's own, without sensor noise.", "tension", "N", 3, tension,
               spans, span),

@@ -170,7 +170,7 @@ static bool fill_found(page *p, wcut_report_section *section) {
 
 /* ---- what it is worth ---- */
 
-typedef const wcut_fit (*fits)[WCUT_EVIDENCE_COUNT];
+typedef const wcut_fit (*fits)[WCUT_EVIDENCE_CHANNEL_COUNT];
 
 static double figure_of(const wcut_fit *f, bool with_bias) {
     return f->count > 0 ? shown(with_bias ? f->rmse_over_range : f->nrmsd) : NAN;
@@ -178,24 +178,25 @@ static double figure_of(const wcut_fit *f, bool with_bias) {
 
 /* a row a channel, a column a model */
 static wcut_report_table fit_table(page *p, const char *title, const char *note, fits fit, bool with_bias) {
-    static const char *const label[WCUT_FIT_MODELS] = {"before", "recalibrated", "after", "black box"};
-    wcut_report_column *c = columns(p, WCUT_FIT_MODELS + 2);
+    static const char *const label[WCUT_FIT_MODEL_COUNT] = {"before", "recalibrated", "after", "black box"};
+    wcut_report_column *c = columns(p, WCUT_FIT_MODEL_COUNT + 2);
     wcut_report_table table = {.title = title, .note = note, .columns = with_bias ? 6 : 5, .column = c};
-    const char **name = c ? texts(p, &c[0], "channel", WCUT_EVIDENCE_COUNT) : NULL;
-    const char **interval = c ? texts(p, &c[WCUT_FIT_MODELS + 1], "95 % after", WCUT_EVIDENCE_COUNT) : NULL;
-    double *number = app_take(&p->memory, (size_t)WCUT_FIT_MODELS * WCUT_EVIDENCE_COUNT, sizeof *number);
+    const char **name = c ? texts(p, &c[0], "channel", WCUT_EVIDENCE_CHANNEL_COUNT) : NULL;
+    const char **interval =
+        c ? texts(p, &c[WCUT_FIT_MODEL_COUNT + 1], "95 % after", WCUT_EVIDENCE_CHANNEL_COUNT) : NULL;
+    double *number = app_take(&p->memory, (size_t)WCUT_FIT_MODEL_COUNT * WCUT_EVIDENCE_CHANNEL_COUNT, sizeof *number);
     if (!c || !name || !interval || !number) return table;
-    for (int m = 0; m < WCUT_FIT_MODELS; m++)
-        c[m + 1] = (wcut_report_column){.label = label[m], .number = number + (size_t)m * WCUT_EVIDENCE_COUNT};
-    for (int k = 0; k < WCUT_EVIDENCE_COUNT; k++) {
+    for (int m = 0; m < WCUT_FIT_MODEL_COUNT; m++)
+        c[m + 1] = (wcut_report_column){.label = label[m], .number = number + (size_t)m * WCUT_EVIDENCE_CHANNEL_COUNT};
+    for (int k = 0; k < WCUT_EVIDENCE_CHANNEL_COUNT; k++) {
         const int r = table.rows;
         bool there = false;
-        for (int m = 0; m < WCUT_FIT_MODELS; m++) {
-            number[m * WCUT_EVIDENCE_COUNT + r] = figure_of(&fit[m][k], with_bias);
+        for (int m = 0; m < WCUT_FIT_MODEL_COUNT; m++) {
+            number[m * WCUT_EVIDENCE_CHANNEL_COUNT + r] = figure_of(&fit[m][k], with_bias);
             there = there || fit[m][k].count > 0;
         }
         if (!there) continue;
-        const wcut_fit *after = &fit[WCUT_FIT_AFTER][k];
+        const wcut_fit *after = &fit[WCUT_FIT_MODEL_AFTER][k];
         name[r] = wcut_evidence_name((wcut_evidence_channel)k);
         interval[r] = after->count > 0 && isfinite(after->low) && isfinite(after->high)
                           ? app_take_text(&p->memory, "%.3g to %.3g", after->low, after->high)
@@ -338,17 +339,19 @@ static bool fill_where(page *p, wcut_report_section *section) {
 /* ---- the page ---- */
 
 static wcut_report_tone tone_of(const wcut_diagnosis *d) {
-    if (d->interrupted) return WCUT_TONE_WARNING;
-    if (d->kind == WCUT_VERDICT_NONE) return WCUT_TONE_GOOD;
-    return d->kind == WCUT_VERDICT_UNKNOWN || d->kind == WCUT_VERDICT_AMBIGUOUS ? WCUT_TONE_WARNING : WCUT_TONE_PLAIN;
+    if (d->interrupted) return WCUT_REPORT_TONE_WARNING;
+    if (d->kind == WCUT_VERDICT_NONE) return WCUT_REPORT_TONE_GOOD;
+    return d->kind == WCUT_VERDICT_UNKNOWN || d->kind == WCUT_VERDICT_AMBIGUOUS ? WCUT_REPORT_TONE_WARNING
+                                                                                : WCUT_REPORT_TONE_PLAIN;
 }
 
 /* mean over the channels of RMSE over range after over recalibrated, on held-out cuts; NaN: none */
 static double improvement(const wcut_diagnosis *d) {
     double sum = 0;
     int count = 0;
-    for (int c = 0; c < WCUT_EVIDENCE_COUNT; c++) {
-        const wcut_fit *from = &d->held_out_fit[WCUT_FIT_RECALIBRATED][c], *to = &d->held_out_fit[WCUT_FIT_AFTER][c];
+    for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) {
+        const wcut_fit *from = &d->held_out_fit[WCUT_FIT_MODEL_RECALIBRATED][c],
+                       *to = &d->held_out_fit[WCUT_FIT_MODEL_AFTER][c];
         if (from->count < 1 || to->count < 1 || !(from->rmse_over_range > 0) || !(to->rmse_over_range > 0)) continue;
         sum += to->rmse_over_range / from->rmse_over_range;
         count++;

@@ -159,7 +159,7 @@ bool app_fill_evidence(app_memory *memory, const app_diagnosed *of, wcut_report_
                                    .x = g.x,
                                    .y = g.y,
                                    .value = value[m],
-                                   .scale = WCUT_SCALE_DIVERGING,
+                                   .scale = WCUT_REPORT_SCALE_DIVERGING,
                                    .limit = limit,
                                    .blank_missing = true};
         name_bands(memory, &g, &map[m]);
@@ -206,7 +206,8 @@ static const double *forward(app_memory *memory, const wcut_residual_trace *t) {
 static void fill_chart(app_memory *memory, const app_diagnosed *of, const wcut_residual_trace *t,
                        wcut_report_chart *chart) {
     static const char *const label[MODELS] = {"before", "recalibrated", "after"};
-    static const wcut_report_mark mark[MODELS] = {WCUT_MARK_DASHED, WCUT_MARK_LINE, WCUT_MARK_LINE};
+    static const wcut_report_mark mark[MODELS] = {WCUT_REPORT_MARK_DASHED, WCUT_REPORT_MARK_LINE,
+                                                  WCUT_REPORT_MARK_LINE};
     wcut_report_series *series = app_take(memory, MODELS, sizeof *series);
     wcut_report_span *span = app_take(memory, SPANS_MOST, sizeof *span);
     double *low = app_take(memory, (size_t)t->count, sizeof *low);

@@ -49,27 +49,27 @@ static wcut_report_tone judge(page *p) {
     const char *halves = "Two closed solids, free of self-intersections, whose volumes add up to the block";
     if (!a->wall_held || !b->wall_held || !a->draft_held || !b->draft_held) {
         snprintf(p->verdict, sizeof p->verdict, "%s, but a wall or a draft is less than was asked for.", halves);
-        return WCUT_TONE_BAD;
+        return WCUT_REPORT_TONE_BAD;
     }
     if (a->undercut_area > 0 || b->undercut_area > 0) {
         snprintf(
             p->verdict, sizeof p->verdict,
             "%s, but %.4g mm\xc2\xb2 of the lower half and %.4g mm\xc2\xb2 of the upper half hold on to what is cast.",
             halves, a->undercut_area, b->undercut_area);
-        return WCUT_TONE_WARNING;
+        return WCUT_REPORT_TONE_WARNING;
     }
     if (m->radius_min < m->wire_radius) {
         snprintf(p->verdict, sizeof p->verdict, "%s, but the cut bends to a radius of %.3g mm, less than the wire's.",
                  halves, m->radius_min);
-        return WCUT_TONE_WARNING;
+        return WCUT_REPORT_TONE_WARNING;
     }
     if (prolonged > 0) {
         snprintf(p->verdict, sizeof p->verdict,
                  "%s. The cut ends inside it and was continued straight by up to %.3g mm.", halves, prolonged);
-        return WCUT_TONE_PLAIN;
+        return WCUT_REPORT_TONE_PLAIN;
     }
     snprintf(p->verdict, sizeof p->verdict, "%s.", halves);
-    return WCUT_TONE_GOOD;
+    return WCUT_REPORT_TONE_GOOD;
 }
 
 /* figures of both halves side by side */
@@ -179,7 +179,7 @@ wcut_status app_report_mould(const app_moulded *run, const wcut_job *job, const 
         for (int k = 0; k < 2; k++) {
             const wcut_mesh *mesh = half_of(&p, k)->mesh;
             field[k] = (wcut_report_field){k ? "draft of the upper half" : "draft of the lower half", "deg",
-                                           WCUT_SCALE_SEQUENTIAL, 0, p.draft[k]};
+                                           WCUT_REPORT_SCALE_SEQUENTIAL, 0, p.draft[k]};
             shape[k] = (wcut_report_shape){.name = k ? "upper half" : "lower half",
                                            .vertex_count = mesh->vertex_count,
                                            .vertex = mesh->vertex,

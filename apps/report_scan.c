@@ -105,7 +105,7 @@ static wcut_report_table matrix_table(app_memory *m, const wcut_registration *r)
 
 bool app_fill_registration(app_memory *m, const app_comparison *c, wcut_report_section *section) {
     const wcut_registration *r = &c->registration;
-    const bool moved = r->method != WCUT_REGISTRATION_NONE;
+    const bool moved = r->method != WCUT_REGISTRATION_METHOD_NONE;
     wcut_report_table *table = app_take(m, 4, sizeof *table);
     if (!table) return false;
     table[0] = point_table(m, c);

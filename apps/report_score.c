@@ -212,9 +212,9 @@ static void fill_chart(page *p, const wcut_scored_cut *cut, int k, const drawn *
         measured[i] = there ? channel->value[sample] * (k < 4 ? 1 : DEG_PER_RAD) : NAN;
     }
     for (int s = 0; s < 3; s++) series[s] = (wcut_report_series){.count = d->count, .x = {d->time, d->station}};
-    series[0].label = "measured", series[0].mark = WCUT_MARK_LINE, series[0].y = measured;
-    series[1].label = "planned", series[1].mark = WCUT_MARK_DASHED;
-    series[2].label = "replayed", series[2].mark = WCUT_MARK_LINE;
+    series[0].label = "measured", series[0].mark = WCUT_REPORT_MARK_LINE, series[0].y = measured;
+    series[1].label = "planned", series[1].mark = WCUT_REPORT_MARK_DASHED;
+    series[2].label = "replayed", series[2].mark = WCUT_REPORT_MARK_LINE;
     fill_series(p, c, c->planned, replayed ? NULL : &c->planned_score, k, d, &series[1]);
     if (replayed) fill_series(p, c, c->replayed, &c->replayed_score, k, d, &series[2]);
     *chart = (wcut_report_chart){.title = title[k],
@@ -338,7 +338,7 @@ static wcut_status write_page(page *p, int compared, int shown, int sections, co
         {"nodes along the wire", of->nodes > 0 ? NULL : "as the jobs say", of->nodes, ""}};
     const wcut_report report = {.verb = "score",
                                 .title = of->title,
-                                .tone = compared < of->cuts ? WCUT_TONE_WARNING : WCUT_TONE_PLAIN,
+                                .tone = compared < of->cuts ? WCUT_REPORT_TONE_WARNING : WCUT_REPORT_TONE_PLAIN,
                                 .verdict = verdict,
                                 .fact_count = sizeof fact / sizeof *fact,
                                 .fact = fact,

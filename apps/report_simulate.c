@@ -126,7 +126,7 @@ static wcut_report_tone judge(page *p) {
     if (p->run->ended || h->stations < h->planned) {
         snprintf(p->verdict, sizeof p->verdict, "The cut ends early, after station %d of 0 to %d and %.1f s: %s.",
                  h->stations - 1, h->planned - 1, last->time, wcut_status_text(p->run->ended));
-        return WCUT_TONE_BAD;
+        return WCUT_REPORT_TONE_BAD;
     }
     const bool whole = last->phase == WCUT_PHASE_LEFT || p->job->mode == WCUT_MODE_DESIGN;
     const char *end = last->phase == WCUT_PHASE_LEFT ? "leaves the block"
@@ -138,10 +138,10 @@ static wcut_report_tone judge(page *p) {
             "The wire %s after %.1f s, but at %d of %d stations it is held at the lowest speed, %g mm/s, and pulled "
             "harder than %g N.",
             end, last->time, slow, h->stations, p->job->speed_min, p->job->tension);
-        return WCUT_TONE_WARNING;
+        return WCUT_REPORT_TONE_WARNING;
     }
     snprintf(p->verdict, sizeof p->verdict, "The wire %s after %.1f s.", end, last->time);
-    return whole ? WCUT_TONE_GOOD : WCUT_TONE_PLAIN;
+    return whole ? WCUT_REPORT_TONE_GOOD : WCUT_REPORT_TONE_PLAIN;
 }
 
 /* runs of stations of one phase; gives how many */
@@ -188,13 +188,14 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
     wcut_report_span span[PHASES_MAX];
     const int spans = list_phases(p, span);
     const wcut_report_series pair[][2] = {
-        {series(p, "mount A", WCUT_MARK_LINE, SPEED_A), series(p, "mount B", WCUT_MARK_DASHED, SPEED_B)},
-        {series(p, "mount A", WCUT_MARK_LINE, TENSION_A), series(p, "mount B", WCUT_MARK_DASHED, TENSION_B)},
-        {series(p, "mount A", WCUT_MARK_LINE, ALPHA_A), series(p, "mount B", WCUT_MARK_DASHED, ALPHA_B)},
-        {series(p, "mount A", WCUT_MARK_LINE, BETA_A), series(p, "mount B", WCUT_MARK_DASHED, BETA_B)}};
-    const wcut_report_series engaged = series(p, "wire in the foam", WCUT_MARK_LINE, ENGAGED);
-    const wcut_report_series steps = series(p, "Newton iterations", WCUT_MARK_LINE, STEPS);
-    const wcut_report_series residual = series(p, "largest relative residual", WCUT_MARK_LINE, RESIDUAL);
+        {series(p, "mount A", WCUT_REPORT_MARK_LINE, SPEED_A), series(p, "mount B", WCUT_REPORT_MARK_DASHED, SPEED_B)},
+        {series(p, "mount A", WCUT_REPORT_MARK_LINE, TENSION_A),
+         series(p, "mount B", WCUT_REPORT_MARK_DASHED, TENSION_B)},
+        {series(p, "mount A", WCUT_REPORT_MARK_LINE, ALPHA_A), series(p, "mount B", WCUT_REPORT_MARK_DASHED, ALPHA_B)},
+        {series(p, "mount A", WCUT_REPORT_MARK_LINE, BETA_A), series(p, "mount B", WCUT_REPORT_MARK_DASHED, BETA_B)}};
+    const wcut_report_series engaged = series(p, "wire in the foam", WCUT_REPORT_MARK_LINE, ENGAGED);
+    const wcut_report_series steps = series(p, "Newton iterations", WCUT_REPORT_MARK_LINE, STEPS);
+    const wcut_report_series residual = series(p, "largest relative residual", WCUT_REPORT_MARK_LINE, RESIDUAL);
     const wcut_report_chart along[CHARTS] = {
         chart("Speed of the mounts", "speed", "mm/s", 2, pair[0], spans, span),
         chart("Tension at the mounts", "tension", "N", 2, pair[1], spans, span),
@@ -247,9 +248,10 @@ wcut_status app_report_simulate(const app_simulated *run, const wcut_setup *setu
     page p = {.run = run, .job = wcut_setup_job(setup), .history = history};
     wcut_status status = fill(&p, setup, error);
     if (!status) {
-        const wcut_report_field field[] = {{"force across the wire", "N/mm", WCUT_SCALE_SEQUENTIAL, 0, p.force},
-                                           {"speed of the wire", "mm/s", WCUT_SCALE_SEQUENTIAL, 0, history->speed},
-                                           {"largest curvature", "1/mm", WCUT_SCALE_DIVERGING, FLAT, p.curvature}};
+        const wcut_report_field field[] = {
+            {"force across the wire", "N/mm", WCUT_REPORT_SCALE_SEQUENTIAL, 0, p.force},
+            {"speed of the wire", "mm/s", WCUT_REPORT_SCALE_SEQUENTIAL, 0, history->speed},
+            {"largest curvature", "1/mm", WCUT_REPORT_SCALE_DIVERGING, FLAT, p.curvature}};
         const wcut_report_shape shape = {.name = "swept surface",
                                          .vertex_count = history->stations * history->nodes,
                                          .vertex = history->position,

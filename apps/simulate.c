@@ -134,7 +134,7 @@ static int write_step(simulation *s, const wcut_vec3 *mount_a, const wcut_vec3 *
         int count = 1;
         if (a) shape[count++] = (wcut_shape){.name = "path of mount A", .curve = a};
         if (b) shape[count++] = (wcut_shape){.name = "path of mount B", .curve = b};
-        status = wcut_step_write(count, shape, WCUT_STEP_AP214, app_results_path(&s->results, name), &error);
+        status = wcut_step_write(count, shape, WCUT_STEP_SCHEMA_AP214, app_results_path(&s->results, name), &error);
     }
     wcut_curve_destroy(a);
     wcut_curve_destroy(b);
@@ -204,9 +204,9 @@ static int write_results(simulation *s) {
 static void say_effects(const wcut_job *job) {
     for (int k = 0; k < job->effect_count; k++) {
         const wcut_effect_info *info = wcut_effect_view(job->effect[k].kind);
-        if (info->place == WCUT_EFFECT_STEP || wcut_effect_is_neutral(&job->effect[k])) continue;
+        if (info->place == WCUT_EFFECT_PLACE_STEP || wcut_effect_is_neutral(&job->effect[k])) continue;
         app_say("note: %s acts on %s, not on the wire: nothing here shows it", info->name,
-                info->place == WCUT_EFFECT_SENSOR ? "what is recorded" : "what is scanned");
+                info->place == WCUT_EFFECT_PLACE_SENSOR ? "what is recorded" : "what is scanned");
     }
 }
 

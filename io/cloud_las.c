@@ -35,12 +35,12 @@ static void set_flag(wcut_record *r, unsigned format) {
 
 static bool set_axes(wcut_cloud_source *s, const unsigned char *head, wcut_record *r) {
     for (size_t k = 0; k < 3; k++) {
-        const double scale = wcut_scalar_load(head + SCALE + 8 * k, WCUT_F64, false);
-        const double offset = wcut_scalar_load(head + OFFSET + 8 * k, WCUT_F64, false);
+        const double scale = wcut_scalar_load(head + SCALE + 8 * k, WCUT_SCALAR_F64, false);
+        const double offset = wcut_scalar_load(head + OFFSET + 8 * k, WCUT_SCALAR_F64, false);
         if (!isfinite(scale) || scale == 0 || !isfinite(offset))
             return wcut_cloud_refuse(s, "found scale %g and offset %g of %c, expected finite ones, the scale not 0",
                                      scale, offset, "xyz"[k]);
-        r->field[k].scalar = WCUT_I32;
+        r->field[k].scalar = WCUT_SCALAR_I32;
         r->field[k].offset = 4 * k;
         r->field[k].factor = scale;
         r->field[k].shift = offset;

@@ -113,9 +113,11 @@ static bool read_header_line(wcut_cloud_source *s, const char *line, pcd_header 
 /* ---- from the header to the layout ---- */
 
 static wcut_scalar find_scalar(char type, int size) {
-    static const wcut_scalar integer[] = {0, WCUT_I8, WCUT_I16, 0, WCUT_I32, 0, 0, 0, WCUT_I64};
-    static const wcut_scalar natural[] = {0, WCUT_U8, WCUT_U16, 0, WCUT_U32, 0, 0, 0, WCUT_U64};
-    if (type == 'F') return size == 4 ? WCUT_F32 : size == 8 ? WCUT_F64 : WCUT_NO_SCALAR;
+    static const wcut_scalar integer[] = {0, WCUT_SCALAR_I8, WCUT_SCALAR_I16, 0, WCUT_SCALAR_I32, 0, 0,
+                                          0, WCUT_SCALAR_I64};
+    static const wcut_scalar natural[] = {0, WCUT_SCALAR_U8, WCUT_SCALAR_U16, 0, WCUT_SCALAR_U32, 0, 0,
+                                          0, WCUT_SCALAR_U64};
+    if (type == 'F') return size == 4 ? WCUT_SCALAR_F32 : size == 8 ? WCUT_SCALAR_F64 : WCUT_SCALAR_NONE;
     return type == 'I' ? integer[size] : natural[size];
 }
 
@@ -127,7 +129,7 @@ static bool check_header(wcut_cloud_source *s, const char *line, const pcd_heade
             return wcut_cloud_refuse(s, "found DATA, expected %s before it", keyword[required[k]]);
     for (int k = 0; k < h->fields; k++) {
         if (h->kind[k] >= 0 && h->kind[k] < 3) found++;
-        if (find_scalar(h->type[k], h->size[k]) == WCUT_NO_SCALAR)
+        if (find_scalar(h->type[k], h->size[k]) == WCUT_SCALAR_NONE)
             return wcut_cloud_refuse(s, "found a field of type %c and size %d, expected F 4, F 8, I or U of 1, 2, 4, 8",
                                      h->type[k], h->size[k]);
         if (h->kind[k] >= 0 && h->count[k] != 1)

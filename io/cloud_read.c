@@ -14,11 +14,12 @@
 enum { SNIFF = 512, ORDER_POINTS = 1000 };
 
 wcut_cloud_options wcut_cloud_options_default(void) {
-    return (wcut_cloud_options){.format = WCUT_CLOUD_ANY, .unit = WCUT_UNIT_MM, .most = 20000000, .voxel = 0};
+    return (wcut_cloud_options){
+        .format = WCUT_CLOUD_FORMAT_ANY, .unit = WCUT_LENGTH_UNIT_MM, .most = 20000000, .voxel = 0};
 }
 
 static bool options_are_usable(const wcut_cloud_options *o) {
-    return (unsigned)o->format <= WCUT_CLOUD_GLTF && (unsigned)o->unit <= WCUT_UNIT_INCH;
+    return (unsigned)o->format <= WCUT_CLOUD_FORMAT_GLTF && (unsigned)o->unit <= WCUT_LENGTH_UNIT_INCH;
 }
 
 /* ---- refusals ---- */
@@ -180,14 +181,14 @@ static bool ends_with(const char *text, const char *ending) {
 
 static wcut_cloud_format find_format(wcut_cloud_source *s) {
     const wcut_stream *t = &s->stream;
-    if (begins(t, "ply\n") || begins(t, "ply\r")) return WCUT_CLOUD_PLY;
-    if (begins(t, "LASF")) return WCUT_CLOUD_LAS;
-    if (begins(t, "# .PCD") || begins(t, "VERSION .7") || begins(t, "VERSION 0.7")) return WCUT_CLOUD_PCD;
-    if (ends_with(s->label, ".obj")) return WCUT_CLOUD_OBJ;
-    if (ends_with(s->label, ".off")) return WCUT_CLOUD_OFF;
-    if (wcut_cloud_foreign_ending((const char *)t->data + t->at, s->label)) return WCUT_CLOUD_GLTF;
-    if (ends_with(s->label, ".stl") || begins(t, "solid ") || begins(t, "solid\n")) return WCUT_CLOUD_STL;
-    return WCUT_CLOUD_TEXT;
+    if (begins(t, "ply\n") || begins(t, "ply\r")) return WCUT_CLOUD_FORMAT_PLY;
+    if (begins(t, "LASF")) return WCUT_CLOUD_FORMAT_LAS;
+    if (begins(t, "# .PCD") || begins(t, "VERSION .7") || begins(t, "VERSION 0.7")) return WCUT_CLOUD_FORMAT_PCD;
+    if (ends_with(s->label, ".obj")) return WCUT_CLOUD_FORMAT_OBJ;
+    if (ends_with(s->label, ".off")) return WCUT_CLOUD_FORMAT_OFF;
+    if (wcut_cloud_foreign_ending((const char *)t->data + t->at, s->label)) return WCUT_CLOUD_FORMAT_GLTF;
+    if (ends_with(s->label, ".stl") || begins(t, "solid ") || begins(t, "solid\n")) return WCUT_CLOUD_FORMAT_STL;
+    return WCUT_CLOUD_FORMAT_TEXT;
 }
 
 /* formats that are known by their first bytes, and not read */
@@ -222,7 +223,7 @@ static bool begin_format(wcut_cloud_source *s) {
     s->scale = millimetres[s->options.unit];
     if (wcut_stream_fill(&s->stream, SNIFF) == 0) return wcut_cloud_refuse_end(s, "points");
     if (!check_readable(s)) return false;
-    s->info.format = s->options.format != WCUT_CLOUD_ANY ? s->options.format : find_format(s);
+    s->info.format = s->options.format != WCUT_CLOUD_FORMAT_ANY ? s->options.format : find_format(s);
     s->info.stated = -1;
     return begin[s->info.format](s);
 }

@@ -23,25 +23,25 @@ static inline double as_double(uint64_t bits) {
 /* in a byte order known at compile time */
 static inline double load(const unsigned char *at, wcut_scalar scalar, const bool big_endian) {
     switch (scalar) {
-        case WCUT_F32:
+        case WCUT_SCALAR_F32:
             return as_float(wcut_load_32(at, big_endian));
-        case WCUT_F64:
+        case WCUT_SCALAR_F64:
             return as_double(wcut_load_64(at, big_endian));
-        case WCUT_I8:
+        case WCUT_SCALAR_I8:
             return (int8_t)at[0];
-        case WCUT_U8:
+        case WCUT_SCALAR_U8:
             return at[0];
-        case WCUT_I16:
+        case WCUT_SCALAR_I16:
             return (int16_t)wcut_load_16(at, big_endian);
-        case WCUT_U16:
+        case WCUT_SCALAR_U16:
             return wcut_load_16(at, big_endian);
-        case WCUT_I32:
+        case WCUT_SCALAR_I32:
             return (int32_t)wcut_load_32(at, big_endian);
-        case WCUT_U32:
+        case WCUT_SCALAR_U32:
             return wcut_load_32(at, big_endian);
-        case WCUT_I64:
+        case WCUT_SCALAR_I64:
             return (double)(int64_t)wcut_load_64(at, big_endian);
-        case WCUT_U64:
+        case WCUT_SCALAR_U64:
             return (double)wcut_load_64(at, big_endian);
         default:
             return 0;

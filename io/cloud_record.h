@@ -5,17 +5,17 @@
 #include "cloud_source.h"
 
 typedef enum wcut_scalar {
-    WCUT_NO_SCALAR,
-    WCUT_I8,
-    WCUT_U8,
-    WCUT_I16,
-    WCUT_U16,
-    WCUT_I32,
-    WCUT_U32,
-    WCUT_I64,
-    WCUT_U64,
-    WCUT_F32,
-    WCUT_F64
+    WCUT_SCALAR_NONE,
+    WCUT_SCALAR_I8,
+    WCUT_SCALAR_U8,
+    WCUT_SCALAR_I16,
+    WCUT_SCALAR_U16,
+    WCUT_SCALAR_I32,
+    WCUT_SCALAR_U32,
+    WCUT_SCALAR_I64,
+    WCUT_SCALAR_U64,
+    WCUT_SCALAR_F32,
+    WCUT_SCALAR_F64
 } wcut_scalar;
 
 /* bytes of a scalar; 0 for none */

@@ -27,7 +27,7 @@ static bool fill_binary(wcut_cloud_source *s, wcut_batch *b) {
             return wcut_cloud_refuse_truncated(s, "corners");
         const unsigned char *at = s->stream.data + s->stream.at + CORNER * (1 + corner);
         double value[WCUT_FIELDS] = {0};
-        for (size_t k = 0; k < 3; k++) value[k] = wcut_scalar_load(at + 4 * k, WCUT_F32, false);
+        for (size_t k = 0; k < 3; k++) value[k] = wcut_scalar_load(at + 4 * k, WCUT_SCALAR_F32, false);
         if (!wcut_cloud_take(s, b, value)) return false;
         s->left--;
         if (corner == 2) s->stream.at += FACET;

@@ -45,7 +45,8 @@ static bool is_separator(char c) { return wcut_is_blank(c) || c == ',' || c == '
 /* a coordinate's unit in the header must be the one that the caller states */
 static bool check_unit(wcut_cloud_source *s, const char *line, const char *word, const char *unit) {
     static const char *const name[] = {"mm", "cm", "m", "in", "inch"};
-    static const wcut_length_unit value[] = {WCUT_UNIT_MM, WCUT_UNIT_CM, WCUT_UNIT_M, WCUT_UNIT_INCH, WCUT_UNIT_INCH};
+    static const wcut_length_unit value[] = {WCUT_LENGTH_UNIT_MM, WCUT_LENGTH_UNIT_CM, WCUT_LENGTH_UNIT_M,
+                                             WCUT_LENGTH_UNIT_INCH, WCUT_LENGTH_UNIT_INCH};
     static const char *const expected[] = {"millimetres, as the option unit says",
                                            "centimetres, as the option unit says", "metres, as the option unit says",
                                            "inches, as the option unit says"};

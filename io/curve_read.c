@@ -15,7 +15,7 @@
 #define BYTES_MOST ((size_t)256 << 20)
 
 wcut_curve_read_options wcut_curve_read_options_default(void) {
-    return (wcut_curve_read_options){.format = WCUT_CURVE_ANY, .interpolate = 1, .most = 10000};
+    return (wcut_curve_read_options){.format = WCUT_CURVE_FORMAT_ANY, .interpolate = 1, .most = 10000};
 }
 
 /* ---- JSON ---- */
@@ -126,25 +126,27 @@ static wcut_curve_format find_format(const char *text, size_t length, const char
     static const struct {
         const char *ending;
         wcut_curve_format format;
-    } known[] = {{".step", WCUT_CURVE_STEP}, {".stp", WCUT_CURVE_STEP},  {".p21", WCUT_CURVE_STEP},
-                 {".igs", WCUT_CURVE_IGES},  {".iges", WCUT_CURVE_IGES}, {".json", WCUT_CURVE_JSON},
-                 {".csv", WCUT_CURVE_CSV}};
+    } known[] = {{".step", WCUT_CURVE_FORMAT_STEP}, {".stp", WCUT_CURVE_FORMAT_STEP},
+                 {".p21", WCUT_CURVE_FORMAT_STEP},  {".igs", WCUT_CURVE_FORMAT_IGES},
+                 {".iges", WCUT_CURVE_FORMAT_IGES}, {".json", WCUT_CURVE_FORMAT_JSON},
+                 {".csv", WCUT_CURVE_FORMAT_CSV}};
     const size_t n = strlen(label);
-    if (strncmp(text, "ISO-10303-21;", 13) == 0) return WCUT_CURVE_STEP;
+    if (strncmp(text, "ISO-10303-21;", 13) == 0) return WCUT_CURVE_FORMAT_STEP;
     for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
         const size_t m = strlen(known[k].ending);
         if (n > m && strcasecmp(label + n - m, known[k].ending) == 0) return known[k].format;
     }
-    if (length > 80 && text[72] == 'S' && (text[80] == '\n' || text[80] == '\r')) return WCUT_CURVE_IGES;
-    return WCUT_CURVE_ANY;
+    if (length > 80 && text[72] == 'S' && (text[80] == '\n' || text[80] == '\r')) return WCUT_CURVE_FORMAT_IGES;
+    return WCUT_CURVE_FORMAT_ANY;
 }
 
 static bool fill(wcut_curve_reader *r, char *text, size_t length) {
     static wcut_curves_fill *const by_format[] = {NULL, wcut_curves_fill_step, wcut_curves_fill_iges,
                                                   wcut_curves_fill_json, wcut_curves_fill_csv};
     wcut_curve_set *set = r->set;
-    set->format = r->options->format != WCUT_CURVE_ANY ? r->options->format : find_format(text, length, r->label);
-    if (set->format == WCUT_CURVE_ANY)
+    set->format =
+        r->options->format != WCUT_CURVE_FORMAT_ANY ? r->options->format : find_format(text, length, r->label);
+    if (set->format == WCUT_CURVE_FORMAT_ANY)
         return wcut_curves_refuse(r, "found no curves in a known format, expected STEP, IGES, JSON or CSV");
     if (!by_format[set->format](r, text, length)) return false;
     if (set->count > 0) return true;

@@ -59,10 +59,10 @@ static void put_points(wcut_text *text, const wcut_compared *c) {
     put_count(text, ", \"ambiguous\": ", place[WCUT_PLACE_AMBIGUOUS]);
     put_count(text, ", \"used\": ", c->found->statistics.count);
     put_count(text, ", \"border\": ", place[WCUT_PLACE_BORDER]);
-    put_count(text, ",\n    \"removed_as\": {\"duplicate\": ", c->removed[WCUT_DUPLICATE]);
-    put_count(text, ", \"isolated\": ", c->removed[WCUT_ISOLATED]);
-    put_count(text, ", \"outlier\": ", c->removed[WCUT_OUTLIER]);
-    put_count(text, ", \"thinned\": ", c->removed[WCUT_THINNED]);
+    put_count(text, ",\n    \"removed_as\": {\"duplicate\": ", c->removed[WCUT_REMOVAL_DUPLICATE]);
+    put_count(text, ", \"isolated\": ", c->removed[WCUT_REMOVAL_ISOLATED]);
+    put_count(text, ", \"outlier\": ", c->removed[WCUT_REMOVAL_OUTLIER]);
+    put_count(text, ", \"thinned\": ", c->removed[WCUT_REMOVAL_THINNED]);
     put(text, "}}");
 }
 
@@ -268,7 +268,7 @@ static bool are_figures(const wcut_statistics *s) { return s && s->bands >= 0 &&
 static bool is_usable(const wcut_compared *c) {
     if (!c || !c->reference || !c->distance || c->scans < 1 || !c->scan || !c->registration || !c->found ||
         !c->unmoved || !are_figures(c->face_to_scan) || c->files < 0 || (c->files > 0 && !c->file) ||
-        (unsigned)c->registration->method > WCUT_REGISTRATION_FIT ||
+        (unsigned)c->registration->method > WCUT_REGISTRATION_METHOD_FIT ||
         (c->reconstruction && (!c->reconstruction_method || !c->to_scan || !c->to_face)))
         return false;
     for (int k = 0; k < c->scans; k++)

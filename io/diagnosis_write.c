@@ -198,9 +198,9 @@ static void put_mismatches(wcut_text *text, const wcut_diagnosis *d) {
 
 /* ---- how well ---- */
 
-static void put_channels(wcut_text *text, const wcut_fit fit[WCUT_EVIDENCE_COUNT]) {
+static void put_channels(wcut_text *text, const wcut_fit fit[WCUT_EVIDENCE_CHANNEL_COUNT]) {
     const char *between = "{";
-    for (int c = 0; c < WCUT_EVIDENCE_COUNT; c++) {
+    for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) {
         const wcut_fit *f = &fit[c];
         if (f->count < 1) continue;
         wcut_text_print(text, "%s\"%s\": {", between, wcut_evidence_name((wcut_evidence_channel)c));
@@ -214,9 +214,10 @@ static void put_channels(wcut_text *text, const wcut_fit fit[WCUT_EVIDENCE_COUNT
     put(text, between[0] == '{' ? "{}" : "}");
 }
 
-static void put_models(wcut_text *text, const wcut_fit fit[WCUT_FIT_MODELS][WCUT_EVIDENCE_COUNT], const char *indent) {
-    static const char *const name[WCUT_FIT_MODELS] = {"before", "recalibrated", "after", "black_box"};
-    for (int m = 0; m < WCUT_FIT_MODELS; m++) {
+static void put_models(wcut_text *text, const wcut_fit fit[WCUT_FIT_MODEL_COUNT][WCUT_EVIDENCE_CHANNEL_COUNT],
+                       const char *indent) {
+    static const char *const name[WCUT_FIT_MODEL_COUNT] = {"before", "recalibrated", "after", "black_box"};
+    for (int m = 0; m < WCUT_FIT_MODEL_COUNT; m++) {
         wcut_text_print(text, "%s\"%s\": ", m ? indent : "", name[m]);
         put_channels(text, fit[m]);
     }
@@ -282,7 +283,7 @@ static void put_weighed(wcut_text *text, const wcut_diagnosis *d) {
     put_number(text, "],\n  \"adequacy\": {\"ratio\": ", d->adequacy);
     put_number(text, ", \"p_value\": ", d->adequacy_p);
     put(text, "},\n  \"noise\": {");
-    for (int c = 0; c < WCUT_EVIDENCE_COUNT; c++) {
+    for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) {
         wcut_text_print(text, "%s\"%s\": ", c ? ", " : "", wcut_evidence_name((wcut_evidence_channel)c));
         put_number(text, "", d->noise[c]);
     }

@@ -143,7 +143,7 @@ static int is_whole(const wcut_calibration *c) {
         sum += law[k]->lack_p + law[k]->evidence;
         for (int j = 0; j < 3; j++) sum += law[k]->low[j] + law[k]->high[j] + law[k]->standard_error[j];
         for (int j = 0; j < 9; j++) sum += law[k]->covariance[j];
-        if ((unsigned)law[k]->lack > WCUT_LACK_FLEXIBLE) return 0;
+        if ((unsigned)law[k]->lack > WCUT_LACK_OF_FIT_FLEXIBLE) return 0;
     }
     return isfinite(sum);
 }

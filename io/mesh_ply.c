@@ -32,7 +32,8 @@ static bool has_corners(const wcut_ply *m) {
     const wcut_ply_element *e = &m->element[m->face];
     int lists = 0;
     for (int k = e->first; k < e->first + e->properties; k++)
-        lists += m->property[k].is_corners && m->property[k].value != WCUT_F32 && m->property[k].value != WCUT_F64;
+        lists += m->property[k].is_corners && m->property[k].value != WCUT_SCALAR_F32 &&
+                 m->property[k].value != WCUT_SCALAR_F64;
     return lists == 1;
 }
 

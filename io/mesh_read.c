@@ -10,11 +10,12 @@
 enum { SNIFF = 512 };
 
 wcut_mesh_read_options wcut_mesh_read_options_default(void) {
-    return (wcut_mesh_read_options){.format = WCUT_MESH_ANY, .unit = WCUT_UNIT_MM, .most = 20000000, .seconds = 60};
+    return (wcut_mesh_read_options){
+        .format = WCUT_MESH_FORMAT_ANY, .unit = WCUT_LENGTH_UNIT_MM, .most = 20000000, .seconds = 60};
 }
 
 static bool options_are_usable(const wcut_mesh_read_options *o) {
-    return (unsigned)o->format < WCUT_MESH_FORMAT_COUNT && (unsigned)o->unit <= WCUT_UNIT_INCH && o->most >= 1 &&
+    return (unsigned)o->format < WCUT_MESH_FORMAT_COUNT && (unsigned)o->unit <= WCUT_LENGTH_UNIT_INCH && o->most >= 1 &&
            o->most <= INT_MAX / 3 && o->seconds >= 1 && o->seconds <= 3600;
 }
 
@@ -28,28 +29,28 @@ static wcut_mesh_format find_format(const wcut_cloud_source *s) {
     static const struct {
         const char *ending;
         wcut_mesh_format format;
-    } known[] = {{".stl", WCUT_MESH_STL}, {".ply", WCUT_MESH_PLY},  {".obj", WCUT_MESH_OBJ},
-                 {".off", WCUT_MESH_OFF}, {".glb", WCUT_MESH_GLTF}, {".gltf", WCUT_MESH_GLTF}};
+    } known[] = {{".stl", WCUT_MESH_FORMAT_STL}, {".ply", WCUT_MESH_FORMAT_PLY},  {".obj", WCUT_MESH_FORMAT_OBJ},
+                 {".off", WCUT_MESH_FORMAT_OFF}, {".glb", WCUT_MESH_FORMAT_GLTF}, {".gltf", WCUT_MESH_FORMAT_GLTF}};
     const char *at = (const char *)s->stream.data + s->stream.at, *ending = ending_of(s->label);
-    if (strncmp(at, "ply\n", 4) == 0 || strncmp(at, "ply\r", 4) == 0) return WCUT_MESH_PLY;
-    if (strncmp(at, "glTF", 4) == 0) return WCUT_MESH_GLTF;
+    if (strncmp(at, "ply\n", 4) == 0 || strncmp(at, "ply\r", 4) == 0) return WCUT_MESH_FORMAT_PLY;
+    if (strncmp(at, "glTF", 4) == 0) return WCUT_MESH_FORMAT_GLTF;
     for (size_t k = 0; k < sizeof known / sizeof *known; k++)
         if (strcasecmp(ending, known[k].ending) == 0) return known[k].format;
-    return strncmp(at, "solid", 5) == 0 ? WCUT_MESH_STL : WCUT_MESH_ANY;
+    return strncmp(at, "solid", 5) == 0 ? WCUT_MESH_FORMAT_STL : WCUT_MESH_FORMAT_ANY;
 }
 
 static bool fill(wcut_cloud_source *s, wcut_growth *g, wcut_mesh_format format, int seconds) {
     const bool is_binary = s->stream.end - s->stream.at >= 4 && memcmp(s->stream.data + s->stream.at, "glTF", 4) == 0;
     switch (format) {
-        case WCUT_MESH_STL:
+        case WCUT_MESH_FORMAT_STL:
             return wcut_mesh_fill_stl(s, g);
-        case WCUT_MESH_PLY:
+        case WCUT_MESH_FORMAT_PLY:
             return wcut_mesh_fill_ply(s, g);
-        case WCUT_MESH_OBJ:
+        case WCUT_MESH_FORMAT_OBJ:
             return wcut_mesh_fill_obj(s, g);
-        case WCUT_MESH_OFF:
+        case WCUT_MESH_FORMAT_OFF:
             return wcut_mesh_fill_foreign(s, g, ".off", seconds);
-        case WCUT_MESH_GLTF:
+        case WCUT_MESH_FORMAT_GLTF:
             return wcut_mesh_fill_foreign(s, g, is_binary ? ".glb" : ".gltf", seconds);
         default:
             return wcut_cloud_refuse(s, "found no mesh in a known format, expected STL, PLY, OBJ, OFF or glTF");
@@ -61,7 +62,7 @@ static bool read(wcut_cloud_source *s, wcut_growth *g, const wcut_mesh_read_opti
     static const double millimetres[] = {1, 10, 1000, 25.4};
     s->scale = millimetres[o->unit];
     if (wcut_stream_fill(&s->stream, SNIFF) == 0) return wcut_cloud_refuse_end(s, "a mesh");
-    info->format = o->format != WCUT_MESH_ANY ? o->format : find_format(s);
+    info->format = o->format != WCUT_MESH_FORMAT_ANY ? o->format : find_format(s);
     return fill(s, g, info->format, o->seconds) && wcut_growth_finish(g, mesh, info);
 }
 

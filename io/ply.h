@@ -8,7 +8,7 @@
 enum { WCUT_PLY_ELEMENTS = 64, WCUT_PLY_PROPERTIES = 256 };
 
 typedef struct wcut_ply_property {
-    wcut_scalar count; /* of a list; WCUT_NO_SCALAR: a scalar */
+    wcut_scalar count; /* of a list; WCUT_SCALAR_NONE: a scalar */
     wcut_scalar value;
     int field;       /* x y z nx ny nz as 0 .. 5, or -1 */
     bool is_corners; /* the list of a face's vertices */

@@ -7,10 +7,11 @@
 static wcut_scalar find_scalar(const char *p) {
     static const char *const name[] = {"char", "int8",  "uchar", "uint8",  "short", "int16",   "ushort", "uint16",
                                        "int",  "int32", "uint",  "uint32", "float", "float32", "double", "float64"};
-    static const wcut_scalar scalar[] = {WCUT_I8, WCUT_U8, WCUT_I16, WCUT_U16, WCUT_I32, WCUT_U32, WCUT_F32, WCUT_F64};
+    static const wcut_scalar scalar[] = {WCUT_SCALAR_I8,  WCUT_SCALAR_U8,  WCUT_SCALAR_I16, WCUT_SCALAR_U16,
+                                         WCUT_SCALAR_I32, WCUT_SCALAR_U32, WCUT_SCALAR_F32, WCUT_SCALAR_F64};
     for (int k = 0; k < 16; k++)
         if (wcut_row_has_word(p, name[k])) return scalar[k / 2];
-    return WCUT_NO_SCALAR;
+    return WCUT_SCALAR_NONE;
 }
 
 static const char *next_word(const char *p) {
@@ -62,13 +63,14 @@ static bool read_property(wcut_cloud_source *s, const char *line, const char *p,
     if (wcut_row_has_word(p, "list")) {
         p = next_word(p);
         q->count = find_scalar(p);
-        if (q->count == WCUT_NO_SCALAR || q->count == WCUT_F32 || q->count == WCUT_F64)
+        if (q->count == WCUT_SCALAR_NONE || q->count == WCUT_SCALAR_F32 || q->count == WCUT_SCALAR_F64)
             return wcut_cloud_refuse_text(s, line, p, "an integer type for a list's count");
         p = next_word(p);
         e->has_list = true;
     }
     q->value = find_scalar(p);
-    if (q->value == WCUT_NO_SCALAR) return wcut_cloud_refuse_text(s, line, p, "a type such as float, double or uchar");
+    if (q->value == WCUT_SCALAR_NONE)
+        return wcut_cloud_refuse_text(s, line, p, "a type such as float, double or uchar");
     p = next_word(p);
     if (wcut_is_line_end(p)) return wcut_cloud_refuse_text(s, line, p, "the property's name");
     if (e->is_vertex) q->field = find_field(p);

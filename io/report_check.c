@@ -49,13 +49,13 @@ static wcut_status check_chart(const wcut_report_chart *chart, wcut_error *error
     for (int s = 0; s < chart->series_count; s++) {
         const wcut_report_series *a = &chart->series[s];
         if (!a->label) return bad(error, "chart", chart->title, "a series without a label");
-        if ((unsigned)a->mark > WCUT_MARK_POINTS) return bad(error, "series", a->label, "no such mark");
+        if ((unsigned)a->mark > WCUT_REPORT_MARK_POINTS) return bad(error, "series", a->label, "no such mark");
         if (a->count < 1 || !a->x[0] || !a->y) return bad(error, "series", a->label, "no data");
         if (!a->low != !a->high) return bad(error, "series", a->label, "a band needs both low and high");
         if (!all_shown(a->count, a->x[0]) || !all_shown(a->count, a->x[1]) || !all_shown(a->count, a->y) ||
             !all_shown(a->count, a->low) || !all_shown(a->count, a->high))
             return bad(error, "series", a->label, "a number beyond 1e30");
-        for (int k = 0; k < 2 && a->mark != WCUT_MARK_POINTS; k++)
+        for (int k = 0; k < 2 && a->mark != WCUT_REPORT_MARK_POINTS; k++)
             for (int i = 0; a->x[k] && i < a->count; i++)
                 if (isnan(a->x[k][i]) || (i > 0 && a->x[k][i] < a->x[k][i - 1]))
                     return bad(error, "series", a->label, "x decreases or is not there");
@@ -163,7 +163,7 @@ wcut_status wcut_report_check(const wcut_report *report, wcut_error *error) {
     if (!report) return wcut_io_fail(error, WCUT_BAD_ARGUMENT, "report: none given");
     if (!report->verb || !report->title || !report->verdict)
         return bad(error, "page", report->title, "verb, title and verdict are needed");
-    if ((unsigned)report->tone > WCUT_TONE_BAD) return bad(error, "page", report->title, "no such tone");
+    if ((unsigned)report->tone > WCUT_REPORT_TONE_BAD) return bad(error, "page", report->title, "no such tone");
     if (!is_list(report->section_count, report->section) || !is_list(report->source_count, report->source))
         return bad(error, "page", report->title, "a count without entries");
     wcut_status status = check_facts(report->fact_count, report->fact, error);

@@ -143,7 +143,7 @@ static void put_chart(document *d, json_t *item, const wcut_report_chart *chart)
 }
 
 static const char *scale_text(wcut_report_scale scale) {
-    return scale == WCUT_SCALE_DIVERGING ? "diverging" : "sequential";
+    return scale == WCUT_REPORT_SCALE_DIVERGING ? "diverging" : "sequential";
 }
 
 static void put_map(document *d, json_t *item, const wcut_report_map *map) {

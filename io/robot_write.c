@@ -146,19 +146,19 @@ wcut_status wcut_robot_write(const wcut_robot_motion *motion, const wcut_robot_n
     if (status != WCUT_OK) return status;
     if (wcut_text_create(&text, file)) {
         switch (format) {
-            case WCUT_ROBOT_URSCRIPT:
+            case WCUT_ROBOT_FORMAT_URSCRIPT:
                 wcut_urscript_put(&text, motion, &n, robot);
                 break;
-            case WCUT_ROBOT_RAPID:
+            case WCUT_ROBOT_FORMAT_RAPID:
                 wcut_rapid_put(&text, motion, &n, robot);
                 break;
-            case WCUT_ROBOT_KRL:
+            case WCUT_ROBOT_FORMAT_KRL:
                 wcut_krl_put(&text, motion, &n, robot);
                 break;
-            case WCUT_ROBOT_CSV:
+            case WCUT_ROBOT_FORMAT_CSV:
                 put_csv(&text, motion);
                 break;
-            case WCUT_ROBOT_JSON:
+            case WCUT_ROBOT_FORMAT_JSON:
                 put_json(&text, motion, &n);
                 break;
         }

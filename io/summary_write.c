@@ -38,7 +38,7 @@ static void put_effects(wcut_text *text, const char *key, const wcut_job *job, b
     int listed = 0;
     for (int k = 0; k < job->effect_count; k++) {
         const wcut_effect_info *info = wcut_effect_view(job->effect[k].kind);
-        if ((info->place == WCUT_EFFECT_STEP) != in_step || wcut_effect_is_neutral(&job->effect[k])) continue;
+        if ((info->place == WCUT_EFFECT_PLACE_STEP) != in_step || wcut_effect_is_neutral(&job->effect[k])) continue;
         if (listed++ == 0)
             wcut_text_print(text, ",\n  \"%s\": [\"%s\"", key, info->name);
         else

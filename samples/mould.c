@@ -77,7 +77,7 @@ int main(int argc, char **argv) {
     if (done) {
         const wcut_shape half[2] = {{.name = "lower half", .solid = mould->lower.brep},
                                     {.name = "upper half", .solid = mould->upper.brep}};
-        done = !wcut_step_write(2, half, WCUT_STEP_AP214, path, &error);
+        done = !wcut_step_write(2, half, WCUT_STEP_SCHEMA_AP214, path, &error);
     }
     if (done)
         printf("%s: %.0f and %.0f mm3, %.0f mm3 of kerf\n", path, mould->lower.report.volume,

@@ -169,7 +169,7 @@ static double interpolate(int count, const double *table, double at) {
 
 /* ---- watchdog ---- */
 
-static bool is_stopped(const wcut_control *c) { return c->view.state >= WCUT_CONTROL_STOP_TENSION; }
+static bool is_stopped(const wcut_control *c) { return c->view.state >= WCUT_CONTROL_STATE_STOP_TENSION; }
 
 /* time passed since the last step; 0 where it stands still, or the clock has just begun */
 static double pass_time(wcut_control *c, double time) {
@@ -183,13 +183,13 @@ static double pass_time(wcut_control *c, double time) {
         c->time = time;
         c->still = 0;
         if (dt > c->s.fault_time) { /* nobody watched the wire meanwhile */
-            c->view.state = WCUT_CONTROL_STOP_STALE;
+            c->view.state = WCUT_CONTROL_STATE_STOP_STALE;
             return c->period;
         }
         return c->period = dt;
     }
     c->view.dropped++;
-    if (++c->still > STILL_MOST) c->view.state = WCUT_CONTROL_STOP_STALE;
+    if (++c->still > STILL_MOST) c->view.state = WCUT_CONTROL_STATE_STOP_STALE;
     return 0;
 }
 
@@ -202,16 +202,16 @@ static bool watch(wcut_control *c, double dt, double station, double a, double b
     if (!isfinite(station) || is_absurd(c, a) || is_absurd(c, b)) {
         c->view.dropped++;
         c->faulty += dt;
-        if (c->faulty > c->s.fault_time) c->view.state = WCUT_CONTROL_STOP_ABSURD;
+        if (c->faulty > c->s.fault_time) c->view.state = WCUT_CONTROL_STATE_STOP_ABSURD;
         return false;
     }
     c->faulty = 0;
     c->repeated = a == c->tension_a && b == c->tension_b && fmax(a, b) > c->s.noise ? c->repeated + dt : 0;
-    if (c->repeated > c->s.fault_time) c->view.state = WCUT_CONTROL_STOP_STALE;
+    if (c->repeated > c->s.fault_time) c->view.state = WCUT_CONTROL_STATE_STOP_STALE;
     c->tension_a = a;
     c->tension_b = b;
     const bool over = fmax(a, b) > c->s.tension_stop;
-    if (over && c->over) c->view.state = WCUT_CONTROL_STOP_TENSION;
+    if (over && c->over) c->view.state = WCUT_CONTROL_STATE_STOP_TENSION;
     c->over = over;
     return true;
 }
@@ -265,7 +265,7 @@ wcut_status wcut_control_step(wcut_control *c, double time, double station, doub
     if (is_stopped(c)) { /* a clock that stands still does not keep the wire moving */
         c->view.speed = fmax(0, c->view.speed - c->s.acceleration * (dt > 0 ? dt : c->period));
     } else {
-        c->view.state = c->view.dropped > dropped ? WCUT_CONTROL_HOLD : WCUT_CONTROL_RUN;
+        c->view.state = c->view.dropped > dropped ? WCUT_CONTROL_STATE_HOLD : WCUT_CONTROL_STATE_RUN;
         if (isfinite(station)) c->view.planned = interpolate(c->stations - 1, c->planned, station - 0.5);
         if (usable) measure(c, dt, station);
         if (dt > 0 && c->view.planned > 0) follow(c, dt, usable);

@@ -216,7 +216,7 @@ static wcut_status run_loop(rig *r, wcut_progress progress, void *context, wcut_
     const wcut_history *plan = r->plan;
     const double most = 1 + PATIENCE * plan->row[plan->stations - 1].time;
     const int every = r->o.decimation > 0 ? r->o.decimation : (int)fmax(1, floor(0.05 / r->o.period + 0.5));
-    wcut_control_view control = {.state = WCUT_CONTROL_RUN};
+    wcut_control_view control = {.state = WCUT_CONTROL_STATE_RUN};
     for (long step = 1; r->station < plan->stations - 1; step++) {
         reading tension = {0, 0};
         wcut_status status = advance(r, &tension, error);
@@ -229,15 +229,15 @@ static wcut_status run_loop(rig *r, wcut_progress progress, void *context, wcut_
         wcut_control_look(r->control, &control);
         run->overshoot = fmax(run->overshoot, (s.tension_a + s.tension_b) / 2 / run->target - 1);
         run->duration = r->time;
-        run->ended = control.state >= WCUT_CONTROL_STOP_TENSION ? control.state : WCUT_CONTROL_RUN;
-        if (run->ended != WCUT_CONTROL_RUN && control.speed == 0) return WCUT_OK;
+        run->ended = control.state >= WCUT_CONTROL_STATE_STOP_TENSION ? control.state : WCUT_CONTROL_STATE_RUN;
+        if (run->ended != WCUT_CONTROL_STATE_RUN && control.speed == 0) return WCUT_OK;
         if (progress && progress((int)r->station + 1, plan->stations, context) != 0)
             return wcut_fail(error, WCUT_INTERRUPTED, "station %.1f: stopped on request", r->station);
         if (r->time > most)
             return wcut_fail(error, WCUT_NOT_CONVERGED, "station %.1f of %d after %.0f s, the plan ends at %.0f s",
                              r->station, plan->stations - 1, r->time, plan->row[plan->stations - 1].time);
     }
-    run->complete = run->ended == WCUT_CONTROL_RUN;
+    run->complete = run->ended == WCUT_CONTROL_STATE_RUN;
     return WCUT_OK;
 }
 

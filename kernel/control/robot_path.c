@@ -20,7 +20,7 @@ wcut_robot_options wcut_robot_options_default(void) {
                                 .time_tolerance = 1,
                                 .angle_tolerance = 0.5 * WCUT_PI / 180,
                                 .zone = 1,
-                                .frame = WCUT_TOOL_FIXED};
+                                .frame = WCUT_TOOL_FRAME_FIXED};
 }
 
 /* ---- thinning ---- */
@@ -45,7 +45,7 @@ static double find_worst(path *p, int i, int k, int *worst) {
         double across[2], along[2], angle = 0;
         stray(p->a, i, j, k, share, &across[0], &along[0]);
         stray(p->b, i, j, k, share, &across[1], &along[1]);
-        if (p->o.frame == WCUT_TOOL_FOLLOWING)
+        if (p->o.frame == WCUT_TOOL_FRAME_FOLLOWING)
             angle = fmax(
                 fmax(turn(f->alpha_a, t->alpha_a, share, r->alpha_a), turn(f->beta_a, t->beta_a, share, r->beta_a)),
                 fmax(turn(f->alpha_b, t->alpha_b, share, r->alpha_b), turn(f->beta_b, t->beta_b, share, r->beta_b)));
@@ -104,7 +104,7 @@ static wcut_vec3 direction(double u, double alpha, double beta) {
 static wcut_robot_target at_station(const path *p, int j) {
     const wcut_history_row *r = &p->row[j];
     wcut_robot_target t = {.station = j, .time = r->time, .a = p->a[j], .b = p->b[j]};
-    const bool follow = p->o.frame == WCUT_TOOL_FOLLOWING;
+    const bool follow = p->o.frame == WCUT_TOOL_FRAME_FOLLOWING;
     frame_along(follow ? direction(1, r->alpha_a, r->beta_a) : vec3(1, 0, 0), t.frame_a);
     frame_along(follow ? direction(-1, r->alpha_b, r->beta_b) : vec3(-1, 0, 0), t.frame_b);
     return t;
@@ -168,7 +168,8 @@ static wcut_status check(const wcut_history *h, const wcut_vec3 *a, const wcut_v
                          wcut_error *error) {
     if (!is_positive(o->chord_tolerance) || !is_positive(o->time_tolerance) || !is_positive(o->angle_tolerance) ||
         !(o->lead_in >= 0 && isfinite(o->lead_in)) || !(o->lead_out >= 0 && isfinite(o->lead_out)) ||
-        !(o->zone >= 0 && isfinite(o->zone)) || (o->frame != WCUT_TOOL_FIXED && o->frame != WCUT_TOOL_FOLLOWING))
+        !(o->zone >= 0 && isfinite(o->zone)) ||
+        (o->frame != WCUT_TOOL_FRAME_FIXED && o->frame != WCUT_TOOL_FRAME_FOLLOWING))
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "positive tolerances, leads and a zone of 0 or more and a known tool frame are expected");
     if (!h->row || h->stations < 2 || !vec3_all_finite(h->stations, a) || !vec3_all_finite(h->stations, b))

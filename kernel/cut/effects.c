@@ -21,11 +21,11 @@ double wcut_cut_fit(wcut_cut *cut, const wcut_target *target, wcut_vec3 *end_a, 
     const double edge = target->length / (n - 1);
     for (int e = 0; e < n - 1; e++) cut->rest[e] = cut->edge[e] = edge;
     *end_a = target->end_a, *end_b = target->end_b;
-    if (w->loaded && find(cut->setup, WCUT_MOUNT_COMPLIANCE)) {
+    if (w->loaded && find(cut->setup, WCUT_EFFECT_MOUNT_COMPLIANCE)) {
         *end_a = vec3_add(*end_a, w->offset[0]);
         *end_b = vec3_add(*end_b, w->offset[1]);
     }
-    const wcut_effect *longer = find(cut->setup, WCUT_WIRE_ELONGATION);
+    const wcut_effect *longer = find(cut->setup, WCUT_EFFECT_WIRE_ELONGATION);
     if (!longer) return target->length;
     const double strain = thermal_strain(longer) * target->heat / 60, air = longer->value[2];
     double sum = 0;
@@ -53,7 +53,8 @@ void wcut_extension_apply(wcut_cut *cut, const wcut_target *target, wcut_extensi
     if (setup->effect_count == 0) return;
     out->local = locality_of(cut, target);
     foam->local = &out->local;
-    const wcut_effect *longer = find(setup, WCUT_WIRE_ELONGATION), *mounts = find(setup, WCUT_MOUNT_COMPLIANCE);
+    const wcut_effect *longer = find(setup, WCUT_EFFECT_WIRE_ELONGATION),
+                      *mounts = find(setup, WCUT_EFFECT_MOUNT_COMPLIANCE);
     if (!longer && !mounts) return;
     out->compliance = (wcut_compliance){.mount = {{target->end_a, w->offset[0], w->pull[0], w->pulled},
                                                   {target->end_b, w->offset[1], w->pull[1], w->pulled}}};

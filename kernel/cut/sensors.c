@@ -32,7 +32,7 @@ static void spoil_tension(const wcut_effect *e, const span *s, double *const val
         if (!tension || !is_meant(e, mount)) continue;
         for (int i = 0; i < s->samples; i++) {
             if (!is_there(s, i)) continue;
-            if (e->kind == WCUT_TENSION_GAIN)
+            if (e->kind == WCUT_EFFECT_TENSION_GAIN)
                 tension[i] *= 1 + e->value[0];
             else
                 tension[i] += drift_at(e, s->time[i] - s->time[0]);
@@ -72,14 +72,14 @@ wcut_status wcut_sensors_eval(int count, const wcut_effect *effect, int samples,
     const span s = {samples, time, present};
     /* the clock first: it alone needs memory, and its order with what is constant or grows slowly does not matter */
     for (int e = 0; e < count; e++) {
-        if (effect[e].kind != WCUT_CLOCK_OFFSET || wcut_effect_is_neutral(&effect[e])) continue;
+        if (effect[e].kind != WCUT_EFFECT_CLOCK_OFFSET || wcut_effect_is_neutral(&effect[e])) continue;
         const wcut_status status = delay_clock(&effect[e], &s, value);
         if (status != WCUT_OK) return status;
     }
     for (int e = 0; e < count; e++) {
         if (wcut_effect_is_neutral(&effect[e])) continue;
-        if (effect[e].kind == WCUT_ANGLE_OFFSET) offset_angle(&effect[e], &s, value);
-        if (effect[e].kind == WCUT_TENSION_GAIN || effect[e].kind == WCUT_TENSION_DRIFT)
+        if (effect[e].kind == WCUT_EFFECT_ANGLE_OFFSET) offset_angle(&effect[e], &s, value);
+        if (effect[e].kind == WCUT_EFFECT_TENSION_GAIN || effect[e].kind == WCUT_EFFECT_TENSION_DRIFT)
             spoil_tension(&effect[e], &s, value);
     }
     return WCUT_OK;

@@ -69,7 +69,7 @@ static wcut_status check_design(const wcut_job *job, wcut_error *error) {
 }
 
 static bool acts_in_step(const wcut_effect *effect) {
-    return wcut_effect_view(effect->kind)->place == WCUT_EFFECT_STEP && !wcut_effect_is_neutral(effect);
+    return wcut_effect_view(effect->kind)->place == WCUT_EFFECT_PLACE_STEP && !wcut_effect_is_neutral(effect);
 }
 
 static wcut_status check_effects(const wcut_job *job, wcut_integrator integrator, wcut_error *error) {

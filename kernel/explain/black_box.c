@@ -184,16 +184,16 @@ static bool start(const wcut_evidence *e, const wcut_forecast *from, wcut_foreca
 }
 
 wcut_status wcut_black_box_run(const wcut_evidence *e, unsigned long long seed, wcut_cross_validation *p) {
-    const double *measured = p->measured.row, *replayed = p->in_sample[WCUT_FIT_RECALIBRATED].row;
+    const double *measured = p->measured.row, *replayed = p->in_sample[WCUT_FIT_MODEL_RECALIBRATED].row;
     regression r = {0};
     wcut_forecast all = {0}, held_out = {0};
-    wcut_fit fit[WCUT_EVIDENCE_COUNT], held_out_fit[WCUT_EVIDENCE_COUNT] = {{0}};
+    wcut_fit fit[WCUT_EVIDENCE_CHANNEL_COUNT], held_out_fit[WCUT_EVIDENCE_CHANNEL_COUNT] = {{0}};
     double *y = wcut_alloc((size_t)e->rows, sizeof *y), w[COLUMNS];
     const bool made = regression_create(e, &r);
     int cuts = 0;
     wcut_status status = WCUT_NO_MEMORY;
-    if (made && y && start(e, &p->in_sample[WCUT_FIT_RECALIBRATED], &all) &&
-        start(e, &p->held_out[WCUT_FIT_RECALIBRATED], &held_out)) {
+    if (made && y && start(e, &p->in_sample[WCUT_FIT_MODEL_RECALIBRATED], &all) &&
+        start(e, &p->held_out[WCUT_FIT_MODEL_RECALIBRATED], &held_out)) {
         for (int i = 0; i < e->rows; i++) y[i] = measured[i] - replayed[i];
         for (int signal = 0; signal < WCUT_SIGNALS; signal++) {
             add_up(&r, signal, y);
@@ -207,8 +207,8 @@ wcut_status wcut_black_box_run(const wcut_evidence *e, unsigned long long seed, 
         if (status == WCUT_OK && cuts > 1) status = wcut_forecast_score(e, &p->measured, &held_out, seed, held_out_fit);
     }
     if (status == WCUT_OK) {
-        memcpy(p->fit[WCUT_FIT_BLACK_BOX], fit, sizeof fit);
-        memcpy(p->held_out_fit[WCUT_FIT_BLACK_BOX], held_out_fit, sizeof held_out_fit);
+        memcpy(p->fit[WCUT_FIT_MODEL_BLACK_BOX], fit, sizeof fit);
+        memcpy(p->held_out_fit[WCUT_FIT_MODEL_BLACK_BOX], held_out_fit, sizeof held_out_fit);
     }
     wcut_free(all.row);
     wcut_free(all.speed);

@@ -12,7 +12,7 @@
 #include "base/numbers.h"
 #include "base/vec3.h"
 
-enum { MODELS = WCUT_FIT_BLACK_BOX };
+enum { MODELS = WCUT_FIT_MODEL_BLACK_BOX };
 
 /* the solver's tolerance: tensions move by a thousandth of a sensor's noise against 1e-10 */
 #define TOLERANCE 1e-6
@@ -119,7 +119,7 @@ static subject own_subject(const wcut_job *job) {
     subject s = {.kerf = job->kerf_width, .kerf_per_q = job->kerf_per_q, .own = true};
     s.model = (wcut_model){.a = job->force_law.a, .b = job->force_law.b};
     for (int k = 0; k < job->effect_count && s.model.effects < WCUT_DIAGNOSIS_EFFECTS; k++)
-        if (wcut_effect_view(job->effect[k].kind)->place != WCUT_EFFECT_STEP)
+        if (wcut_effect_view(job->effect[k].kind)->place != WCUT_EFFECT_PLACE_STEP)
             s.model.effect[s.model.effects++] = job->effect[k];
     return s;
 }
@@ -230,7 +230,7 @@ static double least_change(const wcut_evidence *e) {
 }
 
 static subject subject_of(const wcut_evidence *e, const task *t, const wcut_fitted *const *fitted) {
-    if (t->model == WCUT_FIT_BEFORE) return own_subject(e->cut[t->cut].job);
+    if (t->model == WCUT_FIT_MODEL_BEFORE) return own_subject(e->cut[t->cut].job);
     const wcut_fitted *f = fitted[t->model];
     subject s = {.model = f->model, .kerf = isfinite(f->kerf) ? f->kerf : 0};
     if (!t->held_out) return s;
@@ -258,7 +258,8 @@ static void copy_forecast(const wcut_evidence *e, const wcut_forecast *from, wcu
 
 static wcut_status forecast_all(const wcut_evidence *e, const wcut_fitted *const *fitted, wcut_cross_validation *p,
                                 wcut_error *error) {
-    const int models = fitted[WCUT_FIT_AFTER] == fitted[WCUT_FIT_RECALIBRATED] ? WCUT_FIT_AFTER : MODELS;
+    const int models =
+        fitted[WCUT_FIT_MODEL_AFTER] == fitted[WCUT_FIT_MODEL_RECALIBRATED] ? WCUT_FIT_MODEL_AFTER : MODELS;
     const int tasks = 2 * models * e->cuts;
     wcut_error *failed = wcut_alloc((size_t)tasks, sizeof *failed);
     double *room = wcut_alloc((size_t)e->rows, sizeof *room);
@@ -267,7 +268,7 @@ static wcut_status forecast_all(const wcut_evidence *e, const wcut_fitted *const
 #pragma omp parallel for num_threads(e->threads) schedule(dynamic, 1)
         for (int i = 0; i < tasks; i++) {
             const task t = {.cut = i / (2 * models), .model = i / 2 % models, .held_out = i % 2};
-            if (e->cut[t.cut].bins == 0 || (t.held_out && t.model == WCUT_FIT_BEFORE)) continue;
+            if (e->cut[t.cut].bins == 0 || (t.held_out && t.model == WCUT_FIT_MODEL_BEFORE)) continue;
             const subject s = subject_of(e, &t, fitted);
             wcut_forecast *f = t.held_out ? &p->held_out[t.model] : &p->in_sample[t.model];
             failed[i].status = forecast_cut(e, t.cut, &s, f, &failed[i]);
@@ -276,13 +277,13 @@ static wcut_status forecast_all(const wcut_evidence *e, const wcut_fitted *const
     for (int i = 0; status == WCUT_OK && i < tasks; i++)
         if (failed[i].status != WCUT_OK)
             status = wcut_fail(error, failed[i].status, "cut %d: %s", i / (2 * models) + 1, failed[i].text);
-    for (int m = WCUT_FIT_RECALIBRATED; status == WCUT_OK && m < models; m++)
+    for (int m = WCUT_FIT_MODEL_RECALIBRATED; status == WCUT_OK && m < models; m++)
         if (isfinite(fitted[m]->kerf))
             apply_kerf(e, p->measured.row, &p->in_sample[m], fitted[m]->kerf, &p->held_out[m], room);
-    if (status == WCUT_OK) copy_forecast(e, &p->in_sample[WCUT_FIT_BEFORE], &p->held_out[WCUT_FIT_BEFORE]);
+    if (status == WCUT_OK) copy_forecast(e, &p->in_sample[WCUT_FIT_MODEL_BEFORE], &p->held_out[WCUT_FIT_MODEL_BEFORE]);
     if (status == WCUT_OK && models < MODELS) {
-        copy_forecast(e, &p->in_sample[WCUT_FIT_RECALIBRATED], &p->in_sample[WCUT_FIT_AFTER]);
-        copy_forecast(e, &p->held_out[WCUT_FIT_RECALIBRATED], &p->held_out[WCUT_FIT_AFTER]);
+        copy_forecast(e, &p->in_sample[WCUT_FIT_MODEL_RECALIBRATED], &p->in_sample[WCUT_FIT_MODEL_AFTER]);
+        copy_forecast(e, &p->held_out[WCUT_FIT_MODEL_RECALIBRATED], &p->held_out[WCUT_FIT_MODEL_AFTER]);
     }
     wcut_free(room);
     wcut_free(failed);

@@ -54,7 +54,7 @@ double wcut_candidate_score(const wcut_search *s, int candidate) {
 static bool moves_scans_alone(const wcut_candidate *c) {
     for (int k = 0; k < c->fit.model.effects; k++) {
         const wcut_effect_place place = wcut_effect_view(c->fit.model.effect[k].kind)->place;
-        if (place == WCUT_EFFECT_STEP || place == WCUT_EFFECT_SENSOR) return false;
+        if (place == WCUT_EFFECT_PLACE_STEP || place == WCUT_EFFECT_PLACE_SENSOR) return false;
     }
     return true;
 }

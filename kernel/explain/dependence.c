@@ -239,11 +239,11 @@ static bool take_step(regression *r, int cuts, double *room, step *taken) {
 
 /* the channel whose misfit a dependence takes away most */
 static wcut_evidence_channel strongest(const regression *r, int at, int width, const double *t) {
-    static const wcut_evidence_channel channel[WCUT_SIGNALS] = {WCUT_EVIDENCE_TENSION, WCUT_EVIDENCE_TENSION,
-                                                                WCUT_EVIDENCE_ALPHA,   WCUT_EVIDENCE_BETA,
-                                                                WCUT_EVIDENCE_ALPHA,   WCUT_EVIDENCE_BETA};
-    double sum[WCUT_EVIDENCE_COUNT] = {0};
-    int best = WCUT_EVIDENCE_TENSION;
+    static const wcut_evidence_channel channel[WCUT_SIGNALS] = {
+        WCUT_EVIDENCE_CHANNEL_TENSION, WCUT_EVIDENCE_CHANNEL_TENSION, WCUT_EVIDENCE_CHANNEL_ALPHA,
+        WCUT_EVIDENCE_CHANNEL_BETA,    WCUT_EVIDENCE_CHANNEL_ALPHA,   WCUT_EVIDENCE_CHANNEL_BETA};
+    double sum[WCUT_EVIDENCE_CHANNEL_COUNT] = {0};
+    int best = WCUT_EVIDENCE_CHANNEL_TENSION;
     for (int cut = 0; cut < r->e->cuts; cut++) {
         const wcut_evidence_cut *c = &r->e->cut[cut];
         for (int i = 0; i < WCUT_SIGNALS * c->bins; i++) {
@@ -253,7 +253,7 @@ static wcut_evidence_channel strongest(const regression *r, int at, int width, c
             sum[channel[i / c->bins]] += change * change;
         }
     }
-    for (int k = 0; k < WCUT_EVIDENCE_COUNT; k++)
+    for (int k = 0; k < WCUT_EVIDENCE_CHANNEL_COUNT; k++)
         if (sum[k] > sum[best]) best = k;
     return (wcut_evidence_channel)best;
 }

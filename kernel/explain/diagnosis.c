@@ -132,13 +132,13 @@ static double widened_95(double half, double value, double slow) { return 1.96 *
 
 static void estimate(const wcut_fitted *f, int k, double slow, wcut_estimate *out) {
     const wcut_coordinate *c = &f->coordinate[k];
-    const double x = f->x[WCUT_BASE + k], own = c->scale == WCUT_FIT_LOG ? 1 : x;
+    const double x = f->x[WCUT_BASE + k], own = c->scale == WCUT_FIT_SCALE_LOG ? 1 : x;
     const double below = widened_95(f->below[WCUT_BASE + k], own, slow);
     const double above = widened_95(f->above[WCUT_BASE + k], own, slow);
     const double ends[2] = {fmax(x - below, c->low), fmin(x + above, c->high)};
     out->value = wcut_scale_out(c->scale, x);
     out->low = wcut_scale_out(c->scale, ends[0]), out->high = wcut_scale_out(c->scale, ends[1]);
-    if (c->scale == WCUT_FIT_RECIPROCAL) {
+    if (c->scale == WCUT_FIT_SCALE_RECIPROCAL) {
         const double swap = out->low;
         out->low = out->high, out->high = swap;
     }
@@ -182,13 +182,14 @@ static void report_base(diagnosing *g) {
     d->length_change = (wcut_estimate){f->x[2], f->x[2] - half, f->x[2] + half};
     const double kerf = 1.96 * f->kerf_error;
     d->kerf = (wcut_estimate){f->kerf, f->kerf - kerf, f->kerf + kerf};
-    d->noise[WCUT_EVIDENCE_SPEED] = d->noise[WCUT_EVIDENCE_SCAN] = (double)NAN;
+    d->noise[WCUT_EVIDENCE_CHANNEL_SPEED] = d->noise[WCUT_EVIDENCE_CHANNEL_SCAN] = (double)NAN;
     const double bin = sqrt(WCUT_BIN_WIDTH / 0.05); /* of a sample at 20 Hz */
-    d->noise[WCUT_EVIDENCE_TENSION] = bin * (g->evidence->sigma[0] + g->evidence->sigma[1]) / 2;
-    d->noise[WCUT_EVIDENCE_ALPHA] = bin * DEGREES * (g->evidence->sigma[2] + g->evidence->sigma[4]) / 2;
-    d->noise[WCUT_EVIDENCE_BETA] = bin * DEGREES * (g->evidence->sigma[3] + g->evidence->sigma[5]) / 2;
+    d->noise[WCUT_EVIDENCE_CHANNEL_TENSION] = bin * (g->evidence->sigma[0] + g->evidence->sigma[1]) / 2;
+    d->noise[WCUT_EVIDENCE_CHANNEL_ALPHA] = bin * DEGREES * (g->evidence->sigma[2] + g->evidence->sigma[4]) / 2;
+    d->noise[WCUT_EVIDENCE_CHANNEL_BETA] = bin * DEGREES * (g->evidence->sigma[3] + g->evidence->sigma[5]) / 2;
     for (int k = 0; k < g->cuts; k++)
-        if (g->evidence->cut[k].patch.count > 0) d->noise[WCUT_EVIDENCE_SCAN] = g->evidence->cut[k].patch.spread;
+        if (g->evidence->cut[k].patch.count > 0)
+            d->noise[WCUT_EVIDENCE_CHANNEL_SCAN] = g->evidence->cut[k].patch.spread;
 }
 
 /* ---- ranking ---- */
@@ -245,7 +246,8 @@ static wcut_status rank(diagnosing *g) {
 static bool trace_of(diagnosing *g, int cut, int signal, wcut_residual_trace *t) {
     const wcut_evidence_cut *c = &g->evidence->cut[cut];
     const size_t n = (size_t)c->bins;
-    const wcut_evidence_channel channels[] = {WCUT_EVIDENCE_TENSION, WCUT_EVIDENCE_ALPHA, WCUT_EVIDENCE_BETA};
+    const wcut_evidence_channel channels[] = {WCUT_EVIDENCE_CHANNEL_TENSION, WCUT_EVIDENCE_CHANNEL_ALPHA,
+                                              WCUT_EVIDENCE_CHANNEL_BETA};
     const wcut_evidence_channel channel = channels[signal < 2 ? 0 : signal % 2 ? 2 : 1];
     const double unit = signal < 2 ? 1 : DEGREES;
     *t = (wcut_residual_trace){

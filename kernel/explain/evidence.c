@@ -37,7 +37,7 @@ wcut_job wcut_model_job(const wcut_evidence *e, const wcut_model *model, int cut
     job.wire_length += model->length_change;
     for (int k = 0; k < model->effects; k++) {
         effect[k] = model->effect[k];
-        if (effect[k].kind == WCUT_WIRE_FOULING && model->carried) effect[k].value[2] = way_before(e, cut);
+        if (effect[k].kind == WCUT_EFFECT_WIRE_FOULING && model->carried) effect[k].value[2] = way_before(e, cut);
     }
     job.effect_count = model->effects, job.effect = effect;
     return job;

@@ -314,7 +314,7 @@ static wcut_status measure(trial *t, candidate which, wcut_job *job, double *sep
 static bool moves_face(int count, const wcut_effect *effect) {
     for (int e = 0; e < count; e++) {
         const wcut_effect_place place = wcut_effect_view(effect[e].kind)->place;
-        if (place == WCUT_EFFECT_FACE || place == WCUT_EFFECT_SCAN) return true;
+        if (place == WCUT_EFFECT_PLACE_FACE || place == WCUT_EFFECT_PLACE_SCAN) return true;
     }
     return false;
 }

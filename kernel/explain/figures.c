@@ -34,21 +34,22 @@ static double mean_of(const double *bin) {
 /* both mounts of a second are in one block */
 static void gather(const wcut_evidence *e, wcut_evidence_channel channel, const wcut_forecast *measured,
                    const wcut_forecast *predicted, pairs *p) {
-    static const int signal[WCUT_EVIDENCE_COUNT][2] = {{0, 1}, {0, 1}, {2, 4}, {3, 5}, {0, 0}};
-    const double unit = channel == WCUT_EVIDENCE_ALPHA || channel == WCUT_EVIDENCE_BETA ? 180 / WCUT_PI : 1;
+    static const int signal[WCUT_EVIDENCE_CHANNEL_COUNT][2] = {{0, 1}, {0, 1}, {2, 4}, {3, 5}, {0, 0}};
+    const double unit =
+        channel == WCUT_EVIDENCE_CHANNEL_ALPHA || channel == WCUT_EVIDENCE_CHANNEL_BETA ? 180 / WCUT_PI : 1;
     size_t speed = 0;
     p->count = p->blocks = 0;
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
         const size_t row = (size_t)c->row, bins = (size_t)c->bins, face = row + WCUT_SIGNALS * bins;
-        const bool is_scan = channel == WCUT_EVIDENCE_SCAN;
+        const bool is_scan = channel == WCUT_EVIDENCE_CHANNEL_SCAN;
         const int length = is_scan ? PATCH_BLOCK : BLOCK, n = is_scan ? c->patch.count : c->bins / MEAN;
         for (int i = 0; i < n; i++) {
             const int block = p->blocks + i / length;
             if (is_scan) add_pair(p, measured->row[face + (size_t)i], predicted->row[face + (size_t)i], block);
             for (int side = 0; !is_scan && side < 2; side++) {
                 const size_t at = (size_t)signal[channel][side] * bins + (size_t)(MEAN * i);
-                if (channel == WCUT_EVIDENCE_SPEED)
+                if (channel == WCUT_EVIDENCE_CHANNEL_SPEED)
                     add_pair(p, mean_of(measured->speed + speed + at), mean_of(predicted->speed + speed + at), block);
                 else
                     add_pair(p, unit * mean_of(measured->row + row + at), unit * mean_of(predicted->row + row + at),
@@ -101,7 +102,7 @@ wcut_status wcut_forecast_score(const wcut_evidence *e, const wcut_forecast *mea
     double *sum = wcut_alloc(most, sizeof *sum);
     int *number = wcut_alloc(most, sizeof *number);
     const bool whole = p.measured && p.predicted && p.block && sum && number;
-    for (int k = 0; whole && k < WCUT_EVIDENCE_COUNT; k++) {
+    for (int k = 0; whole && k < WCUT_EVIDENCE_CHANNEL_COUNT; k++) {
         gather(e, (wcut_evidence_channel)k, measured, predicted, &p);
         const wcut_score s = wcut_score_of(p.count, p.measured, p.predicted, 0);
         fit[k] = (wcut_fit){.count = s.count, .rmsd = s.rmsd, .nrmsd = s.nrmsd, .rmse_over_range = s.rmse_over_range};

@@ -72,7 +72,7 @@ static wcut_status run_column(const wcut_evidence *e, const wcut_model *about, i
     for (double y = PITCH * (0.5 + phase); y < c->job->block_size.y && b->count - begun < BLOBS_MAX;
          y += PITCH * PHASES) {
         wcut_effect *blob = &effect[job.effect_count++];
-        *blob = wcut_effect_default(WCUT_FOAM_INCLUSION);
+        *blob = wcut_effect_default(WCUT_EFFECT_FOAM_INCLUSION);
         blob->value[0] = AMPLITUDE, blob->value[1] = RADIUS;
         blob->value[2] = x, blob->value[3] = y, blob->value[4] = height_at(c, plain, x, y);
         b->x[b->count] = x, b->y[b->count++] = y;
@@ -158,7 +158,7 @@ static wcut_status list_places(const wcut_evidence *e, const blobs *b, wcut_incl
         memset(column, 0, (size_t)e->rows * sizeof *column);
         if (!spread(e, b, x, y, column)) continue;
         wcut_effect *effect = &out->effect[out->count++];
-        *effect = wcut_effect_default(WCUT_FOAM_INCLUSION);
+        *effect = wcut_effect_default(WCUT_EFFECT_FOAM_INCLUSION);
         effect->value[0] = 1, effect->value[1] = hypot(RADIUS, WIDE_Y);
         effect->value[2] = x, effect->value[3] = y;
         effect->value[4] = first->job->mount_a[first->job->stations / 2].z;

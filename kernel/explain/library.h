@@ -5,7 +5,7 @@
 #include "explain/evidence.h"
 
 /* how a value is fitted: as it is, by its logarithm, or by its reciprocal (a stiffness without end is no effect) */
-typedef enum wcut_fit_scale { WCUT_FIT_LINEAR, WCUT_FIT_LOG, WCUT_FIT_RECIPROCAL } wcut_fit_scale;
+typedef enum wcut_fit_scale { WCUT_FIT_SCALE_LINEAR, WCUT_FIT_SCALE_LOG, WCUT_FIT_SCALE_RECIPROCAL } wcut_fit_scale;
 
 /* A value of an effect that is fitted; centre, spread, step and bounds are on the fitted scale. */
 typedef struct wcut_coordinate {

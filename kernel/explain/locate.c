@@ -415,7 +415,7 @@ static void tell_channel(const search *s, const window *w, const wcut_response *
         if (h.scale[i] > 0) sum += value[i], n++;
     const double unit = w->signal < 2 ? 1 : 180 / WCUT_PI;
     out->mean = unit * h.sigma * sum / (n > 0 ? n : 1);
-    out->channel = (wcut_evidence_channel)(WCUT_EVIDENCE_TENSION + kind_of(w->signal));
+    out->channel = (wcut_evidence_channel)(WCUT_EVIDENCE_CHANNEL_TENSION + kind_of(w->signal));
     snprintf(out->column, sizeof out->column, "%s",
              wcut_channel_name((wcut_channel)(WCUT_CHANNEL_TENSION_A + w->signal)));
     out->time[0] = c->from + w->first * WCUT_BIN_WIDTH, out->time[1] = c->from + w->last * WCUT_BIN_WIDTH;
@@ -453,7 +453,7 @@ static void tell_scan(const search *s, const window *w, wcut_mismatch *out) {
         box_add(&range, vec3(p->station[i], (p->across[i] - entering(p)) * length, 0));
     }
     out->mean = n > 0 ? sum / n : 0;
-    out->channel = WCUT_EVIDENCE_SCAN;
+    out->channel = WCUT_EVIDENCE_CHANNEL_SCAN;
     snprintf(out->column, sizeof out->column, "scan");
     out->station[0] = range.low.x, out->station[1] = range.high.x;
     out->wire[0] = range.low.y, out->wire[1] = range.high.y;

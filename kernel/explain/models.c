@@ -21,7 +21,7 @@ static bool same_effect(const wcut_effect *a, const wcut_effect *b) {
 static const wcut_effect *next_moving(const wcut_model *m, int *from) {
     while (*from < m->effects) {
         const wcut_effect *e = &m->effect[(*from)++];
-        if (wcut_effect_view(e->kind)->place == WCUT_EFFECT_STEP && !wcut_effect_is_neutral(e)) return e;
+        if (wcut_effect_view(e->kind)->place == WCUT_EFFECT_PLACE_STEP && !wcut_effect_is_neutral(e)) return e;
     }
     return NULL;
 }

@@ -55,7 +55,7 @@ static bool list_models(making *m, int variants, const wcut_variant *variant) {
         m->model[3].length_change += wcut_base_step[2];
     if (at->effects == WCUT_DIAGNOSIS_EFFECTS) return false;
     for (int k = 0; k < variants; k++) {
-        const int parts = variant[k].effect.kind == WCUT_SCAN_OFFSET ? 3 : 1;
+        const int parts = variant[k].effect.kind == WCUT_EFFECT_SCAN_OFFSET ? 3 : 1;
         for (int p = 0; p < parts; p++) {
             wcut_model *model = &m->model[1 + WCUT_BASE + s->columns];
             *model = *at;
@@ -136,8 +136,8 @@ wcut_status wcut_screen_create(const wcut_evidence *e, const wcut_model *about, 
     making m = {.e = e, .about = about, .s = &s};
     const int variants =
         drop_known(about, wcut_library_variants(without, e->cuts > 1, s.nuisances > 0, variant), variant);
-    bool places = !without[WCUT_FOAM_INCLUSION] && about->effects < WCUT_DIAGNOSIS_EFFECTS;
-    for (int k = 0; k < about->effects; k++) places = places && about->effect[k].kind != WCUT_FOAM_INCLUSION;
+    bool places = !without[WCUT_EFFECT_FOAM_INCLUSION] && about->effects < WCUT_DIAGNOSIS_EFFECTS;
+    for (int k = 0; k < about->effects; k++) places = places && about->effect[k].kind != WCUT_EFFECT_FOAM_INCLUSION;
     wcut_inclusions inclusions = {0};
     wcut_status status = places ? wcut_inclusions_create(e, about, &inclusions, error) : WCUT_OK;
     const size_t rows = (size_t)e->rows, most = (size_t)variants + 2 + (size_t)inclusions.count;

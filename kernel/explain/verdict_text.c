@@ -16,24 +16,25 @@ typedef struct phrase {
 } phrase;
 
 static const phrase phrases[WCUT_EFFECT_COUNT] = {
-    [WCUT_WIRE_THERMAL_LAG] = {"the wire follows heat and speed with a delay", "time constant %.2f s", 1},
-    [WCUT_AIR_OVERHEATING] = {"the wire enters the foam overheated by the air", "%.2f times its power at first", 1},
-    [WCUT_END_COOLING] = {"the wire is cooler near its mounts", "by %.0f %%", 100},
-    [WCUT_FOAM_DENSITY_GRADIENT] = {"the foam gets denser across the block", "by %+.0f %%", 100},
-    [WCUT_FOAM_INCLUSION] = {"there is a spot of other density in the block", "%+.0f %%", 100},
-    [WCUT_KERF_GROWTH] = {"the kerf grows with the heat", "%.2f mm per kJ/m2", 1000},
-    [WCUT_TANGENTIAL_DRAG] = {"the foam drags along the wire", "friction %.2f", 1},
-    [WCUT_WIRE_ELONGATION] = {"the hot wire is longer than the cold one", "by %.2f %%", 100},
-    [WCUT_MOUNT_COMPLIANCE] = {"the mounts give way", "%.1f N/mm", 1},
-    [WCUT_RATE_DEPENDENCE] = {"the foam's force follows the speed itself", "exponent %+.2f", 1},
-    [WCUT_WIRE_FOULING] = {"residue on the wire changes the force as it cuts", "by %+.0f %%", 100},
-    [WCUT_BLOCK_SPRINGBACK] = {"the block changed shape after the cut", "%+.1f mm", 1},
-    [WCUT_ANGLE_OFFSET] = {"an angle encoder is offset", "by %+.2f deg", 1},
-    [WCUT_TENSION_GAIN] = {"a tension sensor has another gain than it should", "%+.1f %% off", 100},
-    [WCUT_TENSION_DRIFT] = {"a tension sensor drifts", "%+.2f N in 100 s", 1},
-    [WCUT_CLOCK_OFFSET] = {"sensors are recorded late", "by %.2f s", 1},
-    [WCUT_SCAN_OFFSET] = {"the scan is displaced", "%.2f mm along x", 1},
-    [WCUT_SCAN_SCALE] = {"the scan has another scale", "factor %.4f", 1},
+    [WCUT_EFFECT_WIRE_THERMAL_LAG] = {"the wire follows heat and speed with a delay", "time constant %.2f s", 1},
+    [WCUT_EFFECT_AIR_OVERHEATING] = {"the wire enters the foam overheated by the air", "%.2f times its power at first",
+                                     1},
+    [WCUT_EFFECT_END_COOLING] = {"the wire is cooler near its mounts", "by %.0f %%", 100},
+    [WCUT_EFFECT_FOAM_DENSITY_GRADIENT] = {"the foam gets denser across the block", "by %+.0f %%", 100},
+    [WCUT_EFFECT_FOAM_INCLUSION] = {"there is a spot of other density in the block", "%+.0f %%", 100},
+    [WCUT_EFFECT_KERF_GROWTH] = {"the kerf grows with the heat", "%.2f mm per kJ/m2", 1000},
+    [WCUT_EFFECT_TANGENTIAL_DRAG] = {"the foam drags along the wire", "friction %.2f", 1},
+    [WCUT_EFFECT_WIRE_ELONGATION] = {"the hot wire is longer than the cold one", "by %.2f %%", 100},
+    [WCUT_EFFECT_MOUNT_COMPLIANCE] = {"the mounts give way", "%.1f N/mm", 1},
+    [WCUT_EFFECT_RATE_DEPENDENCE] = {"the foam's force follows the speed itself", "exponent %+.2f", 1},
+    [WCUT_EFFECT_WIRE_FOULING] = {"residue on the wire changes the force as it cuts", "by %+.0f %%", 100},
+    [WCUT_EFFECT_BLOCK_SPRINGBACK] = {"the block changed shape after the cut", "%+.1f mm", 1},
+    [WCUT_EFFECT_ANGLE_OFFSET] = {"an angle encoder is offset", "by %+.2f deg", 1},
+    [WCUT_EFFECT_TENSION_GAIN] = {"a tension sensor has another gain than it should", "%+.1f %% off", 100},
+    [WCUT_EFFECT_TENSION_DRIFT] = {"a tension sensor drifts", "%+.2f N in 100 s", 1},
+    [WCUT_EFFECT_CLOCK_OFFSET] = {"sensors are recorded late", "by %.2f s", 1},
+    [WCUT_EFFECT_SCAN_OFFSET] = {"the scan is displaced", "%.2f mm along x", 1},
+    [WCUT_EFFECT_SCAN_SCALE] = {"the scan has another scale", "factor %.4f", 1},
 };
 
 typedef struct text {
@@ -65,7 +66,7 @@ static void add_effect(text *t, const wcut_found_effect *f) {
     const phrase *p = &phrases[f->effect.kind];
     add(t, "%s", p->what);
     if (info->choice) add(t, " [%s %s]", info->choice_key, info->choice[f->effect.choice]);
-    if (f->effect.kind == WCUT_KERF_GROWTH && f->effect.choice == 1)
+    if (f->effect.kind == WCUT_EFFECT_KERF_GROWTH && f->effect.choice == 1)
         add(t, " (%.2f mm for e times the heat)", f->effect.value[1]);
     else
         add_number(t, p, f->effect.value[0]);
@@ -182,7 +183,7 @@ bool wcut_diagnosis_limits(wcut_diagnosis *d, int cuts, const wcut_diagnosis_cut
     if (d->unproven[0]) limit(d, "There is no forward proof: %s.", d->unproven);
     limit_calibration(d, test_cuts, calibration);
     for (int k = 0; k < d->effects; k++)
-        if (d->effect[k].effect.kind == WCUT_TENSION_GAIN && d->effect[k].effect.choice < 2)
+        if (d->effect[k].effect.kind == WCUT_EFFECT_TENSION_GAIN && d->effect[k].effect.choice < 2)
             limit(d,
                   "Which of the two tension sensors is off is not told: one gain up and the other down differ by a "
                   "alone.");

@@ -81,7 +81,7 @@ static const char *const sensors[] = {"a", "b", "both", NULL};
 #define INFO_SCAN_OFFSET NULL, NULL, 3, 0, false, false, offset
 #define INFO_SCAN_SCALE NULL, NULL, 1, 1, false, false, scale
 
-#define INFO(name, text, acts) [WCUT_##name] = {text, WCUT_EFFECT_##acts, INFO_##name},
+#define INFO(name, text, acts) [WCUT_EFFECT_##name] = {text, WCUT_EFFECT_PLACE_##acts, INFO_##name},
 static const wcut_effect_info table[] = {WCUT_EFFECT_LIST(INFO)};
 
 const wcut_effect_info *wcut_effect_view(wcut_effect_kind kind) {

@@ -241,7 +241,7 @@ static bool test_replicates(const trial *t, const solution *s, const double *los
         misfit += e[i] * e[i];
     }
     if (d->n - levels < 2 || levels <= s->parameters) return false;
-    keep_test(fit, WCUT_LACK_REPLICATE, misfit, levels - s->parameters, pure, d->n - levels);
+    keep_test(fit, WCUT_LACK_OF_FIT_REPLICATE, misfit, levels - s->parameters, pure, d->n - levels);
     return true;
 }
 
@@ -260,7 +260,7 @@ static wcut_status test_flexible(const trial *t, const solution *s, const double
         if (status == WCUT_SINGULAR) continue;
         if (status != WCUT_OK) return status;
         for (int i = columns; i < n; i++) rest += e[i] * e[i]; /* Q^T e: its tail is what no column explains */
-        keep_test(fit, WCUT_LACK_FLEXIBLE, misfit, extra, rest, n - columns);
+        keep_test(fit, WCUT_LACK_OF_FIT_FLEXIBLE, misfit, extra, rest, n - columns);
         return WCUT_OK;
     }
     return WCUT_OK;
@@ -328,9 +328,9 @@ static void mark_unusual(const wcut_law_data *d, int parameters, const wcut_law_
         wcut_fit_point *at = &point[i];
         double error = wcut_law_fit_error(fit, d->q[i]);
         at->influence = error > 0 ? (at->fitted - at->left_out) / error : 0;
-        at->unusual = (fabs(at->residual) > 3 ? WCUT_FIT_OUTLIER : 0) +
-                      (at->leverage > 2 * share ? WCUT_FIT_LEVERAGE : 0) +
-                      (fabs(at->influence) > 2 * sqrt(share) ? WCUT_FIT_INFLUENTIAL : 0);
+        at->unusual = (fabs(at->residual) > 3 ? WCUT_UNUSUAL_OUTLIER : 0) +
+                      (at->leverage > 2 * share ? WCUT_UNUSUAL_LEVERAGE : 0) +
+                      (fabs(at->influence) > 2 * sqrt(share) ? WCUT_UNUSUAL_INFLUENTIAL : 0);
     }
 }
 

@@ -42,9 +42,9 @@ static factors coefficients(const wcut_locality *at, const wcut_block *block, wc
     factors f = {1, 1, {0, 0, 0}};
     for (int k = 0; k < at->count; k++) {
         const wcut_effect *e = &at->effect[k];
-        if (e->kind == WCUT_FOAM_DENSITY_GRADIENT) add_gradient(e, block, x, &f);
-        if (e->kind == WCUT_FOAM_INCLUSION) add_inclusion(e, x, &f);
-        if (e->kind == WCUT_WIRE_FOULING) {
+        if (e->kind == WCUT_EFFECT_FOAM_DENSITY_GRADIENT) add_gradient(e, block, x, &f);
+        if (e->kind == WCUT_EFFECT_FOAM_INCLUSION) add_inclusion(e, x, &f);
+        if (e->kind == WCUT_EFFECT_WIRE_FOULING) {
             const double change = e->value[0] * -expm1(-(e->value[2] + at->state[i].way) / e->value[1]);
             *(e->choice == 0 ? &f.a : &f.b) *= 1 + change;
         }
@@ -115,7 +115,7 @@ static double cooled_ends(const wcut_effect *e, double edge, int n, int i) {
 
 static power supply(const wcut_locality *at, double heat, double rate, int n, int i) {
     power q = {.value = heat};
-    const wcut_effect *end = find(at, WCUT_END_COOLING), *air = find(at, WCUT_AIR_OVERHEATING);
+    const wcut_effect *end = find(at, WCUT_EFFECT_END_COOLING), *air = find(at, WCUT_EFFECT_AIR_OVERHEATING);
     if (end) scale(&q, cooled_ends(end, at->edge, n, i));
     if (air) overheat(air, at->age, rate, &q);
     return q;
@@ -127,7 +127,7 @@ wcut_local_law wcut_local_law_eval(const wcut_locality *at, const wcut_block *bl
                                    double heat, double rate, double speed, int n, wcut_vec3 x, int i) {
     const factors f = coefficients(at, block, x, i);
     power q = supply(at, heat, rate, n, i);
-    const wcut_effect *lag = find(at, WCUT_WIRE_THERMAL_LAG), *faster = find(at, WCUT_RATE_DEPENDENCE);
+    const wcut_effect *lag = find(at, WCUT_EFFECT_WIRE_THERMAL_LAG), *faster = find(at, WCUT_EFFECT_RATE_DEPENDENCE);
     if (lag) delay(lag, &at->state[i], rate, speed, &q);
     wcut_local_law out = {.heat = q.value};
     if (!(speed > 0)) return out;
@@ -145,7 +145,7 @@ wcut_local_law wcut_local_law_eval(const wcut_locality *at, const wcut_block *bl
 wcut_node_state wcut_node_state_after(const wcut_locality *at, double heat, double rate, double speed, double inside,
                                       int n, int i) {
     wcut_node_state state = {.set = true, .way = at->state[i].way + inside * speed / rate};
-    const wcut_effect *lag = find(at, WCUT_WIRE_THERMAL_LAG);
+    const wcut_effect *lag = find(at, WCUT_EFFECT_WIRE_THERMAL_LAG);
     if (!lag) return state;
     const power q = supply(at, heat, rate, n, i);
     const thermal t = cool(lag, &at->state[i], q.value, rate, speed);
@@ -154,7 +154,7 @@ wcut_node_state wcut_node_state_after(const wcut_locality *at, double heat, doub
 }
 
 bool wcut_locality_drag(const wcut_locality *at, double *mu, double *smooth) {
-    const wcut_effect *drag = find(at, WCUT_TANGENTIAL_DRAG);
+    const wcut_effect *drag = find(at, WCUT_EFFECT_TANGENTIAL_DRAG);
     if (!drag) return false;
     *mu = drag->value[0], *smooth = drag->value[1];
     return true;

@@ -54,7 +54,7 @@ typedef struct cleaning {
 static void gather(cleaning *c) {
     c->left = 0;
     for (int k = 0; k < c->count; k++) {
-        if (c->removal[k] != WCUT_KEPT) continue;
+        if (c->removal[k] != WCUT_REMOVAL_KEPT) continue;
         c->which[c->left] = k;
         c->some[c->left++] = c->point[k];
     }
@@ -120,7 +120,7 @@ static void look_around(cleaning *c, int first, int end) {
     for (int k = first; k < end; k++) {
         unsigned char *removal = &c->removal[c->which[c->tree.index[k]]];
         if (o->radius > 0 && wcut_kd_tree_within(&c->tree, k, o->radius, o->radius_least) < o->radius_least)
-            *removal = WCUT_ISOLATED;
+            *removal = WCUT_REMOVAL_ISOLATED;
         if (o->neighbours == 0) continue;
         wcut_kd_tree_nearest(&c->tree, k, o->neighbours, &nearest);
         double total = 0;
@@ -146,7 +146,7 @@ static wcut_status find_outliers(cleaning *c) {
         c->report.limit = fmax(c->report.centre + o->deviations * c->report.scale, o->least * c->report.centre);
         for (int k = 0; k < c->left; k++) {
             unsigned char *removal = &c->removal[c->which[c->tree.index[k]]];
-            if (*removal == WCUT_KEPT && c->distance[k] > c->report.limit) *removal = WCUT_OUTLIER;
+            if (*removal == WCUT_REMOVAL_KEPT && c->distance[k] > c->report.limit) *removal = WCUT_REMOVAL_OUTLIER;
         }
     }
     wcut_free(work);
@@ -164,7 +164,7 @@ static wcut_status thin(cleaning *c) {
     wcut_status status = keep ? wcut_thinning_create(c->options->voxel, &thinning) : WCUT_NO_MEMORY;
     if (status == WCUT_OK) status = wcut_thinning_step(thinning, c->left, c->some, keep);
     for (int k = 0; status == WCUT_OK && k < c->left; k++)
-        if (!keep[k]) c->removal[c->which[k]] = WCUT_THINNED;
+        if (!keep[k]) c->removal[c->which[k]] = WCUT_REMOVAL_THINNED;
     wcut_thinning_destroy(thinning);
     wcut_free(keep);
     return status;
@@ -177,7 +177,7 @@ static wcut_status clean(cleaning *c) {
     if (status == WCUT_OK) status = find_outliers(c);
     if (status == WCUT_OK) status = thin(c);
     for (int k = 0; k < c->count; k++) c->report.removed[c->removal[k]]++;
-    return status == WCUT_OK && c->report.removed[WCUT_KEPT] == 0 ? WCUT_DEGENERATE : status;
+    return status == WCUT_OK && c->report.removed[WCUT_REMOVAL_KEPT] == 0 ? WCUT_DEGENERATE : status;
 }
 
 wcut_status wcut_cloud_clean(int count, const wcut_vec3 *point, const wcut_clean_options *options, int threads,
@@ -206,6 +206,6 @@ int wcut_cloud_keep(int count, const unsigned char *removal, wcut_vec3 *row) {
     int kept = 0;
     if (!removal || !row) return 0;
     for (int k = 0; k < count; k++)
-        if (removal[k] == WCUT_KEPT) row[kept++] = row[k];
+        if (removal[k] == WCUT_REMOVAL_KEPT) row[kept++] = row[k];
     return kept;
 }

@@ -30,14 +30,14 @@ static double shape_of(int shape, double u, double v) {
 
 static void move_face(const wcut_effect *e, wcut_vec3 block, const wcut_vec3 *normal, const double *q_eff, int i,
                       wcut_vec3 *p) {
-    if (e->kind == WCUT_KERF_GROWTH) *p = vec3_add_scaled(*p, -more_kerf(e, q_eff[i]) / 2, normal[i]);
-    if (e->kind == WCUT_BLOCK_SPRINGBACK)
+    if (e->kind == WCUT_EFFECT_KERF_GROWTH) *p = vec3_add_scaled(*p, -more_kerf(e, q_eff[i]) / 2, normal[i]);
+    if (e->kind == WCUT_EFFECT_BLOCK_SPRINGBACK)
         p->z += e->value[0] * shape_of(e->choice, 2 * p->x / block.x - 1, 2 * p->y / block.y - 1);
 }
 
 static void misplace_scan(const wcut_effect *e, wcut_vec3 block, wcut_vec3 *p) {
-    if (e->kind == WCUT_SCAN_SCALE) *p = vec3_mix(vec3_scale(0.5, block), *p, e->value[0]);
-    if (e->kind == WCUT_SCAN_OFFSET) *p = vec3_add(*p, vec3(e->value[0], e->value[1], e->value[2]));
+    if (e->kind == WCUT_EFFECT_SCAN_SCALE) *p = vec3_mix(vec3_scale(0.5, block), *p, e->value[0]);
+    if (e->kind == WCUT_EFFECT_SCAN_OFFSET) *p = vec3_add(*p, vec3(e->value[0], e->value[1], e->value[2]));
 }
 
 wcut_status wcut_face_eval(int count, const wcut_effect *effect, wcut_vec3 block, int points, const wcut_vec3 *normal,
@@ -46,7 +46,7 @@ wcut_status wcut_face_eval(int count, const wcut_effect *effect, wcut_vec3 block
         !is_positive(block.z) || wcut_effects_check(count, effect, NULL) != WCUT_OK)
         return WCUT_BAD_ARGUMENT;
     for (int e = 0; e < count; e++)
-        if (effect[e].kind == WCUT_KERF_GROWTH && !wcut_effect_is_neutral(&effect[e]) && points > 0 &&
+        if (effect[e].kind == WCUT_EFFECT_KERF_GROWTH && !wcut_effect_is_neutral(&effect[e]) && points > 0 &&
             (!normal || !q_eff || !vec3_all_finite(points, normal) || !all_positive(points, q_eff)))
             return WCUT_BAD_ARGUMENT;
     for (int e = 0; e < count; e++)

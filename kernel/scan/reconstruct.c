@@ -20,7 +20,7 @@ static const double COARSE = 1.5; /* [1] spacing of the points that Poisson uses
 
 wcut_reconstruction_options wcut_reconstruction_options_default(void) {
     return (wcut_reconstruction_options){
-        .method = WCUT_RECONSTRUCTION_FIELD, .support = 1.5, .hole_least = 10, .seed = 1};
+        .method = WCUT_RECONSTRUCTION_METHOD_FIELD, .support = 1.5, .hole_least = 10, .seed = 1};
 }
 
 void wcut_reconstruction_destroy(wcut_reconstruction *reconstruction) {
@@ -34,7 +34,7 @@ void wcut_reconstruction_destroy(wcut_reconstruction *reconstruction) {
 /* ---- what is given ---- */
 
 static wcut_status check_options(const wcut_reconstruction_options *o, wcut_error *error) {
-    if (o->method != WCUT_RECONSTRUCTION_FIELD && o->method != WCUT_RECONSTRUCTION_POISSON)
+    if (o->method != WCUT_RECONSTRUCTION_METHOD_FIELD && o->method != WCUT_RECONSTRUCTION_METHOD_POISSON)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "method: found %d, expected field or Poisson", (int)o->method);
     if (!is_positive(o->support) || o->support > FAR)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "support: found %g, expected a positive number", o->support);
@@ -189,7 +189,7 @@ static wcut_status reconstruct(job *j, wcut_reconstruction *r, wcut_error *error
     wcut_status status = wcut_lattice_build(j->surface, r->spacing, j->threads, &j->lattice);
     if (status == WCUT_OK && o->mesh) status = wcut_base_lay(j->surface, o->mesh, j->threads, &j->lattice, &j->base);
     if (status == WCUT_OK) status = solve_field(j, r);
-    if (status == WCUT_OK && o->method == WCUT_RECONSTRUCTION_POISSON) status = solve_poisson(j, r);
+    if (status == WCUT_OK && o->method == WCUT_RECONSTRUCTION_METHOD_POISSON) status = solve_poisson(j, r);
     if (status == WCUT_OK) status = cut(j, o->support, r);
     wcut_field_clear(&j->field);
     wcut_base_clear(&j->base);

@@ -21,16 +21,16 @@ wcut_registration wcut_registration_none(void) {
 static wcut_status check_dofs(const wcut_dof *dof, wcut_error *error) {
     for (int k = 0; k < WCUT_DOF_COUNT; k++) {
         const wcut_dof_kind kind = dof[k].kind;
-        if (kind != WCUT_DOF_FREE && kind != WCUT_DOF_LOCKED && kind != WCUT_DOF_PRIOR)
+        if (kind != WCUT_DOF_KIND_FREE && kind != WCUT_DOF_KIND_LOCKED && kind != WCUT_DOF_KIND_PRIOR)
             return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s: kind %d, expected free, locked or prior", dof_name[k],
                              (int)kind);
         if (!(fabs(dof[k].value) <= FAR))
             return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s: value %g, expected a number", dof_name[k], dof[k].value);
-        if (kind == WCUT_DOF_PRIOR && !is_positive(dof[k].sigma))
+        if (kind == WCUT_DOF_KIND_PRIOR && !is_positive(dof[k].sigma))
             return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s: sigma %g, expected a positive number", dof_name[k],
                              dof[k].sigma);
     }
-    if (!(vec3_length(vec3(dof[WCUT_RX].value, dof[WCUT_RY].value, dof[WCUT_RZ].value)) < WCUT_PI))
+    if (!(vec3_length(vec3(dof[WCUT_DOF_RX].value, dof[WCUT_DOF_RY].value, dof[WCUT_DOF_RZ].value)) < WCUT_PI))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "rx, ry, rz: a rotation vector of pi or longer");
     return WCUT_OK;
 }

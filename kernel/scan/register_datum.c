@@ -144,7 +144,7 @@ static double find_pivot(const datums *d, const wcut_registration_options *o, wc
 
 static bool all_free(const wcut_dof *dof) {
     for (int k = 0; k < WCUT_DOF_COUNT; k++)
-        if (dof[k].kind != WCUT_DOF_FREE) return false;
+        if (dof[k].kind != WCUT_DOF_KIND_FREE) return false;
     return true;
 }
 
@@ -176,7 +176,7 @@ wcut_status wcut_registration_solve_datum(int pairs, const wcut_datum_pair *pair
     wcut_register_sums before = {.weight = 0};
     const wcut_motion stay = wcut_motion_of(pivot, (double[WCUT_DOF_COUNT]){0});
     status = residuals(&d, &stay, &before);
-    r.method = WCUT_REGISTRATION_DATUM;
+    r.method = WCUT_REGISTRATION_METHOD_DATUM;
     r.points = count;
     r.rms_before = sqrt(before.plain / before.used);
     wcut_motion motion = start(&d, &o, pivot);

@@ -168,7 +168,7 @@ static double distance_rms(const wcut_register_cloud *c, wcut_vec3 pivot) {
 
 static bool wants_coarse(const wcut_registration_options *o) {
     for (int k = 0; k < WCUT_DOF_COUNT; k++)
-        if (o->dof[k].kind != WCUT_DOF_FREE) return false;
+        if (o->dof[k].kind != WCUT_DOF_KIND_FREE) return false;
     return o->coarse;
 }
 
@@ -188,7 +188,7 @@ static wcut_status solve(wcut_register_cloud *c, const wcut_registration_options
     if (status == WCUT_OK && wants_coarse(o))
         status = wcut_register_coarse(c->face, c->count, c->point, length, o, c->threads, &motion, &r.rival);
     if (status != WCUT_OK) return wcut_fail(error, status, "registration: %s", wcut_status_text(status));
-    r.method = WCUT_REGISTRATION_FIT;
+    r.method = WCUT_REGISTRATION_METHOD_FIT;
     r.points = c->count;
     const wcut_register_problem problem = wcut_register_fit_problem(c, o, length);
     status = wcut_register_solve(&problem, &motion, &r);

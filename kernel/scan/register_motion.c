@@ -16,7 +16,7 @@ static mat3 combine(wcut_vec3 w, double a, double b) {
 wcut_motion wcut_motion_of(wcut_vec3 pivot, const double *x) {
     wcut_motion m = {.pivot = pivot};
     for (int k = 0; k < WCUT_DOF_COUNT; k++) m.x[k] = x[k];
-    const wcut_vec3 w = vec3(x[WCUT_RX], x[WCUT_RY], x[WCUT_RZ]);
+    const wcut_vec3 w = vec3(x[WCUT_DOF_RX], x[WCUT_DOF_RY], x[WCUT_DOF_RZ]);
     const double angle = vec3_length(w);
     if (angle < SMALL) {
         m.rotation = combine(w, 1 - angle * angle / 6, 0.5 - angle * angle / 24);

@@ -22,13 +22,13 @@ typedef struct normal {
     double pull[N];        /* m: its (x - value) / sigma^2 */
 } normal;
 
-static double scale_of(const wcut_register_problem *p, int k) { return k < WCUT_RX ? 1 : 1 / p->length; }
+static double scale_of(const wcut_register_problem *p, int k) { return k < WCUT_DOF_RX ? 1 : 1 / p->length; }
 
 static double prior_cost(const wcut_registration_options *o, const double *x) {
     double sum = 0;
     for (int k = 0; k < N; k++) {
         const double e = (x[k] - o->dof[k].value) / o->dof[k].sigma;
-        if (o->dof[k].kind == WCUT_DOF_PRIOR) sum += e * e;
+        if (o->dof[k].kind == WCUT_DOF_KIND_PRIOR) sum += e * e;
     }
     return sum;
 }
@@ -36,7 +36,7 @@ static double prior_cost(const wcut_registration_options *o, const double *x) {
 /* from shift and turn to the six parameters: out = T^t H T, T^t g, T = (I, J) times the scale of y */
 static void to_parameters(const wcut_register_problem *p, const wcut_motion *motion, const wcut_register_sums *s,
                           double *h, double *g) {
-    const mat3 jacobian = wcut_motion_jacobian(motion->x + WCUT_RX);
+    const mat3 jacobian = wcut_motion_jacobian(motion->x + WCUT_DOF_RX);
     const wcut_vec3 row[3] = {jacobian.x, jacobian.y, jacobian.z};
     double t[N * N] = {0}, ht[N * N] = {0};
     for (int k = 0; k < 3; k++) {
@@ -95,14 +95,14 @@ static void linearise(const wcut_register_problem *p, const wcut_motion *motion,
     to_parameters(p, motion, s, h, g);
     n->m = 0;
     for (int k = 0; k < N; k++)
-        if (p->options->dof[k].kind != WCUT_DOF_LOCKED) n->index[n->m++] = k;
+        if (p->options->dof[k].kind != WCUT_DOF_KIND_LOCKED) n->index[n->m++] = k;
     for (int i = 0; i < n->m; i++) {
         const int k = n->index[i];
         const wcut_dof *d = &p->options->dof[k];
         const double scale = scale_of(p, k), sigma = d->sigma / scale;
         for (int j = 0; j < n->m; j++) n->h[i * n->m + j] = h[N * k + n->index[j]];
         n->g[i] = g[k];
-        n->prior[i] = d->kind == WCUT_DOF_PRIOR ? 1 / (sigma * sigma) : 0;
+        n->prior[i] = d->kind == WCUT_DOF_KIND_PRIOR ? 1 / (sigma * sigma) : 0;
         n->pull[i] = n->prior[i] * (motion->x[k] - d->value) / scale;
     }
     determine(p, s->weight, most < n->m ? most : n->m, n);

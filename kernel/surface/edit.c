@@ -8,7 +8,7 @@
 #include "surface/net.h"
 #include "surface/net_shape.h"
 
-static bool is_direction(wcut_direction d) { return d == WCUT_ALONG_U || d == WCUT_ALONG_V; }
+static bool is_direction(wcut_direction d) { return d == WCUT_DIRECTION_U || d == WCUT_DIRECTION_V; }
 
 /* strictly inside, and with `times` more at most degree-fold; the result within the size that surfaces may have */
 static bool may_insert(const wcut_net *net, double u, int times) {
@@ -110,9 +110,9 @@ wcut_status wcut_surface_reverse(const wcut_surface *surface, wcut_direction dir
 wcut_status wcut_surface_transpose(const wcut_surface *surface, wcut_surface **result) {
     if (!surface || !result) return WCUT_BAD_ARGUMENT;
     wcut_net net;
-    wcut_status status = wcut_net_of_surface(surface, WCUT_ALONG_U, &net);
+    wcut_status status = wcut_net_of_surface(surface, WCUT_DIRECTION_U, &net);
     if (status != WCUT_OK) return status;
-    status = wcut_surface_of_net(&net, WCUT_ALONG_U, surface, true, result);
+    status = wcut_surface_of_net(&net, WCUT_DIRECTION_U, surface, true, result);
     wcut_net_clear(&net);
     return status;
 }
@@ -120,15 +120,16 @@ wcut_status wcut_surface_transpose(const wcut_surface *surface, wcut_surface **r
 wcut_status wcut_surface_iso_curve(const wcut_surface *surface, wcut_direction along, double at, wcut_curve **result) {
     if (!surface || !result || !is_direction(along)) return WCUT_BAD_ARGUMENT;
     wcut_net across = {.count = 0}, net = {.count = 0};
-    wcut_status status = wcut_net_of_surface(surface, along == WCUT_ALONG_U ? WCUT_ALONG_V : WCUT_ALONG_U, &across);
+    wcut_status status =
+        wcut_net_of_surface(surface, along == WCUT_DIRECTION_U ? WCUT_DIRECTION_V : WCUT_DIRECTION_U, &across);
     if (status != WCUT_OK) return status;
     const bool inside = at >= across.knots[across.degree] && at <= across.knots[across.count];
-    const int degree = along == WCUT_ALONG_U ? surface->degree_u : surface->degree_v;
+    const int degree = along == WCUT_DIRECTION_U ? surface->degree_u : surface->degree_v;
     status = inside ? wcut_net_new(degree, across.lanes, 1, &net) : WCUT_BAD_ARGUMENT;
     if (status == WCUT_OK) {
         wcut_basis basis;
         wcut_basis_eval(across.degree, across.count, across.knots, at, 0, &basis);
-        const double *knots = along == WCUT_ALONG_U ? surface->knots_u : surface->knots_v;
+        const double *knots = along == WCUT_DIRECTION_U ? surface->knots_u : surface->knots_v;
         for (int k = 0; k < net.count + degree + 1; k++) net.knots[k] = knots[k];
         for (int r = 0; r <= across.degree; r++)
             for (int c = 0; c < net.count; c++) {

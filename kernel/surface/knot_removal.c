@@ -231,13 +231,13 @@ wcut_status wcut_surface_remove_knots(const wcut_surface *surface, double tolera
     wcut_surface *half = NULL;
     wcut_net net = {.count = 0};
     double off_u = 0, off_v = 0;
-    wcut_status status = wcut_net_of_surface(surface, WCUT_ALONG_U, &net);
+    wcut_status status = wcut_net_of_surface(surface, WCUT_DIRECTION_U, &net);
     if (status == WCUT_OK) status = thin(&net, rational, tolerance / 2, &off_u);
-    if (status == WCUT_OK) status = wcut_surface_of_net(&net, WCUT_ALONG_U, surface, false, &half);
+    if (status == WCUT_OK) status = wcut_surface_of_net(&net, WCUT_DIRECTION_U, surface, false, &half);
     wcut_net_clear(&net);
-    if (status == WCUT_OK) status = wcut_net_of_surface(half, WCUT_ALONG_V, &net);
+    if (status == WCUT_OK) status = wcut_net_of_surface(half, WCUT_DIRECTION_V, &net);
     if (status == WCUT_OK) status = thin(&net, rational, tolerance - off_u, &off_v);
-    if (status == WCUT_OK) status = wcut_surface_of_net(&net, WCUT_ALONG_V, half, false, result);
+    if (status == WCUT_OK) status = wcut_surface_of_net(&net, WCUT_DIRECTION_V, half, false, result);
     if (status == WCUT_OK && error) *error = off_u + off_v;
     wcut_net_clear(&net);
     wcut_surface_destroy(half);

@@ -33,11 +33,11 @@ wcut_status wcut_curve_of_net(const wcut_net *net, bool rational, wcut_curve **c
 
 /* index of control point k along a direction and c across it */
 static ptrdiff_t index_of(int count_u, wcut_direction along, int k, int c) {
-    return along == WCUT_ALONG_U ? (ptrdiff_t)c * count_u + k : (ptrdiff_t)k * count_u + c;
+    return along == WCUT_DIRECTION_U ? (ptrdiff_t)c * count_u + k : (ptrdiff_t)k * count_u + c;
 }
 
 wcut_status wcut_net_of_surface(const wcut_surface *s, wcut_direction along, wcut_net *net) {
-    const bool u = along == WCUT_ALONG_U;
+    const bool u = along == WCUT_DIRECTION_U;
     const wcut_status status =
         wcut_net_new(u ? s->degree_u : s->degree_v, u ? s->count_u : s->count_v, u ? s->count_v : s->count_u, net);
     if (status != WCUT_OK) return status;
@@ -52,7 +52,7 @@ wcut_status wcut_net_of_surface(const wcut_surface *s, wcut_direction along, wcu
 
 wcut_status wcut_surface_of_net(const wcut_net *net, wcut_direction along, const wcut_surface *like, bool turned,
                                 wcut_surface **surface) {
-    const bool u = along == WCUT_ALONG_U, to_u = u != turned;
+    const bool u = along == WCUT_DIRECTION_U, to_u = u != turned;
     const int degree = u ? like->degree_v : like->degree_u;
     const double *knots = u ? like->knots_v : like->knots_u;
     wcut_surface *s;
@@ -66,7 +66,7 @@ wcut_status wcut_surface_of_net(const wcut_net *net, wcut_direction along, const
     for (int k = 0; k < net->count; k++)
         for (int c = 0; c < net->lanes; c++) {
             const wcut_homogeneous *h = &net->at[(ptrdiff_t)k * net->lanes + c];
-            const ptrdiff_t at = index_of(s->count_u, to_u ? WCUT_ALONG_U : WCUT_ALONG_V, k, c);
+            const ptrdiff_t at = index_of(s->count_u, to_u ? WCUT_DIRECTION_U : WCUT_DIRECTION_V, k, c);
             s->control[at] = drop(h, s->weights != NULL);
             if (s->weights) s->weights[at] = h->w;
         }

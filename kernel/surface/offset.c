@@ -68,7 +68,7 @@ static wcut_status offset_grid(const void *data, int count_u, const double *u, i
 static bool is_crease(const wcut_surface *s, wcut_direction direction, double at) {
     double first[2], last[2];
     wcut_surface_domain(s, first, last);
-    const int d = direction == WCUT_ALONG_U ? 0 : 1;
+    const int d = direction == WCUT_DIRECTION_U ? 0 : 1;
     const double step = BESIDE * (last[d] - first[d]);
     const double *knots = d == 0 ? s->knots_v : s->knots_u;
     const int from = d == 0 ? s->degree_v : s->degree_u, to = d == 0 ? s->count_v : s->count_u;
@@ -88,7 +88,7 @@ static bool is_crease(const wcut_surface *s, wcut_direction direction, double at
 /* joints where second derivatives may jump, and knots and their middles to look at; *crease: the normal is torn */
 static wcut_status make_axis(const wcut_surface *s, wcut_direction direction, wcut_map_axis *axis, double **room,
                              bool *crease) {
-    const bool u = direction == WCUT_ALONG_U;
+    const bool u = direction == WCUT_DIRECTION_U;
     const int degree = u ? s->degree_u : s->degree_v, count = u ? s->count_u : s->count_v;
     const double *knots = u ? s->knots_u : s->knots_v;
     double *place = wcut_alloc((size_t)count + 1, 3 * sizeof *place);
@@ -140,8 +140,8 @@ wcut_status wcut_surface_offset(const wcut_surface *surface, double distance, do
     wcut_surface *s = NULL;
     wcut_offset_report r = {.error = 0};
     const task t = {.surface = surface, .distance = distance};
-    wcut_status status = make_axis(surface, WCUT_ALONG_U, &u, &room_u, &crease);
-    if (status == WCUT_OK) status = make_axis(surface, WCUT_ALONG_V, &v, &room_v, &crease);
+    wcut_status status = make_axis(surface, WCUT_DIRECTION_U, &u, &room_u, &crease);
+    if (status == WCUT_OK) status = make_axis(surface, WCUT_DIRECTION_V, &v, &room_v, &crease);
     if (status == WCUT_OK && crease) status = WCUT_DEGENERATE;
     if (status == WCUT_OK) status = wcut_approximate(offset_grid, &t, &u, &v, tolerance, &s, &r.error);
     if (status == WCUT_OK && report) {

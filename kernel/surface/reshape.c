@@ -39,8 +39,8 @@ wcut_status wcut_curve_elevate(const wcut_curve *curve, int times, wcut_curve **
 
 wcut_status wcut_surface_elevate(const wcut_surface *surface, wcut_direction direction, int times,
                                  wcut_surface **result) {
-    if (!surface || !result || (direction != WCUT_ALONG_U && direction != WCUT_ALONG_V) || times < 1 ||
-        times > WCUT_DEGREE_MAX - (direction == WCUT_ALONG_U ? surface->degree_u : surface->degree_v))
+    if (!surface || !result || (direction != WCUT_DIRECTION_U && direction != WCUT_DIRECTION_V) || times < 1 ||
+        times > WCUT_DEGREE_MAX - (direction == WCUT_DIRECTION_U ? surface->degree_u : surface->degree_v))
         return WCUT_BAD_ARGUMENT;
     wcut_net net;
     wcut_status status = wcut_net_of_surface(surface, direction, &net);
@@ -205,7 +205,7 @@ static wcut_status make_compatible(wcut_net *a, wcut_net *b) {
 /* surfaces from nets across, as nets along the other direction, of one degree there */
 static wcut_status turn_nets(const wcut_net *across, wcut_direction direction, const wcut_surface *const *from,
                              wcut_net *along) {
-    const wcut_direction other = direction == WCUT_ALONG_U ? WCUT_ALONG_V : WCUT_ALONG_U;
+    const wcut_direction other = direction == WCUT_DIRECTION_U ? WCUT_DIRECTION_V : WCUT_DIRECTION_U;
     wcut_status status = WCUT_OK;
     for (int k = 0; k < 2 && status == WCUT_OK; k++) {
         wcut_surface *s;
@@ -224,11 +224,11 @@ static wcut_status turn_nets(const wcut_net *across, wcut_direction direction, c
 
 wcut_status wcut_surface_join(const wcut_surface *low, const wcut_surface *high, wcut_direction direction,
                               double tolerance, wcut_surface **result, double *gap) {
-    if (!low || !high || !result || (direction != WCUT_ALONG_U && direction != WCUT_ALONG_V) ||
+    if (!low || !high || !result || (direction != WCUT_DIRECTION_U && direction != WCUT_DIRECTION_V) ||
         !(isfinite(tolerance) && tolerance >= 0))
         return WCUT_BAD_ARGUMENT;
     const wcut_surface *const from[2] = {low, high};
-    const wcut_direction other = direction == WCUT_ALONG_U ? WCUT_ALONG_V : WCUT_ALONG_U;
+    const wcut_direction other = direction == WCUT_DIRECTION_U ? WCUT_DIRECTION_V : WCUT_DIRECTION_U;
     wcut_net across[2] = {{.count = 0}}, along[2] = {{.count = 0}};
     wcut_surface *edge = NULL;
     double widest = 0;

@@ -280,9 +280,9 @@ int main(int count, char **word) {
         fprintf(stderr, "usage: make DIR\n");
         return 2;
     }
-    concealed c[] = {{"one", 0.88, 1.1, wcut_effect_default(WCUT_WIRE_THERMAL_LAG), 11},
-                     {"two", 1.12, 0.95, wcut_effect_default(WCUT_ANGLE_OFFSET), 12},
-                     {"three", 0.93, 1.06, wcut_effect_default(WCUT_FOAM_INCLUSION), 13}};
+    concealed c[] = {{"one", 0.88, 1.1, wcut_effect_default(WCUT_EFFECT_WIRE_THERMAL_LAG), 11},
+                     {"two", 1.12, 0.95, wcut_effect_default(WCUT_EFFECT_ANGLE_OFFSET), 12},
+                     {"three", 0.93, 1.06, wcut_effect_default(WCUT_EFFECT_FOAM_INCLUSION), 13}};
     c[0].effect.value[0] = 0.8;
     c[1].effect.choice = 2;
     c[1].effect.value[0] = 1.4;

@@ -185,8 +185,8 @@ static void bench_kernel(int count, const wcut_vec3 *p) {
         double cpu = now(), start = wall();
         if (wcut_cloud_clean(count, p, NULL, threads, removal, &r) != WCUT_OK) exit(1);
         printf("clean, %d thread(s): %.2f s CPU, %.2f s; kept %d, duplicates %d, outliers %d, limit %.3f mm\n", threads,
-               now() - cpu, wall() - start, r.removed[WCUT_KEPT], r.removed[WCUT_DUPLICATE], r.removed[WCUT_OUTLIER],
-               r.limit);
+               now() - cpu, wall() - start, r.removed[WCUT_REMOVAL_KEPT], r.removed[WCUT_REMOVAL_DUPLICATE],
+               r.removed[WCUT_REMOVAL_OUTLIER], r.limit);
         cpu = now(), start = wall();
         if (wcut_cloud_normals(count, p, NULL, threads, normal, &found) != WCUT_OK) exit(1);
         printf("normals, %d thread(s): %.2f s CPU, %.2f s\n", threads, now() - cpu, wall() - start);

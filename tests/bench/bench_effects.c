@@ -142,7 +142,7 @@ static int wanted(const json_t *answer, int argc, char **argv) {
     for (size_t k = 0; k < json_array_size(effects); k++) {
         wcut_effect effect;
         if (!effect_of(json_array_get(effects, k), &effect)) continue;
-        if (wcut_effect_view(effect.kind)->place == WCUT_EFFECT_STEP) return 1;
+        if (wcut_effect_view(effect.kind)->place == WCUT_EFFECT_PLACE_STEP) return 1;
     }
     return 0;
 }

@@ -100,7 +100,7 @@ static void bench_step(void) {
     const wcut_shape shape = {"cut", NULL, s, NULL};
     double seconds;
     wcut_error error;
-    TIMED(RUNS, seconds, check(wcut_step_write(1, &shape, WCUT_STEP_AP214, "bench.step", &error), &error));
+    TIMED(RUNS, seconds, check(wcut_step_write(1, &shape, WCUT_STEP_SCHEMA_AP214, "bench.step", &error), &error));
     say("step", "wirecut", seconds, "bench.step, which is left for the peer");
     TIMED(RUNS, seconds, check(wcut_iges_write(1, &shape, "bench.igs", &error), &error));
     say("iges", "wirecut", seconds, "type 128");

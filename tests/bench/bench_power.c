@@ -11,9 +11,9 @@ typedef struct row {
     double strength[STRENGTHS];
 } row;
 
-static const row table[ROWS] = {{WCUT_WIRE_THERMAL_LAG, 0, {0.03, 0.06, 0.12, 0.25, 0.5}},
-                                {WCUT_FOAM_DENSITY_GRADIENT, 0, {0.02, 0.04, 0.08, 0.16, 0.32}},
-                                {WCUT_ANGLE_OFFSET, 2, {0.05, 0.1, 0.2, 0.4, 0.8}}};
+static const row table[ROWS] = {{WCUT_EFFECT_WIRE_THERMAL_LAG, 0, {0.03, 0.06, 0.12, 0.25, 0.5}},
+                                {WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0, {0.02, 0.04, 0.08, 0.16, 0.32}},
+                                {WCUT_EFFECT_ANGLE_OFFSET, 2, {0.05, 0.1, 0.2, 0.4, 0.8}}};
 
 typedef struct tally {
     int named, noticed; /* exactly right, the channel too; any verdict but none */

@@ -218,7 +218,7 @@ int main(int argc, char **argv) {
     wcut_reconstruction_options options = wcut_reconstruction_options_default();
     options.support = SUPPORT;
     run("field of deviation", options, &c, count, point, foot);
-    options.method = WCUT_RECONSTRUCTION_POISSON;
+    options.method = WCUT_RECONSTRUCTION_METHOD_POISSON;
     run("Poisson of the closed sheet", options, &c, count, point, foot);
     run_peers(count, point, normal, &c);
     free(c.truth);

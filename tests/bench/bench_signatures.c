@@ -189,24 +189,24 @@ static wcut_effect typical(wcut_effect_kind kind) {
         wcut_effect_kind kind;
         int choice;
         double value[WCUT_EFFECT_VALUES];
-    } given[] = {{WCUT_WIRE_THERMAL_LAG, 0, {0.6, 10, 0.059, 0.0079}},
-                 {WCUT_AIR_OVERHEATING, 0, {1.6, 1.5}},
-                 {WCUT_END_COOLING, 0, {0.25, 100}},
-                 {WCUT_FOAM_DENSITY_GRADIENT, 0, {0.3}},
-                 {WCUT_FOAM_INCLUSION, 0, {0.3, 50, 130, 300, 150}},
-                 {WCUT_TANGENTIAL_DRAG, 0, {0.3, 0.3}},
-                 {WCUT_WIRE_ELONGATION, 0, {0.004, 0.8, 1.4}},
-                 {WCUT_MOUNT_COMPLIANCE, 0, {2, 0.3}},
-                 {WCUT_RATE_DEPENDENCE, 0, {0.3, 10}},
-                 {WCUT_WIRE_FOULING, 0, {0.2, 600, 0}},
-                 {WCUT_KERF_GROWTH, 0, {1.6e-4, 0}},
-                 {WCUT_BLOCK_SPRINGBACK, 2, {2}},
-                 {WCUT_ANGLE_OFFSET, 0, {1}},
-                 {WCUT_TENSION_GAIN, 0, {0.05}},
-                 {WCUT_TENSION_DRIFT, 0, {0.2, 0}},
-                 {WCUT_CLOCK_OFFSET, 0, {0.15}},
-                 {WCUT_SCAN_OFFSET, 0, {0.5, 0.5, 0.5}},
-                 {WCUT_SCAN_SCALE, 0, {1.005}}};
+    } given[] = {{WCUT_EFFECT_WIRE_THERMAL_LAG, 0, {0.6, 10, 0.059, 0.0079}},
+                 {WCUT_EFFECT_AIR_OVERHEATING, 0, {1.6, 1.5}},
+                 {WCUT_EFFECT_END_COOLING, 0, {0.25, 100}},
+                 {WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0, {0.3}},
+                 {WCUT_EFFECT_FOAM_INCLUSION, 0, {0.3, 50, 130, 300, 150}},
+                 {WCUT_EFFECT_TANGENTIAL_DRAG, 0, {0.3, 0.3}},
+                 {WCUT_EFFECT_WIRE_ELONGATION, 0, {0.004, 0.8, 1.4}},
+                 {WCUT_EFFECT_MOUNT_COMPLIANCE, 0, {2, 0.3}},
+                 {WCUT_EFFECT_RATE_DEPENDENCE, 0, {0.3, 10}},
+                 {WCUT_EFFECT_WIRE_FOULING, 0, {0.2, 600, 0}},
+                 {WCUT_EFFECT_KERF_GROWTH, 0, {1.6e-4, 0}},
+                 {WCUT_EFFECT_BLOCK_SPRINGBACK, 2, {2}},
+                 {WCUT_EFFECT_ANGLE_OFFSET, 0, {1}},
+                 {WCUT_EFFECT_TENSION_GAIN, 0, {0.05}},
+                 {WCUT_EFFECT_TENSION_DRIFT, 0, {0.2, 0}},
+                 {WCUT_EFFECT_CLOCK_OFFSET, 0, {0.15}},
+                 {WCUT_EFFECT_SCAN_OFFSET, 0, {0.5, 0.5, 0.5}},
+                 {WCUT_EFFECT_SCAN_SCALE, 0, {1.005}}};
     wcut_effect e = wcut_effect_default(kind);
     for (size_t k = 0; k < sizeof given / sizeof *given; k++)
         if (given[k].kind == kind) {
@@ -243,7 +243,7 @@ int main(void) {
         wcut_effect e = typical((wcut_effect_kind)k);
         job->effect = &e, job->effect_count = 1;
         with = plain;
-        if (wcut_effect_view(e.kind)->place == WCUT_EFFECT_STEP) {
+        if (wcut_effect_view(e.kind)->place == WCUT_EFFECT_PLACE_STEP) {
             run_forward(job, &with);
             run_driven(job, &plain, &with);
         }

@@ -107,7 +107,7 @@ START_TEST(against_a_foam_whose_law_is_wrong_the_loop_ends_at_the_speed_of_the_c
                 2 * ratio * exp(s / 20 - s_true / fmax(speed, 1)) + 1e-6 * wcut_random_normal(&random);
             speed = step(0.02 * i, 50, tension, tension);
         }
-        ck_assert_int_eq(look().state, WCUT_CONTROL_RUN);
+        ck_assert_int_eq(look().state, WCUT_CONTROL_STATE_RUN);
         ck_assert_double_eq_tol(speed, s_true / (s / 20 + log(ratio)), 1e-3);
         forget();
         control = NULL;
@@ -159,15 +159,15 @@ START_TEST(readings_that_cannot_be_are_dropped_and_end_in_a_stop_when_they_last)
             make();
             const double running = go(100, 50, 2.0);
             double speed = step(2.0, 50, mount ? 2 : bad[k], mount ? bad[k] : 2);
-            ck_assert_int_eq(look().state, WCUT_CONTROL_HOLD);
+            ck_assert_int_eq(look().state, WCUT_CONTROL_STATE_HOLD);
             ck_assert_double_eq_tol(speed, running, 0.1);
             step(2.02, 50, 2.00001, 2);
-            ck_assert_int_eq(look().state, WCUT_CONTROL_RUN);
+            ck_assert_int_eq(look().state, WCUT_CONTROL_STATE_RUN);
             for (int i = 0; i < 30; i++) speed = step(2.04 + 0.02 * i, 50, mount ? 2 : bad[k], mount ? bad[k] : 2);
-            ck_assert_int_eq(look().state, WCUT_CONTROL_STOP_ABSURD);
+            ck_assert_int_eq(look().state, WCUT_CONTROL_STATE_STOP_ABSURD);
             for (int i = 0; i < 30; i++) speed = step(2.64 + 0.02 * i, 50, 2 + 1e-3 * i, 2);
             ck_assert(speed == 0);
-            ck_assert_int_eq(look().state, WCUT_CONTROL_STOP_ABSURD);
+            ck_assert_int_eq(look().state, WCUT_CONTROL_STATE_STOP_ABSURD);
             forget();
             control = NULL;
         }
@@ -177,12 +177,12 @@ END_TEST
 START_TEST(a_sensor_that_repeats_itself_under_load_stops_the_machine_one_without_load_does_not) {
     make();
     for (int i = 0; i < 40; i++) step(0.02 * i, 50, 1.9, 2.1);
-    ck_assert_int_eq(look().state, WCUT_CONTROL_STOP_STALE);
+    ck_assert_int_eq(look().state, WCUT_CONTROL_STATE_STOP_STALE);
     forget();
     control = NULL;
     make();
     for (int i = 0; i < 400; i++) step(0.02 * i, 10, 0, 0);
-    ck_assert_int_eq(look().state, WCUT_CONTROL_RUN);
+    ck_assert_int_eq(look().state, WCUT_CONTROL_STATE_RUN);
 }
 END_TEST
 
@@ -192,17 +192,17 @@ START_TEST(a_clock_that_stands_still_runs_back_or_jumps_stops_the_machine) {
         make();
         go(100, 50, 2);
         step(next[k], 50, 2, 2);
-        ck_assert_int_eq(look().state, WCUT_CONTROL_HOLD);
+        ck_assert_int_eq(look().state, WCUT_CONTROL_STATE_HOLD);
         double speed = 999;
         for (int i = 0; i < 200; i++) speed = step(next[k], 50, 2, 2);
-        ck_assert_int_eq(look().state, WCUT_CONTROL_STOP_STALE);
+        ck_assert_int_eq(look().state, WCUT_CONTROL_STATE_STOP_STALE);
         ck_assert(speed == 0);
         forget();
         control = NULL;
     }
     make();
     const double before = go(100, 50, 2), after = step(3.0, 50, 2, 2);
-    ck_assert_int_eq(look().state, WCUT_CONTROL_STOP_STALE);
+    ck_assert_int_eq(look().state, WCUT_CONTROL_STATE_STOP_STALE);
     ck_assert_double_le(before - after, settings.acceleration * 0.02 + 1e-9);
 }
 END_TEST
@@ -211,19 +211,19 @@ START_TEST(over_tension_of_one_mount_twice_in_a_row_stops_for_good_a_single_spik
     make();
     go(100, 50, 2);
     step(2.00, 50, 6, 2);
-    ck_assert_int_eq(look().state, WCUT_CONTROL_RUN);
+    ck_assert_int_eq(look().state, WCUT_CONTROL_STATE_RUN);
     step(2.02, 50, 2, 2.1);
     step(2.04, 50, 2, 6);
-    ck_assert_int_eq(look().state, WCUT_CONTROL_RUN);
+    ck_assert_int_eq(look().state, WCUT_CONTROL_STATE_RUN);
     double before = step(2.06, 50, 2, 6.1);
-    ck_assert_int_eq(look().state, WCUT_CONTROL_STOP_TENSION);
+    ck_assert_int_eq(look().state, WCUT_CONTROL_STATE_STOP_TENSION);
     for (int i = 0; i < 20; i++) {
         const double speed = step(2.08 + 0.02 * i, 50, 2, 2.01);
         ck_assert_double_le(before - speed, settings.acceleration * 0.02 + 1e-9);
         before = speed;
     }
     ck_assert(before == 0);
-    ck_assert_int_eq(look().state, WCUT_CONTROL_STOP_TENSION);
+    ck_assert_int_eq(look().state, WCUT_CONTROL_STATE_STOP_TENSION);
 }
 END_TEST
 
@@ -319,8 +319,8 @@ START_TEST(no_memory_is_said_and_nothing_is_written) {
 END_TEST
 
 START_TEST(every_state_has_its_words) {
-    ck_assert_str_eq(wcut_control_state_text(WCUT_CONTROL_RUN), "run");
-    ck_assert_str_eq(wcut_control_state_text(WCUT_CONTROL_STOP_STALE), "stop: stale readings");
+    ck_assert_str_eq(wcut_control_state_text(WCUT_CONTROL_STATE_RUN), "run");
+    ck_assert_str_eq(wcut_control_state_text(WCUT_CONTROL_STATE_STOP_STALE), "stop: stale readings");
     ck_assert_str_eq(wcut_control_state_text((wcut_control_state)99), "unknown");
 }
 END_TEST

@@ -90,9 +90,9 @@ END_TEST
 START_TEST(without_feedback_a_law_that_hides_the_force_ends_in_a_safe_stop) {
     options.law_b = 0.75;
     cut(false);
-    ck_assert_int_eq(run->ended, WCUT_CONTROL_STOP_TENSION);
+    ck_assert_int_eq(run->ended, WCUT_CONTROL_STATE_STOP_TENSION);
     ck_assert(!run->complete);
-    ck_assert_int_eq(run->state[run->recording.samples - 1], WCUT_CONTROL_STOP_TENSION);
+    ck_assert_int_eq(run->state[run->recording.samples - 1], WCUT_CONTROL_STATE_STOP_TENSION);
 }
 END_TEST
 

@@ -17,7 +17,7 @@ static wcut_effect sized(wcut_effect_kind kind, double size) {
     return e;
 }
 
-static bool acts_in_step(int kind) { return wcut_effect_view((wcut_effect_kind)kind)->place == WCUT_EFFECT_STEP; }
+static bool acts_in_step(int kind) { return wcut_effect_view((wcut_effect_kind)kind)->place == WCUT_EFFECT_PLACE_STEP; }
 
 /* largest difference of two runs in nodes [mm], speeds [mm/s] and tensions [N] */
 static double difference_of(const wcut_history *a, const wcut_history *b) {
@@ -46,7 +46,9 @@ START_TEST(at_its_neutral_value_each_is_the_plain_model_bit_for_bit_and_near_it_
         wcut_history_destroy(h);
         if (!acts_in_step(k)) continue;
         wcut_effect near = neutral;
-        near.value[0] = k == WCUT_MOUNT_COMPLIANCE ? 1e9 : k == WCUT_WIRE_THERMAL_LAG ? 1e-9 : neutral.value[0] + 1e-9;
+        near.value[0] = k == WCUT_EFFECT_MOUNT_COMPLIANCE   ? 1e9
+                        : k == WCUT_EFFECT_WIRE_THERMAL_LAG ? 1e-9
+                                                            : neutral.value[0] + 1e-9;
         give(job, 1, &near);
         h = run_of(job);
         const double difference = difference_of(h, plain);
@@ -62,8 +64,8 @@ END_TEST
 START_TEST(instrument_effects_change_no_physics) {
     wcut_job *job = straight_job(400, 60, 620, 41, 10, 200, 260);
     wcut_history *plain = run_of(job);
-    const wcut_effect e[] = {sized(WCUT_TENSION_GAIN, 0.1), sized(WCUT_SCAN_SCALE, 1.01),
-                             sized(WCUT_KERF_GROWTH, 1e-4)};
+    const wcut_effect e[] = {sized(WCUT_EFFECT_TENSION_GAIN, 0.1), sized(WCUT_EFFECT_SCAN_SCALE, 1.01),
+                             sized(WCUT_EFFECT_KERF_GROWTH, 1e-4)};
     give(job, 3, e);
     wcut_history *h = run_of(job);
     ck_assert_double_eq(difference_of(h, plain), 0);
@@ -92,12 +94,12 @@ START_TEST(the_steady_force_is_the_plain_one_so_speed_answers_every_change_of_th
     const double a = job->force_law.a, bq = job->force_law.b * job->heat * 1000, v = last_speed(job, 0, NULL);
     const double force = a * exp(-bq / v); /* what the parabola needs, whatever the law is */
 
-    wcut_effect e = sized(WCUT_RATE_DEPENDENCE, 0.3);
+    wcut_effect e = sized(WCUT_EFFECT_RATE_DEPENDENCE, 0.3);
     double now = last_speed(job, 1, &e);
     ck_assert_double_eq_tol(a * exp(-bq / now) * pow(now / 10, 0.3), force, 1e-8 * force);
     ck_assert_double_lt(now, v);
 
-    e = sized(WCUT_WIRE_FOULING, 0.25);
+    e = sized(WCUT_EFFECT_WIRE_FOULING, 0.25);
     e.value[1] = 20; /* [mm]: run out long ago */
     now = last_speed(job, 1, &e);
     ck_assert_double_eq_tol(1.25 * a * exp(-bq / now), force, 1e-8 * force);
@@ -105,15 +107,15 @@ START_TEST(the_steady_force_is_the_plain_one_so_speed_answers_every_change_of_th
     now = last_speed(job, 1, &e);
     ck_assert_double_eq_tol(a * exp(-1.25 * bq / now), force, 1e-8 * force);
 
-    e = sized(WCUT_END_COOLING, 0.2);
+    e = sized(WCUT_EFFECT_END_COOLING, 0.2);
     e.value[1] = 1e6; /* [mm]: the same all along the wire, but for 450/1e6 of it */
     now = last_speed(job, 1, &e);
     ck_assert_double_eq_tol(now, 0.6 * v, 1e-3 * v);
 
-    e = sized(WCUT_AIR_OVERHEATING, 1.8);
+    e = sized(WCUT_EFFECT_AIR_OVERHEATING, 1.8);
     e.value[1] = 0.5; /* [s]: run out */
     ck_assert_double_eq_tol(last_speed(job, 1, &e), v, 1e-6 * v);
-    e = sized(WCUT_WIRE_THERMAL_LAG, 0.4); /* nothing changes any more: no lag */
+    e = sized(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.4); /* nothing changes any more: no lag */
     ck_assert_double_eq_tol(last_speed(job, 1, &e), v, 1e-6 * v);
     wcut_job_destroy(job);
 }
@@ -121,7 +123,7 @@ END_TEST
 
 START_TEST(a_gradient_is_a_linear_map_of_the_force_along_the_wire) {
     wcut_job *job = steady_job();
-    const wcut_effect e = sized(WCUT_FOAM_DENSITY_GRADIENT, 0.3); /* along x */
+    const wcut_effect e = sized(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0.3); /* along x */
     give(job, 1, &e);
     wcut_history *h = run_of(job);
     const int n = h->nodes, j = h->stations - 1;
@@ -152,7 +154,7 @@ static void drive(wcut_cut *cut, wcut_vec3 *a, wcut_vec3 *b, wcut_vec3 way, doub
 
 START_TEST(after_a_heater_step_the_tension_follows_one_exponential_of_the_time_constant) {
     wcut_job *job = steady_job();
-    const wcut_effect e = sized(WCUT_WIRE_THERMAL_LAG, 0.6);
+    const wcut_effect e = sized(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.6);
     give(job, 1, &e);
     wcut_setup *setup = setup_of(job, NULL);
     wcut_cut *cut;
@@ -194,7 +196,7 @@ static void draw_aslant(const wcut_effect *effect, int count, double tension[2])
 
 START_TEST(drag_adds_mu_times_what_presses_to_the_difference_of_the_tensions) {
     const double mu = 0.2, force = 0.1 * exp(-8.6e-4 * 65000 / 20), sine = 420 / hypot(420, 200);
-    const wcut_effect e = sized(WCUT_TANGENTIAL_DRAG, mu);
+    const wcut_effect e = sized(WCUT_EFFECT_TANGENTIAL_DRAG, mu);
     double plain[2], dragged[2];
     draw_aslant(NULL, 0, plain);
     draw_aslant(&e, 1, dragged);
@@ -209,7 +211,7 @@ END_TEST
 
 START_TEST(a_wire_that_heat_makes_longer_cuts_like_a_longer_wire) {
     wcut_job *job = steady_job();
-    wcut_effect e = sized(WCUT_WIRE_ELONGATION, 0.004);
+    wcut_effect e = sized(WCUT_EFFECT_WIRE_ELONGATION, 0.004);
     e.value[1] = 1, e.value[2] = 1; /* all of it by heat, and alike in air */
     give(job, 1, &e);
     wcut_history *longer = run_of(job);
@@ -227,7 +229,7 @@ END_TEST
 
 START_TEST(every_edge_is_as_much_longer_as_its_tension_stretches_it) {
     wcut_job *job = steady_job();
-    wcut_effect e = sized(WCUT_WIRE_ELONGATION, 0.002);
+    wcut_effect e = sized(WCUT_EFFECT_WIRE_ELONGATION, 0.002);
     e.value[1] = 0; /* all of it by tension: EA = 1000 N */
     give(job, 1, &e);
     wcut_history *h = run_of(job);
@@ -243,7 +245,7 @@ END_TEST
 
 START_TEST(mounts_that_give_stand_where_their_springs_hold_the_wire) {
     wcut_job *job = straight_job(400, 40, 560, 41, 200, 150, 900);
-    const wcut_effect e = sized(WCUT_MOUNT_COMPLIANCE, 0.8);
+    const wcut_effect e = sized(WCUT_EFFECT_MOUNT_COMPLIANCE, 0.8);
     give(job, 1, &e);
     wcut_history *giving = run_of(job);
     const int n = giving->nodes, j = giving->stations - 1;
@@ -383,7 +385,7 @@ END_TEST
 
 START_TEST(what_cannot_be_simulated_is_refused_with_its_place) {
     wcut_job *job = steady_job();
-    wcut_effect e[2] = {sized(WCUT_RATE_DEPENDENCE, 0.1), sized(WCUT_RATE_DEPENDENCE, 0.2)};
+    wcut_effect e[2] = {sized(WCUT_EFFECT_RATE_DEPENDENCE, 0.1), sized(WCUT_EFFECT_RATE_DEPENDENCE, 0.2)};
     wcut_setup *setup = NULL;
     wcut_error error = {0};
     give(job, 2, e);
@@ -394,24 +396,24 @@ START_TEST(what_cannot_be_simulated_is_refused_with_its_place) {
     heun.integrator = WCUT_INTEGRATOR_HEUN;
     ck_assert_int_eq(wcut_setup_create(job, &heun, &setup, &error), WCUT_BAD_ARGUMENT);
     ck_assert_ptr_nonnull(strstr(error.text, "effects[0]: found rate_dependence with the integrator heun"));
-    e[0] = sized(WCUT_TENSION_GAIN, 0.1); /* no physics: heun does not mind */
+    e[0] = sized(WCUT_EFFECT_TENSION_GAIN, 0.1); /* no physics: heun does not mind */
     give(job, 1, e);
     ck_assert_int_eq(wcut_setup_create(job, &heun, &setup, &error), WCUT_OK);
     wcut_setup_destroy(setup);
-    e[0] = sized(WCUT_WIRE_THERMAL_LAG, NAN);
+    e[0] = sized(WCUT_EFFECT_WIRE_THERMAL_LAG, NAN);
     give(job, 1, e);
     ck_assert_int_eq(wcut_setup_create(job, NULL, &setup, &error), WCUT_BAD_ARGUMENT);
     e[0] = (wcut_effect){.kind = WCUT_EFFECT_COUNT};
     give(job, 1, e);
     ck_assert_int_eq(wcut_setup_create(job, NULL, &setup, &error), WCUT_BAD_ARGUMENT);
-    e[0] = sized(WCUT_FOAM_DENSITY_GRADIENT, 0.1);
+    e[0] = sized(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0.1);
     e[0].choice = 3;
     give(job, 1, e);
     ck_assert_int_eq(wcut_setup_create(job, NULL, &setup, &error), WCUT_BAD_ARGUMENT);
     wcut_job_destroy(job);
 
     job = sample_job("freeform-1.json"); /* a design */
-    e[0] = sized(WCUT_MOUNT_COMPLIANCE, 1);
+    e[0] = sized(WCUT_EFFECT_MOUNT_COMPLIANCE, 1);
     give(job, 1, e);
     ck_assert_int_eq(wcut_setup_create(job, NULL, &setup, &error), WCUT_BAD_ARGUMENT);
     ck_assert_ptr_nonnull(strstr(error.text, "expected a job with a path"));

@@ -46,19 +46,19 @@ static double drifted(int k, double t) { return truth(k, t) + 0.2 * (t - 100) / 
 static double saturated(int k, double t) { return truth(k, t) + 0.2 * (1 - exp(-(t - 100) / 5)); }
 
 START_TEST(each_fault_changes_its_own_channel_by_its_formula) {
-    sense(sized(WCUT_ANGLE_OFFSET, -2, 2)); /* alpha_b */
+    sense(sized(WCUT_EFFECT_ANGLE_OFFSET, -2, 2)); /* alpha_b */
     only(6, 6, turned);
-    sense(sized(WCUT_TENSION_GAIN, 0.05, 1));
+    sense(sized(WCUT_EFFECT_TENSION_GAIN, 0.05, 1));
     only(3, 3, gained);
-    sense(sized(WCUT_TENSION_GAIN, 0.05, 2));
+    sense(sized(WCUT_EFFECT_TENSION_GAIN, 0.05, 2));
     only(2, 3, gained);
-    sense(sized(WCUT_TENSION_DRIFT, 0.2, 0));
+    sense(sized(WCUT_EFFECT_TENSION_DRIFT, 0.2, 0));
     only(2, 2, drifted);
-    wcut_effect e = sized(WCUT_TENSION_DRIFT, 0.2, 0);
+    wcut_effect e = sized(WCUT_EFFECT_TENSION_DRIFT, 0.2, 0);
     e.value[1] = 5;
     sense(e);
     only(2, 2, saturated);
-    sense(sized(WCUT_WIRE_THERMAL_LAG, 1, 0));
+    sense(sized(WCUT_EFFECT_WIRE_THERMAL_LAG, 1, 0));
     only(0, -1, NULL);
 }
 END_TEST
@@ -66,7 +66,7 @@ END_TEST
 START_TEST(a_clock_that_runs_behind_shows_what_was_before_and_the_speeds_as_they_are) {
     const double delay[] = {0.12, -0.07};
     for (int d = 0; d < 2; d++) {
-        sense(sized(WCUT_CLOCK_OFFSET, delay[d], 0));
+        sense(sized(WCUT_EFFECT_CLOCK_OFFSET, delay[d], 0));
         for (int k = 0; k < WCUT_SENSED_COUNT; k++)
             for (int i = 0; i < N; i++) {
                 const double t = time[i] - (k >= 2 && present[i] ? delay[d] : 0);
@@ -88,7 +88,7 @@ END_TEST
 
 START_TEST(bad_arguments_are_refused_and_the_signals_stay) {
     given_signals();
-    wcut_effect e = sized(WCUT_TENSION_GAIN, 0.05, 2);
+    wcut_effect e = sized(WCUT_EFFECT_TENSION_GAIN, 0.05, 2);
     ck_assert_int_eq(wcut_sensors_eval(1, NULL, N, time, present, value), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_sensors_eval(1, &e, -1, time, present, value), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_sensors_eval(1, &e, N, NULL, present, value), WCUT_BAD_ARGUMENT);
@@ -98,7 +98,7 @@ START_TEST(bad_arguments_are_refused_and_the_signals_stay) {
     given_signals();
     e.value[0] = NAN;
     ck_assert_int_eq(wcut_sensors_eval(1, &e, N, time, present, value), WCUT_BAD_ARGUMENT);
-    e = sized(WCUT_CLOCK_OFFSET, 0.1, 0);
+    e = sized(WCUT_EFFECT_CLOCK_OFFSET, 0.1, 0);
     wcut_alloc_fail_at(1);
     ck_assert_int_eq(wcut_sensors_eval(1, &e, N, time, present, value), WCUT_NO_MEMORY);
     wcut_alloc_fail_at(0);

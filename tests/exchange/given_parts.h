@@ -65,15 +65,15 @@ static inline void given_solid_create(given_solid *s, int upper) {
                                    {2, 6}, {3, 7}, {4, 5}, {5, 6}, {7, 6}, {4, 7}};
     for (int k = 0; k < 12; k++) s->edge[k] = (wcut_brep_edge){end[k][0], end[k][1], NULL};
     for (int k = 0; k < 4; k++)
-        if (wcut_surface_iso_curve(s->patch, k % 2 ? WCUT_ALONG_V : WCUT_ALONG_U, k == 1 || k == 2 ? 1 : 0,
+        if (wcut_surface_iso_curve(s->patch, k % 2 ? WCUT_DIRECTION_V : WCUT_DIRECTION_U, k == 1 || k == 2 ? 1 : 0,
                                    &s->edge[k].curve) != WCUT_OK)
             abort();
     /* seen from outside a solid that lies below the patch; above it all is mirrored, so every loop runs backwards */
     static const int below[6][4] = {{1, 2, -3, -4},  {-1, 5, 9, -6},  {-2, 6, 10, -7},
                                     {3, 7, -11, -8}, {4, 8, -12, -5}, {12, 11, -10, -9}};
     static const wcut_vec3 out[6] = {{0, 0, 1}, {0, -1, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, -1}};
-    static const wcut_brep_part part[6] = {WCUT_PART_CUT,     WCUT_PART_SIDE_Y0, WCUT_PART_SIDE_XW,
-                                           WCUT_PART_SIDE_YL, WCUT_PART_SIDE_X0, WCUT_PART_OPPOSITE};
+    static const wcut_brep_part part[6] = {WCUT_BREP_PART_CUT,     WCUT_BREP_PART_SIDE_Y0, WCUT_BREP_PART_SIDE_XW,
+                                           WCUT_BREP_PART_SIDE_YL, WCUT_BREP_PART_SIDE_X0, WCUT_BREP_PART_OPPOSITE};
     static const int at[6] = {0, 0, 1, 3, 0, 4};
     for (int k = 0; k < 6; k++) {
         int loop[4];

@@ -49,11 +49,11 @@ static void write_parts(FILE *file) {
                                 {"cylinder 'quoted' \xc3\xbc", NULL, cylinder, NULL},
                                 {"curve", NULL, NULL, curve},
                                 {"arc", NULL, NULL, arc}};
-    must(wcut_step_write(4, shape, WCUT_STEP_AP214, "parts.step", &error));
-    must(wcut_step_write(4, shape, WCUT_STEP_AP242, "parts-242.step", &error));
+    must(wcut_step_write(4, shape, WCUT_STEP_SCHEMA_AP214, "parts.step", &error));
+    must(wcut_step_write(4, shape, WCUT_STEP_SCHEMA_AP242, "parts-242.step", &error));
     must(wcut_iges_write(4, shape, "parts.igs", &error));
     const wcut_shape sheet = {"loft", NULL, patch, NULL};
-    must(wcut_step_write(1, &sheet, WCUT_STEP_AP214, "patch.step", &error));
+    must(wcut_step_write(1, &sheet, WCUT_STEP_SCHEMA_AP214, "patch.step", &error));
     put_surface(file, "loft", loft);
     put_surface(file, "cylinder", cylinder);
     put_curve(file, "curve", curve);
@@ -71,8 +71,8 @@ static void write_solids(FILE *file) {
     given_solid_create(&lower, 0);
     given_solid_create(&upper, 1);
     const wcut_shape both[] = {{"lower", &lower.brep, NULL, NULL}, {"upper", &upper.brep, NULL, NULL}};
-    must(wcut_step_write(2, both, WCUT_STEP_AP214, "solids.step", &error));
-    must(wcut_step_write(2, both, WCUT_STEP_AP242, "solids-242.step", &error));
+    must(wcut_step_write(2, both, WCUT_STEP_SCHEMA_AP214, "solids.step", &error));
+    must(wcut_step_write(2, both, WCUT_STEP_SCHEMA_AP242, "solids-242.step", &error));
     put_number(file, " \"volume\": {\"lower\": ", lower.volume);
     put_number(file, ", \"upper\": ", upper.volume);
     fputs("},\n", file);
@@ -90,7 +90,7 @@ static void write_mould(FILE *file) {
     options.key = key;
     must(wcut_mould_create(loft, (wcut_vec3){400, 600, 200}, &options, &mould, &error));
     const wcut_shape both[] = {{"lower", mould->lower.brep, NULL, NULL}, {"upper", mould->upper.brep, NULL, NULL}};
-    must(wcut_step_write(2, both, WCUT_STEP_AP214, "mould.step", &error));
+    must(wcut_step_write(2, both, WCUT_STEP_SCHEMA_AP214, "mould.step", &error));
     const wcut_mesh *mesh[] = {mould->lower.mesh, mould->upper.mesh};
     static const char *const name[] = {"lower", "upper"};
     must(wcut_mesh_write_3mf(2, mesh, name, "mould.3mf", &error));

@@ -43,11 +43,12 @@ static double held_within(const wcut_rig_run *run, double from) {
 }
 
 START_TEST(the_loop_holds_the_tension_and_the_effect_is_found_all_the_same) {
-    const machine_secret secret = one(WCUT_WIRE_THERMAL_LAG, 0, 0.5, 6);
+    const machine_secret secret = one(WCUT_EFFECT_WIRE_THERMAL_LAG, 0, 0.5, 6);
     machine_case m = machine_create(MACHINE_CUTS, &secret);
     ck_assert_double_lt(held_within(m.run[0], 10), 0.02);
     wcut_diagnosis *d = machine_diagnose(&m, NULL);
-    ck_assert_msg(machine_names(d, WCUT_WIRE_THERMAL_LAG, WCUT_WIRE_THERMAL_LAG), "%s", machine_verdict(d));
+    ck_assert_msg(machine_names(d, WCUT_EFFECT_WIRE_THERMAL_LAG, WCUT_EFFECT_WIRE_THERMAL_LAG), "%s",
+                  machine_verdict(d));
     ck_assert_msg(fabs(d->effect[0].effect.value[0] - 0.5) < 0.1, "%s", machine_verdict(d));
     wcut_diagnosis_destroy(d);
     machine_destroy(&m);
@@ -57,7 +58,7 @@ END_TEST
 /* ---- hidden by refitting ---- */
 
 START_TEST(a_job_that_is_a_fifth_off_does_not_swallow_the_effect) {
-    machine_secret secret = one(WCUT_RATE_DEPENDENCE, 0, 0.2, 8);
+    machine_secret secret = one(WCUT_EFFECT_RATE_DEPENDENCE, 0, 0.2, 8);
     secret.law_a = 1.25, secret.law_b = 0.8;
     check_named(&secret);
 }
@@ -66,13 +67,13 @@ END_TEST
 /* ---- one that looks like the other ---- */
 
 START_TEST(a_clock_offset_is_no_lag) {
-    const machine_secret secret = one(WCUT_CLOCK_OFFSET, 0, 0.15, 9);
+    const machine_secret secret = one(WCUT_EFFECT_CLOCK_OFFSET, 0, 0.15, 9);
     check_named(&secret);
 }
 END_TEST
 
 START_TEST(a_lag_is_no_clock_offset) {
-    machine_secret secret = one(WCUT_WIRE_THERMAL_LAG, 0, 0.5, 5);
+    machine_secret secret = one(WCUT_EFFECT_WIRE_THERMAL_LAG, 0, 0.5, 5);
     secret.law_a = 1.1, secret.law_b = 0.95;
     check_named(&secret);
 }
@@ -89,7 +90,7 @@ START_TEST(a_coarse_recording_is_no_late_one) {
     ck_assert_int_eq(wcut_evidence_create(m.cuts, m.cut, false, 1, NULL, &e, &error), WCUT_OK);
     wcut_model model = e->at;
     ck_assert_int_eq(wcut_evidence_predict(e, &model, false, &error), WCUT_OK);
-    model.effects = 1, model.effect[0] = machine_effect(WCUT_CLOCK_OFFSET, 0, 0.02, 0);
+    model.effects = 1, model.effect[0] = machine_effect(WCUT_EFFECT_CLOCK_OFFSET, 0, 0.02, 0);
     ck_assert_int_eq(wcut_fit_solve(e, &model, &f, &error), WCUT_OK);
     ck_assert_msg(fabs(f.model.effect[0].value[0]) < 0.03, "%.4f s", f.model.effect[0].value[0]);
     wcut_fitted_destroy(&f);
@@ -101,13 +102,13 @@ END_TEST
 /* ---- two at once ---- */
 
 START_TEST(two_effects_at_once_are_both_named) {
-    const machine_secret secret = {
-        .effects = 2,
-        .effect = {machine_effect(WCUT_WIRE_THERMAL_LAG, 0, 0.5, 0), machine_effect(WCUT_TENSION_GAIN, 1, 0.06, 0)},
-        .law_b = 1.1,
-        .seed = 10};
+    const machine_secret secret = {.effects = 2,
+                                   .effect = {machine_effect(WCUT_EFFECT_WIRE_THERMAL_LAG, 0, 0.5, 0),
+                                              machine_effect(WCUT_EFFECT_TENSION_GAIN, 1, 0.06, 0)},
+                                   .law_b = 1.1,
+                                   .seed = 10};
     wcut_diagnosis *d = diagnose_secret(&secret, NULL);
-    ck_assert_msg(machine_names(d, WCUT_WIRE_THERMAL_LAG, WCUT_TENSION_GAIN), "%s", machine_verdict(d));
+    ck_assert_msg(machine_names(d, WCUT_EFFECT_WIRE_THERMAL_LAG, WCUT_EFFECT_TENSION_GAIN), "%s", machine_verdict(d));
     ck_assert_int_eq(d->kind, WCUT_VERDICT_BOTH);
     wcut_diagnosis_destroy(d);
 }
@@ -116,9 +117,10 @@ END_TEST
 /* ---- taken out of the library ---- */
 
 START_TEST(what_the_library_does_not_have_is_unknown_not_the_next_best) {
-    const machine_secret secret[] = {one(WCUT_WIRE_THERMAL_LAG, 0, 0.5, 6), one(WCUT_CLOCK_OFFSET, 0, 0.15, 9),
-                                     one(WCUT_RATE_DEPENDENCE, 0, 0.2, 8), one(WCUT_FOAM_DENSITY_GRADIENT, 0, 0.2, 7),
-                                     one(WCUT_ANGLE_OFFSET, 2, 1, 11)};
+    const machine_secret secret[] = {
+        one(WCUT_EFFECT_WIRE_THERMAL_LAG, 0, 0.5, 6), one(WCUT_EFFECT_CLOCK_OFFSET, 0, 0.15, 9),
+        one(WCUT_EFFECT_RATE_DEPENDENCE, 0, 0.2, 8), one(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0, 0.2, 7),
+        one(WCUT_EFFECT_ANGLE_OFFSET, 2, 1, 11)};
     bool without[WCUT_EFFECT_COUNT] = {false};
     without[secret[_i].effect[0].kind] = true;
     wcut_diagnosis *d = diagnose_secret(&secret[_i], without);
@@ -161,7 +163,7 @@ static void shuffle(wcut_evidence *e, wcut_random *random) {
 
 /* A residual's mean survives any order, so the effect is one of motion; its order in time is all there is to find. */
 START_TEST(the_search_finds_nothing_in_residuals_that_are_shuffled_in_time) {
-    const machine_secret secret = one(WCUT_WIRE_THERMAL_LAG, 0, 0.5, 6);
+    const machine_secret secret = one(WCUT_EFFECT_WIRE_THERMAL_LAG, 0, 0.5, 6);
     const bool without[WCUT_EFFECT_COUNT] = {false};
     machine_case m = machine_create(MACHINE_CUTS, &secret);
     wcut_evidence *e = NULL;

@@ -10,7 +10,7 @@ static wcut_fitted none, lag;
 
 static void given_a_lag(int cuts, bool plain, int threads) {
     const concealed what = {.effects = 1,
-                            .effect = effect_of(WCUT_WIRE_THERMAL_LAG, 1),
+                            .effect = effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 1),
                             .law_a = 1.15,
                             .noise = 1,
                             .plain_programme = plain,
@@ -18,7 +18,7 @@ static void given_a_lag(int cuts, bool plain, int threads) {
     given = synthetic_create(cuts, &what);
     evidence = evidence_of(&given, threads);
     none = fit_of(evidence, 0, what.effect);
-    lag = fit_of(evidence, 1, effect_of(WCUT_WIRE_THERMAL_LAG, 0.4));
+    lag = fit_of(evidence, 1, effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.4));
 }
 
 static void forget(void) {
@@ -39,18 +39,19 @@ static wcut_cross_validation prove(const wcut_fitted *recalibrated, const wcut_f
 START_TEST(a_true_effect_predicts_left_out_cuts_better_than_any_law) {
     given_a_lag(SYNTHETIC_CUTS, false, 2);
     wcut_cross_validation p = prove(&none, &lag);
-    const int tension = WCUT_EVIDENCE_TENSION, alpha = WCUT_EVIDENCE_ALPHA;
-    const wcut_fit *before = p.held_out_fit[WCUT_FIT_BEFORE], *again = p.held_out_fit[WCUT_FIT_RECALIBRATED];
-    const wcut_fit *after = p.held_out_fit[WCUT_FIT_AFTER];
+    const int tension = WCUT_EVIDENCE_CHANNEL_TENSION, alpha = WCUT_EVIDENCE_CHANNEL_ALPHA;
+    const wcut_fit *before = p.held_out_fit[WCUT_FIT_MODEL_BEFORE],
+                   *again = p.held_out_fit[WCUT_FIT_MODEL_RECALIBRATED];
+    const wcut_fit *after = p.held_out_fit[WCUT_FIT_MODEL_AFTER];
     ck_assert_double_lt(after[tension].rmsd, 0.6 * again[tension].rmsd);
     ck_assert_double_lt(after[tension].rmse_over_range, 0.6 * again[tension].rmse_over_range);
     /* a law that is bent to take up a lag is no better than one that is off by a seventh */
     ck_assert_double_lt(after[tension].rmse_over_range, 0.6 * before[tension].rmse_over_range);
     ck_assert_double_lt(after[alpha].rmsd, again[alpha].rmsd);
     /* in sample it is no worse */
-    ck_assert_double_le(p.fit[WCUT_FIT_AFTER][tension].rmsd, 1.02 * after[tension].rmsd);
-    for (int m = 0; m < WCUT_FIT_BLACK_BOX; m++) {
-        for (int k = WCUT_EVIDENCE_TENSION; k <= WCUT_EVIDENCE_BETA; k++) {
+    ck_assert_double_le(p.fit[WCUT_FIT_MODEL_AFTER][tension].rmsd, 1.02 * after[tension].rmsd);
+    for (int m = 0; m < WCUT_FIT_MODEL_BLACK_BOX; m++) {
+        for (int k = WCUT_EVIDENCE_CHANNEL_TENSION; k <= WCUT_EVIDENCE_CHANNEL_BETA; k++) {
             const wcut_fit *f = &p.held_out_fit[m][k];
             int bins = 0;
             for (int cut = 0; cut < SYNTHETIC_CUTS; cut++) bins += 2 * (evidence->cut[cut].bins / 2);
@@ -58,14 +59,14 @@ START_TEST(a_true_effect_predicts_left_out_cuts_better_than_any_law) {
             ck_assert(f->low > 0 && f->low <= f->rmse_over_range && f->rmse_over_range <= f->high);
         }
         /* programmed cuts have no plan, and these were not scanned */
-        ck_assert_int_eq(p.fit[m][WCUT_EVIDENCE_SPEED].count, 0);
-        ck_assert_int_eq(p.fit[m][WCUT_EVIDENCE_SCAN].count, 0);
+        ck_assert_int_eq(p.fit[m][WCUT_EVIDENCE_CHANNEL_SPEED].count, 0);
+        ck_assert_int_eq(p.fit[m][WCUT_EVIDENCE_CHANNEL_SCAN].count, 0);
     }
-    for (int k = 0; k < WCUT_EVIDENCE_COUNT; k++) {
-        ck_assert_int_eq(p.fit[WCUT_FIT_BLACK_BOX][k].count, 0);
-        if (p.fit[WCUT_FIT_BEFORE][k].count == 0) continue;
+    for (int k = 0; k < WCUT_EVIDENCE_CHANNEL_COUNT; k++) {
+        ck_assert_int_eq(p.fit[WCUT_FIT_MODEL_BLACK_BOX][k].count, 0);
+        if (p.fit[WCUT_FIT_MODEL_BEFORE][k].count == 0) continue;
         /* what nothing was fitted to is the same, held out or not */
-        ck_assert_double_eq(p.fit[WCUT_FIT_BEFORE][k].rmsd, p.held_out_fit[WCUT_FIT_BEFORE][k].rmsd);
+        ck_assert_double_eq(p.fit[WCUT_FIT_MODEL_BEFORE][k].rmsd, p.held_out_fit[WCUT_FIT_MODEL_BEFORE][k].rmsd);
     }
     wcut_cross_validation_destroy(&p);
     forget();
@@ -75,9 +76,9 @@ END_TEST
 START_TEST(one_model_proved_against_itself_gives_equal_figures_for_any_number_of_threads) {
     given_a_lag(2, false, 1);
     wcut_cross_validation one = prove(&none, &none);
-    ck_assert_int_eq(
-        memcmp(one.held_out_fit[WCUT_FIT_AFTER], one.held_out_fit[WCUT_FIT_RECALIBRATED], sizeof one.held_out_fit[0]),
-        0);
+    ck_assert_int_eq(memcmp(one.held_out_fit[WCUT_FIT_MODEL_AFTER], one.held_out_fit[WCUT_FIT_MODEL_RECALIBRATED],
+                            sizeof one.held_out_fit[0]),
+                     0);
     evidence->threads = 3;
     wcut_cross_validation three = prove(&none, &none);
     ck_assert_int_eq(memcmp(one.fit, three.fit, sizeof one.fit), 0);
@@ -99,10 +100,10 @@ START_TEST(one_cut_is_planned_but_nothing_can_be_held_out) {
     given_a_lag(1, true, 1);
     aim(1);
     wcut_cross_validation p = prove(&none, &lag);
-    for (int m = 0; m < WCUT_FIT_MODELS; m++)
-        for (int k = 0; k < WCUT_EVIDENCE_COUNT; k++) ck_assert_int_eq(p.held_out_fit[m][k].count, 0);
-    ck_assert_double_gt(p.fit[WCUT_FIT_BEFORE][WCUT_EVIDENCE_SPEED].count, 0.9 * evidence->cut[0].bins);
-    ck_assert_double_gt(p.fit[WCUT_FIT_BEFORE][WCUT_EVIDENCE_SPEED].rmse_over_range, 0);
+    for (int m = 0; m < WCUT_FIT_MODEL_COUNT; m++)
+        for (int k = 0; k < WCUT_EVIDENCE_CHANNEL_COUNT; k++) ck_assert_int_eq(p.held_out_fit[m][k].count, 0);
+    ck_assert_double_gt(p.fit[WCUT_FIT_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_SPEED].count, 0.9 * evidence->cut[0].bins);
+    ck_assert_double_gt(p.fit[WCUT_FIT_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_SPEED].rmse_over_range, 0);
     /* the measured speed of the forecast is that of the recording */
     const double pace = 3.4 * 500 / 120;
     ck_assert_double_eq_tol(p.measured.speed[3], pace, 0.02);
@@ -115,8 +116,8 @@ START_TEST(a_speed_at_another_tension_than_the_target_is_no_judge_of_a_plan) {
     given_a_lag(1, true, 1);
     aim(1.25);
     wcut_cross_validation p = prove(&none, &none);
-    ck_assert_int_eq(p.fit[WCUT_FIT_BEFORE][WCUT_EVIDENCE_SPEED].count, 0);
-    ck_assert_int_gt(p.fit[WCUT_FIT_BEFORE][WCUT_EVIDENCE_TENSION].count, 0);
+    ck_assert_int_eq(p.fit[WCUT_FIT_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_SPEED].count, 0);
+    ck_assert_int_gt(p.fit[WCUT_FIT_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_TENSION].count, 0);
     for (int i = 0; i < 2 * evidence->cut[0].bins; i++) ck_assert(isnan(p.measured.speed[i]));
     wcut_cross_validation_destroy(&p);
     forget();
@@ -135,35 +136,35 @@ START_TEST(figures_are_a_scores_and_their_interval_holds_them) {
     for (int i = 0; i < 2 * BINS; i++) speed[i] = i, none_there[i] = (double)NAN;
     other[2 * BINS + 5] = (double)NAN; /* a bin of alpha_a */
     const wcut_forecast measured = {row, speed}, predicted = {other, none_there};
-    wcut_fit fit[WCUT_EVIDENCE_COUNT], again[WCUT_EVIDENCE_COUNT];
+    wcut_fit fit[WCUT_EVIDENCE_CHANNEL_COUNT], again[WCUT_EVIDENCE_CHANNEL_COUNT];
     ck_assert_int_eq(wcut_forecast_score(&e, &measured, &predicted, 7, fit), WCUT_OK);
-    ck_assert_int_eq(fit[WCUT_EVIDENCE_SPEED].count, 0);
-    ck_assert(isnan(fit[WCUT_EVIDENCE_SPEED].low));
-    ck_assert_int_eq(fit[WCUT_EVIDENCE_SCAN].count, 0);
-    ck_assert_int_eq(fit[WCUT_EVIDENCE_ALPHA].count, BINS - 1); /* both mounts, means of two bins */
-    for (int i = 0; i < BINS; i++)                              /* both tensions stand first */
+    ck_assert_int_eq(fit[WCUT_EVIDENCE_CHANNEL_SPEED].count, 0);
+    ck_assert(isnan(fit[WCUT_EVIDENCE_CHANNEL_SPEED].low));
+    ck_assert_int_eq(fit[WCUT_EVIDENCE_CHANNEL_SCAN].count, 0);
+    ck_assert_int_eq(fit[WCUT_EVIDENCE_CHANNEL_ALPHA].count, BINS - 1); /* both mounts, means of two bins */
+    for (int i = 0; i < BINS; i++)                                      /* both tensions stand first */
         x[i] = (row[2 * i] + row[2 * i + 1]) / 2, y[i] = (other[2 * i] + other[2 * i + 1]) / 2;
     wcut_score score = wcut_score_of(BINS, x, y, 0);
-    ck_assert_int_eq(fit[WCUT_EVIDENCE_TENSION].count, BINS);
-    ck_assert_double_eq_tol(fit[WCUT_EVIDENCE_TENSION].rmsd, score.rmsd, 1e-12);
-    ck_assert_double_eq_tol(fit[WCUT_EVIDENCE_TENSION].nrmsd, score.nrmsd, 1e-12);
-    ck_assert_double_eq_tol(fit[WCUT_EVIDENCE_TENSION].rmse_over_range, score.rmse_over_range, 1e-12);
+    ck_assert_int_eq(fit[WCUT_EVIDENCE_CHANNEL_TENSION].count, BINS);
+    ck_assert_double_eq_tol(fit[WCUT_EVIDENCE_CHANNEL_TENSION].rmsd, score.rmsd, 1e-12);
+    ck_assert_double_eq_tol(fit[WCUT_EVIDENCE_CHANNEL_TENSION].nrmsd, score.nrmsd, 1e-12);
+    ck_assert_double_eq_tol(fit[WCUT_EVIDENCE_CHANNEL_TENSION].rmse_over_range, score.rmse_over_range, 1e-12);
     for (int i = 0; i < BINS; i++) { /* beta: the fourth and the sixth signal, in deg */
         const int at = (i < BINS / 2 ? 3 : 4) * BINS + 2 * i;
         x[i] = (row[at] + row[at + 1]) / 2 * 180 / WCUT_PI, y[i] = (other[at] + other[at + 1]) / 2 * 180 / WCUT_PI;
     }
     score = wcut_score_of(BINS, x, y, 0);
-    const wcut_fit *beta = &fit[WCUT_EVIDENCE_BETA];
+    const wcut_fit *beta = &fit[WCUT_EVIDENCE_CHANNEL_BETA];
     ck_assert_double_eq_tol(beta->rmsd, score.rmsd, 1e-10);
     /* 60 independent values: 95 % of their root mean square lie within about 18 % */
     ck_assert_double_eq_tol(beta->low / beta->rmse_over_range, 0.82, 0.09);
     ck_assert_double_eq_tol(beta->high / beta->rmse_over_range, 1.18, 0.09);
     ck_assert_int_eq(wcut_forecast_score(&e, &measured, &predicted, 7, again), WCUT_OK);
-    ck_assert_double_eq(again[WCUT_EVIDENCE_BETA].low, beta->low);
+    ck_assert_double_eq(again[WCUT_EVIDENCE_CHANNEL_BETA].low, beta->low);
     bool differs = false; /* six blocks have few means: a quantile may be the same by chance */
     for (unsigned seed = 8; seed < 14; seed++) {
         ck_assert_int_eq(wcut_forecast_score(&e, &measured, &predicted, seed, again), WCUT_OK);
-        differs = differs || again[WCUT_EVIDENCE_BETA].low != beta->low;
+        differs = differs || again[WCUT_EVIDENCE_CHANNEL_BETA].low != beta->low;
     }
     ck_assert(differs);
 }

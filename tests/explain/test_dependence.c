@@ -115,7 +115,7 @@ START_TEST(a_quantity_of_time_is_found_by_name) {
 END_TEST
 
 START_TEST(a_denser_end_of_the_block_that_the_wire_was_driven_through_is_a_dependence_on_y) {
-    wcut_effect denser = effect_of(WCUT_FOAM_DENSITY_GRADIENT, 0.5);
+    wcut_effect denser = effect_of(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0.5);
     denser.choice = 1; /* y */
     const concealed what = {.effects = 1, .effect = denser, .noise = 0.5, .seed = 54};
     given_cuts(SYNTHETIC_CUTS, &what);
@@ -130,7 +130,7 @@ START_TEST(a_denser_end_of_the_block_that_the_wire_was_driven_through_is_a_depen
 END_TEST
 
 START_TEST(one_cut_confirms_nothing) {
-    const concealed what = {.effects = 1, .effect = effect_of(WCUT_WIRE_THERMAL_LAG, 2), .noise = 1, .seed = 55};
+    const concealed what = {.effects = 1, .effect = effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 2), .noise = 1, .seed = 55};
     given_cuts(1, &what);
     find();
     ck_assert_int_eq(count, 0);

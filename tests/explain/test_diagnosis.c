@@ -8,7 +8,8 @@ static char untouched;
 #define UNTOUCHED ((wcut_diagnosis *)(void *)&untouched)
 
 static machine_secret lag(void) {
-    return (machine_secret){.effects = 1, .effect = {machine_effect(WCUT_WIRE_THERMAL_LAG, 0, 0.8, 0)}, .seed = 5};
+    return (machine_secret){
+        .effects = 1, .effect = {machine_effect(WCUT_EFFECT_WIRE_THERMAL_LAG, 0, 0.8, 0)}, .seed = 5};
 }
 
 static bool says(const wcut_diagnosis *d, const char *what) {
@@ -99,9 +100,10 @@ START_TEST(a_diagnosis_that_is_stopped_keeps_what_it_has) {
                       d->sentence);
         ck_assert_int_ge(d->hypotheses, 1);
         ck_assert_int_eq(d->traces, 12);
-        ck_assert_int_eq(d->fit[WCUT_FIT_AFTER][WCUT_EVIDENCE_TENSION].count, 0);
+        ck_assert_int_eq(d->fit[WCUT_FIT_MODEL_AFTER][WCUT_EVIDENCE_CHANNEL_TENSION].count, 0);
         if (stop[k].stop_at == 16)
-            ck_assert_msg(machine_names(d, WCUT_WIRE_THERMAL_LAG, WCUT_WIRE_THERMAL_LAG), "%s", machine_verdict(d));
+            ck_assert_msg(machine_names(d, WCUT_EFFECT_WIRE_THERMAL_LAG, WCUT_EFFECT_WIRE_THERMAL_LAG), "%s",
+                          machine_verdict(d));
         else /* what was not tried is not ruled out */
             ck_assert_msg(d->kind != WCUT_VERDICT_NONE && d->confidence == 0, "%s", machine_verdict(d));
         char *text = NULL;

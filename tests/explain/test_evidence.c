@@ -126,7 +126,7 @@ START_TEST(a_model_of_a_cut_is_its_job_with_another_law_length_and_effects) {
     wcut_evidence *e = evidence_of(&s, 1);
     wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
     wcut_model model = {.a = 0.07, .b = 5e-4, .length_change = -0.5, .effects = 1, .carried = true};
-    model.effect[0] = effect_of(WCUT_WIRE_FOULING, 0.1);
+    model.effect[0] = effect_of(WCUT_EFFECT_WIRE_FOULING, 0.1);
     const wcut_job first = wcut_model_job(e, &model, 0, effect);
     ck_assert_double_eq(first.force_law.a, 0.07);
     ck_assert_double_eq(first.force_law.b, 5e-4);

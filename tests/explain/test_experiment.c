@@ -30,7 +30,8 @@ static double chosen(const wcut_job *job, wcut_effect a, wcut_effect b, wcut_job
 START_TEST(a_thermal_lag_and_a_late_clock_are_told_apart_by_an_excitation) {
     wcut_job *job = short_job(), *best = NULL;
     char reason[WCUT_DIAGNOSIS_TEXT];
-    const double s = chosen(job, sized(WCUT_WIRE_THERMAL_LAG, 0.3), sized(WCUT_CLOCK_OFFSET, 0.2), &best, reason);
+    const double s =
+        chosen(job, sized(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.3), sized(WCUT_EFFECT_CLOCK_OFFSET, 0.2), &best, reason);
     ck_assert_msg(s > 5 && (best->dither_count > 0 || best->heat_step_count > 0), "%g: %s", s, reason);
     ck_assert_ptr_nonnull(strstr(reason, "wire thermal lag from clock offset"));
     ck_assert_int_eq(best->effect_count, 0);
@@ -43,7 +44,7 @@ END_TEST
 START_TEST(a_gradient_along_the_feed_and_a_fouling_wire_are_told_apart_by_the_way_back) {
     wcut_job *job = short_job(), *best = NULL;
     char reason[WCUT_DIAGNOSIS_TEXT];
-    wcut_effect along = sized(WCUT_FOAM_DENSITY_GRADIENT, 0.12), fouling = sized(WCUT_WIRE_FOULING, 1.2);
+    wcut_effect along = sized(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0.12), fouling = sized(WCUT_EFFECT_WIRE_FOULING, 1.2);
     along.choice = 1;            /* y */
     fouling.value[1] = 10 * 600; /* hardly bent over a cut: 1 - exp(-0.1) of it */
     const double s = chosen(job, along, fouling, &best, reason);
@@ -57,9 +58,9 @@ END_TEST
 START_TEST(a_growing_kerf_and_a_shifted_scan_are_told_apart_by_a_scan_at_other_heats) {
     wcut_job *job = short_job(), *best = NULL;
     char reason[WCUT_DIAGNOSIS_TEXT];
-    wcut_effect shift = wcut_effect_default(WCUT_SCAN_OFFSET);
+    wcut_effect shift = wcut_effect_default(WCUT_EFFECT_SCAN_OFFSET);
     shift.value[2] = -0.3;
-    const double s = chosen(job, sized(WCUT_KERF_GROWTH, 1.6e-4), shift, &best, reason);
+    const double s = chosen(job, sized(WCUT_EFFECT_KERF_GROWTH, 1.6e-4), shift, &best, reason);
     ck_assert_msg(s > 0.5 && strstr(reason, "scanned"), "%g: %s", s, reason);
     wcut_job_destroy(best);
     wcut_job_destroy(job);
@@ -69,7 +70,7 @@ END_TEST
 START_TEST(the_same_explanation_twice_is_told_apart_by_nothing_and_said_so) {
     wcut_job *job = short_job(), *best = NULL;
     char reason[WCUT_DIAGNOSIS_TEXT];
-    const wcut_effect lag = sized(WCUT_WIRE_THERMAL_LAG, 0.4);
+    const wcut_effect lag = sized(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.4);
     ck_assert_double_eq(chosen(job, lag, lag, &best, reason), 0);
     ck_assert_ptr_eq(strstr(reason, "None of "), reason);
     wcut_job_destroy(best);
@@ -81,7 +82,7 @@ START_TEST(what_a_refit_of_the_plain_model_explains_does_not_count) {
     wcut_job *job = short_job(), *best = NULL;
     char reason[WCUT_DIAGNOSIS_TEXT];
     double weak = 0, strong = 0;
-    const wcut_effect level = sized(WCUT_RATE_DEPENDENCE, 0.004), gain = sized(WCUT_TENSION_GAIN, 0.5);
+    const wcut_effect level = sized(WCUT_EFFECT_RATE_DEPENDENCE, 0.004), gain = sized(WCUT_EFFECT_TENSION_GAIN, 0.5);
     ck_assert_int_eq(wcut_experiment_choose(job, 1, &level, 0, NULL, NULL, &best, &weak, reason, NULL), WCUT_OK);
     ck_assert_ptr_nonnull(strstr(reason, "the plain model"));
     wcut_job_destroy(best);
@@ -97,7 +98,7 @@ START_TEST(what_cannot_be_run_is_refused_and_nothing_is_written) {
     char reason[WCUT_DIAGNOSIS_TEXT] = "as it was";
     double s = 999;
     wcut_error error = {0};
-    wcut_effect lag = sized(WCUT_WIRE_THERMAL_LAG, 0.4);
+    wcut_effect lag = sized(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.4);
     ck_assert_int_eq(wcut_experiment_choose(NULL, 1, &lag, 0, NULL, NULL, &best, &s, reason, &error),
                      WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_experiment_choose(job, 1, NULL, 0, NULL, NULL, &best, &s, reason, &error), WCUT_BAD_ARGUMENT);
@@ -118,7 +119,7 @@ START_TEST(where_memory_ends_nothing_is_written) {
     wcut_job *job = short_job(), *best = NULL;
     char reason[WCUT_DIAGNOSIS_TEXT];
     double s = 999;
-    const wcut_effect lag = sized(WCUT_WIRE_THERMAL_LAG, 0.4);
+    const wcut_effect lag = sized(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.4);
     job->stations = 20;
     for (int j = 0; j < job->stations; j++) job->mount_a[j].y = job->mount_b[j].y = -20 + 36.0 * j;
     for (long k = 1; k < 4000; k = k * 5 / 4 + 1) {

@@ -107,14 +107,14 @@ static void ck_near(double found, double expected, double error, double most, co
 
 START_TEST(a_concealed_lag_comes_back_with_the_law_that_was_off) {
     const concealed what = {.effects = 1,
-                            .effect = effect_of(WCUT_WIRE_THERMAL_LAG, 0.8),
+                            .effect = effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.8),
                             .law_a = 1.12,
                             .law_b = 0.94,
                             .noise = 1,
                             .seed = 21};
     synthetic s = synthetic_create(SYNTHETIC_CUTS, &what);
     wcut_evidence *e = evidence_of(&s, 2);
-    wcut_fitted none = fit_of(e, 0, what.effect), lag = fit_of(e, 1, effect_of(WCUT_WIRE_THERMAL_LAG, 0.3));
+    wcut_fitted none = fit_of(e, 0, what.effect), lag = fit_of(e, 1, effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.3));
     ck_assert_int_ge(lag.count, 1);
     ck_assert_double_gt(none.cost - lag.cost, 200);
     const wcut_coordinate *c = &lag.coordinate[0];
@@ -141,8 +141,9 @@ START_TEST(where_nothing_is_concealed_effects_gain_no_more_than_chance) {
     const concealed what = {.law_a = 0.9, .noise = 1, .seed = 22};
     synthetic s = synthetic_create(SYNTHETIC_CUTS, &what);
     wcut_evidence *e = evidence_of(&s, 2);
-    const wcut_effect tried[3] = {effect_of(WCUT_WIRE_THERMAL_LAG, 0.3), effect_of(WCUT_RATE_DEPENDENCE, 0.1),
-                                  effect_of(WCUT_TENSION_GAIN, 0.02)};
+    const wcut_effect tried[3] = {effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.3),
+                                  effect_of(WCUT_EFFECT_RATE_DEPENDENCE, 0.1),
+                                  effect_of(WCUT_EFFECT_TENSION_GAIN, 0.02)};
     wcut_fitted none = fit_of(e, 0, tried[0]);
     ck_near(none.x[0], log(0.09), none.error[0], 4, "ln a");
     ck_near(none.x[1], log(8.6e-4), none.error[1], 4, "ln b");
@@ -161,7 +162,7 @@ START_TEST(where_nothing_is_concealed_effects_gain_no_more_than_chance) {
 END_TEST
 
 START_TEST(a_faulty_instrument_is_fitted_along_the_same_motion) {
-    wcut_effect gain = effect_of(WCUT_TENSION_GAIN, 0.04);
+    wcut_effect gain = effect_of(WCUT_EFFECT_TENSION_GAIN, 0.04);
     const concealed what = {.effects = 1, .effect = gain, .noise = 1, .seed = 23};
     synthetic s = synthetic_create(2, &what);
     wcut_evidence *e = evidence_of(&s, 1);
@@ -178,7 +179,7 @@ START_TEST(the_same_bytes_come_from_any_number_of_threads) {
     const concealed what = {.noise = 1, .seed = 24};
     synthetic s = synthetic_create(2, &what);
     wcut_evidence *one = evidence_of(&s, 1), *two = evidence_of(&s, 2);
-    const wcut_effect lag = effect_of(WCUT_WIRE_THERMAL_LAG, 0.3);
+    const wcut_effect lag = effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.3);
     wcut_fitted a = fit_of(one, 1, lag), b = fit_of(two, 1, lag);
     ck_assert_int_eq(memcmp(a.x, b.x, sizeof a.x), 0);
     ck_assert_int_eq(memcmp(a.residual, b.residual, (size_t)one->rows * sizeof(double)), 0);
@@ -195,9 +196,9 @@ START_TEST(models_that_move_the_wire_alike_are_told) {
     const wcut_model plain = {.a = 0.1, .b = 8e-4};
     wcut_model other = plain;
     ck_assert(wcut_models_same_motion(&plain, &other));
-    other.effects = 1, other.effect[0] = effect_of(WCUT_ANGLE_OFFSET, 1); /* an instrument moves nothing */
+    other.effects = 1, other.effect[0] = effect_of(WCUT_EFFECT_ANGLE_OFFSET, 1); /* an instrument moves nothing */
     ck_assert(wcut_models_same_motion(&plain, &other));
-    other.effect[0] = effect_of(WCUT_WIRE_THERMAL_LAG, 0); /* neither does what is neutral */
+    other.effect[0] = effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 0); /* neither does what is neutral */
     ck_assert(wcut_models_same_motion(&plain, &other));
     other.effect[0].value[0] = 0.2;
     ck_assert(!wcut_models_same_motion(&plain, &other));
@@ -207,10 +208,10 @@ START_TEST(models_that_move_the_wire_alike_are_told) {
 END_TEST
 
 START_TEST(a_profile_is_the_curvature_where_the_response_is_straight) {
-    const concealed what = {.effects = 1, .effect = effect_of(WCUT_TENSION_DRIFT, 0.1), .noise = 1, .seed = 12};
+    const concealed what = {.effects = 1, .effect = effect_of(WCUT_EFFECT_TENSION_DRIFT, 0.1), .noise = 1, .seed = 12};
     synthetic s = synthetic_create(2, &what);
     wcut_evidence *e = evidence_of(&s, 1);
-    wcut_fitted f = fit_of(e, 1, effect_of(WCUT_TENSION_DRIFT, 0.05));
+    wcut_fitted f = fit_of(e, 1, effect_of(WCUT_EFFECT_TENSION_DRIFT, 0.05));
     ck_assert_double_eq(f.below[WCUT_BASE], 1.96 * f.error[WCUT_BASE]);
     f.below[WCUT_BASE] = f.above[WCUT_BASE] = 999;
     ck_assert_int_eq(wcut_fit_profile(e, &f, NULL), WCUT_OK);
@@ -224,10 +225,11 @@ END_TEST
 
 START_TEST(a_profile_holds_the_truth_and_ends_at_the_bounds) {
     /* a hundred times the noise: hardly anything is known of a stiffness of 100 N/mm, and its reciprocal has a bound at 0 */
-    const concealed what = {.effects = 1, .effect = effect_of(WCUT_MOUNT_COMPLIANCE, 100), .noise = 100, .seed = 3};
+    const concealed what = {
+        .effects = 1, .effect = effect_of(WCUT_EFFECT_MOUNT_COMPLIANCE, 100), .noise = 100, .seed = 3};
     synthetic s = synthetic_create(2, &what);
     wcut_evidence *e = evidence_of(&s, 1);
-    wcut_fitted f = fit_of(e, 1, effect_of(WCUT_MOUNT_COMPLIANCE, 60));
+    wcut_fitted f = fit_of(e, 1, effect_of(WCUT_EFFECT_MOUNT_COMPLIANCE, 60));
     const wcut_coordinate *c = &f.coordinate[0];
     const double x = f.x[WCUT_BASE], truth = wcut_scale_in(c->scale, 100);
     ck_assert_double_lt(x - 1.96 * f.error[WCUT_BASE], c->low); /* the curvature knows no bound */
@@ -241,10 +243,10 @@ START_TEST(a_profile_holds_the_truth_and_ends_at_the_bounds) {
 END_TEST
 
 START_TEST(a_profile_without_memory_changes_nothing) {
-    const concealed what = {.effects = 1, .effect = effect_of(WCUT_TENSION_DRIFT, 0.1), .noise = 1, .seed = 12};
+    const concealed what = {.effects = 1, .effect = effect_of(WCUT_EFFECT_TENSION_DRIFT, 0.1), .noise = 1, .seed = 12};
     synthetic s = synthetic_create(1, &what);
     wcut_evidence *e = evidence_of(&s, 1);
-    wcut_fitted f = fit_of(e, 1, effect_of(WCUT_TENSION_DRIFT, 0.05));
+    wcut_fitted f = fit_of(e, 1, effect_of(WCUT_EFFECT_TENSION_DRIFT, 0.05));
     f.below[WCUT_BASE] = f.above[WCUT_BASE] = 999;
     for (long k = 1; k < 40; k += 6) {
         wcut_alloc_fail_at(k);

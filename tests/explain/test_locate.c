@@ -88,7 +88,7 @@ START_TEST(a_planted_bump_is_found_where_and_as_large_as_it_is) {
     ck_assert_int_ge(count, 1);
     const wcut_mismatch *m = &found[0];
     ck_assert_int_eq(m->cut, 1);
-    ck_assert_int_eq(m->channel, WCUT_EVIDENCE_ALPHA);
+    ck_assert_int_eq(m->channel, WCUT_EVIDENCE_CHANNEL_ALPHA);
     ck_assert_str_eq(m->column, "alpha_b_deg");
     const double from = c->from + 10 * WCUT_BIN_WIDTH, to = from + 12 * WCUT_BIN_WIDTH;
     ck_assert_double_eq_tol(m->time[0], from, 1.01);
@@ -104,7 +104,7 @@ START_TEST(a_planted_bump_is_found_where_and_as_large_as_it_is) {
     ck_assert(m->block[0].y >= 0 && m->block[1].y <= 400 && m->block[0].y < m->block[1].y);
     for (int k = 1; k < count; k++) { /* what else there is lies beside it, and is less */
         ck_assert_double_le(found[k].share, m->share);
-        if (found[k].cut == 1 && found[k].channel == WCUT_EVIDENCE_ALPHA && !strcmp(found[k].column, m->column))
+        if (found[k].cut == 1 && found[k].channel == WCUT_EVIDENCE_CHANNEL_ALPHA && !strcmp(found[k].column, m->column))
             ck_assert(found[k].time[1] <= m->time[0] + 1e-9 || found[k].time[0] >= m->time[1] - 1e-9);
     }
 }
@@ -161,7 +161,7 @@ START_TEST(patches_of_a_face_that_are_off_are_found_along_the_wire) {
     ck_assert_int_ge(count, 1);
     const wcut_mismatch *m = &found[0];
     ck_assert_str_eq(m->column, "scan");
-    ck_assert_int_eq(m->channel, WCUT_EVIDENCE_SCAN);
+    ck_assert_int_eq(m->channel, WCUT_EVIDENCE_CHANNEL_SCAN);
     ck_assert_double_eq_tol(m->mean, 0.15, 0.05);
     ck_assert(m->block[0].x > 110 && m->block[1].y < 260);
     /* the wire's own millimetres from where it enters the block: here x, for it is straight */

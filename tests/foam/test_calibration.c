@@ -120,7 +120,7 @@ START_TEST(cuts_on_the_laws_give_them_back_without_error) {
     ck_assert_double_eq_tol(fit.tension.b / 5e-4, 1, 1e-8);
     ck_assert_double_eq_tol(fit.tension.c / 0.04, 1, 1e-8);
     ck_assert_double_lt(fit.force.scale, 1e-9);
-    ck_assert_int_eq(fit.force.lack, WCUT_LACK_UNTESTED);
+    ck_assert_int_eq(fit.force.lack, WCUT_LACK_OF_FIT_UNTESTED);
     for (int i = 0; i < 10; i++) ck_assert_double_eq_tol(point[i].force.measured, point[i].force.fitted, 1e-12);
 }
 END_TEST
@@ -192,7 +192,7 @@ START_TEST(repeated_cuts_are_the_yardstick_of_the_lack_of_fit) {
             cut[i] = cut_of(70, v, force, 0.2);
         }
         ck_assert_int_eq(solve(N, NULL), WCUT_OK);
-        ck_assert_int_eq(fit.force.lack, WCUT_LACK_REPLICATE);
+        ck_assert_int_eq(fit.force.lack, WCUT_LACK_OF_FIT_REPLICATE);
         ck_assert(fit.force.lack_degrees[0] == 6 && fit.force.lack_degrees[1] == 16);
         if (bent)
             ck_assert_double_lt(fit.force.lack_p, 1e-4);
@@ -205,7 +205,7 @@ END_TEST
 START_TEST(a_power_of_the_speed_beside_q_eff_is_a_lack_of_fit) {
     given_a_made_table(12, 9, 0.02);
     ck_assert_int_eq(solve(12, NULL), WCUT_OK);
-    ck_assert_int_eq(fit.force.lack, WCUT_LACK_FLEXIBLE);
+    ck_assert_int_eq(fit.force.lack, WCUT_LACK_OF_FIT_FLEXIBLE);
     ck_assert_double_gt(fit.force.lack_p, 0.01);
     for (int i = 0; i < 12; i++)
         cut[i].alpha_a = cut[i].alpha_b = asin(sin(cut[i].alpha_a) * pow(cut[i].speed / 30, 0.3));
@@ -432,13 +432,14 @@ START_TEST(a_cut_alone_at_its_q_eff_and_one_off_the_law_are_marked) {
     }
     ck_assert_int_eq(solve(N, NULL), WCUT_OK);
     for (int i = 0; i < N; i++) {
-        ck_assert_int_eq((point[i].force.unusual & WCUT_FIT_LEVERAGE) != 0, i == N - 1);
-        ck_assert_int_eq((point[i].force.unusual & WCUT_FIT_OUTLIER) != 0, i == 5);
+        ck_assert_int_eq((point[i].force.unusual & WCUT_UNUSUAL_LEVERAGE) != 0, i == N - 1);
+        ck_assert_int_eq((point[i].force.unusual & WCUT_UNUSUAL_OUTLIER) != 0, i == 5);
     }
-    ck_assert(point[5].force.unusual & WCUT_FIT_INFLUENTIAL);
+    ck_assert(point[5].force.unusual & WCUT_UNUSUAL_INFLUENTIAL);
     given_a_made_table(10, 1, 0); /* on the law itself nothing is unusual */
     ck_assert_int_eq(solve(10, NULL), WCUT_OK);
-    for (int i = 0; i < 10; i++) ck_assert(!(point[i].force.unusual & (WCUT_FIT_OUTLIER | WCUT_FIT_INFLUENTIAL)));
+    for (int i = 0; i < 10; i++)
+        ck_assert(!(point[i].force.unusual & (WCUT_UNUSUAL_OUTLIER | WCUT_UNUSUAL_INFLUENTIAL)));
 }
 END_TEST
 

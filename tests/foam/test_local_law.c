@@ -38,14 +38,16 @@ static double law_of(wcut_effect e, double speed, wcut_vec3 at, int i) {
 START_TEST(without_memory_every_effect_is_its_formula) {
     const wcut_vec3 at = vec3(100, 450, 30);
     const double f = plain_law(heat, 20);
-    ck_assert_double_eq_tol(law_of(effect_of(WCUT_FOAM_DENSITY_GRADIENT, 0.4, 0, 0), 20, at, 2) / f, 0.9, 1e-15);
-    ck_assert_double_eq_tol(law_of(effect_of(WCUT_FOAM_DENSITY_GRADIENT, 0.4, 0, 1), 20, at, 2) / f, 1.1, 1e-15);
-    ck_assert_double_eq_tol(law_of(effect_of(WCUT_FOAM_DENSITY_GRADIENT, 0.4, 0, 2), 20, at, 2) / f, 0.84, 1e-15);
-    wcut_effect e = effect_of(WCUT_FOAM_INCLUSION, 0.5, 40, 0);
+    ck_assert_double_eq_tol(law_of(effect_of(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0.4, 0, 0), 20, at, 2) / f, 0.9, 1e-15);
+    ck_assert_double_eq_tol(law_of(effect_of(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0.4, 0, 1), 20, at, 2) / f, 1.1, 1e-15);
+    ck_assert_double_eq_tol(law_of(effect_of(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0.4, 0, 2), 20, at, 2) / f, 0.84,
+                            1e-15);
+    wcut_effect e = effect_of(WCUT_EFFECT_FOAM_INCLUSION, 0.5, 40, 0);
     e.value[2] = 100, e.value[3] = 450, e.value[4] = 70; /* one radius away */
     ck_assert_double_eq_tol(law_of(e, 20, at, 2) / f, 1 + 0.5 * exp(-0.5), 1e-15);
-    ck_assert_double_eq_tol(law_of(effect_of(WCUT_RATE_DEPENDENCE, 0.3, 10, 0), 20, at, 2) / f, pow(2, 0.3), 1e-15);
-    e = effect_of(WCUT_WIRE_FOULING, 0.2, 500, 0);
+    ck_assert_double_eq_tol(law_of(effect_of(WCUT_EFFECT_RATE_DEPENDENCE, 0.3, 10, 0), 20, at, 2) / f, pow(2, 0.3),
+                            1e-15);
+    e = effect_of(WCUT_EFFECT_WIRE_FOULING, 0.2, 500, 0);
     state[2].way = 300;
     ck_assert_double_eq_tol(law_of(e, 20, at, 2) / f, 1 + 0.2 * (1 - exp(-0.6)), 1e-15);
     e.value[2] = 200; /* it had cut 200 mm before */
@@ -53,7 +55,7 @@ START_TEST(without_memory_every_effect_is_its_formula) {
     e.choice = 1;
     const double b = law.b * (1 + 0.2 * (1 - exp(-1)));
     ck_assert_double_eq_tol(law_of(e, 20, at, 2), law.a * exp(-b * heat * 50), 1e-16);
-    e = effect_of(WCUT_END_COOLING, 0.3, 8, 0);
+    e = effect_of(WCUT_EFFECT_END_COOLING, 0.3, 8, 0);
     for (int i = 0; i < N; i++) {
         const double q = heat * (1 - 0.3 * (exp(-i * edge / 8) + exp(-(N - 1 - i) * edge / 8)));
         ck_assert_double_eq_tol(law_of(e, 20, at, i), plain_law(q, 20), 1e-16);
@@ -62,7 +64,7 @@ START_TEST(without_memory_every_effect_is_its_formula) {
 END_TEST
 
 START_TEST(overheated_wire_cools_with_its_time_in_the_foam) {
-    const wcut_effect e = effect_of(WCUT_AIR_OVERHEATING, 1.6, 0.8, 0);
+    const wcut_effect e = effect_of(WCUT_EFFECT_AIR_OVERHEATING, 1.6, 0.8, 0);
     const wcut_locality l = locality(1, &e);
     const wcut_local_law at = wcut_local_law_eval(&l, &block, &law, heat, 5, 20, N, vec3(9, 9, 9), 1);
     ck_assert_double_eq_tol(at.heat, heat * (1 + 0.6 * exp(-0.5 / 0.8)), 1e-12);
@@ -71,7 +73,7 @@ START_TEST(overheated_wire_cools_with_its_time_in_the_foam) {
 END_TEST
 
 START_TEST(a_node_has_cut_as_far_as_it_moved_in_the_foam) {
-    const wcut_effect e = effect_of(WCUT_WIRE_FOULING, 0.2, 500, 0);
+    const wcut_effect e = effect_of(WCUT_EFFECT_WIRE_FOULING, 0.2, 500, 0);
     const wcut_locality l = locality(1, &e);
     state[1] = (wcut_node_state){.set = true, .way = 7};
     ck_assert_double_eq_tol(wcut_node_state_after(&l, heat, 5, 20, 0.25, N, 1).way, 8, 1e-15);
@@ -102,7 +104,7 @@ static double lagged(const wcut_effect *e, double from, double to, double time, 
 }
 
 START_TEST(a_held_speed_lets_the_lag_run_out_as_one_exponential_however_it_is_stepped) {
-    const wcut_effect e = effect_of(WCUT_WIRE_THERMAL_LAG, 0.4, 0, 0);
+    const wcut_effect e = effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.4, 0, 0);
     const double h0 = e.value[2], h1 = e.value[3], slow = h0 + 10 * h1, fast = h0 + 25 * h1;
     const double tau = 0.4 * slow / fast; /* C / H(25), tau being C / H(10) */
     for (int steps = 1; steps <= 64; steps *= 4) {
@@ -116,7 +118,7 @@ END_TEST
 
 START_TEST(an_even_change_of_heat_is_followed_exactly_behind_by_the_time_constant) {
     /* at one speed, theta obeys C theta' = Q - H theta: for Q = Q0 + p t it trails by tau p / H once settled */
-    const wcut_effect e = effect_of(WCUT_WIRE_THERMAL_LAG, 0.5, 0, 0);
+    const wcut_effect e = effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.5, 0, 0);
     const wcut_vec3 zero = {0, 0, 0};
     const wcut_locality l = locality(1, &e);
     for (double step = 0.05; step < 1; step *= 3) {
@@ -134,7 +136,7 @@ START_TEST(an_even_change_of_heat_is_followed_exactly_behind_by_the_time_constan
 END_TEST
 
 START_TEST(drag_pulls_back_along_the_wire_by_mu_times_what_presses) {
-    const wcut_effect e = effect_of(WCUT_TANGENTIAL_DRAG, 0.25, 0, 0);
+    const wcut_effect e = effect_of(WCUT_EFFECT_TANGENTIAL_DRAG, 0.25, 0, 0);
     const wcut_locality l = locality(1, &e);
     const wcut_foam plain = {.law = law, .block = block}, dragging = {.law = law, .block = block, .local = &l};
     for (int i = 0; i < N; i++) x[i] = vec3(100 + 5 * i, 50, 150), was[i] = vec3(100 + 5 * i - 1, 46, 150);
@@ -182,11 +184,12 @@ static double difference(wcut_vec3 high, wcut_vec3 low, double h, mat3 given, in
 }
 
 START_TEST(all_effects_at_once_have_exact_derivatives) {
-    wcut_effect e[9] = {effect_of(WCUT_FOAM_DENSITY_GRADIENT, 0.8, 0, 1),  effect_of(WCUT_FOAM_INCLUSION, 0.7, 20, 0),
-                        effect_of(WCUT_FOAM_DENSITY_GRADIENT, -0.8, 0, 2), effect_of(WCUT_RATE_DEPENDENCE, -0.3, 0, 0),
-                        effect_of(WCUT_WIRE_FOULING, 0.3, 0, 1),           effect_of(WCUT_END_COOLING, 0.4, 9, 0),
-                        effect_of(WCUT_AIR_OVERHEATING, 1.5, 0.7, 0),      effect_of(WCUT_WIRE_THERMAL_LAG, 0.3, 0, 0),
-                        effect_of(WCUT_TANGENTIAL_DRAG, 0.5, 2, 0)};
+    wcut_effect e[9] = {
+        effect_of(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0.8, 0, 1),  effect_of(WCUT_EFFECT_FOAM_INCLUSION, 0.7, 20, 0),
+        effect_of(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, -0.8, 0, 2), effect_of(WCUT_EFFECT_RATE_DEPENDENCE, -0.3, 0, 0),
+        effect_of(WCUT_EFFECT_WIRE_FOULING, 0.3, 0, 1),           effect_of(WCUT_EFFECT_END_COOLING, 0.4, 9, 0),
+        effect_of(WCUT_EFFECT_AIR_OVERHEATING, 1.5, 0.7, 0),      effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.3, 0, 0),
+        effect_of(WCUT_EFFECT_TANGENTIAL_DRAG, 0.5, 2, 0)};
     e[1].value[2] = 195, e[1].value[3] = 10, e[1].value[4] = 140;
     const wcut_locality l = locality(9, e);
     const wcut_foam foam = {.law = law, .block = {.size = {400, 600, 300}, .depth = 3}, .local = &l};

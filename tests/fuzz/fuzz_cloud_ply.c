@@ -2,6 +2,6 @@
 #include "cloud_fuzz.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    fuzz_cloud(data, size, WCUT_CLOUD_PLY);
+    fuzz_cloud(data, size, WCUT_CLOUD_FORMAT_PLY);
     return 0;
 }

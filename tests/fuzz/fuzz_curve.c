@@ -30,7 +30,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     wcut_curve_set *set = NULL;
     wcut_error error = {WCUT_OK, ""};
     if (size < 1) return 0;
-    options.format = (wcut_curve_format)(WCUT_CURVE_STEP + data[0] % 4);
+    options.format = (wcut_curve_format)(WCUT_CURVE_FORMAT_STEP + data[0] % 4);
     char *text = malloc(size);
     if (!text) return 0;
     memcpy(text, data + 1, size - 1);

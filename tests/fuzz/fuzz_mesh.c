@@ -31,7 +31,7 @@ static void check_mesh(const wcut_mesh *m, const wcut_mesh_read_info *info) {
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    static const wcut_mesh_format format[] = {WCUT_MESH_STL, WCUT_MESH_PLY, WCUT_MESH_OBJ};
+    static const wcut_mesh_format format[] = {WCUT_MESH_FORMAT_STL, WCUT_MESH_FORMAT_PLY, WCUT_MESH_FORMAT_OBJ};
     wcut_mesh_read_options options = wcut_mesh_read_options_default();
     wcut_mesh *mesh = NULL;
     wcut_mesh_read_info info;

@@ -62,7 +62,7 @@ static void project(const wcut_surface *s, wcut_vec3 query) {
 /* the parts meet */
 static void split(const wcut_surface *s, double at) {
     wcut_surface *low, *high;
-    if (wcut_surface_split(s, WCUT_ALONG_V, at, &low, &high) != WCUT_OK) return;
+    if (wcut_surface_split(s, WCUT_DIRECTION_V, at, &low, &high) != WCUT_OK) return;
     wcut_vec3 a, b;
     demand(wcut_surface_eval(low, 0.4, at, 0, &a) == WCUT_OK && wcut_surface_eval(high, 0.4, at, 0, &b) == WCUT_OK);
     demand(distance(a, b) < 1e-6);
@@ -103,7 +103,7 @@ static void reshape(const wcut_surface *s, double tolerance) {
         demand(error <= tolerance && apart(s, r) <= error + 1e-6);
         wcut_surface_destroy(r);
     }
-    if (s->degree_u < WCUT_DEGREE_MAX && wcut_surface_elevate(s, WCUT_ALONG_U, 1, &r) == WCUT_OK) {
+    if (s->degree_u < WCUT_DEGREE_MAX && wcut_surface_elevate(s, WCUT_DIRECTION_U, 1, &r) == WCUT_OK) {
         demand(apart(s, r) < 1e-6);
         wcut_surface_destroy(r);
     }

@@ -28,8 +28,9 @@ static inline wcut_found_effect given_effect(wcut_effect_kind kind, bool present
 
 static inline void give_traces(given_diagnosis *g) {
     static const char *const column[GIVEN_TRACES] = {"tension_a_N", "tension_b_N", "alpha_a_deg", "scan"};
-    static const wcut_evidence_channel channel[GIVEN_TRACES] = {WCUT_EVIDENCE_TENSION, WCUT_EVIDENCE_TENSION,
-                                                                WCUT_EVIDENCE_ALPHA, WCUT_EVIDENCE_SCAN};
+    static const wcut_evidence_channel channel[GIVEN_TRACES] = {
+        WCUT_EVIDENCE_CHANNEL_TENSION, WCUT_EVIDENCE_CHANNEL_TENSION, WCUT_EVIDENCE_CHANNEL_ALPHA,
+        WCUT_EVIDENCE_CHANNEL_SCAN};
     for (int t = 0; t < GIVEN_TRACES; t++) {
         wcut_residual_trace *r = &g->trace[t];
         *r = (wcut_residual_trace){.cut = t / 3,
@@ -56,7 +57,7 @@ static inline void give_lists(given_diagnosis *g) {
     g->hypothesis[1] = (wcut_hypothesis){1, {g->d.effect[1].effect}, 3, 640, 170, 1.4, 0.05, "explains less"};
     g->hypothesis[2] = (wcut_hypothesis){0, {{0}}, 0, 0, 0, 9.1, 1e-9, "leaves a misfit"};
     g->mismatch[0] = (wcut_mismatch){.cut = 1,
-                                     .channel = WCUT_EVIDENCE_ALPHA,
+                                     .channel = WCUT_EVIDENCE_CHANNEL_ALPHA,
                                      .column = "alpha_a_deg",
                                      .time = {12, 19.5},
                                      .station = {30, 52},
@@ -67,24 +68,24 @@ static inline void give_lists(given_diagnosis *g) {
                                      .p_value = 1e-6,
                                      .regime = "steady"};
     g->mismatch[1] = g->mismatch[0];
-    g->mismatch[1].channel = WCUT_EVIDENCE_SCAN;
+    g->mismatch[1].channel = WCUT_EVIDENCE_CHANNEL_SCAN;
     snprintf(g->mismatch[1].column, sizeof g->mismatch[1].column, "scan");
     g->mismatch[1].wire[0] = 40, g->mismatch[1].wire[1] = 90;
     g->mismatch[1].block[0].x = NAN;
     snprintf(g->limit[0], sizeof g->limit[0], "Cut 3 has no scan.");
     snprintf(g->limit[1], sizeof g->limit[1], "No cut has \"excitation\": lags are told from each other badly.");
-    g->dependence = (wcut_dependence){"ln speed", WCUT_EVIDENCE_TENSION, {0.2, 0.1, 0.3}, 44};
+    g->dependence = (wcut_dependence){"ln speed", WCUT_EVIDENCE_CHANNEL_TENSION, {0.2, 0.1, 0.3}, 44};
     g->held_out[2] = true;
 }
 
-static inline void give_fits(wcut_fit fit[WCUT_FIT_MODELS][WCUT_EVIDENCE_COUNT]) {
-    for (int m = 0; m < WCUT_FIT_MODELS; m++)
-        for (int c = 0; c < WCUT_EVIDENCE_COUNT; c++) {
+static inline void give_fits(wcut_fit fit[WCUT_FIT_MODEL_COUNT][WCUT_EVIDENCE_CHANNEL_COUNT]) {
+    for (int m = 0; m < WCUT_FIT_MODEL_COUNT; m++)
+        for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) {
             const double size = (m == 0 ? 1 : m == 1 ? 0.6 : m == 2 ? 0.1 : 0.2) * (c + 1);
             fit[m][c] = (wcut_fit){100, size, size / 20, size / 10, size / 12, size / 8};
         }
-    fit[WCUT_FIT_BLACK_BOX][WCUT_EVIDENCE_SCAN] = (wcut_fit){0};
-    fit[WCUT_FIT_BEFORE][WCUT_EVIDENCE_SPEED].low = NAN;
+    fit[WCUT_FIT_MODEL_BLACK_BOX][WCUT_EVIDENCE_CHANNEL_SCAN] = (wcut_fit){0};
+    fit[WCUT_FIT_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_SPEED].low = NAN;
 }
 
 /* a thermal lag found, an offset of the scan as what else it could be; three cuts, the third held out */
@@ -94,11 +95,11 @@ static inline void give_diagnosis(given_diagnosis *g) {
     d->kind = WCUT_VERDICT_PHYSICS, d->confidence = 0.93;
     snprintf(d->sentence, sizeof d->sentence, "The wire's temperature follows its load with a lag of 0.8 s.");
     d->effects = 2;
-    d->effect[0] = given_effect(WCUT_WIRE_THERMAL_LAG, true, 0.93);
+    d->effect[0] = given_effect(WCUT_EFFECT_WIRE_THERMAL_LAG, true, 0.93);
     d->effect[0].effect.value[0] = 0.8;
     d->effect[0].parameter[0] = (wcut_estimate){0.8, 0.7, 0.9};
     d->effect[0].estimated[0] = true;
-    d->effect[1] = given_effect(WCUT_SCAN_OFFSET, false, 0.05);
+    d->effect[1] = given_effect(WCUT_EFFECT_SCAN_OFFSET, false, 0.05);
     for (int k = 0; k < 3; k++) {
         d->effect[1].effect.value[k] = k;
         d->effect[1].parameter[k] = (wcut_estimate){k, k ? k - 0.5 : -INFINITY, k + 0.5};
@@ -118,7 +119,7 @@ static inline void give_diagnosis(given_diagnosis *g) {
     give_fits(d->fit);
     give_fits(d->held_out_fit);
     d->limits = 2, d->limit = g->limit;
-    for (int c = 0; c < WCUT_EVIDENCE_COUNT; c++) d->noise[c] = c == WCUT_EVIDENCE_SCAN ? NAN : 0.02;
+    for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) d->noise[c] = c == WCUT_EVIDENCE_CHANNEL_SCAN ? NAN : 0.02;
     d->naive_false = true;
     snprintf(d->naive, sizeof d->naive, "clock_offset");
 }

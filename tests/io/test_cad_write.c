@@ -53,7 +53,7 @@ START_TEST(solids_share_their_edges_and_every_reference_leads_somewhere) {
         shape[k] = (wcut_shape){k ? "upper" : "lower", &solid[k].brep, NULL, NULL};
     }
     enter_folder();
-    ck_assert_int_eq(wcut_step_write(2, shape, WCUT_STEP_AP214, "a.step", &error), WCUT_OK);
+    ck_assert_int_eq(wcut_step_write(2, shape, WCUT_STEP_SCHEMA_AP214, "a.step", &error), WCUT_OK);
     open_step("a.step");
     every_reference_is_there();
     ck_assert_int_eq(count_records("MANIFOLD_SOLID_BREP"), 2);
@@ -86,14 +86,14 @@ START_TEST(a_surface_is_a_face_where_it_has_a_border_and_a_set_where_it_has_none
     wcut_surface *patch = given_patch(), *cylinder = given_cylinder();
     enter_folder();
     wcut_shape shape = surface_shape(patch);
-    ck_assert_int_eq(wcut_step_write(1, &shape, WCUT_STEP_AP242, "a.step", &error), WCUT_OK);
+    ck_assert_int_eq(wcut_step_write(1, &shape, WCUT_STEP_SCHEMA_AP242, "a.step", &error), WCUT_OK);
     open_step("a.step");
     every_reference_is_there();
     ck_assert(count_records("SHELL_BASED_SURFACE_MODEL") == 1 && count_records("PCURVE") == 4);
     ck_assert_int_eq(count_records("GEOMETRIC_SET"), 0);
     close_step();
     shape = surface_shape(cylinder);
-    ck_assert_int_eq(wcut_step_write(1, &shape, WCUT_STEP_AP242, "b.step", &error), WCUT_OK);
+    ck_assert_int_eq(wcut_step_write(1, &shape, WCUT_STEP_SCHEMA_AP242, "b.step", &error), WCUT_OK);
     open_step("b.step");
     every_reference_is_there();
     ck_assert(count_records("GEOMETRIC_SET") == 1 && count_records("RATIONAL_B_SPLINE_SURFACE") == 1);
@@ -110,7 +110,7 @@ START_TEST(names_are_written_as_step_writes_them) {
     size_t length;
     shape.name = "it's \\ M\xc3\xbcller \xf0\x9f\x9c\x81 \xff\n";
     enter_folder();
-    ck_assert_int_eq(wcut_step_write(1, &shape, WCUT_STEP_AP214, "a.step", &error), WCUT_OK);
+    ck_assert_int_eq(wcut_step_write(1, &shape, WCUT_STEP_SCHEMA_AP214, "a.step", &error), WCUT_OK);
     char *bytes = read_back("a.step", &length);
     ck_assert_ptr_nonnull(strstr(bytes,
                                  "PRODUCT('it''s \\\\ M\\X2\\00FC\\X0\\ller \\X4\\0001F701\\X0\\ "
@@ -130,7 +130,7 @@ START_TEST(the_same_shapes_give_the_same_bytes_and_a_locale_changes_nothing) {
     enter_folder();
     for (int k = 0; k < 4; k++) {
         ck_assert_ptr_nonnull(setlocale(LC_ALL, k % 2 ? "de_DE.UTF-8" : "C"));
-        ck_assert_int_eq(k < 2 ? wcut_step_write(1, &shape, WCUT_STEP_AP214, name[k], &error)
+        ck_assert_int_eq(k < 2 ? wcut_step_write(1, &shape, WCUT_STEP_SCHEMA_AP214, name[k], &error)
                                : wcut_iges_write(1, &shape, name[k], &error),
                          WCUT_OK);
         bytes[k] = read_back(name[k], &length[k]);
@@ -187,7 +187,7 @@ static void refuses(const wcut_shape *shape, const char *words) {
     for (int k = 0; k < 2; k++) {
         error.text[0] = '\0';
         const wcut_status status = k ? wcut_iges_write(1, shape, "refused", &error)
-                                     : wcut_step_write(1, shape, WCUT_STEP_AP214, "refused", &error);
+                                     : wcut_step_write(1, shape, WCUT_STEP_SCHEMA_AP214, "refused", &error);
         ck_assert_int_eq(status, WCUT_BAD_ARGUMENT);
         ck_assert_msg(strstr(error.text, words) != NULL, "found: %s\nexpected: %s", error.text, words);
         ck_assert_int_ne(access("refused", F_OK), 0);
@@ -239,11 +239,11 @@ START_TEST(misuse_and_closed_doors_are_told_apart) {
     given_solid_create(&solid, 0);
     const wcut_shape shape = curve_shape(arc), block = {"b", &solid.brep, NULL, NULL};
     enter_folder();
-    ck_assert_int_eq(wcut_step_write(0, &shape, WCUT_STEP_AP214, "a", NULL), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_step_write(1, NULL, WCUT_STEP_AP214, "a", NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_step_write(0, &shape, WCUT_STEP_SCHEMA_AP214, "a", NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_step_write(1, NULL, WCUT_STEP_SCHEMA_AP214, "a", NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_step_write(1, &shape, WCUT_STEP_SCHEMA_COUNT, "a", NULL), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_step_write(1, &shape, WCUT_STEP_AP214, NULL, NULL), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_step_write(1, &shape, WCUT_STEP_AP214, "none/a", NULL), WCUT_NOT_WRITTEN);
+    ck_assert_int_eq(wcut_step_write(1, &shape, WCUT_STEP_SCHEMA_AP214, NULL, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_step_write(1, &shape, WCUT_STEP_SCHEMA_AP214, "none/a", NULL), WCUT_NOT_WRITTEN);
     ck_assert_int_eq(wcut_iges_write(1, &shape, "none/a", NULL), WCUT_NOT_WRITTEN);
     ck_assert_int_eq(wcut_iges_write(1, &block, "a", &error), WCUT_BAD_ARGUMENT);
     ck_assert_ptr_nonnull(strstr(error.text, "shape 0: found a solid, expected a surface or a curve"));
@@ -265,7 +265,7 @@ START_TEST(without_memory_the_target_is_as_it_was) {
     for (long k = 1; status == WCUT_NO_MEMORY; k++, failures++) {
         file_holds("a.step", "before");
         wcut_io_alloc_fail_at(k);
-        status = wcut_step_write(2, shape, WCUT_STEP_AP214, "a.step", NULL);
+        status = wcut_step_write(2, shape, WCUT_STEP_SCHEMA_AP214, "a.step", NULL);
         wcut_io_alloc_fail_at(0);
     }
     ck_assert_int_eq(status, WCUT_OK);

@@ -78,7 +78,7 @@ START_TEST(ply_of_every_byte_order_with_lists_and_normals_and_strange_elements) 
     for (int k = 0; k < 3 * 4 * 4; k++) {
         begin();
         put_ply(formats[k / 16], types[k / 4 % 4], k & 1, k & 2);
-        came_back(WCUT_CLOUD_PLY, COUNT);
+        came_back(WCUT_CLOUD_FORMAT_PLY, COUNT);
         if (k & 2)
             normals_came_back(1e-7);
         else
@@ -132,13 +132,13 @@ START_TEST(text_of_every_separator) {
     for (int k = 0; k < 7 * 3 * 2; k++) {
         begin();
         put_rows(separators[k / 6], ends[k / 2 % 3], k % 2, false);
-        came_back(WCUT_CLOUD_TEXT, -1);
+        came_back(WCUT_CLOUD_FORMAT_TEXT, -1);
         if (k % 2)
             normals_came_back(1e-12);
         else
             no_normals();
         size--; /* the last line without its feed */
-        came_back(WCUT_CLOUD_TEXT, -1);
+        came_back(WCUT_CLOUD_FORMAT_TEXT, -1);
     }
 }
 END_TEST
@@ -148,7 +148,7 @@ START_TEST(decimal_commas_are_known_between_semicolons_and_blanks) {
     for (int k = 0; k < 6; k++) {
         begin();
         put_rows(separators[k / 2], "\n", k % 2, true);
-        came_back(WCUT_CLOUD_TEXT, -1);
+        came_back(WCUT_CLOUD_FORMAT_TEXT, -1);
     }
     given("1;2;3\n1,5;-2,5;3,5e1\n1.5;2;3\n"); /* the first row need not tell */
     reads(3);
@@ -191,7 +191,8 @@ START_TEST(headers_comments_counts_and_marks_are_tolerated) {
 END_TEST
 
 START_TEST(units_become_millimetres) {
-    const wcut_length_unit units[] = {WCUT_UNIT_MM, WCUT_UNIT_CM, WCUT_UNIT_M, WCUT_UNIT_INCH};
+    const wcut_length_unit units[] = {WCUT_LENGTH_UNIT_MM, WCUT_LENGTH_UNIT_CM, WCUT_LENGTH_UNIT_M,
+                                      WCUT_LENGTH_UNIT_INCH};
     const double factor[] = {1, 10, 1000, 25.4};
     const char *const header[] = {"x_mm", "x(cm)", "x [m]", "x_inch"};
     for (int k = 0; k < 4; k++) {
@@ -235,8 +236,8 @@ START_TEST(stl_gives_the_corners_of_its_triangles) {
             put_float(p.x, false), put_float(p.y, false), put_float(p.z, false);
             if (k % 3 == 2) put_bits(0xffff, 2, false);
         }
-        options.format = WCUT_CLOUD_STL;
-        came_back(WCUT_CLOUD_STL, COUNT);
+        options.format = WCUT_CLOUD_FORMAT_STL;
+        came_back(WCUT_CLOUD_FORMAT_STL, COUNT);
         no_normals();
     }
     begin();
@@ -248,7 +249,7 @@ START_TEST(stl_gives_the_corners_of_its_triangles) {
         if (k % 3 == 2) put_text("endloop\n endfacet\n");
         if (k % 150 == 149) put_text("endsolid part\n\n");
     }
-    came_back(WCUT_CLOUD_STL, -1);
+    came_back(WCUT_CLOUD_FORMAT_STL, -1);
 }
 END_TEST
 
@@ -261,8 +262,8 @@ START_TEST(obj_and_off_give_their_vertices) {
         put_text("%sv %.9g %.9g %.9g%s\n", k % 5 ? "" : " ", p.x, p.y, p.z, rest[k % 4]);
         if (k % 3 == 2) put_text("vn 0 0 1\nvt 0 1\nf %d/1/1 -2 %d\n", k - 1, k + 1);
     }
-    options.format = WCUT_CLOUD_OBJ;
-    came_back(WCUT_CLOUD_OBJ, -1);
+    options.format = WCUT_CLOUD_FORMAT_OBJ;
+    came_back(WCUT_CLOUD_FORMAT_OBJ, -1);
     no_normals();
     for (int apart = 0; apart < 2; apart++) {
         begin();
@@ -272,8 +273,8 @@ START_TEST(obj_and_off_give_their_vertices) {
             put_text("%.9g %.9g %.9g%s\n", p.x, p.y, p.z, k % 2 ? "" : " 255 0 0");
         }
         put_text("3 0 1 2\n");
-        options.format = WCUT_CLOUD_OFF;
-        came_back(WCUT_CLOUD_OFF, COUNT);
+        options.format = WCUT_CLOUD_FORMAT_OFF;
+        came_back(WCUT_CLOUD_FORMAT_OFF, COUNT);
     }
 }
 END_TEST
@@ -292,9 +293,9 @@ START_TEST(gltf_gives_the_vertices_of_every_node_in_mm_with_z_upwards) {
     for (int mode = 0; mode <= 4; mode += 4) { /* points, triangles */
         begin();
         put_text(gltf, mode);
-        options.format = WCUT_CLOUD_GLTF;
+        options.format = WCUT_CLOUD_FORMAT_GLTF;
         reads(6);
-        ck_assert(got_info.format == WCUT_CLOUD_GLTF && got_info.stated == 6);
+        ck_assert(got_info.format == WCUT_CLOUD_FORMAT_GLTF && got_info.stated == 6);
         no_normals();
         ck_assert(equal(got_info.low, (wcut_vec3){0, -30000, 0}) && equal(got_info.high, (wcut_vec3){11000, 0, 22000}));
     }
@@ -317,7 +318,7 @@ START_TEST(las_of_every_version_and_point_format) {
                 if (k == 10) bytes[size - (size_t)length + 15] = format <= 5 ? 0x80 : 0x04;
             }
             put_text("records behind the points");
-            came_back(WCUT_CLOUD_LAS, COUNT + 1);
+            came_back(WCUT_CLOUD_FORMAT_LAS, COUNT + 1);
             ck_assert_int_eq(got_info.withheld, 1);
         }
     }
@@ -342,7 +343,7 @@ START_TEST(pcd_ascii_and_binary_with_fields_of_any_type) {
             put_float(n.x, false), put_double(p.y, false), put_float(p.z, false), put_float(n.z, false);
             put_double(n.y, false), put_bits(77, 8, false);
         }
-        came_back(WCUT_CLOUD_PCD, COUNT);
+        came_back(WCUT_CLOUD_FORMAT_PCD, COUNT);
         normals_came_back(1e-7);
     }
     begin();

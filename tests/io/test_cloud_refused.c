@@ -86,10 +86,10 @@ START_TEST(coordinates_beyond_any_scan_are_refused) {
     given("1 2 3\n1 2 -1.1e12\n");
     refused(1, "line 2: found z = -1.1e+12 mm, expected at most 1e12: a wrong byte order or unit?");
     given("1 2e9 3\n");
-    options.unit = WCUT_UNIT_M;
+    options.unit = WCUT_LENGTH_UNIT_M;
     refused(0, "found y = 2e+12 mm");
     given("1e300 0 0\n");
-    options.unit = WCUT_UNIT_M;
+    options.unit = WCUT_LENGTH_UNIT_M;
     refused(0, "found x = 1e+303 mm");
 }
 END_TEST
@@ -242,7 +242,7 @@ static void given_stl(unsigned triangles, size_t length) {
     put_text("%-80s", "binary");
     put_bits(triangles, 4, false);
     while (size < length) put_bits(0, 1, false);
-    options.format = WCUT_CLOUD_STL;
+    options.format = WCUT_CLOUD_FORMAT_STL;
 }
 
 START_TEST(stl_that_lies_is_refused) {
@@ -317,7 +317,7 @@ START_TEST(las_that_lies_is_refused) {
     refused(0, "expected the header of a LAS file");
     given_las(2, 0, 20, 5, 0.001);
     bytes[0] = 'l';
-    options.format = WCUT_CLOUD_LAS;
+    options.format = WCUT_CLOUD_FORMAT_LAS;
     refused(0, "found no LASF, expected a LAS file");
 }
 END_TEST
@@ -371,7 +371,7 @@ static void mesh_refused(wcut_cloud_format format, int count, const char *text, 
 }
 
 START_TEST(meshes_that_lie_are_refused) {
-    const wcut_cloud_format obj = WCUT_CLOUD_OBJ, off = WCUT_CLOUD_OFF, gltf = WCUT_CLOUD_GLTF;
+    const wcut_cloud_format obj = WCUT_CLOUD_FORMAT_OBJ, off = WCUT_CLOUD_FORMAT_OFF, gltf = WCUT_CLOUD_FORMAT_GLTF;
     mesh_refused(obj, 1, "v 1 2 3\nv 1 2\n", "line 2, column 6: found the end of the line, expected 3 coordinates");
     mesh_refused(obj, 0, "v 1 2 x\n", "line 1, column 7: found x, expected a number");
     mesh_refused(obj, 0, "v 1 2 3 0.5\n", "expected a vertex of weight 1");
@@ -398,13 +398,13 @@ END_TEST
 
 START_TEST(a_format_that_is_asked_for_is_not_guessed) {
     given("1 2 3\n");
-    options.format = WCUT_CLOUD_PLY;
+    options.format = WCUT_CLOUD_FORMAT_PLY;
     refused(0, "line 1, column 1: found 1 2 3, expected a word of a PLY header");
-    options.format = WCUT_CLOUD_PCD;
+    options.format = WCUT_CLOUD_FORMAT_PCD;
     refused(0, "expected a keyword of a PCD header");
-    options.format = WCUT_CLOUD_LAS;
+    options.format = WCUT_CLOUD_FORMAT_LAS;
     refused(0, "expected the header of a LAS file");
-    options.format = WCUT_CLOUD_STL;
+    options.format = WCUT_CLOUD_FORMAT_STL;
     refused(0, "expected the 84 bytes of an STL header");
 }
 END_TEST

@@ -67,14 +67,14 @@ START_TEST(our_own_step_and_iges_come_back_bit_for_bit_whatever_the_locale) {
     const wcut_shape shape[] = {{"path a", NULL, NULL, curve}, {"arc 'b'", NULL, NULL, arc}};
     enter_folder();
     ck_assert_ptr_nonnull(setlocale(LC_ALL, "de_DE.UTF-8"));
-    ck_assert_int_eq(wcut_step_write(2, shape, WCUT_STEP_AP214, "a.step", NULL), WCUT_OK);
-    ck_assert_int_eq(wcut_step_write(2, shape, WCUT_STEP_AP242, "b.stp", NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_step_write(2, shape, WCUT_STEP_SCHEMA_AP214, "a.step", NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_step_write(2, shape, WCUT_STEP_SCHEMA_AP242, "b.stp", NULL), WCUT_OK);
     ck_assert_int_eq(wcut_iges_write(2, shape, "a.igs", NULL), WCUT_OK);
     static const char *const name[] = {"a.step", "b.stp", "a.igs"};
     for (int f = 0; f < 3; f++) {
         ck_assert_msg(wcut_curve_set_read(name[f], NULL, &set, &error) == WCUT_OK, "%s", error.text);
         ck_assert(set->count == 2 && set->left_out == 0 && set->why[0] == '\0');
-        ck_assert_int_eq(set->format, f < 2 ? WCUT_CURVE_STEP : WCUT_CURVE_IGES);
+        ck_assert_int_eq(set->format, f < 2 ? WCUT_CURVE_FORMAT_STEP : WCUT_CURVE_FORMAT_IGES);
         is_same(set->curve[0], curve);
         is_same(set->curve[1], arc);
         ck_assert_str_eq(set->name[0], f < 2 ? "path a" : "");
@@ -93,7 +93,7 @@ START_TEST(a_solid_gives_its_edges) {
     given_solid_create(&solid, 0);
     const wcut_shape shape = {"lower", &solid.brep, NULL, NULL};
     enter_folder();
-    ck_assert_int_eq(wcut_step_write(1, &shape, WCUT_STEP_AP214, "a.step", NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_step_write(1, &shape, WCUT_STEP_SCHEMA_AP214, "a.step", NULL), WCUT_OK);
     ck_assert_msg(wcut_curve_set_read("a.step", NULL, &set, &error) == WCUT_OK, "%s", error.text);
     ck_assert_int_eq(set->count, 12);
     for (int k = 0; k < 4; k++) is_same(set->curve[k], solid.edge[k].curve);

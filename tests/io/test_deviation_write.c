@@ -32,15 +32,15 @@ static wcut_compared given_comparison(void) {
     ck_assert_int_eq(wcut_survey_step(survey, POINTS, deviation), WCUT_OK);
     ck_assert_int_eq(wcut_survey_eval(survey, &result), WCUT_OK);
     registration = wcut_registration_none();
-    registration.method = WCUT_REGISTRATION_FIT;
-    registration.parameter[WCUT_RZ] = acos(-1) / 2;
-    registration.covariance[WCUT_TX * 6 + WCUT_TX] = 4;
+    registration.method = WCUT_REGISTRATION_METHOD_FIT;
+    registration.parameter[WCUT_DOF_RZ] = acos(-1) / 2;
+    registration.covariance[WCUT_DOF_TX * 6 + WCUT_DOF_TX] = 4;
     back = (wcut_statistics){.count = 5, .max = 3.25, .mean = 1.5};
     return (wcut_compared){.reference = "job.json",
                            .distance = "surface",
                            .scans = 2,
                            .scan = scan,
-                           .removed = {[WCUT_KEPT] = POINTS, [WCUT_OUTLIER] = 20},
+                           .removed = {[WCUT_REMOVAL_KEPT] = POINTS, [WCUT_REMOVAL_OUTLIER] = 20},
                            .registration = &registration,
                            .found = result,
                            .unmoved = result,

@@ -104,9 +104,9 @@ END_TEST
 START_TEST(choices_are_words_points_are_lists_and_open_ends_are_the_parameters_own) {
     give_diagnosis(&given);
     given.d.effects = 4;
-    given.d.effect[2] = given_effect(WCUT_ANGLE_OFFSET, true, 0.5);
+    given.d.effect[2] = given_effect(WCUT_EFFECT_ANGLE_OFFSET, true, 0.5);
     given.d.effect[2].effect.choice = 2;
-    given.d.effect[3] = given_effect(WCUT_MOUNT_COMPLIANCE, true, 0.5);
+    given.d.effect[3] = given_effect(WCUT_EFFECT_MOUNT_COMPLIANCE, true, 0.5);
     given.d.effect[3].effect.value[0] = 3;
     given.d.effect[3].parameter[0] = (wcut_estimate){3, 2, INFINITY};
     given.d.effect[3].estimated[0] = true;
@@ -226,9 +226,9 @@ END_TEST
 START_TEST(verdicts_and_channels_have_names_and_what_is_none_has_none) {
     ck_assert_str_eq(wcut_verdict_name(WCUT_VERDICT_AMBIGUOUS), "ambiguous");
     ck_assert_str_eq(wcut_verdict_name(WCUT_VERDICT_COUNT), "");
-    ck_assert_str_eq(wcut_evidence_name(WCUT_EVIDENCE_BETA), "beta");
-    ck_assert_str_eq(wcut_evidence_unit(WCUT_EVIDENCE_SCAN), "mm");
-    ck_assert_str_eq(wcut_evidence_name(WCUT_EVIDENCE_COUNT), "");
+    ck_assert_str_eq(wcut_evidence_name(WCUT_EVIDENCE_CHANNEL_BETA), "beta");
+    ck_assert_str_eq(wcut_evidence_unit(WCUT_EVIDENCE_CHANNEL_SCAN), "mm");
+    ck_assert_str_eq(wcut_evidence_name(WCUT_EVIDENCE_CHANNEL_COUNT), "");
     ck_assert_str_eq(wcut_evidence_unit((wcut_evidence_channel)-1), "");
 }
 END_TEST

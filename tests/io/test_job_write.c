@@ -99,7 +99,7 @@ START_TEST(an_effect_that_the_reader_would_refuse_is_not_written) {
     job->effect = wcut_alloc(1, sizeof *job->effect);
     ck_assert_ptr_nonnull(job->effect);
     job->effect_count = 1;
-    *job->effect = (wcut_effect){.kind = WCUT_WIRE_THERMAL_LAG, .value = {-1, 10, 0.059, 0.0079}};
+    *job->effect = (wcut_effect){.kind = WCUT_EFFECT_WIRE_THERMAL_LAG, .value = {-1, 10, 0.059, 0.0079}};
     ck_assert_int_eq(wcut_job_write(job, "job.json", &error), WCUT_BAD_ARGUMENT);
     ck_assert_ptr_nonnull(strstr(error.text, "effects[0].time_constant_s (wire_thermal_lag): found -1"));
     job->effect->kind = WCUT_EFFECT_COUNT;

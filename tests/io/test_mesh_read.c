@@ -90,7 +90,8 @@ START_TEST(what_was_written_comes_back_exactly_or_to_single_precision) {
     ck_assert_int_eq(wcut_mesh_write_stl(&given, "a.stl", NULL), WCUT_OK);
     ck_assert_int_eq(wcut_mesh_write_glb(&given, "a.glb", NULL), WCUT_OK);
     static const char *const name[] = {"a.ply", "a.obj", "a.stl", "a.glb"};
-    static const wcut_mesh_format format[] = {WCUT_MESH_PLY, WCUT_MESH_OBJ, WCUT_MESH_STL, WCUT_MESH_GLTF};
+    static const wcut_mesh_format format[] = {WCUT_MESH_FORMAT_PLY, WCUT_MESH_FORMAT_OBJ, WCUT_MESH_FORMAT_STL,
+                                              WCUT_MESH_FORMAT_GLTF};
     for (int k = 0; k < 4; k++) {
         ck_assert_msg(wcut_mesh_read(name[k], NULL, &mesh, &info, &error) == WCUT_OK, "%s", error.text);
         ck_assert_int_eq(info.format, format[k]);
@@ -120,7 +121,7 @@ START_TEST(units_become_millimetres) {
     wcut_mesh_read_options o = wcut_mesh_read_options_default();
     const char *text = BOX_OBJ;
     static const double factor[] = {1, 10, 1000, 25.4};
-    for (int unit = WCUT_UNIT_MM; unit <= WCUT_UNIT_INCH; unit++) {
+    for (int unit = WCUT_LENGTH_UNIT_MM; unit <= WCUT_LENGTH_UNIT_INCH; unit++) {
         o.unit = (wcut_length_unit)unit;
         ck_assert_int_eq(wcut_mesh_read_memory(text, strlen(text), 1024, "a.obj", &o, &mesh, &info, NULL), WCUT_OK);
         ck_assert_double_eq_tol(volume(), 24 * pow(factor[unit], 3), 1e-9 * pow(factor[unit], 3));
@@ -188,7 +189,7 @@ END_TEST
 
 START_TEST(an_off_file_is_read_in_a_process_of_its_own) {
     reads("a.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0.125\n3 0 1 2\n3 0 2 3\n", 4, 2);
-    ck_assert(mesh->vertex[3].z == 0.125 && info.format == WCUT_MESH_OFF);
+    ck_assert(mesh->vertex[3].z == 0.125 && info.format == WCUT_MESH_FORMAT_OFF);
 }
 END_TEST
 

@@ -191,9 +191,9 @@ START_TEST(more_than_25_megabytes_are_refused_and_the_target_stays) {
     for (int i = 0; i < CELLS; i++) x[i] = i;
     wcut_report_map map[5];
     for (int k = 0; k < 5; k++)
-        map[k] =
-            (wcut_report_map){"m", NULL,  "x", "",   "y", "", "v", "", CELLS, CELLS, x, x, value, WCUT_SCALE_SEQUENTIAL,
-                              0,   false, 0,   NULL, NULL};
+        map[k] = (wcut_report_map){"m", NULL,  "x",   "",   "y", "",    "v",
+                                   "",  CELLS, CELLS, x,    x,   value, WCUT_REPORT_SCALE_SEQUENTIAL,
+                                   0,   false, 0,     NULL, NULL};
     wcut_report_section section = {"s", NULL, 0, 4, 0, NULL, map, NULL};
     wcut_report report = plain();
     report.section_count = 1, report.section = &section;
@@ -218,7 +218,7 @@ START_TEST(what_breaks_a_limit_is_refused_and_nothing_is_written) {
     wcut_vec3 vertex[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
     for (int broken = -1; broken < 36; broken++) {
         wcut_report_fact fact = {"f", NULL, 1, ""};
-        wcut_report_series series = {"s", WCUT_MARK_LINE, 4, {x, NULL}, y, NULL, NULL};
+        wcut_report_series series = {"s", WCUT_REPORT_MARK_LINE, 4, {x, NULL}, y, NULL, NULL};
         wcut_report_span span = {"p", {0, 0}, {1, 1}};
         wcut_report_chart chart = {.title = "c",
                                    .x_label = {"x"},
@@ -229,12 +229,12 @@ START_TEST(what_breaks_a_limit_is_refused_and_nothing_is_written) {
                                    .span = &span};
         int band[] = {0, 1};
         const char *name[] = {"p", "q"};
-        wcut_report_map map = {"m", NULL,  "x", "",   "y", "", "v", "", 2, 2, x, x, y, WCUT_SCALE_DIVERGING,
+        wcut_report_map map = {"m", NULL,  "x", "",   "y", "", "v", "", 2, 2, x, x, y, WCUT_REPORT_SCALE_DIVERGING,
                                0,   false, 2,   band, name};
         wcut_report_column column[] = {{"n", "", x, NULL}, {"t", "", NULL, text}};
         wcut_report_table table = {"t", NULL, 4, 2, column};
         wcut_report_section section = {"s", NULL, 1, 1, 1, &chart, &map, &table};
-        wcut_report_field field = {"f", "", WCUT_SCALE_DIVERGING, 0.1, y};
+        wcut_report_field field = {"f", "", WCUT_REPORT_SCALE_DIVERGING, 0.1, y};
         wcut_report_shape shape = {.name = "s",
                                    .vertex_count = 4,
                                    .vertex = vertex,
@@ -481,7 +481,7 @@ START_TEST(a_big_grid_is_thinned_evenly_with_its_last_row_and_column) {
     enum { ROWS = 3001, COLUMNS = 401 };
     static double value[ROWS * COLUMNS];
     static wcut_vec3 vertex[ROWS * COLUMNS];
-    const wcut_report_field field = {"f", "", WCUT_SCALE_SEQUENTIAL, 0, value};
+    const wcut_report_field field = {"f", "", WCUT_REPORT_SCALE_SEQUENTIAL, 0, value};
     const wcut_report_shape shape = {.name = "s",
                                      .vertex_count = ROWS * COLUMNS,
                                      .vertex = vertex,

@@ -42,7 +42,7 @@ static void prepare(void) {
     }
     history = (wcut_history){.stations = STATIONS, .planned = STATIONS, .nodes = 3, .row = row};
     options = wcut_robot_options_default();
-    options.frame = WCUT_TOOL_FOLLOWING;
+    options.frame = WCUT_TOOL_FRAME_FOLLOWING;
     options.lead_in = 20;
     options.lead_out = 30;
     motion = NULL;
@@ -185,7 +185,7 @@ START_TEST(urscript_parses_and_says_what_the_motion_is) {
     comment_mark = '#';
     int standing = 0;
     for (int robot = 0; robot < 2; robot++) {
-        load(WCUT_ROBOT_URSCRIPT, robot, NULL);
+        load(WCUT_ROBOT_FORMAT_URSCRIPT, robot, NULL);
         double x, y, z, v[3], a, speed, t, zone, r[3][3];
         expect(robot ? "def wirecut_b(): block = p[0, 0, 0, 0, 0, 0]" : "def wirecut_a(): block = p[0, 0, 0, 0, 0, 0]");
         expect("movel(pose_trans(block, p[");
@@ -224,7 +224,7 @@ START_TEST(rapid_parses_and_says_what_the_motion_is) {
     make();
     comment_mark = '!';
     for (int robot = 0; robot < 2; robot++) {
-        load(WCUT_ROBOT_RAPID, robot, NULL);
+        load(WCUT_ROBOT_FORMAT_RAPID, robot, NULL);
         double x, y, z, q[4], speed, id, zone[5];
         expect(robot ? "MODULE wirecut_b" : "MODULE wirecut_a");
         expect(
@@ -269,7 +269,7 @@ START_TEST(krl_parses_and_says_what_the_motion_is) {
     comment_mark = ';';
     const wcut_robot_names names = {.program = "cut7", .wire_on = "heat", .wire_off = NULL, .sync_io = 12};
     for (int robot = 0; robot < 2; robot++) {
-        load(WCUT_ROBOT_KRL, robot, &names);
+        load(WCUT_ROBOT_FORMAT_KRL, robot, &names);
         double x, y, z, abc[3], speed, zone, t, r[3][3];
         expect(robot ? "DEF cut7_b ( )" : "DEF cut7_a ( )");
         expect("$TOOL = TOOL_DATA[1] $BASE = BASE_DATA[1] $ORI_TYPE = ");
@@ -309,7 +309,7 @@ END_TEST
 START_TEST(the_table_and_the_object_say_what_the_motion_is) {
     make();
     comment_mark = 0;
-    load(WCUT_ROBOT_CSV, 0, NULL);
+    load(WCUT_ROBOT_FORMAT_CSV, 0, NULL);
     at = strchr(text, '\n') + 1;
     for (int i = 0; i < motion->count; i++) {
         double number, v[20];
@@ -327,7 +327,7 @@ START_TEST(the_table_and_the_object_say_what_the_motion_is) {
     }
     skip();
     ck_assert(*at == 0);
-    load(WCUT_ROBOT_JSON, 0, NULL);
+    load(WCUT_ROBOT_FORMAT_JSON, 0, NULL);
     for (int i = 0; i < motion->count; i++) { /* exact */
         wcut_vec3 p = place(1, i);
         at = strstr(at, "\"b\": {\"at_mm\": [") + 16;
@@ -399,7 +399,7 @@ START_TEST(leads_run_along_the_feed_and_zones_never_meet) {
 END_TEST
 
 START_TEST(a_fixed_frame_looks_into_the_cut_from_both_sides) {
-    options.frame = WCUT_TOOL_FIXED;
+    options.frame = WCUT_TOOL_FRAME_FIXED;
     make();
     for (int i = 0; i < motion->count; i++) {
         double x[3], z[3];
@@ -502,21 +502,28 @@ START_TEST(names_that_could_say_something_else_are_refused) {
     for (size_t k = 0; k < sizeof name / sizeof *name; k++) {
         wcut_robot_names n = wcut_robot_names_default();
         n.wire_on = name[k];
-        ck_assert_int_eq(wcut_robot_write(motion, &n, WCUT_ROBOT_KRL, 0, "test_robot.none", &error), WCUT_BAD_ARGUMENT);
+        ck_assert_int_eq(wcut_robot_write(motion, &n, WCUT_ROBOT_FORMAT_KRL, 0, "test_robot.none", &error),
+                         WCUT_BAD_ARGUMENT);
         n.wire_on = NULL;
         n.program = name[k];
-        ck_assert_int_eq(wcut_robot_write(motion, &n, WCUT_ROBOT_KRL, 0, "test_robot.none", &error), WCUT_BAD_ARGUMENT);
+        ck_assert_int_eq(wcut_robot_write(motion, &n, WCUT_ROBOT_FORMAT_KRL, 0, "test_robot.none", &error),
+                         WCUT_BAD_ARGUMENT);
     }
     wcut_robot_names n = wcut_robot_names_default();
     n.sync_io = 256;
-    ck_assert_int_eq(wcut_robot_write(motion, &n, WCUT_ROBOT_KRL, 0, "test_robot.none", &error), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_robot_write(motion, NULL, WCUT_ROBOT_CSV, 1, "test_robot.none", &error), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_robot_write(motion, &n, WCUT_ROBOT_FORMAT_KRL, 0, "test_robot.none", &error),
+                     WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_robot_write(motion, NULL, WCUT_ROBOT_FORMAT_CSV, 1, "test_robot.none", &error),
+                     WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_robot_write(motion, NULL, (wcut_robot_format)9, 0, "test_robot.none", &error),
                      WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_robot_write(NULL, NULL, WCUT_ROBOT_KRL, 0, "test_robot.none", &error), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_robot_write(motion, NULL, WCUT_ROBOT_KRL, 0, "nowhere/at/all", &error), WCUT_NOT_WRITTEN);
+    ck_assert_int_eq(wcut_robot_write(NULL, NULL, WCUT_ROBOT_FORMAT_KRL, 0, "test_robot.none", &error),
+                     WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_robot_write(motion, NULL, WCUT_ROBOT_FORMAT_KRL, 0, "nowhere/at/all", &error),
+                     WCUT_NOT_WRITTEN);
     wcut_io_alloc_fail_at(1);
-    ck_assert_int_eq(wcut_robot_write(motion, NULL, WCUT_ROBOT_KRL, 0, "test_robot.none", &error), WCUT_NO_MEMORY);
+    ck_assert_int_eq(wcut_robot_write(motion, NULL, WCUT_ROBOT_FORMAT_KRL, 0, "test_robot.none", &error),
+                     WCUT_NO_MEMORY);
     wcut_io_alloc_fail_at(0);
     ck_assert_int_ne(access("test_robot.none", F_OK), 0);
 }
@@ -526,7 +533,7 @@ START_TEST(a_title_cannot_end_a_comment) {
     make();
     wcut_robot_names n = wcut_robot_names_default();
     n.title = "one\nset_digital_out(7, True)\r\x1b[2J";
-    load(WCUT_ROBOT_URSCRIPT, 0, &n);
+    load(WCUT_ROBOT_FORMAT_URSCRIPT, 0, &n);
     ck_assert_ptr_nonnull(strstr(text, "# one?set_digital_out(7, True)??[2J\n"));
     ck_assert_ptr_null(strstr(text, "\nset_digital_out(7"));
 }

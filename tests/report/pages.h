@@ -69,9 +69,9 @@ static inline void pages_free(pages_data *d) {
 
 static inline wcut_status pages_write_cut(const pages_data *d, const char *path, wcut_error *error) {
     const wcut_report_field field[] = {
-        {"force across the wire", "N/mm", WCUT_SCALE_SEQUENTIAL, 0, d->force},
-        {"mean curvature", "1/mm", WCUT_SCALE_DIVERGING, 0, d->curvature},
-        {"deviation", "mm", WCUT_SCALE_DIVERGING, 0.5, d->deviation},
+        {"force across the wire", "N/mm", WCUT_REPORT_SCALE_SEQUENTIAL, 0, d->force},
+        {"mean curvature", "1/mm", WCUT_REPORT_SCALE_DIVERGING, 0, d->curvature},
+        {"deviation", "mm", WCUT_REPORT_SCALE_DIVERGING, 0.5, d->deviation},
     };
     const wcut_report_shape shape = {.name = "cut surface",
                                      .vertex_count = STATIONS * NODES,
@@ -93,11 +93,11 @@ static inline wcut_status pages_write_cut(const pages_data *d, const char *path,
                                      .line_count = 3,
                                      .line = line};
     const wcut_report_series speed[] = {
-        {"mount A", WCUT_MARK_LINE, STATIONS, {d->time, d->station}, d->speed[0], d->low, d->high},
-        {"mount B", WCUT_MARK_DASHED, STATIONS, {d->time, d->station}, d->speed[1], NULL, NULL}};
+        {"mount A", WCUT_REPORT_MARK_LINE, STATIONS, {d->time, d->station}, d->speed[0], d->low, d->high},
+        {"mount B", WCUT_REPORT_MARK_DASHED, STATIONS, {d->time, d->station}, d->speed[1], NULL, NULL}};
     const wcut_report_series alpha[] = {
-        {"mount A", WCUT_MARK_LINE, STATIONS, {d->time, d->station}, d->alpha[0], NULL, NULL},
-        {"mount B", WCUT_MARK_DASHED, STATIONS, {d->time, d->station}, d->alpha[1], NULL, NULL}};
+        {"mount A", WCUT_REPORT_MARK_LINE, STATIONS, {d->time, d->station}, d->alpha[0], NULL, NULL},
+        {"mount B", WCUT_REPORT_MARK_DASHED, STATIONS, {d->time, d->station}, d->alpha[1], NULL, NULL}};
     const wcut_report_span span[] = {
         {"entry", {0, 0}, {28, 30}}, {"steady", {28, 30}, {118, 128}}, {"exit", {118, 128}, {150, 160}}};
     const wcut_report_chart chart[] = {{.title = "Speed",
@@ -135,7 +135,7 @@ static inline wcut_status pages_write_cut(const pages_data *d, const char *path,
     const wcut_report_fact option[] = {{"integrator", "implicit", 0, ""}, {"chord tolerance", NULL, 0.01, "mm"}};
     const wcut_report report = {.verb = "simulate",
                                 .title = "entry-steady-exit 400 " HOSTILE,
-                                .tone = WCUT_TONE_GOOD,
+                                .tone = WCUT_REPORT_TONE_GOOD,
                                 .verdict = "The wire passes the block in 150 s; both mounts stay within their limits.",
                                 .fact_count = 6,
                                 .fact = fact,
@@ -161,7 +161,7 @@ static inline wcut_status pages_write_cloud(const pages_data *d, const char *pat
         for (int j = 0; j < SIDE; j++) value[i * SIDE + j] = i == 30 ? NAN : sin(0.1 * i) * cos(0.2 * j);
     }
     const double sx[] = {3, 3, 160, 60, 9}, sy[] = {0.0195, 0.0193, 0.004, 0.0109, 0.018};
-    const wcut_report_field field = {"deviation", "mm", WCUT_SCALE_DIVERGING, 0.25, d->distance};
+    const wcut_report_field field = {"deviation", "mm", WCUT_REPORT_SCALE_DIVERGING, 0.25, d->distance};
     const wcut_report_shape shape = {
         .name = "scan", .vertex_count = CLOUD, .vertex = d->point, .field_count = 1, .field = &field};
     /* a small mesh beside it, with a field of which nothing was measured */
@@ -177,8 +177,8 @@ static inline wcut_status pages_write_cloud(const pages_data *d, const char *pat
         const int quad[] = {i, i + 1, i + PATCH, i + 1, i + PATCH + 1, i + PATCH};
         for (int k = 0; k < 6; k++) triangle[corners++] = quad[k];
     }
-    const wcut_report_field patch_field[] = {{"height", "mm", WCUT_SCALE_SEQUENTIAL, 0, height},
-                                             {"unknown", "", WCUT_SCALE_DIVERGING, 0, nothing}};
+    const wcut_report_field patch_field[] = {{"height", "mm", WCUT_REPORT_SCALE_SEQUENTIAL, 0, height},
+                                             {"unknown", "", WCUT_REPORT_SCALE_DIVERGING, 0, nothing}};
     const wcut_report_shape shapes[] = {shape,
                                         {.name = "patch",
                                          .vertex_count = PATCH * PATCH,
@@ -192,8 +192,8 @@ static inline wcut_status pages_write_cloud(const pages_data *d, const char *pat
                                      .block_size = {400, 1200, 300},
                                      .shape_count = 2,
                                      .shape = shapes};
-    const wcut_report_series series[] = {{"fit", WCUT_MARK_LINE, SIDE, {px, NULL}, py, low, high},
-                                         {"test cuts", WCUT_MARK_POINTS, 5, {sx, NULL}, sy, NULL, NULL}};
+    const wcut_report_series series[] = {{"fit", WCUT_REPORT_MARK_LINE, SIDE, {px, NULL}, py, low, high},
+                                         {"test cuts", WCUT_REPORT_MARK_POINTS, 5, {sx, NULL}, sy, NULL, NULL}};
     const wcut_report_chart chart = {.title = "Force law",
                                      .x_label = {"effective heat"},
                                      .x_unit = {"J/m\xc2\xb2"},
@@ -216,7 +216,7 @@ static inline wcut_status pages_write_cloud(const pages_data *d, const char *pat
                                  x,
                                  y,
                                  value,
-                                 WCUT_SCALE_DIVERGING,
+                                 WCUT_REPORT_SCALE_DIVERGING,
                                  1.5,
                                  true,
                                  2,
@@ -226,7 +226,7 @@ static inline wcut_status pages_write_cloud(const pages_data *d, const char *pat
                                          NULL};
     const wcut_report report = {.verb = "compare",
                                 .title = "mould 7, lower half",
-                                .tone = WCUT_TONE_WARNING,
+                                .tone = WCUT_REPORT_TONE_WARNING,
                                 .verdict =
                                     "38 % of the face lies outside \xc2\xb1"
                                     "0.25 mm.",

@@ -92,7 +92,7 @@ START_TEST(a_scan_comes_back_onto_a_mesh_as_far_as_the_mesh_is_the_face) {
     given_tree();
     misplace(near);
     ck_assert_int_eq(fit(FEW, NULL, 1), WCUT_OK);
-    ck_assert(found.method == WCUT_REGISTRATION_FIT && found.rank == 6 && found.overlap > 0.99);
+    ck_assert(found.method == WCUT_REGISTRATION_METHOD_FIT && found.rank == 6 && found.overlap > 0.99);
     ck_assert_double_lt(found.rms, CHORD);
     ck_assert_double_lt(furthest(), 2 * CHORD);
     misplace(far);
@@ -213,7 +213,7 @@ START_TEST(a_scan_is_reconstructed_beside_a_mesh_as_beside_its_surface) {
     given();
     given_plane(0);
     const int count = given_points(20, 0.05);
-    wcut_reconstruction *made = reconstruct(count, WCUT_RECONSTRUCTION_FIELD);
+    wcut_reconstruction *made = reconstruct(count, WCUT_RECONSTRUCTION_METHOD_FIELD);
     ck_assert_double_lt(error_of(made->mesh, &most), 0.015);
     ck_assert_double_lt(most, 0.15);
     ck_assert_double_lt(made->lost, 0.02); /* half a cell along its border */
@@ -240,7 +240,7 @@ START_TEST(poisson_in_space_goes_beside_a_mesh_too) {
     given();
     given_plane(0);
     const int count = given_points(20, 0.05);
-    wcut_reconstruction *made = reconstruct(count, WCUT_RECONSTRUCTION_POISSON);
+    wcut_reconstruction *made = reconstruct(count, WCUT_RECONSTRUCTION_METHOD_POISSON);
     ck_assert_double_lt(error_of(made->mesh, &most), 0.3);
     ck_assert_double_le(made->farthest, 1.5);
     wcut_reconstruction_destroy(made);
@@ -253,7 +253,7 @@ START_TEST(where_the_mesh_is_not_nothing_is_missed) {
     cut_corner();
     given_plane(0);
     const int count = given_points(0, 0);
-    wcut_reconstruction *made = reconstruct(count, WCUT_RECONSTRUCTION_FIELD);
+    wcut_reconstruction *made = reconstruct(count, WCUT_RECONSTRUCTION_METHOD_FIELD);
     ck_assert_double_eq_tol(made->area + made->unmeasured_area, mesh_area(), 0.01 * mesh_area());
     wcut_reconstruction_destroy(made);
     end();

@@ -34,7 +34,7 @@ static void all_are(int first, int end, int cause) {
 START_TEST(a_regular_sheet_loses_nothing_not_even_its_corners) {
     given_lattice(ROWS, COLUMNS, 2, point);
     cleaned(SHEET, NULL);
-    all_are(0, SHEET, WCUT_KEPT);
+    all_are(0, SHEET, WCUT_REMOVAL_KEPT);
     ck_assert(report.limit >= 3 * report.centre && report.scale < 0.1 * report.centre);
 }
 END_TEST
@@ -43,7 +43,7 @@ START_TEST(a_noisy_sheet_at_random_places_loses_nothing) {
     for (uint64_t seed = 1; seed <= 5; seed++) {
         given_saddle(SHEET, 0.5, 0.05, seed, point);
         cleaned(SHEET, NULL);
-        all_are(0, SHEET, WCUT_KEPT);
+        all_are(0, SHEET, WCUT_REMOVAL_KEPT);
     }
 }
 END_TEST
@@ -64,9 +64,9 @@ static void plant(void) {
 START_TEST(planted_duplicates_and_outliers_are_found_and_nothing_else) {
     plant();
     cleaned(MOST, NULL);
-    all_are(0, SHEET, WCUT_KEPT);
-    all_are(SHEET, SHEET + PLANTED, WCUT_DUPLICATE);
-    all_are(SHEET + PLANTED, MOST, WCUT_OUTLIER);
+    all_are(0, SHEET, WCUT_REMOVAL_KEPT);
+    all_are(SHEET, SHEET + PLANTED, WCUT_REMOVAL_DUPLICATE);
+    all_are(SHEET + PLANTED, MOST, WCUT_REMOVAL_OUTLIER);
 }
 END_TEST
 
@@ -76,14 +76,14 @@ START_TEST(mean_and_deviation_are_blind_beside_far_outliers_median_and_mad_are_n
     o.robust = 0;
     o.least = 0;
     cleaned(MOST, &o);
-    ck_assert_int_lt(report.removed[WCUT_OUTLIER], 2 * PLANTED);
+    ck_assert_int_lt(report.removed[WCUT_REMOVAL_OUTLIER], 2 * PLANTED);
     /* on the sheet alone they are the textbook's: recompute them */
     given_saddle(SHEET, 0.2, 0.05, 7, point);
     o.deviations = 2;
     cleaned(SHEET, &o);
     ck_assert_double_eq_tol(report.limit, report.centre + 2 * report.scale, 1e-12);
-    ck_assert_int_gt(report.removed[WCUT_OUTLIER], 0);
-    ck_assert_int_lt(report.removed[WCUT_OUTLIER], SHEET / 10);
+    ck_assert_int_gt(report.removed[WCUT_REMOVAL_OUTLIER], 0);
+    ck_assert_int_lt(report.removed[WCUT_REMOVAL_OUTLIER], SHEET / 10);
 }
 END_TEST
 
@@ -112,15 +112,15 @@ START_TEST(isolated_points_have_too_few_within_the_radius) {
     o.radius = 3;
     o.radius_least = 2; /* a corner has three within 3 mm, up a slope; a cluster of five its four others */
     cleaned(MOST, &o);
-    all_are(0, SHEET, WCUT_KEPT);
-    all_are(SHEET, SHEET + PLANTED, WCUT_DUPLICATE);
-    all_are(SHEET + PLANTED, SHEET + 2 * PLANTED, WCUT_ISOLATED);
-    all_are(SHEET + 2 * PLANTED, MOST, WCUT_KEPT);
+    all_are(0, SHEET, WCUT_REMOVAL_KEPT);
+    all_are(SHEET, SHEET + PLANTED, WCUT_REMOVAL_DUPLICATE);
+    all_are(SHEET + PLANTED, SHEET + 2 * PLANTED, WCUT_REMOVAL_ISOLATED);
+    all_are(SHEET + 2 * PLANTED, MOST, WCUT_REMOVAL_KEPT);
     o.radius_least = 5;
     o.radius = 4.5;
     cleaned(MOST, &o);
-    all_are(0, SHEET, WCUT_KEPT);
-    all_are(SHEET + 2 * PLANTED, MOST, WCUT_ISOLATED);
+    all_are(0, SHEET, WCUT_REMOVAL_KEPT);
+    all_are(SHEET + 2 * PLANTED, MOST, WCUT_REMOVAL_ISOLATED);
     ck_assert(report.centre == 0 && report.scale == 0 && report.limit == 0);
 }
 END_TEST
@@ -132,10 +132,10 @@ START_TEST(near_duplicates_are_those_within_the_tolerance_of_a_kept_point) {
     for (int k = 0; k < 100; k++) point[k] = vec3(0.6 * k, -3, 1e3);
     o.duplicate = 1;
     cleaned(100, &o);
-    for (int k = 0; k < 100; k++) ck_assert_int_eq(removal[k], k % 2 ? WCUT_DUPLICATE : WCUT_KEPT);
+    for (int k = 0; k < 100; k++) ck_assert_int_eq(removal[k], k % 2 ? WCUT_REMOVAL_DUPLICATE : WCUT_REMOVAL_KEPT);
     o.duplicate = 0.5;
     cleaned(100, &o);
-    all_are(0, 100, WCUT_KEPT);
+    all_are(0, 100, WCUT_REMOVAL_KEPT);
     /* across the borders of the cubes, against all pairs */
     wcut_random r = wcut_random_seed(6);
     for (int k = 0; k < 2000; k++) {
@@ -144,14 +144,14 @@ START_TEST(near_duplicates_are_those_within_the_tolerance_of_a_kept_point) {
     cleaned(2000, &o);
     for (int k = 0; k < 2000; k++) {
         int near = 0;
-        for (int j = 0; j < k; j++) near |= removal[j] == WCUT_KEPT && vec3_distance(point[j], point[k]) <= 0.5;
-        ck_assert_int_eq(removal[k] == WCUT_DUPLICATE, near);
+        for (int j = 0; j < k; j++) near |= removal[j] == WCUT_REMOVAL_KEPT && vec3_distance(point[j], point[k]) <= 0.5;
+        ck_assert_int_eq(removal[k] == WCUT_REMOVAL_DUPLICATE, near);
     }
-    ck_assert(report.removed[WCUT_DUPLICATE] > 100 && report.removed[WCUT_KEPT] > 100);
+    ck_assert(report.removed[WCUT_REMOVAL_DUPLICATE] > 100 && report.removed[WCUT_REMOVAL_KEPT] > 100);
     o.duplicate = -1;
     for (int k = 0; k < 10; k++) point[k] = vec3(1, 2, 3);
     cleaned(10, &o);
-    all_are(0, 10, WCUT_KEPT);
+    all_are(0, 10, WCUT_REMOVAL_KEPT);
 }
 END_TEST
 
@@ -161,7 +161,8 @@ START_TEST(equal_points_are_equal_whatever_the_sign_of_zero_and_one_step_apart_t
     const wcut_vec3 p[] = {{0, 1, 2}, {-0.0, 1, 2}, {0, nextafter(1, 2), 2}, {1e12, -1e12, 0}, {1e12, -1e12, 0}};
     memcpy(point, p, sizeof p);
     cleaned(5, &o);
-    const int expected[] = {WCUT_KEPT, WCUT_DUPLICATE, WCUT_KEPT, WCUT_KEPT, WCUT_DUPLICATE};
+    const int expected[] = {WCUT_REMOVAL_KEPT, WCUT_REMOVAL_DUPLICATE, WCUT_REMOVAL_KEPT, WCUT_REMOVAL_KEPT,
+                            WCUT_REMOVAL_DUPLICATE};
     for (int k = 0; k < 5; k++) ck_assert_int_eq(removal[k], expected[k]);
 }
 END_TEST
@@ -173,8 +174,8 @@ START_TEST(thinning_keeps_the_first_point_of_every_cube) {
     for (int k = 0; k < 1000; k++) point[k] = vec3(0.1 * (k % 100) - 5 + 0.05, 0.25 + (k / 100) * 0.5, -0.5);
     cleaned(1000, &o);
     /* 10 x 5 cubes, each with its first point in the file's order */
-    ck_assert_int_eq(report.removed[WCUT_KEPT], 50);
-    for (int k = 0; k < 1000; k++) ck_assert_int_eq(removal[k] == WCUT_KEPT, k % 10 == 0 && k / 100 % 2 == 0);
+    ck_assert_int_eq(report.removed[WCUT_REMOVAL_KEPT], 50);
+    for (int k = 0; k < 1000; k++) ck_assert_int_eq(removal[k] == WCUT_REMOVAL_KEPT, k % 10 == 0 && k / 100 % 2 == 0);
     ck_assert_int_eq(wcut_cloud_keep(1000, removal, point), 50);
     ck_assert(point[1].x == 0.1 * 10 - 5 + 0.05 && point[10].y == 1.25);
 }
@@ -262,7 +263,7 @@ START_TEST(clouds_that_are_none_are_degenerate_and_nothing_is_written) {
     untouched();
     o.radius = 0;
     ck_assert_int_eq(wcut_cloud_clean(1, point, &o, 1, removal, NULL), WCUT_OK);
-    ck_assert_int_eq(removal[0], WCUT_KEPT);
+    ck_assert_int_eq(removal[0], WCUT_REMOVAL_KEPT);
     ck_assert_int_eq(wcut_cloud_clean(11, point, NULL, 1, removal, NULL), WCUT_OK);
 }
 END_TEST

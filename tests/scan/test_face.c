@@ -27,35 +27,35 @@ static void expect(wcut_effect e, wcut_vec3 at, wcut_vec3 expected) {
 
 START_TEST(every_effect_moves_a_point_by_its_formula) {
     const wcut_vec3 p = {300, 150, 140}; /* u = 0.5, v = -0.5 */
-    expect(sized(WCUT_KERF_GROWTH, 2e-4, 0), p, vec3_add_scaled(p, -0.3, vec3(0, 0.6, 0.8)));
-    wcut_effect e = sized(WCUT_KERF_GROWTH, 0, 1);
+    expect(sized(WCUT_EFFECT_KERF_GROWTH, 2e-4, 0), p, vec3_add_scaled(p, -0.3, vec3(0, 0.6, 0.8)));
+    wcut_effect e = sized(WCUT_EFFECT_KERF_GROWTH, 0, 1);
     e.value[1] = 0.5;
     expect(e, p, vec3_add_scaled(p, -0.25 * log(3), vec3(0, 0.6, 0.8)));
     const wcut_vec3 q = {400, 150, 140}; /* u = 1, v = -0.5 */
     const double height[] = {0.75, 1, 0.25, 1.25, -0.5};
     for (int shape = 0; shape < 5; shape++)
-        expect(sized(WCUT_BLOCK_SPRINGBACK, 2, shape), q, vec3(400, 150, 140 + 2 * height[shape]));
-    expect(sized(WCUT_SCAN_SCALE, 1.01, 0), p, vec3(301, 148.5, 139.9));
-    e = sized(WCUT_SCAN_OFFSET, 1, 0);
+        expect(sized(WCUT_EFFECT_BLOCK_SPRINGBACK, 2, shape), q, vec3(400, 150, 140 + 2 * height[shape]));
+    expect(sized(WCUT_EFFECT_SCAN_SCALE, 1.01, 0), p, vec3(301, 148.5, 139.9));
+    e = sized(WCUT_EFFECT_SCAN_OFFSET, 1, 0);
     e.value[1] = -2, e.value[2] = 3;
     expect(e, p, vec3(301, 148, 143));
-    expect(sized(WCUT_WIRE_THERMAL_LAG, 1, 0), p, p); /* physics of the step moves no scan */
+    expect(sized(WCUT_EFFECT_WIRE_THERMAL_LAG, 1, 0), p, p); /* physics of the step moves no scan */
 }
 END_TEST
 
 START_TEST(neutral_effects_leave_every_bit_and_several_add_up) {
-    wcut_effect e[] = {wcut_effect_default(WCUT_KERF_GROWTH), wcut_effect_default(WCUT_BLOCK_SPRINGBACK),
-                       wcut_effect_default(WCUT_SCAN_OFFSET), wcut_effect_default(WCUT_SCAN_SCALE)};
+    wcut_effect e[] = {wcut_effect_default(WCUT_EFFECT_KERF_GROWTH), wcut_effect_default(WCUT_EFFECT_BLOCK_SPRINGBACK),
+                       wcut_effect_default(WCUT_EFFECT_SCAN_OFFSET), wcut_effect_default(WCUT_EFFECT_SCAN_SCALE)};
     const wcut_vec3 p = {1.0 / 3, 0.1, 1e-9};
     const wcut_vec3 same = seen(e, 4, p);
     ck_assert(same.x == p.x && same.y == p.y && same.z == p.z);
-    e[0] = sized(WCUT_BLOCK_SPRINGBACK, 2, 1), e[1] = sized(WCUT_BLOCK_SPRINGBACK, -1, 2);
+    e[0] = sized(WCUT_EFFECT_BLOCK_SPRINGBACK, 2, 1), e[1] = sized(WCUT_EFFECT_BLOCK_SPRINGBACK, -1, 2);
     ck_assert_double_eq_tol(seen(e, 2, vec3(0, 0, 9)).z, 10, 1e-12);
 }
 END_TEST
 
 START_TEST(what_is_missing_is_refused_and_the_points_stay) {
-    wcut_effect e = sized(WCUT_KERF_GROWTH, 1e-4, 0);
+    wcut_effect e = sized(WCUT_EFFECT_KERF_GROWTH, 1e-4, 0);
     wcut_vec3 p = {999, 999, 999};
     const double q_eff[] = {NAN}, good[] = {100};
     const wcut_vec3 normal = {0, 0, 1};

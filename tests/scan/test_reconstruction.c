@@ -362,7 +362,7 @@ END_TEST
 static int given_poisson(int points, double noise) {
     given(wavy_height);
     const int count = given_points(points, 20, noise, deviation);
-    options.method = WCUT_RECONSTRUCTION_POISSON;
+    options.method = WCUT_RECONSTRUCTION_METHOD_POISSON;
     options.spacing = 3;
     return count;
 }

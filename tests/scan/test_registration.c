@@ -112,7 +112,7 @@ START_TEST(none_is_the_identity_and_moving_turns_normals) {
     wcut_vec3 point[2] = {{1, 2, 3}, {-4, 5, 6}}, normal[2] = {{0, 0, 1}, {1, 0, 0}};
     ck_assert_int_eq(wcut_registration_move(&found, 2, point, normal), WCUT_OK);
     ck_assert(point[1].x == -4 && point[1].y == 5 && point[1].z == 6 && normal[1].x == 1);
-    ck_assert_int_eq(found.method, WCUT_REGISTRATION_NONE);
+    ck_assert_int_eq(found.method, WCUT_REGISTRATION_METHOD_NONE);
     const double quarter[16] = {0, -1, 0, 10, 1, 0, 0, 20, 0, 0, 1, 30, 0, 0, 0, 1};
     memcpy(found.matrix, quarter, sizeof quarter);
     ck_assert_int_eq(wcut_registration_move(&found, 2, point, normal), WCUT_OK);
@@ -153,7 +153,7 @@ START_TEST(pairs_give_a_motion_back_however_large_it_is) {
         for (int i = 0; i < PAIRS; i++) seen[i] = pair[i].scan;
         ck_assert_double_lt(furthest(PAIRS, seen, corner), 1e-9);
         ck_assert(found.rank == 6 && found.free == 6 && found.points == 15 && found.kept == 15 && found.overlap == 1);
-        ck_assert_int_eq(found.method, WCUT_REGISTRATION_DATUM);
+        ck_assert_int_eq(found.method, WCUT_REGISTRATION_METHOD_DATUM);
         ck_assert_int_le(found.iterations, 1);
     }
 }
@@ -197,12 +197,12 @@ END_TEST
 START_TEST(a_pair_with_half_the_sigma_counts_four_times) {
     /* one free shift: the mean weighted by 1 / sigma^2, and its variance */
     given_options();
-    for (int k = 0; k < DOFS; k++) options.dof[k].kind = k == WCUT_TZ ? WCUT_DOF_FREE : WCUT_DOF_LOCKED;
+    for (int k = 0; k < DOFS; k++) options.dof[k].kind = k == WCUT_DOF_TZ ? WCUT_DOF_KIND_FREE : WCUT_DOF_KIND_LOCKED;
     const wcut_datum_pair two[2] = {{{0, 0, 0}, {0, 0, 1}, 0.2}, {{9, 0, 0}, {9, 0, 2}, 0.1}};
     ck_assert_int_eq(wcut_registration_solve_datum(2, two, 0, NULL, &options, &found, NULL), WCUT_OK);
-    ck_assert_double_eq_tol(found.parameter[WCUT_TZ], (1 + 4 * 2) / 5.0, 1e-12);
+    ck_assert_double_eq_tol(found.parameter[WCUT_DOF_TZ], (1 + 4 * 2) / 5.0, 1e-12);
     ck_assert_double_eq_tol(found.covariance[2 * DOFS + 2], 1 / (1 / 0.04 + 1 / 0.01), 1e-12);
-    ck_assert(found.free == 1 && found.rank == 1 && found.determined[WCUT_TZ] && !found.determined[WCUT_TX]);
+    ck_assert(found.free == 1 && found.rank == 1 && found.determined[WCUT_DOF_TZ] && !found.determined[WCUT_DOF_TX]);
 }
 END_TEST
 
@@ -249,10 +249,10 @@ START_TEST(pairs_on_a_line_leave_the_turn_about_it_where_it_was) {
         {{0, 0, 0}, {0, 0, 3}, 0.1}, {{10, 0, 0}, {10, 0, 3}, 0.1}, {{30, 0, 0}, {30, 0, 3}, 0.1}};
     options.pivot = vec3(0, 0, 0);
     ck_assert_int_eq(wcut_registration_solve_datum(3, line, 0, NULL, &options, &found, NULL), WCUT_OK);
-    ck_assert(found.rank == 5 && found.free == 6 && !found.determined[WCUT_RX] && found.determined[WCUT_TZ]);
-    ck_assert(found.parameter[WCUT_RX] == 0);
-    for (int k = 0; k < DOFS; k++) ck_assert(found.covariance[DOFS * k + WCUT_RX] == 0);
-    ck_assert_double_eq_tol(found.parameter[WCUT_TZ], 3, 1e-9);
+    ck_assert(found.rank == 5 && found.free == 6 && !found.determined[WCUT_DOF_RX] && found.determined[WCUT_DOF_TZ]);
+    ck_assert(found.parameter[WCUT_DOF_RX] == 0);
+    for (int k = 0; k < DOFS; k++) ck_assert(found.covariance[DOFS * k + WCUT_DOF_RX] == 0);
+    ck_assert_double_eq_tol(found.parameter[WCUT_DOF_TZ], 3, 1e-9);
 }
 END_TEST
 
@@ -294,7 +294,7 @@ START_TEST(datums_that_say_nothing_are_degenerate) {
     given_pairs(x, 0, 1);
     given_options();
     ck_assert_int_eq(solve_pairs(1, &error), WCUT_DEGENERATE); /* three residuals, three unknowns, no sigma */
-    for (int k = 0; k < DOFS; k++) options.dof[k].kind = WCUT_DOF_LOCKED;
+    for (int k = 0; k < DOFS; k++) options.dof[k].kind = WCUT_DOF_KIND_LOCKED;
     ck_assert_int_eq(solve_pairs(PAIRS, &error), WCUT_DEGENERATE);
     ck_assert_int_eq(error.status, WCUT_DEGENERATE);
     assert_untouched();
@@ -320,7 +320,7 @@ START_TEST(options_outside_their_ranges_are_refused) {
         given_options();
         if (k == 0) options.dof[2].kind = 7;
         if (k == 1) options.dof[2].value = NAN;
-        if (k == 2) options.dof[3] = (wcut_dof){WCUT_DOF_PRIOR, 0, 0};
+        if (k == 2) options.dof[3] = (wcut_dof){WCUT_DOF_KIND_PRIOR, 0, 0};
         if (k == 3) options.dof[3].value = options.dof[4].value = 3;
         if (k == 4) options.pivot.x = INFINITY;
         if (k == 5) options.noise = -1;
@@ -375,7 +375,7 @@ START_TEST(a_scan_without_noise_comes_back_to_rounding) {
     for (int k = 3; k < DOFS; k++) ck_assert_double_eq_tol(found.parameter[k], x[k], 1e-7 * DEG * 10);
     ck_assert(found.rank == 6 && found.overlap == 1 && found.points == N && found.kept == N);
     ck_assert_double_gt(found.rms_before, 1);
-    ck_assert_int_eq(found.method, WCUT_REGISTRATION_FIT);
+    ck_assert_int_eq(found.method, WCUT_REGISTRATION_METHOD_FIT);
     end_face();
 }
 END_TEST
@@ -428,12 +428,12 @@ START_TEST(a_locked_degree_of_freedom_stays_to_the_bit) {
     const double x[DOFS] = {3, 2, -1, 0.5 * DEG, 0.2 * DEG, -0.7 * DEG};
     given_scan(surface, N, 0.05, 0.05, 5, on_face);
     misplace(N, on_face, x, scan);
-    options.dof[WCUT_TX] = (wcut_dof){WCUT_DOF_LOCKED, 0.1, 0};
-    options.dof[WCUT_RZ] = (wcut_dof){WCUT_DOF_LOCKED, -0.3 * DEG, 0};
+    options.dof[WCUT_DOF_TX] = (wcut_dof){WCUT_DOF_KIND_LOCKED, 0.1, 0};
+    options.dof[WCUT_DOF_RZ] = (wcut_dof){WCUT_DOF_KIND_LOCKED, -0.3 * DEG, 0};
     ck_assert_int_eq(fit(N), WCUT_OK);
-    ck_assert(found.parameter[WCUT_TX] == 0.1 && found.parameter[WCUT_RZ] == -0.3 * DEG);
-    ck_assert(found.free == 4 && found.rank == 4 && !found.determined[WCUT_TX] && found.determined[WCUT_TY]);
-    for (int k = 0; k < DOFS; k++) ck_assert(found.covariance[DOFS * k + WCUT_RZ] == 0);
+    ck_assert(found.parameter[WCUT_DOF_TX] == 0.1 && found.parameter[WCUT_DOF_RZ] == -0.3 * DEG);
+    ck_assert(found.free == 4 && found.rank == 4 && !found.determined[WCUT_DOF_TX] && found.determined[WCUT_DOF_TY]);
+    for (int k = 0; k < DOFS; k++) ck_assert(found.covariance[DOFS * k + WCUT_DOF_RZ] == 0);
     end_face();
 }
 END_TEST
@@ -442,13 +442,13 @@ START_TEST(a_prior_and_the_data_meet_where_bayes_says) {
     given_flat();
     given_scan(surface, N, 0.05, 0, 6, scan);
     for (int i = 0; i < N; i++) scan[i].z -= 0.4; /* the data ask for tz = 0.4 */
-    for (int k = 0; k < DOFS; k++) options.dof[k].kind = WCUT_DOF_LOCKED;
-    options.dof[WCUT_TZ] = (wcut_dof){WCUT_DOF_PRIOR, 0.1, 0.02};
+    for (int k = 0; k < DOFS; k++) options.dof[k].kind = WCUT_DOF_KIND_LOCKED;
+    options.dof[WCUT_DOF_TZ] = (wcut_dof){WCUT_DOF_KIND_PRIOR, 0.1, 0.02};
     options.noise = 0.5;
     options.keep = 1;
     ck_assert_int_eq(fit(N), WCUT_OK);
     const double data = N / 0.25, prior = 1 / 0.0004;
-    ck_assert_double_eq_tol(found.parameter[WCUT_TZ], (data * 0.4 + prior * 0.1) / (data + prior), 1e-9);
+    ck_assert_double_eq_tol(found.parameter[WCUT_DOF_TZ], (data * 0.4 + prior * 0.1) / (data + prior), 1e-9);
     ck_assert_double_eq_tol(found.covariance[2 * DOFS + 2], 1 / (data + prior), 1e-15);
     ck_assert(found.noise == 0.5);
     end_face();
@@ -458,10 +458,10 @@ END_TEST
 START_TEST(a_prior_alone_determines_what_the_face_does_not) {
     given_flat();
     given_scan(surface, N, 0.1, 0.1, 7, scan);
-    options.dof[WCUT_TX] = (wcut_dof){WCUT_DOF_PRIOR, 1.5, 0.3};
+    options.dof[WCUT_DOF_TX] = (wcut_dof){WCUT_DOF_KIND_PRIOR, 1.5, 0.3};
     ck_assert_int_eq(fit(N), WCUT_OK);
-    ck_assert(found.rank == 4 && found.determined[WCUT_TX] && !found.determined[WCUT_TY]);
-    ck_assert_double_eq_tol(found.parameter[WCUT_TX], 1.5, 1e-6);
+    ck_assert(found.rank == 4 && found.determined[WCUT_DOF_TX] && !found.determined[WCUT_DOF_TY]);
+    ck_assert_double_eq_tol(found.parameter[WCUT_DOF_TX], 1.5, 1e-6);
     ck_assert_double_eq_tol(found.covariance[0], 0.09, 1e-4);
     end_face();
 }
@@ -474,12 +474,12 @@ START_TEST(a_flat_face_determines_three_and_invents_nothing) {
     misplace(N, on_face, x, scan);
     ck_assert_int_eq(fit(N), WCUT_OK);
     ck_assert(found.rank == 3 && found.free == 6);
-    ck_assert(!found.determined[WCUT_TX] && !found.determined[WCUT_TY] && !found.determined[WCUT_RZ]);
-    ck_assert(found.determined[WCUT_TZ] && found.determined[WCUT_RX] && found.determined[WCUT_RY]);
-    ck_assert_double_eq_tol(found.parameter[WCUT_TX], 0, 1e-6);
-    ck_assert_double_eq_tol(found.parameter[WCUT_TY], 0, 1e-6);
-    ck_assert_double_eq_tol(found.parameter[WCUT_RZ], 0, 1e-6);
-    ck_assert_double_eq_tol(found.parameter[WCUT_TZ], 2, 0.02);
+    ck_assert(!found.determined[WCUT_DOF_TX] && !found.determined[WCUT_DOF_TY] && !found.determined[WCUT_DOF_RZ]);
+    ck_assert(found.determined[WCUT_DOF_TZ] && found.determined[WCUT_DOF_RX] && found.determined[WCUT_DOF_RY]);
+    ck_assert_double_eq_tol(found.parameter[WCUT_DOF_TX], 0, 1e-6);
+    ck_assert_double_eq_tol(found.parameter[WCUT_DOF_TY], 0, 1e-6);
+    ck_assert_double_eq_tol(found.parameter[WCUT_DOF_RZ], 0, 1e-6);
+    ck_assert_double_eq_tol(found.parameter[WCUT_DOF_TZ], 2, 0.02);
     for (int k = 0; k < DOFS; k++) ck_assert(found.covariance[k] == 0);
     end_face();
 }
@@ -582,7 +582,7 @@ START_TEST(scans_that_determine_nothing_are_degenerate) {
     for (int i = 0; i < N; i++) scan[i].x += 5000; /* nowhere near */
     ck_assert_int_eq(fit(N), WCUT_DEGENERATE);
     given_scan(surface, N, 0, 0.1, 10, scan);
-    for (int k = 0; k < DOFS; k++) options.dof[k].kind = WCUT_DOF_LOCKED;
+    for (int k = 0; k < DOFS; k++) options.dof[k].kind = WCUT_DOF_KIND_LOCKED;
     ck_assert_int_eq(fit(N), WCUT_DEGENERATE);
     assert_untouched();
     end_face();

@@ -227,7 +227,7 @@ static void check_brep(const wcut_half *half, int keys) {
     int seen = 0;
     for (int f = 0; f < b->face_count; f++) {
         const wcut_brep_face *face = &b->face[f];
-        ck_assert_int_eq(face->loop_count, face->part == WCUT_PART_OPPOSITE ? 1 + keys : 1);
+        ck_assert_int_eq(face->loop_count, face->part == WCUT_BREP_PART_OPPOSITE ? 1 + keys : 1);
         for (int l = face->first_loop; l < face->first_loop + face->loop_count; l++) {
             const wcut_brep_loop *loop = &b->loop[l];
             ck_assert_int_eq(loop->first_coedge, seen);
@@ -300,8 +300,8 @@ START_TEST(exact_faces_are_a_closed_shell_whose_edges_lie_on_both_their_faces) {
         const int keys = k == 0 ? 0 : 3;
         check_brep(&m->lower, keys), check_brep(&m->upper, keys);
         check_senses(&m->lower), check_senses(&m->upper);
-        ck_assert(m->lower.brep->face[0].part == WCUT_PART_CUT && m->lower.brep->face[0].same_sense == 1);
-        ck_assert(m->upper.brep->face[0].part == WCUT_PART_CUT && m->upper.brep->face[0].same_sense == 0);
+        ck_assert(m->lower.brep->face[0].part == WCUT_BREP_PART_CUT && m->lower.brep->face[0].same_sense == 1);
+        ck_assert(m->upper.brep->face[0].part == WCUT_BREP_PART_CUT && m->upper.brep->face[0].same_sense == 0);
         /* triangles and exact face are within the chord tolerance, in both halves */
         wcut_projection *p = NULL;
         ck_assert_int_eq(wcut_projection_create(m->upper.brep->face[0].surface, &p), WCUT_OK);

@@ -101,7 +101,7 @@ START_TEST(a_surface_with_more_knots_or_in_parts_or_turned_is_the_same) {
     for (int which = 0; which < 2; which++) {
         wcut_surface *s = which ? wave() : shape_torus(50, 20), *r = NULL, *low = NULL, *high = NULL;
         for (int d = 0; d < 2; d++) {
-            const wcut_direction direction = d ? WCUT_ALONG_V : WCUT_ALONG_U;
+            const wcut_direction direction = d ? WCUT_DIRECTION_V : WCUT_DIRECTION_U;
             ck_assert_int_eq(wcut_surface_insert_knot(s, direction, 0.42, 2, &r), WCUT_OK);
             ck_assert_int_eq((d ? r->count_v : r->count_u), (d ? s->count_v : s->count_u) + 2);
             same_surface(s, r, 0);
@@ -135,7 +135,7 @@ START_TEST(an_iso_curve_lies_on_its_surface) {
             for (int d = 0; d < 2; d++) {
                 wcut_curve *c = NULL;
                 const double at = k / 10.0;
-                ck_assert_int_eq(wcut_surface_iso_curve(s, d ? WCUT_ALONG_V : WCUT_ALONG_U, at, &c), WCUT_OK);
+                ck_assert_int_eq(wcut_surface_iso_curve(s, d ? WCUT_DIRECTION_V : WCUT_DIRECTION_U, at, &c), WCUT_OK);
                 for (int i = 0; i <= 30; i++) {
                     const double t = i / 30.0;
                     wcut_vec3 p, q;
@@ -166,16 +166,16 @@ START_TEST(what_cannot_be_edited_is_refused_and_nothing_is_written) {
     ck_assert_int_eq(wcut_curve_reverse(NULL, &r), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_curve_reverse(c, NULL), WCUT_BAD_ARGUMENT);
     for (int k = 0; k < 4; k++) {
-        ck_assert_int_eq(wcut_surface_insert_knot(s, WCUT_ALONG_U, out[k], 1, &t), WCUT_BAD_ARGUMENT);
-        ck_assert_int_eq(wcut_surface_split(s, WCUT_ALONG_V, out[k], &t, &above), WCUT_BAD_ARGUMENT);
+        ck_assert_int_eq(wcut_surface_insert_knot(s, WCUT_DIRECTION_U, out[k], 1, &t), WCUT_BAD_ARGUMENT);
+        ck_assert_int_eq(wcut_surface_split(s, WCUT_DIRECTION_V, out[k], &t, &above), WCUT_BAD_ARGUMENT);
     }
     ck_assert_int_eq(wcut_surface_insert_knot(s, (wcut_direction)2, 0.5, 1, &t), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_surface_split(s, (wcut_direction)2, 0.5, &t, &above), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_surface_split(NULL, WCUT_ALONG_U, 0.5, &t, &above), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_surface_split(NULL, WCUT_DIRECTION_U, 0.5, &t, &above), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_surface_reverse(s, (wcut_direction)2, &t), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_surface_transpose(NULL, &t), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_surface_iso_curve(s, WCUT_ALONG_U, 1.5, &r), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_surface_iso_curve(s, WCUT_ALONG_U, NAN, &r), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_surface_iso_curve(s, WCUT_DIRECTION_U, 1.5, &r), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_surface_iso_curve(s, WCUT_DIRECTION_U, NAN, &r), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_surface_iso_curve(s, (wcut_direction)2, 0.5, &r), WCUT_BAD_ARGUMENT);
     ck_assert(r == mark && high == mark && t == sheet && above == sheet);
     wcut_curve_destroy(c);
@@ -191,11 +191,11 @@ static wcut_status edit(int which, const wcut_curve *c, const wcut_surface *s, w
     if (which == 0) status = wcut_curve_insert_knot(c, 3.14, 2, &r);
     if (which == 1) status = wcut_curve_split(c, 3.14, &r, &high);
     if (which == 2) status = wcut_curve_reverse(c, &r);
-    if (which == 3) status = wcut_surface_insert_knot(s, WCUT_ALONG_U, 0.4, 1, &t);
-    if (which == 4) status = wcut_surface_split(s, WCUT_ALONG_V, 0.4, &t, &above);
-    if (which == 5) status = wcut_surface_reverse(s, WCUT_ALONG_V, &t);
+    if (which == 3) status = wcut_surface_insert_knot(s, WCUT_DIRECTION_U, 0.4, 1, &t);
+    if (which == 4) status = wcut_surface_split(s, WCUT_DIRECTION_V, 0.4, &t, &above);
+    if (which == 5) status = wcut_surface_reverse(s, WCUT_DIRECTION_V, &t);
     if (which == 6) status = wcut_surface_transpose(s, &t);
-    if (which == 7) status = wcut_surface_iso_curve(s, WCUT_ALONG_V, 0.4, &r);
+    if (which == 7) status = wcut_surface_iso_curve(s, WCUT_DIRECTION_V, 0.4, &r);
     if (status != WCUT_OK) ck_assert(r == mark && high == mark && t == sheet && above == sheet);
     if (r != mark) wcut_curve_destroy(r);
     if (high != mark) wcut_curve_destroy(high);

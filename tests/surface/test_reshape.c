@@ -76,8 +76,8 @@ END_TEST
 
 START_TEST(a_surface_of_a_higher_degree_is_the_same) {
     wcut_surface *s = shape_torus(50, 20), *r = NULL, *t = NULL;
-    ck_assert_int_eq(wcut_surface_elevate(s, WCUT_ALONG_U, 2, &r), WCUT_OK);
-    ck_assert_int_eq(wcut_surface_elevate(r, WCUT_ALONG_V, 1, &t), WCUT_OK);
+    ck_assert_int_eq(wcut_surface_elevate(s, WCUT_DIRECTION_U, 2, &r), WCUT_OK);
+    ck_assert_int_eq(wcut_surface_elevate(r, WCUT_DIRECTION_V, 1, &t), WCUT_OK);
     ck_assert(t->degree_u == 4 && t->degree_v == 3);
     ck_assert_double_le(surfaces_apart(s, t), 1e-12);
     wcut_surface_destroy(t);
@@ -217,7 +217,8 @@ END_TEST
 START_TEST(halves_of_a_surface_with_unlike_knots_are_joined) {
     for (int d = 0; d < 2; d++)
         for (int which = 0; which < 2; which++) {
-            const wcut_direction along = d ? WCUT_ALONG_V : WCUT_ALONG_U, across = d ? WCUT_ALONG_U : WCUT_ALONG_V;
+            const wcut_direction along = d ? WCUT_DIRECTION_V : WCUT_DIRECTION_U,
+                                 across = d ? WCUT_DIRECTION_U : WCUT_DIRECTION_V;
             wcut_surface *s = which ? shape_octant() : shape_torus(50, 20), *low, *high, *more, *most, *r = NULL;
             ck_assert_int_eq(wcut_surface_split(s, along, 0.4, &low, &high), WCUT_OK);
             ck_assert_int_eq(wcut_surface_insert_knot(high, across, 0.37, 1, &more), WCUT_OK);
@@ -279,11 +280,11 @@ START_TEST(what_cannot_be_reshaped_is_refused_and_nothing_is_written) {
     ck_assert_int_eq(wcut_curve_transform(c, &bad, &r), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_curve_transform(c, &huge, &r), WCUT_DEGENERATE);
     ck_assert_int_eq(wcut_surface_elevate(s, (wcut_direction)7, 1, &t), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_surface_elevate(s, WCUT_ALONG_U, 6, &t), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_surface_elevate(s, WCUT_DIRECTION_U, 6, &t), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_surface_remove_knots(s, NAN, &t, &error), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_surface_join(s, NULL, WCUT_ALONG_U, 1, &t, &gap), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_surface_join(s, NULL, WCUT_DIRECTION_U, 1, &t, &gap), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_surface_join(s, s, (wcut_direction)7, 1, &t, &gap), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_surface_join(s, s, WCUT_ALONG_U, NAN, &t, &gap), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_surface_join(s, s, WCUT_DIRECTION_U, NAN, &t, &gap), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_surface_transform(s, &bad, &t), WCUT_BAD_ARGUMENT);
     for (int k = 0; k < 9; k++) s->control[k].x = 2;
     ck_assert_int_eq(wcut_surface_transform(s, &huge, &t), WCUT_DEGENERATE);
@@ -307,11 +308,11 @@ static wcut_status reshape(int which, const wcut_surface *s, const wcut_curve *c
         case 3:
             return wcut_curve_transform(c, &same, r);
         case 4:
-            return wcut_surface_elevate(s, WCUT_ALONG_V, 1, t);
+            return wcut_surface_elevate(s, WCUT_DIRECTION_V, 1, t);
         case 5:
             return wcut_surface_remove_knots(s, 1, t, value);
         case 6:
-            return wcut_surface_join(s, s, WCUT_ALONG_U, 1e9, t, value);
+            return wcut_surface_join(s, s, WCUT_DIRECTION_U, 1e9, t, value);
         default:
             return wcut_surface_transform(s, &same, t);
     }

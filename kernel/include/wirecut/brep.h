@@ -24,14 +24,14 @@ typedef struct wcut_brep_coedge {
 
 /** What part of the solid's skin a face is. */
 typedef enum wcut_brep_part {
-    WCUT_PART_CUT,       /**< the cut face: spline */
-    WCUT_PART_SIDE_X0,   /**< x = 0: plane, as all up to OPPOSITE */
-    WCUT_PART_SIDE_XW,   /**< x = W */
-    WCUT_PART_SIDE_Y0,   /**< y = 0 */
-    WCUT_PART_SIDE_YL,   /**< y = L */
-    WCUT_PART_OPPOSITE,  /**< z = 0 of the lower half, z = H of the upper: with a hole for every registration key */
-    WCUT_PART_KEY_FLANK, /**< half a cone: spline, rational */
-    WCUT_PART_KEY_TIP    /**< the flat end of a key: plane */
+    WCUT_BREP_PART_CUT,      /**< the cut face: spline */
+    WCUT_BREP_PART_SIDE_X0,  /**< x = 0: plane, as all up to OPPOSITE */
+    WCUT_BREP_PART_SIDE_XW,  /**< x = W */
+    WCUT_BREP_PART_SIDE_Y0,  /**< y = 0 */
+    WCUT_BREP_PART_SIDE_YL,  /**< y = L */
+    WCUT_BREP_PART_OPPOSITE, /**< z = 0 of the lower half, z = H of the upper: with a hole for every registration key */
+    WCUT_BREP_PART_KEY_FLANK, /**< half a cone: spline, rational */
+    WCUT_BREP_PART_KEY_TIP    /**< the flat end of a key: plane */
 } wcut_brep_part;
 
 /** A piece of the skin. */
@@ -53,7 +53,7 @@ typedef struct wcut_brep_loop {
 
 /**
  * One closed shell, exact: the vertices lie on the curves' ends, the curves on both faces that they part, to rounding.
- * The four loop edges of the face WCUT_PART_CUT are its border curves, in this order for the upper side of the surface
+ * The four loop edges of the face WCUT_BREP_PART_CUT are its border curves, in this order for the upper side of the surface
  * (same_sense 1): v = first, u = last, v = last reversed, u = first reversed.
  */
 typedef struct wcut_brep {

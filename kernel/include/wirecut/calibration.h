@@ -40,9 +40,9 @@ typedef struct wcut_calibration_options {
 
 /** What a law was tested against. */
 typedef enum wcut_lack_of_fit {
-    WCUT_LACK_UNTESTED,  /**< too few cuts */
-    WCUT_LACK_REPLICATE, /**< the scatter of cuts repeated at the same heat and speed */
-    WCUT_LACK_FLEXIBLE   /**< a law with a curvature in Q_eff and a power of the speed beside Q_eff */
+    WCUT_LACK_OF_FIT_UNTESTED,  /**< too few cuts */
+    WCUT_LACK_OF_FIT_REPLICATE, /**< the scatter of cuts repeated at the same heat and speed */
+    WCUT_LACK_OF_FIT_FLEXIBLE   /**< a law with a curvature in Q_eff and a power of the speed beside Q_eff */
 } wcut_lack_of_fit;
 
 /** One law fitted: y = a exp(-b Q_eff) + c. */
@@ -84,9 +84,9 @@ typedef struct wcut_calibration {
 
 /** What is unusual about a cut in a law, for the eye; 5 to 10 % of good cuts have something. */
 enum {
-    WCUT_FIT_OUTLIER = 1,    /**< more than 3 standard deviations off the law */
-    WCUT_FIT_LEVERAGE = 2,   /**< leverage beyond 2 p / n (Hoaglin, Welsch 1978): alone at its Q_eff */
-    WCUT_FIT_INFLUENTIAL = 4 /**< influence beyond 2 sqrt(p / n) (Belsley, Kuh, Welsch 1980): it moves the law */
+    WCUT_UNUSUAL_OUTLIER = 1,    /**< more than 3 standard deviations off the law */
+    WCUT_UNUSUAL_LEVERAGE = 2,   /**< leverage beyond 2 p / n (Hoaglin, Welsch 1978): alone at its Q_eff */
+    WCUT_UNUSUAL_INFLUENTIAL = 4 /**< influence beyond 2 sqrt(p / n) (Belsley, Kuh, Welsch 1980): it moves the law */
 };
 
 /** One cut in one law. */
@@ -99,7 +99,7 @@ typedef struct wcut_fit_point {
     double relative;    /**< [1] measured less fitted, over fitted */
     double leverage;  /**< [1] share of a cut in its own fitted value, in [0, 1]; their sum is the parameters' count */
     double influence; /**< [1] fitted less left out, in standard errors of the fitted value */
-    int unusual;      /**< WCUT_FIT_OUTLIER and its like, added; 0: nothing */
+    int unusual;      /**< WCUT_UNUSUAL_OUTLIER and its like, added; 0: nothing */
 } wcut_fit_point;
 
 /** One cut in a calibration. */

@@ -12,33 +12,38 @@ extern "C" {
 
 /** How a cloud is stored. */
 typedef enum wcut_cloud_format {
-    WCUT_CLOUD_ANY,  /**< told by the file's first bytes; an STL without "solid", OBJ and OFF by its name's ending */
-    WCUT_CLOUD_PLY,  /**< ascii, binary of either byte order */
-    WCUT_CLOUD_TEXT, /**< XYZ, PTS, ASC, CSV: a point a line */
-    WCUT_CLOUD_STL,  /**< the corners of its triangles, so that most come several times; no normals */
-    WCUT_CLOUD_LAS,  /**< 1.2 to 1.4, point formats 0 to 10, not compressed */
-    WCUT_CLOUD_PCD,  /**< ascii or binary; the viewpoint is not applied */
-    WCUT_CLOUD_OBJ,  /**< its vertices, whatever its faces are; no normals */
-    WCUT_CLOUD_OFF,  /**< the same */
+    WCUT_CLOUD_FORMAT_ANY, /**< told by the file's first bytes; an STL without "solid", OBJ and OFF by its name's ending */
+    WCUT_CLOUD_FORMAT_PLY,  /**< ascii, binary of either byte order */
+    WCUT_CLOUD_FORMAT_TEXT, /**< XYZ, PTS, ASC, CSV: a point a line */
+    WCUT_CLOUD_FORMAT_STL,  /**< the corners of its triangles, so that most come several times; no normals */
+    WCUT_CLOUD_FORMAT_LAS,  /**< 1.2 to 1.4, point formats 0 to 10, not compressed */
+    WCUT_CLOUD_FORMAT_PCD,  /**< ascii or binary; the viewpoint is not applied */
+    WCUT_CLOUD_FORMAT_OBJ,  /**< its vertices, whatever its faces are; no normals */
+    WCUT_CLOUD_FORMAT_OFF,  /**< the same */
     /** glTF, by assimp in a process of its own: the vertices of every node, held as a whole, at most 20000000; it is in
         metres with y upwards, and becomes mm with z upwards whatever the option unit says */
-    WCUT_CLOUD_GLTF
+    WCUT_CLOUD_FORMAT_GLTF
 } wcut_cloud_format;
 
 /** The unit that a file's coordinates are in. */
-typedef enum wcut_length_unit { WCUT_UNIT_MM, WCUT_UNIT_CM, WCUT_UNIT_M, WCUT_UNIT_INCH } wcut_length_unit;
+typedef enum wcut_length_unit {
+    WCUT_LENGTH_UNIT_MM,
+    WCUT_LENGTH_UNIT_CM,
+    WCUT_LENGTH_UNIT_M,
+    WCUT_LENGTH_UNIT_INCH
+} wcut_length_unit;
 
 /** How a cloud is read. */
 typedef struct wcut_cloud_options {
-    wcut_cloud_format format; /**< default WCUT_CLOUD_ANY */
-    wcut_length_unit unit;    /**< default WCUT_UNIT_MM */
+    wcut_cloud_format format; /**< default WCUT_CLOUD_FORMAT_ANY */
+    wcut_length_unit unit;    /**< default WCUT_LENGTH_UNIT_MM */
     int most;     /**< wcut_cloud_read keeps at most so many points and refuses more, 1 or more; default 20000000 */
     double voxel; /**< [mm] wcut_cloud_read keeps the first point of each cube of this side; default 0: every point */
 } wcut_cloud_options;
 
 /** What a source has given so far. */
 typedef struct wcut_cloud_info {
-    wcut_cloud_format format; /**< as found, never WCUT_CLOUD_ANY */
+    wcut_cloud_format format; /**< as found, never WCUT_CLOUD_FORMAT_ANY */
     int has_normals;          /**< 1 where the file has them */
     int stated;               /**< points that the header claims, -1 where it claims nothing; it was held to it */
     int read;                 /**< points handed out */
@@ -177,11 +182,11 @@ WCUT_API void wcut_thinning_destroy(wcut_thinning *thinning);
 
 /** What became of a point, in the order of the steps. */
 typedef enum wcut_removal {
-    WCUT_KEPT,
-    WCUT_DUPLICATE, /**< as near as `duplicate` to a kept point before it */
-    WCUT_ISOLATED,  /**< fewer than `radius_least` others within `radius` */
-    WCUT_OUTLIER,   /**< further from its neighbours than points of this cloud are */
-    WCUT_THINNED,   /**< not the first in its cube of side `voxel` */
+    WCUT_REMOVAL_KEPT,
+    WCUT_REMOVAL_DUPLICATE, /**< as near as `duplicate` to a kept point before it */
+    WCUT_REMOVAL_ISOLATED,  /**< fewer than `radius_least` others within `radius` */
+    WCUT_REMOVAL_OUTLIER,   /**< further from its neighbours than points of this cloud are */
+    WCUT_REMOVAL_THINNED,   /**< not the first in its cube of side `voxel` */
     WCUT_REMOVAL_COUNT
 } wcut_removal;
 
@@ -201,7 +206,7 @@ typedef struct wcut_clean_options {
 
 /** What was removed. */
 typedef struct wcut_clean_report {
-    int removed[WCUT_REMOVAL_COUNT]; /**< by cause; removed[WCUT_KEPT] points are left */
+    int removed[WCUT_REMOVAL_COUNT]; /**< by cause; removed[WCUT_REMOVAL_KEPT] points are left */
     double centre, scale;            /**< [mm] of the mean distance to the neighbours; 0 without that step */
     double limit;                    /**< [mm] an outlier's is greater; 0 without that step */
 } wcut_clean_report;

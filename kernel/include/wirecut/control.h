@@ -42,11 +42,11 @@ typedef struct wcut_control_settings {
 
 /** What the controller is doing. A stop is latched: the speed ramps to 0 and stays there. */
 typedef enum wcut_control_state {
-    WCUT_CONTROL_RUN,          /**< plan and feedback */
-    WCUT_CONTROL_HOLD,         /**< the reading was dropped; plan and the correction up to now */
-    WCUT_CONTROL_STOP_TENSION, /**< over-tension */
-    WCUT_CONTROL_STOP_ABSURD,  /**< sensor not finite, negative beyond its noise or beyond its range, for too long */
-    WCUT_CONTROL_STOP_STALE    /**< sensor repeats itself, or time stands still, for too long */
+    WCUT_CONTROL_STATE_RUN,          /**< plan and feedback */
+    WCUT_CONTROL_STATE_HOLD,         /**< the reading was dropped; plan and the correction up to now */
+    WCUT_CONTROL_STATE_STOP_TENSION, /**< over-tension */
+    WCUT_CONTROL_STATE_STOP_ABSURD, /**< sensor not finite, negative beyond its noise or beyond its range, for too long */
+    WCUT_CONTROL_STATE_STOP_STALE   /**< sensor repeats itself, or time stands still, for too long */
 } wcut_control_state;
 
 /** The controller's last step, for logs and displays. */

@@ -29,7 +29,7 @@ typedef struct wcut_compared {
     const char *distance;  /**< how distances were taken: "surface", "mesh", "reconstruction" */
     int scans;             /**< 1 or more */
     const wcut_compared_scan *scan;
-    int removed[WCUT_REMOVAL_COUNT]; /**< by cause; removed[WCUT_KEPT] points were compared */
+    int removed[WCUT_REMOVAL_COUNT]; /**< by cause; removed[WCUT_REMOVAL_KEPT] points were compared */
     const wcut_registration *registration;
     const wcut_survey_result *found;     /**< as registered */
     const wcut_survey_result *unmoved;   /**< as the scan came; the same as `found` without a registration */

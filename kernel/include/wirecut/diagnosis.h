@@ -32,12 +32,12 @@ typedef enum wcut_verdict_kind { WCUT_VERDICT_LIST(WCUT_VERDICT_ENTRY) WCUT_VERD
 
 /** What of a cut is measured: both mounts together, and the scan. */
 typedef enum wcut_evidence_channel {
-    WCUT_EVIDENCE_SPEED, /**< [mm/s] of the planned run, while the tension is within 10 % of its target; never fitted */
-    WCUT_EVIDENCE_TENSION, /**< [N] */
-    WCUT_EVIDENCE_ALPHA,   /**< [deg] */
-    WCUT_EVIDENCE_BETA,    /**< [deg] */
-    WCUT_EVIDENCE_SCAN,    /**< [mm] signed distance along the face's normal */
-    WCUT_EVIDENCE_COUNT
+    WCUT_EVIDENCE_CHANNEL_SPEED, /**< [mm/s] of the planned run, while the tension is within 10 % of its target; never fitted */
+    WCUT_EVIDENCE_CHANNEL_TENSION, /**< [N] */
+    WCUT_EVIDENCE_CHANNEL_ALPHA,   /**< [deg] */
+    WCUT_EVIDENCE_CHANNEL_BETA,    /**< [deg] */
+    WCUT_EVIDENCE_CHANNEL_SCAN,    /**< [mm] signed distance along the face's normal */
+    WCUT_EVIDENCE_CHANNEL_COUNT
 } wcut_evidence_channel;
 
 /** A cut as it comes in; everything is borrowed. What is missing is NULL, and the diagnosis says what it cost. */
@@ -108,11 +108,11 @@ typedef struct wcut_fit {
 
 /** The models that are compared: as the job says, recalibrated, with the effects found, and a mere fit. */
 typedef enum wcut_fit_model {
-    WCUT_FIT_BEFORE,
-    WCUT_FIT_RECALIBRATED,
-    WCUT_FIT_AFTER,
-    WCUT_FIT_BLACK_BOX,
-    WCUT_FIT_MODELS
+    WCUT_FIT_MODEL_BEFORE,
+    WCUT_FIT_MODEL_RECALIBRATED,
+    WCUT_FIT_MODEL_AFTER,
+    WCUT_FIT_MODEL_BLACK_BOX,
+    WCUT_FIT_MODEL_COUNT
 } wcut_fit_model;
 
 /** What the residual depends on, where no known effect explains it. */
@@ -155,18 +155,18 @@ typedef struct wcut_diagnosis {
     wcut_residual_trace *trace;
     int cuts;
     bool *held_out; /**< cuts: not used in the fit that the held-out figures are of */
-    wcut_fit fit[WCUT_FIT_MODELS][WCUT_EVIDENCE_COUNT];          /**< over all cuts, all fitted */
-    wcut_fit held_out_fit[WCUT_FIT_MODELS][WCUT_EVIDENCE_COUNT]; /**< over the held-out cuts */
+    wcut_fit fit[WCUT_FIT_MODEL_COUNT][WCUT_EVIDENCE_CHANNEL_COUNT];          /**< over all cuts, all fitted */
+    wcut_fit held_out_fit[WCUT_FIT_MODEL_COUNT][WCUT_EVIDENCE_CHANNEL_COUNT]; /**< over the held-out cuts */
     wcut_job *improved;        /**< the first cut's job, recalibrated, effects switched on */
     wcut_job *next_experiment; /**< a cut that would tell the alternatives apart; NULL: none needed */
     char next_reason[WCUT_DIAGNOSIS_TEXT];
     int limits;
-    char (*limit)[WCUT_DIAGNOSIS_TEXT]; /**< what could not be told, and why */
-    double noise[WCUT_EVIDENCE_COUNT];  /**< standard deviation of a sample, channel's unit; NaN: none */
-    char unprofiled[120];               /**< why intervals are of the curvature alone; empty: of a profile */
-    char unproven[120];                 /**< why there is no forward proof; empty: there is one */
-    bool naive_false;                   /**< whether plain least squares on the recorded speed names an effect */
-    char naive[80];                     /**< which */
+    char (*limit)[WCUT_DIAGNOSIS_TEXT];        /**< what could not be told, and why */
+    double noise[WCUT_EVIDENCE_CHANNEL_COUNT]; /**< standard deviation of a sample, channel's unit; NaN: none */
+    char unprofiled[120];                      /**< why intervals are of the curvature alone; empty: of a profile */
+    char unproven[120];                        /**< why there is no forward proof; empty: there is one */
+    bool naive_false;                          /**< whether plain least squares on the recorded speed names an effect */
+    char naive[80];                            /**< which */
     bool interrupted;
     char stopped[80]; /**< "while pairs of effects were fitted": where it was cut short; "" of a whole one */
 } wcut_diagnosis;

@@ -12,7 +12,7 @@ extern "C" {
 #endif
 
 /** A parameter direction of a surface. */
-typedef enum wcut_direction { WCUT_ALONG_U, WCUT_ALONG_V } wcut_direction;
+typedef enum wcut_direction { WCUT_DIRECTION_U, WCUT_DIRECTION_V } wcut_direction;
 
 /**
  * The same curve with a knot inserted (Boehm 1980).
@@ -60,7 +60,7 @@ WCUT_API wcut_status wcut_surface_reverse(const wcut_surface *surface, wcut_dire
 WCUT_API wcut_status wcut_surface_transpose(const wcut_surface *surface, wcut_surface **result);
 
 /**
- * The curve of constant parameter: along v at u = at (WCUT_ALONG_V), or along u at v = at (WCUT_ALONG_U).
+ * The curve of constant parameter: along v at u = at (WCUT_DIRECTION_V), or along u at v = at (WCUT_DIRECTION_U).
  *
  * @param[in]  surface a valid surface
  * @param[in]  along   the direction that the curve runs in

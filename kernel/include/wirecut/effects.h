@@ -33,17 +33,17 @@ extern "C" {
     X(SCAN_OFFSET, "scan_offset", SCAN)                     \
     X(SCAN_SCALE, "scan_scale", SCAN)
 
-#define WCUT_EFFECT_ENTRY(name, text, acts) WCUT_##name,
+#define WCUT_EFFECT_ENTRY(name, text, acts) WCUT_EFFECT_##name,
 /** Every effect that a job may name. */
 typedef enum wcut_effect_kind { WCUT_EFFECT_LIST(WCUT_EFFECT_ENTRY) WCUT_EFFECT_COUNT } wcut_effect_kind;
 #undef WCUT_EFFECT_ENTRY
 
 /** Where an effect acts. */
 typedef enum wcut_effect_place {
-    WCUT_EFFECT_STEP,   /**< physics of the simulator's step: simulate, score, replay and control see it */
-    WCUT_EFFECT_FACE,   /**< physics of the cut face: it moves a scan, not a recording */
-    WCUT_EFFECT_SENSOR, /**< a fault of the recording's instruments */
-    WCUT_EFFECT_SCAN    /**< a fault of the scanner or of its registration */
+    WCUT_EFFECT_PLACE_STEP,   /**< physics of the simulator's step: simulate, score, replay and control see it */
+    WCUT_EFFECT_PLACE_FACE,   /**< physics of the cut face: it moves a scan, not a recording */
+    WCUT_EFFECT_PLACE_SENSOR, /**< a fault of the recording's instruments */
+    WCUT_EFFECT_PLACE_SCAN    /**< a fault of the scanner or of its registration */
 } wcut_effect_place;
 
 enum { WCUT_EFFECT_VALUES = 5 };

@@ -22,7 +22,11 @@ typedef struct wcut_shape {
 } wcut_shape;
 
 /** The application protocol of a STEP file; geometry is the same in both. */
-typedef enum wcut_step_schema { WCUT_STEP_AP214, WCUT_STEP_AP242, WCUT_STEP_SCHEMA_COUNT } wcut_step_schema;
+typedef enum wcut_step_schema {
+    WCUT_STEP_SCHEMA_AP214,
+    WCUT_STEP_SCHEMA_AP242,
+    WCUT_STEP_SCHEMA_COUNT
+} wcut_step_schema;
 
 /**
  * Shapes to a STEP file (ISO 10303-21), each a product of its own. Every number is the shortest that reads back as the
@@ -33,7 +37,7 @@ typedef enum wcut_step_schema { WCUT_STEP_AP214, WCUT_STEP_AP242, WCUT_STEP_SCHE
  *
  * @param[in]  count  1 or more
  * @param[in]  shape   count
- * @param[in]  schema WCUT_STEP_AP214 unless the receiver asks for AP242
+ * @param[in]  schema WCUT_STEP_SCHEMA_AP214 unless the receiver asks for AP242
  * @param[in]  path   the target, replaced whole or left as it was
  * @param[out] error  may be NULL; shape, what was found, what was expected
  * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT (no or several geometries in a shape, a number that is

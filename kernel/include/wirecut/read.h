@@ -14,27 +14,27 @@ extern "C" {
 
 /** How a mesh is stored. */
 typedef enum wcut_mesh_format {
-    WCUT_MESH_ANY,  /**< told by the file's first bytes, or by its name's ending */
-    WCUT_MESH_STL,  /**< binary or ASCII */
-    WCUT_MESH_PLY,  /**< ascii, binary of either byte order; an element face with vertex_indices */
-    WCUT_MESH_OBJ,  /**< polygons of v and f; free-form geometry is refused */
-    WCUT_MESH_OFF,  /**< by assimp, in a process of its own; single precision */
-    WCUT_MESH_GLTF, /**< .glb, or .gltf with its data inside; in metres and y up, as glTF demands, whatever
+    WCUT_MESH_FORMAT_ANY,  /**< told by the file's first bytes, or by its name's ending */
+    WCUT_MESH_FORMAT_STL,  /**< binary or ASCII */
+    WCUT_MESH_FORMAT_PLY,  /**< ascii, binary of either byte order; an element face with vertex_indices */
+    WCUT_MESH_FORMAT_OBJ,  /**< polygons of v and f; free-form geometry is refused */
+    WCUT_MESH_FORMAT_OFF,  /**< by assimp, in a process of its own; single precision */
+    WCUT_MESH_FORMAT_GLTF, /**< .glb, or .gltf with its data inside; in metres and y up, as glTF demands, whatever
                          options->unit says; by assimp, in a process of its own; single precision */
     WCUT_MESH_FORMAT_COUNT
 } wcut_mesh_format;
 
 /** How a mesh is read. */
 typedef struct wcut_mesh_read_options {
-    wcut_mesh_format format; /**< default WCUT_MESH_ANY */
-    wcut_length_unit unit;   /**< of the file's numbers; default WCUT_UNIT_MM */
+    wcut_mesh_format format; /**< default WCUT_MESH_FORMAT_ANY */
+    wcut_length_unit unit;   /**< of the file's numbers; default WCUT_LENGTH_UNIT_MM */
     int most;                /**< more triangles are refused, 1 .. INT_MAX / 3; default 20000000 */
     int seconds;             /**< for the process of its own, 1 .. 3600; default 60 */
 } wcut_mesh_read_options;
 
 /** What was read. */
 typedef struct wcut_mesh_read_info {
-    wcut_mesh_format format; /**< as found, never WCUT_MESH_ANY */
+    wcut_mesh_format format; /**< as found, never WCUT_MESH_FORMAT_ANY */
     int collapsed;           /**< triangles left out since two corners are in one place: nothing is lost by them */
     int split;               /**< polygons of more than three corners that became triangles */
     wcut_vec3 low, high;     /**< [mm] the box of the vertices */
@@ -64,17 +64,17 @@ WCUT_API wcut_status wcut_mesh_read(const char *path, const wcut_mesh_read_optio
 
 /** How curves are stored. */
 typedef enum wcut_curve_format {
-    WCUT_CURVE_ANY,  /**< told by the file's first bytes, or by its name's ending */
-    WCUT_CURVE_STEP, /**< ISO 10303-21 with the curves of part 42, in the unit that the file states */
-    WCUT_CURVE_IGES, /**< 5.3 and before: types 126, 110 and 106 forms 2, 12, in the unit that the file states */
-    WCUT_CURVE_JSON, /**< a CURVE as in a job's edges, or {"curves": [CURVE, ...]} */
-    WCUT_CURVE_CSV,  /**< points in columns x_mm, y_mm, z_mm; a column curve, where there is one, counts the curves */
+    WCUT_CURVE_FORMAT_ANY,  /**< told by the file's first bytes, or by its name's ending */
+    WCUT_CURVE_FORMAT_STEP, /**< ISO 10303-21 with the curves of part 42, in the unit that the file states */
+    WCUT_CURVE_FORMAT_IGES, /**< 5.3 and before: types 126, 110 and 106 forms 2, 12, in the unit that the file states */
+    WCUT_CURVE_FORMAT_JSON, /**< a CURVE as in a job's edges, or {"curves": [CURVE, ...]} */
+    WCUT_CURVE_FORMAT_CSV, /**< points in columns x_mm, y_mm, z_mm; a column curve, where there is one, counts the curves */
     WCUT_CURVE_FORMAT_COUNT
 } wcut_curve_format;
 
 /** How curves are read. */
 typedef struct wcut_curve_read_options {
-    wcut_curve_format format; /**< default WCUT_CURVE_ANY */
+    wcut_curve_format format; /**< default WCUT_CURVE_FORMAT_ANY */
     int interpolate;          /**< CSV: 1 a cubic through the points (default), 0 straight pieces between them */
     int most;                 /**< more curves are refused, 1 or more; default 10000 */
 } wcut_curve_read_options;

@@ -16,14 +16,14 @@ extern "C" {
 
 /** How a face is made from points. */
 typedef enum wcut_reconstruction_method {
-    WCUT_RECONSTRUCTION_FIELD,  /**< a smooth field of deviation over the simulated face, as far as its border */
-    WCUT_RECONSTRUCTION_POISSON /**< Poisson reconstruction in space (Kazhdan 2006) of the thinned scan, closed below
+    WCUT_RECONSTRUCTION_METHOD_FIELD, /**< a smooth field of deviation over the simulated face, as far as its border */
+    WCUT_RECONSTRUCTION_METHOD_POISSON /**< Poisson reconstruction in space (Kazhdan 2006) of the thinned scan, closed below
                                      and at its rim, where the normals of the face cross it; slower, less exact */
 } wcut_reconstruction_method;
 
 /** How a reconstruction is made. */
 typedef struct wcut_reconstruction_options {
-    wcut_reconstruction_method method; /**< default WCUT_RECONSTRUCTION_FIELD */
+    wcut_reconstruction_method method; /**< default WCUT_RECONSTRUCTION_METHOD_FIELD */
     double support; /**< [mm] no vertex is further from the nearest point of the scan; positive, default 1.5 */
     /** [mm] largest distance of neighbouring vertices along u and v; default 0: twice that of the points, at most
         `support`. Poisson thins the points to 1.5 times that */

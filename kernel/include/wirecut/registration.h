@@ -13,26 +13,26 @@ extern "C" {
 #endif
 
 /** The six degrees of freedom: a shift [mm] and a rotation vector (axis times angle) [rad]. */
-enum { WCUT_TX, WCUT_TY, WCUT_TZ, WCUT_RX, WCUT_RY, WCUT_RZ, WCUT_DOF_COUNT };
+enum { WCUT_DOF_TX, WCUT_DOF_TY, WCUT_DOF_TZ, WCUT_DOF_RX, WCUT_DOF_RY, WCUT_DOF_RZ, WCUT_DOF_COUNT };
 
 /** What may become of a degree of freedom. */
 typedef enum wcut_dof_kind {
-    WCUT_DOF_FREE,   /**< found from the data, starting at `value` */
-    WCUT_DOF_LOCKED, /**< is `value`, exactly */
-    WCUT_DOF_PRIOR   /**< known beforehand to be `value` with standard deviation `sigma` */
+    WCUT_DOF_KIND_FREE,   /**< found from the data, starting at `value` */
+    WCUT_DOF_KIND_LOCKED, /**< is `value`, exactly */
+    WCUT_DOF_KIND_PRIOR   /**< known beforehand to be `value` with standard deviation `sigma` */
 } wcut_dof_kind;
 
 typedef struct wcut_dof {
     wcut_dof_kind kind;
     double value; /**< [mm] or [rad]; a rotation vector is shorter than pi */
-    double sigma; /**< [mm] or [rad] positive; read for WCUT_DOF_PRIOR alone */
+    double sigma; /**< [mm] or [rad] positive; read for WCUT_DOF_KIND_PRIOR alone */
 } wcut_dof;
 
 /** How the motion was found. */
 typedef enum wcut_registration_method {
-    WCUT_REGISTRATION_NONE, /**< the scan is in the block's frame as it came */
-    WCUT_REGISTRATION_DATUM,
-    WCUT_REGISTRATION_FIT
+    WCUT_REGISTRATION_METHOD_NONE, /**< the scan is in the block's frame as it came */
+    WCUT_REGISTRATION_METHOD_DATUM,
+    WCUT_REGISTRATION_METHOD_FIT
 } wcut_registration_method;
 
 /** How a registration is solved. */

@@ -18,7 +18,12 @@ extern "C" {
 enum { WCUT_SHA256_TEXT = 65 }; /**< bytes of a SHA-256 as hexadecimal text, with its final zero */
 
 /** How the verdict is meant. */
-typedef enum wcut_report_tone { WCUT_TONE_PLAIN, WCUT_TONE_GOOD, WCUT_TONE_WARNING, WCUT_TONE_BAD } wcut_report_tone;
+typedef enum wcut_report_tone {
+    WCUT_REPORT_TONE_PLAIN,
+    WCUT_REPORT_TONE_GOOD,
+    WCUT_REPORT_TONE_WARNING,
+    WCUT_REPORT_TONE_BAD
+} wcut_report_tone;
 
 /** A number with its unit, or a text; also an option in the provenance. */
 typedef struct wcut_report_fact {
@@ -45,7 +50,11 @@ typedef struct wcut_report_table {
 } wcut_report_table;
 
 /** How a series is drawn. */
-typedef enum wcut_report_mark { WCUT_MARK_LINE, WCUT_MARK_DASHED, WCUT_MARK_POINTS } wcut_report_mark;
+typedef enum wcut_report_mark {
+    WCUT_REPORT_MARK_LINE,
+    WCUT_REPORT_MARK_DASHED,
+    WCUT_REPORT_MARK_POINTS
+} wcut_report_mark;
 
 /** A series of a chart; beyond 10,000 points the page holds the lowest and the highest of each short run. */
 typedef struct wcut_report_series {
@@ -77,8 +86,8 @@ typedef struct wcut_report_chart {
 
 /** How values become colours. */
 typedef enum wcut_report_scale {
-    WCUT_SCALE_SEQUENTIAL, /**< from low to high */
-    WCUT_SCALE_DIVERGING   /**< centred on zero */
+    WCUT_REPORT_SCALE_SEQUENTIAL, /**< from low to high */
+    WCUT_REPORT_SCALE_DIVERGING   /**< centred on zero */
 } wcut_report_scale;
 
 /** A grid of values, such as a residual over time and position along the wire. */

@@ -47,7 +47,7 @@ typedef struct wcut_rig_run {
     wcut_control_state *state;    /**< the controller's */
     double *beyond;               /**< [1] share of the engaged wire beyond density_from */
     int room;                     /**< samples that the arrays can hold */
-    wcut_control_state ended;     /**< WCUT_CONTROL_RUN: at the path's end; else what stopped it */
+    wcut_control_state ended;     /**< WCUT_CONTROL_STATE_RUN: at the path's end; else what stopped it */
     bool complete;                /**< the path's end was reached */
     double duration;              /**< [s] */
     double target;                /**< [N] */

@@ -16,8 +16,8 @@ extern "C" {
 
 /** What the tool frame does. Its x axis looks along the wire into the cut, its z axis up, at both mounts. */
 typedef enum wcut_tool_frame {
-    WCUT_TOOL_FIXED,    /**< along the rest direction, +x at A and -x at B; the head's own axes give way and measure */
-    WCUT_TOOL_FOLLOWING /**< along the wire, by the simulated alpha and beta */
+    WCUT_TOOL_FRAME_FIXED, /**< along the rest direction, +x at A and -x at B; the head's own axes give way and measure */
+    WCUT_TOOL_FRAME_FOLLOWING /**< along the wire, by the simulated alpha and beta */
 } wcut_tool_frame;
 
 /** How the motion is made from a history. */
@@ -79,11 +79,11 @@ enum { WCUT_ROBOT_CHECKS = 10 };
 
 /** Programs' formats. */
 typedef enum wcut_robot_format {
-    WCUT_ROBOT_URSCRIPT, /**< Universal Robots: two programs */
-    WCUT_ROBOT_RAPID,    /**< ABB MultiMove: two modules */
-    WCUT_ROBOT_KRL,      /**< KUKA: two programs */
-    WCUT_ROBOT_CSV,      /**< both robots in one table */
-    WCUT_ROBOT_JSON      /**< both robots in one object, "format": "wirecut-robot/1" */
+    WCUT_ROBOT_FORMAT_URSCRIPT, /**< Universal Robots: two programs */
+    WCUT_ROBOT_FORMAT_RAPID,    /**< ABB MultiMove: two modules */
+    WCUT_ROBOT_FORMAT_KRL,      /**< KUKA: two programs */
+    WCUT_ROBOT_FORMAT_CSV,      /**< both robots in one table */
+    WCUT_ROBOT_FORMAT_JSON      /**< both robots in one object, "format": "wirecut-robot/1" */
 } wcut_robot_format;
 
 /** What the programs call things. Names are letters, digits and _, beginning with a letter, at most 22 long: KRL has no
