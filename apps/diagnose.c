@@ -229,7 +229,7 @@ static void print_effects(const wcut_diagnosis *d) {
         printf("  %-8s %s", f->present ? "present" : "possible", info->name);
         if (info->choice_key) printf(", %s %s", info->choice_key, info->choice[f->effect.choice]);
         printf(" (confidence %.2f)", f->confidence);
-        for (const wcut_effect_parameter *p = info->parameter; p->key; p++)
+        for (const wcut_effect_parameter *p = wcut_effect_parameters(&f->effect); p->key; p++)
             for (int k = 0; k < p->size; k++)
                 if (f->estimated[p->at + k])
                     printf("%s %s %.4g [%.4g, %.4g]", k ? "," : ";", k ? "" : p->key, f->effect.value[p->at + k],

@@ -82,7 +82,7 @@ static void put_effect(wcut_text *text, const wcut_found_effect *found) {
         wcut_text_print(text, "\"%s\": \"%s\"", info->choice_key, info->choice[found->effect.choice]);
         between = ", ";
     }
-    for (const wcut_effect_parameter *p = info->parameter; p->key; p++, between = ", ") {
+    for (const wcut_effect_parameter *p = wcut_effect_parameters(&found->effect); p->key; p++, between = ", ") {
         put(text, between);
         put_parameter(text, found, p);
     }

@@ -14,11 +14,11 @@ static bool pass(wcut_reader *reader, const wcut_place *at, void *into) {
     return true;
 }
 
-static int list_fields(const wcut_effect_info *info, wcut_field *field) {
+static int list_fields(const wcut_effect_info *info, const wcut_effect_parameter *first, wcut_field *field) {
     int count = 0;
     field[count++] = (wcut_field){"name", true, pass, 0};
     if (info->choice_key) field[count++] = (wcut_field){info->choice_key, false, pass, 0};
-    for (const wcut_effect_parameter *p = info->parameter; p->key; p++)
+    for (const wcut_effect_parameter *p = first; p->key; p++)
         field[count++] = (wcut_field){p->key, p->required, p->size == 3 ? wcut_read_point : wcut_read_finite,
                                       offsetof(wcut_effect, value) + (size_t)p->at * sizeof(double)};
     return count;
@@ -42,14 +42,16 @@ static bool read_effect(wcut_reader *reader, const wcut_place *at, void *into) {
     if (!json_is_object(at->value)) return wcut_refuse(reader, at, WCUT_BAD_FORMAT, "an effect: {\"name\": .., ..}");
     if (!wcut_read_word(reader, &name, names, &kind)) return false;
     const wcut_effect_info *info = wcut_effect_view((wcut_effect_kind)kind);
-    *effect = wcut_effect_default((wcut_effect_kind)kind);
-    wcut_field field[FIELDS_MOST];
-    if (!wcut_read_object(reader, at, field, list_fields(info, field), effect)) return false;
-    if (info->choice_key) {
+    int chosen = 0;
+    if (info->choice_key) { /* what else an effect is told by may depend on it */
         const wcut_place choice = wcut_place_member(at, info->choice_key);
-        if (!wcut_read_word(reader, &choice, info->choice, &effect->choice)) return false;
+        if (!wcut_read_word(reader, &choice, info->choice, &chosen)) return false;
     }
-    for (const wcut_effect_parameter *p = info->parameter; p->key; p++)
+    *effect = wcut_effect_choose((wcut_effect_kind)kind, chosen);
+    const wcut_effect_parameter *first = wcut_effect_parameters(effect);
+    wcut_field field[FIELDS_MOST];
+    if (!wcut_read_object(reader, at, field, list_fields(info, first, field), effect)) return false;
+    for (const wcut_effect_parameter *p = first; p->key; p++)
         if (!check_range(reader, at, p, effect->value + p->at)) return false;
     return true;
 }
@@ -73,7 +75,7 @@ static void put_effect(wcut_text *text, const wcut_effect *effect) {
     const wcut_effect_info *info = wcut_effect_view(effect->kind);
     wcut_text_print(text, "{\"name\": \"%s\"", info->name);
     if (info->choice_key) wcut_text_print(text, ", \"%s\": \"%s\"", info->choice_key, info->choice[effect->choice]);
-    for (const wcut_effect_parameter *p = info->parameter; p->key; p++) {
+    for (const wcut_effect_parameter *p = wcut_effect_parameters(effect); p->key; p++) {
         wcut_text_print(text, ", \"%s\": %s", p->key, p->size == 3 ? "[" : "");
         for (int k = 0; k < p->size; k++) {
             if (k) wcut_text_put(text, ", ", 2);

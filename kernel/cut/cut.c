@@ -56,6 +56,7 @@ static void copy_wire(int n, int effects, const wcut_wire *from, wcut_wire *to) 
     for (int m = 0; m < 2; m++) to->offset[m] = from->offset[m], to->pull[m] = from->pull[m];
     to->pulled = from->pulled;
     to->age = from->age;
+    to->clock = from->clock;
 }
 
 /* station 0: the wire hangs trailing, under an even load against the feed */

@@ -43,6 +43,8 @@ static wcut_locality locality_of(const wcut_cut *cut, const wcut_target *target)
                            .effect = cut->setup->effect,
                            .state = cut->next.state,
                            .age = cut->next.age,
+                           .clock = cut->next.clock,
+                           .was = cut->was,
                            .edge = target->length / (cut->setup->job->nodes - 1)};
 }
 
@@ -77,6 +79,8 @@ static void remember_mounts(wcut_wire *w, int n, const wcut_target *target) {
     w->pulled = true;
 }
 
+void wcut_cut_set_clock(wcut_cut *cut, double time) { cut->now.clock = time; }
+
 void wcut_cut_remember(wcut_cut *cut, const wcut_target *target, double rate) {
     const wcut_setup *setup = cut->setup;
     wcut_wire *w = &cut->next;
@@ -88,6 +92,7 @@ void wcut_cut_remember(wcut_cut *cut, const wcut_target *target, double rate) {
             w->state[i] = wcut_node_state_after(&local, target->heat, rate, w->speed[i], inside, n, i);
         }
         w->age = w->loaded ? w->age + 1 / rate : 0;
+        w->clock += 1 / rate;
         remember_mounts(w, n, target);
     }
     w->end_a = target->end_a, w->end_b = target->end_b;

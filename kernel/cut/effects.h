@@ -18,6 +18,10 @@ double wcut_cut_fit(wcut_cut *cut, const wcut_target *target, wcut_vec3 *end_a, 
 void wcut_extension_apply(wcut_cut *cut, const wcut_target *target, wcut_extension *out, wcut_foam *foam,
                           wcut_step *step);
 
+/* the time [s] that effects of time take the run to be at, before its first step: that of a recording, which does not
+   begin at 0 */
+void wcut_cut_set_clock(wcut_cut *cut, double time);
+
 /* cut->next has become the wire at the target, 1/rate after cut->was: keep what effects must remember of that */
 void wcut_cut_remember(wcut_cut *cut, const wcut_target *target, double rate);
 

@@ -5,6 +5,7 @@
 #include "base/fail.h"
 #include "base/numbers.h"
 #include "base/vec3.h"
+#include "cut/effects.h"
 #include "cut/setup.h"
 #include "cut/track.h"
 
@@ -207,6 +208,7 @@ static bool stands(const replay *r, int i) {
 
 static void run(replay *r) {
     begin(r);
+    wcut_cut_set_clock(r->cut, r->time);
     for (int i = 0; i < r->track->count; i++) {
         const int sample = r->track->sample[i];
         wcut_error cause = {0};

@@ -27,6 +27,7 @@ typedef struct wcut_wire {
     wcut_node_state *state;       /* n: effects' memory */
     wcut_vec3 offset[2], pull[2]; /* [mm] [N] of the mounts */
     double age;                   /* [s] since it entered the foam; 0 outside */
+    double clock;                 /* [s] of the run, or of the recording that it replays */
     bool pulled;                  /* offset and pull are there */
 } wcut_wire;
 

@@ -40,6 +40,15 @@ static void spoil_tension(const wcut_effect *e, const span *s, double *const val
     }
 }
 
+/* offset and slope between two times, in the channel's unit */
+static void add_reading(const wcut_effect *e, const span *s, double *const value[WCUT_SENSED_COUNT]) {
+    double *signal = value[WCUT_SENSED_TENSION_A + e->choice];
+    const double unit = e->choice < 2 ? 1 : WCUT_PI / 180;
+    for (int i = 0; signal && i < s->samples; i++)
+        if (is_there(s, i) && s->time[i] >= e->value[2] && s->time[i] <= e->value[3])
+            signal[i] += unit * (e->value[0] + e->value[1] * (s->time[i] - fmax(e->value[2], s->time[0])) / 100);
+}
+
 /* value(t - delay), linear between the samples that are there, held beyond them; t and y: room for them */
 static void shift(const span *s, double delay, double *t, double *y, double *value) {
     int count = 0, j = 0;
@@ -78,6 +87,7 @@ wcut_status wcut_sensors_eval(int count, const wcut_effect *effect, int samples,
     }
     for (int e = 0; e < count; e++) {
         if (wcut_effect_is_neutral(&effect[e])) continue;
+        if (effect[e].kind == WCUT_EFFECT_EMPIRICAL_READING) add_reading(&effect[e], &s, value);
         if (effect[e].kind == WCUT_EFFECT_ANGLE_OFFSET) offset_angle(&effect[e], &s, value);
         if (effect[e].kind == WCUT_EFFECT_TENSION_GAIN || effect[e].kind == WCUT_EFFECT_TENSION_DRIFT)
             spoil_tension(&effect[e], &s, value);

@@ -8,6 +8,7 @@
 #include "base/fail.h"
 #include "base/numbers.h"
 #include "base/vec3.h"
+#include "cut/effects.h"
 #include "cut/track.h"
 
 /* against 1e-10 a tension moves by 1e-5 N in the mean, a thousandth of a sensor noise */
@@ -208,6 +209,7 @@ static void begin(driver *d) {
 /* false where it was stopped */
 static bool drive(driver *d, wcut_stop *stop, wcut_response *out) {
     begin(d);
+    wcut_cut_set_clock(d->cut, d->time);
     for (int i = 0, failed = 0; i < d->trajectory->count && failed < GIVE_UP; i++) {
         if (wcut_stop_asked(stop)) return false;
         const bool there = d->trajectory->station[i] - d->station < STANDING ? i > 0 : advance(d, i);

@@ -5,6 +5,7 @@
 
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "foam/empirical.h"
 
 #define ENDLESS ((double)INFINITY)
 #define END \
@@ -50,6 +51,11 @@ static const parameter angle[] = {{"offset_deg", 0, 1, true, 0, -90, 90, -5, 5},
 static const parameter gain[] = {{"gain_error", 0, 1, true, 0, -0.95, 10, -0.15, 0.15}, END};
 static const parameter drift[] = {
     {"drift_N", 0, 1, true, 0, -100, 100, -0.5, 0.5}, {"tau_s", 1, 1, false, 0, 0, 1e6, 0, 60}, END};
+static const parameter reading[] = {{"offset", 0, 1, true, 0, -1e3, 1e3, -5, 5},
+                                    {"slope_per_100_s", 1, 1, false, 0, -1e3, 1e3, -5, 5},
+                                    {"from_s", 2, 1, false, -1e6, -1e6, 1e6, 0, 200},
+                                    {"to_s", 3, 1, false, 1e6, -1e6, 1e6, 0, 200},
+                                    END};
 static const parameter clock[] = {{"delay_s", 0, 1, true, 0, -60, 60, -0.3, 0.3}, END};
 static const parameter offset[] = {{"shift_mm", 0, 3, true, 0, -1000, 1000, -5, 5}, END};
 static const parameter scale[] = {{"scale", 0, 1, true, 1, 0.5, 2, 0.98, 1.02}, END};
@@ -59,6 +65,8 @@ static const char *const coefficients[] = {"a", "b", NULL};
 static const char *const kerf_laws[] = {"linear", "log", NULL};
 static const char *const shapes[] = {"saddle", "cylinder_x", "cylinder_y", "bowl", "twist", NULL};
 static const char *const angles[] = {"alpha_a_deg", "beta_a_deg", "alpha_b_deg", "beta_b_deg", NULL};
+static const char *const readings[] = {"tension_a_N", "tension_b_N", "alpha_a_deg", "beta_a_deg",
+                                       "alpha_b_deg", "beta_b_deg",  NULL};
 static const char *const sensors[] = {"a", "b", "both", NULL};
 
 /* choice, strengths, neutral, repeats, needs mounts, parameters */
@@ -72,11 +80,13 @@ static const char *const sensors[] = {"a", "b", "both", NULL};
 #define INFO_MOUNT_COMPLIANCE NULL, NULL, 1, ENDLESS, false, true, compliance
 #define INFO_RATE_DEPENDENCE NULL, NULL, 1, 0, false, false, rate
 #define INFO_WIRE_FOULING "on", coefficients, 1, 0, true, false, fouling
+#define INFO_EMPIRICAL_FORCE "term", wcut_term_name, 2, 0, true, false, wcut_term_first
 #define INFO_KERF_GROWTH "law", kerf_laws, 2, 0, false, false, kerf
 #define INFO_BLOCK_SPRINGBACK "shape", shapes, 1, 0, true, false, springback
 #define INFO_ANGLE_OFFSET "channel", angles, 1, 0, true, false, angle
 #define INFO_TENSION_GAIN "sensor", sensors, 1, 0, true, false, gain
 #define INFO_TENSION_DRIFT "sensor", sensors, 1, 0, true, false, drift
+#define INFO_EMPIRICAL_READING "channel", readings, 2, 0, true, false, reading
 #define INFO_CLOCK_OFFSET NULL, NULL, 1, 0, false, false, clock
 #define INFO_SCAN_OFFSET NULL, NULL, 3, 0, false, false, offset
 #define INFO_SCAN_SCALE NULL, NULL, 1, 1, false, false, scale
@@ -98,13 +108,26 @@ wcut_status wcut_effect_locate(const char *name, wcut_effect_kind *kind) {
     return WCUT_NOT_FOUND;
 }
 
-wcut_effect wcut_effect_default(wcut_effect_kind kind) {
-    wcut_effect effect = {.kind = kind};
-    const wcut_effect_info *info = wcut_effect_view(kind);
-    for (const parameter *p = info ? info->parameter : NULL; p && p->key; p++)
+static int choices_of(const wcut_effect_info *info) {
+    int count = 1;
+    while (info->choice && info->choice[count]) count++;
+    return count;
+}
+
+const wcut_effect_parameter *wcut_effect_parameters(const wcut_effect *effect) {
+    const wcut_effect_info *info = wcut_effect_view(effect->kind);
+    if (!info || effect->choice < 0 || effect->choice >= choices_of(info)) return NULL;
+    return effect->kind == WCUT_EFFECT_EMPIRICAL_FORCE ? wcut_term_parameters(effect->choice) : info->parameter;
+}
+
+wcut_effect wcut_effect_choose(wcut_effect_kind kind, int choice) {
+    wcut_effect effect = {.kind = kind, .choice = choice};
+    for (const parameter *p = wcut_effect_parameters(&effect); p && p->key; p++)
         for (int k = 0; k < p->size; k++) effect.value[p->at + k] = p->initial;
     return effect;
 }
+
+wcut_effect wcut_effect_default(wcut_effect_kind kind) { return wcut_effect_choose(kind, 0); }
 
 bool wcut_effect_is_neutral(const wcut_effect *effect) {
     const wcut_effect_info *info = wcut_effect_view(effect->kind);
@@ -115,7 +138,7 @@ bool wcut_effect_is_neutral(const wcut_effect *effect) {
 
 static wcut_status check_values(int place, const wcut_effect *effect, wcut_error *error) {
     const wcut_effect_info *info = &table[effect->kind];
-    for (const parameter *p = info->parameter; p->key; p++)
+    for (const parameter *p = wcut_effect_parameters(effect); p->key; p++)
         for (int k = 0; k < p->size; k++) {
             const double value = effect->value[p->at + k];
             if (value >= p->least && value <= p->most) continue;
@@ -125,21 +148,21 @@ static wcut_status check_values(int place, const wcut_effect *effect, wcut_error
     return WCUT_OK;
 }
 
-static int choices_of(const wcut_effect_info *info) {
-    int count = 1;
-    while (info->choice && info->choice[count]) count++;
-    return count;
-}
-
 wcut_status wcut_effects_check(int count, const wcut_effect *effect, wcut_error *error) {
     if (count < 0 || (count > 0 && !effect))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "effects: expected %d of them", count);
+    int memories = 0;
     for (int e = 0; e < count; e++) {
         const wcut_effect_info *info = wcut_effect_view(effect[e].kind);
         if (!info || effect[e].choice < 0 || effect[e].choice >= choices_of(info))
             return wcut_fail(error, WCUT_BAD_ARGUMENT, "effects[%d]: expected a known effect and choice", e);
         const wcut_status status = check_values(e, &effect[e], error);
         if (status != WCUT_OK) return status;
+        memories += effect[e].kind == WCUT_EFFECT_EMPIRICAL_FORCE && wcut_term_remembers(effect[e].choice);
+        if (memories > WCUT_TERM_MEMORIES)
+            return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                             "effects[%d].term: found another term with a memory, expected %d of them at most", e,
+                             WCUT_TERM_MEMORIES);
         for (int k = 0; k < e; k++)
             if (effect[k].kind == effect[e].kind && !info->repeats)
                 return wcut_fail(error, WCUT_BAD_ARGUMENT, "effects[%d]: found a second %s, expected one at most", e,

@@ -6,6 +6,7 @@
 
 #include "base/numbers.h"
 #include "base/vec3.h"
+#include "foam/empirical.h"
 #include "foam/force_law.h"
 
 static const wcut_effect *find(const wcut_locality *at, wcut_effect_kind kind) {
@@ -139,6 +140,16 @@ wcut_local_law wcut_local_law_eval(const wcut_locality *at, const wcut_block *bl
     out.by_speed = out.force * ((exponent + m) / speed - b * q.by_speed);
     out.by_log_rate = -out.force * b * q.by_log_rate;
     out.by_position = vec3_scale(out.force, vec3_add_scaled(f.by_position, -b, q.by_position));
+
+    /* what the dictionary multiplies it by */
+    wcut_term_factor term;
+    const wcut_term_node node = {block, x, n, i, rate, speed, q.value, q.by_speed, q.by_log_rate, q.by_position};
+    if (!wcut_term_factor_eval(at, &node, &term)) return out;
+    const double plain = out.force;
+    out.force *= term.value;
+    out.by_speed = out.by_speed * term.value + plain * term.by_speed;
+    out.by_log_rate = out.by_log_rate * term.value + plain * term.by_log_rate;
+    out.by_position = vec3_add_scaled(vec3_scale(term.value, out.by_position), plain, term.by_position);
     return out;
 }
 
@@ -146,9 +157,14 @@ wcut_node_state wcut_node_state_after(const wcut_locality *at, double heat, doub
                                       int n, int i) {
     wcut_node_state state = {.set = true, .way = at->state[i].way + inside * speed / rate};
     const wcut_effect *lag = find(at, WCUT_EFFECT_WIRE_THERMAL_LAG);
-    if (!lag) return state;
-    const power q = supply(at, heat, rate, n, i);
+    power q = supply(at, heat, rate, n, i);
+    if (!lag) {
+        wcut_term_remember(at, rate, speed, q.value, i, state.held);
+        return state;
+    }
     const thermal t = cool(lag, &at->state[i], q.value, rate, speed);
+    delay(lag, &at->state[i], rate, speed, &q);
+    wcut_term_remember(at, rate, speed, q.value, i, state.held);
     state.theta = t.theta, state.steady = t.steady, state.loss = t.loss;
     return state;
 }

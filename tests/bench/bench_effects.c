@@ -24,11 +24,12 @@ static int effect_of(const json_t *answer, wcut_effect *effect) {
     const json_t *parameters = json_object_get(answer, "parameters");
     if (wcut_effect_locate(json_string_value(json_object_get(answer, "name")), &kind) != WCUT_OK) return 0;
     const wcut_effect_info *info = wcut_effect_view(kind);
-    *effect = wcut_effect_default(kind);
     const char *choice = info->choice_key ? json_string_value(json_object_get(parameters, info->choice_key)) : NULL;
+    int chosen = 0;
     for (int k = 0; choice && info->choice[k]; k++)
-        if (strcmp(choice, info->choice[k]) == 0) effect->choice = k;
-    for (const wcut_effect_parameter *p = info->parameter; p->key; p++) {
+        if (strcmp(choice, info->choice[k]) == 0) chosen = k;
+    *effect = wcut_effect_choose(kind, chosen);
+    for (const wcut_effect_parameter *p = wcut_effect_parameters(effect); p->key; p++) {
         const json_t *value = json_object_get(parameters, p->key);
         for (int c = 0; value && c < p->size; c++)
             effect->value[p->at + c] = json_number_value(p->size > 1 ? json_array_get(value, (size_t)c) : value);

@@ -178,7 +178,7 @@ static void draw_label(const wcut_effect *e, double y) {
     char words[200] = "";
     size_t used = 0;
     if (info->choice_key) used += (size_t)snprintf(words, sizeof words, "%s ", info->choice[e->choice]);
-    for (const wcut_effect_parameter *p = info->parameter; p->key && p->at < 2; p++)
+    for (const wcut_effect_parameter *p = wcut_effect_parameters(e); p->key && p->at < 2; p++)
         used += (size_t)snprintf(words + used, sizeof words - used, "%s%.4g", p->at ? ", " : "", e->value[p->at]);
     printf("<text class=\"n\" x=\"12\" y=\"%g\">%s</text><text class=\"p\" x=\"12\" y=\"%g\">%s</text>\n", y + 24,
            info->name, y + 38, words);
@@ -193,6 +193,8 @@ static wcut_effect typical(wcut_effect_kind kind) {
                  {WCUT_EFFECT_AIR_OVERHEATING, 0, {1.6, 1.5}},
                  {WCUT_EFFECT_END_COOLING, 0, {0.25, 100}},
                  {WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0, {0.3}},
+                 {WCUT_EFFECT_EMPIRICAL_FORCE, 4, {0.2, 0, 80}}, /* wave_y */
+                 {WCUT_EFFECT_EMPIRICAL_READING, 0, {0.3, 0, -1e6, 1e6}},
                  {WCUT_EFFECT_FOAM_INCLUSION, 0, {0.3, 50, 130, 300, 150}},
                  {WCUT_EFFECT_TANGENTIAL_DRAG, 0, {0.3, 0.3}},
                  {WCUT_EFFECT_WIRE_ELONGATION, 0, {0.004, 0.8, 1.4}},
@@ -243,7 +245,7 @@ int main(void) {
         wcut_effect e = typical((wcut_effect_kind)k);
         job->effect = &e, job->effect_count = 1;
         with = plain;
-        if (wcut_effect_view(e.kind)->place == WCUT_EFFECT_PLACE_STEP) {
+        if (wcut_effect_view(e.kind)->place == WCUT_EFFECT_STEP) {
             run_forward(job, &with);
             run_driven(job, &plain, &with);
         }

@@ -3,6 +3,7 @@
 #include "base/random.h"
 #include "cut/cuts.h"
 #include "cut/system.h"
+#include "foam/empirical.h"
 
 static void give(wcut_job *job, int count, const wcut_effect *effect) {
     wcut_free(job->effect);
@@ -118,6 +119,54 @@ START_TEST(the_steady_force_is_the_plain_one_so_speed_answers_every_change_of_th
     e = sized(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.4); /* nothing changes any more: no lag */
     ck_assert_double_eq_tol(last_speed(job, 1, &e), v, 1e-6 * v);
     wcut_job_destroy(job);
+}
+END_TEST
+
+static wcut_effect term_of(wcut_term term, double c, double shape0, double shape1) {
+    wcut_effect e = wcut_effect_choose(WCUT_EFFECT_EMPIRICAL_FORCE, term);
+    e.value[0] = c, e.value[WCUT_TERM_SHAPE] = shape0;
+    if (shape1 != 0) e.value[WCUT_TERM_SHAPE + 1] = shape1;
+    return e;
+}
+
+START_TEST(under_empirical_terms_the_steady_speed_answers_their_sum) {
+    wcut_job *job = steady_job();
+    const double a = job->force_law.a, bq = job->force_law.b * job->heat * 1000, v = last_speed(job, 0, NULL);
+    const double force = a * exp(-bq / v);
+    wcut_effect e[3] = {term_of(WCUT_TERM_LOG_SPEED, 0.3, 10, 0), term_of(WCUT_TERM_ORDER, 0.02, 5, 0),
+                        term_of(WCUT_TERM_HEAT_INVERSE, 0.1, 3000, 0)};
+    const double now = last_speed(job, 3, e);
+    const double factor = 1 + 0.3 * log(now / 10) + 0.1 + 0.1 * (3000 * now / (1000 * job->heat) - 1);
+    ck_assert_double_eq_tol(a * exp(-bq / now) * factor, force, 1e-8 * force);
+
+    /* all nodes move along y; what time and memory did has run out */
+    e[0] = term_of(WCUT_TERM_DIRECTION_Y, -0.2, 2, 0), e[1] = term_of(WCUT_TERM_SPEED_MEMORY, 0.5, 0.2, 0);
+    e[2] = term_of(WCUT_TERM_WINDOW, 0.4, 0.5, 1.5);
+    const double less = last_speed(job, 3, e);
+    ck_assert_double_eq_tol(0.8 * a * exp(-bq / less), force, 1e-6 * force);
+    wcut_job_destroy(job);
+}
+END_TEST
+
+START_TEST(a_wave_in_the_block_stands_at_its_place_however_the_path_is_stepped) {
+    /* crests of the force along the feed: the held tension turns them into troughs of the speed, one wavelength apart */
+    const double wavelength = 80;
+    double trough[2][2];
+    for (int fine = 0; fine < 2; fine++) {
+        wcut_job *job = straight_job(400, 0, 450, 41, fine ? 301 : 151, 150, 450);
+        wcut_effect e = term_of(WCUT_TERM_WAVE_Y, 0.3, wavelength, 0);
+        give(job, 1, &e);
+        wcut_history *h = run_of(job);
+        int found = 0;
+        for (int j = h->stations / 4; j < h->stations - 1 && found < 2; j++)
+            if (h->row[j].speed_a < h->row[j - 1].speed_a && h->row[j].speed_a < h->row[j + 1].speed_a)
+                trough[fine][found++] = nodes_at(h, j)[0].y;
+        ck_assert_int_eq(found, 2);
+        ck_assert_double_eq_tol(trough[fine][1] - trough[fine][0], wavelength, fine ? 2 : 4);
+        wcut_history_destroy(h);
+        wcut_job_destroy(job);
+    }
+    ck_assert_double_eq_tol(trough[0][0], trough[1][0], 4);
 }
 END_TEST
 
@@ -427,14 +476,20 @@ START_TEST(names_are_found_and_unknown_ones_are_not) {
         const wcut_effect_info *info = wcut_effect_view((wcut_effect_kind)k);
         ck_assert_int_eq(wcut_effect_locate(info->name, &kind), WCUT_OK);
         ck_assert_int_eq(kind, k);
-        int used = 0;
-        for (const wcut_effect_parameter *p = info->parameter; p->key; p++) {
-            ck_assert_int_eq(p->at, used);
-            used += p->size;
-            ck_assert(p->least <= p->low && p->low < p->high && p->high <= p->most);
-            ck_assert(p->initial >= p->least && p->initial <= p->most);
+        for (int choice = 0; choice == 0 || (info->choice && info->choice[choice]); choice++) {
+            const wcut_effect e = wcut_effect_choose((wcut_effect_kind)k, choice);
+            int used = 0;
+            for (const wcut_effect_parameter *p = wcut_effect_parameters(&e); p->key; p++) {
+                ck_assert_int_ge(p->at, used);
+                used = p->at + p->size;
+                ck_assert(p->least <= p->low && p->low < p->high && p->high <= p->most);
+                ck_assert(p->initial >= p->least && p->initial <= p->most);
+                for (int c = 0; c < p->size; c++) ck_assert_double_eq(e.value[p->at + c], p->initial);
+            }
+            ck_assert_int_le(used, WCUT_EFFECT_VALUES);
         }
-        ck_assert_int_le(used, WCUT_EFFECT_VALUES);
+        const wcut_effect none = {.kind = (wcut_effect_kind)k, .choice = 99};
+        ck_assert_ptr_null(wcut_effect_parameters(&none));
     }
     kind = WCUT_EFFECT_COUNT;
     ck_assert_int_eq(wcut_effect_locate("gravity", &kind), WCUT_NOT_FOUND);
@@ -450,6 +505,8 @@ int main(void) {
     tcase_add_test(tcase, at_its_neutral_value_each_is_the_plain_model_bit_for_bit_and_near_it_near_the_plain_model);
     tcase_add_test(tcase, instrument_effects_change_no_physics);
     tcase_add_test(tcase, the_steady_force_is_the_plain_one_so_speed_answers_every_change_of_the_law);
+    tcase_add_test(tcase, under_empirical_terms_the_steady_speed_answers_their_sum);
+    tcase_add_test(tcase, a_wave_in_the_block_stands_at_its_place_however_the_path_is_stepped);
     tcase_add_test(tcase, a_gradient_is_a_linear_map_of_the_force_along_the_wire);
     tcase_add_test(tcase, after_a_heater_step_the_tension_follows_one_exponential_of_the_time_constant);
     tcase_add_test(tcase, drag_adds_mu_times_what_presses_to_the_difference_of_the_tensions);

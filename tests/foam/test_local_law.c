@@ -5,6 +5,7 @@
 
 #include "base/numbers.h"
 #include "base/random.h"
+#include "foam/empirical.h"
 #include "foam/local_law.h"
 #include "foam/resistance.h"
 
@@ -25,7 +26,8 @@ static wcut_effect effect_of(wcut_effect_kind kind, double a, double b, int choi
 }
 
 static wcut_locality locality(int count, const wcut_effect *e) {
-    return (wcut_locality){.count = count, .effect = e, .state = state, .edge = edge, .age = 0.3};
+    return (wcut_locality){
+        .count = count, .effect = e, .state = state, .edge = edge, .age = 0.3, .clock = 12, .was = was};
 }
 
 static double plain_law(double q, double v) { return law.a * exp(-law.b * q * 1000 / v); }
@@ -158,8 +160,8 @@ static void given_a_moving_wire(wcut_random *random) {
                     150 + 2 * wcut_random_uniform(random));
         was[i] = vec3_sub(x[i], vec3(wcut_random_uniform(random) - 0.5, 3 + 2 * wcut_random_uniform(random),
                                      wcut_random_uniform(random) - 0.5));
-        state[i] = (wcut_node_state){true, 40, 280 + 60 * wcut_random_uniform(random),
-                                     280 + 60 * wcut_random_uniform(random), 0.2};
+        state[i] = (wcut_node_state){
+            true, 40, 280 + 60 * wcut_random_uniform(random), 280 + 60 * wcut_random_uniform(random), 0.2, {2.2, 4}};
     }
 }
 
@@ -183,17 +185,11 @@ static double difference(wcut_vec3 high, wcut_vec3 low, double h, mat3 given, in
     return vec3_distance(d, vec3(column[0], column[1], column[2]));
 }
 
-START_TEST(all_effects_at_once_have_exact_derivatives) {
-    wcut_effect e[9] = {
-        effect_of(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0.8, 0, 1),  effect_of(WCUT_EFFECT_FOAM_INCLUSION, 0.7, 20, 0),
-        effect_of(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, -0.8, 0, 2), effect_of(WCUT_EFFECT_RATE_DEPENDENCE, -0.3, 0, 0),
-        effect_of(WCUT_EFFECT_WIRE_FOULING, 0.3, 0, 1),           effect_of(WCUT_EFFECT_END_COOLING, 0.4, 9, 0),
-        effect_of(WCUT_EFFECT_AIR_OVERHEATING, 1.5, 0.7, 0),      effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.3, 0, 0),
-        effect_of(WCUT_EFFECT_TANGENTIAL_DRAG, 0.5, 2, 0)};
-    e[1].value[2] = 195, e[1].value[3] = 10, e[1].value[4] = 140;
-    const wcut_locality l = locality(9, e);
+/* largest error of the force's derivatives under some effects, over random short wires */
+static double worst_derivative(int count, const wcut_effect *e, unsigned seed) {
+    const wcut_locality l = locality(count, e);
     const wcut_foam foam = {.law = law, .block = {.size = {400, 600, 300}, .depth = 3}, .local = &l};
-    wcut_random random = wcut_random_seed(3);
+    wcut_random random = wcut_random_seed(seed);
     double worst = 0;
     for (int trial = 0; trial < 60; trial++) {
         given_a_moving_wire(&random);
@@ -212,15 +208,125 @@ START_TEST(all_effects_at_once_have_exact_derivatives) {
                     *component = at - h;
                     const wcut_vec3 low = force_at(&foam, log_rate, i);
                     *component = at;
-                    worst = fmax(worst, difference(high, low, h,
-                                                   k < i   ? r.by_before
-                                                   : k > i ? r.by_after
-                                                           : r.by_here,
-                                                   c));
+                    const mat3 given = k < i ? r.by_before : k > i ? r.by_after : r.by_here;
+                    worst = fmax(worst, difference(high, low, h, given, c));
                 }
         }
     }
-    ck_assert_double_lt(worst, 1e-7);
+    return worst;
+}
+
+START_TEST(all_effects_at_once_have_exact_derivatives) {
+    const wcut_effect e[9] = {
+        effect_of(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0.8, 0, 1),  effect_of(WCUT_EFFECT_FOAM_INCLUSION, 0.7, 20, 0),
+        effect_of(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, -0.8, 0, 2), effect_of(WCUT_EFFECT_RATE_DEPENDENCE, -0.3, 0, 0),
+        effect_of(WCUT_EFFECT_WIRE_FOULING, 0.3, 0, 1),           effect_of(WCUT_EFFECT_END_COOLING, 0.4, 9, 0),
+        effect_of(WCUT_EFFECT_AIR_OVERHEATING, 1.5, 0.7, 0),      effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.3, 0, 0),
+        effect_of(WCUT_EFFECT_TANGENTIAL_DRAG, 0.5, 2, 0)};
+    wcut_effect given[9];
+    for (int k = 0; k < 9; k++) given[k] = e[k];
+    given[1].value[2] = 195, given[1].value[3] = 10, given[1].value[4] = 140;
+    ck_assert_double_lt(worst_derivative(9, given, 3), 1e-7);
+}
+END_TEST
+
+/* ---- empirical terms ---- */
+
+static wcut_effect term_of(wcut_term term, double c, double shape0, double shape1, double shape2) {
+    wcut_effect e = wcut_effect_choose(WCUT_EFFECT_EMPIRICAL_FORCE, term);
+    const double shape[3] = {shape0, shape1, shape2};
+    e.value[0] = c;
+    for (int k = 0; k < 3; k++)
+        if (shape[k] != 0) e.value[WCUT_TERM_SHAPE + k] = shape[k];
+    return e;
+}
+
+static double factor_of(wcut_effect e, double speed, wcut_vec3 at, int i) {
+    return law_of(e, speed, at, i) / plain_law(heat, speed);
+}
+
+START_TEST(every_empirical_term_is_its_formula) {
+    const wcut_vec3 at = vec3(100, 450, 30);
+    for (int i = 0; i < N; i++) was[i] = vec3(100 + 5 * i, 447, 26), state[i] = (wcut_node_state){0};
+    was[2] = vec3(100, 447, 26); /* moved by (0, 3, 4) */
+    const double q = 1000 * heat / 20;
+    const struct {
+        wcut_effect effect;
+        double phi;
+    } given[] = {{term_of(WCUT_TERM_POSITION_X, 0.2, 1, 0, 0), -0.5},
+                 {term_of(WCUT_TERM_POSITION_Y, 0.2, 2, 0, 0), (3 * 0.25 - 1) / 2},
+                 {term_of(WCUT_TERM_POSITION_Z, 0.2, 3, 0, 0), (5 * -0.512 + 3 * 0.8) / 2},
+                 {term_of(WCUT_TERM_POSITION_Y, 0.2, 4, 0, 0), (35 * 0.0625 - 30 * 0.25 + 3) / 8},
+                 {term_of(WCUT_TERM_WAVE_Y, 0.2, 72, 0, 0), sin(2 * WCUT_PI * 450 / 72)},
+                 {term_of(WCUT_TERM_BAND_Y, 0.2, 400, 500, 5), 1},
+                 {term_of(WCUT_TERM_BAND_X, 0.2, 100, 500, 5), 0.5},
+                 {term_of(WCUT_TERM_DIRECTION_Z, 0.2, 1, 0, 0), 0.8},
+                 {term_of(WCUT_TERM_DIRECTION_Z, 0.2, 2, 0, 0), 2 * 0.64 - 1},
+                 {term_of(WCUT_TERM_HEAT_STEP, 0.2, q, 200, 0), 0.5},
+                 {term_of(WCUT_TERM_HEAT_HINGE, 0.2, q / 2, 10, 0), 1},
+                 {term_of(WCUT_TERM_HEAT_INVERSE, 0.2, 2 * q, 0, 0), 1},
+                 {term_of(WCUT_TERM_LOG_SPEED, 0.2, 10, 0, 0), log(2)},
+                 {term_of(WCUT_TERM_ENTRY, 0.2, 2, 0, 0), exp(-0.25)},
+                 {term_of(WCUT_TERM_CLOCK, 0.2, 30, 0, 0), 0.422},
+                 {term_of(WCUT_TERM_ORDER, 0.2, 3, 0, 0), 3},
+                 {term_of(WCUT_TERM_WINDOW, 0.2, 12.2, 40, 0.2), 0.5},
+                 {term_of(WCUT_TERM_WINDOW, 0.2, 20, 40, 0.2), 0}};
+    for (size_t k = 0; k < sizeof given / sizeof *given; k++) {
+        const double factor = factor_of(given[k].effect, 20, at, 2);
+        const char *name = wcut_term_name[given[k].effect.choice];
+        const double s = 0.2 * given[k].phi, expected = s > -0.5 ? 1 + s : exp(2 * s + 1) / 2;
+        ck_assert_msg(fabs(factor - expected) < 1e-8, "%s: %.15g for %.15g", name, factor, expected);
+    }
+    wcut_effect wave = term_of(WCUT_TERM_WAVE_Z, 0, 72, 0, 0);
+    wave.value[WCUT_TERM_COSINE] = 0.3;
+    ck_assert_double_eq_tol(factor_of(wave, 20, at, 2), 1 + 0.3 * cos(2 * WCUT_PI * 30 / 72), 1e-12);
+    state[2].way = 300;
+    ck_assert_double_eq_tol(factor_of(term_of(WCUT_TERM_WAY, 0.2, 1000, 200, 0), 20, at, 2), 1.1, 1e-12);
+    /* three nodes on a circle of radius 50 */
+    for (int i = 0; i < N; i++) was[i] = vec3(50 * cos(0.1 * i), 50 * sin(0.1 * i), 0);
+    ck_assert_double_eq_tol(factor_of(term_of(WCUT_TERM_CURVATURE, 0.2, 100, 0, 0), 20, at, 2), 1.4, 1e-10);
+    /* however large, a force does not pull */
+    const double deep = factor_of(term_of(WCUT_TERM_POSITION_X, 10, 1, 0, 0), 20, at, 2);
+    ck_assert(deep > 0 && deep < 1e-3);
+}
+END_TEST
+
+START_TEST(a_memory_runs_out_as_one_exponential_however_it_is_stepped) {
+    const wcut_effect e = term_of(WCUT_TERM_SPEED_MEMORY, 0.2, 1.5, 0, 0);
+    wcut_locality l = locality(1, &e);
+    for (int steps = 1; steps <= 64; steps *= 4) {
+        state[1] = (wcut_node_state){0};
+        state[1] = wcut_node_state_after(&l, heat, 10, 10, 1, N, 1);
+        double factor = 1;
+        for (int k = 0; k < steps; k++) {
+            factor =
+                wcut_local_law_eval(&l, &block, &law, heat, steps / 0.9, 20, N, x[1], 1).force / plain_law(heat, 20);
+            state[1] = wcut_node_state_after(&l, heat, steps / 0.9, 20, 1, N, 1);
+        }
+        ck_assert_double_eq_tol(factor, 1 + 0.2 * log(0.5) * exp(-0.6), 1e-12);
+    }
+}
+END_TEST
+
+START_TEST(every_empirical_term_has_exact_derivatives) {
+    const wcut_effect lag = effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.3, 0, 0);
+    for (int term = 0; term < WCUT_TERM_COUNT; term++) {
+        wcut_effect e[2] = {wcut_effect_choose(WCUT_EFFECT_EMPIRICAL_FORCE, term), lag};
+        e[0].value[0] = 0.4;
+        if (term >= WCUT_TERM_WAVE_X && term <= WCUT_TERM_WAVE_Z) e[0].value[1] = -0.3, e[0].value[2] = 20;
+        if (term >= WCUT_TERM_BAND_X && term <= WCUT_TERM_BAND_Z)
+            e[0].value[2] = term == WCUT_TERM_BAND_X ? 198 : term == WCUT_TERM_BAND_Y ? 2 : 151, e[0].value[3] = 300;
+        if (term == WCUT_TERM_HEAT_STEP || term == WCUT_TERM_HEAT_HINGE) e[0].value[2] = 3000, e[0].value[3] = 2000;
+        if (term == WCUT_TERM_WINDOW) e[0].value[2] = 12.1, e[0].value[3] = 14;
+        for (int with_lag = 0; with_lag < 2; with_lag++) {
+            const double worst = worst_derivative(1 + with_lag, e, 5);
+            ck_assert_msg(worst < 1e-7, "%s: %g", wcut_term_name[term], worst);
+        }
+    }
+    const wcut_effect deep[3] = {term_of(WCUT_TERM_LOG_SPEED, -1, 10, 0, 0),
+                                 term_of(WCUT_TERM_DIRECTION_Y, -0.4, 2, 0, 0),
+                                 term_of(WCUT_TERM_HEAT_MEMORY, 2, 1.5, 0, 0)};
+    ck_assert_double_lt(worst_derivative(3, deep, 7), 1e-7);
 }
 END_TEST
 
@@ -234,6 +340,9 @@ int main(void) {
     tcase_add_test(tcase, an_even_change_of_heat_is_followed_exactly_behind_by_the_time_constant);
     tcase_add_test(tcase, drag_pulls_back_along_the_wire_by_mu_times_what_presses);
     tcase_add_test(tcase, all_effects_at_once_have_exact_derivatives);
+    tcase_add_test(tcase, every_empirical_term_is_its_formula);
+    tcase_add_test(tcase, a_memory_runs_out_as_one_exponential_however_it_is_stepped);
+    tcase_add_test(tcase, every_empirical_term_has_exact_derivatives);
     suite_add_tcase(suite, tcase);
     SRunner *runner = srunner_create(suite);
     srunner_run_all(runner, CK_ENV);

@@ -77,10 +77,9 @@ START_TEST(every_effect_comes_back_to_the_last_bit) {
     job->effect_count = WCUT_EFFECT_COUNT;
     for (int k = 0; k < WCUT_EFFECT_COUNT; k++) {
         const wcut_effect_info *info = wcut_effect_view((wcut_effect_kind)k);
-        job->effect[k] = wcut_effect_default((wcut_effect_kind)k);
-        for (const wcut_effect_parameter *p = info->parameter; p->key; p++)
+        job->effect[k] = wcut_effect_choose((wcut_effect_kind)k, info->choice_key ? 1 : 0);
+        for (const wcut_effect_parameter *p = wcut_effect_parameters(&job->effect[k]); p->key; p++)
             for (int c = 0; c < p->size; c++) job->effect[k].value[p->at + c] = p->low + (p->high - p->low) / (3 + c);
-        job->effect[k].choice = info->choice_key ? 1 : 0;
     }
     write_and_read();
     ck_assert_int_eq(again->effect_count, WCUT_EFFECT_COUNT);
@@ -90,6 +89,25 @@ START_TEST(every_effect_comes_back_to_the_last_bit) {
         same(again->effect[k].value, job->effect[k].value, sizeof job->effect[k].value);
     }
     forget();
+}
+END_TEST
+
+START_TEST(every_empirical_term_comes_back_with_its_own_parameters) {
+    const wcut_effect_info *info = wcut_effect_view(WCUT_EFFECT_EMPIRICAL_FORCE);
+    for (int term = 0; info->choice[term]; term++) {
+        given_job(given_path_job);
+        free(job->effect);
+        job->effect = wcut_alloc(1, sizeof *job->effect);
+        ck_assert_ptr_nonnull(job->effect);
+        job->effect_count = 1;
+        job->effect[0] = wcut_effect_choose(WCUT_EFFECT_EMPIRICAL_FORCE, term);
+        for (const wcut_effect_parameter *p = wcut_effect_parameters(job->effect); p->key; p++)
+            job->effect[0].value[p->at] = p->low + (p->high - p->low) / 3;
+        write_and_read();
+        ck_assert_int_eq(again->effect[0].choice, term);
+        same(again->effect[0].value, job->effect[0].value, sizeof job->effect[0].value);
+        forget();
+    }
 }
 END_TEST
 
@@ -196,6 +214,7 @@ int main(void) {
     const TTest *const test[] = {a_path_job_comes_back_to_the_last_bit,
                                  a_design_job_comes_back_to_the_last_bit,
                                  every_effect_comes_back_to_the_last_bit,
+                                 every_empirical_term_comes_back_with_its_own_parameters,
                                  an_effect_that_the_reader_would_refuse_is_not_written,
                                  numbers_are_the_shortest_and_know_no_locale,
                                  hostile_names_come_back_as_they_are,

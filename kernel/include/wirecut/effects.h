@@ -24,12 +24,14 @@ extern "C" {
     X(MOUNT_COMPLIANCE, "mount_compliance", STEP)           \
     X(RATE_DEPENDENCE, "rate_dependence", STEP)             \
     X(WIRE_FOULING, "wire_fouling", STEP)                   \
+    X(EMPIRICAL_FORCE, "empirical_force", STEP)             \
     X(KERF_GROWTH, "kerf_growth", FACE)                     \
     X(BLOCK_SPRINGBACK, "block_springback", FACE)           \
     X(ANGLE_OFFSET, "angle_offset", SENSOR)                 \
     X(TENSION_GAIN, "tension_gain", SENSOR)                 \
     X(TENSION_DRIFT, "tension_drift", SENSOR)               \
     X(CLOCK_OFFSET, "clock_offset", SENSOR)                 \
+    X(EMPIRICAL_READING, "empirical_reading", SENSOR)       \
     X(SCAN_OFFSET, "scan_offset", SCAN)                     \
     X(SCAN_SCALE, "scan_scale", SCAN)
 
@@ -75,7 +77,7 @@ typedef struct wcut_effect_info {
     double neutral;                         /**< at which all of them give the plain model back, bit for bit */
     bool repeats;                           /**< a job may have several of them */
     bool needs_mounts;                      /**< path mode only */
-    const wcut_effect_parameter *parameter; /**< the required ones first */
+    const wcut_effect_parameter *parameter; /**< of the first choice, the required ones first */
 } wcut_effect_info;
 
 /** What is known of a kind of effect, borrowed; NULL outside the enum. */
@@ -92,6 +94,12 @@ WCUT_API wcut_status wcut_effect_locate(const char *name, wcut_effect_kind *kind
 
 /** An effect of a kind at its neutral size, its other parameters at their initial values (first choice). */
 WCUT_API wcut_effect wcut_effect_default(wcut_effect_kind kind);
+
+/** The same of another choice, 0 .. the number of choices - 1: its own parameters at their initial values. */
+WCUT_API wcut_effect wcut_effect_choose(wcut_effect_kind kind, int choice);
+
+/** The parameters of an effect's kind and choice, ended by a NULL key; NULL for a kind or choice that is none. */
+WCUT_API const wcut_effect_parameter *wcut_effect_parameters(const wcut_effect *effect);
 
 /** Whether an effect has its neutral size, so that it changes nothing. */
 WCUT_API bool wcut_effect_is_neutral(const wcut_effect *effect);
