@@ -180,7 +180,13 @@ wcut_status wcut_registration_solve_datum(int pairs, const wcut_datum_pair *pair
     r.points = count;
     r.rms_before = sqrt(before.plain / before.used);
     wcut_motion motion = start(&d, &o, pivot);
-    const wcut_register_problem problem = {residuals, &d, &o, length, known ? 1 : o.noise, 1, o.max_iterations};
+    const wcut_register_problem problem = {.model = residuals,
+                                           .data = &d,
+                                           .options = &o,
+                                           .length = length,
+                                           .noise = known ? 1 : o.noise,
+                                           .consistency = 1,
+                                           .max_iterations = o.max_iterations};
     if (status == WCUT_OK) status = wcut_register_solve(&problem, &motion, &r);
     if (status != WCUT_OK && status != WCUT_NOT_CONVERGED)
         return wcut_fail(error, status,

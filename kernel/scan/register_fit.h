@@ -21,9 +21,10 @@ typedef struct wcut_register_cloud {
     double keep;
     wcut_vec3 *point;  /* count, the scan's */
     wcut_vec3 *moved;  /* count */
-    wcut_vec3 *normal; /* count, of the face at the foot; 0 where the point does not count */
+    wcut_vec3 *normal; /* count, of the face at the foot; 0 where it has none */
     wcut_vec3 *at;     /* count, the foot */
     void *foot;        /* count wcut_foot, or wcut_mesh_foot */
+    double *weight;    /* count, of the last wcut_register_distances: 0 .. 1 */
     double *square;    /* count */
 } wcut_register_cloud;
 
@@ -32,8 +33,13 @@ wcut_status wcut_register_sample(wcut_register_face face, int count, const wcut_
                                  int threads, wcut_register_cloud *cloud);
 void wcut_register_sample_clear(wcut_register_cloud *cloud);
 
-/* a wcut_register_model of distances along the surface's normal, trimmed; data is a wcut_register_cloud */
+/* A wcut_register_model of distances along the surface's normal; data is a wcut_register_cloud. The share kept sets a
+   limit; weights fall from 1 to 0 about it, and beyond a border with the way beyond it, so that no point comes or goes
+   at once. */
 wcut_status wcut_register_distances(void *data, const wcut_motion *motion, wcut_register_sums *sums);
+
+/* a wcut_register_cost of the same: feet, normals and weights of the last call */
+double wcut_register_held(const void *data, const wcut_motion *motion);
 
 /* [mm] RMS of the share kept of the closest distances at a motion, the surface's border included */
 wcut_status wcut_register_closeness(wcut_register_cloud *cloud, const wcut_motion *motion, double *rms);

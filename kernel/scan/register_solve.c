@@ -1,6 +1,7 @@
 /* Least squares for a rigid motion: damped Gauss-Newton steps in the directions that data and priors determine. */
 #include "scan/register_solve.h"
 
+#include <stdbool.h>
 #include <string.h>
 
 #include "base/numbers.h"
@@ -10,7 +11,8 @@ enum { N = WCUT_DOF_COUNT, SETTLED = 20 };
 
 static const double MIXED = 0.01; /* [1] share of an undetermined direction in a parameter that leaves it determined */
 static const double DAMPED_MOST = 1e9;
-static const double RISE = 1e-6; /* [1] of the cost, that points coming and going may cause in a step */
+static const double ROUNDING = 1e-12;      /* [1] of the cost, a rise that is not one */
+static const double SHARE_OF_ERROR = 0.01; /* [1] a step of this share of the standard error changes no answer */
 
 /* the problem in the variables y = (t, length w), those that are not locked */
 typedef struct normal {
@@ -144,30 +146,82 @@ static double step_of(const normal *n, double variance, double damping, double *
 static double variance_of(const wcut_register_problem *p, const wcut_register_sums *s, int rank) {
     const double floor = 1e-13 * p->length;
     if (p->noise > 0) return p->noise * p->noise;
-    const int over = s->used > rank ? s->used - rank : 1;
+    const double over = s->used > rank ? s->weight * (s->used - rank) / s->used : s->weight / s->used;
     return fmax(s->square / over / p->consistency, floor * floor);
+}
+
+/* [mm] RMS over the points: the standard error of where the motion puts them, in the determined directions */
+static double error_of(const wcut_register_problem *p, const normal *n, double variance) {
+    double a[N * N], zero[N] = {0}, x[N], inverse[N * N], sum = 0;
+    reduce(n, p->consistency / variance, a);
+    if (!wcut_symmetric_solve(n->rank, a, zero, x, inverse)) return INFINITY;
+    for (int k = 0; k < n->rank; k++) sum += inverse[k * n->rank + k];
+    return sqrt(sum);
+}
+
+/* [mm] a step below this one is none */
+static double settled_step(const wcut_register_problem *p, const normal *n, double variance) {
+    const double error = p->held ? error_of(p, n, variance) : 0;
+    return isfinite(error) ? fmax(p->options->tolerance, SHARE_OF_ERROR * error) : p->options->tolerance;
+}
+
+/* the cost at a trial: of the residuals held, or of those that the model gives there; INFINITY where it gives too few */
+static wcut_status cost_at(const wcut_register_problem *p, const wcut_motion *trial, double weight,
+                           wcut_register_sums *there, double *square) {
+    if (p->held) {
+        *square = p->held(p->data, trial);
+        return WCUT_OK;
+    }
+    const wcut_status status = p->model(p->data, trial, there);
+    *square = status == WCUT_OK ? there->square / there->weight * weight : INFINITY;
+    return status == WCUT_DEGENERATE ? WCUT_OK : status;
+}
+
+/* Take a trial that lowers the cost: residuals are chosen anew there. Where too few are left, those of the motion before
+   are chosen again and the trial is not taken. */
+static wcut_status accept(const wcut_register_problem *p, const wcut_motion *trial, wcut_motion *motion,
+                          wcut_register_sums *there, bool *accepted) {
+    wcut_status status = WCUT_OK;
+    if (p->held) {
+        *there = (wcut_register_sums){.weight = 0};
+        status = p->model(p->data, trial, there);
+    }
+    *accepted = status == WCUT_OK;
+    if (status == WCUT_DEGENERATE) {
+        wcut_register_sums again = {.weight = 0};
+        status = p->model(p->data, motion, &again);
+    }
+    if (*accepted) *motion = *trial;
+    return status;
 }
 
 /* one accepted step from motion, or none: how far points moved, INFINITY where no step of any length was better */
 static wcut_status advance(const wcut_register_problem *p, const normal *n, double variance, double *damping,
-                           wcut_motion *motion, wcut_register_sums *sums, double *moved) {
-    const double weight = sums->weight;
+                           wcut_motion *motion, wcut_register_sums *sums, double settled, double *moved) {
     const double cost = sums->square / variance + prior_cost(p->options, motion->x);
     for (; *damping < DAMPED_MOST; *damping = fmax(1e-3, 10 * *damping)) {
-        double y[N] = {0}, x[N];
+        double y[N] = {0}, x[N], square = 0;
         *moved = step_of(n, variance, *damping, y);
-        if (*moved <= p->options->tolerance && *damping > 1) break; /* small only for its damping */
-        if (*moved <= p->options->tolerance) return WCUT_OK;
+
+        /* small, and not only for its damping */
+        if (*moved <= settled && *damping > 1) break;
+        if (*moved <= settled) return WCUT_OK;
         if (!isfinite(*moved)) continue;
+
+        /* the cost at the end of the step, of the same residuals */
         memcpy(x, motion->x, sizeof x);
         for (int i = 0; i < n->m; i++) x[n->index[i]] += y[i] * scale_of(p, n->index[i]);
         const wcut_motion trial = wcut_motion_of(motion->pivot, x);
         wcut_register_sums there = {.weight = 0};
-        const wcut_status status = p->model(p->data, &trial, &there);
-        if (status != WCUT_OK && status != WCUT_DEGENERATE) return status;
-        if (status == WCUT_DEGENERATE) continue;
-        if (there.square / there.weight * weight / variance + prior_cost(p->options, x) > cost * (1 + RISE)) continue;
-        *motion = trial;
+        wcut_status status = cost_at(p, &trial, sums->weight, &there, &square);
+        if (status != WCUT_OK) return status;
+        if (!(square / variance + prior_cost(p->options, x) <= cost * (1 + ROUNDING))) continue;
+
+        /* choose the residuals of the next step there */
+        bool accepted;
+        status = accept(p, &trial, motion, &there, &accepted);
+        if (status != WCUT_OK) return status;
+        if (!accepted) continue;
         *sums = there;
         *damping = *damping > 1e-6 ? *damping / 10 : 0;
         return WCUT_OK;
@@ -214,7 +268,8 @@ static wcut_status report(const wcut_register_problem *p, const normal *n, const
     r->kept = s->used;
     r->overlap = s->overlap;
     r->noise = sqrt(variance);
-    r->rms = sqrt(s->plain / s->used);
+    r->rms = sqrt(p->held ? s->square / s->weight : s->plain / s->used);
+    r->doubt = error_of(p, n, variance);
     tell_determined(n, r);
     return tell_covariance(p, n, variance, r);
 }
@@ -231,10 +286,14 @@ wcut_status wcut_register_solve(const wcut_register_problem *p, wcut_motion *mot
     for (r.iterations = 0; status == WCUT_OK;) {
         linearise(p, &at, &sums, most, &n);
         if (n.by_data == 0) return WCUT_DEGENERATE;
-        if (r.iterations >= SETTLED) most = n.by_data; /* what is at the edge of being determined ends on one side */
+
+        /* what is at the edge of being determined ends on one side */
+        if (r.iterations >= SETTLED) most = n.by_data;
         if (r.iterations >= p->max_iterations) break;
-        status = advance(p, &n, variance_of(p, &sums, n.rank), &damping, &at, &sums, &moved);
-        converged = moved <= p->options->tolerance;
+        const double variance = variance_of(p, &sums, n.rank), settled = settled_step(p, &n, variance);
+        status = advance(p, &n, variance, &damping, &at, &sums, settled, &moved);
+        converged = moved <= settled;
+        if (isfinite(moved)) r.step = moved;
         if (converged || !isfinite(moved)) break;
         r.iterations++;
     }

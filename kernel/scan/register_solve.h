@@ -21,8 +21,12 @@ typedef struct wcut_register_sums {
 /* the residuals at a motion. WCUT_DEGENERATE: too few are left there; WCUT_NO_MEMORY */
 typedef wcut_status (*wcut_register_model)(void *data, const wcut_motion *motion, wcut_register_sums *sums);
 
+/* the cost at a trial motion with the points, feet and weights of the last call of the model: sum w r^2 */
+typedef double (*wcut_register_cost)(const void *data, const wcut_motion *trial);
+
 typedef struct wcut_register_problem {
     wcut_register_model model;
+    wcut_register_cost held; /* NULL: the model chooses the same residuals at every motion and is its own cost */
     void *data;
     const wcut_registration_options *options;
     double length;      /* [mm] RMS distance of the points from the pivot: what a turn moves them by */
@@ -48,7 +52,10 @@ static inline void register_add(wcut_register_sums *s, double weight, wcut_vec3 
 
        sum w r^2 / noise^2 + sum over priors (x_k - value_k)^2 / sigma_k^2
 
-   by damped Gauss-Newton steps. Directions that neither data nor priors determine are not moved along. registration:
+   by damped Gauss-Newton steps. Where the model chooses its residuals anew (closest points), a step lowers the cost of
+   those chosen, and the choice follows: points that come and go do not stop it. It has converged where a step moves
+   the points by less than the tolerance, or, with chosen residuals, by less than a hundredth of the motion's standard
+   error. Directions that neither data nor priors determine are not moved along. registration:
    parameters, covariance, rank and what goes with them. WCUT_OK; WCUT_NOT_CONVERGED: both hold the last step;
    WCUT_DEGENERATE, WCUT_NO_MEMORY: nothing was written. */
 wcut_status wcut_register_solve(const wcut_register_problem *problem, wcut_motion *motion,

@@ -5,6 +5,7 @@
 #include <wirecut/registration.h>
 
 #include "base/alloc.h"
+#include "base/random.h"
 #include "scan/faces.h"
 #include "scan/register_motion.h"
 #include "scan/sheets.h"
@@ -160,6 +161,63 @@ START_TEST(a_fit_to_a_mesh_tells_that_memory_ends) {
     ck_assert_int_gt(k, 15);
     ck_assert_int_eq(status, WCUT_OK);
     end();
+}
+END_TEST
+
+/* ---- noise: points that come and go at borders and creases do not stop a fit ---- */
+
+/* a box of 100 x 60 x 40 mm, open at the top where `open` */
+static void given_box(int open) {
+    static const int face[12][3] = {{0, 1, 3}, {0, 3, 2}, {4, 7, 5}, {4, 6, 7}, {0, 5, 1}, {0, 4, 5},
+                                    {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 5, 7}, {1, 7, 3}};
+    surface = plane = NULL, projection = NULL;
+    ck_assert_int_eq(wcut_mesh_create(8, open ? 10 : 12, 0, &mesh), WCUT_OK);
+    for (int k = 0; k < 8; k++) mesh->vertex[k] = vec3(k & 4 ? 100 : 0, k & 2 ? 60 : 0, k & 1 ? 40 : 0);
+    memcpy(mesh->triangle, face, 3 * (size_t)mesh->triangle_count * sizeof(int));
+    given_tree();
+}
+
+/* so many points evenly over the area, each coordinate with noise */
+static void scan_box(int count, double noise, uint64_t seed) {
+    wcut_random r = wcut_random_seed(seed);
+    double reach[12], sum = 0;
+    for (int t = 0; t < mesh->triangle_count; t++) reach[t] = sum += area_of(mesh, t);
+    for (int k = 0; k < count; k++) {
+        int t = 0;
+        for (const double at = sum * wcut_random_uniform(&r); reach[t] < at; t++) {
+        }
+        double u = wcut_random_uniform(&r), v = wcut_random_uniform(&r);
+        if (u + v > 1) u = 1 - u, v = 1 - v;
+        const wcut_vec3 *p = mesh->vertex;
+        const int *c = mesh->triangle + 3 * (size_t)t;
+        truth[k] = vec3_add(
+            p[c[0]], vec3_add(vec3_scale(u, vec3_sub(p[c[1]], p[c[0]])), vec3_scale(v, vec3_sub(p[c[2]], p[c[0]]))));
+        truth[k] = vec3_add(truth[k], vec3(noise * wcut_random_normal(&r), noise * wcut_random_normal(&r),
+                                           noise * wcut_random_normal(&r)));
+    }
+}
+
+START_TEST(noise_at_borders_and_creases_does_not_stop_a_fit) {
+    enum { POINTS = 6000 };
+    static const double x[WCUT_DOF_COUNT] = {1, -1, 1, 0.00617, 0.00617, 0}, noise[] = {0.02, 0.05, 0.2, 1};
+    const wcut_motion m = wcut_motion_of(vec3(50, 30, 20), x);
+    for (int trial = 0; trial < 16; trial++) {
+        given_box(trial % 2);
+        scan_box(POINTS, noise[trial / 4], (uint64_t)trial);
+        for (int k = 0; k < POINTS; k++) scan[k] = motion_apply(&m, truth[k]);
+        ck_assert_int_eq(fit(POINTS, NULL, 1), WCUT_OK);
+
+        /* the points come back as far as the noise lets them, and the standard error says how far that is */
+        double square = 0;
+        ck_assert_int_eq(wcut_registration_move(&found, POINTS, scan, NULL), WCUT_OK);
+        for (int k = 0; k < POINTS; k++) square += vec3_dot(vec3_sub(scan[k], truth[k]), vec3_sub(scan[k], truth[k]));
+        const double off = sqrt(square / POINTS), error = noise[trial / 4] * sqrt(6.0 / POINTS) * sqrt(3);
+        ck_assert_double_lt(off, 3 * error + 0.02 * noise[trial / 4]);
+        ck_assert_double_lt(found.step, fmax(1e-7, 0.011 * found.doubt));
+        ck_assert(found.doubt > 0.5 * error && found.doubt < 2 * error);
+        ck_assert_double_eq_tol(found.noise, noise[trial / 4], 0.1 * noise[trial / 4]);
+        end();
+    }
 }
 END_TEST
 
@@ -400,6 +458,7 @@ END_TEST
 
 int main(void) {
     const TTest *const test[] = {a_scan_comes_back_onto_a_mesh_as_far_as_the_mesh_is_the_face,
+                                 noise_at_borders_and_creases_does_not_stop_a_fit,
                                  a_fit_to_a_mesh_does_not_depend_on_threads,
                                  a_fit_to_a_mesh_refuses_what_a_fit_refuses,
                                  a_fit_to_a_mesh_tells_that_memory_ends,

@@ -45,8 +45,9 @@ typedef struct wcut_registration_options {
     /** [mm] standard deviation of a point about the surface, positive; default 0: estimated from the residuals.
         Datums that have sigmas of their own do not read it */
     double noise;
-    /** [1] fit: this share of the points over the surface, those of least distance, is used; in 0.5 .. 1, default
-        0.9 */
+    /** [1] fit: the points over the surface that are farther from it than this share of them lose their weight, from 1
+        to 0 at 0.75 to 1.25 times that distance; in 0.5 .. 1, default 0.9. Points beyond a border lose theirs on the
+        same distance. */
     double keep;
     /** fit: default 1: where all six degrees of freedom are free, also start from the sheet's centre, plane and
         turns about its normal, both sides up, and take the best; 0: start at the values */
@@ -55,7 +56,9 @@ typedef struct wcut_registration_options {
     /** [1] a direction of motion that changes the distances by less than this share of the way that points move
         (RMS) is not determined by the data; default 0.003, in 1e-6 .. 0.5 */
     double sensitivity;
-    double tolerance;   /**< [mm] stop where no point moves further in a step (RMS); default 1e-7, positive */
+    /** [mm] stop where the points move less in a step (RMS); default 1e-7, positive. A fit stops, too, where a step
+        is less than a hundredth of the motion's standard error. */
+    double tolerance;
     int max_iterations; /**< default 200, 1 or more */
 } wcut_registration_options;
 
@@ -76,6 +79,8 @@ typedef struct wcut_registration {
         started, not invented */
     int rank;
     int iterations; /**< Gauss-Newton steps */
+    double step;    /**< [mm] how far the last step moved the points (RMS) */
+    double doubt;   /**< [mm] standard error of where the motion puts the points (RMS), of independent errors */
     int points;     /**< residuals looked at: points of the scan, or 3 per pair and 1 per face point */
     int kept;       /**< of these, used in the last step */
     /** [1] share of the points that lie over the surface, not beyond its border; 1 for datums */
