@@ -1,11 +1,12 @@
 /* wirecut compare: a scan of the cut face beside the face that a job, or a mesh, says it should be. */
 #include <math.h>
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include <wirecut/angle.h>
 
-#include "angle.h"
 #include "command.h"
 #include "compare_run.h"
 #include "report_compare.h"
@@ -83,7 +84,7 @@ static const char *read_dof(const char *at, wcut_registration_options *options) 
     dof->kind = WCUT_DOF_KIND_PRIOR;
     if (k < 3) return strncmp(at, "mm", 2) == 0 ? at + 2 : at;
     if (strncmp(at, "rad", 3) == 0) return at + 3;
-    dof->sigma /= DEG_PER_RAD;
+    dof->sigma /= WCUT_DEG_PER_RAD;
     return strncmp(at, "deg", 3) == 0 ? at + 3 : at;
 }
 
@@ -222,7 +223,7 @@ static void say_registration(const wcut_registration *r) {
     char text[256] = "";
     size_t used = 0;
     for (int k = 0; k < WCUT_DOF_COUNT; k++) {
-        const double unit = k < 3 ? 1 : DEG_PER_RAD;
+        const double unit = k < 3 ? 1 : WCUT_DEG_PER_RAD;
         used += (size_t)snprintf(text + used, sizeof text - used, " %s %.4g%s", name[k], r->parameter[k] * unit,
                                  r->determined[k] ? "" : "*");
     }

@@ -2,9 +2,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <wirecut/angle.h>
 #include <wirecut/wirecut.h>
 
-#include "angle.h"
 #include "command.h"
 #include "report_control.h"
 #include "results.h"
@@ -43,7 +43,7 @@ static int disturb_by(wcut_rig_options *o, const char *item) {
                {"delay", &o->delay, 1, 0, 10},
                {"lag", &o->lag, 1, 0, 10},
                {"noise", &o->noise_tension, 1, 0, 1e3},
-               {"angle-noise", &o->noise_angle, RAD_PER_DEG, 0, 90},
+               {"angle-noise", &o->noise_angle, WCUT_RAD_PER_DEG, 0, 90},
                {"speed-noise", &o->noise_speed, 1, 0, 1e3},
                {"position-noise", &o->noise_position, 1, 0, 1e3}};
     enum { KEYS = sizeof key / sizeof *key };

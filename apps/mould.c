@@ -3,9 +3,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <wirecut/angle.h>
 #include <wirecut/wirecut.h>
 
-#include "angle.h"
 #include "command.h"
 #include "report_mould.h"
 #include "results.h"
@@ -135,7 +135,7 @@ static int divide(moulding *m) {
     o.scale = app_real(m->call, "scale");
     o.wire_diameter = m->job->wire_diameter;
     o.wall_asked = app_real(m->call, "minimum-wall");
-    if (app_given(m->call, "minimum-draft")) o.draft_asked = app_real(m->call, "minimum-draft") * RAD_PER_DEG;
+    if (app_given(m->call, "minimum-draft")) o.draft_asked = app_real(m->call, "minimum-draft") * WCUT_RAD_PER_DEG;
     o.stock = m->stock;
     if (keys > 0) {
         const double height = app_real(m->call, "key-height");
@@ -242,10 +242,10 @@ static int write_results(moulding *m) {
 
 static void say_half(const char *name, const wcut_half_report *r) {
     app_say("%s: %.6g mm3, closed, %d piece%s; draft at least %.3g deg, undercut %.4g mm2", name, r->volume, r->pieces,
-            r->pieces == 1 ? "" : "s", DEG_PER_RAD * r->draft_min, r->undercut_area);
+            r->pieces == 1 ? "" : "s", WCUT_DEG_PER_RAD * r->draft_min, r->undercut_area);
     if (isfinite(r->wall_min))
         app_say("%s: wall at least %.4g mm, at (%.4g, %.4g, %.4g); edges at the block's sides at least %.3g deg", name,
-                r->wall_min, r->wall_place.x, r->wall_place.y, r->wall_place.z, DEG_PER_RAD * r->edge_min);
+                r->wall_min, r->wall_place.x, r->wall_place.y, r->wall_place.z, WCUT_DEG_PER_RAD * r->edge_min);
 }
 
 static void say_mould(const moulding *m) {
@@ -289,7 +289,7 @@ static int give(const moulding *m) {
                             half[k]->wall_min, m->mould->wall_asked);
         if (!half[k]->draft_held)
             return app_fail(APP_OUTSIDE, "the %s half's draft is %.4g deg, asked for were %.4g deg", name,
-                            DEG_PER_RAD * half[k]->draft_min, DEG_PER_RAD * m->mould->draft_asked);
+                            WCUT_DEG_PER_RAD * half[k]->draft_min, WCUT_DEG_PER_RAD * m->mould->draft_asked);
     }
     return APP_DONE;
 }

@@ -2,9 +2,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <wirecut/angle.h>
 #include <wirecut/wirecut.h>
 
-#include "angle.h"
 #include "command.h"
 #include "results.h"
 #include "terminal.h"
@@ -90,8 +90,8 @@ static int check_limits(export_ *e) {
     wcut_robot_limits l = wcut_robot_limits_default(e->job);
     choose(e->call, "speed", 1, &l.speed);
     choose(e->call, "acceleration", 1, &l.acceleration);
-    choose(e->call, "alpha", RAD_PER_DEG, &l.alpha);
-    choose(e->call, "beta", RAD_PER_DEG, &l.beta);
+    choose(e->call, "alpha", WCUT_RAD_PER_DEG, &l.alpha);
+    choose(e->call, "beta", WCUT_RAD_PER_DEG, &l.beta);
     wcut_status status = wcut_robot_limits_check(e->job, e->history, e->mount_a, e->mount_b, &l, e->check);
     if (status != WCUT_OK)
         return app_fail(app_exit_code(status), "%s: limits: expected a wire that stays below 3000 degC", e->path);
@@ -282,14 +282,14 @@ static const app_option option[] = {
      .help = "largest of the mounts, mm/s^2; 200 in the loop and 1000 for robots where none is given"},
     {.kind = APP_REAL,
      .name = "alpha",
-     .value = "DEG_PER_RAD",
+     .value = "WCUT_DEG_PER_RAD",
      .low = 0.1,
      .high = 90,
      .standard = "60",
      .help = "largest of the head, deg"},
     {.kind = APP_REAL,
      .name = "beta",
-     .value = "DEG_PER_RAD",
+     .value = "WCUT_DEG_PER_RAD",
      .low = 0.1,
      .high = 90,
      .standard = "30",

@@ -1,12 +1,12 @@
 /* The page of a calibration: the laws and how sure they are, each over its cuts with its band, residuals, every cut. */
 #include "report_calibrate.h"
-#include "angle.h"
 
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <wirecut/angle.h>
 
 #define PERCENT 100
 
@@ -447,7 +447,7 @@ static wcut_status write_page(page *p, int sections, const wcut_report_section *
                                        {"loss", loss[o->loss], 0, ""},
                                        {"weights", of->weights ? of->weights : "all 1", 0, ""},
                                        {"confidence of intervals and bands", NULL, PERCENT * o->confidence, "%"},
-                                       {"large angles begin at", NULL, o->alpha_large * DEG_PER_RAD, "deg"},
+                                       {"large angles begin at", NULL, o->alpha_large * WCUT_DEG_PER_RAD, "deg"},
                                        {"F0", o->reference_force > 0 ? NULL : "geometric mean of the fitted forces",
                                         o->reference_force, o->reference_force > 0 ? A_UNIT : ""},
                                        {"Q of V0", o->reference_heat > 0 ? NULL : "median of the cuts",

@@ -1,10 +1,10 @@
 /* The page of a closed loop: speeds, tensions and angles with feedback and with the plan alone. */
 #include "report_control.h"
-#include "angle.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <wirecut/angle.h>
 
 enum { SPANS = 32, FIGURES = 8 };
 
@@ -189,7 +189,7 @@ static wcut_status write_page(page *p, const char *job_path, const char *path, w
 static double *in_degrees(const wcut_rig_run *run) {
     double *to = calloc((size_t)run->recording.samples, sizeof *to);
     for (int i = 0; to && i < run->recording.samples; i++)
-        to[i] = run->recording.channel[WCUT_CHANNEL_ALPHA_A].value[i] * DEG_PER_RAD;
+        to[i] = run->recording.channel[WCUT_CHANNEL_ALPHA_A].value[i] * WCUT_DEG_PER_RAD;
     return to;
 }
 

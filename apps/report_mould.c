@@ -4,8 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-
-#include "angle.h"
+#include <wirecut/angle.h>
 
 enum { ROWS = 13 };
 
@@ -29,7 +28,7 @@ static wcut_status fill_drafts(page *p) {
         const int count = half->mesh->vertex_count;
         p->draft[upper] = calloc((size_t)count, sizeof(double));
         if (!p->draft[upper]) return WCUT_NO_MEMORY;
-        for (int v = 0; v < count; v++) p->draft[upper][v] = DEG_PER_RAD * half->draft[v];
+        for (int v = 0; v < count; v++) p->draft[upper][v] = WCUT_DEG_PER_RAD * half->draft[v];
     }
     return WCUT_OK;
 }
@@ -86,9 +85,9 @@ static wcut_report_table table_of_halves(const page *p, double number[2][ROWS], 
                                     r->area,
                                     r->cut_area,
                                     r->undercut_area,
-                                    DEG_PER_RAD * r->draft_min,
+                                    WCUT_DEG_PER_RAD * r->draft_min,
                                     r->wall_min,
-                                    DEG_PER_RAD * r->edge_min,
+                                    WCUT_DEG_PER_RAD * r->edge_min,
                                     r->key_volume,
                                     h->mesh->triangle_count,
                                     r->pieces,
@@ -142,7 +141,7 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
                                        {"scale", NULL, m->scale, ""},
                                        {"pull out of the lower half, x, y, z", p->pull, 0, ""},
                                        {"least wall asked for", NULL, m->wall_asked, "mm"},
-                                       {"least draft asked for", NULL, DEG_PER_RAD * m->draft_asked, "deg"}};
+                                       {"least draft asked for", NULL, WCUT_DEG_PER_RAD * m->draft_asked, "deg"}};
     const wcut_report_source from[3] = {{"job", p->run->job_path, p->hash[0][0] ? p->hash[0] : NULL},
                                         {"stock", p->run->stock_path, p->hash[1][0] ? p->hash[1] : NULL},
                                         {"edges", p->run->edges_path, p->hash[2][0] ? p->hash[2] : NULL}};

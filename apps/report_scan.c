@@ -2,8 +2,7 @@
 #include "report_scan.h"
 
 #include <math.h>
-
-#include "angle.h"
+#include <wirecut/angle.h>
 
 enum { HOLES_MOST = 20 };
 
@@ -53,7 +52,7 @@ static wcut_report_table motion_table(app_memory *m, const wcut_registration *r)
     const char **unit = app_take(m, WCUT_DOF_COUNT, sizeof *unit);
     if (m->failed) return (wcut_report_table){0};
     for (int k = 0; k < WCUT_DOF_COUNT; k++) {
-        const double to = k < 3 ? 1 : DEG_PER_RAD;
+        const double to = k < 3 ? 1 : WCUT_DEG_PER_RAD;
         number[k] = r->parameter[k] * to;
         number[WCUT_DOF_COUNT + k] = sqrt(r->covariance[k * WCUT_DOF_COUNT + k]) * to;
         unit[k] = (r->determined[k] ? known : unknown)[k >= 3];
@@ -80,7 +79,7 @@ static wcut_report_table covariance_table(app_memory *m, const wcut_registration
         column[i + 1].label = name[i];
         for (int j = 0; j < WCUT_DOF_COUNT; j++)
             number[i * WCUT_DOF_COUNT + j] =
-                r->covariance[j * WCUT_DOF_COUNT + i] * (i < 3 ? 1 : DEG_PER_RAD) * (j < 3 ? 1 : DEG_PER_RAD);
+                r->covariance[j * WCUT_DOF_COUNT + i] * (i < 3 ? 1 : WCUT_DEG_PER_RAD) * (j < 3 ? 1 : WCUT_DEG_PER_RAD);
     }
     return (wcut_report_table){.title = "Covariance of the motion",
                                .note = "In products of the units; 0 for what was locked or not found from data.",

@@ -1,13 +1,14 @@
 /* The page of recordings beside their predictions: scores by channel, phase and cut, then every channel over time. */
 #include "report_score.h"
-#include "angle.h"
-#include "page_memory.h"
 
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <wirecut/angle.h>
+
+#include "page_memory.h"
 
 enum {
     CHARTS = 8,
@@ -41,7 +42,9 @@ static const char *name_of(page *p, const wcut_scored_cut *cut) {
 
 static double larger(double a, double b) { return a > b ? a : b; }
 
-static double unit_of(int scored) { return strcmp(wcut_scored_unit((wcut_scored)scored), "deg") ? 1 : DEG_PER_RAD; }
+static double unit_of(int scored) {
+    return strcmp(wcut_scored_unit((wcut_scored)scored), "deg") ? 1 : WCUT_DEG_PER_RAD;
+}
 
 /* ---- tables ---- */
 
@@ -178,7 +181,7 @@ static void fill_series(page *p, const wcut_comparison *c, const wcut_prediction
         WCUT_SCORED_ALPHA_A, WCUT_SCORED_BETA_A,  WCUT_SCORED_ALPHA_B,   WCUT_SCORED_BETA_B};
     const wcut_score *score = scores ? &scores->of[of_signal[k]][WCUT_PART_ALL] : NULL;
     const bool band = score && score->count > 0;
-    const double unit = k < 4 ? 1 : DEG_PER_RAD;
+    const double unit = k < 4 ? 1 : WCUT_DEG_PER_RAD;
     double *y = take(p, (size_t)d->count, sizeof *y);
     double *low = band ? take(p, (size_t)d->count, sizeof *low) : NULL;
     double *high = band ? take(p, (size_t)d->count, sizeof *high) : NULL;
@@ -209,7 +212,7 @@ static void fill_chart(page *p, const wcut_scored_cut *cut, int k, const drawn *
     for (int i = 0; i < d->count; i++) {
         const int sample = d->first + i;
         const bool there = !channel->present || channel->present[sample];
-        measured[i] = there ? channel->value[sample] * (k < 4 ? 1 : DEG_PER_RAD) : NAN;
+        measured[i] = there ? channel->value[sample] * (k < 4 ? 1 : WCUT_DEG_PER_RAD) : NAN;
     }
     for (int s = 0; s < 3; s++) series[s] = (wcut_report_series){.count = d->count, .x = {d->time, d->station}};
     series[0].label = "measured", series[0].mark = WCUT_REPORT_MARK_LINE, series[0].y = measured;
@@ -328,8 +331,8 @@ static wcut_status write_page(page *p, int compared, int shown, int sections, co
         {"cuts plotted", plots, 0, ""},
         {"planned speed, RMSD", NULL, planned->of[WCUT_SCORED_SPEED][0].rmsd, "mm/s"},
         {"replayed tension, RMSD", NULL, replayed->of[WCUT_SCORED_TENSION][0].rmsd, "N"},
-        {"replayed alpha, RMSD", NULL, replayed->of[WCUT_SCORED_ALPHA][0].rmsd * DEG_PER_RAD, "deg"},
-        {"replayed beta, RMSD", NULL, replayed->of[WCUT_SCORED_BETA][0].rmsd * DEG_PER_RAD, "deg"}};
+        {"replayed alpha, RMSD", NULL, replayed->of[WCUT_SCORED_ALPHA][0].rmsd * WCUT_DEG_PER_RAD, "deg"},
+        {"replayed beta, RMSD", NULL, replayed->of[WCUT_SCORED_BETA][0].rmsd * WCUT_DEG_PER_RAD, "deg"}};
     const wcut_report_fact option[] = {
         {"motion from", o->replay.motion == WCUT_MOTION_POSITION ? "measured positions" : "station", 0, ""},
         {"window of smoothing", NULL, o->replay.window, "s"},

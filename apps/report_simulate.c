@@ -1,11 +1,11 @@
 /* The page of a simulated cut: force map and path curves in space, speeds, tensions and angles along the cut. */
 #include "report_simulate.h"
-#include "angle.h"
 
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <wirecut/angle.h>
 
 #define FLAT 1e-6 /* [1/mm] a radius of 1 km is flat: what is left is rounding */
 /* what is plotted of every station */
@@ -52,10 +52,10 @@ static void fill_columns(page *p) {
             [SPEED_B] = s ? row->speed_b : NAN,
             [TENSION_A] = row->tension_a,
             [TENSION_B] = row->tension_b,
-            [ALPHA_A] = row->alpha_a * DEG_PER_RAD,
-            [ALPHA_B] = row->alpha_b * DEG_PER_RAD,
-            [BETA_A] = row->beta_a * DEG_PER_RAD,
-            [BETA_B] = row->beta_b * DEG_PER_RAD,
+            [ALPHA_A] = row->alpha_a * WCUT_DEG_PER_RAD,
+            [ALPHA_B] = row->alpha_b * WCUT_DEG_PER_RAD,
+            [BETA_A] = row->beta_a * WCUT_DEG_PER_RAD,
+            [BETA_B] = row->beta_b * WCUT_DEG_PER_RAD,
             [ENGAGED] = row->engaged_length,
             [STEPS] = row->iterations,
             [RESIDUAL] = row->residual,

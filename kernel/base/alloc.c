@@ -15,6 +15,11 @@ void *wcut_alloc(size_t count, size_t size) {
     return calloc(count ? count : 1, size ? size : 1);
 }
 
+void *wcut_grow(void *memory, size_t size) {
+    if (fail_countdown > 0 && --fail_countdown == 0) return NULL;
+    return size <= PTRDIFF_MAX ? realloc(memory, size) : NULL;
+}
+
 void wcut_free(void *memory) { free(memory); }
 
 void *wcut_copy(const void *from, size_t count, size_t size) {

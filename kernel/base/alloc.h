@@ -7,6 +7,9 @@
 /* count x size zeroed bytes; NULL where there is no memory or the product overflows (count 0 gives one element) */
 void *wcut_alloc(size_t count, size_t size);
 
+/* make what wcut_alloc gave (or NULL) size bytes long; NULL leaves it as it was */
+void *wcut_grow(void *memory, size_t size);
+
 /* free what wcut_alloc gave; NULL is allowed */
 void wcut_free(void *memory);
 

@@ -1,4 +1,5 @@
 /* Whichever allocation fails, the call says so, writes nothing and leaks nothing (the sanitizer looks). */
+#include "base/alloc.h"
 #include "cut/cuts.h"
 
 static char somewhere;

@@ -2,6 +2,7 @@
    labels: property */
 #include <stdint.h>
 
+#include "base/alloc.h"
 #include "cut/cuts.h"
 
 /* FNV-1a over everything that a history says, padding left out */

@@ -1,6 +1,7 @@
 /* Figures against closed forms, and whole comparisons: of what was simulated, with known noise, with a bias. */
 #include <wirecut/score.h>
 
+#include "base/alloc.h"
 #include "base/random.h"
 #include "cut/trials.h"
 

@@ -1,6 +1,7 @@
 /* What faulty instruments make of a prediction, by their formulas. labels: unit */
 #include <wirecut/effects.h>
 
+#include "base/alloc.h"
 #include "cut/cuts.h"
 
 enum { N = 200 };

@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "exchange/given_parts.h"
-#include "number.h"
+#include "io/file/number.h"
 
 static wcut_error error;
 

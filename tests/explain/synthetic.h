@@ -3,6 +3,7 @@
 #ifndef WCUT_TESTS_EXPLAIN_SYNTHETIC_H
 #define WCUT_TESTS_EXPLAIN_SYNTHETIC_H
 
+#include "base/alloc.h"
 #include "base/random.h"
 #include "cut/trials.h"
 #include "explain/fit.h"

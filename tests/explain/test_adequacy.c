@@ -1,6 +1,7 @@
 /* Adequacy against a simulated null: what noise leaves is likely, a misfit is not, and slow sensors are no physics. */
 #include "explain/adequacy.h"
 
+#include "base/alloc.h"
 #include "explain/search.h"
 #include "explain/synthetic.h"
 

@@ -1,6 +1,7 @@
 /* The black box: it learns what its inputs say, is judged on cuts it has not seen, and noise teaches it nothing. */
 #include "explain/black_box.h"
 
+#include "base/alloc.h"
 #include "explain/synthetic.h"
 
 static synthetic given;

@@ -1,6 +1,7 @@
 /* The forward proof: figures as a score's, cuts predicted from the others, better where the model is right. */
 #include "explain/cross_validation.h"
 
+#include "base/alloc.h"
 #include "cut/score.h"
 #include "explain/synthetic.h"
 

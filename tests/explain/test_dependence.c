@@ -1,6 +1,7 @@
 /* Dependence: a planted quantity is found by name and size, noise holds none. */
 #include "explain/dependence.h"
 
+#include "base/alloc.h"
 #include "explain/features.h"
 #include "explain/synthetic.h"
 

@@ -1,6 +1,7 @@
 /* Evidence: bins of what was measured and predicted, and noise made white. */
 #include "explain/evidence.h"
 
+#include "base/alloc.h"
 #include "explain/synthetic.h"
 
 static const concealed nothing = {.noise = 0, .seed = 1}, noisy = {.noise = 1, .seed = 2};

@@ -2,6 +2,7 @@
    another heat; what nothing tells apart is said so. labels: unit property */
 #include "explain/experiment.h"
 
+#include "base/alloc.h"
 #include "cut/cuts.h"
 #include "explain/identify.h"
 

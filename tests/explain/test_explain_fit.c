@@ -1,6 +1,7 @@
 /* Fits: the normal equations against dense least squares, and true parameters back from cuts of the library's own wire. */
 #include "explain/fit.h"
 
+#include "base/alloc.h"
 #include "base/least_squares.h"
 #include "explain/synthetic.h"
 

@@ -3,6 +3,7 @@
 #include <wirecut/diagnosis.h>
 #include <wirecut/rig.h>
 
+#include "base/alloc.h"
 #include "cut/cuts.h"
 #include "explain/identify.h"
 

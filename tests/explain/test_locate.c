@@ -1,6 +1,7 @@
 /* Locating: nothing in noise, nothing in values without order, a planted bump where it was planted. */
 #include "explain/locate.h"
 
+#include "base/alloc.h"
 #include "explain/synthetic.h"
 
 static synthetic given;

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "case.h"
+#include "io/process/case.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

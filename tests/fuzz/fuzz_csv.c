@@ -5,7 +5,7 @@
 #include <string.h>
 #include <wirecut/recording.h>
 
-#include "csv.h"
+#include "io/file/csv.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

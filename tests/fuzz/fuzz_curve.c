@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "curve_set.h"
+#include "io/cad/curve_set.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

@@ -3,7 +3,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "mesh_formats.h"
+#include "io/mesh/mesh_formats.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

@@ -10,10 +10,10 @@ function complain(cause) {
     broken++
 }
 
-# the room a file lives in: kernel/<room>, or the top-level folder
+# the room a file lives in: kernel/<room>, io/<room>, or the top-level folder
 function room_of(path, part) {
     split(path, part, "/")
-    return part[1] == "kernel" ? "kernel/" part[2] : part[1]
+    return part[1] == "kernel" || part[1] == "io" ? part[1] "/" part[2] : part[1]
 }
 
 # C and POSIX headers by name, C++ ones by their form
@@ -35,6 +35,12 @@ function check_quoted(header, room, part) {
         complain("\"" header "\": " room " sees <wirecut/...> alone")
     } else if (header !~ /\//) {
         if (room ~ /^kernel/) complain("\"" header "\": expected \"room/file\"")
+        else if (room ~ /^io/) complain("\"" header "\": expected \"io/room/file\"")
+    } else if (header ~ /^io\//) {
+        split(header, part, "/")
+        if (header ~ /\.\./ || !(("io/" part[2]) in sees)) complain("\"" header "\": no such room")
+        else if (room != "io/" part[2] && !index(sees[room], " io/" part[2] " "))
+            complain("\"" header "\": " room " does not see io/" part[2])
     } else {
         split(header, part, "/")
         if (header ~ /\.\./ || !(("kernel/" part[1]) in sees)) complain("\"" header "\": no such room")

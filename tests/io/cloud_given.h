@@ -12,7 +12,7 @@
 #include <string.h>
 #include <wirecut/cloud.h>
 
-#include "cloud_source.h"
+#include "io/scan/cloud_source.h"
 
 /* ---- bytes ---- */
 

@@ -14,7 +14,7 @@
 #include <wirecut/history.h>
 #include <wirecut/mesh.h>
 
-#include "slurp.h"
+#include "io/file/read_file.h"
 
 static const char given_path_job[] =
     "{\n"
@@ -97,7 +97,7 @@ static inline void write_file(const char *path, const char *text) {
 /* a file's bytes, the caller's to free */
 __attribute__((unused, noinline)) static char *read_back(const char *path, size_t *length) {
     char *text = NULL;
-    ck_assert_int_eq(wcut_slurp(path, (size_t)1 << 30, &text, length, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_file_read(path, (size_t)1 << 30, &text, length, NULL), WCUT_OK);
     return text;
 }
 

@@ -5,9 +5,10 @@
 #include <sys/wait.h>
 #include <time.h>
 
-#include "atomic.h"
-#include "fail.h"
+#include "base/alloc.h"
+#include "base/fail.h"
 #include "given.h"
+#include "io/file/atomic.h"
 
 static wcut_error error;
 
@@ -285,9 +286,9 @@ START_TEST(running_out_of_memory_or_descriptors_is_reported) {
     enter_folder();
     wcut_status status = WCUT_NO_MEMORY;
     for (long k = 1; status == WCUT_NO_MEMORY; k++) {
-        wcut_io_alloc_fail_at(k);
+        wcut_alloc_fail_at(k);
         status = wcut_file_write_whole("a", "x", 1, &error);
-        wcut_io_alloc_fail_at(0);
+        wcut_alloc_fail_at(0);
         ck_assert_int_eq(count_entries("."), status == WCUT_OK);
     }
     ck_assert_int_eq(status, WCUT_OK);

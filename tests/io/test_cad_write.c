@@ -3,10 +3,11 @@
 #include <locale.h>
 #include <wirecut/exchange.h>
 
+#include "base/alloc.h"
+#include "base/fail.h"
 #include "exchange/given_parts.h"
-#include "fail.h"
 #include "given.h"
-#include "part21_read.h"
+#include "io/cad/part21_read.h"
 
 static wcut_error error;
 
@@ -264,9 +265,9 @@ START_TEST(without_memory_the_target_is_as_it_was) {
     int failures = 0;
     for (long k = 1; status == WCUT_NO_MEMORY; k++, failures++) {
         file_holds("a.step", "before");
-        wcut_io_alloc_fail_at(k);
+        wcut_alloc_fail_at(k);
         status = wcut_step_write(2, shape, WCUT_STEP_SCHEMA_AP214, "a.step", NULL);
-        wcut_io_alloc_fail_at(0);
+        wcut_alloc_fail_at(0);
     }
     ck_assert_int_eq(status, WCUT_OK);
     ck_assert_int_ge(failures, 6);

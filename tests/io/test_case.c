@@ -1,9 +1,10 @@
 /* Case files: names that stay in their folder, and nothing else; formats of files. */
 #include <wirecut/case.h>
 
-#include "case.h"
-#include "fail.h"
+#include "base/alloc.h"
+#include "base/fail.h"
 #include "io/given.h"
+#include "io/process/case.h"
 
 static const char whole[] =
     "{\"format\": \"wirecut-case/1\", \"name\": \"c \\u00b5\", \"cuts\": [\n"
@@ -109,9 +110,9 @@ START_TEST(without_memory_a_case_is_not_read) {
     for (long k = 1;; k++) {
         wcut_case *c = NULL;
         wcut_error error;
-        wcut_io_alloc_fail_at(k);
+        wcut_alloc_fail_at(k);
         const wcut_status status = parse(whole, &c, &error);
-        wcut_io_alloc_fail_at(0);
+        wcut_alloc_fail_at(0);
         wcut_case_destroy(c);
         if (status == WCUT_OK) break;
         ck_assert_int_eq(status, WCUT_NO_MEMORY);

@@ -3,8 +3,8 @@
 #include <signal.h>
 #include <stdint.h>
 
-#include "child.h"
 #include "given.h"
+#include "io/file/child.h"
 
 static char *data;
 static size_t length;

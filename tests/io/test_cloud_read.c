@@ -3,8 +3,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/alloc.h"
+#include "base/fail.h"
 #include "cloud_given.h"
-#include "fail.h"
 
 enum { COUNT = 300 };
 
@@ -499,9 +500,9 @@ START_TEST(without_memory_nothing_is_written) {
         for (; k < 50 && status == WCUT_NO_MEMORY; k++) {
             ck_assert_ptr_eq(cloud, (void *)path);
             error.text[0] = '\0';
-            wcut_io_alloc_fail_at(k);
+            wcut_alloc_fail_at(k);
             status = wcut_cloud_read(path, &options, &cloud, &error);
-            wcut_io_alloc_fail_at(0);
+            wcut_alloc_fail_at(0);
             ck_assert(status == WCUT_OK || strstr(error.text, "out of memory"));
         }
         ck_assert_int_eq(status, WCUT_OK);

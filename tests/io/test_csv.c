@@ -6,11 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/alloc.h"
+#include "base/fail.h"
 #include "base/random.h"
-#include "csv.h"
-#include "decimal.h"
-#include "fail.h"
-#include "slurp.h"
+#include "io/file/csv.h"
+#include "io/file/decimal.h"
+#include "io/file/read_file.h"
 
 static const char *const numeric[] = {"x", "y"};
 static wcut_table *table;
@@ -226,10 +227,10 @@ END_TEST
 START_TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
     for (long k = 1;; k++) {
         wcut_table *found = (wcut_table *)&error;
-        wcut_io_alloc_fail_at(k);
+        wcut_alloc_fail_at(k);
         const char *text = "x,y,\"name\"\n1,,\"a\"\n3,4,5\n";
         wcut_status status = wcut_csv_parse(text, strlen(text), "t.csv", 2, numeric, &found, &error);
-        wcut_io_alloc_fail_at(0);
+        wcut_alloc_fail_at(0);
         if (status == WCUT_OK) {
             wcut_table_destroy(found);
             ck_assert_int_gt(k, 8);

@@ -5,10 +5,11 @@
 #include <wirecut/job.h>
 #include <wirecut/read.h>
 
-#include "curve_set.h"
+#include "base/alloc.h"
+#include "base/fail.h"
 #include "exchange/given_parts.h"
-#include "fail.h"
 #include "given.h"
+#include "io/cad/curve_set.h"
 
 static wcut_curve_set *set;
 static wcut_error error;
@@ -450,11 +451,11 @@ START_TEST(without_memory_nothing_is_given_and_nothing_lost) {
     wcut_status status = WCUT_NO_MEMORY;
     int failures = 0;
     for (long k = 1; status == WCUT_NO_MEMORY; k++, failures++) {
-        wcut_io_alloc_fail_at(k);
+        wcut_alloc_fail_at(k);
         status = read_text("a.step", text, strlen(text));
         ck_assert((status == WCUT_OK) == (set != NULL));
     }
-    wcut_io_alloc_fail_at(0);
+    wcut_alloc_fail_at(0);
     ck_assert_int_eq(status, WCUT_OK);
     ck_assert_int_ge(failures, 6);
 }

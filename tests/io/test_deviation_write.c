@@ -3,7 +3,8 @@
 #include <wirecut/deviation_file.h>
 #include <wirecut/table.h>
 
-#include "fail.h"
+#include "base/alloc.h"
+#include "base/fail.h"
 #include "given.h"
 
 enum { POINTS = 3000 };
@@ -117,9 +118,9 @@ START_TEST(bad_comparisons_are_refused) {
     ck_assert_int_eq(wcut_zones_write(NULL, "zones.csv", NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_zones_write(result, "/nowhere/zones.csv", NULL), WCUT_NOT_WRITTEN);
     for (long k = 1; k <= 1; k++) {
-        wcut_io_alloc_fail_at(k);
+        wcut_alloc_fail_at(k);
         ck_assert_int_eq(wcut_deviation_print(&good, &text), WCUT_NO_MEMORY);
-        wcut_io_alloc_fail_at(0);
+        wcut_alloc_fail_at(0);
     }
     ck_assert_ptr_eq(text, (char *)999);
     forget();
@@ -166,7 +167,7 @@ START_TEST(points_are_written_as_they_come_and_read_back) {
     wcut_cloud_destroy(cloud);
     char *bytes;
     size_t size;
-    ck_assert_int_eq(wcut_slurp(path, 1 << 24, &bytes, &size, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_file_read(path, 1 << 24, &bytes, &size, NULL), WCUT_OK);
     const size_t record = 3 * 8 + 8 + 3 + 1;
     const unsigned char *rows = (unsigned char *)bytes + size - POINTS * record;
     for (int k = 0; k < POINTS; k++) {
@@ -230,9 +231,9 @@ START_TEST(a_stream_that_is_not_committed_leaves_nothing) {
     ck_assert_int_eq(wcut_deviation_stream_create("d.ply", 0, 0, &stream, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_deviation_stream_create("/nowhere/d.ply", 1, 0, &stream, NULL), WCUT_NOT_WRITTEN);
     for (long k = 1; k <= 2; k++) {
-        wcut_io_alloc_fail_at(k);
+        wcut_alloc_fail_at(k);
         ck_assert_int_eq(wcut_deviation_stream_create("d.ply", 1, 0, &stream, NULL), WCUT_NO_MEMORY);
-        wcut_io_alloc_fail_at(0);
+        wcut_alloc_fail_at(0);
     }
     ck_assert_ptr_eq(stream, (wcut_deviation_stream *)999);
     ck_assert_int_eq(wcut_deviation_stream_commit(NULL, NULL), WCUT_BAD_ARGUMENT);
@@ -257,7 +258,7 @@ START_TEST(a_coloured_mesh_keeps_its_holes_grey) {
     ck_assert_int_eq(wcut_deviation_mesh_write_obj(mesh, value, present, 1, "m.obj", NULL), WCUT_OK);
     char *text;
     size_t size;
-    ck_assert_int_eq(wcut_slurp("m.obj", 1 << 16, &text, &size, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_file_read("m.obj", 1 << 16, &text, &size, NULL), WCUT_OK);
     ck_assert_ptr_nonnull(strstr(text, "v 0 0 0 0.000 0.309 0.607\n"));
     ck_assert_ptr_nonnull(strstr(text, "v 1 1 0.30000000000000004 0.618 0.638 0.658\n"));
     ck_assert_ptr_nonnull(strstr(text, "f 2 4 3\n"));

@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "fail.h"
+#include "base/alloc.h"
+#include "base/fail.h"
 #include "io/diagnosis_given.h"
 
 static given_diagnosis given;
@@ -190,9 +191,9 @@ START_TEST(wherever_memory_ends_nothing_is_written) {
     char *text = NULL;
     int failures = 0;
     for (long k = 1; k < 100; k++) {
-        wcut_io_alloc_fail_at(k);
+        wcut_alloc_fail_at(k);
         const wcut_status status = wcut_diagnosis_print(&given.d, "c", &text);
-        wcut_io_alloc_fail_at(0);
+        wcut_alloc_fail_at(0);
         if (status == WCUT_OK) break;
         ck_assert_int_eq(status, WCUT_NO_MEMORY);
         ck_assert_ptr_null(text);

@@ -8,8 +8,9 @@
 #include <unistd.h>
 #include <wirecut/calibration.h>
 
-#include "fail.h"
-#include "job.h"
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "io/process/job.h"
 
 #define HEADER "heat_W_per_m,speed_mm_s,engaged_mm,tension_N,alpha_deg"
 static const char *const sound = "# by hand\n" HEADER
@@ -77,9 +78,9 @@ START_TEST(a_missing_table_bad_arguments_and_memory_leave_the_output_alone) {
     ck_assert_int_eq(wcut_calibration_table_read("a.csv", NULL, &n, NULL, NULL), WCUT_BAD_ARGUMENT);
     ck_assert(n == 999 && found == (wcut_test_cut *)&error);
     for (long k = 1; k < 60; k++) {
-        wcut_io_alloc_fail_at(k);
+        wcut_alloc_fail_at(k);
         wcut_status status = read_text(sound, NULL);
-        wcut_io_alloc_fail_at(0);
+        wcut_alloc_fail_at(0);
         ck_assert((status == WCUT_NO_MEMORY && !cut) || (status == WCUT_OK && k > 15));
     }
     wcut_test_cut_destroy(cut);
@@ -164,9 +165,9 @@ START_TEST(what_cannot_be_written_is_refused) {
     ck_assert_int_eq(wcut_force_law_print(cuts, cut, NULL, &broken, point, &text), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_force_law_write(cuts, cut, NULL, &fit, point, NULL, &error), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_force_law_write(cuts, cut, NULL, &fit, point, "no/such/f.json", &error), WCUT_NOT_WRITTEN);
-    wcut_io_alloc_fail_at(1);
+    wcut_alloc_fail_at(1);
     wcut_status status = wcut_force_law_print(cuts, cut, NULL, &fit, point, &text);
-    wcut_io_alloc_fail_at(0);
+    wcut_alloc_fail_at(0);
     ck_assert_int_eq(status, WCUT_NO_MEMORY);
     ck_assert(text == (char *)&error);
     wcut_test_cut_destroy(cut);

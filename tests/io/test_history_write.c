@@ -6,9 +6,9 @@
 #include <wirecut/write.h>
 
 #include "base/alloc.h"
-#include "fail.h"
+#include "base/fail.h"
 #include "given.h"
-#include "job.h"
+#include "io/process/job.h"
 
 static wcut_history history;
 static wcut_vec3 *a, *b;
@@ -460,9 +460,9 @@ START_TEST(running_out_of_memory_anywhere_writes_nothing) {
         wcut_status status = WCUT_NO_MEMORY;
         for (long k = 1; status == WCUT_NO_MEMORY; k++) {
             ck_assert_int_eq(count_entries("."), writer);
-            wcut_io_alloc_fail_at(k);
+            wcut_alloc_fail_at(k);
             status = write_one(writer);
-            wcut_io_alloc_fail_at(0);
+            wcut_alloc_fail_at(0);
         }
         ck_assert_int_eq(status, WCUT_OK);
     }

@@ -4,9 +4,9 @@
 #include <wirecut/job.h>
 
 #include "base/alloc.h"
-#include "fail.h"
+#include "base/fail.h"
 #include "given.h"
-#include "job.h"
+#include "io/process/job.h"
 
 static wcut_job *job;
 static wcut_error error;
@@ -344,7 +344,7 @@ START_TEST(running_out_of_memory_anywhere_is_reported_and_leaks_nothing) {
     const char *const text[] = {given_path_job, given_design_job};
     for (int k = 0; k < 2; k++) {
         fail_each(wcut_alloc_fail_at, text[k], WCUT_NO_MEMORY);
-        fail_each(wcut_io_alloc_fail_at, text[k], WCUT_NO_MEMORY);
+        fail_each(wcut_alloc_fail_at, text[k], WCUT_NO_MEMORY);
         fail_each(fail_json_at, text[k], WCUT_BAD_FORMAT); /* jansson takes some of them for bad text */
         ;
     }

@@ -3,9 +3,9 @@
 #include <wirecut/job.h>
 
 #include "base/alloc.h"
-#include "fail.h"
+#include "base/fail.h"
 #include "given.h"
-#include "job.h"
+#include "io/process/job.h"
 
 static wcut_job *job, *again;
 static wcut_error error;
@@ -194,7 +194,7 @@ START_TEST(a_place_that_cannot_be_written_is_named) {
 END_TEST
 
 START_TEST(running_out_of_memory_anywhere_writes_nothing) {
-    void (*const fail_at[])(long) = {wcut_alloc_fail_at, wcut_io_alloc_fail_at};
+    void (*const fail_at[])(long) = {wcut_alloc_fail_at, wcut_alloc_fail_at};
     given_job(given_design_job);
     for (int a = 0; a < 2; a++) {
         wcut_status status = WCUT_NO_MEMORY;

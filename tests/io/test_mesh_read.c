@@ -4,9 +4,10 @@
 #include <wirecut/read.h>
 #include <wirecut/write.h>
 
-#include "fail.h"
+#include "base/alloc.h"
+#include "base/fail.h"
 #include "given.h"
-#include "mesh_formats.h"
+#include "io/mesh/mesh_formats.h"
 
 static wcut_mesh *mesh;
 static wcut_mesh_read_info info;
@@ -319,11 +320,11 @@ START_TEST(without_memory_nothing_is_given_and_nothing_lost) {
         wcut_status status = WCUT_NO_MEMORY;
         int failures = 0;
         for (long k = 1; status == WCUT_NO_MEMORY; k++, failures++) {
-            wcut_io_alloc_fail_at(k);
+            wcut_alloc_fail_at(k);
             status = read_bytes(text[f], strlen(text[f]), label[f]);
             ck_assert((status == WCUT_OK) == (mesh != NULL));
         }
-        wcut_io_alloc_fail_at(0);
+        wcut_alloc_fail_at(0);
         ck_assert_int_eq(status, WCUT_OK);
         ck_assert_int_ge(failures, 5);
     }

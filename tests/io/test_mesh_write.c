@@ -5,9 +5,10 @@
 #include <stdint.h>
 #include <wirecut/write.h>
 
-#include "colour.h"
-#include "fail.h"
+#include "base/alloc.h"
+#include "base/fail.h"
 #include "given.h"
+#include "io/mesh/colour.h"
 
 static wcut_mesh mesh;
 static wcut_error error;
@@ -403,9 +404,9 @@ START_TEST(running_out_of_memory_anywhere_writes_nothing) {
         wcut_status status = WCUT_NO_MEMORY;
         for (long k = 1; status == WCUT_NO_MEMORY; k++) {
             ck_assert_int_eq(count_entries("."), writer);
-            wcut_io_alloc_fail_at(k);
+            wcut_alloc_fail_at(k);
             status = writer ? wcut_mesh_write_glb(&mesh, "b", &error) : wcut_mesh_write_stl(&mesh, "a", &error);
-            wcut_io_alloc_fail_at(0);
+            wcut_alloc_fail_at(0);
         }
         ck_assert_int_eq(status, WCUT_OK);
     }

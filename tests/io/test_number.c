@@ -5,7 +5,7 @@
 
 #include "base/random.h"
 #include "given.h"
-#include "number.h"
+#include "io/file/number.h"
 
 static void prints(double value, const char *expected) {
     char text[WCUT_NUMBER_SIZE];

@@ -8,7 +8,7 @@
 #include <wirecut/write.h>
 
 #include "given.h"
-#include "job.h"
+#include "io/process/job.h"
 
 static wcut_mesh mesh;
 static wcut_history history;

@@ -7,7 +7,8 @@
 #include <unistd.h>
 #include <wirecut/recording.h>
 
-#include "fail.h"
+#include "base/alloc.h"
+#include "base/fail.h"
 
 #define HEADER \
     "time_s,station,speed_a_mm_s,speed_b_mm_s,tension_a_N,tension_b_N,alpha_a_deg,beta_a_deg,alpha_b_deg,beta_b_deg"
@@ -140,9 +141,9 @@ START_TEST(bad_arguments_missing_files_and_memory_leave_the_output_alone) {
     ck_assert_int_eq(wcut_recording_read("a.csv", NULL, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_recording_read("no/such.csv", &found, &error), WCUT_NOT_FOUND);
     for (long k = 1; k < 200; k++) {
-        wcut_io_alloc_fail_at(k);
+        wcut_alloc_fail_at(k);
         wcut_status status = read_text(HEADER "\n0" ROW "\n1" ROW "\n");
-        wcut_io_alloc_fail_at(0);
+        wcut_alloc_fail_at(0);
         ck_assert((status == WCUT_NO_MEMORY && !recording) || (status == WCUT_OK && k > 20));
     }
     ck_assert(found == (wcut_recording *)&error);

@@ -6,7 +6,8 @@
 #include <unistd.h>
 #include <wirecut/rig.h>
 
-#include "fail.h"
+#include "base/alloc.h"
+#include "base/fail.h"
 
 enum { SAMPLES = 50 };
 
@@ -82,9 +83,9 @@ END_TEST
 START_TEST(a_folder_that_is_missing_and_missing_memory_are_told_apart) {
     ck_assert_int_eq(wcut_recording_write(&made, NULL, "nowhere/at/all.csv", &error), WCUT_NOT_WRITTEN);
     for (long k = 1; k <= 3; k++) {
-        wcut_io_alloc_fail_at(k);
+        wcut_alloc_fail_at(k);
         const wcut_status status = wcut_recording_write(&made, NULL, path, &error);
-        wcut_io_alloc_fail_at(0);
+        wcut_alloc_fail_at(0);
         ck_assert(status == WCUT_NO_MEMORY || (k > 1 && status == WCUT_OK));
         if (status == WCUT_NO_MEMORY) ck_assert_int_ne(access(path, F_OK), 0);
         remove(path);

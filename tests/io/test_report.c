@@ -10,10 +10,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "fail.h"
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "io/file/sha256.h"
+#include "io/report/report_page.h"
 #include "report/pages.h"
-#include "report_page.h"
-#include "sha256.h"
 
 static pages_data data;
 static char folder[] = "/tmp/wirecut-report-XXXXXX", path[64];
@@ -395,9 +396,9 @@ START_TEST(out_of_memory_anywhere_leaves_no_file) {
     given_a_folder();
     int failures = 0;
     for (long k = 1;; k++) {
-        wcut_io_alloc_fail_at(k);
+        wcut_alloc_fail_at(k);
         const wcut_status status = pages_write_cut(&data, path, &error);
-        wcut_io_alloc_fail_at(0);
+        wcut_alloc_fail_at(0);
         if (status == WCUT_OK) break;
         ck_assert_int_eq(status, WCUT_NO_MEMORY);
         ck_assert_int_ne(access(path, F_OK), 0);

@@ -10,7 +10,8 @@
 #include <unistd.h>
 #include <wirecut/robot.h>
 
-#include "fail.h"
+#include "base/alloc.h"
+#include "base/fail.h"
 
 enum { STATIONS = 60 };
 
@@ -521,10 +522,10 @@ START_TEST(names_that_could_say_something_else_are_refused) {
                      WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_robot_write(motion, NULL, WCUT_ROBOT_FORMAT_KRL, 0, "nowhere/at/all", &error),
                      WCUT_NOT_WRITTEN);
-    wcut_io_alloc_fail_at(1);
+    wcut_alloc_fail_at(1);
     ck_assert_int_eq(wcut_robot_write(motion, NULL, WCUT_ROBOT_FORMAT_KRL, 0, "test_robot.none", &error),
                      WCUT_NO_MEMORY);
-    wcut_io_alloc_fail_at(0);
+    wcut_alloc_fail_at(0);
     ck_assert_int_ne(access("test_robot.none", F_OK), 0);
 }
 END_TEST

@@ -4,8 +4,9 @@
 #include <wirecut/score.h>
 #include <wirecut/table.h>
 
+#include "base/alloc.h"
+#include "base/fail.h"
 #include "cut/trials.h"
-#include "fail.h"
 
 static wcut_job *job;
 static wcut_recording *recording;
@@ -112,9 +113,9 @@ START_TEST(scores_that_cannot_be_written_are_not) {
     ck_assert_int_eq(wcut_residuals_write(3, cut, NULL, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_residuals_write(3, cut, "no/such/folder/r.csv", NULL), WCUT_NOT_WRITTEN);
     for (long k = 1;; k++) {
-        wcut_io_alloc_fail_at(k);
+        wcut_alloc_fail_at(k);
         const wcut_status status = wcut_score_print(3, cut, NULL, &text);
-        wcut_io_alloc_fail_at(0);
+        wcut_alloc_fail_at(0);
         if (status == WCUT_OK) break;
         ck_assert_int_eq(status, WCUT_NO_MEMORY);
         ck_assert_ptr_null(text);

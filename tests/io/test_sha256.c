@@ -6,7 +6,7 @@
 #include <unistd.h>
 #include <wirecut/report.h>
 
-#include "sha256.h"
+#include "io/file/sha256.h"
 
 /* hash size bytes in pieces */
 static const char *hash_in_pieces(const void *data, size_t size, size_t piece) {

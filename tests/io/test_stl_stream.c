@@ -2,7 +2,8 @@
 #include <wirecut/exchange.h>
 #include <wirecut/write.h>
 
-#include "fail.h"
+#include "base/alloc.h"
+#include "base/fail.h"
 #include "given.h"
 
 static wcut_stl_stream *stream;
@@ -50,9 +51,9 @@ START_TEST(misuse_is_refused_and_nothing_is_left) {
     wcut_stl_stream_destroy(stream);
     wcut_stl_stream_destroy(NULL);
     for (long k = 1; k <= 2; k++) {
-        wcut_io_alloc_fail_at(k);
+        wcut_alloc_fail_at(k);
         ck_assert_int_eq(wcut_stl_stream_create("a.stl", &stream, NULL), WCUT_NO_MEMORY);
-        wcut_io_alloc_fail_at(0);
+        wcut_alloc_fail_at(0);
     }
     ck_assert_int_eq(count_entries("."), 0);
     leave_folder();

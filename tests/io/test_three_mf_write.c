@@ -4,7 +4,8 @@
 #include <wirecut/exchange.h>
 #include <zlib.h>
 
-#include "fail.h"
+#include "base/alloc.h"
+#include "base/fail.h"
 #include "given.h"
 
 static wcut_error error;
@@ -112,9 +113,9 @@ START_TEST(what_is_no_mesh_and_no_name_is_refused) {
     int failures = 0;
     for (long k = 1; status == WCUT_NO_MEMORY; k++, failures++) {
         ck_assert_int_eq(count_entries("."), 0);
-        wcut_io_alloc_fail_at(k);
+        wcut_alloc_fail_at(k);
         status = wcut_mesh_write_3mf(1, &mesh, &good, "a.3mf", NULL);
-        wcut_io_alloc_fail_at(0);
+        wcut_alloc_fail_at(0);
     }
     ck_assert_int_eq(status, WCUT_OK);
     ck_assert_int_ge(failures, 4);

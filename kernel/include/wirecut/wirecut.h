@@ -2,6 +2,7 @@
 #ifndef WCUT_WIRECUT_H
 #define WCUT_WIRECUT_H
 
+#include <wirecut/angle.h>
 #include <wirecut/bounds.h>
 #include <wirecut/brep.h>
 #include <wirecut/calibration.h>

@@ -1,0 +1,51 @@
+/* IGES files: lines, sections, values and directory entries, for the readers of their entities. */
+#ifndef WCUT_IO_CAD_CURVE_IGES_H
+#define WCUT_IO_CAD_CURVE_IGES_H
+
+#include "io/cad/curve_set.h"
+
+enum { WCUT_IGES_FIELD = 8 };
+
+/* the lines of a file and where its sections begin */
+typedef struct wcut_iges {
+    wcut_curve_reader *reader;
+    int lines;
+    const char **line;                /* each of at least 80 characters */
+    int global, directory, data, end; /* lines */
+    char separator, terminator;
+    double scale;   /* [mm] */
+    bool *is_piece; /* of a composite curve, two lines an entry */
+} wcut_iges;
+
+/* values one after the other, across the lines of a section */
+typedef struct wcut_iges_cursor {
+    const wcut_iges *f;
+    int line, end; /* the next line, and the one not to be read */
+    int at, width;
+    bool ended; /* a terminator was passed */
+} wcut_iges_cursor;
+
+/* a directory entry, and its first line */
+typedef struct wcut_iges_entry {
+    int at, type, data, transformation, form, lines;
+    char status[WCUT_IGES_FIELD + 1];
+} wcut_iges_entry;
+
+/* the entry at a line of the directory; false: refused */
+bool wcut_iges_find(wcut_iges *f, int at, wcut_iges_entry *entry);
+
+/* at the first value of an entry, behind its type; false: it is none, refused */
+bool wcut_iges_open(wcut_iges *f, const wcut_iges_entry *entry, wcut_iges_cursor *c);
+
+/* the next value; false: it is none, or not in the range */
+bool wcut_iges_real(wcut_iges_cursor *c, double *value);
+bool wcut_iges_int(wcut_iges_cursor *c, int least, int most, int *value);
+bool wcut_iges_reals(wcut_iges_cursor *c, int count, double *value);
+
+/* note the pieces of a composite curve, which are read with it; anything else is passed over; false: refused */
+bool wcut_iges_note_pieces(wcut_iges *f, const wcut_iges_entry *entry);
+
+/* the curve of an entry into the set, if it is one and none of another's pieces; false: refused */
+bool wcut_iges_add(wcut_iges *f, const wcut_iges_entry *entry);
+
+#endif

@@ -1,0 +1,165 @@
+/* A set of curves that grows as a file is read, and how a reader of curves refuses. */
+#include "io/cad/curve_set.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <wirecut/reshape.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "base/locale.h"
+#include "io/file/number.h"
+
+bool wcut_curves_refuse(wcut_curve_reader *r, const char *format, ...) {
+    char label[WCUT_QUOTE_SIZE], text[300], shown[WCUT_QUOTE_SIZE];
+    va_list arguments;
+    if (r->failure.status != WCUT_OK) return false;
+    va_start(arguments, format);
+    locale_t before = wcut_locale_plain();
+    vsnprintf(text, sizeof text, format, arguments);
+    wcut_locale_restore(before);
+    va_end(arguments);
+    wcut_fail(&r->failure, WCUT_BAD_FORMAT, "%s: %s", wcut_quote(label, r->label, WCUT_LABEL_MAX, 1),
+              wcut_quote(shown, text, WCUT_QUOTE_SIZE - 20, 0));
+    return false;
+}
+
+bool wcut_curves_refuse_memory(wcut_curve_reader *r) {
+    char label[WCUT_QUOTE_SIZE];
+    if (r->failure.status == WCUT_OK)
+        wcut_fail(&r->failure, WCUT_NO_MEMORY, "%s: %s", wcut_quote(label, r->label, WCUT_LABEL_MAX, 1),
+                  wcut_status_text(WCUT_NO_MEMORY));
+    return false;
+}
+
+/* ---- the set ---- */
+
+static char *copy_name(const char *name, size_t length) {
+    char *copy = wcut_alloc(length + 1, 1);
+    size_t used = 0;
+    for (size_t k = 0; copy && k < length; k++)
+        if ((unsigned char)name[k] >= 0x20 && name[k] != 0x7f) copy[used++] = name[k];
+    return copy;
+}
+
+static bool make_room(wcut_curve_reader *r) {
+    if ((size_t)r->set->count < r->room) return true;
+    const size_t room = r->room ? 2 * r->room : 16;
+    wcut_curve **curve = wcut_grow(r->set->curve, room * sizeof *curve);
+    if (curve) r->set->curve = curve;
+    char **name = curve ? wcut_grow(r->set->name, room * sizeof *name) : NULL;
+    if (!name) return false;
+    r->set->name = name;
+    r->room = room;
+    return true;
+}
+
+bool wcut_curves_add(wcut_curve_reader *r, wcut_curve *curve, const char *name, size_t length) {
+    char *copy = NULL;
+    bool ok = r->set->count < r->options->most ||
+              wcut_curves_refuse(r, "found more than %d curves, expected at most that", r->options->most);
+    if (ok) {
+        copy = copy_name(name, length);
+        ok = (copy && make_room(r)) || wcut_curves_refuse_memory(r);
+    }
+    if (!ok) {
+        free(copy);
+        wcut_curve_destroy(curve);
+        return false;
+    }
+    r->set->curve[r->set->count] = curve;
+    r->set->name[r->set->count++] = copy;
+    return true;
+}
+
+bool wcut_curves_add_chain(wcut_curve_reader *r, int count, wcut_curve **curve, const char *name, size_t length) {
+    static const double gap = 1e-3; /* [mm] what CAD programs call one point */
+    wcut_curve *whole = NULL;
+    bool ok = true;
+    const wcut_status status = wcut_curve_join(count, (const wcut_curve *const *)curve, gap, &whole, NULL);
+    if (status == WCUT_NO_MEMORY) ok = wcut_curves_refuse_memory(r);
+    if (status == WCUT_OK) ok = wcut_curves_add(r, whole, name, length);
+    for (int k = 0; k < count; k++) {
+        if (status != WCUT_OK && ok)
+            ok = wcut_curves_add(r, curve[k], name, length);
+        else
+            wcut_curve_destroy(curve[k]);
+    }
+    free(curve);
+    return ok;
+}
+
+/* each kind is told once */
+void wcut_curves_leave_out(wcut_curve_reader *r, const char *kind) {
+    char *why = r->set->why;
+    const size_t used = strlen(why), most = sizeof r->set->why;
+    r->set->left_out++;
+    const char *told = strstr(why, kind);
+    if (told && (told[strlen(kind)] == '\0' || told[strlen(kind)] == ',')) return;
+    snprintf(why + used, most - used, "%s%s", used ? ", " : "", kind);
+}
+
+void wcut_curve_set_destroy(wcut_curve_set *set) {
+    if (!set) return;
+    for (int k = 0; k < set->count; k++) {
+        wcut_curve_destroy(set->curve[k]);
+        free(set->name[k]);
+    }
+    free(set->curve);
+    free(set->name);
+    free(set);
+}
+
+/* ---- curves ---- */
+
+static bool are_near(int count, const wcut_vec3 *p) {
+    for (int k = 0; k < count; k++) /* false for nan, too */
+        if (!(fabs(p[k].x) <= 1e12 && fabs(p[k].y) <= 1e12 && fabs(p[k].z) <= 1e12)) return false;
+    return true;
+}
+
+wcut_curve *wcut_curves_make(wcut_curve_reader *r, const char *place, int degree, int count, const double *knots,
+                             const wcut_vec3 *control, const double *weights) {
+    wcut_curve *curve = NULL;
+    if (!are_near(count, control)) {
+        wcut_curves_refuse(r, "%s: found a coordinate beyond 1e12 mm", place);
+        return NULL;
+    }
+    const wcut_status status = wcut_curve_create(degree, count, knots, control, weights, &curve);
+    if (status == WCUT_NO_MEMORY) wcut_curves_refuse_memory(r);
+    if (status != WCUT_OK && status != WCUT_NO_MEMORY)
+        wcut_curves_refuse(r,
+                           "%s: found knots or weights that make no curve of degree %d with %d control points, "
+                           "expected knots that do not decrease, span a domain and repeat at most degree times inside "
+                           "it, and positive weights",
+                           place, degree, count);
+    return curve;
+}
+
+wcut_curve *wcut_curves_polyline(wcut_curve_reader *r, const char *place, int count, const wcut_vec3 *point) {
+    wcut_vec3 *control = wcut_alloc((size_t)count, sizeof *control);
+    double *knots = wcut_alloc((size_t)count + 2, sizeof *knots);
+    wcut_curve *curve = NULL;
+    int n = 0;
+    if (control && knots) {
+        for (int k = 0; k < count; k++) {
+            const wcut_vec3 p = point[k], q = n ? control[n - 1] : p;
+            if (n == 0 || p.x != q.x || p.y != q.y || p.z != q.z) control[n++] = p;
+        }
+        knots[0] = 0;
+        for (int k = 0; k < n; k++) knots[k + 1] = k;
+        knots[n + 1] = n - 1;
+        if (n >= 2)
+            curve = wcut_curves_make(r, place, 1, n, knots, control, NULL);
+        else
+            wcut_curves_refuse(r, "%s: found %d points in one place, expected two apart", place, count);
+    } else {
+        wcut_curves_refuse_memory(r);
+    }
+    free(knots);
+    free(control);
+    return curve;
+}

@@ -1,0 +1,341 @@
+/* Curves from STEP files (ISO 10303-42): those of geometric sets, or the edges of faces where there are none. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <wirecut/edit.h>
+#include <wirecut/projection.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "io/cad/arc.h"
+#include "io/cad/step_curves.h"
+
+enum { DEPTH_MOST = 8 };
+static const double TURN = 6.283185307179586;
+
+/* where a piece of a basis curve begins and ends, in whichever way the file says it */
+typedef struct piece {
+    bool has_points, has_parameters;
+    wcut_vec3 point[2];  /* [mm] */
+    double parameter[2]; /* of the file */
+    bool forwards;       /* along the basis curve */
+    double slack;        /* [mm] within which points lie on the curve */
+} piece;
+
+static bool reference(wcut_step_source *s, long id, const char *item, long *to) {
+    return wcut_p21_read_reference(item, to) || wcut_step_refuse(s, id, "no reference where one is expected");
+}
+
+static double distance(wcut_vec3 a, wcut_vec3 b) {
+    const double x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
+    return sqrt(x * x + y * y + z * z);
+}
+
+/* ---- lines and arcs ---- */
+
+static wcut_curve *make_line(wcut_step_source *s, long id, const char *list, const piece *p) {
+    char place[32];
+    wcut_vec3 end[2] = {p->point[0], p->point[1]};
+    snprintf(place, sizeof place, "#%ld", id);
+    if (!p->has_points) {
+        long at = 0, vector = 0, along = 0;
+        wcut_vec3 origin, d;
+        double size = 0;
+        if (!reference(s, id, wcut_p21_item(list, 1), &at) || !reference(s, id, wcut_p21_item(list, 2), &vector) ||
+            !wcut_step_point(s, at, &origin))
+            return NULL;
+        const char *body = wcut_p21_find(&s->file, vector), *v = body ? wcut_p21_record(body, "VECTOR") : NULL;
+        if (!reference(s, vector, wcut_p21_item(v, 1), &along) || !wcut_step_direction(s, along, &d)) return NULL;
+        if (!wcut_p21_read_real(wcut_p21_item(v, 2), &size)) return wcut_step_refuse(s, vector, "no magnitude"), NULL;
+        for (int k = 0; k < 2; k++) {
+            const double t = p->parameter[k] * size * s->length;
+            end[k] = (wcut_vec3){origin.x + t * d.x, origin.y + t * d.y, origin.z + t * d.z};
+        }
+    }
+    return wcut_curves_polyline(s->reader, place, 2, end);
+}
+
+/* the angle of a point of the ellipse center + cos(t) a x + sin(t) b y */
+static double angle_of(wcut_vec3 p, wcut_vec3 center, wcut_vec3 x, wcut_vec3 y, double a, double b) {
+    const wcut_vec3 d = {p.x - center.x, p.y - center.y, p.z - center.z};
+    return atan2((d.x * y.x + d.y * y.y + d.z * y.z) / b, (d.x * x.x + d.y * x.y + d.z * x.z) / a);
+}
+
+static wcut_curve *make_arc(wcut_step_source *s, long id, const char *list, bool is_circle, const piece *p) {
+    long at = 0;
+    double a = 0, b = 0, t[2];
+    wcut_vec3 center, x, y, pole[WCUT_ARC_POLES];
+    if (!reference(s, id, wcut_p21_item(list, 1), &at) || !wcut_step_placement(s, at, &center, &x, &y)) return NULL;
+    bool ok = wcut_p21_read_real(wcut_p21_item(list, 2), &a);
+    ok = ok && (is_circle || wcut_p21_read_real(wcut_p21_item(list, 3), &b));
+    if (is_circle) b = a;
+    if (!ok || !(a > 0 && b > 0 && a <= 1e12 && b <= 1e12)) return wcut_step_refuse(s, id, "no radius"), NULL;
+    a *= s->length;
+    b *= s->length;
+    for (int k = 0; k < 2; k++)
+        t[k] = p->has_points ? angle_of(p->point[k], center, x, y, a, b) : fmod(p->parameter[k] * s->angle, TURN);
+    if (!isfinite(t[0]) || !isfinite(t[1])) return wcut_step_refuse(s, id, "no angle"), NULL;
+    /* the same place twice is a whole turn */
+    if (p->forwards && !(t[1] > t[0] + 1e-12)) t[1] += TURN;
+    if (!p->forwards && !(t[1] < t[0] - 1e-12)) t[1] -= TURN;
+    while (t[1] - t[0] > TURN * (1 + 1e-12)) t[1] -= TURN;
+    while (t[0] - t[1] > TURN * (1 + 1e-12)) t[1] += TURN;
+    char place[32];
+    double weight[WCUT_ARC_POLES], knot[WCUT_ARC_POLES + 3];
+    snprintf(place, sizeof place, "#%ld", id);
+    const wcut_vec3 ax = {a * x.x, a * x.y, a * x.z}, by = {b * y.x, b * y.y, b * y.z};
+    const int poles = wcut_arc(center, ax, by, t[0], t[1], pole, weight, knot);
+    return wcut_curves_make(s->reader, place, 2, poles, knot, pole, weight);
+}
+
+/* ---- pieces of splines ---- */
+
+static wcut_curve *reversed(wcut_step_source *s, wcut_curve *curve) {
+    wcut_curve *back = NULL;
+    if (curve && wcut_curve_reverse(curve, &back) != WCUT_OK) wcut_curves_refuse_memory(s->reader);
+    wcut_curve_destroy(curve);
+    return back;
+}
+
+/* the part of a curve on one side of u, the curve itself where u is its end */
+static wcut_curve *cut(wcut_step_source *s, wcut_curve *curve, double u, bool keep_low) {
+    double first, last;
+    wcut_curve *low = NULL, *high = NULL;
+    wcut_curve_domain(curve, &first, &last);
+    const double slack = 1e-9 * (last - first);
+    if (keep_low ? u >= last - slack : u <= first + slack) return curve;
+    if (u > first + slack && u < last - slack) {
+        const wcut_status status = wcut_curve_split(curve, u, &low, &high);
+        if (status != WCUT_OK) wcut_curves_refuse_memory(s->reader);
+    } else {
+        wcut_curves_leave_out(s->reader, "a trimmed curve of no length");
+    }
+    wcut_curve_destroy(curve);
+    wcut_curve_destroy(keep_low ? high : low);
+    return keep_low ? low : high;
+}
+
+/* where a point lies on a curve; false: further from it than the slack, or refused */
+static bool find_parameter(wcut_step_source *s, const wcut_curve *curve, wcut_vec3 point, double slack, double *u) {
+    wcut_curve_foot foot;
+    const wcut_status status = wcut_curve_locate(curve, 1, &point, 1, &foot);
+    if (status == WCUT_NO_MEMORY) return wcut_curves_refuse_memory(s->reader);
+    if (status != WCUT_OK || foot.distance > slack) {
+        wcut_curves_leave_out(s->reader, "a spline whose ends are not on it");
+        return false;
+    }
+    *u = foot.u;
+    return true;
+}
+
+/* A spline is whole, or cut at parameters, or at the points of it that are the piece's ends. */
+static wcut_curve *cut_spline(wcut_step_source *s, wcut_curve *curve, const piece *p) {
+    double u[2] = {p->parameter[0], p->parameter[1]};
+    bool cuts = curve && p->has_parameters, ok = curve != NULL;
+    if (ok && !cuts && p->has_points) {
+        wcut_vec3 end[2];
+        double first, last;
+        wcut_curve_domain(curve, &first, &last);
+        wcut_curve_eval(curve, first, 0, &end[0]);
+        wcut_curve_eval(curve, last, 0, &end[1]);
+        const int begins = p->forwards ? 0 : 1;
+        cuts = distance(end[begins], p->point[0]) > p->slack || distance(end[1 - begins], p->point[1]) > p->slack;
+        for (int k = 0; cuts && ok && k < 2; k++) ok = find_parameter(s, curve, p->point[k], p->slack, &u[k]);
+        if (cuts && ok && (p->forwards ? u[0] >= u[1] : u[0] <= u[1])) {
+            wcut_curves_leave_out(s->reader, "a piece over the seam of a closed spline");
+            ok = false;
+        }
+    }
+    if (ok && cuts) {
+        curve = cut(s, curve, fmin(u[0], u[1]), false);
+        if (curve) curve = cut(s, curve, fmax(u[0], u[1]), true);
+    }
+    if (!ok) {
+        wcut_curve_destroy(curve);
+        return NULL;
+    }
+    return p->forwards ? curve : reversed(s, curve);
+}
+
+/* ---- any curve ---- */
+
+/* the name of a simple instance, for people */
+static void leave_out(wcut_step_source *s, const char *body) {
+    char kind[48];
+    const size_t n = strcspn(body[0] == '(' ? body + 1 : body, "(");
+    snprintf(kind, sizeof kind, "%.*s", (int)(n < 40 ? n : 40), body[0] == '(' ? body + 1 : body);
+    wcut_curves_leave_out(s->reader, kind);
+}
+
+static wcut_curve *make(wcut_step_source *s, long id, const piece *p, int depth);
+
+/* end k of a trimmed curve: a parameter, a point, or both; what is missing at one end is of no use at the other */
+static bool read_trim(wcut_step_source *s, long id, const char *list, int k, piece *p) {
+    bool has_point = false, has_parameter = false;
+    for (const char *item = wcut_p21_item(list, 0); item; item = wcut_p21_next(item)) {
+        long at = 0;
+        if (wcut_p21_is(item, "PARAMETER_VALUE")) {
+            has_parameter = wcut_p21_read_real(strchr(item, '(') + 1, &p->parameter[k]);
+            if (!has_parameter) return wcut_step_refuse(s, id, "no parameter");
+        } else if (wcut_p21_read_reference(item, &at)) {
+            has_point = wcut_step_point(s, at, &p->point[k]);
+            if (!has_point) return false;
+        }
+    }
+    p->has_points = p->has_points && has_point;
+    p->has_parameters = p->has_parameters && has_parameter;
+    return true;
+}
+
+static wcut_curve *make_trimmed(wcut_step_source *s, long id, const char *list, int depth) {
+    piece p = {.has_points = true, .has_parameters = true, .slack = 1e-3};
+    long basis = 0;
+    if (!reference(s, id, wcut_p21_item(list, 1), &basis)) return NULL;
+    for (int k = 0; k < 2; k++)
+        if (!read_trim(s, id, wcut_p21_item(list, 2 + k), k, &p)) return NULL;
+    p.forwards = !wcut_p21_is(wcut_p21_item(list, 4), ".F.");
+    if (!p.has_points && !p.has_parameters) return wcut_step_refuse(s, id, "a trimmed curve without ends"), NULL;
+    return make(s, basis, &p, depth - 1);
+}
+
+/* whole where p is NULL; NULL: refused or left out */
+static wcut_curve *make(wcut_step_source *s, long id, const piece *p, int depth) {
+    static const piece whole = {.has_parameters = false, .forwards = true};
+    static const piece whole_turn = {.has_parameters = true, .forwards = true};
+    const char *body = wcut_p21_find(&s->file, id), *list;
+    long inner = 0;
+    if (!body) return wcut_step_refuse(s, id, "no such instance"), NULL;
+    if (depth == 0) return wcut_step_refuse(s, id, "curves nested too deep"), NULL;
+    if (wcut_p21_record(body, "B_SPLINE_CURVE_WITH_KNOTS"))
+        return cut_spline(s, wcut_step_read_spline(s, id, body), p ? p : &whole);
+    if (wcut_p21_record(body, "POLYLINE")) return cut_spline(s, wcut_step_read_polyline(s, id, body), p ? p : &whole);
+    if ((list = wcut_p21_record(body, "CIRCLE")) != NULL) return make_arc(s, id, list, true, p ? p : &whole_turn);
+    if ((list = wcut_p21_record(body, "ELLIPSE")) != NULL) return make_arc(s, id, list, false, p ? p : &whole_turn);
+    if (p && (list = wcut_p21_record(body, "LINE")) != NULL) return make_line(s, id, list, p);
+    if (!p && (list = wcut_p21_record(body, "TRIMMED_CURVE")) != NULL) return make_trimmed(s, id, list, depth);
+    static const char *const bearer[] = {"SURFACE_CURVE", "SEAM_CURVE", "INTERSECTION_CURVE"};
+    for (int k = 0; k < 3; k++)
+        if ((list = wcut_p21_record(body, bearer[k])) != NULL)
+            return reference(s, id, wcut_p21_item(list, 1), &inner) ? make(s, inner, p, depth - 1) : NULL;
+    leave_out(s, body);
+    return NULL;
+}
+
+/* ---- which curves ---- */
+
+/* the name of an instance that has one, in the file's writing */
+static const char *find_name(const char *body, size_t *length) {
+    const char *list = body[0] == '(' ? wcut_p21_record(body, "REPRESENTATION_ITEM") : strchr(body, '(');
+    const char *item = wcut_p21_item(list, 0);
+    *length = 0;
+    if (!item || *item != '\'') return "";
+    *length = strcspn(item + 1, "'");
+    return item + 1;
+}
+
+/* a curve into the set; false: refused */
+static bool add(wcut_step_source *s, long id, const piece *p, const char *body) {
+    size_t length;
+    const char *name = find_name(body, &length);
+    wcut_curve *curve = make(s, id, p, DEPTH_MOST);
+    if (curve) return wcut_curves_add(s->reader, curve, name, length);
+    return s->reader->failure.status == WCUT_OK;
+}
+
+/* the segments of a composite curve; one that is left out leaves out all */
+static bool add_segments(wcut_step_source *s, long id, const char *list) {
+    const int count = wcut_p21_length(wcut_p21_item(list, 1));
+    size_t length;
+    const char *name = find_name(wcut_p21_find(&s->file, id), &length);
+    if (count < 1) return wcut_step_refuse(s, id, "no segments");
+    wcut_curve **part = wcut_alloc((size_t)count, sizeof *part);
+    if (!part) return wcut_curves_refuse_memory(s->reader);
+    int made = 0;
+    for (const char *item = wcut_p21_item(wcut_p21_item(list, 1), 0); item; item = wcut_p21_next(item)) {
+        long at = 0, parent = 0;
+        if (!reference(s, id, item, &at)) break;
+        const char *body = wcut_p21_find(&s->file, at);
+        const char *segment = body ? wcut_p21_record(body, "COMPOSITE_CURVE_SEGMENT") : NULL;
+        if (!reference(s, at, wcut_p21_item(segment, 2), &parent)) break;
+        wcut_curve *curve = make(s, parent, NULL, DEPTH_MOST);
+        if (curve && wcut_p21_is(wcut_p21_item(segment, 1), ".F.")) curve = reversed(s, curve);
+        if (!curve) break;
+        part[made++] = curve;
+    }
+    if (made == count) return wcut_curves_add_chain(s->reader, count, part, name, length);
+    for (int k = 0; k < made; k++) wcut_curve_destroy(part[k]);
+    free(part);
+    return s->reader->failure.status == WCUT_OK;
+}
+
+/* the curves among a geometric set's elements */
+static bool add_set(wcut_step_source *s, long id, const char *list) {
+    static const char *const no_curve[] = {"CARTESIAN_POINT",
+                                           "AXIS2_PLACEMENT_3D",
+                                           "B_SPLINE_SURFACE_WITH_KNOTS",
+                                           "RECTANGULAR_TRIMMED_SURFACE",
+                                           "CURVE_BOUNDED_SURFACE",
+                                           "PLANE"};
+    for (const char *item = wcut_p21_item(wcut_p21_item(list, 1), 0); item; item = wcut_p21_next(item)) {
+        long at = 0;
+        bool is_curve = true;
+        if (!reference(s, id, item, &at)) return false;
+        const char *body = wcut_p21_find(&s->file, at);
+        if (!body) return wcut_step_refuse(s, at, "no such instance");
+        for (size_t k = 0; k < sizeof no_curve / sizeof *no_curve; k++)
+            is_curve = is_curve && !wcut_p21_record(body, no_curve[k]);
+        const char *composite = wcut_p21_record(body, "COMPOSITE_CURVE");
+        if (composite ? !add_segments(s, at, composite) : is_curve && !add(s, at, NULL, body)) return false;
+    }
+    return true;
+}
+
+static bool read_vertex(wcut_step_source *s, long id, const char *item, wcut_vec3 *point) {
+    long vertex = 0, at = 0;
+    if (!reference(s, id, item, &vertex)) return false;
+    const char *body = wcut_p21_find(&s->file, vertex);
+    const char *list = body ? wcut_p21_record(body, "VERTEX_POINT") : NULL;
+    return reference(s, vertex, wcut_p21_item(list, 1), &at) && wcut_step_point(s, at, point);
+}
+
+static bool add_edge(wcut_step_source *s, const wcut_p21_instance *at, const char *list) {
+    piece p = {.has_points = true, .slack = 1e-2};
+    long curve = 0;
+    for (int k = 0; k < 2; k++)
+        if (!read_vertex(s, at->id, wcut_p21_item(list, 1 + k), &p.point[k])) return false;
+    p.forwards = !wcut_p21_is(wcut_p21_item(list, 4), ".F.");
+    return reference(s, at->id, wcut_p21_item(list, 3), &curve) && add(s, curve, &p, at->body);
+}
+
+static bool check_places(wcut_step_source *s) {
+    static const char *const moves[] = {"MAPPED_ITEM", "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION"};
+    for (int k = 0; k < s->file.count; k++)
+        for (int m = 0; m < 2; m++)
+            if (wcut_p21_record(s->file.instance[k].body, moves[m]))
+                return wcut_step_refuse(s, s->file.instance[k].id,
+                                        "an assembly that moves its parts, expected parts where they stand");
+    return true;
+}
+
+static bool add_all(wcut_step_source *s) {
+    for (int k = 0; k < s->file.count; k++) {
+        const wcut_p21_instance *at = &s->file.instance[k];
+        const char *list = wcut_p21_record(at->body, "GEOMETRIC_CURVE_SET");
+        if (!list) list = wcut_p21_record(at->body, "GEOMETRIC_SET");
+        if (list && !add_set(s, at->id, list)) return false;
+    }
+    const bool are_alone = s->reader->set->count > 0 || s->reader->set->left_out > 0;
+    for (int k = 0; !are_alone && k < s->file.count; k++) {
+        const char *list = wcut_p21_record(s->file.instance[k].body, "EDGE_CURVE");
+        if (list && !add_edge(s, &s->file.instance[k], list)) return false;
+    }
+    return true;
+}
+
+bool wcut_curves_fill_step(wcut_curve_reader *r, char *text, size_t length) {
+    wcut_step_source s = {.reader = r};
+    const bool done = wcut_p21_open(r, text, length, &s.file) && wcut_step_units(&s) && check_places(&s) && add_all(&s);
+    wcut_p21_close(&s.file);
+    return done;
+}

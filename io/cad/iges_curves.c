@@ -1,0 +1,236 @@
+/* Curves of IGES files: rational B-splines (126), lines (110), circular arcs (100), ellipses (104), strings of points
+   (106), what is composed of these (102), each moved by its transformation (124). */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "io/cad/arc.h"
+#include "io/cad/curve_iges.h"
+
+enum { NESTED_MOST = 8 };
+static const double TURN = 6.283185307179586;
+static const double INCREDIBLE = 1e12; /* [mm] */
+
+static wcut_curve *refuse_data(wcut_iges *f, const wcut_iges_entry *e) {
+    wcut_curves_refuse(f->reader, "line %d: found too few or other values than its kind has", e->at + 1);
+    return NULL;
+}
+
+static wcut_curve *leave_out(wcut_iges *f, const wcut_iges_entry *e) {
+    char text[40];
+    snprintf(text, sizeof text, "type %d form %d", e->type, e->form);
+    wcut_curves_leave_out(f->reader, text);
+    return NULL;
+}
+
+static void scale_points(const wcut_iges *f, wcut_vec3 *p, int count) {
+    for (int k = 0; f->scale != 1 && k < count; k++)
+        p[k] = (wcut_vec3){p[k].x * f->scale, p[k].y * f->scale, p[k].z * f->scale};
+}
+
+/* what the data could hold at two characters a value: more is refused before memory is asked for */
+static int most_values(const wcut_iges_cursor *c) { return (c->end - c->line) * 32; }
+
+/* ---- one kind each; NULL: refused or left out ---- */
+
+static wcut_curve *read_spline(wcut_iges *f, const wcut_iges_entry *e, wcut_iges_cursor *c, const char *place) {
+    int last = 0, degree = 0, flag[4];
+    bool ok = wcut_iges_int(c, 1, most_values(c), &last) && wcut_iges_int(c, 1, 1000, &degree);
+    for (int k = 0; ok && k < 4; k++) ok = wcut_iges_int(c, 0, 1, &flag[k]);
+    if (!ok) return refuse_data(f, e);
+    if (degree > WCUT_DEGREE_MAX) return wcut_curves_leave_out(f->reader, "a degree above 7"), NULL;
+    const int count = last + 1, knots = count + degree + 1;
+    double *value = wcut_alloc((size_t)knots + 4 * (size_t)count, sizeof *value);
+    if (!value) return wcut_curves_refuse_memory(f->reader), NULL;
+    double *weight = value + knots;
+    wcut_vec3 *control = (wcut_vec3 *)(weight + count);
+    wcut_curve *curve = NULL;
+    if (wcut_iges_reals(c, knots + 4 * count, value)) {
+        bool same = true;
+        for (int k = 1; k < count; k++) same = same && weight[k] == weight[0];
+        scale_points(f, control, count);
+        const bool is_rational = !(same && weight[0] > 0);
+        curve = wcut_curves_make(f->reader, place, degree, count, value, control, is_rational ? weight : NULL);
+    } else {
+        refuse_data(f, e);
+    }
+    free(value);
+    return curve;
+}
+
+/* `count` points of three coordinates, or of two at one height */
+static wcut_curve *read_points(wcut_iges *f, const wcut_iges_entry *e, wcut_iges_cursor *c, const char *place,
+                               int count, bool is_flat) {
+    wcut_vec3 *point = wcut_alloc((size_t)count, sizeof *point);
+    wcut_curve *curve = NULL;
+    if (!point) return wcut_curves_refuse_memory(f->reader), NULL;
+    double height = 0;
+    bool ok = !is_flat || wcut_iges_real(c, &height);
+    for (int k = 0; ok && k < count; k++) {
+        point[k].z = height;
+        ok = wcut_iges_reals(c, is_flat ? 2 : 3, &point[k].x);
+    }
+    if (ok) {
+        scale_points(f, point, count);
+        curve = wcut_curves_polyline(f->reader, place, count, point);
+    } else {
+        refuse_data(f, e);
+    }
+    free(point);
+    return curve;
+}
+
+static wcut_curve *read_string(wcut_iges *f, const wcut_iges_entry *e, wcut_iges_cursor *c, const char *place) {
+    int kind = 0, count = 0;
+    if (!wcut_iges_int(c, 1, 3, &kind) || !wcut_iges_int(c, 2, most_values(c), &count)) return refuse_data(f, e);
+    return kind == 3 ? leave_out(f, e) : read_points(f, e, c, place, count, kind == 1);
+}
+
+/* center + cos(t) a x + sin(t) b y at a height, counter-clockwise from start to end, a whole turn where they are one */
+static wcut_curve *make_arc(wcut_iges *f, const char *place, wcut_vec3 center, double a, double b,
+                            const double start[2], const double end[2]) {
+    wcut_vec3 pole[WCUT_ARC_POLES];
+    double weight[WCUT_ARC_POLES], knot[WCUT_ARC_POLES + 3];
+    const double from = atan2((start[1] - center.y) / b, (start[0] - center.x) / a);
+    double to = atan2((end[1] - center.y) / b, (end[0] - center.x) / a);
+    if (!(to > from + 1e-12)) to += TURN;
+    const int poles = wcut_arc(center, (wcut_vec3){a, 0, 0}, (wcut_vec3){0, b, 0}, from, to, pole, weight, knot);
+    scale_points(f, pole, poles);
+    return wcut_curves_make(f->reader, place, 2, poles, knot, pole, weight);
+}
+
+static wcut_curve *read_circle(wcut_iges *f, const wcut_iges_entry *e, wcut_iges_cursor *c, const char *place) {
+    double v[7]; /* height, center, start, end */
+    if (!wcut_iges_reals(c, 7, v)) return refuse_data(f, e);
+    const double radius = hypot(v[3] - v[1], v[4] - v[2]);
+    if (!(radius > 0) || !isfinite(radius)) return refuse_data(f, e);
+    return make_arc(f, place, (wcut_vec3){v[1], v[2], v[0]}, radius, radius, v + 3, v + 5);
+}
+
+/* a x^2 + b x y + c y^2 + d x + e y + f = 0 at a height, from start to end: an ellipse along the axes, as it must be */
+static wcut_curve *read_conic(wcut_iges *f, const wcut_iges_entry *e, wcut_iges_cursor *c, const char *place) {
+    double v[11];
+    if (!wcut_iges_reals(c, 11, v)) return refuse_data(f, e);
+    const bool is_ellipse = v[1] == 0 && v[3] == 0 && v[4] == 0 && v[0] * v[2] > 0 && v[0] * v[5] < 0;
+    const double x = sqrt(-v[5] / v[0]), y = sqrt(-v[5] / v[2]);
+    if (!is_ellipse || !(x > 0 && y > 0) || !isfinite(x) || !isfinite(y)) return leave_out(f, e);
+    return make_arc(f, place, (wcut_vec3){0, 0, v[6]}, x, y, v + 7, v + 9);
+}
+
+/* ---- where it stands ---- */
+
+/* an entry named by a number of the directory; false: refused */
+static bool find_named(wcut_iges *f, const wcut_iges_entry *by, int number, wcut_iges_entry *entry) {
+    if (number < 1 || number % 2 == 0 || number > f->data - f->directory)
+        return wcut_curves_refuse(f->reader, "line %d: found no directory entry %d", by->at + 1, number);
+    return wcut_iges_find(f, f->directory + number - 1, entry);
+}
+
+/* a curve moved by the transformation that an entry names, and by those that that names; NULL: refused */
+static wcut_curve *move(wcut_iges *f, const wcut_iges_entry *e, wcut_curve *curve) {
+    wcut_iges_entry by = *e;
+    for (int depth = 0; curve && by.transformation != 0; depth++) {
+        wcut_iges_entry to = {0};
+        wcut_iges_cursor c;
+        double m[3][4] = {{0}}; /* rows, and their shift */
+        bool ok = find_named(f, &by, by.transformation, &to) && wcut_iges_open(f, &to, &c);
+        if (ok && (to.type != 124 || depth == NESTED_MOST || !wcut_iges_reals(&c, 12, m[0])))
+            ok = wcut_curves_refuse(f->reader, "line %d: found no transformation, expected one of type 124", to.at + 1);
+        for (int k = 0; ok && k < curve->control_count; k++) {
+            const wcut_vec3 p = curve->control[k];
+            double q[3];
+            for (int r = 0; r < 3; r++) q[r] = m[r][0] * p.x + m[r][1] * p.y + m[r][2] * p.z + m[r][3] * f->scale;
+            ok = fabs(q[0]) <= INCREDIBLE && fabs(q[1]) <= INCREDIBLE && fabs(q[2]) <= INCREDIBLE;
+            if (!ok) wcut_curves_refuse(f->reader, "line %d: found a curve moved beyond 1e12 mm", e->at + 1);
+            curve->control[k] = (wcut_vec3){q[0], q[1], q[2]};
+        }
+        if (!ok) {
+            wcut_curve_destroy(curve);
+            return NULL;
+        }
+        by = to;
+    }
+    return curve;
+}
+
+/* NULL: refused or left out */
+static wcut_curve *read_simple(wcut_iges *f, const wcut_iges_entry *e) {
+    wcut_iges_cursor c;
+    char place[40];
+    wcut_curve *curve = NULL;
+    if (!wcut_iges_open(f, e, &c)) return NULL;
+    snprintf(place, sizeof place, "line %d", e->at + 1);
+    if (e->type == 126)
+        curve = read_spline(f, e, &c, place);
+    else if (e->type == 110 && e->form == 0)
+        curve = read_points(f, e, &c, place, 2, false);
+    else if (e->type == 100)
+        curve = read_circle(f, e, &c, place);
+    else if (e->type == 104)
+        curve = read_conic(f, e, &c, place);
+    else if (e->type == 106)
+        curve = read_string(f, e, &c, place);
+    else
+        leave_out(f, e);
+    return move(f, e, curve);
+}
+
+/* ---- which ---- */
+
+static bool is_curve(const wcut_iges_entry *e) {
+    static const int type[] = {100, 102, 104, 106, 110, 112, 126, 130};
+    for (size_t k = 0; k < sizeof type / sizeof *type; k++)
+        if (e->type == type[k]) return e->type != 106 || e->form <= 3 || (e->form >= 11 && e->form <= 13);
+    return false;
+}
+
+/* the pieces of a composite curve; one that is left out leaves out all */
+static bool add_composite(wcut_iges *f, const wcut_iges_entry *e) {
+    wcut_iges_cursor c;
+    int count = 0, made = 0, number = 0;
+    if (!wcut_iges_open(f, e, &c)) return false;
+    if (!wcut_iges_int(&c, 1, most_values(&c), &count)) return refuse_data(f, e);
+    wcut_curve **piece = wcut_alloc((size_t)count, sizeof *piece);
+    if (!piece) return wcut_curves_refuse_memory(f->reader);
+    for (bool ok = true; ok && made < count;) {
+        wcut_iges_entry of = {0};
+        if (!wcut_iges_int(&c, 1, 9999999, &number)) {
+            refuse_data(f, e);
+            break;
+        }
+        if (!find_named(f, e, number, &of)) break;
+        wcut_curve *curve = of.type == 102 ? leave_out(f, &of) : read_simple(f, &of);
+        piece[made] = move(f, e, curve);
+        ok = piece[made] != NULL;
+        made += ok;
+    }
+    const bool whole = made == count;
+    if (whole) return wcut_curves_add_chain(f->reader, count, piece, "", 0);
+    for (int k = 0; k < made; k++) wcut_curve_destroy(piece[k]);
+    free(piece);
+    return f->reader->failure.status == WCUT_OK;
+}
+
+bool wcut_iges_note_pieces(wcut_iges *f, const wcut_iges_entry *e) {
+    wcut_iges_cursor c;
+    int count = 0, number = 0;
+    if (e->type != 102) return true;
+    if (!wcut_iges_open(f, e, &c)) return false;
+    if (!wcut_iges_int(&c, 1, most_values(&c), &count)) return refuse_data(f, e);
+    for (int k = 0; k < count && wcut_iges_int(&c, 1, f->data - f->directory, &number); k++)
+        f->is_piece[number / 2] = true;
+    return true;
+}
+
+bool wcut_iges_add(wcut_iges *f, const wcut_iges_entry *e) {
+    const bool depends = e->status[3] == '1' || e->status[3] == '3';
+    if (!is_curve(e) || (depends && f->is_piece[(e->at - f->directory) / 2])) return true;
+    if (depends || (e->status[4] == '0' && e->status[5] == '5'))
+        return wcut_curves_leave_out(f->reader, "a piece of another entity"), true;
+    if (e->type == 102) return add_composite(f, e);
+    wcut_curve *curve = read_simple(f, e);
+    if (curve) return wcut_curves_add(f->reader, curve, "", 0);
+    return f->reader->failure.status == WCUT_OK;
+}

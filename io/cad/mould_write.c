@@ -1,0 +1,116 @@
+/* "wirecut-mould/1": both halves in figures, and whether they are solids. */
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <wirecut/mould.h>
+#include <wirecut/version.h>
+
+#include <wirecut/angle.h>
+#include "base/fail.h"
+#include "io/file/text.h"
+
+/* a number, or null where it is not finite: a wall that is not known, the radius of a plane */
+static void put_number(wcut_text *text, const char *before, double value) {
+    wcut_text_print(text, "%s", before);
+    if (isfinite(value)) {
+        wcut_text_number(text, value);
+    } else {
+        wcut_text_print(text, "null");
+    }
+}
+
+static void put_truth(wcut_text *text, const char *before, int value) {
+    wcut_text_print(text, "%s%s", before, value ? "true" : "false");
+}
+
+static void put_point(wcut_text *text, const char *before, wcut_vec3 p) {
+    put_number(text, before, p.x);
+    put_number(text, ", ", p.y);
+    put_number(text, ", ", p.z);
+    wcut_text_print(text, "]");
+}
+
+static void put_half(wcut_text *text, const char *name, const wcut_half *half) {
+    const wcut_half_report *r = &half->report;
+    wcut_text_print(text, ",\n  \"%s\": {", name);
+    put_truth(text, "\"closed\": ", r->closed);
+    put_truth(text, ", \"oriented\": ", r->oriented);
+    wcut_text_print(text, ", \"self_intersections\": %d, \"pieces\": %d", r->self_intersections, r->pieces);
+    put_number(text, ",\n    \"volume_mm3\": ", r->volume);
+    put_number(text, ", \"area_mm2\": ", r->area);
+    put_number(text, ", \"cut_area_mm2\": ", r->cut_area);
+    wcut_text_print(text, ", \"triangles\": %d", half->mesh->triangle_count);
+    put_point(text, ",\n    \"box_mm\": [[", r->box_low);
+    put_point(text, ", [", r->box_high);
+    put_number(text, "],\n    \"draft_deg\": {\"min\": ", WCUT_DEG_PER_RAD * r->draft_min);
+    put_point(text, ", \"at_mm\": [", r->draft_place);
+    put_truth(text, ", \"held\": ", r->draft_held);
+    put_number(text, "},\n    \"undercut_mm2\": ", r->undercut_area);
+    put_number(text, ",\n    \"wall_mm\": {\"min\": ", r->wall_min);
+    put_point(text, ", \"at_mm\": [", r->wall_place);
+    put_truth(text, ", \"held\": ", r->wall_held);
+    put_number(text, "},\n    \"edge_deg\": {\"min\": ", WCUT_DEG_PER_RAD * r->edge_min);
+    put_point(text, ", \"at_mm\": [", r->edge_place);
+    put_number(text, "},\n    \"keys_mm3\": ", r->key_volume);
+    wcut_text_print(text, ", \"exact_faces\": %d}", half->brep ? half->brep->face_count : 0);
+}
+
+static void put_cut(wcut_text *text, const wcut_mould *m) {
+    put_number(text, ",\n  \"kerf_volume_mm3\": ", m->kerf_volume);
+    put_number(text, ",\n  \"block_volume_mm3\": ", m->block_volume);
+    put_number(text, ",\n  \"volume_error\": ", m->volume_error);
+    put_number(text, ",\n  \"kerf_mm\": {\"min\": ", m->kerf_min);
+    put_number(text, ", \"max\": ", m->kerf_max);
+    put_number(text, "},\n  \"fit_error_mm\": ", m->fit_error);
+    put_number(text, ",\n  \"chord_error_mm\": ", m->chord_error);
+    put_number(text, ",\n  \"prolonged_mm\": {\"entry\": ", m->prolonged_entry);
+    put_number(text, ", \"exit\": ", m->prolonged_exit);
+    put_number(text, ", \"wire\": ", m->prolonged_side);
+    put_number(text, "},\n  \"radius_mm\": {\"min\": ", m->radius_min);
+    put_point(text, ", \"at_mm\": [", m->radius_place);
+    put_number(text, ", \"wire\": ", m->wire_radius);
+    put_number(text, "},\n  \"asked\": {\"wall_mm\": ", m->wall_asked);
+    put_number(text, ", \"draft_deg\": ", WCUT_DEG_PER_RAD * m->draft_asked);
+    put_number(text, ", \"scale\": ", m->scale);
+    put_point(text, ", \"pull\": [", m->pull);
+    wcut_text_print(text, "},\n  \"made_by\": \"%s\",\n  \"step\": ", m->by_boolean ? "booleans" : "index");
+    wcut_text_string(text, m->by_boolean ? "not written: made by booleans, the halves are triangles without exact faces"
+                                         : "exact faces");
+}
+
+static bool is_usable(const wcut_mould *m, const char *name, int count, const char *const *files) {
+    if (!m || !m->lower.mesh || !m->upper.mesh || !name || count < 0 || (count > 0 && !files)) return false;
+    for (int k = 0; k < count; k++)
+        if (!files[k]) return false;
+    return true;
+}
+
+static wcut_status print_mould(const wcut_mould *m, const char *name, int count, const char *const *files, char **text,
+                               size_t *length) {
+    wcut_text out;
+    if (!is_usable(m, name, count, files)) return WCUT_BAD_ARGUMENT;
+    if (!wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
+    wcut_text_print(&out, "{\n  \"format\": \"wirecut-mould/1\",\n  \"version\": \"%s\",\n  \"job\": ", WCUT_VERSION);
+    wcut_text_string(&out, name);
+    put_half(&out, "lower", &m->lower);
+    put_half(&out, "upper", &m->upper);
+    put_cut(&out, m);
+    wcut_text_files(&out, count, files);
+    return wcut_text_finish(&out, text, length);
+}
+
+wcut_status wcut_mould_print(const wcut_mould *mould, const char *name, int file_count, const char *const *files,
+                             char **text) {
+    return text ? print_mould(mould, name, file_count, files, text, NULL) : WCUT_BAD_ARGUMENT;
+}
+
+wcut_status wcut_mould_write(const wcut_mould *mould, const char *name, int file_count, const char *const *files,
+                             const char *path, wcut_error *error) {
+    char *text = NULL;
+    size_t length = 0;
+    wcut_status status = path ? print_mould(mould, name, file_count, files, &text, &length) : WCUT_BAD_ARGUMENT;
+    if (status != WCUT_OK) return wcut_fail(error, status, "a mould: %s", wcut_status_text(status));
+    status = wcut_file_write_whole(path, text, length, error);
+    free(text);
+    return status;
+}

@@ -1,0 +1,124 @@
+/* STEP files (ISO 10303-21, application protocols 214 and 242): a product for each shape, in millimetres. */
+#include <stdlib.h>
+#include <wirecut/version.h>
+
+#include "base/fail.h"
+#include "io/cad/shape_check.h"
+#include "io/cad/step_shape.h"
+
+/* what all shapes refer to */
+typedef struct shared {
+    wcut_id application, design, mechanical; /* contexts */
+    wcut_id space, plane;                    /* representation contexts in three and two dimensions */
+    wcut_id origin;
+} shared;
+
+static void put_header(wcut_text *text, const char *name, wcut_step_schema schema) {
+    static const char *const identifier[] = {
+        "AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }",
+        "AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF { 1 0 10303 442 1 1 4 }",
+    };
+    wcut_part21 p = {text, 0};
+    wcut_text_print(text, "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION(('lengths in mm'),'2;1');\nFILE_NAME(");
+    wcut_p21_string(&p, name);
+    wcut_text_print(text, ",'',(''),(''),'wirecut %s','wirecut %s','');\nFILE_SCHEMA(('%s'));\nENDSEC;\nDATA;\n",
+                    WCUT_VERSION, WCUT_VERSION, identifier[schema]);
+}
+
+static shared put_shared(wcut_part21 *p, wcut_step_schema schema) {
+    static const char *const about[] = {"core data for automotive mechanical design processes",
+                                        "managed model based 3d engineering"};
+    static const char *const protocol[] = {"'automotive_design',2000",
+                                           "'ap242_managed_model_based_3d_engineering',2014"};
+    shared s;
+    s.application = wcut_p21_put(p, "APPLICATION_CONTEXT('%s')", about[schema]);
+    wcut_p21_put(p, "APPLICATION_PROTOCOL_DEFINITION('international standard',%s,#%ld)", protocol[schema],
+                 s.application);
+    s.mechanical = wcut_p21_put(p, "PRODUCT_CONTEXT('',#%ld,'mechanical')", s.application);
+    s.design = wcut_p21_put(p, "PRODUCT_DEFINITION_CONTEXT('part definition',#%ld,'design')", s.application);
+    const wcut_id length = wcut_p21_put(p, "(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))");
+    const wcut_id angle = wcut_p21_put(p, "(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))");
+    const wcut_id solid = wcut_p21_put(p, "(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())");
+    const wcut_id fuzz = wcut_p21_put(
+        p, "UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-06),#%ld,'distance_accuracy_value','')", length);
+    s.space = wcut_p21_put(p,
+                           "(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#%ld))\n"
+                           "GLOBAL_UNIT_ASSIGNED_CONTEXT((#%ld,#%ld,#%ld))REPRESENTATION_CONTEXT('','3D'))",
+                           fuzz, length, angle, solid);
+    s.plane = wcut_p21_put(p,
+                           "(GEOMETRIC_REPRESENTATION_CONTEXT(2)PARAMETRIC_REPRESENTATION_CONTEXT()"
+                           "REPRESENTATION_CONTEXT('','2D'))");
+    const wcut_id at = wcut_p21_point(p, (wcut_vec3){0, 0, 0}), axis = wcut_p21_direction(p, (wcut_vec3){0, 0, 1});
+    const wcut_id ref = wcut_p21_direction(p, (wcut_vec3){1, 0, 0});
+    s.origin = wcut_p21_put(p, "AXIS2_PLACEMENT_3D('',#%ld,#%ld,#%ld)", at, axis, ref);
+    return s;
+}
+
+/* the shape's geometry and the kind of representation that may hold it; 0: no memory */
+static wcut_id put_geometry(wcut_part21 *p, const wcut_shape *shape, const shared *s, const char **kind) {
+    if (shape->solid) {
+        *kind = "ADVANCED_BREP_SHAPE_REPRESENTATION";
+        return wcut_step_solid(p, shape->name, shape->solid, s->plane);
+    }
+    if (shape->curve) {
+        *kind = "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION";
+        const wcut_id curve = wcut_step_curve(p, shape->name, shape->curve);
+        return wcut_p21_put(p, "GEOMETRIC_CURVE_SET('',(#%ld))", curve);
+    }
+    if (wcut_step_has_border(shape->surface)) {
+        *kind = "MANIFOLD_SURFACE_SHAPE_REPRESENTATION";
+        return wcut_step_shell(p, shape->name, shape->surface, s->plane);
+    }
+    *kind = "GEOMETRICALLY_BOUNDED_SURFACE_SHAPE_REPRESENTATION";
+    const wcut_id surface = wcut_step_surface(p, shape->name, shape->surface);
+    return wcut_p21_put(p, "GEOMETRIC_SET('',(#%ld))", surface);
+}
+
+/* a product and its shape; false: no memory */
+static bool put_shape(wcut_part21 *p, const wcut_shape *shape, const shared *s) {
+    const char *kind = "";
+    const wcut_id geometry = put_geometry(p, shape, s, &kind);
+    if (geometry == 0) return false;
+    const wcut_id representation = wcut_p21_put(p, "%s('',(#%ld,#%ld),#%ld)", kind, s->origin, geometry, s->space);
+    const wcut_id product = wcut_p21_begin(p);
+    wcut_text_print(p->text, "PRODUCT(");
+    wcut_p21_string(p, shape->name);
+    wcut_text_print(p->text, ",");
+    wcut_p21_string(p, shape->name);
+    wcut_text_print(p->text, ",'',(#%ld));\n", s->mechanical);
+    const wcut_id version = wcut_p21_put(p, "PRODUCT_DEFINITION_FORMATION('','',#%ld)", product);
+    const wcut_id definition = wcut_p21_put(p, "PRODUCT_DEFINITION('design','',#%ld,#%ld)", version, s->design);
+    const wcut_id property = wcut_p21_put(p, "PRODUCT_DEFINITION_SHAPE('','',#%ld)", definition);
+    wcut_p21_put(p, "SHAPE_DEFINITION_REPRESENTATION(#%ld,#%ld)", property, representation);
+    wcut_p21_put(p, "PRODUCT_RELATED_PRODUCT_CATEGORY('part',$,(#%ld))", product);
+    return true;
+}
+
+static bool put_shapes(wcut_text *text, int count, const wcut_shape *shape, wcut_step_schema schema) {
+    wcut_part21 p = {text, 0};
+    put_header(text, shape[0].name, schema);
+    const shared s = put_shared(&p, schema);
+    bool done = true;
+    for (int k = 0; done && k < count; k++) done = put_shape(&p, &shape[k], &s);
+    wcut_text_print(text, "ENDSEC;\nEND-ISO-10303-21;\n");
+    wcut_text_flush(text);
+    return done;
+}
+
+wcut_status wcut_step_write(int count, const wcut_shape *shape, wcut_step_schema schema, const char *path,
+                            wcut_error *error) {
+    wcut_file *file = NULL;
+    wcut_text text = {0};
+    wcut_status status = wcut_shapes_check(count, shape, path, error);
+    if (status == WCUT_OK && (unsigned)schema >= WCUT_STEP_SCHEMA_COUNT)
+        status = wcut_fail(error, WCUT_BAD_ARGUMENT, "found an unknown STEP schema, expected AP214 or AP242");
+    if (status == WCUT_OK) status = wcut_file_create(path, &file, error);
+    if (status != WCUT_OK) return status;
+    if (wcut_text_create(&text, file) && put_shapes(&text, count, shape, schema))
+        status = wcut_file_commit(file, error);
+    else
+        status = wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
+    wcut_text_destroy(&text);
+    wcut_file_destroy(file);
+    return status;
+}

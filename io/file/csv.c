@@ -1,0 +1,291 @@
+/* CSV text in memory to columns of numbers, in one pass, after RFC 4180 with comments. */
+#include "io/file/csv.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "io/file/decimal.h"
+
+/* where the parser stands; the text ends with a zero byte at `end` */
+typedef struct scanner {
+    const char *at, *end, *line_start;
+    const char *field; /* where the field begins that is being read */
+    int line;          /* of `at`, from 1 */
+    const char *label;
+    wcut_error *error;
+    wcut_table *table;
+    unsigned char *numeric; /* columns: whether text is refused */
+    char *scratch;          /* a field without its quotes */
+    size_t scratch_size;
+} scanner;
+
+static wcut_status refuse_memory(scanner *s) {
+    char name[WCUT_QUOTE_SIZE];
+    return wcut_fail(s->error, WCUT_NO_MEMORY, "%s: %s", wcut_quote(name, s->label, WCUT_LABEL_MAX, 1),
+                     wcut_status_text(WCUT_NO_MEMORY));
+}
+
+/* refuse what stands at s->field: "FILE: line 7, column 12 (NAME): found X, expected Y" */
+static wcut_status refuse(scanner *s, int column, const char *found, const char *expected) {
+    char label[WCUT_QUOTE_SIZE], name[WCUT_QUOTE_SIZE], shown[WCUT_QUOTE_SIZE];
+    bool known = column >= 0 && column < s->table->columns && s->table->column[column].name;
+    return wcut_fail(s->error, WCUT_BAD_FORMAT, "%s: line %d, column %d%s%s%s: found %s, expected %s",
+                     wcut_quote(label, s->label, WCUT_LABEL_MAX, 1), s->line, (int)(s->field - s->line_start) + 1,
+                     known ? " (" : "", known ? wcut_quote(name, s->table->column[column].name, WCUT_FOUND_MAX, 0) : "",
+                     known ? ")" : "", wcut_quote(shown, found, WCUT_FOUND_MAX, 0), expected);
+}
+
+static bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+static bool at_line_end(const scanner *s) {
+    return s->at == s->end || *s->at == '\n' || (*s->at == '\r' && s->at[1] == '\n');
+}
+
+static void next_line(scanner *s) {
+    const char *feed = memchr(s->at, '\n', (size_t)(s->end - s->at));
+    s->at = feed ? feed + 1 : s->end;
+    s->line += feed != NULL && s->line < INT_MAX;
+    s->line_start = s->at;
+}
+
+/* go to the next line that holds fields; false at the end of the text */
+static bool next_row(scanner *s) {
+    while (s->at < s->end) {
+        const char *p = s->at;
+        if (*p != '#') {
+            while (is_blank(*p)) p++;
+            bool empty = p == s->end || *p == '\n' || (*p == '\r' && p[1] == '\n');
+            if (!empty) return true;
+        }
+        next_line(s);
+    }
+    return false;
+}
+
+/* keep one more byte of a field (and a zero behind it) */
+static bool keep(scanner *s, size_t used, char c) {
+    if (used + 2 > s->scratch_size) {
+        size_t size = 2 * s->scratch_size + 64;
+        char *grown = wcut_grow(s->scratch, size);
+        if (!grown) return false;
+        s->scratch = grown;
+        s->scratch_size = size;
+    }
+    s->scratch[used] = c;
+    s->scratch[used + 1] = '\0';
+    return true;
+}
+
+/* the field at s->at, quoted or not, without quotes and outer blanks, into s->scratch; s->at goes to its delimiter */
+static wcut_status read_field(scanner *s, int column) {
+    size_t used = 0;
+    if (!keep(s, 0, '\0')) return refuse_memory(s);
+    while (is_blank(*s->at)) s->at++;
+    s->field = s->at;
+    if (*s->at != '"') {
+        for (; !at_line_end(s) && *s->at != ','; s->at++) {
+            if (*s->at == '"') return refuse(s, column, "a quote within a field", "quotes around the whole field");
+            if (*s->at == '\0') return refuse(s, column, "a zero byte", "text");
+            if (!keep(s, used++, *s->at)) return refuse_memory(s);
+        }
+        while (used > 0 && is_blank(s->scratch[used - 1])) s->scratch[--used] = '\0';
+        return WCUT_OK;
+    }
+    const char *row = s->line_start;
+    int line = s->line;
+    for (s->at++;; s->at++) {
+        if (s->at == s->end) {
+            s->line_start = row;
+            s->line = line;
+            return refuse(s, column, "an opening quote", "its closing one before the end of the file");
+        }
+        if (*s->at == '\0') return refuse(s, column, "a zero byte", "text");
+        if (*s->at == '"' && *++s->at != '"') break;
+        if (*s->at == '\n') s->line += s->line < INT_MAX, s->line_start = s->at + 1;
+        if (!keep(s, used++, *s->at)) return refuse_memory(s);
+    }
+    while (is_blank(*s->at)) s->at++;
+    if (at_line_end(s) || *s->at == ',') return WCUT_OK;
+    s->field = s->at;
+    return refuse(s, column, "text behind a closing quote", "a comma or the end of the line");
+}
+
+static bool equal_word(const char *text, const char *word) {
+    for (; *text && *word; text++, word++)
+        if ((*text | 0x20) != *word) return false;
+    return *text == *word;
+}
+
+/* a number with one comma and no other separator, "0,5" */
+static bool is_decimal_comma(const char *text) {
+    char point[64];
+    double value;
+    const char *comma = strchr(text, ',');
+    if (!comma || strchr(text, '.') || strchr(comma + 1, ',') || strlen(text) >= sizeof point) return false;
+    memcpy(point, text, strlen(text) + 1);
+    point[comma - text] = '.';
+    return *wcut_decimal_read(point, &value) == '\0';
+}
+
+/* a sample that is not there */
+static wcut_status miss_sample(scanner *s, int column, int row) {
+    wcut_column *c = &s->table->column[column];
+    if (!c->present) {
+        c->present = wcut_alloc((size_t)s->table->rows, 1); /* rows is still the most there can be */
+        if (!c->present) return refuse_memory(s);
+        memset(c->present, 1, (size_t)s->table->rows);
+    }
+    c->present[row] = 0;
+    c->value[row] = 0;
+    c->missing++;
+    return WCUT_OK;
+}
+
+/* a field that is no plain number: quoted, empty, nan, or text */
+static wcut_status read_odd_sample(scanner *s, int column, int row) {
+    wcut_status status = read_field(s, column);
+    if (status != WCUT_OK) return status;
+    double *value = &s->table->column[column].value[row];
+    const char *behind = wcut_decimal_read(s->scratch, value);
+    if (behind > s->scratch && *behind == '\0' && isfinite(*value)) return WCUT_OK;
+    bool absent = s->scratch[0] == '\0' || equal_word(s->scratch, "nan");
+    if (absent || !s->numeric[column]) {
+        s->table->column[column].text += !absent;
+        return miss_sample(s, column, row);
+    }
+    if (is_decimal_comma(s->scratch)) return refuse(s, column, s->scratch, "a decimal point, not a decimal comma");
+    if (behind > s->scratch && *behind == '\0') return refuse(s, column, s->scratch, "a number a double can hold");
+    return refuse(s, column, s->scratch, "a number, nan or an empty field");
+}
+
+/* the common case, a bare number and its comma or line end, goes straight to its place */
+static wcut_status read_sample(scanner *s, int column, int row) {
+    const char *start = s->at;
+    while (is_blank(*s->at)) s->at++;
+    s->field = s->at;
+    double *value = &s->table->column[column].value[row];
+    const char *behind = wcut_decimal_read(s->at, value);
+    if (behind > s->at && isfinite(*value)) {
+        s->at = behind;
+        while (is_blank(*s->at)) s->at++;
+        if (*s->at == ',' || at_line_end(s)) return WCUT_OK;
+    }
+    s->at = start;
+    return read_odd_sample(s, column, row);
+}
+
+static wcut_status read_row(scanner *s, int row) {
+    s->table->line[row] = s->line;
+    for (int c = 0; c < s->table->columns; c++) {
+        wcut_status status = read_sample(s, c, row);
+        if (status != WCUT_OK) return status;
+        if (c + 1 < s->table->columns && *s->at != ',') {
+            s->field = s->at;
+            return refuse(s, c + 1, "the end of the row", "as many fields as the header has");
+        }
+        s->at += *s->at == ',' && c + 1 < s->table->columns;
+    }
+    s->field = s->at;
+    if (!at_line_end(s))
+        return refuse(s, -1, "more fields than the header has",
+                      "as many (numbers have a decimal point, not a decimal comma)");
+    next_line(s);
+    return WCUT_OK;
+}
+
+/* a name of the header into its column */
+static wcut_status name_column(scanner *s, int c) {
+    for (int k = 0; k < c; k++)
+        if (strcmp(s->table->column[k].name, s->scratch) == 0)
+            return refuse(s, -1, s->scratch, "every column named once");
+    if (s->scratch[0] == '\0') return refuse(s, -1, "a column without a name", "a name");
+    if (strchr(s->scratch, ';')) return refuse(s, -1, s->scratch, "columns separated by commas, not by semicolons");
+    s->table->column[c].name = s->scratch; /* the scratch buffer becomes the name: the next field gets its own */
+    s->scratch = NULL;
+    s->scratch_size = 0;
+    s->table->columns = c + 1;
+    return WCUT_OK;
+}
+
+static wcut_status read_header(scanner *s) {
+    s->field = s->at;
+    if (!next_row(s)) return s->field = s->at, refuse(s, -1, "no header", "a row with the names of the columns");
+    s->table->column = wcut_alloc(WCUT_CSV_COLUMNS_MOST, sizeof *s->table->column);
+    if (!s->table->column) return refuse_memory(s);
+    for (int c = 0;; c++) {
+        if (c == WCUT_CSV_COLUMNS_MOST) return refuse(s, -1, "more than 1000 columns", "at most that");
+        wcut_status status = read_field(s, -1);
+        if (status == WCUT_OK) status = name_column(s, c);
+        if (status != WCUT_OK) return status;
+        if (*s->at != ',') break;
+        s->at++;
+    }
+    double first;
+    const char *name = s->table->column[0].name;
+    if (*wcut_decimal_read(name, &first) == '\0') return refuse(s, -1, name, "the names of the columns before numbers");
+    next_line(s);
+    return WCUT_OK;
+}
+
+/* the most rows that the rest of the text can hold: a row has a line feed, and a byte a field */
+static int count_rows(const scanner *s) {
+    size_t feeds = 1, most = (size_t)(s->end - s->at) / (size_t)s->table->columns + 1;
+    for (const char *p = s->at; (p = memchr(p, '\n', (size_t)(s->end - p))) != NULL; p++) feeds++;
+    size_t rows = feeds < most ? feeds : most;
+    return rows < INT_MAX ? (int)rows : INT_MAX;
+}
+
+static wcut_status make_columns(scanner *s, int numeric_count, const char *const *numeric) {
+    wcut_table *t = s->table;
+    t->rows = count_rows(s);
+    t->line = wcut_alloc((size_t)t->rows, sizeof *t->line);
+    s->numeric = wcut_alloc((size_t)t->columns, 1);
+    if (!t->line || !s->numeric) return refuse_memory(s);
+    for (int c = 0; c < t->columns; c++) {
+        t->column[c].value = wcut_alloc((size_t)t->rows, sizeof(double));
+        if (!t->column[c].value) return refuse_memory(s);
+        for (int k = 0; k < numeric_count; k++)
+            if (strcmp(t->column[c].name, numeric[k]) == 0) s->numeric[c] = 1;
+    }
+    return WCUT_OK;
+}
+
+static wcut_status read_rows(scanner *s) {
+    int rows = 0;
+    while (next_row(s)) {
+        s->field = s->at;
+        if (rows == s->table->rows) return refuse(s, -1, "too many rows", "at most 2147483647");
+        wcut_status status = read_row(s, rows++);
+        if (status != WCUT_OK) return status;
+    }
+    s->table->rows = rows;
+    return WCUT_OK;
+}
+
+wcut_status wcut_csv_parse(const char *text, size_t length, const char *label, int numeric_count,
+                           const char *const *numeric, wcut_table **table, wcut_error *error) {
+    scanner s = {.at = text, .end = text + length, .line = 1, .label = label, .error = error};
+    s.table = wcut_alloc(1, sizeof *s.table);
+    if (!s.table) return refuse_memory(&s);
+    if (length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) s.at += 3;
+    s.line_start = s.field = s.at;
+
+    wcut_status status = WCUT_OK;
+    if (length >= 2 && (memcmp(text, "\xff\xfe", 2) == 0 || memcmp(text, "\xfe\xff", 2) == 0))
+        status = refuse(&s, -1, "UTF-16", "UTF-8");
+    if (status == WCUT_OK) status = read_header(&s);
+    if (status == WCUT_OK) status = make_columns(&s, numeric_count, numeric);
+    if (status == WCUT_OK) status = read_rows(&s);
+    free(s.numeric);
+    free(s.scratch);
+    if (status == WCUT_OK)
+        *table = s.table;
+    else
+        wcut_table_destroy(s.table);
+    return status;
+}

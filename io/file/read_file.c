@@ -1,0 +1,72 @@
+/* A whole file into memory, up to a limit; pipes too, so the size is found by reading. */
+#include "io/file/read_file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+
+enum { FIRST_SIZE = 1 << 16 };
+
+static size_t first_size(int fd, size_t most) {
+    struct stat s;
+    size_t size = FIRST_SIZE;
+    if (fstat(fd, &s) == 0 && S_ISREG(s.st_mode) && s.st_size > 0) size = (size_t)s.st_size + 2;
+    return size < most + 2 ? size : most + 2;
+}
+
+static wcut_status refuse_size(wcut_error *error, const char *path, size_t most) {
+    char name[WCUT_QUOTE_SIZE];
+    return wcut_fail(error, WCUT_BAD_FORMAT, "%s: found more than %zu MB, expected at most that",
+                     wcut_quote(name, path, WCUT_LABEL_MAX, 1), most >> 20);
+}
+
+static wcut_status refuse_memory(wcut_error *error, const char *path) {
+    char name[WCUT_QUOTE_SIZE];
+    return wcut_fail(error, WCUT_NO_MEMORY, "%s: %s", wcut_quote(name, path, WCUT_LABEL_MAX, 1),
+                     wcut_status_text(WCUT_NO_MEMORY));
+}
+
+/* read to the end; *text is the caller's to free in any case */
+static wcut_status read_all(int fd, const char *path, size_t most, char **text, size_t *length, wcut_error *error) {
+    size_t capacity = first_size(fd, most), used = 0;
+    *text = wcut_alloc(capacity, 1);
+    if (!*text) return refuse_memory(error, path);
+    for (;;) {
+        ssize_t n = read(fd, *text + used, capacity - used - 1);
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) return wcut_fail_errno(error, WCUT_NOT_FOUND, errno, path, "cannot be read");
+        if (n == 0) break;
+        used += (size_t)n;
+        if (used > most) return refuse_size(error, path, most);
+        if (used + 1 < capacity) continue;
+        capacity = capacity <= most / 2 ? 2 * capacity : most + 2;
+        char *grown = wcut_grow(*text, capacity);
+        if (!grown) return refuse_memory(error, path);
+        *text = grown;
+    }
+    (*text)[used] = '\0';
+    *length = used;
+    return WCUT_OK;
+}
+
+wcut_status wcut_file_read(const char *path, size_t most, char **text, size_t *length, wcut_error *error) {
+    int fd = open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY);
+    if (fd < 0) return wcut_fail_errno(error, WCUT_NOT_FOUND, errno, path, "cannot be read");
+    char *found = NULL;
+    size_t count = 0;
+    wcut_status status = read_all(fd, path, most, &found, &count, error);
+    close(fd); /* nothing was written: a failed close loses nothing */
+    if (status != WCUT_OK) {
+        free(found);
+        return status;
+    }
+    *text = found;
+    *length = count;
+    return WCUT_OK;
+}

@@ -1,0 +1,105 @@
+/* Output, buffered: into memory that grows, or into a file as the buffer fills. */
+#include "io/file/text.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "io/file/number.h"
+
+enum { FILE_BUFFER = 1 << 20, MEMORY_BUFFER = 1 << 14 };
+
+bool wcut_text_create(wcut_text *text, wcut_file *file) {
+    size_t capacity = file ? FILE_BUFFER : MEMORY_BUFFER;
+    *text = (wcut_text){wcut_alloc(capacity, 1), 0, capacity, file, false};
+    return text->data != NULL;
+}
+
+void wcut_text_destroy(wcut_text *text) {
+    free(text->data);
+    *text = (wcut_text){0};
+}
+
+void wcut_text_flush(wcut_text *text) {
+    wcut_file_write(text->file, text->data, text->count);
+    text->count = 0;
+}
+
+char *wcut_text_room(wcut_text *text) {
+    if (text->count + WCUT_TEXT_ROOM <= text->capacity) return text->data + text->count;
+    if (text->file) {
+        wcut_text_flush(text);
+        return text->data;
+    }
+    char *grown = wcut_grow(text->data, 2 * text->capacity);
+    if (grown) {
+        text->data = grown;
+        text->capacity *= 2;
+    } else {
+        text->failed = true; /* go on over what is lost already: the end reports it */
+        text->count = 0;
+    }
+    return text->data + text->count;
+}
+
+void wcut_text_put(wcut_text *text, const void *data, size_t size) {
+    const char *from = data;
+    while (size > 0) {
+        size_t n = size < WCUT_TEXT_ROOM ? size : WCUT_TEXT_ROOM;
+        memcpy(wcut_text_room(text), from, n);
+        text->count += n;
+        from += n;
+        size -= n;
+    }
+}
+
+void wcut_text_print(wcut_text *text, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    char *room = wcut_text_room(text);
+    int n = vsnprintf(room, WCUT_TEXT_ROOM, format, arguments);
+    va_end(arguments);
+    text->count += n < WCUT_TEXT_ROOM ? (size_t)n : WCUT_TEXT_ROOM - 1;
+}
+
+void wcut_text_number(wcut_text *text, double value) {
+    char *room = wcut_text_room(text);
+    text->count += (size_t)wcut_number_print(value, room);
+}
+
+void wcut_text_string(wcut_text *text, const char *string) {
+    wcut_text_put(text, "\"", 1);
+    for (const char *p = string; *p; p++) {
+        unsigned char c = (unsigned char)*p;
+        if (c == '"' || c == '\\')
+            wcut_text_print(text, "\\%c", c);
+        else if (c < 0x20 || c == 0x7f)
+            wcut_text_print(text, "\\u%04x", c);
+        else
+            wcut_text_put(text, p, 1);
+    }
+    wcut_text_put(text, "\"", 1);
+}
+
+void wcut_text_files(wcut_text *text, int count, const char *const *files) {
+    wcut_text_print(text, ",\n  \"files\": [");
+    for (int i = 0; i < count; i++) {
+        wcut_text_print(text, "%s", i ? ", " : "");
+        wcut_text_string(text, files[i]);
+    }
+    wcut_text_print(text, "]\n}\n");
+}
+
+wcut_status wcut_text_finish(wcut_text *text, char **data, size_t *length) {
+    wcut_text_put(text, "", 1);
+    if (text->failed) {
+        wcut_text_destroy(text);
+        return WCUT_NO_MEMORY;
+    }
+    *data = text->data;
+    if (length) *length = text->count - 1;
+    return WCUT_OK;
+}

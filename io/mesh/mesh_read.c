@@ -1,0 +1,112 @@
+/* Meshes in: which format a file has, and what is the same for all of them. */
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "io/mesh/mesh_formats.h"
+
+enum { SNIFF = 512 };
+
+wcut_mesh_read_options wcut_mesh_read_options_default(void) {
+    return (wcut_mesh_read_options){
+        .format = WCUT_MESH_FORMAT_ANY, .unit = WCUT_LENGTH_UNIT_MM, .most = 20000000, .seconds = 60};
+}
+
+static bool options_are_usable(const wcut_mesh_read_options *o) {
+    return (unsigned)o->format < WCUT_MESH_FORMAT_COUNT && (unsigned)o->unit <= WCUT_LENGTH_UNIT_INCH && o->most >= 1 &&
+           o->most <= INT_MAX / 3 && o->seconds >= 1 && o->seconds <= 3600;
+}
+
+/* the ending of a file's name with its point, "" where it has none */
+static const char *ending_of(const char *name) {
+    const char *point = strrchr(name, '.');
+    return point && !strchr(point, '/') ? point : "";
+}
+
+static wcut_mesh_format find_format(const wcut_cloud_source *s) {
+    static const struct {
+        const char *ending;
+        wcut_mesh_format format;
+    } known[] = {{".stl", WCUT_MESH_FORMAT_STL}, {".ply", WCUT_MESH_FORMAT_PLY},  {".obj", WCUT_MESH_FORMAT_OBJ},
+                 {".off", WCUT_MESH_FORMAT_OFF}, {".glb", WCUT_MESH_FORMAT_GLTF}, {".gltf", WCUT_MESH_FORMAT_GLTF}};
+    const char *at = (const char *)s->stream.data + s->stream.at, *ending = ending_of(s->label);
+    if (strncmp(at, "ply\n", 4) == 0 || strncmp(at, "ply\r", 4) == 0) return WCUT_MESH_FORMAT_PLY;
+    if (strncmp(at, "glTF", 4) == 0) return WCUT_MESH_FORMAT_GLTF;
+    for (size_t k = 0; k < sizeof known / sizeof *known; k++)
+        if (strcasecmp(ending, known[k].ending) == 0) return known[k].format;
+    return strncmp(at, "solid", 5) == 0 ? WCUT_MESH_FORMAT_STL : WCUT_MESH_FORMAT_ANY;
+}
+
+static bool fill(wcut_cloud_source *s, wcut_mesh_builder *g, wcut_mesh_format format, int seconds) {
+    const bool is_binary = s->stream.end - s->stream.at >= 4 && memcmp(s->stream.data + s->stream.at, "glTF", 4) == 0;
+    switch (format) {
+        case WCUT_MESH_FORMAT_STL:
+            return wcut_mesh_fill_stl(s, g);
+        case WCUT_MESH_FORMAT_PLY:
+            return wcut_mesh_fill_ply(s, g);
+        case WCUT_MESH_FORMAT_OBJ:
+            return wcut_mesh_fill_obj(s, g);
+        case WCUT_MESH_FORMAT_OFF:
+            return wcut_mesh_fill_foreign(s, g, ".off", seconds);
+        case WCUT_MESH_FORMAT_GLTF:
+            return wcut_mesh_fill_foreign(s, g, is_binary ? ".glb" : ".gltf", seconds);
+        default:
+            return wcut_cloud_refuse(s, "found no mesh in a known format, expected STL, PLY, OBJ, OFF or glTF");
+    }
+}
+
+static bool read(wcut_cloud_source *s, wcut_mesh_builder *g, const wcut_mesh_read_options *o, wcut_mesh **mesh,
+                 wcut_mesh_read_info *info) {
+    static const double millimetres[] = {1, 10, 1000, 25.4};
+    s->scale = millimetres[o->unit];
+    if (wcut_stream_fill(&s->stream, SNIFF) == 0) return wcut_cloud_refuse_end(s, "a mesh");
+    info->format = o->format != WCUT_MESH_FORMAT_ANY ? o->format : find_format(s);
+    return fill(s, g, info->format, o->seconds) && wcut_mesh_builder_finish(g, mesh, info);
+}
+
+/* the stream, opened, is closed here */
+static wcut_status read_stream(wcut_stream stream, const char *label, const wcut_mesh_read_options *o, wcut_mesh **mesh,
+                               wcut_mesh_read_info *info, wcut_error *error) {
+    wcut_cloud_source s = {.stream = stream};
+    wcut_mesh_builder g = {.source = &s, .most = o->most};
+    wcut_mesh_read_info found = {0};
+    wcut_mesh *made = NULL;
+    s.label = wcut_alloc(strlen(label) + 1, 1);
+    if (s.label) {
+        memcpy(s.label, label, strlen(label));
+        if (read(&s, &g, o, &made, &found)) {
+            *mesh = made;
+            if (info) *info = found;
+        }
+    } else {
+        wcut_fail(&s.failure, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
+    }
+    const wcut_status status = s.failure.status;
+    if (status != WCUT_OK && error) *error = s.failure;
+    wcut_mesh_builder_free(&g);
+    wcut_stream_close(&s.stream);
+    free(s.state);
+    free(s.label);
+    return status;
+}
+
+wcut_status wcut_mesh_read(const char *path, const wcut_mesh_read_options *options, wcut_mesh **mesh,
+                           wcut_mesh_read_info *info, wcut_error *error) {
+    const wcut_mesh_read_options o = options ? *options : wcut_mesh_read_options_default();
+    if (!path || !mesh || !options_are_usable(&o)) return WCUT_BAD_ARGUMENT;
+    wcut_stream stream;
+    const wcut_status status = wcut_stream_open(path, &stream, error);
+    if (status == WCUT_NO_MEMORY) wcut_fail(error, status, "%s", wcut_status_text(status));
+    return status == WCUT_OK ? read_stream(stream, path, &o, mesh, info, error) : status;
+}
+
+wcut_status wcut_mesh_read_memory(const void *bytes, size_t size, size_t window, const char *label,
+                                  const wcut_mesh_read_options *options, wcut_mesh **mesh, wcut_mesh_read_info *info,
+                                  wcut_error *error) {
+    wcut_stream stream;
+    const wcut_status status = wcut_stream_open_memory(bytes, size, window, &stream);
+    return status == WCUT_OK ? read_stream(stream, label, options, mesh, info, error) : status;
+}

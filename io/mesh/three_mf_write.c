@@ -1,0 +1,170 @@
+/* Meshes to a 3MF package (3MF core specification 1.3): named objects in millimetres, exact numbers. */
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <wirecut/exchange.h>
+#include <wirecut/version.h>
+
+#include "base/fail.h"
+#include "io/file/number.h"
+#include "io/file/utf8.h"
+#include "io/file/zip_write.h"
+#include "io/mesh/mesh_write.h"
+
+enum { DRAIN = 1 << 16 };
+
+/* text on its way into the archive */
+typedef struct sink {
+    wcut_zip zip;
+    wcut_text text;
+} sink;
+
+static void drain(sink *s) {
+    wcut_zip_put(&s->zip, s->text.data, s->text.count);
+    s->text.count = 0;
+}
+
+/* ---- what a mesh is ---- */
+
+static uint64_t mix(uint64_t h) {
+    h = (h ^ h >> 33) * 0xff51afd7ed558ccdu;
+    h = (h ^ h >> 33) * 0xc4ceb9fe1a85ec53u;
+    return h ^ h >> 33;
+}
+
+/* Whether every directed edge is met by its opposite, which 3MF asks of a solid: the sum of edges' hashes less those of
+   their opposites vanishes then, and otherwise but once in 2^64. */
+static bool is_closed(const wcut_mesh *mesh) {
+    uint64_t sum = 0;
+    for (size_t t = 0; t < (size_t)mesh->triangle_count; t++) {
+        const int *v = mesh->triangle + 3 * t;
+        for (int k = 0; k < 3; k++) {
+            const uint64_t a = (uint64_t)v[k], b = (uint64_t)v[(k + 1) % 3];
+            sum += mix(a << 32 | b) - mix(b << 32 | a);
+        }
+    }
+    return sum == 0;
+}
+
+/* ---- XML ---- */
+
+static void put_escaped(wcut_text *text, const char *string) {
+    for (const char *p = string; *p; p++) {
+        if (*p == '&' || *p == '<' || *p == '>' || *p == '"')
+            wcut_text_print(text, "&#%d;", *p);
+        else
+            wcut_text_put(text, p, 1);
+    }
+}
+
+static size_t put_attribute(char *to, const char *name, double value) {
+    const size_t n = strlen(name);
+    memcpy(to, name, n);
+    const size_t digits = (size_t)wcut_number_print(value, to + n);
+    to[n + digits] = '"';
+    return n + digits + 1;
+}
+
+static void put_vertex(wcut_text *text, wcut_vec3 v) {
+    char *room = wcut_text_room(text);
+    size_t used = put_attribute(room, "<vertex x=\"", v.x);
+    used += put_attribute(room + used, " y=\"", v.y);
+    used += put_attribute(room + used, " z=\"", v.z);
+    memcpy(room + used, "/>\n", 3);
+    text->count += used + 3;
+}
+
+static void put_object(sink *s, const wcut_mesh *mesh, const char *name, int id) {
+    wcut_text_print(&s->text, "<object id=\"%d\" type=\"%s\" name=\"", id, is_closed(mesh) ? "model" : "surface");
+    put_escaped(&s->text, name);
+    wcut_text_print(&s->text, "\"><mesh><vertices>\n");
+    for (int i = 0; i < mesh->vertex_count; i++) {
+        put_vertex(&s->text, mesh->vertex[i]);
+        if (s->text.count > DRAIN) drain(s);
+    }
+    wcut_text_print(&s->text, "</vertices><triangles>\n");
+    for (size_t t = 0; t < (size_t)mesh->triangle_count; t++) {
+        const int *v = mesh->triangle + 3 * t;
+        wcut_text_print(&s->text, "<triangle v1=\"%d\" v2=\"%d\" v3=\"%d\"/>\n", v[0], v[1], v[2]);
+        if (s->text.count > DRAIN) drain(s);
+    }
+    wcut_text_print(&s->text, "</triangles></mesh></object>\n");
+}
+
+static void put_model(sink *s, int count, const wcut_mesh *const *mesh, const char *const *name) {
+    wcut_text_print(&s->text,
+                    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"millimeter\" xml:lang=\"en-US\" "
+                    "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
+                    "<metadata name=\"Application\">wirecut %s</metadata>\n<resources>\n",
+                    WCUT_VERSION);
+    for (int k = 0; k < count; k++) put_object(s, mesh[k], name[k], k + 1);
+    wcut_text_print(&s->text, "</resources>\n<build>\n");
+    for (int k = 0; k < count; k++) {
+        wcut_text_print(&s->text, "<item objectid=\"%d\"/>\n", k + 1);
+        if (s->text.count > DRAIN) drain(s);
+    }
+    wcut_text_print(&s->text, "</build>\n</model>\n");
+    drain(s);
+}
+
+/* ---- the package ---- */
+
+static const char content_types[] =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+    "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">\n"
+    "<Default Extension=\"rels\" ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>\n"
+    "<Default Extension=\"model\" ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/>\n"
+    "</Types>\n";
+static const char relationships[] =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+    "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">\n"
+    "<Relationship Id=\"rel0\" Target=\"/3D/3dmodel.model\" "
+    "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>\n"
+    "</Relationships>\n";
+
+/* false: longer than 4 GiB */
+static bool put_package(sink *s, int count, const wcut_mesh *const *mesh, const char *const *name) {
+    wcut_zip_begin(&s->zip, "[Content_Types].xml");
+    wcut_zip_put(&s->zip, content_types, sizeof content_types - 1);
+    wcut_zip_end(&s->zip);
+    wcut_zip_begin(&s->zip, "_rels/.rels");
+    wcut_zip_put(&s->zip, relationships, sizeof relationships - 1);
+    wcut_zip_end(&s->zip);
+    wcut_zip_begin(&s->zip, "3D/3dmodel.model");
+    put_model(s, count, mesh, name);
+    wcut_zip_end(&s->zip);
+    return wcut_zip_finish(&s->zip);
+}
+
+static wcut_status check(int count, const wcut_mesh *const *mesh, const char *const *name, const char *path,
+                         wcut_error *error) {
+    if (count < 1 || !mesh || !name) return wcut_fail(error, WCUT_BAD_ARGUMENT, "found no mesh to write to a 3MF");
+    for (int k = 0; k < count; k++) {
+        const wcut_status status = wcut_mesh_check(mesh[k], path, error);
+        if (status != WCUT_OK) return status;
+        if (!name[k] || !wcut_utf8_is_plain(name[k]))
+            return wcut_fail(error, WCUT_BAD_ARGUMENT, "mesh %d: found a name that is not plain UTF-8", k);
+    }
+    return WCUT_OK;
+}
+
+wcut_status wcut_mesh_write_3mf(int count, const wcut_mesh *const *mesh, const char *const *name, const char *path,
+                                wcut_error *error) {
+    wcut_file *file = NULL;
+    wcut_status status = check(count, mesh, name, path, error);
+    if (status == WCUT_OK) status = wcut_file_create(path, &file, error);
+    if (status != WCUT_OK) return status;
+    sink s = {0};
+    const bool ready = wcut_zip_create(&s.zip, file) && wcut_text_create(&s.text, NULL);
+    const bool fits = ready && put_package(&s, count, mesh, name);
+    if (!ready || s.text.failed)
+        status = wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
+    else if (!fits)
+        status = wcut_fail(error, WCUT_BAD_ARGUMENT, "found a model of more than 4 GiB, expected less: use STL");
+    else
+        status = wcut_file_commit(file, error);
+    wcut_text_destroy(&s.text);
+    wcut_zip_destroy(&s.zip);
+    wcut_file_destroy(file);
+    return status;
+}

@@ -1,0 +1,367 @@
+/* "wirecut-diagnosis/1": what explains a case, in the units of files. */
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <wirecut/diagnosis.h>
+#include <wirecut/version.h>
+
+#include "base/fail.h"
+#include "io/file/atomic.h"
+#include "io/file/text.h"
+
+static void put(wcut_text *text, const char *word) { wcut_text_put(text, word, strlen(word)); }
+
+/* a number, or null where there is none */
+static void put_number(wcut_text *text, const char *before, double value) {
+    put(text, before);
+    if (isfinite(value))
+        wcut_text_number(text, value);
+    else
+        put(text, "null");
+}
+
+static void put_string(wcut_text *text, const char *before, const char *value) {
+    put(text, before);
+    wcut_text_string(text, value ? value : "");
+}
+
+static void put_pair(wcut_text *text, const char *before, double low, double high) {
+    put_number(text, before, low);
+    put_number(text, ", ", high);
+    put(text, "]");
+}
+
+/* ---- estimates ---- */
+
+/* An end that the data leave open is the end of what the parameter may be: readers compare numbers, and JSON has no
+   infinity. */
+static double end_of(double value, double limit) {
+    if (isfinite(value)) return value;
+    return isfinite(limit) ? limit : copysign(DBL_MAX, limit);
+}
+
+static void put_interval(wcut_text *text, const char *before, const wcut_estimate *e, double least, double most) {
+    put_pair(text, before, end_of(e->low, least), end_of(e->high, most));
+}
+
+static void put_open(wcut_text *text, bool low, bool high) {
+    if (low || high) wcut_text_print(text, ", \"open\": \"%s\"", low && high ? "both" : low ? "low" : "high");
+}
+
+/* "key": {"value": .., "ci95": [.., ..]}; lists of three for points */
+static void put_parameter(wcut_text *text, const wcut_found_effect *found, const wcut_effect_parameter *p) {
+    const wcut_estimate *e = found->parameter + p->at;
+    const bool list = p->size == 3;
+    bool estimated = true, low = false, high = false;
+    wcut_text_print(text, "\"%s\": {\"value\": %s", p->key, list ? "[" : "");
+    for (int k = 0; k < p->size; k++) {
+        put_number(text, k ? ", " : "", found->effect.value[p->at + k]);
+        estimated = estimated && found->estimated[p->at + k] && !isnan(e[k].low) && !isnan(e[k].high);
+        low = low || isinf(e[k].low), high = high || isinf(e[k].high);
+    }
+    put(text, list ? "]" : "");
+    if (estimated) {
+        put(text, list ? ", \"ci95\": [" : ", \"ci95\": ");
+        for (int k = 0; k < p->size; k++) put_interval(text, k ? ", [" : "[", &e[k], p->least, p->most);
+        put(text, list ? "]" : "");
+        put_open(text, low, high);
+    } else {
+        put(text, ", \"ci95\": null");
+    }
+    put(text, "}");
+}
+
+static void put_effect(wcut_text *text, const wcut_found_effect *found) {
+    const wcut_effect_info *info = wcut_effect_view(found->effect.kind);
+    wcut_text_print(text, "{\"name\": \"%s\", \"present\": %s", info->name, found->present ? "true" : "false");
+    put_number(text, ", \"confidence\": ", found->confidence);
+    put(text, ", \"parameters\": {");
+    const char *between = "";
+    if (info->choice_key) {
+        wcut_text_print(text, "\"%s\": \"%s\"", info->choice_key, info->choice[found->effect.choice]);
+        between = ", ";
+    }
+    for (const wcut_effect_parameter *p = wcut_effect_parameters(&found->effect); p->key; p++, between = ", ") {
+        put(text, between);
+        put_parameter(text, found, p);
+    }
+    put(text, "}}");
+}
+
+static void put_effects(wcut_text *text, const wcut_diagnosis *d) {
+    put(text, ",\n  \"effects\": [");
+    for (int e = 0; e < d->effects; e++) {
+        put(text, e ? ",\n    " : "\n    ");
+        put_effect(text, &d->effect[e]);
+    }
+    put(text, "]");
+}
+
+/* "key": {"value", "ci95", "job"}: a number of the plain model that was set anew */
+static void put_base(wcut_text *text, const char *before, const wcut_estimate *e, double job) {
+    put_number(text, before, e->value);
+    if (isnan(e->low) || isnan(e->high))
+        put(text, ", \"ci95\": null");
+    else
+        put_interval(text, ", \"ci95\": [", e, -INFINITY, INFINITY);
+    put_number(text, ", \"job\": ", job);
+    put(text, "}");
+}
+
+static void put_recalibrated(wcut_text *text, const wcut_diagnosis *d) {
+    put_base(text, ",\n  \"recalibrated\": {\"a_N_per_mm\": {\"value\": ", &d->a, d->a_job);
+    put_base(text, ",\n                   \"b_m2_per_J\": {\"value\": ", &d->b, d->b_job);
+    put_base(text, ",\n                   \"length_change_mm\": {\"value\": ", &d->length_change, 0);
+    put_base(text, ",\n                   \"kerf_mm\": {\"value\": ", &d->kerf, NAN);
+    put(text, "}");
+}
+
+/* ---- the verdict ---- */
+
+/* kinds whose verdict names effects; the others have none, or alternatives */
+static bool names_effects(wcut_verdict_kind kind) {
+    return kind == WCUT_VERDICT_PHYSICS || kind == WCUT_VERDICT_INSTRUMENT || kind == WCUT_VERDICT_BOTH;
+}
+
+static void put_verdict(wcut_text *text, const wcut_diagnosis *d) {
+    const bool named = names_effects(d->kind);
+    const char *between = "";
+    wcut_text_print(text, ",\n  \"verdict\": {\"kind\": \"%s\", \"effects\": [", wcut_verdict_name(d->kind));
+    for (int e = 0; e < d->effects; e++) {
+        if (!named || !d->effect[e].present) continue;
+        wcut_text_print(text, "%s\"%s\"", between, wcut_effect_view(d->effect[e].effect.kind)->name);
+        between = ", ";
+    }
+    put_number(text, "], \"confidence\": ", d->confidence);
+    put(text, ",\n              \"alternatives\": [");
+    between = "";
+    for (int e = 0; e < d->effects; e++) {
+        if (named && d->effect[e].present) continue;
+        wcut_text_print(text, "%s{\"name\": \"%s\"", between, wcut_effect_view(d->effect[e].effect.kind)->name);
+        put_number(text, ", \"confidence\": ", d->effect[e].confidence);
+        put(text, "}");
+        between = ", ";
+    }
+    put_string(text, "],\n              \"sentence\": ", d->sentence);
+    put(text, "}");
+}
+
+/* ---- where ---- */
+
+static bool is_box(const wcut_vec3 corner[2]) {
+    for (int k = 0; k < 2; k++)
+        if (!isfinite(corner[k].x) || !isfinite(corner[k].y) || !isfinite(corner[k].z)) return false;
+    return true;
+}
+
+static void put_box(wcut_text *text, const char *before, const wcut_vec3 corner[2]) {
+    put(text, before);
+    if (!is_box(corner)) {
+        put(text, "null");
+        return;
+    }
+    for (int k = 0; k < 2; k++) {
+        put_number(text, k ? ", [" : "[[", corner[k].x);
+        put_number(text, ", ", corner[k].y);
+        put_number(text, ", ", corner[k].z);
+        put(text, k ? "]]" : "]");
+    }
+}
+
+static void put_mismatch(wcut_text *text, const wcut_mismatch *m) {
+    wcut_text_print(text, "{\"cut\": %d", m->cut);
+    put_string(text, ", \"channel\": ", m->column);
+    put_pair(text, ", \"time_s\": [", m->time[0], m->time[1]);
+    put_pair(text, ", \"station\": [", m->station[0], m->station[1]);
+    if (isfinite(m->wire[0]) && isfinite(m->wire[1]))
+        put_pair(text, ", \"wire_mm\": [", m->wire[0], m->wire[1]);
+    else
+        put(text, ", \"wire_mm\": null");
+    put_box(text, ",\n     \"block_mm\": ", m->block);
+    wcut_text_print(text, ", \"unit\": \"%s\"", wcut_evidence_unit(m->channel));
+    put_number(text, ", \"mean\": ", m->mean);
+    put_number(text, ", \"share_of_misfit\": ", m->share);
+    put_number(text, ", \"p_value\": ", m->p_value);
+    put_string(text, ", \"regime\": ", m->regime);
+    put(text, "}");
+}
+
+static void put_mismatches(wcut_text *text, const wcut_diagnosis *d) {
+    put(text, ",\n  \"mismatch\": [");
+    for (int i = 0; i < d->mismatches; i++) {
+        put(text, i ? ",\n    " : "\n    ");
+        put_mismatch(text, &d->mismatch[i]);
+    }
+    put(text, "]");
+}
+
+/* ---- how well ---- */
+
+static void put_channels(wcut_text *text, const wcut_fit fit[WCUT_EVIDENCE_CHANNEL_COUNT]) {
+    const char *between = "{";
+    for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) {
+        const wcut_fit *f = &fit[c];
+        if (f->count < 1) continue;
+        wcut_text_print(text, "%s\"%s\": {", between, wcut_evidence_name((wcut_evidence_channel)c));
+        put_number(text, "\"rmsd\": ", f->rmsd);
+        put_number(text, ", \"nrmsd\": ", f->nrmsd);
+        put_number(text, ", \"rmse_over_range\": ", f->rmse_over_range);
+        if (isfinite(f->low) && isfinite(f->high)) put_pair(text, ", \"rmse_over_range_ci95\": [", f->low, f->high);
+        wcut_text_print(text, ", \"count\": %d}", f->count);
+        between = ", ";
+    }
+    put(text, between[0] == '{' ? "{}" : "}");
+}
+
+static void put_models(wcut_text *text, const wcut_fit fit[WCUT_FIT_MODEL_COUNT][WCUT_EVIDENCE_CHANNEL_COUNT],
+                       const char *indent) {
+    static const char *const name[WCUT_FIT_MODEL_COUNT] = {"before", "recalibrated", "after", "black_box"};
+    for (int m = 0; m < WCUT_FIT_MODEL_COUNT; m++) {
+        wcut_text_print(text, "%s\"%s\": ", m ? indent : "", name[m]);
+        put_channels(text, fit[m]);
+    }
+}
+
+static void put_fit(wcut_text *text, const wcut_diagnosis *d) {
+    put(text, ",\n  \"fit\": {");
+    put_models(text, d->fit, ",\n          ");
+    put(text, ",\n          \"held_out_cuts\": [");
+    const char *between = "";
+    for (int i = 0; d->held_out && i < d->cuts; i++) {
+        if (!d->held_out[i]) continue;
+        wcut_text_print(text, "%s%d", between, i);
+        between = ", ";
+    }
+    put(text, "],\n          \"held_out\": {");
+    put_models(text, d->held_out_fit, ",\n                       ");
+    put(text, "}}");
+}
+
+/* ---- what else was weighed ---- */
+
+static void put_hypothesis(wcut_text *text, const wcut_hypothesis *h) {
+    put(text, "{\"effects\": [");
+    for (int e = 0; e < h->count; e++) {
+        const wcut_effect_info *info = wcut_effect_view(h->effect[e].kind);
+        wcut_text_print(text, "%s{\"name\": \"%s\"", e ? ", " : "", info->name);
+        if (info->choice_key)
+            wcut_text_print(text, ", \"%s\": \"%s\"", info->choice_key, info->choice[h->effect[e].choice]);
+        put(text, "}");
+    }
+    wcut_text_print(text, "], \"parameters\": %d", h->parameters);
+    put_number(text, ", \"gain\": ", h->gain);
+    put_number(text, ", \"held_out_gain\": ", h->held_out);
+    put_number(text, ", \"adequacy\": ", h->adequacy);
+    put_number(text, ", \"probability\": ", h->probability);
+    put_string(text, ", \"set_aside\": ", h->why);
+    put(text, "}");
+}
+
+static void put_dependence(wcut_text *text, const wcut_dependence *x) {
+    put_string(text, "{\"quantity\": ", x->quantity);
+    wcut_text_print(text, ", \"channel\": \"%s\"", wcut_evidence_name(x->channel));
+    put_number(text, ", \"coefficient\": ", x->coefficient.value);
+    put_interval(text, ", \"ci95\": [", &x->coefficient, -INFINITY, INFINITY);
+    put_number(text, ", \"held_out_gain\": ", x->gain);
+    put(text, "}");
+}
+
+static void put_weighed(wcut_text *text, const wcut_diagnosis *d) {
+    put(text, ",\n  \"ranking\": [");
+    for (int i = 0; i < d->hypotheses; i++) {
+        put(text, i ? ",\n    " : "\n    ");
+        put_hypothesis(text, &d->hypothesis[i]);
+    }
+    put(text, "],\n  \"dependences\": [");
+    for (int i = 0; i < d->dependences; i++) {
+        put(text, i ? ",\n    " : "\n    ");
+        put_dependence(text, &d->dependence[i]);
+    }
+    put(text, "],\n  \"limits\": [");
+    for (int i = 0; i < d->limits; i++) put_string(text, i ? ",\n    " : "\n    ", d->limit[i]);
+    put_number(text, "],\n  \"adequacy\": {\"ratio\": ", d->adequacy);
+    put_number(text, ", \"p_value\": ", d->adequacy_p);
+    put(text, "},\n  \"noise\": {");
+    for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) {
+        wcut_text_print(text, "%s\"%s\": ", c ? ", " : "", wcut_evidence_name((wcut_evidence_channel)c));
+        put_number(text, "", d->noise[c]);
+    }
+    put(text, "},\n  \"naive\": ");
+    if (d->naive_false || d->naive[0]) { /* else it was not run */
+        wcut_text_print(text, "{\"names_an_effect\": %s", d->naive_false ? "true" : "false");
+        put_string(text, ", \"which\": ", d->naive);
+        put(text, "}");
+    } else {
+        put(text, "null");
+    }
+}
+
+static void put_next(wcut_text *text, const wcut_diagnosis *d) {
+    if (!d->next_experiment) {
+        put(text, ",\n  \"next_experiment\": null");
+        return;
+    }
+    put(text, ",\n  \"next_experiment\": {\"job\": \"next-experiment.json\"");
+    put_string(text, ", \"name\": ", d->next_experiment->name);
+    put_string(text, ", \"reason\": ", d->next_reason);
+    put(text, "}");
+}
+
+/* ---- the document ---- */
+
+static bool is_effect(const wcut_effect *effect) {
+    const wcut_effect_info *info = wcut_effect_view(effect->kind);
+    int choices = 1;
+    while (info && info->choice && info->choice[choices]) choices++;
+    return info && effect->choice >= 0 && effect->choice < choices;
+}
+
+/* whether every count has its array and every effect is one */
+static bool is_whole(const wcut_diagnosis *d) {
+    if ((unsigned)d->kind >= WCUT_VERDICT_COUNT || d->effects < 0 || d->effects > WCUT_DIAGNOSIS_EFFECTS) return false;
+    if (d->hypotheses < 0 || d->mismatches < 0 || d->dependences < 0 || d->limits < 0 || d->cuts < 0) return false;
+    if ((d->hypotheses && !d->hypothesis) || (d->mismatches && !d->mismatch) || (d->dependences && !d->dependence) ||
+        (d->limits && !d->limit))
+        return false;
+    for (int e = 0; e < d->effects; e++)
+        if (!is_effect(&d->effect[e].effect)) return false;
+    for (int i = 0; i < d->hypotheses; i++) {
+        const wcut_hypothesis *h = &d->hypothesis[i];
+        if (h->count < 0 || h->count > 2) return false;
+        for (int e = 0; e < h->count; e++)
+            if (!is_effect(&h->effect[e])) return false;
+    }
+    return true;
+}
+
+wcut_status wcut_diagnosis_print(const wcut_diagnosis *diagnosis, const char *name, char **text) {
+    if (!diagnosis || !name || !text || !is_whole(diagnosis)) return WCUT_BAD_ARGUMENT;
+    wcut_text out;
+    if (!wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
+    wcut_text_print(&out, "{\n  \"format\": \"wirecut-diagnosis/1\",\n  \"version\": \"%s\"", WCUT_VERSION);
+    put_string(&out, ",\n  \"case\": ", name);
+    if (diagnosis->interrupted) {
+        put(&out, ",\n  \"interrupted\": true");
+        put_string(&out, ",\n  \"stopped\": ", diagnosis->stopped);
+    }
+    put_verdict(&out, diagnosis);
+    put_effects(&out, diagnosis);
+    put_recalibrated(&out, diagnosis);
+    put_mismatches(&out, diagnosis);
+    put_fit(&out, diagnosis);
+    put_weighed(&out, diagnosis);
+    put_next(&out, diagnosis);
+    put(&out, "\n}\n");
+    return wcut_text_finish(&out, text, NULL);
+}
+
+wcut_status wcut_diagnosis_write(const wcut_diagnosis *diagnosis, const char *name, const char *path,
+                                 wcut_error *error) {
+    char *text = NULL;
+    wcut_status status = path ? wcut_diagnosis_print(diagnosis, name, &text) : WCUT_BAD_ARGUMENT;
+    if (status != WCUT_OK) return wcut_fail(error, status, "diagnosis: %s", wcut_status_text(status));
+    status = wcut_file_write_whole(path, text, strlen(text), error);
+    free(text);
+    return status;
+}

@@ -1,0 +1,95 @@
+/* Recordings to CSV: the channels there are, in the units of files. */
+#include <math.h>
+#include <string.h>
+#include <wirecut/rig.h>
+
+#include "base/fail.h"
+#include "io/file/number.h"
+#include "io/file/text.h"
+
+/* the sensors of such a rig resolve no more */
+#define TIME_PER_S 1e4
+#define PER_DEGREE 1e3
+#define PER_UNIT 1e4
+
+#define CHANNEL_ENTRY(name, stem, unit, required) {unit, required},
+static const struct {
+    const char *unit;
+    int required;
+} known[] = {WCUT_CHANNEL_LIST(CHANNEL_ENTRY)};
+#undef CHANNEL_ENTRY
+
+/* the number as it is printed */
+static double rounded(wcut_channel channel, double value) {
+    const char *unit = known[channel].unit;
+    if (strcmp(unit, "deg") == 0) return round(value * 180 / acos(-1) * PER_DEGREE) / PER_DEGREE;
+    if (strcmp(unit, "s") == 0) return round(value * TIME_PER_S) / TIME_PER_S;
+    return round(value * PER_UNIT) / PER_UNIT;
+}
+
+static bool is_there(const wcut_column *c, int i) { return !c->present || c->present[i]; }
+
+static wcut_status check(const wcut_recording *r, const char *note, wcut_error *error) {
+    if (r->samples < 1) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a recording: expected at least one sample");
+    if (note && strpbrk(note, "\r\n"))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "a recording's note: expected one line");
+    for (int k = 0; k < WCUT_CHANNEL_COUNT; k++) {
+        const wcut_column *c = &r->channel[k];
+        const char *name = wcut_channel_name((wcut_channel)k);
+        if (known[k].required && !c->name)
+            return wcut_fail(error, WCUT_BAD_ARGUMENT, "a recording: expected a channel %s", name);
+        for (int i = 0; c->name && i < r->samples; i++)
+            if (is_there(c, i) && !isfinite(c->value[i]))
+                return wcut_fail(error, WCUT_BAD_ARGUMENT, "sample %d: %s: expected a finite number", i, name);
+    }
+    const wcut_column *time = &r->channel[WCUT_CHANNEL_TIME];
+    for (int i = 0; i < r->samples; i++)
+        if (!is_there(time, i) ||
+            (i > 0 && !(rounded(WCUT_CHANNEL_TIME, time->value[i]) > rounded(WCUT_CHANNEL_TIME, time->value[i - 1]))))
+            return wcut_fail(error, WCUT_BAD_ARGUMENT, "sample %d: expected a time later by 1e-4 s", i);
+    return WCUT_OK;
+}
+
+static void put_row(wcut_text *text, const wcut_recording *r, int i) {
+    char *line = wcut_text_room(text);
+    int length = 0;
+    for (int k = 0; k < WCUT_CHANNEL_COUNT; k++) {
+        if (!r->channel[k].name) continue;
+        if (k > 0) line[length++] = ',';
+        if (is_there(&r->channel[k], i)) {
+            const double value = rounded((wcut_channel)k, r->channel[k].value[i]);
+            length += wcut_number_print(value == 0 ? 0 : value, line + length);
+        }
+    }
+    line[length++] = '\n';
+    text->count += (size_t)length;
+}
+
+static void put_all(wcut_text *text, const wcut_recording *r, const char *note) {
+    if (note) wcut_text_print(text, "# %s\n", note);
+    for (int k = 0; k < WCUT_CHANNEL_COUNT; k++)
+        if (r->channel[k].name) wcut_text_print(text, "%s%s", k > 0 ? "," : "", wcut_channel_name((wcut_channel)k));
+    wcut_text_print(text, "\n");
+    for (int i = 0; i < r->samples; i++) put_row(text, r, i);
+    wcut_text_flush(text);
+}
+
+wcut_status wcut_recording_write(const wcut_recording *recording, const char *note, const char *path,
+                                 wcut_error *error) {
+    if (!recording || !path) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a recording and a file name are expected");
+    wcut_status status = check(recording, note, error);
+    if (status != WCUT_OK) return status;
+    wcut_file *file = NULL;
+    wcut_text text = {0};
+    status = wcut_file_create(path, &file, error);
+    if (status != WCUT_OK) return status;
+    if (wcut_text_create(&text, file)) {
+        put_all(&text, recording, note);
+        status = wcut_file_commit(file, error);
+    } else {
+        status = wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
+    }
+    wcut_text_destroy(&text);
+    wcut_file_destroy(file);
+    return status;
+}

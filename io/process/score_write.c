@@ -1,0 +1,274 @@
+/* "wirecut-score/1" and residuals.csv: what scores say in the units of files. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <wirecut/score.h>
+#include <wirecut/version.h>
+
+#include <wirecut/angle.h>
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "io/file/atomic.h"
+#include "io/file/text.h"
+
+static void put(wcut_text *text, const char *word) { wcut_text_put(text, word, strlen(word)); }
+
+static void put_number(wcut_text *text, const char *before, double value) {
+    put(text, before);
+    wcut_text_number(text, value);
+}
+
+static void put_string(wcut_text *text, const char *before, const char *value) {
+    put(text, before);
+    wcut_text_string(text, value);
+}
+
+/* from the API's unit to the file's */
+static double unit_of(int scored) {
+    return strcmp(wcut_scored_unit((wcut_scored)scored), "deg") == 0 ? WCUT_DEG_PER_RAD : 1;
+}
+
+/* ---- scores ---- */
+
+/* a figure, or null where there is none */
+static void put_figure(wcut_text *text, const char *before, bool there, double value) {
+    put(text, before);
+    if (there)
+        wcut_text_number(text, value);
+    else
+        put(text, "null");
+}
+
+static void put_score(wcut_text *text, const wcut_score *s, double unit) {
+    put_figure(text, "\"rmsd\": ", s->count > 0, s->rmsd * unit);
+    put_figure(text, ", \"nrmsd\": ", s->range > 0, s->nrmsd);
+    put_figure(text, ", \"rmse_over_range\": ", s->range > 0, s->rmse_over_range);
+    put_figure(text, ", \"bias\": ", s->count > 0, s->bias * unit);
+    put_figure(text, ", \"rmse\": ", s->count > 0, s->rmse * unit);
+    put_figure(text, ", \"range\": ", s->count > 0, s->range * unit);
+    put_figure(text, ", \"correlation\": ", s->correlated, s->correlation);
+    wcut_text_print(text, ", \"count\": %d", s->count);
+}
+
+/* {CHANNEL: {...}, ...}; channels without samples and phases without samples are left out */
+static void put_scores(wcut_text *text, const char *before, const wcut_scores *scores, const char *indent) {
+    bool first = true;
+    wcut_text_print(text, "%s{", before);
+    for (int k = 0; k < WCUT_SCORED_COUNT; k++) {
+        const wcut_score *of = scores->of[k];
+        if (of[WCUT_PART_ALL].count < 1) continue;
+        wcut_text_print(text, "%s\n%s\"%s\": {", first ? "" : ",", indent, wcut_scored_name((wcut_scored)k));
+        first = false;
+        put_score(text, &of[WCUT_PART_ALL], unit_of(k));
+        for (int part = WCUT_PART_ENTRY; part < WCUT_PART_COUNT; part++) {
+            if (of[part].count < 1) continue;
+            wcut_text_print(text, ",\n%s  \"%s\": {", indent, wcut_part_name((wcut_part)part));
+            put_score(text, &of[part], unit_of(k));
+            put(text, "}");
+        }
+        put(text, "}");
+    }
+    put(text, "}");
+}
+
+/* ---- cuts ---- */
+
+/* what a prediction did not reach, and why */
+static void put_prediction(wcut_text *text, const char *before, const wcut_prediction *p, const double *time) {
+    wcut_text_print(text, "%s{\"without_motion\": %d, \"standing\": %d, \"failed\": %d", before, p->without_motion,
+                    p->standing, p->failed);
+    if (p->failed > 0) {
+        put_number(text, ", \"first_failed_s\": ", time[p->first_failed]);
+        put_string(text, ", \"cause\": ", p->cause.text);
+    }
+}
+
+static void put_cut(wcut_text *text, const wcut_scored_cut *cut, bool first) {
+    const wcut_comparison *c = cut->comparison;
+    put(text, first ? "\n    {" : ",\n    {");
+    if (cut->of_case) {
+        put_string(text, "\"case\": ", cut->of_case);
+        put(text, ", ");
+    }
+    put_string(text, "\"cut\": ", cut->name);
+    put_string(text, ", \"job\": ", cut->job);
+    put_string(text, ", \"recording\": ", cut->recording);
+    if (!c) {
+        put_string(text, ",\n     \"error\": ", cut->error ? cut->error->text : "");
+        put(text, "}");
+        return;
+    }
+    const double *time = cut->samples->channel[WCUT_CHANNEL_TIME].value;
+    wcut_text_print(text, ",\n     \"samples\": %d, \"counted\": %d", c->samples, c->counted_samples);
+    put_number(text, ", \"time_s\": {\"contact\": ", c->contact);
+    put_number(text, ", \"leave\": ", c->leave);
+    put_number(text, ", \"from\": ", c->from);
+    put_number(text, ", \"to\": ", c->to);
+    put_prediction(text, "},\n     \"plan\": ", c->planned, time);
+    put_prediction(text, "},\n     \"replay\": ", c->replayed, time);
+    put_number(text, ", \"motion_scatter\": ", c->replayed->scatter);
+    wcut_text_print(text, ", \"iterations\": %d}", c->replayed->iterations);
+    put_scores(text, ",\n     \"planned\": ", &c->planned_score, "      ");
+    put_scores(text, ",\n     \"replayed\": ", &c->replayed_score, "      ");
+    put(text, "}");
+}
+
+/* ---- means ---- */
+
+static void put_means(wcut_text *text, int n, const wcut_comparison *const *comparison, const char *indent) {
+    wcut_scores planned, replayed;
+    wcut_scores_mean(n, comparison, &planned, &replayed); /* its arguments are whole */
+    put_scores(text, "\"planned\": ", &planned, indent);
+    put_scores(text, ", \"replayed\": ", &replayed, indent);
+}
+
+/* the mean of every case, where there are any */
+static void put_cases(wcut_text *text, int n, const wcut_scored_cut *cut, const wcut_comparison *const *comparison) {
+    bool first = true;
+    put(text, ",\n  \"cases\": [");
+    for (int i = 0, end; i < n; i = end) {
+        for (end = i + 1; end < n && cut[i].of_case && cut[end].of_case && !strcmp(cut[i].of_case, cut[end].of_case);)
+            end++;
+        if (!cut[i].of_case) continue;
+        put_string(text, first ? "\n    {\"case\": " : ",\n    {\"case\": ", cut[i].of_case);
+        put(text, ", ");
+        put_means(text, end - i, comparison + i, "      ");
+        put(text, "}");
+        first = false;
+    }
+    put(text, "]");
+}
+
+/* ---- the document ---- */
+
+static void put_options(wcut_text *text, const wcut_comparison_options *o) {
+    wcut_text_print(text, ",\n  \"options\": {\"motion\": \"%s\"",
+                    o->replay.motion == WCUT_MOTION_POSITION ? "position" : "station");
+    put_number(text, ", \"window_s\": ", o->replay.window);
+    put_number(text, ", \"settle_s\": ", o->settle);
+    put_number(text, ", \"leave_s\": ", o->leave);
+    put(text, "}");
+}
+
+static bool are_usable(int n, const wcut_scored_cut *cut) {
+    if (n < 1 || !cut) return false;
+    for (int i = 0; i < n; i++)
+        if (!cut[i].name || !cut[i].job || !cut[i].recording || !cut[i].comparison != !cut[i].samples ||
+            (cut[i].samples && cut[i].samples->samples != cut[i].comparison->samples))
+            return false;
+    return true;
+}
+
+wcut_status wcut_score_print(int n, const wcut_scored_cut *cut, const wcut_comparison_options *options, char **text) {
+    if (!are_usable(n, cut) || !text) return WCUT_BAD_ARGUMENT;
+    const wcut_comparison_options o = options ? *options : wcut_comparison_options_default();
+    const wcut_comparison **comparison = wcut_alloc((size_t)n, sizeof *comparison);
+    wcut_text out;
+    if (!comparison || !wcut_text_create(&out, NULL)) {
+        free(comparison);
+        return WCUT_NO_MEMORY;
+    }
+    for (int i = 0; i < n; i++) comparison[i] = cut[i].comparison;
+    wcut_text_print(&out, "{\n  \"format\": \"wirecut-score/1\",\n  \"version\": \"%s\"", WCUT_VERSION);
+    put_options(&out, &o);
+    put(&out, ",\n  \"mean\": {");
+    put_means(&out, n, comparison, "    ");
+    put(&out, "}");
+    put_cases(&out, n, cut, comparison);
+    put(&out, ",\n  \"cuts\": [");
+    for (int i = 0; i < n; i++) put_cut(&out, &cut[i], i == 0);
+    put(&out, "]\n}\n");
+    free(comparison);
+    return wcut_text_finish(&out, text, NULL);
+}
+
+wcut_status wcut_score_write(int n, const wcut_scored_cut *cut, const wcut_comparison_options *options,
+                             const char *path, wcut_error *error) {
+    char *text = NULL;
+    wcut_status status = path ? wcut_score_print(n, cut, options, &text) : WCUT_BAD_ARGUMENT;
+    if (status != WCUT_OK) return wcut_fail(error, status, "scores: %s", wcut_status_text(status));
+    status = wcut_file_write_whole(path, text, strlen(text), error);
+    free(text);
+    return status;
+}
+
+/* ---- residuals.csv ---- */
+
+/* a text as a field, quoted where need be (RFC 4180) */
+static void put_field(wcut_text *text, const char *field) {
+    if (!strpbrk(field, ",\"\r\n#")) {
+        put(text, field);
+        return;
+    }
+    put(text, "\"");
+    for (const char *p = field; *p; p++) wcut_text_put(text, *p == '"' ? "\"\"" : p, *p == '"' ? 2 : 1);
+    put(text, "\"");
+}
+
+static const char *column_of(int signal) { return wcut_channel_name((wcut_channel)(WCUT_CHANNEL_SPEED_A + signal)); }
+
+/* the speed is what a replay is driven by: it has no residual */
+static bool is_replayed(int signal) { return signal >= 2; }
+
+static void put_header(wcut_text *text) {
+    put(text, "case,cut,time_s,station,phase,counted");
+    for (int k = 0; k < WCUT_SIGNAL_COUNT; k++) {
+        const char *name = column_of(k);
+        wcut_text_print(text, ",%s,planned_%s,planned_residual_%s", name, name, name);
+        if (is_replayed(k)) wcut_text_print(text, ",replayed_%s,replayed_residual_%s", name, name);
+    }
+    put(text, "\n");
+}
+
+/* a comma and a value to a millionth of its unit, a tenth of what any sensor of the rig resolves; nothing where there
+   is none */
+static void put_value(wcut_text *text, bool there, double value) {
+    put(text, ",");
+    if (there) wcut_text_number(text, round(value * 1e6) / 1e6 + 0.0);
+}
+
+static void put_row(wcut_text *text, const wcut_scored_cut *cut, int i) {
+    const wcut_comparison *c = cut->comparison;
+    const wcut_column *channel = cut->samples->channel, *station = &channel[WCUT_CHANNEL_STATION];
+    put_field(text, cut->of_case ? cut->of_case : "");
+    put(text, ",");
+    put_field(text, cut->name);
+    put_value(text, true, channel[WCUT_CHANNEL_TIME].value[i]);
+    const bool placed = !station->present || station->present[i];
+    put_value(text, placed, station->value[i]);
+    wcut_text_print(text, ",%s,%d", placed ? wcut_phase_text(c->phase[i]) : "", c->counted[i]);
+    for (int k = 0; k < WCUT_SIGNAL_COUNT; k++) {
+        const wcut_column *x = &channel[WCUT_CHANNEL_SPEED_A + k];
+        const double unit = k < 4 ? 1 : WCUT_DEG_PER_RAD;
+        const bool measured = !x->present || x->present[i];
+        const bool planned = c->planned->present[i], replayed = c->replayed->present[i];
+        put_value(text, measured, x->value[i] * unit);
+        put_value(text, planned, c->planned->value[k][i] * unit);
+        put_value(text, measured && planned, (x->value[i] - c->planned->value[k][i]) * unit);
+        if (!is_replayed(k)) continue;
+        put_value(text, replayed, c->replayed->value[k][i] * unit);
+        put_value(text, measured && replayed, (x->value[i] - c->replayed->value[k][i]) * unit);
+    }
+    put(text, "\n");
+}
+
+wcut_status wcut_residuals_write(int n, const wcut_scored_cut *cut, const char *path, wcut_error *error) {
+    if (!are_usable(n, cut) || !path)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "residuals: %s", wcut_status_text(WCUT_BAD_ARGUMENT));
+    wcut_file *file = NULL;
+    wcut_status status = wcut_file_create(path, &file, error);
+    if (status != WCUT_OK) return status;
+    wcut_text text;
+    if (!wcut_text_create(&text, file)) {
+        wcut_file_destroy(file);
+        return wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
+    }
+    put_header(&text);
+    for (int k = 0; k < n; k++)
+        for (int i = 0; cut[k].comparison && i < cut[k].comparison->samples; i++) put_row(&text, &cut[k], i);
+    wcut_text_flush(&text);
+    status = wcut_file_commit(file, error);
+    wcut_text_destroy(&text);
+    wcut_file_destroy(file);
+    return status;
+}

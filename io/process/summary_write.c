@@ -1,0 +1,122 @@
+/* "wirecut-summary/1": a cut in a few figures. */
+#include <math.h>
+#include <stdlib.h>
+#include <wirecut/summary.h>
+#include <wirecut/version.h>
+#include <wirecut/write.h>
+
+#include <wirecut/angle.h>
+#include "base/fail.h"
+#include "io/file/text.h"
+#include "io/process/history_check.h"
+
+static void put_number(wcut_text *text, const char *before, double value) {
+    wcut_text_print(text, "%s", before);
+    wcut_text_number(text, value);
+}
+
+/* {"min": .., "max": ..}, the range times a factor */
+static void put_range(wcut_text *text, const char *before, wcut_range range, double factor) {
+    wcut_text_print(text, "%s", before);
+    put_number(text, "{\"min\": ", factor * range.min);
+    put_number(text, ", \"max\": ", factor * range.max);
+    wcut_text_print(text, "}");
+}
+
+static void put_counts(wcut_text *text, const wcut_summary *s) {
+    wcut_text_print(text, ",\n  \"speed_set_by\": ");
+    for (int k = 0; k <= WCUT_CONDITION_TIME; k++)
+        wcut_text_print(text, "%s\"%s\": %d", k ? ", " : "{", wcut_condition_text((wcut_condition)k), s->conditions[k]);
+    wcut_text_print(text, "},\n  \"phases\": ");
+    for (int k = 0; k <= WCUT_PHASE_LEFT; k++)
+        wcut_text_print(text, "%s\"%s\": %d", k ? ", " : "{", wcut_phase_text((wcut_phase)k), s->phases[k]);
+    wcut_text_print(text, "}");
+}
+
+/* the names of a job's effects that act in the step, or of those that do not; neutral ones are none */
+static void put_effects(wcut_text *text, const char *key, const wcut_job *job, bool in_step) {
+    int listed = 0;
+    for (int k = 0; k < job->effect_count; k++) {
+        const wcut_effect_info *info = wcut_effect_view(job->effect[k].kind);
+        if ((info->place == WCUT_EFFECT_PLACE_STEP) != in_step || wcut_effect_is_neutral(&job->effect[k])) continue;
+        if (listed++ == 0)
+            wcut_text_print(text, ",\n  \"%s\": [\"%s\"", key, info->name);
+        else
+            wcut_text_print(text, ", \"%s\"", info->name);
+    }
+    if (listed) wcut_text_print(text, "]");
+}
+
+static void put_head(wcut_text *text, const wcut_setup *setup, const wcut_history *h) {
+    const wcut_job *job = wcut_setup_job(setup);
+    bool implicit = wcut_setup_options(setup)->integrator == WCUT_INTEGRATOR_IMPLICIT;
+    wcut_text_print(text, "{\n  \"format\": \"wirecut-summary/1\",\n  \"version\": \"%s\",\n  \"job\": ", WCUT_VERSION);
+    wcut_text_string(text, job->name);
+    wcut_text_print(text, ",\n  \"mode\": \"%s\",\n  \"integrator\": \"%s\"",
+                    job->mode == WCUT_MODE_PATH ? "path" : "design", implicit ? "implicit" : "heun");
+    wcut_text_print(text, ",\n  \"stations\": %d,\n  \"planned_stations\": %d,\n  \"complete\": %s,\n  \"nodes\": %d",
+                    h->stations, h->planned, h->stations == h->planned ? "true" : "false", h->nodes);
+    put_effects(text, "effects", job, true);
+    put_effects(text, "effects_not_shown", job, false);
+    if (h->ended.status != WCUT_OK) {
+        wcut_text_print(text, ",\n  \"ended\": ");
+        wcut_text_string(text, h->ended.text);
+    }
+}
+
+static void put_figures(wcut_text *text, const wcut_summary *s) {
+    put_number(text, ",\n  \"duration_s\": ", s->duration);
+    put_number(text, ",\n  \"speed_mm_s\": {\"min\": ", s->speed.min);
+    put_number(text, ", \"median\": ", s->speed_median);
+    put_number(text, ", \"max\": ", s->speed.max);
+    wcut_text_print(text, "}");
+    put_range(text, ",\n  \"alpha_deg\": ", s->alpha, WCUT_DEG_PER_RAD);
+    put_range(text, ",\n  \"beta_deg\": ", s->beta, WCUT_DEG_PER_RAD);
+    put_range(text, ",\n  \"tension_N\": ", s->tension, 1);
+    put_number(text, ",\n  \"force_N_per_mm\": {\"max\": ", s->force_line_max);
+    put_number(text, "},\n  \"residual\": {\"max\": ", s->residual_max);
+    put_number(text, "},\n  \"iterations\": {\"mean\": ", s->iterations_mean);
+    put_number(text, ", \"max\": ", s->iterations_max);
+    put_number(text, "},\n  \"substeps\": {\"mean\": ", s->substeps_mean);
+    put_number(text, ", \"max\": ", s->substeps_max);
+    wcut_text_print(text, "}");
+    put_counts(text, s);
+}
+
+static bool are_usable(const wcut_setup *setup, const wcut_history *h, int count, const char *const *files) {
+    if (!setup || !wcut_history_is_usable(h) || !h->force_line || count < 0 || (count > 0 && !files)) return false;
+    for (int i = 0; i < count; i++)
+        if (!files[i]) return false;
+    for (size_t i = 0; i < (size_t)h->stations * (size_t)h->nodes; i++)
+        if (!isfinite(h->force_line[i])) return false;
+    return true;
+}
+
+static wcut_status print_summary(const wcut_setup *setup, const wcut_history *h, int file_count,
+                                 const char *const *files, char **text, size_t *length) {
+    if (!are_usable(setup, h, file_count, files)) return WCUT_BAD_ARGUMENT;
+    wcut_summary summary;
+    wcut_text out;
+    if (wcut_summary_eval(h, &summary) != WCUT_OK || !wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
+    put_head(&out, setup, h);
+    put_figures(&out, &summary);
+    wcut_text_files(&out, file_count, files);
+    return wcut_text_finish(&out, text, length);
+}
+
+wcut_status wcut_summary_print(const wcut_setup *setup, const wcut_history *history, int file_count,
+                               const char *const *files, char **text) {
+    size_t length;
+    return text ? print_summary(setup, history, file_count, files, text, &length) : WCUT_BAD_ARGUMENT;
+}
+
+wcut_status wcut_summary_write(const wcut_setup *setup, const wcut_history *history, int file_count,
+                               const char *const *files, const char *path, wcut_error *error) {
+    char *text = NULL;
+    size_t length = 0;
+    wcut_status status = path ? print_summary(setup, history, file_count, files, &text, &length) : WCUT_BAD_ARGUMENT;
+    if (status != WCUT_OK) return wcut_fail(error, status, "a summary: %s", wcut_status_text(status));
+    status = wcut_file_write_whole(path, text, length, error);
+    free(text);
+    return status;
+}

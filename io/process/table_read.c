@@ -1,0 +1,112 @@
+/* CSV files to tables, and which of their columns a format knows. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "io/file/csv.h"
+#include "io/file/read_file.h"
+
+wcut_status wcut_table_read(const char *path, int numeric_count, const char *const *numeric, wcut_table **table,
+                            wcut_error *error) {
+    bool named = path && table && numeric_count >= 0 && (numeric || numeric_count == 0);
+    for (int k = 0; named && k < numeric_count; k++) named = numeric[k] != NULL;
+    if (!named) return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s", wcut_status_text(WCUT_BAD_ARGUMENT));
+    char *text;
+    size_t length;
+    wcut_status status = wcut_file_read(path, WCUT_CSV_BYTES_MOST, &text, &length, error);
+    if (status != WCUT_OK) return status;
+    status = wcut_csv_parse(text, length, path, numeric_count, numeric, table, error);
+    free(text);
+    return status;
+}
+
+int wcut_table_locate(const wcut_table *table, const char *name) {
+    for (int c = 0; table && name && c < table->columns; c++)
+        if (strcmp(table->column[c].name, name) == 0) return c;
+    return -1;
+}
+
+void wcut_table_destroy(wcut_table *table) {
+    if (!table) return;
+    for (int c = 0; c < table->columns; c++) {
+        free(table->column[c].name);
+        free(table->column[c].value);
+        free(table->column[c].present);
+    }
+    free(table->column);
+    free(table->line);
+    free(table);
+}
+
+/* the part of a column's name behind its stem, "_m_s"; NULL where it has another stem */
+static const char *behind_stem(const char *name, const char *stem) {
+    size_t n = strlen(stem);
+    bool same = strncasecmp(name, stem, n) == 0 && (name[n] == '_' || name[n] == '\0');
+    return same ? name + n : NULL;
+}
+
+/* does a name end in "_" and a unit of measure, or in nothing? */
+static bool is_unit(const char *suffix) {
+    static const char *const unit[] = {
+        "",     "_s",    "_ms",   "_us",    "_min",    "_m",      "_mm",      "_cm",       "_um",       "_mm_s",
+        "_m_s", "_mm/s", "_m/s",  "_m_min", "_mm_min", "_N",      "_kN",      "_mN",       "_g",        "_kg",
+        "_deg", "_rad",  "_mrad", "_W",     "_kW",     "_W/m",    "_W_m",     "_W_mm",     "_V",        "_mV",
+        "_A",   "_mA",   "_lbf",  "_in",    "_in_s",   "_degree", "_degrees", "_kW_per_m", "_W_per_mm", "_W_per_m"};
+    for (size_t k = 0; k < sizeof unit / sizeof unit[0]; k++)
+        if (strcasecmp(suffix, unit[k]) == 0) return true;
+    return false;
+}
+
+static bool is_known(const char *name, int count, const wcut_known_column *known) {
+    for (int k = 0; k < count; k++)
+        if (strcmp(name, known[k].name) == 0) return true;
+    return false;
+}
+
+/* a column that means a known one, but in another unit or spelling; NULL where there is none */
+static const char *locate_misnamed(const wcut_table *table, int count, const wcut_known_column *known, int k) {
+    for (int c = 0; c < table->columns; c++) {
+        const char *name = table->column[c].name, *suffix = behind_stem(name, known[k].stem);
+        if (suffix && is_unit(suffix) && !is_known(name, count, known)) return name;
+    }
+    return NULL;
+}
+
+wcut_status wcut_columns_check(const wcut_table *table, int count, const wcut_known_column *known, const char *label,
+                               wcut_error *error) {
+    char complaint[300] = "", name[WCUT_QUOTE_SIZE];
+    size_t used = 0;
+    for (int k = 0; k < count; k++) {
+        if (wcut_table_locate(table, known[k].name) >= 0) continue;
+        const char *other = locate_misnamed(table, count, known, k);
+        if (!other && !known[k].required) continue;
+        int n = snprintf(complaint + used, sizeof complaint - used, "%s%s", used ? ", " : "", known[k].name);
+        used = used + (size_t)n < sizeof complaint ? used + (size_t)n : sizeof complaint - 1;
+        if (!other) continue;
+        n = snprintf(complaint + used, sizeof complaint - used, " (found %s: another unit or spelling)",
+                     wcut_quote(name, other, WCUT_FOUND_MAX, 0));
+        used = used + (size_t)n < sizeof complaint ? used + (size_t)n : sizeof complaint - 1;
+    }
+    if (used == 0) return WCUT_OK;
+    return wcut_fail(error, WCUT_BAD_FORMAT, "%s: header: missing %s", wcut_quote(name, label, WCUT_LABEL_MAX, 1),
+                     complaint);
+}
+
+wcut_status wcut_known_table_read(const char *path, int count, const wcut_known_column *known, wcut_table **table,
+                                  wcut_error *error) {
+    const char **name = wcut_alloc((size_t)count, sizeof *name);
+    if (!name) return wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
+    for (int k = 0; k < count; k++) name[k] = known[k].name;
+    wcut_table *found = NULL;
+    wcut_status status = wcut_table_read(path, count, name, &found, error);
+    free(name);
+    if (status == WCUT_OK) status = wcut_columns_check(found, count, known, path, error);
+    if (status == WCUT_OK)
+        *table = found;
+    else
+        wcut_table_destroy(found);
+    return status;
+}

@@ -1,0 +1,212 @@
+/* The motion of two robots to files: their programs, one table, one JSON object, and an export's figures. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <wirecut/version.h>
+
+#include "base/fail.h"
+#include "io/robot/robot_program.h"
+
+static const struct {
+    const char *text, *file[2];
+} known[] = {{"urscript", {"wirecut_a.script", "wirecut_b.script"}},
+             {"rapid", {"wirecut_a.mod", "wirecut_b.mod"}},
+             {"krl", {"wirecut_a.src", "wirecut_b.src"}},
+             {"csv", {"robot.csv", NULL}},
+             {"json", {"robot.json", NULL}}};
+enum { FORMATS = sizeof known / sizeof *known, NAME_MOST = 22, IO_MOST = 255 };
+
+wcut_robot_names wcut_robot_names_default(void) {
+    return (wcut_robot_names){.program = "wirecut", .wire_on = "wire_on", .wire_off = "wire_off", .sync_io = 1};
+}
+
+const char *wcut_robot_format_text(wcut_robot_format format) {
+    return (unsigned)format < FORMATS ? known[format].text : "unknown";
+}
+
+const char *wcut_robot_file_name(wcut_robot_format format, int robot) {
+    return (unsigned)format < FORMATS && (robot == 0 || robot == 1) ? known[format].file[robot] : NULL;
+}
+
+/* ---- table ---- */
+
+static void put_fixed(wcut_text *text, const char *before, double value, int decimals) {
+    wcut_text_print(text, "%s", before);
+    wcut_text_fixed(text, value, decimals);
+}
+
+static void put_csv(wcut_text *text, const wcut_robot_motion *m) {
+    wcut_text_print(text,
+                    "target,station,time_s,duration_s,a_x_mm,a_y_mm,a_z_mm,b_x_mm,b_y_mm,b_z_mm,speed_a_mm_s,"
+                    "speed_b_mm_s,zone_a_mm,zone_b_mm,frame_a_w,frame_a_x,frame_a_y,frame_a_z,frame_b_w,frame_b_x,"
+                    "frame_b_y,frame_b_z\n");
+    for (int i = 0; i < m->count; i++) {
+        const wcut_robot_target *t = &m->target[i];
+        const double millimetre[] = {t->a.x, t->a.y,     t->a.z,     t->b.x,    t->b.y,
+                                     t->b.z, t->speed_a, t->speed_b, t->zone_a, t->zone_b};
+        wcut_text_print(text, "%d,", i);
+        if (t->station >= 0) wcut_text_print(text, "%d", t->station); /* none: a lead */
+        put_fixed(text, ",", t->time, 6);
+        put_fixed(text, ",", t->duration, 6);
+        for (size_t k = 0; k < sizeof millimetre / sizeof *millimetre; k++) put_fixed(text, ",", millimetre[k], 3);
+        for (int k = 0; k < 4; k++) put_fixed(text, ",", t->frame_a[k], 9);
+        for (int k = 0; k < 4; k++) put_fixed(text, ",", t->frame_b[k], 9);
+        wcut_text_print(text, "\n");
+    }
+}
+
+/* ---- JSON ---- */
+
+static void put_number(wcut_text *text, const char *before, double value) {
+    wcut_text_print(text, "%s", before);
+    wcut_text_number(text, value);
+}
+
+static void put_robot(wcut_text *text, const char *name, wcut_vec3 at, double speed, double zone, const double q[4]) {
+    wcut_text_print(text, ", \"%s\": {\"at_mm\": [", name);
+    put_number(text, "", at.x);
+    put_number(text, ", ", at.y);
+    put_number(text, ", ", at.z);
+    put_number(text, "], \"speed_mm_s\": ", speed);
+    put_number(text, ", \"zone_mm\": ", zone);
+    for (int k = 0; k < 4; k++) put_number(text, k ? ", " : ", \"frame_wxyz\": [", q[k]);
+    wcut_text_print(text, "]}");
+}
+
+static void put_json(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_names *names) {
+    wcut_text_print(text, "{\n  \"format\": \"wirecut-robot/1\",\n  \"version\": \"%s\",\n  \"job\": ", WCUT_VERSION);
+    wcut_text_string(text, names->title ? names->title : "");
+    put_number(text, ",\n  \"duration_s\": ", m->duration);
+    put_number(text, ",\n  \"chord_error_mm\": ", m->chord_error);
+    put_number(text, ",\n  \"time_error_mm\": ", m->time_error);
+    wcut_text_print(text, ",\n  \"stations\": %d,\n  \"targets\": [", m->stations);
+    for (int i = 0; i < m->count; i++) {
+        const wcut_robot_target *t = &m->target[i];
+        wcut_text_print(text, "%s\n    {\"station\": ", i ? "," : "");
+        if (t->station < 0)
+            wcut_text_print(text, "null");
+        else
+            wcut_text_print(text, "%d", t->station);
+        put_number(text, ", \"time_s\": ", t->time);
+        put_number(text, ", \"duration_s\": ", t->duration);
+        put_robot(text, "a", t->a, t->speed_a, t->zone_a, t->frame_a);
+        put_robot(text, "b", t->b, t->speed_b, t->zone_b, t->frame_b);
+        wcut_text_print(text, "}");
+    }
+    wcut_text_print(text, "\n  ]\n}\n");
+}
+
+/* ---- files ---- */
+
+/* letters, digits and _, beginning with a letter */
+static bool is_name(const char *name) {
+    const char *letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+    const size_t length = strlen(name);
+    if (length < 1 || length > NAME_MOST || !strchr(letters, *name)) return false;
+    return strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") == length;
+}
+
+static wcut_status check(const wcut_robot_motion *m, const wcut_robot_names *n, wcut_robot_format format, int robot,
+                         const char *path, wcut_error *error) {
+    if (!m || !m->target || m->count < 2 || !path || !wcut_robot_file_name(format, robot))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                         "a robot program: expected a motion, a file name and a robot that the format has a file for");
+    const char *const name[] = {n->program ? n->program : "", n->wire_on, n->wire_off};
+    for (int k = 0; k < 3; k++) {
+        char quoted[WCUT_QUOTE_SIZE];
+        if (name[k] && !is_name(name[k]))
+            return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                             "\"%s\": expected a name of letters, digits and _, beginning with a letter, at most %d "
+                             "long",
+                             wcut_quote(quoted, name[k], WCUT_FOUND_MAX, 0), NAME_MOST);
+    }
+    if (n->sync_io < 0 || n->sync_io > IO_MOST)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "sync_io: found %d, expected 0 to %d", n->sync_io, IO_MOST);
+    for (int i = 0; i < m->count; i++) {
+        const wcut_robot_target *t = &m->target[i];
+        const double value[] = {t->a.x,  t->a.y,     t->a.z,     t->b.x,    t->b.y,    t->b.z,
+                                t->time, t->speed_a, t->speed_b, t->zone_a, t->zone_b, t->duration};
+        for (size_t k = 0; k < sizeof value / sizeof *value; k++)
+            if (!(fabs(value[k]) < 1e9)) /* also what fixed decimals hold */
+                return wcut_fail(error, WCUT_BAD_ARGUMENT, "target %d: found %g, expected less than 1e9", i, value[k]);
+    }
+    return WCUT_OK;
+}
+
+wcut_status wcut_robot_write(const wcut_robot_motion *motion, const wcut_robot_names *names, wcut_robot_format format,
+                             int robot, const char *path, wcut_error *error) {
+    const wcut_robot_names n = names ? *names : wcut_robot_names_default();
+    wcut_status status = check(motion, &n, format, robot, path, error);
+    if (status != WCUT_OK) return status;
+    wcut_file *file = NULL;
+    wcut_text text = {0};
+    status = wcut_file_create(path, &file, error);
+    if (status != WCUT_OK) return status;
+    if (wcut_text_create(&text, file)) {
+        switch (format) {
+            case WCUT_ROBOT_FORMAT_URSCRIPT:
+                wcut_urscript_put(&text, motion, &n, robot);
+                break;
+            case WCUT_ROBOT_FORMAT_RAPID:
+                wcut_rapid_put(&text, motion, &n, robot);
+                break;
+            case WCUT_ROBOT_FORMAT_KRL:
+                wcut_krl_put(&text, motion, &n, robot);
+                break;
+            case WCUT_ROBOT_FORMAT_CSV:
+                put_csv(&text, motion);
+                break;
+            case WCUT_ROBOT_FORMAT_JSON:
+                put_json(&text, motion, &n);
+                break;
+        }
+        wcut_text_flush(&text);
+        status = wcut_file_commit(file, error);
+    } else {
+        status = wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
+    }
+    wcut_text_destroy(&text);
+    wcut_file_destroy(file);
+    return status;
+}
+
+/* ---- figures ---- */
+
+wcut_status wcut_robot_summary_print(const wcut_robot_summary *s, char **text) {
+    if (!s || !s->job || !s->motion || !s->check || !s->near || (unsigned)s->format >= FORMATS || s->file_count < 0 ||
+        (s->file_count > 0 && !s->files) || !text)
+        return WCUT_BAD_ARGUMENT;
+    wcut_text out;
+    if (!wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
+    const wcut_robot_motion *m = s->motion;
+    wcut_text_print(&out, "{\n  \"format\": \"wirecut-path/1\",\n  \"version\": \"%s\",\n  \"job\": ", WCUT_VERSION);
+    wcut_text_string(&out, s->job->name);
+    wcut_text_print(&out, ",\n  \"program\": \"%s\",\n  \"stations\": %d,\n  \"targets\": %d",
+                    wcut_robot_format_text(s->format), m->stations, m->count);
+    put_number(&out, ",\n  \"duration_s\": ", m->duration);
+    put_number(&out, ",\n  \"chord_error_mm\": ", m->chord_error);
+    put_number(&out, ",\n  \"time_error_mm\": ", m->time_error);
+    wcut_text_print(&out, ",\n  \"limits\": [");
+    for (int i = 0; i < WCUT_ROBOT_CHECKS; i++) {
+        const wcut_robot_check *c = &s->check[i];
+        wcut_text_print(&out, "%s\n    {\"what\": \"%s\", \"unit\": \"%s\"", i ? "," : "", c->name, c->unit);
+        put_number(&out, ", \"value\": ", c->value);
+        put_number(&out, ", \"limit\": ", c->limit);
+        if (c->station >= 0) wcut_text_print(&out, ", \"station\": %d", c->station);
+        wcut_text_print(&out, ", \"over\": %s}", c->over ? "true" : "false");
+    }
+    wcut_text_print(&out, "\n  ],\n  \"clearance\": [");
+    for (int i = 0; i < 2; i++) {
+        const wcut_path_near *n = &s->near[i];
+        wcut_text_print(&out, "%s\n    {\"mount\": \"%s\"", i ? "," : "", i ? "B" : "A");
+        put_number(&out, ", \"least_mm\": ", n->distance);
+        put_number(&out, ", \"station\": ", n->station);
+        put_number(&out, ", \"at_mm\": [", n->place.x);
+        put_number(&out, ", ", n->place.y);
+        put_number(&out, ", ", n->place.z);
+        wcut_text_print(&out, "]}");
+    }
+    wcut_text_print(&out, "\n  ]");
+    wcut_text_files(&out, s->file_count, s->files);
+    return wcut_text_finish(&out, text, NULL);
+}

@@ -1,0 +1,98 @@
+/* Lines of text and the numbers in them. */
+#include "io/scan/cloud_row.h"
+
+#include <limits.h>
+#include <string.h>
+#include <strings.h>
+
+#include "io/file/decimal.h"
+
+const char *wcut_row_peek(wcut_cloud_source *s, size_t *length) {
+    wcut_stream *t = &s->stream;
+    size_t known = 0;
+    for (;;) {
+        const size_t unread = t->end - t->at;
+        const unsigned char *line = t->data + t->at;
+        const unsigned char *feed = memchr(line + known, '\n', unread - known);
+        if (feed || (t->ended && unread > 0)) {
+            *length = feed ? (size_t)(feed - line) + 1 : unread;
+            return (const char *)line;
+        }
+        if (t->ended) {
+            if (t->code) wcut_cloud_refuse_end(s, "more");
+            return NULL;
+        }
+        if (unread == t->capacity) {
+            wcut_cloud_refuse(s, "found more than %zu bytes without a line feed, expected lines", t->capacity);
+            return NULL;
+        }
+        known = unread;
+        wcut_stream_fill(t, unread + 1);
+    }
+}
+
+void wcut_row_done(wcut_cloud_source *s, size_t length) {
+    s->stream.at += length;
+    s->line += s->line < LONG_MAX;
+}
+
+/* what printf and scanners write where there is no number */
+static const char *read_word(const char *at, char separator, double *value) {
+    static const char *const words[] = {"nan",       "inf",     "infinity", "nan(ind)",
+                                        "nan(snan)", "1.#qnan", "1.#ind",   "1.#inf"};
+    const char *from = at + (*at == '-' || *at == '+');
+    size_t n = 0;
+    while (n < 10 && !wcut_is_blank(from[n]) && !wcut_is_line_end(from + n) && from[n] != separator) n++;
+    for (size_t k = 0; k < sizeof words / sizeof *words; k++) {
+        if (strlen(words[k]) != n || strncasecmp(from, words[k], n) != 0) continue;
+        *value = NAN;
+        return from + n;
+    }
+    return NULL;
+}
+
+/* "1,5" as 1.5 */
+static const char *read_with_comma(const char *at, double *value) {
+    char text[64];
+    size_t n = 0;
+    bool seen = false;
+    while (n < sizeof text - 1 && !wcut_is_blank(at[n]) && at[n] != ';' && at[n] != '\n' && at[n] != '\r' && at[n]) {
+        if (at[n] == '.' || (at[n] == ',' && (seen || at[n + 1] < '0' || at[n + 1] > '9'))) return NULL;
+        text[n] = at[n];
+        if (at[n] == ',') text[n] = '.', seen = true;
+        n++;
+    }
+    text[n] = '\0';
+    return wcut_decimal_read(text, value) == text + n && n > 0 ? at + n : NULL;
+}
+
+const char *wcut_row_number(const char *at, char separator, bool comma, double *value) {
+    at = wcut_skip_blanks(at);
+    const char *behind = wcut_decimal_read(at, value);
+    if (behind == at || *behind == '#') {
+        behind = read_word(at, separator, value);
+        if (!behind) return NULL;
+    } else {
+        if (comma && *behind == ',') behind = read_with_comma(at, value);
+        if (!behind || !isfinite(*value)) return NULL;
+    }
+    return wcut_is_blank(*behind) || *behind == separator || wcut_is_line_end(behind) ? behind : NULL;
+}
+
+bool wcut_row_has_word(const char *at, const char *word) {
+    const size_t n = strlen(word);
+    return strncasecmp(at, word, n) == 0 && (wcut_is_blank(at[n]) || wcut_is_line_end(at + n));
+}
+
+const char *wcut_row_count(const char *at, int64_t *count) {
+    int64_t n = 0;
+    at = wcut_skip_blanks(at);
+    const char *first = at;
+    for (; *at >= '0' && *at <= '9'; at++) {
+        if (n > (INT64_MAX - 9) / 10) return NULL;
+        n = 10 * n + (*at - '0');
+    }
+    if (at == first || !(wcut_is_blank(*at) || wcut_is_line_end(at))) return NULL;
+    *count = n;
+    return at;
+}

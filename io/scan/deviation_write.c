@@ -1,0 +1,334 @@
+/* "wirecut-deviation/1" and zones.csv: what a comparison of scan and face found. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <wirecut/deviation_file.h>
+#include <wirecut/version.h>
+
+#include <wirecut/angle.h>
+#include "base/fail.h"
+#include "io/file/atomic.h"
+#include "io/file/text.h"
+
+static void put(wcut_text *text, const char *word) { wcut_text_put(text, word, strlen(word)); }
+
+/* "before" and a number */
+static void put_number(wcut_text *text, const char *before, double value) {
+    put(text, before);
+    wcut_text_number(text, value);
+}
+
+static void put_string(wcut_text *text, const char *before, const char *value) {
+    put(text, before);
+    wcut_text_string(text, value);
+}
+
+static void put_count(wcut_text *text, const char *before, int value) { wcut_text_print(text, "%s%d", before, value); }
+
+static void put_point(wcut_text *text, const char *before, wcut_vec3 p) {
+    put_number(text, before, p.x);
+    put_number(text, ", ", p.y);
+    put_number(text, ", ", p.z);
+    put(text, "]");
+}
+
+/* ---- parts of the document ---- */
+
+static void put_scans(wcut_text *text, const wcut_compared *c) {
+    put_string(text, ",\n  \"scan\": ", c->scan[0].name);
+    put(text, ",\n  \"scans\": [");
+    for (int k = 0; k < c->scans; k++) {
+        put_string(text, k ? ",\n    {\"name\": " : "\n    {\"name\": ", c->scan[k].name);
+        put_string(text, ", \"sha256\": ", c->scan[k].sha256);
+        put_count(text, ", \"read\": ", c->scan[k].read);
+        put_count(text, ", \"not_finite\": ", c->scan[k].not_finite);
+        put_count(text, ", \"withheld\": ", c->scan[k].withheld);
+        put(text, "}");
+    }
+    put(text, "]");
+}
+
+static void put_points(wcut_text *text, const wcut_compared *c) {
+    int read = 0, removed = 0;
+    for (int k = 0; k < c->scans; k++) read += c->scan[k].read;
+    for (int k = 1; k < WCUT_REMOVAL_COUNT; k++) removed += c->removed[k];
+    const int *place = c->found->place;
+    put_count(text, ",\n  \"points\": {\"read\": ", read);
+    put_count(text, ", \"removed\": ", removed);
+    put_count(text, ", \"outside\": ", place[WCUT_PLACE_BEYOND]);
+    put_count(text, ", \"ambiguous\": ", place[WCUT_PLACE_AMBIGUOUS]);
+    put_count(text, ", \"used\": ", c->found->statistics.count);
+    put_count(text, ", \"border\": ", place[WCUT_PLACE_BORDER]);
+    put_count(text, ",\n    \"removed_as\": {\"duplicate\": ", c->removed[WCUT_REMOVAL_DUPLICATE]);
+    put_count(text, ", \"isolated\": ", c->removed[WCUT_REMOVAL_ISOLATED]);
+    put_count(text, ", \"outlier\": ", c->removed[WCUT_REMOVAL_OUTLIER]);
+    put_count(text, ", \"thinned\": ", c->removed[WCUT_REMOVAL_THINNED]);
+    put(text, "}}");
+}
+
+static void put_registration(wcut_text *text, const wcut_registration *r) {
+    static const char *const method[] = {"none", "datum", "fit"};
+    static const char *const name[] = {"tx_mm", "ty_mm", "tz_mm", "rx_deg", "ry_deg", "rz_deg"};
+    put_string(text, ",\n  \"registration\": {\"method\": ", method[r->method]);
+    put(text, ", \"matrix\": [");
+    for (int k = 0; k < 16; k++) {
+        put(text, k == 0 ? "[" : k % 4 == 0 ? "], [" : ", ");
+        wcut_text_number(text, r->matrix[k]);
+    }
+    put_number(text, "]], \"rms_mm\": ", r->rms);
+    put_number(text, ", \"rms_before_mm\": ", r->rms_before);
+    put_point(text, ",\n    \"pivot_mm\": [", r->pivot);
+    put(text, ", \"parameters\": {");
+    for (int k = 0; k < WCUT_DOF_COUNT; k++) {
+        const double unit = k < 3 ? 1 : WCUT_DEG_PER_RAD;
+        wcut_text_print(text, "%s\"%s\": {", k ? ", " : "", name[k]);
+        put_number(text, "\"value\": ", r->parameter[k] * unit);
+        put_number(text, ", \"sigma\": ", sqrt(r->covariance[k * WCUT_DOF_COUNT + k]) * unit);
+        wcut_text_print(text, ", \"determined\": %s}", r->determined[k] ? "true" : "false");
+    }
+    put(text, "},\n    \"covariance_mm_rad\": [");
+    for (int k = 0; k < WCUT_DOF_COUNT * WCUT_DOF_COUNT; k++) {
+        put(text, k == 0 ? "[" : k % WCUT_DOF_COUNT == 0 ? "], [" : ", ");
+        wcut_text_number(text, r->covariance[k]);
+    }
+    put_number(text, "]], \"overlap\": ", r->overlap);
+    wcut_text_print(text, ", \"points\": %d, \"kept\": %d, \"free\": %d, \"rank\": %d", r->points, r->kept, r->free,
+                    r->rank);
+    put_number(text, ", \"rival_rms_mm\": ", r->rival);
+    put(text, "}");
+}
+
+static void put_statistics(wcut_text *text, const char *before, const wcut_statistics *s) {
+    const struct {
+        const char *name;
+        double value;
+    } figure[] = {{"mean", s->mean}, {"median", s->median}, {"std", s->std}, {"rms", s->rms},
+                  {"mae", s->mae},   {"p01", s->p01},       {"p05", s->p05}, {"p95", s->p95},
+                  {"p99", s->p99},   {"min", s->min},       {"max", s->max}};
+    put(text, before);
+    for (size_t k = 0; k < sizeof figure / sizeof *figure; k++) {
+        wcut_text_print(text, "%s\"%s\": ", k ? ", " : "{", figure[k].name);
+        wcut_text_number(text, figure[k].value);
+    }
+    put(text, "}");
+}
+
+static void put_bands(wcut_text *text, const char *before, const wcut_statistics *s) {
+    put(text, before);
+    put(text, "[");
+    for (int k = 0; k < s->bands; k++) {
+        put_number(text, k ? ", {\"tolerance_mm\": " : "{\"tolerance_mm\": ", s->band[k]);
+        put_number(text, ", \"share\": ", s->within[k]);
+        put_number(text, ", \"over\": ", s->over[k]);
+        put_number(text, ", \"under\": ", s->under[k]);
+        put(text, "}");
+    }
+    put(text, "]");
+}
+
+/* what stands beside the quantiles: parts, extremes, offset and form */
+static void put_figures(wcut_text *text, const wcut_survey_result *r, const char *indent) {
+    const wcut_statistics *s = &r->statistics;
+    wcut_text_print(text, ",\n%s", indent);
+    put_number(text, "\"positive\": {\"share\": ", s->count ? (double)s->positive / s->count : 0);
+    put_number(text, ", \"mean_mm\": ", s->positive_mean);
+    put_number(text, "}, \"negative\": {\"share\": ", s->count ? (double)s->negative / s->count : 0);
+    put_number(text, ", \"mean_mm\": ", s->negative_mean);
+    wcut_text_print(text, "},\n%s", indent);
+    put_number(text, "\"profile_mm\": ", s->profile);
+    put_number(text, ", \"hausdorff_scan_to_face_mm\": ", s->hausdorff);
+    wcut_text_print(text, ",\n%s", indent);
+    put_number(text, "\"kerf_offset_mm\": ", r->split.offset);
+    put_number(text, ", \"kerf_offset_error_mm\": ", r->split.offset_error);
+    put_number(text, ", \"form_rms_mm\": ", r->split.form_rms);
+    put_number(text, ", \"noise_rms_mm\": ", r->split.noise_rms);
+    put_number(text, ", \"cell_mm\": ", r->split.cell);
+}
+
+static void put_way_back(wcut_text *text, const wcut_compared *c) {
+    put_number(text, ",\n  \"hausdorff_face_to_scan_mm\": ", c->face_to_scan->max);
+    put_number(text, ", \"face_to_scan_mean_mm\": ", c->face_to_scan->mean);
+    put_number(text, ", \"face_to_scan_resolution_mm\": ", c->resolution);
+    if (c->unmeasured >= 0) {
+        put_number(text, ",\n  \"unmeasured_mm2\": ", c->unmeasured);
+        put_number(text, ", \"support_mm\": ", c->support);
+    }
+    if (!c->has_kerf) return;
+    put_number(text, ",\n  \"kerf_mm\": {\"of_job\": ", c->kerf);
+    put_number(text, ", \"by_scan\": ", c->kerf - 2 * c->found->split.offset);
+    put(text, "}");
+}
+
+static void put_relation(wcut_text *text, const char *before, wcut_relation r) {
+    put_number(text, before, r.of_deviation);
+    put_number(text, ", \"of_size\": ", r.of_size);
+    put(text, "}");
+}
+
+static void put_zones(wcut_text *text, const wcut_survey_result *r) {
+    put(text, ",\n  \"zones\": [");
+    bool first = true;
+    for (int k = 0; k < r->zones; k++) {
+        const wcut_zone *z = &r->zone[k];
+        if (z->count == 0) continue;
+        put_string(text, first ? "\n    {\"name\": " : ",\n    {\"name\": ", z->name);
+        put_count(text, ", \"count\": ", z->count);
+        put_number(text, ", \"mean_mm\": ", z->mean);
+        put_number(text, ", \"std_mm\": ", z->std);
+        put_number(text, ", \"rms_mm\": ", z->rms);
+        put_number(text, ", \"mae_mm\": ", z->mae);
+        put_number(text, ", \"min_mm\": ", z->min);
+        put_number(text, ", \"max_mm\": ", z->max);
+        put_point(text, ", \"low_mm\": [", z->low);
+        put_point(text, ", \"high_mm\": [", z->high);
+        put(text, "}");
+        first = false;
+    }
+    put(text, "]");
+}
+
+static void put_worst(wcut_text *text, const wcut_survey_result *r) {
+    put(text, ",\n  \"worst\": [");
+    for (int k = 0; k < r->worsts; k++) {
+        const wcut_worst *w = &r->worst[k];
+        put_point(text, k ? ",\n    {\"place_mm\": [" : "\n    {\"place_mm\": [", w->place);
+        put_point(text, ", \"low_mm\": [", w->low);
+        put_point(text, ", \"high_mm\": [", w->high);
+        put_number(text, ", \"area_mm2\": ", w->area);
+        put_number(text, ", \"mean_mm\": ", w->mean);
+        put_number(text, ", \"peak_mm\": ", w->peak);
+        put_number(text, ", \"volume_mm3\": ", w->volume);
+        put_count(text, ", \"count\": ", w->count);
+        put(text, "}");
+    }
+    put(text, "]");
+}
+
+static void put_reconstruction(wcut_text *text, const wcut_compared *c) {
+    const wcut_reconstruction *r = c->reconstruction;
+    if (!r) return;
+    put_string(text, ",\n  \"reconstruction\": {\"method\": ", c->reconstruction_method);
+    wcut_text_print(text, ", \"vertices\": %d, \"triangles\": %d", r->mesh->vertex_count, r->mesh->triangle_count);
+    put_number(text, ", \"area_mm2\": ", r->area);
+    put_number(text, ", \"unmeasured_mm2\": ", r->unmeasured_area);
+    put_number(text, ", \"lost\": ", r->lost);
+    put_number(text, ", \"farthest_mm\": ", r->farthest);
+    put_number(text, ", \"spacing_mm\": ", r->spacing);
+    put_number(text, ", \"smoothing_mm\": ", r->smoothing);
+    put(text, ", \"holes\": [");
+    for (int k = 0; k < r->hole_count; k++) {
+        put_number(text, k ? ", {\"area_mm2\": " : "{\"area_mm2\": ", r->hole[k].area);
+        put_point(text, ", \"centre_mm\": [", r->hole[k].centre);
+        wcut_text_print(text, ", \"open\": %s}", r->hole[k].open ? "true" : "false");
+    }
+    put(text, "]");
+    put_statistics(text, ",\n    \"scan_to_face_mm\": ", c->to_face);
+    put_statistics(text, ",\n    \"face_to_scan_mm\": ", c->to_scan);
+    put(text, "}");
+}
+
+/* ---- the document ---- */
+
+static void put_document(wcut_text *t, const wcut_compared *c) {
+    const wcut_survey_result *r = c->found;
+    wcut_text_print(t, "{\n  \"format\": \"wirecut-deviation/1\",\n  \"version\": \"%s\"", WCUT_VERSION);
+    put_string(t, ",\n  \"reference\": ", c->reference);
+    put_string(t, ",\n  \"distance\": ", c->distance);
+    put_scans(t, c);
+    put_points(t, c);
+    put_registration(t, c->registration);
+    put_statistics(t, ",\n  \"distance_mm\": ", &r->statistics);
+    put_figures(t, r, "  ");
+    put_way_back(t, c);
+    put_bands(t, ",\n  \"bands\": ", &r->statistics);
+    if (c->tolerance > 0) {
+        put_number(t, ",\n  \"gate\": {\"tolerance_mm\": ", c->tolerance);
+        put_number(t, ", \"share\": ", c->share);
+        wcut_text_print(t, ", \"within\": %s}", c->within ? "true" : "false");
+    }
+    put_statistics(t, ",\n  \"as_scanned\": {\"distance_mm\": ", &c->unmoved->statistics);
+    put_bands(t, ", \"bands\": ", &c->unmoved->statistics);
+    put_count(t, ", \"outside\": ", c->unmoved->place[WCUT_PLACE_BEYOND]);
+    put_figures(t, c->unmoved, "    ");
+    put(t, "}");
+    if (r->related) {
+        put_relation(t, ",\n  \"correlation\": {\"time_since_entry\": {\"of_deviation\": ", r->time);
+        put_relation(t, ", \"path_curvature\": {\"of_deviation\": ", r->path);
+        put_relation(t, ", \"face_curvature\": {\"of_deviation\": ", r->bend);
+        put(t, "}");
+    }
+    put_zones(t, r);
+    put_worst(t, r);
+    put_reconstruction(t, c);
+    wcut_text_files(t, c->files, c->file);
+}
+
+static bool are_figures(const wcut_statistics *s) { return s && s->bands >= 0 && s->bands <= WCUT_BANDS_MOST; }
+
+static bool is_usable(const wcut_compared *c) {
+    if (!c || !c->reference || !c->distance || c->scans < 1 || !c->scan || !c->registration || !c->found ||
+        !c->unmoved || !are_figures(c->face_to_scan) || c->files < 0 || (c->files > 0 && !c->file) ||
+        (unsigned)c->registration->method > WCUT_REGISTRATION_METHOD_FIT ||
+        (c->reconstruction && (!c->reconstruction_method || !c->to_scan || !c->to_face)))
+        return false;
+    for (int k = 0; k < c->scans; k++)
+        if (!c->scan[k].name || !c->scan[k].sha256) return false;
+    for (int k = 0; k < c->files; k++)
+        if (!c->file[k]) return false;
+    return are_figures(&c->found->statistics) && are_figures(&c->unmoved->statistics);
+}
+
+wcut_status wcut_deviation_print(const wcut_compared *compared, char **text) {
+    wcut_text out;
+    if (!is_usable(compared) || !text) return WCUT_BAD_ARGUMENT;
+    if (!wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
+    put_document(&out, compared);
+    return wcut_text_finish(&out, text, NULL);
+}
+
+wcut_status wcut_deviation_write(const wcut_compared *compared, const char *path, wcut_error *error) {
+    char *text = NULL;
+    wcut_status status = path ? wcut_deviation_print(compared, &text) : WCUT_BAD_ARGUMENT;
+    if (status != WCUT_OK) return wcut_fail(error, status, "a comparison: %s", wcut_status_text(status));
+    status = wcut_file_write_whole(path, text, strlen(text), error);
+    free(text);
+    return status;
+}
+
+/* ---- zones.csv ---- */
+
+static void put_zone(wcut_text *t, const wcut_zone *z, int bands) {
+    wcut_text_print(t, "%s,%s,%d", z->name, z->is_patch ? "patch" : "phase", z->count);
+    const double figure[] = {z->mean, z->std, z->rms, z->mae, z->min, z->max};
+    for (size_t k = 0; k < sizeof figure / sizeof *figure; k++) {
+        put(t, ",");
+        if (z->count > 0) wcut_text_number(t, figure[k]);
+    }
+    const double side[] = {z->low.x, z->high.x, z->low.y, z->high.y};
+    for (size_t k = 0; k < sizeof side / sizeof *side; k++) {
+        put(t, ",");
+        if (z->count > 0 || z->is_patch) wcut_text_number(t, side[k]);
+    }
+    for (int k = 0; k < bands; k++) {
+        put(t, ",");
+        if (z->count > 0) wcut_text_number(t, z->within[k]);
+    }
+    put(t, "\n");
+}
+
+wcut_status wcut_zones_write(const wcut_survey_result *found, const char *path, wcut_error *error) {
+    wcut_text t;
+    if (!found || !path || found->zones < 0 || !are_figures(&found->statistics) || (found->zones > 0 && !found->zone))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "zones: %s", wcut_status_text(WCUT_BAD_ARGUMENT));
+    if (!wcut_text_create(&t, NULL)) return wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
+    put(&t, "zone,kind,count,mean_mm,std_mm,rms_mm,mae_mm,min_mm,max_mm,x_low_mm,x_high_mm,y_low_mm,y_high_mm");
+    for (int k = 0; k < found->statistics.bands; k++) put_number(&t, ",within_mm_", found->statistics.band[k]);
+    put(&t, "\n");
+    for (int k = 0; k < found->zones; k++) put_zone(&t, &found->zone[k], found->statistics.bands);
+    char *text = NULL;
+    wcut_status status = wcut_text_finish(&t, &text, NULL);
+    if (status != WCUT_OK) return wcut_fail(error, status, "zones: %s", wcut_status_text(status));
+    status = wcut_file_write_whole(path, text, strlen(text), error);
+    free(text);
+    return status;
+}
