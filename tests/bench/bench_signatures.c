@@ -245,7 +245,7 @@ int main(void) {
         wcut_effect e = typical((wcut_effect_kind)k);
         job->effect = &e, job->effect_count = 1;
         with = plain;
-        if (wcut_effect_view(e.kind)->place == WCUT_EFFECT_STEP) {
+        if (wcut_effect_view(e.kind)->place == WCUT_EFFECT_PLACE_STEP) {
             run_forward(job, &with);
             run_driven(job, &plain, &with);
         }
