@@ -11,9 +11,10 @@ typedef enum wcut_fit_scale { WCUT_FIT_SCALE_LINEAR, WCUT_FIT_SCALE_LOG, WCUT_FI
 typedef struct wcut_coordinate {
     int at; /* of effect.value */
     wcut_fit_scale scale;
-    double centre, spread; /* normal prior: wide enough to leave the plausible range of NOTATION to the data */
-    double step;           /* of the finite difference */
-    double low, high;      /* the fit stays inside */
+    double centre,
+        spread;       /* normal prior: wide enough to leave the plausible range (NOTATION.md, Effects) to the data */
+    double step;      /* of the finite difference */
+    double low, high; /* the fit stays inside */
 } wcut_coordinate;
 
 enum { WCUT_COORDINATES = 5, WCUT_VARIANTS = 64 };

@@ -237,8 +237,7 @@ int wcut_screen_pairs(const wcut_screen *s, int most, wcut_screened *out) {
             const int group[2] = {i, j};
             const wcut_effect_kind kind = kind_of(s, i, &first);
             wcut_screened found;
-            if (kind == kind_of(s, j, &second))
-                continue; /* two of a kind is one family: MODEL 7, one explanation each */
+            if (kind == kind_of(s, j, &second)) continue; /* two of one kind are one explanation */
             if (!wcut_screen_solve(s, 2, group, &found)) continue;
             int at = count < most ? count++ : most - 1;
             if (at == most - 1 && count == most && out[at].groups == 2 && out[at].gain >= found.gain) continue;

@@ -38,7 +38,7 @@ wcut_status wcut_trajectory_recorded(const wcut_job *job, const wcut_recording *
 /*
  * The motion freed of what a tension loop feeds back: progress as a smooth function of the programmed progress, which
  * is time with the job's own dither in it, every `step` [s]. Noise of the tension does not reach it but through `width`
- * [s] of smoothing; the programme does in full. Instruments are computed along it (DIAGNOSIS: exogenous trajectory).
+ * [s] of smoothing; the programme does in full. Columns of a fit are computed along it (NOTATION.md, Exogenous trajectory).
  */
 wcut_status wcut_trajectory_exogenous(const wcut_job *job, const wcut_trajectory *recorded, double width, double step,
                                       wcut_trajectory *out);

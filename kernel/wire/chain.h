@@ -9,7 +9,7 @@
    per length of that difference. */
 wcut_vec3 wcut_chain_outward(wcut_vec3 end, wcut_vec3 next, wcut_vec3 second, double *scale);
 
-/* Angles of the wire at both mounts [rad]; signs as FORMATS defines them: alpha positive trailing behind the feed (+y),
+/* Angles of the wire at both mounts [rad]; signs (FORMATS.md, Rules): alpha positive trailing behind the feed (+y),
    beta positive upward. */
 void wcut_chain_angles(int n, const wcut_vec3 *x, double *alpha_a, double *beta_a, double *alpha_b, double *beta_b);
 

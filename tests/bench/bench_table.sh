@@ -1,4 +1,4 @@
-# What this library takes beside its peers, all in one run on this machine, as the table of README.md:
+# What this library takes beside its peers, all in one run on this machine, as the table of kernel/MEASURED.md:
 #
 #   ninja bench_table            or  sh tests/bench/bench_table.sh BUILD/tests      after  ninja bench_table_programs
 #

@@ -1,4 +1,4 @@
-/* diagnosis.json: every key that FORMATS names, numbers as they are, nothing where there is nothing. */
+/* diagnosis.json: every key that FORMATS.md names, numbers as they are, nothing where there is nothing. */
 #include <check.h>
 #include <float.h>
 #include <jansson.h>
@@ -234,10 +234,67 @@ START_TEST(verdicts_and_channels_have_names_and_what_is_none_has_none) {
 }
 END_TEST
 
+/* ---- the example of FORMATS.md ---- */
+
+/* the block "```json diagnosis.json" of the document */
+static json_t *example(void) {
+    static char text[1 << 18];
+    FILE *file = fopen(WCUT_SOURCE_DIR "/kernel/FORMATS.md", "r");
+    ck_assert_ptr_nonnull(file);
+    const size_t length = fread(text, 1, sizeof text - 1, file);
+    fclose(file);
+    ck_assert_uint_lt(length, sizeof text - 1);
+    text[length] = 0;
+
+    static const char begin[] = "```json diagnosis.json\n";
+    char *from = strstr(text, begin);
+    ck_assert_ptr_nonnull(from);
+    from += sizeof begin - 1;
+    char *end = strstr(from, "\n```");
+    ck_assert_ptr_nonnull(end);
+    *end = 0;
+
+    json_error_t error;
+    json_t *root = json_loads(from, JSON_REJECT_DUPLICATES, &error);
+    ck_assert_msg(root != NULL, "FORMATS.md, diagnosis.json, line %d: %s", error.line, error.text);
+    return root;
+}
+
+/* every key of the example is written, at the same place; the first item stands for a list */
+static void compare_keys(json_t *shown, json_t *written, const char *key) {
+    const char *name;
+    json_t *value;
+    if (json_is_null(shown) || json_is_null(written)) return;
+    if (json_is_array(shown) && json_array_size(shown) > 0 && json_array_size(written) > 0)
+        compare_keys(json_array_get(shown, 0), json_array_get(written, 0), key);
+    if (!json_is_object(shown)) return;
+    ck_assert_msg(json_is_object(written), "\"%s\" is an object in FORMATS.md, but not in what is written", key);
+    json_object_foreach(shown, name, value) {
+        json_t *same = json_object_get(written, name);
+        ck_assert_msg(same != NULL, "\"%s\" in \"%s\" is in the example of FORMATS.md, but not written", name, key);
+        compare_keys(value, same, name);
+    }
+}
+
+START_TEST(the_example_of_the_format_has_the_keys_that_are_written) {
+    const char *name;
+    json_t *value;
+    give_diagnosis(&given);
+    json_t *written = printed(), *shown = example();
+    compare_keys(shown, written, "diagnosis.json");
+    json_object_foreach(written, name, value) {
+        ck_assert_msg(json_object_get(shown, name) != NULL, "\"%s\" is written: put it into the example", name);
+    }
+    json_decref(shown);
+    json_decref(written);
+}
+END_TEST
+
 int main(void) {
     Suite *suite = suite_create("diagnosis.json");
     TCase *tests = tcase_create("diagnosis");
     tcase_add_test(tests, every_key_of_the_format_is_there_with_its_value);
+    tcase_add_test(tests, the_example_of_the_format_has_the_keys_that_are_written);
     tcase_add_test(tests, what_was_weighed_is_there_too);
     tcase_add_test(tests, choices_are_words_points_are_lists_and_open_ends_are_the_parameters_own);
     tcase_add_test(tests, verdicts_that_name_nothing_hold_no_effects_and_all_their_alternatives);

@@ -61,7 +61,7 @@ typedef struct wcut_station {
     wcut_vec3 mount_a, mount_b; /**< [mm] where the mounts were led; the wire's ends are there unless mounts give way */
     double speed_a, speed_b;    /**< [mm/s] of the mounts */
     double tension_a, tension_b;
-    double alpha_a, beta_a, alpha_b, beta_b; /**< [rad] as FORMATS defines */
+    double alpha_a, beta_a, alpha_b, beta_b; /**< [rad] signs: FORMATS.md, Rules */
     double engaged_length;                   /**< [mm] of wire in the foam */
     wcut_phase phase;
     wcut_condition condition;

@@ -50,7 +50,7 @@ typedef struct wcut_compared {
 } wcut_compared;
 
 /**
- * The text of deviation.json, "wirecut-deviation/1" as FORMATS describes it, with more keys.
+ * The text of deviation.json, "wirecut-deviation/1" (FORMATS.md, Deviation).
  *
  * @param[out] text the caller's, to free(); ends with a line feed
  * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.

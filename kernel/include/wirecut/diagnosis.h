@@ -215,7 +215,7 @@ WCUT_API void wcut_diagnosis_destroy(wcut_diagnosis *diagnosis);
 WCUT_API wcut_status wcut_diagnosis_print(const wcut_diagnosis *diagnosis, const char *name, char **text);
 
 /**
- * diagnosis.json: `{"format": "wirecut-diagnosis/1", ...}`, FORMATS.md.
+ * diagnosis.json: "wirecut-diagnosis/1" (FORMATS.md, Diagnosis).
  *
  * @param[in]  diagnosis
  * @param[in]  name  of the case

@@ -154,7 +154,7 @@ WCUT_API wcut_status wcut_keys_at_corners(wcut_vec3 block_size, double radius, d
 WCUT_API wcut_status wcut_history_kerf(const wcut_job *job, const wcut_history *history, double *field);
 
 /**
- * `mould.json` as FORMATS describes it, and more.
+ * `mould.json`, "wirecut-mould/1" (FORMATS.md, Mould).
  *
  * @param[in]  mould      from wcut_mould_create
  * @param[in]  name       of the job, UTF-8

@@ -85,7 +85,7 @@ WCUT_API wcut_status wcut_rig_run_create(const wcut_job *job, const wcut_history
 WCUT_API void wcut_rig_run_destroy(wcut_rig_run *run);
 
 /**
- * Write a recording as FORMATS describes it: the channels it has, angles in degrees, numbers as the sensors of such a
+ * Write a recording (FORMATS.md, Recording): the channels it has, angles in degrees, numbers as the sensors of such a
  * rig resolve them (time 1e-4 s, angles 1e-3 deg, others 1e-4).
  *
  * @param[in]  recording at least one sample, every required channel; `further` is not written

@@ -176,7 +176,7 @@ typedef struct wcut_scored_cut {
 } wcut_scored_cut;
 
 /**
- * score.json as text: `{"format": "wirecut-score/1", ...}`, FORMATS.md.
+ * score.json as text: "wirecut-score/1" (FORMATS.md, Score).
  *
  * @param[in]  n       at least 1
  * @param[in]  cut     n; cuts of one case stand together

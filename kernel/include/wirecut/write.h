@@ -28,7 +28,7 @@ WCUT_API wcut_status wcut_mesh_write_ply(const wcut_mesh *mesh, const char *name
 /** Binary glTF in metres as glTF demands (scale on the root node, coordinates in mm), scalar as vertex colour. */
 WCUT_API wcut_status wcut_mesh_write_glb(const wcut_mesh *mesh, const char *path, wcut_error *error);
 
-/** `path.csv` as FORMATS describes it: one row a station. mount_a, mount_b: history->stations [mm]. */
+/** `path.csv` (FORMATS.md, Path curves): one row a station. mount_a, mount_b: history->stations [mm]. */
 WCUT_API wcut_status wcut_history_write_csv(const wcut_history *history, const wcut_vec3 *mount_a,
                                             const wcut_vec3 *mount_b, const char *path, wcut_error *error);
 
@@ -60,7 +60,7 @@ WCUT_API wcut_status wcut_vtp_stream_commit(wcut_vtp_stream *stream, wcut_error 
 WCUT_API void wcut_vtp_stream_destroy(wcut_vtp_stream *stream);
 
 /**
- * `summary.json` as FORMATS describes it.
+ * `summary.json`, "wirecut-summary/1" (FORMATS.md, Summary).
  *
  * @param[in] setup      that the history came from
  * @param[in] history    at least one station

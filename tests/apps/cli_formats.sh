@@ -1,0 +1,75 @@
+# Every example of kernel/FORMATS.md is what it says: inputs are read by their verbs, outputs have the keys that are written.
+. "$SOURCE_DIR/tests/apps/common.sh"
+document=$SOURCE_DIR/kernel/FORMATS.md
+examples=$SOURCE_DIR/tests/apps/format_examples.py
+
+mkdir given
+count=$(python3 "$examples" write "$document" given) || fail "no examples"
+[ "$count" -ge 20 ] || fail "$count examples, expected 20 or more"
+tested=0
+
+# same EXAMPLE RESULT: an output's example beside what the program wrote
+same() {
+    python3 "$examples" compare "$document" "given/$1" "$2" >found || fail "$(cat found)"
+    tested=$((tested + 1))
+}
+# read NAME...: these inputs were read by the command that has just run
+read_in() { tested=$((tested + $#)); }
+
+cd given || exit 1
+run 0 simulate job.json -o ../path --quiet
+read_in job.json
+run 0 simulate design.json -o ../design --quiet
+read_in design.json
+run 0 path design.json --edges curves.json --format csv -o ../curves --quiet
+run 0 path design.json --edges curves.csv --format csv -o ../curves --quiet
+read_in curves.json curves.csv
+run 0 mould design.json -o ../mould --quiet
+run 0 control job.json -o ../control --quiet
+run 0 path job.json --format json -o ../robot --quiet
+run 0 path job.json --format csv -o ../robot --quiet --json
+cp out ../path.json
+run 0 identify job.json -o ../identify --quiet --json
+cp out ../identification.json
+run 0 simulate ../identify/identification-2.json -o ../again --quiet
+run 0 calibrate table.csv -o ../calibrate --quiet
+run 0 score case.json -o ../score --quiet
+run 0 score job.json recording.csv -o ../score --quiet --settle 0 --leave 0
+run 0 score case.json -o ../score --quiet --settle 0 --leave 0
+read_in case.json recording.csv table.csv
+run 0 compare job.json scan.xyz -o ../compare --register datum --datum datums.csv --reconstruct field --tolerance 5 --quiet
+read_in scan.xyz datums.csv
+run 0 --json-usage
+cp out ../usage.json
+cd ..
+
+same summary.json design/summary.json
+same path.csv design/path.csv
+same mould.json mould/mould.json
+same control.json control/control.json
+same robot.json robot/robot.json
+same robot.csv robot/robot.csv
+same path.json path.json
+same identification.json identification.json
+same force_law.json calibrate/force_law.json
+same score.json score/score.json
+same residuals.csv score/residuals.csv
+same deviation.json compare/deviation.json
+same zones.csv compare/zones.csv
+same usage.json usage.json
+
+# an input that has a key too many, or lacks one, is noticed: the examples are read, not passed over
+for key in nodes tension_N mount_b_mm; do
+    sed "s/\"$key\"/\"${key}s\"/" given/job.json >bad.json
+    run 3 simulate bad.json -o bad --quiet
+done
+# so is an example of an output that has another key
+sed 's/"duration_s"/"duration"/' given/summary.json >given/bad.json
+python3 "$examples" compare "$document" given/bad.json design/summary.json >found && fail "not noticed: another key"
+grep -q 'duration: in the example, but the program does not write it' found || fail "not named: $(cat found)"
+printf '{"unknown_key": 1}' >unknown.json
+python3 "$examples" compare "$document" unknown.json unknown.json >found && fail "not noticed: a key without a row"
+
+# diagnosis.json is the one that takes minutes: test_diagnosis_write compares it
+[ "$tested" -eq $((count - 1)) ] || fail "$tested examples tested of $count, expected all but diagnosis.json"
+finish
