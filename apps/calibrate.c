@@ -5,7 +5,6 @@
 #include <wirecut/wirecut.h>
 
 #include "command.h"
-#include "report_calibrate.h"
 #include "results.h"
 #include "terminal.h"
 
@@ -18,8 +17,8 @@ typedef struct calibration {
     wcut_calibration_options options;
     wcut_calibration fit;
     wcut_calibration_point *point;
-    app_calibrated of; /* all of the above, as the page wants it */
-    char (*sentence)[APP_SENTENCE];
+    wcut_report_calibrate of; /* all of the above, as the page wants it */
+    char (*sentence)[WCUT_REPORT_SENTENCE];
     const char **warning; /* the sentences, as the page wants them */
     app_results results;
 } calibration;
@@ -56,7 +55,7 @@ static int write_results(calibration *c) {
     const char *page = "report.html", *law = "force_law.json";
     int code = app_results_remove(&c->results, law);
     if (code != APP_DONE) return code;
-    wcut_status status = app_report_calibrate(&c->of, app_results_path(&c->results, page), &error);
+    wcut_status status = wcut_report_calibrate_write(&c->of, app_results_path(&c->results, page), &error);
     code = app_results_add(&c->results, page, status, &error);
     if (code != APP_DONE) return code;
     status = wcut_force_law_write(c->cuts, c->cut, &c->options, &c->fit, c->point, app_results_path(&c->results, law),
@@ -77,10 +76,10 @@ static int print_json(const calibration *c) {
 
 /* how well a law fits */
 static void say_quality(const calibration *c, const wcut_law_fit *law) {
-    char sentence[APP_SENTENCE];
-    app_describe_scatter(&c->of, law, sentence);
+    char sentence[WCUT_REPORT_SENTENCE];
+    wcut_report_calibrate_scatter(&c->of, law, sentence);
     app_say("  %s", sentence);
-    app_describe_lack(law, sentence);
+    wcut_report_calibrate_lack(law, sentence);
     app_say("  %s", sentence);
 }
 
@@ -109,7 +108,7 @@ static void warn(calibration *c, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
     const int k = c->of.warnings++;
-    vsnprintf(c->sentence[k], APP_SENTENCE, format, arguments);
+    vsnprintf(c->sentence[k], WCUT_REPORT_SENTENCE, format, arguments);
     c->warning[k] = c->sentence[k];
     va_end(arguments);
 }
@@ -145,7 +144,8 @@ static void find_warnings(calibration *c) {
 }
 
 static void describe(calibration *c) {
-    c->of = (app_calibrated){c->path, c->weights, c->cuts, c->cut, &c->options, &c->fit, c->point, 0, c->warning};
+    c->of =
+        (wcut_report_calibrate){c->path, c->weights, c->cuts, c->cut, &c->options, &c->fit, c->point, 0, c->warning};
     find_warnings(c);
 }
 

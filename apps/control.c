@@ -6,7 +6,6 @@
 #include <wirecut/wirecut.h>
 
 #include "command.h"
-#include "report_control.h"
 #include "results.h"
 #include "terminal.h"
 
@@ -215,7 +214,7 @@ static int write_results(loop *l) {
     int code = write_recording(l);
     if (code != APP_DONE) return code;
     wcut_rig_summary summary = summarize(l);
-    wcut_status status = app_report_control(&summary, l->path, app_results_path(r, "report.html"), &error);
+    wcut_status status = wcut_report_control_write(&summary, l->path, app_results_path(r, "report.html"), &error);
     code = app_results_add(r, "report.html", status, &error);
     if (code == APP_DONE) code = app_results_prune(r, result_name);
     if (code != APP_DONE) return code;

@@ -8,7 +8,6 @@
 
 #include "command.h"
 #include "page_memory.h"
-#include "report_diagnose.h"
 #include "results.h"
 #include "terminal.h"
 
@@ -193,16 +192,16 @@ static int write_report(run *r) {
         {"effects left out", app_given(r->call, "without") ? app_text(r->call, "without") : "none", 0, ""},
         {"forward proof", r->options.proof ? "run" : "not run", 0, ""},
         {"seed", NULL, (double)r->options.seed, ""}};
-    const app_diagnosed page = {.title = r->found->name,
-                                .diagnosis = d,
-                                .cut_name = name,
-                                .said = r->said,
-                                .said_text = r->said_text,
-                                .options = sizeof option / sizeof *option,
-                                .option = option,
-                                .sources = r->sources,
-                                .source = r->source};
-    const wcut_status status = app_report_diagnose(&page, app_results_path(&r->results, "report.html"), &error);
+    const wcut_report_diagnose page = {.title = r->found->name,
+                                       .diagnosis = d,
+                                       .cut_name = name,
+                                       .said = r->said,
+                                       .said_text = r->said_text,
+                                       .options = sizeof option / sizeof *option,
+                                       .option = option,
+                                       .sources = r->sources,
+                                       .source = r->source};
+    const wcut_status status = wcut_report_diagnose_write(&page, app_results_path(&r->results, "report.html"), &error);
     return app_results_add(&r->results, "report.html", status, &error);
 }
 

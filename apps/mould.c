@@ -7,7 +7,6 @@
 #include <wirecut/wirecut.h>
 
 #include "command.h"
-#include "report_mould.h"
 #include "results.h"
 #include "terminal.h"
 
@@ -203,14 +202,14 @@ static int write_cut(moulding *m) {
 static int write_report(moulding *m) {
     wcut_error error = {0};
     const char *name = "report.html";
-    const app_moulded run = {.job_path = m->path,
-                             .stock_path = app_given(m->call, "stock") ? app_text(m->call, "stock") : NULL,
-                             .edges_path = app_given(m->call, "edges") ? app_text(m->call, "edges") : NULL,
-                             .chord_tolerance = app_real(m->call, "chord-tolerance"),
-                             .fit_tolerance = app_real(m->call, "fit-tolerance"),
-                             .prolong = app_real(m->call, "prolong")};
+    const wcut_report_mould run = {.job_path = m->path,
+                                   .stock_path = app_given(m->call, "stock") ? app_text(m->call, "stock") : NULL,
+                                   .edges_path = app_given(m->call, "edges") ? app_text(m->call, "edges") : NULL,
+                                   .chord_tolerance = app_real(m->call, "chord-tolerance"),
+                                   .fit_tolerance = app_real(m->call, "fit-tolerance"),
+                                   .prolong = app_real(m->call, "prolong")};
     const wcut_status status =
-        app_report_mould(&run, m->job, m->history, m->mould, app_results_path(&m->results, name), &error);
+        wcut_report_mould_write(&run, m->job, m->history, m->mould, app_results_path(&m->results, name), &error);
     return app_results_add(&m->results, name, status, &error);
 }
 

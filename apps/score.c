@@ -6,7 +6,6 @@
 #include <wirecut/wirecut.h>
 
 #include "command.h"
-#include "report_score.h"
 #include "results.h"
 #include "terminal.h"
 
@@ -217,21 +216,22 @@ static int write_report(scoring *s) {
     }
     char title[64];
     snprintf(title, sizeof title, "%d cases, %d cuts", s->cases, s->cuts);
-    const app_scored scored = {.title = s->cases > 1    ? title
-                                        : s->cases == 1 ? s->found[0]->name
-                                                        : s->trial[0].job->name,
-                               .cuts = s->cuts,
-                               .cut = s->named,
-                               .groups = s->groups,
-                               .group_name = s->group_name,
-                               .planned = s->planned,
-                               .replayed = s->replayed,
-                               .group_label = s->cases > 1 ? "case" : "cut",
-                               .options = &s->options,
-                               .nodes = app_given(call, "nodes") ? app_int(call, "nodes") : 0,
-                               .sources = call->operand_count,
-                               .source = source};
-    if (status == WCUT_OK) status = app_report_score(&scored, app_results_path(&s->results, "report.html"), &error);
+    const wcut_report_score scored = {.title = s->cases > 1    ? title
+                                               : s->cases == 1 ? s->found[0]->name
+                                                               : s->trial[0].job->name,
+                                      .cuts = s->cuts,
+                                      .cut = s->named,
+                                      .groups = s->groups,
+                                      .group_name = s->group_name,
+                                      .planned = s->planned,
+                                      .replayed = s->replayed,
+                                      .group_label = s->cases > 1 ? "case" : "cut",
+                                      .options = &s->options,
+                                      .nodes = app_given(call, "nodes") ? app_int(call, "nodes") : 0,
+                                      .sources = call->operand_count,
+                                      .source = source};
+    if (status == WCUT_OK)
+        status = wcut_report_score_write(&scored, app_results_path(&s->results, "report.html"), &error);
     const int code = app_results_add(&s->results, "report.html", status, &error);
     free(hash);
     free(source);

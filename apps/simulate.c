@@ -4,7 +4,6 @@
 #include <wirecut/wirecut.h>
 
 #include "command.h"
-#include "report_simulate.h"
 #include "results.h"
 #include "terminal.h"
 
@@ -165,12 +164,13 @@ static int write_path(simulation *s) {
 static int write_report(simulation *s) {
     wcut_error error = {0};
     const char *name = "report.html";
-    const app_simulated run = {.job_path = s->path,
-                               .integrator = app_text(s->call, "integrator"),
-                               .chord_tolerance = app_real(s->call, "chord-tolerance"),
-                               .merge = MERGE_MM,
-                               .ended = s->ended};
-    wcut_status status = app_report_simulate(&run, s->setup, s->history, app_results_path(&s->results, name), &error);
+    const wcut_report_simulate run = {.job_path = s->path,
+                                      .integrator = app_text(s->call, "integrator"),
+                                      .chord_tolerance = app_real(s->call, "chord-tolerance"),
+                                      .merge = MERGE_MM,
+                                      .ended = s->ended};
+    wcut_status status =
+        wcut_report_simulate_write(&run, s->setup, s->history, app_results_path(&s->results, name), &error);
     return app_results_add(&s->results, name, status, &error);
 }
 

@@ -42,6 +42,7 @@
 #include <wirecut/registration.h>
 #include <wirecut/replay.h>
 #include <wirecut/report.h>
+#include <wirecut/report_pages.h>
 #include <wirecut/reshape.h>
 #include <wirecut/rig.h>
 #include <wirecut/robot.h>

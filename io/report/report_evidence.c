@@ -1,5 +1,5 @@
 /* The evidence on a diagnosis's page: residuals of all models as maps and as lines. */
-#include "report_evidence.h"
+#include "io/report/report_evidence.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -34,12 +34,12 @@ static int by_channel(const void *a, const void *b) {
     return s->cut < t->cut ? -1 : s->cut > t->cut;
 }
 
-static bool make_grid(app_memory *memory, const wcut_diagnosis *d, grid *g) {
+static bool make_grid(wcut_page_memory *memory, const wcut_diagnosis *d, grid *g) {
     double low = HUGE_VAL, high = -HUGE_VAL;
     *g = (grid){.columns = MAP_COLUMNS};
-    g->row = app_take(memory, (size_t)d->traces, sizeof *g->row);
-    g->x = app_take(memory, MAP_COLUMNS, sizeof *g->x);
-    g->y = app_take(memory, (size_t)d->traces, sizeof *g->y);
+    g->row = wcut_page_take(memory, (size_t)d->traces, sizeof *g->row);
+    g->x = wcut_page_take(memory, MAP_COLUMNS, sizeof *g->x);
+    g->y = wcut_page_take(memory, (size_t)d->traces, sizeof *g->y);
     if (memory->failed) return false;
     for (int i = 0; i < d->traces; i++) {
         const wcut_residual_trace *t = &d->trace[i];
@@ -69,8 +69,8 @@ static int bin_at(const wcut_residual_trace *t, double time) {
 }
 
 /* residuals in standard deviations of noise, so that all channels share one scale */
-static double *fill_map(app_memory *memory, const grid *g, int model) {
-    double *value = app_take(memory, (size_t)g->rows * (size_t)g->columns, sizeof *value);
+static double *fill_map(wcut_page_memory *memory, const grid *g, int model) {
+    double *value = wcut_page_take(memory, (size_t)g->rows * (size_t)g->columns, sizeof *value);
     for (int r = 0; value && r < g->rows; r++) {
         const wcut_residual_trace *t = g->row[r];
         const double *from = values_of(t, model);
@@ -90,8 +90,8 @@ static int by_size(const void *a, const void *b) {
 
 /* what 98 of 100 cells of the recalibrated map stay below, five standard deviations at least: the map before, whose force
    law is another's, would leave the others without colour */
-static double common_limit(app_memory *memory, const grid *g, const double *recalibrated) {
-    double *size = app_take(memory, (size_t)g->rows * (size_t)g->columns, sizeof *size);
+static double common_limit(wcut_page_memory *memory, const grid *g, const double *recalibrated) {
+    double *size = wcut_page_take(memory, (size_t)g->rows * (size_t)g->columns, sizeof *size);
     size_t count = 0;
     for (size_t i = 0; size && i < (size_t)g->rows * (size_t)g->columns; i++)
         if (isfinite(recalibrated[i])) size[count++] = fabs(recalibrated[i]);
@@ -101,9 +101,9 @@ static double common_limit(app_memory *memory, const grid *g, const double *reca
 }
 
 /* the channels beside the rows of a map */
-static void name_bands(app_memory *memory, const grid *g, wcut_report_map *map) {
-    int *first = app_take(memory, (size_t)g->rows, sizeof *first);
-    const char **label = app_take(memory, (size_t)g->rows, sizeof *label);
+static void name_bands(wcut_page_memory *memory, const grid *g, wcut_report_map *map) {
+    int *first = wcut_page_take(memory, (size_t)g->rows, sizeof *first);
+    const char **label = wcut_page_take(memory, (size_t)g->rows, sizeof *label);
     for (int r = 0; !memory->failed && r < g->rows; r++) {
         if (r > 0 && strcmp(g->row[r]->column, g->row[r - 1]->column) == 0) continue;
         first[map->bands] = r, label[map->bands++] = g->row[r]->column;
@@ -112,10 +112,10 @@ static void name_bands(app_memory *memory, const grid *g, wcut_report_map *map) 
 }
 
 /* a row of the table for the rows of a channel: which, of which cuts in this order, their noise */
-static wcut_report_table row_table(app_memory *memory, const app_diagnosed *of, const grid *g) {
-    wcut_report_column *column = app_take(memory, 4, sizeof *column);
+static wcut_report_table row_table(wcut_page_memory *memory, const wcut_report_diagnose *of, const grid *g) {
+    wcut_report_column *column = wcut_page_take(memory, 4, sizeof *column);
     const char **text[4];
-    for (int k = 0; k < 4; k++) text[k] = app_take(memory, (size_t)g->rows, sizeof *text[k]);
+    for (int k = 0; k < 4; k++) text[k] = wcut_page_take(memory, (size_t)g->rows, sizeof *text[k]);
     wcut_report_table table = {.title = "Rows of the maps", .columns = 4, .column = column};
     if (memory->failed) return table;
     for (int from = 0, to; from < g->rows; from = to) {
@@ -123,25 +123,25 @@ static wcut_report_table row_table(app_memory *memory, const app_diagnosed *of, 
         double least = first->noise, most = first->noise;
         const char *cuts = of->cut_name[first->cut];
         for (to = from + 1; to < g->rows && strcmp(g->row[to]->column, first->column) == 0; to++) {
-            cuts = app_take_text(memory, "%s; %s", cuts, of->cut_name[g->row[to]->cut]);
+            cuts = wcut_page_text(memory, "%s; %s", cuts, of->cut_name[g->row[to]->cut]);
             least = -larger(-least, -g->row[to]->noise), most = larger(most, g->row[to]->noise);
         }
         const int r = table.rows++;
-        text[0][r] = app_take_text(memory, "%d .. %d", from + 1, to);
+        text[0][r] = wcut_page_text(memory, "%d .. %d", from + 1, to);
         text[1][r] = first->column;
         text[2][r] = cuts;
-        text[3][r] = app_take_text(memory, "%.2g .. %.2g %s", least, most, wcut_evidence_unit(first->channel));
+        text[3][r] = wcut_page_text(memory, "%.2g .. %.2g %s", least, most, wcut_evidence_unit(first->channel));
     }
     static const char *const label[4] = {"rows", "channel", "cuts, in this order", "noise of a bin"};
     for (int k = 0; k < 4; k++) column[k] = (wcut_report_column){.label = label[k], .text = text[k]};
     return table;
 }
 
-bool app_fill_evidence(app_memory *memory, const app_diagnosed *of, wcut_report_section *section) {
+bool wcut_report_evidence_fill(wcut_page_memory *memory, const wcut_report_diagnose *of, wcut_report_section *section) {
     grid g;
     if (of->diagnosis->traces < 1 || !make_grid(memory, of->diagnosis, &g)) return false;
-    wcut_report_map *map = app_take(memory, MODELS, sizeof *map);
-    wcut_report_table *table = app_take(memory, 1, sizeof *table);
+    wcut_report_map *map = wcut_page_take(memory, MODELS, sizeof *map);
+    wcut_report_table *table = wcut_page_take(memory, 1, sizeof *table);
     double *value[MODELS];
     for (int m = 0; m < MODELS; m++) value[m] = fill_map(memory, &g, m);
     if (memory->failed) return false;
@@ -181,14 +181,14 @@ bool app_fill_evidence(app_memory *memory, const app_diagnosed *of, wcut_report_
 /* ---- lines ---- */
 
 /* the mismatches of a trace, as spans */
-static int list_spans(app_memory *memory, const wcut_diagnosis *d, const wcut_residual_trace *t,
+static int list_spans(wcut_page_memory *memory, const wcut_diagnosis *d, const wcut_residual_trace *t,
                       wcut_report_span *span) {
     int count = 0;
     for (int i = 0; i < d->mismatches && count < SPANS_MOST; i++) {
         const wcut_mismatch *m = &d->mismatch[i];
         if (m->cut != t->cut || strcmp(m->column, t->column) != 0) continue;
         if (!isfinite(m->time[0] + m->time[1] + m->station[0] + m->station[1])) continue;
-        span[count++] = (wcut_report_span){.label = app_take_text(memory, "%.0f %% of the misfit", 100 * m->share),
+        span[count++] = (wcut_report_span){.label = wcut_page_text(memory, "%.0f %% of the misfit", 100 * m->share),
                                            .from = {m->time[0], m->station[0]},
                                            .to = {m->time[1], m->station[1]}};
     }
@@ -196,22 +196,22 @@ static int list_spans(app_memory *memory, const wcut_diagnosis *d, const wcut_re
 }
 
 /* stations that go forward, whatever the encoder's noise */
-static const double *forward(app_memory *memory, const wcut_residual_trace *t) {
-    double *station = app_take(memory, (size_t)t->count, sizeof *station);
+static const double *forward(wcut_page_memory *memory, const wcut_residual_trace *t) {
+    double *station = wcut_page_take(memory, (size_t)t->count, sizeof *station);
     for (int i = 0; station && i < t->count; i++)
         station[i] = i > 0 ? larger(station[i - 1], t->station[i]) : t->station[i];
     return station;
 }
 
-static void fill_chart(app_memory *memory, const app_diagnosed *of, const wcut_residual_trace *t,
+static void fill_chart(wcut_page_memory *memory, const wcut_report_diagnose *of, const wcut_residual_trace *t,
                        wcut_report_chart *chart) {
     static const char *const label[MODELS] = {"before", "recalibrated", "after"};
     static const wcut_report_mark mark[MODELS] = {WCUT_REPORT_MARK_DASHED, WCUT_REPORT_MARK_LINE,
                                                   WCUT_REPORT_MARK_LINE};
-    wcut_report_series *series = app_take(memory, MODELS, sizeof *series);
-    wcut_report_span *span = app_take(memory, SPANS_MOST, sizeof *span);
-    double *low = app_take(memory, (size_t)t->count, sizeof *low);
-    double *high = app_take(memory, (size_t)t->count, sizeof *high);
+    wcut_report_series *series = wcut_page_take(memory, MODELS, sizeof *series);
+    wcut_report_span *span = wcut_page_take(memory, SPANS_MOST, sizeof *span);
+    double *low = wcut_page_take(memory, (size_t)t->count, sizeof *low);
+    double *high = wcut_page_take(memory, (size_t)t->count, sizeof *high);
     const double *station = forward(memory, t);
     if (memory->failed) return;
     for (int i = 0; i < t->count; i++) low[i] = -2 * t->noise, high[i] = 2 * t->noise;
@@ -235,15 +235,16 @@ static void fill_chart(app_memory *memory, const app_diagnosed *of, const wcut_r
                                  .span = span};
 }
 
-bool app_fill_residuals(app_memory *memory, const app_diagnosed *of, int cut, wcut_report_section *section) {
+bool wcut_report_residuals_fill(wcut_page_memory *memory, const wcut_report_diagnose *of, int cut,
+                                wcut_report_section *section) {
     const wcut_diagnosis *d = of->diagnosis;
-    wcut_report_chart *chart = app_take(memory, (size_t)d->traces, sizeof *chart);
+    wcut_report_chart *chart = wcut_page_take(memory, (size_t)d->traces, sizeof *chart);
     int charts = 0;
     for (int i = 0; chart && i < d->traces; i++)
         if (d->trace[i].cut == cut && d->trace[i].count > 1) fill_chart(memory, of, &d->trace[i], &chart[charts++]);
     if (memory->failed || charts == 0) return false;
     *section = (wcut_report_section){
-        .title = app_take_text(memory, "Residuals, %s", of->cut_name[cut]),
+        .title = wcut_page_text(memory, "Residuals, %s", of->cut_name[cut]),
         .note = d->held_out && d->held_out[cut] ? "This cut was held out where held-out figures are given. The band is "
                                                   "what noise leaves of a bin, twice; shaded is where they differ."
                                                 : "The band is what noise leaves of a bin, twice; shaded is where they "

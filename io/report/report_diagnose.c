@@ -1,19 +1,18 @@
 /* The page of a diagnosis: the verdict, what it rests on, what else was weighed, what it is worth on other cuts. */
-#include "report_diagnose.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <wirecut/report_pages.h>
 
-#include "page_memory.h"
-#include "report_evidence.h"
+#include "io/report/page_memory.h"
+#include "io/report/report_evidence.h"
 
 enum { SECTIONS_BESIDE_CUTS = 5 };
 
 typedef struct page {
-    const app_diagnosed *of;
+    const wcut_report_diagnose *of;
     const wcut_diagnosis *d;
-    app_memory memory;
+    wcut_page_memory memory;
 } page;
 
 /* ---- words ---- */
@@ -25,31 +24,31 @@ static const char *words_of(page *p, const wcut_effect *effect) {
     snprintf(name, sizeof name, "%s", info->name);
     for (char *c = name; *c; c++)
         if (*c == '_') *c = ' ';
-    if (!info->choice_key) return app_take_text(&p->memory, "%s", name);
-    return app_take_text(&p->memory, "%s, %s %s", name, info->choice_key, info->choice[effect->choice]);
+    if (!info->choice_key) return wcut_page_text(&p->memory, "%s", name);
+    return wcut_page_text(&p->memory, "%s, %s %s", name, info->choice_key, info->choice[effect->choice]);
 }
 
 static const char *hypothesis_words(page *p, const wcut_hypothesis *h) {
     if (h->count == 0) return "recalibration alone";
     const char *first = words_of(p, &h->effect[0]);
-    return h->count == 1 ? first : app_take_text(&p->memory, "%s + %s", first, words_of(p, &h->effect[1]));
+    return h->count == 1 ? first : wcut_page_text(&p->memory, "%s + %s", first, words_of(p, &h->effect[1]));
 }
 
 /* the column of a table with room for its rows */
 static double *numbers(page *p, wcut_report_column *column, const char *label, const char *unit, int rows) {
-    double *number = app_take(&p->memory, (size_t)rows, sizeof *number);
+    double *number = wcut_page_take(&p->memory, (size_t)rows, sizeof *number);
     *column = (wcut_report_column){.label = label, .unit = unit, .number = number};
     return number;
 }
 
 static const char **texts(page *p, wcut_report_column *column, const char *label, int rows) {
-    const char **text = app_take(&p->memory, (size_t)rows, sizeof *text);
+    const char **text = wcut_page_take(&p->memory, (size_t)rows, sizeof *text);
     *column = (wcut_report_column){.label = label, .text = text};
     return text;
 }
 
 static wcut_report_column *columns(page *p, int count) {
-    return app_take(&p->memory, (size_t)count, sizeof(wcut_report_column));
+    return wcut_page_take(&p->memory, (size_t)count, sizeof(wcut_report_column));
 }
 
 /* what a page can show: infinite ends and what was not estimated become a dash */
@@ -57,7 +56,7 @@ static double shown(double value) { return isfinite(value) && fabs(value) < 1e30
 
 /* a number of its own size: a column of numbers has one precision for all */
 static const char *number_words(page *p, double value) {
-    return isfinite(value) ? app_take_text(&p->memory, "%.4g", value) : NULL;
+    return isfinite(value) ? wcut_page_text(&p->memory, "%.4g", value) : NULL;
 }
 
 /* ---- what was found ---- */
@@ -93,7 +92,7 @@ static wcut_report_table effect_table(page *p) {
                 effect[r] = words_of(p, &f->effect);
                 verdict[r] = f->present ? "present" : "possible";
                 confidence[r] = 100 * f->confidence;
-                key[r] = q->size == 1 ? q->key : app_take_text(&p->memory, "%s, %c", q->key, 'x' + k);
+                key[r] = q->size == 1 ? q->key : wcut_page_text(&p->memory, "%s, %c", q->key, 'x' + k);
                 value[r] = number_words(p, f->effect.value[q->at + k]);
                 low[r] = estimated ? number_words(p, estimate->low) : NULL;
                 high[r] = estimated ? number_words(p, estimate->high) : NULL;
@@ -130,7 +129,7 @@ static wcut_report_table base_table(page *p) {
 }
 
 static wcut_report_table limit_table(page *p) {
-    const app_diagnosed *of = p->of;
+    const wcut_report_diagnose *of = p->of;
     const int rows = of->said + p->d->limits;
     wcut_report_column *c = columns(p, 1);
     wcut_report_table table = {.title = "What could not be told", .columns = 1, .column = c};
@@ -150,14 +149,14 @@ static wcut_report_table next_table(page *p) {
     label[0] = "cut", text[0] = job->name ? job->name : "";
     label[1] = "job", text[1] = "next-experiment.json";
     label[2] = "why", text[2] = p->d->next_reason;
-    label[3] = "excitation", text[3] = app_take_text(&p->memory, "%d sines on the speed, %d heater steps",
-                                                     job->dither_count, job->heat_step_count);
+    label[3] = "excitation", text[3] = wcut_page_text(&p->memory, "%d sines on the speed, %d heater steps",
+                                                      job->dither_count, job->heat_step_count);
     table.rows = 4;
     return table;
 }
 
 static bool fill_found(page *p, wcut_report_section *section) {
-    wcut_report_table *table = app_take(&p->memory, 4, sizeof *table);
+    wcut_report_table *table = wcut_page_take(&p->memory, 4, sizeof *table);
     int count = 0;
     if (!table) return false;
     if (p->d->effects > 0) table[count++] = effect_table(p);
@@ -184,7 +183,8 @@ static wcut_report_table fit_table(page *p, const char *title, const char *note,
     const char **name = c ? texts(p, &c[0], "channel", WCUT_EVIDENCE_CHANNEL_COUNT) : NULL;
     const char **interval =
         c ? texts(p, &c[WCUT_FIT_MODEL_COUNT + 1], "95 % after", WCUT_EVIDENCE_CHANNEL_COUNT) : NULL;
-    double *number = app_take(&p->memory, (size_t)WCUT_FIT_MODEL_COUNT * WCUT_EVIDENCE_CHANNEL_COUNT, sizeof *number);
+    double *number =
+        wcut_page_take(&p->memory, (size_t)WCUT_FIT_MODEL_COUNT * WCUT_EVIDENCE_CHANNEL_COUNT, sizeof *number);
     if (!c || !name || !interval || !number) return table;
     for (int m = 0; m < WCUT_FIT_MODEL_COUNT; m++)
         c[m + 1] = (wcut_report_column){.label = label[m], .number = number + (size_t)m * WCUT_EVIDENCE_CHANNEL_COUNT};
@@ -199,7 +199,7 @@ static wcut_report_table fit_table(page *p, const char *title, const char *note,
         const wcut_fit *after = &fit[WCUT_FIT_MODEL_AFTER][k];
         name[r] = wcut_evidence_name((wcut_evidence_channel)k);
         interval[r] = after->count > 0 && isfinite(after->low) && isfinite(after->high)
-                          ? app_take_text(&p->memory, "%.3g to %.3g", after->low, after->high)
+                          ? wcut_page_text(&p->memory, "%.3g to %.3g", after->low, after->high)
                           : NULL;
         table.rows++;
     }
@@ -210,7 +210,7 @@ static bool fill_worth(page *p, wcut_report_section *section) {
     const wcut_diagnosis *d = p->d;
     static const char *const bias = "With what is off on the whole.";
     static const char *const blind = "RMSD over range: blind to a bias.";
-    wcut_report_table *table = app_take(&p->memory, 4, sizeof *table);
+    wcut_report_table *table = wcut_page_take(&p->memory, 4, sizeof *table);
     if (!table) return false;
     table[0] = fit_table(p, "Held-out cuts: RMSE over range", bias, d->held_out_fit, true);
     table[1] = fit_table(p, "Held-out cuts: NRMSD", blind, d->held_out_fit, false);
@@ -284,7 +284,7 @@ static wcut_report_table dependence_table(page *p) {
 }
 
 static bool fill_weighed(page *p, wcut_report_section *section) {
-    wcut_report_table *table = app_take(&p->memory, 2, sizeof *table);
+    wcut_report_table *table = wcut_page_take(&p->memory, 2, sizeof *table);
     int count = 0;
     if (!table) return false;
     if (p->d->hypotheses > 0) table[count++] = ranking_table(p);
@@ -296,14 +296,14 @@ static bool fill_weighed(page *p, wcut_report_section *section) {
 /* ---- where ---- */
 
 static const char *span_words(page *p, double from, double to) {
-    return isfinite(from) && isfinite(to) ? app_take_text(&p->memory, "%.4g .. %.4g", from, to) : NULL;
+    return isfinite(from) && isfinite(to) ? wcut_page_text(&p->memory, "%.4g .. %.4g", from, to) : NULL;
 }
 
 static bool fill_where(page *p, wcut_report_section *section) {
     const wcut_diagnosis *d = p->d;
     const int rows = d->mismatches;
     wcut_report_column *c = columns(p, 12);
-    wcut_report_table *table = app_take(&p->memory, 1, sizeof *table);
+    wcut_report_table *table = wcut_page_take(&p->memory, 1, sizeof *table);
     if (!c || !table || rows == 0) return false;
     static const char *const label[8] = {"cut",   "channel", "time, s", "station", "along the wire, mm",
                                          "x, mm", "y, mm",   "z, mm"};
@@ -324,7 +324,7 @@ static bool fill_where(page *p, wcut_report_section *section) {
         text[6][r] = span_words(p, m->block[0].y, m->block[1].y);
         text[7][r] = span_words(p, m->block[0].z, m->block[1].z);
         mean[r] =
-            isfinite(m->mean) ? app_take_text(&p->memory, "%+.3g %s", m->mean, wcut_evidence_unit(m->channel)) : NULL;
+            isfinite(m->mean) ? wcut_page_text(&p->memory, "%+.3g %s", m->mean, wcut_evidence_unit(m->channel)) : NULL;
         share[r] = shown(100 * m->share), p_value[r] = shown(m->p_value), regime[r] = m->regime;
     }
     *table = (wcut_report_table){.title = "Where they differ by more than noise, after recalibration",
@@ -389,20 +389,20 @@ static wcut_status write_page(page *p, int sections, const wcut_report_section *
     return wcut_report_write(&report, path, error);
 }
 
-wcut_status app_report_diagnose(const app_diagnosed *diagnosed, const char *path, wcut_error *error) {
+wcut_status wcut_report_diagnose_write(const wcut_report_diagnose *diagnosed, const char *path, wcut_error *error) {
     page p = {.of = diagnosed, .d = diagnosed->diagnosis};
     int count = 0;
-    wcut_report_section *section = app_take(&p.memory, SECTIONS_BESIDE_CUTS + (size_t)p.d->cuts, sizeof *section);
+    wcut_report_section *section = wcut_page_take(&p.memory, SECTIONS_BESIDE_CUTS + (size_t)p.d->cuts, sizeof *section);
     if (section) {
-        count += app_fill_evidence(&p.memory, diagnosed, &section[count]);
+        count += wcut_report_evidence_fill(&p.memory, diagnosed, &section[count]);
         count += fill_found(&p, &section[count]);
         count += fill_worth(&p, &section[count]);
         count += fill_weighed(&p, &section[count]);
         count += fill_where(&p, &section[count]);
     }
     for (int cut = 0; section && cut < p.d->cuts; cut++)
-        count += app_fill_residuals(&p.memory, diagnosed, cut, &section[count]);
+        count += wcut_report_residuals_fill(&p.memory, diagnosed, cut, &section[count]);
     const wcut_status status = p.memory.failed ? WCUT_NO_MEMORY : write_page(&p, count, section, path, error);
-    app_give_back(&p.memory);
+    wcut_page_free(&p.memory);
     return status;
 }

@@ -1,10 +1,9 @@
 /* The page of a closed loop: speeds, tensions and angles with feedback and with the plan alone. */
-#include "report_control.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <wirecut/angle.h>
+#include <wirecut/report_pages.h>
 
 enum { SPANS = 32, FIGURES = 8 };
 
@@ -193,8 +192,8 @@ static double *in_degrees(const wcut_rig_run *run) {
     return to;
 }
 
-wcut_status app_report_control(const wcut_rig_summary *summary, const char *job_path, const char *path,
-                               wcut_error *error) {
+wcut_status wcut_report_control_write(const wcut_rig_summary *summary, const char *job_path, const char *path,
+                                      wcut_error *error) {
     page p = {.s = summary};
     const int samples = summary->feedback->recording.samples;
     p.target = calloc((size_t)samples, sizeof *p.target);

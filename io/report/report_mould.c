@@ -1,16 +1,15 @@
 /* The page of a divided block: both halves to turn, coloured by their draft, and what they measure. */
-#include "report_mould.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <wirecut/angle.h>
+#include <wirecut/report_pages.h>
 
 enum { ROWS = 13 };
 
 /* everything the page borrows */
 typedef struct page {
-    const app_moulded *run;
+    const wcut_report_mould *run;
     const wcut_job *job;
     const wcut_history *history;
     const wcut_mould *mould;
@@ -165,8 +164,8 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
     return wcut_report_write(&report, path, error);
 }
 
-wcut_status app_report_mould(const app_moulded *run, const wcut_job *job, const wcut_history *history,
-                             const wcut_mould *mould, const char *path, wcut_error *error) {
+wcut_status wcut_report_mould_write(const wcut_report_mould *run, const wcut_job *job, const wcut_history *history,
+                                    const wcut_mould *mould, const char *path, wcut_error *error) {
     page p = {.run = run, .job = job, .history = history, .mould = mould};
     wcut_status status = fill_drafts(&p);
     if (!status) status = hash(run->job_path, p.hash[0], error);

@@ -1,12 +1,11 @@
 /* The page of a calibration: the laws and how sure they are, each over its cuts with its band, residuals, every cut. */
-#include "report_calibrate.h"
-
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <wirecut/angle.h>
+#include <wirecut/report_pages.h>
 
 #define PERCENT 100
 
@@ -27,7 +26,7 @@ typedef struct columns {
 } columns;
 
 typedef struct page {
-    const app_calibrated *of;
+    const wcut_report_calibrate *of;
     columns cuts;
     block *memory;
     bool failed; /* memory ran out */
@@ -63,32 +62,33 @@ static void clear(page *p) {
     }
 }
 
-static bool is_relative(const app_calibrated *of) { return of->options->noise == WCUT_NOISE_RELATIVE; }
+static bool is_relative(const wcut_report_calibrate *of) { return of->options->noise == WCUT_NOISE_RELATIVE; }
 
 /* ---- sentences ---- */
 
-void app_describe_scatter(const app_calibrated *of, const wcut_law_fit *fit, char sentence[APP_SENTENCE]) {
+void wcut_report_calibrate_scatter(const wcut_report_calibrate *of, const wcut_law_fit *fit,
+                                   char sentence[WCUT_REPORT_SENTENCE]) {
     const bool relative = is_relative(of);
     const double unit = relative ? PERCENT : 1;
-    snprintf(sentence, APP_SENTENCE,
+    snprintf(sentence, WCUT_REPORT_SENTENCE,
              "cuts lie off the law by %.3g %s (standard deviation), those left out of the fit one at a time by %.3g %s "
              "(root mean square of %d cuts)",
              unit * fit->scale, relative ? "%" : A_UNIT, unit * fit->leave_one_out, relative ? "%" : A_UNIT,
              fit->left_out);
 }
 
-void app_describe_lack(const wcut_law_fit *fit, char sentence[APP_SENTENCE]) {
+void wcut_report_calibrate_lack(const wcut_law_fit *fit, char sentence[WCUT_REPORT_SENTENCE]) {
     if (fit->lack == WCUT_LACK_OF_FIT_UNTESTED)
-        snprintf(sentence, APP_SENTENCE, "too few cuts, or none off the law, to test whether it fits");
+        snprintf(sentence, WCUT_REPORT_SENTENCE, "too few cuts, or none off the law, to test whether it fits");
     else
-        snprintf(sentence, APP_SENTENCE, "%s, tested against %s: F(%d, %d) = %.2f, p = %.2g",
+        snprintf(sentence, WCUT_REPORT_SENTENCE, "%s, tested against %s: F(%d, %d) = %.2f, p = %.2g",
                  fit->lack_p < 0.05 ? "the law does not fit" : "no lack of fit is seen",
                  fit->lack == WCUT_LACK_OF_FIT_REPLICATE ? "the scatter of repeated cuts"
                                                          : "a curvature in Q_eff and a power of the speed",
                  fit->lack_degrees[0], fit->lack_degrees[1], fit->lack_f, fit->lack_p);
 }
 
-static wcut_report_tone judge(const app_calibrated *of, char *verdict, size_t size) {
+static wcut_report_tone judge(const wcut_report_calibrate *of, char *verdict, size_t size) {
     const wcut_law_fit *f = &of->fit->force;
     const bool tested = f->lack != WCUT_LACK_OF_FIT_UNTESTED, fits = !tested || f->lack_p >= 0.05;
     int n = snprintf(verdict, size,
@@ -154,7 +154,7 @@ static wcut_report_chart curve_chart(page *p, const law *l, const double *measur
     const wcut_calibration *fit = p->of->fit;
     double *q = take_numbers(p, CURVE), *y = take_numbers(p, CURVE);
     double *low = take_numbers(p, CURVE), *high = take_numbers(p, CURVE);
-    char *note = take(p, APP_SENTENCE, 1);
+    char *note = take(p, WCUT_REPORT_SENTENCE, 1);
     if (p->failed) return (wcut_report_chart){.title = l->title};
     for (int k = 0; k < CURVE; k++) q[k] = fit->q_eff_low + (fit->q_eff_high - fit->q_eff_low) * k / (CURVE - 1);
     wcut_law_fit_eval(l->fit, p->of->options->confidence, CURVE, q, y, low, high);
@@ -162,7 +162,8 @@ static wcut_report_chart curve_chart(page *p, const law *l, const double *measur
         .label = "fitted law", .count = CURVE, .x = {q}, .y = y, .low = low, .high = high};
     wcut_report_chart chart = chart_of_cuts(p, l, l->chart, "effective heat input Q_eff", Q_UNIT, p->cuts.q_eff,
                                             l->label, A_UNIT, measured, &guide);
-    snprintf(note, APP_SENTENCE, "The band holds the law with %g %% confidence at each Q_eff, not the next cut.",
+    snprintf(note, WCUT_REPORT_SENTENCE,
+             "The band holds the law with %g %% confidence at each Q_eff, not the next cut.",
              PERCENT * p->of->options->confidence);
     chart.note = note;
     return chart;
@@ -324,11 +325,13 @@ static void fill_cuts(page *p) {
 
 /* two sentences of their own, from those that the summary has on lines of their own */
 static char *section_note(page *p, const law *l) {
-    char *note = take(p, (size_t)3 * APP_SENTENCE, 1), scatter[APP_SENTENCE], lack[APP_SENTENCE];
+    char *note = take(p, (size_t)3 * WCUT_REPORT_SENTENCE, 1), scatter[WCUT_REPORT_SENTENCE],
+         lack[WCUT_REPORT_SENTENCE];
     if (!note) return NULL;
-    app_describe_scatter(p->of, l->fit, scatter);
-    app_describe_lack(l->fit, lack);
-    snprintf(note, (size_t)3 * APP_SENTENCE, "%s. How far off: %s. Whether it fits: %s.", l->symbol, scatter, lack);
+    wcut_report_calibrate_scatter(p->of, l->fit, scatter);
+    wcut_report_calibrate_lack(l->fit, lack);
+    snprintf(note, (size_t)3 * WCUT_REPORT_SENTENCE, "%s. How far off: %s. Whether it fits: %s.", l->symbol, scatter,
+             lack);
     return note;
 }
 
@@ -437,7 +440,7 @@ static int fill_facts(page *p, wcut_report_fact *fact) {
 static wcut_status write_page(page *p, int sections, const wcut_report_section *section, const char *path,
                               wcut_error *error) {
     static const char *const loss[] = {"least squares", "Huber", "Tukey's biweight"};
-    const app_calibrated *of = p->of;
+    const wcut_report_calibrate *of = p->of;
     const wcut_calibration_options *o = of->options;
     char verdict[512];
     wcut_report_fact fact[16];
@@ -468,7 +471,7 @@ static wcut_status write_page(page *p, int sections, const wcut_report_section *
     return wcut_report_write(&report, path, error);
 }
 
-wcut_status app_report_calibrate(const app_calibrated *of, const char *path, wcut_error *error) {
+wcut_status wcut_report_calibrate_write(const wcut_report_calibrate *of, const char *path, wcut_error *error) {
     page p = {.of = of};
     wcut_report_section section[1 + LAWS];
     /* a table that came through a pipe cannot be read once more: the page then has a dash for its hash */

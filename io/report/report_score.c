@@ -1,14 +1,13 @@
 /* The page of recordings beside their predictions: scores by channel, phase and cut, then every channel over time. */
-#include "report_score.h"
-
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <wirecut/angle.h>
+#include <wirecut/report_pages.h>
 
-#include "page_memory.h"
+#include "io/report/page_memory.h"
 
 enum {
     CHARTS = 8,
@@ -22,11 +21,11 @@ enum {
 #define BYTES_A_SAMPLE (42 * 8 * 4 / 3)
 
 typedef struct page {
-    const app_scored *of;
-    app_memory memory;
+    const wcut_report_score *of;
+    wcut_page_memory memory;
 } page;
 
-static void *take(page *p, size_t count, size_t size) { return app_take(&p->memory, count, size); }
+static void *take(page *p, size_t count, size_t size) { return wcut_page_take(&p->memory, count, size); }
 
 static char *join(page *p, const char *a, const char *between, const char *b) {
     const size_t size = strlen(a) + strlen(between) + strlen(b) + 1;
@@ -97,7 +96,7 @@ static const group_column by_group[] = {
 enum { BY_GROUP = sizeof by_group / sizeof *by_group };
 
 static wcut_report_table group_table(page *p, const char *title, const char *note, bool with_bias) {
-    const app_scored *of = p->of;
+    const wcut_report_score *of = p->of;
     wcut_report_column *column = take(p, BY_GROUP + 1, sizeof *column);
     double *number = take(p, (size_t)BY_GROUP * (size_t)of->groups, sizeof *number);
     wcut_report_table table = {
@@ -118,7 +117,7 @@ static wcut_report_table group_table(page *p, const char *title, const char *not
 
 /* cuts that could not be scored, and samples that were not predicted */
 static wcut_report_table trouble_table(page *p) {
-    const app_scored *of = p->of;
+    const wcut_report_score *of = p->of;
     wcut_report_column *column = take(p, 2, sizeof *column);
     const char **name = take(p, (size_t)of->cuts, sizeof *name), **text = take(p, (size_t)of->cuts, sizeof *text);
     wcut_report_table table = {.title = "What was not scored", .columns = 2, .column = column};
@@ -280,7 +279,7 @@ static double badness(const wcut_comparison *c) {
 }
 
 /* which cuts are shown: 1 in `shown`; gives how many */
-static int choose(const app_scored *of, unsigned char *shown) {
+static int choose(const wcut_report_score *of, unsigned char *shown) {
     size_t bytes = 0;
     int count = 0;
     for (;;) {
@@ -300,7 +299,7 @@ static int choose(const app_scored *of, unsigned char *shown) {
 /* ---- the page ---- */
 
 static void fill_overview(page *p, const char *note, wcut_report_section *section) {
-    const app_scored *of = p->of;
+    const wcut_report_score *of = p->of;
     wcut_report_table *table = take(p, 5, sizeof *table);
     if (p->memory.failed) return;
     table[0] = group_table(p, "NRMSD", "RMSD over the range of the measured data: blind to a bias.", false);
@@ -315,7 +314,7 @@ static void fill_overview(page *p, const char *note, wcut_report_section *sectio
 
 static wcut_status write_page(page *p, int compared, int shown, int sections, const wcut_report_section *section,
                               const char *path, wcut_error *error) {
-    const app_scored *of = p->of;
+    const wcut_report_score *of = p->of;
     const wcut_scores *planned = &of->planned[of->groups], *replayed = &of->replayed[of->groups];
     char verdict[400], count[64], plots[64];
     snprintf(verdict, sizeof verdict,
@@ -354,7 +353,7 @@ static wcut_status write_page(page *p, int compared, int shown, int sections, co
     return wcut_report_write(&report, path, error);
 }
 
-wcut_status app_report_score(const app_scored *scored, const char *path, wcut_error *error) {
+wcut_status wcut_report_score_write(const wcut_report_score *scored, const char *path, wcut_error *error) {
     page p = {.of = scored};
     int compared = 0, shown = 0, sections = 1;
     for (int i = 0; i < scored->cuts; i++) compared += scored->cut[i].comparison != NULL;
@@ -369,6 +368,6 @@ wcut_status app_report_score(const app_scored *scored, const char *path, wcut_er
         if (chosen[i]) fill_section(&p, &scored->cut[i], &section[sections++]);
     const wcut_status status =
         p.memory.failed ? WCUT_NO_MEMORY : write_page(&p, compared, shown, sections, section, path, error);
-    app_give_back(&p.memory);
+    wcut_page_free(&p.memory);
     return status;
 }

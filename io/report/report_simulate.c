@@ -1,11 +1,11 @@
 /* The page of a simulated cut: force map and path curves in space, speeds, tensions and angles along the cut. */
-#include "report_simulate.h"
-
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <wirecut/angle.h>
+#include <wirecut/curvature.h>
+#include <wirecut/report_pages.h>
 
 #define FLAT 1e-6 /* [1/mm] a radius of 1 km is flat: what is left is rounding */
 /* what is plotted of every station */
@@ -30,7 +30,7 @@ enum { CHARTS = 5, SOLVER_CHARTS = 2, PHASES_MAX = 64 };
 
 /* everything the page borrows */
 typedef struct page {
-    const app_simulated *run;
+    const wcut_report_simulate *run;
     const wcut_job *job;
     const wcut_history *history;
     double *column[COLUMNS];      /* stations each, in one block */
@@ -243,8 +243,8 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
     return wcut_report_write(&report, path, error);
 }
 
-wcut_status app_report_simulate(const app_simulated *run, const wcut_setup *setup, const wcut_history *history,
-                                const char *path, wcut_error *error) {
+wcut_status wcut_report_simulate_write(const wcut_report_simulate *run, const wcut_setup *setup,
+                                       const wcut_history *history, const char *path, wcut_error *error) {
     page p = {.run = run, .job = wcut_setup_job(setup), .history = history};
     wcut_status status = fill(&p, setup, error);
     if (!status) {

@@ -1,0 +1,176 @@
+/* wirecut/report_pages.h - the report page of each result: a simulated cut, a calibration, a closed loop and others. */
+#ifndef WCUT_REPORT_PAGES_H
+#define WCUT_REPORT_PAGES_H
+
+#include <wirecut/calibration.h>
+#include <wirecut/cut.h>
+#include <wirecut/diagnosis.h>
+#include <wirecut/history.h>
+#include <wirecut/job.h>
+#include <wirecut/mould.h>
+#include <wirecut/report.h>
+#include <wirecut/rig.h>
+#include <wirecut/score.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Each function builds a wcut_report of a result and writes it by wcut_report_write. The structs borrow everything they
+   point to. Every status other than WCUT_OK: the target is as it was. */
+
+/** What a simulated cut's page says beside setup and history. */
+typedef struct wcut_report_simulate {
+    const char *job_path;   /**< hashed for the provenance; a path that cannot be read again has no hash */
+    const char *integrator; /**< as the user calls it */
+    double chord_tolerance; /**< [mm] of the files beside the page */
+    double merge;           /**< [mm] sections nearer than this were one in the surface */
+    wcut_status ended;      /**< how the run ended */
+} wcut_report_simulate;
+
+/**
+ * Write the page of a simulated cut: the swept surface, the path curves, speeds, tensions and angles over time.
+ *
+ * @param[in]  run     how the cut was run
+ * @param[in]  setup   of the cut
+ * @param[in]  history of the cut, at least one station
+ * @param[in]  path    the target, replaced whole or not at all
+ * @param[out] error   may be NULL
+ * @return WCUT_OK; the statuses of wcut_report_write, wcut_file_hash, wcut_history_path and wcut_surface_loft: the target
+ * is as it was.
+ */
+WCUT_API wcut_status wcut_report_simulate_write(const wcut_report_simulate *run, const wcut_setup *setup,
+                                                const wcut_history *history, const char *path, wcut_error *error);
+
+enum { WCUT_REPORT_SENTENCE = 256 }; /**< [byte] of a sentence, with its final zero */
+
+/** What a calibration's page is of. */
+typedef struct wcut_report_calibrate {
+    const char *path;    /**< of the table */
+    const char *weights; /**< the column they are from; NULL: all cuts count the same */
+    int cuts;
+    const wcut_test_cut *cut; /**< cuts */
+    const wcut_calibration_options *options;
+    const wcut_calibration *fit;
+    const wcut_calibration_point *point; /**< cuts */
+    int warnings;
+    const char *const *warning; /**< warnings: what to know before cutting by these numbers, a sentence each */
+} wcut_report_calibrate;
+
+/**
+ * A sentence on how far the cuts lie from a law: those it was fitted to, and those left out of the fit.
+ *
+ * @param[in]  of       the calibration
+ * @param[in]  fit      its force law or its tension law
+ * @param[out] sentence WCUT_REPORT_SENTENCE bytes
+ */
+WCUT_API void wcut_report_calibrate_scatter(const wcut_report_calibrate *of, const wcut_law_fit *fit,
+                                            char sentence[WCUT_REPORT_SENTENCE]);
+
+/**
+ * A sentence on whether a law fits, and what it was tested against.
+ *
+ * @param[in]  fit      of a calibration
+ * @param[out] sentence WCUT_REPORT_SENTENCE bytes
+ */
+WCUT_API void wcut_report_calibrate_lack(const wcut_law_fit *fit, char sentence[WCUT_REPORT_SENTENCE]);
+
+/**
+ * Write the page of a calibration: both laws with their bands, residuals, tests of the fit.
+ *
+ * @param[in]  of    the calibration
+ * @param[in]  path  the target, replaced whole or not at all
+ * @param[out] error may be NULL
+ * @return WCUT_OK; the statuses of wcut_report_write and wcut_file_hash: the target is as it was.
+ */
+WCUT_API wcut_status wcut_report_calibrate_write(const wcut_report_calibrate *of, const char *path, wcut_error *error);
+
+/**
+ * Write the page of a closed loop: speeds, tensions and angles with feedback and with the plan alone.
+ *
+ * @param[in]  summary  of the rig's two runs
+ * @param[in]  job_path hashed for the provenance
+ * @param[in]  path     the target, replaced whole or not at all
+ * @param[out] error    may be NULL
+ * @return WCUT_OK; the statuses of wcut_report_write and wcut_file_hash: the target is as it was.
+ */
+WCUT_API wcut_status wcut_report_control_write(const wcut_rig_summary *summary, const char *job_path, const char *path,
+                                               wcut_error *error);
+
+/** What a diagnosis's page is of. */
+typedef struct wcut_report_diagnose {
+    const char *title; /**< the case's name */
+    const wcut_diagnosis *diagnosis;
+    const char *const *cut_name; /**< diagnosis->cuts */
+    int said;
+    const char *const *said_text; /**< said: what of the case could not be read, a sentence each */
+    int options;
+    const wcut_report_fact *option; /**< options: settings of the run */
+    int sources;
+    const wcut_report_source *source; /**< sources: files of the case */
+} wcut_report_diagnose;
+
+/**
+ * Write the page of a diagnosis: the verdict, the evidence, what was tried, what to do next.
+ *
+ * @param[in]  diagnosed the diagnosis
+ * @param[in]  path      the target, replaced whole or not at all
+ * @param[out] error     may be NULL
+ * @return WCUT_OK; the statuses of wcut_report_write: the target is as it was.
+ */
+WCUT_API wcut_status wcut_report_diagnose_write(const wcut_report_diagnose *diagnosed, const char *path,
+                                                wcut_error *error);
+
+/** What a divided block's page says beside job and mould. */
+typedef struct wcut_report_mould {
+    const char *job_path;
+    const char *stock_path;                         /**< NULL: the job's block */
+    const char *edges_path;                         /**< NULL: the job's own edges, or none */
+    double chord_tolerance, fit_tolerance, prolong; /**< [mm] as asked for */
+} wcut_report_mould;
+
+/**
+ * Write the page of a divided block: both halves, walls, drafts, checks.
+ *
+ * @param[in]  run     what was asked for
+ * @param[in]  job     of the cut
+ * @param[in]  history of the cut; NULL where the halves were made of edges alone
+ * @param[in]  mould   the halves
+ * @param[in]  path    the target, replaced whole or not at all
+ * @param[out] error   may be NULL
+ * @return WCUT_OK; the statuses of wcut_report_write and wcut_file_hash: the target is as it was.
+ */
+WCUT_API wcut_status wcut_report_mould_write(const wcut_report_mould *run, const wcut_job *job,
+                                             const wcut_history *history, const wcut_mould *mould, const char *path,
+                                             wcut_error *error);
+
+/** What a score's page is of. */
+typedef struct wcut_report_score {
+    const char *title;
+    int cuts;                   /**< at least one of them compared */
+    const wcut_scored_cut *cut; /**< cuts */
+    int groups;                 /**< rows of the table by case, or by cut where there is one case or none */
+    const char *const *group_name;
+    const wcut_scores *planned, *replayed; /**< groups + 1 each: of every group, and at last of all cuts */
+    const char *group_label;               /**< "case" or "cut" */
+    const wcut_comparison_options *options;
+    int nodes; /**< along the wire; 0: as the jobs say */
+    int sources;
+    const wcut_report_source *source; /**< sources */
+} wcut_report_score;
+
+/**
+ * Write the page of recordings beside their predictions: scores by channel, phase and cut, every channel over time.
+ *
+ * @param[in]  scored the score
+ * @param[in]  path   the target, replaced whole or not at all
+ * @param[out] error  may be NULL
+ * @return WCUT_OK; the statuses of wcut_report_write: the target is as it was.
+ */
+WCUT_API wcut_status wcut_report_score_write(const wcut_report_score *scored, const char *path, wcut_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
