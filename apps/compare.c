@@ -210,7 +210,7 @@ static int write_results(app_comparison *c, app_results *r) {
 
 /* ---- the answer ---- */
 
-static void say_figures(const char *label, const wcut_survey_result *r) {
+static void say_figures(const char *label, const wcut_deviation_summary_result *r) {
     const wcut_statistics *s = &r->statistics;
     app_say("%-13s mean %+.3f, rms %.3f, 1 %% %+.3f, median %+.3f, 99 %% %+.3f, max %.3f mm", label, s->mean, s->rms,
             s->p01, s->median, s->p99, s->hausdorff);

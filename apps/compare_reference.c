@@ -76,11 +76,11 @@ static void warn_of_mesh(const app_reference *r, const wcut_mesh_tree_info *info
     if (down && !r->options.flip)
         app_say("%s: warning: its triangles face down, so positive is below them; --flip turns them", r->path);
     if (up && r->options.flip) app_say("%s: warning: its triangles faced up; turned, positive is below them", r->path);
-    if (info->odd_edges > 0)
+    if (info->nonmanifold_edges > 0)
         app_say(
             "%s: warning: %d edges have three triangles or more, or two wound against each other: the sign is not "
             "to be trusted near them",
-            r->path, info->odd_edges);
+            r->path, info->nonmanifold_edges);
 }
 
 static int load_mesh(app_reference *r) {

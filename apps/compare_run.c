@@ -32,8 +32,8 @@ static int check_span(const app_comparison *c) {
 static void warn_of_unit(const app_comparison *c) {
     const app_reference *r = &c->reference;
     const wcut_vec3 size = {r->high.x - r->low.x, r->high.y - r->low.y, fmax(r->high.z - r->low.z, 1)};
-    wcut_cloud_fit fit;
-    if (wcut_cloud_fit_eval(c->scans.low, c->scans.high, size, &fit) != WCUT_OK || fit.factor == 1) return;
+    wcut_cloud_unit fit;
+    if (wcut_cloud_unit_eval(c->scans.low, c->scans.high, size, &fit) != WCUT_OK || fit.factor == 1) return;
     if (fit.factor > 0)
         app_say("%s: warning: the scan is %.3g times as large as the face; times %.5g it would fit: another --unit?",
                 c->options.scan[0], fit.ratio, fit.factor);
@@ -56,9 +56,9 @@ static double spacing_of(const app_comparison *c) {
 }
 
 /* worth its while for many points only */
-static int hasten(app_comparison *c) {
+static int prepare_many(app_comparison *c) {
     if (!c->reference.projection || c->scans.removed[WCUT_REMOVAL_KEPT] < MANY) return APP_DONE;
-    const wcut_status status = wcut_projection_hasten(c->reference.projection);
+    const wcut_status status = wcut_projection_prepare_many(c->reference.projection);
     return status == WCUT_OK ? APP_DONE : fail(status, "compare", NULL);
 }
 
@@ -135,11 +135,11 @@ static int refuse_elsewhere(const app_comparison *c) {
 }
 
 static wcut_status begin_survey(app_comparison *c, int which) {
-    wcut_survey_options options = wcut_survey_options_default();
+    wcut_deviation_summary_options options = wcut_deviation_summary_options_default();
     options.low = c->reference.low, options.high = c->reference.high;
     options.bands = c->options.bands;
     memcpy(options.band, c->options.band, sizeof options.band);
-    return wcut_survey_create(&options, c->reference.face, &c->survey[which]);
+    return wcut_deviation_summary_create(&options, c->reference.face, &c->summary[which]);
 }
 
 static wcut_status make_map(app_comparison *c) {
@@ -225,7 +225,7 @@ static wcut_status locate(const app_comparison *c, int count, const wcut_vec3 *p
 
 static wcut_status spread(app_comparison *c, int count, const wcut_deviation *d) {
     if (!c->map) return wcut_mesh_spread(c->mesh, count, d, c->sum, c->weight);
-    wcut_face_map_step(c->map, c->reference.face, count, d);
+    wcut_face_map_add(c->map, c->reference.face, count, d);
     return WCUT_OK;
 }
 
@@ -234,16 +234,16 @@ static int take_piece(void *context, int first, int count, const wcut_vec3 *poin
     app_comparison *c = p->c;
     wcut_error error = {0};
     wcut_status status = WCUT_OK;
-    if (c->survey[UNMOVED]) {
+    if (c->summary[UNMOVED]) {
         status = locate(c, count, point, p->found, NULL);
-        if (status == WCUT_OK) status = wcut_survey_step(c->survey[UNMOVED], count, p->found);
+        if (status == WCUT_OK) status = wcut_deviation_summary_add(c->summary[UNMOVED], count, p->found);
     }
     memcpy(p->moved, point, (size_t)count * sizeof *point);
     if (status == WCUT_OK) status = wcut_registration_move(&c->registration, count, p->moved, NULL);
     wcut_foot *foot = c->foot && c->scans.held && !c->reference.tree ? c->foot + first : NULL;
     if (status == WCUT_OK) status = locate(c, count, p->moved, p->found, foot);
     if (status == WCUT_OK && c->options.distance != APP_TO_RECONSTRUCTION)
-        status = wcut_survey_step(c->survey[FOUND], count, p->found);
+        status = wcut_deviation_summary_add(c->summary[FOUND], count, p->found);
     if (status == WCUT_OK) status = spread(c, count, p->found);
     if (status == WCUT_OK)
         status = wcut_deviation_stream_append(c->points, count, p->moved, c->normal ? c->normal + first : NULL,
@@ -293,20 +293,20 @@ static int measure(app_comparison *c) {
 /* ---- the scan as a face ---- */
 
 /* figures of deviations that count; reversed: the other face's point of view */
-static wcut_status tally(const app_comparison *c, int count, const wcut_deviation *d, int sign,
-                         wcut_statistics *statistics) {
-    wcut_tally *tally = NULL;
-    wcut_status status = wcut_tally_create(c->options.bands, c->options.band, &tally);
+static wcut_status histogram(const app_comparison *c, int count, const wcut_deviation *d, int sign,
+                             wcut_statistics *statistics) {
+    wcut_histogram *histogram = NULL;
+    wcut_status status = wcut_histogram_create(c->options.bands, c->options.band, &histogram);
     for (int k = 0; k < count && status == WCUT_OK; k++) {
         const double distance = sign * d[k].distance;
-        if (d[k].place <= WCUT_PLACE_BORDER) status = wcut_tally_step(tally, 1, &distance);
+        if (d[k].place <= WCUT_PLACE_BORDER) status = wcut_histogram_add(histogram, 1, &distance);
     }
-    if (status == WCUT_OK) status = wcut_tally_eval(tally, statistics);
-    wcut_tally_destroy(tally);
+    if (status == WCUT_OK) status = wcut_histogram_eval(histogram, statistics);
+    wcut_histogram_destroy(histogram);
     return status;
 }
 
-/* the reconstruction's vertices from the face; they are what is surveyed where distances are taken so */
+/* the reconstruction's vertices from the face; they are what the summary is of where distances are taken so */
 static wcut_status measure_to_face(app_comparison *c, wcut_deviation *d) {
     const app_reference *r = &c->reference;
     const wcut_mesh *mesh = c->reconstruction->mesh;
@@ -315,9 +315,9 @@ static wcut_status measure_to_face(app_comparison *c, wcut_deviation *d) {
         r->is_job ? wcut_deviation_from_surface(r->projection, count, mesh->vertex, &r->options, threads, d, NULL)
                   : app_reference_locate(r, count, mesh->vertex, threads, d, NULL);
     for (int k = 0; k < count && status == WCUT_OK && !r->is_job; k++) mesh->scalar[k] = d[k].distance;
-    if (status == WCUT_OK) status = tally(c, count, d, 1, &c->to_face);
+    if (status == WCUT_OK) status = histogram(c, count, d, 1, &c->to_face);
     if (status == WCUT_OK && c->options.distance == APP_TO_RECONSTRUCTION)
-        status = wcut_survey_step(c->survey[FOUND], count, d);
+        status = wcut_deviation_summary_add(c->summary[FOUND], count, d);
     return status;
 }
 
@@ -330,7 +330,7 @@ static wcut_status measure_to_scan(app_comparison *c, wcut_deviation *d) {
         status = wcut_deviation_from_mesh(tree, c->mesh->vertex_count, c->mesh->vertex, NULL, c->options.threads, d);
     for (int k = 0; k < c->mesh->vertex_count && status == WCUT_OK && face; k++)
         if (!face->inside[k]) d[k].place = WCUT_PLACE_BEYOND;
-    if (status == WCUT_OK) status = tally(c, c->mesh->vertex_count, d, -1, &c->to_scan);
+    if (status == WCUT_OK) status = histogram(c, c->mesh->vertex_count, d, -1, &c->to_scan);
     wcut_mesh_tree_destroy(tree);
     return status;
 }
@@ -368,16 +368,16 @@ static wcut_status measure_back(app_comparison *c) {
     wcut_vec3 *from = calloc((size_t)mesh->vertex_count, sizeof *from);
     double *distance = calloc((size_t)mesh->vertex_count, sizeof *distance);
     int count = 0;
-    wcut_tally *tally = NULL;
+    wcut_histogram *histogram = NULL;
     wcut_status status = from && distance ? WCUT_OK : WCUT_NO_MEMORY;
     for (int k = 0; k < mesh->vertex_count && status == WCUT_OK; k++)
         if (!c->reference.is_job || c->reference.face->inside[k]) from[count++] = mesh->vertex[k];
     if (status == WCUT_OK)
         status = wcut_cloud_locate(c->scans.count, c->scans.point, count, from, c->options.threads, distance);
-    if (status == WCUT_OK) status = wcut_tally_create(0, NULL, &tally);
-    if (status == WCUT_OK) status = wcut_tally_step(tally, count, distance);
-    if (status == WCUT_OK) status = wcut_tally_eval(tally, &c->face_to_scan);
-    wcut_tally_destroy(tally);
+    if (status == WCUT_OK) status = wcut_histogram_create(0, NULL, &histogram);
+    if (status == WCUT_OK) status = wcut_histogram_add(histogram, count, distance);
+    if (status == WCUT_OK) status = wcut_histogram_eval(histogram, &c->face_to_scan);
+    wcut_histogram_destroy(histogram);
     free(distance);
     free(from);
     return status;
@@ -397,9 +397,9 @@ static int conclude(app_comparison *c) {
     double unmeasured = 0;
     wcut_status status = measure_back(c);
     if (status == WCUT_OK) status = fill_map(c, &unmeasured);
-    const wcut_survey_result *found = NULL, *unmoved = NULL;
-    if (status == WCUT_OK) status = wcut_survey_eval(c->survey[FOUND], &found);
-    if (status == WCUT_OK && c->survey[UNMOVED]) status = wcut_survey_eval(c->survey[UNMOVED], &unmoved);
+    const wcut_deviation_summary_result *found = NULL, *unmoved = NULL;
+    if (status == WCUT_OK) status = wcut_deviation_summary_eval(c->summary[FOUND], &found);
+    if (status == WCUT_OK && c->summary[UNMOVED]) status = wcut_deviation_summary_eval(c->summary[UNMOVED], &unmoved);
     if (status != WCUT_OK) return fail(status, "compare", NULL);
     if (found->statistics.count == 0) return refuse_elsewhere(c);
     c->found = (wcut_compared){.reference = c->reference.path,
@@ -443,7 +443,7 @@ int app_comparison_run(app_comparison *comparison, const app_compare_options *op
     if (code == APP_DONE) code = check_span(c);
     if (code != APP_DONE) return code;
     warn_of_unit(c);
-    code = hasten(c);
+    code = prepare_many(c);
     if (code == APP_DONE) code = register_scan(c);
     if (code == APP_DONE) code = find_normals(c);
     if (code == APP_DONE) code = prepare(c, results);
@@ -458,7 +458,7 @@ void app_comparison_clear(app_comparison *comparison) {
     wcut_reconstruction_destroy(c->reconstruction);
     wcut_face_map_destroy(c->map);
     if (c->reference.is_job) wcut_mesh_destroy(c->mesh);
-    for (int k = 0; k < 2; k++) wcut_survey_destroy(c->survey[k]);
+    for (int k = 0; k < 2; k++) wcut_deviation_summary_destroy(c->summary[k]);
     void *const memory[] = {c->value, c->present, c->sum, c->weight, c->deviation, c->normal, c->foot};
     for (size_t k = 0; k < sizeof memory / sizeof *memory; k++) free(memory[k]);
     app_scans_clear(&c->scans);

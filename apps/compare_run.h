@@ -34,10 +34,10 @@ typedef struct app_comparison {
     app_reference reference;
     app_scans scans;
     wcut_registration registration;
-    wcut_survey *survey[2]; /* as registered, as scanned; the second NULL without a registration */
-    wcut_compared found;    /* what is written; complete but for the files */
-    double support;         /* [mm] in use */
-    double limit;           /* [mm] value of the strongest colour */
+    wcut_deviation_summary *summary[2]; /* as registered, as scanned; the second NULL without a registration */
+    wcut_compared found;                /* what is written; complete but for the files */
+    double support;                     /* [mm] in use */
+    double limit;                       /* [mm] value of the strongest colour */
     /* the face: a grid of a job's, the vertices of a mesh */
     wcut_mesh *mesh; /* to be coloured: borrowed from the reference where that is a mesh */
     double *value;

@@ -38,7 +38,7 @@ static bool make_room(growth *g, int more) {
 static wcut_status append(growth *g, int count, const wcut_vec3 *point) {
     app_scans *s = g->scans;
     if (g->thinning) {
-        const wcut_status status = wcut_thinning_step(g->thinning, count, point, g->keep);
+        const wcut_status status = wcut_thinning_add(g->thinning, count, point, g->keep);
         if (status != WCUT_OK) return status;
     }
     if (!make_room(g, count)) return WCUT_NO_MEMORY;

@@ -240,7 +240,7 @@ static int print_json(const loop *l) {
 static void say_run(const char *name, const wcut_rig_run *run) {
     char end[80] = "";
     if (run->ended != WCUT_CONTROL_STATE_RUN)
-        snprintf(end, sizeof end, ", ended by a safe %s", wcut_control_state_text(run->ended));
+        snprintf(end, sizeof end, ", ended by a safe %s", wcut_control_state_name(run->ended));
     app_say("%s: %.1f s, at most %.0f %% over the target%s", name, run->duration, 100 * run->overshoot, end);
     if (run->has_steady)
         app_say("  steady phase: mean %.4g N (%+.2f %%), rms error %.2g %%, largest %.2g %%",
@@ -277,7 +277,7 @@ static int control(const app_call *call) {
     if (code == APP_DONE && !app_given(call, "quiet")) say_summary(&l);
     if (code == APP_DONE && app_given(call, "json")) code = print_json(&l);
     if (code == APP_DONE && recorded(&l)->ended != WCUT_CONTROL_STATE_RUN)
-        code = app_fail(APP_OUTSIDE, "%s: safe %s at %.2f s", l.path, wcut_control_state_text(recorded(&l)->ended),
+        code = app_fail(APP_OUTSIDE, "%s: safe %s at %.2f s", l.path, wcut_control_state_name(recorded(&l)->ended),
                         recorded(&l)->duration);
     wcut_rig_run_destroy(l.plan);
     wcut_rig_run_destroy(l.feedback);

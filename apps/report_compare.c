@@ -65,7 +65,7 @@ static void add_shares(page *p, const wcut_statistics *a, const wcut_statistics 
 }
 
 static void fill_figures(page *p) {
-    const wcut_survey_result *x = p->c->found.found, *y = p->c->found.unmoved;
+    const wcut_deviation_summary_result *x = p->c->found.found, *y = p->c->found.unmoved;
     const wcut_statistics *a = &x->statistics, *b = &y->statistics;
     add_figure(p, "deviations", "", a->count, b->count);
     add_figure(p, "points outside the face", "", x->place[WCUT_PLACE_BEYOND], y->place[WCUT_PLACE_BEYOND]);
@@ -112,7 +112,7 @@ static wcut_report_table figure_table(page *p) {
 static wcut_report_table worst_table(page *p) {
     static const char *const label[] = {"x", "y", "z", "area", "mean", "peak", "volume", "points"};
     static const char *const unit[] = {"mm", "mm", "mm", "mm\xc2\xb2", "mm", "mm", "mm\xc2\xb3", ""};
-    const wcut_survey_result *r = p->c->found.found;
+    const wcut_deviation_summary_result *r = p->c->found.found;
     for (int k = 0; k < r->worsts; k++) {
         const wcut_worst *w = &r->worst[k];
         const double figure[] = {w->place.x, w->place.y, w->place.z, w->area, w->mean, w->peak, w->volume, w->count};
@@ -132,7 +132,7 @@ static wcut_report_table worst_table(page *p) {
 }
 
 static bool fill_zones(page *p) {
-    const wcut_survey_result *r = p->c->found.found;
+    const wcut_deviation_summary_result *r = p->c->found.found;
     const size_t count = r->zones > 0 ? (size_t)r->zones : 1;
     p->zone_name = calloc(count, sizeof *p->zone_name);
     p->zone[0] = calloc(8 * count, sizeof *p->zone[0]);
@@ -197,7 +197,7 @@ static int list_phases(const wcut_face *f, int most, wcut_report_span *span) {
     for (int s = 0, from = 0; s < f->stations && count < most; s++) {
         if (s + 1 < f->stations && f->phase[s + 1] == f->phase[from]) continue;
         const int to = s + 1 < f->stations ? s + 1 : s;
-        span[count++] = (wcut_report_span){wcut_phase_text(f->phase[from]), {f->time[from], from}, {f->time[to], to}};
+        span[count++] = (wcut_report_span){wcut_phase_name(f->phase[from]), {f->time[from], from}, {f->time[to], to}};
         from = s + 1;
     }
     return count;
@@ -225,7 +225,7 @@ static void judge(page *p) {
 static int list_facts(const page *p, wcut_report_fact *fact) {
     const app_comparison *c = p->c;
     const wcut_compared *f = &c->found;
-    const wcut_survey_result *r = f->found;
+    const wcut_deviation_summary_result *r = f->found;
     int n = 0;
     fact[n++] = (wcut_report_fact){"deviations", NULL, r->statistics.count, ""};
     fact[n++] = (wcut_report_fact){"points outside", NULL, r->place[WCUT_PLACE_BEYOND], ""};
@@ -341,7 +341,7 @@ static double tolerance_of(const app_comparison *c) {
 
 static int list_lines(const page *p, wcut_report_line *line) {
     const app_comparison *c = p->c;
-    const wcut_survey_result *r = c->found.found;
+    const wcut_deviation_summary_result *r = c->found.found;
     int n = 0;
     if (c->reference.is_job) {
         line[n++] = (wcut_report_line){"path curves", "A", c->reference.history->stations, c->reference.mount_a};

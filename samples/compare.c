@@ -5,18 +5,18 @@
 #include <wirecut/wirecut.h>
 
 /* deviations of a whole cloud, and what they say */
-static wcut_status survey_cloud(const wcut_face *face, const wcut_cloud *cloud, wcut_survey **survey) {
+static wcut_status summarise_cloud(const wcut_face *face, const wcut_cloud *cloud, wcut_deviation_summary **summary) {
     wcut_projection *projection = NULL;
     wcut_deviation *deviation = calloc((size_t)cloud->count, sizeof *deviation);
     wcut_deviation_options options = wcut_deviation_options_default();
-    wcut_survey_options parts = wcut_survey_options_default();
+    wcut_deviation_summary_options parts = wcut_deviation_summary_options_default();
     options.low = parts.low = face->low, options.high = parts.high = face->high;
     parts.bands = 1, parts.band[0] = 1;
     wcut_status status = deviation ? wcut_projection_create(face->surface, &projection) : WCUT_NO_MEMORY;
     if (!status)
         status = wcut_deviation_from_surface(projection, cloud->count, cloud->point, &options, 1, deviation, NULL);
-    if (!status) status = wcut_survey_create(&parts, face, survey);
-    if (!status) status = wcut_survey_step(*survey, cloud->count, deviation);
+    if (!status) status = wcut_deviation_summary_create(&parts, face, summary);
+    if (!status) status = wcut_deviation_summary_add(*summary, cloud->count, deviation);
     wcut_projection_destroy(projection);
     free(deviation);
     return status;
@@ -35,21 +35,21 @@ int main(int argc, char **argv) {
     wcut_history *history = NULL;
     wcut_face *face = NULL;
     wcut_cloud *cloud = NULL;
-    wcut_survey *survey = NULL;
-    const wcut_survey_result *result = NULL;
+    wcut_deviation_summary *summary = NULL;
+    const wcut_deviation_summary_result *result = NULL;
     wcut_error error = {0}; /* says place and expectation where a call fails */
     const bool done = !wcut_job_read(path[0], &job, &error) && !wcut_setup_create(job, NULL, &setup, &error) &&
                       !wcut_setup_run(setup, NULL, NULL, &history, &error) &&
                       !wcut_face_create(job, history, NULL, NULL, 1e-3, &face) &&
-                      !wcut_cloud_read(path[1], NULL, &cloud, &error) && !survey_cloud(face, cloud, &survey) &&
-                      !wcut_survey_eval(survey, &result) && !wcut_zones_write(result, path[2], &error);
+                      !wcut_cloud_read(path[1], NULL, &cloud, &error) && !summarise_cloud(face, cloud, &summary) &&
+                      !wcut_deviation_summary_eval(summary, &result) && !wcut_zones_write(result, path[2], &error);
     if (done)
         printf("%d deviations, RMS %.3f mm: offset %.3f, form %.3f, noise %.3f mm\n", result->statistics.count,
                result->statistics.rms, result->split.offset, result->split.form_rms, result->split.noise_rms);
     else
         fprintf(stderr, "failed: %s\n", error.text);
 
-    wcut_survey_destroy(survey);
+    wcut_deviation_summary_destroy(summary);
     wcut_cloud_destroy(cloud);
     wcut_face_destroy(face);
     wcut_history_destroy(history);

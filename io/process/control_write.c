@@ -64,7 +64,7 @@ static void put_figures(wcut_text *text, const char *name, bool there, const wcu
 
 static void put_run(wcut_text *text, const char *name, const wcut_rig_run *run) {
     wcut_text_print(text, ",\n  \"%s\": {\"complete\": %s, \"ended\": ", name, run->complete ? "true" : "false");
-    wcut_text_string(text, wcut_control_state_text(run->ended));
+    wcut_text_string(text, wcut_control_state_name(run->ended));
     wcut_text_print(text, ", \"samples\": %d", run->recording.samples);
     put(text, ", \"duration_s\": ", run->duration);
     put(text, ", \"overshoot\": ", run->overshoot);

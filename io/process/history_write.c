@@ -49,7 +49,7 @@ static void put_row(wcut_text *text, const wcut_history *history, int j, wcut_ve
                             r->beta_b * WCUT_DEG_PER_RAD};
     wcut_text_print(text, "%d,", j);
     wcut_text_number(text, r->time);
-    wcut_text_print(text, ",%s", wcut_phase_text(r->phase));
+    wcut_text_print(text, ",%s", wcut_phase_name(r->phase));
     for (size_t k = 0; k < sizeof value / sizeof *value; k++) {
         wcut_text_put(text, ",", 1);
         wcut_text_number(text, value[k]);

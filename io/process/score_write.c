@@ -236,7 +236,7 @@ static void put_row(wcut_text *text, const wcut_scored_cut *cut, int i) {
     put_value(text, true, channel[WCUT_CHANNEL_TIME].value[i]);
     const bool placed = !station->present || station->present[i];
     put_value(text, placed, station->value[i]);
-    wcut_text_print(text, ",%s,%d", placed ? wcut_phase_text(c->phase[i]) : "", c->counted[i]);
+    wcut_text_print(text, ",%s,%d", placed ? wcut_phase_name(c->phase[i]) : "", c->counted[i]);
     for (int k = 0; k < WCUT_SIGNAL_COUNT; k++) {
         const wcut_column *x = &channel[WCUT_CHANNEL_SPEED_A + k];
         const double unit = k < 4 ? 1 : WCUT_DEG_PER_RAD;

@@ -26,10 +26,10 @@ static void put_range(wcut_text *text, const char *before, wcut_range range, dou
 static void put_counts(wcut_text *text, const wcut_summary *s) {
     wcut_text_print(text, ",\n  \"speed_set_by\": ");
     for (int k = 0; k <= WCUT_CONDITION_TIME; k++)
-        wcut_text_print(text, "%s\"%s\": %d", k ? ", " : "{", wcut_condition_text((wcut_condition)k), s->conditions[k]);
+        wcut_text_print(text, "%s\"%s\": %d", k ? ", " : "{", wcut_condition_name((wcut_condition)k), s->conditions[k]);
     wcut_text_print(text, "},\n  \"phases\": ");
     for (int k = 0; k <= WCUT_PHASE_LEFT; k++)
-        wcut_text_print(text, "%s\"%s\": %d", k ? ", " : "{", wcut_phase_text((wcut_phase)k), s->phases[k]);
+        wcut_text_print(text, "%s\"%s\": %d", k ? ", " : "{", wcut_phase_name((wcut_phase)k), s->phases[k]);
     wcut_text_print(text, "}");
 }
 

@@ -87,10 +87,10 @@ static void put_header(wcut_text *text, const wcut_vtp_stream *s, int m) {
         "mount B; the last point repeats it.\n     phase:",
         WCUT_VERSION);
     for (int k = WCUT_PHASE_APPROACH; k <= WCUT_PHASE_LEFT; k++)
-        wcut_text_print(text, " %d %s%s", k, wcut_phase_text((wcut_phase)k), k < WCUT_PHASE_LEFT ? "," : ".");
+        wcut_text_print(text, " %d %s%s", k, wcut_phase_name((wcut_phase)k), k < WCUT_PHASE_LEFT ? "," : ".");
     wcut_text_print(text, " condition (what set the speed):");
     for (int k = WCUT_CONDITION_TENSION; k <= WCUT_CONDITION_TIME; k++)
-        wcut_text_print(text, " %d %s%s", k, wcut_condition_text((wcut_condition)k),
+        wcut_text_print(text, " %d %s%s", k, wcut_condition_name((wcut_condition)k),
                         k < WCUT_CONDITION_TIME ? "," : ". -->\n");
     wcut_text_print(text,
                     "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"

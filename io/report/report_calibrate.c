@@ -195,7 +195,7 @@ static wcut_report_chart normal_chart(page *p, const law *l) {
     wcut_report_chart none = {.title = ""};
     if (p->failed) return none;
     for (int i = 0; i < n; i++) residual[i] = l->point[i]->residual;
-    if (wcut_normal_scores(n, residual, score) != WCUT_OK) {
+    if (wcut_gaussian_scores(n, residual, score) != WCUT_OK) {
         p->failed = true;
         return none;
     }

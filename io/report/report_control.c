@@ -20,7 +20,7 @@ static wcut_report_tone judge(page *p) {
     char without[160];
     if (!plan->complete)
         snprintf(without, sizeof without, "the plan alone ends at %.1f s (%s)", plan->duration,
-                 wcut_control_state_text(plan->ended));
+                 wcut_control_state_name(plan->ended));
     else if (plan->has_steady)
         snprintf(without, sizeof without, "with the plan alone it is off by %.2g %%", 100 * fabs(plan->steady.mean));
     else
@@ -28,7 +28,7 @@ static wcut_report_tone judge(page *p) {
                  100 * plan->overshoot);
     if (!with->complete) {
         snprintf(p->verdict, sizeof p->verdict, "With feedback the cut ends at %.1f s: %s; %s.", with->duration,
-                 wcut_control_state_text(with->ended), without);
+                 wcut_control_state_name(with->ended), without);
         return WCUT_REPORT_TONE_BAD;
     }
     if (!with->has_steady) {
@@ -52,7 +52,7 @@ static int list_phases(const wcut_rig_run *run, wcut_report_span *span) {
     for (int i = 0, from = 0; i < n && count < SPANS; i++) {
         if (i + 1 < n && run->phase[i + 1] == run->phase[from]) continue;
         const int to = i + 1 < n ? i + 1 : i;
-        span[count++] = (wcut_report_span){.label = wcut_phase_text(run->phase[from]),
+        span[count++] = (wcut_report_span){.label = wcut_phase_name(run->phase[from]),
                                            .from = {time[from], station[from]},
                                            .to = {time[to], station[to]}};
         from = i + 1;
@@ -152,8 +152,8 @@ static wcut_status write_page(page *p, const char *job_path, const char *path, w
     const wcut_control_settings *k = p->s->control;
     const wcut_rig_options *o = p->s->options;
     const wcut_report_fact fact[] = {{"tension aimed at", NULL, k->tension, "N"},
-                                     {"with feedback", wcut_control_state_text(with->ended), 0, ""},
-                                     {"plan alone", wcut_control_state_text(plan->ended), 0, ""},
+                                     {"with feedback", wcut_control_state_name(with->ended), 0, ""},
+                                     {"plan alone", wcut_control_state_name(plan->ended), 0, ""},
                                      {"foam's a over the job's", NULL, o->law_a, ""},
                                      {"foam's b over the job's", NULL, o->law_b, ""},
                                      {"density step, factor of a", NULL, o->density, ""},

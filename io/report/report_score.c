@@ -166,7 +166,7 @@ static int list_phases(const wcut_comparison *c, const drawn *d, wcut_report_spa
         if (i + 1 < d->count && phase[i + 1] == phase[from]) continue;
         const int to = i + 1 < d->count ? i + 1 : i;
         span[count++] = (wcut_report_span){
-            wcut_phase_text(phase[from]), {d->time[from], d->station[from]}, {d->time[to], d->station[to]}};
+            wcut_phase_name(phase[from]), {d->time[from], d->station[from]}, {d->time[to], d->station[to]}};
         from = i + 1;
     }
     return count;

@@ -151,7 +151,7 @@ static int list_phases(const page *p, wcut_report_span *span) {
     for (int s = 0, from = 0; s < h->stations && count < PHASES_MAX; s++) {
         if (s + 1 < h->stations && h->row[s + 1].phase == h->row[from].phase) continue;
         const int to = s + 1 < h->stations ? s + 1 : s;
-        span[count++] = (wcut_report_span){.label = wcut_phase_text(h->row[from].phase),
+        span[count++] = (wcut_report_span){.label = wcut_phase_name(h->row[from].phase),
                                            .from = {h->row[from].time, from},
                                            .to = {h->row[to].time, to}};
         from = s + 1;

@@ -20,7 +20,7 @@ wcut_robot_names wcut_robot_names_default(void) {
     return (wcut_robot_names){.program = "wirecut", .wire_on = "wire_on", .wire_off = "wire_off", .sync_io = 1};
 }
 
-const char *wcut_robot_format_text(wcut_robot_format format) {
+const char *wcut_robot_format_name(wcut_robot_format format) {
     return (unsigned)format < FORMATS ? known[format].text : "unknown";
 }
 
@@ -182,7 +182,7 @@ wcut_status wcut_robot_summary_print(const wcut_robot_summary *s, char **text) {
     wcut_text_print(&out, "{\n  \"format\": \"wirecut-path/1\",\n  \"version\": \"%s\",\n  \"job\": ", WCUT_VERSION);
     wcut_text_string(&out, s->job->name);
     wcut_text_print(&out, ",\n  \"program\": \"%s\",\n  \"stations\": %d,\n  \"targets\": %d",
-                    wcut_robot_format_text(s->format), m->stations, m->count);
+                    wcut_robot_format_name(s->format), m->stations, m->count);
     put_number(&out, ",\n  \"duration_s\": ", m->duration);
     put_number(&out, ",\n  \"chord_error_mm\": ", m->chord_error);
     put_number(&out, ",\n  \"time_error_mm\": ", m->time_error);

@@ -41,7 +41,7 @@ static bool make_room(growth *g, const wcut_cloud_source *s) {
 static int thin_piece(growth *g, int count) {
     wcut_vec3 *point = g->cloud->point + g->cloud->count;
     wcut_vec3 *normal = g->cloud->normal ? g->cloud->normal + g->cloud->count : NULL;
-    if (wcut_thinning_step(g->thinning, count, point, g->keep) != WCUT_OK) return -1;
+    if (wcut_thinning_add(g->thinning, count, point, g->keep) != WCUT_OK) return -1;
     int kept = 0;
     for (int k = 0; k < count; k++) {
         if (!g->keep[k]) continue;

@@ -127,7 +127,7 @@ static void put_bands(wcut_text *text, const char *before, const wcut_statistics
 }
 
 /* what stands beside the quantiles: parts, extremes, offset and form */
-static void put_figures(wcut_text *text, const wcut_survey_result *r, const char *indent) {
+static void put_figures(wcut_text *text, const wcut_deviation_summary_result *r, const char *indent) {
     const wcut_statistics *s = &r->statistics;
     wcut_text_print(text, ",\n%s", indent);
     put_number(text, "\"positive\": {\"share\": ", s->count ? (double)s->positive / s->count : 0);
@@ -165,7 +165,7 @@ static void put_relation(wcut_text *text, const char *before, wcut_relation r) {
     put(text, "}");
 }
 
-static void put_zones(wcut_text *text, const wcut_survey_result *r) {
+static void put_zones(wcut_text *text, const wcut_deviation_summary_result *r) {
     put(text, ",\n  \"zones\": [");
     bool first = true;
     for (int k = 0; k < r->zones; k++) {
@@ -187,7 +187,7 @@ static void put_zones(wcut_text *text, const wcut_survey_result *r) {
     put(text, "]");
 }
 
-static void put_worst(wcut_text *text, const wcut_survey_result *r) {
+static void put_worst(wcut_text *text, const wcut_deviation_summary_result *r) {
     put(text, ",\n  \"worst\": [");
     for (int k = 0; k < r->worsts; k++) {
         const wcut_worst *w = &r->worst[k];
@@ -230,7 +230,7 @@ static void put_reconstruction(wcut_text *text, const wcut_compared *c) {
 /* ---- the document ---- */
 
 static void put_document(wcut_text *t, const wcut_compared *c) {
-    const wcut_survey_result *r = c->found;
+    const wcut_deviation_summary_result *r = c->found;
     wcut_text_print(t, "{\n  \"format\": \"wirecut-deviation/1\",\n  \"version\": \"%s\"", WCUT_VERSION);
     put_string(t, ",\n  \"reference\": ", c->reference);
     put_string(t, ",\n  \"distance\": ", c->distance);
@@ -316,7 +316,7 @@ static void put_zone(wcut_text *t, const wcut_zone *z, int bands) {
     put(t, "\n");
 }
 
-wcut_status wcut_zones_write(const wcut_survey_result *found, const char *path, wcut_error *error) {
+wcut_status wcut_zones_write(const wcut_deviation_summary_result *found, const char *path, wcut_error *error) {
     wcut_text t;
     if (!found || !path || found->zones < 0 || !are_figures(&found->statistics) || (found->zones > 0 && !found->zone))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "zones: %s", wcut_status_text(WCUT_BAD_ARGUMENT));

@@ -118,18 +118,18 @@ static double quantile(const law *l, double p) {
     }
 }
 
-double wcut_normal_tail(double z) {
+double wcut_gaussian_tail(double z) {
     assert(isfinite(z));
     return erfc(z * sqrt(0.5)) / 2;
 }
 
-double wcut_normal_quantile(double p) {
+double wcut_gaussian_quantile(double p) {
     assert(p > 0 && p < 1);
     /* Abramowitz, Stegun 26.2.23 to 4.5e-4, then Halley on the tail */
     double goal = fmin(p, 1 - p), t = sqrt(-2 * log(goal));
     double z = t - (2.515517 + t * (0.802853 + t * 0.010328)) / (1 + t * (1.432788 + t * (0.189269 + t * 0.001308)));
     for (int round = 0; round < 3; round++) {
-        double e = (wcut_normal_tail(z) - goal) * sqrt(2 * WCUT_PI) * exp(z * z / 2);
+        double e = (wcut_gaussian_tail(z) - goal) * sqrt(2 * WCUT_PI) * exp(z * z / 2);
         z += e / (1 - z * e / 2);
     }
     return p < 0.5 ? -z : z;

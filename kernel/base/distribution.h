@@ -6,10 +6,10 @@
    the callers are ours. Relative error below 1e-11 for up to 1e6 degrees of freedom. */
 
 /* P(Z > z) */
-double wcut_normal_tail(double z);
+double wcut_gaussian_tail(double z);
 
 /* z with P(Z <= z) = p */
-double wcut_normal_quantile(double p);
+double wcut_gaussian_quantile(double p);
 
 /* P(T > t) */
 double wcut_student_tail(double t, double dof);

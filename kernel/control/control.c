@@ -276,7 +276,7 @@ wcut_status wcut_control_step(wcut_control *c, double time, double station, doub
 
 void wcut_control_look(const wcut_control *c, wcut_control_view *view) { *view = c->view; }
 
-const char *wcut_control_state_text(wcut_control_state state) {
+const char *wcut_control_state_name(wcut_control_state state) {
     static const char *const text[] = {"run", "hold", "stop: over-tension", "stop: absurd readings",
                                        "stop: stale readings"};
     return (unsigned)state < sizeof text / sizeof *text ? text[state] : "unknown";

@@ -250,12 +250,12 @@ void wcut_cut_view(const wcut_cut *cut, wcut_station *station) {
     wcut_chain_angles(n, w->x, &station->alpha_a, &station->beta_a, &station->alpha_b, &station->beta_b);
 }
 
-const char *wcut_phase_text(wcut_phase phase) {
+const char *wcut_phase_name(wcut_phase phase) {
     static const char *const text[] = {"approach", "entry", "steady", "exit", "left"};
     return (unsigned)phase < sizeof text / sizeof *text ? text[phase] : "unknown";
 }
 
-const char *wcut_condition_text(wcut_condition condition) {
+const char *wcut_condition_name(wcut_condition condition) {
     static const char *const text[] = {"tension", "speed_max", "speed_min", "time"};
     return (unsigned)condition < sizeof text / sizeof *text ? text[condition] : "unknown";
 }

@@ -27,7 +27,7 @@ typedef struct regression {
     double *scale;  /* features: of each to a standard deviation of 1 */
     double *column; /* n x rows, whitened; patches 0 */
     double *residual;
-    wcut_normal normal;
+    wcut_normal_equations normal;
     double *centre, *precision; /* n */
     int count, chosen[BASE + 2 * WCUT_DEPENDENCES];
     double cost;
@@ -46,7 +46,7 @@ static void regression_destroy(regression *r) {
     wcut_free(r->residual);
     wcut_free(r->centre);
     wcut_free(r->precision);
-    wcut_normal_destroy(&r->normal);
+    wcut_normal_equations_destroy(&r->normal);
 }
 
 static bool regression_create(const wcut_evidence *e, int cuts, regression *r) {
@@ -61,7 +61,7 @@ static bool regression_create(const wcut_evidence *e, int cuts, regression *r) {
     r->centre = wcut_alloc((size_t)r->n, sizeof(double));
     r->precision = wcut_alloc((size_t)r->n, sizeof(double));
     return r->scale && r->column && r->residual && r->centre && r->precision &&
-           wcut_normal_create(r->n, e->cuts, &r->normal) == WCUT_OK;
+           wcut_normal_equations_create(r->n, e->cuts, &r->normal) == WCUT_OK;
 }
 
 /* ---- columns ---- */
@@ -142,7 +142,7 @@ static wcut_status fill(regression *r, const wcut_fitted *about, const double *r
     }
     memcpy(r->residual, about->residual, rows * sizeof(double));
     clear_patches(e, r->residual);
-    if (status == WCUT_OK) wcut_normal_fill(e, r->column, r->residual, &r->normal);
+    if (status == WCUT_OK) wcut_normal_equations_fill(e, r->column, r->residual, &r->normal);
     for (int k = 0; d && k < e->cuts; k++) wcut_response_destroy(&d[k]);
     wcut_free(value);
     wcut_free(failed);
@@ -156,7 +156,8 @@ static bool solve(const regression *r, const step *s, int without, double *t, do
     int chosen[BASE + 2 * WCUT_DEPENDENCES + 2], count = r->count;
     memcpy(chosen, r->chosen, (size_t)r->count * sizeof *chosen);
     for (int k = 0; s && k < s->width; k++) chosen[count++] = WCUT_BASE + s->feature + k;
-    return wcut_normal_solve(&r->normal, count, chosen, r->centre, r->precision, without, t, covariance, cost);
+    return wcut_normal_equations_solve(&r->normal, count, chosen, r->centre, r->precision, without, t, covariance,
+                                       cost);
 }
 
 /* what is left of the residual in units of noise, once the chosen columns and those of a step are fitted */
@@ -184,8 +185,8 @@ static int confirm(const regression *r, step *s) {
         if (!solve(r, NULL, cut, without, NULL, &cost) || !solve(r, s, cut, with, NULL, &cost)) return 0;
         memcpy(chosen, r->chosen, (size_t)r->count * sizeof *chosen);
         for (int k = 0; k < s->width; k++) chosen[r->count + k] = WCUT_BASE + s->feature + k;
-        const double fall = wcut_normal_cost(&r->normal, cut, r->count, chosen, without) -
-                            wcut_normal_cost(&r->normal, cut, r->count + s->width, chosen, with);
+        const double fall = wcut_normal_equations_cost(&r->normal, cut, r->count, chosen, without) -
+                            wcut_normal_equations_cost(&r->normal, cut, r->count + s->width, chosen, with);
         s->fall += fall, better += fall > 0;
     }
     return better;
@@ -278,7 +279,7 @@ static void tell(const regression *r, const step *s, int at, const double *t, co
         snprintf(out->quantity, sizeof out->quantity, "%.*s%s%s", (int)(mark - f->name), f->name, phase, mark + 2);
     else
         snprintf(out->quantity, sizeof out->quantity, "%s", f->name);
-    const double reach = wcut_normal_quantile(0.975) * sqrt(noise) * error;
+    const double reach = wcut_gaussian_quantile(0.975) * sqrt(noise) * error;
     out->coefficient = (wcut_estimate){.value = size, .low = size - reach, .high = size + reach};
 }
 

@@ -32,7 +32,7 @@ typedef struct fitting {
     double *column;   /* n x rows, whitened */
     double *residual; /* rows, whitened */
     double centre[WCUT_FIT_MAX], precision[WCUT_FIT_MAX];
-    wcut_normal normal;
+    wcut_normal_equations normal;
 } fitting;
 
 static double value_at(const wcut_fitted *f, int k) {
@@ -99,7 +99,7 @@ static wcut_status fitting_create(const wcut_evidence *e, const wcut_model *star
         g->centre[g->shared + k] = k == g->nuisances - 1 ? WCUT_KERF : 0;
         wcut_evidence_whiten(e, g->measured, own + (size_t)k * rows, own + (size_t)k * rows);
     }
-    return wcut_normal_create(g->n, e->cuts, &g->normal);
+    return wcut_normal_equations_create(g->n, e->cuts, &g->normal);
 }
 
 static void fitting_destroy(fitting *g) {
@@ -109,7 +109,7 @@ static void fitting_destroy(fitting *g) {
     wcut_free(g->anchor);
     wcut_free(g->column);
     wcut_free(g->residual);
-    wcut_normal_destroy(&g->normal);
+    wcut_normal_equations_destroy(&g->normal);
 }
 
 static double step_of(const wcut_fitted *f, int k) {
@@ -160,8 +160,8 @@ static bool find_step(fitting *g, double *t, double *covariance, double *cost) {
     int chosen[WCUT_FIT_MAX];
     all_columns(g->n, chosen);
     set_centres(g);
-    wcut_normal_fill(g->e, g->column, g->residual, &g->normal);
-    return wcut_normal_solve(&g->normal, g->n, chosen, g->centre, g->precision, -1, t, covariance, cost);
+    wcut_normal_equations_fill(g->e, g->column, g->residual, &g->normal);
+    return wcut_normal_equations_solve(&g->normal, g->n, chosen, g->centre, g->precision, -1, t, covariance, cost);
 }
 
 /* residual at the present x, by the difference along the exogenous trajectory */
@@ -176,8 +176,9 @@ static bool present_cost(fitting *g, double *cost) {
     double t[WCUT_FIT_MAX];
     for (int k = 0; k < g->nuisances; k++) chosen[k] = g->shared + k;
     set_centres(g);
-    wcut_normal_fill(g->e, g->column, g->residual, &g->normal);
-    if (!wcut_normal_solve(&g->normal, g->nuisances, chosen, g->centre, g->precision, -1, t, NULL, cost)) return false;
+    wcut_normal_equations_fill(g->e, g->column, g->residual, &g->normal);
+    if (!wcut_normal_equations_solve(&g->normal, g->nuisances, chosen, g->centre, g->precision, -1, t, NULL, cost))
+        return false;
     for (int k = 0; k < g->shared; k++) *cost += g->precision[k] * g->centre[k] * g->centre[k];
     return true;
 }
@@ -296,12 +297,13 @@ static double held_out_cost(const fitting *g, int cut, const double *t) {
         shared[count] = g->n - 1, whole[count] = t[g->n - 1];
         count++;
     }
-    if (free_count == 0) return wcut_normal_cost(&g->normal, cut, count, shared, whole);
+    if (free_count == 0) return wcut_normal_equations_cost(&g->normal, cut, count, shared, whole);
     /* moments of what the shared ones leave, then a small ridge problem */
     const int n = g->n;
     const double *gram = g->normal.cut_gram + (size_t)cut * (size_t)n * (size_t)n;
     double left[WCUT_FIT_MAX * 1] = {0};
-    wcut_normal small = {.n = free_count, .total = wcut_normal_cost(&g->normal, cut, count, shared, whole)};
+    wcut_normal_equations small = {.n = free_count,
+                                   .total = wcut_normal_equations_cost(&g->normal, cut, count, shared, whole)};
     double small_gram[WCUT_SCAN_NUISANCES * WCUT_SCAN_NUISANCES], precision[WCUT_SCAN_NUISANCES];
     const double none[WCUT_SCAN_NUISANCES] = {0};
     int chosen[WCUT_SCAN_NUISANCES];
@@ -314,7 +316,9 @@ static double held_out_cost(const fitting *g, int cut, const double *t) {
         precision[i] = g->precision[own[i]];
     }
     small.gram = small_gram, small.moment = left;
-    return wcut_normal_solve(&small, free_count, chosen, none, precision, -1, best, NULL, &cost) ? cost : small.total;
+    return wcut_normal_equations_solve(&small, free_count, chosen, none, precision, -1, best, NULL, &cost)
+               ? cost
+               : small.total;
 }
 
 /* whether what the anchored residual still asks for is within chance: half a unit of cost for every coordinate */
@@ -330,9 +334,9 @@ static void judge(fitting *g, const double *t) {
     all_columns(g->n, chosen);
     for (int k = 0; k < g->e->cuts; k++) {
         double without[WCUT_FIT_MAX], cost;
-        f->cut_cost[k] = wcut_normal_cost(&g->normal, k, g->n, chosen, t);
+        f->cut_cost[k] = wcut_normal_equations_cost(&g->normal, k, g->n, chosen, t);
         const bool solved =
-            wcut_normal_solve(&g->normal, g->n, chosen, g->centre, g->precision, k, without, NULL, &cost);
+            wcut_normal_equations_solve(&g->normal, g->n, chosen, g->centre, g->precision, k, without, NULL, &cost);
         f->held_out[k] = solved ? held_out_cost(g, k, without) : f->cut_cost[k];
         for (int i = 0; i < g->shared; i++) {
             double to = f->x[i] + (solved ? without[i] : t[i]);
@@ -414,8 +418,8 @@ static wcut_status held_cost(fitting *g, const summit *s, int k, double value, d
     const wcut_status status = present_rows(g, error);
     if (status != WCUT_OK) return status;
     set_centres(g);
-    wcut_normal_fill(g->e, g->column, g->residual, &g->normal);
-    if (!wcut_normal_solve(&g->normal, count, chosen, g->centre, g->precision, -1, t, NULL, cost))
+    wcut_normal_equations_fill(g->e, g->column, g->residual, &g->normal);
+    if (!wcut_normal_equations_solve(&g->normal, count, chosen, g->centre, g->precision, -1, t, NULL, cost))
         return wcut_fail(error, WCUT_NOT_CONVERGED, "the coordinates beside a profile depend on each other");
     *cost += g->precision[k] * g->centre[k] * g->centre[k];
     return WCUT_OK;

@@ -17,7 +17,7 @@ enum { WCUT_BASE = 3, WCUT_SCAN_NUISANCES = 6, WCUT_FIT_MAX = 64 };
 extern const double wcut_base_spread[WCUT_BASE], wcut_base_step[WCUT_BASE];
 
 /* Columns of a linear problem in whitened rows, with normal priors. */
-typedef struct wcut_normal {
+typedef struct wcut_normal_equations {
     int n;
     double *gram;   /* n x n, whole */
     double *moment; /* n */
@@ -26,24 +26,27 @@ typedef struct wcut_normal {
     double *cut_gram;   /* cuts x n x n */
     double *cut_moment; /* cuts x n */
     double *cut_total;  /* cuts */
-} wcut_normal;
+} wcut_normal_equations;
 
-wcut_status wcut_normal_create(int n, int cuts, wcut_normal *out);
-void wcut_normal_destroy(wcut_normal *normal);
+wcut_status wcut_normal_equations_create(int n, int cuts, wcut_normal_equations *out);
+void wcut_normal_equations_destroy(wcut_normal_equations *normal);
 
 /* sums of whitened columns (n x rows) and residual (rows), by cut */
-void wcut_normal_fill(const wcut_evidence *evidence, const double *column, const double *residual, wcut_normal *out);
+void wcut_normal_equations_fill(const wcut_evidence *evidence, const double *column, const double *residual,
+                                wcut_normal_equations *out);
 
 /*
  * min |r - X t|^2 + sum precision (t - centre)^2 over the chosen columns, all cuts or all but one (without: -1 for all).
  * chosen: count indices; centre, precision: by column of `normal` (n). t: count; covariance: count x count or NULL.
  * *cost: the minimum. False where the columns are dependent beyond what the priors hold.
  */
-bool wcut_normal_solve(const wcut_normal *normal, int count, const int *chosen, const double *centre,
-                       const double *precision, int without, double *t, double *covariance, double *cost);
+bool wcut_normal_equations_solve(const wcut_normal_equations *normal, int count, const int *chosen,
+                                 const double *centre, const double *precision, int without, double *t,
+                                 double *covariance, double *cost);
 
 /* |r - X t|^2 of one cut */
-double wcut_normal_cost(const wcut_normal *normal, int cut, int count, const int *chosen, const double *t);
+double wcut_normal_equations_cost(const wcut_normal_equations *normal, int cut, int count, const int *chosen,
+                                  const double *t);
 
 /* What a fit gives. */
 typedef struct wcut_fitted {

@@ -204,7 +204,7 @@ static void find_dispersion(search *s, double *room, double *square) {
 }
 
 static double sidak(double tests, double t) {
-    const double p = fmin(2 * wcut_normal_tail(fabs(t)), 1);
+    const double p = fmin(2 * wcut_gaussian_tail(fabs(t)), 1);
     return p < 1 ? -expm1(tests * log1p(-p)) : 1;
 }
 

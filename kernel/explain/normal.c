@@ -5,27 +5,27 @@
 #include "base/numbers.h"
 #include "explain/fit.h"
 
-wcut_status wcut_normal_create(int n, int cuts, wcut_normal *out) {
+wcut_status wcut_normal_equations_create(int n, int cuts, wcut_normal_equations *out) {
     const size_t square = (size_t)n * (size_t)n, m = (size_t)cuts;
-    *out = (wcut_normal){.n = n,
-                         .cuts = cuts,
-                         .gram = wcut_alloc(square, sizeof(double)),
-                         .moment = wcut_alloc((size_t)n, sizeof(double)),
-                         .cut_gram = wcut_alloc(square * m, sizeof(double)),
-                         .cut_moment = wcut_alloc((size_t)n * m, sizeof(double)),
-                         .cut_total = wcut_alloc(m, sizeof(double))};
+    *out = (wcut_normal_equations){.n = n,
+                                   .cuts = cuts,
+                                   .gram = wcut_alloc(square, sizeof(double)),
+                                   .moment = wcut_alloc((size_t)n, sizeof(double)),
+                                   .cut_gram = wcut_alloc(square * m, sizeof(double)),
+                                   .cut_moment = wcut_alloc((size_t)n * m, sizeof(double)),
+                                   .cut_total = wcut_alloc(m, sizeof(double))};
     if (out->gram && out->moment && out->cut_gram && out->cut_moment && out->cut_total) return WCUT_OK;
-    wcut_normal_destroy(out);
+    wcut_normal_equations_destroy(out);
     return WCUT_NO_MEMORY;
 }
 
-void wcut_normal_destroy(wcut_normal *normal) {
+void wcut_normal_equations_destroy(wcut_normal_equations *normal) {
     wcut_free(normal->gram);
     wcut_free(normal->moment);
     wcut_free(normal->cut_gram);
     wcut_free(normal->cut_moment);
     wcut_free(normal->cut_total);
-    *normal = (wcut_normal){0};
+    *normal = (wcut_normal_equations){0};
 }
 
 static double dot(int n, const double *a, const double *b) {
@@ -34,7 +34,8 @@ static double dot(int n, const double *a, const double *b) {
     return sum;
 }
 
-void wcut_normal_fill(const wcut_evidence *e, const double *column, const double *residual, wcut_normal *out) {
+void wcut_normal_equations_fill(const wcut_evidence *e, const double *column, const double *residual,
+                                wcut_normal_equations *out) {
     const int n = out->n;
     const size_t rows = (size_t)e->rows, square = (size_t)n * (size_t)n;
     memset(out->gram, 0, square * sizeof(double));
@@ -88,8 +89,9 @@ static void substitute(int n, const double *l, double *b) {
     }
 }
 
-bool wcut_normal_solve(const wcut_normal *normal, int count, const int *chosen, const double *centre,
-                       const double *precision, int without, double *t, double *covariance, double *cost) {
+bool wcut_normal_equations_solve(const wcut_normal_equations *normal, int count, const int *chosen,
+                                 const double *centre, const double *precision, int without, double *t,
+                                 double *covariance, double *cost) {
     double m[WCUT_FIT_MAX * WCUT_FIT_MAX], b[WCUT_FIT_MAX], scale[WCUT_FIT_MAX], unit[WCUT_FIT_MAX];
     if (count > WCUT_FIT_MAX) return false;
     const int n = normal->n;
@@ -128,7 +130,8 @@ bool wcut_normal_solve(const wcut_normal *normal, int count, const int *chosen, 
     return true;
 }
 
-double wcut_normal_cost(const wcut_normal *normal, int cut, int count, const int *chosen, const double *t) {
+double wcut_normal_equations_cost(const wcut_normal_equations *normal, int cut, int count, const int *chosen,
+                                  const double *t) {
     const int n = normal->n;
     const double *gram = normal->cut_gram + (size_t)cut * (size_t)n * (size_t)n;
     const double *moment = normal->cut_moment + (size_t)cut * (size_t)n;

@@ -125,7 +125,7 @@ void wcut_screen_destroy(wcut_screen *s) {
     wcut_free(s->column);
     wcut_free(s->centre);
     wcut_free(s->precision);
-    wcut_normal_destroy(&s->normal);
+    wcut_normal_equations_destroy(&s->normal);
     *s = (wcut_screen){0};
 }
 
@@ -164,11 +164,11 @@ wcut_status wcut_screen_create(const wcut_evidence *e, const wcut_model *about, 
             add_column(&s, &v, 0, false);
         }
         set_priors(&m);
-        status = wcut_normal_create(WCUT_BASE + s.nuisances + s.columns, e->cuts, &s.normal);
+        status = wcut_normal_equations_create(WCUT_BASE + s.nuisances + s.columns, e->cuts, &s.normal);
     }
     if (status == WCUT_OK) {
         wcut_screened none;
-        wcut_normal_fill(e, m.column, residual, &s.normal);
+        wcut_normal_equations_fill(e, m.column, residual, &s.normal);
         s.cost = 0;
         if (wcut_screen_solve(&s, 0, NULL, &none)) s.cost = -none.gain;
         *out = s;
@@ -192,7 +192,8 @@ bool wcut_screen_solve(const wcut_screen *s, int groups, const int *group, wcut_
     for (int c = 0; c < s->columns; c++)
         for (int g = 0; g < groups; g++)
             if (s->column[c].group == group[g] && count < WCUT_FIT_MAX) chosen[count++] = s->base + s->nuisances + c;
-    if (!wcut_normal_solve(&s->normal, count, chosen, s->centre, s->precision, -1, t, NULL, &cost)) return false;
+    if (!wcut_normal_equations_solve(&s->normal, count, chosen, s->centre, s->precision, -1, t, NULL, &cost))
+        return false;
     wcut_screened found = {.groups = groups, .gain = s->cost - cost};
     for (int g = 0; g < groups; g++) found.group[g] = group[g];
     for (int k = s->base + s->nuisances; k < count; k++) {

@@ -16,7 +16,7 @@ typedef struct wcut_screen {
     int base, nuisances, columns; /* base and nuisances come first in `normal` */
     int groups;
     wcut_screen_column *column; /* columns */
-    wcut_normal normal;
+    wcut_normal_equations normal;
     double *centre, *precision; /* base + nuisances + columns */
     double cost;                /* of recalibration alone */
     double cost_held_out;

@@ -39,14 +39,14 @@ static int compare(const void *a, const void *b) {
     return x->index - y->index;
 }
 
-wcut_status wcut_normal_scores(int n, const double *value, double *score) {
+wcut_status wcut_gaussian_scores(int n, const double *value, double *score) {
     if (n < 0 || (n > 0 && (!value || !score)) || !all_finite(n, value)) return WCUT_BAD_ARGUMENT;
     if (n == 0) return WCUT_OK;
     ranked *order = wcut_alloc((size_t)n, sizeof *order);
     if (!order) return WCUT_NO_MEMORY;
     for (int i = 0; i < n; i++) order[i] = (ranked){value[i], i};
     qsort(order, (size_t)n, sizeof *order, compare);
-    for (int k = 0; k < n; k++) score[order[k].index] = wcut_normal_quantile((k + 1 - 0.375) / (n + 0.25));
+    for (int k = 0; k < n; k++) score[order[k].index] = wcut_gaussian_quantile((k + 1 - 0.375) / (n + 0.25));
     wcut_free(order);
     return WCUT_OK;
 }

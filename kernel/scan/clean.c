@@ -162,7 +162,7 @@ static wcut_status thin(cleaning *c) {
     wcut_thinning *thinning = NULL;
     unsigned char *keep = wcut_alloc((size_t)c->left, 1);
     wcut_status status = keep ? wcut_thinning_create(c->options->voxel, &thinning) : WCUT_NO_MEMORY;
-    if (status == WCUT_OK) status = wcut_thinning_step(thinning, c->left, c->some, keep);
+    if (status == WCUT_OK) status = wcut_thinning_add(thinning, c->left, c->some, keep);
     for (int k = 0; status == WCUT_OK && k < c->left; k++)
         if (!keep[k]) c->removal[c->which[k]] = WCUT_REMOVAL_THINNED;
     wcut_thinning_destroy(thinning);

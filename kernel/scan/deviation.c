@@ -5,7 +5,7 @@
 #include "base/numbers.h"
 #include "base/vec3.h"
 #include "scan/mesh_distance.h"
-#include "surface/sweep.h"
+#include "surface/query_batch.h"
 
 /* The distance is all height where the foot is inside. Below this share of it no side can be told; at an edge of two
    faces at right angles, whose normal is between theirs, the share is 0.7. */
@@ -16,7 +16,7 @@ wcut_deviation_options wcut_deviation_options_default(void) {
         .low = {-INFINITY, -INFINITY, -INFINITY}, .high = {INFINITY, INFINITY, INFINITY}, .border = 1};
 }
 
-const char *wcut_place_text(wcut_place place) {
+const char *wcut_place_name(wcut_place place) {
     static const char *const text[] = {"inside", "border", "beyond", "ambiguous"};
     return (unsigned)place < WCUT_PLACE_COUNT ? text[place] : NULL;
 }
@@ -87,13 +87,13 @@ wcut_status wcut_deviation_from_surface(const wcut_projection *projection, int c
         (count > 0 && (!point || !deviation || !wcut_are_near(count, point))))
         return WCUT_BAD_ARGUMENT;
     desk d = {.options = &o, .deviation = deviation, .foot = foot};
-    const wcut_sweep sweep = {.locate = wcut_projection_sweep,
-                              .on = projection,
-                              .take = judge_feet,
-                              .to = &d,
-                              .result = deviation,
-                              .size = sizeof *deviation};
-    return wcut_sweep_run(&sweep, count, point, threads);
+    const wcut_query_batch batch = {.locate = wcut_projection_locate_batch,
+                                    .on = projection,
+                                    .take = judge_feet,
+                                    .to = &d,
+                                    .result = deviation,
+                                    .size = sizeof *deviation};
+    return wcut_query_batch_run(&batch, count, point, threads);
 }
 
 static void judge_mesh_feet(void *to, int count, const int *index, const void *feet) {
@@ -119,13 +119,13 @@ wcut_status wcut_deviation_from_mesh(const wcut_mesh_tree *tree, int count, cons
         (count > 0 && (!point || !deviation || !wcut_are_near(count, point))))
         return WCUT_BAD_ARGUMENT;
     desk d = {.options = &o, .deviation = deviation};
-    const wcut_sweep sweep = {.locate = wcut_mesh_tree_sweep,
-                              .on = tree,
-                              .take = judge_mesh_feet,
-                              .to = &d,
-                              .result = deviation,
-                              .size = sizeof *deviation};
-    return wcut_sweep_run(&sweep, count, point, threads);
+    const wcut_query_batch batch = {.locate = wcut_mesh_tree_locate_batch,
+                                    .on = tree,
+                                    .take = judge_mesh_feet,
+                                    .to = &d,
+                                    .result = deviation,
+                                    .size = sizeof *deviation};
+    return wcut_query_batch_run(&batch, count, point, threads);
 }
 
 wcut_status wcut_deviation_onto_surface(const wcut_mesh *mesh, int count, wcut_deviation *deviation) {

@@ -86,7 +86,7 @@ void wcut_face_map_destroy(wcut_face_map *map) {
     wcut_free(map);
 }
 
-void wcut_face_map_step(wcut_face_map *map, const wcut_face *face, int count, const wcut_deviation *deviation) {
+void wcut_face_map_add(wcut_face_map *map, const wcut_face *face, int count, const wcut_deviation *deviation) {
     for (int i = 0; i < count; i++) {
         const wcut_deviation *d = &deviation[i];
         if (d->place > WCUT_PLACE_BORDER) continue;

@@ -347,9 +347,9 @@ static void prepare_group(const search *s, int count, const wcut_vec3 *query, fr
 }
 
 /* a block of queries; none is further from the mesh than the one before and the way from there */
-void wcut_mesh_tree_sweep(const void *on, int count, const wcut_vec3 *query, const wcut_sweep_ahead *ahead,
-                          void *feet) {
-    _Static_assert(sizeof(wcut_mesh_foot) <= WCUT_SWEEP_FOOT, "fits");
+void wcut_mesh_tree_locate_batch(const void *on, int count, const wcut_vec3 *query, const wcut_query_prefetch *ahead,
+                                 void *feet) {
+    _Static_assert(sizeof(wcut_mesh_foot) <= WCUT_QUERY_FOOT_SIZE, "fits");
     const wcut_mesh_tree *tree = on;
     wcut_mesh_foot *foot = feet;
     search s = {.t = tree};
@@ -358,7 +358,7 @@ void wcut_mesh_tree_sweep(const void *on, int count, const wcut_vec3 *query, con
         const bool leads = k % GROUP == 0;
         const double distance = k > 0 ? foot[k - 1].distance + vec3_distance(query[k - 1], query[k]) : INFINITY;
         place_query(&s, query[k]);
-        wcut_sweep_fetch(ahead, k);
+        wcut_query_prefetch_next(ahead, k);
         search_tree(&s, distance, leads ? 1 : f.count, leads ? tree->node : f.node);
         assert(s.best.square < INFINITY);
         fill_foot(&s, &foot[k]);
@@ -376,7 +376,11 @@ wcut_status wcut_mesh_tree_locate(const wcut_mesh_tree *tree, int count, const w
                                   wcut_mesh_foot *foot) {
     if (!tree || count < 0 || threads < 1 || (count > 0 && (!query || !foot || !wcut_are_near(count, query))))
         return WCUT_BAD_ARGUMENT;
-    const wcut_sweep sweep = {
-        .locate = wcut_mesh_tree_sweep, .on = tree, .take = put_feet, .to = foot, .result = foot, .size = sizeof *foot};
-    return wcut_sweep_run(&sweep, count, query, threads);
+    const wcut_query_batch batch = {.locate = wcut_mesh_tree_locate_batch,
+                                    .on = tree,
+                                    .take = put_feet,
+                                    .to = foot,
+                                    .result = foot,
+                                    .size = sizeof *foot};
+    return wcut_query_batch_run(&batch, count, query, threads);
 }

@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <wirecut/mesh_tree.h>
 
-#include "surface/sweep.h"
+#include "surface/query_batch.h"
 
 enum { WCUT_MESH_WIDE = 8, WCUT_MESH_LEAF = 8 };
 
@@ -64,7 +64,7 @@ wcut_status wcut_mesh_boxes_build(const wcut_mesh *mesh, wcut_mesh_tree *tree);
 /* edges, border and normals of a tree whose triangles are in order. WCUT_NO_MEMORY. */
 wcut_status wcut_mesh_edges_build(const wcut_mesh *mesh, wcut_mesh_tree *tree);
 
-/* a sweep's locator of wcut_mesh_foot on a wcut_mesh_tree */
-wcut_sweep_locator wcut_mesh_tree_sweep;
+/* a batch's locator of wcut_mesh_foot on a wcut_mesh_tree */
+wcut_query_locator wcut_mesh_tree_locate_batch;
 
 #endif

@@ -54,7 +54,7 @@ static void join(wcut_mesh_tree *t, const edge *e, int count) {
     for (int k = 0; k < count; k++)
         t->neighbour[corner_of(e[k])] = whole ? corner_of(e[1 - k]) / 3 : count == 1 ? -1 : -2;
     t->info.border_edges += count == 1;
-    t->info.odd_edges += count > 1 && !whole;
+    t->info.nonmanifold_edges += count > 1 && !whole;
     if (count == 1) t->on_border[low] = t->on_border[high] = 1;
 }
 

@@ -40,7 +40,7 @@ static wcut_status thin(double side, body *b) {
     wcut_thinning *thinning = NULL;
     unsigned char *keep = wcut_alloc((size_t)b->count, 1);
     wcut_status status = keep ? wcut_thinning_create(fmax(side, 1e-3), &thinning) : WCUT_NO_MEMORY;
-    if (status == WCUT_OK) status = wcut_thinning_step(thinning, b->count, b->point, keep);
+    if (status == WCUT_OK) status = wcut_thinning_add(thinning, b->count, b->point, keep);
     wcut_thinning_destroy(thinning);
     int count = 0;
     for (int k = 0; k < b->count && status == WCUT_OK; k++)

@@ -184,7 +184,7 @@ double wcut_register_held(const void *data, const wcut_motion *motion) {
 static double consistency_of(double keep) {
     enum { PANELS = 2000 };
     if (keep >= 1) return 1;
-    const double q = wcut_normal_quantile((1 + keep) / 2), h = (1 + SOFT) * q / PANELS;
+    const double q = wcut_gaussian_quantile((1 + keep) / 2), h = (1 + SOFT) * q / PANELS;
     double weight = 0, square = 0;
     for (int k = 0; k <= PANELS; k++) {
         const double x = k * h, part = (k == 0 || k == PANELS ? 1 : k % 2 ? 4 : 2) * weight_of(x / q) * exp(-x * x / 2);

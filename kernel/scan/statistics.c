@@ -14,7 +14,7 @@ enum { FRACTION = 14, LOWEST = -30, HIGHEST = 40, SIDE = (HIGHEST - LOWEST) << F
 
 static const int BIAS = 1023; /* of a double's exponent */
 
-struct wcut_tally {
+struct wcut_histogram {
     int count, positive, negative, bands;
     double shift; /* [mm] the first deviation: sums about it lose no digits to a constant offset */
     double sum, squares, plain_squares, positive_sum, negative_sum, min, max;
@@ -23,25 +23,25 @@ struct wcut_tally {
     uint32_t *bin; /* BINS, from the lowest to the highest */
 };
 
-wcut_status wcut_tally_create(int bands, const double *band, wcut_tally **tally) {
-    if (!tally || bands < 0 || bands > WCUT_BANDS_MOST || (bands > 0 && !band) || !all_positive(bands, band))
+wcut_status wcut_histogram_create(int bands, const double *band, wcut_histogram **histogram) {
+    if (!histogram || bands < 0 || bands > WCUT_BANDS_MOST || (bands > 0 && !band) || !all_positive(bands, band))
         return WCUT_BAD_ARGUMENT;
-    wcut_tally *t = wcut_alloc(1, sizeof *t);
+    wcut_histogram *t = wcut_alloc(1, sizeof *t);
     if (t) t->bin = wcut_alloc(BINS, sizeof *t->bin);
     if (!t || !t->bin) {
-        wcut_tally_destroy(t);
+        wcut_histogram_destroy(t);
         return WCUT_NO_MEMORY;
     }
     t->bands = bands;
     for (int k = 0; k < bands; k++) t->band[k] = band[k];
-    *tally = t;
+    *histogram = t;
     return WCUT_OK;
 }
 
-void wcut_tally_destroy(wcut_tally *tally) {
-    if (!tally) return;
-    wcut_free(tally->bin);
-    wcut_free(tally);
+void wcut_histogram_destroy(wcut_histogram *histogram) {
+    if (!histogram) return;
+    wcut_free(histogram->bin);
+    wcut_free(histogram);
 }
 
 /* ---- counting ---- */
@@ -75,12 +75,12 @@ static void edges_of(int bin, double *low, double *high) {
     *high = bin > SIDE ? edge_of(k + 1) : -edge_of(k);
 }
 
-wcut_status wcut_tally_step(wcut_tally *tally, int count, const double *deviation) {
-    if (!tally || count < 0 || (count > 0 && !deviation) || count > INT_MAX - tally->count ||
+wcut_status wcut_histogram_add(wcut_histogram *histogram, int count, const double *deviation) {
+    if (!histogram || count < 0 || (count > 0 && !deviation) || count > INT_MAX - histogram->count ||
         !all_finite(count, deviation))
         return WCUT_BAD_ARGUMENT;
     if (count == 0) return WCUT_OK;
-    wcut_tally *t = tally;
+    wcut_histogram *t = histogram;
     if (t->count == 0) t->shift = t->min = t->max = deviation[0];
     double sum = 0, squares = 0, plain = 0, above = 0, below = 0;
     for (int i = 0; i < count; i++) {
@@ -104,7 +104,7 @@ wcut_status wcut_tally_step(wcut_tally *tally, int count, const double *deviatio
 /* ---- figures ---- */
 
 /* The deviation of a rank 0 .. n-1 among all in order; those of a bin count as evenly spread over it. */
-static double at_rank(const wcut_tally *t, int rank) {
+static double at_rank(const wcut_histogram *t, int rank) {
     int64_t before = 0;
     int bin = 0;
     while (before + t->bin[bin] <= rank) before += t->bin[bin++];
@@ -115,16 +115,16 @@ static double at_rank(const wcut_tally *t, int rank) {
 }
 
 /* between the two ranks about (n - 1) p (Hyndman, Fan 1996, 7) */
-static double quantile(const wcut_tally *t, double p) {
+static double quantile(const wcut_histogram *t, double p) {
     const double at = p * (t->count - 1.0);
     const int low = (int)at, high = low + 1 < t->count ? low + 1 : low;
     const double first = at_rank(t, low);
     return at > low ? first + (at - low) * (at_rank(t, high) - first) : first;
 }
 
-wcut_status wcut_tally_eval(const wcut_tally *tally, wcut_statistics *statistics) {
-    if (!tally || !statistics) return WCUT_BAD_ARGUMENT;
-    const wcut_tally *t = tally;
+wcut_status wcut_histogram_eval(const wcut_histogram *histogram, wcut_statistics *statistics) {
+    if (!histogram || !statistics) return WCUT_BAD_ARGUMENT;
+    const wcut_histogram *t = histogram;
     wcut_statistics s = {.count = t->count, .positive = t->positive, .negative = t->negative, .bands = t->bands};
     for (int k = 0; k < t->bands; k++) s.band[k] = t->band[k];
     if (t->count > 0) {

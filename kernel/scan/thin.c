@@ -72,7 +72,7 @@ static bool grow(wcut_thinning *t) {
     return true;
 }
 
-wcut_status wcut_thinning_step(wcut_thinning *thinning, int count, const wcut_vec3 *point, unsigned char *keep) {
+wcut_status wcut_thinning_add(wcut_thinning *thinning, int count, const wcut_vec3 *point, unsigned char *keep) {
     if (!thinning || count < 0 || (count > 0 && (!point || !keep))) return WCUT_BAD_ARGUMENT;
     for (int k = 0; k < count; k++)
         if (!(fabs(point[k].x) <= FAR && fabs(point[k].y) <= FAR && fabs(point[k].z) <= FAR)) return WCUT_BAD_ARGUMENT;

@@ -4,7 +4,7 @@
 #include "base/alloc.h"
 #include "base/numbers.h"
 #include "base/vec3.h"
-#include "scan/survey.h"
+#include "scan/deviation_summary.h"
 
 enum { SIDE_MOST = 512, HELD = 8, TOLD = 2 };
 
@@ -12,7 +12,7 @@ static const double SHARE = 0.95; /* of the cells are not among the worst */
 
 /* ---- cells ---- */
 
-wcut_status wcut_lattice_create(const wcut_survey_options *options, wcut_lattice *lattice) {
+wcut_status wcut_lattice_create(const wcut_deviation_summary_options *options, wcut_lattice *lattice) {
     const double wide = options->high.x - options->low.x, long_side = options->high.y - options->low.y;
     wcut_lattice l = {.side = fmax(options->cell, fmax(wide, long_side) / SIDE_MOST), .low = options->low};
     l.columns = (int)clamp(ceil(wide / l.side), 1, SIDE_MOST);

@@ -3,7 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/vec3.h"
-#include "scan/survey.h"
+#include "scan/deviation_summary.h"
 
 double wcut_moments_mean(const wcut_moments *m) { return m->count > 0 ? m->shift + m->sum / m->count : 0; }
 
@@ -13,7 +13,8 @@ double wcut_moments_variance(const wcut_moments *m) {
     return fmax(m->squares - m->sum * m->sum / n, 0) / (n - 1);
 }
 
-void wcut_zone_add(wcut_zone_sums *zone, const wcut_survey_options *options, const wcut_deviation *deviation) {
+void wcut_zone_add(wcut_zone_sums *zone, const wcut_deviation_summary_options *options,
+                   const wcut_deviation *deviation) {
     const wcut_vec3 p = deviation->foot;
     if (zone->of.count == 0) zone->low = zone->high = p;
     zone->low = vec3(fmin(zone->low.x, p.x), fmin(zone->low.y, p.y), fmin(zone->low.z, p.z));
@@ -22,7 +23,7 @@ void wcut_zone_add(wcut_zone_sums *zone, const wcut_survey_options *options, con
     for (int k = 0; k < options->bands; k++) zone->within[k] += fabs(deviation->distance) <= options->band[k];
 }
 
-static void fill(const wcut_survey_options *o, const wcut_zone_sums *sums, wcut_zone *zone) {
+static void fill(const wcut_deviation_summary_options *o, const wcut_zone_sums *sums, wcut_zone *zone) {
     const wcut_moments *m = &sums->of;
     zone->count = m->count;
     zone->low = sums->low, zone->high = sums->high;
@@ -35,22 +36,22 @@ static void fill(const wcut_survey_options *o, const wcut_zone_sums *sums, wcut_
     for (int k = 0; k < o->bands; k++) zone->within[k] = sums->within[k] / (double)m->count;
 }
 
-void wcut_zones_fill(const wcut_survey *survey, wcut_zone *zone) {
+void wcut_zones_fill(const wcut_deviation_summary *summary, wcut_zone *zone) {
     static const char *const part[WCUT_PARTS] = {"entry", "steady", "exit"};
-    const wcut_survey_options *o = &survey->options;
-    for (int k = 0; k < survey->parts && k < WCUT_PARTS; k++) {
+    const wcut_deviation_summary_options *o = &summary->options;
+    for (int k = 0; k < summary->parts && k < WCUT_PARTS; k++) {
         zone[k] = (wcut_zone){.is_patch = 0};
         snprintf(zone[k].name, sizeof zone[k].name, "%s", part[k]);
-        fill(o, &survey->zone[k], &zone[k]);
+        fill(o, &summary->zone[k], &zone[k]);
     }
-    const double wide = (o->high.x - o->low.x) / survey->patch_columns;
-    const double long_side = (o->high.y - o->low.y) / survey->patch_rows;
-    for (int r = 0; r < survey->patch_rows; r++)
-        for (int c = 0; c < survey->patch_columns; c++) {
-            const int k = survey->parts + r * survey->patch_columns + c;
+    const double wide = (o->high.x - o->low.x) / summary->patch_columns;
+    const double long_side = (o->high.y - o->low.y) / summary->patch_rows;
+    for (int r = 0; r < summary->patch_rows; r++)
+        for (int c = 0; c < summary->patch_columns; c++) {
+            const int k = summary->parts + r * summary->patch_columns + c;
             zone[k] = (wcut_zone){.is_patch = 1};
             snprintf(zone[k].name, sizeof zone[k].name, "patch %d %d", c + 1, r + 1);
-            fill(o, &survey->zone[k], &zone[k]);
+            fill(o, &summary->zone[k], &zone[k]);
             zone[k].low.x = o->low.x + c * wide, zone[k].high.x = o->low.x + (c + 1) * wide;
             zone[k].low.y = o->low.y + r * long_side, zone[k].high.y = o->low.y + (r + 1) * long_side;
         }

@@ -82,7 +82,7 @@ static wcut_vec3 spread(const wcut_mesh *m, int t) {
     return vec3_cross(vec3_sub(m->vertex[c[1]], a), vec3_sub(m->vertex[c[2]], a));
 }
 
-wcut_status wcut_check_skin(const wcut_mesh *mesh, wcut_half_report *report) {
+wcut_status wcut_check_boundary(const wcut_mesh *mesh, wcut_half_report *report) {
     fans f = {.first = NULL};
     int *parent = wcut_alloc((size_t)mesh->vertex_count, sizeof *parent);
     wcut_status status = parent ? gather(mesh, &f) : WCUT_NO_MEMORY;

@@ -6,7 +6,7 @@
 
 /* Every directed edge once, its opposite once; pieces by shared corners; volume, area and box.
    WCUT_NO_MEMORY: nothing was written. Fields of the cut face are not touched. */
-wcut_status wcut_check_skin(const wcut_mesh *mesh, wcut_half_report *report);
+wcut_status wcut_check_boundary(const wcut_mesh *mesh, wcut_half_report *report);
 
 /* Area, draft and undercut of the triangles of the cut face; tag: 1 for those, triangle_count; pull: unit; draft:
    vertex_count, the least at each vertex of the cut face, NaN elsewhere. */

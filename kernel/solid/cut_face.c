@@ -20,8 +20,8 @@ static const double KERF_SHARE = 0.2;
 static const double EDGE_SHARE = 0.01;
 
 void wcut_cut_face_clear(wcut_cut_face *face) {
-    wcut_surface_destroy(face->skin.patch);
-    wcut_lid_clear(&face->lid);
+    wcut_surface_destroy(face->fit.patch);
+    wcut_cap_clear(&face->cap);
     *face = (wcut_cut_face){.chord_error = 0};
 }
 
@@ -43,32 +43,32 @@ static double next_start(const wcut_sheet *sheet, wcut_sides sides) {
 
 /* trim and fit one part of the surface */
 static wcut_status fit_part(const wcut_sheet *sheet, wcut_sides sides, const double height[2], double prolong,
-                            double tolerance, wcut_skin *skin, wcut_error *error) {
+                            double tolerance, wcut_face_fit *fit, wcut_error *error) {
     wcut_trim trim;
     wcut_status status = wcut_trim_begin(sheet, sides, &trim, error);
     if (status != WCUT_OK) return status;
-    status = wcut_skin_fit(&trim, height, prolong, tolerance, skin, error);
+    status = wcut_face_fit_solve(&trim, height, prolong, tolerance, fit, error);
     wcut_trim_clear(&trim);
     return status;
 }
 
 /* A wire that meets the block at speed stops there, and the surface through its stations waves: it may pass the side
    more than once. Then the cut begins at a later station, straight before it; how far that is counts as prolonged. */
-static wcut_status fit_skin(wcut_sheet *sheet, wcut_sides sides, const double height[2], double prolong, bool later,
-                            double tolerance, wcut_skin *skin, wcut_error *error) {
-    wcut_status status = fit_part(sheet, sides, height, prolong, tolerance, skin, error);
+static wcut_status fit_face(wcut_sheet *sheet, wcut_sides sides, const double height[2], double prolong, bool later,
+                            double tolerance, wcut_face_fit *fit, wcut_error *error) {
+    wcut_status status = fit_part(sheet, sides, height, prolong, tolerance, fit, error);
     wcut_error unsaid = {.text = ""};
     for (int k = 0; later && status == WCUT_DEGENERATE && k < STARTS_MAX; k++) {
         sheet->first[1] = next_start(sheet, sides);
         if (!(sheet->first[1] < sheet->last[1])) break;
-        const wcut_status again = fit_part(sheet, sides, height, prolong, tolerance, skin, &unsaid);
+        const wcut_status again = fit_part(sheet, sides, height, prolong, tolerance, fit, &unsaid);
         if (again != WCUT_DEGENERATE) return again; /* else the first error stands: it is of the cut as it is */
     }
     return status;
 }
 
-wcut_status wcut_cut_face_fit(const wcut_division *d, double side, double margin, wcut_cut_face *face,
-                              wcut_error *error) {
+wcut_status wcut_cut_face_solve(const wcut_division *d, double side, double margin, wcut_cut_face *face,
+                                wcut_error *error) {
     const wcut_mould_options *o = d->options;
     const wcut_sides sides = {{0 - margin, d->block.x + margin}, {0 - margin, d->block.y + margin}};
     const double height[2] = {0, d->block.z}, prolong = o->prolong + MARGINS * margin;
@@ -76,39 +76,39 @@ wcut_status wcut_cut_face_fit(const wcut_division *d, double side, double margin
     sheet.width = d->width;
     sheet.side = side;
     wcut_cut_face f = {.chord_error = 0};
-    wcut_status status = fit_skin(&sheet, sides, height, prolong, o->prolong > 0, o->fit_tolerance, &f.skin, error);
+    wcut_status status = fit_face(&sheet, sides, height, prolong, o->prolong > 0, o->fit_tolerance, &f.fit, error);
     if (status != WCUT_OK) return status;
     double tolerance = o->chord_tolerance;
-    if (d->width) tolerance = fmin(tolerance, KERF_SHARE * f.skin.width_least);
-    if (d->width && f.skin.fit_error > KERF_SHARE * f.skin.width_least)
+    if (d->width) tolerance = fmin(tolerance, KERF_SHARE * f.fit.width_least);
+    if (d->width && f.fit.fit_error > KERF_SHARE * f.fit.width_least)
         status = wcut_fail(error, WCUT_NOT_CONVERGED, "the fit of %.3g mm is too coarse for a kerf of %.3g mm",
-                           f.skin.fit_error, f.skin.width_least);
+                           f.fit.fit_error, f.fit.width_least);
     if (status == WCUT_OK) {
-        status = wcut_lid_tessellate(f.skin.patch, sides, tolerance, &f.lid, &f.chord_error);
+        status = wcut_cap_tessellate(f.fit.patch, sides, tolerance, &f.cap, &f.chord_error);
         if (status != WCUT_OK) wcut_fail(error, status, "triangulating the cut face: %s", wcut_status_text(status));
     }
     if (status != WCUT_OK) {
         wcut_cut_face_clear(&f);
         return status;
     }
-    f.low = f.high = f.lid.vertex[0].z;
-    for (int k = 1; k < f.lid.vertex_count; k++) {
-        f.low = fmin(f.low, f.lid.vertex[k].z);
-        f.high = fmax(f.high, f.lid.vertex[k].z);
+    f.low = f.high = f.cap.vertex[0].z;
+    for (int k = 1; k < f.cap.vertex_count; k++) {
+        f.low = fmin(f.low, f.cap.vertex[k].z);
+        f.high = fmax(f.high, f.cap.vertex[k].z);
     }
     *face = f;
     return WCUT_OK;
 }
 
 /* The face z = level is touched within `near`: which edge or corner is it, if all of it is there? */
-static wcut_status say_touch(const wcut_division *d, const wcut_lid *lid, double level, double near,
+static wcut_status say_touch(const wcut_division *d, const wcut_cap *cap, double level, double near,
                              wcut_error *error) {
     const double x[2] = {0, d->block.x}, y[2] = {0, d->block.y};
     bool at_x[2] = {true, true}, at_y[2] = {true, true};
     wcut_vec3 place = {0, 0, 0};
     double least = INFINITY;
-    for (int k = 0; k < lid->vertex_count; k++) {
-        const wcut_vec3 p = lid->vertex[k];
+    for (int k = 0; k < cap->vertex_count; k++) {
+        const wcut_vec3 p = cap->vertex[k];
         const double off = fabs(p.z - level);
         if (off > near) continue;
         if (off < least) least = off, place = p;
@@ -139,7 +139,7 @@ wcut_status wcut_cut_face_place(const wcut_division *d, const wcut_cut_face *low
                          lower->high < -near ? "below" : "above", lower->low, upper->high);
     *leaves = lower->low < -near || upper->high > top + near;
     if (*leaves) return WCUT_OK;
-    if (upper->high >= top - near) return say_touch(d, &upper->lid, top, near, error);
-    if (lower->low <= near) return say_touch(d, &lower->lid, 0, near, error);
+    if (upper->high >= top - near) return say_touch(d, &upper->cap, top, near, error);
+    if (lower->low <= near) return say_touch(d, &lower->cap, 0, near, error);
     return WCUT_OK;
 }

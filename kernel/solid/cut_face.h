@@ -4,12 +4,12 @@
 
 #include <wirecut/mould.h>
 
-#include "solid/lid.h"
-#include "solid/skin.h"
+#include "solid/cap.h"
+#include "solid/cut_face_fit.h"
 
 typedef struct wcut_cut_face {
-    wcut_skin skin;
-    wcut_lid lid;
+    wcut_face_fit fit;
+    wcut_cap cap;
     double chord_error;
     double low, high; /* [mm] least and greatest z of the triangles */
 } wcut_cut_face;
@@ -23,10 +23,10 @@ typedef struct wcut_division {
 
 /* The face above the kerf (side 1/2) or below it (-1/2), cut off at sides `margin` outside the block's; `margin` 0 also
    checks how far the wire's surface was prolonged. Statuses of wcut_mould_create: nothing was written. */
-wcut_status wcut_cut_face_fit(const wcut_division *d, double side, double margin, wcut_cut_face *face,
-                              wcut_error *error);
+wcut_status wcut_cut_face_solve(const wcut_division *d, double side, double margin, wcut_cut_face *face,
+                                wcut_error *error);
 
-/* free what wcut_cut_face_fit gave; a zeroed face is allowed */
+/* free what wcut_cut_face_solve gave; a zeroed face is allowed */
 void wcut_cut_face_clear(wcut_cut_face *face);
 
 /* How a pair of faces lies between bottom and top: 0 inside, 1 leaves through one of them.

@@ -24,13 +24,13 @@ void wcut_parts_clear(wcut_parts *parts) {
 }
 
 /* the level face of a half with the keys that are on it */
-static wcut_status key_face(const wcut_division *d, wcut_sides sides, int upper, double z, wcut_lid *lid,
+static wcut_status key_face(const wcut_division *d, wcut_sides sides, int upper, double z, wcut_cap *cap,
                             wcut_error *error) {
     wcut_key *own;
     int count;
     wcut_status status = wcut_keys_of(d->options, upper, &own, &count);
     if (status != WCUT_OK) return status;
-    status = wcut_lid_flat(sides, z, count, own, d->options->chord_tolerance, lid);
+    status = wcut_cap_flat(sides, z, count, own, d->options->chord_tolerance, cap);
     if (status == WCUT_BAD_ARGUMENT)
         wcut_fail(error, status, "keys of the %s half: two of them meet, or one reaches the block's side",
                   upper ? "upper" : "lower");
@@ -38,10 +38,10 @@ static wcut_status key_face(const wcut_division *d, wcut_sides sides, int upper,
     return status;
 }
 
-/* the solid between two lids; the cut's triangles are the ceiling's, the floor's or both (sum of 1 and 2) */
-static wcut_status enclose(const wcut_lid *floor, const wcut_lid *ceiling, int cut, wcut_part *part) {
+/* the solid between two caps; the cut's triangles are the ceiling's, the floor's or both (sum of 1 and 2) */
+static wcut_status enclose(const wcut_cap *floor, const wcut_cap *ceiling, int cut, wcut_part *part) {
     wcut_part p = {.mesh = NULL};
-    wcut_status status = wcut_lid_enclose(floor, ceiling, &p.mesh);
+    wcut_status status = wcut_cap_enclose(floor, ceiling, &p.mesh);
     if (status != WCUT_OK) return status;
     p.tag = wcut_alloc((size_t)p.mesh->triangle_count, sizeof *p.tag);
     if (!p.tag) {
@@ -54,7 +54,7 @@ static wcut_status enclose(const wcut_lid *floor, const wcut_lid *ceiling, int c
     return WCUT_OK;
 }
 
-/* Two lids that are met once by every vertical line and lie one above the other make a solid that nowhere meets itself:
+/* Two caps that are met once by every vertical line and lie one above the other make a solid that nowhere meets itself:
    its sides are parts of planes. Otherwise CGAL looks. */
 static wcut_status prove_simple(int proven, wcut_part *part) {
     if (proven) return WCUT_OK;
@@ -71,25 +71,25 @@ static wcut_status name_enclosure(wcut_status status, wcut_error *error) {
 wcut_status wcut_halves_by_index(const wcut_division *d, const wcut_cut_face *lower, const wcut_cut_face *upper,
                                  wcut_parts *parts, wcut_error *error) {
     const wcut_sides sides = {{0, d->block.x}, {0, d->block.y}};
-    wcut_lid bottom = {.vertex_count = 0}, top = {.vertex_count = 0};
+    wcut_cap bottom = {.vertex_count = 0}, top = {.vertex_count = 0};
     wcut_parts p = {.lower = {.mesh = NULL}};
     wcut_status status = key_face(d, sides, 0, 0, &bottom, error);
     if (status == WCUT_OK) status = key_face(d, sides, 1, d->block.z, &top, error);
     if (status == WCUT_OK) {
-        status = enclose(&bottom, &lower->lid, 1, &p.lower);
-        if (status == WCUT_OK) status = enclose(&upper->lid, &top, 2, &p.upper);
-        if (status == WCUT_OK && d->width) status = enclose(&lower->lid, &upper->lid, 3, &p.kerf);
+        status = enclose(&bottom, &lower->cap, 1, &p.lower);
+        if (status == WCUT_OK) status = enclose(&upper->cap, &top, 2, &p.upper);
+        if (status == WCUT_OK && d->width) status = enclose(&lower->cap, &upper->cap, 3, &p.kerf);
         name_enclosure(status, error);
     }
-    if (status == WCUT_OK) status = prove_simple(wcut_lid_is_graph(&lower->lid), &p.lower);
-    if (status == WCUT_OK) status = prove_simple(wcut_lid_is_graph(&upper->lid), &p.upper);
+    if (status == WCUT_OK) status = prove_simple(wcut_cap_is_graph(&lower->cap), &p.lower);
+    if (status == WCUT_OK) status = prove_simple(wcut_cap_is_graph(&upper->cap), &p.upper);
     if (status == WCUT_OK) {
         *parts = p;
     } else {
         wcut_parts_clear(&p);
     }
-    wcut_lid_clear(&top);
-    wcut_lid_clear(&bottom);
+    wcut_cap_clear(&top);
+    wcut_cap_clear(&bottom);
     return status;
 }
 
@@ -98,30 +98,30 @@ wcut_status wcut_halves_by_index(const wcut_division *d, const wcut_cut_face *lo
 /* the block with its keys, or the stock */
 static wcut_status make_stock(const wcut_division *d, wcut_part *stock, wcut_error *error) {
     const wcut_sides sides = {{0, d->block.x}, {0, d->block.y}};
-    wcut_lid bottom = {.vertex_count = 0}, top = {.vertex_count = 0};
+    wcut_cap bottom = {.vertex_count = 0}, top = {.vertex_count = 0};
     wcut_status status = key_face(d, sides, 0, 0, &bottom, error);
     if (status == WCUT_OK) status = key_face(d, sides, 1, d->block.z, &top, error);
     if (status == WCUT_OK) status = enclose(&bottom, &top, 0, stock);
-    wcut_lid_clear(&top);
-    wcut_lid_clear(&bottom);
+    wcut_cap_clear(&top);
+    wcut_cap_clear(&bottom);
     return status;
 }
 
 /* the space below, above or between the faces, far enough down and up; sides as those of the faces */
-static wcut_status make_space(const wcut_division *d, const wcut_lid *floor, const wcut_lid *ceiling, double margin,
+static wcut_status make_space(const wcut_division *d, const wcut_cap *floor, const wcut_cap *ceiling, double margin,
                               const double height[2], wcut_part *space, wcut_error *error) {
     const wcut_sides sides = {{0 - margin, d->block.x + margin}, {0 - margin, d->block.y + margin}};
-    wcut_lid flat = {.vertex_count = 0};
+    wcut_cap flat = {.vertex_count = 0};
     const int cut = (ceiling ? 1 : 0) + (floor ? 2 : 0);
     wcut_status status = WCUT_OK;
-    if (cut != 3) status = wcut_lid_flat(sides, ceiling ? height[0] : height[1], 0, NULL, 1, &flat);
+    if (cut != 3) status = wcut_cap_flat(sides, ceiling ? height[0] : height[1], 0, NULL, 1, &flat);
     if (status == WCUT_OK) {
         status = enclose(floor ? floor : &flat, ceiling ? ceiling : &flat, cut, space);
         name_enclosure(status, error);
     }
-    wcut_lid_clear(&flat);
+    wcut_cap_clear(&flat);
     if (status != WCUT_OK) return status;
-    const int graph = (!floor || wcut_lid_is_graph(floor)) && (!ceiling || wcut_lid_is_graph(ceiling));
+    const int graph = (!floor || wcut_cap_is_graph(floor)) && (!ceiling || wcut_cap_is_graph(ceiling));
     status = prove_simple(graph && cut != 3, space);
     if (status == WCUT_OK && space->self_intersections > 0)
         status = wcut_fail(error, WCUT_DEGENERATE, "the cut folds over itself near (%.6g, %.6g, %.6g) mm",
@@ -153,7 +153,7 @@ wcut_status wcut_halves_by_boolean(const wcut_division *d, const wcut_cut_face *
     double reach = margin;
     for (int k = 0; k < d->options->key_count; k++) reach = fmax(reach, margin + fabs(d->options->key[k].height));
     const double height[2] = {fmin(0, lower->low) - reach, fmax(d->block.z, upper->high) + reach};
-    const wcut_lid *floor[3] = {NULL, &upper->lid, &lower->lid}, *ceiling[3] = {&lower->lid, NULL, &upper->lid};
+    const wcut_cap *floor[3] = {NULL, &upper->cap, &lower->cap}, *ceiling[3] = {&lower->cap, NULL, &upper->cap};
     static const char *const name[3] = {"lower half", "upper half", "kerf"};
     wcut_part stock = {.mesh = NULL};
     wcut_parts p = {.lower = {.mesh = NULL}};

@@ -65,7 +65,7 @@ double wcut_keys_volume(const wcut_mould_options *o, int upper) {
 
 /* The least and the greatest z of a triangle over a circle, or beyond them: of its corners, and of its plane there.
    False where the triangle's box is beside the circle. */
-static bool heights_over(const wcut_lid *l, int t, const wcut_key *key, double *low, double *high) {
+static bool heights_over(const wcut_cap *l, int t, const wcut_key *key, double *low, double *high) {
     const int *c = l->triangle + 3 * (ptrdiff_t)t;
     const wcut_vec3 a = l->vertex[c[0]], b = l->vertex[c[1]], d = l->vertex[c[2]];
     const double x = clamp(key->x, fmin(a.x, fmin(b.x, d.x)), fmax(a.x, fmax(b.x, d.x)));
@@ -87,9 +87,9 @@ wcut_status wcut_keys_check(const wcut_division *d, int upper, const wcut_cut_fa
         if (!key->upper != !upper) continue;
         const double level = upper ? d->block.z : 0, rise = wcut_key_rise(key);
         const double reach = upper ? fmin(level, level + rise) : fmax(level, level + rise);
-        for (int t = 0; t < face->lid.triangle_count; t++) {
+        for (int t = 0; t < face->cap.triangle_count; t++) {
             double low, high;
-            if (!heights_over(&face->lid, t, key, &low, &high)) continue;
+            if (!heights_over(&face->cap, t, key, &low, &high)) continue;
             const double left = upper ? reach - high : low - reach;
             if (!(left > TOUCHING * d->block.z))
                 return wcut_fail(error, WCUT_BAD_ARGUMENT,

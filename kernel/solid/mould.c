@@ -69,7 +69,7 @@ static wcut_status check_stock(const wcut_mesh *stock, wcut_vec3 block, wcut_err
         if (stock->triangle[k] < 0 || stock->triangle[k] >= stock->vertex_count)
             return wcut_fail(error, WCUT_BAD_ARGUMENT, "stock: triangle %d names no vertex", k / 3);
     wcut_half_report r = {.closed = 0};
-    wcut_status status = wcut_check_skin(stock, &r);
+    wcut_status status = wcut_check_boundary(stock, &r);
     if (status != WCUT_OK) return status;
     if (!r.closed || !r.oriented)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "stock: the mesh is %s",
@@ -121,7 +121,7 @@ static wcut_status report_half(const wcut_division *d, const wcut_part *part, in
     const char *name = upper ? "upper" : "lower";
     const wcut_vec3 pull = vec3_unit(d->options->pull);
     wcut_half_report *r = &half->report;
-    const wcut_status status = wcut_check_skin(part->mesh, r);
+    const wcut_status status = wcut_check_boundary(part->mesh, r);
     if (status != WCUT_OK) return status;
     half->draft = wcut_alloc((size_t)part->mesh->vertex_count, sizeof *half->draft);
     if (!half->draft) return WCUT_NO_MEMORY;
@@ -197,15 +197,15 @@ static void faces_clear(faces *f) {
 
 static wcut_status fit_faces(const wcut_division *d, double margin, faces *f, wcut_error *error) {
     memset(f, 0, sizeof *f);
-    wcut_status status = wcut_cut_face_fit(d, d->width ? -0.5 : 0, margin, &f->made[0], error);
-    if (status == WCUT_OK && d->width) status = wcut_cut_face_fit(d, 0.5, margin, &f->made[1], error);
+    wcut_status status = wcut_cut_face_solve(d, d->width ? -0.5 : 0, margin, &f->made[0], error);
+    if (status == WCUT_OK && d->width) status = wcut_cut_face_solve(d, 0.5, margin, &f->made[1], error);
     f->lower = &f->made[0];
     f->upper = d->width ? &f->made[1] : &f->made[0];
     return status;
 }
 
 static void describe_cut(const faces *f, wcut_mould *m) {
-    const wcut_skin *a = &f->lower->skin, *b = &f->upper->skin;
+    const wcut_face_fit *a = &f->lower->fit, *b = &f->upper->fit;
     m->fit_error = fmax(a->fit_error, b->fit_error);
     m->chord_error = fmax(f->lower->chord_error, f->upper->chord_error);
     m->prolonged_entry = fmax(a->entry, b->entry);
@@ -232,7 +232,7 @@ static wcut_status describe_halves(const wcut_division *d, const faces *f, wcut_
         int count;
         status = wcut_keys_of(d->options, upper, &own, &count);
         if (status != WCUT_OK) return status;
-        status = wcut_brep_of_half(face->skin.patch, upper, upper ? d->block.z : 0, count, own, &half->brep);
+        status = wcut_brep_of_half(face->fit.patch, upper, upper ? d->block.z : 0, count, own, &half->brep);
         wcut_free(own);
         if (status != WCUT_OK) return status;
     }

@@ -10,11 +10,11 @@
 typedef struct corner {
     int at; /* place in the runs */
     int before, after;
-    double turn; /* wcut_turn of it and its neighbours */
+    double turn; /* wcut_orient2d of it and its neighbours */
 } corner;
 
 typedef struct region {
-    const wcut_flat *point;
+    const wcut_point2d *point;
     corner *corner;
     int corners; /* made so far */
 } region;
@@ -24,11 +24,11 @@ typedef struct region {
 static const double THIN[] = {1e-3, 1e-4, 1e-5, 1e-6, 0};
 enum { ROUNDS = sizeof THIN / sizeof *THIN };
 
-static wcut_flat flat_of(const region *r, int c) { return r->point[r->corner[c].at]; }
+static wcut_point2d flat_of(const region *r, int c) { return r->point[r->corner[c].at]; }
 
 static void measure(region *r, int c) {
     corner *k = &r->corner[c];
-    k->turn = wcut_turn(flat_of(r, k->before), flat_of(r, c), flat_of(r, k->after));
+    k->turn = wcut_orient2d(flat_of(r, k->before), flat_of(r, c), flat_of(r, k->after));
 }
 
 static void link(region *r, int a, int b) {
@@ -48,31 +48,31 @@ static int add_run(region *r, int start, int size) {
 }
 
 /* is x in the triangle a, b, c, its border included? */
-static bool holds(wcut_flat a, wcut_flat b, wcut_flat c, wcut_flat x) {
-    return wcut_turn(a, b, x) >= 0 && wcut_turn(b, c, x) >= 0 && wcut_turn(c, a, x) >= 0;
+static bool holds(wcut_point2d a, wcut_point2d b, wcut_point2d c, wcut_point2d x) {
+    return wcut_orient2d(a, b, x) >= 0 && wcut_orient2d(b, c, x) >= 0 && wcut_orient2d(c, a, x) >= 0;
 }
 
-static bool same(wcut_flat a, wcut_flat b) { return a.p == b.p && a.q == b.q; }
+static bool same(wcut_point2d a, wcut_point2d b) { return a.p == b.p && a.q == b.q; }
 
 /* do the open segments a b and c d meet, or does an end of c d lie within a b? */
-static bool blocks(wcut_flat a, wcut_flat b, wcut_flat c, wcut_flat d) {
-    const double at_c = wcut_turn(a, b, c), at_d = wcut_turn(a, b, d);
+static bool blocks(wcut_point2d a, wcut_point2d b, wcut_point2d c, wcut_point2d d) {
+    const double at_c = wcut_orient2d(a, b, c), at_d = wcut_orient2d(a, b, d);
     if (same(c, a) || same(c, b) || same(d, a) || same(d, b)) return false;
     if ((at_c > 0 && at_d > 0) || (at_c < 0 && at_d < 0)) return false;
-    const double at_a = wcut_turn(c, d, a), at_b = wcut_turn(c, d, b);
+    const double at_a = wcut_orient2d(c, d, a), at_b = wcut_orient2d(c, d, b);
     return !((at_a > 0 && at_b > 0) || (at_a < 0 && at_b < 0));
 }
 
 /* does the direction to x lie inside the region at a corner? */
-static bool opens_to(const region *r, int c, wcut_flat x) {
+static bool opens_to(const region *r, int c, wcut_point2d x) {
     const corner *k = &r->corner[c];
-    const wcut_flat a = flat_of(r, k->before), b = flat_of(r, c), d = flat_of(r, k->after);
-    const double from = wcut_turn(b, d, x), to = wcut_turn(a, b, x);
+    const wcut_point2d a = flat_of(r, k->before), b = flat_of(r, c), d = flat_of(r, k->after);
+    const double from = wcut_orient2d(b, d, x), to = wcut_orient2d(a, b, x);
     return k->turn > 0 ? from > 0 && to > 0 : from > 0 || to > 0;
 }
 
 /* can a corner of the run from `start` see x past every edge of that run and of the run from `other`? */
-static bool sees(const region *r, int start, int other, int c, wcut_flat x) {
+static bool sees(const region *r, int start, int other, int c, wcut_point2d x) {
     if (!opens_to(r, c, x)) return false;
     const int run[2] = {start, other};
     for (int k = 0; k < 2; k++) {
@@ -86,7 +86,7 @@ static bool sees(const region *r, int start, int other, int c, wcut_flat x) {
     return true;
 }
 
-static double distance(wcut_flat a, wcut_flat b) { return hypot(a.p - b.p, a.q - b.q); }
+static double distance(wcut_point2d a, wcut_point2d b) { return hypot(a.p - b.p, a.q - b.q); }
 
 /* Join a hole to the border by a bridge there and back from the hole's corner of largest p: holes that lie further are
    joined already. False where no corner of the border sees it. */
@@ -94,7 +94,7 @@ static bool join_hole(region *r, int border, int hole) {
     int h = hole;
     for (int c = r->corner[hole].after; c != hole; c = r->corner[c].after)
         if (flat_of(r, c).p > flat_of(r, h).p) h = c;
-    const wcut_flat x = flat_of(r, h);
+    const wcut_point2d x = flat_of(r, h);
     int best = -1, c = border;
     do {
         if ((best < 0 || distance(flat_of(r, c), x) < distance(flat_of(r, best), x)) && sees(r, border, h, c, x))
@@ -132,10 +132,10 @@ static bool join_holes(region *r, int loops, const int *size, bool *joined) {
 static bool is_ear(const region *r, int c) {
     const corner *k = &r->corner[c];
     if (!(k->turn > 0)) return false;
-    const wcut_flat a = flat_of(r, k->before), b = flat_of(r, c), d = flat_of(r, k->after);
+    const wcut_point2d a = flat_of(r, k->before), b = flat_of(r, c), d = flat_of(r, k->after);
     for (int o = r->corner[k->after].after; o != k->before; o = r->corner[o].after) {
         if (r->corner[o].turn > 0) continue;
-        const wcut_flat x = flat_of(r, o);
+        const wcut_point2d x = flat_of(r, o);
         if (!same(x, a) && !same(x, b) && !same(x, d) && holds(a, b, d, x)) return false;
     }
     return true;
@@ -143,7 +143,7 @@ static bool is_ear(const region *r, int c) {
 
 static bool is_thin(const region *r, int c, double share) {
     const corner *k = &r->corner[c];
-    const wcut_flat a = flat_of(r, k->before), b = flat_of(r, c), d = flat_of(r, k->after);
+    const wcut_point2d a = flat_of(r, k->before), b = flat_of(r, c), d = flat_of(r, k->after);
     const double longest = fmax(distance(a, b), fmax(distance(b, d), distance(d, a)));
     return k->turn < share * longest * longest;
 }
@@ -151,10 +151,10 @@ static bool is_thin(const region *r, int c, double share) {
 /* does an ear's new side pass another corner nearer than a share of its length? what it cuts off would be slivers alone */
 static bool grazes(const region *r, int c, double share) {
     const corner *k = &r->corner[c];
-    const wcut_flat a = flat_of(r, k->before), d = flat_of(r, k->after);
+    const wcut_point2d a = flat_of(r, k->before), d = flat_of(r, k->after);
     const double p = d.p - a.p, q = d.q - a.q, size = p * p + q * q;
     for (int o = r->corner[k->after].after; o != k->before; o = r->corner[o].after) {
-        const wcut_flat x = flat_of(r, o);
+        const wcut_point2d x = flat_of(r, o);
         const double along = p * (x.p - a.p) + q * (x.q - a.q), across = p * (x.q - a.q) - q * (x.p - a.p);
         if (along > 0 && along < size && fabs(across) < share * size) return true;
     }
@@ -185,7 +185,7 @@ static bool cut_ears(region *r, int left, int c, int *triangle) {
     return k.turn > 0;
 }
 
-wcut_status wcut_polygon_triangulate(int loops, const int *size, const wcut_flat *point, int *triangle) {
+wcut_status wcut_polygon_triangulate(int loops, const int *size, const wcut_point2d *point, int *triangle) {
     int points = 0;
     for (int l = 0; l < loops; l++) {
         if (size[l] < 3) return WCUT_DEGENERATE;

@@ -20,7 +20,7 @@ static void lessen(wcut_half_report *r, double wall, wcut_vec3 place) {
 }
 
 /* twice a triangle's area along its normal, which points upwards */
-static wcut_vec3 spread(const wcut_lid *l, int t) {
+static wcut_vec3 spread(const wcut_cap *l, int t) {
     const int *c = l->triangle + 3 * (ptrdiff_t)t;
     const wcut_vec3 a = l->vertex[c[0]];
     return vec3_cross(vec3_sub(l->vertex[c[1]], a), vec3_sub(l->vertex[c[2]], a));
@@ -62,7 +62,7 @@ static wcut_vec3 on_pocket(wcut_vec3 p, const wcut_key *key, double level) {
 }
 
 /* the distance of two convex shapes by alternating projections (von Neumann 1950) */
-static void measure_pocket(const wcut_lid *l, int t, const wcut_key *key, double level, wcut_half_report *r) {
+static void measure_pocket(const wcut_cap *l, int t, const wcut_key *key, double level, wcut_half_report *r) {
     const int *v = l->triangle + 3 * (ptrdiff_t)t;
     const wcut_vec3 c[3] = {l->vertex[v[0]], l->vertex[v[1]], l->vertex[v[2]]}, centre = vec3(key->x, key->y, level);
     wcut_vec3 p = on_triangle(centre, c);
@@ -83,14 +83,14 @@ static void measure_pocket(const wcut_lid *l, int t, const wcut_key *key, double
 
 static double coordinate(wcut_vec3 p, int axis) { return axis == 0 ? p.x : p.y; }
 
-/* the sides in the order of a lid's borders: x low, x high, y low, y high */
+/* the sides in the order of a cap's borders: x low, x high, y low, y high */
 static wcut_vec3 side_normal(int side) {
     const double sign = side % 2 ? 1 : -1;
     return side < 2 ? vec3(sign, 0, 0) : vec3(0, sign, 0);
 }
 
 /* `inwards`: the unit normal of triangle t into the half */
-static void measure_sides(const wcut_division *d, const wcut_lid *l, int t, wcut_vec3 inwards, wcut_half_report *r) {
+static void measure_sides(const wcut_division *d, const wcut_cap *l, int t, wcut_vec3 inwards, wcut_half_report *r) {
     const double size[2] = {d->block.x, d->block.y};
     for (int side = 0; side < 4; side++) {
         if (vec3_dot(inwards, side_normal(side)) < COS_FACING) continue;
@@ -103,7 +103,7 @@ static void measure_sides(const wcut_division *d, const wcut_lid *l, int t, wcut
 }
 
 /* the angle inside the half between a triangle with an edge on a side, and that side */
-static void measure_edge(const wcut_division *d, const wcut_lid *l, int t, wcut_vec3 inwards, wcut_half_report *r) {
+static void measure_edge(const wcut_division *d, const wcut_cap *l, int t, wcut_vec3 inwards, wcut_half_report *r) {
     const double size[2] = {d->block.x, d->block.y};
     for (int side = 0; side < 4; side++) {
         const double level = side % 2 ? size[side / 2] : 0;
@@ -120,7 +120,7 @@ static void measure_edge(const wcut_division *d, const wcut_lid *l, int t, wcut_
 /* ---- all ---- */
 
 void wcut_wall_measure(const wcut_division *d, int upper, const wcut_cut_face *face, wcut_half_report *report) {
-    const wcut_lid *l = &face->lid;
+    const wcut_cap *l = &face->cap;
     const double level = upper ? d->block.z : 0;
     report->wall_min = report->edge_min = INFINITY;
     for (int v = 0; v < l->vertex_count; v++) lessen(report, fabs(l->vertex[v].z - level), l->vertex[v]);

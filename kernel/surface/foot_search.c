@@ -257,7 +257,7 @@ static double outwards(const wcut_projection *m, double at, double first, double
     return at <= first ? -off : at >= last ? off : 0;
 }
 
-void wcut_foot_describe(const wcut_projection *m, wcut_vec3 p, const wcut_quick_spot *at, wcut_foot *foot) {
+void wcut_foot_describe(const wcut_projection *m, wcut_vec3 p, const wcut_foot_jet *at, wcut_foot *foot) {
     const wcut_vec3 r = vec3_sub(p, at->point);
     const double off_u = outwards(m, at->u, m->first[0], m->last[0], r, at->along_u);
     const double off_v = outwards(m, at->v, m->first[1], m->last[1], r, at->along_v);
@@ -282,7 +282,7 @@ void wcut_foot_search(const wcut_projection *m, wcut_vec3 p, const wcut_foot *ne
         wcut_surface_eval(m->surface, s.best.u, s.best.v, 1, d);
         s.best.along_u = d[2], s.best.along_v = d[1];
     }
-    const wcut_quick_spot at = {s.best.u, s.best.v, s.best.point, s.best.along_u, s.best.along_v};
+    const wcut_foot_jet at = {s.best.u, s.best.v, s.best.point, s.best.along_u, s.best.along_v};
     wcut_foot_describe(m, p, &at, foot);
     const double distance = foot->distance = s.best.distance, low = fmax(0, s.lowest);
     foot->gap = distance - low > 2 * same ? distance - low : 0;

@@ -4,13 +4,14 @@
 
 #include <wirecut/projection.h>
 
+#include "surface/newton_foot.h"
 #include "surface/patch_tree.h"
-#include "surface/quick_foot.h"
 
 struct wcut_projection {
     const wcut_surface *surface;
     wcut_patch_node *node;
-    wcut_quick *quick;        /* NULL until hastened, and where there is no quick way */
+    wcut_newton_foot
+        *newton; /* NULL until wcut_projection_prepare_many, and where Newton's method in spans is not available */
     double first[2], last[2]; /* the domain */
     double size;              /* [mm] of the surface and its coordinates: what rounding is relative to */
 };
@@ -19,6 +20,6 @@ struct wcut_projection {
 void wcut_foot_search(const wcut_projection *m, wcut_vec3 p, const wcut_foot *near, wcut_foot *foot);
 
 /* what there is to say of a foot that is known to be the closest */
-void wcut_foot_describe(const wcut_projection *m, wcut_vec3 p, const wcut_quick_spot *at, wcut_foot *foot);
+void wcut_foot_describe(const wcut_projection *m, wcut_vec3 p, const wcut_foot_jet *at, wcut_foot *foot);
 
 #endif

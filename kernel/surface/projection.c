@@ -6,10 +6,10 @@
 #include "base/vec3.h"
 #include "surface/foot_search.h"
 #include "surface/morton.h"
-#include "surface/sweep.h"
+#include "surface/query_batch.h"
 
 /* Queries of a block start from those before; blocks know nothing of each other, so threads change no byte. */
-enum { BLOCK = WCUT_SWEEP_BLOCK };
+enum { BLOCK = WCUT_QUERY_BLOCK };
 
 /* [mm] squares of lengths up to this stay finite, with room for products */
 static const double FAR = 1e100;
@@ -47,45 +47,46 @@ wcut_status wcut_projection_create(const wcut_surface *surface, wcut_projection 
 
 void wcut_projection_destroy(wcut_projection *projection) {
     if (!projection) return;
-    wcut_quick_destroy(projection->quick);
+    wcut_newton_foot_destroy(projection->newton);
     wcut_free(projection->node);
     wcut_free(projection);
 }
 
-wcut_status wcut_projection_hasten(wcut_projection *projection) {
+wcut_status wcut_projection_prepare_many(wcut_projection *projection) {
     if (!projection) return WCUT_BAD_ARGUMENT;
-    return projection->quick ? WCUT_OK : wcut_quick_create(projection->surface, projection->size, &projection->quick);
+    return projection->newton ? WCUT_OK
+                              : wcut_newton_foot_create(projection->surface, projection->size, &projection->newton);
 }
 
 /* ---- many queries ---- */
 
 /* the first query by a search of the tree, then all of a block side by side; what is left one by one, from where such a
    search ended last */
-void wcut_projection_sweep(const void *on, int count, const wcut_vec3 *query, const wcut_sweep_ahead *ahead,
-                           void *feet) {
+void wcut_projection_locate_batch(const void *on, int count, const wcut_vec3 *query, const wcut_query_prefetch *ahead,
+                                  void *feet) {
     const wcut_projection *m = on;
     wcut_foot *foot = feet;
-    _Static_assert(sizeof(wcut_foot) <= WCUT_SWEEP_FOOT, "fits");
+    _Static_assert(sizeof(wcut_foot) <= WCUT_QUERY_FOOT_SIZE, "fits");
     unsigned char done[BLOCK] = {0};
-    wcut_quick_place start[BLOCK];
+    wcut_span_place start[BLOCK];
     const wcut_foot *near = &foot[0];
     wcut_foot_search(m, query[0], NULL, &foot[0]);
-    if (m->quick) {
-        const wcut_quick_place from = wcut_quick_at(m->quick, near->u, near->v);
-        wcut_sweep_ahead rest = *ahead;
+    if (m->newton) {
+        const wcut_span_place from = wcut_span_place_at(m->newton, near->u, near->v);
+        wcut_query_prefetch rest = *ahead;
         rest.index++, rest.next++;
-        wcut_quick_feet(m->quick, count - 1, query + 1, from, &rest, foot + 1, done + 1, start + 1);
+        wcut_newton_foot_batch(m->newton, count - 1, query + 1, from, &rest, foot + 1, done + 1, start + 1);
     }
     for (int k = 1; k < count; k++) {
         if (done[k]) continue;
-        wcut_quick_spot at;
-        if (m->quick && wcut_quick_slide(m->quick, query[k], start[k], &at)) {
+        wcut_foot_jet at;
+        if (m->newton && wcut_newton_foot_slide(m->newton, query[k], start[k], &at)) {
             wcut_foot_describe(m, query[k], &at, &foot[k]);
             continue;
         }
-        if (m->quick) {
-            const wcut_quick_place from = wcut_quick_at(m->quick, near->u, near->v);
-            if (wcut_quick_slide(m->quick, query[k], wcut_quick_walk(m->quick, query[k], from), &at)) {
+        if (m->newton) {
+            const wcut_span_place from = wcut_span_place_at(m->newton, near->u, near->v);
+            if (wcut_newton_foot_slide(m->newton, query[k], wcut_newton_foot_walk(m->newton, query[k], from), &at)) {
                 wcut_foot_describe(m, query[k], &at, &foot[k]);
                 continue;
             }
@@ -106,11 +107,11 @@ wcut_status wcut_projection_locate(const wcut_projection *projection, int count,
     if (!projection || count < 0 || threads < 1 || (count > 0 && (!query || !foot))) return WCUT_BAD_ARGUMENT;
     for (int k = 0; k < count; k++)
         if (!(vec3_length(query[k]) < FAR)) return WCUT_BAD_ARGUMENT;
-    const wcut_sweep sweep = {.locate = wcut_projection_sweep,
-                              .on = projection,
-                              .take = put_feet,
-                              .to = foot,
-                              .result = foot,
-                              .size = sizeof *foot};
-    return wcut_sweep_run(&sweep, count, query, threads);
+    const wcut_query_batch batch = {.locate = wcut_projection_locate_batch,
+                                    .on = projection,
+                                    .take = put_feet,
+                                    .to = foot,
+                                    .result = foot,
+                                    .size = sizeof *foot};
+    return wcut_query_batch_run(&batch, count, query, threads);
 }

@@ -16,9 +16,9 @@ static void expect(double found, double wanted, double tolerance, double x, doub
 
 START_TEST(the_normal_distribution_agrees_with_scipy) {
     for (int i = 0; i < COUNT(normal_tail); i++)
-        expect(wcut_normal_tail(normal_tail[i][0]), normal_tail[i][1], 1e-12, normal_tail[i][0], 0);
+        expect(wcut_gaussian_tail(normal_tail[i][0]), normal_tail[i][1], 1e-12, normal_tail[i][0], 0);
     for (int i = 0; i < COUNT(normal_quantile); i++)
-        expect(wcut_normal_quantile(normal_quantile[i][0]), normal_quantile[i][1], 1e-12, normal_quantile[i][0], 0);
+        expect(wcut_gaussian_quantile(normal_quantile[i][0]), normal_quantile[i][1], 1e-12, normal_quantile[i][0], 0);
 }
 END_TEST
 
@@ -78,7 +78,7 @@ START_TEST(a_quantile_undoes_its_tail) {
         ck_assert_double_eq_tol(wcut_student_tail(wcut_student_quantile(p, 4), 4), 1 - p, 1e-13);
         ck_assert_double_eq_tol(wcut_chi_square_tail(wcut_chi_square_quantile(p, 4), 4), 1 - p, 1e-13);
         ck_assert_double_eq_tol(wcut_f_tail(wcut_f_quantile(p, 4, 6), 4, 6), 1 - p, 1e-13);
-        ck_assert_double_eq_tol(wcut_normal_tail(wcut_normal_quantile(p)), 1 - p, 1e-14);
+        ck_assert_double_eq_tol(wcut_gaussian_tail(wcut_gaussian_quantile(p)), 1 - p, 1e-14);
     }
 }
 END_TEST

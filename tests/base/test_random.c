@@ -31,7 +31,7 @@ START_TEST(normal_deviates_fill_the_normal_quantiles_evenly) {
     enum { CELLS = 50, N = 200000 };
     wcut_random random = wcut_random_seed(0);
     int count[CELLS] = {0};
-    for (int i = 0; i < N; i++) count[(int)(CELLS * (1 - wcut_normal_tail(wcut_random_normal(&random))))]++;
+    for (int i = 0; i < N; i++) count[(int)(CELLS * (1 - wcut_gaussian_tail(wcut_random_normal(&random))))]++;
     double chi_square = 0, expected = (double)N / CELLS;
     for (int k = 0; k < CELLS; k++) chi_square += (count[k] - expected) * (count[k] - expected) / expected;
     double p = wcut_chi_square_tail(chi_square, CELLS - 1);

@@ -200,7 +200,7 @@ static void bench_kernel(int count, const wcut_vec3 *p) {
     wcut_thinning *thinning = NULL;
     const double start = now();
     if (wcut_thinning_create(2, &thinning) != WCUT_OK) exit(1);
-    if (wcut_thinning_step(thinning, count, p, removal) != WCUT_OK) exit(1);
+    if (wcut_thinning_add(thinning, count, p, removal) != WCUT_OK) exit(1);
     int kept = 0;
     for (int k = 0; k < count; k++) kept += removal[k];
     printf("thinning at 2 mm: %.2f s CPU, %d kept\n", now() - start, kept);

@@ -93,7 +93,7 @@ int main(int argc, char **argv) {
         "%ld steps, clock included (%.0f ns): mean %.0f ns, median %.0f, 99 %% %.0f, 99.99 %% %.0f, longest %.0f ns; "
         "%ld beyond 2 us; ended in \"%s\" at %.2f mm/s\n",
         steps, least, sum / (double)steps, at_share(bin, steps, 0.5), at_share(bin, steps, 0.99),
-        at_share(bin, steps, 0.9999), longest, over, wcut_control_state_text(view.state), speed);
+        at_share(bin, steps, 0.9999), longest, over, wcut_control_state_name(view.state), speed);
     wcut_control_destroy(control);
     return repeat(tension) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -119,7 +119,7 @@ int main(int argc, char **argv) {
         wcut_mesh_tree_destroy(tree);
         double begin = cpu();
         must(wcut_projection_create(surface, &projection));
-        must(wcut_projection_hasten(projection));
+        must(wcut_projection_prepare_many(projection));
         shortest.prepared[0] = fmin(shortest.prepared[0], cpu() - begin);
         begin = cpu();
         must(wcut_mesh_tree_create(mesh, &tree));

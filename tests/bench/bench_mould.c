@@ -6,7 +6,7 @@
 #include "base/alloc.h"
 #include "bench/peers/common.h"
 #include "solid/boolean.h"
-#include "solid/lid.h"
+#include "solid/cap.h"
 
 enum { RUNS = 5, STATIONS = 600, NODES = 121 };
 
@@ -35,31 +35,31 @@ static wcut_surface *loft(void) {
 /* the closed solid below the cut and around the block, from the half's own cut face: what booleans are given */
 static wcut_mesh *cutter_of(const wcut_mould *m, double chord_tolerance) {
     const wcut_sides sides = {{0, block.x}, {0, block.y}};
-    wcut_lid face, floor;
+    wcut_cap face, floor;
     wcut_mesh *mesh;
     double off;
-    check(wcut_lid_tessellate(m->lower.brep->face[0].surface, sides, chord_tolerance, &face, &off), "cutter");
+    check(wcut_cap_tessellate(m->lower.brep->face[0].surface, sides, chord_tolerance, &face, &off), "cutter");
     for (int k = 0; k < face.vertex_count; k++) { /* 1 % larger: no sides that coincide */
         face.vertex[k].x = 1.01 * (face.vertex[k].x - 200) + 200;
         face.vertex[k].y = 1.01 * (face.vertex[k].y - 450) + 450;
     }
     const wcut_sides wide = {{-2, 402}, {-4.5, 904.5}};
-    check(wcut_lid_flat(wide, -10, 0, NULL, 1, &floor), "floor");
-    check(wcut_lid_enclose(&floor, &face, &mesh), "cutter");
-    wcut_lid_clear(&floor);
-    wcut_lid_clear(&face);
+    check(wcut_cap_flat(wide, -10, 0, NULL, 1, &floor), "floor");
+    check(wcut_cap_enclose(&floor, &face, &mesh), "cutter");
+    wcut_cap_clear(&floor);
+    wcut_cap_clear(&face);
     return mesh;
 }
 
 static wcut_mesh *block_mesh(void) {
     const wcut_sides sides = {{0, block.x}, {0, block.y}};
-    wcut_lid floor, ceiling;
+    wcut_cap floor, ceiling;
     wcut_mesh *mesh;
-    check(wcut_lid_flat(sides, 0, 0, NULL, 1, &floor), "block");
-    check(wcut_lid_flat(sides, block.z, 0, NULL, 1, &ceiling), "block");
-    check(wcut_lid_enclose(&floor, &ceiling, &mesh), "block");
-    wcut_lid_clear(&ceiling);
-    wcut_lid_clear(&floor);
+    check(wcut_cap_flat(sides, 0, 0, NULL, 1, &floor), "block");
+    check(wcut_cap_flat(sides, block.z, 0, NULL, 1, &ceiling), "block");
+    check(wcut_cap_enclose(&floor, &ceiling, &mesh), "block");
+    wcut_cap_clear(&ceiling);
+    wcut_cap_clear(&floor);
     return mesh;
 }
 

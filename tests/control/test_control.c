@@ -319,9 +319,9 @@ START_TEST(no_memory_is_said_and_nothing_is_written) {
 END_TEST
 
 START_TEST(every_state_has_its_words) {
-    ck_assert_str_eq(wcut_control_state_text(WCUT_CONTROL_STATE_RUN), "run");
-    ck_assert_str_eq(wcut_control_state_text(WCUT_CONTROL_STATE_STOP_STALE), "stop: stale readings");
-    ck_assert_str_eq(wcut_control_state_text((wcut_control_state)99), "unknown");
+    ck_assert_str_eq(wcut_control_state_name(WCUT_CONTROL_STATE_RUN), "run");
+    ck_assert_str_eq(wcut_control_state_name(WCUT_CONTROL_STATE_STOP_STALE), "stop: stale readings");
+    ck_assert_str_eq(wcut_control_state_name((wcut_control_state)99), "unknown");
 }
 END_TEST
 

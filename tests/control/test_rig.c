@@ -65,7 +65,7 @@ START_TEST(with_feedback_the_steady_tension_is_within_5_percent_for_laws_wrong_b
     options.law_b = wrong[_i][1];
     cut(true);
     ck_assert_msg(run->complete, "a x %g, b x %g: %s", options.law_a, options.law_b,
-                  wcut_control_state_text(run->ended));
+                  wcut_control_state_name(run->ended));
     ck_assert_double_lt(fabs(run->steady.mean), 0.05);
     ck_assert_double_lt(run->steady.rms, 0.05);
     ck_assert_double_lt(run->steady.settled, 5);

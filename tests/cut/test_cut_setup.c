@@ -239,10 +239,10 @@ END_TEST
 START_TEST(names_of_phases_and_conditions_are_those_of_the_files) {
     const char *const phase[] = {"approach", "entry", "steady", "exit", "left"};
     const char *const condition[] = {"tension", "speed_max", "speed_min", "time"};
-    for (int k = 0; k < 5; k++) ck_assert_str_eq(wcut_phase_text((wcut_phase)k), phase[k]);
-    for (int k = 0; k < 4; k++) ck_assert_str_eq(wcut_condition_text((wcut_condition)k), condition[k]);
-    ck_assert_str_eq(wcut_phase_text((wcut_phase)17), "unknown");
-    ck_assert_str_eq(wcut_condition_text((wcut_condition)17), "unknown");
+    for (int k = 0; k < 5; k++) ck_assert_str_eq(wcut_phase_name((wcut_phase)k), phase[k]);
+    for (int k = 0; k < 4; k++) ck_assert_str_eq(wcut_condition_name((wcut_condition)k), condition[k]);
+    ck_assert_str_eq(wcut_phase_name((wcut_phase)17), "unknown");
+    ck_assert_str_eq(wcut_condition_name((wcut_condition)17), "unknown");
 }
 END_TEST
 

@@ -31,14 +31,14 @@ static void given_columns(problem *p) {
 START_TEST(normal_equations_give_what_dense_least_squares_gives_with_priors_as_rows) {
     problem p;
     given_columns(&p);
-    wcut_normal normal;
-    ck_assert_int_eq(wcut_normal_create(N, 3, &normal), WCUT_OK);
-    wcut_normal_fill(&p.e, p.column, p.residual, &normal);
+    wcut_normal_equations normal;
+    ck_assert_int_eq(wcut_normal_equations_create(N, 3, &normal), WCUT_OK);
+    wcut_normal_equations_fill(&p.e, p.column, p.residual, &normal);
     const int chosen[4] = {0, 1, 3, 4};
     const double centre[N] = {0.5, -1, 3, 0, 0.1}, precision[N] = {1, 4, 9, 0.25, 2};
     for (int without = -1; without < 3; without++) {
         double t[4] = {999}, covariance[16], cost = 999, a[130 * 4], b[130], x[4], inverse[16], expected = 0;
-        ck_assert(wcut_normal_solve(&normal, 4, chosen, centre, precision, without, t, covariance, &cost));
+        ck_assert(wcut_normal_equations_solve(&normal, 4, chosen, centre, precision, without, t, covariance, &cost));
         int m = 0;
         for (int i = 0; i < 126; i++) {
             if (without >= 0 && i / 42 == without) continue;
@@ -62,22 +62,22 @@ START_TEST(normal_equations_give_what_dense_least_squares_gives_with_priors_as_r
         for (int k = 0; k < 4; k++) ck_assert_double_eq_tol(t[k], x[k], 1e-7);
         for (int k = 0; k < 16; k++) ck_assert_double_eq_tol(covariance[k], inverse[k], 1e-7);
     }
-    wcut_normal_destroy(&normal);
+    wcut_normal_equations_destroy(&normal);
 }
 END_TEST
 
 START_TEST(what_a_cut_costs_is_its_own_sum_of_squares) {
     problem p;
     given_columns(&p);
-    wcut_normal normal;
-    ck_assert_int_eq(wcut_normal_create(N, 3, &normal), WCUT_OK);
-    wcut_normal_fill(&p.e, p.column, p.residual, &normal);
+    wcut_normal_equations normal;
+    ck_assert_int_eq(wcut_normal_equations_create(N, 3, &normal), WCUT_OK);
+    wcut_normal_equations_fill(&p.e, p.column, p.residual, &normal);
     const int chosen[2] = {1, 2};
     const double t[2] = {-0.7, 0.3};
     double expected = 0;
     for (int i = 42; i < 84; i++) expected += pow(p.residual[i] + 0.7 * p.column[126 + i] - 0.3 * p.column[252 + i], 2);
-    ck_assert_double_eq_tol(wcut_normal_cost(&normal, 1, 2, chosen, t), expected, 1e-9);
-    wcut_normal_destroy(&normal);
+    ck_assert_double_eq_tol(wcut_normal_equations_cost(&normal, 1, 2, chosen, t), expected, 1e-9);
+    wcut_normal_equations_destroy(&normal);
 }
 END_TEST
 
@@ -85,16 +85,16 @@ START_TEST(columns_that_are_the_same_are_refused_unless_a_prior_holds_them) {
     problem p;
     given_columns(&p);
     memcpy(p.column + 126, p.column, 126 * sizeof(double));
-    wcut_normal normal;
-    ck_assert_int_eq(wcut_normal_create(N, 3, &normal), WCUT_OK);
-    wcut_normal_fill(&p.e, p.column, p.residual, &normal);
+    wcut_normal_equations normal;
+    ck_assert_int_eq(wcut_normal_equations_create(N, 3, &normal), WCUT_OK);
+    wcut_normal_equations_fill(&p.e, p.column, p.residual, &normal);
     const int chosen[2] = {0, 1};
     const double centre[N] = {0}, open[N] = {0}, held[N] = {1, 1, 1, 1, 1};
     double t[2], cost;
-    ck_assert(!wcut_normal_solve(&normal, 2, chosen, centre, open, -1, t, NULL, &cost));
-    ck_assert(wcut_normal_solve(&normal, 2, chosen, centre, held, -1, t, NULL, &cost));
+    ck_assert(!wcut_normal_equations_solve(&normal, 2, chosen, centre, open, -1, t, NULL, &cost));
+    ck_assert(wcut_normal_equations_solve(&normal, 2, chosen, centre, held, -1, t, NULL, &cost));
     ck_assert_double_eq_tol(t[0], t[1], 1e-9);
-    wcut_normal_destroy(&normal);
+    wcut_normal_equations_destroy(&normal);
 }
 END_TEST
 

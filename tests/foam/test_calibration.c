@@ -448,16 +448,16 @@ START_TEST(normal_scores_are_those_of_blom_whatever_the_order) {
     const int rank[7] = {4, 1, 6, 2, 7, 3, 5};
     double score[7] = {999, 999, 999, 999, 999, 999, 999};
     wcut_alloc_fail_at(1);
-    ck_assert_int_eq(wcut_normal_scores(7, value, score), WCUT_NO_MEMORY);
+    ck_assert_int_eq(wcut_gaussian_scores(7, value, score), WCUT_NO_MEMORY);
     wcut_alloc_fail_at(0);
     const double broken[2] = {1, INFINITY};
-    ck_assert_int_eq(wcut_normal_scores(2, broken, score), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_normal_scores(-1, value, score), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_normal_scores(7, NULL, score), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_normal_scores(7, value, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_gaussian_scores(2, broken, score), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_gaussian_scores(-1, value, score), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_gaussian_scores(7, NULL, score), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_gaussian_scores(7, value, NULL), WCUT_BAD_ARGUMENT);
     for (int i = 0; i < 7; i++) ck_assert(score[i] == 999);
-    ck_assert_int_eq(wcut_normal_scores(0, NULL, NULL), WCUT_OK);
-    ck_assert_int_eq(wcut_normal_scores(7, value, score), WCUT_OK);
+    ck_assert_int_eq(wcut_gaussian_scores(0, NULL, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_gaussian_scores(7, value, score), WCUT_OK);
     for (int i = 0; i < 7; i++) ck_assert_double_eq_tol(score[i], blom[rank[i] - 1], 1e-10);
 }
 END_TEST

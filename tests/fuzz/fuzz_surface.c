@@ -7,13 +7,13 @@
 #include <wirecut/bounds.h>
 #include <wirecut/crossing.h>
 #include <wirecut/edit.h>
-#include <wirecut/fit.h>
 #include <wirecut/intersect.h>
 #include <wirecut/mesh.h>
 #include <wirecut/offset.h>
 #include <wirecut/projection.h>
 #include <wirecut/reshape.h>
 #include <wirecut/surface.h>
+#include <wirecut/surface_fit.h>
 
 enum { SIDE_MAX = 12 };
 
@@ -137,7 +137,7 @@ static void examine(const wcut_surface *s, int which, double merge, double toler
     if (which == 2 && wcut_surface_inspect(s, 100 + tolerance, &looked) == WCUT_OK)
         demand(looked.folds >= 0 && looked.crossings >= 0);
     wcut_surface *fitted;
-    wcut_fit_report fit;
+    wcut_surface_fit_report fit;
     if (which == 3 && wcut_surface_fit(stations, nodes, x, merge, tolerance, &fitted, NULL, &fit) == WCUT_OK) {
         demand(fit.node_error <= tolerance && fit.between_error <= tolerance);
         wcut_surface_destroy(fitted);

@@ -11,8 +11,8 @@ enum { POINTS = 3000 };
 
 static wcut_deviation deviation[POINTS];
 static wcut_vec3 point[POINTS];
-static wcut_survey *survey;
-static const wcut_survey_result *result;
+static wcut_deviation_summary *summary;
+static const wcut_deviation_summary_result *result;
 static wcut_registration registration;
 static wcut_statistics back;
 static const wcut_compared_scan scan[] = {{"a \"scan\"</script>.ply", "ab12", 2900, 3, 0}, {"b.xyz", "", 120, 0, 1}};
@@ -20,18 +20,18 @@ static const char *const files[] = {"deviation.ply", "deviation.json"};
 
 static wcut_compared given_comparison(void) {
     const double band[] = {0.25, 1};
-    wcut_survey_options o = wcut_survey_options_default();
+    wcut_deviation_summary_options o = wcut_deviation_summary_options_default();
     o.high = (wcut_vec3){400, 1200, 300};
     o.bands = 2, o.band[0] = band[0], o.band[1] = band[1];
-    ck_assert_int_eq(wcut_survey_create(&o, NULL, &survey), WCUT_OK);
+    ck_assert_int_eq(wcut_deviation_summary_create(&o, NULL, &summary), WCUT_OK);
     for (int k = 0; k < POINTS; k++) {
         const double x = 400.0 * (k % 50) / 49, y = 1200.0 * (k / 50) / 59;
         point[k] = (wcut_vec3){x, y, 150 + 0.1 * x};
         deviation[k] = (wcut_deviation){.distance = sin(x / 50) * cos(y / 90), .foot = point[k], .triangle = -1};
         deviation[k].place = k % 100 ? WCUT_PLACE_INSIDE : k % 200 ? WCUT_PLACE_BEYOND : WCUT_PLACE_AMBIGUOUS;
     }
-    ck_assert_int_eq(wcut_survey_step(survey, POINTS, deviation), WCUT_OK);
-    ck_assert_int_eq(wcut_survey_eval(survey, &result), WCUT_OK);
+    ck_assert_int_eq(wcut_deviation_summary_add(summary, POINTS, deviation), WCUT_OK);
+    ck_assert_int_eq(wcut_deviation_summary_eval(summary, &result), WCUT_OK);
     registration = wcut_registration_none();
     registration.method = WCUT_REGISTRATION_METHOD_FIT;
     registration.parameter[WCUT_DOF_RZ] = acos(-1) / 2;
@@ -57,7 +57,7 @@ static wcut_compared given_comparison(void) {
                            .file = files};
 }
 
-static void forget(void) { wcut_survey_destroy(survey); }
+static void forget(void) { wcut_deviation_summary_destroy(summary); }
 
 static const json_t *at(const json_t *root, const char *path) {
     char copy[200], *rest = copy;

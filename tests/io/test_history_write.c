@@ -61,7 +61,7 @@ static void check_csv_row(char *line, int j) {
     for (char *word = strtok(line, ","); word; word = strtok(NULL, ",")) {
         if (word[0] >= 'a' && word[0] <= 'z') {
             ck_assert_uint_eq(k, 2);
-            ck_assert_str_eq(word, wcut_phase_text(r->phase));
+            ck_assert_str_eq(word, wcut_phase_name(r->phase));
             continue;
         }
         ck_assert_uint_lt(k, sizeof expected / sizeof *expected);

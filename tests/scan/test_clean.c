@@ -189,7 +189,7 @@ START_TEST(thinning_in_pieces_is_thinning_at_once) {
         ck_assert_int_eq(wcut_thinning_create(20, &thinning), WCUT_OK);
         for (int first = 0, end; first < MOST; first = end) {
             end = first + MOST / pieces < MOST ? first + MOST / pieces : MOST;
-            ck_assert_int_eq(wcut_thinning_step(thinning, end - first, point + first, keep + first), WCUT_OK);
+            ck_assert_int_eq(wcut_thinning_add(thinning, end - first, point + first, keep + first), WCUT_OK);
         }
         if (pieces == 1) memcpy(once, keep, sizeof keep);
         ck_assert(memcmp(once, keep, sizeof keep) == 0);
@@ -205,14 +205,14 @@ START_TEST(a_table_of_cubes_grows_as_it_must) {
     wcut_thinning *thinning = NULL;
     ck_assert_int_eq(wcut_thinning_create(1, &thinning), WCUT_OK);
     for (int round = 0; round < 2; round++) {
-        ck_assert_int_eq(wcut_thinning_step(thinning, 40000, many, keep), WCUT_OK);
+        ck_assert_int_eq(wcut_thinning_add(thinning, 40000, many, keep), WCUT_OK);
         for (int k = 0; k < 40000; k++) ck_assert_int_eq(keep[k], round == 0);
     }
     many[0].x = NAN;
-    ck_assert_int_eq(wcut_thinning_step(thinning, 1, many, keep), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_thinning_step(thinning, -1, many, keep), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_thinning_step(thinning, 1, NULL, keep), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_thinning_step(NULL, 1, many, keep), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_thinning_add(thinning, 1, many, keep), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_thinning_add(thinning, -1, many, keep), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_thinning_add(thinning, 1, NULL, keep), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_thinning_add(NULL, 1, many, keep), WCUT_BAD_ARGUMENT);
     wcut_thinning_destroy(thinning);
     wcut_thinning_destroy(NULL);
     wcut_thinning *none = (void *)many;
@@ -228,7 +228,7 @@ START_TEST(a_table_of_cubes_grows_as_it_must) {
     ck_assert_int_eq(wcut_thinning_create(1, &thinning), WCUT_OK);
     many[0].x = 0;
     wcut_alloc_fail_at(1); /* the first growth */
-    ck_assert_int_eq(wcut_thinning_step(thinning, 40000, many, keep), WCUT_NO_MEMORY);
+    ck_assert_int_eq(wcut_thinning_add(thinning, 40000, many, keep), WCUT_NO_MEMORY);
     wcut_alloc_fail_at(0);
     wcut_thinning_destroy(thinning);
 }
@@ -320,9 +320,9 @@ END_TEST
 /* ---- units ---- */
 
 static double factor_of(double scale, double share) {
-    wcut_cloud_fit fit = {999, 999};
+    wcut_cloud_unit fit = {999, 999};
     const wcut_vec3 low = {10, -20, 130}, size = {400 * scale * share, 1200 * scale * share, 60 * scale};
-    ck_assert_int_eq(wcut_cloud_fit_eval(low, vec3_add(low, size), vec3(400, 1200, 300), &fit), WCUT_OK);
+    ck_assert_int_eq(wcut_cloud_unit_eval(low, vec3_add(low, size), vec3(400, 1200, 300), &fit), WCUT_OK);
     ck_assert_double_eq_tol(fit.ratio, vec3_length(size) / hypot(400, 1200), 1e-12 * fit.ratio);
     return fit.factor;
 }
@@ -338,16 +338,17 @@ START_TEST(a_wrong_unit_is_noticed_and_named_by_its_factor) {
 END_TEST
 
 START_TEST(a_box_that_is_none_fits_nothing) {
-    wcut_cloud_fit fit = {999, 999};
+    wcut_cloud_unit fit = {999, 999};
     const wcut_vec3 o = {0, 0, 0}, one = {1, 1, 1}, nan = {0, NAN, 0};
-    ck_assert_int_eq(wcut_cloud_fit_eval(one, o, one, &fit), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_cloud_fit_eval(o, nan, one, &fit), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_cloud_fit_eval(o, one, o, &fit), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_cloud_fit_eval(o, one, nan, &fit), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_cloud_fit_eval(o, one, one, NULL), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_cloud_fit_eval(vec3(-1e308, -1e308, 0), vec3(1e308, 1e308, 0), one, &fit), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_cloud_unit_eval(one, o, one, &fit), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_cloud_unit_eval(o, nan, one, &fit), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_cloud_unit_eval(o, one, o, &fit), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_cloud_unit_eval(o, one, nan, &fit), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_cloud_unit_eval(o, one, one, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_cloud_unit_eval(vec3(-1e308, -1e308, 0), vec3(1e308, 1e308, 0), one, &fit),
+                     WCUT_BAD_ARGUMENT);
     ck_assert(fit.ratio == 999 && fit.factor == 999);
-    ck_assert_int_eq(wcut_cloud_fit_eval(one, one, one, &fit), WCUT_OK); /* a cloud of one point */
+    ck_assert_int_eq(wcut_cloud_unit_eval(one, one, one, &fit), WCUT_OK); /* a cloud of one point */
     ck_assert(fit.ratio == 0 && fit.factor == 0);
 }
 END_TEST

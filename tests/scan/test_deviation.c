@@ -1,7 +1,7 @@
 /* Deviations from faces that are known: both sides, borders and windows; the face of a job and its grid; holes. */
 #include <stdio.h>
+#include <wirecut/deviation_summary.h>
 #include <wirecut/face.h>
-#include <wirecut/survey.h>
 
 #include "base/alloc.h"
 #include "base/numbers.h"
@@ -144,7 +144,7 @@ START_TEST(window_border_reach_and_flip_decide_what_counts) {
             o.flip = flip;
             point[0] = lifted(given[k].x, given[k].y, given[k].by);
             ck_assert_int_eq(wcut_deviation_from_surface(projection, 1, point, &o, 1, deviation, NULL), WCUT_OK);
-            ck_assert_msg(deviation->place == given[k].place, "point %zu: %s", k, wcut_place_text(deviation->place));
+            ck_assert_msg(deviation->place == given[k].place, "point %zu: %s", k, wcut_place_name(deviation->place));
             ck_assert_double_eq_tol(deviation->distance, flip ? -given[k].by : given[k].by, 2e-3);
         }
     forget_surface();
@@ -196,8 +196,8 @@ START_TEST(bad_arguments_are_refused) {
         wcut_alloc_fail_at(0);
     }
     ck_assert(deviation[0].distance == 999);
-    ck_assert_ptr_null(wcut_place_text(WCUT_PLACE_COUNT));
-    ck_assert_str_eq(wcut_place_text(WCUT_PLACE_BEYOND), "beyond");
+    ck_assert_ptr_null(wcut_place_name(WCUT_PLACE_COUNT));
+    ck_assert_str_eq(wcut_place_name(WCUT_PLACE_BEYOND), "beyond");
     forget_surface();
 }
 END_TEST
@@ -355,7 +355,7 @@ START_TEST(a_map_shows_what_was_scanned_and_leaves_holes) {
     const int count = given_scan(face, hole);
     ck_assert_int_eq(wcut_deviation_from_surface(projection, count, point, NULL, 2, deviation, NULL), WCUT_OK);
     ck_assert_int_eq(wcut_face_map_create(face, &map), WCUT_OK);
-    wcut_face_map_step(map, face, count, deviation);
+    wcut_face_map_add(map, face, count, deviation);
     ck_assert_int_eq(wcut_face_map_eval(map, face, 12, value, present, &missing), WCUT_OK);
     for (int k = 0; k < ROWS * COLUMNS; k++) {
         const wcut_vec3 p = face->point[k];
@@ -381,9 +381,9 @@ END_TEST
 
 START_TEST(parts_of_the_cut_and_what_goes_with_the_deviation_are_found) {
     wcut_face *face = NULL;
-    wcut_survey *survey = NULL;
-    const wcut_survey_result *r = NULL;
-    wcut_survey_options o = wcut_survey_options_default();
+    wcut_deviation_summary *summary = NULL;
+    const wcut_deviation_summary_result *r = NULL;
+    wcut_deviation_summary_options o = wcut_deviation_summary_options_default();
     o.high = vec3(400, 1200, 300);
     given_history();
     ck_assert_int_eq(wcut_face_create(&job, &history, mount_a, mount_b, 1e-3, &face), WCUT_OK);
@@ -395,9 +395,9 @@ START_TEST(parts_of_the_cut_and_what_goes_with_the_deviation_are_found) {
         wcut_face_locate(face, deviation[k].u, deviation[k].v, &station, &column);
         deviation[k].distance = -station / (ROWS - 1);
     }
-    ck_assert_int_eq(wcut_survey_create(&o, face, &survey), WCUT_OK);
-    ck_assert_int_eq(wcut_survey_step(survey, count, deviation), WCUT_OK);
-    ck_assert_int_eq(wcut_survey_eval(survey, &r), WCUT_OK);
+    ck_assert_int_eq(wcut_deviation_summary_create(&o, face, &summary), WCUT_OK);
+    ck_assert_int_eq(wcut_deviation_summary_add(summary, count, deviation), WCUT_OK);
+    ck_assert_int_eq(wcut_deviation_summary_eval(summary, &r), WCUT_OK);
     ck_assert(r->related && r->time.of_deviation < -0.9999 && r->time.of_size > 0.9999);
     ck_assert(fabs(r->path.of_deviation) <= 1 && fabs(r->bend.of_size) <= 1);
     const char *const name[] = {"entry", "steady", "exit"};
@@ -410,7 +410,7 @@ START_TEST(parts_of_the_cut_and_what_goes_with_the_deviation_are_found) {
         sum += z->count;
     }
     ck_assert_int_eq(sum, r->statistics.count);
-    wcut_survey_destroy(survey);
+    wcut_deviation_summary_destroy(summary);
     wcut_projection_destroy(projection);
     wcut_face_destroy(face);
 }

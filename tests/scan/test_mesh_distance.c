@@ -160,7 +160,7 @@ START_TEST(the_side_is_right_everywhere_about_a_closed_mesh) {
     given_sphere(50, 3);
     build();
     const wcut_mesh_tree_info *info = wcut_mesh_tree_view(tree);
-    ck_assert(info->border_edges == 0 && info->odd_edges == 0 && info->flat == 0);
+    ck_assert(info->border_edges == 0 && info->nonmanifold_edges == 0 && info->flat == 0);
     ck_assert_double_eq_tol(vec3_length(info->area_sum), 0, 1e-9 * info->area);
     given_queries(-90, 90, 9);
     for (int k = 0; k < QUERIES / 2; k++) { /* over corners and the middles of edges, on both sides */
@@ -222,7 +222,7 @@ START_TEST(edges_that_are_wound_against_each_other_are_noticed) {
     const int keep = mesh->triangle[1];
     mesh->triangle[1] = mesh->triangle[2], mesh->triangle[2] = keep;
     build();
-    ck_assert_int_gt(wcut_mesh_tree_view(tree)->odd_edges, 0);
+    ck_assert_int_gt(wcut_mesh_tree_view(tree)->nonmanifold_edges, 0);
     forget();
 }
 END_TEST

@@ -1,5 +1,5 @@
 /* Figures of deviations against sorting them; offset, form and noise, worst areas and zones against what was made. */
-#include <wirecut/survey.h>
+#include <wirecut/deviation_summary.h>
 
 #include "base/alloc.h"
 #include "scan/sheets.h"
@@ -23,14 +23,14 @@ static double quantile_of(int count, double p) {
 
 static wcut_statistics figures_of(int count, int piece) {
     const double band[] = {0.25, 1};
-    wcut_tally *tally = NULL;
+    wcut_histogram *histogram = NULL;
     wcut_statistics s;
     memset(&s, 0x99, sizeof s);
-    ck_assert_int_eq(wcut_tally_create(2, band, &tally), WCUT_OK);
+    ck_assert_int_eq(wcut_histogram_create(2, band, &histogram), WCUT_OK);
     for (int k = 0; k < count; k += piece)
-        ck_assert_int_eq(wcut_tally_step(tally, count - k < piece ? count - k : piece, value + k), WCUT_OK);
-    ck_assert_int_eq(wcut_tally_eval(tally, &s), WCUT_OK);
-    wcut_tally_destroy(tally);
+        ck_assert_int_eq(wcut_histogram_add(histogram, count - k < piece ? count - k : piece, value + k), WCUT_OK);
+    ck_assert_int_eq(wcut_histogram_eval(histogram, &s), WCUT_OK);
+    wcut_histogram_destroy(histogram);
     return s;
 }
 
@@ -105,31 +105,31 @@ START_TEST(nothing_has_no_figures) {
 }
 END_TEST
 
-START_TEST(bad_tallies_are_refused) {
-    wcut_tally *tally = (wcut_tally *)999;
+START_TEST(bad_histograms_are_refused) {
+    wcut_histogram *histogram = (wcut_histogram *)999;
     const double bad[] = {1, 0}, odd[] = {1, NAN};
     wcut_statistics s;
-    ck_assert_int_eq(wcut_tally_create(2, bad, &tally), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_tally_create(WCUT_BANDS_MOST + 1, bad, &tally), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_tally_create(-1, NULL, &tally), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_tally_create(1, NULL, &tally), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_tally_create(0, NULL, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_histogram_create(2, bad, &histogram), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_histogram_create(WCUT_BANDS_MOST + 1, bad, &histogram), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_histogram_create(-1, NULL, &histogram), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_histogram_create(1, NULL, &histogram), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_histogram_create(0, NULL, NULL), WCUT_BAD_ARGUMENT);
     for (long k = 1; k <= 2; k++) {
         wcut_alloc_fail_at(k);
-        ck_assert_int_eq(wcut_tally_create(0, NULL, &tally), WCUT_NO_MEMORY);
+        ck_assert_int_eq(wcut_histogram_create(0, NULL, &histogram), WCUT_NO_MEMORY);
     }
     wcut_alloc_fail_at(0);
-    ck_assert_ptr_eq(tally, (wcut_tally *)999);
-    ck_assert_int_eq(wcut_tally_create(0, NULL, &tally), WCUT_OK);
-    ck_assert_int_eq(wcut_tally_step(tally, 2, odd), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_tally_step(tally, -1, odd), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_tally_step(NULL, 0, NULL), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_tally_eval(tally, NULL), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_tally_eval(NULL, &s), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_tally_eval(tally, &s), WCUT_OK);
+    ck_assert_ptr_eq(histogram, (wcut_histogram *)999);
+    ck_assert_int_eq(wcut_histogram_create(0, NULL, &histogram), WCUT_OK);
+    ck_assert_int_eq(wcut_histogram_add(histogram, 2, odd), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_histogram_add(histogram, -1, odd), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_histogram_add(NULL, 0, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_histogram_eval(histogram, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_histogram_eval(NULL, &s), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_histogram_eval(histogram, &s), WCUT_OK);
     ck_assert_int_eq(s.count, 0); /* the refused values were not counted */
-    wcut_tally_destroy(tally);
-    wcut_tally_destroy(NULL);
+    wcut_histogram_destroy(histogram);
+    wcut_histogram_destroy(NULL);
 }
 END_TEST
 
@@ -152,15 +152,16 @@ static void given_deviations(int count, double noise, int strays) {
     }
 }
 
-static const wcut_survey_result *survey_of(int count, wcut_survey **survey) {
-    wcut_survey_options o = wcut_survey_options_default();
-    const wcut_survey_result *result = NULL;
+static const wcut_deviation_summary_result *survey_of(int count, wcut_deviation_summary **summary) {
+    wcut_deviation_summary_options o = wcut_deviation_summary_options_default();
+    const wcut_deviation_summary_result *result = NULL;
     o.high = vec3(400, 1200, 300);
     o.bands = 1, o.band[0] = 0.5;
-    ck_assert_int_eq(wcut_survey_create(&o, NULL, survey), WCUT_OK);
+    ck_assert_int_eq(wcut_deviation_summary_create(&o, NULL, summary), WCUT_OK);
     for (int k = 0; k < count; k += 1000)
-        ck_assert_int_eq(wcut_survey_step(*survey, count - k < 1000 ? count - k : 1000, deviation + k), WCUT_OK);
-    ck_assert_int_eq(wcut_survey_eval(*survey, &result), WCUT_OK);
+        ck_assert_int_eq(wcut_deviation_summary_add(*summary, count - k < 1000 ? count - k : 1000, deviation + k),
+                         WCUT_OK);
+    ck_assert_int_eq(wcut_deviation_summary_eval(*summary, &result), WCUT_OK);
     return result;
 }
 
@@ -169,22 +170,22 @@ START_TEST(offset_form_and_noise_are_told_apart_in_spite_of_strays) {
     const double area = 400 * 1200, pi = acos(-1), mean = pi * 625 * 3 / area;
     const double form = sqrt(pi * 625 / 2 * 9 / area - mean * mean);
     for (int strays = 0; strays <= 60; strays += 60) {
-        wcut_survey *survey;
+        wcut_deviation_summary *summary;
         given_deviations(60000, NOISE, strays);
-        const wcut_split s = survey_of(60000, &survey)->split;
+        const wcut_split s = survey_of(60000, &summary)->split;
         ck_assert_double_eq_tol(s.offset, OFFSET + mean, 0.004);
         ck_assert_double_eq_tol(s.offset_error, NOISE / sqrt(60000), 0.3 * NOISE / sqrt(60000));
         ck_assert_double_eq_tol(s.form_rms, form, 0.03);
         ck_assert_double_eq_tol(s.noise_rms, NOISE, 0.01);
-        wcut_survey_destroy(survey);
+        wcut_deviation_summary_destroy(summary);
     }
 }
 END_TEST
 
 START_TEST(the_worst_area_is_where_the_bump_is) {
-    wcut_survey *survey;
+    wcut_deviation_summary *summary;
     given_deviations(60000, 0.05, 40);
-    const wcut_survey_result *r = survey_of(60000, &survey);
+    const wcut_deviation_summary_result *r = survey_of(60000, &summary);
     ck_assert_int_ge(r->worsts, 1);
     const wcut_worst *w = &r->worst[0];
     ck_assert_double_eq_tol(w->place.x, 300, 3);
@@ -194,17 +195,17 @@ START_TEST(the_worst_area_is_where_the_bump_is) {
     ck_assert_double_eq_tol(w->volume, w->mean * w->area, 1e-9 * w->volume);
     ck_assert(w->low.x < 300 && w->high.x > 300 && w->low.y < 900 && w->high.y > 900);
     for (int k = 1; k < r->worsts; k++) ck_assert(fabs(r->worst[k].volume) <= fabs(r->worst[k - 1].volume));
-    wcut_survey_destroy(survey);
+    wcut_deviation_summary_destroy(summary);
 }
 END_TEST
 
 START_TEST(every_patch_recovers_its_offset_within_the_noise) {
-    wcut_survey *survey;
+    wcut_deviation_summary *summary;
     given_deviations(MOST, NOISE, 0);
     for (int k = 0; k < MOST; k++) /* patch by patch another offset */
         deviation[k].distance += 0.1 * floor(deviation[k].foot.x / 100) - 0.05 * floor(deviation[k].foot.y / 100) -
                                  bump(deviation[k].foot.x, deviation[k].foot.y);
-    const wcut_survey_result *r = survey_of(MOST, &survey);
+    const wcut_deviation_summary_result *r = survey_of(MOST, &summary);
     ck_assert_int_eq(r->zones, 4 * 12);
     for (int k = 0; k < r->zones; k++) {
         const wcut_zone *z = &r->zone[k];
@@ -215,80 +216,80 @@ START_TEST(every_patch_recovers_its_offset_within_the_noise) {
     }
     ck_assert_str_eq(r->zone[5].name, "patch 2 2");
     ck_assert_int_eq(r->related, 0);
-    wcut_survey_destroy(survey);
+    wcut_deviation_summary_destroy(summary);
 }
 END_TEST
 
 START_TEST(points_that_do_not_count_are_only_counted) {
-    wcut_survey *survey;
+    wcut_deviation_summary *summary;
     given_deviations(1000, 0.1, 0);
     for (int k = 0; k < 100; k++) deviation[k].place = k % 2 ? WCUT_PLACE_BEYOND : WCUT_PLACE_AMBIGUOUS;
     for (int k = 0; k < 100; k++) deviation[k].distance = 1e6;
     deviation[200].place = WCUT_PLACE_BORDER;
-    const wcut_survey_result *r = survey_of(1000, &survey);
+    const wcut_deviation_summary_result *r = survey_of(1000, &summary);
     ck_assert_int_eq(r->statistics.count, 900);
     ck_assert(r->place[WCUT_PLACE_BEYOND] == 50 && r->place[WCUT_PLACE_AMBIGUOUS] == 50);
     ck_assert(r->place[WCUT_PLACE_BORDER] == 1 && r->place[WCUT_PLACE_INSIDE] == 899);
     ck_assert_double_lt(r->statistics.hausdorff, 5);
-    wcut_survey_destroy(survey);
+    wcut_deviation_summary_destroy(summary);
 }
 END_TEST
 
 START_TEST(one_deviation_and_none_are_surveyed_too) {
     for (int count = 0; count < 2; count++) {
-        wcut_survey *survey;
+        wcut_deviation_summary *summary;
         given_deviations(1, 0, 0);
-        const wcut_survey_result *r = survey_of(count, &survey);
+        const wcut_deviation_summary_result *r = survey_of(count, &summary);
         ck_assert_int_eq(r->statistics.count, count);
         ck_assert_int_eq(r->worsts, 0);
         ck_assert(r->split.cells == 0 && isfinite(r->split.offset) && r->split.noise_rms == 0);
-        wcut_survey_destroy(survey);
+        wcut_deviation_summary_destroy(summary);
     }
 }
 END_TEST
 
-START_TEST(bad_surveys_are_refused) {
-    wcut_survey_options o = wcut_survey_options_default();
-    wcut_survey *survey = (wcut_survey *)999;
-    const wcut_survey_result *result;
-    ck_assert_int_eq(wcut_survey_create(&o, NULL, &survey), WCUT_BAD_ARGUMENT); /* no box */
+START_TEST(bad_summaries_are_refused) {
+    wcut_deviation_summary_options o = wcut_deviation_summary_options_default();
+    wcut_deviation_summary *summary = (wcut_deviation_summary *)999;
+    const wcut_deviation_summary_result *result;
+    ck_assert_int_eq(wcut_deviation_summary_create(&o, NULL, &summary), WCUT_BAD_ARGUMENT); /* no box */
     o.high = vec3(400, 1200, 300);
-    ck_assert_int_eq(wcut_survey_create(NULL, NULL, &survey), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_survey_create(&o, NULL, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_deviation_summary_create(NULL, NULL, &summary), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_deviation_summary_create(&o, NULL, NULL), WCUT_BAD_ARGUMENT);
     o.patch = 1;
-    ck_assert_int_eq(wcut_survey_create(&o, NULL, &survey), WCUT_BAD_ARGUMENT); /* 480000 patches */
+    ck_assert_int_eq(wcut_deviation_summary_create(&o, NULL, &summary), WCUT_BAD_ARGUMENT); /* 480000 patches */
     o.patch = 1e-300;
-    ck_assert_int_eq(wcut_survey_create(&o, NULL, &survey), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_deviation_summary_create(&o, NULL, &summary), WCUT_BAD_ARGUMENT);
     o.patch = 100, o.cell = 0;
-    ck_assert_int_eq(wcut_survey_create(&o, NULL, &survey), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_deviation_summary_create(&o, NULL, &summary), WCUT_BAD_ARGUMENT);
     o.cell = 1, o.bands = 1, o.band[0] = -1;
-    ck_assert_int_eq(wcut_survey_create(&o, NULL, &survey), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_deviation_summary_create(&o, NULL, &summary), WCUT_BAD_ARGUMENT);
     o.bands = 0;
-    ck_assert_ptr_eq(survey, (wcut_survey *)999);
+    ck_assert_ptr_eq(summary, (wcut_deviation_summary *)999);
     for (long k = 1;; k++) {
         wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_survey_create(&o, NULL, &survey);
+        const wcut_status status = wcut_deviation_summary_create(&o, NULL, &summary);
         wcut_alloc_fail_at(0);
         if (status == WCUT_OK) break;
         ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert_ptr_eq(survey, (wcut_survey *)999);
+        ck_assert_ptr_eq(summary, (wcut_deviation_summary *)999);
         ck_assert_int_lt(k, 50);
     }
     given_deviations(2, 0, 0);
     deviation[1].distance = NAN;
-    ck_assert_int_eq(wcut_survey_step(survey, 2, deviation), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_deviation_summary_add(summary, 2, deviation), WCUT_BAD_ARGUMENT);
     deviation[1].distance = 0, deviation[1].place = WCUT_PLACE_COUNT;
-    ck_assert_int_eq(wcut_survey_step(survey, 2, deviation), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_survey_step(survey, -1, deviation), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_survey_step(NULL, 0, NULL), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_survey_eval(survey, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_deviation_summary_add(summary, 2, deviation), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_deviation_summary_add(summary, -1, deviation), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_deviation_summary_add(NULL, 0, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_deviation_summary_eval(summary, NULL), WCUT_BAD_ARGUMENT);
     wcut_alloc_fail_at(1);
-    ck_assert_int_eq(wcut_survey_eval(survey, &result), WCUT_NO_MEMORY);
+    ck_assert_int_eq(wcut_deviation_summary_eval(summary, &result), WCUT_NO_MEMORY);
     wcut_alloc_fail_at(0);
-    ck_assert_int_eq(wcut_survey_eval(survey, &result), WCUT_OK);
+    ck_assert_int_eq(wcut_deviation_summary_eval(summary, &result), WCUT_OK);
     ck_assert_int_eq(result->statistics.count, 0);
-    wcut_survey_destroy(survey);
-    wcut_survey_destroy(NULL);
+    wcut_deviation_summary_destroy(summary);
+    wcut_deviation_summary_destroy(NULL);
 }
 END_TEST
 
@@ -296,12 +297,12 @@ int main(void) {
     const TTest *const test[] = {figures_are_those_of_all_values_in_order,
                                  pieces_and_parts_add_up,
                                  nothing_has_no_figures,
-                                 bad_tallies_are_refused,
+                                 bad_histograms_are_refused,
                                  offset_form_and_noise_are_told_apart_in_spite_of_strays,
                                  the_worst_area_is_where_the_bump_is,
                                  every_patch_recovers_its_offset_within_the_noise,
                                  points_that_do_not_count_are_only_counted,
                                  one_deviation_and_none_are_surveyed_too,
-                                 bad_surveys_are_refused};
+                                 bad_summaries_are_refused};
     return run_suite("statistics", sizeof test / sizeof *test, test);
 }

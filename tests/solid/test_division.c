@@ -220,25 +220,25 @@ END_TEST
 START_TEST(an_open_or_inverted_mesh_is_seen_as_such) {
     wcut_mesh *m = box_of(vec3(0, 0, 0), vec3(1, 2, 3));
     wcut_half_report r = {.closed = 999};
-    ck_assert_int_eq(wcut_check_skin(m, &r), WCUT_OK);
+    ck_assert_int_eq(wcut_check_boundary(m, &r), WCUT_OK);
     ck_assert(r.closed == 1 && r.oriented == 1 && r.pieces == 1);
     ck_assert(fabs(r.volume - 6) < 1e-12 && fabs(r.area - 22) < 1e-12);
     ck_assert(r.box_low.x == 0 && r.box_low.y == 0 && r.box_low.z == 0);
     ck_assert(r.box_high.x == 1 && r.box_high.y == 2 && r.box_high.z == 3);
     const int first = m->triangle[0];
     m->triangle[0] = m->triangle[1], m->triangle[1] = first; /* one triangle turned */
-    ck_assert_int_eq(wcut_check_skin(m, &r), WCUT_OK);
+    ck_assert_int_eq(wcut_check_boundary(m, &r), WCUT_OK);
     ck_assert(r.closed == 1 && r.oriented == 0);
     m->triangle[1] = m->triangle[0], m->triangle[0] = first;
     m->triangle_count = 11; /* one left out */
-    ck_assert_int_eq(wcut_check_skin(m, &r), WCUT_OK);
+    ck_assert_int_eq(wcut_check_boundary(m, &r), WCUT_OK);
     ck_assert(r.closed == 0 && r.oriented == 0);
     m->triangle_count = 12;
     for (int k = 0; k < 36; k += 3) {
         const int c = m->triangle[k];
         m->triangle[k] = m->triangle[k + 1], m->triangle[k + 1] = c;
     }
-    ck_assert_int_eq(wcut_check_skin(m, &r), WCUT_OK);
+    ck_assert_int_eq(wcut_check_boundary(m, &r), WCUT_OK);
     ck_assert(r.closed == 1 && r.oriented == 0 && r.volume < 0);
     wcut_mesh_destroy(m);
 }

@@ -21,14 +21,14 @@ START_TEST(a_turn_has_the_sign_of_exact_arithmetic_where_rounding_has_not) {
     for (int i = -8; i <= 8; i++)
         for (int j = -8; j <= 8; j++) {
             const double unit = ldexp(1, -53);
-            const wcut_flat a = {0.5 + i * unit, 0.5 + j * unit}, b = {12, 12}, c = {24, 24};
+            const wcut_point2d a = {0.5 + i * unit, 0.5 + j * unit}, b = {12, 12}, c = {24, 24};
             /* det = (b - a) x (c - a) = 12 (a.q - a.p) for these b and c */
             const double exact = 12.0 * (j - i);
-            ck_assert_double_eq(sign(wcut_turn(a, b, c)), sign(exact));
+            ck_assert_double_eq(sign(wcut_orient2d(a, b, c)), sign(exact));
             const double rounded = (b.p - a.p) * (c.q - a.q) - (b.q - a.q) * (c.p - a.p);
             wrong += sign(rounded) != sign(exact);
         }
-    printf("turns: %d of 289 wrong by rounding, none by wcut_turn\n", wrong);
+    printf("turns: %d of 289 wrong by rounding, none by wcut_orient2d\n", wrong);
     ck_assert_int_gt(wrong, 0); /* else this test would prove nothing */
 }
 END_TEST
@@ -36,30 +36,30 @@ END_TEST
 START_TEST(a_turn_changes_sign_with_two_points_exchanged_and_not_with_three_turned) {
     wcut_random random = wcut_random_seed(5);
     for (int k = 0; k < 20000; k++) {
-        wcut_flat x[3];
+        wcut_point2d x[3];
         for (int i = 0; i < 3; i++) {
             const double t = wcut_random_uniform(&random);
-            x[i] = (wcut_flat){100 * t, 100 * t * 3 + (k % 2 ? 0 : 1e-14 * wcut_random_uniform(&random))};
+            x[i] = (wcut_point2d){100 * t, 100 * t * 3 + (k % 2 ? 0 : 1e-14 * wcut_random_uniform(&random))};
         }
-        const double turn = sign(wcut_turn(x[0], x[1], x[2]));
-        ck_assert_double_eq(turn, sign(wcut_turn(x[1], x[2], x[0])));
-        ck_assert_double_eq(turn, -sign(wcut_turn(x[1], x[0], x[2])));
-        ck_assert_double_eq(wcut_turn(x[0], x[0], x[2]), 0);
+        const double turn = sign(wcut_orient2d(x[0], x[1], x[2]));
+        ck_assert_double_eq(turn, sign(wcut_orient2d(x[1], x[2], x[0])));
+        ck_assert_double_eq(turn, -sign(wcut_orient2d(x[1], x[0], x[2])));
+        ck_assert_double_eq(wcut_orient2d(x[0], x[0], x[2]), 0);
     }
 }
 END_TEST
 
-static double area_of(int count, const wcut_flat *x) {
+static double area_of(int count, const wcut_point2d *x) {
     double sum = 0;
     for (int k = 0; k < count; k++) {
-        const wcut_flat a = x[k], b = x[(k + 1) % count];
+        const wcut_point2d a = x[k], b = x[(k + 1) % count];
         sum += (a.p * b.q - b.p * a.q) / 2;
     }
     return sum;
 }
 
 /* the triangles turn left, have the region's area, and every side of the runs once, no inner edge more than twice */
-static void check_fill(int loops, const int *size, const wcut_flat *x) {
+static void check_fill(int loops, const int *size, const wcut_point2d *x) {
     static int triangle[3 * 2 * POINTS_MAX];
     static int used[POINTS_MAX * POINTS_MAX];
     int points = 0;
@@ -73,14 +73,14 @@ static void check_fill(int loops, const int *size, const wcut_flat *x) {
     const int triangles = points + 2 * loops - 4;
     for (int k = 0; k < points * points; k++) used[k] = 0;
     for (int t = 0; t < triangles; t++) {
-        wcut_flat f[3];
+        wcut_point2d f[3];
         for (int i = 0; i < 3; i++) {
             const int from = triangle[3 * t + i], to = triangle[3 * t + (i + 1) % 3];
             ck_assert(from >= 0 && from < points);
             ck_assert_int_eq(used[from * points + to]++, 0);
             f[i] = x[from];
         }
-        ck_assert_double_gt(wcut_turn(f[0], f[1], f[2]), 0);
+        ck_assert_double_gt(wcut_orient2d(f[0], f[1], f[2]), 0);
         sum += area_of(3, f);
     }
     ck_assert_double_le(fabs(sum - wanted), 1e-12 * fabs(wanted));
@@ -101,9 +101,9 @@ static void check_fill(int loops, const int *size, const wcut_flat *x) {
 }
 
 START_TEST(a_box_under_a_straight_border_of_many_points_is_filled_without_flat_triangles) {
-    wcut_flat x[POINTS_MAX] = {{0, 0}, {900, 0}};
+    wcut_point2d x[POINTS_MAX] = {{0, 0}, {900, 0}};
     const int size = 402;
-    for (int k = 0; k < 400; k++) x[2 + k] = (wcut_flat){900 - 900.0 * k / 399, 140};
+    for (int k = 0; k < 400; k++) x[2 + k] = (wcut_point2d){900 - 900.0 * k / 399, 140};
     check_fill(1, &size, x);
     for (int k = 0; k < 400; k++) x[2 + k].q = 140 + 60 * sin(0.05 * k) + 10 * cos(0.9 * k);
     check_fill(1, &size, x);
@@ -114,7 +114,7 @@ START_TEST(a_box_under_a_straight_border_of_many_points_is_filled_without_flat_t
 END_TEST
 
 /* least height of a triangle over its longest side, when its corners are rounded to single precision */
-static double least_height(int triangles, const int *triangle, const wcut_flat *x) {
+static double least_height(int triangles, const int *triangle, const wcut_point2d *x) {
     double least = INFINITY;
     for (int t = 0; t < triangles; t++) {
         double p[3], q[3], longest = 0;
@@ -127,13 +127,13 @@ static double least_height(int triangles, const int *triangle, const wcut_flat *
 
 START_TEST(a_border_that_is_straight_but_for_rounding_makes_no_needles) {
     static int triangle[3 * POINTS_MAX];
-    wcut_flat x[402] = {{0, 0}, {1200, 0}};
+    wcut_point2d x[402] = {{0, 0}, {1200, 0}};
     const int size = 402;
     wcut_random random = wcut_random_seed(3);
     for (int noise = -14; noise <= -7; noise++) {
         for (int k = 0; k < 400; k++)
             x[2 + k] =
-                (wcut_flat){1200 - 1200.0 * k / 399, 150 + pow(10, noise) * (wcut_random_uniform(&random) - 0.5)};
+                (wcut_point2d){1200 - 1200.0 * k / 399, 150 + pow(10, noise) * (wcut_random_uniform(&random) - 0.5)};
         check_fill(1, &size, x);
         ck_assert_int_eq(wcut_polygon_triangulate(1, &size, x, triangle), WCUT_OK);
         ck_assert_double_gt(least_height(size - 2, triangle, x), 1e-2);
@@ -142,12 +142,12 @@ START_TEST(a_border_that_is_straight_but_for_rounding_makes_no_needles) {
 END_TEST
 
 START_TEST(holes_are_left_free_wherever_they_are) {
-    static wcut_flat x[POINTS_MAX];
+    static wcut_point2d x[POINTS_MAX];
     wcut_random random = wcut_random_seed(9);
     for (int round = 0; round < 60; round++) {
         int size[8] = {4}, loops = 1, points = 4;
         double centre[8][3];
-        const wcut_flat corner[4] = {{0, 0}, {400, 0}, {400, 900}, {0, 900}};
+        const wcut_point2d corner[4] = {{0, 0}, {400, 0}, {400, 900}, {0, 900}};
         for (int k = 0; k < 4; k++) x[k] = corner[k];
         for (int tries = 0; tries < 200 && loops < 7; tries++) {
             const double r = 5 + 60 * wcut_random_uniform(&random);
@@ -161,7 +161,7 @@ START_TEST(holes_are_left_free_wherever_they_are) {
             size[loops] = 16 + 4 * wcut_random_below(&random, 12);
             for (int k = 0; k < size[loops]; k++) {
                 const double turn = -2 * WCUT_PI * k / size[loops];
-                x[points++] = (wcut_flat){p + r * cos(turn), q + r * sin(turn)};
+                x[points++] = (wcut_point2d){p + r * cos(turn), q + r * sin(turn)};
             }
             loops++;
         }
@@ -174,8 +174,8 @@ END_TEST
 START_TEST(what_is_no_region_is_degenerate) {
     int triangle[60];
     const int two = 2, four = 4, square_and_hole[2] = {4, 4};
-    const wcut_flat flat[4] = {{0, 0}, {1, 0}, {2, 0}, {3, 0}}, clockwise[4] = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
-    const wcut_flat apart[8] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {3, 3}, {3, 4}, {4, 4}, {4, 3}};
+    const wcut_point2d flat[4] = {{0, 0}, {1, 0}, {2, 0}, {3, 0}}, clockwise[4] = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
+    const wcut_point2d apart[8] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {3, 3}, {3, 4}, {4, 4}, {4, 3}};
     ck_assert_int_eq(wcut_polygon_triangulate(1, &two, flat, triangle), WCUT_DEGENERATE);
     ck_assert_int_eq(wcut_polygon_triangulate(1, &four, flat, triangle), WCUT_DEGENERATE);
     ck_assert_int_eq(wcut_polygon_triangulate(1, &four, clockwise, triangle), WCUT_DEGENERATE);

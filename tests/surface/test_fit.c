@@ -1,7 +1,7 @@
 /* labels: unit property
    Surfaces fitted to grids: the tolerance held at and between nodes, few control points, noise, kinks, too few nodes. */
 #include <stdio.h>
-#include <wirecut/fit.h>
+#include <wirecut/surface_fit.h>
 
 #include "base/alloc.h"
 #include "base/random.h"
@@ -46,7 +46,7 @@ START_TEST(the_tolerance_is_held_with_few_control_points) {
     double tolerance = 0.1;
     for (int k = 0; k < 3; k++, tolerance /= 10) {
         wcut_surface *s = NULL;
-        wcut_fit_report r = {.node_error = 999};
+        wcut_surface_fit_report r = {.node_error = 999};
         ck_assert_int_eq(wcut_surface_fit(2000, 200, g.x, 0, tolerance, &s, v, &r), WCUT_OK);
         const double error = node_error(&g, s, v);
         printf("2000 x 200 nodes within %g mm: %d x %d control points, %.3f %%, worst node %.4g mm\n", tolerance,
@@ -67,7 +67,7 @@ END_TEST
 START_TEST(between_the_nodes_it_stays_beside_the_loft) {
     grid g = sheet(90, 40, 0.6, 0);
     wcut_surface *loft = NULL, *s = NULL;
-    wcut_fit_report r = {.node_error = 999};
+    wcut_surface_fit_report r = {.node_error = 999};
     ck_assert_int_eq(wcut_surface_loft(90, 40, g.x, 0, &loft, NULL, NULL), WCUT_OK);
     for (double tolerance = 0.1; tolerance > 1e-4; tolerance /= 10) {
         ck_assert_int_eq(wcut_surface_fit(90, 40, g.x, 0, tolerance, &s, NULL, &r), WCUT_OK);
@@ -91,7 +91,7 @@ END_TEST
 START_TEST(noise_below_the_tolerance_costs_few_and_above_it_every_node) {
     grid g = sheet(300, 80, 0, 0.002);
     wcut_surface *s = NULL;
-    wcut_fit_report r = {.node_error = 999};
+    wcut_surface_fit_report r = {.node_error = 999};
     ck_assert_int_eq(wcut_surface_fit(300, 80, g.x, 0, 0.01, &s, NULL, &r), WCUT_OK);
     ck_assert(r.node_error <= 0.01 && r.control_count < 0.05 * r.node_count);
     wcut_surface_destroy(s);
@@ -111,7 +111,7 @@ START_TEST(a_kink_and_repeated_sections_are_followed) {
         }
     double v[400];
     wcut_surface *s = NULL;
-    wcut_fit_report r = {.node_error = 999};
+    wcut_surface_fit_report r = {.node_error = 999};
     ck_assert_int_eq(wcut_surface_fit(400, 60, g.x, 1e-6, 0.01, &s, v, &r), WCUT_OK);
     ck_assert(r.node_error <= 0.01 && r.between_error <= 0.01 && r.dropped == 2 && r.used == 398);
     ck_assert(v[100] == v[99] && v[101] == v[99] && node_error(&g, s, v) <= 0.01 + 1e-9);
@@ -126,7 +126,7 @@ START_TEST(a_plane_needs_next_to_nothing_and_few_nodes_are_lofted) {
     wcut_vec3 x[30 * 20];
     for (int k = 0; k < 600; k++) x[k] = vec3(10 * (k % 20), 7 * (k / 20.0 - k % 20 / 20.0), 3);
     wcut_surface *s = NULL;
-    wcut_fit_report r = {.node_error = 999};
+    wcut_surface_fit_report r = {.node_error = 999};
     ck_assert_int_eq(wcut_surface_fit(30, 20, x, 0, 1e-6, &s, NULL, &r), WCUT_OK);
     ck_assert(r.control_count <= 64 && r.node_error <= 1e-6);
     wcut_surface_destroy(s);
@@ -146,7 +146,7 @@ START_TEST(what_cannot_be_fitted_is_refused_and_nothing_is_written) {
     grid g = sheet(30, 20, 0, 0);
     double v[30] = {999};
     wcut_surface *const mark = (wcut_surface *)&g, *s = mark;
-    wcut_fit_report r = {.node_error = 999};
+    wcut_surface_fit_report r = {.node_error = 999};
     ck_assert_int_eq(wcut_surface_fit(1, 20, g.x, 0, 1, &s, v, &r), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_surface_fit(30, 1, g.x, 0, 1, &s, v, &r), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_surface_fit(30, 20, NULL, 0, 1, &s, v, &r), WCUT_BAD_ARGUMENT);

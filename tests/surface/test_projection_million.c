@@ -26,8 +26,8 @@ START_TEST(a_million_planted_feet_are_found_again) {
         wcut_surface_eval(s, u[k], v[k], 1, d);
         query[k] = vec3_add_scaled(d[0], height[k], vec3_unit(vec3_cross(d[2], d[1])));
     }
-    for (int quick = 0; quick < 2; quick++) {
-        if (quick) ck_assert_int_eq(wcut_projection_hasten(m), WCUT_OK);
+    for (int newton = 0; newton < 2; newton++) {
+        if (newton) ck_assert_int_eq(wcut_projection_prepare_many(m), WCUT_OK);
         for (int k = 0; k < POINTS; k++) foot[k].distance = foot[k].gap = 999;
         ck_assert_int_eq(wcut_projection_locate(m, POINTS, query, 2, foot), WCUT_OK);
         double worst = 0, worst_point = 0;
@@ -40,7 +40,7 @@ START_TEST(a_million_planted_feet_are_found_again) {
             unproven += foot[k].gap != 0;
             beyond += foot[k].beyond;
         }
-        printf("1,000,000 planted points%s: worst distance %.2g mm, worst foot %.2g mm\n", quick ? ", quickly" : "",
+        printf("1,000,000 planted points%s: worst distance %.2g mm, worst foot %.2g mm\n", newton ? ", quickly" : "",
                worst, worst_point);
         ck_assert(unproven == 0 && beyond == 0);
         ck_assert_double_lt(worst, 1e-9);

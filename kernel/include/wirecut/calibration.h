@@ -187,7 +187,7 @@ WCUT_API wcut_status wcut_law_fit_eval(const wcut_law_fit *law, double confidenc
  * @param[out] score n [1]
  * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
  */
-WCUT_API wcut_status wcut_normal_scores(int n, const double *value, double *score);
+WCUT_API wcut_status wcut_gaussian_scores(int n, const double *value, double *score);
 
 /**
  * Read a calibration table: heat_W_per_m, speed_mm_s, engaged_mm, tension_N, alpha_deg, one row a test cut; tension and

@@ -127,12 +127,12 @@ WCUT_API wcut_status wcut_cloud_read(const char *path, const wcut_cloud_options 
 WCUT_API void wcut_cloud_destroy(wcut_cloud *cloud);
 
 /** How a cloud's size compares with the block's. */
-typedef struct wcut_cloud_fit {
+typedef struct wcut_cloud_unit {
     double ratio;  /**< [1] diagonal of the cloud's box over that of the block's W x L */
     double factor; /**< [1] what its coordinates should be multiplied by: 1 where the sizes agree (ratio 0.2 to 1.5),
                       else the one of 10, 25.4, 1000 and their inverses that comes nearest to ratio 1, within 0.5
                       to 1.25; 0 where none does */
-} wcut_cloud_fit;
+} wcut_cloud_unit;
 
 /**
  * Compare a cloud's size with the block's, to notice a wrong unit.
@@ -142,7 +142,7 @@ typedef struct wcut_cloud_fit {
  * @param[out] fit        ratio and factor
  * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was written.
  */
-WCUT_API wcut_status wcut_cloud_fit_eval(wcut_vec3 low, wcut_vec3 high, wcut_vec3 block_size, wcut_cloud_fit *fit);
+WCUT_API wcut_status wcut_cloud_unit_eval(wcut_vec3 low, wcut_vec3 high, wcut_vec3 block_size, wcut_cloud_unit *fit);
 
 /**
  * Whether a cloud can be a scan of a face at all.
@@ -174,8 +174,7 @@ WCUT_API wcut_status wcut_thinning_create(double voxel, wcut_thinning **thinning
  * @param[out] keep  count: 1 the first of its cube, of all calls, 0 not
  * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was written; WCUT_NO_MEMORY: keep is not to be used, nor the thinning.
  */
-WCUT_API wcut_status wcut_thinning_step(wcut_thinning *thinning, int count, const wcut_vec3 *point,
-                                        unsigned char *keep);
+WCUT_API wcut_status wcut_thinning_add(wcut_thinning *thinning, int count, const wcut_vec3 *point, unsigned char *keep);
 
 /** Free a thinning; NULL is allowed. */
 WCUT_API void wcut_thinning_destroy(wcut_thinning *thinning);

@@ -103,7 +103,7 @@ WCUT_API wcut_status wcut_control_step(wcut_control *control, double time, doubl
 WCUT_API void wcut_control_look(const wcut_control *control, wcut_control_view *view);
 
 /** The name of a state: "run", "hold", "stop: over-tension", "stop: absurd readings", "stop: stale readings". */
-WCUT_API const char *wcut_control_state_text(wcut_control_state state);
+WCUT_API const char *wcut_control_state_name(wcut_control_state state);
 
 #ifdef __cplusplus
 }

@@ -145,10 +145,10 @@ WCUT_API wcut_status wcut_cut_drive(wcut_cut *cut, wcut_vec3 mount_a, wcut_vec3 
 WCUT_API void wcut_cut_view(const wcut_cut *cut, wcut_station *station);
 
 /** The name of a phase as it stands in path.csv. */
-WCUT_API const char *wcut_phase_text(wcut_phase phase);
+WCUT_API const char *wcut_phase_name(wcut_phase phase);
 
 /** The name of a condition: "tension", "speed_max", "speed_min", "time". */
-WCUT_API const char *wcut_condition_text(wcut_condition condition);
+WCUT_API const char *wcut_condition_name(wcut_condition condition);
 
 #ifdef __cplusplus
 }

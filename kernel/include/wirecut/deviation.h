@@ -42,7 +42,7 @@ typedef struct wcut_deviation_options {
 WCUT_API wcut_deviation_options wcut_deviation_options_default(void);
 
 /** "inside", "border", "beyond", "ambiguous"; NULL outside the enum. */
-WCUT_API const char *wcut_place_text(wcut_place place);
+WCUT_API const char *wcut_place_name(wcut_place place);
 
 /**
  * Deviations from a surface, to its exact closest points.

@@ -4,12 +4,12 @@
 
 #include <wirecut/cloud.h>
 #include <wirecut/deviation.h>
+#include <wirecut/deviation_summary.h>
 #include <wirecut/export.h>
 #include <wirecut/mesh.h>
 #include <wirecut/reconstruction.h>
 #include <wirecut/registration.h>
 #include <wirecut/status.h>
-#include <wirecut/survey.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -31,17 +31,17 @@ typedef struct wcut_compared {
     const wcut_compared_scan *scan;
     int removed[WCUT_REMOVAL_COUNT]; /**< by cause; removed[WCUT_REMOVAL_KEPT] points were compared */
     const wcut_registration *registration;
-    const wcut_survey_result *found;     /**< as registered */
-    const wcut_survey_result *unmoved;   /**< as the scan came; the same as `found` without a registration */
-    const wcut_statistics *face_to_scan; /**< [mm] distances of the face from the nearest point; not signed */
-    double resolution;                   /**< [mm] by so much they may be too long, since points were thinned for it */
-    double kerf;                         /**< [mm] that the face was lowered for half of, on average; 0 for a mesh */
-    int has_kerf;                        /**< 1 where the face is a job's: the offset says what the kerf really is */
-    double unmeasured;                   /**< [mm^2] of the face without points; negative: not known */
-    double support;                      /**< [mm] a point speaks for the face that far around it */
-    double tolerance, share;             /**< [mm], [1] the gate; tolerance 0: none */
-    int within;                          /**< 1: as much as the gate asks is within the tolerance */
-    const char *reconstruction_method;   /**< "field", "poisson" */
+    const wcut_deviation_summary_result *found;   /**< as registered */
+    const wcut_deviation_summary_result *unmoved; /**< as the scan came; the same as `found` without a registration */
+    const wcut_statistics *face_to_scan;          /**< [mm] distances of the face from the nearest point; not signed */
+    double resolution;                 /**< [mm] by so much they may be too long, since points were thinned for it */
+    double kerf;                       /**< [mm] that the face was lowered for half of, on average; 0 for a mesh */
+    int has_kerf;                      /**< 1 where the face is a job's: the offset says what the kerf really is */
+    double unmeasured;                 /**< [mm^2] of the face without points; negative: not known */
+    double support;                    /**< [mm] a point speaks for the face that far around it */
+    double tolerance, share;           /**< [mm], [1] the gate; tolerance 0: none */
+    int within;                        /**< 1: as much as the gate asks is within the tolerance */
+    const char *reconstruction_method; /**< "field", "poisson" */
     const wcut_reconstruction *reconstruction; /**< NULL where none was made */
     const wcut_statistics *to_scan;            /**< [mm] face to reconstruction, signed; NULL without one */
     const wcut_statistics *to_face;            /**< [mm] reconstruction to face, signed; NULL without one */
@@ -63,7 +63,7 @@ WCUT_API wcut_status wcut_deviation_print(const wcut_compared *compared, char **
 WCUT_API wcut_status wcut_deviation_write(const wcut_compared *compared, const char *path, wcut_error *error);
 
 /** zones.csv: a row a zone; an empty field where a zone has no points. */
-WCUT_API wcut_status wcut_zones_write(const wcut_survey_result *found, const char *path, wcut_error *error);
+WCUT_API wcut_status wcut_zones_write(const wcut_deviation_summary_result *found, const char *path, wcut_error *error);
 
 /**
  * A mesh with a deviation at every vertex, to binary PLY (doubles, the scalar `deviation_mm`, a colour) or to OBJ (a

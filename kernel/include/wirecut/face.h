@@ -89,7 +89,7 @@ typedef struct wcut_face_map {
 WCUT_API wcut_status wcut_face_map_create(const wcut_face *face, wcut_face_map **map);
 
 /** Spread some deviations; those beyond or ambiguous are passed over. */
-WCUT_API void wcut_face_map_step(wcut_face_map *map, const wcut_face *face, int count, const wcut_deviation *deviation);
+WCUT_API void wcut_face_map_add(wcut_face_map *map, const wcut_face *face, int count, const wcut_deviation *deviation);
 
 /**
  * The values of a map.

@@ -26,11 +26,11 @@ typedef struct wcut_mesh_foot {
 
 /** What was noticed about a mesh. */
 typedef struct wcut_mesh_tree_info {
-    int border_edges;    /**< with one triangle: 0 on a closed mesh */
-    int odd_edges;       /**< with three or more triangles, or two that are wound against each other: near them the
+    int border_edges;      /**< with one triangle: 0 on a closed mesh */
+    int nonmanifold_edges; /**< with three or more triangles, or two that are wound against each other: near them the
                               side is not to be trusted */
-    int flat;            /**< triangles without area; they have no side of their own */
-    double area;         /**< [mm^2] */
+    int flat;              /**< triangles without area; they have no side of their own */
+    double area;           /**< [mm^2] */
     wcut_vec3 area_sum;  /**< [mm^2] the sum of the triangles' area vectors: where it points down, so do most of them */
     wcut_vec3 low, high; /**< [mm] the box */
 } wcut_mesh_tree_info;

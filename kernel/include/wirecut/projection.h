@@ -47,7 +47,7 @@ WCUT_API void wcut_projection_destroy(wcut_projection *projection);
  * @param[in,out] projection not in use by another thread
  * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: the projection is as it was.
  */
-WCUT_API wcut_status wcut_projection_hasten(wcut_projection *projection);
+WCUT_API wcut_status wcut_projection_prepare_many(wcut_projection *projection);
 
 /**
  * The closest point of the surface for each query: Newton's method in pieces where the squared distance is provably

@@ -193,7 +193,7 @@ typedef struct wcut_robot_summary {
 WCUT_API wcut_status wcut_robot_summary_print(const wcut_robot_summary *summary, char **text);
 
 /** The word of a format: "urscript", "rapid", "krl", "csv", "json". */
-WCUT_API const char *wcut_robot_format_text(wcut_robot_format format);
+WCUT_API const char *wcut_robot_format_name(wcut_robot_format format);
 
 #ifdef __cplusplus
 }

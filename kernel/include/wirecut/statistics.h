@@ -29,17 +29,17 @@ typedef struct wcut_statistics {
 } wcut_statistics;
 
 /** A count of deviations that goes on: sums, and a histogram whose bins grow with size, 11 MiB whatever the count. */
-typedef struct wcut_tally wcut_tally;
+typedef struct wcut_histogram wcut_histogram;
 
 /**
  * Begin to count.
  *
  * @param[in]  bands 0 .. WCUT_BANDS_MOST
  * @param[in]  band  bands [mm] positive
- * @param[out] tally the caller's, to wcut_tally_destroy
+ * @param[out] histogram the caller's, to wcut_histogram_destroy
  * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
  */
-WCUT_API wcut_status wcut_tally_create(int bands, const double *band, wcut_tally **tally);
+WCUT_API wcut_status wcut_histogram_create(int bands, const double *band, wcut_histogram **histogram);
 
 /**
  * Count some more.
@@ -48,13 +48,13 @@ WCUT_API wcut_status wcut_tally_create(int bands, const double *band, wcut_tally
  * @param[in] deviation count [mm], finite
  * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was counted.
  */
-WCUT_API wcut_status wcut_tally_step(wcut_tally *tally, int count, const double *deviation);
+WCUT_API wcut_status wcut_histogram_add(wcut_histogram *histogram, int count, const double *deviation);
 
 /** The figures so far. WCUT_OK; WCUT_BAD_ARGUMENT: nothing was written. */
-WCUT_API wcut_status wcut_tally_eval(const wcut_tally *tally, wcut_statistics *statistics);
+WCUT_API wcut_status wcut_histogram_eval(const wcut_histogram *histogram, wcut_statistics *statistics);
 
-/** Free a tally; NULL is allowed. */
-WCUT_API void wcut_tally_destroy(wcut_tally *tally);
+/** Free a histogram; NULL is allowed. */
+WCUT_API void wcut_histogram_destroy(wcut_histogram *histogram);
 
 #ifdef __cplusplus
 }

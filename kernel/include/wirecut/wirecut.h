@@ -17,6 +17,7 @@
 #include <wirecut/cut.h>
 #include <wirecut/deviation.h>
 #include <wirecut/deviation_file.h>
+#include <wirecut/deviation_summary.h>
 #include <wirecut/diagnosis.h>
 #include <wirecut/edit.h>
 #include <wirecut/effects.h>
@@ -24,7 +25,6 @@
 #include <wirecut/exchange.h>
 #include <wirecut/export.h>
 #include <wirecut/face.h>
-#include <wirecut/fit.h>
 #include <wirecut/force_density.h>
 #include <wirecut/force_law.h>
 #include <wirecut/history.h>
@@ -51,7 +51,7 @@
 #include <wirecut/status.h>
 #include <wirecut/summary.h>
 #include <wirecut/surface.h>
-#include <wirecut/survey.h>
+#include <wirecut/surface_fit.h>
 #include <wirecut/table.h>
 #include <wirecut/vec3.h>
 #include <wirecut/version.h>

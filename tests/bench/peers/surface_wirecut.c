@@ -1,8 +1,8 @@
 /* The surface jobs as this library does them: one line each for bench_table.sh. */
-#include <wirecut/fit.h>
 #include <wirecut/mesh.h>
 #include <wirecut/projection.h>
 #include <wirecut/surface.h>
+#include <wirecut/surface_fit.h>
 
 #include "common.h"
 
@@ -91,7 +91,7 @@ static void tessellate(const wcut_surface *s, double tolerance, const char *job)
 
 static void fit(int stations, int nodes, const char *job) {
     double *x = sheet_nodes(stations, nodes), seconds;
-    wcut_fit_report r = {.used = 0};
+    wcut_surface_fit_report r = {.used = 0};
     TIMED(3, seconds, {
         wcut_surface *s;
         check(wcut_surface_fit(stations, nodes, (const wcut_vec3 *)x, 1e-6, 0.01, &s, NULL, &r));

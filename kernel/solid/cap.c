@@ -1,5 +1,5 @@
 /* Faces as triangles with borders by index, and the solid between two of them: nothing is ever welded. */
-#include "solid/lid.h"
+#include "solid/cap.h"
 
 #include <limits.h>
 #include <stdbool.h>
@@ -11,52 +11,52 @@
 #include "solid/keys.h"
 #include "solid/polygon.h"
 
-void wcut_lid_clear(wcut_lid *lid) {
-    wcut_free(lid->vertex);
-    wcut_free(lid->triangle);
-    for (int b = 0; b < 4; b++) wcut_free(lid->border[b]);
-    *lid = (wcut_lid){.vertex_count = 0};
+void wcut_cap_clear(wcut_cap *cap) {
+    wcut_free(cap->vertex);
+    wcut_free(cap->triangle);
+    for (int b = 0; b < 4; b++) wcut_free(cap->border[b]);
+    *cap = (wcut_cap){.vertex_count = 0};
 }
 
-static wcut_status lid_new(int vertices, int triangles, const int borders[4], wcut_lid *lid) {
-    *lid = (wcut_lid){.vertex_count = vertices, .triangle_count = triangles};
-    lid->vertex = wcut_alloc((size_t)vertices, sizeof *lid->vertex);
-    lid->triangle = wcut_alloc((size_t)triangles, 3 * sizeof *lid->triangle);
-    bool made = lid->vertex && lid->triangle;
+static wcut_status cap_new(int vertices, int triangles, const int borders[4], wcut_cap *cap) {
+    *cap = (wcut_cap){.vertex_count = vertices, .triangle_count = triangles};
+    cap->vertex = wcut_alloc((size_t)vertices, sizeof *cap->vertex);
+    cap->triangle = wcut_alloc((size_t)triangles, 3 * sizeof *cap->triangle);
+    bool made = cap->vertex && cap->triangle;
     for (int b = 0; b < 4; b++) {
-        lid->border_count[b] = borders[b];
-        lid->border[b] = wcut_alloc((size_t)borders[b], sizeof *lid->border[b]);
-        made = made && lid->border[b];
+        cap->border_count[b] = borders[b];
+        cap->border[b] = wcut_alloc((size_t)borders[b], sizeof *cap->border[b]);
+        made = made && cap->border[b];
     }
     if (made) return WCUT_OK;
-    wcut_lid_clear(lid);
+    wcut_cap_clear(cap);
     return WCUT_NO_MEMORY;
 }
 
 /* ---- the cut face ---- */
 
 /* Columns of the grid lie in planes of x, its first and last row in those of y: what rounding made of that is undone. */
-static void snap(wcut_lid *lid, int columns, int rows, wcut_sides sides) {
+static void snap(wcut_cap *cap, int columns, int rows, wcut_sides sides) {
     for (int i = 0; i < columns; i++) {
-        double x = lid->vertex[i].x;
+        double x = cap->vertex[i].x;
         if (i == 0) x = sides.x[0];
         if (i == columns - 1) x = sides.x[1];
-        for (int j = 0; j < rows; j++) lid->vertex[(ptrdiff_t)j * columns + i].x = x;
-        lid->vertex[i].y = sides.y[0];
-        lid->vertex[(ptrdiff_t)(rows - 1) * columns + i].y = sides.y[1];
+        for (int j = 0; j < rows; j++) cap->vertex[(ptrdiff_t)j * columns + i].x = x;
+        cap->vertex[i].y = sides.y[0];
+        cap->vertex[(ptrdiff_t)(rows - 1) * columns + i].y = sides.y[1];
     }
 }
 
-wcut_status wcut_lid_tessellate(const wcut_surface *patch, wcut_sides sides, double chord_tolerance, wcut_lid *lid,
+wcut_status wcut_cap_tessellate(const wcut_surface *patch, wcut_sides sides, double chord_tolerance, wcut_cap *cap,
                                 double *chord_error) {
     wcut_mesh *mesh;
     wcut_tessellation_report report;
-    wcut_lid l;
+    wcut_cap l;
     wcut_status status = wcut_surface_tessellate(patch, chord_tolerance, &mesh, &report);
     if (status != WCUT_OK) return status;
     const int columns = report.columns, rows = report.rows, borders[4] = {rows, rows, columns, columns};
     status = mesh->triangle_count == 2 * (columns - 1) * (rows - 1) /* none that shrank to nothing was left out */
-                 ? lid_new(mesh->vertex_count, mesh->triangle_count, borders, &l)
+                 ? cap_new(mesh->vertex_count, mesh->triangle_count, borders, &l)
                  : WCUT_DEGENERATE;
     if (status == WCUT_OK) {
         memcpy(l.vertex, mesh->vertex, (size_t)mesh->vertex_count * sizeof *l.vertex);
@@ -64,25 +64,25 @@ wcut_status wcut_lid_tessellate(const wcut_surface *patch, wcut_sides sides, dou
         snap(&l, columns, rows, sides);
         for (int j = 0; j < rows; j++) l.border[0][j] = j * columns, l.border[1][j] = j * columns + columns - 1;
         for (int i = 0; i < columns; i++) l.border[2][i] = i, l.border[3][i] = (rows - 1) * columns + i;
-        *lid = l;
+        *cap = l;
         *chord_error = report.chord_error;
     }
     wcut_mesh_destroy(mesh);
     return status;
 }
 
-int wcut_lid_is_graph(const wcut_lid *lid) {
-    for (int t = 0; t < lid->triangle_count; t++) {
-        wcut_flat f[3];
+int wcut_cap_is_graph(const wcut_cap *cap) {
+    for (int t = 0; t < cap->triangle_count; t++) {
+        wcut_point2d f[3];
         for (int k = 0; k < 3; k++) {
-            const wcut_vec3 *p = &lid->vertex[lid->triangle[3 * (ptrdiff_t)t + k]];
-            f[k] = (wcut_flat){p->x, p->y};
+            const wcut_vec3 *p = &cap->vertex[cap->triangle[3 * (ptrdiff_t)t + k]];
+            f[k] = (wcut_point2d){p->x, p->y};
         }
-        if (!(wcut_turn(f[0], f[1], f[2]) > 0)) return 0;
+        if (!(wcut_orient2d(f[0], f[1], f[2]) > 0)) return 0;
     }
     for (int b = 0; b < 4; b++)
-        for (int k = 1; k < lid->border_count[b]; k++) {
-            const wcut_vec3 *p = &lid->vertex[lid->border[b][k - 1]], *q = &lid->vertex[lid->border[b][k]];
+        for (int k = 1; k < cap->border_count[b]; k++) {
+            const wcut_vec3 *p = &cap->vertex[cap->border[b][k - 1]], *q = &cap->vertex[cap->border[b][k]];
             if (b < 2 ? !(q->y > p->y) : !(q->x > p->x)) return 0;
         }
     return 1;
@@ -101,7 +101,7 @@ static void add_circle(const wcut_key *key, int arcs, double radius, double z, w
 static wcut_status add_region(const wcut_vec3 *vertex, int loops, const int *size, const int *start, int *triangle) {
     int points = 0;
     for (int l = 0; l < loops; l++) points += size[l];
-    wcut_flat *point = wcut_alloc((size_t)points, sizeof *point);
+    wcut_point2d *point = wcut_alloc((size_t)points, sizeof *point);
     int *index = wcut_alloc((size_t)points, sizeof *index);
     wcut_status status = point && index ? WCUT_OK : WCUT_NO_MEMORY;
     if (status == WCUT_OK) {
@@ -109,7 +109,7 @@ static wcut_status add_region(const wcut_vec3 *vertex, int loops, const int *siz
         for (int l = 0; l < loops; l++)
             for (int k = 0; k < size[l]; k++, made++) {
                 index[made] = start[l] + (l == 0 ? k : size[l] - 1 - k);
-                point[made] = (wcut_flat){vertex[index[made]].x, vertex[index[made]].y};
+                point[made] = (wcut_point2d){vertex[index[made]].x, vertex[index[made]].y};
             }
         status = wcut_polygon_triangulate(loops, size, point, triangle);
         const int corners = 3 * (points + 2 * loops - 4);
@@ -145,7 +145,7 @@ static bool keys_fit(wcut_sides sides, int count, const wcut_key *key) {
 
 /* vertices of corners and circles, then triangles; size and start have room for count + 1 loops */
 static wcut_status fill_flat(wcut_sides s, double z, int count, const wcut_key *key, int *size, int *start,
-                             wcut_lid *l) {
+                             wcut_cap *l) {
     size[0] = 4, start[0] = 0;
     for (int k = 0; k < 4; k++)
         l->vertex[k] = vec3(s.x[k == 1 || k == 2], s.y[k >= 2], z); /* around, counter-clockwise */
@@ -170,22 +170,22 @@ static wcut_status fill_flat(wcut_sides s, double z, int count, const wcut_key *
     return add_region(l->vertex, count + 1, size, start, to);
 }
 
-wcut_status wcut_lid_flat(wcut_sides sides, double z, int count, const wcut_key *key, double chord_tolerance,
-                          wcut_lid *lid) {
+wcut_status wcut_cap_flat(wcut_sides sides, double z, int count, const wcut_key *key, double chord_tolerance,
+                          wcut_cap *cap) {
     if (!keys_fit(sides, count, key)) return WCUT_BAD_ARGUMENT;
     const int borders[4] = {2, 2, 2, 2};
     int *size = wcut_alloc(2 * ((size_t)count + 1), sizeof *size), *start = size ? size + count + 1 : NULL;
     if (!size) return WCUT_NO_MEMORY;
     int arcs = 0;
     for (int k = 0; k < count; k++) arcs += size[k + 1] = wcut_key_arcs(&key[k], chord_tolerance);
-    wcut_lid l;
-    wcut_status status = lid_new(4 + 2 * arcs, 4 + 4 * arcs + 2 * count, borders, &l);
+    wcut_cap l;
+    wcut_status status = cap_new(4 + 2 * arcs, 4 + 4 * arcs + 2 * count, borders, &l);
     if (status == WCUT_OK) {
         status = fill_flat(sides, z, count, key, size, start, &l);
         if (status == WCUT_OK) {
-            *lid = l;
+            *cap = l;
         } else {
-            wcut_lid_clear(&l);
+            wcut_cap_clear(&l);
         }
     }
     wcut_free(size);
@@ -195,11 +195,11 @@ wcut_status wcut_lid_flat(wcut_sides sides, double z, int count, const wcut_key 
 /* ---- the solid ---- */
 
 /* A side's region, seen from outside: along the floor's border, back along the ceiling's. */
-static wcut_status enclose_side(const wcut_lid *floor, const wcut_lid *ceiling, int side, const wcut_vec3 *vertex,
+static wcut_status enclose_side(const wcut_cap *floor, const wcut_cap *ceiling, int side, const wcut_vec3 *vertex,
                                 int *triangle) {
     const int low = floor->border_count[side], high = ceiling->border_count[side], points = low + high;
     const bool along_y = side < 2, turned = side == 0 || side == 3; /* the plane's p runs to the right of who looks */
-    wcut_flat *point = wcut_alloc((size_t)points, sizeof *point);
+    wcut_point2d *point = wcut_alloc((size_t)points, sizeof *point);
     int *index = wcut_alloc((size_t)points, sizeof *index);
     wcut_status status = point && index ? WCUT_OK : WCUT_NO_MEMORY;
     if (status == WCUT_OK) {
@@ -208,7 +208,7 @@ static wcut_status enclose_side(const wcut_lid *floor, const wcut_lid *ceiling, 
         for (int k = 0; k < points; k++) {
             const wcut_vec3 *x = &vertex[index[k]];
             const double p = along_y ? x->y : x->x;
-            point[k] = (wcut_flat){turned ? -p : p, x->z};
+            point[k] = (wcut_point2d){turned ? -p : p, x->z};
         }
         status = wcut_polygon_triangulate(1, &points, point, triangle);
         for (int k = 0; status == WCUT_OK && k < 3 * (points - 2); k++) triangle[k] = index[triangle[k]];
@@ -218,7 +218,7 @@ static wcut_status enclose_side(const wcut_lid *floor, const wcut_lid *ceiling, 
     return status;
 }
 
-wcut_status wcut_lid_enclose(const wcut_lid *floor, const wcut_lid *ceiling, wcut_mesh **mesh) {
+wcut_status wcut_cap_enclose(const wcut_cap *floor, const wcut_cap *ceiling, wcut_mesh **mesh) {
     size_t triangles = (size_t)floor->triangle_count + (size_t)ceiling->triangle_count;
     for (int b = 0; b < 4; b++) triangles += (size_t)floor->border_count[b] + (size_t)ceiling->border_count[b] - 2;
     if (triangles > INT_MAX / 3 || ceiling->vertex_count > INT_MAX - floor->vertex_count) return WCUT_BAD_ARGUMENT;

@@ -1,18 +1,18 @@
 /* The spans of a bicubic surface, each as its polynomial about its middle, with a radius within which a stationary foot
    is proven to be the closest of all. */
-#ifndef WCUT_SURFACE_QUICK_SPANS_H
-#define WCUT_SURFACE_QUICK_SPANS_H
+#ifndef WCUT_SURFACE_NEWTON_SPANS_H
+#define WCUT_SURFACE_NEWTON_SPANS_H
 
 #include <stdbool.h>
 #include <wirecut/surface.h>
 
-enum { WCUT_CUBIC = 3, WCUT_QUICK_ORDER = WCUT_CUBIC + 1 };
+enum { WCUT_CUBIC = 3, WCUT_SPAN_ORDER = WCUT_CUBIC + 1 };
 
 typedef struct wcut_span {
-    wcut_vec3 power[WCUT_QUICK_ORDER][WCUT_QUICK_ORDER]; /* [of t][of s], both from -1/2 to 1/2 */
-    double radius;                                       /* [mm] as above; not positive where nothing is proven */
-    double speed;                                        /* no less than |S_s| and |S_t| */
-    double turn;                                         /* no less than any third derivative */
+    wcut_vec3 power[WCUT_SPAN_ORDER][WCUT_SPAN_ORDER]; /* [of t][of s], both from -1/2 to 1/2 */
+    double radius;                                     /* [mm] as above; not positive where nothing is proven */
+    double speed;                                      /* no less than |S_s| and |S_t| */
+    double turn;                                       /* no less than any third derivative */
 } wcut_span;
 
 /* where a query's parameters are, nearly: its offset from the middle times both rows; about the surface's centre */
@@ -27,7 +27,7 @@ typedef struct wcut_span_bounds {
     double bend;         /* second derivatives, from above */
 } wcut_span_bounds;
 
-struct wcut_quick {
+struct wcut_newton_foot {
     int columns, rows;
     double *u, *v; /* columns + 1, rows + 1: where spans begin and end */
     wcut_span *span;
@@ -37,9 +37,10 @@ struct wcut_quick {
 };
 
 /* fills span, guide and bounds (rows x columns) of a structure whose knots stand; WCUT_NO_MEMORY */
-wcut_status wcut_quick_fill(const wcut_surface *surface, struct wcut_quick *quick, wcut_span_bounds *bounds);
+wcut_status wcut_newton_foot_spans(const wcut_surface *surface, struct wcut_newton_foot *newton,
+                                   wcut_span_bounds *bounds);
 
 /* finds every span's radius; WCUT_NO_MEMORY */
-wcut_status wcut_quick_prove(struct wcut_quick *quick, wcut_span_bounds *bounds);
+wcut_status wcut_newton_foot_prove(struct wcut_newton_foot *newton, wcut_span_bounds *bounds);
 
 #endif

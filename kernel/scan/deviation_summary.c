@@ -1,5 +1,5 @@
-/* A survey of deviations as they come: each goes into the tally, its zones, its cell and the relations. */
-#include "scan/survey.h"
+/* A summary of deviations as they come: each goes into the histogram, its zones, its cell and the relations. */
+#include "scan/deviation_summary.h"
 
 #include <limits.h>
 
@@ -9,9 +9,11 @@
 
 enum { PATCHES_MOST = 10000, PIECE = 4096 };
 
-wcut_survey_options wcut_survey_options_default(void) { return (wcut_survey_options){.patch = 100, .cell = 1}; }
+wcut_deviation_summary_options wcut_deviation_summary_options_default(void) {
+    return (wcut_deviation_summary_options){.patch = 100, .cell = 1};
+}
 
-static bool is_usable(const wcut_survey_options *o) {
+static bool is_usable(const wcut_deviation_summary_options *o) {
     return o && vec3_is_finite(o->low) && vec3_is_finite(o->high) && o->low.x < o->high.x && o->low.y < o->high.y &&
            is_positive(o->patch) && is_positive(o->cell) && o->bands >= 0 && o->bands <= WCUT_BANDS_MOST &&
            all_positive(o->bands, o->band);
@@ -20,21 +22,22 @@ static bool is_usable(const wcut_survey_options *o) {
 /* how many patches a side has; more than are allowed where it would be beyond them */
 static int parts_of(double length, double patch) { return (int)clamp(round(length / patch), 1, PATCHES_MOST + 1); }
 
-void wcut_survey_destroy(wcut_survey *survey) {
-    if (!survey) return;
-    wcut_tally_destroy(survey->tally);
-    wcut_free(survey->zone);
-    wcut_free(survey->found_zone);
-    wcut_free(survey->lattice.cell);
-    wcut_free(survey);
+void wcut_deviation_summary_destroy(wcut_deviation_summary *summary) {
+    if (!summary) return;
+    wcut_histogram_destroy(summary->histogram);
+    wcut_free(summary->zone);
+    wcut_free(summary->found_zone);
+    wcut_free(summary->lattice.cell);
+    wcut_free(summary);
 }
 
-wcut_status wcut_survey_create(const wcut_survey_options *options, const wcut_face *face, wcut_survey **survey) {
-    if (!survey || !is_usable(options)) return WCUT_BAD_ARGUMENT;
+wcut_status wcut_deviation_summary_create(const wcut_deviation_summary_options *options, const wcut_face *face,
+                                          wcut_deviation_summary **summary) {
+    if (!summary || !is_usable(options)) return WCUT_BAD_ARGUMENT;
     const int columns = parts_of(options->high.x - options->low.x, options->patch);
     const int rows = parts_of(options->high.y - options->low.y, options->patch);
     if ((double)columns * rows > PATCHES_MOST) return WCUT_BAD_ARGUMENT;
-    wcut_survey *s = wcut_alloc(1, sizeof *s);
+    wcut_deviation_summary *s = wcut_alloc(1, sizeof *s);
     if (!s) return WCUT_NO_MEMORY;
     s->options = *options, s->face = face;
     s->patch_columns = columns, s->patch_rows = rows, s->parts = face ? WCUT_PARTS : 0;
@@ -43,11 +46,11 @@ wcut_status wcut_survey_create(const wcut_survey_options *options, const wcut_fa
     s->found_zone = wcut_alloc(zones, sizeof *s->found_zone);
     wcut_status status = s->zone && s->found_zone ? WCUT_OK : WCUT_NO_MEMORY;
     if (status == WCUT_OK) status = wcut_lattice_create(options, &s->lattice);
-    if (status == WCUT_OK) status = wcut_tally_create(options->bands, options->band, &s->tally);
+    if (status == WCUT_OK) status = wcut_histogram_create(options->bands, options->band, &s->histogram);
     if (status == WCUT_OK)
-        *survey = s;
+        *summary = s;
     else
-        wcut_survey_destroy(s);
+        wcut_deviation_summary_destroy(s);
     return status;
 }
 
@@ -57,8 +60,8 @@ static void pair_add(wcut_pair_sums *p, double x, double y) {
     p->n++, p->x += x, p->y += y, p->xx += x * x, p->yy += y * y, p->xy += x * y;
 }
 
-static int patch_of(const wcut_survey *s, wcut_vec3 foot) {
-    const wcut_survey_options *o = &s->options;
+static int patch_of(const wcut_deviation_summary *s, wcut_vec3 foot) {
+    const wcut_deviation_summary_options *o = &s->options;
     const double x = (foot.x - o->low.x) / (o->high.x - o->low.x), y = (foot.y - o->low.y) / (o->high.y - o->low.y);
     const int column = (int)clamp(floor(x * s->patch_columns), 0, s->patch_columns - 1);
     const int row = (int)clamp(floor(y * s->patch_rows), 0, s->patch_rows - 1);
@@ -73,7 +76,7 @@ static double between(const double *field, int low, int high, double t) {
 }
 
 /* what the station and the place of a foot say */
-static void relate(wcut_survey *s, const wcut_deviation *d) {
+static void relate(wcut_deviation_summary *s, const wcut_deviation *d) {
     const wcut_face *f = s->face;
     double row, column;
     wcut_face_locate(f, d->u, d->v, &row, &column);
@@ -88,10 +91,10 @@ static void relate(wcut_survey *s, const wcut_deviation *d) {
     wcut_zone_add(&s->zone[part_of(f->phase[near])], &s->options, d);
 }
 
-wcut_status wcut_survey_step(wcut_survey *survey, int count, const wcut_deviation *deviation) {
-    if (!survey || count < 0 || (count > 0 && !deviation)) return WCUT_BAD_ARGUMENT;
+wcut_status wcut_deviation_summary_add(wcut_deviation_summary *summary, int count, const wcut_deviation *deviation) {
+    if (!summary || count < 0 || (count > 0 && !deviation)) return WCUT_BAD_ARGUMENT;
     long total = count;
-    for (int k = 0; k < WCUT_PLACE_COUNT; k++) total += survey->place[k];
+    for (int k = 0; k < WCUT_PLACE_COUNT; k++) total += summary->place[k];
     if (total > INT_MAX) return WCUT_BAD_ARGUMENT;
     for (int i = 0; i < count; i++)
         if (!isfinite(deviation[i].distance) || !vec3_is_finite(deviation[i].foot) ||
@@ -101,17 +104,17 @@ wcut_status wcut_survey_step(wcut_survey *survey, int count, const wcut_deviatio
     int filled = 0;
     for (int i = 0; i < count; i++) {
         const wcut_deviation *d = &deviation[i];
-        survey->place[d->place]++;
+        summary->place[d->place]++;
         if (d->place > WCUT_PLACE_BORDER) continue;
-        if (survey->face) relate(survey, d);
-        wcut_zone_add(&survey->zone[patch_of(survey, d->foot)], &survey->options, d);
-        wcut_lattice_add(&survey->lattice, d);
+        if (summary->face) relate(summary, d);
+        wcut_zone_add(&summary->zone[patch_of(summary, d->foot)], &summary->options, d);
+        wcut_lattice_add(&summary->lattice, d);
         used[filled++] = d->distance;
         if (filled < PIECE) continue;
-        wcut_tally_step(survey->tally, filled, used); /* finite, and no more than fit: checked above */
+        wcut_histogram_add(summary->histogram, filled, used); /* finite, and no more than fit: checked above */
         filled = 0;
     }
-    wcut_tally_step(survey->tally, filled, used);
+    wcut_histogram_add(summary->histogram, filled, used);
     return WCUT_OK;
 }
 
@@ -125,26 +128,26 @@ static double correlation(const wcut_pair_sums *p) {
     return clamp(xy / sqrt(xx * yy), -1, 1);
 }
 
-static wcut_relation relation_of(const wcut_survey *s, int k) {
+static wcut_relation relation_of(const wcut_deviation_summary *s, int k) {
     return (wcut_relation){correlation(&s->relation[k][0]), correlation(&s->relation[k][1])};
 }
 
-wcut_status wcut_survey_eval(wcut_survey *survey, const wcut_survey_result **result) {
-    if (!survey || !result) return WCUT_BAD_ARGUMENT;
-    wcut_survey_result *r = &survey->result;
+wcut_status wcut_deviation_summary_eval(wcut_deviation_summary *summary, const wcut_deviation_summary_result **result) {
+    if (!summary || !result) return WCUT_BAD_ARGUMENT;
+    wcut_deviation_summary_result *r = &summary->result;
     wcut_lattice coarse;
-    wcut_status status = wcut_lattice_coarsen(&survey->lattice, &coarse);
+    wcut_status status = wcut_lattice_coarsen(&summary->lattice, &coarse);
     if (status != WCUT_OK) return status;
-    status = wcut_worst_list(&coarse, &r->worsts, survey->found_worst);
+    status = wcut_worst_list(&coarse, &r->worsts, summary->found_worst);
     if (status == WCUT_OK) status = wcut_lattice_split(&coarse, &r->split);
     if (status == WCUT_OK) {
-        wcut_tally_eval(survey->tally, &r->statistics); /* its arguments are there */
-        for (int k = 0; k < WCUT_PLACE_COUNT; k++) r->place[k] = survey->place[k];
-        wcut_zones_fill(survey, survey->found_zone);
-        r->zones = survey->parts + survey->patch_columns * survey->patch_rows;
-        r->zone = survey->found_zone, r->worst = survey->found_worst;
-        r->related = survey->face != NULL;
-        r->time = relation_of(survey, 0), r->path = relation_of(survey, 1), r->bend = relation_of(survey, 2);
+        wcut_histogram_eval(summary->histogram, &r->statistics); /* its arguments are there */
+        for (int k = 0; k < WCUT_PLACE_COUNT; k++) r->place[k] = summary->place[k];
+        wcut_zones_fill(summary, summary->found_zone);
+        r->zones = summary->parts + summary->patch_columns * summary->patch_rows;
+        r->zone = summary->found_zone, r->worst = summary->found_worst;
+        r->related = summary->face != NULL;
+        r->time = relation_of(summary, 0), r->path = relation_of(summary, 1), r->bend = relation_of(summary, 2);
         *result = r;
     }
     wcut_free(coarse.cell);

@@ -1,5 +1,5 @@
 /* The orientation of three points: a rounded determinant where its error bound allows, else the exact sum. */
-#include "solid/turn.h"
+#include "solid/orient2d.h"
 
 #include <float.h>
 #include <math.h>
@@ -19,7 +19,7 @@ static int grow(int parts, double *part, double x) {
 }
 
 /* the sign of a.p b.q - a.q b.p + b.p c.q - b.q c.p + c.p a.q - c.q a.p, every product in two exact parts */
-static double turn_exactly(wcut_flat a, wcut_flat b, wcut_flat c) {
+static double turn_exactly(wcut_point2d a, wcut_point2d b, wcut_point2d c) {
     const double left[6] = {a.p, -a.q, b.p, -b.q, c.p, -c.q}, right[6] = {b.q, b.p, c.q, c.p, a.q, a.p};
     double part[12];
     int parts = 0;
@@ -33,7 +33,7 @@ static double turn_exactly(wcut_flat a, wcut_flat b, wcut_flat c) {
     return 0;
 }
 
-double wcut_turn(wcut_flat a, wcut_flat b, wcut_flat c) {
+double wcut_orient2d(wcut_point2d a, wcut_point2d b, wcut_point2d c) {
     const double left = (a.p - c.p) * (b.q - c.q), right = (a.q - c.q) * (b.p - c.p), det = left - right;
     return fabs(det) > FILTER * (fabs(left) + fabs(right)) ? det : turn_exactly(a, b, c);
 }

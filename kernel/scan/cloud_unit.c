@@ -9,7 +9,7 @@
    as it is. Another factor must explain a whole scan. */
 static const double LEAST = 0.2, MOST = 1.5, WHOLE_LEAST = 0.5, WHOLE_MOST = 1.25;
 
-wcut_status wcut_cloud_fit_eval(wcut_vec3 low, wcut_vec3 high, wcut_vec3 block_size, wcut_cloud_fit *fit) {
+wcut_status wcut_cloud_unit_eval(wcut_vec3 low, wcut_vec3 high, wcut_vec3 block_size, wcut_cloud_unit *fit) {
     static const double factor[] = {10, 1 / 10.0, 25.4, 1 / 25.4, 1000, 1 / 1000.0};
     if (!fit || !vec3_is_finite(low) || !vec3_is_finite(high) || !is_positive(block_size.x) ||
         !is_positive(block_size.y) || !is_positive(block_size.z) || low.x > high.x || low.y > high.y || low.z > high.z)
@@ -22,6 +22,6 @@ wcut_status wcut_cloud_fit_eval(wcut_vec3 low, wcut_vec3 high, wcut_vec3 block_s
         if (r < WHOLE_LEAST || r > WHOLE_MOST) continue;
         if (best == 0 || fabs(log(r)) < fabs(log(ratio * best))) best = factor[k];
     }
-    *fit = (wcut_cloud_fit){ratio, ratio >= LEAST && ratio <= MOST ? 1 : best};
+    *fit = (wcut_cloud_unit){ratio, ratio >= LEAST && ratio <= MOST ? 1 : best};
     return WCUT_OK;
 }

@@ -1,4 +1,4 @@
-/* The quick way to a foot beside the slow one, which is proven elsewhere: the same feet, on tame and on wild surfaces. */
+/* The newton way to a foot beside the slow one, which is proven elsewhere: the same feet, on tame and on wild surfaces. */
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>
@@ -13,7 +13,7 @@
 enum { ROWS = 60, COLUMNS = 50, QUERIES = 4000 };
 
 static wcut_surface *surface;
-static wcut_projection *slow, *quick;
+static wcut_projection *slow, *newton;
 static wcut_vec3 node[ROWS * COLUMNS], query[QUERIES];
 static wcut_foot expected[QUERIES], found[QUERIES];
 
@@ -39,13 +39,13 @@ static void given_shape(int shape) {
         node[k] = at(shape, (k % COLUMNS) / (COLUMNS - 1.0), (k / COLUMNS) / (ROWS - 1.0));
     ck_assert_int_eq(wcut_surface_loft(ROWS, COLUMNS, node, 0, &surface, NULL, NULL), WCUT_OK);
     ck_assert_int_eq(wcut_projection_create(surface, &slow), WCUT_OK);
-    ck_assert_int_eq(wcut_projection_create(surface, &quick), WCUT_OK);
-    ck_assert_int_eq(wcut_projection_hasten(quick), WCUT_OK);
-    ck_assert_int_eq(wcut_projection_hasten(quick), WCUT_OK); /* once is enough */
+    ck_assert_int_eq(wcut_projection_create(surface, &newton), WCUT_OK);
+    ck_assert_int_eq(wcut_projection_prepare_many(newton), WCUT_OK);
+    ck_assert_int_eq(wcut_projection_prepare_many(newton), WCUT_OK); /* once is enough */
 }
 
 static void forget(void) {
-    wcut_projection_destroy(quick);
+    wcut_projection_destroy(newton);
     wcut_projection_destroy(slow);
     wcut_surface_destroy(surface);
 }
@@ -68,7 +68,7 @@ START_TEST(quick_feet_are_the_slow_ones) {
         for (int a = 0; a < 4; a++) {
             given_queries(shape, away[a], (uint64_t)a + 1);
             ck_assert_int_eq(wcut_projection_locate(slow, QUERIES, query, 1, expected), WCUT_OK);
-            ck_assert_int_eq(wcut_projection_locate(quick, QUERIES, query, 1, found), WCUT_OK);
+            ck_assert_int_eq(wcut_projection_locate(newton, QUERIES, query, 1, found), WCUT_OK);
             for (int k = 0; k < QUERIES; k++) {
                 const wcut_foot *e = &expected[k], *f = &found[k];
                 ck_assert_msg(fabs(f->distance - e->distance) < 1e-9, "shape %d, query %d: %.12g, expected %.12g",
@@ -87,21 +87,21 @@ END_TEST
 static bool is_at_border(const wcut_foot *f) { return f->u <= 0 || f->u >= 1 || f->v <= 0 || f->v >= 1; }
 
 START_TEST(most_feet_near_a_tame_surface_are_found_quickly) {
-    enum { BLOCK = WCUT_QUICK_MOST };
+    enum { BLOCK = WCUT_NEWTON_FOOT_BATCH };
     given_shape(0);
     given_queries(0, 1, 9);
-    ck_assert_ptr_nonnull(quick->quick);
+    ck_assert_ptr_nonnull(newton->newton);
     ck_assert_int_eq(wcut_projection_locate(slow, QUERIES, query, 1, expected), WCUT_OK);
     static wcut_foot foot[BLOCK];
-    static wcut_quick_place start[BLOCK];
+    static wcut_span_place start[BLOCK];
     unsigned char done[BLOCK];
     memset(foot, 0, sizeof foot), memset(done, 9, sizeof done);
-    const wcut_quick_place from = wcut_quick_at(quick->quick, expected[0].u, expected[0].v);
-    wcut_quick_feet(quick->quick, BLOCK, query, from, NULL, foot, done, start);
+    const wcut_span_place from = wcut_span_place_at(newton->newton, expected[0].u, expected[0].v);
+    wcut_newton_foot_batch(newton->newton, BLOCK, query, from, NULL, foot, done, start);
     int taken = 0, inside = 0, slid = 0, border = 0;
     for (int k = 0; k < BLOCK; k++) {
-        wcut_quick_spot spot;
-        const bool follows = wcut_quick_slide(quick->quick, query[k], start[k], &spot);
+        wcut_foot_jet spot;
+        const bool follows = wcut_newton_foot_slide(newton->newton, query[k], start[k], &spot);
         ck_assert_int_le(done[k], 1);
         if (done[k]) ck_assert_double_lt(vec3_distance(foot[k].point, expected[k].point), 1e-9);
         if (follows) ck_assert_double_lt(vec3_distance(spot.point, expected[k].point), 1e-9);
@@ -129,11 +129,11 @@ START_TEST(feet_are_the_same_for_any_number_of_threads) {
         many[k] = at(0, 1.01 * wcut_random_uniform(&r), 1.01 * wcut_random_uniform(&r));
         many[k].z += wcut_random_normal(&r);
     }
-    ck_assert_int_eq(wcut_projection_locate(quick, MANY, many, 1, one), WCUT_OK);
+    ck_assert_int_eq(wcut_projection_locate(newton, MANY, many, 1, one), WCUT_OK);
     const int threads[] = {2, 3, 7, 100};
     for (int k = 0; k < 4; k++) {
         memset(other, 9, sizeof other);
-        ck_assert_int_eq(wcut_projection_locate(quick, MANY, many, threads[k], other), WCUT_OK);
+        ck_assert_int_eq(wcut_projection_locate(newton, MANY, many, threads[k], other), WCUT_OK);
         ck_assert_mem_eq(one, other, sizeof one);
     }
     forget();
@@ -143,14 +143,14 @@ END_TEST
 START_TEST(surfaces_without_a_quick_way_stay_as_they_were) {
     wcut_vec3 corner[4] = {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {10, 10, 1}};
     ck_assert_int_eq(wcut_surface_loft(2, 2, corner, 0, &surface, NULL, NULL), WCUT_OK);
-    ck_assert_int_eq(wcut_projection_create(surface, &quick), WCUT_OK);
-    ck_assert_int_eq(wcut_projection_hasten(quick), WCUT_OK);
-    ck_assert_ptr_null(quick->quick);
+    ck_assert_int_eq(wcut_projection_create(surface, &newton), WCUT_OK);
+    ck_assert_int_eq(wcut_projection_prepare_many(newton), WCUT_OK);
+    ck_assert_ptr_null(newton->newton);
     query[0] = vec3(5, 5, 3);
-    ck_assert_int_eq(wcut_projection_locate(quick, 1, query, 1, found), WCUT_OK);
-    wcut_projection_destroy(quick);
+    ck_assert_int_eq(wcut_projection_locate(newton, 1, query, 1, found), WCUT_OK);
+    wcut_projection_destroy(newton);
     wcut_surface_destroy(surface);
-    ck_assert_int_eq(wcut_projection_hasten(NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_projection_prepare_many(NULL), WCUT_BAD_ARGUMENT);
 }
 END_TEST
 
@@ -158,11 +158,11 @@ START_TEST(without_memory_a_projection_is_as_it_was) {
     given_shape(0);
     for (long k = 1;; k += 2) {
         wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_projection_hasten(slow);
+        const wcut_status status = wcut_projection_prepare_many(slow);
         wcut_alloc_fail_at(0);
         if (status == WCUT_OK) break;
         ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert_ptr_null(slow->quick);
+        ck_assert_ptr_null(slow->newton);
         ck_assert_int_lt(k, 200);
     }
     forget();
@@ -171,7 +171,7 @@ END_TEST
 
 int main(void) {
     Suite *suite = suite_create("quick_foot");
-    TCase *tcase = tcase_create("quick");
+    TCase *tcase = tcase_create("newton");
     tcase_add_test(tcase, quick_feet_are_the_slow_ones);
     tcase_add_test(tcase, most_feet_near_a_tame_surface_are_found_quickly);
     tcase_add_test(tcase, feet_are_the_same_for_any_number_of_threads);

@@ -1,6 +1,6 @@
-/* wirecut/survey.h - what the deviations of a whole scan say, taken in as they come: figures, zones, worst areas. */
-#ifndef WCUT_SURVEY_H
-#define WCUT_SURVEY_H
+/* wirecut/deviation_summary.h - what the deviations of a whole scan say, taken in as they come: figures, zones, worst areas. */
+#ifndef WCUT_DEVIATION_SUMMARY_H
+#define WCUT_DEVIATION_SUMMARY_H
 
 #include <wirecut/deviation.h>
 #include <wirecut/export.h>
@@ -15,13 +15,13 @@ extern "C" {
 enum { WCUT_WORST_MOST = 10, WCUT_ZONE_NAME = 32 };
 
 /** How a scan is divided. */
-typedef struct wcut_survey_options {
+typedef struct wcut_deviation_summary_options {
     wcut_vec3 low, high; /**< [mm] the block, or the face's box; low < high in x and y */
     double patch;        /**< [mm] side that patches of the block have, nearly; default 100; positive */
     double cell;         /**< [mm] side of the smallest cell that worst areas consist of; default 1; positive */
     int bands;           /**< 0 .. WCUT_BANDS_MOST; default 0 */
     double band[WCUT_BANDS_MOST]; /**< [mm] positive tolerances */
-} wcut_survey_options;
+} wcut_deviation_summary_options;
 
 /** A part of the cut, or a patch of the block, by the place of the feet. */
 typedef struct wcut_zone {
@@ -63,8 +63,8 @@ typedef struct wcut_relation {
     double of_size;      /**< of |d| */
 } wcut_relation;
 
-/** What a survey found. */
-typedef struct wcut_survey_result {
+/** What a summary found. */
+typedef struct wcut_deviation_summary_result {
     wcut_statistics statistics;
     int place[WCUT_PLACE_COUNT]; /**< points at each place; inside and border are in the figures */
     int zones;
@@ -74,23 +74,23 @@ typedef struct wcut_survey_result {
     wcut_split split;
     int related;                    /**< 1: the relations are known, since a face is */
     wcut_relation time, path, bend; /**< time since entry, curvature of the path, size of the face's curvature */
-} wcut_survey_result;
+} wcut_deviation_summary_result;
 
-/** A survey that goes on; memory does not grow with the count of points. */
-typedef struct wcut_survey wcut_survey;
+/** A summary that goes on; memory does not grow with the count of points. */
+typedef struct wcut_deviation_summary wcut_deviation_summary;
 
-WCUT_API wcut_survey_options wcut_survey_options_default(void);
+WCUT_API wcut_deviation_summary_options wcut_deviation_summary_options_default(void);
 
 /**
- * Begin a survey.
+ * Begin a summary.
  *
  * @param[in]  options
  * @param[in]  face    that the deviations are from, borrowed; NULL: unknown, deviations from a mesh
- * @param[out] survey  the caller's, to wcut_survey_destroy
+ * @param[out] summary  the caller's, to wcut_deviation_summary_destroy
  * @return WCUT_OK; WCUT_BAD_ARGUMENT (also more than 10000 patches), WCUT_NO_MEMORY: nothing was written.
  */
-WCUT_API wcut_status wcut_survey_create(const wcut_survey_options *options, const wcut_face *face,
-                                        wcut_survey **survey);
+WCUT_API wcut_status wcut_deviation_summary_create(const wcut_deviation_summary_options *options, const wcut_face *face,
+                                                   wcut_deviation_summary **summary);
 
 /**
  * Take in some deviations.
@@ -99,18 +99,20 @@ WCUT_API wcut_status wcut_survey_create(const wcut_survey_options *options, cons
  * @param[in] deviation count
  * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was taken in; WCUT_NO_MEMORY.
  */
-WCUT_API wcut_status wcut_survey_step(wcut_survey *survey, int count, const wcut_deviation *deviation);
+WCUT_API wcut_status wcut_deviation_summary_add(wcut_deviation_summary *summary, int count,
+                                                const wcut_deviation *deviation);
 
 /**
  * What was found so far.
  *
- * @param[out] result borrowed until the next call with this survey
+ * @param[out] result borrowed until the next call with this summary
  * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
  */
-WCUT_API wcut_status wcut_survey_eval(wcut_survey *survey, const wcut_survey_result **result);
+WCUT_API wcut_status wcut_deviation_summary_eval(wcut_deviation_summary *summary,
+                                                 const wcut_deviation_summary_result **result);
 
-/** Free a survey; NULL is allowed. */
-WCUT_API void wcut_survey_destroy(wcut_survey *survey);
+/** Free a summary; NULL is allowed. */
+WCUT_API void wcut_deviation_summary_destroy(wcut_deviation_summary *summary);
 
 #ifdef __cplusplus
 }

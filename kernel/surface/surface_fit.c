@@ -1,7 +1,7 @@
 /* A surface with few control points near a grid of nodes: least squares along v, then along u, and measured. */
 #include <limits.h>
 #include <string.h>
-#include <wirecut/fit.h>
+#include <wirecut/surface_fit.h>
 
 #include "base/alloc.h"
 #include "base/numbers.h"
@@ -80,7 +80,7 @@ static wcut_status measure(const wcut_surface *s, const wcut_surface *loft, int 
 /* fit, measure, and ask each direction for less where both together miss too much */
 static wcut_status fit_until_held(const wcut_surface *loft, int nodes, const double *u, int kept, const double *v,
                                   const wcut_vec3 *point, double tolerance, wcut_surface **surface,
-                                  wcut_fit_report *report) {
+                                  wcut_surface_fit_report *report) {
     double share = SHARE * tolerance;
     for (int round = 0;; round++) {
         wcut_surface *s;
@@ -103,17 +103,17 @@ static wcut_status fit_until_held(const wcut_surface *loft, int nodes, const dou
 }
 
 /* the loft itself, where there are too few nodes to save any, or rounding alone misses more than the tolerance */
-static void report_loft(const wcut_surface *loft, wcut_fit_report *report) {
+static void report_loft(const wcut_surface *loft, wcut_surface_fit_report *report) {
     report->node_error = report->between_error = 0;
     report->control_count = loft->count_u * loft->count_v;
 }
 
 wcut_status wcut_surface_fit(int stations, int nodes, const wcut_vec3 *position, double merge, double tolerance,
-                             wcut_surface **surface, double *parameter, wcut_fit_report *report) {
+                             wcut_surface **surface, double *parameter, wcut_surface_fit_report *report) {
     if (!surface || !is_positive(tolerance)) return WCUT_BAD_ARGUMENT;
     wcut_surface *loft = NULL, *s = NULL;
     wcut_sections sections = {.kept = 0};
-    wcut_fit_report r = {.node_error = 0};
+    wcut_surface_fit_report r = {.node_error = 0};
     double *u = NULL;
     wcut_vec3 *point = NULL;
     wcut_status status = wcut_surface_loft(stations, nodes, position, merge, &loft, NULL, NULL);

@@ -1,14 +1,22 @@
 /* Quick feet: queries are led to their spans by linear models, gathered span by span, and solved side by side there: a
    Newton step on the span's polynomial and another on its second-order model where that ends. What is not found within
    its span is followed one by one, across spans and along the border. */
-#include "surface/quick_foot.h"
+#include "surface/newton_foot.h"
 
 #include "base/numbers.h"
 #include "base/vec3.h"
 #include "base/wide.h"
-#include "surface/quick_spans.h"
+#include "surface/newton_spans.h"
 
-enum { ORDER = WCUT_QUICK_ORDER, MOST = WCUT_QUICK_MOST, WALK = 64, JUMP = 16, ROUNDS = 3, STRIDE = 16, STEPS = 12 };
+enum {
+    ORDER = WCUT_SPAN_ORDER,
+    MOST = WCUT_NEWTON_FOOT_BATCH,
+    WALK = 64,
+    JUMP = 16,
+    ROUNDS = 3,
+    STRIDE = 16,
+    STEPS = 12
+};
 
 /* a foot this far out of its span, in its parameters, is as good as in it: the next span's polynomial agrees */
 static const double HAIR = 1e-9;
@@ -34,9 +42,9 @@ static double own(const double *knot, int k, double x) { return (x - knot[k]) / 
 
 static double back(const double *knot, int k, double s) { return knot[k] + (s + 0.5) * (knot[k + 1] - knot[k]); }
 
-wcut_quick_place wcut_quick_at(const wcut_quick *q, double u, double v) {
+wcut_span_place wcut_span_place_at(const wcut_newton_foot *q, double u, double v) {
     const int column = find(q->u, q->columns, u), row = find(q->v, q->rows, v);
-    return (wcut_quick_place){column, row, own(q->u, column, u), own(q->v, row, v)};
+    return (wcut_span_place){column, row, own(q->u, column, u), own(q->v, row, v)};
 }
 
 /* by how many spans to go */
@@ -54,7 +62,7 @@ static inline void look(const wcut_span_guide *g, const float p[3], float *s, fl
     *t = g->to_t[0] * x + g->to_t[1] * y + g->to_t[2] * z;
 }
 
-wcut_quick_place wcut_quick_walk(const wcut_quick *q, wcut_vec3 query, wcut_quick_place from) {
+wcut_span_place wcut_newton_foot_walk(const wcut_newton_foot *q, wcut_vec3 query, wcut_span_place from) {
     const float p[3] = {(float)(query.x - q->centre.x), (float)(query.y - q->centre.y), (float)(query.z - q->centre.z)};
     int column = from.column, row = from.row, before_column = -1, before_row = -1;
     float s = 0, t = 0;
@@ -70,8 +78,8 @@ wcut_quick_place wcut_quick_walk(const wcut_quick *q, wcut_vec3 query, wcut_quic
         look(&q->guide[row * q->columns + column], p, &s, &t);
     }
     /* what is no number starts from the edge, too */
-    return (wcut_quick_place){column, row, s > -0.5F ? s < 0.5F ? (double)s : 0.5 : -0.5,
-                              t > -0.5F ? t < 0.5F ? (double)t : 0.5 : -0.5};
+    return (wcut_span_place){column, row, s > -0.5F ? s < 0.5F ? (double)s : 0.5 : -0.5,
+                             t > -0.5F ? t < 0.5F ? (double)t : 0.5 : -0.5};
 }
 
 /* ---- many queries in one span ---- */
@@ -172,10 +180,10 @@ WCUT_WIDE static void solve(const wcut_span *restrict of, double tolerance, int 
 enum { SIDE = 32, CELLS = SIDE * SIDE };
 
 /* spans that are neighbours have cells of their own */
-static inline int cell_of(const wcut_quick_place *p) { return p->row % SIDE * SIDE + p->column % SIDE; }
+static inline int cell_of(const wcut_span_place *p) { return p->row % SIDE * SIDE + p->column % SIDE; }
 
 /* the queries' order by cells, stable */
-static void sort_by_span(int count, const wcut_quick_place *place, int *order) {
+static void sort_by_span(int count, const wcut_span_place *place, int *order) {
     int start[CELLS + 1] = {0};
     for (int k = 0; k < count; k++) start[cell_of(&place[k]) + 1]++;
     for (int c = 0; c < CELLS; c++) start[c + 1] += start[c];
@@ -183,12 +191,12 @@ static void sort_by_span(int count, const wcut_quick_place *place, int *order) {
 }
 
 /* hand out what was found, gather at the front what needs another round; how many */
-static int collect(const wcut_quick *q, int first, int last, lanes *l, wcut_foot *foot, unsigned char *done,
-                   wcut_quick_place *start) {
+static int collect(const wcut_newton_foot *q, int first, int last, lanes *l, wcut_foot *foot, unsigned char *done,
+                   wcut_span_place *start) {
     int more = first;
     for (int k = first; k < last; k++) {
         const int to = l->index[k];
-        wcut_quick_place *at = &start[to];
+        wcut_span_place *at = &start[to];
         if (l->end[k] == FOUND) {
             foot[to] = (wcut_foot){.u = back(q->u, at->column, l->s[k]),
                                    .v = back(q->v, at->row, l->t[k]),
@@ -207,14 +215,15 @@ static int collect(const wcut_quick *q, int first, int last, lanes *l, wcut_foot
     return more;
 }
 
-void wcut_quick_feet(const wcut_quick *quick, int count, const wcut_vec3 *query, wcut_quick_place place,
-                     const wcut_sweep_ahead *ahead, wcut_foot *foot, unsigned char *done, wcut_quick_place *start) {
-    const wcut_quick *q = quick;
+void wcut_newton_foot_batch(const wcut_newton_foot *newton, int count, const wcut_vec3 *query, wcut_span_place place,
+                            const wcut_query_prefetch *ahead, wcut_foot *foot, unsigned char *done,
+                            wcut_span_place *start) {
+    const wcut_newton_foot *q = newton;
     lanes l;
     for (int k = 0; k < count;
          k++) { /* from a neighbour, but not each from the last: several are under way at a time */
-        if (ahead) wcut_sweep_fetch(ahead, k);
-        start[k] = wcut_quick_walk(q, query[k], place);
+        if (ahead) wcut_query_prefetch_next(ahead, k);
+        start[k] = wcut_newton_foot_walk(q, query[k], place);
         if (k % STRIDE == 0) place = start[k];
         done[k] = 0;
     }
@@ -225,9 +234,9 @@ void wcut_quick_feet(const wcut_quick *quick, int count, const wcut_vec3 *query,
         l.s[k] = start[from].s, l.t[k] = start[from].t;
     }
     for (int first = 0, last; first < count; first = last) {
-        const wcut_quick_place *of = &start[l.index[first]];
+        const wcut_span_place *of = &start[l.index[first]];
         for (last = first + 1; last < count; last++) {
-            const wcut_quick_place *other = &start[l.index[last]];
+            const wcut_span_place *other = &start[l.index[last]];
             if (other->column != of->column || other->row != of->row) break;
         }
         const wcut_span *span = &q->span[of->row * q->columns + of->column];
@@ -282,20 +291,20 @@ static bool is_held(int k, int spans, double s, double along) {
 }
 
 /* the end of the last step, if that is proven */
-static bool finish(const wcut_quick *q, const wcut_quick_place *at, wcut_vec3 p, const jet *f, double s, double t,
-                   wcut_quick_spot *spot) {
+static bool finish(const wcut_newton_foot *q, const wcut_span_place *at, wcut_vec3 p, const jet *f, double s, double t,
+                   wcut_foot_jet *spot) {
     const jet m = jet_moved(*f, s - at->s, t - at->t);
     const double radius = q->span[at->row * q->columns + at->column].radius;
     if (fabs(s) > 0.5 + HAIR || fabs(t) > 0.5 + HAIR || vec3_distance(p, m.at) >= radius) return false;
     const double wide = q->u[at->column + 1] - q->u[at->column], high = q->v[at->row + 1] - q->v[at->row];
-    *spot = (wcut_quick_spot){clamp(back(q->u, at->column, s), q->u[0], q->u[q->columns]),
-                              clamp(back(q->v, at->row, t), q->v[0], q->v[q->rows]), m.at, vec3_scale(1 / wide, m.s),
-                              vec3_scale(1 / high, m.t)};
+    *spot = (wcut_foot_jet){clamp(back(q->u, at->column, s), q->u[0], q->u[q->columns]),
+                            clamp(back(q->v, at->row, t), q->v[0], q->v[q->rows]), m.at, vec3_scale(1 / wide, m.s),
+                            vec3_scale(1 / high, m.t)};
     return true;
 }
 
-bool wcut_quick_slide(const wcut_quick *quick, wcut_vec3 p, wcut_quick_place place, wcut_quick_spot *spot) {
-    const wcut_quick *q = quick;
+bool wcut_newton_foot_slide(const wcut_newton_foot *newton, wcut_vec3 p, wcut_span_place place, wcut_foot_jet *spot) {
+    const wcut_newton_foot *q = newton;
     for (int step = 0; step < STEPS; step++) {
         const wcut_span *of = &q->span[place.row * q->columns + place.column];
         const jet f = jet_at(of, place.s, place.t);

@@ -1,8 +1,8 @@
-/* A survey's parts: sums of zones, a lattice of cells, sums of relations. */
-#ifndef WCUT_SCAN_SURVEY_H
-#define WCUT_SCAN_SURVEY_H
+/* A summary's parts: sums of zones, a lattice of cells, sums of relations. */
+#ifndef WCUT_SCAN_DEVIATION_SUMMARY_H
+#define WCUT_SCAN_DEVIATION_SUMMARY_H
 
-#include <wirecut/survey.h>
+#include <wirecut/deviation_summary.h>
 
 /* sums over deviations; those about a first one lose no digits to a constant offset */
 typedef struct wcut_moments {
@@ -39,10 +39,10 @@ typedef struct wcut_pair_sums {
 
 enum { WCUT_PARTS = 3, WCUT_RELATIONS = 3 }; /* entry, steady, exit; time, path, bend */
 
-struct wcut_survey {
-    wcut_survey_options options;
+struct wcut_deviation_summary {
+    wcut_deviation_summary_options options;
     const wcut_face *face; /* or NULL */
-    wcut_tally *tally;
+    wcut_histogram *histogram;
     int place[WCUT_PLACE_COUNT];
     int patch_columns, patch_rows, parts; /* parts: WCUT_PARTS or 0 */
     wcut_zone_sums *zone;                 /* parts, then patches */
@@ -50,7 +50,7 @@ struct wcut_survey {
     wcut_pair_sums relation[WCUT_RELATIONS][2]; /* of d, of |d| */
     wcut_zone *found_zone;
     wcut_worst found_worst[WCUT_WORST_MOST];
-    wcut_survey_result result;
+    wcut_deviation_summary_result result;
 };
 
 static inline void wcut_moments_add(wcut_moments *m, double d) {
@@ -63,13 +63,14 @@ static inline void wcut_moments_add(wcut_moments *m, double d) {
 }
 
 /* zones.c: sums into figures; one zone takes in a deviation */
-void wcut_zone_add(wcut_zone_sums *zone, const wcut_survey_options *options, const wcut_deviation *deviation);
+void wcut_zone_add(wcut_zone_sums *zone, const wcut_deviation_summary_options *options,
+                   const wcut_deviation *deviation);
 double wcut_moments_mean(const wcut_moments *m);
 double wcut_moments_variance(const wcut_moments *m); /* of n - 1; 0 below two */
-void wcut_zones_fill(const wcut_survey *survey, wcut_zone *zone);
+void wcut_zones_fill(const wcut_deviation_summary *summary, wcut_zone *zone);
 
 /* worst.c: cells */
-wcut_status wcut_lattice_create(const wcut_survey_options *options, wcut_lattice *lattice);
+wcut_status wcut_lattice_create(const wcut_deviation_summary_options *options, wcut_lattice *lattice);
 void wcut_lattice_add(wcut_lattice *lattice, const wcut_deviation *deviation);
 /* cells large enough to have means: the lattice itself is left as it was. WCUT_NO_MEMORY */
 wcut_status wcut_lattice_coarsen(const wcut_lattice *fine, wcut_lattice *coarse);

@@ -1,14 +1,14 @@
 /* A bicubic surface span by span: Taylor's polynomials about the middles, and bounds by the sizes of their terms. */
-#include "surface/quick_spans.h"
+#include "surface/newton_spans.h"
 
 #include <stddef.h>
 
 #include "base/alloc.h"
 #include "base/vec3.h"
 #include "surface/basis.h"
-#include "surface/quick_foot.h"
+#include "surface/newton_foot.h"
 
-enum { CUBIC = WCUT_CUBIC, ORDER = WCUT_QUICK_ORDER, SPANS_MOST = 200000 };
+enum { CUBIC = WCUT_CUBIC, ORDER = WCUT_SPAN_ORDER, SPANS_MOST = 200000 };
 
 /* [of the size] feet are this exact */
 static const double EXACT = 1e-13;
@@ -145,7 +145,7 @@ static void mean_speeds(const wcut_surface *s, double *along_u, double *along_v)
     *along_v /= s->knots_v[s->count_v] - s->knots_v[CUBIC];
 }
 
-wcut_status wcut_quick_fill(const wcut_surface *surface, wcut_quick *q, wcut_span_bounds *bounds) {
+wcut_status wcut_newton_foot_spans(const wcut_surface *surface, wcut_newton_foot *q, wcut_span_bounds *bounds) {
     const wcut_surface *s = surface;
     powers *u = list_powers(s->count_u, s->knots_u, q->columns, q->u);
     powers *v = list_powers(s->count_v, s->knots_v, q->rows, q->v);
@@ -165,22 +165,22 @@ wcut_status wcut_quick_fill(const wcut_surface *surface, wcut_quick *q, wcut_spa
     return status;
 }
 
-void wcut_quick_destroy(wcut_quick *quick) {
-    if (!quick) return;
-    wcut_free(quick->u);
-    wcut_free(quick->v);
-    wcut_free(quick->span);
-    wcut_free(quick->guide);
-    wcut_free(quick);
+void wcut_newton_foot_destroy(wcut_newton_foot *newton) {
+    if (!newton) return;
+    wcut_free(newton->u);
+    wcut_free(newton->v);
+    wcut_free(newton->span);
+    wcut_free(newton->guide);
+    wcut_free(newton);
 }
 
-wcut_status wcut_quick_create(const wcut_surface *surface, double size, wcut_quick **quick) {
+wcut_status wcut_newton_foot_create(const wcut_surface *surface, double size, wcut_newton_foot **newton) {
     const wcut_surface *s = surface;
     if (s->weights || s->degree_u != CUBIC || s->degree_v != CUBIC) {
-        *quick = NULL;
+        *newton = NULL;
         return WCUT_OK;
     }
-    wcut_quick *q = wcut_alloc(1, sizeof *q);
+    wcut_newton_foot *q = wcut_alloc(1, sizeof *q);
     if (!q) return WCUT_NO_MEMORY;
     q->u = list_knots(s->count_u, s->knots_u, &q->columns);
     q->v = list_knots(s->count_v, s->knots_v, &q->rows);
@@ -193,15 +193,15 @@ wcut_status wcut_quick_create(const wcut_surface *surface, double size, wcut_qui
         wcut_span_bounds *bounds = wcut_alloc(count, sizeof *bounds);
         q->span = wcut_alloc(count, sizeof *q->span);
         q->guide = wcut_alloc(count, sizeof *q->guide);
-        status = bounds && q->span && q->guide ? wcut_quick_fill(s, q, bounds) : WCUT_NO_MEMORY;
-        if (status == WCUT_OK) status = wcut_quick_prove(q, bounds);
+        status = bounds && q->span && q->guide ? wcut_newton_foot_spans(s, q, bounds) : WCUT_NO_MEMORY;
+        if (status == WCUT_OK) status = wcut_newton_foot_prove(q, bounds);
         wcut_free(bounds);
     }
     if (status == WCUT_OK && fits) {
-        *quick = q;
+        *newton = q;
         return WCUT_OK;
     }
-    wcut_quick_destroy(q);
-    if (status == WCUT_OK) *quick = NULL;
+    wcut_newton_foot_destroy(q);
+    if (status == WCUT_OK) *newton = NULL;
     return status;
 }

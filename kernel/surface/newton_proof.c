@@ -11,8 +11,8 @@
 
 #include "base/alloc.h"
 #include "base/vec3.h"
-#include "surface/quick_foot.h"
-#include "surface/quick_spans.h"
+#include "surface/newton_foot.h"
+#include "surface/newton_spans.h"
 
 enum { LEVELS = 20 };
 
@@ -20,7 +20,7 @@ enum { LEVELS = 20 };
 typedef struct pyramid {
     int levels, columns[LEVELS], rows[LEVELS];
     wcut_span_bounds *block[LEVELS]; /* [0]: the spans' own */
-    wcut_quick *quick;
+    wcut_newton_foot *newton;
 } pyramid;
 
 /* blocks c0 .. c1, rows r0 .. r1 of a level, both ends within */
@@ -142,7 +142,7 @@ static double radius_of(const pyramid *p, int level, int column, int row) {
 }
 
 static void settle(const pyramid *p, int level, int column, int row, double radius) {
-    wcut_quick *q = p->quick;
+    wcut_newton_foot *q = p->newton;
     const int side = 1 << level, left = column * side, top = row * side;
     for (int r = top; r < top + side && r < q->rows; r++)
         for (int c = left; c < left + side && c < q->columns; c++) q->span[r * q->columns + c].radius = radius;
@@ -163,7 +163,7 @@ static void refine(const pyramid *p, int level, int column, int row, double radi
         if (c < p->columns[below] && r < p->rows[below]) further |= may_improve(p, below, c, r, radius);
     }
     if (!further) {
-        settle(p, level, column, row, radius - 1e5 * p->quick->tolerance); /* rounding, a last step out of the span */
+        settle(p, level, column, row, radius - 1e5 * p->newton->tolerance); /* rounding, a last step out of the span */
         return;
     }
     for (int i = 0; i < 4; i++) {
@@ -172,8 +172,8 @@ static void refine(const pyramid *p, int level, int column, int row, double radi
     }
 }
 
-wcut_status wcut_quick_prove(wcut_quick *quick, wcut_span_bounds *bounds) {
-    pyramid p = {.levels = 1, .columns = {quick->columns}, .rows = {quick->rows}, .quick = quick};
+wcut_status wcut_newton_foot_prove(wcut_newton_foot *newton, wcut_span_bounds *bounds) {
+    pyramid p = {.levels = 1, .columns = {newton->columns}, .rows = {newton->rows}, .newton = newton};
     p.block[0] = bounds;
     const bool there = build_pyramid(&p);
     if (there) refine(&p, p.levels - 1, 0, 0, -1);

@@ -1,5 +1,5 @@
 /* The fit of the cut face: x is linear in s by construction, y and z are interpolated, knots follow the lines. */
-#include "solid/skin.h"
+#include "solid/cut_face_fit.h"
 
 #include <limits.h>
 #include <stdbool.h>
@@ -205,12 +205,12 @@ static wcut_status judge(const wcut_trim *trim, const wcut_surface *patch, lines
 }
 
 /* how far the wire's surface was prolonged inside the block, how strongly it is curved, how wide the kerf is */
-static wcut_status survey(const wcut_trim *trim, const sampled *g, const double height[2], wcut_skin *skin) {
+static wcut_status measure_extent(const wcut_trim *trim, const sampled *g, const double height[2], wcut_face_fit *fit) {
     const wcut_sheet *sheet = trim->sheet;
     const double rounding = ROUNDING * fmax(trim->sides.x[1], trim->sides.y[1]);
-    skin->entry = skin->exit = skin->wire = 0;
-    skin->radius = skin->width_least = INFINITY;
-    skin->width_most = 0;
+    fit->entry = fit->exit = fit->wire = 0;
+    fit->radius = fit->width_least = INFINITY;
+    fit->width_most = 0;
     for (ptrdiff_t k = 0; k < (ptrdiff_t)g->columns * g->rows; k++) {
         const double u = g->u[k], v = g->v[k];
         double wire, feed, larger;
@@ -218,28 +218,28 @@ static wcut_status survey(const wcut_trim *trim, const sampled *g, const double 
         if (wire < rounding) wire = 0; /* a wire drawn onto the block's side ends there */
         if (feed < rounding) feed = 0;
         if (g->at[k].z > height[0] && g->at[k].z < height[1]) {
-            skin->wire = fmax(skin->wire, wire);
-            if (v < sheet->first[1]) skin->entry = fmax(skin->entry, feed);
-            if (v > sheet->last[1]) skin->exit = fmax(skin->exit, feed);
+            fit->wire = fmax(fit->wire, wire);
+            if (v < sheet->first[1]) fit->entry = fmax(fit->entry, feed);
+            if (v > sheet->last[1]) fit->exit = fmax(fit->exit, feed);
         }
         if (wire == 0 && feed == 0 && wcut_surface_curvature(sheet->surface, u, v, &larger, NULL) == WCUT_OK &&
-            fabs(larger) * skin->radius > 1) {
-            skin->radius = 1 / fabs(larger);
-            skin->radius_place = g->at[k];
+            fabs(larger) * fit->radius > 1) {
+            fit->radius = 1 / fabs(larger);
+            fit->radius_place = g->at[k];
         }
         wcut_vec3 width = {0, 0, 0};
         if (sheet->width) {
             const wcut_status status = wcut_surface_eval(sheet->width, u, v, 0, &width);
             if (status != WCUT_OK) return status;
         }
-        skin->width_least = fmin(skin->width_least, width.z);
-        skin->width_most = fmax(skin->width_most, width.z);
+        fit->width_least = fmin(fit->width_least, width.z);
+        fit->width_most = fmax(fit->width_most, width.z);
     }
     return WCUT_OK;
 }
 
 /* has the cut been continued inside the block by more than is allowed? */
-static wcut_status check_prolonged(const wcut_trim *trim, const wcut_skin *k, double prolong, wcut_error *error) {
+static wcut_status check_prolonged(const wcut_trim *trim, const wcut_face_fit *k, double prolong, wcut_error *error) {
     const wcut_sides *s = &trim->sides;
     const double allowed = prolong + 1e-6 * fmax(s->x[1] - s->x[0], s->y[1] - s->y[0]);
     const char *where = k->entry > allowed ? "begins" : k->exit > allowed ? "ends" : "is";
@@ -258,16 +258,16 @@ static wcut_status check_prolonged(const wcut_trim *trim, const wcut_skin *k, do
 }
 
 /* sample, interpolate, judge and refine until the tolerance is held; the last samples are handed out */
-static wcut_status refine(const wcut_trim *trim, double tolerance, lines *s, lines *t, sampled *g, wcut_skin *skin,
+static wcut_status refine(const wcut_trim *trim, double tolerance, lines *s, lines *t, sampled *g, wcut_face_fit *fit,
                           wcut_error *error) {
     for (int round = 0; round < ROUNDS_MAX; round++) {
         sampled_clear(g);
-        wcut_surface_destroy(skin->patch);
-        skin->patch = NULL;
+        wcut_surface_destroy(fit->patch);
+        fit->patch = NULL;
         wcut_status status = sample(trim, s->count, s->at, t->count, t->at, g, error);
-        if (status == WCUT_OK) status = interpolate(trim, s, t, g, &skin->patch);
-        if (status == WCUT_OK) status = judge(trim, skin->patch, s, t, tolerance, &skin->fit_error, error);
-        if (status != WCUT_OK || skin->fit_error <= SEEN_SHARE * tolerance) return status;
+        if (status == WCUT_OK) status = interpolate(trim, s, t, g, &fit->patch);
+        if (status == WCUT_OK) status = judge(trim, fit->patch, s, t, tolerance, &fit->fit_error, error);
+        if (status != WCUT_OK || fit->fit_error <= SEEN_SHARE * tolerance) return status;
         status = lines_refine(s);
         if (status == WCUT_OK) status = lines_refine(t);
         if (status != WCUT_OK) return status;
@@ -275,22 +275,22 @@ static wcut_status refine(const wcut_trim *trim, double tolerance, lines *s, lin
     }
     return wcut_fail(error, WCUT_NOT_CONVERGED,
                      "no bicubic cut face within %.3g mm: %.3g mm with %d x %d control points", tolerance,
-                     skin->fit_error, s->count, t->count);
+                     fit->fit_error, s->count, t->count);
 }
 
-wcut_status wcut_skin_fit(const wcut_trim *trim, const double height[2], double prolong, double tolerance,
-                          wcut_skin *skin, wcut_error *error) {
+wcut_status wcut_face_fit_solve(const wcut_trim *trim, const double height[2], double prolong, double tolerance,
+                                wcut_face_fit *fit, wcut_error *error) {
     lines s = {.count = 0}, t = {.count = 0};
     sampled g = {.columns = 0};
-    wcut_skin k = {.patch = NULL};
+    wcut_face_fit k = {.patch = NULL};
     wcut_status status = lines_new(LINES_FIRST, &s);
     if (status == WCUT_OK) status = lines_new(LINES_FIRST, &t);
     for (int i = 0; status == WCUT_OK && i < LINES_FIRST; i++) s.at[i] = t.at[i] = i / (LINES_FIRST - 1.0);
     if (status == WCUT_OK) status = refine(trim, tolerance, &s, &t, &g, &k, error);
-    if (status == WCUT_OK) status = survey(trim, &g, height, &k);
+    if (status == WCUT_OK) status = measure_extent(trim, &g, height, &k);
     if (status == WCUT_OK) status = check_prolonged(trim, &k, prolong, error);
     if (status == WCUT_OK) {
-        *skin = k;
+        *fit = k;
     } else {
         wcut_surface_destroy(k.patch);
     }

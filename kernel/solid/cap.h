@@ -1,37 +1,37 @@
 /* What closes a solid below or above: the cut face or a flat face with keys, as triangles with a border by index. */
-#ifndef WCUT_SOLID_LID_H
-#define WCUT_SOLID_LID_H
+#ifndef WCUT_SOLID_CAP_H
+#define WCUT_SOLID_CAP_H
 
 #include <wirecut/mould.h>
 
 #include "solid/trim.h"
 
 /* The borders run along y at x low (0) and x high (1), along x at y low (2) and y high (3); they share the corners. */
-typedef struct wcut_lid {
+typedef struct wcut_cap {
     int vertex_count, triangle_count;
     wcut_vec3 *vertex; /* on the borders exactly in the sides' planes */
-    int *triangle;     /* counter-clockwise seen from above, where the lid does not overhang */
+    int *triangle;     /* counter-clockwise seen from above, where the cap does not overhang */
     int border_count[4];
     int *border[4]; /* border_count vertices each, from low to high */
-} wcut_lid;
+} wcut_cap;
 
 /* The triangles of a cut face; *chord_error: [mm] measured. Statuses of wcut_surface_tessellate: nothing was written. */
-wcut_status wcut_lid_tessellate(const wcut_surface *patch, wcut_sides sides, double chord_tolerance, wcut_lid *lid,
+wcut_status wcut_cap_tessellate(const wcut_surface *patch, wcut_sides sides, double chord_tolerance, wcut_cap *cap,
                                 double *chord_error);
 
 /* A level face between the sides with `count` keys on it, their ends at z + rise; circles within a tolerance.
    WCUT_BAD_ARGUMENT (keys that meet or reach a side), WCUT_NO_MEMORY: nothing was written. */
-wcut_status wcut_lid_flat(wcut_sides sides, double z, int count, const wcut_key *key, double chord_tolerance,
-                          wcut_lid *lid);
+wcut_status wcut_cap_flat(wcut_sides sides, double z, int count, const wcut_key *key, double chord_tolerance,
+                          wcut_cap *cap);
 
-/* free what the two above gave; a zeroed lid is allowed */
-void wcut_lid_clear(wcut_lid *lid);
+/* free what the two above gave; a zeroed cap is allowed */
+void wcut_cap_clear(wcut_cap *cap);
 
-/* does every vertical line meet the lid once? proven by the exact turn of every triangle seen from above */
-int wcut_lid_is_graph(const wcut_lid *lid);
+/* does every vertical line meet the cap once? proven by the exact turn of every triangle seen from above */
+int wcut_cap_is_graph(const wcut_cap *cap);
 
-/* The solid between two lids over the same sides; they do not touch. The ceiling's triangles come first, then the
+/* The solid between two caps over the same sides; they do not touch. The ceiling's triangles come first, then the
    floor's, then those of the sides. WCUT_DEGENERATE (borders that cross), WCUT_NO_MEMORY: nothing was written. */
-wcut_status wcut_lid_enclose(const wcut_lid *floor, const wcut_lid *ceiling, wcut_mesh **mesh);
+wcut_status wcut_cap_enclose(const wcut_cap *floor, const wcut_cap *ceiling, wcut_mesh **mesh);
 
 #endif

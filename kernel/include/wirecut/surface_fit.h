@@ -1,6 +1,6 @@
-/* wirecut/fit.h - a surface with few control points near a grid of nodes. */
-#ifndef WCUT_FIT_H
-#define WCUT_FIT_H
+/* wirecut/surface_fit.h - a surface with few control points near a grid of nodes. */
+#ifndef WCUT_SURFACE_FIT_H
+#define WCUT_SURFACE_FIT_H
 
 #include <wirecut/export.h>
 #include <wirecut/status.h>
@@ -12,13 +12,13 @@ extern "C" {
 #endif
 
 /** What a fit reached. */
-typedef struct wcut_fit_report {
+typedef struct wcut_surface_fit_report {
     double node_error;    /**< [mm] measured: largest distance of a node from the surface at the node's parameters */
     double between_error; /**< [mm] measured: largest distance from the loft through all nodes, between these */
     int control_count;    /**< control points of the surface */
     int node_count;       /**< nodes of the sections used */
     int used, dropped;    /**< sections, as in wcut_loft_report */
-} wcut_fit_report;
+} wcut_surface_fit_report;
 
 /**
  * Bicubic surface by least squares near the wire of every station, with knots only where they are needed: their density
@@ -39,7 +39,7 @@ typedef struct wcut_fit_report {
  */
 WCUT_API wcut_status wcut_surface_fit(int stations, int nodes, const wcut_vec3 *position, double merge,
                                       double tolerance, wcut_surface **surface, double *parameter,
-                                      wcut_fit_report *report);
+                                      wcut_surface_fit_report *report);
 
 #ifdef __cplusplus
 }
