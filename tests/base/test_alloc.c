@@ -1,21 +1,19 @@
 /* Memory: zeroed, counted, refused where the product overflows, and failing where a test asks for it. */
-#include <check.h>
 #include <pthread.h>
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
+#include "test.h"
 
-START_TEST(memory_is_zeroed) {
+TEST(memory_is_zeroed) {
     unsigned char *bytes = wcut_alloc(1000, 8);
     ck_assert_ptr_nonnull(bytes);
     for (int i = 0; i < 8000; i++) ck_assert_uint_eq(bytes[i], 0);
     wcut_free(bytes);
 }
-END_TEST
 
-START_TEST(nothing_asked_for_is_still_a_pointer_to_free) {
+TEST(nothing_asked_for_is_still_a_pointer_to_free) {
     void *none = wcut_alloc(0, 8), *empty = wcut_alloc(8, 0);
     ck_assert_ptr_nonnull(none);
     ck_assert_ptr_nonnull(empty);
@@ -23,24 +21,21 @@ START_TEST(nothing_asked_for_is_still_a_pointer_to_free) {
     wcut_free(empty);
     wcut_free(NULL);
 }
-END_TEST
 
-START_TEST(a_product_that_overflows_is_refused) {
+TEST(a_product_that_overflows_is_refused) {
     ck_assert_ptr_null(wcut_alloc(SIZE_MAX, 2));
     ck_assert_ptr_null(wcut_alloc(2, SIZE_MAX));
     ck_assert_ptr_null(wcut_alloc(SIZE_MAX / 8 + 2, 8)); /* wraps to 8 bytes */
     ck_assert_ptr_null(wcut_copy("", SIZE_MAX / 8 + 2, 8));
 }
-END_TEST
 
-START_TEST(a_negative_count_is_refused) {
+TEST(a_negative_count_is_refused) {
     volatile int count = -1; /* hidden from the compiler, which would warn */
     ck_assert_ptr_null(wcut_alloc((size_t)count, 8));
     ck_assert_ptr_null(wcut_alloc((size_t)count, 1));
 }
-END_TEST
 
-START_TEST(a_copy_equals_its_source_and_is_another) {
+TEST(a_copy_equals_its_source_and_is_another) {
     const double from[3] = {1, -2, 3e300};
     double *to = wcut_copy(from, 3, sizeof *from);
     ck_assert_ptr_nonnull(to);
@@ -49,18 +44,16 @@ START_TEST(a_copy_equals_its_source_and_is_another) {
     ck_assert_double_eq(from[1], -2);
     wcut_free(to);
 }
-END_TEST
 
-START_TEST(a_copied_text_ends_with_its_zero) {
+TEST(a_copied_text_ends_with_its_zero) {
     char *text = wcut_copy_text("foam"), *empty = wcut_copy_text("");
     ck_assert_str_eq(text, "foam");
     ck_assert_str_eq(empty, "");
     wcut_free(text);
     wcut_free(empty);
 }
-END_TEST
 
-START_TEST(the_asked_allocation_fails_and_only_that) {
+TEST(the_asked_allocation_fails_and_only_that) {
     for (int k = 1; k <= 4; k++) {
         wcut_alloc_fail_at(k);
         for (int i = 1; i <= 6; i++) {
@@ -70,32 +63,29 @@ START_TEST(the_asked_allocation_fails_and_only_that) {
         }
     }
 }
-END_TEST
 
-START_TEST(a_copy_counts_as_one_allocation) {
+TEST(a_copy_counts_as_one_allocation) {
     wcut_alloc_fail_at(2);
     char *first = wcut_copy_text("a");
     ck_assert_ptr_nonnull(first);
     ck_assert_ptr_null(wcut_copy_text("b"));
     wcut_free(first);
 }
-END_TEST
 
-START_TEST(zero_ends_the_countdown) {
+TEST(zero_ends_the_countdown) {
     wcut_alloc_fail_at(1);
     wcut_alloc_fail_at(0);
     void *memory = wcut_alloc(1, 1);
     ck_assert_ptr_nonnull(memory);
     wcut_free(memory);
 }
-END_TEST
 
 static void *allocate_once(void *unused) {
     (void)unused;
     return wcut_alloc(1, 1);
 }
 
-START_TEST(another_thread_is_not_touched) {
+TEST(another_thread_is_not_touched) {
     wcut_alloc_fail_at(1);
     pthread_t thread;
     void *theirs = NULL;
@@ -104,27 +94,4 @@ START_TEST(another_thread_is_not_touched) {
     ck_assert_ptr_nonnull(theirs);
     ck_assert_ptr_null(wcut_alloc(1, 1));
     wcut_free(theirs);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("alloc");
-    TCase *memory = tcase_create("memory"), *faults = tcase_create("faults");
-    tcase_add_test(memory, memory_is_zeroed);
-    tcase_add_test(memory, nothing_asked_for_is_still_a_pointer_to_free);
-    tcase_add_test(memory, a_product_that_overflows_is_refused);
-    tcase_add_test(memory, a_negative_count_is_refused);
-    tcase_add_test(memory, a_copy_equals_its_source_and_is_another);
-    tcase_add_test(memory, a_copied_text_ends_with_its_zero);
-    tcase_add_test(faults, the_asked_allocation_fails_and_only_that);
-    tcase_add_test(faults, a_copy_counts_as_one_allocation);
-    tcase_add_test(faults, zero_ends_the_countdown);
-    tcase_add_test(faults, another_thread_is_not_touched);
-    suite_add_tcase(suite, memory);
-    suite_add_tcase(suite, faults);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -1,10 +1,9 @@
 /* Banded LU against systems whose answer is known, and against elimination of the whole matrix. */
-#include <check.h>
-#include <stdlib.h>
 
 #include "base/banded.h"
 #include "base/numbers.h"
 #include "base/random.h"
+#include "test.h"
 
 enum { MOST = 60 };
 
@@ -42,7 +41,7 @@ static double residual_of(int n, const double *solution, const double *right) {
     return worst / scale;
 }
 
-START_TEST(second_differences_of_a_parabola_give_the_parabola_back) {
+TEST(second_differences_of_a_parabola_give_the_parabola_back) {
     enum { N = 50 };
     wcut_banded m = given_a_band(N, 1, 1);
     for (int i = 0; i < N; i++) {
@@ -55,9 +54,8 @@ START_TEST(second_differences_of_a_parabola_give_the_parabola_back) {
     wcut_banded_solve(&m, b);
     for (int i = 0; i < N; i++) ck_assert_double_eq_tol(b[i], (i + 1.0) * (i - N), 1e-10);
 }
-END_TEST
 
-START_TEST(random_bands_of_every_width_are_solved_to_rounding) {
+TEST(random_bands_of_every_width_are_solved_to_rounding) {
     wcut_random random = wcut_random_seed(7);
     for (int kl = 0; kl <= 6; kl++)
         for (int ku = 0; ku <= 6; ku++)
@@ -71,9 +69,8 @@ START_TEST(random_bands_of_every_width_are_solved_to_rounding) {
                 ck_assert_double_lt(residual_of(n, x, b), 1e-14);
             }
 }
-END_TEST
 
-START_TEST(a_permutation_is_solved_exactly_though_its_diagonal_is_zero) {
+TEST(a_permutation_is_solved_exactly_though_its_diagonal_is_zero) {
     enum { N = 12 };
     wcut_banded m = given_a_band(N, 1, 1);
     for (int i = 0; i < N; i += 2) *banded_at(&m, i, i + 1) = *banded_at(&m, i + 1, i) = 1;
@@ -82,9 +79,8 @@ START_TEST(a_permutation_is_solved_exactly_though_its_diagonal_is_zero) {
     wcut_banded_solve(&m, b);
     for (int i = 0; i < N; i++) ck_assert_double_eq(b[i], i % 2 == 0 ? i + 1 : i - 1);
 }
-END_TEST
 
-START_TEST(a_tiny_diagonal_does_not_spoil_the_answer) {
+TEST(a_tiny_diagonal_does_not_spoil_the_answer) {
     wcut_random random = wcut_random_seed(11);
     wcut_banded m = given_a_random_band(&random, MOST / 2, 3, 2);
     for (int i = 0; i < MOST / 2; i++) *banded_at(&m, i, i) = dense[i][i] = 1e-18;
@@ -94,9 +90,8 @@ START_TEST(a_tiny_diagonal_does_not_spoil_the_answer) {
     /* without interchanges the factors grow to 1e18 and no digit is left */
     ck_assert_double_lt(residual_of(MOST / 2, x, b), 1e-11);
 }
-END_TEST
 
-START_TEST(one_factorisation_serves_any_number_of_right_hand_sides) {
+TEST(one_factorisation_serves_any_number_of_right_hand_sides) {
     wcut_random random = wcut_random_seed(3);
     wcut_banded m = given_a_random_band(&random, 20, 2, 4);
     ck_assert(wcut_banded_factor(&m));
@@ -106,9 +101,8 @@ START_TEST(one_factorisation_serves_any_number_of_right_hand_sides) {
         for (int i = 0; i < 20; i++) ck_assert_double_eq_tol(b[i], i == column, 1e-10);
     }
 }
-END_TEST
 
-START_TEST(a_singular_matrix_is_called_singular) {
+TEST(a_singular_matrix_is_called_singular) {
     wcut_banded m = given_a_band(3, 1, 1); /* the middle row is zero */
     *banded_at(&m, 0, 0) = *banded_at(&m, 2, 2) = 1;
     ck_assert(!wcut_banded_factor(&m));
@@ -121,9 +115,8 @@ START_TEST(a_singular_matrix_is_called_singular) {
     }
     ck_assert(!wcut_banded_factor(&m));
 }
-END_TEST
 
-START_TEST(a_matrix_that_is_not_finite_is_called_singular) {
+TEST(a_matrix_that_is_not_finite_is_called_singular) {
     const double bad[] = {NAN, (double)INFINITY};
     for (int k = 0; k < 2; k++) {
         wcut_banded m = given_a_band(3, 1, 1);
@@ -131,23 +124,4 @@ START_TEST(a_matrix_that_is_not_finite_is_called_singular) {
         *banded_at(&m, 1, 1) = bad[k];
         ck_assert(!wcut_banded_factor(&m));
     }
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("banded");
-    TCase *tcase = tcase_create("LU with partial pivoting");
-    tcase_add_test(tcase, second_differences_of_a_parabola_give_the_parabola_back);
-    tcase_add_test(tcase, random_bands_of_every_width_are_solved_to_rounding);
-    tcase_add_test(tcase, a_permutation_is_solved_exactly_though_its_diagonal_is_zero);
-    tcase_add_test(tcase, a_tiny_diagonal_does_not_spoil_the_answer);
-    tcase_add_test(tcase, one_factorisation_serves_any_number_of_right_hand_sides);
-    tcase_add_test(tcase, a_singular_matrix_is_called_singular);
-    tcase_add_test(tcase, a_matrix_that_is_not_finite_is_called_singular);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -1,16 +1,15 @@
 /* Linear and nonlinear least squares: exact answers, invariance, certified values, and refusals. */
-#include <check.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
 #include "base/least_squares.h"
 #include "base/random.h"
+#include "test.h"
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof(array)[0]))
 
-START_TEST(a_polynomial_comes_back_exactly_and_so_does_its_inverse) {
+TEST(a_polynomial_comes_back_exactly_and_so_does_its_inverse) {
     enum { M = 7, N = 3 };
     const double truth[N] = {2, -3e4, 5e-5};
     double a[M * N], b[M], x[N], inverse[N * N], normal[N * N] = {0};
@@ -32,9 +31,8 @@ START_TEST(a_polynomial_comes_back_exactly_and_so_does_its_inverse) {
         }
     }
 }
-END_TEST
 
-START_TEST(dependent_columns_are_singular_whatever_their_units) {
+TEST(dependent_columns_are_singular_whatever_their_units) {
     double a[] = {1, 2e-9, 2, 4e-9, 3, 6e-9}, b[] = {1, 2, 4}, x[] = {999, 999}, inverse[] = {999, 999, 999, 999};
     ck_assert_int_eq(wcut_qr_solve(3, 2, a, b, x, inverse), WCUT_SINGULAR);
     double zero[] = {1, 0, 2, 0, 3, 0};
@@ -42,7 +40,6 @@ START_TEST(dependent_columns_are_singular_whatever_their_units) {
     ck_assert(x[0] == 999 && x[1] == 999 && inverse[0] == 999 && inverse[3] == 999);
     ck_assert_int_eq(wcut_qr_solve(1, 2, a, b, x, NULL), WCUT_BAD_ARGUMENT);
 }
-END_TEST
 
 /* NIST StRD Misra1a (Misra 1978): y = b1 (1 - exp(-b2 x)), certified to 11 digits */
 static const double misra_x[] = {77.6,  114.9, 141.1, 190.8, 239.9, 289.0, 332.8,
@@ -60,7 +57,7 @@ static bool misra(void *data, const double *x, double *r, double *jacobian) {
     return x[1] > 0;
 }
 
-START_TEST(misra1a_is_found_to_its_certified_digits_from_both_starts) {
+TEST(misra1a_is_found_to_its_certified_digits_from_both_starts) {
     const double start[2][2] = {{500, 1e-4}, {250, 5e-4}};
     for (int k = 0; k < 2; k++) {
         double x[2], covariance[4];
@@ -77,7 +74,6 @@ START_TEST(misra1a_is_found_to_its_certified_digits_from_both_starts) {
         ck_assert_int_lt(report.iterations, 60);
     }
 }
-END_TEST
 
 /* a straight line through (i, y_i) */
 static bool line(void *data, const double *x, double *r, double *jacobian) {
@@ -95,7 +91,7 @@ static wcut_lsq_problem noisy_line(double y[12], const double *weight) {
     return (wcut_lsq_problem){12, 2, line, y, weight};
 }
 
-START_TEST(a_weight_of_zero_is_the_same_as_leaving_the_sample_out) {
+TEST(a_weight_of_zero_is_the_same_as_leaving_the_sample_out) {
     double y[12], weight[12], x[2] = {0, 0}, z[2] = {0, 0}, covariance[4], other[4];
     for (int i = 0; i < 12; i++) weight[i] = i != 5;
     wcut_lsq_problem p = noisy_line(y, weight);
@@ -107,9 +103,8 @@ START_TEST(a_weight_of_zero_is_the_same_as_leaving_the_sample_out) {
     for (int k = 0; k < 2; k++) ck_assert_double_eq_tol(x[k], z[k], 1e-10);
     for (int k = 0; k < 4; k++) ck_assert_double_eq_tol(covariance[k] / other[k], 1, 1e-9);
 }
-END_TEST
 
-START_TEST(a_weight_of_two_counts_a_sample_twice) {
+TEST(a_weight_of_two_counts_a_sample_twice) {
     double y[12], weight[12], x[2] = {0, 0}, z[2] = {0, 0};
     for (int i = 0; i < 12; i++) weight[i] = 1;
     weight[3] = 2;
@@ -120,9 +115,8 @@ START_TEST(a_weight_of_two_counts_a_sample_twice) {
     ck_assert_int_eq(wcut_qr_solve(13, 2, a, b, z, NULL), WCUT_OK);
     for (int k = 0; k < 2; k++) ck_assert_double_eq_tol(x[k], z[k], 1e-10);
 }
-END_TEST
 
-START_TEST(an_outlier_pulls_least_squares_huber_less_and_tukey_not_at_all) {
+TEST(an_outlier_pulls_least_squares_huber_less_and_tukey_not_at_all) {
     double off[3], y[12], clean[2] = {0, 0};
     wcut_lsq_problem p = noisy_line(y, NULL);
     ck_assert_int_eq(wcut_lsq_solve(&p, NULL, clean, NULL, NULL, NULL), WCUT_OK);
@@ -141,9 +135,8 @@ START_TEST(an_outlier_pulls_least_squares_huber_less_and_tukey_not_at_all) {
     ck_assert_double_lt(off[1], off[0] / 5);
     ck_assert_double_lt(off[2], 0.03);
 }
-END_TEST
 
-START_TEST(robust_fits_are_stationary_points_of_their_loss) {
+TEST(robust_fits_are_stationary_points_of_their_loss) {
     for (int loss = WCUT_LOSS_HUBER; loss <= WCUT_LOSS_TUKEY; loss++) {
         double y[12], x[2] = {0, 0}, left[12], r[12];
         wcut_lsq_report report;
@@ -166,9 +159,8 @@ START_TEST(robust_fits_are_stationary_points_of_their_loss) {
         ck_assert_double_eq_tol(moment, 0, 1e-7);
     }
 }
-END_TEST
 
-START_TEST(a_scale_that_is_given_is_kept) {
+TEST(a_scale_that_is_given_is_kept) {
     double y[12], x[2] = {0, 0}, left[12];
     wcut_lsq_report report;
     wcut_lsq_options o = wcut_lsq_options_default();
@@ -184,9 +176,8 @@ START_TEST(a_scale_that_is_given_is_kept) {
     o.scale = -1;
     ck_assert_int_eq(wcut_lsq_solve(&p, &o, x, NULL, left, &report), WCUT_BAD_ARGUMENT);
 }
-END_TEST
 
-START_TEST(data_on_the_curve_give_zero_errors_and_no_endless_loop) {
+TEST(data_on_the_curve_give_zero_errors_and_no_endless_loop) {
     for (int loss = 0; loss < 3; loss++) {
         double y[COUNT(misra_x)], x[2] = {250, 5e-4}, covariance[4];
         const double truth[2] = {240, 5.5e-4};
@@ -200,9 +191,8 @@ START_TEST(data_on_the_curve_give_zero_errors_and_no_endless_loop) {
         ck_assert_double_lt(sqrt(covariance[0]), 1e-8);
     }
 }
-END_TEST
 
-START_TEST(what_cannot_be_solved_is_refused_and_nothing_is_written) {
+TEST(what_cannot_be_solved_is_refused_and_nothing_is_written) {
     double y[12], x[2] = {999, 999}, covariance[4] = {999}, left[12] = {999}, weight[12] = {0};
     wcut_lsq_report report = {.degrees = 999};
     wcut_lsq_problem p = noisy_line(y, weight), bad = p;
@@ -221,9 +211,8 @@ START_TEST(what_cannot_be_solved_is_refused_and_nothing_is_written) {
     ck_assert_int_eq(wcut_lsq_solve(&p, NULL, x, covariance, left, &report), WCUT_BAD_ARGUMENT);
     ck_assert(x[0] == 999 && covariance[0] == 999 && left[0] == 999 && report.degrees == 999);
 }
-END_TEST
 
-START_TEST(too_few_iterations_hand_out_the_last_iterate) {
+TEST(too_few_iterations_hand_out_the_last_iterate) {
     double x[2] = {500, 1e-4};
     wcut_lsq_report report = {.iterations = 999};
     wcut_lsq_options o = wcut_lsq_options_default();
@@ -233,44 +222,9 @@ START_TEST(too_few_iterations_hand_out_the_last_iterate) {
     ck_assert_int_eq(report.iterations, 3);
     ck_assert(x[0] != 500);
 }
-END_TEST
 
-START_TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
-    for (long k = 1;; k++) {
-        double x[2] = {500, 1e-4}, covariance[4] = {999};
-        wcut_lsq_problem p = {COUNT(misra_x), 2, misra, (void *)misra_y, NULL};
-        wcut_alloc_fail_at(k);
-        wcut_status status = wcut_lsq_solve(&p, NULL, x, covariance, NULL, NULL);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) {
-            ck_assert_int_gt(k, 4);
-            break;
-        }
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert(x[0] == 500 && covariance[0] == 999);
-    }
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("least squares");
-    TCase *tcase = tcase_create("fits");
-    tcase_add_test(tcase, a_polynomial_comes_back_exactly_and_so_does_its_inverse);
-    tcase_add_test(tcase, dependent_columns_are_singular_whatever_their_units);
-    tcase_add_test(tcase, misra1a_is_found_to_its_certified_digits_from_both_starts);
-    tcase_add_test(tcase, a_weight_of_zero_is_the_same_as_leaving_the_sample_out);
-    tcase_add_test(tcase, a_weight_of_two_counts_a_sample_twice);
-    tcase_add_test(tcase, an_outlier_pulls_least_squares_huber_less_and_tukey_not_at_all);
-    tcase_add_test(tcase, robust_fits_are_stationary_points_of_their_loss);
-    tcase_add_test(tcase, a_scale_that_is_given_is_kept);
-    tcase_add_test(tcase, data_on_the_curve_give_zero_errors_and_no_endless_loop);
-    tcase_add_test(tcase, what_cannot_be_solved_is_refused_and_nothing_is_written);
-    tcase_add_test(tcase, too_few_iterations_hand_out_the_last_iterate);
-    tcase_add_test(tcase, every_failing_allocation_is_reported_and_nothing_is_written);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
+    double x[2] = {500, 1e-4}, covariance[4] = {999};
+    wcut_lsq_problem p = {COUNT(misra_x), 2, misra, (void *)misra_y, NULL};
+    EACH_FAILED_ALLOCATION(wcut_lsq_solve(&p, NULL, x, covariance, NULL, NULL), x[0] == 500 && covariance[0] == 999);
 }

@@ -1,21 +1,20 @@
 /* The generator against its published sequence and the moments of its distributions. */
-#include <check.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "base/distribution.h"
 #include "base/random.h"
+#include "test.h"
 
-START_TEST(the_bits_are_those_of_the_published_algorithm) {
+TEST(the_bits_are_those_of_the_published_algorithm) {
     /* xoshiro256** from the state 1, 2, 3, 4: worked by hand from the paper's recurrence */
     wcut_random random = {.state = {1, 2, 3, 4}};
     const uint64_t expected[] = {11520u, 0u, 1509978240u, 1215971899390074240u};
     for (int i = 0; i < 4; i++) ck_assert_uint_eq(wcut_random_bits(&random), expected[i]);
 }
-END_TEST
 
-START_TEST(the_same_seed_gives_the_same_numbers_and_another_seed_others) {
+TEST(the_same_seed_gives_the_same_numbers_and_another_seed_others) {
     wcut_random a = wcut_random_seed(7), b = wcut_random_seed(7), c = wcut_random_seed(8);
     int alike = 0;
     for (int i = 0; i < 100; i++) {
@@ -25,9 +24,8 @@ START_TEST(the_same_seed_gives_the_same_numbers_and_another_seed_others) {
     }
     ck_assert_int_eq(alike, 0);
 }
-END_TEST
 
-START_TEST(normal_deviates_fill_the_normal_quantiles_evenly) {
+TEST(normal_deviates_fill_the_normal_quantiles_evenly) {
     enum { CELLS = 50, N = 200000 };
     wcut_random random = wcut_random_seed(0);
     int count[CELLS] = {0};
@@ -37,9 +35,8 @@ START_TEST(normal_deviates_fill_the_normal_quantiles_evenly) {
     double p = wcut_chi_square_tail(chi_square, CELLS - 1);
     ck_assert_msg(p > 0.001 && p < 0.999, "chi-square %g, p %g", chi_square, p);
 }
-END_TEST
 
-START_TEST(uniform_numbers_stay_in_the_half_open_interval_and_fill_it) {
+TEST(uniform_numbers_stay_in_the_half_open_interval_and_fill_it) {
     wcut_random random = wcut_random_seed(3);
     double sum = 0, least = 1, most = 0;
     for (int i = 0; i < 100000; i++) {
@@ -51,29 +48,11 @@ START_TEST(uniform_numbers_stay_in_the_half_open_interval_and_fill_it) {
     ck_assert(least >= 0 && least < 1e-3 && most < 1 && most > 0.999);
     ck_assert_double_eq_tol(sum / 100000, 0.5, 0.004);
 }
-END_TEST
 
-START_TEST(below_n_every_number_is_as_likely) {
+TEST(below_n_every_number_is_as_likely) {
     wcut_random random = wcut_random_seed(5);
     int count[3] = {0};
     for (int i = 0; i < 30000; i++) count[wcut_random_below(&random, 3)]++;
     for (int k = 0; k < 3; k++) ck_assert(abs(count[k] - 10000) < 400);
     ck_assert_int_eq(wcut_random_below(&random, 1), 0);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("random");
-    TCase *tcase = tcase_create("sequence");
-    tcase_add_test(tcase, the_bits_are_those_of_the_published_algorithm);
-    tcase_add_test(tcase, the_same_seed_gives_the_same_numbers_and_another_seed_others);
-    tcase_add_test(tcase, normal_deviates_fill_the_normal_quantiles_evenly);
-    tcase_add_test(tcase, uniform_numbers_stay_in_the_half_open_interval_and_fill_it);
-    tcase_add_test(tcase, below_n_every_number_is_as_likely);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -1,5 +1,4 @@
 /* The controller alone: its law against the closed form, limits, anti-windup, watchdog, and what a step never does. */
-#include <check.h>
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
@@ -7,6 +6,7 @@
 
 #include "base/alloc.h"
 #include "base/random.h"
+#include "test.h"
 
 /* labels: unit property */
 
@@ -65,7 +65,7 @@ static double go(int steps, double station, double tension) {
     return speed;
 }
 
-START_TEST(a_machine_begins_at_rest_and_reaches_the_plan_within_its_acceleration) {
+TEST(a_machine_begins_at_rest_and_reaches_the_plan_within_its_acceleration) {
     settings.feedback = false;
     make();
     ck_assert(step(0, 50, 2, 2) == 0);
@@ -77,9 +77,8 @@ START_TEST(a_machine_begins_at_rest_and_reaches_the_plan_within_its_acceleration
     }
     ck_assert_double_eq_tol(before, 20, 1e-12);
 }
-END_TEST
 
-START_TEST(the_correction_is_the_proportional_and_the_integral_of_the_log_error) {
+TEST(the_correction_is_the_proportional_and_the_integral_of_the_log_error) {
     settings.caution = settings.filter = 0;
     settings.acceleration = 1e9;
     make();
@@ -92,9 +91,8 @@ START_TEST(the_correction_is_the_proportional_and_the_integral_of_the_log_error)
         ck_assert_double_eq_tol(settings.exponent_speed / speed, settings.exponent_speed / 20 + u, 1e-9);
     }
 }
-END_TEST
 
-START_TEST(against_a_foam_whose_law_is_wrong_the_loop_ends_at_the_speed_of_the_closed_form) {
+TEST(against_a_foam_whose_law_is_wrong_the_loop_ends_at_the_speed_of_the_closed_form) {
     /* T = k (a'/a) exp(-s'/v + s/20): v* = s' / (s/20 + ln(a'/a)) */
     const double wrong[][2] = {{1.25, 1}, {0.75, 1}, {1, 1.25}, {1, 0.75}, {1.25, 0.75}, {0.75, 1.25}};
     for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
@@ -113,9 +111,8 @@ START_TEST(against_a_foam_whose_law_is_wrong_the_loop_ends_at_the_speed_of_the_c
         control = NULL;
     }
 }
-END_TEST
 
-START_TEST(an_approach_slows_down_before_contact_and_speeds_up_only_behind_the_block) {
+TEST(an_approach_slows_down_before_contact_and_speeds_up_only_behind_the_block) {
     settings.feedback = false;
     make();
     double station = 0, time = 0, speed = 0, before = 0;
@@ -130,17 +127,15 @@ START_TEST(an_approach_slows_down_before_contact_and_speeds_up_only_behind_the_b
     }
     ck_assert_double_gt(speed, 50);
 }
-END_TEST
 
-START_TEST(without_a_load_there_is_no_reason_to_go_faster_than_the_plan) {
+TEST(without_a_load_there_is_no_reason_to_go_faster_than_the_plan) {
     settings.caution = 0;
     make();
     ck_assert_double_eq_tol(go(500, 50, 0), 20, 1e-9);
     ck_assert(look().correction == 0);
 }
-END_TEST
 
-START_TEST(the_integral_does_not_wind_up_at_a_speed_limit) {
+TEST(the_integral_does_not_wind_up_at_a_speed_limit) {
     settings.caution = 0;
     settings.speed_max = 22;
     make();
@@ -150,9 +145,8 @@ START_TEST(the_integral_does_not_wind_up_at_a_speed_limit) {
     for (int i = 0; i < 25; i++, time += 0.02) step(time, 50, 2.4 + 1e-6 * (i % 5), 2.4);
     ck_assert_double_lt(look().speed, 20.5); /* half a second later it is below the plan, not at the limit */
 }
-END_TEST
 
-START_TEST(readings_that_cannot_be_are_dropped_and_end_in_a_stop_when_they_last) {
+TEST(readings_that_cannot_be_are_dropped_and_end_in_a_stop_when_they_last) {
     const double bad[] = {NAN, INFINITY, -INFINITY, -1, 1e3};
     for (size_t k = 0; k < sizeof bad / sizeof *bad; k++)
         for (int mount = 0; mount < 2; mount++) {
@@ -172,9 +166,8 @@ START_TEST(readings_that_cannot_be_are_dropped_and_end_in_a_stop_when_they_last)
             control = NULL;
         }
 }
-END_TEST
 
-START_TEST(a_sensor_that_repeats_itself_under_load_stops_the_machine_one_without_load_does_not) {
+TEST(a_sensor_that_repeats_itself_under_load_stops_the_machine_one_without_load_does_not) {
     make();
     for (int i = 0; i < 40; i++) step(0.02 * i, 50, 1.9, 2.1);
     ck_assert_int_eq(look().state, WCUT_CONTROL_STATE_STOP_STALE);
@@ -184,9 +177,8 @@ START_TEST(a_sensor_that_repeats_itself_under_load_stops_the_machine_one_without
     for (int i = 0; i < 400; i++) step(0.02 * i, 10, 0, 0);
     ck_assert_int_eq(look().state, WCUT_CONTROL_STATE_RUN);
 }
-END_TEST
 
-START_TEST(a_clock_that_stands_still_runs_back_or_jumps_stops_the_machine) {
+TEST(a_clock_that_stands_still_runs_back_or_jumps_stops_the_machine) {
     const double next[] = {1.98, 1.0, NAN, INFINITY};
     for (size_t k = 0; k < sizeof next / sizeof *next; k++) {
         make();
@@ -205,9 +197,8 @@ START_TEST(a_clock_that_stands_still_runs_back_or_jumps_stops_the_machine) {
     ck_assert_int_eq(look().state, WCUT_CONTROL_STATE_STOP_STALE);
     ck_assert_double_le(before - after, settings.acceleration * 0.02 + 1e-9);
 }
-END_TEST
 
-START_TEST(over_tension_of_one_mount_twice_in_a_row_stops_for_good_a_single_spike_does_not) {
+TEST(over_tension_of_one_mount_twice_in_a_row_stops_for_good_a_single_spike_does_not) {
     make();
     go(100, 50, 2);
     step(2.00, 50, 6, 2);
@@ -225,9 +216,8 @@ START_TEST(over_tension_of_one_mount_twice_in_a_row_stops_for_good_a_single_spik
     ck_assert(before == 0);
     ck_assert_int_eq(look().state, WCUT_CONTROL_STATE_STOP_TENSION);
 }
-END_TEST
 
-START_TEST(whatever_is_read_the_speed_is_finite_within_its_limits_and_its_acceleration) {
+TEST(whatever_is_read_the_speed_is_finite_within_its_limits_and_its_acceleration) {
     wcut_random random = wcut_random_seed(5);
     const double odd[] = {NAN, INFINITY, -INFINITY, 1e300, -1e300, 0, -0.0, 5e-324, 4.9, 5.1};
     for (int round = 0; round < 200; round++) {
@@ -250,9 +240,8 @@ START_TEST(whatever_is_read_the_speed_is_finite_within_its_limits_and_its_accele
         control = NULL;
     }
 }
-END_TEST
 
-START_TEST(settings_out_of_range_are_refused_by_name) {
+TEST(settings_out_of_range_are_refused_by_name) {
     const struct {
         size_t at;
         const char *name;
@@ -280,9 +269,8 @@ START_TEST(settings_out_of_range_are_refused_by_name) {
         ck_assert_msg(strstr(error.text, wrong[k].name) != NULL, "%s: %s", wrong[k].name, error.text);
     }
 }
-END_TEST
 
-START_TEST(a_plan_that_is_none_is_refused_and_nothing_is_written) {
+TEST(a_plan_that_is_none_is_refused_and_nothing_is_written) {
     ck_assert_int_eq(wcut_control_create(NULL, &plan, &control, &error), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_control_create(&settings, NULL, &control, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_control_create(&settings, &plan, NULL, &error), WCUT_BAD_ARGUMENT);
@@ -300,15 +288,9 @@ START_TEST(a_plan_that_is_none_is_refused_and_nothing_is_written) {
     ck_assert(speed == 999);
     wcut_control_destroy(NULL);
 }
-END_TEST
 
-START_TEST(no_memory_is_said_and_nothing_is_written) {
-    for (long k = 1; k <= 3; k++) {
-        wcut_alloc_fail_at(k);
-        ck_assert_int_eq(wcut_control_create(&settings, &plan, &control, &error), WCUT_NO_MEMORY);
-        ck_assert_ptr_null(control);
-    }
-    wcut_alloc_fail_at(0);
+TEST(no_memory_is_said_and_nothing_is_written) {
+    FIRST_FAILED_ALLOCATIONS(3, wcut_control_create(&settings, &plan, &control, &error), !control);
     make();
     step(0, 50, 2, 2);
     wcut_alloc_fail_at(1); /* a step asks for none: the counter is not used up */
@@ -316,38 +298,11 @@ START_TEST(no_memory_is_said_and_nothing_is_written) {
     ck_assert_ptr_null(wcut_alloc(1, 1));
     wcut_alloc_fail_at(0);
 }
-END_TEST
 
-START_TEST(every_state_has_its_words) {
+TEST(every_state_has_its_words) {
     ck_assert_str_eq(wcut_control_state_name(WCUT_CONTROL_STATE_RUN), "run");
     ck_assert_str_eq(wcut_control_state_name(WCUT_CONTROL_STATE_STOP_STALE), "stop: stale readings");
     ck_assert_str_eq(wcut_control_state_name((wcut_control_state)99), "unknown");
 }
-END_TEST
 
-int main(void) {
-    Suite *suite = suite_create("control");
-    TCase *tests = tcase_create("control");
-    tcase_add_checked_fixture(tests, prepare, forget);
-    tcase_add_test(tests, a_machine_begins_at_rest_and_reaches_the_plan_within_its_acceleration);
-    tcase_add_test(tests, the_correction_is_the_proportional_and_the_integral_of_the_log_error);
-    tcase_add_test(tests, against_a_foam_whose_law_is_wrong_the_loop_ends_at_the_speed_of_the_closed_form);
-    tcase_add_test(tests, an_approach_slows_down_before_contact_and_speeds_up_only_behind_the_block);
-    tcase_add_test(tests, without_a_load_there_is_no_reason_to_go_faster_than_the_plan);
-    tcase_add_test(tests, the_integral_does_not_wind_up_at_a_speed_limit);
-    tcase_add_test(tests, readings_that_cannot_be_are_dropped_and_end_in_a_stop_when_they_last);
-    tcase_add_test(tests, a_sensor_that_repeats_itself_under_load_stops_the_machine_one_without_load_does_not);
-    tcase_add_test(tests, a_clock_that_stands_still_runs_back_or_jumps_stops_the_machine);
-    tcase_add_test(tests, over_tension_of_one_mount_twice_in_a_row_stops_for_good_a_single_spike_does_not);
-    tcase_add_test(tests, whatever_is_read_the_speed_is_finite_within_its_limits_and_its_acceleration);
-    tcase_add_test(tests, settings_out_of_range_are_refused_by_name);
-    tcase_add_test(tests, a_plan_that_is_none_is_refused_and_nothing_is_written);
-    tcase_add_test(tests, no_memory_is_said_and_nothing_is_written);
-    tcase_add_test(tests, every_state_has_its_words);
-    suite_add_tcase(suite, tests);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
-}
+FIXTURE(prepare, forget);

@@ -1,12 +1,12 @@
 /* The closed loop: a force law that is wrong, a density step, delay and noise, with feedback and without. */
 /* labels: property */
-#include <check.h>
 #include <math.h>
 #include <string.h>
 #include <wirecut/job.h>
 #include <wirecut/rig.h>
 
 #include "base/alloc.h"
+#include "test.h"
 
 static wcut_job *job;
 static wcut_history *plan;
@@ -47,7 +47,7 @@ static void cut(bool feedback) {
     ck_assert_msg(status == WCUT_OK, "%s", error.text);
 }
 
-START_TEST(with_a_true_job_the_loop_follows_the_plan) {
+TEST(with_a_true_job_the_loop_follows_the_plan) {
     cut(true);
     ck_assert(run->complete && run->has_steady);
     ck_assert_double_lt(fabs(run->steady.mean), 0.005);
@@ -55,12 +55,11 @@ START_TEST(with_a_true_job_the_loop_follows_the_plan) {
     const int n = run->recording.samples;
     ck_assert_double_eq_tol(run->recording.channel[WCUT_CHANNEL_STATION].value[n - 1], job->stations - 1, 1);
 }
-END_TEST
 
 /* factors of a and b, and by how much the tension is off in the steady phase with the plan alone: F'/F - 1 */
 static const double wrong[][2] = {{1.25, 1}, {0.75, 1}, {1, 1.25}, {1, 0.75}};
 
-START_TEST(with_feedback_the_steady_tension_is_within_5_percent_for_laws_wrong_by_25_percent) {
+TEST_EACH(with_feedback_the_steady_tension_is_within_5_percent_for_laws_wrong_by_25_percent, 4) {
     options.law_a = wrong[_i][0];
     options.law_b = wrong[_i][1];
     cut(true);
@@ -70,9 +69,8 @@ START_TEST(with_feedback_the_steady_tension_is_within_5_percent_for_laws_wrong_b
     ck_assert_double_lt(run->steady.rms, 0.05);
     ck_assert_double_lt(run->steady.settled, 5);
 }
-END_TEST
 
-START_TEST(with_the_plan_alone_the_tension_is_off_as_the_law_is) {
+TEST_EACH(with_the_plan_alone_the_tension_is_off_as_the_law_is, 4) {
     settings.tension_stop = 40; /* so that it may show */
     settings.tension_absurd = 400;
     options.law_a = wrong[_i][0];
@@ -85,18 +83,16 @@ START_TEST(with_the_plan_alone_the_tension_is_off_as_the_law_is) {
     ck_assert_double_eq_tol(run->steady.mean, off, 0.02 * (1 + off));
     ck_assert_double_gt(fabs(run->steady.mean), 0.2);
 }
-END_TEST
 
-START_TEST(without_feedback_a_law_that_hides_the_force_ends_in_a_safe_stop) {
+TEST(without_feedback_a_law_that_hides_the_force_ends_in_a_safe_stop) {
     options.law_b = 0.75;
     cut(false);
     ck_assert_int_eq(run->ended, WCUT_CONTROL_STATE_STOP_TENSION);
     ck_assert(!run->complete);
     ck_assert_int_eq(run->state[run->recording.samples - 1], WCUT_CONTROL_STATE_STOP_TENSION);
 }
-END_TEST
 
-START_TEST(behind_a_density_step_the_tension_comes_back) {
+TEST_EACH(behind_a_density_step_the_tension_comes_back, 2) {
     const double factor[] = {1.5, 0.6};
     options.density = factor[_i];
     cut(true);
@@ -108,9 +104,8 @@ START_TEST(behind_a_density_step_the_tension_comes_back) {
     ck_assert_double_gt(run->density.settled, 10);
     ck_assert_double_gt(fabs(run->density.mean), 0.3);
 }
-END_TEST
 
-START_TEST(the_wire_itself_is_stable_where_the_map_says_and_swings_where_it_does_not) {
+TEST(the_wire_itself_is_stable_where_the_map_says_and_swings_where_it_does_not) {
     options.delay = 0.3; /* kernel/stability.svg: stable up to 2.5 times the default gains */
     options.density = 1.1;
     settings.gain *= 1.5;
@@ -124,9 +119,8 @@ START_TEST(the_wire_itself_is_stable_where_the_map_says_and_swings_where_it_does
     cut(true);
     ck_assert(!run->complete || run->steady.rms > 0.2);
 }
-END_TEST
 
-START_TEST(the_recording_is_one_of_its_seed_to_the_bit) {
+TEST(the_recording_is_one_of_its_seed_to_the_bit) {
     cut(true);
     wcut_rig_run *first = run;
     run = NULL;
@@ -145,9 +139,8 @@ START_TEST(the_recording_is_one_of_its_seed_to_the_bit) {
                      0);
     wcut_rig_run_destroy(first);
 }
-END_TEST
 
-START_TEST(sensor_noise_is_as_large_as_asked_and_samples_come_at_20_hz) {
+TEST(sensor_noise_is_as_large_as_asked_and_samples_come_at_20_hz) {
     options.noise_tension = 0.05;
     options.delay = 0;
     cut(true);
@@ -167,9 +160,8 @@ START_TEST(sensor_noise_is_as_large_as_asked_and_samples_come_at_20_hz) {
     ck_assert_double_lt(fabs(sum / count), 4 * expected / sqrt(count));
     ck_assert_double_eq_tol(sqrt(squares / count), expected, 4 * expected / sqrt(2.0 * count));
 }
-END_TEST
 
-START_TEST(the_excitation_is_run_once_the_wire_is_in_and_can_be_left_out) {
+TEST(the_excitation_is_run_once_the_wire_is_in_and_can_be_left_out) {
     wcut_dither dither = {.amplitude = 0.2, .period = 4};
     wcut_heat_step heat = {.from = 20, .to = 30, .factor = 0.9};
     job->dither = &dither;
@@ -201,22 +193,20 @@ START_TEST(the_excitation_is_run_once_the_wire_is_in_and_can_be_left_out) {
     job->heat_step = NULL;
     job->dither_count = job->heat_step_count = 0;
 }
-END_TEST
 
 static int stop_at(int station, int stations, void *context) {
     ck_assert_int_le(station, stations);
     return station > *(int *)context;
 }
 
-START_TEST(an_interrupted_run_holds_what_was_cut) {
+TEST(an_interrupted_run_holds_what_was_cut) {
     int at = 50;
     ck_assert_int_eq(wcut_rig_run_create(job, plan, &settings, &options, stop_at, &at, &run, &error), WCUT_INTERRUPTED);
     ck_assert_ptr_nonnull(run);
     ck_assert(!run->complete && run->recording.samples > 10);
 }
-END_TEST
 
-START_TEST(what_is_out_of_range_is_refused_and_nothing_is_written) {
+TEST(what_is_out_of_range_is_refused_and_nothing_is_written) {
     wcut_rig_options bad[6];
     for (int k = 0; k < 6; k++) bad[k] = options;
     bad[0].law_a = 0;
@@ -243,9 +233,8 @@ START_TEST(what_is_out_of_range_is_refused_and_nothing_is_written) {
     ck_assert_ptr_null(run);
     wcut_rig_run_destroy(NULL);
 }
-END_TEST
 
-START_TEST(no_memory_is_said_and_nothing_is_written) {
+TEST(no_memory_is_said_and_nothing_is_written) {
     int at = 2; /* long enough for the first samples */
     for (long k = 1; k <= 90; k++) {
         wcut_alloc_fail_at(k);
@@ -258,30 +247,6 @@ START_TEST(no_memory_is_said_and_nothing_is_written) {
         run = NULL;
     }
 }
-END_TEST
 
-int main(void) {
-    Suite *suite = suite_create("rig");
-    TCase *tests = tcase_create("rig");
-    tcase_set_timeout(tests, 240);
-    tcase_add_unchecked_fixture(tests, begin, end);
-    tcase_add_checked_fixture(tests, prepare, forget);
-    tcase_add_test(tests, with_a_true_job_the_loop_follows_the_plan);
-    tcase_add_loop_test(tests, with_feedback_the_steady_tension_is_within_5_percent_for_laws_wrong_by_25_percent, 0, 4);
-    tcase_add_loop_test(tests, with_the_plan_alone_the_tension_is_off_as_the_law_is, 0, 4);
-    tcase_add_test(tests, without_feedback_a_law_that_hides_the_force_ends_in_a_safe_stop);
-    tcase_add_loop_test(tests, behind_a_density_step_the_tension_comes_back, 0, 2);
-    tcase_add_test(tests, the_wire_itself_is_stable_where_the_map_says_and_swings_where_it_does_not);
-    tcase_add_test(tests, the_recording_is_one_of_its_seed_to_the_bit);
-    tcase_add_test(tests, sensor_noise_is_as_large_as_asked_and_samples_come_at_20_hz);
-    tcase_add_test(tests, the_excitation_is_run_once_the_wire_is_in_and_can_be_left_out);
-    tcase_add_test(tests, an_interrupted_run_holds_what_was_cut);
-    tcase_add_test(tests, what_is_out_of_range_is_refused_and_nothing_is_written);
-    tcase_add_test(tests, no_memory_is_said_and_nothing_is_written);
-    suite_add_tcase(suite, tests);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
-}
+FIXTURE_ONCE(begin, end);
+FIXTURE(prepare, forget);

@@ -2,9 +2,7 @@
 #ifndef WCUT_TESTS_CUT_CUTS_H
 #define WCUT_TESTS_CUT_CUTS_H
 
-#include <check.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <wirecut/cut.h>
 #include <wirecut/history.h>
@@ -13,6 +11,7 @@
 #include "base/alloc.h"
 #include "base/numbers.h"
 #include "base/vec3.h"
+#include "test.h"
 
 #define SAMPLE_JOBS WCUT_SOURCE_DIR "/samples/jobs/"
 
@@ -114,15 +113,6 @@ static inline double shape_difference(int n, const wcut_vec3 *a, const wcut_vec3
     double worst = 0;
     for (int i = 0; i < n; i++) worst = fmax(worst, vec3_distance(a[i], b[i]));
     return worst;
-}
-
-/* run a suite of one program as the others do */
-static inline int run_suite(Suite *suite) {
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }
 
 #endif

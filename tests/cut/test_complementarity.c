@@ -1,6 +1,7 @@
 /* v <= v_max, T <= k, one of them with equality, at every station; and what a wire does that nothing touches.
    labels: property */
 #include "cut/cuts.h"
+#include "test.h"
 
 static double faster_speed(const wcut_history_row *r) { return fmax(r->speed_a, r->speed_b); }
 
@@ -45,7 +46,7 @@ static tally tally_of(wcut_job *job) {
     return count;
 }
 
-START_TEST(the_sample_jobs_hold_the_tension_in_the_foam_and_the_speed_limit_outside) {
+TEST(the_sample_jobs_hold_the_tension_in_the_foam_and_the_speed_limit_outside) {
     const char *const name[] = {"steady-300-50.json", "steady-400-60.json", "steady-500-85.json"};
     for (int k = 0; k < 3; k++) {
         const tally count = tally_of(sample_job(name[k]));
@@ -53,31 +54,27 @@ START_TEST(the_sample_jobs_hold_the_tension_in_the_foam_and_the_speed_limit_outs
         ck_assert_int_gt(count.free + count.max, 2);
     }
 }
-END_TEST
 
-START_TEST(a_job_with_a_low_speed_limit_stays_at_it_with_less_tension) {
+TEST(a_job_with_a_low_speed_limit_stays_at_it_with_less_tension) {
     wcut_job *job = sample_job("steady-400-60.json");
     job->speed_max = 15;
     const tally count = tally_of(job);
     ck_assert_int_gt(count.max, 200);
 }
-END_TEST
 
-START_TEST(a_job_with_a_high_least_speed_stays_at_it_with_more_tension) {
+TEST(a_job_with_a_high_least_speed_stays_at_it_with_more_tension) {
     wcut_job *job = straight_job(400, 60, 620, 61, 100, 200, 500);
     job->speed_min = 30;
     const tally count = tally_of(job);
     ck_assert_int_eq(count.min, 99);
 }
-END_TEST
 
-START_TEST(swinging_in_space_the_conditions_hold_too) {
+TEST(swinging_in_space_the_conditions_hold_too) {
     const tally count = tally_of(swinging_job(61, 200));
     ck_assert_int_gt(count.tension, 190);
 }
-END_TEST
 
-START_TEST(without_contact_the_wire_keeps_its_shape_and_feeds_at_its_limit) {
+TEST(without_contact_the_wire_keeps_its_shape_and_feeds_at_its_limit) {
     wcut_job *job = straight_job(400, 60, 540, 61, 40, -150, -5);
     job->speed_max = 80;
     wcut_history *h = run_of(job);
@@ -94,9 +91,8 @@ START_TEST(without_contact_the_wire_keeps_its_shape_and_feeds_at_its_limit) {
     wcut_history_destroy(h);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(at_station_0_the_wire_hangs_trailing_or_straight_where_it_is_as_long_as_the_chord) {
+TEST(at_station_0_the_wire_hangs_trailing_or_straight_where_it_is_as_long_as_the_chord) {
     for (int k = 0; k < 2; k++) {
         wcut_job *job = straight_job(400, 60, k == 0 ? 540 : 520, 61, 3, -150, 1);
         wcut_setup *setup = setup_of(job, NULL);
@@ -114,18 +110,4 @@ START_TEST(at_station_0_the_wire_hangs_trailing_or_straight_where_it_is_as_long_
         wcut_setup_destroy(setup);
         wcut_job_destroy(job);
     }
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("complementarity");
-    TCase *tcase = tcase_create("speed and tension");
-    tcase_add_test(tcase, the_sample_jobs_hold_the_tension_in_the_foam_and_the_speed_limit_outside);
-    tcase_add_test(tcase, a_job_with_a_low_speed_limit_stays_at_it_with_less_tension);
-    tcase_add_test(tcase, a_job_with_a_high_least_speed_stays_at_it_with_more_tension);
-    tcase_add_test(tcase, swinging_in_space_the_conditions_hold_too);
-    tcase_add_test(tcase, without_contact_the_wire_keeps_its_shape_and_feeds_at_its_limit);
-    tcase_add_test(tcase, at_station_0_the_wire_hangs_trailing_or_straight_where_it_is_as_long_as_the_chord);
-    suite_add_tcase(suite, tcase);
-    return run_suite(suite);
 }

@@ -1,6 +1,7 @@
 /* First contact of wires that come loose, tilted, one side before the other; mounts that stand still.
    labels: property */
 #include "cut/cuts.h"
+#include "test.h"
 
 /* A wire with `slack` to spare at contact, its ends at different heights and speeds. */
 static wcut_job *tilted_job(int nodes, int stations, bool late) {
@@ -16,7 +17,7 @@ static wcut_job *tilted_job(int nodes, int stations, bool late) {
 /* what is seen once the wire is taut must not hang on how it got there */
 static double angle_late(const wcut_history *h) { return h->row[h->stations * 3 / 4].alpha_a; }
 
-START_TEST(a_tilted_wire_gets_through_its_first_contact_at_any_resolution) {
+TEST(a_tilted_wire_gets_through_its_first_contact_at_any_resolution) {
     const int stations[] = {60, 240, 480}, nodes[] = {31, 61};
     for (int late = 0; late < 2; late++) {
         double angle[6];
@@ -32,9 +33,8 @@ START_TEST(a_tilted_wire_gets_through_its_first_contact_at_any_resolution) {
         for (int k = 0; k < 4; k++) ck_assert_double_eq_tol(angle[k], angle[k + 2], 0.02);
     }
 }
-END_TEST
 
-START_TEST(a_weight_leaves_no_trace_once_the_foam_pulls) {
+TEST(a_weight_leaves_no_trace_once_the_foam_pulls) {
     wcut_job *job = sample_job("steady-400-60.json");
     wcut_cut_options options = wcut_cut_options_default();
     wcut_history *history[2];
@@ -50,9 +50,8 @@ START_TEST(a_weight_leaves_no_trace_once_the_foam_pulls) {
     for (int k = 0; k < 2; k++) wcut_history_destroy(history[k]);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(mounts_that_stand_still_cut_nothing_and_pull_nothing) {
+TEST(mounts_that_stand_still_cut_nothing_and_pull_nothing) {
     wcut_job *job = swinging_job(61, 150);
     wcut_setup *setup = setup_of(job, NULL);
     wcut_cut *cut = NULL;
@@ -76,19 +75,4 @@ START_TEST(mounts_that_stand_still_cut_nothing_and_pull_nothing) {
     wcut_cut_destroy(cut);
     wcut_setup_destroy(setup);
     wcut_job_destroy(job);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("contact");
-    TCase *tcase = tcase_create("first contact");
-    tcase_add_test(tcase, a_tilted_wire_gets_through_its_first_contact_at_any_resolution);
-    tcase_add_test(tcase, a_weight_leaves_no_trace_once_the_foam_pulls);
-    tcase_add_test(tcase, mounts_that_stand_still_cut_nothing_and_pull_nothing);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

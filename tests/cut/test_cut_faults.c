@@ -1,84 +1,49 @@
 /* Whichever allocation fails, the call says so, writes nothing and leaks nothing (the sanitizer looks). */
 #include "base/alloc.h"
 #include "cut/cuts.h"
+#include "test.h"
 
 static char somewhere;
 static void *const untouched = &somewhere; /* an address that no call gives */
 
-START_TEST(a_setup_survives_every_failing_allocation) {
+TEST(a_setup_survives_every_failing_allocation) {
     wcut_job *const job[] = {swinging_job(31, 20), sample_job("freeform-3.json")};
     for (int k = 0; k < 2; k++) {
         job[k]->foam_material = job[k]->foam_material ? job[k]->foam_material : wcut_copy_text("EPS");
-        int failed = 0;
-        for (long at = 1;; at++) {
-            wcut_setup *setup = untouched;
-            wcut_error error = {0};
-            wcut_alloc_fail_at(at);
-            const wcut_status status = wcut_setup_create(job[k], NULL, &setup, &error);
-            wcut_alloc_fail_at(0);
-            if (status == WCUT_OK) {
-                wcut_setup_destroy(setup);
-                break;
-            }
-            ck_assert_int_eq(status, WCUT_NO_MEMORY);
-            ck_assert(error.status == WCUT_NO_MEMORY && error.text[0] && setup == untouched);
-            failed++;
-        }
-        ck_assert_int_gt(failed, 7);
+        wcut_setup *setup = untouched;
+        wcut_error error = {0};
+        EACH_FAILED_ALLOCATION(wcut_setup_create(job[k], NULL, &setup, &error),
+                               error.status == WCUT_NO_MEMORY && error.text[0] && setup == untouched);
+        wcut_setup_destroy(setup);
         wcut_job_destroy(job[k]);
     }
 }
-END_TEST
 
-START_TEST(a_cut_survives_every_failing_allocation) {
+TEST(a_cut_survives_every_failing_allocation) {
     wcut_job *job = swinging_job(31, 20);
     wcut_setup *setup = setup_of(job, NULL);
-    int failed = 0;
-    for (long at = 1;; at++) {
-        wcut_cut *cut = untouched;
-        wcut_error error = {0};
-        wcut_alloc_fail_at(at);
-        const wcut_status status = wcut_cut_create(setup, &cut, &error);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) {
-            wcut_cut_destroy(cut);
-            break;
-        }
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert(error.status == WCUT_NO_MEMORY && error.text[0] && cut == untouched);
-        failed++;
-    }
-    ck_assert_int_gt(failed, 30);
+    wcut_cut *cut = untouched;
+    wcut_error error = {0};
+    EACH_FAILED_ALLOCATION(wcut_cut_create(setup, &cut, &error),
+                           error.status == WCUT_NO_MEMORY && error.text[0] && cut == untouched);
+    wcut_cut_destroy(cut);
     wcut_setup_destroy(setup);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(a_history_survives_every_failing_allocation) {
+TEST(a_history_survives_every_failing_allocation) {
     wcut_job *job = swinging_job(31, 20);
     wcut_setup *setup = setup_of(job, NULL);
-    int failed = 0;
-    for (long at = 1;; at++) {
-        wcut_history *history = untouched;
-        wcut_error error = {0};
-        wcut_alloc_fail_at(at);
-        const wcut_status status = wcut_setup_run(setup, NULL, NULL, &history, &error);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) {
-            wcut_history_destroy(history);
-            break;
-        }
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert(error.status == WCUT_NO_MEMORY && error.text[0] && history == untouched);
-        failed++;
-    }
-    ck_assert_int_gt(failed, 37);
+    wcut_history *history = untouched;
+    wcut_error error = {0};
+    EACH_FAILED_ALLOCATION(wcut_setup_run(setup, NULL, NULL, &history, &error),
+                           error.status == WCUT_NO_MEMORY && error.text[0] && history == untouched);
+    wcut_history_destroy(history);
     wcut_setup_destroy(setup);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(path_curves_survive_a_failing_allocation) {
+TEST(path_curves_survive_a_failing_allocation) {
     wcut_job *job = sample_job("freeform-1.json");
     job->stations = 10;
     wcut_setup *setup = setup_of(job, NULL);
@@ -94,16 +59,4 @@ START_TEST(path_curves_survive_a_failing_allocation) {
     wcut_history_destroy(h);
     wcut_setup_destroy(setup);
     wcut_job_destroy(job);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("faults");
-    TCase *tcase = tcase_create("no memory");
-    tcase_add_test(tcase, a_setup_survives_every_failing_allocation);
-    tcase_add_test(tcase, a_cut_survives_every_failing_allocation);
-    tcase_add_test(tcase, a_history_survives_every_failing_allocation);
-    tcase_add_test(tcase, path_curves_survive_a_failing_allocation);
-    suite_add_tcase(suite, tcase);
-    return run_suite(suite);
 }

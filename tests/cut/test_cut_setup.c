@@ -1,6 +1,7 @@
 /* Bad jobs: each is refused with its place and expectation, and nothing is written; a step without a solution ends the
    run with the station before still in view. */
 #include "cut/cuts.h"
+#include "test.h"
 
 /* what is expected of a job that `spoil` has spoilt */
 typedef struct bad {
@@ -94,19 +95,17 @@ static void expect_refusal(const bad *b, wcut_job *job) {
     wcut_job_destroy(job);
 }
 
-START_TEST(a_bad_path_job_is_refused_with_place_and_expectation) {
+TEST(a_bad_path_job_is_refused_with_place_and_expectation) {
     for (size_t k = 0; k < sizeof path_jobs / sizeof *path_jobs; k++)
         expect_refusal(&path_jobs[k], straight_job(400, 60, 620, 61, 20, 150, 400));
 }
-END_TEST
 
-START_TEST(a_bad_design_is_refused_with_place_and_expectation) {
+TEST(a_bad_design_is_refused_with_place_and_expectation) {
     for (size_t k = 0; k < sizeof design_jobs / sizeof *design_jobs; k++)
         expect_refusal(&design_jobs[k], sample_job("freeform-1.json"));
 }
-END_TEST
 
-START_TEST(bad_options_are_refused) {
+TEST(bad_options_are_refused) {
     wcut_job *job = straight_job(400, 60, 620, 61, 20, 150, 400);
     for (int k = 0; k < 6; k++) {
         wcut_cut_options o = wcut_cut_options_default();
@@ -123,9 +122,8 @@ START_TEST(bad_options_are_refused) {
     }
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(null_arguments_are_refused) {
+TEST(null_arguments_are_refused) {
     wcut_job *job = straight_job(400, 60, 620, 61, 20, 150, 400);
     wcut_setup *setup = NULL;
     wcut_cut *cut = NULL;
@@ -145,9 +143,8 @@ START_TEST(null_arguments_are_refused) {
     wcut_history_destroy(NULL);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(the_setup_owns_a_copy_of_the_job) {
+TEST(the_setup_owns_a_copy_of_the_job) {
     wcut_job *job = sample_job("freeform-3.json");
     wcut_setup *setup = setup_of(job, NULL);
     const wcut_job *copy = wcut_setup_job(setup);
@@ -158,9 +155,8 @@ START_TEST(the_setup_owns_a_copy_of_the_job) {
     ck_assert_double_eq(wcut_setup_job(setup)->clearance, 80);
     wcut_setup_destroy(setup);
 }
-END_TEST
 
-START_TEST(after_its_last_station_the_path_is_over) {
+TEST(after_its_last_station_the_path_is_over) {
     wcut_job *job = straight_job(400, 60, 620, 61, 4, 150, 165);
     wcut_setup *setup = setup_of(job, NULL);
     wcut_cut *cut = NULL;
@@ -176,9 +172,8 @@ START_TEST(after_its_last_station_the_path_is_over) {
     wcut_setup_destroy(setup);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(a_step_without_a_solution_ends_the_run_with_the_station_before_in_view) {
+TEST(a_step_without_a_solution_ends_the_run_with_the_station_before_in_view) {
     wcut_job *job = swinging_job(61, 40);
     wcut_cut_options options = wcut_cut_options_default();
     options.max_iterations = 2; /* enough where little changes, too few at the beginning of a swing */
@@ -214,7 +209,6 @@ START_TEST(a_step_without_a_solution_ends_the_run_with_the_station_before_in_vie
     wcut_setup_destroy(setup);
     wcut_job_destroy(job);
 }
-END_TEST
 
 static int stop_at_five(int station, int stations, void *context) {
     ck_assert_int_eq(stations, 20);
@@ -222,7 +216,7 @@ static int stop_at_five(int station, int stations, void *context) {
     return station == 5;
 }
 
-START_TEST(stopped_on_request_the_history_holds_every_station_reached) {
+TEST(stopped_on_request_the_history_holds_every_station_reached) {
     wcut_job *job = straight_job(400, 60, 620, 61, 20, 150, 400);
     wcut_setup *setup = setup_of(job, NULL);
     wcut_history *h = NULL;
@@ -234,32 +228,12 @@ START_TEST(stopped_on_request_the_history_holds_every_station_reached) {
     wcut_setup_destroy(setup);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(names_of_phases_and_conditions_are_those_of_the_files) {
+TEST(names_of_phases_and_conditions_are_those_of_the_files) {
     const char *const phase[] = {"approach", "entry", "steady", "exit", "left"};
     const char *const condition[] = {"tension", "speed_max", "speed_min", "time"};
     for (int k = 0; k < 5; k++) ck_assert_str_eq(wcut_phase_name((wcut_phase)k), phase[k]);
     for (int k = 0; k < 4; k++) ck_assert_str_eq(wcut_condition_name((wcut_condition)k), condition[k]);
     ck_assert_str_eq(wcut_phase_name((wcut_phase)17), "unknown");
     ck_assert_str_eq(wcut_condition_name((wcut_condition)17), "unknown");
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("setup");
-    TCase *tcase = tcase_create("what is refused");
-    tcase_add_test(tcase, a_bad_path_job_is_refused_with_place_and_expectation);
-    tcase_add_test(tcase, a_bad_design_is_refused_with_place_and_expectation);
-    tcase_add_test(tcase, bad_options_are_refused);
-    tcase_add_test(tcase, null_arguments_are_refused);
-    tcase_add_test(tcase, the_setup_owns_a_copy_of_the_job);
-    suite_add_tcase(suite, tcase);
-    TCase *ends = tcase_create("how a run ends");
-    tcase_add_test(ends, after_its_last_station_the_path_is_over);
-    tcase_add_test(ends, a_step_without_a_solution_ends_the_run_with_the_station_before_in_view);
-    tcase_add_test(ends, stopped_on_request_the_history_holds_every_station_reached);
-    tcase_add_test(ends, names_of_phases_and_conditions_are_those_of_the_files);
-    suite_add_tcase(suite, ends);
-    return run_suite(suite);
 }

@@ -2,6 +2,7 @@
    path mode leave the designed surface in the block. labels: unit property oracle */
 #include "cut/cuts.h"
 #include "foam/block.h"
+#include "test.h"
 
 static const char *const design_jobs[] = {"freeform-1.json", "freeform-2.json", "freeform-3.json", "freeform-4.json"};
 
@@ -25,7 +26,7 @@ static wcut_job *path_of(const wcut_job *design, const wcut_history *h) {
     return path;
 }
 
-START_TEST(every_wire_runs_from_edge_to_edge_on_equal_edges_of_its_own_length) {
+TEST(every_wire_runs_from_edge_to_edge_on_equal_edges_of_its_own_length) {
     for (int k = 0; k < 4; k++) {
         wcut_job *job = sample_job(design_jobs[k]);
         wcut_history *h = run_of(job);
@@ -53,9 +54,8 @@ START_TEST(every_wire_runs_from_edge_to_edge_on_equal_edges_of_its_own_length) {
         wcut_job_destroy(job);
     }
 }
-END_TEST
 
-START_TEST(the_tension_condition_holds_while_the_wires_length_changes) {
+TEST(the_tension_condition_holds_while_the_wires_length_changes) {
     for (int k = 0; k < 4; k++) {
         wcut_job *job = sample_job(design_jobs[k]);
         wcut_history *h = run_of(job);
@@ -67,9 +67,8 @@ START_TEST(the_tension_condition_holds_while_the_wires_length_changes) {
         wcut_job_destroy(job);
     }
 }
-END_TEST
 
-START_TEST(path_curves_give_every_wire_one_length_along_its_end_tangents_clear_of_the_block) {
+TEST(path_curves_give_every_wire_one_length_along_its_end_tangents_clear_of_the_block) {
     for (int k = 0; k < 4; k++) {
         wcut_job *job = sample_job(design_jobs[k]);
         wcut_history *h = run_of(job);
@@ -94,7 +93,6 @@ START_TEST(path_curves_give_every_wire_one_length_along_its_end_tangents_clear_o
         wcut_job_destroy(path);
     }
 }
-END_TEST
 
 static double distance_to_wire(wcut_vec3 p, int n, const wcut_vec3 *x) {
     double least = 1e9;
@@ -108,7 +106,7 @@ static double distance_to_wire(wcut_vec3 p, int n, const wcut_vec3 *x) {
 
 /* The two begin differently: a design has foam about its first wire, which a path still has before it. What is left of
    that decays as the wire goes by about half the block's width; from there on the surfaces are one. */
-START_TEST(the_path_curves_cut_in_path_mode_leave_the_designed_surface) {
+TEST(the_path_curves_cut_in_path_mode_leave_the_designed_surface) {
     for (int k = 0; k < 4; k++) {
         wcut_job *job = sample_job(design_jobs[k]);
         wcut_history *h = run_of(job);
@@ -135,9 +133,8 @@ START_TEST(the_path_curves_cut_in_path_mode_leave_the_designed_surface) {
         wcut_job_destroy(path);
     }
 }
-END_TEST
 
-START_TEST(in_path_mode_the_path_curves_are_the_mounts) {
+TEST(in_path_mode_the_path_curves_are_the_mounts) {
     wcut_job *job = swinging_job(31, 20);
     wcut_history *h = run_of(job);
     wcut_setup *setup = setup_of(job, NULL);
@@ -153,9 +150,8 @@ START_TEST(in_path_mode_the_path_curves_are_the_mounts) {
     wcut_history_destroy(h);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(a_tangent_into_the_block_gives_no_path_and_nothing_is_written) {
+TEST(a_tangent_into_the_block_gives_no_path_and_nothing_is_written) {
     wcut_job *job = sample_job("freeform-1.json");
     job->stations = 10;
     wcut_setup *setup = setup_of(job, NULL);
@@ -172,18 +168,4 @@ START_TEST(a_tangent_into_the_block_gives_no_path_and_nothing_is_written) {
     wcut_history_destroy(h);
     wcut_setup_destroy(setup);
     wcut_job_destroy(job);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("design");
-    TCase *tcase = tcase_create("design mode");
-    tcase_add_test(tcase, every_wire_runs_from_edge_to_edge_on_equal_edges_of_its_own_length);
-    tcase_add_test(tcase, the_tension_condition_holds_while_the_wires_length_changes);
-    tcase_add_test(tcase, path_curves_give_every_wire_one_length_along_its_end_tangents_clear_of_the_block);
-    tcase_add_test(tcase, the_path_curves_cut_in_path_mode_leave_the_designed_surface);
-    tcase_add_test(tcase, in_path_mode_the_path_curves_are_the_mounts);
-    tcase_add_test(tcase, a_tangent_into_the_block_gives_no_path_and_nothing_is_written);
-    suite_add_tcase(suite, tcase);
-    return run_suite(suite);
 }

@@ -4,6 +4,7 @@
 
 #include "base/alloc.h"
 #include "cut/cuts.h"
+#include "test.h"
 
 /* FNV-1a over everything that a history says, padding left out */
 static uint64_t add_bytes(uint64_t hash, const void *bytes, size_t count) {
@@ -35,7 +36,7 @@ static uint64_t hash_of_run(const wcut_setup *setup) {
     return hash;
 }
 
-START_TEST(two_runs_of_one_setup_and_a_run_of_another_give_the_same_bytes) {
+TEST(two_runs_of_one_setup_and_a_run_of_another_give_the_same_bytes) {
     wcut_job *const job[] = {swinging_job(61, 100), sample_job("steady-300-60.json"), sample_job("freeform-3.json")};
     for (int k = 0; k < 3; k++) {
         wcut_setup *setup = setup_of(job[k], NULL), *again = setup_of(job[k], NULL);
@@ -51,9 +52,8 @@ START_TEST(two_runs_of_one_setup_and_a_run_of_another_give_the_same_bytes) {
         wcut_job_destroy(job[k]);
     }
 }
-END_TEST
 
-START_TEST(many_threads_on_one_setup_give_the_same_bytes_whatever_their_number) {
+TEST(many_threads_on_one_setup_give_the_same_bytes_whatever_their_number) {
     wcut_job *job = swinging_job(61, 100);
     wcut_setup *setup = setup_of(job, NULL);
     const uint64_t alone = hash_of_run(setup);
@@ -66,7 +66,6 @@ START_TEST(many_threads_on_one_setup_give_the_same_bytes_whatever_their_number) 
     wcut_setup_destroy(setup);
     wcut_job_destroy(job);
 }
-END_TEST
 
 #ifndef __SANITIZE_ADDRESS__ /* the sanitizer has its own malloc, and is not to be stepped between */
 #define COUNTS_MALLOC
@@ -86,7 +85,7 @@ void *realloc(void *memory, size_t size) { return allocations++, __libc_realloc(
 static volatile long allocations;
 #endif
 
-START_TEST(stepping_and_driving_allocate_nothing) {
+TEST(stepping_and_driving_allocate_nothing) {
     wcut_job *const job[] = {sample_job("steady-400-60.json"), sample_job("freeform-2.json"), swinging_job(61, 60)};
     wcut_cut_options options = wcut_cut_options_default();
     for (int k = 0; k < 5; k++) {
@@ -114,15 +113,4 @@ START_TEST(stepping_and_driving_allocate_nothing) {
         wcut_setup_destroy(setup);
     }
     for (int k = 0; k < 3; k++) wcut_job_destroy(job[k]);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("determinism");
-    TCase *tcase = tcase_create("same bytes");
-    tcase_add_test(tcase, two_runs_of_one_setup_and_a_run_of_another_give_the_same_bytes);
-    tcase_add_test(tcase, many_threads_on_one_setup_give_the_same_bytes_whatever_their_number);
-    tcase_add_test(tcase, stepping_and_driving_allocate_nothing);
-    suite_add_tcase(suite, tcase);
-    return run_suite(suite);
 }

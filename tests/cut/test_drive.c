@@ -1,5 +1,6 @@
 /* Time-driven steps: the same equations with the time given and the tensions as the answer. labels: unit property */
 #include "cut/cuts.h"
+#include "test.h"
 
 static wcut_cut *begin(const wcut_setup *setup) {
     wcut_cut *cut = NULL;
@@ -7,7 +8,7 @@ static wcut_cut *begin(const wcut_setup *setup) {
     return cut;
 }
 
-START_TEST(a_run_replayed_in_its_own_time_has_its_own_shapes_and_tension) {
+TEST(a_run_replayed_in_its_own_time_has_its_own_shapes_and_tension) {
     wcut_job *const job[] = {swinging_job(61, 150), sample_job("steady-400-60.json")};
     for (int k = 0; k < 2; k++) {
         wcut_history *h = run_of(job[k]);
@@ -39,9 +40,8 @@ START_TEST(a_run_replayed_in_its_own_time_has_its_own_shapes_and_tension) {
         wcut_job_destroy(job[k]);
     }
 }
-END_TEST
 
-START_TEST(faster_than_planned_the_wire_is_pulled_harder_and_hotter_it_is_pulled_less) {
+TEST(faster_than_planned_the_wire_is_pulled_harder_and_hotter_it_is_pulled_less) {
     wcut_job *job = straight_job(400, 60, 620, 61, 200, 200, 800);
     wcut_history *h = run_of(job);
     wcut_setup *setup = setup_of(job, NULL);
@@ -66,9 +66,8 @@ START_TEST(faster_than_planned_the_wire_is_pulled_harder_and_hotter_it_is_pulled
     wcut_history_destroy(h);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(what_cannot_be_driven_is_refused_and_the_run_goes_on) {
+TEST(what_cannot_be_driven_is_refused_and_the_run_goes_on) {
     wcut_job *job = straight_job(400, 60, 620, 61, 20, 200, 260);
     wcut_setup *setup = setup_of(job, NULL);
     wcut_cut *cut = begin(setup);
@@ -91,9 +90,8 @@ START_TEST(what_cannot_be_driven_is_refused_and_the_run_goes_on) {
     wcut_setup_destroy(setup);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(a_drive_without_a_solution_leaves_the_state_before_in_view) {
+TEST(a_drive_without_a_solution_leaves_the_state_before_in_view) {
     wcut_job *job = swinging_job(61, 150);
     wcut_cut_options options = wcut_cut_options_default();
     options.max_halvings = 0;
@@ -116,9 +114,8 @@ START_TEST(a_drive_without_a_solution_leaves_the_state_before_in_view) {
     wcut_setup_destroy(setup);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(design_mode_and_heun_are_not_driven) {
+TEST(design_mode_and_heun_are_not_driven) {
     wcut_job *design = sample_job("freeform-1.json"), *path = swinging_job(31, 20);
     wcut_cut_options heun = wcut_cut_options_default();
     heun.integrator = WCUT_INTEGRATOR_HEUN;
@@ -131,17 +128,4 @@ START_TEST(design_mode_and_heun_are_not_driven) {
     }
     wcut_job_destroy(design);
     wcut_job_destroy(path);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("drive");
-    TCase *tcase = tcase_create("time-driven");
-    tcase_add_test(tcase, a_run_replayed_in_its_own_time_has_its_own_shapes_and_tension);
-    tcase_add_test(tcase, faster_than_planned_the_wire_is_pulled_harder_and_hotter_it_is_pulled_less);
-    tcase_add_test(tcase, what_cannot_be_driven_is_refused_and_the_run_goes_on);
-    tcase_add_test(tcase, a_drive_without_a_solution_leaves_the_state_before_in_view);
-    tcase_add_test(tcase, design_mode_and_heun_are_not_driven);
-    suite_add_tcase(suite, tcase);
-    return run_suite(suite);
 }

@@ -4,6 +4,7 @@
 #include "cut/cuts.h"
 #include "cut/system.h"
 #include "foam/empirical.h"
+#include "test.h"
 
 static void give(wcut_job *job, int count, const wcut_effect *effect) {
     wcut_free(job->effect);
@@ -31,7 +32,7 @@ static double difference_of(const wcut_history *a, const wcut_history *b) {
     return worst;
 }
 
-START_TEST(at_its_neutral_value_each_is_the_plain_model_bit_for_bit_and_near_it_near_the_plain_model) {
+TEST(at_its_neutral_value_each_is_the_plain_model_bit_for_bit_and_near_it_near_the_plain_model) {
     wcut_job *job = swinging_job(41, 40);
     wcut_history *plain = run_of(job);
     for (int k = 0; k < WCUT_EFFECT_COUNT; k++) {
@@ -60,9 +61,8 @@ START_TEST(at_its_neutral_value_each_is_the_plain_model_bit_for_bit_and_near_it_
     wcut_history_destroy(plain);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(instrument_effects_change_no_physics) {
+TEST(instrument_effects_change_no_physics) {
     wcut_job *job = straight_job(400, 60, 620, 41, 10, 200, 260);
     wcut_history *plain = run_of(job);
     const wcut_effect e[] = {sized(WCUT_EFFECT_TENSION_GAIN, 0.1), sized(WCUT_EFFECT_SCAN_SCALE, 1.01),
@@ -74,7 +74,6 @@ START_TEST(instrument_effects_change_no_physics) {
     wcut_history_destroy(plain);
     wcut_job_destroy(job);
 }
-END_TEST
 
 /* ---- tension held: steady speed of a straight feed ---- */
 
@@ -90,7 +89,7 @@ static double last_speed(wcut_job *job, int count, const wcut_effect *effect) {
     return speed;
 }
 
-START_TEST(the_steady_force_is_the_plain_one_so_speed_answers_every_change_of_the_law) {
+TEST(the_steady_force_is_the_plain_one_so_speed_answers_every_change_of_the_law) {
     wcut_job *job = steady_job();
     const double a = job->force_law.a, bq = job->force_law.b * job->heat * 1000, v = last_speed(job, 0, NULL);
     const double force = a * exp(-bq / v); /* what the parabola needs, whatever the law is */
@@ -120,7 +119,6 @@ START_TEST(the_steady_force_is_the_plain_one_so_speed_answers_every_change_of_th
     ck_assert_double_eq_tol(last_speed(job, 1, &e), v, 1e-6 * v);
     wcut_job_destroy(job);
 }
-END_TEST
 
 static wcut_effect term_of(wcut_term term, double c, double shape0, double shape1) {
     wcut_effect e = wcut_effect_choose(WCUT_EFFECT_EMPIRICAL_FORCE, term);
@@ -129,7 +127,7 @@ static wcut_effect term_of(wcut_term term, double c, double shape0, double shape
     return e;
 }
 
-START_TEST(under_empirical_terms_the_steady_speed_answers_their_sum) {
+TEST(under_empirical_terms_the_steady_speed_answers_their_sum) {
     wcut_job *job = steady_job();
     const double a = job->force_law.a, bq = job->force_law.b * job->heat * 1000, v = last_speed(job, 0, NULL);
     const double force = a * exp(-bq / v);
@@ -146,9 +144,8 @@ START_TEST(under_empirical_terms_the_steady_speed_answers_their_sum) {
     ck_assert_double_eq_tol(0.8 * a * exp(-bq / less), force, 1e-6 * force);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(a_wave_in_the_block_stands_at_its_place_however_the_path_is_stepped) {
+TEST(a_wave_in_the_block_stands_at_its_place_however_the_path_is_stepped) {
     /* crests of the force along the feed: the held tension turns them into troughs of the speed, one wavelength apart */
     const double wavelength = 80;
     double trough[2][2];
@@ -168,9 +165,8 @@ START_TEST(a_wave_in_the_block_stands_at_its_place_however_the_path_is_stepped) 
     }
     ck_assert_double_eq_tol(trough[0][0], trough[1][0], 4);
 }
-END_TEST
 
-START_TEST(a_gradient_is_a_linear_map_of_the_force_along_the_wire) {
+TEST(a_gradient_is_a_linear_map_of_the_force_along_the_wire) {
     wcut_job *job = steady_job();
     const wcut_effect e = sized(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0.3); /* along x */
     give(job, 1, &e);
@@ -189,7 +185,6 @@ START_TEST(a_gradient_is_a_linear_map_of_the_force_along_the_wire) {
     wcut_history_destroy(h);
     wcut_job_destroy(job);
 }
-END_TEST
 
 /* ---- time-driven ---- */
 
@@ -201,7 +196,7 @@ static void drive(wcut_cut *cut, wcut_vec3 *a, wcut_vec3 *b, wcut_vec3 way, doub
     wcut_cut_view(cut, s);
 }
 
-START_TEST(after_a_heater_step_the_tension_follows_one_exponential_of_the_time_constant) {
+TEST(after_a_heater_step_the_tension_follows_one_exponential_of_the_time_constant) {
     wcut_job *job = steady_job();
     const wcut_effect e = sized(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.6);
     give(job, 1, &e);
@@ -224,7 +219,6 @@ START_TEST(after_a_heater_step_the_tension_follows_one_exponential_of_the_time_c
     wcut_setup_destroy(setup);
     wcut_job_destroy(job);
 }
-END_TEST
 
 /* a nearly straight wire, drawn through the foam at an angle: steady tensions at both mounts, driven at 20 mm/s */
 static void draw_aslant(const wcut_effect *effect, int count, double tension[2]) {
@@ -243,7 +237,7 @@ static void draw_aslant(const wcut_effect *effect, int count, double tension[2])
     wcut_job_destroy(job);
 }
 
-START_TEST(drag_adds_mu_times_what_presses_to_the_difference_of_the_tensions) {
+TEST(drag_adds_mu_times_what_presses_to_the_difference_of_the_tensions) {
     const double mu = 0.2, force = 0.1 * exp(-8.6e-4 * 65000 / 20), sine = 420 / hypot(420, 200);
     const wcut_effect e = sized(WCUT_EFFECT_TANGENTIAL_DRAG, mu);
     double plain[2], dragged[2];
@@ -254,11 +248,10 @@ START_TEST(drag_adds_mu_times_what_presses_to_the_difference_of_the_tensions) {
     const double expected = mu * force * 400 * sine;
     ck_assert_double_eq_tol(added, expected, 5e-3 * expected);
 }
-END_TEST
 
 /* ---- wire and mounts that give ---- */
 
-START_TEST(a_wire_that_heat_makes_longer_cuts_like_a_longer_wire) {
+TEST(a_wire_that_heat_makes_longer_cuts_like_a_longer_wire) {
     wcut_job *job = steady_job();
     wcut_effect e = sized(WCUT_EFFECT_WIRE_ELONGATION, 0.004);
     e.value[1] = 1, e.value[2] = 1; /* all of it by heat, and alike in air */
@@ -274,9 +267,8 @@ START_TEST(a_wire_that_heat_makes_longer_cuts_like_a_longer_wire) {
     wcut_history_destroy(plain);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(every_edge_is_as_much_longer_as_its_tension_stretches_it) {
+TEST(every_edge_is_as_much_longer_as_its_tension_stretches_it) {
     wcut_job *job = steady_job();
     wcut_effect e = sized(WCUT_EFFECT_WIRE_ELONGATION, 0.002);
     e.value[1] = 0; /* all of it by tension: EA = 1000 N */
@@ -290,9 +282,8 @@ START_TEST(every_edge_is_as_much_longer_as_its_tension_stretches_it) {
     wcut_history_destroy(h);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(mounts_that_give_stand_where_their_springs_hold_the_wire) {
+TEST(mounts_that_give_stand_where_their_springs_hold_the_wire) {
     wcut_job *job = straight_job(400, 40, 560, 41, 200, 150, 900);
     const wcut_effect e = sized(WCUT_EFFECT_MOUNT_COMPLIANCE, 0.8);
     give(job, 1, &e);
@@ -336,9 +327,8 @@ START_TEST(mounts_that_give_stand_where_their_springs_hold_the_wire) {
     wcut_history_destroy(rigid);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(a_mount_settles_as_one_exponential_however_it_is_stepped) {
+TEST(a_mount_settles_as_one_exponential_however_it_is_stepped) {
     /* a pull of 2 N along a wire so long that its direction stays */
     const double far = 1e9, k = 0.5, tau = 0.3;
     for (int steps = 1; steps <= 81; steps *= 9) {
@@ -348,13 +338,12 @@ START_TEST(a_mount_settles_as_one_exponential_however_it_is_stepped) {
         ck_assert_double_eq_tol(y.mount[0].offset.x, 2 / k * (1 - exp(-0.45 / tau)), 1e-7);
     }
 }
-END_TEST
 
 /* ---- the solver ---- */
 
 enum { N = 9, SIZE = 4 * N - 7 };
 
-START_TEST(jacobian_and_borders_hold_where_wire_and_mounts_give) {
+TEST(jacobian_and_borders_hold_where_wire_and_mounts_give) {
     wcut_random random = wcut_random_seed(5);
     const wcut_foam foam = {.law = {0.1, 8.6e-4}, .block = {.size = {40, 600, 300}, .depth = 2}};
     double rest[N - 1], worst = 0;
@@ -406,9 +395,8 @@ START_TEST(jacobian_and_borders_hold_where_wire_and_mounts_give) {
     }
     ck_assert_double_lt(worst, 5e-8);
 }
-END_TEST
 
-START_TEST(all_of_them_together_converge_in_few_iterations) {
+TEST(all_of_them_together_converge_in_few_iterations) {
     wcut_job *job = swinging_job(61, 150);
     wcut_history *plain = run_of(job);
     wcut_effect e[WCUT_EFFECT_COUNT];
@@ -430,9 +418,8 @@ START_TEST(all_of_them_together_converge_in_few_iterations) {
     wcut_history_destroy(h);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(what_cannot_be_simulated_is_refused_with_its_place) {
+TEST(what_cannot_be_simulated_is_refused_with_its_place) {
     wcut_job *job = steady_job();
     wcut_effect e[2] = {sized(WCUT_EFFECT_RATE_DEPENDENCE, 0.1), sized(WCUT_EFFECT_RATE_DEPENDENCE, 0.2)};
     wcut_setup *setup = NULL;
@@ -468,9 +455,8 @@ START_TEST(what_cannot_be_simulated_is_refused_with_its_place) {
     ck_assert_ptr_nonnull(strstr(error.text, "expected a job with a path"));
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(names_are_found_and_unknown_ones_are_not) {
+TEST(names_are_found_and_unknown_ones_are_not) {
     wcut_effect_kind kind = WCUT_EFFECT_COUNT;
     for (int k = 0; k < WCUT_EFFECT_COUNT; k++) {
         const wcut_effect_info *info = wcut_effect_view((wcut_effect_kind)k);
@@ -496,28 +482,4 @@ START_TEST(names_are_found_and_unknown_ones_are_not) {
     ck_assert_int_eq(wcut_effect_locate(NULL, &kind), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(kind, WCUT_EFFECT_COUNT);
     ck_assert_ptr_null(wcut_effect_view(WCUT_EFFECT_COUNT));
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("effects");
-    TCase *tcase = tcase_create("whole cuts");
-    tcase_add_test(tcase, at_its_neutral_value_each_is_the_plain_model_bit_for_bit_and_near_it_near_the_plain_model);
-    tcase_add_test(tcase, instrument_effects_change_no_physics);
-    tcase_add_test(tcase, the_steady_force_is_the_plain_one_so_speed_answers_every_change_of_the_law);
-    tcase_add_test(tcase, under_empirical_terms_the_steady_speed_answers_their_sum);
-    tcase_add_test(tcase, a_wave_in_the_block_stands_at_its_place_however_the_path_is_stepped);
-    tcase_add_test(tcase, a_gradient_is_a_linear_map_of_the_force_along_the_wire);
-    tcase_add_test(tcase, after_a_heater_step_the_tension_follows_one_exponential_of_the_time_constant);
-    tcase_add_test(tcase, drag_adds_mu_times_what_presses_to_the_difference_of_the_tensions);
-    tcase_add_test(tcase, a_wire_that_heat_makes_longer_cuts_like_a_longer_wire);
-    tcase_add_test(tcase, every_edge_is_as_much_longer_as_its_tension_stretches_it);
-    tcase_add_test(tcase, mounts_that_give_stand_where_their_springs_hold_the_wire);
-    tcase_add_test(tcase, a_mount_settles_as_one_exponential_however_it_is_stepped);
-    tcase_add_test(tcase, jacobian_and_borders_hold_where_wire_and_mounts_give);
-    tcase_add_test(tcase, all_of_them_together_converge_in_few_iterations);
-    tcase_add_test(tcase, what_cannot_be_simulated_is_refused_with_its_place);
-    tcase_add_test(tcase, names_are_found_and_unknown_ones_are_not);
-    suite_add_tcase(suite, tcase);
-    return run_suite(suite);
 }

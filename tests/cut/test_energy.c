@@ -5,6 +5,7 @@
        mounts' work + sum f_i.dX_i = sum_e S_e |dE_e|^2 / (2 l).
    The last is of second order in the step: none in the steady state. labels: property */
 #include "cut/cuts.h"
+#include "test.h"
 
 typedef struct work {
     double mounts, foam, turning; /* [N mm] */
@@ -26,7 +27,7 @@ static work work_of_step(const wcut_history *h, double edge, int j) {
     return w;
 }
 
-START_TEST(the_mounts_spend_what_the_foam_and_the_turning_edges_take_to_the_solvers_tolerance) {
+TEST(the_mounts_spend_what_the_foam_and_the_turning_edges_take_to_the_solvers_tolerance) {
     wcut_job *const job[] = {swinging_job(61, 120), sample_job("steady-400-60.json"), sample_job("steady-300-85.json")};
     for (int k = 0; k < 3; k++) {
         wcut_history *h = run_of(job[k]);
@@ -47,9 +48,8 @@ START_TEST(the_mounts_spend_what_the_foam_and_the_turning_edges_take_to_the_solv
         wcut_job_destroy(job[k]);
     }
 }
-END_TEST
 
-START_TEST(in_the_steady_state_the_mounts_spend_exactly_what_the_foam_takes) {
+TEST(in_the_steady_state_the_mounts_spend_exactly_what_the_foam_takes) {
     wcut_job *job = straight_job(400, 60, 620, 121, 300, 250, 1190);
     wcut_history *h = run_of(job);
     const work w = work_of_step(h, job->wire_length / 120, h->stations - 1);
@@ -62,9 +62,8 @@ START_TEST(in_the_steady_state_the_mounts_spend_exactly_what_the_foam_takes) {
     wcut_history_destroy(h);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(halving_the_steps_halves_what_the_turning_edges_take) {
+TEST(halving_the_steps_halves_what_the_turning_edges_take) {
     double turning[3];
     for (int k = 0, m = 61; k < 3; k++, m = 2 * m - 1) {
         wcut_job *job = swinging_job(61, m);
@@ -76,15 +75,4 @@ START_TEST(halving_the_steps_halves_what_the_turning_edges_take) {
     }
     ck_assert_double_eq_tol(turning[0] / turning[1], 2, 0.1);
     ck_assert_double_eq_tol(turning[1] / turning[2], 2, 0.1);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("energy");
-    TCase *tcase = tcase_create("energy");
-    tcase_add_test(tcase, the_mounts_spend_what_the_foam_and_the_turning_edges_take_to_the_solvers_tolerance);
-    tcase_add_test(tcase, in_the_steady_state_the_mounts_spend_exactly_what_the_foam_takes);
-    tcase_add_test(tcase, halving_the_steps_halves_what_the_turning_edges_take);
-    suite_add_tcase(suite, tcase);
-    return run_suite(suite);
 }

@@ -1,5 +1,6 @@
 /* What must not matter: which side is A, which way is up, units of force, twice the nodes. labels: property */
 #include "cut/cuts.h"
+#include "test.h"
 
 static wcut_vec3 mirror_x(const wcut_job *job, wcut_vec3 p) { return vec3(job->block_size.x - p.x, p.y, p.z); }
 static wcut_vec3 mirror_z(const wcut_job *job, wcut_vec3 p) { return vec3(p.x, p.y, job->block_size.z - p.z); }
@@ -16,7 +17,7 @@ static wcut_job *given_a_job(int kind, int nodes) {
     return job;
 }
 
-START_TEST(seen_in_a_mirror_across_the_wire_the_same_cut_runs_with_a_and_b_exchanged) {
+TEST(seen_in_a_mirror_across_the_wire_the_same_cut_runs_with_a_and_b_exchanged) {
     for (int kind = 0; kind < 2; kind++) {
         wcut_job *job = given_a_job(kind, 61);
         wcut_history *h = run_of(job);
@@ -42,9 +43,8 @@ START_TEST(seen_in_a_mirror_across_the_wire_the_same_cut_runs_with_a_and_b_excha
         wcut_job_destroy(job);
     }
 }
-END_TEST
 
-START_TEST(upside_down_the_same_cut_runs_with_beta_reversed) {
+TEST(upside_down_the_same_cut_runs_with_beta_reversed) {
     for (int kind = 0; kind < 2; kind++) {
         wcut_job *job = given_a_job(kind, 61);
         wcut_history *h = run_of(job);
@@ -65,9 +65,8 @@ START_TEST(upside_down_the_same_cut_runs_with_beta_reversed) {
         wcut_job_destroy(job);
     }
 }
-END_TEST
 
-START_TEST(foam_and_tension_stronger_alike_change_the_forces_alone) {
+TEST(foam_and_tension_stronger_alike_change_the_forces_alone) {
     wcut_job *job = given_a_job(1, 61);
     wcut_history *h = run_of(job);
     const double scale = 3;
@@ -85,9 +84,8 @@ START_TEST(foam_and_tension_stronger_alike_change_the_forces_alone) {
     wcut_history_destroy(m);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(the_same_cut_in_other_units_of_length_and_time_is_the_same_cut) {
+TEST(the_same_cut_in_other_units_of_length_and_time_is_the_same_cut) {
     wcut_job *job = given_a_job(1, 61);
     wcut_history *h = run_of(job);
     const double length = 2.5; /* a longer everything: F per length falls, Q_eff = Q / v and k stay */
@@ -110,9 +108,8 @@ START_TEST(the_same_cut_in_other_units_of_length_and_time_is_the_same_cut) {
     wcut_history_destroy(m);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(four_times_the_nodes_change_the_cut_by_a_sixteenth_of_what_they_did_before) {
+TEST(four_times_the_nodes_change_the_cut_by_a_sixteenth_of_what_they_did_before) {
     double angle[3], time[3];
     for (int k = 0, n = 16; k < 3; k++, n *= 4) {
         wcut_job *job = given_a_job(0, n + 1);
@@ -125,17 +122,4 @@ START_TEST(four_times_the_nodes_change_the_cut_by_a_sixteenth_of_what_they_did_b
     /* order two would be sixteen exactly; where a face lies between the nodes sways it */
     ck_assert_double_lt(fabs(angle[2] - angle[1]), fabs(angle[1] - angle[0]) / 10);
     ck_assert_double_lt(fabs(time[2] - time[1]), fabs(time[1] - time[0]) / 10);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("invariance");
-    TCase *tcase = tcase_create("invariance");
-    tcase_add_test(tcase, seen_in_a_mirror_across_the_wire_the_same_cut_runs_with_a_and_b_exchanged);
-    tcase_add_test(tcase, upside_down_the_same_cut_runs_with_beta_reversed);
-    tcase_add_test(tcase, foam_and_tension_stronger_alike_change_the_forces_alone);
-    tcase_add_test(tcase, the_same_cut_in_other_units_of_length_and_time_is_the_same_cut);
-    tcase_add_test(tcase, four_times_the_nodes_change_the_cut_by_a_sixteenth_of_what_they_did_before);
-    suite_add_tcase(suite, tcase);
-    return run_suite(suite);
 }

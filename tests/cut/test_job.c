@@ -1,12 +1,11 @@
 /* A job in memory: defaults, another number of stations on the same path, its programme. */
-#include <check.h>
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <wirecut/job.h>
 
 #include "base/alloc.h"
+#include "test.h"
 
 static wcut_job *job;
 
@@ -24,7 +23,7 @@ static void forget(void) {
     job = NULL;
 }
 
-START_TEST(a_new_job_has_the_defaults_of_every_optional_part) {
+TEST(a_new_job_has_the_defaults_of_every_optional_part) {
     ck_assert_int_eq(wcut_job_create(&job), WCUT_OK);
     ck_assert_str_eq(job->name, "");
     ck_assert(job->speed_max == 100 && job->speed_min == 0.1 && job->kerf_width == 0 && job->tension_law.a == 0);
@@ -33,10 +32,9 @@ START_TEST(a_new_job_has_the_defaults_of_every_optional_part) {
     wcut_job_destroy(NULL);
     ck_assert_int_eq(wcut_job_create(NULL), WCUT_BAD_ARGUMENT);
 }
-END_TEST
 
 /* a step holds from its beginning up to its end; a sine of period 4 s and phase 90 deg is at its crest at 0 s */
-START_TEST(the_programme_says_heat_and_pace_at_any_time) {
+TEST(the_programme_says_heat_and_pace_at_any_time) {
     ck_assert_int_eq(wcut_job_create(&job), WCUT_OK);
     job->heat = 60;
     ck_assert(wcut_job_heat_eval(job, 3) == 60 && wcut_job_pace_eval(job, 3) == 1);
@@ -50,9 +48,8 @@ START_TEST(the_programme_says_heat_and_pace_at_any_time) {
     ck_assert_double_eq_tol(wcut_job_pace_eval(job, 2), 1 - 0.05 + 0.02, 1e-15);
     forget();
 }
-END_TEST
 
-START_TEST(stations_lie_at_equal_steps_of_the_mean_way) {
+TEST(stations_lie_at_equal_steps_of_the_mean_way) {
     given_a_path();
     ck_assert_int_eq(wcut_job_resample(job, 5), WCUT_OK);
     ck_assert_int_eq(job->stations, 5);
@@ -65,9 +62,8 @@ START_TEST(stations_lie_at_equal_steps_of_the_mean_way) {
     }
     forget();
 }
-END_TEST
 
-START_TEST(both_ends_stay_bit_for_bit) {
+TEST(both_ends_stay_bit_for_bit) {
     for (int m = 2; m < 400; m++) {
         given_a_path();
         job->mount_a[2].y = 4.1 / 3;
@@ -76,9 +72,8 @@ START_TEST(both_ends_stay_bit_for_bit) {
         forget();
     }
 }
-END_TEST
 
-START_TEST(a_pause_in_the_path_is_passed_over) {
+TEST(a_pause_in_the_path_is_passed_over) {
     given_a_path();
     job->mount_a[1] = job->mount_a[0];
     job->mount_b[1] = job->mount_b[0];
@@ -86,16 +81,14 @@ START_TEST(a_pause_in_the_path_is_passed_over) {
     ck_assert_double_eq_tol(job->mount_a[1].y, 2, 1e-14);
     forget();
 }
-END_TEST
 
-START_TEST(in_design_mode_only_the_count_changes) {
+TEST(in_design_mode_only_the_count_changes) {
     ck_assert_int_eq(wcut_job_create(&job), WCUT_OK);
     job->mode = WCUT_MODE_DESIGN;
     ck_assert_int_eq(wcut_job_resample(job, 77), WCUT_OK);
     ck_assert(job->stations == 77 && !job->mount_a);
     forget();
 }
-END_TEST
 
 static void refused(int stations, wcut_status status) {
     const wcut_vec3 *a = job->mount_a, *b = job->mount_b;
@@ -103,7 +96,7 @@ static void refused(int stations, wcut_status status) {
     ck_assert(job->mount_a == a && job->mount_b == b && job->stations == 3);
 }
 
-START_TEST(what_cannot_be_resampled_leaves_the_job_as_it_was) {
+TEST(what_cannot_be_resampled_leaves_the_job_as_it_was) {
     given_a_path();
     ck_assert_int_eq(wcut_job_resample(NULL, 5), WCUT_BAD_ARGUMENT);
     refused(1, WCUT_BAD_ARGUMENT);
@@ -116,39 +109,15 @@ START_TEST(what_cannot_be_resampled_leaves_the_job_as_it_was) {
     refused(5, WCUT_BAD_ARGUMENT); /* goes nowhere */
     forget();
 }
-END_TEST
 
-START_TEST(running_out_of_memory_leaves_the_job_as_it_was) {
-    for (long k = 1; k <= 2; k++) {
-        wcut_job *none = NULL;
-        wcut_alloc_fail_at(k);
-        ck_assert_int_eq(wcut_job_create(&none), WCUT_NO_MEMORY);
-        ck_assert_ptr_null(none);
-    }
+TEST(running_out_of_memory_leaves_the_job_as_it_was) {
+    wcut_job *none = NULL;
+    FIRST_FAILED_ALLOCATIONS(2, wcut_job_create(&none), !none);
     given_a_path();
     for (long k = 1; k <= 3; k++) {
         wcut_alloc_fail_at(k);
         refused(5, WCUT_NO_MEMORY);
+        wcut_alloc_fail_at(0);
     }
     forget();
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("job");
-    TCase *tcase = tcase_create("job");
-    tcase_add_test(tcase, a_new_job_has_the_defaults_of_every_optional_part);
-    tcase_add_test(tcase, the_programme_says_heat_and_pace_at_any_time);
-    tcase_add_test(tcase, stations_lie_at_equal_steps_of_the_mean_way);
-    tcase_add_test(tcase, both_ends_stay_bit_for_bit);
-    tcase_add_test(tcase, a_pause_in_the_path_is_passed_over);
-    tcase_add_test(tcase, in_design_mode_only_the_count_changes);
-    tcase_add_test(tcase, what_cannot_be_resampled_leaves_the_job_as_it_was);
-    tcase_add_test(tcase, running_out_of_memory_leaves_the_job_as_it_was);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -2,6 +2,7 @@
 #include "base/alloc.h"
 #include "base/random.h"
 #include "cut/trials.h"
+#include "test.h"
 
 enum { SAMPLES = 150, TENSION_A = 2, TENSION_B = 3, ALPHA_A = 4 };
 #define PACE 3.0 /* stations a second, 18 mm/s */
@@ -44,7 +45,7 @@ static void refused(const char *words) {
 
 /* ---- the motion ---- */
 
-START_TEST(smoothing_keeps_a_parabola_whatever_the_sampling) {
+TEST(smoothing_keeps_a_parabola_whatever_the_sampling) {
     double t[40], y[40], smooth[40];
     for (int i = 0; i < 40; i++) {
         t[i] = 0.05 * i + 0.02 * sin(7.0 * i);
@@ -54,9 +55,8 @@ START_TEST(smoothing_keeps_a_parabola_whatever_the_sampling) {
     wcut_smooth(40, t, y, 0.5, smooth);
     for (int i = 0; i < 40; i++) ck_assert_double_eq_tol(smooth[i], y[i], 1e-13);
 }
-END_TEST
 
-START_TEST(smoothing_answers_an_impulse_with_savitzky_and_golays_weights) {
+TEST(smoothing_answers_an_impulse_with_savitzky_and_golays_weights) {
     const double weight[5] = {-3, 12, 17, 12, -3};
     double t[21], y[21] = {0}, smooth[21];
     for (int i = 0; i < 21; i++) t[i] = i;
@@ -65,17 +65,15 @@ START_TEST(smoothing_answers_an_impulse_with_savitzky_and_golays_weights) {
     for (int i = -2; i <= 2; i++) ck_assert_double_eq_tol(smooth[10 + i], weight[i + 2], 1e-12);
     ck_assert(smooth[7] == 0 && smooth[13] == 0);
 }
-END_TEST
 
-START_TEST(smoothing_leaves_alone_what_it_cannot_determine) {
+TEST(smoothing_leaves_alone_what_it_cannot_determine) {
     const double t[6] = {0, 1, 5, 5 + 1e-13, 5 + 2e-13, 9}, y[6] = {1, -1, 4, 2, 8, 3};
     double smooth[6] = {999, 999, 999, 999, 999, 999};
     wcut_smooth(6, t, y, 0.5, smooth);
     for (int i = 0; i < 6; i++) ck_assert_double_eq(smooth[i], y[i]);
 }
-END_TEST
 
-START_TEST(a_path_goes_through_its_stations_smoothly_and_never_backwards) {
+TEST(a_path_goes_through_its_stations_smoothly_and_never_backwards) {
     const wcut_vec3 p[5] = {{0, 0, 0}, {0, 1, 0}, {0, 11, 0}, {0, 12, 0}, {0, 13, 0}}; /* spacings 1 and 10 */
     for (int j = 0; j < 5; j++) ck_assert_double_eq(wcut_path_at(5, p, j).y, p[j].y);
     double before = 0;
@@ -88,11 +86,10 @@ START_TEST(a_path_goes_through_its_stations_smoothly_and_never_backwards) {
     const double left = (p[1].y - wcut_path_at(5, p, 1 - h).y) / h, right = (wcut_path_at(5, p, 1 + h).y - p[1].y) / h;
     ck_assert_double_eq_tol(left, right, 1e-3);
 }
-END_TEST
 
 /* ---- replayed ---- */
 
-START_TEST(the_replay_of_a_driven_wire_is_that_wire) {
+TEST(the_replay_of_a_driven_wire_is_that_wire) {
     double worst;
     given_a_driven_cut();
     ck_assert_int_eq(replay(0), WCUT_OK);
@@ -107,9 +104,8 @@ START_TEST(the_replay_of_a_driven_wire_is_that_wire) {
     ck_assert(most > 0.5);
     forget();
 }
-END_TEST
 
-START_TEST(smoothing_an_even_motion_changes_nothing) {
+TEST(smoothing_an_even_motion_changes_nothing) {
     double worst;
     given_a_driven_cut();
     ck_assert_int_eq(replay(0.5), WCUT_OK);
@@ -117,7 +113,6 @@ START_TEST(smoothing_an_even_motion_changes_nothing) {
     ck_assert(worst < 1e-8 && prediction->scatter < 1e-12);
     forget();
 }
-END_TEST
 
 /* RMS of the replayed tension's residual while the wire is in the foam */
 static double tension_scatter(void) {
@@ -130,7 +125,7 @@ static double tension_scatter(void) {
     return sqrt(sum / 40);
 }
 
-START_TEST(an_encoders_noise_is_smoothed_out_of_the_tension) {
+TEST(an_encoders_noise_is_smoothed_out_of_the_tension) {
     given_a_driven_cut();
     wcut_random random = wcut_random_seed(5);
     for (int i = 0; i < SAMPLES; i++) values(recording, WCUT_CHANNEL_STATION)[i] += 0.01 * wcut_random_normal(&random);
@@ -142,9 +137,8 @@ START_TEST(an_encoders_noise_is_smoothed_out_of_the_tension) {
     ck_assert_double_eq_tol(prediction->scatter, 0.01 * sqrt(1 - 0.207), 0.002); /* eleven points less a parabola */
     forget();
 }
-END_TEST
 
-START_TEST(missing_samples_stay_missing_and_a_gap_is_stepped_over) {
+TEST(missing_samples_stay_missing_and_a_gap_is_stepped_over) {
     given_a_driven_cut();
     for (int i = 60; i < 75; i++) lose_sample(recording, WCUT_CHANNEL_STATION, i);
     ck_assert_int_eq(replay(0), WCUT_OK);
@@ -157,9 +151,8 @@ START_TEST(missing_samples_stay_missing_and_a_gap_is_stepped_over) {
     }
     forget();
 }
-END_TEST
 
-START_TEST(a_mount_that_stands_or_jitters_back_gets_no_step) {
+TEST(a_mount_that_stands_or_jitters_back_gets_no_step) {
     given_a_driven_cut();
     double *station = values(recording, WCUT_CHANNEL_STATION);
     station[80] = station[79];
@@ -171,9 +164,8 @@ START_TEST(a_mount_that_stands_or_jitters_back_gets_no_step) {
     ck_assert_double_eq_tol(prediction->value[0][82], 18, 1e-6);
     forget();
 }
-END_TEST
 
-START_TEST(a_recording_that_begins_late_is_led_in_along_the_path) {
+TEST(a_recording_that_begins_late_is_led_in_along_the_path) {
     given_a_driven_cut();
     for (int i = 0; i < SAMPLES; i++) /* the first 40 samples were not recorded */
         for (int k = 0; k <= WCUT_CHANNEL_BETA_B && i + 40 < SAMPLES; k++)
@@ -185,9 +177,8 @@ START_TEST(a_recording_that_begins_late_is_led_in_along_the_path) {
         ck_assert_double_eq_tol(prediction->value[TENSION_A][i], values(recording, WCUT_CHANNEL_TENSION_A)[i], 0.02);
     forget();
 }
-END_TEST
 
-START_TEST(heat_is_the_recordings_and_held_where_it_is_missing) {
+TEST(heat_is_the_recordings_and_held_where_it_is_missing) {
     given_a_driven_cut();
     ck_assert_int_eq(replay(0), WCUT_OK);
     const double usual = prediction->value[TENSION_A][90];
@@ -201,9 +192,8 @@ START_TEST(heat_is_the_recordings_and_held_where_it_is_missing) {
     refused("line 9: heat_W_per_m: found -1");
     forget();
 }
-END_TEST
 
-START_TEST(without_a_heat_column_the_jobs_programme_holds) {
+TEST(without_a_heat_column_the_jobs_programme_holds) {
     given_a_driven_cut();
     job->heat_step = wcut_alloc(1, sizeof *job->heat_step);
     job->heat_step[job->heat_step_count++] = (wcut_heat_step){.from = 0, .to = 9, .factor = 1.2};
@@ -214,7 +204,6 @@ START_TEST(without_a_heat_column_the_jobs_programme_holds) {
     ck_assert_double_eq_tol(prediction->value[TENSION_A][110], values(recording, WCUT_CHANNEL_TENSION_A)[110], 0.02);
     forget();
 }
-END_TEST
 
 static void measure_positions(void) {
     for (int k = 0; k < 6; k++) {
@@ -227,7 +216,7 @@ static void measure_positions(void) {
     }
 }
 
-START_TEST(measured_positions_replay_alike_and_a_sample_that_fails_is_counted) {
+TEST(measured_positions_replay_alike_and_a_sample_that_fails_is_counted) {
     double worst;
     given_a_driven_cut();
     measure_positions();
@@ -246,11 +235,10 @@ START_TEST(measured_positions_replay_alike_and_a_sample_that_fails_is_counted) {
     ck_assert_double_eq_tol(prediction->value[TENSION_A][90], values(recording, WCUT_CHANNEL_TENSION_A)[90], 0.02);
     forget();
 }
-END_TEST
 
 /* ---- planned ---- */
 
-START_TEST(the_plan_is_its_rows_at_stations_and_its_speeds_between_them) {
+TEST(the_plan_is_its_rows_at_stations_and_its_speeds_between_them) {
     given_a_driven_cut();
     wcut_history *plan = run_of(job);
     for (int i = 0; i < SAMPLES; i++) values(recording, WCUT_CHANNEL_STATION)[i] = 0.5 * i;
@@ -272,9 +260,8 @@ START_TEST(the_plan_is_its_rows_at_stations_and_its_speeds_between_them) {
     wcut_history_destroy(plan);
     forget();
 }
-END_TEST
 
-START_TEST(a_plan_that_ended_early_predicts_up_to_there) {
+TEST(a_plan_that_ended_early_predicts_up_to_there) {
     given_a_driven_cut();
     wcut_history *plan = run_of(job);
     plan->stations = 21;
@@ -286,11 +273,10 @@ START_TEST(a_plan_that_ended_early_predicts_up_to_there) {
     wcut_history_destroy(plan);
     forget();
 }
-END_TEST
 
 /* ---- what is refused ---- */
 
-START_TEST(stations_outside_the_path_and_ways_back_are_refused_with_their_line) {
+TEST(stations_outside_the_path_and_ways_back_are_refused_with_their_line) {
     given_a_driven_cut();
     double *station = values(recording, WCUT_CHANNEL_STATION);
     const double good = station[30];
@@ -306,9 +292,8 @@ START_TEST(stations_outside_the_path_and_ways_back_are_refused_with_their_line) 
     refused("station: found no sample");
     forget();
 }
-END_TEST
 
-START_TEST(options_jobs_and_arguments_that_cannot_be_are_refused) {
+TEST(options_jobs_and_arguments_that_cannot_be_are_refused) {
     given_a_driven_cut();
     ck_assert_int_eq(replay(-1), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(replay(NAN), WCUT_BAD_ARGUMENT);
@@ -331,54 +316,18 @@ START_TEST(options_jobs_and_arguments_that_cannot_be_are_refused) {
     wcut_prediction_destroy(NULL);
     forget();
 }
-END_TEST
 
-START_TEST(without_memory_nothing_is_written) {
+TEST(without_memory_nothing_is_written) {
     given_a_driven_cut();
     recording->samples = 3;
     wcut_history *plan = run_of(job);
-    int failures = 0;
     for (int which = 0; which < 2; which++) {
         wcut_prediction_destroy(prediction);
         prediction = NULL;
-        for (long k = 1;; k++) {
-            wcut_alloc_fail_at(k);
-            const wcut_status status = which ? wcut_prediction_plan(plan, recording, &prediction, NULL)
-                                             : wcut_prediction_replay(setup, recording, NULL, &prediction, NULL);
-            wcut_alloc_fail_at(0);
-            if (status == WCUT_OK) break;
-            ck_assert_int_eq(status, WCUT_NO_MEMORY);
-            ck_assert_ptr_null(prediction);
-            ck_assert_int_lt(++failures, 200);
-        }
+        EACH_FAILED_ALLOCATION(which ? wcut_prediction_plan(plan, recording, &prediction, NULL)
+                                     : wcut_prediction_replay(setup, recording, NULL, &prediction, NULL),
+                               !prediction);
     }
-    ck_assert_int_gt(failures, 20);
     wcut_history_destroy(plan);
     forget();
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("replay");
-    TCase *tcase = tcase_create("replay");
-    tcase_add_test(tcase, smoothing_keeps_a_parabola_whatever_the_sampling);
-    tcase_add_test(tcase, smoothing_answers_an_impulse_with_savitzky_and_golays_weights);
-    tcase_add_test(tcase, smoothing_leaves_alone_what_it_cannot_determine);
-    tcase_add_test(tcase, a_path_goes_through_its_stations_smoothly_and_never_backwards);
-    tcase_add_test(tcase, the_replay_of_a_driven_wire_is_that_wire);
-    tcase_add_test(tcase, smoothing_an_even_motion_changes_nothing);
-    tcase_add_test(tcase, an_encoders_noise_is_smoothed_out_of_the_tension);
-    tcase_add_test(tcase, missing_samples_stay_missing_and_a_gap_is_stepped_over);
-    tcase_add_test(tcase, a_mount_that_stands_or_jitters_back_gets_no_step);
-    tcase_add_test(tcase, a_recording_that_begins_late_is_led_in_along_the_path);
-    tcase_add_test(tcase, heat_is_the_recordings_and_held_where_it_is_missing);
-    tcase_add_test(tcase, without_a_heat_column_the_jobs_programme_holds);
-    tcase_add_test(tcase, measured_positions_replay_alike_and_a_sample_that_fails_is_counted);
-    tcase_add_test(tcase, the_plan_is_its_rows_at_stations_and_its_speeds_between_them);
-    tcase_add_test(tcase, a_plan_that_ended_early_predicts_up_to_there);
-    tcase_add_test(tcase, stations_outside_the_path_and_ways_back_are_refused_with_their_line);
-    tcase_add_test(tcase, options_jobs_and_arguments_that_cannot_be_are_refused);
-    tcase_add_test(tcase, without_memory_nothing_is_written);
-    suite_add_tcase(suite, tcase);
-    return run_suite(suite);
 }

@@ -2,6 +2,7 @@
    (Rust et al. 2016, 2.5). labels: unit property */
 #include "cut/cuts.h"
 #include "cut/wobble.h"
+#include "test.h"
 
 static const char *const all_jobs[] = {
     "freeform-1.json",    "freeform-2.json",    "freeform-3.json",    "freeform-4.json",
@@ -24,13 +25,11 @@ static void run_all(int stations) {
     }
 }
 
-START_TEST(every_sample_job_is_cut_to_its_end_without_a_wobble_at_60_stations) { run_all(60); }
-END_TEST
+TEST(every_sample_job_is_cut_to_its_end_without_a_wobble_at_60_stations) { run_all(60); }
 
-START_TEST(every_sample_job_is_cut_to_its_end_without_a_wobble_at_300_stations) { run_all(300); }
-END_TEST
+TEST(every_sample_job_is_cut_to_its_end_without_a_wobble_at_300_stations) { run_all(300); }
 
-START_TEST(the_phases_follow_each_other_and_the_planned_geometry) {
+TEST(the_phases_follow_each_other_and_the_planned_geometry) {
     wcut_job *job = sample_job("steady-400-60.json");
     wcut_history *h = run_of(job);
     double first[5], last[5]; /* y of the mounts at a phase's ends */
@@ -51,7 +50,6 @@ START_TEST(the_phases_follow_each_other_and_the_planned_geometry) {
     wcut_history_destroy(h);
     wcut_job_destroy(job);
 }
-END_TEST
 
 /* force across the wire per engaged length, in the mean over a part of the block's width */
 static double mean_line(const wcut_history *h, int j, double from, double to) {
@@ -72,7 +70,7 @@ static double outer_over_centre(const wcut_job *job, const wcut_history *h, doub
            mean_line(h, j, 0.4 * w, 0.6 * w);
 }
 
-START_TEST(entering_the_outer_wire_is_loaded_and_leaving_its_centre) {
+TEST(entering_the_outer_wire_is_loaded_and_leaving_its_centre) {
     const char *const name[] = {"steady-300-60.json", "steady-400-60.json", "steady-500-60.json"};
     const double entry[] = {2, 3, 4}, exit[] = {0.65, 0.6, 0.6}; /* the wider the block, the emptier its centre */
     for (int k = 0; k < 3; k++) {
@@ -87,9 +85,8 @@ START_TEST(entering_the_outer_wire_is_loaded_and_leaving_its_centre) {
         wcut_job_destroy(job);
     }
 }
-END_TEST
 
-START_TEST(in_the_steady_phase_the_load_is_even_over_the_width) {
+TEST(in_the_steady_phase_the_load_is_even_over_the_width) {
     wcut_job *job = sample_job("steady-400-60.json");
     wcut_history *h = run_of(job);
     int j = 0;
@@ -105,17 +102,4 @@ START_TEST(in_the_steady_phase_the_load_is_even_over_the_width) {
     ck_assert_double_lt(high / low - 1, 5e-3);
     wcut_history_destroy(h);
     wcut_job_destroy(job);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("sample_jobs");
-    TCase *tcase = tcase_create("samples/jobs");
-    tcase_add_test(tcase, every_sample_job_is_cut_to_its_end_without_a_wobble_at_60_stations);
-    tcase_add_test(tcase, every_sample_job_is_cut_to_its_end_without_a_wobble_at_300_stations);
-    tcase_add_test(tcase, the_phases_follow_each_other_and_the_planned_geometry);
-    tcase_add_test(tcase, entering_the_outer_wire_is_loaded_and_leaving_its_centre);
-    tcase_add_test(tcase, in_the_steady_phase_the_load_is_even_over_the_width);
-    suite_add_tcase(suite, tcase);
-    return run_suite(suite);
 }

@@ -4,12 +4,13 @@
 #include "base/alloc.h"
 #include "base/random.h"
 #include "cut/trials.h"
+#include "test.h"
 
 enum { SAMPLES = 150 };
 
 /* ---- figures ---- */
 
-START_TEST(the_figures_are_the_textbooks) {
+TEST(the_figures_are_the_textbooks) {
     const double x[4] = {1, 2, 3, 6}, y[4] = {0, 3, 2, 5}; /* d = 1, -1, 1, 1 */
     wcut_score s;
     memset(&s, 0x55, sizeof s);
@@ -25,9 +26,8 @@ START_TEST(the_figures_are_the_textbooks) {
     ck_assert_double_eq_tol(s.correlation, 12 / sqrt(14 * 13.0), 1e-15);
     ck_assert(s.correlated);
 }
-END_TEST
 
-START_TEST(a_bias_escapes_the_nrmsd_and_not_the_rmse_over_range) {
+TEST(a_bias_escapes_the_nrmsd_and_not_the_rmse_over_range) {
     double x[100], y[100];
     for (int i = 0; i < 100; i++) x[i] = sin(0.1 * i), y[i] = x[i] - 5;
     wcut_score s;
@@ -37,9 +37,8 @@ START_TEST(a_bias_escapes_the_nrmsd_and_not_the_rmse_over_range) {
     ck_assert_double_eq_tol(s.bias, 5, 1e-13);
     ck_assert_double_eq_tol(s.correlation, 1, 1e-13);
 }
-END_TEST
 
-START_TEST(what_is_not_defined_is_zero_and_says_so) {
+TEST(what_is_not_defined_is_zero_and_says_so) {
     const double flat[3] = {2, 2, 2}, y[3] = {1, 2, 3};
     wcut_score s;
     ck_assert_int_eq(wcut_score_eval(3, flat, y, 0, &s), WCUT_OK);
@@ -51,9 +50,8 @@ START_TEST(what_is_not_defined_is_zero_and_says_so) {
     ck_assert_int_eq(wcut_score_eval(3, flat, y, 4, &s), WCUT_OK);
     ck_assert_double_eq_tol(s.nrmsd, 0.25, 1e-15);
 }
-END_TEST
 
-START_TEST(figures_of_impossible_values_are_refused) {
+TEST(figures_of_impossible_values_are_refused) {
     const double x[2] = {1, NAN}, y[2] = {1, 2};
     wcut_score s = {.count = 999};
     ck_assert_int_eq(wcut_score_eval(2, x, y, 0, &s), WCUT_BAD_ARGUMENT);
@@ -65,9 +63,8 @@ START_TEST(figures_of_impossible_values_are_refused) {
     ck_assert_int_eq(wcut_score_mean(1, NULL, &s), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(s.count, 999);
 }
-END_TEST
 
-START_TEST(a_mean_leaves_out_what_a_score_lacks) {
+TEST(a_mean_leaves_out_what_a_score_lacks) {
     const wcut_score of[3] = {
         {.count = 10, .rmsd = 1, .range = 4, .nrmsd = 0.25, .bias = -1, .correlated = true, .correlation = 0.5},
         {.count = 0},
@@ -80,9 +77,8 @@ START_TEST(a_mean_leaves_out_what_a_score_lacks) {
     ck_assert_double_eq_tol(mean.nrmsd, 0.25, 1e-15);
     ck_assert_double_eq_tol(mean.correlation, 0.5, 1e-15);
 }
-END_TEST
 
-START_TEST(names_of_channels_and_parts_are_those_of_files) {
+TEST(names_of_channels_and_parts_are_those_of_files) {
     ck_assert_str_eq(wcut_scored_name(WCUT_SCORED_SPEED), "speed");
     ck_assert_str_eq(wcut_scored_name(WCUT_SCORED_BETA_B), wcut_channel_name(WCUT_CHANNEL_BETA_B));
     ck_assert_str_eq(wcut_scored_unit(WCUT_SCORED_ALPHA), "deg");
@@ -91,7 +87,6 @@ START_TEST(names_of_channels_and_parts_are_those_of_files) {
     ck_assert_str_eq(wcut_scored_unit(WCUT_SCORED_COUNT), "");
     ck_assert_str_eq(wcut_part_name(WCUT_PART_COUNT), "");
 }
-END_TEST
 
 /* ---- comparisons ---- */
 
@@ -120,7 +115,7 @@ static wcut_comparison *compared(void) {
     return c;
 }
 
-START_TEST(a_recording_of_the_simulation_scores_nothing) {
+TEST(a_recording_of_the_simulation_scores_nothing) {
     given_a_driven_cut();
     wcut_comparison *c = compared();
     for (int k = WCUT_SCORED_TENSION; k < WCUT_SCORED_COUNT; k++) {
@@ -135,9 +130,8 @@ START_TEST(a_recording_of_the_simulation_scores_nothing) {
     wcut_comparison_destroy(c);
     forget();
 }
-END_TEST
 
-START_TEST(the_rmsd_is_the_noise_that_was_put_in) {
+TEST(the_rmsd_is_the_noise_that_was_put_in) {
     given_a_driven_cut();
     wcut_random random = wcut_random_seed(3);
     for (int i = 0; i < SAMPLES; i++) {
@@ -153,9 +147,8 @@ START_TEST(the_rmsd_is_the_noise_that_was_put_in) {
     wcut_comparison_destroy(c);
     forget();
 }
-END_TEST
 
-START_TEST(the_samples_that_count_lie_between_contact_and_leaving) {
+TEST(the_samples_that_count_lie_between_contact_and_leaving) {
     given_a_driven_cut();
     wcut_comparison *c = compared();
     wcut_history *plan = run_of(job);
@@ -185,9 +178,8 @@ START_TEST(the_samples_that_count_lie_between_contact_and_leaving) {
     wcut_comparison_destroy(c);
     forget();
 }
-END_TEST
 
-START_TEST(missing_measurements_are_left_out_channel_by_channel) {
+TEST(missing_measurements_are_left_out_channel_by_channel) {
     given_a_driven_cut();
     for (int i = 0; i < SAMPLES; i++) lose_sample(recording, WCUT_CHANNEL_BETA_A, i);
     for (int i = 60; i < 70; i++) lose_sample(recording, WCUT_CHANNEL_TENSION_A, i);
@@ -199,9 +191,8 @@ START_TEST(missing_measurements_are_left_out_channel_by_channel) {
     wcut_comparison_destroy(c);
     forget();
 }
-END_TEST
 
-START_TEST(many_cuts_in_parallel_are_the_same_bytes_as_one_by_one) {
+TEST(many_cuts_in_parallel_are_the_same_bytes_as_one_by_one) {
     enum { CUTS = 5 };
     given_a_driven_cut();
     const wcut_job *jobs[CUTS] = {job, job, NULL, job, job};
@@ -229,7 +220,6 @@ START_TEST(many_cuts_in_parallel_are_the_same_bytes_as_one_by_one) {
     wcut_recording_destroy(bad);
     forget();
 }
-END_TEST
 
 static int stop_at_once(int done, int count, void *context) {
     *(int *)context += 1;
@@ -237,7 +227,7 @@ static int stop_at_once(int done, int count, void *context) {
     return 1;
 }
 
-START_TEST(a_run_that_is_stopped_keeps_what_was_done) {
+TEST(a_run_that_is_stopped_keeps_what_was_done) {
     enum { CUTS = 12 };
     given_a_driven_cut();
     const wcut_job *jobs[CUTS];
@@ -258,9 +248,8 @@ START_TEST(a_run_that_is_stopped_keeps_what_was_done) {
     ck_assert_int_ge(done, 1);
     forget();
 }
-END_TEST
 
-START_TEST(a_comparison_of_the_impossible_is_refused) {
+TEST(a_comparison_of_the_impossible_is_refused) {
     given_a_driven_cut();
     wcut_comparison *c = NULL;
     wcut_error error = {0};
@@ -280,45 +269,12 @@ START_TEST(a_comparison_of_the_impossible_is_refused) {
     wcut_comparison_destroy(NULL);
     forget();
 }
-END_TEST
 
-START_TEST(without_memory_nothing_is_written) {
+TEST(without_memory_nothing_is_written) {
     given_a_driven_cut();
     recording->samples = 3;
     wcut_comparison *c = NULL;
-    int failures = 0;
-    for (long k = 1;; k++) {
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_comparison_create(job, recording, &options, &c, NULL);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) break;
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert_ptr_null(c);
-        failures++;
-    }
-    ck_assert_int_gt(failures, 40);
+    EACH_FAILED_ALLOCATION(wcut_comparison_create(job, recording, &options, &c, NULL), !c);
     wcut_comparison_destroy(c);
     forget();
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("score");
-    TCase *tcase = tcase_create("score");
-    tcase_add_test(tcase, the_figures_are_the_textbooks);
-    tcase_add_test(tcase, a_bias_escapes_the_nrmsd_and_not_the_rmse_over_range);
-    tcase_add_test(tcase, what_is_not_defined_is_zero_and_says_so);
-    tcase_add_test(tcase, figures_of_impossible_values_are_refused);
-    tcase_add_test(tcase, a_mean_leaves_out_what_a_score_lacks);
-    tcase_add_test(tcase, names_of_channels_and_parts_are_those_of_files);
-    tcase_add_test(tcase, a_recording_of_the_simulation_scores_nothing);
-    tcase_add_test(tcase, the_rmsd_is_the_noise_that_was_put_in);
-    tcase_add_test(tcase, the_samples_that_count_lie_between_contact_and_leaving);
-    tcase_add_test(tcase, missing_measurements_are_left_out_channel_by_channel);
-    tcase_add_test(tcase, many_cuts_in_parallel_are_the_same_bytes_as_one_by_one);
-    tcase_add_test(tcase, a_run_that_is_stopped_keeps_what_was_done);
-    tcase_add_test(tcase, a_comparison_of_the_impossible_is_refused);
-    tcase_add_test(tcase, without_memory_nothing_is_written);
-    suite_add_tcase(suite, tcase);
-    return run_suite(suite);
 }

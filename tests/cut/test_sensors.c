@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "cut/cuts.h"
+#include "test.h"
 
 enum { N = 200 };
 
@@ -46,7 +47,7 @@ static double gained(int k, double t) { return truth(k, t) * 1.05; }
 static double drifted(int k, double t) { return truth(k, t) + 0.2 * (t - 100) / 100; }
 static double saturated(int k, double t) { return truth(k, t) + 0.2 * (1 - exp(-(t - 100) / 5)); }
 
-START_TEST(each_fault_changes_its_own_channel_by_its_formula) {
+TEST(each_fault_changes_its_own_channel_by_its_formula) {
     sense(sized(WCUT_EFFECT_ANGLE_OFFSET, -2, 2)); /* alpha_b */
     only(6, 6, turned);
     sense(sized(WCUT_EFFECT_TENSION_GAIN, 0.05, 1));
@@ -62,9 +63,8 @@ START_TEST(each_fault_changes_its_own_channel_by_its_formula) {
     sense(sized(WCUT_EFFECT_WIRE_THERMAL_LAG, 1, 0));
     only(0, -1, NULL);
 }
-END_TEST
 
-START_TEST(a_clock_that_runs_behind_shows_what_was_before_and_the_speeds_as_they_are) {
+TEST(a_clock_that_runs_behind_shows_what_was_before_and_the_speeds_as_they_are) {
     const double delay[] = {0.12, -0.07};
     for (int d = 0; d < 2; d++) {
         sense(sized(WCUT_EFFECT_CLOCK_OFFSET, delay[d], 0));
@@ -76,18 +76,16 @@ START_TEST(a_clock_that_runs_behind_shows_what_was_before_and_the_speeds_as_they
             }
     }
 }
-END_TEST
 
-START_TEST(neutral_faults_leave_every_bit) {
+TEST(neutral_faults_leave_every_bit) {
     for (int kind = 0; kind < WCUT_EFFECT_COUNT; kind++) {
         sense(wcut_effect_default((wcut_effect_kind)kind));
         for (int k = 0; k < WCUT_SENSED_COUNT; k++)
             for (int i = 0; i < N; i++) ck_assert(signal[k][i] == truth(k, time[i]));
     }
 }
-END_TEST
 
-START_TEST(bad_arguments_are_refused_and_the_signals_stay) {
+TEST(bad_arguments_are_refused_and_the_signals_stay) {
     given_signals();
     wcut_effect e = sized(WCUT_EFFECT_TENSION_GAIN, 0.05, 2);
     ck_assert_int_eq(wcut_sensors_eval(1, NULL, N, time, present, value), WCUT_BAD_ARGUMENT);
@@ -104,16 +102,4 @@ START_TEST(bad_arguments_are_refused_and_the_signals_stay) {
     ck_assert_int_eq(wcut_sensors_eval(1, &e, N, time, present, value), WCUT_NO_MEMORY);
     wcut_alloc_fail_at(0);
     only(0, -1, NULL);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("sensors");
-    TCase *tcase = tcase_create("instruments");
-    tcase_add_test(tcase, each_fault_changes_its_own_channel_by_its_formula);
-    tcase_add_test(tcase, a_clock_that_runs_behind_shows_what_was_before_and_the_speeds_as_they_are);
-    tcase_add_test(tcase, neutral_faults_leave_every_bit);
-    tcase_add_test(tcase, bad_arguments_are_refused_and_the_signals_stay);
-    suite_add_tcase(suite, tcase);
-    return run_suite(suite);
 }

@@ -1,6 +1,7 @@
 /* The steady state of the whole model against its closed form, a parabola and straight ends; orders of convergence in
    nodes and stations. labels: unit oracle */
 #include "cut/cuts.h"
+#include "test.h"
 
 /* A straight feed, width w in the foam, wire length s, mounts `beside` mm beside the block on both sides. */
 typedef struct steady {
@@ -59,7 +60,7 @@ static answer answer_of(wcut_job *job) {
     return a;
 }
 
-START_TEST(the_example_of_the_model_has_its_sag_and_speed_at_200_nodes) {
+TEST(the_example_of_the_model_has_its_sag_and_speed_at_200_nodes) {
     wcut_job *job = example_job(201, 400);
     const steady s = steady_of(job);
     ck_assert_double_eq_tol(s.sag, 91.1828, 5e-5);
@@ -69,9 +70,8 @@ START_TEST(the_example_of_the_model_has_its_sag_and_speed_at_200_nodes) {
     ck_assert_double_eq_tol(a.speed, s.speed, 1e-4 * s.speed);
     ck_assert_double_eq_tol(a.alpha, atan(s.slope), 1e-2); /* the first edge is half an edge from the mount */
 }
-END_TEST
 
-START_TEST(sag_and_speed_tend_to_the_closed_form_with_order_two_in_the_nodes) {
+TEST(sag_and_speed_tend_to_the_closed_form_with_order_two_in_the_nodes) {
     answer before = {0};
     for (int n = 21; n <= 161; n = 2 * n - 1) {
         wcut_job *job = example_job(n, 300);
@@ -85,9 +85,8 @@ START_TEST(sag_and_speed_tend_to_the_closed_form_with_order_two_in_the_nodes) {
         before = a;
     }
 }
-END_TEST
 
-START_TEST(beside_a_block_narrower_than_the_chord_the_wire_is_straight_along_the_end_tangents) {
+TEST(beside_a_block_narrower_than_the_chord_the_wire_is_straight_along_the_end_tangents) {
     wcut_job *job = straight_job(400, 60, 620, 201, 300, 250, 1190);
     const steady s = steady_of(job);
     wcut_history *h = run_of(job);
@@ -119,9 +118,8 @@ START_TEST(beside_a_block_narrower_than_the_chord_the_wire_is_straight_along_the
     wcut_history_destroy(h);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(where_nothing_is_steady_angle_and_time_converge_with_order_one_in_the_stations) {
+TEST(where_nothing_is_steady_angle_and_time_converge_with_order_one_in_the_stations) {
     double alpha[6], beta[6], time[6];
     int k = 0;
     for (int m = 65; m <= 513; m = 2 * m - 1, k++) {
@@ -137,16 +135,4 @@ START_TEST(where_nothing_is_steady_angle_and_time_converge_with_order_one_in_the
             ck_assert_double_eq_tol(order, 1, 0.1);
         }
     }
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("steady");
-    TCase *tcase = tcase_create("closed form");
-    tcase_add_test(tcase, the_example_of_the_model_has_its_sag_and_speed_at_200_nodes);
-    tcase_add_test(tcase, sag_and_speed_tend_to_the_closed_form_with_order_two_in_the_nodes);
-    tcase_add_test(tcase, beside_a_block_narrower_than_the_chord_the_wire_is_straight_along_the_end_tangents);
-    tcase_add_test(tcase, where_nothing_is_steady_angle_and_time_converge_with_order_one_in_the_stations);
-    suite_add_tcase(suite, tcase);
-    return run_suite(suite);
 }

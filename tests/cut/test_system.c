@@ -2,6 +2,7 @@
 #include "base/random.h"
 #include "cut/cuts.h"
 #include "cut/system.h"
+#include "test.h"
 
 enum { N = 9, SIZE = 4 * N - 7 };
 
@@ -26,7 +27,7 @@ static wcut_step given_a_step(wcut_random *random, wcut_system *y) {
 /* unknown k, where the system says it stands */
 static double *unknown_at(int k) { return k % 4 == 0 ? &s[k / 4] : &x[k / 4 + 1].x + (k - 1) % 4; }
 
-START_TEST(jacobian_and_borders_are_those_of_central_differences) {
+TEST(jacobian_and_borders_are_those_of_central_differences) {
     wcut_random random = wcut_random_seed(6);
     for (int trial = 0; trial < 40; trial++) {
         wcut_system y;
@@ -56,9 +57,8 @@ START_TEST(jacobian_and_borders_are_those_of_central_differences) {
         wcut_system_destroy(&y);
     }
 }
-END_TEST
 
-START_TEST(the_band_holds_every_derivative) {
+TEST(the_band_holds_every_derivative) {
     wcut_random random = wcut_random_seed(8);
     wcut_system y;
     const wcut_step step = given_a_step(&random, &y);
@@ -75,9 +75,8 @@ START_TEST(the_band_holds_every_derivative) {
     }
     wcut_system_destroy(&y);
 }
-END_TEST
 
-START_TEST(few_nodes_share_their_end_tangents_and_the_borders_still_hold) {
+TEST(few_nodes_share_their_end_tangents_and_the_borders_still_hold) {
     for (int n = 3; n <= 5; n++) {
         wcut_system y;
         ck_assert(wcut_system_create(n, &y));
@@ -100,15 +99,4 @@ START_TEST(few_nodes_share_their_end_tangents_and_the_borders_still_hold) {
             }
         wcut_system_destroy(&y);
     }
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("system");
-    TCase *tcase = tcase_create("residual");
-    tcase_add_test(tcase, jacobian_and_borders_are_those_of_central_differences);
-    tcase_add_test(tcase, the_band_holds_every_derivative);
-    tcase_add_test(tcase, few_nodes_share_their_end_tangents_and_the_borders_still_hold);
-    suite_add_tcase(suite, tcase);
-    return run_suite(suite);
 }

@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "explain/search.h"
 #include "explain/synthetic.h"
+#include "test.h"
 
 enum { DRAWS = 200 };
 
@@ -40,7 +41,7 @@ static double slow_of_noise(double share, wcut_random *random) {
     return left;
 }
 
-START_TEST(what_the_true_model_leaves_is_no_surprise) {
+TEST(what_the_true_model_leaves_is_no_surprise) {
     double *z = wcut_alloc((size_t)evidence->rows, sizeof *z);
     wcut_evidence_residual(evidence, z);
     wcut_evidence_whiten(evidence, z, z, z);
@@ -48,15 +49,13 @@ START_TEST(what_the_true_model_leaves_is_no_surprise) {
     ck_assert_double_gt(p_of(left, 1), 0.05);
     wcut_free(z);
 }
-END_TEST
 
-START_TEST(the_least_p_is_one_over_all_and_the_largest_is_one) {
+TEST(the_least_p_is_one_over_all_and_the_largest_is_one) {
     ck_assert_double_eq(p_of(50, 1), 1.0 / (DRAWS + 1));
     ck_assert_double_eq(p_of(0, 1), 1);
 }
-END_TEST
 
-START_TEST(more_left_is_less_likely) {
+TEST(more_left_is_less_likely) {
     double last = 1;
     for (double slow = 0.8; slow < 3.2; slow += 0.4) {
         const double p = p_of(slow, 3);
@@ -65,9 +64,8 @@ START_TEST(more_left_is_less_likely) {
     }
     ck_assert_double_lt(last, 0.05);
 }
-END_TEST
 
-START_TEST(p_is_even_where_the_share_of_slow_noise_is_drawn_as_the_null_has_it) {
+TEST(p_is_even_where_the_share_of_slow_noise_is_drawn_as_the_null_has_it) {
     enum { TIMES = 60 };
     wcut_random random = wcut_random_seed(17);
     int below_half = 0, below_tenth = 0;
@@ -81,36 +79,15 @@ START_TEST(p_is_even_where_the_share_of_slow_noise_is_drawn_as_the_null_has_it) 
     ck_assert_int_le(below_half, 46);
     ck_assert_int_le(below_tenth, 16);
 }
-END_TEST
 
-START_TEST(the_same_seed_gives_the_same_p_another_one_nearly) {
+TEST(the_same_seed_gives_the_same_p_another_one_nearly) {
     ck_assert_double_eq(p_of(1.2, 7), p_of(1.2, 7));
     ck_assert_double_eq_tol(p_of(1.2, 7), p_of(1.2, 8), 0.2);
 }
-END_TEST
 
-START_TEST(without_memory_nothing_is_written) {
-    for (long k = 1; k <= 2; k++) {
-        double p = 999;
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_adequacy_p_value(evidence, 1, DRAWS, 1, &p);
-        wcut_alloc_fail_at(0);
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert_double_eq(p, 999);
-    }
+TEST(without_memory_nothing_is_written) {
+    double p = 999;
+    FIRST_FAILED_ALLOCATIONS(2, wcut_adequacy_p_value(evidence, 1, DRAWS, 1, &p), p == 999);
 }
-END_TEST
 
-int main(void) {
-    Suite *suite = suite_create("adequacy");
-    TCase *tcase = tcase_create("all");
-    tcase_add_checked_fixture(tcase, given_a_case, forget);
-    tcase_add_test(tcase, what_the_true_model_leaves_is_no_surprise);
-    tcase_add_test(tcase, the_least_p_is_one_over_all_and_the_largest_is_one);
-    tcase_add_test(tcase, more_left_is_less_likely);
-    tcase_add_test(tcase, p_is_even_where_the_share_of_slow_noise_is_drawn_as_the_null_has_it);
-    tcase_add_test(tcase, the_same_seed_gives_the_same_p_another_one_nearly);
-    tcase_add_test(tcase, without_memory_nothing_is_written);
-    suite_add_tcase(suite, tcase);
-    return run_suite(suite);
-}
+FIXTURE(given_a_case, forget);

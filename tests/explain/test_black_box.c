@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "explain/synthetic.h"
+#include "test.h"
 
 static synthetic given;
 static wcut_evidence *evidence;
@@ -50,7 +51,7 @@ static double left_before(void) {
     return fit[WCUT_EVIDENCE_CHANNEL_TENSION].rmse_over_range;
 }
 
-START_TEST(what_the_inputs_say_is_learnt_and_holds_on_other_cuts) {
+TEST(what_the_inputs_say_is_learnt_and_holds_on_other_cuts) {
     given_a_residual(SYNTHETIC_CUTS, 1, 0.02);
     ck_assert_int_eq(wcut_black_box_run(evidence, 1, &proof), WCUT_OK);
     const wcut_fit *held_out = proof.held_out_fit[WCUT_FIT_MODEL_BLACK_BOX], *all = proof.fit[WCUT_FIT_MODEL_BLACK_BOX];
@@ -62,18 +63,16 @@ START_TEST(what_the_inputs_say_is_learnt_and_holds_on_other_cuts) {
     ck_assert_int_eq(held_out[WCUT_EVIDENCE_CHANNEL_SPEED].count, 0);
     forget();
 }
-END_TEST
 
-START_TEST(noise_teaches_it_nothing_that_holds) {
+TEST(noise_teaches_it_nothing_that_holds) {
     given_a_residual(SYNTHETIC_CUTS, 0, 0.1);
     ck_assert_int_eq(wcut_black_box_run(evidence, 1, &proof), WCUT_OK);
     ck_assert_double_gt(proof.held_out_fit[WCUT_FIT_MODEL_BLACK_BOX][WCUT_EVIDENCE_CHANNEL_TENSION].rmse_over_range,
                         0.97 * left_before());
     forget();
 }
-END_TEST
 
-START_TEST(missing_rows_are_left_out_and_one_cut_alone_holds_nothing_out) {
+TEST(missing_rows_are_left_out_and_one_cut_alone_holds_nothing_out) {
     given_a_residual(1, 1, 0.02);
     for (int i = 3; i < 9; i++) proof.measured.row[i] = (double)NAN;
     ck_assert_int_eq(wcut_black_box_run(evidence, 1, &proof), WCUT_OK);
@@ -83,29 +82,11 @@ START_TEST(missing_rows_are_left_out_and_one_cut_alone_holds_nothing_out) {
         ck_assert_int_eq(proof.held_out_fit[WCUT_FIT_MODEL_BLACK_BOX][k].count, 0);
     forget();
 }
-END_TEST
 
-START_TEST(without_memory_nothing_is_written) {
+TEST(without_memory_nothing_is_written) {
     given_a_residual(2, 1, 0.02);
     proof.fit[WCUT_FIT_MODEL_BLACK_BOX][0].count = 999;
-    for (long k = 1; k <= 12; k++) {
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_black_box_run(evidence, 1, &proof);
-        wcut_alloc_fail_at(0);
-        ck_assert_msg(status == WCUT_NO_MEMORY, "allocation %ld: %d", k, status);
-        ck_assert_int_eq(proof.fit[WCUT_FIT_MODEL_BLACK_BOX][0].count, 999);
-    }
+    FIRST_FAILED_ALLOCATIONS(12, wcut_black_box_run(evidence, 1, &proof),
+                             proof.fit[WCUT_FIT_MODEL_BLACK_BOX][0].count == 999);
     forget();
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("black_box");
-    TCase *tcase = tcase_create("all");
-    tcase_add_test(tcase, what_the_inputs_say_is_learnt_and_holds_on_other_cuts);
-    tcase_add_test(tcase, noise_teaches_it_nothing_that_holds);
-    tcase_add_test(tcase, missing_rows_are_left_out_and_one_cut_alone_holds_nothing_out);
-    tcase_add_test(tcase, without_memory_nothing_is_written);
-    suite_add_tcase(suite, tcase);
-    return run_suite(suite);
 }

@@ -4,6 +4,7 @@
 #include "cut/cuts.h"
 #include "explain/decide.h"
 #include "explain/machine.h"
+#include "test.h"
 
 static wcut_diagnosis *diagnose_secret(const machine_secret *secret, const bool *without) {
     machine_case m = machine_create(MACHINE_CUTS, secret);
@@ -42,7 +43,7 @@ static double held_within(const wcut_rig_run *run, double from) {
     return most;
 }
 
-START_TEST(the_loop_holds_the_tension_and_the_effect_is_found_all_the_same) {
+TEST(the_loop_holds_the_tension_and_the_effect_is_found_all_the_same) {
     const machine_secret secret = one(WCUT_EFFECT_WIRE_THERMAL_LAG, 0, 0.5, 6);
     machine_case m = machine_create(MACHINE_CUTS, &secret);
     ck_assert_double_lt(held_within(m.run[0], 10), 0.02);
@@ -53,35 +54,31 @@ START_TEST(the_loop_holds_the_tension_and_the_effect_is_found_all_the_same) {
     wcut_diagnosis_destroy(d);
     machine_destroy(&m);
 }
-END_TEST
 
 /* ---- hidden by refitting ---- */
 
-START_TEST(a_job_that_is_a_fifth_off_does_not_swallow_the_effect) {
+TEST(a_job_that_is_a_fifth_off_does_not_swallow_the_effect) {
     machine_secret secret = one(WCUT_EFFECT_RATE_DEPENDENCE, 0, 0.2, 8);
     secret.law_a = 1.25, secret.law_b = 0.8;
     check_named(&secret);
 }
-END_TEST
 
 /* ---- one that looks like the other ---- */
 
-START_TEST(a_clock_offset_is_no_lag) {
+TEST(a_clock_offset_is_no_lag) {
     const machine_secret secret = one(WCUT_EFFECT_CLOCK_OFFSET, 0, 0.15, 9);
     check_named(&secret);
 }
-END_TEST
 
-START_TEST(a_lag_is_no_clock_offset) {
+TEST(a_lag_is_no_clock_offset) {
     machine_secret secret = one(WCUT_EFFECT_WIRE_THERMAL_LAG, 0, 0.5, 5);
     secret.law_a = 1.1, secret.law_b = 0.95;
     check_named(&secret);
 }
-END_TEST
 
 /* A step of the simulator is late by half its length. Fitted alone to cuts in which nothing is late, a clock offset of
    0.041 s, more than is named, came out of a recording at 5 Hz when its samples were the steps. */
-START_TEST(a_coarse_recording_is_no_late_one) {
+TEST(a_coarse_recording_is_no_late_one) {
     const machine_secret secret = {.decimation = 8, .seed = 12};
     machine_case m = machine_create(MACHINE_CUTS, &secret);
     wcut_evidence *e = NULL;
@@ -97,11 +94,10 @@ START_TEST(a_coarse_recording_is_no_late_one) {
     wcut_evidence_destroy(e);
     machine_destroy(&m);
 }
-END_TEST
 
 /* ---- two at once ---- */
 
-START_TEST(two_effects_at_once_are_both_named) {
+TEST(two_effects_at_once_are_both_named) {
     const machine_secret secret = {.effects = 2,
                                    .effect = {machine_effect(WCUT_EFFECT_WIRE_THERMAL_LAG, 0, 0.5, 0),
                                               machine_effect(WCUT_EFFECT_TENSION_GAIN, 1, 0.06, 0)},
@@ -112,11 +108,10 @@ START_TEST(two_effects_at_once_are_both_named) {
     ck_assert_int_eq(d->kind, WCUT_VERDICT_BOTH);
     wcut_diagnosis_destroy(d);
 }
-END_TEST
 
 /* ---- taken out of the library ---- */
 
-START_TEST(what_the_library_does_not_have_is_unknown_not_the_next_best) {
+TEST_EACH(what_the_library_does_not_have_is_unknown_not_the_next_best, 5) {
     const machine_secret secret[] = {
         one(WCUT_EFFECT_WIRE_THERMAL_LAG, 0, 0.5, 6), one(WCUT_EFFECT_CLOCK_OFFSET, 0, 0.15, 9),
         one(WCUT_EFFECT_RATE_DEPENDENCE, 0, 0.2, 8), one(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0, 0.2, 7),
@@ -129,11 +124,10 @@ START_TEST(what_the_library_does_not_have_is_unknown_not_the_next_best) {
     ck_assert_int_ge(d->mismatches + d->dependences, 1); /* it says where, or on what it depends */
     wcut_diagnosis_destroy(d);
 }
-END_TEST
 
 /* ---- nothing there ---- */
 
-START_TEST(nothing_is_found_where_nothing_is) {
+TEST_EACH(nothing_is_found_where_nothing_is, 3) {
     const machine_secret secret = {
         .law_a = _i % 2 ? 0.8 : 1.25, .law_b = _i % 2 ? 1.2 : 0.8, .seed = 21 + (uint64_t)_i};
     wcut_diagnosis *d = diagnose_secret(&secret, NULL);
@@ -141,7 +135,6 @@ START_TEST(nothing_is_found_where_nothing_is) {
     ck_assert_int_eq(d->effects, 0);
     wcut_diagnosis_destroy(d);
 }
-END_TEST
 
 /* every channel of every cut keeps its values and loses their order */
 static void shuffle(wcut_evidence *e, wcut_random *random) {
@@ -162,7 +155,7 @@ static void shuffle(wcut_evidence *e, wcut_random *random) {
 }
 
 /* A residual's mean survives any order, so the effect is one of motion; its order in time is all there is to find. */
-START_TEST(the_search_finds_nothing_in_residuals_that_are_shuffled_in_time) {
+TEST(the_search_finds_nothing_in_residuals_that_are_shuffled_in_time) {
     const machine_secret secret = one(WCUT_EFFECT_WIRE_THERMAL_LAG, 0, 0.5, 6);
     const bool without[WCUT_EFFECT_COUNT] = {false};
     machine_case m = machine_create(MACHINE_CUTS, &secret);
@@ -186,22 +179,4 @@ START_TEST(the_search_finds_nothing_in_residuals_that_are_shuffled_in_time) {
     wcut_fitted_destroy(&first);
     wcut_evidence_destroy(e);
     machine_destroy(&m);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("concealment");
-    TCase *tests = tcase_create("concealment");
-    tcase_set_timeout(tests, 1800);
-    tcase_add_test(tests, the_loop_holds_the_tension_and_the_effect_is_found_all_the_same);
-    tcase_add_test(tests, a_job_that_is_a_fifth_off_does_not_swallow_the_effect);
-    tcase_add_test(tests, a_clock_offset_is_no_lag);
-    tcase_add_test(tests, a_lag_is_no_clock_offset);
-    tcase_add_test(tests, a_coarse_recording_is_no_late_one);
-    tcase_add_test(tests, two_effects_at_once_are_both_named);
-    tcase_add_loop_test(tests, what_the_library_does_not_have_is_unknown_not_the_next_best, 0, 5);
-    tcase_add_loop_test(tests, nothing_is_found_where_nothing_is, 0, 3);
-    tcase_add_test(tests, the_search_finds_nothing_in_residuals_that_are_shuffled_in_time);
-    suite_add_tcase(suite, tests);
-    return run_suite(suite);
 }

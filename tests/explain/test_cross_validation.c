@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "cut/score.h"
 #include "explain/synthetic.h"
+#include "test.h"
 
 static synthetic given;
 static wcut_evidence *evidence;
@@ -37,7 +38,7 @@ static wcut_cross_validation prove(const wcut_fitted *recalibrated, const wcut_f
     return p;
 }
 
-START_TEST(a_true_effect_predicts_left_out_cuts_better_than_any_law) {
+TEST(a_true_effect_predicts_left_out_cuts_better_than_any_law) {
     given_a_lag(SYNTHETIC_CUTS, false, 2);
     wcut_cross_validation p = prove(&none, &lag);
     const int tension = WCUT_EVIDENCE_CHANNEL_TENSION, alpha = WCUT_EVIDENCE_CHANNEL_ALPHA;
@@ -72,9 +73,8 @@ START_TEST(a_true_effect_predicts_left_out_cuts_better_than_any_law) {
     wcut_cross_validation_destroy(&p);
     forget();
 }
-END_TEST
 
-START_TEST(one_model_proved_against_itself_gives_equal_figures_for_any_number_of_threads) {
+TEST(one_model_proved_against_itself_gives_equal_figures_for_any_number_of_threads) {
     given_a_lag(2, false, 1);
     wcut_cross_validation one = prove(&none, &none);
     ck_assert_int_eq(memcmp(one.held_out_fit[WCUT_FIT_MODEL_AFTER], one.held_out_fit[WCUT_FIT_MODEL_RECALIBRATED],
@@ -89,7 +89,6 @@ START_TEST(one_model_proved_against_itself_gives_equal_figures_for_any_number_of
     wcut_cross_validation_destroy(&three);
     forget();
 }
-END_TEST
 
 /* the tension that the programmed speed ends at is the target, or so much of it */
 static void aim(double part) {
@@ -97,7 +96,7 @@ static void aim(double part) {
     given.job[0]->tension = part * (c->measured[0][c->bins - 8] + c->measured[1][c->bins - 8]) / 2;
 }
 
-START_TEST(one_cut_is_planned_but_nothing_can_be_held_out) {
+TEST(one_cut_is_planned_but_nothing_can_be_held_out) {
     given_a_lag(1, true, 1);
     aim(1);
     wcut_cross_validation p = prove(&none, &lag);
@@ -111,9 +110,8 @@ START_TEST(one_cut_is_planned_but_nothing_can_be_held_out) {
     wcut_cross_validation_destroy(&p);
     forget();
 }
-END_TEST
 
-START_TEST(a_speed_at_another_tension_than_the_target_is_no_judge_of_a_plan) {
+TEST(a_speed_at_another_tension_than_the_target_is_no_judge_of_a_plan) {
     given_a_lag(1, true, 1);
     aim(1.25);
     wcut_cross_validation p = prove(&none, &none);
@@ -123,11 +121,10 @@ START_TEST(a_speed_at_another_tension_than_the_target_is_no_judge_of_a_plan) {
     wcut_cross_validation_destroy(&p);
     forget();
 }
-END_TEST
 
 /* ---- figures ---- */
 
-START_TEST(figures_are_a_scores_and_their_interval_holds_them) {
+TEST(figures_are_a_scores_and_their_interval_holds_them) {
     enum { BINS = 60 };
     wcut_evidence_cut cut = {.bins = BINS};
     wcut_evidence e = {.cuts = 1, .cut = &cut, .rows = 6 * BINS, .threads = 1};
@@ -169,32 +166,12 @@ START_TEST(figures_are_a_scores_and_their_interval_holds_them) {
     }
     ck_assert(differs);
 }
-END_TEST
 
-START_TEST(without_memory_nothing_is_written) {
+TEST(without_memory_nothing_is_written) {
     given_a_lag(1, true, 1);
-    for (long k = 1; k <= 15; k += 2) {
-        wcut_cross_validation p = {.fit = {{{.count = 999}}}};
-        wcut_error error = {0};
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_cross_validation_create(evidence, &none, &lag, 1, &p, &error);
-        wcut_alloc_fail_at(0);
-        ck_assert_msg(status == WCUT_NO_MEMORY, "allocation %ld: %d %s", k, status, error.text);
-        ck_assert_int_eq(p.fit[0][0].count, 999);
-    }
+    wcut_cross_validation p = {.fit = {{{.count = 999}}}};
+    wcut_error error = {0};
+    FIRST_FAILED_ALLOCATIONS(8, wcut_cross_validation_create(evidence, &none, &lag, 1, &p, &error),
+                             p.fit[0][0].count == 999);
     forget();
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("proof");
-    TCase *tcase = tcase_create("all");
-    tcase_add_test(tcase, a_true_effect_predicts_left_out_cuts_better_than_any_law);
-    tcase_add_test(tcase, one_model_proved_against_itself_gives_equal_figures_for_any_number_of_threads);
-    tcase_add_test(tcase, one_cut_is_planned_but_nothing_can_be_held_out);
-    tcase_add_test(tcase, a_speed_at_another_tension_than_the_target_is_no_judge_of_a_plan);
-    tcase_add_test(tcase, figures_are_a_scores_and_their_interval_holds_them);
-    tcase_add_test(tcase, without_memory_nothing_is_written);
-    suite_add_tcase(suite, tcase);
-    return run_suite(suite);
 }

@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "explain/features.h"
 #include "explain/synthetic.h"
+#include "test.h"
 
 static synthetic given;
 static wcut_evidence *evidence;
@@ -30,7 +31,7 @@ static void find(void) {
     ck_assert_msg(status == WCUT_OK, "%s", error.text);
 }
 
-START_TEST(noise_depends_on_nothing) {
+TEST(noise_depends_on_nothing) {
     const concealed nothing = {.noise = 1, .seed = 51};
     given_cuts(SYNTHETIC_CUTS, &nothing);
     int cases = 0;
@@ -43,7 +44,6 @@ START_TEST(noise_depends_on_nothing) {
     ck_assert_int_eq(cases, 0);
     forget();
 }
-END_TEST
 
 /* a relative change of the force by a quantity, as the linear model has it, in the residual */
 static void plant(const wcut_feature *f, double size) {
@@ -72,7 +72,7 @@ static void plant(const wcut_feature *f, double size) {
     wcut_free(raw);
 }
 
-START_TEST(a_grating_along_the_block_is_found_with_its_wavelength_and_size) {
+TEST(a_grating_along_the_block_is_found_with_its_wavelength_and_size) {
     const concealed nothing = {.noise = 1, .seed = 52};
     given_cuts(SYNTHETIC_CUTS, &nothing);
     wcut_random random = wcut_random_seed(7);
@@ -94,9 +94,8 @@ START_TEST(a_grating_along_the_block_is_found_with_its_wavelength_and_size) {
     ck_assert_double_gt(found[0].gain, 6);
     forget();
 }
-END_TEST
 
-START_TEST(a_quantity_of_time_is_found_by_name) {
+TEST(a_quantity_of_time_is_found_by_name) {
     const concealed nothing = {.noise = 1, .seed = 53};
     given_cuts(SYNTHETIC_CUTS, &nothing);
     wcut_random random = wcut_random_seed(8);
@@ -113,9 +112,8 @@ START_TEST(a_quantity_of_time_is_found_by_name) {
     ck_assert_double_eq_tol(found[0].coefficient.value, 0.8, 0.4);
     forget();
 }
-END_TEST
 
-START_TEST(a_denser_end_of_the_block_that_the_wire_was_driven_through_is_a_dependence_on_y) {
+TEST(a_denser_end_of_the_block_that_the_wire_was_driven_through_is_a_dependence_on_y) {
     wcut_effect denser = effect_of(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0.5);
     denser.choice = 1; /* y */
     const concealed what = {.effects = 1, .effect = denser, .noise = 0.5, .seed = 54};
@@ -128,42 +126,20 @@ START_TEST(a_denser_end_of_the_block_that_the_wire_was_driven_through_is_a_depen
     ck_assert_msg(along, "%s", found[0].quantity);
     forget();
 }
-END_TEST
 
-START_TEST(one_cut_confirms_nothing) {
+TEST(one_cut_confirms_nothing) {
     const concealed what = {.effects = 1, .effect = effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 2), .noise = 1, .seed = 55};
     given_cuts(1, &what);
     find();
     ck_assert_int_eq(count, 0);
     forget();
 }
-END_TEST
 
-START_TEST(without_memory_nothing_is_written) {
+TEST(without_memory_nothing_is_written) {
     const concealed nothing = {.noise = 1, .seed = 56};
     given_cuts(2, &nothing);
-    for (long k = 1; k <= 10; k++) {
-        wcut_error error = {0};
-        count = 999;
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_dependence_find(evidence, &about, &count, found, &error);
-        wcut_alloc_fail_at(0);
-        ck_assert_msg(status == WCUT_NO_MEMORY, "allocation %ld: %d %s", k, status, error.text);
-        ck_assert_int_eq(count, 999);
-    }
+    wcut_error error = {0};
+    count = 999;
+    FIRST_FAILED_ALLOCATIONS(10, wcut_dependence_find(evidence, &about, &count, found, &error), count == 999);
     forget();
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("dependence");
-    TCase *tcase = tcase_create("all");
-    tcase_add_test(tcase, noise_depends_on_nothing);
-    tcase_add_test(tcase, a_grating_along_the_block_is_found_with_its_wavelength_and_size);
-    tcase_add_test(tcase, a_quantity_of_time_is_found_by_name);
-    tcase_add_test(tcase, a_denser_end_of_the_block_that_the_wire_was_driven_through_is_a_dependence_on_y);
-    tcase_add_test(tcase, one_cut_confirms_nothing);
-    tcase_add_test(tcase, without_memory_nothing_is_written);
-    suite_add_tcase(suite, tcase);
-    return run_suite(suite);
 }

@@ -3,6 +3,7 @@
 #include "base/alloc.h"
 #include "cut/cuts.h"
 #include "explain/machine.h"
+#include "test.h"
 
 /* what an output holds before a call */
 static char untouched;
@@ -45,7 +46,7 @@ static int look(int done, int all, void *context) {
     return ++w->asked;
 }
 
-START_TEST(one_thread_two_and_three_give_the_same_bytes) {
+TEST(one_thread_two_and_three_give_the_same_bytes) {
     const machine_secret secret = lag();
     machine_case m = machine_create(2, &secret);
     char *text[3] = {NULL};
@@ -69,10 +70,9 @@ START_TEST(one_thread_two_and_three_give_the_same_bytes) {
     free(text[0]);
     machine_destroy(&m);
 }
-END_TEST
 
 /* Within a drive of a wire, not between stages only: calls come by the hundred in each. Two threads, so that both hear. */
-START_TEST(a_diagnosis_that_is_stopped_keeps_what_it_has) {
+TEST(a_diagnosis_that_is_stopped_keeps_what_it_has) {
     static const struct {
         int stop_at, after;
         const char *stage; /* NULL: before there is anything */
@@ -115,7 +115,6 @@ START_TEST(a_diagnosis_that_is_stopped_keeps_what_it_has) {
     }
     machine_destroy(&m);
 }
-END_TEST
 
 /* ---- bad cases ---- */
 
@@ -144,7 +143,7 @@ static void empty(wcut_recording *r, wcut_channel channel) {
     c->missing = r->samples;
 }
 
-START_TEST(a_good_case_has_none_of_the_bad_ones_limits) {
+TEST(a_good_case_has_none_of_the_bad_ones_limits) {
     const machine_secret secret = {.seed = 31};
     machine_case m = machine_create(2, &secret);
     wcut_test_cut table[12];
@@ -157,9 +156,8 @@ START_TEST(a_good_case_has_none_of_the_bad_ones_limits) {
     wcut_diagnosis_destroy(d);
     machine_destroy(&m);
 }
-END_TEST
 
-START_TEST(everything_bad_at_once_runs_and_each_of_it_is_said) {
+TEST(everything_bad_at_once_runs_and_each_of_it_is_said) {
     const machine_secret secret = {.plain = true, .one_heat = true, .seed = 32};
     machine_case m = machine_create(1, &secret);
     wcut_test_cut table[12];
@@ -181,7 +179,6 @@ START_TEST(everything_bad_at_once_runs_and_each_of_it_is_said) {
     wcut_diagnosis_destroy(d);
     machine_destroy(&m);
 }
-END_TEST
 
 /* ---- refused ---- */
 
@@ -196,7 +193,7 @@ static wcut_status refused(int cuts, const wcut_diagnosis_cut *cut, int test_cut
     return status;
 }
 
-START_TEST(what_cannot_be_diagnosed_is_refused_and_nothing_written) {
+TEST(what_cannot_be_diagnosed_is_refused_and_nothing_written) {
     const machine_secret secret = {.plain = true, .seed = 33};
     machine_case m = machine_create(1, &secret);
     const wcut_diagnosis_cut none = {0}, alone = {.job = m.job[0]};
@@ -218,17 +215,4 @@ START_TEST(what_cannot_be_diagnosed_is_refused_and_nothing_written) {
     ck_assert_int_eq(refused(1, m.cut, 0, 1), WCUT_BAD_ARGUMENT);
     m.job[0]->mode = WCUT_MODE_PATH;
     machine_destroy(&m);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("diagnosis");
-    TCase *tests = tcase_create("diagnosis");
-    tcase_add_test(tests, what_cannot_be_diagnosed_is_refused_and_nothing_written);
-    tcase_add_test(tests, everything_bad_at_once_runs_and_each_of_it_is_said);
-    tcase_add_test(tests, a_good_case_has_none_of_the_bad_ones_limits);
-    tcase_add_test(tests, one_thread_two_and_three_give_the_same_bytes);
-    tcase_add_test(tests, a_diagnosis_that_is_stopped_keeps_what_it_has);
-    suite_add_tcase(suite, tests);
-    return run_suite(suite);
 }

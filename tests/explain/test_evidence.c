@@ -3,10 +3,11 @@
 
 #include "base/alloc.h"
 #include "explain/synthetic.h"
+#include "test.h"
 
 static const concealed nothing = {.noise = 0, .seed = 1}, noisy = {.noise = 1, .seed = 2};
 
-START_TEST(the_jobs_own_wire_leaves_nothing_but_the_smoothing_of_its_motion) {
+TEST(the_jobs_own_wire_leaves_nothing_but_the_smoothing_of_its_motion) {
     synthetic s = synthetic_create(2, &nothing);
     wcut_evidence *e = evidence_of(&s, 1);
     double *residual = wcut_alloc((size_t)e->rows, sizeof *residual);
@@ -29,9 +30,8 @@ START_TEST(the_jobs_own_wire_leaves_nothing_but_the_smoothing_of_its_motion) {
     wcut_evidence_destroy(e);
     synthetic_destroy(&s);
 }
-END_TEST
 
-START_TEST(whitened_noise_has_unit_variance_and_no_memory) {
+TEST(whitened_noise_has_unit_variance_and_no_memory) {
     synthetic s = synthetic_create(1, &noisy);
     wcut_evidence *e = evidence_of(&s, 1);
     double *z = wcut_alloc((size_t)e->rows, sizeof *z), square = 0, product = 0, next = 0;
@@ -56,9 +56,8 @@ START_TEST(whitened_noise_has_unit_variance_and_no_memory) {
     wcut_evidence_destroy(e);
     synthetic_destroy(&s);
 }
-END_TEST
 
-START_TEST(whitening_is_linear_and_missing_rows_are_nothing) {
+TEST(whitening_is_linear_and_missing_rows_are_nothing) {
     synthetic s = synthetic_create(1, &noisy);
     wcut_evidence *e = evidence_of(&s, 1);
     const size_t rows = (size_t)e->rows;
@@ -83,9 +82,8 @@ START_TEST(whitening_is_linear_and_missing_rows_are_nothing) {
     wcut_evidence_destroy(e);
     synthetic_destroy(&s);
 }
-END_TEST
 
-START_TEST(the_white_part_of_the_noise_is_measured_and_a_misfit_does_not_move_it) {
+TEST(the_white_part_of_the_noise_is_measured_and_a_misfit_does_not_move_it) {
     synthetic s = synthetic_create(2, &noisy);
     wcut_evidence *e = evidence_of(&s, 1);
     /* five samples of 0.02 N, 0.05 deg in a bin; what smoothing does to the motion comes on top */
@@ -102,9 +100,8 @@ START_TEST(the_white_part_of_the_noise_is_measured_and_a_misfit_does_not_move_it
     wcut_evidence_destroy(e);
     synthetic_destroy(&s);
 }
-END_TEST
 
-START_TEST(the_same_bytes_come_from_any_number_of_threads) {
+TEST(the_same_bytes_come_from_any_number_of_threads) {
     synthetic s = synthetic_create(2, &noisy);
     wcut_evidence *one = evidence_of(&s, 1), *two = evidence_of(&s, 2);
     ck_assert_int_eq(one->rows, two->rows);
@@ -120,9 +117,8 @@ START_TEST(the_same_bytes_come_from_any_number_of_threads) {
     wcut_evidence_destroy(two);
     synthetic_destroy(&s);
 }
-END_TEST
 
-START_TEST(a_model_of_a_cut_is_its_job_with_another_law_length_and_effects) {
+TEST(a_model_of_a_cut_is_its_job_with_another_law_length_and_effects) {
     synthetic s = synthetic_create(2, &nothing);
     wcut_evidence *e = evidence_of(&s, 1);
     wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
@@ -139,9 +135,8 @@ START_TEST(a_model_of_a_cut_is_its_job_with_another_law_length_and_effects) {
     wcut_evidence_destroy(e);
     synthetic_destroy(&s);
 }
-END_TEST
 
-START_TEST(a_case_that_shows_nothing_is_refused) {
+TEST(a_case_that_shows_nothing_is_refused) {
     synthetic s = synthetic_create(1, &nothing);
     wcut_evidence *e = NULL;
     wcut_error error = {0};
@@ -160,34 +155,11 @@ START_TEST(a_case_that_shows_nothing_is_refused) {
     ck_assert_ptr_null(e);
     synthetic_destroy(&s);
 }
-END_TEST
 
-START_TEST(without_memory_nothing_is_written) {
+TEST(without_memory_nothing_is_written) {
     synthetic s = synthetic_create(1, &nothing);
-    for (long k = 1; k <= 3; k++) {
-        wcut_evidence *e = NULL;
-        wcut_error error = {0};
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_evidence_create(1, s.cut, false, 1, NULL, &e, &error);
-        wcut_alloc_fail_at(0);
-        ck_assert_msg(status == WCUT_NO_MEMORY, "allocation %ld: %d %s", k, status, error.text);
-        ck_assert_ptr_null(e);
-    }
+    wcut_evidence *e = NULL;
+    wcut_error error = {0};
+    FIRST_FAILED_ALLOCATIONS(3, wcut_evidence_create(1, s.cut, false, 1, NULL, &e, &error), !e);
     synthetic_destroy(&s);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("evidence");
-    TCase *tcase = tcase_create("all");
-    tcase_add_test(tcase, the_jobs_own_wire_leaves_nothing_but_the_smoothing_of_its_motion);
-    tcase_add_test(tcase, whitened_noise_has_unit_variance_and_no_memory);
-    tcase_add_test(tcase, whitening_is_linear_and_missing_rows_are_nothing);
-    tcase_add_test(tcase, the_white_part_of_the_noise_is_measured_and_a_misfit_does_not_move_it);
-    tcase_add_test(tcase, the_same_bytes_come_from_any_number_of_threads);
-    tcase_add_test(tcase, a_model_of_a_cut_is_its_job_with_another_law_length_and_effects);
-    tcase_add_test(tcase, a_case_that_shows_nothing_is_refused);
-    tcase_add_test(tcase, without_memory_nothing_is_written);
-    suite_add_tcase(suite, tcase);
-    return run_suite(suite);
 }

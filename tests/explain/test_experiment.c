@@ -5,6 +5,7 @@
 #include "base/alloc.h"
 #include "cut/cuts.h"
 #include "explain/identify.h"
+#include "test.h"
 
 static wcut_job *short_job(void) {
     wcut_job *job = straight_job(400, 60, 560, 31, 120, -20, 700);
@@ -28,7 +29,7 @@ static double chosen(const wcut_job *job, wcut_effect a, wcut_effect b, wcut_job
     return separation;
 }
 
-START_TEST(a_thermal_lag_and_a_late_clock_are_told_apart_by_an_excitation) {
+TEST(a_thermal_lag_and_a_late_clock_are_told_apart_by_an_excitation) {
     wcut_job *job = short_job(), *best = NULL;
     char reason[WCUT_DIAGNOSIS_TEXT];
     const double s =
@@ -40,9 +41,8 @@ START_TEST(a_thermal_lag_and_a_late_clock_are_told_apart_by_an_excitation) {
     wcut_job_destroy(best);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(a_gradient_along_the_feed_and_a_fouling_wire_are_told_apart_by_the_way_back) {
+TEST(a_gradient_along_the_feed_and_a_fouling_wire_are_told_apart_by_the_way_back) {
     wcut_job *job = short_job(), *best = NULL;
     char reason[WCUT_DIAGNOSIS_TEXT];
     wcut_effect along = sized(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0.12), fouling = sized(WCUT_EFFECT_WIRE_FOULING, 1.2);
@@ -54,9 +54,8 @@ START_TEST(a_gradient_along_the_feed_and_a_fouling_wire_are_told_apart_by_the_wa
     wcut_job_destroy(best);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(a_growing_kerf_and_a_shifted_scan_are_told_apart_by_a_scan_at_other_heats) {
+TEST(a_growing_kerf_and_a_shifted_scan_are_told_apart_by_a_scan_at_other_heats) {
     wcut_job *job = short_job(), *best = NULL;
     char reason[WCUT_DIAGNOSIS_TEXT];
     wcut_effect shift = wcut_effect_default(WCUT_EFFECT_SCAN_OFFSET);
@@ -66,9 +65,8 @@ START_TEST(a_growing_kerf_and_a_shifted_scan_are_told_apart_by_a_scan_at_other_h
     wcut_job_destroy(best);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(the_same_explanation_twice_is_told_apart_by_nothing_and_said_so) {
+TEST(the_same_explanation_twice_is_told_apart_by_nothing_and_said_so) {
     wcut_job *job = short_job(), *best = NULL;
     char reason[WCUT_DIAGNOSIS_TEXT];
     const wcut_effect lag = sized(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.4);
@@ -77,9 +75,8 @@ START_TEST(the_same_explanation_twice_is_told_apart_by_nothing_and_said_so) {
     wcut_job_destroy(best);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(what_a_refit_of_the_plain_model_explains_does_not_count) {
+TEST(what_a_refit_of_the_plain_model_explains_does_not_count) {
     wcut_job *job = short_job(), *best = NULL;
     char reason[WCUT_DIAGNOSIS_TEXT];
     double weak = 0, strong = 0;
@@ -92,9 +89,8 @@ START_TEST(what_a_refit_of_the_plain_model_explains_does_not_count) {
     wcut_job_destroy(best);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(what_cannot_be_run_is_refused_and_nothing_is_written) {
+TEST(what_cannot_be_run_is_refused_and_nothing_is_written) {
     wcut_job *job = short_job(), *best = job;
     char reason[WCUT_DIAGNOSIS_TEXT] = "as it was";
     double s = 999;
@@ -114,39 +110,16 @@ START_TEST(what_cannot_be_run_is_refused_and_nothing_is_written) {
     ck_assert_str_eq(reason, "as it was");
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(where_memory_ends_nothing_is_written) {
+TEST(where_memory_ends_nothing_is_written) {
     wcut_job *job = short_job(), *best = NULL;
     char reason[WCUT_DIAGNOSIS_TEXT];
     double s = 999;
     const wcut_effect lag = sized(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.4);
     job->stations = 20;
     for (int j = 0; j < job->stations; j++) job->mount_a[j].y = job->mount_b[j].y = -20 + 36.0 * j;
-    for (long k = 1; k < 4000; k = k * 5 / 4 + 1) {
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_experiment_choose(job, 1, &lag, 0, NULL, NULL, &best, &s, reason, NULL);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) break;
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert(!best && s == 999);
-    }
+    EACH_FAILED_ALLOCATION_BY(127, wcut_experiment_choose(job, 1, &lag, 0, NULL, NULL, &best, &s, reason, NULL),
+                              !best && s == 999);
     wcut_job_destroy(best);
     wcut_job_destroy(job);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("the next experiment");
-    TCase *tests = tcase_create("experiment");
-    tcase_set_timeout(tests, 240);
-    tcase_add_test(tests, a_thermal_lag_and_a_late_clock_are_told_apart_by_an_excitation);
-    tcase_add_test(tests, a_gradient_along_the_feed_and_a_fouling_wire_are_told_apart_by_the_way_back);
-    tcase_add_test(tests, a_growing_kerf_and_a_shifted_scan_are_told_apart_by_a_scan_at_other_heats);
-    tcase_add_test(tests, the_same_explanation_twice_is_told_apart_by_nothing_and_said_so);
-    tcase_add_test(tests, what_a_refit_of_the_plain_model_explains_does_not_count);
-    tcase_add_test(tests, what_cannot_be_run_is_refused_and_nothing_is_written);
-    tcase_add_test(tests, where_memory_ends_nothing_is_written);
-    suite_add_tcase(suite, tests);
-    return run_suite(suite);
 }

@@ -4,6 +4,7 @@
 #include "base/alloc.h"
 #include "base/least_squares.h"
 #include "explain/synthetic.h"
+#include "test.h"
 
 /* ---- normal equations ---- */
 
@@ -28,7 +29,7 @@ static void given_columns(problem *p) {
     }
 }
 
-START_TEST(normal_equations_give_what_dense_least_squares_gives_with_priors_as_rows) {
+TEST(normal_equations_give_what_dense_least_squares_gives_with_priors_as_rows) {
     problem p;
     given_columns(&p);
     wcut_normal_equations normal;
@@ -64,9 +65,8 @@ START_TEST(normal_equations_give_what_dense_least_squares_gives_with_priors_as_r
     }
     wcut_normal_equations_destroy(&normal);
 }
-END_TEST
 
-START_TEST(what_a_cut_costs_is_its_own_sum_of_squares) {
+TEST(what_a_cut_costs_is_its_own_sum_of_squares) {
     problem p;
     given_columns(&p);
     wcut_normal_equations normal;
@@ -79,9 +79,8 @@ START_TEST(what_a_cut_costs_is_its_own_sum_of_squares) {
     ck_assert_double_eq_tol(wcut_normal_equations_cost(&normal, 1, 2, chosen, t), expected, 1e-9);
     wcut_normal_equations_destroy(&normal);
 }
-END_TEST
 
-START_TEST(columns_that_are_the_same_are_refused_unless_a_prior_holds_them) {
+TEST(columns_that_are_the_same_are_refused_unless_a_prior_holds_them) {
     problem p;
     given_columns(&p);
     memcpy(p.column + 126, p.column, 126 * sizeof(double));
@@ -96,7 +95,6 @@ START_TEST(columns_that_are_the_same_are_refused_unless_a_prior_holds_them) {
     ck_assert_double_eq_tol(t[0], t[1], 1e-9);
     wcut_normal_equations_destroy(&normal);
 }
-END_TEST
 
 /* ---- cuts ---- */
 
@@ -106,7 +104,7 @@ static void ck_near(double found, double expected, double error, double most, co
                   expected);
 }
 
-START_TEST(a_concealed_lag_comes_back_with_the_law_that_was_off) {
+TEST(a_concealed_lag_comes_back_with_the_law_that_was_off) {
     const concealed what = {.effects = 1,
                             .effect = effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.8),
                             .law_a = 1.12,
@@ -136,9 +134,8 @@ START_TEST(a_concealed_lag_comes_back_with_the_law_that_was_off) {
     wcut_evidence_destroy(e);
     synthetic_destroy(&s);
 }
-END_TEST
 
-START_TEST(where_nothing_is_concealed_effects_gain_no_more_than_chance) {
+TEST(where_nothing_is_concealed_effects_gain_no_more_than_chance) {
     const concealed what = {.law_a = 0.9, .noise = 1, .seed = 22};
     synthetic s = synthetic_create(SYNTHETIC_CUTS, &what);
     wcut_evidence *e = evidence_of(&s, 2);
@@ -160,9 +157,8 @@ START_TEST(where_nothing_is_concealed_effects_gain_no_more_than_chance) {
     wcut_evidence_destroy(e);
     synthetic_destroy(&s);
 }
-END_TEST
 
-START_TEST(a_faulty_instrument_is_fitted_along_the_same_motion) {
+TEST(a_faulty_instrument_is_fitted_along_the_same_motion) {
     wcut_effect gain = effect_of(WCUT_EFFECT_TENSION_GAIN, 0.04);
     const concealed what = {.effects = 1, .effect = gain, .noise = 1, .seed = 23};
     synthetic s = synthetic_create(2, &what);
@@ -174,9 +170,8 @@ START_TEST(a_faulty_instrument_is_fitted_along_the_same_motion) {
     wcut_evidence_destroy(e);
     synthetic_destroy(&s);
 }
-END_TEST
 
-START_TEST(the_same_bytes_come_from_any_number_of_threads) {
+TEST(the_same_bytes_come_from_any_number_of_threads) {
     const concealed what = {.noise = 1, .seed = 24};
     synthetic s = synthetic_create(2, &what);
     wcut_evidence *one = evidence_of(&s, 1), *two = evidence_of(&s, 2);
@@ -191,9 +186,8 @@ START_TEST(the_same_bytes_come_from_any_number_of_threads) {
     wcut_evidence_destroy(two);
     synthetic_destroy(&s);
 }
-END_TEST
 
-START_TEST(models_that_move_the_wire_alike_are_told) {
+TEST(models_that_move_the_wire_alike_are_told) {
     const wcut_model plain = {.a = 0.1, .b = 8e-4};
     wcut_model other = plain;
     ck_assert(wcut_models_same_motion(&plain, &other));
@@ -206,9 +200,8 @@ START_TEST(models_that_move_the_wire_alike_are_told) {
     other = plain, other.length_change = 0.1;
     ck_assert(!wcut_models_same_motion(&plain, &other));
 }
-END_TEST
 
-START_TEST(a_profile_is_the_curvature_where_the_response_is_straight) {
+TEST(a_profile_is_the_curvature_where_the_response_is_straight) {
     const concealed what = {.effects = 1, .effect = effect_of(WCUT_EFFECT_TENSION_DRIFT, 0.1), .noise = 1, .seed = 12};
     synthetic s = synthetic_create(2, &what);
     wcut_evidence *e = evidence_of(&s, 1);
@@ -222,9 +215,8 @@ START_TEST(a_profile_is_the_curvature_where_the_response_is_straight) {
     wcut_evidence_destroy(e);
     synthetic_destroy(&s);
 }
-END_TEST
 
-START_TEST(a_profile_holds_the_truth_and_ends_at_the_bounds) {
+TEST(a_profile_holds_the_truth_and_ends_at_the_bounds) {
     /* a hundred times the noise: hardly anything is known of a stiffness of 100 N/mm, and its reciprocal has a bound at 0 */
     const concealed what = {
         .effects = 1, .effect = effect_of(WCUT_EFFECT_MOUNT_COMPLIANCE, 100), .noise = 100, .seed = 3};
@@ -241,60 +233,26 @@ START_TEST(a_profile_holds_the_truth_and_ends_at_the_bounds) {
     wcut_evidence_destroy(e);
     synthetic_destroy(&s);
 }
-END_TEST
 
-START_TEST(a_profile_without_memory_changes_nothing) {
+TEST(a_profile_without_memory_changes_nothing) {
     const concealed what = {.effects = 1, .effect = effect_of(WCUT_EFFECT_TENSION_DRIFT, 0.1), .noise = 1, .seed = 12};
     synthetic s = synthetic_create(1, &what);
     wcut_evidence *e = evidence_of(&s, 1);
     wcut_fitted f = fit_of(e, 1, effect_of(WCUT_EFFECT_TENSION_DRIFT, 0.05));
     f.below[WCUT_BASE] = f.above[WCUT_BASE] = 999;
-    for (long k = 1; k < 40; k += 6) {
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_fit_profile(e, &f, NULL);
-        wcut_alloc_fail_at(0);
-        ck_assert_msg(status == WCUT_NO_MEMORY, "allocation %ld: %d", k, status);
-        ck_assert(f.below[WCUT_BASE] == 999 && f.above[WCUT_BASE] == 999);
-    }
+    FIRST_FAILED_ALLOCATIONS(7, wcut_fit_profile(e, &f, NULL), f.below[WCUT_BASE] == 999 && f.above[WCUT_BASE] == 999);
     wcut_fitted_destroy(&f);
     wcut_evidence_destroy(e);
     synthetic_destroy(&s);
 }
-END_TEST
 
-START_TEST(without_memory_nothing_is_written) {
+TEST(without_memory_nothing_is_written) {
     const concealed what = {.noise = 1, .seed = 25};
     synthetic s = synthetic_create(1, &what);
     wcut_evidence *e = evidence_of(&s, 1);
     const wcut_model start = e->at;
-    for (long k = 1; k <= 8; k++) {
-        wcut_fitted f = {.count = 999};
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_fit_solve(e, &start, &f, NULL);
-        wcut_alloc_fail_at(0);
-        ck_assert_msg(status == WCUT_NO_MEMORY, "allocation %ld: %d", k, status);
-        ck_assert_int_eq(f.count, 999);
-    }
+    wcut_fitted f = {.count = 999};
+    FIRST_FAILED_ALLOCATIONS(8, wcut_fit_solve(e, &start, &f, NULL), f.count == 999);
     wcut_evidence_destroy(e);
     synthetic_destroy(&s);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("fit");
-    TCase *tcase = tcase_create("all");
-    tcase_add_test(tcase, normal_equations_give_what_dense_least_squares_gives_with_priors_as_rows);
-    tcase_add_test(tcase, what_a_cut_costs_is_its_own_sum_of_squares);
-    tcase_add_test(tcase, columns_that_are_the_same_are_refused_unless_a_prior_holds_them);
-    tcase_add_test(tcase, a_concealed_lag_comes_back_with_the_law_that_was_off);
-    tcase_add_test(tcase, where_nothing_is_concealed_effects_gain_no_more_than_chance);
-    tcase_add_test(tcase, a_faulty_instrument_is_fitted_along_the_same_motion);
-    tcase_add_test(tcase, the_same_bytes_come_from_any_number_of_threads);
-    tcase_add_test(tcase, models_that_move_the_wire_alike_are_told);
-    tcase_add_test(tcase, a_profile_is_the_curvature_where_the_response_is_straight);
-    tcase_add_test(tcase, a_profile_holds_the_truth_and_ends_at_the_bounds);
-    tcase_add_test(tcase, a_profile_without_memory_changes_nothing);
-    tcase_add_test(tcase, without_memory_nothing_is_written);
-    suite_add_tcase(suite, tcase);
-    return run_suite(suite);
 }

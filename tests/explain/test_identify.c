@@ -6,6 +6,7 @@
 #include "base/alloc.h"
 #include "cut/cuts.h"
 #include "explain/identify.h"
+#include "test.h"
 
 /* a cut of about 40 s, entry, steady part and exit */
 static wcut_job *short_job(void) {
@@ -23,7 +24,7 @@ static void destroy_all(int count, wcut_job **job) {
     for (int k = 0; k < count; k++) wcut_job_destroy(job[k]);
 }
 
-START_TEST(a_cut_gets_three_incommensurate_sines_and_steps_of_heat_that_go_up_as_often_as_down) {
+TEST(a_cut_gets_three_incommensurate_sines_and_steps_of_heat_that_go_up_as_often_as_down) {
     wcut_job *job = short_job(), *cut[3] = {NULL};
     wcut_error error = {0};
     ck_assert_msg(wcut_identification_create(job, 3, 7, cut, &error) == WCUT_OK, "%s", error.text);
@@ -59,9 +60,8 @@ START_TEST(a_cut_gets_three_incommensurate_sines_and_steps_of_heat_that_go_up_as
     destroy_all(3, cut);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(the_same_seed_gives_the_same_cuts_and_another_one_others) {
+TEST(the_same_seed_gives_the_same_cuts_and_another_one_others) {
     wcut_job *job = short_job(), *a[2] = {NULL}, *b[2] = {NULL}, *c[2] = {NULL};
     ck_assert_int_eq(wcut_identification_create(job, 2, 1, a, NULL), WCUT_OK);
     ck_assert_int_eq(wcut_identification_create(job, 2, 1, b, NULL), WCUT_OK);
@@ -77,9 +77,8 @@ START_TEST(the_same_seed_gives_the_same_cuts_and_another_one_others) {
     destroy_all(2, c);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(a_machine_with_little_speed_to_spare_gets_a_smaller_dither_and_none_where_there_is_none) {
+TEST(a_machine_with_little_speed_to_spare_gets_a_smaller_dither_and_none_where_there_is_none) {
     wcut_job *job = short_job(), *cut[3] = {NULL};
     wcut_history *plan = run_of(job);
     const double most = plan->row[plan->stations / 2].speed_a;
@@ -99,9 +98,8 @@ START_TEST(a_machine_with_little_speed_to_spare_gets_a_smaller_dither_and_none_w
     wcut_history_destroy(plan);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(even_without_feedback_the_tension_stays_below_twice_the_target) {
+TEST(even_without_feedback_the_tension_stays_below_twice_the_target) {
     wcut_job *job = short_job(), *cut = NULL;
     job->force_law.b *= 3; /* so steep a law that 10 % of heat alone would double the force */
     job->force_law.a *= 40;
@@ -121,10 +119,9 @@ START_TEST(even_without_feedback_the_tension_stays_below_twice_the_target) {
     wcut_job_destroy(cut);
     wcut_job_destroy(job);
 }
-END_TEST
 
 /* in closed loop the dither is in the speed, the steps are in the heat, and the tension is held all the same */
-START_TEST(the_loop_runs_both_ways_to_the_end_with_the_excitation_in_its_recording) {
+TEST(the_loop_runs_both_ways_to_the_end_with_the_excitation_in_its_recording) {
     wcut_job *job = short_job(), *cut[2] = {NULL};
     ck_assert_int_eq(wcut_identification_create(job, 2, 1, cut, NULL), WCUT_OK);
     for (int k = 0; k < 2; k++) {
@@ -149,9 +146,8 @@ START_TEST(the_loop_runs_both_ways_to_the_end_with_the_excitation_in_its_recordi
     destroy_all(2, cut);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(what_is_no_job_is_refused_and_nothing_is_written) {
+TEST(what_is_no_job_is_refused_and_nothing_is_written) {
     wcut_job *job = short_job(), *out[8];
     wcut_error error = {0};
     for (int k = 0; k < 8; k++) out[k] = job;
@@ -171,39 +167,12 @@ START_TEST(what_is_no_job_is_refused_and_nothing_is_written) {
     for (int k = 0; k < 8; k++) ck_assert_ptr_eq(out[k], job);
     wcut_job_destroy(job);
 }
-END_TEST
 
-START_TEST(wherever_memory_ends_nothing_is_written) {
+TEST(wherever_memory_ends_nothing_is_written) {
     wcut_job *job = short_job(), *out = NULL;
     job->stations = 12;
     for (int j = 0; j < job->stations; j++) job->mount_a[j].y = job->mount_b[j].y = -20 + 60.0 * j;
-    int failures = 0;
-    for (long k = 1; k < 2000; k++) {
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_identification_create(job, 1, 1, &out, NULL);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) break;
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert_ptr_null(out);
-        failures++;
-    }
-    ck_assert_int_gt(failures, 10);
+    EACH_FAILED_ALLOCATION(wcut_identification_create(job, 1, 1, &out, NULL), !out);
     wcut_job_destroy(out);
     wcut_job_destroy(job);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("identification cuts");
-    TCase *tests = tcase_create("identify");
-    tcase_set_timeout(tests, 240);
-    tcase_add_test(tests, a_cut_gets_three_incommensurate_sines_and_steps_of_heat_that_go_up_as_often_as_down);
-    tcase_add_test(tests, the_same_seed_gives_the_same_cuts_and_another_one_others);
-    tcase_add_test(tests, a_machine_with_little_speed_to_spare_gets_a_smaller_dither_and_none_where_there_is_none);
-    tcase_add_test(tests, even_without_feedback_the_tension_stays_below_twice_the_target);
-    tcase_add_test(tests, the_loop_runs_both_ways_to_the_end_with_the_excitation_in_its_recording);
-    tcase_add_test(tests, what_is_no_job_is_refused_and_nothing_is_written);
-    tcase_add_test(tests, wherever_memory_ends_nothing_is_written);
-    suite_add_tcase(suite, tests);
-    return run_suite(suite);
 }

@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "explain/synthetic.h"
+#include "test.h"
 
 static synthetic given;
 static wcut_evidence *evidence;
@@ -58,7 +59,7 @@ static void give_patches(void) {
     }
 }
 
-START_TEST(noise_holds_no_mismatch_but_one_case_in_a_hundred) {
+TEST(noise_holds_no_mismatch_but_one_case_in_a_hundred) {
     give_patches();
     int cases = 0;
     for (uint64_t seed = 1; seed <= 60; seed++) {
@@ -70,7 +71,6 @@ START_TEST(noise_holds_no_mismatch_but_one_case_in_a_hundred) {
     /* 0.6 are expected, if the correction is exact; 4 or more have a probability of 0.003 */
     ck_assert_int_le(cases, 3);
 }
-END_TEST
 
 /* noise and a bump in alpha_b of the second cut, from bin 10 on */
 static void plant(int length, double size, uint64_t seed) {
@@ -82,7 +82,7 @@ static void plant(int length, double size, uint64_t seed) {
     wcut_evidence_whiten(evidence, raw, residual, residual);
 }
 
-START_TEST(a_planted_bump_is_found_where_and_as_large_as_it_is) {
+TEST(a_planted_bump_is_found_where_and_as_large_as_it_is) {
     const wcut_evidence_cut *c = &evidence->cut[1];
     plant(12, 4, 3);
     locate();
@@ -109,9 +109,8 @@ START_TEST(a_planted_bump_is_found_where_and_as_large_as_it_is) {
             ck_assert(found[k].time[1] <= m->time[0] + 1e-9 || found[k].time[0] >= m->time[1] - 1e-9);
     }
 }
-END_TEST
 
-START_TEST(a_shift_of_a_whole_channel_is_one_mismatch) {
+TEST(a_shift_of_a_whole_channel_is_one_mismatch) {
     wcut_random random = wcut_random_seed(8);
     const wcut_evidence_cut *c = &evidence->cut[2];
     wcut_evidence_residual(evidence, raw);
@@ -124,9 +123,8 @@ START_TEST(a_shift_of_a_whole_channel_is_one_mismatch) {
     ck_assert_double_eq_tol(found[0].mean, -4 * evidence->sigma[0], evidence->sigma[0]);
     ck_assert_double_gt(found[0].time[1] - found[0].time[0], 0.6 * c->bins * WCUT_BIN_WIDTH);
 }
-END_TEST
 
-START_TEST(the_same_values_in_another_order_are_nothing) {
+TEST(the_same_values_in_another_order_are_nothing) {
     int cases = 0;
     for (uint64_t seed = 1; seed <= 20; seed++) {
         plant(16, 4, seed);
@@ -148,9 +146,8 @@ START_TEST(the_same_values_in_another_order_are_nothing) {
     }
     ck_assert_int_le(cases, 1);
 }
-END_TEST
 
-START_TEST(patches_of_a_face_that_are_off_are_found_along_the_wire) {
+TEST(patches_of_a_face_that_are_off_are_found_along_the_wire) {
     give_patches();
     wcut_random random = wcut_random_seed(4);
     white_rows(evidence, &random, residual);
@@ -170,9 +167,8 @@ START_TEST(patches_of_a_face_that_are_off_are_found_along_the_wire) {
     ck_assert_double_eq_tol(m->wire[1], m->block[1].x * 380 / 360, 2);
     ck_assert_double_lt(m->time[0], m->time[1]);
 }
-END_TEST
 
-START_TEST(rows_that_are_missing_do_not_matter) {
+TEST(rows_that_are_missing_do_not_matter) {
     wcut_evidence_cut *c = &evidence->cut[1];
     for (int i = 12; i < 15; i++) c->measured[4][i] = (double)NAN;
     plant(12, 5, 3);
@@ -181,33 +177,12 @@ START_TEST(rows_that_are_missing_do_not_matter) {
     ck_assert_str_eq(found[0].column, "alpha_b_deg");
     ck_assert(isfinite(found[0].mean));
 }
-END_TEST
 
-START_TEST(without_memory_nothing_is_written) {
+TEST(without_memory_nothing_is_written) {
     plant(12, 5, 3);
-    for (long k = 1; k <= 6; k++) {
-        wcut_error error = {0};
-        count = 999;
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_mismatch_locate(evidence, residual, &count, found, &error);
-        wcut_alloc_fail_at(0);
-        ck_assert_msg(status == WCUT_NO_MEMORY, "allocation %ld: %s", k, error.text);
-        ck_assert_int_eq(count, 999);
-    }
+    wcut_error error = {0};
+    count = 999;
+    FIRST_FAILED_ALLOCATIONS(6, wcut_mismatch_locate(evidence, residual, &count, found, &error), count == 999);
 }
-END_TEST
 
-int main(void) {
-    Suite *suite = suite_create("locate");
-    TCase *tcase = tcase_create("all");
-    tcase_add_checked_fixture(tcase, given_a_quiet_case, forget);
-    tcase_add_test(tcase, noise_holds_no_mismatch_but_one_case_in_a_hundred);
-    tcase_add_test(tcase, a_planted_bump_is_found_where_and_as_large_as_it_is);
-    tcase_add_test(tcase, a_shift_of_a_whole_channel_is_one_mismatch);
-    tcase_add_test(tcase, the_same_values_in_another_order_are_nothing);
-    tcase_add_test(tcase, patches_of_a_face_that_are_off_are_found_along_the_wire);
-    tcase_add_test(tcase, rows_that_are_missing_do_not_matter);
-    tcase_add_test(tcase, without_memory_nothing_is_written);
-    suite_add_tcase(suite, tcase);
-    return run_suite(suite);
-}
+FIXTURE(given_a_quiet_case, forget);

@@ -1,11 +1,10 @@
 /* Engagement of a piece of wire in the block against clipping by hand, a fine sum, and its own differences. */
-#include <check.h>
-#include <stdlib.h>
 
 #include "base/numbers.h"
 #include "base/random.h"
 #include "base/vec3.h"
 #include "foam/block.h"
+#include "test.h"
 
 static const wcut_block block = {.size = {400, 600, 300}, .depth = 0.15};
 
@@ -20,7 +19,7 @@ static wcut_vec3 random_point(wcut_random *random, double margin) {
                 -margin + (block.size.z + 2 * margin) * wcut_random_uniform(random));
 }
 
-START_TEST(a_wire_across_the_block_is_clipped_exactly_at_its_sides) {
+TEST(a_wire_across_the_block_is_clipped_exactly_at_its_sides) {
     ck_assert_double_eq_tol(share_of(&block, vec3(-100, 50, 150), vec3(500, 50, 150)), 400.0 / 600, 1e-15);
     ck_assert_double_eq_tol(share_of(&block, vec3(-30, 50, 150), vec3(10, 80, 170)), 0.25, 1e-15);
     ck_assert_double_eq_tol(share_of(&block, vec3(390, 80, 170), vec3(430, 50, 150)), 0.25, 1e-15);
@@ -30,9 +29,8 @@ START_TEST(a_wire_across_the_block_is_clipped_exactly_at_its_sides) {
     ck_assert_double_eq(share_of(&block, vec3(10, -50, 150), vec3(20, -60, 140)), 0);
     ck_assert_double_eq(share_of(&block, vec3(10, 50, 350), vec3(20, 60, 320)), 0);
 }
-END_TEST
 
-START_TEST(a_wire_through_a_front_or_top_face_is_cut_at_the_face_in_the_mean) {
+TEST(a_wire_through_a_front_or_top_face_is_cut_at_the_face_in_the_mean) {
     /* the weight rises from 0 to 1 over the depth about the face: its integral is that of a hard face */
     ck_assert_double_eq_tol(share_of(&block, vec3(100, -30, 150), vec3(120, 10, 150)), 0.25, 1e-14);
     ck_assert_double_eq_tol(share_of(&block, vec3(100, 590, 150), vec3(120, 630, 150)), 0.25, 1e-14);
@@ -40,18 +38,16 @@ START_TEST(a_wire_through_a_front_or_top_face_is_cut_at_the_face_in_the_mean) {
     ck_assert_double_eq_tol(share_of(&block, vec3(100, -30, 290), vec3(120, 10, 310)), 0, 1e-14);
     ck_assert_double_eq_tol(share_of(&block, vec3(100, -10, 280), vec3(120, 30, 320)), 0.25, 1e-2);
 }
-END_TEST
 
-START_TEST(a_wire_flat_in_a_face_is_half_engaged_and_enters_over_its_depth) {
+TEST(a_wire_flat_in_a_face_is_half_engaged_and_enters_over_its_depth) {
     for (double y = -0.2; y <= 0.2; y += 0.01)
         ck_assert_double_eq_tol(share_of(&block, vec3(50, y, 150), vec3(90, y, 150)), clamp(y / 0.15 + 0.5, 0, 1),
                                 1e-14);
     ck_assert_double_eq_tol(share_of(&block, vec3(50, 100, 300), vec3(90, 120, 300)), 0.5, 1e-14);
     ck_assert_double_eq_tol(share_of(&block, vec3(-40, 0, 150), vec3(40, 0, 150)), 0.25, 1e-14);
 }
-END_TEST
 
-START_TEST(random_pieces_agree_with_a_fine_sum_of_point_weights) {
+TEST(random_pieces_agree_with_a_fine_sum_of_point_weights) {
     wcut_random random = wcut_random_seed(5);
     const wcut_block soft = {.size = block.size, .depth = 40};
     for (int k = 0; k < 300; k++) {
@@ -67,7 +63,6 @@ START_TEST(random_pieces_agree_with_a_fine_sum_of_point_weights) {
         ck_assert_double_eq_tol(share_of(&soft, p, q), sum / PARTS, 2e-4); /* two ends of a part each */
     }
 }
-END_TEST
 
 /* largest difference of a gradient from central differences */
 static double gradient_error(const wcut_block *b, wcut_vec3 p, wcut_vec3 q, double h) {
@@ -87,7 +82,7 @@ static double gradient_error(const wcut_block *b, wcut_vec3 p, wcut_vec3 q, doub
     return worst;
 }
 
-START_TEST(gradients_are_those_of_central_differences) {
+TEST(gradients_are_those_of_central_differences) {
     wcut_random random = wcut_random_seed(9);
     const wcut_block soft = {.size = block.size, .depth = 60};
     int engaged = 0;
@@ -101,9 +96,8 @@ START_TEST(gradients_are_those_of_central_differences) {
     }
     ck_assert_int_gt(engaged, 500);
 }
-END_TEST
 
-START_TEST(gradients_hold_for_a_wire_that_lies_in_a_face) {
+TEST(gradients_hold_for_a_wire_that_lies_in_a_face) {
     const struct {
         wcut_vec3 p, q;
     } piece[] = {{{50, 0, 150}, {90, 0, 150}},     {{50, 600, 150}, {90, 600, 150}},
@@ -113,9 +107,8 @@ START_TEST(gradients_hold_for_a_wire_that_lies_in_a_face) {
     for (size_t k = 0; k < sizeof piece / sizeof *piece; k++)
         ck_assert_double_lt(gradient_error(&block, piece[k].p, piece[k].q, 1e-5), 1e-6);
 }
-END_TEST
 
-START_TEST(engagement_does_not_jump_while_a_piece_crosses_the_faces) {
+TEST(engagement_does_not_jump_while_a_piece_crosses_the_faces) {
     wcut_random random = wcut_random_seed(2);
     for (int k = 0; k < 40; k++) {
         const wcut_vec3 p = random_point(&random, 30), way = vec3_sub(random_point(&random, 30), p);
@@ -131,32 +124,11 @@ START_TEST(engagement_does_not_jump_while_a_piece_crosses_the_faces) {
         }
     }
 }
-END_TEST
 
-START_TEST(distance_from_the_block_is_to_face_edge_and_corner) {
+TEST(distance_from_the_block_is_to_face_edge_and_corner) {
     ck_assert_double_eq(wcut_block_distance(&block, vec3(100, 100, 100)), 0);
     ck_assert_double_eq(wcut_block_distance(&block, vec3(0, 0, 0)), 0);
     ck_assert_double_eq(wcut_block_distance(&block, vec3(-7, 100, 100)), 7);
     ck_assert_double_eq(wcut_block_distance(&block, vec3(403, -4, 100)), 5);
     ck_assert_double_eq(wcut_block_distance(&block, vec3(402, 603, 306)), 7);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("block");
-    TCase *tcase = tcase_create("engagement");
-    tcase_add_test(tcase, a_wire_across_the_block_is_clipped_exactly_at_its_sides);
-    tcase_add_test(tcase, a_wire_through_a_front_or_top_face_is_cut_at_the_face_in_the_mean);
-    tcase_add_test(tcase, a_wire_flat_in_a_face_is_half_engaged_and_enters_over_its_depth);
-    tcase_add_test(tcase, random_pieces_agree_with_a_fine_sum_of_point_weights);
-    tcase_add_test(tcase, gradients_are_those_of_central_differences);
-    tcase_add_test(tcase, gradients_hold_for_a_wire_that_lies_in_a_face);
-    tcase_add_test(tcase, engagement_does_not_jump_while_a_piece_crosses_the_faces);
-    tcase_add_test(tcase, distance_from_the_block_is_to_face_edge_and_corner);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

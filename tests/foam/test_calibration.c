@@ -1,14 +1,13 @@
 /* The calibration against scipy's curve_fit, closed forms, and made tables that want something. labels: unit oracle */
-#include <check.h>
 #include <math.h>
 #include <stddef.h>
-#include <stdlib.h>
 #include <string.h>
 #include <wirecut/calibration.h>
 
 #include "base/alloc.h"
 #include "base/random.h"
 #include "foam/calibration_reference.h"
+#include "test.h"
 
 enum { REFERENCE = (int)(sizeof heat / sizeof heat[0]), N = 24 };
 static wcut_test_cut cut[N];
@@ -58,7 +57,7 @@ static void agrees(const wcut_law_fit *law, int parameters, const double *value,
     }
 }
 
-START_TEST(both_laws_and_both_noises_agree_with_curve_fit_to_1e_8) {
+TEST(both_laws_and_both_noises_agree_with_curve_fit_to_1e_8) {
     given_the_reference_table();
     wcut_calibration_options o = wcut_calibration_options_default();
     ck_assert_int_eq(solve(REFERENCE, NULL), WCUT_OK);
@@ -70,9 +69,8 @@ START_TEST(both_laws_and_both_noises_agree_with_curve_fit_to_1e_8) {
     agrees(&fit.force, 2, force_absolute, force_absolute_covariance);
     agrees(&fit.tension, 3, tension_absolute, tension_absolute_covariance);
 }
-END_TEST
 
-START_TEST(cuts_left_out_are_predicted_as_by_curve_fit_without_them) {
+TEST(cuts_left_out_are_predicted_as_by_curve_fit_without_them) {
     given_the_reference_table();
     ck_assert_int_eq(solve(REFERENCE, NULL), WCUT_OK);
     double sum = 0;
@@ -83,9 +81,8 @@ START_TEST(cuts_left_out_are_predicted_as_by_curve_fit_without_them) {
     ck_assert_int_eq(fit.force.left_out, REFERENCE);
     ck_assert_double_eq_tol(fit.force.leave_one_out, sqrt(sum / REFERENCE), 1e-9);
 }
-END_TEST
 
-START_TEST(leaving_out_by_leverage_is_near_leaving_out_by_refitting) {
+TEST(leaving_out_by_leverage_is_near_leaving_out_by_refitting) {
     enum { MANY = 204 };
     static wcut_test_cut many[MANY];
     static wcut_calibration_point at[MANY];
@@ -102,16 +99,14 @@ START_TEST(leaving_out_by_leverage_is_near_leaving_out_by_refitting) {
     ck_assert_double_eq_tol(fit.force.leave_one_out / by_refit, 1, 0.01);
     ck_assert_double_gt(fit.force.leave_one_out, fit.force.scale);
 }
-END_TEST
 
-START_TEST(the_force_of_a_cut_is_that_of_both_mounts) {
+TEST(the_force_of_a_cut_is_that_of_both_mounts) {
     wcut_test_cut c = {60, 20, 400, 10, 12, 0.1, 0.05, 1, 0};
     ck_assert_double_eq_tol(wcut_test_cut_force(&c), (10 * sin(0.1) + 12 * sin(0.05)) / 400, 1e-15);
     ck_assert_double_eq_tol(wcut_test_cut_tension(&c), 11.0 / 400, 1e-15);
 }
-END_TEST
 
-START_TEST(cuts_on_the_laws_give_them_back_without_error) {
+TEST(cuts_on_the_laws_give_them_back_without_error) {
     given_a_made_table(10, 1, 0);
     ck_assert_int_eq(solve(10, NULL), WCUT_OK);
     ck_assert_double_eq_tol(fit.force.a / 0.06, 1, 1e-10);
@@ -123,9 +118,8 @@ START_TEST(cuts_on_the_laws_give_them_back_without_error) {
     ck_assert_int_eq(fit.force.lack, WCUT_LACK_OF_FIT_UNTESTED);
     for (int i = 0; i < 10; i++) ck_assert_double_eq_tol(point[i].force.measured, point[i].force.fitted, 1e-12);
 }
-END_TEST
 
-START_TEST(the_reference_pair_is_the_inverse_law_and_its_errors_are_those_of_the_slopes) {
+TEST(the_reference_pair_is_the_inverse_law_and_its_errors_are_those_of_the_slopes) {
     given_the_reference_table();
     wcut_calibration_options o = wcut_calibration_options_default();
     o.reference_force = 0.0063;
@@ -154,9 +148,8 @@ START_TEST(the_reference_pair_is_the_inverse_law_and_its_errors_are_those_of_the
     ck_assert_int_eq(solve(REFERENCE, NULL), WCUT_OK);
     ck_assert_double_lt(fit.reference_speed_error / fit.reference_speed, fit.force.standard_error[0] / fit.force.a / 2);
 }
-END_TEST
 
-START_TEST(the_table_is_described_before_it_is_believed) {
+TEST(the_table_is_described_before_it_is_believed) {
     given_the_reference_table();
     cut[3].alpha_b = degrees(10.5);
     ck_assert_int_eq(solve(REFERENCE, NULL), WCUT_OK);
@@ -167,9 +160,8 @@ START_TEST(the_table_is_described_before_it_is_believed) {
     ck_assert_double_eq_tol(fit.q_eff_high, 1000 * 82.0 / 15.26, 1e-9);
     ck_assert_double_gt(fit.correlation, 0.5);
 }
-END_TEST
 
-START_TEST(one_heat_and_a_narrow_range_do_not_tell_a_from_b) {
+TEST(one_heat_and_a_narrow_range_do_not_tell_a_from_b) {
     wcut_random random = wcut_random_seed(3);
     for (int i = 0; i < 8; i++) {
         double v = 30 + 0.2 * i, q = 1000 * 60 / v;
@@ -181,9 +173,8 @@ START_TEST(one_heat_and_a_narrow_range_do_not_tell_a_from_b) {
     /* yet the speed at the middle force stands */
     ck_assert_double_lt(fit.reference_speed_error / fit.reference_speed, 0.02);
 }
-END_TEST
 
-START_TEST(repeated_cuts_are_the_yardstick_of_the_lack_of_fit) {
+TEST(repeated_cuts_are_the_yardstick_of_the_lack_of_fit) {
     wcut_random random = wcut_random_seed(6);
     for (int bent = 0; bent < 2; bent++) {
         for (int i = 0; i < N; i++) {
@@ -200,9 +191,8 @@ START_TEST(repeated_cuts_are_the_yardstick_of_the_lack_of_fit) {
             ck_assert_double_gt(fit.force.lack_p, 0.01);
     }
 }
-END_TEST
 
-START_TEST(a_power_of_the_speed_beside_q_eff_is_a_lack_of_fit) {
+TEST(a_power_of_the_speed_beside_q_eff_is_a_lack_of_fit) {
     given_a_made_table(12, 9, 0.02);
     ck_assert_int_eq(solve(12, NULL), WCUT_OK);
     ck_assert_int_eq(fit.force.lack, WCUT_LACK_OF_FIT_FLEXIBLE);
@@ -212,9 +202,8 @@ START_TEST(a_power_of_the_speed_beside_q_eff_is_a_lack_of_fit) {
     ck_assert_int_eq(solve(12, NULL), WCUT_OK);
     ck_assert_double_lt(fit.force.lack_p, 1e-3);
 }
-END_TEST
 
-START_TEST(an_outlier_is_found_by_a_robust_loss_and_no_weight_is_the_same_as_no_cut) {
+TEST(an_outlier_is_found_by_a_robust_loss_and_no_weight_is_the_same_as_no_cut) {
     given_a_made_table(12, 9, 0.02);
     ck_assert_int_eq(solve(12, NULL), WCUT_OK);
     wcut_calibration clean = fit;
@@ -234,9 +223,8 @@ START_TEST(an_outlier_is_found_by_a_robust_loss_and_no_weight_is_the_same_as_no_
     ck_assert_int_eq(solve(13, NULL), WCUT_OK);
     ck_assert_double_eq_tol(fit.force.a / clean.force.a, 1, 1e-9);
 }
-END_TEST
 
-START_TEST(the_evidence_says_what_the_scatter_is_proportional_to) {
+TEST(the_evidence_says_what_the_scatter_is_proportional_to) {
     given_a_made_table(N, 21, 0.05);
     ck_assert_int_eq(solve(N, NULL), WCUT_OK);
     ck_assert_double_gt(fit.force.evidence, 3);
@@ -248,9 +236,8 @@ START_TEST(the_evidence_says_what_the_scatter_is_proportional_to) {
     ck_assert_int_eq(solve(N, NULL), WCUT_OK);
     ck_assert_double_lt(fit.force.evidence, -3);
 }
-END_TEST
 
-START_TEST(a_negative_c_is_not_admitted_and_a_rising_tension_is_no_law) {
+TEST(a_negative_c_is_not_admitted_and_a_rising_tension_is_no_law) {
     for (int i = 0; i < 10; i++) {
         double v = 15 + 5 * i, q = 1000 * 60 / v;
         cut[i] = cut_of(60, v, 0.06 * exp(-7e-4 * q), 0.3 * exp(-4e-4 * q) - 0.02);
@@ -265,7 +252,6 @@ START_TEST(a_negative_c_is_not_admitted_and_a_rising_tension_is_no_law) {
     ck_assert(!fit.tension_fitted && fit.tension.a == 0 && point[0].tension.measured > 0);
     ck_assert_double_eq_tol(fit.force.b, 7e-4, 1e-12);
 }
-END_TEST
 
 /* refused, with the words, and nothing written */
 static void refused(int n, const wcut_calibration_options *o, wcut_status status, const char *words) {
@@ -278,7 +264,7 @@ static void refused(int n, const wcut_calibration_options *o, wcut_status status
     ck_assert(memcmp(&fit, &untouched, sizeof fit) == 0 && point[0].q_eff == 999);
 }
 
-START_TEST(values_out_of_range_are_refused_by_cut_or_line) {
+TEST(values_out_of_range_are_refused_by_cut_or_line) {
     const size_t place[] = {offsetof(wcut_test_cut, heat),      offsetof(wcut_test_cut, speed),
                             offsetof(wcut_test_cut, engaged),   offsetof(wcut_test_cut, tension_a),
                             offsetof(wcut_test_cut, tension_b), offsetof(wcut_test_cut, alpha_a),
@@ -304,9 +290,8 @@ START_TEST(values_out_of_range_are_refused_by_cut_or_line) {
     ck_assert_int_eq(wcut_calibration_fit(REFERENCE, NULL, NULL, &fit, NULL, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_calibration_fit(REFERENCE, cut, NULL, NULL, NULL, NULL), WCUT_BAD_ARGUMENT);
 }
-END_TEST
 
-START_TEST(cuts_that_determine_no_law_are_refused_with_what_they_lack) {
+TEST(cuts_that_determine_no_law_are_refused_with_what_they_lack) {
     for (int i = 0; i < 4; i++) cut[i] = cut_of(60 * (1 + i % 2), 20 * (1 + i % 2), 0.01, 0.2);
     refused(4, NULL, WCUT_DEGENERATE, "found one level of Q_eff (3000 J/m^2)");
     for (int i = 0; i < 4; i++) cut[i] = cut_of(60, 20 + i, 0.01 - 1e-4 * i, 0.2);
@@ -314,9 +299,8 @@ START_TEST(cuts_that_determine_no_law_are_refused_with_what_they_lack) {
     for (int i = 0; i < 4; i++) cut[i] = cut_of(60, 20 + i, i ? -0.01 : 0.01, 0.2);
     refused(4, NULL, WCUT_DEGENERATE, "found 1 cuts with a positive force");
 }
-END_TEST
 
-START_TEST(a_scatter_as_large_as_the_forces_does_not_come_to_rest_and_is_said) {
+TEST(a_scatter_as_large_as_the_forces_does_not_come_to_rest_and_is_said) {
     const double force[] = {0.1, 1e-7, 0.02, 3e-8, 0.06, 1e-6, 5e-3};
     int refusals = 0;
     for (int shift = 0; shift < 7 && !refusals; shift++) {
@@ -328,24 +312,17 @@ START_TEST(a_scatter_as_large_as_the_forces_does_not_come_to_rest_and_is_said) {
     }
     ck_assert_int_gt(refusals, 0);
 }
-END_TEST
 
-START_TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
+TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
     given_the_reference_table();
-    for (long k = 1; k < 400; k++) {
-        wcut_calibration untouched;
-        memset(&untouched, 0x99, sizeof untouched);
-        fit = untouched;
-        wcut_alloc_fail_at(k);
-        wcut_status status = wcut_calibration_fit(REFERENCE, cut, NULL, &fit, point, &error);
-        wcut_alloc_fail_at(0);
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert(memcmp(&fit, &untouched, sizeof fit) == 0);
-    }
+    wcut_calibration untouched;
+    memset(&untouched, 0x99, sizeof untouched);
+    fit = untouched;
+    FIRST_FAILED_ALLOCATIONS(399, wcut_calibration_fit(REFERENCE, cut, NULL, &fit, point, &error),
+                             memcmp(&fit, &untouched, sizeof fit) == 0);
 }
-END_TEST
 
-START_TEST(the_band_of_a_curve_is_that_of_scipy_s_covariance) {
+TEST(the_band_of_a_curve_is_that_of_scipy_s_covariance) {
     enum { AT = (int)(sizeof band_q / sizeof band_q[0]) };
     double value[AT], low[AT], high[AT];
     given_the_reference_table();
@@ -369,9 +346,8 @@ START_TEST(the_band_of_a_curve_is_that_of_scipy_s_covariance) {
     ck_assert_int_eq(wcut_law_fit_eval(&fit.force, 0.95, 1, band_q, value, NULL, NULL), WCUT_OK);
     ck_assert_int_eq(wcut_law_fit_eval(&fit.force, 0.95, 0, NULL, NULL, NULL, NULL), WCUT_OK);
 }
-END_TEST
 
-START_TEST(a_band_of_what_is_no_fit_is_refused) {
+TEST(a_band_of_what_is_no_fit_is_refused) {
     given_the_reference_table();
     ck_assert_int_eq(solve(REFERENCE, NULL), WCUT_OK);
     const wcut_law_fit law = fit.force;
@@ -395,9 +371,8 @@ START_TEST(a_band_of_what_is_no_fit_is_refused) {
     ck_assert_int_eq(wcut_law_fit_eval(&law, 0.9, 2, good, NULL, out[1], out[2]), WCUT_BAD_ARGUMENT);
     for (int k = 0; k < 6; k++) ck_assert(out[k / 2][k % 2] == 999);
 }
-END_TEST
 
-START_TEST(leverages_are_those_of_the_hat_matrix_and_sum_to_the_parameters) {
+TEST(leverages_are_those_of_the_hat_matrix_and_sum_to_the_parameters) {
     double force = 0, tension = 0;
     given_the_reference_table();
     ck_assert_int_eq(solve(REFERENCE, NULL), WCUT_OK);
@@ -421,9 +396,8 @@ START_TEST(leverages_are_those_of_the_hat_matrix_and_sum_to_the_parameters) {
     }
     ck_assert(fit.force.correlation[8] == 0 && fit.force.correlation[1] == fit.correlation);
 }
-END_TEST
 
-START_TEST(a_cut_alone_at_its_q_eff_and_one_off_the_law_are_marked) {
+TEST(a_cut_alone_at_its_q_eff_and_one_off_the_law_are_marked) {
     for (int i = 0; i < N; i++) {
         double q_i = 60 + i, v = 1000 * q_i / (2000 + 10 * i);
         if (i == N - 1) v = 1000 * q_i / 4000;
@@ -441,9 +415,8 @@ START_TEST(a_cut_alone_at_its_q_eff_and_one_off_the_law_are_marked) {
     for (int i = 0; i < 10; i++)
         ck_assert(!(point[i].force.unusual & (WCUT_UNUSUAL_OUTLIER | WCUT_UNUSUAL_INFLUENTIAL)));
 }
-END_TEST
 
-START_TEST(normal_scores_are_those_of_blom_whatever_the_order) {
+TEST(normal_scores_are_those_of_blom_whatever_the_order) {
     const double value[7] = {3, -2, 8, 0, 8, 1, 5}; /* ranks 4 1 6 2 7 3 5: equal ones in their order */
     const int rank[7] = {4, 1, 6, 2, 7, 3, 5};
     double score[7] = {999, 999, 999, 999, 999, 999, 999};
@@ -460,48 +433,12 @@ START_TEST(normal_scores_are_those_of_blom_whatever_the_order) {
     ck_assert_int_eq(wcut_gaussian_scores(7, value, score), WCUT_OK);
     for (int i = 0; i < 7; i++) ck_assert_double_eq_tol(score[i], blom[rank[i] - 1], 1e-10);
 }
-END_TEST
 
-START_TEST(the_same_cuts_give_the_same_bytes) {
+TEST(the_same_cuts_give_the_same_bytes) {
     given_the_reference_table();
     ck_assert_int_eq(solve(REFERENCE, NULL), WCUT_OK);
     wcut_calibration first = fit;
     ck_assert_int_eq(solve(REFERENCE, NULL), WCUT_OK);
     ck_assert(memcmp(&first.force, &fit.force, offsetof(wcut_law_fit, c_held)) == 0);
     ck_assert(first.reference_speed == fit.reference_speed && first.tension.evidence == fit.tension.evidence);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("calibration");
-    TCase *tcase = tcase_create("fits");
-    tcase_add_test(tcase, both_laws_and_both_noises_agree_with_curve_fit_to_1e_8);
-    tcase_add_test(tcase, cuts_left_out_are_predicted_as_by_curve_fit_without_them);
-    tcase_add_test(tcase, leaving_out_by_leverage_is_near_leaving_out_by_refitting);
-    tcase_add_test(tcase, the_force_of_a_cut_is_that_of_both_mounts);
-    tcase_add_test(tcase, cuts_on_the_laws_give_them_back_without_error);
-    tcase_add_test(tcase, the_reference_pair_is_the_inverse_law_and_its_errors_are_those_of_the_slopes);
-    tcase_add_test(tcase, the_table_is_described_before_it_is_believed);
-    tcase_add_test(tcase, one_heat_and_a_narrow_range_do_not_tell_a_from_b);
-    tcase_add_test(tcase, repeated_cuts_are_the_yardstick_of_the_lack_of_fit);
-    tcase_add_test(tcase, a_power_of_the_speed_beside_q_eff_is_a_lack_of_fit);
-    tcase_add_test(tcase, an_outlier_is_found_by_a_robust_loss_and_no_weight_is_the_same_as_no_cut);
-    tcase_add_test(tcase, the_evidence_says_what_the_scatter_is_proportional_to);
-    tcase_add_test(tcase, a_negative_c_is_not_admitted_and_a_rising_tension_is_no_law);
-    tcase_add_test(tcase, values_out_of_range_are_refused_by_cut_or_line);
-    tcase_add_test(tcase, cuts_that_determine_no_law_are_refused_with_what_they_lack);
-    tcase_add_test(tcase, a_scatter_as_large_as_the_forces_does_not_come_to_rest_and_is_said);
-    tcase_add_test(tcase, every_failing_allocation_is_reported_and_nothing_is_written);
-    tcase_add_test(tcase, the_band_of_a_curve_is_that_of_scipy_s_covariance);
-    tcase_add_test(tcase, a_band_of_what_is_no_fit_is_refused);
-    tcase_add_test(tcase, leverages_are_those_of_the_hat_matrix_and_sum_to_the_parameters);
-    tcase_add_test(tcase, a_cut_alone_at_its_q_eff_and_one_off_the_law_are_marked);
-    tcase_add_test(tcase, normal_scores_are_those_of_blom_whatever_the_order);
-    tcase_add_test(tcase, the_same_cuts_give_the_same_bytes);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

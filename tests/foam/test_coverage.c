@@ -1,11 +1,10 @@
 /* What the calibration promises, over 1,000 made tables: its intervals hold the truth as often as they say, its test of
    the lack of fit cries wolf as seldom as it says. labels: property */
-#include <check.h>
 #include <math.h>
-#include <stdlib.h>
 #include <wirecut/calibration.h>
 
 #include "base/random.h"
+#include "test.h"
 
 enum { TABLES = 1000, CUTS = 12 };
 #define A 0.06
@@ -60,13 +59,11 @@ static void check(wcut_noise noise) {
     ck_assert_msg(lack >= 30 && lack <= 70, "lack of fit: %d of 1000, expected 30 to 70", lack);
 }
 
-START_TEST(intervals_hold_the_truth_as_often_as_they_say_under_relative_noise) { check(WCUT_NOISE_RELATIVE); }
-END_TEST
+TEST(intervals_hold_the_truth_as_often_as_they_say_under_relative_noise) { check(WCUT_NOISE_RELATIVE); }
 
-START_TEST(intervals_hold_the_truth_as_often_as_they_say_under_absolute_noise) { check(WCUT_NOISE_ABSOLUTE); }
-END_TEST
+TEST(intervals_hold_the_truth_as_often_as_they_say_under_absolute_noise) { check(WCUT_NOISE_ABSOLUTE); }
 
-START_TEST(robust_losses_come_to_rest_and_stay_near_the_truth_whatever_one_cut_does) {
+TEST(robust_losses_come_to_rest_and_stay_near_the_truth_whatever_one_cut_does) {
     wcut_random random = wcut_random_seed(7);
     wcut_calibration_options o = wcut_calibration_options_default();
     double worst[3] = {0};
@@ -87,19 +84,4 @@ START_TEST(robust_losses_come_to_rest_and_stay_near_the_truth_whatever_one_cut_d
     }
     ck_assert_double_gt(worst[WCUT_LOSS_SQUARE], 0.5);
     ck_assert_msg(worst[WCUT_LOSS_TUKEY] < 0.25, "b is off by up to %g", worst[WCUT_LOSS_TUKEY]);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("coverage");
-    TCase *tcase = tcase_create("made tables");
-    tcase_add_test(tcase, intervals_hold_the_truth_as_often_as_they_say_under_relative_noise);
-    tcase_add_test(tcase, intervals_hold_the_truth_as_often_as_they_say_under_absolute_noise);
-    tcase_add_test(tcase, robust_losses_come_to_rest_and_stay_near_the_truth_whatever_one_cut_does);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

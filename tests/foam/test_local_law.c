@@ -1,13 +1,12 @@
 /* The force law with effects at one node: closed forms, and every derivative against central differences.
    labels: unit property */
-#include <check.h>
-#include <stdlib.h>
 
 #include "base/numbers.h"
 #include "base/random.h"
 #include "foam/empirical.h"
 #include "foam/local_law.h"
 #include "foam/resistance.h"
+#include "test.h"
 
 enum { N = 5 };
 
@@ -37,7 +36,7 @@ static double law_of(wcut_effect e, double speed, wcut_vec3 at, int i) {
     return wcut_local_law_eval(&l, &block, &law, heat, 5, speed, N, at, i).force;
 }
 
-START_TEST(without_memory_every_effect_is_its_formula) {
+TEST(without_memory_every_effect_is_its_formula) {
     const wcut_vec3 at = vec3(100, 450, 30);
     const double f = plain_law(heat, 20);
     ck_assert_double_eq_tol(law_of(effect_of(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0.4, 0, 0), 20, at, 2) / f, 0.9, 1e-15);
@@ -63,25 +62,22 @@ START_TEST(without_memory_every_effect_is_its_formula) {
         ck_assert_double_eq_tol(law_of(e, 20, at, i), plain_law(q, 20), 1e-16);
     }
 }
-END_TEST
 
-START_TEST(overheated_wire_cools_with_its_time_in_the_foam) {
+TEST(overheated_wire_cools_with_its_time_in_the_foam) {
     const wcut_effect e = effect_of(WCUT_EFFECT_AIR_OVERHEATING, 1.6, 0.8, 0);
     const wcut_locality l = locality(1, &e);
     const wcut_local_law at = wcut_local_law_eval(&l, &block, &law, heat, 5, 20, N, vec3(9, 9, 9), 1);
     ck_assert_double_eq_tol(at.heat, heat * (1 + 0.6 * exp(-0.5 / 0.8)), 1e-12);
     ck_assert_double_eq_tol(at.force, plain_law(at.heat, 20), 1e-16);
 }
-END_TEST
 
-START_TEST(a_node_has_cut_as_far_as_it_moved_in_the_foam) {
+TEST(a_node_has_cut_as_far_as_it_moved_in_the_foam) {
     const wcut_effect e = effect_of(WCUT_EFFECT_WIRE_FOULING, 0.2, 500, 0);
     const wcut_locality l = locality(1, &e);
     state[1] = (wcut_node_state){.set = true, .way = 7};
     ck_assert_double_eq_tol(wcut_node_state_after(&l, heat, 5, 20, 0.25, N, 1).way, 8, 1e-15);
     ck_assert_double_eq_tol(wcut_node_state_after(&l, heat, 5, 20, 0, N, 1).way, 7, 1e-15);
 }
-END_TEST
 
 /* heat that reaches the foam after `time` in so many steps at a given speed, from the steady state of another */
 static double lagged(const wcut_effect *e, double from, double to, double time, int steps) {
@@ -105,7 +101,7 @@ static double lagged(const wcut_effect *e, double from, double to, double time, 
     return q;
 }
 
-START_TEST(a_held_speed_lets_the_lag_run_out_as_one_exponential_however_it_is_stepped) {
+TEST(a_held_speed_lets_the_lag_run_out_as_one_exponential_however_it_is_stepped) {
     const wcut_effect e = effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.4, 0, 0);
     const double h0 = e.value[2], h1 = e.value[3], slow = h0 + 10 * h1, fast = h0 + 25 * h1;
     const double tau = 0.4 * slow / fast; /* C / H(25), tau being C / H(10) */
@@ -116,9 +112,8 @@ START_TEST(a_held_speed_lets_the_lag_run_out_as_one_exponential_however_it_is_st
     }
     ck_assert_double_eq_tol(lagged(&e, 10, 25, 30, 8), heat, 1e-10);
 }
-END_TEST
 
-START_TEST(an_even_change_of_heat_is_followed_exactly_behind_by_the_time_constant) {
+TEST(an_even_change_of_heat_is_followed_exactly_behind_by_the_time_constant) {
     /* at one speed, theta obeys C theta' = Q - H theta: for Q = Q0 + p t it trails by tau p / H once settled */
     const wcut_effect e = effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.5, 0, 0);
     const wcut_vec3 zero = {0, 0, 0};
@@ -135,9 +130,8 @@ START_TEST(an_even_change_of_heat_is_followed_exactly_behind_by_the_time_constan
         ck_assert_double_eq_tol(reached, q - 3 * 0.5, 1e-5);
     }
 }
-END_TEST
 
-START_TEST(drag_pulls_back_along_the_wire_by_mu_times_what_presses) {
+TEST(drag_pulls_back_along_the_wire_by_mu_times_what_presses) {
     const wcut_effect e = effect_of(WCUT_EFFECT_TANGENTIAL_DRAG, 0.25, 0, 0);
     const wcut_locality l = locality(1, &e);
     const wcut_foam plain = {.law = law, .block = block}, dragging = {.law = law, .block = block, .local = &l};
@@ -150,7 +144,6 @@ START_TEST(drag_pulls_back_along_the_wire_by_mu_times_what_presses) {
     ck_assert(fabs(drag.y) < 1e-17 && fabs(drag.z) < 1e-17);
     ck_assert_double_eq(a.line, b.line);
 }
-END_TEST
 
 /* ---- derivatives ---- */
 
@@ -216,7 +209,7 @@ static double worst_derivative(int count, const wcut_effect *e, unsigned seed) {
     return worst;
 }
 
-START_TEST(all_effects_at_once_have_exact_derivatives) {
+TEST(all_effects_at_once_have_exact_derivatives) {
     const wcut_effect e[9] = {
         effect_of(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0.8, 0, 1),  effect_of(WCUT_EFFECT_FOAM_INCLUSION, 0.7, 20, 0),
         effect_of(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, -0.8, 0, 2), effect_of(WCUT_EFFECT_RATE_DEPENDENCE, -0.3, 0, 0),
@@ -228,7 +221,6 @@ START_TEST(all_effects_at_once_have_exact_derivatives) {
     given[1].value[2] = 195, given[1].value[3] = 10, given[1].value[4] = 140;
     ck_assert_double_lt(worst_derivative(9, given, 3), 1e-7);
 }
-END_TEST
 
 /* ---- empirical terms ---- */
 
@@ -245,7 +237,7 @@ static double factor_of(wcut_effect e, double speed, wcut_vec3 at, int i) {
     return law_of(e, speed, at, i) / plain_law(heat, speed);
 }
 
-START_TEST(every_empirical_term_is_its_formula) {
+TEST(every_empirical_term_is_its_formula) {
     const wcut_vec3 at = vec3(100, 450, 30);
     for (int i = 0; i < N; i++) was[i] = vec3(100 + 5 * i, 447, 26), state[i] = (wcut_node_state){0};
     was[2] = vec3(100, 447, 26); /* moved by (0, 3, 4) */
@@ -289,9 +281,8 @@ START_TEST(every_empirical_term_is_its_formula) {
     const double deep = factor_of(term_of(WCUT_TERM_POSITION_X, 10, 1, 0, 0), 20, at, 2);
     ck_assert(deep > 0 && deep < 1e-3);
 }
-END_TEST
 
-START_TEST(a_memory_runs_out_as_one_exponential_however_it_is_stepped) {
+TEST(a_memory_runs_out_as_one_exponential_however_it_is_stepped) {
     const wcut_effect e = term_of(WCUT_TERM_SPEED_MEMORY, 0.2, 1.5, 0, 0);
     wcut_locality l = locality(1, &e);
     for (int steps = 1; steps <= 64; steps *= 4) {
@@ -306,9 +297,8 @@ START_TEST(a_memory_runs_out_as_one_exponential_however_it_is_stepped) {
         ck_assert_double_eq_tol(factor, 1 + 0.2 * log(0.5) * exp(-0.6), 1e-12);
     }
 }
-END_TEST
 
-START_TEST(every_empirical_term_has_exact_derivatives) {
+TEST(every_empirical_term_has_exact_derivatives) {
     const wcut_effect lag = effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.3, 0, 0);
     for (int term = 0; term < WCUT_TERM_COUNT; term++) {
         wcut_effect e[2] = {wcut_effect_choose(WCUT_EFFECT_EMPIRICAL_FORCE, term), lag};
@@ -327,26 +317,4 @@ START_TEST(every_empirical_term_has_exact_derivatives) {
                                  term_of(WCUT_TERM_DIRECTION_Y, -0.4, 2, 0, 0),
                                  term_of(WCUT_TERM_HEAT_MEMORY, 2, 1.5, 0, 0)};
     ck_assert_double_lt(worst_derivative(3, deep, 7), 1e-7);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("local_law");
-    TCase *tcase = tcase_create("effects");
-    tcase_add_test(tcase, without_memory_every_effect_is_its_formula);
-    tcase_add_test(tcase, overheated_wire_cools_with_its_time_in_the_foam);
-    tcase_add_test(tcase, a_node_has_cut_as_far_as_it_moved_in_the_foam);
-    tcase_add_test(tcase, a_held_speed_lets_the_lag_run_out_as_one_exponential_however_it_is_stepped);
-    tcase_add_test(tcase, an_even_change_of_heat_is_followed_exactly_behind_by_the_time_constant);
-    tcase_add_test(tcase, drag_pulls_back_along_the_wire_by_mu_times_what_presses);
-    tcase_add_test(tcase, all_effects_at_once_have_exact_derivatives);
-    tcase_add_test(tcase, every_empirical_term_is_its_formula);
-    tcase_add_test(tcase, a_memory_runs_out_as_one_exponential_however_it_is_stepped);
-    tcase_add_test(tcase, every_empirical_term_has_exact_derivatives);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -1,10 +1,9 @@
 /* The foam's force on a node against (3) by hand, and its derivatives against central differences. */
-#include <check.h>
-#include <stdlib.h>
 
 #include "base/numbers.h"
 #include "base/random.h"
 #include "foam/resistance.h"
+#include "test.h"
 
 enum { N = 5 };
 
@@ -29,7 +28,7 @@ static wcut_resistance eval(const wcut_foam *f, double rate, int i) {
     return r;
 }
 
-START_TEST(a_straight_wire_moving_across_itself_feels_the_law_times_its_length) {
+TEST(a_straight_wire_moving_across_itself_feels_the_law_times_its_length) {
     for (int i = 0; i < N; i++) x[i] = vec3(100 + 5 * i, 50, 150), was[i] = vec3(100 + 5 * i, 46, 150);
     const double law = wcut_force_law_eval(&foam.law, heat, 20); /* 4 mm, five times a second */
     for (int i = 0; i < N; i++) {
@@ -42,9 +41,8 @@ START_TEST(a_straight_wire_moving_across_itself_feels_the_law_times_its_length) 
         ck_assert(r.force.x == 0 && r.force.z == 0);
     }
 }
-END_TEST
 
-START_TEST(the_force_opposes_the_motion_and_only_the_part_across_the_wire_counts) {
+TEST(the_force_opposes_the_motion_and_only_the_part_across_the_wire_counts) {
     wcut_random random = wcut_random_seed(1);
     for (int k = 0; k < 200; k++) {
         given_a_moving_wire(&random, vec3(200, 300, 150));
@@ -60,9 +58,8 @@ START_TEST(the_force_opposes_the_motion_and_only_the_part_across_the_wire_counts
         }
     }
 }
-END_TEST
 
-START_TEST(a_wire_drawn_along_itself_or_at_rest_or_out_of_the_foam_feels_nothing) {
+TEST(a_wire_drawn_along_itself_or_at_rest_or_out_of_the_foam_feels_nothing) {
     for (int i = 0; i < N; i++) x[i] = vec3(100 + 5 * i, 50, 150);
     for (int k = 0; k < 3; k++) {
         for (int i = 0; i < N; i++) {
@@ -78,14 +75,12 @@ START_TEST(a_wire_drawn_along_itself_or_at_rest_or_out_of_the_foam_feels_nothing
         }
     }
 }
-END_TEST
 
-START_TEST(in_design_mode_every_node_is_wholly_in_the_foam) {
+TEST(in_design_mode_every_node_is_wholly_in_the_foam) {
     const wcut_foam embedded = {.law = foam.law, .block = foam.block, .embedded = true};
     for (int i = 0; i < N; i++) x[i] = vec3(-50 + 5 * i, -50, 150), was[i] = vec3(-50 + 5 * i, -54, 150);
     for (int i = 0; i < N; i++) ck_assert_double_eq(eval(&embedded, 5, i).engaged, 1);
 }
-END_TEST
 
 static double matrix_error(mat3 given, const double difference[3][3]) {
     const wcut_vec3 row[3] = {given.x, given.y, given.z};
@@ -112,7 +107,7 @@ static void difference(const wcut_foam *f, double rate, int i, int k, double d[3
     }
 }
 
-START_TEST(derivatives_are_those_of_central_differences_inside_and_across_every_face) {
+TEST(derivatives_are_those_of_central_differences_inside_and_across_every_face) {
     const wcut_vec3 centre[] = {{200, 300, 150}, {0, 300, 150},   {400, 300, 150}, {200, 0, 150},
                                 {200, 600, 150}, {200, 300, 300}, {0, 0, 150},     {400, 600, 0}};
     const wcut_foam soft = {.law = foam.law, .block = {.size = {400, 600, 300}, .depth = 6}};
@@ -143,21 +138,4 @@ START_TEST(derivatives_are_those_of_central_differences_inside_and_across_every_
         }
     }
     ck_assert_double_gt(largest, 1e-2); /* [N/mm]: the errors above are small against the derivatives themselves */
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("resistance");
-    TCase *tcase = tcase_create("force on a node");
-    tcase_add_test(tcase, a_straight_wire_moving_across_itself_feels_the_law_times_its_length);
-    tcase_add_test(tcase, the_force_opposes_the_motion_and_only_the_part_across_the_wire_counts);
-    tcase_add_test(tcase, a_wire_drawn_along_itself_or_at_rest_or_out_of_the_foam_feels_nothing);
-    tcase_add_test(tcase, in_design_mode_every_node_is_wholly_in_the_foam);
-    tcase_add_test(tcase, derivatives_are_those_of_central_differences_inside_and_across_every_face);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

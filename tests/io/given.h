@@ -2,12 +2,10 @@
 #ifndef WCUT_TESTS_IO_GIVEN_H
 #define WCUT_TESTS_IO_GIVEN_H
 
-#include <check.h>
 #include <dirent.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -15,6 +13,7 @@
 #include <wirecut/mesh.h>
 
 #include "io/file/read_file.h"
+#include "test.h"
 
 static const char given_path_job[] =
     "{\n"
@@ -194,19 +193,6 @@ static inline void forget_history(wcut_history *h) {
     free(h->force_line);
     free(h->speed);
     free(h->tension);
-}
-
-/* run a suite of one case */
-static inline int run_suite(const char *name, int count, const TTest *const *test) {
-    Suite *suite = suite_create(name);
-    TCase *tcase = tcase_create(name);
-    for (int k = 0; k < count; k++) tcase_add_test(tcase, test[k]);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }
 
 #endif

@@ -2,15 +2,14 @@
 #ifndef WCUT_TESTS_SCAN_FACES_H
 #define WCUT_TESTS_SCAN_FACES_H
 
-#include <check.h>
 #include <math.h>
-#include <stdlib.h>
 #include <wirecut/projection.h>
 #include <wirecut/surface.h>
 
 #include "base/numbers.h"
 #include "base/random.h"
 #include "base/vec3.h"
+#include "test.h"
 
 /* a face of a double curved cut over 400 x 600 mm, without symmetry */
 static inline double wavy_height(double x, double y) {

@@ -2,14 +2,13 @@
 #ifndef WCUT_TESTS_SCAN_SHEETS_H
 #define WCUT_TESTS_SCAN_SHEETS_H
 
-#include <check.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <wirecut/cloud.h>
 
 #include "base/random.h"
 #include "base/vec3.h"
+#include "test.h"
 
 /* a saddle over [0, 400] x [0, 1200] mm; its slope is at most `slope` */
 static inline double saddle_height(double x, double y, double slope) {
@@ -36,19 +35,6 @@ static inline void given_lattice(int rows, int columns, double step, wcut_vec3 *
         const double x = step * (k % columns), y = step * (k / columns);
         point[k] = vec3(x, y, saddle_height(x, y, 0.5));
     }
-}
-
-/* run a suite of one case */
-static inline int run_suite(const char *name, int count, const TTest *const *test) {
-    Suite *suite = suite_create(name);
-    TCase *tcase = tcase_create(name);
-    for (int k = 0; k < count; k++) tcase_add_test(tcase, test[k]);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }
 
 #endif

@@ -9,6 +9,7 @@
 #include "scan/faces.h"
 #include "scan/register_motion.h"
 #include "scan/sheets.h"
+#include "test.h"
 
 enum { N = 40000, FEW = 800 };
 static wcut_vec3 scan[N], truth[N];
@@ -87,7 +88,7 @@ static double furthest(void) {
     return most;
 }
 
-START_TEST(a_scan_comes_back_onto_a_mesh_as_far_as_the_mesh_is_the_face) {
+TEST(a_scan_comes_back_onto_a_mesh_as_far_as_the_mesh_is_the_face) {
     static const double near[6] = {1, -2, 3, 0.01, -0.02, 0.015}, far[6] = {500, 300, -200, 1, 2, -0.5};
     given();
     given_tree();
@@ -101,9 +102,8 @@ START_TEST(a_scan_comes_back_onto_a_mesh_as_far_as_the_mesh_is_the_face) {
     ck_assert_double_lt(furthest(), 2 * CHORD);
     end();
 }
-END_TEST
 
-START_TEST(a_fit_to_a_mesh_does_not_depend_on_threads) {
+TEST(a_fit_to_a_mesh_does_not_depend_on_threads) {
     static const double near[6] = {1, -2, 3, 0.01, -0.02, 0.015};
     given();
     given_tree();
@@ -114,9 +114,8 @@ START_TEST(a_fit_to_a_mesh_does_not_depend_on_threads) {
     ck_assert_mem_eq(&first, &found, sizeof first);
     end();
 }
-END_TEST
 
-START_TEST(a_fit_to_a_mesh_refuses_what_a_fit_refuses) {
+TEST(a_fit_to_a_mesh_refuses_what_a_fit_refuses) {
     wcut_registration_options options = wcut_registration_options_default();
     wcut_registration blank;
     wcut_error error = {WCUT_OK, ""};
@@ -145,24 +144,14 @@ START_TEST(a_fit_to_a_mesh_refuses_what_a_fit_refuses) {
     ck_assert_mem_eq(&found, &blank, sizeof blank);
     end();
 }
-END_TEST
 
-START_TEST(a_fit_to_a_mesh_tells_that_memory_ends) {
+TEST(a_fit_to_a_mesh_tells_that_memory_ends) {
     given();
     given_tree();
     given_scan(surface, FEW, 0.02, 0.1, 3, scan);
-    wcut_status status = WCUT_NO_MEMORY;
-    int k = 1;
-    for (; k < 2000 && status == WCUT_NO_MEMORY; k += k < 40 ? 1 : 31) {
-        wcut_alloc_fail_at(k);
-        status = fit(FEW, NULL, 1);
-        wcut_alloc_fail_at(0);
-    }
-    ck_assert_int_gt(k, 15);
-    ck_assert_int_eq(status, WCUT_OK);
+    EACH_FAILED_ALLOCATION_BY(9, fit(FEW, NULL, 1), true);
     end();
 }
-END_TEST
 
 /* ---- noise: points that come and go at borders and creases do not stop a fit ---- */
 
@@ -197,7 +186,7 @@ static void scan_box(int count, double noise, uint64_t seed) {
     }
 }
 
-START_TEST(noise_at_borders_and_creases_does_not_stop_a_fit) {
+TEST(noise_at_borders_and_creases_does_not_stop_a_fit) {
     enum { POINTS = 6000 };
     static const double x[WCUT_DOF_COUNT] = {1, -1, 1, 0.00617, 0.00617, 0}, noise[] = {0.02, 0.05, 0.2, 1};
     const wcut_motion m = wcut_motion_of(vec3(50, 30, 20), x);
@@ -219,7 +208,6 @@ START_TEST(noise_at_borders_and_creases_does_not_stop_a_fit) {
         end();
     }
 }
-END_TEST
 
 /* ---- reconstruction ---- */
 
@@ -266,7 +254,7 @@ static double error_of(const wcut_mesh *m, double *most) {
     return sqrt(sum / m->vertex_count);
 }
 
-START_TEST(a_scan_is_reconstructed_beside_a_mesh_as_beside_its_surface) {
+TEST(a_scan_is_reconstructed_beside_a_mesh_as_beside_its_surface) {
     double most;
     given();
     given_plane(0);
@@ -291,9 +279,8 @@ START_TEST(a_scan_is_reconstructed_beside_a_mesh_as_beside_its_surface) {
     wcut_reconstruction_destroy(made);
     end();
 }
-END_TEST
 
-START_TEST(poisson_in_space_goes_beside_a_mesh_too) {
+TEST(poisson_in_space_goes_beside_a_mesh_too) {
     double most;
     given();
     given_plane(0);
@@ -304,9 +291,8 @@ START_TEST(poisson_in_space_goes_beside_a_mesh_too) {
     wcut_reconstruction_destroy(made);
     end();
 }
-END_TEST
 
-START_TEST(where_the_mesh_is_not_nothing_is_missed) {
+TEST(where_the_mesh_is_not_nothing_is_missed) {
     given();
     cut_corner();
     given_plane(0);
@@ -316,9 +302,8 @@ START_TEST(where_the_mesh_is_not_nothing_is_missed) {
     wcut_reconstruction_destroy(made);
     end();
 }
-END_TEST
 
-START_TEST(a_turned_mesh_has_a_turned_plane) {
+TEST(a_turned_mesh_has_a_turned_plane) {
     wcut_vec3 d[4];
     given();
     for (int flip = 0; flip < 2; flip++) {
@@ -331,9 +316,8 @@ START_TEST(a_turned_mesh_has_a_turned_plane) {
     plane = NULL, projection = NULL;
     end();
 }
-END_TEST
 
-START_TEST(what_is_no_sheet_has_no_plane) {
+TEST(what_is_no_sheet_has_no_plane) {
     static const int sides[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
     wcut_mesh *solid = NULL;
     plane = (void *)sides;
@@ -354,29 +338,18 @@ START_TEST(what_is_no_sheet_has_no_plane) {
     ck_assert_int_eq(wcut_mesh_base(solid, 0, NULL), WCUT_BAD_ARGUMENT);
     wcut_mesh_destroy(solid);
 }
-END_TEST
 
-START_TEST(a_reconstruction_beside_a_mesh_tells_that_memory_ends) {
+TEST(a_reconstruction_beside_a_mesh_tells_that_memory_ends) {
     given();
     given_plane(0);
     wcut_reconstruction *made = NULL;
     wcut_reconstruction_options options = wcut_reconstruction_options_default();
     const int count = given_points(0, 0.05);
     options.mesh = mesh, options.spacing = 5, options.support = 6;
-    wcut_status status = WCUT_NO_MEMORY;
-    int k = 1;
-    for (; k < 2000 && status == WCUT_NO_MEMORY; k++) {
-        wcut_alloc_fail_at(k);
-        status = wcut_reconstruction_create(plane, count, scan, foot, &options, 1, &made, NULL);
-        wcut_alloc_fail_at(0);
-        ck_assert((made != NULL) == (status == WCUT_OK));
-    }
-    ck_assert_int_gt(k, 40);
-    ck_assert_int_eq(status, WCUT_OK);
+    EACH_FAILED_ALLOCATION(wcut_reconstruction_create(plane, count, scan, foot, &options, 1, &made, NULL), !made);
     wcut_reconstruction_destroy(made);
     end();
 }
-END_TEST
 
 /* ---- the map of a mesh ---- */
 
@@ -400,7 +373,7 @@ static int given_half(double most) {
     return count;
 }
 
-START_TEST(vertices_without_points_of_their_own_take_their_neighbours_value) {
+TEST(vertices_without_points_of_their_own_take_their_neighbours_value) {
     enum { SIDE = 20, VERTICES = (SIDE + 1) * (SIDE + 1) };
     double sum[VERTICES] = {0}, weight[VERTICES] = {0}, value[VERTICES], area = 999;
     unsigned char present[VERTICES];
@@ -422,9 +395,8 @@ START_TEST(vertices_without_points_of_their_own_take_their_neighbours_value) {
     }
     wcut_mesh_destroy(mesh);
 }
-END_TEST
 
-START_TEST(the_area_without_points_does_not_depend_on_the_triangles) {
+TEST(the_area_without_points_does_not_depend_on_the_triangles) {
     double sum[4] = {0}, weight[4] = {0}, value[4], area = 999;
     unsigned char present[4];
     given_square(1);
@@ -443,32 +415,7 @@ START_TEST(the_area_without_points_does_not_depend_on_the_triangles) {
     ck_assert_int_eq(wcut_mesh_map_eval(mesh, sum, weight, 1, scan, 0, 1, value, present, &area), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_mesh_map_eval(mesh, sum, weight, 1, scan, 1, 0, value, present, &area), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_mesh_map_eval(mesh, sum, weight, 1, scan, 1, 1, value, NULL, &area), WCUT_BAD_ARGUMENT);
-    wcut_status status = WCUT_NO_MEMORY;
-    int k = 1;
-    for (; k < 50 && status == WCUT_NO_MEMORY; k++) {
-        ck_assert(area == before || k > 3);
-        wcut_alloc_fail_at(k);
-        status = wcut_mesh_map_eval(mesh, sum, weight, count, scan, 0.3, 1, value, present, &area);
-        wcut_alloc_fail_at(0);
-    }
-    ck_assert(status == WCUT_OK && k > 4);
+    EACH_FAILED_ALLOCATION(wcut_mesh_map_eval(mesh, sum, weight, count, scan, 0.3, 1, value, present, &area),
+                           area == before);
     wcut_mesh_destroy(mesh);
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {a_scan_comes_back_onto_a_mesh_as_far_as_the_mesh_is_the_face,
-                                 noise_at_borders_and_creases_does_not_stop_a_fit,
-                                 a_fit_to_a_mesh_does_not_depend_on_threads,
-                                 a_fit_to_a_mesh_refuses_what_a_fit_refuses,
-                                 a_fit_to_a_mesh_tells_that_memory_ends,
-                                 a_scan_is_reconstructed_beside_a_mesh_as_beside_its_surface,
-                                 poisson_in_space_goes_beside_a_mesh_too,
-                                 where_the_mesh_is_not_nothing_is_missed,
-                                 a_turned_mesh_has_a_turned_plane,
-                                 what_is_no_sheet_has_no_plane,
-                                 a_reconstruction_beside_a_mesh_tells_that_memory_ends,
-                                 vertices_without_points_of_their_own_take_their_neighbours_value,
-                                 the_area_without_points_does_not_depend_on_the_triangles};
-    return run_suite("beside_mesh", (int)(sizeof test / sizeof *test), test);
 }

@@ -1,6 +1,7 @@
 /* Cleaning: what was planted is found, each with its cause, and nothing else; thinning; units. */
 #include "base/alloc.h"
 #include "sheets.h"
+#include "test.h"
 
 enum { ROWS = 60, COLUMNS = 50, SHEET = ROWS * COLUMNS, PLANTED = 40, MOST = SHEET + 3 * PLANTED };
 
@@ -31,22 +32,20 @@ static void all_are(int first, int end, int cause) {
     for (int k = first; k < end; k++) ck_assert_msg(removal[k] == cause, "point %d: %d", k, removal[k]);
 }
 
-START_TEST(a_regular_sheet_loses_nothing_not_even_its_corners) {
+TEST(a_regular_sheet_loses_nothing_not_even_its_corners) {
     given_lattice(ROWS, COLUMNS, 2, point);
     cleaned(SHEET, NULL);
     all_are(0, SHEET, WCUT_REMOVAL_KEPT);
     ck_assert(report.limit >= 3 * report.centre && report.scale < 0.1 * report.centre);
 }
-END_TEST
 
-START_TEST(a_noisy_sheet_at_random_places_loses_nothing) {
+TEST(a_noisy_sheet_at_random_places_loses_nothing) {
     for (uint64_t seed = 1; seed <= 5; seed++) {
         given_saddle(SHEET, 0.5, 0.05, seed, point);
         cleaned(SHEET, NULL);
         all_are(0, SHEET, WCUT_REMOVAL_KEPT);
     }
 }
-END_TEST
 
 /* the sheet, then copies, then points off it, then far ones in clusters of five */
 static void plant(void) {
@@ -61,16 +60,15 @@ static void plant(void) {
     }
 }
 
-START_TEST(planted_duplicates_and_outliers_are_found_and_nothing_else) {
+TEST(planted_duplicates_and_outliers_are_found_and_nothing_else) {
     plant();
     cleaned(MOST, NULL);
     all_are(0, SHEET, WCUT_REMOVAL_KEPT);
     all_are(SHEET, SHEET + PLANTED, WCUT_REMOVAL_DUPLICATE);
     all_are(SHEET + PLANTED, MOST, WCUT_REMOVAL_OUTLIER);
 }
-END_TEST
 
-START_TEST(mean_and_deviation_are_blind_beside_far_outliers_median_and_mad_are_not) {
+TEST(mean_and_deviation_are_blind_beside_far_outliers_median_and_mad_are_not) {
     plant();
     wcut_clean_options o = wcut_clean_options_default();
     o.robust = 0;
@@ -85,9 +83,8 @@ START_TEST(mean_and_deviation_are_blind_beside_far_outliers_median_and_mad_are_n
     ck_assert_int_gt(report.removed[WCUT_REMOVAL_OUTLIER], 0);
     ck_assert_int_lt(report.removed[WCUT_REMOVAL_OUTLIER], SHEET / 10);
 }
-END_TEST
 
-START_TEST(the_mean_distance_of_a_lattice_is_its_closed_form) {
+TEST(the_mean_distance_of_a_lattice_is_its_closed_form) {
     /* 4 neighbours of a flat lattice of step 2: inside all are 2 away; median 2, MAD 0 */
     for (int k = 0; k < SHEET; k++) point[k] = vec3(2.0 * (k % COLUMNS), 2.0 * (k / COLUMNS), 0);
     wcut_clean_options o = wcut_clean_options_default();
@@ -103,9 +100,8 @@ START_TEST(the_mean_distance_of_a_lattice_is_its_closed_form) {
     const double edge = (6 + sqrt(8)) / 4, corner = (4 + sqrt(8) + 4) / 4;
     ck_assert_double_eq_tol(report.centre, (2.0 * inside + edge * edges + corner * corners) / SHEET, 1e-12);
 }
-END_TEST
 
-START_TEST(isolated_points_have_too_few_within_the_radius) {
+TEST(isolated_points_have_too_few_within_the_radius) {
     plant();
     wcut_clean_options o = wcut_clean_options_default();
     o.neighbours = 0;
@@ -123,9 +119,8 @@ START_TEST(isolated_points_have_too_few_within_the_radius) {
     all_are(SHEET + 2 * PLANTED, MOST, WCUT_REMOVAL_ISOLATED);
     ck_assert(report.centre == 0 && report.scale == 0 && report.limit == 0);
 }
-END_TEST
 
-START_TEST(near_duplicates_are_those_within_the_tolerance_of_a_kept_point) {
+TEST(near_duplicates_are_those_within_the_tolerance_of_a_kept_point) {
     wcut_clean_options o = wcut_clean_options_default();
     o.neighbours = 0;
     /* a chain 0.6 apart: every second one is kept, for a removed point removes no other */
@@ -153,9 +148,8 @@ START_TEST(near_duplicates_are_those_within_the_tolerance_of_a_kept_point) {
     cleaned(10, &o);
     all_are(0, 10, WCUT_REMOVAL_KEPT);
 }
-END_TEST
 
-START_TEST(equal_points_are_equal_whatever_the_sign_of_zero_and_one_step_apart_they_are_not) {
+TEST(equal_points_are_equal_whatever_the_sign_of_zero_and_one_step_apart_they_are_not) {
     wcut_clean_options o = wcut_clean_options_default();
     o.neighbours = 0;
     const wcut_vec3 p[] = {{0, 1, 2}, {-0.0, 1, 2}, {0, nextafter(1, 2), 2}, {1e12, -1e12, 0}, {1e12, -1e12, 0}};
@@ -165,9 +159,8 @@ START_TEST(equal_points_are_equal_whatever_the_sign_of_zero_and_one_step_apart_t
                             WCUT_REMOVAL_DUPLICATE};
     for (int k = 0; k < 5; k++) ck_assert_int_eq(removal[k], expected[k]);
 }
-END_TEST
 
-START_TEST(thinning_keeps_the_first_point_of_every_cube) {
+TEST(thinning_keeps_the_first_point_of_every_cube) {
     wcut_clean_options o = wcut_clean_options_default();
     o.neighbours = 0;
     o.voxel = 1;
@@ -179,9 +172,8 @@ START_TEST(thinning_keeps_the_first_point_of_every_cube) {
     ck_assert_int_eq(wcut_cloud_keep(1000, removal, point), 50);
     ck_assert(point[1].x == 0.1 * 10 - 5 + 0.05 && point[10].y == 1.25);
 }
-END_TEST
 
-START_TEST(thinning_in_pieces_is_thinning_at_once) {
+TEST(thinning_in_pieces_is_thinning_at_once) {
     static unsigned char once[MOST], keep[MOST];
     wcut_thinning *thinning = NULL;
     given_saddle(MOST, 0.3, 5, 3, point);
@@ -196,9 +188,8 @@ START_TEST(thinning_in_pieces_is_thinning_at_once) {
         wcut_thinning_destroy(thinning);
     }
 }
-END_TEST
 
-START_TEST(a_table_of_cubes_grows_as_it_must) {
+TEST(a_table_of_cubes_grows_as_it_must) {
     static unsigned char keep[40000];
     static wcut_vec3 many[40000];
     for (int k = 0; k < 40000; k++) many[k] = vec3(k % 200 - 100, k / 200 - 100, 1e12 * (k % 2));
@@ -219,11 +210,7 @@ START_TEST(a_table_of_cubes_grows_as_it_must) {
     ck_assert_int_eq(wcut_thinning_create(0.0009, &none), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_thinning_create(INFINITY, &none), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_thinning_create(1, NULL), WCUT_BAD_ARGUMENT);
-    for (long k = 1; k <= 2; k++) {
-        wcut_alloc_fail_at(k);
-        ck_assert_int_eq(wcut_thinning_create(1, &none), WCUT_NO_MEMORY);
-    }
-    wcut_alloc_fail_at(0);
+    FIRST_FAILED_ALLOCATIONS(2, wcut_thinning_create(1, &none), none == (void *)many);
     ck_assert_ptr_eq(none, (void *)many);
     ck_assert_int_eq(wcut_thinning_create(1, &thinning), WCUT_OK);
     many[0].x = 0;
@@ -232,9 +219,8 @@ START_TEST(a_table_of_cubes_grows_as_it_must) {
     wcut_alloc_fail_at(0);
     wcut_thinning_destroy(thinning);
 }
-END_TEST
 
-START_TEST(two_threads_give_the_same_bytes) {
+TEST(two_threads_give_the_same_bytes) {
     static unsigned char other[MOST];
     wcut_clean_report second;
     plant();
@@ -247,9 +233,8 @@ START_TEST(two_threads_give_the_same_bytes) {
         ck_assert(memcmp(other, removal, sizeof other) == 0 && memcmp(&second, &report, sizeof report) == 0);
     }
 }
-END_TEST
 
-START_TEST(clouds_that_are_none_are_degenerate_and_nothing_is_written) {
+TEST(clouds_that_are_none_are_degenerate_and_nothing_is_written) {
     outputs_as_before();
     for (int k = 0; k < 100; k++) point[k] = vec3(1, 2, 3);
     ck_assert_int_eq(wcut_cloud_clean(100, point, NULL, 1, removal, &report), WCUT_DEGENERATE); /* one place */
@@ -266,9 +251,8 @@ START_TEST(clouds_that_are_none_are_degenerate_and_nothing_is_written) {
     ck_assert_int_eq(removal[0], WCUT_REMOVAL_KEPT);
     ck_assert_int_eq(wcut_cloud_clean(11, point, NULL, 1, removal, NULL), WCUT_OK);
 }
-END_TEST
 
-START_TEST(arguments_outside_their_range_are_refused_and_nothing_is_written) {
+TEST(arguments_outside_their_range_are_refused_and_nothing_is_written) {
     given_lattice(10, 10, 1, point);
     outputs_as_before();
     const wcut_clean_options good = wcut_clean_options_default();
@@ -296,26 +280,15 @@ START_TEST(arguments_outside_their_range_are_refused_and_nothing_is_written) {
     ck_assert_int_eq(wcut_cloud_keep(5, removal, NULL), 0);
     ck_assert_int_eq(wcut_cloud_keep(-1, removal, point), 0);
 }
-END_TEST
 
-START_TEST(without_memory_nothing_is_written) {
+TEST(without_memory_nothing_is_written) {
     plant();
     wcut_clean_options o = wcut_clean_options_default();
     o.radius = 3;
     o.voxel = 3;
     outputs_as_before();
-    wcut_status status = WCUT_NO_MEMORY;
-    long k = 1;
-    for (; k < 100 && status == WCUT_NO_MEMORY; k++) {
-        untouched();
-        wcut_alloc_fail_at(k);
-        status = wcut_cloud_clean(MOST, point, &o, 1, removal, &report);
-        wcut_alloc_fail_at(0);
-    }
-    ck_assert_int_eq(status, WCUT_OK);
-    ck_assert_int_gt(k, 12);
+    EACH_FAILED_ALLOCATION(wcut_cloud_clean(MOST, point, &o, 1, removal, &report), (untouched(), true));
 }
-END_TEST
 
 /* ---- units ---- */
 
@@ -327,7 +300,7 @@ static double factor_of(double scale, double share) {
     return fit.factor;
 }
 
-START_TEST(a_wrong_unit_is_noticed_and_named_by_its_factor) {
+TEST(a_wrong_unit_is_noticed_and_named_by_its_factor) {
     ck_assert(factor_of(1, 1) == 1 && factor_of(1, 0.25) == 1 && factor_of(1, 1.4) == 1);
     ck_assert(factor_of(0.1, 1) == 10 && factor_of(10, 1) == 0.1);
     ck_assert(factor_of(1 / 25.4, 1) == 25.4 && factor_of(25.4, 1) == 1 / 25.4);
@@ -335,9 +308,8 @@ START_TEST(a_wrong_unit_is_noticed_and_named_by_its_factor) {
     ck_assert(factor_of(0.1, 0.7) == 10 && factor_of(1 / 25.4, 0.7) == 25.4);
     ck_assert(factor_of(3, 1) == 0 && factor_of(1e-6, 1) == 0 && factor_of(150, 1) == 0);
 }
-END_TEST
 
-START_TEST(a_box_that_is_none_fits_nothing) {
+TEST(a_box_that_is_none_fits_nothing) {
     wcut_cloud_unit fit = {999, 999};
     const wcut_vec3 o = {0, 0, 0}, one = {1, 1, 1}, nan = {0, NAN, 0};
     ck_assert_int_eq(wcut_cloud_unit_eval(one, o, one, &fit), WCUT_BAD_ARGUMENT);
@@ -351,9 +323,8 @@ START_TEST(a_box_that_is_none_fits_nothing) {
     ck_assert_int_eq(wcut_cloud_unit_eval(one, one, one, &fit), WCUT_OK); /* a cloud of one point */
     ck_assert(fit.ratio == 0 && fit.factor == 0);
 }
-END_TEST
 
-START_TEST(one_place_and_one_line_are_no_scan) {
+TEST(one_place_and_one_line_are_no_scan) {
     wcut_vec3 p[50];
     int span = 999;
     for (int shift = 0; shift < 2; shift++) {
@@ -377,27 +348,4 @@ START_TEST(one_place_and_one_line_are_no_scan) {
     p[3].y = NAN;
     ck_assert_int_eq(wcut_cloud_span(50, p, &span), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(span, 999);
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {a_regular_sheet_loses_nothing_not_even_its_corners,
-                                 a_noisy_sheet_at_random_places_loses_nothing,
-                                 planted_duplicates_and_outliers_are_found_and_nothing_else,
-                                 mean_and_deviation_are_blind_beside_far_outliers_median_and_mad_are_not,
-                                 the_mean_distance_of_a_lattice_is_its_closed_form,
-                                 isolated_points_have_too_few_within_the_radius,
-                                 near_duplicates_are_those_within_the_tolerance_of_a_kept_point,
-                                 equal_points_are_equal_whatever_the_sign_of_zero_and_one_step_apart_they_are_not,
-                                 thinning_keeps_the_first_point_of_every_cube,
-                                 thinning_in_pieces_is_thinning_at_once,
-                                 a_table_of_cubes_grows_as_it_must,
-                                 two_threads_give_the_same_bytes,
-                                 clouds_that_are_none_are_degenerate_and_nothing_is_written,
-                                 arguments_outside_their_range_are_refused_and_nothing_is_written,
-                                 without_memory_nothing_is_written,
-                                 a_wrong_unit_is_noticed_and_named_by_its_factor,
-                                 a_box_that_is_none_fits_nothing,
-                                 one_place_and_one_line_are_no_scan};
-    return run_suite("clean", sizeof test / sizeof *test, test);
 }

@@ -6,6 +6,7 @@
 #include "base/alloc.h"
 #include "base/numbers.h"
 #include "scan/sheets.h"
+#include "test.h"
 
 enum { ROWS = 81, COLUMNS = 41, POINTS = 20000 };
 
@@ -55,7 +56,7 @@ static void given_points(int count, double margin, double size, double noise, ui
     }
 }
 
-START_TEST(an_offset_is_recovered_with_its_sign_on_both_sides) {
+TEST(an_offset_is_recovered_with_its_sign_on_both_sides) {
     given_surface();
     for (int t = 0; t < 4; t++) {
         const double size = pow(10, t - 2); /* 0.01 to 10 mm, well below the radius of 118 mm */
@@ -70,9 +71,8 @@ START_TEST(an_offset_is_recovered_with_its_sign_on_both_sides) {
     }
     forget_surface();
 }
-END_TEST
 
-START_TEST(a_mesh_of_the_surface_says_the_same) {
+TEST(a_mesh_of_the_surface_says_the_same) {
     wcut_mesh *mesh = NULL;
     wcut_mesh_tree *tree = NULL;
     static wcut_deviation other[POINTS];
@@ -100,9 +100,8 @@ START_TEST(a_mesh_of_the_surface_says_the_same) {
     wcut_mesh_destroy(mesh);
     forget_surface();
 }
-END_TEST
 
-START_TEST(points_outside_are_counted_and_are_no_deviations) {
+TEST(points_outside_are_counted_and_are_no_deviations) {
     given_surface();
     int beyond = 0;
     wcut_random r = wcut_random_seed(5);
@@ -124,9 +123,8 @@ START_TEST(points_outside_are_counted_and_are_no_deviations) {
     ck_assert_int_gt(beyond, 500);
     forget_surface();
 }
-END_TEST
 
-START_TEST(window_border_reach_and_flip_decide_what_counts) {
+TEST(window_border_reach_and_flip_decide_what_counts) {
     wcut_deviation_options o = wcut_deviation_options_default();
     given_surface();
     o.low = vec3(100, 200, 0), o.high = vec3(300, 1000, 300);
@@ -149,9 +147,8 @@ START_TEST(window_border_reach_and_flip_decide_what_counts) {
         }
     forget_surface();
 }
-END_TEST
 
-START_TEST(a_point_at_a_centre_of_curvature_has_no_side_to_be_sure_of) {
+TEST(a_point_at_a_centre_of_curvature_has_no_side_to_be_sure_of) {
     wcut_vec3 arc[2 * 41];
     for (int k = 0; k < 82; k++) { /* half a cylinder of radius 50 about the line y, z = 0; it opens upwards */
         const double angle = acos(-1) * (k % 41) / 40;
@@ -166,9 +163,8 @@ START_TEST(a_point_at_a_centre_of_curvature_has_no_side_to_be_sure_of) {
     ck_assert_double_eq_tol(deviation[2].distance, 50 - hypot(3, 20), 1e-3);
     forget_surface();
 }
-END_TEST
 
-START_TEST(bad_arguments_are_refused) {
+TEST(bad_arguments_are_refused) {
     wcut_deviation_options o = wcut_deviation_options_default();
     given_surface();
     given_points(3, 5, 1, 0, 1);
@@ -190,21 +186,17 @@ START_TEST(bad_arguments_are_refused) {
     ck_assert_int_eq(wcut_deviation_from_surface(projection, 3, point, NULL, 1, deviation, NULL), WCUT_BAD_ARGUMENT);
     point[1].z = 2e12;
     ck_assert_int_eq(wcut_deviation_from_surface(projection, 3, point, NULL, 1, deviation, NULL), WCUT_BAD_ARGUMENT);
-    for (long k = 1; k <= 2; k++) {
-        wcut_alloc_fail_at(k);
-        ck_assert_int_eq(wcut_deviation_from_surface(projection, 1, point, NULL, 1, deviation, NULL), WCUT_NO_MEMORY);
-        wcut_alloc_fail_at(0);
-    }
+    FIRST_FAILED_ALLOCATIONS(2, wcut_deviation_from_surface(projection, 1, point, NULL, 1, deviation, NULL),
+                             deviation[0].distance == 999);
     ck_assert(deviation[0].distance == 999);
     ck_assert_ptr_null(wcut_place_name(WCUT_PLACE_COUNT));
     ck_assert_str_eq(wcut_place_name(WCUT_PLACE_BEYOND), "beyond");
     forget_surface();
 }
-END_TEST
 
 /* ---- the way back ---- */
 
-START_TEST(the_way_back_is_that_of_a_full_search) {
+TEST(the_way_back_is_that_of_a_full_search) {
     static double distance[300];
     given_points(2000, 0, 1, 0.1, 2);
     wcut_vec3 query[300];
@@ -229,7 +221,6 @@ START_TEST(the_way_back_is_that_of_a_full_search) {
     wcut_alloc_fail_at(0);
     ck_assert(distance[0] == 999);
 }
-END_TEST
 
 /* ---- the face of a job ---- */
 
@@ -269,7 +260,7 @@ static void given_history(void) {
                              .speed = speed};
 }
 
-START_TEST(the_face_lies_half_a_kerf_below_the_wires_surface) {
+TEST(the_face_lies_half_a_kerf_below_the_wires_surface) {
     wcut_face *face = NULL;
     given_history();
     job.kerf_per_q = 1e-4;
@@ -290,9 +281,8 @@ START_TEST(the_face_lies_half_a_kerf_below_the_wires_surface) {
     ck_assert_double_eq_tol(wcut_face_kerf(face), 1 + 6 / 12.0, 0.005);
     wcut_face_destroy(face);
 }
-END_TEST
 
-START_TEST(its_grid_ends_where_the_block_does) {
+TEST(its_grid_ends_where_the_block_does) {
     wcut_face *face = NULL;
     wcut_mesh *mesh = NULL;
     given_history();
@@ -323,7 +313,6 @@ START_TEST(its_grid_ends_where_the_block_does) {
     wcut_mesh_destroy(mesh);
     wcut_face_destroy(face);
 }
-END_TEST
 
 /* points of the face itself, off it by the field; `hole` leaves out a square about (200, 600) */
 static int given_scan(const wcut_face *face, double hole) {
@@ -342,7 +331,7 @@ static int given_scan(const wcut_face *face, double hole) {
     return count;
 }
 
-START_TEST(a_map_shows_what_was_scanned_and_leaves_holes) {
+TEST(a_map_shows_what_was_scanned_and_leaves_holes) {
     static double value[ROWS * COLUMNS];
     static unsigned char present[ROWS * COLUMNS];
     const double hole = 60;
@@ -377,9 +366,8 @@ START_TEST(a_map_shows_what_was_scanned_and_leaves_holes) {
     wcut_projection_destroy(projection);
     wcut_face_destroy(face);
 }
-END_TEST
 
-START_TEST(parts_of_the_cut_and_what_goes_with_the_deviation_are_found) {
+TEST(parts_of_the_cut_and_what_goes_with_the_deviation_are_found) {
     wcut_face *face = NULL;
     wcut_deviation_summary *summary = NULL;
     const wcut_deviation_summary_result *r = NULL;
@@ -414,9 +402,8 @@ START_TEST(parts_of_the_cut_and_what_goes_with_the_deviation_are_found) {
     wcut_projection_destroy(projection);
     wcut_face_destroy(face);
 }
-END_TEST
 
-START_TEST(path_curvature_is_that_of_the_mounts) {
+TEST(path_curvature_is_that_of_the_mounts) {
     wcut_face *face = NULL;
     given_history();
     for (int s = 0; s < ROWS; s++) { /* arcs of radius 900 and 1800 mm */
@@ -428,9 +415,8 @@ START_TEST(path_curvature_is_that_of_the_mounts) {
     for (int s = 2; s < ROWS - 2; s++) ck_assert_double_eq_tol(face->path_bend[s], (1 / 900.0 + 1 / 1800.0) / 2, 1e-9);
     wcut_face_destroy(face);
 }
-END_TEST
 
-START_TEST(bad_faces_are_refused) {
+TEST(bad_faces_are_refused) {
     wcut_face *face = (wcut_face *)999;
     given_history();
     ck_assert_int_eq(wcut_face_create(NULL, &history, NULL, NULL, 0, &face), WCUT_BAD_ARGUMENT);
@@ -446,34 +432,9 @@ START_TEST(bad_faces_are_refused) {
     ck_assert_int_eq(wcut_face_create(&job, &history, NULL, NULL, 1e-3, &face), WCUT_DEGENERATE);
     ck_assert_ptr_eq(face, (wcut_face *)999);
     given_history();
-    for (long k = 1;; k += 3) {
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_face_create(&job, &history, mount_a, mount_b, 0, &face);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) break;
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert_ptr_eq(face, (wcut_face *)999);
-        ck_assert_int_lt(k, 500);
-    }
+    EACH_FAILED_ALLOCATION_BY(3, wcut_face_create(&job, &history, mount_a, mount_b, 0, &face),
+                              face == (wcut_face *)999);
     wcut_face_destroy(face);
     wcut_face_destroy(NULL);
     wcut_face_map_destroy(NULL);
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {an_offset_is_recovered_with_its_sign_on_both_sides,
-                                 a_mesh_of_the_surface_says_the_same,
-                                 points_outside_are_counted_and_are_no_deviations,
-                                 window_border_reach_and_flip_decide_what_counts,
-                                 a_point_at_a_centre_of_curvature_has_no_side_to_be_sure_of,
-                                 bad_arguments_are_refused,
-                                 the_way_back_is_that_of_a_full_search,
-                                 the_face_lies_half_a_kerf_below_the_wires_surface,
-                                 its_grid_ends_where_the_block_does,
-                                 a_map_shows_what_was_scanned_and_leaves_holes,
-                                 parts_of_the_cut_and_what_goes_with_the_deviation_are_found,
-                                 path_curvature_is_that_of_the_mounts,
-                                 bad_faces_are_refused};
-    return run_suite("deviation", sizeof test / sizeof *test, test);
 }

@@ -1,10 +1,9 @@
 /* Where the cut face is scanned under each effect, by its formula. labels: unit */
-#include <check.h>
-#include <stdlib.h>
 #include <wirecut/effects.h>
 
 #include "base/numbers.h"
 #include "base/vec3.h"
+#include "test.h"
 
 static const wcut_vec3 block = {400, 600, 300};
 
@@ -25,7 +24,7 @@ static void expect(wcut_effect e, wcut_vec3 at, wcut_vec3 expected) {
     ck_assert_double_lt(vec3_distance(seen(&e, 1, at), expected), 1e-12);
 }
 
-START_TEST(every_effect_moves_a_point_by_its_formula) {
+TEST(every_effect_moves_a_point_by_its_formula) {
     const wcut_vec3 p = {300, 150, 140}; /* u = 0.5, v = -0.5 */
     expect(sized(WCUT_EFFECT_KERF_GROWTH, 2e-4, 0), p, vec3_add_scaled(p, -0.3, vec3(0, 0.6, 0.8)));
     wcut_effect e = sized(WCUT_EFFECT_KERF_GROWTH, 0, 1);
@@ -41,9 +40,8 @@ START_TEST(every_effect_moves_a_point_by_its_formula) {
     expect(e, p, vec3(301, 148, 143));
     expect(sized(WCUT_EFFECT_WIRE_THERMAL_LAG, 1, 0), p, p); /* physics of the step moves no scan */
 }
-END_TEST
 
-START_TEST(neutral_effects_leave_every_bit_and_several_add_up) {
+TEST(neutral_effects_leave_every_bit_and_several_add_up) {
     wcut_effect e[] = {wcut_effect_default(WCUT_EFFECT_KERF_GROWTH), wcut_effect_default(WCUT_EFFECT_BLOCK_SPRINGBACK),
                        wcut_effect_default(WCUT_EFFECT_SCAN_OFFSET), wcut_effect_default(WCUT_EFFECT_SCAN_SCALE)};
     const wcut_vec3 p = {1.0 / 3, 0.1, 1e-9};
@@ -52,9 +50,8 @@ START_TEST(neutral_effects_leave_every_bit_and_several_add_up) {
     e[0] = sized(WCUT_EFFECT_BLOCK_SPRINGBACK, 2, 1), e[1] = sized(WCUT_EFFECT_BLOCK_SPRINGBACK, -1, 2);
     ck_assert_double_eq_tol(seen(e, 2, vec3(0, 0, 9)).z, 10, 1e-12);
 }
-END_TEST
 
-START_TEST(what_is_missing_is_refused_and_the_points_stay) {
+TEST(what_is_missing_is_refused_and_the_points_stay) {
     wcut_effect e = sized(WCUT_EFFECT_KERF_GROWTH, 1e-4, 0);
     wcut_vec3 p = {999, 999, 999};
     const double q_eff[] = {NAN}, good[] = {100};
@@ -69,19 +66,4 @@ START_TEST(what_is_missing_is_refused_and_the_points_stay) {
     ck_assert_int_eq(wcut_face_eval(1, &e, block, 1, &normal, good, &p), WCUT_BAD_ARGUMENT);
     ck_assert(p.x == 999 && p.y == 999 && p.z == 999);
     ck_assert_int_eq(wcut_face_eval(0, NULL, block, 0, NULL, NULL, NULL), WCUT_OK);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("face");
-    TCase *tcase = tcase_create("scan effects");
-    tcase_add_test(tcase, every_effect_moves_a_point_by_its_formula);
-    tcase_add_test(tcase, neutral_effects_leave_every_bit_and_several_add_up);
-    tcase_add_test(tcase, what_is_missing_is_refused_and_the_points_stay);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

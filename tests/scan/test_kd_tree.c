@@ -1,5 +1,4 @@
 /* The k-d tree against counting by hand: nearest points, points within a radius, every shape of cloud. */
-#include <check.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,6 +7,7 @@
 #include "base/random.h"
 #include "base/vec3.h"
 #include "scan/kd_tree.h"
+#include "test.h"
 
 enum { MOST = 700 };
 
@@ -43,7 +43,7 @@ static void all_squares(int place, double *square) {
     qsort(square, (size_t)n, sizeof *square, compare);
 }
 
-START_TEST(every_point_is_in_the_tree_once) {
+TEST(every_point_is_in_the_tree_once) {
     for (int shape = 0; shape < 6; shape++) {
         char seen[MOST] = "";
         given_points(shape, MOST, 3);
@@ -55,9 +55,8 @@ START_TEST(every_point_is_in_the_tree_once) {
         wcut_kd_tree_clear(&tree);
     }
 }
-END_TEST
 
-START_TEST(the_nearest_points_are_those_of_a_full_search) {
+TEST(the_nearest_points_are_those_of_a_full_search) {
     static double square[MOST];
     const int counts[] = {1, 2, 3, 16, 17, 33, 100, MOST}, ks[] = {1, 2, 16, WCUT_KD_NEAREST_MOST};
     for (int t = 0; t < 6 * 8 * 4; t++) {
@@ -80,9 +79,8 @@ START_TEST(the_nearest_points_are_those_of_a_full_search) {
         wcut_kd_tree_clear(&tree);
     }
 }
-END_TEST
 
-START_TEST(points_within_a_radius_are_counted_its_border_among_them) {
+TEST(points_within_a_radius_are_counted_its_border_among_them) {
     static double square[MOST];
     for (int shape = 0; shape < 6; shape++) {
         given_points(shape, MOST, 5);
@@ -100,9 +98,8 @@ START_TEST(points_within_a_radius_are_counted_its_border_among_them) {
         wcut_kd_tree_clear(&tree);
     }
 }
-END_TEST
 
-START_TEST(two_threads_build_the_same_tree) {
+TEST(two_threads_build_the_same_tree) {
     wcut_kd_tree other;
     given_points(1, MOST, 9);
     ck_assert_int_eq(wcut_kd_tree_build(MOST, point, 1, &tree), WCUT_OK);
@@ -111,32 +108,9 @@ START_TEST(two_threads_build_the_same_tree) {
     wcut_kd_tree_clear(&tree);
     wcut_kd_tree_clear(&other);
 }
-END_TEST
 
-START_TEST(without_memory_there_is_no_tree) {
+TEST(without_memory_there_is_no_tree) {
     given_points(1, MOST, 9);
-    for (long k = 1; k <= 4; k++) {
-        wcut_kd_tree none = {.count = 999};
-        wcut_alloc_fail_at(k);
-        ck_assert_int_eq(wcut_kd_tree_build(MOST, point, 1, &none), WCUT_NO_MEMORY);
-        wcut_alloc_fail_at(0);
-        ck_assert(none.count == 999 && none.point == NULL);
-    }
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("kd_tree");
-    TCase *tcase = tcase_create("kd_tree");
-    tcase_add_test(tcase, every_point_is_in_the_tree_once);
-    tcase_add_test(tcase, the_nearest_points_are_those_of_a_full_search);
-    tcase_add_test(tcase, points_within_a_radius_are_counted_its_border_among_them);
-    tcase_add_test(tcase, two_threads_build_the_same_tree);
-    tcase_add_test(tcase, without_memory_there_is_no_tree);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+    wcut_kd_tree none = {.count = 999};
+    FIRST_FAILED_ALLOCATIONS(4, wcut_kd_tree_build(MOST, point, 1, &none), none.count == 999 && none.point == NULL);
 }

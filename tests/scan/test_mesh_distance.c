@@ -4,6 +4,7 @@
 
 #include "base/alloc.h"
 #include "scan/sheets.h"
+#include "test.h"
 
 enum { QUERIES = 400 };
 
@@ -122,7 +123,7 @@ static double full_search(wcut_vec3 p) {
     return best;
 }
 
-START_TEST(the_closest_point_is_that_of_a_full_search) {
+TEST(the_closest_point_is_that_of_a_full_search) {
     const int counts[] = {1, 2, 4, 5, 9, 33, 300, 3000};
     for (int t = 0; t < 8; t++) {
         given_soup(counts[t], (uint64_t)t + 1);
@@ -143,9 +144,8 @@ START_TEST(the_closest_point_is_that_of_a_full_search) {
         forget();
     }
 }
-END_TEST
 
-START_TEST(far_queries_and_far_meshes_lose_nothing) {
+TEST(far_queries_and_far_meshes_lose_nothing) {
     given_sheet(20, 30, 3);
     for (int i = 0; i < mesh->vertex_count; i++) mesh->vertex[i] = vec3_add(mesh->vertex[i], vec3(1e6, -3e6, 2e6));
     build();
@@ -154,9 +154,8 @@ START_TEST(far_queries_and_far_meshes_lose_nothing) {
     for (int k = 0; k < QUERIES; k++) ck_assert_double_eq_tol(foot[k].distance, full_search(query[k]), 1e-7);
     forget();
 }
-END_TEST
 
-START_TEST(the_side_is_right_everywhere_about_a_closed_mesh) {
+TEST(the_side_is_right_everywhere_about_a_closed_mesh) {
     given_sphere(50, 3);
     build();
     const wcut_mesh_tree_info *info = wcut_mesh_tree_view(tree);
@@ -177,9 +176,8 @@ START_TEST(the_side_is_right_everywhere_about_a_closed_mesh) {
     }
     forget();
 }
-END_TEST
 
-START_TEST(the_side_is_right_everywhere_about_an_open_sheet) {
+TEST(the_side_is_right_everywhere_about_an_open_sheet) {
     given_sheet(21, 31, 4);
     build();
     ck_assert_int_eq(wcut_mesh_tree_view(tree)->border_edges, 2 * (20 + 30));
@@ -195,9 +193,8 @@ START_TEST(the_side_is_right_everywhere_about_an_open_sheet) {
     }
     forget();
 }
-END_TEST
 
-START_TEST(what_is_beyond_the_border_is_told_from_what_is_above_it) {
+TEST(what_is_beyond_the_border_is_told_from_what_is_above_it) {
     given_sheet(5, 5, 0); /* 0 .. 40 mm, flat */
     build();
     const struct {
@@ -215,9 +212,8 @@ START_TEST(what_is_beyond_the_border_is_told_from_what_is_above_it) {
     }
     forget();
 }
-END_TEST
 
-START_TEST(edges_that_are_wound_against_each_other_are_noticed) {
+TEST(edges_that_are_wound_against_each_other_are_noticed) {
     given_sheet(3, 3, 0);
     const int keep = mesh->triangle[1];
     mesh->triangle[1] = mesh->triangle[2], mesh->triangle[2] = keep;
@@ -225,9 +221,8 @@ START_TEST(edges_that_are_wound_against_each_other_are_noticed) {
     ck_assert_int_gt(wcut_mesh_tree_view(tree)->nonmanifold_edges, 0);
     forget();
 }
-END_TEST
 
-START_TEST(threads_change_no_byte) {
+TEST(threads_change_no_byte) {
     static wcut_mesh_foot other[QUERIES];
     given_sheet(40, 60, 5);
     build();
@@ -238,9 +233,8 @@ START_TEST(threads_change_no_byte) {
     ck_assert(memcmp(foot, other, sizeof foot) == 0);
     forget();
 }
-END_TEST
 
-START_TEST(bad_meshes_and_queries_are_refused) {
+TEST(bad_meshes_and_queries_are_refused) {
     wcut_mesh_tree *none = (wcut_mesh_tree *)999;
     given_sheet(3, 3, 0);
     ck_assert_int_eq(wcut_mesh_tree_create(NULL, &none), WCUT_BAD_ARGUMENT);
@@ -273,37 +267,13 @@ START_TEST(bad_meshes_and_queries_are_refused) {
     ck_assert(foot[0].distance == 999);
     forget();
 }
-END_TEST
 
-START_TEST(without_memory_nothing_is_made_or_lost) {
+TEST(without_memory_nothing_is_made_or_lost) {
     given_sheet(9, 9, 1);
-    for (long k = 1;; k++) {
-        wcut_alloc_fail_at(k);
-        tree = (wcut_mesh_tree *)999;
-        const wcut_status status = wcut_mesh_tree_create(mesh, &tree);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) break;
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert_ptr_eq(tree, (wcut_mesh_tree *)999);
-        ck_assert_int_lt(k, 100);
-    }
-    wcut_alloc_fail_at(1);
+    tree = (wcut_mesh_tree *)999;
+    EACH_FAILED_ALLOCATION(wcut_mesh_tree_create(mesh, &tree), tree == (wcut_mesh_tree *)999);
     query[0] = vec3(1, 1, 1);
-    ck_assert_int_eq(wcut_mesh_tree_locate(tree, 1, query, 1, foot), WCUT_NO_MEMORY);
-    wcut_alloc_fail_at(0);
+    foot[0].distance = 999;
+    EACH_FAILED_ALLOCATION(wcut_mesh_tree_locate(tree, 1, query, 1, foot), foot[0].distance == 999);
     forget();
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {the_closest_point_is_that_of_a_full_search,
-                                 far_queries_and_far_meshes_lose_nothing,
-                                 the_side_is_right_everywhere_about_a_closed_mesh,
-                                 the_side_is_right_everywhere_about_an_open_sheet,
-                                 what_is_beyond_the_border_is_told_from_what_is_above_it,
-                                 edges_that_are_wound_against_each_other_are_noticed,
-                                 threads_change_no_byte,
-                                 bad_meshes_and_queries_are_refused,
-                                 without_memory_nothing_is_made_or_lost};
-    return run_suite("mesh_distance", sizeof test / sizeof *test, test);
 }

@@ -8,6 +8,7 @@
 #include "scan/register_motion.h"
 #include "scan/register_symmetric.h"
 #include "scan/sheets.h"
+#include "test.h"
 
 enum { N = 600, DOFS = WCUT_DOF_COUNT };
 static const double DEG = WCUT_PI / 180;
@@ -55,7 +56,7 @@ static void given_options(void) {
 
 /* ---- motions ---- */
 
-START_TEST(a_rotation_vector_survives_its_matrix) {
+TEST(a_rotation_vector_survives_its_matrix) {
     wcut_random r = wcut_random_seed(5);
     for (int trial = 0; trial < 200; trial++) {
         double x[DOFS] = {1, 2, 3, 0, 0, 0};
@@ -68,9 +69,8 @@ START_TEST(a_rotation_vector_survives_its_matrix) {
         for (int k = 0; k < DOFS; k++) ck_assert_double_eq_tol(back.x[k], x[k], 1e-12 * fmax(1, fabs(x[k])) * 30);
     }
 }
-END_TEST
 
-START_TEST(the_jacobian_of_a_rotation_is_its_derivative) {
+TEST(the_jacobian_of_a_rotation_is_its_derivative) {
     const double h = 1e-6, base[DOFS] = {0, 0, 0, 0.7, -1.1, 0.4};
     const wcut_vec3 p = {3, -2, 5}, pivot = {1, 1, 1};
     const mat3 jacobian = wcut_motion_jacobian(base + 3);
@@ -87,9 +87,8 @@ START_TEST(the_jacobian_of_a_rotation_is_its_derivative) {
         ck_assert_double_lt(vec3_distance(slope, told), 1e-8);
     }
 }
-END_TEST
 
-START_TEST(eigenvectors_diagonalise_and_the_greatest_comes_first) {
+TEST(eigenvectors_diagonalise_and_the_greatest_comes_first) {
     wcut_random r = wcut_random_seed(8);
     double a[36], copy[36], value[6], vector[36];
     for (int i = 0; i < 6; i++)
@@ -105,9 +104,8 @@ START_TEST(eigenvectors_diagonalise_and_the_greatest_comes_first) {
         }
     }
 }
-END_TEST
 
-START_TEST(none_is_the_identity_and_moving_turns_normals) {
+TEST(none_is_the_identity_and_moving_turns_normals) {
     found = wcut_registration_none();
     wcut_vec3 point[2] = {{1, 2, 3}, {-4, 5, 6}}, normal[2] = {{0, 0, 1}, {1, 0, 0}};
     ck_assert_int_eq(wcut_registration_move(&found, 2, point, normal), WCUT_OK);
@@ -122,7 +120,6 @@ START_TEST(none_is_the_identity_and_moving_turns_normals) {
     ck_assert_int_eq(wcut_registration_move(&found, 1, NULL, normal), WCUT_BAD_ARGUMENT);
     ck_assert(point[0].x == 8);
 }
-END_TEST
 
 /* ---- datums ---- */
 
@@ -141,7 +138,7 @@ static void given_pairs(const double *x, double sigma, uint64_t seed) {
     }
 }
 
-START_TEST(pairs_give_a_motion_back_however_large_it_is) {
+TEST(pairs_give_a_motion_back_however_large_it_is) {
     wcut_random r = wcut_random_seed(11);
     for (int trial = 0; trial < 100; trial++) {
         double x[DOFS];
@@ -157,7 +154,6 @@ START_TEST(pairs_give_a_motion_back_however_large_it_is) {
         ck_assert_int_le(found.iterations, 1);
     }
 }
-END_TEST
 
 /* (x - truth) C^-1 (x - truth) of those found, chi-square with six degrees of freedom */
 static double mahalanobis(const double *truth) {
@@ -176,7 +172,7 @@ static void assert_chi_square(int trials, double sum, int inside, double slack) 
     if (slack == 0) ck_assert_double_le((double)inside / trials, 0.95 + 4 * sqrt(0.95 * 0.05 / trials));
 }
 
-START_TEST(the_covariance_of_pairs_covers_the_truth) {
+TEST(the_covariance_of_pairs_covers_the_truth) {
     const double x[DOFS] = {3, -2, 5, 0.2, -0.3, 0.9};
     double sum = 0;
     int inside = 0;
@@ -192,9 +188,8 @@ START_TEST(the_covariance_of_pairs_covers_the_truth) {
     }
     assert_chi_square(TRIALS, sum, inside, 0);
 }
-END_TEST
 
-START_TEST(a_pair_with_half_the_sigma_counts_four_times) {
+TEST(a_pair_with_half_the_sigma_counts_four_times) {
     /* one free shift: the mean weighted by 1 / sigma^2, and its variance */
     given_options();
     for (int k = 0; k < DOFS; k++) options.dof[k].kind = k == WCUT_DOF_TZ ? WCUT_DOF_KIND_FREE : WCUT_DOF_KIND_LOCKED;
@@ -204,7 +199,6 @@ START_TEST(a_pair_with_half_the_sigma_counts_four_times) {
     ck_assert_double_eq_tol(found.covariance[2 * DOFS + 2], 1 / (1 / 0.04 + 1 / 0.01), 1e-12);
     ck_assert(found.free == 1 && found.rank == 1 && found.determined[WCUT_DOF_TZ] && !found.determined[WCUT_DOF_TX]);
 }
-END_TEST
 
 /* three, two and one point on three faces of the block */
 static const wcut_vec3 bottom[3] = {{40, 50, 0}, {370, 30, 0}, {210, 550, 0}}, side[2] = {{0, 40, 20}, {0, 580, 60}},
@@ -221,7 +215,7 @@ static void given_faces(const double *x, double sigma) {
     face[2] = (wcut_datum_face){{5, 0, 5}, {0, -1, 0}, sigma, 1, seen_on_face + 5};
 }
 
-START_TEST(six_points_on_three_faces_fix_a_block) {
+TEST(six_points_on_three_faces_fix_a_block) {
     const double x[DOFS] = {4, -7, 3, 0.05, -0.03, 0.2};
     given_faces(x, 0.05);
     given_options();
@@ -231,9 +225,8 @@ START_TEST(six_points_on_three_faces_fix_a_block) {
     ck_assert_double_gt(found.rms_before, 1);
     ck_assert_double_lt(found.rms, 1e-9);
 }
-END_TEST
 
-START_TEST(a_face_and_pairs_work_together) {
+TEST(a_face_and_pairs_work_together) {
     const double x[DOFS] = {4, -7, 3, 0.05, -0.03, 0.2};
     given_faces(x, 0);
     given_pairs(x, 0, 1);
@@ -241,9 +234,8 @@ START_TEST(a_face_and_pairs_work_together) {
     ck_assert_int_eq(wcut_registration_solve_datum(2, pair, 1, face, &options, &found, NULL), WCUT_OK);
     for (int k = 0; k < DOFS; k++) ck_assert_double_eq_tol(found.parameter[k], x[k], 1e-9);
 }
-END_TEST
 
-START_TEST(pairs_on_a_line_leave_the_turn_about_it_where_it_was) {
+TEST(pairs_on_a_line_leave_the_turn_about_it_where_it_was) {
     given_options();
     const wcut_datum_pair line[3] = {
         {{0, 0, 0}, {0, 0, 3}, 0.1}, {{10, 0, 0}, {10, 0, 3}, 0.1}, {{30, 0, 0}, {30, 0, 3}, 0.1}};
@@ -254,13 +246,12 @@ START_TEST(pairs_on_a_line_leave_the_turn_about_it_where_it_was) {
     for (int k = 0; k < DOFS; k++) ck_assert(found.covariance[DOFS * k + WCUT_DOF_RX] == 0);
     ck_assert_double_eq_tol(found.parameter[WCUT_DOF_TZ], 3, 1e-9);
 }
-END_TEST
 
 static wcut_status solve_pairs(int pairs, wcut_error *error) {
     return wcut_registration_solve_datum(pairs, pair, 0, NULL, &options, &found, error);
 }
 
-START_TEST(bad_datums_are_refused) {
+TEST(bad_datums_are_refused) {
     const double x[DOFS] = {0};
     wcut_error error;
     given_faces(x, 0.1);
@@ -286,9 +277,8 @@ START_TEST(bad_datums_are_refused) {
     ck_assert_int_eq(wcut_registration_solve_datum(0, NULL, 3, face, NULL, &found, &error), WCUT_BAD_ARGUMENT);
     assert_untouched();
 }
-END_TEST
 
-START_TEST(datums_that_say_nothing_are_degenerate) {
+TEST(datums_that_say_nothing_are_degenerate) {
     const double x[DOFS] = {0};
     wcut_error error;
     given_pairs(x, 0, 1);
@@ -299,9 +289,8 @@ START_TEST(datums_that_say_nothing_are_degenerate) {
     ck_assert_int_eq(error.status, WCUT_DEGENERATE);
     assert_untouched();
 }
-END_TEST
 
-START_TEST(datums_stopped_early_hand_out_the_last_step) {
+TEST(datums_stopped_early_hand_out_the_last_step) {
     const double x[DOFS] = {4, -7, 3, 0.4, -0.5, 1.2};
     given_faces(x, 0.1);
     given_options();
@@ -310,9 +299,8 @@ START_TEST(datums_stopped_early_hand_out_the_last_step) {
     ck_assert_int_eq(found.iterations, 1);
     ck_assert_double_lt(found.rms, found.rms_before);
 }
-END_TEST
 
-START_TEST(options_outside_their_ranges_are_refused) {
+TEST(options_outside_their_ranges_are_refused) {
     const double x[DOFS] = {0};
     given_pairs(x, 0.1, 1);
     wcut_error error;
@@ -335,7 +323,6 @@ START_TEST(options_outside_their_ranges_are_refused) {
         assert_untouched();
     }
 }
-END_TEST
 
 /* ---- best fit ---- */
 
@@ -363,7 +350,7 @@ static void end_face(void) {
 
 static wcut_status fit(int count) { return wcut_registration_fit(projection, count, scan, &options, 1, &found, NULL); }
 
-START_TEST(a_scan_without_noise_comes_back_to_rounding) {
+TEST(a_scan_without_noise_comes_back_to_rounding) {
     given_wavy();
     const double x[DOFS] = {4, -6, 3, 0.6 * DEG, -0.4 * DEG, 1.1 * DEG};
     given_scan(surface, N, 0.05, 0, 1, on_face);
@@ -378,9 +365,8 @@ START_TEST(a_scan_without_noise_comes_back_to_rounding) {
     ck_assert_int_eq(found.method, WCUT_REGISTRATION_METHOD_FIT);
     end_face();
 }
-END_TEST
 
-START_TEST(trimming_leaves_outliers_out) {
+TEST(trimming_leaves_outliers_out) {
     given_wavy();
     const double x[DOFS] = {2, -1, 1.5, 0.2 * DEG, 0.3 * DEG, -0.5 * DEG};
     given_scan(surface, N, 0.05, 0, 2, on_face);
@@ -392,9 +378,8 @@ START_TEST(trimming_leaves_outliers_out) {
     ck_assert_int_eq(found.kept, N - (N + 11) / 12);
     end_face();
 }
-END_TEST
 
-START_TEST(a_scan_from_anywhere_is_found_by_the_coarse_start) {
+TEST(a_scan_from_anywhere_is_found_by_the_coarse_start) {
     given_wavy();
     options.coarse = 1;
     const double motion[3][DOFS] = {
@@ -408,9 +393,8 @@ START_TEST(a_scan_from_anywhere_is_found_by_the_coarse_start) {
     }
     end_face();
 }
-END_TEST
 
-START_TEST(points_beyond_the_border_do_not_pull) {
+TEST(points_beyond_the_border_do_not_pull) {
     given_wavy();
     const double x[DOFS] = {1, -2, 0.5, 0.1 * DEG, 0, 0.2 * DEG};
     given_scan(surface, N, 0.05, 0, 4, on_face);
@@ -422,9 +406,8 @@ START_TEST(points_beyond_the_border_do_not_pull) {
     ck_assert_double_eq_tol(found.overlap, 0.9, 1e-12);
     end_face();
 }
-END_TEST
 
-START_TEST(a_locked_degree_of_freedom_stays_to_the_bit) {
+TEST(a_locked_degree_of_freedom_stays_to_the_bit) {
     given_wavy();
     const double x[DOFS] = {3, 2, -1, 0.5 * DEG, 0.2 * DEG, -0.7 * DEG};
     given_scan(surface, N, 0.05, 0.05, 5, on_face);
@@ -437,9 +420,8 @@ START_TEST(a_locked_degree_of_freedom_stays_to_the_bit) {
     for (int k = 0; k < DOFS; k++) ck_assert(found.covariance[DOFS * k + WCUT_DOF_RZ] == 0);
     end_face();
 }
-END_TEST
 
-START_TEST(a_prior_and_the_data_meet_where_bayes_says) {
+TEST(a_prior_and_the_data_meet_where_bayes_says) {
     given_flat();
     given_scan(surface, N, 0.05, 0, 6, scan);
     for (int i = 0; i < N; i++) scan[i].z -= 0.4; /* the data ask for tz = 0.4 */
@@ -454,9 +436,8 @@ START_TEST(a_prior_and_the_data_meet_where_bayes_says) {
     ck_assert(found.noise == 0.5);
     end_face();
 }
-END_TEST
 
-START_TEST(a_prior_alone_determines_what_the_face_does_not) {
+TEST(a_prior_alone_determines_what_the_face_does_not) {
     given_flat();
     given_scan(surface, N, 0.1, 0.1, 7, scan);
     options.dof[WCUT_DOF_TX] = (wcut_dof){WCUT_DOF_KIND_PRIOR, 1.5, 0.3};
@@ -466,9 +447,8 @@ START_TEST(a_prior_alone_determines_what_the_face_does_not) {
     ck_assert_double_eq_tol(found.covariance[0], 0.09, 1e-4);
     end_face();
 }
-END_TEST
 
-START_TEST(a_flat_face_determines_three_and_invents_nothing) {
+TEST(a_flat_face_determines_three_and_invents_nothing) {
     given_flat();
     const double x[DOFS] = {0, 0, 2, 0.3 * DEG, -0.2 * DEG, 0};
     given_scan(surface, N, 0.1, 0.05, 8, on_face);
@@ -484,7 +464,6 @@ START_TEST(a_flat_face_determines_three_and_invents_nothing) {
     for (int k = 0; k < DOFS; k++) ck_assert(found.covariance[k] == 0);
     end_face();
 }
-END_TEST
 
 /* the fit of many scans with noise, all points kept or trimmed */
 static void assert_coverage(double keep, double given_noise) {
@@ -510,13 +489,11 @@ static void assert_coverage(double keep, double given_noise) {
     end_face();
 }
 
-START_TEST(the_covariance_of_a_fit_covers_the_truth) { assert_coverage(1, 0.1); }
-END_TEST
+TEST(the_covariance_of_a_fit_covers_the_truth) { assert_coverage(1, 0.1); }
 
-START_TEST(trimming_is_in_the_covariance) { assert_coverage(0.9, 0); }
-END_TEST
+TEST(trimming_is_in_the_covariance) { assert_coverage(0.9, 0); }
 
-START_TEST(a_best_fit_hides_a_deviation_and_no_motion_shows_it) {
+TEST(a_best_fit_hides_a_deviation_and_no_motion_shows_it) {
     /* the wire lagged on one half: a face that rises by up to 8 mm towards x = 400, which looks like a tilt */
     given_wavy();
     double truth = 0, hidden = 0;
@@ -537,9 +514,8 @@ START_TEST(a_best_fit_hides_a_deviation_and_no_motion_shows_it) {
     ck_assert_double_lt(hidden, -0.3); /* and a dent that is not there */
     end_face();
 }
-END_TEST
 
-START_TEST(the_result_does_not_depend_on_threads) {
+TEST(the_result_does_not_depend_on_threads) {
     given_wavy();
     options.coarse = 1;
     given_scan(surface, N, 0, 0.1, 10, scan);
@@ -552,9 +528,8 @@ START_TEST(the_result_does_not_depend_on_threads) {
     ck_assert(found.rms == one.rms && found.rival == one.rival);
     end_face();
 }
-END_TEST
 
-START_TEST(bad_scans_are_refused) {
+TEST(bad_scans_are_refused) {
     given_wavy();
     given_scan(surface, N, 0, 0.1, 10, scan);
     ck_assert_int_eq(fit(5), WCUT_BAD_ARGUMENT);
@@ -571,9 +546,8 @@ START_TEST(bad_scans_are_refused) {
     assert_untouched();
     end_face();
 }
-END_TEST
 
-START_TEST(scans_that_determine_nothing_are_degenerate) {
+TEST(scans_that_determine_nothing_are_degenerate) {
     given_wavy();
     for (int i = 0; i < N; i++) scan[i] = vec3(100, 100, 150); /* all in one place */
     ck_assert_int_eq(fit(N), WCUT_DEGENERATE);
@@ -588,9 +562,8 @@ START_TEST(scans_that_determine_nothing_are_degenerate) {
     assert_untouched();
     end_face();
 }
-END_TEST
 
-START_TEST(a_fit_stopped_early_hands_out_the_last_step) {
+TEST(a_fit_stopped_early_hands_out_the_last_step) {
     given_wavy();
     const double x[DOFS] = {4, -6, 3, 2 * DEG, -2 * DEG, 3 * DEG};
     given_scan(surface, N, 0.05, 0.1, 1, on_face);
@@ -601,56 +574,11 @@ START_TEST(a_fit_stopped_early_hands_out_the_last_step) {
     ck_assert_double_lt(found.rms, found.rms_before);
     end_face();
 }
-END_TEST
 
-START_TEST(no_memory_is_told_at_every_allocation) {
+TEST(no_memory_is_told_at_every_allocation) {
     given_wavy();
     options.coarse = 1;
     given_scan(surface, N, 0, 0.1, 10, scan);
-    wcut_status status = WCUT_NO_MEMORY;
-    int k = 1;
-    for (; k < 2000 && status == WCUT_NO_MEMORY; k += k < 40 ? 1 : 23) {
-        wcut_alloc_fail_at(k);
-        status = fit(N);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_NO_MEMORY) assert_untouched();
-    }
-    ck_assert_int_gt(k, 15);
-    ck_assert_int_eq(status, WCUT_OK);
+    EACH_FAILED_ALLOCATION_BY(7, fit(N), (assert_untouched(), true));
     end_face();
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {a_rotation_vector_survives_its_matrix,
-                                 the_jacobian_of_a_rotation_is_its_derivative,
-                                 eigenvectors_diagonalise_and_the_greatest_comes_first,
-                                 none_is_the_identity_and_moving_turns_normals,
-                                 pairs_give_a_motion_back_however_large_it_is,
-                                 the_covariance_of_pairs_covers_the_truth,
-                                 a_pair_with_half_the_sigma_counts_four_times,
-                                 six_points_on_three_faces_fix_a_block,
-                                 a_face_and_pairs_work_together,
-                                 pairs_on_a_line_leave_the_turn_about_it_where_it_was,
-                                 bad_datums_are_refused,
-                                 datums_that_say_nothing_are_degenerate,
-                                 datums_stopped_early_hand_out_the_last_step,
-                                 options_outside_their_ranges_are_refused,
-                                 a_scan_without_noise_comes_back_to_rounding,
-                                 trimming_leaves_outliers_out,
-                                 a_scan_from_anywhere_is_found_by_the_coarse_start,
-                                 points_beyond_the_border_do_not_pull,
-                                 a_locked_degree_of_freedom_stays_to_the_bit,
-                                 a_prior_and_the_data_meet_where_bayes_says,
-                                 a_prior_alone_determines_what_the_face_does_not,
-                                 a_flat_face_determines_three_and_invents_nothing,
-                                 the_covariance_of_a_fit_covers_the_truth,
-                                 trimming_is_in_the_covariance,
-                                 a_best_fit_hides_a_deviation_and_no_motion_shows_it,
-                                 the_result_does_not_depend_on_threads,
-                                 bad_scans_are_refused,
-                                 scans_that_determine_nothing_are_degenerate,
-                                 a_fit_stopped_early_hands_out_the_last_step,
-                                 no_memory_is_told_at_every_allocation};
-    return run_suite("registration", (int)(sizeof test / sizeof *test), test);
 }

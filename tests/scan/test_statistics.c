@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "scan/sheets.h"
+#include "test.h"
 
 enum { MOST = 200000 };
 
@@ -47,7 +48,7 @@ static void given_values(int shape, int count) {
     }
 }
 
-START_TEST(figures_are_those_of_all_values_in_order) {
+TEST(figures_are_those_of_all_values_in_order) {
     const int counts[] = {1, 2, 3, 10, 1001, MOST};
     for (int t = 0; t < 5 * 6; t++) {
         const int count = counts[t % 6];
@@ -86,9 +87,8 @@ START_TEST(figures_are_those_of_all_values_in_order) {
         ck_assert_int_eq(s.positive, positive);
     }
 }
-END_TEST
 
-START_TEST(pieces_and_parts_add_up) {
+TEST(pieces_and_parts_add_up) {
     given_values(0, 5000);
     const wcut_statistics a = figures_of(5000, 5000), b = figures_of(5000, 7);
     ck_assert(a.median == b.median && a.p01 == b.p01 && a.positive == b.positive && a.within[1] == b.within[1]);
@@ -97,15 +97,13 @@ START_TEST(pieces_and_parts_add_up) {
     ck_assert_double_gt(a.positive_mean, 0);
     ck_assert_double_lt(a.negative_mean, 0);
 }
-END_TEST
 
-START_TEST(nothing_has_no_figures) {
+TEST(nothing_has_no_figures) {
     const wcut_statistics s = figures_of(0, 1);
     ck_assert(s.count == 0 && s.mean == 0 && s.std == 0 && s.median == 0 && s.hausdorff == 0 && s.within[0] == 0);
 }
-END_TEST
 
-START_TEST(bad_histograms_are_refused) {
+TEST(bad_histograms_are_refused) {
     wcut_histogram *histogram = (wcut_histogram *)999;
     const double bad[] = {1, 0}, odd[] = {1, NAN};
     wcut_statistics s;
@@ -114,11 +112,7 @@ START_TEST(bad_histograms_are_refused) {
     ck_assert_int_eq(wcut_histogram_create(-1, NULL, &histogram), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_histogram_create(1, NULL, &histogram), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_histogram_create(0, NULL, NULL), WCUT_BAD_ARGUMENT);
-    for (long k = 1; k <= 2; k++) {
-        wcut_alloc_fail_at(k);
-        ck_assert_int_eq(wcut_histogram_create(0, NULL, &histogram), WCUT_NO_MEMORY);
-    }
-    wcut_alloc_fail_at(0);
+    FIRST_FAILED_ALLOCATIONS(2, wcut_histogram_create(0, NULL, &histogram), true);
     ck_assert_ptr_eq(histogram, (wcut_histogram *)999);
     ck_assert_int_eq(wcut_histogram_create(0, NULL, &histogram), WCUT_OK);
     ck_assert_int_eq(wcut_histogram_add(histogram, 2, odd), WCUT_BAD_ARGUMENT);
@@ -131,7 +125,6 @@ START_TEST(bad_histograms_are_refused) {
     wcut_histogram_destroy(histogram);
     wcut_histogram_destroy(NULL);
 }
-END_TEST
 
 /* ---- surveys ---- */
 
@@ -165,7 +158,7 @@ static const wcut_deviation_summary_result *survey_of(int count, wcut_deviation_
     return result;
 }
 
-START_TEST(offset_form_and_noise_are_told_apart_in_spite_of_strays) {
+TEST(offset_form_and_noise_are_told_apart_in_spite_of_strays) {
     /* the bump's own mean and spread over the face: pi s^2 A / area, and so on */
     const double area = 400 * 1200, pi = acos(-1), mean = pi * 625 * 3 / area;
     const double form = sqrt(pi * 625 / 2 * 9 / area - mean * mean);
@@ -180,9 +173,8 @@ START_TEST(offset_form_and_noise_are_told_apart_in_spite_of_strays) {
         wcut_deviation_summary_destroy(summary);
     }
 }
-END_TEST
 
-START_TEST(the_worst_area_is_where_the_bump_is) {
+TEST(the_worst_area_is_where_the_bump_is) {
     wcut_deviation_summary *summary;
     given_deviations(60000, 0.05, 40);
     const wcut_deviation_summary_result *r = survey_of(60000, &summary);
@@ -197,9 +189,8 @@ START_TEST(the_worst_area_is_where_the_bump_is) {
     for (int k = 1; k < r->worsts; k++) ck_assert(fabs(r->worst[k].volume) <= fabs(r->worst[k - 1].volume));
     wcut_deviation_summary_destroy(summary);
 }
-END_TEST
 
-START_TEST(every_patch_recovers_its_offset_within_the_noise) {
+TEST(every_patch_recovers_its_offset_within_the_noise) {
     wcut_deviation_summary *summary;
     given_deviations(MOST, NOISE, 0);
     for (int k = 0; k < MOST; k++) /* patch by patch another offset */
@@ -218,9 +209,8 @@ START_TEST(every_patch_recovers_its_offset_within_the_noise) {
     ck_assert_int_eq(r->related, 0);
     wcut_deviation_summary_destroy(summary);
 }
-END_TEST
 
-START_TEST(points_that_do_not_count_are_only_counted) {
+TEST(points_that_do_not_count_are_only_counted) {
     wcut_deviation_summary *summary;
     given_deviations(1000, 0.1, 0);
     for (int k = 0; k < 100; k++) deviation[k].place = k % 2 ? WCUT_PLACE_BEYOND : WCUT_PLACE_AMBIGUOUS;
@@ -233,9 +223,8 @@ START_TEST(points_that_do_not_count_are_only_counted) {
     ck_assert_double_lt(r->statistics.hausdorff, 5);
     wcut_deviation_summary_destroy(summary);
 }
-END_TEST
 
-START_TEST(one_deviation_and_none_are_surveyed_too) {
+TEST(one_deviation_and_none_are_surveyed_too) {
     for (int count = 0; count < 2; count++) {
         wcut_deviation_summary *summary;
         given_deviations(1, 0, 0);
@@ -246,9 +235,8 @@ START_TEST(one_deviation_and_none_are_surveyed_too) {
         wcut_deviation_summary_destroy(summary);
     }
 }
-END_TEST
 
-START_TEST(bad_summaries_are_refused) {
+TEST(bad_summaries_are_refused) {
     wcut_deviation_summary_options o = wcut_deviation_summary_options_default();
     wcut_deviation_summary *summary = (wcut_deviation_summary *)999;
     const wcut_deviation_summary_result *result;
@@ -266,15 +254,7 @@ START_TEST(bad_summaries_are_refused) {
     ck_assert_int_eq(wcut_deviation_summary_create(&o, NULL, &summary), WCUT_BAD_ARGUMENT);
     o.bands = 0;
     ck_assert_ptr_eq(summary, (wcut_deviation_summary *)999);
-    for (long k = 1;; k++) {
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_deviation_summary_create(&o, NULL, &summary);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) break;
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert_ptr_eq(summary, (wcut_deviation_summary *)999);
-        ck_assert_int_lt(k, 50);
-    }
+    EACH_FAILED_ALLOCATION(wcut_deviation_summary_create(&o, NULL, &summary), summary == (wcut_deviation_summary *)999);
     given_deviations(2, 0, 0);
     deviation[1].distance = NAN;
     ck_assert_int_eq(wcut_deviation_summary_add(summary, 2, deviation), WCUT_BAD_ARGUMENT);
@@ -290,19 +270,4 @@ START_TEST(bad_summaries_are_refused) {
     ck_assert_int_eq(result->statistics.count, 0);
     wcut_deviation_summary_destroy(summary);
     wcut_deviation_summary_destroy(NULL);
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {figures_are_those_of_all_values_in_order,
-                                 pieces_and_parts_add_up,
-                                 nothing_has_no_figures,
-                                 bad_histograms_are_refused,
-                                 offset_form_and_noise_are_told_apart_in_spite_of_strays,
-                                 the_worst_area_is_where_the_bump_is,
-                                 every_patch_recovers_its_offset_within_the_noise,
-                                 points_that_do_not_count_are_only_counted,
-                                 one_deviation_and_none_are_surveyed_too,
-                                 bad_summaries_are_refused};
-    return run_suite("statistics", sizeof test / sizeof *test, test);
 }

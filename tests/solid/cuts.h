@@ -2,7 +2,6 @@
 #ifndef WCUT_TESTS_CUTS_H
 #define WCUT_TESTS_CUTS_H
 
-#include <check.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,6 +10,7 @@
 
 #include "base/numbers.h"
 #include "base/vec3.h"
+#include "test.h"
 
 enum { CUT_SIZE = 41 };
 static const wcut_vec3 cut_block = {400, 900, 300};

@@ -5,6 +5,7 @@
 #include "base/alloc.h"
 #include "solid/boolean.h"
 #include "solid/check.h"
+#include "test.h"
 
 /* ---- stocks ---- */
 
@@ -43,7 +44,7 @@ static wcut_mesh *ball_of(wcut_vec3 centre, double radius, int rows) {
     return m;
 }
 
-START_TEST(a_cut_through_top_and_bottom_makes_two_wedges) {
+TEST(a_cut_through_top_and_bottom_makes_two_wedges) {
     wcut_surface *s = cut_of(cut_leaving);
     wcut_mould_options o = wcut_mould_default();
     wcut_mould *m = cut_divide(s, cut_block, &o);
@@ -67,7 +68,6 @@ START_TEST(a_cut_through_top_and_bottom_makes_two_wedges) {
     wcut_mould_destroy(m);
     wcut_surface_destroy(s);
 }
-END_TEST
 
 /* hills so high that their tops stand out of the block */
 static wcut_vec3 high_hills(double s, double t) {
@@ -75,7 +75,7 @@ static wcut_vec3 high_hills(double s, double t) {
     return vec3(p.x, p.y, p.z + 120);
 }
 
-START_TEST(hills_that_stand_out_of_the_top_leave_the_upper_half_in_pieces_or_with_holes) {
+TEST(hills_that_stand_out_of_the_top_leave_the_upper_half_in_pieces_or_with_holes) {
     wcut_surface *s = cut_of(high_hills);
     wcut_mould_options o = wcut_mould_default();
     o.chord_tolerance = 0.02;
@@ -90,9 +90,8 @@ START_TEST(hills_that_stand_out_of_the_top_leave_the_upper_half_in_pieces_or_wit
     wcut_mould_destroy(m);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(booleans_and_halves_by_index_agree) {
+TEST(booleans_and_halves_by_index_agree) {
     wcut_surface *s[2] = {cut_of(cut_hilly), cut_of(cut_overhanging)};
     for (int k = 0; k < 4; k++) {
         wcut_mould_options o = wcut_mould_default();
@@ -123,9 +122,8 @@ START_TEST(booleans_and_halves_by_index_agree) {
     wcut_surface_destroy(s[0]);
     wcut_surface_destroy(s[1]);
 }
-END_TEST
 
-START_TEST(a_ball_in_the_block_is_cut_into_its_caps) {
+TEST(a_ball_in_the_block_is_cut_into_its_caps) {
     wcut_surface *s = cut_of(cut_level);
     wcut_mould_options o = wcut_mould_default();
     wcut_mesh *ball = ball_of(vec3(200, 300, 150), 100, 64);
@@ -172,9 +170,8 @@ START_TEST(a_ball_in_the_block_is_cut_into_its_caps) {
     wcut_mesh_destroy(ball);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(boxes_that_overlap_or_not_have_the_intersection_that_they_have) {
+TEST(boxes_that_overlap_or_not_have_the_intersection_that_they_have) {
     wcut_mesh *a = box_of(vec3(0, 0, 0), vec3(2, 2, 2)), *b = box_of(vec3(1, 1, 1), vec3(3, 3, 3));
     wcut_mesh *far = box_of(vec3(5, 5, 5), vec3(6, 6, 6)), *r = NULL;
     unsigned char tag[12], *got = NULL;
@@ -215,9 +212,8 @@ START_TEST(boxes_that_overlap_or_not_have_the_intersection_that_they_have) {
     wcut_mesh_destroy(b);
     wcut_mesh_destroy(a);
 }
-END_TEST
 
-START_TEST(an_open_or_inverted_mesh_is_seen_as_such) {
+TEST(an_open_or_inverted_mesh_is_seen_as_such) {
     wcut_mesh *m = box_of(vec3(0, 0, 0), vec3(1, 2, 3));
     wcut_half_report r = {.closed = 999};
     ck_assert_int_eq(wcut_check_boundary(m, &r), WCUT_OK);
@@ -242,7 +238,6 @@ START_TEST(an_open_or_inverted_mesh_is_seen_as_such) {
     ck_assert(r.closed == 1 && r.oriented == 0 && r.volume < 0);
     wcut_mesh_destroy(m);
 }
-END_TEST
 
 /* ---- what divides nothing ---- */
 
@@ -272,7 +267,7 @@ static wcut_vec3 ridge(double s, double t) {
     return vec3(500 * s - 50, 1000 * t - 50, 150 + 40 * exp(-pow((1000 * t - 500) / 20, 2)));
 }
 
-START_TEST(a_cut_that_divides_nothing_says_why_and_where) {
+TEST(a_cut_that_divides_nothing_says_why_and_where) {
     plane_refused(310, 0, 0, "passes above");
     plane_refused(-5, 0, 0, "passes below");
     plane_refused(300, 0, 0, "grazes the block's face z = 300");
@@ -293,9 +288,8 @@ START_TEST(a_cut_that_divides_nothing_says_why_and_where) {
     cut_refused(s, cut_block, NULL, WCUT_DEGENERATE, "ends inside the block, up to 5");
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(a_cut_that_folds_over_itself_is_refused_with_its_place) {
+TEST(a_cut_that_folds_over_itself_is_refused_with_its_place) {
     wcut_surface *s = cut_of(turning_wire);
     cut_refused(s, cut_block, NULL, WCUT_DEGENERATE, "folds over itself");
     wcut_surface_destroy(s);
@@ -322,9 +316,8 @@ START_TEST(a_cut_that_folds_over_itself_is_refused_with_its_place) {
     cut_refused(s, cut_block, &o, WCUT_DEGENERATE, "kerf folds over itself");
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(options_out_of_range_are_refused) {
+TEST(options_out_of_range_are_refused) {
     wcut_surface *s = cut_of(cut_level);
     const wcut_mould_options good = wcut_mould_default();
     wcut_mould_options o = good;
@@ -366,26 +359,4 @@ START_TEST(options_out_of_range_are_refused) {
     ck_assert_int_eq(wcut_mould_create(s, cut_block, NULL, NULL, NULL), WCUT_BAD_ARGUMENT);
     wcut_mould_destroy(NULL);
     wcut_surface_destroy(s);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("division");
-    TCase *boolean = tcase_create("boolean"), *refused = tcase_create("refused");
-    tcase_add_test(boolean, a_cut_through_top_and_bottom_makes_two_wedges);
-    tcase_add_test(boolean, hills_that_stand_out_of_the_top_leave_the_upper_half_in_pieces_or_with_holes);
-    tcase_add_test(boolean, booleans_and_halves_by_index_agree);
-    tcase_add_test(boolean, a_ball_in_the_block_is_cut_into_its_caps);
-    tcase_add_test(boolean, boxes_that_overlap_or_not_have_the_intersection_that_they_have);
-    tcase_add_test(boolean, an_open_or_inverted_mesh_is_seen_as_such);
-    tcase_add_test(refused, a_cut_that_divides_nothing_says_why_and_where);
-    tcase_add_test(refused, a_cut_that_folds_over_itself_is_refused_with_its_place);
-    tcase_add_test(refused, options_out_of_range_are_refused);
-    suite_add_tcase(suite, boolean);
-    suite_add_tcase(suite, refused);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -7,10 +7,11 @@
 
 #include "base/alloc.h"
 #include "base/random.h"
+#include "test.h"
 
 static wcut_vec3 low_wall(double s, double t) { return cut_over(s, t, 20); }
 
-START_TEST(a_level_cut_makes_two_boxes) {
+TEST(a_level_cut_makes_two_boxes) {
     wcut_surface *s = cut_of(cut_level);
     wcut_mould *m = cut_divide(s, cut_block, NULL);
     ck_assert_double_le(fabs(m->lower.report.volume - 400.0 * 900 * 140), 1e-6);
@@ -30,9 +31,8 @@ START_TEST(a_level_cut_makes_two_boxes) {
     wcut_mould_destroy(m);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(a_tilted_cut_has_the_volume_and_draft_of_its_plane_with_a_kerf_too) {
+TEST(a_tilted_cut_has_the_volume_and_draft_of_its_plane_with_a_kerf_too) {
     const double slope = hypot(0.1, 0.05), rise = sqrt(1 + slope * slope), area = 400.0 * 900;
     wcut_surface *s = cut_of(cut_tilted);
     wcut_mould_options o = wcut_mould_default();
@@ -56,9 +56,8 @@ START_TEST(a_tilted_cut_has_the_volume_and_draft_of_its_plane_with_a_kerf_too) {
     wcut_mould_destroy(m);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(hills_have_the_volume_of_their_integral_and_both_halves_share_the_cut_by_index) {
+TEST(hills_have_the_volume_of_their_integral_and_both_halves_share_the_cut_by_index) {
     wcut_surface *s = cut_of(cut_hilly);
     double sum = 0; /* midpoint rule: the error falls with the square of the step, 1e-6 of the volume here */
     for (int j = 0; j < 900; j++)
@@ -86,7 +85,6 @@ START_TEST(hills_have_the_volume_of_their_integral_and_both_halves_share_the_cut
     }
     wcut_surface_destroy(s);
 }
-END_TEST
 
 /* each vertex of the cut face within `off` of where the wire's surface, moved by `side` kerf(x, y) along its normal, is */
 static void check_distance(const wcut_half *half, const wcut_projection *p, double side, double (*kerf)(wcut_vec3 x),
@@ -113,7 +111,7 @@ static double kerf_even(wcut_vec3 x) {
 }
 static double kerf_growing(wcut_vec3 x) { return 1 + x.x / 800 + x.y / 1800; }
 
-START_TEST(faces_lie_half_a_kerf_on_either_side_of_the_wires_surface) {
+TEST(faces_lie_half_a_kerf_on_either_side_of_the_wires_surface) {
     wcut_surface *s = cut_of(cut_hilly);
     wcut_projection *p = NULL;
     ck_assert_int_eq(wcut_projection_create(s, &p), WCUT_OK);
@@ -127,9 +125,8 @@ START_TEST(faces_lie_half_a_kerf_on_either_side_of_the_wires_surface) {
     wcut_projection_destroy(p);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(a_kerf_that_grows_along_wire_and_feed_is_followed) {
+TEST(a_kerf_that_grows_along_wire_and_feed_is_followed) {
     enum { N = 21 };
     wcut_surface *s = cut_of(cut_tilted); /* a plane: u and v are linear in x and y, and so is the kerf */
     double parameter[N], field[N * N];
@@ -156,9 +153,8 @@ START_TEST(a_kerf_that_grows_along_wire_and_feed_is_followed) {
     wcut_projection_destroy(p);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(an_overhanging_cut_is_two_solids_and_its_undercut_is_said) {
+TEST(an_overhanging_cut_is_two_solids_and_its_undercut_is_said) {
     wcut_surface *s = cut_of(cut_overhanging);
     wcut_mould *m = cut_divide(s, cut_block, NULL);
     /* below the curve (y, z)(w): the integral of z dy over the cut, from y = 0 to 900 */
@@ -184,7 +180,6 @@ START_TEST(an_overhanging_cut_is_two_solids_and_its_undercut_is_said) {
     wcut_mould_destroy(m);
     wcut_surface_destroy(s);
 }
-END_TEST
 
 /* a coedge's ends */
 static void ends_of(const wcut_brep *b, const wcut_brep_coedge *c, int end[2]) {
@@ -287,7 +282,7 @@ static void check_senses(const wcut_half *half) {
     }
 }
 
-START_TEST(exact_faces_are_a_closed_shell_whose_edges_lie_on_both_their_faces) {
+TEST(exact_faces_are_a_closed_shell_whose_edges_lie_on_both_their_faces) {
     wcut_surface *s = cut_of(cut_hilly);
     wcut_mould_options o = wcut_mould_default();
     wcut_key key[WCUT_KEYS_AT_CORNERS];
@@ -317,9 +312,8 @@ START_TEST(exact_faces_are_a_closed_shell_whose_edges_lie_on_both_their_faces) {
     }
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(the_border_lies_in_the_blocks_sides_to_the_last_bit) {
+TEST(the_border_lies_in_the_blocks_sides_to_the_last_bit) {
     wcut_surface *s = cut_of(cut_hilly);
     wcut_mould_options o = wcut_mould_default();
     o.kerf = 0.7;
@@ -345,9 +339,8 @@ START_TEST(the_border_lies_in_the_blocks_sides_to_the_last_bit) {
     wcut_mould_destroy(m);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(keys_add_and_take_the_volume_of_frustums_and_leave_a_wall) {
+TEST(keys_add_and_take_the_volume_of_frustums_and_leave_a_wall) {
     wcut_surface *s = cut_of(cut_level);
     wcut_mould_options o = wcut_mould_default();
     const wcut_key key[3] = {{0, 100, 100, 20, 12, -30}, {0, 300, 700, 10, 4, 8}, {1, 200, 450, 40, 30, -60}};
@@ -372,9 +365,8 @@ START_TEST(keys_add_and_take_the_volume_of_frustums_and_leave_a_wall) {
     cut_refused(s, cut_block, &o, WCUT_BAD_ARGUMENT, "two of them meet");
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(keys_at_corners_fit_in_one_way_only_and_refuse_what_has_no_tip) {
+TEST(keys_at_corners_fit_in_one_way_only_and_refuse_what_has_no_tip) {
     wcut_key key[WCUT_KEYS_AT_CORNERS];
     memset(key, 0x5a, sizeof key);
     const wcut_key before = key[0];
@@ -395,9 +387,8 @@ START_TEST(keys_at_corners_fit_in_one_way_only_and_refuse_what_has_no_tip) {
     }
     ck_assert_double_ne(across, 0);
 }
-END_TEST
 
-START_TEST(halves_grow_with_the_shrinkage) {
+TEST(halves_grow_with_the_shrinkage) {
     wcut_surface *s = cut_of(cut_hilly);
     wcut_mould_options o = wcut_mould_default();
     o.kerf = 1;
@@ -418,9 +409,8 @@ START_TEST(halves_grow_with_the_shrinkage) {
     wcut_mould_destroy(plain);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(walls_and_drafts_are_held_against_what_was_asked_for) {
+TEST(walls_and_drafts_are_held_against_what_was_asked_for) {
     wcut_surface *s = cut_of(low_wall);
     wcut_mould_options o = wcut_mould_default();
     o.wall_asked = 20.5, o.draft_asked = WCUT_PI / 2 - 1e-5, o.wire_diameter = 0.3;
@@ -436,7 +426,6 @@ START_TEST(walls_and_drafts_are_held_against_what_was_asked_for) {
     wcut_mould_destroy(m);
     wcut_surface_destroy(s);
 }
-END_TEST
 
 /* as a design's wire ends: on the block's sides, sagging behind its last station at y = 900 */
 static wcut_vec3 design(double s, double t) {
@@ -444,7 +433,7 @@ static wcut_vec3 design(double s, double t) {
     return vec3(400 * s, y, cut_height(400 * s, y));
 }
 
-START_TEST(a_cut_that_ends_inside_is_continued_straight_as_far_as_is_allowed) {
+TEST(a_cut_that_ends_inside_is_continued_straight_as_far_as_is_allowed) {
     wcut_surface *s = cut_of(design);
     wcut_mould_options o = wcut_mould_default();
     cut_refused(s, cut_block, &o, WCUT_DEGENERATE, "ends inside the block");
@@ -472,9 +461,8 @@ START_TEST(a_cut_that_ends_inside_is_continued_straight_as_far_as_is_allowed) {
     wcut_mould_destroy(m);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(a_wire_that_stops_where_it_meets_the_block_may_begin_a_station_later) {
+TEST(a_wire_that_stops_where_it_meets_the_block_may_begin_a_station_later) {
     enum { STATIONS = 275, NODES = 41 };
     static wcut_vec3 x[STATIONS * NODES];
     for (int j = 0; j < STATIONS; j++)
@@ -495,9 +483,8 @@ START_TEST(a_wire_that_stops_where_it_meets_the_block_may_begin_a_station_later)
     wcut_mould_destroy(m);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(a_finer_fit_is_asked_for_and_held_where_nobody_looked) {
+TEST(a_finer_fit_is_asked_for_and_held_where_nobody_looked) {
     wcut_surface *s = cut_of(cut_hilly);
     wcut_projection *p = NULL;
     ck_assert_int_eq(wcut_projection_create(s, &p), WCUT_OK);
@@ -531,9 +518,8 @@ START_TEST(a_finer_fit_is_asked_for_and_held_where_nobody_looked) {
     wcut_projection_destroy(p);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(the_least_radius_is_that_of_the_wires_surface) {
+TEST(the_least_radius_is_that_of_the_wires_surface) {
     wcut_surface *s = cut_of(cut_hilly);
     wcut_mould *m = cut_divide(s, cut_block, NULL);
     double least = INFINITY;
@@ -547,9 +533,8 @@ START_TEST(the_least_radius_is_that_of_the_wires_surface) {
     wcut_mould_destroy(m);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(the_same_cut_gives_the_same_bytes) {
+TEST(the_same_cut_gives_the_same_bytes) {
     wcut_surface *s = cut_of(cut_hilly);
     wcut_mould *a = cut_divide(s, cut_block, NULL), *b = cut_divide(s, cut_block, NULL);
     ck_assert_int_eq(a->upper.mesh->vertex_count, b->upper.mesh->vertex_count);
@@ -563,60 +548,17 @@ START_TEST(the_same_cut_gives_the_same_bytes) {
     wcut_mould_destroy(a);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
+TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
     wcut_surface *s = cut_of(cut_tilted);
     wcut_mould_options o = wcut_mould_default();
     wcut_key key[WCUT_KEYS_AT_CORNERS];
     ck_assert_int_eq(wcut_keys_at_corners(cut_block, 20, -12, key), WCUT_OK);
     o.kerf = 1, o.key = key, o.key_count = WCUT_KEYS_AT_CORNERS, o.chord_tolerance = 1;
-    for (long k = 1;; k++) {
-        wcut_mould *const mark = (wcut_mould *)&cut_block, *m = mark;
-        wcut_error error = {.text = ""};
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_mould_create(s, cut_block, &o, &m, &error);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) {
-            ck_assert_int_gt(k, 100);
-            wcut_mould_destroy(m);
-            break;
-        }
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert_int_eq(error.status, WCUT_NO_MEMORY);
-        ck_assert(m == mark);
-    }
+    wcut_mould *const mark = (wcut_mould *)&cut_block, *m = mark;
+    wcut_error error = {.text = ""};
+    EACH_FAILED_ALLOCATION(wcut_mould_create(s, cut_block, &o, &m, &error),
+                           error.status == WCUT_NO_MEMORY && m == mark);
+    wcut_mould_destroy(m);
     wcut_surface_destroy(s);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("mould");
-    TCase *halves = tcase_create("halves"), *exact = tcase_create("exact"), *asked = tcase_create("asked");
-    tcase_add_test(halves, a_level_cut_makes_two_boxes);
-    tcase_add_test(halves, a_tilted_cut_has_the_volume_and_draft_of_its_plane_with_a_kerf_too);
-    tcase_add_test(halves, hills_have_the_volume_of_their_integral_and_both_halves_share_the_cut_by_index);
-    tcase_add_test(halves, faces_lie_half_a_kerf_on_either_side_of_the_wires_surface);
-    tcase_add_test(halves, a_kerf_that_grows_along_wire_and_feed_is_followed);
-    tcase_add_test(halves, an_overhanging_cut_is_two_solids_and_its_undercut_is_said);
-    tcase_add_test(halves, the_border_lies_in_the_blocks_sides_to_the_last_bit);
-    tcase_add_test(halves, the_same_cut_gives_the_same_bytes);
-    tcase_add_test(halves, every_failing_allocation_is_reported_and_nothing_is_written);
-    tcase_add_test(exact, exact_faces_are_a_closed_shell_whose_edges_lie_on_both_their_faces);
-    tcase_add_test(asked, a_wire_that_stops_where_it_meets_the_block_may_begin_a_station_later);
-    tcase_add_test(exact, a_finer_fit_is_asked_for_and_held_where_nobody_looked);
-    tcase_add_test(exact, the_least_radius_is_that_of_the_wires_surface);
-    tcase_add_test(asked, keys_add_and_take_the_volume_of_frustums_and_leave_a_wall);
-    tcase_add_test(asked, keys_at_corners_fit_in_one_way_only_and_refuse_what_has_no_tip);
-    tcase_add_test(asked, halves_grow_with_the_shrinkage);
-    tcase_add_test(asked, walls_and_drafts_are_held_against_what_was_asked_for);
-    tcase_add_test(asked, a_cut_that_ends_inside_is_continued_straight_as_far_as_is_allowed);
-    suite_add_tcase(suite, halves);
-    suite_add_tcase(suite, exact);
-    suite_add_tcase(suite, asked);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -5,6 +5,8 @@
 #include <unistd.h>
 #include <wirecut/job.h>
 
+#include "test.h"
+
 static char *slurp(const char *path) {
     FILE *f = fopen(path, "rb");
     ck_assert_ptr_nonnull(f);
@@ -15,7 +17,7 @@ static char *slurp(const char *path) {
     return text;
 }
 
-START_TEST(the_figures_are_printed_and_written_alike_with_null_for_what_is_not_known) {
+TEST(the_figures_are_printed_and_written_alike_with_null_for_what_is_not_known) {
     wcut_surface *s = cut_of(cut_leaving);
     wcut_mould *m = cut_divide(s, cut_block, NULL);
     const char *const files[2] = {"lower.stl", "mould.json"};
@@ -56,9 +58,8 @@ START_TEST(the_figures_are_printed_and_written_alike_with_null_for_what_is_not_k
     wcut_mould_destroy(m);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(the_kerf_of_a_history_grows_with_the_heat_left_per_area) {
+TEST(the_kerf_of_a_history_grows_with_the_heat_left_per_area) {
     enum { STATIONS = 3, NODES = 2 };
     wcut_history_row row[STATIONS] = {{.time = 0}, {.time = 2}, {.time = 5}};
     double speed[STATIONS * NODES] = {0, 0, 20, 40, 10, 0.01}, field[STATIONS * NODES];
@@ -92,18 +93,4 @@ START_TEST(the_kerf_of_a_history_grows_with_the_heat_left_per_area) {
     for (int k = 0; k < STATIONS * NODES; k++) ck_assert_double_eq(field[k], 999);
     job->heat_step_count = 0, job->heat_step = NULL;
     wcut_job_destroy(job);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("mould_files");
-    TCase *files = tcase_create("files");
-    tcase_add_test(files, the_figures_are_printed_and_written_alike_with_null_for_what_is_not_known);
-    tcase_add_test(files, the_kerf_of_a_history_grows_with_the_heat_left_per_area);
-    suite_add_tcase(suite, files);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -1,21 +1,20 @@
 /* labels: unit property
    Turns that are never wrong, and triangles that fill plane regions with holes. */
-#include <check.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "base/alloc.h"
 #include "base/numbers.h"
 #include "base/random.h"
 #include "solid/polygon.h"
+#include "test.h"
 
 enum { POINTS_MAX = 600 };
 
 static double sign(double x) { return (x > 0) - (x < 0); }
 
-START_TEST(a_turn_has_the_sign_of_exact_arithmetic_where_rounding_has_not) {
+TEST(a_turn_has_the_sign_of_exact_arithmetic_where_rounding_has_not) {
     /* points on the line p = q but for a few units in the last place (Kettner et al. 2008): integers times 2^-53 */
     int wrong = 0;
     for (int i = -8; i <= 8; i++)
@@ -31,9 +30,8 @@ START_TEST(a_turn_has_the_sign_of_exact_arithmetic_where_rounding_has_not) {
     printf("turns: %d of 289 wrong by rounding, none by wcut_orient2d\n", wrong);
     ck_assert_int_gt(wrong, 0); /* else this test would prove nothing */
 }
-END_TEST
 
-START_TEST(a_turn_changes_sign_with_two_points_exchanged_and_not_with_three_turned) {
+TEST(a_turn_changes_sign_with_two_points_exchanged_and_not_with_three_turned) {
     wcut_random random = wcut_random_seed(5);
     for (int k = 0; k < 20000; k++) {
         wcut_point2d x[3];
@@ -47,7 +45,6 @@ START_TEST(a_turn_changes_sign_with_two_points_exchanged_and_not_with_three_turn
         ck_assert_double_eq(wcut_orient2d(x[0], x[0], x[2]), 0);
     }
 }
-END_TEST
 
 static double area_of(int count, const wcut_point2d *x) {
     double sum = 0;
@@ -100,7 +97,7 @@ static void check_fill(int loops, const int *size, const wcut_point2d *x) {
         }
 }
 
-START_TEST(a_box_under_a_straight_border_of_many_points_is_filled_without_flat_triangles) {
+TEST(a_box_under_a_straight_border_of_many_points_is_filled_without_flat_triangles) {
     wcut_point2d x[POINTS_MAX] = {{0, 0}, {900, 0}};
     const int size = 402;
     for (int k = 0; k < 400; k++) x[2 + k] = (wcut_point2d){900 - 900.0 * k / 399, 140};
@@ -111,7 +108,6 @@ START_TEST(a_box_under_a_straight_border_of_many_points_is_filled_without_flat_t
     for (int k = 1; k < 399; k++) x[2 + k].p = 450 + 300 * sin(0.03 * k); /* overhanging */
     check_fill(1, &size, x);
 }
-END_TEST
 
 /* least height of a triangle over its longest side, when its corners are rounded to single precision */
 static double least_height(int triangles, const int *triangle, const wcut_point2d *x) {
@@ -125,7 +121,7 @@ static double least_height(int triangles, const int *triangle, const wcut_point2
     return least;
 }
 
-START_TEST(a_border_that_is_straight_but_for_rounding_makes_no_needles) {
+TEST(a_border_that_is_straight_but_for_rounding_makes_no_needles) {
     static int triangle[3 * POINTS_MAX];
     wcut_point2d x[402] = {{0, 0}, {1200, 0}};
     const int size = 402;
@@ -139,9 +135,8 @@ START_TEST(a_border_that_is_straight_but_for_rounding_makes_no_needles) {
         ck_assert_double_gt(least_height(size - 2, triangle, x), 1e-2);
     }
 }
-END_TEST
 
-START_TEST(holes_are_left_free_wherever_they_are) {
+TEST(holes_are_left_free_wherever_they_are) {
     static wcut_point2d x[POINTS_MAX];
     wcut_random random = wcut_random_seed(9);
     for (int round = 0; round < 60; round++) {
@@ -169,10 +164,9 @@ START_TEST(holes_are_left_free_wherever_they_are) {
         check_fill(loops, size, x);
     }
 }
-END_TEST
 
-START_TEST(what_is_no_region_is_degenerate) {
-    int triangle[60];
+TEST(what_is_no_region_is_degenerate) {
+    int triangle[60] = {999};
     const int two = 2, four = 4, square_and_hole[2] = {4, 4};
     const wcut_point2d flat[4] = {{0, 0}, {1, 0}, {2, 0}, {3, 0}}, clockwise[4] = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
     const wcut_point2d apart[8] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {3, 3}, {3, 4}, {4, 4}, {4, 3}};
@@ -180,28 +174,5 @@ START_TEST(what_is_no_region_is_degenerate) {
     ck_assert_int_eq(wcut_polygon_triangulate(1, &four, flat, triangle), WCUT_DEGENERATE);
     ck_assert_int_eq(wcut_polygon_triangulate(1, &four, clockwise, triangle), WCUT_DEGENERATE);
     ck_assert_int_eq(wcut_polygon_triangulate(2, square_and_hole, apart, triangle), WCUT_DEGENERATE);
-    for (long k = 1; k <= 2; k++) {
-        wcut_alloc_fail_at(k);
-        ck_assert_int_eq(wcut_polygon_triangulate(1, &four, apart, triangle), WCUT_NO_MEMORY);
-        wcut_alloc_fail_at(0);
-    }
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("polygon");
-    TCase *turn = tcase_create("turn"), *fill = tcase_create("fill");
-    tcase_add_test(turn, a_turn_has_the_sign_of_exact_arithmetic_where_rounding_has_not);
-    tcase_add_test(turn, a_turn_changes_sign_with_two_points_exchanged_and_not_with_three_turned);
-    tcase_add_test(fill, a_box_under_a_straight_border_of_many_points_is_filled_without_flat_triangles);
-    tcase_add_test(fill, a_border_that_is_straight_but_for_rounding_makes_no_needles);
-    tcase_add_test(fill, holes_are_left_free_wherever_they_are);
-    tcase_add_test(fill, what_is_no_region_is_degenerate);
-    suite_add_tcase(suite, turn);
-    suite_add_tcase(suite, fill);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+    FIRST_FAILED_ALLOCATIONS(2, wcut_polygon_triangulate(1, &four, apart, triangle), triangle[0] == 999);
 }

@@ -1,8 +1,9 @@
 /* labels: unit
    Walls, edges and drafts of halves whose cut has a closed form. */
 #include "solid/cuts.h"
+#include "test.h"
 
-START_TEST(a_wall_is_measured_in_any_direction_and_an_edge_by_its_angle) {
+TEST(a_wall_is_measured_in_any_direction_and_an_edge_by_its_angle) {
     wcut_surface *s = cut_of(cut_tilted);
     wcut_mould_options o = wcut_mould_default();
     const wcut_key key = {0, 200, 450, 40, 30, -60};
@@ -20,7 +21,6 @@ START_TEST(a_wall_is_measured_in_any_direction_and_an_edge_by_its_angle) {
     wcut_mould_destroy(m);
     wcut_surface_destroy(s);
 }
-END_TEST
 
 /* a flank that rises at y = flank_at, steeper than 45 deg within 5.48 mm of it */
 static double flank_at;
@@ -29,7 +29,7 @@ static wcut_vec3 flank(double s, double t) {
     return vec3(500 * s - 50, flank_at + 900 * w * w * w, 150 + 90 * w);
 }
 
-START_TEST(a_flank_along_a_side_is_a_wall_and_a_sharp_edge_is_one_of_no_thickness) {
+TEST(a_flank_along_a_side_is_a_wall_and_a_sharp_edge_is_one_of_no_thickness) {
     wcut_mould_options o = wcut_mould_default();
     flank_at = 850;
     wcut_surface *s = cut_of(flank);
@@ -51,9 +51,8 @@ START_TEST(a_flank_along_a_side_is_a_wall_and_a_sharp_edge_is_one_of_no_thicknes
     wcut_mould_destroy(m);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(drafts_are_of_the_pull_that_is_asked_for) {
+TEST(drafts_are_of_the_pull_that_is_asked_for) {
     wcut_surface *s = cut_of(cut_tilted);
     wcut_mould_options o = wcut_mould_default();
     o.pull = vec3(-0.2, 0.1, 2); /* the plane's normal, of any length */
@@ -69,19 +68,4 @@ START_TEST(drafts_are_of_the_pull_that_is_asked_for) {
     ck_assert_double_le(fabs(m->lower.report.draft_min + asin(0.1 / sqrt(1.0125))), 1e-6);
     wcut_mould_destroy(m);
     wcut_surface_destroy(s);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("wall");
-    TCase *all = tcase_create("all");
-    tcase_add_test(all, a_wall_is_measured_in_any_direction_and_an_edge_by_its_angle);
-    tcase_add_test(all, a_flank_along_a_side_is_a_wall_and_a_sharp_edge_is_one_of_no_thickness);
-    tcase_add_test(all, drafts_are_of_the_pull_that_is_asked_for);
-    suite_add_tcase(suite, all);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -2,15 +2,14 @@
 #ifndef WCUT_TESTS_SHAPES_H
 #define WCUT_TESTS_SHAPES_H
 
-#include <check.h>
 #include <complex.h>
 #include <math.h>
-#include <stdlib.h>
 #include <wirecut/curve.h>
 #include <wirecut/surface.h>
 
 #include "base/numbers.h"
 #include "base/vec3.h"
+#include "test.h"
 
 /* a full circle of four quadratic arcs: corners of the square around it, weighted by cos 45 deg */
 enum { CIRCLE_COUNT = 9 };

@@ -5,6 +5,7 @@
 #include "base/alloc.h"
 #include "base/random.h"
 #include "surface/shapes.h"
+#include "test.h"
 
 static wcut_curve *random_curve(wcut_random *random, bool rational) {
     enum { COUNT = 14 };
@@ -21,7 +22,7 @@ static wcut_curve *random_curve(wcut_random *random, bool rational) {
     return c;
 }
 
-START_TEST(the_box_of_sphere_and_torus_is_known) {
+TEST(the_box_of_sphere_and_torus_is_known) {
     wcut_surface *s = shape_sphere(37);
     wcut_box box = {{999, 999, 999}, {999, 999, 999}};
     for (double tolerance = 1; tolerance > 1e-9; tolerance /= 100) {
@@ -36,9 +37,8 @@ START_TEST(the_box_of_sphere_and_torus_is_known) {
     ck_assert_double_eq_tol(box.low.z, -20, 1e-9);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(a_box_holds_its_curve_and_touches_it_on_every_side) {
+TEST(a_box_holds_its_curve_and_touches_it_on_every_side) {
     wcut_random random = wcut_random_seed(21);
     for (int trial = 0; trial < 50; trial++) {
         wcut_curve *c = random_curve(&random, trial % 2);
@@ -57,9 +57,8 @@ START_TEST(a_box_holds_its_curve_and_touches_it_on_every_side) {
         wcut_curve_destroy(c);
     }
 }
-END_TEST
 
-START_TEST(no_point_of_a_curve_is_nearer_to_a_block_than_its_clearance) {
+TEST(no_point_of_a_curve_is_nearer_to_a_block_than_its_clearance) {
     wcut_random random = wcut_random_seed(22);
     int clear = 0;
     for (int trial = 0; trial < 200; trial++) {
@@ -84,9 +83,8 @@ START_TEST(no_point_of_a_curve_is_nearer_to_a_block_than_its_clearance) {
     }
     ck_assert_int_gt(clear, 20);
 }
-END_TEST
 
-START_TEST(a_curve_along_a_face_of_the_block_keeps_its_distance) {
+TEST(a_curve_along_a_face_of_the_block_keeps_its_distance) {
     const double knots[4] = {0, 0, 1, 1};
     const wcut_vec3 p[2] = {{-50, -3, 7}, {90, -3, 7}};
     const wcut_box block = {{0, 0, 0}, {40, 50, 60}};
@@ -100,10 +98,9 @@ START_TEST(a_curve_along_a_face_of_the_block_keeps_its_distance) {
     ck_assert(distance == 0);
     wcut_curve_destroy(c);
 }
-END_TEST
 
 /* the mount turns around the block's edge at x = 0, y = 0: its stations stay 20 mm away, the curve between does not */
-START_TEST(a_path_comes_nearer_between_its_stations_than_at_them) {
+TEST(a_path_comes_nearer_between_its_stations_than_at_them) {
     const wcut_vec3 mount[6] = {{-20, 80, 5}, {-20, 40, 5}, {-20, 40, 5}, {-16, -12, 5}, {40, -20, 5}, {80, -20, 5}};
     const wcut_box block = {{0, 0, 0}, {100, 100, 10}};
     wcut_path_near near = {.distance = 999};
@@ -134,20 +131,10 @@ START_TEST(a_path_comes_nearer_between_its_stations_than_at_them) {
     apart[2].y = NAN;
     ck_assert_int_eq(wcut_path_clearance(5, apart, &block, 1, &near), WCUT_BAD_ARGUMENT);
     ck_assert(near.distance == 5);
-    int failed = 0;
-    for (int k = 1;; k++) {
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_path_clearance(6, mount, &block, 1e-3, &near);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) break;
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        failed++;
-    }
-    ck_assert_int_gt(failed, 3);
+    EACH_FAILED_ALLOCATION(wcut_path_clearance(6, mount, &block, 1e-3, &near), near.distance == 5);
 }
-END_TEST
 
-START_TEST(bad_arguments_are_refused_and_nothing_is_written) {
+TEST(bad_arguments_are_refused_and_nothing_is_written) {
     wcut_surface *s = shape_octant();
     wcut_random random = wcut_random_seed(23);
     wcut_curve *c = random_curve(&random, false);
@@ -168,22 +155,4 @@ START_TEST(bad_arguments_are_refused_and_nothing_is_written) {
     ck_assert(box.low.x == 999 && distance == 999);
     wcut_curve_destroy(c);
     wcut_surface_destroy(s);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("bounds");
-    TCase *tcase = tcase_create("bounds");
-    tcase_add_test(tcase, the_box_of_sphere_and_torus_is_known);
-    tcase_add_test(tcase, a_box_holds_its_curve_and_touches_it_on_every_side);
-    tcase_add_test(tcase, no_point_of_a_curve_is_nearer_to_a_block_than_its_clearance);
-    tcase_add_test(tcase, a_curve_along_a_face_of_the_block_keeps_its_distance);
-    tcase_add_test(tcase, a_path_comes_nearer_between_its_stations_than_at_them);
-    tcase_add_test(tcase, bad_arguments_are_refused_and_nothing_is_written);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

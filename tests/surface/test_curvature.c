@@ -1,15 +1,14 @@
 /* wcut_surface_curvature on surfaces whose curvature is known: plane, cylinder, sphere, saddle. */
-#include <check.h>
 #include <math.h>
-#include <stdlib.h>
 #include <wirecut/curvature.h>
 
 #include "surface/shapes.h"
+#include "test.h"
 
 #define R 37.0
 static double bezier1[] = {0, 0, 1, 1}, bezier2[] = {0, 0, 0, 1, 1, 1};
 
-START_TEST(a_quarter_cylinder_bends_by_one_over_its_radius) {
+TEST(a_quarter_cylinder_bends_by_one_over_its_radius) {
     /* rational quadratic arc along u, straight along v */
     const double c = sqrt(0.5);
     wcut_vec3 control[] = {{R, 0, 0}, {R, R, 0}, {0, R, 0}, {R, 0, 90}, {R, R, 90}, {0, R, 90}};
@@ -23,9 +22,8 @@ START_TEST(a_quarter_cylinder_bends_by_one_over_its_radius) {
         ck_assert_double_eq_tol(smaller, 0, 1e-14);
     }
 }
-END_TEST
 
-START_TEST(a_sphere_bends_alike_in_every_direction_and_has_no_curvature_formula_at_its_pole) {
+TEST(a_sphere_bends_alike_in_every_direction_and_has_no_curvature_formula_at_its_pole) {
     /* an octant: equator along u, meridians along v, pole at v = 1 */
     const double c = sqrt(0.5);
     wcut_vec3 control[] = {{R, 0, 0}, {R, R, 0}, {0, R, 0}, {R, 0, R}, {R, R, R},
@@ -42,9 +40,8 @@ START_TEST(a_sphere_bends_alike_in_every_direction_and_has_no_curvature_formula_
     ck_assert_int_eq(wcut_surface_curvature(&surface, 0.37, 1, &larger, NULL), WCUT_DEGENERATE);
     ck_assert_double_eq(larger, 999);
 }
-END_TEST
 
-START_TEST(a_saddle_has_both_signs_and_the_larger_size_first) {
+TEST(a_saddle_has_both_signs_and_the_larger_size_first) {
     /* z = (a x^2 - b y^2) / 2 over [-1, 1]^2 at its middle: curvatures a and -b */
     const double a = 0.02, b = 0.05;
     wcut_vec3 control[9];
@@ -58,9 +55,8 @@ START_TEST(a_saddle_has_both_signs_and_the_larger_size_first) {
     ck_assert_double_eq_tol(larger, -b, 1e-15);
     ck_assert_double_eq_tol(smaller, a, 1e-15);
 }
-END_TEST
 
-START_TEST(a_plane_is_flat_and_bad_arguments_are_refused) {
+TEST(a_plane_is_flat_and_bad_arguments_are_refused) {
     wcut_vec3 control[] = {{0, 0, 0}, {5, 0, 1}, {0, 7, 0}, {5, 7, 1}};
     const wcut_surface surface = {1, 1, 2, 2, bezier1, bezier1, control, NULL};
     double larger = 999;
@@ -72,9 +68,8 @@ START_TEST(a_plane_is_flat_and_bad_arguments_are_refused) {
     ck_assert_int_eq(wcut_surface_curvature(&surface, 0.2, 0.8, NULL, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_double_eq(larger, 999);
 }
-END_TEST
 
-START_TEST(a_torus_has_its_principal_directions_and_its_gaussian_and_mean_curvature) {
+TEST(a_torus_has_its_principal_directions_and_its_gaussian_and_mean_curvature) {
     const double a = 50, b = 20;
     wcut_surface *s = shape_torus(a, b);
     for (double u = 0.03; u < 1; u += 0.11)
@@ -100,9 +95,8 @@ START_TEST(a_torus_has_its_principal_directions_and_its_gaussian_and_mean_curvat
         }
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(a_normal_where_there_is_none_is_refused) {
+TEST(a_normal_where_there_is_none_is_refused) {
     wcut_surface *s = shape_octant();
     wcut_tangent_frame f = {.gauss = 999};
     wcut_vec3 n = {999, 0, 0};
@@ -119,22 +113,4 @@ START_TEST(a_normal_where_there_is_none_is_refused) {
     ck_assert_double_eq_tol(fabs(f.larger), 1, 1e-7);
     ck_assert_double_eq_tol(vec3_length(f.along), 1, 1e-12);
     wcut_surface_destroy(s);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("curvature");
-    TCase *tcase = tcase_create("known");
-    tcase_add_test(tcase, a_quarter_cylinder_bends_by_one_over_its_radius);
-    tcase_add_test(tcase, a_sphere_bends_alike_in_every_direction_and_has_no_curvature_formula_at_its_pole);
-    tcase_add_test(tcase, a_saddle_has_both_signs_and_the_larger_size_first);
-    tcase_add_test(tcase, a_plane_is_flat_and_bad_arguments_are_refused);
-    tcase_add_test(tcase, a_torus_has_its_principal_directions_and_its_gaussian_and_mean_curvature);
-    tcase_add_test(tcase, a_normal_where_there_is_none_is_refused);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

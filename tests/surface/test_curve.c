@@ -5,6 +5,7 @@
 #include "base/alloc.h"
 #include "surface/interpolate.h"
 #include "surface/shapes.h"
+#include "test.h"
 
 static const wcut_vec3 line[2] = {{1, 2, 3}, {5, 2, 3}};
 static const double line_knots[4] = {0, 0, 1, 1};
@@ -17,7 +18,7 @@ static wcut_curve *quarter(void) {
     return c;
 }
 
-START_TEST(a_rational_arc_and_three_derivatives_are_the_circles) {
+TEST(a_rational_arc_and_three_derivatives_are_the_circles) {
     wcut_curve *c = quarter();
     for (int i = 0; i <= 100; i++) {
         const double t = i / 100.0;
@@ -30,10 +31,9 @@ START_TEST(a_rational_arc_and_three_derivatives_are_the_circles) {
     }
     wcut_curve_destroy(c);
 }
-END_TEST
 
 /* knots 0, 1, .. without clamping: t^p is reproduced by control points symmetric in the knots (Marsden's identity) */
-START_TEST(every_degree_reproduces_its_own_power_and_its_derivatives) {
+TEST(every_degree_reproduces_its_own_power_and_its_derivatives) {
     enum { COUNT = 12 };
     for (int p = 1; p <= WCUT_DEGREE_MAX; p++) {
         double knots[COUNT + WCUT_DEGREE_MAX + 1];
@@ -65,9 +65,8 @@ START_TEST(every_degree_reproduces_its_own_power_and_its_derivatives) {
         wcut_curve_destroy(c);
     }
 }
-END_TEST
 
-START_TEST(outside_the_domain_the_end_is_given) {
+TEST(outside_the_domain_the_end_is_given) {
     wcut_curve *c = quarter();
     wcut_vec3 before, after;
     ck_assert_int_eq(wcut_curve_eval(c, -5, 0, &before), WCUT_OK);
@@ -76,9 +75,8 @@ START_TEST(outside_the_domain_the_end_is_given) {
     ck_assert_double_le(apart(after, vec3(0, 1, 7)), 1e-15);
     wcut_curve_destroy(c);
 }
-END_TEST
 
-START_TEST(what_is_no_curve_is_refused_and_nothing_is_written) {
+TEST(what_is_no_curve_is_refused_and_nothing_is_written) {
     wcut_curve *const mark = (wcut_curve *)&line_knots, *c = mark;
     const wcut_vec3 p[4] = {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {3, 0, 0}}, bad[2] = {{0, 0, 0}, {0, NAN, 0}};
     const double falling[4] = {0, 1, 0, 1}, endless[4] = {0, 0, INFINITY, INFINITY}, empty[4] = {1, 1, 1, 1};
@@ -99,9 +97,8 @@ START_TEST(what_is_no_curve_is_refused_and_nothing_is_written) {
     ck_assert_int_eq(wcut_curve_create(1, INT32_MAX / 2, line_knots, line, NULL, &c), WCUT_BAD_ARGUMENT);
     ck_assert_ptr_eq(c, mark);
 }
-END_TEST
 
-START_TEST(evaluation_refuses_what_it_does_not_know) {
+TEST(evaluation_refuses_what_it_does_not_know) {
     wcut_curve *c = quarter();
     wcut_vec3 d[4] = {{999, 999, 999}};
     ck_assert_int_eq(wcut_curve_eval(NULL, 0, 0, d), WCUT_BAD_ARGUMENT);
@@ -112,7 +109,6 @@ START_TEST(evaluation_refuses_what_it_does_not_know) {
     ck_assert(d[0].x == 999);
     wcut_curve_destroy(c);
 }
-END_TEST
 
 /* the chord-length parameter of point k */
 static double chord_parameter(int count, const wcut_vec3 *p, int k) {
@@ -124,7 +120,7 @@ static double chord_parameter(int count, const wcut_vec3 *p, int k) {
     return before / sum;
 }
 
-START_TEST(an_interpolating_curve_passes_through_its_points) {
+TEST(an_interpolating_curve_passes_through_its_points) {
     enum { MOST = 300 };
     wcut_vec3 p[MOST];
     srand(3);
@@ -142,9 +138,8 @@ START_TEST(an_interpolating_curve_passes_through_its_points) {
         wcut_curve_destroy(c);
     }
 }
-END_TEST
 
-START_TEST(a_cubic_comes_back_whatever_the_parameters) {
+TEST(a_cubic_comes_back_whatever_the_parameters) {
     enum { COUNT = 40 };
     double u[COUNT], knots[COUNT + 4];
     wcut_vec3 p[COUNT];
@@ -165,9 +160,8 @@ START_TEST(a_cubic_comes_back_whatever_the_parameters) {
     }
     wcut_curve_destroy(c);
 }
-END_TEST
 
-START_TEST(interpolation_converges_with_the_fourth_order) {
+TEST(interpolation_converges_with_the_fourth_order) {
     double error[2];
     for (int k = 0; k < 2; k++) {
         enum { MOST = 81 };
@@ -190,9 +184,8 @@ START_TEST(interpolation_converges_with_the_fourth_order) {
     const double order = log2(error[0] / error[1]);
     ck_assert_msg(order > 3.7, "errors %g and %g mm, order %.2f", error[0], error[1], order);
 }
-END_TEST
 
-START_TEST(points_that_coincide_or_are_no_numbers_are_refused) {
+TEST(points_that_coincide_or_are_no_numbers_are_refused) {
     wcut_curve *const mark = (wcut_curve *)&line_knots, *c = mark;
     wcut_vec3 p[4] = {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {2, 0, 0}};
     ck_assert_int_eq(wcut_curve_interpolate(4, p, &c), WCUT_DEGENERATE);
@@ -207,45 +200,14 @@ START_TEST(points_that_coincide_or_are_no_numbers_are_refused) {
     ck_assert_int_eq(wcut_curve_interpolate(2, p, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_ptr_eq(c, mark);
 }
-END_TEST
 
-START_TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
+TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
     const wcut_vec3 p[5] = {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {3, 1, 1}, {4, 0, 0}};
-    for (int which = 0; which < 2; which++)
-        for (int k = 1;; k++) {
-            wcut_curve *const mark = (wcut_curve *)&line_knots, *c = mark;
-            wcut_alloc_fail_at(k);
-            const wcut_status status = which ? wcut_curve_interpolate(5, p, &c)
-                                             : wcut_curve_create(2, 3, quarter_knots, p, quarter_weight, &c);
-            wcut_alloc_fail_at(0);
-            if (status == WCUT_OK) {
-                ck_assert_int_gt(k, 4);
-                wcut_curve_destroy(c);
-                break;
-            }
-            ck_assert_int_eq(status, WCUT_NO_MEMORY);
-            ck_assert_ptr_eq(c, mark);
-        }
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("curve");
-    TCase *tcase = tcase_create("curves");
-    tcase_add_test(tcase, a_rational_arc_and_three_derivatives_are_the_circles);
-    tcase_add_test(tcase, every_degree_reproduces_its_own_power_and_its_derivatives);
-    tcase_add_test(tcase, outside_the_domain_the_end_is_given);
-    tcase_add_test(tcase, what_is_no_curve_is_refused_and_nothing_is_written);
-    tcase_add_test(tcase, evaluation_refuses_what_it_does_not_know);
-    tcase_add_test(tcase, an_interpolating_curve_passes_through_its_points);
-    tcase_add_test(tcase, a_cubic_comes_back_whatever_the_parameters);
-    tcase_add_test(tcase, interpolation_converges_with_the_fourth_order);
-    tcase_add_test(tcase, points_that_coincide_or_are_no_numbers_are_refused);
-    tcase_add_test(tcase, every_failing_allocation_is_reported_and_nothing_is_written);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+    for (int which = 0; which < 2; which++) {
+        wcut_curve *const mark = (wcut_curve *)&line_knots, *c = mark;
+        EACH_FAILED_ALLOCATION(
+            which ? wcut_curve_interpolate(5, p, &c) : wcut_curve_create(2, 3, quarter_knots, p, quarter_weight, &c),
+            c == mark);
+        wcut_curve_destroy(c);
+    }
 }

@@ -8,6 +8,7 @@
 #include "base/alloc.h"
 #include "base/random.h"
 #include "surface/shapes.h"
+#include "test.h"
 
 static wcut_curve *circle(double radius) {
     wcut_vec3 control[CIRCLE_COUNT];
@@ -32,7 +33,7 @@ static wcut_curve *crumpled(wcut_random *random, int count) {
     return c;
 }
 
-START_TEST(the_distance_to_a_circle_is_the_closed_form) {
+TEST(the_distance_to_a_circle_is_the_closed_form) {
     enum { COUNT = 2000 };
     static wcut_vec3 p[COUNT];
     static wcut_curve_foot foot[COUNT];
@@ -51,9 +52,8 @@ START_TEST(the_distance_to_a_circle_is_the_closed_form) {
     }
     wcut_curve_destroy(c);
 }
-END_TEST
 
-START_TEST(planted_feet_are_found_again) {
+TEST(planted_feet_are_found_again) {
     enum { COUNT = 20000 };
     static wcut_vec3 p[COUNT];
     static wcut_curve_foot foot[COUNT];
@@ -81,9 +81,8 @@ START_TEST(planted_feet_are_found_again) {
     ck_assert_double_le(worst, 1e-9);
     wcut_curve_destroy(c);
 }
-END_TEST
 
-START_TEST(no_point_of_a_crumpled_curve_is_closer_than_its_foot) {
+TEST(no_point_of_a_crumpled_curve_is_closer_than_its_foot) {
     wcut_random random = wcut_random_seed(43);
     for (int trial = 0; trial < 20; trial++) {
         wcut_curve *c = crumpled(&random, 2 + 3 * trial);
@@ -106,9 +105,8 @@ START_TEST(no_point_of_a_crumpled_curve_is_closer_than_its_foot) {
         wcut_curve_destroy(c);
     }
 }
-END_TEST
 
-START_TEST(beyond_an_end_is_told_from_beside_it) {
+TEST(beyond_an_end_is_told_from_beside_it) {
     const double knots[4] = {2, 2, 3, 3};
     const wcut_vec3 line[2] = {{0, 0, 0}, {10, 0, 0}}, p[4] = {{-1, 2, 0}, {0, 2, 0}, {10.5, 0, 0}, {5, 0, 0}};
     wcut_curve *c = NULL;
@@ -119,9 +117,8 @@ START_TEST(beyond_an_end_is_told_from_beside_it) {
     ck_assert(foot[0].u == 2 && foot[2].u == 3 && fabs(foot[3].u - 2.5) < 1e-12 && foot[3].distance < 1e-12);
     wcut_curve_destroy(c);
 }
-END_TEST
 
-START_TEST(threads_change_no_byte) {
+TEST(threads_change_no_byte) {
     enum { COUNT = 500 };
     static wcut_vec3 p[COUNT];
     static wcut_curve_foot one[COUNT], four[COUNT];
@@ -137,9 +134,8 @@ START_TEST(threads_change_no_byte) {
         ck_assert(one[k].u == four[k].u && one[k].distance == four[k].distance && one[k].gap == four[k].gap);
     wcut_curve_destroy(c);
 }
-END_TEST
 
-START_TEST(what_cannot_be_located_is_refused_and_nothing_is_written) {
+TEST(what_cannot_be_located_is_refused_and_nothing_is_written) {
     wcut_curve *c = circle(5);
     const wcut_vec3 good = {1, 2, 3}, bad = {NAN, 0, 0};
     wcut_curve_foot foot = {.u = 999};
@@ -150,25 +146,17 @@ START_TEST(what_cannot_be_located_is_refused_and_nothing_is_written) {
     ck_assert_int_eq(wcut_curve_locate(c, 1, &good, 1, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_curve_locate(c, 1, &bad, 1, &foot), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_curve_locate(c, 0, NULL, 1, NULL), WCUT_OK);
-    for (int k = 1;; k++) {
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_curve_locate(c, 1, &good, 1, &foot);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) break;
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert(foot.u == 999);
-    }
+    EACH_FAILED_ALLOCATION(wcut_curve_locate(c, 1, &good, 1, &foot), foot.u == 999);
     foot.u = 999;
     c->control[0].x = 1e200;
     ck_assert_int_eq(wcut_curve_locate(c, 1, &good, 1, &foot), WCUT_DEGENERATE);
     ck_assert(foot.u == 999);
     wcut_curve_destroy(c);
 }
-END_TEST
 
 /* ---- interpolation with given parameters and derivatives ---------------------------------------------------------- */
 
-START_TEST(parameters_and_end_derivatives_are_kept) {
+TEST(parameters_and_end_derivatives_are_kept) {
     enum { MOST = 60 };
     wcut_random random = wcut_random_seed(45);
     for (int count = 2; count < MOST; count += count < 7 ? 1 : 11)
@@ -192,9 +180,8 @@ START_TEST(parameters_and_end_derivatives_are_kept) {
             wcut_curve_destroy(c);
         }
 }
-END_TEST
 
-START_TEST(with_its_own_end_derivatives_a_cubic_comes_back) {
+TEST(with_its_own_end_derivatives_a_cubic_comes_back) {
     enum { COUNT = 12 };
     wcut_vec3 p[COUNT];
     double u[COUNT];
@@ -226,34 +213,6 @@ START_TEST(with_its_own_end_derivatives_a_cubic_comes_back) {
     ck_assert_int_eq(wcut_curve_interpolate_at(3, NULL, u, NULL, NULL, &c), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_curve_interpolate_at(3, twice, NULL, NULL, NULL, &c), WCUT_DEGENERATE);
     ck_assert_ptr_eq(c, mark);
-    for (int k = 1;; k++) {
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_curve_interpolate_at(3, p, u, &first, NULL, &c);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) break;
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert_ptr_eq(c, mark);
-    }
+    EACH_FAILED_ALLOCATION(wcut_curve_interpolate_at(3, p, u, &first, NULL, &c), c == mark);
     wcut_curve_destroy(c);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("curve foot");
-    TCase *tcase = tcase_create("foot"), *through = tcase_create("through");
-    tcase_add_test(tcase, the_distance_to_a_circle_is_the_closed_form);
-    tcase_add_test(tcase, planted_feet_are_found_again);
-    tcase_add_test(tcase, no_point_of_a_crumpled_curve_is_closer_than_its_foot);
-    tcase_add_test(tcase, beyond_an_end_is_told_from_beside_it);
-    tcase_add_test(tcase, threads_change_no_byte);
-    tcase_add_test(tcase, what_cannot_be_located_is_refused_and_nothing_is_written);
-    tcase_add_test(through, parameters_and_end_derivatives_are_kept);
-    tcase_add_test(through, with_its_own_end_derivatives_a_cubic_comes_back);
-    suite_add_tcase(suite, tcase);
-    suite_add_tcase(suite, through);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

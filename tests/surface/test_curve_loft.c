@@ -7,6 +7,7 @@
 #include "base/alloc.h"
 #include "base/random.h"
 #include "surface/shapes.h"
+#include "test.h"
 
 static wcut_curve *circle(double radius, double z, bool backwards) {
     wcut_vec3 control[CIRCLE_COUNT];
@@ -56,7 +57,7 @@ static double section_apart(const wcut_surface *s, double v, const wcut_curve *c
     return most;
 }
 
-START_TEST(unlike_curves_are_sections_of_their_loft) {
+TEST(unlike_curves_are_sections_of_their_loft) {
     enum { COUNT = 7 };
     wcut_random random = wcut_random_seed(71);
     wcut_curve *c[COUNT];
@@ -79,9 +80,8 @@ START_TEST(unlike_curves_are_sections_of_their_loft) {
     }
     for (int k = 0; k < COUNT; k++) wcut_curve_destroy(c[k]);
 }
-END_TEST
 
-START_TEST(a_thousand_sections_do_not_multiply_their_knots) {
+TEST(a_thousand_sections_do_not_multiply_their_knots) {
     enum { COUNT = 1000 };
     wcut_random random = wcut_random_seed(72);
     static wcut_curve *c[COUNT];
@@ -94,9 +94,8 @@ START_TEST(a_thousand_sections_do_not_multiply_their_knots) {
     wcut_surface_destroy(s);
     for (int k = 0; k < COUNT; k++) wcut_curve_destroy(c[k]);
 }
-END_TEST
 
-START_TEST(circles_that_shrink_to_a_point_make_a_cone) {
+TEST(circles_that_shrink_to_a_point_make_a_cone) {
     wcut_curve *c[5];
     for (int k = 0; k < 4; k++) c[k] = circle(40 - 10 * k, 25 * k, false);
     c[4] = line(vec3(0, 0, 100), vec3(0, 0, 100));
@@ -124,9 +123,8 @@ START_TEST(circles_that_shrink_to_a_point_make_a_cone) {
     wcut_surface_destroy(s);
     for (int k = 0; k < 5; k++) wcut_curve_destroy(c[k]);
 }
-END_TEST
 
-START_TEST(what_cannot_be_lofted_is_refused_and_nothing_is_written) {
+TEST(what_cannot_be_lofted_is_refused_and_nothing_is_written) {
     wcut_curve *a = line(vec3(0, 0, 0), vec3(9, 0, 0)), *b = line(vec3(0, 5, 0), vec3(9, 5, 0));
     const wcut_curve *pair[2] = {a, b}, *none[2] = {a, NULL}, *same[2] = {a, a};
     wcut_surface *const mark = (wcut_surface *)&pair, *s = mark;
@@ -152,32 +150,9 @@ START_TEST(what_cannot_be_lofted_is_refused_and_nothing_is_written) {
     s = mark, r.used = 999;
     kinked->control[1].y = 1e200, kinked->control[0].y = -1e200;
     ck_assert_int_eq(wcut_surface_loft_curves(2, kinks, 0, 1, &s, v, &r), WCUT_DEGENERATE);
-    for (int k = 1;; k++) {
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_surface_loft_curves(2, pair, 0, 1, &s, NULL, &r);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) break;
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert(s == mark && r.used == 999);
-    }
+    EACH_FAILED_ALLOCATION(wcut_surface_loft_curves(2, pair, 0, 1, &s, NULL, &r), s == mark && r.used == 999);
     wcut_surface_destroy(s);
     wcut_curve_destroy(kinked);
     wcut_curve_destroy(a);
     wcut_curve_destroy(b);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("curve loft");
-    TCase *tcase = tcase_create("curve loft");
-    tcase_add_test(tcase, unlike_curves_are_sections_of_their_loft);
-    tcase_add_test(tcase, a_thousand_sections_do_not_multiply_their_knots);
-    tcase_add_test(tcase, circles_that_shrink_to_a_point_make_a_cone);
-    tcase_add_test(tcase, what_cannot_be_lofted_is_refused_and_nothing_is_written);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

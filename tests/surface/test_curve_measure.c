@@ -3,6 +3,7 @@
 #include <wirecut/curve_measure.h>
 
 #include "surface/shapes.h"
+#include "test.h"
 
 static wcut_curve *circle(double radius) {
     wcut_vec3 control[CIRCLE_COUNT];
@@ -25,7 +26,7 @@ static wcut_curve *twisted_cubic(void) {
     return c;
 }
 
-START_TEST(a_circle_has_its_radius_its_centre_and_no_torsion) {
+TEST(a_circle_has_its_radius_its_centre_and_no_torsion) {
     wcut_curve *c = circle(40);
     for (int i = 0; i <= 100; i++) {
         wcut_frame f;
@@ -51,9 +52,8 @@ START_TEST(a_circle_has_its_radius_its_centre_and_no_torsion) {
     }
     wcut_curve_destroy(c);
 }
-END_TEST
 
-START_TEST(the_twisted_cubic_bends_and_twists_as_its_formula_says) {
+TEST(the_twisted_cubic_bends_and_twists_as_its_formula_says) {
     wcut_curve *c = twisted_cubic();
     for (int i = 0; i <= 100; i++) {
         const double t = i / 100.0, t2 = t * t, t4 = t2 * t2;
@@ -66,9 +66,8 @@ START_TEST(the_twisted_cubic_bends_and_twists_as_its_formula_says) {
     }
     wcut_curve_destroy(c);
 }
-END_TEST
 
-START_TEST(a_parabola_has_its_length_and_gives_its_parameters_back) {
+TEST(a_parabola_has_its_length_and_gives_its_parameters_back) {
     const double knots[6] = {0, 0, 0, 1, 1, 1};
     const wcut_vec3 control[3] = {{0, 0, 0}, {50, 0, 0}, {100, 100, 0}}; /* y = x^2 / 100 */
     wcut_curve *c = NULL;
@@ -83,9 +82,8 @@ START_TEST(a_parabola_has_its_length_and_gives_its_parameters_back) {
     }
     wcut_curve_destroy(c);
 }
-END_TEST
 
-START_TEST(beyond_the_ends_the_ends_are_given_and_a_line_is_straight) {
+TEST(beyond_the_ends_the_ends_are_given_and_a_line_is_straight) {
     const double knots[4] = {2, 2, 5, 5};
     const wcut_vec3 control[2] = {{0, 0, 0}, {3, 4, 0}};
     wcut_curve *c = NULL;
@@ -103,9 +101,8 @@ START_TEST(beyond_the_ends_the_ends_are_given_and_a_line_is_straight) {
     ck_assert_double_le(apart(f.tangent, vec3(0.6, 0.8, 0)), 1e-15);
     wcut_curve_destroy(c);
 }
-END_TEST
 
-START_TEST(what_cannot_be_measured_is_refused_and_nothing_is_written) {
+TEST(what_cannot_be_measured_is_refused_and_nothing_is_written) {
     const double knots[4] = {0, 0, 1, 1};
     const wcut_vec3 point[2] = {{1, 1, 1}, {1, 1, 1}};
     wcut_curve *c = NULL;
@@ -129,21 +126,4 @@ START_TEST(what_cannot_be_measured_is_refused_and_nothing_is_written) {
     ck_assert_int_eq(wcut_curve_locate_length(c, 1, &x), WCUT_DEGENERATE);
     ck_assert(x == 999 && f.curvature == 999);
     wcut_curve_destroy(c);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("curve measure");
-    TCase *tcase = tcase_create("measures");
-    tcase_add_test(tcase, a_circle_has_its_radius_its_centre_and_no_torsion);
-    tcase_add_test(tcase, the_twisted_cubic_bends_and_twists_as_its_formula_says);
-    tcase_add_test(tcase, a_parabola_has_its_length_and_gives_its_parameters_back);
-    tcase_add_test(tcase, beyond_the_ends_the_ends_are_given_and_a_line_is_straight);
-    tcase_add_test(tcase, what_cannot_be_measured_is_refused_and_nothing_is_written);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -3,6 +3,7 @@
    on a second evaluation that has nothing in common with the library's. */
 #include "base/random.h"
 #include "surface/shapes.h"
+#include "test.h"
 
 typedef long double complex number;
 
@@ -60,7 +61,7 @@ static wcut_surface *random_surface(wcut_random *random, int p, int q, bool rati
     return s;
 }
 
-START_TEST(every_derivative_to_third_order_is_that_of_the_complex_step) {
+TEST(every_derivative_to_third_order_is_that_of_the_complex_step) {
     const long double h = 1e-4L, tiny = 1e-30L;
     wcut_random random = wcut_random_seed(81);
     for (int p = 1; p <= WCUT_DEGREE_MAX; p++)
@@ -105,17 +106,4 @@ START_TEST(every_derivative_to_third_order_is_that_of_the_complex_step) {
                 }
                 wcut_surface_destroy(s);
             }
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("derivatives");
-    TCase *tcase = tcase_create("complex step");
-    tcase_add_test(tcase, every_derivative_to_third_order_is_that_of_the_complex_step);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -6,6 +6,7 @@
 #include "base/alloc.h"
 #include "base/random.h"
 #include "surface/shapes.h"
+#include "test.h"
 
 typedef struct grid {
     int stations, nodes;
@@ -39,7 +40,7 @@ static double node_error(const grid *g, const wcut_surface *s, const double *v) 
     return most;
 }
 
-START_TEST(the_tolerance_is_held_with_few_control_points) {
+TEST(the_tolerance_is_held_with_few_control_points) {
     grid g = sheet(2000, 200, 0.3, 0);
     double *v = malloc(2000 * sizeof *v);
     const double most_share[3] = {0.0005, 0.001, 0.004};
@@ -62,9 +63,8 @@ START_TEST(the_tolerance_is_held_with_few_control_points) {
     free(v);
     free(g.x);
 }
-END_TEST
 
-START_TEST(between_the_nodes_it_stays_beside_the_loft) {
+TEST(between_the_nodes_it_stays_beside_the_loft) {
     grid g = sheet(90, 40, 0.6, 0);
     wcut_surface *loft = NULL, *s = NULL;
     wcut_surface_fit_report r = {.node_error = 999};
@@ -86,9 +86,8 @@ START_TEST(between_the_nodes_it_stays_beside_the_loft) {
     wcut_surface_destroy(loft);
     free(g.x);
 }
-END_TEST
 
-START_TEST(noise_below_the_tolerance_costs_few_and_above_it_every_node) {
+TEST(noise_below_the_tolerance_costs_few_and_above_it_every_node) {
     grid g = sheet(300, 80, 0, 0.002);
     wcut_surface *s = NULL;
     wcut_surface_fit_report r = {.node_error = 999};
@@ -100,9 +99,8 @@ START_TEST(noise_below_the_tolerance_costs_few_and_above_it_every_node) {
     wcut_surface_destroy(s);
     free(g.x);
 }
-END_TEST
 
-START_TEST(a_kink_and_repeated_sections_are_followed) {
+TEST(a_kink_and_repeated_sections_are_followed) {
     grid g = sheet(400, 60, 0, 0);
     for (int j = 0; j < 400; j++)
         for (int i = 0; i < 60; i++) {
@@ -120,9 +118,8 @@ START_TEST(a_kink_and_repeated_sections_are_followed) {
     wcut_surface_destroy(s);
     free(g.x);
 }
-END_TEST
 
-START_TEST(a_plane_needs_next_to_nothing_and_few_nodes_are_lofted) {
+TEST(a_plane_needs_next_to_nothing_and_few_nodes_are_lofted) {
     wcut_vec3 x[30 * 20];
     for (int k = 0; k < 600; k++) x[k] = vec3(10 * (k % 20), 7 * (k / 20.0 - k % 20 / 20.0), 3);
     wcut_surface *s = NULL;
@@ -140,9 +137,8 @@ START_TEST(a_plane_needs_next_to_nothing_and_few_nodes_are_lofted) {
             free(g.x);
         }
 }
-END_TEST
 
-START_TEST(what_cannot_be_fitted_is_refused_and_nothing_is_written) {
+TEST(what_cannot_be_fitted_is_refused_and_nothing_is_written) {
     grid g = sheet(30, 20, 0, 0);
     double v[30] = {999};
     wcut_surface *const mark = (wcut_surface *)&g, *s = mark;
@@ -155,39 +151,12 @@ START_TEST(what_cannot_be_fitted_is_refused_and_nothing_is_written) {
     ck_assert_int_eq(wcut_surface_fit(30, 20, g.x, 0, 1, NULL, v, &r), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_surface_fit(30, 20, g.x, 1e9, 1, &s, v, &r), WCUT_DEGENERATE);
     ck_assert_int_eq(wcut_surface_fit(30, 20, g.x, 0, 1e-200, &s, v, &r), WCUT_NOT_CONVERGED);
-    for (int k = 1;; k++) {
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_surface_fit(30, 20, g.x, 0, 0.1, &s, v, &r);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) {
-            ck_assert_int_gt(k, 20);
-            break;
-        }
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert(s == mark && v[0] == 999 && r.node_error == 999);
-    }
+    EACH_FAILED_ALLOCATION(wcut_surface_fit(30, 20, g.x, 0, 0.1, &s, v, &r),
+                           s == mark && v[0] == 999 && r.node_error == 999);
     wcut_surface_destroy(s);
     g.x[77].y = INFINITY;
     s = mark;
     ck_assert_int_eq(wcut_surface_fit(30, 20, g.x, 0, 1, &s, v, &r), WCUT_BAD_ARGUMENT);
     ck_assert_ptr_eq(s, mark);
     free(g.x);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("fit");
-    TCase *tcase = tcase_create("fit");
-    tcase_add_test(tcase, the_tolerance_is_held_with_few_control_points);
-    tcase_add_test(tcase, between_the_nodes_it_stays_beside_the_loft);
-    tcase_add_test(tcase, noise_below_the_tolerance_costs_few_and_above_it_every_node);
-    tcase_add_test(tcase, a_kink_and_repeated_sections_are_followed);
-    tcase_add_test(tcase, a_plane_needs_next_to_nothing_and_few_nodes_are_lofted);
-    tcase_add_test(tcase, what_cannot_be_fitted_is_refused_and_nothing_is_written);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -6,6 +6,7 @@
 #include "base/alloc.h"
 #include "base/random.h"
 #include "surface/shapes.h"
+#include "test.h"
 
 static double trace_length(const wcut_trace *t) {
     double sum = 0;
@@ -26,7 +27,7 @@ static void check_trace(const wcut_surface *s, const wcut_trace *t, wcut_vec3 po
     ck_assert_double_le(off, 1e-10);
 }
 
-START_TEST(a_sphere_and_a_plane_meet_in_one_circle) {
+TEST(a_sphere_and_a_plane_meet_in_one_circle) {
     wcut_random random = wcut_random_seed(61);
     wcut_surface *s = shape_sphere(40);
     for (int trial = 0; trial < 120; trial++) {
@@ -49,9 +50,8 @@ START_TEST(a_sphere_and_a_plane_meet_in_one_circle) {
     }
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(a_torus_gives_two_circles_four_times_over) {
+TEST(a_torus_gives_two_circles_four_times_over) {
     wcut_surface *s = shape_torus(50, 20);
     const wcut_vec3 origin = {0, 0, 0}, normal[3] = {{0, 0, 1}, {0, 1, 0}, {1, 1e-9, 0}};
     const double want[3] = {2 * WCUT_PI * 100, 2 * WCUT_PI * 40, 2 * WCUT_PI * 40};
@@ -86,9 +86,8 @@ START_TEST(a_torus_gives_two_circles_four_times_over) {
     wcut_traces_destroy(t);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(a_plane_that_touches_along_a_circle_ends_in_good_time) {
+TEST(a_plane_that_touches_along_a_circle_ends_in_good_time) {
     wcut_surface *s = shape_torus(50, 20);
     wcut_traces *t = NULL;
     const wcut_status status = wcut_surface_intersect_plane(s, vec3(0, 0, 20), vec3(0, 0, 1), 1e-3, &t);
@@ -97,7 +96,6 @@ START_TEST(a_plane_that_touches_along_a_circle_ends_in_good_time) {
     if (status == WCUT_OK) wcut_traces_destroy(t);
     wcut_surface_destroy(s);
 }
-END_TEST
 
 static wcut_surface *crumpled(wcut_random *random, int stations, int nodes, double height) {
     wcut_vec3 *x = malloc((size_t)stations * (size_t)nodes * sizeof *x);
@@ -120,7 +118,7 @@ static int passes(const wcut_traces *t, int direction, double at) {
     return count;
 }
 
-START_TEST(no_curve_of_a_crumpled_sheet_is_missed) {
+TEST(no_curve_of_a_crumpled_sheet_is_missed) {
     enum { LINES = 40, SAMPLES = 4000 };
     wcut_random random = wcut_random_seed(62);
     int curves = 0, closed = 0;
@@ -156,9 +154,8 @@ START_TEST(no_curve_of_a_crumpled_sheet_is_missed) {
     printf("%d curves, %d of them closed\n", curves, closed);
     ck_assert(closed > 50 && curves > closed);
 }
-END_TEST
 
-START_TEST(chords_stay_within_the_tolerance) {
+TEST(chords_stay_within_the_tolerance) {
     wcut_random random = wcut_random_seed(63);
     wcut_surface *s = crumpled(&random, 9, 9, 8);
     wcut_traces *coarse = NULL, *fine = NULL;
@@ -185,9 +182,8 @@ START_TEST(chords_stay_within_the_tolerance) {
     wcut_traces_destroy(fine);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(a_sheet_through_a_block_has_a_curve_on_each_side_and_their_ends_meet) {
+TEST(a_sheet_through_a_block_has_a_curve_on_each_side_and_their_ends_meet) {
     enum { STATIONS = 50, NODES = 30 };
     static wcut_vec3 x[STATIONS * NODES];
     for (int j = 0; j < STATIONS; j++)
@@ -231,7 +227,6 @@ START_TEST(a_sheet_through_a_block_has_a_curve_on_each_side_and_their_ends_meet)
     wcut_traces_destroy(t);
     wcut_surface_destroy(s);
 }
-END_TEST
 
 /* every line closed, its points on the block's skin, steps no longer than those it came from */
 static void check_outline(const wcut_traces *parts, const wcut_box *block, int lines) {
@@ -260,7 +255,7 @@ static void check_outline(const wcut_traces *parts, const wcut_box *block, int l
     wcut_traces_destroy(t);
 }
 
-START_TEST(curves_on_a_blocks_faces_join_into_closed_outlines) {
+TEST(curves_on_a_blocks_faces_join_into_closed_outlines) {
     enum { STATIONS = 50, NODES = 30 };
     static wcut_vec3 x[STATIONS * NODES];
     for (int j = 0; j < STATIONS; j++)
@@ -294,24 +289,13 @@ START_TEST(curves_on_a_blocks_faces_join_into_closed_outlines) {
     ck_assert_int_eq(wcut_traces_join(t, 0, &kept), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_traces_join(t, NAN, &kept), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_traces_join(t, 1, NULL), WCUT_BAD_ARGUMENT);
-    for (int k = 1;; k++) {
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_traces_join(t, 1e-6, &kept);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) {
-            ck_assert_int_gt(k, 5);
-            break;
-        }
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert_ptr_eq(kept, mark);
-    }
+    EACH_FAILED_ALLOCATION(wcut_traces_join(t, 1e-6, &kept), kept == mark);
     wcut_traces_destroy(kept);
     wcut_traces_destroy(t);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(what_cannot_be_intersected_is_refused_and_nothing_is_written) {
+TEST(what_cannot_be_intersected_is_refused_and_nothing_is_written) {
     wcut_surface *s = shape_octant();
     wcut_traces *const mark = (wcut_traces *)&s, *t = mark;
     const wcut_vec3 o = {0, 0, 0.5}, n = {0, 0, 1}, bad = {NAN, 0, 0};
@@ -327,41 +311,13 @@ START_TEST(what_cannot_be_intersected_is_refused_and_nothing_is_written) {
     ck_assert_int_eq(wcut_surface_intersect_box(s, &flat, 1, &t), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_surface_intersect_box(s, &open, 1, &t), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_surface_intersect_box(s, &block, NAN, &t), WCUT_BAD_ARGUMENT);
-    for (int which = 0; which < 2; which++)
-        for (int k = 1;; k++) {
-            wcut_alloc_fail_at(k);
-            const wcut_status status = which ? wcut_surface_intersect_box(s, &block, 1e-2, &t)
-                                             : wcut_surface_intersect_plane(s, o, n, 1e-2, &t);
-            wcut_alloc_fail_at(0);
-            if (status == WCUT_OK) {
-                ck_assert_int_gt(k, 8);
-                wcut_traces_destroy(t);
-                t = mark;
-                break;
-            }
-            ck_assert_int_eq(status, WCUT_NO_MEMORY);
-            ck_assert_ptr_eq(t, mark);
-        }
+    for (int which = 0; which < 2; which++) {
+        EACH_FAILED_ALLOCATION(
+            which ? wcut_surface_intersect_box(s, &block, 1e-2, &t) : wcut_surface_intersect_plane(s, o, n, 1e-2, &t),
+            t == mark);
+        wcut_traces_destroy(t);
+        t = mark;
+    }
     wcut_traces_destroy(NULL);
     wcut_surface_destroy(s);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("intersect");
-    TCase *tcase = tcase_create("intersect");
-    tcase_add_test(tcase, a_sphere_and_a_plane_meet_in_one_circle);
-    tcase_add_test(tcase, a_torus_gives_two_circles_four_times_over);
-    tcase_add_test(tcase, a_plane_that_touches_along_a_circle_ends_in_good_time);
-    tcase_add_test(tcase, no_curve_of_a_crumpled_sheet_is_missed);
-    tcase_add_test(tcase, chords_stay_within_the_tolerance);
-    tcase_add_test(tcase, a_sheet_through_a_block_has_a_curve_on_each_side_and_their_ends_meet);
-    tcase_add_test(tcase, curves_on_a_blocks_faces_join_into_closed_outlines);
-    tcase_add_test(tcase, what_cannot_be_intersected_is_refused_and_nothing_is_written);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

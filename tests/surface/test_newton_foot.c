@@ -1,7 +1,5 @@
 /* The newton way to a foot beside the slow one, which is proven elsewhere: the same feet, on tame and on wild surfaces. */
-#include <check.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <wirecut/projection.h>
 
@@ -9,6 +7,7 @@
 #include "base/random.h"
 #include "base/vec3.h"
 #include "surface/foot_search.h"
+#include "test.h"
 
 enum { ROWS = 60, COLUMNS = 50, QUERIES = 4000 };
 
@@ -61,7 +60,7 @@ static void given_queries(int shape, double away, uint64_t seed) {
     }
 }
 
-START_TEST(quick_feet_are_the_slow_ones) {
+TEST(quick_feet_are_the_slow_ones) {
     const double away[] = {0.01, 0.5, 5, 60};
     for (int shape = 0; shape < 5; shape++) {
         given_shape(shape);
@@ -82,11 +81,10 @@ START_TEST(quick_feet_are_the_slow_ones) {
         forget();
     }
 }
-END_TEST
 
 static bool is_at_border(const wcut_foot *f) { return f->u <= 0 || f->u >= 1 || f->v <= 0 || f->v >= 1; }
 
-START_TEST(most_feet_near_a_tame_surface_are_found_quickly) {
+TEST(most_feet_near_a_tame_surface_are_found_quickly) {
     enum { BLOCK = WCUT_NEWTON_FOOT_BATCH };
     given_shape(0);
     given_queries(0, 1, 9);
@@ -117,9 +115,8 @@ START_TEST(most_feet_near_a_tame_surface_are_found_quickly) {
     ck_assert_int_gt(slid, border * 9 / 10);
     forget();
 }
-END_TEST
 
-START_TEST(feet_are_the_same_for_any_number_of_threads) {
+TEST(feet_are_the_same_for_any_number_of_threads) {
     enum { MANY = 30000 };
     static wcut_vec3 many[MANY];
     static wcut_foot one[MANY], other[MANY];
@@ -138,9 +135,8 @@ START_TEST(feet_are_the_same_for_any_number_of_threads) {
     }
     forget();
 }
-END_TEST
 
-START_TEST(surfaces_without_a_quick_way_stay_as_they_were) {
+TEST(surfaces_without_a_quick_way_stay_as_they_were) {
     wcut_vec3 corner[4] = {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {10, 10, 1}};
     ck_assert_int_eq(wcut_surface_loft(2, 2, corner, 0, &surface, NULL, NULL), WCUT_OK);
     ck_assert_int_eq(wcut_projection_create(surface, &newton), WCUT_OK);
@@ -152,35 +148,9 @@ START_TEST(surfaces_without_a_quick_way_stay_as_they_were) {
     wcut_surface_destroy(surface);
     ck_assert_int_eq(wcut_projection_prepare_many(NULL), WCUT_BAD_ARGUMENT);
 }
-END_TEST
 
-START_TEST(without_memory_a_projection_is_as_it_was) {
+TEST(without_memory_a_projection_is_as_it_was) {
     given_shape(0);
-    for (long k = 1;; k += 2) {
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_projection_prepare_many(slow);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) break;
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert_ptr_null(slow->newton);
-        ck_assert_int_lt(k, 200);
-    }
+    EACH_FAILED_ALLOCATION_BY(2, wcut_projection_prepare_many(slow), !slow->newton);
     forget();
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("quick_foot");
-    TCase *tcase = tcase_create("newton");
-    tcase_add_test(tcase, quick_feet_are_the_slow_ones);
-    tcase_add_test(tcase, most_feet_near_a_tame_surface_are_found_quickly);
-    tcase_add_test(tcase, feet_are_the_same_for_any_number_of_threads);
-    tcase_add_test(tcase, surfaces_without_a_quick_way_stay_as_they_were);
-    tcase_add_test(tcase, without_memory_a_projection_is_as_it_was);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -8,6 +8,7 @@
 #include "base/alloc.h"
 #include "base/random.h"
 #include "surface/shapes.h"
+#include "test.h"
 
 /* the largest distance of a surface from S + distance n at random parameters */
 static double offset_error(const wcut_surface *s, const wcut_surface *o, double distance, int points) {
@@ -36,7 +37,7 @@ static wcut_surface *lofted_sheet(int stations, int nodes) {
     return s;
 }
 
-START_TEST(the_offset_of_a_sphere_and_a_torus_is_another) {
+TEST(the_offset_of_a_sphere_and_a_torus_is_another) {
     for (int which = 0; which < 2; which++)
         for (double tolerance = 1e-2; tolerance > 1e-6; tolerance /= 30) {
             wcut_surface *s = which ? shape_torus(50, 20) : shape_sphere(40), *o = NULL;
@@ -56,9 +57,8 @@ START_TEST(the_offset_of_a_sphere_and_a_torus_is_another) {
             wcut_surface_destroy(s);
         }
 }
-END_TEST
 
-START_TEST(the_offset_of_a_loft_is_where_its_definition_says) {
+TEST(the_offset_of_a_loft_is_where_its_definition_says) {
     for (int fine = 0; fine < 2; fine++) {
         wcut_surface *s = fine ? lofted_sheet(200, 60) : lofted_sheet(25, 17), *o = NULL;
         wcut_offset_report report = {.error = 999};
@@ -71,7 +71,6 @@ START_TEST(the_offset_of_a_loft_is_where_its_definition_says) {
         wcut_surface_destroy(s);
     }
 }
-END_TEST
 
 /* a trough z = a x^2, curvature 2 a at its bottom */
 static wcut_surface *trough(double a) {
@@ -84,7 +83,7 @@ static wcut_surface *trough(double a) {
     return s;
 }
 
-START_TEST(an_offset_beyond_the_radius_folds_and_crosses_and_says_where) {
+TEST(an_offset_beyond_the_radius_folds_and_crosses_and_says_where) {
     wcut_surface *s = trough(0.05), *o = NULL; /* bends towards +z with a radius of 10 mm */
     wcut_offset_report report = {.error = 999};
     ck_assert_int_eq(wcut_surface_offset(s, 5, 1e-3, &o, &report), WCUT_OK);
@@ -102,9 +101,8 @@ START_TEST(an_offset_beyond_the_radius_folds_and_crosses_and_says_where) {
     wcut_surface_destroy(o);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(necks_narrower_than_two_offsets_cross_without_a_fold) {
+TEST(necks_narrower_than_two_offsets_cross_without_a_fold) {
     /* a meander: direction 2.1 cos s, its tightest radius 20 / 2.1 = 9.5 mm, its necks 9.1 mm wide */
     enum { STATIONS = 161, NODES = 5, FINE = 50 };
     static wcut_vec3 x[STATIONS * NODES];
@@ -135,9 +133,8 @@ START_TEST(necks_narrower_than_two_offsets_cross_without_a_fold) {
     ck_assert_int_gt(crossings, 0);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(a_crease_has_no_offset) {
+TEST(a_crease_has_no_offset) {
     const double knots[5] = {0, 0, 0.5, 1, 1}, across[4] = {0, 0, 1, 1};
     const wcut_vec3 control[6] = {{0, 0, 0}, {10, 0, 5}, {20, 0, 0}, {0, 9, 0}, {10, 9, 5}, {20, 9, 0}};
     wcut_surface *s = NULL, *const mark = (wcut_surface *)&knots, *o = mark;
@@ -159,15 +156,13 @@ START_TEST(a_crease_has_no_offset) {
     ck_assert_ptr_eq(o, mark);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(a_tolerance_out_of_reach_is_not_converged) {
+TEST(a_tolerance_out_of_reach_is_not_converged) {
     wcut_surface *s = shape_torus(50, 20), *o = s;
     ck_assert_int_eq(wcut_surface_offset(s, 3, 1e-16, &o, NULL), WCUT_NOT_CONVERGED);
     ck_assert_ptr_eq(o, s);
     wcut_surface_destroy(s);
 }
-END_TEST
 
 /* sections of 9 nodes along x, each turned about x by more: at 1 the far half is upside down */
 static wcut_surface *turning(bool pass) {
@@ -184,7 +179,7 @@ static wcut_surface *turning(bool pass) {
     return surface;
 }
 
-START_TEST(a_loft_whose_sections_pass_one_another_is_told_to_fold_and_where) {
+TEST(a_loft_whose_sections_pass_one_another_is_told_to_fold_and_where) {
     wcut_surface_report report = {.folds = 999};
     wcut_surface *s = turning(false);
     ck_assert_int_eq(wcut_surface_inspect(s, 0.05, &report), WCUT_OK);
@@ -195,9 +190,8 @@ START_TEST(a_loft_whose_sections_pass_one_another_is_told_to_fold_and_where) {
     ck_assert(report.folds > 0 && fabs(report.fold_u - 0.5) < 0.2);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(closed_surfaces_and_poles_are_known_and_nothing_is_found_wrong_with_them) {
+TEST(closed_surfaces_and_poles_are_known_and_nothing_is_found_wrong_with_them) {
     wcut_surface *const shape[4] = {shape_sphere(30), shape_torus(50, 20), shape_cylinder(20, 50), shape_octant()};
     const int closed_u[4] = {1, 1, 1, 0}, closed_v[4] = {0, 1, 0, 0}, poles[4] = {2, 0, 0, 1};
     for (int k = 0; k < 4; k++) {
@@ -213,9 +207,8 @@ START_TEST(closed_surfaces_and_poles_are_known_and_nothing_is_found_wrong_with_t
         wcut_surface_destroy(shape[k]);
     }
 }
-END_TEST
 
-START_TEST(triangles_that_cross_are_all_found) {
+TEST(triangles_that_cross_are_all_found) {
     enum { COUNT = 60 };
     wcut_random random = wcut_random_seed(32);
     wcut_mesh *m = NULL;
@@ -262,9 +255,8 @@ START_TEST(triangles_that_cross_are_all_found) {
     ck_assert_int_eq(count, 999);
     wcut_mesh_destroy(m);
 }
-END_TEST
 
-START_TEST(what_cannot_be_inspected_is_refused) {
+TEST(what_cannot_be_inspected_is_refused) {
     wcut_surface *s = shape_torus(50, 20);
     wcut_surface_report r = {.folds = 999};
     ck_assert_int_eq(wcut_surface_inspect(NULL, 1, &r), WCUT_BAD_ARGUMENT);
@@ -276,49 +268,16 @@ START_TEST(what_cannot_be_inspected_is_refused) {
     ck_assert_int_eq(r.folds, 999);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
+TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
     wcut_surface *s = trough(0.001), *const mark = (wcut_surface *)&s;
-    for (int which = 0; which < 2; which++)
-        for (int k = 1;; k++) {
-            wcut_surface *o = mark;
-            wcut_offset_report report = {.error = 999};
-            wcut_surface_report looked = {.chord_error = 999};
-            wcut_alloc_fail_at(k);
-            const wcut_status status =
-                which ? wcut_surface_inspect(s, 1, &looked) : wcut_surface_offset(s, 2, 1, &o, &report);
-            wcut_alloc_fail_at(0);
-            if (status == WCUT_OK) {
-                ck_assert_int_gt(k, 10);
-                if (o != mark) wcut_surface_destroy(o);
-                break;
-            }
-            ck_assert_int_eq(status, WCUT_NO_MEMORY);
-            ck_assert(o == mark && report.error == 999 && looked.chord_error == 999);
-        }
+    for (int which = 0; which < 2; which++) {
+        wcut_surface *o = mark;
+        wcut_offset_report report = {.error = 999};
+        wcut_surface_report looked = {.chord_error = 999};
+        EACH_FAILED_ALLOCATION(which ? wcut_surface_inspect(s, 1, &looked) : wcut_surface_offset(s, 2, 1, &o, &report),
+                               o == mark && report.error == 999 && looked.chord_error == 999);
+        if (o != mark) wcut_surface_destroy(o);
+    }
     wcut_surface_destroy(s);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("offset");
-    TCase *tcase = tcase_create("offset");
-    tcase_add_test(tcase, the_offset_of_a_sphere_and_a_torus_is_another);
-    tcase_add_test(tcase, the_offset_of_a_loft_is_where_its_definition_says);
-    tcase_add_test(tcase, an_offset_beyond_the_radius_folds_and_crosses_and_says_where);
-    tcase_add_test(tcase, necks_narrower_than_two_offsets_cross_without_a_fold);
-    tcase_add_test(tcase, a_crease_has_no_offset);
-    tcase_add_test(tcase, a_tolerance_out_of_reach_is_not_converged);
-    tcase_add_test(tcase, a_loft_whose_sections_pass_one_another_is_told_to_fold_and_where);
-    tcase_add_test(tcase, closed_surfaces_and_poles_are_known_and_nothing_is_found_wrong_with_them);
-    tcase_add_test(tcase, triangles_that_cross_are_all_found);
-    tcase_add_test(tcase, what_cannot_be_inspected_is_refused);
-    tcase_add_test(tcase, every_failing_allocation_is_reported_and_nothing_is_written);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

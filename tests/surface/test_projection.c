@@ -7,6 +7,7 @@
 #include "base/alloc.h"
 #include "base/random.h"
 #include "surface/shapes.h"
+#include "test.h"
 
 enum { MANY = 5000 };
 static wcut_vec3 query[MANY];
@@ -42,7 +43,7 @@ static void locate_random(const wcut_surface *s, double reach, unsigned seed) {
     ck_assert(certified > 0.9 * MANY && worst < 1);
 }
 
-START_TEST(the_distance_to_sphere_cylinder_and_torus_is_the_closed_form) {
+TEST(the_distance_to_sphere_cylinder_and_torus_is_the_closed_form) {
     wcut_surface *s = shape_sphere(50);
     locate_random(s, 90, 23);
     for (int k = 0; k < MANY; k++) {
@@ -73,7 +74,6 @@ START_TEST(the_distance_to_sphere_cylinder_and_torus_is_the_closed_form) {
     }
     wcut_surface_destroy(s);
 }
-END_TEST
 
 static wcut_surface *loft_sheet(int stations, int nodes) {
     wcut_vec3 *x = malloc((size_t)stations * (size_t)nodes * sizeof *x);
@@ -85,7 +85,7 @@ static wcut_surface *loft_sheet(int stations, int nodes) {
     return s;
 }
 
-START_TEST(planted_feet_are_found_again) {
+TEST(planted_feet_are_found_again) {
     wcut_surface *s = loft_sheet(200, 60);
     wcut_projection *m = projection_of(s);
     wcut_random random = wcut_random_seed(37);
@@ -109,7 +109,6 @@ START_TEST(planted_feet_are_found_again) {
     wcut_projection_destroy(m);
     wcut_surface_destroy(s);
 }
-END_TEST
 
 /* a sheet that folds and rolls up: many local minima */
 static wcut_surface *crumpled(void) {
@@ -127,7 +126,7 @@ static wcut_surface *crumpled(void) {
     return s;
 }
 
-START_TEST(no_point_of_a_crumpled_sheet_is_closer_than_its_foot) {
+TEST(no_point_of_a_crumpled_sheet_is_closer_than_its_foot) {
     enum { SIDE = 601, QUERIES = 200 };
     wcut_surface *s = crumpled();
     locate_random(s, 120, 43);
@@ -144,9 +143,8 @@ START_TEST(no_point_of_a_crumpled_sheet_is_closer_than_its_foot) {
     free(grid);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(beyond_the_border_is_told_from_above_it) {
+TEST(beyond_the_border_is_told_from_above_it) {
     const double knots[4] = {0, 0, 1, 1};
     const wcut_vec3 corner[4] = {{0, 0, 0}, {10, 0, 0}, {0, 20, 0}, {10, 20, 0}};
     const wcut_vec3 p[7] = {{5, 5, 3}, {0, 5, -3}, {-1, 5, 3}, {10, 20, 4}, {11, 22, 2}, {5, 21, 0}, {10 + 1e-6, 4, 0}};
@@ -164,9 +162,8 @@ START_TEST(beyond_the_border_is_told_from_above_it) {
     wcut_projection_destroy(m);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(poles_and_tips_are_found) {
+TEST(poles_and_tips_are_found) {
     wcut_surface *s = shape_sphere(50);
     wcut_projection *m = projection_of(s);
     const wcut_vec3 p[4] = {{0, 0, 70}, {0, 0, -30}, {0, 0, 50}, {1e-7, 0, 70}};
@@ -190,9 +187,8 @@ START_TEST(poles_and_tips_are_found) {
     wcut_projection_destroy(m);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(where_everything_ties_the_gap_says_how_far_it_is_proven) {
+TEST(where_everything_ties_the_gap_says_how_far_it_is_proven) {
     wcut_surface *s = shape_sphere(50);
     wcut_projection *m = projection_of(s);
     const wcut_vec3 centre = {0, 0, 0};
@@ -203,9 +199,8 @@ START_TEST(where_everything_ties_the_gap_says_how_far_it_is_proven) {
     wcut_projection_destroy(m);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(threads_change_no_byte) {
+TEST(threads_change_no_byte) {
     static wcut_foot again[MANY];
     wcut_surface *s = crumpled();
     locate_random(s, 120, 47);
@@ -221,9 +216,8 @@ START_TEST(threads_change_no_byte) {
     wcut_projection_destroy(m);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(what_cannot_be_located_is_refused_and_nothing_is_written) {
+TEST(what_cannot_be_located_is_refused_and_nothing_is_written) {
     wcut_surface *s = shape_octant();
     wcut_projection *m = projection_of(s), *const mark = m, *other = m;
     wcut_vec3 p[2] = {{0, 0, 0}, {0, NAN, 0}};
@@ -245,56 +239,14 @@ START_TEST(what_cannot_be_located_is_refused_and_nothing_is_written) {
     wcut_projection_destroy(m);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
+TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
     wcut_surface *s = crumpled();
     wcut_projection *m = NULL;
-    for (int k = 1;; k++) {
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_projection_create(s, &m);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) {
-            ck_assert_int_gt(k, 9);
-            break;
-        }
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert_ptr_null(m);
-    }
-    for (int k = 1;; k++) {
-        const wcut_vec3 p = {1, 2, 3};
-        foot[0].distance = 999;
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_projection_locate(m, 1, &p, 1, foot);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) {
-            ck_assert_int_eq(k, 5);
-            break;
-        }
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert(foot[0].distance == 999);
-    }
+    EACH_FAILED_ALLOCATION(wcut_projection_create(s, &m), !m);
+    const wcut_vec3 p = {1, 2, 3};
+    foot[0].distance = 999;
+    EACH_FAILED_ALLOCATION(wcut_projection_locate(m, 1, &p, 1, foot), foot[0].distance == 999);
     wcut_projection_destroy(m);
     wcut_surface_destroy(s);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("projection");
-    TCase *tcase = tcase_create("surfaces");
-    tcase_add_test(tcase, the_distance_to_sphere_cylinder_and_torus_is_the_closed_form);
-    tcase_add_test(tcase, planted_feet_are_found_again);
-    tcase_add_test(tcase, no_point_of_a_crumpled_sheet_is_closer_than_its_foot);
-    tcase_add_test(tcase, beyond_the_border_is_told_from_above_it);
-    tcase_add_test(tcase, poles_and_tips_are_found);
-    tcase_add_test(tcase, where_everything_ties_the_gap_says_how_far_it_is_proven);
-    tcase_add_test(tcase, threads_change_no_byte);
-    tcase_add_test(tcase, what_cannot_be_located_is_refused_and_nothing_is_written);
-    tcase_add_test(tcase, every_failing_allocation_is_reported_and_nothing_is_written);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

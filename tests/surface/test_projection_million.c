@@ -5,8 +5,9 @@
 
 #include "base/random.h"
 #include "surface/shapes.h"
+#include "test.h"
 
-START_TEST(a_million_planted_feet_are_found_again) {
+TEST(a_million_planted_feet_are_found_again) {
     enum { STATIONS = 500, NODES = 100, POINTS = 1000000 };
     wcut_vec3 *x = malloc(STATIONS * NODES * sizeof *x), *query = malloc(POINTS * sizeof *query);
     wcut_foot *foot = malloc(POINTS * sizeof *foot);
@@ -49,18 +50,4 @@ START_TEST(a_million_planted_feet_are_found_again) {
     wcut_projection_destroy(m);
     wcut_surface_destroy(s);
     free(height), free(v), free(u), free(foot), free(query), free(x);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("projection of a million points");
-    TCase *tcase = tcase_create("planted");
-    tcase_add_test(tcase, a_million_planted_feet_are_found_again);
-    tcase_set_timeout(tcase, 1800);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -7,6 +7,7 @@
 #include "base/alloc.h"
 #include "base/random.h"
 #include "surface/shapes.h"
+#include "test.h"
 
 /* a curve of any degree with knots up to full multiplicity, clamped or not */
 static wcut_curve *random_curve(wcut_random *random, int degree, bool rational, bool clamped) {
@@ -59,7 +60,7 @@ static double surfaces_apart(const wcut_surface *a, const wcut_surface *b) {
     return most;
 }
 
-START_TEST(a_curve_of_a_higher_degree_is_the_same) {
+TEST(a_curve_of_a_higher_degree_is_the_same) {
     wcut_random random = wcut_random_seed(4);
     for (int trial = 0; trial < 300; trial++) {
         const int degree = 1 + trial % (WCUT_DEGREE_MAX - 1);
@@ -72,9 +73,8 @@ START_TEST(a_curve_of_a_higher_degree_is_the_same) {
         wcut_curve_destroy(c);
     }
 }
-END_TEST
 
-START_TEST(a_surface_of_a_higher_degree_is_the_same) {
+TEST(a_surface_of_a_higher_degree_is_the_same) {
     wcut_surface *s = shape_torus(50, 20), *r = NULL, *t = NULL;
     ck_assert_int_eq(wcut_surface_elevate(s, WCUT_DIRECTION_U, 2, &r), WCUT_OK);
     ck_assert_int_eq(wcut_surface_elevate(r, WCUT_DIRECTION_V, 1, &t), WCUT_OK);
@@ -84,9 +84,8 @@ START_TEST(a_surface_of_a_higher_degree_is_the_same) {
     wcut_surface_destroy(r);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(knots_put_in_are_all_found_again) {
+TEST(knots_put_in_are_all_found_again) {
     wcut_random random = wcut_random_seed(5);
     for (int trial = 0; trial < 100; trial++) {
         const int degree = 1 + trial % WCUT_DEGREE_MAX;
@@ -110,9 +109,8 @@ START_TEST(knots_put_in_are_all_found_again) {
         wcut_curve_destroy(c);
     }
 }
-END_TEST
 
-START_TEST(what_knot_removal_changes_stays_within_its_bound) {
+TEST(what_knot_removal_changes_stays_within_its_bound) {
     enum { COUNT = 400 };
     wcut_vec3 p[COUNT];
     for (int i = 0; i < COUNT; i++) {
@@ -138,9 +136,8 @@ START_TEST(what_knot_removal_changes_stays_within_its_bound) {
     ck_assert_int_lt(before, 50);
     wcut_curve_destroy(c);
 }
-END_TEST
 
-START_TEST(a_lofted_sheet_loses_most_of_its_knots) {
+TEST(a_lofted_sheet_loses_most_of_its_knots) {
     enum { STATIONS = 60, NODES = 40 };
     static wcut_vec3 x[STATIONS * NODES];
     for (int j = 0; j < STATIONS; j++)
@@ -161,9 +158,8 @@ START_TEST(a_lofted_sheet_loses_most_of_its_knots) {
     wcut_surface_destroy(r);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(what_was_split_is_joined_again) {
+TEST(what_was_split_is_joined_again) {
     wcut_random random = wcut_random_seed(6);
     for (int trial = 0; trial < 60; trial++) {
         wcut_curve *c = random_curve(&random, 1 + trial % WCUT_DEGREE_MAX, trial % 2, true), *part[3] = {NULL}, *rest;
@@ -184,9 +180,8 @@ START_TEST(what_was_split_is_joined_again) {
         wcut_curve_destroy(c);
     }
 }
-END_TEST
 
-START_TEST(curves_of_unlike_degree_and_weights_are_joined_and_wide_gaps_are_told) {
+TEST(curves_of_unlike_degree_and_weights_are_joined_and_wide_gaps_are_told) {
     const double line_knots[4] = {5, 5, 9, 9};
     wcut_vec3 line[2] = {{1, 0, 0}, {1, -4, 0}}, arc[3];
     for (int i = 0; i < 3; i++) arc[2 - i] = vec3(quarter_x[i], quarter_y[i], 0); /* from (0, 1) to (1, 0) */
@@ -212,9 +207,8 @@ START_TEST(curves_of_unlike_degree_and_weights_are_joined_and_wide_gaps_are_told
     wcut_curve_destroy(a);
     wcut_curve_destroy(b);
 }
-END_TEST
 
-START_TEST(halves_of_a_surface_with_unlike_knots_are_joined) {
+TEST(halves_of_a_surface_with_unlike_knots_are_joined) {
     for (int d = 0; d < 2; d++)
         for (int which = 0; which < 2; which++) {
             const wcut_direction along = d ? WCUT_DIRECTION_V : WCUT_DIRECTION_U,
@@ -239,9 +233,8 @@ START_TEST(halves_of_a_surface_with_unlike_knots_are_joined) {
             for (int k = 0; k < 5; k++) wcut_surface_destroy(all[k]);
         }
 }
-END_TEST
 
-START_TEST(an_affine_map_moves_every_point) {
+TEST(an_affine_map_moves_every_point) {
     const wcut_affine map = {{0.8, -0.6, 0}, {0.6, 0.8, 0.3}, {0, 0.1, -2}, {5, -7, 11}};
     wcut_surface *s = shape_torus(50, 20), *r = NULL;
     ck_assert_int_eq(wcut_surface_transform(s, &map, &r), WCUT_OK);
@@ -257,9 +250,8 @@ START_TEST(an_affine_map_moves_every_point) {
     wcut_surface_destroy(r);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(what_cannot_be_reshaped_is_refused_and_nothing_is_written) {
+TEST(what_cannot_be_reshaped_is_refused_and_nothing_is_written) {
     wcut_random random = wcut_random_seed(8);
     wcut_curve *c = random_curve(&random, 6, false, true), *const mark = (wcut_curve *)&random, *r = mark;
     wcut_surface *s = shape_octant(), *const place = (wcut_surface *)&random, *t = place;
@@ -292,7 +284,6 @@ START_TEST(what_cannot_be_reshaped_is_refused_and_nothing_is_written) {
     wcut_curve_destroy(c);
     wcut_surface_destroy(s);
 }
-END_TEST
 
 static wcut_status reshape(int which, const wcut_surface *s, const wcut_curve *c, wcut_surface **t, wcut_curve **r,
                            double *value) {
@@ -318,50 +309,18 @@ static wcut_status reshape(int which, const wcut_surface *s, const wcut_curve *c
     }
 }
 
-START_TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
+TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
     wcut_random random = wcut_random_seed(9);
     wcut_curve *c = random_curve(&random, 3, true, false);
     wcut_surface *s = shape_cylinder(20, 50);
-    for (int which = 0; which < 8; which++)
-        for (int k = 1;; k++) {
-            wcut_curve *const mark = (wcut_curve *)&random, *r = mark;
-            wcut_surface *const place = (wcut_surface *)&random, *t = place;
-            double value = 999;
-            wcut_alloc_fail_at(k);
-            const wcut_status status = reshape(which, s, c, &t, &r, &value);
-            wcut_alloc_fail_at(0);
-            if (status == WCUT_OK) {
-                ck_assert_int_gt(k, 3);
-                if (r != mark) wcut_curve_destroy(r);
-                if (t != place) wcut_surface_destroy(t);
-                break;
-            }
-            ck_assert_int_eq(status, WCUT_NO_MEMORY);
-            ck_assert(r == mark && t == place);
-        }
+    for (int which = 0; which < 8; which++) {
+        wcut_curve *const mark = (wcut_curve *)&random, *r = mark;
+        wcut_surface *const place = (wcut_surface *)&random, *t = place;
+        double value = 999;
+        EACH_FAILED_ALLOCATION(reshape(which, s, c, &t, &r, &value), r == mark && t == place);
+        if (r != mark) wcut_curve_destroy(r);
+        if (t != place) wcut_surface_destroy(t);
+    }
     wcut_curve_destroy(c);
     wcut_surface_destroy(s);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("reshape");
-    TCase *tcase = tcase_create("shapes");
-    tcase_add_test(tcase, a_curve_of_a_higher_degree_is_the_same);
-    tcase_add_test(tcase, a_surface_of_a_higher_degree_is_the_same);
-    tcase_add_test(tcase, knots_put_in_are_all_found_again);
-    tcase_add_test(tcase, what_knot_removal_changes_stays_within_its_bound);
-    tcase_add_test(tcase, a_lofted_sheet_loses_most_of_its_knots);
-    tcase_add_test(tcase, what_was_split_is_joined_again);
-    tcase_add_test(tcase, curves_of_unlike_degree_and_weights_are_joined_and_wide_gaps_are_told);
-    tcase_add_test(tcase, halves_of_a_surface_with_unlike_knots_are_joined);
-    tcase_add_test(tcase, an_affine_map_moves_every_point);
-    tcase_add_test(tcase, what_cannot_be_reshaped_is_refused_and_nothing_is_written);
-    tcase_add_test(tcase, every_failing_allocation_is_reported_and_nothing_is_written);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

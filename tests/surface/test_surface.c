@@ -6,8 +6,9 @@
 #include "base/alloc.h"
 #include "base/random.h"
 #include "surface/shapes.h"
+#include "test.h"
 
-START_TEST(mixed_derivatives_to_third_order_are_the_spheres) {
+TEST(mixed_derivatives_to_third_order_are_the_spheres) {
     wcut_surface *s = shape_octant();
     for (int a = 0; a <= 20; a++)
         for (int b = 0; b <= 20; b++) {
@@ -24,9 +25,8 @@ START_TEST(mixed_derivatives_to_third_order_are_the_spheres) {
         }
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(sphere_cylinder_and_torus_are_exact) {
+TEST(sphere_cylinder_and_torus_are_exact) {
     wcut_surface *sphere = shape_sphere(50), *cylinder = shape_cylinder(50, 80), *torus = shape_torus(50, 20);
     wcut_random random = wcut_random_seed(7);
     for (int k = 0; k < 20000; k++) {
@@ -44,9 +44,8 @@ START_TEST(sphere_cylinder_and_torus_are_exact) {
     wcut_surface_destroy(cylinder);
     wcut_surface_destroy(torus);
 }
-END_TEST
 
-START_TEST(a_grid_gives_what_single_points_give) {
+TEST(a_grid_gives_what_single_points_give) {
     enum { U = 37, V = 23 };
     static wcut_vec3 grid[U * V];
     double u[U], v[V];
@@ -62,9 +61,8 @@ START_TEST(a_grid_gives_what_single_points_give) {
         }
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(what_is_no_surface_is_refused_and_nothing_is_written) {
+TEST(what_is_no_surface_is_refused_and_nothing_is_written) {
     const double knots[4] = {0, 0, 1, 1}, bad_knots[4] = {0, 0, 0, 0}, weights[4] = {1, 1, -1, 1};
     wcut_vec3 p[4] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
     wcut_surface *const mark = (wcut_surface *)&knots, *s = mark;
@@ -81,9 +79,8 @@ START_TEST(what_is_no_surface_is_refused_and_nothing_is_written) {
     ck_assert_int_eq(wcut_surface_create(1, 1, 2, 2, knots, knots, p, NULL, &s), WCUT_BAD_ARGUMENT);
     ck_assert_ptr_eq(s, mark);
 }
-END_TEST
 
-START_TEST(evaluation_refuses_what_it_does_not_know) {
+TEST(evaluation_refuses_what_it_does_not_know) {
     wcut_surface *s = shape_octant();
     wcut_vec3 d[16] = {{999, 999, 999}};
     const double u[2] = {0, NAN};
@@ -100,7 +97,6 @@ START_TEST(evaluation_refuses_what_it_does_not_know) {
     ck_assert(d[0].x == 999);
     wcut_surface_destroy(s);
 }
-END_TEST
 
 /* worst distance of a loft's nodes from where they were */
 static double nodes_back(int stations, int nodes, const wcut_vec3 *x, double merge) {
@@ -119,7 +115,7 @@ static double nodes_back(int stations, int nodes, const wcut_vec3 *x, double mer
     return worst;
 }
 
-START_TEST(a_loft_of_any_size_gives_its_nodes_back) {
+TEST(a_loft_of_any_size_gives_its_nodes_back) {
     enum { MOST = 41 };
     static wcut_vec3 x[MOST * MOST];
     wcut_random random = wcut_random_seed(11);
@@ -135,9 +131,8 @@ START_TEST(a_loft_of_any_size_gives_its_nodes_back) {
             ck_assert_double_lt(nodes_back(stations, nodes, x, 0), 1e-9);
         }
 }
-END_TEST
 
-START_TEST(sections_that_share_a_mount_or_close_upon_themselves_are_lofted) {
+TEST(sections_that_share_a_mount_or_close_upon_themselves_are_lofted) {
     enum { STATIONS = 30, NODES = 20 };
     static wcut_vec3 x[STATIONS * NODES];
     for (int j = 0; j < STATIONS; j++)
@@ -148,9 +143,8 @@ START_TEST(sections_that_share_a_mount_or_close_upon_themselves_are_lofted) {
     for (int i = 0; i < NODES; i++) x[(STATIONS - 1) * NODES + i] = x[i];
     ck_assert_double_lt(nodes_back(STATIONS, NODES, x, 1e-6), 1e-9);
 }
-END_TEST
 
-START_TEST(a_loft_through_a_plane_lies_in_it) {
+TEST(a_loft_through_a_plane_lies_in_it) {
     enum { STATIONS = 25, NODES = 17 };
     static wcut_vec3 x[STATIONS * NODES];
     for (int j = 0; j < STATIONS; j++)
@@ -168,7 +162,6 @@ START_TEST(a_loft_through_a_plane_lies_in_it) {
         }
     wcut_surface_destroy(s);
 }
-END_TEST
 
 /* worst distance between the sheet and the loft through sections of it at t[] */
 static double loft_error(int stations, int nodes, const double *t) {
@@ -206,7 +199,7 @@ static void place_stations(int stations, int how, double *t) {
     }
 }
 
-START_TEST(a_loft_follows_its_sheet_however_its_sections_are_spaced) {
+TEST(a_loft_follows_its_sheet_however_its_sections_are_spaced) {
     static const char *const name[4] = {"even", "jittered", "alternating 20:1", "growing 1:20"};
     const double most[4] = {0.004, 0.004, 0.004, 0.04};
     for (int how = 0; how < 4; how++) {
@@ -217,9 +210,8 @@ START_TEST(a_loft_follows_its_sheet_however_its_sections_are_spaced) {
         ck_assert_msg(error < most[how], "%s: %g mm", name[how], error);
     }
 }
-END_TEST
 
-START_TEST(a_loft_converges_with_the_fourth_order) {
+TEST(a_loft_converges_with_the_fourth_order) {
     double t[121];
     place_stations(61, 0, t);
     const double coarse = loft_error(61, 26, t);
@@ -227,7 +219,6 @@ START_TEST(a_loft_converges_with_the_fourth_order) {
     const double order = log2(coarse / loft_error(121, 51, t));
     ck_assert_msg(order > 3.6, "order %.2f from %g mm", order, coarse);
 }
-END_TEST
 
 enum { STATIONS = 12, NODES = 9 };
 static wcut_vec3 sections[STATIONS * NODES];
@@ -245,7 +236,7 @@ static void repeat_section(int j, double by) {
     }
 }
 
-START_TEST(repeated_and_nearly_coincident_sections_are_dropped_and_counted) {
+TEST(repeated_and_nearly_coincident_sections_are_dropped_and_counted) {
     given_sections();
     repeat_section(3, 0);
     repeat_section(7, 1e-4);
@@ -263,9 +254,8 @@ START_TEST(repeated_and_nearly_coincident_sections_are_dropped_and_counted) {
     ck_assert(report.used == STATIONS - 2 && report.dropped == 2 && v[7] > v[6] && v[8] > v[7]);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(a_slow_drift_is_not_dropped_whole) {
+TEST(a_slow_drift_is_not_dropped_whole) {
     given_sections();
     for (int j = 1; j < STATIONS; j++) repeat_section(j, 0.4);
     wcut_loft_report report = {999, 999};
@@ -274,9 +264,8 @@ START_TEST(a_slow_drift_is_not_dropped_whole) {
     ck_assert(report.used == 4 && report.dropped == 8); /* stations 0, 3, 6, 9 */
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(what_cannot_be_lofted_is_refused_and_nothing_is_written) {
+TEST(what_cannot_be_lofted_is_refused_and_nothing_is_written) {
     wcut_surface *const mark = (wcut_surface *)&sections, *s = mark;
     double v[STATIONS];
     wcut_loft_report report = {999, 999};
@@ -299,62 +288,21 @@ START_TEST(what_cannot_be_lofted_is_refused_and_nothing_is_written) {
     ck_assert_int_eq(wcut_surface_loft(STATIONS, NODES, sections, 0, &s, v, &report), WCUT_DEGENERATE);
     ck_assert(s == mark && v[0] == 999 && v[STATIONS - 1] == 999 && report.used == 999 && report.dropped == 999);
 }
-END_TEST
 
-START_TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
+TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
     given_sections();
     const double knots[4] = {0, 0, 1, 1}, weights[4] = {1, 2, 1, 1};
     wcut_surface *const mark = (wcut_surface *)&sections, *octant = shape_octant();
-    for (int which = 0; which < 3; which++)
-        for (int k = 1;; k++) {
-            wcut_surface *s = mark;
-            wcut_loft_report report = {999, 999};
-            double v[STATIONS] = {999};
-            wcut_vec3 grid[4] = {{999, 0, 0}};
-            wcut_status status;
-            wcut_alloc_fail_at(k);
-            if (which == 0) {
-                status = wcut_surface_loft(STATIONS, NODES, sections, 0, &s, v, &report);
-            } else if (which == 1) {
-                status = wcut_surface_create(1, 1, 2, 2, knots, knots, sections, weights, &s);
-            } else {
-                status = wcut_surface_eval_grid(octant, 2, knots + 1, 2, knots + 1, grid);
-            }
-            wcut_alloc_fail_at(0);
-            if (status == WCUT_OK) {
-                ck_assert_int_gt(k, 4);
-                if (s != mark) wcut_surface_destroy(s);
-                break;
-            }
-            ck_assert_int_eq(status, WCUT_NO_MEMORY);
-            ck_assert(s == mark && report.used == 999 && v[0] == 999 && grid[0].x == 999);
-        }
+    wcut_surface *s = mark;
+    wcut_loft_report report = {999, 999};
+    double v[STATIONS] = {999};
+    wcut_vec3 grid[4] = {{999, 0, 0}};
+    EACH_FAILED_ALLOCATION(wcut_surface_loft(STATIONS, NODES, sections, 0, &s, v, &report),
+                           s == mark && report.used == 999 && v[0] == 999);
+    wcut_surface_destroy(s);
+    s = mark;
+    EACH_FAILED_ALLOCATION(wcut_surface_create(1, 1, 2, 2, knots, knots, sections, weights, &s), s == mark);
+    wcut_surface_destroy(s);
+    EACH_FAILED_ALLOCATION(wcut_surface_eval_grid(octant, 2, knots + 1, 2, knots + 1, grid), grid[0].x == 999);
     wcut_surface_destroy(octant);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("surface");
-    TCase *shapes = tcase_create("shapes"), *loft = tcase_create("loft");
-    tcase_add_test(shapes, mixed_derivatives_to_third_order_are_the_spheres);
-    tcase_add_test(shapes, sphere_cylinder_and_torus_are_exact);
-    tcase_add_test(shapes, a_grid_gives_what_single_points_give);
-    tcase_add_test(shapes, what_is_no_surface_is_refused_and_nothing_is_written);
-    tcase_add_test(shapes, evaluation_refuses_what_it_does_not_know);
-    tcase_add_test(loft, a_loft_of_any_size_gives_its_nodes_back);
-    tcase_add_test(loft, sections_that_share_a_mount_or_close_upon_themselves_are_lofted);
-    tcase_add_test(loft, a_loft_through_a_plane_lies_in_it);
-    tcase_add_test(loft, a_loft_follows_its_sheet_however_its_sections_are_spaced);
-    tcase_add_test(loft, a_loft_converges_with_the_fourth_order);
-    tcase_add_test(loft, repeated_and_nearly_coincident_sections_are_dropped_and_counted);
-    tcase_add_test(loft, a_slow_drift_is_not_dropped_whole);
-    tcase_add_test(loft, what_cannot_be_lofted_is_refused_and_nothing_is_written);
-    tcase_add_test(loft, every_failing_allocation_is_reported_and_nothing_is_written);
-    suite_add_tcase(suite, shapes);
-    suite_add_tcase(suite, loft);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -7,6 +7,7 @@
 #include "base/random.h"
 #include "surface/chord_error.h"
 #include "surface/shapes.h"
+#include "test.h"
 
 enum { SIZE = 40 };
 
@@ -86,7 +87,7 @@ static void check_held(const char *name, wcut_surface *s) {
     wcut_surface_destroy(s);
 }
 
-START_TEST(the_tolerance_is_held_where_nobody_looked_before) {
+TEST(the_tolerance_is_held_where_nobody_looked_before) {
     check_held("sheet", loft_of(sheet_point));
     check_held("twisted", loft_of(twisted_plane));
     check_held("ridge", loft_of(ridge));
@@ -95,9 +96,8 @@ START_TEST(the_tolerance_is_held_where_nobody_looked_before) {
     check_held("cylinder", shape_cylinder(100, 300));
     check_held("torus", shape_torus(100, 30));
 }
-END_TEST
 
-START_TEST(the_inscribed_polyhedron_of_a_sphere_lies_within_the_tolerance) {
+TEST(the_inscribed_polyhedron_of_a_sphere_lies_within_the_tolerance) {
     wcut_surface *s = shape_sphere(100);
     wcut_mesh *m = NULL;
     ck_assert_int_eq(wcut_surface_tessellate(s, 0.1, &m, NULL), WCUT_OK);
@@ -116,9 +116,8 @@ START_TEST(the_inscribed_polyhedron_of_a_sphere_lies_within_the_tolerance) {
     wcut_mesh_destroy(m);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(a_plane_is_two_triangles_and_a_crease_is_a_line_of_the_grid) {
+TEST(a_plane_is_two_triangles_and_a_crease_is_a_line_of_the_grid) {
     const double knots[5] = {0, 0, 0.3, 1, 1}, straight[4] = {0, 0, 1, 1};
     wcut_vec3 p[6] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}};
     wcut_surface *s = NULL;
@@ -140,10 +139,9 @@ START_TEST(a_plane_is_two_triangles_and_a_crease_is_a_line_of_the_grid) {
     wcut_mesh_destroy(m);
     wcut_surface_destroy(s);
 }
-END_TEST
 
 /* a flat surface, one control point of which is lifted: no coarse sample comes near it */
-START_TEST(a_narrow_bump_is_not_missed) {
+TEST(a_narrow_bump_is_not_missed) {
     enum { COUNT = 200 };
     static wcut_vec3 x[COUNT * COUNT];
     double knots[COUNT + 4];
@@ -154,9 +152,8 @@ START_TEST(a_narrow_bump_is_not_missed) {
     ck_assert_int_eq(wcut_surface_create(3, 3, COUNT, COUNT, knots, knots, x, NULL, &s), WCUT_OK);
     check_held("bump", s);
 }
-END_TEST
 
-START_TEST(a_surface_without_area_is_degenerate) {
+TEST(a_surface_without_area_is_degenerate) {
     const double knots[4] = {0, 0, 1, 1};
     const wcut_vec3 point[4] = {{5, 5, 5}, {5, 5, 5}, {5, 5, 5}, {5, 5, 5}};
     const wcut_vec3 line[4] = {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}};
@@ -171,9 +168,8 @@ START_TEST(a_surface_without_area_is_degenerate) {
         wcut_surface_destroy(s);
     }
 }
-END_TEST
 
-START_TEST(a_cone_keeps_no_triangle_at_its_tip) {
+TEST(a_cone_keeps_no_triangle_at_its_tip) {
     const double knots[4] = {0, 0, 1, 1}, x[2] = {0, 30}, z[2] = {0, 30}, w[2] = {1, 1};
     wcut_surface *s = shape_revolve(1, 2, knots, x, z, w);
     wcut_mesh *m = NULL;
@@ -184,9 +180,8 @@ START_TEST(a_cone_keeps_no_triangle_at_its_tip) {
     wcut_mesh_destroy(m);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(a_tolerance_out_of_reach_or_out_of_range_is_refused) {
+TEST(a_tolerance_out_of_reach_or_out_of_range_is_refused) {
     wcut_surface *s = shape_sphere(100);
     wcut_mesh *const mark = (wcut_mesh *)&circle_knots, *m = mark;
     wcut_tessellation_report r = {999, 999, 999};
@@ -200,9 +195,8 @@ START_TEST(a_tolerance_out_of_reach_or_out_of_range_is_refused) {
     ck_assert(m == mark && r.rows == 999);
     wcut_surface_destroy(s);
 }
-END_TEST
 
-START_TEST(a_point_finds_its_distance_to_a_triangle) {
+TEST(a_point_finds_its_distance_to_a_triangle) {
     wcut_random random = wcut_random_seed(19);
     for (int k = 0; k < 300; k++) {
         wcut_vec3 c[4];
@@ -220,9 +214,8 @@ START_TEST(a_point_finds_its_distance_to_a_triangle) {
         ck_assert(distance <= least + 1e-12 && distance >= least - 0.05);
     }
 }
-END_TEST
 
-START_TEST(a_nodal_field_is_carried_over_bilinearly) {
+TEST(a_nodal_field_is_carried_over_bilinearly) {
     enum { STATIONS = 8, NODES = 5 };
     wcut_vec3 x[STATIONS * NODES];
     double field[STATIONS * NODES], v[STATIONS];
@@ -243,9 +236,8 @@ START_TEST(a_nodal_field_is_carried_over_bilinearly) {
     wcut_surface_destroy(s);
     wcut_mesh_destroy(m);
 }
-END_TEST
 
-START_TEST(a_field_that_does_not_fit_is_refused_and_the_mesh_stays) {
+TEST(a_field_that_does_not_fit_is_refused_and_the_mesh_stays) {
     double v[3] = {0, 0.5, 1}, field[6] = {1, 2, 3, 4, 5, 6}, uv[2] = {0.5, 0.5};
     wcut_mesh m = {.vertex_count = 1, .uv = uv};
     const double back[3] = {0, 1, 0.5}, none[3] = {0, NAN, 1};
@@ -267,71 +259,27 @@ START_TEST(a_field_that_does_not_fit_is_refused_and_the_mesh_stays) {
     wcut_alloc_fail_at(0);
     ck_assert_ptr_null(m.scalar);
 }
-END_TEST
 
-START_TEST(a_mesh_is_made_to_measure) {
+TEST(a_mesh_is_made_to_measure) {
     wcut_mesh *const mark = (wcut_mesh *)&circle_knots, *m = mark;
     ck_assert_int_eq(wcut_mesh_create(-1, 0, 0, &m), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_mesh_create(0, -1, 0, &m), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_mesh_create(0, INT32_MAX / 2, 0, &m), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_mesh_create(3, 1, 8, &m), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_mesh_create(3, 1, 0, NULL), WCUT_BAD_ARGUMENT);
-    for (int k = 1;; k++) {
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_mesh_create(3, 1, WCUT_MESH_NORMAL | WCUT_MESH_UV | WCUT_MESH_SCALAR, &m);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) break;
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert_ptr_eq(m, mark);
-    }
+    EACH_FAILED_ALLOCATION(wcut_mesh_create(3, 1, WCUT_MESH_NORMAL | WCUT_MESH_UV | WCUT_MESH_SCALAR, &m), m == mark);
     ck_assert(m->vertex[2].z == 0 && m->normal && m->uv && m->scalar && m->triangle[2] == 0);
     wcut_mesh_destroy(m);
     ck_assert_int_eq(wcut_mesh_create(0, 0, 0, &m), WCUT_OK);
     ck_assert(!m->normal && !m->uv && !m->scalar);
     wcut_mesh_destroy(m);
 }
-END_TEST
 
-START_TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
+TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
     wcut_surface *s = loft_of(sheet_point);
-    for (int k = 1;; k++) {
-        wcut_mesh *const mark = (wcut_mesh *)&circle_knots, *m = mark;
-        wcut_tessellation_report r = {999, 999, 999};
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_surface_tessellate(s, 1, &m, &r);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) {
-            ck_assert_int_gt(k, 25);
-            wcut_mesh_destroy(m);
-            break;
-        }
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert(m == mark && r.rows == 999);
-    }
+    wcut_mesh *const mark = (wcut_mesh *)&circle_knots, *m = mark;
+    wcut_tessellation_report r = {999, 999, 999};
+    EACH_FAILED_ALLOCATION(wcut_surface_tessellate(s, 1, &m, &r), m == mark && r.rows == 999);
+    wcut_mesh_destroy(m);
     wcut_surface_destroy(s);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("tessellate");
-    TCase *grid = tcase_create("grid"), *mesh = tcase_create("mesh");
-    tcase_add_test(grid, the_tolerance_is_held_where_nobody_looked_before);
-    tcase_add_test(grid, the_inscribed_polyhedron_of_a_sphere_lies_within_the_tolerance);
-    tcase_add_test(grid, a_plane_is_two_triangles_and_a_crease_is_a_line_of_the_grid);
-    tcase_add_test(grid, a_narrow_bump_is_not_missed);
-    tcase_add_test(grid, a_surface_without_area_is_degenerate);
-    tcase_add_test(grid, a_cone_keeps_no_triangle_at_its_tip);
-    tcase_add_test(grid, a_tolerance_out_of_reach_or_out_of_range_is_refused);
-    tcase_add_test(grid, a_point_finds_its_distance_to_a_triangle);
-    tcase_add_test(grid, every_failing_allocation_is_reported_and_nothing_is_written);
-    tcase_add_test(mesh, a_nodal_field_is_carried_over_bilinearly);
-    tcase_add_test(mesh, a_field_that_does_not_fit_is_refused_and_the_mesh_stays);
-    tcase_add_test(mesh, a_mesh_is_made_to_measure);
-    suite_add_tcase(suite, grid);
-    suite_add_tcase(suite, mesh);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -1,12 +1,12 @@
 /* Both ways to a chain's equilibrium, the fixed point (7)-(8) and Newton on the convex dual, against closed forms: the
    catenary, the circular arc, the parabola; against each other; and against scipy. labels: unit oracle */
-#include <check.h>
 #include <stdlib.h>
 #include <wirecut/equilibrium.h>
 #include <wirecut/force_density.h>
 
 #include "base/numbers.h"
 #include "base/vec3.h"
+#include "test.h"
 #include "wire/equilibrium_table.h"
 
 enum { MOST = 3201 };
@@ -85,7 +85,7 @@ static double parabola_excess(double c, double chord, double total) {
     return (p * hypot(1, p) + asinh(p)) / c - total;
 }
 
-START_TEST(an_even_load_per_arc_length_hangs_a_catenary_with_order_two) {
+TEST(an_even_load_per_arc_length_hangs_a_catenary_with_order_two) {
     const double inverse = root_of(catenary_excess, 400, 450, 1e-6, 1);
     const double sag = (cosh(200 * inverse) - 1) / inverse;
     double before = 0;
@@ -99,10 +99,9 @@ START_TEST(an_even_load_per_arc_length_hangs_a_catenary_with_order_two) {
     }
     ck_assert_double_lt(before, 1e-3);
 }
-END_TEST
 
 /* Nodes on a circle, edges 2 R sin(phi / 2): radial forces 2 T sin(phi / 2) balance an even tension T exactly. */
-START_TEST(an_even_load_across_the_wire_hangs_the_circular_arc_that_it_was_computed_from) {
+TEST(an_even_load_across_the_wire_hangs_the_circular_arc_that_it_was_computed_from) {
     const int n = 61;
     const double opening[] = {0.2, 1.5, 3, 5}; /* rad: from nearly straight to far around */
     for (int k = 0; k < 4; k++) {
@@ -124,11 +123,10 @@ START_TEST(an_even_load_across_the_wire_hangs_the_circular_arc_that_it_was_compu
         ck_assert_double_lt(difference_of(n, other, circle), 1e-9);
     }
 }
-END_TEST
 
 /* On y = c x^2 / 2 the slopes of two edges differ by c times half the span beside their node: any polygon in a parabola
    balances a load even over the span, and edges need not be alike. */
-START_TEST(an_even_load_over_the_span_hangs_the_parabola_that_it_was_computed_from) {
+TEST(an_even_load_over_the_span_hangs_the_parabola_that_it_was_computed_from) {
     const int n = 31;
     const double c = 0.004, horizontal = 1.5;
     given_a_chain(n, 400, 450);
@@ -147,9 +145,8 @@ START_TEST(an_even_load_over_the_span_hangs_the_parabola_that_it_was_computed_fr
     solve_by_fixed_point(n);
     ck_assert_double_lt(difference_of(n, other, parabola), 1e-8);
 }
-END_TEST
 
-START_TEST(an_even_load_over_the_span_of_equal_edges_tends_to_the_parabola_with_order_two) {
+TEST(an_even_load_over_the_span_of_equal_edges_tends_to_the_parabola_with_order_two) {
     const double c = root_of(parabola_excess, 400, 450, 1e-6, 1), sag = c * 400 * 400 / 8;
     ck_assert_double_eq_tol(sag, 91.1828, 5e-5);
     double before = 0;
@@ -165,9 +162,8 @@ START_TEST(an_even_load_over_the_span_of_equal_edges_tends_to_the_parabola_with_
         before = error;
     }
 }
-END_TEST
 
-START_TEST(from_however_straight_a_wire_newton_needs_ten_steps_where_the_fixed_point_needs_thousands) {
+TEST(from_however_straight_a_wire_newton_needs_ten_steps_where_the_fixed_point_needs_thousands) {
     const struct {
         double slack;
         int rounds; /* of the fixed point, 8 over the slack where that is small */
@@ -184,9 +180,8 @@ START_TEST(from_however_straight_a_wire_newton_needs_ten_steps_where_the_fixed_p
         ck_assert_double_lt(difference_of(n, x, other), 1e-8);
     }
 }
-END_TEST
 
-START_TEST(a_chain_of_thousands_of_nodes_takes_no_more_steps_than_a_short_one) {
+TEST(a_chain_of_thousands_of_nodes_takes_no_more_steps_than_a_short_one) {
     const double slack[] = {1.125, 1.02, 1.0005};
     for (int k = 0; k < 3; k++)
         for (int n = 201; n <= MOST; n = 2 * n - 1)
@@ -197,9 +192,8 @@ START_TEST(a_chain_of_thousands_of_nodes_takes_no_more_steps_than_a_short_one) {
                 ck_assert_int_le(solve_by_newton(n), 12);
             }
 }
-END_TEST
 
-START_TEST(chains_in_space_have_the_shapes_and_tensions_that_scipy_finds) {
+TEST(chains_in_space_have_the_shapes_and_tensions_that_scipy_finds) {
     for (int k = 0; k < TABLE_CHAINS; k++) {
         const int n = TABLE_NODES;
         given_a_chain(n, 1, 1);
@@ -221,9 +215,8 @@ START_TEST(chains_in_space_have_the_shapes_and_tensions_that_scipy_finds) {
         ck_assert_double_lt(difference_of(n, other, expected), 1e-8);
     }
 }
-END_TEST
 
-START_TEST(turning_chain_and_load_turns_the_shape) {
+TEST(turning_chain_and_load_turns_the_shape) {
     const int n = 41;
     given_a_chain(n, 400, 450);
     for (int i = 0; i < n; i++) force[i] = vec3(0.01 * sin(i), 0.1, 0.03 * cos(2 * i));
@@ -236,9 +229,8 @@ START_TEST(turning_chain_and_load_turns_the_shape) {
     solve_by_newton(n);
     ck_assert_double_lt(difference_of(n, x, other), 1e-11);
 }
-END_TEST
 
-START_TEST(a_wire_no_longer_than_its_chord_or_without_load_is_degenerate_and_nothing_is_written) {
+TEST(a_wire_no_longer_than_its_chord_or_without_load_is_degenerate_and_nothing_is_written) {
     for (int k = 0; k < 2; k++) {
         given_a_chain(11, 400, k == 0 ? 400 : 450);
         if (k == 0) load_evenly(11, 2);
@@ -247,9 +239,8 @@ START_TEST(a_wire_no_longer_than_its_chord_or_without_load_is_degenerate_and_not
         ck_assert(x[5].x == 999 && q[5] == 999 && report.iterations == 999);
     }
 }
-END_TEST
 
-START_TEST(bad_arguments_are_refused_and_nothing_is_written) {
+TEST(bad_arguments_are_refused_and_nothing_is_written) {
     for (int k = 0; k < 10; k++) {
         given_a_chain(11, 400, 450);
         load_evenly(11, 2);
@@ -267,9 +258,8 @@ START_TEST(bad_arguments_are_refused_and_nothing_is_written) {
         ck_assert(x[5].x == 999 && q[5] == 999);
     }
 }
-END_TEST
 
-START_TEST(stopped_early_it_says_so_and_hands_out_the_last_iterate) {
+TEST(stopped_early_it_says_so_and_hands_out_the_last_iterate) {
     given_a_chain(41, 400, 600);
     for (int i = 0; i < 41; i++) force[i] = vec3(0.05 * sin(7 * i), 0.1, 0.05 * cos(3 * i));
     const wcut_equilibrium_options options = {.tolerance = 1e-12, .max_iterations = 1};
@@ -278,31 +268,4 @@ START_TEST(stopped_early_it_says_so_and_hands_out_the_last_iterate) {
     ck_assert_int_eq(report.iterations, 1);
     ck_assert(vec3_all_finite(41, x) && all_finite(40, q));
     ck_assert_double_gt(fmax(report.strain, report.unbalance), 1e-12);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("equilibrium");
-    TCase *closed = tcase_create("closed forms");
-    tcase_add_test(closed, an_even_load_per_arc_length_hangs_a_catenary_with_order_two);
-    tcase_add_test(closed, an_even_load_across_the_wire_hangs_the_circular_arc_that_it_was_computed_from);
-    tcase_add_test(closed, an_even_load_over_the_span_hangs_the_parabola_that_it_was_computed_from);
-    tcase_add_test(closed, an_even_load_over_the_span_of_equal_edges_tends_to_the_parabola_with_order_two);
-    suite_add_tcase(suite, closed);
-    TCase *both = tcase_create("against each other and scipy");
-    tcase_add_test(both, from_however_straight_a_wire_newton_needs_ten_steps_where_the_fixed_point_needs_thousands);
-    tcase_add_test(both, a_chain_of_thousands_of_nodes_takes_no_more_steps_than_a_short_one);
-    tcase_add_test(both, chains_in_space_have_the_shapes_and_tensions_that_scipy_finds);
-    tcase_add_test(both, turning_chain_and_load_turns_the_shape);
-    suite_add_tcase(suite, both);
-    TCase *edges = tcase_create("edges");
-    tcase_add_test(edges, a_wire_no_longer_than_its_chord_or_without_load_is_degenerate_and_nothing_is_written);
-    tcase_add_test(edges, bad_arguments_are_refused_and_nothing_is_written);
-    tcase_add_test(edges, stopped_early_it_says_so_and_hands_out_the_last_iterate);
-    suite_add_tcase(suite, edges);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -1,9 +1,7 @@
 /* CSV text to tables: numbers to the last bit, missing samples, and every way to be malformed. */
-#include <check.h>
 #include <locale.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
@@ -12,6 +10,7 @@
 #include "io/file/csv.h"
 #include "io/file/decimal.h"
 #include "io/file/read_file.h"
+#include "test.h"
 
 static const char *const numeric[] = {"x", "y"};
 static wcut_table *table;
@@ -36,7 +35,7 @@ static void refused(const char *text, const char *words) {
     ck_assert_msg(strstr(error.text, words) != NULL, "found: %s\nexpected: %s", error.text, words);
 }
 
-START_TEST(columns_come_back_by_name_and_value) {
+TEST(columns_come_back_by_name_and_value) {
     ck_assert_int_eq(parse("x,y\n1,2\n-3.5,4e2\n"), WCUT_OK);
     ck_assert_int_eq(table->rows, 2);
     ck_assert_int_eq(table->columns, 2);
@@ -48,9 +47,8 @@ START_TEST(columns_come_back_by_name_and_value) {
     ck_assert_int_eq(wcut_table_locate(NULL, "x"), -1);
     forget();
 }
-END_TEST
 
-START_TEST(comments_empty_lines_mark_crlf_quotes_and_blanks_are_tolerated) {
+TEST(comments_empty_lines_mark_crlf_quotes_and_blanks_are_tolerated) {
     ck_assert_int_eq(parse("\xef\xbb\xbf# by the machine\r\n\r\n\"x\", y ,\"a, \"\"b\"\"\nc\"\r\n"
                            "# here too\r\n 1 ,\"2\",\t3\r\n\n4,5,6"),
                      WCUT_OK);
@@ -61,36 +59,32 @@ START_TEST(comments_empty_lines_mark_crlf_quotes_and_blanks_are_tolerated) {
     ck_assert_int_eq(table->line[1], 8);
     forget();
 }
-END_TEST
 
-START_TEST(an_empty_field_or_nan_is_missing_and_is_no_number) {
+TEST(an_empty_field_or_nan_is_missing_and_is_no_number) {
     ck_assert_int_eq(parse("x,y\n1,\n,NaN\n3,\"\"\n"), WCUT_OK);
     const wcut_column *x = &table->column[0], *y = &table->column[1];
     ck_assert(x->missing == 1 && x->present[0] == 1 && x->present[1] == 0 && x->present[2] == 1 && x->value[1] == 0);
     ck_assert(y->missing == 3 && y->text == 0 && y->value[0] == 0 && y->value[1] == 0 && y->value[2] == 0);
     forget();
 }
-END_TEST
 
-START_TEST(text_in_an_unknown_column_is_kept_as_missing_and_counted) {
+TEST(text_in_an_unknown_column_is_kept_as_missing_and_counted) {
     ck_assert_int_eq(parse("x,y,note\n1,2,first\n3,4,\n5,6,1e999\n7,8,9\n"), WCUT_OK);
     ck_assert_int_eq(table->column[2].missing, 3);
     ck_assert_int_eq(table->column[2].text, 2);
     ck_assert(table->column[2].value[3] == 9);
     forget();
 }
-END_TEST
 
-START_TEST(no_rows_are_a_table_too) {
+TEST(no_rows_are_a_table_too) {
     ck_assert_int_eq(parse("x,y"), WCUT_OK);
     ck_assert(table->rows == 0 && table->columns == 2);
     ck_assert_int_eq(parse("x,y\n"), WCUT_OK);
     ck_assert_int_eq(table->rows, 0);
     forget();
 }
-END_TEST
 
-START_TEST(malformed_text_is_refused_with_line_column_and_what_was_expected) {
+TEST(malformed_text_is_refused_with_line_column_and_what_was_expected) {
     refused("", "line 1, column 1: found no header");
     refused("# only words\n", "found no header");
     refused("1,2\n3,4\n", "the names of the columns");
@@ -117,13 +111,11 @@ START_TEST(malformed_text_is_refused_with_line_column_and_what_was_expected) {
     for (int c = 0; c < 1001; c++) memcpy(wide + 2 * c, "a,", 2);
     refused(wide, "named once");
 }
-END_TEST
 
-START_TEST(a_message_is_one_printable_line_whatever_the_file_holds) {
+TEST(a_message_is_one_printable_line_whatever_the_file_holds) {
     refused("x,y\n1,\"\x1b[31m\nred\"\n", "\\x1b");
     ck_assert_ptr_null(strchr(error.text, '\n'));
 }
-END_TEST
 
 /* the C library is the oracle: it rounds correctly */
 static void as_strtod(const char *text) {
@@ -133,7 +125,7 @@ static void as_strtod(const char *text) {
                   value, wanted);
 }
 
-START_TEST(numbers_of_every_shape_are_the_nearest_double) {
+TEST(numbers_of_every_shape_are_the_nearest_double) {
     const char *const text[] = {"0",
                                 "-0",
                                 "+1",
@@ -180,9 +172,8 @@ START_TEST(numbers_of_every_shape_are_the_nearest_double) {
         as_strtod(buffer);
     }
 }
-END_TEST
 
-START_TEST(halfway_cases_round_to_even) {
+TEST(halfway_cases_round_to_even) {
     /* m + 1/2 in units of the last place, written out: 54-bit odd integers over powers of two */
     wcut_random random = wcut_random_seed(12);
     char buffer[80];
@@ -196,9 +187,8 @@ START_TEST(halfway_cases_round_to_even) {
         as_strtod(buffer);
     }
 }
-END_TEST
 
-START_TEST(text_that_is_no_number_is_not_touched) {
+TEST(text_that_is_no_number_is_not_touched) {
     const char *const text[] = {"", "-", "+", ".", "e5", "-.e1", "nan", "inf", " 1", "--1"};
     for (size_t k = 0; k < sizeof text / sizeof text[0]; k++) {
         double value = 999;
@@ -209,40 +199,25 @@ START_TEST(text_that_is_no_number_is_not_touched) {
     const char *tail = "1e+x";
     ck_assert_ptr_eq(wcut_decimal_read(tail, &value), tail + 1);
 }
-END_TEST
 
-START_TEST(a_locale_with_decimal_commas_changes_nothing) {
-    if (!setlocale(LC_ALL, "de_DE.UTF-8")) {
-        puts("no locale with decimal commas on this machine: left out");
-        return;
-    }
+TEST(a_locale_with_decimal_commas_changes_nothing) {
+    ck_assert_ptr_nonnull(setlocale(LC_ALL, "de_DE.UTF-8"));
     ck_assert_int_eq(parse("x,y\n1.5,1.7976931348623157e308\n"), WCUT_OK);
     ck_assert(table->column[0].value[0] == 1.5 && table->column[1].value[0] == 1.7976931348623157e308);
     ck_assert_str_eq(localeconv()->decimal_point, ",");
     setlocale(LC_ALL, "C");
     forget();
 }
-END_TEST
 
-START_TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
-    for (long k = 1;; k++) {
-        wcut_table *found = (wcut_table *)&error;
-        wcut_alloc_fail_at(k);
-        const char *text = "x,y,\"name\"\n1,,\"a\"\n3,4,5\n";
-        wcut_status status = wcut_csv_parse(text, strlen(text), "t.csv", 2, numeric, &found, &error);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) {
-            wcut_table_destroy(found);
-            ck_assert_int_gt(k, 8);
-            break;
-        }
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert(found == (wcut_table *)&error);
-    }
+TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
+    const char *text = "x,y,\"name\"\n1,,\"a\"\n3,4,5\n";
+    wcut_table *found = (wcut_table *)&error;
+    EACH_FAILED_ALLOCATION(wcut_csv_parse(text, strlen(text), "t.csv", 2, numeric, &found, &error),
+                           found == (wcut_table *)&error);
+    wcut_table_destroy(found);
 }
-END_TEST
 
-START_TEST(a_file_that_is_not_there_and_bad_arguments_are_told_apart) {
+TEST(a_file_that_is_not_there_and_bad_arguments_are_told_apart) {
     wcut_table *found = (wcut_table *)&error;
     const char *const nothing[] = {NULL};
     ck_assert_int_eq(wcut_table_read("no/such.csv", 0, NULL, &found, &error), WCUT_NOT_FOUND);
@@ -254,29 +229,4 @@ START_TEST(a_file_that_is_not_there_and_bad_arguments_are_told_apart) {
     ck_assert_int_eq(wcut_table_read("a.csv", 1, nothing, &found, NULL), WCUT_BAD_ARGUMENT);
     ck_assert(found == (wcut_table *)&error);
     wcut_table_destroy(NULL);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("csv");
-    TCase *tcase = tcase_create("text");
-    tcase_add_test(tcase, columns_come_back_by_name_and_value);
-    tcase_add_test(tcase, comments_empty_lines_mark_crlf_quotes_and_blanks_are_tolerated);
-    tcase_add_test(tcase, an_empty_field_or_nan_is_missing_and_is_no_number);
-    tcase_add_test(tcase, text_in_an_unknown_column_is_kept_as_missing_and_counted);
-    tcase_add_test(tcase, no_rows_are_a_table_too);
-    tcase_add_test(tcase, malformed_text_is_refused_with_line_column_and_what_was_expected);
-    tcase_add_test(tcase, a_message_is_one_printable_line_whatever_the_file_holds);
-    tcase_add_test(tcase, numbers_of_every_shape_are_the_nearest_double);
-    tcase_add_test(tcase, halfway_cases_round_to_even);
-    tcase_add_test(tcase, text_that_is_no_number_is_not_touched);
-    tcase_add_test(tcase, a_locale_with_decimal_commas_changes_nothing);
-    tcase_add_test(tcase, every_failing_allocation_is_reported_and_nothing_is_written);
-    tcase_add_test(tcase, a_file_that_is_not_there_and_bad_arguments_are_told_apart);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

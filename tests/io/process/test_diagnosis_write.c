@@ -1,13 +1,12 @@
 /* diagnosis.json: every key that FORMATS.md names, numbers as they are, nothing where there is nothing. */
-#include <check.h>
 #include <float.h>
 #include <jansson.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 #include "base/alloc.h"
 #include "base/fail.h"
-#include "io/diagnosis_given.h"
+#include "io/process/diagnosis_given.h"
+#include "test.h"
 
 static given_diagnosis given;
 
@@ -47,7 +46,7 @@ static const char *string(const json_t *root, const char *path) {
     return json_string_value(at(root, path));
 }
 
-START_TEST(every_key_of_the_format_is_there_with_its_value) {
+TEST(every_key_of_the_format_is_there_with_its_value) {
     give_diagnosis(&given);
     json_t *root = printed();
     ck_assert_str_eq(string(root, "format"), "wirecut-diagnosis/1");
@@ -81,9 +80,8 @@ START_TEST(every_key_of_the_format_is_there_with_its_value) {
     ck_assert(json_is_null(at(root, "next_experiment")));
     json_decref(root);
 }
-END_TEST
 
-START_TEST(what_was_weighed_is_there_too) {
+TEST(what_was_weighed_is_there_too) {
     give_diagnosis(&given);
     json_t *root = printed();
     ck_assert_double_eq(number(root, "recalibrated.a_N_per_mm.value"), 0.09);
@@ -100,9 +98,8 @@ START_TEST(what_was_weighed_is_there_too) {
     ck_assert_ptr_null(json_object_get(at(root, "fit.black_box"), "scan"));
     json_decref(root);
 }
-END_TEST
 
-START_TEST(choices_are_words_points_are_lists_and_open_ends_are_the_parameters_own) {
+TEST(choices_are_words_points_are_lists_and_open_ends_are_the_parameters_own) {
     give_diagnosis(&given);
     given.d.effects = 4;
     given.d.effect[2] = given_effect(WCUT_EFFECT_ANGLE_OFFSET, true, 0.5);
@@ -121,9 +118,8 @@ START_TEST(choices_are_words_points_are_lists_and_open_ends_are_the_parameters_o
     ck_assert_str_eq(string(root, "effects.3.parameters.stiffness_N_per_mm.open"), "high");
     json_decref(root);
 }
-END_TEST
 
-START_TEST(verdicts_that_name_nothing_hold_no_effects_and_all_their_alternatives) {
+TEST(verdicts_that_name_nothing_hold_no_effects_and_all_their_alternatives) {
     static const wcut_verdict_kind kind[] = {WCUT_VERDICT_NONE, WCUT_VERDICT_AMBIGUOUS, WCUT_VERDICT_UNKNOWN};
     for (int k = 0; k < 3; k++) {
         give_diagnosis(&given);
@@ -134,9 +130,8 @@ START_TEST(verdicts_that_name_nothing_hold_no_effects_and_all_their_alternatives
         json_decref(root);
     }
 }
-END_TEST
 
-START_TEST(an_empty_diagnosis_and_one_cut_short_are_whole_files) {
+TEST(an_empty_diagnosis_and_one_cut_short_are_whole_files) {
     memset(&given, 0, sizeof given);
     given.d.interrupted = true;
     json_t *root = printed();
@@ -147,9 +142,8 @@ START_TEST(an_empty_diagnosis_and_one_cut_short_are_whole_files) {
     ck_assert_uint_eq(json_array_size(at(root, "fit.held_out_cuts")), 0);
     json_decref(root);
 }
-END_TEST
 
-START_TEST(the_next_experiment_is_named_with_its_reason) {
+TEST(the_next_experiment_is_named_with_its_reason) {
     give_diagnosis(&given);
     wcut_job job = {.name = (char *)"wider"};
     given.d.next_experiment = &job;
@@ -160,9 +154,8 @@ START_TEST(the_next_experiment_is_named_with_its_reason) {
     ck_assert_str_eq(string(root, "next_experiment.reason"), "tells both apart");
     json_decref(root);
 }
-END_TEST
 
-START_TEST(what_is_no_diagnosis_is_refused_and_nothing_is_written) {
+TEST(what_is_no_diagnosis_is_refused_and_nothing_is_written) {
     wcut_error error = {0};
     char *text = (char *)"999";
     give_diagnosis(&given);
@@ -184,27 +177,15 @@ START_TEST(what_is_no_diagnosis_is_refused_and_nothing_is_written) {
     ck_assert_int_eq(wcut_diagnosis_print(&given.d, "c", &text), WCUT_BAD_ARGUMENT);
     ck_assert_str_eq(text, "999");
 }
-END_TEST
 
-START_TEST(wherever_memory_ends_nothing_is_written) {
+TEST(wherever_memory_ends_nothing_is_written) {
     give_diagnosis(&given);
     char *text = NULL;
-    int failures = 0;
-    for (long k = 1; k < 100; k++) {
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_diagnosis_print(&given.d, "c", &text);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) break;
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert_ptr_null(text);
-        failures++;
-    }
-    ck_assert_int_ge(failures, 1);
+    EACH_FAILED_ALLOCATION(wcut_diagnosis_print(&given.d, "c", &text), !text);
     free(text);
 }
-END_TEST
 
-START_TEST(a_file_holds_what_is_printed) {
+TEST(a_file_holds_what_is_printed) {
     char path[] = "diagnosis-XXXXXX", read[20000], *text = NULL;
     give_diagnosis(&given);
     const int file = mkstemp(path);
@@ -222,9 +203,8 @@ START_TEST(a_file_holds_what_is_printed) {
     ck_assert_str_eq(read, text);
     free(text);
 }
-END_TEST
 
-START_TEST(verdicts_and_channels_have_names_and_what_is_none_has_none) {
+TEST(verdicts_and_channels_have_names_and_what_is_none_has_none) {
     ck_assert_str_eq(wcut_verdict_name(WCUT_VERDICT_AMBIGUOUS), "ambiguous");
     ck_assert_str_eq(wcut_verdict_name(WCUT_VERDICT_COUNT), "");
     ck_assert_str_eq(wcut_evidence_name(WCUT_EVIDENCE_CHANNEL_BETA), "beta");
@@ -232,7 +212,6 @@ START_TEST(verdicts_and_channels_have_names_and_what_is_none_has_none) {
     ck_assert_str_eq(wcut_evidence_name(WCUT_EVIDENCE_CHANNEL_COUNT), "");
     ck_assert_str_eq(wcut_evidence_unit((wcut_evidence_channel)-1), "");
 }
-END_TEST
 
 /* ---- the example of FORMATS.md ---- */
 
@@ -276,7 +255,7 @@ static void compare_keys(json_t *shown, json_t *written, const char *key) {
     }
 }
 
-START_TEST(the_example_of_the_format_has_the_keys_that_are_written) {
+TEST(the_example_of_the_format_has_the_keys_that_are_written) {
     const char *name;
     json_t *value;
     give_diagnosis(&given);
@@ -287,27 +266,4 @@ START_TEST(the_example_of_the_format_has_the_keys_that_are_written) {
     }
     json_decref(shown);
     json_decref(written);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("diagnosis.json");
-    TCase *tests = tcase_create("diagnosis");
-    tcase_add_test(tests, every_key_of_the_format_is_there_with_its_value);
-    tcase_add_test(tests, the_example_of_the_format_has_the_keys_that_are_written);
-    tcase_add_test(tests, what_was_weighed_is_there_too);
-    tcase_add_test(tests, choices_are_words_points_are_lists_and_open_ends_are_the_parameters_own);
-    tcase_add_test(tests, verdicts_that_name_nothing_hold_no_effects_and_all_their_alternatives);
-    tcase_add_test(tests, an_empty_diagnosis_and_one_cut_short_are_whole_files);
-    tcase_add_test(tests, the_next_experiment_is_named_with_its_reason);
-    tcase_add_test(tests, what_is_no_diagnosis_is_refused_and_nothing_is_written);
-    tcase_add_test(tests, wherever_memory_ends_nothing_is_written);
-    tcase_add_test(tests, a_file_holds_what_is_printed);
-    tcase_add_test(tests, verdicts_and_channels_have_names_and_what_is_none_has_none);
-    suite_add_tcase(suite, tests);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    const int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -1,9 +1,7 @@
 /* Calibration tables in, force_law.json out, and its blocks in a job. */
-#include <check.h>
 #include <jansson.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 #include <wirecut/calibration.h>
@@ -11,6 +9,7 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "io/process/job.h"
+#include "test.h"
 
 #define HEADER "heat_W_per_m,speed_mm_s,engaged_mm,tension_N,alpha_deg"
 static const char *const sound = "# by hand\n" HEADER
@@ -41,7 +40,7 @@ static void refused(const char *text, const char *weight, const char *words) {
     ck_assert_msg(strstr(error.text, words) != NULL, "found: %s\nexpected: %s", error.text, words);
 }
 
-START_TEST(a_table_is_read_in_the_units_of_the_api) {
+TEST(a_table_is_read_in_the_units_of_the_api) {
     ck_assert_int_eq(read_text(sound, NULL), WCUT_OK);
     ck_assert_int_eq(cuts, 5);
     ck_assert(cut[1].heat == 85 && cut[1].speed == 81.8 && cut[1].engaged == 300 && cut[1].tension_a == 55.211);
@@ -55,9 +54,8 @@ START_TEST(a_table_is_read_in_the_units_of_the_api) {
     wcut_test_cut_destroy(cut);
     cut = NULL;
 }
-END_TEST
 
-START_TEST(a_table_that_breaks_its_format_is_refused_with_its_line) {
+TEST(a_table_that_breaks_its_format_is_refused_with_its_line) {
     refused("heat_W_per_m,speed_m_s,engaged_mm,tension_N\n1,2,3,4\n", NULL,
             "missing speed_mm_s (found speed_m_s: another unit or spelling), alpha_deg");
     refused(HEADER "\n60,20,400,10,5\n60,,400,10,5\n", NULL, "line 3: speed_mm_s: found a missing value");
@@ -67,9 +65,8 @@ START_TEST(a_table_that_breaks_its_format_is_refused_with_its_line) {
     refused(HEADER "\n60,20,400,10,5\n", "mass", "mass: found no such column");
     refused(HEADER ",mass\n60,20,400,10,5,\n", "mass", "line 2: mass: found no positive weight");
 }
-END_TEST
 
-START_TEST(a_missing_table_bad_arguments_and_memory_leave_the_output_alone) {
+TEST(a_missing_table_bad_arguments_and_memory_leave_the_output_alone) {
     int n = 999;
     wcut_test_cut *found = (wcut_test_cut *)&error;
     ck_assert_int_eq(wcut_calibration_table_read("no/such.csv", NULL, &n, &found, &error), WCUT_NOT_FOUND);
@@ -77,17 +74,11 @@ START_TEST(a_missing_table_bad_arguments_and_memory_leave_the_output_alone) {
     ck_assert_int_eq(wcut_calibration_table_read("a.csv", NULL, NULL, &found, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_calibration_table_read("a.csv", NULL, &n, NULL, NULL), WCUT_BAD_ARGUMENT);
     ck_assert(n == 999 && found == (wcut_test_cut *)&error);
-    for (long k = 1; k < 60; k++) {
-        wcut_alloc_fail_at(k);
-        wcut_status status = read_text(sound, NULL);
-        wcut_alloc_fail_at(0);
-        ck_assert((status == WCUT_NO_MEMORY && !cut) || (status == WCUT_OK && k > 15));
-    }
+    EACH_FAILED_ALLOCATION(read_text(sound, NULL), !cut);
     wcut_test_cut_destroy(cut);
     cut = NULL;
     wcut_test_cut_destroy(NULL);
 }
-END_TEST
 
 static wcut_calibration fit;
 static wcut_calibration_point point[5];
@@ -112,7 +103,7 @@ static char *job_with(const json_t *process) {
     return text;
 }
 
-START_TEST(the_process_block_drops_into_a_job_bit_for_bit) {
+TEST(the_process_block_drops_into_a_job_bit_for_bit) {
     given_a_calibration();
     char *text = NULL;
     ck_assert_int_eq(wcut_force_law_print(cuts, cut, NULL, &fit, point, &text), WCUT_OK);
@@ -128,9 +119,8 @@ START_TEST(the_process_block_drops_into_a_job_bit_for_bit) {
     json_decref(root);
     free(text);
 }
-END_TEST
 
-START_TEST(the_file_holds_errors_covariance_range_and_every_residual) {
+TEST(the_file_holds_errors_covariance_range_and_every_residual) {
     given_a_calibration();
     const char *path = "test_force_law_write.json";
     ck_assert_int_eq(wcut_force_law_write(cuts, cut, NULL, &fit, point, path, &error), WCUT_OK);
@@ -152,9 +142,8 @@ START_TEST(the_file_holds_errors_covariance_range_and_every_residual) {
     ck_assert_int_eq((int)json_integer_value(json_object_get(last, "line")), 7);
     json_decref(root);
 }
-END_TEST
 
-START_TEST(what_cannot_be_written_is_refused) {
+TEST(what_cannot_be_written_is_refused) {
     given_a_calibration();
     char *text = (char *)&error;
     ck_assert_int_eq(wcut_force_law_print(0, cut, NULL, &fit, point, &text), WCUT_BAD_ARGUMENT);
@@ -172,22 +161,4 @@ START_TEST(what_cannot_be_written_is_refused) {
     ck_assert(text == (char *)&error);
     wcut_test_cut_destroy(cut);
     cut = NULL;
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("force law");
-    TCase *tcase = tcase_create("files");
-    tcase_add_test(tcase, a_table_is_read_in_the_units_of_the_api);
-    tcase_add_test(tcase, a_table_that_breaks_its_format_is_refused_with_its_line);
-    tcase_add_test(tcase, a_missing_table_bad_arguments_and_memory_leave_the_output_alone);
-    tcase_add_test(tcase, the_process_block_drops_into_a_job_bit_for_bit);
-    tcase_add_test(tcase, the_file_holds_errors_covariance_range_and_every_residual);
-    tcase_add_test(tcase, what_cannot_be_written_is_refused);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

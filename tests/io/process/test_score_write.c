@@ -7,6 +7,7 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "cut/trials.h"
+#include "test.h"
 
 static wcut_job *job;
 static wcut_recording *recording;
@@ -39,7 +40,7 @@ static double number_at(const json_t *root, const char *a, const char *b, const 
     return json_number_value(value);
 }
 
-START_TEST(scores_are_written_in_the_units_of_files) {
+TEST(scores_are_written_in_the_units_of_files) {
     wcut_scored_cut cut[3];
     char *text = NULL;
     given_scored_cuts(cut);
@@ -65,9 +66,8 @@ START_TEST(scores_are_written_in_the_units_of_files) {
     free(text);
     forget_scored_cuts();
 }
-END_TEST
 
-START_TEST(residuals_are_a_row_a_sample_and_missing_ones_are_empty) {
+TEST(residuals_are_a_row_a_sample_and_missing_ones_are_empty) {
     wcut_scored_cut cut[3];
     given_scored_cuts(cut);
     char path[64];
@@ -98,9 +98,8 @@ START_TEST(residuals_are_a_row_a_sample_and_missing_ones_are_empty) {
     remove(path);
     forget_scored_cuts();
 }
-END_TEST
 
-START_TEST(scores_that_cannot_be_written_are_not) {
+TEST(scores_that_cannot_be_written_are_not) {
     wcut_scored_cut cut[3], half;
     char *text = NULL;
     given_scored_cuts(cut);
@@ -112,25 +111,7 @@ START_TEST(scores_that_cannot_be_written_are_not) {
     ck_assert_int_eq(wcut_score_write(3, cut, NULL, "no/such/folder/score.json", NULL), WCUT_NOT_WRITTEN);
     ck_assert_int_eq(wcut_residuals_write(3, cut, NULL, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_residuals_write(3, cut, "no/such/folder/r.csv", NULL), WCUT_NOT_WRITTEN);
-    for (long k = 1;; k++) {
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_score_print(3, cut, NULL, &text);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) break;
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert_ptr_null(text);
-    }
+    EACH_FAILED_ALLOCATION(wcut_score_print(3, cut, NULL, &text), !text);
     free(text);
     forget_scored_cuts();
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("score_write");
-    TCase *tcase = tcase_create("score_write");
-    tcase_add_test(tcase, scores_are_written_in_the_units_of_files);
-    tcase_add_test(tcase, residuals_are_a_row_a_sample_and_missing_ones_are_empty);
-    tcase_add_test(tcase, scores_that_cannot_be_written_are_not);
-    suite_add_tcase(suite, tcase);
-    return run_suite(suite);
 }

@@ -1,14 +1,13 @@
 /* Recordings: units, channels, the clock, and what is tolerated. */
-#include <check.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 #include <wirecut/recording.h>
 
 #include "base/alloc.h"
 #include "base/fail.h"
+#include "test.h"
 
 #define HEADER \
     "time_s,station,speed_a_mm_s,speed_b_mm_s,tension_a_N,tension_b_N,alpha_a_deg,beta_a_deg,alpha_b_deg,beta_b_deg"
@@ -43,7 +42,7 @@ static void forget(void) {
     recording = NULL;
 }
 
-START_TEST(channels_are_in_the_units_of_the_api_and_the_rest_is_kept_by_name) {
+TEST(channels_are_in_the_units_of_the_api_and_the_rest_is_kept_by_name) {
     ck_assert_int_eq(read_text("note," HEADER ",foam_degC\nfirst,0" ROW ",21.5\nsecond,0.05" ROW ",21.6\n"), WCUT_OK);
     ck_assert_int_eq(recording->samples, 2);
     const wcut_column *c = recording->channel;
@@ -58,9 +57,8 @@ START_TEST(channels_are_in_the_units_of_the_api_and_the_rest_is_kept_by_name) {
     ck_assert_int_eq(recording->further->line[1], 3);
     forget();
 }
-END_TEST
 
-START_TEST(optional_channels_are_read_where_they_are_there) {
+TEST(optional_channels_are_read_where_they_are_there) {
     ck_assert_int_eq(read_text(HEADER ",heater_V,heater_A,b_z_mm\n0" ROW ",24,1.5,150\n"), WCUT_OK);
     ck_assert(recording->channel[WCUT_CHANNEL_HEATER_VOLTAGE].value[0] == 24);
     ck_assert(recording->channel[WCUT_CHANNEL_HEATER_CURRENT].value[0] == 1.5);
@@ -68,42 +66,37 @@ START_TEST(optional_channels_are_read_where_they_are_there) {
     ck_assert_int_eq(recording->further->columns, 0);
     forget();
 }
-END_TEST
 
-START_TEST(a_channel_without_any_sample_is_tolerated_and_visible) {
+TEST(a_channel_without_any_sample_is_tolerated_and_visible) {
     ck_assert_int_eq(read_text(HEADER "\n0,1,nan,2,3,4,5,6,7,8\n1,2,,2,3,4,5,6,7,nan\n"), WCUT_OK);
     ck_assert_int_eq(recording->channel[WCUT_CHANNEL_SPEED_A].missing, 2);
     ck_assert_int_eq(recording->channel[WCUT_CHANNEL_BETA_B].missing, 1);
     ck_assert(recording->channel[WCUT_CHANNEL_BETA_B].present[0] == 1);
     forget();
 }
-END_TEST
 
-START_TEST(one_row_is_a_recording_and_none_is_not) {
+TEST(one_row_is_a_recording_and_none_is_not) {
     ck_assert_int_eq(read_text(HEADER "\n0" ROW "\n"), WCUT_OK);
     ck_assert_int_eq(recording->samples, 1);
     forget();
     refused(HEADER "\n", "found a header and no samples");
     refused("", "found no header");
 }
-END_TEST
 
-START_TEST(a_station_outside_the_path_is_the_readers_no_matter) {
+TEST(a_station_outside_the_path_is_the_readers_no_matter) {
     ck_assert_int_eq(read_text(HEADER "\n0,-7,10,11,1.9,2.1,45,-90,180,0\n"), WCUT_OK);
     ck_assert(recording->channel[WCUT_CHANNEL_STATION].value[0] == -7);
     forget();
 }
-END_TEST
 
-START_TEST(time_that_stands_still_or_runs_backwards_is_refused_with_its_line) {
+TEST(time_that_stands_still_or_runs_backwards_is_refused_with_its_line) {
     refused(HEADER "\n0" ROW "\n# pause\n1" ROW "\n1" ROW "\n",
             "line 5: time_s: found 1 after 1, expected a later time");
     refused(HEADER "\n0" ROW "\n-0.5" ROW "\n", "line 3: time_s: found -0.5 after 0");
     refused(HEADER "\n0" ROW "\n" ROW "\n", "line 3: time_s: found a missing sample");
 }
-END_TEST
 
-START_TEST(missing_columns_and_wrong_units_are_named) {
+TEST(missing_columns_and_wrong_units_are_named) {
     refused("time_s,station\n0,1\n",
             "header: missing speed_a_mm_s, speed_b_mm_s, tension_a_N, tension_b_N, alpha_a_deg");
     refused(
@@ -120,39 +113,30 @@ START_TEST(missing_columns_and_wrong_units_are_named) {
     ck_assert_int_eq(read_text(HEADER ",speed_a_filtered,heat_index\n0" ROW ",1,2\n"), WCUT_OK);
     forget();
 }
-END_TEST
 
-START_TEST(bad_numbers_in_a_channel_are_refused_with_line_and_column) {
+TEST(bad_numbers_in_a_channel_are_refused_with_line_and_column) {
     refused(HEADER "\n0,x,10,11,1.9,2.1,45,-90,180,0\n", "line 2, column 3 (station): found x");
 }
-END_TEST
 
-START_TEST(channel_names_are_those_of_the_format) {
+TEST(channel_names_are_those_of_the_format) {
     ck_assert_str_eq(wcut_channel_name(WCUT_CHANNEL_TIME), "time_s");
     ck_assert_str_eq(wcut_channel_name(WCUT_CHANNEL_STATION), "station");
     ck_assert_str_eq(wcut_channel_name(WCUT_CHANNEL_HEAT), "heat_W_per_m");
     ck_assert_str_eq(wcut_channel_name(WCUT_CHANNEL_COUNT), "");
 }
-END_TEST
 
-START_TEST(bad_arguments_missing_files_and_memory_leave_the_output_alone) {
+TEST(bad_arguments_missing_files_and_memory_leave_the_output_alone) {
     wcut_recording *found = (wcut_recording *)&error;
     ck_assert_int_eq(wcut_recording_read(NULL, &found, &error), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_recording_read("a.csv", NULL, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_recording_read("no/such.csv", &found, &error), WCUT_NOT_FOUND);
-    for (long k = 1; k < 200; k++) {
-        wcut_alloc_fail_at(k);
-        wcut_status status = read_text(HEADER "\n0" ROW "\n1" ROW "\n");
-        wcut_alloc_fail_at(0);
-        ck_assert((status == WCUT_NO_MEMORY && !recording) || (status == WCUT_OK && k > 20));
-    }
+    EACH_FAILED_ALLOCATION(read_text(HEADER "\n0" ROW "\n1" ROW "\n"), !recording);
     ck_assert(found == (wcut_recording *)&error);
     wcut_recording_destroy(NULL);
     forget();
 }
-END_TEST
 
-START_TEST(the_recordings_of_the_cases_are_read) {
+TEST(the_recordings_of_the_cases_are_read) {
     const char *path = WCUT_SOURCE_DIR "/../shared/cases/dev/c01/cut-01/recording.csv";
     if (access(path, R_OK) != 0) {
         puts("../shared/cases is not here: left out");
@@ -162,27 +146,4 @@ START_TEST(the_recordings_of_the_cases_are_read) {
     ck_assert_int_gt(recording->samples, 100);
     ck_assert(recording->channel[WCUT_CHANNEL_SPEED_COMMAND].name != NULL);
     forget();
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("recording");
-    TCase *tcase = tcase_create("files");
-    tcase_add_test(tcase, channels_are_in_the_units_of_the_api_and_the_rest_is_kept_by_name);
-    tcase_add_test(tcase, optional_channels_are_read_where_they_are_there);
-    tcase_add_test(tcase, a_channel_without_any_sample_is_tolerated_and_visible);
-    tcase_add_test(tcase, one_row_is_a_recording_and_none_is_not);
-    tcase_add_test(tcase, a_station_outside_the_path_is_the_readers_no_matter);
-    tcase_add_test(tcase, time_that_stands_still_or_runs_backwards_is_refused_with_its_line);
-    tcase_add_test(tcase, missing_columns_and_wrong_units_are_named);
-    tcase_add_test(tcase, bad_numbers_in_a_channel_are_refused_with_line_and_column);
-    tcase_add_test(tcase, channel_names_are_those_of_the_format);
-    tcase_add_test(tcase, bad_arguments_missing_files_and_memory_leave_the_output_alone);
-    tcase_add_test(tcase, the_recordings_of_the_cases_are_read);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

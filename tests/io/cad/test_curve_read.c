@@ -8,8 +8,9 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "exchange/given_parts.h"
-#include "given.h"
 #include "io/cad/curve_set.h"
+#include "io/given.h"
+#include "test.h"
 
 static wcut_curve_set *set;
 static wcut_error error;
@@ -63,7 +64,7 @@ static void is_same(const wcut_curve *a, const wcut_curve *b) {
 
 /* ---- what we write ---- */
 
-START_TEST(our_own_step_and_iges_come_back_bit_for_bit_whatever_the_locale) {
+TEST(our_own_step_and_iges_come_back_bit_for_bit_whatever_the_locale) {
     wcut_curve *curve = given_curve(), *arc = given_arc();
     const wcut_shape shape[] = {{"path a", NULL, NULL, curve}, {"arc 'b'", NULL, NULL, arc}};
     enter_folder();
@@ -87,9 +88,8 @@ START_TEST(our_own_step_and_iges_come_back_bit_for_bit_whatever_the_locale) {
     wcut_curve_destroy(arc);
     wcut_curve_destroy(curve);
 }
-END_TEST
 
-START_TEST(a_solid_gives_its_edges) {
+TEST(a_solid_gives_its_edges) {
     given_solid solid;
     given_solid_create(&solid, 0);
     const wcut_shape shape = {"lower", &solid.brep, NULL, NULL};
@@ -104,7 +104,6 @@ START_TEST(a_solid_gives_its_edges) {
     leave_folder();
     given_solid_destroy(&solid);
 }
-END_TEST
 
 /* ---- what others write: instances #20 and on, the elements of the geometric set first ---- */
 
@@ -119,7 +118,7 @@ END_TEST
     "#19=GEOMETRIC_CURVE_SET('',(" elements "));\n" data "ENDSEC;\nEND-ISO-10303-21;\n"
 #define MM "#5=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));"
 
-START_TEST(lines_polylines_arcs_and_composites_become_splines) {
+TEST(lines_polylines_arcs_and_composites_become_splines) {
     reads(
         "a.step",
         STEP(MM, "#20,#21,#22,#10",
@@ -152,9 +151,8 @@ START_TEST(lines_polylines_arcs_and_composites_become_splines) {
     is_at(at(2, 0.5), 3, -1, 1);
     is_at(at(2, 1), 1, 0, 1);
 }
-END_TEST
 
-START_TEST(a_composite_whose_segments_meet_is_one_curve_and_else_its_segments) {
+TEST(a_composite_whose_segments_meet_is_one_curve_and_else_its_segments) {
     /* from (1, 0, 1) by half a circle to (5, 0, 1), on by a line to (3, 4, 1) */
     static const char arc[] =
         "#20=COMPOSITE_CURVE('edge',(#30,#31),.U.);\n"
@@ -175,9 +173,8 @@ START_TEST(a_composite_whose_segments_meet_is_one_curve_and_else_its_segments) {
         ck_assert_int_eq(set->curve[0]->degree, 2);
     }
 }
-END_TEST
 
-START_TEST(a_spline_trimmed_by_points_is_cut_where_they_lie_on_it) {
+TEST(a_spline_trimmed_by_points_is_cut_where_they_lie_on_it) {
     reads("a.step",
           STEP(MM, "#20,#21,#22",
                "#20=TRIMMED_CURVE('',#30,(#31),(#32),.T.,.CARTESIAN.);\n"
@@ -193,9 +190,8 @@ START_TEST(a_spline_trimmed_by_points_is_cut_where_they_lie_on_it) {
     is_at(at(1, 1), 0.75, 0, 0.25);
     ck_assert_str_eq(set->why, "a spline whose ends are not on it");
 }
-END_TEST
 
-START_TEST(a_trimmed_spline_is_cut_at_its_parameters) {
+TEST(a_trimmed_spline_is_cut_at_its_parameters) {
     reads("a.step",
           STEP(MM, "#20,#21",
                "#20=TRIMMED_CURVE('',#30,(PARAMETER_VALUE(1.)),(PARAMETER_VALUE(3.)),.T.,.PARAMETER.);\n"
@@ -207,9 +203,8 @@ START_TEST(a_trimmed_spline_is_cut_at_its_parameters) {
     is_at(at(1, 0), 3, 0, 1);
     is_at(at(1, 1), 1.5, 0, 0.5);
 }
-END_TEST
 
-START_TEST(the_files_own_unit_is_obeyed) {
+TEST(the_files_own_unit_is_obeyed) {
     reads("a.step",
           STEP("#5=(CONVERSION_BASED_UNIT('INCH',#4)LENGTH_UNIT()NAMED_UNIT(#3));"
                "#4=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#2);#2=(LENGTH_UNIT()NAMED_UNIT(*)"
@@ -220,9 +215,8 @@ START_TEST(the_files_own_unit_is_obeyed) {
     reads("a.step", STEP("#5=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT($,.METRE.));", "#20", "#20=CIRCLE('',#15,2.);\n"), 1);
     is_at(at(0, 0), 5000, 0, 1000);
 }
-END_TEST
 
-START_TEST(what_is_left_out_is_told_and_the_rest_is_read) {
+TEST(what_is_left_out_is_told_and_the_rest_is_read) {
     reads("a.step",
           STEP(MM, "#20,#21,#22,#23",
                "#20=POLYLINE('',(#10,#11));#21=PARABOLA('',#15,1.);#22=HYPERBOLA('',#15,1.,1.);#23=PARABOLA('',#15,2.);"
@@ -233,9 +227,8 @@ START_TEST(what_is_left_out_is_told_and_the_rest_is_read) {
     refuses("a.step", STEP(MM, "#21", "#21=PARABOLA('',#15,1.);\n"),
             "found no curve that is read, 1 left out: PARABOLA");
 }
-END_TEST
 
-START_TEST(a_broken_step_file_is_refused_with_its_words) {
+TEST(a_broken_step_file_is_refused_with_its_words) {
     refuses("a.step", "", "found nothing, expected ISO-10303-21;");
     refuses("a.step", "solid a\n", "expected ISO-10303-21;");
     refuses("a.step", "ISO-10303-21;DATA;", "found the end of the file, expected END-ISO-10303-21;");
@@ -259,9 +252,8 @@ START_TEST(a_broken_step_file_is_refused_with_its_words) {
             "#21: found an assembly that moves its parts");
     refuses("a.step", STEP(MM, "#20", "#20=SURFACE_CURVE('',#20,(),.CURVE_3D.);\n"), "found curves nested too deep");
 }
-END_TEST
 
-START_TEST(json_and_csv_hold_curves_in_millimetres) {
+TEST(json_and_csv_hold_curves_in_millimetres) {
     reads("a.json", "{\"points_mm\": [[0,0,0],[1,0,0],[2,1,0],[3,1,0]]}", 1);
     is_at(at(0, 1), 3, 1, 0);
     reads("a.json",
@@ -285,7 +277,6 @@ START_TEST(json_and_csv_hold_curves_in_millimetres) {
             "line 2: found 2 points, expected two or more, neighbours apart");
     refuses("a.txt", "hello", "found no curves in a known format, expected STEP, IGES, JSON or CSV");
 }
-END_TEST
 
 /* ---- IGES ---- */
 
@@ -300,7 +291,7 @@ static void put_lines(char *to, const char *const *text, const char *sections) {
     }
 }
 
-START_TEST(iges_lines_points_and_splines_are_read_in_their_unit) {
+TEST(iges_lines_points_and_splines_are_read_in_their_unit) {
     char text[4000];
     static const char *const lines[] = {"start",
                                         "1H,,1H;,5Ha,b;c,4Hfile,1Hs,1Hp,32,38,6,308,15,,1.,1,4HINCH,1,0.01,",
@@ -334,9 +325,8 @@ START_TEST(iges_lines_points_and_splines_are_read_in_their_unit) {
     refuses("a.igs", text, "found no section in its order, expected S, G, D, P and T");
     refuses("a.igs", "short\n", "line 1: found 5 columns, expected 80 of text");
 }
-END_TEST
 
-START_TEST(iges_arcs_composites_and_transformations_are_read) {
+TEST(iges_arcs_composites_and_transformations_are_read) {
     char text[6000];
     /* entries 1 and 3: an arc and a line, pieces of 5; 7: an ellipse moved by 9, which 11 moves on; 13: a hyperbola */
     static const char *const lines[] = {"start",
@@ -394,11 +384,10 @@ START_TEST(iges_arcs_composites_and_transformations_are_read) {
     memcpy(strstr(text, "124,1.,0.,0.,100."), "124,1.,0.,0.,9e20", 17);
     refuses("a.igs", text, "moved beyond 1e12 mm");
 }
-END_TEST
 
 /* ---- misuse, memory ---- */
 
-START_TEST(arguments_outside_their_range_and_missing_files_are_refused) {
+TEST(arguments_outside_their_range_and_missing_files_are_refused) {
     wcut_curve_read_options o = wcut_curve_read_options_default();
     ck_assert_int_eq(wcut_curve_set_read(NULL, NULL, &set, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_curve_set_read("a.step", NULL, NULL, NULL), WCUT_BAD_ARGUMENT);
@@ -416,9 +405,8 @@ START_TEST(arguments_outside_their_range_and_missing_files_are_refused) {
     refuses("a.csv", "x_mm,y_mm,z_mm,curve\n0,0,0,1\n1,0,0,1\n0,5,0,2\n0,6,0,2\n", "found more than 1 curves");
     options.most = 10000;
 }
-END_TEST
 
-START_TEST(edges_of_a_file_become_those_of_a_design) {
+TEST(edges_of_a_file_become_those_of_a_design) {
     wcut_job *job = NULL;
     wcut_vec3 p[2] = {{0, 0, 150}, {0, 900, 150}};
     enter_folder();
@@ -444,38 +432,9 @@ START_TEST(edges_of_a_file_become_those_of_a_design) {
     wcut_job_destroy(job);
     leave_folder();
 }
-END_TEST
 
-START_TEST(without_memory_nothing_is_given_and_nothing_lost) {
+TEST(without_memory_nothing_is_given_and_nothing_lost) {
     static const char text[] = STEP(MM, "#20,#21", "#20=POLYLINE('',(#10,#11));#21=CIRCLE('',#15,1.);\n");
-    wcut_status status = WCUT_NO_MEMORY;
-    int failures = 0;
-    for (long k = 1; status == WCUT_NO_MEMORY; k++, failures++) {
-        wcut_alloc_fail_at(k);
-        status = read_text("a.step", text, strlen(text));
-        ck_assert((status == WCUT_OK) == (set != NULL));
-    }
-    wcut_alloc_fail_at(0);
-    ck_assert_int_eq(status, WCUT_OK);
-    ck_assert_int_ge(failures, 6);
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {our_own_step_and_iges_come_back_bit_for_bit_whatever_the_locale,
-                                 a_solid_gives_its_edges,
-                                 lines_polylines_arcs_and_composites_become_splines,
-                                 a_composite_whose_segments_meet_is_one_curve_and_else_its_segments,
-                                 a_trimmed_spline_is_cut_at_its_parameters,
-                                 a_spline_trimmed_by_points_is_cut_where_they_lie_on_it,
-                                 the_files_own_unit_is_obeyed,
-                                 what_is_left_out_is_told_and_the_rest_is_read,
-                                 a_broken_step_file_is_refused_with_its_words,
-                                 json_and_csv_hold_curves_in_millimetres,
-                                 iges_lines_points_and_splines_are_read_in_their_unit,
-                                 iges_arcs_composites_and_transformations_are_read,
-                                 arguments_outside_their_range_and_missing_files_are_refused,
-                                 edges_of_a_file_become_those_of_a_design,
-                                 without_memory_nothing_is_given_and_nothing_lost};
-    return run_suite("curve_read", sizeof test / sizeof *test, test);
+    EACH_FAILED_ALLOCATION(read_text("a.step", text, strlen(text)), !set);
+    ck_assert_ptr_nonnull(set);
 }

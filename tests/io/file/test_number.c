@@ -4,8 +4,9 @@
 #include <stdint.h>
 
 #include "base/random.h"
-#include "given.h"
 #include "io/file/number.h"
+#include "io/given.h"
+#include "test.h"
 
 static void prints(double value, const char *expected) {
     char text[WCUT_NUMBER_SIZE];
@@ -13,7 +14,7 @@ static void prints(double value, const char *expected) {
     ck_assert_str_eq(text, expected);
 }
 
-START_TEST(numbers_print_as_one_would_write_them) {
+TEST(numbers_print_as_one_would_write_them) {
     prints(0, "0");
     prints(-0.0, "-0");
     prints(1, "1");
@@ -35,7 +36,6 @@ START_TEST(numbers_print_as_one_would_write_them) {
     prints(INFINITY, "inf");
     prints(-INFINITY, "-inf");
 }
-END_TEST
 
 /* fewest digits that read back, found by trying them all */
 static int fewest_digits(double value) {
@@ -74,7 +74,7 @@ static void check_number(double value) {
     ck_assert_msg(off <= least, "%.17g printed as %s, nearer is %s", value, text, near);
 }
 
-START_TEST(every_number_reads_back_and_none_could_be_shorter) {
+TEST(every_number_reads_back_and_none_could_be_shorter) {
     wcut_random random = wcut_random_seed(7);
     for (int i = 0; i < 100000; i++) {
         uint64_t bits = wcut_random_bits(&random);
@@ -85,9 +85,8 @@ START_TEST(every_number_reads_back_and_none_could_be_shorter) {
         check_number(round((double)(bits % 10000000000)) / pow(10, i % 9)); /* short decimals */
     }
 }
-END_TEST
 
-START_TEST(neighbours_of_powers_of_two_and_ten_read_back) {
+TEST(neighbours_of_powers_of_two_and_ten_read_back) {
     for (int k = -1074; k < 1024; k++) {
         double two = ldexp(1, k), ten = pow(10, k / 4.0);
         check_number(two);
@@ -98,20 +97,11 @@ START_TEST(neighbours_of_powers_of_two_and_ten_read_back) {
         check_number(nextafter(ten, 0));
     }
 }
-END_TEST
 
-START_TEST(the_locale_does_not_matter_and_stays) {
+TEST(the_locale_does_not_matter_and_stays) {
     ck_assert_msg(setlocale(LC_ALL, "de_DE.UTF-8") != NULL, "the tests' own locale is missing");
     prints(0.5, "0.5");
     prints(2.5e-7, "2.5e-07");
     prints(1.0 / 3, "0.3333333333333333");
     ck_assert_str_eq(localeconv()->decimal_point, ",");
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {numbers_print_as_one_would_write_them,
-                                 every_number_reads_back_and_none_could_be_shorter,
-                                 neighbours_of_powers_of_two_and_ten_read_back, the_locale_does_not_matter_and_stays};
-    return run_suite("number", sizeof test / sizeof *test, test);
 }

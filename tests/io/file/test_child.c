@@ -3,8 +3,9 @@
 #include <signal.h>
 #include <stdint.h>
 
-#include "given.h"
 #include "io/file/child.h"
+#include "io/given.h"
+#include "test.h"
 
 static char *data;
 static size_t length;
@@ -54,23 +55,21 @@ static int open_files(int fd, void *context) {
     return opened + (open("/etc/passwd", O_RDONLY) >= 0) + (open("new", O_WRONLY | O_CREAT, 0666) >= 0);
 }
 
-START_TEST(what_it_writes_and_returns_arrives) {
+TEST(what_it_writes_and_returns_arrives) {
     const wcut_child_end end = run(write_much, 20, (size_t)1 << 30, 1000000);
     ck_assert(end.how == WCUT_CHILD_DONE && end.code == 7 && length == 1000000);
     ck_assert(memcmp(data + 999000, "much", 5) == 0);
     free(data);
 }
-END_TEST
 
-START_TEST(a_crash_a_loop_and_a_flood_end_it_alone) {
+TEST(a_crash_a_loop_and_a_flood_end_it_alone) {
     wcut_child_end end = run(crash, 20, (size_t)1 << 30, 1000);
     ck_assert(end.how == WCUT_CHILD_CRASHED && end.code == SIGSEGV);
     ck_assert_int_eq(run(loop, 1, (size_t)1 << 30, 1000).how, WCUT_CHILD_SLOW);
     ck_assert_int_eq(run(write_much, 20, (size_t)1 << 30, 999999).how, WCUT_CHILD_TALKATIVE);
 }
-END_TEST
 
-START_TEST(it_has_no_files_and_only_so_much_memory) {
+TEST(it_has_no_files_and_only_so_much_memory) {
     const int open_here = open("/dev/null", O_RDONLY);
     ck_assert_int_ge(open_here, 3);
     wcut_child_end end = run(open_files, 20, (size_t)1 << 30, 1000);
@@ -85,11 +84,4 @@ START_TEST(it_has_no_files_and_only_so_much_memory) {
     ck_assert_msg(end.how == WCUT_CHILD_DONE && end.code == 1, "%d %d", end.how, end.code);
     free(data);
     close(open_here);
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {what_it_writes_and_returns_arrives, a_crash_a_loop_and_a_flood_end_it_alone,
-                                 it_has_no_files_and_only_so_much_memory};
-    return run_suite("child", sizeof test / sizeof *test, test);
 }

@@ -7,8 +7,9 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
-#include "given.h"
+#include "io/given.h"
 #include "io/mesh/colour.h"
+#include "test.h"
 
 static wcut_mesh mesh;
 static wcut_error error;
@@ -31,7 +32,7 @@ static void written(wcut_status status) {
 
 /* ---- STL ---- */
 
-START_TEST(stl_holds_every_triangle_with_its_normal_outwards) {
+TEST(stl_holds_every_triangle_with_its_normal_outwards) {
     setup(23, 31);
     written(wcut_mesh_write_stl(&mesh, "a.stl", &error));
     size_t length;
@@ -59,9 +60,8 @@ START_TEST(stl_holds_every_triangle_with_its_normal_outwards) {
     free(bytes);
     teardown();
 }
-END_TEST
 
-START_TEST(a_triangle_without_area_has_the_normal_zero) {
+TEST(a_triangle_without_area_has_the_normal_zero) {
     setup(2, 2);
     mesh.vertex[1] = mesh.vertex[0];
     written(wcut_mesh_write_stl(&mesh, "a.stl", &error));
@@ -73,7 +73,6 @@ START_TEST(a_triangle_without_area_has_the_normal_zero) {
     free(bytes);
     teardown();
 }
-END_TEST
 
 /* ---- OBJ ---- */
 
@@ -117,7 +116,7 @@ static void check_obj(bool with_uv, bool with_normal) {
     free(text);
 }
 
-START_TEST(obj_comes_back_to_the_last_bit_with_and_without_normals) {
+TEST(obj_comes_back_to_the_last_bit_with_and_without_normals) {
     setup(23, 31);
     double *uv = mesh.uv;
     wcut_vec3 *normal = mesh.normal;
@@ -130,9 +129,8 @@ START_TEST(obj_comes_back_to_the_last_bit_with_and_without_normals) {
     mesh.uv = uv;
     teardown();
 }
-END_TEST
 
-START_TEST(obj_knows_no_locale) {
+TEST(obj_knows_no_locale) {
     setup(3, 3);
     ck_assert_msg(setlocale(LC_ALL, "de_DE.UTF-8") != NULL, "the tests' own locale is missing");
     written(wcut_mesh_write_obj(&mesh, "a.obj", &error));
@@ -143,7 +141,6 @@ START_TEST(obj_knows_no_locale) {
     free(text);
     teardown();
 }
-END_TEST
 
 /* ---- PLY ---- */
 
@@ -181,7 +178,7 @@ static void check_ply(void) {
     free(text);
 }
 
-START_TEST(ply_comes_back_to_the_last_bit_with_scalar_and_colour) {
+TEST(ply_comes_back_to_the_last_bit_with_scalar_and_colour) {
     setup(23, 31);
     written(wcut_mesh_write_ply(&mesh, "force_N_per_mm", "a.ply", &error));
     check_ply();
@@ -195,9 +192,8 @@ START_TEST(ply_comes_back_to_the_last_bit_with_scalar_and_colour) {
     check_ply();
     teardown();
 }
-END_TEST
 
-START_TEST(a_name_that_is_no_ply_property_is_refused) {
+TEST(a_name_that_is_no_ply_property_is_refused) {
     static const char *const name[] = {"", "two words", "a\nelement face 9", "x", "red", "nz", "\xc3\xa4", NULL};
     setup(2, 2);
     for (int k = 0; k < 8; k++) {
@@ -207,13 +203,12 @@ START_TEST(a_name_that_is_no_ply_property_is_refused) {
     ck_assert_int_eq(count_entries("."), 0);
     teardown();
 }
-END_TEST
 
 /* ---- colour ---- */
 
 static double lightness(const double rgb[3]) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
 
-START_TEST(colours_grow_lighter_with_the_value_and_stay_in_range) {
+TEST(colours_grow_lighter_with_the_value_and_stay_in_range) {
     double before = -1;
     for (int i = -10; i <= 1010; i++) {
         double rgb[3];
@@ -226,7 +221,6 @@ START_TEST(colours_grow_lighter_with_the_value_and_stay_in_range) {
     ck_assert_double_eq(wcut_colour_parameter(3, 3, 3), 0); /* one value everywhere */
     ck_assert_double_eq(wcut_colour_parameter(0, -1.7e308, 1.7e308), 0.5);
 }
-END_TEST
 
 /* ---- GLB ---- */
 
@@ -313,7 +307,7 @@ static void check_triangles(const json_t *root, const char *data, size_t bytes) 
     }
 }
 
-START_TEST(glb_holds_the_triangles_colours_and_the_scale_to_metres) {
+TEST(glb_holds_the_triangles_colours_and_the_scale_to_metres) {
     setup(23, 31);
     written(wcut_mesh_write_glb(&mesh, "a.glb", &error));
     size_t length, bytes;
@@ -330,9 +324,8 @@ START_TEST(glb_holds_the_triangles_colours_and_the_scale_to_metres) {
     free(glb);
     teardown();
 }
-END_TEST
 
-START_TEST(glb_without_normals_and_scalar_and_under_a_locale_is_valid_too) {
+TEST(glb_without_normals_and_scalar_and_under_a_locale_is_valid_too) {
     setup(4, 5);
     free(mesh.normal);
     free(mesh.scalar);
@@ -351,7 +344,6 @@ START_TEST(glb_without_normals_and_scalar_and_under_a_locale_is_valid_too) {
     free(glb);
     teardown();
 }
-END_TEST
 
 /* ---- what is no mesh ---- */
 
@@ -367,7 +359,7 @@ static void refused_by_all(const char *words) {
     ck_assert_int_eq(count_entries("."), 0);
 }
 
-START_TEST(what_is_no_finite_mesh_is_refused_by_every_writer) {
+TEST(what_is_no_finite_mesh_is_refused_by_every_writer) {
     setup(3, 3);
     mesh.vertex[4].y = NAN;
     refused_by_all("a: vertex 4: found nan, inf or more than 1e30");
@@ -396,35 +388,10 @@ START_TEST(what_is_no_finite_mesh_is_refused_by_every_writer) {
     mesh.triangle_count = 8;
     teardown();
 }
-END_TEST
 
-START_TEST(running_out_of_memory_anywhere_writes_nothing) {
+TEST(running_out_of_memory_anywhere_writes_nothing) {
     setup(3, 3);
-    for (int writer = 0; writer < 2; writer++) {
-        wcut_status status = WCUT_NO_MEMORY;
-        for (long k = 1; status == WCUT_NO_MEMORY; k++) {
-            ck_assert_int_eq(count_entries("."), writer);
-            wcut_alloc_fail_at(k);
-            status = writer ? wcut_mesh_write_glb(&mesh, "b", &error) : wcut_mesh_write_stl(&mesh, "a", &error);
-            wcut_alloc_fail_at(0);
-        }
-        ck_assert_int_eq(status, WCUT_OK);
-    }
+    EACH_FAILED_ALLOCATION(wcut_mesh_write_stl(&mesh, "a", &error), count_entries(".") == 0);
+    EACH_FAILED_ALLOCATION(wcut_mesh_write_glb(&mesh, "b", &error), count_entries(".") == 1);
     teardown();
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {stl_holds_every_triangle_with_its_normal_outwards,
-                                 a_triangle_without_area_has_the_normal_zero,
-                                 obj_comes_back_to_the_last_bit_with_and_without_normals,
-                                 obj_knows_no_locale,
-                                 ply_comes_back_to_the_last_bit_with_scalar_and_colour,
-                                 a_name_that_is_no_ply_property_is_refused,
-                                 colours_grow_lighter_with_the_value_and_stay_in_range,
-                                 glb_holds_the_triangles_colours_and_the_scale_to_metres,
-                                 glb_without_normals_and_scalar_and_under_a_locale_is_valid_too,
-                                 what_is_no_finite_mesh_is_refused_by_every_writer,
-                                 running_out_of_memory_anywhere_writes_nothing};
-    return run_suite("mesh_write", sizeof test / sizeof *test, test);
 }

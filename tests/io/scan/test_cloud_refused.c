@@ -1,9 +1,10 @@
 /* Clouds that lie, end early or are none: each is refused with its own words, after the points that stand before. */
-#include "cloud_given.h"
+#include "io/scan/cloud_given.h"
+#include "test.h"
 
 /* ---- text ---- */
 
-START_TEST(text_that_is_no_cloud_is_refused_with_its_line) {
+TEST(text_that_is_no_cloud_is_refused_with_its_line) {
     given("");
     refused(0, "byte 0: found the end of the file, expected points");
     given("\n\n  \n");
@@ -35,9 +36,8 @@ START_TEST(text_that_is_no_cloud_is_refused_with_its_line) {
     given("id,,x,y,z\n1,2,3,4,5\n");
     refused(0, "line 2, column 1: found 1,2,3,4,5, expected as many columns as the header names");
 }
-END_TEST
 
-START_TEST(zero_bytes_other_alphabets_and_endless_lines_are_refused) {
+TEST(zero_bytes_other_alphabets_and_endless_lines_are_refused) {
     begin();
     put("1 2 3\n4 5\0 6\n", 13);
     refused(1, "line 2, column 4: found a zero byte");
@@ -58,9 +58,8 @@ START_TEST(zero_bytes_other_alphabets_and_endless_lines_are_refused) {
     given("1 2 3\x01\n");
     refused(0, "found 3\\x01");
 }
-END_TEST
 
-START_TEST(formats_that_are_not_read_are_named) {
+TEST(formats_that_are_not_read_are_named) {
     given("ASTM-E57\1");
     refused(0, "found an E57 file, expected PLY");
     given("PK\003\004");
@@ -68,9 +67,8 @@ START_TEST(formats_that_are_not_read_are_named) {
     given("\037\213");
     refused(0, "found a gzip archive");
 }
-END_TEST
 
-START_TEST(a_count_that_lies_is_refused) {
+TEST(a_count_that_lies_is_refused) {
     given("3\n1 2 3\n4 5 6\n");
     refused(2, "found the end of the file, expected 1 points more");
     given("1\n1 2 3\n4 5 6\n");
@@ -80,9 +78,8 @@ START_TEST(a_count_that_lies_is_refused) {
     given("99999999999999999999\n1 2 3\n"); /* no count of anything: a row too short */
     refused(0, "at least three numbers");
 }
-END_TEST
 
-START_TEST(coordinates_beyond_any_scan_are_refused) {
+TEST(coordinates_beyond_any_scan_are_refused) {
     given("1 2 3\n1 2 -1.1e12\n");
     refused(1, "line 2: found z = -1.1e+12 mm, expected at most 1e12: a wrong byte order or unit?");
     given("1 2e9 3\n");
@@ -92,7 +89,6 @@ START_TEST(coordinates_beyond_any_scan_are_refused) {
     options.unit = WCUT_LENGTH_UNIT_M;
     refused(0, "found x = 1e+303 mm");
 }
-END_TEST
 
 /* ---- PLY ---- */
 
@@ -109,7 +105,7 @@ static void ply_refused(const char *header, const char *words) {
     refused(0, words);
 }
 
-START_TEST(a_ply_header_is_read_to_the_letter) {
+TEST(a_ply_header_is_read_to_the_letter) {
     ply_refused("ply\n", "line 2: found the end of the file, expected end_header");
     ply_refused("ply\nend_header\n", "line 2, column 1: found end_header, expected a format before it");
     ply_refused("ply\nformat binary 1.0\n", "line 2, column 8: found binary 1.0, expected ascii, binary_little");
@@ -144,9 +140,8 @@ START_TEST(a_ply_header_is_read_to_the_letter) {
     for (int k = 0; k < 257; k++) put_text("property int a%d\n", k);
     refused(0, "at most 256 properties");
 }
-END_TEST
 
-START_TEST(a_ply_that_claims_more_than_it_holds_is_refused_at_once) {
+TEST(a_ply_that_claims_more_than_it_holds_is_refused_at_once) {
     given_ply("binary_little_endian", "900000000", ""); /* 10 GB in 1 KB */
     for (int k = 0; k < 900; k++) put_bits(0, 1, false);
     refused(0, "found 900000000 vertices stated, 900 bytes for them, expected at least 12 each");
@@ -162,9 +157,8 @@ START_TEST(a_ply_that_claims_more_than_it_holds_is_refused_at_once) {
         "property int x\nproperty int y\nproperty int z\nend_header\n1\n2\n");
     refused(0, "line 12: found the end of the file, expected as many lines as elements are stated");
 }
-END_TEST
 
-START_TEST(a_ply_that_ends_early_or_goes_on_is_refused) {
+TEST(a_ply_that_ends_early_or_goes_on_is_refused) {
     given_ply("binary_little_endian", "3", "");
     for (int k = 0; k < 9; k++) put_float(k, false);
     size -= 1;
@@ -193,9 +187,8 @@ START_TEST(a_ply_that_ends_early_or_goes_on_is_refused) {
     put_text("1 2 3\n3 0 0 0\n");
     refused(1, "expected as many lines as elements are stated");
 }
-END_TEST
 
-START_TEST(lists_of_negative_or_immense_length_are_refused) {
+TEST(lists_of_negative_or_immense_length_are_refused) {
     given_ply("binary_little_endian", "1", "property list char int w\n");
     for (int c = 0; c < 3; c++) put_float(c, false);
     put_bits(0xff, 1, false);
@@ -212,9 +205,8 @@ START_TEST(lists_of_negative_or_immense_length_are_refused) {
     put_text("1 2 3 4000000000 1 2\n");
     refused(0, "column 21: found the end of the line, expected a number");
 }
-END_TEST
 
-START_TEST(the_wrong_byte_order_is_noticed) {
+TEST(the_wrong_byte_order_is_noticed) {
     /* round numbers become tiny ones, others huge or not finite */
     given_ply("binary_little_endian", "3", "");
     for (int k = 0; k < 9; k++) put_float(100 + k, true);
@@ -233,7 +225,6 @@ START_TEST(the_wrong_byte_order_is_noticed) {
     for (int k = 0; k < 6; k++) put_float(k < 2 ? 1e-40 : k, false);
     reads(2);
 }
-END_TEST
 
 /* ---- the others ---- */
 
@@ -245,7 +236,7 @@ static void given_stl(unsigned triangles, size_t length) {
     options.format = WCUT_CLOUD_FORMAT_STL;
 }
 
-START_TEST(stl_that_lies_is_refused) {
+TEST(stl_that_lies_is_refused) {
     given_stl(2, 84 + 99);
     refused(0, "found 2 triangles stated, 99 bytes for them, expected at least 50 each");
     given_stl(2, 84 + 101);
@@ -270,7 +261,6 @@ START_TEST(stl_that_lies_is_refused) {
     given("solid a\nendsolid\nanything\n");
     refused(0, "found anything, expected solid");
 }
-END_TEST
 
 static void given_las(int minor, int format, int length, uint64_t count, double scale) {
     begin();
@@ -278,7 +268,7 @@ static void given_las(int minor, int format, int length, uint64_t count, double 
     for (int k = 0; k < 5 * length; k++) put_bits(0, 1, false);
 }
 
-START_TEST(las_that_lies_is_refused) {
+TEST(las_that_lies_is_refused) {
     given_las(2, 0, 20, 5, 0.001);
     reads(5);
     given_las(1, 0, 20, 5, 0.001);
@@ -320,7 +310,6 @@ START_TEST(las_that_lies_is_refused) {
     options.format = WCUT_CLOUD_FORMAT_LAS;
     refused(0, "found no LASF, expected a LAS file");
 }
-END_TEST
 
 static void pcd_refused(int count, const char *text, const char *words) {
     begin();
@@ -330,7 +319,7 @@ static void pcd_refused(int count, const char *text, const char *words) {
 
 #define XYZ "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\n"
 
-START_TEST(pcd_that_lies_is_refused) {
+TEST(pcd_that_lies_is_refused) {
     pcd_refused(0, "", "expected DATA");
     pcd_refused(0, XYZ "WIDTH 1\nDATA binary_compressed\n",
                 "found binary_compressed, expected ascii or binary: write the points without compression");
@@ -362,7 +351,6 @@ START_TEST(pcd_that_lies_is_refused) {
     pcd_refused(0, "FIELDS x y z a\nSIZE 4 4 4 8\nTYPE F F F F\nCOUNT 1 1 1 4096\nWIDTH 0\nDATA binary\n",
                 "found records of 32780 bytes, expected at most 4096");
 }
-END_TEST
 
 static void mesh_refused(wcut_cloud_format format, int count, const char *text, const char *words) {
     given(text);
@@ -370,7 +358,7 @@ static void mesh_refused(wcut_cloud_format format, int count, const char *text, 
     refused(count, words);
 }
 
-START_TEST(meshes_that_lie_are_refused) {
+TEST(meshes_that_lie_are_refused) {
     const wcut_cloud_format obj = WCUT_CLOUD_FORMAT_OBJ, off = WCUT_CLOUD_FORMAT_OFF, gltf = WCUT_CLOUD_FORMAT_GLTF;
     mesh_refused(obj, 1, "v 1 2 3\nv 1 2\n", "line 2, column 6: found the end of the line, expected 3 coordinates");
     mesh_refused(obj, 0, "v 1 2 x\n", "line 1, column 7: found x, expected a number");
@@ -394,9 +382,8 @@ START_TEST(meshes_that_lie_are_refused) {
     mesh_refused(gltf, 0, "glTF\2\1", "assimp reads no mesh in it, expected a sound glb file");
     mesh_refused(gltf, 0, "", "found the end of the file, expected points");
 }
-END_TEST
 
-START_TEST(a_format_that_is_asked_for_is_not_guessed) {
+TEST(a_format_that_is_asked_for_is_not_guessed) {
     given("1 2 3\n");
     options.format = WCUT_CLOUD_FORMAT_PLY;
     refused(0, "line 1, column 1: found 1 2 3, expected a word of a PLY header");
@@ -407,9 +394,8 @@ START_TEST(a_format_that_is_asked_for_is_not_guessed) {
     options.format = WCUT_CLOUD_FORMAT_STL;
     refused(0, "expected the 84 bytes of an STL header");
 }
-END_TEST
 
-START_TEST(every_truncation_of_a_good_file_is_refused_or_shorter) {
+TEST(every_truncation_of_a_good_file_is_refused_or_shorter) {
     /* PLY, LAS and PCD state their length: no prefix of them is a cloud */
     for (int t = 0; t < 4; t++) {
         if (t < 2) {
@@ -426,25 +412,4 @@ START_TEST(every_truncation_of_a_good_file_is_refused_or_shorter) {
         for (size = 0; size < whole; size++)
             ck_assert_msg(read_through(4096, 10) == WCUT_BAD_FORMAT, "%d: %zu bytes of %zu", t, size, whole);
     }
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {text_that_is_no_cloud_is_refused_with_its_line,
-                                 zero_bytes_other_alphabets_and_endless_lines_are_refused,
-                                 formats_that_are_not_read_are_named,
-                                 a_count_that_lies_is_refused,
-                                 coordinates_beyond_any_scan_are_refused,
-                                 a_ply_header_is_read_to_the_letter,
-                                 a_ply_that_claims_more_than_it_holds_is_refused_at_once,
-                                 a_ply_that_ends_early_or_goes_on_is_refused,
-                                 lists_of_negative_or_immense_length_are_refused,
-                                 the_wrong_byte_order_is_noticed,
-                                 stl_that_lies_is_refused,
-                                 las_that_lies_is_refused,
-                                 pcd_that_lies_is_refused,
-                                 meshes_that_lie_are_refused,
-                                 a_format_that_is_asked_for_is_not_guessed,
-                                 every_truncation_of_a_good_file_is_refused_or_shorter};
-    return run_cloud_suite("cloud_refused", sizeof test / sizeof *test, test);
 }

@@ -4,8 +4,9 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
-#include "given.h"
+#include "io/given.h"
 #include "io/process/job.h"
+#include "test.h"
 
 static wcut_job *job, *again;
 static wcut_error error;
@@ -33,7 +34,7 @@ static void write_and_read(void) {
 
 static void same(const void *a, const void *b, size_t size) { ck_assert(a && b && memcmp(a, b, size) == 0); }
 
-START_TEST(a_path_job_comes_back_to_the_last_bit) {
+TEST(a_path_job_comes_back_to_the_last_bit) {
     given_job(given_path_job);
     job->mount_a[1] = (wcut_vec3){-1.0 / 3, 5e-324, 1.7976931348623157e308};
     job->mount_b[1] = (wcut_vec3){0.1 + 0.2, -0.0, 123456789012345680.0};
@@ -52,9 +53,8 @@ START_TEST(a_path_job_comes_back_to_the_last_bit) {
     ck_assert_str_eq(again->wire_material, "Kanthal A");
     forget();
 }
-END_TEST
 
-START_TEST(a_design_job_comes_back_to_the_last_bit) {
+TEST(a_design_job_comes_back_to_the_last_bit) {
     given_job(given_design_job);
     write_and_read();
     ck_assert(again->mode == WCUT_MODE_DESIGN && again->stations == 41 && again->clearance == 80);
@@ -67,9 +67,8 @@ START_TEST(a_design_job_comes_back_to_the_last_bit) {
     same(job->extra_length, again->extra_length, 3 * sizeof(double));
     forget();
 }
-END_TEST
 
-START_TEST(every_effect_comes_back_to_the_last_bit) {
+TEST(every_effect_comes_back_to_the_last_bit) {
     given_job(given_path_job);
     free(job->effect);
     job->effect = wcut_alloc(WCUT_EFFECT_COUNT, sizeof *job->effect);
@@ -90,9 +89,8 @@ START_TEST(every_effect_comes_back_to_the_last_bit) {
     }
     forget();
 }
-END_TEST
 
-START_TEST(every_empirical_term_comes_back_with_its_own_parameters) {
+TEST(every_empirical_term_comes_back_with_its_own_parameters) {
     const wcut_effect_info *info = wcut_effect_view(WCUT_EFFECT_EMPIRICAL_FORCE);
     for (int term = 0; info->choice[term]; term++) {
         given_job(given_path_job);
@@ -109,9 +107,8 @@ START_TEST(every_empirical_term_comes_back_with_its_own_parameters) {
         forget();
     }
 }
-END_TEST
 
-START_TEST(an_effect_that_the_reader_would_refuse_is_not_written) {
+TEST(an_effect_that_the_reader_would_refuse_is_not_written) {
     given_job(given_path_job);
     free(job->effect);
     job->effect = wcut_alloc(1, sizeof *job->effect);
@@ -125,9 +122,8 @@ START_TEST(an_effect_that_the_reader_would_refuse_is_not_written) {
     ck_assert_int_eq(count_entries("."), 0);
     forget();
 }
-END_TEST
 
-START_TEST(numbers_are_the_shortest_and_know_no_locale) {
+TEST(numbers_are_the_shortest_and_know_no_locale) {
     given_job(given_path_job);
     ck_assert_msg(setlocale(LC_ALL, "de_DE.UTF-8") != NULL, "the tests' own locale is missing");
     job->heat = 0.1;
@@ -140,9 +136,8 @@ START_TEST(numbers_are_the_shortest_and_know_no_locale) {
     free(text);
     forget();
 }
-END_TEST
 
-START_TEST(hostile_names_come_back_as_they_are) {
+TEST(hostile_names_come_back_as_they_are) {
     static const char name[] = "</script>\"\\ \n\t\x01\x7f {\"a\": 1}\r Fl\xc3\xbcgel \xf0\x9f\x94\xa5 %s%n";
     given_job(given_path_job);
     free(job->name);
@@ -151,7 +146,6 @@ START_TEST(hostile_names_come_back_as_they_are) {
     ck_assert_str_eq(again->name, name);
     forget();
 }
-END_TEST
 
 /* refused, and the file that was there is as it was */
 static void refused(const char *words) {
@@ -164,7 +158,7 @@ static void refused(const char *words) {
     ck_assert_int_eq(count_entries("."), 1);
 }
 
-START_TEST(a_job_that_the_reader_would_refuse_is_not_written) {
+TEST(a_job_that_the_reader_would_refuse_is_not_written) {
     given_job(given_path_job);
     job->nodes = 2;
     refused("job.json: $.wire.nodes: found 2, expected an integer");
@@ -183,43 +177,17 @@ START_TEST(a_job_that_the_reader_would_refuse_is_not_written) {
     ck_assert_int_eq(wcut_job_write(job, NULL, NULL), WCUT_BAD_ARGUMENT);
     forget();
 }
-END_TEST
 
-START_TEST(a_place_that_cannot_be_written_is_named) {
+TEST(a_place_that_cannot_be_written_is_named) {
     given_job(given_path_job);
     ck_assert_int_eq(wcut_job_write(job, "none/job.json", &error), WCUT_NOT_WRITTEN);
     ck_assert_str_eq(error.text, "none/job.json: not written: No such file or directory");
     forget();
 }
-END_TEST
 
-START_TEST(running_out_of_memory_anywhere_writes_nothing) {
-    void (*const fail_at[])(long) = {wcut_alloc_fail_at, wcut_alloc_fail_at};
+TEST(running_out_of_memory_anywhere_writes_nothing) {
     given_job(given_design_job);
-    for (int a = 0; a < 2; a++) {
-        wcut_status status = WCUT_NO_MEMORY;
-        for (long k = 1; status == WCUT_NO_MEMORY; k++) {
-            ck_assert_int_eq(count_entries("."), a); /* the file of the round before */
-            fail_at[a](k);
-            status = wcut_job_write(job, "job.json", &error);
-            fail_at[a](0);
-        }
-        ck_assert_int_eq(status, WCUT_OK);
-    }
+    EACH_FAILED_ALLOCATION(wcut_job_write(job, "job.json", &error), count_entries(".") == 0);
+    ck_assert_int_eq(count_entries("."), 1);
     forget();
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {a_path_job_comes_back_to_the_last_bit,
-                                 a_design_job_comes_back_to_the_last_bit,
-                                 every_effect_comes_back_to_the_last_bit,
-                                 every_empirical_term_comes_back_with_its_own_parameters,
-                                 an_effect_that_the_reader_would_refuse_is_not_written,
-                                 numbers_are_the_shortest_and_know_no_locale,
-                                 hostile_names_come_back_as_they_are,
-                                 a_job_that_the_reader_would_refuse_is_not_written,
-                                 a_place_that_cannot_be_written_is_named,
-                                 running_out_of_memory_anywhere_writes_nothing};
-    return run_suite("job_write", sizeof test / sizeof *test, test);
 }

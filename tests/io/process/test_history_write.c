@@ -7,8 +7,9 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
-#include "given.h"
+#include "io/given.h"
 #include "io/process/job.h"
+#include "test.h"
 
 static wcut_history history;
 static wcut_vec3 *a, *b;
@@ -70,7 +71,7 @@ static void check_csv_row(char *line, int j) {
     ck_assert_uint_eq(k, sizeof expected / sizeof *expected);
 }
 
-START_TEST(path_csv_has_the_columns_of_the_format_and_exact_numbers) {
+TEST(path_csv_has_the_columns_of_the_format_and_exact_numbers) {
     setup(17, 5);
     ck_assert_msg(setlocale(LC_ALL, "de_DE.UTF-8") != NULL, "the tests' own locale is missing");
     fine(wcut_history_write_csv(&history, a, b, "path.csv", &error));
@@ -94,7 +95,6 @@ START_TEST(path_csv_has_the_columns_of_the_format_and_exact_numbers) {
     ck_assert_int_eq(count_entries("."), 1);
     teardown();
 }
-END_TEST
 
 /* ---- history.vtp ---- */
 
@@ -207,7 +207,7 @@ static void check_vtp(const char *path) {
     free(text);
 }
 
-START_TEST(a_history_comes_back_from_vtp_to_the_last_bit) {
+TEST(a_history_comes_back_from_vtp_to_the_last_bit) {
     static const int size[][2] = {{1, 2}, {2, 3}, {13, 11}, {100, 61}};
     for (int k = 0; k < 4; k++) {
         setup(size[k][0], size[k][1]);
@@ -217,7 +217,6 @@ START_TEST(a_history_comes_back_from_vtp_to_the_last_bit) {
         teardown();
     }
 }
-END_TEST
 
 static wcut_station station(int j, const double *engaged) {
     const wcut_history_row *r = &history.row[j];
@@ -257,7 +256,7 @@ static void same_files(const char *one, const char *other) {
     free(again);
 }
 
-START_TEST(a_stream_that_ends_early_is_the_file_of_a_shorter_plan) {
+TEST(a_stream_that_ends_early_is_the_file_of_a_shorter_plan) {
     setup(13, 61);
     fine(wcut_history_write_vtp(&history, "h.vtp", &error));
     static const int most[] = {13, 14, 99, 5000};
@@ -268,9 +267,8 @@ START_TEST(a_stream_that_ends_early_is_the_file_of_a_shorter_plan) {
     ck_assert_int_eq(count_entries("."), 2);
     teardown();
 }
-END_TEST
 
-START_TEST(a_stream_with_engagement_has_that_too) {
+TEST(a_stream_with_engagement_has_that_too) {
     double engaged[61];
     for (int i = 0; i < 61; i++) engaged[i] = i / 60.0;
     setup(7, 61);
@@ -285,9 +283,8 @@ START_TEST(a_stream_with_engagement_has_that_too) {
     free(text);
     teardown();
 }
-END_TEST
 
-START_TEST(a_stream_that_is_not_committed_leaves_nothing) {
+TEST(a_stream_that_is_not_committed_leaves_nothing) {
     wcut_vtp_stream *stream = NULL;
     setup(3, 4);
     fine(wcut_vtp_stream_create("s.vtp", 5, 4, &stream, &error));
@@ -300,9 +297,8 @@ START_TEST(a_stream_that_is_not_committed_leaves_nothing) {
     wcut_vtp_stream_destroy(NULL);
     teardown();
 }
-END_TEST
 
-START_TEST(a_stream_refuses_what_does_not_fit_it) {
+TEST(a_stream_refuses_what_does_not_fit_it) {
     wcut_vtp_stream *stream = NULL;
     const double engaged[4] = {0};
     setup(3, 4);
@@ -331,9 +327,8 @@ START_TEST(a_stream_refuses_what_does_not_fit_it) {
     ck_assert_int_eq(count_entries("."), 1);
     teardown();
 }
-END_TEST
 
-START_TEST(a_history_that_is_not_finite_is_refused_by_every_writer) {
+TEST(a_history_that_is_not_finite_is_refused_by_every_writer) {
     setup(3, 4);
     history.row[1].alpha_b = NAN;
     ck_assert_int_eq(wcut_history_write_csv(&history, a, b, "x", &error), WCUT_BAD_ARGUMENT);
@@ -349,7 +344,6 @@ START_TEST(a_history_that_is_not_finite_is_refused_by_every_writer) {
     ck_assert_int_eq(count_entries("."), 0);
     teardown();
 }
-END_TEST
 
 /* ---- summary.json ---- */
 
@@ -401,7 +395,7 @@ static void check_summary(const json_t *root) {
     ck_assert_str_eq(json_string_value(json_array_get(files, 1)), "a\"b\n.stl");
 }
 
-START_TEST(the_summary_holds_every_figure) {
+TEST(the_summary_holds_every_figure) {
     static const char *const files[] = {"path.csv", "a\"b\n.stl"};
     setup(12, 5);
     given_setup();
@@ -418,9 +412,8 @@ START_TEST(the_summary_holds_every_figure) {
     wcut_setup_destroy(cut_setup);
     teardown();
 }
-END_TEST
 
-START_TEST(a_summary_of_one_station_is_possible_and_of_none_is_not) {
+TEST(a_summary_of_one_station_is_possible_and_of_none_is_not) {
     char *text = NULL;
     setup(1, 5);
     given_setup();
@@ -439,7 +432,6 @@ START_TEST(a_summary_of_one_station_is_possible_and_of_none_is_not) {
     wcut_setup_destroy(cut_setup);
     teardown();
 }
-END_TEST
 
 /* ---- memory ---- */
 
@@ -453,34 +445,12 @@ static wcut_status write_one(int writer) {
     return status;
 }
 
-START_TEST(running_out_of_memory_anywhere_writes_nothing) {
+TEST(running_out_of_memory_anywhere_writes_nothing) {
     setup(40, 50);
     given_setup();
     for (int writer = 0; writer < 4; writer++) {
-        wcut_status status = WCUT_NO_MEMORY;
-        for (long k = 1; status == WCUT_NO_MEMORY; k++) {
-            ck_assert_int_eq(count_entries("."), writer);
-            wcut_alloc_fail_at(k);
-            status = write_one(writer);
-            wcut_alloc_fail_at(0);
-        }
-        ck_assert_int_eq(status, WCUT_OK);
+        EACH_FAILED_ALLOCATION(write_one(writer), count_entries(".") == writer);
     }
     wcut_setup_destroy(cut_setup);
     teardown();
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {path_csv_has_the_columns_of_the_format_and_exact_numbers,
-                                 a_history_comes_back_from_vtp_to_the_last_bit,
-                                 a_stream_that_ends_early_is_the_file_of_a_shorter_plan,
-                                 a_stream_with_engagement_has_that_too,
-                                 a_stream_that_is_not_committed_leaves_nothing,
-                                 a_stream_refuses_what_does_not_fit_it,
-                                 a_history_that_is_not_finite_is_refused_by_every_writer,
-                                 the_summary_holds_every_figure,
-                                 a_summary_of_one_station_is_possible_and_of_none_is_not,
-                                 running_out_of_memory_anywhere_writes_nothing};
-    return run_suite("history_write", sizeof test / sizeof *test, test);
 }

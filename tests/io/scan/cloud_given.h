@@ -2,17 +2,16 @@
 #ifndef WCUT_TESTS_IO_CLOUD_GIVEN_H
 #define WCUT_TESTS_IO_CLOUD_GIVEN_H
 
-#include <check.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <wirecut/cloud.h>
 
 #include "io/scan/cloud_source.h"
+#include "test.h"
 
 /* ---- bytes ---- */
 
@@ -162,19 +161,6 @@ static inline void begin(void) {
 static inline void given(const char *text) {
     begin();
     put(text, strlen(text));
-}
-
-/* run a suite of one case */
-static inline int run_cloud_suite(const char *name, int count, const TTest *const *test) {
-    Suite *suite = suite_create(name);
-    TCase *tcase = tcase_create(name);
-    for (int k = 0; k < count; k++) tcase_add_test(tcase, test[k]);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }
 
 #endif

@@ -1,17 +1,16 @@
 /* Robot programs: every format parsed by a grammar of the emitted subset and compared with the motion. */
 /* labels: unit property */
-#include <check.h>
 #include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 #include <wirecut/robot.h>
 
 #include "base/alloc.h"
 #include "base/fail.h"
+#include "test.h"
 
 enum { STATIONS = 60 };
 
@@ -181,7 +180,7 @@ static void from_euler(const double abc[3], double r[3][3]) {
 
 static bool stands(int robot, int i) { return speed_of(robot, i) * motion->target[i].duration < 5e-4; }
 
-START_TEST(urscript_parses_and_says_what_the_motion_is) {
+TEST(urscript_parses_and_says_what_the_motion_is) {
     make();
     comment_mark = '#';
     int standing = 0;
@@ -219,9 +218,8 @@ START_TEST(urscript_parses_and_says_what_the_motion_is) {
     }
     ck_assert_int_gt(standing, 0);
 }
-END_TEST
 
-START_TEST(rapid_parses_and_says_what_the_motion_is) {
+TEST(rapid_parses_and_says_what_the_motion_is) {
     make();
     comment_mark = '!';
     for (int robot = 0; robot < 2; robot++) {
@@ -263,9 +261,8 @@ START_TEST(rapid_parses_and_says_what_the_motion_is) {
         ck_assert(*at == 0);
     }
 }
-END_TEST
 
-START_TEST(krl_parses_and_says_what_the_motion_is) {
+TEST(krl_parses_and_says_what_the_motion_is) {
     make();
     comment_mark = ';';
     const wcut_robot_names names = {.program = "cut7", .wire_on = "heat", .wire_off = NULL, .sync_io = 12};
@@ -305,9 +302,8 @@ START_TEST(krl_parses_and_says_what_the_motion_is) {
         ck_assert(*at == 0);
     }
 }
-END_TEST
 
-START_TEST(the_table_and_the_object_say_what_the_motion_is) {
+TEST(the_table_and_the_object_say_what_the_motion_is) {
     make();
     comment_mark = 0;
     load(WCUT_ROBOT_FORMAT_CSV, 0, NULL);
@@ -336,7 +332,6 @@ START_TEST(the_table_and_the_object_say_what_the_motion_is) {
         ck_assert(strtod(at, &end) == p.x && strtod(end + 1, &end) == p.y && strtod(end + 1, NULL) == p.z);
     }
 }
-END_TEST
 
 /* ---- the motion ---- */
 
@@ -350,7 +345,7 @@ static wcut_vec3 program_at(int robot, double time) {
     return (wcut_vec3){a.x + s * (b.x - a.x), a.y + s * (b.y - a.y), a.z + s * (b.z - a.z)};
 }
 
-START_TEST(thinned_targets_keep_both_mounts_within_their_tolerances_at_every_moment) {
+TEST(thinned_targets_keep_both_mounts_within_their_tolerances_at_every_moment) {
     const double tolerance[] = {1, 0.1, 0.01, 1e-4};
     int before = 0;
     for (int k = 0; k < 4; k++) {
@@ -375,9 +370,8 @@ START_TEST(thinned_targets_keep_both_mounts_within_their_tolerances_at_every_mom
     }
     ck_assert_int_eq(before, STATIONS + 2); /* nothing is left out of an arc at a ten thousandth */
 }
-END_TEST
 
-START_TEST(leads_run_along_the_feed_and_zones_never_meet) {
+TEST(leads_run_along_the_feed_and_zones_never_meet) {
     options.zone = 50;
     make();
     const wcut_robot_target *t = motion->target;
@@ -397,9 +391,8 @@ START_TEST(leads_run_along_the_feed_and_zones_never_meet) {
                                 0.8 * speed_of(robot, i) * t[i].duration + 1e-9);
     }
 }
-END_TEST
 
-START_TEST(a_fixed_frame_looks_into_the_cut_from_both_sides) {
+TEST(a_fixed_frame_looks_into_the_cut_from_both_sides) {
     options.frame = WCUT_TOOL_FRAME_FIXED;
     make();
     for (int i = 0; i < motion->count; i++) {
@@ -411,9 +404,8 @@ START_TEST(a_fixed_frame_looks_into_the_cut_from_both_sides) {
         ck_assert_double_eq_tol(z[2], 1, 1e-15);
     }
 }
-END_TEST
 
-START_TEST(a_following_frame_looks_along_the_wire) {
+TEST(a_following_frame_looks_along_the_wire) {
     make();
     const int i = motion->last, j = motion->target[i].station;
     double x[3], z[3];
@@ -425,11 +417,10 @@ START_TEST(a_following_frame_looks_along_the_wire) {
     ck_assert_double_eq_tol(atan2(x[2], hypot(x[0], x[1])), row[j].beta_b, 1e-12);
     ck_assert_double_gt(z[2], 0.9);
 }
-END_TEST
 
 /* ---- limits ---- */
 
-START_TEST(the_wire_in_air_is_as_hot_as_its_tables_say) {
+TEST(the_wire_in_air_is_as_hot_as_its_tables_say) {
     double at_65 = 999, at_85 = 999, cold = 999;
     ck_assert_int_eq(wcut_wire_temperature(65, 0.15, 20, 0.7, &at_65), WCUT_OK);
     ck_assert_int_eq(wcut_wire_temperature(85, 0.15, 20, 0.7, &at_85), WCUT_OK);
@@ -444,9 +435,8 @@ START_TEST(the_wire_in_air_is_as_hot_as_its_tables_say) {
     ck_assert_int_eq(wcut_wire_temperature(1e6, 0.15, 20, 0.7, &cold), WCUT_BAD_ARGUMENT);
     ck_assert_double_eq_tol(cold, 20, 1e-3);
 }
-END_TEST
 
-START_TEST(limits_are_told_with_their_numbers_and_their_station) {
+TEST(limits_are_told_with_their_numbers_and_their_station) {
     wcut_job job = {.heat = 85, .wire_diameter = 0.15, .speed_max = 100};
     wcut_robot_limits limits = wcut_robot_limits_default(&job);
     limits.alpha = 0.25;
@@ -470,11 +460,10 @@ START_TEST(limits_are_told_with_their_numbers_and_their_station) {
     ck_assert_int_eq(wcut_robot_limits_check(NULL, &history, mount_a, mount_b, NULL, check), WCUT_BAD_ARGUMENT);
     ck_assert(check[0].value == 999);
 }
-END_TEST
 
 /* ---- what is refused ---- */
 
-START_TEST(options_out_of_range_are_refused_and_nothing_is_written) {
+TEST(options_out_of_range_are_refused_and_nothing_is_written) {
     wcut_robot_options bad[7];
     for (int k = 0; k < 7; k++) bad[k] = options;
     bad[0].chord_tolerance = 0;
@@ -494,9 +483,8 @@ START_TEST(options_out_of_range_are_refused_and_nothing_is_written) {
     ck_assert_ptr_null(motion);
     wcut_robot_motion_destroy(NULL);
 }
-END_TEST
 
-START_TEST(names_that_could_say_something_else_are_refused) {
+TEST(names_that_could_say_something_else_are_refused) {
     make();
     const char *const name[] = {"",        "1st",      "a b", "x()",
                                 "wire-on", "\xc3\xa4", "a;b", "this_name_is_far_too_long_for_it"};
@@ -528,9 +516,8 @@ START_TEST(names_that_could_say_something_else_are_refused) {
     wcut_alloc_fail_at(0);
     ck_assert_int_ne(access("test_robot.none", F_OK), 0);
 }
-END_TEST
 
-START_TEST(a_title_cannot_end_a_comment) {
+TEST(a_title_cannot_end_a_comment) {
     make();
     wcut_robot_names n = wcut_robot_names_default();
     n.title = "one\nset_digital_out(7, True)\r\x1b[2J";
@@ -538,29 +525,5 @@ START_TEST(a_title_cannot_end_a_comment) {
     ck_assert_ptr_nonnull(strstr(text, "# one?set_digital_out(7, True)??[2J\n"));
     ck_assert_ptr_null(strstr(text, "\nset_digital_out(7"));
 }
-END_TEST
 
-int main(void) {
-    Suite *suite = suite_create("robot");
-    TCase *tests = tcase_create("robot");
-    tcase_add_checked_fixture(tests, prepare, forget);
-    tcase_add_test(tests, urscript_parses_and_says_what_the_motion_is);
-    tcase_add_test(tests, rapid_parses_and_says_what_the_motion_is);
-    tcase_add_test(tests, krl_parses_and_says_what_the_motion_is);
-    tcase_add_test(tests, the_table_and_the_object_say_what_the_motion_is);
-    tcase_add_test(tests, thinned_targets_keep_both_mounts_within_their_tolerances_at_every_moment);
-    tcase_add_test(tests, leads_run_along_the_feed_and_zones_never_meet);
-    tcase_add_test(tests, a_fixed_frame_looks_into_the_cut_from_both_sides);
-    tcase_add_test(tests, a_following_frame_looks_along_the_wire);
-    tcase_add_test(tests, the_wire_in_air_is_as_hot_as_its_tables_say);
-    tcase_add_test(tests, limits_are_told_with_their_numbers_and_their_station);
-    tcase_add_test(tests, options_out_of_range_are_refused_and_nothing_is_written);
-    tcase_add_test(tests, names_that_could_say_something_else_are_refused);
-    tcase_add_test(tests, a_title_cannot_end_a_comment);
-    suite_add_tcase(suite, tests);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
-}
+FIXTURE(prepare, forget);

@@ -7,8 +7,9 @@
 #include <sys/wait.h>
 #include <wirecut/write.h>
 
-#include "given.h"
+#include "io/given.h"
 #include "io/process/job.h"
+#include "test.h"
 
 static wcut_mesh mesh;
 static wcut_history history;
@@ -107,7 +108,7 @@ static size_t size_of(const struct output *output) {
     return (size_t)s.st_size;
 }
 
-START_TEST(beyond_the_size_limit_nothing_is_written) {
+TEST(beyond_the_size_limit_nothing_is_written) {
     setup();
     signal(SIGXFSZ, SIG_IGN); /* as the command does */
     for (int k = 0; k < OUTPUTS; k++) {
@@ -120,7 +121,6 @@ START_TEST(beyond_the_size_limit_nothing_is_written) {
     }
     teardown();
 }
-END_TEST
 
 /* a disk of a few pages, mounted over the test's folder */
 static int mount_tiny_disk(void) {
@@ -133,7 +133,7 @@ static int mount_tiny_disk(void) {
     return 1;
 }
 
-START_TEST(on_a_full_disk_nothing_is_written) {
+TEST(on_a_full_disk_nothing_is_written) {
     setup();
     if (mount_tiny_disk()) {
         for (int k = 0; k < OUTPUTS; k++) {
@@ -146,9 +146,8 @@ START_TEST(on_a_full_disk_nothing_is_written) {
     }
     teardown();
 }
-END_TEST
 
-START_TEST(where_nothing_may_be_written_nothing_is) {
+TEST(where_nothing_may_be_written_nothing_is) {
     setup();
     for (int k = 0; k < OUTPUTS; k++) {
         write_file(outputs[k].name, "old");
@@ -169,9 +168,8 @@ START_TEST(where_nothing_may_be_written_nothing_is) {
     }
     teardown();
 }
-END_TEST
 
-START_TEST(a_folder_in_the_way_is_named) {
+TEST(a_folder_in_the_way_is_named) {
     setup();
     ck_assert_int_eq(mkdir("there", 0777), 0);
     for (int k = 0; k < OUTPUTS; k++) {
@@ -182,11 +180,4 @@ START_TEST(a_folder_in_the_way_is_named) {
     }
     ck_assert_int_eq(count_entries("."), 1);
     teardown();
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {beyond_the_size_limit_nothing_is_written, on_a_full_disk_nothing_is_written,
-                                 where_nothing_may_be_written_nothing_is, a_folder_in_the_way_is_named};
-    return run_suite("output_faults", sizeof test / sizeof *test, test);
 }

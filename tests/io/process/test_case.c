@@ -5,6 +5,7 @@
 #include "base/fail.h"
 #include "io/given.h"
 #include "io/process/case.h"
+#include "test.h"
 
 static const char whole[] =
     "{\"format\": \"wirecut-case/1\", \"name\": \"c \\u00b5\", \"cuts\": [\n"
@@ -17,7 +18,7 @@ static wcut_status parse(const char *text, wcut_case **found, wcut_error *error)
     return wcut_case_parse(text, strlen(text), "a/b/case.json", found, error);
 }
 
-START_TEST(a_case_names_its_files_from_its_own_folder) {
+TEST(a_case_names_its_files_from_its_own_folder) {
     wcut_case *c = NULL;
     wcut_error error;
     ck_assert_int_eq(parse(whole, &c, &error), WCUT_OK);
@@ -36,7 +37,6 @@ START_TEST(a_case_names_its_files_from_its_own_folder) {
     wcut_case_destroy(c);
     wcut_case_destroy(NULL);
 }
-END_TEST
 
 /* the whole case with `find` replaced is refused, and says so */
 static void refused(const char *find, const char *by, wcut_status status, const char *words) {
@@ -49,7 +49,7 @@ static void refused(const char *find, const char *by, wcut_status status, const 
     free(text);
 }
 
-START_TEST(no_name_leaves_the_folder) {
+TEST(no_name_leaves_the_folder) {
     const char *const name[] = {"/etc/passwd", "..", "../x", "a/../../x", "a/..", "a//../x", "./..", ""};
     for (size_t i = 0; i < sizeof name / sizeof *name; i++)
         refused("cut-01/job.json", name[i], WCUT_BAD_ARGUMENT, "$.cuts[0].job: found \"");
@@ -57,9 +57,8 @@ START_TEST(no_name_leaves_the_folder) {
     refused("r..csv", "/r.csv", WCUT_BAD_ARGUMENT, "$.cuts[1].recording");
     refused("calibration.csv", "../calibration.csv", WCUT_BAD_ARGUMENT, "$.calibration");
 }
-END_TEST
 
-START_TEST(what_is_no_case_is_refused_with_its_place) {
+TEST(what_is_no_case_is_refused_with_its_place) {
     refused("wirecut-case/1", "wirecut-job/1", WCUT_BAD_FORMAT, "$.format: found \"wirecut-job/1\"");
     refused("\"job\": \"cut-01/job.json\"", "\"jobs\": 1", WCUT_BAD_FORMAT, "expected \"job\"");
     refused("\"job\": \"cut-01/job.json\",", "", WCUT_BAD_FORMAT, "$.cuts[0].job: found nothing");
@@ -78,9 +77,8 @@ START_TEST(what_is_no_case_is_refused_with_its_place) {
     ck_assert_int_eq(wcut_case_read("x", NULL, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_ptr_null(c);
 }
-END_TEST
 
-START_TEST(a_files_format_is_read) {
+TEST(a_files_format_is_read) {
     char format[WCUT_FORMAT_SIZE] = "999";
     wcut_error error = {WCUT_OK, ""};
     enter_folder();
@@ -103,29 +101,10 @@ START_TEST(a_files_format_is_read) {
     ck_assert_int_eq(wcut_format_read("case.json", NULL, NULL), WCUT_BAD_ARGUMENT);
     leave_folder();
 }
-END_TEST
 
-START_TEST(without_memory_a_case_is_not_read) {
-    int failures = 0;
-    for (long k = 1;; k++) {
-        wcut_case *c = NULL;
-        wcut_error error;
-        wcut_alloc_fail_at(k);
-        const wcut_status status = parse(whole, &c, &error);
-        wcut_alloc_fail_at(0);
-        wcut_case_destroy(c);
-        if (status == WCUT_OK) break;
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert_ptr_null(c);
-        failures++;
-    }
-    ck_assert_int_ge(failures, 8);
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {a_case_names_its_files_from_its_own_folder, no_name_leaves_the_folder,
-                                 what_is_no_case_is_refused_with_its_place, a_files_format_is_read,
-                                 without_memory_a_case_is_not_read};
-    return run_suite("case", sizeof test / sizeof *test, test);
+TEST(without_memory_a_case_is_not_read) {
+    wcut_case *c = NULL;
+    wcut_error error;
+    EACH_FAILED_ALLOCATION(parse(whole, &c, &error), !c);
+    wcut_case_destroy(c);
 }

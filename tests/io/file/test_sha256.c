@@ -1,12 +1,11 @@
 /* SHA-256 against the published examples (FIPS 180-4, NIST CSRC "SHA256.pdf" and long messages), and of files. */
-#include <check.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 #include <wirecut/report.h>
 
 #include "io/file/sha256.h"
+#include "test.h"
 
 /* hash size bytes in pieces */
 static const char *hash_in_pieces(const void *data, size_t size, size_t piece) {
@@ -21,7 +20,7 @@ static const char *hash_in_pieces(const void *data, size_t size, size_t piece) {
     return text;
 }
 
-START_TEST(the_published_examples_come_out) {
+TEST(the_published_examples_come_out) {
     static const struct {
         const char *message, *digest;
     } example[] = {
@@ -37,9 +36,8 @@ START_TEST(the_published_examples_come_out) {
         for (size_t piece = 1; piece < 130; piece += 21)
             ck_assert_str_eq(hash_in_pieces(example[i].message, strlen(example[i].message), piece), example[i].digest);
 }
-END_TEST
 
-START_TEST(a_million_letters_come_out_in_pieces_of_any_size) {
+TEST(a_million_letters_come_out_in_pieces_of_any_size) {
     enum { MILLION = 1000000 };
     char *letters = malloc(MILLION);
     ck_assert_ptr_nonnull(letters);
@@ -50,9 +48,8 @@ START_TEST(a_million_letters_come_out_in_pieces_of_any_size) {
                          "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
     free(letters);
 }
-END_TEST
 
-START_TEST(a_file_is_hashed_to_its_end) {
+TEST(a_file_is_hashed_to_its_end) {
     char path[] = "/tmp/wirecut-hash-XXXXXX", text[WCUT_SHA256_TEXT];
     const int file = mkstemp(path);
     ck_assert_int_ge(file, 0);
@@ -62,9 +59,8 @@ START_TEST(a_file_is_hashed_to_its_end) {
     remove(path);
     ck_assert_str_eq(text, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
-END_TEST
 
-START_TEST(a_file_that_cannot_be_read_is_an_error_with_its_name) {
+TEST(a_file_that_cannot_be_read_is_an_error_with_its_name) {
     char text[WCUT_SHA256_TEXT] = "999";
     wcut_error error = {WCUT_OK, ""};
     ck_assert_int_eq(wcut_file_hash("/nowhere/job.json", text, &error), WCUT_NOT_FOUND);
@@ -73,20 +69,4 @@ START_TEST(a_file_that_cannot_be_read_is_an_error_with_its_name) {
     ck_assert_int_eq(wcut_file_hash(NULL, text, &error), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_file_hash("/tmp", NULL, &error), WCUT_BAD_ARGUMENT);
     ck_assert_str_eq(text, "999");
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("sha256");
-    TCase *tcase = tcase_create("examples");
-    tcase_add_test(tcase, the_published_examples_come_out);
-    tcase_add_test(tcase, a_million_letters_come_out_in_pieces_of_any_size);
-    tcase_add_test(tcase, a_file_is_hashed_to_its_end);
-    tcase_add_test(tcase, a_file_that_cannot_be_read_is_an_error_with_its_name);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -5,7 +5,8 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
-#include "cloud_given.h"
+#include "io/scan/cloud_given.h"
+#include "test.h"
 
 enum { COUNT = 300 };
 
@@ -73,7 +74,7 @@ static void put_ply(const char *format, const char *type, bool list, bool normal
         put_bits(3, 1, big), put_bits(0, 4, big), put_bits(1, 4, big), put_bits(2, 4, big);
 }
 
-START_TEST(ply_of_every_byte_order_with_lists_and_normals_and_strange_elements) {
+TEST(ply_of_every_byte_order_with_lists_and_normals_and_strange_elements) {
     const char *const formats[] = {"ascii", "binary_little_endian", "binary_big_endian"};
     const char *const types[] = {"float", "double", "float32", "float64"};
     for (int k = 0; k < 3 * 4 * 4; k++) {
@@ -86,9 +87,8 @@ START_TEST(ply_of_every_byte_order_with_lists_and_normals_and_strange_elements) 
             no_normals();
     }
 }
-END_TEST
 
-START_TEST(ply_of_integer_coordinates) {
+TEST(ply_of_integer_coordinates) {
     const char *const types[] = {"char",   "int8",   "uchar", "uint8", "short", "int16",
                                  "ushort", "uint16", "int",   "int32", "uint",  "uint32"};
     for (int t = 0; t < 24; t++) {
@@ -112,7 +112,6 @@ START_TEST(ply_of_integer_coordinates) {
     reads(1);
     ck_assert(equal(got[0], (wcut_vec3){-300, -5, -70000}));
 }
-END_TEST
 
 /* ---- text ---- */
 
@@ -128,7 +127,7 @@ static void put_rows(const char *separator, const char *end, bool normals, bool 
     }
 }
 
-START_TEST(text_of_every_separator) {
+TEST(text_of_every_separator) {
     const char *const separators[] = {" ", "\t", ",", ";", "  \t ", ", ", " ; "}, *const ends[] = {"\n", "\r\n", " \n"};
     for (int k = 0; k < 7 * 3 * 2; k++) {
         begin();
@@ -142,9 +141,8 @@ START_TEST(text_of_every_separator) {
         came_back(WCUT_CLOUD_FORMAT_TEXT, -1);
     }
 }
-END_TEST
 
-START_TEST(decimal_commas_are_known_between_semicolons_and_blanks) {
+TEST(decimal_commas_are_known_between_semicolons_and_blanks) {
     const char *const separators[] = {";", "\t", " "};
     for (int k = 0; k < 6; k++) {
         begin();
@@ -163,9 +161,8 @@ START_TEST(decimal_commas_are_known_between_semicolons_and_blanks) {
     given("1;2;3\n1.234,5;2;3\n");
     refused(1, "line 2, column 1: found 1.234,5;2;3, expected a number");
 }
-END_TEST
 
-START_TEST(headers_comments_counts_and_marks_are_tolerated) {
+TEST(headers_comments_counts_and_marks_are_tolerated) {
     given("\xef\xbb\xbf# by the scanner\n\n// 2 lines\nScan of Monday\nunit,mm\n3\n1 2 3\n# between\n4 5 6\n\n7 8 9\n");
     reads(3);
     ck_assert(equal(got[2], (wcut_vec3){7, 8, 9}) && got_info.stated == 3);
@@ -189,9 +186,8 @@ START_TEST(headers_comments_counts_and_marks_are_tolerated) {
     reads(4);
     ck_assert(got_normal[1].z == 0 && got_normal[2].z == 0 && got_normal[3].z == -1);
 }
-END_TEST
 
-START_TEST(units_become_millimetres) {
+TEST(units_become_millimetres) {
     const wcut_length_unit units[] = {WCUT_LENGTH_UNIT_MM, WCUT_LENGTH_UNIT_CM, WCUT_LENGTH_UNIT_M,
                                       WCUT_LENGTH_UNIT_INCH};
     const double factor[] = {1, 10, 1000, 25.4};
@@ -210,10 +206,9 @@ START_TEST(units_become_millimetres) {
         refused(0, "line 1, column 1: found x");
     }
 }
-END_TEST
 
-START_TEST(a_locale_with_decimal_commas_changes_nothing) {
-    if (!setlocale(LC_ALL, "de_DE.UTF-8")) printf("no locale with decimal commas here: not tested\n");
+TEST(a_locale_with_decimal_commas_changes_nothing) {
+    ck_assert_ptr_nonnull(setlocale(LC_ALL, "de_DE.UTF-8"));
     given("1.5 2.25 3.125\n");
     reads(1);
     ck_assert(equal(got[0], (wcut_vec3){1.5, 2.25, 3.125}));
@@ -221,11 +216,10 @@ START_TEST(a_locale_with_decimal_commas_changes_nothing) {
     refused(0, "1e+20 mm");
     setlocale(LC_ALL, "C");
 }
-END_TEST
 
 /* ---- the others ---- */
 
-START_TEST(stl_gives_the_corners_of_its_triangles) {
+TEST(stl_gives_the_corners_of_its_triangles) {
     for (int named = 0; named < 2; named++) {
         begin();
         put_text("%s", named ? "solid but binary all the same" : "STLB");
@@ -252,9 +246,8 @@ START_TEST(stl_gives_the_corners_of_its_triangles) {
     }
     came_back(WCUT_CLOUD_FORMAT_STL, -1);
 }
-END_TEST
 
-START_TEST(obj_and_off_give_their_vertices) {
+TEST(obj_and_off_give_their_vertices) {
     begin();
     put_text("# a sheet\nmtllib sheet.mtl\no sheet\n\n");
     for (int k = 0; k < COUNT; k++) {
@@ -278,7 +271,6 @@ START_TEST(obj_and_off_give_their_vertices) {
         came_back(WCUT_CLOUD_FORMAT_OFF, COUNT);
     }
 }
-END_TEST
 
 /* two nodes with one mesh of three points each, the second shifted by (10, 20, 30) m */
 static const char gltf[] =
@@ -290,7 +282,7 @@ static const char gltf[] =
     "\"buffers\":[{\"byteLength\":36,\"uri\":\"data:application/octet-stream;base64,"
     "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAAEAAAAAA\"}]}";
 
-START_TEST(gltf_gives_the_vertices_of_every_node_in_mm_with_z_upwards) {
+TEST(gltf_gives_the_vertices_of_every_node_in_mm_with_z_upwards) {
     for (int mode = 0; mode <= 4; mode += 4) { /* points, triangles */
         begin();
         put_text(gltf, mode);
@@ -301,9 +293,8 @@ START_TEST(gltf_gives_the_vertices_of_every_node_in_mm_with_z_upwards) {
         ck_assert(equal(got_info.low, (wcut_vec3){0, -30000, 0}) && equal(got_info.high, (wcut_vec3){11000, 0, 22000}));
     }
 }
-END_TEST
 
-START_TEST(las_of_every_version_and_point_format) {
+TEST(las_of_every_version_and_point_format) {
     const int least[] = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
     for (int minor = 2; minor <= 4; minor++) {
         for (int format = 0; format <= (minor < 4 ? 5 : 10); format++) {
@@ -324,9 +315,8 @@ START_TEST(las_of_every_version_and_point_format) {
         }
     }
 }
-END_TEST
 
-START_TEST(pcd_ascii_and_binary_with_fields_of_any_type) {
+TEST(pcd_ascii_and_binary_with_fields_of_any_type) {
     for (int binary = 0; binary < 2; binary++) {
         begin();
         put_text("# .PCD v.7 - Point Cloud Data\nVERSION .7\nFIELDS rgb x curve normal_x y z normal_z normal_y id\n");
@@ -354,9 +344,8 @@ START_TEST(pcd_ascii_and_binary_with_fields_of_any_type) {
     reads(2);
     ck_assert(equal(got[0], (wcut_vec3){-5e9, 250, -300}) && equal(got[1], (wcut_vec3){1, 2, 3}));
 }
-END_TEST
 
-START_TEST(points_that_are_not_finite_are_left_out_and_counted) {
+TEST(points_that_are_not_finite_are_left_out_and_counted) {
     given("1 2 3\nnan 2 3\n4 -inf 6\n4 5 Infinity\n1.#QNAN 0 0\n-nan(ind) 0 0\n7 8 9\n");
     reads(2);
     ck_assert(got_info.not_finite == 5 && equal(got[1], (wcut_vec3){7, 8, 9}));
@@ -368,7 +357,6 @@ START_TEST(points_that_are_not_finite_are_left_out_and_counted) {
     reads(1);
     ck_assert_int_eq(got_info.not_finite, 2);
 }
-END_TEST
 
 /* ---- whole files ---- */
 
@@ -381,7 +369,7 @@ static void on_disk(const char *ending) {
     ck_assert(fwrite(bytes, 1, size, file) == size && fclose(file) == 0);
 }
 
-START_TEST(a_whole_cloud_is_in_memory_thinned_where_asked) {
+TEST(a_whole_cloud_is_in_memory_thinned_where_asked) {
     wcut_cloud *cloud = NULL;
     begin();
     put_ply("binary_little_endian", "float", false, true);
@@ -409,9 +397,8 @@ START_TEST(a_whole_cloud_is_in_memory_thinned_where_asked) {
     ck_assert(strstr(error.text, "found no point, expected at least one") && cloud == (void *)path);
     unlink(path);
 }
-END_TEST
 
-START_TEST(more_points_than_allowed_are_refused) {
+TEST(more_points_than_allowed_are_refused) {
     wcut_cloud *cloud = (void *)path;
     begin();
     put_rows(" ", "\n", false, false);
@@ -426,9 +413,8 @@ START_TEST(more_points_than_allowed_are_refused) {
     wcut_cloud_destroy(cloud);
     unlink(path);
 }
-END_TEST
 
-START_TEST(a_pipe_is_read_like_a_file) {
+TEST(a_pipe_is_read_like_a_file) {
     begin();
     put_ply("binary_little_endian", "double", true, false);
     int ends[2];
@@ -441,9 +427,8 @@ START_TEST(a_pipe_is_read_like_a_file) {
     wcut_cloud_destroy(cloud);
     close(ends[0]);
 }
-END_TEST
 
-START_TEST(what_cannot_be_read_is_not_found) {
+TEST(what_cannot_be_read_is_not_found) {
     wcut_cloud_source *source = (void *)path;
     wcut_cloud *cloud = (void *)path;
     ck_assert_int_eq(wcut_cloud_source_create("/no/such/file", NULL, &source, &error), WCUT_NOT_FOUND);
@@ -452,9 +437,8 @@ START_TEST(what_cannot_be_read_is_not_found) {
     ck_assert_ptr_nonnull(strstr(error.text, "cannot be read"));
     ck_assert(source == (void *)path && cloud == (void *)path);
 }
-END_TEST
 
-START_TEST(arguments_outside_their_range_are_refused) {
+TEST(arguments_outside_their_range_are_refused) {
     wcut_cloud_source *source = (void *)path, *good = NULL;
     wcut_cloud *cloud = (void *)path;
     wcut_vec3 p;
@@ -485,53 +469,19 @@ START_TEST(arguments_outside_their_range_are_refused) {
     wcut_cloud_source_destroy(NULL);
     unlink(path);
 }
-END_TEST
 
-START_TEST(without_memory_nothing_is_written) {
+TEST(without_memory_nothing_is_written) {
     const char *const names[] = {"ascii", "binary_little_endian"};
     for (int t = 0; t < 2; t++) {
         begin();
         put_ply(names[t], "float", false, true);
         on_disk(".ply");
         options.voxel = 1;
-        wcut_status status = WCUT_NO_MEMORY;
         wcut_cloud *cloud = (void *)path;
-        long k = 1;
-        for (; k < 50 && status == WCUT_NO_MEMORY; k++) {
-            ck_assert_ptr_eq(cloud, (void *)path);
-            error.text[0] = '\0';
-            wcut_alloc_fail_at(k);
-            status = wcut_cloud_read(path, &options, &cloud, &error);
-            wcut_alloc_fail_at(0);
-            ck_assert(status == WCUT_OK || strstr(error.text, "out of memory"));
-        }
-        ck_assert_int_eq(status, WCUT_OK);
-        ck_assert_int_gt(k, 7);
+        error.text[0] = '\0';
+        EACH_FAILED_ALLOCATION(wcut_cloud_read(path, &options, &cloud, &error),
+                               cloud == (void *)path && strstr(error.text, "out of memory"));
         wcut_cloud_destroy(cloud);
         unlink(path);
     }
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {ply_of_every_byte_order_with_lists_and_normals_and_strange_elements,
-                                 ply_of_integer_coordinates,
-                                 text_of_every_separator,
-                                 decimal_commas_are_known_between_semicolons_and_blanks,
-                                 headers_comments_counts_and_marks_are_tolerated,
-                                 units_become_millimetres,
-                                 a_locale_with_decimal_commas_changes_nothing,
-                                 stl_gives_the_corners_of_its_triangles,
-                                 obj_and_off_give_their_vertices,
-                                 gltf_gives_the_vertices_of_every_node_in_mm_with_z_upwards,
-                                 las_of_every_version_and_point_format,
-                                 pcd_ascii_and_binary_with_fields_of_any_type,
-                                 points_that_are_not_finite_are_left_out_and_counted,
-                                 a_whole_cloud_is_in_memory_thinned_where_asked,
-                                 more_points_than_allowed_are_refused,
-                                 a_pipe_is_read_like_a_file,
-                                 what_cannot_be_read_is_not_found,
-                                 arguments_outside_their_range_are_refused,
-                                 without_memory_nothing_is_written};
-    return run_cloud_suite("cloud_read", sizeof test / sizeof *test, test);
 }

@@ -1,11 +1,9 @@
 /* wcut_report_write: what stands in the file, what is refused, what thinning keeps. The page itself is opened in
    tests/report. */
-#include <check.h>
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -15,6 +13,7 @@
 #include "io/file/sha256.h"
 #include "io/report/report_page.h"
 #include "report/pages.h"
+#include "test.h"
 
 static pages_data data;
 static char folder[] = "/tmp/wirecut-report-XXXXXX", path[64];
@@ -69,7 +68,7 @@ static json_t *read_document(const char *page) {
 /* the least page that is written */
 static wcut_report plain(void) { return (wcut_report){.verb = "simulate", .title = "a job", .verdict = "It was cut."}; }
 
-START_TEST(the_same_report_gives_the_same_bytes) {
+TEST(the_same_report_gives_the_same_bytes) {
     given_a_folder();
     size_t size[2];
     char *page[2];
@@ -82,9 +81,8 @@ START_TEST(the_same_report_gives_the_same_bytes) {
     free(page[1]);
     then_tidy();
 }
-END_TEST
 
-START_TEST(hostile_names_end_no_element_and_come_back_whole) {
+TEST(hostile_names_end_no_element_and_come_back_whole) {
     given_a_folder();
     ck_assert_int_eq(pages_write_cut(&data, path, &error), WCUT_OK);
     size_t size;
@@ -106,9 +104,8 @@ START_TEST(hostile_names_end_no_element_and_come_back_whole) {
     free(page);
     then_tidy();
 }
-END_TEST
 
-START_TEST(the_policy_pins_the_script_and_the_style_that_are_there) {
+TEST(the_policy_pins_the_script_and_the_style_that_are_there) {
     given_a_folder();
     wcut_report report = plain();
     ck_assert_int_eq(wcut_report_write(&report, path, &error), WCUT_OK);
@@ -134,9 +131,8 @@ START_TEST(the_policy_pins_the_script_and_the_style_that_are_there) {
     free(page);
     then_tidy();
 }
-END_TEST
 
-START_TEST(both_libraries_keep_their_licences) {
+TEST(both_libraries_keep_their_licences) {
     const char *script = (const char *)wcut_report_script;
     char head[4096];
     memcpy(head, script, sizeof head - 1);
@@ -145,9 +141,8 @@ START_TEST(both_libraries_keep_their_licences) {
     ck_assert_ptr_nonnull(strstr(head, "three.js authors"));
     ck_assert_ptr_nonnull(strstr(head, "Leon Sorokin"));
 }
-END_TEST
 
-START_TEST(numbers_come_back_exact_and_gaps_as_null) {
+TEST(numbers_come_back_exact_and_gaps_as_null) {
     given_a_folder();
     const double number[] = {0.1, NAN, -1e-300};
     const wcut_report_column column = {"value", "mm", number, NULL};
@@ -171,9 +166,8 @@ START_TEST(numbers_come_back_exact_and_gaps_as_null) {
     free(page);
     then_tidy();
 }
-END_TEST
 
-START_TEST(a_million_points_stay_under_25_megabytes) {
+TEST(a_million_points_stay_under_25_megabytes) {
     given_a_folder();
     ck_assert(pages_fill_cloud(&data));
     ck_assert_int_eq(pages_write_cloud(&data, path, &error), WCUT_OK);
@@ -183,9 +177,8 @@ START_TEST(a_million_points_stay_under_25_megabytes) {
     pages_free(&data);
     then_tidy();
 }
-END_TEST
 
-START_TEST(more_than_25_megabytes_are_refused_and_the_target_stays) {
+TEST(more_than_25_megabytes_are_refused_and_the_target_stays) {
     given_a_folder();
     enum { CELLS = 1000 };
     static double x[CELLS], value[CELLS * CELLS];
@@ -208,10 +201,9 @@ START_TEST(more_than_25_megabytes_are_refused_and_the_target_stays) {
     ck_assert(before.st_ino == after.st_ino && before.st_size == after.st_size);
     then_tidy();
 }
-END_TEST
 
 /* every part of a report broken in turn: refused with a word, and no file appears */
-START_TEST(what_breaks_a_limit_is_refused_and_nothing_is_written) {
+TEST(what_breaks_a_limit_is_refused_and_nothing_is_written) {
     given_a_folder();
     double x[] = {0, 1, 2, 3}, y[] = {1, 2, NAN, 4}, low[] = {0, 0, 0, 0};
     int triangle[] = {0, 1, 2};
@@ -383,33 +375,20 @@ START_TEST(what_breaks_a_limit_is_refused_and_nothing_is_written) {
     ck_assert_int_eq(wcut_report_write(&r, NULL, NULL), WCUT_BAD_ARGUMENT);
     then_tidy();
 }
-END_TEST
 
-START_TEST(a_folder_that_is_not_there_is_not_written_to) {
+TEST(a_folder_that_is_not_there_is_not_written_to) {
     wcut_report report = plain();
     ck_assert_int_eq(wcut_report_write(&report, "/nowhere/report.html", &error), WCUT_NOT_WRITTEN);
     ck_assert_ptr_nonnull(strstr(error.text, "/nowhere/report.html"));
 }
-END_TEST
 
-START_TEST(out_of_memory_anywhere_leaves_no_file) {
+TEST(out_of_memory_anywhere_leaves_no_file) {
     given_a_folder();
-    int failures = 0;
-    for (long k = 1;; k++) {
-        wcut_alloc_fail_at(k);
-        const wcut_status status = pages_write_cut(&data, path, &error);
-        wcut_alloc_fail_at(0);
-        if (status == WCUT_OK) break;
-        ck_assert_int_eq(status, WCUT_NO_MEMORY);
-        ck_assert_int_ne(access(path, F_OK), 0);
-        failures++;
-    }
-    ck_assert_int_gt(failures, 30);
+    EACH_FAILED_ALLOCATION(pages_write_cut(&data, path, &error), access(path, F_OK) != 0);
     then_tidy();
 }
-END_TEST
 
-START_TEST(base64_is_that_of_rfc_4648) {
+TEST(base64_is_that_of_rfc_4648) {
     static const char *const pair[][2] = {{"", ""},
                                           {"f", "Zg=="},
                                           {"fo", "Zm8="},
@@ -424,9 +403,8 @@ START_TEST(base64_is_that_of_rfc_4648) {
         ck_assert_str_eq(text, pair[k][1]);
     }
 }
-END_TEST
 
-START_TEST(bytes_that_are_no_utf_8_are_replaced_one_by_one) {
+TEST(bytes_that_are_no_utf_8_are_replaced_one_by_one) {
     static const char *const pair[][2] = {
         {"plain \xc3\xa9 \xe2\x82\xac \xf0\x9f\x98\x80", "plain \xc3\xa9 \xe2\x82\xac \xf0\x9f\x98\x80"},
         {"\xff", "\xef\xbf\xbd"},
@@ -441,9 +419,8 @@ START_TEST(bytes_that_are_no_utf_8_are_replaced_one_by_one) {
         free(clean);
     }
 }
-END_TEST
 
-START_TEST(a_thinned_series_keeps_lowest_highest_and_gaps) {
+TEST(a_thinned_series_keeps_lowest_highest_and_gaps) {
     enum { COUNT = 100000, MOST = 1000 };
     static double value[COUNT];
     static int index[COUNT];
@@ -461,9 +438,8 @@ START_TEST(a_thinned_series_keeps_lowest_highest_and_gaps) {
     ck_assert_int_eq(wcut_report_thin(MOST, value, MOST, index), MOST);
     ck_assert_int_eq(index[MOST - 1], MOST - 1);
 }
-END_TEST
 
-START_TEST(quantiles_are_order_statistics_of_what_is_there) {
+TEST(quantiles_are_order_statistics_of_what_is_there) {
     enum { COUNT = 1001 };
     double value[COUNT + 1], quantile[11];
     for (int i = 0; i < COUNT; i++) value[i] = (i * 7919) % COUNT;
@@ -476,9 +452,8 @@ START_TEST(quantiles_are_order_statistics_of_what_is_there) {
     ck_assert_int_eq(wcut_report_quantiles(1, value + COUNT, 11, quantile, &found), WCUT_OK);
     ck_assert(found == 0 && quantile[0] == 999);
 }
-END_TEST
 
-START_TEST(a_big_grid_is_thinned_evenly_with_its_last_row_and_column) {
+TEST(a_big_grid_is_thinned_evenly_with_its_last_row_and_column) {
     enum { ROWS = 3001, COLUMNS = 401 };
     static double value[ROWS * COLUMNS];
     static wcut_vec3 vertex[ROWS * COLUMNS];
@@ -502,32 +477,4 @@ START_TEST(a_big_grid_is_thinned_evenly_with_its_last_row_and_column) {
     ck_assert_int_eq(view.index[view.columns - 1], COLUMNS - 1);
     ck_assert_int_eq(view.index[view.count - 1], ROWS * COLUMNS - 1);
     free(view.index);
-}
-END_TEST
-
-int main(void) {
-    Suite *suite = suite_create("report");
-    TCase *tcase = tcase_create("page");
-    tcase_set_timeout(tcase, 240);
-    tcase_add_test(tcase, the_same_report_gives_the_same_bytes);
-    tcase_add_test(tcase, hostile_names_end_no_element_and_come_back_whole);
-    tcase_add_test(tcase, the_policy_pins_the_script_and_the_style_that_are_there);
-    tcase_add_test(tcase, both_libraries_keep_their_licences);
-    tcase_add_test(tcase, numbers_come_back_exact_and_gaps_as_null);
-    tcase_add_test(tcase, a_million_points_stay_under_25_megabytes);
-    tcase_add_test(tcase, more_than_25_megabytes_are_refused_and_the_target_stays);
-    tcase_add_test(tcase, what_breaks_a_limit_is_refused_and_nothing_is_written);
-    tcase_add_test(tcase, a_folder_that_is_not_there_is_not_written_to);
-    tcase_add_test(tcase, out_of_memory_anywhere_leaves_no_file);
-    tcase_add_test(tcase, base64_is_that_of_rfc_4648);
-    tcase_add_test(tcase, bytes_that_are_no_utf_8_are_replaced_one_by_one);
-    tcase_add_test(tcase, a_thinned_series_keeps_lowest_highest_and_gaps);
-    tcase_add_test(tcase, quantiles_are_order_statistics_of_what_is_there);
-    tcase_add_test(tcase, a_big_grid_is_thinned_evenly_with_its_last_row_and_column);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_ENV);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
 }

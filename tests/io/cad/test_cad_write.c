@@ -6,8 +6,9 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "exchange/given_parts.h"
-#include "given.h"
 #include "io/cad/part21_read.h"
+#include "io/given.h"
+#include "test.h"
 
 static wcut_error error;
 
@@ -46,7 +47,7 @@ static void every_reference_is_there(void) {
             ck_assert_ptr_nonnull(wcut_p21_find(&file, strtol(p + 1, NULL, 10)));
 }
 
-START_TEST(solids_share_their_edges_and_every_reference_leads_somewhere) {
+TEST(solids_share_their_edges_and_every_reference_leads_somewhere) {
     given_solid solid[2];
     wcut_shape shape[2];
     for (int k = 0; k < 2; k++) {
@@ -81,9 +82,8 @@ START_TEST(solids_share_their_edges_and_every_reference_leads_somewhere) {
     given_solid_destroy(&solid[0]);
     given_solid_destroy(&solid[1]);
 }
-END_TEST
 
-START_TEST(a_surface_is_a_face_where_it_has_a_border_and_a_set_where_it_has_none) {
+TEST(a_surface_is_a_face_where_it_has_a_border_and_a_set_where_it_has_none) {
     wcut_surface *patch = given_patch(), *cylinder = given_cylinder();
     enter_folder();
     wcut_shape shape = surface_shape(patch);
@@ -103,9 +103,8 @@ START_TEST(a_surface_is_a_face_where_it_has_a_border_and_a_set_where_it_has_none
     wcut_surface_destroy(cylinder);
     wcut_surface_destroy(patch);
 }
-END_TEST
 
-START_TEST(names_are_written_as_step_writes_them) {
+TEST(names_are_written_as_step_writes_them) {
     wcut_curve *arc = given_arc();
     wcut_shape shape = curve_shape(arc);
     size_t length;
@@ -120,9 +119,8 @@ START_TEST(names_are_written_as_step_writes_them) {
     leave_folder();
     wcut_curve_destroy(arc);
 }
-END_TEST
 
-START_TEST(the_same_shapes_give_the_same_bytes_and_a_locale_changes_nothing) {
+TEST(the_same_shapes_give_the_same_bytes_and_a_locale_changes_nothing) {
     wcut_surface *loft = given_loft(9, 8);
     const wcut_shape shape = surface_shape(loft);
     static const char *const name[] = {"a.step", "b.step", "a.igs", "b.igs"};
@@ -145,11 +143,10 @@ START_TEST(the_same_shapes_give_the_same_bytes_and_a_locale_changes_nothing) {
     leave_folder();
     wcut_surface_destroy(loft);
 }
-END_TEST
 
 /* ---- IGES ---- */
 
-START_TEST(iges_has_lines_of_80_columns_in_sections_that_count_them) {
+TEST(iges_has_lines_of_80_columns_in_sections_that_count_them) {
     wcut_surface *loft = given_loft(9, 8);
     wcut_curve *arc = given_arc();
     const wcut_shape shape[] = {surface_shape(loft), curve_shape(arc)};
@@ -180,7 +177,6 @@ START_TEST(iges_has_lines_of_80_columns_in_sections_that_count_them) {
     wcut_curve_destroy(arc);
     wcut_surface_destroy(loft);
 }
-END_TEST
 
 /* ---- refusals ---- */
 
@@ -195,7 +191,7 @@ static void refuses(const wcut_shape *shape, const char *words) {
     }
 }
 
-START_TEST(shapes_that_are_none_are_refused) {
+TEST(shapes_that_are_none_are_refused) {
     wcut_surface *patch = given_patch();
     wcut_curve *arc = given_arc();
     given_solid solid;
@@ -232,9 +228,8 @@ START_TEST(shapes_that_are_none_are_refused) {
     wcut_curve_destroy(arc);
     wcut_surface_destroy(patch);
 }
-END_TEST
 
-START_TEST(misuse_and_closed_doors_are_told_apart) {
+TEST(misuse_and_closed_doors_are_told_apart) {
     wcut_curve *arc = given_arc();
     given_solid solid;
     given_solid_create(&solid, 0);
@@ -253,37 +248,15 @@ START_TEST(misuse_and_closed_doors_are_told_apart) {
     given_solid_destroy(&solid);
     wcut_curve_destroy(arc);
 }
-END_TEST
 
-START_TEST(without_memory_the_target_is_as_it_was) {
+TEST(without_memory_the_target_is_as_it_was) {
     given_solid solid;
     given_solid_create(&solid, 0);
     const wcut_shape shape[] = {{"b", &solid.brep, NULL, NULL}, surface_shape(solid.patch)};
     enter_folder();
     write_file("a.step", "before");
-    wcut_status status = WCUT_NO_MEMORY;
-    int failures = 0;
-    for (long k = 1; status == WCUT_NO_MEMORY; k++, failures++) {
-        file_holds("a.step", "before");
-        wcut_alloc_fail_at(k);
-        status = wcut_step_write(2, shape, WCUT_STEP_SCHEMA_AP214, "a.step", NULL);
-        wcut_alloc_fail_at(0);
-    }
-    ck_assert_int_eq(status, WCUT_OK);
-    ck_assert_int_ge(failures, 6);
+    EACH_FAILED_ALLOCATION(wcut_step_write(2, shape, WCUT_STEP_SCHEMA_AP214, "a.step", NULL),
+                           (file_holds("a.step", "before"), true));
     leave_folder();
     given_solid_destroy(&solid);
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {solids_share_their_edges_and_every_reference_leads_somewhere,
-                                 a_surface_is_a_face_where_it_has_a_border_and_a_set_where_it_has_none,
-                                 names_are_written_as_step_writes_them,
-                                 the_same_shapes_give_the_same_bytes_and_a_locale_changes_nothing,
-                                 iges_has_lines_of_80_columns_in_sections_that_count_them,
-                                 shapes_that_are_none_are_refused,
-                                 misuse_and_closed_doors_are_told_apart,
-                                 without_memory_the_target_is_as_it_was};
-    return run_suite("cad_write", sizeof test / sizeof *test, test);
 }

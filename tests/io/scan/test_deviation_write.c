@@ -5,7 +5,8 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
-#include "given.h"
+#include "io/given.h"
+#include "test.h"
 
 enum { POINTS = 3000 };
 
@@ -69,7 +70,7 @@ static const json_t *at(const json_t *root, const char *path) {
 
 static double number(const json_t *root, const char *path) { return json_number_value(at(root, path)); }
 
-START_TEST(a_comparison_says_what_the_format_asks_for) {
+TEST(a_comparison_says_what_the_format_asks_for) {
     char *text = NULL;
     const wcut_compared c = given_comparison();
     ck_assert_int_eq(wcut_deviation_print(&c, &text), WCUT_OK);
@@ -102,9 +103,8 @@ START_TEST(a_comparison_says_what_the_format_asks_for) {
     free(text);
     forget();
 }
-END_TEST
 
-START_TEST(bad_comparisons_are_refused) {
+TEST(bad_comparisons_are_refused) {
     char *text = (char *)999;
     const wcut_compared good = given_comparison();
     wcut_compared bad[6] = {good, good, good, good, good, good};
@@ -117,17 +117,12 @@ START_TEST(bad_comparisons_are_refused) {
     ck_assert_int_eq(wcut_deviation_write(&good, "/nowhere/at/all.json", NULL), WCUT_NOT_WRITTEN);
     ck_assert_int_eq(wcut_zones_write(NULL, "zones.csv", NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_zones_write(result, "/nowhere/zones.csv", NULL), WCUT_NOT_WRITTEN);
-    for (long k = 1; k <= 1; k++) {
-        wcut_alloc_fail_at(k);
-        ck_assert_int_eq(wcut_deviation_print(&good, &text), WCUT_NO_MEMORY);
-        wcut_alloc_fail_at(0);
-    }
+    FIRST_FAILED_ALLOCATIONS(1, wcut_deviation_print(&good, &text), true);
     ck_assert_ptr_eq(text, (char *)999);
     forget();
 }
-END_TEST
 
-START_TEST(zones_are_a_table) {
+TEST(zones_are_a_table) {
     wcut_table *table = NULL;
     given_comparison();
     enter_folder();
@@ -144,11 +139,10 @@ START_TEST(zones_are_a_table) {
     leave_folder();
     forget();
 }
-END_TEST
 
 /* ---- points ---- */
 
-START_TEST(points_are_written_as_they_come_and_read_back) {
+TEST(points_are_written_as_they_come_and_read_back) {
     wcut_deviation_stream *stream = NULL;
     wcut_cloud *cloud = NULL;
     wcut_error error = {0};
@@ -186,9 +180,8 @@ START_TEST(points_are_written_as_they_come_and_read_back) {
     leave_folder();
     forget();
 }
-END_TEST
 
-START_TEST(normals_come_back_with_their_points) {
+TEST(normals_come_back_with_their_points) {
     wcut_deviation_stream *stream = NULL;
     wcut_cloud *cloud = NULL;
     static wcut_vec3 normal[POINTS];
@@ -213,9 +206,8 @@ START_TEST(normals_come_back_with_their_points) {
     leave_folder();
     forget();
 }
-END_TEST
 
-START_TEST(a_stream_that_is_not_committed_leaves_nothing) {
+TEST(a_stream_that_is_not_committed_leaves_nothing) {
     wcut_deviation_stream *stream = NULL;
     given_comparison();
     enter_folder();
@@ -230,22 +222,17 @@ START_TEST(a_stream_that_is_not_committed_leaves_nothing) {
     ck_assert_int_eq(wcut_deviation_stream_create(NULL, 1, 0, &stream, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_deviation_stream_create("d.ply", 0, 0, &stream, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_deviation_stream_create("/nowhere/d.ply", 1, 0, &stream, NULL), WCUT_NOT_WRITTEN);
-    for (long k = 1; k <= 2; k++) {
-        wcut_alloc_fail_at(k);
-        ck_assert_int_eq(wcut_deviation_stream_create("d.ply", 1, 0, &stream, NULL), WCUT_NO_MEMORY);
-        wcut_alloc_fail_at(0);
-    }
+    FIRST_FAILED_ALLOCATIONS(2, wcut_deviation_stream_create("d.ply", 1, 0, &stream, NULL), true);
     ck_assert_ptr_eq(stream, (wcut_deviation_stream *)999);
     ck_assert_int_eq(wcut_deviation_stream_commit(NULL, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(count_entries("."), 0);
     leave_folder();
     forget();
 }
-END_TEST
 
 /* ---- meshes ---- */
 
-START_TEST(a_coloured_mesh_keeps_its_holes_grey) {
+TEST(a_coloured_mesh_keeps_its_holes_grey) {
     wcut_mesh *mesh = NULL;
     const double value[] = {-2, 0, 2, 0.5};
     const unsigned char present[] = {1, 1, 1, 0};
@@ -276,11 +263,10 @@ START_TEST(a_coloured_mesh_keeps_its_holes_grey) {
     wcut_mesh_destroy(mesh);
     leave_folder();
 }
-END_TEST
 
 /* ---- datums ---- */
 
-START_TEST(datums_are_pairs_and_points_on_faces) {
+TEST(datums_are_pairs_and_points_on_faces) {
     wcut_datums *datums = NULL;
     wcut_error error = {0};
     enter_folder();
@@ -313,17 +299,4 @@ START_TEST(datums_are_pairs_and_points_on_faces) {
     ck_assert_int_eq(wcut_datums_read(NULL, &datums, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_ptr_eq(datums, (wcut_datums *)999);
     leave_folder();
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {a_comparison_says_what_the_format_asks_for,
-                                 bad_comparisons_are_refused,
-                                 zones_are_a_table,
-                                 points_are_written_as_they_come_and_read_back,
-                                 normals_come_back_with_their_points,
-                                 a_stream_that_is_not_committed_leaves_nothing,
-                                 a_coloured_mesh_keeps_its_holes_grey,
-                                 datums_are_pairs_and_points_on_faces};
-    return run_suite("deviation_write", sizeof test / sizeof *test, test);
 }

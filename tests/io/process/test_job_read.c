@@ -5,8 +5,9 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
-#include "given.h"
+#include "io/given.h"
 #include "io/process/job.h"
+#include "test.h"
 
 static wcut_job *job;
 static wcut_error error;
@@ -41,7 +42,7 @@ static void refused_after(const char *text, const char *find, const char *by, wc
 #define PATH(find, by, status, line) refused_after(given_path_job, find, by, status, "j.json: " line)
 #define DESIGN(find, by, status, line) refused_after(given_design_job, find, by, status, "j.json: " line)
 
-START_TEST(every_key_of_a_path_job_reaches_its_member) {
+TEST(every_key_of_a_path_job_reaches_its_member) {
     ck_assert_int_eq(parse(given_path_job, strlen(given_path_job)), WCUT_OK);
     ck_assert_str_eq(job->name, "test cut");
     ck_assert_str_eq(job->foam_material, "EPS 15 kg/m3");
@@ -60,9 +61,8 @@ START_TEST(every_key_of_a_path_job_reaches_its_member) {
               job->heat_step[1].factor == 1.1);
     forget();
 }
-END_TEST
 
-START_TEST(every_key_of_a_design_job_reaches_its_member_and_the_rest_has_defaults) {
+TEST(every_key_of_a_design_job_reaches_its_member_and_the_rest_has_defaults) {
     ck_assert_int_eq(parse(given_design_job, strlen(given_design_job)), WCUT_OK);
     ck_assert(job->mode == WCUT_MODE_DESIGN && job->stations == 41 && job->clearance == 80 && !job->mount_a);
     ck_assert(job->extra_count == 3 && job->extra_u[1] == 0.5 && job->extra_length[1] == 60);
@@ -74,9 +74,8 @@ START_TEST(every_key_of_a_design_job_reaches_its_member_and_the_rest_has_default
     ck_assert(!job->foam_material && !job->dither && !job->heat_step && job->wire_length == 0);
     forget();
 }
-END_TEST
 
-START_TEST(what_is_no_json_is_refused_with_line_and_column) {
+TEST(what_is_no_json_is_refused_with_line_and_column) {
     refused("", WCUT_BAD_FORMAT, "j.json: line 1, column 0: '[' or '{' expected near end of file, expected valid JSON");
     refused("{\n \"a\": 1,\n}", WCUT_BAD_FORMAT,
             "j.json: line 3, column 1: string or '}' expected near '}', expected valid JSON");
@@ -93,9 +92,8 @@ START_TEST(what_is_no_json_is_refused_with_line_and_column) {
          "line 5, column 90: string or '}' expected near '25', expected valid JSON");
     PATH("test cut", "t\\u0000", WCUT_BAD_FORMAT, "line 3, column 19: \\u0000 in a string, expected valid JSON");
 }
-END_TEST
 
-START_TEST(every_truncation_is_refused) {
+TEST(every_truncation_is_refused) {
     size_t length = strlen(given_path_job) - 2; /* without the closing brace */
     for (size_t n = 0; n <= length; n++) {
         char *part = malloc(n + 1); /* no more than that, so that a sanitizer sees a byte too far */
@@ -105,17 +103,15 @@ START_TEST(every_truncation_is_refused) {
         free(part);
     }
 }
-END_TEST
 
-START_TEST(a_byte_order_mark_is_ignored) {
+TEST(a_byte_order_mark_is_ignored) {
     char *text = given_changed(given_path_job, "{", "\xef\xbb\xbf{");
     ck_assert_int_eq(parse(text, strlen(text)), WCUT_OK);
     free(text);
     forget();
 }
-END_TEST
 
-START_TEST(unknown_keys_are_refused_with_the_near_one) {
+TEST(unknown_keys_are_refused_with_the_near_one) {
     PATH("\"length_mm\"", "\"lenght_mm\"", WCUT_BAD_FORMAT,
          "$.wire: found the unknown key \"lenght_mm\", expected \"length_mm\"");
     PATH("\"nodes\"", "\"node\"", WCUT_BAD_FORMAT, "$.wire: found the unknown key \"node\", expected \"nodes\"");
@@ -132,9 +128,8 @@ START_TEST(unknown_keys_are_refused_with_the_near_one) {
     PATH("\"factor\": 1.1", "\"faktor\": 1.1", WCUT_BAD_FORMAT,
          "$.excitation.heat[1]: found the unknown key \"faktor\", expected \"factor\"");
 }
-END_TEST
 
-START_TEST(missing_keys_are_named_with_what_they_should_be) {
+TEST(missing_keys_are_named_with_what_they_should_be) {
     PATH("\"format\": \"wirecut-job/1\",", "", WCUT_BAD_FORMAT, "$.format: found nothing, expected \"wirecut-job/1\"");
     PATH("\"name\": \"test cut\",", "", WCUT_BAD_FORMAT, "$.name: found nothing, expected a string");
     PATH("\"nodes\": 121, ", "", WCUT_BAD_FORMAT, "$.wire.nodes: found nothing, expected an integer from 3 to 100000");
@@ -150,9 +145,8 @@ START_TEST(missing_keys_are_named_with_what_they_should_be) {
            "$.design.edge_a: found an object, expected a curve: \"points_mm\", or \"degree\", \"knots\" and "
            "\"control_points_mm\"");
 }
-END_TEST
 
-START_TEST(wrong_types_are_refused) {
+TEST(wrong_types_are_refused) {
     refused("[1, 2]", WCUT_BAD_FORMAT, "j.json: $: found an array of 2, expected an object");
     PATH("wirecut-job/1", "wirecut-job/2", WCUT_BAD_FORMAT,
          "$.format: found \"wirecut-job/2\", expected \"wirecut-job/1\"");
@@ -171,9 +165,8 @@ START_TEST(wrong_types_are_refused) {
     DESIGN("[[0, 5], [0.5, 60], [1, 5]]", "5", WCUT_BAD_FORMAT,
            "$.design.extra_length_mm: found 5, expected an array of at least 1 pairs [u, mm]");
 }
-END_TEST
 
-START_TEST(values_outside_their_range_are_refused) {
+TEST(values_outside_their_range_are_refused) {
     PATH("1200", "0", WCUT_BAD_ARGUMENT, "$.block.size_mm[1]: found 0, expected a number greater than 0");
     PATH("0.15", "-0.15", WCUT_BAD_ARGUMENT, "$.wire.diameter_mm: found -0.15, expected a number greater than 0");
     PATH("121", "2", WCUT_BAD_ARGUMENT, "$.wire.nodes: found 2, expected an integer from 3 to 100000");
@@ -200,9 +193,8 @@ START_TEST(values_outside_their_range_are_refused) {
     PATH("\"path\"", "\"design\": {}, \"path\"", WCUT_BAD_FORMAT,
          "$: found an object, expected either \"path\" or \"design\", not both");
 }
-END_TEST
 
-START_TEST(design_values_outside_their_range_are_refused) {
+TEST(design_values_outside_their_range_are_refused) {
     DESIGN("\"stations\": 41", "\"stations\": 1", WCUT_BAD_ARGUMENT,
            "$.design.stations: found 1, expected an integer from 2 to 1000000");
     DESIGN("\"stations\": 41", "\"stations\": 1000001", WCUT_BAD_ARGUMENT,
@@ -231,9 +223,8 @@ START_TEST(design_values_outside_their_range_are_refused) {
     DESIGN("\"degree\": 2", "\"degree\": 2, \"points_mm\": []", WCUT_BAD_FORMAT,
            "$.design.edge_b: found an object, expected either \"points_mm\" or \"degree\", not both");
 }
-END_TEST
 
-START_TEST(an_effect_is_refused_by_name_not_ignored) {
+TEST(an_effect_is_refused_by_name_not_ignored) {
 #define EFFECT(text, status, message) PATH("\"effects\": []", "\"effects\": [" text "]", status, message)
     EFFECT("{\"name\": \"wire_termal_lag\", \"time_constant_s\": 1}", WCUT_BAD_ARGUMENT,
            "$.effects[0].name: found \"wire_termal_lag\", expected \"wire_thermal_lag\"");
@@ -255,9 +246,8 @@ START_TEST(an_effect_is_refused_by_name_not_ignored) {
     EFFECT("7", WCUT_BAD_FORMAT, "$.effects[0]: found 7, expected an effect: {\"name\": .., ..}");
 #undef EFFECT
 }
-END_TEST
 
-START_TEST(a_locale_with_decimal_commas_changes_nothing) {
+TEST(a_locale_with_decimal_commas_changes_nothing) {
     ck_assert_msg(setlocale(LC_ALL, "de_DE.UTF-8") != NULL, "the tests' own locale is missing");
     ck_assert_str_eq(localeconv()->decimal_point, ",");
     ck_assert_int_eq(parse(given_path_job, strlen(given_path_job)), WCUT_OK);
@@ -267,7 +257,6 @@ START_TEST(a_locale_with_decimal_commas_changes_nothing) {
     ck_assert_str_eq(localeconv()->decimal_point, ","); /* and the caller still has it */
     forget();
 }
-END_TEST
 
 /* one line of printable text, whatever the file is called */
 static void unreadable(const char *path, wcut_status status, const char *line) {
@@ -277,7 +266,7 @@ static void unreadable(const char *path, wcut_status status, const char *line) {
     ck_assert_str_eq(error.text, line);
 }
 
-START_TEST(files_that_cannot_be_read_are_named_with_the_cause) {
+TEST(files_that_cannot_be_read_are_named_with_the_cause) {
     enter_folder();
     unreadable("none.json", WCUT_NOT_FOUND, "none.json: cannot be read: No such file or directory");
     unreadable(".", WCUT_NOT_FOUND, ".: cannot be read: Is a directory");
@@ -289,9 +278,8 @@ START_TEST(files_that_cannot_be_read_are_named_with_the_cause) {
     if (getuid() == 0) ck_assert_int_eq(seteuid(0), 0);
     leave_folder();
 }
-END_TEST
 
-START_TEST(a_file_is_read_whole_and_one_that_is_too_long_is_refused) {
+TEST(a_file_is_read_whole_and_one_that_is_too_long_is_refused) {
     enter_folder();
     write_file("job.json", given_path_job);
     ck_assert_int_eq(wcut_job_read("job.json", &job, &error), WCUT_OK);
@@ -307,14 +295,12 @@ START_TEST(a_file_is_read_whole_and_one_that_is_too_long_is_refused) {
               strstr(error.text, "d/job.json: cannot be read: File name too long"));
     leave_folder();
 }
-END_TEST
 
-START_TEST(null_arguments_are_refused) {
+TEST(null_arguments_are_refused) {
     ck_assert_int_eq(wcut_job_read(NULL, &job, &error), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_job_read("job.json", NULL, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_job_parse("{", 1, "j.json", &job, NULL), WCUT_BAD_FORMAT); /* error may be NULL */
 }
-END_TEST
 
 /* ---- memory: every allocation fails once ---- */
 
@@ -339,20 +325,17 @@ static void fail_each(void (*fail_at)(long), const char *text, wcut_status also)
 
 static void fail_json_at(long k) { json_countdown = k; }
 
-START_TEST(running_out_of_memory_anywhere_is_reported_and_leaks_nothing) {
+TEST(running_out_of_memory_anywhere_is_reported_and_leaks_nothing) {
     json_set_alloc_funcs(json_allocate, free);
     const char *const text[] = {given_path_job, given_design_job};
     for (int k = 0; k < 2; k++) {
         fail_each(wcut_alloc_fail_at, text[k], WCUT_NO_MEMORY);
-        fail_each(wcut_alloc_fail_at, text[k], WCUT_NO_MEMORY);
         fail_each(fail_json_at, text[k], WCUT_BAD_FORMAT); /* jansson takes some of them for bad text */
-        ;
     }
 }
-END_TEST
 
 /* 432 recorded jobs, where they are there */
-START_TEST(recorded_jobs_are_read_as_they_stand) {
+TEST(recorded_jobs_are_read_as_they_stand) {
     int count = 0;
     for (int c = 1; c <= 99; c++)
         for (int cut = 1; cut <= 9; cut++)
@@ -367,26 +350,4 @@ START_TEST(recorded_jobs_are_read_as_they_stand) {
                 count++;
             }
     if (count == 0) printf("no ../shared/cases here: recorded jobs were not read\n");
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {every_key_of_a_path_job_reaches_its_member,
-                                 every_key_of_a_design_job_reaches_its_member_and_the_rest_has_defaults,
-                                 what_is_no_json_is_refused_with_line_and_column,
-                                 every_truncation_is_refused,
-                                 a_byte_order_mark_is_ignored,
-                                 unknown_keys_are_refused_with_the_near_one,
-                                 missing_keys_are_named_with_what_they_should_be,
-                                 wrong_types_are_refused,
-                                 values_outside_their_range_are_refused,
-                                 design_values_outside_their_range_are_refused,
-                                 an_effect_is_refused_by_name_not_ignored,
-                                 a_locale_with_decimal_commas_changes_nothing,
-                                 files_that_cannot_be_read_are_named_with_the_cause,
-                                 a_file_is_read_whole_and_one_that_is_too_long_is_refused,
-                                 null_arguments_are_refused,
-                                 running_out_of_memory_anywhere_is_reported_and_leaks_nothing,
-                                 recorded_jobs_are_read_as_they_stand};
-    return run_suite("job_read", sizeof test / sizeof *test, test);
 }

@@ -6,8 +6,9 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
-#include "given.h"
+#include "io/given.h"
 #include "io/mesh/mesh_formats.h"
+#include "test.h"
 
 static wcut_mesh *mesh;
 static wcut_mesh_read_info info;
@@ -83,7 +84,7 @@ static void is_given_back(const wcut_mesh *given, bool exact, double tolerance) 
     }
 }
 
-START_TEST(what_was_written_comes_back_exactly_or_to_single_precision) {
+TEST(what_was_written_comes_back_exactly_or_to_single_precision) {
     wcut_mesh given = given_mesh(7, 5);
     enter_folder();
     ck_assert_int_eq(wcut_mesh_write_ply(&given, "force", "a.ply", NULL), WCUT_OK);
@@ -106,9 +107,8 @@ START_TEST(what_was_written_comes_back_exactly_or_to_single_precision) {
     leave_folder();
     forget_mesh(&given);
 }
-END_TEST
 
-START_TEST(a_decimal_comma_of_the_locale_changes_nothing) {
+TEST(a_decimal_comma_of_the_locale_changes_nothing) {
     ck_assert_ptr_nonnull(setlocale(LC_ALL, "de_DE.UTF-8"));
     reads("a.obj", "v 0.5 0 0\nv 1.5 0 0\nv 0 2.25 0\nf 1 2 3\n", 3, 1);
     ck_assert(mesh->vertex[0].x == 0.5 && mesh->vertex[2].y == 2.25);
@@ -116,9 +116,8 @@ START_TEST(a_decimal_comma_of_the_locale_changes_nothing) {
     ck_assert(mesh->vertex[0].x == 0.5 && mesh->vertex[2].y == 2.25);
     setlocale(LC_ALL, "C");
 }
-END_TEST
 
-START_TEST(units_become_millimetres) {
+TEST(units_become_millimetres) {
     wcut_mesh_read_options o = wcut_mesh_read_options_default();
     const char *text = BOX_OBJ;
     static const double factor[] = {1, 10, 1000, 25.4};
@@ -130,11 +129,10 @@ START_TEST(units_become_millimetres) {
         mesh = NULL;
     }
 }
-END_TEST
 
 /* ---- topology ---- */
 
-START_TEST(corners_in_one_place_are_one_vertex_and_collapsed_triangles_are_counted) {
+TEST(corners_in_one_place_are_one_vertex_and_collapsed_triangles_are_counted) {
     reads("a.stl",
           "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
           "facet normal 0 0 1\nouter loop\nvertex 1 0 -0\nvertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\n"
@@ -144,9 +142,8 @@ START_TEST(corners_in_one_place_are_one_vertex_and_collapsed_triangles_are_count
     reads("a.obj", "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nf 2 3 4\nf 5 6 4\n", 4, 2);
     ck_assert(info.high.x == 1); /* the first vertex is in no face */
 }
-END_TEST
 
-START_TEST(polygons_become_triangles_that_fill_them) {
+TEST(polygons_become_triangles_that_fill_them) {
     reads("a.obj", BOX_OBJ, 8, 12);
     ck_assert_double_eq_tol(volume(), 24, 1e-12);
     ck_assert_int_eq(info.split, 6);
@@ -161,17 +158,15 @@ START_TEST(polygons_become_triangles_that_fill_them) {
     /* a bow tie is what it is: as many triangles as corners less two */
     reads("tie.obj", "v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4\n", 4, 2);
 }
-END_TEST
 
-START_TEST(an_obj_counts_back_from_its_end_and_carries_what_is_not_needed) {
+TEST(an_obj_counts_back_from_its_end_and_carries_what_is_not_needed) {
     reads("a.obj",
           "# a\nmtllib a.mtl\no b\nv 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 0 1 0\nvt 0 0\nvn 0 0 1\ns off\nusemtl x\r\n"
           "f -3/1/1 -2//-1 -1/1\r\nl 1 2\n",
           3, 1);
 }
-END_TEST
 
-START_TEST(a_ply_of_either_kind_gives_its_faces) {
+TEST(a_ply_of_either_kind_gives_its_faces) {
     reads(
         "a",
         "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
@@ -186,15 +181,13 @@ START_TEST(a_ply_of_either_kind_gives_its_faces) {
     ck_assert(mesh->triangle_count == 2 && mesh->vertex[2].x == 1 && mesh->vertex[2].y == 1);
     ck_assert_double_eq(area(), 1);
 }
-END_TEST
 
-START_TEST(an_off_file_is_read_in_a_process_of_its_own) {
+TEST(an_off_file_is_read_in_a_process_of_its_own) {
     reads("a.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0.125\n3 0 1 2\n3 0 2 3\n", 4, 2);
     ck_assert(mesh->vertex[3].z == 0.125 && info.format == WCUT_MESH_FORMAT_OFF);
 }
-END_TEST
 
-START_TEST(a_gltf_is_in_metres_with_y_up_and_its_nodes_move_and_mirror_it) {
+TEST(a_gltf_is_in_metres_with_y_up_and_its_nodes_move_and_mirror_it) {
     /* one triangle, (0,0,0) (1,0,0) (0,1,0), as base64; the node doubles it, mirrors x and lifts it by 3 m */
     reads("a.gltf",
           "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
@@ -213,11 +206,10 @@ START_TEST(a_gltf_is_in_metres_with_y_up_and_its_nodes_move_and_mirror_it) {
     const wcut_vec3 a = mesh->vertex[v[0]], b = mesh->vertex[v[1]], c = mesh->vertex[v[2]];
     ck_assert((b.z - a.z) * (c.x - a.x) - (b.x - a.x) * (c.z - a.z) < 0);
 }
-END_TEST
 
 /* ---- refusals ---- */
 
-START_TEST(what_is_no_mesh_is_refused_with_its_words) {
+TEST(what_is_no_mesh_is_refused_with_its_words) {
     refuses("a.obj", "", "byte 0: found the end of the file, expected a mesh");
     refuses("a.txt", "1 2 3\n", "found no mesh in a known format, expected STL, PLY, OBJ, OFF or glTF");
     refuses("a.obj", "v 0 0 0\n", "found no triangle (0 collapsed), expected at least one");
@@ -235,12 +227,11 @@ START_TEST(what_is_no_mesh_is_refused_with_its_words) {
     refuses("a.off", "OFF\n3 1 0\nxyz\n", "assimp");
     refuses("a.gltf", "{", "assimp reads no mesh in it, expected a sound gltf file");
 }
-END_TEST
 
 #define PLY_HEAD \
     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
 
-START_TEST(a_ply_that_lies_or_has_no_faces_is_refused) {
+TEST(a_ply_that_lies_or_has_no_faces_is_refused) {
     refuses("a", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0\n",
             "found no element face with a list vertex_indices");
     refuses("a", PLY_HEAD "property list uchar float vertex_indices\nend_header\n",
@@ -262,9 +253,8 @@ START_TEST(a_ply_that_lies_or_has_no_faces_is_refused) {
             "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0000",
             "found 2000000000 vertices stated, 4 bytes for them");
 }
-END_TEST
 
-START_TEST(an_stl_with_nan_or_cut_short_is_refused) {
+TEST(an_stl_with_nan_or_cut_short_is_refused) {
     unsigned char stl[84 + 50] = {0};
     const float nan = NAN;
     stl[80] = 1;
@@ -276,9 +266,8 @@ START_TEST(an_stl_with_nan_or_cut_short_is_refused) {
     refuses("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\n",
             "line 6, column 1: found endloop, expected vertex");
 }
-END_TEST
 
-START_TEST(more_triangles_than_asked_for_are_refused) {
+TEST(more_triangles_than_asked_for_are_refused) {
     wcut_mesh_read_options o = wcut_mesh_read_options_default();
     o.most = 11;
     const char *text = BOX_OBJ, *off = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
@@ -290,9 +279,8 @@ START_TEST(more_triangles_than_asked_for_are_refused) {
     ck_assert_ptr_nonnull(strstr(error.text, "found more than 1 triangles, expected at most that"));
     ck_assert_ptr_null(mesh);
 }
-END_TEST
 
-START_TEST(arguments_outside_their_range_and_missing_files_are_refused) {
+TEST(arguments_outside_their_range_and_missing_files_are_refused) {
     wcut_mesh_read_options o = wcut_mesh_read_options_default();
     ck_assert_int_eq(wcut_mesh_read(NULL, NULL, &mesh, NULL, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_mesh_read("a.stl", NULL, NULL, NULL, NULL), WCUT_BAD_ARGUMENT);
@@ -309,43 +297,14 @@ START_TEST(arguments_outside_their_range_and_missing_files_are_refused) {
     ck_assert_int_eq(wcut_mesh_read("/", NULL, &mesh, NULL, &error), WCUT_NOT_FOUND);
     ck_assert_ptr_null(mesh);
 }
-END_TEST
 
-START_TEST(without_memory_nothing_is_given_and_nothing_lost) {
+TEST(without_memory_nothing_is_given_and_nothing_lost) {
     static const char ply[] =
         PLY_HEAD "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
     static const char *const label[] = {"a.obj", "a.ply", "a.off"};
     static const char *const text[] = {BOX_OBJ, ply, "OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n"};
     for (int f = 0; f < 3; f++) {
-        wcut_status status = WCUT_NO_MEMORY;
-        int failures = 0;
-        for (long k = 1; status == WCUT_NO_MEMORY; k++, failures++) {
-            wcut_alloc_fail_at(k);
-            status = read_bytes(text[f], strlen(text[f]), label[f]);
-            ck_assert((status == WCUT_OK) == (mesh != NULL));
-        }
-        wcut_alloc_fail_at(0);
-        ck_assert_int_eq(status, WCUT_OK);
-        ck_assert_int_ge(failures, 5);
+        EACH_FAILED_ALLOCATION(read_bytes(text[f], strlen(text[f]), label[f]), !mesh);
+        ck_assert_ptr_nonnull(mesh);
     }
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {what_was_written_comes_back_exactly_or_to_single_precision,
-                                 a_decimal_comma_of_the_locale_changes_nothing,
-                                 units_become_millimetres,
-                                 corners_in_one_place_are_one_vertex_and_collapsed_triangles_are_counted,
-                                 polygons_become_triangles_that_fill_them,
-                                 an_obj_counts_back_from_its_end_and_carries_what_is_not_needed,
-                                 a_ply_of_either_kind_gives_its_faces,
-                                 an_off_file_is_read_in_a_process_of_its_own,
-                                 a_gltf_is_in_metres_with_y_up_and_its_nodes_move_and_mirror_it,
-                                 what_is_no_mesh_is_refused_with_its_words,
-                                 a_ply_that_lies_or_has_no_faces_is_refused,
-                                 an_stl_with_nan_or_cut_short_is_refused,
-                                 more_triangles_than_asked_for_are_refused,
-                                 arguments_outside_their_range_and_missing_files_are_refused,
-                                 without_memory_nothing_is_given_and_nothing_lost};
-    return run_suite("mesh_read", sizeof test / sizeof *test, test);
 }

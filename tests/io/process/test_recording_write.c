@@ -1,5 +1,4 @@
 /* Recordings written and read back: channels, units, missing samples, what is refused. */
-#include <check.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,6 +7,7 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
+#include "test.h"
 
 enum { SAMPLES = 50 };
 
@@ -35,7 +35,7 @@ static void forget(void) {
     remove(path);
 }
 
-START_TEST(what_is_written_is_read_back_to_the_printed_precision) {
+TEST(what_is_written_is_read_back_to_the_printed_precision) {
     present[7] = 0;
     made.channel[WCUT_CHANNEL_BETA_A].present = present;
     made.channel[WCUT_CHANNEL_HEATER_VOLTAGE].name = NULL;
@@ -56,9 +56,8 @@ START_TEST(what_is_written_is_read_back_to_the_printed_precision) {
     ck_assert_int_eq(read_back->channel[WCUT_CHANNEL_BETA_A].missing, 1);
     ck_assert_int_eq(read_back->channel[WCUT_CHANNEL_BETA_A].present[7], 0);
 }
-END_TEST
 
-START_TEST(what_is_no_recording_is_refused_and_no_file_appears) {
+TEST(what_is_no_recording_is_refused_and_no_file_appears) {
     ck_assert_int_eq(wcut_recording_write(NULL, NULL, path, &error), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_recording_write(&made, NULL, NULL, &error), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_recording_write(&made, "two\nlines", path, &error), WCUT_BAD_ARGUMENT);
@@ -78,32 +77,11 @@ START_TEST(what_is_no_recording_is_refused_and_no_file_appears) {
     ck_assert_ptr_nonnull(strstr(error.text, "sample 9"));
     ck_assert_int_ne(access(path, F_OK), 0);
 }
-END_TEST
 
-START_TEST(a_folder_that_is_missing_and_missing_memory_are_told_apart) {
+TEST(a_folder_that_is_missing_and_missing_memory_are_told_apart) {
     ck_assert_int_eq(wcut_recording_write(&made, NULL, "nowhere/at/all.csv", &error), WCUT_NOT_WRITTEN);
-    for (long k = 1; k <= 3; k++) {
-        wcut_alloc_fail_at(k);
-        const wcut_status status = wcut_recording_write(&made, NULL, path, &error);
-        wcut_alloc_fail_at(0);
-        ck_assert(status == WCUT_NO_MEMORY || (k > 1 && status == WCUT_OK));
-        if (status == WCUT_NO_MEMORY) ck_assert_int_ne(access(path, F_OK), 0);
-        remove(path);
-    }
+    EACH_FAILED_ALLOCATION(wcut_recording_write(&made, NULL, path, &error), access(path, F_OK) != 0);
+    remove(path);
 }
-END_TEST
 
-int main(void) {
-    Suite *suite = suite_create("recording_write");
-    TCase *tests = tcase_create("recording_write");
-    tcase_add_checked_fixture(tests, prepare, forget);
-    tcase_add_test(tests, what_is_written_is_read_back_to_the_printed_precision);
-    tcase_add_test(tests, what_is_no_recording_is_refused_and_no_file_appears);
-    tcase_add_test(tests, a_folder_that_is_missing_and_missing_memory_are_told_apart);
-    suite_add_tcase(suite, tests);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    int failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return failed != 0;
-}
+FIXTURE(prepare, forget);

@@ -4,12 +4,13 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
-#include "given.h"
+#include "io/given.h"
+#include "test.h"
 
 static wcut_stl_stream *stream;
 static wcut_error error;
 
-START_TEST(pieces_give_the_bytes_of_the_whole) {
+TEST(pieces_give_the_bytes_of_the_whole) {
     wcut_mesh given = given_mesh(200, 90);
     enter_folder();
     ck_assert_int_eq(wcut_mesh_write_stl(&given, "whole.stl", NULL), WCUT_OK);
@@ -31,9 +32,8 @@ START_TEST(pieces_give_the_bytes_of_the_whole) {
     leave_folder();
     forget_mesh(&given);
 }
-END_TEST
 
-START_TEST(misuse_is_refused_and_nothing_is_left) {
+TEST(misuse_is_refused_and_nothing_is_left) {
     wcut_vec3 corner[3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, NAN}};
     enter_folder();
     stream = NULL;
@@ -50,17 +50,7 @@ START_TEST(misuse_is_refused_and_nothing_is_left) {
     ck_assert_int_eq(wcut_stl_stream_commit(stream, NULL), WCUT_BAD_ARGUMENT);
     wcut_stl_stream_destroy(stream);
     wcut_stl_stream_destroy(NULL);
-    for (long k = 1; k <= 2; k++) {
-        wcut_alloc_fail_at(k);
-        ck_assert_int_eq(wcut_stl_stream_create("a.stl", &stream, NULL), WCUT_NO_MEMORY);
-        wcut_alloc_fail_at(0);
-    }
+    FIRST_FAILED_ALLOCATIONS(2, wcut_stl_stream_create("a.stl", &stream, NULL), true);
     ck_assert_int_eq(count_entries("."), 0);
     leave_folder();
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {pieces_give_the_bytes_of_the_whole, misuse_is_refused_and_nothing_is_left};
-    return run_suite("stl_stream", sizeof test / sizeof *test, test);
 }

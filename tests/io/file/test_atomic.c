@@ -7,8 +7,9 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
-#include "given.h"
 #include "io/file/atomic.h"
+#include "io/given.h"
+#include "test.h"
 
 static wcut_error error;
 
@@ -19,7 +20,7 @@ static void not_written(const char *path, const char *line) {
     ck_assert_str_eq(error.text, line);
 }
 
-START_TEST(a_file_appears_with_its_bytes_and_nothing_beside_it) {
+TEST(a_file_appears_with_its_bytes_and_nothing_beside_it) {
     enter_folder();
     ck_assert_int_eq(wcut_file_write_whole("a", "one", 3, &error), WCUT_OK);
     file_holds("a", "one");
@@ -30,9 +31,8 @@ START_TEST(a_file_appears_with_its_bytes_and_nothing_beside_it) {
     ck_assert_int_eq(count_entries("."), 2);
     leave_folder();
 }
-END_TEST
 
-START_TEST(until_the_commit_the_target_is_as_it_was) {
+TEST(until_the_commit_the_target_is_as_it_was) {
     wcut_file *file = NULL;
     enter_folder();
     write_file("a", "old");
@@ -46,9 +46,8 @@ START_TEST(until_the_commit_the_target_is_as_it_was) {
     wcut_file_destroy(NULL);
     leave_folder();
 }
-END_TEST
 
-START_TEST(writes_at_offsets_moves_and_truncation_do_what_they_say) {
+TEST(writes_at_offsets_moves_and_truncation_do_what_they_say) {
     wcut_file *file = NULL;
     enter_folder();
     ck_assert_int_eq(wcut_file_create("a", &file, &error), WCUT_OK);
@@ -63,9 +62,8 @@ START_TEST(writes_at_offsets_moves_and_truncation_do_what_they_say) {
     file_holds("a", "0567856XYZ");
     leave_folder();
 }
-END_TEST
 
-START_TEST(a_long_move_overlaps_safely) {
+TEST(a_long_move_overlaps_safely) {
     enum { SIZE = 5 << 20, BY = 12345 };
     unsigned char *bytes = malloc(SIZE);
     for (int i = 0; i < SIZE; i++) bytes[i] = (unsigned char)(i * 2654435761U >> 13);
@@ -84,9 +82,8 @@ START_TEST(a_long_move_overlaps_safely) {
     free(bytes);
     leave_folder();
 }
-END_TEST
 
-START_TEST(targets_that_cannot_appear_whole_are_refused_with_the_cause) {
+TEST(targets_that_cannot_appear_whole_are_refused_with_the_cause) {
     enter_folder();
     ck_assert_int_eq(mkdir("folder", 0777), 0);
     ck_assert_int_eq(symlink("nowhere", "dangling"), 0);
@@ -106,14 +103,13 @@ START_TEST(targets_that_cannot_appear_whole_are_refused_with_the_cause) {
     ck_assert_int_eq(count_entries("folder"), 0);
     leave_folder();
 }
-END_TEST
 
 /* as somebody whom permissions bind: root is not bound */
 static void become_nobody(void) {
     if (geteuid() == 0) ck_assert_int_eq(setuid(65534), 0);
 }
 
-START_TEST(a_folder_or_a_file_that_is_write_protected_stays_as_it_is) {
+TEST(a_folder_or_a_file_that_is_write_protected_stays_as_it_is) {
     enter_folder();
     write_file("protected", "old");
     ck_assert_int_eq(mkdir("folder", 0555), 0);
@@ -132,9 +128,8 @@ START_TEST(a_folder_or_a_file_that_is_write_protected_stays_as_it_is) {
     ck_assert_int_eq(count_entries("."), 2);
     leave_folder();
 }
-END_TEST
 
-START_TEST(a_replaced_file_keeps_its_permissions_and_a_new_one_follows_the_mask) {
+TEST(a_replaced_file_keeps_its_permissions_and_a_new_one_follows_the_mask) {
     struct stat s;
     enter_folder();
     umask(027);
@@ -146,9 +141,8 @@ START_TEST(a_replaced_file_keeps_its_permissions_and_a_new_one_follows_the_mask)
     ck_assert(stat("new", &s) == 0 && (s.st_mode & 07777) == 0640);
     leave_folder();
 }
-END_TEST
 
-START_TEST(a_link_stays_and_its_target_is_replaced) {
+TEST(a_link_stays_and_its_target_is_replaced) {
     struct stat s;
     enter_folder();
     ck_assert_int_eq(mkdir("real", 0777), 0);
@@ -160,9 +154,8 @@ START_TEST(a_link_stays_and_its_target_is_replaced) {
     ck_assert_int_eq(unlink("real/a"), 0);
     leave_folder();
 }
-END_TEST
 
-START_TEST(hostile_and_long_names_are_names_like_others) {
+TEST(hostile_and_long_names_are_names_like_others) {
     char longest[256];
     memset(longest, 'n', 255);
     longest[255] = '\0';
@@ -176,7 +169,6 @@ START_TEST(hostile_and_long_names_are_names_like_others) {
     ck_assert_int_eq(count_entries("."), 0);
     leave_folder();
 }
-END_TEST
 
 /* a process that has gone: its number is free for now */
 static long dead_process(void) {
@@ -186,7 +178,7 @@ static long dead_process(void) {
     return (long)child;
 }
 
-START_TEST(what_dead_processes_left_is_swept_and_nothing_else) {
+TEST(what_dead_processes_left_is_swept_and_nothing_else) {
     char stale[64], ours[64], living[64];
     snprintf(stale, sizeof stale, ".b.obj.wirecut-%ld-3.part", dead_process());
     snprintf(ours, sizeof ours, ".c.wirecut-%ld-0.part", (long)getpid()); /* of an earlier process of our number */
@@ -203,9 +195,8 @@ START_TEST(what_dead_processes_left_is_swept_and_nothing_else) {
     for (size_t k = 0; k < sizeof kept / sizeof *kept; k++) ck_assert_int_eq(access(kept[k], F_OK), 0);
     leave_folder();
 }
-END_TEST
 
-START_TEST(two_writers_of_one_target_do_not_disturb_each_other) {
+TEST(two_writers_of_one_target_do_not_disturb_each_other) {
     wcut_file *first = NULL, *second = NULL;
     enter_folder();
     ck_assert_int_eq(wcut_file_create("a", &first, &error), WCUT_OK);
@@ -221,7 +212,6 @@ START_TEST(two_writers_of_one_target_do_not_disturb_each_other) {
     ck_assert_int_eq(count_entries("."), 1);
     leave_folder();
 }
-END_TEST
 
 static void wait_for(long nanoseconds) {
     struct timespec time = {0, nanoseconds};
@@ -247,7 +237,7 @@ static void is_whole(const char *path) {
     free(text);
 }
 
-START_TEST(a_kill_at_any_time_leaves_a_whole_file) {
+TEST(a_kill_at_any_time_leaves_a_whole_file) {
     enter_folder();
     for (int k = 0; k < 30; k++) {
         pid_t child = fork();
@@ -264,9 +254,8 @@ START_TEST(a_kill_at_any_time_leaves_a_whole_file) {
     ck_assert_int_eq(count_entries("."), 2);
     leave_folder();
 }
-END_TEST
 
-START_TEST(a_file_beyond_the_size_limit_is_not_written) {
+TEST(a_file_beyond_the_size_limit_is_not_written) {
     char *bytes = calloc(100000, 1);
     enter_folder();
     write_file("a", "old");
@@ -280,41 +269,15 @@ START_TEST(a_file_beyond_the_size_limit_is_not_written) {
     free(bytes);
     leave_folder();
 }
-END_TEST
 
-START_TEST(running_out_of_memory_or_descriptors_is_reported) {
+TEST(running_out_of_memory_or_descriptors_is_reported) {
     enter_folder();
-    wcut_status status = WCUT_NO_MEMORY;
-    for (long k = 1; status == WCUT_NO_MEMORY; k++) {
-        wcut_alloc_fail_at(k);
-        status = wcut_file_write_whole("a", "x", 1, &error);
-        wcut_alloc_fail_at(0);
-        ck_assert_int_eq(count_entries("."), status == WCUT_OK);
-    }
-    ck_assert_int_eq(status, WCUT_OK);
+    EACH_FAILED_ALLOCATION(wcut_file_write_whole("a", "x", 1, &error), count_entries(".") == 0);
+    ck_assert_int_eq(count_entries("."), 1);
     struct rlimit limit = {3, 64};
     ck_assert_int_eq(setrlimit(RLIMIT_NOFILE, &limit), 0);
     not_written("a", "a: not written: Too many open files");
     limit.rlim_cur = 64;
     ck_assert_int_eq(setrlimit(RLIMIT_NOFILE, &limit), 0);
     leave_folder();
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {a_file_appears_with_its_bytes_and_nothing_beside_it,
-                                 until_the_commit_the_target_is_as_it_was,
-                                 writes_at_offsets_moves_and_truncation_do_what_they_say,
-                                 a_long_move_overlaps_safely,
-                                 targets_that_cannot_appear_whole_are_refused_with_the_cause,
-                                 a_folder_or_a_file_that_is_write_protected_stays_as_it_is,
-                                 a_replaced_file_keeps_its_permissions_and_a_new_one_follows_the_mask,
-                                 a_link_stays_and_its_target_is_replaced,
-                                 hostile_and_long_names_are_names_like_others,
-                                 what_dead_processes_left_is_swept_and_nothing_else,
-                                 two_writers_of_one_target_do_not_disturb_each_other,
-                                 a_kill_at_any_time_leaves_a_whole_file,
-                                 a_file_beyond_the_size_limit_is_not_written,
-                                 running_out_of_memory_or_descriptors_is_reported};
-    return run_suite("atomic", sizeof test / sizeof *test, test);
 }

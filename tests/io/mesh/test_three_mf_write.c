@@ -6,7 +6,8 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
-#include "given.h"
+#include "io/given.h"
+#include "test.h"
 
 static wcut_error error;
 
@@ -54,7 +55,7 @@ static wcut_vec3 corner[4] = {{0, 0, 0}, {0.1, 0, 0}, {0, 1e-7, 0}, {0, 0, -1234
 static int face[12] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
 static wcut_mesh tetrahedron = {4, 4, corner, NULL, NULL, NULL, face};
 
-START_TEST(both_halves_are_named_models_in_millimetres_with_exact_numbers) {
+TEST(both_halves_are_named_models_in_millimetres_with_exact_numbers) {
     const wcut_mesh *mesh[] = {&tetrahedron, &tetrahedron};
     const char *const name[] = {"lower", "upper <\"&\xc3\xbc\">"};
     enter_folder();
@@ -76,9 +77,8 @@ START_TEST(both_halves_are_named_models_in_millimetres_with_exact_numbers) {
     free(unpack("a.3mf", "_rels/.rels"));
     leave_folder();
 }
-END_TEST
 
-START_TEST(an_open_mesh_is_a_surface_and_a_large_one_is_whole) {
+TEST(an_open_mesh_is_a_surface_and_a_large_one_is_whole) {
     wcut_mesh sheet = given_mesh(90, 80);
     const wcut_mesh *mesh = &sheet;
     const char *const name = "sheet";
@@ -94,9 +94,8 @@ START_TEST(an_open_mesh_is_a_surface_and_a_large_one_is_whole) {
     leave_folder();
     forget_mesh(&sheet);
 }
-END_TEST
 
-START_TEST(what_is_no_mesh_and_no_name_is_refused) {
+TEST(what_is_no_mesh_and_no_name_is_refused) {
     const wcut_mesh *mesh = &tetrahedron, *none = NULL;
     const char *good = "a", *bad[] = {"\xff", "a\nb", "\xed\xa0\x80", NULL};
     enter_folder();
@@ -109,23 +108,6 @@ START_TEST(what_is_no_mesh_and_no_name_is_refused) {
     ck_assert_int_eq(wcut_mesh_write_3mf(1, &mesh, &good, NULL, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_mesh_write_3mf(1, &mesh, &good, "none/a.3mf", NULL), WCUT_NOT_WRITTEN);
     ck_assert_int_eq(count_entries("."), 0);
-    wcut_status status = WCUT_NO_MEMORY;
-    int failures = 0;
-    for (long k = 1; status == WCUT_NO_MEMORY; k++, failures++) {
-        ck_assert_int_eq(count_entries("."), 0);
-        wcut_alloc_fail_at(k);
-        status = wcut_mesh_write_3mf(1, &mesh, &good, "a.3mf", NULL);
-        wcut_alloc_fail_at(0);
-    }
-    ck_assert_int_eq(status, WCUT_OK);
-    ck_assert_int_ge(failures, 4);
+    EACH_FAILED_ALLOCATION(wcut_mesh_write_3mf(1, &mesh, &good, "a.3mf", NULL), count_entries(".") == 0);
     leave_folder();
-}
-END_TEST
-
-int main(void) {
-    const TTest *const test[] = {both_halves_are_named_models_in_millimetres_with_exact_numbers,
-                                 an_open_mesh_is_a_surface_and_a_large_one_is_whole,
-                                 what_is_no_mesh_and_no_name_is_refused};
-    return run_suite("three_mf_write", sizeof test / sizeof *test, test);
 }
