@@ -339,8 +339,6 @@ static int reconstruct(app_comparison *c) {
     wcut_error error = {0};
     if (c->options.reconstruct == 0) return APP_DONE;
     wcut_reconstruction_options options = wcut_reconstruction_options_default();
-    options.method =
-        c->options.reconstruct == 2 ? WCUT_RECONSTRUCTION_METHOD_POISSON : WCUT_RECONSTRUCTION_METHOD_FIELD;
     /* of a scan that was streamed there is a sample only, whose points are that far apart */
     options.support = fmax(c->support, 2.5 * c->scans.spacing);
     if (c->reference.is_job)
@@ -393,7 +391,6 @@ static wcut_status fill_map(app_comparison *c, double *unmeasured) {
 /* everything that is written, in one place */
 static int conclude(app_comparison *c) {
     static const char *const distance[] = {"surface", "mesh", "reconstruction"};
-    static const char *const method[] = {NULL, "field", "poisson"};
     double unmeasured = 0;
     wcut_status status = measure_back(c);
     if (status == WCUT_OK) status = fill_map(c, &unmeasured);
@@ -423,7 +420,7 @@ static int conclude(app_comparison *c) {
         if (found->statistics.band[k] == c->options.tolerance)
             c->found.within = found->statistics.within[k] >= c->options.share;
     if (c->reconstruction) {
-        c->found.reconstruction_method = method[c->options.reconstruct];
+        c->found.reconstruction_method = "field";
         c->found.reconstruction = c->reconstruction;
         c->found.to_scan = &c->to_scan, c->found.to_face = &c->to_face;
     }

@@ -9,18 +9,15 @@
 #include "scan/kd_tree.h"
 #include "scan/reconstruct_base.h"
 #include "scan/reconstruct_field.h"
-#include "scan/reconstruct_poisson.h"
 #include "scan/reconstruct_sheet.h"
 #include "scan/span.h"
 
 enum { LEAST = 10, NEAR = 8, SAMPLE = 2000 };
 
 static const double FAR = 1e12;
-static const double COARSE = 1.5; /* [1] spacing of the points that Poisson uses over that of the vertices */
 
 wcut_reconstruction_options wcut_reconstruction_options_default(void) {
-    return (wcut_reconstruction_options){
-        .method = WCUT_RECONSTRUCTION_METHOD_FIELD, .support = 1.5, .hole_least = 10, .seed = 1};
+    return (wcut_reconstruction_options){.support = 1.5, .hole_least = 10};
 }
 
 void wcut_reconstruction_destroy(wcut_reconstruction *reconstruction) {
@@ -34,8 +31,6 @@ void wcut_reconstruction_destroy(wcut_reconstruction *reconstruction) {
 /* ---- what is given ---- */
 
 static wcut_status check_options(const wcut_reconstruction_options *o, wcut_error *error) {
-    if (o->method != WCUT_RECONSTRUCTION_METHOD_FIELD && o->method != WCUT_RECONSTRUCTION_METHOD_POISSON)
-        return wcut_fail(error, WCUT_BAD_ARGUMENT, "method: found %d, expected field or Poisson", (int)o->method);
     if (!is_positive(o->support) || o->support > FAR)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "support: found %g, expected a positive number", o->support);
     if (!(o->spacing >= 0 && o->spacing <= FAR) || !(o->smoothing >= 0 && o->smoothing <= FAR) ||
@@ -145,37 +140,13 @@ static wcut_status solve_field(job *j, wcut_reconstruction *r) {
 }
 
 /* the field as meshes */
-static wcut_status cut(const job *j, double support, wcut_reconstruction *r) {
+static wcut_status cut(const job *j, wcut_reconstruction *r) {
     wcut_sheet sheet = {0};
     const wcut_reconstruction_options *o = j->options;
     wcut_status status =
-        wcut_sheet_raise(&j->lattice, &j->field, j->base.covered, &j->tree, support, o->block, j->threads, &sheet);
+        wcut_sheet_raise(&j->lattice, &j->field, j->base.covered, &j->tree, o->support, o->block, j->threads, &sheet);
     if (status == WCUT_OK) status = wcut_sheet_cut(&sheet, o->hole_least, r);
     wcut_sheet_clear(&sheet);
-    return status;
-}
-
-/* Poisson's heights in the place of the field's; the field's own sheet tells where the scan ends, without the gaps that
-   are no wider than the thinned points are apart */
-static wcut_status solve_poisson(job *j, wcut_reconstruction *r) {
-    wcut_reconstruction own = {0};
-    wcut_status status = cut(j, fmax(j->options->support, 2 * COARSE * r->spacing), &own);
-    const wcut_poisson_input input = {.surface = j->surface,
-                                      .lattice = &j->lattice,
-                                      .sheet = own.mesh,
-                                      .count = j->count,
-                                      .point = j->point,
-                                      .foot = j->foot,
-                                      .spacing = COARSE * r->spacing,
-                                      .reach = j->options->support,
-                                      .seed = j->options->seed,
-                                      .threads = j->threads};
-    if (status == WCUT_OK) status = wcut_reconstruct_poisson(&input, &j->field);
-    wcut_mesh_destroy(own.mesh);
-    wcut_mesh_destroy(own.unmeasured);
-    wcut_free(own.hole);
-    r->rms = 0;
-    r->iterations = 0;
     return status;
 }
 
@@ -189,8 +160,7 @@ static wcut_status reconstruct(job *j, wcut_reconstruction *r, wcut_error *error
     wcut_status status = wcut_lattice_build(j->surface, r->spacing, j->threads, &j->lattice);
     if (status == WCUT_OK && o->mesh) status = wcut_base_lay(j->surface, o->mesh, j->threads, &j->lattice, &j->base);
     if (status == WCUT_OK) status = solve_field(j, r);
-    if (status == WCUT_OK && o->method == WCUT_RECONSTRUCTION_METHOD_POISSON) status = solve_poisson(j, r);
-    if (status == WCUT_OK) status = cut(j, o->support, r);
+    if (status == WCUT_OK) status = cut(j, r);
     wcut_field_clear(&j->field);
     wcut_base_clear(&j->base);
     wcut_lattice_clear(&j->lattice);

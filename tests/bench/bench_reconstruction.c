@@ -218,8 +218,6 @@ int main(int argc, char **argv) {
     wcut_reconstruction_options options = wcut_reconstruction_options_default();
     options.support = SUPPORT;
     run("field of deviation", options, &c, count, point, foot);
-    options.method = WCUT_RECONSTRUCTION_METHOD_POISSON;
-    run("Poisson of the closed sheet", options, &c, count, point, foot);
     run_peers(count, point, normal, &c);
     free(c.truth);
     wcut_kd_tree_clear(&tree);

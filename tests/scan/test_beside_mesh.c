@@ -229,10 +229,10 @@ static int given_points(double radius, double noise) {
     return kept;
 }
 
-static wcut_reconstruction *reconstruct(int count, wcut_reconstruction_method method) {
+static wcut_reconstruction *reconstruct(int count) {
     wcut_reconstruction *made = NULL;
     wcut_reconstruction_options options = wcut_reconstruction_options_default();
-    options.mesh = mesh, options.method = method;
+    options.mesh = mesh;
     ck_assert_int_eq(wcut_reconstruction_create(plane, count, scan, foot, &options, 1, &made, NULL), WCUT_OK);
     return made;
 }
@@ -259,7 +259,7 @@ TEST(a_scan_is_reconstructed_beside_a_mesh_as_beside_its_surface) {
     given();
     given_plane(0);
     const int count = given_points(20, 0.05);
-    wcut_reconstruction *made = reconstruct(count, WCUT_RECONSTRUCTION_METHOD_FIELD);
+    wcut_reconstruction *made = reconstruct(count);
     ck_assert_double_lt(error_of(made->mesh, &most), 0.015);
     ck_assert_double_lt(most, 0.15);
     ck_assert_double_lt(made->lost, 0.02); /* half a cell along its border */
@@ -280,24 +280,12 @@ TEST(a_scan_is_reconstructed_beside_a_mesh_as_beside_its_surface) {
     end();
 }
 
-TEST(poisson_in_space_goes_beside_a_mesh_too) {
-    double most;
-    given();
-    given_plane(0);
-    const int count = given_points(20, 0.05);
-    wcut_reconstruction *made = reconstruct(count, WCUT_RECONSTRUCTION_METHOD_POISSON);
-    ck_assert_double_lt(error_of(made->mesh, &most), 0.3);
-    ck_assert_double_le(made->farthest, 1.5);
-    wcut_reconstruction_destroy(made);
-    end();
-}
-
 TEST(where_the_mesh_is_not_nothing_is_missed) {
     given();
     cut_corner();
     given_plane(0);
     const int count = given_points(0, 0);
-    wcut_reconstruction *made = reconstruct(count, WCUT_RECONSTRUCTION_METHOD_FIELD);
+    wcut_reconstruction *made = reconstruct(count);
     ck_assert_double_eq_tol(made->area + made->unmeasured_area, mesh_area(), 0.01 * mesh_area());
     wcut_reconstruction_destroy(made);
     end();

@@ -41,7 +41,7 @@ typedef struct wcut_compared {
     double support;                    /**< [mm] a point speaks for the face that far around it */
     double tolerance, share;           /**< [mm], [1] the gate; tolerance 0: none */
     int within;                        /**< 1: as much as the gate asks is within the tolerance */
-    const char *reconstruction_method; /**< "field", "poisson" */
+    const char *reconstruction_method; /**< "field" */
     const wcut_reconstruction *reconstruction; /**< NULL where none was made */
     const wcut_statistics *to_scan;            /**< [mm] face to reconstruction, signed; NULL without one */
     const wcut_statistics *to_face;            /**< [mm] reconstruction to face, signed; NULL without one */

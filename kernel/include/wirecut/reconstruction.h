@@ -2,7 +2,6 @@
 #ifndef WCUT_RECONSTRUCTION_H
 #define WCUT_RECONSTRUCTION_H
 
-#include <stdint.h>
 #include <wirecut/export.h>
 #include <wirecut/mesh.h>
 #include <wirecut/projection.h>
@@ -14,19 +13,11 @@
 extern "C" {
 #endif
 
-/** How a face is made from points. */
-typedef enum wcut_reconstruction_method {
-    WCUT_RECONSTRUCTION_METHOD_FIELD, /**< a smooth field of deviation over the simulated face, as far as its border */
-    WCUT_RECONSTRUCTION_METHOD_POISSON /**< Poisson reconstruction in space (Kazhdan 2006) of the thinned scan, closed below
-                                     and at its rim, where the normals of the face cross it; slower, less exact */
-} wcut_reconstruction_method;
-
 /** How a reconstruction is made. */
 typedef struct wcut_reconstruction_options {
-    wcut_reconstruction_method method; /**< default WCUT_RECONSTRUCTION_METHOD_FIELD */
     double support; /**< [mm] no vertex is further from the nearest point of the scan; positive, default 1.5 */
     /** [mm] largest distance of neighbouring vertices along u and v; default 0: twice that of the points, at most
-        `support`. Poisson thins the points to 1.5 times that */
+        `support` */
     double spacing;
     /** [mm] deviations of a shorter wavelength than about 2 pi times this are noise; default 0: twice the distance
         of the points */
@@ -38,7 +29,6 @@ typedef struct wcut_reconstruction_options {
         and what the mesh does not cover is neither face nor hole; default NULL: the surface is the face */
     const wcut_mesh *mesh;
     double hole_least; /**< [mm^2] smaller gaps are counted in unmeasured_area, not listed as holes; default 10 */
-    uint64_t seed;     /**< of Poisson's tetrahedra; default 1: same input and seed, same bytes */
 } wcut_reconstruction_options;
 
 /** A connected part of the face where the scan has no points. */
@@ -65,8 +55,8 @@ typedef struct wcut_reconstruction {
     double lost;            /**< [1] share of supported_area that is not in `mesh` */
     double unmeasured_area; /**< [mm^2] of the simulated face, inside the block, that is in `unmeasured` */
     double farthest;        /**< [mm] of a vertex of `mesh` from its nearest point of the scan; at most the support */
-    double rms;             /**< [mm] of the points about the field: noise and what is smoothed away; Poisson: 0 */
-    int iterations;         /**< of the field's solver; Poisson: 0 */
+    double rms;             /**< [mm] of the points about the field: noise and what is smoothed away */
+    int iterations;         /**< of the field's solver */
 } wcut_reconstruction;
 
 WCUT_API wcut_reconstruction_options wcut_reconstruction_options_default(void);
@@ -86,13 +76,13 @@ WCUT_API wcut_reconstruction_options wcut_reconstruction_options_default(void);
  * @param[in]  point          count [mm], finite, up to 1e12
  * @param[in]  foot           count, of wcut_projection_locate on that surface
  * @param[in]  options        NULL for the defaults
- * @param[in]  threads        1 or more; the result does not depend on it. Poisson is serial
+ * @param[in]  threads        1 or more; the result does not depend on it
  * @param[out] reconstruction the caller's, to wcut_reconstruction_destroy
  * @param[out] error          may be NULL
  * @return WCUT_OK; WCUT_DEGENERATE (fewer than ten points over the face, all in one place or on one line; no triangle
- *         has support: points further apart than it), WCUT_NOT_CONVERGED (Poisson's or the field's solver),
- *         WCUT_BAD_ARGUMENT (also a spacing that asks for more than 5 million vertices), WCUT_NO_MEMORY,
- *         WCUT_INTERNAL (an exception in Poisson): nothing was written.
+ *         has support: points further apart than it), WCUT_NOT_CONVERGED (the field's solver),
+ *         WCUT_BAD_ARGUMENT (also a spacing that asks for more than 5 million vertices), WCUT_NO_MEMORY: nothing
+ *         was written.
  */
 WCUT_API wcut_status wcut_reconstruction_create(const wcut_surface *surface, int count, const wcut_vec3 *point,
                                                 const wcut_foot *foot, const wcut_reconstruction_options *options,
