@@ -7,7 +7,7 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "io/cad/arc.h"
-#include "io/cad/curve_iges.h"
+#include "io/cad/iges_curves.h"
 
 enum { NESTED_MOST = 8 };
 static const double TURN = 6.283185307179586;

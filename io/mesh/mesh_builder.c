@@ -24,12 +24,12 @@ bool wcut_mesh_builder_point(wcut_mesh_builder *g, const double value[3], wcut_v
     const double scale = g->source->scale;
     for (int k = 0; k < 3; k++) {
         if (!isfinite(value[k]))
-            return wcut_cloud_refuse(g->source, "found a coordinate %c that is not finite, expected a number",
-                                     "xyz"[k]);
-        if (fabs(value[k] * scale) > WCUT_CLOUD_FAR)
-            return wcut_cloud_refuse(g->source,
-                                     "found %c = %.6g mm, expected at most 1e12: a wrong byte order or unit?", "xyz"[k],
-                                     value[k] * scale);
+            return wcut_source_refuse(g->source, "found a coordinate %c that is not finite, expected a number",
+                                      "xyz"[k]);
+        if (fabs(value[k] * scale) > WCUT_COORDINATE_FAR)
+            return wcut_source_refuse(g->source,
+                                      "found %c = %.6g mm, expected at most 1e12: a wrong byte order or unit?",
+                                      "xyz"[k], value[k] * scale);
     }
     *point = (wcut_vec3){value[0] * scale, value[1] * scale, value[2] * scale};
     return true;
@@ -82,13 +82,13 @@ static bool widen(wcut_mesh_builder *g) {
 
 int wcut_mesh_builder_vertex(wcut_mesh_builder *g, wcut_vec3 p) {
     p = (wcut_vec3){p.x + 0.0, p.y + 0.0, p.z + 0.0}; /* -0 and 0 are one place */
-    if (2 * ((size_t)g->vertices + 1) > g->slots && !widen(g)) return wcut_cloud_refuse_memory(g->source), -1;
+    if (2 * ((size_t)g->vertices + 1) > g->slots && !widen(g)) return wcut_source_refuse_memory(g->source), -1;
     const size_t at = find_slot(g, p);
     if (g->slot[at]) return g->slot[at] - 1;
     if (g->vertices == INT_MAX - 1)
-        return wcut_cloud_refuse(g->source, "found more vertices, expected at most %d", INT_MAX - 1), -1;
+        return wcut_source_refuse(g->source, "found more vertices, expected at most %d", INT_MAX - 1), -1;
     if (!wcut_mesh_builder_room((void **)&g->vertex, &g->vertex_room, (size_t)g->vertices + 1, sizeof p))
-        return wcut_cloud_refuse_memory(g->source), -1;
+        return wcut_source_refuse_memory(g->source), -1;
     g->vertex[g->vertices] = p;
     g->slot[at] = ++g->vertices;
     return g->vertices - 1;
@@ -101,10 +101,10 @@ bool wcut_numbered_add(wcut_mesh_builder *g, wcut_numbered *n, const double valu
     const size_t need = (size_t)n->count + 1;
     if (!wcut_mesh_builder_point(g, value, &p)) return false;
     if (n->count == INT_MAX - 1)
-        return wcut_cloud_refuse(g->source, "found more vertices, expected at most %d", INT_MAX - 1);
+        return wcut_source_refuse(g->source, "found more vertices, expected at most %d", INT_MAX - 1);
     if (!wcut_mesh_builder_room((void **)&n->point, &n->point_room, need, sizeof p) ||
         !wcut_mesh_builder_room((void **)&n->vertex, &n->vertex_room, need, sizeof *n->vertex))
-        return wcut_cloud_refuse_memory(g->source);
+        return wcut_source_refuse_memory(g->source);
     n->point[n->count] = p;
     n->vertex[n->count++] = -1;
     return true;
@@ -128,10 +128,10 @@ bool wcut_mesh_builder_triangle(wcut_mesh_builder *g, int a, int b, int c) {
         return true;
     }
     if (g->triangles == g->most)
-        return wcut_cloud_refuse(g->source, "found more than %d triangles, expected at most that", g->most);
+        return wcut_source_refuse(g->source, "found more than %d triangles, expected at most that", g->most);
     const size_t n = 3 * (size_t)g->triangles;
     if (!wcut_mesh_builder_room((void **)&g->triangle, &g->triangle_room, n + 3, sizeof *g->triangle))
-        return wcut_cloud_refuse_memory(g->source);
+        return wcut_source_refuse_memory(g->source);
     g->triangle[n] = a;
     g->triangle[n + 1] = b;
     g->triangle[n + 2] = c;
@@ -141,8 +141,8 @@ bool wcut_mesh_builder_triangle(wcut_mesh_builder *g, int a, int b, int c) {
 
 bool wcut_mesh_builder_polygon(wcut_mesh_builder *g, int count, const int *corner) {
     if (count < 3 || count > WCUT_POLYGON_MOST)
-        return wcut_cloud_refuse(g->source, "found a polygon of %d corners, expected 3 to %d", count,
-                                 WCUT_POLYGON_MOST);
+        return wcut_source_refuse(g->source, "found a polygon of %d corners, expected 3 to %d", count,
+                                  WCUT_POLYGON_MOST);
     if (count == 3) return wcut_mesh_builder_triangle(g, corner[0], corner[1], corner[2]);
     wcut_vec3 at[WCUT_POLYGON_MOST];
     int ear[3 * WCUT_POLYGON_MOST];
@@ -168,8 +168,8 @@ static void find_box(const wcut_mesh_builder *g, wcut_mesh_read_info *info) {
 bool wcut_mesh_builder_finish(wcut_mesh_builder *g, wcut_mesh **mesh, wcut_mesh_read_info *info) {
     wcut_mesh *made = NULL;
     if (g->triangles == 0)
-        return wcut_cloud_refuse(g->source, "found no triangle (%d collapsed), expected at least one", g->collapsed);
-    if (wcut_mesh_create(g->vertices, g->triangles, 0, &made) != WCUT_OK) return wcut_cloud_refuse_memory(g->source);
+        return wcut_source_refuse(g->source, "found no triangle (%d collapsed), expected at least one", g->collapsed);
+    if (wcut_mesh_create(g->vertices, g->triangles, 0, &made) != WCUT_OK) return wcut_source_refuse_memory(g->source);
     memcpy(made->vertex, g->vertex, (size_t)g->vertices * sizeof *made->vertex);
     memcpy(made->triangle, g->triangle, 3 * (size_t)g->triangles * sizeof *made->triangle);
     info->collapsed = g->collapsed;

@@ -4,12 +4,12 @@
 
 #include <wirecut/read.h>
 
+#include "io/file/source.h"
 #include "io/mesh/polygon.h"
-#include "io/scan/cloud_source.h"
 
 typedef struct wcut_mesh_builder {
-    wcut_cloud_source *source; /* what refuses, at its line or byte */
-    int most;                  /* triangles */
+    wcut_source *source; /* what refuses, at its line or byte */
+    int most;            /* triangles */
     int vertices, triangles, collapsed, split;
     size_t vertex_room, triangle_room, slots;
     wcut_vec3 *vertex;

@@ -180,16 +180,16 @@ static int import(int fd, void *context) {
 /* ---- in the parent: the message, believed in nothing ---- */
 
 /* how many vertices and triangles it holds, and that it is whole */
-static bool check_message(wcut_cloud_source *s, const char *data, size_t length, int32_t head[2]) {
+static bool check_message(wcut_source *s, const char *data, size_t length, int32_t head[2]) {
     uint32_t last = 0;
     head[0] = head[1] = -1;
     if (length >= MESSAGE_HEAD) memcpy(head, data, MESSAGE_HEAD);
     const size_t vertices = (size_t)head[0], triangles = (size_t)head[1];
     if (head[0] < 0 || head[1] < 0 ||
         length != MESSAGE_HEAD + vertices * 3 * sizeof(double) + triangles * 3 * sizeof(int32_t) + sizeof last)
-        return wcut_cloud_refuse(s, "found half a mesh from assimp's process, expected all of it");
+        return wcut_source_refuse(s, "found half a mesh from assimp's process, expected all of it");
     memcpy(&last, data + length - sizeof last, sizeof last);
-    return last == LAST_WORD || wcut_cloud_refuse(s, "found no end of the mesh from assimp's process");
+    return last == LAST_WORD || wcut_source_refuse(s, "found no end of the mesh from assimp's process");
 }
 
 /* glTF has y upwards */
@@ -199,7 +199,7 @@ static void take_position(const char *at, bool is_gltf, double position[3]) {
     position[0] = p[0], position[1] = is_gltf ? -p[2] : p[1], position[2] = is_gltf ? p[1] : p[2];
 }
 
-static bool take_triangles(wcut_cloud_source *s, wcut_mesh_builder *g, bool is_gltf, const char *data,
+static bool take_triangles(wcut_source *s, wcut_mesh_builder *g, bool is_gltf, const char *data,
                            const int32_t head[2]) {
     wcut_numbered n = {0};
     bool done = true;
@@ -214,7 +214,7 @@ static bool take_triangles(wcut_cloud_source *s, wcut_mesh_builder *g, bool is_g
         memcpy(v, at, sizeof v);
         for (int k = 0; done && k < 3; k++) {
             done = v[k] >= 0 && v[k] < n.count;
-            if (!done) wcut_cloud_refuse(s, "found a corner at vertex %d, expected 0 to %d", v[k], n.count - 1);
+            if (!done) wcut_source_refuse(s, "found a corner at vertex %d, expected 0 to %d", v[k], n.count - 1);
             v[k] = done ? wcut_numbered_use(g, &n, v[k]) : 0;
             done = done && v[k] >= 0;
         }
@@ -224,15 +224,15 @@ static bool take_triangles(wcut_cloud_source *s, wcut_mesh_builder *g, bool is_g
     return done;
 }
 
-static bool refuse_end(wcut_cloud_source *s, wcut_child_end end, const request *r, int seconds) {
+static bool refuse_end(wcut_source *s, wcut_child_end end, const request *r, int seconds) {
     switch (end.how) {
         case WCUT_CHILD_NO_MEMORY:
-            return wcut_cloud_refuse_memory(s);
+            return wcut_source_refuse_memory(s);
         case WCUT_CHILD_CRASHED:
-            return wcut_cloud_refuse(s, "assimp crashed on it (signal %d), expected a sound %s file", end.code,
-                                     r->ending + 1);
+            return wcut_source_refuse(s, "assimp crashed on it (signal %d), expected a sound %s file", end.code,
+                                      r->ending + 1);
         case WCUT_CHILD_SLOW:
-            return wcut_cloud_refuse(s, "assimp took more than %d s for it", seconds);
+            return wcut_source_refuse(s, "assimp took more than %d s for it", seconds);
         case WCUT_CHILD_NOT_STARTED:
             wcut_fail_errno(&s->failure, WCUT_NO_MEMORY, end.code, s->label, "no process to read it in");
             return false;
@@ -240,41 +240,41 @@ static bool refuse_end(wcut_cloud_source *s, wcut_child_end end, const request *
             break;
     }
     if (end.how == WCUT_CHILD_TALKATIVE || end.code == TOO_MANY)
-        return wcut_cloud_refuse(s, "found more than %d %s, expected at most that", r->most,
-                                 r->as_vertices ? "vertices" : "triangles");
-    if (end.code == TOO_DEEP) return wcut_cloud_refuse(s, "found nodes nested more than %d deep", DEPTH_MOST);
-    return wcut_cloud_refuse(s, "assimp reads no mesh in it, expected a sound %s file", r->ending + 1);
+        return wcut_source_refuse(s, "found more than %d %s, expected at most that", r->most,
+                                  r->as_vertices ? "vertices" : "triangles");
+    if (end.code == TOO_DEEP) return wcut_source_refuse(s, "found nodes nested more than %d deep", DEPTH_MOST);
+    return wcut_source_refuse(s, "assimp reads no mesh in it, expected a sound %s file", r->ending + 1);
 }
 
 /* what is left of the source, in memory; NULL: refused */
-static char *slurp(wcut_cloud_source *s, size_t *size) {
+static char *slurp(wcut_source *s, size_t *size) {
     const size_t most = (size_t)1 << 30;
     char *bytes = NULL;
     size_t room = 0;
     for (size_t got; (got = wcut_stream_fill(&s->stream, 1)) > 0; *size += got) {
         if (*size + got > most) {
-            wcut_cloud_refuse(s, "found more than 1024 MB, expected at most that of this format");
+            wcut_source_refuse(s, "found more than 1024 MB, expected at most that of this format");
             break;
         }
         if (!wcut_mesh_builder_room((void **)&bytes, &room, *size + got, 1)) {
-            wcut_cloud_refuse_memory(s);
+            wcut_source_refuse_memory(s);
             break;
         }
         memcpy(bytes + *size, s->stream.data + s->stream.at, got);
         s->stream.at += got;
     }
-    if (s->failure.status == WCUT_OK && s->stream.code) wcut_cloud_refuse_end(s, "more");
+    if (s->failure.status == WCUT_OK && s->stream.code) wcut_source_refuse_end(s, "more");
     if (s->failure.status == WCUT_OK) return bytes;
     free(bytes);
     return NULL;
 }
 
 /* the file's mesh as the child sends it, whole; NULL: refused */
-static char *ask(wcut_cloud_source *s, request *r, size_t of_each, int seconds, int32_t head[2]) {
+static char *ask(wcut_source *s, request *r, size_t of_each, int seconds, int32_t head[2]) {
     size_t length = 0;
     char *bytes = slurp(s, &r->size), *data = NULL;
     if (!bytes) {
-        if (s->failure.status == WCUT_OK) wcut_cloud_refuse_end(s, "a mesh");
+        if (s->failure.status == WCUT_OK) wcut_source_refuse_end(s, "a mesh");
         return NULL;
     }
     r->bytes = bytes;
@@ -290,7 +290,7 @@ static char *ask(wcut_cloud_source *s, request *r, size_t of_each, int seconds, 
 
 static bool is_gltf(const char *ending) { return strcmp(ending, ".glb") == 0 || strcmp(ending, ".gltf") == 0; }
 
-bool wcut_mesh_fill_foreign(wcut_cloud_source *s, wcut_mesh_builder *g, const char *ending, int seconds) {
+bool wcut_mesh_fill_foreign(wcut_source *s, wcut_mesh_builder *g, const char *ending, int seconds) {
     request r = {.ending = ending, .most = g->most};
     int32_t head[2] = {0};
     if (is_gltf(ending)) s->scale = 1000;
@@ -300,7 +300,7 @@ bool wcut_mesh_fill_foreign(wcut_cloud_source *s, wcut_mesh_builder *g, const ch
     return done;
 }
 
-bool wcut_mesh_vertices_foreign(wcut_cloud_source *s, const char *ending, int most, int seconds, double **position,
+bool wcut_mesh_vertices_foreign(wcut_source *s, const char *ending, int most, int seconds, double **position,
                                 int *count) {
     request r = {.ending = ending, .most = most, .as_vertices = true};
     int32_t head[2] = {0};

@@ -5,7 +5,7 @@
 #include "io/mesh/mesh_formats.h"
 #include "io/mesh/obj.h"
 
-static bool add_vertex(wcut_cloud_source *s, const char *line, const char *p, wcut_mesh_builder *g, wcut_numbered *n) {
+static bool add_vertex(wcut_source *s, const char *line, const char *p, wcut_mesh_builder *g, wcut_numbered *n) {
     double value[WCUT_FIELDS];
     return wcut_obj_vertex(s, line, p, value) && wcut_numbered_add(g, n, value);
 }
@@ -38,12 +38,12 @@ static const char *read_corner(const char *p, int count, int *vertex) {
     return p;
 }
 
-static bool read_face(wcut_cloud_source *s, const char *line, const char *p, wcut_mesh_builder *g, wcut_numbered *n) {
+static bool read_face(wcut_source *s, const char *line, const char *p, wcut_mesh_builder *g, wcut_numbered *n) {
     int vertex[WCUT_POLYGON_MOST], count = 0, i = 0;
     for (; !wcut_is_line_end(p); count++) {
-        if (count == WCUT_POLYGON_MOST) return wcut_cloud_refuse_text(s, line, p, "at most 1024 corners");
+        if (count == WCUT_POLYGON_MOST) return wcut_source_refuse_text(s, line, p, "at most 1024 corners");
         const char *behind = read_corner(p, n->count, &i);
-        if (!behind) return wcut_cloud_refuse_text(s, line, p, "a corner at one of the vertices above");
+        if (!behind) return wcut_source_refuse_text(s, line, p, "a corner at one of the vertices above");
         vertex[count] = wcut_numbered_use(g, n, i);
         if (vertex[count] < 0) return false;
         p = wcut_skip_blanks(behind);
@@ -51,14 +51,14 @@ static bool read_face(wcut_cloud_source *s, const char *line, const char *p, wcu
     return wcut_mesh_builder_polygon(g, count, vertex);
 }
 
-static bool read_line(wcut_cloud_source *s, const char *line, wcut_mesh_builder *g, wcut_numbered *n) {
+static bool read_line(wcut_source *s, const char *line, wcut_mesh_builder *g, wcut_numbered *n) {
     const char *p = wcut_skip_blanks(line), *rest;
     if ((rest = wcut_obj_match(p, "v")) != NULL) return add_vertex(s, line, rest, g, n);
     if ((rest = wcut_obj_match(p, "f")) != NULL) return read_face(s, line, rest, g, n);
     return wcut_obj_is_passed_over(p) || wcut_obj_refuse(s, line, p);
 }
 
-bool wcut_mesh_fill_obj(wcut_cloud_source *s, wcut_mesh_builder *g) {
+bool wcut_mesh_fill_obj(wcut_source *s, wcut_mesh_builder *g) {
     wcut_numbered n = {0};
     size_t length;
     bool done = true;

@@ -6,7 +6,7 @@
 #include "io/mesh/mesh_formats.h"
 #include "io/mesh/ply.h"
 
-static bool read_vertices(wcut_cloud_source *s, const wcut_ply *m, wcut_mesh_builder *g, wcut_numbered *n) {
+static bool read_vertices(wcut_source *s, const wcut_ply *m, wcut_mesh_builder *g, wcut_numbered *n) {
     const wcut_ply_element *e = &m->element[m->vertex];
     double value[WCUT_FIELDS] = {0};
     for (int64_t k = 0; k < e->count; k++)
@@ -14,7 +14,7 @@ static bool read_vertices(wcut_cloud_source *s, const wcut_ply *m, wcut_mesh_bui
     return true;
 }
 
-static bool read_face(wcut_cloud_source *s, const wcut_ply *m, wcut_mesh_builder *g, wcut_numbered *n) {
+static bool read_face(wcut_source *s, const wcut_ply *m, wcut_mesh_builder *g, wcut_numbered *n) {
     wcut_ply_corners corners = {0};
     double none[WCUT_FIELDS];
     int vertex[WCUT_POLYGON_MOST];
@@ -22,7 +22,7 @@ static bool read_face(wcut_cloud_source *s, const wcut_ply *m, wcut_mesh_builder
     for (int k = 0; k < corners.count; k++) {
         const int64_t i = corners.vertex[k];
         if (i < 0 || i >= n->count)
-            return wcut_cloud_refuse(s, "found a corner at vertex %lld, expected 0 to %d", (long long)i, n->count - 1);
+            return wcut_source_refuse(s, "found a corner at vertex %lld, expected 0 to %d", (long long)i, n->count - 1);
         vertex[k] = wcut_numbered_use(g, n, (int)i);
         if (vertex[k] < 0) return false;
     }
@@ -38,24 +38,24 @@ static bool has_corners(const wcut_ply *m) {
     return lists == 1;
 }
 
-static bool read(wcut_cloud_source *s, wcut_ply *m, wcut_mesh_builder *g, wcut_numbered *n) {
+static bool read(wcut_source *s, wcut_ply *m, wcut_mesh_builder *g, wcut_numbered *n) {
     if (!wcut_ply_header(s, m)) return false;
     if (m->face < 0 || m->face < m->vertex || !has_corners(m))
-        return wcut_cloud_refuse(s,
-                                 "found no element face with a list vertex_indices of integers behind the element "
-                                 "vertex, expected one: a cloud?");
+        return wcut_source_refuse(s,
+                                  "found no element face with a list vertex_indices of integers behind the element "
+                                  "vertex, expected one: a cloud?");
     if (!wcut_ply_begin(s, m) || !read_vertices(s, m, g, n)) return false;
     if (!wcut_ply_skip(s, m, m->vertex + 1, m->face)) return false;
     for (int64_t k = 0; k < m->element[m->face].count; k++)
         if (!read_face(s, m, g, n)) return false;
-    return wcut_ply_skip(s, m, m->face + 1, m->elements) && wcut_cloud_check_end(s);
+    return wcut_ply_skip(s, m, m->face + 1, m->elements) && wcut_source_check_end(s, m->element[m->elements - 1].size);
 }
 
-bool wcut_mesh_fill_ply(wcut_cloud_source *s, wcut_mesh_builder *g) {
+bool wcut_mesh_fill_ply(wcut_source *s, wcut_mesh_builder *g) {
     wcut_numbered n = {0};
     wcut_ply *m = wcut_alloc(1, sizeof *m);
     s->line = 1;
-    const bool done = m ? read(s, m, g, &n) : wcut_cloud_refuse_memory(s);
+    const bool done = m ? read(s, m, g, &n) : wcut_source_refuse_memory(s);
     wcut_numbered_free(&n);
     free(m);
     return done;

@@ -26,7 +26,7 @@ static const char *ending_of(const char *name) {
     return point && !strchr(point, '/') ? point : "";
 }
 
-static wcut_mesh_format find_format(const wcut_cloud_source *s) {
+static wcut_mesh_format find_format(const wcut_source *s) {
     static const struct {
         const char *ending;
         wcut_mesh_format format;
@@ -40,7 +40,7 @@ static wcut_mesh_format find_format(const wcut_cloud_source *s) {
     return strncmp(at, "solid", 5) == 0 ? WCUT_MESH_FORMAT_STL : WCUT_MESH_FORMAT_ANY;
 }
 
-static bool fill(wcut_cloud_source *s, wcut_mesh_builder *g, wcut_mesh_format format, int seconds) {
+static bool fill(wcut_source *s, wcut_mesh_builder *g, wcut_mesh_format format, int seconds) {
     const bool is_binary = s->stream.end - s->stream.at >= 4 && memcmp(s->stream.data + s->stream.at, "glTF", 4) == 0;
     switch (format) {
         case WCUT_MESH_FORMAT_STL:
@@ -54,42 +54,33 @@ static bool fill(wcut_cloud_source *s, wcut_mesh_builder *g, wcut_mesh_format fo
         case WCUT_MESH_FORMAT_GLTF:
             return wcut_mesh_fill_foreign(s, g, is_binary ? ".glb" : ".gltf", seconds);
         default:
-            return wcut_cloud_refuse(s, "found no mesh in a known format, expected STL, PLY, OBJ, OFF or glTF");
+            return wcut_source_refuse(s, "found no mesh in a known format, expected STL, PLY, OBJ, OFF or glTF");
     }
 }
 
-static bool read(wcut_cloud_source *s, wcut_mesh_builder *g, const wcut_mesh_read_options *o, wcut_mesh **mesh,
+static bool read(wcut_source *s, wcut_mesh_builder *g, const wcut_mesh_read_options *o, wcut_mesh **mesh,
                  wcut_mesh_read_info *info) {
     static const double millimetres[] = {1, 10, 1000, 25.4};
     s->scale = millimetres[o->unit];
-    if (wcut_stream_fill(&s->stream, SNIFF) == 0) return wcut_cloud_refuse_end(s, "a mesh");
+    if (wcut_stream_fill(&s->stream, SNIFF) == 0) return wcut_source_refuse_end(s, "a mesh");
     info->format = o->format != WCUT_MESH_FORMAT_ANY ? o->format : find_format(s);
     return fill(s, g, info->format, o->seconds) && wcut_mesh_builder_finish(g, mesh, info);
 }
 
-/* the stream, opened, is closed here */
-static wcut_status read_stream(wcut_stream stream, const char *label, const wcut_mesh_read_options *o, wcut_mesh **mesh,
+/* the bytes, opened, are closed here */
+static wcut_status read_source(wcut_source s, const wcut_mesh_read_options *o, wcut_mesh **mesh,
                                wcut_mesh_read_info *info, wcut_error *error) {
-    wcut_cloud_source s = {.stream = stream};
     wcut_mesh_builder g = {.source = &s, .most = o->most};
     wcut_mesh_read_info found = {0};
     wcut_mesh *made = NULL;
-    s.label = wcut_alloc(strlen(label) + 1, 1);
-    if (s.label) {
-        memcpy(s.label, label, strlen(label));
-        if (read(&s, &g, o, &made, &found)) {
-            *mesh = made;
-            if (info) *info = found;
-        }
-    } else {
-        wcut_fail(&s.failure, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
+    if (read(&s, &g, o, &made, &found)) {
+        *mesh = made;
+        if (info) *info = found;
     }
     const wcut_status status = s.failure.status;
     if (status != WCUT_OK && error) *error = s.failure;
     wcut_mesh_builder_free(&g);
-    wcut_stream_close(&s.stream);
-    free(s.state);
-    free(s.label);
+    wcut_source_close(&s);
     return status;
 }
 
@@ -97,16 +88,15 @@ wcut_status wcut_mesh_read(const char *path, const wcut_mesh_read_options *optio
                            wcut_mesh_read_info *info, wcut_error *error) {
     const wcut_mesh_read_options o = options ? *options : wcut_mesh_read_options_default();
     if (!path || !mesh || !options_are_usable(&o)) return WCUT_BAD_ARGUMENT;
-    wcut_stream stream;
-    const wcut_status status = wcut_stream_open(path, &stream, error);
-    if (status == WCUT_NO_MEMORY) wcut_fail(error, status, "%s", wcut_status_text(status));
-    return status == WCUT_OK ? read_stream(stream, path, &o, mesh, info, error) : status;
+    wcut_source source;
+    const wcut_status status = wcut_source_open(path, &source, error);
+    return status == WCUT_OK ? read_source(source, &o, mesh, info, error) : status;
 }
 
 wcut_status wcut_mesh_read_memory(const void *bytes, size_t size, size_t window, const char *label,
                                   const wcut_mesh_read_options *options, wcut_mesh **mesh, wcut_mesh_read_info *info,
                                   wcut_error *error) {
-    wcut_stream stream;
-    const wcut_status status = wcut_stream_open_memory(bytes, size, window, &stream);
-    return status == WCUT_OK ? read_stream(stream, label, options, mesh, info, error) : status;
+    wcut_source source;
+    const wcut_status status = wcut_source_open_memory(bytes, size, window, label, &source, error);
+    return status == WCUT_OK ? read_source(source, options, mesh, info, error) : status;
 }

@@ -1,24 +1,19 @@
-/* STL as a mesh: the corners of the cloud reader, three a triangle. */
+/* STL as a mesh: corners in one place are one vertex. */
 #include "io/mesh/mesh_formats.h"
+#include "io/mesh/stl_read.h"
 
-enum { PIECE = 3 * 1024 };
-
-bool wcut_mesh_fill_stl(wcut_cloud_source *s, wcut_mesh_builder *g) {
-    wcut_vec3 corner[PIECE];
-    if (!wcut_cloud_begin_stl(s)) return false;
-    for (;;) {
-        int count = 0;
-        if (wcut_cloud_source_next(s, PIECE, corner, NULL, &count, NULL) != WCUT_OK) return false;
-        if (s->info.not_finite > 0)
-            return wcut_cloud_refuse(s, "found a corner that is not finite, expected three numbers");
-        if (count == 0) return true;
-        for (int k = 0; k + 2 < count; k += 3) {
-            int v[3];
-            for (int c = 0; c < 3; c++) {
-                v[c] = wcut_mesh_builder_vertex(g, corner[k + c]);
-                if (v[c] < 0) return false;
-            }
-            if (!wcut_mesh_builder_triangle(g, v[0], v[1], v[2])) return false;
-        }
+bool wcut_mesh_fill_stl(wcut_source *s, wcut_mesh_builder *g) {
+    wcut_stl_reader r;
+    double corner[3];
+    int v[3], k = 0;
+    if (!wcut_stl_begin(s, &r)) return false;
+    while (wcut_stl_next(&r, corner)) {
+        wcut_vec3 p;
+        if (!wcut_mesh_builder_point(g, corner, &p)) return false;
+        v[k] = wcut_mesh_builder_vertex(g, p);
+        if (v[k] < 0) return false;
+        k = (k + 1) % 3;
+        if (k == 0 && !wcut_mesh_builder_triangle(g, v[0], v[1], v[2])) return false;
     }
+    return s->failure.status == WCUT_OK;
 }

@@ -3,9 +3,9 @@
 
 #include <string.h>
 
-const char *wcut_obj_line(wcut_cloud_source *s, size_t *length) {
+const char *wcut_obj_line(wcut_source *s, size_t *length) {
     const char *line = wcut_row_peek(s, length), *zero = line ? memchr(line, 0, *length) : NULL;
-    if (zero) wcut_cloud_refuse_text(s, line, zero, "text");
+    if (zero) wcut_source_refuse_text(s, line, zero, "text");
     return zero ? NULL : line;
 }
 
@@ -15,16 +15,16 @@ const char *wcut_obj_match(const char *p, const char *keyword) {
     return *w == '\0' && (wcut_is_blank(*p) || wcut_is_line_end(p)) ? wcut_skip_blanks(p) : NULL;
 }
 
-bool wcut_obj_vertex(wcut_cloud_source *s, const char *line, const char *p, double value[WCUT_FIELDS]) {
+bool wcut_obj_vertex(wcut_source *s, const char *line, const char *p, double value[WCUT_FIELDS]) {
     int count = 0;
     for (; !wcut_is_line_end(p) && count < WCUT_FIELDS; count++) {
         const char *behind = wcut_row_number(p, ' ', false, &value[count]);
-        if (!behind) return wcut_cloud_refuse_text(s, line, p, "a number");
+        if (!behind) return wcut_source_refuse_text(s, line, p, "a number");
         p = wcut_skip_blanks(behind);
     }
     if (!wcut_is_line_end(p) || count < 3 || count == 5)
-        return wcut_cloud_refuse_text(s, line, p, "3 coordinates, with a weight or a colour at most");
-    return count != 4 || value[3] == 1 || wcut_cloud_refuse_text(s, line, line, "a vertex of weight 1");
+        return wcut_source_refuse_text(s, line, p, "3 coordinates, with a weight or a colour at most");
+    return count != 4 || value[3] == 1 || wcut_source_refuse_text(s, line, line, "a vertex of weight 1");
 }
 
 bool wcut_obj_is_passed_over(const char *p) {
@@ -35,6 +35,6 @@ bool wcut_obj_is_passed_over(const char *p) {
     return false;
 }
 
-bool wcut_obj_refuse(wcut_cloud_source *s, const char *line, const char *p) {
-    return wcut_cloud_refuse_text(s, line, p, "a polygon mesh: v, vt, vn, f, o, g, s, usemtl");
+bool wcut_obj_refuse(wcut_source *s, const char *line, const char *p) {
+    return wcut_source_refuse_text(s, line, p, "a polygon mesh: v, vt, vn, f, o, g, s, usemtl");
 }

@@ -2,8 +2,8 @@
 #ifndef WCUT_IO_MESH_PLY_H
 #define WCUT_IO_MESH_PLY_H
 
+#include "io/file/record.h"
 #include "io/mesh/polygon.h"
-#include "io/scan/cloud_record.h"
 
 enum { WCUT_PLY_ELEMENTS = 64, WCUT_PLY_PROPERTIES = 256 };
 
@@ -22,7 +22,7 @@ typedef struct wcut_ply_element {
 } wcut_ply_element;
 
 typedef struct wcut_ply {
-    wcut_record record; /* the state begins with it: wcut_record_fill reads it */
+    wcut_record record; /* the state begins with it: wcut_cloud_fill_records reads it */
     bool ascii;
     int vertex, face; /* the elements of that name, -1 before they are found */
     int elements, properties;
@@ -39,17 +39,17 @@ typedef struct wcut_ply_corners {
 /* each of these: false means refused, the source holds the failure */
 
 /* every line up to end_header */
-bool wcut_ply_header(wcut_cloud_source *source, wcut_ply *ply);
+bool wcut_ply_header(wcut_source *source, wcut_ply *ply);
 
 /* the header is read: the vertex's properties laid out as a record, elements before the vertices skipped, their count
-   held against the file; source->left vertices follow */
-bool wcut_ply_begin(wcut_cloud_source *source, wcut_ply *ply);
+   held against the file; the vertices follow */
+bool wcut_ply_begin(wcut_source *source, wcut_ply *ply);
 
 /* one record of an element; value (6) takes the fields there are, corners (may be NULL) the list that is one */
-bool wcut_ply_record(wcut_cloud_source *source, const wcut_ply *ply, const wcut_ply_element *element, double *value,
+bool wcut_ply_record(wcut_source *source, const wcut_ply *ply, const wcut_ply_element *element, double *value,
                      wcut_ply_corners *corners);
 
 /* the elements first .. end - 1 */
-bool wcut_ply_skip(wcut_cloud_source *source, const wcut_ply *ply, int first, int end);
+bool wcut_ply_skip(wcut_source *source, const wcut_ply *ply, int first, int end);
 
 #endif

@@ -1,27 +1,27 @@
 /* PLY (Turk 1994): records as the header lays them out, ascii or binary; what nobody asks for is skipped. */
 #include "io/mesh/ply.h"
 
-#include "io/scan/cloud_row.h"
+#include "io/file/row.h"
 
 /* ---- binary ---- */
 
-static bool refuse_corners(wcut_cloud_source *s, double count) {
-    return wcut_cloud_refuse(s, "found a face of %.0f corners, expected at most %d", count, WCUT_POLYGON_MOST);
+static bool refuse_corners(wcut_source *s, double count) {
+    return wcut_source_refuse(s, "found a face of %.0f corners, expected at most %d", count, WCUT_POLYGON_MOST);
 }
 
 /* a list's count and values, kept where they are corners */
-static bool read_list(wcut_cloud_source *s, const wcut_ply *m, const wcut_ply_property *q, wcut_ply_corners *corners) {
+static bool read_list(wcut_source *s, const wcut_ply *m, const wcut_ply_property *q, wcut_ply_corners *corners) {
     const size_t size = wcut_scalar_size(q->count), step = wcut_scalar_size(q->value);
-    if (wcut_stream_fill(&s->stream, size) < size) return wcut_cloud_refuse_end(s, "a list's count");
+    if (wcut_stream_fill(&s->stream, size) < size) return wcut_source_refuse_end(s, "a list's count");
     const double count = wcut_scalar_load(s->stream.data + s->stream.at, q->count, m->record.big_endian);
-    if (count < 0) return wcut_cloud_refuse(s, "found a list of %.0f values, expected 0 or more", count);
+    if (count < 0) return wcut_source_refuse(s, "found a list of %.0f values, expected 0 or more", count);
     s->stream.at += size;
     if (!corners || !q->is_corners)
-        return wcut_stream_skip(&s->stream, (uint64_t)count * step) || wcut_cloud_refuse_end(s, "a list's values");
+        return wcut_stream_skip(&s->stream, (uint64_t)count * step) || wcut_source_refuse_end(s, "a list's values");
     if (count > WCUT_POLYGON_MOST) return refuse_corners(s, count);
     corners->count = (int)count;
     for (int k = 0; k < corners->count; k++) {
-        if (wcut_stream_fill(&s->stream, step) < step) return wcut_cloud_refuse_end(s, "a list's values");
+        if (wcut_stream_fill(&s->stream, step) < step) return wcut_source_refuse_end(s, "a list's values");
         const unsigned char *at = s->stream.data + s->stream.at;
         corners->vertex[k] = (int64_t)wcut_scalar_load(at, q->value, m->record.big_endian);
         s->stream.at += step;
@@ -29,7 +29,7 @@ static bool read_list(wcut_cloud_source *s, const wcut_ply *m, const wcut_ply_pr
     return true;
 }
 
-static bool read_binary(wcut_cloud_source *s, const wcut_ply *m, const wcut_ply_element *e, double *value,
+static bool read_binary(wcut_source *s, const wcut_ply *m, const wcut_ply_element *e, double *value,
                         wcut_ply_corners *corners) {
     for (const wcut_ply_property *q = m->property + e->first; q < m->property + e->first + e->properties; q++) {
         if (q->count) {
@@ -37,7 +37,7 @@ static bool read_binary(wcut_cloud_source *s, const wcut_ply *m, const wcut_ply_
             continue;
         }
         const size_t size = wcut_scalar_size(q->value);
-        if (wcut_stream_fill(&s->stream, size) < size) return wcut_cloud_refuse_end(s, "the elements that are stated");
+        if (wcut_stream_fill(&s->stream, size) < size) return wcut_source_refuse_end(s, "the elements that are stated");
         if (q->field >= 0)
             value[q->field] = wcut_scalar_load(s->stream.data + s->stream.at, q->value, m->record.big_endian);
         s->stream.at += size;
@@ -48,11 +48,11 @@ static bool read_binary(wcut_cloud_source *s, const wcut_ply *m, const wcut_ply_
 /* ---- text ---- */
 
 /* a list's count and values */
-static const char *read_words(wcut_cloud_source *s, const char *line, const char *p, const wcut_ply_property *q,
+static const char *read_words(wcut_source *s, const char *line, const char *p, const wcut_ply_property *q,
                               wcut_ply_corners *corners) {
     int64_t values = 0;
     const char *behind = wcut_row_count(p, &values);
-    if (!behind) return wcut_cloud_refuse_text(s, line, wcut_skip_blanks(p), "a list's count, 0 or more"), NULL;
+    if (!behind) return wcut_source_refuse_text(s, line, wcut_skip_blanks(p), "a list's count, 0 or more"), NULL;
     const bool kept = corners && q->is_corners;
     if (kept && values > WCUT_POLYGON_MOST) return refuse_corners(s, (double)values), NULL;
     if (kept) corners->count = (int)values;
@@ -60,16 +60,16 @@ static const char *read_words(wcut_cloud_source *s, const char *line, const char
         double any;
         p = wcut_skip_blanks(behind);
         behind = kept ? wcut_row_count(p, &corners->vertex[k]) : wcut_row_number(p, ' ', false, &any);
-        if (!behind) return wcut_cloud_refuse_text(s, line, p, kept ? "the number of a vertex" : "a number"), NULL;
+        if (!behind) return wcut_source_refuse_text(s, line, p, kept ? "the number of a vertex" : "a number"), NULL;
     }
     return behind;
 }
 
-static bool read_ascii(wcut_cloud_source *s, const wcut_ply *m, const wcut_ply_element *e, double *value,
+static bool read_ascii(wcut_source *s, const wcut_ply *m, const wcut_ply_element *e, double *value,
                        wcut_ply_corners *corners) {
     size_t length;
     const char *line = wcut_row_peek(s, &length), *p = line;
-    if (!line) return s->failure.status == WCUT_OK && wcut_cloud_refuse_end(s, "as many lines as elements are stated");
+    if (!line) return s->failure.status == WCUT_OK && wcut_source_refuse_end(s, "as many lines as elements are stated");
     for (const wcut_ply_property *q = m->property + e->first; q < m->property + e->first + e->properties; q++) {
         double any;
         if (q->count) {
@@ -78,31 +78,31 @@ static bool read_ascii(wcut_cloud_source *s, const wcut_ply *m, const wcut_ply_e
             continue;
         }
         const char *behind = wcut_row_number(p, ' ', false, q->field >= 0 ? &value[q->field] : &any);
-        if (!behind) return wcut_cloud_refuse_text(s, line, wcut_skip_blanks(p), "a number");
+        if (!behind) return wcut_source_refuse_text(s, line, wcut_skip_blanks(p), "a number");
         p = behind;
     }
     p = wcut_skip_blanks(p);
-    if (!wcut_is_line_end(p)) return wcut_cloud_refuse_text(s, line, p, "the end of the line");
+    if (!wcut_is_line_end(p)) return wcut_source_refuse_text(s, line, p, "the end of the line");
     wcut_row_done(s, length);
     return true;
 }
 
 /* ---- either ---- */
 
-bool wcut_ply_record(wcut_cloud_source *s, const wcut_ply *m, const wcut_ply_element *e, double *value,
+bool wcut_ply_record(wcut_source *s, const wcut_ply *m, const wcut_ply_element *e, double *value,
                      wcut_ply_corners *corners) {
     return m->ascii ? read_ascii(s, m, e, value, corners) : read_binary(s, m, e, value, corners);
 }
 
-bool wcut_ply_skip(wcut_cloud_source *s, const wcut_ply *m, int first, int end) {
+bool wcut_ply_skip(wcut_source *s, const wcut_ply *m, int first, int end) {
     double none[WCUT_FIELDS];
     for (const wcut_ply_element *e = m->element + first; e < m->element + end; e++) {
         const uint64_t count = (uint64_t)e->count;
         if (!m->ascii && !e->has_list) {
             if (e->size > 0 && count > UINT64_MAX / e->size)
-                return wcut_cloud_refuse_end(s, "the elements that are stated");
+                return wcut_source_refuse_end(s, "the elements that are stated");
             if (!wcut_stream_skip(&s->stream, count * e->size))
-                return wcut_cloud_refuse_end(s, "the elements that are stated");
+                return wcut_source_refuse_end(s, "the elements that are stated");
             continue;
         }
         if (e->properties == 0) continue; /* nothing stands for them, however many */
@@ -113,8 +113,8 @@ bool wcut_ply_skip(wcut_cloud_source *s, const wcut_ply *m, int first, int end) 
 }
 
 /* from the vertex's properties to its record */
-static bool lay_out(wcut_cloud_source *s, wcut_ply *m) {
-    if (m->vertex < 0) return wcut_cloud_refuse(s, "found no element vertex, expected one");
+static bool lay_out(wcut_source *s, wcut_ply *m) {
+    if (m->vertex < 0) return wcut_source_refuse(s, "found no element vertex, expected one");
     const wcut_ply_element *e = &m->element[m->vertex];
     bool has[WCUT_FIELDS] = {false};
     size_t offset = 0;
@@ -128,19 +128,18 @@ static bool lay_out(wcut_cloud_source *s, wcut_ply *m) {
         offset += wcut_scalar_size(q->count ? q->count : q->value);
     }
     for (int k = 0; k < 3; k++)
-        if (!has[k]) return wcut_cloud_refuse(s, "found no property %c of the element vertex, expected one", "xyz"[k]);
+        if (!has[k]) return wcut_source_refuse(s, "found no property %c of the element vertex, expected one", "xyz"[k]);
     m->record.size = e->size;
     m->record.fields = has[3] && has[4] && has[5] ? 6 : 3;
-    s->info.has_normals = m->record.fields == 6;
     return true;
 }
 
-bool wcut_ply_begin(wcut_cloud_source *s, wcut_ply *m) {
+bool wcut_ply_begin(wcut_source *s, wcut_ply *m) {
     if (!lay_out(s, m)) return false;
     s->binary = !m->ascii;
     if (!m->ascii) s->line = 0;
     const wcut_ply_element *e = &m->element[m->vertex];
     /* a value of text takes a digit and a blank or line feed, but the last one's */
     const uint64_t least = m->ascii ? 2 * (uint64_t)e->properties - 1 : e->size;
-    return wcut_ply_skip(s, m, 0, m->vertex) && wcut_cloud_state(s, e->count, least, "vertices");
+    return wcut_ply_skip(s, m, 0, m->vertex) && wcut_source_check_count(s, e->count, least, "vertices");
 }

@@ -7,7 +7,7 @@
 #include <wirecut/angle.h>
 #include "base/alloc.h"
 #include "base/fail.h"
-#include "io/file/csv.h"
+#include "io/file/table_read.h"
 
 enum { HEAT, SPEED, ENGAGED, TENSION, ALPHA, KNOWN };
 static const wcut_known_column known_column[KNOWN] = {

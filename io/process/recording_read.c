@@ -7,7 +7,7 @@
 #include <wirecut/angle.h>
 #include "base/alloc.h"
 #include "base/fail.h"
-#include "io/file/csv.h"
+#include "io/file/table_read.h"
 
 #define KNOWN_NAME(stem, unit) (sizeof unit > 1 ? stem "_" unit : stem)
 #define KNOWN_ENTRY(name, stem, unit, required) {KNOWN_NAME(stem, unit), stem, unit, required},

@@ -5,6 +5,7 @@
 #include <strings.h>
 
 #include "io/mesh/mesh_formats.h"
+#include "io/scan/cloud_source.h"
 
 /* of vertices, 480 MB; and the time that assimp has */
 enum { MOST = 20000000, SECONDS = 60 };
@@ -31,8 +32,8 @@ static bool fill(wcut_cloud_source *s, wcut_batch *b) {
 
 bool wcut_cloud_begin_foreign(wcut_cloud_source *s) {
     double *position = NULL;
-    const char *ending = wcut_cloud_foreign_ending((const char *)s->stream.data + s->stream.at, s->label);
-    if (!wcut_mesh_vertices_foreign(s, ending ? ending : known[1], MOST, SECONDS, &position, &s->info.stated))
+    const char *ending = wcut_cloud_foreign_ending((const char *)s->in.stream.data + s->in.stream.at, s->in.label);
+    if (!wcut_mesh_vertices_foreign(&s->in, ending ? ending : known[1], MOST, SECONDS, &position, &s->info.stated))
         return false;
     s->state = position;
     s->left = s->info.stated;

@@ -4,7 +4,7 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
-#include "io/scan/cloud_record.h"
+#include "io/scan/cloud_source.h"
 
 /* where things stand in the header, and its least size */
 enum {
@@ -24,8 +24,8 @@ enum {
 };
 
 static bool refuse_record(wcut_cloud_source *s, unsigned format, unsigned length, unsigned least) {
-    return wcut_cloud_refuse(s, "found records of %u bytes, expected at least %u for point format %u", length, least,
-                             format);
+    return wcut_source_refuse(&s->in, "found records of %u bytes, expected at least %u for point format %u", length,
+                              least, format);
 }
 
 /* the flag of a withheld point: in the classification byte of the old formats, in the flags of the new */
@@ -39,8 +39,9 @@ static bool set_axes(wcut_cloud_source *s, const unsigned char *head, wcut_recor
         const double scale = wcut_scalar_load(head + SCALE + 8 * k, WCUT_SCALAR_F64, false);
         const double offset = wcut_scalar_load(head + OFFSET + 8 * k, WCUT_SCALAR_F64, false);
         if (!isfinite(scale) || scale == 0 || !isfinite(offset))
-            return wcut_cloud_refuse(s, "found scale %g and offset %g of %c, expected finite ones, the scale not 0",
-                                     scale, offset, "xyz"[k]);
+            return wcut_source_refuse(&s->in,
+                                      "found scale %g and offset %g of %c, expected finite ones, the scale not 0",
+                                      scale, offset, "xyz"[k]);
         r->field[k].scalar = WCUT_SCALAR_I32;
         r->field[k].offset = 4 * k;
         r->field[k].factor = scale;
@@ -52,20 +53,21 @@ static bool set_axes(wcut_cloud_source *s, const unsigned char *head, wcut_recor
 
 static bool check_version(wcut_cloud_source *s, const unsigned char *head) {
     const unsigned major = head[VERSION_MAJOR], minor = head[VERSION_MINOR];
-    if (memcmp(head, "LASF", 4) != 0) return wcut_cloud_refuse(s, "found no LASF, expected a LAS file");
+    if (memcmp(head, "LASF", 4) != 0) return wcut_source_refuse(&s->in, "found no LASF, expected a LAS file");
     if (major != 1 || minor < 2 || minor > 4)
-        return wcut_cloud_refuse(s, "found LAS %u.%u, expected 1.2 to 1.4", major, minor);
+        return wcut_source_refuse(&s->in, "found LAS %u.%u, expected 1.2 to 1.4", major, minor);
     const unsigned size = wcut_load_16(head + HEADER_SIZE, false);
     const unsigned least = minor < 4 ? LEAST_HEADER : LEAST_HEADER_1_4;
-    return size >= least || wcut_cloud_refuse(s, "found a header of %u bytes, expected at least %u", size, least);
+    return size >= least || wcut_source_refuse(&s->in, "found a header of %u bytes, expected at least %u", size, least);
 }
 
 static bool read_header(wcut_cloud_source *s, const unsigned char *head, wcut_record *r, uint64_t *count) {
     static const unsigned char least[FORMATS] = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
     if (!check_version(s, head)) return false;
     const unsigned format = head[POINT_FORMAT], length = wcut_load_16(head + RECORD_LENGTH, false);
-    if (format & 0xc0) return wcut_cloud_refuse(s, "found compressed points (LAZ), expected LAS without compression");
-    if (format >= FORMATS) return wcut_cloud_refuse(s, "found point format %u, expected 0 to 10", format);
+    if (format & 0xc0)
+        return wcut_source_refuse(&s->in, "found compressed points (LAZ), expected LAS without compression");
+    if (format >= FORMATS) return wcut_source_refuse(&s->in, "found point format %u, expected 0 to 10", format);
     if (length < least[format]) return refuse_record(s, format, length, least[format]);
     r->size = length;
     set_flag(r, format);
@@ -75,19 +77,20 @@ static bool read_header(wcut_cloud_source *s, const unsigned char *head, wcut_re
 
 bool wcut_cloud_begin_las(wcut_cloud_source *s) {
     wcut_record *r = wcut_alloc(1, sizeof *r);
-    if (!r) return wcut_cloud_refuse_memory(s);
+    if (!r) return wcut_source_refuse_memory(&s->in);
     s->state = r;
-    s->fill = wcut_record_fill;
-    const size_t unread = wcut_stream_fill(&s->stream, LEAST_HEADER_1_4);
-    const unsigned char *head = s->stream.data + s->stream.at;
+    s->fill = wcut_cloud_fill_records;
+    const size_t unread = wcut_stream_fill(&s->in.stream, LEAST_HEADER_1_4);
+    const unsigned char *head = s->in.stream.data + s->in.stream.at;
     if (unread < LEAST_HEADER || (head[VERSION_MINOR] >= 4 && unread < LEAST_HEADER_1_4))
-        return wcut_cloud_refuse_end(s, "the header of a LAS file");
+        return wcut_source_refuse_end(&s->in, "the header of a LAS file");
     uint64_t count = 0;
     if (!read_header(s, head, r, &count)) return false;
     const uint64_t data = wcut_load_32(head + POINT_DATA, false);
     if (data < wcut_load_16(head + HEADER_SIZE, false))
-        return wcut_cloud_refuse(s, "found the points at byte %llu, expected them behind the header",
-                                 (unsigned long long)data);
-    if (!wcut_stream_skip(&s->stream, data)) return wcut_cloud_refuse_end(s, "the points that the header places there");
+        return wcut_source_refuse(&s->in, "found the points at byte %llu, expected them behind the header",
+                                  (unsigned long long)data);
+    if (!wcut_stream_skip(&s->in.stream, data))
+        return wcut_source_refuse_end(&s->in, "the points that the header places there");
     return wcut_cloud_state(s, count > INT64_MAX ? INT64_MAX : (int64_t)count, r->size, "points");
 }

@@ -1,26 +1,27 @@
 /* OBJ as a cloud: its vertices, line by line in the memory of a window; which of them are faces' is not looked at. */
 #include "io/mesh/obj.h"
+#include "io/scan/cloud_source.h"
 
 static bool read_line(wcut_cloud_source *s, const char *line, wcut_batch *b) {
     const char *p = wcut_skip_blanks(line), *rest = wcut_obj_match(p, "v");
     double value[WCUT_FIELDS] = {0};
-    if (rest) return wcut_obj_vertex(s, line, rest, value) && wcut_cloud_take(s, b, value);
-    return wcut_obj_match(p, "f") || wcut_obj_is_passed_over(p) || wcut_obj_refuse(s, line, p);
+    if (rest) return wcut_obj_vertex(&s->in, line, rest, value) && wcut_cloud_take(s, b, value);
+    return wcut_obj_match(p, "f") || wcut_obj_is_passed_over(p) || wcut_obj_refuse(&s->in, line, p);
 }
 
 static bool fill(wcut_cloud_source *s, wcut_batch *b) {
     size_t length;
     while (b->count < b->capacity) {
-        const char *line = wcut_obj_line(s, &length);
-        if (!line) return s->failure.status == WCUT_OK;
+        const char *line = wcut_obj_line(&s->in, &length);
+        if (!line) return s->in.failure.status == WCUT_OK;
         if (!read_line(s, line, b)) return false;
-        wcut_row_done(s, length);
+        wcut_row_done(&s->in, length);
     }
     return true;
 }
 
 bool wcut_cloud_begin_obj(wcut_cloud_source *s) {
-    s->line = 1;
+    s->in.line = 1;
     s->fill = fill;
     return true;
 }

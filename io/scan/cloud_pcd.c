@@ -4,8 +4,8 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
-#include "io/scan/cloud_record.h"
-#include "io/scan/cloud_row.h"
+#include "io/file/row.h"
+#include "io/scan/cloud_source.h"
 
 enum { FIELDS_MOST = 256, COUNT_MOST = 4096 };
 
@@ -20,7 +20,7 @@ typedef struct pcd_header {
 } pcd_header;
 
 typedef struct pcd_rows {
-    wcut_record record; /* the state begins with it: wcut_record_fill reads it */
+    wcut_record record; /* the state begins with it: wcut_cloud_fill_records reads it */
     int columns;        /* of text */
     int *field;         /* columns: which one each is, or -1; behind the struct */
 } pcd_rows;
@@ -36,14 +36,14 @@ static const char *word_end(const char *p) {
 static bool read_fields(wcut_cloud_source *s, const char *line, const char *p, pcd_header *h) {
     static const char *const name[] = {"x", "y", "z", "normal_x", "normal_y", "normal_z"};
     for (p = wcut_skip_blanks(p); !wcut_is_line_end(p); p = wcut_skip_blanks(word_end(p))) {
-        if (h->fields == FIELDS_MOST) return wcut_cloud_refuse_text(s, line, p, "at most 256 fields");
+        if (h->fields == FIELDS_MOST) return wcut_source_refuse_text(&s->in, line, p, "at most 256 fields");
         h->kind[h->fields] = -1;
         h->count[h->fields] = 1;
         for (int k = 0; k < WCUT_FIELDS; k++)
             if (wcut_row_has_word(p, name[k])) h->kind[h->fields] = k;
         for (int k = 0; k < h->fields; k++)
             if (h->kind[h->fields] >= 0 && h->kind[k] == h->kind[h->fields])
-                return wcut_cloud_refuse_text(s, line, p, "each field once");
+                return wcut_source_refuse_text(&s->in, line, p, "each field once");
         h->fields++;
     }
     return true;
@@ -55,27 +55,28 @@ static bool read_integers(wcut_cloud_source *s, const char *line, const char *p,
         int64_t n;
         const char *behind = wcut_row_count(p, &n);
         if (!behind || n < 1 || n > most)
-            return wcut_cloud_refuse_text(s, line, wcut_skip_blanks(p), "a positive integer for each of the FIELDS");
+            return wcut_source_refuse_text(&s->in, line, wcut_skip_blanks(p),
+                                           "a positive integer for each of the FIELDS");
         value[k] = (int)n;
         p = wcut_skip_blanks(behind);
     }
-    return wcut_is_line_end(p) || wcut_cloud_refuse_text(s, line, p, "as many as there are FIELDS");
+    return wcut_is_line_end(p) || wcut_source_refuse_text(&s->in, line, p, "as many as there are FIELDS");
 }
 
 static bool read_types(wcut_cloud_source *s, const char *line, const char *p, pcd_header *h) {
     for (int k = 0; k < h->fields; k++) {
         p = wcut_skip_blanks(p);
-        if (word_end(p) != p + 1 || !strchr("IUF", *p)) return wcut_cloud_refuse_text(s, line, p, "I, U or F");
+        if (word_end(p) != p + 1 || !strchr("IUF", *p)) return wcut_source_refuse_text(&s->in, line, p, "I, U or F");
         h->type[k] = *p++;
     }
     p = wcut_skip_blanks(p);
-    return wcut_is_line_end(p) || wcut_cloud_refuse_text(s, line, p, "as many as there are FIELDS");
+    return wcut_is_line_end(p) || wcut_source_refuse_text(&s->in, line, p, "as many as there are FIELDS");
 }
 
 static bool read_one(wcut_cloud_source *s, const char *line, const char *p, int64_t *value) {
     const char *behind = wcut_row_count(p, value);
     if (behind && wcut_is_line_end(wcut_skip_blanks(behind))) return true;
-    return wcut_cloud_refuse_text(s, line, wcut_skip_blanks(p), "a count, an integer that is not negative");
+    return wcut_source_refuse_text(&s->in, line, wcut_skip_blanks(p), "a count, an integer that is not negative");
 }
 
 /* one line of the header; `which` is the keyword's number, or LINES for a line that says nothing */
@@ -86,9 +87,10 @@ static bool read_header_line(wcut_cloud_source *s, const char *line, pcd_header 
         return true;
     for (int k = 0; k < LINES; k++)
         if (wcut_row_has_word(p, keyword[k])) *which = k;
-    if (*which == LINES) return wcut_cloud_refuse_text(s, line, p, "a keyword of a PCD header");
-    if (h->seen[*which]) return wcut_cloud_refuse_text(s, line, p, "each keyword once");
-    if (*which != FIELDS_LINE && !h->seen[FIELDS_LINE]) return wcut_cloud_refuse_text(s, line, p, "FIELDS before it");
+    if (*which == LINES) return wcut_source_refuse_text(&s->in, line, p, "a keyword of a PCD header");
+    if (h->seen[*which]) return wcut_source_refuse_text(&s->in, line, p, "each keyword once");
+    if (*which != FIELDS_LINE && !h->seen[FIELDS_LINE])
+        return wcut_source_refuse_text(&s->in, line, p, "FIELDS before it");
     h->seen[*which] = true;
     *rest = wcut_skip_blanks(word_end(p));
     switch (*which) {
@@ -127,21 +129,22 @@ static bool check_header(wcut_cloud_source *s, const char *line, const pcd_heade
     int found = 0;
     for (size_t k = 0; k < sizeof required / sizeof *required; k++)
         if (!h->seen[required[k]])
-            return wcut_cloud_refuse(s, "found DATA, expected %s before it", keyword[required[k]]);
+            return wcut_source_refuse(&s->in, "found DATA, expected %s before it", keyword[required[k]]);
     for (int k = 0; k < h->fields; k++) {
         if (h->kind[k] >= 0 && h->kind[k] < 3) found++;
         if (find_scalar(h->type[k], h->size[k]) == WCUT_SCALAR_NONE)
-            return wcut_cloud_refuse(s, "found a field of type %c and size %d, expected F 4, F 8, I or U of 1, 2, 4, 8",
-                                     h->type[k], h->size[k]);
+            return wcut_source_refuse(&s->in,
+                                      "found a field of type %c and size %d, expected F 4, F 8, I or U of 1, 2, 4, 8",
+                                      h->type[k], h->size[k]);
         if (h->kind[k] >= 0 && h->count[k] != 1)
-            return wcut_cloud_refuse(s, "found a coordinate of COUNT %d, expected 1", h->count[k]);
+            return wcut_source_refuse(&s->in, "found a coordinate of COUNT %d, expected 1", h->count[k]);
     }
-    if (found != 3) return wcut_cloud_refuse_text(s, line, line, "the FIELDS x y z before it");
+    if (found != 3) return wcut_source_refuse_text(&s->in, line, line, "the FIELDS x y z before it");
     /* both are digits below 2^63 / 10: compare without a product that overflows */
     if (h->seen[POINTS_LINE] && h->points != 0 &&
         (h->height == 0 || h->points % h->height != 0 || h->points / h->height != h->width))
-        return wcut_cloud_refuse(s, "found POINTS %lld, expected WIDTH x HEIGHT, %lld x %lld", (long long)h->points,
-                                 (long long)h->width, (long long)h->height);
+        return wcut_source_refuse(&s->in, "found POINTS %lld, expected WIDTH x HEIGHT, %lld x %lld",
+                                  (long long)h->points, (long long)h->width, (long long)h->height);
     return true;
 }
 
@@ -180,57 +183,60 @@ static bool fill_text(wcut_cloud_source *s, wcut_batch *b) {
     double value[WCUT_FIELDS] = {0};
     size_t length;
     for (; s->left > 0 && b->count < b->capacity; s->left--) {
-        const char *line = wcut_row_peek(s, &length), *p = line;
-        if (!line) return s->failure.status == WCUT_OK ? wcut_cloud_refuse_truncated(s, "points") : false;
+        const char *line = wcut_row_peek(&s->in, &length), *p = line;
+        if (!line)
+            return s->in.failure.status == WCUT_OK ? wcut_source_refuse_truncated(&s->in, s->left, "points") : false;
         for (int c = 0; c < r->columns; c++) {
             double any;
             const char *behind = wcut_row_number(p, ' ', false, r->field[c] >= 0 ? &value[r->field[c]] : &any);
-            if (!behind) return wcut_cloud_refuse_text(s, line, wcut_skip_blanks(p), "a number");
+            if (!behind) return wcut_source_refuse_text(&s->in, line, wcut_skip_blanks(p), "a number");
             p = wcut_skip_blanks(behind);
         }
-        if (!wcut_is_line_end(p)) return wcut_cloud_refuse_text(s, line, p, "the end of the line");
+        if (!wcut_is_line_end(p)) return wcut_source_refuse_text(&s->in, line, p, "the end of the line");
         if (!wcut_cloud_take(s, b, value)) return false;
-        wcut_row_done(s, length);
+        wcut_row_done(&s->in, length);
     }
-    return s->left > 0 || wcut_cloud_check_end(s);
+    return s->left > 0 || wcut_source_check_end(&s->in, ((const pcd_rows *)s->state)->record.size);
 }
 
 static bool fill_binary(wcut_cloud_source *s, wcut_batch *b) {
-    return wcut_record_fill(s, b) && (s->left > 0 || wcut_cloud_check_end(s));
+    return wcut_cloud_fill_records(s, b) &&
+           (s->left > 0 || wcut_source_check_end(&s->in, ((const pcd_rows *)s->state)->record.size));
 }
 
 static bool begin_data(wcut_cloud_source *s, const char *line, const char *how, size_t length, const pcd_header *h) {
     const bool binary = wcut_row_has_word(how, "binary");
     if (wcut_row_has_word(how, "binary_compressed"))
-        return wcut_cloud_refuse_text(s, line, how, "ascii or binary: write the points without compression");
-    if (!binary && !wcut_row_has_word(how, "ascii")) return wcut_cloud_refuse_text(s, line, how, "ascii or binary");
+        return wcut_source_refuse_text(&s->in, line, how, "ascii or binary: write the points without compression");
+    if (!binary && !wcut_row_has_word(how, "ascii"))
+        return wcut_source_refuse_text(&s->in, line, how, "ascii or binary");
     if (!check_header(s, line, h)) return false;
     pcd_rows *r = make_rows(h);
-    if (!r) return wcut_cloud_refuse_memory(s);
+    if (!r) return wcut_source_refuse_memory(&s->in);
     s->state = r;
     s->info.has_normals = r->record.fields == 6;
     s->fill = binary ? fill_binary : fill_text;
-    wcut_row_done(s, length);
-    if (binary) s->line = 0, s->binary = true;
+    wcut_row_done(&s->in, length);
+    if (binary) s->in.line = 0, s->in.binary = true;
     return wcut_cloud_state(s, count_points(h), binary ? r->record.size : 2 * (uint64_t)r->columns - 1, "points");
 }
 
 static bool read_header(wcut_cloud_source *s, pcd_header *h) {
     size_t length;
-    for (const char *line; (line = wcut_row_peek(s, &length)) != NULL; wcut_row_done(s, length)) {
+    for (const char *line; (line = wcut_row_peek(&s->in, &length)) != NULL; wcut_row_done(&s->in, length)) {
         int which;
         const char *rest = line;
         if (!read_header_line(s, line, h, &which, &rest)) return false;
         if (which == DATA_LINE) return begin_data(s, line, rest, length, h);
     }
-    return s->failure.status == WCUT_OK && wcut_cloud_refuse_end(s, "DATA");
+    return s->in.failure.status == WCUT_OK && wcut_source_refuse_end(&s->in, "DATA");
 }
 
 bool wcut_cloud_begin_pcd(wcut_cloud_source *s) {
     pcd_header *h = wcut_alloc(1, sizeof *h);
-    if (!h) return wcut_cloud_refuse_memory(s);
+    if (!h) return wcut_source_refuse_memory(&s->in);
     h->height = 1;
-    s->line = 1;
+    s->in.line = 1;
     const bool read = read_header(s, h);
     free(h);
     return read;

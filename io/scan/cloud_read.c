@@ -1,6 +1,5 @@
 /* Clouds in: which format a file has, points in pieces, whole clouds in memory. */
 #include <limits.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +7,6 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
-#include "base/locale.h"
 #include "io/file/number.h"
 #include "io/scan/cloud_foreign.h"
 #include "io/scan/cloud_source.h"
@@ -24,81 +22,8 @@ static bool options_are_usable(const wcut_cloud_options *o) {
     return (unsigned)o->format <= WCUT_CLOUD_FORMAT_GLTF && (unsigned)o->unit <= WCUT_LENGTH_UNIT_INCH;
 }
 
-/* ---- refusals ---- */
-
-bool wcut_cloud_refuse(wcut_cloud_source *s, const char *format, ...) {
-    char label[WCUT_QUOTE_SIZE], text[200];
-    va_list arguments;
-    va_start(arguments, format);
-    locale_t before = wcut_locale_plain();
-    vsnprintf(text, sizeof text, format, arguments);
-    wcut_locale_restore(before);
-    va_end(arguments);
-    wcut_quote(label, s->label, WCUT_LABEL_MAX, 1);
-    if (s->line > 0)
-        wcut_fail(&s->failure, WCUT_BAD_FORMAT, "%s: line %ld: %s", label, s->line, text);
-    else
-        wcut_fail(&s->failure, WCUT_BAD_FORMAT, "%s: byte %llu: %s", label,
-                  (unsigned long long)wcut_stream_offset(&s->stream), text);
-    return false;
-}
-
-bool wcut_cloud_refuse_memory(wcut_cloud_source *s) {
-    char label[WCUT_QUOTE_SIZE];
-    wcut_fail(&s->failure, WCUT_NO_MEMORY, "%s: %s", wcut_quote(label, s->label, WCUT_LABEL_MAX, 1),
-              wcut_status_text(WCUT_NO_MEMORY));
-    return false;
-}
-
-/* a read that failed looks like an end, but the file is not to blame */
-static bool refuse_read(wcut_cloud_source *s) {
-    wcut_fail_errno(&s->failure, WCUT_NOT_FOUND, s->stream.code, s->label, "cannot be read");
-    return false;
-}
-
-bool wcut_cloud_refuse_end(wcut_cloud_source *s, const char *expected) {
-    if (s->stream.code) return refuse_read(s);
-    s->stream.at = s->stream.end;
-    return wcut_cloud_refuse(s, "found the end of the file, expected %s", expected);
-}
-
-bool wcut_cloud_refuse_truncated(wcut_cloud_source *s, const char *what) {
-    if (s->stream.code) return refuse_read(s);
-    s->stream.at = s->stream.end;
-    return wcut_cloud_refuse(s, "found the end of the file, expected %lld %s more", (long long)s->left, what);
-}
-
-bool wcut_cloud_refuse_text(wcut_cloud_source *s, const char *line, const char *at, const char *expected) {
-    char label[WCUT_QUOTE_SIZE], found[WCUT_FOUND_MAX + 4], shown[WCUT_QUOTE_SIZE];
-    size_t n = 0;
-    while (n < sizeof found - 1 && at[n] && at[n] != '\n' && at[n] != '\r') found[n] = at[n], n++;
-    found[n] = '\0';
-    const char *cause = n > 0           ? wcut_quote(shown, found, WCUT_FOUND_MAX, 0)
-                        : at[0] == '\0' ? "a zero byte or the end of the file"
-                                        : "the end of the line";
-    wcut_fail(&s->failure, WCUT_BAD_FORMAT, "%s: line %ld, column %ld: found %s, expected %s",
-              wcut_quote(label, s->label, WCUT_LABEL_MAX, 1), s->line, (long)(at - line) + 1, cause, expected);
-    return false;
-}
-
-bool wcut_cloud_check_end(wcut_cloud_source *s) {
-    while (wcut_stream_fill(&s->stream, 1) > 0) {
-        const unsigned char c = s->stream.data[s->stream.at];
-        if (s->binary || (c != ' ' && c != '\t' && c != '\r' && c != '\n'))
-            return wcut_cloud_refuse(s, "found more behind the last element that the header states, expected the end");
-        s->stream.at++;
-        s->line += c == '\n' && s->line > 0;
-    }
-    return s->stream.code ? refuse_read(s) : true;
-}
-
 bool wcut_cloud_state(wcut_cloud_source *s, int64_t count, uint64_t size, const char *what) {
-    if (count < 0 || count > INT_MAX)
-        return wcut_cloud_refuse(s, "found a count of %lld %s, expected 0 to %d", (long long)count, what, INT_MAX);
-    const uint64_t left = wcut_stream_left(&s->stream);
-    if (size > 0 && (uint64_t)count > left / size)
-        return wcut_cloud_refuse(s, "found %lld %s stated, %llu bytes for them, expected at least %llu each",
-                                 (long long)count, what, (unsigned long long)left, (unsigned long long)size);
+    if (!wcut_source_check_count(&s->in, count, size, what)) return false;
     s->info.stated = (int)count;
     s->left = count;
     return true;
@@ -116,16 +41,16 @@ wcut_vec3 wcut_cloud_unit_normal(const double v[3]) {
 
 bool wcut_cloud_take_odd(wcut_cloud_source *s, const double value[WCUT_FIELDS]) {
     if (s->info.read == INT_MAX || s->info.not_finite == INT_MAX)
-        return wcut_cloud_refuse(s, "found more points, expected at most %d", INT_MAX);
+        return wcut_source_refuse(&s->in, "found more points, expected at most %d", INT_MAX);
     for (int k = 0; k < 3; k++) {
         if (isfinite(value[k])) continue;
         s->info.not_finite++;
         return true;
     }
     for (int k = 0; k < 3; k++)
-        if (fabs(value[k] * s->scale) > WCUT_CLOUD_FAR)
-            return wcut_cloud_refuse(s, "found %c = %.6g mm, expected at most 1e12: a wrong byte order or unit?",
-                                     "xyz"[k], value[k] * s -> scale);
+        if (fabs(value[k] * s->in.scale) > WCUT_COORDINATE_FAR)
+            return wcut_source_refuse(&s->in, "found %c = %.6g mm, expected at most 1e12: a wrong byte order or unit?",
+                                      "xyz"[k], value[k] * s -> in.scale);
     return true;
 }
 
@@ -133,7 +58,7 @@ bool wcut_cloud_take_odd(wcut_cloud_source *s, const double value[WCUT_FIELDS]) 
 static bool check_order(wcut_cloud_source *s, const wcut_batch *b) {
     const int known = s->info.read - b->count;
     const double least = 1e-30;
-    for (int k = 0; s->binary && k < b->count && known + k < ORDER_POINTS; k++) {
+    for (int k = 0; s->in.binary && k < b->count && known + k < ORDER_POINTS; k++) {
         const double v[3] = {b->point[k].x, b->point[k].y, b->point[k].z};
         for (int c = 0; c < 3; c++) {
             s->nonzero += v[c] != 0;
@@ -142,18 +67,19 @@ static bool check_order(wcut_cloud_source *s, const wcut_batch *b) {
     }
     const bool judged = known < ORDER_POINTS && (s->info.read >= ORDER_POINTS || b->count < b->capacity);
     if (!judged || 2 * s->tiny <= s->nonzero) return true;
-    return wcut_cloud_refuse(s, "found %d of %d coordinates below 1e-30 mm, expected lengths: a wrong byte order?",
-                             s->tiny, s->nonzero);
+    return wcut_source_refuse(&s->in,
+                              "found %d of %d coordinates below 1e-30 mm, expected lengths: a wrong byte order?",
+                              s->tiny, s->nonzero);
 }
 
 wcut_status wcut_cloud_source_next(wcut_cloud_source *s, int capacity, wcut_vec3 *point, wcut_vec3 *normal, int *count,
                                    wcut_error *error) {
     if (!s || capacity < 1 || !point || !count) return WCUT_BAD_ARGUMENT;
     wcut_batch batch = {capacity, 0, point, normal};
-    if (s->failure.status == WCUT_OK && s->fill(s, &batch)) check_order(s, &batch);
-    if (s->failure.status != WCUT_OK && batch.count == 0) {
-        if (error) *error = s->failure;
-        return s->failure.status;
+    if (s->in.failure.status == WCUT_OK && s->fill(s, &batch)) check_order(s, &batch);
+    if (s->in.failure.status != WCUT_OK && batch.count == 0) {
+        if (error) *error = s->in.failure;
+        return s->in.failure.status;
     }
     *count = batch.count; /* points before a fault first: the next call reports it */
     return WCUT_OK;
@@ -163,8 +89,7 @@ const wcut_cloud_info *wcut_cloud_source_info(const wcut_cloud_source *source) {
 
 void wcut_cloud_source_destroy(wcut_cloud_source *source) {
     if (!source) return;
-    wcut_stream_close(&source->stream);
-    free(source->label);
+    wcut_source_close(&source->in);
     free(source->state);
     free(source);
 }
@@ -182,14 +107,14 @@ static bool ends_with(const char *text, const char *ending) {
 }
 
 static wcut_cloud_format find_format(wcut_cloud_source *s) {
-    const wcut_stream *t = &s->stream;
+    const wcut_stream *t = &s->in.stream;
     if (begins(t, "ply\n") || begins(t, "ply\r")) return WCUT_CLOUD_FORMAT_PLY;
     if (begins(t, "LASF")) return WCUT_CLOUD_FORMAT_LAS;
     if (begins(t, "# .PCD") || begins(t, "VERSION .7") || begins(t, "VERSION 0.7")) return WCUT_CLOUD_FORMAT_PCD;
-    if (ends_with(s->label, ".obj")) return WCUT_CLOUD_FORMAT_OBJ;
-    if (ends_with(s->label, ".off")) return WCUT_CLOUD_FORMAT_OFF;
-    if (wcut_cloud_foreign_ending((const char *)t->data + t->at, s->label)) return WCUT_CLOUD_FORMAT_GLTF;
-    if (ends_with(s->label, ".stl") || begins(t, "solid ") || begins(t, "solid\n")) return WCUT_CLOUD_FORMAT_STL;
+    if (ends_with(s->in.label, ".obj")) return WCUT_CLOUD_FORMAT_OBJ;
+    if (ends_with(s->in.label, ".off")) return WCUT_CLOUD_FORMAT_OFF;
+    if (wcut_cloud_foreign_ending((const char *)t->data + t->at, s->in.label)) return WCUT_CLOUD_FORMAT_GLTF;
+    if (ends_with(s->in.label, ".stl") || begins(t, "solid ") || begins(t, "solid\n")) return WCUT_CLOUD_FORMAT_STL;
     return WCUT_CLOUD_FORMAT_TEXT;
 }
 
@@ -201,9 +126,9 @@ static bool check_readable(wcut_cloud_source *s) {
                    {"Kaydara FBX", "an FBX model"}, {"ISO-10303", "a STEP file"},    {"\377\376", "UTF-16 text"},
                    {"\376\377", "UTF-16 text"},     {"%PDF", "a PDF document"},      {"\x89PNG", "a PNG picture"}};
     for (size_t k = 0; k < sizeof refused / sizeof *refused; k++)
-        if (begins(&s->stream, refused[k].begin))
-            return wcut_cloud_refuse(
-                s,
+        if (begins(&s->in.stream, refused[k].begin))
+            return wcut_source_refuse(
+                &s->in,
                 "found %s, expected PLY, XYZ/PTS/CSV text, STL, OBJ, OFF, glTF, LAS or PCD: export the "
                 "points "
                 "as one of these",
@@ -222,34 +147,30 @@ static bool begin_format(wcut_cloud_source *s) {
                                               wcut_cloud_begin_off,
                                               wcut_cloud_begin_foreign};
     static const double millimetres[] = {1, 10, 1000, 25.4};
-    s->scale = millimetres[s->options.unit];
-    if (wcut_stream_fill(&s->stream, SNIFF) == 0) return wcut_cloud_refuse_end(s, "points");
+    s->in.scale = millimetres[s->options.unit];
+    if (wcut_stream_fill(&s->in.stream, SNIFF) == 0) return wcut_source_refuse_end(&s->in, "points");
     if (!check_readable(s)) return false;
     s->info.format = s->options.format != WCUT_CLOUD_FORMAT_ANY ? s->options.format : find_format(s);
     s->info.stated = -1;
     return begin[s->info.format](s);
 }
 
-/* the stream, opened, becomes the source's; it is closed on failure */
-static wcut_status create(wcut_stream stream, const char *label, const wcut_cloud_options *options,
-                          wcut_cloud_source **source, wcut_error *error) {
+/* the bytes, opened, become the source's; they are closed on failure */
+static wcut_status create(wcut_source in, const wcut_cloud_options *options, wcut_cloud_source **source,
+                          wcut_error *error) {
     wcut_cloud_source *s = wcut_alloc(1, sizeof *s);
-    const size_t length = strlen(label);
-    if (s) s->label = wcut_alloc(length + 1, 1);
-    if (!s || !s->label) {
-        free(s);
-        wcut_stream_close(&stream);
+    if (!s) {
+        wcut_source_close(&in);
         return wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
     }
-    memcpy(s->label, label, length);
-    s->stream = stream;
+    s->in = in;
     s->options = *options;
     if (begin_format(s)) {
         *source = s;
         return WCUT_OK;
     }
-    const wcut_status status = s->failure.status;
-    if (error) *error = s->failure;
+    const wcut_status status = s->in.failure.status;
+    if (error) *error = s->in.failure;
     wcut_cloud_source_destroy(s);
     return status;
 }
@@ -258,17 +179,16 @@ wcut_status wcut_cloud_source_create(const char *path, const wcut_cloud_options 
                                      wcut_error *error) {
     const wcut_cloud_options o = options ? *options : wcut_cloud_options_default();
     if (!path || !source || !options_are_usable(&o)) return WCUT_BAD_ARGUMENT;
-    wcut_stream stream;
-    const wcut_status status = wcut_stream_open(path, &stream, error);
-    if (status == WCUT_NO_MEMORY) wcut_fail(error, status, "%s", wcut_status_text(status));
-    return status == WCUT_OK ? create(stream, path, &o, source, error) : status;
+    wcut_source in;
+    const wcut_status status = wcut_source_open(path, &in, error);
+    return status == WCUT_OK ? create(in, &o, source, error) : status;
 }
 
 wcut_status wcut_cloud_source_create_memory(const void *bytes, size_t size, size_t window, const char *label,
                                             const wcut_cloud_options *options, wcut_cloud_source **source,
                                             wcut_error *error) {
     const wcut_cloud_options o = options ? *options : wcut_cloud_options_default();
-    wcut_stream stream;
-    const wcut_status status = wcut_stream_open_memory(bytes, size, window, &stream);
-    return status == WCUT_OK ? create(stream, label, &o, source, error) : status;
+    wcut_source in;
+    const wcut_status status = wcut_source_open_memory(bytes, size, window, label, &in, error);
+    return status == WCUT_OK ? create(in, &o, source, error) : status;
 }

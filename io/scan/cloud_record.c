@@ -1,81 +1,22 @@
-/* Points as binary records: scalars of any type and byte order at their places. */
-#include "io/scan/cloud_record.h"
+/* Points as binary records, read as they are laid out. */
+#include "io/scan/cloud_source.h"
 
-#include <string.h>
-
-size_t wcut_scalar_size(wcut_scalar scalar) {
-    static const unsigned char size[] = {0, 1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
-    return size[scalar];
-}
-
-static inline double as_float(uint32_t bits) {
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-static inline double as_double(uint64_t bits) {
-    double value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-/* in a byte order known at compile time */
-static inline double load(const unsigned char *at, wcut_scalar scalar, const bool big_endian) {
-    switch (scalar) {
-        case WCUT_SCALAR_F32:
-            return as_float(wcut_load_32(at, big_endian));
-        case WCUT_SCALAR_F64:
-            return as_double(wcut_load_64(at, big_endian));
-        case WCUT_SCALAR_I8:
-            return (int8_t)at[0];
-        case WCUT_SCALAR_U8:
-            return at[0];
-        case WCUT_SCALAR_I16:
-            return (int16_t)wcut_load_16(at, big_endian);
-        case WCUT_SCALAR_U16:
-            return wcut_load_16(at, big_endian);
-        case WCUT_SCALAR_I32:
-            return (int32_t)wcut_load_32(at, big_endian);
-        case WCUT_SCALAR_U32:
-            return wcut_load_32(at, big_endian);
-        case WCUT_SCALAR_I64:
-            return (double)(int64_t)wcut_load_64(at, big_endian);
-        case WCUT_SCALAR_U64:
-            return (double)wcut_load_64(at, big_endian);
-        default:
-            return 0;
-    }
-}
-
-double wcut_scalar_load(const unsigned char *at, wcut_scalar scalar, bool big_endian) {
-    return big_endian ? load(at, scalar, true) : load(at, scalar, false);
-}
-
-static inline bool take(wcut_cloud_source *s, const wcut_record *r, const unsigned char *at, wcut_batch *b,
-                        const bool big_endian) {
-    double value[WCUT_FIELDS] = {0};
-    for (int k = 0; k < r->fields; k++)
-        value[k] =
-            load(at + r->field[k].offset, r->field[k].scalar, big_endian) * r->field[k].factor + r->field[k].shift;
-    return wcut_cloud_take(s, b, value);
-}
-
-bool wcut_record_fill(wcut_cloud_source *s, wcut_batch *b) {
+bool wcut_cloud_fill_records(wcut_cloud_source *s, wcut_batch *b) {
     const wcut_record *r = s->state;
-    if (r->size > s->stream.capacity)
-        return wcut_cloud_refuse(s, "found records of %zu bytes, expected at most %zu", r->size, s->stream.capacity);
+    wcut_stream *t = &s->in.stream;
+    if (r->size > t->capacity)
+        return wcut_source_refuse(&s->in, "found records of %zu bytes, expected at most %zu", r->size, t->capacity);
     while (s->left > 0 && b->count < b->capacity) {
-        if (wcut_stream_fill(&s->stream, r->size) < r->size) return wcut_cloud_refuse_truncated(s, "points");
-        while (s->left > 0 && b->count < b->capacity && s->stream.end - s->stream.at >= r->size) {
-            const unsigned char *at = s->stream.data + s->stream.at;
-            if (r->flag_mask && (at[r->flag_offset] & r->flag_mask)) {
+        if (wcut_stream_fill(t, r->size) < r->size) return wcut_source_refuse_truncated(&s->in, s->left, "points");
+
+        /* the whole records in the window */
+        for (; s->left > 0 && b->count < b->capacity && t->end - t->at >= r->size; s->left--) {
+            double value[WCUT_FIELDS] = {0};
+            if (!wcut_record_read(r, t->data + t->at, value))
                 s->info.withheld++;
-            } else if (!(r->big_endian ? take(s, r, at, b, true) : take(s, r, at, b, false))) {
+            else if (!wcut_cloud_take(s, b, value))
                 return false;
-            }
-            s->stream.at += r->size;
-            s->left--;
+            t->at += r->size;
         }
     }
     return true;

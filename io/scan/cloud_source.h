@@ -7,10 +7,8 @@
 #include <stdint.h>
 #include <wirecut/cloud.h>
 
-#include "io/scan/cloud_stream.h"
-
-/* x y z nx ny nz */
-enum { WCUT_FIELDS = 6 };
+#include "io/file/record.h"
+#include "io/file/source.h"
 
 /* the caller's arrays and how far they are filled */
 typedef struct wcut_batch {
@@ -22,17 +20,12 @@ typedef struct wcut_batch {
 typedef bool wcut_cloud_fill(wcut_cloud_source *source, wcut_batch *batch);
 
 struct wcut_cloud_source {
-    wcut_stream stream;
-    char *label;
-    wcut_error failure; /* sticks */
+    wcut_source in; /* its scale is that of the option unit, unless the file states its own */
     wcut_cloud_info info;
     wcut_cloud_options options;
-    double scale;          /* [mm] of the file's unit */
     wcut_cloud_fill *fill; /* of the format */
     void *state;           /* of the format, to free() */
     int64_t left;          /* points or records not yet read, of formats that state them */
-    long line;             /* of the first unread byte, from 1; 0: the format has no lines */
-    bool binary;           /* numbers have a byte order that could be the wrong one */
     int nonzero, tiny;     /* coordinates among the first points, and those too small to be lengths */
 };
 
@@ -46,37 +39,22 @@ wcut_status wcut_cloud_source_create_memory(const void *bytes, size_t size, size
                                             const wcut_cloud_options *options, wcut_cloud_source **source,
                                             wcut_error *error);
 
-/* refuse: "LABEL: byte 12: ..." or "LABEL: line 3: ..." where lines are counted; gives false */
-bool wcut_cloud_refuse(wcut_cloud_source *source, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
-/* the same for want of memory, and for a file that ends where more is expected (or could not be read on) */
-bool wcut_cloud_refuse_memory(wcut_cloud_source *source);
-bool wcut_cloud_refuse_end(wcut_cloud_source *source, const char *expected);
-
-/* refuse a record: the file ends with `left` of the stated ones missing */
-bool wcut_cloud_refuse_truncated(wcut_cloud_source *source, const char *what);
-
-/* refuse the line at `line` for the text at `at`: "LABEL: line 3, column 7: found X, expected ..." */
-bool wcut_cloud_refuse_text(wcut_cloud_source *source, const char *line, const char *at, const char *expected);
-
-/* whether only blanks and line ends follow, or nothing at all (for binary) */
-bool wcut_cloud_check_end(wcut_cloud_source *source);
-
 /* hold a header to its claim: false, refused, where `count` of at least `size` bytes do not fit into the file, or are
    more than an int counts; sets info.stated and left */
 bool wcut_cloud_state(wcut_cloud_source *source, int64_t count, uint64_t size, const char *what);
+
+/* a wcut_cloud_fill of a source whose state is (or begins with) a wcut_record; source->left records are read */
+bool wcut_cloud_fill_records(wcut_cloud_source *source, wcut_batch *batch);
 
 /* a point that is left out or refused */
 bool wcut_cloud_take_odd(wcut_cloud_source *source, const double value[WCUT_FIELDS]);
 wcut_vec3 wcut_cloud_unit_normal(const double value[3]);
 
-/* [mm] beyond this it is no scan: the earth's centre is nearer, in mm, than 1e10 */
-static const double WCUT_CLOUD_FAR = 1e12;
-
 /* one point in file units into the batch, which has room; false: refused */
 static inline bool wcut_cloud_take(wcut_cloud_source *s, wcut_batch *b, const double value[WCUT_FIELDS]) {
-    const wcut_vec3 p = {value[0] * s->scale, value[1] * s->scale, value[2] * s->scale};
-    const bool usual = fabs(p.x) <= WCUT_CLOUD_FAR && fabs(p.y) <= WCUT_CLOUD_FAR && fabs(p.z) <= WCUT_CLOUD_FAR;
+    const wcut_vec3 p = {value[0] * s->in.scale, value[1] * s->in.scale, value[2] * s->in.scale};
+    const bool usual =
+        fabs(p.x) <= WCUT_COORDINATE_FAR && fabs(p.y) <= WCUT_COORDINATE_FAR && fabs(p.z) <= WCUT_COORDINATE_FAR;
     if (!usual || s->info.read == INT32_MAX) return wcut_cloud_take_odd(s, value);
     wcut_vec3 *low = &s->info.low, *high = &s->info.high;
     if (s->info.read++ == 0) *low = *high = p;

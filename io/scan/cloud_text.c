@@ -5,7 +5,8 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
-#include "io/scan/cloud_row.h"
+#include "io/file/row.h"
+#include "io/scan/cloud_source.h"
 
 enum { HEADER_LINES_MOST = 10, COLUMNS_MOST = 1000, SNIFF_ROWS = 50 };
 
@@ -53,7 +54,8 @@ static bool check_unit(wcut_cloud_source *s, const char *line, const char *word,
                                            "inches, as the option unit says"};
     for (size_t k = 0; k < sizeof name / sizeof *name; k++)
         if (strcasecmp(unit, name[k]) == 0)
-            return value[k] == s->options.unit || wcut_cloud_refuse_text(s, line, word, expected[s->options.unit]);
+            return value[k] == s->options.unit ||
+                   wcut_source_refuse_text(&s->in, line, word, expected[s->options.unit]);
     return true;
 }
 
@@ -134,16 +136,16 @@ static int count_columns(const char *line, char separator) {
 
 /* "1,5,2,5,3,5": three numbers with decimal commas, or six? No row of the first ones says so by a decimal point */
 static bool check_commas(wcut_cloud_source *s, const char *line, const text_layout *t) {
-    const char *end = (const char *)s->stream.data + s->stream.end, *p = line;
+    const char *end = (const char *)s->in.stream.data + s->in.stream.end, *p = line;
     if (t->separator != ',' || t->columns % 2 != 0 || t->columns < 6) return true;
     for (int row = 0; row < SNIFF_ROWS && p < end; row++) {
         const char *feed = memchr(p, '\n', (size_t)(end - p)), *stop = feed ? feed : end;
         if (memchr(p, '.', (size_t)(stop - p))) return true;
         p = feed ? feed + 1 : end;
     }
-    return wcut_cloud_refuse_text(s, line, line,
-                                  "decimal points, semicolons between the columns, or a header with the "
-                                  "columns' names: the commas could be decimal ones");
+    return wcut_source_refuse_text(&s->in, line, line,
+                                   "decimal points, semicolons between the columns, or a header with the "
+                                   "columns' names: the commas could be decimal ones");
 }
 
 /* columns that no header names: x y z, and a normal where there are six and the first row's has length 1 */
@@ -166,10 +168,11 @@ static bool find_columns(wcut_cloud_source *s, const char *line, const char *end
                          text_layout *t) {
     find_separator(line, end, t);
     t->columns = count_columns(line, t->separator);
-    if (t->columns > COLUMNS_MOST) return wcut_cloud_refuse_text(s, line, line, "at most 1000 columns");
-    if (t->columns < 3) return wcut_cloud_refuse_text(s, line, line, "at least three numbers, x y z");
+    if (t->columns > COLUMNS_MOST) return wcut_source_refuse_text(&s->in, line, line, "at most 1000 columns");
+    if (t->columns < 3) return wcut_source_refuse_text(&s->in, line, line, "at least three numbers, x y z");
     if (named != t->columns) {
-        if (named > 0 && strict) return wcut_cloud_refuse_text(s, line, line, "as many columns as the header names");
+        if (named > 0 && strict)
+            return wcut_source_refuse_text(&s->in, line, line, "as many columns as the header names");
         if (!check_commas(s, line, t)) return false;
         assume_columns(line, t);
     }
@@ -177,7 +180,7 @@ static bool find_columns(wcut_cloud_source *s, const char *line, const char *end
     for (int k = 0; k < WCUT_FIELDS; k++) {
         const int c = t->column[k];
         if (c >= (int)(sizeof t->field / sizeof *t->field))
-            return wcut_cloud_refuse_text(s, line, line, "the coordinates among the first 16 columns");
+            return wcut_source_refuse_text(&s->in, line, line, "the coordinates among the first 16 columns");
         if (c >= 0) t->field[c] = k;
         if (c > t->last) t->last = c;
     }
@@ -206,7 +209,7 @@ static bool read_count(wcut_cloud_source *s, const char *p, bool *is_count) {
 
 /* a zero byte ends a line only where the file ends */
 static bool check_zero(wcut_cloud_source *s, const char *line, size_t length, const char *at) {
-    return *at != '\0' || at == line + length || wcut_cloud_refuse_text(s, line, at, "text");
+    return *at != '\0' || at == line + length || wcut_source_refuse_text(&s->in, line, at, "text");
 }
 
 static bool read_row(wcut_cloud_source *s, const text_layout *t, const char *line, size_t length, double *value) {
@@ -215,17 +218,17 @@ static bool read_row(wcut_cloud_source *s, const text_layout *t, const char *lin
         const int k = c <= t->last ? t->field[c] : -1;
         const char *behind =
             k >= 0 ? wcut_row_number(p, t->separator, t->comma, &value[k]) : skip_column(p, t->separator);
-        if (!behind) return wcut_cloud_refuse_text(s, line, wcut_skip_blanks(p), "a number");
+        if (!behind) return wcut_source_refuse_text(&s->in, line, wcut_skip_blanks(p), "a number");
         behind = wcut_skip_blanks(behind);
         if (wcut_is_line_end(behind)) {
             if (!check_zero(s, line, length, behind)) return false;
             return c + 1 == t->columns ||
-                   wcut_cloud_refuse_text(s, line, behind, "as many columns as the first row has");
+                   wcut_source_refuse_text(&s->in, line, behind, "as many columns as the first row has");
         }
         if (t->separator != ' ' && *behind != t->separator)
-            return wcut_cloud_refuse_text(s, line, behind, "the next column");
+            return wcut_source_refuse_text(&s->in, line, behind, "the next column");
         if (c + 1 == t->columns)
-            return wcut_cloud_refuse_text(s, line, behind, "the end of the line, as in the first row");
+            return wcut_source_refuse_text(&s->in, line, behind, "the end of the line, as in the first row");
         p = behind + (t->separator != ' ');
     }
 }
@@ -235,20 +238,21 @@ static bool fill_text(wcut_cloud_source *s, wcut_batch *b) {
     double value[WCUT_FIELDS] = {0, 0, 0, 0, 0, 0};
     size_t length;
     while (b->count < b->capacity) {
-        const char *line = wcut_row_peek(s, &length);
+        const char *line = wcut_row_peek(&s->in, &length);
         if (!line) {
-            if (s->failure.status != WCUT_OK) return false;
-            return s->info.stated < 0 || s->left == 0 || wcut_cloud_refuse_truncated(s, "points");
+            if (s->in.failure.status != WCUT_OK) return false;
+            return s->info.stated < 0 || s->left == 0 || wcut_source_refuse_truncated(&s->in, s->left, "points");
         }
         const char *p = wcut_skip_blanks(line);
         if (wcut_is_line_end(p) || is_comment(p)) {
             if (!is_comment(p) && !check_zero(s, line, length, p)) return false;
         } else {
-            if (s->left == 0) return wcut_cloud_refuse_text(s, line, p, "the end: the file states no more points");
+            if (s->left == 0)
+                return wcut_source_refuse_text(&s->in, line, p, "the end: the file states no more points");
             if (!read_row(s, t, line, length, value) || !wcut_cloud_take(s, b, value)) return false;
             s->left--;
         }
-        wcut_row_done(s, length);
+        wcut_row_done(&s->in, length);
     }
     return true;
 }
@@ -259,7 +263,7 @@ static bool read_header_line(wcut_cloud_source *s, const char *line, size_t leng
     const char *p = wcut_skip_blanks(line);
     if (wcut_is_line_end(p)) return check_zero(s, line, length, p);
     if (!is_comment(p) && ++*words > HEADER_LINES_MOST)
-        return wcut_cloud_refuse_text(s, line, p, "a row that begins with numbers");
+        return wcut_source_refuse_text(&s->in, line, p, "a row that begins with numbers");
     int found = 0, column[WCUT_FIELDS];
     if (!read_names(s, line, line + length, column, &found)) return false;
     if (found > 0) *named = found, memcpy(t->column, column, sizeof column);
@@ -268,16 +272,16 @@ static bool read_header_line(wcut_cloud_source *s, const char *line, size_t leng
 
 bool wcut_cloud_begin_text(wcut_cloud_source *s) {
     text_layout *t = wcut_alloc(1, sizeof *t);
-    if (!t) return wcut_cloud_refuse_memory(s);
+    if (!t) return wcut_source_refuse_memory(&s->in);
     s->state = t;
-    s->line = 1;
+    s->in.line = 1;
     s->left = INT64_MAX;
     s->fill = fill_text;
-    if (s->stream.end - s->stream.at >= 3 && memcmp(s->stream.data + s->stream.at, "\xef\xbb\xbf", 3) == 0)
-        s->stream.at += 3;
+    if (s->in.stream.end - s->in.stream.at >= 3 && memcmp(s->in.stream.data + s->in.stream.at, "\xef\xbb\xbf", 3) == 0)
+        s->in.stream.at += 3;
     int named = 0, words = 0;
     size_t length;
-    for (const char *line; (line = wcut_row_peek(s, &length)) != NULL; wcut_row_done(s, length)) {
+    for (const char *line; (line = wcut_row_peek(&s->in, &length)) != NULL; wcut_row_done(&s->in, length)) {
         const char *p = wcut_skip_blanks(line);
         bool is_count = false;
         if (!wcut_is_line_end(p) && !is_comment(p) && begins_number(p)) {
@@ -287,5 +291,5 @@ bool wcut_cloud_begin_text(wcut_cloud_source *s) {
             return false;
         }
     }
-    return s->failure.status == WCUT_OK && wcut_cloud_refuse_end(s, "a row with the numbers x y z");
+    return s->in.failure.status == WCUT_OK && wcut_source_refuse_end(&s->in, "a row with the numbers x y z");
 }

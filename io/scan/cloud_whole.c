@@ -23,7 +23,7 @@ static bool make_room(growth *g, const wcut_cloud_source *s) {
     const size_t need = (size_t)g->cloud->count + PIECE;
     if (need <= g->room) return true;
     size_t room = 2 * g->room > need ? 2 * g->room : need;
-    if (g->room == 0 && info->stated > 0 && s->stream.size >= 0 && !g->thinning) room = (size_t)info->stated + PIECE;
+    if (g->room == 0 && info->stated > 0 && s->in.stream.size >= 0 && !g->thinning) room = (size_t)info->stated + PIECE;
     if (room > (size_t)s->options.most + PIECE) room = (size_t)s->options.most + PIECE;
     wcut_vec3 *point = wcut_grow(g->cloud->point, room * sizeof *point);
     if (point) g->cloud->point = point;
@@ -56,16 +56,16 @@ static wcut_status read_pieces(wcut_cloud_source *s, growth *g, wcut_error *erro
     wcut_cloud *c = g->cloud;
     for (;;) {
         int count = 0;
-        if (!make_room(g, s)) return wcut_cloud_refuse_memory(s), WCUT_NO_MEMORY;
+        if (!make_room(g, s)) return wcut_source_refuse_memory(&s->in), WCUT_NO_MEMORY;
         wcut_vec3 *normal = c->normal ? c->normal + c->count : NULL;
         wcut_status status = wcut_cloud_source_next(s, PIECE, c->point + c->count, normal, &count, error);
         if (status != WCUT_OK || count == 0) return status;
         const int kept = g->thinning ? thin_piece(g, count) : count;
-        if (kept < 0) return wcut_cloud_refuse_memory(s), WCUT_NO_MEMORY;
+        if (kept < 0) return wcut_source_refuse_memory(&s->in), WCUT_NO_MEMORY;
         c->info.thinned += count - kept;
         if (kept > s->options.most - c->count) {
-            wcut_cloud_refuse(s, "found more than %d points, expected at most that: thin them or raise the limit",
-                              s->options.most);
+            wcut_source_refuse(&s->in, "found more than %d points, expected at most that: thin them or raise the limit",
+                               s->options.most);
             return WCUT_BAD_FORMAT;
         }
         c->count += kept;
@@ -75,10 +75,10 @@ static wcut_status read_pieces(wcut_cloud_source *s, growth *g, wcut_error *erro
 static wcut_status refuse_empty(wcut_cloud_source *s) {
     const wcut_cloud_info *info = &s->info;
     if (info->not_finite + info->withheld > 0)
-        wcut_cloud_refuse(s, "found no point (%d not finite, %d withheld), expected at least one", info->not_finite,
-                          info->withheld);
+        wcut_source_refuse(&s->in, "found no point (%d not finite, %d withheld), expected at least one",
+                           info->not_finite, info->withheld);
     else
-        wcut_cloud_refuse(s, "found no point, expected at least one");
+        wcut_source_refuse(&s->in, "found no point, expected at least one");
     return WCUT_BAD_FORMAT;
 }
 
@@ -88,7 +88,7 @@ static wcut_status read_whole(wcut_cloud_source *s, growth *g, wcut_error *error
     const int thinned = g->cloud->info.thinned;
     g->cloud->info = *wcut_cloud_source_info(s);
     g->cloud->info.thinned = thinned;
-    if (status != WCUT_OK && error && s->failure.status != WCUT_OK) *error = s->failure;
+    if (status != WCUT_OK && error && s->in.failure.status != WCUT_OK) *error = s->in.failure;
     return status;
 }
 

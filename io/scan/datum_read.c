@@ -5,7 +5,7 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
-#include "io/file/csv.h"
+#include "io/file/table_read.h"
 
 enum { SCAN = 0, BLOCK = 3, SIGMA = 6, COLUMNS = 7 };
 

@@ -259,7 +259,7 @@ TEST(an_stl_with_nan_or_cut_short_is_refused) {
     const float nan = NAN;
     stl[80] = 1;
     memcpy(stl + 84 + 12, &nan, 4);
-    refuses_bytes("a.stl", stl, sizeof stl, "found a corner that is not finite");
+    refuses_bytes("a.stl", stl, sizeof stl, "found a coordinate x that is not finite");
     memset(stl + 84 + 12, 0, 4);
     refuses_bytes("a.stl", stl, sizeof stl - 1, "1 triangles stated, 49 bytes for them");
     refuses_bytes("a.stl", stl, sizeof stl, "found no triangle (1 collapsed)");

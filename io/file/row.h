@@ -2,14 +2,14 @@
 #ifndef WCUT_IO_SCAN_CLOUD_ROW_H
 #define WCUT_IO_SCAN_CLOUD_ROW_H
 
-#include "io/scan/cloud_source.h"
+#include "io/file/source.h"
 
 /* the next line, unread still: it ends with a line feed, or with a zero byte at the end of the file. NULL: the end, or
    refused (then the failure says so): a line longer than the window */
-const char *wcut_row_peek(wcut_cloud_source *source, size_t *length);
+const char *wcut_row_peek(wcut_source *source, size_t *length);
 
 /* the line has been read */
-void wcut_row_done(wcut_cloud_source *source, size_t length);
+void wcut_row_done(wcut_source *source, size_t length);
 
 static inline bool wcut_is_blank(char c) { return c == ' ' || c == '\t'; }
 

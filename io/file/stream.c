@@ -1,5 +1,5 @@
 /* A file or a pipe read through a window of fixed size, so that no file is too long. */
-#include "io/scan/cloud_stream.h"
+#include "io/file/stream.h"
 
 #include <errno.h>
 #include <fcntl.h>

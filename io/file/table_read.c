@@ -8,6 +8,7 @@
 #include "base/fail.h"
 #include "io/file/csv.h"
 #include "io/file/read_file.h"
+#include "io/file/table_read.h"
 
 wcut_status wcut_table_read(const char *path, int numeric_count, const char *const *numeric, wcut_table **table,
                             wcut_error *error) {
@@ -21,24 +22,6 @@ wcut_status wcut_table_read(const char *path, int numeric_count, const char *con
     status = wcut_csv_parse(text, length, path, numeric_count, numeric, table, error);
     free(text);
     return status;
-}
-
-int wcut_table_locate(const wcut_table *table, const char *name) {
-    for (int c = 0; table && name && c < table->columns; c++)
-        if (strcmp(table->column[c].name, name) == 0) return c;
-    return -1;
-}
-
-void wcut_table_destroy(wcut_table *table) {
-    if (!table) return;
-    for (int c = 0; c < table->columns; c++) {
-        free(table->column[c].name);
-        free(table->column[c].value);
-        free(table->column[c].present);
-    }
-    free(table->column);
-    free(table->line);
-    free(table);
 }
 
 /* the part of a column's name behind its stem, "_m_s"; NULL where it has another stem */

@@ -31,6 +31,11 @@ typedef struct wcut_iges_entry {
     char status[WCUT_IGES_FIELD + 1];
 } wcut_iges_entry;
 
+/* Find the lines and sections of a text, which stays the caller's and is pointed into; wcut_iges_end in any case. false:
+   refused */
+bool wcut_iges_begin(wcut_curve_reader *reader, char *text, size_t length, wcut_iges *f);
+void wcut_iges_end(wcut_iges *f);
+
 /* the entry at a line of the directory; false: refused */
 bool wcut_iges_find(wcut_iges *f, int at, wcut_iges_entry *entry);
 
@@ -41,11 +46,5 @@ bool wcut_iges_open(wcut_iges *f, const wcut_iges_entry *entry, wcut_iges_cursor
 bool wcut_iges_real(wcut_iges_cursor *c, double *value);
 bool wcut_iges_int(wcut_iges_cursor *c, int least, int most, int *value);
 bool wcut_iges_reals(wcut_iges_cursor *c, int count, double *value);
-
-/* note the pieces of a composite curve, which are read with it; anything else is passed over; false: refused */
-bool wcut_iges_note_pieces(wcut_iges *f, const wcut_iges_entry *entry);
-
-/* the curve of an entry into the set, if it is one and none of another's pieces; false: refused */
-bool wcut_iges_add(wcut_iges *f, const wcut_iges_entry *entry);
 
 #endif

@@ -2,7 +2,11 @@
 #ifndef WCUT_IO_SCAN_CLOUD_RECORD_H
 #define WCUT_IO_SCAN_CLOUD_RECORD_H
 
-#include "io/scan/cloud_source.h"
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "io/file/source.h"
 
 typedef enum wcut_scalar {
     WCUT_SCALAR_NONE,
@@ -51,7 +55,7 @@ typedef struct wcut_record {
     unsigned char flag_mask;
 } wcut_record;
 
-/* wcut_cloud_fill of a source whose state is (or begins with) a wcut_record; source->left records are read */
-bool wcut_record_fill(wcut_cloud_source *source, wcut_batch *batch);
+/* the fields of the record at `at`, of r->size bytes; false: it is withheld */
+bool wcut_record_read(const wcut_record *record, const unsigned char *at, double value[WCUT_FIELDS]);
 
 #endif

@@ -1,13 +1,14 @@
 /* Lines of text and the numbers in them. */
-#include "io/scan/cloud_row.h"
+#include "io/file/row.h"
 
 #include <limits.h>
+#include <math.h>
 #include <string.h>
 #include <strings.h>
 
 #include "io/file/decimal.h"
 
-const char *wcut_row_peek(wcut_cloud_source *s, size_t *length) {
+const char *wcut_row_peek(wcut_source *s, size_t *length) {
     wcut_stream *t = &s->stream;
     size_t known = 0;
     for (;;) {
@@ -19,11 +20,11 @@ const char *wcut_row_peek(wcut_cloud_source *s, size_t *length) {
             return (const char *)line;
         }
         if (t->ended) {
-            if (t->code) wcut_cloud_refuse_end(s, "more");
+            if (t->code) wcut_source_refuse_end(s, "more");
             return NULL;
         }
         if (unread == t->capacity) {
-            wcut_cloud_refuse(s, "found more than %zu bytes without a line feed, expected lines", t->capacity);
+            wcut_source_refuse(s, "found more than %zu bytes without a line feed, expected lines", t->capacity);
             return NULL;
         }
         known = unread;
@@ -31,7 +32,7 @@ const char *wcut_row_peek(wcut_cloud_source *s, size_t *length) {
     }
 }
 
-void wcut_row_done(wcut_cloud_source *s, size_t length) {
+void wcut_row_done(wcut_source *s, size_t length) {
     s->stream.at += length;
     s->line += s->line < LONG_MAX;
 }
