@@ -6,6 +6,8 @@
 #include <string.h>
 #include <unistd.h>
 #include <wirecut/angle.h>
+#include <wirecut/cloud_file.h>
+#include <wirecut/deviation_file.h>
 
 #include "command.h"
 #include "compare_run.h"

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include <wirecut/job_file.h>
 #include "command.h"
 #include "terminal.h"
 

@@ -1,5 +1,6 @@
 /* A comparison of a scan with a face: load, register, measure point by point, and the way back. */
 #include "compare_run.h"
+#include <wirecut/deviation_file.h>
 
 #include <math.h>
 #include <stdlib.h>

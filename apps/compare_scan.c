@@ -6,6 +6,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include <wirecut/cloud_file.h>
+#include <wirecut/deviation_file.h>
 #include "command.h"
 #include "terminal.h"
 

@@ -1,5 +1,6 @@
 /* The page of a comparison: the deviation in space, figures as scanned and as registered, along the cut, worst areas. */
 #include "report_compare.h"
+#include <wirecut/deviation_file.h>
 
 #include <math.h>
 #include <stdbool.h>

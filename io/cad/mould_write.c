@@ -3,6 +3,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 #include <wirecut/mould.h>
+#include <wirecut/mould_file.h>
 #include <wirecut/version.h>
 
 #include <wirecut/angle.h>

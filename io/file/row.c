@@ -6,6 +6,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include <wirecut/cloud_file.h>
 #include "io/file/decimal.h"
 
 const char *wcut_row_peek(wcut_source *s, size_t *length) {

@@ -2,6 +2,7 @@
 #ifndef WCUT_IO_MESH_MESH_BUILDER_H
 #define WCUT_IO_MESH_MESH_BUILDER_H
 
+#include <wirecut/cloud_file.h>
 #include <wirecut/read.h>
 
 #include "io/file/source.h"

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <wirecut/cloud_file.h>
 #include "base/fail.h"
 #include "io/file/child.h"
 #include "io/mesh/mesh_formats.h"

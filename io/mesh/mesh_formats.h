@@ -2,6 +2,7 @@
 #ifndef WCUT_IO_MESH_MESH_FORMATS_H
 #define WCUT_IO_MESH_MESH_FORMATS_H
 
+#include <wirecut/cloud_file.h>
 #include "io/mesh/mesh_builder.h"
 
 /* false: refused, the source holds the failure */

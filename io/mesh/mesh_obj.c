@@ -2,6 +2,7 @@
 #include <limits.h>
 #include <string.h>
 
+#include <wirecut/cloud_file.h>
 #include "io/mesh/mesh_formats.h"
 #include "io/mesh/obj.h"
 

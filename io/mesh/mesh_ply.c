@@ -1,6 +1,7 @@
 /* PLY (Turk 1994) as a mesh: its vertices, then the corners of its faces. */
 #include <stdlib.h>
 
+#include <wirecut/cloud_file.h>
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "io/mesh/mesh_formats.h"

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include <wirecut/cloud_file.h>
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "io/mesh/mesh_formats.h"

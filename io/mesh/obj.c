@@ -2,6 +2,7 @@
 #include "io/mesh/obj.h"
 
 #include <string.h>
+#include <wirecut/cloud_file.h>
 
 const char *wcut_obj_line(wcut_source *s, size_t *length) {
     const char *line = wcut_row_peek(s, length), *zero = line ? memchr(line, 0, *length) : NULL;

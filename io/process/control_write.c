@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <wirecut/rig.h>
+#include <wirecut/rig_file.h>
 #include <wirecut/version.h>
 
 #include <wirecut/angle.h>

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <wirecut/diagnosis.h>
+#include <wirecut/diagnosis_file.h>
 #include <wirecut/version.h>
 
 #include "base/fail.h"

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <wirecut/calibration.h>
+#include <wirecut/calibration_file.h>
 
 #include "base/fail.h"
 #include "io/file/atomic.h"

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <wirecut/edit.h>
 #include <wirecut/job.h>
+#include <wirecut/job_file.h>
 #include <wirecut/read.h>
 
 #include "base/fail.h"

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <wirecut/job_file.h>
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "io/file/json_read.h"

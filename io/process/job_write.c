@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <wirecut/job_file.h>
 #include "base/fail.h"
 #include "io/file/atomic.h"
 #include "io/file/text.h"

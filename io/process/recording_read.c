@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <wirecut/recording.h>
+#include <wirecut/recording_file.h>
 
 #include <wirecut/angle.h>
 #include "base/alloc.h"
@@ -13,10 +14,6 @@
 #define KNOWN_ENTRY(name, stem, unit, required) {KNOWN_NAME(stem, unit), stem, unit, required},
 static const wcut_known_column channel_column[] = {WCUT_CHANNEL_LIST(KNOWN_ENTRY)};
 #undef KNOWN_ENTRY
-
-const char *wcut_channel_name(wcut_channel channel) {
-    return (unsigned)channel < WCUT_CHANNEL_COUNT ? channel_column[channel].name : "";
-}
 
 static wcut_status refuse_line(wcut_error *error, const char *path, int line, const char *what) {
     char name[WCUT_QUOTE_SIZE];

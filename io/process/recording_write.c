@@ -1,7 +1,9 @@
 /* Recordings to CSV: the channels there are, in the units of files. */
 #include <math.h>
 #include <string.h>
+#include <wirecut/recording_file.h>
 #include <wirecut/rig.h>
+#include <wirecut/rig_file.h>
 
 #include "base/fail.h"
 #include "io/file/number.h"

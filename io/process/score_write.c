@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <wirecut/score.h>
+#include <wirecut/score_file.h>
 #include <wirecut/version.h>
 
 #include <wirecut/angle.h>

@@ -1,6 +1,7 @@
 /* Robot programs: URScript (Universal Robots), RAPID with MultiMove (ABB), KRL (KUKA); an honest subset of each. */
 #include "io/robot/robot_program.h"
 #include <wirecut/angle.h>
+#include <wirecut/robot_file.h>
 
 #include <math.h>
 #include <stdio.h>

@@ -3,6 +3,7 @@
 #define WCUT_IO_ROBOT_ROBOT_PROGRAM_H
 
 #include <wirecut/robot.h>
+#include <wirecut/robot_file.h>
 
 #include "io/file/text.h"
 

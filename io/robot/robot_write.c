@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <wirecut/robot_file.h>
 #include <wirecut/version.h>
 
 #include "base/fail.h"

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include <wirecut/cloud_file.h>
 #include "io/mesh/mesh_formats.h"
 #include "io/scan/cloud_source.h"
 

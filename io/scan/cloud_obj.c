@@ -1,4 +1,5 @@
 /* OBJ as a cloud: its vertices, line by line in the memory of a window; which of them are faces' is not looked at. */
+#include <wirecut/cloud_file.h>
 #include "io/mesh/obj.h"
 #include "io/scan/cloud_source.h"
 

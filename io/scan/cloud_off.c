@@ -1,5 +1,6 @@
 /* OFF as a cloud: its vertices, line by line in the memory of a window; the faces behind them are not looked at. */
 #include <string.h>
+#include <wirecut/cloud_file.h>
 
 #include "io/file/row.h"
 #include "io/scan/cloud_source.h"

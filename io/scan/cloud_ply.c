@@ -1,5 +1,6 @@
 /* PLY (Turk 1994) as a cloud: the vertices of any header, ascii or binary; other elements and properties are
    skipped. */
+#include <wirecut/cloud_file.h>
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "io/mesh/ply.h"

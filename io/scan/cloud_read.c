@@ -5,6 +5,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include <wirecut/cloud_file.h>
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "io/file/number.h"

@@ -1,4 +1,5 @@
 /* Points as binary records, read as they are laid out. */
+#include <wirecut/cloud_file.h>
 #include "io/scan/cloud_source.h"
 
 bool wcut_cloud_fill_records(wcut_cloud_source *s, wcut_batch *b) {

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include <wirecut/cloud.h>
+#include <wirecut/cloud_file.h>
 
 #include "io/file/record.h"
 #include "io/file/source.h"

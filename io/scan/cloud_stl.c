@@ -1,4 +1,5 @@
 /* STL as a cloud: the corners of its triangles. */
+#include <wirecut/cloud_file.h>
 #include "base/alloc.h"
 #include "io/mesh/stl_read.h"
 #include "io/scan/cloud_source.h"

@@ -1,21 +1,11 @@
-/* Status texts, and saying where something failed. */
+/* Say where something failed, in one printable line. */
 #include "base/fail.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
-#include <wirecut/version.h>
 
 #include "base/locale.h"
-
-const char *wcut_status_text(wcut_status status) {
-#define WCUT_STATUS_ENTRY(name, text) text,
-    static const char *const text[] = {WCUT_STATUS_LIST(WCUT_STATUS_ENTRY)};
-#undef WCUT_STATUS_ENTRY
-    return (unsigned)status < WCUT_STATUS_COUNT ? text[status] : "unknown status";
-}
-
-const char *wcut_version_text(void) { return WCUT_VERSION; }
 
 #undef wcut_fail
 #undef wcut_fail_errno

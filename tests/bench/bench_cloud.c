@@ -10,6 +10,7 @@
 #include <time.h>
 #include <unistd.h>
 #include <wirecut/cloud.h>
+#include <wirecut/cloud_file.h>
 
 #include "base/random.h"
 

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <time.h>
 #include <wirecut/recording.h>
+#include <wirecut/recording_file.h>
 
 #include "base/random.h"
 #include "io/file/csv.h"

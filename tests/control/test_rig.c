@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 #include <wirecut/job.h>
+#include <wirecut/job_file.h>
 #include <wirecut/rig.h>
 
 #include "base/alloc.h"

@@ -7,6 +7,7 @@
 #include <wirecut/cut.h>
 #include <wirecut/history.h>
 #include <wirecut/job.h>
+#include <wirecut/job_file.h>
 
 #include "base/alloc.h"
 #include "base/numbers.h"

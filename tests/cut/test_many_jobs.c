@@ -2,6 +2,7 @@
    labels: property slow */
 #include <glob.h>
 
+#include <wirecut/job_file.h>
 #include "cut/cuts.h"
 #include "cut/wobble.h"
 #include "test.h"

@@ -1,4 +1,5 @@
 /* Predictions of a recording: exact where it came from the same wire, and honest where samples are missing. */
+#include <wirecut/recording_file.h>
 #include "base/alloc.h"
 #include "base/random.h"
 #include "cut/trials.h"

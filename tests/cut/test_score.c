@@ -1,4 +1,5 @@
 /* Figures against closed forms, and whole comparisons: of what was simulated, with known noise, with a bias. */
+#include <wirecut/recording_file.h>
 #include <wirecut/score.h>
 
 #include "base/alloc.h"

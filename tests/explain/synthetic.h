@@ -3,6 +3,7 @@
 #ifndef WCUT_TESTS_EXPLAIN_SYNTHETIC_H
 #define WCUT_TESTS_EXPLAIN_SYNTHETIC_H
 
+#include <wirecut/recording_file.h>
 #include "base/alloc.h"
 #include "base/random.h"
 #include "cut/trials.h"

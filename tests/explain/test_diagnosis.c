@@ -1,5 +1,6 @@
 /* Diagnoses of small and of bad cases: any number of threads, stopped half way, with parts missing, refused.
    labels: unit slow */
+#include <wirecut/diagnosis_file.h>
 #include "base/alloc.h"
 #include "cut/cuts.h"
 #include "explain/machine.h"

@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#include <wirecut/cloud_file.h>
 #include "io/scan/cloud_source.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);

@@ -1,4 +1,5 @@
 /* Any bytes as an OFF cloud. */
+#include <wirecut/cloud_file.h>
 #include "cloud_fuzz.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

@@ -1,4 +1,5 @@
-# libwirecut.so exports the functions of the public headers, all of them and no symbol more; planted ones are noticed.
+# libwirecut.so and libwirecut-io.so export the functions of the public headers, each once, and no symbol more; planted
+# ones are noticed. The kernel needs no format library.
 set -eu
 check=$SOURCE_DIR/tests/house/check_exports.sh
 
@@ -19,7 +20,7 @@ refused() {
     cause=$1
     shift
     built "$@"
-    if sh "$check" planted.so headers >found || ! grep -q "$cause" found; then
+    if sh "$check" headers planted.so >found || ! grep -q "$cause" found; then
         echo "not noticed: $cause"
         cat found
         exit 1
@@ -27,9 +28,22 @@ refused() {
 }
 
 built wcut_first wcut_second
-sh "$check" planted.so headers
+sh "$check" headers planted.so
 refused 'wcut_second: declared WCUT_API, not exported' wcut_first
 refused 'wcut_third: exported, not declared' wcut_first wcut_second wcut_third
 refused 'helper: exported without the prefix' wcut_first wcut_second helper
 
-sh "$check" "$LIBRARY" "$SOURCE_DIR/kernel/include/wirecut"
+built wcut_first wcut_second
+cp planted.so twice.so
+if sh "$check" headers planted.so twice.so >found || ! grep -q 'wcut_first: exported by both' found; then
+    echo "not noticed: a symbol in both libraries"
+    exit 1
+fi
+
+sh "$check" "$SOURCE_DIR/kernel/include/wirecut" "$LIBRARY" "$IO_LIBRARY"
+
+# a controller that computes carries no file formats
+if objdump -p "$LIBRARY" | grep -E 'NEEDED.*(assimp|jansson|draco|minizip|libz)'; then
+    echo "$LIBRARY needs a format library"
+    exit 1
+fi

@@ -31,10 +31,13 @@ END
 sh "$check" clean.o
 
 # adapters bring the habits of their libraries; their guard, not this test, keeps those inside
-find "$BUILD_DIR/CMakeFiles/wirecut_objects.dir" -name '*.c.o' | LC_ALL=C sort >objects
-while read -r object; do # an object whose source is gone is left over from an earlier build
-    source=${object#"$BUILD_DIR/CMakeFiles/wirecut_objects.dir/"}
-    [ ! -f "$SOURCE_DIR/${source%.o}" ] || echo "$object"
-done <objects >present
+for kind in shared kernel io; do
+    folder=$BUILD_DIR/CMakeFiles/wirecut_${kind}_objects.dir
+    find "$folder" -name '*.c.o' | LC_ALL=C sort >objects
+    while read -r object; do # an object whose source is gone is left over from an earlier build
+        source=${object#"$folder/"}
+        [ ! -f "$SOURCE_DIR/${source%.o}" ] || echo "$object"
+    done <objects
+done >present
 [ -s present ] || { echo "$BUILD_DIR: no objects of kernel and io"; exit 1; }
 tr '\n' '\0' <present | xargs -0 sh "$check"

@@ -12,6 +12,7 @@ for file in share/man/man1/wirecut.1 share/bash-completion/completions/wirecut s
 done
 bash -n "$prefix/share/bash-completion/completions/wirecut"
 library=$(find "$prefix" -name libwirecut.so)
+[ -f "$(dirname "$library")/libwirecut-io.so" ] || { echo "libwirecut-io.so is missing"; exit 1; }
 soname=$(objdump -p "$library" | awk '$1 == "SONAME" { print $2 }')
 [ "$soname" = "libwirecut.so.${VERSION%.*}" ] || { echo "soname $soname of version $VERSION"; exit 1; }
 for header in "$SOURCE_DIR"/kernel/include/wirecut/*.h; do
@@ -24,6 +25,7 @@ cmake -G Ninja -S "$source" -B by_cmake -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_C_
 cmake --build by_cmake >build.log || { cat build.log; exit 1; }
 [ "$(by_cmake/consumer)" = "$VERSION" ]
 [ "$(by_cmake/consumer_cxx)" = "$VERSION" ]
+by_cmake/reader no-such-job.json | grep -q '^no-such-job.json: '
 if cmake -G Ninja -S "$source" -B refused -DCMAKE_PREFIX_PATH="$prefix" -DWANTED=99.0 >refused.log 2>&1 ||
     ! grep -q 'requested version "99.0"' refused.log; then
     cat refused.log
@@ -38,4 +40,7 @@ export PKG_CONFIG_PATH
 # shellcheck disable=SC2046 # several flags
 "$CC" -std=c11 -Wall -Werror "$source/consumer.c" -o by_pkg_config $(pkg-config --cflags --libs wirecut)
 [ "$(LD_LIBRARY_PATH=$(dirname "$library") ./by_pkg_config)" = "$VERSION" ]
+# shellcheck disable=SC2046
+"$CC" -std=c11 -Wall -Werror "$source/reader.c" -o reader $(pkg-config --cflags --libs wirecut-io)
+LD_LIBRARY_PATH=$(dirname "$library") ./reader no-such-job.json | grep -q '^no-such-job.json: '
 echo "version $VERSION, soname $soname"

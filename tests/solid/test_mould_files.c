@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 #include <wirecut/job.h>
+#include <wirecut/mould_file.h>
 
 #include "test.h"
 

@@ -207,26 +207,6 @@ WCUT_API wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *c
 WCUT_API void wcut_diagnosis_destroy(wcut_diagnosis *diagnosis);
 
 /**
- * diagnosis.json as text: as wcut_diagnosis_write.
- *
- * @param[out] text the caller's, to free(); ends with a line feed
- * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
- */
-WCUT_API wcut_status wcut_diagnosis_print(const wcut_diagnosis *diagnosis, const char *name, char **text);
-
-/**
- * diagnosis.json: "wirecut-diagnosis/1" (FORMATS.md, Diagnosis).
- *
- * @param[in]  diagnosis
- * @param[in]  name  of the case
- * @param[in]  path  the target, replaced whole or not at all
- * @param[out] error may be NULL
- * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as it was.
- */
-WCUT_API wcut_status wcut_diagnosis_write(const wcut_diagnosis *diagnosis, const char *name, const char *path,
-                                          wcut_error *error);
-
-/**
  * A set of identification cuts for a job: copies of it with a dithered speed and stepped heater, the second run
  * backwards along its path where that can be planned, so that lags, rates, heats and places can be told apart.
  *

@@ -3,6 +3,7 @@
 #define WCUT_READ_H
 
 #include <wirecut/cloud.h>
+#include <wirecut/cloud_file.h>
 #include <wirecut/curve.h>
 #include <wirecut/export.h>
 #include <wirecut/mesh.h>

@@ -52,22 +52,6 @@ typedef struct wcut_recording {
  */
 WCUT_API const char *wcut_channel_name(wcut_channel channel);
 
-/**
- * Read a recording. Angles are turned from degrees into radians. Samples may be missing in every channel but time
- * (a channel of which every sample is missing has channel[].missing == samples); stations outside the path are kept.
- *
- * @param[in]  path      a CSV file
- * @param[out] recording the caller's, to wcut_recording_destroy
- * @param[out] error     may be NULL; line and column, what was found, what was expected
- * @return WCUT_OK; WCUT_NOT_FOUND (no such file, not readable), WCUT_BAD_FORMAT (as wcut_table_read; columns missing or
- *         in another unit, no samples, time missing or not strictly increasing), WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY:
- *         nothing was written.
- */
-WCUT_API wcut_status wcut_recording_read(const char *path, wcut_recording **recording, wcut_error *error);
-
-/** Free a recording with everything in it; NULL is allowed. */
-WCUT_API void wcut_recording_destroy(wcut_recording *recording);
-
 #ifdef __cplusplus
 }
 #endif

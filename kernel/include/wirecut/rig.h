@@ -84,20 +84,6 @@ WCUT_API wcut_status wcut_rig_run_create(const wcut_job *job, const wcut_history
 /** Free a run; NULL is allowed. */
 WCUT_API void wcut_rig_run_destroy(wcut_rig_run *run);
 
-/**
- * Write a recording (FORMATS.md, Recording): the channels it has, angles in degrees, numbers as the sensors of such a
- * rig resolve them (time 1e-4 s, angles 1e-3 deg, others 1e-4).
- *
- * @param[in]  recording at least one sample, every required channel; `further` is not written
- * @param[in]  note      one line for a comment at the top; may be NULL
- * @param[in]  path      the target, replaced whole or not at all
- * @param[out] error     may be NULL
- * @return WCUT_OK; WCUT_BAD_ARGUMENT (time that does not increase as printed, too), WCUT_NO_MEMORY, WCUT_NOT_WRITTEN:
- *         the target is as it was.
- */
-WCUT_API wcut_status wcut_recording_write(const wcut_recording *recording, const char *note, const char *path,
-                                          wcut_error *error);
-
 /** What `control.json` tells: one job, the same disturbance, with feedback and with the plan alone. */
 typedef struct wcut_rig_summary {
     const wcut_job *job;
@@ -109,18 +95,6 @@ typedef struct wcut_rig_summary {
     int file_count;
     const char *const *files;
 } wcut_rig_summary;
-
-/**
- * The text of `control.json`, "format": "wirecut-control/1".
- *
- * @param[in]  summary every pointer set
- * @param[out] text    the caller's, to free(); ends with a line feed
- * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
- */
-WCUT_API wcut_status wcut_rig_summary_print(const wcut_rig_summary *summary, char **text);
-
-/** Write `control.json`: the same text, whole or not at all. As above; WCUT_NOT_WRITTEN: the target is as it was. */
-WCUT_API wcut_status wcut_rig_summary_write(const wcut_rig_summary *summary, const char *path, wcut_error *error);
 
 #ifdef __cplusplus
 }

@@ -77,28 +77,8 @@ typedef struct wcut_robot_check {
 
 enum { WCUT_ROBOT_CHECKS = 10 };
 
-/** Programs' formats. */
-typedef enum wcut_robot_format {
-    WCUT_ROBOT_FORMAT_URSCRIPT, /**< Universal Robots: two programs */
-    WCUT_ROBOT_FORMAT_RAPID,    /**< ABB MultiMove: two modules */
-    WCUT_ROBOT_FORMAT_KRL,      /**< KUKA: two programs */
-    WCUT_ROBOT_FORMAT_CSV,      /**< both robots in one table */
-    WCUT_ROBOT_FORMAT_JSON      /**< both robots in one object, "format": "wirecut-robot/1" */
-} wcut_robot_format;
-
-/** What the programs call things. Names are letters, digits and _, beginning with a letter, at most 22 long: KRL has no
- * more. */
-typedef struct wcut_robot_names {
-    const char *title;    /**< the job's; any text, for comments */
-    const char *program;  /**< default "wirecut": module and program names get _a and _b */
-    const char *wire_on;  /**< procedure that robot A calls at its first target; NULL: none; default "wire_on" */
-    const char *wire_off; /**< ... after its last; default "wire_off" */
-    int sync_io;          /**< digital output of one robot that is this input of the other, 0 .. 255; default 1 */
-} wcut_robot_names;
-
 WCUT_API wcut_robot_options wcut_robot_options_default(void);
 WCUT_API wcut_robot_limits wcut_robot_limits_default(const wcut_job *job);
-WCUT_API wcut_robot_names wcut_robot_names_default(void);
 
 /**
  * Make the motion of two robots from a history and its path curves: one list of targets for both, so that they stay in
@@ -152,48 +132,6 @@ WCUT_API wcut_status wcut_wire_temperature(double heat, double diameter, double 
 WCUT_API wcut_status wcut_robot_limits_check(const wcut_job *job, const wcut_history *history, const wcut_vec3 *mount_a,
                                              const wcut_vec3 *mount_b, const wcut_robot_limits *limits,
                                              wcut_robot_check *check);
-
-/** The name of a file of a format: robot 0 or 1; a format with one file has a NULL for robot 1. */
-WCUT_API const char *wcut_robot_file_name(wcut_robot_format format, int robot);
-
-/**
- * Write one robot's program, or the one file of csv and json. Positions are in the block frame, to 1e-3 mm (json:
- * exact); what else the cell has to define stands in the program's head.
- *
- * @param[in]  motion
- * @param[in]  names   NULL for the defaults
- * @param[in]  format
- * @param[in]  robot   0 or 1
- * @param[in]  path    the target, replaced whole or not at all
- * @param[out] error   may be NULL
- * @return WCUT_OK; WCUT_BAD_ARGUMENT (a name that is none; a robot that the format has no file for), WCUT_NO_MEMORY,
- *         WCUT_NOT_WRITTEN: the target is as it was.
- */
-WCUT_API wcut_status wcut_robot_write(const wcut_robot_motion *motion, const wcut_robot_names *names,
-                                      wcut_robot_format format, int robot, const char *path, wcut_error *error);
-
-/** What a verb tells of an export. */
-typedef struct wcut_robot_summary {
-    const wcut_job *job;
-    const wcut_robot_motion *motion;
-    const wcut_robot_check *check; /**< WCUT_ROBOT_CHECKS */
-    const wcut_path_near *near;    /**< 2: of the mounts' paths and the block (wcut_path_clearance) */
-    wcut_robot_format format;
-    int file_count;
-    const char *const *files;
-} wcut_robot_summary;
-
-/**
- * The text of an export's figures, "format": "wirecut-path/1".
- *
- * @param[in]  summary every pointer set
- * @param[out] text    the caller's, to free(); ends with a line feed
- * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
- */
-WCUT_API wcut_status wcut_robot_summary_print(const wcut_robot_summary *summary, char **text);
-
-/** The word of a format: "urscript", "rapid", "krl", "csv", "json". */
-WCUT_API const char *wcut_robot_format_name(wcut_robot_format format);
 
 #ifdef __cplusplus
 }

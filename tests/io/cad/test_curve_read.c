@@ -3,6 +3,7 @@
 #include <wirecut/curve.h>
 #include <wirecut/exchange.h>
 #include <wirecut/job.h>
+#include <wirecut/job_file.h>
 #include <wirecut/read.h>
 
 #include "base/alloc.h"

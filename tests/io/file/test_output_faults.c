@@ -5,6 +5,7 @@
 #include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <wirecut/job_file.h>
 #include <wirecut/write.h>
 
 #include "io/given.h"

@@ -1,6 +1,7 @@
 /* Meshes out and back in, every format; polygons; what is no mesh is refused with its own words. */
 #include <limits.h>
 #include <locale.h>
+#include <wirecut/cloud_file.h>
 #include <wirecut/read.h>
 #include <wirecut/write.h>
 

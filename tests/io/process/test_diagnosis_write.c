@@ -3,6 +3,7 @@
 #include <jansson.h>
 #include <unistd.h>
 
+#include <wirecut/diagnosis_file.h>
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "io/process/diagnosis_given.h"

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 #include <wirecut/calibration.h>
+#include <wirecut/calibration_file.h>
 
 #include "base/alloc.h"
 #include "base/fail.h"

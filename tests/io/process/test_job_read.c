@@ -2,6 +2,7 @@
 #include <jansson.h>
 #include <locale.h>
 #include <wirecut/job.h>
+#include <wirecut/job_file.h>
 
 #include "base/alloc.h"
 #include "base/fail.h"

@@ -1,6 +1,7 @@
 /* Job files out: what was written reads back the same to the last bit, and nothing else is written. */
 #include <locale.h>
 #include <wirecut/job.h>
+#include <wirecut/job_file.h>
 
 #include "base/alloc.h"
 #include "base/fail.h"

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 #include <wirecut/recording.h>
+#include <wirecut/recording_file.h>
 
 #include "base/alloc.h"
 #include "base/fail.h"

@@ -3,7 +3,9 @@
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
+#include <wirecut/recording_file.h>
 #include <wirecut/rig.h>
+#include <wirecut/rig_file.h>
 
 #include "base/alloc.h"
 #include "base/fail.h"

@@ -1,7 +1,9 @@
 /* score.json and residuals.csv: in the units of files, with what failed and without what is missing. */
 #include <jansson.h>
 #include <unistd.h>
+#include <wirecut/recording_file.h>
 #include <wirecut/score.h>
+#include <wirecut/score_file.h>
 #include <wirecut/table.h>
 
 #include "base/alloc.h"

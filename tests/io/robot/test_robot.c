@@ -7,6 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 #include <wirecut/robot.h>
+#include <wirecut/robot_file.h>
 
 #include "base/alloc.h"
 #include "base/fail.h"

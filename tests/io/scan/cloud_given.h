@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <wirecut/cloud.h>
+#include <wirecut/cloud_file.h>
 
 #include "io/scan/cloud_source.h"
 #include "test.h"

@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <wirecut/cloud_file.h>
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "io/scan/cloud_given.h"

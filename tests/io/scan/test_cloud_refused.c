@@ -1,4 +1,5 @@
 /* Clouds that lie, end early or are none: each is refused with its own words, after the points that stand before. */
+#include <wirecut/cloud_file.h>
 #include "io/scan/cloud_given.h"
 #include "test.h"
 

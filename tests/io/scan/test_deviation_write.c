@@ -1,5 +1,6 @@
 /* deviation.json, zones.csv, coloured points and meshes, datums: read back, and refused whole. */
 #include <jansson.h>
+#include <wirecut/cloud_file.h>
 #include <wirecut/deviation_file.h>
 #include <wirecut/table.h>
 

@@ -1,0 +1,133 @@
+/* wirecut/cloud_file.h - point clouds in, as a whole or in pieces (libwirecut-io). */
+#ifndef WCUT_CLOUD_FILE_H
+#define WCUT_CLOUD_FILE_H
+
+#include <wirecut/cloud.h>
+#include <wirecut/export.h>
+#include <wirecut/status.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** How a cloud is stored. */
+typedef enum wcut_cloud_format {
+    WCUT_CLOUD_FORMAT_ANY, /**< told by the file's first bytes; an STL without "solid", OBJ and OFF by its name's ending */
+    WCUT_CLOUD_FORMAT_PLY,  /**< ascii, binary of either byte order */
+    WCUT_CLOUD_FORMAT_TEXT, /**< XYZ, PTS, ASC, CSV: a point a line */
+    WCUT_CLOUD_FORMAT_STL,  /**< the corners of its triangles, so that most come several times; no normals */
+    WCUT_CLOUD_FORMAT_LAS,  /**< 1.2 to 1.4, point formats 0 to 10, not compressed */
+    WCUT_CLOUD_FORMAT_PCD,  /**< ascii or binary; the viewpoint is not applied */
+    WCUT_CLOUD_FORMAT_OBJ,  /**< its vertices, whatever its faces are; no normals */
+    WCUT_CLOUD_FORMAT_OFF,  /**< the same */
+    /** glTF, by assimp in a process of its own: the vertices of every node, held as a whole, at most 20000000; it is in
+        metres with y upwards, and becomes mm with z upwards whatever the option unit says */
+    WCUT_CLOUD_FORMAT_GLTF
+} wcut_cloud_format;
+
+/** The unit that a file's coordinates are in. */
+typedef enum wcut_length_unit {
+    WCUT_LENGTH_UNIT_MM,
+    WCUT_LENGTH_UNIT_CM,
+    WCUT_LENGTH_UNIT_M,
+    WCUT_LENGTH_UNIT_INCH
+} wcut_length_unit;
+
+/** How a cloud is read. */
+typedef struct wcut_cloud_options {
+    wcut_cloud_format format; /**< default WCUT_CLOUD_FORMAT_ANY */
+    wcut_length_unit unit;    /**< default WCUT_LENGTH_UNIT_MM */
+    int most;     /**< wcut_cloud_read keeps at most so many points and refuses more, 1 or more; default 20000000 */
+    double voxel; /**< [mm] wcut_cloud_read keeps the first point of each cube of this side; default 0: every point */
+} wcut_cloud_options;
+
+/** What a source has given so far. */
+typedef struct wcut_cloud_info {
+    wcut_cloud_format format; /**< as found, never WCUT_CLOUD_FORMAT_ANY */
+    int has_normals;          /**< 1 where the file has them */
+    int stated;               /**< points that the header claims, -1 where it claims nothing; it was held to it */
+    int read;                 /**< points handed out */
+    int not_finite;           /**< points left out since a coordinate is NaN or infinite: scanners write misses so */
+    int withheld;             /**< points left out since the file itself says so (LAS) */
+    int thinned;              /**< points left out by wcut_cloud_read for its option voxel */
+    wcut_vec3 low, high;      /**< [mm] the box of the points handed out; 0 before the first */
+} wcut_cloud_info;
+
+/** A cloud in memory. */
+typedef struct wcut_cloud {
+    int count;            /**< 1 or more */
+    wcut_vec3 *point;     /**< count [mm] */
+    wcut_vec3 *normal;    /**< count [1] of length 1, or 0 where the file has none for a point; NULL: none at all */
+    wcut_cloud_info info; /**< of the file it came from */
+} wcut_cloud;
+
+/** A cloud that comes in pieces, however long it is; memory stays below 1 MiB. */
+typedef struct wcut_cloud_source wcut_cloud_source;
+
+WCUT_API wcut_cloud_options wcut_cloud_options_default(void);
+
+/**
+ * Begin to read a cloud.
+ *
+ * Text: separated by blanks, commas or semicolons, told from the first row; decimal commas where those do not separate;
+ * comments (#, //), up to ten lines of header, a line with the count of the points (PTS). A header that names x, y, z
+ * (and nx, ny, nz) says where they stand; without it the first three columns are x, y, z, and of six the last three are
+ * a normal where the first row's has length 1. A header's unit (x_m) must be that of the options.
+ * PLY: coordinates of any scalar type; other properties, lists and elements are skipped.
+ *
+ * @param[in]  path    a file, or a pipe
+ * @param[in]  options NULL for the defaults; most and voxel are not read
+ * @param[out] source  the caller's, to wcut_cloud_source_destroy
+ * @param[out] error   may be NULL; line or byte, what was found, what was expected
+ * @return WCUT_OK; WCUT_NOT_FOUND (no such file, not readable), WCUT_BAD_FORMAT (no cloud; LAZ, E57, compressed PCD; a
+ *         header that is malformed or claims more than the file can hold), WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing
+ *         was written.
+ */
+WCUT_API wcut_status wcut_cloud_source_create(const char *path, const wcut_cloud_options *options,
+                                              wcut_cloud_source **source, wcut_error *error);
+
+/**
+ * The next points, in the file's order. What stands before a fault is handed out first, then the fault is reported, by
+ * this call and every further one.
+ *
+ * @param[in]  capacity 1 or more
+ * @param[out] point    capacity [mm], the first `count` of them
+ * @param[out] normal   capacity [1], the first `count` of them, length 1 or 0; not written where the file has none; may
+ *                      be NULL
+ * @param[out] count    points given; 0: the end
+ * @param[out] error    may be NULL; line or byte, what was found, what was expected
+ * @return WCUT_OK; WCUT_NOT_FOUND (reading failed), WCUT_BAD_FORMAT (the file ends early or goes on behind what its
+ *         header states, text where a number belongs, a coordinate beyond 1e12 mm or most of the first thousand points
+ *         below 1e-30 mm, as of the wrong byte order, more than 2147483647 points), WCUT_BAD_ARGUMENT: nothing was
+ *         written.
+ */
+WCUT_API wcut_status wcut_cloud_source_next(wcut_cloud_source *source, int capacity, wcut_vec3 *point,
+                                            wcut_vec3 *normal, int *count, wcut_error *error);
+
+/** What a source has given so far, borrowed; NULL for NULL. */
+WCUT_API const wcut_cloud_info *wcut_cloud_source_info(const wcut_cloud_source *source);
+
+/** Close a source; NULL is allowed. */
+WCUT_API void wcut_cloud_source_destroy(wcut_cloud_source *source);
+
+/**
+ * Read a whole cloud into memory; with the option voxel as much as memory needs for the points kept.
+ *
+ * @param[in]  path    a file, or a pipe
+ * @param[in]  options NULL for the defaults
+ * @param[out] cloud   the caller's, to wcut_cloud_destroy
+ * @param[out] error   may be NULL; line or byte, what was found, what was expected
+ * @return as wcut_cloud_source_create and wcut_cloud_source_next; WCUT_BAD_FORMAT also where there is no point, or more
+ *         than options->most: nothing was written.
+ */
+WCUT_API wcut_status wcut_cloud_read(const char *path, const wcut_cloud_options *options, wcut_cloud **cloud,
+                                     wcut_error *error);
+
+/** Free a cloud that wcut_cloud_read gave; NULL is allowed. */
+WCUT_API void wcut_cloud_destroy(wcut_cloud *cloud);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
