@@ -2,7 +2,7 @@
 #ifndef WCUT_EXPLAIN_EVIDENCE_H
 #define WCUT_EXPLAIN_EVIDENCE_H
 
-#include <wirecut/cloud_file.h>
+#include <wirecut/cloud.h>
 #include <wirecut/diagnosis.h>
 
 #include "explain/trajectory.h"

@@ -49,7 +49,14 @@ function check_quoted(header, room, part) {
     }
 }
 
+# public headers whose functions stand in libwirecut-io
+function is_of_files(header) {
+    return header ~ /^wirecut\/([a-z_]+_file|case|exchange|read|write|report|report_pages)\.h$/
+}
+
 function check_angled(header, room, count, item, i) {
+    if (room ~ /^kernel\// && room != "kernel/include" && is_of_files(header))
+        complain("<" header ">: the kernel does not see files")
     if (header ~ /^wirecut\// || is_standard(header) || is_adapted(header)) return
     count = split(sees[room], item, " ")
     for (i = 1; i <= count; i++) {

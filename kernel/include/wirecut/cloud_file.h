@@ -10,21 +10,6 @@
 extern "C" {
 #endif
 
-/** How a cloud is stored. */
-typedef enum wcut_cloud_format {
-    WCUT_CLOUD_FORMAT_ANY, /**< told by the file's first bytes; an STL without "solid", OBJ and OFF by its name's ending */
-    WCUT_CLOUD_FORMAT_PLY,  /**< ascii, binary of either byte order */
-    WCUT_CLOUD_FORMAT_TEXT, /**< XYZ, PTS, ASC, CSV: a point a line */
-    WCUT_CLOUD_FORMAT_STL,  /**< the corners of its triangles, so that most come several times; no normals */
-    WCUT_CLOUD_FORMAT_LAS,  /**< 1.2 to 1.4, point formats 0 to 10, not compressed */
-    WCUT_CLOUD_FORMAT_PCD,  /**< ascii or binary; the viewpoint is not applied */
-    WCUT_CLOUD_FORMAT_OBJ,  /**< its vertices, whatever its faces are; no normals */
-    WCUT_CLOUD_FORMAT_OFF,  /**< the same */
-    /** glTF, by assimp in a process of its own: the vertices of every node, held as a whole, at most 20000000; it is in
-        metres with y upwards, and becomes mm with z upwards whatever the option unit says */
-    WCUT_CLOUD_FORMAT_GLTF
-} wcut_cloud_format;
-
 /** The unit that a file's coordinates are in. */
 typedef enum wcut_length_unit {
     WCUT_LENGTH_UNIT_MM,
@@ -40,26 +25,6 @@ typedef struct wcut_cloud_options {
     int most;     /**< wcut_cloud_read keeps at most so many points and refuses more, 1 or more; default 20000000 */
     double voxel; /**< [mm] wcut_cloud_read keeps the first point of each cube of this side; default 0: every point */
 } wcut_cloud_options;
-
-/** What a source has given so far. */
-typedef struct wcut_cloud_info {
-    wcut_cloud_format format; /**< as found, never WCUT_CLOUD_FORMAT_ANY */
-    int has_normals;          /**< 1 where the file has them */
-    int stated;               /**< points that the header claims, -1 where it claims nothing; it was held to it */
-    int read;                 /**< points handed out */
-    int not_finite;           /**< points left out since a coordinate is NaN or infinite: scanners write misses so */
-    int withheld;             /**< points left out since the file itself says so (LAS) */
-    int thinned;              /**< points left out by wcut_cloud_read for its option voxel */
-    wcut_vec3 low, high;      /**< [mm] the box of the points handed out; 0 before the first */
-} wcut_cloud_info;
-
-/** A cloud in memory. */
-typedef struct wcut_cloud {
-    int count;            /**< 1 or more */
-    wcut_vec3 *point;     /**< count [mm] */
-    wcut_vec3 *normal;    /**< count [1] of length 1, or 0 where the file has none for a point; NULL: none at all */
-    wcut_cloud_info info; /**< of the file it came from */
-} wcut_cloud;
 
 /** A cloud that comes in pieces, however long it is; memory stays below 1 MiB. */
 typedef struct wcut_cloud_source wcut_cloud_source;

@@ -4,7 +4,6 @@
 
 #include <wirecut/export.h>
 #include <wirecut/recording.h>
-#include <wirecut/rig_file.h>
 #include <wirecut/status.h>
 
 #ifdef __cplusplus
