@@ -2,16 +2,11 @@
 #ifndef WCUT_IO_SCAN_CLOUD_RECORD_H
 #define WCUT_IO_SCAN_CLOUD_RECORD_H
 
-<<<<<<< HEAD:io/file/record.h
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
 #include "io/file/source.h"
-=======
-#include <wirecut/cloud_file.h>
-#include "io/scan/cloud_source.h"
->>>>>>> 21cbf4f (build: two libraries, libwirecut computes, libwirecut-io reads and writes files):io/scan/cloud_record.h
 
 typedef enum wcut_scalar {
     WCUT_SCALAR_NONE,

@@ -2,12 +2,7 @@
 #ifndef WCUT_IO_SCAN_CLOUD_ROW_H
 #define WCUT_IO_SCAN_CLOUD_ROW_H
 
-<<<<<<< HEAD:io/file/row.h
 #include "io/file/source.h"
-=======
-#include <wirecut/cloud_file.h>
-#include "io/scan/cloud_source.h"
->>>>>>> 21cbf4f (build: two libraries, libwirecut computes, libwirecut-io reads and writes files):io/scan/cloud_row.h
 
 /* the next line, unread still: it ends with a line feed, or with a zero byte at the end of the file. NULL: the end, or
    refused (then the failure says so): a line longer than the window */

@@ -1,9 +1,4 @@
-<<<<<<< HEAD
 /* STL as a mesh: corners in one place are one vertex. */
-=======
-/* STL as a mesh: the corners of the cloud reader, three a triangle. */
-#include <wirecut/cloud_file.h>
->>>>>>> 21cbf4f (build: two libraries, libwirecut computes, libwirecut-io reads and writes files)
 #include "io/mesh/mesh_formats.h"
 #include "io/mesh/stl_read.h"
 

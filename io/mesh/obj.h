@@ -2,12 +2,7 @@
 #ifndef WCUT_IO_MESH_OBJ_H
 #define WCUT_IO_MESH_OBJ_H
 
-<<<<<<< HEAD
 #include "io/file/row.h"
-=======
-#include <wirecut/cloud_file.h>
-#include "io/scan/cloud_row.h"
->>>>>>> 21cbf4f (build: two libraries, libwirecut computes, libwirecut-io reads and writes files)
 
 /* the next line, of text, as wcut_row_peek gives it; NULL: the end, or refused, then the failure says so */
 const char *wcut_obj_line(wcut_source *source, size_t *length);

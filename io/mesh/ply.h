@@ -2,11 +2,7 @@
 #ifndef WCUT_IO_MESH_PLY_H
 #define WCUT_IO_MESH_PLY_H
 
-<<<<<<< HEAD
 #include "io/file/record.h"
-=======
-#include <wirecut/cloud_file.h>
->>>>>>> 21cbf4f (build: two libraries, libwirecut computes, libwirecut-io reads and writes files)
 #include "io/mesh/polygon.h"
 
 enum { WCUT_PLY_ELEMENTS = 64, WCUT_PLY_PROPERTIES = 256 };

@@ -1,11 +1,7 @@
 /* PLY (Turk 1994): what a header says of the elements and properties to come. */
 #include <string.h>
 
-<<<<<<< HEAD
 #include "io/file/row.h"
-=======
-#include <wirecut/cloud_file.h>
->>>>>>> 21cbf4f (build: two libraries, libwirecut computes, libwirecut-io reads and writes files)
 #include "io/mesh/ply.h"
 
 static wcut_scalar find_scalar(const char *p) {

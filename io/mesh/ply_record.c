@@ -1,12 +1,7 @@
 /* PLY (Turk 1994): records as the header lays them out, ascii or binary; what nobody asks for is skipped. */
 #include "io/mesh/ply.h"
 
-<<<<<<< HEAD
 #include "io/file/row.h"
-=======
-#include <wirecut/cloud_file.h>
-#include "io/scan/cloud_row.h"
->>>>>>> 21cbf4f (build: two libraries, libwirecut computes, libwirecut-io reads and writes files)
 
 /* ---- binary ---- */
 
