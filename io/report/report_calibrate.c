@@ -91,11 +91,15 @@ void wcut_report_calibrate_lack(const wcut_law_fit *fit, char sentence[WCUT_REPO
 static wcut_report_tone judge(const wcut_report_calibrate *of, char *verdict, size_t size) {
     const wcut_law_fit *f = &of->fit->force;
     const bool tested = f->lack != WCUT_LACK_OF_FIT_UNTESTED, fits = !tested || f->lack_p >= 0.05;
+
+    /* the answer: both parameters with their intervals */
     int n = snprintf(verdict, size,
                      "%d cuts give the force law a = %.4g " A_UNIT " (%g %% interval %.4g to %.4g), b = %.4g " B_UNIT
                      " (%.4g to %.4g); a and b %s",
                      of->cuts, f->a, PERCENT * of->options->confidence, f->low[0], f->high[0], f->b, f->low[1],
                      f->high[1], of->fit->told_apart ? "can be told apart" : "cannot be told apart");
+
+    /* what the test of the fit says */
     char *rest = verdict + n;
     size -= (size_t)n;
     if (!tested)
@@ -104,6 +108,8 @@ static wcut_report_tone judge(const wcut_report_calibrate *of, char *verdict, si
         snprintf(rest, size,
                  fits ? ", and no lack of fit is seen (p = %.2g)." : ", but the law does not fit (p = %.2g).",
                  f->lack_p);
+
+    /* a law that does not fit, or whose parameters trade against each other, needs a second look */
     return !fits || !of->fit->told_apart || of->warnings > 0 ? WCUT_REPORT_TONE_WARNING
            : tested                                          ? WCUT_REPORT_TONE_GOOD
                                                              : WCUT_REPORT_TONE_PLAIN;
@@ -119,6 +125,8 @@ static wcut_report_series points(const char *label, int count, const double *x, 
 /* the values of the cuts that have something unusual, NaN elsewhere; NULL where none has */
 static double *pick_unusual(page *p, const law *l, const double *y) {
     int marked = 0;
+
+    /* the same length as y, so that both share the abscissa */
     double *out = take_numbers(p, p->of->cuts);
     for (int i = 0; out && i < p->of->cuts; i++) {
         const wcut_fit_point *point = l->point[i];
@@ -141,6 +149,8 @@ static wcut_report_chart chart_of_cuts(page *p, const law *l, const char *title,
                                .y_unit = y_unit,
                                .series = series};
     if (p->failed) return chart;
+
+    /* the guide first, so that the cuts are drawn over it */
     const double *unusual = pick_unusual(p, l, y);
     series[0] = *guide;
     series[1] = points("test cuts", p->of->cuts, x, y);
@@ -156,12 +166,18 @@ static wcut_report_chart curve_chart(page *p, const law *l, const double *measur
     double *low = take_numbers(p, CURVE), *high = take_numbers(p, CURVE);
     char *note = take(p, WCUT_REPORT_SENTENCE, 1);
     if (p->failed) return (wcut_report_chart){.title = l->title};
+
+    /* an even grid over the validated range */
     for (int k = 0; k < CURVE; k++) q[k] = fit->q_eff_low + (fit->q_eff_high - fit->q_eff_low) * k / (CURVE - 1);
     wcut_law_fit_eval(l->fit, p->of->options->confidence, CURVE, q, y, low, high);
+
+    /* the law with its band, then the cuts */
     const wcut_report_series guide = {
         .label = "fitted law", .count = CURVE, .x = {q}, .y = y, .low = low, .high = high};
     wcut_report_chart chart = chart_of_cuts(p, l, l->chart, "effective heat input Q_eff", Q_UNIT, p->cuts.q_eff,
                                             l->label, A_UNIT, measured, &guide);
+
+    /* what the band means */
     snprintf(note, WCUT_REPORT_SENTENCE,
              "The band holds the law with %g %% confidence at each Q_eff, not the next cut.",
              PERCENT * p->of->options->confidence);
@@ -174,6 +190,8 @@ static wcut_report_series zero(page *p, const double *x) {
     double *end = take_numbers(p, 2), *level = take_numbers(p, 2);
     wcut_report_series line = {.label = "the law", .mark = WCUT_REPORT_MARK_DASHED, .count = 2, .x = {end}, .y = level};
     if (p->failed) return line;
+
+    /* from the smallest abscissa to the largest */
     end[0] = end[1] = x[0];
     for (int i = 1; i < p->of->cuts; i++) {
         if (x[i] < end[0]) end[0] = x[i];
@@ -194,11 +212,15 @@ static wcut_report_chart normal_chart(page *p, const law *l) {
     double *residual = take_numbers(p, n), *score = take_numbers(p, n);
     wcut_report_chart none = {.title = ""};
     if (p->failed) return none;
+
+    /* quantiles of as many normal draws */
     for (int i = 0; i < n; i++) residual[i] = l->point[i]->residual;
     if (wcut_gaussian_scores(n, residual, score) != WCUT_OK) {
         p->failed = true;
         return none;
     }
+
+    /* the line of equal quantiles */
     wcut_report_series guide = zero(p, score);
     guide.label = "normal scatter";
     guide.y = guide.x[0];
@@ -219,6 +241,8 @@ static const char *remark(page *p, int i, const wcut_fit_point *at) {
                                 at->unusual & WCUT_UNUSUAL_LEVERAGE ? "alone at its Q_eff" : NULL,
                                 at->unusual & WCUT_UNUSUAL_INFLUENTIAL ? "moves the law" : NULL,
                                 at->loss_weight < 0.1 ? "hardly counts" : NULL, large ? "large angle" : NULL};
+
+    /* only the words that apply, with commas between them */
     enum { ROOM = 80 };
     char *text = take(p, ROOM, 1);
     int used = 0;
@@ -235,6 +259,8 @@ static wcut_report_table cut_table(page *p, const law *l, const double *measured
     const char **text = take(p, (size_t)n, sizeof *text);
     wcut_report_table table = {.title = "Every cut", .rows = n, .columns = COLUMNS, .column = column};
     if (p->failed) return table;
+
+    /* figures of every cut */
     for (int i = 0; i < n; i++) {
         fitted[i] = l->point[i]->fitted;
         standard[i] = l->point[i]->residual;
@@ -243,6 +269,8 @@ static wcut_report_table cut_table(page *p, const law *l, const double *measured
         influence[i] = l->point[i]->influence;
         text[i] = remark(p, i, l->point[i]);
     }
+
+    /* the columns, in the order that a reader asks for them */
     const wcut_report_column of[COLUMNS] = {{"line", "", p->cuts.line, NULL},
                                             {"heat", "W/m", p->cuts.heat, NULL},
                                             {"speed", "mm/s", p->cuts.speed, NULL},
@@ -256,6 +284,8 @@ static wcut_report_table cut_table(page *p, const law *l, const double *measured
                                             {"influence", "", influence, NULL},
                                             {"remark", "", NULL, text}};
     memcpy(column, of, sizeof of);
+
+    /* what the less common figures mean */
     table.note =
         "Residual: measured less fitted, over fitted; standardised: in standard deviations of a cut. Leverage: "
         "the cut's share in its own fitted value. Influence: by how many of its standard errors that value "
@@ -276,10 +306,14 @@ static wcut_report_table parameter_table(page *p, const law *l) {
     char *low = take(p, 64, 1), *high = take(p, 64, 1);
     wcut_report_table table = {.title = "Parameters", .rows = ROWS, .columns = 1 + l->parameters, .column = column};
     if (p->failed) return table;
+
+    /* the names of the rows */
     snprintf(low, 64, "%g %% interval, from", PERCENT * p->of->options->confidence);
     snprintf(high, 64, "%g %% interval, to", PERCENT * p->of->options->confidence);
     row[0] = "value", row[1] = "standard error", row[2] = low, row[3] = high;
     column[0] = (wcut_report_column){.label = "", .text = row};
+
+    /* a column for each parameter */
     for (int j = 0; j < l->parameters; j++) {
         const double of[ROWS] = {value[j], l->fit->standard_error[j], l->fit->low[j], l->fit->high[j]};
         memcpy(number + (size_t)ROWS * (size_t)j, of, sizeof of);
@@ -315,6 +349,8 @@ static wcut_report_table warning_table(page *p) {
 static void fill_cuts(page *p) {
     const int n = p->of->cuts;
     p->cuts = (columns){take_numbers(p, n), take_numbers(p, n), take_numbers(p, n), take_numbers(p, n)};
+
+    /* as columns of numbers, for charts and tables */
     for (int i = 0; i < n && !p->failed; i++) {
         p->cuts.line[i] = p->of->cut[i].line;
         p->cuts.heat[i] = p->of->cut[i].heat;
@@ -341,10 +377,14 @@ static void fill_section(page *p, const law *l, wcut_report_section *section) {
     wcut_report_chart *chart = take(p, CHARTS, sizeof *chart);
     wcut_report_table *table = take(p, TABLES, sizeof *table);
     if (p->failed) return;
+
+    /* what charts and tables share */
     for (int i = 0; i < n; i++) {
         measured[i] = l->point[i]->measured;
         residual[i] = PERCENT * l->point[i]->relative;
     }
+
+    /* the charts; one over speed or heat needs more than one of it */
     int charts = 0;
     chart[charts++] = curve_chart(p, l, measured);
     chart[charts++] =
@@ -354,9 +394,12 @@ static void fill_section(page *p, const law *l, wcut_report_section *section) {
     if (p->of->fit->heats > 1)
         chart[charts++] = residual_chart(p, l, "Residuals over the heat", "heat", "W/m", p->cuts.heat, residual);
     chart[charts++] = normal_chart(p, l);
+
+    /* the tables */
     table[0] = parameter_table(p, l);
     table[1] = correlation_table(p, l);
     table[2] = cut_table(p, l, measured, residual);
+
     *section = (wcut_report_section){.title = l->title,
                                      .note = section_note(p, l),
                                      .chart_count = charts,
@@ -370,17 +413,23 @@ static int fill_sections(page *p, wcut_report_section *section) {
     const wcut_calibration *fit = p->of->fit;
     const wcut_report_table *warnings = NULL;
     int count = 0;
+
+    /* both laws */
     law of[LAWS] = {
         {"Force law", "F = a exp(-b Q_eff), the force across the wire", "Force per engaged length", "force per length",
          2, &fit->force, NULL},
         {"Tension law", "T = a exp(-b Q_eff) + c, the mean tension of both mounts", "Tension per engaged length",
          "tension per length", fit->tension.c_held ? 2 : 3, &fit->tension, NULL}};
+
+    /* warnings come before any number */
     if (p->of->warnings > 0) {
         wcut_report_table *table = take(p, 1, sizeof *table);
         if (table) *table = warning_table(p);
         warnings = table;
         section[count++] = (wcut_report_section){.title = "What to know first", .table_count = 1, .table = warnings};
     }
+
+    /* a section for each law that was fitted */
     for (int k = 0; k < LAWS && !p->failed; k++) {
         if (k && !fit->tension_fitted) break;
         of[k].point = take(p, (size_t)p->of->cuts, sizeof *of[k].point);
@@ -416,17 +465,23 @@ static int fill_facts(page *p, wcut_report_fact *fact) {
     int n = 0;
     char *at = take(p, 96, 1);
     if (p->failed) return 0;
+
+    /* parameters with their intervals */
     for (int k = 0; k < 2; k++) fact[n++] = with_interval(p, "force law", f, k);
     for (int k = 0; k < (t->c_held ? 2 : 3) && fit->tension_fitted; k++)
         fact[n++] = with_interval(p, "tension law", t, k);
     if (fit->tension_fitted && t->c_held) fact[n++] = (wcut_report_fact){"tension law, c (held)", NULL, 0, A_UNIT};
     if (!fit->tension_fitted) fact[n++] = (wcut_report_fact){"tension law", "not determined by these cuts", 0, ""};
+
+    /* the point about which a and b are nearly independent */
     snprintf(at, 96, "%.4g N/mm, %.4g W/m", fit->reference_force, fit->reference_heat);
     fact[n++] = (wcut_report_fact){"at force F0, heat Q", at, 0, ""};
     fact[n++] = (wcut_report_fact){"speed V0 there, \xc2\xb1 standard error",
                                    with_error(p, fit->reference_speed, fit->reference_speed_error), 0, "mm/s"};
     fact[n++] = (wcut_report_fact){"exponent 1/ln(a/F0), \xc2\xb1 standard error",
                                    with_error(p, fit->exponent, fit->exponent_error), 0, ""};
+
+    /* the range in which the law may be used, and what it rests on */
     char *range = take(p, 64, 1);
     if (range) snprintf(range, 64, "%.0f to %.0f", fit->q_eff_low, fit->q_eff_high);
     fact[n++] = (wcut_report_fact){"validated Q_eff", range, 0, Q_UNIT};
@@ -446,6 +501,8 @@ static wcut_status write_page(page *p, int sections, const wcut_report_section *
     wcut_report_fact fact[16];
     const int facts = fill_facts(p, fact);
     if (p->failed) return WCUT_NO_MEMORY;
+
+    /* settings of the fit, with what the defaults came to */
     const wcut_report_fact option[] = {{"noise", is_relative(of) ? "relative to the value" : "absolute", 0, ""},
                                        {"loss", loss[o->loss], 0, ""},
                                        {"weights", of->weights ? of->weights : "all 1", 0, ""},
@@ -455,6 +512,8 @@ static wcut_status write_page(page *p, int sections, const wcut_report_section *
                                         o->reference_force, o->reference_force > 0 ? A_UNIT : ""},
                                        {"Q of V0", o->reference_heat > 0 ? NULL : "median of the cuts",
                                         o->reference_heat, o->reference_heat > 0 ? "W/m" : ""}};
+
+    /* where it came from, and the whole */
     const wcut_report_source source = {"calibration table", of->path, p->hash[0] ? p->hash : NULL};
     const wcut_report report = {.verb = "calibrate",
                                 .title = of->path,

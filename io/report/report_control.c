@@ -18,6 +18,8 @@ typedef struct page {
 static wcut_report_tone judge(page *p) {
     const wcut_rig_run *with = p->s->feedback, *plan = p->s->plan;
     char without[160];
+
+    /* what the plan alone comes to */
     if (!plan->complete)
         snprintf(without, sizeof without, "the plan alone ends at %.1f s (%s)", plan->duration,
                  wcut_control_state_name(plan->ended));
@@ -26,6 +28,8 @@ static wcut_report_tone judge(page *p) {
     else
         snprintf(without, sizeof without, "with the plan alone it reaches %.1f %% more than aimed at",
                  100 * plan->overshoot);
+
+    /* an early end, a cut too short for a steady phase, and the usual case */
     if (!with->complete) {
         snprintf(p->verdict, sizeof p->verdict, "With feedback the cut ends at %.1f s: %s; %s.", with->duration,
                  wcut_control_state_name(with->ended), without);
@@ -36,6 +40,7 @@ static wcut_report_tone judge(page *p) {
                  with->target * (1 + with->overshoot), without);
         return WCUT_REPORT_TONE_PLAIN;
     }
+
     const bool good = fabs(with->steady.mean) <= 0.05;
     snprintf(p->verdict, sizeof p->verdict,
              "With feedback the mean tension of the steady phase is %.4g N, %.2g %% from the %.3g N aimed at; %s.",
@@ -112,11 +117,15 @@ static wcut_status write_page(page *p, const char *job_path, const char *path, w
     static const char *const unit[FIGURES] = {"s", "%", "N", "%", "%", "%", "%", "s"};
     const wcut_rig_run *with = p->s->feedback, *plan = p->s->plan;
     const wcut_column *c = with->recording.channel, *d = plan->recording.channel;
+
+    /* figures of both runs */
     double of_feedback[FIGURES], of_plan[FIGURES];
     list_figures(with, of_feedback);
     list_figures(plan, of_plan);
     wcut_report_span span[SPANS];
     const int spans = list_phases(with, span);
+
+    /* what is drawn: tension, speed, readings, angle */
     const wcut_report_series tension[] = {series(with, "with feedback", WCUT_REPORT_MARK_LINE, with->tension),
                                           series(plan, "plan alone", WCUT_REPORT_MARK_LINE, plan->tension),
                                           series(with, "aimed at", WCUT_REPORT_MARK_DASHED, p->target)};
@@ -129,12 +138,15 @@ static wcut_status write_page(page *p, const char *job_path, const char *path, w
         series(with, "planned", WCUT_REPORT_MARK_DASHED, with->planned)};
     const wcut_report_series alpha[] = {series(with, "with feedback", WCUT_REPORT_MARK_LINE, p->alpha[0]),
                                         series(plan, "plan alone", WCUT_REPORT_MARK_DASHED, p->alpha[1])};
+
     const wcut_report_chart charts[] = {
         chart("Tension, mean of both mounts", "The wire's own, without sensor noise.", "tension", "N", 3, tension,
               spans, span),
         chart("Speed of mount A", NULL, "speed", "mm/s", 3, speed, spans, span),
         chart("What the controller reads", "Delayed, with noise.", "tension", "N", 2, reading, spans, span),
         chart("Angle alpha at mount A", NULL, "alpha", "deg", 2, alpha, spans, span)};
+
+    /* the table beside the charts */
     const wcut_report_column column[] = {{"figure", NULL, NULL, figure},
                                          {"with feedback", NULL, of_feedback, NULL},
                                          {"plan alone", NULL, of_plan, NULL},
@@ -149,6 +161,8 @@ static wcut_status write_page(page *p, const char *job_path, const char *path, w
                                          .chart = charts,
                                          .table_count = 1,
                                          .table = &table};
+
+    /* the answer in numbers, and the settings */
     const wcut_control_settings *k = p->s->control;
     const wcut_rig_options *o = p->s->options;
     const wcut_report_fact fact[] = {{"tension aimed at", NULL, k->tension, "N"},
@@ -169,6 +183,8 @@ static wcut_status write_page(page *p, const char *job_path, const char *path, w
                                        {"acceleration", NULL, k->acceleration, "mm/s\xc2\xb2"},
                                        {"safe stop above", NULL, k->tension_stop, "N"},
                                        {"seed", NULL, (double)o->seed, ""}};
+
+    /* where it came from, and the whole */
     const wcut_report_source source = {"job", job_path, p->hash[0] ? p->hash : NULL};
     const wcut_report report = {.verb = "control",
                                 .title = p->s->job->name,
@@ -196,13 +212,17 @@ wcut_status wcut_report_control_write(const wcut_rig_summary *summary, const cha
                                       wcut_error *error) {
     page p = {.s = summary};
     const int samples = summary->feedback->recording.samples;
+
+    /* what the page shows and the summary has not */
     p.target = calloc((size_t)samples, sizeof *p.target);
     p.alpha[0] = in_degrees(summary->feedback);
     p.alpha[1] = in_degrees(summary->plan);
     wcut_status status = p.target && p.alpha[0] && p.alpha[1] ? WCUT_OK : WCUT_NO_MEMORY;
     for (int i = 0; !status && i < samples; i++) p.target[i] = summary->control->tension;
+
     if (!status) status = wcut_file_hash(job_path, p.hash, error);
     if (status == WCUT_NOT_FOUND) status = WCUT_OK; /* a job that came through a pipe has no hash */
+
     if (!status) status = write_page(&p, job_path, path, error);
     free(p.target);
     free(p.alpha[0]);

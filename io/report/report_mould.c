@@ -45,6 +45,8 @@ static wcut_report_tone judge(page *p) {
     const wcut_half_report *a = &m->lower.report, *b = &m->upper.report;
     const double prolonged = fmax(m->prolonged_entry, fmax(m->prolonged_exit, m->prolonged_side));
     const char *halves = "Two closed solids, free of self-intersections, whose volumes add up to the block";
+
+    /* the worst news is the verdict */
     if (!a->wall_held || !b->wall_held || !a->draft_held || !b->draft_held) {
         snprintf(p->verdict, sizeof p->verdict, "%s, but a wall or a draft is less than was asked for.", halves);
         return WCUT_REPORT_TONE_BAD;
@@ -77,6 +79,8 @@ static wcut_report_table table_of_halves(const page *p, double number[2][ROWS], 
         "keys",   "triangles", "pieces",   "exact faces", "height, least", "height, greatest"};
     static const char *const unit[ROWS] = {"mm\xc2\xb3", "mm\xc2\xb2", "mm\xc2\xb2", "mm\xc2\xb2", "deg", "mm", "deg",
                                            "mm\xc2\xb3", "",           "",           "",           "mm",  "mm"};
+
+    /* a column of numbers for each half */
     for (int k = 0; k < 2; k++) {
         const wcut_half *h = half_of(p, k);
         const wcut_half_report *r = &h->report;
@@ -95,6 +99,7 @@ static wcut_report_table table_of_halves(const page *p, double number[2][ROWS], 
                                     r->box_high.z};
         for (int i = 0; i < ROWS; i++) number[k][i] = value[i];
     }
+
     column[0] = (wcut_report_column){.label = "figure", .text = what};
     column[1] = (wcut_report_column){.label = "unit", .text = unit};
     column[2] = (wcut_report_column){.label = "lower half", .number = number[0]};
@@ -112,14 +117,20 @@ static wcut_report_table table_of_halves(const page *p, double number[2][ROWS], 
 static wcut_status write_page(page *p, const wcut_report_scene *scene, const char *path, wcut_error *error) {
     const wcut_job *job = p->job;
     const wcut_mould *m = p->mould;
+
+    /* the table of both halves */
     double number[2][ROWS];
     wcut_report_column column[4];
     const wcut_report_table table = table_of_halves(p, number, column);
     const wcut_report_section section = {.title = "What the halves measure", .table_count = 1, .table = &table};
+
+    /* texts of three numbers */
     snprintf(p->block, sizeof p->block, "%g \xc3\x97 %g \xc3\x97 %g", job->block_size.x, job->block_size.y,
              job->block_size.z);
     snprintf(p->pull, sizeof p->pull, "%g, %g, %g", m->pull.x, m->pull.y, m->pull.z);
     const double radius = isfinite(m->radius_min) && m->radius_min < 1e9 ? m->radius_min : NAN;
+
+    /* the answer in numbers */
     const wcut_report_fact fact[] = {{"block, x by y by z", p->block, 0, "mm"},
                                      {"lower half", NULL, m->lower.report.volume, "mm\xc2\xb3"},
                                      {"upper half", NULL, m->upper.report.volume, "mm\xc2\xb3"},
@@ -134,6 +145,8 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
                                      {"continued at the wire's ends", NULL, m->prolonged_side, "mm"},
                                      {"least radius of the cut", NULL, radius, "mm"},
                                      {"radius of the wire", NULL, m->wire_radius, "mm"}};
+
+    /* settings of the run */
     const wcut_report_fact option[] = {{"chord tolerance", NULL, p->run->chord_tolerance, "mm"},
                                        {"fit tolerance", NULL, p->run->fit_tolerance, "mm"},
                                        {"may be continued by", NULL, p->run->prolong, "mm"},
@@ -141,6 +154,8 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
                                        {"pull out of the lower half, x, y, z", p->pull, 0, ""},
                                        {"least wall asked for", NULL, m->wall_asked, "mm"},
                                        {"least draft asked for", NULL, WCUT_DEG_PER_RAD * m->draft_asked, "deg"}};
+
+    /* only the files that were given */
     const wcut_report_source from[3] = {{"job", p->run->job_path, p->hash[0][0] ? p->hash[0] : NULL},
                                         {"stock", p->run->stock_path, p->hash[1][0] ? p->hash[1] : NULL},
                                         {"edges", p->run->edges_path, p->hash[2][0] ? p->hash[2] : NULL}};
@@ -148,6 +163,7 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
     int sources = 0;
     for (int k = 0; k < 3; k++)
         if (k == 0 || from[k].name) source[sources++] = from[k];
+
     const wcut_report report = {.verb = "mould",
                                 .title = job->name ? job->name : p->run->job_path,
                                 .tone = judge(p),
@@ -167,10 +183,14 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
 wcut_status wcut_report_mould_write(const wcut_report_mould *run, const wcut_job *job, const wcut_history *history,
                                     const wcut_mould *mould, const char *path, wcut_error *error) {
     page p = {.run = run, .job = job, .history = history, .mould = mould};
+
+    /* copies and hashes */
     wcut_status status = fill_drafts(&p);
     if (!status) status = hash(run->job_path, p.hash[0], error);
     if (!status) status = hash(run->stock_path, p.hash[1], error);
     if (!status) status = hash(run->edges_path, p.hash[2], error);
+
+    /* each half is a shape, coloured by its draft */
     if (!status) {
         wcut_report_field field[2];
         wcut_report_shape shape[2];
@@ -186,6 +206,8 @@ wcut_status wcut_report_mould_write(const wcut_report_mould *run, const wcut_job
                                            .field_count = 1,
                                            .field = &field[k]};
         }
+
+        /* the block in the size of the halves */
         const double f = mould->scale;
         const wcut_report_scene scene = {
             .title = "The halves",
@@ -193,8 +215,10 @@ wcut_status wcut_report_mould_write(const wcut_report_mould *run, const wcut_job
             .block_size = {f * job->block_size.x, f * job->block_size.y, f * job->block_size.z},
             .shape_count = 2,
             .shape = shape};
+
         status = write_page(&p, &scene, path, error);
     }
+
     free(p.draft[1]);
     free(p.draft[0]);
     return status;

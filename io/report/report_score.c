@@ -58,6 +58,8 @@ static wcut_report_table channel_table(page *p, const char *title, const char *n
     double *number = take(p, (size_t)FIGURES * WCUT_SCORED_COUNT, sizeof *number);
     wcut_report_table table = {.title = title, .note = note, .columns = FIGURES + 2, .column = column};
     if (!column || !name || !unit || !number) return table;
+
+    /* a row for each channel that was scored */
     for (int k = 0; k < WCUT_SCORED_COUNT; k++) {
         const wcut_score *s = scores->of[k], *all = s;
         if (all->count < 1) continue;
@@ -74,6 +76,7 @@ static wcut_report_table channel_table(page *p, const char *title, const char *n
         for (int f = 0; f < FIGURES; f++) number[f * WCUT_SCORED_COUNT + table.rows] = figure[f];
         table.rows++;
     }
+
     column[0] = (wcut_report_column){.label = "channel", .text = name};
     column[1] = (wcut_report_column){.label = "unit", .text = unit};
     for (int f = 0; f < FIGURES; f++)
@@ -102,6 +105,8 @@ static wcut_report_table group_table(page *p, const char *title, const char *not
     wcut_report_table table = {
         .title = title, .note = note, .rows = of->groups, .columns = BY_GROUP + 1, .column = column};
     if (!column || !number) return table;
+
+    /* names first, then a column for each prediction */
     column[0] = (wcut_report_column){.label = of->group_label, .text = of->group_name};
     for (int c = 0; c < BY_GROUP; c++) {
         double *to = number + (size_t)c * (size_t)of->groups;
@@ -122,6 +127,8 @@ static wcut_report_table trouble_table(page *p) {
     const char **name = take(p, (size_t)of->cuts, sizeof *name), **text = take(p, (size_t)of->cuts, sizeof *text);
     wcut_report_table table = {.title = "What was not scored", .columns = 2, .column = column};
     if (!column || !name || !text) return table;
+
+    /* only the cuts of which something is missing */
     for (int i = 0; i < of->cuts; i++) {
         const wcut_scored_cut *cut = &of->cut[i];
         char said[200] = "";
@@ -135,6 +142,7 @@ static wcut_report_table trouble_table(page *p) {
         name[table.rows] = name_of(p, cut);
         text[table.rows++] = cut->comparison ? join(p, said, "", "") : cut->error ? cut->error->text : "";
     }
+
     column[0] = (wcut_report_column){.label = "cut", .text = name};
     column[1] = (wcut_report_column){.label = "why", .text = text};
     return table;
@@ -153,6 +161,8 @@ static drawn choose_samples(const wcut_scored_cut *cut) {
     const wcut_comparison *c = cut->comparison;
     const double *time = cut->samples->channel[WCUT_CHANNEL_TIME].value;
     int first = 0, end = c->samples;
+
+    /* from half of the time to settle to the last sample that counts */
     while (first < c->samples && time[first] < (c->contact + c->from) / 2) first++;
     while (end > first && time[end - 1] > c->to) end--;
     return end - first > 1 ? (drawn){.first = first, .count = end - first} : (drawn){.first = 0, .count = c->samples};
@@ -185,6 +195,8 @@ static void fill_series(page *p, const wcut_comparison *c, const wcut_prediction
     double *low = band ? take(p, (size_t)d->count, sizeof *low) : NULL;
     double *high = band ? take(p, (size_t)d->count, sizeof *high) : NULL;
     if (p->memory.failed) return;
+
+    /* missing where nothing was predicted; the band where the score counts */
     for (int i = 0; i < d->count; i++) {
         const int sample = d->first + i;
         y[i] = from->present[sample] ? from->value[k][sample] * unit : NAN;
@@ -208,17 +220,22 @@ static void fill_chart(page *p, const wcut_scored_cut *cut, int k, const drawn *
     wcut_report_series *series = take(p, 3, sizeof *series);
     double *measured = take(p, (size_t)d->count, sizeof *measured);
     if (p->memory.failed) return;
+
+    /* what was measured, in the units of files */
     for (int i = 0; i < d->count; i++) {
         const int sample = d->first + i;
         const bool there = !channel->present || channel->present[sample];
         measured[i] = there ? channel->value[sample] * (k < 4 ? 1 : WCUT_DEG_PER_RAD) : NAN;
     }
+
+    /* the series over the same abscissae; a speed is not replayed */
     for (int s = 0; s < 3; s++) series[s] = (wcut_report_series){.count = d->count, .x = {d->time, d->station}};
     series[0].label = "measured", series[0].mark = WCUT_REPORT_MARK_LINE, series[0].y = measured;
     series[1].label = "planned", series[1].mark = WCUT_REPORT_MARK_DASHED;
     series[2].label = "replayed", series[2].mark = WCUT_REPORT_MARK_LINE;
     fill_series(p, c, c->planned, replayed ? NULL : &c->planned_score, k, d, &series[1]);
     if (replayed) fill_series(p, c, c->replayed, &c->replayed_score, k, d, &series[2]);
+
     *chart = (wcut_report_chart){.title = title[k],
                                  .x_label = {"time", "station"},
                                  .x_unit = {"s", ""},
@@ -244,6 +261,8 @@ static void fill_section(page *p, const wcut_scored_cut *cut, wcut_report_sectio
     double *time = take(p, (size_t)d.count, sizeof *time), *station = take(p, (size_t)d.count, sizeof *station);
     char *note = take(p, 300, 1);
     if (p->memory.failed) return;
+
+    /* the abscissae of what is drawn */
     for (int i = 0; i < d.count; i++) {
         const int sample = d.first + i;
         const bool there = !recorded->present || recorded->present[sample];
@@ -252,6 +271,8 @@ static void fill_section(page *p, const wcut_scored_cut *cut, wcut_report_sectio
         station[i] = larger(i ? station[i - 1] : 0, there ? recorded->value[sample] : 0);
     }
     d.time = time, d.station = station;
+
+    /* a chart for each channel, then what the scores rest on */
     const int spans = list_phases(c, &d, span);
     for (int k = 0; k < CHARTS; k++) fill_chart(p, cut, order[k], &d, spans, span, &chart[k]);
     snprintf(note, 300,

@@ -70,6 +70,8 @@ static wcut_status fill_curvature(page *p) {
     double *parameter = calloc((size_t)h->stations, sizeof *parameter);
     wcut_surface *surface = NULL;
     wcut_status status = parameter ? WCUT_OK : WCUT_NO_MEMORY;
+
+    /* the surface through the stations gives a parameter for each */
     if (!status)
         status = wcut_surface_loft(h->stations, h->nodes, h->position, p->run->merge, &surface, parameter, NULL);
     for (int s = 0; !status && s < h->stations; s++)
@@ -81,6 +83,7 @@ static wcut_status fill_curvature(page *p) {
                 status = WCUT_OK;
             }
         }
+
     wcut_surface_destroy(surface);
     free(parameter);
     return status;
@@ -91,11 +94,13 @@ static wcut_status fill(page *p, const wcut_setup *setup, wcut_error *error) {
     const size_t stations = (size_t)h->stations, cells = stations * (size_t)h->nodes;
     double *block = calloc(COLUMNS * stations, sizeof *block);
     for (int c = 0; c < COLUMNS; c++) p->column[c] = block ? block + c * stations : NULL;
+
     p->force = calloc(cells, sizeof *p->force);
     p->curvature = calloc(cells, sizeof *p->curvature);
     p->mount_a = calloc(stations, sizeof *p->mount_a);
     p->mount_b = calloc(stations, sizeof *p->mount_b);
     if (!block || !p->force || !p->curvature || !p->mount_a || !p->mount_b) return WCUT_NO_MEMORY;
+
     fill_columns(p);
     /* outside the foam there is no force, and no colour */
     for (size_t i = 0; i < cells; i++) p->force[i] = h->force_line[i] > 0 ? h->force_line[i] : NAN;
@@ -120,14 +125,19 @@ static void clear(page *p) {
 
 static wcut_report_tone judge(page *p) {
     const wcut_history *h = p->history;
+
+    /* stations at which the speed reached its lower limit */
     const wcut_history_row *last = &h->row[h->stations - 1];
     int slow = 0;
     for (int s = 0; s < h->stations; s++) slow += h->row[s].condition == WCUT_CONDITION_SPEED_MIN;
+
+    /* the worst news is the verdict */
     if (p->run->ended || h->stations < h->planned) {
         snprintf(p->verdict, sizeof p->verdict, "The cut ends early, after station %d of 0 to %d and %.1f s: %s.",
                  h->stations - 1, h->planned - 1, last->time, wcut_status_text(p->run->ended));
         return WCUT_REPORT_TONE_BAD;
     }
+
     const bool whole = last->phase == WCUT_PHASE_LEFT || p->job->mode == WCUT_MODE_DESIGN;
     const char *end = last->phase == WCUT_PHASE_LEFT ? "leaves the block"
                       : whole                        ? "reaches the end of its design"
@@ -187,12 +197,16 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
     const wcut_job *job = p->job;
     wcut_report_span span[PHASES_MAX];
     const int spans = list_phases(p, span);
+
+    /* both mounts in each chart */
     const wcut_report_series pair[][2] = {
         {series(p, "mount A", WCUT_REPORT_MARK_LINE, SPEED_A), series(p, "mount B", WCUT_REPORT_MARK_DASHED, SPEED_B)},
         {series(p, "mount A", WCUT_REPORT_MARK_LINE, TENSION_A),
          series(p, "mount B", WCUT_REPORT_MARK_DASHED, TENSION_B)},
         {series(p, "mount A", WCUT_REPORT_MARK_LINE, ALPHA_A), series(p, "mount B", WCUT_REPORT_MARK_DASHED, ALPHA_B)},
         {series(p, "mount A", WCUT_REPORT_MARK_LINE, BETA_A), series(p, "mount B", WCUT_REPORT_MARK_DASHED, BETA_B)}};
+
+    /* the wire as a whole, and the solver */
     const wcut_report_series engaged = series(p, "wire in the foam", WCUT_REPORT_MARK_LINE, ENGAGED);
     const wcut_report_series steps = series(p, "Newton iterations", WCUT_REPORT_MARK_LINE, STEPS);
     const wcut_report_series residual = series(p, "largest relative residual", WCUT_REPORT_MARK_LINE, RESIDUAL);
@@ -210,6 +224,8 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
 
     snprintf(p->block, sizeof p->block, "%g \xc3\x97 %g \xc3\x97 %g", job->block_size.x, job->block_size.y,
              job->block_size.z);
+
+    /* the answer in numbers, and the settings */
     const wcut_report_fact fact[] = {{"duration", NULL, h->row[h->stations - 1].time, "s"},
                                      {"stations", NULL, h->stations, ""},
                                      {"nodes along the wire", NULL, h->nodes, ""},
@@ -226,6 +242,8 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
                                        {"lowest speed allowed", NULL, job->speed_min, "mm/s"},
                                        {"highest speed allowed", NULL, job->speed_max, "mm/s"},
                                        {"kerf", NULL, job->kerf_width, "mm"}};
+
+    /* where it came from, and the whole */
     const wcut_report_source source = {"job", p->run->job_path, p->hash[0] ? p->hash : NULL};
     const wcut_report report = {.verb = "simulate",
                                 .title = job->name ? job->name : p->run->job_path,
@@ -248,10 +266,13 @@ wcut_status wcut_report_simulate_write(const wcut_report_simulate *run, const wc
     page p = {.run = run, .job = wcut_setup_job(setup), .history = history};
     wcut_status status = fill(&p, setup, error);
     if (!status) {
+        /* what colours the surface */
         const wcut_report_field field[] = {
             {"force across the wire", "N/mm", WCUT_REPORT_SCALE_SEQUENTIAL, 0, p.force},
             {"speed of the wire", "mm/s", WCUT_REPORT_SCALE_SEQUENTIAL, 0, history->speed},
             {"largest curvature", "1/mm", WCUT_REPORT_SCALE_DIVERGING, FLAT, p.curvature}};
+
+        /* the surface, and the path curves beside it */
         const wcut_report_shape shape = {.name = "swept surface",
                                          .vertex_count = history->stations * history->nodes,
                                          .vertex = history->position,
