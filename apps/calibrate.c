@@ -94,7 +94,7 @@ static void say_laws(const calibration *c) {
             c->fit.reference_force, c->fit.reference_heat, c->fit.reference_speed, c->fit.reference_speed_error,
             c->fit.exponent, c->fit.exponent_error);
     if (!c->fit.tension_fitted) {
-        app_say("tension law: these cuts do not determine it");
+        app_say("tension law: not determined by these cuts");
         return;
     }
     app_say("tension law: a = %.5g +- %.2g N/mm, b = %.5g +- %.2g m^2/J, c = %.5g%s", t->a, t->standard_error[0], t->b,
@@ -119,27 +119,27 @@ static void find_warnings(calibration *c) {
     bool relative = c->options.noise == WCUT_NOISE_RELATIVE;
     const double against = relative ? -fit->force.evidence : fit->force.evidence;
     if (!fit->told_apart)
-        warn(
-            c,
-            "%d levels of Q_eff over a factor of %.2f do not tell a from b (correlation %.3f): use V0 and the exponent "
-            "near F0, or cut at more heats and speeds",
-            fit->q_effs, fit->q_eff_high / fit->q_eff_low, fit->correlation);
+        warn(c,
+             "%d levels of Q_eff over a factor of %.2f do not separate a from b (correlation %.3f): use V0 and the "
+             "exponent near F0, or make cuts at more heats and speeds",
+             fit->q_effs, fit->q_eff_high / fit->q_eff_low, fit->correlation);
     if (fit->tension_fitted && !(fit->tension.low[1] > 0))
-        warn(
-            c,
-            "the tension law is loose: the interval of its b holds 0; its curve is good in the range of the cuts only");
+        warn(c,
+             "the tension law is poorly determined: the interval of its b contains 0; use it only in the range of the "
+             "cuts");
     if (fit->heats < 2)
-        warn(c, "one heat: whether the force hangs on Q_eff alone, or heat is lost elsewhere, cannot be seen");
-    if (fit->speeds < 2) warn(c, "one speed: a power of the speed beside Q_eff cannot be seen");
+        warn(c,
+             "only one heat: the cuts cannot show whether the force depends on Q_eff alone or heat is lost elsewhere");
+    if (fit->speeds < 2) warn(c, "only one speed: the cuts cannot show a dependence on the speed itself");
     if (fit->large_angles > 0)
-        warn(c, "%d of %d cuts trail by more than 10 deg; a test cut is meant to be nearly straight", fit->large_angles,
-             c->cuts);
+        warn(c, "in %d of %d cuts the wire trails by more than 10 deg; in a test cut it should be nearly straight",
+             fit->large_angles, c->cuts);
     if (against > 2)
-        warn(c, "the scatter looks %s (log likelihood ratio %.1f); try --noise %s", relative ? "absolute" : "relative",
-             against, relative ? "absolute" : "relative");
+        warn(c, "the scatter is rather %s (log likelihood ratio %.1f); try --noise %s",
+             relative ? "absolute" : "relative", against, relative ? "absolute" : "relative");
     for (int i = 0; i < c->cuts; i++)
         if (c->point[i].force.loss_weight < 0.1)
-            warn(c, "line %d is an outlier (%.1f standard deviations) and hardly counts", c->cut[i].line,
+            warn(c, "line %d is an outlier (%.1f standard deviations) and has almost no weight", c->cut[i].line,
                  c->point[i].force.residual);
 }
 
@@ -181,39 +181,41 @@ static const app_option option[] = {
     APP_OPTION_OUTPUT,
     {.kind = APP_FLAG,
      .name = "robust",
-     .help = "let outliers pull little: Tukey's biweight, started from Huber's loss"},
+     .help = "reduce the weight of outliers: Tukey's biweight, started from Huber's loss"},
     {.kind = APP_CHOICE,
      .name = "noise",
      .value = "relative|absolute",
      .standard = "relative",
-     .help = "what the scatter of the cuts is proportional to: the force itself, or one number for all"},
-    {.kind = APP_TEXT, .name = "weights", .value = "COLUMN", .help = "a column of the table with the cuts' weights"},
+     .help = "scatter of the cuts: proportional to the force, or the same for all"},
+    {.kind = APP_TEXT,
+     .name = "weights",
+     .value = "COLUMN",
+     .help = "column of the table that holds the weights of the cuts"},
     {.kind = APP_REAL,
      .name = "reference-force",
      .value = "F0",
      .low = 1e-9,
      .high = 1e3,
-     .help = "N/mm at which V0 and the exponent are stated, instead of the geometric mean of the cuts"},
+     .help = "force at which V0 and the exponent are stated, N/mm, in place of the geometric mean of the cuts"},
     {.kind = APP_REAL,
      .name = "reference-heat",
      .value = "Q",
      .low = 1e-3,
      .high = 1e5,
-     .help = "W/m at which V0 is stated, instead of the median of the cuts"},
+     .help = "heat at which V0 is stated, W/m, in place of the median of the cuts"},
     APP_OPTIONS_OF_ALL,
 };
 
 const app_verb app_verb_calibrate = {
     .name = "calibrate",
-    .brief = "fit the force and tension law to steady test cuts",
+    .brief = "fit the force law and the tension law to steady test cuts",
     .about =
-        "Fits F = a exp(-b Q_eff) to the force of each cut, (T_a sin alpha_a + T_b sin alpha_b) / engaged length, "
-        "and T = a exp(-b Q_eff) + c to its tension per engaged length (Rust et al. 2016, 2 and 1), and writes "
-        "force_law.json and report.html into DIR: the blocks of a job, with standard errors, covariances, the range of "
-        "Q_eff they hold in, a leave-one-out error, a test of the lack of fit, and every cut's residual; the same in "
-        "charts and tables.\n"
-        "a and b are nearly degenerate; the pair that the cuts fix is V0 = b Q / ln(a/F0), the speed at a force "
-        "F0, and the exponent 1/ln(a/F0).",
+        "Fits F = a exp(-b Q_eff) to the force of each cut, (T_a sin alpha_a + T_b sin alpha_b) / engaged length, and "
+        "T = a exp(-b Q_eff) + c to its tension per engaged length (Rust et al. 2016, (2) and (1)). Writes into DIR: "
+        "force_law.json (the laws as a job has them, with standard errors, covariances, the validated range of Q_eff, "
+        "the leave-one-out error, a test for lack of fit and the residual of every cut) and report.html (the same in "
+        "charts and tables).\na and b are strongly correlated. Well determined are V0 = b Q / ln(a/F0), the speed at a "
+        "force F0, and the exponent 1/ln(a/F0).",
     .operand = operand,
     .option = option,
     .run = calibrate,

@@ -10,15 +10,15 @@
     X(simulate) X(calibrate) X(score) X(control) X(path) X(identify) X(compare) X(mould) X(diagnose)
 
 /* How the command ends. */
-#define APP_EXIT_LIST(X)                                                        \
-    X(APP_DONE, 0, "done, and within tolerance")                                \
-    X(APP_FAILED, 1, "failed for a reason outside the input, such as memory")   \
-    X(APP_USAGE, 2, "the command line is wrong")                                \
-    X(APP_BAD_INPUT, 3, "an input is missing, broken or out of range")          \
-    X(APP_NOT_WRITTEN, 4, "an output is not wholly on disk")                    \
-    X(APP_OUTSIDE, 5, "a deviation is outside its tolerance")                   \
-    X(APP_NOT_CONVERGED, 6, "the solver stopped early; what it had is on disk") \
-    X(APP_INTERRUPTED, 130, "interrupted; what it had is on disk")
+#define APP_EXIT_LIST(X)                                                                            \
+    X(APP_DONE, 0, "done, and within tolerance")                                                    \
+    X(APP_FAILED, 1, "failed for a reason outside the input, such as memory")                       \
+    X(APP_USAGE, 2, "the command line is wrong")                                                    \
+    X(APP_BAD_INPUT, 3, "an input is missing, broken or out of range")                              \
+    X(APP_NOT_WRITTEN, 4, "an output could not be written completely")                              \
+    X(APP_OUTSIDE, 5, "a tolerance or a limit is exceeded")                                         \
+    X(APP_NOT_CONVERGED, 6, "the solver did not converge; what was computed until then is written") \
+    X(APP_INTERRUPTED, 130, "interrupted; what was computed until then is written")
 
 #define APP_EXIT_ENTRY(name, code, text) name = code,
 enum { APP_EXIT_LIST(APP_EXIT_ENTRY) APP_OPTIONS_MAX = 24 };
@@ -83,16 +83,16 @@ struct app_call {
 #define APP_OPTION_OUTPUT                                                                      \
     {                                                                                          \
         .kind = APP_FOLDER, .name = "output", .letter = 'o', .required = true, .value = "DIR", \
-        .help = "folder for the results, created where there is none",                         \
+        .help = "folder for the results; it is created if missing",                            \
     }
 #define APP_OPTION_HELP \
-    { .kind = APP_FLAG, .name = "help", .letter = 'h', .help = "this text" }
+    { .kind = APP_FLAG, .name = "help", .letter = 'h', .help = "print this help" }
 /* What every verb takes, and the end of its table. */
-#define APP_OPTIONS_OF_ALL                                                                                  \
-    {.kind = APP_FLAG, .name = "json", .help = "the result as JSON on standard output"},                    \
-        {.kind = APP_FLAG, .name = "quiet", .letter = 'q', .help = "no progress, no summary: errors only"}, \
-        APP_OPTION_HELP, {                                                                                  \
-        .kind = APP_END                                                                                     \
+#define APP_OPTIONS_OF_ALL                                                                                         \
+    {.kind = APP_FLAG, .name = "json", .help = "print the result as JSON on standard output"},                     \
+        {.kind = APP_FLAG, .name = "quiet", .letter = 'q', .help = "print errors alone: no progress, no summary"}, \
+        APP_OPTION_HELP, {                                                                                         \
+        .kind = APP_END                                                                                            \
     }
 
 extern const app_verb app_self; /* the command without a verb */

@@ -34,7 +34,7 @@ static const char *read_number(const char *text, double *number) {
 }
 
 static int refuse_bands(const char *text) {
-    return app_fail(APP_USAGE, "--bands: found \"%s\", expected up to %d positive tolerances in mm, as 0.25,0.5,1",
+    return app_fail(APP_USAGE, "--bands: found \"%s\", expected up to %d positive tolerances in mm, such as 0.25,0.5,1",
                     text, WCUT_BANDS_MOST - 1);
 }
 
@@ -229,7 +229,7 @@ static void say_registration(const wcut_registration *r) {
         used += (size_t)snprintf(text + used, sizeof text - used, " %s %.4g%s", name[k], r->parameter[k] * unit,
                                  r->determined[k] ? "" : "*");
     }
-    app_say("moved by%s (mm, deg; * not found from data), overlap %.1f %%", text, 100 * r->overlap);
+    app_say("moved by%s (mm, deg; *: not determined by the data), overlap %.1f %%", text, 100 * r->overlap);
 }
 
 static void say_answer(const app_comparison *c, const app_results *results) {
@@ -242,9 +242,9 @@ static void say_answer(const app_comparison *c, const app_results *results) {
         say_registration(&c->registration);
     }
     if (f->has_kerf)
-        app_say("kerf by the scan %.3f mm, of the job %.3f mm", f->kerf - 2 * f->found->split.offset, f->kerf);
+        app_say("kerf from the scan %.3f mm, in the job %.3f mm", f->kerf - 2 * f->found->split.offset, f->kerf);
     if (f->tolerance > 0)
-        app_say("%s: \xc2\xb1%g mm is asked of %g %% of the points",
+        app_say("%s: required are \xc2\xb1%g mm for %g %% of the points",
                 f->within ? "within tolerance" : "OUTSIDE TOLERANCE", f->tolerance, 100 * f->share);
     app_say("in %s: %s", results->folder, app_results_list(results));
 }
@@ -288,8 +288,8 @@ static const app_operand operand[] = {
     {.name = "SCAN",
      .kind = APP_FILE,
      .many = true,
-     .help = "clouds of the lower half's cut face, together one scan: PLY, text (XYZ, PTS, CSV, ASC), LAS, PCD; or the "
-             "vertices of STL, OBJ, OFF, glTF"},
+     .help = "point clouds of the lower half's cut face, which together are one scan: PLY, text (XYZ, PTS, CSV, ASC), "
+             "LAS, PCD; or the vertices of STL, OBJ, OFF, glTF"},
     {.name = NULL},
 };
 
@@ -300,20 +300,19 @@ static const app_option option[] = {
      .name = "register",
      .value = "none|datum|fit",
      .standard = "none",
-     .help = "none: as scanned; datum: by --datum; fit: best fit to the face, which hides deviations that look like a "
-             "motion. The result as scanned is always given beside"},
+     .help = "none: as scanned; datum: by --datum; fit: best fit to the face, which hides deviations that resemble a "
+             "rigid motion. The figures as scanned are always reported too"},
     {.kind = APP_FILE,
      .name = "datum",
      .value = "FILE.csv",
-     .help = "scan_x_mm, scan_y_mm, scan_z_mm and block_x_mm, block_y_mm, block_z_mm: all three, or the one of a face "
-             "that was not cut; sigma_mm if known"},
+     .help = "scan_x_mm, scan_y_mm, scan_z_mm and block_x_mm, block_y_mm, block_z_mm: all three, or one, that of an "
+             "uncut face; sigma_mm if known"},
     {.kind = APP_TEXT,
      .name = "dof",
      .value = "LIST",
-     .help =
-         "degrees of freedom that may move, with a standard deviation or free: tx:0.2,rz:0.01deg,tz:free; those not "
-         "named are locked"},
-    {.kind = APP_FLAG, .name = "duplicates", .help = "remove points that are equal to one before them"},
+     .help = "degrees of freedom of the registration, free or with a standard deviation: tx:0.2,rz:0.01deg,tz:free; "
+             "others are locked"},
+    {.kind = APP_FLAG, .name = "duplicates", .help = "remove points that are equal to an earlier one"},
     {.kind = APP_REAL,
      .name = "outliers",
      .value = "M",
@@ -338,20 +337,22 @@ static const app_option option[] = {
      .value = "K",
      .low = 2,
      .high = 128,
-     .help = "give deviation.ply a normal for every point, by its K nearest, towards the removed half; 16 is usual"},
+     .help = "write a normal for every point into deviation.ply, from its K nearest points, towards the removed half; "
+             "16 is usual"},
     {.kind = APP_REAL,
      .name = "tolerance",
      .value = "MM",
      .low = 1e-6,
      .high = 1e6,
-     .help = "end with 5 unless --share of the deviations are within plus or minus this, mm"},
+     .help =
+         "tolerance, mm: the exit code is 5 unless --share percent of the deviations are within plus or minus this"},
     {.kind = APP_REAL,
      .name = "share",
      .value = "PERCENT",
      .low = 0,
      .high = 100,
      .standard = "95",
-     .help = "how many of the deviations must be within --tolerance"},
+     .help = "percentage of the deviations that must be within --tolerance"},
     {.kind = APP_TEXT,
      .name = "bands",
      .value = "LIST",
@@ -361,9 +362,8 @@ static const app_option option[] = {
      .name = "distance",
      .value = "surface|mesh|reconstruction",
      .standard = "surface",
-     .help =
-         "from points to the exact surface, to its triangles (a mesh has only those), or from the reconstructed scan "
-         "to the surface"},
+     .help = "distance from the points to the exact surface or to its triangles (a mesh has only those), or from the "
+             "reconstructed scan to the surface"},
     {.kind = APP_CHOICE,
      .name = "reconstruct",
      .value = "none|field",
@@ -374,7 +374,8 @@ static const app_option option[] = {
      .value = "MM",
      .low = 1e-3,
      .high = 1e6,
-     .help = "how far around it a point speaks for the face, mm; else 1.5, or 2.5 times the points' distance"},
+     .help = "radius around a point within which the face counts as measured, mm; default 1.5, or 2.5 times the point "
+             "spacing if that is more"},
     {.kind = APP_REAL,
      .name = "chord-tolerance",
      .value = "MM",
@@ -387,15 +388,15 @@ static const app_option option[] = {
      .value = "N",
      .low = 1000,
      .high = 100000000,
-     .help = "points held in memory; of more a sample is held, and the files are read twice; else 500000, with "
-             "--reconstruct 2000000"},
+     .help = "points held in memory; of a larger scan a sample is held and the files are read twice; default 500000, "
+             "with --reconstruct 2000000"},
     {.kind = APP_INT,
      .name = "threads",
      .value = "N",
      .low = 1,
      .high = 64,
-     .help = "threads, else as many as there are processors; no result depends on it"},
-    {.kind = APP_FLAG, .name = "flip", .help = "a mesh's triangles face the wrong way: turn them"},
+     .help = "number of threads; default one for each processor. Results do not depend on it"},
+    {.kind = APP_FLAG, .name = "flip", .help = "turn the triangles of a reference mesh that face the wrong way"},
     APP_OPTIONS_OF_ALL,
 };
 
@@ -403,13 +404,12 @@ const app_verb app_verb_compare = {
     .name = "compare",
     .brief = "compare a scan with the simulation: deviations, statistics, report",
     .about =
-        "Measures how far every point of a scan is from the cut face of the lower half, the wire's surface lowered by "
-        "half the kerf; positive where material was left above it. Points beyond the face's border are counted as "
-        "outside, not as deviations.\n"
-        "Writes into DIR: deviation.ply (every point with its deviation), deviation_mesh.ply and .obj (the face, "
-        "coloured), zones.csv, report.html (all of it on one page, for any browser), with --reconstruct "
-        "reconstruction.ply and .stl, and deviation.json, which is written last and lists the files.\n"
-        "Ends with 5 where the deviations are outside --tolerance; the files are written all the same.",
+        "Measures the distance of every point of a scan from the cut face of the lower half, which is the wire's "
+        "surface lowered by half the kerf; positive where material was left. Points beyond the border of the face are "
+        "counted as outside, not as deviations.\nWrites into DIR: deviation.ply (every point with its deviation), "
+        "deviation_mesh.ply and .obj (the face, coloured), zones.csv, report.html (everything on one page, for any "
+        "browser), with --reconstruct reconstruction.ply and .stl, and deviation.json, which is written last and lists "
+        "the files.\nThe exit code is 5 if the deviations are outside --tolerance; the files are written in any case.",
     .operand = operand,
     .option = option,
     .run = compare,

@@ -75,12 +75,14 @@ static int load_job(app_reference *r, double chord_tolerance, bool quiet) {
 static void warn_of_mesh(const app_reference *r, const wcut_mesh_tree_info *info) {
     const bool up = info->area_sum.z > SIDED * info->area, down = info->area_sum.z < -SIDED * info->area;
     if (down && !r->options.flip)
-        app_say("%s: warning: its triangles face down, so positive is below them; --flip turns them", r->path);
-    if (up && r->options.flip) app_say("%s: warning: its triangles faced up; turned, positive is below them", r->path);
+        app_say("%s: warning: the triangles face down, so deviations are positive below them; --flip turns them",
+                r->path);
+    if (up && r->options.flip)
+        app_say("%s: warning: the triangles faced up; after --flip deviations are positive below them", r->path);
     if (info->nonmanifold_edges > 0)
         app_say(
-            "%s: warning: %d edges have three triangles or more, or two wound against each other: the sign is not "
-            "to be trusted near them",
+            "%s: warning: %d edges have three triangles or more, or two wound against each other: the sign of "
+            "deviations is unreliable near them",
             r->path, info->nonmanifold_edges);
 }
 
@@ -104,8 +106,8 @@ int app_reference_base(app_reference *reference, const wcut_surface **surface) {
     wcut_status status = wcut_mesh_base(r->mesh, r->options.flip, &r->base);
     if (status == WCUT_DEGENERATE)
         return app_fail(APP_BAD_INPUT,
-                        "%s: found a mesh that is closed, folds over or is steeper than 84 deg somewhere, expected a "
-                        "sheet over a plane to reconstruct a scan beside it",
+                        "%s: found a mesh that is closed, folds over or is steeper than 84 deg somewhere, expected an "
+                        "open sheet over a plane, as --reconstruct needs it",
                         r->path);
     if (status == WCUT_OK) status = wcut_projection_create(r->base, &r->projection);
     *surface = r->base;

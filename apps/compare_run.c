@@ -36,8 +36,10 @@ static void warn_of_unit(const app_comparison *c) {
     wcut_cloud_unit fit;
     if (wcut_cloud_unit_eval(c->scans.low, c->scans.high, size, &fit) != WCUT_OK || fit.factor == 1) return;
     if (fit.factor > 0)
-        app_say("%s: warning: the scan is %.3g times as large as the face; times %.5g it would fit: another --unit?",
-                c->options.scan[0], fit.ratio, fit.factor);
+        app_say(
+            "%s: warning: the scan is %.3g times as large as the face; multiplied by %.5g it would fit: another "
+            "--unit?",
+            c->options.scan[0], fit.ratio, fit.factor);
     else
         app_say("%s: warning: the scan is %.3g times as large as the face", c->options.scan[0], fit.ratio);
 }

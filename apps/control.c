@@ -59,7 +59,7 @@ static int disturb_by(wcut_rig_options *o, const char *item) {
         if (end == digits || *end || digits[strspn(digits, "0123456789.+-eE")] ||
             !(value >= key[k].low && value <= key[k].high)) {
             char expected[160];
-            snprintf(expected, sizeof expected, "%s:NUMBER with a number in %g .. %g", name, key[k].low, key[k].high);
+            snprintf(expected, sizeof expected, "%s:NUMBER with a number from %g to %g", name, key[k].low, key[k].high);
             return refuse(item, expected);
         }
         *key[k].to = value * key[k].unit;
@@ -67,8 +67,8 @@ static int disturb_by(wcut_rig_options *o, const char *item) {
     }
     const char *near = app_suggest(name, names);
     char expected[120];
-    snprintf(expected, sizeof expected, "KEY:NUMBER with a key of the table in --help%s%s",
-             near ? "; did you mean " : "", near ? near : "");
+    snprintf(expected, sizeof expected, "KEY:NUMBER with a key that --help lists%s%s", near ? "; did you mean " : "",
+             near ? near : "");
     return refuse(item, expected);
 }
 
@@ -241,21 +241,20 @@ static void say_run(const char *name, const wcut_rig_run *run) {
     char end[80] = "";
     if (run->ended != WCUT_CONTROL_STATE_RUN)
         snprintf(end, sizeof end, ", ended by a safe %s", wcut_control_state_name(run->ended));
-    app_say("%s: %.1f s, at most %.0f %% over the target%s", name, run->duration, 100 * run->overshoot, end);
+    app_say("%s: %.1f s, overshoot %.0f %%%s", name, run->duration, 100 * run->overshoot, end);
     if (run->has_steady)
         app_say("  steady phase: mean %.4g N (%+.2f %%), rms error %.2g %%, largest %.2g %%",
                 run->target * (1 + run->steady.mean), 100 * run->steady.mean, 100 * run->steady.rms,
                 100 * run->steady.max);
     if (!run->has_density) return;
     const wcut_rig_figures *f = &run->density;
-    char settled[64] = "never within 5 % to stay";
-    if (f->settled < f->to - f->from) snprintf(settled, sizeof settled, "within 5 %% after %.1f s", f->settled);
-    app_say("  behind the middle of the density step: mean %+.2f %%, largest error %.2g %%, %s", 100 * f->mean,
-            100 * f->max, settled);
+    char settled[64] = "does not settle within 5 %";
+    if (f->settled < f->to - f->from) snprintf(settled, sizeof settled, "settles within 5 %% after %.1f s", f->settled);
+    app_say("  after the density step: mean %+.2f %%, largest error %.2g %%, %s", 100 * f->mean, 100 * f->max, settled);
 }
 
 static void say_summary(const loop *l) {
-    app_say("%s: aimed at %.3g N, foam with %.3g a and %.3g b of the job, density step %.3g", l->job->name,
+    app_say("%s: target %.3g N; foam: a times %.3g, b times %.3g, density step times %.3g", l->job->name,
             l->settings.tension, l->options.law_a, l->options.law_b, l->options.density);
     say_run("with feedback", l->feedback);
     say_run("plan alone", l->plan);
@@ -298,10 +297,13 @@ static const app_option option[] = {
     {.kind = APP_TEXT,
      .name = "disturb",
      .value = "KEY:X,...",
-     .help = "how the rig differs from the job: law-a and law-b (factors), density (factor of a where y is beyond "
-             "density-from mm, half the block), delay and lag (s, 0.05), noise (N, 0.02), angle-noise (deg, 0.05), "
-             "speed-noise (mm/s, 0.1), position-noise (mm, 0.05)"},
-    {.kind = APP_FLAG, .name = "no-feedback", .help = "record the run with the plan alone; both are run and reported"},
+     .help = "how the rig differs from the job. Factors, default 1: law-a, law-b, density (of a, where y is beyond "
+             "density-from mm, default half the block). Times, default 0.05 s: delay of the tension readings, lag of "
+             "the mounts. Standard deviations: noise (tension, 0.02 N), angle-noise (0.05 deg), speed-noise (0.1 "
+             "mm/s), position-noise (0.05 mm)"},
+    {.kind = APP_FLAG,
+     .name = "no-feedback",
+     .help = "record the run with the plan alone; both runs are reported in any case"},
     {.kind = APP_FLAG, .name = "no-excitation", .help = "leave out the job's speed dither and heat steps"},
     {.kind = APP_INT,
      .name = "seed",
@@ -309,56 +311,56 @@ static const app_option option[] = {
      .low = 0,
      .high = 2147483647,
      .standard = "1",
-     .help = "of the sensors' noise"},
+     .help = "seed of the sensors' noise"},
     {.kind = APP_REAL,
      .name = "period",
      .value = "S",
      .low = 1e-3,
      .high = 1,
-     .help = "of the control loop, s; 0.025 where none is given. The recording has 20 samples a second or fewer"},
+     .help = "period of the control loop, s; the recording has at most 20 samples a second; default 0.025"},
     {.kind = APP_REAL,
      .name = "gain",
      .value = "KP",
      .low = 0,
      .high = 100,
-     .help = "proportional, on ln(tension / target); 0.3 where none is given"},
+     .help = "proportional gain on ln(tension / target); default 0.3"},
     {.kind = APP_REAL,
      .name = "integral",
      .value = "KI",
      .low = 0,
      .high = 1000,
-     .help = "integral, 1/s; 1.5 where none is given"},
+     .help = "integral gain, 1/s; default 1.5"},
     {.kind = APP_REAL,
      .name = "filter",
      .value = "S",
      .low = 0,
      .high = 100,
-     .help = "time constant of the tension's low-pass, s; 0.1 where none is given"},
+     .help = "time constant of the low-pass on the tension, s; default 0.1"},
     {.kind = APP_REAL,
      .name = "acceleration",
      .value = "A",
      .low = 1e-3,
      .high = 1e6,
-     .help = "largest of the mounts, mm/s^2; 200 in the loop and 1000 for robots where none is given"},
+     .help = "largest acceleration of a mount, mm/s^2; default 200 in control, 1000 in path"},
     {.kind = APP_REAL,
      .name = "tension-stop",
      .value = "N",
      .low = 1e-6,
      .high = 1e6,
-     .help = "tension of either mount that stops the machine, N; 2.5 times the target where none is given"},
+     .help = "tension of either mount at which the machine stops, N; default 2.5 times the target"},
     APP_OPTIONS_OF_ALL,
 };
 
 const app_verb app_verb_control = {
     .name = "control",
-    .brief = "run a job in closed loop against a disturbed simulation, and record it",
+    .brief = "run a job in closed loop on a disturbed rig in simulation, and record it",
     .about =
-        "Simulates the job, takes its speeds as the plan, and cuts once more against the time-driven simulation with a "
-        "foam, sensors and a machine that differ from the job, with feedback of the measured tension and with the plan "
-        "alone. The controller adds u = gain e + integral of e, e = ln(tension / target), to the exponent b Q / v of "
-        "the force law, in which the tension is linear.\n"
-        "Writes into DIR: recording.csv (what the machine would have recorded), report.html and control.json (tension "
-        "error, overshoot, settling). A safe stop of the recorded run ends with 5.",
+        "Simulates the job and takes its speeds as the plan. Then runs it twice on a rig in simulation whose foam, "
+        "sensors and machine differ from the job: with feedback of the measured tension, and with the plan alone. The "
+        "controller adds u = gain e + integral of e, e = ln(tension / target), to the exponent b Q / v of the force "
+        "law; ln(tension) is linear in it.\nWrites into DIR: recording.csv (what the machine would have recorded), "
+        "report.html and control.json (tension error, overshoot, settling). If the recorded run ends in a safe stop, "
+        "the exit code is 5.",
     .operand = operand,
     .option = option,
     .run = control,

@@ -329,35 +329,34 @@ static const app_option option[] = {
      .value = "N",
      .low = 1,
      .high = 1024,
-     .help = "processors to use, all where none is given; the results are the same for any number"},
+     .help = "number of threads; default one for each processor. Results do not depend on it"},
     {.kind = APP_TEXT,
      .name = "without",
      .value = "EFFECT,...",
-     .help = "effects that are taken out of the library, by their names in files"},
-    {.kind = APP_FLAG, .name = "no-proof", .help = "leave out the forward proof and the black box"},
-    {.kind = APP_FLAG, .name = "naive", .help = "run plain least squares beside it, to see what that would name"},
+     .help = "effects to leave out of the library, by their names in job files"},
+    {.kind = APP_FLAG, .name = "no-proof", .help = "do not run the prediction of held-out cuts and the black box"},
+    {.kind = APP_FLAG, .name = "naive", .help = "also run plain least squares, to show which effect it would name"},
     {.kind = APP_INT,
      .name = "seed",
      .value = "N",
      .low = 0,
      .high = 2147483647,
      .standard = "1",
-     .help = "of the simulated nulls"},
+     .help = "seed of the simulated noise"},
     APP_OPTIONS_OF_ALL,
 };
 
 const app_verb app_verb_diagnose = {
     .name = "diagnose",
-    .brief = "what explains the difference between recordings, scans and simulation of a case",
+    .brief = "explain the difference between recordings, scans and simulation of a case",
     .about =
-        "Recalibrates what may be mis-set (a, b, the wire's length), locates what is left beyond noise, tries every "
-        "effect of physics and of instruments and every pair of them, and decides: physics, instrument, both, none, "
-        "ambiguous or unknown. Every name is held against cuts that were not fitted.\n"
-        "Writes into DIR: diagnosis.json, report.html, job-improved.json (the first cut's job, recalibrated, with the "
-        "effects found) and, where another cut would tell more, next-experiment.json. The verdict and a table go to "
-        "standard output.\n"
-        "A file that cannot be read is reported, and the diagnosis goes on with what there is; the command then ends "
-        "with the exit code of the first such file. Interrupted, it leaves what was found up to then, marked.",
+        "Recalibrates a, b and the wire's length, locates the mismatch that exceeds noise, fits every effect of "
+        "physics and of instruments and every pair of them, and decides: physics, instrument, both, none, ambiguous or "
+        "unknown. An effect is named only if it improves the prediction of cuts that were not fitted.\nWrites into "
+        "DIR: diagnosis.json, report.html, job-improved.json (the first cut's job, recalibrated, with the effects "
+        "found) and, where another cut would tell more, next-experiment.json. The verdict and a table go to standard "
+        "output.\nA file that cannot be read is reported and left out; the command then ends with the exit code of the "
+        "first such file. An interrupted diagnosis writes what was found until then, marked as incomplete.",
     .operand = operand,
     .option = option,
     .run = diagnose,

@@ -57,7 +57,7 @@ static void print_option(FILE *out, const app_option *o) {
     char letter[] = {'-', o->letter, ',', ' ', 0};
     snprintf(name, sizeof name, "%s--%s%s%s", o->letter ? letter : "    ", o->name, o->value ? " " : "",
              o->value ? o->value : "");
-    if (o->kind == APP_INT || o->kind == APP_REAL) snprintf(range, sizeof range, ", %.12g to %.12g", o->low, o->high);
+    if (o->kind == APP_INT || o->kind == APP_REAL) snprintf(range, sizeof range, " (%.12g to %.12g)", o->low, o->high);
     snprintf(help, sizeof help, "%s%s%s%s%s", o->help, range, o->standard ? "; default " : "",
              o->standard ? o->standard : "", o->required ? "; required" : "");
     print_entry(out, name, help);

@@ -61,7 +61,7 @@ static double step_of(const wcut_job *job) {
 
 static void say_summary(const identification *x) {
     for (int k = 0; k < x->count; k++)
-        app_say("%s: %s: speed dithered by up to %.1f %%, %d heater steps of %.1f %%", x->name[k], x->cut[k]->name,
+        app_say("%s: %s: speed varied by up to %.1f %%, %d heater steps of %.1f %%", x->name[k], x->cut[k]->name,
                 100 * dither_of(x->cut[k]), x->cut[k]->heat_step_count, 100 * step_of(x->cut[k]));
     app_say("in %s: %s", x->results.folder, app_results_list(&x->results));
 }
@@ -104,21 +104,21 @@ static const app_option option[] = {
      .low = 0,
      .high = 2147483647,
      .standard = "1",
-     .help = "of periods, phases and steps"},
+     .help = "seed of periods, phases and steps"},
     APP_OPTIONS_OF_ALL,
 };
 
 const app_verb app_verb_identify = {
     .name = "identify",
-    .brief = "make identification cuts from a job: a dithered speed and heater steps",
+    .brief = "make identification cuts from a job: varied speed and heater steps",
     .about =
-        "Ordinary cuts cannot tell a lag of the wire from one of a sensor, nor either from a rate dependence: speed, "
-        "heat, time and place go together in them. An identification cut is the same cut with three sines on the speed "
+        "Ordinary cuts cannot separate a lag of the wire, a lag of a sensor and a dependence on speed: speed, heat, "
+        "time and place change together in them. An identification cut is the same cut with three sines on the speed "
         "(4 to 5.5 % each, 3 to 12 s) and steps of the heater (10 %, 6 to 14 s). The second one is run backwards where "
-        "the path allows it, so that what lies in the block is told from what comes with time.\n"
-        "Writes into DIR: identification-1.json and so on, jobs with \"excitation\". The programme is as strong as the "
-        "job's speed limits allow, and keeps the tension below twice its target without any feedback. Cut them, put "
-        "their recordings into the case, and run wirecut diagnose.",
+        "the path allows it, which separates effects of the place in the block from effects of time.\nWrites into DIR: "
+        "identification-1.json and so on, jobs with \"excitation\". The amplitudes are as large as the job's speed "
+        "limits allow and keep the tension below twice its target without feedback. Make these cuts, add their "
+        "recordings to the case, and run wirecut diagnose.",
     .operand = operand,
     .option = option,
     .run = identify,

@@ -18,10 +18,10 @@ const app_verb *const app_verbs[] = {APP_VERB_LIST(APP_VERB_ENTRY) NULL};
 static const app_operand no_operand[] = {{.name = NULL}};
 
 static const app_option self_option[] = {
-    {.kind = APP_FLAG, .name = "version", .letter = 'V', .help = "the version of the library that runs"},
-    {.kind = APP_FLAG, .name = "json-usage", .help = "verbs, options and exit codes as JSON"},
-    {.kind = APP_FLAG, .name = "man", .help = "the manual page: wirecut --man | man -l -"},
-    {.kind = APP_FLAG, .name = "completion", .help = "completion for bash: eval \"$(wirecut --completion)\""},
+    {.kind = APP_FLAG, .name = "version", .letter = 'V', .help = "print the version of the library"},
+    {.kind = APP_FLAG, .name = "json-usage", .help = "print verbs, options and exit codes as JSON"},
+    {.kind = APP_FLAG, .name = "man", .help = "print the manual page: wirecut --man | man -l -"},
+    {.kind = APP_FLAG, .name = "completion", .help = "print the completion for bash: eval \"$(wirecut --completion)\""},
     APP_OPTION_HELP,
     {.kind = APP_END},
 };
@@ -42,10 +42,10 @@ static int run_self(const app_call *call) {
 
 const app_verb app_self = {
     .name = "",
-    .brief = "spatial hot-wire cutting: simulation, surfaces, comparison",
+    .brief = "spatial hot-wire cutting: simulation, moulds, robot programs, comparison, diagnosis",
     .about =
-        "Words and progress go to standard error, a result alone to standard output. Lengths are mm, times s, forces "
-        "N, heat W/m, angles deg. Files appear whole or not at all.",
+        "Messages and progress go to standard error, results to standard output. Lengths are mm, times s, forces N, "
+        "heat W/m, angles deg. Files appear whole or not at all.",
     .operand = no_operand,
     .option = self_option,
     .run = run_self,
@@ -101,7 +101,7 @@ static int close_output(int code) {
     int cause = errno;
     if (close(STDOUT_FILENO) != 0) bad = true, cause = errno;
     if (!bad) return code;
-    app_fail(APP_NOT_WRITTEN, "standard output: not wholly written: %s", strerror(cause));
+    app_fail(APP_NOT_WRITTEN, "standard output: not written completely: %s", strerror(cause));
     return code == APP_DONE ? APP_NOT_WRITTEN : code;
 }
 

@@ -40,7 +40,7 @@ static void print_option(FILE *out, const app_option *o) {
     }
     fputc('\n', out);
     roff(out, o->help);
-    if (o->kind == APP_INT || o->kind == APP_REAL) fprintf(out, ", %.12g to %.12g", o->low, o->high);
+    if (o->kind == APP_INT || o->kind == APP_REAL) fprintf(out, " (%.12g to %.12g)", o->low, o->high);
     if (o->standard) {
         fputs("; default ", out);
         roff(out, o->standard);

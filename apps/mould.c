@@ -141,7 +141,8 @@ static int divide(moulding *m) {
         const wcut_status status = wcut_keys_at_corners(m->job->block_size, app_real(m->call, "key-radius"),
                                                         keys == 1 ? -height : height, key);
         if (status != WCUT_OK)
-            return app_fail(APP_USAGE, "--key-height: a key of that radius ends in a point before that height");
+            return app_fail(APP_USAGE,
+                            "--key-height: a key of that radius is lower, because its flanks meet in a point");
         o.key = key, o.key_count = WCUT_KEYS_AT_CORNERS;
     }
     const wcut_status status = wcut_mould_create(m->surface, m->job->block_size, &o, &m->mould, &error);
@@ -251,9 +252,9 @@ static void say_mould(const moulding *m) {
     const wcut_mould *d = m->mould;
     say_half("lower", &d->lower.report);
     say_half("upper", &d->upper.report);
-    app_say("halves and kerf are the block to %.1e of its volume", d->volume_error);
+    app_say("volumes of halves and kerf make the block, relative error %.1e", d->volume_error);
     if (isfinite(d->radius_min))
-        app_say("%sthe cut's least radius is %.4g mm, at (%.4g, %.4g, %.4g); the wire's is %.4g mm",
+        app_say("%ssmallest radius of the cut %.4g mm, at (%.4g, %.4g, %.4g); radius of the wire %.4g mm",
                 d->radius_min < d->wire_radius ? "warning: " : "", d->radius_min, d->radius_place.x, d->radius_place.y,
                 d->radius_place.z, d->wire_radius);
     if (d->prolonged_entry > 0 || d->prolonged_exit > 0 || d->prolonged_side > 0)
@@ -262,9 +263,9 @@ static void say_mould(const moulding *m) {
             "ends",
             d->prolonged_entry, d->prolonged_exit, d->prolonged_side);
     if (d->by_boolean)
-        app_say("no STEP files%s: %s, the halves are triangles alone",
+        app_say("no STEP files%s: the halves are triangle meshes, because %s",
                 app_given(m->call, "iges") ? ", no IGES file" : "",
-                m->stock ? "of a stock" : "the cut leaves through top or bottom");
+                m->stock ? "a stock was cut" : "the cut leaves through top or bottom");
     app_say("in %s: %s", m->results.folder, app_results_list(&m->results));
 }
 
@@ -279,15 +280,15 @@ static int give(const moulding *m) {
     for (int k = 0; k < 2; k++) {
         const char *name = k ? "upper" : "lower";
         if (!half[k]->wall_held && !isfinite(half[k]->wall_min))
-            return app_fail(APP_OUTSIDE,
-                            "the %s half's wall is not known, for it was made by booleans; asked for were "
-                            "%.4g mm",
-                            name, m->mould->wall_asked);
+            return app_fail(
+                APP_OUTSIDE,
+                "%s half: the wall is not known, because the half was made by booleans; expected at least %.4g mm",
+                name, m->mould->wall_asked);
         if (!half[k]->wall_held)
-            return app_fail(APP_OUTSIDE, "the %s half's wall is %.4g mm, asked for were %.4g mm", name,
+            return app_fail(APP_OUTSIDE, "%s half: found a wall of %.4g mm, expected at least %.4g mm", name,
                             half[k]->wall_min, m->mould->wall_asked);
         if (!half[k]->draft_held)
-            return app_fail(APP_OUTSIDE, "the %s half's draft is %.4g deg, asked for were %.4g deg", name,
+            return app_fail(APP_OUTSIDE, "%s half: found a draft of %.4g deg, expected at least %.4g deg", name,
                             WCUT_DEG_PER_RAD * half[k]->draft_min, WCUT_DEG_PER_RAD * m->mould->draft_asked);
     }
     return APP_DONE;
@@ -332,13 +333,13 @@ static const app_option option[] = {
      .value = "N",
      .low = 2,
      .high = 1000000,
-     .help = "stations along the path instead of the job's"},
+     .help = "number of stations along the path, in place of the job's"},
     {.kind = APP_INT,
      .name = "nodes",
      .value = "N",
      .low = 3,
      .high = 100000,
-     .help = "nodes along the wire instead of the job's"},
+     .help = "number of nodes along the wire, in place of the job's"},
     {.kind = APP_REAL,
      .name = "chord-tolerance",
      .value = "MM",
@@ -359,17 +360,20 @@ static const app_option option[] = {
      .low = 0,
      .high = 1e6,
      .standard = "100",
-     .help = "how far the cut may be continued straight where it ends inside the block, mm"},
+     .help = "longest straight continuation of a cut that ends inside the block, mm"},
     {.kind = APP_FILE,
      .name = "edges",
      .value = "FILE",
-     .help = "two curves of a STEP, IGES, JSON or CSV file in the place of a design's edges"},
-    {.kind = APP_FILE, .name = "stock", .value = "MESH", .help = "a closed mesh inside the block, cut in its place"},
+     .help = "STEP, IGES, JSON or CSV file with two curves, which replace the edges of a design"},
+    {.kind = APP_FILE,
+     .name = "stock",
+     .value = "MESH",
+     .help = "closed mesh inside the block, which is cut in its place"},
     {.kind = APP_CHOICE,
      .name = "keys",
      .value = "none|pockets|cones",
      .standard = "none",
-     .help = "registration keys on the faces that are not cut: three each, near the corners"},
+     .help = "registration keys on the uncut face of each half: three, near the corners"},
     {.kind = APP_REAL,
      .name = "key-radius",
      .value = "MM",
@@ -383,43 +387,43 @@ static const app_option option[] = {
      .low = 0.1,
      .high = 1e4,
      .standard = "12",
-     .help = "height of a cone or depth of a pocket, mm; flanks lean by 20 deg"},
+     .help = "height of a cone or depth of a pocket, mm; its flanks are inclined by 20 deg"},
     {.kind = APP_REAL,
      .name = "scale",
      .value = "FACTOR",
      .low = 0.5,
      .high = 2,
      .standard = "1",
-     .help = "size of the halves, to allow for the shrinkage of what is cast"},
+     .help = "scale factor of the halves, for the shrinkage of the casting"},
     {.kind = APP_REAL,
      .name = "minimum-wall",
      .value = "MM",
      .low = 0,
      .high = 1e6,
      .standard = "0",
-     .help = "least thickness of a half behind the cut face, mm; where it is less the command ends with 5"},
+     .help = "least wall of a half, mm; if a wall is thinner the exit code is 5"},
     {.kind = APP_REAL,
      .name = "minimum-draft",
      .value = "DEG",
      .low = -90,
      .high = 90,
-     .help = "least angle between cut face and pull; where it is less the command ends with 5"},
+     .help = "least angle between cut face and pull, deg; if an angle is smaller the exit code is 5"},
     {.kind = APP_TEXT,
      .name = "pull",
      .value = "X,Y,Z",
      .standard = "0,0,1",
-     .help = "direction in which what is cast leaves the lower half, for draft and undercut; the upper half's is "
-             "opposite"},
+     .help =
+         "direction in which the casting leaves the lower half, for draft and undercut; opposite for the upper half"},
     {.kind = APP_CHOICE,
      .name = "step-schema",
      .value = "ap214|ap242",
      .standard = "ap214",
      .help = "application protocol of the STEP files"},
-    {.kind = APP_FLAG, .name = "iges", .help = "the exact cut faces as cut.igs too, IGES 5.3 type 128"},
+    {.kind = APP_FLAG, .name = "iges", .help = "also write the exact cut faces as cut.igs, IGES 5.3 type 128"},
     {.kind = APP_TEXT,
      .name = "label",
      .value = "NAME",
-     .help = "begins the names of files and solids instead of the job's name"},
+     .help = "prefix of the file names, and name of the solids in place of the job's"},
     APP_OPTIONS_OF_ALL,
 };
 
@@ -427,17 +431,16 @@ const app_verb app_verb_mould = {
     .name = "mould",
     .brief = "divide a job's block along its cut into two closed solids",
     .about =
-        "Cuts a job in simulation and divides its block along the surface, with the job's kerf. Writes into DIR the "
+        "Simulates the cut of a job and divides its block along the surface, with the job's kerf. Writes into DIR the "
         "lower and the upper half, each as lower.stl, .obj, .ply, .3mf and .step (a closed solid of exact faces), "
-        "mould.3mf (both), report.html (both to turn, with their drafts) and mould.json: volumes, walls, drafts, and "
-        "the proof that both are closed, oriented and free of self-intersections.\n"
-        "A wall is the least distance, in any direction, from the cut face to the face opposite and to pockets in it, "
-        "and to a side of the block that the cut face turns to by 45 deg or more. How sharp the edges are in which it "
-        "meets the sides is said beside it.\n"
-        "Where the cut leaves through top or bottom, and for a stock, halves come from booleans: triangles alone, no "
-        "STEP, and mould.json says so. A cut that misses the block, grazes a face, runs along an edge, folds over "
-        "itself or ends inside is refused with its place.\n"
-        "Rhino opens the STEP files; 3DM is not written: its one library is neither in Debian nor for C.",
+        "mould.3mf (both), report.html (both in 3-D, with their drafts) and mould.json: volumes, walls, drafts, and "
+        "whether both are closed, oriented and free of self-intersections.\nThe wall is the least distance, in any "
+        "direction, from the cut face to the opposite face, to pockets in it, and to a side of the block that the cut "
+        "face is inclined towards by 45 deg or more. The least angle of the edges between cut face and sides is "
+        "reported too.\nWhere the cut leaves through the top or the bottom, and for a stock, the halves are made by "
+        "mesh booleans: triangles without STEP files; mould.json says so. A cut that misses the block, grazes a face, "
+        "runs along an edge, folds over itself or ends inside is an error, with its place.\n3DM is not written; Rhino "
+        "opens the STEP files.",
     .operand = operand,
     .option = option,
     .run = mould,

@@ -94,7 +94,7 @@ static int check_limits(export_ *e) {
     choose(e->call, "beta", WCUT_RAD_PER_DEG, &l.beta);
     wcut_status status = wcut_robot_limits_check(e->job, e->history, e->mount_a, e->mount_b, &l, e->check);
     if (status != WCUT_OK)
-        return app_fail(app_exit_code(status), "%s: limits: expected a wire that stays below 3000 degC", e->path);
+        return app_fail(app_exit_code(status), "%s: limits: the wire exceeds 3000 degC, expected less", e->path);
     int over = 0;
     for (int i = 0; i < WCUT_ROBOT_CHECKS; i++) over += e->check[i].over;
     if (over == 0 || !app_given(e->call, "strict")) return APP_DONE;
@@ -144,22 +144,20 @@ static int print_json(const export_ *e) {
 
 static void say_summary(const export_ *e) {
     const wcut_robot_motion *m = e->motion;
-    app_say("%s: %d targets of %d stations, %.1f s; off the path by at most %.2g mm, along it by %.2g mm", e->job->name,
-            m->count, m->stations, m->duration, m->chord_error, m->time_error);
+    app_say("%s: %d targets of %d stations, %.1f s; error across the path at most %.2g mm, along it %.2g mm",
+            e->job->name, m->count, m->stations, m->duration, m->chord_error, m->time_error);
     for (int k = 0; k < 2; k++) {
         const wcut_path_near *n = &e->near[k];
         const char *mount = k ? "B" : "A";
         if (n->distance > 0)
-            app_say(
-                "mount %s keeps %.4g mm from the block along its whole path, nearest at station %.4g, (%.4g, %.4g, "
-                "%.4g) mm",
-                mount, n->distance, n->station, n->place.x, n->place.y, n->place.z);
+            app_say("mount %s: least distance from the block %.4g mm, at station %.4g, (%.4g, %.4g, %.4g) mm", mount,
+                    n->distance, n->station, n->place.x, n->place.y, n->place.z);
         else
             app_say("warning: mount %s touches the block at station %.4g, (%.4g, %.4g, %.4g) mm", mount, n->station,
                     n->place.x, n->place.y, n->place.z);
         if (n->distance > 0 && n->distance < e->job->clearance - CLEARANCE_MM)
-            app_say("warning: mount %s: %.4g mm from the block, asked for were %.4g mm", mount, n->distance,
-                    e->job->clearance);
+            app_say("warning: mount %s comes within %.4g mm of the block; the job's clearance is %.4g mm", mount,
+                    n->distance, e->job->clearance);
     }
     for (int i = 0; i < WCUT_ROBOT_CHECKS; i++) {
         const wcut_robot_check *c = &e->check[i];
@@ -206,16 +204,16 @@ static const app_option option[] = {
      .letter = 'o',
      .value = "DIR",
      .standard = ".",
-     .help = "folder for the programs, created where there is none"},
+     .help = "folder for the programs; it is created if missing"},
     {.kind = APP_CHOICE,
      .name = "format",
      .required = true,
      .value = "urscript|rapid|krl|csv|json",
-     .help = "Universal Robots, ABB with MultiMove, KUKA: a program each; one table; one object"},
+     .help = "two programs for Universal Robots, ABB MultiMove or KUKA; one table; one JSON object"},
     {.kind = APP_FILE,
      .name = "edges",
      .value = "FILE",
-     .help = "two curves of a STEP, IGES, JSON or CSV file in the place of a design's edges"},
+     .help = "STEP, IGES, JSON or CSV file with two curves, which replace the edges of a design"},
     {.kind = APP_REAL,
      .name = "chord-tolerance",
      .value = "MM",
@@ -229,90 +227,92 @@ static const app_option option[] = {
      .low = 1e-4,
      .high = 1e3,
      .standard = "1",
-     .help = "largest way between a mount and where it would be at that moment, mm"},
+     .help = "largest error of a mount along its path at any time, mm"},
     {.kind = APP_REAL,
      .name = "lead-in",
      .value = "MM",
      .low = 0,
      .high = 1e4,
      .standard = "0",
-     .help = "both mounts begin so far before the path, against the feed"},
+     .help = "length of a straight lead-in before the path, against the feed, mm"},
     {.kind = APP_REAL,
      .name = "lead-out",
      .value = "MM",
      .low = 0,
      .high = 1e4,
      .standard = "0",
-     .help = "both mounts go on so far behind the path"},
+     .help = "length of a straight lead-out after the path, mm"},
     {.kind = APP_REAL,
      .name = "zone",
      .value = "MM",
      .low = 0,
      .high = 1e3,
      .standard = "1",
-     .help = "blend radius at a target, cut to 2/5 of the shorter move beside it"},
+     .help = "blend radius at a target, mm, limited to 2/5 of the shorter adjacent move"},
     {.kind = APP_CHOICE,
      .name = "tool-frame",
      .value = "fixed|following",
      .standard = "fixed",
-     .help = "fixed: along x, the head's own axes give way; following: along the wire, by the simulated angles"},
+     .help = "orientation of the tool. fixed: along x, the Cardan head takes up the angles; following: along the wire, "
+             "by the simulated angles"},
     {.kind = APP_TEXT,
      .name = "wire-on",
      .value = "NAME",
-     .help = "procedure that robot A calls at its first target; wire_on"},
-    {.kind = APP_TEXT, .name = "wire-off", .value = "NAME", .help = "procedure that it calls after its last; wire_off"},
+     .help = "procedure that robot A calls at its first target; default wire_on"},
+    {.kind = APP_TEXT,
+     .name = "wire-off",
+     .value = "NAME",
+     .help = "procedure that robot A calls after its last target; default wire_off"},
     {.kind = APP_INT,
      .name = "sync-io",
      .value = "N",
      .low = 0,
      .high = 255,
      .standard = "1",
-     .help = "output of either robot that is this input of the other (urscript, krl)"},
+     .help = "digital output of each robot that is wired to the same input of the other (urscript, krl)"},
     {.kind = APP_REAL,
      .name = "speed",
      .value = "V",
      .low = 1e-3,
      .high = 1e5,
-     .help = "largest of a mount, mm/s; the job's speed_max where none is given"},
+     .help = "largest speed of a mount, mm/s; default the job's speed_max"},
     {.kind = APP_REAL,
      .name = "acceleration",
      .value = "A",
      .low = 1e-3,
      .high = 1e6,
-     .help = "largest of the mounts, mm/s^2; 200 in the loop and 1000 for robots where none is given"},
+     .help = "largest acceleration of a mount, mm/s^2; default 200 in control, 1000 in path"},
     {.kind = APP_REAL,
      .name = "alpha",
-     .value = "WCUT_DEG_PER_RAD",
+     .value = "DEG",
      .low = 0.1,
      .high = 90,
      .standard = "60",
-     .help = "largest of the head, deg"},
+     .help = "largest alpha of the head, deg"},
     {.kind = APP_REAL,
      .name = "beta",
-     .value = "WCUT_DEG_PER_RAD",
+     .value = "DEG",
      .low = 0.1,
      .high = 90,
      .standard = "30",
-     .help = "largest of the head, deg"},
+     .help = "largest beta of the head, deg"},
     {.kind = APP_FLAG,
      .name = "strict",
-     .help = "a limit that is exceeded is an error: nothing is written, and it ends with 5"},
+     .help = "treat an exceeded limit as an error: nothing is written, the exit code is 5"},
     APP_OPTIONS_OF_ALL,
 };
 
 const app_verb app_verb_path = {
     .name = "path",
-    .brief = "robot programs for a job: two synchronised robots",
+    .brief = "write the programs of two synchronised robots for a job",
     .about =
-        "Simulates the job and writes the motion of both mounts for two robots that reach every target together, "
-        "thinned to a chord tolerance in space and a tolerance in time.\n"
-        "urscript and krl: wirecut_a.* and wirecut_b.*, started together by an output of either wired to an input of "
-        "the other, then keeping the time or the speed of every move. rapid: two modules for MultiMove, moves of one "
-        "ID "
-        "end together. csv: robot.csv; json: robot.json.\n"
-        "Mount speeds and accelerations, the angles of the Cardan head, and the wire's heat in still air and its "
-        "stress "
-        "are held against limits, and what is over is said with numbers.",
+        "Simulates the job and writes the motion of both mounts as programs for two robots that reach every target "
+        "together. Stations are left out as long as the error stays within a tolerance across the path and one along "
+        "it.\nurscript and krl: wirecut_a.* and wirecut_b.*, started together by a digital output of each robot that "
+        "is wired to an input of the other; after that each keeps the time or the speed of its moves. rapid: two "
+        "modules for MultiMove, moves with the same ID end together. csv: robot.csv; json: robot.json.\nMount speeds "
+        "and accelerations, the angles of the Cardan head, and the wire's heat in still air and its stress are "
+        "compared with limits; exceeded limits are reported.",
     .operand = operand,
     .option = option,
     .run = path,

@@ -77,9 +77,10 @@ static int list_cases(scoring *s) {
 static int list_recordings(scoring *s) {
     s->cuts = s->call->operand_count - 1;
     if (s->cuts == 0)
-        return app_fail(APP_USAGE,
-                        "%s: found a job alone, expected its recordings behind it (see wirecut score --help)",
-                        s->call->operand[0]);
+        return app_fail(
+            APP_USAGE,
+            "%s: found a job without recordings, expected JOB.json RECORDING.csv... (see wirecut score --help)",
+            s->call->operand[0]);
     s->trial = calloc((size_t)s->cuts, sizeof *s->trial);
     if (!s->trial) return fail_memory();
     for (int i = 0; i < s->cuts; i++)
@@ -292,7 +293,7 @@ static void say_samples(const scoring *s) {
     if (failed + unplanned + standing > 0)
         app_say(
             "samples without a prediction: %d where the replay did not converge, %d beyond the plan, %d where the "
-            "mounts stood",
+            "mounts stood still",
             failed, unplanned, standing);
 }
 
@@ -353,7 +354,7 @@ static int score(const app_call *call) {
             code = write_results(&s);
             if (code == APP_DONE) code = give_summary(&s);
         } else {
-            app_say("none of %d cuts could be scored: nothing is written", s.cuts);
+            app_say("none of %d cuts could be scored: nothing was written", s.cuts);
             code = app_results_prune(&s.results, result_name);
         }
     }
@@ -378,50 +379,50 @@ static const app_option option[] = {
      .name = "motion",
      .value = "station|position",
      .standard = "station",
-     .help = "what drives the replay: the job's path at the recorded station, or the measured mounts a_x_mm .. b_z_mm"},
+     .help = "motion of the replay: the job's path at the recorded station, or the measured mount positions a_x_mm .. "
+             "b_z_mm"},
     {.kind = APP_REAL,
      .name = "window",
      .value = "S",
      .low = 0,
      .high = 60,
      .standard = "0.5",
-     .help = "seconds over which the motion is smoothed before it is replayed; 0: as recorded"},
+     .help = "width of the window in which the motion is smoothed before the replay, s; 0: as recorded"},
     {.kind = APP_REAL,
      .name = "settle",
      .value = "S",
      .low = 0,
      .high = 1e6,
      .standard = "2",
-     .help = "seconds left out after the first contact of the plan, where measured data oscillate"},
+     .help = "time left out after the plan's first contact, where measured data oscillate, s"},
     {.kind = APP_REAL,
      .name = "leave",
      .value = "S",
      .low = 0,
      .high = 1e6,
      .standard = "1",
-     .help = "seconds left out before the wire leaves the block"},
+     .help = "time left out before the wire leaves the block, s"},
     {.kind = APP_INT,
      .name = "nodes",
      .value = "N",
      .low = 3,
      .high = 100000,
-     .help = "nodes along the wire instead of the job's"},
+     .help = "number of nodes along the wire, in place of the job's"},
     APP_OPTIONS_OF_ALL,
 };
 
 const app_verb app_verb_score = {
     .name = "score",
-    .brief = "recordings beside two predictions: RMSD, NRMSD, bias",
+    .brief = "compare recordings with two predictions: RMSD, NRMSD, bias",
     .about =
-        "Predicts every recording twice: planned, from the job alone, and replayed, with the recorded motion driving "
-        "the wire (there the speed is an input, and is not scored). Writes into DIR: score.json (RMSD, NRMSD over the "
-        "range of the measured data, RMSE over range, bias, correlation, by channel and phase), residuals.csv (a row a "
-        "sample) and report.html.\n"
-        "NRMSD is blind to a bias; RMSE over range is not. A phase's figures are over the range of the whole cut. A "
-        "residual is measured less predicted.\n"
-        "A cut that cannot be scored is reported, and the others are scored all the same; the command then ends with "
-        "the exit code of the first such cut. A sample at which the replay does not converge has no prediction, and "
-        "is counted. A planned run leaves a job's excitation out.",
+        "Predicts every recording twice. Planned: from the job alone. Replayed: the wire is driven by the recorded "
+        "motion; the speed is an input there and is not scored. Writes into DIR: score.json (RMSD, NRMSD over the "
+        "range of the measured data, RMSE over range, bias, correlation, by channel and phase), residuals.csv (one row "
+        "a sample) and report.html.\nNRMSD is blind to a bias; RMSE over range is not. The figures of a phase are "
+        "divided by the range of the whole cut. A residual is the measured less the predicted value.\nA cut that "
+        "cannot be scored is reported and the others are scored; the command then ends with the exit code of the first "
+        "such cut. Samples at which the replay does not converge have no prediction; their number is reported. The "
+        "planned run leaves out the job's excitation.",
     .operand = operand,
     .option = option,
     .run = score,

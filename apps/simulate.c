@@ -205,8 +205,8 @@ static void say_effects(const wcut_job *job) {
     for (int k = 0; k < job->effect_count; k++) {
         const wcut_effect_info *info = wcut_effect_view(job->effect[k].kind);
         if (info->place == WCUT_EFFECT_PLACE_STEP || wcut_effect_is_neutral(&job->effect[k])) continue;
-        app_say("note: %s acts on %s, not on the wire: nothing here shows it", info->name,
-                info->place == WCUT_EFFECT_PLACE_SENSOR ? "what is recorded" : "what is scanned");
+        app_say("note: %s acts on %s, not on the wire: these results do not show it", info->name,
+                info->place == WCUT_EFFECT_PLACE_SENSOR ? "recordings" : "the scanned face or its scan");
     }
 }
 
@@ -216,7 +216,7 @@ static int say_summary(const simulation *s) {
     if (status != WCUT_OK) return app_fail_status(status, s->path, NULL);
     app_say("%s: %d of %d stations, %.1f s of cutting at %.3g to %.3g mm/s", s->job->name, s->history->stations,
             s->history->planned, sum.duration, sum.speed.min, sum.speed.max);
-    app_say("worst residual %.1e, %.1f iterations a station", sum.residual_max, sum.iterations_mean);
+    app_say("largest residual %.1e, %.1f iterations per station", sum.residual_max, sum.iterations_mean);
     say_effects(s->job);
     app_say("in %s: %s", s->results.folder, app_results_list(&s->results));
     return APP_DONE;
@@ -267,19 +267,19 @@ static const app_option option[] = {
      .value = "implicit|heun",
      .standard = "implicit",
      .help = "implicit: shape, tensions and rate solved together; heun: the scheme of Rust et al. 2016, (9)-(11), "
-             "unstable where stations lie close, for comparison"},
+             "unstable for short steps, kept for comparison"},
     {.kind = APP_INT,
      .name = "stations",
      .value = "N",
      .low = 2,
      .high = 1000000,
-     .help = "stations along the path instead of the job's"},
+     .help = "number of stations along the path, in place of the job's"},
     {.kind = APP_INT,
      .name = "nodes",
      .value = "N",
      .low = 3,
      .high = 100000,
-     .help = "nodes along the wire instead of the job's"},
+     .help = "number of nodes along the wire, in place of the job's"},
     {.kind = APP_REAL,
      .name = "chord-tolerance",
      .value = "MM",
@@ -292,15 +292,14 @@ static const app_option option[] = {
 
 const app_verb app_verb_simulate = {
     .name = "simulate",
-    .brief = "cut a job in simulation: history, surface, path curves",
+    .brief = "simulate the cut of a job: history, surface, path curves",
     .about =
-        "Advances the wire of a job from station to station and writes into DIR: history.vtp (every station's nodes, "
+        "Simulates the cut of a job, station by station, and writes into DIR: history.vtp (every station's nodes, "
         "forces, speeds and tensions, for ParaView), surface.stl, surface.obj, surface.ply and surface.glb (the "
-        "surface "
-        "lofted through the stations; force as vertex colour and scalar), path.csv (both mounts' path curves), "
-        "surface.step (surface and path curves, exactly, for CAD), report.html "
-        "(all of it on one page, for any browser) and summary.json, which is written last and lists the files.\n"
-        "A cut that cannot be solved to its end, or is interrupted, leaves the files of what was cut up to there.",
+        "surface lofted through the stations; force as vertex colour and scalar), path.csv (both mounts' path curves), "
+        "surface.step (exact surface and path curves, for CAD), report.html (everything on one page, for any browser) "
+        "and summary.json, which is written last and lists the files.\nIf the cut cannot be solved to its end, or is "
+        "interrupted, the files hold the stations up to there.",
     .operand = operand,
     .option = option,
     .run = simulate,

@@ -44,7 +44,7 @@ what_is() {
         surface.glb) echo "the cut surface for a viewer in the browser" ;;
         surface.step) echo "the cut surface and the path curves, exactly, for CAD" ;;
         path.csv) echo "the robot path: both mounts' positions, speeds, angles and tensions, a row a station" ;;
-        report.html) echo "all of it on one page: open it in any browser" ;;
+        report.html) echo "everything on one page: open it in any browser" ;;
         summary.json) echo "how the run went: stations, iterations, residuals, files" ;;
         *) echo "also written" ;;
     esac

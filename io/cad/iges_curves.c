@@ -14,7 +14,8 @@ static const double TURN = 6.283185307179586;
 static const double INCREDIBLE = 1e12; /* [mm] */
 
 static wcut_curve *refuse_data(wcut_iges *f, const wcut_iges_entry *e) {
-    wcut_curves_refuse(f->reader, "line %d: found too few or other values than its kind has", e->at + 1);
+    wcut_curves_refuse(f->reader, "line %d: found too few values, or values of another kind, for this entity",
+                       e->at + 1);
     return NULL;
 }
 

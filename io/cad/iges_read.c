@@ -40,7 +40,7 @@ static bool find_sections(wcut_iges *f) {
     f->data = section_end(f, f->directory, 'D');
     f->end = section_end(f, f->data, 'P');
     if (f->global == 0 || f->directory == f->global || f->end >= f->lines || f->line[f->end][72] != 'T')
-        return wcut_curves_refuse(f->reader, "line %d: found no section in its order, expected S, G, D, P and T",
+        return wcut_curves_refuse(f->reader, "line %d: found a section out of order, expected S, G, D, P, T",
                                   f->end + 1);
     if ((f->data - f->directory) % 2 != 0)
         return wcut_curves_refuse(f->reader, "found an odd number of directory lines, expected pairs");
@@ -159,7 +159,7 @@ bool wcut_iges_find(wcut_iges *f, int at, wcut_iges_entry *entry) {
     memcpy(e.status, first + 64, FIELD);
     ok = ok && e.data >= 1 && e.lines >= 1 && e.data <= f->end - f->data && e.lines <= f->end - f->data - e.data + 1;
     *entry = e;
-    return ok || wcut_curves_refuse(f->reader, "line %d: found a directory entry whose data are not there", at + 1);
+    return ok || wcut_curves_refuse(f->reader, "line %d: found a directory entry without its parameter data", at + 1);
 }
 
 bool wcut_iges_open(wcut_iges *f, const wcut_iges_entry *e, wcut_iges_cursor *c) {
@@ -167,7 +167,8 @@ bool wcut_iges_open(wcut_iges *f, const wcut_iges_entry *e, wcut_iges_cursor *c)
     int type = 0;
     *c = (wcut_iges_cursor){f, first, first + e->lines, 0, 64, false};
     return wcut_iges_int(c, e->type, e->type, &type) ||
-           wcut_curves_refuse(f->reader, "line %d: found too few or other values than its kind has", e->at + 1);
+           wcut_curves_refuse(f->reader, "line %d: found too few values, or values of another kind, for this entity",
+                              e->at + 1);
 }
 
 bool wcut_iges_begin(wcut_curve_reader *r, char *text, size_t length, wcut_iges *f) {

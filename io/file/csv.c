@@ -113,7 +113,7 @@ static wcut_status read_field(scanner *s, int column) {
     while (is_blank(*s->at)) s->at++;
     if (at_line_end(s) || *s->at == ',') return WCUT_OK;
     s->field = s->at;
-    return refuse(s, column, "text behind a closing quote", "a comma or the end of the line");
+    return refuse(s, column, "text after a closing quote", "a comma or the end of the line");
 }
 
 static bool equal_word(const char *text, const char *word) {

@@ -111,7 +111,8 @@ bool wcut_source_check_end(wcut_source *s, size_t record) {
     while (wcut_stream_fill(&s->stream, 1) > 0) {
         const unsigned char c = s->stream.data[s->stream.at];
         if (!is_padding(c))
-            return wcut_source_refuse(s, "found more behind the last element that the header states, expected the end");
+            return wcut_source_refuse(
+                s, "found more data after the last element that the header states, expected the end");
         s->stream.at++;
         s->line += c == '\n' && s->line > 0;
     }
@@ -123,7 +124,8 @@ bool wcut_source_check_count(wcut_source *s, int64_t count, uint64_t size, const
         return wcut_source_refuse(s, "found a count of %lld %s, expected 0 to %d", (long long)count, what, INT_MAX);
     const uint64_t left = wcut_stream_left(&s->stream);
     if (size > 0 && (uint64_t)count > left / size)
-        return wcut_source_refuse(s, "found %lld %s stated, %llu bytes for them, expected at least %llu each",
-                                  (long long)count, what, (unsigned long long)left, (unsigned long long)size);
+        return wcut_source_refuse(
+            s, "found a count of %lld %s in the header and %llu bytes of data, expected at least %llu bytes each",
+            (long long)count, what, (unsigned long long)left, (unsigned long long)size);
     return true;
 }

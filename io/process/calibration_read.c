@@ -40,8 +40,7 @@ static wcut_status read_cut(const wcut_table *table, const int *place, int weigh
                           "found a number that is not positive, expected a positive one");
     }
     if (!(fabs(value[ALPHA]) < 90))
-        return refuse(error, path, line, known_column[ALPHA].name,
-                      "found a right angle or more, expected less than 90 deg");
+        return refuse(error, path, line, known_column[ALPHA].name, "found an angle of 90 deg or more, expected less");
     double mass = weight >= 0 ? table->column[weight].value[row] : 1;
     if (!(mass > 0))
         return refuse(error, path, line, table->column[weight].name, "found no positive weight, expected one");
@@ -55,7 +54,7 @@ static wcut_status read_cuts(const wcut_table *table, const char *weight, const 
                              wcut_error *error) {
     int place[KNOWN], of_weight = wcut_table_locate(table, weight);
     if (weight && of_weight < 0)
-        return refuse(error, path, 1, weight, "found no such column, expected one with weights");
+        return refuse(error, path, 1, weight, "found no such column, expected the column of the weights");
     for (int k = 0; k < KNOWN; k++) place[k] = wcut_table_locate(table, known_column[k].name);
     for (int i = 0; i < table->rows; i++) {
         wcut_status status = read_cut(table, place, of_weight, i, path, &cut[i], error);

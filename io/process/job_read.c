@@ -59,7 +59,7 @@ static bool read_wire(wcut_reader *reader, const wcut_place *at, void *job) {
     if (!READ_OBJECT(fields, job)) return false;
     wcut_place length = wcut_place_member(at, "length_mm");
     if (!length.value && json_object_get(at->above->value, "path"))
-        return wcut_refuse(reader, &length, WCUT_BAD_FORMAT, "a number greater than 0, as a job with a path needs it");
+        return wcut_refuse(reader, &length, WCUT_BAD_FORMAT, "a number greater than 0: a job with a path needs it");
     return true;
 }
 

@@ -48,7 +48,8 @@ static wcut_status check(const wcut_recording *r, const char *note, wcut_error *
     for (int i = 0; i < r->samples; i++)
         if (!is_there(time, i) ||
             (i > 0 && !(rounded(WCUT_CHANNEL_TIME, time->value[i]) > rounded(WCUT_CHANNEL_TIME, time->value[i - 1]))))
-            return wcut_fail(error, WCUT_BAD_ARGUMENT, "sample %d: expected a time later by 1e-4 s", i);
+            return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                             "sample %d: expected a time at least 1e-4 s after the one before", i);
     return WCUT_OK;
 }
 
@@ -78,7 +79,7 @@ static void put_all(wcut_text *text, const wcut_recording *r, const char *note) 
 
 wcut_status wcut_recording_write(const wcut_recording *recording, const char *note, const char *path,
                                  wcut_error *error) {
-    if (!recording || !path) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a recording and a file name are expected");
+    if (!recording || !path) return wcut_fail(error, WCUT_BAD_ARGUMENT, "expected a recording and a file name");
     wcut_status status = check(recording, note, error);
     if (status != WCUT_OK) return status;
     wcut_file *file = NULL;

@@ -70,19 +70,18 @@ void wcut_report_calibrate_scatter(const wcut_report_calibrate *of, const wcut_l
                                    char sentence[WCUT_REPORT_SENTENCE]) {
     const bool relative = is_relative(of);
     const double unit = relative ? PERCENT : 1;
-    snprintf(sentence, WCUT_REPORT_SENTENCE,
-             "cuts lie off the law by %.3g %s (standard deviation), those left out of the fit one at a time by %.3g %s "
-             "(root mean square of %d cuts)",
-             unit * fit->scale, relative ? "%" : A_UNIT, unit * fit->leave_one_out, relative ? "%" : A_UNIT,
-             fit->left_out);
+    snprintf(
+        sentence, WCUT_REPORT_SENTENCE,
+        "scatter about the law %.3g %s (standard deviation), leave-one-out error %.3g %s (root mean square of %d cuts)",
+        unit * fit->scale, relative ? "%" : A_UNIT, unit * fit->leave_one_out, relative ? "%" : A_UNIT, fit->left_out);
 }
 
 void wcut_report_calibrate_lack(const wcut_law_fit *fit, char sentence[WCUT_REPORT_SENTENCE]) {
     if (fit->lack == WCUT_LACK_OF_FIT_UNTESTED)
-        snprintf(sentence, WCUT_REPORT_SENTENCE, "too few cuts, or none off the law, to test whether it fits");
+        snprintf(sentence, WCUT_REPORT_SENTENCE, "the fit cannot be tested: too few cuts, or no scatter");
     else
         snprintf(sentence, WCUT_REPORT_SENTENCE, "%s, tested against %s: F(%d, %d) = %.2f, p = %.2g",
-                 fit->lack_p < 0.05 ? "the law does not fit" : "no lack of fit is seen",
+                 fit->lack_p < 0.05 ? "the law does not fit" : "no lack of fit",
                  fit->lack == WCUT_LACK_OF_FIT_REPLICATE ? "the scatter of repeated cuts"
                                                          : "a curvature in Q_eff and a power of the speed",
                  fit->lack_degrees[0], fit->lack_degrees[1], fit->lack_f, fit->lack_p);
@@ -97,16 +96,15 @@ static wcut_report_tone judge(const wcut_report_calibrate *of, char *verdict, si
                      "%d cuts give the force law a = %.4g " A_UNIT " (%g %% interval %.4g to %.4g), b = %.4g " B_UNIT
                      " (%.4g to %.4g); a and b %s",
                      of->cuts, f->a, PERCENT * of->options->confidence, f->low[0], f->high[0], f->b, f->low[1],
-                     f->high[1], of->fit->told_apart ? "can be told apart" : "cannot be told apart");
+                     f->high[1], of->fit->told_apart ? "are separated" : "cannot be separated");
 
     /* what the test of the fit says */
     char *rest = verdict + n;
     size -= (size_t)n;
     if (!tested)
-        snprintf(rest, size, ", and there is nothing to test the law against.");
+        snprintf(rest, size, "; the fit cannot be tested.");
     else
-        snprintf(rest, size,
-                 fits ? ", and no lack of fit is seen (p = %.2g)." : ", but the law does not fit (p = %.2g).",
+        snprintf(rest, size, fits ? "; no lack of fit (p = %.2g)." : ", but the law does not fit (p = %.2g).",
                  f->lack_p);
 
     /* a law that does not fit, or whose parameters trade against each other, needs a second look */
@@ -179,7 +177,7 @@ static wcut_report_chart curve_chart(page *p, const law *l, const double *measur
 
     /* what the band means */
     snprintf(note, WCUT_REPORT_SENTENCE,
-             "The band holds the law with %g %% confidence at each Q_eff, not the next cut.",
+             "The band contains the law with %g %% confidence at each Q_eff; a single cut may lie outside.",
              PERCENT * p->of->options->confidence);
     chart.note = note;
     return chart;
@@ -224,7 +222,7 @@ static wcut_report_chart normal_chart(page *p, const law *l) {
     wcut_report_series guide = zero(p, score);
     guide.label = "normal scatter";
     guide.y = guide.x[0];
-    wcut_report_chart chart = chart_of_cuts(p, l, "Residuals beside normal ones", "normal quantile", "", score,
+    wcut_report_chart chart = chart_of_cuts(p, l, "Residuals against normal quantiles", "normal quantile", "", score,
                                             "residual, standardised", "", residual, &guide);
     chart.note = "In standard deviations of a cut; on the line if the scatter is normal.";
     return chart;
@@ -238,7 +236,7 @@ static const char *remark(page *p, int i, const wcut_fit_point *at) {
     const double most = p->of->options->alpha_large;
     const bool large = fabs(cut->alpha_a) > most || fabs(cut->alpha_b) > most;
     const char *const word[] = {at->unusual & WCUT_UNUSUAL_OUTLIER ? "outlier" : NULL,
-                                at->unusual & WCUT_UNUSUAL_LEVERAGE ? "alone at its Q_eff" : NULL,
+                                at->unusual & WCUT_UNUSUAL_LEVERAGE ? "isolated in Q_eff" : NULL,
                                 at->unusual & WCUT_UNUSUAL_INFLUENTIAL ? "moves the law" : NULL,
                                 at->loss_weight < 0.1 ? "hardly counts" : NULL, large ? "large angle" : NULL};
 
@@ -279,7 +277,7 @@ static wcut_report_table cut_table(page *p, const law *l, const double *measured
                                             {"fitted", A_UNIT, fitted, NULL},
                                             {"residual", "%", residual, NULL},
                                             {"residual, standardised", "", standard, NULL},
-                                            {"predicted by the others", A_UNIT, left_out, NULL},
+                                            {"predicted from the other cuts", A_UNIT, left_out, NULL},
                                             {"leverage", "", leverage, NULL},
                                             {"influence", "", influence, NULL},
                                             {"remark", "", NULL, text}};
@@ -328,7 +326,7 @@ static wcut_report_table correlation_table(page *p, const law *l) {
     double *number = take_numbers(p, 9);
     wcut_report_table table = {
         .title = "Correlation", .rows = l->parameters, .columns = 1 + l->parameters, .column = column};
-    table.note = "Near 1 or -1, an error of one parameter is made up for by the other: keep them together.";
+    table.note = "Near 1 or -1, an error in one parameter is compensated by the other: use them together only.";
     if (p->failed) return table;
     memcpy(number, l->fit->correlation, sizeof l->fit->correlation); /* symmetric: a row is a column */
     column[0] = (wcut_report_column){.label = "", .text = parameter};
@@ -340,7 +338,7 @@ static wcut_report_table correlation_table(page *p, const law *l) {
 static wcut_report_table warning_table(page *p) {
     wcut_report_column *column = take(p, 1, sizeof *column);
     wcut_report_table table = {.title = "Warnings", .rows = p->of->warnings, .columns = 1, .column = column};
-    if (column) column[0] = (wcut_report_column){.label = "before cutting by these numbers", .text = p->of->warning};
+    if (column) column[0] = (wcut_report_column){.label = "before these laws are used", .text = p->of->warning};
     return table;
 }
 
@@ -366,8 +364,7 @@ static char *section_note(page *p, const law *l) {
     if (!note) return NULL;
     wcut_report_calibrate_scatter(p->of, l->fit, scatter);
     wcut_report_calibrate_lack(l->fit, lack);
-    snprintf(note, (size_t)3 * WCUT_REPORT_SENTENCE, "%s. How far off: %s. Whether it fits: %s.", l->symbol, scatter,
-             lack);
+    snprintf(note, (size_t)3 * WCUT_REPORT_SENTENCE, "%s. Scatter: %s. Test of the fit: %s.", l->symbol, scatter, lack);
     return note;
 }
 
@@ -426,7 +423,7 @@ static int fill_sections(page *p, wcut_report_section *section) {
         wcut_report_table *table = take(p, 1, sizeof *table);
         if (table) *table = warning_table(p);
         warnings = table;
-        section[count++] = (wcut_report_section){.title = "What to know first", .table_count = 1, .table = warnings};
+        section[count++] = (wcut_report_section){.title = "Warnings", .table_count = 1, .table = warnings};
     }
 
     /* a section for each law that was fitted */
@@ -507,7 +504,7 @@ static wcut_status write_page(page *p, int sections, const wcut_report_section *
                                        {"loss", loss[o->loss], 0, ""},
                                        {"weights", of->weights ? of->weights : "all 1", 0, ""},
                                        {"confidence of intervals and bands", NULL, PERCENT * o->confidence, "%"},
-                                       {"large angles begin at", NULL, o->alpha_large * WCUT_DEG_PER_RAD, "deg"},
+                                       {"limit of large angles", NULL, o->alpha_large * WCUT_DEG_PER_RAD, "deg"},
                                        {"F0", o->reference_force > 0 ? NULL : "geometric mean of the fitted forces",
                                         o->reference_force, o->reference_force > 0 ? A_UNIT : ""},
                                        {"Q of V0", o->reference_heat > 0 ? NULL : "median of the cuts",

@@ -24,9 +24,9 @@ static wcut_report_tone judge(page *p) {
         snprintf(without, sizeof without, "the plan alone ends at %.1f s (%s)", plan->duration,
                  wcut_control_state_name(plan->ended));
     else if (plan->has_steady)
-        snprintf(without, sizeof without, "with the plan alone it is off by %.2g %%", 100 * fabs(plan->steady.mean));
+        snprintf(without, sizeof without, "with the plan alone its error is %.2g %%", 100 * fabs(plan->steady.mean));
     else
-        snprintf(without, sizeof without, "with the plan alone it reaches %.1f %% more than aimed at",
+        snprintf(without, sizeof without, "with the plan alone the tension exceeds the target by %.1f %%",
                  100 * plan->overshoot);
 
     /* an early end, a cut too short for a steady phase, and the usual case */
@@ -43,7 +43,7 @@ static wcut_report_tone judge(page *p) {
 
     const bool good = fabs(with->steady.mean) <= 0.05;
     snprintf(p->verdict, sizeof p->verdict,
-             "With feedback the mean tension of the steady phase is %.4g N, %.2g %% from the %.3g N aimed at; %s.",
+             "With feedback the mean tension of the steady phase is %.4g N, %.2g %% from the target of %.3g N; %s.",
              with->target * (1 + with->steady.mean), 100 * fabs(with->steady.mean), with->target, without);
     return good ? WCUT_REPORT_TONE_GOOD : WCUT_REPORT_TONE_WARNING;
 }
@@ -107,13 +107,13 @@ static void list_figures(const wcut_rig_run *run, double *to) {
 
 static wcut_status write_page(page *p, const char *job_path, const char *path, wcut_error *error) {
     static const char *const figure[FIGURES] = {"duration",
-                                                "most over the target, whole cut",
+                                                "overshoot, whole cut",
                                                 "mean tension, steady phase",
                                                 "mean error, steady phase",
                                                 "rms error, steady phase",
                                                 "largest error, steady phase",
-                                                "largest error behind the density step",
-                                                "behind it within 5 % after"};
+                                                "largest error after the density step",
+                                                "settling within 5 % after it"};
     static const char *const unit[FIGURES] = {"s", "%", "N", "%", "%", "%", "%", "s"};
     const wcut_rig_run *with = p->s->feedback, *plan = p->s->plan;
     const wcut_column *c = with->recording.channel, *d = plan->recording.channel;
@@ -152,7 +152,7 @@ static wcut_status write_page(page *p, const char *job_path, const char *path, w
                                          {"plan alone", NULL, of_plan, NULL},
                                          {"unit", NULL, NULL, unit}};
     const wcut_report_table table = {.title = "How well the tension is held",
-                                     .note = "Errors are relative to the tension aimed at; phases are the plan's.",
+                                     .note = "Errors are relative to the target tension; phases are the plan's.",
                                      .rows = FIGURES,
                                      .columns = 4,
                                      .column = column};
@@ -165,11 +165,11 @@ static wcut_status write_page(page *p, const char *job_path, const char *path, w
     /* the answer in numbers, and the settings */
     const wcut_control_settings *k = p->s->control;
     const wcut_rig_options *o = p->s->options;
-    const wcut_report_fact fact[] = {{"tension aimed at", NULL, k->tension, "N"},
+    const wcut_report_fact fact[] = {{"target tension", NULL, k->tension, "N"},
                                      {"with feedback", wcut_control_state_name(with->ended), 0, ""},
                                      {"plan alone", wcut_control_state_name(plan->ended), 0, ""},
-                                     {"foam's a over the job's", NULL, o->law_a, ""},
-                                     {"foam's b over the job's", NULL, o->law_b, ""},
+                                     {"a of the foam over a of the job", NULL, o->law_a, ""},
+                                     {"b of the foam over b of the job", NULL, o->law_b, ""},
                                      {"density step, factor of a", NULL, o->density, ""},
                                      {"density step, from y", NULL, o->density_from, "mm"},
                                      {"heat", NULL, p->s->job->heat, "W/m"}};

@@ -81,7 +81,8 @@ static wcut_report_table effect_table(page *p) {
     const char **value = texts(p, &c[4], "value", rows), **low = texts(p, &c[5], "95 % from", rows),
                **high = texts(p, &c[6], "to", rows);
     if (p->memory.failed) return table;
-    table.note = "A value without an interval was kept at its usual size. An open end is a dash.";
+    table.note =
+        "A value without an interval was not fitted: it has its default. A dash is an end that the data leave open.";
     for (int e = 0; e < d->effects; e++) {
         const wcut_found_effect *f = &d->effect[e];
         for (const wcut_effect_parameter *q = wcut_effect_view(f->effect.kind)->parameter; q->key; q++)
@@ -114,7 +115,7 @@ static wcut_report_table base_table(page *p) {
     enum { ROWS = sizeof row / sizeof *row };
     wcut_report_column *c = columns(p, 5);
     wcut_report_table table = {.title = "Recalibrated", .columns = 5, .column = c};
-    table.note = "Set anew before any effect is named, shared by all cuts: none of these is an effect.";
+    table.note = "Recalibrated before effects are fitted, one value for all cuts. These are not effects.";
     if (!c) return table;
     const char **name = texts(p, &c[0], "of the plain model", ROWS);
     const char **job = texts(p, &c[1], "the job says", ROWS), **value = texts(p, &c[2], "value", ROWS),
@@ -132,7 +133,7 @@ static wcut_report_table limit_table(page *p) {
     const wcut_report_diagnose *of = p->of;
     const int rows = of->said + p->d->limits;
     wcut_report_column *c = columns(p, 1);
-    wcut_report_table table = {.title = "What could not be told", .columns = 1, .column = c};
+    wcut_report_table table = {.title = "What could not be determined", .columns = 1, .column = c};
     const char **text = c ? texts(p, &c[0], "why", rows) : NULL;
     if (!text) return table;
     for (int i = 0; i < of->said; i++) text[table.rows++] = of->said_text[i];
@@ -208,8 +209,8 @@ static wcut_report_table fit_table(page *p, const char *title, const char *note,
 
 static bool fill_worth(page *p, wcut_report_section *section) {
     const wcut_diagnosis *d = p->d;
-    static const char *const bias = "With what is off on the whole.";
-    static const char *const blind = "RMSD over range: blind to a bias.";
+    static const char *const bias = "Includes a bias.";
+    static const char *const blind = "RMSD over range: does not see a bias.";
     wcut_report_table *table = wcut_page_take(&p->memory, 4, sizeof *table);
     if (!table) return false;
     table[0] = fit_table(p, "Held-out cuts: RMSE over range", bias, d->held_out_fit, true);
@@ -219,15 +220,13 @@ static bool fill_worth(page *p, wcut_report_section *section) {
     int first = 0;
     while (first < 4 && table[first].rows == 0) first++;
     if (first == 4) return false;
-    *section = (wcut_report_section){
-        .title = "What it is worth",
-        .note =
-            "The speed is that of the planned run, which no fit has seen, while the tension is within 10 % of its "
-            "target; the other channels are replayed. The black box is a mere fit of the recalibrated residuals, "
-            "without "
-            "physics.",
-        .table_count = 4 - first,
-        .table = table + first};
+    *section = (wcut_report_section){.title = "Quality of the predictions",
+                                     .note =
+                                         "The speed is that of the planned run, which is never fitted, while the "
+                                         "tension is within 10 % of its target; the other channels are replayed. The "
+                                         "black box is a regression of the recalibrated residuals without physics.",
+                                     .table_count = 4 - first,
+                                     .table = table + first};
     return !p->memory.failed;
 }
 
@@ -237,16 +236,16 @@ static wcut_report_table ranking_table(page *p) {
     const wcut_diagnosis *d = p->d;
     const int rows = d->hypotheses;
     wcut_report_column *c = columns(p, 7);
-    wcut_report_table table = {.title = "All explanations, the best first", .columns = 7, .column = c};
+    wcut_report_table table = {.title = "All hypotheses, best first", .columns = 7, .column = c};
     table.note =
-        "Gain: fall of the misfit against recalibration alone, in chi-square units; held out: the same on cuts "
-        "predicted from the others. Adequacy: what is left over what noise leaves.";
+        "Gain: decrease of the misfit against recalibration alone, in chi-square units. Held out: the same for cuts "
+        "predicted from the other cuts. Adequacy: remaining misfit over that of noise alone; 1 is adequate.";
     if (!c) return table;
     const char **name = texts(p, &c[0], "explanation", rows);
     double *number[5];
     static const char *const label[5] = {"parameters", "gain", "held-out gain", "adequacy", "probability"};
     for (int k = 0; k < 5; k++) number[k] = numbers(p, &c[k + 1], label[k], k == 4 ? "%" : "", rows);
-    const char **why = texts(p, &c[6], "set aside because", rows);
+    const char **why = texts(p, &c[6], "not chosen because", rows);
     if (p->memory.failed) return table;
     for (int r = 0; r < rows; r++) {
         const wcut_hypothesis *h = &d->hypothesis[r];
@@ -265,8 +264,8 @@ static wcut_report_table dependence_table(page *p) {
     wcut_report_column *c = columns(p, 6);
     wcut_report_table table = {.title = "What the residual depends on", .columns = 6, .column = c};
     table.note =
-        "No known effect explains it: this is what the foam's force would have to depend on. Coefficient: "
-        "relative change of the force per unit of the quantity.";
+        "No known effect explains the residual. These are the quantities that the foam's force would have to depend "
+        "on. Coefficient: relative change of the force per unit of the quantity.";
     if (!c) return table;
     const char **quantity = texts(p, &c[0], "quantity", rows), **channel = texts(p, &c[1], "seen best in", rows);
     const char **value = texts(p, &c[2], "coefficient", rows), **low = texts(p, &c[3], "95 % from", rows),
@@ -289,7 +288,7 @@ static bool fill_weighed(page *p, wcut_report_section *section) {
     if (!table) return false;
     if (p->d->hypotheses > 0) table[count++] = ranking_table(p);
     if (p->d->dependences > 0) table[count++] = dependence_table(p);
-    *section = (wcut_report_section){.title = "What was weighed", .table_count = count, .table = table};
+    *section = (wcut_report_section){.title = "Hypotheses compared", .table_count = count, .table = table};
     return !p->memory.failed && count > 0;
 }
 
@@ -327,7 +326,7 @@ static bool fill_where(page *p, wcut_report_section *section) {
             isfinite(m->mean) ? wcut_page_text(&p->memory, "%+.3g %s", m->mean, wcut_evidence_unit(m->channel)) : NULL;
         share[r] = shown(100 * m->share), p_value[r] = shown(m->p_value), regime[r] = m->regime;
     }
-    *table = (wcut_report_table){.title = "Where they differ by more than noise, after recalibration",
+    *table = (wcut_report_table){.title = "Where model and measurement differ by more than noise, after recalibration",
                                  .note = "p-values are corrected for the search.",
                                  .rows = rows,
                                  .columns = 12,
@@ -365,13 +364,13 @@ static wcut_status write_page(page *p, int sections, const wcut_report_section *
     int held = 0;
     for (int i = 0; d->held_out && i < d->cuts; i++) held += d->held_out[i];
     char cuts[60];
-    snprintf(cuts, sizeof cuts, "%d, %d of them held out", d->cuts, held);
+    snprintf(cuts, sizeof cuts, "%d in all, %d held out", d->cuts, held);
     const wcut_report_fact fact[] = {{"verdict", wcut_verdict_name(d->kind), 0, ""},
                                      {"confidence that it is exactly right", NULL, 100 * d->confidence, "%"},
                                      {"cuts", cuts, 0, ""},
                                      {"misfit on held-out cuts, after over recalibrated", NULL, improvement(d), ""},
-                                     {"left over what noise leaves", NULL, shown(d->adequacy), ""},
-                                     {"p-value of that", NULL, shown(d->adequacy_p), ""},
+                                     {"remaining misfit over that of noise alone", NULL, shown(d->adequacy), ""},
+                                     {"p-value of this misfit", NULL, shown(d->adequacy_p), ""},
                                      {"plain least squares would name", d->naive, 0, ""}};
     const wcut_report report = {.verb = "diagnose",
                                 .title = p->of->title,

@@ -8,7 +8,7 @@
 enum { MODELS = 3, MAP_COLUMNS = 240, SPANS_MOST = 24 };
 
 static const char *const model_title[MODELS] = {"Before: the job as it is", "Recalibrated: a, b and the wire's length",
-                                                "After: with what was found"};
+                                                "After: with the effects found"};
 
 static const double *values_of(const wcut_residual_trace *t, int model) {
     return model == 0 ? t->before : model == 1 ? t->recalibrated : t->after;
@@ -165,16 +165,16 @@ bool wcut_report_evidence_fill(wcut_page_memory *memory, const wcut_report_diagn
         name_bands(memory, &g, &map[m]);
     }
     table[0] = row_table(memory, of, &g);
-    *section = (wcut_report_section){
-        .title = "Evidence",
-        .note =
-            "Measured less replayed, in standard deviations of what noise alone leaves of a bin; one colour scale "
-            "for all three, its ends stand for more as well. In a band a row a cut, the first one lowest. What is left "
-            "in colour is not explained.",
-        .map_count = MODELS,
-        .map = map,
-        .table_count = 1,
-        .table = table};
+    *section =
+        (wcut_report_section){.title = "Evidence",
+                              .note =
+                                  "Measured less replayed value of each bin, in standard deviations of its noise. One "
+                                  "colour scale for all three maps; larger values have the end colours. A band has one "
+                                  "row for each cut, the first cut lowest. Colour that remains is not explained.",
+                              .map_count = MODELS,
+                              .map = map,
+                              .table_count = 1,
+                              .table = table};
     return !memory->failed;
 }
 
@@ -243,13 +243,14 @@ bool wcut_report_residuals_fill(wcut_page_memory *memory, const wcut_report_diag
     for (int i = 0; chart && i < d->traces; i++)
         if (d->trace[i].cut == cut && d->trace[i].count > 1) fill_chart(memory, of, &d->trace[i], &chart[charts++]);
     if (memory->failed || charts == 0) return false;
-    *section = (wcut_report_section){
-        .title = wcut_page_text(memory, "Residuals, %s", of->cut_name[cut]),
-        .note = d->held_out && d->held_out[cut] ? "This cut was held out where held-out figures are given. The band is "
-                                                  "what noise leaves of a bin, twice; shaded is where they differ."
-                                                : "The band is what noise leaves of a bin, twice; shaded is where they "
-                                                  "differ.",
-        .chart_count = charts,
-        .chart = chart};
+    *section =
+        (wcut_report_section){.title = wcut_page_text(memory, "Residuals, %s", of->cut_name[cut]),
+                              .note = d->held_out && d->held_out[cut]
+                                          ? "This cut is one of the held-out cuts. The band is two standard deviations "
+                                            "of the noise of a bin to either side; intervals of mismatch are shaded."
+                                          : "The band is two standard deviations of the noise of a bin to either side; "
+                                            "intervals of mismatch are shaded.",
+                              .chart_count = charts,
+                              .chart = chart};
     return !memory->failed;
 }

@@ -48,18 +48,17 @@ static wcut_report_tone judge(page *p) {
 
     /* the worst news is the verdict */
     if (!a->wall_held || !b->wall_held || !a->draft_held || !b->draft_held) {
-        snprintf(p->verdict, sizeof p->verdict, "%s, but a wall or a draft is less than was asked for.", halves);
+        snprintf(p->verdict, sizeof p->verdict, "%s, but a wall or a draft is less than required.", halves);
         return WCUT_REPORT_TONE_BAD;
     }
     if (a->undercut_area > 0 || b->undercut_area > 0) {
-        snprintf(
-            p->verdict, sizeof p->verdict,
-            "%s, but %.4g mm\xc2\xb2 of the lower half and %.4g mm\xc2\xb2 of the upper half hold on to what is cast.",
-            halves, a->undercut_area, b->undercut_area);
+        snprintf(p->verdict, sizeof p->verdict,
+                 "%s, but %.4g mm\xc2\xb2 of the lower half and %.4g mm\xc2\xb2 of the upper half are undercut.",
+                 halves, a->undercut_area, b->undercut_area);
         return WCUT_REPORT_TONE_WARNING;
     }
     if (m->radius_min < m->wire_radius) {
-        snprintf(p->verdict, sizeof p->verdict, "%s, but the cut bends to a radius of %.3g mm, less than the wire's.",
+        snprintf(p->verdict, sizeof p->verdict, "%s, but the cut has a radius of %.3g mm, smaller than the wire's.",
                  halves, m->radius_min);
         return WCUT_REPORT_TONE_WARNING;
     }
@@ -74,9 +73,9 @@ static wcut_report_tone judge(page *p) {
 
 /* figures of both halves side by side */
 static wcut_report_table table_of_halves(const page *p, double number[2][ROWS], wcut_report_column column[4]) {
-    static const char *const what[ROWS] = {
-        "volume", "skin",      "cut face", "undercut",    "least draft",   "least wall",      "sharpest edge",
-        "keys",   "triangles", "pieces",   "exact faces", "height, least", "height, greatest"};
+    static const char *const what[ROWS] = {"volume",      "skin",          "cut face",       "undercut",  "least draft",
+                                           "least wall",  "sharpest edge", "keys",           "triangles", "pieces",
+                                           "exact faces", "height, least", "height, largest"};
     static const char *const unit[ROWS] = {"mm\xc2\xb3", "mm\xc2\xb2", "mm\xc2\xb2", "mm\xc2\xb2", "deg", "mm", "deg",
                                            "mm\xc2\xb3", "",           "",           "",           "mm",  "mm"};
 
@@ -104,12 +103,11 @@ static wcut_report_table table_of_halves(const page *p, double number[2][ROWS], 
     column[1] = (wcut_report_column){.label = "unit", .text = unit};
     column[2] = (wcut_report_column){.label = "lower half", .number = number[0]};
     column[3] = (wcut_report_column){.label = "upper half", .number = number[1]};
-    return (wcut_report_table){
-        .title = "The halves",
-        .note = p->mould->by_boolean ? "Made by booleans: triangles alone, no STEP files." : NULL,
-        .rows = ROWS,
-        .columns = 4,
-        .column = column};
+    return (wcut_report_table){.title = "The halves",
+                               .note = p->mould->by_boolean ? "Made by mesh booleans: triangles, no STEP files." : NULL,
+                               .rows = ROWS,
+                               .columns = 4,
+                               .column = column};
 }
 
 /* ---- the page ---- */
@@ -122,7 +120,7 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
     double number[2][ROWS];
     wcut_report_column column[4];
     const wcut_report_table table = table_of_halves(p, number, column);
-    const wcut_report_section section = {.title = "What the halves measure", .table_count = 1, .table = &table};
+    const wcut_report_section section = {.title = "Figures of the halves", .table_count = 1, .table = &table};
 
     /* texts of three numbers */
     snprintf(p->block, sizeof p->block, "%g \xc3\x97 %g \xc3\x97 %g", job->block_size.x, job->block_size.y,
@@ -135,25 +133,25 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
                                      {"lower half", NULL, m->lower.report.volume, "mm\xc2\xb3"},
                                      {"upper half", NULL, m->upper.report.volume, "mm\xc2\xb3"},
                                      {"kerf", NULL, m->kerf_volume, "mm\xc2\xb3"},
-                                     {"volumes off by, of the block's", NULL, m->volume_error, ""},
-                                     {"kerf's width, least", NULL, m->kerf_min, "mm"},
-                                     {"kerf's width, greatest", NULL, m->kerf_max, "mm"},
-                                     {"exact face from the wire's surface", NULL, m->fit_error, "mm"},
-                                     {"triangles from the exact face", NULL, m->chord_error, "mm"},
-                                     {"continued where the cut begins", NULL, m->prolonged_entry, "mm"},
-                                     {"continued where it ends", NULL, m->prolonged_exit, "mm"},
-                                     {"continued at the wire's ends", NULL, m->prolonged_side, "mm"},
-                                     {"least radius of the cut", NULL, radius, "mm"},
+                                     {"error of the volumes, relative to the block", NULL, m->volume_error, ""},
+                                     {"kerf, smallest", NULL, m->kerf_min, "mm"},
+                                     {"kerf, largest", NULL, m->kerf_max, "mm"},
+                                     {"distance of the exact face from the wire's surface", NULL, m->fit_error, "mm"},
+                                     {"distance of the triangles from the exact face", NULL, m->chord_error, "mm"},
+                                     {"straight continuation at the entry", NULL, m->prolonged_entry, "mm"},
+                                     {"straight continuation at the exit", NULL, m->prolonged_exit, "mm"},
+                                     {"straight continuation at the wire's ends", NULL, m->prolonged_side, "mm"},
+                                     {"smallest radius of the cut", NULL, radius, "mm"},
                                      {"radius of the wire", NULL, m->wire_radius, "mm"}};
 
     /* settings of the run */
     const wcut_report_fact option[] = {{"chord tolerance", NULL, p->run->chord_tolerance, "mm"},
                                        {"fit tolerance", NULL, p->run->fit_tolerance, "mm"},
-                                       {"may be continued by", NULL, p->run->prolong, "mm"},
+                                       {"longest straight continuation", NULL, p->run->prolong, "mm"},
                                        {"scale", NULL, m->scale, ""},
                                        {"pull out of the lower half, x, y, z", p->pull, 0, ""},
-                                       {"least wall asked for", NULL, m->wall_asked, "mm"},
-                                       {"least draft asked for", NULL, WCUT_DEG_PER_RAD * m->draft_asked, "deg"}};
+                                       {"required wall", NULL, m->wall_asked, "mm"},
+                                       {"required draft", NULL, WCUT_DEG_PER_RAD * m->draft_asked, "deg"}};
 
     /* only the files that were given */
     const wcut_report_source from[3] = {{"job", p->run->job_path, p->hash[0][0] ? p->hash[0] : NULL},

@@ -276,9 +276,8 @@ static void fill_section(page *p, const wcut_scored_cut *cut, wcut_report_sectio
     const int spans = list_phases(c, &d, span);
     for (int k = 0; k < CHARTS; k++) fill_chart(p, cut, order[k], &d, spans, span, &chart[k]);
     snprintf(note, 300,
-             "Scored from %.1f s to %.1f s, %d of %d samples; and shown with half of the time to settle before. The "
-             "band is two RMSE to "
-             "either side of the replayed prediction, for speeds of the planned one.",
+             "Scored from %.1f s to %.1f s, %d of %d samples; half of the settling time before it is shown. The band "
+             "is two RMSE to either side of the replayed prediction, for speeds of the planned one.",
              c->from, c->to, c->counted_samples, c->samples);
     table[0] = channel_table(p, "Replayed", NULL, &c->replayed_score);
     table[1] = channel_table(p, "Planned", NULL, &c->planned_score);
@@ -323,8 +322,8 @@ static void fill_overview(page *p, const char *note, wcut_report_section *sectio
     const wcut_report_score *of = p->of;
     wcut_report_table *table = take(p, 5, sizeof *table);
     if (p->memory.failed) return;
-    table[0] = group_table(p, "NRMSD", "RMSD over the range of the measured data: blind to a bias.", false);
-    table[1] = group_table(p, "RMSE over range", "The same with what is off on the whole.", true);
+    table[0] = group_table(p, "NRMSD", "RMSD over the range of the measured data: does not see a bias.", false);
+    table[1] = group_table(p, "RMSE over range", "Includes a bias.", true);
     table[2] = channel_table(p, "Replayed: mean over the cuts", "The speed is an input of the replay.",
                              &of->replayed[of->groups]);
     table[3] = channel_table(p, "Planned: mean over the cuts", NULL, &of->planned[of->groups]);
@@ -358,7 +357,7 @@ static wcut_status write_page(page *p, int compared, int shown, int sections, co
         {"window of smoothing", NULL, o->replay.window, "s"},
         {"left out after the first contact", NULL, o->settle, "s"},
         {"left out before the end", NULL, o->leave, "s"},
-        {"nodes along the wire", of->nodes > 0 ? NULL : "as the jobs say", of->nodes, ""}};
+        {"nodes along the wire", of->nodes > 0 ? NULL : "as in the jobs", of->nodes, ""}};
     const wcut_report report = {.verb = "score",
                                 .title = of->title,
                                 .tone = compared < of->cuts ? WCUT_REPORT_TONE_WARNING : WCUT_REPORT_TONE_PLAIN,

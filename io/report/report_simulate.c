@@ -143,11 +143,10 @@ static wcut_report_tone judge(page *p) {
                       : whole                        ? "reaches the end of its design"
                                                      : "ends its path in the foam";
     if (slow > 0) {
-        snprintf(
-            p->verdict, sizeof p->verdict,
-            "The wire %s after %.1f s, but at %d of %d stations it is held at the lowest speed, %g mm/s, and pulled "
-            "harder than %g N.",
-            end, last->time, slow, h->stations, p->job->speed_min, p->job->tension);
+        snprintf(p->verdict, sizeof p->verdict,
+                 "The wire %s after %.1f s, but at %d of %d stations the speed is at its lower limit, %g mm/s, and the "
+                 "tension exceeds %g N.",
+                 end, last->time, slow, h->stations, p->job->speed_min, p->job->tension);
         return WCUT_REPORT_TONE_WARNING;
     }
     snprintf(p->verdict, sizeof p->verdict, "The wire %s after %.1f s.", end, last->time);
@@ -220,7 +219,7 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
                                                      chart("Residual", "residual", "", 1, &residual, spans, span)};
     const wcut_report_section section[] = {
         {.title = "Along the cut", .chart_count = CHARTS, .chart = along},
-        {.title = "How well it was solved", .chart_count = SOLVER_CHARTS, .chart = solver}};
+        {.title = "Quality of the solution", .chart_count = SOLVER_CHARTS, .chart = solver}};
 
     snprintf(p->block, sizeof p->block, "%g \xc3\x97 %g \xc3\x97 %g", job->block_size.x, job->block_size.y,
              job->block_size.z);
@@ -231,7 +230,7 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
                                      {"nodes along the wire", NULL, h->nodes, ""},
                                      {"block, x by y by z", p->block, 0, "mm"},
                                      {"heat", NULL, job->heat, "W/m"},
-                                     {"tension aimed at", NULL, job->tension, "N"},
+                                     {"target tension", NULL, job->tension, "N"},
                                      {"foam", job->foam_material ? job->foam_material : "not stated", 0, ""},
                                      {"wire", job->wire_material ? job->wire_material : "not stated", 0, ""},
                                      {"wire diameter", NULL, job->wire_diameter, "mm"},
@@ -284,8 +283,8 @@ wcut_status wcut_report_simulate_write(const wcut_report_simulate *run, const wc
                                          .field = field};
         const wcut_report_line line[] = {{"path curves", "A", history->stations, p.mount_a},
                                          {"path curves", "B", history->stations, p.mount_b}};
-        const wcut_report_scene scene = {.title = "What the wire sweeps",
-                                         .note = "Grey: outside the foam, where nothing pushes on the wire.",
+        const wcut_report_scene scene = {.title = "Surface swept by the wire",
+                                         .note = "Grey: outside the foam, where the wire has no load.",
                                          .block_size = p.job->block_size,
                                          .shape_count = 1,
                                          .shape = &shape,

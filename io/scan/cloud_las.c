@@ -89,7 +89,7 @@ bool wcut_cloud_begin_las(wcut_cloud_source *s) {
     if (!read_header(s, head, r, &count)) return false;
     const uint64_t data = wcut_load_32(head + POINT_DATA, false);
     if (data < wcut_load_16(head + HEADER_SIZE, false))
-        return wcut_source_refuse(&s->in, "found the points at byte %llu, expected them behind the header",
+        return wcut_source_refuse(&s->in, "found the points at byte %llu, expected them after the header",
                                   (unsigned long long)data);
     if (!wcut_stream_skip(&s->in.stream, data))
         return wcut_source_refuse_end(&s->in, "the points that the header places there");

@@ -198,7 +198,9 @@ static wcut_status write_coloured(const wcut_mesh *mesh, wcut_mesh_put *put, con
                                   wcut_error *error) {
     bool sound = mesh && c->value && isfinite(c->limit) && c->limit > 0;
     for (int i = 0; sound && i < mesh->vertex_count; i++) sound = isfinite(c->value[i]);
-    if (!sound) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a mesh of deviations: found none, or one not finite");
+    if (!sound)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                         "a mesh of deviations: found no mesh, or a value that is not finite");
     return wcut_mesh_write(mesh, put, c, path, error);
 }
 

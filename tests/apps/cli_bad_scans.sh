@@ -48,13 +48,13 @@ ply() { # FORMAT COUNT MORE...: a header, then what is given
     printf "ply\nformat %s 1.0\nelement vertex %s\n$xyz$3end_header\n$4" "$1" "$2"
 }
 head -c 20000 "$good" >cut.ply
-refused cut.ply "cut.ply: byte 136: found 8000 vertices stated, 19864 bytes for them"
+refused cut.ply "cut.ply: byte 136: found a count of 8000 vertices in the header and 19864 bytes of data"
 ply binary_little_endian -5 '' '' >negative.ply
 refused negative.ply "line 3, column 16: found -5"
 ply binary_little_endian 2147483648 '' '' >int.ply
 refused int.ply "found a count of 2147483648 vertices, expected 0 to 2147483647"
 ply binary_little_endian 900000000 '' 1234 >huge.ply
-refused huge.ply "found 900000000 vertices stated, 4 bytes for them"
+refused huge.ply "a count of 900000000 vertices in the header and 4 bytes of data"
 ply ascii 1 'property list uchar int a\n' '200 600 150 3 1 2\n' >list.ply
 refused list.ply "line 9, column 18"
 ply ascii 1 'property list int int a\n' '200 600 150 2000000000 1 2\n' >endless.ply
@@ -68,7 +68,7 @@ refused short.obj "line 2, column 6"
 { for i in 1 2 3; do printf 'v 200 600 150\n'; done; yes 'f 1 2 3' | head -c 4000000; } >bomb.obj
 refused bomb.obj "found 3 points in one place"
 printf 'OFF\n2147483647 1 0\n1 2 3\n' >lie.off
-refused lie.off "2147483647 vertices stated"
+refused lie.off "a count of 2147483647 vertices"
 printf 'glTF\002' >bad.glb
 refused bad.glb "assimp reads no mesh in it"
 

@@ -74,11 +74,11 @@ run 0 compare surface/surface.ply "$scan" -o mesh --distance reconstruction --qu
 look mesh/deviation.json 'd["distance"] == "reconstruction" and near(d["kerf_offset_mm"], -0.6, 0.02)'
 printf 'OFF\n4 4 0\n0 0 0\n400 0 0\n0 1200 0\n0 0 300\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n' >solid.off
 run 3 compare solid.off "$scan" -o mesh --reconstruct field --quiet
-one_line "solid.off" "expected a sheet over a plane"
+one_line "solid.off" "expected an open sheet over a plane"
 run 0 compare solid.off "$scan" -o mesh
-grep -q "its triangles face" err && fail "$called: a closed mesh faces no way: $(cat err)"
+grep -q "the triangles face" err && fail "$called: a closed mesh faces no way: $(cat err)"
 run 0 compare surface/surface.ply "$scan" -o mesh --flip
-grep -q "warning: its triangles faced up" err || fail "$called: no warning of a mesh turned wrongly"
+grep -q "warning: the triangles faced up" err || fail "$called: no warning of a mesh turned wrongly"
 look mesh/deviation.json 'near(d["kerf_offset_mm"], 0.6, 0.02)'
 
 # more points than are to be held are streamed, to the same figures
@@ -143,7 +143,7 @@ run 0 compare "$steady" "$scan" -o made --quiet
 # units
 awk '{ printf "%s %s %s\n", $1 / 1000, $2 / 1000, $3 / 1000 }' "$scan" >metres.xyz
 run 0 compare "$steady" metres.xyz -o units
-grep -q "warning: .* times 1000 it would fit" err || fail "$called: no warning of the unit: $(cat err)"
+grep -q "warning: .* multiplied by 1000 it would fit" err || fail "$called: no warning of the unit: $(cat err)"
 run 0 compare "$steady" metres.xyz -o units --unit m --quiet
 look units/deviation.json 'near(d["kerf_offset_mm"], -0.6, 0.003)'
 

@@ -73,7 +73,7 @@ refused() {
 }
 refused 'found "law-c:1"' --disturb law-c:1
 refused 'did you mean law-a' --disturb lawa:1
-refused 'law-a:NUMBER with a number in 0.01 .. 100' --disturb law-a:-1
+refused 'law-a:NUMBER with a number from 0.01 to 100' --disturb law-a:-1
 refused 'found "noise:nan"' --disturb noise:nan
 refused 'found "noise:0x1"' --disturb noise:0x1
 refused 'found "law-a"' --disturb law-a

@@ -30,7 +30,7 @@ assert of("lag")["effects"] == ["wire_thermal_lag"] and "effects_not_shown" not 
 EOF
 # shellcheck disable=SC2086
 run 0 simulate instrument.json -o loud $small
-grep -q 'note: tension_gain acts on what is recorded' err && grep -q 'note: scan_scale acts on what is scanned' err ||
+grep -q 'note: tension_gain acts on recordings' err && grep -q 'note: scan_scale acts on the scanned face' err ||
     fail "$called: effects that do not show are not named: $(cat err)"
 # shellcheck disable=SC2086
 run 0 simulate lag.json -o loud $small

@@ -5,7 +5,7 @@ sed 's/"nodes": *[0-9]*/"nodes": 31/' "$jobs/steady-300-60.json" >job.json
 run 0 identify job.json -o a
 no_result
 no_leavings a
-grep -q 'identification-2.json: .*backwards: speed dithered by up to' err || fail "$called: no summary: $(cat err)"
+grep -q 'identification-2.json: .*backwards: speed varied by up to' err || fail "$called: no summary: $(cat err)"
 run 0 identify job.json -o b --quiet --json
 [ -s err ] && fail "$called: expected no words with --quiet: $(cat err)"
 python3 - <<'EOF' || fail "$called: not the jobs that were expected"

@@ -141,7 +141,7 @@ one_line "none.stl"
 # walls and drafts that are asked for and not there: files, and 5
 # shellcheck disable=SC2086
 run 5 mould "$path" -o f $coarse --minimum-wall 151
-grep -q "wall is 150 mm, asked for were 151" err || fail "$called: $(cat err)"
+grep -q "half: found a wall of 150 mm, expected at least 151 mm" err || fail "$called: $(cat err)"
 figures f/mould.json
 # shellcheck disable=SC2086
 run 5 mould "$design" -o f $coarse --minimum-draft 89

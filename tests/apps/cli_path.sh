@@ -56,7 +56,7 @@ grep -q '^    heater_on;$' made/wirecut_a.mod || fail "the hook is not called"
 grep -q 'heater_on' made/wirecut_b.mod && fail "both robots switch the wire"
 
 run 0 path "$jobs/steady-400-60.json" --format csv -o made
-grep -q 'mount A keeps 60 mm from the block along its whole path' err || fail "no clearance: $(cat err)"
+grep -q 'mount A: least distance from the block 60 mm, at station' err || fail "no clearance: $(cat err)"
 
 # without -o into the folder it is called in
 run 0 path "$job" --format krl --quiet

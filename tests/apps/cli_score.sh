@@ -94,7 +94,7 @@ printf '{"format": "wirecut-scan/1"}' >odd.json
 run 3 score odd.json -o x
 one_line 'found "wirecut-scan/1"'
 run 2 score job.json -o x
-one_line "job alone"
+one_line "job without recordings"
 run 2 score job.json c1/recording.csv
 run 2 score job.json c1/recording.csv -o x --window -1
 printf '{"format": "wirecut-case/1", "name": "up", "cuts": [{"job": "../job.json", "recording": "r.csv"}]}' >c3/up.json

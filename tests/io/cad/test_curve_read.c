@@ -321,9 +321,9 @@ TEST(iges_lines_points_and_splines_are_read_in_their_unit) {
     ck_assert_int_eq(set->left_out, 1);
     ck_assert_str_eq(set->why, "a piece of another entity");
     *strstr(text, "110,0.") = '3';
-    refuses("a.igs", text, "line 4: found too few or other values than its kind has");
+    refuses("a.igs", text, "line 4: found too few values, or values of another kind, for this entity");
     put_lines(text, lines, "SGGDDDDDDDDPPPPP");
-    refuses("a.igs", text, "found no section in its order, expected S, G, D, P and T");
+    refuses("a.igs", text, "found a section out of order, expected S, G, D, P, T");
     refuses("a.igs", "short\n", "line 1: found 5 columns, expected 80 of text");
 }
 
@@ -374,10 +374,10 @@ TEST(iges_arcs_composites_and_transformations_are_read) {
     reads("a.igs", text, 3);
     is_at(at(0, 1), 8, 0, 7);
     memcpy(at_piece, "102,2,1,;;", 10);
-    refuses("a.igs", text, "line 8: found too few or other values than its kind has");
+    refuses("a.igs", text, "line 8: found too few values, or values of another kind, for this entity");
     memcpy(at_piece, "102,2,1,3;", 10);
     memcpy(strstr(text, "100,7."), "100,x.", 6);
-    refuses("a.igs", text, "line 4: found too few or other values than its kind has");
+    refuses("a.igs", text, "line 4: found too few values, or values of another kind, for this entity");
     put_lines(text, lines, "SGGDDDDDDDDDDDDDDPPPPPPPT");
     memcpy(strstr(text, "     0      11 ") + 12, " 9", 2); /* a transformation that moves itself */
     refuses("a.igs", text, "found no transformation, expected one of type 124");

@@ -101,7 +101,7 @@ TEST(malformed_text_is_refused_with_line_column_and_what_was_expected) {
     refused("x,y\n1,0x10\n", "found 0x10");
     refused("x,y\n1,2 3\n", "found 2 3");
     refused("x,y\n1,\"2\n", "line 2, column 3 (y): found an opening quote");
-    refused("x,y\n1,\"2\"3\n", "line 2, column 6 (y): found text behind a closing quote");
+    refused("x,y\n1,\"2\"3\n", "line 2, column 6 (y): found text after a closing quote");
     refused("x,y\n1,a\"b\n", "found a quote within a field");
     refused("\xff\xfex\0,\0", "found UTF-16");
     const char zero[] = "x,y\n1,\0002\n";

@@ -248,11 +248,11 @@ TEST(a_ply_that_lies_or_has_no_faces_is_refused) {
     refuses("a", PLY_HEAD "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 nan 0\n3 0 1 2\n",
             "found a coordinate y that is not finite");
     refuses("a", PLY_HEAD "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n4\n",
-            "found more behind the last element");
+            "found more data after the last element");
     refuses("a",
             "ply\nformat binary_little_endian 1.0\nelement vertex 2000000000\nproperty float x\nproperty float y\n"
             "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0000",
-            "found 2000000000 vertices stated, 4 bytes for them");
+            "a count of 2000000000 vertices in the header and 4 bytes of data");
 }
 
 TEST(an_stl_with_nan_or_cut_short_is_refused) {
@@ -262,7 +262,7 @@ TEST(an_stl_with_nan_or_cut_short_is_refused) {
     memcpy(stl + 84 + 12, &nan, 4);
     refuses_bytes("a.stl", stl, sizeof stl, "found a coordinate x that is not finite");
     memset(stl + 84 + 12, 0, 4);
-    refuses_bytes("a.stl", stl, sizeof stl - 1, "1 triangles stated, 49 bytes for them");
+    refuses_bytes("a.stl", stl, sizeof stl - 1, "a count of 1 triangles in the header and 49 bytes of data");
     refuses_bytes("a.stl", stl, sizeof stl, "found no triangle (1 collapsed)");
     refuses("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\n",
             "line 6, column 1: found endloop, expected vertex");

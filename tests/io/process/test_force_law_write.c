@@ -61,7 +61,7 @@ TEST(a_table_that_breaks_its_format_is_refused_with_its_line) {
             "missing speed_mm_s (found speed_m_s: another unit or spelling), alpha_deg");
     refused(HEADER "\n60,20,400,10,5\n60,,400,10,5\n", NULL, "line 3: speed_mm_s: found a missing value");
     refused(HEADER "\n60,20,400,-1,5\n", NULL, "line 2: tension_N: found a number that is not positive");
-    refused(HEADER "\n60,20,400,10,-90\n", NULL, "line 2: alpha_deg: found a right angle");
+    refused(HEADER "\n60,20,400,10,-90\n", NULL, "line 2: alpha_deg: found an angle of 90 deg or more");
     refused(HEADER "\n60,20,x,10,5\n", NULL, "line 2, column 7 (engaged_mm): found x");
     refused(HEADER "\n60,20,400,10,5\n", "mass", "mass: found no such column");
     refused(HEADER ",mass\n60,20,400,10,5,\n", "mass", "line 2: mass: found no positive weight");

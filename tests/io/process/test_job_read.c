@@ -135,7 +135,7 @@ TEST(missing_keys_are_named_with_what_they_should_be) {
     PATH("\"name\": \"test cut\",", "", WCUT_BAD_FORMAT, "$.name: found nothing, expected a string");
     PATH("\"nodes\": 121, ", "", WCUT_BAD_FORMAT, "$.wire.nodes: found nothing, expected an integer from 3 to 100000");
     PATH(", \"length_mm\": 620.25", "", WCUT_BAD_FORMAT,
-         "$.wire.length_mm: found nothing, expected a number greater than 0, as a job with a path needs it");
+         "$.wire.length_mm: found nothing, expected a number greater than 0: a job with a path needs it");
     PATH("\"path\"", "\"x-path\"", WCUT_BAD_FORMAT, "$: found an object, expected a \"path\" or a \"design\" in it");
     PATH(", \"c_N_per_mm\": -0.001", "", WCUT_BAD_FORMAT,
          "$.process.tension_law.c_N_per_mm: found nothing, expected a number");

@@ -145,10 +145,10 @@ TEST(a_ply_header_is_read_to_the_letter) {
 TEST(a_ply_that_claims_more_than_it_holds_is_refused_at_once) {
     given_ply("binary_little_endian", "900000000", ""); /* 10 GB in 1 KB */
     for (int k = 0; k < 900; k++) put_bits(0, 1, false);
-    refused(0, "found 900000000 vertices stated, 900 bytes for them, expected at least 12 each");
+    refused(0, "a count of 900000000 vertices in the header and 900 bytes of data, expected at least 12 bytes each");
     given_ply("ascii", "2147483647", "");
     put_text("1 2 3\n");
-    refused(0, "found 2147483647 vertices stated, 6 bytes for them");
+    refused(0, "a count of 2147483647 vertices in the header and 6 bytes of data");
     given(
         "ply\nformat binary_little_endian 1.0\nelement junk 9000000000000000000\nproperty double a\nelement vertex 0\n"
         "property int x\nproperty int y\nproperty int z\nend_header\n1234");
@@ -163,7 +163,7 @@ TEST(a_ply_that_ends_early_or_goes_on_is_refused) {
     given_ply("binary_little_endian", "3", "");
     for (int k = 0; k < 9; k++) put_float(k, false);
     size -= 1;
-    refused(0, "found 3 vertices stated, 35 bytes for them");
+    refused(0, "a count of 3 vertices in the header and 35 bytes of data");
 
     /* less than a record, and padding, is nothing that was lost */
     size += 1;
@@ -172,7 +172,7 @@ TEST(a_ply_that_ends_early_or_goes_on_is_refused) {
     for (int k = 0; k < 3000; k++) put_bits(0, 1, false);
     reads(3);
     put_text("more than a record");
-    refused(3, "found more behind the last element");
+    refused(3, "found more data after the last element");
     given_ply("binary_big_endian", "2", "property list uchar int w\n");
     for (int k = 0; k < 2; k++) {
         for (int c = 0; c < 3; c++) put_float(c, true);
@@ -187,7 +187,7 @@ TEST(a_ply_that_ends_early_or_goes_on_is_refused) {
     refused(1, "found the end of the file, expected the elements that are stated");
     given_ply("ascii", "2", "");
     put_text("1 2 3\n4 5 6\n7 8 9\n");
-    refused(2, "found more behind the last element");
+    refused(2, "found more data after the last element");
     given_ply("ascii", "2", "");
     put_text("1 2 3\n4 5\n");
     refused(1, "line 9, column 4: found the end of the line, expected a number");
@@ -246,11 +246,11 @@ static void given_stl(unsigned triangles, size_t length) {
 
 TEST(stl_that_lies_is_refused) {
     given_stl(2, 84 + 99);
-    refused(0, "found 2 triangles stated, 99 bytes for them, expected at least 50 each");
+    refused(0, "a count of 2 triangles in the header and 99 bytes of data, expected at least 50 bytes each");
     given_stl(2, 84 + 101);
     reads(6);
     put_text("%-60s", "a facet that the count does not know");
-    refused(6, "byte 185: found more behind the last element");
+    refused(6, "byte 185: found more data after the last element");
     given_stl(0, 84 + 100); /* a program that wrote as it went */
     reads(6);
     given_stl(0xffffffff, 84 + 100);
@@ -296,7 +296,7 @@ TEST(las_that_lies_is_refused) {
     given_las(4, 6, 29, 5, 0.001);
     refused(0, "found records of 29 bytes, expected at least 30 for point format 6");
     given_las(2, 0, 20, 6, 0.001);
-    refused(0, "found 6 points stated, 100 bytes for them, expected at least 20 each");
+    refused(0, "a count of 6 points in the header and 100 bytes of data, expected at least 20 bytes each");
     given_las(4, 6, 30, 1u << 31, 0.001);
     refused(0, "found a count of 2147483648 points");
     given_las(4, 6, 30, UINT64_MAX, 0.001);
@@ -313,7 +313,7 @@ TEST(las_that_lies_is_refused) {
     refused(0, "found a header of 100 bytes, expected at least 227");
     given_las(2, 0, 20, 5, 0.001);
     bytes[96] = 10, bytes[97] = 0;
-    refused(0, "found the points at byte 10, expected them behind the header");
+    refused(0, "found the points at byte 10, expected them after the header");
     given_las(2, 0, 20, 5, 0.001);
     bytes[98] = 10;
     refused(0, "expected the points that the header places there");
@@ -354,16 +354,17 @@ TEST(pcd_that_lies_is_refused) {
     pcd_refused(0, XYZ "WIDTH 2\nHEIGHT 2\nPOINTS 5\nDATA ascii\n", "found POINTS 5, expected WIDTH x HEIGHT, 2 x 2");
     pcd_refused(0, XYZ "WIDTH 4000000000\nHEIGHT 4000000000\nDATA ascii\n",
                 "found a count of 9223372036854775807 points");
-    pcd_refused(0, XYZ "WIDTH 2000000000\nDATA binary\n123", "found 2000000000 points stated, 3 bytes for them");
+    pcd_refused(0, XYZ "WIDTH 2000000000\nDATA binary\n123",
+                "a count of 2000000000 points in the header and 3 bytes of data");
     pcd_refused(1, XYZ "WIDTH 2\nDATA ascii\n1 2 3\n4 5 x\n", "line 8, column 5: found x, expected a number");
-    pcd_refused(2, XYZ "WIDTH 2\nDATA ascii\n1 2 3\n4 5 6\n7", "found more behind the last element");
+    pcd_refused(2, XYZ "WIDTH 2\nDATA ascii\n1 2 3\n4 5 6\n7", "found more data after the last element");
     pcd_refused(1, XYZ "WIDTH 2\nDATA ascii\n1 2 33333\n\n",
                 "line 8, column 1: found the end of the line, expected a number");
     given("# .PCD\n" XYZ "WIDTH 1\nDATA binary\n");
     put_bits(0, 8, false), put_bits(0, 5, false);
     reads(1);
     put_text("a thirteenth byte");
-    refused(1, "found more behind the last element");
+    refused(1, "found more data after the last element");
     pcd_refused(0, "FIELDS x y z a\nSIZE 4 4 4 8\nTYPE F F F F\nCOUNT 1 1 1 4096\nWIDTH 0\nDATA binary\n",
                 "found records of 32780 bytes, expected at most 4096");
 }
@@ -391,7 +392,8 @@ TEST(meshes_that_lie_are_refused) {
     mesh_refused(off, 0, "OFF\n3 1\n", "line 2, column 1: found 3 1, expected the counts");
     mesh_refused(off, 0, "OFF\n-3 1 0\n", "found -3 1 0, expected the counts");
     mesh_refused(off, 0, "OFF\n2147483648 1 0\n1 2 3\n", "found a count of 2147483648 vertices");
-    mesh_refused(off, 0, "OFF\n2000000000 1 0\n1 2 3\n", "found 2000000000 vertices stated, 6 bytes for them");
+    mesh_refused(off, 0, "OFF\n2000000000 1 0\n1 2 3\n",
+                 "a count of 2000000000 vertices in the header and 6 bytes of data");
     mesh_refused(off, 1, "OFF\n2 0 0\n1.2345678 2 3\n", "found the end of the file, expected 1 vertices more");
     mesh_refused(off, 1, "OFF\n2 0 0\n1 2 3\n4 5 six\n", "line 4, column 5: found six, expected a number");
     mesh_refused(gltf, 0, "{\"asset\":", "assimp reads no mesh in it, expected a sound gltf file");
