@@ -156,8 +156,9 @@ static void say_summary(const export_ *e) {
             app_say("warning: mount %s touches the block at station %.4g, (%.4g, %.4g, %.4g) mm", mount, n->station,
                     n->place.x, n->place.y, n->place.z);
         if (n->distance > 0 && n->distance < e->job->clearance - CLEARANCE_MM)
-            app_say("warning: mount %s comes within %.4g mm of the block; the job's clearance is %.4g mm", mount,
-                    n->distance, e->job->clearance);
+            app_say(
+                "warning: mount %s comes within %.4g mm of the block, %.2g mm less than the job's clearance of %.4g mm",
+                mount, n->distance, e->job->clearance - n->distance, e->job->clearance);
     }
     for (int i = 0; i < WCUT_ROBOT_CHECKS; i++) {
         const wcut_robot_check *c = &e->check[i];

@@ -70,7 +70,8 @@ static void fill_figures(page *p) {
     const wcut_statistics *a = &x->statistics, *b = &y->statistics;
     add_figure(p, "deviations", "", a->count, b->count);
     add_figure(p, "points outside the face", "", x->place[WCUT_PLACE_BEYOND], y->place[WCUT_PLACE_BEYOND]);
-    add_figure(p, "points without a clear side", "", x->place[WCUT_PLACE_AMBIGUOUS], y->place[WCUT_PLACE_AMBIGUOUS]);
+    add_figure(p, "points with two equally near places", "", x->place[WCUT_PLACE_AMBIGUOUS],
+               y->place[WCUT_PLACE_AMBIGUOUS]);
     add_length(p, "mean", a->mean, b->mean);
     add_length(p, "median", a->median, b->median);
     add_length(p, "standard deviation", a->std, b->std);
@@ -87,8 +88,8 @@ static void fill_figures(page *p) {
     add_length(p, "constant offset", x->split.offset, y->split.offset);
     add_length(p, "form, RMS", x->split.form_rms, y->split.form_rms);
     add_length(p, "noise, RMS", x->split.noise_rms, y->split.noise_rms);
-    add_length(p, "mean of what is above", a->positive_mean, b->positive_mean);
-    add_length(p, "mean of what is below", a->negative_mean, b->negative_mean);
+    add_length(p, "mean of the positive deviations", a->positive_mean, b->positive_mean);
+    add_length(p, "mean of the negative deviations", a->negative_mean, b->negative_mean);
     add_shares(p, a, b);
 }
 
@@ -101,7 +102,7 @@ static wcut_report_table figure_table(page *p) {
     p->figure_column[3] = (wcut_report_column){.label = "as scanned", .number = p->figure[1]};
     return (wcut_report_table){.title = "Deviation",
                                .note = moved ? "Registered and as scanned: a registration on the cut face hides "
-                                               "deviations that look like a motion."
+                                               "deviations that resemble a rigid motion."
                                              : NULL,
                                .rows = p->figures,
                                .columns = moved ? 4 : 3,
@@ -125,8 +126,8 @@ static wcut_report_table worst_table(page *p) {
     for (int f = 0; f < 8; f++) p->worst_column[f + 1] = (wcut_report_column){label[f], unit[f], p->worst[f], NULL};
     return (wcut_report_table){.title = "Worst areas",
                                .note =
-                                   "Connected areas of one sign whose means are among the largest 5 % of the face, "
-                                   "by volume; positive: material left.",
+                                   "Connected areas of one sign whose mean deviations are among the largest 5 % of the "
+                                   "face, sorted by volume; positive: material left.",
                                .rows = r->worsts,
                                .columns = 9,
                                .column = p->worst_column};
@@ -216,7 +217,7 @@ static void judge(page *p) {
     for (int k = 0; k < s->bands && f->tolerance > 0; k++)
         if (s->band[k] == f->tolerance)
             n = snprintf(to, room,
-                         "%.4g %% of the scan lie within \xc2\xb1%g mm of the simulated face, %g %% are asked. ",
+                         "%.4g %% of the scan lie within \xc2\xb1%g mm of the simulated face; required are %g %%. ",
                          100 * s->within[k], f->tolerance, 100 * f->share);
     snprintf(to + n, room - (size_t)n,
              "RMS deviation %.3g mm: a constant %+.3g mm, form %.3g mm, noise %.3g mm; the largest is %.3g mm.", s->rms,
@@ -237,7 +238,7 @@ static int list_facts(const page *p, wcut_report_fact *fact) {
     fact[n++] = (wcut_report_fact){"form, RMS", NULL, r->split.form_rms, "mm"};
     if (f->has_kerf) {
         fact[n++] = (wcut_report_fact){"kerf of the job", NULL, f->kerf, "mm"};
-        fact[n++] = (wcut_report_fact){"kerf by the scan", NULL, f->kerf - 2 * r->split.offset, "mm"};
+        fact[n++] = (wcut_report_fact){"kerf from the scan", NULL, f->kerf - 2 * r->split.offset, "mm"};
     }
     if (f->unmeasured >= 0) fact[n++] = (wcut_report_fact){"face without points", NULL, f->unmeasured, "mm\xc2\xb2"};
     if (!r->related) return n;
@@ -257,7 +258,7 @@ static int list_options(const page *p, wcut_report_fact *option) {
     option[n++] = (wcut_report_fact){"distance", p->c->found.distance, 0, ""};
     option[n++] = (wcut_report_fact){"unit of the scan", unit[o->scans.unit], 0, ""};
     option[n++] = (wcut_report_fact){"registration", method[o->method], 0, ""};
-    option[n++] = (wcut_report_fact){"support of a point", NULL, p->c->support, "mm"};
+    option[n++] = (wcut_report_fact){"radius of support of a point", NULL, p->c->support, "mm"};
     option[n++] = (wcut_report_fact){"border", NULL, p->c->reference.options.border, "mm"};
     option[n++] = (wcut_report_fact){"side of a cell", NULL, p->c->found.found->split.cell, "mm"};
     if (p->c->reconstruction)

@@ -26,7 +26,7 @@ static wcut_report_table point_table(app_memory *m, const app_comparison *c) {
                                        "inside the face",
                                        "at its border",
                                        "outside, beyond its border",
-                                       "without a clear side"};
+                                       "with two equally near places"};
     enum { ROWS = WCUT_REMOVAL_COUNT + WCUT_PLACE_COUNT };
     double *count;
     wcut_report_column *column = take_columns(m, 1, ROWS, &count);
@@ -35,7 +35,7 @@ static wcut_report_table point_table(app_memory *m, const app_comparison *c) {
     for (int k = 0; k < WCUT_PLACE_COUNT; k++) count[WCUT_REMOVAL_COUNT + k] = c->found.found->place[k];
     column[0] = (wcut_report_column){.label = "points", .text = name};
     column[1].label = "count";
-    return (wcut_report_table){.title = "What became of the points", .rows = ROWS, .columns = 2, .column = column};
+    return (wcut_report_table){.title = "Use of the points", .rows = ROWS, .columns = 2, .column = column};
 }
 
 /* ---- registration ---- */
@@ -45,8 +45,8 @@ static wcut_report_table motion_table(app_memory *m, const wcut_registration *r)
     static const char *const name[] = {"shift along x",    "shift along y",    "shift along z",
                                        "rotation about x", "rotation about y", "rotation about z"};
     static const char *const label[] = {"value", "standard error"};
-    static const char *const known[] = {"mm", "deg"}, *const unknown[] = {"mm, not found from data",
-                                                                          "deg, not found from data"};
+    static const char *const known[] = {"mm", "deg"}, *const unknown[] = {"mm, not determined by the data",
+                                                                          "deg, not determined by the data"};
     double *number;
     wcut_report_column *column = take_columns(m, 3, WCUT_DOF_COUNT, &number);
     const char **unit = app_take(m, WCUT_DOF_COUNT, sizeof *unit);
@@ -82,7 +82,7 @@ static wcut_report_table covariance_table(app_memory *m, const wcut_registration
                 r->covariance[j * WCUT_DOF_COUNT + i] * (i < 3 ? 1 : WCUT_DEG_PER_RAD) * (j < 3 ? 1 : WCUT_DEG_PER_RAD);
     }
     return (wcut_report_table){.title = "Covariance of the motion",
-                               .note = "In products of the units; 0 for what was locked or not found from data.",
+                               .note = "In products of the units; 0 for what was locked or not determined by the data.",
                                .rows = WCUT_DOF_COUNT,
                                .columns = WCUT_DOF_COUNT + 1,
                                .column = column};
@@ -141,11 +141,12 @@ static wcut_report_table both_table(app_memory *m, const app_comparison *c) {
     column[0] = (wcut_report_column){.label = "figure", .text = name};
     column[1].label = "scan to face", column[2].label = "face to scan";
     column[3] = (wcut_report_column){.label = "unit", .text = unit};
-    return (wcut_report_table){.title = "Deviation of the reconstructed scan",
-                               .note = "From the scan's mesh to the face and back; positive: material left.",
-                               .rows = ROWS,
-                               .columns = 4,
-                               .column = column};
+    return (wcut_report_table){
+        .title = "Deviation of the reconstructed scan",
+        .note = "From the scan's mesh to the face, and from the face to the mesh; positive: material left.",
+        .rows = ROWS,
+        .columns = 4,
+        .column = column};
 }
 
 static wcut_report_table hole_table(app_memory *m, const wcut_reconstruction *r) {
@@ -165,7 +166,7 @@ static wcut_report_table hole_table(app_memory *m, const wcut_reconstruction *r)
     column[0] = (wcut_report_column){.label = "where", .text = kind};
     for (int f = 0; f < 4; f++) column[f + 1].label = label[f], column[f + 1].unit = unit[f];
     return (wcut_report_table){.title = "Holes in the scan",
-                               .note = "The largest of them: nothing was made up there.",
+                               .note = "The largest ones; they are not filled.",
                                .rows = rows,
                                .columns = 5,
                                .column = column};
@@ -179,8 +180,8 @@ bool app_fill_reconstruction(app_memory *m, const app_comparison *c, wcut_report
     const bool holed = r->hole_count > 0;
     if (holed) table[1] = hole_table(m, r);
     const char *note = app_take_text(m,
-                                     "%d vertices %.3g mm apart, smoothed over %.3g mm; none is further than %.3g mm "
-                                     "from a point of the scan. Face without points: %.5g mm\xc2\xb2.",
+                                     "%d vertices %.3g mm apart, smoothed over %.3g mm; every vertex is within %.3g mm "
+                                     "of a point of the scan. Face without points: %.5g mm\xc2\xb2.",
                                      r->mesh->vertex_count, r->spacing, r->smoothing, r->farthest, r->unmeasured_area);
     *section =
         (wcut_report_section){.title = "Reconstruction", .note = note, .table_count = holed ? 2 : 1, .table = table};

@@ -2,7 +2,7 @@
 
 A section of FORMATS.md names the files whose keys it documents in a line "Source: `io/process/job_read.c`, ...".
 - Every key or column in such a file stands in backticks in a section that names the file.
-- Every key in a table that begins with key, column, array, property or name stands in one of these files.
+- Every key in a table's columns key, column, array, property and name stands in one of these files.
 - Every file of io and apps that has keys is named by a section, but for the page's own data (NOT_DOCUMENTED).
 Prints a line for each fault, which says what to do, and ends with 1 where there was any.
 """
@@ -18,7 +18,7 @@ NOT_DOCUMENTED = ("io/report/", "apps/report")
 # how a writer has a key in C; each pattern gives the key as its first group
 WRITTEN = [
     r'\\"([A-Za-z]\w*)\\":',                             # "\"key\": "
-    r'\b(?:put|json)_\w+\(&?\w+, "([A-Za-z]\w*)"',       # put_half(&out, "lower", ...), json_text(out, "name", ...)
+    r'\b(?:wcut_)?(?:put|json)_\w+\(&?\w+, "([A-Za-z]\w*)"',  # put_half(&out, "lower", ...), json_text(out, "name", ...)
 ]
 
 # how the tables of readers, writers and public headers have one
@@ -77,7 +77,7 @@ class Section:
 
 def sections_of(document):
     """what each section of level two documents: its sources, the words in backticks, the keys of its tables"""
-    found, fenced, in_source, in_keys = [], False, False, False
+    found, fenced, in_source, columns = [], False, False, []
     for number, line in enumerate(document.splitlines(), 1):
         if line.startswith("```"):
             fenced = not fenced
@@ -95,9 +95,14 @@ def sections_of(document):
             continue
         for span in spans:
             here.words.update(re.findall(r"[A-Za-z]\w*", span))
-        in_keys = re.match(r"\| (key|column|array|property|name)\b", line) or (in_keys and line.startswith("|"))
-        if in_keys and line.startswith("| `"):
-            for span in re.findall(r"`([^`]*)`", line.split(" | ")[0]):
+        cells = [cell.strip() for cell in line.strip("|").split("|")] if line.startswith("|") else []
+        if not cells:
+            columns = []
+        elif not columns:  # the head of a table
+            columns = [k for k, cell in enumerate(cells) if re.match(r"(key|column|array|property|name)\b", cell)] or [-1]
+            continue
+        for k in columns:
+            for span in re.findall(r"`([^`]*)`", cells[k]) if 0 <= k < len(cells) else []:
                 here.rows += [(word, number) for word in re.findall(r"\b[A-Za-z]\w*", span) if not word.isupper()]
     return found
 
