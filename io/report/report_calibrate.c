@@ -7,6 +7,8 @@
 #include <wirecut/angle.h>
 #include <wirecut/report_pages.h>
 
+#include "base/fail.h"
+
 #define PERCENT 100
 
 enum { CURVE = 201, CHARTS = 5, TABLES = 3, COLUMNS = 12, LAWS = 2 };
@@ -528,6 +530,8 @@ static wcut_status write_page(page *p, int sections, const wcut_report_section *
 }
 
 wcut_status wcut_report_calibrate_write(const wcut_report_calibrate *of, const char *path, wcut_error *error) {
+    if (!of || !of->path || of->cuts < 1 || !of->cut || !of->options || !of->fit || !of->point || !path)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "report page: an argument is missing");
     page p = {.of = of};
     wcut_report_section section[1 + LAWS];
     /* a table that came through a pipe cannot be read once more: the page then has a dash for its hash */

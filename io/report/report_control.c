@@ -5,6 +5,8 @@
 #include <wirecut/angle.h>
 #include <wirecut/report_pages.h>
 
+#include "base/fail.h"
+
 enum { SPANS = 32, FIGURES = 8 };
 
 typedef struct page {
@@ -210,6 +212,9 @@ static double *in_degrees(const wcut_rig_run *run) {
 
 wcut_status wcut_report_control_write(const wcut_rig_summary *summary, const char *job_path, const char *path,
                                       wcut_error *error) {
+    if (!summary || !summary->job || !summary->control || !summary->options || !summary->feedback || !summary->plan ||
+        !job_path || !path)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "report page: an argument is missing");
     page p = {.s = summary};
     const int samples = summary->feedback->recording.samples;
 

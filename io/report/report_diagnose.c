@@ -4,6 +4,7 @@
 #include <string.h>
 #include <wirecut/report_pages.h>
 
+#include "base/fail.h"
 #include "io/report/page_memory.h"
 #include "io/report/report_evidence.h"
 
@@ -389,6 +390,8 @@ static wcut_status write_page(page *p, int sections, const wcut_report_section *
 }
 
 wcut_status wcut_report_diagnose_write(const wcut_report_diagnose *diagnosed, const char *path, wcut_error *error) {
+    if (!diagnosed || !diagnosed->diagnosis || !path)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "report page: an argument is missing");
     page p = {.of = diagnosed, .d = diagnosed->diagnosis};
     int count = 0;
     wcut_report_section *section = wcut_page_take(&p.memory, SECTIONS_BESIDE_CUTS + (size_t)p.d->cuts, sizeof *section);

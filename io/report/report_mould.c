@@ -5,6 +5,8 @@
 #include <wirecut/angle.h>
 #include <wirecut/report_pages.h>
 
+#include "base/fail.h"
+
 enum { ROWS = 13 };
 
 /* everything the page borrows */
@@ -180,6 +182,8 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
 
 wcut_status wcut_report_mould_write(const wcut_report_mould *run, const wcut_job *job, const wcut_history *history,
                                     const wcut_mould *mould, const char *path, wcut_error *error) {
+    if (!run || !run->job_path || !job || !mould || !path)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "report page: an argument is missing");
     page p = {.run = run, .job = job, .history = history, .mould = mould};
 
     /* copies and hashes */

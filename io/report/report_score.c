@@ -7,6 +7,7 @@
 #include <wirecut/angle.h>
 #include <wirecut/report_pages.h>
 
+#include "base/fail.h"
 #include "io/report/page_memory.h"
 
 enum {
@@ -374,6 +375,8 @@ static wcut_status write_page(page *p, int compared, int shown, int sections, co
 }
 
 wcut_status wcut_report_score_write(const wcut_report_score *scored, const char *path, wcut_error *error) {
+    if (!scored || scored->cuts < 1 || !scored->cut || !path)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "report page: an argument is missing");
     page p = {.of = scored};
     int compared = 0, shown = 0, sections = 1;
     for (int i = 0; i < scored->cuts; i++) compared += scored->cut[i].comparison != NULL;

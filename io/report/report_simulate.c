@@ -7,6 +7,8 @@
 #include <wirecut/curvature.h>
 #include <wirecut/report_pages.h>
 
+#include "base/fail.h"
+
 #define FLAT 1e-6 /* [1/mm] a radius of 1 km is flat: what is left is rounding */
 /* what is plotted of every station */
 enum {
@@ -262,6 +264,8 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
 
 wcut_status wcut_report_simulate_write(const wcut_report_simulate *run, const wcut_setup *setup,
                                        const wcut_history *history, const char *path, wcut_error *error) {
+    if (!run || !run->job_path || !setup || !history || history->stations < 1 || !path)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "report page: an argument is missing");
     page p = {.run = run, .job = wcut_setup_job(setup), .history = history};
     wcut_status status = fill(&p, setup, error);
     if (!status) {

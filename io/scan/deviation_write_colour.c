@@ -9,6 +9,7 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
+#include "base/vec3.h"
 #include "io/file/atomic.h"
 #include "io/file/number.h"
 #include "io/file/text.h"
@@ -103,7 +104,8 @@ wcut_status wcut_deviation_stream_create(const char *path, double limit, int nor
 wcut_status wcut_deviation_stream_append(wcut_deviation_stream *stream, int count, const wcut_vec3 *point,
                                          const wcut_vec3 *normal, const wcut_deviation *deviation, wcut_error *error) {
     if (!stream || count < 0 || count > INT32_MAX - stream->count ||
-        (count > 0 && (!point || !deviation || stream->normals != (normal != NULL))))
+        (count > 0 && (!point || !deviation || stream->normals != (normal != NULL))) ||
+        !vec3_all_finite(count, point) || (normal && !vec3_all_finite(count, normal)))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s", wcut_status_text(WCUT_BAD_ARGUMENT));
     for (int i = 0; i < count; i++) {
         const bool there = deviation[i].place <= WCUT_PLACE_BORDER;

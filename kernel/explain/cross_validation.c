@@ -10,6 +10,7 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "base/threads.h"
 #include "base/vec3.h"
 
 enum { MODELS = WCUT_FIT_MODEL_BLACK_BOX };
@@ -265,7 +266,7 @@ static wcut_status forecast_all(const wcut_evidence *e, const wcut_fitted *const
     double *room = wcut_alloc((size_t)e->rows, sizeof *room);
     wcut_status status = failed && room ? WCUT_OK : wcut_fail(error, WCUT_NO_MEMORY, "no memory for the proof");
     if (status == WCUT_OK) {
-#pragma omp parallel for num_threads(e->threads) schedule(dynamic, 1)
+#pragma omp parallel for num_threads(wcut_threads(e->threads)) schedule(dynamic, 1)
         for (int i = 0; i < tasks; i++) {
             const task t = {.cut = i / (2 * models), .model = i / 2 % models, .held_out = i % 2};
             if (e->cut[t.cut].bins == 0 || (t.held_out && t.model == WCUT_FIT_MODEL_BEFORE)) continue;

@@ -8,6 +8,7 @@
 #include "base/distribution.h"
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "base/threads.h"
 #include "explain/features.h"
 #include "explain/search.h"
 
@@ -122,7 +123,7 @@ static wcut_status fill(regression *r, const wcut_fitted *about, const double *r
     double *value = wcut_alloc((size_t)e->threads * WCUT_WEIGHTS * (size_t)bins, sizeof *value);
     if (!d || !value || !failed) status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for the features");
     if (status == WCUT_OK) {
-#pragma omp parallel for num_threads(e->threads) schedule(dynamic, 1)
+#pragma omp parallel for num_threads(wcut_threads(e->threads)) schedule(dynamic, 1)
         for (int k = 0; k < e->cuts; k++) {
             if (e->cut[k].bins == 0) continue;
             wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];

@@ -7,6 +7,7 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "base/threads.h"
 #include "base/vec3.h"
 #include "cut/setup.h"
 
@@ -319,8 +320,10 @@ wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, bool f
     wcut_error *failed = wcut_alloc((size_t)cuts, sizeof *failed);
     wcut_status status = WCUT_OK;
     if (e)
-        *e = (wcut_evidence){
-            .cuts = cuts, .cut = wcut_alloc((size_t)cuts, sizeof *e->cut), .threads = threads, .stop = stop};
+        *e = (wcut_evidence){.cuts = cuts,
+                             .cut = wcut_alloc((size_t)cuts, sizeof *e->cut),
+                             .threads = wcut_threads(threads),
+                             .stop = stop};
     if (!e || !failed || !e->cut) status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d cuts", cuts);
     const wcut_job *first = NULL;
     for (int k = 0; status == WCUT_OK && k < cuts; k++) {
@@ -335,7 +338,7 @@ wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, bool f
     if (status == WCUT_OK) {
         e->at = (wcut_model){.a = first->force_law.a, .b = first->force_law.b};
         e->coloured = 0.25;
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+#pragma omp parallel for num_threads(wcut_threads(threads)) schedule(dynamic, 1)
         for (int k = 0; k < cuts; k++)
             if (e->cut[k].job) failed[k].status = fill_cut(&e->cut[k], fed_back, stop, &failed[k]);
     }
@@ -416,7 +419,7 @@ wcut_status wcut_evidence_predict(wcut_evidence *e, const wcut_model *model, boo
     wcut_error *failed = wcut_alloc((size_t)e->cuts, sizeof *failed);
     if (!failed) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d cuts", e->cuts);
     e->at = *model;
-#pragma omp parallel for num_threads(e->threads) schedule(dynamic, 1)
+#pragma omp parallel for num_threads(wcut_threads(e->threads)) schedule(dynamic, 1)
     for (int k = 0; k < e->cuts; k++)
         if (e->cut[k].bins > 0) failed[k].status = predict_cut(e, k, scans, &failed[k]);
     wcut_status status = WCUT_OK;

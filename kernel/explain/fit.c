@@ -6,6 +6,7 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "base/threads.h"
 
 enum { NODES_FINE = WCUT_NODES_FINE, ROUNDS = 7, JACOBIANS = 2, ANCHORS = 4, ENDS = 3 };
 
@@ -246,7 +247,7 @@ static wcut_status set_anchor(fitting *g, wcut_error *error) {
     const wcut_model model = wcut_fitted_model(g->f, g->f->x);
     wcut_error *failed = wcut_alloc((size_t)e->cuts, sizeof *failed);
     if (!failed) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d cuts", e->cuts);
-#pragma omp parallel for num_threads(e->threads) schedule(dynamic, 1)
+#pragma omp parallel for num_threads(wcut_threads(e->threads)) schedule(dynamic, 1)
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
         if (c->bins == 0) continue;

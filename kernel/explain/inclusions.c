@@ -7,6 +7,7 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "base/threads.h"
 #include "base/vec3.h"
 
 enum { NODES = WCUT_NODES_COARSE, COLUMNS = 4, PHASES = 3, BLOBS_MAX = 60, PLACES_X = 6 };
@@ -173,7 +174,7 @@ wcut_status wcut_inclusions_create(const wcut_evidence *e, const wcut_model *abo
     wcut_inclusions found = {0};
     wcut_status status = b && failed ? WCUT_OK : WCUT_NO_MEMORY;
     if (status == WCUT_OK) {
-#pragma omp parallel for num_threads(e->threads) schedule(dynamic, 1)
+#pragma omp parallel for num_threads(wcut_threads(e->threads)) schedule(dynamic, 1)
         for (int cut = 0; cut < e->cuts; cut++)
             if (e->cut[cut].bins > 0) failed[cut] = run_cut(e, about, cut, &b[cut]);
         for (int cut = 0; cut < e->cuts; cut++)

@@ -4,6 +4,7 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
+#include "base/threads.h"
 #include "base/vec3.h"
 #include "explain/fit.h"
 
@@ -72,7 +73,7 @@ wcut_status wcut_models_rows(const wcut_evidence *e, int count, const wcut_model
         if (motion[k] >= 0 && motion[k] < k) shared = motion[k];
     }
     if (status == WCUT_OK && shared >= 0) {
-#pragma omp parallel for num_threads(e->threads) schedule(dynamic, 1)
+#pragma omp parallel for num_threads(wcut_threads(e->threads)) schedule(dynamic, 1)
         for (int cut = 0; cut < e->cuts; cut++) {
             if (e->cut[cut].bins == 0) continue;
             wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
@@ -84,7 +85,7 @@ wcut_status wcut_models_rows(const wcut_evidence *e, int count, const wcut_model
             if (failed[cut].status != WCUT_OK) status = wcut_fail(error, failed[cut].status, "%s", failed[cut].text);
     }
     if (status == WCUT_OK) {
-#pragma omp parallel for num_threads(e->threads) schedule(dynamic, 1)
+#pragma omp parallel for num_threads(wcut_threads(e->threads)) schedule(dynamic, 1)
         for (int task = 0; task < tasks; task++) {
             const int k = task / e->cuts, cut = task % e->cuts;
             if (e->cut[cut].bins == 0) continue;

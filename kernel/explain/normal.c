@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/numbers.h"
+#include "base/threads.h"
 #include "explain/fit.h"
 
 wcut_status wcut_normal_equations_create(int n, int cuts, wcut_normal_equations *out) {
@@ -41,7 +42,7 @@ void wcut_normal_equations_fill(const wcut_evidence *e, const double *column, co
     memset(out->gram, 0, square * sizeof(double));
     memset(out->moment, 0, (size_t)n * sizeof(double));
     out->total = 0;
-#pragma omp parallel for num_threads(e->threads) schedule(dynamic, 1)
+#pragma omp parallel for num_threads(wcut_threads(e->threads)) schedule(dynamic, 1)
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
         const int count = WCUT_SIGNALS * c->bins + c->patch.count, from = c->row;

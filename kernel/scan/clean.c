@@ -3,6 +3,7 @@
 #include <wirecut/cloud.h>
 
 #include "base/alloc.h"
+#include "base/threads.h"
 #include "base/vec3.h"
 #include "scan/duplicates.h"
 #include "scan/kd_tree.h"
@@ -138,7 +139,7 @@ static wcut_status find_outliers(cleaning *c) {
     wcut_status status = work ? wcut_kd_tree_build(c->left, c->some, c->threads, &c->tree) : WCUT_NO_MEMORY;
     if (status == WCUT_OK) {
         const int blocks = c->left / BLOCK + (c->left % BLOCK > 0);
-#pragma omp parallel for schedule(dynamic) num_threads(c->threads)
+#pragma omp parallel for schedule(dynamic) num_threads(wcut_threads(c->threads))
         for (int b = 0; b < blocks; b++) look_around(c, b * BLOCK, b == blocks - 1 ? c->left : (b + 1) * BLOCK);
     }
     if (status == WCUT_OK && o->neighbours > 0) {

@@ -9,6 +9,9 @@
 static const double FLAT = 1e-9; /* [mm^2] twice the area of a triangle that is none */
 static const double LEAST = 3;   /* points that a value is the mean of, where a window may grow to find them */
 
+/* in 0 .. 1; NaN gives 0 */
+static double share_of(double x) { return x > 0 ? fmin(x, 1) : 0; }
+
 void wcut_face_locate(const wcut_face *face, double u, double v, double *row, double *column) {
     int low = 0, high = face->stations - 1;
     while (high - low > 1) {
@@ -19,11 +22,11 @@ void wcut_face_locate(const wcut_face *face, double u, double v, double *row, do
             high = middle;
     }
     const double step = face->parameter[high] - face->parameter[low];
-    const double t = step > 0 ? clamp((v - face->parameter[low]) / step, 0, 1) : 0;
+    const double t = step > 0 ? share_of((v - face->parameter[low]) / step) : 0;
     const double begin = face->begin[low] + t * (face->begin[high] - face->begin[low]);
     const double width = face->end[low] + t * (face->end[high] - face->end[low]) - begin;
     *row = low + t;
-    *column = clamp(width > 0 ? (u - begin) / width : 0, 0, 1) * (face->nodes - 1);
+    *column = share_of(width > 0 ? (u - begin) / width : 0) * (face->nodes - 1);
 }
 
 double wcut_face_kerf(const wcut_face *face) {
@@ -89,7 +92,7 @@ void wcut_face_map_destroy(wcut_face_map *map) {
 void wcut_face_map_add(wcut_face_map *map, const wcut_face *face, int count, const wcut_deviation *deviation) {
     for (int i = 0; i < count; i++) {
         const wcut_deviation *d = &deviation[i];
-        if (d->place > WCUT_PLACE_BORDER) continue;
+        if (d->place > WCUT_PLACE_BORDER || !isfinite(d->u) || !isfinite(d->v) || !isfinite(d->distance)) continue;
         double row, column;
         wcut_face_locate(face, d->u, d->v, &row, &column);
         const int r = row < map->rows - 2 ? (int)row : map->rows - 2;
@@ -106,9 +109,12 @@ void wcut_face_map_add(wcut_face_map *map, const wcut_face *face, int count, con
 wcut_status wcut_mesh_spread(const wcut_mesh *mesh, int count, const wcut_deviation *deviation, double *sum,
                              double *weight) {
     if (!mesh || count < 0 || (count > 0 && (!deviation || !sum || !weight))) return WCUT_BAD_ARGUMENT;
+    for (int i = 0; i < count; i++)
+        if (deviation[i].triangle < 0 || deviation[i].triangle >= mesh->triangle_count) return WCUT_BAD_ARGUMENT;
+
+    /* the sums change only now that every triangle is known to be there */
     for (int i = 0; i < count; i++) {
         const wcut_deviation *d = &deviation[i];
-        if (d->triangle < 0 || d->triangle >= mesh->triangle_count) return WCUT_BAD_ARGUMENT;
         if (d->place > WCUT_PLACE_BORDER) continue;
         const double share[3] = {1 - d->u - d->v, d->u, d->v};
         for (int k = 0; k < 3; k++) {

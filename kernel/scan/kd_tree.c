@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/threads.h"
 #include "base/vec3.h"
 
 enum { DEPTH_MOST = 32, PARALLEL_LEVEL = 4, INSERTION = 12 };
@@ -115,7 +116,7 @@ wcut_status wcut_kd_tree_build(int count, const wcut_vec3 *point, int threads, w
         return WCUT_NO_MEMORY;
     }
     for (int i = 0; i < count; i++) items[i] = (item){{point[i].x, point[i].y, point[i].z}, i};
-#pragma omp parallel num_threads(threads)
+#pragma omp parallel num_threads(wcut_threads(threads))
 #pragma omp single
     divide(&t, items, 0, 0, 0, count);
     for (int i = 0; i < count; i++) {

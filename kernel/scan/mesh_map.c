@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/numbers.h"
+#include "base/threads.h"
 #include "base/vec3.h"
 #include "scan/kd_tree.h"
 #include "scan/mesh_distance.h"
@@ -95,7 +96,7 @@ static wcut_status missing_area(const wcut_mesh *m, double support, const wcut_k
     const double side = part_side(m, support);
     double *missing = wcut_alloc((size_t)m->triangle_count, sizeof *missing), sum = 0;
     if (!missing) return WCUT_NO_MEMORY;
-#pragma omp parallel for schedule(dynamic, 256) num_threads(threads)
+#pragma omp parallel for schedule(dynamic, 256) num_threads(wcut_threads(threads))
     for (int t = 0; t < m->triangle_count; t++) {
         wcut_vec3 p[3];
         corners_of(m, t, p);
@@ -121,11 +122,13 @@ wcut_status wcut_mesh_map_eval(const wcut_mesh *mesh, const double *sum, const d
     wcut_status status = near ? wcut_kd_tree_build(count, point, threads, &tree) : WCUT_NO_MEMORY;
     if (status == WCUT_OK) {
         const double limit = nextafter(support, INFINITY);
-#pragma omp parallel for schedule(dynamic, 1024) num_threads(threads)
+#pragma omp parallel for schedule(dynamic, 1024) num_threads(wcut_threads(threads))
         for (int k = 0; k < mesh->vertex_count; k++)
             near[k] = wcut_kd_tree_distance(&tree, mesh->vertex[k], limit) < limit;
-        status = missing_area(mesh, support, &tree, threads, area);
+        double missing = 0;
+        status = missing_area(mesh, support, &tree, threads, &missing);
         if (status == WCUT_OK) status = fill(mesh, sum, weight, near, value, present);
+        if (status == WCUT_OK) *area = missing;
         wcut_kd_tree_clear(&tree);
     }
     wcut_free(near);

@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/numbers.h"
+#include "base/threads.h"
 #include "base/vec3.h"
 #include "scan/kd_tree.h"
 #include "scan/orient.h"
@@ -81,7 +82,7 @@ static void find_normals(const wcut_kd_tree *t, int neighbours, int first, int e
 static wcut_status solve(const wcut_kd_tree *t, const wcut_normal_options *o, int threads, wcut_vec3 *normal,
                          wcut_normal_report *report) {
     const int blocks = t->count / BLOCK + (t->count % BLOCK > 0);
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
+#pragma omp parallel for schedule(dynamic) num_threads(wcut_threads(threads))
     for (int b = 0; b < blocks; b++)
         find_normals(t, o->neighbours, b * BLOCK, b == blocks - 1 ? t->count : (b + 1) * BLOCK, normal);
     for (int k = 0; k < t->count; k++) report->undefined += !(vec3_dot(normal[k], normal[k]) > 0);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "base/threads.h"
 #include "base/vec3.h"
 
 enum { NEIGHBOURS_MOST = 8, BLOCK = 1024 };
@@ -214,7 +215,7 @@ wcut_status wcut_orient(const wcut_kd_tree *tree, int neighbours, wcut_vec3 side
     wcut_status status = o.number ? list_waiting(&o, steep, report) : WCUT_NO_MEMORY;
     if (status == WCUT_OK && o.waiting_count > 0) {
         const int blocks = o.waiting_count / BLOCK + (o.waiting_count % BLOCK > 0);
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
+#pragma omp parallel for schedule(dynamic) num_threads(wcut_threads(threads))
         for (int b = 0; b < blocks; b++)
             find_neighbours(&o, b * BLOCK, b == blocks - 1 ? o.waiting_count : (b + 1) * BLOCK);
         status = turn_edges(&o);

@@ -5,6 +5,7 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "base/threads.h"
 #include "base/vec3.h"
 #include "scan/kd_tree.h"
 #include "scan/reconstruct_base.h"
@@ -97,7 +98,7 @@ static wcut_status find_heights(const wcut_lattice *lattice, const wcut_base *ba
         clear_heights(&h);
         return WCUT_NO_MEMORY;
     }
-#pragma omp parallel for schedule(static) num_threads(threads)
+#pragma omp parallel for schedule(static) num_threads(wcut_threads(threads))
     for (int k = 0; k < count; k++) h.place[k] = wcut_lattice_locate(lattice, foot[k].u, foot[k].v);
     for (int k = 0; k < count; k++)
         if (!foot[k].beyond) {

@@ -5,6 +5,7 @@
 
 #include "base/alloc.h"
 #include "base/numbers.h"
+#include "base/threads.h"
 #include "base/vec3.h"
 
 enum { CORNERS = 4, MOST_STEPS = 5000 };
@@ -181,7 +182,7 @@ static void stiffen(plate *p, double root) {
 /* y = A x */
 static void multiply(const plate *p, const double *x, double *y) {
     const int offset[OFFSETS] = {0, 1, 2, p->columns - 1, p->columns, p->columns + 1, 2 * p->columns};
-#pragma omp parallel for schedule(static) num_threads(p->threads)
+#pragma omp parallel for schedule(static) num_threads(wcut_threads(p->threads))
     for (int j = 0; j < p->rows; j++)
         for (int k = j * p->columns; k < (j + 1) * p->columns; k++) {
             double sum = p->entry[SELF][k] * x[k];
@@ -193,7 +194,7 @@ static void multiply(const plate *p, const double *x, double *y) {
 
 /* sum of a b c (c may be NULL): rows first, then in their order, the same for every number of threads */
 static double dot(const plate *p, const double *a, const double *b, const double *c) {
-#pragma omp parallel for schedule(static) num_threads(p->threads)
+#pragma omp parallel for schedule(static) num_threads(wcut_threads(p->threads))
     for (int j = 0; j < p->rows; j++) {
         double sum = 0;
         for (int k = j * p->columns; k < (j + 1) * p->columns; k++) sum += c ? a[k] * b[k] * c[k] : a[k] * b[k];

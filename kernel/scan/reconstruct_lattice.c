@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/numbers.h"
+#include "base/threads.h"
 #include "base/vec3.h"
 
 enum { ACROSS = 33, ALONG_LEAST = 64, ALONG_MOST = 4096 };
@@ -64,7 +65,7 @@ static wcut_status make_ruler(const wcut_surface *surface, int by_u, ruler *r) {
 }
 
 static void find_normals(const wcut_surface *surface, int threads, wcut_lattice *l) {
-#pragma omp parallel for schedule(static) num_threads(threads)
+#pragma omp parallel for schedule(static) num_threads(wcut_threads(threads))
     for (int j = 0; j < l->rows; j++)
         for (int i = 0; i < l->columns; i++) {
             wcut_vec3 d[4];

@@ -3,6 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/numbers.h"
+#include "base/threads.h"
 #include "base/vec3.h"
 #include "scan/reconstruct_holes.h"
 
@@ -24,7 +25,7 @@ wcut_status wcut_sheet_raise(const wcut_lattice *lattice, const wcut_field *fiel
     }
     /* just beyond the support, so that what is as far as that still counts */
     const double limit = nextafter(support, INFINITY);
-#pragma omp parallel for schedule(dynamic, 1024) num_threads(threads)
+#pragma omp parallel for schedule(dynamic, 1024) num_threads(wcut_threads(threads))
     for (int k = 0; k < nodes; k++) {
         const bool usable =
             field->active[k] && is_covered(&s, k) && vec3_dot(lattice->normal[k], lattice->normal[k]) > 0;

@@ -8,6 +8,7 @@
 #include "base/distribution.h"
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "base/threads.h"
 #include "scan/mesh_distance.h"
 #include "scan/register.h"
 #include "scan/span.h"
@@ -82,7 +83,7 @@ static wcut_status find_feet(wcut_register_cloud *c, const wcut_motion *motion) 
 
 static void find_normals(wcut_register_cloud *c) {
     const wcut_register_face *f = &c->face;
-#pragma omp parallel for schedule(static) num_threads(c->threads)
+#pragma omp parallel for schedule(static) num_threads(wcut_threads(c->threads))
     for (int i = 0; i < c->count; i++)
         c->normal[i] = f->projection ? normal_of_surface(f->projection, (const wcut_foot *)c->foot + i)
                                      : normal_of_mesh(f->mesh, (const wcut_mesh_foot *)c->foot + i);

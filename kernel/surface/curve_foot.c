@@ -9,6 +9,7 @@
 
 #include "base/alloc.h"
 #include "base/numbers.h"
+#include "base/threads.h"
 #include "base/vec3.h"
 #include "surface/bezier.h"
 
@@ -219,7 +220,7 @@ wcut_status wcut_curve_locate(const wcut_curve *curve, int count, const wcut_vec
     finder f;
     const wcut_status status = finder_build(curve, &f);
     if (status != WCUT_OK) return status;
-#pragma omp parallel for schedule(dynamic, 64) num_threads(threads)
+#pragma omp parallel for schedule(dynamic, 64) num_threads(wcut_threads(threads))
     for (int k = 0; k < count; k++) locate(&f, query[k], &foot[k]);
     finder_clear(&f);
     return WCUT_OK;

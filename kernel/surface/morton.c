@@ -7,6 +7,7 @@
 
 #include "base/alloc.h"
 #include "base/numbers.h"
+#include "base/threads.h"
 
 enum { BITS = 11, BUCKETS = 1 << BITS, CHUNKS = 64, SMALL = 10000 };
 
@@ -108,18 +109,18 @@ static void move_items(sorter *s, int chunk, int pass) {
 }
 
 static void sort(sorter *s) {
-#pragma omp parallel for schedule(static) num_threads(s->chunks)
+#pragma omp parallel for schedule(static) num_threads(wcut_threads(s->chunks))
     for (int c = 0; c < s->chunks; c++) find_box(s, c);
     for (int c = 1; c < s->chunks; c++)
         s->low[0] = lower(s->low[0], s->low[c]), s->high[0] = higher(s->high[0], s->high[c]);
     plan_cells(s);
-#pragma omp parallel for schedule(static) num_threads(s->chunks)
+#pragma omp parallel for schedule(static) num_threads(wcut_threads(s->chunks))
     for (int c = 0; c < s->chunks; c++) code_points(s, c);
     for (int pass = 0; pass < s->digits; pass++) {
-#pragma omp parallel for schedule(static) num_threads(s->chunks)
+#pragma omp parallel for schedule(static) num_threads(wcut_threads(s->chunks))
         for (int c = 0; c < s->chunks; c++) count_digits(s, c, pass);
         sum_counts(s);
-#pragma omp parallel for schedule(static) num_threads(s->chunks)
+#pragma omp parallel for schedule(static) num_threads(wcut_threads(s->chunks))
         for (int c = 0; c < s->chunks; c++) move_items(s, c, pass);
         uint64_t *swap = s->now;
         s->now = s->next, s->next = swap;

@@ -2,6 +2,7 @@
 #include "surface/query_batch.h"
 
 #include "base/alloc.h"
+#include "base/threads.h"
 #include "surface/morton.h"
 
 enum { BLOCK = WCUT_QUERY_BLOCK };
@@ -11,7 +12,7 @@ wcut_status wcut_query_batch_run(const wcut_query_batch *batch, int count, const
     const wcut_status status = wcut_morton_order(count, query, threads, &order);
     if (status != WCUT_OK) return status;
     const int blocks = count / BLOCK + (count % BLOCK > 0);
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
+#pragma omp parallel for schedule(dynamic) num_threads(wcut_threads(threads))
     for (int block = 0; block < blocks; block++) {
         const int first = block * BLOCK, here = block == blocks - 1 ? count - first : BLOCK;
         wcut_vec3 near[BLOCK];

@@ -31,7 +31,8 @@ static double measure_edges(int n, const wcut_vec3 *x, const double *length, dou
 wcut_status wcut_fdm_solve(int n, const wcut_vec3 *force, const double *length, const wcut_fdm_options *options,
                            double *q, wcut_vec3 *x, wcut_fdm_report *report) {
     const wcut_fdm_options o = options ? *options : wcut_fdm_options_default();
-    if (n < 3 || !force || !length || !q || !x || o.max_rounds < 1) return WCUT_BAD_ARGUMENT;
+    if (n < 3 || !force || !length || !q || !x || o.max_rounds < 1 || !isfinite(o.tolerance) || o.tolerance < 0)
+        return WCUT_BAD_ARGUMENT;
     if (!vec3_all_finite(n - 2, force + 1) || !vec3_all_finite(1, x) || !vec3_all_finite(1, x + n - 1) ||
         !all_positive(n - 1, length) || !all_positive(n - 1, q))
         return WCUT_BAD_ARGUMENT;

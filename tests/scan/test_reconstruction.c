@@ -1,4 +1,5 @@
-/* Reconstruction against faces whose deviation is known, and what it says of where there was no scan. */
+/* Reconstruction against faces whose deviation is known, and what it says of where there was no scan.
+   labels: unit plain */
 #include <string.h>
 #include <wirecut/reconstruction.h>
 

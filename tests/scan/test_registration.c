@@ -1,4 +1,5 @@
-/* Registration against known motions, Bayes' rule in closed form, and the coverage of its covariance. */
+/* Registration against known motions, Bayes' rule in closed form, and the coverage of its covariance.
+   labels: unit plain */
 #include <limits.h>
 #include <string.h>
 #include <wirecut/registration.h>

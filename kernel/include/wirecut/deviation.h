@@ -54,7 +54,7 @@ WCUT_API const char *wcut_place_name(wcut_place place);
  * @param[in]  threads    1 or more; the result does not depend on it
  * @param[out] deviation  count
  * @param[out] foot       count, or NULL
- * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing of use was written.
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
  */
 WCUT_API wcut_status wcut_deviation_from_surface(const wcut_projection *projection, int count, const wcut_vec3 *point,
                                                  const wcut_deviation_options *options, int threads,
@@ -69,7 +69,7 @@ WCUT_API wcut_status wcut_deviation_from_surface(const wcut_projection *projecti
  * @param[in]  options   NULL for the defaults
  * @param[in]  threads   1 or more; the result does not depend on it
  * @param[out] deviation count
- * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing of use was written.
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
  */
 WCUT_API wcut_status wcut_deviation_from_mesh(const wcut_mesh_tree *tree, int count, const wcut_vec3 *point,
                                               const wcut_deviation_options *options, int threads,

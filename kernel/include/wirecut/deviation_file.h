@@ -89,7 +89,7 @@ typedef struct wcut_deviation_stream wcut_deviation_stream;
 WCUT_API wcut_status wcut_deviation_stream_create(const char *path, double limit, int normals,
                                                   wcut_deviation_stream **stream, wcut_error *error);
 
-/** Append count points, their normals (NULL if begun without) and deviations; those that do not count are grey and
+/** Append count finite points, their normals (NULL if begun without) and deviations; those that do not count are grey and
     nan. */
 WCUT_API wcut_status wcut_deviation_stream_append(wcut_deviation_stream *stream, int count, const wcut_vec3 *point,
                                                   const wcut_vec3 *normal, const wcut_deviation *deviation,

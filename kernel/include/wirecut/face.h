@@ -67,7 +67,8 @@ WCUT_API double wcut_face_kerf(const wcut_face *face);
  */
 WCUT_API wcut_status wcut_face_mesh(const wcut_face *face, wcut_mesh **mesh);
 
-/** Where a foot is on a face's grid: row + share in v, column + share in u, both clamped to the grid. */
+/** Where a foot is on a face's grid: row + share in v, column + share in u, both clamped to the grid;
+ * NaN gives the grid's beginning. */
 WCUT_API void wcut_face_locate(const wcut_face *face, double u, double v, double *row, double *column);
 
 /**
@@ -88,7 +89,7 @@ typedef struct wcut_face_map {
  */
 WCUT_API wcut_status wcut_face_map_create(const wcut_face *face, wcut_face_map **map);
 
-/** Spread some deviations; those beyond or ambiguous are passed over. */
+/** Spread some deviations; those that are beyond, ambiguous or not finite are passed over. */
 WCUT_API void wcut_face_map_add(wcut_face_map *map, const wcut_face *face, int count, const wcut_deviation *deviation);
 
 /**
@@ -112,7 +113,7 @@ WCUT_API wcut_status wcut_face_map_eval(const wcut_face_map *map, const wcut_fac
  * @param[in]     deviation count
  * @param[in,out] sum       mesh->vertex_count [mm]
  * @param[in,out] weight    mesh->vertex_count
- * @return WCUT_OK; WCUT_BAD_ARGUMENT (a triangle that the mesh has not): nothing of use was written.
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (also a triangle that the mesh does not have): the sums are as they were.
  */
 WCUT_API wcut_status wcut_mesh_spread(const wcut_mesh *mesh, int count, const wcut_deviation *deviation, double *sum,
                                       double *weight);
@@ -130,7 +131,7 @@ WCUT_API wcut_status wcut_mesh_spread(const wcut_mesh *mesh, int count, const wc
  * @param[out] value       mesh->vertex_count [mm]
  * @param[out] present     mesh->vertex_count: 0 where nothing was measured; then the value is 0
  * @param[out] area        [mm^2] of the mesh without a point within the support, by places that far apart
- * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing of use was written.
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
  */
 WCUT_API wcut_status wcut_mesh_map_eval(const wcut_mesh *mesh, const double *sum, const double *weight, int count,
                                         const wcut_vec3 *point, double support, int threads, double *value,
