@@ -1,9 +1,15 @@
 #!/bin/sh
-# Every test, on a bare Debian 12 as root or with sudo:  sh tests/run.sh [--quick]
+# Every test, on a bare Debian 12 as root or with sudo:  sh tests/run.sh [--quick | --nightly]
 #
-# Installs the missing packages; then the dev build with its tests, format, static analysis, the tests once more under
-# the address and undefined sanitizers, and short fuzzing. The last line says how many passed and failed; the exit code
-# is 0 only where nothing failed. --quick: dev build and its tests alone. WCUT_FUZZ_SECONDS (10): time for each fuzzer.
+# Installs the missing packages; then the dev build with its tests, format, static analysis of what changed, the tests
+# once more under the address and undefined sanitizers, and short fuzzing. A table says what each step cost; the last line
+# how many passed, failed and were skipped. The exit code is 0 only where nothing failed.
+#   --quick    dev build and its tests alone
+#   --nightly  clang-tidy of every source; the slow tests, too; the tests labelled `plain` under sanitizers, too
+# A test is `plain` where it is long and only its numbers are new: under sanitizers shorter ones run the same code, and
+# tests/hostile every public function.
+# WCUT_FUZZ_SECONDS (5): time for each fuzzer. WCUT_BASE: clang-tidy looks at what changed since this commit (else the last
+# tag, else where the branch left origin/main; where there is none of these, at everything).
 set -u
 cd "$(dirname "$0")/.." || exit 1
 . tests/packages.sh
@@ -13,17 +19,22 @@ TZ=UTC
 export LC_ALL TZ
 unset CDPATH CFLAGS CXXFLAGS CPPFLAGS LDFLAGS MAKEFLAGS
 jobs=$(nproc)
-fuzz_seconds=${WCUT_FUZZ_SECONDS:-10}
+fuzz_seconds=${WCUT_FUZZ_SECONDS:-5}
 passed=0
 failed=0
+skipped=0
 causes=
+costs=
 
 quick=false
+nightly=false
 case "${1-}" in
     "") ;;
     --quick) quick=true ;;
-    *) echo "usage: sh tests/run.sh [--quick]" >&2; exit 2 ;;
+    --nightly) nightly=true ;;
+    *) echo "usage: sh tests/run.sh [--quick | --nightly]" >&2; exit 2 ;;
 esac
+
 case "$fuzz_seconds" in
     '' | *[!0-9]*) echo "WCUT_FUZZ_SECONDS=$fuzz_seconds: expected a whole number of seconds" >&2; exit 2 ;;
 esac
@@ -36,14 +47,33 @@ fail() {
   $2"
 }
 
+# the adapters have the same command line in every preset: a compiler cache compiles them once
+use_cache() {
+    command -v ccache >/dev/null || return 0
+    CMAKE_C_COMPILER_LAUNCHER=ccache
+    CMAKE_CXX_COMPILER_LAUNCHER=ccache
+    CCACHE_BASEDIR=$PWD
+    CCACHE_NOHASHDIR=1
+    export CMAKE_C_COMPILER_LAUNCHER CMAKE_CXX_COMPILER_LAUNCHER CCACHE_BASEDIR CCACHE_NOHASHDIR
+}
+
+# cost NAME BEGIN: what a step took, for the table at the end
+cost() {
+    costs="$costs$(printf '%6d s  %s' "$(($(date +%s) - $2))" "$1")
+"
+}
+
 # step NAME COMMAND...: one check; a step that fails does not hide those after it
 step() {
     name=$1
+    begun=$(date +%s)
     shift
     heading "$name"
     if "$@"; then
         passed=$((passed + 1))
+        cost "$name" "$begun"
     else
+        cost "$name (failed)" "$begun"
         fail 1 "$name"
         return 1
     fi
@@ -55,18 +85,23 @@ configure_and_build() {
     cmake --build "$@"
 }
 
-# run_tests PRESET: every test but the slow ones; ctest's own count is added, and its exit code has the last word
+# run_tests PRESET WITHOUT: every test but those with such a label; ctest's own count is added, and its exit code has the
+# last word. A test that found nothing to test is no test that passed.
 run_tests() {
     heading "tests, $1"
+    begun=$(date +%s)
     log=build/ctest-$1.log
-    { ctest --preset "$1" -LE slow -j "$jobs" --no-tests=error; echo $? >"$log.status"; } 2>&1 | tee "$log"
+    { ctest --preset "$1" -LE "$2" -j "$jobs" --no-tests=error; echo $? >"$log.status"; } 2>&1 | tee "$log"
     total=$(sed -n 's/^[0-9]*% tests passed, [0-9]* tests failed out of \([0-9]*\)$/\1/p' "$log")
     broken=$(sed -n 's/^[0-9]*% tests passed, \([0-9]*\) tests failed out of [0-9]*$/\1/p' "$log")
     if [ -z "$total" ] || [ -z "$broken" ]; then
         fail 1 "tests, $1: ctest gave no count"
         return
     fi
-    passed=$((passed + total - broken))
+    empty=$(grep -c '\*\*\*Skipped' "$log")
+    cost "tests, $1" "$begun"
+    passed=$((passed + total - broken - empty))
+    skipped=$((skipped + empty))
     if [ "$broken" -gt 0 ]; then
         fail "$broken" "tests, $1: $(sed -n 's/^\t *[0-9]* - \([^ ]*\) (.*/\1/p' "$log" | tr '\n' ' ')"
     elif [ "$(cat "$log.status")" -ne 0 ]; then
@@ -80,11 +115,37 @@ check_format() {
     sources -name '*.[ch]' -o -name '*.cpp' -o -name '*.hpp' | xargs clang-format-14 --dry-run -Werror
 }
 
+# the commit since which clang-tidy looks; nothing: at everything
+tidy_base() {
+    $nightly && return 0
+    head=$(git rev-parse -q --verify HEAD 2>/dev/null) || return 0
+    for base in "${WCUT_BASE-}" "$(git describe --tags --abbrev=0 2>/dev/null)" "$(git merge-base HEAD origin/main 2>/dev/null)"; do
+        base=$(git rev-parse -q --verify "$base^{commit}" 2>/dev/null) || continue
+        [ "$base" = "$head" ] || { echo "$base"; return 0; }
+    done
+}
+
+# C sources to look at: those that changed, and one that includes each header that changed
+tidy_sources() {
+    base=$(tidy_base)
+    if [ -z "$base" ] || ! git diff --quiet "$base" -- .clang-tidy; then
+        sources -name '*.c'
+    else
+        git diff --name-only --diff-filter=d "$base" -- '*.c' '*.h' | while read -r file; do
+            case "$file" in
+                *.c) echo "$file" ;;
+                *) grep -rlE --include='*.c' "^#include [<\"](.*/)?$(basename "$file")[>\"]" kernel io apps | LC_ALL=C sort | head -n 1 ;;
+            esac
+        done
+    fi | grep -v -e '^tests/fuzz/' -e '^tests/install/' | LC_ALL=C sort -u
+}
+
 # one source a call, as many at a time as there are cores; xargs ends with 123 where any call failed
 check_tidy() {
+    tidy_sources >build/tidy.list
+    echo "$(wc -l <build/tidy.list) sources"
     # shellcheck disable=SC2016 # for the inner shell
-    sources -name '*.c' ! -path 'tests/fuzz/*' ! -path 'tests/install/*' |
-        xargs -P "$jobs" -n 1 sh -c 'clang-tidy-14 -p build/dev --quiet "$0" 2>"build/tidy.$$" ||
+    <build/tidy.list xargs -r -P "$jobs" -n 1 sh -c 'clang-tidy-14 -p build/dev --quiet "$0" 2>"build/tidy.$$" ||
             { cat "build/tidy.$$" >&2; exit 1; }; rm -f "build/tidy.$$"'
 }
 
@@ -131,31 +192,42 @@ fuzz_said() {
     fi
 }
 
+# fuzz_result NAME: a check like a step, without a cost of its own
+fuzz_result() {
+    if fuzz_said "$1"; then passed=$((passed + 1)); else fail 1 "fuzz $1"; fi
+}
+
 started=$(date +%s)
 mkdir -p build
+begun=$started
 install_packages tests/packages.txt build test || exit 1
+cost "packages" "$begun"
+use_cache
 
 if step "build, dev" configure_and_build dev --preset dev --target all bench; then
-    run_tests dev
+    if $nightly; then run_tests dev none; else run_tests dev slow; fi
 fi
 if ! $quick; then
     step "format" check_format
     step "static analysis, clang-tidy" check_tidy
     step "static analysis, cppcheck" check_cppcheck
     if step "build, asan" configure_and_build asan --preset asan; then
-        run_tests asan
+        if $nightly; then run_tests asan slow; else run_tests asan 'slow|plain'; fi
     fi
     if step "build, fuzz" configure_and_build fuzz --preset fuzz; then
         heading "fuzzing, $fuzz_seconds s each"
+        begun=$(date +%s)
         fuzz_all
+        cost "fuzzing, $fuzz_seconds s each" "$begun"
         for source in tests/fuzz/fuzz_*.c; do
             name=$(basename "$source" .c | sed 's/^fuzz_//')
-            step "fuzz $name" fuzz_said "$name"
+            fuzz_result "$name"
         done
     fi
 fi
 
 heading "end"
+printf '%s' "$costs"
 [ -z "$causes" ] || echo "failed:$causes"
-echo "$passed passed, $failed failed"
+echo "$passed passed, $failed failed, $skipped skipped"
 [ "$failed" -eq 0 ]

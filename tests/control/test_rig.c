@@ -1,5 +1,5 @@
 /* The closed loop: a force law that is wrong, a density step, delay and noise, with feedback and without. */
-/* labels: property */
+/* labels: property plain */
 #include <math.h>
 #include <string.h>
 #include <wirecut/job.h>

@@ -1,5 +1,5 @@
 /* First contact of wires that come loose, tilted, one side before the other; mounts that stand still.
-   labels: property */
+   labels: property plain */
 #include "cut/cuts.h"
 #include "test.h"
 

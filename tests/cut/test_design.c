@@ -1,5 +1,5 @@
 /* Design mode: the wire between two edge curves, the path curves it gives, and the way back: the path curves cut in
-   path mode leave the designed surface in the block. labels: unit property oracle */
+   path mode leave the designed surface in the block. labels: unit property oracle plain */
 #include "cut/cuts.h"
 #include "foam/block.h"
 #include "test.h"

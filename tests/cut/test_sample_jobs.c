@@ -1,5 +1,5 @@
 /* The sample jobs: cut to their ends without a wobble, their phases, and where along the wire the foam loads it
-   (Rust et al. 2016, 2.5). labels: unit property */
+   (Rust et al. 2016, 2.5). labels: unit property plain */
 #include "cut/cuts.h"
 #include "cut/wobble.h"
 #include "test.h"

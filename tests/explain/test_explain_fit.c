@@ -1,4 +1,5 @@
-/* Fits: the normal equations against dense least squares, and true parameters back from cuts of the library's own wire. */
+/* Fits: the normal equations against dense least squares, and true parameters back from cuts of the library's own wire.
+   labels: unit plain */
 #include "explain/fit.h"
 
 #include "base/alloc.h"

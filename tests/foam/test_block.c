@@ -1,4 +1,5 @@
-/* Engagement of a piece of wire in the block against clipping by hand, a fine sum, and its own differences. */
+/* Engagement of a piece of wire in the block against clipping by hand, a fine sum, and its own differences.
+   labels: unit plain */
 
 #include "base/numbers.h"
 #include "base/random.h"

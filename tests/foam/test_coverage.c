@@ -1,5 +1,5 @@
 /* What the calibration promises, over 1,000 made tables: its intervals hold the truth as often as they say, its test of
-   the lack of fit cries wolf as seldom as it says. labels: property */
+   the lack of fit cries wolf as seldom as it says. labels: property plain */
 #include <math.h>
 #include <wirecut/calibration.h>
 

@@ -1,4 +1,5 @@
-/* The page in a real browser: chromium, driven by browser.mjs; skipped without chromium or node. */
+/* The page in a real browser: chromium, driven by browser.mjs; skipped without chromium or node.
+   labels: unit plain */
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>

@@ -1,4 +1,5 @@
-/* The newton way to a foot beside the slow one, which is proven elsewhere: the same feet, on tame and on wild surfaces. */
+/* The newton way to a foot beside the slow one, which is proven elsewhere: the same feet, on tame and on wild surfaces.
+   labels: unit plain */
 #include <math.h>
 #include <string.h>
 #include <wirecut/projection.h>

@@ -1,4 +1,4 @@
-/* labels: unit oracle
+/* labels: unit oracle plain
    Projection: closed forms, planted feet, a brute search as the judge, borders, poles, ties and threads. */
 #include <stdio.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* Numbers as text: exact, shortest, without a locale. labels: unit property */
+/* Numbers as text: exact, shortest, without a locale. labels: unit property plain */
 #include <float.h>
 #include <locale.h>
 #include <stdint.h>
