@@ -74,6 +74,28 @@ TEST(a_triangle_without_area_has_the_normal_zero) {
     teardown();
 }
 
+/* A needle: corners 1e-4 mm apart, 300 mm from the origin, where single precision holds steps of 3e-5 mm. */
+TEST(a_normal_is_that_of_the_rounded_corners) {
+    setup(2, 2);
+    mesh.vertex[mesh.triangle[0]] = (wcut_vec3){300.00001, 300.00002, 100.00001};
+    mesh.vertex[mesh.triangle[1]] = (wcut_vec3){300.0001, 300.0003, 100.0001};
+    mesh.vertex[mesh.triangle[2]] = (wcut_vec3){310.00003, 300.00007, 101.00004};
+    written(wcut_mesh_write_stl(&mesh, "a.stl", &error));
+    size_t length;
+    float facet[12];
+    char *bytes = read_back("a.stl", &length);
+    memcpy(facet, bytes + 84, sizeof facet);
+
+    /* the cross product of the corners as the file holds them */
+    double u[3], v[3];
+    for (int k = 0; k < 3; k++) u[k] = (double)facet[6 + k] - facet[3 + k], v[k] = (double)facet[9 + k] - facet[3 + k];
+    const double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    const double size = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    for (int k = 0; k < 3; k++) ck_assert_double_eq_tol(facet[k], n[k] / size, 1e-6);
+    free(bytes);
+    teardown();
+}
+
 /* ---- OBJ ---- */
 
 /* the next line's numbers after its word, 0 at the end */
