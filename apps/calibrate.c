@@ -40,10 +40,10 @@ static int load(calibration *c) {
 
 static int fit(calibration *c) {
     wcut_error error = {0};
-    const size_t most = (size_t)c->cuts + WARNINGS_OF_ALL;
+    const size_t max = (size_t)c->cuts + WARNINGS_OF_ALL;
     c->point = calloc((size_t)c->cuts + 1, sizeof *c->point);
-    c->sentence = calloc(most, sizeof *c->sentence);
-    c->warning = calloc(most, sizeof *c->warning);
+    c->sentence = calloc(max, sizeof *c->sentence);
+    c->warning = calloc(max, sizeof *c->warning);
     if (!c->point || !c->sentence || !c->warning) return app_fail_status(WCUT_NO_MEMORY, c->path, NULL);
     wcut_status status = wcut_calibration_fit(c->cuts, c->cut, &c->options, &c->fit, c->point, &error);
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, c->path, &error);

@@ -35,7 +35,7 @@ static const char *read_number(const char *text, double *number) {
 
 static int refuse_bands(const char *text) {
     return app_fail(APP_USAGE, "--bands: found \"%s\", expected up to %d positive tolerances in mm, such as 0.25,0.5,1",
-                    text, WCUT_BANDS_MOST - 1);
+                    text, WCUT_BANDS_MAX - 1);
 }
 
 /* keep the list in order, each tolerance once; there is room for one more than may be listed, that of the gate */
@@ -53,7 +53,7 @@ static int read_bands(const char *text, app_compare_options *o) {
     for (;;) {
         double band;
         at = read_number(at, &band);
-        if (!at || o->bands == WCUT_BANDS_MOST - 1) return refuse_bands(text);
+        if (!at || o->bands == WCUT_BANDS_MAX - 1) return refuse_bands(text);
         add_band(o, band);
         if (!*at) return APP_DONE;
         if (*at++ != ',') return refuse_bands(text);

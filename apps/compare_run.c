@@ -118,8 +118,8 @@ static wcut_status look(app_comparison *c, int *counted) {
         if (d[k].place <= WCUT_PLACE_BORDER) size[(*counted)++] = fabs(d[k].distance);
     if (*counted > 0) {
         qsort(size, (size_t)*counted, sizeof *size, compare_numbers);
-        const double most = fmax(size[(int)(0.99 * (*counted - 1))], 1e-3), unit = pow(10, floor(log10(most)) - 1);
-        c->limit = ceil(most / unit) * unit;
+        const double max = fmax(size[(int)(0.99 * (*counted - 1))], 1e-3), unit = pow(10, floor(log10(max)) - 1);
+        c->limit = ceil(max / unit) * unit;
     }
     free(size);
     free(d);

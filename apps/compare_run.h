@@ -21,11 +21,11 @@ typedef struct app_compare_options {
     wcut_registration_options registration;
     const char *datum_path; /* NULL: none */
     int bands;
-    double band[WCUT_BANDS_MOST]; /* [mm] ascending */
-    double tolerance, share;      /* [mm], [1]; tolerance 0: no gate */
-    int normals;                  /* neighbours that make a point's; 0: none are wanted */
-    int reconstruct;              /* 0 none, 1 field */
-    double support;               /* [mm] 0: by the scan's spacing */
+    double band[WCUT_BANDS_MAX]; /* [mm] ascending */
+    double tolerance, share;     /* [mm], [1]; tolerance 0: no gate */
+    int normals;                 /* neighbours that make a point's; 0: none are wanted */
+    int reconstruct;             /* 0 none, 1 field */
+    double support;              /* [mm] 0: by the scan's spacing */
     int threads;
 } app_compare_options;
 

@@ -11,7 +11,7 @@
 #include "command.h"
 #include "terminal.h"
 
-enum { SAMPLE = 200000, CLEANED_MOST = 20000000 };
+enum { SAMPLE = 200000, CLEANED_MAX = 20000000 };
 
 /* a cloud that grows: all that was read, until that is too much, then a thinned sample */
 typedef struct growth {
@@ -75,9 +75,9 @@ static bool is_file(const char *path) {
 static int take(growth *g, const char *path, int count) {
     app_scans *s = g->scans;
     const bool whole = s->options.cleaned || g->thin_all;
-    if (whole && count > CLEANED_MOST - s->count)
+    if (whole && count > CLEANED_MAX - s->count)
         return app_fail(APP_BAD_INPUT, "%s: found more than %d points, expected at most that many to be cleaned", path,
-                        CLEANED_MOST);
+                        CLEANED_MAX);
     if (!whole && s->held && count > s->options.hold - s->count) {
         for (int k = 0; k < s->files; k++)
             if (!is_file(s->path[k]))

@@ -24,7 +24,7 @@ typedef struct loop {
 
 /* ---- the disturbance ---- */
 
-enum { KEY_MOST = 32 };
+enum { KEY_MAX = 32 };
 
 static int refuse(const char *found, const char *expected) {
     return app_fail(APP_USAGE, "control: --disturb: found \"%s\", expected %s", found, expected);
@@ -49,7 +49,7 @@ static int disturb_by(wcut_rig_options *o, const char *item) {
     const char *names[KEYS + 1] = {NULL};
     for (int k = 0; k < KEYS; k++) names[k] = key[k].name;
     const size_t length = strcspn(item, ":");
-    char name[KEY_MOST] = "";
+    char name[KEY_MAX] = "";
     if (length < sizeof name && item[length] == ':') memcpy(name, item, length);
     for (int k = 0; k < KEYS; k++) {
         if (strcmp(name, key[k].name) != 0) continue;

@@ -8,13 +8,13 @@
 #include "results.h"
 #include "terminal.h"
 
-enum { CUTS_MOST = 8, NAME_SIZE = 32 };
+enum { CUTS_MAX = 8, NAME_SIZE = 32 };
 
 typedef struct identification {
     const app_call *call;
     int count;
-    wcut_job *job, *cut[CUTS_MOST];
-    char name[CUTS_MOST][NAME_SIZE];
+    wcut_job *job, *cut[CUTS_MAX];
+    char name[CUTS_MAX][NAME_SIZE];
     app_results results;
 } identification;
 
@@ -30,7 +30,7 @@ static int load(identification *x) {
 
 static int write_results(identification *x) {
     int code = APP_DONE;
-    for (int k = 0; k < CUTS_MOST && code == APP_DONE; k++) {
+    for (int k = 0; k < CUTS_MAX && code == APP_DONE; k++) {
         snprintf(x->name[k], sizeof x->name[k], "identification-%d.json", k + 1);
         if (k >= x->count) {
             code = app_results_remove(&x->results, x->name[k]); /* of an earlier run that made more */
@@ -50,13 +50,13 @@ static double dither_of(const wcut_job *job) {
 }
 
 static double step_of(const wcut_job *job) {
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < job->heat_step_count; i++) {
         const double size = job->heat_step[i].factor - 1;
-        if (size > most) most = size;
-        if (-size > most) most = -size;
+        if (size > max) max = size;
+        if (-size > max) max = -size;
     }
-    return most;
+    return max;
 }
 
 static void say_summary(const identification *x) {
@@ -95,7 +95,7 @@ static const app_option option[] = {
      .name = "cuts",
      .value = "N",
      .low = 1,
-     .high = CUTS_MOST,
+     .high = CUTS_MAX,
      .standard = "2",
      .help = "identification cuts to make"},
     {.kind = APP_INT,

@@ -10,7 +10,7 @@
 
 #include "report_scan.h"
 
-enum { LINES_MOST = WCUT_WORST_MOST + 2, FACTS_MOST = 16, FIGURES = 27, TEXT = 96 };
+enum { LINES_MAX = WCUT_WORST_MAX + 2, FACTS_MAX = 16, FIGURES = 27, TEXT = 96 };
 
 /* what the page borrows: rows of tables, columns of charts */
 typedef struct page {
@@ -19,16 +19,16 @@ typedef struct page {
     wcut_report_tone tone;
     char verdict[512];
     /* figures side by side */
-    char figure_label[FIGURES + 3 * WCUT_BANDS_MOST][TEXT];
-    const char *figure_name[FIGURES + 3 * WCUT_BANDS_MOST];
-    const char *figure_unit[FIGURES + 3 * WCUT_BANDS_MOST];
-    double figure[2][FIGURES + 3 * WCUT_BANDS_MOST];
+    char figure_label[FIGURES + 3 * WCUT_BANDS_MAX][TEXT];
+    const char *figure_name[FIGURES + 3 * WCUT_BANDS_MAX];
+    const char *figure_unit[FIGURES + 3 * WCUT_BANDS_MAX];
+    double figure[2][FIGURES + 3 * WCUT_BANDS_MAX];
     int figures;
     wcut_report_column figure_column[4];
     /* worst areas */
-    char worst_label[WCUT_WORST_MOST][16];
-    const char *worst_name[WCUT_WORST_MOST];
-    double worst[8][WCUT_WORST_MOST];
+    char worst_label[WCUT_WORST_MAX][16];
+    const char *worst_name[WCUT_WORST_MAX];
+    double worst[8][WCUT_WORST_MAX];
     wcut_report_column worst_column[9];
     /* zones: the rows that hold points */
     int zones;
@@ -194,9 +194,9 @@ static bool fill_stations(page *p) {
 }
 
 /* runs of stations of one phase, as far as there is room; gives how many */
-static int list_phases(const wcut_face *f, int most, wcut_report_span *span) {
+static int list_phases(const wcut_face *f, int max, wcut_report_span *span) {
     int count = 0;
-    for (int s = 0, from = 0; s < f->stations && count < most; s++) {
+    for (int s = 0, from = 0; s < f->stations && count < max; s++) {
         if (s + 1 < f->stations && f->phase[s + 1] == f->phase[from]) continue;
         const int to = s + 1 < f->stations ? s + 1 : s;
         span[count++] = (wcut_report_span){wcut_phase_name(f->phase[from]), {f->time[from], from}, {f->time[to], to}};
@@ -308,7 +308,7 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
     if (!app_fill_registration(&p->memory, c, &section[sections++])) return WCUT_NO_MEMORY;
     if (c->reconstruction && !app_fill_reconstruction(&p->memory, c, &section[sections++])) return WCUT_NO_MEMORY;
 
-    wcut_report_fact fact[FACTS_MOST], option[FACTS_MOST];
+    wcut_report_fact fact[FACTS_MAX], option[FACTS_MAX];
     wcut_report_source *source = calloc((size_t)c->scans.files + 1, sizeof *source);
     if (!source) return WCUT_NO_MEMORY;
     source[0] = (wcut_report_source){c->reference.is_job ? "job" : "mesh", c->reference.path,
@@ -391,7 +391,7 @@ static wcut_status write_scene(page *p, const char *path, wcut_error *error) {
                                               .field = &of_mesh};
     }
     worst_table(p); /* names the marks */
-    wcut_report_line line[LINES_MOST];
+    wcut_report_line line[LINES_MAX];
     const wcut_report_scene scene = {.title = "Deviation of the scan from the simulated face",
                                      .note = "Positive: material left above the face. Grey: no points there.",
                                      .block_size = f ? f->high : (wcut_vec3){0, 0, 0},

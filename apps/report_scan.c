@@ -4,7 +4,7 @@
 #include <math.h>
 #include <wirecut/angle.h>
 
-enum { HOLES_MOST = 20 };
+enum { HOLES_MAX = 20 };
 
 /* `count` columns of `rows` numbers each, behind one of texts; NULL without memory */
 static wcut_report_column *take_columns(app_memory *m, int count, int rows, double **number) {
@@ -152,7 +152,7 @@ static wcut_report_table both_table(app_memory *m, const app_comparison *c) {
 static wcut_report_table hole_table(app_memory *m, const wcut_reconstruction *r) {
     static const char *const label[] = {"x", "y", "z", "area"};
     static const char *const unit[] = {"mm", "mm", "mm", "mm\xc2\xb2"};
-    const int rows = r->hole_count < HOLES_MOST ? r->hole_count : HOLES_MOST;
+    const int rows = r->hole_count < HOLES_MAX ? r->hole_count : HOLES_MAX;
     double *number;
     wcut_report_column *column = take_columns(m, 4, rows, &number);
     const char **kind = app_take(m, (size_t)rows, sizeof *kind);

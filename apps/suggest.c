@@ -5,7 +5,7 @@
 
 enum { LONGEST = 40 };
 
-static int least(int a, int b) { return a < b ? a : b; }
+static int min(int a, int b) { return a < b ? a : b; }
 
 /* Insertions, deletions, replacements and swaps that turn one word into the other. */
 static int distance(const char *from, const char *to) {
@@ -15,9 +15,9 @@ static int distance(const char *from, const char *to) {
     for (int i = 1; i <= n; i++)
         for (int j = 1; j <= m; j++) {
             int best = d[i - 1][j - 1] + (from[i - 1] != to[j - 1]);
-            best = least(best, 1 + least(d[i - 1][j], d[i][j - 1]));
+            best = min(best, 1 + min(d[i - 1][j], d[i][j - 1]));
             if (i > 1 && j > 1 && from[i - 1] == to[j - 2] && from[i - 2] == to[j - 1])
-                best = least(best, d[i - 2][j - 2] + 1);
+                best = min(best, d[i - 2][j - 2] + 1);
             d[i][j] = best;
         }
     return d[n][m];

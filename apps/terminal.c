@@ -25,7 +25,7 @@ static volatile sig_atomic_t interrupted;
 
 /* Length of the UTF-8 sequence at text and its code point; 0 where it is none (RFC 3629). */
 static int decode(const unsigned char *text, uint32_t *code) {
-    static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+    static const uint32_t min[] = {0, 0, 0x80, 0x800, 0x10000};
     int length = text[0] < 0x80 ? 1 : text[0] >> 5 == 6 ? 2 : text[0] >> 4 == 14 ? 3 : text[0] >> 3 == 30 ? 4 : 0;
     if (length == 0) return 0;
     uint32_t c = length == 1 ? text[0] : text[0] & (0x7fu >> length);
@@ -33,7 +33,7 @@ static int decode(const unsigned char *text, uint32_t *code) {
         if (text[i] >> 6 != 2) return 0;
         c = c << 6 | (text[i] & 0x3fu);
     }
-    if (c < least[length] || c > 0x10ffff || (c >= 0xd800 && c <= 0xdfff)) return 0;
+    if (c < min[length] || c > 0x10ffff || (c >= 0xd800 && c <= 0xdfff)) return 0;
     *code = c;
     return length;
 }

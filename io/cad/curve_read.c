@@ -13,10 +13,10 @@
 #include "io/file/read_file.h"
 #include "io/process/curve_json.h"
 
-#define BYTES_MOST ((size_t)256 << 20)
+#define BYTES_MAX ((size_t)256 << 20)
 
 wcut_curve_read_options wcut_curve_read_options_default(void) {
-    return (wcut_curve_read_options){.format = WCUT_CURVE_FORMAT_ANY, .interpolate = 1, .most = 10000};
+    return (wcut_curve_read_options){.format = WCUT_CURVE_FORMAT_ANY, .interpolate = 1, .max_curves = 10000};
 }
 
 /* ---- JSON ---- */
@@ -175,9 +175,10 @@ wcut_status wcut_curve_set_read(const char *path, const wcut_curve_read_options 
     const wcut_curve_read_options o = options ? *options : wcut_curve_read_options_default();
     char *text = NULL;
     size_t length = 0;
-    if (!path || !set || (unsigned)o.format >= WCUT_CURVE_FORMAT_COUNT || o.most < 1 || (unsigned)o.interpolate > 1)
+    if (!path || !set || (unsigned)o.format >= WCUT_CURVE_FORMAT_COUNT || o.max_curves < 1 ||
+        (unsigned)o.interpolate > 1)
         return WCUT_BAD_ARGUMENT;
-    wcut_status status = wcut_file_read(path, BYTES_MOST, &text, &length, error);
+    wcut_status status = wcut_file_read(path, BYTES_MAX, &text, &length, error);
     if (status == WCUT_OK) status = wcut_curve_set_read_memory(text, length, path, &o, set, error);
     free(text);
     return status;

@@ -59,8 +59,8 @@ static bool make_room(wcut_curve_reader *r) {
 
 bool wcut_curves_add(wcut_curve_reader *r, wcut_curve *curve, const char *name, size_t length) {
     char *copy = NULL;
-    bool ok = r->set->count < r->options->most ||
-              wcut_curves_refuse(r, "found more than %d curves, expected at most that", r->options->most);
+    bool ok = r->set->count < r->options->max_curves ||
+              wcut_curves_refuse(r, "found more than %d curves, expected at most that", r->options->max_curves);
     if (ok) {
         copy = copy_name(name, length);
         ok = (copy && make_room(r)) || wcut_curves_refuse_memory(r);
@@ -95,11 +95,11 @@ bool wcut_curves_add_chain(wcut_curve_reader *r, int count, wcut_curve **curve, 
 /* each kind is told once */
 void wcut_curves_leave_out(wcut_curve_reader *r, const char *kind) {
     char *why = r->set->why;
-    const size_t used = strlen(why), most = sizeof r->set->why;
+    const size_t used = strlen(why), max = sizeof r->set->why;
     r->set->left_out++;
     const char *told = strstr(why, kind);
     if (told && (told[strlen(kind)] == '\0' || told[strlen(kind)] == ',')) return;
-    snprintf(why + used, most - used, "%s%s", used ? ", " : "", kind);
+    snprintf(why + used, max - used, "%s%s", used ? ", " : "", kind);
 }
 
 void wcut_curve_set_destroy(wcut_curve_set *set) {

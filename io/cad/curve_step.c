@@ -11,7 +11,7 @@
 #include "io/cad/arc.h"
 #include "io/cad/step_curves.h"
 
-enum { DEPTH_MOST = 8 };
+enum { DEPTH_MAX = 8 };
 static const double TURN = 6.283185307179586;
 
 /* where a piece of a basis curve begins and ends, in whichever way the file says it */
@@ -238,7 +238,7 @@ static const char *find_name(const char *body, size_t *length) {
 static bool add(wcut_step_source *s, long id, const piece *p, const char *body) {
     size_t length;
     const char *name = find_name(body, &length);
-    wcut_curve *curve = make(s, id, p, DEPTH_MOST);
+    wcut_curve *curve = make(s, id, p, DEPTH_MAX);
     if (curve) return wcut_curves_add(s->reader, curve, name, length);
     return s->reader->failure.status == WCUT_OK;
 }
@@ -258,7 +258,7 @@ static bool add_segments(wcut_step_source *s, long id, const char *list) {
         const char *body = wcut_p21_find(&s->file, at);
         const char *segment = body ? wcut_p21_record(body, "COMPOSITE_CURVE_SEGMENT") : NULL;
         if (!reference(s, at, wcut_p21_item(segment, 2), &parent)) break;
-        wcut_curve *curve = make(s, parent, NULL, DEPTH_MOST);
+        wcut_curve *curve = make(s, parent, NULL, DEPTH_MAX);
         if (curve && wcut_p21_is(wcut_p21_item(segment, 1), ".F.")) curve = reversed(s, curve);
         if (!curve) break;
         part[made++] = curve;

@@ -9,7 +9,7 @@
 #include "io/cad/arc.h"
 #include "io/cad/iges_curves.h"
 
-enum { NESTED_MOST = 8 };
+enum { NESTED_MAX = 8 };
 static const double TURN = 6.283185307179586;
 static const double INCREDIBLE = 1e12; /* [mm] */
 
@@ -32,13 +32,13 @@ static void scale_points(const wcut_iges *f, wcut_vec3 *p, int count) {
 }
 
 /* what the data could hold at two characters a value: more is refused before memory is asked for */
-static int most_values(const wcut_iges_cursor *c) { return (c->end - c->line) * 32; }
+static int max_values(const wcut_iges_cursor *c) { return (c->end - c->line) * 32; }
 
 /* ---- one kind each; NULL: refused or left out ---- */
 
 static wcut_curve *read_spline(wcut_iges *f, const wcut_iges_entry *e, wcut_iges_cursor *c, const char *place) {
     int last = 0, degree = 0, flag[4];
-    bool ok = wcut_iges_int(c, 1, most_values(c), &last) && wcut_iges_int(c, 1, 1000, &degree);
+    bool ok = wcut_iges_int(c, 1, max_values(c), &last) && wcut_iges_int(c, 1, 1000, &degree);
     for (int k = 0; ok && k < 4; k++) ok = wcut_iges_int(c, 0, 1, &flag[k]);
     if (!ok) return refuse_data(f, e);
     if (degree > WCUT_DEGREE_MAX) return wcut_curves_leave_out(f->reader, "a degree above 7"), NULL;
@@ -85,7 +85,7 @@ static wcut_curve *read_points(wcut_iges *f, const wcut_iges_entry *e, wcut_iges
 
 static wcut_curve *read_string(wcut_iges *f, const wcut_iges_entry *e, wcut_iges_cursor *c, const char *place) {
     int kind = 0, count = 0;
-    if (!wcut_iges_int(c, 1, 3, &kind) || !wcut_iges_int(c, 2, most_values(c), &count)) return refuse_data(f, e);
+    if (!wcut_iges_int(c, 1, 3, &kind) || !wcut_iges_int(c, 2, max_values(c), &count)) return refuse_data(f, e);
     return kind == 3 ? leave_out(f, e) : read_points(f, e, c, place, count, kind == 1);
 }
 
@@ -137,7 +137,7 @@ static wcut_curve *move(wcut_iges *f, const wcut_iges_entry *e, wcut_curve *curv
         wcut_iges_cursor c;
         double m[3][4] = {{0}}; /* rows, and their shift */
         bool ok = find_named(f, &by, by.transformation, &to) && wcut_iges_open(f, &to, &c);
-        if (ok && (to.type != 124 || depth == NESTED_MOST || !wcut_iges_reals(&c, 12, m[0])))
+        if (ok && (to.type != 124 || depth == NESTED_MAX || !wcut_iges_reals(&c, 12, m[0])))
             ok = wcut_curves_refuse(f->reader, "line %d: found no transformation, expected one of type 124", to.at + 1);
         for (int k = 0; ok && k < curve->control_count; k++) {
             const wcut_vec3 p = curve->control[k];
@@ -192,7 +192,7 @@ static bool add_composite(wcut_iges *f, const wcut_iges_entry *e) {
     wcut_iges_cursor c;
     int count = 0, made = 0, number = 0;
     if (!wcut_iges_open(f, e, &c)) return false;
-    if (!wcut_iges_int(&c, 1, most_values(&c), &count)) return refuse_data(f, e);
+    if (!wcut_iges_int(&c, 1, max_values(&c), &count)) return refuse_data(f, e);
     wcut_curve **piece = wcut_alloc((size_t)count, sizeof *piece);
     if (!piece) return wcut_curves_refuse_memory(f->reader);
     for (bool ok = true; ok && made < count;) {
@@ -219,7 +219,7 @@ bool wcut_iges_note_pieces(wcut_iges *f, const wcut_iges_entry *e) {
     int count = 0, number = 0;
     if (e->type != 102) return true;
     if (!wcut_iges_open(f, e, &c)) return false;
-    if (!wcut_iges_int(&c, 1, most_values(&c), &count)) return refuse_data(f, e);
+    if (!wcut_iges_int(&c, 1, max_values(&c), &count)) return refuse_data(f, e);
     for (int k = 0; k < count && wcut_iges_int(&c, 1, f->data - f->directory, &number); k++)
         f->is_piece[number / 2] = true;
     return true;

@@ -14,8 +14,8 @@ enum { COLUMNS = 80, FIELD = WCUT_IGES_FIELD };
 /* ---- lines and sections ---- */
 
 static bool find_lines(wcut_iges *f, char *text, size_t length) {
-    const size_t most = length / COLUMNS + 1;
-    f->line = wcut_alloc(most, sizeof *f->line);
+    const size_t max = length / COLUMNS + 1;
+    f->line = wcut_alloc(max, sizeof *f->line);
     if (!f->line) return wcut_curves_refuse_memory(f->reader);
     for (char *p = text, *end = text + length; p < end;) {
         char *feed = memchr(p, '\n', (size_t)(end - p)), *stop = feed ? feed : end;
@@ -88,9 +88,9 @@ bool wcut_iges_real(wcut_iges_cursor *c, double *value) {
     return end != token && *end == '\0' && isfinite(*value);
 }
 
-bool wcut_iges_int(wcut_iges_cursor *c, int least, int most, int *value) {
+bool wcut_iges_int(wcut_iges_cursor *c, int min, int max, int *value) {
     double real = 0;
-    if (!wcut_iges_real(c, &real) || real != floor(real) || real < least || real > most) return false;
+    if (!wcut_iges_real(c, &real) || real != floor(real) || real < min || real > max) return false;
     *value = (int)real;
     return true;
 }

@@ -44,7 +44,7 @@ bool wcut_iges_open(wcut_iges *f, const wcut_iges_entry *entry, wcut_iges_cursor
 
 /* the next value; false: it is none, or not in the range */
 bool wcut_iges_real(wcut_iges_cursor *c, double *value);
-bool wcut_iges_int(wcut_iges_cursor *c, int least, int most, int *value);
+bool wcut_iges_int(wcut_iges_cursor *c, int min, int max, int *value);
 bool wcut_iges_reals(wcut_iges_cursor *c, int count, double *value);
 
 #endif

@@ -10,7 +10,7 @@
 #include "io/file/text.h"
 #include "io/file/utf8.h"
 
-enum { LINE = 81, LINES_MOST = 9999999, TOKEN = 40, DATA = 64, GLOBAL = 72 };
+enum { LINE = 81, LINES_MAX = 9999999, TOKEN = 40, DATA = 64, GLOBAL = 72 };
 
 /* the section being written, a line at a time */
 typedef struct iges {
@@ -246,7 +246,7 @@ static void print_entry(char two[2 * LINE], const entry *e, long sequence) {
 
 static wcut_status refuse_length(wcut_error *error) {
     return wcut_fail(error, WCUT_BAD_ARGUMENT, "found more than %d lines of IGES, expected at most that: use STEP",
-                     LINES_MOST);
+                     LINES_MAX);
 }
 
 static wcut_status write_all(wcut_file *file, wcut_text *text, int count, const wcut_shape *shape, wcut_error *error) {
@@ -259,7 +259,7 @@ static wcut_status write_all(wcut_file *file, wcut_text *text, int count, const 
     for (long k = 0; k < entities; k++) {
         char two[2 * LINE];
         const entry e = put_entity(&f, shape, k);
-        if (f.sequence > LINES_MOST) return refuse_length(error);
+        if (f.sequence > LINES_MAX) return refuse_length(error);
         print_entry(two, &e, 2 * k + 1);
         wcut_file_write_at(file, directory + (uint64_t)k * 2 * LINE, two, sizeof two);
     }
@@ -276,7 +276,7 @@ static wcut_status check(int count, const wcut_shape *shape, const char *path, w
     for (int k = 0; status == WCUT_OK && k < count; k++)
         if (shape[k].solid)
             status = wcut_fail(error, WCUT_BAD_ARGUMENT, "shape %d: found a solid, expected a surface or a curve", k);
-    if (status == WCUT_OK && count > LINES_MOST / 4) status = refuse_length(error);
+    if (status == WCUT_OK && count > LINES_MAX / 4) status = refuse_length(error);
     return status;
 }
 

@@ -10,7 +10,7 @@
 #include "base/fail.h"
 #include "io/file/decimal.h"
 
-enum { DEPTH_MOST = 64 };
+enum { DEPTH_MAX = 64 };
 
 /* ---- a text without blanks and comments ---- */
 
@@ -71,11 +71,11 @@ static char *end_statement(wcut_curve_reader *r, char *p) {
             continue;
         }
         depth += (*p == '(') - (*p == ')');
-        if (depth < 0 || depth > DEPTH_MOST || *p == ';') break;
+        if (depth < 0 || depth > DEPTH_MAX || *p == ';') break;
     }
     if (*p == ';' && depth == 0) return p;
     wcut_curves_refuse(r, "found \"%.40s\", expected parentheses in pairs, not deeper than %d, and a semicolon", from,
-                       DEPTH_MOST);
+                       DEPTH_MAX);
     return NULL;
 }
 
@@ -214,12 +214,12 @@ bool wcut_p21_read_real(const char *item, double *value) {
     return end != item && ends_item(end) && isfinite(*value);
 }
 
-bool wcut_p21_read_integer(const char *item, int least, int most, int *value) {
+bool wcut_p21_read_integer(const char *item, int min, int max, int *value) {
     long n = 0;
     const char *p = item;
     if (!p) return false;
     for (; *p >= '0' && *p <= '9' && n < INT_MAX; p++) n = 10 * n + (*p - '0');
-    if (p == item || !ends_item(p) || n < least || n > most) return false;
+    if (p == item || !ends_item(p) || n < min || n > max) return false;
     *value = (int)n;
     return true;
 }

@@ -38,7 +38,7 @@ int wcut_p21_length(const char *list);
 
 /* what an item is: its value, or false where it is something else */
 bool wcut_p21_read_real(const char *item, double *value);
-bool wcut_p21_read_integer(const char *item, int least, int most, int *value);
+bool wcut_p21_read_integer(const char *item, int min, int max, int *value);
 bool wcut_p21_read_reference(const char *item, long *id);
 bool wcut_p21_is(const char *item, const char *word); /* .T. and the like, or the name of a record */
 

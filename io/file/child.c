@@ -67,10 +67,10 @@ static size_t used_memory(void) {
 }
 
 /* the host's own limit stays where it is lower */
-static bool limit(int resource, size_t most) {
+static bool limit(int resource, size_t max) {
     struct rlimit r;
     if (getrlimit(resource, &r) != 0) return false;
-    if (r.rlim_max > most) r.rlim_max = most;
+    if (r.rlim_max > max) r.rlim_max = max;
     r.rlim_cur = r.rlim_max;
     return setrlimit(resource, &r) == 0;
 }

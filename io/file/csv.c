@@ -216,10 +216,10 @@ static wcut_status name_column(scanner *s, int c) {
 static wcut_status read_header(scanner *s) {
     s->field = s->at;
     if (!next_row(s)) return s->field = s->at, refuse(s, -1, "no header", "a row with the names of the columns");
-    s->table->column = wcut_alloc(WCUT_CSV_COLUMNS_MOST, sizeof *s->table->column);
+    s->table->column = wcut_alloc(WCUT_CSV_COLUMNS_MAX, sizeof *s->table->column);
     if (!s->table->column) return refuse_memory(s);
     for (int c = 0;; c++) {
-        if (c == WCUT_CSV_COLUMNS_MOST) return refuse(s, -1, "more than 1000 columns", "at most that");
+        if (c == WCUT_CSV_COLUMNS_MAX) return refuse(s, -1, "more than 1000 columns", "at most that");
         wcut_status status = read_field(s, -1);
         if (status == WCUT_OK) status = name_column(s, c);
         if (status != WCUT_OK) return status;
@@ -235,9 +235,9 @@ static wcut_status read_header(scanner *s) {
 
 /* the most rows that the rest of the text can hold: a row has a line feed, and a byte a field */
 static int count_rows(const scanner *s) {
-    size_t feeds = 1, most = (size_t)(s->end - s->at) / (size_t)s->table->columns + 1;
+    size_t feeds = 1, max = (size_t)(s->end - s->at) / (size_t)s->table->columns + 1;
     for (const char *p = s->at; (p = memchr(p, '\n', (size_t)(s->end - p))) != NULL; p++) feeds++;
-    size_t rows = feeds < most ? feeds : most;
+    size_t rows = feeds < max ? feeds : max;
     return rows < INT_MAX ? (int)rows : INT_MAX;
 }
 

@@ -11,7 +11,7 @@
 
 __extension__ typedef unsigned __int128 wide;
 
-enum { MOST_DIGITS = 19, MOST_POWER = 27, EXPONENT_LIMIT = 100000 }; /* 10^19 < 2^64, 5^27 < 2^63 */
+enum { MAX_DIGITS = 19, MAX_POWER = 27, EXPONENT_LIMIT = 100000 }; /* 10^19 < 2^64, 5^27 < 2^63 */
 
 /* +- mantissa x 10^exponent; `more` where digits did not fit */
 typedef struct decimal {
@@ -25,7 +25,7 @@ static bool is_digit(char c) { return (unsigned)(c - '0') < 10; }
 /* digits into the mantissa; gives how many were taken or dropped */
 static const char *read_digits(const char *p, decimal *d, int *taken) {
     for (; is_digit(*p); p++) {
-        if (*taken < MOST_DIGITS) {
+        if (*taken < MAX_DIGITS) {
             d->mantissa = 10 * d->mantissa + (uint64_t)(*p - '0');
             *taken += d->mantissa > 0; /* leading zeros do not count */
         } else {
@@ -95,7 +95,7 @@ const char *wcut_decimal_read(const char *text, double *value) {
     p = read_exponent(p, &d.exponent);
 
     int e = d.exponent;
-    if (d.more || (d.mantissa && (e < -MOST_POWER || e > MOST_POWER))) {
+    if (d.more || (d.mantissa && (e < -MAX_POWER || e > MAX_POWER))) {
         *value = read_any(text);
         return p;
     }

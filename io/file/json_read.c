@@ -103,7 +103,7 @@ bool wcut_refuse_memory(wcut_reader *reader) {
 
 enum { LONGEST_KEY = 40 };
 
-static int least_of(int a, int b, int c) { return a < b ? (a < c ? a : c) : (b < c ? b : c); }
+static int min_of(int a, int b, int c) { return a < b ? (a < c ? a : c) : (b < c ? b : c); }
 
 /* edits between two short words: insertion, deletion, replacement, swap of neighbours (Damerau 1964, restricted) */
 static int edit_distance(const char *a, const char *b) {
@@ -113,7 +113,7 @@ static int edit_distance(const char *a, const char *b) {
     for (int j = 0; j <= m; j++) d[0][j] = j;
     for (int i = 1; i <= n; i++)
         for (int j = 1; j <= m; j++) {
-            d[i][j] = least_of(d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1]));
+            d[i][j] = min_of(d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1]));
             bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
             if (swapped && d[i - 2][j - 2] + 1 < d[i][j]) d[i][j] = d[i - 2][j - 2] + 1;
         }
@@ -123,12 +123,12 @@ static int edit_distance(const char *a, const char *b) {
 static bool refuse_key(wcut_reader *reader, const wcut_place *at, const char *key, const wcut_field *field,
                        int fields) {
     char label[WCUT_QUOTE_SIZE], quote[WCUT_QUOTE_SIZE], path[128], expected[200];
-    int nearest = -1, least = (int)strlen(key) / 3 + 1;
+    int nearest = -1, min = (int)strlen(key) / 3 + 1;
     size_t used = 0;
     expected[0] = '\0';
     for (int f = 0; f < fields; f++) {
         int distance = strlen(key) <= LONGEST_KEY ? edit_distance(key, field[f].key) : LONGEST_KEY;
-        if (distance <= least && (nearest < 0 || distance < least)) nearest = f, least = distance;
+        if (distance <= min && (nearest < 0 || distance < min)) nearest = f, min = distance;
         if (used < sizeof expected)
             used +=
                 (size_t)snprintf(expected + used, sizeof expected - used, "%s%s", f ? ", " : "one of ", field[f].key);
@@ -169,13 +169,13 @@ bool wcut_read_object(wcut_reader *reader, const wcut_place *at, const wcut_fiel
 
 /* ---- arrays and values ---- */
 
-bool wcut_read_array(wcut_reader *reader, const wcut_place *at, int least, int most, const char *item_text,
+bool wcut_read_array(wcut_reader *reader, const wcut_place *at, int min, int max, const char *item_text,
                      wcut_read_value *item, size_t size, int *count, void **into) {
     if (!json_is_array(at->value))
-        return wcut_refuse(reader, at, WCUT_BAD_FORMAT, "an array of at least %d %s", least, item_text);
+        return wcut_refuse(reader, at, WCUT_BAD_FORMAT, "an array of at least %d %s", min, item_text);
     size_t n = json_array_size(at->value);
-    if (n < (size_t)least || n > (size_t)most)
-        return wcut_refuse(reader, at, WCUT_BAD_ARGUMENT, "%d to %d %s", least, most, item_text);
+    if (n < (size_t)min || n > (size_t)max)
+        return wcut_refuse(reader, at, WCUT_BAD_ARGUMENT, "%d to %d %s", min, max, item_text);
     char *items = wcut_alloc(n, size);
     if (!items) return wcut_refuse_memory(reader);
     *into = items;
@@ -189,7 +189,7 @@ bool wcut_read_array(wcut_reader *reader, const wcut_place *at, int least, int m
 
 bool wcut_read_word(wcut_reader *reader, const wcut_place *at, const char *const *word, int *into) {
     const char *found = json_string_value(at->value);
-    int nearest = -1, least = found ? (int)strlen(found) / 3 + 1 : 0;
+    int nearest = -1, min = found ? (int)strlen(found) / 3 + 1 : 0;
     char list[200] = "";
     size_t used = 0;
     for (int k = 0; word[k]; k++) {
@@ -198,7 +198,7 @@ bool wcut_read_word(wcut_reader *reader, const wcut_place *at, const char *const
             return true;
         }
         const int distance = found && strlen(found) <= LONGEST_KEY ? edit_distance(found, word[k]) : LONGEST_KEY;
-        if (distance <= least && (nearest < 0 || distance < least)) nearest = k, least = distance;
+        if (distance <= min && (nearest < 0 || distance < min)) nearest = k, min = distance;
         if (used + strlen(word[k]) + 8 < sizeof list)
             used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", k ? ", " : "", word[k]);
         else if (used + 5 < sizeof list)
@@ -232,12 +232,12 @@ bool wcut_read_not_negative(wcut_reader *reader, const wcut_place *at, void *int
     return read_number(reader, at, 0, false, "a number of at least 0", into);
 }
 
-bool wcut_read_int(wcut_reader *reader, const wcut_place *at, int least, int most, int *into) {
+bool wcut_read_int(wcut_reader *reader, const wcut_place *at, int min, int max, int *into) {
     double value = json_number_value(at->value); /* 0 where it is none */
     bool number = json_is_number(at->value);
-    if (!number || value != floor(value) || value < least || value > most)
-        return wcut_refuse(reader, at, number ? WCUT_BAD_ARGUMENT : WCUT_BAD_FORMAT, "an integer from %d to %d", least,
-                           most);
+    if (!number || value != floor(value) || value < min || value > max)
+        return wcut_refuse(reader, at, number ? WCUT_BAD_ARGUMENT : WCUT_BAD_FORMAT, "an integer from %d to %d", min,
+                           max);
     *into = (int)value;
     return true;
 }

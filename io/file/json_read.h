@@ -52,7 +52,7 @@ bool wcut_read_object(wcut_reader *reader, const wcut_place *at, const wcut_fiel
 
 /* an array of least .. most items, each of `size` bytes read by `item` into new memory at *into: on failure too what
  *into points to is the caller's to free */
-bool wcut_read_array(wcut_reader *reader, const wcut_place *at, int least, int most, const char *item_text,
+bool wcut_read_array(wcut_reader *reader, const wcut_place *at, int min, int max, const char *item_text,
                      wcut_read_value *item, size_t size, int *count, void **into);
 
 /* doubles: `into` is a double */
@@ -61,7 +61,7 @@ bool wcut_read_positive(wcut_reader *reader, const wcut_place *at, void *into);
 bool wcut_read_not_negative(wcut_reader *reader, const wcut_place *at, void *into);
 
 /* an integer in least .. most */
-bool wcut_read_int(wcut_reader *reader, const wcut_place *at, int least, int most, int *into);
+bool wcut_read_int(wcut_reader *reader, const wcut_place *at, int min, int max, int *into);
 
 /* [x, y, z]: `into` is a wcut_vec3 */
 bool wcut_read_point(wcut_reader *reader, const wcut_place *at, void *into);

@@ -49,11 +49,11 @@ static const uint64_t power_of_five[] = {
     78125,      390625,      1953125,      9765625,      48828125,      244140625,      1220703125,
     6103515625, 30517578125, 152587890625, 762939453125, 3814697265625, 19073486328125, 95367431640625};
 
-enum { MANTISSA_BITS = 52, MOST_DIGITS = 17 };
+enum { MANTISSA_BITS = 52, MAX_DIGITS = 17 };
 
 /* whole numbers from least to most, over 10^places: one of them is to be printed */
 typedef struct decimals {
-    uint64_t least, most;
+    uint64_t min, max;
     int places;
 } decimals;
 
@@ -61,9 +61,9 @@ typedef struct decimals {
 static void shorten(decimals *d, int digits) {
     const uint64_t unit = power_of_ten[digits];
     for (;;) {
-        const uint64_t least = (d->least + unit - 1) / unit, most = d->most / unit;
-        if (most < least) return;
-        d->least = least, d->most = most;
+        const uint64_t min = (d->min + unit - 1) / unit, max = d->max / unit;
+        if (max < min) return;
+        d->min = min, d->max = max;
         d->places -= digits;
     }
 }
@@ -77,8 +77,8 @@ static uint64_t find_shortest(uint64_t mantissa, int exponent, int *places) {
     const bool is_odd = mantissa & 1, is_power = mantissa == (uint64_t)1 << MANTISSA_BITS;
     const wide below = four - (is_power ? five : 2 * five), above = four + 2 * five;
     decimals d = {.places = *places};
-    d.least = (uint64_t)(is_odd ? below >> shift : (below - 1) >> shift) + 1;
-    d.most = (uint64_t)((is_odd ? above - 1 : above) >> shift);
+    d.min = (uint64_t)(is_odd ? below >> shift : (below - 1) >> shift) + 1;
+    d.max = (uint64_t)((is_odd ? above - 1 : above) >> shift);
     shorten(&d, 8);
     shorten(&d, 1);
     const int left_out = *places - d.places;
@@ -87,7 +87,7 @@ static uint64_t find_shortest(uint64_t mantissa, int exponent, int *places) {
     const bool up = left_out ? whole - nearest * unit >= unit / 2 : (four >> (shift - 1)) & 1;
     nearest += up;
     *places = d.places;
-    return nearest < d.least ? d.least : nearest > d.most ? d.most : nearest;
+    return nearest < d.min ? d.min : nearest > d.max ? d.max : nearest;
 }
 
 /* ---- as characters ---- */
@@ -160,7 +160,7 @@ int wcut_number_print(double value, char text[WCUT_NUMBER_SIZE]) {
     /* the digits before the point, or minus the zeros behind it */
     int before = size >= 0.1 ? 0 : size >= 0.01 ? -1 : size >= 0.001 ? -2 : -3;
     while (before >= 0 && size >= (double)power_of_ten[before]) before++;
-    int places = MOST_DIGITS - before;
+    int places = MAX_DIGITS - before;
     const uint64_t digits = find_shortest(mantissa, exponent, &places);
     if (sign) text[0] = '-';
     return sign + print_fraction(digits, places, text + sign);

@@ -13,17 +13,17 @@
 
 enum { FIRST_SIZE = 1 << 16 };
 
-static size_t first_size(int fd, size_t most) {
+static size_t first_size(int fd, size_t max) {
     struct stat s;
     size_t size = FIRST_SIZE;
     if (fstat(fd, &s) == 0 && S_ISREG(s.st_mode) && s.st_size > 0) size = (size_t)s.st_size + 2;
-    return size < most + 2 ? size : most + 2;
+    return size < max + 2 ? size : max + 2;
 }
 
-static wcut_status refuse_size(wcut_error *error, const char *path, size_t most) {
+static wcut_status refuse_size(wcut_error *error, const char *path, size_t max) {
     char name[WCUT_QUOTE_SIZE];
     return wcut_fail(error, WCUT_BAD_FORMAT, "%s: found more than %zu MB, expected at most that",
-                     wcut_quote(name, path, WCUT_LABEL_MAX, 1), most >> 20);
+                     wcut_quote(name, path, WCUT_LABEL_MAX, 1), max >> 20);
 }
 
 static wcut_status refuse_memory(wcut_error *error, const char *path) {
@@ -33,8 +33,8 @@ static wcut_status refuse_memory(wcut_error *error, const char *path) {
 }
 
 /* read to the end; *text is the caller's to free in any case */
-static wcut_status read_all(int fd, const char *path, size_t most, char **text, size_t *length, wcut_error *error) {
-    size_t capacity = first_size(fd, most), used = 0;
+static wcut_status read_all(int fd, const char *path, size_t max, char **text, size_t *length, wcut_error *error) {
+    size_t capacity = first_size(fd, max), used = 0;
     *text = wcut_alloc(capacity, 1);
     if (!*text) return refuse_memory(error, path);
     for (;;) {
@@ -43,9 +43,9 @@ static wcut_status read_all(int fd, const char *path, size_t most, char **text, 
         if (n < 0) return wcut_fail_errno(error, WCUT_NOT_FOUND, errno, path, "cannot be read");
         if (n == 0) break;
         used += (size_t)n;
-        if (used > most) return refuse_size(error, path, most);
+        if (used > max) return refuse_size(error, path, max);
         if (used + 1 < capacity) continue;
-        capacity = capacity <= most / 2 ? 2 * capacity : most + 2;
+        capacity = capacity <= max / 2 ? 2 * capacity : max + 2;
         char *grown = wcut_grow(*text, capacity);
         if (!grown) return refuse_memory(error, path);
         *text = grown;
@@ -55,12 +55,12 @@ static wcut_status read_all(int fd, const char *path, size_t most, char **text, 
     return WCUT_OK;
 }
 
-wcut_status wcut_file_read(const char *path, size_t most, char **text, size_t *length, wcut_error *error) {
+wcut_status wcut_file_read(const char *path, size_t max, char **text, size_t *length, wcut_error *error) {
     int fd = open(path, O_RDONLY | O_CLOEXEC | O_NOCTTY);
     if (fd < 0) return wcut_fail_errno(error, WCUT_NOT_FOUND, errno, path, "cannot be read");
     char *found = NULL;
     size_t count = 0;
-    wcut_status status = read_all(fd, path, most, &found, &count, error);
+    wcut_status status = read_all(fd, path, max, &found, &count, error);
     close(fd); /* nothing was written: a failed close loses nothing */
     if (status != WCUT_OK) {
         free(found);

@@ -6,7 +6,7 @@
 #include <wirecut/status.h>
 
 /* text: length bytes and a zero behind them, the caller's to free. WCUT_OK; WCUT_NOT_FOUND (cannot be read),
-   WCUT_BAD_FORMAT (more than `most` bytes), WCUT_NO_MEMORY: nothing was written. */
-wcut_status wcut_file_read(const char *path, size_t most, char **text, size_t *length, wcut_error *error);
+   WCUT_BAD_FORMAT (more than `max` bytes), WCUT_NO_MEMORY: nothing was written. */
+wcut_status wcut_file_read(const char *path, size_t max, char **text, size_t *length, wcut_error *error);
 
 #endif

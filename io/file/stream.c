@@ -44,15 +44,15 @@ void wcut_stream_close(wcut_stream *stream) {
 }
 
 /* read(2) from either kind; 0 at the end, -1 with errno */
-static ssize_t read_some(wcut_stream *s, unsigned char *to, size_t most) {
+static ssize_t read_some(wcut_stream *s, unsigned char *to, size_t max) {
     if (s->fd >= 0) {
         ssize_t n;
-        do n = read(s->fd, to, most);
+        do n = read(s->fd, to, max);
         while (n < 0 && errno == EINTR);
         return n;
     }
     const uint64_t offset = s->base + s->end, left = (uint64_t)s->size - offset;
-    const size_t n = left < most ? (size_t)left : most;
+    const size_t n = left < max ? (size_t)left : max;
     memcpy(to, s->memory + offset, n);
     return (ssize_t)n;
 }

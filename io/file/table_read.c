@@ -17,7 +17,7 @@ wcut_status wcut_table_read(const char *path, int numeric_count, const char *con
     if (!named) return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s", wcut_status_text(WCUT_BAD_ARGUMENT));
     char *text;
     size_t length;
-    wcut_status status = wcut_file_read(path, WCUT_CSV_BYTES_MOST, &text, &length, error);
+    wcut_status status = wcut_file_read(path, WCUT_CSV_BYTES_MAX, &text, &length, error);
     if (status != WCUT_OK) return status;
     status = wcut_csv_parse(text, length, path, numeric_count, numeric, table, error);
     free(text);

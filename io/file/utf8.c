@@ -4,7 +4,7 @@
 static bool is_more(char c) { return ((unsigned char)c & 0xc0) == 0x80; }
 
 const char *wcut_utf8_next(const char *text, uint32_t *code) {
-    static const uint32_t least[5] = {0, 0, 0x80, 0x800, 0x10000};
+    static const uint32_t min[5] = {0, 0, 0x80, 0x800, 0x10000};
     const unsigned char c = (unsigned char)text[0];
     const int length = c < 0x80 ? 1 : c >= 0xf0 ? 4 : c >= 0xe0 ? 3 : 2;
     uint32_t value = length == 1 ? c : c & (0x7fu >> length);
@@ -13,7 +13,7 @@ const char *wcut_utf8_next(const char *text, uint32_t *code) {
         ok = is_more(text[k]);
         value = value << 6 | ((unsigned char)text[k] & 0x3fu);
     }
-    ok = ok && value >= least[length] && value <= 0x10ffff && !(value >= 0xd800 && value < 0xe000);
+    ok = ok && value >= min[length] && value <= 0x10ffff && !(value >= 0xd800 && value < 0xe000);
     *code = ok ? value : 0xfffd;
     return text + (ok ? length : 1);
 }

@@ -13,8 +13,8 @@ void wcut_colour(double t, double rgb[3]) {
     for (int k = 0; k < 3; k++) rgb[k] = anchor[low][k] + (at - low) * (anchor[low + 1][k] - anchor[low][k]);
 }
 
-double wcut_colour_parameter(double value, double least, double greatest) {
+double wcut_colour_parameter(double value, double min, double greatest) {
     /* halves, so that the range of two huge values does not overflow */
-    double range = greatest / 2 - least / 2;
-    return range > 0 ? (value / 2 - least / 2) / range : 0;
+    double range = greatest / 2 - min / 2;
+    return range > 0 ? (value / 2 - min / 2) / range : 0;
 }

@@ -6,6 +6,6 @@
 void wcut_colour(double t, double rgb[3]);
 
 /* where value lies between least and greatest, 0 where those are equal */
-double wcut_colour_parameter(double value, double least, double greatest);
+double wcut_colour_parameter(double value, double min, double greatest);
 
 #endif

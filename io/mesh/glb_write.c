@@ -34,7 +34,7 @@ typedef struct glb_scene {
 } glb_scene;
 
 /* one mesh in 32-bit offsets, and what assimp spends on it while it joins vertices */
-enum { TRIANGLES_MOST = 30000000 };
+enum { TRIANGLES_MAX = 30000000 };
 
 static void name(struct aiString *to, const char *text) {
     to->length = (ai_uint32)snprintf(to->data, sizeof to->data, "%s", text);
@@ -47,10 +47,10 @@ static double linear_of_srgb(double byte) {
 
 /* glTF's vertex colours are linear */
 static void fill_colours(struct aiColor4D *colour, int count, const double *scalar) {
-    double least, greatest, rgb[3];
-    wcut_range(count, scalar, &least, &greatest);
+    double min, greatest, rgb[3];
+    wcut_range(count, scalar, &min, &greatest);
     for (int i = 0; i < count; i++) {
-        wcut_colour(wcut_colour_parameter(scalar[i], least, greatest), rgb);
+        wcut_colour(wcut_colour_parameter(scalar[i], min, greatest), rgb);
         colour[i] = (struct aiColor4D){(float)linear_of_srgb(rgb[0]), (float)linear_of_srgb(rgb[1]),
                                        (float)linear_of_srgb(rgb[2]), 1};
     }
@@ -159,9 +159,9 @@ wcut_status wcut_mesh_write_glb(const wcut_mesh *mesh, const char *path, wcut_er
     char label[WCUT_QUOTE_SIZE];
     wcut_status status = wcut_mesh_check(mesh, path, error);
     if (status != WCUT_OK) return status;
-    if (mesh->triangle_count > TRIANGLES_MOST)
+    if (mesh->triangle_count > TRIANGLES_MAX)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s: found %d triangles, expected at most %d in a GLB",
-                         wcut_quote(label, path, WCUT_LABEL_MAX, 1), mesh->triangle_count, TRIANGLES_MOST);
+                         wcut_quote(label, path, WCUT_LABEL_MAX, 1), mesh->triangle_count, TRIANGLES_MAX);
     glb_scene *glb = wcut_alloc(1, sizeof *glb);
     if (!glb || !fill_scene(glb, mesh)) {
         free_scene(glb);

@@ -127,8 +127,8 @@ bool wcut_mesh_builder_triangle(wcut_mesh_builder *g, int a, int b, int c) {
         g->collapsed += g->collapsed < INT_MAX;
         return true;
     }
-    if (g->triangles == g->most)
-        return wcut_source_refuse(g->source, "found more than %d triangles, expected at most that", g->most);
+    if (g->triangles == g->max)
+        return wcut_source_refuse(g->source, "found more than %d triangles, expected at most that", g->max);
     const size_t n = 3 * (size_t)g->triangles;
     if (!wcut_mesh_builder_room((void **)&g->triangle, &g->triangle_room, n + 3, sizeof *g->triangle))
         return wcut_source_refuse_memory(g->source);
@@ -140,12 +140,12 @@ bool wcut_mesh_builder_triangle(wcut_mesh_builder *g, int a, int b, int c) {
 }
 
 bool wcut_mesh_builder_polygon(wcut_mesh_builder *g, int count, const int *corner) {
-    if (count < 3 || count > WCUT_POLYGON_MOST)
+    if (count < 3 || count > WCUT_POLYGON_MAX)
         return wcut_source_refuse(g->source, "found a polygon of %d corners, expected 3 to %d", count,
-                                  WCUT_POLYGON_MOST);
+                                  WCUT_POLYGON_MAX);
     if (count == 3) return wcut_mesh_builder_triangle(g, corner[0], corner[1], corner[2]);
-    wcut_vec3 at[WCUT_POLYGON_MOST];
-    int ear[3 * WCUT_POLYGON_MOST];
+    wcut_vec3 at[WCUT_POLYGON_MAX];
+    int ear[3 * WCUT_POLYGON_MAX];
     for (int k = 0; k < count; k++) at[k] = g->vertex[corner[k]];
     wcut_polygon_split(count, at, ear);
     g->split += g->split < INT_MAX;

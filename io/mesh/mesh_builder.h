@@ -10,7 +10,7 @@
 
 typedef struct wcut_mesh_builder {
     wcut_source *source; /* what refuses, at its line or byte */
-    int most;            /* triangles */
+    int max;             /* triangles */
     int vertices, triangles, collapsed, split;
     size_t vertex_room, triangle_room, slots;
     wcut_vec3 *vertex;
@@ -29,7 +29,7 @@ int wcut_mesh_builder_vertex(wcut_mesh_builder *builder, wcut_vec3 point);
 /* a triangle, left out and counted where it has collapsed */
 bool wcut_mesh_builder_triangle(wcut_mesh_builder *builder, int a, int b, int c);
 
-/* a polygon of 3 .. WCUT_POLYGON_MOST corners */
+/* a polygon of 3 .. WCUT_POLYGON_MAX corners */
 bool wcut_mesh_builder_polygon(wcut_mesh_builder *builder, int count, const int *corner);
 
 /* vertices as a file numbers them: one becomes a vertex of the mesh when a face first uses it */

@@ -13,7 +13,7 @@
 #include "io/file/child.h"
 #include "io/mesh/mesh_formats.h"
 
-enum { DEPTH_MOST = 200, ENOUGH = 64, MESSAGE_HEAD = 2 * sizeof(int32_t) };
+enum { DEPTH_MAX = 200, ENOUGH = 64, MESSAGE_HEAD = 2 * sizeof(int32_t) };
 enum { DONE, NOTHING_READ, TOO_DEEP, TOO_MANY, NOT_SENT };
 static const uint32_t LAST_WORD = 0x57435554; /* behind the last triangle: nothing is missing */
 
@@ -23,7 +23,7 @@ typedef struct request {
     const char *bytes;
     size_t size, at;
     const char *ending;
-    int most;         /* triangles, or vertices where these are all that is wanted */
+    int max;          /* triangles, or vertices where these are all that is wanted */
     bool as_vertices; /* each place once, no triangles */
 } request;
 
@@ -77,7 +77,7 @@ static void close_one(struct aiFileIO *io, struct aiFile *file) {
 /* ---- in the child: the scene's triangles, each node's meshes where the node puts them ---- */
 
 typedef struct message {
-    int fd, depth, vertices, triangles, most;
+    int fd, depth, vertices, triangles, max;
     bool as_vertices;
     int base; /* of the indices of the mesh being sent */
 } message;
@@ -120,13 +120,13 @@ static bool send_triangles(const struct aiMesh *mesh, bool mirrored, const messa
 }
 
 static int count_triangles(const struct aiMesh *mesh, message *t) {
-    const int most = t->as_vertices ? t->most : INT_MAX;
-    if (mesh->mNumVertices > (unsigned)(most - t->vertices)) return TOO_MANY;
+    const int max = t->as_vertices ? t->max : INT_MAX;
+    if (mesh->mNumVertices > (unsigned)(max - t->vertices)) return TOO_MANY;
     t->vertices += (int)mesh->mNumVertices;
     if (t->as_vertices) return DONE;
     for (unsigned f = 0; f < mesh->mNumFaces; f++) {
         if (mesh->mFaces[f].mNumIndices != 3) continue;
-        if (t->triangles == t->most) return TOO_MANY;
+        if (t->triangles == t->max) return TOO_MANY;
         t->triangles++;
     }
     return DONE;
@@ -138,7 +138,7 @@ enum { COUNT, SEND_VERTICES, SEND_TRIANGLES };
 static int walk(const struct aiScene *scene, const struct aiNode *node, const double above[12], int pass, message *t) {
     double m[12];
     int code = DONE;
-    if (t->depth == DEPTH_MOST) return TOO_DEEP;
+    if (t->depth == DEPTH_MAX) return TOO_DEEP;
     multiply(&node->mTransformation, above, m);
     for (unsigned k = 0; code == DONE && k < node->mNumMeshes; k++) {
         const struct aiMesh *mesh = scene->mMeshes[node->mMeshes[k]];
@@ -156,7 +156,7 @@ static int walk(const struct aiScene *scene, const struct aiNode *node, const do
 
 static int send_scene(const struct aiScene *scene, int fd, const request *r) {
     static const double here[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-    message t = {.fd = fd, .most = r->most, .as_vertices = r->as_vertices};
+    message t = {.fd = fd, .max = r->max, .as_vertices = r->as_vertices};
     const int last_pass = r->as_vertices ? SEND_VERTICES : SEND_TRIANGLES;
     int code = walk(scene, scene->mRootNode, here, COUNT, &t);
     const int32_t head[2] = {t.vertices, t.triangles};
@@ -241,19 +241,19 @@ static bool refuse_end(wcut_source *s, wcut_child_end end, const request *r, int
             break;
     }
     if (end.how == WCUT_CHILD_TALKATIVE || end.code == TOO_MANY)
-        return wcut_source_refuse(s, "found more than %d %s, expected at most that", r->most,
+        return wcut_source_refuse(s, "found more than %d %s, expected at most that", r->max,
                                   r->as_vertices ? "vertices" : "triangles");
-    if (end.code == TOO_DEEP) return wcut_source_refuse(s, "found nodes nested more than %d deep", DEPTH_MOST);
+    if (end.code == TOO_DEEP) return wcut_source_refuse(s, "found nodes nested more than %d deep", DEPTH_MAX);
     return wcut_source_refuse(s, "assimp reads no mesh in it, expected a sound %s file", r->ending + 1);
 }
 
 /* what is left of the source, in memory; NULL: refused */
 static char *slurp(wcut_source *s, size_t *size) {
-    const size_t most = (size_t)1 << 30;
+    const size_t max = (size_t)1 << 30;
     char *bytes = NULL;
     size_t room = 0;
     for (size_t got; (got = wcut_stream_fill(&s->stream, 1)) > 0; *size += got) {
-        if (*size + got > most) {
+        if (*size + got > max) {
             wcut_source_refuse(s, "found more than 1024 MB, expected at most that of this format");
             break;
         }
@@ -279,7 +279,7 @@ static char *ask(wcut_source *s, request *r, size_t of_each, int seconds, int32_
         return NULL;
     }
     r->bytes = bytes;
-    const wcut_child_limits limits = {seconds, (size_t)4 << 30, (size_t)r->most * of_each + ENOUGH};
+    const wcut_child_limits limits = {seconds, (size_t)4 << 30, (size_t)r->max * of_each + ENOUGH};
     const wcut_child_end end = wcut_child_run(import, r, &limits, &data, &length);
     free(bytes);
     const bool done = end.how == WCUT_CHILD_DONE && end.code == DONE ? check_message(s, data, length, head)
@@ -292,7 +292,7 @@ static char *ask(wcut_source *s, request *r, size_t of_each, int seconds, int32_
 static bool is_gltf(const char *ending) { return strcmp(ending, ".glb") == 0 || strcmp(ending, ".gltf") == 0; }
 
 bool wcut_mesh_fill_foreign(wcut_source *s, wcut_mesh_builder *g, const char *ending, int seconds) {
-    request r = {.ending = ending, .most = g->most};
+    request r = {.ending = ending, .max = g->max};
     int32_t head[2] = {0};
     if (is_gltf(ending)) s->scale = 1000;
     char *data = ask(s, &r, 3 * (3 * sizeof(double) + sizeof(int32_t)), seconds, head);
@@ -301,9 +301,9 @@ bool wcut_mesh_fill_foreign(wcut_source *s, wcut_mesh_builder *g, const char *en
     return done;
 }
 
-bool wcut_mesh_vertices_foreign(wcut_source *s, const char *ending, int most, int seconds, double **position,
+bool wcut_mesh_vertices_foreign(wcut_source *s, const char *ending, int max, int seconds, double **position,
                                 int *count) {
-    request r = {.ending = ending, .most = most, .as_vertices = true};
+    request r = {.ending = ending, .max = max, .as_vertices = true};
     int32_t head[2] = {0};
     if (is_gltf(ending)) s->scale = 1000;
     char *data = ask(s, &r, 3 * sizeof(double), seconds, head);

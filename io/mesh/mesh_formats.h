@@ -12,9 +12,9 @@ wcut_mesh_fill wcut_mesh_fill_stl, wcut_mesh_fill_ply, wcut_mesh_fill_obj;
 /* the formats that assimp reads, `ending` being the one that chooses its importer; in at most `seconds` */
 bool wcut_mesh_fill_foreign(wcut_source *source, wcut_mesh_builder *builder, const char *ending, int seconds);
 
-/* only their vertices, those of one place and normal once, at most `most`: count x 3 in the file's unit but for the axes,
+/* only their vertices, those of one place and normal once, at most `max`: count x 3 in the file's unit but for the axes,
    which are block's, to free() */
-bool wcut_mesh_vertices_foreign(wcut_source *source, const char *ending, int most, int seconds, double **position,
+bool wcut_mesh_vertices_foreign(wcut_source *source, const char *ending, int max, int seconds, double **position,
                                 int *count);
 
 /* bytes in memory through a small window; for tests and fuzzers */

@@ -40,9 +40,9 @@ static const char *read_corner(const char *p, int count, int *vertex) {
 }
 
 static bool read_face(wcut_source *s, const char *line, const char *p, wcut_mesh_builder *g, wcut_numbered *n) {
-    int vertex[WCUT_POLYGON_MOST], count = 0, i = 0;
+    int vertex[WCUT_POLYGON_MAX], count = 0, i = 0;
     for (; !wcut_is_line_end(p); count++) {
-        if (count == WCUT_POLYGON_MOST) return wcut_source_refuse_text(s, line, p, "at most 1024 corners");
+        if (count == WCUT_POLYGON_MAX) return wcut_source_refuse_text(s, line, p, "at most 1024 corners");
         const char *behind = read_corner(p, n->count, &i);
         if (!behind) return wcut_source_refuse_text(s, line, p, "a corner at one of the vertices above");
         vertex[count] = wcut_numbered_use(g, n, i);

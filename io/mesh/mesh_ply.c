@@ -18,7 +18,7 @@ static bool read_vertices(wcut_source *s, const wcut_ply *m, wcut_mesh_builder *
 static bool read_face(wcut_source *s, const wcut_ply *m, wcut_mesh_builder *g, wcut_numbered *n) {
     wcut_ply_corners corners = {0};
     double none[WCUT_FIELDS];
-    int vertex[WCUT_POLYGON_MOST];
+    int vertex[WCUT_POLYGON_MAX];
     if (!wcut_ply_record(s, m, &m->element[m->face], none, &corners)) return false;
     for (int k = 0; k < corners.count; k++) {
         const int64_t i = corners.vertex[k];

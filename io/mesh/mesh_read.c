@@ -13,12 +13,12 @@ enum { SNIFF = 512 };
 
 wcut_mesh_read_options wcut_mesh_read_options_default(void) {
     return (wcut_mesh_read_options){
-        .format = WCUT_MESH_FORMAT_ANY, .unit = WCUT_LENGTH_UNIT_MM, .most = 20000000, .seconds = 60};
+        .format = WCUT_MESH_FORMAT_ANY, .unit = WCUT_LENGTH_UNIT_MM, .max_triangles = 20000000, .seconds = 60};
 }
 
 static bool options_are_usable(const wcut_mesh_read_options *o) {
-    return (unsigned)o->format < WCUT_MESH_FORMAT_COUNT && (unsigned)o->unit <= WCUT_LENGTH_UNIT_INCH && o->most >= 1 &&
-           o->most <= INT_MAX / 3 && o->seconds >= 1 && o->seconds <= 3600;
+    return (unsigned)o->format < WCUT_MESH_FORMAT_COUNT && (unsigned)o->unit <= WCUT_LENGTH_UNIT_INCH &&
+           o->max_triangles >= 1 && o->max_triangles <= INT_MAX / 3 && o->seconds >= 1 && o->seconds <= 3600;
 }
 
 /* the ending of a file's name with its point, "" where it has none */
@@ -71,7 +71,7 @@ static bool read(wcut_source *s, wcut_mesh_builder *g, const wcut_mesh_read_opti
 /* the bytes, opened, are closed here */
 static wcut_status read_source(wcut_source s, const wcut_mesh_read_options *o, wcut_mesh **mesh,
                                wcut_mesh_read_info *info, wcut_error *error) {
-    wcut_mesh_builder g = {.source = &s, .most = o->most};
+    wcut_mesh_builder g = {.source = &s, .max = o->max_triangles};
     wcut_mesh_read_info found = {0};
     wcut_mesh *made = NULL;
     if (read(&s, &g, o, &made, &found)) {

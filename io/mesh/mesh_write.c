@@ -17,9 +17,9 @@ _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "binary files are writ
 /* ---- the frame ---- */
 
 /* beyond it single precision and squares of products are in danger; no wire gets there */
-#define SIZE_MOST 1e30
+#define COORDINATE_MAX 1e30
 
-static bool is_sound(double x) { return fabs(x) <= SIZE_MOST; /* false for nan, too */ }
+static bool is_sound(double x) { return fabs(x) <= COORDINATE_MAX; /* false for nan, too */ }
 
 static bool is_finite(wcut_vec3 a) { return is_sound(a.x) && is_sound(a.y) && is_sound(a.z); }
 
@@ -78,10 +78,10 @@ wcut_status wcut_mesh_write(const wcut_mesh *mesh, wcut_mesh_put *put, const voi
     return status;
 }
 
-void wcut_range(int count, const double *value, double *least, double *greatest) {
-    *least = *greatest = value[0];
+void wcut_range(int count, const double *value, double *min, double *greatest) {
+    *min = *greatest = value[0];
     for (int i = 1; i < count; i++) {
-        if (value[i] < *least) *least = value[i];
+        if (value[i] < *min) *min = value[i];
         if (value[i] > *greatest) *greatest = value[i];
     }
 }

@@ -18,6 +18,6 @@ wcut_status wcut_mesh_write(const wcut_mesh *mesh, wcut_mesh_put *put, const voi
                             wcut_error *error);
 
 /* least and greatest value; count at least 1 */
-void wcut_range(int count, const double *value, double *least, double *greatest);
+void wcut_range(int count, const double *value, double *min, double *greatest);
 
 #endif

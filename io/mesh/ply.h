@@ -33,7 +33,7 @@ typedef struct wcut_ply {
 /* the corners of a face */
 typedef struct wcut_ply_corners {
     int count;
-    int64_t vertex[WCUT_POLYGON_MOST];
+    int64_t vertex[WCUT_POLYGON_MAX];
 } wcut_ply_corners;
 
 /* each of these: false means refused, the source holds the failure */

@@ -6,7 +6,7 @@
 /* ---- binary ---- */
 
 static bool refuse_corners(wcut_source *s, double count) {
-    return wcut_source_refuse(s, "found a face of %.0f corners, expected at most %d", count, WCUT_POLYGON_MOST);
+    return wcut_source_refuse(s, "found a face of %.0f corners, expected at most %d", count, WCUT_POLYGON_MAX);
 }
 
 /* a list's count and values, kept where they are corners */
@@ -18,7 +18,7 @@ static bool read_list(wcut_source *s, const wcut_ply *m, const wcut_ply_property
     s->stream.at += size;
     if (!corners || !q->is_corners)
         return wcut_stream_skip(&s->stream, (uint64_t)count * step) || wcut_source_refuse_end(s, "a list's values");
-    if (count > WCUT_POLYGON_MOST) return refuse_corners(s, count);
+    if (count > WCUT_POLYGON_MAX) return refuse_corners(s, count);
     corners->count = (int)count;
     for (int k = 0; k < corners->count; k++) {
         if (wcut_stream_fill(&s->stream, step) < step) return wcut_source_refuse_end(s, "a list's values");
@@ -54,7 +54,7 @@ static const char *read_words(wcut_source *s, const char *line, const char *p, c
     const char *behind = wcut_row_count(p, &values);
     if (!behind) return wcut_source_refuse_text(s, line, wcut_skip_blanks(p), "a list's count, 0 or more"), NULL;
     const bool kept = corners && q->is_corners;
-    if (kept && values > WCUT_POLYGON_MOST) return refuse_corners(s, (double)values), NULL;
+    if (kept && values > WCUT_POLYGON_MAX) return refuse_corners(s, (double)values), NULL;
     if (kept) corners->count = (int)values;
     for (int64_t k = 0; k < values; k++) {
         double any;
@@ -140,6 +140,6 @@ bool wcut_ply_begin(wcut_source *s, wcut_ply *m) {
     if (!m->ascii) s->line = 0;
     const wcut_ply_element *e = &m->element[m->vertex];
     /* a value of text takes a digit and a blank or line feed, but the last one's */
-    const uint64_t least = m->ascii ? 2 * (uint64_t)e->properties - 1 : e->size;
-    return wcut_ply_skip(s, m, 0, m->vertex) && wcut_source_check_count(s, e->count, least, "vertices");
+    const uint64_t min = m->ascii ? 2 * (uint64_t)e->properties - 1 : e->size;
+    return wcut_ply_skip(s, m, 0, m->vertex) && wcut_source_check_count(s, e->count, min, "vertices");
 }

@@ -19,12 +19,12 @@ static bool is_name(const char *name) {
     return true;
 }
 
-static void put_header(wcut_text *text, const wcut_mesh *mesh, const char *name, double least, double greatest) {
+static void put_header(wcut_text *text, const wcut_mesh *mesh, const char *name, double min, double greatest) {
     wcut_text_print(text, "ply\nformat binary_little_endian 1.0\ncomment wirecut %s\ncomment units: mm, z up\n",
                     WCUT_VERSION);
     if (mesh->scalar) {
         wcut_text_print(text, "comment colour: viridis over %s from ", name);
-        wcut_text_number(text, least);
+        wcut_text_number(text, min);
         wcut_text_print(text, " to ");
         wcut_text_number(text, greatest);
         wcut_text_put(text, "\n", 1);
@@ -39,23 +39,23 @@ static void put_header(wcut_text *text, const wcut_mesh *mesh, const char *name,
                     mesh->triangle_count);
 }
 
-static void put_scalar(wcut_text *text, double value, double least, double greatest) {
+static void put_scalar(wcut_text *text, double value, double min, double greatest) {
     double rgb[3];
     unsigned char byte[3];
-    wcut_colour(wcut_colour_parameter(value, least, greatest), rgb);
+    wcut_colour(wcut_colour_parameter(value, min, greatest), rgb);
     for (int k = 0; k < 3; k++) byte[k] = (unsigned char)(rgb[k] + 0.5);
     wcut_text_put(text, byte, sizeof byte);
     wcut_text_put(text, &value, sizeof value);
 }
 
 static void put_ply(wcut_text *text, const wcut_mesh *mesh, const void *context) {
-    double least = 0, greatest = 0;
-    if (mesh->scalar) wcut_range(mesh->vertex_count, mesh->scalar, &least, &greatest);
-    put_header(text, mesh, context, least, greatest);
+    double min = 0, greatest = 0;
+    if (mesh->scalar) wcut_range(mesh->vertex_count, mesh->scalar, &min, &greatest);
+    put_header(text, mesh, context, min, greatest);
     for (int i = 0; i < mesh->vertex_count; i++) {
         wcut_text_put(text, &mesh->vertex[i], sizeof(wcut_vec3));
         if (mesh->normal) wcut_text_put(text, &mesh->normal[i], sizeof(wcut_vec3));
-        if (mesh->scalar) put_scalar(text, mesh->scalar[i], least, greatest);
+        if (mesh->scalar) put_scalar(text, mesh->scalar[i], min, greatest);
     }
     for (size_t t = 0; t < (size_t)mesh->triangle_count; t++) {
         int32_t corner[3] = {mesh->triangle[3 * t], mesh->triangle[3 * t + 1], mesh->triangle[3 * t + 2]};

@@ -17,13 +17,13 @@ static void find_axes(int count, const wcut_vec3 *corner, int axis[2]) {
         n[1] += (a.z - b.z) * (a.x + b.x);
         n[2] += (a.x - b.x) * (a.y + b.y);
     }
-    int most = fabs(n[1]) > fabs(n[0]) ? 1 : 0;
-    if (fabs(n[2]) > fabs(n[most])) most = 2;
-    axis[0] = (most + 1) % 3;
-    axis[1] = (most + 2) % 3;
-    if (n[most] < 0) {
-        axis[0] = (most + 2) % 3;
-        axis[1] = (most + 1) % 3;
+    int max = fabs(n[1]) > fabs(n[0]) ? 1 : 0;
+    if (fabs(n[2]) > fabs(n[max])) max = 2;
+    axis[0] = (max + 1) % 3;
+    axis[1] = (max + 2) % 3;
+    if (n[max] < 0) {
+        axis[0] = (max + 2) % 3;
+        axis[1] = (max + 1) % 3;
     }
 }
 
@@ -49,8 +49,8 @@ static bool is_ear(int left, const int *ring, int k, const wcut_vec3 *corner, co
 }
 
 void wcut_polygon_split(int count, const wcut_vec3 *corner, int *triangle) {
-    int ring[WCUT_POLYGON_MOST], axis[2], left = count;
-    if (count < 3 || count > WCUT_POLYGON_MOST) return;
+    int ring[WCUT_POLYGON_MAX], axis[2], left = count;
+    if (count < 3 || count > WCUT_POLYGON_MAX) return;
     find_axes(count, corner, axis);
     for (int i = 0; i < count; i++) ring[i] = i;
     while (left > 3) {

@@ -6,7 +6,7 @@
 #include <wirecut/case.h>
 
 /* limits beyond which it is a slip of the pen */
-enum { WCUT_CASE_BYTES_MOST = 16 << 20, WCUT_CASE_CUTS_MOST = 10000 };
+enum { WCUT_CASE_BYTES_MAX = 16 << 20, WCUT_CASE_CUTS_MAX = 10000 };
 
 /* wcut_case_read of `length` bytes; path stands in front of every message and, up to its last slash, of every name */
 wcut_status wcut_case_parse(const char *text, size_t length, const char *path, wcut_case **found, wcut_error *error);

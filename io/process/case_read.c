@@ -87,8 +87,8 @@ static bool read_cuts(wcut_reader *reader, const wcut_place *at, void *into) {
         {"job", true, read_job, 0}, {"recording", true, read_recording, 0}, {"scan", false, read_scan, 0}};
     filling *of = into;
     const size_t n = json_array_size(at->value);
-    if (!json_is_array(at->value) || n < 1 || n > WCUT_CASE_CUTS_MOST)
-        return wcut_refuse(reader, at, WCUT_BAD_FORMAT, "an array of 1 to %d cuts", WCUT_CASE_CUTS_MOST);
+    if (!json_is_array(at->value) || n < 1 || n > WCUT_CASE_CUTS_MAX)
+        return wcut_refuse(reader, at, WCUT_BAD_FORMAT, "an array of 1 to %d cuts", WCUT_CASE_CUTS_MAX);
     of->made->cut = wcut_alloc(n, sizeof *of->made->cut);
     if (!of->made->cut) return wcut_refuse_memory(reader);
     of->made->cuts = (int)n;
@@ -149,7 +149,7 @@ wcut_status wcut_case_read(const char *path, wcut_case **found, wcut_error *erro
     if (!path || !found) return wcut_fail(error, WCUT_BAD_ARGUMENT, "wcut_case_read: path or found is NULL");
     char *text = NULL;
     size_t length = 0;
-    wcut_status status = wcut_file_read(path, WCUT_CASE_BYTES_MOST, &text, &length, error);
+    wcut_status status = wcut_file_read(path, WCUT_CASE_BYTES_MAX, &text, &length, error);
     if (status == WCUT_OK) status = wcut_case_parse(text, length, path, found, error);
     free(text);
     return status;
@@ -159,7 +159,7 @@ wcut_status wcut_format_read(const char *path, char *format, wcut_error *error) 
     if (!path || !format) return wcut_fail(error, WCUT_BAD_ARGUMENT, "wcut_format_read: path or format is NULL");
     char *text = NULL;
     size_t length = 0;
-    wcut_status status = wcut_file_read(path, WCUT_JOB_BYTES_MOST, &text, &length, error);
+    wcut_status status = wcut_file_read(path, WCUT_JOB_BYTES_MAX, &text, &length, error);
     if (status == WCUT_OK) status = wcut_format_parse(text, length, path, format, error);
     free(text);
     return status;

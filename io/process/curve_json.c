@@ -6,7 +6,7 @@
 
 #include "io/process/job.h"
 
-enum { POINTS_MOST = WCUT_JOB_STATIONS_MOST };
+enum { POINTS_MAX = WCUT_JOB_STATIONS_MAX };
 
 /* a CURVE as it stands in the file */
 typedef struct curve_text {
@@ -17,7 +17,7 @@ typedef struct curve_text {
 
 static bool read_curve_points(wcut_reader *reader, const wcut_place *at, void *into) {
     curve_text *c = into;
-    return wcut_read_array(reader, at, 2, POINTS_MOST, "points", wcut_read_point, sizeof(wcut_vec3), &c->points,
+    return wcut_read_array(reader, at, 2, POINTS_MAX, "points", wcut_read_point, sizeof(wcut_vec3), &c->points,
                            (void **)&c->point);
 }
 
@@ -27,7 +27,7 @@ static bool read_degree(wcut_reader *reader, const wcut_place *at, void *into) {
 
 static bool read_controls(wcut_reader *reader, const wcut_place *at, void *into) {
     curve_text *c = into;
-    return wcut_read_array(reader, at, c->degree + 1, POINTS_MOST, "control points", wcut_read_point, sizeof(wcut_vec3),
+    return wcut_read_array(reader, at, c->degree + 1, POINTS_MAX, "control points", wcut_read_point, sizeof(wcut_vec3),
                            &c->controls, (void **)&c->control);
 }
 

@@ -42,8 +42,8 @@ static double end_of(double value, double limit) {
     return isfinite(limit) ? limit : copysign(DBL_MAX, limit);
 }
 
-static void put_interval(wcut_text *text, const char *before, const wcut_estimate *e, double least, double most) {
-    put_pair(text, before, end_of(e->low, least), end_of(e->high, most));
+static void put_interval(wcut_text *text, const char *before, const wcut_estimate *e, double min, double max) {
+    put_pair(text, before, end_of(e->low, min), end_of(e->high, max));
 }
 
 static void put_open(wcut_text *text, bool low, bool high) {
@@ -64,7 +64,7 @@ static void put_parameter(wcut_text *text, const wcut_found_effect *found, const
     put(text, list ? "]" : "");
     if (estimated) {
         put(text, list ? ", \"ci95\": [" : ", \"ci95\": ");
-        for (int k = 0; k < p->size; k++) put_interval(text, k ? ", [" : "[", &e[k], p->least, p->most);
+        for (int k = 0; k < p->size; k++) put_interval(text, k ? ", [" : "[", &e[k], p->min, p->max);
         put(text, list ? "]" : "");
         put_open(text, low, high);
     } else {

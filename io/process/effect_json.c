@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-enum { FIELDS_MOST = 2 + WCUT_EFFECT_VALUES, EFFECTS_MOST = 100 };
+enum { FIELDS_MAX = 2 + WCUT_EFFECT_VALUES, EFFECTS_MAX = 100 };
 
 #define NAME(name, text, acts) text,
 static const char *const names[] = {WCUT_EFFECT_LIST(NAME) NULL};
@@ -28,9 +28,9 @@ static bool check_range(wcut_reader *reader, const wcut_place *at, const wcut_ef
                         const double *value) {
     const wcut_place place = wcut_place_member(at, p->key);
     for (int k = 0; k < p->size; k++) {
-        if (value[k] >= p->least && value[k] <= p->most) continue;
+        if (value[k] >= p->min && value[k] <= p->max) continue;
         return wcut_refuse(reader, &place, WCUT_BAD_ARGUMENT, "%s from %g to %g",
-                           p->size == 3 ? "coordinates" : "a number", p->least, p->most);
+                           p->size == 3 ? "coordinates" : "a number", p->min, p->max);
     }
     return true;
 }
@@ -49,7 +49,7 @@ static bool read_effect(wcut_reader *reader, const wcut_place *at, void *into) {
     }
     *effect = wcut_effect_choose((wcut_effect_kind)kind, chosen);
     const wcut_effect_parameter *first = wcut_effect_parameters(effect);
-    wcut_field field[FIELDS_MOST];
+    wcut_field field[FIELDS_MAX];
     if (!wcut_read_object(reader, at, field, list_fields(info, first, field), effect)) return false;
     for (const wcut_effect_parameter *p = first; p->key; p++)
         if (!check_range(reader, at, p, effect->value + p->at)) return false;
@@ -58,7 +58,7 @@ static bool read_effect(wcut_reader *reader, const wcut_place *at, void *into) {
 
 bool wcut_read_effects(wcut_reader *reader, const wcut_place *at, void *into) {
     wcut_job *job = into;
-    if (!wcut_read_array(reader, at, 0, EFFECTS_MOST, "effects", read_effect, sizeof(wcut_effect), &job->effect_count,
+    if (!wcut_read_array(reader, at, 0, EFFECTS_MAX, "effects", read_effect, sizeof(wcut_effect), &job->effect_count,
                          (void **)&job->effect))
         return false;
     for (int e = 0; e < job->effect_count; e++)

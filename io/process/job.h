@@ -6,7 +6,7 @@
 #include <wirecut/job.h>
 
 /* limits of what a job may hold: beyond them it is a slip of the pen, not a cut */
-enum { WCUT_JOB_STATIONS_MOST = 1000000, WCUT_JOB_NODES_MOST = 100000, WCUT_JOB_BYTES_MOST = 256 << 20 };
+enum { WCUT_JOB_STATIONS_MAX = 1000000, WCUT_JOB_NODES_MAX = 100000, WCUT_JOB_BYTES_MAX = 256 << 20 };
 
 /* wcut_job_read of a text; label stands in front of every message */
 wcut_status wcut_job_parse(const char *text, size_t length, const char *label, wcut_job **job, wcut_error *error);

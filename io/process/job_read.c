@@ -14,7 +14,7 @@
 #include "io/process/effect_json.h"
 
 #define FORMAT "wirecut-job/1"
-enum { POINTS_MOST = WCUT_JOB_STATIONS_MOST, PROGRAMME_MOST = 10000 };
+enum { POINTS_MAX = WCUT_JOB_STATIONS_MAX, PROGRAMME_MAX = 10000 };
 
 #define READ_OBJECT(fields, into) wcut_read_object(reader, at, fields, (int)(sizeof(fields) / sizeof *(fields)), into)
 #define IN(type, member, key, required, read) \
@@ -46,7 +46,7 @@ static bool read_block(wcut_reader *reader, const wcut_place *at, void *job) {
 }
 
 static bool read_nodes(wcut_reader *reader, const wcut_place *at, void *into) {
-    return wcut_read_int(reader, at, 3, WCUT_JOB_NODES_MOST, into);
+    return wcut_read_int(reader, at, 3, WCUT_JOB_NODES_MAX, into);
 }
 
 static bool read_wire(wcut_reader *reader, const wcut_place *at, void *job) {
@@ -117,7 +117,7 @@ static bool read_kerf(wcut_reader *reader, const wcut_place *at, void *job) {
 /* mount_a_mm comes first and sets the count that mount_b_mm must have */
 static bool read_mount_a(wcut_reader *reader, const wcut_place *at, void *into) {
     wcut_job *job = into;
-    return wcut_read_array(reader, at, 2, WCUT_JOB_STATIONS_MOST, "stations", wcut_read_point, sizeof(wcut_vec3),
+    return wcut_read_array(reader, at, 2, WCUT_JOB_STATIONS_MAX, "stations", wcut_read_point, sizeof(wcut_vec3),
                            &job->stations, (void **)&job->mount_a);
 }
 
@@ -126,8 +126,8 @@ static bool read_mount_b(wcut_reader *reader, const wcut_place *at, void *into) 
     if (json_is_array(at->value) && json_array_size(at->value) != (size_t)job->stations)
         return wcut_refuse(reader, at, WCUT_BAD_ARGUMENT, "%d stations as in mount_a_mm", job->stations);
     int count;
-    return wcut_read_array(reader, at, 2, WCUT_JOB_STATIONS_MOST, "stations", wcut_read_point, sizeof(wcut_vec3),
-                           &count, (void **)&job->mount_b);
+    return wcut_read_array(reader, at, 2, WCUT_JOB_STATIONS_MAX, "stations", wcut_read_point, sizeof(wcut_vec3), &count,
+                           (void **)&job->mount_b);
 }
 
 static bool read_path(wcut_reader *reader, const wcut_place *at, void *job) {
@@ -169,7 +169,7 @@ static bool read_extra(wcut_reader *reader, const wcut_place *at, void *into) {
     wcut_job *job = into;
     extra_point *extra = NULL;
     int count = 0;
-    bool ok = wcut_read_array(reader, at, 1, POINTS_MOST, "pairs [u, mm]", read_extra_point, sizeof *extra, &count,
+    bool ok = wcut_read_array(reader, at, 1, POINTS_MAX, "pairs [u, mm]", read_extra_point, sizeof *extra, &count,
                               (void **)&extra) &&
               check_extra(reader, at, count, extra);
     if (ok) {
@@ -186,7 +186,7 @@ static bool read_extra(wcut_reader *reader, const wcut_place *at, void *into) {
 }
 
 static bool read_stations(wcut_reader *reader, const wcut_place *at, void *into) {
-    return wcut_read_int(reader, at, 2, WCUT_JOB_STATIONS_MOST, into);
+    return wcut_read_int(reader, at, 2, WCUT_JOB_STATIONS_MAX, into);
 }
 
 static bool read_design(wcut_reader *reader, const wcut_place *at, void *into) {
@@ -214,7 +214,7 @@ static bool read_dither(wcut_reader *reader, const wcut_place *at, void *dither)
 
 static bool read_speed_programme(wcut_reader *reader, const wcut_place *at, void *into) {
     wcut_job *job = into;
-    if (!wcut_read_array(reader, at, 0, PROGRAMME_MOST, "sines", read_dither, sizeof(wcut_dither), &job->dither_count,
+    if (!wcut_read_array(reader, at, 0, PROGRAMME_MAX, "sines", read_dither, sizeof(wcut_dither), &job->dither_count,
                          (void **)&job->dither))
         return false;
     double sum = 0;
@@ -240,7 +240,7 @@ static bool read_heat_step(wcut_reader *reader, const wcut_place *at, void *into
 
 static bool read_heat_programme(wcut_reader *reader, const wcut_place *at, void *into) {
     wcut_job *job = into;
-    if (!wcut_read_array(reader, at, 0, PROGRAMME_MOST, "intervals", read_heat_step, sizeof(wcut_heat_step),
+    if (!wcut_read_array(reader, at, 0, PROGRAMME_MAX, "intervals", read_heat_step, sizeof(wcut_heat_step),
                          &job->heat_step_count, (void **)&job->heat_step))
         return false;
     for (int i = 1; i < job->heat_step_count; i++) {
@@ -312,7 +312,7 @@ wcut_status wcut_job_read(const char *path, wcut_job **job, wcut_error *error) {
     if (!path || !job) return wcut_fail(error, WCUT_BAD_ARGUMENT, "wcut_job_read: path or job is NULL");
     char *text = NULL;
     size_t length = 0;
-    wcut_status status = wcut_file_read(path, WCUT_JOB_BYTES_MOST, &text, &length, error);
+    wcut_status status = wcut_file_read(path, WCUT_JOB_BYTES_MAX, &text, &length, error);
     if (status == WCUT_OK) status = wcut_job_parse(text, length, path, job, error);
     free(text);
     return status;

@@ -40,7 +40,7 @@ static const array arrays[ARRAYS] = {
 
 struct wcut_vtp_stream {
     wcut_file *file;
-    int most, nodes;     /* stations that may come, nodes of each */
+    int max, nodes;      /* stations that may come, nodes of each */
     int count;           /* stations that came */
     bool engaged;        /* the stations have that array: the first one says so */
     uint64_t at[ARRAYS]; /* offset in the file of each array's size, values behind it */
@@ -126,7 +126,7 @@ wcut_status wcut_vtp_stream_create(const char *path, int stations, int nodes, wc
                          "a .vtp: found %d stations of %d nodes, expected at least 1 of at least 2", stations, nodes);
     wcut_vtp_stream *made = wcut_alloc(1, sizeof *made);
     if (!made) return no_memory(error);
-    made->most = stations;
+    made->max = stations;
     made->nodes = nodes;
     made->real = wcut_alloc((size_t)stations * REALS, sizeof *made->real);
     made->integer = wcut_alloc((size_t)stations * INTEGERS, sizeof *made->integer);
@@ -146,9 +146,9 @@ static wcut_status begin(wcut_vtp_stream *s, const wcut_station *station, wcut_e
     wcut_text text;
     s->engaged = station->engaged != NULL;
     bool made = wcut_text_create(&text, NULL);
-    if (made) put_header(&text, s, s->most);
+    if (made) put_header(&text, s, s->max);
     made = made && !text.failed;
-    if (made) lay_out(s, s->most, text.count, s->at);
+    if (made) lay_out(s, s->max, text.count, s->at);
     wcut_text_destroy(&text);
     return made ? WCUT_OK : no_memory(error);
 }
@@ -193,8 +193,8 @@ wcut_status wcut_vtp_stream_append(wcut_vtp_stream *s, const wcut_station *stati
     if (!s || !station) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a .vtp: stream or station is NULL");
     double real[REALS];
     list_reals(station, real);
-    if (s->count == s->most)
-        return wcut_fail(error, WCUT_BAD_ARGUMENT, "a .vtp: found another station, expected at most %d", s->most);
+    if (s->count == s->max)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "a .vtp: found another station, expected at most %d", s->max);
     if (!is_usable(s, station, real))
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "a .vtp, station %d: expected %d nodes, every array and finite numbers", s->count, s->nodes);

@@ -235,8 +235,8 @@ static wcut_report_chart normal_chart(page *p, const law *l) {
 /* what of a cut wants a second look */
 static const char *remark(page *p, int i, const wcut_fit_point *at) {
     const wcut_test_cut *cut = &p->of->cut[i];
-    const double most = p->of->options->alpha_large;
-    const bool large = fabs(cut->alpha_a) > most || fabs(cut->alpha_b) > most;
+    const double max = p->of->options->alpha_large;
+    const bool large = fabs(cut->alpha_a) > max || fabs(cut->alpha_b) > max;
     const char *const word[] = {at->unusual & WCUT_UNUSUAL_OUTLIER ? "outlier" : NULL,
                                 at->unusual & WCUT_UNUSUAL_LEVERAGE ? "isolated in Q_eff" : NULL,
                                 at->unusual & WCUT_UNUSUAL_INFLUENTIAL ? "moves the law" : NULL,

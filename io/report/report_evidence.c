@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MODELS = 3, MAP_COLUMNS = 240, SPANS_MOST = 24 };
+enum { MODELS = 3, MAP_COLUMNS = 240, SPANS_MAX = 24 };
 
 static const char *const model_title[MODELS] = {"Before: the job as it is", "Recalibrated: a, b and the wire's length",
                                                 "After: with the effects found"};
@@ -120,17 +120,17 @@ static wcut_report_table row_table(wcut_page_memory *memory, const wcut_report_d
     if (memory->failed) return table;
     for (int from = 0, to; from < g->rows; from = to) {
         const wcut_residual_trace *first = g->row[from];
-        double least = first->noise, most = first->noise;
+        double min = first->noise, max = first->noise;
         const char *cuts = of->cut_name[first->cut];
         for (to = from + 1; to < g->rows && strcmp(g->row[to]->column, first->column) == 0; to++) {
             cuts = wcut_page_text(memory, "%s; %s", cuts, of->cut_name[g->row[to]->cut]);
-            least = -larger(-least, -g->row[to]->noise), most = larger(most, g->row[to]->noise);
+            min = -larger(-min, -g->row[to]->noise), max = larger(max, g->row[to]->noise);
         }
         const int r = table.rows++;
         text[0][r] = wcut_page_text(memory, "%d .. %d", from + 1, to);
         text[1][r] = first->column;
         text[2][r] = cuts;
-        text[3][r] = wcut_page_text(memory, "%.2g .. %.2g %s", least, most, wcut_evidence_unit(first->channel));
+        text[3][r] = wcut_page_text(memory, "%.2g .. %.2g %s", min, max, wcut_evidence_unit(first->channel));
     }
     static const char *const label[4] = {"rows", "channel", "cuts, in this order", "noise of a bin"};
     for (int k = 0; k < 4; k++) column[k] = (wcut_report_column){.label = label[k], .text = text[k]};
@@ -184,7 +184,7 @@ bool wcut_report_evidence_fill(wcut_page_memory *memory, const wcut_report_diagn
 static int list_spans(wcut_page_memory *memory, const wcut_diagnosis *d, const wcut_residual_trace *t,
                       wcut_report_span *span) {
     int count = 0;
-    for (int i = 0; i < d->mismatches && count < SPANS_MOST; i++) {
+    for (int i = 0; i < d->mismatches && count < SPANS_MAX; i++) {
         const wcut_mismatch *m = &d->mismatch[i];
         if (m->cut != t->cut || strcmp(m->column, t->column) != 0) continue;
         if (!isfinite(m->time[0] + m->time[1] + m->station[0] + m->station[1])) continue;
@@ -209,7 +209,7 @@ static void fill_chart(wcut_page_memory *memory, const wcut_report_diagnose *of,
     static const wcut_report_mark mark[MODELS] = {WCUT_REPORT_MARK_DASHED, WCUT_REPORT_MARK_LINE,
                                                   WCUT_REPORT_MARK_LINE};
     wcut_report_series *series = wcut_page_take(memory, MODELS, sizeof *series);
-    wcut_report_span *span = wcut_page_take(memory, SPANS_MOST, sizeof *span);
+    wcut_report_span *span = wcut_page_take(memory, SPANS_MAX, sizeof *span);
     double *low = wcut_page_take(memory, (size_t)t->count, sizeof *low);
     double *high = wcut_page_take(memory, (size_t)t->count, sizeof *high);
     const double *station = forward(memory, t);

@@ -99,13 +99,13 @@ static void put_facts(document *d, json_t *object, const char *key, int count, c
 
 static void put_series(document *d, json_t *item, const wcut_report_series *series) {
     static const char *const mark[] = {"line", "dashed", "points"};
-    int most = series->count < WCUT_REPORT_POINTS ? series->count : WCUT_REPORT_POINTS;
-    int *index = wcut_alloc((size_t)most, sizeof *index);
+    int max = series->count < WCUT_REPORT_POINTS ? series->count : WCUT_REPORT_POINTS;
+    int *index = wcut_alloc((size_t)max, sizeof *index);
     if (!index) {
         d->failed = true;
         return;
     }
-    const int count = wcut_report_thin(series->count, series->y, most, index);
+    const int count = wcut_report_thin(series->count, series->y, max, index);
     const int *chosen = count < series->count ? index : NULL;
     put_text(d, item, "label", series->label);
     put_text(d, item, "mark", mark[series->mark]);

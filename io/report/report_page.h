@@ -33,8 +33,8 @@ typedef struct wcut_report_view {
 
 wcut_status wcut_report_view_create(const wcut_report_shape *shape, int shapes, wcut_report_view *view);
 
-/* at most `most` of count samples: the lowest and the highest of each run in their order; gives how many */
-int wcut_report_thin(int count, const double *value, int most, int *index);
+/* at most `max` of count samples: the lowest and the highest of each run in their order; gives how many */
+int wcut_report_thin(int count, const double *value, int max, int *index);
 
 /* quantiles (order statistics) of the values that are there; gives how many there are, 0 writes nothing */
 wcut_status wcut_report_quantiles(int count, const double *value, int quantiles, double *quantile, int *found);

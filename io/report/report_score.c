@@ -13,8 +13,8 @@
 enum {
     CHARTS = 8,
     SPANS_MAX = 64,
-    FIGURES = 8,       /* numbers in a row of a table of scores */
-    PLOTTED_MOST = 24, /* cuts: beyond them a page is slow to open */
+    FIGURES = 8,      /* numbers in a row of a table of scores */
+    PLOTTED_MAX = 24, /* cuts: beyond them a page is slow to open */
     PLOTTED_BYTES = 18000000
 };
 
@@ -309,7 +309,7 @@ static int choose(const wcut_report_score *of, unsigned char *shown) {
             if (of->cut[i].comparison && !shown[i] &&
                 (worst < 0 || badness(of->cut[i].comparison) > badness(of->cut[worst].comparison)))
                 worst = i;
-        if (worst < 0 || count >= PLOTTED_MOST) return count;
+        if (worst < 0 || count >= PLOTTED_MAX) return count;
         bytes += (size_t)of->cut[worst].comparison->samples * BYTES_A_SAMPLE;
         if (bytes > PLOTTED_BYTES) return count;
         shown[worst] = 1;

@@ -15,9 +15,9 @@ static int at_stride(int k, int stride, int count) {
 static int strided(int count, int stride) { return (count + stride - 2) / stride + 1; }
 
 /* thin the finer direction first, until the grid is small enough */
-static void choose_grid(const wcut_report_shape *shape, int most, wcut_report_view *view) {
+static void choose_grid(const wcut_report_shape *shape, int max, wcut_report_view *view) {
     int rs = 1, cs = 1, rows = shape->rows, columns = shape->columns;
-    while ((double)rows * columns > most && (rows > 2 || columns > 2)) {
+    while ((double)rows * columns > max && (rows > 2 || columns > 2)) {
         if (rows >= columns)
             rows = strided(shape->rows, ++rs);
         else
@@ -60,11 +60,11 @@ wcut_status wcut_report_view_create(const wcut_report_shape *shape, int shapes, 
     const double base64 = 4.0 / 3.0, room = (double)WCUT_REPORT_VIEW_BYTES / shapes;
     const double vertex_size = base64 * sizeof(float) * (3 + shape->field_count);
     const double triangle_size = base64 * 3 * sizeof(int) * shape->triangle_count;
-    const int most = (int)fmin(WCUT_REPORT_VERTICES, room / vertex_size);
+    const int max = (int)fmin(WCUT_REPORT_VERTICES, room / vertex_size);
 
-    wcut_report_view v = {.count = shape->vertex_count < most ? shape->vertex_count : most};
+    wcut_report_view v = {.count = shape->vertex_count < max ? shape->vertex_count : max};
     if (shape->rows > 0) {
-        choose_grid(shape, most, &v);
+        choose_grid(shape, max, &v);
     } else if (shape->triangle_count > 0 && shape->vertex_count * vertex_size + triangle_size <= room) {
         v.count = shape->vertex_count;
         v.triangles = true;
@@ -82,13 +82,13 @@ wcut_status wcut_report_view_create(const wcut_report_shape *shape, int shapes, 
     return WCUT_OK;
 }
 
-int wcut_report_thin(int count, const double *value, int most, int *index) {
-    if (count <= most) {
+int wcut_report_thin(int count, const double *value, int max, int *index) {
+    if (count <= max) {
         for (int i = 0; i < count; i++) index[i] = i;
         return count;
     }
     int kept = 0;
-    const int runs = most / 2;
+    const int runs = max / 2;
     for (int r = 0; r < runs; r++) {
         const int from = (int)((long long)count * r / runs), to = (int)((long long)count * (r + 1) / runs);
         int low = -1, high = -1, gap = -1;

@@ -15,7 +15,7 @@ static const struct {
              {"krl", {"wirecut_a.src", "wirecut_b.src"}},
              {"csv", {"robot.csv", NULL}},
              {"json", {"robot.json", NULL}}};
-enum { FORMATS = sizeof known / sizeof *known, NAME_MOST = 22, IO_MOST = 255 };
+enum { FORMATS = sizeof known / sizeof *known, NAME_MAX = 22, IO_MAX = 255 };
 
 wcut_robot_names wcut_robot_names_default(void) {
     return (wcut_robot_names){.program = "wirecut", .wire_on = "wire_on", .wire_off = "wire_off", .sync_io = 1};
@@ -103,7 +103,7 @@ static void put_json(wcut_text *text, const wcut_robot_motion *m, const wcut_rob
 static bool is_name(const char *name) {
     const char *letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
     const size_t length = strlen(name);
-    if (length < 1 || length > NAME_MOST || !strchr(letters, *name)) return false;
+    if (length < 1 || length > NAME_MAX || !strchr(letters, *name)) return false;
     return strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") == length;
 }
 
@@ -119,10 +119,10 @@ static wcut_status check(const wcut_robot_motion *m, const wcut_robot_names *n, 
             return wcut_fail(error, WCUT_BAD_ARGUMENT,
                              "\"%s\": expected a name of letters, digits and _, beginning with a letter, at most %d "
                              "long",
-                             wcut_quote(quoted, name[k], WCUT_FOUND_MAX, 0), NAME_MOST);
+                             wcut_quote(quoted, name[k], WCUT_FOUND_MAX, 0), NAME_MAX);
     }
-    if (n->sync_io < 0 || n->sync_io > IO_MOST)
-        return wcut_fail(error, WCUT_BAD_ARGUMENT, "sync_io: found %d, expected 0 to %d", n->sync_io, IO_MOST);
+    if (n->sync_io < 0 || n->sync_io > IO_MAX)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "sync_io: found %d, expected 0 to %d", n->sync_io, IO_MAX);
     for (int i = 0; i < m->count; i++) {
         const wcut_robot_target *t = &m->target[i];
         const double value[] = {t->a.x,  t->a.y,     t->a.z,     t->b.x,    t->b.y,    t->b.z,

@@ -9,7 +9,7 @@
 #include "io/scan/cloud_source.h"
 
 /* of vertices, 480 MB; and the time that assimp has */
-enum { MOST = 20000000, SECONDS = 60 };
+enum { MAX = 20000000, SECONDS = 60 };
 
 static const char *const known[] = {".glb", ".gltf"};
 
@@ -34,7 +34,7 @@ static bool fill(wcut_cloud_source *s, wcut_batch *b) {
 bool wcut_cloud_begin_foreign(wcut_cloud_source *s) {
     double *position = NULL;
     const char *ending = wcut_cloud_foreign_ending((const char *)s->in.stream.data + s->in.stream.at, s->in.label);
-    if (!wcut_mesh_vertices_foreign(&s->in, ending ? ending : known[1], MOST, SECONDS, &position, &s->info.stated))
+    if (!wcut_mesh_vertices_foreign(&s->in, ending ? ending : known[1], MAX, SECONDS, &position, &s->info.stated))
         return false;
     s->state = position;
     s->left = s->info.stated;

@@ -19,14 +19,14 @@ enum {
     SCALE = 131,
     OFFSET = 155,
     COUNT_1_4 = 247,
-    LEAST_HEADER = 227,
-    LEAST_HEADER_1_4 = 375,
+    MIN_HEADER = 227,
+    MIN_HEADER_1_4 = 375,
     FORMATS = 11
 };
 
-static bool refuse_record(wcut_cloud_source *s, unsigned format, unsigned length, unsigned least) {
+static bool refuse_record(wcut_cloud_source *s, unsigned format, unsigned length, unsigned min) {
     return wcut_source_refuse(&s->in, "found records of %u bytes, expected at least %u for point format %u", length,
-                              least, format);
+                              min, format);
 }
 
 /* the flag of a withheld point: in the classification byte of the old formats, in the flags of the new */
@@ -58,18 +58,18 @@ static bool check_version(wcut_cloud_source *s, const unsigned char *head) {
     if (major != 1 || minor < 2 || minor > 4)
         return wcut_source_refuse(&s->in, "found LAS %u.%u, expected 1.2 to 1.4", major, minor);
     const unsigned size = wcut_load_16(head + HEADER_SIZE, false);
-    const unsigned least = minor < 4 ? LEAST_HEADER : LEAST_HEADER_1_4;
-    return size >= least || wcut_source_refuse(&s->in, "found a header of %u bytes, expected at least %u", size, least);
+    const unsigned min = minor < 4 ? MIN_HEADER : MIN_HEADER_1_4;
+    return size >= min || wcut_source_refuse(&s->in, "found a header of %u bytes, expected at least %u", size, min);
 }
 
 static bool read_header(wcut_cloud_source *s, const unsigned char *head, wcut_record *r, uint64_t *count) {
-    static const unsigned char least[FORMATS] = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
+    static const unsigned char min[FORMATS] = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
     if (!check_version(s, head)) return false;
     const unsigned format = head[POINT_FORMAT], length = wcut_load_16(head + RECORD_LENGTH, false);
     if (format & 0xc0)
         return wcut_source_refuse(&s->in, "found compressed points (LAZ), expected LAS without compression");
     if (format >= FORMATS) return wcut_source_refuse(&s->in, "found point format %u, expected 0 to 10", format);
-    if (length < least[format]) return refuse_record(s, format, length, least[format]);
+    if (length < min[format]) return refuse_record(s, format, length, min[format]);
     r->size = length;
     set_flag(r, format);
     *count = head[VERSION_MINOR] < 4 ? wcut_load_32(head + LEGACY_COUNT, false) : wcut_load_64(head + COUNT_1_4, false);
@@ -81,9 +81,9 @@ bool wcut_cloud_begin_las(wcut_cloud_source *s) {
     if (!r) return wcut_source_refuse_memory(&s->in);
     s->state = r;
     s->fill = wcut_cloud_fill_records;
-    const size_t unread = wcut_stream_fill(&s->in.stream, LEAST_HEADER_1_4);
+    const size_t unread = wcut_stream_fill(&s->in.stream, MIN_HEADER_1_4);
     const unsigned char *head = s->in.stream.data + s->in.stream.at;
-    if (unread < LEAST_HEADER || (head[VERSION_MINOR] >= 4 && unread < LEAST_HEADER_1_4))
+    if (unread < MIN_HEADER || (head[VERSION_MINOR] >= 4 && unread < MIN_HEADER_1_4))
         return wcut_source_refuse_end(&s->in, "the header of a LAS file");
     uint64_t count = 0;
     if (!read_header(s, head, r, &count)) return false;

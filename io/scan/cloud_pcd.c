@@ -8,14 +8,14 @@
 #include "io/file/row.h"
 #include "io/scan/cloud_source.h"
 
-enum { FIELDS_MOST = 256, COUNT_MOST = 4096 };
+enum { FIELDS_MAX = 256, COUNT_MAX = 4096 };
 
 /* the header as it is read; line k of the array was seen */
 typedef struct pcd_header {
     int fields, columns;
-    int kind[FIELDS_MOST]; /* x y z nx ny nz as 0 .. 5, or -1 */
-    int size[FIELDS_MOST], count[FIELDS_MOST];
-    char type[FIELDS_MOST];
+    int kind[FIELDS_MAX]; /* x y z nx ny nz as 0 .. 5, or -1 */
+    int size[FIELDS_MAX], count[FIELDS_MAX];
+    char type[FIELDS_MAX];
     int64_t width, height, points;
     bool seen[8];
 } pcd_header;
@@ -37,7 +37,7 @@ static const char *word_end(const char *p) {
 static bool read_fields(wcut_cloud_source *s, const char *line, const char *p, pcd_header *h) {
     static const char *const name[] = {"x", "y", "z", "normal_x", "normal_y", "normal_z"};
     for (p = wcut_skip_blanks(p); !wcut_is_line_end(p); p = wcut_skip_blanks(word_end(p))) {
-        if (h->fields == FIELDS_MOST) return wcut_source_refuse_text(&s->in, line, p, "at most 256 fields");
+        if (h->fields == FIELDS_MAX) return wcut_source_refuse_text(&s->in, line, p, "at most 256 fields");
         h->kind[h->fields] = -1;
         h->count[h->fields] = 1;
         for (int k = 0; k < WCUT_FIELDS; k++)
@@ -51,11 +51,11 @@ static bool read_fields(wcut_cloud_source *s, const char *line, const char *p, p
 }
 
 /* SIZE or COUNT: an integer a field */
-static bool read_integers(wcut_cloud_source *s, const char *line, const char *p, int fields, int most, int *value) {
+static bool read_integers(wcut_cloud_source *s, const char *line, const char *p, int fields, int max, int *value) {
     for (int k = 0; k < fields; k++) {
         int64_t n;
         const char *behind = wcut_row_count(p, &n);
-        if (!behind || n < 1 || n > most)
+        if (!behind || n < 1 || n > max)
             return wcut_source_refuse_text(&s->in, line, wcut_skip_blanks(p),
                                            "a positive integer for each of the FIELDS");
         value[k] = (int)n;
@@ -102,7 +102,7 @@ static bool read_header_line(wcut_cloud_source *s, const char *line, pcd_header 
         case TYPE_LINE:
             return read_types(s, line, *rest, h);
         case COUNT_LINE:
-            return read_integers(s, line, *rest, h->fields, COUNT_MOST, h->count);
+            return read_integers(s, line, *rest, h->fields, COUNT_MAX, h->count);
         case WIDTH_LINE:
             return read_one(s, line, *rest, &h->width);
         case HEIGHT_LINE:

@@ -16,7 +16,7 @@ enum { SNIFF = 512, ORDER_POINTS = 1000 };
 
 wcut_cloud_options wcut_cloud_options_default(void) {
     return (wcut_cloud_options){
-        .format = WCUT_CLOUD_FORMAT_ANY, .unit = WCUT_LENGTH_UNIT_MM, .most = 20000000, .voxel = 0};
+        .format = WCUT_CLOUD_FORMAT_ANY, .unit = WCUT_LENGTH_UNIT_MM, .max_points = 20000000, .voxel = 0};
 }
 
 static bool options_are_usable(const wcut_cloud_options *o) {
@@ -34,9 +34,9 @@ bool wcut_cloud_state(wcut_cloud_source *s, int64_t count, uint64_t size, const 
 
 wcut_vec3 wcut_cloud_unit_normal(const double v[3]) {
     /* scaled first, so that no square overflows or vanishes */
-    const double most = fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
-    if (!(most > 0) || !isfinite(v[0]) || !isfinite(v[1]) || !isfinite(v[2])) return (wcut_vec3){0, 0, 0};
-    const double x = v[0] / most, y = v[1] / most, z = v[2] / most, length = sqrt(x * x + y * y + z * z);
+    const double max = fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
+    if (!(max > 0) || !isfinite(v[0]) || !isfinite(v[1]) || !isfinite(v[2])) return (wcut_vec3){0, 0, 0};
+    const double x = v[0] / max, y = v[1] / max, z = v[2] / max, length = sqrt(x * x + y * y + z * z);
     return (wcut_vec3){x / length, y / length, z / length};
 }
 
@@ -58,12 +58,12 @@ bool wcut_cloud_take_odd(wcut_cloud_source *s, const double value[WCUT_FIELDS]) 
 /* lengths below 1e-30 mm: numbers read in the wrong byte order are often that small */
 static bool check_order(wcut_cloud_source *s, const wcut_batch *b) {
     const int known = s->info.read - b->count;
-    const double least = 1e-30;
+    const double min = 1e-30;
     for (int k = 0; s->in.binary && k < b->count && known + k < ORDER_POINTS; k++) {
         const double v[3] = {b->point[k].x, b->point[k].y, b->point[k].z};
         for (int c = 0; c < 3; c++) {
             s->nonzero += v[c] != 0;
-            s->tiny += v[c] != 0 && fabs(v[c]) < least;
+            s->tiny += v[c] != 0 && fabs(v[c]) < min;
         }
     }
     const bool judged = known < ORDER_POINTS && (s->info.read >= ORDER_POINTS || b->count < b->capacity);

@@ -9,7 +9,7 @@
 #include "io/file/row.h"
 #include "io/scan/cloud_source.h"
 
-enum { HEADER_LINES_MOST = 10, COLUMNS_MOST = 1000, SNIFF_ROWS = 50 };
+enum { HEADER_LINES_MAX = 10, COLUMNS_MAX = 1000, SNIFF_ROWS = 50 };
 
 /* how the rows are made */
 typedef struct text_layout {
@@ -169,7 +169,7 @@ static bool find_columns(wcut_cloud_source *s, const char *line, const char *end
                          text_layout *t) {
     find_separator(line, end, t);
     t->columns = count_columns(line, t->separator);
-    if (t->columns > COLUMNS_MOST) return wcut_source_refuse_text(&s->in, line, line, "at most 1000 columns");
+    if (t->columns > COLUMNS_MAX) return wcut_source_refuse_text(&s->in, line, line, "at most 1000 columns");
     if (t->columns < 3) return wcut_source_refuse_text(&s->in, line, line, "at least three numbers, x y z");
     if (named != t->columns) {
         if (named > 0 && strict)
@@ -263,7 +263,7 @@ static bool read_header_line(wcut_cloud_source *s, const char *line, size_t leng
                              int *words) {
     const char *p = wcut_skip_blanks(line);
     if (wcut_is_line_end(p)) return check_zero(s, line, length, p);
-    if (!is_comment(p) && ++*words > HEADER_LINES_MOST)
+    if (!is_comment(p) && ++*words > HEADER_LINES_MAX)
         return wcut_source_refuse_text(&s->in, line, p, "a row that begins with numbers");
     int found = 0, column[WCUT_FIELDS];
     if (!read_names(s, line, line + length, column, &found)) return false;

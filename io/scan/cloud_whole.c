@@ -25,7 +25,7 @@ static bool make_room(growth *g, const wcut_cloud_source *s) {
     if (need <= g->room) return true;
     size_t room = 2 * g->room > need ? 2 * g->room : need;
     if (g->room == 0 && info->stated > 0 && s->in.stream.size >= 0 && !g->thinning) room = (size_t)info->stated + PIECE;
-    if (room > (size_t)s->options.most + PIECE) room = (size_t)s->options.most + PIECE;
+    if (room > (size_t)s->options.max_points + PIECE) room = (size_t)s->options.max_points + PIECE;
     wcut_vec3 *point = wcut_grow(g->cloud->point, room * sizeof *point);
     if (point) g->cloud->point = point;
     wcut_vec3 *normal = NULL;
@@ -64,9 +64,9 @@ static wcut_status read_pieces(wcut_cloud_source *s, growth *g, wcut_error *erro
         const int kept = g->thinning ? thin_piece(g, count) : count;
         if (kept < 0) return wcut_source_refuse_memory(&s->in), WCUT_NO_MEMORY;
         c->info.thinned += count - kept;
-        if (kept > s->options.most - c->count) {
+        if (kept > s->options.max_points - c->count) {
             wcut_source_refuse(&s->in, "found more than %d points, expected at most that: thin them or raise the limit",
-                               s->options.most);
+                               s->options.max_points);
             return WCUT_BAD_FORMAT;
         }
         c->count += kept;
@@ -96,7 +96,8 @@ static wcut_status read_whole(wcut_cloud_source *s, growth *g, wcut_error *error
 wcut_status wcut_cloud_read(const char *path, const wcut_cloud_options *options, wcut_cloud **cloud,
                             wcut_error *error) {
     const wcut_cloud_options o = options ? *options : wcut_cloud_options_default();
-    if (!cloud || o.most < 1 || !(o.voxel == 0 || o.voxel >= 1e-3) || !isfinite(o.voxel)) return WCUT_BAD_ARGUMENT;
+    if (!cloud || o.max_points < 1 || !(o.voxel == 0 || o.voxel >= 1e-3) || !isfinite(o.voxel))
+        return WCUT_BAD_ARGUMENT;
     wcut_cloud_source *source = NULL;
     wcut_status status = wcut_cloud_source_create(path, &o, &source, error);
     if (status != WCUT_OK) return status;

@@ -263,7 +263,7 @@ static void put_document(wcut_text *t, const wcut_compared *c) {
     wcut_text_files(t, c->files, c->file);
 }
 
-static bool are_figures(const wcut_statistics *s) { return s && s->bands >= 0 && s->bands <= WCUT_BANDS_MOST; }
+static bool are_figures(const wcut_statistics *s) { return s && s->bands >= 0 && s->bands <= WCUT_BANDS_MAX; }
 
 static bool is_usable(const wcut_compared *c) {
     if (!c || !c->reference || !c->distance || c->scans < 1 || !c->scan || !c->registration || !c->found ||

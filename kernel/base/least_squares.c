@@ -23,10 +23,10 @@ static void swap(double *x, double *y) {
 /* bring the longest remaining column to place k; return its remaining length */
 static double pivot_column(int m, int n, double *a, int k, int *order) {
     int best = k;
-    double most = -1;
+    double max = -1;
     for (int j = k; j < n; j++) {
         double length = sum_of_squares(m - k, a + (size_t)k * n + j, n);
-        if (length > most) most = length, best = j;
+        if (length > max) max = length, best = j;
     }
     if (best != k) {
         for (int i = 0; i < m; i++) swap(a + (size_t)i * n + k, a + (size_t)i * n + best);
@@ -34,7 +34,7 @@ static double pivot_column(int m, int n, double *a, int k, int *order) {
         order[k] = order[best];
         order[best] = t;
     }
-    return sqrt(most);
+    return sqrt(max);
 }
 
 /* reflect column k onto its diagonal, and the later columns and b with it */
@@ -135,14 +135,14 @@ static bool evaluate(solver *s, const double *x, double *r, double *jacobian, do
 /* the largest cosine between the residual and a column of the Jacobian: 0 at a minimum */
 static double steepness(const solver *s) {
     int m = s->p->m, n = s->p->n;
-    double most = 0;
+    double max = 0;
     for (int j = 0; j < n && s->cost > 0; j++) {
         double dot = 0;
         for (int i = 0; i < m; i++) dot += s->jacobian[(size_t)i * n + j] * s->r[i];
         double length = sqrt(sum_of_squares(m, s->jacobian + j, n) * s->cost);
-        if (length > 0) most = fmax(most, fabs(dot) / length);
+        if (length > 0) max = fmax(max, fabs(dot) / length);
     }
-    return most;
+    return max;
 }
 
 /* step = argmin |J step + r|^2 + damping |D step|^2, and the fall of the cost that the linear model promises */
@@ -219,8 +219,8 @@ static double spread(solver *s, const double *r, const double *prior, int degree
     qsort(s->magnitude, count, sizeof *s->magnitude, compare);
     double median = (s->magnitude[(count - 1) / 2] + s->magnitude[count / 2]) / 2;
     /* more than half of the residuals vanish: any positive scale calls the others outliers */
-    double least = 1e-12 * s->magnitude[count - 1];
-    return fmax(1.4826 * median * sqrt((double)count / (degrees > 0 ? degrees : 1)), least);
+    double min = 1e-12 * s->magnitude[count - 1];
+    return fmax(1.4826 * median * sqrt((double)count / (degrees > 0 ? degrees : 1)), min);
 }
 
 /* psi(u)/u */

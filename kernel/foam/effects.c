@@ -141,9 +141,9 @@ static wcut_status check_values(int place, const wcut_effect *effect, wcut_error
     for (const parameter *p = wcut_effect_parameters(effect); p->key; p++)
         for (int k = 0; k < p->size; k++) {
             const double value = effect->value[p->at + k];
-            if (value >= p->least && value <= p->most) continue;
+            if (value >= p->min && value <= p->max) continue;
             return wcut_fail(error, WCUT_BAD_ARGUMENT, "effects[%d].%s (%s): found %g, expected %g to %g", place,
-                             p->key, info->name, value, p->least, p->most);
+                             p->key, info->name, value, p->min, p->max);
         }
     return WCUT_OK;
 }

@@ -11,24 +11,24 @@
 /* points of a block; blocks are summed in order, so threads change no byte */
 enum { BLOCK = 1024 };
 
-static const double FAR = 1e12, LEAST_VOXEL = 1e-3, MAD_TO_SIGMA = 1.4826;
+static const double FAR = 1e12, MIN_VOXEL = 1e-3, MAD_TO_SIGMA = 1.4826;
 
 wcut_clean_options wcut_clean_options_default(void) {
     return (wcut_clean_options){.duplicate = 0,
                                 .radius = 0,
-                                .radius_least = 4,
+                                .radius_min = 4,
                                 .neighbours = 10,
                                 .deviations = 6,
-                                .least = 3,
+                                .factor_min = 3,
                                 .robust = 1,
                                 .voxel = 0};
 }
 
 static bool options_are_usable(const wcut_clean_options *o) {
-    return isfinite(o->duplicate) && isfinite(o->radius) && o->radius >= 0 && o->radius_least >= 1 &&
-           o->neighbours >= 0 && o->neighbours <= WCUT_KD_NEAREST_MOST && isfinite(o->deviations) &&
-           o->deviations >= 0 && isfinite(o->least) && o->least >= 0 && isfinite(o->voxel) &&
-           (o->voxel == 0 || o->voxel >= LEAST_VOXEL);
+    return isfinite(o->duplicate) && isfinite(o->radius) && o->radius >= 0 && o->radius_min >= 1 &&
+           o->neighbours >= 0 && o->neighbours <= WCUT_KD_NEAREST_MAX && isfinite(o->deviations) &&
+           o->deviations >= 0 && isfinite(o->factor_min) && o->factor_min >= 0 && isfinite(o->voxel) &&
+           (o->voxel == 0 || o->voxel >= MIN_VOXEL);
 }
 
 static bool points_are_usable(int count, const wcut_vec3 *point) {
@@ -120,7 +120,7 @@ static void look_around(cleaning *c, int first, int end) {
     wcut_kd_nearest nearest;
     for (int k = first; k < end; k++) {
         unsigned char *removal = &c->removal[c->which[c->tree.index[k]]];
-        if (o->radius > 0 && wcut_kd_tree_within(&c->tree, k, o->radius, o->radius_least) < o->radius_least)
+        if (o->radius > 0 && wcut_kd_tree_within(&c->tree, k, o->radius, o->radius_min) < o->radius_min)
             *removal = WCUT_REMOVAL_ISOLATED;
         if (o->neighbours == 0) continue;
         wcut_kd_tree_nearest(&c->tree, k, o->neighbours, &nearest);
@@ -144,7 +144,7 @@ static wcut_status find_outliers(cleaning *c) {
     }
     if (status == WCUT_OK && o->neighbours > 0) {
         o->robust ? measure_robust(c, work) : measure_moments(c, work);
-        c->report.limit = fmax(c->report.centre + o->deviations * c->report.scale, o->least * c->report.centre);
+        c->report.limit = fmax(c->report.centre + o->deviations * c->report.scale, o->factor_min * c->report.centre);
         for (int k = 0; k < c->left; k++) {
             unsigned char *removal = &c->removal[c->which[c->tree.index[k]]];
             if (*removal == WCUT_REMOVAL_KEPT && c->distance[k] > c->report.limit) *removal = WCUT_REMOVAL_OUTLIER;

@@ -7,7 +7,7 @@
 
 /* A scan may show a part of the face (the ratio falls) and some of its surroundings (it rises): 0.2 to 1.5 is accepted
    as it is. Another factor must explain a whole scan. */
-static const double LEAST = 0.2, MOST = 1.5, WHOLE_LEAST = 0.5, WHOLE_MOST = 1.25;
+static const double MIN = 0.2, MAX = 1.5, WHOLE_MIN = 0.5, WHOLE_MAX = 1.25;
 
 wcut_status wcut_cloud_unit_eval(wcut_vec3 low, wcut_vec3 high, wcut_vec3 block_size, wcut_cloud_unit *fit) {
     static const double factor[] = {10, 1 / 10.0, 25.4, 1 / 25.4, 1000, 1 / 1000.0};
@@ -19,9 +19,9 @@ wcut_status wcut_cloud_unit_eval(wcut_vec3 low, wcut_vec3 high, wcut_vec3 block_
     if (!isfinite(ratio)) return WCUT_BAD_ARGUMENT;
     for (size_t k = 0; k < sizeof factor / sizeof *factor; k++) {
         const double r = ratio * factor[k];
-        if (r < WHOLE_LEAST || r > WHOLE_MOST) continue;
+        if (r < WHOLE_MIN || r > WHOLE_MAX) continue;
         if (best == 0 || fabs(log(r)) < fabs(log(ratio * best))) best = factor[k];
     }
-    *fit = (wcut_cloud_unit){ratio, ratio >= LEAST && ratio <= MOST ? 1 : best};
+    *fit = (wcut_cloud_unit){ratio, ratio >= MIN && ratio <= MAX ? 1 : best};
     return WCUT_OK;
 }

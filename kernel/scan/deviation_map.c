@@ -7,7 +7,7 @@
 #include "base/vec3.h"
 
 static const double FLAT = 1e-9; /* [mm^2] twice the area of a triangle that is none */
-static const double LEAST = 3;   /* points that a value is the mean of, where a window may grow to find them */
+static const double MIN = 3;     /* points that a value is the mean of, where a window may grow to find them */
 
 /* in 0 .. 1; NaN gives 0 */
 static double share_of(double x) { return x > 0 ? fmin(x, 1) : 0; }
@@ -162,7 +162,7 @@ static double step_of(const wcut_face *f, bool along_row) {
 }
 
 /* how many steps a support reaches */
-static int reach_of(double support, double step, int most) { return (int)clamp(support / step, 0, most); }
+static int reach_of(double support, double step, int max) { return (int)clamp(support / step, 0, max); }
 
 static double missing_area(const wcut_face *f, const unsigned char *present) {
     double area = 0;
@@ -189,14 +189,14 @@ wcut_status wcut_face_map_eval(const wcut_face_map *map, const wcut_face *face, 
     if (status == WCUT_OK) {
         add_up(map, map->sum, sums);
         add_up(map, map->weight, weights);
-        const int up_most = reach_of(support, step_of(face, false), map->rows),
-                  side_most = reach_of(support, step_of(face, true), map->columns);
-        const int most = up_most > side_most ? up_most : side_most;
+        const int up_max = reach_of(support, step_of(face, false), map->rows),
+                  side_max = reach_of(support, step_of(face, true), map->columns);
+        const int max = up_max > side_max ? up_max : side_max;
         for (int r = 0; r < map->rows; r++)
             for (int c = 0; c < map->columns; c++) {
                 double sum = 0, weight = 0;
-                for (int k = 0; k <= most && weight < LEAST; k++) {
-                    const int up = k < up_most ? k : up_most, side = k < side_most ? k : side_most;
+                for (int k = 0; k <= max && weight < MIN; k++) {
+                    const int up = k < up_max ? k : up_max, side = k < side_max ? k : side_max;
                     sum = window(map, sums, r, c, up, side);
                     weight = window(map, weights, r, c, up, side);
                 }

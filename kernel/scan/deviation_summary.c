@@ -7,7 +7,7 @@
 #include "base/numbers.h"
 #include "base/vec3.h"
 
-enum { PATCHES_MOST = 10000, PIECE = 4096 };
+enum { PATCHES_MAX = 10000, PIECE = 4096 };
 
 wcut_deviation_summary_options wcut_deviation_summary_options_default(void) {
     return (wcut_deviation_summary_options){.patch = 100, .cell = 1};
@@ -15,12 +15,12 @@ wcut_deviation_summary_options wcut_deviation_summary_options_default(void) {
 
 static bool is_usable(const wcut_deviation_summary_options *o) {
     return o && vec3_is_finite(o->low) && vec3_is_finite(o->high) && o->low.x < o->high.x && o->low.y < o->high.y &&
-           is_positive(o->patch) && is_positive(o->cell) && o->bands >= 0 && o->bands <= WCUT_BANDS_MOST &&
+           is_positive(o->patch) && is_positive(o->cell) && o->bands >= 0 && o->bands <= WCUT_BANDS_MAX &&
            all_positive(o->bands, o->band);
 }
 
 /* how many patches a side has; more than are allowed where it would be beyond them */
-static int parts_of(double length, double patch) { return (int)clamp(round(length / patch), 1, PATCHES_MOST + 1); }
+static int parts_of(double length, double patch) { return (int)clamp(round(length / patch), 1, PATCHES_MAX + 1); }
 
 void wcut_deviation_summary_destroy(wcut_deviation_summary *summary) {
     if (!summary) return;
@@ -36,7 +36,7 @@ wcut_status wcut_deviation_summary_create(const wcut_deviation_summary_options *
     if (!summary || !is_usable(options)) return WCUT_BAD_ARGUMENT;
     const int columns = parts_of(options->high.x - options->low.x, options->patch);
     const int rows = parts_of(options->high.y - options->low.y, options->patch);
-    if ((double)columns * rows > PATCHES_MOST) return WCUT_BAD_ARGUMENT;
+    if ((double)columns * rows > PATCHES_MAX) return WCUT_BAD_ARGUMENT;
     wcut_deviation_summary *s = wcut_alloc(1, sizeof *s);
     if (!s) return WCUT_NO_MEMORY;
     s->options = *options, s->face = face;

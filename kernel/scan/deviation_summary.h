@@ -14,7 +14,7 @@ typedef struct wcut_moments {
 typedef struct wcut_zone_sums {
     wcut_moments of;
     wcut_vec3 low, high; /* of the feet */
-    int within[WCUT_BANDS_MOST];
+    int within[WCUT_BANDS_MAX];
 } wcut_zone_sums;
 
 /* a cell of the lattice */
@@ -49,7 +49,7 @@ struct wcut_deviation_summary {
     wcut_lattice lattice;
     wcut_pair_sums relation[WCUT_RELATIONS][2]; /* of d, of |d| */
     wcut_zone *found_zone;
-    wcut_worst found_worst[WCUT_WORST_MOST];
+    wcut_worst found_worst[WCUT_WORST_MAX];
     wcut_deviation_summary_result result;
 };
 
@@ -75,7 +75,7 @@ void wcut_lattice_add(wcut_lattice *lattice, const wcut_deviation *deviation);
 /* cells large enough to have means: the lattice itself is left as it was. WCUT_NO_MEMORY */
 wcut_status wcut_lattice_coarsen(const wcut_lattice *fine, wcut_lattice *coarse);
 wcut_status wcut_lattice_split(const wcut_lattice *lattice, wcut_split *split); /* WCUT_NO_MEMORY */
-/* at most WCUT_WORST_MOST areas; WCUT_NO_MEMORY */
+/* at most WCUT_WORST_MAX areas; WCUT_NO_MEMORY */
 wcut_status wcut_worst_list(const wcut_lattice *lattice, int *count, wcut_worst *worst);
 
 #endif

@@ -52,9 +52,9 @@ static bool has_earlier(const table *t, wcut_vec3 p, double tolerance, size_t *o
 /* [mm] cubes so wide that their numbers stay below 2^50, and with a margin for rounding wider than the
    tolerance asks */
 static double side_of(int count, const wcut_vec3 *point, double tolerance) {
-    double most = 0;
-    for (int k = 0; k < count; k++) most = fmax(most, fmax(fabs(point[k].x), fmax(fabs(point[k].y), fabs(point[k].z))));
-    const double side = fmax(2.001 * tolerance, ldexp(most, -50));
+    double max = 0;
+    for (int k = 0; k < count; k++) max = fmax(max, fmax(fabs(point[k].x), fmax(fabs(point[k].y), fabs(point[k].z))));
+    const double side = fmax(2.001 * tolerance, ldexp(max, -50));
     return side > 0 ? side : 1;
 }
 

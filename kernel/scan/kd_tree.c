@@ -8,7 +8,7 @@
 #include "base/threads.h"
 #include "base/vec3.h"
 
-enum { DEPTH_MOST = 32, PARALLEL_LEVEL = 4, INSERTION = 12 };
+enum { DEPTH_MAX = 32, PARALLEL_LEVEL = 4, INSERTION = 12 };
 
 /* a point on its way to its leaf */
 typedef struct item {
@@ -188,7 +188,7 @@ static inline void insert(wcut_kd_nearest *n, int k, double square, int place) {
 
 void wcut_kd_tree_nearest(const wcut_kd_tree *t, int place, int k, wcut_kd_nearest *nearest) {
     const wcut_vec3 p = t->point[place];
-    visit stack[DEPTH_MOST];
+    visit stack[DEPTH_MAX];
     int depth = 1;
     double limit = INFINITY;
     stack[0] = (visit){0, 0, 0, t->count, 0};
@@ -206,33 +206,33 @@ void wcut_kd_tree_nearest(const wcut_kd_tree *t, int place, int k, wcut_kd_neare
     }
 }
 
-int wcut_kd_tree_within(const wcut_kd_tree *t, int place, double radius, int most) {
+int wcut_kd_tree_within(const wcut_kd_tree *t, int place, double radius, int max) {
     const wcut_vec3 p = t->point[place];
     const double limit = radius * radius;
-    visit stack[DEPTH_MOST];
+    visit stack[DEPTH_MAX];
     int depth = 1, count = 0;
     stack[0] = (visit){0, 0, 0, t->count, 0};
     while (depth > 0) {
         const visit leaf = descend(t, stack[--depth], p, nextafter(limit, INFINITY), stack, &depth);
         for (int i = leaf.first; i < leaf.end; i++)
-            if (i != place && point_square(t->point[i], p) <= limit && ++count == most) return count;
+            if (i != place && point_square(t->point[i], p) <= limit && ++count == max) return count;
     }
     return count;
 }
 
 double wcut_kd_tree_distance(const wcut_kd_tree *t, wcut_vec3 p, double limit) {
-    visit stack[DEPTH_MOST];
+    visit stack[DEPTH_MAX];
     int depth = 1;
-    double least = limit * limit;
+    double min = limit * limit;
     stack[0] = (visit){0, 0, 0, t->count, 0};
     while (depth > 0) {
         const visit top = stack[--depth];
-        if (top.square >= least) continue;
-        const visit leaf = descend(t, top, p, least, stack, &depth);
+        if (top.square >= min) continue;
+        const visit leaf = descend(t, top, p, min, stack, &depth);
         for (int i = leaf.first; i < leaf.end; i++) {
             const double square = point_square(t->point[i], p);
-            least = square < least ? square : least;
+            min = square < min ? square : min;
         }
     }
-    return sqrt(least);
+    return sqrt(min);
 }

@@ -54,9 +54,9 @@ static void widen(const wcut_mesh_tree *t, wcut_vec3 p, float low[3], float high
     const wcut_vec3 r = vec3_sub(p, t->centre);
     const double at[3] = {r.x, r.y, r.z}, slack = 1e-6 * t->size;
     for (int c = 0; c < 3; c++) {
-        const float least = (float)(at[c] - slack), most = (float)(at[c] + slack);
-        low[c] = least < low[c] ? least : low[c];
-        high[c] = most > high[c] ? most : high[c];
+        const float min = (float)(at[c] - slack), max = (float)(at[c] + slack);
+        low[c] = min < low[c] ? min : low[c];
+        high[c] = max > high[c] ? max : high[c];
     }
 }
 

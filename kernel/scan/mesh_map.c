@@ -8,10 +8,10 @@
 #include "scan/kd_tree.h"
 #include "scan/mesh_distance.h"
 
-enum { PARTS_MOST = 64 };
+enum { PARTS_MAX = 64 };
 
-static const double SAMPLES_MOST = 4e6; /* places on the whole mesh */
-static const double LEAST = 1e-3;       /* [1] weight below which a vertex has no value of its own */
+static const double SAMPLES_MAX = 4e6; /* places on the whole mesh */
+static const double MIN = 1e-3;        /* [1] weight below which a vertex has no value of its own */
 
 /* ---- values ---- */
 
@@ -42,7 +42,7 @@ static wcut_status fill(const wcut_mesh *m, const double *sum, const double *wei
     int *times = wcut_alloc(count, sizeof *times);
     const bool done = more && times;
     for (size_t k = 0; k < count && done; k++) {
-        const bool own = weight[k] > LEAST;
+        const bool own = weight[k] > MIN;
         present[k] = own ? 1 : near[k] ? 0 : WITHOUT;
         value[k] = own ? sum[k] / weight[k] : 0;
     }
@@ -69,15 +69,15 @@ static double part_side(const wcut_mesh *m, double support) {
     for (int t = 0; t < m->triangle_count; t++) {
         wcut_vec3 p[3];
         corners_of(m, t, p);
-        const double parts = fmin(ceil(longest_of(p) / side), PARTS_MOST);
+        const double parts = fmin(ceil(longest_of(p) / side), PARTS_MAX);
         samples += parts * parts;
     }
-    return samples > SAMPLES_MOST ? side * sqrt(samples / SAMPLES_MOST) : side;
+    return samples > SAMPLES_MAX ? side * sqrt(samples / SAMPLES_MAX) : side;
 }
 
 /* [mm^2] of a triangle where no point of the scan is within the support: by the middles of its parts */
 static double missing_of(const wcut_vec3 p[3], double side, double support, const wcut_kd_tree *tree) {
-    const int parts = (int)clamp(ceil(longest_of(p) / side), 1, PARTS_MOST);
+    const int parts = (int)clamp(ceil(longest_of(p) / side), 1, PARTS_MAX);
     const wcut_vec3 a = vec3_sub(p[1], p[0]), b = vec3_sub(p[2], p[0]);
     const double limit = nextafter(support, INFINITY);
     int missing = 0;

@@ -53,7 +53,7 @@ static void eigenvalues(const covariance *c, double value[3]) {
 }
 
 /* the direction of least variance: across two rows of the matrix less its least eigenvalue; 0 where there is none */
-static wcut_vec3 least_direction(covariance c) {
+static wcut_vec3 min_direction(covariance c) {
     const double size = c.xx + c.yy + c.zz;
     if (!(size > 0)) return vec3(0, 0, 0);
     c.xx /= size, c.xy /= size, c.xz /= size, c.yy /= size, c.yz /= size, c.zz /= size;
@@ -75,7 +75,7 @@ static void find_normals(const wcut_kd_tree *t, int neighbours, int first, int e
     wcut_kd_nearest nearest;
     for (int k = first; k < end; k++) {
         wcut_kd_tree_nearest(t, k, neighbours, &nearest);
-        normal[k] = least_direction(measure(t, t->point[k], &nearest));
+        normal[k] = min_direction(measure(t, t->point[k], &nearest));
     }
 }
 
@@ -94,7 +94,7 @@ wcut_status wcut_cloud_normals(int count, const wcut_vec3 *point, const wcut_nor
                                wcut_vec3 *normal, wcut_normal_report *report) {
     const wcut_normal_options o = options ? *options : wcut_normal_options_default();
     if (count < 3 || !point || threads < 1 || !normal) return WCUT_BAD_ARGUMENT;
-    if (o.neighbours < 2 || o.neighbours > WCUT_KD_NEAREST_MOST || !(o.steep >= 0 && o.steep <= 1) ||
+    if (o.neighbours < 2 || o.neighbours > WCUT_KD_NEAREST_MAX || !(o.steep >= 0 && o.steep <= 1) ||
         !is_positive(vec3_length(o.side)))
         return WCUT_BAD_ARGUMENT;
     for (int k = 0; k < count; k++)

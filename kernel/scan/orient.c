@@ -8,7 +8,7 @@
 #include "base/threads.h"
 #include "base/vec3.h"
 
-enum { NEIGHBOURS_MOST = 8, BLOCK = 1024 };
+enum { NEIGHBOURS_MAX = 8, BLOCK = 1024 };
 
 /* A point that waits for its sign. Numbers of waiting points are theirs in `waiting`. */
 typedef struct waiting_point {
@@ -210,7 +210,7 @@ static wcut_status walk(orientation *o, wcut_normal_report *report) {
 wcut_status wcut_orient(const wcut_kd_tree *tree, int neighbours, wcut_vec3 side, double steep, int threads,
                         wcut_vec3 *normal, wcut_normal_report *report) {
     orientation o = {.tree = tree, .side = side, .normal = normal};
-    o.k = neighbours < NEIGHBOURS_MOST ? neighbours : NEIGHBOURS_MOST;
+    o.k = neighbours < NEIGHBOURS_MAX ? neighbours : NEIGHBOURS_MAX;
     o.number = wcut_alloc((size_t)tree->count, sizeof *o.number);
     wcut_status status = o.number ? list_waiting(&o, steep, report) : WCUT_NO_MEMORY;
     if (status == WCUT_OK && o.waiting_count > 0) {

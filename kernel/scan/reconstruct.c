@@ -13,12 +13,12 @@
 #include "scan/reconstruct_sheet.h"
 #include "scan/span.h"
 
-enum { LEAST = 10, NEAR = 8, SAMPLE = 2000 };
+enum { MIN = 10, NEAR = 8, SAMPLE = 2000 };
 
 static const double FAR = 1e12;
 
 wcut_reconstruction_options wcut_reconstruction_options_default(void) {
-    return (wcut_reconstruction_options){.support = 1.5, .hole_least = 10};
+    return (wcut_reconstruction_options){.support = 1.5, .hole_min = 10};
 }
 
 void wcut_reconstruction_destroy(wcut_reconstruction *reconstruction) {
@@ -35,8 +35,8 @@ static wcut_status check_options(const wcut_reconstruction_options *o, wcut_erro
     if (!is_positive(o->support) || o->support > FAR)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "support: found %g, expected a positive number", o->support);
     if (!(o->spacing >= 0 && o->spacing <= FAR) || !(o->smoothing >= 0 && o->smoothing <= FAR) ||
-        !(o->hole_least >= 0 && o->hole_least <= FAR))
-        return wcut_fail(error, WCUT_BAD_ARGUMENT, "spacing, smoothing, hole_least: expected 0 or a positive number");
+        !(o->hole_min >= 0 && o->hole_min <= FAR))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "spacing, smoothing, hole_min: expected 0 or a positive number");
     const wcut_vec3 b = o->block;
     const bool none = b.x == 0 && b.y == 0 && b.z == 0;
     if (!none && !(is_positive(b.x) && is_positive(b.y) && is_positive(b.z)))
@@ -127,7 +127,7 @@ static wcut_status solve_field(job *j, wcut_reconstruction *r) {
     wcut_status status = find_heights(&j->lattice, &j->base, j->count, j->foot, j->threads, &h);
     r->used = h.count;
     r->beyond = j->count - h.count;
-    if (status == WCUT_OK && h.count < LEAST) status = WCUT_DEGENERATE;
+    if (status == WCUT_OK && h.count < MIN) status = WCUT_DEGENERATE;
     if (status == WCUT_OK) {
         const int reach = (int)fmin(ceil(j->options->support / r->spacing), 1000);
         const double density = 1 / (r->point_spacing * r->point_spacing);
@@ -146,7 +146,7 @@ static wcut_status cut(const job *j, wcut_reconstruction *r) {
     const wcut_reconstruction_options *o = j->options;
     wcut_status status =
         wcut_sheet_raise(&j->lattice, &j->field, j->base.covered, &j->tree, o->support, o->block, j->threads, &sheet);
-    if (status == WCUT_OK) status = wcut_sheet_cut(&sheet, o->hole_least, r);
+    if (status == WCUT_OK) status = wcut_sheet_cut(&sheet, o->hole_min, r);
     wcut_sheet_clear(&sheet);
     return status;
 }
@@ -177,8 +177,8 @@ wcut_status wcut_reconstruction_create(const wcut_surface *surface, int count, c
     const wcut_reconstruction_options o = options ? *options : wcut_reconstruction_options_default();
     if (!surface || !point || !foot || threads < 1 || !reconstruction)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "reconstruction: an argument is missing");
-    if (count < LEAST)
-        return wcut_fail(error, WCUT_BAD_ARGUMENT, "scan: found %d points, expected at least %d", count, LEAST);
+    if (count < MIN)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "scan: found %d points, expected at least %d", count, MIN);
     wcut_status status = check_options(&o, error);
     if (status == WCUT_OK) status = check_scan(surface, count, point, foot, error);
     if (status != WCUT_OK) return status;

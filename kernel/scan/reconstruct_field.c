@@ -8,7 +8,7 @@
 #include "base/threads.h"
 #include "base/vec3.h"
 
-enum { CORNERS = 4, MOST_STEPS = 5000 };
+enum { CORNERS = 4, MAX_STEPS = 5000 };
 
 static const double REDUCED = 1e-6; /* [1] of the residual, in the preconditioner's norm */
 static const double THIN = 0.25;    /* [1] of the mean spacing: narrower cells are no stiffer than that */
@@ -205,7 +205,7 @@ static double dot(const plate *p, const double *a, const double *b, const double
     return sum;
 }
 
-/* x from a first guess to A x = right; false where that takes more than MOST_STEPS steps */
+/* x from a first guess to A x = right; false where that takes more than MAX_STEPS steps */
 static bool solve(const plate *p, double *x, int *steps) {
     const int nodes = p->columns * p->rows;
     double *r = p->residual, *d = p->direction;
@@ -214,7 +214,7 @@ static bool solve(const plate *p, double *x, int *steps) {
     double rho = dot(p, r, r, p->inverse);
     /* of the first residual or, where a guess leaves next to none, of the rounding of the right side */
     const double goal = REDUCED * REDUCED * fmax(rho, 1e-16 * dot(p, p->right, p->right, p->inverse));
-    for (*steps = 0; rho > goal && *steps < MOST_STEPS; (*steps)++) {
+    for (*steps = 0; rho > goal && *steps < MAX_STEPS; (*steps)++) {
         multiply(p, d, p->image);
         const double step = rho / dot(p, d, p->image, NULL);
         for (int k = 0; k < nodes; k++) x[k] += step * d[k], r[k] -= step * p->image[k];

@@ -59,14 +59,14 @@ static int by_area(const void *a, const void *b) {
 }
 
 /* how many holes are large enough; written where there is room for them */
-static int collect(flood *f, double least, wcut_hole *hole) {
+static int collect(flood *f, double min, wcut_hole *hole) {
     const int nodes = lattice_nodes(f->lattice);
     int count = 0;
     memset(f->seen, 0, (size_t)nodes);
     for (int cell = 0; cell < nodes; cell++) {
         if (f->seen[cell] || !(f->open_area[cell] > 0)) continue;
         const wcut_hole h = fill(f, cell);
-        if (h.area < least) continue;
+        if (h.area < min) continue;
         if (hole) hole[count] = h;
         count++;
     }
@@ -74,16 +74,16 @@ static int collect(flood *f, double least, wcut_hole *hole) {
 }
 
 wcut_status wcut_holes_find(const wcut_lattice *lattice, const double *open_area, const unsigned char *outside,
-                            double least, int *count, wcut_hole **hole) {
+                            double min, int *count, wcut_hole **hole) {
     const size_t nodes = (size_t)lattice_nodes(lattice);
     flood f = {lattice, open_area, outside, wcut_alloc(nodes, 1), wcut_alloc(nodes, sizeof *f.stack), 0};
     wcut_hole *h = NULL;
     int found = 0;
     if (f.seen && f.stack) {
-        found = collect(&f, least, NULL);
+        found = collect(&f, min, NULL);
         h = wcut_alloc((size_t)found, sizeof *h);
         if (h) {
-            collect(&f, least, h);
+            collect(&f, min, h);
             qsort(h, (size_t)found, sizeof *h, by_area);
         }
     }

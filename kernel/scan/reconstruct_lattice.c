@@ -6,7 +6,7 @@
 #include "base/threads.h"
 #include "base/vec3.h"
 
-enum { ACROSS = 33, ALONG_LEAST = 64, ALONG_MOST = 4096 };
+enum { ACROSS = 33, ALONG_MIN = 64, ALONG_MAX = 4096 };
 
 static void spread(int count, const double *first, const double *last, double *at) {
     for (int i = 0; i < count; i++) at[i] = *first + (*last - *first) * i / (count - 1);
@@ -22,10 +22,10 @@ static wcut_status measure(const wcut_surface *surface, int by_u, int along, con
     const int step = by_u ? 1 : ACROSS, line = by_u ? along : 1;
     way[0] = 0;
     for (int i = 1; i < along && status == WCUT_OK; i++) {
-        double most = 0;
+        double max = 0;
         for (int k = 0; k < ACROSS; k++)
-            most = fmax(most, vec3_distance(point[k * line + i * step], point[k * line + (i - 1) * step]));
-        way[i] = way[i - 1] + most;
+            max = fmax(max, vec3_distance(point[k * line + i * step], point[k * line + (i - 1) * step]));
+        way[i] = way[i - 1] + max;
     }
     wcut_free(point);
     return status;
@@ -54,7 +54,7 @@ static wcut_status make_ruler(const wcut_surface *surface, int by_u, ruler *r) {
     double first[2], last[2], across[ACROSS];
     wcut_surface_domain(surface, first, last);
     const double control = 8.0 * (by_u ? surface->count_u : surface->count_v);
-    r->count = (int)clamp(control, ALONG_LEAST, ALONG_MOST);
+    r->count = (int)clamp(control, ALONG_MIN, ALONG_MAX);
     r->at = wcut_alloc((size_t)r->count, sizeof *r->at);
     r->way = wcut_alloc((size_t)r->count, sizeof *r->way);
     if (!r->at || !r->way) return WCUT_NO_MEMORY;
@@ -78,7 +78,7 @@ static void find_normals(const wcut_surface *surface, int threads, wcut_lattice 
 static wcut_status fill(const wcut_surface *surface, const ruler *u, const ruler *v, double spacing, int threads,
                         wcut_lattice *l) {
     const double columns = ceil(u->way[u->count - 1] / spacing) + 1, rows = ceil(v->way[v->count - 1] / spacing) + 1;
-    if (!(columns * rows <= WCUT_LATTICE_MOST)) return WCUT_BAD_ARGUMENT;
+    if (!(columns * rows <= WCUT_LATTICE_MAX)) return WCUT_BAD_ARGUMENT;
     l->columns = (int)columns;
     l->rows = (int)rows;
     const size_t nodes = (size_t)lattice_nodes(l);

@@ -18,10 +18,10 @@ typedef struct wcut_lattice_place {
     float s, t;
 } wcut_lattice_place;
 
-enum { WCUT_LATTICE_MOST = 5000000 };
+enum { WCUT_LATTICE_MAX = 5000000 };
 
 /* Lines so dense that neighbours are at most about `spacing` [mm] apart where they are furthest. WCUT_BAD_ARGUMENT (more
-   than WCUT_LATTICE_MOST nodes), WCUT_DEGENERATE (a side of the face has no length), WCUT_NO_MEMORY: nothing was
+   than WCUT_LATTICE_MAX nodes), WCUT_DEGENERATE (a side of the face has no length), WCUT_NO_MEMORY: nothing was
    written. */
 wcut_status wcut_lattice_build(const wcut_surface *surface, double spacing, int threads, wcut_lattice *lattice);
 void wcut_lattice_clear(wcut_lattice *lattice);

@@ -166,9 +166,9 @@ static wcut_status make_mesh(const wcut_sheet *s, const list *l, bool raised, wc
 
 /* [mm] of the furthest vertex that is in a triangle */
 static double farthest_of(const wcut_sheet *s, const list *l) {
-    double most = 0;
-    for (int k = 0; k < 3 * l->count; k++) most = fmax(most, s->distance[l->triangle[k]]);
-    return most;
+    double max = 0;
+    for (int k = 0; k < 3 * l->count; k++) max = fmax(max, s->distance[l->triangle[k]]);
+    return max;
 }
 
 /* every cell into one list or the other or both; areas of the face */
@@ -204,7 +204,7 @@ static void cut_cells(const wcut_sheet *s, list *yes, list *no, double *open_are
     r->lost = r->supported_area > 0 ? 1 - meshed / r->supported_area : 0;
 }
 
-wcut_status wcut_sheet_cut(const wcut_sheet *s, double hole_least, wcut_reconstruction *r) {
+wcut_status wcut_sheet_cut(const wcut_sheet *s, double hole_min, wcut_reconstruction *r) {
     const size_t nodes = (size_t)lattice_nodes(s->lattice);
     list yes = {0, wcut_alloc(CELL_TRIANGLES * nodes, 3 * sizeof *yes.triangle)};
     list no = {0, wcut_alloc(CELL_TRIANGLES * nodes, 3 * sizeof *no.triangle)};
@@ -220,8 +220,7 @@ wcut_status wcut_sheet_cut(const wcut_sheet *s, double hole_least, wcut_reconstr
         r->area = wcut_sheet_normals(r->mesh);
         status = make_mesh(s, &no, false, &r->unmeasured);
     }
-    if (status == WCUT_OK)
-        status = wcut_holes_find(s->lattice, open_area, outside, hole_least, &r->hole_count, &r->hole);
+    if (status == WCUT_OK) status = wcut_holes_find(s->lattice, open_area, outside, hole_min, &r->hole_count, &r->hole);
     wcut_free(yes.triangle);
     wcut_free(no.triangle);
     wcut_free(open_area);

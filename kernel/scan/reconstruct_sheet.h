@@ -25,7 +25,7 @@ void wcut_sheet_clear(wcut_sheet *sheet);
 
 /* mesh, unmeasured, holes, areas and farthest of a zeroed reconstruction. WCUT_DEGENERATE (no triangle has support),
    WCUT_NO_MEMORY: the reconstruction holds what was made so far. */
-wcut_status wcut_sheet_cut(const wcut_sheet *sheet, double hole_least, wcut_reconstruction *reconstruction);
+wcut_status wcut_sheet_cut(const wcut_sheet *sheet, double hole_min, wcut_reconstruction *reconstruction);
 
 /* unit normals of a mesh, the sum over the triangles around weighted by their area; its area [mm^2] */
 double wcut_sheet_normals(wcut_mesh *mesh);

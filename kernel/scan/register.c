@@ -11,7 +11,7 @@ static const char *const dof_name[WCUT_DOF_COUNT] = {"tx", "ty", "tz", "rx", "ry
 
 wcut_registration_options wcut_registration_options_default(void) {
     return (wcut_registration_options){
-        .keep = 0.9, .coarse = 1, .most = 20000, .sensitivity = 0.003, .tolerance = 1e-7, .max_iterations = 200};
+        .keep = 0.9, .coarse = 1, .max_points = 20000, .sensitivity = 0.003, .tolerance = 1e-7, .max_iterations = 200};
 }
 
 wcut_registration wcut_registration_none(void) {
@@ -48,7 +48,8 @@ wcut_status wcut_register_options(const wcut_registration_options *given, wcut_r
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "keep: found %g, expected 0.5 to 1", o.keep);
     if (!(o.sensitivity >= 1e-6 && o.sensitivity <= 0.5))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "sensitivity: found %g, expected 1e-6 to 0.5", o.sensitivity);
-    if (o.most < 100) return wcut_fail(error, WCUT_BAD_ARGUMENT, "most: found %d, expected 100 or more", o.most);
+    if (o.max_points < 100)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "max_points: found %d, expected 100 or more", o.max_points);
     *options = o;
     return WCUT_OK;
 }

@@ -150,8 +150,8 @@ static wcut_status choose(wcut_register_cloud *few, wcut_register_cloud *some, c
     for (int k = 0; k <= TRIED && status == WCUT_OK; k++) {
         reached[k] = k ? start_of(start[k - 1], motion->pivot, &scan, &surface) : *motion;
         status = approach(some, &o, length, &reached[k], &rms[k]);
-        const double least = (best ? 1 : BETTER) * rms[best] - (best ? 0 : 1e-6 * length);
-        if (status == WCUT_OK && k && rms[k] < least) best = k;
+        const double min = (best ? 1 : BETTER) * rms[best] - (best ? 0 : 1e-6 * length);
+        if (status == WCUT_OK && k && rms[k] < min) best = k;
     }
     if (status != WCUT_OK) return status;
     *rival = 0;

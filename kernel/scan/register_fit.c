@@ -14,14 +14,14 @@
 #include "scan/span.h"
 #include "surface/foot_search.h"
 
-enum { LEAST = WCUT_DOF_COUNT };
+enum { MIN = WCUT_DOF_COUNT };
 
 static const double FAR = 1e12;
 static const double SOFT = 0.25; /* [1] of the limit of the share kept: weights fall from 1 to 0 within so much of it */
 
-wcut_status wcut_register_sample(wcut_register_face face, int count, const wcut_vec3 *point, int most, double keep,
+wcut_status wcut_register_sample(wcut_register_face face, int count, const wcut_vec3 *point, int max, double keep,
                                  int threads, wcut_register_cloud *cloud) {
-    wcut_register_cloud c = {.face = face, .count = count < most ? count : most, .keep = keep, .threads = threads};
+    wcut_register_cloud c = {.face = face, .count = count < max ? count : max, .keep = keep, .threads = threads};
     const size_t n = (size_t)c.count;
     c.point = wcut_alloc(n, sizeof *c.point);
     c.moved = wcut_alloc(n, sizeof *c.moved);
@@ -155,7 +155,7 @@ wcut_status wcut_register_distances(void *data, const wcut_motion *motion, wcut_
         const double r = height_of(c, i);
         c->square[over++] = r * r;
     }
-    if (over < LEAST) return WCUT_DEGENERATE;
+    if (over < MIN) return WCUT_DEGENERATE;
     const double limit = fmax(sqrt(limit_of(over, c->keep, c->square)), 1e-300);
 
     for (int i = 0; i < c->count; i++) {
@@ -166,7 +166,7 @@ wcut_status wcut_register_distances(void *data, const wcut_motion *motion, wcut_
         register_add(sums, w, c->normal[i], vec3_cross(motion_arm(motion, c->point[i]), c->normal[i]), r);
     }
     sums->overlap = (double)over / c->count;
-    return sums->used < LEAST ? WCUT_DEGENERATE : WCUT_OK;
+    return sums->used < MIN ? WCUT_DEGENERATE : WCUT_OK;
 }
 
 double wcut_register_held(const void *data, const wcut_motion *motion) {
@@ -243,7 +243,7 @@ static wcut_status solve(wcut_register_cloud *c, const wcut_registration_options
     const wcut_register_problem problem = wcut_register_fit_problem(c, o, length);
     status = wcut_register_solve(&problem, &motion, &r);
     if (status == WCUT_DEGENERATE)
-        return wcut_fail(error, status, "scan: fewer than %d points over the face, or nothing to be determined", LEAST);
+        return wcut_fail(error, status, "scan: fewer than %d points over the face, or nothing to be determined", MIN);
     if (status != WCUT_OK && status != WCUT_NOT_CONVERGED)
         return wcut_fail(error, status, "registration: %s", wcut_status_text(status));
     wcut_register_matrix(&motion, r.matrix);
@@ -258,14 +258,14 @@ static wcut_status fit(wcut_register_face face, int count, const wcut_vec3 *poin
     wcut_register_cloud cloud;
     if (!point || threads < 1 || !registration)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "registration: an argument is missing");
-    if (count < LEAST)
-        return wcut_fail(error, WCUT_BAD_ARGUMENT, "scan: found %d points, expected at least %d", count, LEAST);
+    if (count < MIN)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "scan: found %d points, expected at least %d", count, MIN);
     wcut_status status = wcut_register_options(options, &o, error);
     if (status != WCUT_OK) return status;
     for (int i = 0; i < count; i++)
         if (!(fabs(point[i].x) <= FAR && fabs(point[i].y) <= FAR && fabs(point[i].z) <= FAR))
             return wcut_fail(error, WCUT_BAD_ARGUMENT, "scan: point %d: expected numbers up to 1e12", i);
-    status = wcut_register_sample(face, count, point, o.most, o.keep, threads, &cloud);
+    status = wcut_register_sample(face, count, point, o.max_points, o.keep, threads, &cloud);
     if (status != WCUT_OK) return wcut_fail(error, status, "registration: %s", wcut_status_text(status));
     status = solve(&cloud, &o, registration, error);
     wcut_register_sample_clear(&cloud);

@@ -28,8 +28,8 @@ typedef struct wcut_register_cloud {
     double *square;    /* count */
 } wcut_register_cloud;
 
-/* at most `most` of the points, evenly over their order. WCUT_NO_MEMORY: nothing was written. */
-wcut_status wcut_register_sample(wcut_register_face face, int count, const wcut_vec3 *point, int most, double keep,
+/* at most `max` of the points, evenly over their order. WCUT_NO_MEMORY: nothing was written. */
+wcut_status wcut_register_sample(wcut_register_face face, int count, const wcut_vec3 *point, int max, double keep,
                                  int threads, wcut_register_cloud *cloud);
 void wcut_register_sample_clear(wcut_register_cloud *cloud);
 

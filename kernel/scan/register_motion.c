@@ -42,11 +42,11 @@ static void to_quaternion(mat3 r, double q[4]) {
                               {r.z.y - r.y.z, square[1], r.y.x + r.x.y, r.x.z + r.z.x},
                               {r.x.z - r.z.x, r.y.x + r.x.y, square[2], r.z.y + r.y.z},
                               {r.y.x - r.x.y, r.x.z + r.z.x, r.z.y + r.y.z, square[3]}};
-    int most = 0;
+    int max = 0;
     for (int k = 1; k < 4; k++)
-        if (square[k] > square[most]) most = k;
-    const double scale = (row[most][0] < 0 ? -0.5 : 0.5) / sqrt(square[most]);
-    for (int k = 0; k < 4; k++) q[k] = scale * row[most][k];
+        if (square[k] > square[max]) max = k;
+    const double scale = (row[max][0] < 0 ? -0.5 : 0.5) / sqrt(square[max]);
+    for (int k = 0; k < 4; k++) q[k] = scale * row[max][k];
 }
 
 wcut_motion wcut_motion_between(wcut_vec3 pivot, mat3 rotation, wcut_vec3 from, wcut_vec3 to) {

@@ -10,7 +10,7 @@
 enum { N = WCUT_DOF_COUNT, SETTLED = 20 };
 
 static const double MIXED = 0.01; /* [1] share of an undetermined direction in a parameter that leaves it determined */
-static const double DAMPED_MOST = 1e9;
+static const double DAMPED_MAX = 1e9;
 static const double ROUNDING = 1e-12;      /* [1] of the cost, a rise that is not one */
 static const double SHARE_OF_ERROR = 0.01; /* [1] a step of this share of the standard error changes no answer */
 
@@ -60,7 +60,7 @@ static void to_parameters(const wcut_register_problem *p, const wcut_motion *mot
 }
 
 /* columns `first` .. m-1 of the basis, turned so that those that a prior sees come first; how many these are */
-static int seen_by_prior(normal *n, int first, double least) {
+static int seen_by_prior(normal *n, int first, double min) {
     const int k = n->m - first;
     double seen[N * N] = {0}, value[N], vector[N * N], turned[N * N];
     for (int a = 0; a < k; a++)
@@ -76,22 +76,22 @@ static int seen_by_prior(normal *n, int first, double least) {
     int count = 0;
     for (int i = 0; i < n->m; i++)
         for (int b = 0; b < k; b++) n->basis[i * n->m + first + b] = turned[i * k + b];
-    while (count < k && value[count] > least) count++;
+    while (count < k && value[count] > min) count++;
     return count;
 }
 
 /* what moves along which direction: by the data per unit of weight, then by the priors */
-static void determine(const wcut_register_problem *p, double weight, int most, normal *n) {
-    const double least = p->options->sensitivity * p->options->sensitivity;
+static void determine(const wcut_register_problem *p, double weight, int max, normal *n) {
+    const double min = p->options->sensitivity * p->options->sensitivity;
     double a[N * N], value[N];
     for (int i = 0; i < n->m * n->m; i++) a[i] = n->h[i] / weight;
     wcut_symmetric_eigen(n->m, a, value, n->basis);
     n->by_data = 0;
-    while (n->by_data < most && value[n->by_data] > least) n->by_data++;
-    n->rank = n->by_data + (n->by_data < n->m ? seen_by_prior(n, n->by_data, least) : 0);
+    while (n->by_data < max && value[n->by_data] > min) n->by_data++;
+    n->rank = n->by_data + (n->by_data < n->m ? seen_by_prior(n, n->by_data, min) : 0);
 }
 
-static void linearise(const wcut_register_problem *p, const wcut_motion *motion, const wcut_register_sums *s, int most,
+static void linearise(const wcut_register_problem *p, const wcut_motion *motion, const wcut_register_sums *s, int max,
                       normal *n) {
     double h[N * N], g[N];
     to_parameters(p, motion, s, h, g);
@@ -107,7 +107,7 @@ static void linearise(const wcut_register_problem *p, const wcut_motion *motion,
         n->prior[i] = d->kind == WCUT_DOF_KIND_PRIOR ? 1 / (sigma * sigma) : 0;
         n->pull[i] = n->prior[i] * (motion->x[k] - d->value) / scale;
     }
-    determine(p, s->weight, most < n->m ? most : n->m, n);
+    determine(p, s->weight, max < n->m ? max : n->m, n);
 }
 
 /* the information of data, times `share`, and priors in the determined directions */
@@ -199,7 +199,7 @@ static wcut_status accept(const wcut_register_problem *p, const wcut_motion *tri
 static wcut_status advance(const wcut_register_problem *p, const normal *n, double variance, double *damping,
                            wcut_motion *motion, wcut_register_sums *sums, double settled, double *moved) {
     const double cost = sums->square / variance + prior_cost(p->options, motion->x);
-    for (; *damping < DAMPED_MOST; *damping = fmax(1e-3, 10 * *damping)) {
+    for (; *damping < DAMPED_MAX; *damping = fmax(1e-3, 10 * *damping)) {
         double y[N] = {0}, x[N], square = 0;
         *moved = step_of(n, variance, *damping, y);
 
@@ -280,15 +280,15 @@ wcut_status wcut_register_solve(const wcut_register_problem *p, wcut_motion *mot
     wcut_register_sums sums = {.weight = 0};
     normal n;
     double damping = 0, moved = INFINITY;
-    int most = N;
+    int max = N;
     bool converged = false;
     wcut_status status = p->model(p->data, &at, &sums);
     for (r.iterations = 0; status == WCUT_OK;) {
-        linearise(p, &at, &sums, most, &n);
+        linearise(p, &at, &sums, max, &n);
         if (n.by_data == 0) return WCUT_DEGENERATE;
 
         /* what is at the edge of being determined ends on one side */
-        if (r.iterations >= SETTLED) most = n.by_data;
+        if (r.iterations >= SETTLED) max = n.by_data;
         if (r.iterations >= p->max_iterations) break;
         const double variance = variance_of(p, &sums, n.rank), settled = settled_step(p, &n, variance);
         status = advance(p, &n, variance, &damping, &at, &sums, settled, &moved);

@@ -40,14 +40,14 @@ static bool sweep(int n, double *a, double *vector) {
 
 static void order(int n, double *value, double *vector) {
     for (int k = 0; k < n; k++) {
-        int most = k;
+        int max = k;
         for (int j = k + 1; j < n; j++)
-            if (value[j] > value[most]) most = j;
+            if (value[j] > value[max]) max = j;
         const double keep = value[k];
-        value[k] = value[most], value[most] = keep;
+        value[k] = value[max], value[max] = keep;
         for (int i = 0; i < n; i++) {
             const double x = vector[i * n + k];
-            vector[i * n + k] = vector[i * n + most], vector[i * n + most] = x;
+            vector[i * n + k] = vector[i * n + max], vector[i * n + max] = x;
         }
     }
 }
@@ -84,7 +84,7 @@ static void substitute(int n, const double *l, double *b) {
 }
 
 int wcut_symmetric_solve(int n, const double *a, const double *b, double *x, double *inverse) {
-    double l[WCUT_SYMMETRIC_MOST * WCUT_SYMMETRIC_MOST], column[WCUT_SYMMETRIC_MOST];
+    double l[WCUT_SYMMETRIC_MAX * WCUT_SYMMETRIC_MAX], column[WCUT_SYMMETRIC_MAX];
     memcpy(l, a, (size_t)(n * n) * sizeof *l);
     if (!factor(n, l)) return 0;
     memmove(x, b, (size_t)n * sizeof *x);

@@ -2,9 +2,9 @@
 #ifndef WCUT_SCAN_REGISTER_SYMMETRIC_H
 #define WCUT_SCAN_REGISTER_SYMMETRIC_H
 
-enum { WCUT_SYMMETRIC_MOST = 6 };
+enum { WCUT_SYMMETRIC_MAX = 6 };
 
-/* a: n x n, finite, destroyed; n at most WCUT_SYMMETRIC_MOST. value: n, the greatest first. vector: n x n, orthonormal,
+/* a: n x n, finite, destroyed; n at most WCUT_SYMMETRIC_MAX. value: n, the greatest first. vector: n x n, orthonormal,
    vector[i * n + k] is the i-th coordinate of the k-th. */
 void wcut_symmetric_eigen(int n, double *a, double *value, double *vector);
 

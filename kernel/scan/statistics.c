@@ -18,13 +18,13 @@ struct wcut_histogram {
     int count, positive, negative, bands;
     double shift; /* [mm] the first deviation: sums about it lose no digits to a constant offset */
     double sum, squares, plain_squares, positive_sum, negative_sum, min, max;
-    double band[WCUT_BANDS_MOST];
-    int over[WCUT_BANDS_MOST], under[WCUT_BANDS_MOST];
+    double band[WCUT_BANDS_MAX];
+    int over[WCUT_BANDS_MAX], under[WCUT_BANDS_MAX];
     uint32_t *bin; /* BINS, from the lowest to the highest */
 };
 
 wcut_status wcut_histogram_create(int bands, const double *band, wcut_histogram **histogram) {
-    if (!histogram || bands < 0 || bands > WCUT_BANDS_MOST || (bands > 0 && !band) || !all_positive(bands, band))
+    if (!histogram || bands < 0 || bands > WCUT_BANDS_MAX || (bands > 0 && !band) || !all_positive(bands, band))
         return WCUT_BAD_ARGUMENT;
     wcut_histogram *t = wcut_alloc(1, sizeof *t);
     if (t) t->bin = wcut_alloc(BINS, sizeof *t->bin);

@@ -7,7 +7,7 @@
 
 enum { FIRST_BITS = 12, CELL_BITS = 50 };
 
-static const double FAR = 1e12, LEAST_VOXEL = 1e-3; /* [mm]: cells count up to 1e15 each way, below 2^50 */
+static const double FAR = 1e12, MIN_VOXEL = 1e-3; /* [mm]: cells count up to 1e15 each way, below 2^50 */
 
 /* a cube's three numbers; 0 0 0 stands for an empty place, so they are shifted to begin at 1 */
 typedef struct cell {
@@ -22,7 +22,7 @@ struct wcut_thinning {
 };
 
 wcut_status wcut_thinning_create(double voxel, wcut_thinning **thinning) {
-    if (!isfinite(voxel) || voxel < LEAST_VOXEL || !thinning) return WCUT_BAD_ARGUMENT;
+    if (!isfinite(voxel) || voxel < MIN_VOXEL || !thinning) return WCUT_BAD_ARGUMENT;
     wcut_thinning *t = wcut_alloc(1, sizeof *t);
     if (t) t->table = wcut_alloc((size_t)1 << FIRST_BITS, sizeof *t->table);
     if (!t || !t->table) {

@@ -6,7 +6,7 @@
 #include "base/vec3.h"
 #include "scan/deviation_summary.h"
 
-enum { SIDE_MOST = 512, HELD = 8, TOLD = 2 };
+enum { SIDE_MAX = 512, HELD = 8, TOLD = 2 };
 
 static const double SHARE = 0.95; /* of the cells are not among the worst */
 
@@ -14,9 +14,9 @@ static const double SHARE = 0.95; /* of the cells are not among the worst */
 
 wcut_status wcut_lattice_create(const wcut_deviation_summary_options *options, wcut_lattice *lattice) {
     const double wide = options->high.x - options->low.x, long_side = options->high.y - options->low.y;
-    wcut_lattice l = {.side = fmax(options->cell, fmax(wide, long_side) / SIDE_MOST), .low = options->low};
-    l.columns = (int)clamp(ceil(wide / l.side), 1, SIDE_MOST);
-    l.rows = (int)clamp(ceil(long_side / l.side), 1, SIDE_MOST);
+    wcut_lattice l = {.side = fmax(options->cell, fmax(wide, long_side) / SIDE_MAX), .low = options->low};
+    l.columns = (int)clamp(ceil(wide / l.side), 1, SIDE_MAX);
+    l.rows = (int)clamp(ceil(long_side / l.side), 1, SIDE_MAX);
     l.cell = wcut_alloc((size_t)l.columns * l.rows, sizeof *l.cell);
     if (!l.cell) return WCUT_NO_MEMORY;
     *lattice = l;
@@ -214,8 +214,8 @@ static wcut_worst worst_of(const wcut_lattice *l, const area *a) {
 
 /* into a list that is in order of volume, if it is among the first */
 static void place_in(wcut_worst *list, int *count, wcut_worst w) {
-    int k = *count < WCUT_WORST_MOST ? (*count)++ : WCUT_WORST_MOST;
-    if (k == WCUT_WORST_MOST && fabs(list[--k].volume) >= fabs(w.volume)) return;
+    int k = *count < WCUT_WORST_MAX ? (*count)++ : WCUT_WORST_MAX;
+    if (k == WCUT_WORST_MAX && fabs(list[--k].volume) >= fabs(w.volume)) return;
     for (; k > 0 && fabs(list[k - 1].volume) < fabs(w.volume); k--) list[k] = list[k - 1];
     list[k] = w;
 }

@@ -79,10 +79,10 @@ wcut_status wcut_cut_face_solve(const wcut_division *d, double side, double marg
     wcut_status status = fit_face(&sheet, sides, height, prolong, o->prolong > 0, o->fit_tolerance, &f.fit, error);
     if (status != WCUT_OK) return status;
     double tolerance = o->chord_tolerance;
-    if (d->width) tolerance = fmin(tolerance, KERF_SHARE * f.fit.width_least);
-    if (d->width && f.fit.fit_error > KERF_SHARE * f.fit.width_least)
+    if (d->width) tolerance = fmin(tolerance, KERF_SHARE * f.fit.width_min);
+    if (d->width && f.fit.fit_error > KERF_SHARE * f.fit.width_min)
         status = wcut_fail(error, WCUT_NOT_CONVERGED, "the fit of %.3g mm is too coarse for a kerf of %.3g mm",
-                           f.fit.fit_error, f.fit.width_least);
+                           f.fit.fit_error, f.fit.width_min);
     if (status == WCUT_OK) {
         status = wcut_cap_tessellate(f.fit.patch, sides, tolerance, &f.cap, &f.chord_error);
         if (status != WCUT_OK) wcut_fail(error, status, "triangulating the cut face: %s", wcut_status_text(status));
@@ -106,12 +106,12 @@ static wcut_status say_touch(const wcut_division *d, const wcut_cap *cap, double
     const double x[2] = {0, d->block.x}, y[2] = {0, d->block.y};
     bool at_x[2] = {true, true}, at_y[2] = {true, true};
     wcut_vec3 place = {0, 0, 0};
-    double least = INFINITY;
+    double min = INFINITY;
     for (int k = 0; k < cap->vertex_count; k++) {
         const wcut_vec3 p = cap->vertex[k];
         const double off = fabs(p.z - level);
         if (off > near) continue;
-        if (off < least) least = off, place = p;
+        if (off < min) min = off, place = p;
         for (int e = 0; e < 2; e++) {
             at_x[e] = at_x[e] && fabs(p.x - x[e]) <= EDGE_SHARE * d->block.x;
             at_y[e] = at_y[e] && fabs(p.y - y[e]) <= EDGE_SHARE * d->block.y;
@@ -128,7 +128,7 @@ static wcut_status say_touch(const wcut_division *d, const wcut_cap *cap, double
                          place.y, place.z);
     return wcut_fail(error, WCUT_DEGENERATE,
                      "the cut grazes the block's face z = %.6g mm: %.3g mm from it at (%.6g, %.6g, %.6g) mm", level,
-                     least, place.x, place.y, place.z);
+                     min, place.x, place.y, place.z);
 }
 
 wcut_status wcut_cut_face_place(const wcut_division *d, const wcut_cut_face *lower, const wcut_cut_face *upper,

@@ -167,7 +167,7 @@ static wcut_status middles(const lines *l, lines *middle) {
 /* Compare patch and sheet on the grid of s and t; *most grows; where too far apart, the intervals that a sample is the
    middle of are marked coarse (either may be NULL). */
 static wcut_status compare(const wcut_trim *trim, const wcut_surface *patch, const lines *s, const lines *t,
-                           double held, bool *coarse_s, bool *coarse_t, double *most, wcut_error *error) {
+                           double held, bool *coarse_s, bool *coarse_t, double *max, wcut_error *error) {
     sampled g;
     wcut_status status = sample(trim, s->count, s->at, t->count, t->at, &g, error);
     if (status != WCUT_OK) return status;
@@ -177,7 +177,7 @@ static wcut_status compare(const wcut_trim *trim, const wcut_surface *patch, con
         for (int i = 0; i < s->count; i++) {
             const ptrdiff_t k = (ptrdiff_t)j * s->count + i;
             const double off = vec3_distance(point[k], g.at[k]);
-            *most = fmax(*most, off);
+            *max = fmax(*max, off);
             if (off <= held) continue;
             if (coarse_s) coarse_s[i] = true;
             if (coarse_t) coarse_t[j] = true;
@@ -189,16 +189,16 @@ static wcut_status compare(const wcut_trim *trim, const wcut_surface *patch, con
 
 /* the error of a patch, where its lines lie too far apart; samples in the middles of edges, then of cells */
 static wcut_status judge(const wcut_trim *trim, const wcut_surface *patch, lines *s, lines *t, double tolerance,
-                         double *most, wcut_error *error) {
+                         double *max, wcut_error *error) {
     const double held = SEEN_SHARE * tolerance;
     lines between_s = {.count = 0}, between_t = {.count = 0};
-    *most = 0;
+    *max = 0;
     wcut_status status = middles(s, &between_s);
     if (status == WCUT_OK) status = middles(t, &between_t);
-    if (status == WCUT_OK) status = compare(trim, patch, &between_s, t, held, s->coarse, NULL, most, error);
-    if (status == WCUT_OK) status = compare(trim, patch, s, &between_t, held, NULL, t->coarse, most, error);
-    if (status == WCUT_OK && *most <= held)
-        status = compare(trim, patch, &between_s, &between_t, held, s->coarse, t->coarse, most, error);
+    if (status == WCUT_OK) status = compare(trim, patch, &between_s, t, held, s->coarse, NULL, max, error);
+    if (status == WCUT_OK) status = compare(trim, patch, s, &between_t, held, NULL, t->coarse, max, error);
+    if (status == WCUT_OK && *max <= held)
+        status = compare(trim, patch, &between_s, &between_t, held, s->coarse, t->coarse, max, error);
     lines_clear(&between_t);
     lines_clear(&between_s);
     return status;
@@ -209,8 +209,8 @@ static wcut_status measure_extent(const wcut_trim *trim, const sampled *g, const
     const wcut_sheet *sheet = trim->sheet;
     const double rounding = ROUNDING * fmax(trim->sides.x[1], trim->sides.y[1]);
     fit->entry = fit->exit = fit->wire = 0;
-    fit->radius = fit->width_least = INFINITY;
-    fit->width_most = 0;
+    fit->radius = fit->width_min = INFINITY;
+    fit->width_max = 0;
     for (ptrdiff_t k = 0; k < (ptrdiff_t)g->columns * g->rows; k++) {
         const double u = g->u[k], v = g->v[k];
         double wire, feed, larger;
@@ -232,8 +232,8 @@ static wcut_status measure_extent(const wcut_trim *trim, const sampled *g, const
             const wcut_status status = wcut_surface_eval(sheet->width, u, v, 0, &width);
             if (status != WCUT_OK) return status;
         }
-        fit->width_least = fmin(fit->width_least, width.z);
-        fit->width_most = fmax(fit->width_most, width.z);
+        fit->width_min = fmin(fit->width_min, width.z);
+        fit->width_max = fmax(fit->width_max, width.z);
     }
     return WCUT_OK;
 }
@@ -243,8 +243,8 @@ static wcut_status check_prolonged(const wcut_trim *trim, const wcut_face_fit *k
     const wcut_sides *s = &trim->sides;
     const double allowed = prolong + 1e-6 * fmax(s->x[1] - s->x[0], s->y[1] - s->y[0]);
     const char *where = k->entry > allowed ? "begins" : k->exit > allowed ? "ends" : "is";
-    const double most = fmax(k->entry, fmax(k->exit, k->wire));
-    if (most <= allowed) return WCUT_OK;
+    const double max = fmax(k->entry, fmax(k->exit, k->wire));
+    if (max <= allowed) return WCUT_OK;
     if (where[0] == 'i')
         return wcut_fail(
             error, WCUT_DEGENERATE,

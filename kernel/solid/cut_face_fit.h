@@ -15,7 +15,7 @@ typedef struct wcut_face_fit {
                                  ends, at the ends of the wire */
     double radius;            /* [mm] least radius of curvature of the wire's surface, INFINITY where flat */
     wcut_vec3 radius_place;
-    double width_least, width_most; /* [mm] of the kerf */
+    double width_min, width_max; /* [mm] of the kerf */
 } wcut_face_fit;
 
 /* Interpolate the trimmed sheet on a grid of lines that is refined until what lies between them is within a tolerance.

@@ -47,9 +47,9 @@ static void fill_parameters(const wcut_surface *s, double *uv) {
         }
 }
 
-/* the field's value for every control point; `least` and `most` of them */
-static wcut_status sample_field(const wcut_surface *s, const wcut_mould_options *o, wcut_vec3 *control, double *least,
-                                double *most) {
+/* the field's value for every control point; `min` and `max` of them */
+static wcut_status sample_field(const wcut_surface *s, const wcut_mould_options *o, wcut_vec3 *control, double *min,
+                                double *max) {
     const int count = s->count_u * s->count_v;
     wcut_mesh *at = NULL;
     wcut_status status = wcut_mesh_create(count, 0, WCUT_MESH_UV | WCUT_MESH_SCALAR, &at);
@@ -58,8 +58,8 @@ static wcut_status sample_field(const wcut_surface *s, const wcut_mould_options 
     status = wcut_mesh_sample(at, o->kerf_stations, o->kerf_nodes, o->kerf_parameter, o->kerf_field);
     for (int k = 0; status == WCUT_OK && k < count; k++) {
         control[k] = vec3(0, 0, at->scalar[k]);
-        *least = fmin(*least, at->scalar[k]);
-        *most = fmax(*most, at->scalar[k]);
+        *min = fmin(*min, at->scalar[k]);
+        *max = fmax(*max, at->scalar[k]);
     }
     wcut_mesh_destroy(at);
     return status;
@@ -68,20 +68,20 @@ static wcut_status sample_field(const wcut_surface *s, const wcut_mould_options 
 wcut_status wcut_kerf_width(const wcut_surface *surface, const wcut_mould_options *options, wcut_surface **width,
                             wcut_error *error) {
     const int count = surface->count_u * surface->count_v;
-    double least = options->kerf, most = least;
+    double min = options->kerf, max = min;
     wcut_vec3 *control = wcut_alloc((size_t)count, sizeof *control);
     wcut_status status = control ? WCUT_OK : WCUT_NO_MEMORY;
     wcut_surface *made = NULL;
     for (int k = 0; status == WCUT_OK && k < count; k++) control[k] = vec3(0, 0, options->kerf);
     if (status == WCUT_OK && options->kerf_stations > 0) {
-        least = INFINITY, most = -INFINITY;
-        status = sample_field(surface, options, control, &least, &most);
+        min = INFINITY, max = -INFINITY;
+        status = sample_field(surface, options, control, &min, &max);
         if (status != WCUT_OK) wcut_fail(error, status, "kerf: the field does not fit its stations and nodes");
     }
-    if (status == WCUT_OK && (least < 0 || (most > 0 && !(least > 0))))
+    if (status == WCUT_OK && (min < 0 || (max > 0 && !(min > 0))))
         status = wcut_fail(error, WCUT_BAD_ARGUMENT,
-                           "kerf: found %.4g to %.4g mm, expected 0 everywhere or more than 0 everywhere", least, most);
-    if (status == WCUT_OK && most > 0)
+                           "kerf: found %.4g to %.4g mm, expected 0 everywhere or more than 0 everywhere", min, max);
+    if (status == WCUT_OK && max > 0)
         status = wcut_surface_create(surface->degree_u, surface->degree_v, surface->count_u, surface->count_v,
                                      surface->knots_u, surface->knots_v, control, NULL, &made);
     if (status == WCUT_OK) *width = made;

@@ -213,8 +213,8 @@ static void describe_cut(const faces *f, wcut_mould *m) {
     m->prolonged_side = fmax(a->wire, b->wire);
     m->radius_min = fmin(a->radius, b->radius);
     m->radius_place = a->radius <= b->radius ? a->radius_place : b->radius_place;
-    m->kerf_min = fmin(a->width_least, b->width_least);
-    m->kerf_max = fmax(a->width_most, b->width_most);
+    m->kerf_min = fmin(a->width_min, b->width_min);
+    m->kerf_max = fmax(a->width_max, b->width_max);
 }
 
 /* exact faces, walls and edges */

@@ -117,10 +117,10 @@ static bool join_hole(region *r, int border, int hole) {
 static bool join_holes(region *r, int loops, const int *size, bool *joined) {
     for (int round = 1; round < loops; round++) {
         int best = -1, best_at = 0, at = 0;
-        double most = -INFINITY;
+        double max = -INFINITY;
         for (int l = 0; l < loops; at += size[l++])
             for (int k = 0; l > 0 && !joined[l] && k < size[l]; k++)
-                if (r->point[at + k].p > most) most = r->point[at + k].p, best = l, best_at = at;
+                if (r->point[at + k].p > max) max = r->point[at + k].p, best = l, best_at = at;
         if (best < 0) return false;
         joined[best] = true;
         if (!join_hole(r, 0, add_run(r, best_at, size[best]))) return false;

@@ -198,7 +198,7 @@ static int place_watch(const lines *l, const wcut_map_axis *axis, double *at, in
 
 /* look closely everywhere; cells that miss are marked in both directions */
 static wcut_status check(wcut_grid_map map, const void *data, const wcut_surface *s, lines *u, lines *v,
-                         const wcut_map_axis *axis_u, const wcut_map_axis *axis_v, double tolerance, double *most) {
+                         const wcut_map_axis *axis_u, const wcut_map_axis *axis_v, double tolerance, double *max) {
     const size_t room_u = (size_t)QUARTERS * (size_t)u->count + (size_t)axis_u->watched,
                  room_v = (size_t)QUARTERS * (size_t)v->count + (size_t)axis_v->watched;
     double *at = wcut_alloc(2 * room_u + room_v, sizeof *at);
@@ -208,11 +208,11 @@ static wcut_status check(wcut_grid_map map, const void *data, const wcut_surface
         double *at_v = at + room_u, *off = at_v + room_v;
         int *cell_v = cell + room_u;
         const int count_u = place_watch(u, axis_u, at, cell), count_v = place_watch(v, axis_v, at_v, cell_v);
-        *most = 0;
+        *max = 0;
         for (int j = 0; j < count_v && status == WCUT_OK; j++) {
             status = measure(map, data, s, count_u, at, 1, &at_v[j], off);
             for (int i = 0; i < count_u && status == WCUT_OK; i++) {
-                *most = fmax(*most, off[i]);
+                *max = fmax(*max, off[i]);
                 if (!(off[i] <= tolerance)) u->coarse[cell[i]] = v->coarse[cell_v[j]] = true;
             }
         }
@@ -226,7 +226,7 @@ wcut_status wcut_approximate(wcut_grid_map map, const void *data, const wcut_map
                              const wcut_map_axis *axis_v, double tolerance, wcut_surface **surface, double *error) {
     lines u = {.count = 0}, v = {.count = 0};
     wcut_surface *s = NULL;
-    double most = 0;
+    double max = 0;
     wcut_status status = lines_begin(axis_u, &u);
     if (status == WCUT_OK) status = lines_begin(axis_v, &v);
     for (int round = 0; status == WCUT_OK; round++) {
@@ -238,14 +238,14 @@ wcut_status wcut_approximate(wcut_grid_map map, const void *data, const wcut_map
         if (status == WCUT_OK) status = mark_coarse(map, data, s, &u, &v, false, SHARE * tolerance);
         if (status == WCUT_OK) status = mark_coarse(map, data, s, &v, &u, true, SHARE * tolerance);
         if (status == WCUT_OK && refinements(&u) + refinements(&v) == 0)
-            status = check(map, data, s, &u, &v, axis_u, axis_v, tolerance, &most);
+            status = check(map, data, s, &u, &v, axis_u, axis_v, tolerance, &max);
         if (status != WCUT_OK || refinements(&u) + refinements(&v) == 0) break;
         status = lines_refine(&u);
         if (status == WCUT_OK) status = lines_refine(&v);
     }
     if (status == WCUT_OK) {
         *surface = s;
-        *error = most;
+        *error = max;
         s = NULL;
     }
     wcut_surface_destroy(s);

@@ -29,10 +29,10 @@ static bool settle(reach *r, double hull) {
 }
 
 static double hull_of(const reach *r, const wcut_bezier *b) {
-    double most = -INFINITY;
+    double max = -INFINITY;
     for (int j = 0; j <= b->degree_v; j++)
-        for (int i = 0; i <= b->degree_u; i++) most = fmax(most, vec3_dot(r->outward, bezier_point(b, i, j)));
-    return most;
+        for (int i = 0; i <= b->degree_u; i++) max = fmax(max, vec3_dot(r->outward, bezier_point(b, i, j)));
+    return max;
 }
 
 static void climb(reach *r, const wcut_bezier *b, int halvings) {

@@ -26,8 +26,8 @@ static void samples_clear(samples *s) {
 /* Steps to take between neighbouring breaks of a cell that `inside` knots divide. A bump of odd degree peaks at a knot,
    one of even degree between two. */
 static int steps_between(int degree, int inside) {
-    const int even = (CELL_MIN + inside) / (inside + 1), least = degree % 2 ? 1 : 2;
-    return even > least ? even : least;
+    const int even = (CELL_MIN + inside) / (inside + 1), min = degree % 2 ? 1 : 2;
+    return even > min ? even : min;
 }
 
 /* the distinct knots inside (a, b), from knots[*next] on, which is moved along */
@@ -103,7 +103,7 @@ static double cell_error(const cell *c, double enough) {
     const wcut_vec3 p00 = c->point[0], p10 = c->point[c->columns];
     const wcut_vec3 p01 = c->point[c->rows * c->stride], p11 = c->point[c->rows * c->stride + c->columns];
     const double scale_u = 1 / (c->u[c->columns] - c->u[0]), scale_v = 1 / (c->v[c->rows] - c->v[0]);
-    double most = 0, bar = enough * enough;
+    double max = 0, bar = enough * enough;
     for (int j = 0; j <= c->rows; j++) {
         /* on p00 p10 p11 where s >= t, else on p00 p11 p01, the linear point is p00 + s side + t other side */
         const double t = (c->v[j] - c->v[0]) * scale_v;
@@ -116,16 +116,16 @@ static double cell_error(const cell *c, double enough) {
             const int upper = s < t;
             const wcut_vec3 off = vec3_sub(row[i], vec3_add_scaled(start[upper], s, side[upper]));
             if (vec3_dot(off, off) <= bar) continue;
-            most = fmax(most, wcut_triangle_distance(row[i], p00, upper ? p01 : p10, p11));
-            bar = fmax(bar, most * most);
+            max = fmax(max, wcut_triangle_distance(row[i], p00, upper ? p01 : p10, p11));
+            bar = fmax(bar, max * max);
         }
     }
-    return most;
+    return max;
 }
 
 /* one row of cells; `point` holds its rows of samples */
 static void row_error(const samples *su, const samples *sv, int j, const wcut_vec3 *point, double held, int cells,
-                      double *error_u, double *error_v, double *most) {
+                      double *error_u, double *error_v, double *max) {
     for (int i = 0; i < cells; i++) {
         const cell c = {.point = point + su->start[i],
                         .stride = su->count,
@@ -134,15 +134,15 @@ static void row_error(const samples *su, const samples *sv, int j, const wcut_ve
                         .u = su->at + su->start[i],
                         .v = sv->at + sv->start[j]};
         /* below `held` only the largest of all is of interest, above it each row's and column's own */
-        const double error = cell_error(&c, fmax(fmin(*most, held), fmin(error_u[i], error_v[j])));
+        const double error = cell_error(&c, fmax(fmin(*max, held), fmin(error_u[i], error_v[j])));
         error_u[i] = fmax(error_u[i], error);
         error_v[j] = fmax(error_v[j], error);
-        *most = fmax(*most, error);
+        *max = fmax(*max, error);
     }
 }
 
 wcut_status wcut_chord_error(const wcut_surface *s, const wcut_spacing *lines_u, const wcut_spacing *lines_v,
-                             double held, double *error_u, double *error_v, double *most) {
+                             double held, double *error_u, double *error_v, double *max) {
     samples su = {.count = 0}, sv = {.count = 0};
     wcut_axis u = {.count = 0}, v = {.count = 0};
     wcut_homogeneous *fold = NULL;
@@ -159,14 +159,14 @@ wcut_status wcut_chord_error(const wcut_surface *s, const wcut_spacing *lines_u,
         goto done;
     }
 
-    *most = 0;
+    *max = 0;
     for (int i = 0; i < lines_u->pieces; i++) error_u[i] = 0;
     for (int j = 0; j < lines_v->pieces; j++) {
         const int rows = sv.start[j + 1] - sv.start[j];
         error_v[j] = 0;
         for (int k = j > 0; k <= rows; k++) /* the first row is the last of the cells before */
             wcut_grid_row(s, &u, &v, sv.start[j] + k, fold, point + (ptrdiff_t)k * su.count);
-        row_error(&su, &sv, j, point, held, lines_u->pieces, error_u, error_v, most);
+        row_error(&su, &sv, j, point, held, lines_u->pieces, error_u, error_v, max);
         memcpy(point, point + (ptrdiff_t)rows * su.count, (size_t)su.count * sizeof *point);
     }
 

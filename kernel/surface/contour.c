@@ -266,15 +266,15 @@ static int direction_of(const cell *k, bool along_u) {
 
 /* the largest second difference along a direction: how far from straight */
 static double bend_of(const cell *k, bool along_u) {
-    double most = 0;
+    double max = 0;
     const int p = along_u ? k->p - 2 : k->p, q = along_u ? k->q : k->q - 2;
     for (int j = 0; j <= q; j++)
         for (int i = 0; i <= p; i++) {
             const double a = k->f[j][i], b = along_u ? k->f[j][i + 1] : k->f[j + 1][i],
                          c = along_u ? k->f[j][i + 2] : k->f[j + 2][i];
-            most = fmax(most, fabs(a - 2 * b + c));
+            max = fmax(max, fabs(a - 2 * b + c));
         }
-    return most;
+    return max;
 }
 
 static void halve(const cell *whole, bool along_u, cell half[2]) {
@@ -298,10 +298,10 @@ static void halve(const cell *whole, bool along_u, cell half[2]) {
 
 /* too small, or too near to the plane, to be worth dividing */
 static bool is_touching(const walker *w, const cell *k) {
-    double most = 0;
+    double max = 0;
     for (int j = 0; j <= k->q; j++)
-        for (int i = 0; i <= k->p; i++) most = fmax(most, fabs(k->f[j][i]));
-    if (most < TOUCHING * w->tolerance) return true;
+        for (int i = 0; i <= k->p; i++) max = fmax(max, fabs(k->f[j][i]));
+    if (max < TOUCHING * w->tolerance) return true;
     wcut_vec3 a, b, c, d;
     wcut_surface_eval(w->surface, k->u0, k->v0, 0, &a);
     wcut_surface_eval(w->surface, k->u1, k->v1, 0, &b);

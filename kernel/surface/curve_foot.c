@@ -125,14 +125,14 @@ static void offer(search *s, double u, wcut_vec3 point) {
 /* Newton's method for (C - p) . C' = 0 within [low, high], as long as it goes down */
 static void descend(search *s, double low, double high, double u) {
     wcut_vec3 d[3];
-    double least = INFINITY;
+    double min = INFINITY;
     for (int step = 0; step < STEPS_MAX; step++) {
         wcut_curve_eval(s->f->curve, u, 2, d);
         const wcut_vec3 off = vec3_sub(d[0], s->p);
         const double distance = vec3_length(off);
         offer(s, u, d[0]);
-        if (!(distance < least)) return;
-        least = distance;
+        if (!(distance < min)) return;
+        min = distance;
         const double slope = vec3_dot(off, d[1]), plain = vec3_dot(d[1], d[1]), bend = plain + vec3_dot(off, d[2]);
         const double by = bend > 0.1 * plain ? bend : plain;
         if (!(by > 0)) return;

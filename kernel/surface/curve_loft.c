@@ -45,7 +45,7 @@ static wcut_status sample(sections *s, int nodes) {
 }
 
 /* the largest distance of the cubics through the nodes from their curves, at quarters between the nodes */
-static wcut_status measure(const sections *s, double *most) {
+static wcut_status measure(const sections *s, double *max) {
     const int n = s->nodes, fine = 4 * (n - 1) + 1;
     double *u = wcut_alloc((size_t)n, sizeof *u), *knots = wcut_alloc((size_t)n + 4, sizeof *knots);
     wcut_vec3 *control = wcut_alloc((size_t)n, sizeof *control), *exact = wcut_alloc((size_t)fine, sizeof *exact);
@@ -54,7 +54,7 @@ static wcut_status measure(const sections *s, double *most) {
         for (int i = 0; i < n; i++) u[i] = (double)i / (n - 1);
         wcut_knots_average(3, n, u, knots);
     }
-    *most = 0;
+    *max = 0;
     for (int j = 0; j < s->count && status == WCUT_OK; j++) {
         for (int i = 0; i < n; i++) control[i] = s->point[(ptrdiff_t)j * n + i];
         status = wcut_interpolate_rows(3, n, knots, u, 1, control);
@@ -63,7 +63,7 @@ static wcut_status measure(const sections *s, double *most) {
         for (int i = 0; i < fine && status == WCUT_OK; i++) {
             wcut_vec3 p;
             wcut_curve_eval(&c, (double)i / (fine - 1), 0, &p);
-            *most = fmax(*most, vec3_distance(p, exact[i]));
+            *max = fmax(*max, vec3_distance(p, exact[i]));
         }
     }
     wcut_free(exact);

@@ -167,12 +167,12 @@ static void search_below(search *s, const wcut_patch *leaf, double leaf_s, doubl
         const wcut_patch q = stack[--depth].patch;
         const double at_s = stack[depth].s, at_t = stack[depth].t;
         if (is_excluded(s, stack[depth].bound)) continue;
-        double least;
-        if (wcut_patch_is_convex(&q, s->p, &least)) {
+        double min;
+        if (wcut_patch_is_convex(&q, s->p, &min)) {
             if (!holds_best(s, &q)) descend_in(s, &q, at_s, at_t);
             continue;
         }
-        const double bound = fmax(least, stack[depth].bound);
+        const double bound = fmax(min, stack[depth].bound);
         if (is_excluded(s, bound)) continue;
         if (s->halvings == HALVINGS_MAX || depth + 2 > DEPTH) {
             s->lowest = fmin(s->lowest, bound);
@@ -211,12 +211,12 @@ static void search_tree(search *s) {
         depth--;
         if (is_excluded(s, stack[depth].bound)) continue;
         const wcut_patch_node *node = &tree[stack[depth].node];
-        double least;
-        if (wcut_patch_is_convex(&node->patch, s->p, &least)) {
+        double min;
+        if (wcut_patch_is_convex(&node->patch, s->p, &min)) {
             if (!holds_best(s, &node->patch)) descend_in(s, &node->patch, stack[depth].s, stack[depth].t);
             continue;
         }
-        if (is_excluded(s, least)) continue;
+        if (is_excluded(s, min)) continue;
         if (!node->child) {
             search_below(s, &node->patch, stack[depth].s, stack[depth].t);
             continue;

@@ -56,8 +56,8 @@ static int by_change(const void *a, const void *b) {
     return p->order - q->order;
 }
 
-/* the interior knots of a net, those first whose removal changes least; returns how many change less than `most` */
-static int rank(const wcut_net *net, double most, candidate *list, bool *taken) {
+/* the interior knots of a net, those first whose removal changes least; returns how many change less than `max` */
+static int rank(const wcut_net *net, double max, candidate *list, bool *taken) {
     int count = 0, order = 0;
     for (int r = net->degree + 1, copies = 1; r < net->count; r++) {
         if (net->knots[r + 1] == net->knots[r]) {
@@ -65,8 +65,8 @@ static int rank(const wcut_net *net, double most, candidate *list, bool *taken) 
             continue;
         }
         double change = 0;
-        for (int c = 0; c < net->lanes && change <= most; c++) change = fmax(change, removal_change(net, r, copies, c));
-        if (change <= most) list[count++] = (candidate){.index = r, .order = order, .change = change};
+        for (int c = 0; c < net->lanes && change <= max; c++) change = fmax(change, removal_change(net, r, copies, c));
+        if (change <= max) list[count++] = (candidate){.index = r, .order = order, .change = change};
         order++;
         copies = 1;
     }
@@ -92,7 +92,7 @@ typedef struct target {
 
 static double bound_error(const target *t, const wcut_band_rows *a, const wcut_homogeneous *coarse) {
     const int lanes = t->fine->lanes;
-    double most = 0, most_w = 0, least = INFINITY;
+    double max = 0, max_w = 0, min = INFINITY;
     for (int i = 0; i < a->rows; i++)
         for (int c = 0; c < lanes; c++) {
             wcut_homogeneous d = t->fine->at[(ptrdiff_t)i * lanes + c];
@@ -104,12 +104,12 @@ static double bound_error(const target *t, const wcut_band_rows *a, const wcut_h
             }
             if (!t->rational) d.w = 0;
             const wcut_vec3 off = vec3_add_scaled(vec3(d.x, d.y, d.z), -d.w, t->middle);
-            most = fmax(most, vec3_length(off));
-            most_w = fmax(most_w, fabs(d.w));
-            least = fmin(least, weight);
+            max = fmax(max, vec3_length(off));
+            max_w = fmax(max_w, fabs(d.w));
+            min = fmin(min, weight);
         }
-    if (!t->rational) return most;
-    return least > 0 ? (most + t->radius * most_w) / least : INFINITY;
+    if (!t->rational) return max;
+    return min > 0 ? (max + t->radius * max_w) / min : INFINITY;
 }
 
 /* the control points over fewer knots, and how far off they are at most; INFINITY where there is no such curve */
@@ -180,9 +180,9 @@ static wcut_status thin(wcut_net *net, bool rational, double tolerance, double *
     wcut_status status = wcut_net_clamp(net);
     if (status != WCUT_OK) return status;
     wcut_net fine = *net, coarse = {.count = 0};
-    const size_t most = (size_t)net->count;
-    candidate *list = wcut_alloc(most, sizeof *list);
-    bool *taken = wcut_alloc(most, sizeof *taken);
+    const size_t max = (size_t)net->count;
+    candidate *list = wcut_alloc(max, sizeof *list);
+    bool *taken = wcut_alloc(max, sizeof *taken);
     target t = {.fine = &fine, .rational = rational};
     wcut_vec3 low = vec3(INFINITY, INFINITY, INFINITY), high = vec3(-INFINITY, -INFINITY, -INFINITY);
     for (ptrdiff_t k = 0; k < (ptrdiff_t)fine.count * fine.lanes; k++) {
@@ -194,7 +194,7 @@ static wcut_status thin(wcut_net *net, bool rational, double tolerance, double *
     t.middle = vec3_mix(low, high, 0.5);
     t.radius = vec3_distance(low, high) / 2;
     status = list && taken ? without(&fine, NULL, 0, &coarse) : WCUT_NO_MEMORY;
-    if (status == WCUT_OK) memcpy(coarse.at, fine.at, most * (size_t)fine.lanes * sizeof *fine.at);
+    if (status == WCUT_OK) memcpy(coarse.at, fine.at, max * (size_t)fine.lanes * sizeof *fine.at);
     for (int round = 0, removed = 1; status == WCUT_OK && removed > 0 && round < ROUNDS_MAX; round++) {
         const int count = rank(&coarse, 4 * tolerance, list, taken);
         status = remove_batch(&t, tolerance, list, count, &coarse, error, &removed);

@@ -61,8 +61,8 @@ static int lay_knots(const data *d, const wcut_spacing *lines, double *knots) {
 }
 
 /* what the curves miss each row by */
-static void miss(const data *d, const wcut_band_rows *a, const wcut_vec3 *control, double *missed, double *most) {
-    *most = 0;
+static void miss(const data *d, const wcut_band_rows *a, const wcut_vec3 *control, double *missed, double *max) {
+    *max = 0;
     for (int i = 0; i < d->rows; i++) {
         const double *share = a->value + (ptrdiff_t)i * a->width;
         const wcut_vec3 *p = d->point + (ptrdiff_t)i * d->columns, *c = control + (ptrdiff_t)a->first[i] * d->columns;
@@ -73,7 +73,7 @@ static void miss(const data *d, const wcut_band_rows *a, const wcut_vec3 *contro
             worst = fmax(worst, vec3_dot(off, off));
         }
         missed[i] = sqrt(worst);
-        *most = fmax(*most, missed[i]);
+        *max = fmax(*max, missed[i]);
     }
 }
 
@@ -113,9 +113,9 @@ static void adapt(const data *d, const double *missed, double tolerance, bool he
         double here = 0;
         for (; row < d->rows && (d->parameter[row] <= lines->at[i + 1] || i == lines->pieces - 1); row++)
             here = fmax(here, missed[row]);
-        const double most = fmax(here, before / 2);
+        const double max = fmax(here, before / 2);
         before = here;
-        const double factor = sqrt(sqrt(most / (AIM * tolerance)));
+        const double factor = sqrt(sqrt(max / (AIM * tolerance)));
         /* where the tolerance is not held yet nothing is made coarser in haste */
         lines->density[i] *= clamp(factor, held ? 0.6 : 0.8, 2.5);
     }

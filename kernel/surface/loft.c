@@ -13,13 +13,13 @@
 static const double STEP_MIN = 1e-10;
 
 /* mean distance of two sections; *most: the largest */
-static double section_distance(int nodes, const wcut_vec3 *a, const wcut_vec3 *b, double *most) {
+static double section_distance(int nodes, const wcut_vec3 *a, const wcut_vec3 *b, double *max) {
     double sum = 0;
-    *most = 0;
+    *max = 0;
     for (int i = 0; i < nodes; i++) {
         const double distance = vec3_distance(a[i], b[i]);
         sum += distance;
-        *most = fmax(*most, distance);
+        *max = fmax(*max, distance);
     }
     return sum / nodes;
 }
@@ -27,16 +27,16 @@ static double section_distance(int nodes, const wcut_vec3 *a, const wcut_vec3 *b
 /* Pick the sections that differ from the one kept before: keep[] their stations, step[] the mean distances between
    them. Returns how many, 0 where lengths overflow. */
 static int pick_sections(int stations, int nodes, const wcut_vec3 *position, double merge, int *keep, double *step) {
-    double total = 0, most;
+    double total = 0, max;
     for (int j = 1; j < stations; j++)
-        total += section_distance(nodes, position + (ptrdiff_t)(j - 1) * nodes, position + (ptrdiff_t)j * nodes, &most);
+        total += section_distance(nodes, position + (ptrdiff_t)(j - 1) * nodes, position + (ptrdiff_t)j * nodes, &max);
     if (!isfinite(total)) return 0;
     int kept = 1;
     keep[0] = 0;
     for (int j = 1; j < stations; j++) {
         const wcut_vec3 *before = position + (ptrdiff_t)keep[kept - 1] * nodes;
-        const double mean = section_distance(nodes, before, position + (ptrdiff_t)j * nodes, &most);
-        if (most < merge || mean <= STEP_MIN * total) continue;
+        const double mean = section_distance(nodes, before, position + (ptrdiff_t)j * nodes, &max);
+        if (max < merge || mean <= STEP_MIN * total) continue;
         step[kept - 1] = mean;
         keep[kept++] = j;
     }

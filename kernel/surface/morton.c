@@ -15,7 +15,7 @@ typedef struct sorter {
     int count, chunks, digits;
     const wcut_vec3 *point;
     wcut_vec3 low[CHUNKS], high[CHUNKS];
-    int most[3];               /* the last cell along each axis */
+    int max[3];                /* the last cell along each axis */
     double by[3];              /* from half a coordinate's difference to cells */
     uint64_t code[3][BUCKETS]; /* the bits of a cell's number, where they stand in the code */
     int (*start)[BUCKETS];     /* chunks: where a chunk's next item of a bucket goes */
@@ -56,9 +56,9 @@ static void plan_cells(sorter *s) {
         bits[c]++, cell[c] /= 2;
     }
     for (int c = 0; c < 3; c++) {
-        s->most[c] = (1 << bits[c]) - 1;
-        s->by[c] = wide[c] > 1e-290 ? (s->most[c] + 1) / wide[c] : 0;
-        for (int k = 0; k <= s->most[c]; k++) {
+        s->max[c] = (1 << bits[c]) - 1;
+        s->by[c] = wide[c] > 1e-290 ? (s->max[c] + 1) / wide[c] : 0;
+        for (int k = 0; k <= s->max[c]; k++) {
             s->code[c][k] = 0;
             for (int b = 0, bit = 0; b < all; b++)
                 if (axis[b] == c) s->code[c][k] |= (uint64_t)(k >> bit++ & 1) << (b + WCUT_MORTON_INDEX);
@@ -68,7 +68,7 @@ static void plan_cells(sorter *s) {
 
 static inline uint64_t code_along(const sorter *s, int axis, double x, double low) {
     const int cell = (int)((x / 2 - low / 2) * s->by[axis]); /* not negative: low is the lowest of all */
-    return s->code[axis][cell < s->most[axis] ? cell : s->most[axis]];
+    return s->code[axis][cell < s->max[axis] ? cell : s->max[axis]];
 }
 
 static void code_points(sorter *s, int chunk) {

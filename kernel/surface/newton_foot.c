@@ -10,7 +10,7 @@
 
 enum {
     ORDER = WCUT_SPAN_ORDER,
-    MOST = WCUT_NEWTON_FOOT_BATCH,
+    MAX = WCUT_NEWTON_FOOT_BATCH,
     WALK = 64,
     JUMP = 16,
     ROUNDS = 3,
@@ -49,8 +49,8 @@ wcut_span_place wcut_span_place_at(const wcut_newton_foot *q, double u, double v
 
 /* by how many spans to go */
 static inline int spans_away(float x) {
-    const float most = JUMP, y = x > -most ? x < most ? x : most : -most;
-    return (int)(y + (most + 0.5F)) - JUMP;
+    const float max = JUMP, y = x > -max ? x < max ? x : max : -max;
+    return (int)(y + (max + 0.5F)) - JUMP;
 }
 
 static inline int within(int k, int count) { return k < 0 ? 0 : k < count ? k : count - 1; }
@@ -136,9 +136,9 @@ WCUT_INLINE jet jet_moved(jet f, double ds, double dt) {
 
 /* queries side by side */
 typedef struct lanes {
-    double px[MOST], py[MOST], pz[MOST], s[MOST], t[MOST]; /* parameters are moved */
-    double x[MOST], y[MOST], z[MOST], distance[MOST], height[MOST], end[MOST];
-    int index[MOST];
+    double px[MAX], py[MAX], pz[MAX], s[MAX], t[MAX]; /* parameters are moved */
+    double x[MAX], y[MAX], z[MAX], distance[MAX], height[MAX], end[MAX];
+    int index[MAX];
 } lanes;
 
 /* A round for lanes first .. end. A second step e2 after e1 leaves e2^2 / e1; what third derivatives change along e1 is

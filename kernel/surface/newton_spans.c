@@ -8,7 +8,7 @@
 #include "surface/basis.h"
 #include "surface/newton_foot.h"
 
-enum { CUBIC = WCUT_CUBIC, ORDER = WCUT_SPAN_ORDER, SPANS_MOST = 200000 };
+enum { CUBIC = WCUT_CUBIC, ORDER = WCUT_SPAN_ORDER, SPANS_MAX = 200000 };
 
 /* [of the size] feet are this exact */
 static const double EXACT = 1e-13;
@@ -109,9 +109,9 @@ static void bound_span(wcut_span *of, double wide, double high, wcut_span_bounds
                       larger(bound(size, 1, 2, false), bound(size, 0, 3, false)));
     const wcut_vec3 su = vec3_scale(1 / wide, of->power[0][1]), sv = vec3_scale(1 / high, of->power[1][0]);
     const double uu = vec3_dot(su, su), uv = vec3_dot(su, sv), vv = vec3_dot(sv, sv);
-    const double least = (uu + vv) / 2 - sqrt((uu - vv) * (uu - vv) / 4 + uv * uv);
+    const double min = (uu + vv) / 2 - sqrt((uu - vv) * (uu - vv) / 4 + uv * uv);
     const double off_u = off_s / wide, off_v = off_t / high;
-    b->sigma = sqrt(larger(least, 0)) - sqrt(off_u * off_u + off_v * off_v);
+    b->sigma = sqrt(larger(min, 0)) - sqrt(off_u * off_u + off_v * off_v);
     b->bend = larger(bound(size, 2, 0, false) / (wide * wide), bound(size, 0, 2, false) / (high * high)) +
               bound(size, 1, 1, false) / (wide * high);
 }
@@ -188,7 +188,7 @@ wcut_status wcut_newton_foot_create(const wcut_surface *surface, double size, wc
     q->tolerance = EXACT * size;
     wcut_status status = q->u && q->v ? WCUT_OK : WCUT_NO_MEMORY;
     const size_t count = (size_t)q->columns * (size_t)q->rows;
-    const bool fits = count > 0 && count <= SPANS_MOST;
+    const bool fits = count > 0 && count <= SPANS_MAX;
     if (status == WCUT_OK && fits) {
         wcut_span_bounds *bounds = wcut_alloc(count, sizeof *bounds);
         q->span = wcut_alloc(count, sizeof *q->span);

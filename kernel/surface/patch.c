@@ -65,7 +65,7 @@ double wcut_patch_distance(const wcut_patch *patch, wcut_vec3 p, double enough, 
         return sqrt(square_at(patch, q, inner_s, inner_t)) - patch->thickness;
     }
     /* a convex function's minimum over a rectangle lies on an edge that its free minimum is beyond */
-    double least = INFINITY;
+    double min = INFINITY;
     for (int edge = 0; edge < 4; edge++) {
         const double bound = edge % 2 ? 0.5 : -0.5;
         const bool of_s = edge < 2;
@@ -73,20 +73,20 @@ double wcut_patch_distance(const wcut_patch *patch, wcut_vec3 p, double enough, 
         const double edge_s = of_s ? bound : along(qa - bound * ab, aa),
                      edge_t = of_s ? along(qb - bound * ab, bb) : bound;
         const double square = square_at(patch, q, edge_s, edge_t);
-        if (square < least) least = square, *s = edge_s, *t = edge_t;
+        if (square < min) min = square, *s = edge_s, *t = edge_t;
     }
-    return sqrt(least) - patch->thickness;
+    return sqrt(min) - patch->thickness;
 }
 
 /* the least of g s + h s^2 / 2 for |s| <= 1/2 */
-static double least_quadratic(double g, double h) {
+static double min_quadratic(double g, double h) {
     return h > 0 && fabs(g) < h / 2 ? -g * g / (2 * h) : h / 8 - fabs(g) / 2;
 }
 
 /* With f = |S - p|^2 / 2 the gradient is (S - p) . S_i and the Hessian S_i . S_j + (S - p) . S_ij. Both are known in
    the middle; elsewhere S_i is off by half the bends at most, S_ij by half the turns and S by the radius. */
-bool wcut_patch_is_convex(const wcut_patch *q, wcut_vec3 p, double *least) {
-    *least = 0;
+bool wcut_patch_is_convex(const wcut_patch *q, wcut_vec3 p, double *min) {
+    *min = 0;
     if (!isfinite(q->turn_uuu + q->turn_uuv + q->turn_uvv + q->turn_vvv)) return false;
     const wcut_vec3 r = vec3_sub(q->centre, p);
     const double reach = vec3_length(r), long_u = vec3_length(q->side_u), long_v = vec3_length(q->side_v);
@@ -101,9 +101,9 @@ bool wcut_patch_is_convex(const wcut_patch *q, wcut_vec3 p, double *least) {
     const double vv = long_v * long_v + vec3_dot(r, q->bow_vv) - off_vv;
     const double uv = fabs(vec3_dot(q->side_u, q->side_v) + vec3_dot(r, q->bow_uv)) + off_uv;
     if (uu > 0 && vv > 0 && uu * vv > uv * uv) return true;
-    const double low = reach * reach / 2 + least_quadratic(vec3_dot(r, q->side_u), uu) +
-                       least_quadratic(vec3_dot(r, q->side_v), vv) - uv / 4;
-    if (low > 0) *least = sqrt(2 * low);
+    const double low = reach * reach / 2 + min_quadratic(vec3_dot(r, q->side_u), uu) +
+                       min_quadratic(vec3_dot(r, q->side_v), vv) - uv / 4;
+    if (low > 0) *min = sqrt(2 * low);
     return false;
 }
 

@@ -27,7 +27,7 @@ wcut_patch wcut_patch_ball(double u0, double u1, double v0, double v1, wcut_vec3
 double wcut_patch_distance(const wcut_patch *patch, wcut_vec3 p, double enough, double *s, double *t);
 
 /* is |S - p|^2 convex over the piece? `true` is proven, `false` says nothing; *least: no point is closer to p */
-bool wcut_patch_is_convex(const wcut_patch *patch, wcut_vec3 p, double *least);
+bool wcut_patch_is_convex(const wcut_patch *patch, wcut_vec3 p, double *min);
 
 /* two halves across the longer side */
 void wcut_patch_halve(const wcut_surface *surface, const wcut_patch *patch, wcut_patch half[2]);

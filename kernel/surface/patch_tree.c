@@ -80,15 +80,15 @@ static void differentiate_v(const wcut_surface *s, int order, block *k) {
 
 /* the largest lengths and weights in a block */
 static void measure_block(const block *k, double *length, double *weight) {
-    double most = 0;
+    double max = 0;
     *weight = 0;
     for (int j = 0; j < k->rows; j++)
         for (int i = 0; i < k->columns; i++) {
             const wcut_homogeneous *h = &k->at[j][i];
-            most = fmax(most, h->x * h->x + h->y * h->y + h->z * h->z);
+            max = fmax(max, h->x * h->x + h->y * h->y + h->z * h->z);
             *weight = fmax(*weight, fabs(h->w));
         }
-    *length = sqrt(most) * ROUNDED;
+    *length = sqrt(max) * ROUNDED;
 }
 
 /* the smallest weight, and the largest distance from the block's origin */
@@ -106,10 +106,10 @@ static void enclose(const block *k, double *weight_min, double *radius) {
 static void bound_derivatives(const builder *b, const int range[4], wcut_vec3 c, int order,
                               double bound[ORDERS][ORDERS]) {
     static const double binomial[ORDERS][ORDERS] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
-    double weight[ORDERS][ORDERS], least = 1;
+    double weight[ORDERS][ORDERS], min = 1;
     block across, along;
     take_block(b, range, c, &across);
-    enclose(&across, &least, &bound[0][0]);
+    enclose(&across, &min, &bound[0][0]);
     for (int l = 0; l <= order; l++) {
         if (l > 0) differentiate_v(b->surface, l, &across);
         along = across;
@@ -125,7 +125,7 @@ static void bound_derivatives(const builder *b, const int range[4], wcut_vec3 c,
             for (int i = 0; i <= k; i++)
                 for (int j = i == 0; j <= l; j++)
                     bound[k][l] += binomial[k][i] * binomial[l][j] * weight[i][j] * bound[k - i][l - j];
-            bound[k][l] /= least;
+            bound[k][l] /= min;
         }
 }
 

@@ -87,9 +87,9 @@ static void bound_derivatives(const wcut_surface *s, nets *n) {
 }
 
 static double largest(int count, const double *value) {
-    double most = 0;
-    for (int i = 0; i < count; i++) raise(&most, value[i]);
-    return most;
+    double max = 0;
+    for (int i = 0; i < count; i++) raise(&max, value[i]);
+    return max;
 }
 
 /* the h^2 terms of one direction, in place of the densities: every non-empty knot span a piece */
@@ -153,9 +153,9 @@ wcut_status wcut_spacing_estimate(const wcut_surface *s, double chord_tolerance,
         status = estimate_axis(s->degree_v, s->count_v, s->knots_v, n.pure_v, n.mixed_v, 1 / rho, &v);
     if (status == WCUT_OK) {
         /* a direction that needs no more than one cell leaves the rest of the tolerance to the other */
-        const double least_u = whole_error(&u), least_v = whole_error(&v), half = chord_tolerance / 2;
-        densities_from_terms(&u, least_v < half ? chord_tolerance - least_v : half);
-        densities_from_terms(&v, least_u < half ? chord_tolerance - least_u : half);
+        const double min_u = whole_error(&u), min_v = whole_error(&v), half = chord_tolerance / 2;
+        densities_from_terms(&u, min_v < half ? chord_tolerance - min_v : half);
+        densities_from_terms(&v, min_u < half ? chord_tolerance - min_u : half);
         *along_u = u, *along_v = v;
     } else {
         wcut_spacing_clear(&u);
@@ -181,13 +181,13 @@ static int next_crease(const wcut_spacing *s, int from) {
 /* cells between two creases: a whole number, at least one; rounding must not add another */
 static double cells_for(double lines) { return lines <= 1 ? 1 : ceil(lines * (1 - 1e-12)); }
 
-wcut_status wcut_spacing_lines(const wcut_spacing *s, int most, wcut_spacing *lines) {
+wcut_status wcut_spacing_lines(const wcut_spacing *s, int max, wcut_spacing *lines) {
     double total = 0;
     for (int from = 0, to; from < s->pieces; from = to) {
         to = next_crease(s, from);
         total += cells_for(lines_between(s, from, to));
     }
-    if (!(total < most)) return WCUT_NOT_CONVERGED;
+    if (!(total < max)) return WCUT_NOT_CONVERGED;
     wcut_spacing result;
     const wcut_status status = spacing_new((int)total, &result);
     if (status != WCUT_OK) return status;

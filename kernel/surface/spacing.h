@@ -20,8 +20,8 @@ wcut_status wcut_spacing_estimate(const wcut_surface *surface, double chord_tole
                                   wcut_spacing *along_v);
 
 /* grid lines of a spacing, itself a spacing whose breaks are the lines, each a piece of one cell.
-   WCUT_NOT_CONVERGED (more than `most` lines), WCUT_NO_MEMORY: nothing was written. */
-wcut_status wcut_spacing_lines(const wcut_spacing *spacing, int most, wcut_spacing *lines);
+   WCUT_NOT_CONVERGED (more than `max` lines), WCUT_NO_MEMORY: nothing was written. */
+wcut_status wcut_spacing_lines(const wcut_spacing *spacing, int max, wcut_spacing *lines);
 
 /* free what the two above gave; a zeroed spacing is allowed */
 void wcut_spacing_clear(wcut_spacing *spacing);

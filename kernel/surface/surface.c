@@ -157,8 +157,8 @@ wcut_status wcut_surface_eval(const wcut_surface *surface, double u, double v, i
         }
         return WCUT_OK;
     }
-    enum { MOST = (WCUT_ORDER_MAX + 1) * (WCUT_ORDER_MAX + 1) };
-    wcut_homogeneous sum[MOST] = {{0}};
+    enum { MAX = (WCUT_ORDER_MAX + 1) * (WCUT_ORDER_MAX + 1) };
+    wcut_homogeneous sum[MAX] = {{0}};
     sum_derivatives(surface, u, v, order + 1, sum);
     wcut_rational_surface(order, surface->weights != NULL, sum, ders);
     return WCUT_OK;

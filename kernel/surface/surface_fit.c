@@ -56,7 +56,7 @@ static wcut_status measure(const wcut_surface *s, const wcut_surface *loft, int 
     double *at = wcut_alloc((size_t)wide, sizeof *at);
     wcut_vec3 *a = wcut_alloc((size_t)wide, sizeof *a), *b = wcut_alloc((size_t)wide, sizeof *b);
     wcut_status status = at && a && b ? WCUT_OK : WCUT_NO_MEMORY;
-    double most = 0, most_between = 0;
+    double max = 0, max_between = 0;
     for (int i = 0; i < wide && status == WCUT_OK; i++) at[i] = i % 2 ? (u[i / 2] + u[i / 2 + 1]) / 2 : u[i / 2];
     for (int j = 0; j < 2 * kept - 1 && status == WCUT_OK; j++) {
         const double here = j % 2 ? (v[j / 2] + v[j / 2 + 1]) / 2 : v[j / 2];
@@ -64,16 +64,16 @@ static wcut_status measure(const wcut_surface *s, const wcut_surface *loft, int 
         if (status == WCUT_OK) status = wcut_surface_eval_grid(loft, wide, at, 1, &here, b);
         for (int i = 0; i < wide && status == WCUT_OK; i++) {
             if (i % 2 == 0 && j % 2 == 0) {
-                most = fmax(most, vec3_distance(a[i], point[(ptrdiff_t)(j / 2) * nodes + i / 2]));
+                max = fmax(max, vec3_distance(a[i], point[(ptrdiff_t)(j / 2) * nodes + i / 2]));
             } else {
-                most_between = fmax(most_between, vec3_distance(a[i], b[i]));
+                max_between = fmax(max_between, vec3_distance(a[i], b[i]));
             }
         }
     }
     wcut_free(b);
     wcut_free(a);
     wcut_free(at);
-    if (status == WCUT_OK) *at_nodes = most, *between = most_between;
+    if (status == WCUT_OK) *at_nodes = max, *between = max_between;
     return status;
 }
 
@@ -88,8 +88,8 @@ static wcut_status fit_until_held(const wcut_surface *loft, int nodes, const dou
         wcut_status status = fit_grid(nodes, u, kept, v, point, share, &s);
         if (status != WCUT_OK) return status;
         status = measure(s, loft, nodes, u, kept, v, point, &at_nodes, &between);
-        const double most = fmax(at_nodes, between);
-        if (status == WCUT_OK && most <= tolerance) {
+        const double max = fmax(at_nodes, between);
+        if (status == WCUT_OK && max <= tolerance) {
             report->node_error = at_nodes, report->between_error = between;
             *surface = s;
             return WCUT_OK;
@@ -97,7 +97,7 @@ static wcut_status fit_until_held(const wcut_surface *loft, int nodes, const dou
         wcut_surface_destroy(s);
         if (status != WCUT_OK) return status;
         /* a tolerance that rounding alone exceeds leaves the loft itself: with nothing to miss all is interpolated */
-        share = round < ROUNDS_MAX ? share * clamp(0.9 * tolerance / most, 0.1, 0.8) : 0;
+        share = round < ROUNDS_MAX ? share * clamp(0.9 * tolerance / max, 0.1, 0.8) : 0;
         if (round > ROUNDS_MAX) return WCUT_NOT_CONVERGED;
     }
 }

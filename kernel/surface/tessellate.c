@@ -38,7 +38,7 @@ static wcut_status lay_lines(wcut_spacing *spacing) {
 }
 
 /* grid lines that hold the tolerance; *most: the distance measured */
-static wcut_status find_lines(const wcut_surface *s, double tolerance, wcut_spacing *u, wcut_spacing *v, double *most) {
+static wcut_status find_lines(const wcut_surface *s, double tolerance, wcut_spacing *u, wcut_spacing *v, double *max) {
     const double held = SAMPLED_SHARE * tolerance;
     wcut_status status = wcut_spacing_estimate(s, tolerance, u, v);
     for (int round = 0; status == WCUT_OK; round++) {
@@ -49,8 +49,8 @@ static wcut_status find_lines(const wcut_surface *s, double tolerance, wcut_spac
         if (u->pieces + 1 > VERTEX_MAX / (v->pieces + 1)) return WCUT_NOT_CONVERGED;
         double *error = wcut_alloc((size_t)u->pieces + v->pieces, sizeof *error);
         if (!error) return WCUT_NO_MEMORY;
-        status = wcut_chord_error(s, u, v, held, error, error + u->pieces, most);
-        const bool done = status == WCUT_OK && *most <= held;
+        status = wcut_chord_error(s, u, v, held, error, error + u->pieces, max);
+        const bool done = status == WCUT_OK && *max <= held;
         if (status == WCUT_OK && !done) {
             refine(u, error, held);
             refine(v, error + u->pieces, held);
@@ -63,14 +63,14 @@ static wcut_status find_lines(const wcut_surface *s, double tolerance, wcut_spac
 
 /* points, parameters and S_u x S_v of every vertex; *most: the largest |S_u x S_v| */
 static wcut_status fill_vertices(const wcut_surface *s, const wcut_spacing *lines_u, const wcut_spacing *lines_v,
-                                 wcut_mesh *mesh, double *most) {
+                                 wcut_mesh *mesh, double *max) {
     const int columns = lines_u->pieces + 1, rows = lines_v->pieces + 1;
     wcut_axis u = {.count = 0}, v = {.count = 0};
     wcut_status status = wcut_axis_fill(s->degree_u, s->count_u, s->knots_u, columns, lines_u->at, 1, &u);
     if (status == WCUT_OK) status = wcut_axis_fill(s->degree_v, s->count_v, s->knots_v, rows, lines_v->at, 1, &v);
     wcut_homogeneous *fold = wcut_alloc((size_t)s->count_u, 2 * sizeof *fold);
     if (!fold) status = WCUT_NO_MEMORY;
-    *most = 0;
+    *max = 0;
     for (int j = 0; status == WCUT_OK && j < rows; j++) {
         wcut_grid_fold(s, &v, j, 0, fold);
         wcut_grid_fold(s, &v, j, 1, fold + s->count_u);
@@ -83,7 +83,7 @@ static wcut_status fill_vertices(const wcut_surface *s, const wcut_spacing *line
             mesh->vertex[at] = ders[0];
             mesh->normal[at] = vec3_cross(ders[2], ders[1]);
             mesh->uv[2 * at] = lines_u->at[i], mesh->uv[2 * at + 1] = lines_v->at[j];
-            *most = fmax(*most, vec3_length(mesh->normal[at]));
+            *max = fmax(*max, vec3_length(mesh->normal[at]));
         }
     }
     wcut_free(fold);
@@ -121,12 +121,12 @@ static wcut_vec3 sum_around(int columns, int rows, const wcut_vec3 *normal, int 
 
 /* Make normals unit. Where the area element vanishes the neighbours' mean stands in, from the border of such a patch
    inwards: forth and back over the grid until nothing changes. False where no vertex has a normal. */
-static bool complete_normals(int columns, int rows, double most, wcut_vec3 *normal) {
+static bool complete_normals(int columns, int rows, double max, wcut_vec3 *normal) {
     const int count = columns * rows;
     int missing = 0;
     for (int k = 0; k < count; k++) {
         const double length = vec3_length(normal[k]);
-        const bool has = length > AREA_MIN * most;
+        const bool has = length > AREA_MIN * max;
         normal[k] = has ? vec3_scale(1 / length, normal[k]) : vec3(0, 0, 0);
         missing += !has;
     }
@@ -149,8 +149,8 @@ wcut_status wcut_surface_tessellate(const wcut_surface *surface, double chord_to
     if (!surface || !mesh || !is_positive(chord_tolerance)) return WCUT_BAD_ARGUMENT;
     wcut_spacing u = {.pieces = 0}, v = {.pieces = 0};
     wcut_mesh *m = NULL;
-    double most = 0, area;
-    wcut_status status = find_lines(surface, chord_tolerance, &u, &v, &most);
+    double max = 0, area;
+    wcut_status status = find_lines(surface, chord_tolerance, &u, &v, &max);
     if (status != WCUT_OK) goto done;
     const int columns = u.pieces + 1, rows = v.pieces + 1;
     status = wcut_mesh_create(columns * rows, 2 * u.pieces * v.pieces, WCUT_MESH_NORMAL | WCUT_MESH_UV, &m);
@@ -161,7 +161,7 @@ wcut_status wcut_surface_tessellate(const wcut_surface *surface, double chord_to
         status = WCUT_DEGENERATE;
         goto done;
     }
-    if (report) *report = (wcut_tessellation_report){.chord_error = most, .rows = rows, .columns = columns};
+    if (report) *report = (wcut_tessellation_report){.chord_error = max, .rows = rows, .columns = columns};
     *mesh = m;
     m = NULL;
 

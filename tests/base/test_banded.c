@@ -5,10 +5,10 @@
 #include "base/random.h"
 #include "test.h"
 
-enum { MOST = 60 };
+enum { MAX = 60 };
 
-static double entry[MOST * MOST], dense[MOST][MOST], b[MOST], x[MOST];
-static int pivot[MOST];
+static double entry[MAX * MAX], dense[MAX][MAX], b[MAX], x[MAX];
+static int pivot[MAX];
 
 static wcut_banded given_a_band(int n, int kl, int ku) {
     wcut_banded m = {.n = n, .kl = kl, .ku = ku, .width = 2 * kl + ku + 1, .entry = entry, .pivot = pivot};
@@ -59,7 +59,7 @@ TEST(random_bands_of_every_width_are_solved_to_rounding) {
     wcut_random random = wcut_random_seed(7);
     for (int kl = 0; kl <= 6; kl++)
         for (int ku = 0; ku <= 6; ku++)
-            for (int n = 1; n <= MOST / 2; n += 7) {
+            for (int n = 1; n <= MAX / 2; n += 7) {
                 wcut_banded m = given_a_random_band(&random, n, kl, ku);
                 /* a strong diagonal keeps the condition number small; pivoting is the next test's */
                 for (int i = 0; i < n; i++) *banded_at(&m, i, i) += 8, dense[i][i] += 8;
@@ -82,13 +82,13 @@ TEST(a_permutation_is_solved_exactly_though_its_diagonal_is_zero) {
 
 TEST(a_tiny_diagonal_does_not_spoil_the_answer) {
     wcut_random random = wcut_random_seed(11);
-    wcut_banded m = given_a_random_band(&random, MOST / 2, 3, 2);
-    for (int i = 0; i < MOST / 2; i++) *banded_at(&m, i, i) = dense[i][i] = 1e-18;
-    for (int i = 0; i < MOST / 2; i++) x[i] = b[i] = wcut_random_uniform(&random) - 0.5;
+    wcut_banded m = given_a_random_band(&random, MAX / 2, 3, 2);
+    for (int i = 0; i < MAX / 2; i++) *banded_at(&m, i, i) = dense[i][i] = 1e-18;
+    for (int i = 0; i < MAX / 2; i++) x[i] = b[i] = wcut_random_uniform(&random) - 0.5;
     ck_assert(wcut_banded_factor(&m));
     wcut_banded_solve(&m, x);
     /* without interchanges the factors grow to 1e18 and no digit is left */
-    ck_assert_double_lt(residual_of(MOST / 2, x, b), 1e-11);
+    ck_assert_double_lt(residual_of(MAX / 2, x, b), 1e-11);
 }
 
 TEST(one_factorisation_serves_any_number_of_right_hand_sides) {

@@ -38,14 +38,14 @@ TEST(normal_deviates_fill_the_normal_quantiles_evenly) {
 
 TEST(uniform_numbers_stay_in_the_half_open_interval_and_fill_it) {
     wcut_random random = wcut_random_seed(3);
-    double sum = 0, least = 1, most = 0;
+    double sum = 0, min = 1, max = 0;
     for (int i = 0; i < 100000; i++) {
         double u = wcut_random_uniform(&random);
         sum += u;
-        least = fmin(least, u);
-        most = fmax(most, u);
+        min = fmin(min, u);
+        max = fmax(max, u);
     }
-    ck_assert(least >= 0 && least < 1e-3 && most < 1 && most > 0.999);
+    ck_assert(min >= 0 && min < 1e-3 && max < 1 && max > 0.999);
     ck_assert_double_eq_tol(sum / 100000, 0.5, 0.004);
 }
 

@@ -468,8 +468,8 @@ TEST(names_are_found_and_unknown_ones_are_not) {
             for (const wcut_effect_parameter *p = wcut_effect_parameters(&e); p->key; p++) {
                 ck_assert_int_ge(p->at, used);
                 used = p->at + p->size;
-                ck_assert(p->least <= p->low && p->low < p->high && p->high <= p->most);
-                ck_assert(p->initial >= p->least && p->initial <= p->most);
+                ck_assert(p->min <= p->low && p->low < p->high && p->high <= p->max);
+                ck_assert(p->initial >= p->min && p->initial <= p->max);
                 for (int c = 0; c < p->size; c++) ck_assert_double_eq(e.value[p->at + c], p->initial);
             }
             ck_assert_int_le(used, WCUT_EFFECT_VALUES);

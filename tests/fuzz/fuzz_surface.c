@@ -72,14 +72,14 @@ static void split(const wcut_surface *s, double at) {
 
 /* the largest distance at equal parameters, on a coarse grid */
 static double apart(const wcut_surface *a, const wcut_surface *b) {
-    double most = 0;
+    double max = 0;
     for (int k = 0; k < 81; k++) {
         wcut_vec3 p, q;
         demand(wcut_surface_eval(a, k % 9 / 8.0, k / 9 / 8.0, 0, &p) == WCUT_OK);
         demand(wcut_surface_eval(b, k % 9 / 8.0, k / 9 / 8.0, 0, &q) == WCUT_OK);
-        most = fmax(most, distance(p, q));
+        max = fmax(max, distance(p, q));
     }
-    return most;
+    return max;
 }
 
 /* a box holds every point of a coarse grid */

@@ -83,10 +83,10 @@ static void misplace(const double *x) {
 }
 
 static double furthest(void) {
-    double most = 0;
+    double max = 0;
     ck_assert_int_eq(wcut_registration_move(&found, FEW, scan, NULL), WCUT_OK);
-    for (int k = 0; k < FEW; k++) most = fmax(most, vec3_distance(scan[k], truth[k]));
-    return most;
+    for (int k = 0; k < FEW; k++) max = fmax(max, vec3_distance(scan[k], truth[k]));
+    return max;
 }
 
 TEST(a_scan_comes_back_onto_a_mesh_as_far_as_the_mesh_is_the_face) {
@@ -239,16 +239,16 @@ static wcut_reconstruction *reconstruct(int count) {
 }
 
 /* RMS of the vertices' heights over the exact face less the truth */
-static double error_of(const wcut_mesh *m, double *most) {
+static double error_of(const wcut_mesh *m, double *max) {
     wcut_projection *exact = given_projection(surface);
     wcut_foot *at = calloc((size_t)m->vertex_count, sizeof *at);
     double sum = 0;
     ck_assert_int_eq(wcut_projection_locate(exact, m->vertex_count, m->vertex, 1, at), WCUT_OK);
-    *most = 0;
+    *max = 0;
     for (int k = 0; k < m->vertex_count; k++) {
         const double e = at[k].height - deviation(400 * at[k].u, 600 * at[k].v);
         sum += e * e;
-        *most = fmax(*most, fabs(e));
+        *max = fmax(*max, fabs(e));
     }
     free(at);
     wcut_projection_destroy(exact);
@@ -256,13 +256,13 @@ static double error_of(const wcut_mesh *m, double *most) {
 }
 
 TEST(a_scan_is_reconstructed_beside_a_mesh_as_beside_its_surface) {
-    double most;
+    double max;
     given();
     given_plane(0);
     const int count = given_points(20, 0.05);
     wcut_reconstruction *made = reconstruct(count);
-    ck_assert_double_lt(error_of(made->mesh, &most), 0.015);
-    ck_assert_double_lt(most, 0.15);
+    ck_assert_double_lt(error_of(made->mesh, &max), 0.015);
+    ck_assert_double_lt(max, 0.15);
     ck_assert_double_lt(made->lost, 0.02); /* half a cell along its border */
     ck_assert_double_le(made->farthest, 1.5);
     /* what is not scanned is the mesh itself, not the plane */
@@ -354,11 +354,11 @@ static void given_square(int side) {
     }
 }
 
-/* points at a pitch of 0.1 mm where x is at most `most` */
-static int given_half(double most) {
+/* points at a pitch of 0.1 mm where x is at most `max` */
+static int given_half(double max) {
     int count = 0;
     for (int j = 0; j <= 100; j++)
-        for (int i = 0; i <= 10 * most; i++) scan[count++] = vec3(0.1 * i, 0.1 * j, 0.2);
+        for (int i = 0; i <= 10 * max; i++) scan[count++] = vec3(0.1 * i, 0.1 * j, 0.2);
     return count;
 }
 

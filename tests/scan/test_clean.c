@@ -3,10 +3,10 @@
 #include "sheets.h"
 #include "test.h"
 
-enum { ROWS = 60, COLUMNS = 50, SHEET = ROWS * COLUMNS, PLANTED = 40, MOST = SHEET + 3 * PLANTED };
+enum { ROWS = 60, COLUMNS = 50, SHEET = ROWS * COLUMNS, PLANTED = 40, MAX = SHEET + 3 * PLANTED };
 
-static wcut_vec3 point[MOST];
-static unsigned char removal[MOST];
+static wcut_vec3 point[MAX];
+static unsigned char removal[MAX];
 static wcut_clean_report report;
 
 static void outputs_as_before(void) {
@@ -15,7 +15,7 @@ static void outputs_as_before(void) {
 }
 
 static void untouched(void) {
-    for (int k = 0; k < MOST; k++) ck_assert_int_eq(removal[k], 99);
+    for (int k = 0; k < MAX; k++) ck_assert_int_eq(removal[k], 99);
     ck_assert_int_eq(report.removed[0], 0x63636363);
 }
 
@@ -62,18 +62,18 @@ static void plant(void) {
 
 TEST(planted_duplicates_and_outliers_are_found_and_nothing_else) {
     plant();
-    cleaned(MOST, NULL);
+    cleaned(MAX, NULL);
     all_are(0, SHEET, WCUT_REMOVAL_KEPT);
     all_are(SHEET, SHEET + PLANTED, WCUT_REMOVAL_DUPLICATE);
-    all_are(SHEET + PLANTED, MOST, WCUT_REMOVAL_OUTLIER);
+    all_are(SHEET + PLANTED, MAX, WCUT_REMOVAL_OUTLIER);
 }
 
 TEST(mean_and_deviation_are_blind_beside_far_outliers_median_and_mad_are_not) {
     plant();
     wcut_clean_options o = wcut_clean_options_default();
     o.robust = 0;
-    o.least = 0;
-    cleaned(MOST, &o);
+    o.factor_min = 0;
+    cleaned(MAX, &o);
     ck_assert_int_lt(report.removed[WCUT_REMOVAL_OUTLIER], 2 * PLANTED);
     /* on the sheet alone they are the textbook's: recompute them */
     given_saddle(SHEET, 0.2, 0.05, 7, point);
@@ -106,17 +106,17 @@ TEST(isolated_points_have_too_few_within_the_radius) {
     wcut_clean_options o = wcut_clean_options_default();
     o.neighbours = 0;
     o.radius = 3;
-    o.radius_least = 2; /* a corner has three within 3 mm, up a slope; a cluster of five its four others */
-    cleaned(MOST, &o);
+    o.radius_min = 2; /* a corner has three within 3 mm, up a slope; a cluster of five its four others */
+    cleaned(MAX, &o);
     all_are(0, SHEET, WCUT_REMOVAL_KEPT);
     all_are(SHEET, SHEET + PLANTED, WCUT_REMOVAL_DUPLICATE);
     all_are(SHEET + PLANTED, SHEET + 2 * PLANTED, WCUT_REMOVAL_ISOLATED);
-    all_are(SHEET + 2 * PLANTED, MOST, WCUT_REMOVAL_KEPT);
-    o.radius_least = 5;
+    all_are(SHEET + 2 * PLANTED, MAX, WCUT_REMOVAL_KEPT);
+    o.radius_min = 5;
     o.radius = 4.5;
-    cleaned(MOST, &o);
+    cleaned(MAX, &o);
     all_are(0, SHEET, WCUT_REMOVAL_KEPT);
-    all_are(SHEET + 2 * PLANTED, MOST, WCUT_REMOVAL_ISOLATED);
+    all_are(SHEET + 2 * PLANTED, MAX, WCUT_REMOVAL_ISOLATED);
     ck_assert(report.centre == 0 && report.scale == 0 && report.limit == 0);
 }
 
@@ -174,13 +174,13 @@ TEST(thinning_keeps_the_first_point_of_every_cube) {
 }
 
 TEST(thinning_in_pieces_is_thinning_at_once) {
-    static unsigned char once[MOST], keep[MOST];
+    static unsigned char once[MAX], keep[MAX];
     wcut_thinning *thinning = NULL;
-    given_saddle(MOST, 0.3, 5, 3, point);
-    for (int pieces = 1; pieces <= MOST; pieces = 7 * pieces) {
+    given_saddle(MAX, 0.3, 5, 3, point);
+    for (int pieces = 1; pieces <= MAX; pieces = 7 * pieces) {
         ck_assert_int_eq(wcut_thinning_create(20, &thinning), WCUT_OK);
-        for (int first = 0, end; first < MOST; first = end) {
-            end = first + MOST / pieces < MOST ? first + MOST / pieces : MOST;
+        for (int first = 0, end; first < MAX; first = end) {
+            end = first + MAX / pieces < MAX ? first + MAX / pieces : MAX;
             ck_assert_int_eq(wcut_thinning_add(thinning, end - first, point + first, keep + first), WCUT_OK);
         }
         if (pieces == 1) memcpy(once, keep, sizeof keep);
@@ -221,15 +221,15 @@ TEST(a_table_of_cubes_grows_as_it_must) {
 }
 
 TEST(two_threads_give_the_same_bytes) {
-    static unsigned char other[MOST];
+    static unsigned char other[MAX];
     wcut_clean_report second;
     plant();
     wcut_clean_options o = wcut_clean_options_default();
     o.radius = 4;
     o.voxel = 3;
     for (o.robust = 0; o.robust < 2; o.robust++) {
-        cleaned(MOST, &o);
-        ck_assert_int_eq(wcut_cloud_clean(MOST, point, &o, 2, other, &second), WCUT_OK);
+        cleaned(MAX, &o);
+        ck_assert_int_eq(wcut_cloud_clean(MAX, point, &o, 2, other, &second), WCUT_OK);
         ck_assert(memcmp(other, removal, sizeof other) == 0 && memcmp(&second, &report, sizeof report) == 0);
     }
 }
@@ -258,9 +258,9 @@ TEST(arguments_outside_their_range_are_refused_and_nothing_is_written) {
     const wcut_clean_options good = wcut_clean_options_default();
     wcut_clean_options bad[14];
     for (int k = 0; k < 14; k++) bad[k] = good;
-    bad[0].duplicate = NAN, bad[1].radius = -1, bad[2].radius = INFINITY, bad[3].radius_least = 0;
+    bad[0].duplicate = NAN, bad[1].radius = -1, bad[2].radius = INFINITY, bad[3].radius_min = 0;
     bad[4].neighbours = -1, bad[5].neighbours = 129, bad[6].deviations = -1, bad[7].deviations = NAN;
-    bad[8].least = -1, bad[9].least = INFINITY, bad[10].voxel = -1, bad[11].voxel = 1e-4, bad[12].voxel = NAN;
+    bad[8].factor_min = -1, bad[9].factor_min = INFINITY, bad[10].voxel = -1, bad[11].voxel = 1e-4, bad[12].voxel = NAN;
     bad[13].duplicate = INFINITY;
     for (int k = 0; k < 14; k++)
         ck_assert_int_eq(wcut_cloud_clean(100, point, &bad[k], 1, removal, &report), WCUT_BAD_ARGUMENT);
@@ -287,7 +287,7 @@ TEST(without_memory_nothing_is_written) {
     o.radius = 3;
     o.voxel = 3;
     outputs_as_before();
-    EACH_FAILED_ALLOCATION(wcut_cloud_clean(MOST, point, &o, 1, removal, &report), (untouched(), true));
+    EACH_FAILED_ALLOCATION(wcut_cloud_clean(MAX, point, &o, 1, removal, &report), (untouched(), true));
 }
 
 /* ---- units ---- */

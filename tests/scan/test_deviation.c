@@ -206,9 +206,9 @@ TEST(the_way_back_is_that_of_a_full_search) {
                         300 * wcut_random_uniform(&r));
     ck_assert_int_eq(wcut_cloud_locate(2000, point, 300, query, 2, distance), WCUT_OK);
     for (int k = 0; k < 300; k++) {
-        double least = INFINITY;
-        for (int i = 0; i < 2000; i++) least = fmin(least, vec3_distance(query[k], point[i]));
-        ck_assert_double_eq_tol(distance[k], least, 1e-12);
+        double min = INFINITY;
+        for (int i = 0; i < 2000; i++) min = fmin(min, vec3_distance(query[k], point[i]));
+        ck_assert_double_eq_tol(distance[k], min, 1e-12);
     }
     distance[0] = 999;
     ck_assert_int_eq(wcut_cloud_locate(0, point, 1, query, 1, distance), WCUT_BAD_ARGUMENT);

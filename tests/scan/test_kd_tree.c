@@ -9,9 +9,9 @@
 #include "scan/kd_tree.h"
 #include "test.h"
 
-enum { MOST = 700 };
+enum { MAX = 700 };
 
-static wcut_vec3 point[MOST];
+static wcut_vec3 point[MAX];
 static wcut_kd_tree tree;
 
 /* 0: a cube, 1: a sheet, 2: a line, 3: few places many times, 4: one place, 5: a sheet and a far outlier */
@@ -45,10 +45,10 @@ static void all_squares(int place, double *square) {
 
 TEST(every_point_is_in_the_tree_once) {
     for (int shape = 0; shape < 6; shape++) {
-        char seen[MOST] = "";
-        given_points(shape, MOST, 3);
-        ck_assert_int_eq(wcut_kd_tree_build(MOST, point, 1, &tree), WCUT_OK);
-        for (int k = 0; k < MOST; k++) {
+        char seen[MAX] = "";
+        given_points(shape, MAX, 3);
+        ck_assert_int_eq(wcut_kd_tree_build(MAX, point, 1, &tree), WCUT_OK);
+        for (int k = 0; k < MAX; k++) {
             ck_assert_int_eq(seen[tree.index[k]]++, 0);
             ck_assert(memcmp(&tree.point[k], &point[tree.index[k]], sizeof *point) == 0);
         }
@@ -57,8 +57,8 @@ TEST(every_point_is_in_the_tree_once) {
 }
 
 TEST(the_nearest_points_are_those_of_a_full_search) {
-    static double square[MOST];
-    const int counts[] = {1, 2, 3, 16, 17, 33, 100, MOST}, ks[] = {1, 2, 16, WCUT_KD_NEAREST_MOST};
+    static double square[MAX];
+    const int counts[] = {1, 2, 3, 16, 17, 33, 100, MAX}, ks[] = {1, 2, 16, WCUT_KD_NEAREST_MAX};
     for (int t = 0; t < 6 * 8 * 4; t++) {
         const int shape = t / 32, count = counts[t / 4 % 8], k = ks[t % 4];
         given_points(shape, count, (uint64_t)t);
@@ -81,17 +81,17 @@ TEST(the_nearest_points_are_those_of_a_full_search) {
 }
 
 TEST(points_within_a_radius_are_counted_its_border_among_them) {
-    static double square[MOST];
+    static double square[MAX];
     for (int shape = 0; shape < 6; shape++) {
-        given_points(shape, MOST, 5);
-        ck_assert_int_eq(wcut_kd_tree_build(MOST, point, 1, &tree), WCUT_OK);
-        for (int place = 0; place < MOST; place += 31) {
+        given_points(shape, MAX, 5);
+        ck_assert_int_eq(wcut_kd_tree_build(MAX, point, 1, &tree), WCUT_OK);
+        for (int place = 0; place < MAX; place += 31) {
             all_squares(place, square);
             const double radius[] = {1e-9, 0.1, 0.5, 1, 50, 1e10};
             for (int r = 0; r < 6; r++) {
                 int expected = 0;
-                while (expected < MOST - 1 && square[expected] <= radius[r] * radius[r]) expected++;
-                ck_assert_int_eq(wcut_kd_tree_within(&tree, place, radius[r], MOST), expected);
+                while (expected < MAX - 1 && square[expected] <= radius[r] * radius[r]) expected++;
+                ck_assert_int_eq(wcut_kd_tree_within(&tree, place, radius[r], MAX), expected);
                 ck_assert_int_eq(wcut_kd_tree_within(&tree, place, radius[r], 3), expected < 3 ? expected : 3);
             }
         }
@@ -101,16 +101,16 @@ TEST(points_within_a_radius_are_counted_its_border_among_them) {
 
 TEST(two_threads_build_the_same_tree) {
     wcut_kd_tree other;
-    given_points(1, MOST, 9);
-    ck_assert_int_eq(wcut_kd_tree_build(MOST, point, 1, &tree), WCUT_OK);
-    ck_assert_int_eq(wcut_kd_tree_build(MOST, point, 2, &other), WCUT_OK);
-    ck_assert(memcmp(tree.index, other.index, MOST * sizeof *tree.index) == 0 && tree.levels == other.levels);
+    given_points(1, MAX, 9);
+    ck_assert_int_eq(wcut_kd_tree_build(MAX, point, 1, &tree), WCUT_OK);
+    ck_assert_int_eq(wcut_kd_tree_build(MAX, point, 2, &other), WCUT_OK);
+    ck_assert(memcmp(tree.index, other.index, MAX * sizeof *tree.index) == 0 && tree.levels == other.levels);
     wcut_kd_tree_clear(&tree);
     wcut_kd_tree_clear(&other);
 }
 
 TEST(without_memory_there_is_no_tree) {
-    given_points(1, MOST, 9);
+    given_points(1, MAX, 9);
     wcut_kd_tree none = {.count = 999};
-    FIRST_FAILED_ALLOCATIONS(4, wcut_kd_tree_build(MOST, point, 1, &none), none.count == 999 && none.point == NULL);
+    FIRST_FAILED_ALLOCATIONS(4, wcut_kd_tree_build(MAX, point, 1, &none), none.count == 999 && none.point == NULL);
 }

@@ -54,15 +54,15 @@ static wcut_status reconstruct(int count, wcut_error *error) {
     return wcut_reconstruction_create(surface, count, scan, foot, &options, 1, &made, error);
 }
 
-/* RMS of the deviation of the vertices less the truth; the largest in `most` */
-static double error_of(double (*truth)(double, double), double *most) {
+/* RMS of the deviation of the vertices less the truth; the largest in `max` */
+static double error_of(double (*truth)(double, double), double *max) {
     const wcut_mesh *m = made->mesh;
     double sum = 0;
-    *most = 0;
+    *max = 0;
     for (int k = 0; k < m->vertex_count; k++) {
         const double e = m->scalar[k] - truth(400 * m->uv[2 * k], 600 * m->uv[2 * k + 1]);
         sum += e * e;
-        *most = fmax(*most, fabs(e));
+        *max = fmax(*max, fabs(e));
     }
     return sqrt(sum / m->vertex_count);
 }
@@ -77,12 +77,12 @@ static double mesh_area(const wcut_mesh *m, const wcut_vec3 *vertex) {
 }
 
 TEST(a_known_deviation_comes_back) {
-    double most;
+    double max;
     given(wavy_height);
     const int count = given_points(N, 0, 0, deviation);
     ck_assert_int_eq(reconstruct(count, NULL), WCUT_OK);
-    ck_assert_double_lt(error_of(deviation, &most), 0.002);
-    ck_assert_double_lt(most, 0.02);
+    ck_assert_double_lt(error_of(deviation, &max), 0.002);
+    ck_assert_double_lt(max, 0.02);
     ck_assert(made->used + made->beyond == count);
     ck_assert_double_eq_tol(made->point_spacing, sqrt(WIDE * LONG / N), 0.05 * made->point_spacing);
     ck_assert_double_lt(made->lost, 0.01);
@@ -90,11 +90,11 @@ TEST(a_known_deviation_comes_back) {
 }
 
 TEST(noise_is_smoothed_and_told) {
-    double most;
+    double max;
     given(wavy_height);
     const int count = given_points(N, 0, 0.1, deviation);
     ck_assert_int_eq(reconstruct(count, NULL), WCUT_OK);
-    ck_assert_double_lt(error_of(deviation, &most), 0.1 / 6);
+    ck_assert_double_lt(error_of(deviation, &max), 0.1 / 6);
     ck_assert_double_eq_tol(made->rms, 0.1, 0.004);
     end();
 }
@@ -102,14 +102,14 @@ TEST(noise_is_smoothed_and_told) {
 static double slope(double x, double y) { return 3 + 0.02 * x - 0.01 * y; }
 
 TEST(a_plane_does_not_bend_not_even_at_its_border) {
-    double most;
+    double max;
     given(flat_height);
     const int count = given_points(20000, 20, 0, slope);
     options.smoothing = 6;
     options.spacing = 2;
     ck_assert_int_eq(reconstruct(count, NULL), WCUT_OK);
-    error_of(slope, &most);
-    ck_assert_double_lt(most, 1e-4);
+    error_of(slope, &max);
+    ck_assert_double_lt(max, 1e-4);
     ck_assert_double_lt(made->rms, 1e-5);
     end();
 }
@@ -120,11 +120,11 @@ TEST(no_vertex_is_further_from_the_scan_than_the_support) {
     const int count = given_points(4000, 15, 0.05, deviation);
     ck_assert_int_eq(reconstruct(count, NULL), WCUT_OK);
     ck_assert_int_eq(wcut_kd_tree_build(count, scan, 1, &tree), WCUT_OK);
-    double most = 0;
+    double max = 0;
     for (int k = 0; k < made->mesh->vertex_count; k++)
-        most = fmax(most, wcut_kd_tree_distance(&tree, made->mesh->vertex[k], 100));
-    ck_assert_double_le(most, 1.5);
-    ck_assert_double_eq_tol(most, made->farthest, 1e-12);
+        max = fmax(max, wcut_kd_tree_distance(&tree, made->mesh->vertex[k], 100));
+    ck_assert_double_le(max, 1.5);
+    ck_assert_double_eq_tol(max, made->farthest, 1e-12);
     wcut_kd_tree_clear(&tree);
     end();
 }
@@ -137,10 +137,10 @@ TEST(distance_to_a_cloud_is_that_of_brute_force) {
     wcut_random r = wcut_random_seed(4);
     for (int trial = 0; trial < 300; trial++) {
         const wcut_vec3 p = {WIDE * wcut_random_uniform(&r), LONG * wcut_random_uniform(&r), 170};
-        double least = INFINITY;
-        for (int k = 0; k < count; k++) least = fmin(least, vec3_distance(scan[k], p));
-        ck_assert_double_eq_tol(wcut_kd_tree_distance(&tree, p, 1000), least, 1e-12);
-        ck_assert_double_eq_tol(wcut_kd_tree_distance(&tree, p, 0.5 * least), 0.5 * least, 1e-12);
+        double min = INFINITY;
+        for (int k = 0; k < count; k++) min = fmin(min, vec3_distance(scan[k], p));
+        ck_assert_double_eq_tol(wcut_kd_tree_distance(&tree, p, 1000), min, 1e-12);
+        ck_assert_double_eq_tol(wcut_kd_tree_distance(&tree, p, 0.5 * min), 0.5 * min, 1e-12);
     }
     wcut_kd_tree_clear(&tree);
     end();
@@ -222,9 +222,9 @@ TEST(points_beyond_the_border_are_left_out) {
     ck_assert_int_eq(reconstruct(count, NULL), WCUT_OK);
     ck_assert_int_eq(made->beyond, 100);
     ck_assert_int_eq(made->used, count - 100);
-    double most;
-    error_of(slope, &most);
-    ck_assert_double_lt(most, 1e-4);
+    double max;
+    error_of(slope, &max);
+    ck_assert_double_lt(max, 1e-4);
     end();
 }
 
@@ -279,7 +279,7 @@ TEST(bad_arguments_are_refused) {
         if (k == 3) options.spacing = -1;
         if (k == 4) options.smoothing = INFINITY;
         if (k == 5) options.block = vec3(400, 0, 300);
-        if (k == 6) options.hole_least = -1;
+        if (k == 6) options.hole_min = -1;
         if (k == 7) options.spacing = 0.1; /* 24 million vertices */
         assert_refused(WCUT_BAD_ARGUMENT, 1500);
     }

@@ -39,11 +39,11 @@ static wcut_motion misplace(int count, const wcut_vec3 *from, const double *x, w
 /* the furthest that a registration leaves a point from where it belongs */
 static double furthest(int count, const wcut_vec3 *from, const wcut_vec3 *to) {
     static wcut_vec3 moved[N];
-    double most = 0;
+    double max = 0;
     memcpy(moved, from, (size_t)count * sizeof *moved);
     ck_assert_int_eq(wcut_registration_move(&found, count, moved, NULL), WCUT_OK);
-    for (int i = 0; i < count; i++) most = fmax(most, vec3_distance(moved[i], to[i]));
-    return most;
+    for (int i = 0; i < count; i++) max = fmax(max, vec3_distance(moved[i], to[i]));
+    return max;
 }
 
 /* about the middle of the block, all free */
@@ -315,7 +315,7 @@ TEST(options_outside_their_ranges_are_refused) {
         if (k == 5) options.noise = -1;
         if (k == 6) options.keep = 0.4;
         if (k == 7) options.keep = 1.1;
-        if (k == 8) options.most = 99;
+        if (k == 8) options.max_points = 99;
         if (k == 9) options.sensitivity = 0;
         if (k == 10) options.tolerance = 0;
         if (k == 11) options.max_iterations = 0;

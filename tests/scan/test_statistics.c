@@ -5,10 +5,10 @@
 #include "scan/sheets.h"
 #include "test.h"
 
-enum { MOST = 200000 };
+enum { MAX = 200000 };
 
-static double value[MOST], sorted[MOST];
-static wcut_deviation deviation[MOST];
+static double value[MAX], sorted[MAX];
+static wcut_deviation deviation[MAX];
 
 static int compare(const void *a, const void *b) {
     const double x = *(const double *)a, y = *(const double *)b;
@@ -49,7 +49,7 @@ static void given_values(int shape, int count) {
 }
 
 TEST(figures_are_those_of_all_values_in_order) {
-    const int counts[] = {1, 2, 3, 10, 1001, MOST};
+    const int counts[] = {1, 2, 3, 10, 1001, MAX};
     for (int t = 0; t < 5 * 6; t++) {
         const int count = counts[t % 6];
         given_values(t / 6, count);
@@ -108,7 +108,7 @@ TEST(bad_histograms_are_refused) {
     const double bad[] = {1, 0}, odd[] = {1, NAN};
     wcut_statistics s;
     ck_assert_int_eq(wcut_histogram_create(2, bad, &histogram), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_histogram_create(WCUT_BANDS_MOST + 1, bad, &histogram), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_histogram_create(WCUT_BANDS_MAX + 1, bad, &histogram), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_histogram_create(-1, NULL, &histogram), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_histogram_create(1, NULL, &histogram), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_histogram_create(0, NULL, NULL), WCUT_BAD_ARGUMENT);
@@ -192,11 +192,11 @@ TEST(the_worst_area_is_where_the_bump_is) {
 
 TEST(every_patch_recovers_its_offset_within_the_noise) {
     wcut_deviation_summary *summary;
-    given_deviations(MOST, NOISE, 0);
-    for (int k = 0; k < MOST; k++) /* patch by patch another offset */
+    given_deviations(MAX, NOISE, 0);
+    for (int k = 0; k < MAX; k++) /* patch by patch another offset */
         deviation[k].distance += 0.1 * floor(deviation[k].foot.x / 100) - 0.05 * floor(deviation[k].foot.y / 100) -
                                  bump(deviation[k].foot.x, deviation[k].foot.y);
-    const wcut_deviation_summary_result *r = survey_of(MOST, &summary);
+    const wcut_deviation_summary_result *r = survey_of(MAX, &summary);
     ck_assert_int_eq(r->zones, 4 * 12);
     for (int k = 0; k < r->zones; k++) {
         const wcut_zone *z = &r->zone[k];

@@ -522,14 +522,14 @@ TEST(a_finer_fit_is_asked_for_and_held_where_nobody_looked) {
 TEST(the_least_radius_is_that_of_the_wires_surface) {
     wcut_surface *s = cut_of(cut_hilly);
     wcut_mould *m = cut_divide(s, cut_block, NULL);
-    double least = INFINITY;
+    double min = INFINITY;
     for (int j = 0; j <= 200; j++)
         for (int i = 0; i <= 200; i++) {
             double k;
             ck_assert_int_eq(wcut_surface_curvature(s, 0.1 + 0.8 * i / 200, 0.08 + 0.84 * j / 200, &k, NULL), WCUT_OK);
-            least = fmin(least, 1 / fabs(k));
+            min = fmin(min, 1 / fabs(k));
         }
-    ck_assert_double_le(fabs(m->radius_min / least - 1), 0.05);
+    ck_assert_double_le(fabs(m->radius_min / min - 1), 0.05);
     wcut_mould_destroy(m);
     wcut_surface_destroy(s);
 }

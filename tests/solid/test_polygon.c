@@ -110,15 +110,15 @@ TEST(a_box_under_a_straight_border_of_many_points_is_filled_without_flat_triangl
 }
 
 /* least height of a triangle over its longest side, when its corners are rounded to single precision */
-static double least_height(int triangles, const int *triangle, const wcut_point2d *x) {
-    double least = INFINITY;
+static double min_height(int triangles, const int *triangle, const wcut_point2d *x) {
+    double min = INFINITY;
     for (int t = 0; t < triangles; t++) {
         double p[3], q[3], longest = 0;
         for (int k = 0; k < 3; k++) p[k] = (float)x[triangle[3 * t + k]].p, q[k] = (float)x[triangle[3 * t + k]].q;
         for (int k = 0; k < 3; k++) longest = fmax(longest, hypot(p[k] - p[(k + 1) % 3], q[k] - q[(k + 1) % 3]));
-        least = fmin(least, ((p[1] - p[0]) * (q[2] - q[0]) - (p[2] - p[0]) * (q[1] - q[0])) / longest);
+        min = fmin(min, ((p[1] - p[0]) * (q[2] - q[0]) - (p[2] - p[0]) * (q[1] - q[0])) / longest);
     }
-    return least;
+    return min;
 }
 
 TEST(a_border_that_is_straight_but_for_rounding_makes_no_needles) {
@@ -132,7 +132,7 @@ TEST(a_border_that_is_straight_but_for_rounding_makes_no_needles) {
                 (wcut_point2d){1200 - 1200.0 * k / 399, 150 + pow(10, noise) * (wcut_random_uniform(&random) - 0.5)};
         check_fill(1, &size, x);
         ck_assert_int_eq(wcut_polygon_triangulate(1, &size, x, triangle), WCUT_OK);
-        ck_assert_double_gt(least_height(size - 2, triangle, x), 1e-2);
+        ck_assert_double_gt(min_height(size - 2, triangle, x), 1e-2);
     }
 }
 

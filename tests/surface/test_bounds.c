@@ -108,13 +108,13 @@ TEST(a_path_comes_nearer_between_its_stations_than_at_them) {
     wcut_curve *c = NULL;
     ck_assert_int_eq(wcut_path_clearance(6, mount, &block, 1e-6, &near), WCUT_OK);
     ck_assert_int_eq(wcut_curve_interpolate(5, apart, &c), WCUT_OK);
-    double least = INFINITY;
+    double min = INFINITY;
     for (int k = 0; k <= 100000; k++) {
         wcut_vec3 p;
         ck_assert_int_eq(wcut_curve_eval(c, k / 1e5, 0, &p), WCUT_OK);
-        least = fmin(least, hypot(fmax(0, -p.x), fmax(0, -p.y)));
+        min = fmin(min, hypot(fmax(0, -p.x), fmax(0, -p.y)));
     }
-    ck_assert_double_le(fabs(near.distance - least), 1e-5);
+    ck_assert_double_le(fabs(near.distance - min), 1e-5);
     ck_assert_double_lt(near.distance, 19.5); /* 20 at every station */
     ck_assert_double_le(fabs(hypot(fmax(0, -near.place.x), fmax(0, -near.place.y)) - near.distance), 1e-5);
     ck_assert(near.station > 0 && near.station < 5 && fabs(near.station - floor(near.station + 0.5)) > 0.05);

@@ -121,10 +121,10 @@ static double chord_parameter(int count, const wcut_vec3 *p, int k) {
 }
 
 TEST(an_interpolating_curve_passes_through_its_points) {
-    enum { MOST = 300 };
-    wcut_vec3 p[MOST];
+    enum { MAX = 300 };
+    wcut_vec3 p[MAX];
     srand(3);
-    for (int count = 2; count <= MOST; count += count < 8 ? 1 : 73) {
+    for (int count = 2; count <= MAX; count += count < 8 ? 1 : 73) {
         for (int i = 0; i < count; i++)
             p[i] = vec3(i + 0.8 * rand() / RAND_MAX, 50 * sin(0.3 * i), 1000 + 5.0 * rand() / RAND_MAX);
         wcut_curve *c = NULL;
@@ -164,9 +164,9 @@ TEST(a_cubic_comes_back_whatever_the_parameters) {
 TEST(interpolation_converges_with_the_fourth_order) {
     double error[2];
     for (int k = 0; k < 2; k++) {
-        enum { MOST = 81 };
+        enum { MAX = 81 };
         const int count = k ? 81 : 41;
-        wcut_vec3 p[MOST];
+        wcut_vec3 p[MAX];
         for (int i = 0; i < count; i++) { /* uneven steps along a circle */
             const double t = 2 * (double)i / (count - 1), a = t + 0.2 * sin(3 * t);
             p[i] = vec3(100 * cos(a), 100 * sin(a), 0);

@@ -157,12 +157,12 @@ TEST(what_cannot_be_located_is_refused_and_nothing_is_written) {
 /* ---- interpolation with given parameters and derivatives ---------------------------------------------------------- */
 
 TEST(parameters_and_end_derivatives_are_kept) {
-    enum { MOST = 60 };
+    enum { MAX = 60 };
     wcut_random random = wcut_random_seed(45);
-    for (int count = 2; count < MOST; count += count < 7 ? 1 : 11)
+    for (int count = 2; count < MAX; count += count < 7 ? 1 : 11)
         for (int which = 0; which < 4; which++) {
-            wcut_vec3 p[MOST], first = {200, -30, 5}, last = {0, 150, -60}, d[2];
-            double u[MOST], at = -3;
+            wcut_vec3 p[MAX], first = {200, -30, 5}, last = {0, 150, -60}, d[2];
+            double u[MAX], at = -3;
             for (int k = 0; k < count; k++) {
                 p[k] = vec3(10 * k, 20 * wcut_random_uniform(&random), 20 * wcut_random_uniform(&random));
                 u[k] = at += 0.05 + wcut_random_uniform(&random);

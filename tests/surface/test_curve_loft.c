@@ -44,7 +44,7 @@ static wcut_curve *wave(wcut_random *random, int points, double y) {
 
 /* the largest distance between a curve at shares of its length and a section of the surface */
 static double section_apart(const wcut_surface *s, double v, const wcut_curve *c) {
-    double whole = 0, most = 0;
+    double whole = 0, max = 0;
     ck_assert_int_eq(wcut_curve_length(c, -1e9, 1e9, &whole), WCUT_OK);
     for (int i = 0; i <= 25; i++) {
         double u = 0;
@@ -52,9 +52,9 @@ static double section_apart(const wcut_surface *s, double v, const wcut_curve *c
         if (whole > 0) ck_assert_int_eq(wcut_curve_locate_length(c, whole * i / 25, &u), WCUT_OK);
         wcut_curve_eval(c, u, 0, &p);
         wcut_surface_eval(s, i / 25.0, v, 0, &q);
-        most = fmax(most, vec3_distance(p, q));
+        max = fmax(max, vec3_distance(p, q));
     }
-    return most;
+    return max;
 }
 
 TEST(unlike_curves_are_sections_of_their_loft) {
@@ -70,11 +70,11 @@ TEST(unlike_curves_are_sections_of_their_loft) {
         wcut_curve_loft_report r = {.used = 999};
         ck_assert_int_eq(wcut_surface_loft_curves(COUNT, (const wcut_curve *const *)c, 0, tolerance, &s, v, &r),
                          WCUT_OK);
-        double most = 0;
-        for (int k = 0; k < COUNT; k++) most = fmax(most, section_apart(s, v[k], c[k]));
+        double max = 0;
+        for (int k = 0; k < COUNT; k++) max = fmax(max, section_apart(s, v[k], c[k]));
         printf("%d unlike curves at %g mm: %d x %d control points, measured %.2g, sampled %.2g mm\n", COUNT, tolerance,
-               s->count_v, s->count_u, r.section_error, most);
-        ck_assert(r.section_error <= tolerance && most <= 1.1 * tolerance && r.nodes == s->count_u);
+               s->count_v, s->count_u, r.section_error, max);
+        ck_assert(r.section_error <= tolerance && max <= 1.1 * tolerance && r.nodes == s->count_u);
         ck_assert(r.used == COUNT && r.dropped == 0 && r.closed == 0 && r.turned == 0 && r.first_turned == -1);
         wcut_surface_destroy(s);
     }
@@ -103,14 +103,14 @@ TEST(circles_that_shrink_to_a_point_make_a_cone) {
     wcut_curve_loft_report r = {.used = 999};
     ck_assert_int_eq(wcut_surface_loft_curves(5, (const wcut_curve *const *)c, 0, 1e-4, &s, NULL, &r), WCUT_OK);
     ck_assert(r.closed == 4 && r.used == 5 && r.turned == 0);
-    double most = 0;
+    double max = 0;
     for (int i = 0; i <= 200; i++)
         for (int j = 0; j <= 50; j++) {
             wcut_vec3 p;
             wcut_surface_eval(s, i / 200.0, j / 50.0, 0, &p);
-            most = fmax(most, fabs(hypot(p.x, p.y) - (40 - 0.4 * p.z)));
+            max = fmax(max, fabs(hypot(p.x, p.y) - (40 - 0.4 * p.z)));
         }
-    ck_assert_double_le(most, 2e-4);
+    ck_assert_double_le(max, 2e-4);
     wcut_surface_destroy(s);
     /* one that runs the other way round, and one all but the same as the one before */
     wcut_curve_destroy(c[1]);

@@ -42,10 +42,10 @@ static number evaluate(const wcut_surface *s, double u, double v, number at_u, n
 }
 
 static wcut_surface *random_surface(wcut_random *random, int p, int q, bool rational) {
-    enum { MOST = 12 };
-    double ku[MOST + 8] = {0}, kv[MOST + 8] = {0}, w[MOST * MOST];
-    wcut_vec3 c[MOST * MOST];
-    const int m = p + 1 + wcut_random_below(random, MOST - p), n = q + 1 + wcut_random_below(random, MOST - q);
+    enum { MAX = 12 };
+    double ku[MAX + 8] = {0}, kv[MAX + 8] = {0}, w[MAX * MAX];
+    wcut_vec3 c[MAX * MAX];
+    const int m = p + 1 + wcut_random_below(random, MAX - p), n = q + 1 + wcut_random_below(random, MAX - q);
     for (int k = 0; k < m + p + 1; k++)
         ku[k] = k <= p ? 0 : k >= m ? 1 : (k - p + 0.6 * wcut_random_uniform(random)) / (m - p);
     for (int k = 0; k < n + q + 1; k++)

@@ -30,20 +30,20 @@ static grid sheet(int stations, int nodes, double jitter, double noise) {
 
 /* the largest distance of the nodes from a surface at equal steps of u and given v */
 static double node_error(const grid *g, const wcut_surface *s, const double *v) {
-    double most = 0;
+    double max = 0;
     for (int j = 0; j < g->stations; j++)
         for (int i = 0; i < g->nodes; i++) {
             wcut_vec3 p;
             wcut_surface_eval(s, i / (g->nodes - 1.0), v[j], 0, &p);
-            most = fmax(most, vec3_distance(p, g->x[j * g->nodes + i]));
+            max = fmax(max, vec3_distance(p, g->x[j * g->nodes + i]));
         }
-    return most;
+    return max;
 }
 
 TEST(the_tolerance_is_held_with_few_control_points) {
     grid g = sheet(2000, 200, 0.3, 0);
     double *v = malloc(2000 * sizeof *v);
-    const double most_share[3] = {0.0005, 0.001, 0.004};
+    const double max_share[3] = {0.0005, 0.001, 0.004};
     double tolerance = 0.1;
     for (int k = 0; k < 3; k++, tolerance /= 10) {
         wcut_surface *s = NULL;
@@ -55,7 +55,7 @@ TEST(the_tolerance_is_held_with_few_control_points) {
         ck_assert_double_eq_tol(error, r.node_error, 1e-9);
         ck_assert(r.node_error <= tolerance && r.between_error <= tolerance && r.used == 2000 && r.dropped == 0);
         ck_assert(r.control_count == s->count_u * s->count_v && r.node_count == 400000);
-        ck_assert(r.control_count < most_share[k] * r.node_count);
+        ck_assert(r.control_count < max_share[k] * r.node_count);
         ck_assert_double_le(apart(s->control[0], g.x[0]), 1e-12);
         ck_assert_double_le(apart(s->control[r.control_count - 1], g.x[399999]), 1e-12);
         wcut_surface_destroy(s);
@@ -71,16 +71,16 @@ TEST(between_the_nodes_it_stays_beside_the_loft) {
     ck_assert_int_eq(wcut_surface_loft(90, 40, g.x, 0, &loft, NULL, NULL), WCUT_OK);
     for (double tolerance = 0.1; tolerance > 1e-4; tolerance /= 10) {
         ck_assert_int_eq(wcut_surface_fit(90, 40, g.x, 0, tolerance, &s, NULL, &r), WCUT_OK);
-        double most = 0;
+        double max = 0;
         wcut_random random = wcut_random_seed(52);
         for (int k = 0; k < 100000; k++) {
             const double u = wcut_random_uniform(&random), v = wcut_random_uniform(&random);
             wcut_vec3 p, q;
             wcut_surface_eval(s, u, v, 0, &p);
             wcut_surface_eval(loft, u, v, 0, &q);
-            most = fmax(most, vec3_distance(p, q));
+            max = fmax(max, vec3_distance(p, q));
         }
-        ck_assert_msg(most <= 1.1 * tolerance, "%g of %g mm", most, tolerance);
+        ck_assert_msg(max <= 1.1 * tolerance, "%g of %g mm", max, tolerance);
         wcut_surface_destroy(s);
     }
     wcut_surface_destroy(loft);

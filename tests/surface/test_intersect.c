@@ -16,14 +16,14 @@ static double trace_length(const wcut_trace *t) {
 
 /* points are where their parameters say, and on the plane */
 static void check_trace(const wcut_surface *s, const wcut_trace *t, wcut_vec3 point, wcut_vec3 normal) {
-    double most = 0, off = 0;
+    double max = 0, off = 0;
     for (int k = 0; k < t->count; k++) {
         wcut_vec3 p;
         wcut_surface_eval(s, t->uv[2 * k], t->uv[2 * k + 1], 0, &p);
-        most = fmax(most, vec3_distance(p, t->point[k]));
+        max = fmax(max, vec3_distance(p, t->point[k]));
         off = fmax(off, fabs(vec3_dot(vec3_sub(p, point), vec3_unit(normal))));
     }
-    ck_assert(t->count >= 2 && most <= 1e-12);
+    ck_assert(t->count >= 2 && max <= 1e-12);
     ck_assert_double_le(off, 1e-10);
 }
 
@@ -162,22 +162,22 @@ TEST(chords_stay_within_the_tolerance) {
     ck_assert_int_eq(wcut_surface_intersect_plane(s, vec3(0, 0, 1), vec3(0, 0, 1), 0.05, &coarse), WCUT_OK);
     ck_assert_int_eq(wcut_surface_intersect_plane(s, vec3(0, 0, 1), vec3(0, 0, 1), 1e-5, &fine), WCUT_OK);
     ck_assert_int_eq(coarse->count, fine->count);
-    double most = 0;
+    double max = 0;
     for (int k = 0; k < fine->count; k++) /* every point of the fine curves is near a chord of the coarse ones */
         for (int i = 0; i < fine->trace[k].count; i++) {
-            double least = INFINITY;
+            double min = INFINITY;
             for (int n = 0; n < coarse->count; n++)
                 for (int c = 0; c + 1 < coarse->trace[n].count + coarse->trace[n].closed; c++) {
                     const wcut_vec3 a = coarse->trace[n].point[c],
                                     side = vec3_sub(coarse->trace[n].point[(c + 1) % coarse->trace[n].count], a),
                                     to = vec3_sub(fine->trace[k].point[i], a);
                     const double share = clamp(vec3_dot(to, side) / vec3_dot(side, side), 0, 1);
-                    least = fmin(least, vec3_length(vec3_add_scaled(to, -share, side)));
+                    min = fmin(min, vec3_length(vec3_add_scaled(to, -share, side)));
                 }
-            most = fmax(most, least);
+            max = fmax(max, min);
         }
-    printf("chords of curves at 0.05 mm: off by %.4f mm\n", most);
-    ck_assert_double_le(most, 0.05);
+    printf("chords of curves at 0.05 mm: off by %.4f mm\n", max);
+    ck_assert_double_le(max, 0.05);
     wcut_traces_destroy(coarse);
     wcut_traces_destroy(fine);
     wcut_surface_destroy(s);
@@ -270,9 +270,9 @@ TEST(curves_on_a_blocks_faces_join_into_closed_outlines) {
     ck_assert_int_eq(joined->trace[0].face, -1);
     wcut_traces_destroy(joined);
     /* of a line that is taken out the ends stay free */
-    wcut_traces most = *t;
-    most.count--;
-    ck_assert_int_eq(wcut_traces_join(&most, 1e-6, &joined), WCUT_OK);
+    wcut_traces max = *t;
+    max.count--;
+    ck_assert_int_eq(wcut_traces_join(&max, 1e-6, &joined), WCUT_OK);
     ck_assert(joined->count == 1 && joined->loose == 2 && !joined->trace[0].closed);
     wcut_traces_destroy(joined);
     wcut_traces_destroy(t);

@@ -13,7 +13,7 @@
 /* the largest distance of a surface from S + distance n at random parameters */
 static double offset_error(const wcut_surface *s, const wcut_surface *o, double distance, int points) {
     wcut_random random = wcut_random_seed(31);
-    double first[2], last[2], most = 0;
+    double first[2], last[2], max = 0;
     wcut_surface_domain(s, first, last);
     for (int k = 0; k < points; k++) {
         const double u = first[0] + (last[0] - first[0]) * wcut_random_uniform(&random);
@@ -22,9 +22,9 @@ static double offset_error(const wcut_surface *s, const wcut_surface *o, double 
         ck_assert_int_eq(wcut_surface_eval(s, u, v, 0, &p), WCUT_OK);
         ck_assert_int_eq(wcut_surface_eval(o, u, v, 0, &q), WCUT_OK);
         ck_assert_int_eq(wcut_surface_normal(s, u, v, &n), WCUT_OK);
-        most = fmax(most, vec3_distance(q, vec3_add_scaled(p, distance, n)));
+        max = fmax(max, vec3_distance(q, vec3_add_scaled(p, distance, n)));
     }
-    return most;
+    return max;
 }
 
 static wcut_surface *lofted_sheet(int stations, int nodes) {
@@ -44,15 +44,15 @@ TEST(the_offset_of_a_sphere_and_a_torus_is_another) {
             wcut_offset_report report = {.error = 999};
             ck_assert_int_eq(wcut_surface_offset(s, 3, tolerance, &o, &report), WCUT_OK);
             ck_assert(report.error <= tolerance && report.folds == 0 && report.crossings == 0);
-            double most = 0;
+            double max = 0;
             for (int i = 0; i <= 200; i++)
                 for (int j = 0; j <= 200; j++) {
                     wcut_vec3 p;
                     ck_assert_int_eq(wcut_surface_eval(o, i / 200.0, j / 200.0, 0, &p), WCUT_OK);
                     const double off = which ? hypot(hypot(p.x, p.y) - 50, p.z) - 23 : vec3_length(p) - 43;
-                    most = fmax(most, fabs(off));
+                    max = fmax(max, fabs(off));
                 }
-            ck_assert_msg(most <= 1.1 * tolerance, "%d: %g of %g mm", which, most, tolerance);
+            ck_assert_msg(max <= 1.1 * tolerance, "%d: %g of %g mm", which, max, tolerance);
             wcut_surface_destroy(o);
             wcut_surface_destroy(s);
         }

@@ -135,10 +135,10 @@ TEST(no_point_of_a_crumpled_sheet_is_closer_than_its_foot) {
     for (int i = 0; i < SIDE; i++) at[i] = i / (SIDE - 1.0);
     ck_assert_int_eq(wcut_surface_eval_grid(s, SIDE, at, SIDE, at, grid), WCUT_OK);
     for (int k = 0; k < QUERIES; k++) {
-        double least = INFINITY;
-        for (int n = 0; n < SIDE * SIDE; n++) least = fmin(least, vec3_distance(query[k], grid[n]));
-        ck_assert_msg(foot[k].distance <= least + 1e-10 && foot[k].distance >= least - 2, "query %d: %.12g, grid %.12g",
-                      k, foot[k].distance, least);
+        double min = INFINITY;
+        for (int n = 0; n < SIDE * SIDE; n++) min = fmin(min, vec3_distance(query[k], grid[n]));
+        ck_assert_msg(foot[k].distance <= min + 1e-10 && foot[k].distance >= min - 2, "query %d: %.12g, grid %.12g", k,
+                      foot[k].distance, min);
     }
     free(grid);
     wcut_surface_destroy(s);

@@ -11,10 +11,10 @@
 
 /* a curve of any degree with knots up to full multiplicity, clamped or not */
 static wcut_curve *random_curve(wcut_random *random, int degree, bool rational, bool clamped) {
-    enum { MOST = 24 };
-    double knots[MOST + WCUT_DEGREE_MAX + 1], weight[MOST];
-    wcut_vec3 control[MOST];
-    const int count = degree + 2 + wcut_random_below(random, MOST - degree - 1);
+    enum { MAX = 24 };
+    double knots[MAX + WCUT_DEGREE_MAX + 1], weight[MAX];
+    wcut_vec3 control[MAX];
+    const int count = degree + 2 + wcut_random_below(random, MAX - degree - 1);
     double u = 2;
     for (int k = 0; k < count + degree + 1; k++) {
         knots[k] = u;
@@ -34,20 +34,20 @@ static wcut_curve *random_curve(wcut_random *random, int degree, bool rational, 
 
 /* the largest distance at equal parameters */
 static double curves_apart(const wcut_curve *a, const wcut_curve *b) {
-    double first, last, most = 0;
+    double first, last, max = 0;
     wcut_curve_domain(a, &first, &last);
     for (int i = 0; i <= 2000; i++) {
         wcut_vec3 p, q;
         const double u = first + (last - first) * i / 2000;
         ck_assert_int_eq(wcut_curve_eval(a, u, 0, &p), WCUT_OK);
         ck_assert_int_eq(wcut_curve_eval(b, u, 0, &q), WCUT_OK);
-        most = fmax(most, vec3_distance(p, q));
+        max = fmax(max, vec3_distance(p, q));
     }
-    return most;
+    return max;
 }
 
 static double surfaces_apart(const wcut_surface *a, const wcut_surface *b) {
-    double first[2], last[2], most = 0;
+    double first[2], last[2], max = 0;
     wcut_surface_domain(a, first, last);
     for (int i = 0; i <= 150; i++)
         for (int j = 0; j <= 150; j++) {
@@ -55,9 +55,9 @@ static double surfaces_apart(const wcut_surface *a, const wcut_surface *b) {
             const double u = first[0] + (last[0] - first[0]) * i / 150, v = first[1] + (last[1] - first[1]) * j / 150;
             ck_assert_int_eq(wcut_surface_eval(a, u, v, 0, &p), WCUT_OK);
             ck_assert_int_eq(wcut_surface_eval(b, u, v, 0, &q), WCUT_OK);
-            most = fmax(most, vec3_distance(p, q));
+            max = fmax(max, vec3_distance(p, q));
         }
-    return most;
+    return max;
 }
 
 TEST(a_curve_of_a_higher_degree_is_the_same) {
@@ -124,10 +124,10 @@ TEST(what_knot_removal_changes_stays_within_its_bound) {
         wcut_curve *r = NULL;
         double error = 999;
         ck_assert_int_eq(wcut_curve_remove_knots(c, tolerance, &r, &error), WCUT_OK);
-        const double apart_most = curves_apart(c, r);
+        const double apart_max = curves_apart(c, r);
         printf("tolerance %g mm: %d of %d control points, bound %.3g, sampled %.3g mm\n", tolerance, r->control_count,
-               COUNT, error, apart_most);
-        ck_assert(error <= tolerance && apart_most <= error && r->control_count <= before);
+               COUNT, error, apart_max);
+        ck_assert(error <= tolerance && apart_max <= error && r->control_count <= before);
         before = r->control_count;
         ck_assert_double_le(apart(r->control[0], p[0]), 1e-12);
         ck_assert_double_le(apart(r->control[r->control_count - 1], p[COUNT - 1]), 1e-12);
@@ -146,10 +146,10 @@ TEST(a_lofted_sheet_loses_most_of_its_knots) {
     double error = 999;
     ck_assert_int_eq(wcut_surface_loft(STATIONS, NODES, x, 0, &s, NULL, NULL), WCUT_OK);
     ck_assert_int_eq(wcut_surface_remove_knots(s, 0.02, &r, &error), WCUT_OK);
-    const double most = surfaces_apart(s, r);
+    const double max = surfaces_apart(s, r);
     printf("sheet: %d x %d of %d x %d control points, bound %.4f, sampled %.4f mm\n", r->count_v, r->count_u,
-           s->count_v, s->count_u, error, most);
-    ck_assert(error <= 0.02 && most <= error && 5 * r->count_u * r->count_v < s->count_u * s->count_v);
+           s->count_v, s->count_u, error, max);
+    ck_assert(error <= 0.02 && max <= error && 5 * r->count_u * r->count_v < s->count_u * s->count_v);
     wcut_surface_destroy(r);
     wcut_surface_destroy(s);
     s = shape_torus(50, 20); /* rational: its knots are all needed, or the bound says what they were worth */
@@ -213,23 +213,23 @@ TEST(halves_of_a_surface_with_unlike_knots_are_joined) {
         for (int which = 0; which < 2; which++) {
             const wcut_direction along = d ? WCUT_DIRECTION_V : WCUT_DIRECTION_U,
                                  across = d ? WCUT_DIRECTION_U : WCUT_DIRECTION_V;
-            wcut_surface *s = which ? shape_octant() : shape_torus(50, 20), *low, *high, *more, *most, *r = NULL;
+            wcut_surface *s = which ? shape_octant() : shape_torus(50, 20), *low, *high, *more, *max, *r = NULL;
             ck_assert_int_eq(wcut_surface_split(s, along, 0.4, &low, &high), WCUT_OK);
             ck_assert_int_eq(wcut_surface_insert_knot(high, across, 0.37, 1, &more), WCUT_OK);
-            ck_assert_int_eq(wcut_surface_elevate(more, across, 1, &most), WCUT_OK);
+            ck_assert_int_eq(wcut_surface_elevate(more, across, 1, &max), WCUT_OK);
             double gap = 999;
-            ck_assert_int_eq(wcut_surface_join(low, most, along, 1e-9, &r, &gap), WCUT_OK);
+            ck_assert_int_eq(wcut_surface_join(low, max, along, 1e-9, &r, &gap), WCUT_OK);
             ck_assert_double_le(gap, 1e-9);
             ck_assert_double_le(surfaces_apart(s, r), 1e-9);
             wcut_surface_destroy(r);
             r = s;
-            for (int k = 0; k < most->count_u * most->count_v; k++) most->control[k].z += 1;
-            ck_assert_int_eq(wcut_surface_join(low, most, along, 0.5, &r, &gap), WCUT_DEGENERATE);
+            for (int k = 0; k < max->count_u * max->count_v; k++) max->control[k].z += 1;
+            ck_assert_int_eq(wcut_surface_join(low, max, along, 0.5, &r, &gap), WCUT_DEGENERATE);
             ck_assert(r == s && fabs(gap - 1) < 1e-9);
-            for (int k = 0; k < most->count_u * most->count_v; k++) most->control[k].z -= 1;
-            for (int k = 0; k < most->count_u; k++) most->weights[k] *= 1 + 0.1 * k;
-            if (d == 1) ck_assert_int_eq(wcut_surface_join(low, most, along, 1e9, &r, &gap), WCUT_DEGENERATE);
-            wcut_surface *const all[] = {s, low, high, more, most};
+            for (int k = 0; k < max->count_u * max->count_v; k++) max->control[k].z -= 1;
+            for (int k = 0; k < max->count_u; k++) max->weights[k] *= 1 + 0.1 * k;
+            if (d == 1) ck_assert_int_eq(wcut_surface_join(low, max, along, 1e9, &r, &gap), WCUT_DEGENERATE);
+            wcut_surface *const all[] = {s, low, high, more, max};
             for (int k = 0; k < 5; k++) wcut_surface_destroy(all[k]);
         }
 }

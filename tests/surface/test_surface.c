@@ -116,11 +116,11 @@ static double nodes_back(int stations, int nodes, const wcut_vec3 *x, double mer
 }
 
 TEST(a_loft_of_any_size_gives_its_nodes_back) {
-    enum { MOST = 41 };
-    static wcut_vec3 x[MOST * MOST];
+    enum { MAX = 41 };
+    static wcut_vec3 x[MAX * MAX];
     wcut_random random = wcut_random_seed(11);
-    for (int stations = 2; stations <= MOST; stations += stations < 6 ? 1 : 7)
-        for (int nodes = 2; nodes <= MOST; nodes += nodes < 6 ? 1 : 7) {
+    for (int stations = 2; stations <= MAX; stations += stations < 6 ? 1 : 7)
+        for (int nodes = 2; nodes <= MAX; nodes += nodes < 6 ? 1 : 7) {
             double y = 0;
             for (int j = 0; j < stations; j++) {
                 y += j % 5 == 1 ? 0.05 : 0.2 + 30 * wcut_random_uniform(&random);
@@ -201,13 +201,13 @@ static void place_stations(int stations, int how, double *t) {
 
 TEST(a_loft_follows_its_sheet_however_its_sections_are_spaced) {
     static const char *const name[4] = {"even", "jittered", "alternating 20:1", "growing 1:20"};
-    const double most[4] = {0.004, 0.004, 0.004, 0.04};
+    const double max[4] = {0.004, 0.004, 0.004, 0.04};
     for (int how = 0; how < 4; how++) {
         double t[60];
         place_stations(60, how, t);
         const double error = loft_error(60, 25, t);
         printf("loft of 60 sections of 25 nodes, %s: %.4f mm\n", name[how], error);
-        ck_assert_msg(error < most[how], "%s: %g mm", name[how], error);
+        ck_assert_msg(error < max[how], "%s: %g mm", name[how], error);
     }
 }
 

@@ -204,14 +204,14 @@ TEST(a_point_finds_its_distance_to_a_triangle) {
             c[i] = vec3(wcut_random_normal(&random), wcut_random_normal(&random), wcut_random_normal(&random));
         if (k % 10 == 0) c[2] = vec3_mix(c[0], c[1], k % 20 ? 0.3 : 1); /* no area, sometimes no third corner */
         enum { STEPS = 200 };
-        double least = 1e9;
+        double min = 1e9;
         for (int i = 0; i <= STEPS; i++)
             for (int j = 0; j <= STEPS - i; j++) {
                 const wcut_vec3 side = vec3_add_scaled(vec3_scale((double)i / STEPS, c[0]), (double)j / STEPS, c[1]);
-                least = fmin(least, vec3_distance(c[3], vec3_add_scaled(side, (double)(STEPS - i - j) / STEPS, c[2])));
+                min = fmin(min, vec3_distance(c[3], vec3_add_scaled(side, (double)(STEPS - i - j) / STEPS, c[2])));
             }
         const double distance = wcut_triangle_distance(c[3], c[0], c[1], c[2]);
-        ck_assert(distance <= least + 1e-12 && distance >= least - 0.05);
+        ck_assert(distance <= min + 1e-12 && distance >= min - 0.05);
     }
 }
 

@@ -9,13 +9,13 @@
 #include "test.h"
 #include "wire/equilibrium_table.h"
 
-enum { MOST = 3201 };
-static wcut_vec3 force[MOST], x[MOST], other[MOST];
-static double length[MOST], q[MOST], other_q[MOST];
+enum { MAX = 3201 };
+static wcut_vec3 force[MAX], x[MAX], other[MAX];
+static double length[MAX], q[MAX], other_q[MAX];
 
 /* n nodes between (0,0,0) and (chord,0,0) on equal edges that sum to `total`; no load yet */
 static void given_a_chain(int n, double chord, double total) {
-    for (int i = 0; i < MOST; i++) {
+    for (int i = 0; i < MAX; i++) {
         x[i] = other[i] = vec3(999, 999, 999);
         force[i] = vec3(0, 0, 0);
         q[i] = other_q[i] = 999;
@@ -108,7 +108,7 @@ TEST(an_even_load_across_the_wire_hangs_the_circular_arc_that_it_was_computed_fr
         const double chord = 400, radius = chord / 2 / sin(opening[k] / 2), phi = opening[k] / (n - 1), tension = 2;
         given_a_chain(n, chord, (n - 1) * 2 * radius * sin(phi / 2));
         const wcut_vec3 centre = vec3(chord / 2, -radius * cos(opening[k] / 2), 0);
-        static wcut_vec3 circle[MOST];
+        static wcut_vec3 circle[MAX];
         for (int i = 0; i < n; i++) {
             const double angle = -opening[k] / 2 + i * phi;
             const wcut_vec3 radial = vec3(sin(angle), cos(angle), 0);
@@ -130,7 +130,7 @@ TEST(an_even_load_over_the_span_hangs_the_parabola_that_it_was_computed_from) {
     const int n = 31;
     const double c = 0.004, horizontal = 1.5;
     given_a_chain(n, 400, 450);
-    static wcut_vec3 parabola[MOST];
+    static wcut_vec3 parabola[MAX];
     for (int i = 0; i < n; i++) {
         const double t = (double)i / (n - 1), at = 400 * (t + 0.1 * t * (1 - t));
         parabola[i] = vec3(at, c / 2 * at * (400 - at), 0);
@@ -184,7 +184,7 @@ TEST(from_however_straight_a_wire_newton_needs_ten_steps_where_the_fixed_point_n
 TEST(a_chain_of_thousands_of_nodes_takes_no_more_steps_than_a_short_one) {
     const double slack[] = {1.125, 1.02, 1.0005};
     for (int k = 0; k < 3; k++)
-        for (int n = 201; n <= MOST; n = 2 * n - 1)
+        for (int n = 201; n <= MAX; n = 2 * n - 1)
             for (int uneven = 0; uneven < 2; uneven++) { /* all of it loaded, or the middle two thirds, as in a block */
                 given_a_chain(n, 400, 400 * slack[k]);
                 for (int i = 0; i < n; i++)
@@ -197,7 +197,7 @@ TEST(chains_in_space_have_the_shapes_and_tensions_that_scipy_finds) {
     for (int k = 0; k < TABLE_CHAINS; k++) {
         const int n = TABLE_NODES;
         given_a_chain(n, 1, 1);
-        static wcut_vec3 expected[MOST];
+        static wcut_vec3 expected[MAX];
         double largest = 0;
         for (int i = 0; i < n; i++) {
             expected[i] = vec3(table[k].x[i][0], table[k].x[i][1], table[k].x[i][2]);

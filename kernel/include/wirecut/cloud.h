@@ -102,7 +102,7 @@ WCUT_API void wcut_thinning_destroy(wcut_thinning *thinning);
 typedef enum wcut_removal {
     WCUT_REMOVAL_KEPT,
     WCUT_REMOVAL_DUPLICATE, /**< as near as `duplicate` to a kept point before it */
-    WCUT_REMOVAL_ISOLATED,  /**< fewer than `radius_least` others within `radius` */
+    WCUT_REMOVAL_ISOLATED,  /**< fewer than `radius_min` others within `radius` */
     WCUT_REMOVAL_OUTLIER,   /**< further from its neighbours than points of this cloud are */
     WCUT_REMOVAL_THINNED,   /**< not the first in its cube of side `voxel` */
     WCUT_REMOVAL_COUNT
@@ -112,11 +112,11 @@ typedef enum wcut_removal {
 typedef struct wcut_clean_options {
     double duplicate;  /**< [mm] default 0: only equal points; negative: none */
     double radius;     /**< [mm] default 0: no point is isolated */
-    int radius_least;  /**< default 4; 1 or more */
+    int radius_min;    /**< default 4; 1 or more */
     int neighbours;    /**< k, to whose mean distance a point is held; default 10, up to 128; 0: no point is an
  outlier. Outliers in clusters of more than k go unnoticed */
     double deviations; /**< m; default 6; not negative */
-    double least;      /**< [1] default 3; 0 or more */
+    double factor_min; /**< [1] default 3; 0 or more */
     int robust;        /**< default 1: centre and scale are median and 1.4826 MAD; 0: mean and standard deviation, which
                             far outliers move */
     double voxel;      /**< [mm] default 0: not thinned; else 1e-3 or more */
@@ -134,7 +134,7 @@ WCUT_API wcut_clean_options wcut_clean_options_default(void);
 /**
  * Find the points of a cloud that do not belong to the scanned face, without changing it:
  *
- *     outlier:  d_i > max(centre + m scale, least centre),   d_i the mean distance to the k nearest   (Rusu 2008)
+ *     outlier:  d_i > max(centre + m scale, factor_min centre),   d_i the mean distance to the k nearest   (Rusu 2008)
  *
  * The second bound is there for regular scans, whose scale is almost 0: at their corners d_i is twice that of the
  * inside. Isolated points and outliers are both judged in what is left without duplicates.

@@ -22,8 +22,8 @@ typedef enum wcut_length_unit {
 typedef struct wcut_cloud_options {
     wcut_cloud_format format; /**< default WCUT_CLOUD_FORMAT_ANY */
     wcut_length_unit unit;    /**< default WCUT_LENGTH_UNIT_MM */
-    int most;     /**< wcut_cloud_read keeps at most so many points and refuses more, 1 or more; default 20000000 */
-    double voxel; /**< [mm] wcut_cloud_read keeps the first point of each cube of this side; default 0: every point */
+    int max_points; /**< wcut_cloud_read keeps at most so many points and refuses more, 1 or more; default 20000000 */
+    double voxel;   /**< [mm] wcut_cloud_read keeps the first point of each cube of this side; default 0: every point */
 } wcut_cloud_options;
 
 /** A cloud that comes in pieces, however long it is; memory stays below 1 MiB. */
@@ -41,7 +41,7 @@ WCUT_API wcut_cloud_options wcut_cloud_options_default(void);
  * PLY: coordinates of any scalar type; other properties, lists and elements are skipped.
  *
  * @param[in]  path    a file, or a pipe
- * @param[in]  options NULL for the defaults; most and voxel are not read
+ * @param[in]  options NULL for the defaults; max_points and voxel are not read
  * @param[out] source  the caller's, to wcut_cloud_source_destroy
  * @param[out] error   may be NULL; line or byte, what was found, what was expected
  * @return WCUT_OK; WCUT_NOT_FOUND (no such file, not readable), WCUT_BAD_FORMAT (no cloud; LAZ, E57, compressed PCD; a
@@ -83,7 +83,7 @@ WCUT_API void wcut_cloud_source_destroy(wcut_cloud_source *source);
  * @param[out] cloud   the caller's, to wcut_cloud_destroy
  * @param[out] error   may be NULL; line or byte, what was found, what was expected
  * @return as wcut_cloud_source_create and wcut_cloud_source_next; WCUT_BAD_FORMAT also where there is no point, or more
- *         than options->most: nothing was written.
+ *         than options->max_points: nothing was written.
  */
 WCUT_API wcut_status wcut_cloud_read(const char *path, const wcut_cloud_options *options, wcut_cloud **cloud,
                                      wcut_error *error);

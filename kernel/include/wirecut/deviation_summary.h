@@ -12,26 +12,26 @@
 extern "C" {
 #endif
 
-enum { WCUT_WORST_MOST = 10, WCUT_ZONE_NAME = 32 };
+enum { WCUT_WORST_MAX = 10, WCUT_ZONE_NAME = 32 };
 
 /** How a scan is divided. */
 typedef struct wcut_deviation_summary_options {
-    wcut_vec3 low, high; /**< [mm] the block, or the face's box; low < high in x and y */
-    double patch;        /**< [mm] side that patches of the block have, nearly; default 100; positive */
-    double cell;         /**< [mm] side of the smallest cell that worst areas consist of; default 1; positive */
-    int bands;           /**< 0 .. WCUT_BANDS_MOST; default 0 */
-    double band[WCUT_BANDS_MOST]; /**< [mm] positive tolerances */
+    wcut_vec3 low, high;         /**< [mm] the block, or the face's box; low < high in x and y */
+    double patch;                /**< [mm] side that patches of the block have, nearly; default 100; positive */
+    double cell;                 /**< [mm] side of the smallest cell that worst areas consist of; default 1; positive */
+    int bands;                   /**< 0 .. WCUT_BANDS_MAX; default 0 */
+    double band[WCUT_BANDS_MAX]; /**< [mm] positive tolerances */
 } wcut_deviation_summary_options;
 
 /** A part of the cut, or a patch of the block, by the place of the feet. */
 typedef struct wcut_zone {
     char name[WCUT_ZONE_NAME]; /**< "entry", "steady", "exit"; "patch 2 5": second from x = 0, fifth from y = 0 */
     int is_patch;
-    wcut_vec3 low, high;            /**< [mm] of a patch its sides in x and y; of a part of the cut the feet's box */
-    int count;                      /**< deviations; where it is 0 so is the rest */
-    double mean, std, rms, mae;     /**< [mm] */
-    double min, max;                /**< [mm] */
-    double within[WCUT_BANDS_MOST]; /**< [1] share with |d| <= band */
+    wcut_vec3 low, high;           /**< [mm] of a patch its sides in x and y; of a part of the cut the feet's box */
+    int count;                     /**< deviations; where it is 0 so is the rest */
+    double mean, std, rms, mae;    /**< [mm] */
+    double min, max;               /**< [mm] */
+    double within[WCUT_BANDS_MAX]; /**< [1] share with |d| <= band */
 } wcut_zone;
 
 /** A connected area of cells whose mean deviations are of one sign and among the largest 5 % of the face. */

@@ -59,12 +59,12 @@ typedef struct wcut_effect {
 
 /** A parameter of an effect. */
 typedef struct wcut_effect_parameter {
-    const char *key;    /**< in files, with its unit; NULL ends the list */
-    int at, size;       /**< value[at] .. value[at + size - 1]: size 1, or 3 for a point or vector */
-    bool required;      /**< a job must give it */
-    double initial;     /**< where a job gives none */
-    double least, most; /**< what is accepted */
-    double low, high;   /**< what is plausible; the source stands in NOTATION.md */
+    const char *key;  /**< in files, with its unit; NULL ends the list */
+    int at, size;     /**< value[at] .. value[at + size - 1]: size 1, or 3 for a point or vector */
+    bool required;    /**< a job must give it */
+    double initial;   /**< where a job gives none */
+    double min, max;  /**< what is accepted */
+    double low, high; /**< what is plausible; the source stands in NOTATION.md */
 } wcut_effect_parameter;
 
 /** What there is to know of a kind of effect. */

@@ -73,7 +73,7 @@ WCUT_API void wcut_face_locate(const wcut_face *face, double u, double v, double
 
 /**
  * Deviations spread over a face's grid: the mean of what is near each point, weighted by a hat of one step each way;
- * where no weight of `least` comes together, of a window that grows up to `support`.
+ * where no weight of `min` comes together, of a window that grows up to `support`.
  */
 typedef struct wcut_face_map {
     int rows, columns;

@@ -29,7 +29,7 @@ typedef enum wcut_mesh_format {
 typedef struct wcut_mesh_read_options {
     wcut_mesh_format format; /**< default WCUT_MESH_FORMAT_ANY */
     wcut_length_unit unit;   /**< of the file's numbers; default WCUT_LENGTH_UNIT_MM */
-    int most;                /**< more triangles are refused, 1 .. INT_MAX / 3; default 20000000 */
+    int max_triangles;       /**< more triangles are refused, 1 .. INT_MAX / 3; default 20000000 */
     int seconds;             /**< for the process of its own, 1 .. 3600; default 60 */
 } wcut_mesh_read_options;
 
@@ -56,7 +56,7 @@ WCUT_API wcut_mesh_read_options wcut_mesh_read_options_default(void);
  * @param[out] error   may be NULL; line or byte, what was found, what was expected
  * @return WCUT_OK; WCUT_NOT_FOUND (no such file, not readable), WCUT_BAD_FORMAT (no mesh in a known format, malformed,
  *         truncated, more behind its end, a coordinate not finite or beyond 1e12 mm, an index outside the vertices, a
- *         polygon of more than 1024 corners, no triangle, more than options->most; of the formats that assimp reads:
+ *         polygon of more than 1024 corners, no triangle, more than options->max_triangles; of the formats that assimp reads:
  *         it failed, crashed, took more than 4 GiB or its time), WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was
  *         written.
  */
@@ -77,7 +77,7 @@ typedef enum wcut_curve_format {
 typedef struct wcut_curve_read_options {
     wcut_curve_format format; /**< default WCUT_CURVE_FORMAT_ANY */
     int interpolate;          /**< CSV: 1 a cubic through the points (default), 0 straight pieces between them */
-    int most;                 /**< more curves are refused, 1 or more; default 10000 */
+    int max_curves;           /**< more curves are refused, 1 or more; default 10000 */
 } wcut_curve_read_options;
 
 /** Curves of a file. */
@@ -111,7 +111,7 @@ WCUT_API wcut_curve_read_options wcut_curve_read_options_default(void);
  * @param[out] error   may be NULL; line, instance or JSON path, what was found, what was expected
  * @return WCUT_OK; WCUT_NOT_FOUND (no such file, not readable), WCUT_BAD_FORMAT (no curves in a known format,
  *         malformed, truncated, over 256 MB, a number not finite or beyond 1e12 mm, knots or weights that make no
- *         curve, no curve that could be read, more than options->most), WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was
+ *         curve, no curve that could be read, more than options->max_curves), WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was
  *         written.
  */
 WCUT_API wcut_status wcut_curve_set_read(const char *path, const wcut_curve_read_options *options, wcut_curve_set **set,

@@ -28,7 +28,7 @@ typedef struct wcut_reconstruction_options {
     /** borrowed; the face where `surface` is only the plane below it, of wcut_mesh_base: heights are then over the plane,
         and what the mesh does not cover is neither face nor hole; default NULL: the surface is the face */
     const wcut_mesh *mesh;
-    double hole_least; /**< [mm^2] smaller gaps are counted in unmeasured_area, not listed as holes; default 10 */
+    double hole_min; /**< [mm^2] smaller gaps are counted in unmeasured_area, not listed as holes; default 10 */
 } wcut_reconstruction_options;
 
 /** A connected part of the face where the scan has no points. */

@@ -52,7 +52,7 @@ typedef struct wcut_registration_options {
     /** fit: default 1: where all six degrees of freedom are free, also start from the sheet's centre, plane and
         turns about its normal, both sides up, and take the best; 0: start at the values */
     int coarse;
-    int most; /**< fit: at most so many points are used, evenly over the file's order; default 20000, from 100 */
+    int max_points; /**< fit: at most so many points are used, evenly over the file's order; default 20000, from 100 */
     /** [1] a direction of motion that changes the distances by less than this share of the way that points move
         (RMS) is not determined by the data; default 0.003, in 1e-6 .. 0.5 */
     double sensitivity;
@@ -123,7 +123,7 @@ WCUT_API wcut_registration wcut_registration_none(void);
  * @param[in]  pair         pairs
  * @param[in]  faces        0 or more; pairs and faces are not both 0
  * @param[in]  face         faces
- * @param[in]  options      NULL for the defaults; keep, coarse, most are not read
+ * @param[in]  options      NULL for the defaults; keep, coarse, max_points are not read
  * @param[out] registration the motion, its covariance and what is undetermined
  * @param[out] error        may be NULL
  * @return WCUT_OK, also where rank is less than free; WCUT_NOT_CONVERGED: registration holds the last step;

@@ -9,7 +9,7 @@
 extern "C" {
 #endif
 
-enum { WCUT_BANDS_MOST = 8 };
+enum { WCUT_BANDS_MAX = 8 };
 
 /** Figures of deviations; all 0 where there is none. */
 typedef struct wcut_statistics {
@@ -22,10 +22,10 @@ typedef struct wcut_statistics {
     int positive, negative;              /**< deviations above and below 0 */
     double positive_mean, negative_mean; /**< [mm] of each part; 0 where it is empty */
     int bands;
-    double band[WCUT_BANDS_MOST];   /**< [mm] tolerances */
-    double within[WCUT_BANDS_MOST]; /**< [1] share with |d| <= band */
-    double over[WCUT_BANDS_MOST];   /**< [1] share with d > band */
-    double under[WCUT_BANDS_MOST];  /**< [1] share with d < -band */
+    double band[WCUT_BANDS_MAX];   /**< [mm] tolerances */
+    double within[WCUT_BANDS_MAX]; /**< [1] share with |d| <= band */
+    double over[WCUT_BANDS_MAX];   /**< [1] share with d > band */
+    double under[WCUT_BANDS_MAX];  /**< [1] share with d < -band */
 } wcut_statistics;
 
 /** A count of deviations that goes on: sums, and a histogram whose bins grow with size, 11 MiB whatever the count. */
@@ -34,7 +34,7 @@ typedef struct wcut_histogram wcut_histogram;
 /**
  * Begin to count.
  *
- * @param[in]  bands 0 .. WCUT_BANDS_MOST
+ * @param[in]  bands 0 .. WCUT_BANDS_MAX
  * @param[in]  band  bands [mm] positive
  * @param[out] histogram the caller's, to wcut_histogram_destroy
  * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.

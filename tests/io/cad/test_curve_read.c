@@ -20,7 +20,7 @@ static wcut_curve_read_options options;
 static wcut_status read_text(const char *label, const char *text, size_t length) {
     char *copy = calloc(length + 1, 1);
     memcpy(copy, text, length);
-    if (options.most == 0) options = wcut_curve_read_options_default();
+    if (options.max_curves == 0) options = wcut_curve_read_options_default();
     wcut_curve_set_destroy(set);
     set = NULL;
     error.text[0] = '\0';
@@ -392,7 +392,7 @@ TEST(arguments_outside_their_range_and_missing_files_are_refused) {
     wcut_curve_read_options o = wcut_curve_read_options_default();
     ck_assert_int_eq(wcut_curve_set_read(NULL, NULL, &set, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_curve_set_read("a.step", NULL, NULL, NULL), WCUT_BAD_ARGUMENT);
-    o.most = 0;
+    o.max_curves = 0;
     ck_assert_int_eq(wcut_curve_set_read("a.step", &o, &set, NULL), WCUT_BAD_ARGUMENT);
     o = wcut_curve_read_options_default();
     o.interpolate = 2;
@@ -402,9 +402,9 @@ TEST(arguments_outside_their_range_and_missing_files_are_refused) {
     ck_assert_int_eq(wcut_curve_set_read("a.step", &o, &set, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_curve_set_read("/nowhere/a.step", NULL, &set, &error), WCUT_NOT_FOUND);
     options = wcut_curve_read_options_default();
-    options.most = 1;
+    options.max_curves = 1;
     refuses("a.csv", "x_mm,y_mm,z_mm,curve\n0,0,0,1\n1,0,0,1\n0,5,0,2\n0,6,0,2\n", "found more than 1 curves");
-    options.most = 10000;
+    options.max_curves = 10000;
 }
 
 TEST(edges_of_a_file_become_those_of_a_design) {

@@ -70,8 +70,8 @@ static void check_number(double value) {
     char near[40];
     snprintf(near, sizeof near, "%.*e", fewest - 1, value);
     const double off = fabs((double)(strtold(text, NULL) - (long double)value));
-    const double least = fabs((double)(strtold(near, NULL) - (long double)value));
-    ck_assert_msg(off <= least, "%.17g printed as %s, nearer is %s", value, text, near);
+    const double min = fabs((double)(strtold(near, NULL) - (long double)value));
+    ck_assert_msg(off <= min, "%.17g printed as %s, nearer is %s", value, text, near);
 }
 
 TEST(every_number_reads_back_and_none_could_be_shorter) {

@@ -270,12 +270,12 @@ TEST(an_stl_with_nan_or_cut_short_is_refused) {
 
 TEST(more_triangles_than_asked_for_are_refused) {
     wcut_mesh_read_options o = wcut_mesh_read_options_default();
-    o.most = 11;
+    o.max_triangles = 11;
     const char *text = BOX_OBJ, *off = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
     ck_assert_int_eq(wcut_mesh_read_memory(text, strlen(text), 1024, "a.obj", &o, &mesh, &info, &error),
                      WCUT_BAD_FORMAT);
     ck_assert_ptr_nonnull(strstr(error.text, "found more than 11 triangles, expected at most that"));
-    o.most = 1;
+    o.max_triangles = 1;
     ck_assert_int_eq(wcut_mesh_read_memory(off, strlen(off), 1024, "a.off", &o, &mesh, &info, &error), WCUT_BAD_FORMAT);
     ck_assert_ptr_nonnull(strstr(error.text, "found more than 1 triangles, expected at most that"));
     ck_assert_ptr_null(mesh);
@@ -285,7 +285,7 @@ TEST(arguments_outside_their_range_and_missing_files_are_refused) {
     wcut_mesh_read_options o = wcut_mesh_read_options_default();
     ck_assert_int_eq(wcut_mesh_read(NULL, NULL, &mesh, NULL, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_mesh_read("a.stl", NULL, NULL, NULL, NULL), WCUT_BAD_ARGUMENT);
-    o.most = 0;
+    o.max_triangles = 0;
     ck_assert_int_eq(wcut_mesh_read("a.stl", &o, &mesh, NULL, NULL), WCUT_BAD_ARGUMENT);
     o = wcut_mesh_read_options_default();
     o.seconds = 0;

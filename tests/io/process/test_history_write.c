@@ -235,10 +235,10 @@ static wcut_station station(int j, const double *engaged) {
     return s;
 }
 
-/* a stream planned for `most` stations of which all of the history's come */
-static void stream_to(const char *path, int most, const double *engaged) {
+/* a stream planned for `max` stations of which all of the history's come */
+static void stream_to(const char *path, int max, const double *engaged) {
     wcut_vtp_stream *stream = NULL;
-    fine(wcut_vtp_stream_create(path, most, history.nodes, &stream, &error));
+    fine(wcut_vtp_stream_create(path, max, history.nodes, &stream, &error));
     for (int j = 0; j < history.stations; j++) {
         wcut_station s = station(j, engaged);
         fine(wcut_vtp_stream_append(stream, &s, &error));
@@ -259,9 +259,9 @@ static void same_files(const char *one, const char *other) {
 TEST(a_stream_that_ends_early_is_the_file_of_a_shorter_plan) {
     setup(13, 61);
     fine(wcut_history_write_vtp(&history, "h.vtp", &error));
-    static const int most[] = {13, 14, 99, 5000};
+    static const int max[] = {13, 14, 99, 5000};
     for (int k = 0; k < 4; k++) {
-        stream_to("s.vtp", most[k], NULL);
+        stream_to("s.vtp", max[k], NULL);
         same_files("h.vtp", "s.vtp");
     }
     ck_assert_int_eq(count_entries("."), 2);

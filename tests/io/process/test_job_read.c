@@ -286,7 +286,7 @@ TEST(a_file_is_read_whole_and_one_that_is_too_long_is_refused) {
     ck_assert_int_eq(wcut_job_read("job.json", &job, &error), WCUT_OK);
     ck_assert_int_eq(job->stations, 3);
     forget();
-    ck_assert_int_eq(truncate("job.json", (off_t)WCUT_JOB_BYTES_MOST + 1), 0);
+    ck_assert_int_eq(truncate("job.json", (off_t)WCUT_JOB_BYTES_MAX + 1), 0);
     unreadable("job.json", WCUT_BAD_FORMAT, "job.json: found more than 256 MB, expected at most that");
     char path[1200]; /* a long name is shown by its end */
     memset(path, 'd', sizeof path);

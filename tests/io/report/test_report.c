@@ -421,22 +421,22 @@ TEST(bytes_that_are_no_utf_8_are_replaced_one_by_one) {
 }
 
 TEST(a_thinned_series_keeps_lowest_highest_and_gaps) {
-    enum { COUNT = 100000, MOST = 1000 };
+    enum { COUNT = 100000, MAX = 1000 };
     static double value[COUNT];
     static int index[COUNT];
     for (int i = 0; i < COUNT; i++) value[i] = sin(0.01 * i);
     value[12345] = 9, value[77777] = -9;
     for (int i = 40000; i < 41000; i++) value[i] = NAN;
-    const int kept = wcut_report_thin(COUNT, value, MOST, index);
-    ck_assert(kept > MOST / 2 && kept <= MOST);
+    const int kept = wcut_report_thin(COUNT, value, MAX, index);
+    ck_assert(kept > MAX / 2 && kept <= MAX);
     bool top = false, bottom = false, gap = false;
     for (int k = 0; k < kept; k++) {
         ck_assert(k == 0 || index[k] > index[k - 1]);
         top |= index[k] == 12345, bottom |= index[k] == 77777, gap |= isnan(value[index[k]]);
     }
     ck_assert(top && bottom && gap);
-    ck_assert_int_eq(wcut_report_thin(MOST, value, MOST, index), MOST);
-    ck_assert_int_eq(index[MOST - 1], MOST - 1);
+    ck_assert_int_eq(wcut_report_thin(MAX, value, MAX, index), MAX);
+    ck_assert_int_eq(index[MAX - 1], MAX - 1);
 }
 
 TEST(quantiles_are_order_statistics_of_what_is_there) {

@@ -16,12 +16,12 @@
 
 /* ---- bytes ---- */
 
-enum { BYTES_MOST = 1 << 20 };
-static unsigned char bytes[BYTES_MOST];
+enum { BYTES_MAX = 1 << 20 };
+static unsigned char bytes[BYTES_MAX];
 static size_t size;
 
 static inline void put(const void *data, size_t n) {
-    ck_assert(size + n <= BYTES_MOST);
+    ck_assert(size + n <= BYTES_MAX);
     memcpy(bytes + size, data, n);
     size += n;
 }
@@ -29,9 +29,9 @@ static inline void put(const void *data, size_t n) {
 __attribute__((format(printf, 1, 2))) static inline void put_text(const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
-    const int n = vsnprintf((char *)bytes + size, BYTES_MOST - size, format, arguments);
+    const int n = vsnprintf((char *)bytes + size, BYTES_MAX - size, format, arguments);
     va_end(arguments);
-    ck_assert(n >= 0 && size + (size_t)n < BYTES_MOST);
+    ck_assert(n >= 0 && size + (size_t)n < BYTES_MAX);
     size += (size_t)n;
 }
 
@@ -91,8 +91,8 @@ static inline void put_las_header(int minor, int format, int length, uint64_t co
 
 /* ---- reading them ---- */
 
-enum { POINTS_MOST = 4000 };
-static wcut_vec3 got[POINTS_MOST], got_normal[POINTS_MOST];
+enum { POINTS_MAX = 4000 };
+static wcut_vec3 got[POINTS_MAX], got_normal[POINTS_MAX];
 static int got_count;
 static wcut_cloud_info got_info;
 static wcut_error error;
@@ -103,7 +103,7 @@ static inline wcut_status read_through(size_t window, int piece) {
     wcut_cloud_source *source = NULL;
     memset(&error, 0, sizeof error);
     got_count = 0;
-    for (int k = 0; k < POINTS_MOST; k++) got[k] = got_normal[k] = (wcut_vec3){999, 999, 999};
+    for (int k = 0; k < POINTS_MAX; k++) got[k] = got_normal[k] = (wcut_vec3){999, 999, 999};
     wcut_status status = wcut_cloud_source_create_memory(bytes, size, window, "scan", &options, &source, &error);
     if (status != WCUT_OK) {
         ck_assert_ptr_null(source);
@@ -111,7 +111,7 @@ static inline wcut_status read_through(size_t window, int piece) {
         return status;
     }
     for (int count = 1; count > 0;) {
-        const int room = POINTS_MOST - got_count < piece ? POINTS_MOST - got_count : piece;
+        const int room = POINTS_MAX - got_count < piece ? POINTS_MAX - got_count : piece;
         count = -1;
         status = wcut_cloud_source_next(source, room, got + got_count, got_normal + got_count, &count, &error);
         if (status != WCUT_OK) ck_assert_int_eq(count, -1);
@@ -134,7 +134,7 @@ static inline wcut_status read_through(size_t window, int piece) {
 /* the bytes are good, whatever the window and the pieces, and hold so many points */
 static inline void reads(int count) {
     const size_t windows[] = {2048, 5000, 1 << 18};
-    const int pieces[] = {1, 7, POINTS_MOST};
+    const int pieces[] = {1, 7, POINTS_MAX};
     for (int k = 0; k < 9; k++) {
         const wcut_status status = read_through(windows[k / 3], pieces[k % 3]);
         ck_assert_msg(status == WCUT_OK, "%s", error.text);
@@ -144,7 +144,7 @@ static inline void reads(int count) {
 
 /* the bytes are refused with these words, after so many points */
 static inline void refused(int count, const char *words) {
-    const int pieces[] = {1, 7, POINTS_MOST};
+    const int pieces[] = {1, 7, POINTS_MAX};
     for (int k = 0; k < 3; k++) {
         const wcut_status status = read_through(4096, pieces[k]);
         ck_assert_msg(status == WCUT_BAD_FORMAT, "status %d, expected: %s", (int)status, words);

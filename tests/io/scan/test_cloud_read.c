@@ -296,10 +296,10 @@ TEST(gltf_gives_the_vertices_of_every_node_in_mm_with_z_upwards) {
 }
 
 TEST(las_of_every_version_and_point_format) {
-    const int least[] = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
+    const int min[] = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
     for (int minor = 2; minor <= 4; minor++) {
         for (int format = 0; format <= (minor < 4 ? 5 : 10); format++) {
-            const int length = least[format] + format % 3;
+            const int length = min[format] + format % 3;
             begin();
             put_las_header(minor, format, length, COUNT + 1, 0.0625, -512);
             for (int k = 0; k <= COUNT; k++) {
@@ -381,7 +381,7 @@ TEST(a_whole_cloud_is_in_memory_thinned_where_asked) {
         ck_assert(equal(cloud->point[k], truth(k)) && close_to(cloud->normal[k], up(k), 1e-7));
     wcut_cloud_destroy(cloud);
     options.voxel = 1e6;
-    options.most = 5;
+    options.max_points = 5;
     ck_assert_int_eq(wcut_cloud_read(path, &options, &cloud, &error), WCUT_OK);
     ck_assert(cloud->count == 4 && cloud->info.thinned == COUNT - 4); /* about the origin: x and z of either sign */
     ck_assert(equal(cloud->point[0], truth(0)) && close_to(cloud->normal[0], up(0), 1e-7));
@@ -404,11 +404,11 @@ TEST(more_points_than_allowed_are_refused) {
     begin();
     put_rows(" ", "\n", false, false);
     on_disk(".xyz");
-    options.most = COUNT - 1;
+    options.max_points = COUNT - 1;
     ck_assert_int_eq(wcut_cloud_read(path, &options, &cloud, &error), WCUT_BAD_FORMAT);
     ck_assert_ptr_nonnull(strstr(error.text, "found more than 299 points, expected at most that"));
     ck_assert_ptr_eq(cloud, (void *)path);
-    options.most = COUNT;
+    options.max_points = COUNT;
     ck_assert_int_eq(wcut_cloud_read(path, &options, &cloud, &error), WCUT_OK);
     ck_assert(cloud->count == COUNT && cloud->normal == NULL);
     wcut_cloud_destroy(cloud);
@@ -450,7 +450,7 @@ TEST(arguments_outside_their_range_are_refused) {
     wcut_cloud_options bad[6];
     for (int k = 0; k < 6; k++) bad[k] = wcut_cloud_options_default();
     bad[0].format = (wcut_cloud_format)9, bad[1].unit = (wcut_length_unit)4;
-    bad[2].most = 0, bad[3].voxel = -1, bad[4].voxel = NAN, bad[5].voxel = INFINITY;
+    bad[2].max_points = 0, bad[3].voxel = -1, bad[4].voxel = NAN, bad[5].voxel = INFINITY;
     for (int k = 0; k < 6; k++) {
         if (k < 2) ck_assert_int_eq(wcut_cloud_source_create(path, &bad[k], &source, NULL), WCUT_BAD_ARGUMENT);
         ck_assert_int_eq(wcut_cloud_read(path, &bad[k], &cloud, NULL), WCUT_BAD_ARGUMENT);
