@@ -21,7 +21,7 @@
     X(APP_INTERRUPTED, 130, "interrupted; what was computed until then is written")
 
 #define APP_EXIT_ENTRY(name, code, text) name = code,
-enum { APP_EXIT_LIST(APP_EXIT_ENTRY) APP_OPTIONS_MAX = 24 };
+enum { APP_EXIT_LIST(APP_EXIT_ENTRY) APP_OPTIONS_MAX = 48 };
 #undef APP_EXIT_ENTRY
 
 /* What an option's value is. */

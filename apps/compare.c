@@ -145,6 +145,9 @@ static int read_options(const app_call *call, app_compare_options *o) {
     if (app_given(call, "normals")) o->normals = app_int(call, "normals");
     if (app_given(call, "support")) o->support = app_real(call, "support");
     o->scans.unit = (wcut_length_unit)app_choice(call, "unit");
+    o->scans.columns = app_text(call, "columns");
+    o->reference_unit =
+        app_given(call, "reference-unit") ? (wcut_length_unit)app_choice(call, "reference-unit") : o->scans.unit;
     o->scans.threads = o->threads;
     read_cleaning(call, &o->scans);
     if (o->distance == APP_TO_RECONSTRUCTION && o->reconstruct == 0) o->reconstruct = 1;
@@ -295,7 +298,20 @@ static const app_operand operand[] = {
 
 static const app_option option[] = {
     APP_OPTION_OUTPUT,
-    {.kind = APP_CHOICE, .name = "unit", .value = "mm|cm|m|inch", .standard = "mm", .help = "unit of the scans"},
+    {.kind = APP_CHOICE,
+     .name = "unit",
+     .value = "mm|cm|m|inch|ft|dm|um",
+     .standard = "mm",
+     .help = "unit of scans that state none, and of a mesh they are compared with (glTF is in metres)"},
+    {.kind = APP_CHOICE,
+     .name = "reference-unit",
+     .value = "mm|cm|m|inch|ft|dm|um",
+     .help = "unit of the mesh alone, where it is not that of the scans"},
+    {.kind = APP_TEXT,
+     .name = "columns",
+     .value = "X,Y,Z",
+     .help = "columns of a text scan, names of its header or numbers from 1, as x_meas,y_meas,z_meas or 4,5,6; else "
+             "by the header"},
     {.kind = APP_CHOICE,
      .name = "register",
      .value = "none|datum|fit",

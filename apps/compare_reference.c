@@ -1,9 +1,11 @@
 /* What a scan is compared with: the face that a job leaves, or a mesh. */
 #include "compare_reference.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <sys/stat.h>
 
 #include <wirecut/job_file.h>
 #include "command.h"
@@ -86,9 +88,11 @@ static void warn_of_mesh(const app_reference *r, const wcut_mesh_tree_info *info
             r->path, info->nonmanifold_edges);
 }
 
-static int load_mesh(app_reference *r) {
+static int load_mesh(app_reference *r, wcut_length_unit unit) {
     wcut_error error = {0};
-    wcut_status status = wcut_mesh_read(r->path, NULL, &r->mesh, NULL, &error);
+    wcut_mesh_read_options options = wcut_mesh_read_options_default();
+    options.unit = unit;
+    wcut_status status = wcut_mesh_read(r->path, &options, &r->mesh, NULL, &error);
     if (status != WCUT_OK) return app_fail_status(status, NULL, &error);
     status = wcut_mesh_tree_create(r->mesh, &r->tree);
     if (status != WCUT_OK) return app_fail_status(status, r->path, NULL);
@@ -116,21 +120,37 @@ int app_reference_base(app_reference *reference, const wcut_surface **surface) {
 
 /* ---- either ---- */
 
-int app_reference_load(app_reference *reference, const char *path, app_distance distance, double chord_tolerance,
-                       bool flip, bool quiet) {
+/* a job is JSON: by its ending or its first byte; what comes through a pipe is a job */
+static bool is_job(const char *path) {
+    static const char *const ending[] = {".json", NULL};
+    if (ends_with(path, ending)) return true;
+    if (ends_with(path, mesh_ending)) return false;
+    struct stat about;
+    FILE *file = stat(path, &about) == 0 && S_ISREG(about.st_mode) ? fopen(path, "rb") : NULL;
+    if (!file) return true;
+    int c = fgetc(file);
+    for (int k = 0;
+         k < 1000 && (c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == 0xef || c == 0xbb || c == 0xbf); k++)
+        c = fgetc(file);
+    fclose(file);
+    return c == '{' || c == '[';
+}
+
+int app_reference_load(app_reference *reference, const app_reference_options *options) {
     wcut_error error = {0};
     app_reference *r = reference;
-    *r = (app_reference){.path = path, .distance = distance, .options = wcut_deviation_options_default()};
+    const char *path = options->path;
+    *r = (app_reference){.path = path, .distance = options->distance, .options = wcut_deviation_options_default()};
     if (ends_with(path, cad_ending))
         return app_fail(APP_BAD_INPUT,
                         "%s: found a CAD file, expected a job, whose surface is exact, or a mesh: .stl .ply .obj .off "
                         ".glb",
                         path);
-    r->is_job = !ends_with(path, mesh_ending);
-    r->options.flip = flip;
-    const int code = r->is_job ? load_job(r, chord_tolerance, quiet) : load_mesh(r);
+    r->is_job = is_job(path);
+    r->options.flip = options->flip;
+    const int code = r->is_job ? load_job(r, options->chord_tolerance, options->quiet) : load_mesh(r, options->unit);
     if (code != APP_DONE) return code;
-    if (!r->is_job && distance == APP_TO_SURFACE) r->distance = APP_TO_MESH;
+    if (!r->is_job && options->distance == APP_TO_SURFACE) r->distance = APP_TO_MESH;
     r->plan = (r->high.x - r->low.x) * (r->high.y - r->low.y);
     /* a job that came through a pipe cannot be read once more: it has no hash */
     const wcut_status status = wcut_file_hash(path, r->hash, &error);

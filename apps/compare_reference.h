@@ -30,9 +30,17 @@ typedef struct app_reference {
     wcut_surface *base; /* of a mesh: the plane below it; `projection` is then of that */
 } app_reference;
 
+/* what is wanted of it */
+typedef struct app_reference_options {
+    const char *path;
+    app_distance distance;
+    double chord_tolerance; /* [mm] of a job's triangles */
+    wcut_length_unit unit;  /* of a mesh */
+    bool flip, quiet;
+} app_reference_options;
+
 /* Read, simulate, prepare. Gives an exit code, after a line that says why. */
-int app_reference_load(app_reference *reference, const char *path, app_distance distance, double chord_tolerance,
-                       bool flip, bool quiet);
+int app_reference_load(app_reference *reference, const app_reference_options *options);
 
 /* The surface that a scan is reconstructed over: a job's face, or the plane below a mesh. Gives an exit code, after a
    line that says why where the mesh is no sheet. */

@@ -38,7 +38,7 @@ static void warn_of_unit(const app_comparison *c) {
     if (fit.factor > 0)
         app_say(
             "%s: warning: the scan is %.3g times as large as the face; multiplied by %.5g it would fit: another "
-            "--unit?",
+            "--unit or --reference-unit?",
             c->options.scan[0], fit.ratio, fit.factor);
     else
         app_say("%s: warning: the scan is %.3g times as large as the face", c->options.scan[0], fit.ratio);
@@ -434,7 +434,13 @@ int app_comparison_run(app_comparison *comparison, const app_compare_options *op
     app_comparison *c = comparison;
     *c = (app_comparison){.options = *options};
     const app_compare_options *o = &c->options;
-    int code = app_reference_load(&c->reference, o->reference, o->distance, o->chord_tolerance, o->flip, o->quiet);
+    const app_reference_options reference = {.path = o->reference,
+                                             .distance = o->distance,
+                                             .chord_tolerance = o->chord_tolerance,
+                                             .unit = o->reference_unit,
+                                             .flip = o->flip,
+                                             .quiet = o->quiet};
+    int code = app_reference_load(&c->reference, &reference);
     const wcut_surface *surface;
     if (code == APP_DONE && o->reconstruct > 0) code = app_reference_base(&c->reference, &surface);
     app_scan_options scans = o->scans;

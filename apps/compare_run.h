@@ -15,7 +15,8 @@ typedef struct app_compare_options {
     const char **scan;
     bool quiet, flip;
     app_distance distance;
-    double chord_tolerance; /* [mm] */
+    double chord_tolerance;          /* [mm] */
+    wcut_length_unit reference_unit; /* of a mesh */
     app_scan_options scans;
     wcut_registration_method method;
     wcut_registration_options registration;

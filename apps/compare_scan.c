@@ -109,6 +109,7 @@ static int read_file(growth *g, int file) {
     wcut_cloud_source *source = NULL;
     wcut_error error = {0};
     options.unit = s->options.unit;
+    options.columns = s->options.columns;
     wcut_status status = wcut_cloud_source_create(s->path[file], &options, &source, &error);
     int code = status == WCUT_OK ? APP_DONE : app_fail_status(status, NULL, &error), count = 1;
     while (code == APP_DONE && count > 0) {
@@ -211,6 +212,7 @@ static int pass_file(const app_scans *s, int file, wcut_vec3 *piece, int *first,
     wcut_cloud_source *source = NULL;
     wcut_error error = {0};
     options.unit = s->options.unit;
+    options.columns = s->options.columns;
     wcut_status status = wcut_cloud_source_create(s->path[file], &options, &source, &error);
     int code = APP_DONE, count = 1, read = 0;
     while (status == WCUT_OK && code == APP_DONE && count > 0) {

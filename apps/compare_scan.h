@@ -8,7 +8,8 @@
 /* what is wanted of the scans */
 typedef struct app_scan_options {
     wcut_length_unit unit;
-    bool cleaned; /* `clean` removes something */
+    const char *columns; /* of text; NULL: told by the header */
+    bool cleaned;        /* `clean` removes something */
     wcut_clean_options clean;
     int hold;    /* points held in memory; more are held only to be cleaned */
     double plan; /* [mm^2] of the face seen from above: sets how a sample is thinned */

@@ -75,7 +75,9 @@ static int load(moulding *m) {
     }
     if (app_given(m->call, "stock")) {
         const char *path = app_text(m->call, "stock");
-        status = wcut_mesh_read(path, NULL, &m->stock, NULL, &error);
+        wcut_mesh_read_options options = wcut_mesh_read_options_default();
+        options.unit = (wcut_length_unit)app_choice(m->call, "stock-unit");
+        status = wcut_mesh_read(path, &options, &m->stock, NULL, &error);
         if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : path, &error);
     }
     status = wcut_setup_create(m->job, NULL, &m->setup, &error);
@@ -369,6 +371,11 @@ static const app_option option[] = {
      .name = "stock",
      .value = "MESH",
      .help = "closed mesh inside the block, which is cut in its place"},
+    {.kind = APP_CHOICE,
+     .name = "stock-unit",
+     .value = "mm|cm|m|inch|ft|dm|um",
+     .standard = "mm",
+     .help = "unit of that mesh (glTF is in metres)"},
     {.kind = APP_CHOICE,
      .name = "keys",
      .value = "none|pockets|cones",

@@ -7,6 +7,7 @@
 #include <wirecut/cloud_file.h>
 #include "base/alloc.h"
 #include "base/fail.h"
+#include "io/file/unit.h"
 #include "io/mesh/mesh_formats.h"
 
 enum { SNIFF = 512 };
@@ -17,7 +18,7 @@ wcut_mesh_read_options wcut_mesh_read_options_default(void) {
 }
 
 static bool options_are_usable(const wcut_mesh_read_options *o) {
-    return (unsigned)o->format < WCUT_MESH_FORMAT_COUNT && (unsigned)o->unit <= WCUT_LENGTH_UNIT_INCH &&
+    return (unsigned)o->format < WCUT_MESH_FORMAT_COUNT && (unsigned)o->unit < WCUT_LENGTH_UNIT_COUNT &&
            o->max_triangles >= 1 && o->max_triangles <= INT_MAX / 3 && o->seconds >= 1 && o->seconds <= 3600;
 }
 
@@ -25,6 +26,12 @@ static bool options_are_usable(const wcut_mesh_read_options *o) {
 static const char *ending_of(const char *name) {
     const char *point = strrchr(name, '.');
     return point && !strchr(point, '/') ? point : "";
+}
+
+/* OFF, COFF, STOFF and the like */
+static bool begins_off(const char *at) {
+    const char *word = strstr(at, "OFF");
+    return word && word - at <= 4 && strspn(at, "STCN4n") >= (size_t)(word - at);
 }
 
 static wcut_mesh_format find_format(const wcut_source *s) {
@@ -38,7 +45,10 @@ static wcut_mesh_format find_format(const wcut_source *s) {
     if (strncmp(at, "glTF", 4) == 0) return WCUT_MESH_FORMAT_GLTF;
     for (size_t k = 0; k < sizeof known / sizeof *known; k++)
         if (strcasecmp(ending, known[k].ending) == 0) return known[k].format;
-    return strncmp(at, "solid", 5) == 0 ? WCUT_MESH_FORMAT_STL : WCUT_MESH_FORMAT_ANY;
+    if (strncmp(at, "\xef\xbb\xbf", 3) == 0) at += 3;
+    at += strspn(at, " \t\r\n");
+    if (strncasecmp(at, "solid", 5) == 0) return WCUT_MESH_FORMAT_STL;
+    return begins_off(at) ? WCUT_MESH_FORMAT_OFF : WCUT_MESH_FORMAT_ANY;
 }
 
 static bool fill(wcut_source *s, wcut_mesh_builder *g, wcut_mesh_format format, int seconds) {
@@ -61,8 +71,7 @@ static bool fill(wcut_source *s, wcut_mesh_builder *g, wcut_mesh_format format, 
 
 static bool read(wcut_source *s, wcut_mesh_builder *g, const wcut_mesh_read_options *o, wcut_mesh **mesh,
                  wcut_mesh_read_info *info) {
-    static const double millimetres[] = {1, 10, 1000, 25.4};
-    s->scale = millimetres[o->unit];
+    s->scale = wcut_unit_length(o->unit);
     if (wcut_stream_fill(&s->stream, SNIFF) == 0) return wcut_source_refuse_end(s, "a mesh");
     info->format = o->format != WCUT_MESH_FORMAT_ANY ? o->format : find_format(s);
     return fill(s, g, info->format, o->seconds) && wcut_mesh_builder_finish(g, mesh, info);

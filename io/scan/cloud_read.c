@@ -8,7 +8,7 @@
 #include <wirecut/cloud_file.h>
 #include "base/alloc.h"
 #include "base/fail.h"
-#include "io/file/number.h"
+#include "io/file/unit.h"
 #include "io/scan/cloud_foreign.h"
 #include "io/scan/cloud_source.h"
 
@@ -20,7 +20,7 @@ wcut_cloud_options wcut_cloud_options_default(void) {
 }
 
 static bool options_are_usable(const wcut_cloud_options *o) {
-    return (unsigned)o->format <= WCUT_CLOUD_FORMAT_GLTF && (unsigned)o->unit <= WCUT_LENGTH_UNIT_INCH;
+    return (unsigned)o->format <= WCUT_CLOUD_FORMAT_GLTF && (unsigned)o->unit < WCUT_LENGTH_UNIT_COUNT;
 }
 
 bool wcut_cloud_state(wcut_cloud_source *s, int64_t count, uint64_t size, const char *what) {
@@ -147,13 +147,15 @@ static bool begin_format(wcut_cloud_source *s) {
                                               wcut_cloud_begin_obj,
                                               wcut_cloud_begin_off,
                                               wcut_cloud_begin_foreign};
-    static const double millimetres[] = {1, 10, 1000, 25.4};
-    s->in.scale = millimetres[s->options.unit];
+
+    s->in.scale = wcut_unit_length(s->options.unit);
     if (wcut_stream_fill(&s->in.stream, SNIFF) == 0) return wcut_source_refuse_end(&s->in, "points");
     if (!check_readable(s)) return false;
     s->info.format = s->options.format != WCUT_CLOUD_FORMAT_ANY ? s->options.format : find_format(s);
     s->info.stated = -1;
-    return begin[s->info.format](s);
+    if (!begin[s->info.format](s)) return false;
+    s->info.unit = s->in.scale;
+    return true;
 }
 
 /* the bytes, opened, become the source's; they are closed on failure */

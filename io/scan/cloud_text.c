@@ -7,87 +7,70 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "io/file/row.h"
+#include "io/file/unit.h"
+#include "io/scan/cloud_columns.h"
 #include "io/scan/cloud_source.h"
 
-enum { HEADER_LINES_MAX = 10, COLUMNS_MAX = 1000, SNIFF_ROWS = 50 };
+enum { HEADER_LINES_MAX = 10, SNIFF_ROWS = 50, TELLING_ROWS = 5 };
 
 /* how the rows are made */
 typedef struct text_layout {
     char separator; /* ' ' for blanks */
     bool comma;     /* numbers may have decimal commas */
     int columns;
-    int column[WCUT_FIELDS]; /* where x y z nx ny nz stand, -1 where nowhere */
-    int field[16];           /* the other way round, -1 for a column that is not wanted; columns below 16 */
-    int last;                /* the last column wanted */
+    int column[WCUT_FIELDS];           /* where x y z nx ny nz stand, -1 where nowhere */
+    signed char field[WCUT_CELLS_MAX]; /* the other way round, -1 for a column that is not wanted */
+    int last;                          /* the last column wanted */
 } text_layout;
 
-/* ---- the header: names ---- */
+/* ---- a cell of a row ---- */
 
-/* "nx_mm" -> field 3; unit is what stands behind the name, "mm", or "" */
-static int find_field(const char *word, size_t n, char unit[8]) {
-    static const char *const name[] = {"x",        "y",        "z",        "nx",  "ny", "nz",
-                                       "normal_x", "normal_y", "normal_z", "//x", "#x", "\"x"};
-    static const int field[] = {0, 1, 2, 3, 4, 5, 3, 4, 5, 0, 0, 0};
-    unit[0] = '\0';
-    for (size_t k = 0; k < sizeof name / sizeof *name; k++) {
-        const size_t m = strlen(name[k]);
-        if (n < m || strncasecmp(word, name[k], m) != 0) continue;
-        if (n > m && !strchr("_([", word[m])) continue;
-        size_t length = n > m ? n - m - 1 : 0;
-        if (length > 0 && strchr(")]", word[n - 1])) length--;
-        if (length >= 8) continue;
-        memcpy(unit, word + n - (n > m ? n - m - 1 : 0), length);
-        unit[length] = '\0';
-        return field[k];
-    }
-    return -1;
+/* go to the next column: behind the separator; NULL where the line ends */
+static const char *next_column(const char *at, char separator) {
+    at = wcut_skip_blanks(at);
+    if (wcut_is_line_end(at)) return NULL;
+    return at + (separator != ' ' && *at == separator);
 }
 
-static bool is_separator(char c) { return wcut_is_blank(c) || c == ',' || c == ';' || c == '"' || c == '\r'; }
-
-/* a coordinate's unit in the header must be the one that the caller states */
-static bool check_unit(wcut_cloud_source *s, const char *line, const char *word, const char *unit) {
-    static const char *const name[] = {"mm", "cm", "m", "in", "inch"};
-    static const wcut_length_unit value[] = {WCUT_LENGTH_UNIT_MM, WCUT_LENGTH_UNIT_CM, WCUT_LENGTH_UNIT_M,
-                                             WCUT_LENGTH_UNIT_INCH, WCUT_LENGTH_UNIT_INCH};
-    static const char *const expected[] = {"millimetres, as the option unit says",
-                                           "centimetres, as the option unit says", "metres, as the option unit says",
-                                           "inches, as the option unit says"};
-    for (size_t k = 0; k < sizeof name / sizeof *name; k++)
-        if (strcasecmp(unit, name[k]) == 0)
-            return value[k] == s->options.unit ||
-                   wcut_source_refuse_text(&s->in, line, word, expected[s->options.unit]);
-    return true;
-}
-
-/* the columns of x, y, z where a line names them; `named` is how many columns it has, 0 where it does not */
-static bool read_names(wcut_cloud_source *s, const char *line, const char *end, int column[WCUT_FIELDS], int *named) {
-    int found[WCUT_FIELDS] = {-1, -1, -1, -1, -1, -1}, words = 0;
-    const char *p = line, *word[3] = {NULL, NULL, NULL};
-    char unit[3][8];
-    while (p < end && (is_separator(*p) || *p == '#' || *p == '/')) p++;
-    while (p < end && *p != '\n') {
-        const char *from = p;
-        while (p < end && *p != '\n' && !is_separator(*p)) p++;
-        char behind[8];
-        const int field = find_field(from, (size_t)(p - from), behind);
-        if (field >= 0 && found[field] < 0) {
-            found[field] = words;
-            if (field < 3) word[field] = from, memcpy(unit[field], behind, sizeof behind);
+/* behind the cell at `at`, quoted or not */
+static const char *skip_column(const char *at, char separator) {
+    at = wcut_skip_blanks(at);
+    if (*at == '"') {
+        for (at++; *at != '"' && !wcut_is_line_end(at); at++) {
         }
-        words++;
-        while (p < end && is_separator(*p)) p++;
+        at += *at == '"';
     }
-    *named = found[0] >= 0 && found[1] >= 0 && found[2] >= 0 ? words : 0;
-    if (*named == 0) return true;
-    if (found[3] < 0 || found[4] < 0 || found[5] < 0) found[3] = found[4] = found[5] = -1;
-    memcpy(column, found, sizeof found);
-    for (int k = 0; k < 3; k++)
-        if (!check_unit(s, line, word[k], unit[k])) return false;
+    while (!wcut_is_line_end(at) && *at != separator && !(separator == ' ' && *at == '\t')) at++;
+    return at;
+}
+
+/* the number of a cell, in quotes or not, and what is behind it; NULL: it is none */
+static const char *read_cell(const char *at, char separator, bool comma, double *value) {
+    at = wcut_skip_blanks(at);
+    if (*at != '"') return wcut_row_number(at, separator, comma, value);
+    at = wcut_row_number(at + 1, '"', comma, value);
+    at = at ? wcut_skip_blanks(at) : NULL;
+    return at && *at == '"' ? at + 1 : NULL;
+}
+
+static int count_columns(const char *line, char separator) {
+    int columns = 0;
+    for (const char *p = line; p; p = next_column(skip_column(p, separator), separator)) columns++;
+    return columns;
+}
+
+/* the first numbers of a row; false: fewer are there */
+static bool read_first(const char *line, const text_layout *t, int count, double *value) {
+    const char *p = line;
+    for (int k = 0; k < count; k++) {
+        const char *behind = p ? read_cell(p, t->separator, t->comma, &value[k]) : NULL;
+        if (!behind) return false;
+        p = next_column(behind, t->separator);
+    }
     return true;
 }
 
-/* ---- the first rows: separator, columns ---- */
+/* ---- separator ---- */
 
 /* whether commas stand within numbers: at most one in each word, digits on both sides, and at least three words */
 static bool commas_are_decimal(const char *line, const char *end) {
@@ -116,25 +99,6 @@ static void find_separator(const char *line, const char *end, text_layout *t) {
     t->comma = t->separator != ',';
 }
 
-/* go to the next column: behind the separator; NULL where the line ends */
-static const char *next_column(const char *at, char separator) {
-    at = wcut_skip_blanks(at);
-    if (wcut_is_line_end(at)) return NULL;
-    return at + (separator != ' ' && *at == separator);
-}
-
-static const char *skip_column(const char *at, char separator) {
-    if (separator == ' ') at = wcut_skip_blanks(at);
-    while (!wcut_is_line_end(at) && *at != separator && !(separator == ' ' && *at == '\t')) at++;
-    return at;
-}
-
-static int count_columns(const char *line, char separator) {
-    int columns = 0;
-    for (const char *p = line; p; p = next_column(skip_column(p, separator), separator)) columns++;
-    return columns;
-}
-
 /* "1,5,2,5,3,5": three numbers with decimal commas, or six? No row of the first ones says so by a decimal point */
 static bool check_commas(wcut_cloud_source *s, const char *line, const text_layout *t) {
     const char *end = (const char *)s->in.stream.data + s->in.stream.end, *p = line;
@@ -149,43 +113,169 @@ static bool check_commas(wcut_cloud_source *s, const char *line, const text_layo
                                    "columns' names: the commas could be decimal ones");
 }
 
-/* columns that no header names: x y z, and a normal where there are six and the first row's has length 1 */
+/* ---- columns that nobody names ---- */
+
+/* x y z, and a normal where there are six and the first row's has length 1 */
 static void assume_columns(const char *line, text_layout *t) {
     double v[WCUT_FIELDS] = {0, 0, 0, 0, 0, 0};
-    const char *p = line;
     for (int k = 0; k < WCUT_FIELDS; k++) t->column[k] = k < 3 ? k : -1;
-    if (t->columns != 6) return;
-    for (int k = 0; k < 6; k++) {
-        const char *behind = wcut_row_number(p, t->separator, t->comma, &v[k]);
-        if (!behind) return;
-        p = next_column(behind, t->separator);
-        if (!p && k < 5) return;
-    }
+    if (t->columns != 6 || !read_first(line, t, 6, v)) return;
     const double size = sqrt(v[3] * v[3] + v[4] * v[4] + v[5] * v[5]);
     for (int k = 3; k < 6 && size > 0.98 && size < 1.02; k++) t->column[k] = k;
 }
 
-static bool find_columns(wcut_cloud_source *s, const char *line, const char *end, int named, bool strict,
-                         text_layout *t) {
-    find_separator(line, end, t);
-    t->columns = count_columns(line, t->separator);
-    if (t->columns > COLUMNS_MAX) return wcut_source_refuse_text(&s->in, line, line, "at most 1000 columns");
-    if (t->columns < 3) return wcut_source_refuse_text(&s->in, line, line, "at least three numbers, x y z");
-    if (named != t->columns) {
-        if (named > 0 && strict)
-            return wcut_source_refuse_text(&s->in, line, line, "as many columns as the header names");
-        if (!check_commas(s, line, t)) return false;
-        assume_columns(line, t);
+/* whether the first rows hold two points each, a nominal one and one that was measured: far nearer to each other than
+   the rows are; or whether their first column counts them */
+static const char *find_doubt(const wcut_cloud_source *s, const char *line, const text_layout *t) {
+    const char *end = (const char *)s->in.stream.data + s->in.stream.end, *p = line;
+    double low[3], high[3], apart = 0, first = 0;
+    bool are_pairs = t->columns >= 6 && t->column[3] < 0, is_counted = t->columns >= 4;
+    int rows = 0;
+    for (; rows < SNIFF_ROWS && p < end && (are_pairs || is_counted); rows++) {
+        const char *feed = memchr(p, '\n', (size_t)(end - p));
+        double v[6] = {0};
+        if (!feed || !read_first(p, t, are_pairs ? 6 : 3, v)) break;
+        if (rows == 0) first = v[0];
+        is_counted = is_counted && (first == 0 || first == 1) && v[0] == first + rows;
+        for (int k = 0; k < 3; k++) {
+            low[k] = rows ? fmin(low[k], v[k]) : v[k], high[k] = rows ? fmax(high[k], v[k]) : v[k];
+            apart = fmax(apart, fabs(v[3 + k] - v[k]));
+        }
+        p = feed + 1;
     }
+    if (rows < TELLING_ROWS) return NULL;
+    const double size = fmax(high[0] - low[0], fmax(high[1] - low[1], high[2] - low[2]));
+    if (are_pairs && apart <= 0.05 * size)
+        return "a header: the rows seem to hold two points each; say which columns by the option columns, as 4,5,6";
+    if (is_counted)
+        return "a header: the first column seems to count the rows; say which columns are x, y, z by the option "
+               "columns, as 2,3,4";
+    return NULL;
+}
+
+/* ---- the header ---- */
+
+/* lines before the rows: the last one of words, or a comment that names columns */
+typedef struct header {
+    char *text; /* of its line, zero-terminated; NULL: none yet */
+    long line;
+    bool is_comment;
+    int words; /* lines of words so far */
+} header;
+
+static bool keep_header(wcut_cloud_source *s, const char *line, size_t length, bool is_comment, header *h) {
+    char *copy = wcut_alloc(length + 1, 1);
+    if (!copy) return wcut_source_refuse_memory(&s->in);
+    memcpy(copy, line, length);
+    wcut_free(h->text);
+    h->text = copy;
+    h->line = s->in.line;
+    h->is_comment = is_comment;
+    return true;
+}
+
+/* refuse the header, not the row that is being looked at */
+static bool refuse_header(wcut_cloud_source *s, const header *h, const char *expected) {
+    s->in.line = h->line;
+    return wcut_source_refuse_text(&s->in, h->text, wcut_skip_blanks(h->text), expected);
+}
+
+/* the cells of the header, split as the row is, or at tabs where the row is and the header has as many cells then */
+static int split_header(const header *h, const text_layout *t, wcut_cell *cell) {
+    const char *from = h->text, *end = from + strlen(from);
+    while (h->is_comment && from < end && (*from == '#' || *from == '/' || wcut_is_blank(*from))) from++;
+    if (t->separator == ' ' && memchr(from, '\t', (size_t)(end - from))) {
+        const int tabs = wcut_cells_split(from, end, '\t', cell);
+        if (tabs == t->columns) return tabs;
+    }
+    return wcut_cells_split(from, end, t->separator, cell);
+}
+
+/* the unit of the file: its own where the caller's is the default, and the same as the caller's else */
+static const char *set_unit(wcut_cloud_source *s, double unit) {
+    static const char *const expected[] = {
+        "millimetres, as the option unit says", "centimetres, as the option unit says",
+        "metres, as the option unit says",      "inches, as the option unit says",
+        "feet, as the option unit says",        "decimetres, as the option unit says",
+        "micrometres, as the option unit says"};
+    if (unit > 0 && s->options.unit != WCUT_LENGTH_UNIT_MM && fabs(unit / s->in.scale - 1) > 1e-9)
+        return expected[s->options.unit];
+    if (unit > 0) s->in.scale = unit;
+    return NULL;
+}
+
+/* whether the cells that are wanted hold numbers in a row */
+static bool has_numbers(const char *line, const text_layout *t, const wcut_columns *c) {
+    const char *p = line;
+    int found = 0;
+    for (int k = 0; p && k < t->columns; k++, p = next_column(skip_column(p, t->separator), t->separator)) {
+        double value;
+        for (int f = 0; f < 3; f++)
+            if (c->column[f] == k) found += read_cell(p, t->separator, t->comma, &value) != NULL;
+    }
+    return found == 3;
+}
+
+/* the columns of a row by the option, the header, or its numbers; why: what is wrong with the option or header, NULL:
+   nothing. false: no memory */
+static bool choose_columns(wcut_cloud_source *s, const header *h, const text_layout *t, wcut_columns *c,
+                           const char **why) {
+    wcut_cell *cell = wcut_alloc(WCUT_CELLS_MAX + 1, sizeof *cell);
+    if (!cell) return wcut_source_refuse_memory(&s->in);
+    const int names = h->text ? split_header(h, t, cell) : 0;
+    *why = NULL;
+    if (s->options.columns)
+        *why = wcut_columns_choose(s->options.columns, t->columns, names == t->columns ? names : 0, cell, c);
+    else if (h->text && names != t->columns && !(h->is_comment && !wcut_columns_named(names, cell)))
+        *why = wcut_columns_find(names, cell, c) ? "columns named x, y, z: say which they are by the option columns"
+                                                 : "as many names as the rows have columns";
+    else if (h->text)
+        *why = wcut_columns_find(names, cell, c);
+    wcut_free(cell);
+    return true;
+}
+
+static void lay_out(wcut_cloud_source *s, text_layout *t) {
     memset(t->field, -1, sizeof t->field);
     for (int k = 0; k < WCUT_FIELDS; k++) {
         const int c = t->column[k];
-        if (c >= (int)(sizeof t->field / sizeof *t->field))
-            return wcut_source_refuse_text(&s->in, line, line, "the coordinates among the first 16 columns");
-        if (c >= 0) t->field[c] = k;
+        if (c >= 0) t->field[c] = (signed char)k;
         if (c > t->last) t->last = c;
     }
     s->info.has_normals = t->column[3] >= 0;
+}
+
+/* how the rows are made, from the first one; is_row: it is one. false: refused */
+static bool find_layout(wcut_cloud_source *s, const char *line, const char *end, bool begins_number, const header *h,
+                        text_layout *t, bool *is_row) {
+    wcut_columns c = {{0, 1, 2, -1, -1, -1}, 0};
+    const char *why = NULL;
+    find_separator(line, end, t);
+    t->columns = count_columns(line, t->separator);
+    *is_row = begins_number;
+    if (!begins_number && !h->text && !s->options.columns) return true;
+    if (begins_number && t->columns > WCUT_CELLS_MAX)
+        return wcut_source_refuse_text(&s->in, line, line, "at most 1000 columns");
+    if (begins_number && t->columns < 3)
+        return wcut_source_refuse_text(&s->in, line, line, "at least three numbers, x y z");
+    if (t->columns < 3 || t->columns > WCUT_CELLS_MAX) return true;
+    if (!choose_columns(s, h, t, &c, &why)) return false;
+
+    /* a row that begins with a name is known by the numbers in the columns that are wanted */
+    if (!begins_number) *is_row = !why && has_numbers(line, t, &c);
+    if (!*is_row) return true;
+    if (why && h->text) return refuse_header(s, h, why);
+    if (why) return wcut_source_refuse_text(&s->in, line, line, why);
+    why = set_unit(s, c.unit);
+    if (why) return h->text ? refuse_header(s, h, why) : wcut_source_refuse_text(&s->in, line, line, why);
+    memcpy(t->column, c.column, sizeof c.column);
+    if (!h->text && !s->options.columns) {
+        if (!check_commas(s, line, t)) return false;
+        assume_columns(line, t);
+        why = find_doubt(s, line, t);
+        if (why) return wcut_source_refuse_text(&s->in, line, line, why);
+    }
+    lay_out(s, t);
     return true;
 }
 
@@ -193,7 +283,9 @@ static bool is_comment(const char *p) { return *p == '#' || (p[0] == '/' && p[1]
 
 static bool begins_number(const char *p) {
     double value;
+    p += *p == '"';
     if (wcut_row_number(p, ',', true, &value) || wcut_row_number(p, ';', true, &value)) return true;
+    if (wcut_row_number(p, '"', true, &value)) return true;
     p += *p == '-' || *p == '+';
     return (*p >= '0' && *p <= '9') || *p == '.';
 }
@@ -202,8 +294,15 @@ static bool begins_number(const char *p) {
 static bool read_count(wcut_cloud_source *s, const char *p, bool *is_count) {
     int64_t count;
     const char *behind = wcut_row_count(p, &count);
-    *is_count = s->info.stated < 0 && behind && wcut_is_line_end(wcut_skip_blanks(behind));
-    return *is_count ? wcut_cloud_state(s, count, 0, "points") : true;
+    *is_count = behind && wcut_is_line_end(wcut_skip_blanks(behind));
+    if (!*is_count) return true;
+
+    /* of several scans in one file, the sum */
+    const int64_t before = s->info.stated > 0 ? s->info.stated : 0;
+    if (count <= INT32_MAX && !wcut_source_check_count(&s->in, before + count, 0, "points")) return false;
+    if (!wcut_cloud_state(s, count, 0, "points")) return false;
+    s->info.stated = (int)(before + count);
+    return true;
 }
 
 /* ---- the rows ---- */
@@ -217,8 +316,7 @@ static bool read_row(wcut_cloud_source *s, const text_layout *t, const char *lin
     const char *p = line;
     for (int c = 0;; c++) {
         const int k = c <= t->last ? t->field[c] : -1;
-        const char *behind =
-            k >= 0 ? wcut_row_number(p, t->separator, t->comma, &value[k]) : skip_column(p, t->separator);
+        const char *behind = k >= 0 ? read_cell(p, t->separator, t->comma, &value[k]) : skip_column(p, t->separator);
         if (!behind) return wcut_source_refuse_text(&s->in, line, wcut_skip_blanks(p), "a number");
         behind = wcut_skip_blanks(behind);
         if (wcut_is_line_end(behind)) {
@@ -248,49 +346,75 @@ static bool fill_text(wcut_cloud_source *s, wcut_batch *b) {
         if (wcut_is_line_end(p) || is_comment(p)) {
             if (!is_comment(p) && !check_zero(s, line, length, p)) return false;
         } else {
-            if (s->left == 0)
+            /* a count is that of the next scan in the file */
+            bool is_count = false;
+            if (s->left == 0 && !read_count(s, p, &is_count)) return false;
+            if (s->left == 0 && !is_count)
                 return wcut_source_refuse_text(&s->in, line, p, "the end: the file states no more points");
-            if (!read_row(s, t, line, length, value) || !wcut_cloud_take(s, b, value)) return false;
-            s->left--;
+            if (!is_count) {
+                if (!read_row(s, t, line, length, value) || !wcut_cloud_take(s, b, value)) return false;
+                s->left--;
+            }
         }
         wcut_row_done(&s->in, length);
     }
     return true;
 }
 
-/* what a line before the first row says; `words` counts those that are no comment */
-static bool read_header_line(wcut_cloud_source *s, const char *line, size_t length, text_layout *t, int *named,
-                             int *words) {
+/* a line before the first row: a comment, which may name columns or a unit, or words */
+static bool read_header_line(wcut_cloud_source *s, const char *line, size_t length, header *h) {
     const char *p = wcut_skip_blanks(line);
     if (wcut_is_line_end(p)) return check_zero(s, line, length, p);
-    if (!is_comment(p) && ++*words > HEADER_LINES_MAX)
-        return wcut_source_refuse_text(&s->in, line, p, "a row that begins with numbers");
-    int found = 0, column[WCUT_FIELDS];
-    if (!read_names(s, line, line + length, column, &found)) return false;
-    if (found > 0) *named = found, memcpy(t->column, column, sizeof column);
-    return true;
+    const double unit = wcut_unit_stated(p, length - (size_t)(p - line));
+    const char *why = set_unit(s, unit);
+    if (why) return wcut_source_refuse_text(&s->in, line, p, why);
+    if (!is_comment(p)) {
+        if (++h->words > HEADER_LINES_MAX)
+            return wcut_source_refuse_text(&s->in, line, p, "a row that begins with numbers");
+        return unit > 0 || keep_header(s, line, length, false, h);
+    }
+    if (h->words > 0) return true;
+    wcut_cell *cell = wcut_alloc(WCUT_CELLS_MAX + 1, sizeof *cell);
+    if (!cell) return wcut_source_refuse_memory(&s->in);
+    while (*p == '#' || *p == '/' || wcut_is_blank(*p)) p++;
+    const char *end = line + length;
+    bool is_named = false;
+    for (int k = 0; k < 3; k++)
+        is_named = is_named || wcut_columns_named(wcut_cells_split(p, end, " ,;"[k], cell), cell);
+    wcut_free(cell);
+    return !is_named || keep_header(s, line, length, true, h);
+}
+
+static bool read_header(wcut_cloud_source *s, text_layout *t, header *h) {
+    size_t length;
+    for (const char *line; (line = wcut_row_peek(&s->in, &length)) != NULL; wcut_row_done(&s->in, length)) {
+        const char *p = wcut_skip_blanks(line);
+        bool is_count = false, is_row = false;
+        if (!wcut_is_line_end(p) && !is_comment(p)) {
+            const bool is_number = begins_number(p);
+            if (is_number && !read_count(s, p, &is_count)) return false;
+
+            /* words before a count are a title */
+            if (is_count && h->words > 0) wcut_free(h->text), h->text = NULL;
+            if (!is_count && !find_layout(s, line, line + length, is_number, h, t, &is_row)) return false;
+        }
+        if (is_row) return true;
+        if (!is_count && !read_header_line(s, line, length, h)) return false;
+    }
+    return s->in.failure.status == WCUT_OK && wcut_source_refuse_end(&s->in, "a row with the numbers x y z");
 }
 
 bool wcut_cloud_begin_text(wcut_cloud_source *s) {
     text_layout *t = wcut_alloc(1, sizeof *t);
+    header h = {0};
     if (!t) return wcut_source_refuse_memory(&s->in);
     s->state = t;
     s->in.line = 1;
     s->left = INT64_MAX;
     s->fill = fill_text;
-    if (s->in.stream.end - s->in.stream.at >= 3 && memcmp(s->in.stream.data + s->in.stream.at, "\xef\xbb\xbf", 3) == 0)
-        s->in.stream.at += 3;
-    int named = 0, words = 0;
-    size_t length;
-    for (const char *line; (line = wcut_row_peek(&s->in, &length)) != NULL; wcut_row_done(&s->in, length)) {
-        const char *p = wcut_skip_blanks(line);
-        bool is_count = false;
-        if (!wcut_is_line_end(p) && !is_comment(p) && begins_number(p)) {
-            if (!read_count(s, p, &is_count)) return false;
-            if (!is_count) return find_columns(s, line, line + length, named, words > 0, t);
-        } else if (!read_header_line(s, line, length, t, &named, &words)) {
-            return false;
-        }
-    }
-    return s->in.failure.status == WCUT_OK && wcut_source_refuse_end(&s->in, "a row with the numbers x y z");
+    wcut_stream *in = &s->in.stream;
+    if (in->end - in->at >= 3 && memcmp(in->data + in->at, "\xef\xbb\xbf", 3) == 0) in->at += 3;
+    const bool done = read_header(s, t, &h);
+    wcut_free(h.text);
+    return done;
 }

@@ -29,6 +29,7 @@ typedef enum wcut_cloud_format {
 typedef struct wcut_cloud_info {
     wcut_cloud_format format; /**< as found, never WCUT_CLOUD_FORMAT_ANY */
     int has_normals;          /**< 1 where the file has them */
+    double unit;              /**< [mm] of the file's unit, as it states it or the options do */
     int stated;               /**< points that the header claims, -1 where it claims nothing; it was held to it */
     int read;                 /**< points handed out */
     int not_finite;           /**< points left out since a coordinate is NaN or infinite: scanners write misses so */

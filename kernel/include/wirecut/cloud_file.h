@@ -15,13 +15,22 @@ typedef enum wcut_length_unit {
     WCUT_LENGTH_UNIT_MM,
     WCUT_LENGTH_UNIT_CM,
     WCUT_LENGTH_UNIT_M,
-    WCUT_LENGTH_UNIT_INCH
+    WCUT_LENGTH_UNIT_INCH,
+    WCUT_LENGTH_UNIT_FOOT,
+    WCUT_LENGTH_UNIT_DM,
+    WCUT_LENGTH_UNIT_UM,
+    WCUT_LENGTH_UNIT_COUNT
 } wcut_length_unit;
 
 /** How a cloud is read. */
 typedef struct wcut_cloud_options {
     wcut_cloud_format format; /**< default WCUT_CLOUD_FORMAT_ANY */
-    wcut_length_unit unit;    /**< default WCUT_LENGTH_UNIT_MM */
+    /** of a file that states none; default WCUT_LENGTH_UNIT_MM. A unit that a text's header states (x_m) goes before
+        the default and must be any other one that is given here */
+    wcut_length_unit unit;
+    /** text: the columns x, y, z, or those and a normal, as names of the header or numbers from 1 with commas between
+        them, "x_meas,y_meas,z_meas" or "4,5,6"; borrowed; default NULL: told by the header */
+    const char *columns;
     int max_points; /**< wcut_cloud_read keeps at most so many points and refuses more, 1 or more; default 20000000 */
     double voxel;   /**< [mm] wcut_cloud_read keeps the first point of each cube of this side; default 0: every point */
 } wcut_cloud_options;
@@ -35,9 +44,12 @@ WCUT_API wcut_cloud_options wcut_cloud_options_default(void);
  * Begin to read a cloud.
  *
  * Text: separated by blanks, commas or semicolons, told from the first row; decimal commas where those do not separate;
- * comments (#, //), up to ten lines of header, a line with the count of the points (PTS). A header that names x, y, z
- * (and nx, ny, nz) says where they stand; without it the first three columns are x, y, z, and of six the last three are
- * a normal where the first row's has length 1. A header's unit (x_m) must be that of the options.
+ * cells may be quoted; comments (#, //), up to ten lines before the rows, lines with the count of the points that follow
+ * (PTS, several scans in one file). The last line of words before the rows, or a comment, names the columns: x, y, z,
+ * with words such as coordinate or a unit, and of nominal and measured ones those measured. Other names are refused: the
+ * option columns says then which columns are meant. Without names the first three columns are x, y, z, and of six the
+ * last three are a normal where the first row's has length 1; six that hold two points, or a first one that counts the
+ * rows, are refused.
  * PLY: coordinates of any scalar type; other properties, lists and elements are skipped.
  *
  * @param[in]  path    a file, or a pipe

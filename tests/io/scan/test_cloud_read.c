@@ -198,14 +198,117 @@ TEST(units_become_millimetres) {
         options.unit = units[k];
         reads(1);
         ck_assert(close_to(got[0], (wcut_vec3){factor[k], 2 * factor[k], 3 * factor[k]}, 1e-12));
-        if (k == 2) continue; /* a blank within a name makes another column */
+
+        /* what the header states goes before the default and must agree with anything else */
         given(header[k]);
-        options.unit = units[k];
         put_text(";y;z\n1;2;3\n");
-        reads(1);
-        options.unit = units[(k + 1) % 4];
-        refused(0, "line 1, column 1: found x");
+        for (int o = 0; o < 4; o++) {
+            options.unit = units[o];
+            if (o != k && o != 0) {
+                refused(0, "line 1, column 1: found x");
+                continue;
+            }
+            reads(1);
+            ck_assert(close_to(got[0], (wcut_vec3){factor[k], 2 * factor[k], 3 * factor[k]}, 1e-12));
+            ck_assert_double_eq(got_info.unit, factor[k]);
+        }
     }
+}
+
+/* a header, rows of so many columns, and the column where x y z (10, 20, 30 in the file) stand */
+TEST(columns_are_known_by_their_names) {
+    static const struct {
+        const char *header, *row;
+        double millimetres;
+    } good[] = {{"x_nom,y_nom,z_nom,x_meas,y_meas,z_meas", "1,2,3,10,20,30", 1},
+                {"X nominal;Y nominal;Z nominal;X actual;Y actual;Z actual;Dev", "1;2;3;10;20;30;0", 1},
+                {"MeasX,MeasY,MeasZ,NomX,NomY,NomZ", "10,20,30,1,2,3", 1},
+                {"x_soll\ty_soll\tz_soll\tx_ist\ty_ist\tz_ist", "1\t2\t3\t10\t20\t30", 1},
+                {"x_ref,y_ref,z_ref,x,y,z", "1,2,3,10,20,30", 1},
+                {"X(nom),Y(nom),Z(nom),X(act),Y(act),Z(act)", "1,2,3,10,20,30", 1},
+                {"x_cad,y_cad,z_cad,dx,dy,dz,x_scan,y_scan,z_scan", "1,2,3,9,9,9,10,20,30", 1},
+                {"x,y,z,x_dev,y_dev,z_dev", "10,20,30,1,2,3", 1},
+                {"Point ID,X,Y,Z", "17,10,20,30", 1},
+                {"name;X [mm];Y [mm];Z [mm]", "P 1;10;20;30", 1},
+                {"X [mm] Y [mm] Z [mm]", "10 20 30", 1},
+                {"\"X\",\"Y\",\"Z\"", "\"10\",\"20\",\"30\"", 1},
+                {"Points:0,Points:1,Points:2,Deviation", "10,20,30,0", 1},
+                {"X-Koordinate;Y-Koordinate;Z-Koordinate", "10,0;20,0;30,0", 1},
+                {"x_ft,y_ft,z_ft", "10,20,30", 304.8},
+                {"x [dm],y [dm],z [dm]", "10,20,30", 100},
+                {"x_um,y_um,z_um", "10,20,30", 1e-3},
+                {"X (\xc2\xb5m),Y (\xc2\xb5m),Z (\xc2\xb5m)", "10,20,30", 1e-3},
+                {"x (inches) y (inches) z (inches)", "10 20 30", 25.4},
+                {"x_meters,y_meters,z_meters", "10,20,30", 1000},
+                {"x_meas_m,y_meas_m,z_meas_m,x_nom_mm,y_nom_mm,z_nom_mm", "10,20,30,1,2,3", 1000},
+                {"# units: m", "10 20 30", 1000},
+                {"# Unit = inch\n//X Y Z", "10 20 30", 25.4}};
+    for (size_t k = 0; k < sizeof good / sizeof *good; k++) {
+        const double f = good[k].millimetres;
+        given(good[k].header);
+        put_text("\n%s\n", good[k].row);
+        reads(1);
+        ck_assert_msg(close_to(got[0], (wcut_vec3){10 * f, 20 * f, 30 * f}, 1e-9), "%s", good[k].header);
+    }
+}
+
+TEST(columns_that_nobody_knows_are_asked_for) {
+    static const char *const bad[] = {"easting,northing,height\n10,20,30\n",
+                                      "a b c\n10 20 30\n",
+                                      "Rechtswert;Hochwert;H\xc3\xb6he;x\n1;2;3;4\n",
+                                      "x_nom,y_nom,z_nom\n10,20,30\n",
+                                      "x,y,z,x_meas,y_meas,z_meas\n1,2,3,10,20,30\n",
+                                      "x_1,y_1,z_1,x_2,y_2,z_2\n1,2,3,10,20,30\n",
+                                      "x_furlong,y_furlong,z_furlong\n10,20,30\n",
+                                      "x,y,z,x,y,z\n1,2,3,10,20,30\n",
+                                      "x,y,height\n10,20,30\n",
+                                      "x,y,z\n10,20,30,40\n",
+                                      "Scan of Monday\n10 20 30\n",
+                                      "0 0 5 0 0 5.1\n9 0 5 9 0 5.2\n0 9 5 0 9 5.1\n9 9 5 9 9 5.1\n4 4 5 4 4 5.2\n",
+                                      "1 5 6 7\n2 6 5 7\n3 8 6 7\n4 1 2 7\n5 2 8 9\n"};
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
+        given(bad[k]);
+        refused(0, k < 9 ? "line 1, column 1: " : "line ");
+        ck_assert_msg(k == 9 || strstr(error.text, "option columns"), "%s", error.text);
+    }
+}
+
+TEST(an_option_says_which_columns_are_meant) {
+    static const struct {
+        const char *columns, *text;
+    } good[] = {{"x_meas,y_meas,z_meas", "x,y,z,x_meas,y_meas,z_meas\n1,2,3,10,20,30\n"},
+                {"4,5,6", "x,y,z,x_meas,y_meas,z_meas\n1,2,3,10,20,30\n"},
+                {"easting, Northing ,HEIGHT", "easting,northing,height\n10,20,30\n"},
+                {"3,2,1", "30 20 10\n"},
+                {"2,3,4", "P1 10 20 30\nP2 10 20 30\n"},
+                {"1,2,3", "Scan of Monday\n10 20 30\n"},
+                {"1,2,3", "a b c d e f g h i j\n10 20 30\n"}};
+    for (size_t k = 0; k < sizeof good / sizeof *good; k++) {
+        given(good[k].text);
+        options.columns = good[k].columns;
+        reads(k == 4 ? 2 : 1);
+        ck_assert_msg(equal(got[0], (wcut_vec3){10, 20, 30}), "%s", good[k].columns);
+    }
+    given("1 2 3 0 0 2\n");
+    options.columns = "1,2,3,4,5,6";
+    reads(1);
+    ck_assert(got_info.has_normals && got_normal[0].z == 1);
+    static const char *const bad[] = {"",      "1,2",           "1,2,7", "0,1,2", "1,2,3,4",
+                                      "x,y,z", "1,2,3,4,5,6,1", "1,,3",  "1;2;3"};
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
+        options.columns = bad[k];
+        refused(0, "columns that the option columns names");
+    }
+}
+
+TEST(a_text_of_several_scans_is_one) {
+    given("2\n1 2 3\n4 5 6\n1\n7 8 9\n");
+    reads(3);
+    ck_assert(got_info.stated == 3 && equal(got[2], (wcut_vec3){7, 8, 9}));
+    given("2\n1 2 3\n4 5 6\n2\n7 8 9\n");
+    refused(3, "expected 1 points more");
+    given("1\n1 2 3\n4 5 6\n");
+    refused(1, "line 3, column 1: found 4 5 6, expected the end");
 }
 
 TEST(a_locale_with_decimal_commas_changes_nothing) {
@@ -449,7 +552,7 @@ TEST(arguments_outside_their_range_are_refused) {
     on_disk(".xyz");
     wcut_cloud_options bad[6];
     for (int k = 0; k < 6; k++) bad[k] = wcut_cloud_options_default();
-    bad[0].format = (wcut_cloud_format)9, bad[1].unit = (wcut_length_unit)4;
+    bad[0].format = (wcut_cloud_format)9, bad[1].unit = WCUT_LENGTH_UNIT_COUNT;
     bad[2].max_points = 0, bad[3].voxel = -1, bad[4].voxel = NAN, bad[5].voxel = INFINITY;
     for (int k = 0; k < 6; k++) {
         if (k < 2) ck_assert_int_eq(wcut_cloud_source_create(path, &bad[k], &source, NULL), WCUT_BAD_ARGUMENT);

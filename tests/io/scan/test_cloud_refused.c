@@ -34,8 +34,8 @@ TEST(text_that_is_no_cloud_is_refused_with_its_line) {
     refused(1, "line 2, column 5: found 1e999, expected a number");
     given("1 2 3\n4 5 6\nend of scan\n");
     refused(2, "line 3, column 1: found end of scan, expected a number");
-    given("id,,x,y,z\n1,2,3,4,5\n");
-    refused(0, "line 2, column 1: found 1,2,3,4,5, expected as many columns as the header names");
+    given("id,x,y,z\n1,2,3,4,5\n");
+    refused(0, "line 1, column 1: found id,x,y,z, expected as many names as the rows have columns");
 }
 
 TEST(zero_bytes_other_alphabets_and_endless_lines_are_refused) {
