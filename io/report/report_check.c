@@ -42,10 +42,14 @@ static wcut_status check_facts(int count, const wcut_report_fact *fact, wcut_err
 
 static wcut_status check_chart(const wcut_report_chart *chart, wcut_error *error) {
     if (!chart->title || !chart->x_label[0] || !chart->y_label) return bad(error, "chart", chart->title, "no label");
+
+    /* the lists themselves */
     if (!is_list(chart->series_count, chart->series) || !is_list(chart->span_count, chart->span))
         return bad(error, "chart", chart->title, "a count without entries");
     if (chart->series_count < 1 || chart->series_count > SERIES)
         return bad(error, "chart", chart->title, "expected 1 to 8 series");
+
+    /* each series: data, drawable numbers, a line's x that does not decrease */
     for (int s = 0; s < chart->series_count; s++) {
         const wcut_report_series *a = &chart->series[s];
         if (!a->label) return bad(error, "chart", chart->title, "a series without a label");
@@ -60,6 +64,8 @@ static wcut_status check_chart(const wcut_report_chart *chart, wcut_error *error
                 if (isnan(a->x[k][i]) || (i > 0 && a->x[k][i] < a->x[k][i - 1]))
                     return bad(error, "series", a->label, "x decreases or is not there");
     }
+
+    /* the named intervals */
     for (int s = 0; s < chart->span_count; s++) {
         const wcut_report_span *a = &chart->span[s];
         if (!a->label || !isfinite(a->from[0]) || !isfinite(a->to[0]) || !isfinite(a->from[1]) || !isfinite(a->to[1]))
@@ -72,14 +78,20 @@ static wcut_status check_map(const wcut_report_map *map, wcut_error *error) {
     if (!map->title || !map->x_label || !map->y_label || !map->label) return bad(error, "map", map->title, "no label");
     if (map->rows < 2 || map->columns < 2 || map->rows > CELLS / map->columns || !map->x || !map->y || !map->value)
         return bad(error, "map", map->title, "expected 2 x 2 to 1,000,000 cells");
+
+    /* centres of cells in their order */
     for (int i = 0; i < map->columns; i++)
         if (!isfinite(map->x[i]) || (i > 0 && !(map->x[i] > map->x[i - 1])))
             return bad(error, "map", map->title, "x does not increase");
     for (int i = 0; i < map->rows; i++)
         if (!isfinite(map->y[i]) || (i > 0 && !(map->y[i] > map->y[i - 1])))
             return bad(error, "map", map->title, "y does not increase");
+
+    /* what fills the cells */
     if (!all_shown(map->rows * map->columns, map->value) || !isfinite(map->limit) || map->limit < 0)
         return bad(error, "map", map->title, "a number beyond 1e30");
+
+    /* the bands that rows come in */
     if (!is_list(map->bands, map->band) || !is_list(map->bands, map->band_label))
         return bad(error, "map", map->title, "bands without rows or labels");
     for (int i = 0; i < map->bands; i++)
@@ -104,18 +116,25 @@ static wcut_status check_table(const wcut_report_table *table, wcut_error *error
 
 static wcut_status check_shape(const wcut_report_shape *shape, wcut_error *error) {
     if (!shape->name) return bad(error, "shape", "", "no name");
+
+    /* the vertices */
     if (shape->vertex_count < 1 || !shape->vertex || !all_places(shape->vertex_count, shape->vertex))
         return bad(error, "shape", shape->name, "expected finite vertices");
+
+    /* a grid holds every vertex, and the page triangulates it */
     if ((shape->rows || shape->columns) &&
         (shape->rows < 2 || shape->columns < 2 || shape->vertex_count % shape->rows ||
          shape->vertex_count / shape->rows != shape->columns || !shape->row_label || !shape->column_label))
         return bad(error, "shape", shape->name, "rows x columns are not the vertices, or have no labels");
+
     if (!is_list(shape->triangle_count, shape->triangle) || shape->triangle_count > shape->vertex_count * 3LL ||
         (shape->rows && shape->triangle_count))
         return bad(error, "shape", shape->name, "triangles: none for a grid, at most 3 a vertex");
     for (long long i = 0; i < shape->triangle_count * 3LL; i++)
         if (shape->triangle[i] < 0 || shape->triangle[i] >= shape->vertex_count)
             return bad(error, "shape", shape->name, "a triangle names a vertex that is not there");
+
+    /* a value at each vertex for each field */
     if (!is_list(shape->field_count, shape->field) || shape->field_count < 1 || shape->field_count > FIELDS)
         return bad(error, "shape", shape->name, "expected 1 to 12 fields");
     for (int f = 0; f < shape->field_count; f++) {

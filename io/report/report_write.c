@@ -65,6 +65,7 @@ static wcut_status put_head(wcut_text *out, const wcut_report *report) {
     char *verb = wcut_report_text(report->verb);
     const bool complete = title && verdict && verb;
     if (complete) {
+        /* scripts and styles are pinned by their hashes: nothing that a text smuggles in can run */
         put_word(out,
                  "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                  "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src ");
@@ -76,11 +77,14 @@ static wcut_status put_head(wcut_text *out, const wcut_report *report) {
                  "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
                  "<meta name=\"color-scheme\" content=\"light dark\">\n"
                  "<meta name=\"generator\" content=\"wirecut " WCUT_VERSION "\">\n<title>");
+
         put_escaped(out, title);
         put_word(out, " \xe2\x80\x93 wirecut ");
         put_escaped(out, verb);
         put_word(out, "</title>\n<style>");
         wcut_text_put(out, wcut_report_style, wcut_report_style_size);
+
+        /* what a browser without scripts shows too */
         put_word(out, "</style>\n</head>\n<body>\n<main id=\"page\">\n<header>\n<p class=\"verb\">wirecut ");
         put_escaped(out, verb);
         put_word(out, "</p>\n<h1>");
@@ -91,6 +95,7 @@ static wcut_status put_head(wcut_text *out, const wcut_report *report) {
                  "</p>\n</header>\n<noscript><p>View, charts and tables need JavaScript, which this browser has "
                  "switched off.</p></noscript>\n</main>\n");
     }
+
     free(title);
     free(verdict);
     free(verb);
