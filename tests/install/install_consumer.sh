@@ -19,6 +19,11 @@ for header in "$SOURCE_DIR"/kernel/include/wirecut/*.h; do
     cmp "$header" "$prefix/include/wirecut/$(basename "$header")"
 done
 
+if /usr/bin/python3 -c 'import numpy, cffi' 2>/dev/null; then
+    said=$(PYTHONPATH=$prefix/lib/python3/dist-packages /usr/bin/python3 -c 'import wirecut; print(wirecut.__version__)')
+    [ "$said" = "$VERSION" ] || { echo "the installed Python package says version $said"; exit 1; }
+fi
+
 echo "find_package"
 cmake -G Ninja -S "$source" -B by_cmake -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_C_COMPILER="$CC" -DCMAKE_CXX_COMPILER="$CXX" \
     -DWANTED="$VERSION" >cmake.log || { cat cmake.log; exit 1; }
