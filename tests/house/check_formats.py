@@ -31,9 +31,10 @@ TABLED = [
     r'#define INFO_\w+ "(\w+)"',                         # the choice of an effect
     r'\{"(\w+)", [a-z]->',                               # {"mean", s->mean}
     r'\{(?:POINT_DATA|CELL_\w+|POINTS|LINES), "(\w+)"',  # an array of a .vtp
+    r'\{"(\w+)", [\d.]+(?:e-?\d+)?\}',                  # a unit: {"inch", 25.4}
     r'\bproperty (?:double|uchar) (\w+)',                # of a PLY
 ]
-LISTED = r'\*const (?:name|key)\[\w*\](?:\[\w*\])? = \{([^}]*)\}'  # a list of keys: name[] = {"tx_mm", ...}
+LISTED = r'\*const (?:name|key|said_of_\w+)\[\w*\](?:\[\w*\])? = \{([^}]*)\}'  # a list of keys: name[] = {"tx_mm", ...}
 CHANNEL = r'\bX\(\w+, "(\w+)", "(\w*)", [01]\)'  # a recording's column: its stem and its unit
 ENTRY = r'\bX\(\w+, "(\w+)"'  # another list of names in a public header
 HEADER = r'"((?:[a-z][a-z0-9]*(?:_\w+)?,){2,}[\w.]*)(?:\\n)?"'  # the header row of a CSV
