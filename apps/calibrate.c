@@ -25,6 +25,8 @@ typedef struct calibration {
 
 enum { WARNINGS_OF_ALL = 6 }; /* beside one a cut */
 
+static const char *const result_name[] = {"report.html", "force_law.json", NULL};
+
 static int load(calibration *c) {
     wcut_error error = {0};
     c->weights = app_given(c->call, "weights") ? app_text(c->call, "weights") : NULL;
@@ -49,27 +51,16 @@ static int fit(calibration *c) {
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, c->path, &error);
 }
 
-/* force_law.json last: where it stands, the page beside it is of the same cuts */
+/* force_law.json vouches for the page beside it: both are of the same cuts */
 static int write_results(calibration *c) {
     wcut_error error = {0};
-    const char *page = "report.html", *law = "force_law.json";
-    int code = app_results_remove(&c->results, law);
-    if (code != APP_DONE) return code;
-    wcut_status status = wcut_report_calibrate_write(&c->of, app_results_path(&c->results, page), &error);
-    code = app_results_add(&c->results, page, status, &error);
-    if (code != APP_DONE) return code;
-    status = wcut_force_law_write(c->cuts, c->cut, &c->options, &c->fit, c->point, app_results_path(&c->results, law),
-                                  &error);
-    return app_results_add(&c->results, law, status, &error);
-}
-
-static int print_json(const calibration *c) {
+    const char *page = result_name[0];
     char *text = NULL;
-    wcut_status status = wcut_force_law_print(c->cuts, c->cut, &c->options, &c->fit, c->point, &text);
-    if (status != WCUT_OK) return app_fail_status(status, c->path, NULL);
-    fputs(text, stdout);
-    free(text);
-    return APP_DONE;
+    wcut_status status = wcut_report_calibrate_write(&c->of, app_results_path(&c->results, page), &error);
+    const int code = app_results_add(&c->results, page, status, &error);
+    if (code != APP_DONE) return code;
+    status = wcut_force_law_print(c->cuts, c->cut, &c->options, &c->fit, c->point, &text);
+    return app_results_commit(&c->results, result_name[1], status, text);
 }
 
 /* ---- the summary ---- */
@@ -152,15 +143,18 @@ static void describe(calibration *c) {
 static int calibrate(const app_call *call) {
     calibration c = {.call = call, .path = call->operand[0]};
     int code = load(&c);
+    if (code == APP_DONE) code = app_results_begin(&c.results, app_text(call, "output"), result_name);
+    app_catch_interrupts();
     if (code == APP_DONE) code = fit(&c);
+    if (code == APP_DONE && app_is_interrupted()) code = app_fail(APP_INTERRUPTED, "%s: interrupted", c.path);
     if (code == APP_DONE) describe(&c);
-    if (code == APP_DONE) code = app_results_begin(&c.results, app_text(call, "output"));
     if (code == APP_DONE) code = write_results(&c);
-    if (code == APP_DONE && app_given(call, "json")) code = print_json(&c);
+    if (code == APP_DONE && app_given(call, "json")) fputs(c.results.text, stdout);
     if (code == APP_DONE && !app_given(call, "quiet")) {
         say_laws(&c);
         for (int i = 0; i < c.of.warnings; i++) app_say("warning: %s", c.warning[i]);
     }
+    app_results_end(&c.results);
     free(c.warning);
     free(c.sentence);
     free(c.point);

@@ -187,30 +187,20 @@ static int write_report(const app_comparison *c, app_results *r) {
     return app_results_add(r, "report.html", status, &error);
 }
 
-/* Last, because it vouches for the others; it names itself too. */
-static int write_figures(app_comparison *c, app_results *r) {
-    wcut_error error = {0};
-    app_results_add(r, "deviation.json", WCUT_OK, NULL);
-    c->found.files = r->count, c->found.file = r->name;
-    const wcut_status status = wcut_deviation_write(&c->found, app_results_path(r, "deviation.json"), &error);
-    if (status == WCUT_OK) return APP_DONE;
-    r->count--;
-    return app_fail_status(status, NULL, &error);
-}
-
+/* What a run leaves in its folder, under deviation.json. */
 static int write_results(app_comparison *c, app_results *r) {
     wcut_error error = {0};
-    int code = app_results_remove(r, "deviation.json");
-    if (code == APP_DONE)
-        code = app_results_add(r, "deviation.ply", wcut_deviation_stream_commit(c->points, &error), &error);
+    int code = app_results_add(r, "deviation.ply", wcut_deviation_stream_commit(c->points, &error), &error);
     if (code == APP_DONE) code = write_meshes(c, r);
     if (code == APP_DONE) {
         const wcut_status status = wcut_zones_write(c->found.found, app_results_path(r, "zones.csv"), &error);
         code = app_results_add(r, "zones.csv", status, &error);
     }
     if (code == APP_DONE) code = write_report(c, r);
-    if (code == APP_DONE) code = app_results_prune(r, result_name);
-    return code == APP_DONE ? write_figures(c, r) : code;
+    if (code != APP_DONE) return code;
+    char *text = NULL;
+    const wcut_status status = wcut_deviation_print(&c->found, &text);
+    return app_results_commit(r, "deviation.json", status, text);
 }
 
 /* ---- the answer ---- */
@@ -257,30 +247,21 @@ static int give_answer(const app_comparison *c, const app_results *results) {
     return c->found.within ? APP_DONE : APP_OUTSIDE;
 }
 
-static int print_json(const app_comparison *c) {
-    char *text = NULL;
-    const wcut_status status = wcut_deviation_print(&c->found, &text);
-    if (status != WCUT_OK) return app_fail_status(status, "compare", NULL);
-    fputs(text, stdout);
-    free(text);
-    return APP_DONE;
-}
-
 static int compare(const app_call *call) {
     app_compare_options options;
     app_results results;
     int code = read_options(call, &options);
-    if (code == APP_DONE) code = app_results_begin(&results, app_text(call, "output"));
+    if (code == APP_DONE) code = app_results_begin(&results, app_text(call, "output"), result_name);
     if (code != APP_DONE) return code;
     app_catch_interrupts();
     app_comparison *c = calloc(1, sizeof *c);
-    if (!c) return app_fail_status(WCUT_NO_MEMORY, "compare", NULL);
-    code = app_comparison_run(c, &options, &results);
+    code = c ? app_comparison_run(c, &options, &results) : app_fail_status(WCUT_NO_MEMORY, "compare", NULL);
     if (code == APP_DONE) code = write_results(c, &results);
-    if (code == APP_DONE && app_given(call, "json")) code = print_json(c);
+    if (code == APP_DONE && app_given(call, "json")) fputs(results.text, stdout);
     if (code == APP_DONE) code = give_answer(c, &results);
-    app_comparison_clear(c);
+    if (c) app_comparison_clear(c);
     free(c);
+    app_results_end(&results);
     return code;
 }
 

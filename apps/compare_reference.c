@@ -152,9 +152,8 @@ int app_reference_load(app_reference *reference, const app_reference_options *op
     if (code != APP_DONE) return code;
     if (!r->is_job && options->distance == APP_TO_SURFACE) r->distance = APP_TO_MESH;
     r->plan = (r->high.x - r->low.x) * (r->high.y - r->low.y);
-    /* a job that came through a pipe cannot be read once more: it has no hash */
-    const wcut_status status = wcut_file_hash(path, r->hash, &error);
-    return status == WCUT_OK || status == WCUT_NOT_FOUND ? APP_DONE : app_fail_status(status, NULL, &error);
+    const wcut_status status = wcut_source_hash(path, r->hash, &error);
+    return status == WCUT_OK ? APP_DONE : app_fail_status(status, NULL, &error);
 }
 
 void app_reference_clear(app_reference *reference) {

@@ -129,8 +129,7 @@ static int read_file(growth *g, int file) {
         widen(s, file, info);
         s->scan[file] =
             (wcut_compared_scan){s->path[file], s->hash[file], info->read, info->not_finite, info->withheld};
-        /* a pipe is used up: it has no hash */
-        status = is_file(s->path[file]) ? wcut_file_hash(s->path[file], s->hash[file], &error) : WCUT_OK;
+        status = wcut_source_hash(s->path[file], s->hash[file], &error);
         if (code == APP_DONE && status != WCUT_OK) code = app_fail_status(status, NULL, &error);
     }
     wcut_cloud_source_destroy(source);

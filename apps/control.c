@@ -186,55 +186,37 @@ static wcut_rig_summary summarize(const loop *l) {
                               .options = &l->options,
                               .feedback = l->feedback,
                               .plan = l->plan,
-                              .plan_recorded = app_given(l->call, "no-feedback"),
-                              .file_count = l->results.count,
-                              .files = l->results.name};
+                              .plan_recorded = app_given(l->call, "no-feedback")};
 }
 
 static int write_recording(loop *l) {
     wcut_error error = {0};
-    app_results *r = &l->results;
-    int code = app_results_remove(r, "control.json");
-    if (code != APP_DONE) return code;
-    wcut_status status = wcut_recording_write(&recorded(l)->recording, "simulated by wirecut control",
-                                              app_results_path(r, "recording.csv"), &error);
-    return app_results_add(r, "recording.csv", status, &error);
+    const wcut_status status = wcut_recording_write(&recorded(l)->recording, "simulated by wirecut control",
+                                                    app_results_path(&l->results, "recording.csv"), &error);
+    return app_results_add(&l->results, "recording.csv", status, &error);
 }
 
-/* a run that was interrupted or could not go on leaves its recording, and nothing that says it is whole */
+/* a run that was interrupted or could not go on leaves its recording, and a voucher that says it is a part */
 static int write_part(loop *l) {
     if (!recorded(l)) return APP_DONE;
-    int code = write_recording(l);
-    return code == APP_DONE ? app_results_prune(&l->results, result_name) : code;
+    const int code = write_recording(l);
+    if (code != APP_DONE) return code;
+    return app_results_commit_words(&l->results, "control.json",
+                                    "{\n  \"format\": \"wirecut-control/1\",\n  \"complete\": false\n}\n");
 }
 
 static int write_results(loop *l) {
     wcut_error error = {0};
+    char *text = NULL;
     app_results *r = &l->results;
+    const wcut_rig_summary summary = summarize(l);
     int code = write_recording(l);
     if (code != APP_DONE) return code;
-    wcut_rig_summary summary = summarize(l);
     wcut_status status = wcut_report_control_write(&summary, l->path, app_results_path(r, "report.html"), &error);
     code = app_results_add(r, "report.html", status, &error);
-    if (code == APP_DONE) code = app_results_prune(r, result_name);
     if (code != APP_DONE) return code;
-    /* last, because it vouches for the others; it names itself too */
-    app_results_add(r, "control.json", WCUT_OK, NULL);
-    summary = summarize(l);
-    status = wcut_rig_summary_write(&summary, app_results_path(r, "control.json"), &error);
-    if (status == WCUT_OK) return APP_DONE;
-    r->count--;
-    return app_fail_status(status, NULL, &error);
-}
-
-static int print_json(const loop *l) {
-    char *text = NULL;
-    const wcut_rig_summary summary = summarize(l);
-    wcut_status status = wcut_rig_summary_print(&summary, &text);
-    if (status != WCUT_OK) return app_fail_status(status, l->path, NULL);
-    fputs(text, stdout);
-    free(text);
-    return APP_DONE;
+    status = wcut_rig_summary_print(&summary, &text);
+    return app_results_commit(r, "control.json", status, text);
 }
 
 static void say_run(const char *name, const wcut_rig_run *run) {
@@ -264,7 +246,7 @@ static void say_summary(const loop *l) {
 static int control(const app_call *call) {
     loop l = {.call = call, .path = call->operand[0]};
     int code = load(&l);
-    if (code == APP_DONE) code = app_results_begin(&l.results, app_text(call, "output"));
+    if (code == APP_DONE) code = app_results_begin(&l.results, app_text(call, "output"), result_name);
     if (code == APP_DONE) {
         app_catch_interrupts();
         code = run(&l);
@@ -274,10 +256,11 @@ static int control(const app_call *call) {
             code = write_part(&l) == APP_DONE ? code : APP_NOT_WRITTEN;
     }
     if (code == APP_DONE && !app_given(call, "quiet")) say_summary(&l);
-    if (code == APP_DONE && app_given(call, "json")) code = print_json(&l);
+    if (code == APP_DONE && app_given(call, "json")) fputs(l.results.text, stdout);
     if (code == APP_DONE && recorded(&l)->ended != WCUT_CONTROL_STATE_RUN)
         code = app_fail(APP_OUTSIDE, "%s: safe %s at %.2f s", l.path, wcut_control_state_name(recorded(&l)->ended),
                         recorded(&l)->duration);
+    app_results_end(&l.results);
     wcut_rig_run_destroy(l.plan);
     wcut_rig_run_destroy(l.feedback);
     wcut_history_destroy(l.history);

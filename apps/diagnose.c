@@ -88,8 +88,10 @@ static void note_bad(run *r, wcut_status status, const wcut_error *error, const 
 
 static void note_source(run *r, const char *role, const char *path) {
     char *hash = app_take(&r->memory, WCUT_SHA256_TEXT, 1);
-    const bool hashed = hash && wcut_file_hash(path, hash, NULL) == WCUT_OK;
-    r->source[r->sources++] = (wcut_report_source){role, path, hashed ? hash : NULL};
+    wcut_error error = {0};
+    const wcut_status status = hash ? wcut_source_hash(path, hash, &error) : WCUT_NO_MEMORY;
+    r->source[r->sources++] = (wcut_report_source){role, path, hash && hash[0] ? hash : NULL};
+    if (status != WCUT_OK && r->code == APP_DONE) r->code = app_fail_status(status, hash ? NULL : path, &error);
 }
 
 static void read_cut(run *r, int i) {
@@ -205,18 +207,15 @@ static int write_report(run *r) {
     return app_results_add(&r->results, "report.html", status, &error);
 }
 
-/* diagnosis.json last, because it vouches for the others */
+/* what a run leaves in its folder, under diagnosis.json */
 static int write_results(run *r) {
-    wcut_error error = {0};
-    int code = app_results_remove(&r->results, "diagnosis.json");
-    if (code == APP_DONE) code = write_job(r, r->diagnosis->improved, "job-improved.json");
+    char *text = NULL;
+    int code = write_job(r, r->diagnosis->improved, "job-improved.json");
     if (code == APP_DONE) code = write_job(r, r->diagnosis->next_experiment, "next-experiment.json");
     if (code == APP_DONE) code = write_report(r);
     if (code != APP_DONE) return code;
-    const char *path = app_results_path(&r->results, "diagnosis.json");
-    const wcut_status status = wcut_diagnosis_write(r->diagnosis, r->found->name, path, &error);
-    code = app_results_add(&r->results, "diagnosis.json", status, &error);
-    return code == APP_DONE ? app_results_prune(&r->results, result_name) : code;
+    const wcut_status status = wcut_diagnosis_print(r->diagnosis, r->found->name, &text);
+    return app_results_commit(&r->results, "diagnosis.json", status, text);
 }
 
 /* ---- the summary ---- */
@@ -268,18 +267,13 @@ static void print_summary(const run *r) {
     if (d->next_experiment) printf("next experiment: %s\n", d->next_reason);
 }
 
-static int give_summary(const run *r) {
-    if (!app_given(r->call, "quiet")) app_say("in %s: %s", r->results.folder, app_results_list(&r->results));
-    if (!app_given(r->call, "json")) {
-        if (!app_given(r->call, "quiet")) print_summary(r);
-        return APP_DONE;
-    }
-    char *text = NULL;
-    const wcut_status status = wcut_diagnosis_print(r->diagnosis, r->found->name, &text);
-    if (status != WCUT_OK) return app_fail_status(status, "diagnose", NULL);
-    fputs(text, stdout);
-    free(text);
-    return APP_DONE;
+static void give_summary(const run *r) {
+    const bool quiet = app_given(r->call, "quiet");
+    if (!quiet) app_say("in %s: %s", r->results.folder, app_results_list(&r->results));
+    if (app_given(r->call, "json"))
+        fputs(r->results.text, stdout);
+    else if (!quiet)
+        print_summary(r);
 }
 
 static void forget(run *r) {
@@ -297,20 +291,18 @@ static void forget(run *r) {
 static int diagnose(const app_call *call) {
     run r = {.call = call};
     int code = load(&r);
-    if (code == APP_DONE) code = app_results_begin(&r.results, app_text(call, "output"));
+    if (code == APP_DONE) code = app_results_begin(&r.results, app_text(call, "output"), result_name);
     if (code == APP_DONE) {
         app_catch_interrupts();
         code = diagnose_case(&r);
         if (r.diagnosis) {
             const int written = write_results(&r);
             if (written != APP_DONE) code = written;
-            if (written == APP_DONE) {
-                const int given = give_summary(&r);
-                if (code == APP_DONE) code = given;
-            }
+            if (written == APP_DONE) give_summary(&r);
         }
     }
     if (code == APP_DONE) code = r.code;
+    app_results_end(&r.results);
     forget(&r);
     return code;
 }

@@ -15,6 +15,7 @@ typedef struct identification {
     int count;
     wcut_job *job, *cut[CUTS_MAX];
     char name[CUTS_MAX][NAME_SIZE];
+    const char *result[CUTS_MAX + 2];
     app_results results;
 } identification;
 
@@ -28,19 +29,25 @@ static int load(identification *x) {
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, path, &error);
 }
 
+/* their names, and the NULL that closes the list */
+static void name_results(identification *x) {
+    for (int k = 0; k < CUTS_MAX; k++) {
+        snprintf(x->name[k], sizeof x->name[k], "identification-%d.json", k + 1);
+        x->result[k] = x->name[k];
+    }
+    x->result[CUTS_MAX] = "identify.json";
+}
+
+/* the jobs, under identify.json */
 static int write_results(identification *x) {
     int code = APP_DONE;
-    for (int k = 0; k < CUTS_MAX && code == APP_DONE; k++) {
-        snprintf(x->name[k], sizeof x->name[k], "identification-%d.json", k + 1);
-        if (k >= x->count) {
-            code = app_results_remove(&x->results, x->name[k]); /* of an earlier run that made more */
-            continue;
-        }
+    for (int k = 0; k < x->count && code == APP_DONE; k++) {
         wcut_error error = {0};
         const wcut_status status = wcut_job_write(x->cut[k], app_results_path(&x->results, x->name[k]), &error);
         code = app_results_add(&x->results, x->name[k], status, &error);
     }
-    return code;
+    if (code != APP_DONE) return code;
+    return app_results_commit_words(&x->results, "identify.json", "{\n  \"format\": \"wirecut-identification/1\"\n}\n");
 }
 
 static double dither_of(const wcut_job *job) {
@@ -66,19 +73,15 @@ static void say_summary(const identification *x) {
     app_say("in %s: %s", x->results.folder, app_results_list(&x->results));
 }
 
-static void print_json(const identification *x) {
-    printf("{\"format\": \"wirecut-identification/1\", \"files\": [");
-    for (int k = 0; k < x->count; k++) printf("%s\"%s\"", k ? ", " : "", x->name[k]);
-    printf("]}\n");
-}
-
 static int identify(const app_call *call) {
     identification x = {.call = call};
     int code = load(&x);
-    if (code == APP_DONE) code = app_results_begin(&x.results, app_text(call, "output"));
+    name_results(&x);
+    if (code == APP_DONE) code = app_results_begin(&x.results, app_text(call, "output"), x.result);
     if (code == APP_DONE) code = write_results(&x);
     if (code == APP_DONE && !app_given(call, "quiet")) say_summary(&x);
-    if (code == APP_DONE && app_given(call, "json")) print_json(&x);
+    if (code == APP_DONE && app_given(call, "json")) fputs(x.results.text, stdout);
+    app_results_end(&x.results);
     for (int k = 0; k < x.count; k++) wcut_job_destroy(x.cut[k]);
     wcut_job_destroy(x.job);
     return code;

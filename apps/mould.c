@@ -13,7 +13,16 @@
 /* Sections nearer than a job's own rounding of its coordinates are one section. */
 #define MERGE_MM 1e-3
 
-enum { LABEL_MAX = 40, FORMATS = 5, STEP = 4, HALF_FILES = 2 * FORMATS, PAIR = HALF_FILES, CUT, NAMES };
+enum {
+    RESULT_NAME_SIZE = 64,
+    LABEL_MAX = 40,
+    FORMATS = 5,
+    STEP = 4,
+    HALF_FILES = 2 * FORMATS,
+    PAIR = HALF_FILES,
+    CUT,
+    NAMES
+};
 
 static const char *const format[FORMATS] = {"stl", "obj", "ply", "3mf", "step"};
 
@@ -28,9 +37,10 @@ typedef struct moulding {
     wcut_mesh *stock;
     wcut_vec3 pull;
     wcut_mould *mould;
-    char name[NAMES][APP_RESULT_NAME_MAX]; /* lower.stl .. lower.step, upper.stl .., mould.3mf, cut.igs,
+    char name[NAMES][RESULT_NAME_SIZE]; /* lower.stl .. lower.step, upper.stl .., mould.3mf, cut.igs,
                                                       with the label */
-    char solid[2][512];                    /* what CAD programs show */
+    char solid[2][512];                 /* what CAD programs show */
+    const char *result[NAMES + 3];      /* all that a run may write, and the NULL that closes the list */
     app_results results;
 } moulding;
 
@@ -47,11 +57,14 @@ static int name_results(moulding *m) {
     for (int upper = 0; upper < 2; upper++) {
         const char *half = upper ? "upper" : "lower";
         for (int f = 0; f < FORMATS; f++)
-            snprintf(m->name[upper * FORMATS + f], APP_RESULT_NAME_MAX, "%s%s%s.%s", before, dash, half, format[f]);
+            snprintf(m->name[upper * FORMATS + f], RESULT_NAME_SIZE, "%s%s%s.%s", before, dash, half, format[f]);
         snprintf(m->solid[upper], sizeof m->solid[upper], "%.400s %s", label ? label : m->job->name, half);
     }
-    snprintf(m->name[PAIR], APP_RESULT_NAME_MAX, "%s%smould.3mf", before, dash);
-    snprintf(m->name[CUT], APP_RESULT_NAME_MAX, "%s%scut.igs", before, dash);
+    snprintf(m->name[PAIR], RESULT_NAME_SIZE, "%s%smould.3mf", before, dash);
+    snprintf(m->name[CUT], RESULT_NAME_SIZE, "%s%scut.igs", before, dash);
+    for (int k = 0; k < NAMES; k++) m->result[k] = m->name[k];
+    m->result[NAMES] = "report.html";
+    m->result[NAMES + 1] = "mould.json";
     return APP_DONE;
 }
 
@@ -216,28 +229,15 @@ static int write_report(moulding *m) {
     return app_results_add(&m->results, name, status, &error);
 }
 
-/* last, because it vouches for the others; it names itself too */
-static int write_figures(moulding *m) {
-    wcut_error error = {0};
-    app_results *r = &m->results;
-    app_results_add(r, "mould.json", WCUT_OK, NULL);
-    const wcut_status status =
-        wcut_mould_write(m->mould, m->job->name, r->count, r->name, app_results_path(r, "mould.json"), &error);
-    if (status == WCUT_OK) return APP_DONE;
-    r->count--;
-    return app_fail_status(status, NULL, &error);
-}
-
+/* what a run leaves in its folder, under mould.json */
 static int write_results(moulding *m) {
-    const char *name[NAMES + 1] = {NULL};
-    for (int k = 0; k < NAMES; k++) name[k] = m->name[k];
-    int code = app_results_remove(&m->results, "mould.json");
-    if (code == APP_DONE) code = write_halves(m);
+    int code = write_halves(m);
     if (code == APP_DONE) code = write_cut(m);
     if (code == APP_DONE) code = write_report(m);
-    if (code == APP_DONE) code = app_results_prune(&m->results, name);
-    if (code == APP_DONE) code = write_figures(m);
-    return code;
+    if (code != APP_DONE) return code;
+    char *text = NULL;
+    const wcut_status status = wcut_mould_print(m->mould, m->job->name, &text);
+    return app_results_commit(&m->results, "mould.json", status, text);
 }
 
 /* ---- the answer ---- */
@@ -272,12 +272,8 @@ static void say_mould(const moulding *m) {
 }
 
 static int give(const moulding *m) {
-    char *text = NULL;
-    const wcut_status status = wcut_mould_print(m->mould, m->job->name, m->results.count, m->results.name, &text);
-    if (status != WCUT_OK) return app_fail_status(status, m->path, NULL);
     if (!app_given(m->call, "quiet")) say_mould(m);
-    if (app_given(m->call, "json")) fputs(text, stdout);
-    free(text);
+    if (app_given(m->call, "json")) fputs(m->results.text, stdout);
     const wcut_half_report *half[2] = {&m->mould->lower.report, &m->mould->upper.report};
     for (int k = 0; k < 2; k++) {
         const char *name = k ? "upper" : "lower";
@@ -301,7 +297,7 @@ static int mould(const app_call *call) {
     int code = load(&m);
     if (code == APP_DONE) code = read_pull(app_text(call, "pull"), &m.pull);
     if (code == APP_DONE) code = name_results(&m);
-    if (code == APP_DONE) code = app_results_begin(&m.results, app_text(call, "output"));
+    if (code == APP_DONE) code = app_results_begin(&m.results, app_text(call, "output"), m.result);
     if (code == APP_DONE) {
         app_catch_interrupts();
         code = run(&m);
@@ -310,6 +306,7 @@ static int mould(const app_call *call) {
     if (code == APP_DONE) code = divide(&m);
     if (code == APP_DONE) code = write_results(&m);
     if (code == APP_DONE) code = give(&m);
+    app_results_end(&m.results);
     wcut_mould_destroy(m.mould);
     wcut_mesh_destroy(m.stock);
     free(m.kerf);

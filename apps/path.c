@@ -107,6 +107,17 @@ static int check_limits(export_ *e) {
     return APP_DONE;
 }
 
+/* the files of a format, path.json, and the NULL that closes the list */
+static void name_results(wcut_robot_format format, const char *name[4]) {
+    int count = 0;
+    for (int robot = 0; robot < 2; robot++) {
+        name[count] = wcut_robot_file_name(format, robot);
+        count += name[count] != NULL;
+    }
+    name[count] = "path.json";
+    name[count + 1] = NULL;
+}
+
 static int write_programs(export_ *e) {
     wcut_error error = {0};
     wcut_robot_names names = wcut_robot_names_default();
@@ -126,20 +137,15 @@ static int write_programs(export_ *e) {
     return code;
 }
 
-static int print_json(const export_ *e) {
+/* both programs, under path.json */
+static int write_results(export_ *e) {
+    const int code = write_programs(e);
+    if (code != APP_DONE) return code;
     char *text = NULL;
-    const wcut_robot_summary summary = {.job = e->job,
-                                        .motion = e->motion,
-                                        .check = e->check,
-                                        .near = e->near,
-                                        .format = e->format,
-                                        .file_count = e->results.count,
-                                        .files = e->results.name};
-    wcut_status status = wcut_robot_summary_print(&summary, &text);
-    if (status != WCUT_OK) return app_fail_status(status, e->path, NULL);
-    fputs(text, stdout);
-    free(text);
-    return APP_DONE;
+    const wcut_robot_summary summary = {
+        .job = e->job, .motion = e->motion, .check = e->check, .near = e->near, .format = e->format};
+    const wcut_status status = wcut_robot_summary_print(&summary, &text);
+    return app_results_commit(&e->results, "path.json", status, text);
 }
 
 static void say_summary(const export_ *e) {
@@ -174,16 +180,19 @@ static void say_summary(const export_ *e) {
 
 static int path(const app_call *call) {
     export_ e = {.call = call, .path = call->operand[0]};
+    const char *name[4];
     int code = load(&e);
+    name_results(e.format, name);
     if (code == APP_DONE) app_catch_interrupts();
     if (code == APP_DONE) code = run(&e);
     if (code == APP_DONE) code = approach(&e);
     if (code == APP_DONE) code = make_motion(&e);
     if (code == APP_DONE) code = check_limits(&e);
-    if (code == APP_DONE) code = app_results_begin(&e.results, app_text(call, "output"));
-    if (code == APP_DONE) code = write_programs(&e);
+    if (code == APP_DONE) code = app_results_begin(&e.results, app_text(call, "output"), name);
+    if (code == APP_DONE) code = write_results(&e);
     if (code == APP_DONE && !app_given(call, "quiet")) say_summary(&e);
-    if (code == APP_DONE && app_given(call, "json")) code = print_json(&e);
+    if (code == APP_DONE && app_given(call, "json")) fputs(e.results.text, stdout);
+    app_results_end(&e.results);
     wcut_robot_motion_destroy(e.motion);
     free(e.mount_a); /* and mount_b, which lies behind it */
     wcut_history_destroy(e.history);

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include <wirecut/wirecut.h>
 
 #include "command.h"
@@ -210,10 +211,10 @@ static int write_report(scoring *s) {
     wcut_error error = {0};
     wcut_status status = source && hash ? WCUT_OK : WCUT_NO_MEMORY;
     for (int i = 0; status == WCUT_OK && i < call->operand_count; i++) {
-        /* a file that came through a pipe cannot be read once more: the page then has a dash for its hash */
-        const bool hashed = wcut_file_hash(call->operand[i], hash[i], NULL) == WCUT_OK;
+        /* one that cannot be read was reported before, and has no hash */
+        if (access(call->operand[i], R_OK) == 0) status = wcut_source_hash(call->operand[i], hash[i], &error);
         source[i] = (wcut_report_source){s->cases == 0 && i > 0 ? "recording" : role, call->operand[i],
-                                         hashed ? hash[i] : NULL};
+                                         hash[i][0] ? hash[i] : NULL};
     }
     char title[64];
     snprintf(title, sizeof title, "%d cases, %d cuts", s->cases, s->cuts);
@@ -239,19 +240,17 @@ static int write_report(scoring *s) {
     return code;
 }
 
-/* What a run leaves in its folder. score.json last, because it vouches for the others. */
+/* What a run leaves in its folder, under score.json. */
 static int write_results(scoring *s) {
     wcut_error error = {0};
-    int code = app_results_remove(&s->results, "score.json");
-    if (code != APP_DONE) return code;
+    char *text = NULL;
     const char *name = "residuals.csv";
     wcut_status status = wcut_residuals_write(s->cuts, s->named, app_results_path(&s->results, name), &error);
-    code = app_results_add(&s->results, name, status, &error);
+    int code = app_results_add(&s->results, name, status, &error);
     if (code == APP_DONE) code = write_report(s);
     if (code != APP_DONE) return code;
-    name = "score.json";
-    status = wcut_score_write(s->cuts, s->named, &s->options, app_results_path(&s->results, name), &error);
-    return app_results_add(&s->results, name, status, &error);
+    status = wcut_score_print(s->cuts, s->named, &s->options, &text);
+    return app_results_commit(&s->results, "score.json", status, text);
 }
 
 /* ---- the summary ---- */
@@ -310,15 +309,9 @@ static void say_table(const scoring *s) {
     app_say("%d of %d cuts scored; in %s: %s", s->scored, s->cuts, s->results.folder, app_results_list(&s->results));
 }
 
-static int give_summary(const scoring *s) {
+static void give_summary(const scoring *s) {
     if (!app_given(s->call, "quiet")) say_table(s);
-    if (!app_given(s->call, "json")) return APP_DONE;
-    char *text = NULL;
-    const wcut_status status = wcut_score_print(s->cuts, s->named, &s->options, &text);
-    if (status != WCUT_OK) return app_fail_status(status, "score", NULL);
-    fputs(text, stdout);
-    free(text);
-    return APP_DONE;
+    if (app_given(s->call, "json")) fputs(s->results.text, stdout);
 }
 
 static void forget(scoring *s) {
@@ -344,7 +337,7 @@ static int score(const app_call *call) {
     scoring s = {.call = call};
     int ended = APP_DONE, code = load(&s);
     if (code == APP_DONE && !make_room(&s)) code = fail_memory();
-    if (code == APP_DONE) code = app_results_begin(&s.results, app_text(call, "output"));
+    if (code == APP_DONE) code = app_results_begin(&s.results, app_text(call, "output"), result_name);
     if (code == APP_DONE) {
         app_catch_interrupts();
         ended = run(&s);
@@ -352,13 +345,13 @@ static int score(const app_call *call) {
             name_cuts(&s);
             find_means(&s);
             code = write_results(&s);
-            if (code == APP_DONE) code = give_summary(&s);
+            if (code == APP_DONE) give_summary(&s);
         } else {
             app_say("none of %d cuts could be scored: nothing was written", s.cuts);
-            code = app_results_prune(&s.results, result_name);
         }
     }
     if (code == APP_DONE) code = ended != APP_DONE ? ended : s.code;
+    app_results_end(&s.results);
     forget(&s);
     return code;
 }

@@ -174,28 +174,16 @@ static int write_report(simulation *s) {
     return app_results_add(&s->results, name, status, &error);
 }
 
-/* Last, because it vouches for the others; it names itself too. */
-static int write_summary(simulation *s) {
-    wcut_error error = {0};
-    app_results *r = &s->results;
-    app_results_add(r, "summary.json", WCUT_OK, NULL);
-    wcut_status status =
-        wcut_summary_write(s->setup, s->history, r->count, r->name, app_results_path(r, "summary.json"), &error);
-    if (status == WCUT_OK) return APP_DONE;
-    r->count--;
-    return app_fail_status(status, NULL, &error);
-}
-
 static int write_results(simulation *s) {
     bool surface = s->history->stations >= 2; /* a run that ended at its start swept none */
-    int code = app_results_remove(&s->results, "summary.json");
-    if (code == APP_DONE) code = write_history(s);
+    int code = write_history(s);
     if (code == APP_DONE && surface) code = write_surface(s);
     if (code == APP_DONE && surface) code = write_path(s);
     if (code == APP_DONE) code = write_report(s);
-    if (code == APP_DONE) code = app_results_prune(&s->results, result_name);
-    if (code == APP_DONE) code = write_summary(s);
-    return code;
+    if (code != APP_DONE) return code;
+    char *text = NULL;
+    const wcut_status status = wcut_summary_print(s->setup, s->history, &text);
+    return app_results_commit(&s->results, "summary.json", status, text);
 }
 
 /* ---- the answer ---- */
@@ -224,19 +212,15 @@ static int say_summary(const simulation *s) {
 
 /* The summary to whom it concerns: people read standard error, programs standard output. */
 static int give_summary(const simulation *s) {
-    char *text = NULL;
-    wcut_status status = wcut_summary_print(s->setup, s->history, s->results.count, s->results.name, &text);
-    if (status != WCUT_OK) return app_fail_status(status, s->path, NULL);
     const int code = app_given(s->call, "quiet") ? APP_DONE : say_summary(s);
-    if (app_given(s->call, "json")) fputs(text, stdout);
-    free(text);
+    if (app_given(s->call, "json")) fputs(s->results.text, stdout);
     return code;
 }
 
 static int simulate(const app_call *call) {
     simulation s = {.call = call, .path = call->operand[0]};
     int ended = APP_DONE, code = load(&s);
-    if (code == APP_DONE) code = app_results_begin(&s.results, app_text(call, "output"));
+    if (code == APP_DONE) code = app_results_begin(&s.results, app_text(call, "output"), result_name);
     if (code == APP_DONE) {
         app_catch_interrupts();
         ended = run(&s);
@@ -246,6 +230,7 @@ static int simulate(const app_call *call) {
         }
     }
     if (code == APP_DONE) code = ended;
+    app_results_end(&s.results);
     wcut_surface_destroy(s.surface);
     wcut_history_destroy(s.history);
     wcut_setup_destroy(s.setup);

@@ -79,37 +79,27 @@ static void put_cut(wcut_text *text, const wcut_mould *m) {
                                          : "exact faces");
 }
 
-static bool is_usable(const wcut_mould *m, const char *name, int count, const char *const *files) {
-    if (!m || !m->lower.mesh || !m->upper.mesh || !name || count < 0 || (count > 0 && !files)) return false;
-    for (int k = 0; k < count; k++)
-        if (!files[k]) return false;
-    return true;
-}
-
-static wcut_status print_mould(const wcut_mould *m, const char *name, int count, const char *const *files, char **text,
-                               size_t *length) {
+static wcut_status print_mould(const wcut_mould *m, const char *name, char **text, size_t *length) {
     wcut_text out;
-    if (!is_usable(m, name, count, files)) return WCUT_BAD_ARGUMENT;
+    if (!m || !m->lower.mesh || !m->upper.mesh || !name) return WCUT_BAD_ARGUMENT;
     if (!wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
     wcut_text_print(&out, "{\n  \"format\": \"wirecut-mould/1\",\n  \"version\": \"%s\",\n  \"job\": ", WCUT_VERSION);
     wcut_text_string(&out, name);
     put_half(&out, "lower", &m->lower);
     put_half(&out, "upper", &m->upper);
     put_cut(&out, m);
-    wcut_text_files(&out, count, files);
+    wcut_text_print(&out, "\n}\n");
     return wcut_text_finish(&out, text, length);
 }
 
-wcut_status wcut_mould_print(const wcut_mould *mould, const char *name, int file_count, const char *const *files,
-                             char **text) {
-    return text ? print_mould(mould, name, file_count, files, text, NULL) : WCUT_BAD_ARGUMENT;
+wcut_status wcut_mould_print(const wcut_mould *mould, const char *name, char **text) {
+    return text ? print_mould(mould, name, text, NULL) : WCUT_BAD_ARGUMENT;
 }
 
-wcut_status wcut_mould_write(const wcut_mould *mould, const char *name, int file_count, const char *const *files,
-                             const char *path, wcut_error *error) {
+wcut_status wcut_mould_write(const wcut_mould *mould, const char *name, const char *path, wcut_error *error) {
     char *text = NULL;
     size_t length = 0;
-    wcut_status status = path ? print_mould(mould, name, file_count, files, &text, &length) : WCUT_BAD_ARGUMENT;
+    wcut_status status = path ? print_mould(mould, name, &text, &length) : WCUT_BAD_ARGUMENT;
     if (status != WCUT_OK) return wcut_fail(error, status, "a mould: %s", wcut_status_text(status));
     status = wcut_file_write_whole(path, text, length, error);
     free(text);

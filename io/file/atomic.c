@@ -2,25 +2,21 @@
 #define _XOPEN_SOURCE 700 /* realpath */
 #include "io/file/atomic.h"
 
-#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
-#include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/alloc.h"
 #include "base/fail.h"
+#include "io/file/folder.h"
 
-#define MARK ".wirecut-"
-#define SUFFIX ".part"
-enum { NAME_KEPT = 150, ATTEMPTS = 10000, MOVE_SIZE = 1 << 20 };
+enum { ATTEMPTS_MAX = 10000, MOVE_SIZE = 1 << 20 };
 
 struct wcut_file {
     char *label;      /* the path as the caller gave it, for messages */
@@ -52,7 +48,7 @@ static int check_target(const char *path, int *mode) {
     if (stat(path, &s) != 0) return errno == ENOENT ? 0 : errno;
     if (S_ISDIR(s.st_mode)) return EISDIR;
     if (!S_ISREG(s.st_mode)) return EINVAL; /* a device or a pipe cannot appear whole */
-    *mode = (int)(s.st_mode & 07777);
+    *mode = (int)(s.st_mode & 0777);        /* who writes is another owner, maybe: no set-user-id for him */
     /* rename would replace a write-protected file too: its owner said no */
     return faccessat(AT_FDCWD, path, W_OK, AT_EACCESS) == 0 ? 0 : errno;
 }
@@ -73,51 +69,14 @@ static int open_folder(const char *path, const char *name) {
 
 /* ---- temporaries ---- */
 
-/* the process in a temporary's name; 0 where the name is none */
-static long owner_of(const char *name) {
-    const char *mark = NULL;
-    for (const char *p = strstr(name, MARK); p; p = strstr(p + 1, MARK)) mark = p;
-    if (name[0] != '.' || !mark) return 0;
-    char *end;
-    long owner = strtol(mark + strlen(MARK), &end, 10), attempt = -1;
-    if (*end == '-' && end[1] >= '0' && end[1] <= '9') attempt = strtol(end + 1, &end, 10);
-    return owner > 0 && owner <= INT_MAX && attempt >= 0 && strcmp(end, SUFFIX) == 0 ? owner : 0;
-}
-
-/* A temporary is stale where its process is dead and nobody holds its lock: the lock also protects those of processes
-   that have another name for themselves (containers), or share ours. What cannot be removed stays: it harms nobody. */
-static void sweep_one(int folder, const char *name) {
-    long owner = owner_of(name);
-    if (owner == 0) return;
-    if (owner != (long)getpid() && (kill((pid_t)owner, 0) == 0 || errno != ESRCH)) return;
-    int fd = openat(folder, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    if (fd < 0) return;
-    if (flock(fd, LOCK_EX | LOCK_NB) == 0) unlinkat(folder, name, 0);
-    close(fd);
-}
-
-static void sweep(int folder) {
-    int fd = openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    DIR *list = fd < 0 ? NULL : fdopendir(fd);
-    if (!list) {
-        if (fd >= 0) close(fd);
-        return;
-    }
-    for (struct dirent *entry = readdir(list); entry; entry = readdir(list)) sweep_one(folder, entry->d_name);
-    closedir(list);
-}
-
-/* open and lock a temporary; a sweeper may come between the two, then its link is gone and the next name is tried */
+/* open and lock a temporary; a sweeper may come between the two, then the next name is tried */
 static int open_temporary(wcut_file *file) {
-    for (int k = 0; k < ATTEMPTS; k++) {
-        snprintf(file->temporary, sizeof file->temporary, ".%.*s" MARK "%ld-%d" SUFFIX, NAME_KEPT, file->name,
-                 (long)getpid(), k);
+    for (int k = 0; k < ATTEMPTS_MAX; k++) {
+        wcut_folder_name(file->temporary, file->name, k);
         int fd = openat(file->folder, file->temporary, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (fd < 0 && errno == EEXIST) continue;
-        if (fd < 0) return -1;
-        struct stat s;
-        flock(fd, LOCK_EX); /* a file system without locks has no sweeper that gets one either */
-        if (fstat(fd, &s) == 0 && s.st_nlink > 0) return fd;
+        if (fd < 0 || wcut_folder_hold(file->folder, file->temporary, fd)) return fd;
+        unlinkat(file->folder, file->temporary, 0);
         close(fd);
     }
     errno = EEXIST;
@@ -138,7 +97,7 @@ static int begin(wcut_file *file) {
     if (code) return code;
     file->folder = open_folder(file->path, file->name);
     if (file->folder < 0) return errno;
-    sweep(file->folder);
+    wcut_folder_sweep(file->folder);
     file->fd = open_temporary(file);
     if (file->fd < 0) return errno;
     return mode >= 0 && fchmod(file->fd, (mode_t)mode) != 0 ? errno : 0;
@@ -220,17 +179,38 @@ wcut_status wcut_file_check(const wcut_file *file, wcut_error *error) {
                            "not written");
 }
 
-wcut_status wcut_file_commit(wcut_file *file, wcut_error *error) {
-    if (file->code == 0 && fsync(file->fd) != 0) file->code = errno;
-    if (file->code == 0) {
-        if (renameat(file->folder, file->temporary, file->folder, file->name) == 0)
-            file->committed = true;
-        else
-            file->code = errno;
+/* a second name for the earlier file, so that it can come back; false: there is none, or no second name */
+static bool keep_earlier(const wcut_file *file, char name[NAME_MAX + 1]) {
+    for (int k = 0; k < ATTEMPTS_MAX; k++) {
+        wcut_folder_name(name, file->name, k);
+        if (linkat(file->folder, file->name, file->folder, name, 0) == 0) return true;
+        if (errno != EEXIST) return false;
     }
-    /* some file systems cannot fsync a folder (EINVAL): they order the rename themselves */
-    if (file->code == 0 && fsync(file->folder) != 0 && errno != EINVAL) file->code = errno;
-    return wcut_file_check(file, error);
+    return false;
+}
+
+/* what a rename did, undone: the folder's entry is not certain to last. false: the earlier file could not be kept. */
+static bool undo(const wcut_file *file, const char *earlier, bool had, bool kept) {
+    if (kept) return renameat(file->folder, earlier, file->folder, file->name) == 0;
+    return !had && unlinkat(file->folder, file->name, 0) == 0;
+}
+
+wcut_status wcut_file_commit(wcut_file *file, wcut_error *error) {
+    char earlier[NAME_MAX + 1];
+    struct stat s;
+    if (file->code == 0 && fsync(file->fd) != 0) file->code = errno;
+    if (file->code) return wcut_file_check(file, error);
+
+    /* the name changes hands in one step */
+    const bool had = fstatat(file->folder, file->name, &s, AT_SYMLINK_NOFOLLOW) == 0;
+    const bool kept = had && keep_earlier(file, earlier);
+    file->committed = renameat(file->folder, file->temporary, file->folder, file->name) == 0;
+    file->code = file->committed ? wcut_folder_sync(file->folder) : errno;
+    const bool back = file->code == 0 || !file->committed || undo(file, earlier, had, kept);
+    if (kept) unlinkat(file->folder, earlier, 0); /* gone after undo */
+    if (back) return wcut_file_check(file, error);
+    return wcut_fail_errno(error, WCUT_NOT_WRITTEN, file->code, file->label,
+                           "replaced, but not certain to outlive a power failure");
 }
 
 void wcut_file_destroy(wcut_file *file) {

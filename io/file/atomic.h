@@ -9,8 +9,8 @@
 /* an output under its temporary name; the first error of the system sticks to it and commit reports it */
 typedef struct wcut_file wcut_file;
 
-/* Begin `.NAME.wirecut-PID-N.part` beside the target; a symbolic link is followed, the temporaries of dead processes in
-   that folder are removed. WCUT_OK; WCUT_NOT_WRITTEN (folder missing or not writable, the target is a folder, a device
+/* Begin `.NAME.wirecut-PID-N.part` beside the target; a symbolic link is followed, the temporaries in
+   that folder whose lock nobody holds are removed. WCUT_OK; WCUT_NOT_WRITTEN (folder missing or not writable, the target is a folder, a device
    or write-protected), WCUT_NO_MEMORY: nothing was written. */
 wcut_status wcut_file_create(const char *path, wcut_file **file, wcut_error *error);
 
@@ -26,7 +26,9 @@ void wcut_file_truncate(wcut_file *file, uint64_t size);
 /* WCUT_OK as long as no error sticks; WCUT_NOT_WRITTEN */
 wcut_status wcut_file_check(const wcut_file *file, wcut_error *error);
 
-/* Put the file in its place. WCUT_OK: wholly on disk; WCUT_NOT_WRITTEN: the target is as it was. */
+/* Put the file in its place. WCUT_OK: wholly on disk; WCUT_NOT_WRITTEN: the target is as it was, also where the folder's
+   fsync failed after the rename. (Where that file system knows one name a file only, there the new file stays, and the
+   text says so.) */
 wcut_status wcut_file_commit(wcut_file *file, wcut_error *error);
 
 /* free; what was not committed is removed. NULL is allowed. */

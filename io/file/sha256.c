@@ -102,3 +102,11 @@ wcut_status wcut_file_hash(const char *path, char *text, wcut_error *error) {
     for (int i = 0; i < WCUT_SHA256_SIZE; i++) snprintf(text + 2 * (size_t)i, 3, "%02x", digest[i]);
     return WCUT_OK;
 }
+
+wcut_status wcut_source_hash(const char *path, char *text, wcut_error *error) {
+    struct stat s;
+    if (!text) return wcut_fail(error, WCUT_BAD_ARGUMENT, "hash: a place for the text is needed");
+    if (path && (stat(path, &s) != 0 || S_ISREG(s.st_mode))) return wcut_file_hash(path, text, error);
+    text[0] = '\0';
+    return WCUT_OK;
+}

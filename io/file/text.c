@@ -84,15 +84,6 @@ void wcut_text_string(wcut_text *text, const char *string) {
     wcut_text_put(text, "\"", 1);
 }
 
-void wcut_text_files(wcut_text *text, int count, const char *const *files) {
-    wcut_text_print(text, ",\n  \"files\": [");
-    for (int i = 0; i < count; i++) {
-        wcut_text_print(text, "%s", i ? ", " : "");
-        wcut_text_string(text, files[i]);
-    }
-    wcut_text_print(text, "]\n}\n");
-}
-
 wcut_status wcut_text_finish(wcut_text *text, char **data, size_t *length) {
     wcut_text_put(text, "", 1);
     if (text->failed) {

@@ -36,9 +36,6 @@ void wcut_text_number(wcut_text *text, double value);
 /* a JSON string with its quotes */
 void wcut_text_string(wcut_text *text, const char *string);
 
-/* the list of written files that ends a JSON result: , "files": [..] and the closing brace */
-void wcut_text_files(wcut_text *text, int count, const char *const *files);
-
 /* end a text in memory and hand it out, the caller's to free(); length may be NULL. WCUT_NO_MEMORY: it is gone. */
 wcut_status wcut_text_finish(wcut_text *text, char **data, size_t *length);
 

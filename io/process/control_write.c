@@ -75,9 +75,7 @@ static void put_run(wcut_text *text, const char *name, const wcut_rig_run *run) 
 }
 
 static wcut_status print_summary(const wcut_rig_summary *s, char **text, size_t *length) {
-    if (!s || !s->job || !s->control || !s->options || !s->feedback || !s->plan || s->file_count < 0 ||
-        (s->file_count > 0 && !s->files))
-        return WCUT_BAD_ARGUMENT;
+    if (!s || !s->job || !s->control || !s->options || !s->feedback || !s->plan) return WCUT_BAD_ARGUMENT;
     wcut_text out;
     if (!wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
     wcut_text_print(&out, "{\n  \"format\": \"wirecut-control/1\",\n  \"version\": \"%s\",\n  \"job\": ", WCUT_VERSION);
@@ -88,7 +86,7 @@ static wcut_status print_summary(const wcut_rig_summary *s, char **text, size_t 
     put_rig(&out, s->options, WCUT_RAD_PER_DEG);
     put_run(&out, "feedback", s->feedback);
     put_run(&out, "plan_alone", s->plan);
-    wcut_text_files(&out, s->file_count, s->files);
+    wcut_text_print(&out, "\n}\n");
     return wcut_text_finish(&out, text, length);
 }
 

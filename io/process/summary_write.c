@@ -83,38 +83,34 @@ static void put_figures(wcut_text *text, const wcut_summary *s) {
     put_counts(text, s);
 }
 
-static bool are_usable(const wcut_setup *setup, const wcut_history *h, int count, const char *const *files) {
-    if (!setup || !wcut_history_is_usable(h) || !h->force_line || count < 0 || (count > 0 && !files)) return false;
-    for (int i = 0; i < count; i++)
-        if (!files[i]) return false;
+static bool are_usable(const wcut_setup *setup, const wcut_history *h) {
+    if (!setup || !wcut_history_is_usable(h) || !h->force_line) return false;
     for (size_t i = 0; i < (size_t)h->stations * (size_t)h->nodes; i++)
         if (!isfinite(h->force_line[i])) return false;
     return true;
 }
 
-static wcut_status print_summary(const wcut_setup *setup, const wcut_history *h, int file_count,
-                                 const char *const *files, char **text, size_t *length) {
-    if (!are_usable(setup, h, file_count, files)) return WCUT_BAD_ARGUMENT;
+static wcut_status print_summary(const wcut_setup *setup, const wcut_history *h, char **text, size_t *length) {
+    if (!are_usable(setup, h)) return WCUT_BAD_ARGUMENT;
     wcut_summary summary;
     wcut_text out;
     if (wcut_summary_eval(h, &summary) != WCUT_OK || !wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
     put_head(&out, setup, h);
     put_figures(&out, &summary);
-    wcut_text_files(&out, file_count, files);
+    wcut_text_print(&out, "\n}\n");
     return wcut_text_finish(&out, text, length);
 }
 
-wcut_status wcut_summary_print(const wcut_setup *setup, const wcut_history *history, int file_count,
-                               const char *const *files, char **text) {
+wcut_status wcut_summary_print(const wcut_setup *setup, const wcut_history *history, char **text) {
     size_t length;
-    return text ? print_summary(setup, history, file_count, files, text, &length) : WCUT_BAD_ARGUMENT;
+    return text ? print_summary(setup, history, text, &length) : WCUT_BAD_ARGUMENT;
 }
 
-wcut_status wcut_summary_write(const wcut_setup *setup, const wcut_history *history, int file_count,
-                               const char *const *files, const char *path, wcut_error *error) {
+wcut_status wcut_summary_write(const wcut_setup *setup, const wcut_history *history, const char *path,
+                               wcut_error *error) {
     char *text = NULL;
     size_t length = 0;
-    wcut_status status = path ? print_summary(setup, history, file_count, files, &text, &length) : WCUT_BAD_ARGUMENT;
+    wcut_status status = path ? print_summary(setup, history, &text, &length) : WCUT_BAD_ARGUMENT;
     if (status != WCUT_OK) return wcut_fail(error, status, "a summary: %s", wcut_status_text(status));
     status = wcut_file_write_whole(path, text, length, error);
     free(text);

@@ -534,9 +534,7 @@ wcut_status wcut_report_calibrate_write(const wcut_report_calibrate *of, const c
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "report page: an argument is missing");
     page p = {.of = of};
     wcut_report_section section[1 + LAWS];
-    /* a table that came through a pipe cannot be read once more: the page then has a dash for its hash */
-    wcut_status status = wcut_file_hash(of->path, p.hash, error);
-    if (status == WCUT_NOT_FOUND) status = WCUT_OK;
+    wcut_status status = wcut_source_hash(of->path, p.hash, error);
     if (!status) {
         fill_cuts(&p);
         const int sections = p.failed ? 0 : fill_sections(&p, section);

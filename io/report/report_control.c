@@ -225,8 +225,7 @@ wcut_status wcut_report_control_write(const wcut_rig_summary *summary, const cha
     wcut_status status = p.target && p.alpha[0] && p.alpha[1] ? WCUT_OK : WCUT_NO_MEMORY;
     for (int i = 0; !status && i < samples; i++) p.target[i] = summary->control->tension;
 
-    if (!status) status = wcut_file_hash(job_path, p.hash, error);
-    if (status == WCUT_NOT_FOUND) status = WCUT_OK; /* a job that came through a pipe has no hash */
+    if (!status) status = wcut_source_hash(job_path, p.hash, error);
 
     if (!status) status = write_page(&p, job_path, path, error);
     free(p.target);

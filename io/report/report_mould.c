@@ -34,12 +34,6 @@ static wcut_status fill_drafts(page *p) {
     return WCUT_OK;
 }
 
-/* one that came through a pipe cannot be read once more: the page then has a dash for its hash */
-static wcut_status hash(const char *path, char *text, wcut_error *error) {
-    const wcut_status status = path ? wcut_file_hash(path, text, error) : WCUT_OK;
-    return status == WCUT_NOT_FOUND ? WCUT_OK : status;
-}
-
 /* ---- what is said ---- */
 
 static wcut_report_tone judge(page *p) {
@@ -188,9 +182,9 @@ wcut_status wcut_report_mould_write(const wcut_report_mould *run, const wcut_job
 
     /* copies and hashes */
     wcut_status status = fill_drafts(&p);
-    if (!status) status = hash(run->job_path, p.hash[0], error);
-    if (!status) status = hash(run->stock_path, p.hash[1], error);
-    if (!status) status = hash(run->edges_path, p.hash[2], error);
+    if (!status) status = wcut_source_hash(run->job_path, p.hash[0], error);
+    if (!status) status = wcut_source_hash(run->stock_path, p.hash[1], error);
+    if (!status) status = wcut_source_hash(run->edges_path, p.hash[2], error);
 
     /* each half is a shape, coloured by its draft */
     if (!status) {

@@ -106,9 +106,8 @@ static wcut_status fill(page *p, const wcut_setup *setup, wcut_error *error) {
     fill_columns(p);
     /* outside the foam there is no force, and no colour */
     for (size_t i = 0; i < cells; i++) p->force[i] = h->force_line[i] > 0 ? h->force_line[i] : NAN;
-    /* a job that came through a pipe cannot be read once more: the page then has a dash for its hash */
-    wcut_status status = wcut_file_hash(p->run->job_path, p->hash, error);
-    if (status && status != WCUT_NOT_FOUND) return status;
+    wcut_status status = wcut_source_hash(p->run->job_path, p->hash, error);
+    if (status) return status;
     if (h->stations < 2) return WCUT_OK;
     double length;
     status = wcut_history_path(setup, h, p->mount_a, p->mount_b, &length, error);

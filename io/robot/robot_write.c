@@ -174,8 +174,7 @@ wcut_status wcut_robot_write(const wcut_robot_motion *motion, const wcut_robot_n
 /* ---- figures ---- */
 
 wcut_status wcut_robot_summary_print(const wcut_robot_summary *s, char **text) {
-    if (!s || !s->job || !s->motion || !s->check || !s->near || (unsigned)s->format >= FORMATS || s->file_count < 0 ||
-        (s->file_count > 0 && !s->files) || !text)
+    if (!s || !s->job || !s->motion || !s->check || !s->near || (unsigned)s->format >= FORMATS || !text)
         return WCUT_BAD_ARGUMENT;
     wcut_text out;
     if (!wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
@@ -207,7 +206,6 @@ wcut_status wcut_robot_summary_print(const wcut_robot_summary *s, char **text) {
         put_number(&out, ", ", n->place.z);
         wcut_text_print(&out, "]}");
     }
-    wcut_text_print(&out, "\n  ]");
-    wcut_text_files(&out, s->file_count, s->files);
+    wcut_text_print(&out, "\n  ]\n}\n");
     return wcut_text_finish(&out, text, NULL);
 }

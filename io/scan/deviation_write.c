@@ -260,21 +260,19 @@ static void put_document(wcut_text *t, const wcut_compared *c) {
     put_zones(t, r);
     put_worst(t, r);
     put_reconstruction(t, c);
-    wcut_text_files(t, c->files, c->file);
+    wcut_text_print(t, "\n}\n");
 }
 
 static bool are_figures(const wcut_statistics *s) { return s && s->bands >= 0 && s->bands <= WCUT_BANDS_MAX; }
 
 static bool is_usable(const wcut_compared *c) {
     if (!c || !c->reference || !c->distance || c->scans < 1 || !c->scan || !c->registration || !c->found ||
-        !c->unmoved || !are_figures(c->face_to_scan) || c->files < 0 || (c->files > 0 && !c->file) ||
+        !c->unmoved || !are_figures(c->face_to_scan) ||
         (unsigned)c->registration->method > WCUT_REGISTRATION_METHOD_FIT ||
         (c->reconstruction && (!c->reconstruction_method || !c->to_scan || !c->to_face)))
         return false;
     for (int k = 0; k < c->scans; k++)
         if (!c->scan[k].name || !c->scan[k].sha256) return false;
-    for (int k = 0; k < c->files; k++)
-        if (!c->file[k]) return false;
     return are_figures(&c->found->statistics) && are_figures(&c->unmoved->statistics);
 }
 

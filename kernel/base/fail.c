@@ -1,6 +1,7 @@
 /* Say where something failed, in one printable line. */
 #include "base/fail.h"
 
+#include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -28,6 +29,7 @@ wcut_status wcut_fail(wcut_error *error, wcut_status status, const char *format,
 wcut_status wcut_fail_errno(wcut_error *error, wcut_status status, int code, const char *path, const char *what) {
     char cause[128] = "", name[WCUT_QUOTE_SIZE];
     if (strerror_r(code, cause, sizeof cause) != 0) snprintf(cause, sizeof cause, "error %d", code);
+    if (code == ENOMEM) status = WCUT_NO_MEMORY;
     return wcut_fail(error, status, "%s: %s: %s", wcut_quote(name, path, WCUT_LABEL_MAX, 1), what, cause);
 }
 

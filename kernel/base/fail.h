@@ -9,7 +9,7 @@
 wcut_status wcut_fail(wcut_error *error, wcut_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* "PATH: WHAT: text of the errno `code`" */
+/* "PATH: WHAT: text of the errno `code`"; ENOMEM is WCUT_NO_MEMORY whatever the status is called */
 wcut_status wcut_fail_errno(wcut_error *error, wcut_status status, int code, const char *path, const char *what);
 
 #ifdef __clang_analyzer__ /* it sees one file at a time: the status that comes back is the one given */

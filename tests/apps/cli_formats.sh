@@ -39,6 +39,8 @@ run 0 score case.json -o ../score --quiet --settle 0 --leave 0
 read_in case.json recording.csv table.csv
 run 0 compare job.json scan.xyz -o ../compare --register datum --datum datums.csv --reconstruct field --tolerance 5 --quiet
 read_in scan.xyz datums.csv
+run 0 verify ../identify --quiet --json
+cp out ../verification.json
 run 0 --json-usage
 cp out ../usage.json
 cd ..
@@ -51,6 +53,8 @@ same robot.json robot/robot.json
 same robot.csv robot/robot.csv
 same path.json path.json
 same identification.json identification.json
+same voucher.json identification.json
+same verification.json verification.json
 same force_law.json calibrate/force_law.json
 same score.json score/score.json
 same residuals.csv score/residuals.csv

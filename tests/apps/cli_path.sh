@@ -10,7 +10,8 @@ wrote() {
     run 0 path "$job" --format "$format" -o made
     no_result
     no_leavings made
-    [ "$(ls made | tr '\n' ' ')" = "$* " ] || fail "$called: wrote $(ls made), expected $*"
+    [ -s made/path.json ] || fail "$called: no voucher"
+    [ "$(ls made | grep -v '^path.json$' | tr '\n' ' ')" = "$* " ] || fail "$called: wrote $(ls made), expected $*"
     grep -q 'targets of 241 stations' err || fail "$called: no summary: $(cat err)"
 }
 wrote urscript wirecut_a.script wirecut_b.script
@@ -42,7 +43,7 @@ python3 - <<'EOF' || fail "--json"
 import json
 d = json.load(open("out"))
 assert d["format"] == "wirecut-path/1" and d["program"] == "rapid" and len(d["limits"]) == 10
-assert d["files"] == ["wirecut_a.mod", "wirecut_b.mod"]
+assert d["files"] == ["wirecut_a.mod", "wirecut_b.mod", "path.json"] and len(d["sha256"]["wirecut_b.mod"]) == 64
 # the design asks for 80 mm; what the curves between the stations keep is at most what the stations do
 job = json.load(open("job"))
 asked, size = job["design"]["clearance_mm"], job["block"]["size_mm"]

@@ -69,6 +69,8 @@ def main():
     else:
         given, written = json.loads(example.read_text()), json.loads(result.read_text())
         compare(given, written, example.name, faults)
+        if isinstance(written, dict) and isinstance(written.get("sha256"), dict):
+            written["sha256"] = {}  # its keys are names of files
         for key in sorted(keys_of(written) - documented(document)):
             faults.append(f"{example.name}: the program writes \"{key}\", which stands in no backticks in FORMATS.md: "
                           "add its row and put it into the example")

@@ -7,8 +7,6 @@
 static const wcut_error *const no_error = NULL;
 #define ERR OPT((wcut_error *)(size_t)no_error)
 
-static const char *const files[1] = {"a.json"};
-
 /* every test has an empty folder, with the files that are read */
 static void begin(void) {
     wcut_error error = {0};
@@ -56,8 +54,8 @@ HOSTILE_VALUE(wcut_table_destroy, NULL)
 HOSTILE_FILE(wcut_history_write_csv, PTR(sound_history()), PTR(sound_job()->mount_a), PTR(sound_job()->mount_b),
              PTR(OUT_FILE), ERR)
 HOSTILE_FILE(wcut_history_write_vtp, PTR(sound_history()), PTR(OUT_FILE), ERR)
-HOSTILE_FILE(wcut_summary_write, PTR(sound_setup()), PTR(sound_history()), COUNT(1), PTR(&files[0]), PTR(OUT_FILE), ERR)
-HOSTILE_TEXT(wcut_summary_print, PTR(sound_setup()), PTR(sound_history()), COUNT(1), PTR(&files[0]), PTR(&made))
+HOSTILE_FILE(wcut_summary_write, PTR(sound_setup()), PTR(sound_history()), PTR(OUT_FILE), ERR)
+HOSTILE_TEXT(wcut_summary_print, PTR(sound_setup()), PTR(sound_history()), PTR(&made))
 
 HOSTILE(wcut_format_read) {
     char format[64] = "999";
@@ -70,6 +68,83 @@ HOSTILE(wcut_file_hash) {
     EACH_HOSTILE_ARGUMENT(wcut_file_hash, wcut_file_hash(PTR("job.json"), PTR(&text[0]), ERR), strcmp(text, "999") == 0,
                           strcpy(text, "999"));
 }
+
+HOSTILE(wcut_source_hash) {
+    char text[65] = "999";
+    EACH_HOSTILE_ARGUMENT(wcut_source_hash, wcut_source_hash(OPT("job.json"), PTR(&text[0]), ERR),
+                          strcmp(text, "999") == 0, strcpy(text, "999"));
+}
+
+/* ---- sets of results ---- */
+
+static const char *const result_name[1] = {"a"};
+static wcut_results *set;
+
+/* a set with the file b written, c taken in */
+static wcut_results *fresh_set(void) {
+    wcut_results_destroy(set);
+    set = NULL;
+    ck_assert_int_eq(wcut_results_create("results", 1, result_name, &set, NULL), WCUT_OK);
+    write_file(wcut_results_path(set, "b"), "1");
+    write_file(wcut_results_path(set, "c"), "2");
+    ck_assert_int_eq(wcut_results_add(set, "c", NULL), WCUT_OK);
+    return set;
+}
+
+/* the folder of the tests holds files alone when it is left */
+static void forget_set(void) {
+    wcut_results_destroy(set);
+    set = NULL;
+    remove("results/v.json");
+    remove("results/c");
+    remove("results");
+}
+
+HOSTILE(wcut_results_create) {
+    wcut_results *made = MARK;
+    EACH_HOSTILE_ARGUMENT(wcut_results_create,
+                          wcut_results_create(PTR("results"), COUNT(1), PTR(&result_name[0]), PTR(&made), ERR),
+                          made == MARK, (wcut_results_destroy(made), made = MARK));
+    forget_set();
+}
+
+HOSTILE(wcut_results_path) {
+    for (hostile_begin(); hostile_next();) wcut_results_path(PTR(fresh_set()), PTR("d"));
+    hostile_end("wcut_results_path");
+    forget_set();
+}
+
+HOSTILE(wcut_results_add) {
+    EACH_HOSTILE_ARGUMENT(wcut_results_add, wcut_results_add(PTR(fresh_set()), PTR("b"), ERR), true, (void)0);
+    forget_set();
+}
+
+HOSTILE(wcut_results_reword) {
+    wcut_error error = {WCUT_OK, "text"};
+    for (hostile_begin(); hostile_next();) wcut_results_reword(OPT(fresh_set()), OPT(&error));
+    hostile_end("wcut_results_reword");
+    forget_set();
+}
+
+HOSTILE(wcut_results_commit) {
+    char *made = MARK;
+    EACH_HOSTILE_ARGUMENT(wcut_results_commit,
+                          wcut_results_commit(PTR(fresh_set()), PTR("v.json"), PTR("{}"), OPT(&made), ERR),
+                          made == MARK, (made != MARK ? free(made) : (void)0, made = MARK));
+    forget_set();
+}
+
+HOSTILE_VALUE(wcut_results_destroy, NULL)
+
+HOSTILE(wcut_results_verify) {
+    wcut_verification *made = MARK;
+    ck_assert_int_eq(wcut_results_commit(fresh_set(), "v.json", "{}", NULL, NULL), WCUT_OK);
+    EACH_HOSTILE_ARGUMENT(wcut_results_verify, wcut_results_verify(PTR("results"), PTR(&made), ERR), made == MARK,
+                          (wcut_verification_destroy(made), made = MARK));
+    forget_set();
+}
+
+HOSTILE_VALUE(wcut_verification_destroy, NULL)
 
 HOSTILE(wcut_job_read_edges) {
     wcut_job *job = NULL;
@@ -317,9 +392,7 @@ static wcut_compared *compared(void) {
                         .unmeasured = 12.5,
                         .support = 1.5,
                         .tolerance = 0.25,
-                        .share = 0.95,
-                        .files = 1,
-                        .file = files};
+                        .share = 0.95};
     return &c;
 }
 
@@ -377,8 +450,8 @@ HOSTILE_VALUE(wcut_mould_destroy, NULL)
 HOSTILE_MADE(wcut_mould_create, wcut_mould, wcut_mould_destroy, PTR(sound_face()->surface),
              VEC(sound_job()->block_size), OPT((wcut_mould_options *)NULL), PTR(&made), ERR)
 HOSTILE_ARRAY(wcut_keys_at_corners, wcut_key, WCUT_KEYS_AT_CORNERS, VEC(sound_job()->block_size), NUM(10), NUM(6))
-HOSTILE_TEXT(wcut_mould_print, PTR(mould()), PTR("m"), COUNT(1), PTR(&files[0]), PTR(&made))
-HOSTILE_FILE(wcut_mould_write, PTR(mould()), PTR("m"), COUNT(1), PTR(&files[0]), PTR(OUT_FILE), ERR)
+HOSTILE_TEXT(wcut_mould_print, PTR(mould()), PTR("m"), PTR(&made))
+HOSTILE_FILE(wcut_mould_write, PTR(mould()), PTR("m"), PTR(OUT_FILE), ERR)
 
 /* ---- robots, the rig ---- */
 
@@ -429,7 +502,7 @@ HOSTILE(wcut_robot_summary_print) {
     ck_assert_int_eq(wcut_robot_limits_check(sound_job(), sound_history(), sound_job()->mount_a, sound_job()->mount_b,
                                              &limits, check),
                      WCUT_OK);
-    const wcut_robot_summary s = {sound_job(), motion(), check, near, WCUT_ROBOT_FORMAT_KRL, 1, files};
+    const wcut_robot_summary s = {sound_job(), motion(), check, near, WCUT_ROBOT_FORMAT_KRL};
     char *made = MARK;
     EACH_HOSTILE_ARGUMENT(wcut_robot_summary_print, wcut_robot_summary_print(PTR(&s), PTR(&made)), made == MARK,
                           (free(made), made = MARK));
@@ -451,7 +524,7 @@ static wcut_rig_summary *rig(void) {
         ck_assert_int_eq(
             wcut_rig_run_create(sound_job(), sound_history(), &settings, &options, stop_late, NULL, &run, NULL),
             WCUT_INTERRUPTED);
-    s = (wcut_rig_summary){sound_job(), &settings, &options, run, run, false, 1, files};
+    s = (wcut_rig_summary){sound_job(), &settings, &options, run, run, false};
     return &s;
 }
 

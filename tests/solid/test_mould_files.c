@@ -21,9 +21,8 @@ static char *slurp(const char *path) {
 TEST(the_figures_are_printed_and_written_alike_with_null_for_what_is_not_known) {
     wcut_surface *s = cut_of(cut_leaving);
     wcut_mould *m = cut_divide(s, cut_block, NULL);
-    const char *const files[2] = {"lower.stl", "mould.json"};
     char *text = NULL;
-    ck_assert_int_eq(wcut_mould_print(m, "a \"quoted\" name", 2, files, &text), WCUT_OK);
+    ck_assert_int_eq(wcut_mould_print(m, "a \"quoted\" name", &text), WCUT_OK);
     static const char *const part[] = {"\"format\": \"wirecut-mould/1\"",
                                        "\"job\": \"a \\\"quoted\\\" name\"",
                                        "\"closed\": true",
@@ -33,12 +32,11 @@ TEST(the_figures_are_printed_and_written_alike_with_null_for_what_is_not_known) 
                                        "\"pull\": [0, 0, 1]",
                                        "\"step\": \"not written: made by booleans",
                                        "\"made_by\": \"booleans\"",
-                                       "\"exact_faces\": 0",
-                                       "\"files\": [\"lower.stl\", \"mould.json\"]"};
+                                       "\"exact_faces\": 0"};
     for (size_t k = 0; k < sizeof part / sizeof *part; k++)
         ck_assert_msg(strstr(text, part[k]) != NULL, "expected %s in: %s", part[k], text);
     wcut_error error = {.text = ""};
-    ck_assert_int_eq(wcut_mould_write(m, "a \"quoted\" name", 2, files, "mould_test.json", &error), WCUT_OK);
+    ck_assert_int_eq(wcut_mould_write(m, "a \"quoted\" name", "mould_test.json", &error), WCUT_OK);
     char *written = slurp("mould_test.json");
     ck_assert_str_eq(text, written);
     free(written);
@@ -46,15 +44,12 @@ TEST(the_figures_are_printed_and_written_alike_with_null_for_what_is_not_known) 
     ck_assert_int_eq(unlink("mould_test.json"), 0);
 
     char *const mark = (char *)&cut_block, *kept = mark;
-    const char *const none[1] = {NULL};
-    ck_assert_int_eq(wcut_mould_print(NULL, "name", 0, NULL, &kept), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_mould_print(m, NULL, 0, NULL, &kept), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_mould_print(m, "name", 1, none, &kept), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_mould_print(m, "name", -1, files, &kept), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_mould_print(m, "name", 0, NULL, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_mould_print(NULL, "name", &kept), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_mould_print(m, NULL, &kept), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_mould_print(m, "name", NULL), WCUT_BAD_ARGUMENT);
     ck_assert(kept == mark);
-    ck_assert_int_eq(wcut_mould_write(m, "name", 0, NULL, NULL, &error), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_mould_write(m, "name", 0, NULL, "no/such/folder/mould.json", &error), WCUT_NOT_WRITTEN);
+    ck_assert_int_eq(wcut_mould_write(m, "name", NULL, &error), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_mould_write(m, "name", "no/such/folder/mould.json", &error), WCUT_NOT_WRITTEN);
     ck_assert(error.status == WCUT_NOT_WRITTEN && strstr(error.text, "no/such/folder"));
     wcut_mould_destroy(m);
     wcut_surface_destroy(s);

@@ -45,8 +45,6 @@ typedef struct wcut_compared {
     const wcut_reconstruction *reconstruction; /**< NULL where none was made */
     const wcut_statistics *to_scan;            /**< [mm] face to reconstruction, signed; NULL without one */
     const wcut_statistics *to_face;            /**< [mm] reconstruction to face, signed; NULL without one */
-    int files;
-    const char *const *file; /**< files written */
 } wcut_compared;
 
 /**

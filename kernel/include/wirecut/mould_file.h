@@ -13,21 +13,17 @@ extern "C" {
 /**
  * `mould.json`, "wirecut-mould/1" (FORMATS.md, Mould).
  *
- * @param[in]  mould      from wcut_mould_create
- * @param[in]  name       of the job, UTF-8
- * @param[in]  file_count 0 or more
- * @param[in]  files      file_count names that were written
- * @param[in]  path       the target, replaced whole or left as it was
- * @param[out] error      may be NULL
+ * @param[in]  mould from wcut_mould_create
+ * @param[in]  name  of the job, UTF-8
+ * @param[in]  path  the target, replaced whole or left as it was
+ * @param[out] error may be NULL
  * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as
  *         it was.
  */
-WCUT_API wcut_status wcut_mould_write(const wcut_mould *mould, const char *name, int file_count,
-                                      const char *const *files, const char *path, wcut_error *error);
+WCUT_API wcut_status wcut_mould_write(const wcut_mould *mould, const char *name, const char *path, wcut_error *error);
 
 /** The text of `mould.json`: the caller's, to free(); ends with a line feed. Statuses as wcut_mould_write. */
-WCUT_API wcut_status wcut_mould_print(const wcut_mould *mould, const char *name, int file_count,
-                                      const char *const *files, char **text);
+WCUT_API wcut_status wcut_mould_print(const wcut_mould *mould, const char *name, char **text);
 
 #ifdef __cplusplus
 }

@@ -206,6 +206,12 @@ WCUT_API wcut_status wcut_report_write(const wcut_report *report, const char *pa
  */
 WCUT_API wcut_status wcut_file_hash(const char *path, char *text, wcut_error *error);
 
+/**
+ * The same for the sources of a report: "" of one that came through a pipe, which cannot be read once more, and of
+ * path NULL. A regular file that cannot be read again is a failure, with the statuses of wcut_file_hash.
+ */
+WCUT_API wcut_status wcut_source_hash(const char *path, char *text, wcut_error *error);
+
 #ifdef __cplusplus
 }
 #endif

@@ -92,8 +92,6 @@ typedef struct wcut_rig_summary {
     const wcut_rig_run *feedback; /**< with feedback */
     const wcut_rig_run *plan;     /**< the plan alone */
     bool plan_recorded;           /**< recording.csv is that of the plan alone */
-    int file_count;
-    const char *const *files;
 } wcut_rig_summary;
 
 #ifdef __cplusplus

@@ -56,8 +56,6 @@ typedef struct wcut_robot_summary {
     const wcut_robot_check *check; /**< WCUT_ROBOT_CHECKS */
     const wcut_path_near *near;    /**< 2: of the mounts' paths and the block (wcut_path_clearance) */
     wcut_robot_format format;
-    int file_count;
-    const char *const *files;
 } wcut_robot_summary;
 
 /**

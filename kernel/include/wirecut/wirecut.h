@@ -50,6 +50,7 @@
 #include <wirecut/report.h>
 #include <wirecut/report_pages.h>
 #include <wirecut/reshape.h>
+#include <wirecut/results.h>
 #include <wirecut/rig.h>
 #include <wirecut/rig_file.h>
 #include <wirecut/robot.h>

@@ -64,18 +64,16 @@ WCUT_API void wcut_vtp_stream_destroy(wcut_vtp_stream *stream);
  *
  * @param[in] setup      that the history came from
  * @param[in] history    at least one station
- * @param[in] files      file_count names that were written
  */
-WCUT_API wcut_status wcut_summary_write(const wcut_setup *setup, const wcut_history *history, int file_count,
-                                        const char *const *files, const char *path, wcut_error *error);
+WCUT_API wcut_status wcut_summary_write(const wcut_setup *setup, const wcut_history *history, const char *path,
+                                        wcut_error *error);
 
 /**
  * The text of `summary.json`.
  *
  * @param[out] text the caller's, to free(); ends with a line feed
  */
-WCUT_API wcut_status wcut_summary_print(const wcut_setup *setup, const wcut_history *history, int file_count,
-                                        const char *const *files, char **text);
+WCUT_API wcut_status wcut_summary_print(const wcut_setup *setup, const wcut_history *history, char **text);
 
 #ifdef __cplusplus
 }

@@ -178,20 +178,22 @@ static long dead_process(void) {
     return (long)child;
 }
 
-TEST(what_dead_processes_left_is_swept_and_nothing_else) {
+TEST(what_nobody_holds_is_swept_and_nothing_else) {
     char stale[64], ours[64], living[64];
     snprintf(stale, sizeof stale, ".b.obj.wirecut-%ld-3.part", dead_process());
-    snprintf(ours, sizeof ours, ".c.wirecut-%ld-0.part", (long)getpid()); /* of an earlier process of our number */
-    snprintf(living, sizeof living, ".d.wirecut-%ld-0.part", (long)getppid());
-    const char *const kept[] = {living, "b.wirecut-1-0.part", ".b.wirecut-99999999-0", ".b.wirecut-x-0.part",
+    snprintf(ours, sizeof ours, ".c.wirecut-%ld-0.part", (long)getpid());      /* of an earlier process of our number */
+    snprintf(living, sizeof living, ".d.wirecut-%ld-0.part", (long)getppid()); /* its number says nothing */
+    const char *const kept[] = {"b.wirecut-1-0.part", ".b.wirecut-99999999-0", ".b.wirecut-x-0.part",
                                 ".b.wirecut-99999999-.part"};
     enter_folder();
     write_file(stale, "x");
     write_file(ours, "x");
+    write_file(living, "x");
     for (size_t k = 0; k < sizeof kept / sizeof *kept; k++) write_file(kept[k], "x");
     ck_assert_int_eq(wcut_file_write_whole("a", "x", 1, &error), WCUT_OK);
     ck_assert_int_eq(access(stale, F_OK), -1);
     ck_assert_int_eq(access(ours, F_OK), -1);
+    ck_assert_int_eq(access(living, F_OK), -1);
     for (size_t k = 0; k < sizeof kept / sizeof *kept; k++) ck_assert_int_eq(access(kept[k], F_OK), 0);
     leave_folder();
 }

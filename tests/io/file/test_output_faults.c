@@ -47,13 +47,6 @@ static wcut_status write_csv(const char *path) { return wcut_history_write_csv(&
 static wcut_status write_vtp(const char *path) { return wcut_history_write_vtp(&history, path, &error); }
 static wcut_status write_job(const char *path) { return wcut_job_write(job, path, &error); }
 
-/* a summary with so many files that it has some blocks, too */
-static wcut_status write_summary(const char *path) {
-    static const char *files[2000];
-    for (int k = 0; k < 2000; k++) files[k] = "surface.stl";
-    return wcut_summary_write(cut_setup, &history, 2000, files, path, &error);
-}
-
 /* planned for more than come, so that the arrays are moved at the end */
 static wcut_status write_stream(const char *path) {
     wcut_vtp_stream *stream = NULL;
@@ -75,9 +68,8 @@ static wcut_status write_stream(const char *path) {
 static const struct output {
     const char *name;
     wcut_status (*write)(const char *path);
-} outputs[] = {{"a.stl", write_stl},   {"a.obj", write_obj}, {"a.ply", write_ply},    {"a.glb", write_glb},
-               {"a.csv", write_csv},   {"a.vtp", write_vtp}, {"s.vtp", write_stream}, {"summary.json", write_summary},
-               {"job.json", write_job}};
+} outputs[] = {{"a.stl", write_stl}, {"a.obj", write_obj}, {"a.ply", write_ply},    {"a.glb", write_glb},
+               {"a.csv", write_csv}, {"a.vtp", write_vtp}, {"s.vtp", write_stream}, {"job.json", write_job}};
 enum { OUTPUTS = sizeof outputs / sizeof *outputs };
 
 /* Write under a size limit. It ends before anything is asserted: Check's own messages go through a file, too. */

@@ -390,22 +390,18 @@ static void check_summary(const json_t *root) {
     ck_assert(figure(root, "speed_set_by", "tension") == 3 && figure(root, "speed_set_by", "speed_max") == 4 &&
               figure(root, "speed_set_by", "speed_min") == 4 && figure(root, "speed_set_by", "time") == 0);
     ck_assert(figure(root, "phases", "approach") == 2 && figure(root, "phases", "entry") == 3);
-    const json_t *files = json_object_get(root, "files");
-    ck_assert(json_array_size(files) == 2);
-    ck_assert_str_eq(json_string_value(json_array_get(files, 1)), "a\"b\n.stl");
 }
 
 TEST(the_summary_holds_every_figure) {
-    static const char *const files[] = {"path.csv", "a\"b\n.stl"};
     setup(12, 5);
     given_setup();
-    fine(wcut_summary_write(cut_setup, &history, 2, files, "summary.json", &error));
+    fine(wcut_summary_write(cut_setup, &history, "summary.json", &error));
     json_t *root = json_load_file("summary.json", JSON_REJECT_DUPLICATES, NULL);
     ck_assert_ptr_nonnull(root);
     check_summary(root);
     json_decref(root);
     char *text = NULL;
-    ck_assert_int_eq(wcut_summary_print(cut_setup, &history, 2, files, &text), WCUT_OK);
+    ck_assert_int_eq(wcut_summary_print(cut_setup, &history, &text), WCUT_OK);
     file_holds("summary.json", text);
     ck_assert_int_eq(text[strlen(text) - 1], '\n');
     free(text);
@@ -417,16 +413,15 @@ TEST(a_summary_of_one_station_is_possible_and_of_none_is_not) {
     char *text = NULL;
     setup(1, 5);
     given_setup();
-    ck_assert_int_eq(wcut_summary_print(cut_setup, &history, 0, NULL, &text), WCUT_OK);
-    ck_assert_ptr_nonnull(strstr(text, "\"files\": []"));
+    ck_assert_int_eq(wcut_summary_print(cut_setup, &history, &text), WCUT_OK);
     free(text);
     text = NULL;
     history.force_line[3] = NAN;
-    ck_assert_int_eq(wcut_summary_print(cut_setup, &history, 0, NULL, &text), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_summary_print(cut_setup, &history, &text), WCUT_BAD_ARGUMENT);
     history.stations = 0;
-    ck_assert_int_eq(wcut_summary_print(cut_setup, &history, 0, NULL, &text), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_summary_print(NULL, &history, 0, NULL, &text), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_summary_write(cut_setup, &history, 0, NULL, "x", &error), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_summary_print(cut_setup, &history, &text), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_summary_print(NULL, &history, &text), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_summary_write(cut_setup, &history, "x", &error), WCUT_BAD_ARGUMENT);
     ck_assert_ptr_null(text);
     ck_assert_int_eq(count_entries("."), 0);
     wcut_setup_destroy(cut_setup);
@@ -439,8 +434,8 @@ static wcut_status write_one(int writer) {
     char *text = NULL;
     if (writer == 0) return wcut_history_write_csv(&history, a, b, "0", &error);
     if (writer == 1) return wcut_history_write_vtp(&history, "1", &error);
-    if (writer == 2) return wcut_summary_write(cut_setup, &history, 0, NULL, "2", &error);
-    wcut_status status = wcut_summary_print(cut_setup, &history, 0, NULL, &text);
+    if (writer == 2) return wcut_summary_write(cut_setup, &history, "2", &error);
+    wcut_status status = wcut_summary_print(cut_setup, &history, &text);
     free(text);
     return status;
 }

@@ -18,7 +18,6 @@ static const wcut_deviation_summary_result *result;
 static wcut_registration registration;
 static wcut_statistics back;
 static const wcut_compared_scan scan[] = {{"a \"scan\"</script>.ply", "ab12", 2900, 3, 0}, {"b.xyz", "", 120, 0, 1}};
-static const char *const files[] = {"deviation.ply", "deviation.json"};
 
 static wcut_compared given_comparison(void) {
     const double band[] = {0.25, 1};
@@ -54,9 +53,7 @@ static wcut_compared given_comparison(void) {
                            .support = 1.5,
                            .tolerance = 0.25,
                            .share = 0.95,
-                           .within = 0,
-                           .files = 2,
-                           .file = files};
+                           .within = 0};
 }
 
 static void forget(void) { wcut_deviation_summary_destroy(summary); }
@@ -108,10 +105,10 @@ TEST(a_comparison_says_what_the_format_asks_for) {
 TEST(bad_comparisons_are_refused) {
     char *text = (char *)999;
     const wcut_compared good = given_comparison();
-    wcut_compared bad[6] = {good, good, good, good, good, good};
+    wcut_compared bad[5] = {good, good, good, good, good};
     bad[0].scans = 0, bad[1].reference = NULL, bad[2].found = NULL, bad[3].registration = NULL;
-    bad[4].file = NULL, bad[5].face_to_scan = NULL;
-    for (int k = 0; k < 6; k++) ck_assert_int_eq(wcut_deviation_print(&bad[k], &text), WCUT_BAD_ARGUMENT);
+    bad[4].face_to_scan = NULL;
+    for (int k = 0; k < 5; k++) ck_assert_int_eq(wcut_deviation_print(&bad[k], &text), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_deviation_print(NULL, &text), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_deviation_print(&good, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_deviation_write(&good, NULL, NULL), WCUT_BAD_ARGUMENT);
