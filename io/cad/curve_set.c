@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <wirecut/edit.h>
 #include <wirecut/reshape.h>
 
 #include "base/alloc.h"
@@ -137,6 +138,29 @@ wcut_curve *wcut_curves_make(wcut_curve_reader *r, const char *place, int degree
                            "it, and positive weights",
                            place, degree, count);
     return curve;
+}
+
+/* the part of a curve on one side of u, the curve itself where u is its end */
+static wcut_curve *cut_side(wcut_curve_reader *r, wcut_curve *curve, double u, bool keep_low) {
+    double first, last;
+    wcut_curve *low = NULL, *high = NULL;
+    wcut_curve_domain(curve, &first, &last);
+    const double slack = 1e-9 * (last - first);
+    if (keep_low ? u >= last - slack : u <= first + slack) return curve;
+    if (u > first + slack && u < last - slack) {
+        const wcut_status status = wcut_curve_split(curve, u, &low, &high);
+        if (status != WCUT_OK) wcut_curves_refuse_memory(r);
+    } else {
+        wcut_curves_leave_out(r, "a trimmed curve of no length");
+    }
+    wcut_curve_destroy(curve);
+    wcut_curve_destroy(keep_low ? high : low);
+    return keep_low ? low : high;
+}
+
+wcut_curve *wcut_curves_cut(wcut_curve_reader *r, wcut_curve *curve, double from, double to) {
+    curve = cut_side(r, curve, from, false);
+    return curve ? cut_side(r, curve, to, true) : NULL;
 }
 
 wcut_curve *wcut_curves_polyline(wcut_curve_reader *r, const char *place, int count, const wcut_vec3 *point) {

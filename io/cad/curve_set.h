@@ -34,6 +34,9 @@ void wcut_curves_leave_out(wcut_curve_reader *reader, const char *kind);
 wcut_curve *wcut_curves_make(wcut_curve_reader *reader, const char *place, int degree, int count, const double *knots,
                              const wcut_vec3 *control, const double *weights);
 
+/* the part of a curve, which is taken, from one parameter to a later one; NULL: refused, or of no length and left out */
+wcut_curve *wcut_curves_cut(wcut_curve_reader *reader, wcut_curve *curve, double from, double to);
+
 /* degree 1 through count points at even parameters; points in the place of the one before are passed over */
 wcut_curve *wcut_curves_polyline(wcut_curve_reader *reader, const char *place, int count, const wcut_vec3 *point);
 

@@ -98,24 +98,6 @@ static wcut_curve *reversed(wcut_step_source *s, wcut_curve *curve) {
     return back;
 }
 
-/* the part of a curve on one side of u, the curve itself where u is its end */
-static wcut_curve *cut(wcut_step_source *s, wcut_curve *curve, double u, bool keep_low) {
-    double first, last;
-    wcut_curve *low = NULL, *high = NULL;
-    wcut_curve_domain(curve, &first, &last);
-    const double slack = 1e-9 * (last - first);
-    if (keep_low ? u >= last - slack : u <= first + slack) return curve;
-    if (u > first + slack && u < last - slack) {
-        const wcut_status status = wcut_curve_split(curve, u, &low, &high);
-        if (status != WCUT_OK) wcut_curves_refuse_memory(s->reader);
-    } else {
-        wcut_curves_leave_out(s->reader, "a trimmed curve of no length");
-    }
-    wcut_curve_destroy(curve);
-    wcut_curve_destroy(keep_low ? high : low);
-    return keep_low ? low : high;
-}
-
 /* where a point lies on a curve; false: further from it than the slack, or refused */
 static bool find_parameter(wcut_step_source *s, const wcut_curve *curve, wcut_vec3 point, double slack, double *u) {
     wcut_curve_foot foot;
@@ -148,8 +130,7 @@ static wcut_curve *cut_spline(wcut_step_source *s, wcut_curve *curve, const piec
         }
     }
     if (ok && cuts) {
-        curve = cut(s, curve, fmin(u[0], u[1]), false);
-        if (curve) curve = cut(s, curve, fmax(u[0], u[1]), true);
+        curve = wcut_curves_cut(s->reader, curve, fmin(u[0], u[1]), fmax(u[0], u[1]));
     }
     if (!ok) {
         wcut_curve_destroy(curve);

@@ -1,5 +1,5 @@
-/* Curves of IGES files: rational B-splines (126), lines (110), circular arcs (100), ellipses (104), strings of points
-   (106), what is composed of these (102), each moved by its transformation (124). */
+/* Curves of IGES files, one entity each: rational B-splines (126), lines (110), circular arcs (100), ellipses (104),
+   strings of points (106), each moved by its transformation (124). */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -36,6 +36,19 @@ static int max_values(const wcut_iges_cursor *c) { return (c->end - c->line) * 3
 
 /* ---- one kind each; NULL: refused or left out ---- */
 
+/* NULL: refused */
+static wcut_curve *cut_to_range(wcut_iges *f, const wcut_iges_entry *e, wcut_curve *curve, const double range[2]) {
+    double first, last;
+    wcut_curve_domain(curve, &first, &last);
+    const double slack = 1e-9 * (last - first);
+    if (range[0] < range[1] && range[0] >= first - slack && range[1] <= last + slack)
+        return wcut_curves_cut(f->reader, curve, range[0], range[1]);
+    wcut_curves_refuse(f->reader, "line %d: found a curve from %g to %g, expected a part of its knots' range %g to %g",
+                       e->at + 1, range[0], range[1], first, last);
+    wcut_curve_destroy(curve);
+    return NULL;
+}
+
 static wcut_curve *read_spline(wcut_iges *f, const wcut_iges_entry *e, wcut_iges_cursor *c, const char *place) {
     int last = 0, degree = 0, flag[4];
     bool ok = wcut_iges_int(c, 1, max_values(c), &last) && wcut_iges_int(c, 1, 1000, &degree);
@@ -48,12 +61,16 @@ static wcut_curve *read_spline(wcut_iges *f, const wcut_iges_entry *e, wcut_iges
     double *weight = value + knots;
     wcut_vec3 *control = (wcut_vec3 *)(weight + count);
     wcut_curve *curve = NULL;
+    double range[2];
     if (wcut_iges_reals(c, knots + 4 * count, value)) {
         bool same = true;
         for (int k = 1; k < count; k++) same = same && weight[k] == weight[0];
         scale_points(f, control, count);
         const bool is_rational = !(same && weight[0] > 0);
         curve = wcut_curves_make(f->reader, place, degree, count, value, control, is_rational ? weight : NULL);
+
+        /* the part of the knots' range that the curve is; files without it mean all of it */
+        if (curve && wcut_iges_reals(c, 2, range)) curve = cut_to_range(f, e, curve, range);
     } else {
         refuse_data(f, e);
     }
@@ -122,21 +139,19 @@ static wcut_curve *read_conic(wcut_iges *f, const wcut_iges_entry *e, wcut_iges_
 
 /* ---- where it stands ---- */
 
-/* an entry named by a number of the directory; false: refused */
-static bool find_named(wcut_iges *f, const wcut_iges_entry *by, int number, wcut_iges_entry *entry) {
+bool wcut_iges_find_named(wcut_iges *f, const wcut_iges_entry *by, int number, wcut_iges_entry *entry) {
     if (number < 1 || number % 2 == 0 || number > f->data - f->directory)
         return wcut_curves_refuse(f->reader, "line %d: found no directory entry %d", by->at + 1, number);
     return wcut_iges_find(f, f->directory + number - 1, entry);
 }
 
-/* a curve moved by the transformation that an entry names, and by those that that names; NULL: refused */
-static wcut_curve *move(wcut_iges *f, const wcut_iges_entry *e, wcut_curve *curve) {
+bool wcut_iges_transform(wcut_iges *f, const wcut_iges_entry *e, wcut_curve *curve) {
     wcut_iges_entry by = *e;
-    for (int depth = 0; curve && by.transformation != 0; depth++) {
+    for (int depth = 0; by.transformation != 0; depth++) {
         wcut_iges_entry to = {0};
         wcut_iges_cursor c;
         double m[3][4] = {{0}}; /* rows, and their shift */
-        bool ok = find_named(f, &by, by.transformation, &to) && wcut_iges_open(f, &to, &c);
+        bool ok = wcut_iges_find_named(f, &by, by.transformation, &to) && wcut_iges_open(f, &to, &c);
         if (ok && (to.type != 124 || depth == NESTED_MAX || !wcut_iges_reals(&c, 12, m[0])))
             ok = wcut_curves_refuse(f->reader, "line %d: found no transformation, expected one of type 124", to.at + 1);
         for (int k = 0; ok && k < curve->control_count; k++) {
@@ -147,17 +162,13 @@ static wcut_curve *move(wcut_iges *f, const wcut_iges_entry *e, wcut_curve *curv
             if (!ok) wcut_curves_refuse(f->reader, "line %d: found a curve moved beyond 1e12 mm", e->at + 1);
             curve->control[k] = (wcut_vec3){q[0], q[1], q[2]};
         }
-        if (!ok) {
-            wcut_curve_destroy(curve);
-            return NULL;
-        }
+        if (!ok) return false;
         by = to;
     }
-    return curve;
+    return true;
 }
 
-/* NULL: refused or left out */
-static wcut_curve *read_simple(wcut_iges *f, const wcut_iges_entry *e) {
+wcut_curve *wcut_iges_curve(wcut_iges *f, const wcut_iges_entry *e) {
     wcut_iges_cursor c;
     char place[40];
     wcut_curve *curve = NULL;
@@ -175,63 +186,7 @@ static wcut_curve *read_simple(wcut_iges *f, const wcut_iges_entry *e) {
         curve = read_string(f, e, &c, place);
     else
         leave_out(f, e);
-    return move(f, e, curve);
-}
-
-/* ---- which ---- */
-
-static bool is_curve(const wcut_iges_entry *e) {
-    static const int type[] = {100, 102, 104, 106, 110, 112, 126, 130};
-    for (size_t k = 0; k < sizeof type / sizeof *type; k++)
-        if (e->type == type[k]) return e->type != 106 || e->form <= 3 || (e->form >= 11 && e->form <= 13);
-    return false;
-}
-
-/* the pieces of a composite curve; one that is left out leaves out all */
-static bool add_composite(wcut_iges *f, const wcut_iges_entry *e) {
-    wcut_iges_cursor c;
-    int count = 0, made = 0, number = 0;
-    if (!wcut_iges_open(f, e, &c)) return false;
-    if (!wcut_iges_int(&c, 1, max_values(&c), &count)) return refuse_data(f, e);
-    wcut_curve **piece = wcut_alloc((size_t)count, sizeof *piece);
-    if (!piece) return wcut_curves_refuse_memory(f->reader);
-    for (bool ok = true; ok && made < count;) {
-        wcut_iges_entry of = {0};
-        if (!wcut_iges_int(&c, 1, 9999999, &number)) {
-            refuse_data(f, e);
-            break;
-        }
-        if (!find_named(f, e, number, &of)) break;
-        wcut_curve *curve = of.type == 102 ? leave_out(f, &of) : read_simple(f, &of);
-        piece[made] = move(f, e, curve);
-        ok = piece[made] != NULL;
-        made += ok;
-    }
-    const bool whole = made == count;
-    if (whole) return wcut_curves_add_chain(f->reader, count, piece, "", 0);
-    for (int k = 0; k < made; k++) wcut_curve_destroy(piece[k]);
-    free(piece);
-    return f->reader->failure.status == WCUT_OK;
-}
-
-bool wcut_iges_note_pieces(wcut_iges *f, const wcut_iges_entry *e) {
-    wcut_iges_cursor c;
-    int count = 0, number = 0;
-    if (e->type != 102) return true;
-    if (!wcut_iges_open(f, e, &c)) return false;
-    if (!wcut_iges_int(&c, 1, max_values(&c), &count)) return refuse_data(f, e);
-    for (int k = 0; k < count && wcut_iges_int(&c, 1, f->data - f->directory, &number); k++)
-        f->is_piece[number / 2] = true;
-    return true;
-}
-
-bool wcut_iges_add(wcut_iges *f, const wcut_iges_entry *e) {
-    const bool depends = e->status[3] == '1' || e->status[3] == '3';
-    if (!is_curve(e) || (depends && f->is_piece[(e->at - f->directory) / 2])) return true;
-    if (depends || (e->status[4] == '0' && e->status[5] == '5'))
-        return wcut_curves_leave_out(f->reader, "a piece of another entity"), true;
-    if (e->type == 102) return add_composite(f, e);
-    wcut_curve *curve = read_simple(f, e);
-    if (curve) return wcut_curves_add(f->reader, curve, "", 0);
-    return f->reader->failure.status == WCUT_OK;
+    if (!curve || wcut_iges_transform(f, e, curve)) return curve;
+    wcut_curve_destroy(curve);
+    return NULL;
 }

@@ -1,13 +1,16 @@
 /* The curves of IGES files, entity by entity. */
-#ifndef WCUT_IO_IGES_CURVES_H
-#define WCUT_IO_IGES_CURVES_H
+#ifndef WCUT_IO_CAD_IGES_CURVES_H
+#define WCUT_IO_CAD_IGES_CURVES_H
 
 #include "io/cad/iges_read.h"
 
-/* note the pieces of a composite curve, which are read with it; anything else is passed over; false: refused */
-bool wcut_iges_note_pieces(wcut_iges *f, const wcut_iges_entry *entry);
+/* an entry named by a number of the directory; false: refused */
+bool wcut_iges_find_named(wcut_iges *f, const wcut_iges_entry *by, int number, wcut_iges_entry *entry);
 
-/* the curve of an entry into the set, if it is one and none of another's pieces; false: refused */
-bool wcut_iges_add(wcut_iges *f, const wcut_iges_entry *entry);
+/* move a curve by the transformation that an entry names, and by those that that names; false: refused */
+bool wcut_iges_transform(wcut_iges *f, const wcut_iges_entry *e, wcut_curve *curve);
+
+/* the curve of an entry that is not composite, moved; NULL: refused or left out */
+wcut_curve *wcut_iges_curve(wcut_iges *f, const wcut_iges_entry *e);
 
 #endif

@@ -3,15 +3,35 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "io/cad/iges_read.h"
 #include "io/file/decimal.h"
+#include "io/file/unit.h"
 
 enum { COLUMNS = 80, FIELD = WCUT_IGES_FIELD };
 
 /* ---- lines and sections ---- */
+
+static bool is_blank_line(const char *p, size_t width) {
+    while (width > 0 && (p[width - 1] == ' ' || p[width - 1] == '\t')) width--;
+    return width == 0;
+}
+
+/* Columns are characters: one that UTF-8 writes in several bytes becomes one byte where the line is too long. Gives the
+   line's width. */
+static size_t squeeze_characters(char *line, size_t width) {
+    size_t kept = 0;
+    if (width <= COLUMNS) return width;
+    for (size_t k = 0; k < width; k++) {
+        const unsigned char c = (unsigned char)line[k];
+        if ((c & 0xc0) == 0x80) continue;
+        line[kept++] = c < 0x80 ? (char)c : '?';
+    }
+    return kept;
+}
 
 static bool find_lines(wcut_iges *f, char *text, size_t length) {
     const size_t max = length / COLUMNS + 1;
@@ -19,7 +39,9 @@ static bool find_lines(wcut_iges *f, char *text, size_t length) {
     if (!f->line) return wcut_curves_refuse_memory(f->reader);
     for (char *p = text, *end = text + length; p < end;) {
         char *feed = memchr(p, '\n', (size_t)(end - p)), *stop = feed ? feed : end;
-        const size_t width = (size_t)(stop - p) - (stop > p && stop[-1] == '\r');
+        size_t width = (size_t)(stop - p) - (stop > p && stop[-1] == '\r');
+        if (is_blank_line(p, width)) width = 0;
+        width = squeeze_characters(p, width);
         if (width > 0 && (width < COLUMNS || memchr(p, 0, width)))
             return wcut_curves_refuse(f->reader, "line %d: found %zu columns, expected 80 of text", f->lines + 1,
                                       width);
@@ -68,10 +90,14 @@ static void read_token(wcut_iges_cursor *c, char *token, size_t size) {
             break;
         }
         if (ch == 'H' && used > 0 && used < size && token[used - 1] >= '0' && token[used - 1] <= '9') {
-            token[used] = '\0'; /* a string: its characters are not looked at for separators */
-            for (int n = atoi(token); n > 0 && next_char(c); n--) {
-            }
+            /* a string: its characters are not looked at for separators, and it is all there is of the value */
+            token[used] = '\0';
             used = 0;
+            for (int n = atoi(token); n > 0; n--) {
+                const char inside = next_char(c);
+                if (inside == '\0') break;
+                if (used < size - 1) token[used++] = inside;
+            }
         } else if (ch != ' ' && used < size - 1) {
             token[used++] = ch;
         }
@@ -95,6 +121,11 @@ bool wcut_iges_int(wcut_iges_cursor *c, int min, int max, int *value) {
     return true;
 }
 
+void wcut_iges_pass(wcut_iges_cursor *c) {
+    char token[64];
+    read_token(c, token, sizeof token);
+}
+
 bool wcut_iges_reals(wcut_iges_cursor *c, int count, double *value) {
     for (int k = 0; k < count; k++)
         if (!wcut_iges_real(c, &value[k])) return false;
@@ -102,6 +133,15 @@ bool wcut_iges_reals(wcut_iges_cursor *c, int count, double *value) {
 }
 
 /* ---- the global section ---- */
+
+/* [mm] of a unit by its name; 0: it is unknown. A mil of IGES is a thousandth of an inch, a mile MI */
+static double find_unit(const char *name) {
+    size_t n = strlen(name);
+    while (n > 0 && name[n - 1] == ' ') n--;
+    if (n == 2 && strncasecmp(name, "MI", 2) == 0) return 1609344;
+    if (n == 3 && strncasecmp(name, "UIN", 3) == 0) return 2.54e-5;
+    return wcut_unit_find(name, n);
+}
 
 static bool read_global(wcut_iges *f) {
     static const double millimetres[] = {0, 25.4, 1, 0, 304.8, 1609344, 1000, 1e6, 0.0254, 1e-3, 10, 2.54e-5};
@@ -123,17 +163,24 @@ static bool read_global(wcut_iges *f) {
         else
             read_token(&c, token, sizeof token);
     }
+    /* the model's scale, the unit's number, and its name where the number is 3 or missing */
     wcut_iges_cursor before = c;
     read_token(&c, token, sizeof token);
     if (token[0] && !wcut_iges_real(&before, &scale)) scale = 0;
     before = c;
     read_token(&c, token, sizeof token);
-    if (token[0] && !wcut_iges_int(&before, 1, 11, &unit)) unit = 0;
-    f->scale = millimetres[unit] / scale;
-    if (!(f->scale > 0) || !isfinite(f->scale))
-        return wcut_curves_refuse(f->reader,
-                                  "found no unit of length or scale, expected one of the units 1, 2, 4 to 11");
-    return true;
+    const bool is_given = token[0] != '\0';
+    if (is_given && !wcut_iges_int(&before, 1, 11, &unit)) unit = 0;
+    read_token(&c, token, sizeof token);
+    const bool by_name = unit == 3 || (!is_given && token[0]);
+    f->scale = (by_name ? find_unit(token) : millimetres[unit]) / scale;
+    if (f->scale > 0 && isfinite(f->scale)) return true;
+    return by_name
+               ? wcut_curves_refuse(f->reader,
+                                    "found the unit \"%.20s\", expected MM, CM, M, KM, UM, IN, FT, MI, MIL "
+                                    "or UIN",
+                                    token)
+               : wcut_curves_refuse(f->reader, "found no unit of length or scale, expected one of the units 1 to 11");
 }
 
 /* ---- the directory ---- */
@@ -174,11 +221,11 @@ bool wcut_iges_open(wcut_iges *f, const wcut_iges_entry *e, wcut_iges_cursor *c)
 bool wcut_iges_begin(wcut_curve_reader *r, char *text, size_t length, wcut_iges *f) {
     *f = (wcut_iges){.reader = r};
     if (!find_lines(f, text, length) || !find_sections(f) || !read_global(f)) return false;
-    f->is_piece = wcut_alloc((size_t)(f->data - f->directory) / 2 + 1, sizeof *f->is_piece);
-    return f->is_piece || wcut_curves_refuse_memory(r);
+    f->mark = wcut_alloc((size_t)(f->data - f->directory) / 2 + 1, sizeof *f->mark);
+    return f->mark || wcut_curves_refuse_memory(r);
 }
 
 void wcut_iges_end(wcut_iges *f) {
-    free(f->is_piece);
+    free(f->mark);
     free(f->line);
 }

@@ -6,6 +6,10 @@
 
 enum { WCUT_IGES_FIELD = 8 };
 
+/* what an entry is to others: a piece of a composite curve; a member of a subfigure, which its instances show; of a
+   group; of a hidden group */
+enum { WCUT_IGES_PIECE = 1, WCUT_IGES_MEMBER = 2, WCUT_IGES_GROUPED = 4, WCUT_IGES_HIDDEN = 8 };
+
 /* the lines of a file and where its sections begin */
 typedef struct wcut_iges {
     wcut_curve_reader *reader;
@@ -13,8 +17,9 @@ typedef struct wcut_iges {
     const char **line;                /* each of at least 80 characters */
     int global, directory, data, end; /* lines */
     char separator, terminator;
-    double scale;   /* [mm] */
-    bool *is_piece; /* of a composite curve, two lines an entry */
+    double scale; /* [mm] */
+    /* of each entry, of two lines: how others use it, WCUT_IGES_PIECE and the like */
+    unsigned char *mark;
 } wcut_iges;
 
 /* values one after the other, across the lines of a section */
@@ -46,5 +51,6 @@ bool wcut_iges_open(wcut_iges *f, const wcut_iges_entry *entry, wcut_iges_cursor
 bool wcut_iges_real(wcut_iges_cursor *c, double *value);
 bool wcut_iges_int(wcut_iges_cursor *c, int min, int max, int *value);
 bool wcut_iges_reals(wcut_iges_cursor *c, int count, double *value);
+void wcut_iges_pass(wcut_iges_cursor *c);
 
 #endif
