@@ -386,6 +386,96 @@ TEST(iges_arcs_composites_and_transformations_are_read) {
     refuses("a.igs", text, "moved beyond 1e12 mm");
 }
 
+/* an entity of a small file: type, form, status and data of one line */
+typedef struct iges_entity {
+    int type, form;
+    const char *status, *data;
+} iges_entity;
+
+/* a file of entities, in a unit by number and name; author: of any letters */
+static void put_iges(char *to, const char *unit, const char *author, int count, const iges_entity *entity) {
+    to += sprintf(to, "%-72sS%7d\n", "start", 1);
+    to += sprintf(to, "%-72sG%7d\n", "1H,,1H;,1Ha,1Hf,1Hs,1Hp,32,38,6,308,15,,", 1);
+    to += sprintf(to, "1.,%s,1,0.01,15H20000101.000000,1.D-6,0.,%s,", unit, author);
+    int letters = 0;
+    for (const char *p = to - 1; *p != '\n'; p--) letters += ((unsigned char)*p & 0xc0) != 0x80;
+    to += sprintf(to, "%*sG%7d\n", 72 - letters, "", 2);
+    to += sprintf(to, "%-72sG%7d\n", ",11,0,;", 3);
+    for (int k = 0; k < count; k++) {
+        const iges_entity *e = &entity[k];
+        to += sprintf(to, "%8d%8d%8d%8d%8d%8d%8d%8d%8sD%7d\n", e->type, k + 1, 0, 0, 0, 0, 0, 0, e->status, 2 * k + 1);
+        to += sprintf(to, "%8d%8d%8d%8d%8d%32sD%7d\n", e->type, 0, 0, 1, e->form, "", 2 * k + 2);
+    }
+    for (int k = 0; k < count; k++) to += sprintf(to, "%-64s%8dP%7d\n", entity[k].data, 2 * k + 1, k + 1);
+    sprintf(to, "S      1G      3D%7dP%7d%40sT      1\n", 2 * count, count, "");
+}
+
+TEST(an_iges_spline_is_the_part_that_its_range_states) {
+    char text[4000];
+    iges_entity e = {126, 0, "00000000", NULL};
+    e.data = "126,1,1,0,0,1,0,0.,0.,2.,2.,1.,1.,0.,0.,0.,8.,0.,0.,.5,1.5;";
+    put_iges(text, "2,2HMM", "1Hx", 1, &e);
+    reads("a.igs", text, 1);
+    is_at(at(0, 0), 2, 0, 0);
+    is_at(at(0, 1), 6, 0, 0);
+    e.data = "126,1,1,0,0,1,0,0.,0.,2.,2.,1.,1.,0.,0.,0.,8.,0.,0.,0.,3.;";
+    put_iges(text, "2,2HMM", "1Hx", 1, &e);
+    refuses("a.igs", text, "found a curve from 0 to 3, expected a part of its knots' range 0 to 2");
+    e.data = "126,1,1,0,0,1,0,0.,0.,2.,2.,1.,1.,0.,0.,0.,8.,0.,0.,1.,1.;";
+    put_iges(text, "2,2HMM", "1Hx", 1, &e);
+    refuses("a.igs", text, "found a curve from 1 to 1");
+}
+
+TEST(an_iges_unit_may_be_a_name_and_an_author_any_letters) {
+    static const struct {
+        const char *unit;
+        double millimetres;
+    } known[] = {{"3,2HMM", 1},     {"3,4HINCH", 25.4},  {"3,2HIN", 25.4},   {"3,2HCM", 10}, {"3,1HM", 1000},
+                 {"3,2HFT", 304.8}, {"3,3HMIL", 0.0254}, {"3,2HUM", 1e-3},   {",2HMM", 1},   {"1,2HIN", 25.4},
+                 {",", 25.4},       {"3,2HKM", 1e6},     {"3,2HMI", 1609344}};
+    const iges_entity line = {110, 0, "00000000", "110,0.,0.,0.,1.,0.,0.;"};
+    char text[4000];
+    for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
+        put_iges(text, known[k].unit, k % 2 ? "6HM\xc3\xbcller" : "1Hx", 1, &line);
+        strcat(text, "   \n");
+        reads("a.igs", text, 1);
+        ck_assert_double_eq_tol(at(0, 1).x, known[k].millimetres, 1e-12 * known[k].millimetres);
+    }
+    put_iges(text, "3,4HROOD", "1Hx", 1, &line);
+    refuses("a.igs", text, "found the unit \"ROOD\"");
+}
+
+TEST(iges_instances_are_set_in_place_and_what_is_hidden_is_left_out) {
+    static const iges_entity entity[] = {
+        {110, 0, "01000000", "110,0.,0.,0.,1.,0.,0.;"},    /* 1: hidden */
+        {110, 0, "00020200", "110,0.,0.,0.,1.,0.,0.;"},    /* 3: a member of 7 */
+        {100, 0, "00020200", "100,0.,0.,0.,1.,0.,0.,1.;"}, /* 5: another one */
+        {308, 0, "00000200", "308,0,4Hpart,2,3,5;"},
+        {408, 0, "00000000", "408,7,10.,20.,30.,2.;"},
+        {408, 0, "01000000", "408,7,0.,0.,0.,1.;"}, /* 11: a hidden instance */
+        {402, 7, "01000000", "402,1,15;"},
+        {110, 0, "00020000", "110,5.,0.,0.,6.,0.,0.;"}, /* 15: of a hidden group */
+        {402, 7, "00000000", "402,1,19;"},
+        {110, 0, "00010000", "110,7.,0.,0.,8.,0.,0.;"}, /* 19: of a group that is shown */
+    };
+    char text[6000];
+    put_iges(text, "2,2HMM", "1Hx", sizeof entity / sizeof *entity, entity);
+    reads("a.igs", text, 3);
+    is_at(at(0, 0), 10, 20, 30);
+    is_at(at(0, 1), 12, 20, 30);
+    is_at(at(1, 1), 10, 22, 30);
+    is_at(at(2, 0), 7, 0, 0);
+    ck_assert_int_eq(set->left_out, 3);
+    ck_assert_str_eq(set->why, "a hidden entity");
+
+    /* a subfigure that shows itself */
+    static const iges_entity endless[] = {{308, 0, "00000200", "308,0,4Hpart,1,3;"},
+                                          {408, 0, "00020200", "408,1,0.,0.,0.,1.;"},
+                                          {408, 0, "00000000", "408,1,0.,0.,0.,1.;"}};
+    put_iges(text, "2,2HMM", "1Hx", 3, endless);
+    refuses("a.igs", text, "found instances nested too deep");
+}
+
 /* ---- misuse, memory ---- */
 
 TEST(arguments_outside_their_range_and_missing_files_are_refused) {
