@@ -164,5 +164,5 @@ bool wcut_curves_fill_iges(wcut_curve_reader *r, char *text, size_t length) {
                 done = add(&f, &entry, INSTANCES_MAX);
         }
     wcut_iges_end(&f);
-    return done;
+    return done && wcut_curves_join_loose(r, 0);
 }

@@ -76,11 +76,15 @@ bool wcut_curves_add(wcut_curve_reader *r, wcut_curve *curve, const char *name, 
     return true;
 }
 
+void wcut_curves_use_accuracy(wcut_curve_reader *r, double accuracy) { r->accuracy = fmin(accuracy, 0.1); }
+
+/* [mm] 1e-3 is what CAD programs call one point; an accuracy is not met to its last digit */
+static double gap_of(const wcut_curve_reader *r) { return fmax(1e-3, 1.001 * r->accuracy); }
+
 bool wcut_curves_add_chain(wcut_curve_reader *r, int count, wcut_curve **curve, const char *name, size_t length) {
-    static const double gap = 1e-3; /* [mm] what CAD programs call one point */
     wcut_curve *whole = NULL;
     bool ok = true;
-    const wcut_status status = wcut_curve_join(count, (const wcut_curve *const *)curve, gap, &whole, NULL);
+    const wcut_status status = wcut_curve_join(count, (const wcut_curve *const *)curve, gap_of(r), &whole, NULL);
     if (status == WCUT_NO_MEMORY) ok = wcut_curves_refuse_memory(r);
     if (status == WCUT_OK) ok = wcut_curves_add(r, whole, name, length);
     for (int k = 0; k < count; k++) {
@@ -91,6 +95,137 @@ bool wcut_curves_add_chain(wcut_curve_reader *r, int count, wcut_curve **curve, 
     }
     free(curve);
     return ok;
+}
+
+/* ---- loose pieces ---- */
+
+/* an end of a curve: where it is, and the unit direction that leads out of the curve there */
+typedef struct curve_end {
+    wcut_vec3 point, out;
+} curve_end;
+
+static curve_end end_of(const wcut_curve *curve, int which) {
+    double first, last;
+    wcut_vec3 d[2] = {{0, 0, 0}, {0, 0, 0}};
+    wcut_curve_domain(curve, &first, &last);
+    wcut_curve_eval(curve, which ? last : first, 1, d); /* within its domain: cannot fail */
+    const double size = sqrt(d[1].x * d[1].x + d[1].y * d[1].y + d[1].z * d[1].z);
+    const double scale = size > 0 ? (which ? 1 : -1) / size : 0;
+    return (curve_end){d[0], {scale * d[1].x, scale * d[1].y, scale * d[1].z}};
+}
+
+static bool is_one_place(wcut_vec3 a, wcut_vec3 b, double gap) {
+    const double x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
+    return sqrt(x * x + y * y + z * z) <= gap;
+}
+
+/* the one other end, 2 k or 2 k + 1 of curve k, in the place of end `at`, if the curves run on there without a corner of
+   more than 60 deg; -1: none, or several ends are there */
+static int find_partner(int ends, const curve_end *end, int at, double gap) {
+    int found = -1;
+    for (int k = 0; k < ends; k++) {
+        if (k == at || !is_one_place(end[k].point, end[at].point, gap)) continue;
+        if (found >= 0) return -1;
+        found = k;
+    }
+    if (found < 0) return -1;
+    const wcut_vec3 a = end[at].out, b = end[found].out;
+    return a.x * b.x + a.y * b.y + a.z * b.z < -0.5 ? found : -1;
+}
+
+/* ends of loose curves: where each meets its one partner, and which curves a chain has taken */
+typedef struct loose {
+    int curves;
+    wcut_curve **curve; /* of the set, from its first loose one on; NULL: gone into a chain */
+    int *partner;       /* 2 curves */
+    wcut_curve **piece; /* curves: a chain in its order */
+    bool *is_turned;    /* curves */
+} loose;
+
+/* the chain that begins at an end without a partner; gives its length */
+static int collect_chain(loose *l, int start) {
+    int count = 0, at = start;
+    for (;;) {
+        l->piece[count] = l->curve[at / 2];
+        l->is_turned[count++] = at % 2 == 1;
+        l->curve[at / 2] = NULL;
+        const int next = l->partner[at ^ 1];
+        if (next < 0) break;
+        at = next;
+    }
+    return count;
+}
+
+/* one curve from the pieces of a chain, which are taken; NULL: no memory */
+static wcut_curve *join_chain(const wcut_curve_reader *r, loose *l, int count) {
+    wcut_curve *whole = NULL;
+    wcut_status status = WCUT_OK;
+    for (int k = 0; k < count && status == WCUT_OK; k++) {
+        wcut_curve *turned = NULL;
+        if (!l->is_turned[k]) continue;
+        status = wcut_curve_reverse(l->piece[k], &turned);
+        if (status != WCUT_OK) break;
+        wcut_curve_destroy(l->piece[k]);
+        l->piece[k] = turned;
+    }
+    if (status == WCUT_OK)
+        status = wcut_curve_join(count, (const wcut_curve *const *)l->piece, gap_of(r), &whole, NULL);
+    for (int k = 0; k < count; k++) wcut_curve_destroy(l->piece[k]);
+    return whole;
+}
+
+/* every chain becomes one curve in the place of one of its ends; the set closes up behind them */
+static bool join_chains(wcut_curve_reader *r, int first, loose *l) {
+    wcut_curve_set *set = r->set;
+    bool done = true;
+    for (int e = 0; done && e < 2 * l->curves; e++) {
+        if (!l->curve[e / 2] || l->partner[e] >= 0 || l->partner[e ^ 1] < 0) continue;
+        const int count = collect_chain(l, e);
+        wcut_curve *whole = join_chain(r, l, count);
+        l->curve[e / 2] = whole;
+        done = whole || wcut_curves_refuse_memory(r);
+    }
+    int kept = first;
+    for (int k = 0; k < l->curves; k++) {
+        if (!l->curve[k]) {
+            wcut_free(set->name[first + k]);
+            continue;
+        }
+        set->name[kept] = set->name[first + k];
+        set->curve[kept++] = l->curve[k];
+    }
+    set->count = kept;
+    return done;
+}
+
+bool wcut_curves_join_loose(wcut_curve_reader *r, int first) {
+    enum { PIECES_MAX = 2000 };
+    loose l = {.curves = r->set->count - first};
+    const size_t n = (size_t)l.curves;
+    if (l.curves <= 2 || l.curves > PIECES_MAX) return true;
+    curve_end *end = wcut_alloc(2 * n, sizeof *end);
+    l.curve = wcut_copy(r->set->curve + first, n, sizeof *l.curve);
+    l.piece = wcut_alloc(n, sizeof(wcut_curve *));
+    l.partner = wcut_alloc(2 * n, sizeof *l.partner);
+    l.is_turned = wcut_alloc(n, sizeof *l.is_turned);
+    bool done = end && l.curve && l.piece && l.partner && l.is_turned;
+    if (!done) wcut_curves_refuse_memory(r);
+    int joints = 0;
+    for (int k = 0; done && k < 2 * l.curves; k++) end[k] = end_of(l.curve[k / 2], k % 2);
+    for (int k = 0; done && k < 2 * l.curves; k++) {
+        l.partner[k] = find_partner(2 * l.curves, end, k, gap_of(r));
+        if (l.partner[k] == (k ^ 1)) l.partner[k] = -1; /* a closed curve */
+        joints += l.partner[k] >= 0;
+    }
+
+    /* two curves at least are left, else they are edges that meet */
+    if (done && joints > 0 && l.curves - joints / 2 >= 2) done = join_chains(r, first, &l);
+    wcut_free(end);
+    wcut_free(l.curve);
+    wcut_free(l.piece);
+    wcut_free(l.partner);
+    wcut_free(l.is_turned);
+    return done;
 }
 
 /* each kind is told once */

@@ -10,7 +10,8 @@ typedef struct wcut_curve_reader {
     const char *label;
     const wcut_curve_read_options *options;
     wcut_curve_set *set;
-    size_t room; /* of set->curve and set->name */
+    size_t room;     /* of set->curve and set->name */
+    double accuracy; /* [mm] that the file states, 0: none; what is nearer is one place */
     wcut_error failure;
 } wcut_curve_reader;
 
@@ -23,9 +24,16 @@ bool wcut_curves_refuse_memory(wcut_curve_reader *reader);
 /* a curve becomes the set's, or is destroyed; its name (length bytes) is copied, control characters left out */
 bool wcut_curves_add(wcut_curve_reader *reader, wcut_curve *curve, const char *name, size_t length);
 
-/* Curves in their order become one of the set's where each begins where the one before ends, within 1e-3 mm, else each
-   for itself; all are taken, and the array too. */
+/* the accuracy that a file states, up to 0.1 mm */
+void wcut_curves_use_accuracy(wcut_curve_reader *reader, double accuracy);
+
+/* Curves in their order become one of the set's where each begins where the one before ends, within 1e-3 mm or the accuracy
+   that the file states, else each for itself; all are taken, and the array too. */
 bool wcut_curves_add_chain(wcut_curve_reader *reader, int count, wcut_curve **curve, const char *name, size_t length);
+
+/* Of the set's curves from the first-th on, those that meet end to end, where no third one ends and without a corner
+   of more than 60 deg, become one, in either direction; a ring stays in its pieces, and two curves stay two. false: refused */
+bool wcut_curves_join_loose(wcut_curve_reader *reader, int first);
 
 /* a curve that is not read, since it is of that kind */
 void wcut_curves_leave_out(wcut_curve_reader *reader, const char *kind);

@@ -10,6 +10,7 @@
 #include "base/fail.h"
 #include "io/cad/arc.h"
 #include "io/cad/step_curves.h"
+#include "io/cad/step_places.h"
 
 enum { DEPTH_MAX = 8 };
 static const double TURN = 6.283185307179586;
@@ -188,13 +189,23 @@ static wcut_curve *make(wcut_step_source *s, long id, const piece *p, int depth)
     long inner = 0;
     if (!body) return wcut_step_refuse(s, id, "no such instance"), NULL;
     if (depth == 0) return wcut_step_refuse(s, id, "curves nested too deep"), NULL;
-    if (wcut_p21_record(body, "B_SPLINE_CURVE_WITH_KNOTS"))
-        return cut_spline(s, wcut_step_read_spline(s, id, body), p ? p : &whole);
+    if (wcut_step_is_spline(body)) return cut_spline(s, wcut_step_read_spline(s, id, body), p ? p : &whole);
     if (wcut_p21_record(body, "POLYLINE")) return cut_spline(s, wcut_step_read_polyline(s, id, body), p ? p : &whole);
     if ((list = wcut_p21_record(body, "CIRCLE")) != NULL) return make_arc(s, id, list, true, p ? p : &whole_turn);
     if ((list = wcut_p21_record(body, "ELLIPSE")) != NULL) return make_arc(s, id, list, false, p ? p : &whole_turn);
     if (p && (list = wcut_p21_record(body, "LINE")) != NULL) return make_line(s, id, list, p);
-    if (!p && (list = wcut_p21_record(body, "TRIMMED_CURVE")) != NULL) return make_trimmed(s, id, list, depth);
+    if ((list = wcut_p21_record(body, "TRIMMED_CURVE")) != NULL) {
+        /* a piece of a piece: between points on it, or, with the basis curve's parameters, a piece of that */
+        if (!p) return make_trimmed(s, id, list, depth);
+        if (p->has_points) {
+            piece on = *p;
+            on.has_parameters = false;
+            return cut_spline(s, make_trimmed(s, id, list, depth), &on);
+        }
+        piece of = *p;
+        if (wcut_p21_is(wcut_p21_item(list, 4), ".F.")) of.forwards = !of.forwards;
+        return reference(s, id, wcut_p21_item(list, 1), &inner) ? make(s, inner, &of, depth - 1) : NULL;
+    }
     static const char *const bearer[] = {"SURFACE_CURVE", "SEAM_CURVE", "INTERSECTION_CURVE"};
     for (int k = 0; k < 3; k++)
         if ((list = wcut_p21_record(body, bearer[k])) != NULL)
@@ -224,29 +235,83 @@ static bool add(wcut_step_source *s, long id, const piece *p, const char *body) 
     return s->reader->failure.status == WCUT_OK;
 }
 
-/* the segments of a composite curve; one that is left out leaves out all */
-static bool add_segments(wcut_step_source *s, long id, const char *list) {
-    const int count = wcut_p21_length(wcut_p21_item(list, 1));
-    size_t length;
-    const char *name = find_name(wcut_p21_find(&s->file, id), &length);
-    if (count < 1) return wcut_step_refuse(s, id, "no segments");
-    wcut_curve **part = wcut_alloc((size_t)count, sizeof *part);
-    if (!part) return wcut_curves_refuse_memory(s->reader);
-    int made = 0;
-    for (const char *item = wcut_p21_item(wcut_p21_item(list, 1), 0); item; item = wcut_p21_next(item)) {
+/* curves in a row, which grows */
+typedef struct row {
+    int count;
+    size_t room;
+    wcut_curve **curve;
+} row;
+
+static bool push(wcut_step_source *s, row *to, wcut_curve *curve) {
+    if ((size_t)to->count == to->room) {
+        const size_t room = to->room ? 2 * to->room : 16;
+        wcut_curve **grown = wcut_grow(to->curve, room * sizeof *grown);
+        if (!grown) {
+            wcut_curve_destroy(curve);
+            return wcut_curves_refuse_memory(s->reader);
+        }
+        to->curve = grown;
+        to->room = room;
+    }
+    to->curve[to->count++] = curve;
+    return true;
+}
+
+static const char *find_composite(const char *body) {
+    static const char *const name[] = {"COMPOSITE_CURVE", "COMPOSITE_CURVE_ON_SURFACE", "BOUNDARY_CURVE",
+                                       "OUTER_BOUNDARY_CURVE"};
+    const char *list = NULL;
+    for (int k = 0; k < 4 && !list; k++) list = wcut_p21_record(body, name[k]);
+    return list;
+}
+
+/* the curves of a row from the first-th on the other way round */
+static bool turn_back(wcut_step_source *s, row *of, int first) {
+    for (int k = first; k < of->count; k++) {
+        of->curve[k] = reversed(s, of->curve[k]);
+        if (!of->curve[k]) return false;
+    }
+    for (int a = first, b = of->count - 1; a < b; a++, b--) {
+        wcut_curve *swap = of->curve[a];
+        of->curve[a] = of->curve[b], of->curve[b] = swap;
+    }
+    return true;
+}
+
+/* the segments of a composite curve, those of composite segments among them; false: one is refused or left out */
+static bool collect(wcut_step_source *s, long id, const char *list, int depth, row *to) {
+    const char *segments = wcut_p21_item(list, 1);
+    if (wcut_p21_length(segments) < 1) return wcut_step_refuse(s, id, "no segments");
+    if (depth == 0) return wcut_step_refuse(s, id, "curves nested too deep");
+    for (const char *item = wcut_p21_item(segments, 0); item; item = wcut_p21_next(item)) {
         long at = 0, parent = 0;
-        if (!reference(s, id, item, &at)) break;
+        const int first = to->count;
+        if (!reference(s, id, item, &at)) return false;
         const char *body = wcut_p21_find(&s->file, at);
         const char *segment = body ? wcut_p21_record(body, "COMPOSITE_CURVE_SEGMENT") : NULL;
-        if (!reference(s, at, wcut_p21_item(segment, 2), &parent)) break;
-        wcut_curve *curve = make(s, parent, NULL, DEPTH_MAX);
-        if (curve && wcut_p21_is(wcut_p21_item(segment, 1), ".F.")) curve = reversed(s, curve);
-        if (!curve) break;
-        part[made++] = curve;
+        if (body && !segment) segment = wcut_p21_record(body, "REPARAMETRISED_COMPOSITE_CURVE_SEGMENT");
+        if (!reference(s, at, wcut_p21_item(segment, 2), &parent)) return false;
+
+        /* a curve, or a row of them */
+        const char *of = wcut_p21_find(&s->file, parent), *nested = of ? find_composite(of) : NULL;
+        if (nested) {
+            if (!collect(s, parent, nested, depth - 1, to)) return false;
+        } else {
+            wcut_curve *curve = make(s, parent, NULL, DEPTH_MAX);
+            if (!curve || !push(s, to, curve)) return false;
+        }
+        if (wcut_p21_is(wcut_p21_item(segment, 1), ".F.") && !turn_back(s, to, first)) return false;
     }
-    if (made == count) return wcut_curves_add_chain(s->reader, count, part, name, length);
-    for (int k = 0; k < made; k++) wcut_curve_destroy(part[k]);
-    free(part);
+    return true;
+}
+
+static bool add_segments(wcut_step_source *s, long id, const char *list) {
+    size_t length;
+    const char *name = find_name(wcut_p21_find(&s->file, id), &length);
+    row of = {0};
+    if (collect(s, id, list, DEPTH_MAX, &of)) return wcut_curves_add_chain(s->reader, of.count, of.curve, name, length);
+    for (int k = 0; k < of.count; k++) wcut_curve_destroy(of.curve[k]);
+    wcut_free(of.curve);
     return s->reader->failure.status == WCUT_OK;
 }
 
@@ -266,7 +331,7 @@ static bool add_set(wcut_step_source *s, long id, const char *list) {
         if (!body) return wcut_step_refuse(s, at, "no such instance");
         for (size_t k = 0; k < sizeof no_curve / sizeof *no_curve; k++)
             is_curve = is_curve && !wcut_p21_record(body, no_curve[k]);
-        const char *composite = wcut_p21_record(body, "COMPOSITE_CURVE");
+        const char *composite = find_composite(body);
         if (composite ? !add_segments(s, at, composite) : is_curve && !add(s, at, NULL, body)) return false;
     }
     return true;
@@ -289,14 +354,115 @@ static bool add_edge(wcut_step_source *s, const wcut_p21_instance *at, const cha
     return reference(s, at->id, wcut_p21_item(list, 3), &curve) && add(s, curve, &p, at->body);
 }
 
-static bool check_places(wcut_step_source *s) {
+/* what is added in one place of a part: copies of it stand in the others */
+static bool spread(wcut_step_source *s, long id, int first, int places, const wcut_step_place *place) {
+    wcut_curve_set *set = s->reader->set;
+    const int count = set->count - first;
+    for (int p = places - 1; p >= 0; p--)
+        for (int k = 0; k < count; k++) {
+            wcut_curve *curve = set->curve[first + k];
+            if (p > 0) {
+                wcut_curve *copy = NULL;
+                if (wcut_curve_create(curve->degree, curve->control_count, curve->knots, curve->control, curve->weights,
+                                      &copy) != WCUT_OK)
+                    return wcut_curves_refuse_memory(s->reader);
+                const char *name = set->name[first + k];
+                if (!wcut_step_set_in_place(s, id, &place[p], copy)) return wcut_curve_destroy(copy), false;
+                if (!wcut_curves_add(s->reader, copy, name, strlen(name))) return false;
+            } else if (!wcut_step_set_in_place(s, id, &place[0], curve)) {
+                return false;
+            }
+        }
+    return true;
+}
+
+/* a set in its units, wherever its representation stands; loose pieces of it become whole curves */
+static bool add_part(wcut_step_source *s, long id, const char *list) {
+    wcut_step_place place[WCUT_STEP_PLACES_MAX];
+    const int first = s->reader->set->count;
+    const long holder = wcut_step_holder(s, id);
+    int places = 0;
+    if (holder && !wcut_step_use_units(s, holder)) return false;
+    if (!add_set(s, id, list) || !wcut_curves_join_loose(s->reader, first)) return false;
+    if (!holder || s->reader->set->count == first) return true;
+    return wcut_step_find_places(s, holder, place, &places) && spread(s, id, first, places, place);
+}
+
+static bool moves_parts(const wcut_step_source *s) {
     static const char *const moves[] = {"MAPPED_ITEM", "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION"};
     for (int k = 0; k < s->file.count; k++)
         for (int m = 0; m < 2; m++)
-            if (wcut_p21_record(s->file.instance[k].body, moves[m]))
-                return wcut_step_refuse(s, s->file.instance[k].id,
-                                        "an assembly that moves its parts, expected parts where they stand");
-    return true;
+            if (wcut_p21_record(s->file.instance[k].body, moves[m])) return true;
+    return false;
+}
+
+/* ---- edges of faces: those that a representation's items lead to ---- */
+
+static int place_of(const wcut_p21_file *f, long id) {
+    int low = 0, high = f->count;
+    while (low < high) {
+        const int middle = low + (high - low) / 2;
+        if (f->instance[middle].id < id)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < f->count && f->instance[low].id == id ? low : -1;
+}
+
+/* every instance that references lead to from those on the stack */
+static void follow_references(const wcut_p21_file *f, int *stack, int count, unsigned char *reached) {
+    while (count > 0) {
+        const char *p = f->instance[stack[--count]].body;
+        for (; *p; p++) {
+            if (*p == '\'')
+                for (p++; *p && *p != '\''; p++) {
+                }
+            if (*p == '\0') break;
+            if (*p != '#') continue;
+            const int at = place_of(f, strtol(p + 1, NULL, 10));
+            if (at < 0 || reached[at]) continue;
+            reached[at] = 1;
+            stack[count++] = at;
+        }
+    }
+}
+
+/* the edges of a representation's items, in its units, wherever it stands */
+static bool add_representation(wcut_step_source *s, const wcut_p21_instance *rep, int *stack, unsigned char *reached) {
+    wcut_step_place place[WCUT_STEP_PLACES_MAX];
+    const int first = s->reader->set->count;
+    int count = 0, places = 0;
+    memset(reached, 0, (size_t)s->file.count);
+    for (const char *item = wcut_p21_item(wcut_step_items(rep->body), 0); item; item = wcut_p21_next(item)) {
+        long id = 0;
+        const int at = wcut_p21_read_reference(item, &id) ? place_of(&s->file, id) : -1;
+
+        /* mapped items are those of another representation */
+        if (at < 0 || reached[at] || wcut_p21_record(s->file.instance[at].body, "MAPPED_ITEM")) continue;
+        reached[at] = 1;
+        stack[count++] = at;
+    }
+    follow_references(&s->file, stack, count, reached);
+    if (!wcut_step_use_units(s, rep->id)) return false;
+    for (int k = 0; k < s->file.count; k++) {
+        const char *list = reached[k] ? wcut_p21_record(s->file.instance[k].body, "EDGE_CURVE") : NULL;
+        if (list && !add_edge(s, &s->file.instance[k], list)) return false;
+    }
+    if (s->reader->set->count == first) return true;
+    return wcut_step_find_places(s, rep->id, place, &places) && spread(s, rep->id, first, places, place);
+}
+
+static bool add_parts(wcut_step_source *s) {
+    int *stack = wcut_alloc((size_t)s->file.count + 1, sizeof *stack);
+    unsigned char *reached = wcut_alloc((size_t)s->file.count + 1, 1);
+    bool done = (stack && reached) || wcut_curves_refuse_memory(s->reader);
+    for (int k = 0; done && k < s->file.count; k++)
+        if (wcut_step_items(s->file.instance[k].body))
+            done = add_representation(s, &s->file.instance[k], stack, reached);
+    wcut_free(stack);
+    wcut_free(reached);
+    return done;
 }
 
 static bool add_all(wcut_step_source *s) {
@@ -304,10 +470,13 @@ static bool add_all(wcut_step_source *s) {
         const wcut_p21_instance *at = &s->file.instance[k];
         const char *list = wcut_p21_record(at->body, "GEOMETRIC_CURVE_SET");
         if (!list) list = wcut_p21_record(at->body, "GEOMETRIC_SET");
-        if (list && !add_set(s, at->id, list)) return false;
+        if (list && !add_part(s, at->id, list)) return false;
     }
+    if (!wcut_curves_join_loose(s->reader, 0)) return false;
     const bool are_alone = s->reader->set->count > 0 || s->reader->set->left_out > 0;
-    for (int k = 0; !are_alone && k < s->file.count; k++) {
+    if (are_alone) return true;
+    if (moves_parts(s) || s->has_several) return add_parts(s);
+    for (int k = 0; k < s->file.count; k++) {
         const char *list = wcut_p21_record(s->file.instance[k].body, "EDGE_CURVE");
         if (list && !add_edge(s, &s->file.instance[k], list)) return false;
     }
@@ -316,7 +485,7 @@ static bool add_all(wcut_step_source *s) {
 
 bool wcut_curves_fill_step(wcut_curve_reader *r, char *text, size_t length) {
     wcut_step_source s = {.reader = r};
-    const bool done = wcut_p21_open(r, text, length, &s.file) && wcut_step_units(&s) && check_places(&s) && add_all(&s);
+    const bool done = wcut_p21_open(r, text, length, &s.file) && wcut_step_units(&s) && add_all(&s);
     wcut_p21_close(&s.file);
     return done;
 }

@@ -7,11 +7,15 @@
 typedef struct wcut_step_source {
     wcut_p21_file file;
     wcut_curve_reader *reader;
-    double length, angle; /* [mm], [rad] of the file's units */
+    double length, angle; /* [mm], [rad] of the units in use */
+    bool has_several;     /* contexts with different units of length */
 } wcut_step_source;
 
-/* The units of the file's one geometric context. false: refused */
+/* The units of the file's first context that has some. false: refused */
 bool wcut_step_units(wcut_step_source *source);
+
+/* the same of one context, #context */
+bool wcut_step_units_of(wcut_step_source *source, long context);
 
 /* a point [mm], a direction, a placement with its axes across z. false: refused, at #id */
 bool wcut_step_point(wcut_step_source *source, long id, wcut_vec3 *point);
@@ -20,6 +24,9 @@ bool wcut_step_placement(wcut_step_source *source, long id, wcut_vec3 *origin, w
 
 /* "#12: ..." as the reader refuses; gives false */
 bool wcut_step_refuse(wcut_step_source *source, long id, const char *found);
+
+/* a B-spline of any kind */
+bool wcut_step_is_spline(const char *body);
 
 /* a B-spline, a polyline. NULL: refused, or (degree above what there is) left out */
 wcut_curve *wcut_step_read_spline(wcut_step_source *source, long id, const char *body);

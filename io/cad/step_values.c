@@ -46,22 +46,54 @@ static double read_unit(const wcut_step_source *s, long id, const char *word, in
     return factor * read_unit(s, unit, word, depth - 1);
 }
 
-/* a context that assigns units: its length and angle, where it has them, must be those of the others */
-static bool read_context(wcut_step_source *s, const wcut_p21_instance *at, const char *list) {
-    double *const into[2] = {&s->length, &s->angle};
+/* the units of a context: its length [mm] and angle [rad], 0 where it has none, and its accuracy */
+typedef struct units {
+    double length, angle, accuracy;
+} units;
+
+static bool read_context(wcut_step_source *s, const wcut_p21_instance *at, const char *list, units *u) {
+    double *const into[2] = {&u->length, &u->angle};
     static const char *const word[2] = {".METRE.", ".RADIAN."};
     static const double scale[2] = {1000, 1};
+    *u = (units){0, 0, 0};
     for (const char *item = wcut_p21_item(wcut_p21_item(list, 0), 0); item; item = wcut_p21_next(item)) {
         long id = 0;
         if (!wcut_p21_read_reference(item, &id)) return wcut_step_refuse(s, at->id, "no list of units");
         for (int k = 0; k < 2; k++) {
             const double unit = read_unit(s, id, word[k], 4) * scale[k];
-            if (!(unit > 0)) continue;
-            if (*into[k] > 0 && fabs(*into[k] / unit - 1) > 1e-12)
-                return wcut_step_refuse(s, at->id, "several units in one file, expected one");
-            *into[k] = unit;
+            if (unit > 0) *into[k] = unit;
         }
     }
+
+    /* a millimetre is 0.001 m, of which a thousand are not quite one: the unit that matters is exact */
+    if (fabs(u->length - 1) < 1e-12) u->length = 1;
+    const char *sure = wcut_p21_record(at->body, "GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT");
+    long measure = 0;
+    if (wcut_p21_read_reference(wcut_p21_item(wcut_p21_item(sure, 0), 0), &measure)) {
+        const char *body = wcut_p21_find(&s->file, measure);
+        const char *value = wcut_p21_item(body ? wcut_p21_record(body, "UNCERTAINTY_MEASURE_WITH_UNIT") : NULL, 0);
+        const char *inside = value ? strchr(value, '(') : NULL;
+        double number = 0;
+        if (inside && wcut_p21_read_real(inside + 1, &number) && number > 0) u->accuracy = number * u->length;
+    }
+    return true;
+}
+
+static void use(wcut_step_source *s, const units *u) {
+    if (u->length > 0) s->length = u->length;
+    s->angle = u->angle > 0 ? u->angle : s->angle > 0 ? s->angle : 1;
+    if (u->accuracy > 0) wcut_curves_use_accuracy(s->reader, u->accuracy);
+}
+
+bool wcut_step_units_of(wcut_step_source *s, long context) {
+    const char *body = wcut_p21_find(&s->file, context);
+    const char *list = body ? wcut_p21_record(body, "GLOBAL_UNIT_ASSIGNED_CONTEXT") : NULL;
+    const wcut_p21_instance at = {context, body};
+    units u;
+    if (!list) return true;
+    if (!read_context(s, &at, list, &u)) return false;
+    if (u.length > 0 && !(u.length < 1e9)) return wcut_step_refuse(s, context, "no unit of length");
+    use(s, &u);
     return true;
 }
 
@@ -69,13 +101,14 @@ bool wcut_step_units(wcut_step_source *s) {
     for (int k = 0; k < s->file.count; k++) {
         const wcut_p21_instance *at = &s->file.instance[k];
         const char *list = wcut_p21_record(at->body, "GLOBAL_UNIT_ASSIGNED_CONTEXT");
-        if (list && !read_context(s, at, list)) return false;
+        units u;
+        if (!list) continue;
+        if (!read_context(s, at, list, &u)) return false;
+        if (s->length > 0 && u.length > 0 && fabs(s->length / u.length - 1) > 1e-12) s->has_several = true;
+        if (!(s->length > 0)) use(s, &u);
     }
     if (!(s->length > 0 && s->length < 1e9))
         return wcut_curves_refuse(s->reader, "found no unit of length, expected a GLOBAL_UNIT_ASSIGNED_CONTEXT");
-    /* a millimetre is 0.001 m, of which a thousand are not quite one: the unit that matters is exact */
-    if (fabs(s->length - 1) < 1e-12) s->length = 1;
-    if (!(s->angle > 0)) s->angle = 1;
     return true;
 }
 
@@ -183,19 +216,52 @@ static bool read_weights(wcut_step_source *s, long id, const char *list, int cou
     return !item || wcut_step_refuse(s, id, "too many weights");
 }
 
+/* how a spline's knots are given: listed, or implied by its kind */
+typedef enum knot_kind { KNOTS_LISTED, KNOTS_BEZIER, KNOTS_QUASI_UNIFORM, KNOTS_UNIFORM } knot_kind;
+
 /* where a spline's attributes stand, whether it is simple or complex */
 typedef struct spline {
     const char *degree, *points, *times, *knots, *weights;
+    knot_kind kind;
 } spline;
 
 static spline find_attributes(const char *body) {
-    const char *knots = wcut_p21_record(body, "B_SPLINE_CURVE_WITH_KNOTS");
-    if (body[0] != '(')
-        return (spline){wcut_p21_item(knots, 1), wcut_p21_item(knots, 2), wcut_p21_item(knots, 6),
-                        wcut_p21_item(knots, 7), NULL};
-    const char *base = wcut_p21_record(body, "B_SPLINE_CURVE");
-    return (spline){wcut_p21_item(base, 0), wcut_p21_item(base, 1), wcut_p21_item(knots, 0), wcut_p21_item(knots, 1),
-                    wcut_p21_item(wcut_p21_record(body, "RATIONAL_B_SPLINE_CURVE"), 0)};
+    static const char *const name[] = {"B_SPLINE_CURVE_WITH_KNOTS", "BEZIER_CURVE", "QUASI_UNIFORM_CURVE",
+                                       "UNIFORM_CURVE"};
+    spline found = {0};
+    const char *list = NULL;
+    for (int k = 0; k < 4 && !list; k++) list = wcut_p21_record(body, name[k]), found.kind = (knot_kind)k;
+    const bool is_simple = body[0] != '(', is_listed = found.kind == KNOTS_LISTED;
+    const char *base = is_simple ? list : wcut_p21_record(body, "B_SPLINE_CURVE");
+    found.degree = wcut_p21_item(base, is_simple ? 1 : 0);
+    found.points = wcut_p21_item(base, is_simple ? 2 : 1);
+    found.times = is_listed ? wcut_p21_item(list, is_simple ? 6 : 0) : NULL;
+    found.knots = is_listed ? wcut_p21_item(list, is_simple ? 7 : 1) : NULL;
+    found.weights = is_simple ? NULL : wcut_p21_item(wcut_p21_record(body, "RATIONAL_B_SPLINE_CURVE"), 0);
+    return found;
+}
+
+/* the knots that a kind implies (ISO 10303-42, b_spline_curve); false: refused */
+static bool imply_knots(wcut_step_source *s, long id, knot_kind kind, int degree, int count, double *knot) {
+    const int spans = kind == KNOTS_BEZIER ? (count - 1) / degree : count - degree,
+              repeat = kind == KNOTS_BEZIER ? degree : 1;
+    if (spans < 1 || (kind == KNOTS_BEZIER && (count - 1) % degree != 0))
+        return wcut_step_refuse(s, id, "a number of poles that its degree does not allow");
+    int used = 0;
+    if (kind == KNOTS_UNIFORM) {
+        for (; used < count + degree + 1; used++) knot[used] = used - degree;
+        return true;
+    }
+    for (; used <= degree; used++) knot[used] = 0;
+    for (int span = 1; span < spans; span++)
+        for (int k = 0; k < repeat; k++) knot[used++] = span;
+    while (used < count + degree + 1) knot[used++] = spans;
+    return true;
+}
+
+bool wcut_step_is_spline(const char *body) {
+    return wcut_p21_record(body, "B_SPLINE_CURVE_WITH_KNOTS") || wcut_p21_record(body, "BEZIER_CURVE") ||
+           wcut_p21_record(body, "QUASI_UNIFORM_CURVE") || wcut_p21_record(body, "UNIFORM_CURVE");
 }
 
 wcut_curve *wcut_step_read_spline(wcut_step_source *s, long id, const char *body) {
@@ -212,7 +278,8 @@ wcut_curve *wcut_step_read_spline(wcut_step_source *s, long id, const char *body
     snprintf(place, sizeof place, "#%ld", id);
     if (!knot)
         wcut_curves_refuse_memory(s->reader);
-    else if (read_knots(s, id, at.times, at.knots, (int)total, knot) &&
+    else if ((at.kind == KNOTS_LISTED ? read_knots(s, id, at.times, at.knots, (int)total, knot)
+                                      : imply_knots(s, id, at.kind, degree, count, knot)) &&
              (!at.weights || read_weights(s, id, at.weights, count, knot + total)))
         curve = wcut_curves_make(s->reader, place, degree, count, knot, control, at.weights ? knot + total : NULL);
     free(knot);

@@ -249,9 +249,134 @@ TEST(a_broken_step_file_is_refused_with_its_words) {
             "#20: found knots and multiplicities that do not add up");
     refuses("a.step", STEP(MM, "#20", "#20=B_SPLINE_CURVE_WITH_KNOTS('',1,(#10,#11),.U.,.F.,.F.,(2,2),(4.,0.),.U.);\n"),
             "#20: found knots or weights that make no curve of degree 1 with 2 control points");
-    refuses("a.step", STEP(MM, "#20", "#20=POLYLINE('',(#10,#11));#21=MAPPED_ITEM('',#1,#2);\n"),
-            "#21: found an assembly that moves its parts");
     refuses("a.step", STEP(MM, "#20", "#20=SURFACE_CURVE('',#20,(),.CURVE_3D.);\n"), "found curves nested too deep");
+}
+
+/* #50 holds the set; #60 at its origin and #61, 10 up and a quarter turn about z */
+#define PARTS                                                                          \
+    "#20=POLYLINE('e',(#10,#11));\n#50=SHAPE_REPRESENTATION('',(#60,#19),#9);\n"       \
+    "#60=AXIS2_PLACEMENT_3D('',#10,#13,#14);#61=AXIS2_PLACEMENT_3D('',#62,#13,#63);\n" \
+    "#62=CARTESIAN_POINT('',(0.,0.,10.));#63=DIRECTION('',(0.,1.,0.));\n"
+
+TEST(the_parts_of_an_assembly_stand_where_it_sets_them) {
+    /* once where it is, once moved; a relation that moves nothing in between */
+    static const char *const relation =
+        STEP(MM, "#20",
+             PARTS
+             "#51=SHAPE_REPRESENTATION('',(#60,#61),#9);#52=SHAPE_REPRESENTATION('',(#60),#9);\n"
+             "#70=(REPRESENTATION_RELATIONSHIP('','',#52,#51)REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(#71)"
+             "SHAPE_REPRESENTATION_RELATIONSHIP());#71=ITEM_DEFINED_TRANSFORMATION('','',#60,#60);\n"
+             "#72=(REPRESENTATION_RELATIONSHIP('','',#52,#51)REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(#73)"
+             "SHAPE_REPRESENTATION_RELATIONSHIP());#73=ITEM_DEFINED_TRANSFORMATION('','',#60,#61);\n"
+             "#74=SHAPE_REPRESENTATION_RELATIONSHIP('','',#52,#50);\n");
+    static const char *const mapped =
+        STEP(MM, "#20",
+             PARTS
+             "#51=SHAPE_REPRESENTATION('',(#80,#81),#9);#80=MAPPED_ITEM('',#82,#60);#81=MAPPED_ITEM('',#82,#61);\n"
+             "#82=REPRESENTATION_MAP(#60,#50);\n");
+    for (int k = 0; k < 2; k++) {
+        reads("a.step", k ? mapped : relation, 2);
+        int up = at(0, 0).z > 5 ? 0 : 1;
+        is_at(at(1 - up, 0), 0, 0, 0);
+        is_at(at(1 - up, 1), 3, 0, 1);
+        is_at(at(up, 0), 0, 0, 10);
+        is_at(at(up, 1), 0, 3, 11);
+        ck_assert_str_eq(set->name[1], set->name[0]);
+    }
+
+    /* identity placements are no motion: the same numbers to the bit */
+    reads("a.step",
+          STEP(MM, "#20",
+               PARTS "#51=SHAPE_REPRESENTATION('',(#60),#9);#71=ITEM_DEFINED_TRANSFORMATION('','',#60,#60);\n"
+                     "#70=(REPRESENTATION_RELATIONSHIP('','',#50,#51)REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION("
+                     "#71)SHAPE_REPRESENTATION_RELATIONSHIP());\n"),
+          1);
+    ck_assert(at(0, 1).x == 3 && at(0, 1).z == 1);
+
+    /* a part that holds itself, and one that is scaled */
+    refuses("a.step",
+            STEP(MM, "#20",
+                 PARTS "#51=SHAPE_REPRESENTATION('',(#80),#9);#80=MAPPED_ITEM('',#82,#14);\n"
+                       "#82=REPRESENTATION_MAP(#60,#50);\n"),
+            "#80: found a mapped item that is scaled");
+    reads("a.step",
+          STEP(MM, "#20",
+               PARTS "#70=(REPRESENTATION_RELATIONSHIP('','',#50,#50)REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION("
+                     "#71)SHAPE_REPRESENTATION_RELATIONSHIP());#71=ITEM_DEFINED_TRANSFORMATION('','',#60,#61);\n"),
+          1);
+}
+
+TEST(units_are_those_of_the_context_that_a_shape_is_in) {
+    /* #9 is in mm; colours are in inches, and so is the second part */
+    reads("a.step",
+          STEP(MM, "#20",
+               PARTS "#90=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.CENTI.,.METRE.));"
+                     "#1=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNIT_ASSIGNED_CONTEXT((#90))"
+                     "REPRESENTATION_CONTEXT('',''));#91=DRAUGHTING_MODEL('',(),#1);\n"
+                     "#92=SHAPE_REPRESENTATION('',(#93),#1);#93=GEOMETRIC_CURVE_SET('',(#94));"
+                     "#94=POLYLINE('',(#11,#12));\n"),
+          2);
+    is_at(at(0, 1), 3, 0, 1);
+    is_at(at(1, 0), 30, 0, 10);
+}
+
+TEST(splines_with_implied_knots_are_read) {
+    reads("a.step",
+          STEP(MM, "#20,#21,#22,#23",
+               "#20=BEZIER_CURVE('',2,(#10,#11,#12),.U.,.F.,.F.);\n"
+               "#21=QUASI_UNIFORM_CURVE('',1,(#10,#11,#12),.U.,.F.,.F.);\n"
+               "#22=(BEZIER_CURVE()BOUNDED_CURVE()B_SPLINE_CURVE(2,(#10,#11,#12),.U.,.F.,.F.)CURVE()"
+               "GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE((1.,2.,1.))REPRESENTATION_ITEM(''));\n"
+               "#23=UNIFORM_CURVE('',2,(#10,#11,#12),.U.,.F.,.F.);\n"),
+          4);
+    is_at(at(0, 0.5), 2.25, 1, 0.75);
+    is_at(at(1, 0.5), 3, 0, 1);
+    is_at(at(2, 0.5), 3.75 / 1.5, 1 / 1.5, 1.25 / 1.5);
+    is_at(at(3, 0), 1.5, 0, 0.5); /* the middle of its first two poles */
+    is_at(at(3, 1), 3, 2, 1);
+    refuses("a.step", STEP(MM, "#20", "#20=BEZIER_CURVE('',3,(#10,#11,#12),.U.,.F.,.F.);\n"),
+            "#20: found a number of poles that its degree does not allow");
+}
+
+TEST(pieces_that_meet_become_one_curve_within_the_accuracy_that_is_stated) {
+    /* along x: 0 .. 3 and 9 .. 3.01, the second the other way round; a third curve elsewhere, a corner that stays one */
+    static const char *const text =
+        STEP(MM, "#20,#21,#22,#24",
+             "#20=POLYLINE('',(#10,#30));#21=POLYLINE('',(#31,#32));#22=POLYLINE('',(#33,#34));\n"
+             "#24=POLYLINE('',(#34,#35));\n"
+             "#30=CARTESIAN_POINT('',(3.,0.,0.));#31=CARTESIAN_POINT('',(9.,0.,0.));"
+             "#32=CARTESIAN_POINT('',(3.01,0.,0.));#33=CARTESIAN_POINT('',(0.,50.,0.));"
+             "#34=CARTESIAN_POINT('',(9.,50.,0.));#35=CARTESIAN_POINT('',(9.,90.,0.));\n"
+             "#7=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(0.01),#5,'distance_accuracy_value','');\n"
+             "#8=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#7))"
+             "GLOBAL_UNIT_ASSIGNED_CONTEXT((#5,#6))REPRESENTATION_CONTEXT('',''));\n"
+             "#50=SHAPE_REPRESENTATION('',(#19),#8);\n");
+    char copy[4000];
+    reads("a.step", text, 3);
+    is_at(at(0, 0), 0, 0, 0);
+    is_at(at(0, 1), 9, 0, 0);
+
+    /* further apart than the file's accuracy they are two */
+    strcpy(copy, text);
+    memcpy(strstr(copy, "MEASURE(0.01)"), "MEASURE(.001)", 13);
+    reads("a.step", copy, 4);
+
+    /* composites in composites, turned, and a trimmed piece of a trimmed piece */
+    reads("a.step",
+          STEP(MM, "#20,#21",
+               "#20=COMPOSITE_CURVE('',(#30,#31),.U.);#30=COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.F.,#32);"
+               "#31=COMPOSITE_CURVE_SEGMENT(.DISCONTINUOUS.,.T.,#33);#32=COMPOSITE_CURVE('',(#34,#35),.U.);"
+               "#34=COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.T.,#36);#35=COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.T.,#37);"
+               "#36=POLYLINE('',(#12,#11));#37=POLYLINE('',(#11,#10));#33=POLYLINE('',(#12,#38));"
+               "#38=CARTESIAN_POINT('',(3.,9.,1.));\n"
+               "#21=TRIMMED_CURVE('',#40,(PARAMETER_VALUE(.5)),(PARAMETER_VALUE(1.5)),.T.,.PARAMETER.);"
+               "#40=TRIMMED_CURVE('',#41,(PARAMETER_VALUE(0.)),(PARAMETER_VALUE(2.)),.T.,.PARAMETER.);"
+               "#41=B_SPLINE_CURVE_WITH_KNOTS('',1,(#10,#11,#12),.U.,.F.,.F.,(2,1,2),(0.,1.,2.),.U.);\n"),
+          2);
+    is_at(at(0, 0), 0, 0, 0);
+    is_at(at(0, 1), 3, 9, 1);
+    is_at(at(1, 0), 1.5, 0, 0.5);
+    is_at(at(1, 1), 3, 2, 1);
 }
 
 TEST(json_and_csv_hold_curves_in_millimetres) {
