@@ -10,6 +10,7 @@
 #include "base/fail.h"
 #include "io/file/atomic.h"
 #include "io/file/text.h"
+#include "io/process/effect_json.h"
 
 static void put(wcut_text *text, const char *word) { wcut_text_put(text, word, strlen(word)); }
 
@@ -107,6 +108,27 @@ static void put_base(wcut_text *text, const char *before, const wcut_estimate *e
     else
         put_interval(text, ", \"ci95\": [", e, -INFINITY, INFINITY);
     put_number(text, ", \"job\": ", job);
+    put(text, "}");
+}
+
+/* what wirecut apply puts into jobs: the numbers whole, effects as a job has them */
+static void put_correction(wcut_text *text, const wcut_diagnosis *d) {
+    const wcut_correction *c = &d->correction;
+    if (d->withheld[0]) {
+        put_string(text, ",\n  \"correction\": null,\n  \"withheld\": ", d->withheld);
+        return;
+    }
+    put_number(text, ",\n  \"correction\": {\"a_N_per_mm\": ", c->a);
+    put_number(text, ", \"b_m2_per_J\": ", c->b);
+    put_number(text, ", \"length_change_mm\": ", c->length_change);
+    if (isfinite(c->kerf)) {
+        put_number(text, ",\n                 \"kerf\": {\"width_mm\": ", c->kerf);
+        put_number(text, ", \"per_J_m2_mm\": ", c->kerf_per_q);
+        put(text, "}");
+    } else {
+        put(text, ",\n                 \"kerf\": null");
+    }
+    wcut_put_effects(text, c->effects, c->effect);
     put(text, "}");
 }
 
@@ -268,6 +290,64 @@ static void put_dependence(wcut_text *text, const wcut_dependence *x) {
     put(text, "}");
 }
 
+static void put_event(wcut_text *text, const wcut_event *e) {
+    wcut_text_print(text, "{\"cut\": %d", e->cut);
+    put_pair(text, ", \"time_s\": [", e->time[0], e->time[1]);
+    put_pair(text, ", \"station\": [", e->station[0], e->station[1]);
+    put_number(text, ", \"tension_N\": ", e->tension);
+    put_number(text, ", \"force_change\": ", e->force);
+    put_number(text, ", \"as_heat_change\": ", e->heat);
+    put(text, "}");
+}
+
+/* misfit of a channel on cuts left out, before and with the terms; of events, with a level for each window */
+static void put_improvement(wcut_text *text, const wcut_diagnosis *d) {
+    const char *between = "";
+    put(text, ",\n               \"improvement\": {");
+    for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) {
+        const wcut_fit *from = &d->held_out_fit[WCUT_FIT_MODEL_RECALIBRATED][c];
+        const wcut_fit *to = &d->held_out_fit[WCUT_FIT_MODEL_AFTER][c];
+        if (d->modelled.terms == 0 || from->count < 1 || to->count < 1) continue;
+        wcut_text_print(text, "%s\"%s_%s\": {", between, wcut_evidence_name((wcut_evidence_channel)c),
+                        wcut_evidence_unit((wcut_evidence_channel)c));
+        put_number(text, "\"recalibrated\": ", from->rmsd);
+        put_number(text, ", \"after\": ", to->rmsd);
+        put(text, "}");
+        between = ", ";
+    }
+    if (d->modelled.events > 0) {
+        wcut_text_print(text, "%s\"tension_N_with_events\": {", between);
+        put_number(text, "\"recalibrated\": ", d->modelled.recalibrated);
+        put_number(text, ", \"after\": ", d->modelled.after);
+        put(text, "}");
+    }
+    put(text, "}");
+}
+
+/* null where nothing was looked for, or nothing was confirmed */
+static void put_modelled(wcut_text *text, const wcut_diagnosis *d) {
+    const wcut_modelled *m = &d->modelled;
+    if (m->terms == 0 && m->events == 0) {
+        put(text, ",\n  \"modelled\": null");
+        return;
+    }
+    put(text, ",\n  \"modelled\": {\"terms\": [");
+    for (int k = 0; k < m->terms; k++) {
+        put(text, k ? ",\n                         " : "");
+        put_effect(text, &m->term[k]);
+    }
+    put_string(text, "],\n               \"equation\": ", m->equation);
+    put_improvement(text, d);
+    put(text, ",\n               \"alternatives\": [");
+    for (int k = 0; k < m->rivals; k++) put_string(text, k ? ", " : "", m->rival[k]);
+    put(text, "],\n               \"events\": [");
+    for (int k = 0; k < m->events; k++) {
+        put(text, k ? ",\n                          " : "");
+        put_event(text, &m->event[k]);
+    }
+    put(text, "]}");
+}
+
 static void put_weighed(wcut_text *text, const wcut_diagnosis *d) {
     put(text, ",\n  \"ranking\": [");
     for (int i = 0; i < d->hypotheses; i++) {
@@ -349,6 +429,8 @@ wcut_status wcut_diagnosis_print(const wcut_diagnosis *diagnosis, const char *na
     put_verdict(&out, diagnosis);
     put_effects(&out, diagnosis);
     put_recalibrated(&out, diagnosis);
+    put_correction(&out, diagnosis);
+    put_modelled(&out, diagnosis);
     put_mismatches(&out, diagnosis);
     put_fit(&out, diagnosis);
     put_weighed(&out, diagnosis);

@@ -12,11 +12,12 @@
 #include "cut/setup.h"
 #include "explain/adequacy.h"
 #include "explain/black_box.h"
+#include "explain/correct.h"
 #include "explain/cross_validation.h"
 #include "explain/decide.h"
-#include "explain/dependence.h"
 #include "explain/experiment.h"
 #include "explain/locate.h"
+#include "explain/modelled.h"
 #include "explain/verdict_text.h"
 
 #define DEGREES (180 / WCUT_PI)
@@ -59,6 +60,7 @@ typedef struct diagnosing {
     int before_rows;
     wcut_search search;
     wcut_decision decision;
+    wcut_outside outside; /* of an unknown verdict: what was modelled, what was left out */
     wcut_cross_validation proof;
     wcut_diagnosis *out;
 } diagnosing;
@@ -67,7 +69,7 @@ typedef struct diagnosing {
 enum { NULLS = 500 };
 
 /* of preparing, of the search, of what follows from it */
-enum { FIRST_STEPS = 3, PROOF = FIRST_STEPS + WCUT_SEARCH_STEPS + 1, DEPENDENCE, EXPERIMENT, CONTROL, STEPS };
+enum { FIRST_STEPS = 3, OUTSIDE = FIRST_STEPS + WCUT_SEARCH_STEPS + 1, PROOF, EXPERIMENT, CONTROL, STEPS };
 
 static wcut_status step(diagnosing *g, const char *stage, int done, wcut_error *error) {
     return wcut_stop_step(&g->stop, stage, done) ? wcut_fail(error, WCUT_INTERRUPTED, "interrupted") : WCUT_OK;
@@ -113,7 +115,8 @@ static const wcut_candidate *chosen(const diagnosing *g) {
 static bool names_effects(const diagnosing *g) { return chosen(g) && g->decision.kind != WCUT_VERDICT_UNKNOWN; }
 
 static const wcut_fitted *final_fit(const diagnosing *g) {
-    return names_effects(g) ? &chosen(g)->fit : &g->search.none;
+    const wcut_fitted *outside = wcut_outside_fit(&g->outside);
+    return names_effects(g) ? &chosen(g)->fit : outside ? outside : &g->search.none;
 }
 
 /* [1] of a and b: root mean square by which they come out off where an independent simulator of the same physics made
@@ -259,13 +262,15 @@ static bool trace_of(diagnosing *g, int cut, int signal, wcut_residual_trace *t)
     t->recalibrated = wcut_alloc(n, sizeof(double));
     t->after = wcut_alloc(n, sizeof(double));
     if (!t->time || !t->station || !t->before || !t->recalibrated || !t->after) return false;
-    int before_row = 0; /* rows before there were patches */
+    const double *kept = g->outside.kept; /* with the bins that were left out */
+    int before_row = 0;                   /* rows before there were patches */
     for (int k = 0; k < cut; k++) before_row += WCUT_SIGNALS * g->evidence->cut[k].bins;
     for (int i = 0; i < c->bins; i++) {
         const int at = signal * c->bins + i;
         t->before[i] = unit * g->before[before_row + at];
-        t->recalibrated[i] = unit * (c->measured[signal][i] - g->search.none.predicted[c->row + at]);
-        t->after[i] = unit * (c->measured[signal][i] - final_fit(g)->predicted[c->row + at]);
+        const double measured = kept ? kept[c->row + at] : c->measured[signal][i];
+        t->recalibrated[i] = unit * (measured - g->search.none.predicted[c->row + at]);
+        t->after[i] = unit * (measured - final_fit(g)->predicted[c->row + at]);
     }
     return true;
 }
@@ -288,22 +293,37 @@ static const wcut_job *first_job(const diagnosing *g) {
     return NULL;
 }
 
-/* the first cut's job, recalibrated; with the effects that were named */
-static wcut_status improve(diagnosing *g) {
-    const wcut_model *m = &final_fit(g)->model;
-    wcut_job job = *first_job(g);
-    job.force_law.a = m->a, job.force_law.b = m->b;
-    job.wire_length += m->length_change;
-    job.effect_count = m->effects, job.effect = (wcut_effect *)(m->effects ? m->effect : NULL);
-    g->out->improved = wcut_job_copy(&job);
-    return g->out->improved ? WCUT_OK : WCUT_NO_MEMORY;
+/* the model that the table calls "after", as a correction of jobs; and the first cut's job with it */
+static wcut_status correct(diagnosing *g) {
+    const wcut_fitted *f = final_fit(g);
+    wcut_diagnosis *d = g->out;
+    d->correction = wcut_fitted_correction(f);
+    if (d->kind == WCUT_VERDICT_UNKNOWN && !wcut_outside_fit(&g->outside)) {
+        snprintf(d->withheld, sizeof d->withheld,
+                 "the verdict is unknown and nothing was modelled, so what was recalibrated may stand for what was not "
+                 "found");
+        return WCUT_OK;
+    }
+    wcut_job *job = wcut_job_copy(first_job(g));
+    if (!job) return WCUT_NO_MEMORY;
+    const wcut_status status = wcut_correction_apply(&d->correction, job, NULL);
+    if (status == WCUT_OK)
+        d->improved = job;
+    else
+        wcut_job_destroy(job);
+    return status;
 }
 
 static wcut_status propose(diagnosing *g, wcut_error *error) {
     const wcut_decision *v = &g->decision;
     wcut_diagnosis *d = g->out;
-    if (v->kind != WCUT_VERDICT_AMBIGUOUS) return WCUT_OK;
-    const wcut_model *a = &g->search.candidate[v->rival[0]].fit.model, *b = &g->search.candidate[v->rival[1]].fit.model;
+    const wcut_empirical *m = &g->outside.empirical;
+    const bool terms = v->kind == WCUT_VERDICT_UNKNOWN && m->rivals > 0;
+    if (v->kind != WCUT_VERDICT_AMBIGUOUS && !terms) return WCUT_OK;
+    const wcut_model *a = terms ? &m->fit.model : &g->search.candidate[v->rival[0]].fit.model;
+    wcut_model other = *a;
+    if (terms) other.effect[m->rival[0].instead_of] = m->rival[0].effect;
+    const wcut_model *b = terms ? &other : &g->search.candidate[v->rival[1]].fit.model;
     wcut_job job = *first_job(g);
     job.force_law.a = g->search.none.model.a, job.force_law.b = g->search.none.model.b;
     double separation;
@@ -374,12 +394,54 @@ static wcut_status locate(diagnosing *g, wcut_error *error) {
     return wcut_mismatch_locate(g->evidence, g->search.none.residual, &d->mismatches, d->mismatch, error);
 }
 
-static wcut_status depend(diagnosing *g, wcut_error *error) {
+/* a term as one quantity that the force follows */
+static void add_dependence(wcut_diagnosis *d, const wcut_found_effect *f, double gain) {
+    wcut_dependence *x = &d->dependence[d->dependences++];
+    *x = (wcut_dependence){.channel = WCUT_EVIDENCE_CHANNEL_TENSION, .coefficient = f->parameter[0], .gain = gain};
+    char formula[80];
+    wcut_term_formula(&f->effect, formula, sizeof formula);
+    snprintf(x->quantity, sizeof x->quantity, "%.39s", formula);
+}
+
+static void report_terms(diagnosing *g) {
+    const wcut_empirical *m = &g->outside.empirical;
+    wcut_modelled *out = &g->out->modelled;
+    for (int e = 0; m->fit.residual && e < m->fit.model.effects && out->terms < WCUT_MODELLED_TERMS; e++) {
+        wcut_found_effect *f = &out->term[out->terms++];
+        *f = (wcut_found_effect){.effect = m->fit.model.effect[e], .present = true};
+        for (int k = 0; k < WCUT_EFFECT_VALUES; k++)
+            f->parameter[k] = (wcut_estimate){f->effect.value[k], f->effect.value[k], f->effect.value[k]};
+        for (int k = 0; k < m->fit.count; k++) {
+            if (m->fit.effect_of[k] != e) continue;
+            const int at = m->fit.coordinate[k].at;
+            estimate(&m->fit, k, m->left.slow, &f->parameter[at]);
+            f->effect.value[at] = f->parameter[at].value;
+            f->estimated[at] = true;
+        }
+        add_dependence(g->out, f, m->held_out);
+    }
+    for (int r = 0; r < m->rivals && out->rivals < WCUT_MODELLED_RIVALS; r++)
+        wcut_term_formula(&m->rival[r].effect, out->rival[out->rivals++], sizeof out->rival[0]);
+}
+
+/* look into an unknown verdict: terms that model it, events that bend it */
+static wcut_status model(diagnosing *g, wcut_error *error) {
     wcut_diagnosis *d = g->out;
     if (g->decision.kind != WCUT_VERDICT_UNKNOWN) return WCUT_OK;
-    d->dependence = wcut_alloc(WCUT_DEPENDENCES, sizeof *d->dependence);
-    if (!d->dependence) return WCUT_NO_MEMORY;
-    return wcut_dependence_find(g->evidence, &g->search.none, &d->dependences, d->dependence, error);
+    d->dependence = wcut_alloc(WCUT_MODELLED_TERMS, sizeof *d->dependence);
+    if (!d->dependence) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for what was modelled");
+    wcut_status status = wcut_outside_find(g->evidence, &g->search.none, &g->outside, error);
+    if (status == WCUT_NOT_CONVERGED) status = WCUT_OK; /* nothing could be modelled */
+    if (status != WCUT_OK || !wcut_outside_fit(&g->outside)) return status;
+    report_terms(g);
+    wcut_modelled *m = &d->modelled;
+    const wcut_events *events = &g->outside.events;
+    for (int k = 0; k < events->count && m->events < WCUT_MODELLED_EVENTS; k++)
+        m->event[m->events++] = events->event[k];
+    m->recalibrated = events->recalibrated, m->after = events->after;
+    d->adequacy = g->outside.left.slow;
+    report_base(g);
+    return wcut_adequacy_p_value(g->evidence, d->adequacy, NULLS, g->options->seed, &d->adequacy_p);
 }
 
 /* intervals of what will be reported by its profile; without it those of the curvature stand, and the limits say so */
@@ -438,21 +500,24 @@ static void tell_stop(diagnosing *g, bool searched) {
 /* searched: to its end */
 static wcut_status conclude(diagnosing *g, bool searched, wcut_error *error) {
     wcut_status status = decide(g, searched, error);
+    wcut_status looked = WCUT_OK; /* a search for terms that was stopped takes nothing from the rest */
+    if (status == WCUT_OK && searched) looked = step(g, "terms outside the library were sought", OUTSIDE, error);
+    if (status == WCUT_OK && searched && looked == WCUT_OK) looked = model(g, error);
+    if (status == WCUT_OK && looked != WCUT_INTERRUPTED) status = looked;
     if (status == WCUT_OK) status = rank(g);
     if (status == WCUT_OK) status = trace(g);
-    if (status == WCUT_OK) status = improve(g);
-    if (status == WCUT_OK && !searched) status = WCUT_INTERRUPTED;
+    if (status == WCUT_OK) status = correct(g);
+    if (status == WCUT_OK && (!searched || looked == WCUT_INTERRUPTED)) status = WCUT_INTERRUPTED;
     if (status == WCUT_OK) status = locate(g, error);
     if (status == WCUT_OK) status = step(g, "the forward proof was run", PROOF, error);
     if (status == WCUT_OK) status = prove(g, error);
-    if (status == WCUT_OK) status = step(g, "dependences were sought", DEPENDENCE, error);
-    if (status == WCUT_OK) status = depend(g, error);
     if (status == WCUT_OK) status = step(g, "the next experiment was chosen", EXPERIMENT, error);
     if (status == WCUT_OK) status = propose(g, error);
     if (status == WCUT_OK) status = step(g, "plain least squares were run beside it", CONTROL, error);
     if (status == WCUT_OK) status = try_naive(g, error);
     if (status == WCUT_OK || status == WCUT_INTERRUPTED) {
         wcut_diagnosis_sentence(g->out);
+        wcut_modelled_tell(g->out);
         if (status == WCUT_INTERRUPTED) tell_stop(g, searched);
         if (!wcut_diagnosis_limits(g->out, g->cuts, g->cut, g->test_cuts, g->calibration)) status = WCUT_NO_MEMORY;
     }
@@ -503,6 +568,7 @@ wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *cut, int t
     wcut_diagnosis_destroy(g.out);
     wcut_cross_validation_destroy(&g.proof);
     wcut_search_destroy(&g.search);
+    wcut_outside_destroy(&g.outside);
     wcut_evidence_destroy(g.evidence);
     wcut_free(g.before);
     return status;

@@ -10,6 +10,7 @@
 #include "base/threads.h"
 #include "base/vec3.h"
 #include "cut/setup.h"
+#include "explain/dictionary.h"
 
 enum { NODES_FINE = WCUT_NODES_FINE, NODES_COARSE = WCUT_NODES_COARSE, PARTS = 5 };
 
@@ -36,11 +37,17 @@ wcut_job wcut_model_job(const wcut_evidence *e, const wcut_model *model, int cut
     wcut_job job = *e->cut[cut].job;
     job.force_law.a = model->a, job.force_law.b = model->b;
     job.wire_length += model->length_change;
+    int count = 0;
     for (int k = 0; k < model->effects; k++) {
-        effect[k] = model->effect[k];
-        if (effect[k].kind == WCUT_EFFECT_WIRE_FOULING && model->carried) effect[k].value[2] = way_before(e, cut);
+        effect[count] = model->effect[k];
+        if (effect[count].kind == WCUT_EFFECT_WIRE_FOULING && model->carried)
+            effect[count].value[2] = way_before(e, cut);
+        if (effect[count].kind == WCUT_EFFECT_EMPIRICAL_FORCE &&
+            !wcut_term_place(e, cut, model->carried, &effect[count]))
+            continue;
+        count++;
     }
-    job.effect_count = model->effects, job.effect = effect;
+    job.effect_count = count, job.effect = effect;
     return job;
 }
 

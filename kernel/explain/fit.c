@@ -52,8 +52,7 @@ wcut_model wcut_fitted_model(const wcut_fitted *f, const double *x) {
 static bool list_coordinates(const wcut_model *start, wcut_fitted *f) {
     f->model = *start;
     for (int e = 0; e < start->effects; e++) {
-        const wcut_explanation *x = wcut_explanation_view(start->effect[e].kind);
-        for (int k = 0; k < x->count; k++) {
+        for (int k = 0; k < wcut_effect_coordinates(&start->effect[e]); k++) {
             if (f->count == WCUT_FIT_MAX - WCUT_BASE) return false;
             f->effect_of[f->count] = e;
             f->coordinate[f->count++] = wcut_effect_coordinate(&start->effect[e], k);

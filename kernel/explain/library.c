@@ -2,6 +2,7 @@
 #include "explain/library.h"
 
 #include "base/numbers.h"
+#include "explain/dictionary.h"
 
 #define LN(x) x /* marks a logarithm of what the comment says */
 
@@ -72,7 +73,12 @@ static const wcut_explanation table[WCUT_EFFECT_COUNT] = {
 
 const wcut_explanation *wcut_explanation_view(wcut_effect_kind kind) { return &table[kind]; }
 
+int wcut_effect_coordinates(const wcut_effect *effect) {
+    return effect->kind == WCUT_EFFECT_EMPIRICAL_FORCE ? wcut_term_coordinates(effect) : table[effect->kind].count;
+}
+
 wcut_coordinate wcut_effect_coordinate(const wcut_effect *effect, int k) {
+    if (effect->kind == WCUT_EFFECT_EMPIRICAL_FORCE) return wcut_term_coordinate(effect, k);
     if (effect->kind == WCUT_EFFECT_KERF_GROWTH && effect->choice == 1)
         return (wcut_coordinate){1, WCUT_FIT_SCALE_LINEAR, 0, 1, 0.1, -5, 5};
     return table[effect->kind].coordinate[k];

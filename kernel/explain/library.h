@@ -30,6 +30,9 @@ typedef struct wcut_explanation {
 
 const wcut_explanation *wcut_explanation_view(wcut_effect_kind kind);
 
+/* how many things are fitted of an effect */
+int wcut_effect_coordinates(const wcut_effect *effect);
+
 /* the k-th thing fitted of an effect: as its kind says, but that a kerf law of the other kind has its own coefficient */
 wcut_coordinate wcut_effect_coordinate(const wcut_effect *effect, int k);
 

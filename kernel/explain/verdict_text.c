@@ -85,8 +85,7 @@ void wcut_diagnosis_sentence(wcut_diagnosis *d) {
                 add(&t, ", most of all %s of cut %d from %.0f to %.0f s", m->column, m->cut + 1, m->time[0],
                     m->time[1]);
             }
-            if (d->dependences > 0) add(&t, "; it follows %s", d->dependence[0].quantity);
-            add(&t, ".");
+            add(&t, "; no term that was tried holds on cuts left out.");
             return;
         case WCUT_VERDICT_AMBIGUOUS:
             add(&t, "Either ");

@@ -40,7 +40,11 @@ static const parameter way[] = {COEFFICIENT,
                                 {"start_mm", 3, 1, false, 0, 0, 1e9, 0, 5000},
                                 END};
 static const parameter start[] = {COEFFICIENT, {"start_s", 2, 1, false, 0, -1e9, 1e9, 0, 1e4}, END};
-static const parameter order[] = {COEFFICIENT, {"number", 2, 1, true, 0, 0, 1e6, 0, 20}, END};
+static const parameter order[] = {COEFFICIENT,
+                                  {"number", 2, 1, true, 0, 0, 1e6, 0, 20},
+                                  {"from", 3, 1, false, -1, -1, 1e6, 0, 20},
+                                  {"to", 4, 1, false, 1e6, -1, 1e6, 0, 20},
+                                  END};
 static const parameter window[] = {COEFFICIENT,
                                    {"from_s", 2, 1, true, 0, -1e6, 1e6, 0, 200},
                                    {"to_s", 3, 1, true, 1, -1e6, 1e6, 0, 200},
@@ -220,7 +224,7 @@ static part part_of(const wcut_locality *at, const wcut_effect *e, int memory, c
         case WCUT_TERM_WAY:
             return (part){.value = v[0] * (v[3] + at->state[node->i].way) / v[2]};
         case WCUT_TERM_ORDER:
-            return (part){.value = v[0] * v[2]};
+            return (part){.value = v[0] * (v[3] < 0 ? v[2] : v[2] >= v[3] && v[2] <= v[4])};
         case WCUT_TERM_CLOCK:
         case WCUT_TERM_WINDOW:
             return of_clock(at, term, v, node);

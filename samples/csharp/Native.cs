@@ -28,6 +28,7 @@ public enum wcut_registration_method { WCUT_REGISTRATION_METHOD_NONE = 0, WCUT_R
 public enum wcut_report_mark { WCUT_REPORT_MARK_LINE = 0, WCUT_REPORT_MARK_DASHED = 1, WCUT_REPORT_MARK_POINTS = 2 }
 public enum wcut_report_scale { WCUT_REPORT_SCALE_SEQUENTIAL = 0, WCUT_REPORT_SCALE_DIVERGING = 1 }
 public enum wcut_report_tone { WCUT_REPORT_TONE_PLAIN = 0, WCUT_REPORT_TONE_GOOD = 1, WCUT_REPORT_TONE_WARNING = 2, WCUT_REPORT_TONE_BAD = 3 }
+public enum wcut_result_state { WCUT_RESULT_STATE_WHOLE = 0, WCUT_RESULT_STATE_CHANGED = 1, WCUT_RESULT_STATE_MISSING = 2 }
 public enum wcut_robot_format { WCUT_ROBOT_FORMAT_URSCRIPT = 0, WCUT_ROBOT_FORMAT_RAPID = 1, WCUT_ROBOT_FORMAT_KRL = 2, WCUT_ROBOT_FORMAT_CSV = 3, WCUT_ROBOT_FORMAT_JSON = 4 }
 public enum wcut_scored { WCUT_SCORED_SPEED = 0, WCUT_SCORED_TENSION = 1, WCUT_SCORED_ALPHA = 2, WCUT_SCORED_BETA = 3, WCUT_SCORED_SPEED_A = 4, WCUT_SCORED_SPEED_B = 5, WCUT_SCORED_TENSION_A = 6, WCUT_SCORED_TENSION_B = 7, WCUT_SCORED_ALPHA_A = 8, WCUT_SCORED_BETA_A = 9, WCUT_SCORED_ALPHA_B = 10, WCUT_SCORED_BETA_B = 11, WCUT_SCORED_COUNT = 12 }
 public enum wcut_status { WCUT_OK = 0, WCUT_BAD_ARGUMENT = 1, WCUT_NO_MEMORY = 2, WCUT_NOT_CONVERGED = 3, WCUT_SINGULAR = 4, WCUT_DEGENERATE = 5, WCUT_NOT_FOUND = 6, WCUT_BAD_FORMAT = 7, WCUT_NOT_WRITTEN = 8, WCUT_INTERRUPTED = 9, WCUT_INTERNAL = 10, WCUT_STATUS_COUNT = 11 }
@@ -236,8 +237,6 @@ public unsafe struct wcut_compared
     public wcut_reconstruction* reconstruction;
     public wcut_statistics* to_scan;
     public wcut_statistics* to_face;
-    public int files;
-    public byte** file;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_compared_scan
@@ -302,6 +301,17 @@ public unsafe struct wcut_control_view
     public double error;
     public double correction;
     public int dropped;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_correction
+{
+    public double a;
+    public double b;
+    public double length_change;
+    public double kerf;
+    public double kerf_per_q;
+    public int effects;
+    public wcut_effect effect_0, effect_1, effect_2, effect_3, effect_4, effect_5, effect_6, effect_7;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_crossing
@@ -447,7 +457,7 @@ public unsafe struct wcut_diagnosis
 {
     public wcut_verdict_kind kind;
     public double confidence;
-    public fixed byte sentence[400];
+    public fixed byte sentence[600];
     public int effects;
     public wcut_found_effect effect_0, effect_1, effect_2, effect_3;
     public wcut_estimate a;
@@ -464,15 +474,18 @@ public unsafe struct wcut_diagnosis
     public wcut_mismatch* mismatch;
     public int dependences;
     public wcut_dependence* dependence;
+    public wcut_modelled modelled;
     public int traces;
     public wcut_residual_trace* trace;
     public int cuts;
     public byte* held_out;
     public wcut_fit fit_0, fit_1, fit_2, fit_3, fit_4, fit_5, fit_6, fit_7, fit_8, fit_9, fit_10, fit_11, fit_12, fit_13, fit_14, fit_15, fit_16, fit_17, fit_18, fit_19;
     public wcut_fit held_out_fit_0, held_out_fit_1, held_out_fit_2, held_out_fit_3, held_out_fit_4, held_out_fit_5, held_out_fit_6, held_out_fit_7, held_out_fit_8, held_out_fit_9, held_out_fit_10, held_out_fit_11, held_out_fit_12, held_out_fit_13, held_out_fit_14, held_out_fit_15, held_out_fit_16, held_out_fit_17, held_out_fit_18, held_out_fit_19;
+    public wcut_correction correction;
+    public fixed byte withheld[160];
     public wcut_job* improved;
     public wcut_job* next_experiment;
-    public fixed byte next_reason[400];
+    public fixed byte next_reason[600];
     public int limits;
     public byte** limit;
     public fixed double noise[5];
@@ -571,6 +584,16 @@ public unsafe struct wcut_estimate
     public double value;
     public double low;
     public double high;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_event
+{
+    public int cut;
+    public fixed double time[2];
+    public fixed double station[2];
+    public double tension;
+    public double force;
+    public double heat;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_face
@@ -902,6 +925,19 @@ public unsafe struct wcut_mismatch
     public double share;
     public double p_value;
     public fixed byte regime[16];
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_modelled
+{
+    public int terms;
+    public wcut_found_effect term_0, term_1, term_2;
+    public fixed byte equation[240];
+    public int rivals;
+    public fixed byte rival[320];
+    public int events;
+    public wcut_event event_0, event_1, event_2, event_3, event_4, event_5, event_6, event_7, event_8, event_9, event_10, event_11, event_12, event_13, event_14, event_15, event_16, event_17, event_18, event_19, event_20, event_21, event_22, event_23;
+    public double recalibrated;
+    public double after;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_mould
@@ -1377,8 +1413,6 @@ public unsafe struct wcut_rig_summary
     public wcut_rig_run* feedback;
     public wcut_rig_run* plan;
     public byte plan_recorded;
-    public int file_count;
-    public byte** files;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_robot_check
@@ -1444,8 +1478,6 @@ public unsafe struct wcut_robot_summary
     public wcut_robot_check* check;
     public wcut_path_near* near;
     public wcut_robot_format format;
-    public int file_count;
-    public byte** files;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_robot_target
@@ -1694,6 +1726,21 @@ public unsafe struct wcut_vec3
     public double z;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_verification
+{
+    public int vouchers;
+    public int count;
+    public int broken;
+    public wcut_verified_file* file;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_verified_file
+{
+    public byte* voucher;
+    public byte* name;
+    public wcut_result_state state;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_worst
 {
     public wcut_vec3 place;
@@ -1755,6 +1802,8 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_control_settings wcut_control_settings_default(wcut_job* a0);
     [DllImport("wirecut-io")] public static extern byte* wcut_control_state_name(wcut_control_state a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_control_step(void* a0, double a1, double a2, double a3, double a4, double* a5);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_correction_apply(wcut_correction* a0, wcut_job* a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_correction_read(byte* a0, wcut_correction* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_curve_bounds(wcut_curve* a0, double a1, wcut_box* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_curve_clearance(wcut_curve* a0, wcut_box* a1, double a2, double* a3, double* a4);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_curve_create(int a0, int a1, double* a2, wcut_vec3* a3, double* a4, wcut_curve** a5);
@@ -1879,8 +1928,8 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_mould_create(wcut_surface* a0, wcut_vec3 a1, wcut_mould_options* a2, wcut_mould** a3, wcut_error* a4);
     [DllImport("wirecut-io")] public static extern wcut_mould_options wcut_mould_default();
     [DllImport("wirecut-io")] public static extern void wcut_mould_destroy(wcut_mould* a0);
-    [DllImport("wirecut-io")] public static extern wcut_status wcut_mould_print(wcut_mould* a0, byte* a1, int a2, byte** a3, byte** a4);
-    [DllImport("wirecut-io")] public static extern wcut_status wcut_mould_write(wcut_mould* a0, byte* a1, int a2, byte** a3, byte* a4, wcut_error* a5);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_mould_print(wcut_mould* a0, byte* a1, byte** a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_mould_write(wcut_mould* a0, byte* a1, byte* a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_normal_options wcut_normal_options_default();
     [DllImport("wirecut-io")] public static extern byte* wcut_part_name(wcut_part a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_path_clearance(int a0, wcut_vec3* a1, wcut_box* a2, double a3, wcut_path_near* a4);
@@ -1917,6 +1966,13 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_simulate_write(wcut_report_simulate* a0, void* a1, wcut_history* a2, byte* a3, wcut_error* a4);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_write(wcut_report* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_residuals_write(int a0, wcut_scored_cut* a1, byte* a2, wcut_error* a3);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_results_add(void* a0, byte* a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_results_commit(void* a0, byte* a1, byte* a2, byte** a3, wcut_error* a4);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_results_create(byte* a0, int a1, byte** a2, void** a3, wcut_error* a4);
+    [DllImport("wirecut-io")] public static extern void wcut_results_destroy(void* a0);
+    [DllImport("wirecut-io")] public static extern byte* wcut_results_path(void* a0, byte* a1);
+    [DllImport("wirecut-io")] public static extern void wcut_results_reword(void* a0, wcut_error* a1);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_results_verify(byte* a0, wcut_verification** a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_rig_options wcut_rig_options_default(wcut_job* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_rig_run_create(wcut_job* a0, wcut_history* a1, wcut_control_settings* a2, wcut_rig_options* a3, IntPtr a4, void* a5, wcut_rig_run** a6, wcut_error* a7);
     [DllImport("wirecut-io")] public static extern void wcut_rig_run_destroy(wcut_rig_run* a0);
@@ -1945,6 +2001,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_job* wcut_setup_job(void* a0);
     [DllImport("wirecut-io")] public static extern wcut_cut_options* wcut_setup_options(void* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_setup_run(void* a0, IntPtr a1, void* a2, wcut_history** a3, wcut_error* a4);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_source_hash(byte* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern byte* wcut_status_text(wcut_status a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_step_write(int a0, wcut_shape* a1, wcut_step_schema a2, byte* a3, wcut_error* a4);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_stl_stream_append(void* a0, int a1, wcut_vec3* a2, wcut_error* a3);
@@ -1952,8 +2009,8 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_stl_stream_create(byte* a0, void** a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern void wcut_stl_stream_destroy(void* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_summary_eval(wcut_history* a0, wcut_summary* a1);
-    [DllImport("wirecut-io")] public static extern wcut_status wcut_summary_print(void* a0, wcut_history* a1, int a2, byte** a3, byte** a4);
-    [DllImport("wirecut-io")] public static extern wcut_status wcut_summary_write(void* a0, wcut_history* a1, int a2, byte** a3, byte* a4, wcut_error* a5);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_summary_print(void* a0, wcut_history* a1, byte** a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_summary_write(void* a0, wcut_history* a1, byte* a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_surface_bounds(wcut_surface* a0, double a1, wcut_box* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_surface_create(int a0, int a1, int a2, int a3, double* a4, double* a5, wcut_vec3* a6, double* a7, wcut_surface** a8);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_surface_curvature(wcut_surface* a0, double a1, double a2, double* a3, double* a4);
@@ -1994,6 +2051,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern void wcut_traces_destroy(wcut_traces* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_traces_join(wcut_traces* a0, double a1, wcut_traces** a2);
     [DllImport("wirecut-io")] public static extern byte* wcut_verdict_name(wcut_verdict_kind a0);
+    [DllImport("wirecut-io")] public static extern void wcut_verification_destroy(wcut_verification* a0);
     [DllImport("wirecut-io")] public static extern byte* wcut_version_text();
     [DllImport("wirecut-io")] public static extern wcut_status wcut_vtp_stream_append(void* a0, wcut_station* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_vtp_stream_commit(void* a0, wcut_error* a1);

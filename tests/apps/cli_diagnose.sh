@@ -48,6 +48,9 @@ assert (d["next_experiment"] is None) == (not os.path.exists(folder + "/next-exp
 for model in ("before", "recalibrated", "after"):
     assert bool(d["fit"][model]) == (len(sys.argv) < 4), d["fit"]
 assert open(folder + "/report.html").read(200).startswith("<!doctype html>")
+if d["correction"] is None: # withheld with a word
+    assert d["withheld"] and not os.path.exists(folder + "/job-improved.json")
+    sys.exit(0)
 job = json.load(open(folder + "/job-improved.json"))
 assert job["format"] == "wirecut-job/1" and job["process"]["force_law"] != {"a_N_per_mm": 0.1, "b_m2_per_J": 8.6e-4}
 EOF
@@ -65,6 +68,20 @@ cmp -s out b/diagnosis.json || fail "$called: --json is not diagnosis.json"
 run 0 diagnose case/case.json -o c --threads 3 --quiet
 diff -r a b >differ || fail "one thread and two differ: $(head -c 300 differ)"
 diff -r a c >differ || fail "one thread and three differ: $(head -c 300 differ)"
+# what was found goes into any job: the first cut's is job-improved.json, another keeps its path and loses its excitation
+run 0 apply a/diagnosis.json case/job-1.json -o applied-1.json
+run 0 apply a/diagnosis.json case/job-2.json -o applied-2.json --json
+python3 - <<'EOF' || fail "$called: not the jobs that were expected"
+import json
+a, b, c = (json.load(open(name)) for name in ("applied-1.json", "a/job-improved.json", "applied-2.json"))
+assert a == b, "applied to the first cut's job is not job-improved.json"
+assert c["process"]["force_law"] == a["process"]["force_law"] and c["path"] == json.load(open("case/job-2.json"))["path"]
+assert "excitation" not in c
+EOF
+run 3 apply a/diagnosis.json case/case.json -o no.json
+run 3 apply case/job-1.json case/job-1.json -o no.json
+one_line '$.format' '"wirecut-diagnosis/1"'
+run 4 apply a/diagnosis.json case/job-1.json -o nowhere/no.json
 run 0 simulate a/job-improved.json -o improved --stations 40 --chord-tolerance 1 --quiet
 
 # with what there is: it is said, the rest is diagnosed, and the exit code tells

@@ -3,6 +3,8 @@
 
 #include "base/alloc.h"
 #include "cut/score.h"
+#include "cut/setup.h"
+#include "explain/correct.h"
 #include "explain/synthetic.h"
 #include "test.h"
 
@@ -71,6 +73,33 @@ TEST(a_true_effect_predicts_left_out_cuts_better_than_any_law) {
         ck_assert_double_eq(p.fit[WCUT_FIT_MODEL_BEFORE][k].rmsd, p.held_out_fit[WCUT_FIT_MODEL_BEFORE][k].rmsd);
     }
     wcut_cross_validation_destroy(&p);
+    forget();
+}
+
+TEST(jobs_with_the_correction_applied_score_what_the_table_says_of_the_model) {
+    given_a_lag(SYNTHETIC_CUTS, false, 2);
+    wcut_cross_validation p = prove(&none, &lag);
+    const wcut_correction correction = wcut_fitted_correction(&lag);
+    wcut_job *applied[SYNTHETIC_CUTS];
+    for (int k = 0; k < SYNTHETIC_CUTS; k++) {
+        applied[k] = wcut_job_copy(given.job[k]);
+        ck_assert_ptr_nonnull(applied[k]);
+        ck_assert_int_eq(wcut_correction_apply(&correction, applied[k], NULL), WCUT_OK);
+        evidence->cut[k].job = applied[k];
+    }
+    wcut_cross_validation again = prove(&none, &none);
+    for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) {
+        const wcut_fit *after = &p.fit[WCUT_FIT_MODEL_AFTER][c], *job = &again.fit[WCUT_FIT_MODEL_BEFORE][c];
+        if (c == WCUT_EVIDENCE_CHANNEL_SPEED) continue; /* the applied jobs have a plan, the excited ones had none */
+        ck_assert_int_eq(after->count, job->count);
+        ck_assert_double_eq(after->rmsd, job->rmsd);
+        ck_assert_double_eq(after->rmse_over_range, job->rmse_over_range);
+    }
+    ck_assert_double_lt(again.fit[WCUT_FIT_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_TENSION].rmsd,
+                        0.6 * p.fit[WCUT_FIT_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_TENSION].rmsd);
+    wcut_cross_validation_destroy(&p);
+    wcut_cross_validation_destroy(&again);
+    for (int k = 0; k < SYNTHETIC_CUTS; k++) wcut_job_destroy(applied[k]);
     forget();
 }
 

@@ -82,7 +82,7 @@ TEST(a_diagnosis_that_is_stopped_keeps_what_it_has) {
                 {1, 100, NULL},
                 {4, 0, "while the library was screened"},
                 {5, 200, "while effects were fitted one by one"},
-                {16, 200, "while the forward proof was run"}};
+                {17, 200, "while the forward proof was run"}};
     const machine_secret secret = lag();
     machine_case m = machine_create(2, &secret);
     wcut_diagnosis_options options = wcut_diagnosis_options_default();
@@ -103,7 +103,7 @@ TEST(a_diagnosis_that_is_stopped_keeps_what_it_has) {
         ck_assert_int_ge(d->hypotheses, 1);
         ck_assert_int_eq(d->traces, 12);
         ck_assert_int_eq(d->fit[WCUT_FIT_MODEL_AFTER][WCUT_EVIDENCE_CHANNEL_TENSION].count, 0);
-        if (stop[k].stop_at == 16)
+        if (stop[k].stop_at == 17)
             ck_assert_msg(machine_names(d, WCUT_EFFECT_WIRE_THERMAL_LAG, WCUT_EFFECT_WIRE_THERMAL_LAG), "%s",
                           machine_verdict(d));
         else /* what was not tried is not ruled out */

@@ -261,6 +261,8 @@ TEST(every_empirical_term_is_its_formula) {
                  {term_of(WCUT_TERM_ENTRY, 0.2, 2, 0, 0), exp(-0.25)},
                  {term_of(WCUT_TERM_CLOCK, 0.2, 30, 0, 0), 0.422},
                  {term_of(WCUT_TERM_ORDER, 0.2, 3, 0, 0), 3},
+                 {term_of(WCUT_TERM_ORDER, 0.2, 3, 2, 4), 1},
+                 {term_of(WCUT_TERM_ORDER, 0.2, 3, 4, 5), 0},
                  {term_of(WCUT_TERM_WINDOW, 0.2, 12.2, 40, 0.2), 0.5},
                  {term_of(WCUT_TERM_WINDOW, 0.2, 20, 40, 0.2), 0}};
     for (size_t k = 0; k < sizeof given / sizeof *given; k++) {

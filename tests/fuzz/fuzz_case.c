@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "io/process/case.h"
+#include "io/process/correction.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -39,5 +40,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         check(strcmp(format, "wirecut-case/1") == 0);
     }
     wcut_case_destroy(found);
+
+    /* a diagnosis is read for its correction alone */
+    wcut_correction correction = {.effects = -1};
+    const wcut_status read = wcut_correction_parse((const char *)data, size, "diagnosis.json", &correction, &error);
+    check((read == WCUT_OK) == (correction.effects >= 0) && (read == WCUT_OK || error.text[0] != '\0'));
     return 0;
 }

@@ -180,6 +180,14 @@ HOSTILE_VALUE(wcut_job_destroy, NULL)
 HOSTILE_VALUE(wcut_job_heat_eval, sound_job(), ANY_NUM(3))
 HOSTILE_VALUE(wcut_job_pace_eval, sound_job(), ANY_NUM(3))
 HOSTILE_STATUS(wcut_job_resample, PTR(short_job_once()), INT(81))
+static wcut_correction *correction(void) {
+    static wcut_correction c;
+    c = (wcut_correction){.a = 0.05, .b = 6e-4, .length_change = 0.1, .kerf = 1, .effects = 1};
+    c.effect[0] = *lag();
+    return &c;
+}
+
+HOSTILE_STATUS(wcut_correction_apply, RECORD(correction()), PTR(short_job_once()), OPT((wcut_error *)NULL))
 HOSTILE_VALUE(wcut_setup_destroy, NULL)
 HOSTILE_VALUE(wcut_setup_job, sound_setup())
 HOSTILE_VALUE(wcut_setup_options, sound_setup())

@@ -14,6 +14,9 @@ static void begin(void) {
     write_file("case.json",
                "{\"format\": \"wirecut-case/1\", \"name\": \"c\", \"cuts\": [{\"job\": \"job.json\", "
                "\"recording\": \"r.csv\", \"scan\": null}], \"calibration\": null}");
+    write_file("d.json",
+               "{\"format\": \"wirecut-diagnosis/1\", \"correction\": {\"a_N_per_mm\": 0.1, \"b_m2_per_J\": 8e-4, "
+               "\"length_change_mm\": 0, \"kerf\": null}}");
     write_file("points.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0.5\n");
     write_file("table.csv", "x,y\n1,2\n3,4\n");
     write_file("sheet.off", "OFF\n3 1 0\n0 0 0\n10 0 0\n10 10 0\n3 0 1 2\n");
@@ -47,6 +50,11 @@ HOSTILE_MADE(wcut_job_read, wcut_job, wcut_job_destroy, PTR("job.json"), PTR(&ma
 HOSTILE_FILE(wcut_job_write, PTR(sound_job()), PTR(OUT_FILE), ERR)
 HOSTILE_MADE(wcut_case_read, wcut_case, wcut_case_destroy, PTR("case.json"), PTR(&made), ERR)
 HOSTILE_VALUE(wcut_case_destroy, NULL)
+HOSTILE(wcut_correction_read) {
+    wcut_correction c = {.a = 999};
+    EACH_HOSTILE_ARGUMENT(wcut_correction_read, wcut_correction_read(PTR("d.json"), PTR(&c), ERR), c.a == 999,
+                          c.a = 999);
+}
 HOSTILE_MADE(wcut_recording_read, wcut_recording, wcut_recording_destroy, PTR("r.csv"), PTR(&made), ERR)
 HOSTILE_FILE(wcut_recording_write, PTR(sound_recording()), OPT("a note"), PTR(OUT_FILE), ERR)
 HOSTILE_VALUE(wcut_channel_name, ANY_ENUM(WCUT_CHANNEL_TIME))

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <wirecut/calibration.h>
 #include <wirecut/cloud.h>
+#include <wirecut/correction.h>
 #include <wirecut/effects.h>
 #include <wirecut/export.h>
 #include <wirecut/history.h>
@@ -61,7 +62,8 @@ typedef struct wcut_estimate {
     double value, low, high; /**< 95 %; low = -inf, high = inf where the data leave it open */
 } wcut_estimate;
 
-enum { WCUT_DIAGNOSIS_EFFECTS = 4, WCUT_DIAGNOSIS_TEXT = 400 };
+enum { WCUT_DIAGNOSIS_EFFECTS = 4, WCUT_DIAGNOSIS_TEXT = 600 };
+enum { WCUT_MODELLED_TERMS = 3, WCUT_MODELLED_RIVALS = 4, WCUT_MODELLED_EVENTS = 24 };
 
 /** An effect that was found, or that stays possible. */
 typedef struct wcut_found_effect {
@@ -123,6 +125,16 @@ typedef struct wcut_dependence {
     double gain;                   /**< fall of the misfit on held-out cuts, chi-square units */
 } wcut_dependence;
 
+/** A window of one cut in which the force was another, and which no other cut repeats. */
+typedef struct wcut_event {
+    int cut;
+    double time[2]; /**< [s] of the recording */
+    double station[2];
+    double tension; /**< [N] by which both tensions differ there, mean */
+    double force;   /**< [1] relative change of the foam's force that would do it */
+    double heat;    /**< [1] relative change of the heat that would do it */
+} wcut_event;
+
 /** A residual over time and wire, before and after, as the report draws it. */
 typedef struct wcut_residual_trace {
     int cut;
@@ -133,6 +145,19 @@ typedef struct wcut_residual_trace {
     double *before, *recalibrated, *after; /**< count: measured less replayed, channel's unit; NaN: none */
     double noise;                          /**< standard deviation of a bin's mean by noise alone */
 } wcut_residual_trace;
+
+/** What was modelled of an unknown verdict: terms of empirical_force that hold on cuts left out, and events. */
+typedef struct wcut_modelled {
+    int terms; /**< 0: nothing was confirmed */
+    wcut_found_effect term[WCUT_MODELLED_TERMS];
+    char equation[240]; /**< "F = a exp(-b Q_eff) (1 + 0.32 sin(2 pi y / 70.1 mm + 4.06))" */
+    int rivals;
+    char rival[WCUT_MODELLED_RIVALS][80]; /**< terms that explain as much, as formulae */
+    int events;
+    wcut_event event[WCUT_MODELLED_EVENTS]; /**< windows that were left out of the fit of the rest */
+    double recalibrated, after; /**< [N] of events: misfit of the tensions as the rest says, and with a level for each
+                                   window, told by every other bin of it */
+} wcut_modelled;
 
 /** A diagnosis: everything that was found, owned. */
 typedef struct wcut_diagnosis {
@@ -149,15 +174,18 @@ typedef struct wcut_diagnosis {
     wcut_hypothesis *hypothesis; /**< ranked, best first */
     int mismatches;
     wcut_mismatch *mismatch; /**< largest share first */
-    int dependences;
+    int dependences;         /**< the terms of `modelled`, each as one quantity */
     wcut_dependence *dependence;
+    wcut_modelled modelled;
     int traces;
     wcut_residual_trace *trace;
     int cuts;
     bool *held_out; /**< cuts: not used in the fit that the held-out figures are of */
     wcut_fit fit[WCUT_FIT_MODEL_COUNT][WCUT_EVIDENCE_CHANNEL_COUNT];          /**< over all cuts, all fitted */
     wcut_fit held_out_fit[WCUT_FIT_MODEL_COUNT][WCUT_EVIDENCE_CHANNEL_COUNT]; /**< over the held-out cuts */
-    wcut_job *improved;        /**< the first cut's job, recalibrated, effects switched on */
+    wcut_correction correction; /**< the model called "after", for any job; not to be used where it is withheld */
+    char withheld[160];         /**< why there is no correction and no `improved`; "" where there is one */
+    wcut_job *improved;        /**< the first cut's job, corrected, without its excitation; NULL where it is withheld */
     wcut_job *next_experiment; /**< a cut that would tell the alternatives apart; NULL: none needed */
     char next_reason[WCUT_DIAGNOSIS_TEXT];
     int limits;

@@ -11,6 +11,7 @@
 #include <wirecut/cloud.h>
 #include <wirecut/cloud_file.h>
 #include <wirecut/control.h>
+#include <wirecut/correction.h>
 #include <wirecut/crossing.h>
 #include <wirecut/curvature.h>
 #include <wirecut/curve.h>

@@ -109,6 +109,9 @@ static inline void give_diagnosis(given_diagnosis *g) {
     d->length_change = (wcut_estimate){0.2, -0.1, 0.5}, d->kerf = (wcut_estimate){NAN, NAN, NAN};
     d->a_job = 0.1, d->b_job = 8.6e-4;
     d->adequacy = 1.02, d->adequacy_p = 0.4;
+    d->correction =
+        (wcut_correction){.a = 0.09, .b = 8e-4, .length_change = 0.2, .kerf = 1.1, .kerf_per_q = 1e-4, .effects = 1};
+    d->correction.effect[0] = d->effect[0].effect;
     give_lists(g);
     give_traces(g);
     d->hypotheses = 3, d->hypothesis = g->hypothesis;

@@ -6,6 +6,7 @@
 #include <wirecut/diagnosis_file.h>
 #include "base/alloc.h"
 #include "base/fail.h"
+#include "io/process/correction.h"
 #include "io/process/diagnosis_given.h"
 #include "test.h"
 
@@ -45,6 +46,60 @@ static double number(const json_t *root, const char *path) {
 static const char *string(const json_t *root, const char *path) {
     ck_assert_msg(json_is_string(at(root, path)), "%s is no text", path);
     return json_string_value(at(root, path));
+}
+
+TEST(a_correction_comes_back_as_it_was_and_a_withheld_one_says_why) {
+    wcut_correction c = {.a = 999};
+    wcut_error error = {0};
+    give_diagnosis(&given);
+    ck_assert_int_eq(wcut_diagnosis_write(&given.d, "c07", "d.json", &error), WCUT_OK);
+    ck_assert_int_eq(wcut_correction_read("d.json", &c, &error), WCUT_OK);
+    ck_assert(c.a == 0.09 && c.b == 8e-4 && c.length_change == 0.2 && c.kerf == 1.1 && c.kerf_per_q == 1e-4);
+    ck_assert_int_eq(c.effects, 1);
+    ck_assert_int_eq(c.effect[0].kind, WCUT_EFFECT_WIRE_THERMAL_LAG);
+    ck_assert_double_eq(c.effect[0].value[0], 0.8);
+    given.d.correction.kerf = NAN;
+    ck_assert_int_eq(wcut_diagnosis_write(&given.d, "c07", "d.json", &error), WCUT_OK);
+    ck_assert_int_eq(wcut_correction_read("d.json", &c, &error), WCUT_OK);
+    ck_assert(isnan(c.kerf));
+
+    /* withheld, of another format, not there */
+    snprintf(given.d.withheld, sizeof given.d.withheld, "nothing was modelled");
+    ck_assert_int_eq(wcut_diagnosis_write(&given.d, "c07", "d.json", &error), WCUT_OK);
+    c.a = 999;
+    ck_assert_int_eq(wcut_correction_read("d.json", &c, &error), WCUT_BAD_ARGUMENT);
+    ck_assert_str_eq(error.text, "d.json: it withholds its correction: nothing was modelled");
+    ck_assert_int_eq(wcut_correction_parse("{\"format\": \"wirecut-job/1\"}", 27, "x", &c, &error), WCUT_BAD_FORMAT);
+    ck_assert_int_eq(wcut_correction_parse("{\"format\": \"wirecut-diagnosis/1\"}", 33, "x", &c, &error),
+                     WCUT_BAD_FORMAT);
+    ck_assert_int_eq(wcut_correction_read("missing.json", &c, &error), WCUT_NOT_FOUND);
+    ck_assert_int_eq(wcut_correction_read(NULL, &c, &error), WCUT_BAD_ARGUMENT);
+    ck_assert_double_eq(c.a, 999);
+    unlink("d.json");
+}
+
+TEST(what_was_modelled_is_there_with_its_equation_and_events) {
+    give_diagnosis(&given);
+    given.d.kind = WCUT_VERDICT_UNKNOWN;
+    wcut_modelled *m = &given.d.modelled;
+    m->terms = 1;
+    m->term[0] = (wcut_found_effect){.effect = wcut_effect_choose(WCUT_EFFECT_EMPIRICAL_FORCE, 4), .present = true};
+    m->term[0].effect.value[0] = 0.3;
+    snprintf(m->equation, sizeof m->equation, "F = a exp(-b Q_eff) (1 + 0.3 sin(2 pi y / 70 mm))");
+    m->rivals = 1;
+    snprintf(m->rival[0], sizeof m->rival[0], "t / 100 s");
+    m->events = 1;
+    m->event[0] = (wcut_event){1, {12, 17}, {40, 60}, 0.8, 0.5, -0.2};
+    m->recalibrated = 0.5, m->after = 0.1;
+    json_t *root = printed();
+    ck_assert_str_eq(string(root, "modelled.terms.0.parameters.term"), "wave_y");
+    ck_assert_double_eq(number(root, "modelled.terms.0.parameters.coefficient.value"), 0.3);
+    ck_assert_str_eq(string(root, "modelled.equation"), m->equation);
+    ck_assert_str_eq(string(root, "modelled.alternatives.0"), "t / 100 s");
+    ck_assert_double_eq(number(root, "modelled.improvement.tension_N.after"), given.d.held_out_fit[2][1].rmsd);
+    ck_assert_double_eq(number(root, "modelled.improvement.tension_N_with_events.recalibrated"), 0.5);
+    ck_assert_double_eq(number(root, "modelled.events.0.time_s.1"), 17);
+    json_decref(root);
 }
 
 TEST(every_key_of_the_format_is_there_with_its_value) {

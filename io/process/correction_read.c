@@ -1,0 +1,83 @@
+/* "correction" of a wirecut-diagnosis/1: what jobs should say. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <wirecut/correction.h>
+
+#include "base/fail.h"
+#include "io/file/json_read.h"
+#include "io/file/read_file.h"
+#include "io/process/correction.h"
+#include "io/process/effect_json.h"
+
+#define FORMAT "wirecut-diagnosis/1"
+
+/* the correction, and the job that effects are read into */
+typedef struct filling {
+    wcut_correction made;
+    wcut_job effects;
+} filling;
+
+static bool read_kerf(wcut_reader *reader, const wcut_place *at, void *into) {
+    static const wcut_field fields[] = {
+        {"width_mm", true, wcut_read_not_negative, offsetof(wcut_correction, kerf)},
+        {"per_J_m2_mm", false, wcut_read_not_negative, offsetof(wcut_correction, kerf_per_q)}};
+    return json_is_null(at->value) || wcut_read_object(reader, at, fields, sizeof fields / sizeof *fields, into);
+}
+
+static bool read_effects(wcut_reader *reader, const wcut_place *at, void *into) {
+    filling *of = into;
+    if (!wcut_read_effects(reader, at, &of->effects)) return false;
+    if (of->effects.effect_count > WCUT_CORRECTION_EFFECTS)
+        return wcut_refuse(reader, at, WCUT_BAD_ARGUMENT, "%d effects at most", WCUT_CORRECTION_EFFECTS);
+    of->made.effects = of->effects.effect_count;
+    for (int e = 0; e < of->made.effects; e++) of->made.effect[e] = of->effects.effect[e];
+    return true;
+}
+
+#define IN(name) (offsetof(filling, made) + offsetof(wcut_correction, name))
+
+static bool read_correction(wcut_reader *reader, const wcut_place *root, filling *of) {
+    static const wcut_field fields[] = {{"a_N_per_mm", true, wcut_read_positive, IN(a)},
+                                        {"b_m2_per_J", true, wcut_read_positive, IN(b)},
+                                        {"length_change_mm", true, wcut_read_finite, IN(length_change)},
+                                        {"kerf", false, read_kerf, offsetof(filling, made)},
+                                        {"effects", false, read_effects, 0}};
+    const wcut_place format = wcut_place_member(root, "format"), at = wcut_place_member(root, "correction");
+    const char *name = json_string_value(format.value);
+    if (!name || strcmp(name, FORMAT) != 0) return wcut_refuse(reader, &format, WCUT_BAD_FORMAT, "\"" FORMAT "\"");
+    if (json_is_null(at.value)) {
+        const wcut_place why = wcut_place_member(root, "withheld");
+        const char *text = json_string_value(why.value);
+        wcut_fail(reader->error, WCUT_BAD_ARGUMENT, "%s: it withholds its correction: %.200s", reader->label,
+                  text ? text : "no reason is given");
+        reader->status = WCUT_BAD_ARGUMENT;
+        return false;
+    }
+    of->made.kerf = (double)NAN;
+    return wcut_read_object(reader, &at, fields, sizeof fields / sizeof *fields, of);
+}
+
+wcut_status wcut_correction_parse(const char *text, size_t length, const char *path, wcut_correction *correction,
+                                  wcut_error *error) {
+    wcut_reader reader = {path, error, WCUT_OK};
+    json_t *root = wcut_json_load(&reader, text, length);
+    if (!root) return reader.status;
+    const wcut_place at = {NULL, NULL, 0, root};
+    filling of = {.made = {.effects = 0}};
+    if (read_correction(&reader, &at, &of)) *correction = of.made;
+    free(of.effects.effect);
+    json_decref(root);
+    return reader.status;
+}
+
+wcut_status wcut_correction_read(const char *path, wcut_correction *correction, wcut_error *error) {
+    if (!path || !correction)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "wcut_correction_read: path or correction is NULL");
+    char *text = NULL;
+    size_t length = 0;
+    wcut_status status = wcut_file_read(path, WCUT_DIAGNOSIS_BYTES_MOST, &text, &length, error);
+    if (status == WCUT_OK) status = wcut_correction_parse(text, length, path, correction, error);
+    free(text);
+    return status;
+}

@@ -1,0 +1,42 @@
+/* The dictionary: empirical terms that the foam's force may follow, as a case is searched for them. */
+#ifndef WCUT_EXPLAIN_DICTIONARY_H
+#define WCUT_EXPLAIN_DICTIONARY_H
+
+#include "explain/fit.h"
+
+/* An entry: a term of empirical_force at a shape; its coefficient is what is sought. */
+typedef struct wcut_entry {
+    wcut_effect effect; /* coefficient 1; of a wave's second entry the cosine 1 */
+    bool carried;       /* time and way go on from cut to cut */
+    bool pair;          /* the next entry is the cosine of this sine */
+} wcut_entry;
+
+enum { WCUT_ENTRIES_MAX = 600 };
+
+/* What is tried in a case: shapes over the ranges of its blocks, speeds and heats. out: WCUT_ENTRIES_MAX. Gives how
+   many. */
+int wcut_dictionary_list(const wcut_evidence *evidence, wcut_entry *out);
+
+/* Which node counts how much: all in the foam alike, those near mount A more, those near mount B more. */
+typedef enum wcut_weight { WCUT_WEIGHT_EVEN, WCUT_WEIGHT_A, WCUT_WEIGHT_B, WCUT_WEIGHTS } wcut_weight;
+
+/*
+ * phi of an entry in the bins of a cut: the simulator's own formula at the nodes of a response along the exogenous
+ * trajectory, mean over the wire in the foam. response: with positions; out: WCUT_WEIGHTS x bins.
+ * WCUT_OK; WCUT_NO_MEMORY.
+ */
+wcut_status wcut_dictionary_eval(const wcut_evidence *evidence, int cut, const wcut_response *response,
+                                 const wcut_entry *entry, double *out);
+
+/* What an empirical term is in one cut of a case: time and way before it, its place in the order; a window belongs to one
+   cut alone. False where the term has no part in this cut. */
+bool wcut_term_place(const wcut_evidence *evidence, int cut, bool carried, wcut_effect *effect);
+
+/* the cut that a window belongs to is kept in its unused second strength */
+#define WCUT_WINDOW_CUT(effect) ((int)(effect)->value[1] - 1)
+
+/* how many values of an empirical term are fitted, and the k-th */
+int wcut_term_coordinates(const wcut_effect *effect);
+wcut_coordinate wcut_term_coordinate(const wcut_effect *effect, int k);
+
+#endif
