@@ -38,16 +38,21 @@ int main(int argc, char **argv) {
     wcut_deviation_summary *summary = NULL;
     const wcut_deviation_summary_result *result = NULL;
     wcut_error error = {0}; /* says place and expectation where a call fails */
-    const bool done = !wcut_job_read(path[0], &job, &error) && !wcut_setup_create(job, NULL, &setup, &error) &&
-                      !wcut_setup_run(setup, NULL, NULL, &history, &error) &&
-                      !wcut_face_create(job, history, NULL, NULL, 1e-3, &face) &&
-                      !wcut_cloud_read(path[1], NULL, &cloud, &error) && !summarise_cloud(face, cloud, &summary) &&
-                      !wcut_deviation_summary_eval(summary, &result) && !wcut_zones_write(result, path[2], &error);
-    if (done)
+    wcut_status status = wcut_job_read(path[0], &job, &error);
+    if (!status) status = wcut_setup_create(job, NULL, &setup, &error);
+    if (!status) status = wcut_setup_run(setup, NULL, NULL, &history, &error);
+    if (!status) status = wcut_face_create(job, history, NULL, NULL, 1e-3, &face);
+    if (!status) status = wcut_cloud_read(path[1], NULL, &cloud, &error);
+    if (!status) status = summarise_cloud(face, cloud, &summary);
+    if (!status) status = wcut_deviation_summary_eval(summary, &result);
+    if (!status) status = wcut_zones_write(result, path[2], &error);
+
+    /* a call without an error's text has its status to say */
+    if (!status)
         printf("%d deviations, RMS %.3f mm: offset %.3f, form %.3f, noise %.3f mm\n", result->statistics.count,
                result->statistics.rms, result->split.offset, result->split.form_rms, result->split.noise_rms);
     else
-        fprintf(stderr, "failed: %s\n", error.text);
+        fprintf(stderr, "failed: %s\n", error.text[0] ? error.text : wcut_status_text(status));
 
     wcut_deviation_summary_destroy(summary);
     wcut_cloud_destroy(cloud);
@@ -55,5 +60,5 @@ int main(int argc, char **argv) {
     wcut_history_destroy(history);
     wcut_setup_destroy(setup);
     wcut_job_destroy(job);
-    return done ? 0 : 1;
+    return status ? 1 : 0;
 }

@@ -20,6 +20,7 @@ static wcut_status draw_edges(wcut_job *job, const char *path, wcut_error *error
             job->edge_b = set->curve[1], set->curve[1] = NULL;
         }
         wcut_curve_set_destroy(set);
+        if (!job->edge_b) snprintf(error->text, sizeof error->text, "%s: expected two edges", path);
         return job->edge_b ? WCUT_OK : WCUT_BAD_FORMAT;
     }
     for (int k = 0; k < POINTS; k++) {
@@ -64,26 +65,31 @@ int main(int argc, char **argv) {
     wcut_error error = {0}; /* says place and expectation where a call fails */
     wcut_key key[WCUT_KEYS_AT_CORNERS];
     wcut_mould_options options = wcut_mould_default();
-    bool done = !wcut_job_create(&job) && !describe(job, argv[3], &error) &&
-                !wcut_setup_create(job, NULL, &setup, &error) && !wcut_setup_run(setup, NULL, NULL, &history, &error) &&
-                !wcut_surface_loft(history->stations, history->nodes, history->position, 1e-3, &surface, NULL, NULL) &&
-                !wcut_keys_at_corners(job->block_size, 15, -12, key); /* pockets, for pins on a base plate */
-    if (done) {
+    wcut_status status = wcut_job_create(&job);
+    if (!status) status = describe(job, argv[3], &error);
+    if (!status) status = wcut_setup_create(job, NULL, &setup, &error);
+    if (!status) status = wcut_setup_run(setup, NULL, NULL, &history, &error);
+    if (!status)
+        status = wcut_surface_loft(history->stations, history->nodes, history->position, 1e-3, &surface, NULL, NULL);
+    if (!status) status = wcut_keys_at_corners(job->block_size, 15, -12, key); /* pockets, for pins on a base plate */
+    if (!status) {
         options.prolong = 100; /* the last wire sags behind the far side: cut on, straight */
         options.kerf = job->kerf_width;
         options.key = key, options.key_count = WCUT_KEYS_AT_CORNERS;
-        done = !wcut_mould_create(surface, job->block_size, &options, &mould, &error);
+        status = wcut_mould_create(surface, job->block_size, &options, &mould, &error);
     }
-    if (done) {
+    if (!status) {
         const wcut_shape half[2] = {{.name = "lower half", .solid = mould->lower.brep},
                                     {.name = "upper half", .solid = mould->upper.brep}};
-        done = !wcut_step_write(2, half, WCUT_STEP_SCHEMA_AP214, path, &error);
+        status = wcut_step_write(2, half, WCUT_STEP_SCHEMA_AP214, path, &error);
     }
-    if (done)
+
+    /* a call without an error's text has its status to say */
+    if (!status)
         printf("%s: %.0f and %.0f mm3, %.0f mm3 of kerf\n", path, mould->lower.report.volume,
                mould->upper.report.volume, mould->kerf_volume);
     else
-        fprintf(stderr, "failed: %s\n", error.text[0] ? error.text : "expected two edges");
+        fprintf(stderr, "failed: %s\n", error.text[0] ? error.text : wcut_status_text(status));
 
     wcut_mould_destroy(mould);
     wcut_surface_destroy(surface);
@@ -94,5 +100,5 @@ int main(int argc, char **argv) {
         job->extra_length = NULL;
     }
     wcut_job_destroy(job);
-    return done ? 0 : 1;
+    return status ? 1 : 0;
 }

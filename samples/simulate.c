@@ -16,22 +16,27 @@ int main(int argc, char **argv) {
     wcut_surface *surface = NULL;
     wcut_mesh *mesh = NULL;
     wcut_error error = {0}; /* says place and expectation where a call fails */
-    const bool done =
-        !wcut_job_read(path[0], &job, &error) && !wcut_setup_create(job, NULL, &setup, &error) &&
-        !wcut_setup_run(setup, NULL, NULL, &history, &error) &&
-        /* sections nearer than 1 um are one; triangles within 0.1 mm of the surface */
-        !wcut_surface_loft(history->stations, history->nodes, history->position, 1e-3, &surface, NULL, NULL) &&
-        !wcut_surface_tessellate(surface, 0.1, &mesh, NULL) && !wcut_mesh_write_stl(mesh, path[1], &error) &&
-        !wcut_history_write_csv(history, job->mount_a, job->mount_b, path[2], &error);
-    if (done)
+    wcut_status status = wcut_job_read(path[0], &job, &error);
+    if (!status) status = wcut_setup_create(job, NULL, &setup, &error);
+    if (!status) status = wcut_setup_run(setup, NULL, NULL, &history, &error);
+
+    /* sections nearer than 1 um are one; triangles within 0.1 mm of the surface */
+    if (!status)
+        status = wcut_surface_loft(history->stations, history->nodes, history->position, 1e-3, &surface, NULL, NULL);
+    if (!status) status = wcut_surface_tessellate(surface, 0.1, &mesh, NULL);
+    if (!status) status = wcut_mesh_write_stl(mesh, path[1], &error);
+    if (!status) status = wcut_history_write_csv(history, job->mount_a, job->mount_b, path[2], &error);
+
+    /* a call without an error's text has its status to say */
+    if (!status)
         printf("%s: %d stations, %d triangles\n", job->name, history->stations, mesh->triangle_count);
     else
-        fprintf(stderr, "failed: %s\n", error.text);
+        fprintf(stderr, "failed: %s\n", error.text[0] ? error.text : wcut_status_text(status));
 
     wcut_mesh_destroy(mesh);
     wcut_surface_destroy(surface);
     wcut_history_destroy(history);
     wcut_setup_destroy(setup);
     wcut_job_destroy(job);
-    return done ? 0 : 1;
+    return status ? 1 : 0;
 }

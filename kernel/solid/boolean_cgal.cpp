@@ -81,8 +81,9 @@ struct Carry : PMP::Corefinement::Default_visitor<Mesh> {
 }  // namespace
 
 extern "C" wcut_status wcut_boolean_intersect(const wcut_mesh *a, const unsigned char *tag_a, const wcut_mesh *b,
-                                              const unsigned char *tag_b, wcut_mesh **result, unsigned char **tag) {
-    return wirecut::guard([&] {
+                                              const unsigned char *tag_b, wcut_mesh **result, unsigned char **tag,
+                                              wcut_error *error) {
+    return wirecut::guard(error, [&] {
         Mesh x, y, both;
         std::map<const Mesh *, Tags> tags;
         if (!load(*a, tag_a, x, tags[&x]) || !load(*b, tag_b, y, tags[&y])) return WCUT_DEGENERATE;
@@ -98,8 +99,8 @@ extern "C" wcut_status wcut_boolean_intersect(const wcut_mesh *a, const unsigned
     });
 }
 
-extern "C" wcut_status wcut_self_intersections(const wcut_mesh *mesh, int *pairs, wcut_vec3 *place) {
-    return wirecut::guard([&] {
+extern "C" wcut_status wcut_self_intersections(const wcut_mesh *mesh, int *pairs, wcut_vec3 *place, wcut_error *error) {
+    return wirecut::guard(error, [&] {
         Mesh x;
         Tags tags;
         if (!load(*mesh, nullptr, x, tags)) return WCUT_DEGENERATE;

@@ -56,9 +56,9 @@ static wcut_status enclose(const wcut_cap *floor, const wcut_cap *ceiling, int c
 
 /* Two caps that are met once by every vertical line and lie one above the other make a solid that nowhere meets itself:
    its sides are parts of planes. Otherwise CGAL looks. */
-static wcut_status prove_simple(int proven, wcut_part *part) {
+static wcut_status prove_simple(int proven, wcut_part *part, wcut_error *error) {
     if (proven) return WCUT_OK;
-    return wcut_self_intersections(part->mesh, &part->self_intersections, &part->place);
+    return wcut_self_intersections(part->mesh, &part->self_intersections, &part->place, error);
 }
 
 /* a border that crosses itself leaves no region on its side */
@@ -81,8 +81,8 @@ wcut_status wcut_halves_by_index(const wcut_division *d, const wcut_cut_face *lo
         if (status == WCUT_OK && d->width) status = enclose(&lower->cap, &upper->cap, 3, &p.kerf);
         name_enclosure(status, error);
     }
-    if (status == WCUT_OK) status = prove_simple(wcut_cap_is_graph(&lower->cap), &p.lower);
-    if (status == WCUT_OK) status = prove_simple(wcut_cap_is_graph(&upper->cap), &p.upper);
+    if (status == WCUT_OK) status = prove_simple(wcut_cap_is_graph(&lower->cap), &p.lower, error);
+    if (status == WCUT_OK) status = prove_simple(wcut_cap_is_graph(&upper->cap), &p.upper, error);
     if (status == WCUT_OK) {
         *parts = p;
     } else {
@@ -122,7 +122,7 @@ static wcut_status make_space(const wcut_division *d, const wcut_cap *floor, con
     wcut_cap_clear(&flat);
     if (status != WCUT_OK) return status;
     const int graph = (!floor || wcut_cap_is_graph(floor)) && (!ceiling || wcut_cap_is_graph(ceiling));
-    status = prove_simple(graph && cut != 3, space);
+    status = prove_simple(graph && cut != 3, space, error);
     if (status == WCUT_OK && space->self_intersections > 0)
         status = wcut_fail(error, WCUT_DEGENERATE, "the cut folds over itself near (%.6g, %.6g, %.6g) mm",
                            space->place.x, space->place.y, space->place.z);
@@ -134,12 +134,15 @@ static wcut_status make_space(const wcut_division *d, const wcut_cap *floor, con
 static wcut_status intersect(const wcut_part *stock, const wcut_part *space, const char *name, wcut_part *part,
                              wcut_error *error) {
     wcut_part p = {.mesh = NULL};
-    wcut_status status = wcut_boolean_intersect(stock->mesh, stock->tag, space->mesh, space->tag, &p.mesh, &p.tag);
+    wcut_error cause = {.text = ""};
+    wcut_status status =
+        wcut_boolean_intersect(stock->mesh, stock->tag, space->mesh, space->tag, &p.mesh, &p.tag, &cause);
     if (status != WCUT_OK)
-        return wcut_fail(error, status, "no boolean of the %s and the stock: %s", name, wcut_status_text(status));
+        return wcut_fail(error, status, "no boolean of the %s and the stock: %s", name,
+                         cause.text[0] ? cause.text : wcut_status_text(status));
     if (p.mesh->triangle_count == 0)
         status = wcut_fail(error, WCUT_DEGENERATE, "the cut misses the block: there is no %s", name);
-    if (status == WCUT_OK) status = wcut_self_intersections(p.mesh, &p.self_intersections, &p.place);
+    if (status == WCUT_OK) status = wcut_self_intersections(p.mesh, &p.self_intersections, &p.place, error);
     if (status == WCUT_OK) {
         *part = p;
     } else {

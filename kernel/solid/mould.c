@@ -81,7 +81,7 @@ static wcut_status check_stock(const wcut_mesh *stock, wcut_vec3 block, wcut_err
                          r.box_low.x, r.box_low.y, r.box_low.z, r.box_high.x, r.box_high.y, r.box_high.z);
     int pairs;
     wcut_vec3 at;
-    status = wcut_self_intersections(stock, &pairs, &at);
+    status = wcut_self_intersections(stock, &pairs, &at, error);
     if (status == WCUT_DEGENERATE) status = WCUT_BAD_ARGUMENT;
     if (status == WCUT_OK && pairs > 0) status = WCUT_BAD_ARGUMENT;
     if (status == WCUT_BAD_ARGUMENT) wcut_fail(error, status, "stock: the mesh meets itself");

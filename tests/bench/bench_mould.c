@@ -96,7 +96,7 @@ static void bench_booleans(const wcut_mesh *cutter) {
         for (int k = 0; k < 2; k++) {
             wcut_mesh *half;
             unsigned char *tag;
-            check(wcut_boolean_intersect(stock, NULL, side[k], NULL, &half, &tag), "boolean");
+            check(wcut_boolean_intersect(stock, NULL, side[k], NULL, &half, &tag, NULL), "boolean");
             wcut_mesh_destroy(half);
             wcut_free(tag);
         }

@@ -113,7 +113,7 @@ TEST(booleans_and_halves_by_index_agree) {
         /* CGAL finds the halves by index to be free of self-intersections, as is claimed */
         int pairs = 999;
         wcut_vec3 at = {999, 999, 999};
-        ck_assert_int_eq(wcut_self_intersections(by_index->upper.mesh, &pairs, &at), WCUT_OK);
+        ck_assert_int_eq(wcut_self_intersections(by_index->upper.mesh, &pairs, &at, NULL), WCUT_OK);
         ck_assert(pairs == 0 && at.x == 999);
         wcut_mould_destroy(by_boolean);
         wcut_mould_destroy(by_index);
@@ -176,7 +176,7 @@ TEST(boxes_that_overlap_or_not_have_the_intersection_that_they_have) {
     wcut_mesh *far = box_of(vec3(5, 5, 5), vec3(6, 6, 6)), *r = NULL;
     unsigned char tag[12], *got = NULL;
     memset(tag, 7, sizeof tag);
-    ck_assert_int_eq(wcut_boolean_intersect(a, tag, b, NULL, &r, &got), WCUT_OK);
+    ck_assert_int_eq(wcut_boolean_intersect(a, tag, b, NULL, &r, &got, NULL), WCUT_OK);
     ck_assert_double_le(fabs(cut_volume(r) - 1), 1e-12);
     ck_assert(cut_is_closed(r));
     double tagged = 0; /* three of the unit cube's six faces are of the first box */
@@ -190,7 +190,7 @@ TEST(boxes_that_overlap_or_not_have_the_intersection_that_they_have) {
     ck_assert_double_le(fabs(tagged - 3), 1e-12);
     wcut_mesh_destroy(r);
     wcut_free(got);
-    ck_assert_int_eq(wcut_boolean_intersect(a, tag, far, NULL, &r, &got), WCUT_OK);
+    ck_assert_int_eq(wcut_boolean_intersect(a, tag, far, NULL, &r, &got, NULL), WCUT_OK);
     ck_assert_int_eq(r->triangle_count, 0);
     wcut_mesh_destroy(r);
     wcut_free(got);
@@ -199,14 +199,14 @@ TEST(boxes_that_overlap_or_not_have_the_intersection_that_they_have) {
     wcut_mesh *kept = mark;
     unsigned char *tags = tag;
     b->triangle[1] = b->triangle[0]; /* no solid */
-    ck_assert_int_eq(wcut_boolean_intersect(a, tag, b, NULL, &kept, &tags), WCUT_DEGENERATE);
+    ck_assert_int_eq(wcut_boolean_intersect(a, tag, b, NULL, &kept, &tags, NULL), WCUT_DEGENERATE);
     ck_assert(kept == mark && tags == tag);
     int pairs = 999;
     wcut_vec3 at = {999, 999, 999};
-    ck_assert_int_eq(wcut_self_intersections(b, &pairs, &at), WCUT_DEGENERATE);
+    ck_assert_int_eq(wcut_self_intersections(b, &pairs, &at, NULL), WCUT_DEGENERATE);
     ck_assert_int_eq(pairs, 999);
     a->vertex[0] = vec3(3, 3, 3); /* a corner pushed through the opposite one */
-    ck_assert_int_eq(wcut_self_intersections(a, &pairs, &at), WCUT_OK);
+    ck_assert_int_eq(wcut_self_intersections(a, &pairs, &at, NULL), WCUT_OK);
     ck_assert(pairs > 0 && at.x >= 0 && at.x <= 3);
     wcut_mesh_destroy(far);
     wcut_mesh_destroy(b);

@@ -27,7 +27,11 @@ typedef struct wcut_box {
  */
 WCUT_API wcut_status wcut_curve_bounds(const wcut_curve *curve, double tolerance, wcut_box *box);
 
-/** A box that holds a surface; as wcut_curve_bounds. */
+/**
+ * A box that holds a surface; as wcut_curve_bounds.
+ *
+ * @return As wcut_curve_bounds.
+ */
 WCUT_API wcut_status wcut_surface_bounds(const wcut_surface *surface, double tolerance, wcut_box *box);
 
 /**

@@ -58,9 +58,20 @@ WCUT_API wcut_status wcut_deviation_print(const wcut_compared *compared, char **
 /* The writers: the target is replaced whole or left as it was. @return WCUT_OK: the file is wholly on disk;
    WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as it was; error may be NULL. */
 
+/**
+ * The same text into deviation.json.
+ *
+ * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as
+ *         it was.
+ */
 WCUT_API wcut_status wcut_deviation_write(const wcut_compared *compared, const char *path, wcut_error *error);
 
-/** zones.csv: a row a zone; an empty field where a zone has no points. */
+/**
+ * zones.csv: a row a zone; an empty field where a zone has no points.
+ *
+ * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as
+ *         it was.
+ */
 WCUT_API wcut_status wcut_zones_write(const wcut_deviation_summary_result *found, const char *path, wcut_error *error);
 
 /**
@@ -71,10 +82,14 @@ WCUT_API wcut_status wcut_zones_write(const wcut_deviation_summary_result *found
  * @param[in] value   mesh->vertex_count [mm], finite
  * @param[in] present mesh->vertex_count; NULL: everywhere
  * @param[in] limit   [mm] value of the strongest colour, positive
+ * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as
+ *         it was.
  */
 WCUT_API wcut_status wcut_deviation_mesh_write_ply(const wcut_mesh *mesh, const double *value,
                                                    const unsigned char *present, double limit, const char *path,
                                                    wcut_error *error);
+
+/** The same as OBJ: vertices with colours. @return As wcut_deviation_mesh_write_ply. */
 WCUT_API wcut_status wcut_deviation_mesh_write_obj(const wcut_mesh *mesh, const double *value,
                                                    const unsigned char *present, double limit, const char *path,
                                                    wcut_error *error);
@@ -82,18 +97,31 @@ WCUT_API wcut_status wcut_deviation_mesh_write_obj(const wcut_mesh *mesh, const 
 /** deviation.ply, written as points come, however many: position, deviation_mm, place, colour. */
 typedef struct wcut_deviation_stream wcut_deviation_stream;
 
-/** Begin it in a temporary file beside the target. limit: [mm] value of the strongest colour, positive; normals: 1 where
-    points come with them. */
+/**
+ * Begin it in a temporary file beside the target. limit: [mm] value of the strongest colour, positive; normals: 1
+ * where points come with them.
+ *
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: nothing was written.
+ */
 WCUT_API wcut_status wcut_deviation_stream_create(const char *path, double limit, int normals,
                                                   wcut_deviation_stream **stream, wcut_error *error);
 
-/** Append count finite points, their normals (NULL if begun without) and deviations; those that do not count are grey and
-    nan. */
+/**
+ * Append count finite points, their normals (NULL if begun without) and deviations; those that do not count are grey
+ * and nan.
+ *
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was appended; WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the stream is of no
+ *         use any more, the target is as it was.
+ */
 WCUT_API wcut_status wcut_deviation_stream_append(wcut_deviation_stream *stream, int count, const wcut_vec3 *point,
                                                   const wcut_vec3 *normal, const wcut_deviation *deviation,
                                                   wcut_error *error);
 
-/** Finish the file and put it in its place; the stream stays to be destroyed. */
+/**
+ * Finish the file and put it in its place; the stream stays to be destroyed.
+ *
+ * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NOT_WRITTEN: the target is as it was.
+ */
 WCUT_API wcut_status wcut_deviation_stream_commit(wcut_deviation_stream *stream, wcut_error *error);
 
 /** Free a stream; what was not committed is removed. NULL is allowed. */

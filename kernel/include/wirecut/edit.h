@@ -45,18 +45,34 @@ WCUT_API wcut_status wcut_curve_split(const wcut_curve *curve, double u, wcut_cu
  */
 WCUT_API wcut_status wcut_curve_reverse(const wcut_curve *curve, wcut_curve **result);
 
-/** The same surface with a knot inserted in one direction; as wcut_curve_insert_knot. */
+/**
+ * The same surface with a knot inserted in one direction; as wcut_curve_insert_knot.
+ *
+ * @return As wcut_curve_insert_knot; WCUT_BAD_ARGUMENT for no direction, too.
+ */
 WCUT_API wcut_status wcut_surface_insert_knot(const wcut_surface *surface, wcut_direction direction, double at,
                                               int times, wcut_surface **result);
 
-/** The two parts of a surface on either side of a parameter of one direction; as wcut_curve_split. */
+/**
+ * The two parts of a surface on either side of a parameter of one direction; as wcut_curve_split.
+ *
+ * @return As wcut_curve_split; WCUT_BAD_ARGUMENT for no direction, too.
+ */
 WCUT_API wcut_status wcut_surface_split(const wcut_surface *surface, wcut_direction direction, double at,
                                         wcut_surface **low, wcut_surface **high);
 
-/** The same surface with one direction run through backwards, its normals the other way; as wcut_curve_reverse. */
+/**
+ * The same surface with one direction run through backwards, its normals the other way; as wcut_curve_reverse.
+ *
+ * @return As wcut_curve_reverse; WCUT_BAD_ARGUMENT for no direction, too.
+ */
 WCUT_API wcut_status wcut_surface_reverse(const wcut_surface *surface, wcut_direction direction, wcut_surface **result);
 
-/** The same surface with u and v exchanged, its normals the other way: result(u, v) = surface(v, u). */
+/**
+ * The same surface with u and v exchanged, its normals the other way: result(u, v) = surface(v, u).
+ *
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
+ */
 WCUT_API wcut_status wcut_surface_transpose(const wcut_surface *surface, wcut_surface **result);
 
 /**

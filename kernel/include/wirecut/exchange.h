@@ -99,8 +99,12 @@ WCUT_API wcut_status wcut_stl_stream_create(const char *path, wcut_stl_stream **
 WCUT_API wcut_status wcut_stl_stream_append(wcut_stl_stream *stream, int count, const wcut_vec3 *corner,
                                             wcut_error *error);
 
-/** Put the file in its place; the stream stays to be destroyed. WCUT_BAD_ARGUMENT: no triangle was appended;
- *  WCUT_NOT_WRITTEN: the target is as it was. */
+/**
+ * Put the file in its place; the stream stays to be destroyed.
+ *
+ * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT (no triangle was appended), WCUT_NOT_WRITTEN: the
+ *         target is as it was.
+ */
 WCUT_API wcut_status wcut_stl_stream_commit(wcut_stl_stream *stream, wcut_error *error);
 
 /** Free a stream; what was not committed is removed. NULL is allowed. */

@@ -128,6 +128,8 @@ WCUT_API wcut_status wcut_mould_create(const wcut_surface *surface, wcut_vec3 bl
 /** Free a mould; NULL is allowed. */
 WCUT_API void wcut_mould_destroy(wcut_mould *mould);
 
+enum { WCUT_KEYS_AT_CORNERS = 6 };
+
 /**
  * Three keys on the uncut face of each half, near its corners at x low and y low, at x high and y low, and at x low and
  * y high, so that a half fits in one way only; flanks 20 deg from the axis, radius / 2 away from the block's sides.
@@ -138,7 +140,6 @@ WCUT_API void wcut_mould_destroy(wcut_mould *mould);
  * @param[out] key        WCUT_KEYS_AT_CORNERS
  * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was written.
  */
-enum { WCUT_KEYS_AT_CORNERS = 6 };
 WCUT_API wcut_status wcut_keys_at_corners(wcut_vec3 block_size, double radius, double height, wcut_key *key);
 
 /**

@@ -22,7 +22,11 @@ extern "C" {
  */
 WCUT_API wcut_status wcut_mould_write(const wcut_mould *mould, const char *name, const char *path, wcut_error *error);
 
-/** The text of `mould.json`: the caller's, to free(); ends with a line feed. Statuses as wcut_mould_write. */
+/**
+ * The text of `mould.json`: the caller's, to free(); ends with a line feed.
+ *
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
+ */
 WCUT_API wcut_status wcut_mould_print(const wcut_mould *mould, const char *name, char **text);
 
 #ifdef __cplusplus

@@ -29,7 +29,11 @@ typedef struct wcut_affine {
  */
 WCUT_API wcut_status wcut_curve_elevate(const wcut_curve *curve, int times, wcut_curve **result);
 
-/** The same surface with a higher degree in one direction; as wcut_curve_elevate. */
+/**
+ * The same surface with a higher degree in one direction; as wcut_curve_elevate.
+ *
+ * @return As wcut_curve_elevate; WCUT_BAD_ARGUMENT for no direction, too.
+ */
 WCUT_API wcut_status wcut_surface_elevate(const wcut_surface *surface, wcut_direction direction, int times,
                                           wcut_surface **result);
 
@@ -46,8 +50,12 @@ WCUT_API wcut_status wcut_surface_elevate(const wcut_surface *surface, wcut_dire
 WCUT_API wcut_status wcut_curve_remove_knots(const wcut_curve *curve, double tolerance, wcut_curve **result,
                                              double *error);
 
-/** A surface with as many knots of both directions removed as a tolerance allows, its corners kept; as
- *  wcut_curve_remove_knots. */
+/**
+ * A surface with as many knots of both directions removed as a tolerance allows, its corners kept; as
+ * wcut_curve_remove_knots.
+ *
+ * @return As wcut_curve_remove_knots.
+ */
 WCUT_API wcut_status wcut_surface_remove_knots(const wcut_surface *surface, double tolerance, wcut_surface **result,
                                                double *error);
 
@@ -91,7 +99,11 @@ WCUT_API wcut_status wcut_surface_join(const wcut_surface *low, const wcut_surfa
  */
 WCUT_API wcut_status wcut_curve_transform(const wcut_curve *curve, const wcut_affine *map, wcut_curve **result);
 
-/** The image of a surface; as wcut_curve_transform. A map that mirrors turns the normals to the other side. */
+/**
+ * The image of a surface; as wcut_curve_transform. A map that mirrors turns the normals to the other side.
+ *
+ * @return As wcut_curve_transform.
+ */
 WCUT_API wcut_status wcut_surface_transform(const wcut_surface *surface, const wcut_affine *map, wcut_surface **result);
 
 #ifdef __cplusplus

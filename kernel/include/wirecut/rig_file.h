@@ -19,7 +19,12 @@ extern "C" {
  */
 WCUT_API wcut_status wcut_rig_summary_print(const wcut_rig_summary *summary, char **text);
 
-/** Write `control.json`: the same text, whole or not at all. As above; WCUT_NOT_WRITTEN: the target is as it was. */
+/**
+ * Write `control.json`: the same text, whole or not at all. As above; WCUT_NOT_WRITTEN: the target is as it was.
+ *
+ * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as
+ *         it was.
+ */
 WCUT_API wcut_status wcut_rig_summary_write(const wcut_rig_summary *summary, const char *path, wcut_error *error);
 
 #ifdef __cplusplus

@@ -22,7 +22,12 @@ extern "C" {
 WCUT_API wcut_status wcut_score_print(int n, const wcut_scored_cut *cut, const wcut_comparison_options *options,
                                       char **text);
 
-/** wcut_score_print into a file, replaced whole or not at all; WCUT_NOT_WRITTEN, too. */
+/**
+ * wcut_score_print into a file, replaced whole or not at all; WCUT_NOT_WRITTEN, too.
+ *
+ * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as
+ *         it was.
+ */
 WCUT_API wcut_status wcut_score_write(int n, const wcut_scored_cut *cut, const wcut_comparison_options *options,
                                       const char *path, wcut_error *error);
 

@@ -50,7 +50,11 @@ WCUT_API wcut_status wcut_histogram_create(int bands, const double *band, wcut_h
  */
 WCUT_API wcut_status wcut_histogram_add(wcut_histogram *histogram, int count, const double *deviation);
 
-/** The figures so far. WCUT_OK; WCUT_BAD_ARGUMENT: nothing was written. */
+/**
+ * The figures so far.
+ *
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was written.
+ */
 WCUT_API wcut_status wcut_histogram_eval(const wcut_histogram *histogram, wcut_statistics *statistics);
 
 /** Free a histogram; NULL is allowed. */

@@ -16,23 +16,53 @@ extern "C" {
    at. @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is
    as it was; error (may be NULL) says path and cause. */
 
-/** Binary STL; the header says millimetres. */
+/**
+ * Binary STL; the header says millimetres.
+ *
+ * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as
+ *         it was.
+ */
 WCUT_API wcut_status wcut_mesh_write_stl(const wcut_mesh *mesh, const char *path, wcut_error *error);
 
-/** OBJ with normals and texture coordinates where the mesh has them; a comment says millimetres. */
+/**
+ * OBJ with normals and texture coordinates where the mesh has them; a comment says millimetres.
+ *
+ * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as
+ *         it was.
+ */
 WCUT_API wcut_status wcut_mesh_write_obj(const wcut_mesh *mesh, const char *path, wcut_error *error);
 
-/** Binary little-endian PLY, double coordinates; a scalar becomes the property `name` and a vertex colour. */
+/**
+ * Binary little-endian PLY, double coordinates; a scalar becomes the property `name` and a vertex colour.
+ *
+ * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as
+ *         it was.
+ */
 WCUT_API wcut_status wcut_mesh_write_ply(const wcut_mesh *mesh, const char *name, const char *path, wcut_error *error);
 
-/** Binary glTF in metres as glTF demands (scale on the root node, coordinates in mm), scalar as vertex colour. */
+/**
+ * Binary glTF in metres as glTF demands (scale on the root node, coordinates in mm), scalar as vertex colour.
+ *
+ * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as
+ *         it was.
+ */
 WCUT_API wcut_status wcut_mesh_write_glb(const wcut_mesh *mesh, const char *path, wcut_error *error);
 
-/** `path.csv` (FORMATS.md, Path curves): one row a station. mount_a, mount_b: history->stations [mm]. */
+/**
+ * `path.csv` (FORMATS.md, Path curves): one row a station. mount_a, mount_b: history->stations [mm].
+ *
+ * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as
+ *         it was.
+ */
 WCUT_API wcut_status wcut_history_write_csv(const wcut_history *history, const wcut_vec3 *mount_a,
                                             const wcut_vec3 *mount_b, const char *path, wcut_error *error);
 
-/** `history.vtp` of a whole history: one polyline a station, exact doubles, appended raw. */
+/**
+ * `history.vtp` of a whole history: one polyline a station, exact doubles, appended raw.
+ *
+ * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as
+ *         it was.
+ */
 WCUT_API wcut_status wcut_history_write_vtp(const wcut_history *history, const char *path, wcut_error *error);
 
 /** A `.vtp` written station by station, for a history that memory should not hold. */
@@ -46,14 +76,25 @@ typedef struct wcut_vtp_stream wcut_vtp_stream;
  * @param[in]  nodes    of every station
  * @param[out] stream   the caller's, to wcut_vtp_stream_commit or wcut_vtp_stream_destroy
  * @param[out] error    may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (also a size beyond what the format can say), WCUT_NO_MEMORY, WCUT_NOT_WRITTEN:
+ *         nothing was written.
  */
 WCUT_API wcut_status wcut_vtp_stream_create(const char *path, int stations, int nodes, wcut_vtp_stream **stream,
                                             wcut_error *error);
 
-/** Append a station. */
+/**
+ * Append a station.
+ *
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (also another number of nodes, or more stations than said): nothing was
+ *         appended; WCUT_NOT_WRITTEN: the stream is of no use any more, the target is as it was.
+ */
 WCUT_API wcut_status wcut_vtp_stream_append(wcut_vtp_stream *stream, const wcut_station *station, wcut_error *error);
 
-/** Finish the file with the stations appended and put it in its place; the stream stays to be destroyed. */
+/**
+ * Finish the file with the stations appended and put it in its place; the stream stays to be destroyed.
+ *
+ * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NOT_WRITTEN: the target is as it was.
+ */
 WCUT_API wcut_status wcut_vtp_stream_commit(wcut_vtp_stream *stream, wcut_error *error);
 
 /** Free a stream; what was not committed is removed. NULL is allowed. */
@@ -64,6 +105,8 @@ WCUT_API void wcut_vtp_stream_destroy(wcut_vtp_stream *stream);
  *
  * @param[in] setup      that the history came from
  * @param[in] history    at least one station
+ * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as
+ *         it was.
  */
 WCUT_API wcut_status wcut_summary_write(const wcut_setup *setup, const wcut_history *history, const char *path,
                                         wcut_error *error);
@@ -72,6 +115,7 @@ WCUT_API wcut_status wcut_summary_write(const wcut_setup *setup, const wcut_hist
  * The text of `summary.json`.
  *
  * @param[out] text the caller's, to free(); ends with a line feed
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
  */
 WCUT_API wcut_status wcut_summary_print(const wcut_setup *setup, const wcut_history *history, char **text);
 
