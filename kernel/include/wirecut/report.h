@@ -208,7 +208,9 @@ WCUT_API wcut_status wcut_file_hash(const char *path, char *text, wcut_error *er
 
 /**
  * The same for the sources of a report: "" of one that came through a pipe, which cannot be read once more, and of
- * path NULL. A regular file that cannot be read again is a failure, with the statuses of wcut_file_hash.
+ * path NULL.
+ *
+ * @return WCUT_OK; a regular file that cannot be read again is a failure, with the statuses of wcut_file_hash.
  */
 WCUT_API wcut_status wcut_source_hash(const char *path, char *text, wcut_error *error);
 
