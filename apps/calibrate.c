@@ -1,4 +1,5 @@
 /* wirecut calibrate: a table of steady test cuts to the force and tension law of a job. */
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,13 +18,16 @@ typedef struct calibration {
     wcut_calibration_options options;
     wcut_calibration fit;
     wcut_calibration_point *point;
+    int slips;
+    wcut_slip *slip;
     wcut_report_calibrate of; /* all of the above, as the page wants it */
     char (*sentence)[WCUT_REPORT_SENTENCE];
     const char **warning; /* the sentences, as the page wants them */
     app_results results;
 } calibration;
 
-enum { WARNINGS_OF_ALL = 6 }; /* beside one a cut */
+enum { WARNINGS_OF_ALL = 8 }; /* beside two a cut */
+#define ALPHA_IN_RADIANS 1.2  /* [deg] no table of test cuts has smaller angles throughout */
 
 static const char *const result_name[] = {"report.html", "force_law.json", NULL};
 
@@ -42,13 +46,18 @@ static int load(calibration *c) {
 
 static int fit(calibration *c) {
     wcut_error error = {0};
-    const size_t max = (size_t)c->cuts + WARNINGS_OF_ALL;
+    const size_t max = 2 * (size_t)c->cuts + WARNINGS_OF_ALL;
     c->point = calloc((size_t)c->cuts + 1, sizeof *c->point);
     c->sentence = calloc(max, sizeof *c->sentence);
     c->warning = calloc(max, sizeof *c->warning);
-    if (!c->point || !c->sentence || !c->warning) return app_fail_status(WCUT_NO_MEMORY, c->path, NULL);
+    c->slip = calloc((size_t)c->cuts + 1, sizeof *c->slip);
+    if (!c->point || !c->sentence || !c->warning || !c->slip) return app_fail_status(WCUT_NO_MEMORY, c->path, NULL);
     wcut_status status = wcut_calibration_fit(c->cuts, c->cut, &c->options, &c->fit, c->point, &error);
-    return status == WCUT_OK ? APP_DONE : app_fail_status(status, c->path, &error);
+    if (status != WCUT_OK) return app_fail_status(status, c->path, &error);
+
+    /* a robust fit that does not come to rest has no outliers to show */
+    status = wcut_calibration_slips(c->cuts, c->cut, &c->options, &c->slips, c->slip, &error);
+    return status != WCUT_NO_MEMORY ? APP_DONE : app_fail_status(status, c->path, &error);
 }
 
 /* force_law.json vouches for the page beside it: both are of the same cuts */
@@ -104,6 +113,47 @@ static void warn(calibration *c, const char *format, ...) {
     va_end(arguments);
 }
 
+/* cuts far off the law of the others: which line, by how much, and the slip that would explain it */
+static void warn_of_slips(calibration *c) {
+    static const char *const column[] = {"", "heat_W_per_m", "speed_mm_s", "engaged_mm", "tension_N", "alpha_deg"};
+    for (int k = 0; k < c->slips; k++) {
+        const wcut_slip *s = &c->slip[k];
+        const wcut_test_cut *cut = &c->cut[s->cut];
+        const double value[] = {
+            0, cut->heat, cut->speed, cut->engaged, cut->tension_a, cut->alpha_a * WCUT_DEG_PER_RAD};
+        if (s->column == WCUT_SLIP_COLUMN_NONE)
+            warn(c, "line %d is an outlier: its force is %.3g times that of the law of the other cuts%s", cut->line,
+                 s->ratio, c->options.loss == WCUT_LOSS_SQUARE ? "; try --robust" : "; it has almost no weight");
+        else
+            warn(c,
+                 "line %d is an outlier: its force is %.3g times that of the law of the other cuts; %s %.6g instead of "
+                 "%.6g would "
+                 "fit: "
+                 "check the decimal point%s",
+                 cut->line, s->ratio, column[s->column], value[s->column] * s->factor, value[s->column],
+                 c->options.loss == WCUT_LOSS_SQUARE ? ", or try --robust" : "; it has almost no weight");
+    }
+}
+
+/* angles in radians pass for a foam that hardly resists */
+static void warn_of_angles(calibration *c) {
+    double max = 0;
+    for (int i = 0; i < c->cuts; i++) {
+        const double alpha = WCUT_DEG_PER_RAD * fabs(c->cut[i].alpha_a);
+        max = fmax(max, alpha);
+        if (alpha > 10)
+            warn(c,
+                 "line %d: the wire trails by more than 10 deg, %.3g deg; in a test cut it should be nearly straight",
+                 c->cut[i].line, alpha);
+    }
+    if (max < ALPHA_IN_RADIANS)
+        warn(c,
+             "alpha_deg is %.3g or less in every cut: these look like radians (%.3g deg); a wire in a test cut trails "
+             "by 2 "
+             "to 10 deg",
+             max, max * WCUT_DEG_PER_RAD);
+}
+
 /* what the user should know before cutting by these numbers */
 static void find_warnings(calibration *c) {
     const wcut_calibration *fit = &c->fit;
@@ -122,16 +172,13 @@ static void find_warnings(calibration *c) {
         warn(c,
              "only one heat: the cuts cannot show whether the force depends on Q_eff alone or heat is lost elsewhere");
     if (fit->speeds < 2) warn(c, "only one speed: the cuts cannot show a dependence on the speed itself");
-    if (fit->large_angles > 0)
-        warn(c, "in %d of %d cuts the wire trails by more than 10 deg; in a test cut it should be nearly straight",
-             fit->large_angles, c->cuts);
-    if (against > 2)
+    warn_of_slips(c);
+    warn_of_angles(c);
+
+    /* the form of the scatter is not to be seen as long as outliers make it */
+    if (against > 2 && c->slips == 0)
         warn(c, "the scatter is rather %s (log likelihood ratio %.1f); try --noise %s",
              relative ? "absolute" : "relative", against, relative ? "absolute" : "relative");
-    for (int i = 0; i < c->cuts; i++)
-        if (c->point[i].force.loss_weight < 0.1)
-            warn(c, "line %d is an outlier (%.1f standard deviations) and has almost no weight", c->cut[i].line,
-                 c->point[i].force.residual);
 }
 
 static void describe(calibration *c) {
@@ -155,6 +202,7 @@ static int calibrate(const app_call *call) {
         for (int i = 0; i < c.of.warnings; i++) app_say("warning: %s", c.warning[i]);
     }
     app_results_end(&c.results);
+    free(c.slip);
     free(c.warning);
     free(c.sentence);
     free(c.point);

@@ -110,6 +110,19 @@ static void read_cut(run *r, int i) {
         else
             note_bad(r, status, &error, "the cut is left out");
     }
+    wcut_doubt doubt[WCUT_DOUBTS_MAX];
+    int doubts = 0;
+    if (status == WCUT_OK) status = wcut_recording_check(t->job, t->recording, &doubts, doubt);
+    for (int k = 0; k < doubts; k++) {
+        if (doubt[k].certain) {
+            note_bad(r, doubt[k].error.status, &doubt[k].error, "the cut is left out");
+            wcut_recording_destroy(t->recording);
+            t->recording = NULL;
+            status = doubt[k].error.status;
+            break;
+        }
+        app_say("%s: warning: %s", files->recording, doubt[k].error.text);
+    }
     if (status == WCUT_OK && files->scan) {
         status = wcut_cloud_read(files->scan, NULL, &t->scan, &error);
         if (status == WCUT_OK)

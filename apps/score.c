@@ -101,6 +101,26 @@ static int list_cuts(scoring *s) {
                     s->call->operand[0], format);
 }
 
+/* what contradicts the job is said; a clock that no machine has is the end of the cut */
+static wcut_status doubt_trial(const scoring *s, trial *t) {
+    wcut_doubt doubt[WCUT_DOUBTS_MAX];
+    int count = 0;
+    const wcut_status status = wcut_recording_check(s->trial[t->job_of].job, t->recording, &count, doubt);
+    if (status != WCUT_OK) return status;
+    for (int k = 0; k < count; k++) {
+        if (!doubt[k].certain) {
+            app_say("%s: warning: %s", t->recording_path, doubt[k].error.text);
+            continue;
+        }
+        t->error.status = doubt[k].error.status;
+        snprintf(t->error.text, sizeof t->error.text, "%.150s: %.300s", t->recording_path, doubt[k].error.text);
+        wcut_recording_destroy(t->recording);
+        t->recording = NULL;
+        return t->error.status;
+    }
+    return WCUT_OK;
+}
+
 /* read a cut's files; what is wrong with them is the cut's */
 static wcut_status read_trial(scoring *s, trial *t) {
     wcut_status status = WCUT_OK;
@@ -111,7 +131,7 @@ static wcut_status read_trial(scoring *s, trial *t) {
         return t->error.status;
     }
     if (status == WCUT_OK) status = wcut_recording_read(t->recording_path, &t->recording, &t->error);
-    return status;
+    return status == WCUT_OK ? doubt_trial(s, t) : status;
 }
 
 static int load(scoring *s) {
@@ -255,19 +275,31 @@ static int write_results(scoring *s) {
 
 /* ---- the summary ---- */
 
-static void put_figure(char *to, size_t size, const wcut_score *s) {
-    if (s->range > 0)
-        snprintf(to, size, "%8.4f", s->nrmsd);
-    else
+typedef enum figure { FIGURE_NRMSD, FIGURE_RMSE, FIGURE_BIAS, FIGURES } figure;
+
+static void put_figure(char *to, size_t size, const wcut_score *s, int scored, figure what) {
+    const bool angle = scored == WCUT_SCORED_ALPHA || scored == WCUT_SCORED_BETA;
+    if (s->count == 0 || (what != FIGURE_BIAS && !(s->range > 0)))
         snprintf(to, size, "%8s", "-");
+    else if (what == FIGURE_BIAS)
+        snprintf(to, size, "%+8.3g", s->bias * (angle ? WCUT_DEG_PER_RAD : 1));
+    else
+        snprintf(to, size, "%8.4f", what == FIGURE_NRMSD ? s->nrmsd : s->rmse_over_range);
 }
 
-static void say_row(const char *name, const wcut_scores *planned, const wcut_scores *replayed) {
-    char figure[7][32];
-    for (int k = 0; k < 4; k++) put_figure(figure[k], sizeof figure[k], &planned->of[k][WCUT_PART_ALL]);
-    for (int k = 1; k < 4; k++) put_figure(figure[k + 3], sizeof figure[k + 3], &replayed->of[k][WCUT_PART_ALL]);
-    app_say("%-24.24s %s %s %s %s   %s %s %s", name, figure[0], figure[1], figure[2], figure[3], figure[4], figure[5],
-            figure[6]);
+/* a line of a figure of each channel, planned and replayed */
+static void say_row(const char *name, const wcut_scores *planned, const wcut_scores *replayed, figure what) {
+    char text[7][32];
+    for (int k = 0; k < 4; k++) put_figure(text[k], sizeof text[k], &planned->of[k][WCUT_PART_ALL], k, what);
+    for (int k = 1; k < 4; k++) put_figure(text[k + 3], sizeof text[k + 3], &replayed->of[k][WCUT_PART_ALL], k, what);
+    app_say("%-24.24s %s %s %s %s   %s %s %s", name, text[0], text[1], text[2], text[3], text[4], text[5], text[6]);
+}
+
+/* NRMSD is blind to a bias: the two that see it stand below it */
+static void say_rows(const char *name, const wcut_scores *planned, const wcut_scores *replayed) {
+    say_row(name, planned, replayed, FIGURE_NRMSD);
+    say_row("  RMSE/range", planned, replayed, FIGURE_RMSE);
+    say_row("  bias (mm/s, N, deg)", planned, replayed, FIGURE_BIAS);
 }
 
 /* the highest of each figure over the groups, told apart from NRMSD 0 by its range */
@@ -278,7 +310,7 @@ static void say_worst(const scoring *s) {
             if (s->planned[g].of[k][0].nrmsd >= planned.of[k][0].nrmsd) planned.of[k][0] = s->planned[g].of[k][0];
             if (s->replayed[g].of[k][0].nrmsd >= replayed.of[k][0].nrmsd) replayed.of[k][0] = s->replayed[g].of[k][0];
         }
-    say_row("worst", &planned, &replayed);
+    say_row("worst", &planned, &replayed, FIGURE_NRMSD);
 }
 
 static void say_samples(const scoring *s) {
@@ -300,9 +332,9 @@ static void say_table(const scoring *s) {
     app_say("NRMSD                     planned                                replayed");
     app_say("%-24s %8s %8s %8s %8s   %8s %8s %8s", s->cases > 1 ? "case" : "cut", "speed", "tension", "alpha", "beta",
             "tension", "alpha", "beta");
-    for (int g = 0; g < s->groups; g++) say_row(s->group_name[g], &s->planned[g], &s->replayed[g]);
+    for (int g = 0; g < s->groups; g++) say_rows(s->group_name[g], &s->planned[g], &s->replayed[g]);
     if (s->groups > 1) {
-        say_row("mean over cuts", &s->planned[s->groups], &s->replayed[s->groups]);
+        say_rows("mean over cuts", &s->planned[s->groups], &s->replayed[s->groups]);
         say_worst(s);
     }
     say_samples(s);

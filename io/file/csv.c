@@ -21,7 +21,9 @@ typedef struct scanner {
     wcut_error *error;
     wcut_table *table;
     unsigned char *numeric; /* columns: whether text is refused */
-    char *scratch;          /* a field without its quotes */
+    int known_count;        /* names that are used: each may stand once */
+    const char *const *known;
+    char *scratch; /* a field without its quotes */
     size_t scratch_size;
 } scanner;
 
@@ -199,13 +201,33 @@ static wcut_status read_row(scanner *s, int row) {
     return WCUT_OK;
 }
 
-/* a name of the header into its column */
+/* whether a column of this name stands before and is used; the others are kept, and nobody asks which one is meant */
+static bool is_ambiguous(const scanner *s, int c) {
+    bool twice = false, used = false;
+    for (int k = 0; k < c; k++) twice = twice || strcmp(s->table->column[k].name, s->scratch) == 0;
+    for (int k = 0; k < s->known_count; k++) used = used || strcmp(s->known[k], s->scratch) == 0;
+    return twice && used;
+}
+
+/* A header that is one name with separators other than commas in it: a file of another program. Blanks separate where
+   they do so in the row below too: a name may have one. */
+static const char *foreign_separator(const scanner *s) {
+    if (strchr(s->scratch, ';')) return "columns separated by commas, not by semicolons";
+    if (s->table->columns > 0 || *s->at == ',') return NULL;
+    if (strchr(s->scratch, '\t')) return "columns separated by commas, not by tabs";
+    const char *row = memchr(s->at, '\n', (size_t)(s->end - s->at));
+    if (!row || !strchr(s->scratch, ' ')) return NULL;
+    double value;
+    while (row < s->end && (is_blank(*row) || *row == '\n')) row++;
+    const char *behind = wcut_decimal_read(row, &value);
+    return behind > row && *behind == ' ' ? "columns separated by commas, not by blanks" : NULL;
+}
+
+/* a name of the header into its column; the index of a table program has none, and is kept as a further column */
 static wcut_status name_column(scanner *s, int c) {
-    for (int k = 0; k < c; k++)
-        if (strcmp(s->table->column[k].name, s->scratch) == 0)
-            return refuse(s, -1, s->scratch, "every column named once");
-    if (s->scratch[0] == '\0') return refuse(s, -1, "a column without a name", "a name");
-    if (strchr(s->scratch, ';')) return refuse(s, -1, s->scratch, "columns separated by commas, not by semicolons");
+    const char *separated = foreign_separator(s);
+    if (separated) return refuse(s, -1, s->scratch, separated);
+    if (is_ambiguous(s, c)) return refuse(s, -1, s->scratch, "every column that is used named once");
     s->table->column[c].name = s->scratch; /* the scratch buffer becomes the name: the next field gets its own */
     s->scratch = NULL;
     s->scratch_size = 0;
@@ -228,7 +250,8 @@ static wcut_status read_header(scanner *s) {
     }
     double first;
     const char *name = s->table->column[0].name;
-    if (*wcut_decimal_read(name, &first) == '\0') return refuse(s, -1, name, "the names of the columns before numbers");
+    if (name[0] && *wcut_decimal_read(name, &first) == '\0')
+        return refuse(s, -1, name, "the names of the columns before numbers");
     next_line(s);
     return WCUT_OK;
 }
@@ -271,6 +294,8 @@ static wcut_status read_rows(scanner *s) {
 wcut_status wcut_csv_parse(const char *text, size_t length, const char *label, int numeric_count,
                            const char *const *numeric, wcut_table **table, wcut_error *error) {
     scanner s = {.at = text, .end = text + length, .line = 1, .label = label, .error = error};
+    s.known = numeric;
+    s.known_count = numeric_count;
     s.table = wcut_alloc(1, sizeof *s.table);
     if (!s.table) return refuse_memory(&s);
     if (length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) s.at += 3;

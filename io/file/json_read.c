@@ -13,6 +13,7 @@
 #include "base/fail.h"
 #include "base/locale.h"
 #include "io/file/number.h"
+#include "io/file/utf8.h"
 
 /* ---- the text ---- */
 
@@ -256,6 +257,10 @@ bool wcut_read_point(wcut_reader *reader, const wcut_place *at, void *into) {
 
 bool wcut_read_text(wcut_reader *reader, const wcut_place *at, void *into) {
     if (!json_is_string(at->value)) return wcut_refuse(reader, at, WCUT_BAD_FORMAT, "a string");
+
+    /* it becomes part of files, of lines on a terminal and of names of solids: checked here, once */
+    if (!wcut_utf8_is_plain(json_string_value(at->value)))
+        return wcut_refuse(reader, at, WCUT_BAD_FORMAT, "a text without control characters");
     char *copy = wcut_alloc(json_string_length(at->value) + 1, 1);
     if (!copy) return wcut_refuse_memory(reader);
     memcpy(copy, json_string_value(at->value), json_string_length(at->value));

@@ -32,6 +32,17 @@ static wcut_status refuse_memory(wcut_error *error, const char *path) {
                      wcut_status_text(WCUT_NO_MEMORY));
 }
 
+/* a device has no end: it would fill the memory up to the limit, or wait for somebody to type */
+static wcut_status check_kind(int fd, const char *path, wcut_error *error) {
+    struct stat s;
+    char name[WCUT_QUOTE_SIZE];
+    if (fstat(fd, &s) != 0) return wcut_fail_errno(error, WCUT_NOT_FOUND, errno, path, "cannot be read");
+    if (S_ISREG(s.st_mode) || S_ISFIFO(s.st_mode) || S_ISSOCK(s.st_mode)) return WCUT_OK;
+    if (S_ISDIR(s.st_mode)) return wcut_fail_errno(error, WCUT_NOT_FOUND, EISDIR, path, "cannot be read");
+    return wcut_fail(error, WCUT_BAD_FORMAT, "%s: found a device, expected a file or a pipe",
+                     wcut_quote(name, path, WCUT_LABEL_MAX, 1));
+}
+
 /* read to the end; *text is the caller's to free in any case */
 static wcut_status read_all(int fd, const char *path, size_t max, char **text, size_t *length, wcut_error *error) {
     size_t capacity = first_size(fd, max), used = 0;
@@ -60,7 +71,8 @@ wcut_status wcut_file_read(const char *path, size_t max, char **text, size_t *le
     if (fd < 0) return wcut_fail_errno(error, WCUT_NOT_FOUND, errno, path, "cannot be read");
     char *found = NULL;
     size_t count = 0;
-    wcut_status status = read_all(fd, path, max, &found, &count, error);
+    wcut_status status = check_kind(fd, path, error);
+    if (status == WCUT_OK) status = read_all(fd, path, max, &found, &count, error);
     close(fd); /* nothing was written: a failed close loses nothing */
     if (status != WCUT_OK) {
         free(found);

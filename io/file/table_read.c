@@ -19,6 +19,10 @@ wcut_status wcut_table_read(const char *path, int numeric_count, const char *con
     size_t length;
     wcut_status status = wcut_file_read(path, WCUT_CSV_BYTES_MAX, &text, &length, error);
     if (status != WCUT_OK) return status;
+
+    /* lines that end with CR alone, of programs older than OS X */
+    if (!memchr(text, '\n', length))
+        for (char *p = text; (p = memchr(p, '\r', (size_t)(text + length - p))) != NULL;) *p = '\n';
     status = wcut_csv_parse(text, length, path, numeric_count, numeric, table, error);
     free(text);
     return status;

@@ -1,6 +1,8 @@
 /* "wirecut-case/1": the cuts of a case, and that none of its files lies outside its folder. */
+#define _XOPEN_SOURCE 700 /* realpath */
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "base/alloc.h"
 #include "base/fail.h"
@@ -35,6 +37,27 @@ static bool has_parent(const char *name) {
     return false;
 }
 
+/* Whether a file that is there lies in the case's folder, whatever links lead to it, and is an ordinary one: a pipe or a
+   device in it would be waited for, or read without end. What is not there is reported by who reads it. */
+static bool check_inside(wcut_reader *reader, const wcut_place *at, const filling *of, const char *path) {
+    struct stat s;
+    char *folder = wcut_alloc(of->length + 2, 1);
+    if (!folder) return wcut_refuse_memory(reader);
+    memcpy(folder, of->length ? of->folder : ".", of->length ? of->length : 1);
+    char *real_folder = realpath(folder, NULL), *real = realpath(path, NULL);
+    free(folder);
+    const size_t length = real_folder ? strlen(real_folder) : 0;
+    const bool within =
+        !real || !real_folder || (strncmp(real, real_folder, length) == 0 && (real[length] == '/' || length == 1));
+    const bool ordinary = !real || stat(real, &s) != 0 || S_ISREG(s.st_mode) || S_ISDIR(s.st_mode);
+    free(real_folder);
+    free(real);
+    if (!within)
+        return wcut_refuse(reader, at, WCUT_BAD_ARGUMENT,
+                           "a file inside the case's folder, not a link that leads out of it");
+    return ordinary || wcut_refuse(reader, at, WCUT_BAD_ARGUMENT, "an ordinary file, not a pipe or a device");
+}
+
 /* the file that a name stands for, the caller's to free */
 static bool read_name(wcut_reader *reader, const wcut_place *at, const filling *of, char **into) {
     const char *name = json_string_value(at->value);
@@ -47,7 +70,7 @@ static bool read_name(wcut_reader *reader, const wcut_place *at, const filling *
     memcpy(path, of->folder, of->length);
     memcpy(path + of->length, name, strlen(name) + 1);
     *into = path;
-    return true;
+    return check_inside(reader, at, of, path);
 }
 
 /* ---- values ---- */

@@ -195,15 +195,21 @@ wcut_status wcut_score_write(int n, const wcut_scored_cut *cut, const wcut_compa
 
 /* ---- residuals.csv ---- */
 
-/* a text as a field, quoted where need be (RFC 4180) */
+/* A name as a field, quoted where need be (RFC 4180), and as a text, never as a formula: spreadsheets run what begins with =, +, - or @, so it gets an apostrophe.
+   Control characters are shown as \xNN. */
 static void put_field(wcut_text *text, const char *field) {
-    if (!strpbrk(field, ",\"\r\n#")) {
-        put(text, field);
-        return;
+    const bool formula = *field && strchr("=+-@", *field);
+    const bool quoted = strpbrk(field, ",\"#") != NULL;
+    if (quoted) put(text, "\"");
+    if (formula) put(text, "'");
+    for (const char *p = field; *p; p++) {
+        const unsigned char c = (unsigned char)*p;
+        if (c < 0x20 || c == 0x7f)
+            wcut_text_print(text, "\\x%02x", c);
+        else
+            wcut_text_put(text, c == '"' ? "\"\"" : p, c == '"' ? 2 : 1);
     }
-    put(text, "\"");
-    for (const char *p = field; *p; p++) wcut_text_put(text, *p == '"' ? "\"\"" : p, *p == '"' ? 2 : 1);
-    put(text, "\"");
+    if (quoted) put(text, "\"");
 }
 
 static const char *column_of(int signal) { return wcut_channel_name((wcut_channel)(WCUT_CHANNEL_SPEED_A + signal)); }

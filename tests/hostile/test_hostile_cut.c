@@ -103,6 +103,28 @@ HOSTILE_VALUE(wcut_test_cut_tension, &test_cuts()[0])
 HOSTILE_VALUE(wcut_test_cut_destroy, NULL)
 HOSTILE_ARRAY(wcut_gaussian_scores, double, TESTS, COUNT(TESTS), VALUES((double *)test_cuts(), TESTS))
 
+HOSTILE(wcut_calibration_slips) {
+    const wcut_calibration_options o = wcut_calibration_options_default();
+    int count;
+    wcut_slip slip[TESTS];
+    hostile_fill(&count, sizeof count), hostile_fill(slip, sizeof slip);
+    EACH_HOSTILE_ARGUMENT(wcut_calibration_slips,
+                          wcut_calibration_slips(COUNT(TESTS), PTR(test_cuts()), RECORD(&o), PTR(&count), PTR(&slip[0]),
+                                                 OPT((wcut_error *)NULL)),
+                          hostile_is_filled(&count, sizeof count) && hostile_is_filled(slip, sizeof slip),
+                          (hostile_fill(&count, sizeof count), hostile_fill(slip, sizeof slip)));
+}
+
+HOSTILE(wcut_recording_check) {
+    int count;
+    wcut_doubt doubt[WCUT_DOUBTS_MAX];
+    hostile_fill(&count, sizeof count), hostile_fill(doubt, sizeof doubt);
+    EACH_HOSTILE_ARGUMENT(wcut_recording_check,
+                          wcut_recording_check(PTR(sound_job()), PTR(sound_recording()), PTR(&count), PTR(&doubt[0])),
+                          hostile_is_filled(&count, sizeof count) && hostile_is_filled(doubt, sizeof doubt),
+                          (hostile_fill(&count, sizeof count), hostile_fill(doubt, sizeof doubt)));
+}
+
 HOSTILE(wcut_calibration_fit) {
     const wcut_calibration_options o = wcut_calibration_options_default();
     wcut_calibration c;

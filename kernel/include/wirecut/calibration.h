@@ -156,6 +156,43 @@ WCUT_API wcut_status wcut_calibration_fit(int n, const wcut_test_cut *cut, const
                                           wcut_calibration *calibration, wcut_calibration_point *point,
                                           wcut_error *error);
 
+/** A column of a table of test cuts. */
+typedef enum wcut_slip_column {
+    WCUT_SLIP_COLUMN_NONE,
+    WCUT_SLIP_COLUMN_HEAT,
+    WCUT_SLIP_COLUMN_SPEED,
+    WCUT_SLIP_COLUMN_ENGAGED,
+    WCUT_SLIP_COLUMN_TENSION,
+    WCUT_SLIP_COLUMN_ALPHA,
+    WCUT_SLIP_COLUMN_COUNT
+} wcut_slip_column;
+
+/** A cut far off the law of the others. */
+typedef struct wcut_slip {
+    int cut;                 /**< its place in the table */
+    wcut_slip_column column; /**< that brings it back to the law when it is multiplied; NONE: no column does */
+    double factor;           /**< [1] 0.1, 10, 0.01 or 100; 1 where there is no column */
+    double ratio;            /**< [1] its force over that of the law */
+} wcut_slip;
+
+/**
+ * The outliers of a table, and the slipped decimal points that explain them.
+ *
+ * The law is that of a robust fit (WCUT_LOSS_TUKEY); a column is named where one of its values, moved by one or two
+ * decimal places, comes into the range of the other cuts and brings the cut within 3 standard deviations of both laws, the
+ * one that comes nearest.
+ *
+ * @param[in]  n       cuts, at least 3
+ * @param[in]  cut     n
+ * @param[in]  options NULL for the defaults; their loss is not used
+ * @param[out] count   0 .. n
+ * @param[out] slip    n, of which count are written
+ * @param[out] error   may be NULL
+ * @return WCUT_OK; the statuses of wcut_calibration_fit: nothing was written.
+ */
+WCUT_API wcut_status wcut_calibration_slips(int n, const wcut_test_cut *cut, const wcut_calibration_options *options,
+                                            int *count, wcut_slip *slip, wcut_error *error);
+
 /**
  * A fitted law over Q_eff, with the confidence band of the curve (pointwise, delta method).
  *

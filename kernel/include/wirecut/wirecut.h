@@ -41,6 +41,7 @@
 #include <wirecut/mould.h>
 #include <wirecut/mould_file.h>
 #include <wirecut/offset.h>
+#include <wirecut/plausible.h>
 #include <wirecut/projection.h>
 #include <wirecut/read.h>
 #include <wirecut/reconstruction.h>
