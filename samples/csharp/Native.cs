@@ -31,6 +31,7 @@ public enum wcut_report_tone { WCUT_REPORT_TONE_PLAIN = 0, WCUT_REPORT_TONE_GOOD
 public enum wcut_result_state { WCUT_RESULT_STATE_WHOLE = 0, WCUT_RESULT_STATE_CHANGED = 1, WCUT_RESULT_STATE_MISSING = 2 }
 public enum wcut_robot_format { WCUT_ROBOT_FORMAT_URSCRIPT = 0, WCUT_ROBOT_FORMAT_RAPID = 1, WCUT_ROBOT_FORMAT_KRL = 2, WCUT_ROBOT_FORMAT_CSV = 3, WCUT_ROBOT_FORMAT_JSON = 4 }
 public enum wcut_scored { WCUT_SCORED_SPEED = 0, WCUT_SCORED_TENSION = 1, WCUT_SCORED_ALPHA = 2, WCUT_SCORED_BETA = 3, WCUT_SCORED_SPEED_A = 4, WCUT_SCORED_SPEED_B = 5, WCUT_SCORED_TENSION_A = 6, WCUT_SCORED_TENSION_B = 7, WCUT_SCORED_ALPHA_A = 8, WCUT_SCORED_BETA_A = 9, WCUT_SCORED_ALPHA_B = 10, WCUT_SCORED_BETA_B = 11, WCUT_SCORED_COUNT = 12 }
+public enum wcut_slip_column { WCUT_SLIP_COLUMN_NONE = 0, WCUT_SLIP_COLUMN_HEAT = 1, WCUT_SLIP_COLUMN_SPEED = 2, WCUT_SLIP_COLUMN_ENGAGED = 3, WCUT_SLIP_COLUMN_TENSION = 4, WCUT_SLIP_COLUMN_ALPHA = 5, WCUT_SLIP_COLUMN_COUNT = 6 }
 public enum wcut_status { WCUT_OK = 0, WCUT_BAD_ARGUMENT = 1, WCUT_NO_MEMORY = 2, WCUT_NOT_CONVERGED = 3, WCUT_SINGULAR = 4, WCUT_DEGENERATE = 5, WCUT_NOT_FOUND = 6, WCUT_BAD_FORMAT = 7, WCUT_NOT_WRITTEN = 8, WCUT_INTERRUPTED = 9, WCUT_INTERNAL = 10, WCUT_STATUS_COUNT = 11 }
 public enum wcut_step_schema { WCUT_STEP_SCHEMA_AP214 = 0, WCUT_STEP_SCHEMA_AP242 = 1, WCUT_STEP_SCHEMA_COUNT = 2 }
 public enum wcut_tool_frame { WCUT_TOOL_FRAME_FIXED = 0, WCUT_TOOL_FRAME_FOLLOWING = 1 }
@@ -525,6 +526,14 @@ public unsafe struct wcut_dof
     public wcut_dof_kind kind;
     public double value;
     public double sigma;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_doubt
+{
+    public wcut_channel channel;
+    public double ratio;
+    public byte certain;
+    public wcut_error error;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_effect
@@ -1532,6 +1541,14 @@ public unsafe struct wcut_shape
     public wcut_curve* curve;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_slip
+{
+    public int cut;
+    public wcut_slip_column column;
+    public double factor;
+    public double ratio;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_split
 {
     public double offset;
@@ -1773,6 +1790,7 @@ public static unsafe class Native
 {
     [DllImport("wirecut-io")] public static extern wcut_status wcut_calibration_fit(int a0, wcut_test_cut* a1, wcut_calibration_options* a2, wcut_calibration* a3, wcut_calibration_point* a4, wcut_error* a5);
     [DllImport("wirecut-io")] public static extern wcut_calibration_options wcut_calibration_options_default();
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_calibration_slips(int a0, wcut_test_cut* a1, wcut_calibration_options* a2, int* a3, wcut_slip* a4, wcut_error* a5);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_calibration_table_read(byte* a0, byte* a1, int* a2, wcut_test_cut** a3, wcut_error* a4);
     [DllImport("wirecut-io")] public static extern void wcut_case_destroy(wcut_case* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_case_read(byte* a0, wcut_case** a1, wcut_error* a2);
@@ -1946,6 +1964,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_reconstruction_create(wcut_surface* a0, int a1, wcut_vec3* a2, wcut_foot* a3, wcut_reconstruction_options* a4, int a5, wcut_reconstruction** a6, wcut_error* a7);
     [DllImport("wirecut-io")] public static extern void wcut_reconstruction_destroy(wcut_reconstruction* a0);
     [DllImport("wirecut-io")] public static extern wcut_reconstruction_options wcut_reconstruction_options_default();
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_recording_check(wcut_job* a0, wcut_recording* a1, int* a2, wcut_doubt* a3);
     [DllImport("wirecut-io")] public static extern void wcut_recording_destroy(wcut_recording* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_recording_read(byte* a0, wcut_recording** a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_recording_write(wcut_recording* a0, byte* a1, byte* a2, wcut_error* a3);
