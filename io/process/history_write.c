@@ -6,6 +6,7 @@
 
 #include <wirecut/angle.h>
 #include "base/fail.h"
+#include "base/vec3.h"
 #include "io/file/text.h"
 #include "io/process/history_check.h"
 
@@ -18,12 +19,6 @@ bool wcut_history_is_usable(const wcut_history *history) {
         for (size_t k = 0; k < sizeof value / sizeof *value; k++)
             if (!isfinite(value[k])) return false;
     }
-    return true;
-}
-
-static bool all_finite(const wcut_vec3 *point, int count) {
-    for (int i = 0; i < count; i++)
-        if (!isfinite(point[i].x) || !isfinite(point[i].y) || !isfinite(point[i].z)) return false;
     return true;
 }
 
@@ -69,8 +64,8 @@ static void put_csv(wcut_text *text, const wcut_history *history, const wcut_vec
 
 wcut_status wcut_history_write_csv(const wcut_history *history, const wcut_vec3 *mount_a, const wcut_vec3 *mount_b,
                                    const char *path, wcut_error *error) {
-    if (!path || !mount_a || !mount_b || !wcut_history_is_usable(history) || !all_finite(mount_a, history->stations) ||
-        !all_finite(mount_b, history->stations))
+    if (!path || !mount_a || !mount_b || !wcut_history_is_usable(history) ||
+        !vec3_all_finite(history->stations, mount_a) || !vec3_all_finite(history->stations, mount_b))
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "a path table: expected a file name, at least one station and finite numbers");
     wcut_file *file = NULL;

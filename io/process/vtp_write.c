@@ -11,6 +11,7 @@
 #include <wirecut/angle.h>
 #include "base/alloc.h"
 #include "base/fail.h"
+#include "base/numbers.h"
 #include "io/file/text.h"
 
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "the file says LittleEndian");
@@ -153,12 +154,6 @@ static wcut_status begin(wcut_vtp_stream *s, const wcut_station *station, wcut_e
     return made ? WCUT_OK : no_memory(error);
 }
 
-static bool all_finite(const double *value, int count) {
-    for (int i = 0; i < count; i++)
-        if (!isfinite(value[i])) return false;
-    return true;
-}
-
 static void list_reals(const wcut_station *t, double real[REALS]) {
     const double value[REALS] = {t->time,
                                  t->duration,
@@ -179,9 +174,9 @@ static bool is_usable(const wcut_vtp_stream *s, const wcut_station *t, const dou
     int n = s->nodes;
     if (t->nodes != n || !t->position || !t->force || !t->force_line || !t->speed || !t->tension) return false;
     if (s->count > 0 && s->engaged != (t->engaged != NULL)) return false;
-    return all_finite(&t->position->x, 3 * n) && all_finite(&t->force->x, 3 * n) && all_finite(t->force_line, n) &&
-           all_finite(t->speed, n) && all_finite(t->tension, n - 1) && (!t->engaged || all_finite(t->engaged, n)) &&
-           all_finite(real, REALS);
+    return all_finite(3 * n, &t->position->x) && all_finite(3 * n, &t->force->x) && all_finite(n, t->force_line) &&
+           all_finite(n, t->speed) && all_finite(n - 1, t->tension) && (!t->engaged || all_finite(n, t->engaged)) &&
+           all_finite(REALS, real);
 }
 
 static void write_row(wcut_vtp_stream *s, int k, const void *values) {

@@ -1,5 +1,6 @@
 /* The evidence on a diagnosis's page: residuals of all models as maps and as lines. */
 #include "io/report/report_evidence.h"
+#include "base/sort.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -83,11 +84,6 @@ static double *fill_map(wcut_page_memory *memory, const grid *g, int model) {
     return value;
 }
 
-static int by_size(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* what 98 of 100 cells of the recalibrated map stay below, five standard deviations at least: the map before, whose force
    law is another's, would leave the others without colour */
 static double common_limit(wcut_page_memory *memory, const grid *g, const double *recalibrated) {
@@ -96,8 +92,8 @@ static double common_limit(wcut_page_memory *memory, const grid *g, const double
     for (size_t i = 0; size && i < (size_t)g->rows * (size_t)g->columns; i++)
         if (isfinite(recalibrated[i])) size[count++] = fabs(recalibrated[i]);
     if (count == 0) return 5;
-    qsort(size, count, sizeof *size, by_size);
-    return larger(5, size[(size_t)(0.98 * (double)(count - 1))]);
+    wcut_sort((int)count, size);
+    return larger(5, sorted_quantile((int)count, size, 0.98));
 }
 
 /* the channels beside the rows of a map */

@@ -4,6 +4,7 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
+#include "base/sort.h"
 #include "io/report/report_page.h"
 
 static int at_stride(int k, int stride, int count) {
@@ -110,18 +111,13 @@ int wcut_report_thin(int count, const double *value, int max, int *index) {
     return kept;
 }
 
-static int compare(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 wcut_status wcut_report_quantiles(int count, const double *value, int quantiles, double *quantile, int *found) {
     double *sorted = wcut_alloc((size_t)count, sizeof *sorted);
     if (!sorted) return WCUT_NO_MEMORY;
     int n = 0;
     for (int i = 0; i < count; i++)
         if (!isnan(value[i])) sorted[n++] = value[i];
-    qsort(sorted, (size_t)n, sizeof *sorted, compare);
+    wcut_sort(n, sorted);
     for (int k = 0; n > 0 && k < quantiles; k++)
         quantile[k] = sorted[(int)(((long long)k * (n - 1) + (quantiles - 1) / 2) / (quantiles - 1))];
     free(sorted);

@@ -2,11 +2,11 @@
 #include "base/least_squares.h"
 
 #include <float.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
 #include "base/numbers.h"
+#include "base/sort.h"
 
 static double sum_of_squares(int n, const double *x, int stride) {
     double sum = 0;
@@ -206,18 +206,13 @@ static wcut_status minimise(solver *s) {
     return WCUT_NOT_CONVERGED;
 }
 
-static int compare(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* 1.4826 median |r| of the residuals that have a weight, widened for the n parameters; r already by sqrt(prior) */
 static double spread(solver *s, const double *r, const double *prior, int degrees) {
     int count = 0;
     for (int i = 0; i < s->p->m; i++)
         if (!prior || prior[i] > 0) s->magnitude[count++] = fabs(r[i]);
-    qsort(s->magnitude, count, sizeof *s->magnitude, compare);
-    double median = (s->magnitude[(count - 1) / 2] + s->magnitude[count / 2]) / 2;
+    wcut_sort(count, s->magnitude);
+    double median = sorted_median(count, s->magnitude);
     /* more than half of the residuals vanish: any positive scale calls the others outliers */
     double min = 1e-12 * s->magnitude[count - 1];
     return fmax(1.4826 * median * sqrt((double)count / (degrees > 0 ? degrees : 1)), min);

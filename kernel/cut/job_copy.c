@@ -1,4 +1,7 @@
 /* A deep copy of a job. */
+#include <stdio.h>
+#include <string.h>
+
 #include "base/alloc.h"
 #include "cut/setup.h"
 
@@ -40,4 +43,23 @@ wcut_job *wcut_job_copy(const wcut_job *job) {
     if (whole) return copy;
     wcut_job_destroy(copy);
     return NULL;
+}
+
+void wcut_job_reverse(wcut_job *job) {
+    for (int i = 0, j = job->stations - 1; i < j; i++, j--) {
+        const wcut_vec3 a = job->mount_a[i], b = job->mount_b[i];
+        job->mount_a[i] = job->mount_a[j], job->mount_b[i] = job->mount_b[j];
+        job->mount_a[j] = a, job->mount_b[j] = b;
+    }
+}
+
+bool wcut_job_name(wcut_job *job, const char *behind) {
+    const char *name = job->name ? job->name : "cut";
+    const size_t size = strlen(name) + strlen(behind) + 1;
+    char *text = wcut_alloc(size, 1);
+    if (!text) return false;
+    snprintf(text, size, "%s%s", name, behind);
+    wcut_free(job->name);
+    job->name = text;
+    return true;
 }

@@ -22,6 +22,12 @@ struct wcut_setup {
 /* a deep copy; NULL where there is no memory */
 wcut_job *wcut_job_copy(const wcut_job *job);
 
+/* run a path from its last station to its first */
+void wcut_job_reverse(wcut_job *job);
+
+/* the job's name with more behind it; false: no memory, the name is as it was */
+bool wcut_job_name(wcut_job *job, const char *behind);
+
 /* fill end_a, end_b and length of a design-mode setup from its edge curves and its extra-length function */
 wcut_status wcut_design_ends(const wcut_job *job, wcut_vec3 *end_a, wcut_vec3 *end_b, double *length,
                              wcut_error *error);

@@ -1,14 +1,9 @@
 /* A cut in a few figures. */
-#include <stdlib.h>
 #include <wirecut/summary.h>
 
 #include "base/alloc.h"
 #include "base/numbers.h"
-
-static int ascending(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
+#include "base/sort.h"
 
 static double front_speed(const wcut_history_row *r) { return fmax(r->speed_a, r->speed_b); }
 
@@ -47,8 +42,8 @@ wcut_status wcut_summary_eval(const wcut_history *h, wcut_summary *summary) {
     s.substeps_mean /= count;
     for (size_t i = 0; i < (size_t)h->stations * (size_t)h->nodes; i++)
         s.force_line_max = fmax(s.force_line_max, h->force_line[i]);
-    qsort(speed, (size_t)count, sizeof *speed, ascending);
-    s.speed_median = (speed[(count - 1) / 2] + speed[count / 2]) / 2;
+    wcut_sort(count, speed);
+    s.speed_median = sorted_median(count, speed);
     wcut_free(speed);
     *summary = s;
     return WCUT_OK;

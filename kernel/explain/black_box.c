@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/dense.h"
 #include "base/numbers.h"
 
 /* inputs, each at this bin and the eight before; and a constant */
@@ -111,24 +112,11 @@ static bool learn(const regression *r, int but, int nor, double ridge_of_row, do
         }
     }
     if (rows == 0) return false;
-    for (int j = 0; j < N; j++) { /* Cholesky; the ridge makes it positive definite, the constant bears none */
-        double pivot = m[j * N + j] + (j + 1 < N ? ridge_of_row * rows : 0);
-        for (int k = 0; k < j; k++) pivot -= m[j * N + k] * m[j * N + k];
-        if (!(pivot > 0)) return false;
-        m[j * N + j] = sqrt(pivot);
-        for (int i = j + 1; i < N; i++) {
-            for (int k = 0; k < j; k++) m[i * N + j] -= m[i * N + k] * m[j * N + k];
-            m[i * N + j] /= m[j * N + j];
-        }
-    }
-    for (int i = 0; i < N; i++) {
-        for (int k = 0; k < i; k++) w[i] -= m[i * N + k] * w[k];
-        w[i] /= m[i * N + i];
-    }
-    for (int i = N - 1; i >= 0; i--) {
-        for (int k = i + 1; k < N; k++) w[i] -= m[k * N + i] * w[k];
-        w[i] /= m[i * N + i];
-    }
+
+    /* the ridge makes it positive definite, the constant bears none */
+    for (int j = 0; j + 1 < N; j++) m[j * N + j] += ridge_of_row * rows;
+    if (!wcut_cholesky_factor(N, m, 0)) return false;
+    wcut_cholesky_solve(N, m, w);
     return true;
 }
 

@@ -1,12 +1,12 @@
 /* Evidence: what a case measured and what the simulator says of it, in bins of time and patches of the scanned face. */
 #include "explain/evidence.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "base/sort.h"
 #include "base/threads.h"
 #include "base/vec3.h"
 #include "cut/setup.h"
@@ -367,15 +367,10 @@ wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, bool f
 
 /* ---- prediction along the recorded motion ---- */
 
-static int compare(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static double median(int n, double *value) {
     if (n == 0) return 0;
-    qsort(value, (size_t)n, sizeof *value, compare);
-    return n % 2 ? value[n / 2] : (value[n / 2 - 1] + value[n / 2]) / 2;
+    wcut_sort(n, value);
+    return sorted_median(n, value);
 }
 
 /* white part of a channel's noise in a bin: from the median of steps between neighbours, which no slow misfit reaches */

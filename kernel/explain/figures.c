@@ -1,10 +1,10 @@
 /* Figures of a forecast with intervals from resampled blocks (Kuensch 1989): neighbours in time err alike. */
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/alloc.h"
 #include "base/numbers.h"
 #include "base/random.h"
+#include "base/sort.h"
 #include "cut/score.h"
 #include "explain/cross_validation.h"
 
@@ -61,11 +61,6 @@ static void gather(const wcut_evidence *e, wcut_evidence_channel channel, const 
     }
 }
 
-static int compare(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* 95 % of rmse over range; sum, number: blocks + 1 each */
 static void bootstrap(const pairs *p, double range, wcut_random *random, double *sum, int *number, wcut_fit *fit) {
     double draw[DRAWS];
@@ -88,7 +83,7 @@ static void bootstrap(const pairs *p, double range, wcut_random *random, double 
         }
         draw[k] = sqrt(square / count) / range;
     }
-    qsort(draw, DRAWS, sizeof *draw, compare);
+    wcut_sort(DRAWS, draw);
     fit->low = draw[DRAWS / 40], fit->high = draw[DRAWS - 1 - DRAWS / 40];
 }
 

@@ -3,13 +3,13 @@
 #include "explain/identify.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <wirecut/diagnosis.h>
 
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "base/sort.h"
 #include "cut/setup.h"
 
 enum { SINES = 3, CUTS_MOST = 8, TRIES = 4 };
@@ -34,11 +34,6 @@ static double between(wcut_random *random, double low, double high) {
 
 /* ---- the speed ---- */
 
-static int by_size(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* [1] the largest dither for which all but a tenth of the cut stays within the limits, heat steps included; below 0
    where there is none. speed: room for schedule->count */
 static double headroom(const wcut_job *job, const wcut_schedule *s, double *speed) {
@@ -46,7 +41,7 @@ static double headroom(const wcut_job *job, const wcut_schedule *s, double *spee
     for (int i = 0; i < s->count; i++)
         if (s->held[i] && s->engaged[i] >= WCUT_MOST_OF_WIRE) speed[count++] = s->speed[i];
     if (count == 0) return 0;
-    qsort(speed, (size_t)count, sizeof *speed, by_size);
+    wcut_sort(count, speed);
     const int left_out = (int)(CLIPPED_MOST * (count - 1));
     const double high = speed[count - 1 - left_out] * (1 + STEP_SIZE), low = speed[left_out] * (1 - STEP_SIZE);
     return fmin(job->speed_max / high - 1, 1 - job->speed_min / low);
@@ -153,25 +148,6 @@ wcut_status wcut_programme_create(wcut_job *job, const wcut_schedule *schedule, 
 }
 
 /* ---- the cuts ---- */
-
-void wcut_job_reverse(wcut_job *job) {
-    for (int i = 0, j = job->stations - 1; i < j; i++, j--) {
-        const wcut_vec3 a = job->mount_a[i], b = job->mount_b[i];
-        job->mount_a[i] = job->mount_a[j], job->mount_b[i] = job->mount_b[j];
-        job->mount_a[j] = a, job->mount_b[j] = b;
-    }
-}
-
-bool wcut_job_name(wcut_job *job, const char *behind) {
-    const char *name = job->name ? job->name : "cut";
-    const size_t size = strlen(name) + strlen(behind) + 1;
-    char *text = wcut_alloc(size, 1);
-    if (!text) return false;
-    snprintf(text, size, "%s%s", name, behind);
-    wcut_free(job->name);
-    job->name = text;
-    return true;
-}
 
 /* Run the path backwards where that can be planned: its last station need not be a place to begin from. WCUT_OK, with
    `turned` and then a schedule; WCUT_NO_MEMORY. */

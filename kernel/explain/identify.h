@@ -18,10 +18,4 @@ enum { WCUT_PROGRAMME_SPEED = 1, WCUT_PROGRAMME_HEAT = 2 };
 wcut_status wcut_programme_create(wcut_job *job, const wcut_schedule *schedule, int parts, wcut_random *random,
                                   wcut_error *error);
 
-/* run a path from its last station to its first */
-void wcut_job_reverse(wcut_job *job);
-
-/* the job's name with more behind it; false: no memory, the name is as it was */
-bool wcut_job_name(wcut_job *job, const char *behind);
-
 #endif

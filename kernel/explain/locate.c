@@ -10,6 +10,7 @@
 #include "base/distribution.h"
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "base/sort.h"
 #include "base/vec3.h"
 
 /* windows: so many lengths [bins], every quarter of one; then entry, steady part, exit and the whole cut */
@@ -64,16 +65,11 @@ typedef struct search {
 
 static int kind_of(int signal) { return signal < 2 ? 0 : signal < WCUT_SIGNALS ? 1 + signal % 2 : 3; }
 
-static int compare(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* bins before which the wire enters, and from which it leaves: by its usual engaged length */
 static void find_regimes(channel *h, double *room) {
     const wcut_evidence_cut *c = h->c;
     memcpy(room, c->engaged, (size_t)h->n * sizeof *room);
-    qsort(room, (size_t)h->n, sizeof *room, compare);
+    wcut_sort(h->n, room);
     const double most = STEADY * room[3 * h->n / 4];
     int first = 0, last = h->n;
     while (first < h->n && c->engaged[first] < most) first++;
@@ -173,7 +169,7 @@ static bool test_window(const channel *h, window *w) {
 static double lower_half(int n, double *square) {
     double sum = 0;
     if (n < 2 * LEAST) return 1;
-    qsort(square, (size_t)n, sizeof *square, compare);
+    wcut_sort(n, square);
     for (int i = 0; i < n / 2; i++) sum += square[i];
     const int half = n / 2;
     return fmax(1, sum / half / LOWER_HALF);
@@ -197,7 +193,7 @@ static void find_dispersion(search *s, double *room, double *square) {
             s->tests += n;
             shown[signal] = lower_half(n, square);
         }
-        qsort(shown, WCUT_SIGNALS, sizeof *shown, compare);
+        wcut_sort(WCUT_SIGNALS, shown);
         s->dispersion[l] = (shown[0] + shown[1]) / 2;
     }
     for (int k = 0; k < s->e->cuts; k++) s->tests += s->e->cut[k].bins > 0 ? WCUT_SIGNALS * PART_WINDOWS : 0;

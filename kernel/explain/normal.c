@@ -2,9 +2,12 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/dense.h"
 #include "base/numbers.h"
 #include "base/threads.h"
 #include "explain/fit.h"
+
+static const double PIVOT_MIN = 1e-11; /* [1] of a matrix of unit diagonal, below which it is singular */
 
 wcut_status wcut_normal_equations_create(int n, int cuts, wcut_normal_equations *out) {
     const size_t square = (size_t)n * (size_t)n, m = (size_t)cuts;
@@ -63,33 +66,6 @@ void wcut_normal_equations_fill(const wcut_evidence *e, const double *column, co
     }
 }
 
-/* L L^T = m in place (lower), n x n of unit diagonal; false where it is not positive definite to 1e-11 */
-static bool cholesky(int n, double *m) {
-    for (int j = 0; j < n; j++) {
-        double pivot = m[j * n + j];
-        for (int k = 0; k < j; k++) pivot -= m[j * n + k] * m[j * n + k];
-        if (!(pivot > 1e-11)) return false;
-        m[j * n + j] = sqrt(pivot);
-        for (int i = j + 1; i < n; i++) {
-            double sum = m[i * n + j];
-            for (int k = 0; k < j; k++) sum -= m[i * n + k] * m[j * n + k];
-            m[i * n + j] = sum / m[j * n + j];
-        }
-    }
-    return true;
-}
-
-static void substitute(int n, const double *l, double *b) {
-    for (int i = 0; i < n; i++) {
-        for (int k = 0; k < i; k++) b[i] -= l[i * n + k] * b[k];
-        b[i] /= l[i * n + i];
-    }
-    for (int i = n - 1; i >= 0; i--) {
-        for (int k = i + 1; k < n; k++) b[i] -= l[k * n + i] * b[k];
-        b[i] /= l[i * n + i];
-    }
-}
-
 bool wcut_normal_equations_solve(const wcut_normal_equations *normal, int count, const int *chosen,
                                  const double *centre, const double *precision, int without, double *t,
                                  double *covariance, double *cost) {
@@ -119,13 +95,13 @@ bool wcut_normal_equations_solve(const wcut_normal_equations *normal, int count,
         *cost = total;
         return true;
     }
-    if (!cholesky(count, m)) return false;
-    substitute(count, m, t);
+    if (!wcut_cholesky_factor(count, m, PIVOT_MIN)) return false;
+    wcut_cholesky_solve(count, m, t);
     *cost = total;
     for (int i = 0; i < count; i++) t[i] *= scale[i], *cost -= t[i] * b[i];
     for (int j = 0; covariance && j < count; j++) {
         for (int i = 0; i < count; i++) unit[i] = i == j;
-        substitute(count, m, unit);
+        wcut_cholesky_solve(count, m, unit);
         for (int i = 0; i < count; i++) covariance[i * count + j] = unit[i] * scale[i] * scale[j];
     }
     return true;

@@ -1,5 +1,4 @@
 /* A scan as means over patches of the face that the recorded run left. */
-#include <stdlib.h>
 #include <string.h>
 #include <wirecut/projection.h>
 #include <wirecut/surface.h>
@@ -7,6 +6,7 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "base/sort.h"
 #include "base/vec3.h"
 #include "explain/evidence.h"
 
@@ -96,11 +96,6 @@ static void add_point(const wcut_evidence_cut *c, const face *f, double first, d
     s->point = vec3_add(s->point, foot->point), s->normal = vec3_add(s->normal, normal);
 }
 
-static int compare(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static void keep_patches(const sums *patch, wcut_patches *p) {
     double deviation[ALONG * ACROSS];
     for (int k = 0; k < ALONG * ACROSS; k++) {
@@ -115,7 +110,7 @@ static void keep_patches(const sums *patch, wcut_patches *p) {
         deviation[i] = sqrt(fmax(s->square / n - mean * mean, 0));
     }
     if (p->count == 0) return;
-    qsort(deviation, (size_t)p->count, sizeof *deviation, compare);
+    wcut_sort(p->count, deviation);
     p->spread = deviation[p->count / 2];
     for (int i = 0; i < p->count; i++) p->sigma[i] = sqrt(p->spread * p->spread / p->sigma[i] + FLOOR * FLOOR);
 }

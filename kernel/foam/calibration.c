@@ -1,12 +1,12 @@
 /* Force and tension law of a foam from steady test cuts (Rust et al. 2016, 1, 2 and figure 2). */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <wirecut/calibration.h>
 
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "base/sort.h"
 #include "foam/force_law.h"
 #include "foam/law_fit.h"
 
@@ -50,14 +50,9 @@ static wcut_status check_cuts(int n, const wcut_test_cut *cut, wcut_error *error
     return WCUT_OK;
 }
 
-static int compare(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* levels that differ by more than 1e-6 of themselves; sorts x, whose values are logarithms */
 static int count_levels(int n, double *x) {
-    qsort(x, (size_t)n, sizeof *x, compare);
+    wcut_sort(n, x);
     int levels = 1;
     double level = x[0];
     for (int i = 1; i < n; i++)

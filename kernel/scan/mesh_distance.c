@@ -1,5 +1,7 @@
 /* The closest point of a mesh: branch and bound over boxes, a group of neighbours from nodes far below the root, in
    single precision until a triangle may be closer, then in double; the side from the normal at the foot. */
+#include "scan/mesh_distance.h"
+
 #include <assert.h>
 #include <float.h>
 #include <limits.h>
@@ -9,7 +11,8 @@
 #include "base/numbers.h"
 #include "base/vec3.h"
 #include "base/wide.h"
-#include "scan/mesh_distance.h"
+#include "scan/mesh_distance_boxes.h"
+#include "scan/mesh_distance_edges.h"
 
 enum { GROUP = 32, FRONT = 4, STACK = 176 };
 

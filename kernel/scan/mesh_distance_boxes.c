@@ -1,9 +1,10 @@
 /* A mesh's triangles in a tree of boxes, eight to a node: ranges of the Z-curve, divided where its cells are. */
+#include "scan/mesh_distance_boxes.h"
+
 #include <string.h>
 
 #include "base/alloc.h"
 #include "base/vec3.h"
-#include "scan/mesh_distance.h"
 #include "surface/morton.h"
 
 typedef struct builder {

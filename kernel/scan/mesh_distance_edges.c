@@ -1,8 +1,9 @@
 /* What meets at a mesh's edges and corners: neighbours, the border, angle-weighted normals (Baerentzen, Aanaes 2005). */
+#include "scan/mesh_distance_edges.h"
+
 #include "base/alloc.h"
 #include "base/numbers.h"
 #include "base/vec3.h"
-#include "scan/mesh_distance.h"
 
 /* An edge of a triangle: its lower and higher vertex in turn as it is sorted, then which one it is: 3 triangle + corner
    that it begins at, twice, and 1 if it runs from the higher vertex to the lower. */

@@ -1,10 +1,10 @@
 /* The scanned face from points and their feet: spacing, field of deviation, the mesh where there is support. */
-#include <stdlib.h>
 #include <wirecut/reconstruction.h>
 
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "base/sort.h"
 #include "base/threads.h"
 #include "base/vec3.h"
 #include "scan/kd_tree.h"
@@ -58,11 +58,6 @@ static wcut_status check_scan(const wcut_surface *surface, int count, const wcut
     return WCUT_OK;
 }
 
-static int ascending(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* [mm] root of the area per point: the median, over some points, of the disc that reaches to the eighth neighbour */
 static double point_spacing(const wcut_kd_tree *tree) {
     double spacing[SAMPLE] = {0};
@@ -73,7 +68,7 @@ static double point_spacing(const wcut_kd_tree *tree) {
         wcut_kd_tree_nearest(tree, (int)((long long)k * tree->count / count), neighbours, &nearest);
         spacing[k] = sqrt(WCUT_PI * nearest.square[neighbours - 1] / (neighbours - 0.5));
     }
-    qsort(spacing, (size_t)count, sizeof *spacing, ascending);
+    wcut_sort(count, spacing);
     return spacing[count / 2];
 }
 

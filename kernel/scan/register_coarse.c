@@ -1,7 +1,8 @@
 /* A first guess for a best fit: the scan's principal plane onto the surface's, turned about it, either side up. */
+#include "scan/register_coarse.h"
+
 #include "base/alloc.h"
 #include "base/numbers.h"
-#include "scan/register_fit.h"
 #include "scan/register_symmetric.h"
 #include "surface/foot_search.h"
 

@@ -5,6 +5,8 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "base/dense.h"
+
 enum { SWEEPS = 60 }; /* quadratic convergence: ten are many */
 
 /* turn rows and columns p, q so that a[p][q] becomes 0 */
@@ -59,39 +61,15 @@ void wcut_symmetric_eigen(int n, double *a, double *value, double *vector) {
     order(n, value, vector);
 }
 
-/* the lower factor in place of a; false where a pivot is not positive */
-static bool factor(int n, double *a) {
-    for (int j = 0; j < n; j++) {
-        for (int i = j; i < n; i++) {
-            double sum = a[i * n + j];
-            for (int k = 0; k < j; k++) sum -= a[i * n + k] * a[j * n + k];
-            if (i == j && !(sum > 0)) return false;
-            a[i * n + j] = i == j ? sqrt(sum) : sum / a[j * n + j];
-        }
-    }
-    return true;
-}
-
-static void substitute(int n, const double *l, double *b) {
-    for (int i = 0; i < n; i++) {
-        for (int k = 0; k < i; k++) b[i] -= l[i * n + k] * b[k];
-        b[i] /= l[i * n + i];
-    }
-    for (int i = n - 1; i >= 0; i--) {
-        for (int k = i + 1; k < n; k++) b[i] -= l[k * n + i] * b[k];
-        b[i] /= l[i * n + i];
-    }
-}
-
 int wcut_symmetric_solve(int n, const double *a, const double *b, double *x, double *inverse) {
     double l[WCUT_SYMMETRIC_MAX * WCUT_SYMMETRIC_MAX], column[WCUT_SYMMETRIC_MAX];
     memcpy(l, a, (size_t)(n * n) * sizeof *l);
-    if (!factor(n, l)) return 0;
+    if (!wcut_cholesky_factor(n, l, 0)) return 0;
     memmove(x, b, (size_t)n * sizeof *x);
-    substitute(n, l, x);
+    wcut_cholesky_solve(n, l, x);
     for (int j = 0; inverse && j < n; j++) {
         for (int i = 0; i < n; i++) column[i] = i == j;
-        substitute(n, l, column);
+        wcut_cholesky_solve(n, l, column);
         for (int i = 0; i < n; i++) inverse[i * n + j] = column[i];
     }
     return 1;

@@ -1,8 +1,8 @@
 /* A lattice of cells over a face: their means split a deviation into offset, form and noise and show the worst areas. */
-#include <stdlib.h>
 
 #include "base/alloc.h"
 #include "base/numbers.h"
+#include "base/sort.h"
 #include "base/vec3.h"
 #include "scan/deviation_summary.h"
 
@@ -93,11 +93,6 @@ static double mean_of(const wcut_cell *cell) {
     return m->shift + (m->sum - (m->min - m->shift) - (m->max - m->shift)) / (m->count - 2);
 }
 
-static int compare_sizes(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* ---- offset, form, noise ---- */
 
 /* The median of the cells' variances, each over the median of its chi-square (Wilson, Hilferty 1931): strays spoil few
@@ -111,8 +106,8 @@ static double noise_square(const wcut_lattice *l, double *scratch) {
         scratch[count++] = wcut_moments_variance(m) / (root * root * root);
     }
     if (count == 0) return 0;
-    qsort(scratch, (size_t)count, sizeof *scratch, compare_sizes);
-    return (scratch[(count - 1) / 2] + scratch[count / 2]) / 2;
+    wcut_sort(count, scratch);
+    return sorted_median(count, scratch);
 }
 
 wcut_status wcut_lattice_split(const wcut_lattice *lattice, wcut_split *split) {
@@ -151,8 +146,8 @@ static double level_of(const wcut_lattice *l, double *scratch) {
     for (int k = 0; k < l->columns * l->rows; k++)
         if (l->cell[k].of.count >= TOLD) scratch[count++] = fabs(mean_of(&l->cell[k]));
     if (count == 0) return INFINITY;
-    qsort(scratch, (size_t)count, sizeof *scratch, compare_sizes);
-    return scratch[(int)(SHARE * (count - 1))];
+    wcut_sort(count, scratch);
+    return sorted_quantile(count, scratch, SHARE);
 }
 
 /* 1 above the level, -1 below minus it, 0 else */

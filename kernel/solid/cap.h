@@ -19,12 +19,10 @@ typedef struct wcut_cap {
 wcut_status wcut_cap_tessellate(const wcut_surface *patch, wcut_sides sides, double chord_tolerance, wcut_cap *cap,
                                 double *chord_error);
 
-/* A level face between the sides with `count` keys on it, their ends at z + rise; circles within a tolerance.
-   WCUT_BAD_ARGUMENT (keys that meet or reach a side), WCUT_NO_MEMORY: nothing was written. */
-wcut_status wcut_cap_flat(wcut_sides sides, double z, int count, const wcut_key *key, double chord_tolerance,
-                          wcut_cap *cap);
+/* Room for a cap. WCUT_NO_MEMORY: it is zeroed. */
+wcut_status wcut_cap_create(int vertices, int triangles, const int borders[4], wcut_cap *cap);
 
-/* free what the two above gave; a zeroed cap is allowed */
+/* free what a cap holds; a zeroed cap is allowed */
 void wcut_cap_clear(wcut_cap *cap);
 
 /* does every vertical line meet the cap once? proven by the exact turn of every triangle seen from above */

@@ -7,6 +7,7 @@
 #include "base/alloc.h"
 #include "base/numbers.h"
 #include "base/vec3.h"
+#include "surface/mesh_volume.h"
 
 /* ends of the directed edges that leave each vertex: end[first[v]] to end[first[v + 1] - 1] */
 typedef struct fans {
@@ -60,19 +61,6 @@ static int count_pieces(const wcut_mesh *m, const fans *f, int *parent) {
         for (int k = f->first[v]; k < f->first[v + 1]; k++) parent[root_of(parent, v)] = root_of(parent, f->end[k]);
     for (int v = 0; v < m->vertex_count; v++) pieces += parent[v] == v && f->first[v] < f->first[v + 1];
     return pieces;
-}
-
-double wcut_mesh_volume(const wcut_mesh *m) {
-    double sum = 0, lost = 0; /* compensated (Kahan 1965): a million terms that cancel */
-    const wcut_vec3 from = m->vertex_count > 0 ? m->vertex[0] : vec3(0, 0, 0);
-    for (int t = 0; t < m->triangle_count; t++) {
-        const int *c = m->triangle + 3 * (ptrdiff_t)t;
-        const wcut_vec3 a = vec3_sub(m->vertex[c[0]], from), b = vec3_sub(m->vertex[c[1]], from);
-        const double term = vec3_dot(vec3_cross(a, b), vec3_sub(m->vertex[c[2]], from)) - lost, next = sum + term;
-        lost = next - sum - term;
-        sum = next;
-    }
-    return sum / 6;
 }
 
 /* twice a triangle's area along its normal */

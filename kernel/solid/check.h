@@ -13,7 +13,4 @@ wcut_status wcut_check_boundary(const wcut_mesh *mesh, wcut_half_report *report)
 void wcut_check_draft(const wcut_mesh *mesh, const unsigned char *tag, wcut_vec3 pull, wcut_half_report *report,
                       double *draft);
 
-/* [mm3] inside closed and oriented triangles */
-double wcut_mesh_volume(const wcut_mesh *mesh);
-
 #endif

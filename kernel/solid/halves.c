@@ -8,8 +8,10 @@
 #include "base/fail.h"
 #include "base/vec3.h"
 #include "solid/boolean.h"
+#include "solid/cap_flat.h"
 #include "solid/check.h"
 #include "solid/keys.h"
+#include "surface/mesh_volume.h"
 
 static void part_clear(wcut_part *p) {
     wcut_mesh_destroy(p->mesh);

@@ -15,6 +15,7 @@
 #include "solid/keys.h"
 #include "solid/solid_brep.h"
 #include "solid/wall.h"
+#include "surface/mesh_volume.h"
 
 /* lower + upper + kerf - keys = block to this share, or it is a defect */
 static const double VOLUME_HELD = 1e-6;

@@ -6,7 +6,6 @@
 #include "base/numbers.h"
 #include "base/vec3.h"
 #include "base/wide.h"
-#include "surface/newton_spans.h"
 
 enum {
     ORDER = WCUT_SPAN_ORDER,

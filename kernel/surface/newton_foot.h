@@ -7,17 +7,10 @@
 #include <wirecut/projection.h>
 #include <wirecut/surface.h>
 
+#include "surface/newton_spans.h"
 #include "surface/query_batch.h"
 
 enum { WCUT_NEWTON_FOOT_BATCH = 1024 }; /* queries taken together */
-
-typedef struct wcut_newton_foot wcut_newton_foot;
-
-/* size: [mm] of the surface and its coordinates. *newton is NULL where the surface is not bicubic, polynomial and once
-   continuously differentiable, or has more than 200000 spans: then there is no newton way. WCUT_NO_MEMORY: nothing was
-   written. */
-wcut_status wcut_newton_foot_create(const wcut_surface *surface, double size, wcut_newton_foot **newton);
-void wcut_newton_foot_destroy(wcut_newton_foot *newton);
 
 /* a span, and where in it a search begins: parameters from -1/2 to 1/2 */
 typedef struct wcut_span_place {

@@ -11,7 +11,6 @@
 
 #include "base/alloc.h"
 #include "base/vec3.h"
-#include "surface/newton_foot.h"
 #include "surface/newton_spans.h"
 
 enum { LEVELS = 20 };

@@ -6,7 +6,6 @@
 #include "base/alloc.h"
 #include "base/vec3.h"
 #include "surface/basis.h"
-#include "surface/newton_foot.h"
 
 enum { CUBIC = WCUT_CUBIC, ORDER = WCUT_SPAN_ORDER, SPANS_MAX = 200000 };
 

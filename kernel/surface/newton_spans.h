@@ -36,6 +36,14 @@ struct wcut_newton_foot {
     double tolerance; /* [mm] of a foot */
 };
 
+typedef struct wcut_newton_foot wcut_newton_foot;
+
+/* size: [mm] of the surface and its coordinates. *newton is NULL where the surface is not bicubic, polynomial and once
+   continuously differentiable, or has more than 200000 spans: then there is no newton way. WCUT_NO_MEMORY: nothing was
+   written. */
+wcut_status wcut_newton_foot_create(const wcut_surface *surface, double size, wcut_newton_foot **newton);
+void wcut_newton_foot_destroy(wcut_newton_foot *newton);
+
 /* fills span, guide and bounds (rows x columns) of a structure whose knots stand; WCUT_NO_MEMORY */
 wcut_status wcut_newton_foot_spans(const wcut_surface *surface, struct wcut_newton_foot *newton,
                                    wcut_span_bounds *bounds);

@@ -6,7 +6,7 @@
 #include "base/alloc.h"
 #include "bench/peers/common.h"
 #include "solid/boolean.h"
-#include "solid/cap.h"
+#include "solid/cap_flat.h"
 
 enum { RUNS = 5, STATIONS = 600, NODES = 121 };
 

@@ -1,5 +1,6 @@
 /* The next experiment: what only an excitation tells apart is told by one, place from time by the way back, a face by
    another heat; what nothing tells apart is said so. labels: unit property plain */
+#include "cut/setup.h"
 #include "explain/experiment.h"
 
 #include "base/alloc.h"

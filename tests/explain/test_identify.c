@@ -5,6 +5,7 @@
 
 #include "base/alloc.h"
 #include "cut/cuts.h"
+#include "cut/setup.h"
 #include "explain/identify.h"
 #include "test.h"
 

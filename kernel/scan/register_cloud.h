@@ -1,6 +1,6 @@
 /* Distances of a scan from a face, as a best fit sees them. */
-#ifndef WCUT_SCAN_REGISTER_FIT_H
-#define WCUT_SCAN_REGISTER_FIT_H
+#ifndef WCUT_SCAN_REGISTER_CLOUD_H
+#define WCUT_SCAN_REGISTER_CLOUD_H
 
 #include <wirecut/mesh_tree.h>
 #include <wirecut/projection.h>
@@ -47,12 +47,5 @@ wcut_status wcut_register_closeness(wcut_register_cloud *cloud, const wcut_motio
 /* the least-squares problem of the sample with all its parameters but the number of steps; the options are borrowed */
 wcut_register_problem wcut_register_fit_problem(wcut_register_cloud *cloud, const wcut_registration_options *options,
                                                 double length);
-
-/* Motions that put the sheet of the scan onto the surface's, turned about its normal and with either side up: the best
-   of them, brought close with few points, against `motion` itself. motion: the best one out; rival as in
-   wcut_registration. WCUT_NO_MEMORY: nothing was written. */
-wcut_status wcut_register_coarse(wcut_register_face face, int count, const wcut_vec3 *point, double length,
-                                 const wcut_registration_options *options, int threads, wcut_motion *motion,
-                                 double *rival);
 
 #endif
