@@ -29,6 +29,8 @@ static void subtract(double *restrict row, const double *restrict pivot_row, dou
 bool wcut_banded_factor(wcut_banded *m) {
     for (int k = 0; k < m->n; k++) {
         const int last = last_row(m, k), reach = reach_of(m, k);
+
+        /* the largest entry of the column is the pivot */
         int p = k;
         for (int i = k + 1; i <= last; i++)
             if (fabs(*banded_at(m, i, k)) > fabs(*banded_at(m, p, k))) p = i;
@@ -36,6 +38,8 @@ bool wcut_banded_factor(wcut_banded *m) {
         double *row = banded_at(m, k, k);
         if (p != k) swap_rows(row, banded_at(m, p, k), reach + 1);
         if (!(fabs(row[0]) > 0) || !isfinite(row[0])) return false;
+
+        /* subtract the pivot's row from those below */
         const double inverse = 1 / row[0];
         for (int i = k + 1; i <= last; i++) {
             double *below = banded_at(m, i, k);
@@ -55,6 +59,8 @@ void wcut_banded_solve(const wcut_banded *m, double *b) {
         b[k] = t;
         for (int i = k + 1; i <= last; i++) b[i] -= *banded_at(m, i, k) * t;
     }
+
+    /* back substitution */
     for (int k = m->n - 1; k >= 0; k--) {
         const double *row = banded_at(m, k, k);
         const int reach = reach_of(m, k);

@@ -106,6 +106,8 @@ static double probability(const law *l, double x, bool lower) {
 static double quantile(const law *l, double p) {
     bool lower = p < 0.5;
     double goal = lower ? p : 1 - p, low = 1, high = 1;
+
+    /* bracket the quantile, either way by factors of 4 */
     while (low > DBL_MIN && (probability(l, low, lower) > goal) == lower) low /= 4;
     while (high < DBL_MAX / 4 && (probability(l, high, lower) > goal) != lower) high *= 4;
     for (;;) {

@@ -28,6 +28,8 @@ static double pivot_column(int m, int n, double *a, int k, int *order) {
         double length = sum_of_squares(m - k, a + (size_t)k * n + j, n);
         if (length > max) max = length, best = j;
     }
+
+    /* exchange the columns and their numbers */
     if (best != k) {
         for (int i = 0; i < m; i++) swap(a + (size_t)i * n + k, a + (size_t)i * n + best);
         int t = order[k];
@@ -86,6 +88,7 @@ wcut_status wcut_qr_solve(int m, int n, double *a, double *b, double *x, double 
     wcut_status status = work && order ? WCUT_OK : WCUT_NO_MEMORY;
     if (status != WCUT_OK) goto done;
 
+    /* scale every column to length 1 */
     double *scale = work + (size_t)n * (n + 1), *u = scale + n;
     for (int j = 0; j < n; j++) {
         order[j] = j;
@@ -93,6 +96,8 @@ wcut_status wcut_qr_solve(int m, int n, double *a, double *b, double *x, double 
         if (!is_positive(scale[j])) status = WCUT_SINGULAR;
         for (int i = 0; i < m && status == WCUT_OK; i++) a[(size_t)i * n + j] /= scale[j];
     }
+
+    /* reduce to triangular form; a short remaining column means that columns are dependent */
     for (int k = 0; k < n && status == WCUT_OK; k++) {
         double length = pivot_column(m, n, a, k, order);
         if (length > 1e-13)
@@ -101,6 +106,8 @@ wcut_status wcut_qr_solve(int m, int n, double *a, double *b, double *x, double 
             status = WCUT_SINGULAR;
     }
     if (status != WCUT_OK) goto done;
+
+    /* back substitution, then columns and scales as they were */
     if (inverse) normal_inverse(n, a, order, scale, work, inverse);
     solve_upper(n, a, b, u);
     for (int j = 0; j < n; j++) x[order[j]] = u[j] / scale[order[j]];
@@ -149,6 +156,8 @@ static double steepness(const solver *s) {
 static wcut_status damped_step(solver *s, double damping, double *promised) {
     int m = s->p->m, n = s->p->n;
     size_t entries = (size_t)m * n;
+
+    /* the rows of J, then those of sqrt(damping) D */
     memcpy(s->a, s->jacobian, entries * sizeof *s->a);
     memset(s->a + entries, 0, (size_t)n * n * sizeof *s->a);
     for (int i = 0; i < m; i++) s->b[i] = -s->r[i];
@@ -159,6 +168,8 @@ static wcut_status damped_step(solver *s, double damping, double *promised) {
     }
     wcut_status status = wcut_qr_solve(m + n, n, s->a, s->b, s->step, NULL);
     if (status != WCUT_OK) return status;
+
+    /* the cost that the linear model gives after the step */
     double linear = 0;
     for (int i = 0; i < m; i++) {
         double r = s->r[i];
@@ -181,6 +192,8 @@ static wcut_status minimise(solver *s) {
     double damping = 1e-3, growth = 2, promised, cost;
     if (!evaluate(s, s->x, s->r, s->jacobian, &s->cost)) return WCUT_BAD_ARGUMENT;
     memset(s->column, 0, (size_t)s->p->n * sizeof *s->column);
+
+    /* a step, a trial, and the damping for the next */
     for (int k = 0; k < s->o.max_iterations; k++) {
         if (steepness(s) <= s->o.tolerance) return WCUT_OK;
         wcut_status status = damped_step(s, damping, &promised);
@@ -255,6 +268,8 @@ static wcut_status reweight(solver *s, wcut_loss loss, int degrees, double *scal
         if (!plain_residuals(s, &cost)) return WCUT_BAD_ARGUMENT;
         if (!frozen) *scale = spread(s, s->r_trial, s->p->weight, degrees);
         frozen = frozen || k >= 20;
+
+        /* new weights, and how much they changed */
         double change = 0;
         for (int i = 0; i < s->p->m; i++) {
             double omega = *scale > 0 ? loss_weight_of(loss, s->r_trial[i] / *scale) : 1;
@@ -281,6 +296,8 @@ static double robust_variance(const solver *s, double scale, int degrees) {
         slope += d;
         slope2 += d * d;
     }
+
+    /* Huber's factor from the mean and the variance of psi' */
     double mean = slope / count, variance = fmax(0, slope2 / count - mean * mean);
     double k = 1 + (double)s->p->n / count * variance / (mean * mean);
     return k * k * scale * scale * psi2 / degrees / (mean * mean);
@@ -319,6 +336,8 @@ wcut_status wcut_lsq_solve(const wcut_lsq_problem *p, const wcut_lsq_options *op
     if (!(s.o.tolerance > 0) || s.o.max_iterations < 1 || s.o.max_rounds < 1 ||
         !(s.o.scale >= 0 && isfinite(s.o.scale)) || (unsigned)s.o.loss > WCUT_LOSS_TUKEY)
         return WCUT_BAD_ARGUMENT;
+
+    /* degrees of freedom: residuals that have a weight, less the parameters */
     int degrees = -p->n;
     for (int i = 0; i < p->m; i++) {
         if (p->weight && !(p->weight[i] >= 0 && isfinite(p->weight[i]))) return WCUT_BAD_ARGUMENT;
@@ -329,6 +348,7 @@ wcut_status wcut_lsq_solve(const wcut_lsq_problem *p, const wcut_lsq_options *op
     wcut_status status = block && answer ? WCUT_OK : WCUT_NO_MEMORY;
     if (status != WCUT_OK) goto done;
 
+    /* start at the caller's x with the prior weights */
     wcut_lsq_report at = {.degrees = degrees};
     memcpy(s.x, x, (size_t)p->n * sizeof *x);
     for (int i = 0; i < p->m; i++) s.root[i] = sqrt(prior_weight(&s, i)), s.omega[i] = 1;
@@ -341,6 +361,7 @@ wcut_status wcut_lsq_solve(const wcut_lsq_problem *p, const wcut_lsq_options *op
         status = reweight(&s, WCUT_LOSS_TUKEY, degrees, &at.scale, &at.rounds);
     if (status != WCUT_OK && status != WCUT_NOT_CONVERGED) goto done;
 
+    /* the report at the solution */
     plain_residuals(&s, &at.cost); /* inside the domain, or there would be no answer */
     at.iterations = s.iterations;
     double variance = degrees > 0 ? at.cost / degrees : 0;
@@ -353,6 +374,8 @@ wcut_status wcut_lsq_solve(const wcut_lsq_problem *p, const wcut_lsq_options *op
         status = solvable;
         goto done;
     }
+
+    /* hand out */
     memcpy(x, s.x, (size_t)p->n * sizeof *x);
     if (covariance) memcpy(covariance, answer, (size_t)p->n * p->n * sizeof *answer);
     if (loss_weight) memcpy(loss_weight, s.omega, (size_t)p->m * sizeof *s.omega);

@@ -48,12 +48,16 @@ double wcut_random_normal(wcut_random *random) {
         random->has_spare = false;
         return random->spare;
     }
+
+    /* a point of the unit disc, not its centre */
     double x, y, s;
     do {
         x = 2 * wcut_random_uniform(random) - 1;
         y = 2 * wcut_random_uniform(random) - 1;
         s = x * x + y * y;
     } while (s >= 1 || s == 0);
+
+    /* two independent deviates; one is kept for the next call */
     double scale = sqrt(-2 * log(s) / s);
     random->spare = scale * y;
     random->has_spare = true;

@@ -34,7 +34,7 @@ static inline double depth_of(const wcut_deviation_options *o, wcut_vec3 p) {
     return smaller(smaller(x, y), smaller(p.z - o->low.z, o->high.z - p.z));
 }
 
-/* what there is to say of a foot on either kind of face */
+/* a foot on either kind of reference, before it is judged */
 typedef struct finding {
     wcut_vec3 foot;
     double distance, height;

@@ -187,11 +187,16 @@ wcut_status wcut_face_map_eval(const wcut_face_map *map, const wcut_face *face, 
     double *sums = wcut_alloc(corners, sizeof *sums), *weights = wcut_alloc(corners, sizeof *weights);
     const wcut_status status = sums && weights ? WCUT_OK : WCUT_NO_MEMORY;
     if (status == WCUT_OK) {
+        /* running sums, so that any window is four terms */
         add_up(map, map->sum, sums);
         add_up(map, map->weight, weights);
+
+        /* [cells] how far the windows may grow */
         const int up_max = reach_of(support, step_of(face, false), map->rows),
                   side_max = reach_of(support, step_of(face, true), map->columns);
         const int max = up_max > side_max ? up_max : side_max;
+
+        /* the smallest window of each cell that holds enough weight */
         for (int r = 0; r < map->rows; r++)
             for (int c = 0; c < map->columns; c++) {
                 double sum = 0, weight = 0;

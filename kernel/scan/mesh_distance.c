@@ -257,6 +257,8 @@ WCUT_WIDE static void find_front(const wcut_mesh_tree *t, const float *low, cons
     enum { ROOM = FRONT * WCUT_MESH_WIDE };
     lane list[ROOM], next[ROOM + WCUT_MESH_WIDE] = {{NULL, 0}};
     int count = near_lanes(&t->node[0], low, high, limit, list);
+
+    /* replace each inner lane by its children's near lanes until they do not fit */
     for (bool deeper = true; deeper;) {
         int more = 0;
         deeper = false;
@@ -273,6 +275,8 @@ WCUT_WIDE static void find_front(const wcut_mesh_tree *t, const float *low, cons
         count = more;
         memcpy(list, next, (size_t)count * sizeof *list);
     }
+
+    /* pack the lanes into nodes; what is left over of the last one is empty */
     f->count = (count + WCUT_MESH_WIDE - 1) / WCUT_MESH_WIDE;
     for (int i = 0; i < f->count * WCUT_MESH_WIDE; i++) {
         wcut_mesh_node *to = &f->node[i / WCUT_MESH_WIDE];

@@ -113,7 +113,7 @@ static double supported_share(const wcut_sheet *s, int cell) {
 
 /* ---- meshes ---- */
 
-/* triangles as they come, by nodes */
+/* a list of triangles, by their nodes, in the order in which they are found */
 typedef struct list {
     int count;
     int *triangle; /* room for 2 x cells */
@@ -181,10 +181,14 @@ static void cut_cells(const wcut_sheet *s, list *yes, list *no, double *open_are
             const int cell = j * columns + i;
             const split c = split_cell(s, cell);
             double own = 0, all = 0, open = 0;
+
+            /* triangles that points support */
             for (int k = 0; k < c.measured; k++) {
                 own += triangle_area(s->lattice->point, c.yes[k]);
                 add(yes, c.yes[k]);
             }
+
+            /* triangles without points: open where they are inside the block */
             all = own;
             for (int k = 0; k < c.unmeasured; k++) {
                 const double area = triangle_area(s->lattice->point, c.no[k]);
@@ -196,6 +200,8 @@ static void cut_cells(const wcut_sheet *s, list *yes, list *no, double *open_are
                 open += area;
                 add(no, c.no[k]);
             }
+
+            /* areas of the cell and of the face */
             open_area[cell] = open;
             meshed += own;
             r->supported_area += c.unmeasured ? fmax(own, all * supported_share(s, cell)) : own;

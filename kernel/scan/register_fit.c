@@ -36,14 +36,20 @@ static wcut_status solve(wcut_register_cloud *c, const wcut_registration_options
     if (!wcut_spans_plane(c->count, c->point, sizeof *c->point, &pivot))
         return wcut_fail(error, WCUT_DEGENERATE, "scan: its points are in one place or on one line");
     if (o->pivot_given) pivot = o->pivot;
+
+    /* lengths are measured from the pivot; the start is that of the options */
     const double length = distance_rms(c, pivot);
     const wcut_motion stay = wcut_motion_of(pivot, (double[WCUT_DOF_COUNT]){0});
     wcut_register_start(o, x);
     wcut_motion motion = wcut_motion_of(pivot, x);
+
+    /* how close the scan is as it came, then a coarse start where all is free */
     wcut_status status = wcut_register_closeness(c, &stay, &r.rms_before);
     if (status == WCUT_OK && wants_coarse(o))
         status = wcut_register_coarse(c->face, c->count, c->point, length, o, c->threads, &motion, &r.rival);
     if (status != WCUT_OK) return wcut_fail(error, status, "registration: %s", wcut_status_text(status));
+
+    /* the fit itself */
     r.method = WCUT_REGISTRATION_METHOD_FIT;
     r.points = c->count;
     const wcut_register_problem problem = wcut_register_fit_problem(c, o, length);
@@ -66,11 +72,15 @@ static wcut_status fit(wcut_register_face face, int count, const wcut_vec3 *poin
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "registration: an argument is missing");
     if (count < MIN)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "scan: found %d points, expected at least %d", count, MIN);
+
+    /* check the options and the points */
     wcut_status status = wcut_register_options(options, &o, error);
     if (status != WCUT_OK) return status;
     for (int i = 0; i < count; i++)
         if (!(fabs(point[i].x) <= FAR && fabs(point[i].y) <= FAR && fabs(point[i].z) <= FAR))
             return wcut_fail(error, WCUT_BAD_ARGUMENT, "scan: point %d: expected numbers up to 1e12", i);
+
+    /* fit a sample of the scan */
     status = wcut_register_sample(face, count, point, o.max_points, o.keep, threads, &cloud);
     if (status != WCUT_OK) return wcut_fail(error, status, "registration: %s", wcut_status_text(status));
     status = solve(&cloud, &o, registration, error);

@@ -118,6 +118,8 @@ wcut_status wcut_lattice_split(const wcut_lattice *lattice, wcut_split *split) {
     if (!scratch) return WCUT_NO_MEMORY;
     const double noise = noise_square(lattice, scratch);
     wcut_free(scratch);
+
+    /* sums over the cells that have enough deviations */
     for (int k = 0; k < count; k++) {
         if (lattice->cell[k].of.count < TOLD) continue;
         s.cells++;
@@ -125,6 +127,7 @@ wcut_status wcut_lattice_split(const wcut_lattice *lattice, wcut_split *split) {
         shares += 1.0 / lattice->cell[k].of.count;
     }
     if (s.cells > 0) {
+        /* offset and noise; form is the spread of the cells' means, less what noise gives them */
         s.offset = sum / s.cells;
         s.offset_error = sqrt(noise * shares) / s.cells;
         s.noise_rms = sqrt(noise);

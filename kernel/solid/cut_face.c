@@ -10,7 +10,7 @@
 /* stations that the cut may begin at later, points looked at along each */
 enum { STARTS_MAX = 12, STARTS_SEEN = 32 };
 
-/* A face that reaches beyond the block's sides is prolonged by so many times as much, at most: it may lie askew. */
+/* [1] A face that reaches a margin beyond the block's sides may be prolonged by this many margins more: it may lie askew. */
 static const double MARGINS = 10;
 
 /* Triangles and fit this share of the kerf from their face: those of the two sides never meet. */
@@ -72,12 +72,16 @@ wcut_status wcut_cut_face_solve(const wcut_division *d, double side, double marg
     const wcut_mould_options *o = d->options;
     const wcut_sides sides = {{0 - margin, d->block.x + margin}, {0 - margin, d->block.y + margin}};
     const double height[2] = {0, d->block.z}, prolong = o->prolong + MARGINS * margin;
+
+    /* fit the side's sheet: the surface, offset by half the kerf */
     wcut_sheet sheet = wcut_sheet_of(d->surface);
     sheet.width = d->width;
     sheet.side = side;
     wcut_cut_face f = {.chord_error = 0};
     wcut_status status = fit_face(&sheet, sides, height, prolong, o->prolong > 0, o->fit_tolerance, &f.fit, error);
     if (status != WCUT_OK) return status;
+
+    /* triangles finer than the kerf, or both faces could meet */
     double tolerance = o->chord_tolerance;
     if (d->width) tolerance = fmin(tolerance, KERF_SHARE * f.fit.width_min);
     if (d->width && f.fit.fit_error > KERF_SHARE * f.fit.width_min)
@@ -91,6 +95,8 @@ wcut_status wcut_cut_face_solve(const wcut_division *d, double side, double marg
         wcut_cut_face_clear(&f);
         return status;
     }
+
+    /* the range of z of the triangles */
     f.low = f.high = f.cap.vertex[0].z;
     for (int k = 1; k < f.cap.vertex_count; k++) {
         f.low = fmin(f.low, f.cap.vertex[k].z);
@@ -107,6 +113,8 @@ static wcut_status say_touch(const wcut_division *d, const wcut_cap *cap, double
     bool at_x[2] = {true, true}, at_y[2] = {true, true};
     wcut_vec3 place = {0, 0, 0};
     double min = INFINITY;
+
+    /* the closest vertex, and whether all that are near lie at one side of the block */
     for (int k = 0; k < cap->vertex_count; k++) {
         const wcut_vec3 p = cap->vertex[k];
         const double off = fabs(p.z - level);
@@ -117,6 +125,8 @@ static wcut_status say_touch(const wcut_division *d, const wcut_cap *cap, double
             at_y[e] = at_y[e] && fabs(p.y - y[e]) <= EDGE_SHARE * d->block.y;
         }
     }
+
+    /* a corner, an edge, or else the face */
     const bool on_x = at_x[0] || at_x[1], on_y = at_y[0] || at_y[1];
     if (on_x && on_y)
         return wcut_fail(error, WCUT_DEGENERATE, "the cut runs through the block's corner (%.6g, %.6g, %.6g) mm",

@@ -66,20 +66,28 @@ static wcut_status check_stock(const wcut_mesh *stock, wcut_vec3 block, wcut_err
     if (stock->vertex_count < 4 || stock->triangle_count < 4 || stock->triangle_count > INT_MAX / 3 || !stock->vertex ||
         !stock->triangle || !vec3_all_finite(stock->vertex_count, stock->vertex))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "stock: expected a closed mesh with finite coordinates");
+
+    /* every corner names a vertex */
     for (int k = 0; k < 3 * stock->triangle_count; k++)
         if (stock->triangle[k] < 0 || stock->triangle[k] >= stock->vertex_count)
             return wcut_fail(error, WCUT_BAD_ARGUMENT, "stock: triangle %d names no vertex", k / 3);
+
+    /* closed, and wound outwards */
     wcut_half_report r = {.closed = 0};
     wcut_status status = wcut_check_boundary(stock, &r);
     if (status != WCUT_OK) return status;
     if (!r.closed || !r.oriented)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "stock: the mesh is %s",
                          r.closed ? "not oriented outwards" : "not closed");
+
+    /* inside the block, but for a share of its size */
     if (r.box_low.x < -over || r.box_low.y < -over || r.box_low.z < -over || r.box_high.x > block.x + over ||
         r.box_high.y > block.y + over || r.box_high.z > block.z + over)
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "stock: from (%.6g, %.6g, %.6g) to (%.6g, %.6g, %.6g) mm, expected it inside the block",
                          r.box_low.x, r.box_low.y, r.box_low.z, r.box_high.x, r.box_high.y, r.box_high.z);
+
+    /* free of self-intersections */
     int pairs;
     wcut_vec3 at;
     status = wcut_self_intersections(stock, &pairs, &at, error);
@@ -263,12 +271,16 @@ static wcut_status make_parts(const wcut_division *d, const faces *f, wcut_mould
 static wcut_status divide(const wcut_division *d, wcut_mould *m, wcut_error *error) {
     faces f;
     wcut_parts parts = {.lower = {.mesh = NULL}};
+
+    /* the cut faces, then the solids between them and the block's */
     wcut_status status = fit_faces(d, 0, &f, error);
     if (status == WCUT_OK) status = make_parts(d, &f, m, &parts, error);
     if (status == WCUT_OK) {
         describe_cut(&f, m);
         status = describe_halves(d, &f, m, error);
     }
+
+    /* check both halves; the mould takes over their meshes */
     if (status == WCUT_OK) status = report_half(d, &parts.lower, 0, &m->lower, error);
     if (status == WCUT_OK) status = report_half(d, &parts.upper, 1, &m->upper, error);
     if (status == WCUT_OK) {
@@ -277,6 +289,7 @@ static wcut_status divide(const wcut_division *d, wcut_mould *m, wcut_error *err
         status = balance(m, error);
     }
     if (status == WCUT_OK) {
+        /* scale for shrinkage, then judge walls and drafts at the final size */
         const wcut_mould_options *o = d->options;
         scale_mould(m, o->scale);
         judge_half(o, &m->lower.report);

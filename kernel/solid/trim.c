@@ -206,8 +206,12 @@ wcut_status wcut_trim_begin(const wcut_sheet *sheet, wcut_sides sides, wcut_trim
         polygon = wcut_alloc((size_t)n.rows, sizeof *polygon);
         if (!m.rib || !edge || !polygon) status = WCUT_NO_MEMORY;
     }
+
+    /* part of the sheet is over the block, and no row of it turns back along x */
     if (status == WCUT_OK) status = check_over(&m, &n, error);
     if (status == WCUT_OK) status = check_rows(&m, &n, error);
+
+    /* ribs: sections of the sheet in planes of x */
     for (int k = 0; status == WCUT_OK && k < RIBS; k++) {
         const double t = k / (RIBS - 1.0), x = (1 - t) * sides.x[0] + t * sides.x[1];
         status = find_rib(&m, &n, x, edge, polygon, &m.rib[k], error);

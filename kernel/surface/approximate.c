@@ -21,7 +21,7 @@ static const double SHARE = 0.4;
 /* of the largest coordinate: nearer than this rounding does not let two points be */
 static const double ROUNDED = 1e-14;
 
-/* a cell is at most so many times as wide as its neighbour */
+/* [1] largest ratio of the widths of neighbouring cells */
 static const double GRADING = 4;
 
 /* parameters of one direction */
@@ -69,6 +69,8 @@ static wcut_status lines_begin(const wcut_map_axis *axis, lines *l) {
 /* halve the coarse cells, and those much wider than a neighbour will be */
 static wcut_status lines_refine(lines *l) {
     int more = 0;
+
+    /* mark neighbours until no cell is much wider than the next */
     for (bool changed = true; changed;) {
         changed = false;
         for (int i = 0; i + 1 < l->count; i++) {
@@ -82,6 +84,8 @@ static wcut_status lines_refine(lines *l) {
             }
         }
     }
+
+    /* the new lines: a middle in every marked cell */
     for (int i = 0; i + 1 < l->count; i++) more += l->coarse[i];
     lines n;
     const wcut_status status = lines_new(l->count + more, &n);
@@ -229,6 +233,8 @@ wcut_status wcut_approximate(wcut_grid_map map, const void *data, const wcut_map
     double max = 0;
     wcut_status status = lines_begin(axis_u, &u);
     if (status == WCUT_OK) status = lines_begin(axis_v, &v);
+
+    /* interpolate, look between the lines, refine; when nothing is coarse, check densely */
     for (int round = 0; status == WCUT_OK; round++) {
         if (round == ROUNDS_MAX) status = WCUT_NOT_CONVERGED;
         wcut_surface_destroy(s);

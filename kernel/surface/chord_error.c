@@ -41,6 +41,8 @@ static int knots_inside(const double *knots, int last, double a, double b, int *
 static wcut_status place_samples(int degree, int control_count, const double *knots, const wcut_spacing *lines,
                                  samples *out) {
     samples s = {.count = 1};
+
+    /* how many samples each cell has */
     for (int c = 0, next = degree; c < lines->pieces; c++) {
         const int inside = knots_inside(knots, control_count, lines->at[c], lines->at[c + 1], &next);
         const int steps = (inside + 1) * steps_between(degree, inside);
@@ -53,6 +55,8 @@ static wcut_status place_samples(int degree, int control_count, const double *kn
         samples_clear(&s);
         return WCUT_NO_MEMORY;
     }
+
+    /* samples, evenly between the knots inside each cell */
     int made = 0;
     for (int c = 0, next = degree; c < lines->pieces; c++) {
         const double end = lines->at[c + 1];

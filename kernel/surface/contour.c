@@ -219,6 +219,8 @@ static wcut_status trace_between(walker *w, const graph *g, const wcut_contour_e
 static wcut_status trace_graph(walker *w, const graph *g) {
     double edge[2][WCUT_BASIS_SIZE], root[2][ROOTS_MAX], at[2 * ROOTS_MAX + 2];
     int count[2] = {0, 0}, side[2 * ROOTS_MAX + 2], breaks = 0;
+
+    /* roots of the height along both sides of the cell */
     for (int k = 0; k < 2; k++) {
         for (int j = 0; j <= g->m; j++) {
             const int i = k ? g->n : 0;
@@ -226,6 +228,8 @@ static wcut_status trace_graph(walker *w, const graph *g) {
         }
         find_roots(g->m, edge[k], 0, 1, 0, root[k], &count[k]);
     }
+
+    /* all roots in order, with the side that each is on, between the ends */
     at[breaks] = 0, side[breaks++] = -1;
     for (int i = 0, j = 0; i < count[0] || j < count[1];) {
         const bool low = j == count[1] || (i < count[0] && root[0][i] <= root[1][j]);
@@ -233,6 +237,8 @@ static wcut_status trace_graph(walker *w, const graph *g) {
         side[breaks++] = low ? 0 : 1;
     }
     at[breaks] = 1, side[breaks++] = -1;
+
+    /* between two breaks the contour runs through where the sides have unlike signs */
     wcut_status status = WCUT_OK;
     for (int k = 0; k + 1 < breaks && status == WCUT_OK; k++) {
         const double middle = (at[k] + at[k + 1]) / 2;
@@ -313,6 +319,8 @@ static bool is_touching(const walker *w, const cell *k) {
 
 static wcut_status divide(walker *w, const cell *k, int depth) {
     bool above = false, below = false;
+
+    /* control heights of one sign: no contour in the cell */
     for (int j = 0; j <= k->q; j++)
         for (int i = 0; i <= k->p; i++) {
             const bool sign = is_above(k->f[j][i]);
@@ -320,6 +328,8 @@ static wcut_status divide(walker *w, const cell *k, int depth) {
         }
     if (!above || !below) return WCUT_OK;
     if (++w->cells > CELLS_MAX) return WCUT_NOT_CONVERGED;
+
+    /* monotone along one direction: the contour is a graph over the other */
     const bool by_u = direction_of(k, true) != 0, by_v = direction_of(k, false) != 0;
     if (by_u || by_v) {
         graph upright = {k, false, k->p, k->q, k->u0, k->u1, k->v0, k->v1, NULL};
@@ -327,10 +337,14 @@ static wcut_status divide(walker *w, const cell *k, int depth) {
         if (by_u && by_v) upright.other = &turned, turned.other = &upright;
         return trace_graph(w, by_u ? &upright : &turned);
     }
+
+    /* too small to halve: the surface touches the plane here */
     if (depth == DEPTH_MAX || (depth > 8 && is_touching(w, k))) {
         if (w->c->touching++ == 0) w->c->touch_u = (k->u0 + k->u1) / 2, w->c->touch_v = (k->v0 + k->v1) / 2;
         return WCUT_OK;
     }
+
+    /* halve across the direction that bends more */
     const double bend_u = bend_of(k, true), bend_v = bend_of(k, false);
     cell half[2];
     halve(k, bend_u == bend_v ? depth % 2 == 0 : bend_u > bend_v, half);

@@ -93,12 +93,15 @@ wcut_status wcut_curve_interpolate_at(int count, const wcut_vec3 *point, const d
         return WCUT_BAD_ARGUMENT;
     for (int i = 0; parameter && i < count; i++)
         if (!isfinite(parameter[i]) || (i > 0 && !(parameter[i] > parameter[i - 1]))) return WCUT_BAD_ARGUMENT;
+
+    /* an end slope is one more equation */
     const int sites = count + (first != NULL) + (last != NULL), degree = sites > 3 ? 3 : sites - 1;
     wcut_curve *c = NULL;
     double *own = wcut_alloc((size_t)count, sizeof *own), *site = wcut_alloc((size_t)sites, sizeof *site);
     wcut_status status = own && site ? wcut_curve_new(degree, sites, false, &c) : WCUT_NO_MEMORY;
     if (status == WCUT_OK && !parameter) status = chord_parameters(count, point, own);
     if (status == WCUT_OK) {
+        /* sites of the equations, knots as their averages */
         place_sites(count, parameter ? parameter : own, point, first, last, site, c->control);
         wcut_knots_average(degree, sites, site, c->knots);
         if (!wcut_knots_are_valid(degree, sites, c->knots)) status = WCUT_DEGENERATE;

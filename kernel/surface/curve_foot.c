@@ -64,6 +64,8 @@ static wcut_status finder_build(const wcut_curve *curve, finder *f) {
     for (int s = curve->degree; s < curve->control_count; s++) f->pieces += curve->knots[s] < curve->knots[s + 1];
     while (f->leaves < f->pieces) f->leaves *= 2;
     const size_t nodes = 2 * (size_t)f->leaves;
+
+    /* a heap of boxes over the Bezier pieces, all empty */
     f->piece = wcut_alloc((size_t)f->pieces, sizeof *f->piece);
     f->low = wcut_alloc(nodes, sizeof *f->low);
     f->high = wcut_alloc(nodes, sizeof *f->high);
@@ -75,6 +77,8 @@ static wcut_status finder_build(const wcut_curve *curve, finder *f) {
         f->low[k] = vec3(INFINITY, INFINITY, INFINITY);
         f->high[k] = vec3(-INFINITY, -INFINITY, -INFINITY);
     }
+
+    /* the pieces and their boxes */
     for (int s = curve->degree, made = 0; s < curve->control_count; s++) {
         if (!(curve->knots[s] < curve->knots[s + 1])) continue;
         wcut_bezier b;
@@ -83,11 +87,15 @@ static wcut_status finder_build(const wcut_curve *curve, finder *f) {
         for (int i = 0; i <= curve->degree; i++) f->piece[made].at[i] = b.at[0][i];
         box_of_piece(f, made++);
     }
+
+    /* boxes of the inner nodes, from the leaves up */
     for (int k = f->leaves - 2; k >= 0; k--) {
         const wcut_vec3 *a = &f->low[2 * k + 1], *b = &f->high[2 * k + 1];
         f->low[k] = vec3(fmin(a[0].x, a[1].x), fmin(a[0].y, a[1].y), fmin(a[0].z, a[1].z));
         f->high[k] = vec3(fmax(b[0].x, b[1].x), fmax(b[0].y, b[1].y), fmax(b[0].z, b[1].z));
     }
+
+    /* squares of larger lengths would overflow */
     f->size = vec3_distance(f->low[0], f->high[0]) + fmax(vec3_length(f->low[0]), vec3_length(f->high[0]));
     if (f->size < FAR) return WCUT_OK;
     finder_clear(f);

@@ -55,6 +55,8 @@ static wcut_status measure(const sections *s, double *max) {
         wcut_knots_average(3, n, u, knots);
     }
     *max = 0;
+
+    /* of each section the cubic through its nodes beside points of equal arc length */
     for (int j = 0; j < s->count && status == WCUT_OK; j++) {
         for (int i = 0; i < n; i++) control[i] = s->point[(ptrdiff_t)j * n + i];
         status = wcut_interpolate_rows(3, n, knots, u, 1, control);

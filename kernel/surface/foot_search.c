@@ -207,9 +207,13 @@ static void search_tree(search *s) {
     int depth = 1;
     stack[0].node = 0;
     stack[0].bound = wcut_patch_distance(&tree[0].patch, s->p, INFINITY, &stack[0].s, &stack[0].t);
+
+    /* depth first, the nearer child first; nodes farther than the best foot are left out */
     while (depth > 0) {
         depth--;
         if (is_excluded(s, stack[depth].bound)) continue;
+
+        /* a convex piece has one minimum: descend to it */
         const wcut_patch_node *node = &tree[stack[depth].node];
         double min;
         if (wcut_patch_is_convex(&node->patch, s->p, &min)) {
@@ -217,10 +221,14 @@ static void search_tree(search *s) {
             continue;
         }
         if (is_excluded(s, min)) continue;
+
+        /* a leaf that is not convex is halved further */
         if (!node->child) {
             search_below(s, &node->patch, stack[depth].s, stack[depth].t);
             continue;
         }
+
+        /* both children; the nearer one is pushed last */
         double near[2], on_s[2] = {0, 0}, on_t[2] = {0, 0};
         for (int k = 0; k < 2; k++)
             near[k] = wcut_patch_distance(&tree[node->child + k].patch, s->p, s->best.distance, &on_s[k], &on_t[k]);

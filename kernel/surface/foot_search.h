@@ -19,7 +19,7 @@ struct wcut_projection {
 /* the closest point to p; `near`, if not NULL, is a foot found for a neighbour */
 void wcut_foot_search(const wcut_projection *m, wcut_vec3 p, const wcut_foot *near, wcut_foot *foot);
 
-/* what there is to say of a foot that is known to be the closest */
+/* point, distance, height and border of a foot that is known to be the closest */
 void wcut_foot_describe(const wcut_projection *m, wcut_vec3 p, const wcut_foot_jet *at, wcut_foot *foot);
 
 #endif

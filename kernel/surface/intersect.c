@@ -318,6 +318,8 @@ static wcut_status clip_end(clip *c) {
 /* the parts of a trace inside a face; a closed one begins at an outer point, if it has one */
 static wcut_status clip_trace(clip *c, const wcut_trace *t) {
     int start = 0, inside = 0;
+
+    /* how many points are inside; a closed trace starts at one that is not */
     for (int k = 0; k < t->count; k++) {
         if (beyond(&c->f, t->point[k])) {
             start = k;
@@ -329,6 +331,8 @@ static wcut_status clip_trace(clip *c, const wcut_trace *t) {
     const bool whole = inside == t->count;
     const int steps = t->closed && !whole ? t->count + 1 : t->count, room = t->count + 4;
     if (!t->closed || whole) start = 0;
+
+    /* walk along the trace; where it crosses the border a part begins or ends */
     wcut_status status = WCUT_OK;
     bool was_inside = false;
     for (int n = 0; n < steps && status == WCUT_OK; n++) {

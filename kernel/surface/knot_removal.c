@@ -185,6 +185,8 @@ static wcut_status thin(wcut_net *net, bool rational, double tolerance, double *
     bool *taken = wcut_alloc(max, sizeof *taken);
     target t = {.fine = &fine, .rational = rational};
     wcut_vec3 low = vec3(INFINITY, INFINITY, INFINITY), high = vec3(-INFINITY, -INFINITY, -INFINITY);
+
+    /* the middle and the radius of the control points, for errors of rational nets */
     for (ptrdiff_t k = 0; k < (ptrdiff_t)fine.count * fine.lanes; k++) {
         const wcut_homogeneous *h = &fine.at[k];
         const wcut_vec3 p = vec3(h->x / h->w, h->y / h->w, h->z / h->w);
@@ -193,6 +195,8 @@ static wcut_status thin(wcut_net *net, bool rational, double tolerance, double *
     }
     t.middle = vec3_mix(low, high, 0.5);
     t.radius = vec3_distance(low, high) / 2;
+
+    /* remove batches of knots until none is left that may go */
     status = list && taken ? without(&fine, NULL, 0, &coarse) : WCUT_NO_MEMORY;
     if (status == WCUT_OK) memcpy(coarse.at, fine.at, max * (size_t)fine.lanes * sizeof *fine.at);
     for (int round = 0, removed = 1; status == WCUT_OK && removed > 0 && round < ROUNDS_MAX; round++) {

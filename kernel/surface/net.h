@@ -20,7 +20,7 @@ wcut_status wcut_net_new(int degree, int count, int lanes, wcut_net *net);
 /* free what the functions here gave; a zeroed net is allowed */
 void wcut_net_clear(wcut_net *net);
 
-/* insert a knot inside the domain so many times; on failure the net is as it was */
+/* insert a knot inside the domain, `times` times; on failure the net is as it was */
 wcut_status wcut_net_insert(wcut_net *net, double u, int times);
 
 /* the parts on either side of a parameter inside the domain; on failure nothing is written */

@@ -67,7 +67,7 @@ wcut_span_place wcut_newton_foot_walk(const wcut_newton_foot *q, wcut_vec3 query
     float s = 0, t = 0;
     look(&q->guide[row * q->columns + column], p, &s, &t);
     for (int step = 0; step < WALK; step++) {
-        /* even where that is no step at all: what is certain to be done needs no guess by the processor */
+        /* computed even where it leads nowhere: a branch here would often be mispredicted */
         const int next_column = within(column + spans_away(s), q->columns);
         const int next_row = within(row + spans_away(t), q->rows);
         if (step > 0 && next_column == column && next_row == row) break;
@@ -148,24 +148,34 @@ WCUT_WIDE static void solve(const wcut_span *restrict of, double tolerance, int 
 #pragma omp simd
     for (int k = first; k < last; k++) {
         const wcut_vec3 p = vec3(l->px[k], l->py[k], l->pz[k]);
+
+        /* the Hessian and the gradient of half the squared distance */
         const jet f = jet_at(of, l->s[k], l->t[k]);
         const wcut_vec3 r = vec3_sub(p, f.at);
         const double ss = vec3_dot(f.s, f.s) - vec3_dot(r, f.ss), tt = vec3_dot(f.t, f.t) - vec3_dot(r, f.tt);
         const double st = vec3_dot(f.s, f.t) - vec3_dot(r, f.st), area = ss * tt - st * st, by = 1 / area;
         const double gs = vec3_dot(r, f.s), gt = vec3_dot(r, f.t);
+
+        /* first step, with the second-order model there */
         const double s1 = (gs * tt - gt * st) * by, t1 = (gt * ss - gs * st) * by;
         const jet m = jet_moved(f, s1, t1);
         const wcut_vec3 q = vec3_sub(p, m.at);
         const double hs = vec3_dot(q, m.s), ht = vec3_dot(q, m.t);
+
+        /* second step with the same Hessian */
         const double s2 = (hs * tt - ht * st) * by, t2 = (ht * ss - hs * st) * by;
         const wcut_vec3 at = vec3_add_scaled(vec3_add_scaled(m.at, s2, m.s), t2, m.t);
         const wcut_vec3 o = vec3_sub(p, at), normal = vec3_cross(m.s, m.t);
         const double distance = sqrt(vec3_dot(o, o)), e1 = fabs(s1) + fabs(t1), e2 = fabs(s2) + fabs(t2);
         const double s = l->s[k] + (s1 + s2), t = l->t[k] + (t1 + t2);
+
+        /* the foot */
         l->s[k] = s, l->t[k] = t;
         l->x[k] = at.x, l->y[k] = at.y, l->z[k] = at.z;
         l->distance[k] = distance;
         l->height[k] = vec3_dot(o, normal) / sqrt(vec3_dot(normal, normal));
+
+        /* the verdict without branches: a condition is 0 or 1 */
         const double convex = (ss > 0 ? 1.0 : 0.0) * (area > 1e-9 * ss * tt ? 1.0 : 0.0);
         const double exact = (e2 * e2 * shortest <= e1 ? 1.0 : 0.0) *
                              (bends * e1 * e1 * (distance + speed * e1) * (ss + tt) <= area ? 1.0 : 0.0);

@@ -175,12 +175,16 @@ void wcut_newton_foot_destroy(wcut_newton_foot *newton) {
 
 wcut_status wcut_newton_foot_create(const wcut_surface *surface, double size, wcut_newton_foot **newton) {
     const wcut_surface *s = surface;
+
+    /* only polynomial bicubic surfaces */
     if (s->weights || s->degree_u != CUBIC || s->degree_v != CUBIC) {
         *newton = NULL;
         return WCUT_OK;
     }
     wcut_newton_foot *q = wcut_alloc(1, sizeof *q);
     if (!q) return WCUT_NO_MEMORY;
+
+    /* distinct knots; the origin is a point near the middle */
     q->u = list_knots(s->count_u, s->knots_u, &q->columns);
     q->v = list_knots(s->count_v, s->knots_v, &q->rows);
     q->centre = s->control[(ptrdiff_t)(s->count_v / 2) * s->count_u + s->count_u / 2];
@@ -189,6 +193,7 @@ wcut_status wcut_newton_foot_create(const wcut_surface *surface, double size, wc
     const size_t count = (size_t)q->columns * (size_t)q->rows;
     const bool fits = count > 0 && count <= SPANS_MAX;
     if (status == WCUT_OK && fits) {
+        /* polynomials and bounds of every span, then the radii that they prove */
         wcut_span_bounds *bounds = wcut_alloc(count, sizeof *bounds);
         q->span = wcut_alloc(count, sizeof *q->span);
         q->guide = wcut_alloc(count, sizeof *q->guide);

@@ -140,11 +140,14 @@ wcut_status wcut_surface_offset(const wcut_surface *surface, double distance, do
     wcut_surface *s = NULL;
     wcut_offset_report r = {.error = 0};
     const task t = {.surface = surface, .distance = distance};
+
+    /* a surface with a crease has no offset */
     wcut_status status = make_axis(surface, WCUT_DIRECTION_U, &u, &room_u, &crease);
     if (status == WCUT_OK) status = make_axis(surface, WCUT_DIRECTION_V, &v, &room_v, &crease);
     if (status == WCUT_OK && crease) status = WCUT_DEGENERATE;
     if (status == WCUT_OK) status = wcut_approximate(offset_grid, &t, &u, &v, tolerance, &s, &r.error);
     if (status == WCUT_OK && report) {
+        /* where the offset folds or crosses itself */
         find_tightest(surface, distance, &u, &v, &r);
         status =
             wcut_surface_crossings(s, fmax(tolerance, fabs(distance) / 50), &r.crossings, r.crossing_u, r.crossing_v);

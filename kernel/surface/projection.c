@@ -70,13 +70,19 @@ void wcut_projection_locate_batch(const void *on, int count, const wcut_vec3 *qu
     unsigned char done[BLOCK] = {0};
     wcut_span_place start[BLOCK];
     const wcut_foot *near = &foot[0];
+
+    /* the first query by the tree */
     wcut_foot_search(m, query[0], NULL, &foot[0]);
+
+    /* the others by Newton steps within spans */
     if (m->newton) {
         const wcut_span_place from = wcut_span_place_at(m->newton, near->u, near->v);
         wcut_query_prefetch rest = *ahead;
         rest.index++, rest.next++;
         wcut_newton_foot_batch(m->newton, count - 1, query + 1, from, &rest, foot + 1, done + 1, start + 1);
     }
+
+    /* what is left: Newton from where the batch stopped, then from the last foot that the tree found */
     for (int k = 1; k < count; k++) {
         if (done[k]) continue;
         wcut_foot_jet at;
@@ -91,6 +97,8 @@ void wcut_projection_locate_batch(const void *on, int count, const wcut_vec3 *qu
                 continue;
             }
         }
+
+        /* last by the tree */
         wcut_foot_search(m, query[k], near, &foot[k]);
         near = &foot[k];
     }

@@ -10,7 +10,7 @@ enum {
     WCUT_QUERY_FOOT_SIZE = 128 /* bytes of a foot, at most */
 };
 
-/* What will be met in memory, in an order of its own: fetched while a block is searched, it takes no time. */
+/* What will be met in memory, in an order of its own: prefetched while a block is searched. */
 typedef struct wcut_query_prefetch {
     const char *result; /* what the taker will write, `size` bytes a query */
     size_t size;
@@ -38,8 +38,8 @@ typedef struct wcut_query_batch {
     const void *on;
     wcut_query_taker *take;
     void *to;
-    const void *result; /* what is taken goes here, */
-    size_t size;        /* so many bytes a query */
+    const void *result; /* where `take` writes, for prefetching */
+    size_t size;        /* [bytes] of a result */
 } wcut_query_batch;
 
 /* Queries are finite; the same blocks for any number of threads. WCUT_NO_MEMORY: nothing was taken. */

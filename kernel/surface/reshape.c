@@ -18,7 +18,7 @@ static const double SAME_WEIGHT = 1e-9;
 
 /* ---- degree --------------------------------------------------------------------------------------------------------- */
 
-/* so many degrees higher, as long as the result has a size that shapes may have */
+/* raise the degree `times` times; WCUT_BAD_ARGUMENT where the result would have too many control points for a shape */
 static wcut_status elevate(wcut_net *net, int times) {
     wcut_status status = WCUT_OK;
     for (int k = 0; k < times && status == WCUT_OK; k++)

@@ -119,11 +119,14 @@ wcut_status wcut_surface_fit(int stations, int nodes, const wcut_vec3 *position,
     wcut_status status = wcut_surface_loft(stations, nodes, position, merge, &loft, NULL, NULL);
     if (status == WCUT_OK) status = wcut_sections_pick(stations, nodes, position, merge, &sections);
     if (status != WCUT_OK) goto done;
+
+    /* few nodes: the loft through them is the fit */
     const int kept = sections.kept;
     if (nodes < 5 || kept < 5) {
         s = loft, loft = NULL;
         report_loft(s, &r);
     } else {
+        /* the nodes of the sections used, then fits with more knots until the tolerance holds */
         u = wcut_alloc((size_t)nodes, sizeof *u);
         point = wcut_alloc((size_t)kept, (size_t)nodes * sizeof *point);
         status = u && point ? WCUT_OK : WCUT_NO_MEMORY;
@@ -135,6 +138,8 @@ wcut_status wcut_surface_fit(int stations, int nodes, const wcut_vec3 *position,
         if (status != WCUT_OK) goto done;
         r.control_count = s->count_u * s->count_v;
     }
+
+    /* hand out */
     if (parameter) wcut_sections_spread(&sections, stations, parameter);
     r.used = kept, r.dropped = stations - kept, r.node_count = kept * nodes;
     if (report) *report = r;

@@ -65,11 +65,15 @@ static wcut_status find_lines(const wcut_surface *s, double tolerance, wcut_spac
 static wcut_status fill_vertices(const wcut_surface *s, const wcut_spacing *lines_u, const wcut_spacing *lines_v,
                                  wcut_mesh *mesh, double *max) {
     const int columns = lines_u->pieces + 1, rows = lines_v->pieces + 1;
+
+    /* basis functions of every grid line */
     wcut_axis u = {.count = 0}, v = {.count = 0};
     wcut_status status = wcut_axis_fill(s->degree_u, s->count_u, s->knots_u, columns, lines_u->at, 1, &u);
     if (status == WCUT_OK) status = wcut_axis_fill(s->degree_v, s->count_v, s->knots_v, rows, lines_v->at, 1, &v);
     wcut_homogeneous *fold = wcut_alloc((size_t)s->count_u, 2 * sizeof *fold);
     if (!fold) status = WCUT_NO_MEMORY;
+
+    /* fold the net along v once a row, then evaluate along u */
     *max = 0;
     for (int j = 0; status == WCUT_OK && j < rows; j++) {
         wcut_grid_fold(s, &v, j, 0, fold);
