@@ -10,7 +10,7 @@
 /* stations that the cut may begin at later, points looked at along each */
 enum { STARTS_MAX = 12, STARTS_SEEN = 32 };
 
-/* [1] A face that reaches a margin beyond the block's sides may be prolonged by this many margins more: it may lie askew. */
+/* [1] A face that reaches a margin beyond the block may be prolonged by this many margins more: it may lie askew. */
 static const double MARGINS = 10;
 
 /* Triangles and fit this share of the kerf from their face: those of the two sides never meet. */
