@@ -159,6 +159,8 @@ static void find_warnings(calibration *c) {
     const wcut_calibration *fit = &c->fit;
     bool relative = c->options.noise == WCUT_NOISE_RELATIVE;
     const double against = relative ? -fit->force.evidence : fit->force.evidence;
+
+    /* what the cuts cannot tell: the law's parameters, the tension law, the heat, the speed */
     if (!fit->told_apart)
         warn(c,
              "%d levels of Q_eff over a factor of %.2f do not separate a from b (correlation %.3f): use V0 and the "

@@ -32,6 +32,7 @@ static int refuse(const char *found, const char *expected) {
 
 /* one KEY:VALUE */
 static int disturb_by(wcut_rig_options *o, const char *item) {
+    /* the disturbances by key, each with its factor into the API's unit and its range */
     const struct {
         const char *name;
         double *to, unit, low, high;
@@ -48,9 +49,13 @@ static int disturb_by(wcut_rig_options *o, const char *item) {
     enum { KEYS = sizeof key / sizeof *key };
     const char *names[KEYS + 1] = {NULL};
     for (int k = 0; k < KEYS; k++) names[k] = key[k].name;
+
+    /* the key stands before the colon */
     const size_t length = strcspn(item, ":");
     char name[KEY_MAX] = "";
     if (length < sizeof name && item[length] == ':') memcpy(name, item, length);
+
+    /* the number behind it: plain digits to the end, in range */
     for (int k = 0; k < KEYS; k++) {
         if (strcmp(name, key[k].name) != 0) continue;
         const char *digits = item + length + 1;
@@ -65,6 +70,8 @@ static int disturb_by(wcut_rig_options *o, const char *item) {
         *key[k].to = value * key[k].unit;
         return APP_DONE;
     }
+
+    /* an unknown key: refuse it with the nearest known one */
     const char *near = app_suggest(name, names);
     char expected[120];
     snprintf(expected, sizeof expected, "KEY:NUMBER with a key that --help lists%s%s", near ? "; did you mean " : "",

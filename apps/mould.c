@@ -71,6 +71,7 @@ static int name_results(moulding *m) {
 /* ---- the cut ---- */
 
 static int load(moulding *m) {
+    /* the job, with other nodes and stations where they are given */
     wcut_error error = {0};
     wcut_status status = wcut_job_read(m->path, &m->job, &error);
     if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : m->path, &error);
@@ -79,6 +80,8 @@ static int load(moulding *m) {
         status = wcut_job_resample(m->job, app_int(m->call, "stations"));
         if (status != WCUT_OK) return app_fail_status(status, m->path, NULL);
     }
+
+    /* edges from a file replace the job's */
     if (app_given(m->call, "edges")) {
         const char *path = app_text(m->call, "edges");
         status = wcut_job_read_edges(m->job, path, &error);
@@ -86,6 +89,8 @@ static int load(moulding *m) {
             return app_fail(APP_BAD_INPUT, "%s: --edges: expected a design, found a path", m->path);
         if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : path, &error);
     }
+
+    /* the stock that the mould is cut from */
     if (app_given(m->call, "stock")) {
         const char *path = app_text(m->call, "stock");
         wcut_mesh_read_options options = wcut_mesh_read_options_default();
@@ -93,6 +98,7 @@ static int load(moulding *m) {
         status = wcut_mesh_read(path, &options, &m->stock, NULL, &error);
         if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : path, &error);
     }
+
     status = wcut_setup_create(m->job, NULL, &m->setup, &error);
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, m->path, &error);
 }
@@ -136,6 +142,7 @@ static int read_pull(const char *text, wcut_vec3 *pull) {
 }
 
 static int divide(moulding *m) {
+    /* tolerances, draft and kerf of the mould */
     wcut_error error = {0};
     wcut_key key[WCUT_KEYS_AT_CORNERS];
     wcut_mould_options o = wcut_mould_default();
@@ -151,6 +158,8 @@ static int divide(moulding *m) {
     o.wall_asked = app_real(m->call, "minimum-wall");
     if (app_given(m->call, "minimum-draft")) o.draft_asked = app_real(m->call, "minimum-draft") * WCUT_RAD_PER_DEG;
     o.stock = m->stock;
+
+    /* keys at the corners: pins stand out, sockets go in */
     if (keys > 0) {
         const double height = app_real(m->call, "key-height");
         const wcut_status status = wcut_keys_at_corners(m->job->block_size, app_real(m->call, "key-radius"),
@@ -160,6 +169,7 @@ static int divide(moulding *m) {
                             "--key-height: a key of that radius is lower, because its flanks meet in a point");
         o.key = key, o.key_count = WCUT_KEYS_AT_CORNERS;
     }
+
     const wcut_status status = wcut_mould_create(m->surface, m->job->block_size, &o, &m->mould, &error);
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, m->path, &error);
 }

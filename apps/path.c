@@ -150,8 +150,12 @@ static int write_results(export_ *e) {
 
 static void say_summary(const export_ *e) {
     const wcut_robot_motion *m = e->motion;
+
+    /* the motion and how far it is from the path */
     app_say("%s: %d targets of %d stations, %.1f s; error across the path at most %.2g mm, along it %.2g mm",
             e->job->name, m->count, m->stations, m->duration, m->chord_error, m->time_error);
+
+    /* the place where each mount comes nearest to the block */
     for (int k = 0; k < 2; k++) {
         const wcut_path_near *n = &e->near[k];
         const char *mount = k ? "B" : "A";
@@ -166,6 +170,8 @@ static void say_summary(const export_ *e) {
                 "warning: mount %s comes within %.4g mm of the block, %.2g mm less than the job's clearance of %.4g mm",
                 mount, n->distance, e->job->clearance - n->distance, e->job->clearance);
     }
+
+    /* limits of the cell that the motion is over */
     for (int i = 0; i < WCUT_ROBOT_CHECKS; i++) {
         const wcut_robot_check *c = &e->check[i];
         if (!c->over) continue;
@@ -175,6 +181,7 @@ static void say_summary(const export_ *e) {
         else
             app_say("warning: %s: %.4g %s, limit %.4g %s", c->name, c->value, c->unit, c->limit, c->unit);
     }
+
     app_say("in %s: %s", e->results.folder, app_results_list(&e->results));
 }
 

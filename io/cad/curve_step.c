@@ -116,6 +116,8 @@ static bool find_parameter(wcut_step_source *s, const wcut_curve *curve, wcut_ve
 static wcut_curve *cut_spline(wcut_step_source *s, wcut_curve *curve, const piece *p) {
     double u[2] = {p->parameter[0], p->parameter[1]};
     bool cuts = curve && p->has_parameters, ok = curve != NULL;
+
+    /* without parameters the end points tell whether a piece is cut out, and where */
     if (ok && !cuts && p->has_points) {
         wcut_vec3 end[2];
         double first, last;
@@ -125,11 +127,15 @@ static wcut_curve *cut_spline(wcut_step_source *s, wcut_curve *curve, const piec
         const int begins = p->forwards ? 0 : 1;
         cuts = distance(end[begins], p->point[0]) > p->slack || distance(end[1 - begins], p->point[1]) > p->slack;
         for (int k = 0; cuts && ok && k < 2; k++) ok = find_parameter(s, curve, p->point[k], p->slack, &u[k]);
+
+        /* a piece in the wrong direction would run over the seam */
         if (cuts && ok && (p->forwards ? u[0] >= u[1] : u[0] <= u[1])) {
             wcut_curves_leave_out(s->reader, "a piece over the seam of a closed spline");
             ok = false;
         }
     }
+
+    /* cut at both parameters; the reader's refusals leave no curve behind */
     if (ok && cuts) {
         curve = wcut_curves_cut(s->reader, curve, fmin(u[0], u[1]), fmax(u[0], u[1]));
     }
@@ -137,6 +143,7 @@ static wcut_curve *cut_spline(wcut_step_source *s, wcut_curve *curve, const piec
         wcut_curve_destroy(curve);
         return NULL;
     }
+
     return p->forwards ? curve : reversed(s, curve);
 }
 

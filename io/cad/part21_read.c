@@ -34,6 +34,8 @@ static const char *copy_string(const char *p, const char *end, char **to) {
 static size_t squeeze(wcut_curve_reader *r, char *text, size_t length) {
     const char *p = text, *end = text + length;
     char *to = text;
+
+    /* white space and comments go, strings stay as they are */
     while (p && p < end) {
         const unsigned char c = (unsigned char)*p;
         if (c == '\'') {
@@ -50,10 +52,13 @@ static size_t squeeze(wcut_curve_reader *r, char *text, size_t length) {
             *to++ = *p++;
         }
     }
+
+    /* copy_string and skip_comment give NULL where the text ends first */
     if (!p) {
         wcut_curves_refuse(r, "found a string or comment without an end");
         return 0;
     }
+
     *to = '\0';
     return (size_t)(to - text);
 }

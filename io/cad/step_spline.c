@@ -41,9 +41,12 @@ static wcut_id put_points(wcut_part21 *p, const wcut_vec3 *point, int count) {
 /* ---- curves ---- */
 
 wcut_id wcut_step_curve(wcut_part21 *p, const char *name, const wcut_curve *c) {
+    /* the points stand before the curve that refers to them */
     const wcut_id first = put_points(p, c->control, c->control_count);
     const int knots = c->control_count + c->degree + 1;
     const wcut_id id = wcut_p21_begin(p);
+
+    /* a rational curve is a complex instance, a plain one a simple one */
     if (c->weights) {
         wcut_text_print(p->text, "(BOUNDED_CURVE()B_SPLINE_CURVE(%d,", c->degree);
     } else {
@@ -51,12 +54,16 @@ wcut_id wcut_step_curve(wcut_part21 *p, const char *name, const wcut_curve *c) {
         wcut_p21_string(p, name);
         wcut_text_print(p->text, ",%d,", c->degree);
     }
+
+    /* control points, then knots with their multiplicities */
     wcut_p21_references(p, first, c->control_count, 1);
     wcut_text_print(p->text, ",.UNSPECIFIED.,.F.,.F.%s", c->weights ? ")\nB_SPLINE_CURVE_WITH_KNOTS(" : ",\n");
     put_multiplicities(p, c->knots, knots);
     wcut_text_print(p->text, ",");
     put_knots(p, c->knots, knots);
     wcut_text_print(p->text, ",.UNSPECIFIED.)");
+
+    /* the weights end the complex instance */
     if (c->weights) {
         wcut_text_print(p->text, "\nCURVE()GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE(");
         wcut_p21_reals(p, c->weights, c->control_count, 1);
@@ -64,6 +71,7 @@ wcut_id wcut_step_curve(wcut_part21 *p, const char *name, const wcut_curve *c) {
         wcut_p21_string(p, name);
         wcut_text_print(p->text, "))");
     }
+
     wcut_text_print(p->text, ";\n");
     return id;
 }
@@ -88,8 +96,12 @@ static void put_weights(wcut_part21 *p, const wcut_surface *s) {
 
 wcut_id wcut_step_surface(wcut_part21 *p, const char *name, const wcut_surface *s) {
     const int knots_u = s->count_u + s->degree_u + 1, knots_v = s->count_v + s->degree_v + 1;
+
+    /* the points stand before the surface that refers to them */
     const wcut_id first = put_points(p, s->control, s->count_u * s->count_v);
     const wcut_id id = wcut_p21_begin(p);
+
+    /* a rational surface is a complex instance, a plain one a simple one */
     if (s->weights) {
         wcut_text_print(p->text, "(BOUNDED_SURFACE()B_SPLINE_SURFACE(%d,%d,", s->degree_u, s->degree_v);
     } else {
@@ -97,6 +109,8 @@ wcut_id wcut_step_surface(wcut_part21 *p, const char *name, const wcut_surface *
         wcut_p21_string(p, name);
         wcut_text_print(p->text, ",%d,%d,", s->degree_u, s->degree_v);
     }
+
+    /* the control net, then knots with their multiplicities in both directions */
     put_net(p, s, first);
     wcut_text_print(p->text, ",\n.UNSPECIFIED.,.F.,.F.,.F.%s", s->weights ? ")\nB_SPLINE_SURFACE_WITH_KNOTS(" : ",\n");
     put_multiplicities(p, s->knots_u, knots_u);
@@ -107,6 +121,8 @@ wcut_id wcut_step_surface(wcut_part21 *p, const char *name, const wcut_surface *
     wcut_text_print(p->text, ",\n");
     put_knots(p, s->knots_v, knots_v);
     wcut_text_print(p->text, ",.UNSPECIFIED.)");
+
+    /* the weights end the complex instance */
     if (s->weights) {
         wcut_text_print(p->text, "\nGEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_SURFACE(");
         put_weights(p, s);
@@ -114,6 +130,7 @@ wcut_id wcut_step_surface(wcut_part21 *p, const char *name, const wcut_surface *
         wcut_p21_string(p, name);
         wcut_text_print(p->text, ")SURFACE())");
     }
+
     wcut_text_print(p->text, ";\n");
     return id;
 }

@@ -30,17 +30,23 @@ static shared put_shared(wcut_part21 *p, wcut_step_schema schema) {
                                         "managed model based 3d engineering"};
     static const char *const protocol[] = {"'automotive_design',2000",
                                            "'ap242_managed_model_based_3d_engineering',2014"};
+
+    /* the application protocol and its two contexts */
     shared s;
     s.application = wcut_p21_put(p, "APPLICATION_CONTEXT('%s')", about[schema]);
     wcut_p21_put(p, "APPLICATION_PROTOCOL_DEFINITION('international standard',%s,#%ld)", protocol[schema],
                  s.application);
     s.mechanical = wcut_p21_put(p, "PRODUCT_CONTEXT('',#%ld,'mechanical')", s.application);
     s.design = wcut_p21_put(p, "PRODUCT_DEFINITION_CONTEXT('part definition',#%ld,'design')", s.application);
+
+    /* millimetres, radians and the accuracy of a length */
     const wcut_id length = wcut_p21_put(p, "(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))");
     const wcut_id angle = wcut_p21_put(p, "(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))");
     const wcut_id solid = wcut_p21_put(p, "(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())");
     const wcut_id fuzz = wcut_p21_put(
         p, "UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-06),#%ld,'distance_accuracy_value','')", length);
+
+    /* a context of space and one of a parameter plane */
     s.space = wcut_p21_put(p,
                            "(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#%ld))\n"
                            "GLOBAL_UNIT_ASSIGNED_CONTEXT((#%ld,#%ld,#%ld))REPRESENTATION_CONTEXT('','3D'))",
@@ -48,6 +54,8 @@ static shared put_shared(wcut_part21 *p, wcut_step_schema schema) {
     s.plane = wcut_p21_put(p,
                            "(GEOMETRIC_REPRESENTATION_CONTEXT(2)PARAMETRIC_REPRESENTATION_CONTEXT()"
                            "REPRESENTATION_CONTEXT('','2D'))");
+
+    /* the origin of the block's frame */
     const wcut_id at = wcut_p21_point(p, (wcut_vec3){0, 0, 0}), axis = wcut_p21_direction(p, (wcut_vec3){0, 0, 1});
     const wcut_id ref = wcut_p21_direction(p, (wcut_vec3){1, 0, 0});
     s.origin = wcut_p21_put(p, "AXIS2_PLACEMENT_3D('',#%ld,#%ld,#%ld)", at, axis, ref);

@@ -88,6 +88,8 @@ static bool keep(scanner *s, size_t used, char c) {
 static wcut_status read_field(scanner *s, int column) {
     size_t used = 0;
     if (!keep(s, 0, '\0')) return refuse_memory(s);
+
+    /* a plain field ends at the comma or the line's end, without the blanks around it */
     while (is_blank(*s->at)) s->at++;
     s->field = s->at;
     if (*s->at != '"') {
@@ -99,6 +101,8 @@ static wcut_status read_field(scanner *s, int column) {
         while (used > 0 && is_blank(s->scratch[used - 1])) s->scratch[--used] = '\0';
         return WCUT_OK;
     }
+
+    /* a quoted field may run over lines; a doubled quote is one quote of the text */
     const char *row = s->line_start;
     int line = s->line;
     for (s->at++;; s->at++) {
@@ -112,6 +116,8 @@ static wcut_status read_field(scanner *s, int column) {
         if (*s->at == '\n') s->line += s->line < INT_MAX, s->line_start = s->at + 1;
         if (!keep(s, used++, *s->at)) return refuse_memory(s);
     }
+
+    /* only blanks may follow the closing quote */
     while (is_blank(*s->at)) s->at++;
     if (at_line_end(s) || *s->at == ',') return WCUT_OK;
     s->field = s->at;

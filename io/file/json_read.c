@@ -42,6 +42,8 @@ json_t *wcut_json_load(wcut_reader *reader, const char *text, size_t length) {
 
 static void print_value(char *to, size_t size, const json_t *value) {
     char number[WCUT_NUMBER_SIZE], quote[WCUT_QUOTE_SIZE];
+
+    /* containers by kind, scalars by their value */
     switch (value ? json_typeof(value) : JSON_NULL) {
         case JSON_OBJECT:
             snprintf(to, size, "an object");

@@ -22,6 +22,7 @@ static inline double as_double(uint64_t bits) {
 
 /* in a byte order known at compile time */
 static inline double load(const unsigned char *at, wcut_scalar scalar, const bool big_endian) {
+    /* integers of 64 bits are rounded to the nearest double */
     switch (scalar) {
         case WCUT_SCALAR_F32:
             return as_float(wcut_load_32(at, big_endian));

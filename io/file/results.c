@@ -92,12 +92,15 @@ static wcut_status make_folders(wcut_results *r, wcut_error *error) {
 wcut_status wcut_results_enter(const char *label, int folder, const char *temporary, int *locked, wcut_error *error) {
     char shown[WCUT_QUOTE_SIZE];
     long owner = 0;
+
+    /* take the folder's lock and undo or complete what an interrupted run left there */
     wcut_quote(shown, label, WCUT_LABEL_MAX, 1);
     int code = wcut_folder_lock(folder, WCUT_RESULTS_WAIT_S);
     *locked = code == 0;
     if (code == 0 || code == ENOLCK) code = wcut_journal_recover(folder, *locked, &owner);
     if (code == 0) return WCUT_OK;
 
+    /* what was not possible, with the process that stands in the way where it is known */
     wcut_results_leave(folder, *locked);
     *locked = 0;
     if (code == ENOMEM) return fail_memory(error);
@@ -109,6 +112,7 @@ wcut_status wcut_results_enter(const char *label, int folder, const char *tempor
             shown);
     if (code != EWOULDBLOCK && code != EBUSY)
         return fail_code(error, code, label, "the results of an interrupted run cannot be put in their place");
+
     owner = wcut_journal_owner(folder, temporary);
     if (owner > 0)
         return wcut_fail(error, WCUT_NOT_WRITTEN,
@@ -235,13 +239,17 @@ void wcut_results_reword(const wcut_results *results, wcut_error *error) {
 /* the caller's object with the names and hashes of the set added, for free() */
 static wcut_status print_voucher(wcut_results *r, const char *voucher, const char *text, char **whole,
                                  wcut_error *error) {
+    /* the text has to be an object: find its closing brace */
     size_t length = strlen(text);
     while (length > 0 && strchr(" \t\r\n", text[length - 1])) length--;
     if (length < 2 || text[0] != '{' || text[length - 1] != '}')
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s: expected the text of an object", voucher);
+
+    /* is it empty? then no comma follows what it holds */
     for (length--; length > 1 && strchr(" \t\r\n", text[length - 1]);) length--;
     const char *comma = length > 1 ? ",\n  " : "\n  ";
 
+    /* the names of all results, with the voucher itself */
     wcut_text out;
     if (!wcut_text_create(&out, NULL)) return fail_memory(error);
     wcut_text_put(&out, text, length);
@@ -251,6 +259,8 @@ static wcut_status print_voucher(wcut_results *r, const char *voucher, const cha
         wcut_text_print(&out, ", ");
     }
     wcut_text_string(&out, voucher);
+
+    /* the hash of each */
     wcut_text_print(&out, "],\n  \"sha256\": {");
     for (int k = 0; k < r->count; k++) {
         char hash[WCUT_RESULT_HASH_SIZE];
@@ -264,6 +274,7 @@ static wcut_status print_voucher(wcut_results *r, const char *voucher, const cha
         wcut_text_string(&out, r->name[k]);
         wcut_text_print(&out, ": \"%s\"", hash);
     }
+
     wcut_text_print(&out, "%s}\n}\n", r->count ? "\n  " : "");
     return wcut_text_finish(&out, whole, NULL) == WCUT_OK ? WCUT_OK : fail_memory(error);
 }

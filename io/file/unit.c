@@ -63,9 +63,12 @@ double wcut_unit_find(const char *name, size_t length) {
                  {"mil", 0.0254},
                  {"mils", 0.0254},
                  {"thou", 0.0254}};
+
+    /* a name is known as a whole, upper and lower case alike */
     for (size_t k = 0; k < sizeof known / sizeof *known; k++)
         if (strlen(known[k].name) == length && strncasecmp(known[k].name, name, length) == 0)
             return known[k].millimetres;
+
     return 0;
 }
 

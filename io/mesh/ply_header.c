@@ -55,11 +55,14 @@ static int find_field(const char *name) {
 }
 
 static bool read_property(wcut_source *s, const char *line, const char *p, wcut_ply *m) {
+    /* a property belongs to the element before it */
     if (m->elements == 0) return wcut_source_refuse_text(s, line, line, "an element before its properties");
     if (m->properties == WCUT_PLY_PROPERTIES) return wcut_source_refuse_text(s, line, line, "at most 256 properties");
     wcut_ply_element *e = &m->element[m->elements - 1];
     wcut_ply_property *q = &m->property[m->properties];
     *q = (wcut_ply_property){.field = -1};
+
+    /* a list: the type of its count */
     if (wcut_row_has_word(p, "list")) {
         p = next_word(p);
         q->count = find_scalar(p);
@@ -68,17 +71,22 @@ static bool read_property(wcut_source *s, const char *line, const char *p, wcut_
         p = next_word(p);
         e->has_list = true;
     }
+
+    /* the type of the value and the name */
     q->value = find_scalar(p);
     if (q->value == WCUT_SCALAR_NONE)
         return wcut_source_refuse_text(s, line, p, "a type such as float, double or uchar");
     p = next_word(p);
     if (wcut_is_line_end(p)) return wcut_source_refuse_text(s, line, p, "the property's name");
+
+    /* which property gives a coordinate or the corners of a face */
     if (e->is_vertex) q->field = find_field(p);
     q->is_corners =
         e->is_face && q->count && (wcut_row_has_word(p, "vertex_indices") || wcut_row_has_word(p, "vertex_index"));
     if (q->field >= 0 && q->count) return wcut_source_refuse_text(s, line, p, "a coordinate that is no list");
     for (int k = e->first; q->field >= 0 && k < m->properties; k++)
         if (m->property[k].field == q->field) return wcut_source_refuse_text(s, line, p, "each coordinate once");
+
     e->size += wcut_scalar_size(q->count ? q->count : q->value);
     e->properties++;
     m->properties++;

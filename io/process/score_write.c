@@ -86,6 +86,8 @@ static void put_prediction(wcut_text *text, const char *before, const wcut_predi
 
 static void put_cut(wcut_text *text, const wcut_scored_cut *cut, bool first) {
     const wcut_comparison *c = cut->comparison;
+
+    /* the names of the cut and its files */
     put(text, first ? "\n    {" : ",\n    {");
     if (cut->of_case) {
         put_string(text, "\"case\": ", cut->of_case);
@@ -94,11 +96,15 @@ static void put_cut(wcut_text *text, const wcut_scored_cut *cut, bool first) {
     put_string(text, "\"cut\": ", cut->name);
     put_string(text, ", \"job\": ", cut->job);
     put_string(text, ", \"recording\": ", cut->recording);
+
+    /* a cut that was not scored has its error instead */
     if (!c) {
         put_string(text, ",\n     \"error\": ", cut->error ? cut->error->text : "");
         put(text, "}");
         return;
     }
+
+    /* the samples counted, and the predictions of both kinds */
     const double *time = cut->samples->channel[WCUT_CHANNEL_TIME].value;
     wcut_text_print(text, ",\n     \"samples\": %d, \"counted\": %d", c->samples, c->counted_samples);
     put_number(text, ", \"time_s\": {\"contact\": ", c->contact);
@@ -109,6 +115,7 @@ static void put_cut(wcut_text *text, const wcut_scored_cut *cut, bool first) {
     put_prediction(text, "},\n     \"replay\": ", c->replayed, time);
     put_number(text, ", \"motion_scatter\": ", c->replayed->scatter);
     wcut_text_print(text, ", \"iterations\": %d}", c->replayed->iterations);
+
     put_scores(text, ",\n     \"planned\": ", &c->planned_score, "      ");
     put_scores(text, ",\n     \"replayed\": ", &c->replayed_score, "      ");
     put(text, "}");

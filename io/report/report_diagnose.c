@@ -72,6 +72,8 @@ static int count_values(const wcut_diagnosis *d) {
 
 static wcut_report_table effect_table(page *p) {
     const wcut_diagnosis *d = p->d;
+
+    /* columns of texts and one of numbers */
     const int rows = count_values(d);
     wcut_report_column *c = columns(p, 7);
     wcut_report_table table = {.title = "Effects and their parameters", .columns = 7, .column = c};
@@ -84,6 +86,8 @@ static wcut_report_table effect_table(page *p) {
     if (p->memory.failed) return table;
     table.note =
         "A value without an interval was not fitted: it has its default. A dash is an end that the data leave open.";
+
+    /* a row for each parameter of each effect, three for a vector */
     for (int e = 0; e < d->effects; e++) {
         const wcut_found_effect *f = &d->effect[e];
         for (const wcut_effect_parameter *q = wcut_effect_view(f->effect.kind)->parameter; q->key; q++)
@@ -118,14 +122,18 @@ static wcut_report_table base_table(page *p) {
     wcut_report_table table = {.title = "Recalibrated", .columns = 5, .column = c};
     table.note = "Recalibrated before effects are fitted, one value for all cuts. These are not effects.";
     if (!c) return table;
+
     const char **name = texts(p, &c[0], "of the plain model", ROWS);
     const char **job = texts(p, &c[1], "the job says", ROWS), **value = texts(p, &c[2], "value", ROWS),
                **low = texts(p, &c[3], "95 % from", ROWS), **high = texts(p, &c[4], "to", ROWS);
     if (p->memory.failed) return table;
+
+    /* a row for each value, found for all cuts together */
     for (int r = 0; r < ROWS; r++) {
         name[r] = row[r].name, job[r] = number_words(p, row[r].job), value[r] = number_words(p, row[r].found->value);
         low[r] = number_words(p, row[r].found->low), high[r] = number_words(p, row[r].found->high);
     }
+
     table.rows = ROWS;
     return table;
 }
@@ -180,6 +188,8 @@ static double figure_of(const wcut_fit *f, bool with_bias) {
 /* a row a channel, a column a model */
 static wcut_report_table fit_table(page *p, const char *title, const char *note, fits fit, bool with_bias) {
     static const char *const label[WCUT_FIT_MODEL_COUNT] = {"before", "recalibrated", "after", "black box"};
+
+    /* a column for each model between the channel and the interval */
     wcut_report_column *c = columns(p, WCUT_FIT_MODEL_COUNT + 2);
     wcut_report_table table = {.title = title, .note = note, .columns = with_bias ? 6 : 5, .column = c};
     const char **name = c ? texts(p, &c[0], "channel", WCUT_EVIDENCE_CHANNEL_COUNT) : NULL;
@@ -190,6 +200,8 @@ static wcut_report_table fit_table(page *p, const char *title, const char *note,
     if (!c || !name || !interval || !number) return table;
     for (int m = 0; m < WCUT_FIT_MODEL_COUNT; m++)
         c[m + 1] = (wcut_report_column){.label = label[m], .number = number + (size_t)m * WCUT_EVIDENCE_CHANNEL_COUNT};
+
+    /* a row for each channel that any model was compared with */
     for (int k = 0; k < WCUT_EVIDENCE_CHANNEL_COUNT; k++) {
         const int r = table.rows;
         bool there = false;
@@ -198,6 +210,8 @@ static wcut_report_table fit_table(page *p, const char *title, const char *note,
             there = there || fit[m][k].count > 0;
         }
         if (!there) continue;
+
+        /* the interval belongs to the model with the effects */
         const wcut_fit *after = &fit[WCUT_FIT_MODEL_AFTER][k];
         name[r] = wcut_evidence_name((wcut_evidence_channel)k);
         interval[r] = after->count > 0 && isfinite(after->low) && isfinite(after->high)
@@ -302,6 +316,8 @@ static const char *span_words(page *p, double from, double to) {
 static bool fill_where(page *p, wcut_report_section *section) {
     const wcut_diagnosis *d = p->d;
     const int rows = d->mismatches;
+
+    /* columns: where it lies, then how large and how certain it is */
     wcut_report_column *c = columns(p, 12);
     wcut_report_table *table = wcut_page_take(&p->memory, 1, sizeof *table);
     if (!c || !table || rows == 0) return false;
@@ -313,6 +329,8 @@ static bool fill_where(page *p, wcut_report_section *section) {
     double *share = numbers(p, &c[9], "share of the misfit", "%", rows), *p_value = numbers(p, &c[10], "p", "", rows);
     const char **regime = texts(p, &c[11], "while", rows);
     if (p->memory.failed) return false;
+
+    /* a row for each mismatch */
     for (int r = 0; r < rows; r++) {
         const wcut_mismatch *m = &d->mismatch[r];
         text[0][r] = m->cut >= 0 && m->cut < d->cuts ? p->of->cut_name[m->cut] : "all";
@@ -327,6 +345,7 @@ static bool fill_where(page *p, wcut_report_section *section) {
             isfinite(m->mean) ? wcut_page_text(&p->memory, "%+.3g %s", m->mean, wcut_evidence_unit(m->channel)) : NULL;
         share[r] = shown(100 * m->share), p_value[r] = shown(m->p_value), regime[r] = m->regime;
     }
+
     *table = (wcut_report_table){.title = "Where model and measurement differ by more than noise, after recalibration",
                                  .note = "p-values are corrected for the search.",
                                  .rows = rows,

@@ -136,12 +136,15 @@ static wcut_report_table row_table(wcut_page_memory *memory, const wcut_report_d
 bool wcut_report_evidence_fill(wcut_page_memory *memory, const wcut_report_diagnose *of, wcut_report_section *section) {
     grid g;
     if (of->diagnosis->traces < 1 || !make_grid(memory, of->diagnosis, &g)) return false;
+
+    /* a map for each model on the same grid, one colour scale for all */
     wcut_report_map *map = wcut_page_take(memory, MODELS, sizeof *map);
     wcut_report_table *table = wcut_page_take(memory, 1, sizeof *table);
     double *value[MODELS];
     for (int m = 0; m < MODELS; m++) value[m] = fill_map(memory, &g, m);
     if (memory->failed) return false;
     const double limit = common_limit(memory, &g, value[1]);
+
     for (int m = 0; m < MODELS; m++) {
         map[m] = (wcut_report_map){.title = model_title[m],
                                    .x_label = "time",
@@ -160,6 +163,7 @@ bool wcut_report_evidence_fill(wcut_page_memory *memory, const wcut_report_diagn
                                    .blank_missing = true};
         name_bands(memory, &g, &map[m]);
     }
+
     table[0] = row_table(memory, of, &g);
     *section =
         (wcut_report_section){.title = "Evidence",
@@ -204,12 +208,16 @@ static void fill_chart(wcut_page_memory *memory, const wcut_report_diagnose *of,
     static const char *const label[MODELS] = {"before", "recalibrated", "after"};
     static const wcut_report_mark mark[MODELS] = {WCUT_REPORT_MARK_DASHED, WCUT_REPORT_MARK_LINE,
                                                   WCUT_REPORT_MARK_LINE};
+
+    /* arrays for one trace */
     wcut_report_series *series = wcut_page_take(memory, MODELS, sizeof *series);
     wcut_report_span *span = wcut_page_take(memory, SPANS_MAX, sizeof *span);
     double *low = wcut_page_take(memory, (size_t)t->count, sizeof *low);
     double *high = wcut_page_take(memory, (size_t)t->count, sizeof *high);
     const double *station = forward(memory, t);
     if (memory->failed) return;
+
+    /* the band of the noise lies around the last model shown */
     for (int i = 0; i < t->count; i++) low[i] = -2 * t->noise, high[i] = 2 * t->noise;
     int count = 0;
     for (int m = 0; m < MODELS; m++) {
@@ -219,6 +227,7 @@ static void fill_chart(wcut_page_memory *memory, const wcut_report_diagnose *of,
         count++;
     }
     if (count > 0 && t->noise > 0) series[count - 1].low = low, series[count - 1].high = high;
+
     const int spans = list_spans(memory, of->diagnosis, t, span);
     *chart = (wcut_report_chart){.title = t->column,
                                  .x_label = {"time", "station"},

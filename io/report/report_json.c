@@ -206,11 +206,14 @@ static void put_field(document *d, json_t *item, const wcut_report_shape *shape,
 }
 
 static void put_shape(document *d, json_t *item, const wcut_report_shape *shape, int shapes) {
+    /* a view thins a large shape to what the page can show */
     wcut_report_view view;
     if (wcut_report_view_create(shape, shapes, &view)) {
         d->failed = true;
         return;
     }
+
+    /* names and counts; a grid also says how it was thinned */
     put_text(d, item, "name", shape->name);
     put_int(d, item, "total", shape->vertex_count);
     put_int(d, item, "count", view.count);
@@ -224,6 +227,8 @@ static void put_shape(document *d, json_t *item, const wcut_report_shape *shape,
         put_text(d, item, "row_label", shape->row_label);
         put_text(d, item, "column_label", shape->column_label);
     }
+
+    /* triangles where the vertices are not a grid, positions, fields */
     put_int(d, item, "triangle_total", shape->triangle_count);
     if (view.triangles)
         put_array(d, item, "triangle_array",
@@ -265,6 +270,8 @@ static void put_section(document *d, json_t *item, const wcut_report_section *se
 
 json_t *wcut_report_json(const wcut_report *report, wcut_report_pool *pool) {
     static const char *const tone[] = {"plain", "good", "warning", "bad"};
+
+    /* what stands atop the page */
     document d = {.pool = pool};
     json_t *root = json_object();
     put_text(&d, root, "verb", report->verb);
@@ -273,6 +280,8 @@ json_t *wcut_report_json(const wcut_report *report, wcut_report_pool *pool) {
     put_text(&d, root, "verdict", report->verdict);
     put_text(&d, root, "version", wcut_version_text());
     put_facts(&d, root, "facts", report->fact_count, report->fact);
+
+    /* the scene, then the sections in order */
     if (report->scene) {
         json_t *scene = json_object();
         put(&d, root, "scene", scene);
@@ -280,6 +289,8 @@ json_t *wcut_report_json(const wcut_report *report, wcut_report_pool *pool) {
     }
     json_t *list = put_list(&d, root, "sections");
     for (int i = 0; i < report->section_count; i++) put_section(&d, append_object(&d, list), &report->section[i]);
+
+    /* sources and options end the page */
     list = put_list(&d, root, "sources");
     for (int i = 0; i < report->source_count; i++) {
         json_t *source = append_object(&d, list);
@@ -288,6 +299,7 @@ json_t *wcut_report_json(const wcut_report *report, wcut_report_pool *pool) {
         put_text(&d, source, "sha256", report->source[i].sha256);
     }
     put_facts(&d, root, "options", report->option_count, report->option);
+
     if (d.failed || !root) {
         json_decref(root);
         return NULL;

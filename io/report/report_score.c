@@ -337,6 +337,8 @@ static wcut_status write_page(page *p, int compared, int shown, int sections, co
                               const char *path, wcut_error *error) {
     const wcut_report_score *of = p->of;
     const wcut_scores *planned = &of->planned[of->groups], *replayed = &of->replayed[of->groups];
+
+    /* the verdict and the counts in words */
     char verdict[400], count[64], plots[64];
     snprintf(verdict, sizeof verdict,
              "Mean NRMSD of %d cuts: planned speed %.1f %%; replayed tension %.1f %%, alpha %.1f %%, beta %.1f %%.%s",
@@ -345,6 +347,8 @@ static wcut_status write_page(page *p, int compared, int shown, int sections, co
              compared < of->cuts ? " Some cuts could not be scored." : "");
     snprintf(count, sizeof count, "%d of %d", compared, of->cuts);
     snprintf(plots, sizeof plots, "%d of %d%s", shown, compared, shown < compared ? ", those that fit worst" : "");
+
+    /* facts of all cuts together, and the options they were made with */
     const wcut_comparison_options *o = of->options;
     const wcut_report_fact fact[] = {
         {"cuts scored", count, 0, ""},
@@ -359,6 +363,7 @@ static wcut_status write_page(page *p, int compared, int shown, int sections, co
         {"left out after the first contact", NULL, o->settle, "s"},
         {"left out before the end", NULL, o->leave, "s"},
         {"nodes along the wire", of->nodes > 0 ? NULL : "as in the jobs", of->nodes, ""}};
+
     const wcut_report report = {.verb = "score",
                                 .title = of->title,
                                 .tone = compared < of->cuts ? WCUT_REPORT_TONE_WARNING : WCUT_REPORT_TONE_PLAIN,

@@ -84,10 +84,13 @@ wcut_status wcut_report_view_create(const wcut_report_shape *shape, int shapes, 
 }
 
 int wcut_report_thin(int count, const double *value, int max, int *index) {
+    /* few values stay as they are */
     if (count <= max) {
         for (int i = 0; i < count; i++) index[i] = i;
         return count;
     }
+
+    /* of each run its lowest and its highest value, in their order */
     int kept = 0;
     const int runs = max / 2;
     for (int r = 0; r < runs; r++) {
@@ -101,6 +104,8 @@ int wcut_report_thin(int count, const double *value, int max, int *index) {
             if (low < 0 || value[i] < value[low]) low = i;
             if (high < 0 || value[i] > value[high]) high = i;
         }
+
+        /* a run of gaps alone keeps one of them */
         if (low < 0)
             index[kept++] = gap;
         else {

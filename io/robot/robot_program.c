@@ -95,6 +95,8 @@ static void put_ur_pose(wcut_text *text, const half *h) {
 
 void wcut_urscript_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_names *names, int robot) {
     const int io = names->sync_io;
+
+    /* the head: what is to be set at the cell */
     wcut_text_print(text, "def %s_%c():\n", names->program, robot ? 'b' : 'a');
     put_head(text, "  # ", m, names, robot);
     wcut_text_print(
@@ -104,6 +106,8 @@ void wcut_urscript_put(wcut_text *text, const wcut_robot_motion *m, const wcut_r
         "  # time of every move; their clocks are not coupled.\n"
         "  block = p[0, 0, 0, 0, 0, 0]\n",
         io, io);
+
+    /* go to the start slowly, switch the wire on, wait for the other robot */
     half h = half_of(m, robot, 0);
     wcut_text_print(text, "  movel(");
     put_ur_pose(text, &h);
@@ -113,6 +117,8 @@ void wcut_urscript_put(wcut_text *text, const wcut_robot_motion *m, const wcut_r
     if (robot == 0 && names->wire_on) wcut_text_print(text, "  %s()\n", names->wire_on);
     wcut_text_print(text, "  set_digital_out(%d, True)\n  while (get_digital_in(%d) == False):\n    sync()\n  end\n",
                     io, io);
+
+    /* a move for each target; a target without a way is a pause */
     for (int i = 1; i < m->count; i++) {
         h = half_of(m, robot, i);
         if (h.way < STANDING) {
@@ -128,6 +134,8 @@ void wcut_urscript_put(wcut_text *text, const wcut_robot_motion *m, const wcut_r
         put(text, ", r=", h.zone / 1000, 6);
         wcut_text_print(text, ")\n");
     }
+
+    /* tell the other robot, switch the wire off */
     wcut_text_print(text, "  set_digital_out(%d, False)\n", io);
     if (robot == 0 && names->wire_off) wcut_text_print(text, "  %s()\n", names->wire_off);
     wcut_text_print(text, "end\n");
@@ -202,6 +210,8 @@ static void put_krl_speed(wcut_text *text, double speed) {
 
 void wcut_krl_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_names *names, int robot) {
     const int io = names->sync_io;
+
+    /* the head: what is to be set at the cell */
     wcut_text_print(text, "DEF %s_%c ( )\n", names->program, robot ? 'b' : 'a');
     put_head(text, "; ", m, names, robot);
     wcut_text_print(
@@ -211,11 +221,15 @@ void wcut_krl_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_
         "; are not coupled.\n"
         "$TOOL = TOOL_DATA[1]\n$BASE = BASE_DATA[1]\n$ORI_TYPE = #VAR\n$ADVANCE = 3\n",
         io, io);
+
+    /* go to the start slowly, switch the wire on, wait for the other robot */
     half h = half_of(m, robot, 0);
     put_krl_speed(text, START_SPEED);
     put_krl_move(text, &h);
     if (robot == 0 && names->wire_on) wcut_text_print(text, "%s ( )\n", names->wire_on);
     wcut_text_print(text, "$OUT[%d] = TRUE\nWAIT FOR $IN[%d]\n", io, io);
+
+    /* a move for each target; a target without a way is a pause */
     for (int i = 1; i < m->count; i++) {
         h = half_of(m, robot, i);
         if (h.way < STANDING) {
@@ -230,6 +244,8 @@ void wcut_krl_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_
         put_krl_speed(text, h.speed);
         put_krl_move(text, &h);
     }
+
+    /* tell the other robot, switch the wire off */
     wcut_text_print(text, "$OUT[%d] = FALSE\n", io);
     if (robot == 0 && names->wire_off) wcut_text_print(text, "%s ( )\n", names->wire_off);
     wcut_text_print(text, "END\n");

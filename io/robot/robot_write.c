@@ -139,6 +139,8 @@ wcut_status wcut_robot_write(const wcut_robot_motion *motion, const wcut_robot_n
     const wcut_robot_names n = names ? *names : wcut_robot_names_default();
     wcut_status status = check(motion, &n, format, robot, path, error);
     if (status != WCUT_OK) return status;
+
+    /* the program appears whole or not at all */
     wcut_file *file = NULL;
     wcut_text text = {0};
     status = wcut_file_create(path, &file, error);
@@ -161,11 +163,13 @@ wcut_status wcut_robot_write(const wcut_robot_motion *motion, const wcut_robot_n
                 put_json(&text, motion, &n);
                 break;
         }
+
         wcut_text_flush(&text);
         status = wcut_file_commit(file, error);
     } else {
         status = wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
     }
+
     wcut_text_destroy(&text);
     wcut_file_destroy(file);
     return status;
@@ -176,9 +180,12 @@ wcut_status wcut_robot_write(const wcut_robot_motion *motion, const wcut_robot_n
 wcut_status wcut_robot_summary_print(const wcut_robot_summary *s, char **text) {
     if (!s || !s->job || !s->motion || !s->check || !s->near || (unsigned)s->format >= FORMATS || !text)
         return WCUT_BAD_ARGUMENT;
+
     wcut_text out;
     if (!wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
     const wcut_robot_motion *m = s->motion;
+
+    /* the motion and its errors */
     wcut_text_print(&out, "{\n  \"format\": \"wirecut-path/1\",\n  \"version\": \"%s\",\n  \"job\": ", WCUT_VERSION);
     wcut_text_string(&out, s->job->name);
     wcut_text_print(&out, ",\n  \"program\": \"%s\",\n  \"stations\": %d,\n  \"targets\": %d",
@@ -186,6 +193,8 @@ wcut_status wcut_robot_summary_print(const wcut_robot_summary *s, char **text) {
     put_number(&out, ",\n  \"duration_s\": ", m->duration);
     put_number(&out, ",\n  \"chord_error_mm\": ", m->chord_error);
     put_number(&out, ",\n  \"time_error_mm\": ", m->time_error);
+
+    /* the limits and how near the motion comes to each */
     wcut_text_print(&out, ",\n  \"limits\": [");
     for (int i = 0; i < WCUT_ROBOT_CHECKS; i++) {
         const wcut_robot_check *c = &s->check[i];
@@ -195,6 +204,8 @@ wcut_status wcut_robot_summary_print(const wcut_robot_summary *s, char **text) {
         if (c->station >= 0) wcut_text_print(&out, ", \"station\": %d", c->station);
         wcut_text_print(&out, ", \"over\": %s}", c->over ? "true" : "false");
     }
+
+    /* the distance of each mount from the block */
     wcut_text_print(&out, "\n  ],\n  \"clearance\": [");
     for (int i = 0; i < 2; i++) {
         const wcut_path_near *n = &s->near[i];
@@ -206,6 +217,7 @@ wcut_status wcut_robot_summary_print(const wcut_robot_summary *s, char **text) {
         put_number(&out, ", ", n->place.z);
         wcut_text_print(&out, "]}");
     }
+
     wcut_text_print(&out, "\n  ]\n}\n");
     return wcut_text_finish(&out, text, NULL);
 }

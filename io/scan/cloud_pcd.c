@@ -83,9 +83,13 @@ static bool read_one(wcut_cloud_source *s, const char *line, const char *p, int6
 /* one line of the header; `which` is the keyword's number, or LINES for a line that says nothing */
 static bool read_header_line(wcut_cloud_source *s, const char *line, pcd_header *h, int *which, const char **rest) {
     const char *p = wcut_skip_blanks(line);
+
+    /* comments, VERSION and VIEWPOINT change nothing here */
     *which = LINES;
     if (*p == '#' || wcut_is_line_end(p) || wcut_row_has_word(p, "VERSION") || wcut_row_has_word(p, "VIEWPOINT"))
         return true;
+
+    /* the other keywords stand once each, FIELDS first */
     for (int k = 0; k < LINES; k++)
         if (wcut_row_has_word(p, keyword[k])) *which = k;
     if (*which == LINES) return wcut_source_refuse_text(&s->in, line, p, "a keyword of a PCD header");
@@ -94,6 +98,7 @@ static bool read_header_line(wcut_cloud_source *s, const char *line, pcd_header 
         return wcut_source_refuse_text(&s->in, line, p, "FIELDS before it");
     h->seen[*which] = true;
     *rest = wcut_skip_blanks(word_end(p));
+
     switch (*which) {
         case FIELDS_LINE:
             return read_fields(s, line, *rest, h);

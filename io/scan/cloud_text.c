@@ -131,20 +131,28 @@ static const char *find_doubt(const wcut_cloud_source *s, const char *line, cons
     double low[3], high[3], apart = 0, first = 0;
     bool are_pairs = t->columns >= 6 && t->column[3] < 0, is_counted = t->columns >= 4;
     int rows = 0;
+
+    /* read the first rows as pairs of points and as counted rows */
     for (; rows < SNIFF_ROWS && p < end && (are_pairs || is_counted); rows++) {
         const char *feed = memchr(p, '\n', (size_t)(end - p));
         double v[6] = {0};
         if (!feed || !read_first(p, t, are_pairs ? 6 : 3, v)) break;
         if (rows == 0) first = v[0];
         is_counted = is_counted && (first == 0 || first == 1) && v[0] == first + rows;
+
+        /* the box of the first points, and the largest step from a point to its second */
         for (int k = 0; k < 3; k++) {
             low[k] = rows ? fmin(low[k], v[k]) : v[k], high[k] = rows ? fmax(high[k], v[k]) : v[k];
             apart = fmax(apart, fabs(v[3 + k] - v[k]));
         }
         p = feed + 1;
     }
+
+    /* too few rows prove nothing */
     if (rows < TELLING_ROWS) return NULL;
     const double size = fmax(high[0] - low[0], fmax(high[1] - low[1], high[2] - low[2]));
+
+    /* second points right beside the first ones; a first column that counts */
     if (are_pairs && apart <= 0.05 * size)
         return "a header: the rows seem to hold two points each; say which columns by the option columns, as 4,5,6";
     if (is_counted)

@@ -98,6 +98,8 @@ wcut_status wcut_cloud_read(const char *path, const wcut_cloud_options *options,
     const wcut_cloud_options o = options ? *options : wcut_cloud_options_default();
     if (!cloud || o.max_points < 1 || !(o.voxel == 0 || o.voxel >= 1e-3) || !isfinite(o.voxel))
         return WCUT_BAD_ARGUMENT;
+
+    /* a source of pieces, a cloud that grows, a grid that thins it */
     wcut_cloud_source *source = NULL;
     wcut_status status = wcut_cloud_source_create(path, &o, &source, error);
     if (status != WCUT_OK) return status;
@@ -105,14 +107,18 @@ wcut_status wcut_cloud_read(const char *path, const wcut_cloud_options *options,
     if (g) g->cloud = wcut_alloc(1, sizeof *g->cloud);
     status = g && g->cloud ? WCUT_OK : WCUT_NO_MEMORY;
     if (status == WCUT_OK && o.voxel > 0) status = wcut_thinning_create(o.voxel, &g->thinning);
+
     if (status == WCUT_OK)
         status = read_whole(source, g, error);
     else
         wcut_fail(error, status, "%s", wcut_status_text(status));
+
+    /* only a whole cloud is handed out */
     if (status == WCUT_OK) {
         *cloud = g->cloud;
         g->cloud = NULL;
     }
+
     if (g) {
         wcut_thinning_destroy(g->thinning);
         wcut_cloud_destroy(g->cloud);

@@ -60,9 +60,12 @@ static bool take(wcut_datums *d, const row *r) {
 wcut_status wcut_datums_read(const char *path, wcut_datums **datums, wcut_error *error) {
     char quote[WCUT_QUOTE_SIZE];
     wcut_table *table = NULL;
+
     if (!path || !datums) return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s", wcut_status_text(WCUT_BAD_ARGUMENT));
     wcut_status status = wcut_known_table_read(path, COLUMNS, known, &table, error);
     if (status != WCUT_OK) return status;
+
+    /* room for a pair in each row */
     const size_t rows = (size_t)table->rows;
     wcut_datums *d = wcut_alloc(1, sizeof *d);
     if (d) {
@@ -72,6 +75,8 @@ wcut_status wcut_datums_read(const char *path, wcut_datums **datums, wcut_error 
     }
     if (!d || !d->pair || !d->face || !d->point)
         status = wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
+
+    /* each row is a point of the scan and its place or its face */
     for (int r = 0; r < table->rows && status == WCUT_OK; r++) {
         const row found = row_of(table, r);
         if (!take(d, &found))
@@ -80,9 +85,11 @@ wcut_status wcut_datums_read(const char *path, wcut_datums **datums, wcut_error 
                                "block or the one of a face that it lies on, up to 1e12 mm",
                                wcut_quote(quote, path, WCUT_LABEL_MAX, 1), table->line[r]);
     }
+
     if (status == WCUT_OK && table->rows == 0)
         status = wcut_fail(error, WCUT_BAD_FORMAT, "%s: found no datum, expected at least one",
                            wcut_quote(quote, path, WCUT_LABEL_MAX, 1));
+
     wcut_table_destroy(table);
     if (status == WCUT_OK)
         *datums = d;

@@ -69,6 +69,8 @@ static void put_points(wcut_text *text, const wcut_compared *c) {
 static void put_registration(wcut_text *text, const wcut_registration *r) {
     static const char *const method[] = {"none", "datum", "fit"};
     static const char *const name[] = {"tx_mm", "ty_mm", "tz_mm", "rx_deg", "ry_deg", "rz_deg"};
+
+    /* the motion as a matrix, then by its six parameters */
     put_string(text, ",\n  \"registration\": {\"method\": ", method[r->method]);
     put(text, ", \"matrix\": [");
     for (int k = 0; k < 16; k++) {
@@ -86,6 +88,8 @@ static void put_registration(wcut_text *text, const wcut_registration *r) {
         put_number(text, ", \"sigma\": ", sqrt(r->covariance[k * WCUT_DOF_COUNT + k]) * unit);
         wcut_text_print(text, ", \"determined\": %s}", r->determined[k] ? "true" : "false");
     }
+
+    /* how certain it is, and how much of the scan it rests on */
     put(text, "},\n    \"covariance_mm_rad\": [");
     for (int k = 0; k < WCUT_DOF_COUNT * WCUT_DOF_COUNT; k++) {
         put(text, k == 0 ? "[" : k % WCUT_DOF_COUNT == 0 ? "], [" : ", ");
@@ -231,32 +235,43 @@ static void put_reconstruction(wcut_text *text, const wcut_compared *c) {
 
 static void put_document(wcut_text *t, const wcut_compared *c) {
     const wcut_deviation_summary_result *r = c->found;
+
+    /* the files and what was compared */
     wcut_text_print(t, "{\n  \"format\": \"wirecut-deviation/1\",\n  \"version\": \"%s\"", WCUT_VERSION);
     put_string(t, ",\n  \"reference\": ", c->reference);
     put_string(t, ",\n  \"distance\": ", c->distance);
     put_scans(t, c);
     put_points(t, c);
     put_registration(t, c->registration);
+
+    /* the deviations after the registration */
     put_statistics(t, ",\n  \"distance_mm\": ", &r->statistics);
     put_figures(t, r, "  ");
     put_way_back(t, c);
     put_bands(t, ",\n  \"bands\": ", &r->statistics);
+
+    /* the gate, where a tolerance was asked for */
     if (c->tolerance > 0) {
         put_number(t, ",\n  \"gate\": {\"tolerance_mm\": ", c->tolerance);
         put_number(t, ", \"share\": ", c->share);
         wcut_text_print(t, ", \"within\": %s}", c->within ? "true" : "false");
     }
+
+    /* the deviations before the registration */
     put_statistics(t, ",\n  \"as_scanned\": {\"distance_mm\": ", &c->unmoved->statistics);
     put_bands(t, ", \"bands\": ", &c->unmoved->statistics);
     put_count(t, ", \"outside\": ", c->unmoved->place[WCUT_PLACE_BEYOND]);
     put_figures(t, c->unmoved, "    ");
     put(t, "}");
+
+    /* what they go with, where a job tells */
     if (r->related) {
         put_relation(t, ",\n  \"correlation\": {\"time_since_entry\": {\"of_deviation\": ", r->time);
         put_relation(t, ", \"path_curvature\": {\"of_deviation\": ", r->path);
         put_relation(t, ", \"face_curvature\": {\"of_deviation\": ", r->bend);
         put(t, "}");
     }
+
     put_zones(t, r);
     put_worst(t, r);
     put_reconstruction(t, c);
