@@ -23,16 +23,27 @@ export class Plan {
       }
   }
 
-  setValues(values) { this.values = values; }
-  setScale(scale) { this.scale = scale; this.draw(); }
+  setValues(values) {
+    this.values = values;
+  }
+  setScale(scale) {
+    this.scale = scale;
+    this.draw();
+  }
   setShade() {}
-  setLines(group, lines, colour) { this.lines.set(group, {lines, colour, shown: true}); }
-  clearLines(group) { this.lines.delete(group); }
+  setLines(group, lines, colour) {
+    this.lines.set(group, {lines, colour, shown: true});
+  }
+  clearLines(group) {
+    this.lines.delete(group);
+  }
   showLines(group, shown) {
     if (this.lines.has(group)) this.lines.get(group).shown = shown;
     this.draw();
   }
-  home() { this.draw(); }
+  home() {
+    this.draw();
+  }
   turn() {}
   zoom() {}
   pan() {}
@@ -46,22 +57,35 @@ export class Plan {
 
   // x runs to the right, the feed direction y upward
   project(x, y) {
-    const width = this.canvas.clientWidth, height = this.canvas.clientHeight, margin = 36;
+    const width = this.canvas.clientWidth,
+      height = this.canvas.clientHeight,
+      margin = 36;
     const size = [0, 1].map(k => Math.max(this.high[k] - this.low[k], 1e-9));
     const zoom = Math.min((width - 2 * margin) / size[0], (height - 2 * margin) / size[1]);
-    return [width / 2 + (x - (this.low[0] + this.high[0]) / 2) * zoom, height / 2 - (y - (this.low[1] + this.high[1]) / 2) * zoom];
+    return [
+      width / 2 + (x - (this.low[0] + this.high[0]) / 2) * zoom,
+      height / 2 - (y - (this.low[1] + this.high[1]) / 2) * zoom
+    ];
   }
 
   draw() {
-    const {canvas, shape, values, scale} = this, colours = palette();
+    const {canvas, shape, values, scale} = this,
+      colours = palette();
     if (!scale || !canvas.width) return;
-    const ctx = canvas.getContext('2d'), ratio = canvas.width / canvas.clientWidth;
+    const ctx = canvas.getContext('2d'),
+      ratio = canvas.width / canvas.clientWidth;
     ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
     ctx.fillStyle = hex(colours.view);
     ctx.fillRect(0, 0, canvas.clientWidth, canvas.clientHeight);
-    const table = Array.from({length: TABLE}, (_, i) => css(colourOf(scale, scale.low + (scale.high - scale.low) * i / (TABLE - 1))));
-    const colour = v => Number.isNaN(v) ? css(colours.missing)
-      : table[Math.min(TABLE - 1, Math.max(0, Math.round((v - scale.low) / (scale.high - scale.low) * (TABLE - 1))))];
+    const table = Array.from({length: TABLE}, (_, i) =>
+      css(colourOf(scale, scale.low + ((scale.high - scale.low) * i) / (TABLE - 1)))
+    );
+    const colour = v =>
+      Number.isNaN(v)
+        ? css(colours.missing)
+        : table[
+            Math.min(TABLE - 1, Math.max(0, Math.round(((v - scale.low) / (scale.high - scale.low)) * (TABLE - 1))))
+          ];
     const at = i => this.project(shape.position[3 * i], shape.position[3 * i + 1]);
     if (shape.triangles)
       for (let t = 0; t < shape.triangles.length; t += 3) {
@@ -96,9 +120,11 @@ export class Plan {
 
   pick(x, y, reach = 14) {
     const {position} = this.shape;
-    let best = -1, nearest = reach;
+    let best = -1,
+      nearest = reach;
     for (let i = 0; i < position.length / 3; i++) {
-      const [px, py] = this.project(position[3 * i], position[3 * i + 1]), away = Math.hypot(px - x, py - y);
+      const [px, py] = this.project(position[3 * i], position[3 * i + 1]),
+        away = Math.hypot(px - x, py - y);
       if (away < nearest) [best, nearest] = [i, away];
     }
     return best;

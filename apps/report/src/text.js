@@ -12,9 +12,10 @@ export function fixed(value, decimals) {
 }
 
 // decimals that show four significant digits of the largest of some numbers
-export const decimals = largest => largest > 0 ? Math.min(9, Math.max(0, 3 - Math.floor(Math.log10(largest)))) : 0;
+export const decimals = largest => (largest > 0 ? Math.min(9, Math.max(0, 3 - Math.floor(Math.log10(largest)))) : 0);
 
-const power = exponent => `10${[...String(exponent)].map(c => '\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079'['-0123456789'.indexOf(c)]).join('')}`;
+const raised = '\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079';
+const power = exponent => `10${[...String(exponent)].map(c => raised['-0123456789'.indexOf(c)]).join('')}`;
 
 // a number by itself: integers whole, others with four significant digits
 export function number(value) {
@@ -25,11 +26,13 @@ export function number(value) {
     return `${mantissa.replace('-', '\u2212')}${NARROW}\u00b7${NARROW}${power(Number(exponent))}`;
   }
   if (Number.isInteger(value)) return fixed(value, 0);
-  return fixed(value, decimals(size)).replace(/(\.\d*?)0+$/, '$1').replace(/\.$/, '');
+  return fixed(value, decimals(size))
+    .replace(/(\.\d*?)0+$/, '$1')
+    .replace(/\.$/, '');
 }
 
-export const withUnit = (value, unit) => unit ? `${number(value)}\u00a0${unit}` : number(value);
-export const labelled = (label, unit) => unit ? `${label} [${unit}]` : label;
+export const withUnit = (value, unit) => (unit ? `${number(value)}\u00a0${unit}` : number(value));
+export const labelled = (label, unit) => (unit ? `${label} [${unit}]` : label);
 
 // an element with properties and children; strings become text
 export function element(name, properties, ...children) {
@@ -45,7 +48,8 @@ export function element(name, properties, ...children) {
 
 // lowest and highest of the numbers that are there
 export function extent(values) {
-  let low = Infinity, high = -Infinity;
+  let low = Infinity,
+    high = -Infinity;
   for (const v of values) {
     if (v < low) low = v;
     if (v > high) high = v;

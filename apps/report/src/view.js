@@ -1,7 +1,23 @@
 // The view in space (three.js): one shape coloured by one field, lines, block, and a camera for mouse, touch and keys.
 import {
-  BufferAttribute, BufferGeometry, Color, DataTexture, DoubleSide, LineBasicMaterial, LineSegments, Matrix4, Mesh, NearestFilter,
-  PerspectiveCamera, Points, Raycaster, Scene, ShaderMaterial, Vector2, Vector3, WebGLRenderer
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DataTexture,
+  DoubleSide,
+  LineBasicMaterial,
+  LineSegments,
+  Matrix4,
+  Mesh,
+  NearestFilter,
+  PerspectiveCamera,
+  Points,
+  Raycaster,
+  Scene,
+  ShaderMaterial,
+  Vector2,
+  Vector3,
+  WebGLRenderer
 } from 'three';
 import {colourOf, palette} from './colour.js';
 
@@ -74,8 +90,20 @@ export class View {
     const image = new DataTexture(new Uint8Array(4 * TABLE), TABLE, 1);
     image.minFilter = image.magFilter = NearestFilter;
     this.material = new ShaderMaterial({
-      vertexShader: VERTEX, fragmentShader: FRAGMENT, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2,
-      uniforms: {table: {value: image}, low: {value: 0}, high: {value: 1}, shade: {value: 0.3}, size: {value: 3}, missing: {value: new Vector3()}}
+      vertexShader: VERTEX,
+      fragmentShader: FRAGMENT,
+      side: DoubleSide,
+      polygonOffset: true,
+      polygonOffsetFactor: 1,
+      polygonOffsetUnits: 2,
+      uniforms: {
+        table: {value: image},
+        low: {value: 0},
+        high: {value: 1},
+        shade: {value: 0.3},
+        size: {value: 3},
+        missing: {value: new Vector3()}
+      }
     });
     this.home();
   }
@@ -96,8 +124,13 @@ export class View {
     for (let round = 0; round < 6; round++) {
       this.place();
       const seen = this.corners.map(corner => corner.clone().project(this.camera));
-      const [left, right, bottom, top] = [Math.min(...seen.map(p => p.x)), Math.max(...seen.map(p => p.x)), Math.min(...seen.map(p => p.y)), Math.max(...seen.map(p => p.y))];
-      this.pan(-(left + right) / 4 * this.canvas.clientWidth, (bottom + top) / 4 * this.canvas.clientHeight);
+      const [left, right, bottom, top] = [
+        Math.min(...seen.map(p => p.x)),
+        Math.max(...seen.map(p => p.x)),
+        Math.min(...seen.map(p => p.y)),
+        Math.max(...seen.map(p => p.y))
+      ];
+      this.pan((-(left + right) / 4) * this.canvas.clientWidth, ((bottom + top) / 4) * this.canvas.clientHeight);
       this.reach *= Math.max((right - left) / 1.8, (top - bottom) / 1.76);
     }
   }
@@ -108,7 +141,8 @@ export class View {
       this.scene.remove(this.surface);
       this.surface.geometry.dispose();
     }
-    const geometry = new BufferGeometry(), moved = new Float32Array(shape.position);
+    const geometry = new BufferGeometry(),
+      moved = new Float32Array(shape.position);
     for (let i = 0; i < moved.length; i += 3) {
       moved[i] -= this.centre.x;
       moved[i + 1] -= this.centre.y;
@@ -136,7 +170,7 @@ export class View {
   setScale(scale) {
     const {table, low, high} = this.material.uniforms;
     for (let i = 0; i < TABLE; i++) {
-      const rgb = colourOf(scale, scale.low + (scale.high - scale.low) * (i + 0.5) / TABLE);
+      const rgb = colourOf(scale, scale.low + ((scale.high - scale.low) * (i + 0.5)) / TABLE);
       table.value.image.data.set([...rgb, 255], 4 * i);
     }
     table.value.needsUpdate = true;
@@ -197,8 +231,11 @@ export class View {
   place() {
     const {camera, azimuth, elevation, radius} = this;
     const distance = this.reach * this.distance;
-    camera.position.set(Math.cos(elevation) * Math.cos(azimuth), Math.cos(elevation) * Math.sin(azimuth), Math.sin(elevation))
-      .multiplyScalar(distance).add(this.target).sub(this.centre);
+    camera.position
+      .set(Math.cos(elevation) * Math.cos(azimuth), Math.cos(elevation) * Math.sin(azimuth), Math.sin(elevation))
+      .multiplyScalar(distance)
+      .add(this.target)
+      .sub(this.centre);
     camera.near = Math.max(distance - 3 * radius, radius * 1e-2);
     camera.far = distance + 3 * radius;
     camera.lookAt(this.target.clone().sub(this.centre));
@@ -222,7 +259,7 @@ export class View {
     this.waiting = 0;
     const colours = palette();
     this.place();
-    this.material.uniforms.size.value = Math.max(2, 2.2 * this.renderer.getPixelRatio() / Math.sqrt(this.distance));
+    this.material.uniforms.size.value = Math.max(2, (2.2 * this.renderer.getPixelRatio()) / Math.sqrt(this.distance));
     this.material.uniforms.missing.value.set(...colours.missing.map(c => c / 255));
     for (const drawn of this.groups.values()) drawn.material.color = new Color(colours[drawn.userData.colour]);
     this.renderer.setClearColor(new Color(colours.view), 1);
@@ -261,8 +298,13 @@ export class View {
 
   // move the picture by pixels
   pan(dx, dy) {
-    const step = 2 * Math.tan(this.camera.fov * Math.PI / 360) * this.camera.position.distanceTo(this.target.clone().sub(this.centre)) / this.canvas.clientHeight;
-    const right = new Vector3().setFromMatrixColumn(this.camera.matrix, 0), up = new Vector3().setFromMatrixColumn(this.camera.matrix, 1);
+    const step =
+      (2 *
+        Math.tan((this.camera.fov * Math.PI) / 360) *
+        this.camera.position.distanceTo(this.target.clone().sub(this.centre))) /
+      this.canvas.clientHeight;
+    const right = new Vector3().setFromMatrixColumn(this.camera.matrix, 0),
+      up = new Vector3().setFromMatrixColumn(this.camera.matrix, 1);
     this.target.addScaledVector(right, -dx * step).addScaledVector(up, dy * step);
     this.draw();
   }
@@ -270,12 +312,12 @@ export class View {
   // where a point [mm] is in the picture, in CSS pixels
   project(x, y, z) {
     const p = new Vector3(x, y, z).sub(this.centre).project(this.camera);
-    return [(p.x + 1) / 2 * this.canvas.clientWidth, (1 - p.y) / 2 * this.canvas.clientHeight];
+    return [((p.x + 1) / 2) * this.canvas.clientWidth, ((1 - p.y) / 2) * this.canvas.clientHeight];
   }
 
   // the vertex seen at a place of the picture in CSS pixels, or -1
   pick(x, y) {
-    const at = new Vector2(x / this.canvas.clientWidth * 2 - 1, 1 - y / this.canvas.clientHeight * 2);
+    const at = new Vector2((x / this.canvas.clientWidth) * 2 - 1, 1 - (y / this.canvas.clientHeight) * 2);
     this.raycaster.setFromCamera(at, this.camera);
     return this.shape.triangles ? this.pickTriangle() : this.pickPoint(x, y);
   }
@@ -284,8 +326,10 @@ export class View {
     this.surface.geometry.setIndex(this.fine);
     const [hit] = this.raycaster.intersectObject(this.surface, false);
     if (!hit) return -1;
-    const position = this.surface.geometry.getAttribute('position'), corner = new Vector3();
-    let best = -1, nearest = Infinity;
+    const position = this.surface.geometry.getAttribute('position'),
+      corner = new Vector3();
+    let best = -1,
+      nearest = Infinity;
     for (const i of [hit.face.a, hit.face.b, hit.face.c]) {
       const away = corner.fromBufferAttribute(position, i).distanceToSquared(hit.point);
       if (away < nearest) [best, nearest] = [i, away];
@@ -297,12 +341,17 @@ export class View {
   pickPoint(x, y, reach = 7) {
     const {array} = this.surface.geometry.getAttribute('position');
     const m = new Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse).elements;
-    const width = this.canvas.clientWidth, height = this.canvas.clientHeight;
-    let best = -1, front = Infinity;
+    const width = this.canvas.clientWidth,
+      height = this.canvas.clientHeight;
+    let best = -1,
+      front = Infinity;
     for (let i = 0; i < array.length; i += 3) {
-      const a = array[i], b = array[i + 1], c = array[i + 2], w = m[3] * a + m[7] * b + m[11] * c + m[15];
-      const dx = ((m[0] * a + m[4] * b + m[8] * c + m[12]) / w + 1) / 2 * width - x;
-      const dy = (1 - (m[1] * a + m[5] * b + m[9] * c + m[13]) / w) / 2 * height - y;
+      const a = array[i],
+        b = array[i + 1],
+        c = array[i + 2],
+        w = m[3] * a + m[7] * b + m[11] * c + m[15];
+      const dx = (((m[0] * a + m[4] * b + m[8] * c + m[12]) / w + 1) / 2) * width - x;
+      const dy = ((1 - (m[1] * a + m[5] * b + m[9] * c + m[13]) / w) / 2) * height - y;
       const away = dx * dx + dy * dy;
       if (w <= 0 || away > reach * reach) continue;
       // a pixel nearer to the pointer counts as much as a little nearer to the eye
@@ -316,7 +365,8 @@ export class View {
 // let mouse, touch and keys move a camera; a click that did not move anything picks
 export function steer(view, canvas, onPick) {
   const held = new Map();
-  let moved = 0, spread = 0;
+  let moved = 0,
+    spread = 0;
   canvas.addEventListener('pointerdown', event => {
     canvas.setPointerCapture(event.pointerId);
     held.set(event.pointerId, [event.offsetX, event.offsetY]);
@@ -326,11 +376,14 @@ export function steer(view, canvas, onPick) {
   canvas.addEventListener('pointermove', event => {
     const before = held.get(event.pointerId);
     if (!before) return;
-    const now = [event.offsetX, event.offsetY], dx = now[0] - before[0], dy = now[1] - before[1];
+    const now = [event.offsetX, event.offsetY],
+      dx = now[0] - before[0],
+      dy = now[1] - before[1];
     held.set(event.pointerId, now);
     moved += Math.abs(dx) + Math.abs(dy);
     if (held.size === 2) {
-      const [p, q] = [...held.values()], apart = Math.hypot(p[0] - q[0], p[1] - q[1]);
+      const [p, q] = [...held.values()],
+        apart = Math.hypot(p[0] - q[0], p[1] - q[1]);
       if (spread) view.zoom(spread / apart);
       spread = apart;
       view.pan(dx / 2, dy / 2);
@@ -338,20 +391,31 @@ export function steer(view, canvas, onPick) {
     else view.turn(dx * 0.008, dy * 0.008);
   });
   const release = event => {
-    if (held.delete(event.pointerId) && event.type === 'pointerup' && moved < 5 && event.button === 0) onPick(event.offsetX, event.offsetY);
+    if (held.delete(event.pointerId) && event.type === 'pointerup' && moved < 5 && event.button === 0)
+      onPick(event.offsetX, event.offsetY);
   };
   canvas.addEventListener('pointerup', release);
   canvas.addEventListener('pointercancel', release);
   canvas.addEventListener('contextmenu', event => event.preventDefault());
   // the page scrolls over a view that was not asked for
-  canvas.addEventListener('wheel', event => {
-    if (document.activeElement !== canvas) return;
-    event.preventDefault();
-    view.zoom(Math.exp(event.deltaY * (event.deltaMode ? 0.03 : 0.0012)));
-  }, {passive: false});
+  canvas.addEventListener(
+    'wheel',
+    event => {
+      if (document.activeElement !== canvas) return;
+      event.preventDefault();
+      view.zoom(Math.exp(event.deltaY * (event.deltaMode ? 0.03 : 0.0012)));
+    },
+    {passive: false}
+  );
   const keys = {
-    ArrowLeft: () => view.turn(-0.12, 0), ArrowRight: () => view.turn(0.12, 0), ArrowUp: () => view.turn(0, 0.12), ArrowDown: () => view.turn(0, -0.12),
-    '+': () => view.zoom(0.85), '=': () => view.zoom(0.85), '-': () => view.zoom(1 / 0.85), '0': () => view.home()
+    ArrowLeft: () => view.turn(-0.12, 0),
+    ArrowRight: () => view.turn(0.12, 0),
+    ArrowUp: () => view.turn(0, 0.12),
+    ArrowDown: () => view.turn(0, -0.12),
+    '+': () => view.zoom(0.85),
+    '=': () => view.zoom(0.85),
+    '-': () => view.zoom(1 / 0.85),
+    0: () => view.home()
   };
   canvas.addEventListener('keydown', event => {
     if (event.ctrlKey || event.metaKey || event.altKey || !keys[event.key]) return;
