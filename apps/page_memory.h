@@ -7,7 +7,7 @@
 
 typedef struct app_memory {
     struct app_piece *piece; /* the last one taken */
-    bool failed;             /* one was not to be had */
+    bool failed;             /* memory ran out */
 } app_memory;
 
 /* count x size zeroed bytes; NULL, and failed, where there is no memory */

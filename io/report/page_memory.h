@@ -7,7 +7,7 @@
 
 typedef struct wcut_page_memory {
     struct wcut_page_piece *piece; /* the last one taken */
-    bool failed;                   /* one was not to be had */
+    bool failed;                   /* memory ran out */
 } wcut_page_memory;
 
 /* count x size zeroed bytes; NULL, and failed, where there is no memory */

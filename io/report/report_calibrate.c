@@ -8,6 +8,7 @@
 #include <wirecut/report_pages.h>
 
 #include "base/fail.h"
+#include "io/report/page_memory.h"
 
 #define PERCENT 100
 
@@ -17,11 +18,6 @@ enum { CURVE = 201, CHARTS = 5, TABLES = 3, COLUMNS = 12, LAWS = 2 };
 #define B_UNIT "m\xc2\xb2/J"
 #define Q_UNIT "J/m\xc2\xb2"
 
-/* memory that lives as long as the page is being written */
-typedef struct block {
-    struct block *next;
-} block;
-
 /* what every chart and table is drawn from, a value a cut */
 typedef struct columns {
     double *line, *heat, *speed, *q_eff;
@@ -30,8 +26,7 @@ typedef struct columns {
 typedef struct page {
     const wcut_report_calibrate *of;
     columns cuts;
-    block *memory;
-    bool failed; /* memory ran out */
+    wcut_page_memory memory;
     char hash[WCUT_SHA256_TEXT];
 } page;
 
@@ -43,26 +38,7 @@ typedef struct law {
     const wcut_fit_point **point; /* cuts */
 } law;
 
-static void *take(page *p, size_t count, size_t size) {
-    block *b = calloc(1, sizeof *b + (count ? count : 1) * size);
-    if (!b) {
-        p->failed = true;
-        return NULL;
-    }
-    b->next = p->memory;
-    p->memory = b;
-    return b + 1;
-}
-
-static double *take_numbers(page *p, int count) { return take(p, (size_t)count, sizeof(double)); }
-
-static void clear(page *p) {
-    while (p->memory) {
-        block *next = p->memory->next;
-        free(p->memory);
-        p->memory = next;
-    }
-}
+static double *take_numbers(page *p, int count) { return wcut_page_take(&p->memory, (size_t)count, sizeof(double)); }
 
 static bool is_relative(const wcut_report_calibrate *of) { return of->options->noise == WCUT_NOISE_RELATIVE; }
 
@@ -141,14 +117,14 @@ static double *pick_unusual(page *p, const law *l, const double *y) {
 static wcut_report_chart chart_of_cuts(page *p, const law *l, const char *title, const char *x_label,
                                        const char *x_unit, const double *x, const char *y_label, const char *y_unit,
                                        const double *y, const wcut_report_series *guide) {
-    wcut_report_series *series = take(p, 3, sizeof *series);
+    wcut_report_series *series = wcut_page_take(&p->memory, 3, sizeof *series);
     wcut_report_chart chart = {.title = title,
                                .x_label = {x_label, NULL},
                                .x_unit = {x_unit, NULL},
                                .y_label = y_label,
                                .y_unit = y_unit,
                                .series = series};
-    if (p->failed) return chart;
+    if (p->memory.failed) return chart;
 
     /* the guide first, so that the cuts are drawn over it */
     const double *unusual = pick_unusual(p, l, y);
@@ -164,8 +140,8 @@ static wcut_report_chart curve_chart(page *p, const law *l, const double *measur
     const wcut_calibration *fit = p->of->fit;
     double *q = take_numbers(p, CURVE), *y = take_numbers(p, CURVE);
     double *low = take_numbers(p, CURVE), *high = take_numbers(p, CURVE);
-    char *note = take(p, WCUT_REPORT_SENTENCE, 1);
-    if (p->failed) return (wcut_report_chart){.title = l->title};
+    char *note = wcut_page_take(&p->memory, WCUT_REPORT_SENTENCE, 1);
+    if (p->memory.failed) return (wcut_report_chart){.title = l->title};
 
     /* an even grid over the validated range */
     for (int k = 0; k < CURVE; k++) q[k] = fit->q_eff_low + (fit->q_eff_high - fit->q_eff_low) * k / (CURVE - 1);
@@ -189,7 +165,7 @@ static wcut_report_chart curve_chart(page *p, const law *l, const double *measur
 static wcut_report_series zero(page *p, const double *x) {
     double *end = take_numbers(p, 2), *level = take_numbers(p, 2);
     wcut_report_series line = {.label = "the law", .mark = WCUT_REPORT_MARK_DASHED, .count = 2, .x = {end}, .y = level};
-    if (p->failed) return line;
+    if (p->memory.failed) return line;
 
     /* from the smallest abscissa to the largest */
     end[0] = end[1] = x[0];
@@ -211,12 +187,12 @@ static wcut_report_chart normal_chart(page *p, const law *l) {
     const int n = p->of->cuts;
     double *residual = take_numbers(p, n), *score = take_numbers(p, n);
     wcut_report_chart none = {.title = ""};
-    if (p->failed) return none;
+    if (p->memory.failed) return none;
 
     /* quantiles of as many normal draws */
     for (int i = 0; i < n; i++) residual[i] = l->point[i]->residual;
     if (wcut_gaussian_scores(n, residual, score) != WCUT_OK) {
-        p->failed = true;
+        p->memory.failed = true;
         return none;
     }
 
@@ -244,7 +220,7 @@ static const char *remark(page *p, int i, const wcut_fit_point *at) {
 
     /* only the words that apply, with commas between them */
     enum { ROOM = 80 };
-    char *text = take(p, ROOM, 1);
+    char *text = wcut_page_take(&p->memory, ROOM, 1);
     int used = 0;
     for (size_t k = 0; text && k < sizeof word / sizeof *word; k++)
         if (word[k]) used += snprintf(text + used, (size_t)(ROOM - used), "%s%s", used ? ", " : "", word[k]);
@@ -253,12 +229,12 @@ static const char *remark(page *p, int i, const wcut_fit_point *at) {
 
 static wcut_report_table cut_table(page *p, const law *l, const double *measured, const double *residual) {
     const int n = p->of->cuts;
-    wcut_report_column *column = take(p, COLUMNS, sizeof *column);
+    wcut_report_column *column = wcut_page_take(&p->memory, COLUMNS, sizeof *column);
     double *fitted = take_numbers(p, n), *standard = take_numbers(p, n), *leverage = take_numbers(p, n);
     double *left_out = take_numbers(p, n), *influence = take_numbers(p, n);
-    const char **text = take(p, (size_t)n, sizeof *text);
+    const char **text = wcut_page_take(&p->memory, (size_t)n, sizeof *text);
     wcut_report_table table = {.title = "Every cut", .rows = n, .columns = COLUMNS, .column = column};
-    if (p->failed) return table;
+    if (p->memory.failed) return table;
 
     /* figures of every cut */
     for (int i = 0; i < n; i++) {
@@ -300,12 +276,12 @@ static wcut_report_table parameter_table(page *p, const law *l) {
     enum { ROWS = 4 };
     static const char *const unit[3] = {A_UNIT, B_UNIT, A_UNIT};
     const double value[3] = {l->fit->a, l->fit->b, l->fit->c};
-    wcut_report_column *column = take(p, 4, sizeof *column);
+    wcut_report_column *column = wcut_page_take(&p->memory, 4, sizeof *column);
     double *number = take_numbers(p, ROWS * 3);
-    const char **row = take(p, ROWS, sizeof *row);
-    char *low = take(p, 64, 1), *high = take(p, 64, 1);
+    const char **row = wcut_page_take(&p->memory, ROWS, sizeof *row);
+    char *low = wcut_page_take(&p->memory, 64, 1), *high = wcut_page_take(&p->memory, 64, 1);
     wcut_report_table table = {.title = "Parameters", .rows = ROWS, .columns = 1 + l->parameters, .column = column};
-    if (p->failed) return table;
+    if (p->memory.failed) return table;
 
     /* the names of the rows */
     snprintf(low, 64, "%g %% interval, from", PERCENT * p->of->options->confidence);
@@ -324,12 +300,12 @@ static wcut_report_table parameter_table(page *p, const law *l) {
 }
 
 static wcut_report_table correlation_table(page *p, const law *l) {
-    wcut_report_column *column = take(p, 4, sizeof *column);
+    wcut_report_column *column = wcut_page_take(&p->memory, 4, sizeof *column);
     double *number = take_numbers(p, 9);
     wcut_report_table table = {
         .title = "Correlation", .rows = l->parameters, .columns = 1 + l->parameters, .column = column};
     table.note = "Near 1 or -1, an error in one parameter is compensated by the other: use them together only.";
-    if (p->failed) return table;
+    if (p->memory.failed) return table;
     memcpy(number, l->fit->correlation, sizeof l->fit->correlation); /* symmetric: a row is a column */
     column[0] = (wcut_report_column){.label = "", .text = parameter};
     for (int j = 0; j < l->parameters; j++)
@@ -338,7 +314,7 @@ static wcut_report_table correlation_table(page *p, const law *l) {
 }
 
 static wcut_report_table warning_table(page *p) {
-    wcut_report_column *column = take(p, 1, sizeof *column);
+    wcut_report_column *column = wcut_page_take(&p->memory, 1, sizeof *column);
     wcut_report_table table = {.title = "Warnings", .rows = p->of->warnings, .columns = 1, .column = column};
     if (column) column[0] = (wcut_report_column){.label = "before these laws are used", .text = p->of->warning};
     return table;
@@ -351,7 +327,7 @@ static void fill_cuts(page *p) {
     p->cuts = (columns){take_numbers(p, n), take_numbers(p, n), take_numbers(p, n), take_numbers(p, n)};
 
     /* as columns of numbers, for charts and tables */
-    for (int i = 0; i < n && !p->failed; i++) {
+    for (int i = 0; i < n && !p->memory.failed; i++) {
         p->cuts.line[i] = p->of->cut[i].line;
         p->cuts.heat[i] = p->of->cut[i].heat;
         p->cuts.speed[i] = p->of->cut[i].speed;
@@ -361,7 +337,7 @@ static void fill_cuts(page *p) {
 
 /* two sentences of their own, from those that the summary has on lines of their own */
 static char *section_note(page *p, const law *l) {
-    char *note = take(p, (size_t)3 * WCUT_REPORT_SENTENCE, 1), scatter[WCUT_REPORT_SENTENCE],
+    char *note = wcut_page_take(&p->memory, (size_t)3 * WCUT_REPORT_SENTENCE, 1), scatter[WCUT_REPORT_SENTENCE],
          lack[WCUT_REPORT_SENTENCE];
     if (!note) return NULL;
     wcut_report_calibrate_scatter(p->of, l->fit, scatter);
@@ -373,9 +349,9 @@ static char *section_note(page *p, const law *l) {
 static void fill_section(page *p, const law *l, wcut_report_section *section) {
     const int n = p->of->cuts;
     double *measured = take_numbers(p, n), *residual = take_numbers(p, n);
-    wcut_report_chart *chart = take(p, CHARTS, sizeof *chart);
-    wcut_report_table *table = take(p, TABLES, sizeof *table);
-    if (p->failed) return;
+    wcut_report_chart *chart = wcut_page_take(&p->memory, CHARTS, sizeof *chart);
+    wcut_report_table *table = wcut_page_take(&p->memory, TABLES, sizeof *table);
+    if (p->memory.failed) return;
 
     /* what charts and tables share */
     for (int i = 0; i < n; i++) {
@@ -422,19 +398,19 @@ static int fill_sections(page *p, wcut_report_section *section) {
 
     /* warnings come before any number */
     if (p->of->warnings > 0) {
-        wcut_report_table *table = take(p, 1, sizeof *table);
+        wcut_report_table *table = wcut_page_take(&p->memory, 1, sizeof *table);
         if (table) *table = warning_table(p);
         warnings = table;
         section[count++] = (wcut_report_section){.title = "Warnings", .table_count = 1, .table = warnings};
     }
 
     /* a section for each law that was fitted */
-    for (int k = 0; k < LAWS && !p->failed; k++) {
+    for (int k = 0; k < LAWS && !p->memory.failed; k++) {
         if (k && !fit->tension_fitted) break;
-        of[k].point = take(p, (size_t)p->of->cuts, sizeof *of[k].point);
-        for (int i = 0; i < p->of->cuts && !p->failed; i++)
+        of[k].point = wcut_page_take(&p->memory, (size_t)p->of->cuts, sizeof *of[k].point);
+        for (int i = 0; i < p->of->cuts && !p->memory.failed; i++)
             of[k].point[i] = k ? &p->of->point[i].tension : &p->of->point[i].force;
-        if (!p->failed) fill_section(p, &of[k], &section[count++]);
+        if (!p->memory.failed) fill_section(p, &of[k], &section[count++]);
     }
     return count;
 }
@@ -444,7 +420,7 @@ static int fill_sections(page *p, wcut_report_section *section) {
 /* "force law, a: 0.094 to 0.108", the interval in the label, the value by itself */
 static wcut_report_fact with_interval(page *p, const char *name, const wcut_law_fit *fit, int k) {
     const double value[3] = {fit->a, fit->b, fit->c};
-    char *label = take(p, 96, 1);
+    char *label = wcut_page_take(&p->memory, 96, 1);
     if (label)
         snprintf(label, 96, "%s, %s (%g %%: %.4g to %.4g)", name, parameter[k], PERCENT * p->of->options->confidence,
                  fit->low[k], fit->high[k]);
@@ -452,7 +428,7 @@ static wcut_report_fact with_interval(page *p, const char *name, const wcut_law_
 }
 
 static const char *with_error(page *p, double value, double error) {
-    char *text = take(p, 96, 1);
+    char *text = wcut_page_take(&p->memory, 96, 1);
     if (text) snprintf(text, 96, "%.4g \xc2\xb1 %.2g", value, error);
     return text;
 }
@@ -462,8 +438,8 @@ static int fill_facts(page *p, wcut_report_fact *fact) {
     const wcut_calibration *fit = p->of->fit;
     const wcut_law_fit *f = &fit->force, *t = &fit->tension;
     int n = 0;
-    char *at = take(p, 96, 1);
-    if (p->failed) return 0;
+    char *at = wcut_page_take(&p->memory, 96, 1);
+    if (p->memory.failed) return 0;
 
     /* parameters with their intervals */
     for (int k = 0; k < 2; k++) fact[n++] = with_interval(p, "force law", f, k);
@@ -481,7 +457,7 @@ static int fill_facts(page *p, wcut_report_fact *fact) {
                                    with_error(p, fit->exponent, fit->exponent_error), 0, ""};
 
     /* the range in which the law may be used, and what it rests on */
-    char *range = take(p, 64, 1);
+    char *range = wcut_page_take(&p->memory, 64, 1);
     if (range) snprintf(range, 64, "%.0f to %.0f", fit->q_eff_low, fit->q_eff_high);
     fact[n++] = (wcut_report_fact){"validated Q_eff", range, 0, Q_UNIT};
     fact[n++] = (wcut_report_fact){"test cuts", NULL, p->of->cuts, ""};
@@ -499,7 +475,7 @@ static wcut_status write_page(page *p, int sections, const wcut_report_section *
     char verdict[512];
     wcut_report_fact fact[16];
     const int facts = fill_facts(p, fact);
-    if (p->failed) return WCUT_NO_MEMORY;
+    if (p->memory.failed) return WCUT_NO_MEMORY;
 
     /* settings of the fit, with what the defaults came to */
     const wcut_report_fact option[] = {{"noise", is_relative(of) ? "relative to the value" : "absolute", 0, ""},
@@ -537,9 +513,9 @@ wcut_status wcut_report_calibrate_write(const wcut_report_calibrate *of, const c
     wcut_status status = wcut_source_hash(of->path, p.hash, error);
     if (!status) {
         fill_cuts(&p);
-        const int sections = p.failed ? 0 : fill_sections(&p, section);
-        status = p.failed ? WCUT_NO_MEMORY : write_page(&p, sections, section, path, error);
+        const int sections = p.memory.failed ? 0 : fill_sections(&p, section);
+        status = p.memory.failed ? WCUT_NO_MEMORY : write_page(&p, sections, section, path, error);
     }
-    clear(&p);
+    wcut_page_free(&p.memory);
     return status;
 }

@@ -26,11 +26,9 @@ typedef struct page {
     wcut_page_memory memory;
 } page;
 
-static void *take(page *p, size_t count, size_t size) { return wcut_page_take(&p->memory, count, size); }
-
 static char *join(page *p, const char *a, const char *between, const char *b) {
     const size_t size = strlen(a) + strlen(between) + strlen(b) + 1;
-    char *text = take(p, size, 1);
+    char *text = wcut_page_take(&p->memory, size, 1);
     if (text) snprintf(text, size, "%s%s%s", a, between, b);
     return text;
 }
@@ -54,9 +52,10 @@ static double or_dash(bool there, double value) { return there ? value : NAN; }
 static wcut_report_table channel_table(page *p, const char *title, const char *note, const wcut_scores *scores) {
     static const char *const label[FIGURES] = {"RMSD",        "NRMSD",       "RMSE / range", "bias",
                                                "correlation", "entry NRMSD", "steady NRMSD", "exit NRMSD"};
-    wcut_report_column *column = take(p, FIGURES + 2, sizeof *column);
-    const char **name = take(p, WCUT_SCORED_COUNT, sizeof *name), **unit = take(p, WCUT_SCORED_COUNT, sizeof *unit);
-    double *number = take(p, (size_t)FIGURES * WCUT_SCORED_COUNT, sizeof *number);
+    wcut_report_column *column = wcut_page_take(&p->memory, FIGURES + 2, sizeof *column);
+    const char **name = wcut_page_take(&p->memory, WCUT_SCORED_COUNT, sizeof *name),
+               **unit = wcut_page_take(&p->memory, WCUT_SCORED_COUNT, sizeof *unit);
+    double *number = wcut_page_take(&p->memory, (size_t)FIGURES * WCUT_SCORED_COUNT, sizeof *number);
     wcut_report_table table = {.title = title, .note = note, .columns = FIGURES + 2, .column = column};
     if (!column || !name || !unit || !number) return table;
 
@@ -101,8 +100,8 @@ enum { BY_GROUP = sizeof by_group / sizeof *by_group };
 
 static wcut_report_table group_table(page *p, const char *title, const char *note, bool with_bias) {
     const wcut_report_score *of = p->of;
-    wcut_report_column *column = take(p, BY_GROUP + 1, sizeof *column);
-    double *number = take(p, (size_t)BY_GROUP * (size_t)of->groups, sizeof *number);
+    wcut_report_column *column = wcut_page_take(&p->memory, BY_GROUP + 1, sizeof *column);
+    double *number = wcut_page_take(&p->memory, (size_t)BY_GROUP * (size_t)of->groups, sizeof *number);
     wcut_report_table table = {
         .title = title, .note = note, .rows = of->groups, .columns = BY_GROUP + 1, .column = column};
     if (!column || !number) return table;
@@ -124,8 +123,9 @@ static wcut_report_table group_table(page *p, const char *title, const char *not
 /* cuts that could not be scored, and samples that were not predicted */
 static wcut_report_table trouble_table(page *p) {
     const wcut_report_score *of = p->of;
-    wcut_report_column *column = take(p, 2, sizeof *column);
-    const char **name = take(p, (size_t)of->cuts, sizeof *name), **text = take(p, (size_t)of->cuts, sizeof *text);
+    wcut_report_column *column = wcut_page_take(&p->memory, 2, sizeof *column);
+    const char **name = wcut_page_take(&p->memory, (size_t)of->cuts, sizeof *name),
+               **text = wcut_page_take(&p->memory, (size_t)of->cuts, sizeof *text);
     wcut_report_table table = {.title = "What was not scored", .columns = 2, .column = column};
     if (!column || !name || !text) return table;
 
@@ -192,9 +192,9 @@ static void fill_series(page *p, const wcut_comparison *c, const wcut_prediction
     const wcut_score *score = scores ? &scores->of[of_signal[k]][WCUT_PART_ALL] : NULL;
     const bool band = score && score->count > 0;
     const double unit = k < 4 ? 1 : WCUT_DEG_PER_RAD;
-    double *y = take(p, (size_t)d->count, sizeof *y);
-    double *low = band ? take(p, (size_t)d->count, sizeof *low) : NULL;
-    double *high = band ? take(p, (size_t)d->count, sizeof *high) : NULL;
+    double *y = wcut_page_take(&p->memory, (size_t)d->count, sizeof *y);
+    double *low = band ? wcut_page_take(&p->memory, (size_t)d->count, sizeof *low) : NULL;
+    double *high = band ? wcut_page_take(&p->memory, (size_t)d->count, sizeof *high) : NULL;
     if (p->memory.failed) return;
 
     /* missing where nothing was predicted; the band where the score counts */
@@ -218,8 +218,8 @@ static void fill_chart(page *p, const wcut_scored_cut *cut, int k, const drawn *
     const wcut_comparison *c = cut->comparison;
     const wcut_column *channel = &cut->samples->channel[WCUT_CHANNEL_SPEED_A + k];
     const bool replayed = k >= 2;
-    wcut_report_series *series = take(p, 3, sizeof *series);
-    double *measured = take(p, (size_t)d->count, sizeof *measured);
+    wcut_report_series *series = wcut_page_take(&p->memory, 3, sizeof *series);
+    double *measured = wcut_page_take(&p->memory, (size_t)d->count, sizeof *measured);
     if (p->memory.failed) return;
 
     /* what was measured, in the units of files */
@@ -255,12 +255,13 @@ static void fill_section(page *p, const wcut_scored_cut *cut, wcut_report_sectio
     static const int order[CHARTS] = {0, 1, 2, 3, 4, 6, 5, 7};
     const wcut_comparison *c = cut->comparison;
     const wcut_column *recorded = &cut->samples->channel[WCUT_CHANNEL_STATION];
-    wcut_report_chart *chart = take(p, CHARTS, sizeof *chart);
-    wcut_report_table *table = take(p, 2, sizeof *table);
-    wcut_report_span *span = take(p, SPANS_MAX, sizeof *span);
+    wcut_report_chart *chart = wcut_page_take(&p->memory, CHARTS, sizeof *chart);
+    wcut_report_table *table = wcut_page_take(&p->memory, 2, sizeof *table);
+    wcut_report_span *span = wcut_page_take(&p->memory, SPANS_MAX, sizeof *span);
     drawn d = choose_samples(cut);
-    double *time = take(p, (size_t)d.count, sizeof *time), *station = take(p, (size_t)d.count, sizeof *station);
-    char *note = take(p, 300, 1);
+    double *time = wcut_page_take(&p->memory, (size_t)d.count, sizeof *time),
+           *station = wcut_page_take(&p->memory, (size_t)d.count, sizeof *station);
+    char *note = wcut_page_take(&p->memory, 300, 1);
     if (p->memory.failed) return;
 
     /* the abscissae of what is drawn */
@@ -321,7 +322,7 @@ static int choose(const wcut_report_score *of, unsigned char *shown) {
 
 static void fill_overview(page *p, const char *note, wcut_report_section *section) {
     const wcut_report_score *of = p->of;
-    wcut_report_table *table = take(p, 5, sizeof *table);
+    wcut_report_table *table = wcut_page_take(&p->memory, 5, sizeof *table);
     if (p->memory.failed) return;
     table[0] = group_table(p, "NRMSD", "RMSD over the range of the measured data: does not see a bias.", false);
     table[1] = group_table(p, "RMSE over range", "Includes a bias.", true);
@@ -385,9 +386,9 @@ wcut_status wcut_report_score_write(const wcut_report_score *scored, const char 
     page p = {.of = scored};
     int compared = 0, shown = 0, sections = 1;
     for (int i = 0; i < scored->cuts; i++) compared += scored->cut[i].comparison != NULL;
-    unsigned char *chosen = take(&p, (size_t)scored->cuts, 1);
+    unsigned char *chosen = wcut_page_take(&p.memory, (size_t)scored->cuts, 1);
     if (chosen) shown = choose(scored, chosen);
-    wcut_report_section *section = take(&p, (size_t)shown + 1, sizeof *section);
+    wcut_report_section *section = wcut_page_take(&p.memory, (size_t)shown + 1, sizeof *section);
     char note[200] = "";
     if (shown < compared)
         snprintf(note, sizeof note, "Below are the %d cuts that fit worst; residuals.csv holds them all.", shown);
