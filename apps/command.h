@@ -38,13 +38,14 @@ typedef enum app_kind {
 
 typedef struct app_option {
     app_kind kind;
-    const char *name;     /* long, without dashes; the same meaning in every verb */
-    char letter;          /* short, 0 where there is none */
-    bool required;        /* the call is refused without it */
-    const char *value;    /* what help calls the value, "DIR"; NULL for a flag */
-    double low, high;     /* range of a number */
-    const char *standard; /* value where none is given; NULL: the verb asks app_given */
-    const char *help;     /* a line */
+    const char *name;        /* long, without dashes; the same meaning in every verb */
+    char letter;             /* short, 0 where there is none */
+    bool required;           /* the call is refused without it */
+    const char *value;       /* what help calls the value, "DIR"; NULL for a flag */
+    double low, high;        /* range of a number */
+    const char *standard;    /* value where none is given */
+    double (*library)(void); /* or, for a number, the library's own default; with neither the verb asks app_given */
+    const char *help;        /* a line */
 } app_option;
 
 typedef struct app_operand {
@@ -67,7 +68,7 @@ typedef struct app_verb {
 
 /* A value as it was given or by its standard. */
 typedef struct app_value {
-    const char *text; /* NULL: neither */
+    const char *text; /* NULL: neither; "" of a number by its standard */
     double number;    /* of APP_INT and APP_REAL; which word, of APP_CHOICE */
 } app_value;
 
@@ -101,9 +102,14 @@ APP_VERB_LIST(APP_VERB_ENTRY)
 #undef APP_VERB_ENTRY
 extern const app_verb *const app_verbs[]; /* closed by NULL */
 
+/* parse.c: an option's value where none is given, as text; NULL where it has none. */
+enum { APP_STANDARD_SIZE = 32 };
+const char *app_standard(const app_option *option, char text[APP_STANDARD_SIZE]);
+
 /* parse.c: argv[0] is the verb. Gives APP_DONE, or APP_USAGE after a line that says why. */
 int app_parse(const app_verb *verb, int argc, char **argv, app_call *call);
 void app_call_clear(app_call *call);
+bool app_has(const app_call *call, const char *option);   /* whether the verb's table lists it */
 bool app_given(const app_call *call, const char *option); /* for a flag: whether it is set */
 const char *app_text(const app_call *call, const char *option);
 int app_int(const app_call *call, const char *option);

@@ -9,6 +9,7 @@
 
 #include <wirecut/job_file.h>
 #include "command.h"
+#include "job.h"
 #include "terminal.h"
 
 /* Sections nearer than a job's own rounding of its coordinates are one section. */
@@ -32,9 +33,9 @@ static const char *const cad_ending[] = {".step", ".stp", ".iges", ".igs", NULL}
 
 static int simulate(app_reference *r, bool quiet) {
     wcut_error error = {0};
-    wcut_status status = wcut_job_read(r->path, &r->job, &error);
-    if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : r->path, &error);
-    status = wcut_setup_create(r->job, NULL, &r->setup, &error);
+    const int code = app_job_load(NULL, r->path, &r->job);
+    if (code != APP_DONE) return code;
+    wcut_status status = wcut_setup_create(r->job, NULL, &r->setup, &error);
     if (status != WCUT_OK) return app_fail_status(status, r->path, &error);
     app_progress progress = app_progress_begin(quiet);
     status = wcut_setup_run(r->setup, app_progress_step, &progress, &r->history, &error);

@@ -6,6 +6,7 @@
 #include <wirecut/wirecut.h>
 
 #include "command.h"
+#include "job.h"
 #include "results.h"
 #include "terminal.h"
 
@@ -140,9 +141,9 @@ static wcut_status simulate(loop *l, wcut_error *error) {
 }
 
 static int load(loop *l) {
-    wcut_error error = {0};
-    wcut_status status = wcut_job_read(l->path, &l->job, &error);
-    if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : l->path, &error);
+    const int code = app_job_load(l->call, l->path, &l->job);
+    if (code != APP_DONE) return code;
+
     l->settings = wcut_control_settings_default(l->job);
     l->options = wcut_rig_options_default(l->job);
     const struct {
@@ -277,6 +278,14 @@ static int control(const app_call *call) {
 
 /* ---- the table ---- */
 
+/* defaults of the library */
+static double control_seed(void) { return (double)wcut_rig_options_default(&(wcut_job){0}).seed; }
+static double control_period(void) { return wcut_rig_options_default(&(wcut_job){0}).period; }
+static double control_gain(void) { return wcut_control_settings_default(&(wcut_job){0}).gain; }
+static double control_integral(void) { return wcut_control_settings_default(&(wcut_job){0}).rate; }
+static double control_filter(void) { return wcut_control_settings_default(&(wcut_job){0}).filter; }
+static double control_acceleration(void) { return wcut_control_settings_default(&(wcut_job){0}).acceleration; }
+
 static const app_operand operand[] = {
     {.name = "JOB", .kind = APP_FILE, .help = "a job file, wirecut-job/1"},
     {.name = NULL},
@@ -300,38 +309,43 @@ static const app_option option[] = {
      .value = "N",
      .low = 0,
      .high = 2147483647,
-     .standard = "1",
+     .library = control_seed,
      .help = "seed of the sensors' noise"},
     {.kind = APP_REAL,
      .name = "period",
      .value = "S",
      .low = 1e-3,
      .high = 1,
-     .help = "period of the control loop, s; the recording has at most 20 samples a second; default 0.025"},
+     .library = control_period,
+     .help = "period of the control loop, s; the recording has at most 20 samples a second"},
     {.kind = APP_REAL,
      .name = "gain",
      .value = "KP",
      .low = 0,
      .high = 100,
-     .help = "proportional gain on ln(tension / target); default 0.3"},
+     .library = control_gain,
+     .help = "proportional gain on ln(tension / target)"},
     {.kind = APP_REAL,
      .name = "integral",
      .value = "KI",
      .low = 0,
      .high = 1000,
-     .help = "integral gain, 1/s; default 1.5"},
+     .library = control_integral,
+     .help = "integral gain, 1/s"},
     {.kind = APP_REAL,
      .name = "filter",
      .value = "S",
      .low = 0,
      .high = 100,
-     .help = "time constant of the low-pass on the tension, s; default 0.1"},
+     .library = control_filter,
+     .help = "time constant of the low-pass on the tension, s"},
     {.kind = APP_REAL,
      .name = "acceleration",
      .value = "A",
      .low = 1e-3,
      .high = 1e6,
-     .help = "largest acceleration of a mount, mm/s^2; default 200 in control, 1000 in path"},
+     .library = control_acceleration,
+     .help = "largest acceleration of a mount, mm/s^2"},
     {.kind = APP_REAL,
      .name = "tension-stop",
      .value = "N",

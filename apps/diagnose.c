@@ -7,6 +7,7 @@
 #include <wirecut/wirecut.h>
 
 #include "command.h"
+#include "job.h"
 #include "page_memory.h"
 #include "results.h"
 #include "terminal.h"
@@ -98,7 +99,7 @@ static void read_cut(run *r, int i) {
     const wcut_case_cut *files = &r->found->cut[i];
     trial *t = &r->trial[i];
     wcut_error error = {0};
-    wcut_status status = wcut_job_read(files->job, &t->job, &error);
+    wcut_status status = app_job_read(r->call, files->job, &t->job, &error);
     if (status == WCUT_OK)
         note_source(r, "job", files->job);
     else
@@ -322,6 +323,9 @@ static int diagnose(const app_call *call) {
 
 /* ---- the table ---- */
 
+/* defaults of the library */
+static double diagnose_seed(void) { return (double)wcut_diagnosis_options_default().seed; }
+
 static const app_operand operand[] = {
     {.name = "CASE", .kind = APP_FILE, .help = "a case file, wirecut-case/1"},
     {.name = NULL},
@@ -346,7 +350,7 @@ static const app_option option[] = {
      .value = "N",
      .low = 0,
      .high = 2147483647,
-     .standard = "1",
+     .library = diagnose_seed,
      .help = "seed of the simulated noise"},
     APP_OPTIONS_OF_ALL,
 };

@@ -53,13 +53,14 @@ static void print_entry(FILE *out, const char *name, const char *help) {
 }
 
 static void print_option(FILE *out, const app_option *o) {
-    char name[96], help[400], range[64] = "";
+    char name[96], help[400], range[64] = "", text[APP_STANDARD_SIZE];
+    const char *standard = app_standard(o, text);
     char letter[] = {'-', o->letter, ',', ' ', 0};
     snprintf(name, sizeof name, "%s--%s%s%s", o->letter ? letter : "    ", o->name, o->value ? " " : "",
              o->value ? o->value : "");
     if (o->kind == APP_INT || o->kind == APP_REAL) snprintf(range, sizeof range, " (%.12g to %.12g)", o->low, o->high);
-    snprintf(help, sizeof help, "%s%s%s%s%s", o->help, range, o->standard ? "; default " : "",
-             o->standard ? o->standard : "", o->required ? "; required" : "");
+    snprintf(help, sizeof help, "%s%s%s%s%s", o->help, range, standard ? "; default " : "", standard ? standard : "",
+             o->required ? "; required" : "");
     print_entry(out, name, help);
 }
 
@@ -120,7 +121,7 @@ static void json_text(FILE *out, const char *key, const char *text) {
 
 static void json_option(FILE *out, const app_option *o) {
     static const char *const kind[] = {"", "flag", "text", "file", "folder", "int", "real", "choice"};
-    char letter[] = {o->letter, 0};
+    char letter[] = {o->letter, 0}, text[APP_STANDARD_SIZE];
     fputc('{', out);
     json_text(out, "name", o->name);
     fputc(',', out);
@@ -131,7 +132,7 @@ static void json_option(FILE *out, const app_option *o) {
     json_text(out, "value", o->value);
     if (o->kind == APP_INT || o->kind == APP_REAL) fprintf(out, ",\"low\":%.17g,\"high\":%.17g", o->low, o->high);
     fprintf(out, ",\"required\":%s,", o->required ? "true" : "false");
-    json_text(out, "default", o->standard);
+    json_text(out, "default", app_standard(o, text));
     fputc(',', out);
     json_text(out, "help", o->help);
     fputc('}', out);

@@ -5,6 +5,7 @@
 #include <wirecut/wirecut.h>
 
 #include "command.h"
+#include "job.h"
 #include "results.h"
 #include "terminal.h"
 
@@ -22,10 +23,12 @@ typedef struct identification {
 static int load(identification *x) {
     wcut_error error = {0};
     const char *path = x->call->operand[0];
-    wcut_status status = wcut_job_read(path, &x->job, &error);
-    if (status != WCUT_OK) return app_fail_status(status, NULL, &error);
+    const int code = app_job_load(x->call, path, &x->job);
+    if (code != APP_DONE) return code;
+
     x->count = app_int(x->call, "cuts");
-    status = wcut_identification_create(x->job, x->count, (unsigned long long)app_int(x->call, "seed"), x->cut, &error);
+    const wcut_status status =
+        wcut_identification_create(x->job, x->count, (unsigned long long)app_int(x->call, "seed"), x->cut, &error);
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, path, &error);
 }
 

@@ -41,9 +41,11 @@ static void print_option(FILE *out, const app_option *o) {
     fputc('\n', out);
     roff(out, o->help);
     if (o->kind == APP_INT || o->kind == APP_REAL) fprintf(out, " (%.12g to %.12g)", o->low, o->high);
-    if (o->standard) {
+    char text[APP_STANDARD_SIZE];
+    const char *standard = app_standard(o, text);
+    if (standard) {
         fputs("; default ", out);
-        roff(out, o->standard);
+        roff(out, standard);
     }
     fputs(o->required ? "; required\n" : "\n", out);
 }

@@ -7,6 +7,7 @@
 #include <wirecut/wirecut.h>
 
 #include "command.h"
+#include "job.h"
 #include "results.h"
 #include "terminal.h"
 
@@ -71,35 +72,20 @@ static int name_results(moulding *m) {
 /* ---- the cut ---- */
 
 static int load(moulding *m) {
-    /* the job, with other nodes and stations where they are given */
     wcut_error error = {0};
-    wcut_status status = wcut_job_read(m->path, &m->job, &error);
-    if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : m->path, &error);
-    if (app_given(m->call, "nodes")) m->job->nodes = app_int(m->call, "nodes");
-    if (app_given(m->call, "stations")) {
-        status = wcut_job_resample(m->job, app_int(m->call, "stations"));
-        if (status != WCUT_OK) return app_fail_status(status, m->path, NULL);
-    }
-
-    /* edges from a file replace the job's */
-    if (app_given(m->call, "edges")) {
-        const char *path = app_text(m->call, "edges");
-        status = wcut_job_read_edges(m->job, path, &error);
-        if (status == WCUT_BAD_ARGUMENT)
-            return app_fail(APP_BAD_INPUT, "%s: --edges: expected a design, found a path", m->path);
-        if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : path, &error);
-    }
+    const int code = app_job_load(m->call, m->path, &m->job);
+    if (code != APP_DONE) return code;
 
     /* the stock that the mould is cut from */
     if (app_given(m->call, "stock")) {
         const char *path = app_text(m->call, "stock");
         wcut_mesh_read_options options = wcut_mesh_read_options_default();
         options.unit = (wcut_length_unit)app_choice(m->call, "stock-unit");
-        status = wcut_mesh_read(path, &options, &m->stock, NULL, &error);
+        const wcut_status status = wcut_mesh_read(path, &options, &m->stock, NULL, &error);
         if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : path, &error);
     }
 
-    status = wcut_setup_create(m->job, NULL, &m->setup, &error);
+    const wcut_status status = wcut_setup_create(m->job, NULL, &m->setup, &error);
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, m->path, &error);
 }
 
@@ -330,6 +316,12 @@ static int mould(const app_call *call) {
 
 /* ---- the table ---- */
 
+/* defaults of the library */
+static double mould_chord_tolerance(void) { return wcut_mould_default().chord_tolerance; }
+static double mould_fit_tolerance(void) { return wcut_mould_default().fit_tolerance; }
+static double mould_scale(void) { return wcut_mould_default().scale; }
+static double mould_minimum_wall(void) { return wcut_mould_default().wall_asked; }
+
 static const app_operand operand[] = {
     {.name = "JOB", .kind = APP_FILE, .help = "a job file, wirecut-job/1"},
     {.name = NULL},
@@ -337,31 +329,21 @@ static const app_operand operand[] = {
 
 static const app_option option[] = {
     APP_OPTION_OUTPUT,
-    {.kind = APP_INT,
-     .name = "stations",
-     .value = "N",
-     .low = 2,
-     .high = 1000000,
-     .help = "number of stations along the path, in place of the job's"},
-    {.kind = APP_INT,
-     .name = "nodes",
-     .value = "N",
-     .low = 3,
-     .high = 100000,
-     .help = "number of nodes along the wire, in place of the job's"},
+    APP_OPTION_STATIONS,
+    APP_OPTION_NODES,
     {.kind = APP_REAL,
      .name = "chord-tolerance",
      .value = "MM",
      .low = 1e-4,
      .high = 1e3,
-     .standard = "0.1",
+     .library = mould_chord_tolerance,
      .help = "largest distance between triangles and surface, mm"},
     {.kind = APP_REAL,
      .name = "fit-tolerance",
      .value = "MM",
      .low = 1e-5,
      .high = 10,
-     .standard = "0.005",
+     .library = mould_fit_tolerance,
      .help = "largest distance between the exact cut face and the wire's surface, mm"},
     {.kind = APP_REAL,
      .name = "prolong",
@@ -370,10 +352,7 @@ static const app_option option[] = {
      .high = 1e6,
      .standard = "100",
      .help = "longest straight continuation of a cut that ends inside the block, mm"},
-    {.kind = APP_FILE,
-     .name = "edges",
-     .value = "FILE",
-     .help = "STEP, IGES, JSON or CSV file with two curves, which replace the edges of a design"},
+    APP_OPTION_EDGES,
     {.kind = APP_FILE,
      .name = "stock",
      .value = "MESH",
@@ -407,14 +386,14 @@ static const app_option option[] = {
      .value = "FACTOR",
      .low = 0.5,
      .high = 2,
-     .standard = "1",
+     .library = mould_scale,
      .help = "scale factor of the halves, for the shrinkage of the casting"},
     {.kind = APP_REAL,
      .name = "minimum-wall",
      .value = "MM",
      .low = 0,
      .high = 1e6,
-     .standard = "0",
+     .library = mould_minimum_wall,
      .help = "least wall of a half, mm; if a wall is thinner the exit code is 5"},
     {.kind = APP_REAL,
      .name = "minimum-draft",

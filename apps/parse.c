@@ -75,6 +75,22 @@ static int set_value(const app_verb *verb, const app_option *option, const char 
     return APP_DONE;
 }
 
+const char *app_standard(const app_option *option, char text[APP_STANDARD_SIZE]) {
+    if (!option->library) return option->standard;
+    snprintf(text, APP_STANDARD_SIZE, "%.12g", option->library());
+    return text;
+}
+
+/* The value where none is given passes the same check as a typed one. */
+static int set_standard(const app_verb *verb, const app_option *option, app_value *value) {
+    char text[APP_STANDARD_SIZE];
+    const char *standard = app_standard(option, text);
+    if (!standard) return APP_DONE;
+    const int code = set_value(verb, option, standard, value);
+    if (standard == text) value->text = ""; /* the text ends with this call */
+    return code;
+}
+
 /* ---- words ---- */
 
 static void describe_table(const app_verb *verb, int count, struct option *longs, char *shorts) {
@@ -174,8 +190,7 @@ int app_parse(const app_verb *verb, int argc, char **argv, app_call *call) {
     *call = (app_call){.verb = verb, .operand = calloc((size_t)argc + 1, sizeof *call->operand)};
     if (!call->operand) return app_fail(APP_FAILED, "%s", strerror(ENOMEM));
     for (int i = 0; i < count; i++)
-        if (verb->option[i].standard && set_value(verb, &verb->option[i], verb->option[i].standard, &call->value[i]))
-            assert(!"a standard is within its own range");
+        if (set_standard(verb, &verb->option[i], &call->value[i])) assert(!"a standard is within its own range");
 
     int code = read_words(verb, count, argc, argv, call);
     if (code == APP_DONE && !app_given(call, "help")) code = check_complete(verb, count, call);
@@ -190,12 +205,21 @@ void app_call_clear(app_call *call) {
 
 /* ---- what the verb asks ---- */
 
-static const app_value *find_value(const app_call *call, const char *option) {
+/* NULL where the verb's table has no such option */
+static const app_value *look_up(const app_call *call, const char *option) {
     for (int i = 0; call->verb->option[i].kind != APP_END; i++)
         if (strcmp(call->verb->option[i].name, option) == 0) return &call->value[i];
+    return NULL;
+}
+
+static const app_value *find_value(const app_call *call, const char *option) {
+    const app_value *value = look_up(call, option);
+    if (value) return value;
     assert(!"the verb's table has the option");
     abort();
 }
+
+bool app_has(const app_call *call, const char *option) { return look_up(call, option) != NULL; }
 
 bool app_given(const app_call *call, const char *option) { return find_value(call, option)->text; }
 const char *app_text(const app_call *call, const char *option) { return find_value(call, option)->text; }

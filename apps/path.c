@@ -6,6 +6,7 @@
 #include <wirecut/wirecut.h>
 
 #include "command.h"
+#include "job.h"
 #include "results.h"
 #include "terminal.h"
 
@@ -28,17 +29,11 @@ typedef struct export_ {
 
 static int load(export_ *e) {
     wcut_error error = {0};
-    wcut_status status = wcut_job_read(e->path, &e->job, &error);
-    if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : e->path, &error);
-    if (app_given(e->call, "edges")) {
-        const char *path = app_text(e->call, "edges");
-        status = wcut_job_read_edges(e->job, path, &error);
-        if (status == WCUT_BAD_ARGUMENT)
-            return app_fail(APP_BAD_INPUT, "%s: --edges: expected a design, found a path", e->path);
-        if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : path, &error);
-    }
+    const int code = app_job_load(e->call, e->path, &e->job);
+    if (code != APP_DONE) return code;
+
     e->format = (wcut_robot_format)app_choice(e->call, "format");
-    status = wcut_setup_create(e->job, NULL, &e->setup, &error);
+    const wcut_status status = wcut_setup_create(e->job, NULL, &e->setup, &error);
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, e->path, &error);
 }
 
@@ -210,6 +205,17 @@ static int path(const app_call *call) {
 
 /* ---- the table ---- */
 
+/* defaults of the library */
+static double path_chord_tolerance(void) { return wcut_robot_options_default().chord_tolerance; }
+static double path_time_tolerance(void) { return wcut_robot_options_default().time_tolerance; }
+static double path_lead_in(void) { return wcut_robot_options_default().lead_in; }
+static double path_lead_out(void) { return wcut_robot_options_default().lead_out; }
+static double path_zone(void) { return wcut_robot_options_default().zone; }
+static double path_sync_io(void) { return wcut_robot_names_default().sync_io; }
+static double path_acceleration(void) { return wcut_robot_limits_default(&(wcut_job){0}).acceleration; }
+static double path_alpha(void) { return wcut_robot_limits_default(&(wcut_job){0}).alpha * WCUT_DEG_PER_RAD; }
+static double path_beta(void) { return wcut_robot_limits_default(&(wcut_job){0}).beta * WCUT_DEG_PER_RAD; }
+
 static const app_operand operand[] = {
     {.name = "JOB", .kind = APP_FILE, .help = "a job file, wirecut-job/1"},
     {.name = NULL},
@@ -227,44 +233,41 @@ static const app_option option[] = {
      .required = true,
      .value = "urscript|rapid|krl|csv|json",
      .help = "two programs for Universal Robots, ABB MultiMove or KUKA; one table; one JSON object"},
-    {.kind = APP_FILE,
-     .name = "edges",
-     .value = "FILE",
-     .help = "STEP, IGES, JSON or CSV file with two curves, which replace the edges of a design"},
+    APP_OPTION_EDGES,
     {.kind = APP_REAL,
      .name = "chord-tolerance",
      .value = "MM",
      .low = 1e-4,
      .high = 1e3,
-     .standard = "0.1",
+     .library = path_chord_tolerance,
      .help = "largest distance between triangles and surface, or of a mount from its path, mm"},
     {.kind = APP_REAL,
      .name = "time-tolerance",
      .value = "MM",
      .low = 1e-4,
      .high = 1e3,
-     .standard = "1",
+     .library = path_time_tolerance,
      .help = "largest error of a mount along its path at any time, mm"},
     {.kind = APP_REAL,
      .name = "lead-in",
      .value = "MM",
      .low = 0,
      .high = 1e4,
-     .standard = "0",
+     .library = path_lead_in,
      .help = "length of a straight lead-in before the path, against the feed, mm"},
     {.kind = APP_REAL,
      .name = "lead-out",
      .value = "MM",
      .low = 0,
      .high = 1e4,
-     .standard = "0",
+     .library = path_lead_out,
      .help = "length of a straight lead-out after the path, mm"},
     {.kind = APP_REAL,
      .name = "zone",
      .value = "MM",
      .low = 0,
      .high = 1e3,
-     .standard = "1",
+     .library = path_zone,
      .help = "blend radius at a target, mm, limited to 2/5 of the shorter adjacent move"},
     {.kind = APP_CHOICE,
      .name = "tool-frame",
@@ -285,7 +288,7 @@ static const app_option option[] = {
      .value = "N",
      .low = 0,
      .high = 255,
-     .standard = "1",
+     .library = path_sync_io,
      .help = "digital output of each robot that is wired to the same input of the other (urscript, krl)"},
     {.kind = APP_REAL,
      .name = "speed",
@@ -298,20 +301,21 @@ static const app_option option[] = {
      .value = "A",
      .low = 1e-3,
      .high = 1e6,
-     .help = "largest acceleration of a mount, mm/s^2; default 200 in control, 1000 in path"},
+     .library = path_acceleration,
+     .help = "largest acceleration of a mount, mm/s^2"},
     {.kind = APP_REAL,
      .name = "alpha",
      .value = "DEG",
      .low = 0.1,
      .high = 90,
-     .standard = "60",
+     .library = path_alpha,
      .help = "largest alpha of the head, deg"},
     {.kind = APP_REAL,
      .name = "beta",
      .value = "DEG",
      .low = 0.1,
      .high = 90,
-     .standard = "30",
+     .library = path_beta,
      .help = "largest beta of the head, deg"},
     {.kind = APP_FLAG,
      .name = "strict",

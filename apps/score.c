@@ -7,6 +7,7 @@
 #include <wirecut/wirecut.h>
 
 #include "command.h"
+#include "job.h"
 #include "results.h"
 #include "terminal.h"
 
@@ -124,8 +125,7 @@ static wcut_status doubt_trial(const scoring *s, trial *t) {
 /* read a cut's files; what is wrong with them is the cut's */
 static wcut_status read_trial(scoring *s, trial *t) {
     wcut_status status = WCUT_OK;
-    if (&s->trial[t->job_of] == t) status = wcut_job_read(t->job_path, &t->job, &t->error);
-    if (status == WCUT_OK && t->job && app_given(s->call, "nodes")) t->job->nodes = app_int(s->call, "nodes");
+    if (&s->trial[t->job_of] == t) status = app_job_read(s->call, t->job_path, &t->job, &t->error);
     if (status == WCUT_OK && !s->trial[t->job_of].job) {
         t->error = s->trial[t->job_of].error; /* the same job could not be read before */
         return t->error.status;
@@ -390,6 +390,11 @@ static int score(const app_call *call) {
 
 /* ---- the table ---- */
 
+/* defaults of the library */
+static double score_window(void) { return wcut_comparison_options_default().replay.window; }
+static double score_settle(void) { return wcut_comparison_options_default().settle; }
+static double score_leave(void) { return wcut_comparison_options_default().leave; }
+
 static const app_operand operand[] = {
     {.name = "INPUT",
      .kind = APP_FILE,
@@ -411,28 +416,23 @@ static const app_option option[] = {
      .value = "S",
      .low = 0,
      .high = 60,
-     .standard = "0.5",
+     .library = score_window,
      .help = "width of the window in which the motion is smoothed before the replay, s; 0: as recorded"},
     {.kind = APP_REAL,
      .name = "settle",
      .value = "S",
      .low = 0,
      .high = 1e6,
-     .standard = "2",
+     .library = score_settle,
      .help = "time left out after the plan's first contact, where measured data oscillate, s"},
     {.kind = APP_REAL,
      .name = "leave",
      .value = "S",
      .low = 0,
      .high = 1e6,
-     .standard = "1",
+     .library = score_leave,
      .help = "time left out before the wire leaves the block, s"},
-    {.kind = APP_INT,
-     .name = "nodes",
-     .value = "N",
-     .low = 3,
-     .high = 100000,
-     .help = "number of nodes along the wire, in place of the job's"},
+    APP_OPTION_NODES,
     APP_OPTIONS_OF_ALL,
 };
 

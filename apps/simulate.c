@@ -4,6 +4,7 @@
 #include <wirecut/wirecut.h>
 
 #include "command.h"
+#include "job.h"
 #include "results.h"
 #include "terminal.h"
 
@@ -30,16 +31,12 @@ typedef struct simulation {
 /* Read the job and let the options have their say. */
 static int load(simulation *s) {
     wcut_error error = {0};
-    wcut_status status = wcut_job_read(s->path, &s->job, &error);
-    if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : s->path, &error);
-    if (app_given(s->call, "nodes")) s->job->nodes = app_int(s->call, "nodes");
-    if (app_given(s->call, "stations")) {
-        status = wcut_job_resample(s->job, app_int(s->call, "stations"));
-        if (status != WCUT_OK) return app_fail_status(status, s->path, NULL);
-    }
+    const int code = app_job_load(s->call, s->path, &s->job);
+    if (code != APP_DONE) return code;
+
     wcut_cut_options options = wcut_cut_options_default();
     options.integrator = app_choice(s->call, "integrator") == 1 ? WCUT_INTEGRATOR_HEUN : WCUT_INTEGRATOR_IMPLICIT;
-    status = wcut_setup_create(s->job, &options, &s->setup, &error);
+    const wcut_status status = wcut_setup_create(s->job, &options, &s->setup, &error);
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, s->path, &error);
 }
 
@@ -240,6 +237,9 @@ static int simulate(const app_call *call) {
 
 /* ---- the table ---- */
 
+/* defaults of the library */
+static double simulate_chord_tolerance(void) { return wcut_mould_default().chord_tolerance; }
+
 static const app_operand operand[] = {
     {.name = "JOB", .kind = APP_FILE, .help = "a job file, wirecut-job/1"},
     {.name = NULL},
@@ -253,24 +253,14 @@ static const app_option option[] = {
      .standard = "implicit",
      .help = "implicit: shape, tensions and rate solved together; heun: the scheme of Rust et al. 2016, (9)-(11), "
              "unstable for short steps, kept for comparison"},
-    {.kind = APP_INT,
-     .name = "stations",
-     .value = "N",
-     .low = 2,
-     .high = 1000000,
-     .help = "number of stations along the path, in place of the job's"},
-    {.kind = APP_INT,
-     .name = "nodes",
-     .value = "N",
-     .low = 3,
-     .high = 100000,
-     .help = "number of nodes along the wire, in place of the job's"},
+    APP_OPTION_STATIONS,
+    APP_OPTION_NODES,
     {.kind = APP_REAL,
      .name = "chord-tolerance",
      .value = "MM",
      .low = 1e-4,
      .high = 1e3,
-     .standard = "0.1",
+     .library = simulate_chord_tolerance,
      .help = "largest distance between triangles and surface, mm"},
     APP_OPTIONS_OF_ALL,
 };

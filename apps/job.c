@@ -1,0 +1,51 @@
+/* A job is read, and then the options change it. */
+#include "job.h"
+
+#include <stdio.h>
+#include <wirecut/job_file.h>
+
+#include "terminal.h"
+
+static bool gives(const app_call *call, const char *option) {
+    return call && app_has(call, option) && app_given(call, option);
+}
+
+/* A failure whose text does not name a file gets its name. */
+static wcut_status name_place(wcut_status status, const char *path, wcut_error *error) {
+    if (!error->text[0]) snprintf(error->text, sizeof error->text, "%s: %s", path, wcut_status_text(status));
+    error->status = status;
+    return status;
+}
+
+static wcut_status change_job(const app_call *call, const char *path, wcut_job *job, wcut_error *error) {
+    if (gives(call, "nodes")) job->nodes = app_int(call, "nodes");
+    if (gives(call, "stations")) {
+        const wcut_status status = wcut_job_resample(job, app_int(call, "stations"));
+        if (status != WCUT_OK) return name_place(status, path, error);
+    }
+    if (!gives(call, "edges")) return WCUT_OK;
+
+    /* only a design has edges */
+    const wcut_status status = wcut_job_read_edges(job, app_text(call, "edges"), error);
+    if (status == WCUT_BAD_ARGUMENT)
+        snprintf(error->text, sizeof error->text, "%s: --edges: expected a design, found a path", path);
+    return status == WCUT_OK ? WCUT_OK : name_place(status, app_text(call, "edges"), error);
+}
+
+wcut_status app_job_read(const app_call *call, const char *path, wcut_job **job, wcut_error *error) {
+    *job = NULL;
+    wcut_status status = wcut_job_read(path, job, error);
+    if (status != WCUT_OK) return name_place(status, path, error);
+    status = change_job(call, path, *job, error);
+    if (status == WCUT_OK) return WCUT_OK;
+
+    wcut_job_destroy(*job);
+    *job = NULL;
+    return status;
+}
+
+int app_job_load(const app_call *call, const char *path, wcut_job **job) {
+    wcut_error error = {0};
+    const wcut_status status = app_job_read(call, path, job, &error);
+    return status == WCUT_OK ? APP_DONE : app_fail_status(status, NULL, &error);
+}

@@ -1,0 +1,33 @@
+/* A job as the options of a verb change it: one place for all verbs. */
+#ifndef APP_JOB_H
+#define APP_JOB_H
+
+#include <wirecut/job.h>
+
+#include "command.h"
+
+/* Options that change the job; a verb has those of them that it lists. */
+#define APP_OPTION_STATIONS                                                           \
+    {                                                                                 \
+        .kind = APP_INT, .name = "stations", .value = "N", .low = 2, .high = 1000000, \
+        .help = "number of stations along the path, in place of the job's",           \
+    }
+#define APP_OPTION_NODES                                                          \
+    {                                                                             \
+        .kind = APP_INT, .name = "nodes", .value = "N", .low = 3, .high = 100000, \
+        .help = "number of nodes along the wire, in place of the job's",          \
+    }
+#define APP_OPTION_EDGES                                                                             \
+    {                                                                                                \
+        .kind = APP_FILE, .name = "edges", .value = "FILE",                                          \
+        .help = "STEP, IGES, JSON or CSV file with two curves, which replace the edges of a design", \
+    }
+
+/* Reads a job and applies the options above that the verb has and the call gives. A NULL call gives none. On failure
+   *job is NULL and the error's text names the file. */
+wcut_status app_job_read(const app_call *call, const char *path, wcut_job **job, wcut_error *error);
+
+/* The same; says what is wrong and gives an exit code. */
+int app_job_load(const app_call *call, const char *path, wcut_job **job);
+
+#endif
