@@ -10,25 +10,8 @@
 #include "base/fail.h"
 #include "io/file/text.h"
 
-/* a number, or null where it is not finite: a wall that is not known, the radius of a plane */
-static void put_number(wcut_text *text, const char *before, double value) {
-    wcut_text_print(text, "%s", before);
-    if (isfinite(value)) {
-        wcut_text_number(text, value);
-    } else {
-        wcut_text_print(text, "null");
-    }
-}
-
 static void put_truth(wcut_text *text, const char *before, int value) {
     wcut_text_print(text, "%s%s", before, value ? "true" : "false");
-}
-
-static void put_point(wcut_text *text, const char *before, wcut_vec3 p) {
-    put_number(text, before, p.x);
-    put_number(text, ", ", p.y);
-    put_number(text, ", ", p.z);
-    wcut_text_print(text, "]");
 }
 
 static void put_half(wcut_text *text, const char *name, const wcut_half *half) {
@@ -37,43 +20,43 @@ static void put_half(wcut_text *text, const char *name, const wcut_half *half) {
     put_truth(text, "\"closed\": ", r->closed);
     put_truth(text, ", \"oriented\": ", r->oriented);
     wcut_text_print(text, ", \"self_intersections\": %d, \"pieces\": %d", r->self_intersections, r->pieces);
-    put_number(text, ",\n    \"volume_mm3\": ", r->volume);
-    put_number(text, ", \"area_mm2\": ", r->area);
-    put_number(text, ", \"cut_area_mm2\": ", r->cut_area);
+    wcut_text_put_number(text, ",\n    \"volume_mm3\": ", r->volume);
+    wcut_text_put_number(text, ", \"area_mm2\": ", r->area);
+    wcut_text_put_number(text, ", \"cut_area_mm2\": ", r->cut_area);
     wcut_text_print(text, ", \"triangles\": %d", half->mesh->triangle_count);
-    put_point(text, ",\n    \"box_mm\": [[", r->box_low);
-    put_point(text, ", [", r->box_high);
-    put_number(text, "],\n    \"draft_deg\": {\"min\": ", WCUT_DEG_PER_RAD * r->draft_min);
-    put_point(text, ", \"at_mm\": [", r->draft_place);
+    wcut_text_put_point(text, ",\n    \"box_mm\": [[", r->box_low);
+    wcut_text_put_point(text, ", [", r->box_high);
+    wcut_text_put_number(text, "],\n    \"draft_deg\": {\"min\": ", WCUT_DEG_PER_RAD * r->draft_min);
+    wcut_text_put_point(text, ", \"at_mm\": [", r->draft_place);
     put_truth(text, ", \"held\": ", r->draft_held);
-    put_number(text, "},\n    \"undercut_mm2\": ", r->undercut_area);
-    put_number(text, ",\n    \"wall_mm\": {\"min\": ", r->wall_min);
-    put_point(text, ", \"at_mm\": [", r->wall_place);
+    wcut_text_put_number(text, "},\n    \"undercut_mm2\": ", r->undercut_area);
+    wcut_text_put_number(text, ",\n    \"wall_mm\": {\"min\": ", r->wall_min);
+    wcut_text_put_point(text, ", \"at_mm\": [", r->wall_place);
     put_truth(text, ", \"held\": ", r->wall_held);
-    put_number(text, "},\n    \"edge_deg\": {\"min\": ", WCUT_DEG_PER_RAD * r->edge_min);
-    put_point(text, ", \"at_mm\": [", r->edge_place);
-    put_number(text, "},\n    \"keys_mm3\": ", r->key_volume);
+    wcut_text_put_number(text, "},\n    \"edge_deg\": {\"min\": ", WCUT_DEG_PER_RAD * r->edge_min);
+    wcut_text_put_point(text, ", \"at_mm\": [", r->edge_place);
+    wcut_text_put_number(text, "},\n    \"keys_mm3\": ", r->key_volume);
     wcut_text_print(text, ", \"exact_faces\": %d}", half->brep ? half->brep->face_count : 0);
 }
 
 static void put_cut(wcut_text *text, const wcut_mould *m) {
-    put_number(text, ",\n  \"kerf_volume_mm3\": ", m->kerf_volume);
-    put_number(text, ",\n  \"block_volume_mm3\": ", m->block_volume);
-    put_number(text, ",\n  \"volume_error\": ", m->volume_error);
-    put_number(text, ",\n  \"kerf_mm\": {\"min\": ", m->kerf_min);
-    put_number(text, ", \"max\": ", m->kerf_max);
-    put_number(text, "},\n  \"fit_error_mm\": ", m->fit_error);
-    put_number(text, ",\n  \"chord_error_mm\": ", m->chord_error);
-    put_number(text, ",\n  \"prolonged_mm\": {\"entry\": ", m->prolonged_entry);
-    put_number(text, ", \"exit\": ", m->prolonged_exit);
-    put_number(text, ", \"wire\": ", m->prolonged_side);
-    put_number(text, "},\n  \"radius_mm\": {\"min\": ", m->radius_min);
-    put_point(text, ", \"at_mm\": [", m->radius_place);
-    put_number(text, ", \"wire\": ", m->wire_radius);
-    put_number(text, "},\n  \"asked\": {\"wall_mm\": ", m->wall_asked);
-    put_number(text, ", \"draft_deg\": ", WCUT_DEG_PER_RAD * m->draft_asked);
-    put_number(text, ", \"scale\": ", m->scale);
-    put_point(text, ", \"pull\": [", m->pull);
+    wcut_text_put_number(text, ",\n  \"kerf_volume_mm3\": ", m->kerf_volume);
+    wcut_text_put_number(text, ",\n  \"block_volume_mm3\": ", m->block_volume);
+    wcut_text_put_number(text, ",\n  \"volume_error\": ", m->volume_error);
+    wcut_text_put_number(text, ",\n  \"kerf_mm\": {\"min\": ", m->kerf_min);
+    wcut_text_put_number(text, ", \"max\": ", m->kerf_max);
+    wcut_text_put_number(text, "},\n  \"fit_error_mm\": ", m->fit_error);
+    wcut_text_put_number(text, ",\n  \"chord_error_mm\": ", m->chord_error);
+    wcut_text_put_number(text, ",\n  \"prolonged_mm\": {\"entry\": ", m->prolonged_entry);
+    wcut_text_put_number(text, ", \"exit\": ", m->prolonged_exit);
+    wcut_text_put_number(text, ", \"wire\": ", m->prolonged_side);
+    wcut_text_put_number(text, "},\n  \"radius_mm\": {\"min\": ", m->radius_min);
+    wcut_text_put_point(text, ", \"at_mm\": [", m->radius_place);
+    wcut_text_put_number(text, ", \"wire\": ", m->wire_radius);
+    wcut_text_put_number(text, "},\n  \"asked\": {\"wall_mm\": ", m->wall_asked);
+    wcut_text_put_number(text, ", \"draft_deg\": ", WCUT_DEG_PER_RAD * m->draft_asked);
+    wcut_text_put_number(text, ", \"scale\": ", m->scale);
+    wcut_text_put_point(text, ", \"pull\": [", m->pull);
     wcut_text_print(text, "},\n  \"made_by\": \"%s\",\n  \"step\": ", m->by_boolean ? "booleans" : "index");
     wcut_text_string(text, m->by_boolean ? "not written: made by booleans, the halves are triangles without exact faces"
                                          : "exact faces");

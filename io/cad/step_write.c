@@ -102,31 +102,29 @@ static bool put_shape(wcut_part21 *p, const wcut_shape *shape, const shared *s) 
     return true;
 }
 
-static bool put_shapes(wcut_text *text, int count, const wcut_shape *shape, wcut_step_schema schema) {
+/* what a file holds */
+typedef struct shapes {
+    int count;
+    const wcut_shape *shape; /* count */
+    wcut_step_schema schema;
+} shapes;
+
+static bool put_shapes(wcut_text *text, const void *context) {
+    const shapes *whole = context;
     wcut_part21 p = {text, 0};
-    put_header(text, shape[0].name, schema);
-    const shared s = put_shared(&p, schema);
+    put_header(text, whole->shape[0].name, whole->schema);
+    const shared s = put_shared(&p, whole->schema);
     bool done = true;
-    for (int k = 0; done && k < count; k++) done = put_shape(&p, &shape[k], &s);
+    for (int k = 0; done && k < whole->count; k++) done = put_shape(&p, &whole->shape[k], &s);
     wcut_text_print(text, "ENDSEC;\nEND-ISO-10303-21;\n");
-    wcut_text_flush(text);
     return done;
 }
 
 wcut_status wcut_step_write(int count, const wcut_shape *shape, wcut_step_schema schema, const char *path,
                             wcut_error *error) {
-    wcut_file *file = NULL;
-    wcut_text text = {0};
+    const shapes whole = {count, shape, schema};
     wcut_status status = wcut_shapes_check(count, shape, path, error);
     if (status == WCUT_OK && (unsigned)schema >= WCUT_STEP_SCHEMA_COUNT)
         status = wcut_fail(error, WCUT_BAD_ARGUMENT, "found an unknown STEP schema, expected AP214 or AP242");
-    if (status == WCUT_OK) status = wcut_file_create(path, &file, error);
-    if (status != WCUT_OK) return status;
-    if (wcut_text_create(&text, file) && put_shapes(&text, count, shape, schema))
-        status = wcut_file_commit(file, error);
-    else
-        status = wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
-    wcut_text_destroy(&text);
-    wcut_file_destroy(file);
-    return status;
+    return status == WCUT_OK ? wcut_text_write_file(path, put_shapes, &whole, error) : status;
 }

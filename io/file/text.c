@@ -1,6 +1,7 @@
 /* Output, buffered: into memory that grows, or into a file as the buffer fills. */
 #include "io/file/text.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -93,4 +94,44 @@ wcut_status wcut_text_finish(wcut_text *text, char **data, size_t *length) {
     *data = text->data;
     if (length) *length = text->count - 1;
     return WCUT_OK;
+}
+
+void wcut_text_put_word(wcut_text *text, const char *word) { wcut_text_put(text, word, strlen(word)); }
+
+void wcut_text_put_number(wcut_text *text, const char *before, double value) {
+    wcut_text_put_word(text, before);
+    if (isfinite(value))
+        wcut_text_number(text, value);
+    else
+        wcut_text_put_word(text, "null");
+}
+
+void wcut_text_put_string(wcut_text *text, const char *before, const char *string) {
+    wcut_text_put_word(text, before);
+    wcut_text_string(text, string);
+}
+
+void wcut_text_put_point(wcut_text *text, const char *before, wcut_vec3 point) {
+    wcut_text_put_number(text, before, point.x);
+    wcut_text_put_number(text, ", ", point.y);
+    wcut_text_put_number(text, ", ", point.z);
+    wcut_text_put_word(text, "]");
+}
+
+wcut_status wcut_text_write_file(const char *path, wcut_text_writer *write, const void *context, wcut_error *error) {
+    wcut_file *file = NULL;
+    wcut_text text = {0};
+    wcut_status status = wcut_file_create(path, &file, error);
+    if (status != WCUT_OK) return status;
+
+    /* the target is replaced only by what was filled completely */
+    if (wcut_text_create(&text, file) && write(&text, context)) {
+        wcut_text_flush(&text);
+        status = wcut_file_commit(file, error);
+    } else {
+        status = wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
+    }
+    wcut_text_destroy(&text);
+    wcut_file_destroy(file);
+    return status;
 }

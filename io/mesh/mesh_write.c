@@ -59,23 +59,24 @@ wcut_status wcut_mesh_check(const wcut_mesh *mesh, const char *path, wcut_error 
     return WCUT_OK;
 }
 
+/* a mesh in a format */
+typedef struct meshed {
+    const wcut_mesh *mesh;
+    wcut_mesh_put *put;
+    const void *context; /* of put */
+} meshed;
+
+static bool put_mesh(wcut_text *text, const void *context) {
+    const meshed *m = context;
+    m->put(text, m->mesh, m->context);
+    return true;
+}
+
 wcut_status wcut_mesh_write(const wcut_mesh *mesh, wcut_mesh_put *put, const void *context, const char *path,
                             wcut_error *error) {
-    wcut_file *file = NULL;
-    wcut_text text = {0};
-    wcut_status status = wcut_mesh_check(mesh, path, error);
-    if (status == WCUT_OK) status = wcut_file_create(path, &file, error);
-    if (status != WCUT_OK) return status;
-    if (wcut_text_create(&text, file)) {
-        put(&text, mesh, context);
-        wcut_text_flush(&text);
-        status = wcut_file_commit(file, error);
-    } else {
-        status = wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
-    }
-    wcut_text_destroy(&text);
-    wcut_file_destroy(file);
-    return status;
+    const meshed whole = {mesh, put, context};
+    const wcut_status status = wcut_mesh_check(mesh, path, error);
+    return status == WCUT_OK ? wcut_text_write_file(path, put_mesh, &whole, error) : status;
 }
 
 void wcut_range(int count, const double *value, double *min, double *greatest) {

@@ -9,41 +9,36 @@
 #include "base/fail.h"
 #include "io/file/text.h"
 
-static void put(wcut_text *text, const char *before, double value) {
-    wcut_text_print(text, "%s", before);
-    wcut_text_number(text, value);
-}
-
 static void put_settings(wcut_text *text, const wcut_control_settings *s) {
-    put(text, ",\n  \"settings\": {\"gain\": ", s->gain);
-    put(text, ", \"rate_per_s\": ", s->rate);
-    put(text, ", \"filter_s\": ", s->filter);
-    put(text, ", \"authority\": ", s->authority);
-    put(text, ", \"caution\": ", s->caution);
-    put(text, ", \"margin_mm\": ", s->margin);
-    put(text, ",\n    \"exponent_speed_mm_s\": ", s->exponent_speed);
-    put(text, ", \"acceleration_mm_s2\": ", s->acceleration);
-    put(text, ", \"speed_min_mm_s\": ", s->speed_min);
-    put(text, ", \"speed_max_mm_s\": ", s->speed_max);
-    put(text, ",\n    \"tension_stop_N\": ", s->tension_stop);
-    put(text, ", \"tension_absurd_N\": ", s->tension_absurd);
-    put(text, ", \"fault_time_s\": ", s->fault_time);
+    wcut_text_put_number(text, ",\n  \"settings\": {\"gain\": ", s->gain);
+    wcut_text_put_number(text, ", \"rate_per_s\": ", s->rate);
+    wcut_text_put_number(text, ", \"filter_s\": ", s->filter);
+    wcut_text_put_number(text, ", \"authority\": ", s->authority);
+    wcut_text_put_number(text, ", \"caution\": ", s->caution);
+    wcut_text_put_number(text, ", \"margin_mm\": ", s->margin);
+    wcut_text_put_number(text, ",\n    \"exponent_speed_mm_s\": ", s->exponent_speed);
+    wcut_text_put_number(text, ", \"acceleration_mm_s2\": ", s->acceleration);
+    wcut_text_put_number(text, ", \"speed_min_mm_s\": ", s->speed_min);
+    wcut_text_put_number(text, ", \"speed_max_mm_s\": ", s->speed_max);
+    wcut_text_put_number(text, ",\n    \"tension_stop_N\": ", s->tension_stop);
+    wcut_text_put_number(text, ", \"tension_absurd_N\": ", s->tension_absurd);
+    wcut_text_put_number(text, ", \"fault_time_s\": ", s->fault_time);
     wcut_text_print(text, "}");
 }
 
 static void put_rig(wcut_text *text, const wcut_rig_options *o, double degree) {
-    put(text, ",\n  \"disturbance\": {\"law_a\": ", o->law_a);
-    put(text, ", \"law_b\": ", o->law_b);
-    put(text, ", \"density\": ", o->density);
-    put(text, ", \"density_from_mm\": ", o->density_from);
-    put(text, ", \"delay_s\": ", o->delay);
-    put(text, ", \"lag_s\": ", o->lag);
-    put(text, ",\n    \"noise_tension_N\": ", o->noise_tension);
-    put(text, ", \"noise_angle_deg\": ", o->noise_angle / degree);
-    put(text, ", \"noise_speed_mm_s\": ", o->noise_speed);
-    put(text, ", \"noise_position_mm\": ", o->noise_position);
+    wcut_text_put_number(text, ",\n  \"disturbance\": {\"law_a\": ", o->law_a);
+    wcut_text_put_number(text, ", \"law_b\": ", o->law_b);
+    wcut_text_put_number(text, ", \"density\": ", o->density);
+    wcut_text_put_number(text, ", \"density_from_mm\": ", o->density_from);
+    wcut_text_put_number(text, ", \"delay_s\": ", o->delay);
+    wcut_text_put_number(text, ", \"lag_s\": ", o->lag);
+    wcut_text_put_number(text, ",\n    \"noise_tension_N\": ", o->noise_tension);
+    wcut_text_put_number(text, ", \"noise_angle_deg\": ", o->noise_angle / degree);
+    wcut_text_put_number(text, ", \"noise_speed_mm_s\": ", o->noise_speed);
+    wcut_text_put_number(text, ", \"noise_position_mm\": ", o->noise_position);
     wcut_text_print(text, ", \"seed\": %llu", (unsigned long long)o->seed);
-    put(text, ", \"period_s\": ", o->period);
+    wcut_text_put_number(text, ", \"period_s\": ", o->period);
     wcut_text_print(text, ", \"excitation\": %s}", o->excitation ? "true" : "false");
 }
 
@@ -53,13 +48,13 @@ static void put_figures(wcut_text *text, const char *name, bool there, const wcu
         wcut_text_print(text, "null");
         return;
     }
-    put(text, "{\"from_s\": ", f->from);
-    put(text, ", \"to_s\": ", f->to);
-    put(text, ", \"tension_mean_N\": ", target * (1 + f->mean));
-    put(text, ", \"error_mean\": ", f->mean);
-    put(text, ", \"error_rms\": ", f->rms);
-    put(text, ", \"error_max\": ", f->max);
-    put(text, ", \"settled_s\": ", f->settled);
+    wcut_text_put_number(text, "{\"from_s\": ", f->from);
+    wcut_text_put_number(text, ", \"to_s\": ", f->to);
+    wcut_text_put_number(text, ", \"tension_mean_N\": ", target * (1 + f->mean));
+    wcut_text_put_number(text, ", \"error_mean\": ", f->mean);
+    wcut_text_put_number(text, ", \"error_rms\": ", f->rms);
+    wcut_text_put_number(text, ", \"error_max\": ", f->max);
+    wcut_text_put_number(text, ", \"settled_s\": ", f->settled);
     wcut_text_print(text, "}");
 }
 
@@ -67,8 +62,8 @@ static void put_run(wcut_text *text, const char *name, const wcut_rig_run *run) 
     wcut_text_print(text, ",\n  \"%s\": {\"complete\": %s, \"ended\": ", name, run->complete ? "true" : "false");
     wcut_text_string(text, wcut_control_state_name(run->ended));
     wcut_text_print(text, ", \"samples\": %d", run->recording.samples);
-    put(text, ", \"duration_s\": ", run->duration);
-    put(text, ", \"overshoot\": ", run->overshoot);
+    wcut_text_put_number(text, ", \"duration_s\": ", run->duration);
+    wcut_text_put_number(text, ", \"overshoot\": ", run->overshoot);
     put_figures(text, "steady", run->has_steady, &run->steady, run->target);
     put_figures(text, "beyond_density_step", run->has_density, &run->density, run->target);
     wcut_text_print(text, "}");
@@ -80,7 +75,7 @@ static wcut_status print_summary(const wcut_rig_summary *s, char **text, size_t 
     if (!wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
     wcut_text_print(&out, "{\n  \"format\": \"wirecut-control/1\",\n  \"version\": \"%s\",\n  \"job\": ", WCUT_VERSION);
     wcut_text_string(&out, s->job->name);
-    put(&out, ",\n  \"target_N\": ", s->control->tension);
+    wcut_text_put_number(&out, ",\n  \"target_N\": ", s->control->tension);
     wcut_text_print(&out, ",\n  \"recorded\": \"%s\"", s->plan_recorded ? "plan_alone" : "feedback");
     put_settings(&out, s->control);
     put_rig(&out, s->options, WCUT_RAD_PER_DEG);

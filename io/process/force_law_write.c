@@ -9,14 +9,6 @@
 #include "io/file/atomic.h"
 #include "io/file/text.h"
 
-static void put(wcut_text *text, const char *word) { wcut_text_put(text, word, strlen(word)); }
-
-/* `before`, then a number: "key": 1.5 */
-static void put_number(wcut_text *text, const char *before, double value) {
-    put(text, before);
-    wcut_text_number(text, value);
-}
-
 static const char *const key[3] = {"a_N_per_mm", "b_m2_per_J", "c_N_per_mm"};
 
 /* {"a_N_per_mm": ..., "b_m2_per_J": ...} without the closing brace */
@@ -30,29 +22,29 @@ static void put_keyed(wcut_text *text, int parameters, const double *value) {
 static void put_intervals(wcut_text *text, int parameters, const wcut_law_fit *fit) {
     for (int j = 0; j < parameters; j++) {
         wcut_text_print(text, "%s\"%s\": ", j ? ", " : "{", key[j]);
-        put_number(text, "[", fit->low[j]);
-        put_number(text, ", ", fit->high[j]);
-        put(text, "]");
+        wcut_text_put_number(text, "[", fit->low[j]);
+        wcut_text_put_number(text, ", ", fit->high[j]);
+        wcut_text_put_word(text, "]");
     }
-    put(text, "}");
+    wcut_text_put_word(text, "}");
 }
 
 static void put_covariance(wcut_text *text, int parameters, const wcut_law_fit *fit) {
     for (int i = 0; i < parameters; i++) {
-        put(text, i ? ", " : "[");
-        for (int j = 0; j < parameters; j++) put_number(text, j ? ", " : "[", fit->covariance[3 * i + j]);
-        put(text, "]");
+        wcut_text_put_word(text, i ? ", " : "[");
+        for (int j = 0; j < parameters; j++) wcut_text_put_number(text, j ? ", " : "[", fit->covariance[3 * i + j]);
+        wcut_text_put_word(text, "]");
     }
-    put(text, "]");
+    wcut_text_put_word(text, "]");
 }
 
 static void put_lack_of_fit(wcut_text *text, const wcut_law_fit *fit) {
     static const char *const against[] = {"untested", "replicates", "flexible law"};
     wcut_text_print(text, ",\n    \"lack_of_fit\": {\"against\": \"%s\", \"degrees\": [%d, %d]", against[fit->lack],
                     fit->lack_degrees[0], fit->lack_degrees[1]);
-    put_number(text, ", \"f\": ", fit->lack_f);
-    put_number(text, ", \"p\": ", fit->lack_p);
-    put(text, "}");
+    wcut_text_put_number(text, ", \"f\": ", fit->lack_f);
+    wcut_text_put_number(text, ", \"p\": ", fit->lack_p);
+    wcut_text_put_word(text, "}");
 }
 
 static void put_law(wcut_text *text, const char *name, int parameters, const wcut_law_fit *fit,
@@ -60,47 +52,47 @@ static void put_law(wcut_text *text, const char *name, int parameters, const wcu
     const double value[3] = {fit->a, fit->b, fit->c};
     wcut_text_print(text, ",\n  \"%s\": ", name);
     put_keyed(text, parameters, value);
-    put(text, ",\n    \"standard_error\": ");
+    wcut_text_put_word(text, ",\n    \"standard_error\": ");
     put_keyed(text, parameters, fit->standard_error);
-    put(text, "},\n    \"covariance\": ");
+    wcut_text_put_word(text, "},\n    \"covariance\": ");
     put_covariance(text, parameters, fit);
-    put_number(text, ",\n    \"confidence\": ", confidence);
-    put(text, ", \"interval\": ");
+    wcut_text_put_number(text, ",\n    \"confidence\": ", confidence);
+    wcut_text_put_word(text, ", \"interval\": ");
     put_intervals(text, parameters, fit);
-    put_number(text, ",\n    \"range_J_per_m2\": [", c->q_eff_low);
-    put_number(text, ", ", c->q_eff_high);
-    put_number(text, "],\n    \"scale\": ", fit->scale);
+    wcut_text_put_number(text, ",\n    \"range_J_per_m2\": [", c->q_eff_low);
+    wcut_text_put_number(text, ", ", c->q_eff_high);
+    wcut_text_put_number(text, "],\n    \"scale\": ", fit->scale);
     wcut_text_print(text, ", \"degrees\": %d", fit->degrees);
     if (parameters > 2) wcut_text_print(text, ", \"c_held\": %s", fit->c_held ? "true" : "false");
-    put_number(text, ",\n    \"leave_one_out\": {\"rms\": ", fit->leave_one_out);
+    wcut_text_put_number(text, ",\n    \"leave_one_out\": {\"rms\": ", fit->leave_one_out);
     wcut_text_print(text, ", \"cuts\": %d}", fit->left_out);
     put_lack_of_fit(text, fit);
-    put_number(text, ",\n    \"log_likelihood_relative_less_absolute\": ", fit->evidence);
-    put(text, "}");
+    wcut_text_put_number(text, ",\n    \"log_likelihood_relative_less_absolute\": ", fit->evidence);
+    wcut_text_put_word(text, "}");
 }
 
 /* the laws alone, as they stand in a job's "process" */
 static void put_process(wcut_text *text, const wcut_calibration *c) {
     const double force[2] = {c->force.a, c->force.b}, tension[3] = {c->tension.a, c->tension.b, c->tension.c};
-    put(text, ",\n  \"process\": {\"force_law\": ");
+    wcut_text_put_word(text, ",\n  \"process\": {\"force_law\": ");
     put_keyed(text, 2, force);
-    put(text, "}");
+    wcut_text_put_word(text, "}");
     if (c->tension_fitted) {
-        put(text, ", \"tension_law\": ");
+        wcut_text_put_word(text, ", \"tension_law\": ");
         put_keyed(text, 3, tension);
-        put(text, "}");
+        wcut_text_put_word(text, "}");
     }
-    put(text, "}");
+    wcut_text_put_word(text, "}");
 }
 
 static void put_reference(wcut_text *text, const wcut_calibration *c) {
-    put_number(text, ",\n  \"reference\": {\"force_N_per_mm\": ", c->reference_force);
-    put_number(text, ", \"heat_W_per_m\": ", c->reference_heat);
-    put_number(text, ", \"speed_mm_s\": ", c->reference_speed);
-    put_number(text, ", \"speed_standard_error_mm_s\": ", c->reference_speed_error);
-    put_number(text, ",\n    \"exponent\": ", c->exponent);
-    put_number(text, ", \"exponent_standard_error\": ", c->exponent_error);
-    put_number(text, ", \"correlation_a_b\": ", c->correlation);
+    wcut_text_put_number(text, ",\n  \"reference\": {\"force_N_per_mm\": ", c->reference_force);
+    wcut_text_put_number(text, ", \"heat_W_per_m\": ", c->reference_heat);
+    wcut_text_put_number(text, ", \"speed_mm_s\": ", c->reference_speed);
+    wcut_text_put_number(text, ", \"speed_standard_error_mm_s\": ", c->reference_speed_error);
+    wcut_text_put_number(text, ",\n    \"exponent\": ", c->exponent);
+    wcut_text_put_number(text, ", \"exponent_standard_error\": ", c->exponent_error);
+    wcut_text_put_number(text, ", \"correlation_a_b\": ", c->correlation);
     wcut_text_print(text, "},\n  \"cuts\": {\"heats\": %d, \"speeds\": %d, \"q_effs\": %d, \"a_told_from_b\": %s, ",
                     c->heats, c->speeds, c->q_effs, c->told_apart ? "true" : "false");
     wcut_text_print(text, "\"large_angles\": %d}", c->large_angles);
@@ -110,28 +102,28 @@ static void put_point(wcut_text *text, const char *name, const wcut_fit_point *p
     wcut_text_print(text, ", \"%s\": {\"measured_N_per_mm\": ", name);
     wcut_text_number(text, p->measured);
     if (fitted) {
-        put_number(text, ", \"fitted_N_per_mm\": ", p->fitted);
-        put_number(text, ", \"residual\": ", p->residual);
-        put_number(text, ", \"weight\": ", p->loss_weight);
-        put_number(text, ", \"left_out_N_per_mm\": ", p->left_out);
-        put_number(text, ", \"leverage\": ", p->leverage);
+        wcut_text_put_number(text, ", \"fitted_N_per_mm\": ", p->fitted);
+        wcut_text_put_number(text, ", \"residual\": ", p->residual);
+        wcut_text_put_number(text, ", \"weight\": ", p->loss_weight);
+        wcut_text_put_number(text, ", \"left_out_N_per_mm\": ", p->left_out);
+        wcut_text_put_number(text, ", \"leverage\": ", p->leverage);
     }
-    put(text, "}");
+    wcut_text_put_word(text, "}");
 }
 
 static void put_residuals(wcut_text *text, int n, const wcut_test_cut *cut, const wcut_calibration *c,
                           const wcut_calibration_point *point) {
-    put(text, ",\n  \"residuals\": [");
+    wcut_text_put_word(text, ",\n  \"residuals\": [");
     for (int i = 0; i < n; i++) {
         wcut_text_print(text, "%s\n    {\"line\": %d", i ? "," : "", cut[i].line);
-        put_number(text, ", \"heat_W_per_m\": ", cut[i].heat);
-        put_number(text, ", \"speed_mm_s\": ", cut[i].speed);
-        put_number(text, ", \"q_eff_J_per_m2\": ", point[i].q_eff);
+        wcut_text_put_number(text, ", \"heat_W_per_m\": ", cut[i].heat);
+        wcut_text_put_number(text, ", \"speed_mm_s\": ", cut[i].speed);
+        wcut_text_put_number(text, ", \"q_eff_J_per_m2\": ", point[i].q_eff);
         put_point(text, "force", &point[i].force, 1);
         put_point(text, "tension", &point[i].tension, c->tension_fitted);
-        put(text, "}");
+        wcut_text_put_word(text, "}");
     }
-    put(text, "\n  ]");
+    wcut_text_put_word(text, "\n  ]");
 }
 
 /* JSON has no word for a number that is not finite: a struct that holds one did not come from the fit */
@@ -164,7 +156,7 @@ wcut_status wcut_force_law_print(int n, const wcut_test_cut *cut, const wcut_cal
     if (c->tension_fitted)
         put_law(&out, "tension_law", 3, &c->tension, c, o.confidence);
     else
-        put(&out, ",\n  \"tension_law\": null");
+        wcut_text_put_word(&out, ",\n  \"tension_law\": null");
     put_reference(&out, c);
     put_residuals(&out, n, cut, c, point);
     wcut_text_put(&out, "}\n", 3); /* with its zero */

@@ -52,14 +52,21 @@ static void put_row(wcut_text *text, const wcut_history *history, int j, wcut_ve
     wcut_text_put(text, "\n", 1);
 }
 
-static void put_csv(wcut_text *text, const wcut_history *history, const wcut_vec3 *a, const wcut_vec3 *b) {
+/* a history and where its mounts were */
+typedef struct travelled {
+    const wcut_history *history;
+    const wcut_vec3 *a, *b; /* history->stations */
+} travelled;
+
+static bool put_path(wcut_text *text, const void *context) {
+    const travelled *whole = context;
     static const char header[] =
         "station,time_s,phase,a_x_mm,a_y_mm,a_z_mm,b_x_mm,b_y_mm,b_z_mm,"
         "speed_a_mm_s,speed_b_mm_s,tension_a_N,tension_b_N,"
         "alpha_a_deg,beta_a_deg,alpha_b_deg,beta_b_deg\n";
     wcut_text_put(text, header, sizeof header - 1);
-    for (int j = 0; j < history->stations; j++) put_row(text, history, j, a[j], b[j]);
-    wcut_text_flush(text);
+    for (int j = 0; j < whole->history->stations; j++) put_row(text, whole->history, j, whole->a[j], whole->b[j]);
+    return true;
 }
 
 wcut_status wcut_history_write_csv(const wcut_history *history, const wcut_vec3 *mount_a, const wcut_vec3 *mount_b,
@@ -68,19 +75,8 @@ wcut_status wcut_history_write_csv(const wcut_history *history, const wcut_vec3 
         !vec3_all_finite(history->stations, mount_a) || !vec3_all_finite(history->stations, mount_b))
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "a path table: expected a file name, at least one station and finite numbers");
-    wcut_file *file = NULL;
-    wcut_text text = {0};
-    wcut_status status = wcut_file_create(path, &file, error);
-    if (status != WCUT_OK) return status;
-    if (wcut_text_create(&text, file)) {
-        put_csv(&text, history, mount_a, mount_b);
-        status = wcut_file_commit(file, error);
-    } else {
-        status = wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
-    }
-    wcut_text_destroy(&text);
-    wcut_file_destroy(file);
-    return status;
+    const travelled whole = {history, mount_a, mount_b};
+    return wcut_text_write_file(path, put_path, &whole, error);
 }
 
 /* ---- history.vtp ---- */

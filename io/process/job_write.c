@@ -9,66 +9,49 @@
 #include "io/process/effect_json.h"
 #include "io/process/job.h"
 
-/* `before`, then a number: "key": 1.5 */
-static void put_number(wcut_text *text, const char *before, double value) {
-    wcut_text_put(text, before, strlen(before));
-    wcut_text_number(text, value);
-}
-
-static void put_string(wcut_text *text, const char *before, const char *string) {
-    wcut_text_put(text, before, strlen(before));
-    wcut_text_string(text, string);
-}
-
-static void put_point(wcut_text *text, wcut_vec3 point) {
-    put_number(text, "[", point.x);
-    put_number(text, ", ", point.y);
-    put_number(text, ", ", point.z);
-    wcut_text_put(text, "]", 1);
-}
-
 static void put_points(wcut_text *text, const char *before, int count, const wcut_vec3 *point) {
     wcut_text_print(text, "%s[", before);
     for (int i = 0; i < count; i++) {
         if (i) wcut_text_put(text, ", ", 2);
-        put_point(text, point[i]);
+        wcut_text_put_point(text, "[", point[i]);
     }
     wcut_text_put(text, "]", 1);
 }
 
 static void put_numbers(wcut_text *text, const char *before, int count, const double *value) {
     wcut_text_print(text, "%s[", before);
-    for (int i = 0; i < count; i++) put_number(text, i ? ", " : "", value[i]);
+    for (int i = 0; i < count; i++) wcut_text_put_number(text, i ? ", " : "", value[i]);
     wcut_text_put(text, "]", 1);
 }
 
 static void put_block_and_wire(wcut_text *text, const wcut_job *job) {
     wcut_text_print(text, ",\n  \"block\": {\"size_mm\": ");
-    put_point(text, job->block_size);
-    if (job->foam_material) put_string(text, ", \"material\": ", job->foam_material);
-    put_number(text, "},\n  \"wire\": {\"diameter_mm\": ", job->wire_diameter);
-    if (job->wire_material) put_string(text, ", \"material\": ", job->wire_material);
+    wcut_text_put_point(text, "[", job->block_size);
+    if (job->foam_material) wcut_text_put_string(text, ", \"material\": ", job->foam_material);
+    wcut_text_put_number(text, "},\n  \"wire\": {\"diameter_mm\": ", job->wire_diameter);
+    if (job->wire_material) wcut_text_put_string(text, ", \"material\": ", job->wire_material);
     wcut_text_print(text, ", \"nodes\": %d", job->nodes);
-    if (job->mode == WCUT_MODE_PATH || job->wire_length > 0) put_number(text, ", \"length_mm\": ", job->wire_length);
+    if (job->mode == WCUT_MODE_PATH || job->wire_length > 0)
+        wcut_text_put_number(text, ", \"length_mm\": ", job->wire_length);
     wcut_text_put(text, "}", 1);
 }
 
 static void put_process(wcut_text *text, const wcut_job *job) {
-    put_number(text, ",\n  \"process\": {\n    \"heat_W_per_m\": ", job->heat);
-    put_number(text, ",\n    \"tension_N\": ", job->tension);
-    put_number(text, ",\n    \"force_law\": {\"a_N_per_mm\": ", job->force_law.a);
-    put_number(text, ", \"b_m2_per_J\": ", job->force_law.b);
+    wcut_text_put_number(text, ",\n  \"process\": {\n    \"heat_W_per_m\": ", job->heat);
+    wcut_text_put_number(text, ",\n    \"tension_N\": ", job->tension);
+    wcut_text_put_number(text, ",\n    \"force_law\": {\"a_N_per_mm\": ", job->force_law.a);
+    wcut_text_put_number(text, ", \"b_m2_per_J\": ", job->force_law.b);
     wcut_text_put(text, "}", 1);
     if (job->tension_law.a != 0) {
-        put_number(text, ",\n    \"tension_law\": {\"a_N_per_mm\": ", job->tension_law.a);
-        put_number(text, ", \"b_m2_per_J\": ", job->tension_law.b);
-        put_number(text, ", \"c_N_per_mm\": ", job->tension_law.c);
+        wcut_text_put_number(text, ",\n    \"tension_law\": {\"a_N_per_mm\": ", job->tension_law.a);
+        wcut_text_put_number(text, ", \"b_m2_per_J\": ", job->tension_law.b);
+        wcut_text_put_number(text, ", \"c_N_per_mm\": ", job->tension_law.c);
         wcut_text_put(text, "}", 1);
     }
-    put_number(text, "\n  },\n  \"limits\": {\"speed_max_mm_s\": ", job->speed_max);
-    put_number(text, ", \"speed_min_mm_s\": ", job->speed_min);
-    put_number(text, "},\n  \"kerf\": {\"width_mm\": ", job->kerf_width);
-    put_number(text, ", \"per_J_m2_mm\": ", job->kerf_per_q);
+    wcut_text_put_number(text, "\n  },\n  \"limits\": {\"speed_max_mm_s\": ", job->speed_max);
+    wcut_text_put_number(text, ", \"speed_min_mm_s\": ", job->speed_min);
+    wcut_text_put_number(text, "},\n  \"kerf\": {\"width_mm\": ", job->kerf_width);
+    wcut_text_put_number(text, ", \"per_J_m2_mm\": ", job->kerf_per_q);
     wcut_text_put(text, "}", 1);
 }
 
@@ -86,34 +69,35 @@ static void put_design(wcut_text *text, const wcut_job *job) {
     put_curve(text, ",\n    \"edge_b\": ", job->edge_b);
     wcut_text_print(text, ",\n    \"stations\": %d,\n    \"extra_length_mm\": [", job->stations);
     for (int i = 0; i < job->extra_count; i++) {
-        put_number(text, i ? ", [" : "[", job->extra_u[i]);
-        put_number(text, ", ", job->extra_length[i]);
+        wcut_text_put_number(text, i ? ", [" : "[", job->extra_u[i]);
+        wcut_text_put_number(text, ", ", job->extra_length[i]);
         wcut_text_put(text, "]", 1);
     }
-    put_number(text, "],\n    \"clearance_mm\": ", job->clearance);
+    wcut_text_put_number(text, "],\n    \"clearance_mm\": ", job->clearance);
     wcut_text_put(text, "\n  }", 4);
 }
 
 static void put_excitation(wcut_text *text, const wcut_job *job) {
     wcut_text_print(text, ",\n  \"excitation\": {\n    \"speed\": [");
     for (int i = 0; i < job->dither_count; i++) {
-        put_number(text, i ? ",\n              {\"amplitude\": " : "{\"amplitude\": ", job->dither[i].amplitude);
-        put_number(text, ", \"period_s\": ", job->dither[i].period);
-        put_number(text, ", \"phase_rad\": ", job->dither[i].phase);
+        wcut_text_put_number(text,
+                             i ? ",\n              {\"amplitude\": " : "{\"amplitude\": ", job->dither[i].amplitude);
+        wcut_text_put_number(text, ", \"period_s\": ", job->dither[i].period);
+        wcut_text_put_number(text, ", \"phase_rad\": ", job->dither[i].phase);
         wcut_text_put(text, "}", 1);
     }
     wcut_text_print(text, "],\n    \"heat\": [");
     for (int i = 0; i < job->heat_step_count; i++) {
-        put_number(text, i ? ",\n             {\"from_s\": " : "{\"from_s\": ", job->heat_step[i].from);
-        put_number(text, ", \"to_s\": ", job->heat_step[i].to);
-        put_number(text, ", \"factor\": ", job->heat_step[i].factor);
+        wcut_text_put_number(text, i ? ",\n             {\"from_s\": " : "{\"from_s\": ", job->heat_step[i].from);
+        wcut_text_put_number(text, ", \"to_s\": ", job->heat_step[i].to);
+        wcut_text_put_number(text, ", \"factor\": ", job->heat_step[i].factor);
         wcut_text_put(text, "}", 1);
     }
     wcut_text_print(text, "]\n  }");
 }
 
 static void put_job(wcut_text *text, const wcut_job *job) {
-    put_string(text, "{\n  \"format\": \"wirecut-job/1\",\n  \"name\": ", job->name);
+    wcut_text_put_string(text, "{\n  \"format\": \"wirecut-job/1\",\n  \"name\": ", job->name);
     put_block_and_wire(text, job);
     put_process(text, job);
     if (job->mode == WCUT_MODE_PATH) {

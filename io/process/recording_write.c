@@ -68,13 +68,21 @@ static void put_row(wcut_text *text, const wcut_recording *r, int i) {
     text->count += (size_t)length;
 }
 
-static void put_all(wcut_text *text, const wcut_recording *r, const char *note) {
-    if (note) wcut_text_print(text, "# %s\n", note);
+/* a recording and the line above it, which may be NULL */
+typedef struct noted {
+    const wcut_recording *recording;
+    const char *note;
+} noted;
+
+static bool put_recording(wcut_text *text, const void *context) {
+    const noted *whole = context;
+    const wcut_recording *r = whole->recording;
+    if (whole->note) wcut_text_print(text, "# %s\n", whole->note);
     for (int k = 0; k < WCUT_CHANNEL_COUNT; k++)
         if (r->channel[k].name) wcut_text_print(text, "%s%s", k > 0 ? "," : "", wcut_channel_name((wcut_channel)k));
     wcut_text_print(text, "\n");
     for (int i = 0; i < r->samples; i++) put_row(text, r, i);
-    wcut_text_flush(text);
+    return true;
 }
 
 wcut_status wcut_recording_write(const wcut_recording *recording, const char *note, const char *path,
@@ -82,17 +90,6 @@ wcut_status wcut_recording_write(const wcut_recording *recording, const char *no
     if (!recording || !path) return wcut_fail(error, WCUT_BAD_ARGUMENT, "expected a recording and a file name");
     wcut_status status = check(recording, note, error);
     if (status != WCUT_OK) return status;
-    wcut_file *file = NULL;
-    wcut_text text = {0};
-    status = wcut_file_create(path, &file, error);
-    if (status != WCUT_OK) return status;
-    if (wcut_text_create(&text, file)) {
-        put_all(&text, recording, note);
-        status = wcut_file_commit(file, error);
-    } else {
-        status = wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
-    }
-    wcut_text_destroy(&text);
-    wcut_file_destroy(file);
-    return status;
+    const noted whole = {recording, note};
+    return wcut_text_write_file(path, put_recording, &whole, error);
 }

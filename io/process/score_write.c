@@ -12,18 +12,6 @@
 #include "io/file/atomic.h"
 #include "io/file/text.h"
 
-static void put(wcut_text *text, const char *word) { wcut_text_put(text, word, strlen(word)); }
-
-static void put_number(wcut_text *text, const char *before, double value) {
-    put(text, before);
-    wcut_text_number(text, value);
-}
-
-static void put_string(wcut_text *text, const char *before, const char *value) {
-    put(text, before);
-    wcut_text_string(text, value);
-}
-
 /* from the API's unit to the file's */
 static double unit_of(int scored) {
     return strcmp(wcut_scored_unit((wcut_scored)scored), "deg") == 0 ? WCUT_DEG_PER_RAD : 1;
@@ -33,11 +21,11 @@ static double unit_of(int scored) {
 
 /* a figure, or null where there is none */
 static void put_figure(wcut_text *text, const char *before, bool there, double value) {
-    put(text, before);
+    wcut_text_put_word(text, before);
     if (there)
         wcut_text_number(text, value);
     else
-        put(text, "null");
+        wcut_text_put_word(text, "null");
 }
 
 static void put_score(wcut_text *text, const wcut_score *s, double unit) {
@@ -65,11 +53,11 @@ static void put_scores(wcut_text *text, const char *before, const wcut_scores *s
             if (of[part].count < 1) continue;
             wcut_text_print(text, ",\n%s  \"%s\": {", indent, wcut_part_name((wcut_part)part));
             put_score(text, &of[part], unit_of(k));
-            put(text, "}");
+            wcut_text_put_word(text, "}");
         }
-        put(text, "}");
+        wcut_text_put_word(text, "}");
     }
-    put(text, "}");
+    wcut_text_put_word(text, "}");
 }
 
 /* ---- cuts ---- */
@@ -79,8 +67,8 @@ static void put_prediction(wcut_text *text, const char *before, const wcut_predi
     wcut_text_print(text, "%s{\"without_motion\": %d, \"standing\": %d, \"failed\": %d", before, p->without_motion,
                     p->standing, p->failed);
     if (p->failed > 0) {
-        put_number(text, ", \"first_failed_s\": ", time[p->first_failed]);
-        put_string(text, ", \"cause\": ", p->cause.text);
+        wcut_text_put_number(text, ", \"first_failed_s\": ", time[p->first_failed]);
+        wcut_text_put_string(text, ", \"cause\": ", p->cause.text);
     }
 }
 
@@ -88,37 +76,37 @@ static void put_cut(wcut_text *text, const wcut_scored_cut *cut, bool first) {
     const wcut_comparison *c = cut->comparison;
 
     /* the names of the cut and its files */
-    put(text, first ? "\n    {" : ",\n    {");
+    wcut_text_put_word(text, first ? "\n    {" : ",\n    {");
     if (cut->of_case) {
-        put_string(text, "\"case\": ", cut->of_case);
-        put(text, ", ");
+        wcut_text_put_string(text, "\"case\": ", cut->of_case);
+        wcut_text_put_word(text, ", ");
     }
-    put_string(text, "\"cut\": ", cut->name);
-    put_string(text, ", \"job\": ", cut->job);
-    put_string(text, ", \"recording\": ", cut->recording);
+    wcut_text_put_string(text, "\"cut\": ", cut->name);
+    wcut_text_put_string(text, ", \"job\": ", cut->job);
+    wcut_text_put_string(text, ", \"recording\": ", cut->recording);
 
     /* a cut that was not scored has its error instead */
     if (!c) {
-        put_string(text, ",\n     \"error\": ", cut->error ? cut->error->text : "");
-        put(text, "}");
+        wcut_text_put_string(text, ",\n     \"error\": ", cut->error ? cut->error->text : "");
+        wcut_text_put_word(text, "}");
         return;
     }
 
     /* the samples counted, and the predictions of both kinds */
     const double *time = cut->samples->channel[WCUT_CHANNEL_TIME].value;
     wcut_text_print(text, ",\n     \"samples\": %d, \"counted\": %d", c->samples, c->counted_samples);
-    put_number(text, ", \"time_s\": {\"contact\": ", c->contact);
-    put_number(text, ", \"leave\": ", c->leave);
-    put_number(text, ", \"from\": ", c->from);
-    put_number(text, ", \"to\": ", c->to);
+    wcut_text_put_number(text, ", \"time_s\": {\"contact\": ", c->contact);
+    wcut_text_put_number(text, ", \"leave\": ", c->leave);
+    wcut_text_put_number(text, ", \"from\": ", c->from);
+    wcut_text_put_number(text, ", \"to\": ", c->to);
     put_prediction(text, "},\n     \"plan\": ", c->planned, time);
     put_prediction(text, "},\n     \"replay\": ", c->replayed, time);
-    put_number(text, ", \"motion_scatter\": ", c->replayed->scatter);
+    wcut_text_put_number(text, ", \"motion_scatter\": ", c->replayed->scatter);
     wcut_text_print(text, ", \"iterations\": %d}", c->replayed->iterations);
 
     put_scores(text, ",\n     \"planned\": ", &c->planned_score, "      ");
     put_scores(text, ",\n     \"replayed\": ", &c->replayed_score, "      ");
-    put(text, "}");
+    wcut_text_put_word(text, "}");
 }
 
 /* ---- means ---- */
@@ -133,18 +121,18 @@ static void put_means(wcut_text *text, int n, const wcut_comparison *const *comp
 /* the mean of every case, where there are any */
 static void put_cases(wcut_text *text, int n, const wcut_scored_cut *cut, const wcut_comparison *const *comparison) {
     bool first = true;
-    put(text, ",\n  \"cases\": [");
+    wcut_text_put_word(text, ",\n  \"cases\": [");
     for (int i = 0, end; i < n; i = end) {
         for (end = i + 1; end < n && cut[i].of_case && cut[end].of_case && !strcmp(cut[i].of_case, cut[end].of_case);)
             end++;
         if (!cut[i].of_case) continue;
-        put_string(text, first ? "\n    {\"case\": " : ",\n    {\"case\": ", cut[i].of_case);
-        put(text, ", ");
+        wcut_text_put_string(text, first ? "\n    {\"case\": " : ",\n    {\"case\": ", cut[i].of_case);
+        wcut_text_put_word(text, ", ");
         put_means(text, end - i, comparison + i, "      ");
-        put(text, "}");
+        wcut_text_put_word(text, "}");
         first = false;
     }
-    put(text, "]");
+    wcut_text_put_word(text, "]");
 }
 
 /* ---- the document ---- */
@@ -152,10 +140,10 @@ static void put_cases(wcut_text *text, int n, const wcut_scored_cut *cut, const 
 static void put_options(wcut_text *text, const wcut_comparison_options *o) {
     wcut_text_print(text, ",\n  \"options\": {\"motion\": \"%s\"",
                     o->replay.motion == WCUT_MOTION_POSITION ? "position" : "station");
-    put_number(text, ", \"window_s\": ", o->replay.window);
-    put_number(text, ", \"settle_s\": ", o->settle);
-    put_number(text, ", \"leave_s\": ", o->leave);
-    put(text, "}");
+    wcut_text_put_number(text, ", \"window_s\": ", o->replay.window);
+    wcut_text_put_number(text, ", \"settle_s\": ", o->settle);
+    wcut_text_put_number(text, ", \"leave_s\": ", o->leave);
+    wcut_text_put_word(text, "}");
 }
 
 static bool are_usable(int n, const wcut_scored_cut *cut) {
@@ -179,13 +167,13 @@ wcut_status wcut_score_print(int n, const wcut_scored_cut *cut, const wcut_compa
     for (int i = 0; i < n; i++) comparison[i] = cut[i].comparison;
     wcut_text_print(&out, "{\n  \"format\": \"wirecut-score/1\",\n  \"version\": \"%s\"", WCUT_VERSION);
     put_options(&out, &o);
-    put(&out, ",\n  \"mean\": {");
+    wcut_text_put_word(&out, ",\n  \"mean\": {");
     put_means(&out, n, comparison, "    ");
-    put(&out, "}");
+    wcut_text_put_word(&out, "}");
     put_cases(&out, n, cut, comparison);
-    put(&out, ",\n  \"cuts\": [");
+    wcut_text_put_word(&out, ",\n  \"cuts\": [");
     for (int i = 0; i < n; i++) put_cut(&out, &cut[i], i == 0);
-    put(&out, "]\n}\n");
+    wcut_text_put_word(&out, "]\n}\n");
     free(comparison);
     return wcut_text_finish(&out, text, NULL);
 }
@@ -207,8 +195,8 @@ wcut_status wcut_score_write(int n, const wcut_scored_cut *cut, const wcut_compa
 static void put_field(wcut_text *text, const char *field) {
     const bool formula = *field && strchr("=+-@", *field);
     const bool quoted = strpbrk(field, ",\"#") != NULL;
-    if (quoted) put(text, "\"");
-    if (formula) put(text, "'");
+    if (quoted) wcut_text_put_word(text, "\"");
+    if (formula) wcut_text_put_word(text, "'");
     for (const char *p = field; *p; p++) {
         const unsigned char c = (unsigned char)*p;
         if (c < 0x20 || c == 0x7f)
@@ -216,7 +204,7 @@ static void put_field(wcut_text *text, const char *field) {
         else
             wcut_text_put(text, c == '"' ? "\"\"" : p, c == '"' ? 2 : 1);
     }
-    if (quoted) put(text, "\"");
+    if (quoted) wcut_text_put_word(text, "\"");
 }
 
 static const char *column_of(int signal) { return wcut_channel_name((wcut_channel)(WCUT_CHANNEL_SPEED_A + signal)); }
@@ -225,19 +213,19 @@ static const char *column_of(int signal) { return wcut_channel_name((wcut_channe
 static bool is_replayed(int signal) { return signal >= 2; }
 
 static void put_header(wcut_text *text) {
-    put(text, "case,cut,time_s,station,phase,counted");
+    wcut_text_put_word(text, "case,cut,time_s,station,phase,counted");
     for (int k = 0; k < WCUT_SIGNAL_COUNT; k++) {
         const char *name = column_of(k);
         wcut_text_print(text, ",%s,planned_%s,planned_residual_%s", name, name, name);
         if (is_replayed(k)) wcut_text_print(text, ",replayed_%s,replayed_residual_%s", name, name);
     }
-    put(text, "\n");
+    wcut_text_put_word(text, "\n");
 }
 
 /* a comma and a value to a millionth of its unit, a tenth of what any sensor of the rig resolves; nothing where there
    is none */
 static void put_value(wcut_text *text, bool there, double value) {
-    put(text, ",");
+    wcut_text_put_word(text, ",");
     if (there) wcut_text_number(text, round(value * 1e6) / 1e6 + 0.0);
 }
 
@@ -245,7 +233,7 @@ static void put_row(wcut_text *text, const wcut_scored_cut *cut, int i) {
     const wcut_comparison *c = cut->comparison;
     const wcut_column *channel = cut->samples->channel, *station = &channel[WCUT_CHANNEL_STATION];
     put_field(text, cut->of_case ? cut->of_case : "");
-    put(text, ",");
+    wcut_text_put_word(text, ",");
     put_field(text, cut->name);
     put_value(text, true, channel[WCUT_CHANNEL_TIME].value[i]);
     const bool placed = !station->present || station->present[i];
@@ -263,26 +251,27 @@ static void put_row(wcut_text *text, const wcut_scored_cut *cut, int i) {
         put_value(text, replayed, c->replayed->value[k][i] * unit);
         put_value(text, measured && replayed, (x->value[i] - c->replayed->value[k][i]) * unit);
     }
-    put(text, "\n");
+    wcut_text_put_word(text, "\n");
+}
+
+typedef struct scored {
+    int count;
+    const wcut_scored_cut *cut; /* count */
+} scored;
+
+static bool put_residuals(wcut_text *text, const void *context) {
+    const scored *whole = context;
+    put_header(text);
+    for (int k = 0; k < whole->count; k++) {
+        const wcut_scored_cut *cut = &whole->cut[k];
+        for (int i = 0; cut->comparison && i < cut->comparison->samples; i++) put_row(text, cut, i);
+    }
+    return true;
 }
 
 wcut_status wcut_residuals_write(int n, const wcut_scored_cut *cut, const char *path, wcut_error *error) {
     if (!are_usable(n, cut) || !path)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "residuals: %s", wcut_status_text(WCUT_BAD_ARGUMENT));
-    wcut_file *file = NULL;
-    wcut_status status = wcut_file_create(path, &file, error);
-    if (status != WCUT_OK) return status;
-    wcut_text text;
-    if (!wcut_text_create(&text, file)) {
-        wcut_file_destroy(file);
-        return wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
-    }
-    put_header(&text);
-    for (int k = 0; k < n; k++)
-        for (int i = 0; cut[k].comparison && i < cut[k].comparison->samples; i++) put_row(&text, &cut[k], i);
-    wcut_text_flush(&text);
-    status = wcut_file_commit(file, error);
-    wcut_text_destroy(&text);
-    wcut_file_destroy(file);
-    return status;
+    const scored whole = {n, cut};
+    return wcut_text_write_file(path, put_residuals, &whole, error);
 }

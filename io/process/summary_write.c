@@ -10,16 +10,11 @@
 #include "io/file/text.h"
 #include "io/process/history_check.h"
 
-static void put_number(wcut_text *text, const char *before, double value) {
-    wcut_text_print(text, "%s", before);
-    wcut_text_number(text, value);
-}
-
 /* {"min": .., "max": ..}, the range times a factor */
 static void put_range(wcut_text *text, const char *before, wcut_range range, double factor) {
     wcut_text_print(text, "%s", before);
-    put_number(text, "{\"min\": ", factor * range.min);
-    put_number(text, ", \"max\": ", factor * range.max);
+    wcut_text_put_number(text, "{\"min\": ", factor * range.min);
+    wcut_text_put_number(text, ", \"max\": ", factor * range.max);
     wcut_text_print(text, "}");
 }
 
@@ -65,20 +60,20 @@ static void put_head(wcut_text *text, const wcut_setup *setup, const wcut_histor
 }
 
 static void put_figures(wcut_text *text, const wcut_summary *s) {
-    put_number(text, ",\n  \"duration_s\": ", s->duration);
-    put_number(text, ",\n  \"speed_mm_s\": {\"min\": ", s->speed.min);
-    put_number(text, ", \"median\": ", s->speed_median);
-    put_number(text, ", \"max\": ", s->speed.max);
+    wcut_text_put_number(text, ",\n  \"duration_s\": ", s->duration);
+    wcut_text_put_number(text, ",\n  \"speed_mm_s\": {\"min\": ", s->speed.min);
+    wcut_text_put_number(text, ", \"median\": ", s->speed_median);
+    wcut_text_put_number(text, ", \"max\": ", s->speed.max);
     wcut_text_print(text, "}");
     put_range(text, ",\n  \"alpha_deg\": ", s->alpha, WCUT_DEG_PER_RAD);
     put_range(text, ",\n  \"beta_deg\": ", s->beta, WCUT_DEG_PER_RAD);
     put_range(text, ",\n  \"tension_N\": ", s->tension, 1);
-    put_number(text, ",\n  \"force_N_per_mm\": {\"max\": ", s->force_line_max);
-    put_number(text, "},\n  \"residual\": {\"max\": ", s->residual_max);
-    put_number(text, "},\n  \"iterations\": {\"mean\": ", s->iterations_mean);
-    put_number(text, ", \"max\": ", s->iterations_max);
-    put_number(text, "},\n  \"substeps\": {\"mean\": ", s->substeps_mean);
-    put_number(text, ", \"max\": ", s->substeps_max);
+    wcut_text_put_number(text, ",\n  \"force_N_per_mm\": {\"max\": ", s->force_line_max);
+    wcut_text_put_number(text, "},\n  \"residual\": {\"max\": ", s->residual_max);
+    wcut_text_put_number(text, "},\n  \"iterations\": {\"mean\": ", s->iterations_mean);
+    wcut_text_put_number(text, ", \"max\": ", s->iterations_max);
+    wcut_text_put_number(text, "},\n  \"substeps\": {\"mean\": ", s->substeps_mean);
+    wcut_text_put_number(text, ", \"max\": ", s->substeps_max);
     wcut_text_print(text, "}");
     put_counts(text, s);
 }

@@ -58,28 +58,23 @@ static void put_csv(wcut_text *text, const wcut_robot_motion *m) {
 
 /* ---- JSON ---- */
 
-static void put_number(wcut_text *text, const char *before, double value) {
-    wcut_text_print(text, "%s", before);
-    wcut_text_number(text, value);
-}
-
 static void put_robot(wcut_text *text, const char *name, wcut_vec3 at, double speed, double zone, const double q[4]) {
     wcut_text_print(text, ", \"%s\": {\"at_mm\": [", name);
-    put_number(text, "", at.x);
-    put_number(text, ", ", at.y);
-    put_number(text, ", ", at.z);
-    put_number(text, "], \"speed_mm_s\": ", speed);
-    put_number(text, ", \"zone_mm\": ", zone);
-    for (int k = 0; k < 4; k++) put_number(text, k ? ", " : ", \"frame_wxyz\": [", q[k]);
+    wcut_text_put_number(text, "", at.x);
+    wcut_text_put_number(text, ", ", at.y);
+    wcut_text_put_number(text, ", ", at.z);
+    wcut_text_put_number(text, "], \"speed_mm_s\": ", speed);
+    wcut_text_put_number(text, ", \"zone_mm\": ", zone);
+    for (int k = 0; k < 4; k++) wcut_text_put_number(text, k ? ", " : ", \"frame_wxyz\": [", q[k]);
     wcut_text_print(text, "]}");
 }
 
 static void put_json(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_names *names) {
     wcut_text_print(text, "{\n  \"format\": \"wirecut-robot/1\",\n  \"version\": \"%s\",\n  \"job\": ", WCUT_VERSION);
     wcut_text_string(text, names->title ? names->title : "");
-    put_number(text, ",\n  \"duration_s\": ", m->duration);
-    put_number(text, ",\n  \"chord_error_mm\": ", m->chord_error);
-    put_number(text, ",\n  \"time_error_mm\": ", m->time_error);
+    wcut_text_put_number(text, ",\n  \"duration_s\": ", m->duration);
+    wcut_text_put_number(text, ",\n  \"chord_error_mm\": ", m->chord_error);
+    wcut_text_put_number(text, ",\n  \"time_error_mm\": ", m->time_error);
     wcut_text_print(text, ",\n  \"stations\": %d,\n  \"targets\": [", m->stations);
     for (int i = 0; i < m->count; i++) {
         const wcut_robot_target *t = &m->target[i];
@@ -88,8 +83,8 @@ static void put_json(wcut_text *text, const wcut_robot_motion *m, const wcut_rob
             wcut_text_print(text, "null");
         else
             wcut_text_print(text, "%d", t->station);
-        put_number(text, ", \"time_s\": ", t->time);
-        put_number(text, ", \"duration_s\": ", t->duration);
+        wcut_text_put_number(text, ", \"time_s\": ", t->time);
+        wcut_text_put_number(text, ", \"duration_s\": ", t->duration);
         put_robot(text, "a", t->a, t->speed_a, t->zone_a, t->frame_a);
         put_robot(text, "b", t->b, t->speed_b, t->zone_b, t->frame_b);
         wcut_text_print(text, "}");
@@ -134,45 +129,43 @@ static wcut_status check(const wcut_robot_motion *m, const wcut_robot_names *n, 
     return WCUT_OK;
 }
 
+/* what one robot is to do, in a dialect */
+typedef struct program {
+    const wcut_robot_motion *motion;
+    const wcut_robot_names *names;
+    wcut_robot_format format;
+    int robot;
+} program;
+
+static bool put_program(wcut_text *text, const void *context) {
+    const program *p = context;
+    switch (p->format) {
+        case WCUT_ROBOT_FORMAT_URSCRIPT:
+            wcut_urscript_put(text, p->motion, p->names, p->robot);
+            break;
+        case WCUT_ROBOT_FORMAT_RAPID:
+            wcut_rapid_put(text, p->motion, p->names, p->robot);
+            break;
+        case WCUT_ROBOT_FORMAT_KRL:
+            wcut_krl_put(text, p->motion, p->names, p->robot);
+            break;
+        case WCUT_ROBOT_FORMAT_CSV:
+            put_csv(text, p->motion);
+            break;
+        case WCUT_ROBOT_FORMAT_JSON:
+            put_json(text, p->motion, p->names);
+            break;
+    }
+    return true;
+}
+
 wcut_status wcut_robot_write(const wcut_robot_motion *motion, const wcut_robot_names *names, wcut_robot_format format,
                              int robot, const char *path, wcut_error *error) {
     const wcut_robot_names n = names ? *names : wcut_robot_names_default();
-    wcut_status status = check(motion, &n, format, robot, path, error);
+    const wcut_status status = check(motion, &n, format, robot, path, error);
     if (status != WCUT_OK) return status;
-
-    /* the program appears whole or not at all */
-    wcut_file *file = NULL;
-    wcut_text text = {0};
-    status = wcut_file_create(path, &file, error);
-    if (status != WCUT_OK) return status;
-    if (wcut_text_create(&text, file)) {
-        switch (format) {
-            case WCUT_ROBOT_FORMAT_URSCRIPT:
-                wcut_urscript_put(&text, motion, &n, robot);
-                break;
-            case WCUT_ROBOT_FORMAT_RAPID:
-                wcut_rapid_put(&text, motion, &n, robot);
-                break;
-            case WCUT_ROBOT_FORMAT_KRL:
-                wcut_krl_put(&text, motion, &n, robot);
-                break;
-            case WCUT_ROBOT_FORMAT_CSV:
-                put_csv(&text, motion);
-                break;
-            case WCUT_ROBOT_FORMAT_JSON:
-                put_json(&text, motion, &n);
-                break;
-        }
-
-        wcut_text_flush(&text);
-        status = wcut_file_commit(file, error);
-    } else {
-        status = wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
-    }
-
-    wcut_text_destroy(&text);
-    wcut_file_destroy(file);
-    return status;
+    const program whole = {motion, &n, format, robot};
+    return wcut_text_write_file(path, put_program, &whole, error);
 }
 
 /* ---- figures ---- */
@@ -190,17 +183,17 @@ wcut_status wcut_robot_summary_print(const wcut_robot_summary *s, char **text) {
     wcut_text_string(&out, s->job->name);
     wcut_text_print(&out, ",\n  \"program\": \"%s\",\n  \"stations\": %d,\n  \"targets\": %d",
                     wcut_robot_format_name(s->format), m->stations, m->count);
-    put_number(&out, ",\n  \"duration_s\": ", m->duration);
-    put_number(&out, ",\n  \"chord_error_mm\": ", m->chord_error);
-    put_number(&out, ",\n  \"time_error_mm\": ", m->time_error);
+    wcut_text_put_number(&out, ",\n  \"duration_s\": ", m->duration);
+    wcut_text_put_number(&out, ",\n  \"chord_error_mm\": ", m->chord_error);
+    wcut_text_put_number(&out, ",\n  \"time_error_mm\": ", m->time_error);
 
     /* the limits and how near the motion comes to each */
     wcut_text_print(&out, ",\n  \"limits\": [");
     for (int i = 0; i < WCUT_ROBOT_CHECKS; i++) {
         const wcut_robot_check *c = &s->check[i];
         wcut_text_print(&out, "%s\n    {\"what\": \"%s\", \"unit\": \"%s\"", i ? "," : "", c->name, c->unit);
-        put_number(&out, ", \"value\": ", c->value);
-        put_number(&out, ", \"limit\": ", c->limit);
+        wcut_text_put_number(&out, ", \"value\": ", c->value);
+        wcut_text_put_number(&out, ", \"limit\": ", c->limit);
         if (c->station >= 0) wcut_text_print(&out, ", \"station\": %d", c->station);
         wcut_text_print(&out, ", \"over\": %s}", c->over ? "true" : "false");
     }
@@ -210,11 +203,11 @@ wcut_status wcut_robot_summary_print(const wcut_robot_summary *s, char **text) {
     for (int i = 0; i < 2; i++) {
         const wcut_path_near *n = &s->near[i];
         wcut_text_print(&out, "%s\n    {\"mount\": \"%s\"", i ? "," : "", i ? "B" : "A");
-        put_number(&out, ", \"least_mm\": ", n->distance);
-        put_number(&out, ", \"station\": ", n->station);
-        put_number(&out, ", \"at_mm\": [", n->place.x);
-        put_number(&out, ", ", n->place.y);
-        put_number(&out, ", ", n->place.z);
+        wcut_text_put_number(&out, ", \"least_mm\": ", n->distance);
+        wcut_text_put_number(&out, ", \"station\": ", n->station);
+        wcut_text_put_number(&out, ", \"at_mm\": [", n->place.x);
+        wcut_text_put_number(&out, ", ", n->place.y);
+        wcut_text_put_number(&out, ", ", n->place.z);
         wcut_text_print(&out, "]}");
     }
 
