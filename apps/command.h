@@ -26,14 +26,15 @@ enum { APP_EXIT_LIST(APP_EXIT_ENTRY) APP_OPTIONS_MAX = 48 };
 
 /* What an option's value is. */
 typedef enum app_kind {
-    APP_END,    /* closes a table */
-    APP_FLAG,   /* no value */
-    APP_TEXT,   /* any text */
-    APP_FILE,   /* an existing file's name */
-    APP_FOLDER, /* a folder's name */
-    APP_INT,    /* a whole number in low .. high */
-    APP_REAL,   /* a number in low .. high */
-    APP_CHOICE  /* one of the words of `value`, separated by | */
+    APP_END,     /* closes a table */
+    APP_FLAG,    /* no value */
+    APP_TEXT,    /* any text */
+    APP_EFFECTS, /* names of effects, with commas */
+    APP_FILE,    /* an existing file's name */
+    APP_FOLDER,  /* a folder's name */
+    APP_INT,     /* a whole number in low .. high */
+    APP_REAL,    /* a number in low .. high */
+    APP_CHOICE   /* one of the words of `value`, separated by | */
 } app_kind;
 
 typedef struct app_option {
@@ -86,6 +87,11 @@ struct app_call {
         .kind = APP_FOLDER, .name = "output", .letter = 'o', .required = true, .value = "DIR", \
         .help = "folder for the results; it is created if missing",                            \
     }
+#define APP_OPTION_FORMATS(known)                                                         \
+    {                                                                                     \
+        .kind = APP_TEXT, .name = "formats", .value = "LIST",                             \
+        .help = "files to write, with commas: some of " known "; all where none is given" \
+    }
 #define APP_OPTION_HELP \
     { .kind = APP_FLAG, .name = "help", .letter = 'h', .help = "print this help" }
 /* What every verb takes, and the end of its table. */
@@ -112,6 +118,8 @@ void app_call_clear(app_call *call);
 bool app_has(const app_call *call, const char *option);   /* whether the verb's table lists it */
 bool app_given(const app_call *call, const char *option); /* for a flag: whether it is set */
 const char *app_text(const app_call *call, const char *option);
+bool app_wants_format(const app_call *call, const char *format); /* of --formats; all where it is not given */
+int app_check_formats(const app_call *call, const char *known);  /* every word of it is one of known, with commas */
 int app_int(const app_call *call, const char *option);
 double app_real(const app_call *call, const char *option);
 int app_choice(const app_call *call, const char *option); /* which word of `value`, from 0 */

@@ -11,6 +11,7 @@
 
 #include "command.h"
 #include "compare_run.h"
+#include "job.h"
 #include "report_compare.h"
 #include "results.h"
 #include "terminal.h"
@@ -130,6 +131,13 @@ static int read_registration(const app_call *call, app_compare_options *o) {
 }
 
 static int read_options(const app_call *call, app_compare_options *o) {
+    const char *first = strrchr(call->operand[0], '.');
+    for (int k = 1; k < call->operand_count && first; k++) {
+        const char *ending = strrchr(call->operand[k], '.');
+        if (strcmp(first, ".json") != 0 && ending && strcmp(ending, ".json") == 0)
+            return app_fail(APP_USAGE, "compare: found %s before %s, expected the job first: JOB.json SCAN...",
+                            call->operand[0], call->operand[k]);
+    }
     const long processors = sysconf(_SC_NPROCESSORS_ONLN);
     *o = (app_compare_options){.reference = call->operand[0],
                                .files = call->operand_count - 1,
@@ -146,6 +154,7 @@ static int read_options(const app_call *call, app_compare_options *o) {
     if (app_given(call, "support")) o->support = app_real(call, "support");
     o->scans.unit = (wcut_length_unit)app_choice(call, "unit");
     o->scans.columns = app_text(call, "columns");
+    if (app_given(call, "force-law")) o->force_law = app_text(call, "force-law");
     o->reference_unit =
         app_given(call, "reference-unit") ? (wcut_length_unit)app_choice(call, "reference-unit") : o->scans.unit;
     o->scans.threads = o->threads;
@@ -394,6 +403,7 @@ static const app_option option[] = {
      .high = 64,
      .help = "number of threads; default one for each processor. Results do not depend on it"},
     {.kind = APP_FLAG, .name = "flip", .help = "turn the triangles of a reference mesh that face the wrong way"},
+    APP_OPTION_FORCE_LAW,
     APP_OPTIONS_OF_ALL,
 };
 

@@ -33,6 +33,7 @@ typedef struct app_reference {
 /* what is wanted of it */
 typedef struct app_reference_options {
     const char *path;
+    const char *force_law; /* of a job: a file, or NULL */
     app_distance distance;
     double chord_tolerance; /* [mm] of a job's triangles */
     wcut_length_unit unit;  /* of a mesh */

@@ -16,6 +16,7 @@ typedef struct app_compare_options {
     bool quiet, flip;
     app_distance distance;
     double chord_tolerance;          /* [mm] */
+    const char *force_law;           /* of a job, or NULL */
     wcut_length_unit reference_unit; /* of a mesh */
     app_scan_options scans;
     wcut_registration_method method;

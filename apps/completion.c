@@ -1,5 +1,6 @@
 /* The table as a completion script for bash. */
 #include <string.h>
+#include <wirecut/effects.h>
 
 #include "command.h"
 
@@ -21,6 +22,11 @@ static void print_value(FILE *out, const app_option *o) {
     fprintf(out, "        --%s", o->name);
     if (o->letter) fprintf(out, "|-%c", o->letter);
     fputs(") COMPREPLY=(", out);
+    if (o->kind == APP_EFFECTS) {
+        fputs("$(compgen -P \"${word%\"${word##*,}\"}\" -W '", out);
+        for (int k = 0; k < WCUT_EFFECT_COUNT; k++) fprintf(out, "%s ", wcut_effect_view((wcut_effect_kind)k)->name);
+        fputs("' -- \"${word##*,}\")", out);
+    }
     if (o->kind == APP_CHOICE) {
         fputs("$(compgen -W '", out);
         print_choice(out, o->value);

@@ -352,6 +352,7 @@ static const app_option option[] = {
      .low = 1e-6,
      .high = 1e6,
      .help = "tension of either mount at which the machine stops, N; default 2.5 times the target"},
+    APP_OPTION_FORCE_LAW,
     APP_OPTIONS_OF_ALL,
 };
 

@@ -4,8 +4,12 @@
 #include <wirecut/version.h>
 
 #include "command.h"
+#include "terminal.h"
 
-enum { TEXT_WIDTH = 100, NAME_WIDTH = 32 };
+enum { TEXT_WIDTH = 100, NAME_WIDTH = 32, NARROW = 80, NARROW_NAME = 12 };
+
+/* of the text, and of its column of names: a narrow terminal gets the help below the name */
+static int text_width = TEXT_WIDTH, name_width = NAME_WIDTH;
 
 static const struct {
     int code;
@@ -23,7 +27,7 @@ enum { EXIT_CODES = sizeof exit_code / sizeof *exit_code };
 static void print_wrapped(FILE *out, const char *text, int margin, int column) {
     while (*text) {
         int length = (int)strcspn(text, " \n");
-        if (column > margin && column + 1 + length > TEXT_WIDTH) {
+        if (column > margin && column + 1 + length > text_width) {
             fprintf(out, "\n");
             column = 0;
         }
@@ -45,11 +49,11 @@ static void print_wrapped(FILE *out, const char *text, int margin, int column) {
 
 static void print_entry(FILE *out, const char *name, const char *help) {
     int column = fprintf(out, "  %s", name);
-    if (column > NAME_WIDTH - 2) {
+    if (column > name_width - 2) {
         fprintf(out, "\n");
         column = 0;
     }
-    print_wrapped(out, help, NAME_WIDTH, column);
+    print_wrapped(out, help, name_width, column);
 }
 
 static void print_option(FILE *out, const app_option *o) {
@@ -77,7 +81,11 @@ static void print_usage_line(FILE *out, const app_verb *verb) {
 
 void app_print_help(FILE *out, const app_verb *verb) {
     bool self = verb == &app_self;
-    fprintf(out, "wirecut%s%s - %s\n\n", self ? "" : " ", verb->name, verb->brief);
+    const int width = app_terminal_width(fileno(out), TEXT_WIDTH);
+    text_width = width < TEXT_WIDTH ? width - 1 : TEXT_WIDTH;
+    name_width = width < NARROW ? NARROW_NAME : NAME_WIDTH;
+    print_wrapped(out, verb->brief, 0, fprintf(out, "wirecut%s%s -", self ? "" : " ", verb->name));
+    fprintf(out, "\n");
     if (self) fprintf(out, "usage: wirecut VERB ... (wirecut VERB --help says more)\n");
     print_usage_line(out, verb);
     fprintf(out, "\n");
@@ -120,7 +128,7 @@ static void json_text(FILE *out, const char *key, const char *text) {
 }
 
 static void json_option(FILE *out, const app_option *o) {
-    static const char *const kind[] = {"", "flag", "text", "file", "folder", "int", "real", "choice"};
+    static const char *const kind[] = {"", "flag", "text", "effects", "file", "folder", "int", "real", "choice"};
     char letter[] = {o->letter, 0}, text[APP_STANDARD_SIZE];
     fputc('{', out);
     json_text(out, "name", o->name);

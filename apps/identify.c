@@ -111,6 +111,7 @@ static const app_option option[] = {
      .high = 2147483647,
      .standard = "1",
      .help = "seed of periods, phases and steps"},
+    APP_OPTION_FORCE_LAW,
     APP_OPTIONS_OF_ALL,
 };
 

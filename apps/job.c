@@ -23,6 +23,10 @@ static wcut_status change_job(const app_call *call, const char *path, wcut_job *
         const wcut_status status = wcut_job_resample(job, app_int(call, "stations"));
         if (status != WCUT_OK) return name_place(status, path, error);
     }
+    if (gives(call, "force-law")) {
+        const wcut_status status = wcut_job_read_force_law(job, app_text(call, "force-law"), error);
+        if (status != WCUT_OK) return name_place(status, app_text(call, "force-law"), error);
+    }
     if (!gives(call, "edges")) return WCUT_OK;
 
     /* only a design has edges */

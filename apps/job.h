@@ -23,6 +23,12 @@
         .help = "STEP, IGES, JSON or CSV file with two curves, which replace the edges of a design", \
     }
 
+#define APP_OPTION_FORCE_LAW                                                            \
+    {                                                                                   \
+        .kind = APP_FILE, .name = "force-law", .value = "FILE",                         \
+        .help = "the force and tension law of force_law.json, instead of the job's own" \
+    }
+
 /* Reads a job and applies the options above that the verb has and the call gives. A NULL call gives none. On failure
    *job is NULL and the error's text names the file. */
 wcut_status app_job_read(const app_call *call, const char *path, wcut_job **job, wcut_error *error);

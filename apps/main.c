@@ -59,19 +59,34 @@ static const app_verb *find_verb(const char *name) {
     return NULL;
 }
 
-static int refuse_verb(const char *name) {
+static int refuse_verb(int argc, char **argv) {
+    const char *name = argv[1];
     const char *names[sizeof app_verbs / sizeof *app_verbs] = {NULL};
     for (int i = 0; app_verbs[i]; i++) names[i] = app_verbs[i]->name;
     const char *near = app_suggest(name, names);
     if (near) return app_fail(APP_USAGE, "unknown verb \"%s\"; did you mean %s? (see wirecut --help)", name, near);
+    for (int k = 2; k < argc; k++)
+        if (find_verb(argv[k]))
+            return app_fail(APP_USAGE,
+                            "unknown verb \"%s\"; the verb comes first: wirecut %s ... (see wirecut %s --help)", name,
+                            argv[k], argv[k]);
     return app_fail(APP_USAGE, "unknown verb \"%s\" (see wirecut --help)", name);
+}
+
+/* wirecut help VERB is wirecut VERB --help */
+static int print_help(int argc, char **argv) {
+    const app_verb *verb = argc > 2 ? find_verb(argv[2]) : &app_self;
+    if (!verb) return refuse_verb(argc - 1, argv + 1);
+    app_print_help(stdout, verb);
+    return APP_DONE;
 }
 
 static int run_verb(int argc, char **argv) {
     const app_verb *verb = &app_self;
+    if (argc > 1 && strcmp(argv[1], "help") == 0) return print_help(argc, argv);
     if (argc > 1 && argv[1][0] != '-') {
         verb = find_verb(argv[1]);
-        if (!verb) return refuse_verb(argv[1]);
+        if (!verb) return refuse_verb(argc, argv);
         argc--, argv++;
     }
     app_call call;

@@ -13,6 +13,7 @@
 
 /* Sections nearer than a job's own rounding of its coordinates are one section. */
 #define MERGE_MM 1e-3
+#define FORMATS_KNOWN "stl,obj,ply,3mf,step"
 
 enum {
     RESULT_NAME_SIZE = 64,
@@ -185,11 +186,13 @@ static int write_halves(moulding *m) {
     wcut_error error = {0};
     for (int k = 0; k < HALF_FILES; k++) {
         const int upper = k / FORMATS, f = k % FORMATS;
+        if (!app_wants_format(m->call, format[f])) continue;
         if (f == STEP && m->mould->by_boolean) continue; /* triangles alone: there are no exact faces */
         const wcut_status status = write_half(m, upper, f, app_results_path(&m->results, m->name[k]), &error);
         const int code = app_results_add(&m->results, m->name[k], status, &error);
         if (code != APP_DONE) return code;
     }
+    if (!app_wants_format(m->call, "3mf")) return APP_DONE;
     const wcut_mesh *const both[2] = {m->mould->lower.mesh, m->mould->upper.mesh};
     const char *const name[2] = {m->solid[0], m->solid[1]};
     const wcut_status status = wcut_mesh_write_3mf(2, both, name, app_results_path(&m->results, m->name[PAIR]), &error);
@@ -290,7 +293,8 @@ static int give(const moulding *m) {
 
 static int mould(const app_call *call) {
     moulding m = {.call = call, .path = call->operand[0]};
-    int code = load(&m);
+    int code = app_check_formats(call, FORMATS_KNOWN);
+    if (code == APP_DONE) code = load(&m);
     if (code == APP_DONE) code = read_pull(app_text(call, "pull"), &m.pull);
     if (code == APP_DONE) code = name_results(&m);
     if (code == APP_DONE) code = app_results_begin(&m.results, app_text(call, "output"), m.result);
@@ -417,6 +421,8 @@ static const app_option option[] = {
      .name = "label",
      .value = "NAME",
      .help = "prefix of the file names, and name of the solids in place of the job's"},
+    APP_OPTION_FORMATS(FORMATS_KNOWN),
+    APP_OPTION_FORCE_LAW,
     APP_OPTIONS_OF_ALL,
 };
 

@@ -320,6 +320,7 @@ static const app_option option[] = {
     {.kind = APP_FLAG,
      .name = "strict",
      .help = "treat an exceeded limit as an error: nothing is written, the exit code is 5"},
+    APP_OPTION_FORCE_LAW,
     APP_OPTIONS_OF_ALL,
 };
 

@@ -94,6 +94,15 @@ static int list_recordings(scoring *s) {
 static int list_cuts(scoring *s) {
     char format[WCUT_FORMAT_SIZE];
     wcut_error error = {0};
+    const char *first = s->call->operand[0];
+    const size_t length = strlen(first);
+    for (int k = 1; k < s->call->operand_count && length > 4 && strcmp(first + length - 4, ".csv") == 0; k++) {
+        const char *ending = strrchr(s->call->operand[k], '.');
+        if (ending && strcmp(ending, ".json") == 0)
+            return app_fail(
+                APP_USAGE, "score: found the recording %s before %s, expected the job first: JOB.json RECORDING.csv...",
+                first, s->call->operand[k]);
+    }
     const wcut_status status = wcut_format_read(s->call->operand[0], format, &error);
     if (status != WCUT_OK) return app_fail_status(status, NULL, &error);
     if (strcmp(format, "wirecut-case/1") == 0) return list_cases(s);
@@ -433,6 +442,7 @@ static const app_option option[] = {
      .library = score_leave,
      .help = "time left out before the wire leaves the block, s"},
     APP_OPTION_NODES,
+    APP_OPTION_FORCE_LAW,
     APP_OPTIONS_OF_ALL,
 };
 

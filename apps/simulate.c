@@ -10,6 +10,7 @@
 
 /* Sections nearer than a job's own rounding of its coordinates are one section. */
 #define MERGE_MM 1e-3
+#define FORMATS "vtp,stl,obj,ply,glb,csv,step"
 
 /* What a run may leave in its folder, in the order written. */
 static const char *const result_name[] = {"history.vtp", "surface.stl",  "surface.obj", "surface.ply",  "surface.glb",
@@ -58,24 +59,28 @@ static int run(simulation *s) {
 static int write_history(simulation *s) {
     wcut_error error = {0};
     const char *name = "history.vtp";
+    if (!app_wants_format(s->call, "vtp")) return APP_DONE;
     wcut_status status = wcut_history_write_vtp(s->history, app_results_path(&s->results, name), &error);
     return app_results_add(&s->results, name, status, &error);
 }
 
+static wcut_status write_mesh_as(const wcut_mesh *mesh, int format, const char *path, wcut_error *error) {
+    if (format == 0) return wcut_mesh_write_stl(mesh, path, error);
+    if (format == 1) return wcut_mesh_write_obj(mesh, path, error);
+    if (format == 2) return wcut_mesh_write_ply(mesh, "force_N_per_mm", path, error);
+    return wcut_mesh_write_glb(mesh, path, error);
+}
+
 static int write_mesh(simulation *s, const wcut_mesh *mesh) {
-    wcut_error error = {0};
-    app_results *r = &s->results;
-    wcut_status status = wcut_mesh_write_stl(mesh, app_results_path(r, "surface.stl"), &error);
-    int code = app_results_add(r, "surface.stl", status, &error);
-    if (code != APP_DONE) return code;
-    status = wcut_mesh_write_obj(mesh, app_results_path(r, "surface.obj"), &error);
-    code = app_results_add(r, "surface.obj", status, &error);
-    if (code != APP_DONE) return code;
-    status = wcut_mesh_write_ply(mesh, "force_N_per_mm", app_results_path(r, "surface.ply"), &error);
-    code = app_results_add(r, "surface.ply", status, &error);
-    if (code != APP_DONE) return code;
-    status = wcut_mesh_write_glb(mesh, app_results_path(r, "surface.glb"), &error);
-    return app_results_add(r, "surface.glb", status, &error);
+    static const char *const name[] = {"surface.stl", "surface.obj", "surface.ply", "surface.glb"};
+    int code = APP_DONE;
+    for (int k = 0; k < 4 && code == APP_DONE; k++) {
+        wcut_error error = {0};
+        if (!app_wants_format(s->call, strrchr(name[k], '.') + 1)) continue;
+        const wcut_status status = write_mesh_as(mesh, k, app_results_path(&s->results, name[k]), &error);
+        code = app_results_add(&s->results, name[k], status, &error);
+    }
+    return code;
 }
 
 /* Loft the stations, triangulate, colour by the force on the wire. */
@@ -122,6 +127,7 @@ static wcut_status make_path(int count, const wcut_vec3 *mount, wcut_curve **cur
 static int write_step(simulation *s, const wcut_vec3 *mount_a, const wcut_vec3 *mount_b) {
     wcut_error error = {0};
     const char *name = "surface.step";
+    if (!app_wants_format(s->call, "step")) return APP_DONE;
     wcut_curve *a = NULL, *b = NULL;
     wcut_status status = make_path(s->history->stations, mount_a, &a);
     if (status == WCUT_OK) status = make_path(s->history->stations, mount_b, &b);
@@ -149,8 +155,11 @@ static int write_path(simulation *s) {
     if (status != WCUT_OK) {
         code = app_fail_status(status, s->path, &error);
     } else {
-        status = wcut_history_write_csv(h, mount_a, mount_b, app_results_path(&s->results, "path.csv"), &error);
-        code = app_results_add(&s->results, "path.csv", status, &error);
+        code = APP_DONE;
+        if (app_wants_format(s->call, "csv")) {
+            status = wcut_history_write_csv(h, mount_a, mount_b, app_results_path(&s->results, "path.csv"), &error);
+            code = app_results_add(&s->results, "path.csv", status, &error);
+        }
         if (code == APP_DONE) code = write_step(s, mount_a, mount_b);
     }
     free(mount_b);
@@ -216,7 +225,8 @@ static int give_summary(const simulation *s) {
 
 static int simulate(const app_call *call) {
     simulation s = {.call = call, .path = call->operand[0]};
-    int ended = APP_DONE, code = load(&s);
+    int ended = APP_DONE, code = app_check_formats(call, FORMATS);
+    if (code == APP_DONE) code = load(&s);
     if (code == APP_DONE) code = app_results_begin(&s.results, app_text(call, "output"), result_name);
     if (code == APP_DONE) {
         app_catch_interrupts();
@@ -262,6 +272,8 @@ static const app_option option[] = {
      .high = 1e3,
      .library = simulate_chord_tolerance,
      .help = "largest distance between triangles and surface, mm"},
+    APP_OPTION_FORMATS(FORMATS),
+    APP_OPTION_FORCE_LAW,
     APP_OPTIONS_OF_ALL,
 };
 

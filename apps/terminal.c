@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -15,7 +16,9 @@
 enum {
     LINE_MAX_BYTES = 6000, /* a path of PATH_MAX and a library's error text */
     ESCAPE_MAX = 10,       /* "\U0010FFFF" and its end */
-    BAR_WIDTH = 30
+    BAR_WIDTH = 30,
+    BAR_WORDS = 46, /* "[] 1000000/1000000 stations 100 % 100000 s left" */
+    WIDTH_MIN = 40
 };
 #define REDRAW_S 0.1 /* more often only flickers */
 
@@ -139,6 +142,12 @@ static double seconds(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+int app_terminal_width(int fd, int without) {
+    struct winsize size;
+    if (!isatty(fd) || ioctl(fd, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return without;
+    return size.ws_col < WIDTH_MIN ? WIDTH_MIN : size.ws_col;
+}
+
 app_progress app_progress_begin(bool quiet) {
     const char *terminal = getenv("TERM"), *no_color = getenv("NO_COLOR");
     bool plain = (no_color && *no_color) || !terminal || !*terminal || strcmp(terminal, "dumb") == 0;
@@ -150,9 +159,13 @@ int app_progress_step(int station, int stations, void *context) {
     double now = seconds();
     if (p->visible && stations > 0 && now - p->drawn >= REDRAW_S) {
         double done = (double)(station + 1) / stations, left = (now - p->begun) * (1 - done) / done;
+
+        /* a line that is broken by a narrow terminal cannot be drawn over */
         char bar[BAR_WIDTH + 1];
-        for (int i = 0; i < BAR_WIDTH; i++) bar[i] = i < done * BAR_WIDTH ? '#' : '.';
-        bar[BAR_WIDTH] = 0;
+        const int room = app_terminal_width(STDERR_FILENO, BAR_WIDTH + BAR_WORDS) - BAR_WORDS;
+        const int width = room < BAR_WIDTH ? room > 0 ? room : 0 : BAR_WIDTH;
+        for (int i = 0; i < width; i++) bar[i] = i < done * width ? '#' : '.';
+        bar[width] = 0;
         fprintf(stderr, "\r[%s] %d/%d %s %3.0f %% %.0f s left\033[K", bar, station + 1, stations, p->unit, 100 * done,
                 left);
         p->drawn = now;

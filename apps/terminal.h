@@ -31,6 +31,9 @@ typedef struct app_progress {
 
 app_progress app_progress_begin(bool quiet);
 
+/* The columns of the terminal behind a descriptor, from 40; `without` where there is none. */
+int app_terminal_width(int fd, int without);
+
 /* A wcut_progress; context is an app_progress. Asks to stop once interrupted. */
 int app_progress_step(int station, int stations, void *context);
 

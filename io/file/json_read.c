@@ -1,6 +1,7 @@
 /* JSON in: walk a text by tables of its keys, and say by JSON path what was found and what was expected. */
 #include "io/file/json_read.h"
 
+#include <errno.h>
 #include <locale.h>
 #include <math.h>
 #include <stdarg.h>
@@ -24,12 +25,14 @@ json_t *wcut_json_load(wcut_reader *reader, const char *text, size_t length) {
         text += 3, length -= 3; /* a byte order mark may be there */
     /* integers as doubles, so that 20 digits are no overflow; jansson's strtod follows the locale, so it gets "C" */
     locale_t before = wcut_locale_plain();
+    errno = 0;
     json_t *root = json_loadb(text, length, JSON_REJECT_DUPLICATES | JSON_DECODE_INT_AS_REAL, &where);
+    const int code = errno;
     wcut_locale_restore(before);
     if (root) return root;
     wcut_quote(label, reader->label, WCUT_LABEL_MAX, 1);
-    /* jansson has no cause for some of its failed allocations */
-    if (where.text[0] == '\0' || json_error_code(&where) == json_error_out_of_memory)
+    /* jansson has no cause for some of its failed allocations, and calls others an invalid token */
+    if (code == ENOMEM || where.text[0] == '\0' || json_error_code(&where) == json_error_out_of_memory)
         return wcut_refuse_memory(reader), NULL;
     bool nul = json_error_code(&where) == json_error_null_character;
     reader->status =

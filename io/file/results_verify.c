@@ -67,9 +67,12 @@ static wcut_status load_voucher(const char *folder, const char *name, json_t **r
 
     /* a pipe that is called so is no voucher, and nobody shall wait for it */
     const int fd = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    errno = 0;
     if (fd >= 0 && fstat(fd, &s) == 0 && S_ISREG(s.st_mode)) *root = json_loadfd(fd, JSON_REJECT_DUPLICATES, &cause);
+    const int code = errno;
     if (fd >= 0) close(fd);
     wcut_free(path);
+    if (!*root && code == ENOMEM) return WCUT_NO_MEMORY;
     if (!*root) return json_error_code(&cause) == json_error_out_of_memory ? WCUT_NO_MEMORY : WCUT_OK;
     *hashes = json_object_get(*root, "sha256");
     if (json_is_object(*hashes) && json_is_array(json_object_get(*root, "files"))) return WCUT_OK;

@@ -63,7 +63,7 @@ static bool read_wire(wcut_reader *reader, const wcut_place *at, void *job) {
     return true;
 }
 
-static bool read_force_law(wcut_reader *reader, const wcut_place *at, void *law) {
+bool wcut_read_force_law(wcut_reader *reader, const wcut_place *at, void *law) {
     static const wcut_field fields[] = {
         IN(wcut_force_law, a, "a_N_per_mm", true, wcut_read_positive),
         IN(wcut_force_law, b, "b_m2_per_J", true, wcut_read_positive),
@@ -71,7 +71,7 @@ static bool read_force_law(wcut_reader *reader, const wcut_place *at, void *law)
     return READ_OBJECT(fields, law);
 }
 
-static bool read_tension_law(wcut_reader *reader, const wcut_place *at, void *law) {
+bool wcut_read_tension_law(wcut_reader *reader, const wcut_place *at, void *law) {
     static const wcut_field fields[] = {
         IN(wcut_tension_law, a, "a_N_per_mm", true, wcut_read_positive),
         IN(wcut_tension_law, b, "b_m2_per_J", true, wcut_read_positive),
@@ -84,8 +84,8 @@ static bool read_process(wcut_reader *reader, const wcut_place *at, void *job) {
     static const wcut_field fields[] = {
         IN_JOB(heat, "heat_W_per_m", true, wcut_read_positive),
         IN_JOB(tension, "tension_N", true, wcut_read_positive),
-        IN_JOB(force_law, "force_law", true, read_force_law),
-        IN_JOB(tension_law, "tension_law", false, read_tension_law),
+        IN_JOB(force_law, "force_law", true, wcut_read_force_law),
+        IN_JOB(tension_law, "tension_law", false, wcut_read_tension_law),
     };
     return READ_OBJECT(fields, job);
 }

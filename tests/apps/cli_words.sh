@@ -30,6 +30,8 @@ for verb in [usage["command"]] + usage["verbs"]:
 # a long option means the same in every verb: the same kind of value, the same letter
 for option in {option["name"] for verb in usage["verbs"] for option in verb["options"]}:
     found = {(o["kind"], o["letter"]) for verb in usage["verbs"] for o in verb["options"] if o["name"] == option}
+    if option == "output":  # where results go: a folder, or the one file of apply
+        found = {letter for kind, letter in found if kind in ("folder", "text")}
     assert len(found) == 1, (option, found)
 END
 

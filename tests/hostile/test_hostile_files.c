@@ -154,6 +154,18 @@ HOSTILE(wcut_results_verify) {
 
 HOSTILE_VALUE(wcut_verification_destroy, NULL)
 
+HOSTILE(wcut_job_read_force_law) {
+    wcut_job *job = NULL;
+    write_file(
+        "law.json",
+        "{\"format\": \"wirecut-force-law/1\", \"process\": {\"force_law\": {\"a_N_per_mm\": 0.1, \"b_m2_per_J\": "
+        "8e-4}}}");
+    ck_assert_int_eq(wcut_job_read("job.json", &job, NULL), WCUT_OK);
+    for (hostile_begin(); hostile_next();) wcut_job_read_force_law(PTR(job), PTR("law.json"), ERR);
+    hostile_end("wcut_job_read_force_law");
+    wcut_job_destroy(job);
+}
+
 HOSTILE(wcut_job_read_edges) {
     wcut_job *job = NULL;
     write_file("design.json", given_design_job);

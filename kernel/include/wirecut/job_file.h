@@ -32,6 +32,16 @@ WCUT_API wcut_status wcut_job_read(const char *path, wcut_job **job, wcut_error 
 WCUT_API wcut_status wcut_job_write(const wcut_job *job, const char *path, wcut_error *error);
 
 /**
+ * Take the process laws of a calibration, `force_law.json` of wcut_force_law_print, in the place of the job's own.
+ *
+ * @param[in,out] job
+ * @param[in]     path  the file; a tension law that it does not have leaves the job without one
+ * @param[out]    error may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_BAD_FORMAT, WCUT_NOT_FOUND, WCUT_NO_MEMORY: the job is as it was.
+ */
+WCUT_API wcut_status wcut_job_read_force_law(wcut_job *job, const char *path, wcut_error *error);
+
+/**
  * Take the two edges of a design from a file of curves, as a CAD program writes it: STEP, IGES, JSON or CSV
  * (wcut_curve_set_read). The curve of lower x becomes that of mount A, and either runs with the feed, turned if need be.
  *
