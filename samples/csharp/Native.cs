@@ -1921,6 +1921,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern double wcut_job_pace_eval(wcut_job* a0, double a1);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_job_read(byte* a0, wcut_job** a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_job_read_edges(wcut_job* a0, byte* a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_job_read_force_law(wcut_job* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_job_resample(wcut_job* a0, int a1);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_job_write(wcut_job* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_keys_at_corners(wcut_vec3 a0, double a1, double a2, wcut_key* a3);
