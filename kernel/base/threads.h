@@ -2,10 +2,11 @@
 #ifndef WCUT_BASE_THREADS_H
 #define WCUT_BASE_THREADS_H
 
-/* libgomp ends the process where it cannot start the threads asked for, and a caller may ask for INT_MAX. No result
-   depends on the number. */
 enum { WCUT_THREADS_MAX = 256 };
 
-static inline int wcut_threads(int asked) { return asked < WCUT_THREADS_MAX ? asked : WCUT_THREADS_MAX; }
+/* How many of the threads asked for there can be now, from 1 to WCUT_THREADS_MAX; no result depends on the number. libgomp
+   ends the process where it cannot start a thread, so those that the calling thread's team does not have yet are started
+   here first, and ended. To be called in num_threads(..) of a parallel loop alone. */
+int wcut_threads(int asked);
 
 #endif

@@ -7,6 +7,7 @@
 #include "base/distribution.h"
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "base/threads.h"
 #include "base/vec3.h"
 #include "foam/empirical.h"
 
@@ -128,7 +129,7 @@ static wcut_status entry_column(searching *g, int k, const wcut_response *d, dou
 static wcut_status drive_all(const wcut_evidence *e, const wcut_model *model, wcut_response *d, wcut_error *error) {
     wcut_error *failed = wcut_alloc((size_t)e->cuts, sizeof *failed);
     if (!failed) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d cuts", e->cuts);
-#pragma omp parallel for num_threads(e->threads) schedule(dynamic, 1)
+#pragma omp parallel for num_threads(wcut_threads(e->threads)) schedule(dynamic, 1)
     for (int k = 0; k < e->cuts; k++) {
         if (e->cut[k].bins == 0) continue;
         wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
