@@ -281,6 +281,21 @@ static void put_hypothesis(wcut_text *text, const wcut_hypothesis *h) {
     put(text, "}");
 }
 
+/* a row of the rig's table */
+static void put_rig(wcut_text *text, const wcut_rig_row *row) {
+    put_string(text, "{\"name\": ", row->name);
+    put_number(text, ", \"value\": ", row->value.value);
+    put_pair(text, ", \"ci95\": [", row->value.low, row->value.high);
+    put(text, ", \"cuts\": [");
+    for (int k = 0; k < row->cuts; k++) {
+        wcut_text_print(text, "%s{\"cut\": %d", k ? ", " : "", row->cut[k]);
+        put_number(text, ", \"value\": ", row->of_cut[k].value);
+        put_pair(text, ", \"ci95\": [", row->of_cut[k].low, row->of_cut[k].high);
+        put(text, "}");
+    }
+    put(text, "]}");
+}
+
 static void put_dependence(wcut_text *text, const wcut_dependence *x) {
     put_string(text, "{\"quantity\": ", x->quantity);
     wcut_text_print(text, ", \"channel\": \"%s\"", wcut_evidence_name(x->channel));
@@ -361,6 +376,11 @@ static void put_weighed(wcut_text *text, const wcut_diagnosis *d) {
     }
     put(text, "],\n  \"limits\": [");
     for (int i = 0; i < d->limits; i++) put_string(text, i ? ",\n    " : "\n    ", d->limit[i]);
+    put(text, "],\n  \"rig\": [");
+    for (int i = 0; i < d->rig_rows; i++) {
+        put(text, i ? ",\n    " : "\n    ");
+        put_rig(text, &d->rig[i]);
+    }
     put_number(text, "],\n  \"adequacy\": {\"ratio\": ", d->adequacy);
     put_number(text, ", \"p_value\": ", d->adequacy_p);
     put(text, "},\n  \"noise\": {");
@@ -401,9 +421,10 @@ static bool is_effect(const wcut_effect *effect) {
 /* whether every count has its array and every effect is one */
 static bool is_whole(const wcut_diagnosis *d) {
     if ((unsigned)d->kind >= WCUT_VERDICT_COUNT || d->effects < 0 || d->effects > WCUT_DIAGNOSIS_EFFECTS) return false;
-    if (d->hypotheses < 0 || d->mismatches < 0 || d->dependences < 0 || d->limits < 0 || d->cuts < 0) return false;
+    if (d->hypotheses < 0 || d->mismatches < 0 || d->dependences < 0 || d->limits < 0 || d->cuts < 0 || d->rig_rows < 0)
+        return false;
     if ((d->hypotheses && !d->hypothesis) || (d->mismatches && !d->mismatch) || (d->dependences && !d->dependence) ||
-        (d->limits && !d->limit))
+        (d->limits && !d->limit) || (d->rig_rows && !d->rig))
         return false;
     for (int e = 0; e < d->effects; e++)
         if (!is_effect(&d->effect[e].effect)) return false;

@@ -26,6 +26,26 @@ static double drift_at(const wcut_effect *e, double time) {
     return e->value[1] > 0 ? -e->value[0] * expm1(-time / e->value[1]) : e->value[0] * time / 100;
 }
 
+/* what a joint with friction shows: it follows once the angle has left its play (Prandtl 1928) */
+static void hold_angles(const wcut_effect *e, const span *s, double *const value[WCUT_SENSED_COUNT]) {
+    const double half = e->value[0] * WCUT_PI / 180;
+    for (int k = WCUT_SENSED_ALPHA_A; k < WCUT_SENSED_COUNT; k++) {
+        double *angle = value[k], shown = 0;
+        bool begun = false;
+        for (int i = 0; angle && i < s->samples; i++) {
+            if (!is_there(s, i)) continue;
+            shown = begun ? clamp(shown, angle[i] - half, angle[i] + half) : angle[i];
+            angle[i] = shown, begun = true;
+        }
+    }
+}
+
+static void scale_angle(const wcut_effect *e, const span *s, double *const value[WCUT_SENSED_COUNT]) {
+    double *angle = value[WCUT_SENSED_ALPHA_A + e->choice];
+    for (int i = 0; angle && i < s->samples; i++)
+        if (is_there(s, i)) angle[i] *= 1 + e->value[0];
+}
+
 static void spoil_tension(const wcut_effect *e, const span *s, double *const value[WCUT_SENSED_COUNT]) {
     for (int mount = 0; mount < 2; mount++) {
         double *tension = value[WCUT_SENSED_TENSION_A + mount];
@@ -34,6 +54,8 @@ static void spoil_tension(const wcut_effect *e, const span *s, double *const val
             if (!is_there(s, i)) continue;
             if (e->kind == WCUT_EFFECT_TENSION_GAIN)
                 tension[i] *= 1 + e->value[0];
+            else if (e->kind == WCUT_EFFECT_TENSION_ZERO)
+                tension[i] += e->value[0];
             else
                 tension[i] += drift_at(e, s->time[i] - s->time[0]);
         }
@@ -66,7 +88,8 @@ static void shift(const span *s, double delay, double *t, double *y, double *val
 static wcut_status delay_clock(const wcut_effect *e, const span *s, double *const value[WCUT_SENSED_COUNT]) {
     double *work = wcut_alloc((size_t)s->samples, 2 * sizeof *work);
     if (!work) return WCUT_NO_MEMORY;
-    for (int k = WCUT_SENSED_TENSION_A; k < WCUT_SENSED_COUNT; k++)
+    const int end = e->kind == WCUT_EFFECT_TENSION_DELAY ? WCUT_SENSED_ALPHA_A : WCUT_SENSED_COUNT;
+    for (int k = WCUT_SENSED_TENSION_A; k < end; k++)
         if (value[k]) shift(s, e->value[0], work, work + s->samples, value[k]);
     wcut_free(work);
     return WCUT_OK;
@@ -79,17 +102,22 @@ wcut_status wcut_sensors_eval(int count, const wcut_effect *effect, int samples,
     for (int i = 0; i < samples; i++)
         if (!isfinite(time[i]) || (i > 0 && !(time[i] > time[i - 1]))) return WCUT_BAD_ARGUMENT;
     const span s = {samples, time, present};
-    /* the clock first: it alone needs memory, and its order with what is constant or grows slowly does not matter */
+    /* the delays first: they alone need memory, and their order with what is constant or grows slowly does not matter */
     for (int e = 0; e < count; e++) {
-        if (effect[e].kind != WCUT_EFFECT_CLOCK_OFFSET || wcut_effect_is_neutral(&effect[e])) continue;
+        if (effect[e].kind != WCUT_EFFECT_CLOCK_OFFSET && effect[e].kind != WCUT_EFFECT_TENSION_DELAY) continue;
+        if (wcut_effect_is_neutral(&effect[e])) continue;
         const wcut_status status = delay_clock(&effect[e], &s, value);
         if (status != WCUT_OK) return status;
     }
+    for (int e = 0; e < count; e++)
+        if (effect[e].kind == WCUT_EFFECT_ENCODER_FRICTION) hold_angles(&effect[e], &s, value);
     for (int e = 0; e < count; e++) {
         if (wcut_effect_is_neutral(&effect[e])) continue;
         if (effect[e].kind == WCUT_EFFECT_EMPIRICAL_READING) add_reading(&effect[e], &s, value);
+        if (effect[e].kind == WCUT_EFFECT_ANGLE_GAIN) scale_angle(&effect[e], &s, value);
         if (effect[e].kind == WCUT_EFFECT_ANGLE_OFFSET) offset_angle(&effect[e], &s, value);
-        if (effect[e].kind == WCUT_EFFECT_TENSION_GAIN || effect[e].kind == WCUT_EFFECT_TENSION_DRIFT)
+        if (effect[e].kind == WCUT_EFFECT_TENSION_GAIN || effect[e].kind == WCUT_EFFECT_TENSION_DRIFT ||
+            effect[e].kind == WCUT_EFFECT_TENSION_ZERO)
             spoil_tension(&effect[e], &s, value);
     }
     return WCUT_OK;

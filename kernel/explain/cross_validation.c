@@ -198,9 +198,12 @@ static wcut_status forecast_cut(const wcut_evidence *e, int cut, const subject *
 
 /* ---- all cuts under all models ---- */
 
+/* [mm] registration of a scan */
+#define SCAN_SHIFT 0.25
+
 /* mean of what scans but those of cut `but` lie below a forecast without kerf, with the prior of the fit */
 static double other_kerf(const wcut_evidence *e, int but, const double *distance, const double *face) {
-    const double own = 1 / (WCUT_KERF_SPREAD * WCUT_KERF_SPREAD), other = 1 / (4 * WCUT_SCAN_SHIFT * WCUT_SCAN_SHIFT);
+    const double own = 1 / (WCUT_KERF_SPREAD * WCUT_KERF_SPREAD), other = 1 / (4 * SCAN_SHIFT * SCAN_SHIFT);
     double sum = own * WCUT_KERF, weight = own;
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];

@@ -5,54 +5,89 @@
 
 #include "base/numbers.h"
 
-/* A model is adequate where what it leaves over four seconds is what sensors alone leave. The whitening takes a quarter
-   of the noise's variance to be slow; sensors with three times as much come to these mean squares: over all channels,
-   in what both tensions share, in the worst of some thirty channels, and in a scan's patches. */
-#define SLOW_MOST 2.2
-#define COMMON_MOST 4.0
-#define WORST_MOST 8.0
-#define PATCHES_MOST 1.8
+/* A model is adequate where what it leaves over four seconds is what noise and the scatter of a rig leave: over all channels,
+   in what both tensions share (mounts beside their path move both), in the worst of some thirty channels, in a scan's
+   patches, and in the largest single window of four seconds of some two thousand. Nulls of the second laboratory leave 1.7,
+   4.2, 5.6, 1.9 at most. */
+#define SLOW_MAX 2.2
+#define COMMON_MAX 5.0
+#define WORST_MAX 8.0
+#define PATCHES_MAX 2.2
+#define PEAK_MAX 60.0
+/* misfit over the number of rows, under the noise that the saturated model leaves: more, and there is something that no
+   scatter has taken; nulls have 0.85 to 1.11 */
+#define MISFIT_MAX 1.15
+/* with fewer cuts the saturated model takes scatter for effects, and its noise is too small */
+enum { MISFIT_CUTS = 5 };
 
 /* gains below this are within chance over the whole library: the 0.999 quantile of chi-square (2) over 200 columns, twice
    over since neighbours in time are not quite independent */
-#define GAIN_LEAST 50.0
-/* a scan's own registration is known by its prior alone */
-#define GAIN_SCAN 60.0
+#define GAIN_MIN 50.0
+/* what is below its gate of practical size is named only where it cannot be the simulator's own error */
+#define GAIN_SMALL 300.0
+/* what moves scans alone: a shift that all scans have in common against one of each */
+#define GAIN_SCAN 25.0
+/* of the fall of the misfit, the part that cuts which were not fitted must show: right names show 0.94 and more, an
+   impostor that takes what belongs to another shows a tenth */
+#define HELD_OUT_MIN 0.5
 /* a second effect must fall below the misfit by more than the simulator's own error makes of the first: 2 % */
 #define MODEL_ERROR 0.02
+/* a second effect on the force takes what another form of the first leaves: a tenth of what the first explains */
+#define FORM_ERROR 0.1
 /* rivals within so much of the best score explain it equally */
 #define RIVAL 12.0
+/* a pair of which neither is named alone, and the part of the misfit beyond noise that it must take */
+#define GAIN_PAIR 100.0
+#define PAIR_TAKES 0.7
+/* the part of what the first leaves beyond noise that a second must take: on the force, where what is left may be another
+   form of the first; on sensors and scans */
+#define SECOND_TAKES 0.55
+#define SENSOR_TAKES 0.3
+/* of the bounds of the scatter */
+#define PLAUSIBLE 0.95
+/* [s] late readings beside which nothing is wrong */
+#define DELAY_MAX 0.5
 /* price of a coordinate in units of cost */
 #define PRICE 4.0
-/* of an inadequate model: the part of the slow misfit it must take away to be named all the same, and what it may leave
-   at most: more, and it is the next best of what is not in the library */
-#define TAKES_AWAY 0.85
-#define LEAVES_MOST 2.0
+/* an effect of another form: the part of the misfit beyond noise that it takes, and how far it leads the next kind */
+#define FORM_TAKES 0.5
+/* a value at its bound is a form that is not the library's: it must take this part all the same */
+#define BOUND_TAKES 0.85
+#define FORM_LEADS 1.3
 
-static double excess(const wcut_residual_stats *left) {
-    return fmax(left->slow - 1.1, 0) + fmax(left->common - 1.5, 0) / 3 + fmax(left->patches - 1.1, 0);
+/* whether the scatter of a fit is that of a rig: not at the end of what blocks, wires and sensors differ by */
+static bool is_plausible(const wcut_fitted *f) {
+    for (int k = 0; k < WCUT_SCATTER_COUNT; k++)
+        if (f->noise.scatter[k] > PLAUSIBLE * wcut_scatter_view((wcut_scatter_kind)k)->most) return false;
+    return true;
 }
 
-static bool is_adequate(const wcut_residual_stats *left) {
-    return left->slow <= SLOW_MOST && left->common <= COMMON_MOST && left->worst <= WORST_MOST &&
-           left->patches <= PATCHES_MOST;
+static bool is_adequate(const wcut_search *s, const wcut_fitted *f, const wcut_residual_stats *left) {
+    return left->slow <= SLOW_MAX && left->common <= COMMON_MAX && left->worst <= WORST_MAX &&
+           left->patches <= PATCHES_MAX && left->peak <= PEAK_MAX &&
+           (s->cuts < MISFIT_CUTS || f->misfit <= MISFIT_MAX * s->rows) && is_plausible(f);
 }
 
-/* the size of chance: slow misfit of the best of all fits, one at least */
-static double chance(const wcut_search *s) {
-    double least = s->left.slow;
-    for (int k = 0; k < s->count; k++) least = fmin(least, s->candidate[k].left.slow);
-    return clamp(least, 1, 3);
+/* whether recalibration, with the delay of late readings, leaves noise and scatter alone */
+static bool is_null(const wcut_search *s) { return is_adequate(s, wcut_search_base(s), &s->left); }
+
+bool wcut_search_explains_delay(const wcut_search *s, int candidate) {
+    const wcut_candidate *c = &s->candidate[candidate];
+    return c->gain > GAIN_MIN && c->fit.model.effect[0].value[0] < DELAY_MAX && is_adequate(s, &c->fit, &c->left);
+}
+
+static bool leaves_noise(const wcut_search *s, int candidate) {
+    return is_adequate(s, &s->candidate[candidate].fit, &s->candidate[candidate].left);
 }
 
 double wcut_candidate_score(const wcut_search *s, int candidate) {
     if (candidate < 0) return 0;
     const wcut_candidate *c = &s->candidate[candidate];
-    return c->gain / chance(s) - PRICE * c->fit.count;
+    return c->gain - PRICE * (c->fit.count - wcut_search_base(s)->count);
 }
 
-static bool moves_scans_alone(const wcut_candidate *c) {
-    for (int k = 0; k < c->fit.model.effects; k++) {
+static bool moves_scans_alone(const wcut_candidate *c, int from) {
+    for (int k = from; k < c->fit.model.effects; k++) {
         const wcut_effect_place place = wcut_effect_view(c->fit.model.effect[k].kind)->place;
         if (place == WCUT_EFFECT_PLACE_STEP || place == WCUT_EFFECT_PLACE_SENSOR) return false;
     }
@@ -60,8 +95,8 @@ static bool moves_scans_alone(const wcut_candidate *c) {
 }
 
 /* every strength two standard errors off its neutral; a shape beside it widens them, and the gain speaks for both */
-static bool is_significant(const wcut_candidate *c, double allowance) {
-    for (int e = 0; e < c->fit.model.effects; e++) {
+static bool is_significant(const wcut_candidate *c, int from) {
+    for (int e = from; e < c->fit.model.effects; e++) {
         double best = 0;
         const wcut_effect *effect = &c->fit.model.effect[e];
         const int strengths = wcut_effect_view(effect->kind)->strengths;
@@ -70,7 +105,7 @@ static bool is_significant(const wcut_candidate *c, double allowance) {
             const double neutral = c->fit.coordinate[k].at == 0 ? wcut_explanation_neutral(effect->kind) : 0;
             best = fmax(best, fabs(c->fit.x[WCUT_BASE + k] - neutral) / c->fit.error[WCUT_BASE + k]);
         }
-        if (best < 2 * allowance) return false;
+        if (best < 2) return false;
     }
     return true;
 }
@@ -85,28 +120,74 @@ static bool runs_out(const wcut_candidate *c) {
     return false;
 }
 
-static bool may_be_named(const wcut_search *s, int candidate) {
+/* whether it takes half of the misfit beyond noise: less is the next best of what is not in the library */
+static bool takes_most(const wcut_search *s, int candidate) {
+    return s->candidate[candidate].fall >= FORM_TAKES * (wcut_search_base(s)->misfit - s->rows);
+}
+
+/* why a candidate cannot be named; NULL where it can */
+static const char *objection(const wcut_search *s, int candidate) {
     const wcut_candidate *c = &s->candidate[candidate];
-    const double gain = c->gain / chance(s);
-    if (c->second_size < 1 || !is_significant(c, sqrt(chance(s))) || runs_out(c)) return false;
-    if (moves_scans_alone(c)) return gain > GAIN_SCAN;
-    return gain > GAIN_LEAST && c->held_out > 0 && 2 * c->better > c->judged;
+    const bool small = c->second_size < 1, scans = moves_scans_alone(c, wcut_search_base(s)->model.effects);
+    if (c->gain < (small ? GAIN_SMALL : scans ? GAIN_SCAN : GAIN_MIN))
+        return small ? (c->effects > 1 ? "one of the two is too small to be told" : "too small to be told")
+                     : "no more than chance";
+    if (!is_significant(c, wcut_search_base(s)->model.effects)) return "not told from nothing";
+    const double beyond = wcut_search_base(s)->misfit - s->rows;
+    if (runs_out(c) && c->fall < BOUND_TAKES * beyond) return "a value ends at the bound of its range";
+    if (scans) return NULL;
+    if (c->held_out < HELD_OUT_MIN * c->fall) return "does not hold on cuts that were not fitted";
+    if (2 * c->better <= c->judged) return "holds on half of the cuts or fewer";
+    if (!takes_most(s, candidate)) return "leaves most of the misfit";
+    return NULL;
+}
+
+static bool may_be_named(const wcut_search *s, int candidate) { return objection(s, candidate) == NULL; }
+
+/* whether an effect that cannot be named explains more than a candidate: then that one takes what is not its own */
+static bool is_outdone(const wcut_search *s, int candidate) {
+    const wcut_candidate *c = &s->candidate[candidate];
+    const int base = wcut_search_base(s)->model.effects;
+    if (moves_scans_alone(c, base)) return false; /* what explains recordings takes nothing from scans */
+    for (int k = 0; k < s->count; k++) {
+        const wcut_candidate *other = &s->candidate[k];
+        if (k == candidate || other->effects != c->effects || other->second_size >= 1) continue;
+        if (!may_be_named(s, k) && !moves_scans_alone(other, base) &&
+            wcut_candidate_score(s, k) > wcut_candidate_score(s, candidate))
+            return true;
+    }
+    return false;
 }
 
 static int best_of(const wcut_search *s, int effects) {
     int best = -1;
     for (int k = 0; k < s->count; k++)
-        if (s->candidate[k].effects == effects && may_be_named(s, k) &&
-            (best < 0 || wcut_candidate_score(s, k) > wcut_candidate_score(s, best)))
+        if (k != s->delayed && k != s->undelayed && s->candidate[k].effects == effects && may_be_named(s, k) &&
+            !is_outdone(s, k) && (best < 0 || wcut_candidate_score(s, k) > wcut_candidate_score(s, best)))
             best = k;
     return best;
 }
 
 /* whether a pair says more than its better half */
 static bool second_counts(const wcut_search *s, int pair, int single) {
-    if (single < 0) return true;
-    const double first = s->candidate[single].gain / chance(s);
-    return wcut_candidate_score(s, pair) - wcut_candidate_score(s, single) > fmax(GAIN_LEAST, MODEL_ERROR * first);
+    const double noise = s->rows, paired = s->candidate[pair].fit.misfit;
+    if (single < 0) {
+        const double beyond = wcut_search_base(s)->misfit - noise;
+        return !is_null(s) && s->candidate[pair].gain > GAIN_PAIR && s->candidate[pair].fall > PAIR_TAKES * beyond;
+    }
+    const wcut_model *one = &s->candidate[single].fit.model, *both = &s->candidate[pair].fit.model;
+    const double first = s->candidate[single].gain;
+    bool off_the_force = true;
+    for (int k = 0; k < both->effects; k++) {
+        const wcut_effect_place place = wcut_effect_view(both->effect[k].kind)->place;
+        bool known = false;
+        for (int j = 0; j < one->effects; j++) known = known || both->effect[k].kind == one->effect[j].kind;
+        off_the_force = off_the_force && (known || place != WCUT_EFFECT_PLACE_STEP);
+    }
+    const double takes = s->candidate[single].fit.misfit - paired, leaves = s->candidate[single].fit.misfit - noise;
+    if (takes < (off_the_force ? SENSOR_TAKES : SECOND_TAKES) * leaves) return false;
+    const double error = off_the_force ? MODEL_ERROR : FORM_ERROR;
+    return wcut_candidate_score(s, pair) - wcut_candidate_score(s, single) > fmax(GAIN_MIN, error * first);
 }
 
 static wcut_verdict_kind kind_of(const wcut_model *m) {
@@ -133,74 +214,105 @@ static void list_rivals(const wcut_search *s, wcut_decision *d) {
     d->rival[d->rivals++] = d->chosen;
     for (int k = 0; k < s->count && d->rivals < WCUT_RIVALS; k++) {
         const wcut_candidate *c = &s->candidate[k];
-        if (k == d->chosen || c->effects != best->effects || !may_be_named(s, k)) continue;
+        if (k == d->chosen || k == s->delayed || k == s->undelayed || c->effects != best->effects ||
+            !may_be_named(s, k))
+            continue;
         bool listed = false;
         for (int r = 0; r < d->rivals; r++)
             listed = listed || same_kinds(&c->fit.model, &s->candidate[d->rival[r]].fit.model);
         const double behind = wcut_candidate_score(s, d->chosen) - wcut_candidate_score(s, k);
-        if (!listed && behind < RIVAL + 0.01 * best->gain / chance(s)) d->rival[d->rivals++] = k;
+        if (!listed && behind < RIVAL + 0.01 * best->gain) d->rival[d->rivals++] = k;
     }
+}
+
+/* the best score of a candidate of as many effects that is of other kinds; 0 where there is none */
+static double next_kind(const wcut_search *s, int chosen) {
+    double next = 0;
+    for (int k = 0; k < s->count; k++)
+        if (s->candidate[k].effects == s->candidate[chosen].effects && k != s->delayed && k != s->undelayed &&
+            !same_kinds(&s->candidate[k].fit.model, &s->candidate[chosen].fit.model))
+            next = fmax(next, wcut_candidate_score(s, k));
+    return next;
+}
+
+/* an inadequate model of the right family: it takes most of the misfit, on cuts left out too, far before any other kind */
+static bool is_of_another_form(const wcut_search *s, int chosen) {
+    const double beyond = wcut_search_base(s)->misfit - s->rows;
+    return takes_most(s, chosen) && beyond > 0 && wcut_candidate_score(s, chosen) > FORM_LEADS * next_kind(s, chosen);
 }
 
 const char *wcut_candidate_why(const wcut_search *s, const wcut_decision *d, int candidate) {
     const bool named = d->kind != WCUT_VERDICT_NONE && d->kind != WCUT_VERDICT_UNKNOWN;
-    if (candidate < 0) return d->kind == WCUT_VERDICT_NONE ? "" : "leaves a misfit that is not noise";
+    if (candidate < 0) {
+        if (d->kind == WCUT_VERDICT_NONE) return "";
+        return is_null(s) ? "another explains more" : "leaves a misfit that is not noise";
+    }
     if (named && candidate == d->chosen) return "";
     for (int r = 0; named && r < d->rivals; r++)
         if (candidate == d->rival[r]) return "explains as much as the first";
     const wcut_candidate *c = &s->candidate[candidate];
-    if (c->second_size < 1) return c->effects > 1 ? "one of the two is too small to matter" : "too small to matter";
-    if (!is_significant(c, sqrt(chance(s)))) return "not told from nothing";
-    if (!may_be_named(s, candidate))
-        return c->gain / chance(s) > GAIN_LEAST ? "does not hold on cuts that were not fitted" : "no more than chance";
-    if (!is_adequate(&c->left)) return "leaves a misfit that is not noise";
+    if (candidate == s->delayed) return "others explain more beside it";
+    const char *why = objection(s, candidate);
+    if (why) return why;
+    if (is_outdone(s, candidate)) return "what is too small to be told explains more";
+    if (!named && !leaves_noise(s, candidate)) return "leaves a misfit that is not noise";
     return c->effects > 1 ? "its second effect is not needed" : "explains less";
 }
 
 /* How often verdicts of a kind were right on the labelled cases, each left out in turn, as (hits + 1) / (cases + 2); less
    where the best explanation is not far from the next or hardly beyond chance. */
 static double confidence(const wcut_search *s, const wcut_decision *d) {
-    if (d->kind == WCUT_VERDICT_UNKNOWN) return d->adequacy > 2 * SLOW_MOST ? 0.9 : 0.8;
+    if (d->kind == WCUT_VERDICT_UNKNOWN) return d->adequacy > 2 * SLOW_MAX ? 0.9 : 0.7;
     if (d->kind == WCUT_VERDICT_AMBIGUOUS) return 0.5;
     if (d->kind == WCUT_VERDICT_NONE) {
         double most = 0;
-        for (int k = 0; k < s->count; k++)
-            if (s->candidate[k].second_size >= 1) most = fmax(most, wcut_candidate_score(s, k));
-        return most > GAIN_LEAST / 4 ? 0.7 : 0.8;
+        for (int k = 0; k < s->count; k++) most = fmax(most, wcut_candidate_score(s, k));
+        return most > GAIN_MIN / 2 ? 0.7 : 0.9;
     }
     const wcut_candidate *best = &s->candidate[d->chosen];
-    double next = 0;
-    for (int k = 0; k < s->count; k++) {
-        const wcut_candidate *c = &s->candidate[k];
-        if (k != d->chosen && c->effects == best->effects && !same_kinds(&c->fit.model, &best->fit.model))
-            next = fmax(next, wcut_candidate_score(s, k));
-    }
-    const double ahead = wcut_candidate_score(s, d->chosen) - next;
-    if (!is_adequate(&best->left)) return 0.7;
-    return ahead > 3 * RIVAL + 0.03 * best->gain / chance(s) ? 0.97 : 0.8;
+    if (!leaves_noise(s, d->chosen)) return 0.7;
+    const double ahead = wcut_candidate_score(s, d->chosen) - next_kind(s, d->chosen);
+    return ahead > 3 * RIVAL + 0.03 * best->gain ? 0.97 : 0.8;
 }
 
-wcut_decision wcut_search_decide(const wcut_search *s) {
+/* the verdict before late readings are looked at */
+static wcut_decision decide_effects(const wcut_search *s) {
     wcut_decision d = {.kind = WCUT_VERDICT_NONE, .chosen = -1, .adequacy = s->left.slow};
     const int single = best_of(s, 1), pair = best_of(s, 2);
     d.chosen = single;
     if (pair >= 0 && second_counts(s, pair, single)) d.chosen = pair;
     if (d.chosen < 0) {
-        if (!is_adequate(&s->left)) d.kind = WCUT_VERDICT_UNKNOWN;
-        d.confidence = confidence(s, &d);
+        if (!is_null(s)) d.kind = WCUT_VERDICT_UNKNOWN;
         return d;
     }
+
+    // what is named must leave noise, or be the right family in another form
     const wcut_candidate *best = &s->candidate[d.chosen];
     d.adequacy = best->left.slow;
-    if (!is_adequate(&best->left) &&
-        (excess(&best->left) > (1 - TAKES_AWAY) * excess(&s->left) || best->left.slow > LEAVES_MOST * SLOW_MOST)) {
+    if (!leaves_noise(s, d.chosen) && !is_of_another_form(s, d.chosen)) {
         d.kind = WCUT_VERDICT_UNKNOWN;
-        d.confidence = confidence(s, &d);
         return d;
     }
     d.kind = kind_of(&best->fit.model);
     list_rivals(s, &d);
     if (d.rivals > 1) d.kind = WCUT_VERDICT_AMBIGUOUS;
+    return d;
+}
+
+wcut_decision wcut_search_decide(const wcut_search *s) {
+    wcut_decision d = decide_effects(s);
+
+    // late readings alone; or a verdict that needs no delay any more
+    if (d.chosen < 0 && d.kind == WCUT_VERDICT_NONE && s->delayed >= 0) {
+        d.chosen = d.rival[0] = s->delayed, d.rivals = 1;
+        d.kind = WCUT_VERDICT_INSTRUMENT;
+    }
+    if (s->undelayed >= 0 && d.chosen == s->undelayed_from && d.kind != WCUT_VERDICT_AMBIGUOUS &&
+        d.kind != WCUT_VERDICT_UNKNOWN) {
+        d.chosen = d.rival[0] = s->undelayed, d.rivals = 1;
+        d.adequacy = s->candidate[s->undelayed].left.slow;
+        d.kind = kind_of(&s->candidate[s->undelayed].fit.model);
+    }
     d.confidence = confidence(s, &d);
     return d;
 }

@@ -18,6 +18,9 @@ typedef struct wcut_decision {
 /* Decide by what the search found. */
 wcut_decision wcut_search_decide(const wcut_search *search);
 
+/* whether a candidate that is late readings alone explains them and leaves noise */
+bool wcut_search_explains_delay(const wcut_search *search, int candidate);
+
 /* why a candidate is not the verdict, a constant text; "" of the one that is */
 const char *wcut_candidate_why(const wcut_search *search, const wcut_decision *decision, int candidate);
 

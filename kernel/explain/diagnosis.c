@@ -18,6 +18,8 @@
 #include "explain/experiment.h"
 #include "explain/locate.h"
 #include "explain/modelled.h"
+#include "explain/rig.h"
+#include "explain/variance.h"
 #include "explain/verdict_text.h"
 
 #define DEGREES (180 / WCUT_PI)
@@ -40,6 +42,7 @@ void wcut_diagnosis_destroy(wcut_diagnosis *d) {
     wcut_free(d->mismatch);
     wcut_free(d->dependence);
     wcut_free(d->held_out);
+    wcut_free(d->rig);
     wcut_free(d->limit);
     wcut_job_destroy(d->improved);
     wcut_job_destroy(d->next_experiment);
@@ -102,7 +105,18 @@ static wcut_status prepare(diagnosing *g, wcut_error *error) {
     const wcut_model recalibrated = first.model;
     wcut_fitted_destroy(&first);
     status = step(g, "recordings and scans were replayed", 2, error);
-    return status == WCUT_OK ? wcut_evidence_predict(e, &recalibrated, true, error) : status;
+    if (status == WCUT_OK) status = wcut_evidence_predict(e, &recalibrated, true, error);
+    if (status == WCUT_OK) status = wcut_scatter_create(e, error);
+    if (status != WCUT_OK) return status;
+
+    // a little scatter to begin with; what there is of it is found by the search
+    double *missing = wcut_alloc((size_t)e->rows, sizeof *missing);
+    if (!missing) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d rows", e->rows);
+    wcut_evidence_residual(e, missing);
+    wcut_variances_begin(&e->noise);
+    wcut_evidence_whiten_scatter(e, missing);
+    wcut_free(missing);
+    return WCUT_OK;
 }
 
 /* ---- what was found, in words and numbers ---- */
@@ -219,7 +233,7 @@ static wcut_status rank(diagnosing *g) {
         sum += h->probability;
         if (k < 0) continue;
         const wcut_candidate *c = &s->candidate[k];
-        h->count = c->effects < 2 ? c->effects : 2;
+        h->count = c->fit.model.effects < 2 ? c->fit.model.effects : 2;
         for (int e = 0; e < h->count; e++) h->effect[e] = c->fit.model.effect[e];
         h->parameters = c->fit.count, h->gain = c->gain, h->held_out = c->held_out, h->adequacy = c->left.slow;
     }
@@ -362,7 +376,7 @@ static wcut_status try_naive(diagnosing *g, wcut_error *error) {
     wcut_fitted plain = {0};
     wcut_status status = wcut_evidence_create(g->cuts, g->cut, true, g->options->threads, &g->stop, &e, error);
     if (status == WCUT_OK) {
-        e->coloured = 0;
+        memset(&e->noise, 0, sizeof e->noise);
         status = wcut_evidence_predict(e, &g->evidence->at, false, error);
     }
     if (status == WCUT_OK) status = wcut_fit_solve(e, &e->at, &plain, error);
@@ -473,6 +487,7 @@ static wcut_status decide(diagnosing *g, bool searched, wcut_error *error) {
     else if (names_effects(g))
         add_effects(g, v->chosen, true, v->confidence);
     report_base(g);
+    if (wcut_rig_fill(g->evidence, final_fit(g), d) != WCUT_OK) return WCUT_NO_MEMORY;
     return wcut_adequacy_p_value(g->evidence, d->adequacy, NULLS, g->options->seed, &d->adequacy_p);
 }
 

@@ -78,7 +78,7 @@ static bool searching_create(const wcut_evidence *e, searching *g) {
     g->centre = wcut_alloc((size_t)g->n, sizeof(double));
     g->precision = wcut_alloc((size_t)g->n, sizeof(double));
     return g->scale && g->most && g->column && g->centre && g->precision &&
-           wcut_normal_equations_create(g->n, e->cuts, &g->normal) == WCUT_OK;
+           wcut_normal_equations_create(g->n, e->scatter.count, e->cuts, &g->normal) == WCUT_OK;
 }
 
 /* ---- columns ---- */
@@ -227,7 +227,7 @@ static int screen(const searching *g, int fixed, int *chosen, pick *best) {
 }
 
 static void compare(const searching *g, const wcut_fitted *from, trial *t) {
-    t->gain = from->cost - t->fit.cost;
+    t->gain = from->misfit - t->fit.misfit;
     t->left = wcut_residual_stats_eval(g->e, t->fit.residual);
     t->noise = fmax(1, t->left.slow);
     for (int k = 0; k < g->e->cuts; k++) {
@@ -307,9 +307,19 @@ static wcut_status step(searching *g, const wcut_fitted *from, const wcut_residu
     pick best[TRIED] = {{0}};
     trial t[TRIED];
     memset(t, 0, sizeof t);
-    wcut_normal_equations_fill(g->e, g->column, from->open, &g->normal);
-    const int n = screen(g, fixed, chosen, best);
-    wcut_status status = WCUT_OK;
+    // what the fit leaves with its nuisances in, whitened as the columns are
+    double *missing = wcut_alloc((size_t)g->e->rows, sizeof *missing);
+    double *open = wcut_alloc((size_t)g->e->rows, sizeof *open);
+    wcut_status status = missing && open ? WCUT_OK : wcut_fail(error, WCUT_NO_MEMORY, "no memory for a step");
+    int n = 0;
+    if (status == WCUT_OK) {
+        wcut_evidence_residual(g->e, missing);
+        wcut_evidence_whiten(g->e, missing, from->open, open);
+        wcut_normal_equations_fill(g->e, g->column, open, &g->normal);
+        n = screen(g, fixed, chosen, best);
+    }
+    wcut_free(open);
+    wcut_free(missing);
     int at = -1;
     for (int k = 0; status == WCUT_OK && k < n; k++) {
         const double chance = wcut_chi_square_tail(best[k].gain / clamp(before->slow, 1, 3), best[k].width);

@@ -17,7 +17,7 @@ enum { NODES_FINE = WCUT_NODES_FINE, NODES_COARSE = WCUT_NODES_COARSE, PARTS = 5
 /* trajectories: smoothing of the encoder, of the exogenous progress, and the step of the latter [s] */
 #define WINDOW 0.5
 #define WIDTH 2.5
-#define STEP 0.2
+#define STEP 0.25
 #define FED_BACK_STEP 0.05
 /* the first two seconds after the wire is taut and the last one are the least physical part of a cut */
 #define SETTLE 2.0
@@ -189,30 +189,68 @@ void wcut_evidence_residual(const wcut_evidence *e, double *out) {
     }
 }
 
+/* variance of what is new in the next sample, in units of the white noise; the filter of white and slow noise */
+typedef struct innovations {
+    double keep, slow, mean, variance;
+} innovations;
+
+static innovations begin_innovations(double slow) {
+    return (innovations){.keep = exp(-WCUT_BIN_WIDTH / WCUT_NOISE_MEMORY), .slow = slow, .variance = slow};
+}
+
+static void pass_bin(innovations *f) {
+    f->mean *= f->keep;
+    f->variance = f->keep * f->keep * f->variance + (1 - f->keep * f->keep) * f->slow;
+}
+
 void wcut_evidence_whiten(const wcut_evidence *e, const double *residual, const double *in, double *out) {
-    const double keep = exp(-WCUT_BIN_WIDTH / WCUT_NOISE_MEMORY);
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
         for (int s = 0; s < WCUT_SIGNALS; s++) {
-            double mean = 0, variance = e->coloured;
+            innovations f = begin_innovations(e->noise.slow[wcut_noise_group(s)]);
             for (int i = 0; i < c->bins; i++) {
                 const int row = c->row + s * c->bins + i;
                 if (isfinite(residual[row])) {
-                    const double innovation = in[row] / e->sigma[s] - mean, size = variance + 1;
+                    const double innovation = in[row] / e->sigma[s] - f.mean, size = f.variance + 1;
                     out[row] = innovation / sqrt(size);
-                    mean += variance / size * innovation;
-                    variance /= size;
+                    f.mean += f.variance / size * innovation;
+                    f.variance /= size;
                 } else {
                     out[row] = 0;
                 }
-                mean *= keep;
-                variance = keep * keep * variance + (1 - keep * keep) * e->coloured;
+                pass_bin(&f);
             }
         }
         for (int i = 0; i < c->patch.count; i++) {
             const int row = c->row + WCUT_SIGNALS * c->bins + i;
             out[row] = in[row] / c->patch.sigma[i];
         }
+    }
+}
+
+double wcut_evidence_log_det(const wcut_evidence *e, const double *residual) {
+    double sum = 0;
+    for (int k = 0; k < e->cuts; k++) {
+        const wcut_evidence_cut *c = &e->cut[k];
+        for (int s = 0; s < WCUT_SIGNALS; s++) {
+            innovations f = begin_innovations(e->noise.slow[wcut_noise_group(s)]);
+            for (int i = 0; i < c->bins; i++) {
+                if (isfinite(residual[c->row + s * c->bins + i])) {
+                    const double size = f.variance + 1;
+                    sum += log(size);
+                    f.variance /= size;
+                }
+                pass_bin(&f);
+            }
+        }
+    }
+    return sum;
+}
+
+void wcut_evidence_whiten_scatter(wcut_evidence *e, const double *residual) {
+    for (int k = 0; k < e->scatter.count; k++) {
+        const size_t at = (size_t)k * (size_t)e->rows;
+        wcut_evidence_whiten(e, residual, e->scatter.column + at, e->scatter.white + at);
     }
 }
 
@@ -234,6 +272,7 @@ static void destroy_cut(wcut_evidence_cut *c) {
 void wcut_evidence_destroy(wcut_evidence *e) {
     if (!e) return;
     for (int k = 0; e->cut && k < e->cuts; k++) destroy_cut(&e->cut[k]);
+    wcut_scatter_destroy(&e->scatter);
     wcut_free(e->cut);
     wcut_free(e);
 }
@@ -344,7 +383,7 @@ wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, bool f
         status = wcut_fail(error, WCUT_BAD_ARGUMENT, "found no cut with a job and a recording, expected one at least");
     if (status == WCUT_OK) {
         e->at = (wcut_model){.a = first->force_law.a, .b = first->force_law.b};
-        e->coloured = 0.25;
+        for (int g = 0; g < WCUT_NOISE_GROUPS; g++) e->noise.slow[g] = WCUT_SLOW_NOISE;
 #pragma omp parallel for num_threads(wcut_threads(threads)) schedule(dynamic, 1)
         for (int k = 0; k < cuts; k++)
             if (e->cut[k].job) failed[k].status = fill_cut(&e->cut[k], fed_back, stop, &failed[k]);

@@ -5,6 +5,7 @@
 #include <wirecut/cloud.h>
 #include <wirecut/diagnosis.h>
 
+#include "explain/scatter.h"
 #include "explain/trajectory.h"
 
 /* A model of a case: what its cuts share. The plain one has no effects. */
@@ -53,17 +54,21 @@ typedef struct wcut_evidence {
     wcut_model at; /* what predicted, patches and reference are of */
     int rows;
     double sigma[WCUT_SIGNALS]; /* [N, rad] of a bin's mean, its white part */
-    double coloured;            /* [1] variance of the slow part of the noise over that of the white one */
+    wcut_variances noise;       /* that rows are whitened by */
+    double
+        path_response[WCUT_NOISE_GROUPS]; /* [N, rad per mm] rms of a group by mounts beside their path; 0: not known */
+    wcut_scatter scatter;                 /* no columns before wcut_scatter_create */
     int threads;
     wcut_stop *stop; /* NULL: nobody stops what is done with it */
 } wcut_evidence;
 
 /* nodes of the wire along the recorded motion, and along the exogenous one, where only differences count: the
-   simulator's order in the node count is 2, tensions move by 3e-4 of themselves from 41 to 121 */
-enum { WCUT_NODES_FINE = 41, WCUT_NODES_COARSE = 21 };
+   simulator's order in the node count is 2, tensions move by 5e-4 of themselves from 31 to 121 */
+enum { WCUT_NODES_FINE = 31, WCUT_NODES_COARSE = 17 };
 
 #define WCUT_BIN_WIDTH 0.5    /* [s] */
 #define WCUT_NOISE_MEMORY 5.0 /* [s] of the slow part of the noise */
+#define WCUT_SLOW_NOISE 0.25  /* [1] the slow part of a good sensor's noise over the white one */
 
 /*
  * Gather the evidence of a case: trajectories, bins, what was measured. The model `at` is the jobs' own. Cuts without job or
@@ -100,11 +105,17 @@ wcut_status wcut_evidence_bin_recorded(const wcut_evidence_cut *cut, const wcut_
 void wcut_evidence_residual(const wcut_evidence *evidence, double *out);
 
 /*
- * Whiten rows: noise of every channel is white with variance sigma^2 plus a slow part with `coloured` of it and the
- * memory WCUT_NOISE_MEMORY; what comes out has unit variance. The innovations of a Kalman filter, linear in the rows.
+ * Whiten rows: noise of every channel is white with variance sigma^2 plus a slow part with `noise.slow` of it and the
+ * memory WCUT_NOISE_MEMORY; what comes out has unit variance, but for the scatter. The innovations of a Kalman filter, linear in the rows.
  * present: rows of which the residual is NaN become 0 in all columns. in and out: rows, may be the same.
  */
 void wcut_evidence_whiten(const wcut_evidence *evidence, const double *residual, const double *in, double *out);
+
+/* logarithm of the determinant of the noise's covariance, without the scatter; residual: which rows are missing */
+double wcut_evidence_log_det(const wcut_evidence *evidence, const double *residual);
+
+/* Whiten the columns of the scatter under the present noise. */
+void wcut_evidence_whiten_scatter(wcut_evidence *evidence, const double *residual);
 
 /* Patches of a scan by their feet on the face of the recorded run (explain/patches.c). */
 wcut_status wcut_patches_create(const wcut_evidence_cut *cut, const wcut_response *recorded, wcut_patches *out,

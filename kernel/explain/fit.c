@@ -7,8 +7,9 @@
 #include "base/fail.h"
 #include "base/numbers.h"
 #include "base/threads.h"
+#include "explain/variance.h"
 
-enum { NODES_FINE = WCUT_NODES_FINE, ROUNDS = 7, JACOBIANS = 2, ANCHORS = 4, ENDS = 3 };
+enum { NODES_FINE = WCUT_NODES_FINE, ROUNDS = 7, JACOBIANS = 1, ANCHORS = 4, ENDS = 3 };
 
 /* priors of what a job may have mis-set: ln a, ln b, which no table holds better than a factor of 1.6; and the wire's
    length [mm], which a job states to a tenth: the rounding alone */
@@ -29,9 +30,10 @@ typedef struct fitting {
     double *rows;             /* (1 + shared) x rows: of the model and of each perturbed one */
     double *at_rows;          /* rows of the model that the anchor is of, along the exogenous trajectory */
     double *measured;         /* rows: measured less predicted under the evidence's model: what is missing there */
-    double *anchor;   /* rows: measured less predicted along the recorded motion, of a model near the present one */
-    double *column;   /* n x rows, whitened */
-    double *residual; /* rows, whitened */
+    double *anchor; /* rows: measured less predicted along the recorded motion, of a model near the present one */
+    double *plain_column, *plain_residual; /* n x rows, rows: as measured */
+    double *column;                        /* n x rows, whitened */
+    double *residual;                      /* rows, whitened */
     double centre[WCUT_FIT_MAX], precision[WCUT_FIT_MAX];
     wcut_normal_equations normal;
 } fitting;
@@ -52,7 +54,8 @@ wcut_model wcut_fitted_model(const wcut_fitted *f, const double *x) {
 static bool list_coordinates(const wcut_model *start, wcut_fitted *f) {
     f->model = *start;
     for (int e = 0; e < start->effects; e++) {
-        for (int k = 0; k < wcut_effect_coordinates(&start->effect[e]); k++) {
+        const int count = wcut_effect_coordinates(&start->effect[e]);
+        for (int k = 0; k < count; k++) {
             if (f->count == WCUT_FIT_MAX - WCUT_BASE) return false;
             f->effect_of[f->count] = e;
             f->coordinate[f->count++] = wcut_effect_coordinate(&start->effect[e], k);
@@ -76,30 +79,39 @@ static wcut_status fitting_create(const wcut_evidence *e, const wcut_model *star
     g->measured = wcut_alloc(rows, sizeof(double));
     g->anchor = wcut_alloc(rows, sizeof(double));
     g->column = wcut_alloc((size_t)g->n * rows, sizeof(double));
+    g->plain_column = wcut_alloc((size_t)g->n * rows, sizeof(double));
+    g->plain_residual = wcut_alloc(rows, sizeof(double));
     g->residual = wcut_alloc(rows, sizeof(double));
     f->cut_cost = wcut_alloc((size_t)e->cuts, sizeof(double));
     f->held_out = wcut_alloc((size_t)e->cuts, sizeof(double));
     f->without = wcut_alloc((size_t)e->cuts * (size_t)g->shared, sizeof(double));
     f->residual = wcut_alloc(rows, sizeof(double));
+    f->standard = wcut_alloc(rows, sizeof(double));
     f->open = wcut_alloc(rows, sizeof(double));
+    f->scatter = wcut_alloc((size_t)e->cuts * (size_t)e->scatter.count, sizeof(double));
+    f->scatter_error = wcut_alloc((size_t)e->cuts * (size_t)e->scatter.count, sizeof(double));
     f->predicted = wcut_alloc(rows, sizeof(double));
+    f->column = wcut_alloc((size_t)f->count * rows, sizeof(double));
     if (!g->rows || !g->at_rows || !g->measured || !g->anchor || !g->column || !g->residual || !f->cut_cost ||
-        !f->held_out || !f->without || !f->residual || !f->open || !f->predicted)
+        !f->held_out || !f->without || !f->residual || !f->standard || !f->open || !f->scatter || !f->scatter_error ||
+        !f->predicted || !f->column || !g->plain_column || !g->plain_residual)
         return WCUT_NO_MEMORY;
     for (int k = 0; k < WCUT_BASE; k++) g->precision[k] = 1 / (wcut_base_spread[k] * wcut_base_spread[k]);
     for (int k = 0; k < f->count; k++)
         g->precision[WCUT_BASE + k] = 1 / (f->coordinate[k].spread * f->coordinate[k].spread);
     double spread[WCUT_FIT_MAX] = {0};
-    double *own = g->column + (size_t)g->shared * rows;
+    double *own = g->plain_column + (size_t)g->shared * rows, *white = g->column + (size_t)g->shared * rows;
     wcut_nuisance_columns(e, own, spread);
     wcut_evidence_residual(e, g->measured);
     memcpy(g->anchor, g->measured, rows * sizeof(double));
+    for (int k = 0; k < start->effects; k++) /* a delay that is fitted leaves none to the nuisances */
+        if (wcut_explanation_view(start->effect[k].kind)->delay) spread[0] = spread[1] = WCUT_DELAY_REST;
     for (int k = 0; k < g->nuisances; k++) {
         g->precision[g->shared + k] = 1 / (spread[k] * spread[k]);
-        g->centre[g->shared + k] = k == g->nuisances - 1 ? WCUT_KERF : 0;
-        wcut_evidence_whiten(e, g->measured, own + (size_t)k * rows, own + (size_t)k * rows);
+        g->centre[g->shared + k] = k == WCUT_DELAYS ? WCUT_KERF : 0;
+        wcut_evidence_whiten(e, g->measured, own + (size_t)k * rows, white + (size_t)k * rows);
     }
-    return wcut_normal_equations_create(g->n, e->cuts, &g->normal);
+    return wcut_normal_equations_create(g->n, e->scatter.count, e->cuts, &g->normal);
 }
 
 static void fitting_destroy(fitting *g) {
@@ -108,6 +120,8 @@ static void fitting_destroy(fitting *g) {
     wcut_free(g->measured);
     wcut_free(g->anchor);
     wcut_free(g->column);
+    wcut_free(g->plain_column);
+    wcut_free(g->plain_residual);
     wcut_free(g->residual);
     wcut_normal_equations_destroy(&g->normal);
 }
@@ -134,10 +148,10 @@ static wcut_status take_columns(fitting *g, wcut_error *error) {
     const wcut_status status = wcut_models_rows(g->e, 1 + g->shared, model, g->rows, error);
     if (status != WCUT_OK) return status;
     for (int k = 0; k < g->shared; k++) {
-        double *column = g->column + (size_t)k * rows;
+        double *column = g->plain_column + (size_t)k * rows;
         for (size_t i = 0; i < rows; i++)
             column[i] = (g->rows[(size_t)(1 + k) * rows + i] - g->rows[i]) / step_of(f, k);
-        wcut_evidence_whiten(g->e, g->measured, column, column);
+        wcut_evidence_whiten(g->e, g->measured, column, g->column + (size_t)k * rows);
     }
     return WCUT_OK;
 }
@@ -166,11 +180,11 @@ static bool find_step(fitting *g, double *t, double *covariance, double *cost) {
 
 /* residual at the present x, by the difference along the exogenous trajectory */
 static void exogenous_residual(fitting *g) {
-    for (int i = 0; i < g->e->rows; i++) g->residual[i] = g->anchor[i] - (g->rows[i] - g->at_rows[i]);
-    wcut_evidence_whiten(g->e, g->measured, g->residual, g->residual);
+    for (int i = 0; i < g->e->rows; i++) g->plain_residual[i] = g->anchor[i] - (g->rows[i] - g->at_rows[i]);
+    wcut_evidence_whiten(g->e, g->measured, g->plain_residual, g->residual);
 }
 
-/* what the present x costs once the scans' nuisances are taken out */
+/* what the present x costs once the nuisances are taken out */
 static bool present_cost(fitting *g, double *cost) {
     int chosen[WCUT_FIT_MAX];
     double t[WCUT_FIT_MAX];
@@ -280,47 +294,6 @@ static wcut_status set_anchor(fitting *g, wcut_error *error) {
     return WCUT_OK;
 }
 
-/* cost of a cut at given base and effects, its own scan's nuisances at their best */
-static double held_out_cost(const fitting *g, int cut, const double *t) {
-    int shared[WCUT_FIT_MAX], own[WCUT_SCAN_NUISANCES], free_count = 0, scan = 0;
-    double whole[WCUT_FIT_MAX], best[WCUT_SCAN_NUISANCES], cost = 0;
-    all_columns(g->shared, shared);
-    int count = g->shared;
-    memcpy(whole, t, (size_t)g->shared * sizeof *t);
-    for (int k = 0; k < g->e->cuts; k++) {
-        if (g->e->cut[k].patch.count == 0) continue;
-        for (int j = 0; k == cut && j < WCUT_SCAN_NUISANCES; j++)
-            own[free_count++] = g->shared + scan * WCUT_SCAN_NUISANCES + j;
-        scan++;
-    }
-    if (g->nuisances > 0) { /* the kerf is shared */
-        shared[count] = g->n - 1, whole[count] = t[g->n - 1];
-        count++;
-    }
-    if (free_count == 0) return wcut_normal_equations_cost(&g->normal, cut, count, shared, whole);
-    /* moments of what the shared ones leave, then a small ridge problem */
-    const int n = g->n;
-    const double *gram = g->normal.cut_gram + (size_t)cut * (size_t)n * (size_t)n;
-    double left[WCUT_FIT_MAX * 1] = {0};
-    wcut_normal_equations small = {.n = free_count,
-                                   .total = wcut_normal_equations_cost(&g->normal, cut, count, shared, whole)};
-    double small_gram[WCUT_SCAN_NUISANCES * WCUT_SCAN_NUISANCES], precision[WCUT_SCAN_NUISANCES];
-    const double none[WCUT_SCAN_NUISANCES] = {0};
-    int chosen[WCUT_SCAN_NUISANCES];
-    for (int i = 0; i < free_count; i++) {
-        chosen[i] = i;
-        left[i] = g->normal.cut_moment[(size_t)cut * (size_t)n + (size_t)own[i]];
-        for (int j = 0; j < count; j++) left[i] -= whole[j] * gram[(size_t)own[i] * (size_t)n + (size_t)shared[j]];
-        for (int j = 0; j < free_count; j++)
-            small_gram[i * free_count + j] = gram[(size_t)own[i] * (size_t)n + (size_t)own[j]];
-        precision[i] = g->precision[own[i]];
-    }
-    small.gram = small_gram, small.moment = left;
-    return wcut_normal_equations_solve(&small, free_count, chosen, none, precision, -1, best, NULL, &cost)
-               ? cost
-               : small.total;
-}
-
 /* whether what the anchored residual still asks for is within chance: half a unit of cost for every coordinate */
 static bool has_settled(fitting *g, double *covariance) {
     double t[WCUT_FIT_MAX], present, best;
@@ -328,6 +301,7 @@ static bool has_settled(fitting *g, double *covariance) {
     return present - best < 2 + 0.001 * best;
 }
 
+/* misfit of every cut, and of every cut predicted from the others, under the noise that all hypotheses share */
 static void judge(fitting *g, const double *t) {
     wcut_fitted *f = g->f;
     int chosen[WCUT_FIT_MAX];
@@ -337,40 +311,89 @@ static void judge(fitting *g, const double *t) {
         f->cut_cost[k] = wcut_normal_equations_cost(&g->normal, k, g->n, chosen, t);
         const bool solved =
             wcut_normal_equations_solve(&g->normal, g->n, chosen, g->centre, g->precision, k, without, NULL, &cost);
-        f->held_out[k] = solved ? held_out_cost(g, k, without) : f->cut_cost[k];
+        f->held_out[k] = solved ? wcut_normal_equations_cost(&g->normal, k, g->n, chosen, without) : f->cut_cost[k];
         for (int i = 0; i < g->shared; i++) {
             double to = f->x[i] + (solved ? without[i] : t[i]);
             if (i >= WCUT_BASE) to = clamp(to, f->coordinate[i - WCUT_BASE].low, f->coordinate[i - WCUT_BASE].high);
             f->without[k * g->shared + i] = to;
         }
     }
-    for (int i = 0; i < g->e->rows; i++) {
-        f->residual[i] = g->residual[i];
-        for (int k = 0; k < g->n; k++) {
-            if (k == g->shared) f->open[i] = f->residual[i];
-            f->residual[i] -= t[k] * g->column[(size_t)k * (size_t)g->e->rows + (size_t)i];
-        }
-        if (g->nuisances == 0) f->open[i] = f->residual[i];
-    }
 }
 
+/* what is left: with the nuisances and the scatter in, without them, and in units of all that may scatter */
+static void keep_residuals(fitting *g, const wcut_evidence *own, const double *t) {
+    wcut_fitted *f = g->f;
+    const size_t rows = (size_t)g->e->rows;
+    double *left = f->residual;
+    memcpy(left, g->plain_residual, rows * sizeof *left);
+    memcpy(f->column, g->plain_column + WCUT_BASE * rows, (size_t)f->count * rows * sizeof *f->column);
+    for (int k = 0; k < g->n; k++) {
+        if (k == g->shared) memcpy(f->open, left, rows * sizeof *left);
+        for (size_t i = 0; i < rows; i++) left[i] -= t[k] * g->plain_column[(size_t)k * rows + i];
+    }
+    wcut_evidence_whiten(own, g->measured, left, f->standard);
+    wcut_scatter_standardise(own, &g->normal, f->standard);
+
+    // the scatter of each cut at its likeliest
+    for (int cut = 0; cut < own->cuts && g->normal.m > 0; cut++) {
+        const wcut_evidence_cut *c = &own->cut[cut];
+        double *value = f->scatter + (ptrdiff_t)cut * g->normal.m,
+               *error = f->scatter_error + (ptrdiff_t)cut * g->normal.m;
+        if (c->bins == 0) continue;
+        wcut_scatter_estimate(own, &g->normal, cut, t, value, error);
+        for (int k = 0; k < g->normal.m; k++)
+            for (int i = 0; i < WCUT_SIGNALS * c->bins + c->patch.count; i++)
+                left[c->row + i] -= value[k] * own->scatter.column[(size_t)k * rows + (size_t)(c->row + i)];
+    }
+    wcut_evidence_whiten(g->e, g->measured, left, left);
+}
+
+/* noise and scatter of this hypothesis, the last step under them, and what it is worth */
 static wcut_status finish(fitting *g, double *covariance) {
     wcut_fitted *f = g->f;
-    double t[WCUT_FIT_MAX], from[WCUT_FIT_MAX];
-    if (!find_step(g, t, covariance, &f->cost)) return WCUT_NOT_CONVERGED;
-    judge(g, t);
-    memcpy(from, f->x, sizeof from);
-    const bool bound = f->at_bound;
-    move(g, from, t, covariance, 1);
-    f->at_bound = f->at_bound || bound;
-    for (int k = 0; k < g->shared; k++) {
-        f->error[k] = sqrt(covariance[k * g->n + k]);
-        f->below[k] = f->above[k] = NORMAL_95 * f->error[k];
+    double t[WCUT_FIT_MAX], from[WCUT_FIT_MAX], cost;
+    int chosen[WCUT_FIT_MAX];
+    wcut_evidence own = *g->e;
+    own.scatter.white = wcut_alloc((size_t)own.scatter.count * (size_t)own.rows, sizeof(double));
+    if (!own.scatter.white) return WCUT_NO_MEMORY;
+    all_columns(g->n, chosen);
+    if (!find_step(g, t, covariance, &f->misfit)) {
+        wcut_free(own.scatter.white);
+        return WCUT_NOT_CONVERGED;
     }
-    f->kerf = f->kerf_error = (double)NAN;
-    if (g->nuisances > 0) f->kerf = t[g->n - 1], f->kerf_error = sqrt(covariance[(g->n - 1) * g->n + g->n - 1]);
-    f->model = wcut_fitted_model(f, f->x);
-    return WCUT_OK;
+    judge(g, t);
+    wcut_variances_begin(&own.noise);
+    const wcut_linear linear = {.n = g->n,
+                                .column = g->plain_column,
+                                .residual = g->plain_residual,
+                                .missing = g->measured,
+                                .centre = g->centre,
+                                .precision = g->precision};
+    wcut_status status = wcut_variance_fit(&linear, &own, g->column, g->residual, &g->normal, &f->cost);
+    if (status == WCUT_OK &&
+        !wcut_normal_equations_solve(&g->normal, g->n, chosen, g->centre, g->precision, -1, t, covariance, &cost))
+        status = WCUT_NOT_CONVERGED;
+    if (status == WCUT_OK) {
+        f->noise = own.noise;
+        keep_residuals(g, &own, t);
+        memcpy(from, f->x, sizeof from);
+        const bool bound = f->at_bound;
+        move(g, from, t, covariance, 1);
+        f->at_bound = f->at_bound || bound;
+        for (int k = 0; k < g->shared; k++) {
+            f->error[k] = sqrt(covariance[k * g->n + k]);
+            f->below[k] = f->above[k] = NORMAL_95 * f->error[k];
+        }
+        for (int k = 0; k < WCUT_DELAYS; k++) {
+            const int at = g->shared + k;
+            f->delay[k] = t[at], f->delay_error[k] = sqrt(covariance[at * g->n + at]);
+        }
+        f->kerf = f->kerf_error = (double)NAN;
+        if (g->nuisances > WCUT_DELAYS) f->kerf = t[g->n - 1], f->kerf_error = sqrt(covariance[g->n * g->n - 1]);
+        f->model = wcut_fitted_model(f, f->x);
+    }
+    wcut_free(own.scatter.white);
+    return status;
 }
 
 wcut_status wcut_fit_solve(const wcut_evidence *e, const wcut_model *start, wcut_fitted *out, wcut_error *error) {
@@ -465,8 +488,22 @@ wcut_status wcut_fit_profile(const wcut_evidence *e, wcut_fitted *fitted, wcut_e
     summit s;
     double half[WCUT_FIT_MAX][2];
     double *covariance = wcut_alloc((size_t)WCUT_FIT_MAX * WCUT_FIT_MAX, sizeof *covariance);
-    wcut_status status = covariance ? climb_again(e, &fitted->model, &f, &g, covariance, &s, error)
-                                    : wcut_fail(error, WCUT_NO_MEMORY, "no memory for a profile");
+    double *missing = wcut_alloc((size_t)e->rows, sizeof *missing);
+
+    // under the noise and the scatter of this hypothesis
+    wcut_evidence own = *e;
+    own.noise = fitted->noise;
+    own.scatter.white = wcut_alloc((size_t)own.scatter.count * (size_t)own.rows, sizeof(double));
+    wcut_status status = WCUT_OK;
+    if (!covariance || !missing || !own.scatter.white)
+        status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a profile");
+    if (status == WCUT_OK) {
+        wcut_evidence_residual(e, missing);
+        wcut_evidence_whiten_scatter(&own, missing);
+        status = climb_again(&own, &fitted->model, &f, &g, covariance, &s, error);
+    }
+
+    // both ends of every coordinate
     for (int k = WCUT_BASE; status == WCUT_OK && k < g.shared; k++)
         for (int side = 0; status == WCUT_OK && side < 2; side++)
             status = find_end(&g, &s, k, side ? 1 : -1, &half[k][side], error);
@@ -474,6 +511,8 @@ wcut_status wcut_fit_profile(const wcut_evidence *e, wcut_fitted *fitted, wcut_e
         fitted->below[k] = half[k][0], fitted->above[k] = half[k][1];
     fitting_destroy(&g);
     wcut_fitted_destroy(&f);
+    wcut_free(own.scatter.white);
+    wcut_free(missing);
     wcut_free(covariance);
     return status;
 }
@@ -483,7 +522,11 @@ void wcut_fitted_destroy(wcut_fitted *f) {
     wcut_free(f->held_out);
     wcut_free(f->without);
     wcut_free(f->residual);
+    wcut_free(f->standard);
     wcut_free(f->open);
+    wcut_free(f->scatter);
+    wcut_free(f->scatter_error);
+    wcut_free(f->column);
     wcut_free(f->predicted);
     *f = (wcut_fitted){0};
 }

@@ -4,36 +4,56 @@
 
 #include "explain/library.h"
 
-/* base coordinates: ln a, ln b, wire length; then of each scan a shift and a turn, and one constant kerf for all */
-enum { WCUT_BASE = 3, WCUT_SCAN_NUISANCES = 6, WCUT_FIT_MAX = 64 };
+/* base coordinates: ln a, ln b, wire length; beside the effects two delays and, with scans, one constant kerf for all */
+enum { WCUT_BASE = 3, WCUT_DELAYS = 2, WCUT_FIT_MAX = 64 };
 
-/* a scan comes with its own small registration error [mm], [rad]; a hot wire's kerf in foam is about a millimetre */
-#define WCUT_SCAN_SHIFT 0.25
-#define WCUT_SCAN_TURN 2.5e-4
+/* [s] readings of a channel are late by a share of a second in every rig */
+#define WCUT_DELAY_SPREAD 0.1
+#define WCUT_DELAY_REST 0.01
+
+/* [mm] a hot wire's kerf in foam is about a millimetre */
 #define WCUT_KERF 1.0
 #define WCUT_KERF_SPREAD 0.4
 
 /* prior standard deviations and finite steps of the base coordinates: ln a, ln b, length [mm] */
 extern const double wcut_base_spread[WCUT_BASE], wcut_base_step[WCUT_BASE];
 
-/* Columns of a linear problem in whitened rows, with normal priors. */
+/* Columns of a linear problem in whitened rows, with normal priors; the scatter of each cut is integrated out. */
 typedef struct wcut_normal_equations {
     int n;
     double *gram;   /* n x n, whole */
     double *moment; /* n */
     double total;   /* residual squared */
     int cuts;
-    double *cut_gram;   /* cuts x n x n */
-    double *cut_moment; /* cuts x n */
-    double *cut_total;  /* cuts */
+    double *cut_gram;    /* cuts x n x n */
+    double *cut_moment;  /* cuts x n */
+    double *cut_total;   /* cuts */
+    double *cut_log_det; /* cuts: what the scatter adds to the covariance, ln det (I + J S J') */
+
+    // before the scatter: products of the columns, of the scatter's columns J with them, and of J with itself
+    int m;
+    double *plain_gram;   /* cuts x n x n */
+    double *plain_moment; /* cuts x n */
+    double *plain_total;  /* cuts */
+    double *cross;        /* cuts x m x n */
+    double *cross_moment; /* cuts x m */
+    double *own;          /* cuts x m x m */
+    double *room;         /* cuts x m x n, scratch */
 } wcut_normal_equations;
 
-wcut_status wcut_normal_equations_create(int n, int cuts, wcut_normal_equations *out);
+/* n columns, m of the scatter in every cut */
+wcut_status wcut_normal_equations_create(int n, int m, int cuts, wcut_normal_equations *out);
 void wcut_normal_equations_destroy(wcut_normal_equations *normal);
 
-/* sums of whitened columns (n x rows) and residual (rows), by cut */
+/*
+ * Sums of whitened columns (n x rows) and residual (rows), by cut, weighed with the evidence's scatter. m: 0, or the
+ * evidence's count of scatter columns.
+ */
 void wcut_normal_equations_fill(const wcut_evidence *evidence, const double *column, const double *residual,
                                 wcut_normal_equations *out);
+
+/* The same sums under another scatter: gram, moment and total anew (Woodbury 1950), noise as it was filled with. */
+void wcut_normal_equations_weigh(const wcut_evidence *evidence, wcut_normal_equations *normal);
 
 /*
  * min |r - X t|^2 + sum precision (t - centre)^2 over the chosen columns, all cuts or all but one (without: -1 for all).
@@ -61,12 +81,19 @@ typedef struct wcut_fitted {
         above[WCUT_BASE + WCUT_FIT_MAX]; /* half widths at 95 %, fitted scale: 1.96 errors, or a profile's */
     double kerf;                         /* [mm] constant kerf the scans show; NaN without scans */
     double kerf_error;
-    double cost;       /* whitened misfit, priors included */
-    double *cut_cost;  /* cuts: of the misfit, fitted on all */
-    double *held_out;  /* cuts: of the misfit of each, its effects and base fitted on the others */
-    double *without;   /* cuts x (WCUT_BASE + count): x fitted on all cuts but this one */
-    double *residual;  /* rows, whitened */
-    double *open;      /* rows, whitened: the same, shifts, turns and kerf of scans still in */
+    double cost;          /* -2 ln likelihood, priors included, under its own noise and scatter (wcut_variance_fit) */
+    double misfit;        /* whitened misfit, priors included, under the evidence's noise and scatter */
+    wcut_variances noise; /* its own */
+    double delay[2];      /* [s] of the tension readings, of the angles, as far as scatter */
+    double delay_error[2];
+    double *scatter, *scatter_error; /* cuts x the evidence's scatter columns: the likeliest, and standard deviations */
+    double *cut_cost;                /* cuts: of the misfit, fitted on all */
+    double *held_out;                /* cuts: of the misfit of each, its effects and base fitted on the others */
+    double *without;                 /* cuts x (WCUT_BASE + count): x fitted on all cuts but this one */
+    double *residual;                /* rows, whitened: what the model with its nuisances and its scatter leaves */
+    double *standard;  /* rows: whitened under its own noise and scatter, so that noise has unit variance */
+    double *open;      /* rows, as measured: the same, delays, kerf and scatter still in */
+    double *column;    /* count x rows, as measured: changes with the effects' coordinates at the end */
     double *predicted; /* rows: along the recorded motion, in N, rad, mm; patches: 0 */
     bool at_bound;     /* a coordinate ended at a bound */
 } wcut_fitted;
@@ -96,7 +123,7 @@ wcut_model wcut_fitted_model(const wcut_fitted *fitted, const double *x);
 wcut_status wcut_models_rows(const wcut_evidence *evidence, int count, const wcut_model *model, double *rows,
                              wcut_error *error);
 
-/* shifts, turns and kerf of the scans: how many nuisances, their columns (count x rows), prior standard deviations */
+/* delays of the tension readings and of the angles, kerf of the scans: how many nuisances, their columns (count x rows), prior standard deviations */
 int wcut_nuisance_count(const wcut_evidence *evidence);
 void wcut_nuisance_columns(const wcut_evidence *evidence, double *column, double *spread);
 

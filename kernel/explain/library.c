@@ -4,84 +4,184 @@
 #include "base/numbers.h"
 #include "explain/dictionary.h"
 
-#define LN(x) x /* marks a logarithm of what the comment says */
+/*
+ * One row per effect: class, gate, how it is said, coordinates (value, scale, prior centre and width, step, bounds, on the
+ * fitted scale) and where the screen begins. A kind without a row does not compile.
+ *
+ * Gates: a change that a caliper, a datasheet or the next cut would show, within what the discretisation of recording and
+ * simulation is good for (a lag of a sample, 0.05 s).
+ */
+#define PHYSICS false, true, false
+#define INSTRUMENT true, true, false
+#define DELAY true, false, true
+#define UNSEARCHED false, false, false
+#define UNSEARCHED_INSTRUMENT true, false, false
+#define LINEAR WCUT_FIT_SCALE_LINEAR
+#define LOG WCUT_FIT_SCALE_LOG
+#define RECIPROCAL WCUT_FIT_SCALE_RECIPROCAL
 
-/* Gates: a change that a caliper, a datasheet or the next cut would show; below them it is in nobody's interest, and
-   within what the discretisation of recording and simulation is good for (a lag of a sample, 0.05 s). */
-static const wcut_explanation table[WCUT_EFFECT_COUNT] = {
-    [WCUT_EFFECT_WIRE_THERMAL_LAG] =
-        {WCUT_EFFECT_WIRE_THERMAL_LAG, false, 0.12, 1, {{0, WCUT_FIT_SCALE_LINEAR, 0, 2, 0.05, 0, 20}}},
-    [WCUT_EFFECT_AIR_OVERHEATING] = {WCUT_EFFECT_AIR_OVERHEATING,
-                                     false,
-                                     0.1,
-                                     2,
-                                     {{0, WCUT_FIT_SCALE_LINEAR, 1, 1.5, 0.05, 1, 6},
-                                      {1, WCUT_FIT_SCALE_LOG, LN(0.3) /* 1.35 s */, 0.8, 0.1, -2.3, 3}}},
-    [WCUT_EFFECT_END_COOLING] = {WCUT_EFFECT_END_COOLING,
-                                 false,
-                                 0.03,
-                                 2,
-                                 {{0, WCUT_FIT_SCALE_LINEAR, 0, 0.5, 0.03, 0, 0.47},
-                                  {1, WCUT_FIT_SCALE_LOG, LN(4.5) /* 90 mm */, 0.7, 0.08, 2.3, 6.2}}},
-    [WCUT_EFFECT_FOAM_DENSITY_GRADIENT] =
-        {WCUT_EFFECT_FOAM_DENSITY_GRADIENT, false, 0.04, 1, {{0, WCUT_FIT_SCALE_LINEAR, 0, 0.8, 0.05, -1.8, 1.8}}},
-    [WCUT_EFFECT_FOAM_INCLUSION] = {WCUT_EFFECT_FOAM_INCLUSION,
-                                    false,
-                                    0.06,
-                                    5,
-                                    {{0, WCUT_FIT_SCALE_LINEAR, 0, 0.8, 0.05, -0.95, 5},
-                                     {1, WCUT_FIT_SCALE_LOG, LN(3.9) /* 50 mm */, 0.6, 0.06, 2.3, 5.3},
-                                     {2, WCUT_FIT_SCALE_LINEAR, 0, 1e4, 5, -100, 2000},
-                                     {3, WCUT_FIT_SCALE_LINEAR, 0, 1e4, 5, -100, 5000},
-                                     {4, WCUT_FIT_SCALE_LINEAR, 150, 40, 5, -500, 2000}}},
-    [WCUT_EFFECT_TANGENTIAL_DRAG] =
-        {WCUT_EFFECT_TANGENTIAL_DRAG, false, 0.02, 1, {{0, WCUT_FIT_SCALE_LINEAR, 0, 1, 0.03, 0, 3}}},
-    [WCUT_EFFECT_WIRE_ELONGATION] =
-        {WCUT_EFFECT_WIRE_ELONGATION, false, 4e-4, 1, {{0, WCUT_FIT_SCALE_LINEAR, 0, 0.006, 3e-4, 0, 0.04}}},
-    [WCUT_EFFECT_MOUNT_COMPLIANCE] =
-        {WCUT_EFFECT_MOUNT_COMPLIANCE, false, 0.025, 1, {{0, WCUT_FIT_SCALE_RECIPROCAL, 0, 1.5, 0.02, 0, 5}}},
-    [WCUT_EFFECT_RATE_DEPENDENCE] =
-        {WCUT_EFFECT_RATE_DEPENDENCE, false, 0.05, 1, {{0, WCUT_FIT_SCALE_LINEAR, 0, 0.6, 0.03, -2, 2}}},
-    [WCUT_EFFECT_WIRE_FOULING] = {WCUT_EFFECT_WIRE_FOULING,
-                                  false,
-                                  0.03,
-                                  2,
-                                  {{0, WCUT_FIT_SCALE_LINEAR, 0, 0.5, 0.03, -0.8, 3},
-                                   {1, WCUT_FIT_SCALE_LOG, LN(6.8) /* 900 mm */, 0.9, 0.1, 3.5, 9.5}}},
-    [WCUT_EFFECT_KERF_GROWTH] =
-        {WCUT_EFFECT_KERF_GROWTH, false, 5e-5, 1, {{0, WCUT_FIT_SCALE_LINEAR, 0, 4e-4, 2e-5, -2e-3, 2e-3}}},
-    [WCUT_EFFECT_BLOCK_SPRINGBACK] =
-        {WCUT_EFFECT_BLOCK_SPRINGBACK, false, 0.4, 1, {{0, WCUT_FIT_SCALE_LINEAR, 0, 6, 0.1, -50, 50}}},
-    [WCUT_EFFECT_ANGLE_OFFSET] =
-        {WCUT_EFFECT_ANGLE_OFFSET, true, 0.1, 1, {{0, WCUT_FIT_SCALE_LINEAR, 0, 5, 0.1, -60, 60}}},
-    [WCUT_EFFECT_TENSION_GAIN] =
-        {WCUT_EFFECT_TENSION_GAIN, true, 0.01, 1, {{0, WCUT_FIT_SCALE_LINEAR, 0, 0.2, 0.02, -0.8, 4}}},
-    [WCUT_EFFECT_TENSION_DRIFT] =
-        {WCUT_EFFECT_TENSION_DRIFT, true, 0.04, 1, {{0, WCUT_FIT_SCALE_LINEAR, 0, 0.6, 0.02, -20, 20}}},
-    [WCUT_EFFECT_CLOCK_OFFSET] =
-        {WCUT_EFFECT_CLOCK_OFFSET, true, 0.04, 1, {{0, WCUT_FIT_SCALE_LINEAR, 0, 0.4, 0.02, -5, 5}}},
-    [WCUT_EFFECT_SCAN_OFFSET] = {WCUT_EFFECT_SCAN_OFFSET,
-                                 true,
-                                 0.5,
-                                 3,
-                                 {{0, WCUT_FIT_SCALE_LINEAR, 0, 4, 0.1, -100, 100},
-                                  {1, WCUT_FIT_SCALE_LINEAR, 0, 4, 0.1, -100, 100},
-                                  {2, WCUT_FIT_SCALE_LINEAR, 0, 4, 0.1, -100, 100}}},
-    [WCUT_EFFECT_SCAN_SCALE] =
-        {WCUT_EFFECT_SCAN_SCALE, true, 6e-4, 1, {{0, WCUT_FIT_SCALE_LINEAR, 1, 0.02, 1e-3, 0.8, 1.2}}},
-};
+#define ROW_WIRE_THERMAL_LAG                                                                     \
+    PHYSICS, 0.12, "the wire follows heat and speed with a delay", "time constant %.2f s", 1, 1, \
+        {{0, LINEAR, 0, 2, 0.05, 0, 20}}, 3, {                                                   \
+        {.value = {0.3}}, {.value = {0.8}}, {                                                    \
+            .value = { 2 }                                                                       \
+        }                                                                                        \
+    }
+#define ROW_AIR_OVERHEATING                                                                                \
+    PHYSICS, 0.1, "the wire enters the foam overheated by the air", "%.2f times its power at first", 1, 2, \
+        {{0, LINEAR, 1, 1.5, 0.05, 1, 6}, {1, LOG, 0.3, 0.8, 0.1, -2.3, 3}}, 2, {                          \
+        {.value = {1.3, 0.7}}, {                                                                           \
+            .value = { 1.3, 2.5 }                                                                          \
+        }                                                                                                  \
+    }
+#define ROW_END_COOLING                                                                   \
+    PHYSICS, 0.03, "the wire is cooler near its mounts", "by %.0f %%", 100, 2,            \
+        {{0, LINEAR, 0, 0.5, 0.03, -0.2, 0.49}, {1, LOG, 4.5, 0.7, 0.08, 2.3, 6.2}}, 4, { \
+        {.value = {0.1, 30}}, {.value = {0.1, 60}}, {.value = {0.1, 100}}, {              \
+            .value = { 0.1, 150 }                                                         \
+        }                                                                                 \
+    }
+#define ROW_FOAM_DENSITY_GRADIENT /* choices: 3 forms of 3 axes; only a step has a place */                    \
+    PHYSICS, 0.04, "the foam gets denser across the block", "by %+.0f %%", 100, 1,                             \
+        {{0, LINEAR, 0, 0.8, 0.05, -1.8, 1.8}, {1, LINEAR, 0.5, 0.5, 0.03, 0.02, 0.98}}, 10, {                 \
+        {0, {0.1}, false}, {1, {0.1}, false}, {2, {0.1}, false}, {3, {0.1}, false}, {4, {0.1}, false},         \
+            {6, {0.1, 0.3}, false}, {6, {0.1, 0.5}, false}, {6, {0.1, 0.7}, false}, {7, {0.1, 0.35}, false}, { \
+            7, {0.1, 0.65}, false                                                                              \
+        }                                                                                                      \
+    }
+#define ROW_FOAM_INCLUSION /* its columns are those of places: explain/inclusions.c */  \
+    PHYSICS, 0.06, "there is a spot of other density in the block", "%+.0f %%", 100, 5, \
+        {{0, LINEAR, 0, 0.8, 0.05, -0.95, 5},                                           \
+         {1, LOG, 3.9, 0.6, 0.06, 2.3, 5.3},                                            \
+         {2, LINEAR, 0, 1e4, 5, -100, 2000},                                            \
+         {3, LINEAR, 0, 1e4, 5, -100, 5000},                                            \
+         {4, LINEAR, 150, 40, 5, -500, 2000}},                                          \
+        0, {                                                                            \
+        { 0 }                                                                           \
+    }
+#define ROW_TANGENTIAL_DRAG                                                                                      \
+    PHYSICS, 0.02, "the foam drags along the wire", "friction %.2f", 1, 1, {{0, LINEAR, 0, 1, 0.03, 0, 3}}, 1, { \
+        {                                                                                                        \
+            .value = { 0.1 }                                                                                     \
+        }                                                                                                        \
+    }
+#define ROW_WIRE_ELONGATION                                                          \
+    PHYSICS, 4e-4, "the hot wire is longer than the cold one", "by %.2f %%", 100, 1, \
+        {{0, LINEAR, 0, 0.006, 3e-4, 0, 0.04}}, 1, {                                 \
+        {                                                                            \
+            .value = { 0.002 }                                                       \
+        }                                                                            \
+    }
+#define ROW_MOUNT_COMPLIANCE                                                                              \
+    PHYSICS, 0.025, "the mounts give way", "%.1f N/mm", 1, 1, {{0, RECIPROCAL, 0, 1.5, 0.02, 0, 5}}, 1, { \
+        {                                                                                                 \
+            .value = { 10 }                                                                               \
+        }                                                                                                 \
+    }
+#define ROW_RATE_DEPENDENCE                                                             \
+    PHYSICS, 0.05, "the foam's force follows the speed itself", "exponent %+.2f", 1, 1, \
+        {{0, LINEAR, 0, 0.6, 0.03, -2, 2}}, 1, {                                        \
+        {                                                                               \
+            .value = { 0.1 }                                                            \
+        }                                                                               \
+    }
+#define ROW_WIRE_FOULING                                                                                  \
+    PHYSICS, 0.03, "residue on the wire changes the force as it cuts", "by %+.0f %%", 100, 2,             \
+        {{0, LINEAR, 0, 0.5, 0.03, -0.8, 3}, {1, LOG, 6.8, 0.9, 0.1, 3.5, 9.5}}, 8, {                     \
+        {0, {0.1, 300}, false}, {0, {0.1, 1000}, false}, {0, {0.1, 3000}, false}, {0, {0.1, 3000}, true}, \
+            {1, {0.1, 300}, false}, {1, {0.1, 1000}, false}, {1, {0.1, 3000}, false}, {                   \
+            1, {0.1, 3000}, true                                                                          \
+        }                                                                                                 \
+    }
+#define ROW_EMPIRICAL_FORCE                                                      \
+    UNSEARCHED, HUGE_VAL, "the force follows a term", "%+.3f", 1, 0, {{0}}, 0, { \
+        { 0 }                                                                    \
+    }
+#define ROW_EMPIRICAL_READING                                                                          \
+    UNSEARCHED_INSTRUMENT, HUGE_VAL, "a channel reads more than it should", "%+.3f", 1, 0, {{0}}, 0, { \
+        { 0 }                                                                                          \
+    }
+#define ROW_KERF_GROWTH                                                          \
+    PHYSICS, 5e-5, "the kerf grows with the heat", "%.2f mm per kJ/m2", 1000, 1, \
+        {{0, LINEAR, 0, 4e-4, 2e-5, -2e-3, 2e-3}}, 2, {                          \
+        {.value = {1e-4}}, {                                                     \
+            .choice = 1, .value = { 0, 0.5 }                                     \
+        }                                                                        \
+    }
+#define ROW_BLOCK_SPRINGBACK                                                                                         \
+    PHYSICS, 0.4, "the block changed shape after the cut", "%+.1f mm", 1, 1, {{0, LINEAR, 0, 6, 0.1, -50, 50}}, 5, { \
+        {0, {1}, false}, {1, {1}, false}, {2, {1}, false}, {3, {1}, false}, { 4, {1}, false }                        \
+    }
+#define ROW_ANGLE_OFFSET                                                                                         \
+    INSTRUMENT, 0.1, "an angle encoder is offset", "by %+.2f deg", 1, 1, {{0, LINEAR, 0, 5, 0.1, -60, 60}}, 4, { \
+        {0, {1}, false}, {1, {1}, false}, {2, {1}, false}, { 3, {1}, false }                                     \
+    }
+#define ROW_TENSION_GAIN                                                                          \
+    INSTRUMENT, 0.01, "a tension sensor has another gain than it should", "%+.1f %% off", 100, 1, \
+        {{0, LINEAR, 0, 0.2, 0.02, -0.8, 4}}, 2, {                                                \
+        {0, {0.05}, false}, { 1, {0.05}, false }                                                  \
+    }
+#define ROW_TENSION_DRIFT                                                                                             \
+    INSTRUMENT, 0.04, "a tension sensor drifts", "%+.2f N in 100 s", 1, 1, {{0, LINEAR, 0, 0.6, 0.02, -20, 20}}, 3, { \
+        {0, {0.1}, false}, {1, {0.1}, false}, { 2, {0.1}, false }                                                     \
+    }
+#define ROW_CLOCK_OFFSET                                                                                  \
+    DELAY, 0.05, "sensors are recorded late", "by %.2f s", 1, 1, {{0, LINEAR, 0, 0.4, 0.02, -5, 5}}, 1, { \
+        {                                                                                                 \
+            .value = { 0.05 }                                                                             \
+        }                                                                                                 \
+    }
+#define ROW_TENSION_DELAY                                                                                             \
+    DELAY, 0.05, "the tension sensors are recorded late", "by %.2f s", 1, 1, {{0, LINEAR, 0, 0.4, 0.02, -5, 5}}, 1, { \
+        {                                                                                                             \
+            .value = { 0.05 }                                                                                         \
+        }                                                                                                             \
+    }
+#define ROW_TENSION_ZERO                                                                       \
+    INSTRUMENT, 0.04, "a tension sensor does not read zero without load", "but %+.3f N", 1, 1, \
+        {{0, LINEAR, 0, 0.3, 0.02, -5, 5}}, 2, {                                               \
+        {0, {0.1}, false}, { 1, {0.1}, false }                                                 \
+    }
+#define ROW_ANGLE_GAIN                                                                            \
+    INSTRUMENT, 0.02, "an angle encoder has another gain than it should", "%+.1f %% off", 100, 1, \
+        {{0, LINEAR, 0, 0.2, 0.02, -0.8, 4}}, 4, {                                                \
+        {0, {0.05}, false}, {1, {0.05}, false}, {2, {0.05}, false}, { 3, {0.05}, false }          \
+    }
+#define ROW_ENCODER_FRICTION                                                              \
+    INSTRUMENT, 0.5, "the joints of the encoders hold back", "half width %.2f deg", 1, 1, \
+        {{0, LINEAR, 0, 0.5, 0.05, 0, 5}}, 1, {                                           \
+        { 0, {0.2}, false }                                                               \
+    }
+#define ROW_SCAN_OFFSET /* three strengths: its columns are taken one by one */                                       \
+    INSTRUMENT, 0.5, "the scan is displaced", "%.2f mm along x", 1, 3,                                                \
+        {{0, LINEAR, 0, 4, 0.1, -100, 100}, {1, LINEAR, 0, 4, 0.1, -100, 100}, {2, LINEAR, 0, 4, 0.1, -100, 100}}, 1, \
+    {                                                                                                                 \
+        { 0 }                                                                                                         \
+    }
+#define ROW_SCAN_SCALE                                                                                                \
+    INSTRUMENT, 6e-4, "the scan has another scale", "factor %.4f", 1, 1, {{0, LINEAR, 1, 0.02, 1e-3, 0.8, 1.2}}, 1, { \
+        {                                                                                                             \
+            .value = { 1.002 }                                                                                        \
+        }                                                                                                             \
+    }
+
+#define ROW(name, text, acts) [WCUT_EFFECT_##name] = {WCUT_EFFECT_##name, ROW_##name},
+static const wcut_explanation table[] = {WCUT_EFFECT_LIST(ROW)};
+_Static_assert(sizeof table / sizeof *table == WCUT_EFFECT_COUNT, "a row for every effect");
 
 const wcut_explanation *wcut_explanation_view(wcut_effect_kind kind) { return &table[kind]; }
-
-int wcut_effect_coordinates(const wcut_effect *effect) {
-    return effect->kind == WCUT_EFFECT_EMPIRICAL_FORCE ? wcut_term_coordinates(effect) : table[effect->kind].count;
-}
 
 wcut_coordinate wcut_effect_coordinate(const wcut_effect *effect, int k) {
     if (effect->kind == WCUT_EFFECT_EMPIRICAL_FORCE) return wcut_term_coordinate(effect, k);
     if (effect->kind == WCUT_EFFECT_KERF_GROWTH && effect->choice == 1)
         return (wcut_coordinate){1, WCUT_FIT_SCALE_LINEAR, 0, 1, 0.1, -5, 5};
     return table[effect->kind].coordinate[k];
+}
+
+int wcut_effect_coordinates(const wcut_effect *effect) {
+    if (effect->kind == WCUT_EFFECT_EMPIRICAL_FORCE) return wcut_term_coordinates(effect);
+    const bool step = effect->kind == WCUT_EFFECT_FOAM_DENSITY_GRADIENT && effect->choice >= 6;
+    return step ? 2 : table[effect->kind].count;
 }
 
 double wcut_scale_in(wcut_fit_scale scale, double value) {
@@ -112,51 +212,21 @@ double wcut_effect_size(const wcut_effect *effect) {
     return sqrt(square) / x->gate;
 }
 
-typedef struct list {
-    const bool *without;
-    wcut_variant *out;
-    int count;
-} list;
-
-static void add(list *l, wcut_effect_kind kind, int choice, double v0, double v1, bool carried) {
-    if (l->without[kind] || l->count == WCUT_VARIANTS) return;
-    wcut_variant v = {.effect = wcut_effect_default(kind), .carried = carried};
-    v.effect.choice = choice;
-    v.effect.value[0] = v0;
-    if (table[kind].count == 2) v.effect.value[1] = v1;
-    l->out[l->count++] = v;
-}
-
-static void add_physics(list *l, bool several) {
-    static const double lag[] = {0.3, 0.8, 2}, end[] = {30, 60, 100, 150}, way[] = {300, 1000, 3000};
-    for (int k = 0; k < 3; k++) add(l, WCUT_EFFECT_WIRE_THERMAL_LAG, 0, lag[k], 0, false);
-    add(l, WCUT_EFFECT_AIR_OVERHEATING, 0, 1.3, 0.7, false);
-    add(l, WCUT_EFFECT_AIR_OVERHEATING, 0, 1.3, 2.5, false);
-    for (int k = 0; k < 4; k++) add(l, WCUT_EFFECT_END_COOLING, 0, 0.1, end[k], false);
-    for (int k = 0; k < 3; k++) add(l, WCUT_EFFECT_FOAM_DENSITY_GRADIENT, k, 0.1, 0, false);
-    add(l, WCUT_EFFECT_TANGENTIAL_DRAG, 0, 0.1, 0, false);
-    add(l, WCUT_EFFECT_WIRE_ELONGATION, 0, 0.002, 0, false);
-    add(l, WCUT_EFFECT_MOUNT_COMPLIANCE, 0, 10, 0, false);
-    add(l, WCUT_EFFECT_RATE_DEPENDENCE, 0, 0.1, 0, false);
-    for (int on = 0; on < 2; on++) {
-        for (int k = 0; k < 3; k++) add(l, WCUT_EFFECT_WIRE_FOULING, on, 0.1, way[k], false);
-        if (several) add(l, WCUT_EFFECT_WIRE_FOULING, on, 0.1, 3000, true);
-    }
-}
-
 int wcut_library_variants(const bool without[WCUT_EFFECT_COUNT], bool several, bool scans, wcut_variant *out) {
-    list l = {.without = without, .out = out};
-    add_physics(&l, several);
-    for (int k = 0; k < 4; k++) add(&l, WCUT_EFFECT_ANGLE_OFFSET, k, 1, 0, false);
-    for (int k = 0; k < 2; k++) add(&l, WCUT_EFFECT_TENSION_GAIN, k, 0.05, 0, false);
-    for (int k = 0; k < 3; k++) add(&l, WCUT_EFFECT_TENSION_DRIFT, k, 0.1, 0, false);
-    add(&l, WCUT_EFFECT_CLOCK_OFFSET, 0, 0.05, 0, false);
-    if (!scans) return l.count;
-    add(&l, WCUT_EFFECT_KERF_GROWTH, 0, 1e-4, 0, false);
-    add(&l, WCUT_EFFECT_KERF_GROWTH, 1, 0, 0, false);
-    if (!without[WCUT_EFFECT_KERF_GROWTH]) out[l.count - 1].effect.value[1] = 0.5;
-    for (int k = 0; k < 5; k++) add(&l, WCUT_EFFECT_BLOCK_SPRINGBACK, k, 1, 0, false);
-    add(&l, WCUT_EFFECT_SCAN_OFFSET, 0, 0, 0, false); /* three strengths: its columns are taken one by one */
-    add(&l, WCUT_EFFECT_SCAN_SCALE, 0, 1.002, 0, false);
-    return l.count;
+    int count = 0;
+    for (int kind = 0; kind < WCUT_EFFECT_COUNT; kind++) {
+        const wcut_explanation *x = &table[kind];
+        const wcut_effect_place place = wcut_effect_view((wcut_effect_kind)kind)->place;
+        const bool of_scans = place == WCUT_EFFECT_PLACE_FACE || place == WCUT_EFFECT_PLACE_SCAN;
+        for (int k = 0; k < x->starts && x->searched && !without[kind] && (scans || !of_scans); k++) {
+            const wcut_start *from = &x->start[k];
+            if ((from->carried && !several) || count == WCUT_VARIANTS) continue;
+            wcut_variant v = {.effect = wcut_effect_choose((wcut_effect_kind)kind, from->choice),
+                              .carried = from->carried};
+            v.effect.value[0] = from->value[0];
+            if (from->value[1] != 0) v.effect.value[1] = from->value[1];
+            out[count++] = v;
+        }
+    }
+    return count;
 }

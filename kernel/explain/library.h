@@ -19,22 +19,38 @@ typedef struct wcut_coordinate {
 
 enum { WCUT_COORDINATES = 5, WCUT_VARIANTS = 64 };
 
-/* What of a kind is fitted; the strengths first. */
+/* where a screen takes the column of a variant: choice, values 0 and 1, and what it needs */
+typedef struct wcut_start {
+    int choice;
+    double value[2];
+    bool carried; /* along from cut to cut: more than one cut */
+} wcut_start;
+
+enum { WCUT_STARTS = 10 };
+
+/* What there is to know of a kind of effect beside its physics: a row of explain/library.c. */
 typedef struct wcut_explanation {
     wcut_effect_kind kind;
     bool instrument;
-    double gate; /* practical size, of the first coordinate from its neutral: less is not named, whatever its odds */
+    bool searched;      /* by the screen; false: found another way, or not at all */
+    bool delay;         /* of readings: beside it there is no nuisance of delays */
+    double gate;        /* practical size, of the first coordinate from its neutral: less is of no consequence */
+    const char *phrase; /* a sentence's subject */
+    const char *number; /* a printf format of one double: its first value */
+    double unit;        /* of the value as it is shown */
     int count;
-    wcut_coordinate coordinate[WCUT_COORDINATES];
+    wcut_coordinate coordinate[WCUT_COORDINATES]; /* what is fitted; the strengths first */
+    int starts;
+    wcut_start start[WCUT_STARTS];
 } wcut_explanation;
 
 const wcut_explanation *wcut_explanation_view(wcut_effect_kind kind);
 
-/* how many things are fitted of an effect */
-int wcut_effect_coordinates(const wcut_effect *effect);
-
 /* the k-th thing fitted of an effect: as its kind says, but that a kerf law of the other kind has its own coefficient */
 wcut_coordinate wcut_effect_coordinate(const wcut_effect *effect, int k);
+
+/* how many things of an effect are fitted; a step of density has a place beside its size */
+int wcut_effect_coordinates(const wcut_effect *effect);
 
 /* value on the fitted scale and back */
 double wcut_scale_in(wcut_fit_scale scale, double value);

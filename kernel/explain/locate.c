@@ -85,14 +85,15 @@ static channel channel_of(const search *s, int cut, int signal, double *room) {
     channel h = {.c = c, .signal = signal, .n = c->bins, .sigma = s->e->sigma[signal]};
     h.gain = room, h.scale = room + c->bins, h.z = s->residual + row;
     find_regimes(&h, room + 2 * (ptrdiff_t)c->bins);
-    double variance = s->e->coloured;
+    const double slow = s->e->noise.slow[wcut_noise_group(signal)];
+    double variance = slow;
     for (int i = 0; i < h.n; i++) {
         const double size = variance + 1;
         h.gain[i] = variance / size;
         h.scale[i] = isfinite(s->raw[row + i]) ? 1 / sqrt(size) : 0;
         h.there += h.scale[i] > 0;
         if (h.scale[i] > 0) variance /= size;
-        variance = keep * keep * variance + (1 - keep * keep) * s->e->coloured;
+        variance = keep * keep * variance + (1 - keep * keep) * slow;
     }
     return h;
 }

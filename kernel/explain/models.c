@@ -105,34 +105,37 @@ wcut_status wcut_models_rows(const wcut_evidence *e, int count, const wcut_model
     return status;
 }
 
-/* ---- nuisances of scans ---- */
+/* ---- nuisances ---- */
 
 int wcut_nuisance_count(const wcut_evidence *e) {
     int scans = 0;
     for (int k = 0; k < e->cuts; k++) scans += e->cut[k].patch.count > 0;
-    return scans > 0 ? WCUT_SCAN_NUISANCES * scans + 1 : 0;
+    return WCUT_DELAYS + (scans > 0);
+}
+
+/* what a second of delay changes in the bins of a signal: the fall over a bin, over its width */
+static void delay_column(const wcut_evidence_cut *c, int signal, double *column) {
+    const wcut_trajectory *t = &c->exogenous;
+    const double half = WCUT_BIN_WIDTH / 2;
+    for (int i = 0; i < c->bins && c->reference.signal[signal]; i++) {
+        const double late = wcut_between(t->count, t->time, c->reference.signal[signal], c->middle[i] + half);
+        const double early = wcut_between(t->count, t->time, c->reference.signal[signal], c->middle[i] - half);
+        column[c->row + signal * c->bins + i] = (early - late) / WCUT_BIN_WIDTH;
+    }
 }
 
 void wcut_nuisance_columns(const wcut_evidence *e, double *column, double *spread) {
     const int count = wcut_nuisance_count(e);
     const size_t rows = (size_t)e->rows;
-    if (count == 0) return;
     memset(column, 0, (size_t)count * rows * sizeof *column);
-    int at = 0;
-    double *kerf = column + (size_t)(count - 1) * rows;
+    for (int k = 0; k < WCUT_DELAYS; k++) spread[k] = WCUT_DELAY_SPREAD;
+    for (int k = 0; k < e->cuts; k++)
+        for (int s = 0; s < WCUT_SIGNALS; s++) delay_column(&e->cut[k], s, column + (s < 2 ? 0 : rows));
+    if (count == WCUT_DELAYS) return;
+    double *kerf = column + (size_t)WCUT_DELAYS * rows;
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
-        if (c->patch.count == 0) continue;
-        const wcut_vec3 middle = vec3_scale(0.5, c->job->block_size);
-        for (int i = 0; i < c->patch.count; i++) {
-            const int row = c->row + WCUT_SIGNALS * c->bins + i;
-            const wcut_vec3 n = c->patch.normal[i], turn = vec3_cross(vec3_sub(c->patch.point[i], middle), n);
-            const double value[WCUT_SCAN_NUISANCES] = {n.x, n.y, n.z, turn.x, turn.y, turn.z};
-            for (int j = 0; j < WCUT_SCAN_NUISANCES; j++) column[(size_t)(at + j) * rows + (size_t)row] = value[j];
-            kerf[row] = -0.5;
-        }
-        for (int j = 0; j < WCUT_SCAN_NUISANCES; j++) spread[at + j] = j < 3 ? WCUT_SCAN_SHIFT : WCUT_SCAN_TURN;
-        at += WCUT_SCAN_NUISANCES;
+        for (int i = 0; i < c->patch.count; i++) kerf[c->row + WCUT_SIGNALS * c->bins + i] = -0.5;
     }
-    spread[at] = WCUT_KERF_SPREAD;
+    spread[WCUT_DELAYS] = WCUT_KERF_SPREAD;
 }

@@ -9,6 +9,10 @@
 #include "base/numbers.h"
 #include "base/vec3.h"
 #include "explain/inclusions.h"
+#include "explain/variance.h"
+
+/* groups of the saturated model, and places of inclusions among them */
+enum { SATURATING = 36, PLACES = 6 };
 
 static wcut_coordinate first_coordinate(const wcut_effect *effect, int part) {
     return wcut_effect_coordinate(effect, wcut_explanation_view(effect->kind)->count > part ? part : 0);
@@ -36,9 +40,6 @@ typedef struct making {
     wcut_screen *s;
     wcut_model *model; /* 1 + base + variants' parts */
     double *rows;      /* as many x rows of the evidence */
-    double *column;    /* n x rows, whitened */
-    double *measured;  /* rows */
-    int inclusions;
 } making;
 
 static void add_column(wcut_screen *s, const wcut_variant *v, int part, bool grouped) {
@@ -92,13 +93,12 @@ static wcut_status fill_columns(making *m, wcut_error *error) {
     wcut_status status = wcut_models_rows(m->e, 1 + simulated, m->model, m->rows, error);
     for (int k = 0; status == WCUT_OK && k < simulated; k++) {
         const int place = k < WCUT_BASE ? k : k + s->nuisances;
-        double *column = m->column + (size_t)place * rows, step = k < WCUT_BASE ? wcut_base_step[k] : 0;
+        double *column = s->plain + (size_t)place * rows, step = k < WCUT_BASE ? wcut_base_step[k] : 0;
         if (k >= WCUT_BASE) {
             const wcut_screen_column *c = &s->column[k - WCUT_BASE];
             step = strength(&c->effect, c->part) - neutral_of(&c->effect, c->part);
         }
         for (size_t i = 0; i < rows; i++) column[i] = (m->rows[(size_t)(1 + k) * rows + i] - m->rows[i]) / step;
-        wcut_evidence_whiten(m->e, m->measured, column, column);
     }
     return status;
 }
@@ -107,13 +107,10 @@ static void set_priors(making *m) {
     wcut_screen *s = m->s;
     for (int k = 0; k < WCUT_BASE; k++) s->precision[k] = 1 / (wcut_base_spread[k] * wcut_base_spread[k]);
     double spread[WCUT_FIT_MAX];
-    double *own = m->column + (size_t)WCUT_BASE * (size_t)m->e->rows;
-    wcut_nuisance_columns(m->e, own, spread);
+    wcut_nuisance_columns(m->e, s->plain + (size_t)WCUT_BASE * (size_t)m->e->rows, spread);
     for (int k = 0; k < s->nuisances; k++) {
-        double *column = own + (size_t)k * (size_t)m->e->rows;
-        wcut_evidence_whiten(m->e, m->measured, column, column);
         s->precision[WCUT_BASE + k] = 1 / (spread[k] * spread[k]);
-        s->centre[WCUT_BASE + k] = k == s->nuisances - 1 ? WCUT_KERF : 0;
+        s->centre[WCUT_BASE + k] = k == WCUT_DELAYS ? WCUT_KERF : 0;
     }
     for (int k = 0; k < s->columns; k++) {
         const double wide = first_coordinate(&s->column[k].effect, s->column[k].part).spread;
@@ -125,8 +122,28 @@ void wcut_screen_destroy(wcut_screen *s) {
     wcut_free(s->column);
     wcut_free(s->centre);
     wcut_free(s->precision);
+    wcut_free(s->plain);
+    wcut_free(s->white);
+    wcut_free(s->residual);
+    wcut_free(s->missing);
     wcut_normal_equations_destroy(&s->normal);
     *s = (wcut_screen){0};
+}
+
+static bool make_screen(const wcut_evidence *e, int variants, int inclusions, making *m, wcut_screen *s) {
+    const size_t rows = (size_t)e->rows, most = (size_t)variants + 2 + (size_t)inclusions;
+    const size_t n = WCUT_BASE + (size_t)s->nuisances + most;
+    s->column = wcut_alloc(most, sizeof *s->column);
+    s->centre = wcut_alloc(n, sizeof(double));
+    s->precision = wcut_alloc(n, sizeof(double));
+    s->plain = wcut_alloc(n * rows, sizeof(double));
+    s->white = wcut_alloc((n + 1) * rows, sizeof(double));
+    s->residual = wcut_alloc(rows, sizeof(double));
+    s->missing = wcut_alloc(rows, sizeof(double));
+    m->model = wcut_alloc(WCUT_BASE + 3 + (size_t)variants, sizeof *m->model);
+    m->rows = wcut_alloc((WCUT_BASE + 3 + (size_t)variants) * rows, sizeof(double));
+    return s->column && s->centre && s->precision && s->plain && s->white && s->residual && s->missing && m->model &&
+           m->rows;
 }
 
 wcut_status wcut_screen_create(const wcut_evidence *e, const wcut_model *about, const double *residual,
@@ -135,42 +152,34 @@ wcut_status wcut_screen_create(const wcut_evidence *e, const wcut_model *about, 
     wcut_screen s = {.base = WCUT_BASE, .nuisances = wcut_nuisance_count(e)};
     making m = {.e = e, .about = about, .s = &s};
     const int variants =
-        drop_known(about, wcut_library_variants(without, e->cuts > 1, s.nuisances > 0, variant), variant);
+        drop_known(about, wcut_library_variants(without, e->cuts > 1, s.nuisances > WCUT_DELAYS, variant), variant);
     bool places = !without[WCUT_EFFECT_FOAM_INCLUSION] && about->effects < WCUT_DIAGNOSIS_EFFECTS;
     for (int k = 0; k < about->effects; k++) places = places && about->effect[k].kind != WCUT_EFFECT_FOAM_INCLUSION;
     wcut_inclusions inclusions = {0};
     wcut_status status = places ? wcut_inclusions_create(e, about, &inclusions, error) : WCUT_OK;
-    const size_t rows = (size_t)e->rows, most = (size_t)variants + 2 + (size_t)inclusions.count;
-    const size_t n = WCUT_BASE + (size_t)s.nuisances + most;
-    s.column = wcut_alloc(most, sizeof *s.column);
-    s.centre = wcut_alloc(n, sizeof(double));
-    s.precision = wcut_alloc(n, sizeof(double));
-    m.model = wcut_alloc(WCUT_BASE + 3 + (size_t)variants, sizeof *m.model);
-    m.rows = wcut_alloc((WCUT_BASE + 3 + (size_t)variants) * rows, sizeof(double));
-    m.column = wcut_alloc(n * rows, sizeof(double));
-    m.measured = wcut_alloc(rows, sizeof(double));
-    if (status == WCUT_OK && !(s.column && s.centre && s.precision && m.model && m.rows && m.column && m.measured))
+    const size_t rows = (size_t)e->rows;
+    if (status == WCUT_OK && !make_screen(e, variants, inclusions.count, &m, &s))
         status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for the columns of %d effects", variants);
     if (status == WCUT_OK) {
-        wcut_evidence_residual(e, m.measured);
+        wcut_evidence_residual(e, s.missing);
+        memcpy(s.residual, residual, rows * sizeof(double));
         if (!list_models(&m, variants, variant)) status = WCUT_BAD_ARGUMENT;
     }
     if (status == WCUT_OK) status = fill_columns(&m, error);
     if (status == WCUT_OK) {
+        // what was simulated place by place comes last
         for (int k = 0; k < inclusions.count; k++) {
             const wcut_variant v = {.effect = inclusions.effect[k]};
-            double *column = m.column + (size_t)(WCUT_BASE + s.nuisances + s.columns) * rows;
-            wcut_evidence_whiten(e, m.measured, inclusions.column + (size_t)k * rows, column);
+            double *column = s.plain + (size_t)(WCUT_BASE + s.nuisances + s.columns) * rows;
+            memcpy(column, inclusions.column + (size_t)k * rows, rows * sizeof *column);
             add_column(&s, &v, 0, false);
         }
         set_priors(&m);
-        status = wcut_normal_equations_create(WCUT_BASE + s.nuisances + s.columns, e->cuts, &s.normal);
+        status =
+            wcut_normal_equations_create(WCUT_BASE + s.nuisances + s.columns, e->scatter.count, e->cuts, &s.normal);
     }
     if (status == WCUT_OK) {
-        wcut_screened none;
-        wcut_normal_equations_fill(e, m.column, residual, &s.normal);
-        s.cost = 0;
-        if (wcut_screen_solve(&s, 0, NULL, &none)) s.cost = -none.gain;
+        wcut_screen_weigh(e, &s);
         *out = s;
     } else {
         wcut_screen_destroy(&s);
@@ -178,8 +187,139 @@ wcut_status wcut_screen_create(const wcut_evidence *e, const wcut_model *about, 
     wcut_inclusions_destroy(&inclusions);
     wcut_free(m.model);
     wcut_free(m.rows);
-    wcut_free(m.column);
-    wcut_free(m.measured);
+    return status;
+}
+
+void wcut_screen_weigh(const wcut_evidence *e, wcut_screen *s) {
+    const size_t rows = (size_t)e->rows;
+    const int n = s->base + s->nuisances + s->columns;
+    double *white = s->white + (size_t)n * rows; /* one more row is there: the residual's */
+    for (int k = 0; k < n; k++)
+        wcut_evidence_whiten(e, s->missing, s->plain + (size_t)k * rows, s->white + (size_t)k * rows);
+    wcut_evidence_whiten(e, s->missing, s->residual, white);
+    wcut_normal_equations_fill(e, s->white, white, &s->normal);
+    wcut_screened none;
+    s->cost = 0;
+    if (wcut_screen_solve(s, 0, NULL, &none)) s->cost = -none.gain;
+}
+
+/* whether a fit has the effect of a column already, so that the column is no variant of its own */
+static bool is_known(const wcut_model *about, const wcut_effect *effect) {
+    for (int j = 0; j < about->effects; j++) {
+        const wcut_effect *has = &about->effect[j];
+        if (has->kind != effect->kind) continue;
+        if (effect->kind == WCUT_EFFECT_FOAM_INCLUSION || !wcut_effect_view(effect->kind)->repeats) return true;
+        if (has->choice == effect->choice) return true;
+    }
+    return false;
+}
+
+wcut_status wcut_screen_move(const wcut_evidence *e, const wcut_fitted *fitted, wcut_screen *s) {
+    const size_t rows = (size_t)e->rows;
+    const int shared = s->base + s->nuisances, kept = shared + fitted->count;
+    const size_t room = (size_t)(kept + s->columns);
+    double *plain = wcut_alloc(room * rows, sizeof *plain), *white = wcut_alloc((room + 1) * rows, sizeof *white);
+    double *centre = wcut_alloc(room, sizeof *centre), *precision = wcut_alloc(room, sizeof *precision);
+    wcut_normal_equations normal = {0};
+    int columns = 0, groups = 0, last = -1;
+    wcut_status status = plain && white && centre && precision ? WCUT_OK : WCUT_NO_MEMORY;
+    if (status == WCUT_OK) {
+        // recalibration and nuisances, then the coordinates of the fit, as nuisances too
+        memcpy(plain, s->plain, (size_t)shared * rows * sizeof *plain);
+        memcpy(centre, s->centre, (size_t)shared * sizeof *centre);
+        memcpy(precision, s->precision, (size_t)shared * sizeof *precision);
+        memcpy(plain + (size_t)shared * rows, fitted->column, (size_t)fitted->count * rows * sizeof *plain);
+        for (int k = 0; k < fitted->count; k++) {
+            const double spread = fitted->coordinate[k].spread;
+            precision[shared + k] = 1 / (spread * spread);
+        }
+
+        // what is no variant of the fit's own effects
+        for (int c = 0; c < s->columns; c++) {
+            const wcut_screen_column column = s->column[c];
+            const int at = kept + columns;
+            if (is_known(&fitted->model, &column.effect)) continue;
+            if (column.group != last) groups++;
+            last = column.group;
+            memcpy(plain + (size_t)at * rows, s->plain + (size_t)(shared + c) * rows, rows * sizeof *plain);
+            centre[at] = s->centre[shared + c], precision[at] = s->precision[shared + c];
+            s->column[columns] = column;
+            s->column[columns++].group = groups - 1;
+        }
+        status = wcut_normal_equations_create(kept + columns, e->scatter.count, e->cuts, &normal);
+    }
+    if (status != WCUT_OK) {
+        wcut_free(plain), wcut_free(white), wcut_free(centre), wcut_free(precision);
+        return status;
+    }
+    wcut_free(s->plain), wcut_free(s->white), wcut_free(s->centre), wcut_free(s->precision);
+    wcut_normal_equations_destroy(&s->normal);
+    s->plain = plain, s->white = white, s->centre = centre, s->precision = precision, s->normal = normal;
+    s->nuisances += fitted->count, s->columns = columns, s->groups = groups;
+    memcpy(s->residual, fitted->open, rows * sizeof *s->residual);
+    wcut_screen_weigh(e, s);
+    return WCUT_OK;
+}
+
+/* ---- the saturated model ---- */
+
+/* groups of the saturated model: the best of every kind, and places of inclusions beside each other */
+static int saturating_groups(const wcut_screened *single, int count, int most, int *group) {
+    int chosen = 0, places = 0;
+    for (int i = 0; i < count && chosen < most; i++) {
+        bool seen = false;
+        const bool place = single[i].effect[0].kind == WCUT_EFFECT_FOAM_INCLUSION;
+        for (int k = 0; k < i; k++)
+            seen = seen || (single[k].effect[0].kind == single[i].effect[0].kind &&
+                            single[k].effect[0].choice == single[i].effect[0].choice);
+        if (place ? places >= PLACES : seen) continue;
+        places += place;
+        group[chosen++] = single[i].group[0];
+    }
+    return chosen;
+}
+
+wcut_status wcut_screen_saturate(wcut_evidence *e, wcut_screen *s) {
+    const size_t rows = (size_t)e->rows;
+    int group[SATURATING], column[WCUT_FIT_MAX], n = 0;
+    double centre[WCUT_FIT_MAX], precision[WCUT_FIT_MAX], score;
+    wcut_screened *single = wcut_alloc((size_t)s->groups, sizeof *single);
+    double *plain = wcut_alloc(WCUT_FIT_MAX * rows, sizeof *plain),
+           *white = wcut_alloc(WCUT_FIT_MAX * rows, sizeof *white);
+    double *residual = wcut_alloc(rows, sizeof *residual);
+    wcut_evidence own = *e;
+    own.scatter.white = wcut_alloc((size_t)e->scatter.count * rows, sizeof(double));
+    wcut_normal_equations normal = {0};
+    wcut_status status = single && plain && white && residual && own.scatter.white ? WCUT_OK : WCUT_NO_MEMORY;
+    if (status == WCUT_OK) {
+        const int singles = wcut_screen_singles(s, single);
+        const int groups = saturating_groups(single, singles, SATURATING, group);
+        for (int k = 0; k < s->base + s->nuisances; k++) column[n++] = k;
+        for (int g = 0; g < groups; g++)
+            for (int c = 0; c < s->columns && n < WCUT_FIT_MAX; c++)
+                if (s->column[c].group == group[g]) column[n++] = s->base + s->nuisances + c;
+        for (int k = 0; k < n; k++) {
+            memcpy(plain + (size_t)k * rows, s->plain + (size_t)column[k] * rows, rows * sizeof *plain);
+            centre[k] = s->centre[column[k]], precision[k] = s->precision[column[k]];
+        }
+        status = wcut_normal_equations_create(n, e->scatter.count, e->cuts, &normal);
+    }
+    if (status == WCUT_OK) {
+        const wcut_linear linear = {n, plain, s->residual, s->missing, centre, precision};
+        wcut_variances_begin(&own.noise);
+        status = wcut_variance_fit(&linear, &own, white, residual, &normal, &score);
+    }
+    if (status == WCUT_OK) {
+        e->noise = own.noise;
+        wcut_evidence_whiten_scatter(e, s->missing);
+        wcut_screen_weigh(e, s);
+    }
+    wcut_normal_equations_destroy(&normal);
+    wcut_free(own.scatter.white);
+    wcut_free(residual);
+    wcut_free(white);
+    wcut_free(plain);
+    wcut_free(single);
     return status;
 }
 

@@ -17,17 +17,35 @@ typedef struct wcut_screen {
     int groups;
     wcut_screen_column *column; /* columns */
     wcut_normal_equations normal;
+    double *plain, *white;      /* (base + nuisances + columns) x rows, as measured and whitened */
+    double *residual, *missing; /* rows, as measured; NaN where nothing was measured */
     double *centre, *precision; /* base + nuisances + columns */
     double cost;                /* of recalibration alone */
-    double cost_held_out;
 } wcut_screen;
 
-/* Columns about a model, which may hold effects already. residual: rows, whitened, measured less predicted there, the
-   scans' shifts, turns and kerf still in (wcut_fitted.open).
+/* Columns about a model, which may hold effects already. residual: rows, as measured, measured less predicted there, the
+   nuisances still in (wcut_fitted.open).
    WCUT_OK; as wcut_models_rows: nothing was written. */
 wcut_status wcut_screen_create(const wcut_evidence *evidence, const wcut_model *about, const double *residual,
                                const bool without[WCUT_EFFECT_COUNT], wcut_screen *out, wcut_error *error);
 void wcut_screen_destroy(wcut_screen *screen);
+
+/* The sums anew after the evidence's noise has changed. */
+void wcut_screen_weigh(const wcut_evidence *evidence, wcut_screen *screen);
+
+/*
+ * The screen about a fit of the same library: its residual, its effects' own columns beside recalibration, no variant of
+ * what it has already. The other columns stay those of the plain model: what two effects have in common is of second order.
+ * WCUT_OK; WCUT_NO_MEMORY: the screen is as it was.
+ */
+wcut_status wcut_screen_move(const wcut_evidence *evidence, const wcut_fitted *fitted, wcut_screen *screen);
+
+/*
+ * The variances of a saturated model: whatever the library could explain is taken out, the best of every kind together, so
+ * that no effect is taken for scatter. They become the evidence's own, and the screen is weighed with them.
+ * WCUT_OK; WCUT_NOT_CONVERGED, WCUT_NO_MEMORY: the evidence keeps its noise.
+ */
+wcut_status wcut_screen_saturate(wcut_evidence *evidence, wcut_screen *screen);
 
 /* What a choice of groups gives. */
 typedef struct wcut_screened {

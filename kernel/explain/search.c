@@ -7,30 +7,35 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "explain/decide.h"
 
-enum { SINGLES = 4, SECONDS = 2, PAIRS = 2, BLOCK = 8 };
+enum { SINGLES = 3, SECONDS = 2, PAIRS = 1, BLOCK = 8 };
 
 /* a gain below this of a thousand rows' misfit is in the noise of the search over the whole library */
 #define WORTH 12.0
 /* what is tried in full: half of a practical size or more */
 #define NEARLY 0.5
+/* or what stands out so far that it is there, however small */
+#define TELLS 300.0
+/* [twice ln likelihood] what a delay must explain beside other effects */
+#define LATE 30.0
 /* and what comes near the best of the screen, whose columns are straight lines through bent responses */
-#define CONTENDS 0.2
+#define CONTENDS 0.25
 
 /* ---- residual statistics ---- */
 
-typedef struct tally {
-    double sum;
+typedef struct block_sums {
+    double sum, peak;
     int blocks;
-} tally;
+} block_sums;
 
 /* squares of block sums over their length */
-static tally slow_part(int n, const double *z) {
-    tally t = {0, 0};
+static block_sums slow_part(int n, const double *z) {
+    block_sums t = {0};
     for (int i = 0; i + BLOCK <= n; i += BLOCK) {
         double sum = 0;
         for (int k = 0; k < BLOCK; k++) sum += z[i + k];
-        t.sum += sum * sum / BLOCK;
+        t.sum += sum * sum / BLOCK, t.peak = fmax(t.peak, sum * sum / BLOCK);
         t.blocks++;
     }
     return t;
@@ -38,15 +43,16 @@ static tally slow_part(int n, const double *z) {
 
 wcut_residual_stats wcut_residual_stats_eval(const wcut_evidence *e, const double *residual) {
     wcut_residual_stats left = {0};
-    tally slow = {0, 0}, common = {0, 0};
+    block_sums slow = {0}, common = {0};
     double sum = 0, patches = 0;
     int rows = 0, patch_count = 0;
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
         const double *z = residual + c->row;
         for (int s = 0; s < WCUT_SIGNALS; s++) {
-            const tally t = slow_part(c->bins, z + (ptrdiff_t)s * c->bins);
+            const block_sums t = slow_part(c->bins, z + (ptrdiff_t)s * c->bins);
             slow.sum += t.sum, slow.blocks += t.blocks;
+            left.peak = fmax(left.peak, t.peak);
             if (t.blocks > 4) left.worst = fmax(left.worst, t.sum / t.blocks);
         }
         for (int i = 0; i + BLOCK <= c->bins; i += BLOCK) {
@@ -70,7 +76,8 @@ wcut_residual_stats wcut_residual_stats_eval(const wcut_evidence *e, const doubl
 /* ---- candidates ---- */
 
 typedef struct searching {
-    const wcut_evidence *e;
+    wcut_screen screen; /* of the whole library */
+    wcut_evidence *e;
     wcut_search *s;
     const bool *without;
     int done;
@@ -107,6 +114,10 @@ static void compare_held_out(const wcut_evidence *e, const wcut_fitted *none, wc
     }
 }
 
+const wcut_fitted *wcut_search_base(const wcut_search *s) {
+    return s->delayed >= 0 ? &s->candidate[s->delayed].fit : &s->none;
+}
+
 /* Fit a model in full and keep it. WCUT_OK where it did not converge, too: then it is no candidate. */
 static wcut_status try_model(searching *g, const wcut_model *start, wcut_error *error) {
     wcut_search *s = g->s;
@@ -120,12 +131,15 @@ static wcut_status try_model(searching *g, const wcut_model *start, wcut_error *
     status = wcut_fit_solve(g->e, &model, &c.fit, error);
     if (status == WCUT_NO_MEMORY || status == WCUT_INTERRUPTED) return status;
     if (status != WCUT_OK) return WCUT_OK;
-    c.gain = s->none.cost - c.fit.cost;
+    const wcut_fitted *base = wcut_search_base(s);
+    c.effects = start->effects - base->model.effects;
+    c.gain = base->cost - c.fit.cost;
+    c.fall = base->misfit - c.fit.misfit;
     c.second_size = HUGE_VAL;
-    for (int k = 0; k < start->effects; k++)
+    for (int k = base->model.effects; k < start->effects; k++)
         c.second_size = fmin(c.second_size, wcut_effect_size(&c.fit.model.effect[k]));
-    compare_held_out(g->e, &s->none, &c);
-    c.left = wcut_residual_stats_eval(g->e, c.fit.residual);
+    compare_held_out(g->e, base, &c);
+    c.left = wcut_residual_stats_eval(g->e, c.fit.standard);
     s->candidate[s->count++] = c;
     return WCUT_OK;
 }
@@ -163,20 +177,66 @@ static double scale(const wcut_search *s) {
     return fmax(least, 1);
 }
 
+/* A delay beyond what readings have in every rig: which effect it is, and how long. Readings are never early. */
+static bool late_readings(const wcut_fitted *f, wcut_effect *effect) {
+    const double tension = f->delay[0], angle = f->delay[1];
+    const double least = wcut_explanation_view(WCUT_EFFECT_TENSION_DELAY)->gate;
+    const bool alike = angle > 0.5 * tension && angle > 4 * f->delay_error[1];
+    if (tension < least + fmax(2 * f->delay_error[0], 0.01) || tension < 5 * f->delay_error[0]) return false;
+    *effect = wcut_effect_default(alike ? WCUT_EFFECT_CLOCK_OFFSET : WCUT_EFFECT_TENSION_DELAY);
+    effect->value[0] = tension;
+    return true;
+}
+
+/* Late readings before anything else: they are in every cut, and whatever is slow would be taken for them. They are kept
+   where they leave noise alone; where more is wrong they wait for it (add_delay). */
+static wcut_status try_delay(searching *g, wcut_error *error) {
+    wcut_search *s = g->s;
+    wcut_effect effect;
+    if (!late_readings(&s->none, &effect) || g->without[effect.kind]) return WCUT_OK;
+    wcut_model start = s->none.model;
+    start.effect[start.effects++] = effect;
+    const wcut_status status = try_model(g, &start, error);
+    if (status != WCUT_OK || s->count == 0) return status;
+    if (!wcut_search_explains_delay(s, 0)) {
+        s->count = 0;
+        wcut_fitted_destroy(&s->candidate[0].fit);
+        return WCUT_OK;
+    }
+    s->delayed = 0, s->left = s->candidate[0].left, s->candidate[0].effects = 0;
+    return WCUT_OK;
+}
+
 static wcut_status try_singles(searching *g, wcut_error *error) {
     wcut_search *s = g->s;
-    wcut_screen screen = {0};
+    wcut_screen *screen = &g->screen;
     wcut_status status = step(g, "the library was screened", error);
-    if (status == WCUT_OK) status = wcut_screen_create(g->e, &s->none.model, s->none.open, g->without, &screen, error);
+    if (status == WCUT_OK) status = wcut_screen_create(g->e, &s->none.model, s->none.open, g->without, screen, error);
     if (status != WCUT_OK) return status;
-    s->screened = best_of_kinds(&screen, s->single, error);
-    s->pairs = wcut_screen_pairs(&screen, WCUT_SCREENED, s->pair);
-    wcut_screen_destroy(&screen);
+    status = wcut_screen_saturate(g->e, screen);
+    if (status == WCUT_NOT_CONVERGED) status = WCUT_OK; /* the noise stays what it began as */
+    if (status != WCUT_OK) return wcut_fail(error, status, "no memory for the saturated model");
+
+    // recalibration again, under the noise that is known now
+    wcut_fitted again = {0};
+    status = wcut_fit_solve(g->e, &s->none.model, &again, error);
+    if (status != WCUT_OK) return status;
+    wcut_fitted_destroy(&s->none);
+    s->none = again;
+    s->left = wcut_residual_stats_eval(g->e, s->none.standard);
+    s->rows = s->cuts = 0;
+    for (int k = 0; k < g->e->cuts; k++) s->cuts += g->e->cut[k].bins > 0;
+    for (int i = 0; i < g->e->rows; i++) s->rows += isfinite(screen->missing[i]) != 0;
+    status = try_delay(g, error);
+    if (status == WCUT_OK && s->delayed >= 0) status = wcut_screen_move(g->e, wcut_search_base(s), screen);
+    if (status != WCUT_OK) return status;
+    s->screened = best_of_kinds(screen, s->single, error);
+    s->pairs = wcut_screen_pairs(screen, WCUT_SCREENED, s->pair);
     if (s->screened < 0) return WCUT_NO_MEMORY;
     for (int k = 0, full = 0; status == WCUT_OK && k < s->screened && full < SINGLES; k++) {
         if (s->single[k].gain < fmax(WORTH * s->left.slow, CONTENDS * s->single[0].gain)) continue;
-        if (s->single[k].size[0] < NEARLY) continue;
-        const wcut_model start = with_effects(&s->none.model, &s->single[k]);
+        if (s->single[k].size[0] < NEARLY && s->single[k].gain < TELLS) continue;
+        const wcut_model start = with_effects(&wcut_search_base(s)->model, &s->single[k]);
         status = try_model(g, &start, error);
         full++;
     }
@@ -186,7 +246,8 @@ static wcut_status try_singles(searching *g, wcut_error *error) {
 static int best_candidate(const wcut_search *s, int effects) {
     int best = -1;
     for (int k = 0; k < s->count; k++)
-        if (s->candidate[k].effects == effects && (best < 0 || s->candidate[k].gain > s->candidate[best].gain))
+        if (s->candidate[k].effects == effects && k != s->delayed &&
+            (best < 0 || s->candidate[k].gain > s->candidate[best].gain))
             best = k;
     return best;
 }
@@ -196,18 +257,18 @@ static wcut_status try_pairs(searching *g, wcut_error *error) {
     wcut_search *s = g->s;
     const int best = best_candidate(s, 1);
     if (best < 0) return WCUT_OK;
-    wcut_screen screen = {0};
     const wcut_model about = s->candidate[best].fit.model;
     wcut_status status = step(g, "the library was screened for a second effect", error);
-    if (status == WCUT_OK)
-        status = wcut_screen_create(g->e, &about, s->candidate[best].fit.open, g->without, &screen, error);
-    if (status != WCUT_OK) return status == WCUT_NO_MEMORY || status == WCUT_INTERRUPTED ? status : WCUT_OK;
-    s->next = best_of_kinds(&screen, s->second, error);
-    wcut_screen_destroy(&screen);
+    if (status != WCUT_OK) return status;
+    if (wcut_screen_move(g->e, &s->candidate[best].fit, &g->screen) != WCUT_OK)
+        return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a second screen");
+    s->next = best_of_kinds(&g->screen, s->second, error);
     if (s->next < 0) return WCUT_NO_MEMORY;
     const double chance = WORTH * scale(s);
     for (int k = 0, full = 0; status == WCUT_OK && k < s->next && full < SECONDS; k++) {
-        if (s->second[k].gain < fmax(chance, CONTENDS * s->second[0].gain) || s->second[k].size[0] < NEARLY) continue;
+        if (s->second[k].gain < fmax(chance, CONTENDS * s->second[0].gain) ||
+            (s->second[k].size[0] < NEARLY && s->second[k].gain < TELLS))
+            continue;
         const wcut_model start = with_effects(&about, &s->second[k]);
         status = try_model(g, &start, error);
         full++;
@@ -215,10 +276,46 @@ static wcut_status try_pairs(searching *g, wcut_error *error) {
     for (int k = 0, full = 0; status == WCUT_OK && k < s->pairs && full < PAIRS; k++) {
         const wcut_screened *p = &s->pair[k];
         if (p->gain < s->candidate[best].gain + chance || fmin(p->size[0], p->size[1]) < 1) continue;
-        const wcut_model start = with_effects(&s->none.model, p);
+        const wcut_model start = with_effects(&wcut_search_base(s)->model, p);
         status = try_model(g, &start, error);
         full++;
     }
+    return status;
+}
+
+/* the verdict with the delay that its nuisances show */
+static wcut_status add_delay(searching *g, wcut_error *error) {
+    wcut_search *s = g->s;
+    const wcut_decision d = wcut_search_decide(s);
+    wcut_effect effect;
+    if (s->delayed >= 0 || d.chosen < 0) return WCUT_OK;
+    const wcut_fitted *f = &s->candidate[d.chosen].fit;
+    if (f->model.effects == WCUT_DIAGNOSIS_EFFECTS || !late_readings(f, &effect) || g->without[effect.kind])
+        return WCUT_OK;
+    wcut_model start = f->model;
+    start.effect[start.effects++] = effect;
+    const int count = s->count;
+    const double before = s->candidate[d.chosen].gain;
+    const wcut_status status = try_model(g, &start, error);
+    if (s->count > count && s->candidate[count].gain > before + LATE &&
+        wcut_effect_size(&s->candidate[count].fit.model.effect[start.effects - 1]) >= 1)
+        s->undelayed = count, s->undelayed_from = d.chosen;
+    return status;
+}
+
+/* the verdict without a delay that its own effects have made needless */
+static wcut_status drop_delay(searching *g, wcut_error *error) {
+    wcut_search *s = g->s;
+    const wcut_decision d = wcut_search_decide(s);
+    if (s->delayed < 0 || d.chosen < 0 || d.chosen == s->delayed) return WCUT_OK;
+    const wcut_model *m = &s->candidate[d.chosen].fit.model;
+    if (wcut_effect_size(&m->effect[0]) >= 1) return WCUT_OK;
+    wcut_model start = *m;
+    start.effects--;
+    memmove(start.effect, start.effect + 1, (size_t)start.effects * sizeof *start.effect);
+    const int count = s->count;
+    const wcut_status status = try_model(g, &start, error);
+    if (s->count > count) s->undelayed = count, s->undelayed_from = d.chosen, s->candidate[count].effects++;
     return status;
 }
 
@@ -228,23 +325,27 @@ void wcut_search_destroy(wcut_search *s) {
     *s = (wcut_search){0};
 }
 
-wcut_status wcut_search_run(const wcut_evidence *e, const bool without[WCUT_EFFECT_COUNT], wcut_search *out,
+wcut_status wcut_search_run(wcut_evidence *e, const bool without[WCUT_EFFECT_COUNT], wcut_search *out,
                             wcut_error *error) {
     wcut_search *s = wcut_alloc(1, sizeof *s);
     if (!s) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for the search");
+    s->delayed = s->undelayed = -1;
     searching g = {.e = e, .s = s, .without = without, .done = e->stop ? e->stop->done + 1 : 0};
     wcut_status status = step(&g, "the recalibration was fitted", error);
     if (status == WCUT_OK) status = wcut_fit_solve(e, &e->at, &s->none, error);
     const bool fitted = status == WCUT_OK;
     if (status == WCUT_OK) {
-        s->left = wcut_residual_stats_eval(e, s->none.residual);
+        s->left = wcut_residual_stats_eval(e, s->none.standard);
         status = try_singles(&g, error);
     }
     if (status == WCUT_OK) status = try_pairs(&g, error);
+    if (status == WCUT_OK) status = drop_delay(&g, error);
+    if (status == WCUT_OK) status = add_delay(&g, error);
     if (status == WCUT_OK || (status == WCUT_INTERRUPTED && fitted))
         *out = *s;
     else
         wcut_search_destroy(s);
+    wcut_screen_destroy(&g.screen);
     wcut_free(s);
     return status;
 }

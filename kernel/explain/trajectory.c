@@ -16,9 +16,11 @@
 /* a step is cut into 2^this at most, and so many steps in a row that fail end the run: a wire drawn taut, by a length that
    is tried, would cost thousands of solves a sample */
 enum { HALVINGS = 5, GIVE_UP = 12 };
-/* [s] a step of a recorded motion is no longer: the implicit step answers as if it were late by half its length, and a
-   recording at 5 Hz looked as if its sensors were early by 0.04 s. At 20 Hz a step is a sample. */
-#define LONGEST 0.06
+/* [s] steps of a recorded motion: samples that come closer are stepped over and interpolated, longer waits are cut up. The
+   implicit step answers for its middle, and its tensions are given that time; against steps of 0.05 s a tension moves by
+   0.002 N, a tenth of a sensor's noise, and a case takes half the time. */
+#define SHORTEST 0.095
+#define LONGEST 0.11
 /* stations that a step must advance: below, the mounts stand and the wire keeps its shape */
 #define STANDING 1e-4
 
@@ -167,20 +169,31 @@ typedef struct driver {
     const wcut_trajectory *trajectory;
     wcut_cut *cut;
     double time, station;
+    double *middle; /* count [s] of a sample's last step; NULL for an exogenous trajectory, where differences count */
+    int last;       /* the sample before that was driven */
 } driver;
+
+/* mean heat of the samples behind the last one that was driven */
+static double heat_of(const driver *d, int i) {
+    double sum = 0;
+    for (int k = d->last + 1; k <= i; k++) sum += d->trajectory->heat[k];
+    return sum / (i - d->last);
+}
 
 static bool advance(driver *d, int i) {
     const wcut_trajectory *t = d->trajectory;
     const double wait = t->sample ? (t->time[i] - d->time) / LONGEST : 1; /* an exogenous one is for differences */
     const int steps = (int)clamp(ceil(fmax(wait, t->station[i] - d->station)), 1, 1e6);
-    const double from = d->station, begun = d->time, duration = (t->time[i] - begun) / steps;
+    const double from = d->station, begun = d->time, duration = (t->time[i] - begun) / steps, heat = heat_of(d, i);
     for (int k = 1; k <= steps; k++) {
         const double s = k == steps ? t->station[i] : from + (t->station[i] - from) * k / steps;
         const wcut_vec3 a = wcut_path_at(d->job->stations, d->job->mount_a, s);
         const wcut_vec3 b = wcut_path_at(d->job->stations, d->job->mount_b, s);
-        if (wcut_cut_drive(d->cut, a, b, duration, t->heat[i], NULL) != WCUT_OK) return false;
+        if (wcut_cut_drive(d->cut, a, b, duration, heat, NULL) != WCUT_OK) return false;
         d->station = s, d->time = begun + k * duration;
     }
+    if (d->middle) d->middle[i] = t->time[i] - duration / 2;
+    d->last = i;
     return true;
 }
 
@@ -206,13 +219,58 @@ static void begin(driver *d) {
     d->time = t->time[0] - fmax(t->station[0], 0.2) / fmax(pace, 0.1);
 }
 
+/* a sample between two that were driven: on the line between them */
+static void interpolate(const driver *d, int low, int high, int i, wcut_response *out) {
+    const double *time = d->trajectory->time, share = (time[i] - time[low]) / (time[high] - time[low]);
+    for (int k = 2; k < WCUT_SIGNALS; k++)
+        out->signal[k][i] = (1 - share) * out->signal[k][low] + share * out->signal[k][high];
+    out->engaged[i] = (1 - share) * out->engaged[low] + share * out->engaged[high];
+    out->present[i] = 1;
+    if (!out->position) return;
+    const size_t n = (size_t)out->nodes;
+    for (size_t k = 0; k < n; k++) {
+        out->position[(size_t)i * n + k] =
+            vec3_mix(out->position[(size_t)low * n + k], out->position[(size_t)high * n + k], share);
+        out->speed[(size_t)i * n + k] =
+            (1 - share) * out->speed[(size_t)low * n + k] + share * out->speed[(size_t)high * n + k];
+    }
+}
+
+/* samples that were stepped over, and tensions at the middle of their steps; room: count */
+static void fill_between(const driver *d, double *room, int *driven, wcut_response *out) {
+    int count = 0;
+    for (int i = 0; i < out->count; i++)
+        if (out->present[i]) driven[count++] = i;
+    for (int k = 0; k + 1 < count; k++) /* behind a failure nothing is known */
+        for (int i = driven[k] + 1; i < driven[k + 1] && out->present[i] == 0; i++)
+            if (d->trajectory->time[driven[k + 1]] - d->trajectory->time[driven[k]] < 2 * LONGEST)
+                interpolate(d, driven[k], driven[k + 1], i, out);
+
+    // tensions on the line through the middles of the steps, both mounts
+    for (int s = 0; s < 2 && count > 1; s++) {
+        double *value = out->signal[s];
+        for (int k = 0; k < count; k++) room[k] = value[driven[k]];
+        for (int i = 0, k = 0; i < out->count; i++) {
+            if (!out->present[i]) continue;
+            while (k < count - 2 && d->middle[driven[k + 1]] <= d->trajectory->time[i]) k++;
+            const double from = d->middle[driven[k]], to = d->middle[driven[k + 1]];
+            const double share = to > from ? fmin((d->trajectory->time[i] - from) / (to - from), 1.5) : 1;
+            value[i] = share <= 0 ? room[k] : (1 - share) * room[k] + share * room[k + 1];
+        }
+    }
+}
+
 /* false where it was stopped */
 static bool drive(driver *d, wcut_stop *stop, wcut_response *out) {
+    const wcut_trajectory *t = d->trajectory;
     begin(d);
     wcut_cut_set_clock(d->cut, d->time);
-    for (int i = 0, failed = 0; i < d->trajectory->count && failed < GIVE_UP; i++) {
+    d->last = -1;
+    for (int i = 0, failed = 0; i < t->count && failed < GIVE_UP; i++) {
         if (wcut_stop_asked(stop)) return false;
-        const bool there = d->trajectory->station[i] - d->station < STANDING ? i > 0 : advance(d, i);
+        if (d->middle && i > 0 && i < t->count - 1 && t->time[i] - d->time < SHORTEST) continue;
+        if (d->middle) d->middle[i] = t->time[i];
+        const bool there = t->station[i] - d->station < STANDING ? i > 0 : advance(d, i);
         if (there) keep(d, i, out);
         failed = there ? 0 : failed + 1;
     }
@@ -233,7 +291,19 @@ wcut_status wcut_response_run(const wcut_job *job, int nodes, const wcut_traject
     if (status == WCUT_OK) status = wcut_cut_create(setup, &d.cut, error);
     if (status == WCUT_OK && !response_create(trajectory->count, nodes, positions, &driven))
         status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d samples", trajectory->count);
+    double *room = NULL;
+    int *index = NULL;
+    if (status == WCUT_OK && trajectory->sample) {
+        d.middle = wcut_alloc((size_t)trajectory->count, sizeof *d.middle);
+        room = wcut_alloc((size_t)trajectory->count, sizeof *room);
+        index = wcut_alloc((size_t)trajectory->count, sizeof *index);
+        if (!d.middle || !room || !index) status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a motion");
+    }
     if (status == WCUT_OK && !drive(&d, stop, &driven)) status = wcut_fail(error, WCUT_INTERRUPTED, "interrupted");
+    if (status == WCUT_OK && d.middle) fill_between(&d, room, index, &driven);
+    wcut_free(index);
+    wcut_free(room);
+    wcut_free(d.middle);
     if (status == WCUT_OK)
         *out = driven;
     else

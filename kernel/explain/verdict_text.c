@@ -7,35 +7,8 @@
 #include <string.h>
 
 #include "base/alloc.h"
-
-/* a sentence's subject for every effect, with room for its first value */
-typedef struct phrase {
-    const char *what;
-    const char *number; /* a printf format of one double */
-    double unit;        /* of the value as it is shown */
-} phrase;
-
-static const phrase phrases[WCUT_EFFECT_COUNT] = {
-    [WCUT_EFFECT_WIRE_THERMAL_LAG] = {"the wire follows heat and speed with a delay", "time constant %.2f s", 1},
-    [WCUT_EFFECT_AIR_OVERHEATING] = {"the wire enters the foam overheated by the air", "%.2f times its power at first",
-                                     1},
-    [WCUT_EFFECT_END_COOLING] = {"the wire is cooler near its mounts", "by %.0f %%", 100},
-    [WCUT_EFFECT_FOAM_DENSITY_GRADIENT] = {"the foam gets denser across the block", "by %+.0f %%", 100},
-    [WCUT_EFFECT_FOAM_INCLUSION] = {"there is a spot of other density in the block", "%+.0f %%", 100},
-    [WCUT_EFFECT_KERF_GROWTH] = {"the kerf grows with the heat", "%.2f mm per kJ/m2", 1000},
-    [WCUT_EFFECT_TANGENTIAL_DRAG] = {"the foam drags along the wire", "friction %.2f", 1},
-    [WCUT_EFFECT_WIRE_ELONGATION] = {"the hot wire is longer than the cold one", "by %.2f %%", 100},
-    [WCUT_EFFECT_MOUNT_COMPLIANCE] = {"the mounts give way", "%.1f N/mm", 1},
-    [WCUT_EFFECT_RATE_DEPENDENCE] = {"the foam's force follows the speed itself", "exponent %+.2f", 1},
-    [WCUT_EFFECT_WIRE_FOULING] = {"residue on the wire changes the force as it cuts", "by %+.0f %%", 100},
-    [WCUT_EFFECT_BLOCK_SPRINGBACK] = {"the block changed shape after the cut", "%+.1f mm", 1},
-    [WCUT_EFFECT_ANGLE_OFFSET] = {"an angle encoder is offset", "by %+.2f deg", 1},
-    [WCUT_EFFECT_TENSION_GAIN] = {"a tension sensor has another gain than it should", "%+.1f %% off", 100},
-    [WCUT_EFFECT_TENSION_DRIFT] = {"a tension sensor drifts", "%+.2f N in 100 s", 1},
-    [WCUT_EFFECT_CLOCK_OFFSET] = {"sensors are recorded late", "by %.2f s", 1},
-    [WCUT_EFFECT_SCAN_OFFSET] = {"the scan is displaced", "%.2f mm along x", 1},
-    [WCUT_EFFECT_SCAN_SCALE] = {"the scan has another scale", "factor %.4f", 1},
-};
+#include "explain/library.h"
+#include "explain/rig.h"
 
 typedef struct text {
     char *to;
@@ -54,7 +27,7 @@ static void add(text *t, const char *format, ...) {
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wformat-nonliteral"
-static void add_number(text *t, const phrase *p, double value) {
+static void add_number(text *t, const wcut_explanation *p, double value) {
     char number[64];
     snprintf(number, sizeof number, p->number, p->unit * value);
     add(t, " (%s)", number);
@@ -63,8 +36,8 @@ static void add_number(text *t, const phrase *p, double value) {
 
 static void add_effect(text *t, const wcut_found_effect *f) {
     const wcut_effect_info *info = wcut_effect_view(f->effect.kind);
-    const phrase *p = &phrases[f->effect.kind];
-    add(t, "%s", p->what);
+    const wcut_explanation *p = wcut_explanation_view(f->effect.kind);
+    add(t, "%s", p->phrase);
     if (info->choice) add(t, " [%s %s]", info->choice_key, info->choice[f->effect.choice]);
     if (f->effect.kind == WCUT_EFFECT_KERF_GROWTH && f->effect.choice == 1)
         add(t, " (%.2f mm for e times the heat)", f->effect.value[1]);
@@ -74,9 +47,13 @@ static void add_effect(text *t, const wcut_found_effect *f) {
 
 void wcut_diagnosis_sentence(wcut_diagnosis *d) {
     text t = {d->sentence, sizeof d->sentence, 0};
+    char scatter[WCUT_DIAGNOSIS_TEXT - 150];
     switch (d->kind) {
         case WCUT_VERDICT_NONE:
-            add(&t, "Nothing is wrong beyond noise: the recalibrated simulation predicts these cuts.");
+            add(&t, "Nothing is wrong beyond noise: the recalibrated simulation predicts these cuts");
+            wcut_rig_sentence(d, sizeof scatter, scatter);
+            if (scatter[0]) add(&t, " within what the rig scatters (%s)", scatter);
+            add(&t, ".");
             return;
         case WCUT_VERDICT_UNKNOWN:
             add(&t, "Something that is in no list changes these cuts");

@@ -24,7 +24,9 @@ static const parameter air_overheating[] = {{"air_to_foam_ratio", 0, 1, true, 1,
                                             END};
 static const parameter end_cooling[] = {
     {"amplitude", 0, 1, true, 0, -5, 0.49, 0.05, 0.4}, {"length_mm", 1, 1, true, 100, 0.01, 1e6, 20, 200}, END};
-static const parameter gradient[] = {{"relative_change_across_block", 0, 1, true, 0, -1.9, 1.9, -0.8, 0.8}, END};
+static const parameter gradient[] = {{"relative_change_across_block", 0, 1, true, 0, -1.9, 1.9, -0.8, 0.8},
+                                     {"step_at_share", 1, 1, false, 0.5, 0, 1, 0.1, 0.9},
+                                     END};
 static const parameter inclusion[] = {{"amplitude", 0, 1, true, 0, -0.99, 20, -0.6, 1},
                                       {"radius_mm", 1, 1, true, 50, 0.1, 1e5, 15, 100},
                                       {"position_mm", 2, 3, true, 0, -1e6, 1e6, 0, 1500},
@@ -57,10 +59,15 @@ static const parameter reading[] = {{"offset", 0, 1, true, 0, -1e3, 1e3, -5, 5},
                                     {"to_s", 3, 1, false, 1e6, -1e6, 1e6, 0, 200},
                                     END};
 static const parameter clock[] = {{"delay_s", 0, 1, true, 0, -60, 60, -0.3, 0.3}, END};
+static const parameter tension_delay[] = {{"delay_s", 0, 1, true, 0, -60, 60, -0.3, 0.3}, END};
+static const parameter zero[] = {{"offset_N", 0, 1, true, 0, -100, 100, -0.5, 0.5}, END};
+static const parameter angle_gain[] = {{"gain_error", 0, 1, true, 0, -0.95, 10, -0.15, 0.15}, END};
+static const parameter friction[] = {{"half_width_deg", 0, 1, true, 0, 0, 45, 0, 1}, END};
 static const parameter offset[] = {{"shift_mm", 0, 3, true, 0, -1000, 1000, -5, 5}, END};
 static const parameter scale[] = {{"scale", 0, 1, true, 1, 0.5, 2, 0.98, 1.02}, END};
 
-static const char *const axes[] = {"x", "y", "z", NULL};
+static const char *const profiles[] = {"x",           "y",      "z",      "x_quadratic", "y_quadratic",
+                                       "z_quadratic", "x_step", "y_step", "z_step",      NULL};
 static const char *const coefficients[] = {"a", "b", NULL};
 static const char *const kerf_laws[] = {"linear", "log", NULL};
 static const char *const shapes[] = {"saddle", "cylinder_x", "cylinder_y", "bowl", "twist", NULL};
@@ -73,7 +80,7 @@ static const char *const sensors[] = {"a", "b", "both", NULL};
 #define INFO_WIRE_THERMAL_LAG NULL, NULL, 1, 0, false, false, thermal_lag
 #define INFO_AIR_OVERHEATING NULL, NULL, 1, 1, false, false, air_overheating
 #define INFO_END_COOLING NULL, NULL, 1, 0, false, true, end_cooling
-#define INFO_FOAM_DENSITY_GRADIENT "axis", axes, 1, 0, true, false, gradient
+#define INFO_FOAM_DENSITY_GRADIENT "axis", profiles, 1, 0, true, false, gradient
 #define INFO_FOAM_INCLUSION NULL, NULL, 1, 0, true, false, inclusion
 #define INFO_TANGENTIAL_DRAG NULL, NULL, 1, 0, false, false, drag
 #define INFO_WIRE_ELONGATION NULL, NULL, 1, 0, false, true, elongation
@@ -88,6 +95,10 @@ static const char *const sensors[] = {"a", "b", "both", NULL};
 #define INFO_TENSION_DRIFT "sensor", sensors, 1, 0, true, false, drift
 #define INFO_EMPIRICAL_READING "channel", readings, 2, 0, true, false, reading
 #define INFO_CLOCK_OFFSET NULL, NULL, 1, 0, false, false, clock
+#define INFO_TENSION_DELAY NULL, NULL, 1, 0, false, false, tension_delay
+#define INFO_TENSION_ZERO "sensor", sensors, 1, 0, true, false, zero
+#define INFO_ANGLE_GAIN "channel", angles, 1, 0, true, false, angle_gain
+#define INFO_ENCODER_FRICTION NULL, NULL, 1, 0, false, false, friction
 #define INFO_SCAN_OFFSET NULL, NULL, 3, 0, false, false, offset
 #define INFO_SCAN_SCALE NULL, NULL, 1, 1, false, false, scale
 

@@ -22,13 +22,27 @@ typedef struct factors { /* on a and b, with the gradient of ln c_a */
     wcut_vec3 by_position;
 } factors;
 
+/* [1] width of a step of density over the block's length */
+#define STEP_WIDTH 0.02
+
+/* density along an axis: linear, quadratic about the middle, or a step; choice is the form times 3 and the axis */
 static void add_gradient(const wcut_effect *e, const wcut_block *block, wcut_vec3 x, factors *f) {
     const double at[3] = {x.x, x.y, x.z}, size[3] = {block->size.x, block->size.y, block->size.z};
-    const double g = e->value[0], c = 1 + g * (at[e->choice] / size[e->choice] - 0.5), slope = g / size[e->choice] / c;
+    const int axis = e->choice % 3, form = e->choice / 3;
+    const double g = e->value[0], u = at[axis] / size[axis];
+    double shape = u - 0.5, by_u = 1;
+    if (form == 1) {
+        // from the middle to the faces by g, the same mean
+        shape = (2 * u - 1) * (2 * u - 1) - 1.0 / 3, by_u = 4 * (2 * u - 1);
+    } else if (form == 2) {
+        const double side = tanh((u - e->value[1]) / STEP_WIDTH);
+        shape = side / 2, by_u = (1 - side * side) / (2 * STEP_WIDTH);
+    }
+    const double c = 1 + g * shape, slope = g * by_u / size[axis] / c;
     f->a *= c;
-    if (e->choice == 0) f->by_position.x += slope;
-    if (e->choice == 1) f->by_position.y += slope;
-    if (e->choice == 2) f->by_position.z += slope;
+    if (axis == 0) f->by_position.x += slope;
+    if (axis == 1) f->by_position.y += slope;
+    if (axis == 2) f->by_position.z += slope;
 }
 
 static void add_inclusion(const wcut_effect *e, wcut_vec3 x, factors *f) {

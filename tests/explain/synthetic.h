@@ -149,11 +149,12 @@ static inline wcut_effect effect_of(wcut_effect_kind kind, double strength) {
 
 /* noise as whitening assumes it, in the rows' own units: white, and a slow part with its memory */
 static inline void noise_rows(const wcut_evidence *e, wcut_random *random, double *out) {
-    const double keep = exp(-WCUT_BIN_WIDTH / WCUT_NOISE_MEMORY), fresh = sqrt(e->coloured * (1 - keep * keep));
+    const double keep = exp(-WCUT_BIN_WIDTH / WCUT_NOISE_MEMORY);
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
         for (int s = 0; s < WCUT_SIGNALS; s++) {
-            double slow = sqrt(e->coloured) * wcut_random_normal(random);
+            const double share = e->noise.slow[wcut_noise_group(s)], fresh = sqrt(share * (1 - keep * keep));
+            double slow = sqrt(share) * wcut_random_normal(random);
             for (int i = 0; i < c->bins; i++) {
                 out[c->row + s * c->bins + i] = e->sigma[s] * (wcut_random_normal(random) + slow);
                 slow = keep * slow + fresh * wcut_random_normal(random);

@@ -31,10 +31,10 @@ static double p_of(double slow, unsigned long long seed) {
 /* slow misfit of a recording of noise with a given share of slow noise, whitened as evidence is */
 static double slow_of_noise(double share, wcut_random *random) {
     double *row = wcut_alloc((size_t)evidence->rows, sizeof *row);
-    const double assumed = evidence->coloured;
-    evidence->coloured = share;
+    const wcut_variances assumed = evidence->noise;
+    for (int g = 0; g < WCUT_NOISE_GROUPS; g++) evidence->noise.slow[g] = share;
     noise_rows(evidence, random, row);
-    evidence->coloured = assumed;
+    evidence->noise = assumed;
     wcut_evidence_whiten(evidence, row, row, row);
     const double left = wcut_residual_stats_eval(evidence, row).slow;
     wcut_free(row);

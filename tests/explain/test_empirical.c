@@ -113,7 +113,7 @@ TEST(a_window_of_one_cut_is_an_event_and_does_not_bend_the_rest) {
     ck_assert_double_eq_tol(e->time[0], 12, 1);
     ck_assert_double_eq_tol(e->time[1], 17, 1);
     ck_assert_double_eq_tol(e->force, 0.6, 0.2);
-    ck_assert_double_lt(found.events.after, 0.5 * found.events.recalibrated);
+    ck_assert_double_lt(found.events.after, 0.6 * found.events.recalibrated);
     ck_assert_double_lt(found.left.slow, 2);
     ck_assert_double_eq_tol(found.rest.model.a / given.job[0]->force_law.a, 1.15, 0.05);
 

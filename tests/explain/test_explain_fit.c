@@ -34,7 +34,7 @@ TEST(normal_equations_give_what_dense_least_squares_gives_with_priors_as_rows) {
     problem p;
     given_columns(&p);
     wcut_normal_equations normal;
-    ck_assert_int_eq(wcut_normal_equations_create(N, 3, &normal), WCUT_OK);
+    ck_assert_int_eq(wcut_normal_equations_create(N, 0, 3, &normal), WCUT_OK);
     wcut_normal_equations_fill(&p.e, p.column, p.residual, &normal);
     const int chosen[4] = {0, 1, 3, 4};
     const double centre[N] = {0.5, -1, 3, 0, 0.1}, precision[N] = {1, 4, 9, 0.25, 2};
@@ -71,7 +71,7 @@ TEST(what_a_cut_costs_is_its_own_sum_of_squares) {
     problem p;
     given_columns(&p);
     wcut_normal_equations normal;
-    ck_assert_int_eq(wcut_normal_equations_create(N, 3, &normal), WCUT_OK);
+    ck_assert_int_eq(wcut_normal_equations_create(N, 0, 3, &normal), WCUT_OK);
     wcut_normal_equations_fill(&p.e, p.column, p.residual, &normal);
     const int chosen[2] = {1, 2};
     const double t[2] = {-0.7, 0.3};
@@ -86,7 +86,7 @@ TEST(columns_that_are_the_same_are_refused_unless_a_prior_holds_them) {
     given_columns(&p);
     memcpy(p.column + 126, p.column, 126 * sizeof(double));
     wcut_normal_equations normal;
-    ck_assert_int_eq(wcut_normal_equations_create(N, 3, &normal), WCUT_OK);
+    ck_assert_int_eq(wcut_normal_equations_create(N, 0, 3, &normal), WCUT_OK);
     wcut_normal_equations_fill(&p.e, p.column, p.residual, &normal);
     const int chosen[2] = {0, 1};
     const double centre[N] = {0}, open[N] = {0}, held[N] = {1, 1, 1, 1, 1};

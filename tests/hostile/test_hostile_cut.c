@@ -390,6 +390,7 @@ HOSTILE_VALUE(wcut_diagnosis_destroy, NULL)
 HOSTILE_VALUE(wcut_verdict_name, ANY_ENUM((wcut_verdict_kind)0))
 HOSTILE_VALUE(wcut_evidence_name, ANY_ENUM(WCUT_EVIDENCE_CHANNEL_SPEED))
 HOSTILE_VALUE(wcut_evidence_unit, ANY_ENUM(WCUT_EVIDENCE_CHANNEL_SPEED))
+HOSTILE_VALUE(wcut_scatter_name, ANY_ENUM(WCUT_SCATTER_LEVEL))
 
 HOSTILE(wcut_diagnosis_create) {
     const wcut_diagnosis_options o = wcut_diagnosis_options_default();

@@ -41,6 +41,23 @@ typedef enum wcut_evidence_channel {
     WCUT_EVIDENCE_CHANNEL_COUNT
 } wcut_evidence_channel;
 
+/* What differs from cut to cut in every rig, its name in files with its unit. */
+#define WCUT_SCATTER_LIST(X)            \
+    X(LEVEL, "block_level")             \
+    X(LEVEL_B, "block_heat_response")   \
+    X(LENGTH, "wire_length_mm")         \
+    X(TENSION_ZERO, "tension_zero_N")   \
+    X(ENCODER_ZERO, "encoder_zero_deg") \
+    X(FRICTION, "encoder_friction_deg") \
+    X(FACE, "scan_path_error_mm")       \
+    X(SCAN_SHIFT, "scan_shift_mm")      \
+    X(SCAN_TURN, "scan_turn_deg")
+
+#define WCUT_SCATTER_ENTRY(name, text) WCUT_SCATTER_##name,
+/** Scatter of a rig: a standard deviation from cut to cut each. */
+typedef enum wcut_scatter_kind { WCUT_SCATTER_LIST(WCUT_SCATTER_ENTRY) WCUT_SCATTER_COUNT } wcut_scatter_kind;
+#undef WCUT_SCATTER_ENTRY
+
 /** A cut as it comes in; everything is borrowed. What is missing is NULL, and the diagnosis says what it cost. */
 typedef struct wcut_diagnosis_cut {
     const wcut_job *job;             /**< path mode; NULL: the cut is left out */
@@ -85,6 +102,17 @@ typedef struct wcut_hypothesis {
     double probability;    /**< 0 .. 1, over all hypotheses of the ranking */
     const char *why;       /**< why it was set aside, a constant text; "" of the one that was chosen */
 } wcut_hypothesis;
+
+enum { WCUT_RIG_CUTS = 64 };
+
+/** What differs from cut to cut in the rig, or is alike in all of its recordings: no effect, and integrated out. */
+typedef struct wcut_rig_row {
+    char name[32];       /**< as wcut_scatter_name; also "tension_delay_s", "angle_delay_s", "path_error_mm" */
+    wcut_estimate value; /**< standard deviation from cut to cut; of a delay its value */
+    int cuts;            /**< of which a value of their own is known, WCUT_RIG_CUTS at most */
+    int cut[WCUT_RIG_CUTS];
+    wcut_estimate of_cut[WCUT_RIG_CUTS];
+} wcut_rig_row;
 
 /** A place where simulation and measurement differ by more than noise. */
 typedef struct wcut_mismatch {
@@ -179,6 +207,8 @@ typedef struct wcut_diagnosis {
     wcut_modelled modelled;
     int traces;
     wcut_residual_trace *trace;
+    int rig_rows;
+    wcut_rig_row *rig; /**< the scatter that was found */
     int cuts;
     bool *held_out; /**< cuts: not used in the fit that the held-out figures are of */
     wcut_fit fit[WCUT_FIT_MODEL_COUNT][WCUT_EVIDENCE_CHANNEL_COUNT];          /**< over all cuts, all fitted */
@@ -203,6 +233,9 @@ WCUT_API wcut_diagnosis_options wcut_diagnosis_options_default(void);
 
 /** The name of a verdict in files, "physics"; "" outside the enum. */
 WCUT_API const char *wcut_verdict_name(wcut_verdict_kind kind);
+
+/** The name of a kind of scatter in files with its unit, "wire_length_mm"; "" outside the enum. */
+WCUT_API const char *wcut_scatter_name(wcut_scatter_kind kind);
 
 /** The name of a channel in files, "tension", and its unit, "N"; "" outside the enum. */
 WCUT_API const char *wcut_evidence_name(wcut_evidence_channel channel);

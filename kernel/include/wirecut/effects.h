@@ -31,6 +31,10 @@ extern "C" {
     X(TENSION_GAIN, "tension_gain", SENSOR)                 \
     X(TENSION_DRIFT, "tension_drift", SENSOR)               \
     X(CLOCK_OFFSET, "clock_offset", SENSOR)                 \
+    X(TENSION_DELAY, "tension_delay", SENSOR)               \
+    X(TENSION_ZERO, "tension_zero", SENSOR)                 \
+    X(ANGLE_GAIN, "angle_gain", SENSOR)                     \
+    X(ENCODER_FRICTION, "encoder_friction", SENSOR)         \
     X(EMPIRICAL_READING, "empirical_reading", SENSOR)       \
     X(SCAN_OFFSET, "scan_offset", SCAN)                     \
     X(SCAN_SCALE, "scan_scale", SCAN)
@@ -118,7 +122,7 @@ WCUT_API wcut_status wcut_effects_check(int count, const wcut_effect *effect, wc
 enum { WCUT_SENSED_TENSION_A = 2, WCUT_SENSED_ALPHA_A = 4, WCUT_SENSED_COUNT = 8 };
 
 /**
- * What faulty instruments make of a prediction: clock_offset before angle_offset, tension_gain and tension_drift; other
+ * What faulty instruments make of a prediction: clock_offset, tension_delay and encoder_friction before gains, zeros and drifts; other
  * effects are passed over. Signals are speed_a, speed_b, tension_a, tension_b [N], alpha_a, beta_a,
  * alpha_b, beta_b [rad], as in wcut_prediction; speeds stay as they are (they come with the motion).
  *

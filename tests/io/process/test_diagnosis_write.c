@@ -267,6 +267,8 @@ TEST(verdicts_and_channels_have_names_and_what_is_none_has_none) {
     ck_assert_str_eq(wcut_evidence_unit(WCUT_EVIDENCE_CHANNEL_SCAN), "mm");
     ck_assert_str_eq(wcut_evidence_name(WCUT_EVIDENCE_CHANNEL_COUNT), "");
     ck_assert_str_eq(wcut_evidence_unit((wcut_evidence_channel)-1), "");
+    ck_assert_str_eq(wcut_scatter_name(WCUT_SCATTER_LENGTH), "wire_length_mm");
+    ck_assert_str_eq(wcut_scatter_name((wcut_scatter_kind)-1), "");
 }
 
 /* ---- the example of FORMATS.md ---- */

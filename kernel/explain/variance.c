@@ -1,0 +1,334 @@
+/* Variance components: how large noise and scatter of a case are, by the likelihood of what a model leaves. */
+#include "explain/variance.h"
+
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/dense.h"
+#include "base/numbers.h"
+#include "base/threads.h"
+
+enum { COLUMNS = WCUT_SCATTER_COLUMNS_MAX, ROUNDS = 3, STEPS = 8, GOLDEN = 14, SWEEPS = 12 };
+
+/* a model's own error: what two simulators of the same physics differ by, slowly [N], [rad] */
+#define MODEL_ERROR_TENSION 0.004
+#define MODEL_ERROR_ANGLE (0.008 * WCUT_PI / 180)
+/* [1] slow noise of a sensor over its white one, at most; more is not the sensor's */
+#define SENSOR_SLOW_MAX 0.75
+/* [mm] mounts beside their path: width of the prior, and the most that is ordinary */
+#define PATH_WIDTH 0.25
+#define PATH_MAX 0.6
+
+void wcut_variances_begin(wcut_variances *v) {
+    for (int k = 0; k < WCUT_SCATTER_COUNT; k++)
+        v->scatter[k] = fmax(v->scatter[k], 0.2 * wcut_scatter_view((wcut_scatter_kind)k)->width);
+}
+
+/* ---- scatter ---- */
+
+/* inverse of a cut's I + S^1/2 J'J S^1/2, m x m */
+static void invert_factor(const wcut_evidence *own, const wcut_normal_equations *normal, int cut, double *spread,
+                          double *inverse) {
+    const int m = normal->m;
+    const double *gram = normal->own + (size_t)cut * (size_t)m * (size_t)m;
+    double factor[COLUMNS * COLUMNS];
+    for (int i = 0; i < m; i++) spread[i] = own->noise.scatter[own->scatter.kind[i]];
+    for (int i = 0; i < m; i++)
+        for (int j = 0; j < m; j++) factor[i * m + j] = (i == j) + spread[i] * spread[j] * gram[i * m + j];
+    wcut_cholesky_factor(m, factor, 0); /* the identity is in it */
+
+    // columns of the identity, one by one: L x = e, then L' y = x
+    for (int k = 0; k < m; k++) {
+        double *x = inverse + (size_t)k * (size_t)m;
+        for (int i = 0; i < m; i++) {
+            x[i] = i == k;
+            for (int j = k; j < i; j++) x[i] -= factor[i * m + j] * x[j];
+            x[i] /= factor[i * m + i];
+        }
+        for (int i = m - 1; i >= 0; i--) {
+            for (int j = i + 1; j < m; j++) x[i] -= factor[j * m + i] * x[j];
+            x[i] /= factor[i * m + i];
+        }
+    }
+}
+
+/* J' (r - X t) of a cut */
+static void scatter_moment(const wcut_normal_equations *normal, int cut, const double *t, double *out) {
+    const int n = normal->n, m = normal->m;
+    for (int i = 0; i < m; i++) {
+        const double *cross = normal->cross + ((size_t)cut * (size_t)m + (size_t)i) * (size_t)n;
+        out[i] = normal->cross_moment[(size_t)cut * (size_t)m + (size_t)i];
+        for (int j = 0; j < n; j++) out[i] -= cross[j] * t[j];
+    }
+}
+
+void wcut_scatter_estimate(const wcut_evidence *own, const wcut_normal_equations *normal, int cut, const double *t,
+                           double *value, double *error) {
+    const int m = normal->m;
+    double spread[COLUMNS], inverse[COLUMNS * COLUMNS], moment[COLUMNS];
+    invert_factor(own, normal, cut, spread, inverse);
+    scatter_moment(normal, cut, t, moment);
+    for (int i = 0; i < m; i++) {
+        value[i] = 0;
+        for (int j = 0; j < m; j++) value[i] += spread[i] * inverse[i * m + j] * spread[j] * moment[j];
+        error[i] = spread[i] * sqrt(fmax(inverse[i * m + i], 0));
+    }
+}
+
+/* what the uncertainty of t adds to the variance of a cut's coefficient: k' C k, k = row of S^1/2 A^-1 S^1/2 J'X */
+static double shared_variance(const wcut_normal_equations *normal, int cut, const double *spread, const double *inverse,
+                              int i, const double *covariance) {
+    const int n = normal->n, m = normal->m;
+    double k[WCUT_FIT_MAX] = {0}, sum = 0;
+    for (int j = 0; j < m; j++) {
+        const double weight = spread[i] * inverse[i * m + j] * spread[j];
+        const double *cross = normal->cross + ((size_t)cut * (size_t)m + (size_t)j) * (size_t)n;
+        for (int p = 0; p < n; p++) k[p] += weight * cross[p];
+    }
+    for (int p = 0; p < n; p++)
+        for (int q = 0; q < n; q++) sum += k[p] * covariance[p * n + q] * k[q];
+    return sum;
+}
+
+/* one step of expectation and maximisation for the scatter's standard deviations */
+static bool step_scatter(wcut_evidence *own, const wcut_linear *p, wcut_normal_equations *normal, double *t,
+                         double *covariance) {
+    double square[WCUT_SCATTER_COUNT] = {0};
+    int chosen[WCUT_FIT_MAX], count[WCUT_SCATTER_COUNT] = {0};
+    double cost;
+    for (int k = 0; k < p->n; k++) chosen[k] = k;
+    if (!wcut_normal_equations_solve(normal, p->n, chosen, p->centre, p->precision, -1, t, covariance, &cost))
+        return false;
+    for (int cut = 0; cut < own->cuts; cut++) {
+        double spread[COLUMNS], inverse[COLUMNS * COLUMNS], moment[COLUMNS];
+        if (own->cut[cut].bins == 0) continue;
+        invert_factor(own, normal, cut, spread, inverse);
+        scatter_moment(normal, cut, t, moment);
+
+        // expected square of every coefficient: its mean, its own variance, and that of the shared coefficients
+        for (int i = 0; i < normal->m; i++) {
+            const wcut_scatter_kind kind = own->scatter.kind[i];
+            double value = 0;
+            if (normal->own[((size_t)cut * (size_t)normal->m + (size_t)i) * (size_t)normal->m + (size_t)i] <= 0)
+                continue;
+            for (int j = 0; j < normal->m; j++) value += spread[i] * inverse[i * normal->m + j] * spread[j] * moment[j];
+            square[kind] += value * value + spread[i] * spread[i] * inverse[i * normal->m + i] +
+                            shared_variance(normal, cut, spread, inverse, i, covariance);
+            count[kind]++;
+        }
+    }
+
+    // the likeliest variance v: n / v - S / v^2 + 1 / h^2 = 0, taken a little further than the step says
+    for (int k = 0; k < WCUT_SCATTER_COUNT; k++) {
+        if (count[k] == 0) continue;
+        const wcut_scatter_info *info = wcut_scatter_view((wcut_scatter_kind)k);
+        const double h = info->width * info->width, n = count[k];
+        const double v = h / 2 * (sqrt(n * n + 4 * square[k] / h) - n);
+        const double from = own->noise.scatter[k] * own->noise.scatter[k];
+        const double to = from > 0 ? v * pow(v / from, 0.8) : v;
+        own->noise.scatter[k] = clamp(sqrt(to), 1e-3 * info->width, info->most);
+    }
+    wcut_normal_equations_weigh(own, normal);
+    return true;
+}
+
+/* ---- slow noise ---- */
+
+/* what t and the scatter leave, as measured */
+static void conditional_residual(const wcut_evidence *own, const wcut_linear *p, const wcut_normal_equations *normal,
+                                 const double *t, double *out) {
+    const size_t rows = (size_t)own->rows;
+    memcpy(out, p->residual, rows * sizeof *out);
+    for (int k = 0; k < p->n; k++)
+        for (size_t i = 0; i < rows; i++) out[i] -= t[k] * p->column[(size_t)k * rows + i];
+    for (int cut = 0; cut < own->cuts; cut++) {
+        const wcut_evidence_cut *c = &own->cut[cut];
+        double value[COLUMNS], error[COLUMNS];
+        if (c->bins == 0 || normal->m == 0) continue;
+        wcut_scatter_estimate(own, normal, cut, t, value, error);
+        for (int k = 0; k < normal->m; k++)
+            for (int i = 0; i < WCUT_SIGNALS * c->bins; i++)
+                out[c->row + i] -= value[k] * own->scatter.column[(size_t)k * rows + (size_t)(c->row + i)];
+    }
+}
+
+/* -2 ln likelihood of a group's signals in a residual under a slow noise */
+static double group_score(wcut_evidence *own, const wcut_linear *p, int group, double slow, const double *residual,
+                          double *room) {
+    const double kept = own->noise.slow[group];
+    double score = 0;
+    own->noise.slow[group] = slow;
+    wcut_evidence_whiten(own, p->missing, residual, room);
+    for (int k = 0; k < own->cuts; k++) {
+        const wcut_evidence_cut *c = &own->cut[k];
+        for (int s = 0; s < WCUT_SIGNALS; s++)
+            for (int i = 0; i < c->bins && wcut_noise_group(s) == group; i++) {
+                const double z = room[c->row + s * c->bins + i];
+                score += z * z;
+            }
+    }
+    score += wcut_evidence_log_det(own, p->missing);
+    own->noise.slow[group] = kept;
+    return score;
+}
+
+/* mean white variance of a group */
+static double group_white(const wcut_evidence *e, int group) {
+    double sum = 0;
+    for (int s = 0; s < WCUT_SIGNALS; s++)
+        if (wcut_noise_group(s) == group) sum += e->sigma[s] * e->sigma[s] / 2;
+    return sum;
+}
+
+/* the likeliest slow noise of a group, by golden section over its logarithm */
+static void step_slow(wcut_evidence *own, const wcut_linear *p, int group, const double *residual, double *room) {
+    const double white = group_white(own, group), model = group == 0 ? MODEL_ERROR_TENSION : MODEL_ERROR_ANGLE;
+    const double path = own->path_response[group];
+    const double low = fmax(WCUT_SLOW_NOISE, model * model / white);
+    const double high = fmax(fmax(SENSOR_SLOW_MAX, 1.01 * low), PATH_MAX * PATH_MAX * path * path / white);
+    const double width = fmax(fmax(PATH_WIDTH * path, model), sqrt(SENSOR_SLOW_MAX * white));
+    const double golden = 0.3819660112501051;
+    double ends[2] = {log(low), log(high)}, x[2], score[2];
+    for (int k = 0; k < 2; k++) x[k] = ends[k] + (k ? -golden : golden) * (ends[1] - ends[0]);
+    for (int k = 0; k < 2; k++)
+        score[k] = group_score(own, p, group, exp(x[k]), residual, room) + exp(x[k]) * white / (width * width);
+    for (int round = 0; round < GOLDEN && ends[1] - ends[0] > 0.1; round++) {
+        const int worse = score[0] > score[1] ? 0 : 1, other = 1 - worse;
+        ends[worse] = x[worse];
+        x[worse] = x[other], score[worse] = score[other];
+        x[other] = other ? ends[1] - golden * (ends[1] - ends[0]) : ends[0] + golden * (ends[1] - ends[0]);
+        score[other] =
+            group_score(own, p, group, exp(x[other]), residual, room) + exp(x[other]) * white / (width * width);
+    }
+    own->noise.slow[group] = exp(score[0] < score[1] ? x[0] : x[1]);
+}
+
+/* ---- both ---- */
+
+static void fill(const wcut_linear *p, wcut_evidence *own, double *column, double *residual,
+                 wcut_normal_equations *normal) {
+    const size_t rows = (size_t)own->rows;
+    wcut_evidence_whiten_scatter(own, p->missing);
+    for (int k = 0; k < p->n; k++)
+        wcut_evidence_whiten(own, p->missing, p->column + (size_t)k * rows, column + (size_t)k * rows);
+    wcut_evidence_whiten(own, p->missing, p->residual, residual);
+    wcut_normal_equations_fill(own, column, residual, normal);
+}
+
+/* ln of the priors of the standard deviations, times -2 */
+static double prior_score(const wcut_evidence *own) {
+    double sum = 0;
+    for (int k = 0; k < WCUT_SCATTER_COUNT && own->scatter.count > 0; k++) {
+        const double ratio = own->noise.scatter[k] / wcut_scatter_view((wcut_scatter_kind)k)->width;
+        sum += ratio * ratio;
+    }
+    return sum;
+}
+
+wcut_status wcut_variance_fit(const wcut_linear *p, wcut_evidence *own, double *column, double *residual,
+                              wcut_normal_equations *normal, double *score) {
+    const size_t rows = (size_t)own->rows;
+    double t[WCUT_FIT_MAX], cost;
+    int chosen[WCUT_FIT_MAX];
+    double *left = wcut_alloc(rows, sizeof *left), *room = wcut_alloc(rows, sizeof *room);
+    double *covariance = wcut_alloc((size_t)p->n * (size_t)p->n, sizeof *covariance);
+    wcut_status status = left && room && covariance ? WCUT_OK : WCUT_NO_MEMORY;
+
+    // in turn: the scatter at this slow noise, the slow noise of what scatter and coefficients leave
+    for (int round = 0; status == WCUT_OK && round < ROUNDS; round++) {
+        fill(p, own, column, residual, normal);
+        for (int k = 0; status == WCUT_OK && k < STEPS; k++)
+            if (!step_scatter(own, p, normal, t, covariance)) status = WCUT_NOT_CONVERGED;
+        if (status != WCUT_OK) break;
+        conditional_residual(own, p, normal, t, left);
+        for (int g = 0; g < WCUT_NOISE_GROUPS; g++) step_slow(own, p, g, left, room);
+    }
+    if (status == WCUT_OK) {
+        fill(p, own, column, residual, normal);
+        for (int k = 0; k < p->n; k++) chosen[k] = k;
+        if (!wcut_normal_equations_solve(normal, p->n, chosen, p->centre, p->precision, -1, t, NULL, &cost))
+            status = WCUT_NOT_CONVERGED;
+    }
+    if (status == WCUT_OK) {
+        *score = cost + wcut_evidence_log_det(own, p->missing) + prior_score(own);
+        for (int k = 0; k < own->cuts; k++) *score += normal->cut_log_det[k];
+    }
+    wcut_free(covariance);
+    wcut_free(room);
+    wcut_free(left);
+    return status;
+}
+
+/* ---- standardised rows ---- */
+
+/* eigenvalues and vectors (columns of v) of a symmetric matrix, destroyed: cyclic rotations (Jacobi 1846) */
+static void eigen(int n, double *a, double *v) {
+    for (int i = 0; i < n * n; i++) v[i] = i / n == i % n;
+    for (int sweep = 0; sweep < SWEEPS; sweep++) {
+        double off = 0, all = 0;
+        for (int i = 0; i < n * n; i++) all += a[i] * a[i], off += i / n == i % n ? 0 : a[i] * a[i];
+        if (off <= 1e-22 * all) return;
+        for (int p = 0; p < n; p++)
+            for (int q = p + 1; q < n; q++) {
+                if (a[p * n + q] == 0) continue;
+
+                // the rotation that makes a[p][q] zero
+                const double theta = (a[q * n + q] - a[p * n + p]) / (2 * a[p * n + q]);
+                const double t = (theta < 0 ? -1 : 1) / (fabs(theta) + sqrt(theta * theta + 1));
+                const double c = 1 / sqrt(t * t + 1), s = t * c;
+                for (int k = 0; k < n; k++) {
+                    const double x = a[k * n + p], y = a[k * n + q];
+                    a[k * n + p] = c * x - s * y, a[k * n + q] = s * x + c * y;
+                }
+                for (int k = 0; k < n; k++) {
+                    const double x = a[p * n + k], y = a[q * n + k];
+                    a[p * n + k] = c * x - s * y, a[q * n + k] = s * x + c * y;
+                }
+                for (int k = 0; k < n; k++) {
+                    const double x = v[k * n + p], y = v[k * n + q];
+                    v[k * n + p] = c * x - s * y, v[k * n + q] = s * x + c * y;
+                }
+            }
+    }
+}
+
+/*
+ * With B = I + S^1/2 J'J S^1/2 the symmetric root is V^-1/2 = I - J S^1/2 (B + B^1/2)^-1 S^1/2 J': a row moves no further
+ * than its cut's scatter reaches.
+ */
+static void standardise_cut(const wcut_evidence *own, const wcut_normal_equations *normal, int cut, double *z) {
+    const wcut_evidence_cut *c = &own->cut[cut];
+    const int m = normal->m, count = WCUT_SIGNALS * c->bins + c->patch.count;
+    const double *gram = normal->own + (size_t)cut * (size_t)m * (size_t)m;
+    double b[COLUMNS * COLUMNS], v[COLUMNS * COLUMNS], spread[COLUMNS], moment[COLUMNS], in[COLUMNS];
+    for (int i = 0; i < m; i++) spread[i] = own->noise.scatter[own->scatter.kind[i]];
+    for (int i = 0; i < m; i++)
+        for (int j = 0; j < m; j++) b[i * m + j] = (i == j) + spread[i] * spread[j] * gram[i * m + j];
+    eigen(m, b, v);
+
+    // S^1/2 J' z in the eigenvectors' coordinates, weighed, and back
+    for (int i = 0; i < m; i++) {
+        const double *x = own->scatter.white + (size_t)i * (size_t)own->rows + (size_t)c->row;
+        moment[i] = 0;
+        for (int k = 0; k < count; k++) moment[i] += spread[i] * x[k] * z[c->row + k];
+    }
+    for (int e = 0; e < m; e++) {
+        const double value = fmax(b[e * m + e], 1);
+        in[e] = 0;
+        for (int i = 0; i < m; i++) in[e] += v[i * m + e] * moment[i];
+        in[e] /= value + sqrt(value);
+    }
+    for (int i = 0; i < m; i++) {
+        const double *x = own->scatter.white + (size_t)i * (size_t)own->rows + (size_t)c->row;
+        double weight = 0;
+        for (int e = 0; e < m; e++) weight += v[i * m + e] * in[e];
+        for (int k = 0; k < count; k++) z[c->row + k] -= spread[i] * weight * x[k];
+    }
+}
+
+void wcut_scatter_standardise(const wcut_evidence *own, const wcut_normal_equations *normal, double *z) {
+    if (normal->m == 0) return;
+#pragma omp parallel for num_threads(wcut_threads(own->threads)) schedule(dynamic, 1)
+    for (int k = 0; k < own->cuts; k++)
+        if (own->cut[k].bins > 0) standardise_cut(own, normal, k, z);
+}
