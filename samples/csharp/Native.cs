@@ -10,7 +10,7 @@ public enum wcut_control_state { WCUT_CONTROL_STATE_RUN = 0, WCUT_CONTROL_STATE_
 public enum wcut_curve_format { WCUT_CURVE_FORMAT_ANY = 0, WCUT_CURVE_FORMAT_STEP = 1, WCUT_CURVE_FORMAT_IGES = 2, WCUT_CURVE_FORMAT_JSON = 3, WCUT_CURVE_FORMAT_CSV = 4, WCUT_CURVE_FORMAT_COUNT = 5 }
 public enum wcut_direction { WCUT_DIRECTION_U = 0, WCUT_DIRECTION_V = 1 }
 public enum wcut_dof_kind { WCUT_DOF_KIND_FREE = 0, WCUT_DOF_KIND_LOCKED = 1, WCUT_DOF_KIND_PRIOR = 2 }
-public enum wcut_effect_kind { WCUT_EFFECT_WIRE_THERMAL_LAG = 0, WCUT_EFFECT_AIR_OVERHEATING = 1, WCUT_EFFECT_END_COOLING = 2, WCUT_EFFECT_FOAM_DENSITY_GRADIENT = 3, WCUT_EFFECT_FOAM_INCLUSION = 4, WCUT_EFFECT_TANGENTIAL_DRAG = 5, WCUT_EFFECT_WIRE_ELONGATION = 6, WCUT_EFFECT_MOUNT_COMPLIANCE = 7, WCUT_EFFECT_RATE_DEPENDENCE = 8, WCUT_EFFECT_WIRE_FOULING = 9, WCUT_EFFECT_EMPIRICAL_FORCE = 10, WCUT_EFFECT_KERF_GROWTH = 11, WCUT_EFFECT_BLOCK_SPRINGBACK = 12, WCUT_EFFECT_ANGLE_OFFSET = 13, WCUT_EFFECT_TENSION_GAIN = 14, WCUT_EFFECT_TENSION_DRIFT = 15, WCUT_EFFECT_CLOCK_OFFSET = 16, WCUT_EFFECT_EMPIRICAL_READING = 17, WCUT_EFFECT_SCAN_OFFSET = 18, WCUT_EFFECT_SCAN_SCALE = 19, WCUT_EFFECT_COUNT = 20 }
+public enum wcut_effect_kind { WCUT_EFFECT_WIRE_THERMAL_LAG = 0, WCUT_EFFECT_AIR_OVERHEATING = 1, WCUT_EFFECT_END_COOLING = 2, WCUT_EFFECT_FOAM_DENSITY_GRADIENT = 3, WCUT_EFFECT_FOAM_INCLUSION = 4, WCUT_EFFECT_TANGENTIAL_DRAG = 5, WCUT_EFFECT_WIRE_ELONGATION = 6, WCUT_EFFECT_MOUNT_COMPLIANCE = 7, WCUT_EFFECT_RATE_DEPENDENCE = 8, WCUT_EFFECT_WIRE_FOULING = 9, WCUT_EFFECT_EMPIRICAL_FORCE = 10, WCUT_EFFECT_KERF_GROWTH = 11, WCUT_EFFECT_BLOCK_SPRINGBACK = 12, WCUT_EFFECT_ANGLE_OFFSET = 13, WCUT_EFFECT_TENSION_GAIN = 14, WCUT_EFFECT_TENSION_DRIFT = 15, WCUT_EFFECT_CLOCK_OFFSET = 16, WCUT_EFFECT_TENSION_DELAY = 17, WCUT_EFFECT_TENSION_ZERO = 18, WCUT_EFFECT_ANGLE_GAIN = 19, WCUT_EFFECT_ENCODER_FRICTION = 20, WCUT_EFFECT_EMPIRICAL_READING = 21, WCUT_EFFECT_SCAN_OFFSET = 22, WCUT_EFFECT_SCAN_SCALE = 23, WCUT_EFFECT_COUNT = 24 }
 public enum wcut_effect_place { WCUT_EFFECT_PLACE_STEP = 0, WCUT_EFFECT_PLACE_FACE = 1, WCUT_EFFECT_PLACE_SENSOR = 2, WCUT_EFFECT_PLACE_SCAN = 3 }
 public enum wcut_evidence_channel { WCUT_EVIDENCE_CHANNEL_SPEED = 0, WCUT_EVIDENCE_CHANNEL_TENSION = 1, WCUT_EVIDENCE_CHANNEL_ALPHA = 2, WCUT_EVIDENCE_CHANNEL_BETA = 3, WCUT_EVIDENCE_CHANNEL_SCAN = 4, WCUT_EVIDENCE_CHANNEL_COUNT = 5 }
 public enum wcut_integrator { WCUT_INTEGRATOR_IMPLICIT = 0, WCUT_INTEGRATOR_HEUN = 1 }
@@ -30,6 +30,7 @@ public enum wcut_report_scale { WCUT_REPORT_SCALE_SEQUENTIAL = 0, WCUT_REPORT_SC
 public enum wcut_report_tone { WCUT_REPORT_TONE_PLAIN = 0, WCUT_REPORT_TONE_GOOD = 1, WCUT_REPORT_TONE_WARNING = 2, WCUT_REPORT_TONE_BAD = 3 }
 public enum wcut_result_state { WCUT_RESULT_STATE_WHOLE = 0, WCUT_RESULT_STATE_CHANGED = 1, WCUT_RESULT_STATE_MISSING = 2 }
 public enum wcut_robot_format { WCUT_ROBOT_FORMAT_URSCRIPT = 0, WCUT_ROBOT_FORMAT_RAPID = 1, WCUT_ROBOT_FORMAT_KRL = 2, WCUT_ROBOT_FORMAT_CSV = 3, WCUT_ROBOT_FORMAT_JSON = 4 }
+public enum wcut_scatter_kind { WCUT_SCATTER_LEVEL = 0, WCUT_SCATTER_LEVEL_B = 1, WCUT_SCATTER_LENGTH = 2, WCUT_SCATTER_TENSION_ZERO = 3, WCUT_SCATTER_ENCODER_ZERO = 4, WCUT_SCATTER_FRICTION = 5, WCUT_SCATTER_FACE = 6, WCUT_SCATTER_SCAN_SHIFT = 7, WCUT_SCATTER_SCAN_TURN = 8, WCUT_SCATTER_COUNT = 9 }
 public enum wcut_scored { WCUT_SCORED_SPEED = 0, WCUT_SCORED_TENSION = 1, WCUT_SCORED_ALPHA = 2, WCUT_SCORED_BETA = 3, WCUT_SCORED_SPEED_A = 4, WCUT_SCORED_SPEED_B = 5, WCUT_SCORED_TENSION_A = 6, WCUT_SCORED_TENSION_B = 7, WCUT_SCORED_ALPHA_A = 8, WCUT_SCORED_BETA_A = 9, WCUT_SCORED_ALPHA_B = 10, WCUT_SCORED_BETA_B = 11, WCUT_SCORED_COUNT = 12 }
 public enum wcut_slip_column { WCUT_SLIP_COLUMN_NONE = 0, WCUT_SLIP_COLUMN_HEAT = 1, WCUT_SLIP_COLUMN_SPEED = 2, WCUT_SLIP_COLUMN_ENGAGED = 3, WCUT_SLIP_COLUMN_TENSION = 4, WCUT_SLIP_COLUMN_ALPHA = 5, WCUT_SLIP_COLUMN_COUNT = 6 }
 public enum wcut_status { WCUT_OK = 0, WCUT_BAD_ARGUMENT = 1, WCUT_NO_MEMORY = 2, WCUT_NOT_CONVERGED = 3, WCUT_SINGULAR = 4, WCUT_DEGENERATE = 5, WCUT_NOT_FOUND = 6, WCUT_BAD_FORMAT = 7, WCUT_NOT_WRITTEN = 8, WCUT_INTERRUPTED = 9, WCUT_INTERNAL = 10, WCUT_STATUS_COUNT = 11 }
@@ -478,6 +479,8 @@ public unsafe struct wcut_diagnosis
     public wcut_modelled modelled;
     public int traces;
     public wcut_residual_trace* trace;
+    public int rig_rows;
+    public wcut_rig_row* rig;
     public int cuts;
     public byte* held_out;
     public wcut_fit fit_0, fit_1, fit_2, fit_3, fit_4, fit_5, fit_6, fit_7, fit_8, fit_9, fit_10, fit_11, fit_12, fit_13, fit_14, fit_15, fit_16, fit_17, fit_18, fit_19;
@@ -508,7 +511,7 @@ public unsafe struct wcut_diagnosis_cut
 public unsafe struct wcut_diagnosis_options
 {
     public int threads;
-    public fixed byte without[20];
+    public fixed byte without[24];
     public byte proof;
     public byte naive;
     public ulong seed;
@@ -1394,6 +1397,15 @@ public unsafe struct wcut_rig_options
     public byte excitation;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_rig_row
+{
+    public fixed byte name[32];
+    public wcut_estimate value;
+    public int cuts;
+    public fixed int cut[64];
+    public wcut_estimate of_cut_0, of_cut_1, of_cut_2, of_cut_3, of_cut_4, of_cut_5, of_cut_6, of_cut_7, of_cut_8, of_cut_9, of_cut_10, of_cut_11, of_cut_12, of_cut_13, of_cut_14, of_cut_15, of_cut_16, of_cut_17, of_cut_18, of_cut_19, of_cut_20, of_cut_21, of_cut_22, of_cut_23, of_cut_24, of_cut_25, of_cut_26, of_cut_27, of_cut_28, of_cut_29, of_cut_30, of_cut_31, of_cut_32, of_cut_33, of_cut_34, of_cut_35, of_cut_36, of_cut_37, of_cut_38, of_cut_39, of_cut_40, of_cut_41, of_cut_42, of_cut_43, of_cut_44, of_cut_45, of_cut_46, of_cut_47, of_cut_48, of_cut_49, of_cut_50, of_cut_51, of_cut_52, of_cut_53, of_cut_54, of_cut_55, of_cut_56, of_cut_57, of_cut_58, of_cut_59, of_cut_60, of_cut_61, of_cut_62, of_cut_63;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_rig_run
 {
     public wcut_recording recording;
@@ -2008,6 +2020,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_robot_options wcut_robot_options_default();
     [DllImport("wirecut-io")] public static extern wcut_status wcut_robot_summary_print(wcut_robot_summary* a0, byte** a1);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_robot_write(wcut_robot_motion* a0, wcut_robot_names* a1, wcut_robot_format a2, int a3, byte* a4, wcut_error* a5);
+    [DllImport("wirecut-io")] public static extern byte* wcut_scatter_name(wcut_scatter_kind a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_score_eval(int a0, double* a1, double* a2, double a3, wcut_score* a4);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_score_mean(int a0, wcut_score* a1, wcut_score* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_score_print(int a0, wcut_scored_cut* a1, wcut_comparison_options* a2, byte** a3);
