@@ -5,6 +5,8 @@
 
 enum { COPIES_MAX = 16, TEXT_MAX = 200 };
 
+void *const hostile_mark = (void *)0x999;
+
 /* `turn` is the way of this call, `seen` how many ways the arguments before had */
 static struct {
     long turn, seen;
@@ -67,8 +69,8 @@ void hostile_end(const char *name) {
     ck_assert_msg(now.wrong == 0, "%s: %d of %ld calls went wrong, see above", name, now.wrong, now.turn + 1);
 }
 
-const void *hostile_pointer(const void *p, bool refused, const char *text) {
-    return way_of(1, refused, text) == 0 ? NULL : p;
+void *hostile_pointer(const void *p, bool refused, const char *text) {
+    return way_of(1, refused, text) == 0 ? NULL : (void *)p;
 }
 
 double hostile_number(double x, bool refused, const char *text) {
@@ -105,7 +107,7 @@ static void *copy_of(const void *p, size_t size) {
     return memcpy(copy, p, size);
 }
 
-const void *hostile_values(const void *p, size_t size, bool refused, const char *text) {
+void *hostile_values(const void *p, size_t size, bool refused, const char *text) {
     const double broken[2] = {(double)NAN, (double)INFINITY};
     const int way = way_of(3, true, text);
     if (way == 0) now.refused = refused;
@@ -116,7 +118,7 @@ const void *hostile_values(const void *p, size_t size, bool refused, const char 
     return copy;
 }
 
-const void *hostile_record(const void *p, size_t size, int from, int to, const char *text) {
+void *hostile_record(const void *p, size_t size, int from, int to, const char *text) {
     const int words = to - from, way = way_of(words + 1, false, text);
     if (way == words) return NULL;
     unsigned char *copy = copy_of(p, size);

@@ -42,20 +42,20 @@ bool hostile_status(wcut_status status);
 void hostile_touched(const char *what);
 void hostile_end(const char *name);
 
-const void *hostile_pointer(const void *p, bool refused, const char *text);
+void *hostile_pointer(const void *p, bool refused, const char *text);
 double hostile_number(double x, bool refused, const char *text);
 int hostile_int(int n, bool refused, bool largest, const char *text);
 int hostile_threads(int n, const char *text);
 wcut_vec3 hostile_vec3(wcut_vec3 v, const char *text);
-const void *hostile_values(const void *p, size_t size, bool refused, const char *text);
-const void *hostile_record(const void *p, size_t size, int from, int to, const char *text);
+void *hostile_values(const void *p, size_t size, bool refused, const char *text);
+void *hostile_record(const void *p, size_t size, int from, int to, const char *text);
 
 /* every byte 0x99, and whether it is still */
 void hostile_fill(void *p, size_t size);
 bool hostile_is_filled(const void *p, size_t size);
 
-#define PTR(p) ((__typeof__(1 ? (p) : (p)))(size_t)hostile_pointer((const void *)(size_t)(p), true, #p))
-#define OPT(p) ((__typeof__(1 ? (p) : (p)))(size_t)hostile_pointer((const void *)(size_t)(p), false, #p))
+#define PTR(p) hostile_pointer(p, true, #p)
+#define OPT(p) hostile_pointer(p, false, #p)
 #define NUM(x) hostile_number(x, true, #x)
 #define ANY_NUM(x) hostile_number(x, false, #x)
 #define COUNT(n) hostile_int(n, true, false, #n)
@@ -66,13 +66,14 @@ bool hostile_is_filled(const void *p, size_t size);
 #define ENUM(e) ((__typeof__(e))hostile_int((int)(e), true, true, #e))
 #define ANY_ENUM(e) ((__typeof__(e))hostile_int((int)(e), false, true, #e))
 #define VEC(v) hostile_vec3(v, #v)
-#define VALUES(p, n) ((__typeof__(&(p)[0]))(size_t)hostile_values(p, (size_t)(n) * sizeof *(p), true, #p))
-#define OPT_VALUES(p, n) ((__typeof__(&(p)[0]))(size_t)hostile_values(p, (size_t)(n) * sizeof *(p), false, #p))
+#define VALUES(p, n) hostile_values(p, (size_t)(n) * sizeof *(p), true, #p)
+#define OPT_VALUES(p, n) hostile_values(p, (size_t)(n) * sizeof *(p), false, #p)
 #define RECORD(p) RECORD_WORDS(p, 0, (int)(sizeof *(p) / 8))
-#define RECORD_WORDS(p, from, to) ((__typeof__(p))(size_t)hostile_record(p, sizeof *(p), from, to, #p))
+#define RECORD_WORDS(p, from, to) hostile_record(p, sizeof *(p), from, to, #p)
 
 /* what a pointer to a made object is before the call */
-#define MARK ((void *)0x999)
+extern void *const hostile_mark;
+#define MARK hostile_mark
 #define OUT_FILE "hostile.out"
 
 #define EACH_HOSTILE_ARGUMENT(name, call, untouched, forget)         \

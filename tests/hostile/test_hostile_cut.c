@@ -130,11 +130,11 @@ HOSTILE(wcut_calibration_fit) {
     wcut_calibration c;
     wcut_calibration_point point[TESTS];
     hostile_fill(&c, sizeof c), hostile_fill(point, sizeof point);
-    EACH_HOSTILE_ARGUMENT(wcut_calibration_fit,
-                          wcut_calibration_fit(COUNT(TESTS), PTR(test_cuts()), RECORD(&o), PTR(&c), OPT(&point[0]),
-                                               OPT((wcut_error *)NULL)),
-                          hostile_is_filled(&c, sizeof c) && hostile_is_filled(point, sizeof point),
-                          (hostile_fill(&c, sizeof c), hostile_fill(point, sizeof point)));
+    EACH_HOSTILE_ARGUMENT(
+        wcut_calibration_fit,
+        wcut_calibration_fit(COUNT(TESTS), PTR(test_cuts()), RECORD(&o), PTR(&c), OPT(&point[0]), OPT(NULL)),
+        hostile_is_filled(&c, sizeof c) && hostile_is_filled(point, sizeof point),
+        (hostile_fill(&c, sizeof c), hostile_fill(point, sizeof point)));
 }
 
 HOSTILE(wcut_law_fit_eval) {
@@ -164,7 +164,7 @@ static wcut_effect *lag(void) {
 
 HOSTILE_VALUE(wcut_effect_parameters, lag())
 HOSTILE_VALUE(wcut_effect_is_neutral, lag())
-HOSTILE_STATUS(wcut_effects_check, COUNT(1), RECORD(lag()), OPT((wcut_error *)NULL))
+HOSTILE_STATUS(wcut_effects_check, COUNT(1), RECORD(lag()), OPT(NULL))
 
 HOSTILE(wcut_sensors_eval) {
     static double time[3] = {0, 1, 2}, value[WCUT_SENSED_COUNT][3];
@@ -209,31 +209,29 @@ static wcut_correction *correction(void) {
     return &c;
 }
 
-HOSTILE_STATUS(wcut_correction_apply, RECORD(correction()), PTR(short_job_once()), OPT((wcut_error *)NULL))
+HOSTILE_STATUS(wcut_correction_apply, RECORD(correction()), PTR(short_job_once()), OPT(NULL))
 HOSTILE_VALUE(wcut_setup_destroy, NULL)
 HOSTILE_VALUE(wcut_setup_job, sound_setup())
 HOSTILE_VALUE(wcut_setup_options, sound_setup())
-HOSTILE_MADE(wcut_cut_create, wcut_cut, wcut_cut_destroy, PTR(sound_setup()), PTR(&made), OPT((wcut_error *)NULL))
+HOSTILE_MADE(wcut_cut_create, wcut_cut, wcut_cut_destroy, PTR(sound_setup()), PTR(&made), OPT(NULL))
 HOSTILE_VALUE(wcut_cut_destroy, NULL)
 HOSTILE_VALUE(wcut_history_destroy, NULL)
 HOSTILE_VALUE(wcut_prediction_destroy, NULL)
 HOSTILE_VALUE(wcut_comparison_destroy, NULL)
 HOSTILE_VALUE(wcut_recording_destroy, NULL)
-HOSTILE_MADE(wcut_setup_run, wcut_history, wcut_history_destroy, PTR(sound_setup()), NULL, NULL, PTR(&made),
-             OPT((wcut_error *)NULL))
+HOSTILE_MADE(wcut_setup_run, wcut_history, wcut_history_destroy, PTR(sound_setup()), NULL, NULL, PTR(&made), OPT(NULL))
 HOSTILE_OUT(wcut_summary_eval, wcut_summary, PTR(sound_history()))
 HOSTILE_VALUE(wcut_replay_options_default, )
 HOSTILE_VALUE(wcut_comparison_options_default, )
 HOSTILE_MADE(wcut_prediction_plan, wcut_prediction, wcut_prediction_destroy, PTR(sound_history()),
-             PTR(sound_recording()), PTR(&made), OPT((wcut_error *)NULL))
+             PTR(sound_recording()), PTR(&made), OPT(NULL))
 
 HOSTILE(wcut_setup_create) {
     const wcut_cut_options o = wcut_cut_options_default();
     wcut_setup *made = MARK;
-    EACH_HOSTILE_ARGUMENT(
-        wcut_setup_create,
-        wcut_setup_create(PTR(sound_job()), RECORD_WORDS(&o, 0, 3), PTR(&made), OPT((wcut_error *)NULL)), made == MARK,
-        (wcut_setup_destroy(made), made = MARK));
+    EACH_HOSTILE_ARGUMENT(wcut_setup_create,
+                          wcut_setup_create(PTR(sound_job()), RECORD_WORDS(&o, 0, 3), PTR(&made), OPT(NULL)),
+                          made == MARK, (wcut_setup_destroy(made), made = MARK));
 }
 
 static wcut_cut *cut_once(void) {
@@ -242,9 +240,9 @@ static wcut_cut *cut_once(void) {
     return cut;
 }
 
-HOSTILE_STATUS(wcut_cut_step, PTR(cut_once()), OPT((wcut_error *)NULL))
+HOSTILE_STATUS(wcut_cut_step, PTR(cut_once()), OPT(NULL))
 HOSTILE_STATUS(wcut_cut_drive, PTR(cut_once()), VEC(sound_job()->mount_a[1]), VEC(sound_job()->mount_b[1]), NUM(0.1),
-               NUM(65), OPT((wcut_error *)NULL))
+               NUM(65), OPT(NULL))
 
 HOSTILE(wcut_cut_view) {
     wcut_station station;
@@ -258,8 +256,7 @@ HOSTILE(wcut_history_path) {
     double length_of_all = 999;
     EACH_HOSTILE_ARGUMENT(
         wcut_history_path,
-        wcut_history_path(PTR(sound_setup()), PTR(sound_history()), PTR(a), PTR(b), OPT(&length_of_all),
-                          OPT((wcut_error *)NULL)),
+        wcut_history_path(PTR(sound_setup()), PTR(sound_history()), PTR(a), PTR(b), OPT(&length_of_all), OPT(NULL)),
         a[1].x == 0 && b[1].x == 0 && length_of_all == 999,
         (memset(a, 0, (size_t)n * sizeof *a), memset(b, 0, (size_t)n * sizeof *b), length_of_all = 999));
     free(a);
@@ -277,20 +274,20 @@ HOSTILE(wcut_history_kerf) {
 HOSTILE(wcut_prediction_replay) {
     const wcut_replay_options o = wcut_replay_options_default();
     wcut_prediction *made = MARK;
-    EACH_HOSTILE_ARGUMENT(wcut_prediction_replay,
-                          wcut_prediction_replay(PTR(sound_setup()), PTR(sound_recording()), RECORD(&o), PTR(&made),
-                                                 OPT((wcut_error *)NULL)),
-                          made == MARK, (wcut_prediction_destroy(made), made = MARK));
+    EACH_HOSTILE_ARGUMENT(
+        wcut_prediction_replay,
+        wcut_prediction_replay(PTR(sound_setup()), PTR(sound_recording()), RECORD(&o), PTR(&made), OPT(NULL)),
+        made == MARK, (wcut_prediction_destroy(made), made = MARK));
 }
 
 HOSTILE(wcut_comparison_create) {
     wcut_comparison_options o = wcut_comparison_options_default();
     o.settle = o.leave = 0;
     wcut_comparison *made = MARK;
-    EACH_HOSTILE_ARGUMENT(wcut_comparison_create,
-                          wcut_comparison_create(PTR(sound_job()), PTR(long_recording()), RECORD(&o), PTR(&made),
-                                                 OPT((wcut_error *)NULL)),
-                          made == MARK, (wcut_comparison_destroy(made), made = MARK));
+    EACH_HOSTILE_ARGUMENT(
+        wcut_comparison_create,
+        wcut_comparison_create(PTR(sound_job()), PTR(long_recording()), RECORD(&o), PTR(&made), OPT(NULL)),
+        made == MARK, (wcut_comparison_destroy(made), made = MARK));
 }
 
 HOSTILE(wcut_comparison_run) {
@@ -349,10 +346,10 @@ HOSTILE_VALUE(wcut_rig_run_destroy, NULL)
 HOSTILE(wcut_control_create) {
     const wcut_control_settings s = wcut_control_settings_default(sound_job());
     wcut_control *made = MARK;
-    EACH_HOSTILE_ARGUMENT(wcut_control_create,
-                          wcut_control_create(RECORD_WORDS(&s, 1, (int)sizeof s / 8), PTR(sound_history()), PTR(&made),
-                                              OPT((wcut_error *)NULL)),
-                          made == MARK, (wcut_control_destroy(made), made = MARK));
+    EACH_HOSTILE_ARGUMENT(
+        wcut_control_create,
+        wcut_control_create(RECORD_WORDS(&s, 1, (int)sizeof s / 8), PTR(sound_history()), PTR(&made), OPT(NULL)),
+        made == MARK, (wcut_control_destroy(made), made = MARK));
 }
 
 static wcut_control *control_once(void) {
@@ -378,8 +375,7 @@ HOSTILE(wcut_rig_run_create) {
     EACH_HOSTILE_ARGUMENT(
         wcut_rig_run_create,
         wcut_rig_run_create(PTR(sound_job()), PTR(sound_history()), RECORD_WORDS(&s, 1, (int)sizeof s / 8),
-                            RECORD_WORDS(&o, 0, (int)sizeof o / 8 - 1), stop_at_once, NULL, PTR(&made),
-                            OPT((wcut_error *)NULL)),
+                            RECORD_WORDS(&o, 0, (int)sizeof o / 8 - 1), stop_at_once, NULL, PTR(&made), OPT(NULL)),
         made == MARK, (made == MARK ? (void)0 : wcut_rig_run_destroy(made), made = MARK));
 }
 
@@ -397,10 +393,10 @@ HOSTILE(wcut_diagnosis_create) {
     const wcut_diagnosis_cut cut = {.job = sound_job(), .recording = long_recording()};
     wcut_diagnosis *made = MARK;
     EACH_HOSTILE_ARGUMENT(wcut_diagnosis_create,
-                          wcut_diagnosis_create(COUNT(1), PTR(&cut), COUNT(0), OPT((wcut_test_cut *)NULL), OPT(&o),
-                                                stop_at_once, NULL, PTR(&made), OPT((wcut_error *)NULL)),
+                          wcut_diagnosis_create(COUNT(1), PTR(&cut), COUNT(0), OPT(NULL), OPT(&o), stop_at_once, NULL,
+                                                PTR(&made), OPT(NULL)),
                           made == MARK, (made == MARK ? (void)0 : wcut_diagnosis_destroy(made), made = MARK));
 }
 
 HOSTILE_MADE(wcut_identification_create, wcut_job, wcut_job_destroy, PTR(coarse_job()), INT(1), 1, PTR(&made),
-             OPT((wcut_error *)NULL))
+             OPT(NULL))

@@ -4,8 +4,7 @@
 #include "io/given.h"
 #include "io/process/diagnosis_given.h"
 
-static const wcut_error *const no_error = NULL;
-#define ERR OPT((wcut_error *)(size_t)no_error)
+#define ERR OPT(NULL)
 
 /* every test has an empty folder, with the files that are read */
 static void begin(void) {
@@ -251,8 +250,8 @@ HOSTILE(wcut_calibration_table_read) {
     wcut_test_cut *made = MARK;
     int n = 999;
     EACH_HOSTILE_ARGUMENT(wcut_calibration_table_read,
-                          wcut_calibration_table_read(PTR(WCUT_SOURCE_DIR "/samples/calibration/table.csv"),
-                                                      OPT((char *)NULL), PTR(&n), PTR(&made), ERR),
+                          wcut_calibration_table_read(PTR(WCUT_SOURCE_DIR "/samples/calibration/table.csv"), OPT(NULL),
+                                                      PTR(&n), PTR(&made), ERR),
                           made == MARK && n == 999, (wcut_test_cut_destroy(made), made = MARK, n = 999));
 }
 
@@ -288,8 +287,8 @@ static const wcut_scored_cut *scored(void) {
     return &cut;
 }
 
-HOSTILE_TEXT(wcut_score_print, INT(1), PTR(scored()), OPT((wcut_comparison_options *)NULL), PTR(&made))
-HOSTILE_FILE(wcut_score_write, COUNT(1), PTR(scored()), OPT((wcut_comparison_options *)NULL), PTR(OUT_FILE), ERR)
+HOSTILE_TEXT(wcut_score_print, COUNT(1), PTR(scored()), OPT(NULL), PTR(&made))
+HOSTILE_FILE(wcut_score_write, COUNT(1), PTR(scored()), OPT(NULL), PTR(OUT_FILE), ERR)
 HOSTILE_FILE(wcut_residuals_write, COUNT(1), PTR(scored()), PTR(OUT_FILE), ERR)
 
 static given_diagnosis diagnosed;
@@ -303,20 +302,18 @@ HOSTILE_FILE(wcut_diagnosis_write, PTR(diagnosis()), PTR("c"), PTR(OUT_FILE), ER
 
 /* ---- clouds, meshes, curves ---- */
 
-HOSTILE_MADE(wcut_cloud_read, wcut_cloud, wcut_cloud_destroy, PTR("points.xyz"), OPT((wcut_cloud_options *)NULL),
+HOSTILE_MADE(wcut_cloud_read, wcut_cloud, wcut_cloud_destroy, PTR("points.xyz"), OPT(NULL), PTR(&made), ERR)
+HOSTILE_MADE(wcut_cloud_source_create, wcut_cloud_source, wcut_cloud_source_destroy, PTR("points.xyz"), OPT(NULL),
              PTR(&made), ERR)
-HOSTILE_MADE(wcut_cloud_source_create, wcut_cloud_source, wcut_cloud_source_destroy, PTR("points.xyz"),
-             OPT((wcut_cloud_options *)NULL), PTR(&made), ERR)
 
 HOSTILE(wcut_cloud_source_next) {
     wcut_cloud_source *source = NULL;
     wcut_vec3 point[8];
     int count = 999;
     ck_assert_int_eq(wcut_cloud_source_create("points.xyz", NULL, &source, NULL), WCUT_OK);
-    EACH_HOSTILE_ARGUMENT(
-        wcut_cloud_source_next,
-        wcut_cloud_source_next(PTR(source), COUNT(8), PTR(&point[0]), OPT((wcut_vec3 *)NULL), PTR(&count), ERR),
-        count == 999, count = 999);
+    EACH_HOSTILE_ARGUMENT(wcut_cloud_source_next,
+                          wcut_cloud_source_next(PTR(source), COUNT(8), PTR(&point[0]), OPT(NULL), PTR(&count), ERR),
+                          count == 999, count = 999);
     wcut_cloud_source_destroy(source);
 }
 
@@ -335,8 +332,8 @@ HOSTILE_FILE(wcut_mesh_write_stl, PTR(mesh()), PTR(OUT_FILE), ERR)
 HOSTILE_FILE(wcut_mesh_write_obj, PTR(mesh()), PTR(OUT_FILE), ERR)
 HOSTILE_FILE(wcut_mesh_write_ply, PTR(mesh()), OPT("force"), PTR(OUT_FILE), ERR)
 HOSTILE_FILE(wcut_mesh_write_glb, PTR(mesh()), PTR(OUT_FILE), ERR)
-HOSTILE_FILE(wcut_step_write, INT(1), PTR(shape()), ENUM(WCUT_STEP_SCHEMA_AP214), PTR(OUT_FILE), ERR)
-HOSTILE_FILE(wcut_iges_write, INT(1), PTR(shape()), PTR(OUT_FILE), ERR)
+HOSTILE_FILE(wcut_step_write, COUNT(1), PTR(shape()), ENUM(WCUT_STEP_SCHEMA_AP214), PTR(OUT_FILE), ERR)
+HOSTILE_FILE(wcut_iges_write, COUNT(1), PTR(shape()), PTR(OUT_FILE), ERR)
 
 HOSTILE(wcut_mesh_read) {
     const wcut_mesh_read_options o = wcut_mesh_read_options_default();
@@ -353,8 +350,7 @@ HOSTILE(wcut_curve_set_read) {
     const wcut_shape s = {.name = "c", .curve = curve};
     ck_assert_int_eq(wcut_iges_write(1, &s, "c.igs", NULL), WCUT_OK);
     wcut_curve_set *made = MARK;
-    EACH_HOSTILE_ARGUMENT(wcut_curve_set_read,
-                          wcut_curve_set_read(PTR("c.igs"), OPT((wcut_curve_read_options *)NULL), PTR(&made), ERR),
+    EACH_HOSTILE_ARGUMENT(wcut_curve_set_read, wcut_curve_set_read(PTR("c.igs"), OPT(NULL), PTR(&made), ERR),
                           made == MARK, (wcut_curve_set_destroy(made), made = MARK));
     wcut_curve_destroy(curve);
 }
@@ -423,8 +419,8 @@ HOSTILE_FILE(wcut_zones_write, PTR(compared()->found), PTR(OUT_FILE), ERR)
 HOSTILE(wcut_deviation_mesh_write_ply) {
     double *value = value_of_mesh();
     EACH_HOSTILE_ARGUMENT(wcut_deviation_mesh_write_ply,
-                          wcut_deviation_mesh_write_ply(PTR(mesh()), VALUES(value, mesh()->vertex_count),
-                                                        OPT((unsigned char *)NULL), NUM(1), PTR(OUT_FILE), ERR),
+                          wcut_deviation_mesh_write_ply(PTR(mesh()), VALUES(value, mesh()->vertex_count), OPT(NULL),
+                                                        NUM(1), PTR(OUT_FILE), ERR),
                           access(OUT_FILE, F_OK) != 0, remove(OUT_FILE));
     free(value);
 }
@@ -432,8 +428,8 @@ HOSTILE(wcut_deviation_mesh_write_ply) {
 HOSTILE(wcut_deviation_mesh_write_obj) {
     double *value = value_of_mesh();
     EACH_HOSTILE_ARGUMENT(wcut_deviation_mesh_write_obj,
-                          wcut_deviation_mesh_write_obj(PTR(mesh()), VALUES(value, mesh()->vertex_count),
-                                                        OPT((unsigned char *)NULL), NUM(1), PTR(OUT_FILE), ERR),
+                          wcut_deviation_mesh_write_obj(PTR(mesh()), VALUES(value, mesh()->vertex_count), OPT(NULL),
+                                                        NUM(1), PTR(OUT_FILE), ERR),
                           access(OUT_FILE, F_OK) != 0, remove(OUT_FILE));
     free(value);
 }
@@ -447,8 +443,8 @@ HOSTILE(wcut_deviation_stream_append) {
     wcut_deviation_stream *stream = NULL;
     ck_assert_int_eq(wcut_deviation_stream_create(OUT_FILE, 1, 0, &stream, NULL), WCUT_OK);
     EACH_HOSTILE_ARGUMENT(wcut_deviation_stream_append,
-                          wcut_deviation_stream_append(PTR(stream), COUNT(SCAN), VALUES(sound_scan(), SCAN),
-                                                       OPT((wcut_vec3 *)NULL), PTR(sound_deviation()), ERR),
+                          wcut_deviation_stream_append(PTR(stream), COUNT(SCAN), VALUES(sound_scan(), SCAN), OPT(NULL),
+                                                       PTR(sound_deviation()), ERR),
                           true, (void)0);
     wcut_deviation_stream_destroy(stream);
 }
@@ -468,7 +464,7 @@ static wcut_mould *mould(void) {
 HOSTILE_VALUE(wcut_mould_default, )
 HOSTILE_VALUE(wcut_mould_destroy, NULL)
 HOSTILE_MADE(wcut_mould_create, wcut_mould, wcut_mould_destroy, PTR(sound_face()->surface),
-             VEC(sound_job()->block_size), OPT((wcut_mould_options *)NULL), PTR(&made), ERR)
+             VEC(sound_job()->block_size), OPT(NULL), PTR(&made), ERR)
 HOSTILE_ARRAY(wcut_keys_at_corners, wcut_key, WCUT_KEYS_AT_CORNERS, VEC(sound_job()->block_size), NUM(10), NUM(6))
 HOSTILE_TEXT(wcut_mould_print, PTR(mould()), PTR("m"), PTR(&made))
 HOSTILE_FILE(wcut_mould_write, PTR(mould()), PTR("m"), PTR(OUT_FILE), ERR)
@@ -492,8 +488,7 @@ HOSTILE_VALUE(wcut_robot_motion_destroy, NULL)
 HOSTILE_VALUE(wcut_robot_file_name, ANY_ENUM(WCUT_ROBOT_FORMAT_KRL), ANY_INT(0))
 HOSTILE_VALUE(wcut_robot_format_name, ANY_ENUM(WCUT_ROBOT_FORMAT_KRL))
 HOSTILE_OUT(wcut_wire_temperature, double, NUM(60), NUM(0.15), NUM(20), NUM(0.7))
-HOSTILE_FILE(wcut_robot_write, PTR(motion()), OPT((wcut_robot_names *)NULL), ENUM(WCUT_ROBOT_FORMAT_KRL), INT(0),
-             PTR(OUT_FILE), ERR)
+HOSTILE_FILE(wcut_robot_write, PTR(motion()), OPT(NULL), ENUM(WCUT_ROBOT_FORMAT_KRL), INT(0), PTR(OUT_FILE), ERR)
 
 HOSTILE(wcut_robot_motion_create) {
     const wcut_robot_options o = wcut_robot_options_default();
@@ -611,13 +606,16 @@ HOSTILE(wcut_report_score_write) {
     const char *const group[1] = {"one"};
     const wcut_comparison_options o = wcut_comparison_options_default();
     const wcut_scored_cut *cut = scored();
+    static wcut_scores planned[2], replayed[2]; /* of the group and of all */
+    planned[0] = planned[1] = cut->comparison->planned_score;
+    replayed[0] = replayed[1] = cut->comparison->replayed_score;
     const wcut_report_score page = {.title = "c",
                                     .cuts = 1,
                                     .cut = cut,
                                     .groups = 1,
                                     .group_name = group,
-                                    .planned = &cut->comparison->planned_score,
-                                    .replayed = &cut->comparison->replayed_score,
+                                    .planned = planned,
+                                    .replayed = replayed,
                                     .group_label = "case",
                                     .options = &o,
                                     .nodes = 25};

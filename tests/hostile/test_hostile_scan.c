@@ -233,8 +233,7 @@ HOSTILE(wcut_registration_solve_datum) {
     hostile_fill(&r, sizeof r);
     EACH_HOSTILE_ARGUMENT(
         wcut_registration_solve_datum,
-        wcut_registration_solve_datum(COUNT(4), VALUES(pair, 4), COUNT(0), OPT((wcut_datum_face *)NULL), RECORD(&o),
-                                      PTR(&r), OPT((wcut_error *)NULL)),
+        wcut_registration_solve_datum(COUNT(4), VALUES(pair, 4), COUNT(0), OPT(NULL), RECORD(&o), PTR(&r), OPT(NULL)),
         hostile_is_filled(&r, sizeof r), hostile_fill(&r, sizeof r));
 }
 
@@ -245,7 +244,7 @@ HOSTILE(wcut_registration_fit) {
     hostile_fill(&r, sizeof r);
     EACH_HOSTILE_ARGUMENT(wcut_registration_fit,
                           wcut_registration_fit(PTR(sound_projection()), COUNT(SCAN), VALUES(sound_scan(), SCAN),
-                                                RECORD(&o), THREADS(1), PTR(&r), OPT((wcut_error *)NULL)),
+                                                RECORD(&o), THREADS(1), PTR(&r), OPT(NULL)),
                           hostile_is_filled(&r, sizeof r), hostile_fill(&r, sizeof r));
 }
 
@@ -257,7 +256,7 @@ HOSTILE(wcut_registration_fit_mesh) {
     EACH_HOSTILE_ARGUMENT(
         wcut_registration_fit_mesh,
         wcut_registration_fit_mesh(PTR(sound_mesh()), PTR(sound_tree()), COUNT(SCAN), VALUES(sound_scan(), SCAN),
-                                   RECORD(&o), THREADS(1), PTR(&r), OPT((wcut_error *)NULL)),
+                                   RECORD(&o), THREADS(1), PTR(&r), OPT(NULL)),
         hostile_is_filled(&r, sizeof r), hostile_fill(&r, sizeof r));
 }
 
@@ -265,7 +264,7 @@ HOSTILE(wcut_registration_move) {
     const wcut_registration none = wcut_registration_none();
     wcut_vec3 point[2] = {{1, 2, 3}, {4, 5, 6}};
     EACH_HOSTILE_ARGUMENT(wcut_registration_move,
-                          wcut_registration_move(PTR(&none), COUNT(2), PTR(&point[0]), OPT((wcut_vec3 *)NULL)),
+                          wcut_registration_move(PTR(&none), COUNT(2), PTR(&point[0]), OPT(NULL)),
                           point[0].x == 1 && point[1].z == 6, (void)0);
 }
 
@@ -276,7 +275,7 @@ HOSTILE(wcut_reconstruction_create) {
     EACH_HOSTILE_ARGUMENT(
         wcut_reconstruction_create,
         wcut_reconstruction_create(PTR(sound_face()->surface), COUNT(SCAN), VALUES(sound_scan(), SCAN), PTR(feet()),
-                                   OPT(&o), THREADS(1), PTR(&made), OPT((wcut_error *)NULL)),
+                                   OPT(&o), THREADS(1), PTR(&made), OPT(NULL)),
         made == MARK, (wcut_reconstruction_destroy(made), made = MARK));
 }
 
