@@ -216,6 +216,10 @@ static int write_results(app_comparison *c, app_results *r) {
 
 static void say_figures(const char *label, const wcut_deviation_summary_result *r) {
     const wcut_statistics *s = &r->statistics;
+    if (s->count == 0) {
+        app_say("%-13s mean \xe2\x80\x93, rms \xe2\x80\x93, max \xe2\x80\x93: no point is over the face", label);
+        return;
+    }
     app_say("%-13s mean %+.3f, rms %.3f, 1 %% %+.3f, median %+.3f, 99 %% %+.3f, max %.3f mm", label, s->mean, s->rms,
             s->p01, s->median, s->p99, s->hausdorff);
     app_say("%-13s offset %+.3f \xc2\xb1 %.3f, form %.3f rms, noise %.3f rms mm", "", r->split.offset,
@@ -232,6 +236,10 @@ static void say_registration(const wcut_registration *r) {
                                  r->determined[k] ? "" : "*");
     }
     app_say("moved by%s (mm, deg; *: not determined by the data), overlap %.1f %%", text, 100 * r->overlap);
+    app_say("the motion puts the points \xc2\xb1 %.2g mm (standard error, RMS)", r->doubt);
+    if (!r->converged)
+        app_say("warning: the fit stopped after %d steps, the last of %.2g mm; this is its best pose", r->iterations,
+                r->step);
 }
 
 static void say_answer(const app_comparison *c, const app_results *results) {
@@ -253,6 +261,7 @@ static void say_answer(const app_comparison *c, const app_results *results) {
 
 static int give_answer(const app_comparison *c, const app_results *results) {
     if (!c->options.quiet) say_answer(c, results);
+    if (!c->registration.converged) return APP_NOT_CONVERGED;
     return c->found.within ? APP_DONE : APP_OUTSIDE;
 }
 

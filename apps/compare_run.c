@@ -71,9 +71,22 @@ static int register_datum(app_comparison *c) {
     wcut_error error = {0};
     wcut_datums *datums = NULL;
     wcut_status status = wcut_datums_read(c->options.datum_path, &datums, &error);
-    if (status == WCUT_OK)
+    if (status == WCUT_OK) {
         status = wcut_registration_solve_datum(datums->pairs, datums->pair, datums->faces, datums->face,
                                                &c->options.registration, &c->registration, &error);
+        if (status != WCUT_OK && status != WCUT_NOT_CONVERGED && error.text[0])
+            return wcut_datums_destroy(datums), app_fail(APP_BAD_INPUT, "%s: %s", c->options.datum_path, error.text);
+    }
+    if (status == WCUT_NOT_CONVERGED) status = WCUT_OK; /* told at the end */
+
+    /* what is left of each, a point of a face each */
+    if (status == WCUT_OK) {
+        c->datums = datums->pairs + datums->faces;
+        c->datum = calloc((size_t)c->datums, sizeof *c->datum);
+        status = c->datum ? wcut_datum_residual_eval(&c->registration, datums->pairs, datums->pair, datums->faces,
+                                                     datums->face, c->datum)
+                          : WCUT_NO_MEMORY;
+    }
     wcut_datums_destroy(datums);
     return status == WCUT_OK ? APP_DONE : fail(status, c->options.datum_path, &error);
 }
@@ -87,7 +100,8 @@ static int register_fit(app_comparison *c) {
                                                            &o->registration, o->threads, &c->registration, &error)
                                    : wcut_registration_fit_mesh(r->mesh, r->tree, c->scans.count, c->scans.point,
                                                                 &o->registration, o->threads, &c->registration, &error);
-    return status == WCUT_OK ? APP_DONE : fail(status, "registering the scan", &error);
+    /* the best pose is written, and that it is in doubt */
+    return status == WCUT_OK || status == WCUT_NOT_CONVERGED ? APP_DONE : fail(status, "registering the scan", &error);
 }
 
 static int register_scan(app_comparison *c) {
@@ -407,6 +421,8 @@ static int conclude(app_comparison *c) {
                                .scans = c->scans.files,
                                .scan = c->scans.scan,
                                .registration = &c->registration,
+                               .datums = c->datums,
+                               .datum = c->datum,
                                .found = found,
                                .unmoved = unmoved ? unmoved : found,
                                .face_to_scan = &c->face_to_scan,
@@ -466,7 +482,7 @@ void app_comparison_clear(app_comparison *comparison) {
     wcut_face_map_destroy(c->map);
     if (c->reference.is_job) wcut_mesh_destroy(c->mesh);
     for (int k = 0; k < 2; k++) wcut_deviation_summary_destroy(c->summary[k]);
-    void *const memory[] = {c->value, c->present, c->sum, c->weight, c->deviation, c->normal, c->foot};
+    void *const memory[] = {c->value, c->present, c->sum, c->weight, c->deviation, c->normal, c->foot, c->datum};
     for (size_t k = 0; k < sizeof memory / sizeof *memory; k++) free(memory[k]);
     app_scans_clear(&c->scans);
     app_reference_clear(&c->reference);

@@ -36,6 +36,8 @@ typedef struct app_comparison {
     app_reference reference;
     app_scans scans;
     wcut_registration registration;
+    int datums;
+    wcut_datum_residual *datum;         /* datums: what the registration leaves of them */
     wcut_deviation_summary *summary[2]; /* as registered, as scanned; the second NULL without a registration */
     wcut_compared found;                /* what is written; complete but for the files */
     double support;                     /* [mm] in use */

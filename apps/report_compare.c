@@ -49,19 +49,23 @@ static void add_figure(page *p, const char *label, const char *unit, double foun
     p->figure[0][k] = found, p->figure[1][k] = unmoved;
 }
 
+/* NAN is a dash: nothing was compared */
+static double known(const wcut_statistics *s, double value) { return s->count > 0 ? value : NAN; }
+
 static void add_length(page *p, const char *label, double found, double unmoved) {
-    add_figure(p, label, "mm", found, unmoved);
+    const wcut_compared *c = &p->c->found;
+    add_figure(p, label, "mm", known(&c->found->statistics, found), known(&c->unmoved->statistics, unmoved));
 }
 
 static void add_shares(page *p, const wcut_statistics *a, const wcut_statistics *b) {
     char label[TEXT];
     for (int k = 0; k < a->bands; k++) {
         snprintf(label, sizeof label, "within \xc2\xb1%g mm", a->band[k]);
-        add_figure(p, label, "%", 100 * a->within[k], 100 * b->within[k]);
+        add_figure(p, label, "%", known(a, 100 * a->within[k]), known(b, 100 * b->within[k]));
         snprintf(label, sizeof label, "above +%g mm", a->band[k]);
-        add_figure(p, label, "%", 100 * a->over[k], 100 * b->over[k]);
+        add_figure(p, label, "%", known(a, 100 * a->over[k]), known(b, 100 * b->over[k]));
         snprintf(label, sizeof label, "below \xe2\x88\x92%g mm", a->band[k]);
-        add_figure(p, label, "%", 100 * a->under[k], 100 * b->under[k]);
+        add_figure(p, label, "%", known(a, 100 * a->under[k]), known(b, 100 * b->under[k]));
     }
 }
 

@@ -102,10 +102,34 @@ static wcut_report_table matrix_table(app_memory *m, const wcut_registration *r)
     return (wcut_report_table){.title = "Matrix, scan to block, mm", .rows = SIDE, .columns = SIDE, .column = column};
 }
 
+static wcut_report_table datum_table(app_memory *m, const app_comparison *c) {
+    static const char *const label[] = {"x", "y", "z", "dx", "dy", "dz", "distance"};
+    double *number;
+    wcut_report_column *column = take_columns(m, 7, c->datums, &number);
+    const char **name = app_take(m, (size_t)c->datums, sizeof *name);
+    if (!column || !name) return (wcut_report_table){0};
+    for (int k = 0; k < c->datums; k++) {
+        const wcut_datum_residual *d = &c->datum[k];
+        const double figure[7] = {d->moved.x,  d->moved.y,  d->moved.z, d->offset.x,
+                                  d->offset.y, d->offset.z, d->distance};
+        name[k] = app_take_text(m, "%s %d", d->is_face ? "face" : "point", d->datum + 1);
+        for (size_t f = 0; f < 7; f++) number[f * (size_t)c->datums + (size_t)k] = figure[f];
+    }
+    column[0] = (wcut_report_column){.label = "datum", .text = name};
+    for (int f = 0; f < 7; f++) column[f + 1].label = label[f], column[f + 1].unit = "mm";
+    return (wcut_report_table){.title = "Datums",
+                               .note =
+                                   "Where the registration puts each datum of the scan, and what is left to the "
+                                   "block's; of a face along its normal.",
+                               .rows = c->datums,
+                               .columns = 8,
+                               .column = column};
+}
+
 bool app_fill_registration(app_memory *m, const app_comparison *c, wcut_report_section *section) {
     const wcut_registration *r = &c->registration;
     const bool moved = r->method != WCUT_REGISTRATION_METHOD_NONE;
-    wcut_report_table *table = app_take(m, 4, sizeof *table);
+    wcut_report_table *table = app_take(m, 5, sizeof *table);
     if (!table) return false;
     table[0] = point_table(m, c);
     *section = (wcut_report_section){.title = "Points", .table_count = 1, .table = table};
@@ -114,9 +138,14 @@ bool app_fill_registration(app_memory *m, const app_comparison *c, wcut_report_s
     table[2] = covariance_table(m, r);
     table[3] = matrix_table(m, r);
     section->title = "Points and registration";
-    section->note = app_take_text(m, "Overlap %.3g %%, RMS of the points used %.4g mm, before %.4g mm.",
-                                  100 * r->overlap, r->rms, r->rms_before);
+    section->note =
+        app_take_text(m,
+                      "Overlap %.3g %%, RMS of the points used %.4g mm, before %.4g mm; the motion puts the "
+                      "points \xc2\xb1 %.2g mm (standard error, RMS).%s",
+                      100 * r->overlap, r->rms, r->rms_before, r->doubt,
+                      r->converged ? "" : " The fit stopped before it had converged.");
     section->table_count = 4;
+    if (c->datums > 0) table[section->table_count++] = datum_table(m, c);
     return !m->failed;
 }
 

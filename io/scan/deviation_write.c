@@ -66,7 +66,31 @@ static void put_points(wcut_text *text, const wcut_compared *c) {
     put(text, "}}");
 }
 
-static void put_registration(wcut_text *text, const wcut_registration *r) {
+/* a figure of points that were compared, null where there were none */
+static void put_known(wcut_text *text, const char *before, bool is_known, double value) {
+    put(text, before);
+    if (is_known)
+        wcut_text_number(text, value);
+    else
+        put(text, "null");
+}
+
+static void put_datums(wcut_text *text, int count, const wcut_datum_residual *datum) {
+    put(text, ",\n    \"datums\": [");
+    for (int k = 0; k < count; k++) {
+        put(text, k ? ",\n      {\"kind\": " : "\n      {\"kind\": ");
+        put(text, datum[k].is_face ? "\"face\"" : "\"point\"");
+        put_count(text, ", \"number\": ", datum[k].datum + 1);
+        put_point(text, ", \"moved_mm\": [", datum[k].moved);
+        put_point(text, ", \"offset_mm\": [", datum[k].offset);
+        put_number(text, ", \"distance_mm\": ", datum[k].distance);
+        put(text, "}");
+    }
+    put(text, "]");
+}
+
+static void put_registration(wcut_text *text, const wcut_compared *c) {
+    const wcut_registration *r = c->registration;
     static const char *const method[] = {"none", "datum", "fit"};
     static const char *const name[] = {"tx_mm", "ty_mm", "tz_mm", "rx_deg", "ry_deg", "rz_deg"};
 
@@ -99,6 +123,11 @@ static void put_registration(wcut_text *text, const wcut_registration *r) {
     wcut_text_print(text, ", \"points\": %d, \"kept\": %d, \"free\": %d, \"rank\": %d", r->points, r->kept, r->free,
                     r->rank);
     put_number(text, ", \"rival_rms_mm\": ", r->rival);
+    put_count(text, ",\n    \"iterations\": ", r->iterations);
+    put_number(text, ", \"step_mm\": ", r->step);
+    put_number(text, ", \"standard_error_mm\": ", r->doubt);
+    wcut_text_print(text, ", \"converged\": %s", r->converged ? "true" : "false");
+    put_datums(text, c->datums, c->datum);
     put(text, "}");
 }
 
@@ -112,7 +141,7 @@ static void put_statistics(wcut_text *text, const char *before, const wcut_stati
     put(text, before);
     for (size_t k = 0; k < sizeof figure / sizeof *figure; k++) {
         wcut_text_print(text, "%s\"%s\": ", k ? ", " : "{", figure[k].name);
-        wcut_text_number(text, figure[k].value);
+        put_known(text, "", s->count > 0, figure[k].value);
     }
     put(text, "}");
 }
@@ -122,9 +151,9 @@ static void put_bands(wcut_text *text, const char *before, const wcut_statistics
     put(text, "[");
     for (int k = 0; k < s->bands; k++) {
         put_number(text, k ? ", {\"tolerance_mm\": " : "{\"tolerance_mm\": ", s->band[k]);
-        put_number(text, ", \"share\": ", s->within[k]);
-        put_number(text, ", \"over\": ", s->over[k]);
-        put_number(text, ", \"under\": ", s->under[k]);
+        put_known(text, ", \"share\": ", s->count > 0, s->within[k]);
+        put_known(text, ", \"over\": ", s->count > 0, s->over[k]);
+        put_known(text, ", \"under\": ", s->count > 0, s->under[k]);
         put(text, "}");
     }
     put(text, "]");
@@ -134,19 +163,22 @@ static void put_bands(wcut_text *text, const char *before, const wcut_statistics
 static void put_figures(wcut_text *text, const wcut_deviation_summary_result *r, const char *indent) {
     const wcut_statistics *s = &r->statistics;
     wcut_text_print(text, ",\n%s", indent);
-    put_number(text, "\"positive\": {\"share\": ", s->count ? (double)s->positive / s->count : 0);
-    put_number(text, ", \"mean_mm\": ", s->positive_mean);
-    put_number(text, "}, \"negative\": {\"share\": ", s->count ? (double)s->negative / s->count : 0);
-    put_number(text, ", \"mean_mm\": ", s->negative_mean);
+    const bool any = s->count > 0;
+    put_known(text, "\"positive\": {\"share\": ", any, any ? (double)s->positive / s->count : 0);
+    put_known(text, ", \"mean_mm\": ", s->positive > 0, s->positive_mean);
+    put_known(text, "}, \"negative\": {\"share\": ", any, any ? (double)s->negative / s->count : 0);
+    put_known(text, ", \"mean_mm\": ", s->negative > 0, s->negative_mean);
     wcut_text_print(text, "},\n%s", indent);
-    put_number(text, "\"profile_mm\": ", s->profile);
-    put_number(text, ", \"hausdorff_scan_to_face_mm\": ", s->hausdorff);
+    put_known(text, "\"profile_mm\": ", any, s->profile);
+    put_known(text, ", \"hausdorff_scan_to_face_mm\": ", any, s->hausdorff);
+
+    /* the offset and what is left of it */
     wcut_text_print(text, ",\n%s", indent);
-    put_number(text, "\"kerf_offset_mm\": ", r->split.offset);
-    put_number(text, ", \"kerf_offset_error_mm\": ", r->split.offset_error);
-    put_number(text, ", \"form_rms_mm\": ", r->split.form_rms);
-    put_number(text, ", \"noise_rms_mm\": ", r->split.noise_rms);
-    put_number(text, ", \"cell_mm\": ", r->split.cell);
+    put_known(text, "\"kerf_offset_mm\": ", any, r->split.offset);
+    put_known(text, ", \"kerf_offset_error_mm\": ", any, r->split.offset_error);
+    put_known(text, ", \"form_rms_mm\": ", any, r->split.form_rms);
+    put_known(text, ", \"noise_rms_mm\": ", any, r->split.noise_rms);
+    put_known(text, ", \"cell_mm\": ", any, r->split.cell);
 }
 
 static void put_way_back(wcut_text *text, const wcut_compared *c) {
@@ -242,7 +274,7 @@ static void put_document(wcut_text *t, const wcut_compared *c) {
     put_string(t, ",\n  \"distance\": ", c->distance);
     put_scans(t, c);
     put_points(t, c);
-    put_registration(t, c->registration);
+    put_registration(t, c);
 
     /* the deviations after the registration */
     put_statistics(t, ",\n  \"distance_mm\": ", &r->statistics);

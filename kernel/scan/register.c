@@ -15,7 +15,7 @@ wcut_registration_options wcut_registration_options_default(void) {
 }
 
 wcut_registration wcut_registration_none(void) {
-    return (wcut_registration){.matrix = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
+    return (wcut_registration){.matrix = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, .converged = 1};
 }
 
 static wcut_status check_dofs(const wcut_dof *dof, wcut_error *error) {

@@ -1,5 +1,6 @@
 /* Registration by datums: pairs of points in closed form (Horn 1987), faces that the wire did not cut. */
 #include <limits.h>
+#include <stdbool.h>
 
 #include "base/fail.h"
 #include "base/numbers.h"
@@ -195,4 +196,48 @@ wcut_status wcut_registration_solve_datum(int pairs, const wcut_datum_pair *pair
     wcut_register_matrix(&motion, r.matrix);
     *registration = r;
     return status == WCUT_OK ? status : wcut_fail(error, status, "datums: stopped after %d steps", r.iterations);
+}
+
+/* ---- what is left ---- */
+
+static bool is_finite(wcut_vec3 p) { return isfinite(p.x) && isfinite(p.y) && isfinite(p.z); }
+
+static bool are_datums(int pairs, const wcut_datum_pair *pair, int faces, const wcut_datum_face *face) {
+    if (pairs < 0 || faces < 0 || (pairs > 0 && !pair) || (faces > 0 && !face)) return false;
+    for (int k = 0; k < pairs; k++)
+        if (!is_finite(pair[k].scan) || !is_finite(pair[k].block)) return false;
+    for (int k = 0; k < faces; k++) {
+        const wcut_datum_face *f = &face[k];
+        if (f->count < 1 || !f->scan || !is_finite(f->point) || !is_finite(f->normal) || !(vec3_length(f->normal) > 0))
+            return false;
+        for (int i = 0; i < f->count; i++)
+            if (!is_finite(f->scan[i])) return false;
+    }
+    return true;
+}
+
+wcut_status wcut_datum_residual_eval(const wcut_registration *registration, int pairs, const wcut_datum_pair *pair,
+                                     int faces, const wcut_datum_face *face, wcut_datum_residual *residual) {
+    if (!registration || !residual || !are_datums(pairs, pair, faces, face)) return WCUT_BAD_ARGUMENT;
+    wcut_datum_residual *to = residual;
+
+    /* pairs: from the block's point to the moved one */
+    for (int k = 0; k < pairs; k++, to++) {
+        *to = (wcut_datum_residual){.datum = k, .moved = pair[k].scan};
+        (void)wcut_registration_move(registration, 1, &to->moved, NULL);
+        to->offset = vec3_sub(to->moved, pair[k].block);
+        to->distance = vec3_length(to->offset);
+    }
+
+    /* faces: along the normal alone */
+    for (int k = 0; k < faces; k++) {
+        const wcut_vec3 normal = vec3_unit(face[k].normal);
+        for (int i = 0; i < face[k].count; i++, to++) {
+            *to = (wcut_datum_residual){.is_face = 1, .datum = k, .moved = face[k].scan[i]};
+            (void)wcut_registration_move(registration, 1, &to->moved, NULL);
+            to->distance = vec3_dot(normal, vec3_sub(to->moved, face[k].point));
+            to->offset = vec3_scale(to->distance, normal);
+        }
+    }
+    return WCUT_OK;
 }

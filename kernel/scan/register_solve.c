@@ -299,6 +299,7 @@ wcut_status wcut_register_solve(const wcut_register_problem *p, wcut_motion *mot
     }
     if (status == WCUT_OK) status = report(p, &n, &sums, &at, &r);
     if (status != WCUT_OK) return status;
+    r.converged = converged;
     *motion = at;
     *registration = r;
     return converged ? WCUT_OK : WCUT_NOT_CONVERGED;

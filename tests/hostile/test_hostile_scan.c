@@ -237,6 +237,17 @@ HOSTILE(wcut_registration_solve_datum) {
         hostile_is_filled(&r, sizeof r), hostile_fill(&r, sizeof r));
 }
 
+HOSTILE(wcut_datum_residual_eval) {
+    const wcut_registration none = wcut_registration_none();
+    const wcut_datum_pair pair[2] = {{{0, 0, 0}, {1, 0, 0}, 0}, {{100, 0, 0}, {101, 0, 0}, 0}};
+    wcut_datum_residual r[2];
+    hostile_fill(r, sizeof r);
+    EACH_HOSTILE_ARGUMENT(wcut_datum_residual_eval,
+                          wcut_datum_residual_eval(PTR(&none), COUNT(2), VALUES(pair, 2), COUNT(0),
+                                                   OPT((wcut_datum_face *)NULL), PTR(&r[0])),
+                          hostile_is_filled(r, sizeof r), hostile_fill(r, sizeof r));
+}
+
 HOSTILE(wcut_registration_fit) {
     wcut_registration_options o = wcut_registration_options_default();
     o.coarse = 0;

@@ -236,6 +236,28 @@ TEST(a_face_and_pairs_work_together) {
     for (int k = 0; k < DOFS; k++) ck_assert_double_eq_tol(found.parameter[k], x[k], 1e-9);
 }
 
+TEST(what_is_left_of_datums_is_told_one_by_one) {
+    const wcut_vec3 on[2] = {{5, 5, 8}, {5, 5, 9}};
+    const wcut_datum_pair two[2] = {{{0, 0, 0}, {0, 0, 3}, 0}, {{10, 0, 0}, {13, 4, 3}, 0}};
+    const wcut_datum_face top = {{0, 0, 10}, {0, 0, -2}, 0, 2, on};
+    wcut_datum_residual left[4], blank[4];
+    found = wcut_registration_none();
+    found.matrix[11] = 3; /* 3 mm up */
+    ck_assert_int_eq(wcut_datum_residual_eval(&found, 2, two, 1, &top, left), WCUT_OK);
+    ck_assert(!left[0].is_face && left[0].distance == 0 && left[0].moved.z == 3);
+    ck_assert(left[1].datum == 1 && left[1].offset.x == -3 && left[1].offset.y == -4 && left[1].distance == 5);
+    ck_assert(left[2].is_face && left[2].datum == 0 && left[2].distance == -1 && left[2].offset.z == 1);
+    ck_assert(left[3].distance == -2 && left[3].moved.z == 12);
+    memset(blank, 0x99, sizeof blank);
+    memcpy(left, blank, sizeof left);
+    const wcut_datum_face flat = {{0, 0, 10}, {0, 0, 0}, 0, 2, on};
+    ck_assert_int_eq(wcut_datum_residual_eval(&found, 2, two, 1, &flat, left), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_datum_residual_eval(NULL, 2, two, 1, &top, left), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_datum_residual_eval(&found, 2, NULL, 1, &top, left), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_datum_residual_eval(&found, -1, two, 1, &top, left), WCUT_BAD_ARGUMENT);
+    ck_assert_mem_eq(left, blank, sizeof left);
+}
+
 TEST(pairs_on_a_line_leave_the_turn_about_it_where_it_was) {
     given_options();
     const wcut_datum_pair line[3] = {

@@ -31,6 +31,8 @@ typedef struct wcut_compared {
     const wcut_compared_scan *scan;
     int removed[WCUT_REMOVAL_COUNT]; /**< by cause; removed[WCUT_REMOVAL_KEPT] points were compared */
     const wcut_registration *registration;
+    int datums;                                   /**< 0 or more */
+    const wcut_datum_residual *datum;             /**< datums: what the registration leaves of them */
     const wcut_deviation_summary_result *found;   /**< as registered */
     const wcut_deviation_summary_result *unmoved; /**< as the scan came; the same as `found` without a registration */
     const wcut_statistics *face_to_scan;          /**< [mm] distances of the face from the nearest point; not signed */

@@ -79,6 +79,7 @@ typedef struct wcut_registration {
         started, not invented */
     int rank;
     int iterations; /**< Gauss-Newton steps */
+    int converged;  /**< 1: the last step was small enough; 0: it stopped before, and this is the best motion it had */
     double step;    /**< [mm] how far the last step moved the points (RMS) */
     double doubt;   /**< [mm] standard error of where the motion puts the points (RMS), of independent errors */
     int points;     /**< residuals looked at: points of the scan, or 3 per pair and 1 per face point */
@@ -108,6 +109,15 @@ typedef struct wcut_datum_face {
     const wcut_vec3 *scan;   /**< count [mm]; borrowed */
 } wcut_datum_face;
 
+/** What a motion leaves of a datum. */
+typedef struct wcut_datum_residual {
+    int is_face;      /**< 1: a point of a face; 0: a pair */
+    int datum;        /**< which face or pair, from 0 */
+    wcut_vec3 moved;  /**< [mm] where the motion puts the scan's point */
+    wcut_vec3 offset; /**< [mm] from the block's point to it, or from its foot on the face's plane */
+    double distance;  /**< [mm] length of the offset; of a face signed along its normal */
+} wcut_datum_residual;
+
 WCUT_API wcut_registration_options wcut_registration_options_default(void);
 
 /** No motion: the identity, everything else 0. */
@@ -135,6 +145,21 @@ WCUT_API wcut_status wcut_registration_solve_datum(int pairs, const wcut_datum_p
                                                    const wcut_datum_face *face,
                                                    const wcut_registration_options *options,
                                                    wcut_registration *registration, wcut_error *error);
+
+/**
+ * What a motion leaves of each datum, pairs first, then the points of each face in their order.
+ *
+ * @param[in]  registration a motion
+ * @param[in]  pairs        0 or more
+ * @param[in]  pair         pairs, finite
+ * @param[in]  faces        0 or more
+ * @param[in]  face         faces, finite, normals not 0
+ * @param[out] residual     pairs + the sum of the faces' counts
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was written.
+ */
+WCUT_API wcut_status wcut_datum_residual_eval(const wcut_registration *registration, int pairs,
+                                              const wcut_datum_pair *pair, int faces, const wcut_datum_face *face,
+                                              wcut_datum_residual *residual);
 
 /**
  * The motion that brings a scan closest to a surface: distances along the normal of the exact closest point (Chen,
