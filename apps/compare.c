@@ -12,7 +12,6 @@
 #include "command.h"
 #include "compare_run.h"
 #include "job.h"
-#include "report_compare.h"
 #include "results.h"
 #include "terminal.h"
 
@@ -192,7 +191,25 @@ static int write_meshes(const app_comparison *c, app_results *r) {
 
 static int write_report(const app_comparison *c, app_results *r) {
     wcut_error error = {0};
-    const wcut_status status = app_report_compare(c, app_results_path(r, "report.html"), &error);
+    static const char *const unit[] = {"mm", "cm", "m", "inch", "ft", "dm", "um"};
+    const app_reference *reference = &c->reference;
+    const wcut_report_compare page = {.compared = &c->found,
+                                      .title = reference->job ? reference->job->name : NULL,
+                                      .reference_sha256 = reference->hash[0] ? reference->hash : NULL,
+                                      .face = reference->face,
+                                      .stations = reference->is_job ? reference->history->stations : 0,
+                                      .mount_a = reference->mount_a,
+                                      .mount_b = reference->mount_b,
+                                      .mesh = c->mesh,
+                                      .value = c->value,
+                                      .present = c->present,
+                                      .points = c->scans.count,
+                                      .point = c->scans.point,
+                                      .deviation = c->deviation,
+                                      .spacing = c->scans.spacing,
+                                      .unit = unit[c->options.scans.unit],
+                                      .border = reference->options.border};
+    const wcut_status status = wcut_report_compare_write(&page, app_results_path(r, "report.html"), &error);
     return app_results_add(r, "report.html", status, &error);
 }
 

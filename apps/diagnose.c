@@ -8,7 +8,6 @@
 
 #include "command.h"
 #include "job.h"
-#include "page_memory.h"
 #include "results.h"
 #include "terminal.h"
 
@@ -32,11 +31,13 @@ typedef struct run {
     wcut_test_cut *calibration;
     wcut_diagnosis_options options;
     wcut_diagnosis *diagnosis;
-    app_memory memory; /* texts */
+    bool failed; /* memory ran out */
     int said, sources;
-    const char **said_text;
-    wcut_report_source *source;
-    int code; /* of the first file that could not be read */
+    char **said_text;               /* 2 found->cuts + 1 */
+    char **cut_name;                /* found->cuts */
+    wcut_report_source *source;     /* 3 found->cuts + 2 */
+    char (*hash)[WCUT_SHA256_TEXT]; /* of the sources */
+    int code;                       /* of the first file that could not be read */
     app_results results;
 } run;
 
@@ -69,7 +70,9 @@ static int read_options(run *r) {
     int code = APP_DONE;
     while (code == APP_DONE) {
         const int length = (int)strcspn(list, ",");
-        code = leave_out(r, app_take_text(&r->memory, "%.*s", length, list));
+        char name[256];
+        snprintf(name, sizeof name, "%.*s", length, list);
+        code = leave_out(r, name);
         if (!list[length]) break;
         list += length + 1;
     }
@@ -80,19 +83,30 @@ static int read_options(run *r) {
 
 static int fail_memory(void) { return app_fail_status(WCUT_NO_MEMORY, "diagnose", NULL); }
 
+/* a, b and c in one text, to free() */
+static char *join(run *r, const char *a, const char *b, const char *c) {
+    const size_t size = strlen(a) + strlen(b) + strlen(c) + 1;
+    char *text = malloc(size);
+    if (text)
+        snprintf(text, size, "%s%s%s", a, b, c);
+    else
+        r->failed = true;
+    return text;
+}
+
 /* a file that cannot be read is said, here and on the page, and the diagnosis goes on without it */
 static void note_bad(run *r, wcut_status status, const wcut_error *error, const char *loss) {
     const int code = app_fail_status(status, NULL, error);
     if (r->code == APP_DONE) r->code = code;
-    r->said_text[r->said++] = app_take_text(&r->memory, "%s: %s", error->text, loss);
+    r->said_text[r->said++] = join(r, error->text, ": ", loss);
 }
 
 static void note_source(run *r, const char *role, const char *path) {
-    char *hash = app_take(&r->memory, WCUT_SHA256_TEXT, 1);
+    char *hash = r->hash[r->sources];
     wcut_error error = {0};
-    const wcut_status status = hash ? wcut_source_hash(path, hash, &error) : WCUT_NO_MEMORY;
-    r->source[r->sources++] = (wcut_report_source){role, path, hash && hash[0] ? hash : NULL};
-    if (status != WCUT_OK && r->code == APP_DONE) r->code = app_fail_status(status, hash ? NULL : path, &error);
+    const wcut_status status = wcut_source_hash(path, hash, &error);
+    r->source[r->sources++] = (wcut_report_source){role, path, hash[0] ? hash : NULL};
+    if (status != WCUT_OK && r->code == APP_DONE) r->code = app_fail_status(status, NULL, &error);
 }
 
 static void read_cut(run *r, int i) {
@@ -153,11 +167,15 @@ static int load(run *r) {
     const wcut_status status = wcut_case_read(path, &r->found, &error);
     if (status != WCUT_OK) return app_fail_status(status, NULL, &error);
     const size_t n = (size_t)r->found->cuts;
-    r->trial = app_take(&r->memory, n, sizeof *r->trial);
-    r->cut = app_take(&r->memory, n, sizeof *r->cut);
-    r->said_text = app_take(&r->memory, 2 * n + 1, sizeof *r->said_text);
-    r->source = app_take(&r->memory, 3 * n + 2, sizeof *r->source);
-    if (r->memory.failed) return fail_memory();
+    r->trial = calloc(n, sizeof *r->trial);
+    r->cut = calloc(n, sizeof *r->cut);
+    r->cut_name = calloc(n, sizeof *r->cut_name);
+    r->said_text = calloc(2 * n + 1, sizeof *r->said_text);
+    r->source = calloc(3 * n + 2, sizeof *r->source);
+    r->hash = calloc(3 * n + 2, sizeof *r->hash);
+    if (!r->trial || !r->cut || !r->cut_name || !r->said_text || !r->source || !r->hash) return fail_memory();
+
+    /* the files, as many as can be read */
     note_source(r, "case", path);
     int usable = 0;
     for (int i = 0; i < r->found->cuts; i++) {
@@ -165,7 +183,7 @@ static int load(run *r) {
         usable += r->trial[i].recording != NULL;
     }
     read_calibration(r);
-    if (r->memory.failed) return fail_memory();
+    if (r->failed) return fail_memory();
     if (usable > 0) return APP_DONE;
     return app_fail(r->code, "%s: no cut with a job and a recording that can be read", path);
 }
@@ -193,26 +211,27 @@ static int write_job(run *r, const wcut_job *job, const char *name) {
 }
 
 /* "2 free form": what a cut is called on the page */
-static const char *cut_name(run *r, int i) {
+static char *name_cut(run *r, int i) {
     const wcut_job *job = r->trial[i].job;
-    return app_take_text(&r->memory, "%d %s", i + 1, job && job->name ? job->name : r->found->cut[i].job);
+    char number[16];
+    snprintf(number, sizeof number, "%d", i + 1);
+    return join(r, number, " ", job && job->name ? job->name : r->found->cut[i].job);
 }
 
 static int write_report(run *r) {
     const wcut_diagnosis *d = r->diagnosis;
     wcut_error error = {0};
-    const char **name = app_take(&r->memory, (size_t)r->found->cuts, sizeof *name);
-    for (int i = 0; name && i < r->found->cuts; i++) name[i] = cut_name(r, i);
-    if (r->memory.failed) return fail_memory();
+    for (int i = 0; i < r->found->cuts; i++) r->cut_name[i] = name_cut(r, i);
+    if (r->failed) return fail_memory();
     const wcut_report_fact option[] = {
         {"effects left out", app_given(r->call, "without") ? app_text(r->call, "without") : "none", 0, ""},
         {"forward proof", r->options.proof ? "run" : "not run", 0, ""},
         {"seed", NULL, (double)r->options.seed, ""}};
     const wcut_report_diagnose page = {.title = r->found->name,
                                        .diagnosis = d,
-                                       .cut_name = name,
+                                       .cut_name = (const char *const *)r->cut_name,
                                        .said = r->said,
-                                       .said_text = r->said_text,
+                                       .said_text = (const char *const *)r->said_text,
                                        .options = sizeof option / sizeof *option,
                                        .option = option,
                                        .sources = r->sources,
@@ -296,10 +315,17 @@ static void forget(run *r) {
         wcut_recording_destroy(r->trial[i].recording);
         wcut_job_destroy(r->trial[i].job);
     }
+    for (int i = 0; i < r->said; i++) free(r->said_text[i]);
+    for (int i = 0; r->cut_name && i < r->found->cuts; i++) free(r->cut_name[i]);
     wcut_test_cut_destroy(r->calibration);
     wcut_diagnosis_destroy(r->diagnosis);
     wcut_case_destroy(r->found);
-    app_give_back(&r->memory);
+    free(r->hash);
+    free(r->source);
+    free(r->said_text);
+    free(r->cut_name);
+    free(r->cut);
+    free(r->trial);
 }
 
 static int diagnose(const app_call *call) {

@@ -3,14 +3,15 @@
 
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
+
+#include "base/alloc.h"
 
 typedef struct wcut_page_piece {
     struct wcut_page_piece *next;
 } wcut_page_piece;
 
 void *wcut_page_take(wcut_page_memory *memory, size_t count, size_t size) {
-    wcut_page_piece *piece = calloc(1, sizeof *piece + (count ? count : 1) * size);
+    wcut_page_piece *piece = wcut_alloc(1, sizeof *piece + (count ? count : 1) * size);
     if (!piece) {
         memory->failed = true;
         return NULL;
@@ -36,7 +37,7 @@ const char *wcut_page_text(wcut_page_memory *memory, const char *format, ...) {
 void wcut_page_free(wcut_page_memory *memory) {
     while (memory->piece) {
         wcut_page_piece *next = memory->piece->next;
-        free(memory->piece);
+        wcut_free(memory->piece);
         memory->piece = next;
     }
 }

@@ -224,6 +224,8 @@ public unsafe struct wcut_compared
     public wcut_compared_scan* scan;
     public fixed int removed[5];
     public wcut_registration* registration;
+    public int datums;
+    public wcut_datum_residual* datum;
     public wcut_deviation_summary_result* found;
     public wcut_deviation_summary_result* unmoved;
     public wcut_statistics* face_to_scan;
@@ -392,6 +394,15 @@ public unsafe struct wcut_datum_pair
     public wcut_vec3 scan;
     public wcut_vec3 block;
     public double sigma;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_datum_residual
+{
+    public int is_face;
+    public int datum;
+    public wcut_vec3 moved;
+    public wcut_vec3 offset;
+    public double distance;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_datums
@@ -1098,6 +1109,7 @@ public unsafe struct wcut_registration
     public int free;
     public int rank;
     public int iterations;
+    public int converged;
     public double step;
     public double doubt;
     public int points;
@@ -1185,6 +1197,26 @@ public unsafe struct wcut_report_column
     public byte* unit;
     public double* number;
     public byte** text;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_report_compare
+{
+    public wcut_compared* compared;
+    public byte* title;
+    public byte* reference_sha256;
+    public wcut_face* face;
+    public int stations;
+    public wcut_vec3* mount_a;
+    public wcut_vec3* mount_b;
+    public wcut_mesh* mesh;
+    public double* value;
+    public byte* present;
+    public int points;
+    public wcut_vec3* point;
+    public double* deviation;
+    public double spacing;
+    public byte* unit;
+    public double border;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_report_diagnose
@@ -1862,6 +1894,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_cut_options wcut_cut_options_default();
     [DllImport("wirecut-io")] public static extern wcut_status wcut_cut_step(void* a0, wcut_error* a1);
     [DllImport("wirecut-io")] public static extern void wcut_cut_view(void* a0, wcut_station* a1);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_datum_residual_eval(wcut_registration* a0, int a1, wcut_datum_pair* a2, int a3, wcut_datum_face* a4, wcut_datum_residual* a5);
     [DllImport("wirecut-io")] public static extern void wcut_datums_destroy(wcut_datums* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_datums_read(byte* a0, wcut_datums** a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_deviation_from_mesh(void* a0, int a1, wcut_vec3* a2, wcut_deviation_options* a3, int a4, wcut_deviation* a5);
@@ -1991,6 +2024,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern void wcut_report_calibrate_lack(wcut_law_fit* a0, byte* a1);
     [DllImport("wirecut-io")] public static extern void wcut_report_calibrate_scatter(wcut_report_calibrate* a0, wcut_law_fit* a1, byte* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_calibrate_write(wcut_report_calibrate* a0, byte* a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_report_compare_write(wcut_report_compare* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_control_write(wcut_rig_summary* a0, byte* a1, byte* a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_diagnose_write(wcut_report_diagnose* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_mould_write(wcut_report_mould* a0, wcut_job* a1, wcut_history* a2, wcut_mould* a3, byte* a4, wcut_error* a5);

@@ -602,6 +602,47 @@ HOSTILE(wcut_report_mould_write) {
         access(OUT_FILE, F_OK) != 0, remove(OUT_FILE));
 }
 
+HOSTILE(wcut_report_compare_write) {
+    static double size[SCAN];
+    double *value = value_of_mesh();
+    unsigned char *present = calloc((size_t)mesh()->vertex_count, 1);
+    for (int k = 0; k < SCAN; k++) size[k] = sound_deviation()[k].distance;
+    const wcut_report_compare page = {.compared = compared(),
+                                      .face = sound_face(),
+                                      .stations = 0,
+                                      .mesh = mesh(),
+                                      .value = value,
+                                      .present = present,
+                                      .points = SCAN,
+                                      .point = sound_scan(),
+                                      .deviation = size,
+                                      .unit = "mm",
+                                      .border = 1};
+    EACH_HOSTILE_ARGUMENT(wcut_report_compare_write, wcut_report_compare_write(PTR(&page), PTR(OUT_FILE), ERR),
+                          access(OUT_FILE, F_OK) != 0, remove(OUT_FILE));
+    EACH_FAILED_ALLOCATION(wcut_report_compare_write(&page, OUT_FILE, NULL), access(OUT_FILE, F_OK) != 0);
+
+    /* counts that the page has no room for, a face that is not the mesh's, arrays that are missing */
+    wcut_error error;
+    wcut_report_compare other = page;
+    wcut_compared figures = *compared();
+    wcut_deviation_summary_result crowded = *figures.found;
+    crowded.worsts = WCUT_WORST_MAX + 1;
+    figures.found = &crowded;
+    other.compared = &figures;
+    ck_assert_int_eq(wcut_report_compare_write(&other, OUT_FILE, &error), WCUT_BAD_ARGUMENT);
+    other = page;
+    other.stations = 2;
+    ck_assert_int_eq(wcut_report_compare_write(&other, OUT_FILE, &error), WCUT_BAD_ARGUMENT);
+    wcut_mesh small = *mesh();
+    small.vertex_count--;
+    other = page;
+    other.mesh = &small;
+    ck_assert_int_eq(wcut_report_compare_write(&other, OUT_FILE, &error), WCUT_BAD_ARGUMENT);
+    free(present);
+    free(value);
+}
+
 HOSTILE(wcut_report_score_write) {
     const char *const group[1] = {"one"};
     const wcut_comparison_options o = wcut_comparison_options_default();

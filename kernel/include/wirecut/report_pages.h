@@ -4,9 +4,12 @@
 
 #include <wirecut/calibration.h>
 #include <wirecut/cut.h>
+#include <wirecut/deviation_file.h>
 #include <wirecut/diagnosis.h>
+#include <wirecut/face.h>
 #include <wirecut/history.h>
 #include <wirecut/job.h>
+#include <wirecut/mesh.h>
 #include <wirecut/mould.h>
 #include <wirecut/report.h>
 #include <wirecut/rig.h>
@@ -96,6 +99,35 @@ WCUT_API wcut_status wcut_report_calibrate_write(const wcut_report_calibrate *of
  */
 WCUT_API wcut_status wcut_report_control_write(const wcut_rig_summary *summary, const char *job_path, const char *path,
                                                wcut_error *error);
+
+/** What a comparison's page is of: its figures, and what the view in space shows. */
+typedef struct wcut_report_compare {
+    const wcut_compared *compared;
+    const char *title;                  /**< the job's name; NULL: compared->reference */
+    const char *reference_sha256;       /**< hexadecimal; NULL where it was not hashed */
+    const wcut_face *face;              /**< of a job, whose grid is `mesh`; NULL where the reference is a mesh */
+    int stations;                       /**< of the mounts' path curves; 0: they are not shown */
+    const wcut_vec3 *mount_a, *mount_b; /**< stations [mm] */
+    const wcut_mesh *mesh;              /**< the face that is coloured */
+    const double *value;                /**< mesh->vertex_count [mm] deviation of the scan */
+    const unsigned char *present;       /**< mesh->vertex_count: 1 where there is a value */
+    int points;                         /**< of the scan that are shown, 0 or more */
+    const wcut_vec3 *point;             /**< points [mm] as registered */
+    const double *deviation;            /**< points [mm]; NaN where a point does not count */
+    double spacing;                     /**< [mm] to which those points were thinned; 0: they are all */
+    const char *unit;                   /**< of the scan's files, "mm" */
+    double border;                      /**< [mm] of wcut_deviation_options */
+} wcut_report_compare;
+
+/**
+ * Write the page of a comparison: the deviation in space, figures as scanned and as registered, along the cut, zones.
+ *
+ * @param[in]  of    the comparison
+ * @param[in]  path  the target, replaced whole or not at all
+ * @param[out] error may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a NULL that is not allowed), the statuses of wcut_report_write: the target is as it was.
+ */
+WCUT_API wcut_status wcut_report_compare_write(const wcut_report_compare *of, const char *path, wcut_error *error);
 
 /** What a diagnosis's page is of. */
 typedef struct wcut_report_diagnose {

@@ -1,5 +1,5 @@
 /* What a comparison's page says of the scan itself: its points, how it was moved, what it was made into. */
-#include "report_scan.h"
+#include "io/report/report_scan.h"
 
 #include <math.h>
 #include <wirecut/angle.h>
@@ -7,9 +7,9 @@
 enum { HOLES_MAX = 20 };
 
 /* `count` columns of `rows` numbers each, behind one of texts; NULL without memory */
-static wcut_report_column *take_columns(app_memory *m, int count, int rows, double **number) {
-    wcut_report_column *column = app_take(m, (size_t)count + 1, sizeof *column);
-    *number = app_take(m, (size_t)count * (size_t)rows, sizeof **number);
+static wcut_report_column *take_columns(wcut_page_memory *m, int count, int rows, double **number) {
+    wcut_report_column *column = wcut_page_take(m, (size_t)count + 1, sizeof *column);
+    *number = wcut_page_take(m, (size_t)count * (size_t)rows, sizeof **number);
     if (m->failed) return NULL;
     for (int k = 0; k < count; k++) column[k + 1].number = *number + (size_t)k * (size_t)rows;
     return column;
@@ -17,7 +17,7 @@ static wcut_report_column *take_columns(app_memory *m, int count, int rows, doub
 
 /* ---- points ---- */
 
-static wcut_report_table point_table(app_memory *m, const app_comparison *c) {
+static wcut_report_table point_table(wcut_page_memory *m, const wcut_compared *c) {
     static const char *const name[] = {"compared",
                                        "removed as duplicates",
                                        "removed as isolated",
@@ -31,8 +31,8 @@ static wcut_report_table point_table(app_memory *m, const app_comparison *c) {
     double *count;
     wcut_report_column *column = take_columns(m, 1, ROWS, &count);
     if (!column) return (wcut_report_table){0};
-    for (int k = 0; k < WCUT_REMOVAL_COUNT; k++) count[k] = c->found.removed[k];
-    for (int k = 0; k < WCUT_PLACE_COUNT; k++) count[WCUT_REMOVAL_COUNT + k] = c->found.found->place[k];
+    for (int k = 0; k < WCUT_REMOVAL_COUNT; k++) count[k] = c->removed[k];
+    for (int k = 0; k < WCUT_PLACE_COUNT; k++) count[WCUT_REMOVAL_COUNT + k] = c->found->place[k];
     column[0] = (wcut_report_column){.label = "points", .text = name};
     column[1].label = "count";
     return (wcut_report_table){.title = "Use of the points", .rows = ROWS, .columns = 2, .column = column};
@@ -41,7 +41,7 @@ static wcut_report_table point_table(app_memory *m, const app_comparison *c) {
 /* ---- registration ---- */
 
 /* value, standard error, and the rows of the covariance */
-static wcut_report_table motion_table(app_memory *m, const wcut_registration *r) {
+static wcut_report_table motion_table(wcut_page_memory *m, const wcut_registration *r) {
     static const char *const name[] = {"shift along x",    "shift along y",    "shift along z",
                                        "rotation about x", "rotation about y", "rotation about z"};
     static const char *const label[] = {"value", "standard error"};
@@ -49,7 +49,7 @@ static wcut_report_table motion_table(app_memory *m, const wcut_registration *r)
                                                                           "deg, not determined by the data"};
     double *number;
     wcut_report_column *column = take_columns(m, 3, WCUT_DOF_COUNT, &number);
-    const char **unit = app_take(m, WCUT_DOF_COUNT, sizeof *unit);
+    const char **unit = wcut_page_take(m, WCUT_DOF_COUNT, sizeof *unit);
     if (m->failed) return (wcut_report_table){0};
     for (int k = 0; k < WCUT_DOF_COUNT; k++) {
         const double to = k < 3 ? 1 : WCUT_DEG_PER_RAD;
@@ -69,7 +69,7 @@ static wcut_report_table motion_table(app_memory *m, const wcut_registration *r)
                                .column = column};
 }
 
-static wcut_report_table covariance_table(app_memory *m, const wcut_registration *r) {
+static wcut_report_table covariance_table(wcut_page_memory *m, const wcut_registration *r) {
     static const char *const name[] = {"tx, mm", "ty, mm", "tz, mm", "rx, deg", "ry, deg", "rz, deg"};
     double *number;
     wcut_report_column *column = take_columns(m, WCUT_DOF_COUNT, WCUT_DOF_COUNT, &number);
@@ -89,30 +89,30 @@ static wcut_report_table covariance_table(app_memory *m, const wcut_registration
 }
 
 /* to ten digits, as texts: a table shows numbers to four */
-static wcut_report_table matrix_table(app_memory *m, const wcut_registration *r) {
+static wcut_report_table matrix_table(wcut_page_memory *m, const wcut_registration *r) {
     enum { SIDE = 4 };
     static const char *const label[] = {"x", "y", "z", "shift"};
-    wcut_report_column *column = app_take(m, SIDE, sizeof *column);
-    const char **text = app_take(m, (size_t)SIDE * SIDE, sizeof *text);
+    wcut_report_column *column = wcut_page_take(m, SIDE, sizeof *column);
+    const char **text = wcut_page_take(m, (size_t)SIDE * SIDE, sizeof *text);
     if (m->failed) return (wcut_report_table){0};
     for (size_t i = 0; i < SIDE; i++) {
         column[i] = (wcut_report_column){.label = label[i], .text = text + SIDE * i};
-        for (size_t j = 0; j < SIDE; j++) text[SIDE * i + j] = app_take_text(m, "%.10g", r->matrix[SIDE * j + i]);
+        for (size_t j = 0; j < SIDE; j++) text[SIDE * i + j] = wcut_page_text(m, "%.10g", r->matrix[SIDE * j + i]);
     }
     return (wcut_report_table){.title = "Matrix, scan to block, mm", .rows = SIDE, .columns = SIDE, .column = column};
 }
 
-static wcut_report_table datum_table(app_memory *m, const app_comparison *c) {
+static wcut_report_table datum_table(wcut_page_memory *m, const wcut_compared *c) {
     static const char *const label[] = {"x", "y", "z", "dx", "dy", "dz", "distance"};
     double *number;
     wcut_report_column *column = take_columns(m, 7, c->datums, &number);
-    const char **name = app_take(m, (size_t)c->datums, sizeof *name);
+    const char **name = wcut_page_take(m, (size_t)c->datums, sizeof *name);
     if (!column || !name) return (wcut_report_table){0};
     for (int k = 0; k < c->datums; k++) {
         const wcut_datum_residual *d = &c->datum[k];
         const double figure[7] = {d->moved.x,  d->moved.y,  d->moved.z, d->offset.x,
                                   d->offset.y, d->offset.z, d->distance};
-        name[k] = app_take_text(m, "%s %d", d->is_face ? "face" : "point", d->datum + 1);
+        name[k] = wcut_page_text(m, "%s %d", d->is_face ? "face" : "point", d->datum + 1);
         for (size_t f = 0; f < 7; f++) number[f * (size_t)c->datums + (size_t)k] = figure[f];
     }
     column[0] = (wcut_report_column){.label = "datum", .text = name};
@@ -126,10 +126,10 @@ static wcut_report_table datum_table(app_memory *m, const app_comparison *c) {
                                .column = column};
 }
 
-bool app_fill_registration(app_memory *m, const app_comparison *c, wcut_report_section *section) {
-    const wcut_registration *r = &c->registration;
+bool wcut_report_fill_registration(wcut_page_memory *m, const wcut_compared *c, wcut_report_section *section) {
+    const wcut_registration *r = c->registration;
     const bool moved = r->method != WCUT_REGISTRATION_METHOD_NONE;
-    wcut_report_table *table = app_take(m, 5, sizeof *table);
+    wcut_report_table *table = wcut_page_take(m, 5, sizeof *table);
     if (!table) return false;
     table[0] = point_table(m, c);
     *section = (wcut_report_section){.title = "Points", .table_count = 1, .table = table};
@@ -139,11 +139,11 @@ bool app_fill_registration(app_memory *m, const app_comparison *c, wcut_report_s
     table[3] = matrix_table(m, r);
     section->title = "Points and registration";
     section->note =
-        app_take_text(m,
-                      "Overlap %.3g %%, RMS of the points used %.4g mm, before %.4g mm; the motion puts the "
-                      "points \xc2\xb1 %.2g mm (standard error, RMS).%s",
-                      100 * r->overlap, r->rms, r->rms_before, r->doubt,
-                      r->converged ? "" : " The fit stopped before it had converged.");
+        wcut_page_text(m,
+                       "Overlap %.3g %%, RMS of the points used %.4g mm, before %.4g mm; the motion puts the "
+                       "points \xc2\xb1 %.2g mm (standard error, RMS).%s",
+                       100 * r->overlap, r->rms, r->rms_before, r->doubt,
+                       r->converged ? "" : " The fit stopped before it had converged.");
     section->table_count = 4;
     if (c->datums > 0) table[section->table_count++] = datum_table(m, c);
     return !m->failed;
@@ -151,13 +151,13 @@ bool app_fill_registration(app_memory *m, const app_comparison *c, wcut_report_s
 
 /* ---- reconstruction ---- */
 
-static wcut_report_table both_table(app_memory *m, const app_comparison *c) {
+static wcut_report_table both_table(wcut_page_memory *m, const wcut_compared *c) {
     static const char *const name[] = {
         "vertices",       "mean",   "median",  "standard deviation", "root mean square", "mean size", "1 % are below",
         "99 % are below", "lowest", "highest", "largest (Hausdorff)"};
     static const char *const unit[] = {"", "mm", "mm", "mm", "mm", "mm", "mm", "mm", "mm", "mm", "mm"};
     enum { ROWS = sizeof name / sizeof *name };
-    const wcut_statistics *const side[] = {&c->to_face, &c->to_scan};
+    const wcut_statistics *const side[] = {c->to_face, c->to_scan};
     double *number;
     wcut_report_column *column = take_columns(m, 3, ROWS, &number);
     if (!column) return (wcut_report_table){0};
@@ -178,13 +178,13 @@ static wcut_report_table both_table(app_memory *m, const app_comparison *c) {
         .column = column};
 }
 
-static wcut_report_table hole_table(app_memory *m, const wcut_reconstruction *r) {
+static wcut_report_table hole_table(wcut_page_memory *m, const wcut_reconstruction *r) {
     static const char *const label[] = {"x", "y", "z", "area"};
     static const char *const unit[] = {"mm", "mm", "mm", "mm\xc2\xb2"};
     const int rows = r->hole_count < HOLES_MAX ? r->hole_count : HOLES_MAX;
     double *number;
     wcut_report_column *column = take_columns(m, 4, rows, &number);
-    const char **kind = app_take(m, (size_t)rows, sizeof *kind);
+    const char **kind = wcut_page_take(m, (size_t)rows, sizeof *kind);
     if (m->failed) return (wcut_report_table){0};
     for (int k = 0; k < rows; k++) {
         const wcut_hole *h = &r->hole[k];
@@ -201,17 +201,18 @@ static wcut_report_table hole_table(app_memory *m, const wcut_reconstruction *r)
                                .column = column};
 }
 
-bool app_fill_reconstruction(app_memory *m, const app_comparison *c, wcut_report_section *section) {
+bool wcut_report_fill_reconstruction(wcut_page_memory *m, const wcut_compared *c, wcut_report_section *section) {
     const wcut_reconstruction *r = c->reconstruction;
-    wcut_report_table *table = app_take(m, 2, sizeof *table);
+    wcut_report_table *table = wcut_page_take(m, 2, sizeof *table);
     if (!table) return false;
     table[0] = both_table(m, c);
     const bool holed = r->hole_count > 0;
     if (holed) table[1] = hole_table(m, r);
-    const char *note = app_take_text(m,
-                                     "%d vertices %.3g mm apart, smoothed over %.3g mm; every vertex is within %.3g mm "
-                                     "of a point of the scan. Face without points: %.5g mm\xc2\xb2.",
-                                     r->mesh->vertex_count, r->spacing, r->smoothing, r->farthest, r->unmeasured_area);
+    const char *note =
+        wcut_page_text(m,
+                       "%d vertices %.3g mm apart, smoothed over %.3g mm; every vertex is within %.3g mm "
+                       "of a point of the scan. Face without points: %.5g mm\xc2\xb2.",
+                       r->mesh->vertex_count, r->spacing, r->smoothing, r->farthest, r->unmeasured_area);
     *section =
         (wcut_report_section){.title = "Reconstruction", .note = note, .table_count = holed ? 2 : 1, .table = table};
     return !m->failed;

@@ -1,21 +1,23 @@
 /* The page of a comparison: the deviation in space, figures as scanned and as registered, along the cut, worst areas. */
-#include "report_compare.h"
-#include <wirecut/deviation_file.h>
-
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <wirecut/report_pages.h>
 
-#include "report_scan.h"
+#include "base/alloc.h"
+#include "base/fail.h"
+#include "io/report/page_memory.h"
+#include "io/report/report_scan.h"
 
 enum { LINES_MAX = WCUT_WORST_MAX + 2, FACTS_MAX = 16, FIGURES = 27, TEXT = 96 };
 
 /* what the page borrows: rows of tables, columns of charts */
 typedef struct page {
-    const app_comparison *c;
-    app_memory memory;
+    const wcut_report_compare *of;
+    const wcut_compared *c; /* of->compared */
+    wcut_page_memory memory;
     wcut_report_tone tone;
     char verdict[512];
     /* figures side by side */
@@ -53,7 +55,7 @@ static void add_figure(page *p, const char *label, const char *unit, double foun
 static double known(const wcut_statistics *s, double value) { return s->count > 0 ? value : NAN; }
 
 static void add_length(page *p, const char *label, double found, double unmoved) {
-    const wcut_compared *c = &p->c->found;
+    const wcut_compared *c = p->c;
     add_figure(p, label, "mm", known(&c->found->statistics, found), known(&c->unmoved->statistics, unmoved));
 }
 
@@ -70,7 +72,7 @@ static void add_shares(page *p, const wcut_statistics *a, const wcut_statistics 
 }
 
 static void fill_figures(page *p) {
-    const wcut_deviation_summary_result *x = p->c->found.found, *y = p->c->found.unmoved;
+    const wcut_deviation_summary_result *x = p->c->found, *y = p->c->unmoved;
     const wcut_statistics *a = &x->statistics, *b = &y->statistics;
     add_figure(p, "deviations", "", a->count, b->count);
     add_figure(p, "points outside the face", "", x->place[WCUT_PLACE_BEYOND], y->place[WCUT_PLACE_BEYOND]);
@@ -99,10 +101,10 @@ static void fill_figures(page *p) {
 
 static wcut_report_table figure_table(page *p) {
     static const char *const method[] = {"as scanned", "by datums", "best fit"};
-    const bool moved = p->c->registration.method != WCUT_REGISTRATION_METHOD_NONE;
+    const bool moved = p->c->registration->method != WCUT_REGISTRATION_METHOD_NONE;
     p->figure_column[0] = (wcut_report_column){.label = "figure", .text = p->figure_name};
     p->figure_column[1] = (wcut_report_column){.label = "unit", .text = p->figure_unit};
-    p->figure_column[2] = (wcut_report_column){.label = method[p->c->registration.method], .number = p->figure[0]};
+    p->figure_column[2] = (wcut_report_column){.label = method[p->c->registration->method], .number = p->figure[0]};
     p->figure_column[3] = (wcut_report_column){.label = "as scanned", .number = p->figure[1]};
     return (wcut_report_table){.title = "Deviation",
                                .note = moved ? "Registered and as scanned: a registration on the cut face hides "
@@ -118,7 +120,7 @@ static wcut_report_table figure_table(page *p) {
 static wcut_report_table worst_table(page *p) {
     static const char *const label[] = {"x", "y", "z", "area", "mean", "peak", "volume", "points"};
     static const char *const unit[] = {"mm", "mm", "mm", "mm\xc2\xb2", "mm", "mm", "mm\xc2\xb3", ""};
-    const wcut_deviation_summary_result *r = p->c->found.found;
+    const wcut_deviation_summary_result *r = p->c->found;
     for (int k = 0; k < r->worsts; k++) {
         const wcut_worst *w = &r->worst[k];
         const double figure[] = {w->place.x, w->place.y, w->place.z, w->area, w->mean, w->peak, w->volume, w->count};
@@ -138,10 +140,10 @@ static wcut_report_table worst_table(page *p) {
 }
 
 static bool fill_zones(page *p) {
-    const wcut_deviation_summary_result *r = p->c->found.found;
+    const wcut_deviation_summary_result *r = p->c->found;
     const size_t count = r->zones > 0 ? (size_t)r->zones : 1;
-    p->zone_name = calloc(count, sizeof *p->zone_name);
-    p->zone[0] = calloc(8 * count, sizeof *p->zone[0]);
+    p->zone_name = wcut_page_take(&p->memory, count, sizeof *p->zone_name);
+    p->zone[0] = wcut_page_take(&p->memory, 8 * count, sizeof *p->zone[0]);
     if (!p->zone_name || !p->zone[0]) return false;
     for (int f = 1; f < 8; f++) p->zone[f] = p->zone[0] + (size_t)f * count;
     for (int k = 0; k < r->zones; k++) {
@@ -175,11 +177,11 @@ static wcut_report_table zone_table(page *p) {
 
 /* mean, lowest and highest of every station, of the part of the face that is coloured */
 static bool fill_stations(page *p) {
-    const app_comparison *c = p->c;
-    const wcut_face *f = c->reference.face;
+    const wcut_report_compare *c = p->of;
+    const wcut_face *f = c->face;
     const int vertices = c->mesh->vertex_count, rows = f ? f->stations : 1;
-    p->value = calloc((size_t)vertices, sizeof *p->value);
-    p->station = calloc(4 * (size_t)rows, sizeof *p->station);
+    p->value = wcut_page_take(&p->memory, (size_t)vertices, sizeof *p->value);
+    p->station = wcut_page_take(&p->memory, 4 * (size_t)rows, sizeof *p->station);
     if (!p->value || !p->station) return false;
     for (int k = 0; k < vertices; k++) p->value[k] = c->present[k] ? c->value[k] : NAN;
     p->mean = p->station + rows, p->low = p->mean + rows, p->high = p->low + rows;
@@ -212,7 +214,7 @@ static int list_phases(const wcut_face *f, int max, wcut_report_span *span) {
 /* ---- what is said ---- */
 
 static void judge(page *p) {
-    const wcut_compared *f = &p->c->found;
+    const wcut_compared *f = p->c;
     const wcut_statistics *s = &f->found->statistics;
     char *to = p->verdict;
     size_t room = sizeof p->verdict;
@@ -229,8 +231,7 @@ static void judge(page *p) {
 }
 
 static int list_facts(const page *p, wcut_report_fact *fact) {
-    const app_comparison *c = p->c;
-    const wcut_compared *f = &c->found;
+    const wcut_compared *f = p->c;
     const wcut_deviation_summary_result *r = f->found;
     int n = 0;
     fact[n++] = (wcut_report_fact){"deviations", NULL, r->statistics.count, ""};
@@ -255,25 +256,30 @@ static int list_facts(const page *p, wcut_report_fact *fact) {
 /* ---- the page ---- */
 
 static int list_options(const page *p, wcut_report_fact *option) {
-    static const char *const unit[] = {"mm", "cm", "m", "inch"};
     static const char *const method[] = {"none", "datum", "fit"};
-    const app_compare_options *o = &p->c->options;
+    const wcut_report_compare *of = p->of;
     int n = 0;
-    option[n++] = (wcut_report_fact){"distance", p->c->found.distance, 0, ""};
-    option[n++] = (wcut_report_fact){"unit of the scan", unit[o->scans.unit], 0, ""};
-    option[n++] = (wcut_report_fact){"registration", method[o->method], 0, ""};
+    option[n++] = (wcut_report_fact){"distance", p->c->distance, 0, ""};
+    option[n++] = (wcut_report_fact){"unit of the scan", of->unit, 0, ""};
+    option[n++] = (wcut_report_fact){"registration", method[p->c->registration->method], 0, ""};
     option[n++] = (wcut_report_fact){"radius of support of a point", NULL, p->c->support, "mm"};
-    option[n++] = (wcut_report_fact){"border", NULL, p->c->reference.options.border, "mm"};
-    option[n++] = (wcut_report_fact){"side of a cell", NULL, p->c->found.found->split.cell, "mm"};
-    if (p->c->reconstruction)
-        option[n++] = (wcut_report_fact){"reconstruction", p->c->found.reconstruction_method, 0, ""};
-    if (p->c->scans.spacing > 0) option[n++] = (wcut_report_fact){"view thinned to", NULL, p->c->scans.spacing, "mm"};
+    option[n++] = (wcut_report_fact){"border", NULL, of->border, "mm"};
+    option[n++] = (wcut_report_fact){"side of a cell", NULL, p->c->found->split.cell, "mm"};
+    if (p->c->reconstruction) option[n++] = (wcut_report_fact){"reconstruction", p->c->reconstruction_method, 0, ""};
+    if (of->spacing > 0) option[n++] = (wcut_report_fact){"view thinned to", NULL, of->spacing, "mm"};
     return n;
 }
 
+/* NULL where a scan was not hashed */
+static const char *hash_of(const wcut_compared_scan *scan) {
+    return scan->sha256 && scan->sha256[0] ? scan->sha256 : NULL;
+}
+
 static wcut_status write_page(page *p, const wcut_report_scene *scene, const char *path, wcut_error *error) {
-    const app_comparison *c = p->c;
-    const wcut_face *f = c->reference.face;
+    const wcut_compared *c = p->c;
+    const wcut_face *f = p->of->face;
+
+    /* charts over the time of the cut, where a job tells it */
     wcut_report_span span[32];
     const int spans = f ? list_phases(f, 32, span) : 0;
     const wcut_report_series mean = {.label = "mean of a station, and its range",
@@ -304,54 +310,54 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
                                         .series = &bend,
                                         .span_count = spans,
                                         .span = span}};
+
+    /* sections: figures, the cut, the points, the scan as a mesh */
     const wcut_report_table figures[] = {figure_table(p), worst_table(p), zone_table(p)};
     wcut_report_section section[4];
     int sections = 0;
     section[sections++] = (wcut_report_section){.title = "Figures", .table_count = 3, .table = figures};
     if (f) section[sections++] = (wcut_report_section){.title = "Along the cut", .chart_count = 2, .chart = chart};
-    if (!app_fill_registration(&p->memory, c, &section[sections++])) return WCUT_NO_MEMORY;
-    if (c->reconstruction && !app_fill_reconstruction(&p->memory, c, &section[sections++])) return WCUT_NO_MEMORY;
+    if (!wcut_report_fill_registration(&p->memory, c, &section[sections++])) return WCUT_NO_MEMORY;
+    if (c->reconstruction && !wcut_report_fill_reconstruction(&p->memory, c, &section[sections++]))
+        return WCUT_NO_MEMORY;
 
     wcut_report_fact fact[FACTS_MAX], option[FACTS_MAX];
-    wcut_report_source *source = calloc((size_t)c->scans.files + 1, sizeof *source);
+    wcut_report_source *source = wcut_page_take(&p->memory, (size_t)c->scans + 1, sizeof *source);
     if (!source) return WCUT_NO_MEMORY;
-    source[0] = (wcut_report_source){c->reference.is_job ? "job" : "mesh", c->reference.path,
-                                     c->reference.hash[0] ? c->reference.hash : NULL};
-    for (int k = 0; k < c->scans.files; k++)
-        source[k + 1] =
-            (wcut_report_source){"scan", c->scans.scan[k].name, c->scans.hash[k][0] ? c->scans.hash[k] : NULL};
+    source[0] = (wcut_report_source){c->has_kerf ? "job" : "mesh", c->reference, p->of->reference_sha256};
+    for (int k = 0; k < c->scans; k++)
+        source[k + 1] = (wcut_report_source){"scan", c->scan[k].name, hash_of(&c->scan[k])};
+
     judge(p);
-    const wcut_report report = {
-        .verb = "compare",
-        .title = c->reference.job && c->reference.job->name ? c->reference.job->name : c->reference.path,
-        .tone = p->tone,
-        .verdict = p->verdict,
-        .fact_count = list_facts(p, fact),
-        .fact = fact,
-        .scene = scene,
-        .section_count = sections,
-        .section = section,
-        .source_count = c->scans.files + 1,
-        .source = source,
-        .option_count = list_options(p, option),
-        .option = option};
-    const wcut_status status = wcut_report_write(&report, path, error);
-    free(source);
-    return status;
+    const wcut_report report = {.verb = "compare",
+                                .title = p->of->title ? p->of->title : c->reference,
+                                .tone = p->tone,
+                                .verdict = p->verdict,
+                                .fact_count = list_facts(p, fact),
+                                .fact = fact,
+                                .scene = scene,
+                                .section_count = sections,
+                                .section = section,
+                                .source_count = c->scans + 1,
+                                .source = source,
+                                .option_count = list_options(p, option),
+                                .option = option};
+    return wcut_report_write(&report, path, error);
 }
 
 /* the tolerance that the view begins with: that of the gate, or the smallest one reported */
-static double tolerance_of(const app_comparison *c) {
-    return c->options.tolerance > 0 ? c->options.tolerance : c->options.bands > 0 ? c->options.band[0] : 0;
+static double tolerance_of(const wcut_compared *c) {
+    const wcut_statistics *s = &c->found->statistics;
+    return c->tolerance > 0 ? c->tolerance : s->bands > 0 ? s->band[0] : 0;
 }
 
 static int list_lines(const page *p, wcut_report_line *line) {
-    const app_comparison *c = p->c;
-    const wcut_deviation_summary_result *r = c->found.found;
+    const wcut_report_compare *of = p->of;
+    const wcut_deviation_summary_result *r = p->c->found;
     int n = 0;
-    if (c->reference.is_job) {
-        line[n++] = (wcut_report_line){"path curves", "A", c->reference.history->stations, c->reference.mount_a};
-        line[n++] = (wcut_report_line){"path curves", "B", c->reference.history->stations, c->reference.mount_b};
+    if (of->stations > 0) {
+        line[n++] = (wcut_report_line){"path curves", "A", of->stations, of->mount_a};
+        line[n++] = (wcut_report_line){"path curves", "B", of->stations, of->mount_b};
     }
     for (int k = 0; k < r->worsts; k++)
         line[n++] = (wcut_report_line){"worst areas", p->worst_label[k], 1, &r->worst[k].place};
@@ -359,9 +365,11 @@ static int list_lines(const page *p, wcut_report_line *line) {
 }
 
 static wcut_status write_scene(page *p, const char *path, wcut_error *error) {
-    const app_comparison *c = p->c;
-    const wcut_face *f = c->reference.face;
-    const double tolerance = tolerance_of(c);
+    const wcut_report_compare *c = p->of;
+    const wcut_face *f = c->face;
+    const double tolerance = tolerance_of(p->c);
+
+    /* the face, coloured by its deviation and, of a job, by force and curvature */
     const wcut_report_field of_face[] = {
         {"deviation", "mm", WCUT_REPORT_SCALE_DIVERGING, tolerance, p->value},
         {"force across the wire", "N/mm", WCUT_REPORT_SCALE_SEQUENTIAL, 0, f ? f->force : NULL},
@@ -380,11 +388,13 @@ static wcut_status write_scene(page *p, const char *path, wcut_error *error) {
                                           .triangle = f ? NULL : c->mesh->triangle,
                                           .field_count = f ? 3 : 1,
                                           .field = of_face};
+
+    /* the scan's points, and the mesh made from them */
     shape[shapes++] = (wcut_report_shape){
-        .name = "scan", .vertex_count = c->scans.count, .vertex = c->scans.point, .field_count = 1, .field = &of_scan};
+        .name = "scan", .vertex_count = c->points, .vertex = c->point, .field_count = 1, .field = &of_scan};
     wcut_report_field of_mesh = {"deviation", "mm", WCUT_REPORT_SCALE_DIVERGING, tolerance, NULL};
-    if (c->reconstruction) {
-        const wcut_mesh *mesh = c->reconstruction->mesh;
+    if (p->c->reconstruction) {
+        const wcut_mesh *mesh = p->c->reconstruction->mesh;
         of_mesh.value = mesh->scalar;
         shape[shapes++] = (wcut_report_shape){.name = "reconstructed scan",
                                               .vertex_count = mesh->vertex_count,
@@ -394,6 +404,7 @@ static wcut_status write_scene(page *p, const char *path, wcut_error *error) {
                                               .field_count = 1,
                                               .field = &of_mesh};
     }
+
     worst_table(p); /* names the marks */
     wcut_report_line line[LINES_MAX];
     const wcut_report_scene scene = {.title = "Deviation of the scan from the simulated face",
@@ -406,18 +417,39 @@ static wcut_status write_scene(page *p, const char *path, wcut_error *error) {
     return write_page(p, &scene, path, error);
 }
 
-wcut_status app_report_compare(const app_comparison *comparison, const char *path, wcut_error *error) {
-    page *p = calloc(1, sizeof *p);
-    if (!p) return WCUT_NO_MEMORY;
-    p->c = comparison;
+/* figures that the page has room for */
+static bool is_sized(const wcut_deviation_summary_result *r) {
+    return r->statistics.bands >= 0 && r->statistics.bands <= WCUT_BANDS_MAX && r->worsts >= 0 &&
+           r->worsts <= WCUT_WORST_MAX && (r->worsts == 0 || r->worst) && r->zones >= 0 && (r->zones == 0 || r->zone);
+}
+
+static bool is_compared(const wcut_compared *c) {
+    return c && c->reference && c->distance && c->scans > 0 && c->scan && c->registration &&
+           (unsigned)c->registration->method <= WCUT_REGISTRATION_METHOD_FIT && c->datums >= 0 &&
+           (c->datums == 0 || c->datum) && c->found && c->unmoved && is_sized(c->found) && is_sized(c->unmoved) &&
+           c->face_to_scan && (!c->reconstruction || (c->reconstruction->mesh && c->to_scan && c->to_face));
+}
+
+static bool is_shown(const wcut_report_compare *of) {
+    return of->mesh && of->value && of->present && of->unit && of->points >= 0 && of->stations >= 0 &&
+           (of->points == 0 || (of->point && of->deviation)) && (of->stations == 0 || (of->mount_a && of->mount_b)) &&
+           (!of->face || (long)of->face->stations * of->face->nodes == of->mesh->vertex_count);
+}
+
+wcut_status wcut_report_compare_write(const wcut_report_compare *of, const char *path, wcut_error *error) {
+    if (!of || !is_compared(of->compared) || !is_shown(of) || !path)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "report page: an argument is missing");
+    page *p = wcut_alloc(1, sizeof *p);
+    if (!p) return wcut_fail(error, WCUT_NO_MEMORY, "report page: %s", wcut_status_text(WCUT_NO_MEMORY));
+    p->of = of;
+    p->c = of->compared;
+
     fill_figures(p);
     wcut_status status = fill_zones(p) && fill_stations(p) ? WCUT_OK : WCUT_NO_MEMORY;
     if (status == WCUT_OK) status = write_scene(p, path, error);
-    app_give_back(&p->memory);
-    free(p->value);
-    free(p->station);
-    free(p->zone[0]);
-    free(p->zone_name);
-    free(p);
+    if (status == WCUT_NO_MEMORY) wcut_fail(error, status, "report page: %s", wcut_status_text(status));
+
+    wcut_page_free(&p->memory);
+    wcut_free(p);
     return status;
 }
