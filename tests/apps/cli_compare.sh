@@ -147,6 +147,10 @@ run 0 compare "$steady" metres.xyz -o units
 grep -q "warning: .* multiplied by 1000 it would fit" err || fail "$called: no warning of the unit: $(cat err)"
 run 0 compare "$steady" metres.xyz -o units --unit m --quiet
 look units/deviation.json 'near(d["kerf_offset_mm"], -0.6, 0.003)'
+awk '{ printf "%s %s %s\n", $1 * 1000, $2 * 1000, $3 * 1000 }' "$scan" >micrometres.xyz
+run 0 compare "$steady" micrometres.xyz -o units --unit um --quiet
+look units/deviation.json 'near(d["kerf_offset_mm"], -0.6, 0.003)'
+grep -q '"unit of the scan","text":"um"' units/report.html || fail "$called: the page does not name the unit"
 
 # names of files are text, not markup
 cp "$scan" '</script><script>window.broken=1<'"'"'.xyz' 2>/dev/null || cp "$scan" 'broken.xyz'
