@@ -121,6 +121,8 @@ static void warn_of_slips(calibration *c) {
         const wcut_test_cut *cut = &c->cut[s->cut];
         const double value[] = {
             0, cut->heat, cut->speed, cut->engaged, cut->tension_a, cut->alpha_a * WCUT_DEG_PER_RAD};
+
+        /* no digit explains it, or one slipped decimal point does */
         if (s->column == WCUT_SLIP_COLUMN_NONE)
             warn(c, "line %d is an outlier: its force is %.3g times that of the law of the other cuts%s", cut->line,
                  s->ratio, c->options.loss == WCUT_LOSS_SQUARE ? "; try --robust" : "; it has almost no weight");
@@ -193,6 +195,8 @@ static int calibrate(const app_call *call) {
     calibration c = {.call = call, .path = call->operand[0]};
     int code = load(&c);
     if (code == APP_DONE) code = app_results_begin(&c.results, app_text(call, "output"), result_name);
+
+    /* fit, then say what was found */
     app_catch_interrupts();
     if (code == APP_DONE) code = fit(&c);
     if (code == APP_DONE && app_is_interrupted()) code = app_fail(APP_INTERRUPTED, "%s: interrupted", c.path);
@@ -203,6 +207,7 @@ static int calibrate(const app_call *call) {
         say_laws(&c);
         for (int i = 0; i < c.of.warnings; i++) app_say("warning: %s", c.warning[i]);
     }
+
     app_results_end(&c.results);
     free(c.slip);
     free(c.warning);

@@ -112,6 +112,8 @@ static int read_file(growth *g, int file) {
     options.columns = s->options.columns;
     wcut_status status = wcut_cloud_source_create(s->path[file], &options, &source, &error);
     int code = status == WCUT_OK ? APP_DONE : app_fail_status(status, NULL, &error), count = 1;
+
+    /* piece by piece, until the file ends or the user stops */
     while (code == APP_DONE && count > 0) {
         status = wcut_cloud_source_next(source, APP_SCAN_PIECE, g->piece, NULL, &count, &error);
         if (status != WCUT_OK)
@@ -121,6 +123,8 @@ static int read_file(growth *g, int file) {
         else
             code = take(g, s->path[file], count);
     }
+
+    /* what the file held, and its hash */
     if (code == APP_DONE) {
         const wcut_cloud_info *info = wcut_cloud_source_info(source);
         if (info->read == 0)
@@ -132,6 +136,7 @@ static int read_file(growth *g, int file) {
         status = wcut_source_hash(s->path[file], s->hash[file], &error);
         if (code == APP_DONE && status != WCUT_OK) code = app_fail_status(status, NULL, &error);
     }
+
     wcut_cloud_source_destroy(source);
     return code;
 }
@@ -164,6 +169,8 @@ static bool only_thins(const wcut_clean_options *o) {
 
 static int read_all(growth *g) {
     app_scans *s = g->scans;
+
+    /* room for a piece; where points are only thinned, they are thinned as they come */
     g->piece = malloc(APP_SCAN_PIECE * sizeof *g->piece);
     g->keep = malloc(APP_SCAN_PIECE);
     if (!g->piece || !g->keep) return fail_memory();
@@ -172,9 +179,13 @@ static int read_all(growth *g) {
         if (status != WCUT_OK) return app_fail_status(status, "compare", NULL);
         g->thin_all = true;
     }
+
+    /* all files, which together are one scan */
     int code = APP_DONE;
     for (int k = 0; k < s->files && code == APP_DONE; k++) code = read_file(g, k);
     if (code != APP_DONE) return code;
+
+    /* how many points are compared */
     double read = 0;
     for (int k = 0; k < s->files; k++) read += s->scan[k].read;
     if (read > 2147483647.0) return app_fail(APP_BAD_INPUT, "found %.0f points, expected at most 2147483647", read);
@@ -214,15 +225,19 @@ static int pass_file(const app_scans *s, int file, wcut_vec3 *piece, int *first,
     options.columns = s->options.columns;
     wcut_status status = wcut_cloud_source_create(s->path[file], &options, &source, &error);
     int code = APP_DONE, count = 1, read = 0;
+
+    /* the same pieces as at the first reading */
     while (status == WCUT_OK && code == APP_DONE && count > 0) {
         status = wcut_cloud_source_next(source, APP_SCAN_PIECE, piece, NULL, &count, &error);
         if (status == WCUT_OK) code = visit(context, *first, count, piece);
         *first += count, read += count;
     }
+
     if (status != WCUT_OK) code = app_fail_status(status, NULL, &error);
     if (code == APP_DONE && read != s->scan[file].read)
         code = app_fail(APP_BAD_INPUT, "%s: found %d points at first and %d when read again", s->path[file],
                         s->scan[file].read, read);
+
     wcut_cloud_source_destroy(source);
     return code;
 }

@@ -29,6 +29,8 @@ static void line(FILE *out, const char *request, const char *text) {
 
 static void print_option(FILE *out, const app_option *o) {
     fputs(".TP\n", out);
+
+    /* letter, name and value */
     if (o->letter) fprintf(out, "\\fB\\-%c\\fR, ", o->letter);
     fputs("\\fB\\-\\-", out);
     roff(out, o->name);
@@ -39,6 +41,8 @@ static void print_option(FILE *out, const app_option *o) {
         fputs("\\fR", out);
     }
     fputc('\n', out);
+
+    /* the sentence, the range and the default */
     roff(out, o->help);
     if (o->kind == APP_INT || o->kind == APP_REAL) fprintf(out, " (%.12g to %.12g)", o->low, o->high);
     char text[APP_STANDARD_SIZE];
@@ -47,6 +51,7 @@ static void print_option(FILE *out, const app_option *o) {
         fputs("; default ", out);
         roff(out, standard);
     }
+
     fputs(o->required ? "; required\n" : "\n", out);
 }
 

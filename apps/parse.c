@@ -56,6 +56,8 @@ static int set_value(const app_verb *verb, const app_option *option, const char 
     char what[64], expected[128];
     snprintf(what, sizeof what, "--%s", option->name);
     double number = 0;
+
+    /* numbers and words are checked, names only have to be there */
     switch (option->kind) {
         case APP_INT:
         case APP_REAL:
@@ -71,6 +73,7 @@ static int set_value(const app_verb *verb, const app_option *option, const char 
         default:
             if (option->kind != APP_FLAG && !*text) return usage_error(verb, what, text, "a name that is not empty");
     }
+
     *value = (app_value){.text = text, .number = number};
     return APP_DONE;
 }
@@ -165,6 +168,8 @@ static int read_words(const app_verb *verb, int count, int argc, char **argv, ap
 static int check_complete(const app_verb *verb, int count, const app_call *call) {
     int needed = 0;
     bool many = false;
+
+    /* every operand, and none too many */
     for (; verb->operand[needed].name; needed++) {
         many = verb->operand[needed].many;
         if (call->operand_count > needed) continue;
@@ -174,6 +179,8 @@ static int check_complete(const app_verb *verb, int count, const app_call *call)
     if (call->operand_count > needed && !many)
         return app_fail(APP_USAGE, "found \"%s\", expected no more than %d input%s (see %s --help)",
                         call->operand[needed], needed, needed == 1 ? "" : "s", full_name(verb));
+
+    /* no empty name, no option missing that is required */
     for (int i = 0; i < call->operand_count; i++)
         if (!*call->operand[i]) return usage_error(verb, "an input", "", "a name that is not empty");
     for (int i = 0; i < count; i++) {

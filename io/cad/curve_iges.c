@@ -36,6 +36,8 @@ static bool add_composite(wcut_iges *f, const wcut_iges_entry *e) {
     int count = 0, made = 0, number = 0;
     if (!wcut_iges_open(f, e, &c)) return false;
     if (!wcut_iges_int(&c, 1, max_values(&c), &count)) return refuse_data(f, e);
+
+    /* the members, each in the place of the whole */
     wcut_curve **piece = wcut_alloc((size_t)count, sizeof *piece);
     if (!piece) return wcut_curves_refuse_memory(f->reader);
     for (bool ok = true; ok && made < count;) {
@@ -50,6 +52,8 @@ static bool add_composite(wcut_iges *f, const wcut_iges_entry *e) {
         if (ok) piece[made++] = curve;
         if (ok) ok = wcut_iges_transform(f, e, curve);
     }
+
+    /* either the whole chain is added or none of it */
     const bool whole = made == count && f->reader->failure.status == WCUT_OK;
     if (whole) return wcut_curves_add_chain(f->reader, count, piece, "", 0);
     for (int k = 0; k < made; k++) wcut_curve_destroy(piece[k]);

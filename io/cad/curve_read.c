@@ -66,11 +66,15 @@ static bool add_rows(wcut_curve_reader *r, const wcut_table *t, const int *at, i
     wcut_vec3 *point = wcut_alloc((size_t)count, sizeof *point);
     wcut_curve *curve = NULL;
     if (!point) return wcut_curves_refuse_memory(r);
+
+    /* the points of the rows */
     for (int k = 0; k < count; k++) {
         double *to = &point[k].x;
         for (int c = 0; c < 3; c++) to[c] = t->column[at[c]].value[from + k];
     }
     snprintf(place, sizeof place, "line %d", t->line[from]);
+
+    /* a polyline through them, or a smooth curve */
     if (!r->options->interpolate) {
         curve = wcut_curves_polyline(r, place, count, point);
     } else {
@@ -79,6 +83,7 @@ static bool add_rows(wcut_curve_reader *r, const wcut_table *t, const int *at, i
         if (status != WCUT_OK && status != WCUT_NO_MEMORY)
             wcut_curves_refuse(r, "%s: found %d points, expected two or more, neighbours apart", place, count);
     }
+
     free(point);
     return curve && wcut_curves_add(r, curve, "", 0);
 }

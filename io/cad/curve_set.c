@@ -178,6 +178,8 @@ static wcut_curve *join_chain(const wcut_curve_reader *r, loose *l, int count) {
 static bool join_chains(wcut_curve_reader *r, int first, loose *l) {
     wcut_curve_set *set = r->set;
     bool done = true;
+
+    /* an end without a partner begins a chain */
     for (int e = 0; done && e < 2 * l->curves; e++) {
         if (!l->curve[e / 2] || l->partner[e] >= 0 || l->partner[e ^ 1] < 0) continue;
         const int count = collect_chain(l, e);
@@ -185,6 +187,8 @@ static bool join_chains(wcut_curve_reader *r, int first, loose *l) {
         l->curve[e / 2] = whole;
         done = whole || wcut_curves_refuse_memory(r);
     }
+
+    /* close the gaps that joined pieces leave in the set */
     int kept = first;
     for (int k = 0; k < l->curves; k++) {
         if (!l->curve[k]) {
@@ -303,11 +307,15 @@ wcut_curve *wcut_curves_polyline(wcut_curve_reader *r, const char *place, int co
     double *knots = wcut_alloc((size_t)count + 2, sizeof *knots);
     wcut_curve *curve = NULL;
     int n = 0;
+
+    /* neighbours in one place are one point */
     if (control && knots) {
         for (int k = 0; k < count; k++) {
             const wcut_vec3 p = point[k], q = n ? control[n - 1] : p;
             if (n == 0 || p.x != q.x || p.y != q.y || p.z != q.z) control[n++] = p;
         }
+
+        /* a line of degree 1, its parameter counts the points */
         knots[0] = 0;
         for (int k = 0; k < n; k++) knots[k + 1] = k;
         knots[n + 1] = n - 1;
@@ -318,6 +326,7 @@ wcut_curve *wcut_curves_polyline(wcut_curve_reader *r, const char *place, int co
     } else {
         wcut_curves_refuse_memory(r);
     }
+
     free(knots);
     free(control);
     return curve;

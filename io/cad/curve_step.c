@@ -39,6 +39,8 @@ static wcut_curve *make_line(wcut_step_source *s, long id, const char *list, con
     char place[32];
     wcut_vec3 end[2] = {p->point[0], p->point[1]};
     snprintf(place, sizeof place, "#%ld", id);
+
+    /* without end points: the line's origin, direction and magnitude at both parameters */
     if (!p->has_points) {
         long at = 0, vector = 0, along = 0;
         wcut_vec3 origin, d;
@@ -54,6 +56,7 @@ static wcut_curve *make_line(wcut_step_source *s, long id, const char *list, con
             end[k] = (wcut_vec3){origin.x + t * d.x, origin.y + t * d.y, origin.z + t * d.z};
         }
     }
+
     return wcut_curves_polyline(s->reader, place, 2, end);
 }
 
@@ -330,6 +333,8 @@ static bool add_set(wcut_step_source *s, long id, const char *list) {
                                            "RECTANGULAR_TRIMMED_SURFACE",
                                            "CURVE_BOUNDED_SURFACE",
                                            "PLANE"};
+
+    /* points, placements and surfaces of a set are no curves */
     for (const char *item = wcut_p21_item(wcut_p21_item(list, 1), 0); item; item = wcut_p21_next(item)) {
         long at = 0;
         bool is_curve = true;
@@ -365,6 +370,8 @@ static bool add_edge(wcut_step_source *s, const wcut_p21_instance *at, const cha
 static bool spread(wcut_step_source *s, long id, int first, int places, const wcut_step_place *place) {
     wcut_curve_set *set = s->reader->set;
     const int count = set->count - first;
+
+    /* from the last place to the first, which takes the curves themselves */
     for (int p = places - 1; p >= 0; p--)
         for (int k = 0; k < count; k++) {
             wcut_curve *curve = set->curve[first + k];

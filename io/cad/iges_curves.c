@@ -174,6 +174,8 @@ wcut_curve *wcut_iges_curve(wcut_iges *f, const wcut_iges_entry *e) {
     wcut_curve *curve = NULL;
     if (!wcut_iges_open(f, e, &c)) return NULL;
     snprintf(place, sizeof place, "line %d", e->at + 1);
+
+    /* by the number of the type */
     if (e->type == 126)
         curve = read_spline(f, e, &c, place);
     else if (e->type == 110 && e->form == 0)
@@ -186,6 +188,7 @@ wcut_curve *wcut_iges_curve(wcut_iges *f, const wcut_iges_entry *e) {
         curve = read_string(f, e, &c, place);
     else
         leave_out(f, e);
+
     if (!curve || wcut_iges_transform(f, e, curve)) return curve;
     wcut_curve_destroy(curve);
     return NULL;

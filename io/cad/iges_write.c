@@ -182,6 +182,8 @@ static bool is_closed(const wcut_surface *s, bool along_u) {
 
 static void put_surface(iges *f, const wcut_surface *s, long name) {
     const size_t count = (size_t)s->count_u * (size_t)s->count_v;
+
+    /* counts, degrees, closed, rational, periodic */
     put_integer(f, 128, ',');
     put_integer(f, s->count_u - 1, ',');
     put_integer(f, s->count_v - 1, ',');
@@ -192,10 +194,14 @@ static void put_surface(iges *f, const wcut_surface *s, long name) {
     put_integer(f, s->weights == NULL, ',');
     put_integer(f, 0, ',');
     put_integer(f, 0, ',');
+
+    /* knots, weights, control points */
     put_reals(f, s->knots_u, (size_t)s->count_u + (size_t)s->degree_u + 1);
     put_reals(f, s->knots_v, (size_t)s->count_v + (size_t)s->degree_v + 1);
     put_weights(f, s->weights, count);
     put_reals(f, &s->control->x, 3 * count);
+
+    /* the domain in both directions */
     put_real(f, s->knots_u[s->degree_u], ',');
     put_real(f, s->knots_u[s->count_u], ',');
     put_real(f, s->knots_v[s->degree_v], ',');
@@ -254,6 +260,8 @@ static wcut_status write_all(wcut_file *file, wcut_text *text, int count, const 
     const long global = put_head(&f, shape[0].name), entities = 2L * count;
     const uint64_t directory = (uint64_t)(1 + global) * LINE;
     wcut_text_flush(text);
+
+    /* the directory's entries go before the data, where room is left for them */
     wcut_file_seek(file, directory + (uint64_t)entities * 2 * LINE);
     begin_section(&f, 'P', DATA);
     for (long k = 0; k < entities; k++) {
@@ -263,10 +271,13 @@ static wcut_status write_all(wcut_file *file, wcut_text *text, int count, const 
         print_entry(two, &e, 2 * k + 1);
         wcut_file_write_at(file, directory + (uint64_t)k * 2 * LINE, two, sizeof two);
     }
+
+    /* the lines of each section */
     const long data = f.sequence - 1;
     begin_section(&f, 'T', GLOBAL);
     f.used = snprintf(f.line, sizeof f.line, "S%7dG%7ldD%7ldP%7ld", 1, global, 2 * entities, data);
     end_line(&f);
+
     wcut_text_flush(text);
     return wcut_file_commit(file, error);
 }

@@ -17,13 +17,19 @@ static void put_truth(wcut_text *text, const char *before, int value) {
 static void put_half(wcut_text *text, const char *name, const wcut_half *half) {
     const wcut_half_report *r = &half->report;
     wcut_text_print(text, ",\n  \"%s\": {", name);
+
+    /* whether it is a solid */
     put_truth(text, "\"closed\": ", r->closed);
     put_truth(text, ", \"oriented\": ", r->oriented);
     wcut_text_print(text, ", \"self_intersections\": %d, \"pieces\": %d", r->self_intersections, r->pieces);
+
+    /* volume, areas, triangles */
     wcut_text_put_number(text, ",\n    \"volume_mm3\": ", r->volume);
     wcut_text_put_number(text, ", \"area_mm2\": ", r->area);
     wcut_text_put_number(text, ", \"cut_area_mm2\": ", r->cut_area);
     wcut_text_print(text, ", \"triangles\": %d", half->mesh->triangle_count);
+
+    /* box, drafts, walls, edges */
     wcut_text_put_point(text, ",\n    \"box_mm\": [[", r->box_low);
     wcut_text_put_point(text, ", [", r->box_high);
     wcut_text_put_number(text, "],\n    \"draft_deg\": {\"min\": ", WCUT_DEG_PER_RAD * r->draft_min);
@@ -35,11 +41,13 @@ static void put_half(wcut_text *text, const char *name, const wcut_half *half) {
     put_truth(text, ", \"held\": ", r->wall_held);
     wcut_text_put_number(text, "},\n    \"edge_deg\": {\"min\": ", WCUT_DEG_PER_RAD * r->edge_min);
     wcut_text_put_point(text, ", \"at_mm\": [", r->edge_place);
+
     wcut_text_put_number(text, "},\n    \"keys_mm3\": ", r->key_volume);
     wcut_text_print(text, ", \"exact_faces\": %d}", half->brep ? half->brep->face_count : 0);
 }
 
 static void put_cut(wcut_text *text, const wcut_mould *m) {
+    /* volumes and their balance, kerf, errors */
     wcut_text_put_number(text, ",\n  \"kerf_volume_mm3\": ", m->kerf_volume);
     wcut_text_put_number(text, ",\n  \"block_volume_mm3\": ", m->block_volume);
     wcut_text_put_number(text, ",\n  \"volume_error\": ", m->volume_error);
@@ -47,12 +55,16 @@ static void put_cut(wcut_text *text, const wcut_mould *m) {
     wcut_text_put_number(text, ", \"max\": ", m->kerf_max);
     wcut_text_put_number(text, "},\n  \"fit_error_mm\": ", m->fit_error);
     wcut_text_put_number(text, ",\n  \"chord_error_mm\": ", m->chord_error);
+
+    /* how far the cut was prolonged, its smallest radius */
     wcut_text_put_number(text, ",\n  \"prolonged_mm\": {\"entry\": ", m->prolonged_entry);
     wcut_text_put_number(text, ", \"exit\": ", m->prolonged_exit);
     wcut_text_put_number(text, ", \"wire\": ", m->prolonged_side);
     wcut_text_put_number(text, "},\n  \"radius_mm\": {\"min\": ", m->radius_min);
     wcut_text_put_point(text, ", \"at_mm\": [", m->radius_place);
     wcut_text_put_number(text, ", \"wire\": ", m->wire_radius);
+
+    /* what was asked for, and how the halves were made */
     wcut_text_put_number(text, "},\n  \"asked\": {\"wall_mm\": ", m->wall_asked);
     wcut_text_put_number(text, ", \"draft_deg\": ", WCUT_DEG_PER_RAD * m->draft_asked);
     wcut_text_put_number(text, ", \"scale\": ", m->scale);

@@ -68,6 +68,7 @@ static bool is_border(const wcut_curve *c, const wcut_surface *s, int side) {
 /* the straight line in the surface's parameters that a border is; 0 where the curve is none */
 static wcut_id put_pcurve(wcut_part21 *p, const wcut_curve *c, const wcut_surface *s, wcut_id surface,
                           wcut_id context) {
+    /* the side of the surface that the curve runs along, and its parameter there */
     int side = 0;
     while (side < 4 && !is_border(c, s, side)) side++;
     if (side == 4) return 0;
@@ -76,6 +77,8 @@ static wcut_id put_pcurve(wcut_part21 *p, const wcut_curve *c, const wcut_surfac
                       : side == 1 ? s->knots_u[s->count_u]
                       : side == 2 ? s->knots_v[s->count_v]
                                   : s->knots_u[s->degree_u];
+
+    /* a straight line in the plane of parameters */
     const double start[2] = {along_u ? 0 : at, along_u ? at : 0};
     const wcut_id point = wcut_p21_begin(p);
     wcut_text_print(p->text, "CARTESIAN_POINT('',");
@@ -245,6 +248,8 @@ wcut_id wcut_step_shell(wcut_part21 *p, const char *name, const wcut_surface *s,
     wcut_vec3 *room = wcut_alloc(2 * rows, sizeof *room);
     double *weight = wcut_alloc(2 * rows, sizeof *weight);
     wcut_id id = 0;
+
+    /* the four borders as edges of one face */
     if (room && weight) {
         wcut_curve side[4];
         for (int k = 0; k < 4; k++) side[k] = border(s, k, room + (k == 3 ? rows : 0), weight + (k == 3 ? rows : 0));
@@ -253,6 +258,7 @@ wcut_id wcut_step_shell(wcut_part21 *p, const char *name, const wcut_surface *s,
         wcut_brep_coedge coedge[4] = {{0, 0}, {1, 0}, {2, 1}, {3, 1}};
         wcut_brep_loop loop = {0, 4};
         wcut_brep_face face = {.surface = (wcut_surface *)s, .same_sense = 1, .loop_count = 1};
+
         const wcut_brep sheet = {4, 4, 4, 1, 1, vertex, edge, coedge, &loop, &face};
         const wcut_id shell = put_shell(p, &sheet, "OPEN_SHELL", plane_context);
         if (shell) id = put_named(p, "SHELL_BASED_SURFACE_MODEL", name, true, shell);

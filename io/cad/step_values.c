@@ -148,15 +148,21 @@ bool wcut_step_placement(wcut_step_source *s, long id, wcut_vec3 *origin, wcut_v
     const char *list = body ? wcut_p21_record(body, "AXIS2_PLACEMENT_3D") : NULL;
     long at = 0, axis = 0, ref = 0;
     wcut_vec3 z = {0, 0, 1}, r = {1, 0, 0};
+
+    /* origin and axis, which is z unless it is told */
     if (!wcut_p21_read_reference(wcut_p21_item(list, 1), &at))
         return wcut_step_refuse(s, id, "no placement, expected an AXIS2_PLACEMENT_3D");
     if (!wcut_step_point(s, at, origin)) return false;
     if (wcut_p21_read_reference(wcut_p21_item(list, 2), &axis) && !wcut_step_direction(s, axis, &z)) return false;
+
+    /* the direction of reference, or any that is not the axis */
     if (wcut_p21_read_reference(wcut_p21_item(list, 3), &ref)) {
         if (!wcut_step_direction(s, ref, &r)) return false;
     } else if (fabs(z.x) > 0.9) {
         r = (wcut_vec3){0, 1, 0};
     }
+
+    /* the axes at right angles */
     *y = cross(z, r);
     const double size = sqrt(y->x * y->x + y->y * y->y + y->z * y->z);
     if (!(size > 1e-9)) return wcut_step_refuse(s, id, "a placement whose axes are parallel");
@@ -268,10 +274,14 @@ wcut_curve *wcut_step_read_spline(wcut_step_source *s, long id, const char *body
     const spline at = find_attributes(body);
     int degree = 0, count = 0;
     char place[32];
+
+    /* degree and control points */
     if (!wcut_p21_read_integer(at.degree, 1, 1000, &degree)) return wcut_step_refuse(s, id, "no degree"), NULL;
     if (degree > WCUT_DEGREE_MAX) return wcut_curves_leave_out(s->reader, "a degree above 7"), NULL;
     wcut_vec3 *control = read_points(s, id, at.points, &count);
     if (!control) return NULL;
+
+    /* knots, listed or implied, and weights */
     const size_t total = (size_t)count + (size_t)degree + 1;
     double *knot = wcut_alloc(total + (size_t)count, sizeof *knot);
     wcut_curve *curve = NULL;
@@ -282,6 +292,7 @@ wcut_curve *wcut_step_read_spline(wcut_step_source *s, long id, const char *body
                                       : imply_knots(s, id, at.kind, degree, count, knot)) &&
              (!at.weights || read_weights(s, id, at.weights, count, knot + total)))
         curve = wcut_curves_make(s->reader, place, degree, count, knot, control, at.weights ? knot + total : NULL);
+
     free(knot);
     free(control);
     return curve;

@@ -105,6 +105,8 @@ static int begin(wcut_file *file) {
 
 wcut_status wcut_file_create(const char *path, wcut_file **file, wcut_error *error) {
     if (!path) return wcut_fail(error, WCUT_BAD_ARGUMENT, "the path of an output is NULL");
+
+    /* the file's own copies, before anything is on disk */
     wcut_file *made = wcut_alloc(1, sizeof *made);
     char *label = wcut_alloc(strlen(path) + 1, 1);
     if (!made || !label) {
@@ -115,6 +117,8 @@ wcut_status wcut_file_create(const char *path, wcut_file **file, wcut_error *err
     memcpy(label, path, strlen(path) + 1);
     made->label = label;
     made->folder = made->fd = -1;
+
+    /* the temporary beside the target */
     errno = 0;
     int code = begin(made);
     if (code) {
@@ -123,6 +127,7 @@ wcut_status wcut_file_create(const char *path, wcut_file **file, wcut_error *err
         wcut_file_destroy(made);
         return status;
     }
+
     *file = made;
     return WCUT_OK;
 }

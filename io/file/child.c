@@ -145,6 +145,8 @@ wcut_child_end wcut_child_run(wcut_child_work *work, void *context, const wcut_c
     int ends[2];
     *data = NULL;
     *length = 0;
+
+    /* the child works behind its limits and writes into the pipe */
     if (pipe(ends) != 0) return (wcut_child_end){WCUT_CHILD_NOT_STARTED, errno};
     const pid_t child = fork();
     if (child == 0) {
@@ -152,11 +154,15 @@ wcut_child_end wcut_child_run(wcut_child_work *work, void *context, const wcut_c
         if (!confine(ends[1], limits)) _exit(CANNOT_CONFINE);
         _exit(work(ends[1], context));
     }
+
+    /* the parent reads until the end, the limit or the deadline */
     const int code = errno;
     wcut_child_end end = {WCUT_CHILD_NOT_STARTED, code};
     close(ends[1]);
     if (child > 0) end = reap(child, collect(ends[0], limits, data, length));
     close(ends[0]);
+
+    /* what a failed child wrote is not handed out */
     if (end.how != WCUT_CHILD_DONE) {
         free(*data);
         *data = NULL;

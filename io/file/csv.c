@@ -244,6 +244,8 @@ static wcut_status name_column(scanner *s, int c) {
 static wcut_status read_header(scanner *s) {
     s->field = s->at;
     if (!next_row(s)) return s->field = s->at, refuse(s, -1, "no header", "a row with the names of the columns");
+
+    /* names up to the end of the row */
     s->table->column = wcut_alloc(WCUT_CSV_COLUMNS_MAX, sizeof *s->table->column);
     if (!s->table->column) return refuse_memory(s);
     for (int c = 0;; c++) {
@@ -254,6 +256,8 @@ static wcut_status read_header(scanner *s) {
         if (*s->at != ',') break;
         s->at++;
     }
+
+    /* a row of numbers is no header */
     double first;
     const char *name = s->table->column[0].name;
     if (name[0] && *wcut_decimal_read(name, &first) == '\0')
@@ -304,6 +308,8 @@ wcut_status wcut_csv_parse(const char *text, size_t length, const char *label, i
     s.known_count = numeric_count;
     s.table = wcut_alloc(1, sizeof *s.table);
     if (!s.table) return refuse_memory(&s);
+
+    /* a byte order mark of UTF-8 is passed over */
     if (length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) s.at += 3;
     s.line_start = s.field = s.at;
 
@@ -313,6 +319,7 @@ wcut_status wcut_csv_parse(const char *text, size_t length, const char *label, i
     if (status == WCUT_OK) status = read_header(&s);
     if (status == WCUT_OK) status = make_columns(&s, numeric_count, numeric);
     if (status == WCUT_OK) status = read_rows(&s);
+
     free(s.numeric);
     free(s.scratch);
     if (status == WCUT_OK)

@@ -48,6 +48,8 @@ static wcut_status read_all(int fd, const char *path, size_t max, char **text, s
     size_t capacity = first_size(fd, max), used = 0;
     *text = wcut_alloc(capacity, 1);
     if (!*text) return refuse_memory(error, path);
+
+    /* until the end of the file, with twice the room where it is full */
     for (;;) {
         ssize_t n = read(fd, *text + used, capacity - used - 1);
         if (n < 0 && errno == EINTR) continue;
@@ -61,6 +63,7 @@ static wcut_status read_all(int fd, const char *path, size_t max, char **text, s
         if (!grown) return refuse_memory(error, path);
         *text = grown;
     }
+
     (*text)[used] = '\0';
     *length = used;
     return WCUT_OK;

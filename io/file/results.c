@@ -336,16 +336,21 @@ static wcut_status commit(wcut_results *r, const char *voucher, const char *text
     wcut_status status = journal.entry ? WCUT_OK : fail_memory(error);
     char *printed = NULL;
     int locked;
+
+    /* the voucher is complete before anything is moved */
     if (status == WCUT_OK) status = print_voucher(r, voucher, text, &printed, error);
     if (status == WCUT_OK) {
         const char *path = wcut_results_path(r, voucher);
         status = path ? wcut_file_write_whole(path, printed, strlen(printed), error) : fail_memory(error);
     }
+
+    /* all results take their places under the folder's lock */
     if (status == WCUT_OK) status = wcut_results_enter(r->folder, r->fd, r->temporary, &locked, error);
     if (status == WCUT_OK) {
         status = publish(r, voucher, &journal, error);
         wcut_results_leave(r->fd, locked);
     }
+
     wcut_free(journal.entry);
     if (status == WCUT_OK && whole)
         *whole = printed;

@@ -25,6 +25,8 @@ static uint32_t rotate(uint32_t x, int n) { return x >> n | x << (32 - n); }
 /* 6.2.2: one block of 64 bytes */
 static void compress(uint32_t state[8], const uint8_t *block) {
     uint32_t w[64], s[8];
+
+    /* the message schedule */
     for (int t = 0; t < 16; t++, block += 4)
         w[t] = (uint32_t)block[0] << 24 | (uint32_t)block[1] << 16 | (uint32_t)block[2] << 8 | block[3];
     for (int t = 16; t < 64; t++) {
@@ -32,6 +34,8 @@ static void compress(uint32_t state[8], const uint8_t *block) {
         uint32_t high = rotate(w[t - 2], 17) ^ rotate(w[t - 2], 19) ^ w[t - 2] >> 10;
         w[t] = high + w[t - 7] + low + w[t - 16];
     }
+
+    /* 64 rounds */
     memcpy(s, state, sizeof s);
     for (int t = 0; t < 64; t++) {
         uint32_t e = rotate(s[4], 6) ^ rotate(s[4], 11) ^ rotate(s[4], 25);
@@ -42,6 +46,8 @@ static void compress(uint32_t state[8], const uint8_t *block) {
         s[4] += t1;
         s[0] = t1 + t2;
     }
+
+    /* the intermediate hash */
     for (int i = 0; i < 8; i++) state[i] += s[i];
 }
 

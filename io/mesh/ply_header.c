@@ -100,11 +100,15 @@ bool wcut_ply_header(wcut_source *s, wcut_ply *m) {
     for (const char *line; (line = wcut_row_peek(s, &length)) != NULL; wcut_row_done(s, length)) {
         const char *p = wcut_skip_blanks(line), *rest = next_word(p);
         bool read = true;
+
+        /* the header ends once the format is known */
         if (wcut_row_has_word(p, "end_header")) {
             if (!seen) return wcut_source_refuse_text(s, line, p, "a format before it");
             wcut_row_done(s, length);
             return true;
         }
+
+        /* a line by its first word */
         if (wcut_row_has_word(p, "format"))
             read = read_format(s, line, rest, m, &seen);
         else if (wcut_row_has_word(p, "element"))
@@ -116,5 +120,6 @@ bool wcut_ply_header(wcut_source *s, wcut_ply *m) {
             read = wcut_source_refuse_text(s, line, p, "a word of a PLY header");
         if (!read) return false;
     }
+
     return s->failure.status == WCUT_OK && wcut_source_refuse_end(s, "end_header");
 }

@@ -30,6 +30,8 @@ static wcut_status read_cut(const wcut_table *table, const int *place, int weigh
                             wcut_test_cut *cut, wcut_error *error) {
     double value[KNOWN];
     int line = table->line[row];
+
+    /* numbers that must be there, all but the angle positive */
     for (int k = 0; k < KNOWN; k++) {
         const wcut_column *column = &table->column[place[k]];
         value[k] = column->value[row];
@@ -39,11 +41,14 @@ static wcut_status read_cut(const wcut_table *table, const int *place, int weigh
             return refuse(error, path, line, column->name,
                           "found a number that is not positive, expected a positive one");
     }
+
+    /* the angle of the wire, the weight of the cut */
     if (!(fabs(value[ALPHA]) < 90))
         return refuse(error, path, line, known_column[ALPHA].name, "found an angle of 90 deg or more, expected less");
     double mass = weight >= 0 ? table->column[weight].value[row] : 1;
     if (!(mass > 0))
         return refuse(error, path, line, table->column[weight].name, "found no positive weight, expected one");
+
     double alpha = value[ALPHA] * WCUT_RAD_PER_DEG;
     *cut = (wcut_test_cut){value[HEAT], value[SPEED], value[ENGAGED], value[TENSION], value[TENSION], alpha, alpha,
                            mass,        line};

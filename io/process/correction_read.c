@@ -43,6 +43,8 @@ static bool read_correction(wcut_reader *reader, const wcut_place *root, filling
                                         {"length_change_mm", true, wcut_read_finite, IN(length_change)},
                                         {"kerf", false, read_kerf, offsetof(filling, made)},
                                         {"effects", false, read_effects, 0}};
+
+    /* a diagnosis, which may withhold its correction and say why */
     const wcut_place format = wcut_place_member(root, "format"), at = wcut_place_member(root, "correction");
     const char *name = json_string_value(format.value);
     if (!name || strcmp(name, FORMAT) != 0) return wcut_refuse(reader, &format, WCUT_BAD_FORMAT, "\"" FORMAT "\"");
@@ -54,6 +56,7 @@ static bool read_correction(wcut_reader *reader, const wcut_place *root, filling
         reader->status = WCUT_BAD_ARGUMENT;
         return false;
     }
+
     of->made.kerf = (double)NAN;
     return wcut_read_object(reader, &at, fields, sizeof fields / sizeof *fields, of);
 }

@@ -70,6 +70,8 @@ bool wcut_read_curve(wcut_reader *reader, const wcut_place *at, void *into) {
     curve_text c = {0};
     wcut_curve *curve = NULL;
     bool ok = read_curve_text(reader, at, &c);
+
+    /* a curve through points, or by its control points */
     if (ok) {
         wcut_status status = c.point ? wcut_curve_interpolate(c.points, c.point, &curve)
                                      : wcut_curve_create(c.degree, c.controls, c.knot, c.control, c.weight, &curve);
@@ -80,6 +82,7 @@ bool wcut_read_curve(wcut_reader *reader, const wcut_place *at, void *into) {
                                        "knots that do not decrease, span a domain, and repeat at most degree times "
                                        "inside it");
     }
+
     free(c.point);
     free(c.control);
     free(c.knot);

@@ -50,17 +50,23 @@ static void put_lack_of_fit(wcut_text *text, const wcut_law_fit *fit) {
 static void put_law(wcut_text *text, const char *name, int parameters, const wcut_law_fit *fit,
                     const wcut_calibration *c, double confidence) {
     const double value[3] = {fit->a, fit->b, fit->c};
+
+    /* values, standard errors, covariances */
     wcut_text_print(text, ",\n  \"%s\": ", name);
     put_keyed(text, parameters, value);
     wcut_text_put_word(text, ",\n    \"standard_error\": ");
     put_keyed(text, parameters, fit->standard_error);
     wcut_text_put_word(text, "},\n    \"covariance\": ");
     put_covariance(text, parameters, fit);
+
+    /* confidence and the intervals it gives, the range that was cut */
     wcut_text_put_number(text, ",\n    \"confidence\": ", confidence);
     wcut_text_put_word(text, ", \"interval\": ");
     put_intervals(text, parameters, fit);
     wcut_text_put_number(text, ",\n    \"range_J_per_m2\": [", c->q_eff_low);
     wcut_text_put_number(text, ", ", c->q_eff_high);
+
+    /* scatter and the tests of the fit */
     wcut_text_put_number(text, "],\n    \"scale\": ", fit->scale);
     wcut_text_print(text, ", \"degrees\": %d", fit->degrees);
     if (parameters > 2) wcut_text_print(text, ", \"c_held\": %s", fit->c_held ? "true" : "false");

@@ -35,6 +35,8 @@ static wcut_status check(const wcut_recording *r, const char *note, wcut_error *
     if (r->samples < 1) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a recording: expected at least one sample");
     if (note && strpbrk(note, "\r\n"))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "a recording's note: expected one line");
+
+    /* required channels are there, values are finite */
     for (int k = 0; k < WCUT_CHANNEL_COUNT; k++) {
         const wcut_column *c = &r->channel[k];
         const char *name = wcut_channel_name((wcut_channel)k);
@@ -44,6 +46,8 @@ static wcut_status check(const wcut_recording *r, const char *note, wcut_error *
             if (is_there(c, i) && !isfinite(c->value[i]))
                 return wcut_fail(error, WCUT_BAD_ARGUMENT, "sample %d: %s: expected a finite number", i, name);
     }
+
+    /* times increase in the digits that are written */
     const wcut_column *time = &r->channel[WCUT_CHANNEL_TIME];
     for (int i = 0; i < r->samples; i++)
         if (!is_there(time, i) ||

@@ -158,6 +158,8 @@ static bool are_usable(int n, const wcut_scored_cut *cut) {
 wcut_status wcut_score_print(int n, const wcut_scored_cut *cut, const wcut_comparison_options *options, char **text) {
     if (!are_usable(n, cut) || !text) return WCUT_BAD_ARGUMENT;
     const wcut_comparison_options o = options ? *options : wcut_comparison_options_default();
+
+    /* room for the comparisons in a row */
     const wcut_comparison **comparison = wcut_alloc((size_t)n, sizeof *comparison);
     wcut_text out;
     if (!comparison || !wcut_text_create(&out, NULL)) {
@@ -165,6 +167,8 @@ wcut_status wcut_score_print(int n, const wcut_scored_cut *cut, const wcut_compa
         return WCUT_NO_MEMORY;
     }
     for (int i = 0; i < n; i++) comparison[i] = cut[i].comparison;
+
+    /* options, means, cases, cuts */
     wcut_text_print(&out, "{\n  \"format\": \"wirecut-score/1\",\n  \"version\": \"%s\"", WCUT_VERSION);
     put_options(&out, &o);
     wcut_text_put_word(&out, ",\n  \"mean\": {");
@@ -174,6 +178,7 @@ wcut_status wcut_score_print(int n, const wcut_scored_cut *cut, const wcut_compa
     wcut_text_put_word(&out, ",\n  \"cuts\": [");
     for (int i = 0; i < n; i++) put_cut(&out, &cut[i], i == 0);
     wcut_text_put_word(&out, "]\n}\n");
+
     free(comparison);
     return wcut_text_finish(&out, text, NULL);
 }
@@ -232,6 +237,8 @@ static void put_value(wcut_text *text, bool there, double value) {
 static void put_row(wcut_text *text, const wcut_scored_cut *cut, int i) {
     const wcut_comparison *c = cut->comparison;
     const wcut_column *channel = cut->samples->channel, *station = &channel[WCUT_CHANNEL_STATION];
+
+    /* which sample of which cut */
     put_field(text, cut->of_case ? cut->of_case : "");
     wcut_text_put_word(text, ",");
     put_field(text, cut->name);
@@ -239,6 +246,8 @@ static void put_row(wcut_text *text, const wcut_scored_cut *cut, int i) {
     const bool placed = !station->present || station->present[i];
     put_value(text, placed, station->value[i]);
     wcut_text_print(text, ",%s,%d", placed ? wcut_phase_name(c->phase[i]) : "", c->counted[i]);
+
+    /* each signal: measured, planned, replayed, and what is between */
     for (int k = 0; k < WCUT_SIGNAL_COUNT; k++) {
         const wcut_column *x = &channel[WCUT_CHANNEL_SPEED_A + k];
         const double unit = k < 4 ? 1 : WCUT_DEG_PER_RAD;
@@ -251,6 +260,7 @@ static void put_row(wcut_text *text, const wcut_scored_cut *cut, int i) {
         put_value(text, replayed, c->replayed->value[k][i] * unit);
         put_value(text, measured && replayed, (x->value[i] - c->replayed->value[k][i]) * unit);
     }
+
     wcut_text_put_word(text, "\n");
 }
 

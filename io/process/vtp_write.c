@@ -81,6 +81,7 @@ static void put_section(wcut_text *text, const wcut_vtp_stream *s, int m, const 
 
 /* everything before the first array, for m stations */
 static void put_header(wcut_text *text, const wcut_vtp_stream *s, int m) {
+    /* what the numbers stand for */
     wcut_text_print(
         text,
         "<?xml version=\"1.0\"?>\n<!-- wirecut %s. Units: mm, s, N, deg. One polyline a station, its points "
@@ -93,6 +94,8 @@ static void put_header(wcut_text *text, const wcut_vtp_stream *s, int m) {
     for (int k = WCUT_CONDITION_TENSION; k <= WCUT_CONDITION_TIME; k++)
         wcut_text_print(text, " %d %s%s", k, wcut_condition_name((wcut_condition)k),
                         k < WCUT_CONDITION_TIME ? "," : ". -->\n");
+
+    /* the arrays and where each begins */
     wcut_text_print(text,
                     "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
                     "  <PolyData>\n    <Piece NumberOfPoints=\"%lld\" NumberOfVerts=\"0\" NumberOfLines=\"%d\" "
@@ -102,6 +105,7 @@ static void put_header(wcut_text *text, const wcut_vtp_stream *s, int m) {
     put_section(text, s, m, "CellData Scalars=\"time_s\"", FIRST_REAL, COORDINATES);
     put_section(text, s, m, "Points", COORDINATES, CONNECTIVITY);
     put_section(text, s, m, "Lines", CONNECTIVITY, ARRAYS);
+
     wcut_text_print(text, "    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n_");
 }
 
@@ -125,6 +129,8 @@ wcut_status wcut_vtp_stream_create(const char *path, int stations, int nodes, wc
     if (!path || !stream || stations < 1 || nodes < 2)
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "a .vtp: found %d stations of %d nodes, expected at least 1 of at least 2", stations, nodes);
+
+    /* room for the numbers of all stations */
     wcut_vtp_stream *made = wcut_alloc(1, sizeof *made);
     if (!made) return no_memory(error);
     made->max = stations;
@@ -132,12 +138,14 @@ wcut_status wcut_vtp_stream_create(const char *path, int stations, int nodes, wc
     made->real = wcut_alloc((size_t)stations * REALS, sizeof *made->real);
     made->integer = wcut_alloc((size_t)stations * INTEGERS, sizeof *made->integer);
     made->along = wcut_alloc((size_t)nodes, sizeof *made->along);
+
     wcut_status status =
         made->real && made->integer && made->along ? wcut_file_create(path, &made->file, error) : no_memory(error);
     if (status != WCUT_OK) {
         wcut_vtp_stream_destroy(made);
         return status;
     }
+
     *stream = made;
     return WCUT_OK;
 }
@@ -186,6 +194,8 @@ static void write_row(wcut_vtp_stream *s, int k, const void *values) {
 
 wcut_status wcut_vtp_stream_append(wcut_vtp_stream *s, const wcut_station *station, wcut_error *error) {
     if (!s || !station) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a .vtp: stream or station is NULL");
+
+    /* a station that fits behind the others */
     double real[REALS];
     list_reals(station, real);
     if (s->count == s->max)
@@ -193,10 +203,14 @@ wcut_status wcut_vtp_stream_append(wcut_vtp_stream *s, const wcut_station *stati
     if (!is_usable(s, station, real))
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "a .vtp, station %d: expected %d nodes, every array and finite numbers", s->count, s->nodes);
+
+    /* the first one begins the file */
     wcut_status status = s->count == 0 ? begin(s, station, error) : WCUT_OK;
     if (status != WCUT_OK) return status;
     memcpy(s->along, station->tension, (size_t)(s->nodes - 1) * sizeof(double));
     s->along[s->nodes - 1] = s->along[s->nodes - 2];
+
+    /* arrays of nodes go to disk at once, numbers of stations at the end */
     const void *field[FIELDS] = {station->force, station->force_line, station->speed, s->along, station->engaged};
     for (int k = 0; k < FIELDS; k++)
         if (is_there(s, k)) write_row(s, k, field[k]);
@@ -205,6 +219,7 @@ wcut_status wcut_vtp_stream_append(wcut_vtp_stream *s, const wcut_station *stati
                                        station->substeps};
     memcpy(s->real + (size_t)s->count * REALS, real, sizeof real);
     memcpy(s->integer + (size_t)s->count * INTEGERS, integer, sizeof integer);
+
     s->count++;
     return wcut_file_check(s->file, error);
 }

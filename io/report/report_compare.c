@@ -74,10 +74,14 @@ static void add_shares(page *p, const wcut_statistics *a, const wcut_statistics 
 static void fill_figures(page *p) {
     const wcut_deviation_summary_result *x = p->c->found, *y = p->c->unmoved;
     const wcut_statistics *a = &x->statistics, *b = &y->statistics;
+
+    /* counts */
     add_figure(p, "deviations", "", a->count, b->count);
     add_figure(p, "points outside the face", "", x->place[WCUT_PLACE_BEYOND], y->place[WCUT_PLACE_BEYOND]);
     add_figure(p, "points with two equally near places", "", x->place[WCUT_PLACE_AMBIGUOUS],
                y->place[WCUT_PLACE_AMBIGUOUS]);
+
+    /* the distribution */
     add_length(p, "mean", a->mean, b->mean);
     add_length(p, "median", a->median, b->median);
     add_length(p, "standard deviation", a->std, b->std);
@@ -91,6 +95,8 @@ static void fill_figures(page *p) {
     add_length(p, "highest", a->max, b->max);
     add_length(p, "scan to face, largest (Hausdorff)", a->hausdorff, b->hausdorff);
     add_length(p, "profile, 2 max |d|", a->profile, b->profile);
+
+    /* a constant, the form and the noise */
     add_length(p, "constant offset", x->split.offset, y->split.offset);
     add_length(p, "form, RMS", x->split.form_rms, y->split.form_rms);
     add_length(p, "noise, RMS", x->split.noise_rms, y->split.noise_rms);
@@ -185,6 +191,8 @@ static bool fill_stations(page *p) {
     if (!p->value || !p->station) return false;
     for (int k = 0; k < vertices; k++) p->value[k] = c->present[k] ? c->value[k] : NAN;
     p->mean = p->station + rows, p->low = p->mean + rows, p->high = p->low + rows;
+
+    /* a row of the grid is a station */
     for (int s = 0; f && s < rows; s++) {
         int count = 0;
         double sum = 0, low = INFINITY, high = -INFINITY;

@@ -114,6 +114,8 @@ static wcut_report_table row_table(wcut_page_memory *memory, const wcut_report_d
     for (int k = 0; k < 4; k++) text[k] = wcut_page_take(memory, (size_t)g->rows, sizeof *text[k]);
     wcut_report_table table = {.title = "Rows of the maps", .columns = 4, .column = column};
     if (memory->failed) return table;
+
+    /* a row of the table for each run of rows of one channel */
     for (int from = 0, to; from < g->rows; from = to) {
         const wcut_residual_trace *first = g->row[from];
         double min = first->noise, max = first->noise;
@@ -128,6 +130,7 @@ static wcut_report_table row_table(wcut_page_memory *memory, const wcut_report_d
         text[2][r] = cuts;
         text[3][r] = wcut_page_text(memory, "%.2g .. %.2g %s", min, max, wcut_evidence_unit(first->channel));
     }
+
     static const char *const label[4] = {"rows", "channel", "cuts, in this order", "noise of a bin"};
     for (int k = 0; k < 4; k++) column[k] = (wcut_report_column){.label = label[k], .text = text[k]};
     return table;

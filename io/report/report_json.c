@@ -105,8 +105,12 @@ static void put_series(document *d, json_t *item, const wcut_report_series *seri
         d->failed = true;
         return;
     }
+
+    /* no more points than a screen shows */
     const int count = wcut_report_thin(series->count, series->y, max, index);
     const int *chosen = count < series->count ? index : NULL;
+
+    /* name and count, then the arrays */
     put_text(d, item, "label", series->label);
     put_text(d, item, "mark", mark[series->mark]);
     put_int(d, item, "total", series->count);
@@ -117,12 +121,15 @@ static void put_series(document *d, json_t *item, const wcut_report_series *seri
         put_array(d, item, "low", wcut_report_pool_add_doubles(d->pool, count, chosen, series->low));
         put_array(d, item, "high", wcut_report_pool_add_doubles(d->pool, count, chosen, series->high));
     }
+
     free(index);
 }
 
 static void put_chart(document *d, json_t *item, const wcut_report_chart *chart) {
     put_text(d, item, "title", chart->title);
     put_text(d, item, "note", chart->note);
+
+    /* one or two choices of abscissa, one ordinate */
     json_t *axes = put_list(d, item, "axes");
     for (int k = 0; k < 2 && chart->x_label[k]; k++) {
         json_t *axis = append_object(d, axes);
@@ -131,6 +138,8 @@ static void put_chart(document *d, json_t *item, const wcut_report_chart *chart)
     }
     put_text(d, item, "label", chart->y_label);
     put_unit(d, item, "unit", chart->y_unit);
+
+    /* the lines, then the spans shaded behind them */
     json_t *series = put_list(d, item, "series");
     for (int s = 0; s < chart->series_count; s++) put_series(d, append_object(d, series), &chart->series[s]);
     json_t *spans = put_list(d, item, "spans");
@@ -148,6 +157,7 @@ static const char *scale_text(wcut_report_scale scale) {
 }
 
 static void put_map(document *d, json_t *item, const wcut_report_map *map) {
+    /* title and axes */
     put_text(d, item, "title", map->title);
     put_text(d, item, "note", map->note);
     put_text(d, item, "x_label", map->x_label);
@@ -156,12 +166,15 @@ static void put_map(document *d, json_t *item, const wcut_report_map *map) {
     put_unit(d, item, "y_unit", map->y_unit);
     put_text(d, item, "label", map->label);
     put_unit(d, item, "unit", map->unit);
+
+    /* the scale of the colours, the arrays */
     put_text(d, item, "scale", scale_text(map->scale));
     put(d, item, "limit", json_real(map->limit));
     put_array(d, item, "x", wcut_report_pool_add_doubles(d->pool, map->columns, NULL, map->x));
     put_array(d, item, "y", wcut_report_pool_add_doubles(d->pool, map->rows, NULL, map->y));
     put_array(d, item, "value", wcut_report_pool_add_floats(d->pool, map->rows * map->columns, NULL, map->value));
     put(d, item, "blank_missing", json_boolean(map->blank_missing));
+
     json_t *bands = put_list(d, item, "bands");
     for (int i = 0; i < map->bands; i++) {
         json_t *band = append_object(d, bands);

@@ -51,12 +51,15 @@ static wcut_report_table motion_table(wcut_page_memory *m, const wcut_registrati
     wcut_report_column *column = take_columns(m, 3, WCUT_DOF_COUNT, &number);
     const char **unit = wcut_page_take(m, WCUT_DOF_COUNT, sizeof *unit);
     if (m->failed) return (wcut_report_table){0};
+
+    /* in the unit of each, mm or deg */
     for (int k = 0; k < WCUT_DOF_COUNT; k++) {
         const double to = k < 3 ? 1 : WCUT_DEG_PER_RAD;
         number[k] = r->parameter[k] * to;
         number[WCUT_DOF_COUNT + k] = sqrt(r->covariance[k * WCUT_DOF_COUNT + k]) * to;
         unit[k] = (r->determined[k] ? known : unknown)[k >= 3];
     }
+
     column[0] = (wcut_report_column){.label = "parameter", .text = name};
     for (int k = 0; k < 2; k++) column[k + 1].label = label[k];
     column[3] = (wcut_report_column){.label = "unit", .text = unit};
@@ -108,6 +111,8 @@ static wcut_report_table datum_table(wcut_page_memory *m, const wcut_compared *c
     wcut_report_column *column = take_columns(m, 7, c->datums, &number);
     const char **name = wcut_page_take(m, (size_t)c->datums, sizeof *name);
     if (!column || !name) return (wcut_report_table){0};
+
+    /* where the datum came to lie, and what is left */
     for (int k = 0; k < c->datums; k++) {
         const wcut_datum_residual *d = &c->datum[k];
         const double figure[7] = {d->moved.x,  d->moved.y,  d->moved.z, d->offset.x,
@@ -115,6 +120,7 @@ static wcut_report_table datum_table(wcut_page_memory *m, const wcut_compared *c
         name[k] = wcut_page_text(m, "%s %d", d->is_face ? "face" : "point", d->datum + 1);
         for (size_t f = 0; f < 7; f++) number[f * (size_t)c->datums + (size_t)k] = figure[f];
     }
+
     column[0] = (wcut_report_column){.label = "datum", .text = name};
     for (int f = 0; f < 7; f++) column[f + 1].label = label[f], column[f + 1].unit = "mm";
     return (wcut_report_table){.title = "Datums",
@@ -134,6 +140,8 @@ bool wcut_report_fill_registration(wcut_page_memory *m, const wcut_compared *c, 
     table[0] = point_table(m, c);
     *section = (wcut_report_section){.title = "Points", .table_count = 1, .table = table};
     if (!moved) return !m->failed;
+
+    /* the motion, how certain it is, and its matrix */
     table[1] = motion_table(m, r);
     table[2] = covariance_table(m, r);
     table[3] = matrix_table(m, r);
@@ -161,12 +169,15 @@ static wcut_report_table both_table(wcut_page_memory *m, const wcut_compared *c)
     double *number;
     wcut_report_column *column = take_columns(m, 3, ROWS, &number);
     if (!column) return (wcut_report_table){0};
+
+    /* the same figures from both sides */
     for (int k = 0; k < 2; k++) {
         const wcut_statistics *s = side[k];
         const double figure[ROWS] = {s->count, s->mean, s->median, s->std, s->rms,      s->mae,
                                      s->p01,   s->p99,  s->min,    s->max, s->hausdorff};
         for (int f = 0; f < ROWS; f++) number[k * ROWS + f] = figure[f];
     }
+
     column[0] = (wcut_report_column){.label = "figure", .text = name};
     column[1].label = "scan to face", column[2].label = "face to scan";
     column[3] = (wcut_report_column){.label = "unit", .text = unit};
@@ -186,12 +197,15 @@ static wcut_report_table hole_table(wcut_page_memory *m, const wcut_reconstructi
     wcut_report_column *column = take_columns(m, 4, rows, &number);
     const char **kind = wcut_page_take(m, (size_t)rows, sizeof *kind);
     if (m->failed) return (wcut_report_table){0};
+
+    /* the largest holes come first */
     for (int k = 0; k < rows; k++) {
         const wcut_hole *h = &r->hole[k];
         const double figure[] = {h->centre.x, h->centre.y, h->centre.z, h->area};
         for (int f = 0; f < 4; f++) number[f * rows + k] = figure[f];
         kind[k] = h->open ? "at the border" : "within the scan";
     }
+
     column[0] = (wcut_report_column){.label = "where", .text = kind};
     for (int f = 0; f < 4; f++) column[f + 1].label = label[f], column[f + 1].unit = unit[f];
     return (wcut_report_table){.title = "Holes in the scan",

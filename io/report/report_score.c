@@ -384,17 +384,22 @@ wcut_status wcut_report_score_write(const wcut_report_score *scored, const char 
     if (!scored || scored->cuts < 1 || !scored->cut || !path)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "report page: an argument is missing");
     page p = {.of = scored};
+
+    /* the cuts that are plotted */
     int compared = 0, shown = 0, sections = 1;
     for (int i = 0; i < scored->cuts; i++) compared += scored->cut[i].comparison != NULL;
     unsigned char *chosen = wcut_page_take(&p.memory, (size_t)scored->cuts, 1);
     if (chosen) shown = choose(scored, chosen);
     wcut_report_section *section = wcut_page_take(&p.memory, (size_t)shown + 1, sizeof *section);
+
+    /* an overview of all, then a section for each of those */
     char note[200] = "";
     if (shown < compared)
         snprintf(note, sizeof note, "Below are the %d cuts that fit worst; residuals.csv holds them all.", shown);
     if (section) fill_overview(&p, note, section);
     for (int i = 0; !p.memory.failed && chosen && section && i < scored->cuts; i++)
         if (chosen[i]) fill_section(&p, &scored->cut[i], &section[sections++]);
+
     const wcut_status status =
         p.memory.failed ? WCUT_NO_MEMORY : write_page(&p, compared, shown, sections, section, path, error);
     wcut_page_free(&p.memory);

@@ -58,6 +58,7 @@ static void fill_cloud(const wcut_report_shape *shape, wcut_report_view *view) {
 }
 
 wcut_status wcut_report_view_create(const wcut_report_shape *shape, int shapes, wcut_report_view *view) {
+    /* how many vertices there is room for, as text */
     const double base64 = 4.0 / 3.0, room = (double)WCUT_REPORT_VIEW_BYTES / shapes;
     const double vertex_size = base64 * sizeof(float) * (3 + shape->field_count);
     const double triangle_size = base64 * 3 * sizeof(int) * shape->triangle_count;

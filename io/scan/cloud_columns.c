@@ -262,6 +262,8 @@ const char *wcut_columns_choose(const char *option, int columns, int names, cons
     int fields = 0;
     wcut_columns c = {.column = {-1, -1, -1, -1, -1, -1}};
     double unit[3] = {0};
+
+    /* a column for each word of the option */
     for (const char *p = option;; p++) {
         const size_t n = strcspn(p, ",");
         wcut_cell word = trim(p, p + n);
@@ -273,6 +275,8 @@ const char *wcut_columns_choose(const char *option, int columns, int names, cons
         p += n;
         if (*p == '\0') break;
     }
+
+    /* a point, or a point and a normal, of one unit */
     if (fields != 3 && fields != WCUT_FIELDS) return expected;
     if (!agree(unit, &c.unit)) return "x, y and z in one unit";
     *chosen = c;

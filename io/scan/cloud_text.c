@@ -373,14 +373,20 @@ static bool fill_text(wcut_cloud_source *s, wcut_batch *b) {
 static bool read_header_line(wcut_cloud_source *s, const char *line, size_t length, header *h) {
     const char *p = wcut_skip_blanks(line);
     if (wcut_is_line_end(p)) return check_zero(s, line, length, p);
+
+    /* a unit may be told by any line */
     const double unit = wcut_unit_stated(p, length - (size_t)(p - line));
     const char *why = set_unit(s, unit);
     if (why) return wcut_source_refuse_text(&s->in, line, p, why);
+
+    /* a line without a comment's mark: the names of columns, or words before the data */
     if (!is_comment(p)) {
         if (++h->words > HEADER_LINES_MAX)
             return wcut_source_refuse_text(&s->in, line, p, "a row that begins with numbers");
         return unit > 0 || keep_header(s, line, length, false, h);
     }
+
+    /* a comment counts where it names the columns */
     if (h->words > 0) return true;
     wcut_cell *cell = wcut_alloc(WCUT_CELLS_MAX + 1, sizeof *cell);
     if (!cell) return wcut_source_refuse_memory(&s->in);

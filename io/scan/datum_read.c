@@ -37,6 +37,7 @@ static wcut_vec3 triple(const double *value) { return (wcut_vec3){value[0], valu
 
 /* false: the row is neither a pair nor a point on a face */
 static bool take(wcut_datums *d, const row *r) {
+    /* the scan's point, and one or three coordinates in the block */
     int block = 0, axis = 0;
     for (int k = 0; k < 3; k++) {
         if (!r->there[SCAN + k]) return false;
@@ -45,6 +46,8 @@ static bool take(wcut_datums *d, const row *r) {
     for (int k = 0; k < COLUMNS; k++)
         if (!(fabs(r->value[k]) <= FAR)) return false;
     if (r->value[SIGMA] < 0 || (block != 1 && block != 3)) return false;
+
+    /* three make a pair, one a face */
     const wcut_vec3 scan = triple(&r->value[SCAN]), place = triple(&r->value[BLOCK]);
     if (block == 3) {
         d->pair[d->pairs++] = (wcut_datum_pair){scan, place, r->value[SIGMA]};
@@ -53,6 +56,7 @@ static bool take(wcut_datums *d, const row *r) {
     const wcut_vec3 normal = {axis == 0, axis == 1, axis == 2};
     d->point[d->faces] = scan;
     d->face[d->faces] = (wcut_datum_face){place, normal, r->value[SIGMA], 1, &d->point[d->faces]};
+
     d->faces++;
     return true;
 }

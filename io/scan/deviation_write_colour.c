@@ -148,6 +148,8 @@ static bool is_there(const coloured *c, int i) { return !c->present || c->presen
 
 static void put_ply(wcut_text *text, const wcut_mesh *mesh, const void *context) {
     const coloured *c = context;
+
+    /* the header: units, the scale of the colours, what a vertex and a face have */
     wcut_text_print(text, "ply\nformat binary_little_endian 1.0\ncomment wirecut %s\ncomment units: mm, z up\ncomment ",
                     WCUT_VERSION);
     put_scale(text, c->limit);
@@ -155,6 +157,8 @@ static void put_ply(wcut_text *text, const wcut_mesh *mesh, const void *context)
                     mesh->vertex_count, mesh->normal ? normal_properties : "", value_properties);
     wcut_text_print(text, "element face %d\nproperty list uchar int vertex_indices\nend_header\n",
                     mesh->triangle_count);
+
+    /* vertices, then triangles */
     for (int i = 0; i < mesh->vertex_count; i++) {
         wcut_text_put(text, &mesh->vertex[i], sizeof mesh->vertex[i]);
         if (mesh->normal) wcut_text_put(text, &mesh->normal[i], sizeof mesh->normal[i]);
