@@ -139,7 +139,7 @@ TEST(numbers_are_the_shortest_and_know_no_locale) {
 }
 
 TEST(hostile_names_come_back_as_they_are) {
-    static const char name[] = "</script>\"\\ \n\t\x01\x7f {\"a\": 1}\r Fl\xc3\xbcgel \xf0\x9f\x94\xa5 %s%n";
+    static const char name[] = "</script>\"\\ {\"a\": 1} Fl\xc3\xbcgel \xf0\x9f\x94\xa5 %s%n";
     given_job(given_path_job);
     free(job->name);
     job->name = wcut_copy_text(name);
@@ -165,10 +165,12 @@ TEST(a_job_that_the_reader_would_refuse_is_not_written) {
     refused("job.json: $.wire.nodes: found 2, expected an integer");
     job->nodes = 121;
     job->mount_a[1].x = NAN;
-    refused("invalid token near 'nan'");
+    refused("$.path.mount_a_mm[1][0]: found null, expected a number");
     job->mount_a[1].x = INFINITY;
-    refused("invalid token near 'inf'");
+    refused("$.path.mount_a_mm[1][0]: found null, expected a number");
     job->mount_a[1].x = 0;
+    job->name[0] = '\x01';
+    refused("expected a text without control characters");
     job->name[0] = '\xff'; /* no UTF-8 */
     refused("unable to decode byte 0xff");
     free(job->mount_b);
