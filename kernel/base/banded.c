@@ -9,7 +9,7 @@ void wcut_banded_clear(wcut_banded *m) { memset(m->entry, 0, sizeof(double) * ba
 static int last_row(const wcut_banded *m, int k) { return k + m->kl < m->n ? k + m->kl : m->n - 1; }
 
 /* columns k .. k+reach of row k can be nonzero in U */
-static int reach_of(const wcut_banded *m, int k) {
+static int banded_reach_of(const wcut_banded *m, int k) {
     int reach = m->ku + m->kl;
     return k + reach < m->n ? reach : m->n - 1 - k;
 }
@@ -28,7 +28,7 @@ static void subtract(double *restrict row, const double *restrict pivot_row, dou
 
 bool wcut_banded_factor(wcut_banded *m) {
     for (int k = 0; k < m->n; k++) {
-        const int last = last_row(m, k), reach = reach_of(m, k);
+        const int last = last_row(m, k), reach = banded_reach_of(m, k);
 
         /* the largest entry of the column is the pivot */
         int p = k;
@@ -63,7 +63,7 @@ void wcut_banded_solve(const wcut_banded *m, double *b) {
     /* back substitution */
     for (int k = m->n - 1; k >= 0; k--) {
         const double *row = banded_at(m, k, k);
-        const int reach = reach_of(m, k);
+        const int reach = banded_reach_of(m, k);
         double sum = b[k];
         for (int j = 1; j <= reach; j++) sum -= row[j] * b[k + j];
         b[k] = sum / row[0];

@@ -103,7 +103,7 @@ static double probability(const law *l, double x, bool lower) {
 }
 
 /* x > 0 with P(X <= x) = p: bisection down to neighbouring doubles, geometric because x spans decades */
-static double quantile(const law *l, double p) {
+static double distribution_quantile(const law *l, double p) {
     bool lower = p < 0.5;
     double goal = lower ? p : 1 - p, low = 1, high = 1;
 
@@ -168,7 +168,7 @@ double wcut_chi_square_tail(double x, double dof) {
 
 double wcut_chi_square_quantile(double p, double dof) {
     assert(p > 0 && p < 1 && is_positive(dof));
-    return quantile(&(law){CHI_SQUARE, dof, 1}, p);
+    return distribution_quantile(&(law){CHI_SQUARE, dof, 1}, p);
 }
 
 double wcut_f_tail(double x, double dof1, double dof2) {
@@ -178,5 +178,5 @@ double wcut_f_tail(double x, double dof1, double dof2) {
 
 double wcut_f_quantile(double p, double dof1, double dof2) {
     assert(p > 0 && p < 1 && is_positive(dof1) && is_positive(dof2));
-    return quantile(&(law){FISHER, dof1, dof2}, p);
+    return distribution_quantile(&(law){FISHER, dof1, dof2}, p);
 }

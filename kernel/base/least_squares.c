@@ -129,7 +129,7 @@ typedef struct solver {
 } solver;
 
 /* weighted residuals (and Jacobian) at x; false outside the domain */
-static bool evaluate(solver *s, const double *x, double *r, double *jacobian, double *cost) {
+static bool least_squares_evaluate(solver *s, const double *x, double *r, double *jacobian, double *cost) {
     int m = s->p->m, n = s->p->n;
     if (!s->p->model(s->p->data, x, r, jacobian)) return false;
     for (int i = 0; i < m; i++) r[i] *= s->root[i];
@@ -190,7 +190,7 @@ static bool step_is_nothing(const solver *s) {
 /* Levenberg-Marquardt with the weights as they stand */
 static wcut_status minimise(solver *s) {
     double damping = 1e-3, growth = 2, promised, cost;
-    if (!evaluate(s, s->x, s->r, s->jacobian, &s->cost)) return WCUT_BAD_ARGUMENT;
+    if (!least_squares_evaluate(s, s->x, s->r, s->jacobian, &s->cost)) return WCUT_BAD_ARGUMENT;
     memset(s->column, 0, (size_t)s->p->n * sizeof *s->column);
 
     /* a step, a trial, and the damping for the next */
@@ -201,13 +201,13 @@ static wcut_status minimise(solver *s) {
         if (step_is_nothing(s)) return WCUT_OK;
         s->iterations++;
         for (int j = 0; j < s->p->n; j++) s->x_trial[j] = s->x[j] + s->step[j];
-        bool inside = evaluate(s, s->x_trial, s->r_trial, NULL, &cost);
+        bool inside = least_squares_evaluate(s, s->x_trial, s->r_trial, NULL, &cost);
         /* near the minimum the fall drowns in rounding: there the linear model is trusted */
         double gain = inside ? (s->cost - cost) / promised : -1;
         bool level = inside && promised < 1e-12 * s->cost && cost <= s->cost * (1 + 1e-13);
         if (gain > 1e-4 || level) {
             memcpy(s->x, s->x_trial, (size_t)s->p->n * sizeof *s->x);
-            if (!evaluate(s, s->x, s->r, s->jacobian, &s->cost)) return WCUT_BAD_ARGUMENT;
+            if (!least_squares_evaluate(s, s->x, s->r, s->jacobian, &s->cost)) return WCUT_BAD_ARGUMENT;
             damping = level ? damping / 10 : damping * fmax(1.0 / 10, 1 - pow(2 * gain - 1, 3));
             growth = 2;
         } else {
@@ -220,7 +220,7 @@ static wcut_status minimise(solver *s) {
 }
 
 /* 1.4826 median |r| of the residuals that have a weight, widened for the n parameters; r already by sqrt(prior) */
-static double spread(solver *s, const double *r, const double *prior, int degrees) {
+static double least_squares_spread(solver *s, const double *r, const double *prior, int degrees) {
     int count = 0;
     for (int i = 0; i < s->p->m; i++)
         if (!prior || prior[i] > 0) s->magnitude[count++] = fabs(r[i]);
@@ -266,7 +266,7 @@ static wcut_status reweight(solver *s, wcut_loss loss, int degrees, double *scal
     for (int k = 0; k < s->o.max_rounds; k++, (*rounds)++) {
         double cost;
         if (!plain_residuals(s, &cost)) return WCUT_BAD_ARGUMENT;
-        if (!frozen) *scale = spread(s, s->r_trial, s->p->weight, degrees);
+        if (!frozen) *scale = least_squares_spread(s, s->r_trial, s->p->weight, degrees);
         frozen = frozen || k >= 20;
 
         /* new weights, and how much they changed */
@@ -307,7 +307,7 @@ static wcut_status covariance_at(solver *s, double variance, double *covariance)
     int m = s->p->m, n = s->p->n;
     for (int i = 0; i < m; i++) s->root[i] = sqrt(prior_weight(s, i));
     double cost;
-    if (!evaluate(s, s->x, s->r, s->jacobian, &cost)) return WCUT_BAD_ARGUMENT;
+    if (!least_squares_evaluate(s, s->x, s->r, s->jacobian, &cost)) return WCUT_BAD_ARGUMENT;
     memcpy(s->b, s->r, (size_t)m * sizeof *s->b);
     wcut_status status = wcut_qr_solve(m, n, s->jacobian, s->b, s->step, s->a);
     for (int k = 0; k < n * n && status == WCUT_OK; k++) covariance[k] = variance * s->a[k];
@@ -319,7 +319,7 @@ wcut_lsq_options wcut_lsq_options_default(void) {
 }
 
 /* the arrays of a solve, in one block */
-static double *lay_out(solver *s) {
+static double *least_squares_lay_out(solver *s) {
     size_t m = s->p->m, n = s->p->n;
     double *block = wcut_alloc(6 * m + 5 * n + m * n + (m + n) * n + n * n, sizeof *block);
     if (!block) return NULL;
@@ -344,7 +344,7 @@ wcut_status wcut_lsq_solve(const wcut_lsq_problem *p, const wcut_lsq_options *op
         degrees += !p->weight || p->weight[i] > 0;
     }
     if (degrees < 0) return WCUT_SINGULAR;
-    double *block = lay_out(&s), *answer = wcut_alloc((size_t)p->n * p->n, sizeof *answer);
+    double *block = least_squares_lay_out(&s), *answer = wcut_alloc((size_t)p->n * p->n, sizeof *answer);
     wcut_status status = block && answer ? WCUT_OK : WCUT_NO_MEMORY;
     if (status != WCUT_OK) goto done;
 

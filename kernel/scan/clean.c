@@ -24,7 +24,7 @@ wcut_clean_options wcut_clean_options_default(void) {
                                 .voxel = 0};
 }
 
-static bool options_are_usable(const wcut_clean_options *o) {
+static bool clean_options_are_usable(const wcut_clean_options *o) {
     return isfinite(o->duplicate) && isfinite(o->radius) && o->radius >= 0 && o->radius_min >= 1 &&
            o->neighbours >= 0 && o->neighbours <= WCUT_KD_NEAREST_MAX && isfinite(o->deviations) &&
            o->deviations >= 0 && isfinite(o->factor_min) && o->factor_min >= 0 && isfinite(o->voxel) &&
@@ -52,7 +52,7 @@ typedef struct cleaning {
 } cleaning;
 
 /* the points kept so far, in their order */
-static void gather(cleaning *c) {
+static void clean_gather(cleaning *c) {
     c->left = 0;
     for (int k = 0; k < c->count; k++) {
         if (c->removal[k] != WCUT_REMOVAL_KEPT) continue;
@@ -64,7 +64,7 @@ static void gather(cleaning *c) {
 /* ---- outliers ---- */
 
 /* the value of a rank, by partition (Hoare 1961); the values are left partly sorted */
-static double select_rank(int n, double *value, int rank) {
+static double clean_select_rank(int n, double *value, int rank) {
     for (int first = 0, last = n - 1; first < last;) {
         const double pivot = value[first + (last - first) / 2];
         int i = first, j = last;
@@ -87,16 +87,16 @@ static double select_rank(int n, double *value, int rank) {
 }
 
 /* the middle one, or the mean of the middle two */
-static double median(int n, double *value) {
-    const double upper = select_rank(n, value, n / 2);
-    return n % 2 ? upper : select_rank(n, value, n / 2 - 1) / 2 + upper / 2;
+static double clean_median(int n, double *value) {
+    const double upper = clean_select_rank(n, value, n / 2);
+    return n % 2 ? upper : clean_select_rank(n, value, n / 2 - 1) / 2 + upper / 2;
 }
 
 static void measure_robust(cleaning *c, double *work) {
     memcpy(work, c->distance, (size_t)c->left * sizeof *work);
-    c->report.centre = median(c->left, work);
+    c->report.centre = clean_median(c->left, work);
     for (int k = 0; k < c->left; k++) work[k] = fabs(c->distance[k] - c->report.centre);
-    c->report.scale = MAD_TO_SIGMA * median(c->left, work);
+    c->report.scale = MAD_TO_SIGMA * clean_median(c->left, work);
 }
 
 static double sum(int n, const double *value) {
@@ -133,7 +133,7 @@ static void look_around(cleaning *c, int first, int end) {
 static wcut_status find_outliers(cleaning *c) {
     const wcut_clean_options *o = c->options;
     if (o->radius == 0 && o->neighbours == 0) return WCUT_OK;
-    gather(c);
+    clean_gather(c);
     if (c->left <= o->neighbours) return WCUT_DEGENERATE;
     double *work = wcut_alloc((size_t)c->left, sizeof *work);
     wcut_status status = work ? wcut_kd_tree_build(c->left, c->some, c->threads, &c->tree) : WCUT_NO_MEMORY;
@@ -157,9 +157,9 @@ static wcut_status find_outliers(cleaning *c) {
 
 /* ---- the steps ---- */
 
-static wcut_status thin(cleaning *c) {
+static wcut_status clean_thin(cleaning *c) {
     if (c->options->voxel == 0) return WCUT_OK;
-    gather(c);
+    clean_gather(c);
     wcut_thinning *thinning = NULL;
     unsigned char *keep = wcut_alloc((size_t)c->left, 1);
     wcut_status status = keep ? wcut_thinning_create(c->options->voxel, &thinning) : WCUT_NO_MEMORY;
@@ -176,7 +176,7 @@ static wcut_status clean(cleaning *c) {
     if (c->options->duplicate >= 0)
         status = wcut_duplicates_find(c->count, c->point, c->options->duplicate, c->removal);
     if (status == WCUT_OK) status = find_outliers(c);
-    if (status == WCUT_OK) status = thin(c);
+    if (status == WCUT_OK) status = clean_thin(c);
     for (int k = 0; k < c->count; k++) c->report.removed[c->removal[k]]++;
     return status == WCUT_OK && c->report.removed[WCUT_REMOVAL_KEPT] == 0 ? WCUT_DEGENERATE : status;
 }
@@ -185,7 +185,7 @@ wcut_status wcut_cloud_clean(int count, const wcut_vec3 *point, const wcut_clean
                              unsigned char *removal, wcut_clean_report *report) {
     const wcut_clean_options o = options ? *options : wcut_clean_options_default();
     if (count < 1 || !point || threads < 1 || !removal) return WCUT_BAD_ARGUMENT;
-    if (!options_are_usable(&o) || !points_are_usable(count, point)) return WCUT_BAD_ARGUMENT;
+    if (!clean_options_are_usable(&o) || !points_are_usable(count, point)) return WCUT_BAD_ARGUMENT;
     cleaning c = {.options = &o, .count = count, .threads = threads, .point = point};
     c.removal = wcut_alloc((size_t)count, 1);
     c.which = wcut_alloc((size_t)count, sizeof *c.which);

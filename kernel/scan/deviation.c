@@ -21,17 +21,18 @@ const char *wcut_place_name(wcut_place place) {
     return (unsigned)place < WCUT_PLACE_COUNT ? text[place] : NULL;
 }
 
-static bool are_usable(const wcut_deviation_options *o) {
+static bool deviation_are_usable(const wcut_deviation_options *o) {
     return o->low.x <= o->high.x && o->low.y <= o->high.y && o->low.z <= o->high.z && isfinite(o->border) &&
            o->border >= 0 && isfinite(o->reach) && o->reach >= 0;
 }
 
-static inline double smaller(double a, double b) { return a < b ? a : b; }
+static inline double deviation_smaller(double a, double b) { return a < b ? a : b; }
 
 /* how far a foot is inside the window's sides: negative outside */
 static inline double depth_of(const wcut_deviation_options *o, wcut_vec3 p) {
-    const double x = smaller(p.x - o->low.x, o->high.x - p.x), y = smaller(p.y - o->low.y, o->high.y - p.y);
-    return smaller(smaller(x, y), smaller(p.z - o->low.z, o->high.z - p.z));
+    const double x = deviation_smaller(p.x - o->low.x, o->high.x - p.x),
+                 y = deviation_smaller(p.y - o->low.y, o->high.y - p.y);
+    return deviation_smaller(deviation_smaller(x, y), deviation_smaller(p.z - o->low.z, o->high.z - p.z));
 }
 
 /* a foot on either kind of reference, before it is judged */
@@ -41,7 +42,7 @@ typedef struct finding {
     bool border, beyond, tied;
 } finding;
 
-static void judge(const wcut_deviation_options *o, const finding *f, wcut_deviation *d) {
+static void deviation_judge(const wcut_deviation_options *o, const finding *f, wcut_deviation *d) {
     const double depth = depth_of(o, f->foot);
     const bool aside = fabs(f->height) < SIDE * f->distance && f->distance > NEAR;
     d->foot = f->foot;
@@ -74,7 +75,7 @@ static void judge_feet(void *to, int count, const int *index, const void *feet) 
                            .beyond = from->beyond != 0,
                            .tied = from->gap > 0};
         of->u = from->u, of->v = from->v, of->triangle = -1;
-        judge(d->options, &f, of);
+        deviation_judge(d->options, &f, of);
         if (d->foot) d->foot[index[k]] = *from;
     }
 }
@@ -83,7 +84,7 @@ wcut_status wcut_deviation_from_surface(const wcut_projection *projection, int c
                                         const wcut_deviation_options *options, int threads, wcut_deviation *deviation,
                                         wcut_foot *foot) {
     const wcut_deviation_options o = options ? *options : wcut_deviation_options_default();
-    if (!projection || count < 0 || threads < 1 || !are_usable(&o) ||
+    if (!projection || count < 0 || threads < 1 || !deviation_are_usable(&o) ||
         (count > 0 && (!point || !deviation || !wcut_are_near(count, point))))
         return WCUT_BAD_ARGUMENT;
     desk d = {.options = &o, .deviation = deviation, .foot = foot};
@@ -108,14 +109,14 @@ static void judge_mesh_feet(void *to, int count, const int *index, const void *f
                            .border = from->border != 0,
                            .beyond = from->beyond != 0};
         of->u = from->b, of->v = from->c, of->triangle = from->triangle;
-        judge(d->options, &f, of);
+        deviation_judge(d->options, &f, of);
     }
 }
 
 wcut_status wcut_deviation_from_mesh(const wcut_mesh_tree *tree, int count, const wcut_vec3 *point,
                                      const wcut_deviation_options *options, int threads, wcut_deviation *deviation) {
     const wcut_deviation_options o = options ? *options : wcut_deviation_options_default();
-    if (!tree || count < 0 || threads < 1 || !are_usable(&o) ||
+    if (!tree || count < 0 || threads < 1 || !deviation_are_usable(&o) ||
         (count > 0 && (!point || !deviation || !wcut_are_near(count, point))))
         return WCUT_BAD_ARGUMENT;
     desk d = {.options = &o, .deviation = deviation};

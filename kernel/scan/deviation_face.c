@@ -24,7 +24,7 @@ typedef struct maker {
 /* ---- the lowered nodes ---- */
 
 /* S_u x S_v of the wire's own surface at every node; where there is none, that of the node before */
-static wcut_status find_normals(maker *m, const wcut_surface *wire) {
+static wcut_status deviation_face_find_normals(maker *m, const wcut_surface *wire) {
     const wcut_history *h = m->history;
     wcut_vec3 last = {0, 0, 1}, d[4];
     for (int s = 0; s < h->stations; s++)
@@ -51,13 +51,13 @@ static void find_kerf(maker *m) {
         }
 }
 
-static wcut_status lower(maker *m) {
+static wcut_status deviation_face_lower(maker *m) {
     const wcut_history *h = m->history;
     const size_t count = (size_t)h->stations * h->nodes;
     wcut_surface *wire = NULL;
     wcut_status status =
         wcut_surface_loft(h->stations, h->nodes, h->position, m->merge, &wire, m->face->parameter, NULL);
-    if (status == WCUT_OK) status = find_normals(m, wire);
+    if (status == WCUT_OK) status = deviation_face_find_normals(m, wire);
     wcut_surface_destroy(wire);
     if (status != WCUT_OK) return status;
     find_kerf(m);
@@ -74,7 +74,7 @@ static wcut_status lower(maker *m) {
 
 /* ---- the part in the block ---- */
 
-static wcut_vec3 at(const wcut_face *f, double u, double v) {
+static wcut_vec3 deviation_face_at(const wcut_face *f, double u, double v) {
     wcut_vec3 p;
     wcut_surface_eval(f->surface, u, v, 0, &p); /* its arguments are sound */
     return p;
@@ -83,7 +83,7 @@ static wcut_vec3 at(const wcut_face *f, double u, double v) {
 /* u between `out`, where x is outside the block's width, and `in` */
 static double cross_side(const wcut_face *f, double v, double out, double in, double side, bool is_low) {
     for (int k = 0; k < HALVINGS; k++) {
-        const double u = (out + in) / 2, x = at(f, u, v).x;
+        const double u = (out + in) / 2, x = deviation_face_at(f, u, v).x;
         if (is_low ? x < side : x > side)
             out = u;
         else
@@ -97,8 +97,8 @@ static bool trim_row(wcut_face *f, int s) {
     const double v = f->parameter[s], step = 1.0 / (f->nodes - 1);
     int first = 0, last = f->nodes - 1;
     f->begin[s] = 0, f->end[s] = 1;
-    while (first < f->nodes && at(f, first * step, v).x < f->low.x) first++;
-    while (last >= 0 && at(f, last * step, v).x > f->high.x) last--;
+    while (first < f->nodes && deviation_face_at(f, first * step, v).x < f->low.x) first++;
+    while (last >= 0 && deviation_face_at(f, last * step, v).x > f->high.x) last--;
     if (first > last) return false;
     if (first > 0) f->begin[s] = cross_side(f, v, (first - 1) * step, first * step, f->low.x, true);
     if (last < f->nodes - 1) f->end[s] = cross_side(f, v, (last + 1) * step, last * step, f->high.x, false);
@@ -115,10 +115,11 @@ static double u_between(const wcut_face *f, int s, double v, double share) {
 /* v between the stations s and s + 1 where a column passes y = side */
 static double cross_end(const wcut_face *f, int s, double share, double side) {
     double low = f->parameter[s], high = f->parameter[s + 1];
-    const bool rises = at(f, u_between(f, s, high, share), high).y > at(f, u_between(f, s, low, share), low).y;
+    const bool rises = deviation_face_at(f, u_between(f, s, high, share), high).y >
+                       deviation_face_at(f, u_between(f, s, low, share), low).y;
     for (int k = 0; k < HALVINGS; k++) {
         const double v = (low + high) / 2;
-        if ((at(f, u_between(f, s, v, share), v).y < side) == rises)
+        if ((deviation_face_at(f, u_between(f, s, v, share), v).y < side) == rises)
             low = v;
         else
             high = v;
@@ -145,33 +146,33 @@ static void trim_column(wcut_face *f, int column) {
     }
     if (first > 0) {
         const double v = cross_end(f, first - 1, share, f->low.y);
-        draw_back(f, column, 0, first, at(f, u_between(f, first - 1, v, share), v), v);
+        draw_back(f, column, 0, first, deviation_face_at(f, u_between(f, first - 1, v, share), v), v);
     }
     if (last < f->stations - 1) {
         const double v = cross_end(f, last, share, f->high.y);
-        draw_back(f, column, last + 1, f->stations, at(f, u_between(f, last, v, share), v), v);
+        draw_back(f, column, last + 1, f->stations, deviation_face_at(f, u_between(f, last, v, share), v), v);
     }
 }
 
 /* a nodal field of the history at u of station s */
-static double along(const wcut_history *h, const double *field, int s, double u) {
+static double deviation_face_along(const wcut_history *h, const double *field, int s, double u) {
     const double x = clamp(u, 0, 1) * (h->nodes - 1);
     const int n = x < h->nodes - 2 ? (int)x : h->nodes - 2;
     const double *row = field + (size_t)s * h->nodes;
     return row[n] + (x - n) * (row[n + 1] - row[n]);
 }
 
-static void fill_grid(maker *m) {
+static void deviation_face_fill_grid(maker *m) {
     wcut_face *f = m->face;
     for (int s = 0; s < f->stations; s++) {
         const bool there = trim_row(f, s);
         for (int n = 0; n < f->nodes; n++) {
             const size_t i = (size_t)s * f->nodes + n;
             const double u = f->begin[s] + n / (f->nodes - 1.0) * (f->end[s] - f->begin[s]), v = f->parameter[s];
-            f->point[i] = at(f, u, v), f->v[i] = v;
+            f->point[i] = deviation_face_at(f, u, v), f->v[i] = v;
             f->inside[i] = there && f->point[i].z >= f->low.z && f->point[i].z <= f->high.z;
-            f->force[i] = along(m->history, m->history->force_line, s, u);
-            f->half_kerf[i] = along(m->history, m->half, s, u);
+            f->force[i] = deviation_face_along(m->history, m->history->force_line, s, u);
+            f->half_kerf[i] = deviation_face_along(m->history, m->half, s, u);
             if (wcut_surface_curvature(f->surface, u, v, &f->curvature[i], NULL) != WCUT_OK) f->curvature[i] = 0;
         }
     }
@@ -189,7 +190,7 @@ static int station_away(int count, const wcut_vec3 *p, int from, int step, doubl
 }
 
 /* curvature of the circle through three points (Menger) */
-static double bend_of(wcut_vec3 a, wcut_vec3 b, wcut_vec3 c) {
+static double deviation_face_bend_of(wcut_vec3 a, wcut_vec3 b, wcut_vec3 c) {
     const double ab = vec3_distance(a, b), bc = vec3_distance(b, c), ca = vec3_distance(c, a);
     const double area = vec3_length(vec3_cross(vec3_sub(b, a), vec3_sub(c, a)));
     return ab > 0 && bc > 0 && ca > 0 ? 2 * area / (ab * bc * ca) : 0;
@@ -201,11 +202,11 @@ static void add_bend(wcut_face *f, const wcut_vec3 *p) {
     for (int s = 0; s < f->stations; s++) {
         const int before = station_away(f->stations, p, s, -1, PATH_SHARE * length);
         const int after = station_away(f->stations, p, s, 1, PATH_SHARE * length);
-        f->path_bend[s] += bend_of(p[before], p[s], p[after]) / 2;
+        f->path_bend[s] += deviation_face_bend_of(p[before], p[s], p[after]) / 2;
     }
 }
 
-static void fill_stations(maker *m) {
+static void deviation_face_fill_stations(maker *m) {
     const wcut_history *h = m->history;
     double entry = h->row[0].time;
     for (int s = h->stations - 1; s >= 0; s--)
@@ -218,7 +219,7 @@ static void fill_stations(maker *m) {
 
 /* ---- making ---- */
 
-static bool make_room(maker *m) {
+static bool deviation_face_make_room(maker *m) {
     wcut_face *f = m->face;
     const size_t rows = (size_t)f->stations, count = rows * (size_t)f->nodes;
     double **const of_rows[] = {&f->parameter, &f->begin, &f->end, &f->time, &f->path_bend};
@@ -248,7 +249,7 @@ void wcut_face_destroy(wcut_face *face) {
     wcut_free(face);
 }
 
-static bool is_usable(const wcut_job *job, const wcut_history *h) {
+static bool deviation_face_is_usable(const wcut_job *job, const wcut_history *h) {
     return job && h && h->stations >= 2 && h->nodes >= 2 && h->row && h->position && h->force_line && h->speed &&
            is_positive(job->heat) && is_positive(job->speed_min) && is_positive(job->block_size.x) &&
            is_positive(job->block_size.y) && is_positive(job->block_size.z) && isfinite(job->kerf_width) &&
@@ -257,15 +258,16 @@ static bool is_usable(const wcut_job *job, const wcut_history *h) {
 
 wcut_status wcut_face_create(const wcut_job *job, const wcut_history *history, const wcut_vec3 *mount_a,
                              const wcut_vec3 *mount_b, double merge, wcut_face **face) {
-    if (!face || !is_usable(job, history) || !mount_a != !mount_b || !(merge >= 0)) return WCUT_BAD_ARGUMENT;
+    if (!face || !deviation_face_is_usable(job, history) || !mount_a != !mount_b || !(merge >= 0))
+        return WCUT_BAD_ARGUMENT;
     maker m = {.job = job, .history = history, .merge = merge, .face = wcut_alloc(1, sizeof *m.face)};
     if (!m.face) return WCUT_NO_MEMORY;
     m.face->stations = history->stations, m.face->nodes = history->nodes, m.face->high = job->block_size;
-    wcut_status status = make_room(&m) ? WCUT_OK : WCUT_NO_MEMORY;
-    if (status == WCUT_OK) status = lower(&m);
+    wcut_status status = deviation_face_make_room(&m) ? WCUT_OK : WCUT_NO_MEMORY;
+    if (status == WCUT_OK) status = deviation_face_lower(&m);
     if (status == WCUT_OK) {
-        fill_grid(&m);
-        fill_stations(&m);
+        deviation_face_fill_grid(&m);
+        deviation_face_fill_stations(&m);
         if (mount_a) add_bend(m.face, mount_a), add_bend(m.face, mount_b);
         size_t inside = 0;
         for (size_t i = 0; i < (size_t)m.face->stations * m.face->nodes; i++) inside += m.face->inside[i];

@@ -129,7 +129,7 @@ wcut_status wcut_mesh_spread(const wcut_mesh *mesh, int count, const wcut_deviat
 /* ---- values ---- */
 
 /* sums over all rows and columns before: (rows + 1) x (columns + 1), so that a window is four of them */
-static void add_up(const wcut_face_map *m, const double *from, double *to) {
+static void deviation_map_add_up(const wcut_face_map *m, const double *from, double *to) {
     const size_t wide = (size_t)m->columns + 1;
     for (int r = 0; r < m->rows; r++) {
         double row = 0;
@@ -148,7 +148,7 @@ static double window(const wcut_face_map *m, const double *sums, int r, int c, i
 }
 
 /* the mean length of the grid's steps in a direction, where it has any */
-static double step_of(const wcut_face *f, bool along_row) {
+static double deviation_map_step_of(const wcut_face *f, bool along_row) {
     double length = 0;
     int count = 0;
     for (int r = 0; r + !along_row < f->stations; r++)
@@ -162,9 +162,9 @@ static double step_of(const wcut_face *f, bool along_row) {
 }
 
 /* how many steps a support reaches */
-static int reach_of(double support, double step, int max) { return (int)clamp(support / step, 0, max); }
+static int deviation_map_reach_of(double support, double step, int max) { return (int)clamp(support / step, 0, max); }
 
-static double missing_area(const wcut_face *f, const unsigned char *present) {
+static double deviation_map_missing_area(const wcut_face *f, const unsigned char *present) {
     double area = 0;
     for (int r = 0; r + 1 < f->stations; r++)
         for (int c = 0; c + 1 < f->nodes; c++) {
@@ -188,12 +188,12 @@ wcut_status wcut_face_map_eval(const wcut_face_map *map, const wcut_face *face, 
     const wcut_status status = sums && weights ? WCUT_OK : WCUT_NO_MEMORY;
     if (status == WCUT_OK) {
         /* running sums, so that any window is four terms */
-        add_up(map, map->sum, sums);
-        add_up(map, map->weight, weights);
+        deviation_map_add_up(map, map->sum, sums);
+        deviation_map_add_up(map, map->weight, weights);
 
         /* [cells] how far the windows may grow */
-        const int up_max = reach_of(support, step_of(face, false), map->rows),
-                  side_max = reach_of(support, step_of(face, true), map->columns);
+        const int up_max = deviation_map_reach_of(support, deviation_map_step_of(face, false), map->rows),
+                  side_max = deviation_map_reach_of(support, deviation_map_step_of(face, true), map->columns);
         const int max = up_max > side_max ? up_max : side_max;
 
         /* the smallest window of each cell that holds enough weight */
@@ -209,7 +209,7 @@ wcut_status wcut_face_map_eval(const wcut_face_map *map, const wcut_face *face, 
                 present[i] = weight > 1e-3;
                 value[i] = present[i] ? sum / weight : 0;
             }
-        if (area) *area = missing_area(face, present);
+        if (area) *area = deviation_map_missing_area(face, present);
     }
     wcut_free(weights);
     wcut_free(sums);

@@ -13,7 +13,7 @@ wcut_deviation_summary_options wcut_deviation_summary_options_default(void) {
     return (wcut_deviation_summary_options){.patch = 100, .cell = 1};
 }
 
-static bool is_usable(const wcut_deviation_summary_options *o) {
+static bool deviation_summary_is_usable(const wcut_deviation_summary_options *o) {
     return o && vec3_is_finite(o->low) && vec3_is_finite(o->high) && o->low.x < o->high.x && o->low.y < o->high.y &&
            is_positive(o->patch) && is_positive(o->cell) && o->bands >= 0 && o->bands <= WCUT_BANDS_MAX &&
            all_positive(o->bands, o->band);
@@ -33,7 +33,7 @@ void wcut_deviation_summary_destroy(wcut_deviation_summary *summary) {
 
 wcut_status wcut_deviation_summary_create(const wcut_deviation_summary_options *options, const wcut_face *face,
                                           wcut_deviation_summary **summary) {
-    if (!summary || !is_usable(options)) return WCUT_BAD_ARGUMENT;
+    if (!summary || !deviation_summary_is_usable(options)) return WCUT_BAD_ARGUMENT;
     const int columns = parts_of(options->high.x - options->low.x, options->patch);
     const int rows = parts_of(options->high.y - options->low.y, options->patch);
     if ((double)columns * rows > PATCHES_MAX) return WCUT_BAD_ARGUMENT;
@@ -69,9 +69,11 @@ static int patch_of(const wcut_deviation_summary *s, wcut_vec3 foot) {
 }
 
 /* 0 entry, 1 steady, 2 exit; what was approached or left belongs to the part next to it */
-static int part_of(wcut_phase phase) { return phase <= WCUT_PHASE_ENTRY ? 0 : phase == WCUT_PHASE_STEADY ? 1 : 2; }
+static int deviation_summary_part_of(wcut_phase phase) {
+    return phase <= WCUT_PHASE_ENTRY ? 0 : phase == WCUT_PHASE_STEADY ? 1 : 2;
+}
 
-static double between(const double *field, int low, int high, double t) {
+static double deviation_summary_between(const double *field, int low, int high, double t) {
     return field[low] + t * (field[high] - field[low]);
 }
 
@@ -82,13 +84,14 @@ static void relate(wcut_deviation_summary *s, const wcut_deviation *d) {
     wcut_face_locate(f, d->u, d->v, &row, &column);
     const int low = (int)row, high = low + 1 < f->stations ? low + 1 : low, near = (int)round(row);
     const size_t nearest = (size_t)near * f->nodes + (size_t)round(column);
-    const double value[WCUT_RELATIONS] = {between(f->time, low, high, row - low),
-                                          between(f->path_bend, low, high, row - low), fabs(f->curvature[nearest])};
+    const double value[WCUT_RELATIONS] = {deviation_summary_between(f->time, low, high, row - low),
+                                          deviation_summary_between(f->path_bend, low, high, row - low),
+                                          fabs(f->curvature[nearest])};
     for (int k = 0; k < WCUT_RELATIONS; k++) {
         pair_add(&s->relation[k][0], value[k], d->distance);
         pair_add(&s->relation[k][1], value[k], fabs(d->distance));
     }
-    wcut_zone_add(&s->zone[part_of(f->phase[near])], &s->options, d);
+    wcut_zone_add(&s->zone[deviation_summary_part_of(f->phase[near])], &s->options, d);
 }
 
 wcut_status wcut_deviation_summary_add(wcut_deviation_summary *summary, int count, const wcut_deviation *deviation) {

@@ -15,7 +15,7 @@ typedef struct table {
     double side; /* [mm] of a cube */
 } table;
 
-static size_t place_of(const table *t, double x, double y, double z) {
+static size_t duplicates_place_of(const table *t, double x, double y, double z) {
     /* whole numbers below 2^53 in doubles */
     uint64_t h = (uint64_t)(int64_t)x * 0x9e3779b97f4a7c15u;
     h = (h ^ h >> 29 ^ (uint64_t)(int64_t)y) * 0xbf58476d1ce4e5b9u;
@@ -23,7 +23,7 @@ static size_t place_of(const table *t, double x, double y, double z) {
     return (size_t)((h ^ h >> 31) * 0x9e3779b97f4a7c15u >> (64 - t->bits));
 }
 
-static bool is_near(const table *t, size_t place, wcut_vec3 p, double tolerance) {
+static bool duplicates_is_near(const table *t, size_t place, wcut_vec3 p, double tolerance) {
     for (int k = t->head[place]; k > 0; k = t->next[k - 1]) {
         const wcut_vec3 d = vec3_sub(t->point[k - 1], p);
         if (vec3_dot(d, d) <= tolerance * tolerance) return true;
@@ -39,19 +39,19 @@ static bool has_earlier(const table *t, wcut_vec3 p, double tolerance, size_t *o
         f[a] = floor(c[a]);
         other[a] = c[a] - f[a] < 0.5 ? f[a] - 1 : f[a] + 1;
     }
-    *own = place_of(t, f[0], f[1], f[2]);
-    if (is_near(t, *own, p, tolerance)) return true;
+    *own = duplicates_place_of(t, f[0], f[1], f[2]);
+    if (duplicates_is_near(t, *own, p, tolerance)) return true;
     for (int corner = 1; tolerance > 0 && corner < 8; corner++) {
-        const size_t place =
-            place_of(t, corner & 1 ? other[0] : f[0], corner & 2 ? other[1] : f[1], corner & 4 ? other[2] : f[2]);
-        if (is_near(t, place, p, tolerance)) return true;
+        const size_t place = duplicates_place_of(t, corner & 1 ? other[0] : f[0], corner & 2 ? other[1] : f[1],
+                                                 corner & 4 ? other[2] : f[2]);
+        if (duplicates_is_near(t, place, p, tolerance)) return true;
     }
     return false;
 }
 
 /* [mm] cubes so wide that their numbers stay below 2^50, and with a margin for rounding wider than the
    tolerance asks */
-static double side_of(int count, const wcut_vec3 *point, double tolerance) {
+static double duplicates_side_of(int count, const wcut_vec3 *point, double tolerance) {
     double max = 0;
     for (int k = 0; k < count; k++) max = fmax(max, fmax(fabs(point[k].x), fmax(fabs(point[k].y), fabs(point[k].z))));
     const double side = fmax(2.001 * tolerance, ldexp(max, -50));
@@ -59,7 +59,7 @@ static double side_of(int count, const wcut_vec3 *point, double tolerance) {
 }
 
 wcut_status wcut_duplicates_find(int count, const wcut_vec3 *point, double tolerance, unsigned char *duplicate) {
-    table t = {.bits = 4, .point = point, .side = side_of(count, point, tolerance)};
+    table t = {.bits = 4, .point = point, .side = duplicates_side_of(count, point, tolerance)};
     while (t.bits < 31 && (size_t)1 << t.bits < (size_t)count) t.bits++;
     t.head = wcut_alloc((size_t)1 << t.bits, sizeof *t.head);
     t.next = wcut_alloc((size_t)count, sizeof *t.next);

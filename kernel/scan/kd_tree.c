@@ -34,7 +34,7 @@ static double median3(double a, double b, double c) {
 }
 
 /* a number in 0 .. n-1 that no input can foresee in a way that matters; fixed for a range, so that runs repeat */
-static int pick(uint64_t *state, int n) {
+static int kd_tree_pick(uint64_t *state, int n) {
     *state = *state * 6364136223846793005u + 1442695040888963407u;
     return (int)((*state >> 33) % (uint64_t)n);
 }
@@ -53,8 +53,9 @@ static void select_rank(item *a, int first, int end, int rank, int axis) {
     uint64_t state = (uint64_t)first * 2654435761u + (uint64_t)end;
     while (end - first > INSERTION) {
         const int n = end - first;
-        const double pivot = median3(a[first + pick(&state, n)].at[axis], a[first + pick(&state, n)].at[axis],
-                                     a[first + pick(&state, n)].at[axis]);
+        const double pivot =
+            median3(a[first + kd_tree_pick(&state, n)].at[axis], a[first + kd_tree_pick(&state, n)].at[axis],
+                    a[first + kd_tree_pick(&state, n)].at[axis]);
         int i = first, j = end - 1;
         while (i <= j) { /* equal items stop both sides, so that many of them are halved too */
             while (a[i].at[axis] < pivot) i++;
@@ -71,7 +72,7 @@ static void select_rank(item *a, int first, int end, int rank, int axis) {
     sort_few(a, first, end, axis);
 }
 
-static void bound(const item *a, int first, int end, double low[3], double high[3]) {
+static void kd_tree_bound(const item *a, int first, int end, double low[3], double high[3]) {
     memcpy(low, a[first].at, 3 * sizeof *low);
     memcpy(high, a[first].at, 3 * sizeof *high);
     for (int i = first + 1; i < end; i++) {
@@ -90,16 +91,16 @@ static int widest(const double low[3], const double high[3]) {
 }
 
 /* the ranges below node k, down to the leaves; the upper levels go to other threads */
-static void divide(wcut_kd_tree *t, item *a, int k, int level, int first, int end) {
+static void kd_tree_divide(wcut_kd_tree *t, item *a, int k, int level, int first, int end) {
     double low[3], high[3];
-    bound(a, first, end, low, high);
+    kd_tree_bound(a, first, end, low, high);
     t->node[k] = (wcut_kd_node){vec3(low[0], low[1], low[2]), vec3(high[0], high[1], high[2])};
     if (level == t->levels) return;
     const int middle = first + (end - first) / 2;
     select_rank(a, first, end, middle, widest(low, high));
 #pragma omp task if (level < PARALLEL_LEVEL) default(none) firstprivate(t, a, k, level, first, middle)
-    divide(t, a, 2 * k + 1, level + 1, first, middle);
-    divide(t, a, 2 * k + 2, level + 1, middle, end);
+    kd_tree_divide(t, a, 2 * k + 1, level + 1, first, middle);
+    kd_tree_divide(t, a, 2 * k + 2, level + 1, middle, end);
 #pragma omp taskwait
 }
 
@@ -118,7 +119,7 @@ wcut_status wcut_kd_tree_build(int count, const wcut_vec3 *point, int threads, w
     for (int i = 0; i < count; i++) items[i] = (item){{point[i].x, point[i].y, point[i].z}, i};
 #pragma omp parallel num_threads(wcut_threads(threads))
 #pragma omp single
-    divide(&t, items, 0, 0, 0, count);
+    kd_tree_divide(&t, items, 0, 0, 0, count);
     for (int i = 0; i < count; i++) {
         t.point[i] = vec3(items[i].at[0], items[i].at[1], items[i].at[2]);
         t.index[i] = items[i].index;
@@ -159,7 +160,7 @@ typedef struct visit {
 } visit;
 
 /* the leaf nearest to p first: go down from v, the further children go onto the stack */
-static visit descend(const wcut_kd_tree *t, visit v, wcut_vec3 p, double limit, visit *stack, int *depth) {
+static visit kd_tree_descend(const wcut_kd_tree *t, visit v, wcut_vec3 p, double limit, visit *stack, int *depth) {
     while (v.level < t->levels) {
         const int middle = v.first + (v.end - v.first) / 2;
         visit a = {2 * v.k + 1, v.level + 1, v.first, middle, box_square(&t->node[2 * v.k + 1], p)};
@@ -196,7 +197,7 @@ void wcut_kd_tree_nearest(const wcut_kd_tree *t, int place, int k, wcut_kd_neare
     while (depth > 0) {
         const visit top = stack[--depth];
         if (top.square >= limit) continue;
-        const visit leaf = descend(t, top, p, limit, stack, &depth);
+        const visit leaf = kd_tree_descend(t, top, p, limit, stack, &depth);
         for (int i = leaf.first; i < leaf.end; i++) {
             const double square = point_square(t->point[i], p);
             if (square >= limit || i == place) continue;
@@ -213,7 +214,7 @@ int wcut_kd_tree_within(const wcut_kd_tree *t, int place, double radius, int max
     int depth = 1, count = 0;
     stack[0] = (visit){0, 0, 0, t->count, 0};
     while (depth > 0) {
-        const visit leaf = descend(t, stack[--depth], p, nextafter(limit, INFINITY), stack, &depth);
+        const visit leaf = kd_tree_descend(t, stack[--depth], p, nextafter(limit, INFINITY), stack, &depth);
         for (int i = leaf.first; i < leaf.end; i++)
             if (i != place && point_square(t->point[i], p) <= limit && ++count == max) return count;
     }
@@ -228,7 +229,7 @@ double wcut_kd_tree_distance(const wcut_kd_tree *t, wcut_vec3 p, double limit) {
     while (depth > 0) {
         const visit top = stack[--depth];
         if (top.square >= min) continue;
-        const visit leaf = descend(t, top, p, min, stack, &depth);
+        const visit leaf = kd_tree_descend(t, top, p, min, stack, &depth);
         for (int i = leaf.first; i < leaf.end; i++) {
             const double square = point_square(t->point[i], p);
             min = square < min ? square : min;

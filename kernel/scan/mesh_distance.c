@@ -33,7 +33,7 @@ void wcut_mesh_tree_destroy(wcut_mesh_tree *tree) {
     wcut_free(tree);
 }
 
-static bool is_usable(const wcut_mesh *mesh) {
+static bool mesh_distance_is_usable(const wcut_mesh *mesh) {
     if (!mesh || mesh->triangle_count < 1 || mesh->triangle_count > INT_MAX / 3 || mesh->vertex_count < 1 ||
         !mesh->vertex || !mesh->triangle)
         return false;
@@ -44,7 +44,7 @@ static bool is_usable(const wcut_mesh *mesh) {
 }
 
 wcut_status wcut_mesh_tree_create(const wcut_mesh *mesh, wcut_mesh_tree **tree) {
-    if (!tree || !is_usable(mesh)) return WCUT_BAD_ARGUMENT;
+    if (!tree || !mesh_distance_is_usable(mesh)) return WCUT_BAD_ARGUMENT;
     wcut_mesh_tree *t = wcut_alloc(1, sizeof *t);
     if (!t) return WCUT_NO_MEMORY;
     wcut_status status = wcut_mesh_boxes_build(mesh, t);
@@ -70,14 +70,14 @@ typedef struct spot {
     int k;
 } spot;
 
-static inline double square_at(const wcut_mesh_corners *t, wcut_vec3 p, double b, double c) {
+static inline double mesh_distance_square_at(const wcut_mesh_corners *t, wcut_vec3 p, double b, double c) {
     const wcut_vec3 at = vec3_add_scaled(vec3_scale(1 - b - c, t->a), b, t->b);
     const wcut_vec3 r = vec3_sub(p, vec3_add_scaled(at, c, t->c));
     return vec3_dot(r, r);
 }
 
 static inline spot spot_at(const wcut_mesh_corners *t, wcut_vec3 p, double b, double c, feature on, int k) {
-    return (spot){b, c, square_at(t, p, b, c), on, k};
+    return (spot){b, c, mesh_distance_square_at(t, p, b, c), on, k};
 }
 
 /* The closest point by the regions that corners and edges own (Ericson 2005, 5.1.5). An edge without length or a face
@@ -118,7 +118,7 @@ typedef struct search {
 } search;
 
 /* what distances in single precision are squared against */
-static inline float limit_of(const search *s, double distance) {
+static inline float mesh_distance_limit_of(const search *s, double distance) {
     const double reach = distance + s->slack, square = reach * reach * (1 + 1e-6);
     return square < FLT_MAX ? (float)square : FLT_MAX;
 }
@@ -176,7 +176,7 @@ static void search_leaf(search *s, const wcut_mesh_leaf *l, const float *square,
         const spot found = closest(&corners, s->p);
         if (found.square >= s->best.square) continue;
         s->best = found, s->triangle = l->first + k;
-        *limit = limit_of(s, sqrt(found.square));
+        *limit = mesh_distance_limit_of(s, sqrt(found.square));
     }
 }
 
@@ -186,7 +186,8 @@ typedef struct entry {
 } entry;
 
 /* a node's boxes within the limit, onto a stack whose entries from `base` on are in order, the nearest last; its depth */
-WCUT_INLINE int push(const wcut_mesh_node *n, const float *at, float limit, int base, int depth, entry *stack) {
+WCUT_INLINE int mesh_distance_push(const wcut_mesh_node *n, const float *at, float limit, int base, int depth,
+                                   entry *stack) {
     float square[WCUT_MESH_WIDE];
     int near[WCUT_MESH_WIDE + 1];
     box_squares(n, at, square);
@@ -201,17 +202,17 @@ WCUT_INLINE int push(const wcut_mesh_node *n, const float *at, float limit, int 
 }
 
 /* Depth-first, the nearest box first, from nodes that hold all that matters. The foot is no further than `distance`. */
-WCUT_WIDE static void search_tree(search *s, double distance, int count, const wcut_mesh_node *from) {
+WCUT_WIDE static void mesh_distance_search_tree(search *s, double distance, int count, const wcut_mesh_node *from) {
     entry stack[STACK];
     int depth = 0;
-    float limit = limit_of(s, distance), square[WCUT_MESH_LEAF];
+    float limit = mesh_distance_limit_of(s, distance), square[WCUT_MESH_LEAF];
     s->best.square = INFINITY;
-    for (int k = 0; k < count; k++) depth = push(&from[k], s->at, limit, 0, depth, stack);
+    for (int k = 0; k < count; k++) depth = mesh_distance_push(&from[k], s->at, limit, 0, depth, stack);
     while (depth > 0) {
         const entry next = stack[--depth];
         if (next.square > limit) continue;
         if (next.child >= 0) {
-            depth = push(&s->t->node[next.child], s->at, limit, depth, depth, stack);
+            depth = mesh_distance_push(&s->t->node[next.child], s->at, limit, depth, depth, stack);
             continue;
         }
         const wcut_mesh_leaf *l = &s->t->leaf[~next.child];
@@ -290,7 +291,7 @@ WCUT_WIDE static void find_front(const wcut_mesh_tree *t, const float *low, cons
 }
 
 /* the normal at the foot, and whether the foot is on the border */
-static wcut_vec3 normal_at(const wcut_mesh_tree *t, int i, const spot *at, bool *border) {
+static wcut_vec3 mesh_distance_normal_at(const wcut_mesh_tree *t, int i, const spot *at, bool *border) {
     const wcut_mesh_corners own_corners = wcut_mesh_corners_of(t, i), *p = &own_corners;
     const wcut_vec3 own = vec3_unit(vec3_cross(vec3_sub(p->b, p->a), vec3_sub(p->c, p->a)));
     const size_t k = 3 * (size_t)i + (size_t)at->k;
@@ -310,7 +311,7 @@ static void fill_foot(const search *s, wcut_mesh_foot *foot) {
     const wcut_mesh_corners corners = wcut_mesh_corners_of(s->t, s->triangle), *c = &corners;
     const spot *at = &s->best;
     bool border;
-    const wcut_vec3 n = normal_at(s->t, s->triangle, at, &border);
+    const wcut_vec3 n = mesh_distance_normal_at(s->t, s->triangle, at, &border);
     wcut_vec3 point = vec3_add_scaled(vec3_scale(1 - at->b - at->c, c->a), at->b, c->b);
     point = vec3_add_scaled(point, at->c, c->c);
     const wcut_vec3 r = vec3_sub(s->p, point);
@@ -366,14 +367,14 @@ void wcut_mesh_tree_locate_batch(const void *on, int count, const wcut_vec3 *que
         const double distance = k > 0 ? foot[k - 1].distance + vec3_distance(query[k - 1], query[k]) : INFINITY;
         place_query(&s, query[k]);
         wcut_query_prefetch_next(ahead, k);
-        search_tree(&s, distance, leads ? 1 : f.count, leads ? tree->node : f.node);
+        mesh_distance_search_tree(&s, distance, leads ? 1 : f.count, leads ? tree->node : f.node);
         assert(s.best.square < INFINITY);
         fill_foot(&s, &foot[k]);
         if (leads) prepare_group(&s, k + GROUP < count ? GROUP : count - k, &query[k], &f);
     }
 }
 
-static void put_feet(void *to, int count, const int *index, const void *foot) {
+static void mesh_distance_put_feet(void *to, int count, const int *index, const void *foot) {
     const wcut_mesh_foot *from = foot;
     wcut_mesh_foot *all = to;
     for (int k = 0; k < count; k++) all[index[k]] = from[k];
@@ -385,7 +386,7 @@ wcut_status wcut_mesh_tree_locate(const wcut_mesh_tree *tree, int count, const w
         return WCUT_BAD_ARGUMENT;
     const wcut_query_batch batch = {.locate = wcut_mesh_tree_locate_batch,
                                     .on = tree,
-                                    .take = put_feet,
+                                    .take = mesh_distance_put_feet,
                                     .to = foot,
                                     .result = foot,
                                     .size = sizeof *foot};

@@ -33,7 +33,7 @@ static int split_of(const uint64_t *item, int first, int end) {
 }
 
 /* a range into at most eight, none of them empty; gives how many. bound[k] .. bound[k + 1] is the k-th. */
-static int divide(const uint64_t *item, int first, int end, int bound[WCUT_MESH_WIDE + 1]) {
+static int mesh_distance_boxes_divide(const uint64_t *item, int first, int end, int bound[WCUT_MESH_WIDE + 1]) {
     int parts = 1;
     bound[0] = first, bound[1] = end;
     for (int round = 0; round < 3; round++) {
@@ -51,7 +51,7 @@ static int divide(const uint64_t *item, int first, int end, int bound[WCUT_MESH_
 }
 
 /* single precision, rounded away from the box by more than the conversion's error */
-static void widen(const wcut_mesh_tree *t, wcut_vec3 p, float low[3], float high[3]) {
+static void mesh_distance_boxes_widen(const wcut_mesh_tree *t, wcut_vec3 p, float low[3], float high[3]) {
     const wcut_vec3 r = vec3_sub(p, t->centre);
     const double at[3] = {r.x, r.y, r.z}, slack = 1e-6 * t->size;
     for (int c = 0; c < 3; c++) {
@@ -74,7 +74,7 @@ static wcut_vec3 normal_of(const wcut_mesh_tree *t, const wcut_vec3 corner[3]) {
 }
 
 /* a plane of a triangle's prism: the height over the face, the distance beyond an edge's side */
-static void put_plane(wcut_mesh_leaf *leaf, int plane, int lane, wcut_vec3 normal, wcut_vec3 at) {
+static void mesh_distance_boxes_put_plane(wcut_mesh_leaf *leaf, int plane, int lane, wcut_vec3 normal, wcut_vec3 at) {
     leaf->plane[plane][0][lane] = (float)normal.x, leaf->plane[plane][1][lane] = (float)normal.y;
     leaf->plane[plane][2][lane] = (float)normal.z, leaf->plane[plane][3][lane] = (float)-vec3_dot(normal, at);
 }
@@ -85,10 +85,10 @@ static void put_prism(const wcut_mesh_tree *t, int i, wcut_mesh_leaf *leaf, int 
     const wcut_vec3 corner[3] = {vec3_sub(t->point[v[0]], t->centre), vec3_sub(t->point[v[1]], t->centre),
                                  vec3_sub(t->point[v[2]], t->centre)};
     const wcut_vec3 n = normal_of(t, corner);
-    put_plane(leaf, 0, lane, n, corner[0]);
+    mesh_distance_boxes_put_plane(leaf, 0, lane, n, corner[0]);
     for (int k = 0; k < 3; k++) {
         const wcut_vec3 along = vec3_sub(corner[(k + 1) % 3], corner[k]);
-        put_plane(leaf, k + 1, lane, vec3_unit(vec3_cross(along, n)), corner[k]);
+        mesh_distance_boxes_put_plane(leaf, k + 1, lane, vec3_unit(vec3_cross(along, n)), corner[k]);
     }
 }
 
@@ -100,7 +100,7 @@ static void put_leaf(builder *b, int first, int end, float low[3], float high[3]
         t->index[i] = wcut_morton_index(b->item[i]);
         const int *v = b->mesh->triangle + 3 * (size_t)t->index[i];
         memcpy(t->vertex + 3 * (size_t)i, v, 3 * sizeof *v);
-        for (int k = 0; k < 3; k++) widen(t, t->point[v[k]], low, high);
+        for (int k = 0; k < 3; k++) mesh_distance_boxes_widen(t, t->point[v[k]], low, high);
         put_prism(t, i, leaf, i - first);
     }
     for (int lane = end - first; lane < WCUT_MESH_LEAF; lane++) leaf->plane[0][3][lane] = INFINITY;
@@ -110,7 +110,7 @@ static void put_leaf(builder *b, int first, int end, float low[3], float high[3]
    the logarithm to base 8 of those in one cell. */
 static int put_node(builder *b, int first, int end, float low[3], float high[3]) {
     int bound[WCUT_MESH_WIDE + 1];
-    const int parts = divide(b->item, first, end, bound), number = b->nodes++;
+    const int parts = mesh_distance_boxes_divide(b->item, first, end, bound), number = b->nodes++;
     for (int k = 0; k < WCUT_MESH_WIDE; k++) {
         wcut_mesh_node *node = &b->tree->node[number];
         float l[3] = {INFINITY, INFINITY, INFINITY}, h[3] = {-INFINITY, -INFINITY, -INFINITY};
@@ -130,7 +130,7 @@ static int put_node(builder *b, int first, int end, float low[3], float high[3])
     return number;
 }
 
-static void find_box(const wcut_mesh *mesh, wcut_mesh_tree *t) {
+static void mesh_distance_boxes_find_box(const wcut_mesh *mesh, wcut_mesh_tree *t) {
     wcut_vec3 low = mesh->vertex[mesh->triangle[0]], high = low;
     for (size_t k = 0; k < 3 * (size_t)mesh->triangle_count; k++) {
         const wcut_vec3 p = mesh->vertex[mesh->triangle[k]];
@@ -145,7 +145,7 @@ static void find_box(const wcut_mesh *mesh, wcut_mesh_tree *t) {
 /* leaves and nodes that a range will have */
 static void count_nodes(const uint64_t *item, int first, int end, size_t *nodes, size_t *leaves) {
     int bound[WCUT_MESH_WIDE + 1];
-    const int parts = divide(item, first, end, bound);
+    const int parts = mesh_distance_boxes_divide(item, first, end, bound);
     ++*nodes;
     for (int k = 0; k < parts; k++)
         if (bound[k + 1] - bound[k] > WCUT_MESH_LEAF)
@@ -171,7 +171,7 @@ wcut_status wcut_mesh_boxes_build(const wcut_mesh *mesh, wcut_mesh_tree *tree) {
     const size_t n = (size_t)mesh->triangle_count;
     size_t nodes = 0, leaves = 0;
     uint64_t *item = NULL;
-    find_box(mesh, tree);
+    mesh_distance_boxes_find_box(mesh, tree);
     tree->triangles = mesh->triangle_count;
     if (sort_triangles(mesh, tree, &item) != WCUT_OK) return WCUT_NO_MEMORY;
     count_nodes(item, 0, (int)n, &nodes, &leaves);

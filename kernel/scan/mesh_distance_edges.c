@@ -12,7 +12,7 @@ typedef struct edge {
     unsigned which;
 } edge;
 
-static inline int corner_of(edge e) { return (int)(e.which >> 1); }
+static inline int mesh_distance_edges_corner_of(edge e) { return (int)(e.which >> 1); }
 
 /* the vertex that the edge begins at, and the next one */
 static inline void ends_of(const wcut_mesh_tree *t, int corner, int *from, int *to) {
@@ -42,18 +42,20 @@ static void sort_edges(const wcut_mesh_tree *t, int vertices, int *start, edge *
     for (int k = 0; k < edges; k++) start[room[k].other + 1]++;
     begin_buckets(vertices, start);
     for (int k = 0; k < edges; k++) {
-        ends_of(t, corner_of(room[k]), &from, &to);
+        ends_of(t, mesh_distance_edges_corner_of(room[k]), &from, &to);
         sorted[start[room[k].other]++] = (edge){from > to ? from : to, room[k].which};
     }
 }
 
 /* the triangles of one edge of space: one is a border, two are neighbours, anything else is odd */
-static void join(wcut_mesh_tree *t, const edge *e, int count) {
+static void mesh_distance_edges_join(wcut_mesh_tree *t, const edge *e, int count) {
     int low, high;
-    ends_of(t, corner_of(e[0]), &low, &high);
+    ends_of(t, mesh_distance_edges_corner_of(e[0]), &low, &high);
     const bool whole = count == 2 && (e[0].which & 1) != (e[1].which & 1) && low != high;
     for (int k = 0; k < count; k++)
-        t->neighbour[corner_of(e[k])] = whole ? corner_of(e[1 - k]) / 3 : count == 1 ? -1 : -2;
+        t->neighbour[mesh_distance_edges_corner_of(e[k])] = whole        ? mesh_distance_edges_corner_of(e[1 - k]) / 3
+                                                            : count == 1 ? -1
+                                                                         : -2;
     t->info.border_edges += count == 1;
     t->info.nonmanifold_edges += count > 1 && !whole;
     if (count == 1) t->on_border[low] = t->on_border[high] = 1;
@@ -64,11 +66,11 @@ static void join_edges(wcut_mesh_tree *t, int vertices, const int *end, const ed
     for (int v = 0, k = 0; v < vertices; v++)
         for (int next; k < end[v]; k = next) {
             for (next = k + 1; next < end[v] && sorted[next].other == sorted[k].other;) next++;
-            join(t, &sorted[k], next - k);
+            mesh_distance_edges_join(t, &sorted[k], next - k);
         }
 }
 
-static void find_normals(int vertices, wcut_mesh_tree *t) {
+static void mesh_distance_edges_find_normals(int vertices, wcut_mesh_tree *t) {
     for (int i = 0; i < t->triangles; i++) {
         const wcut_mesh_corners p = wcut_mesh_corners_of(t, i);
         const wcut_vec3 ab = vec3_sub(p.b, p.a), ac = vec3_sub(p.c, p.a), bc = vec3_sub(p.c, p.b);
@@ -101,7 +103,7 @@ wcut_status wcut_mesh_edges_build(const wcut_mesh *mesh, wcut_mesh_tree *tree) {
     if (there) {
         sort_edges(tree, vertices, start, room, sorted);
         join_edges(tree, vertices, start, sorted);
-        find_normals(vertices, tree);
+        mesh_distance_edges_find_normals(vertices, tree);
     }
     wcut_free(start);
     wcut_free(sorted);

@@ -16,7 +16,7 @@ static const double MIN = 1e-3;        /* [1] weight below which a vertex has no
 /* ---- values ---- */
 
 /* one round: vertices without a value get the mean of their neighbours that have one; how many did */
-static int pass_on(const wcut_mesh *m, unsigned char *known, double *value, double *sum, int *count) {
+static int mesh_map_pass_on(const wcut_mesh *m, unsigned char *known, double *value, double *sum, int *count) {
     int found = 0;
     for (int t = 0; t < m->triangle_count; t++) {
         const int *v = m->triangle + 3 * (size_t)t;
@@ -34,8 +34,8 @@ static int pass_on(const wcut_mesh *m, unsigned char *known, double *value, doub
 }
 
 /* near[k]: the scan has a point at vertex k */
-static wcut_status fill(const wcut_mesh *m, const double *sum, const double *weight, const unsigned char *near,
-                        double *value, unsigned char *present) {
+static wcut_status mesh_map_fill(const wcut_mesh *m, const double *sum, const double *weight, const unsigned char *near,
+                                 double *value, unsigned char *present) {
     enum { WITHOUT = 2 };
     const size_t count = (size_t)m->vertex_count;
     double *more = wcut_alloc(count, sizeof *more);
@@ -46,7 +46,7 @@ static wcut_status fill(const wcut_mesh *m, const double *sum, const double *wei
         present[k] = own ? 1 : near[k] ? 0 : WITHOUT;
         value[k] = own ? sum[k] / weight[k] : 0;
     }
-    while (done && pass_on(m, present, value, more, times) > 0) continue;
+    while (done && mesh_map_pass_on(m, present, value, more, times) > 0) continue;
     for (size_t k = 0; k < count && done; k++) present[k] = present[k] == 1;
     wcut_free(times);
     wcut_free(more);
@@ -59,7 +59,7 @@ static double longest_of(const wcut_vec3 p[3]) {
     return fmax(vec3_distance(p[0], p[1]), fmax(vec3_distance(p[1], p[2]), vec3_distance(p[2], p[0])));
 }
 
-static void corners_of(const wcut_mesh *m, int t, wcut_vec3 p[3]) {
+static void mesh_map_corners_of(const wcut_mesh *m, int t, wcut_vec3 p[3]) {
     for (int k = 0; k < 3; k++) p[k] = m->vertex[m->triangle[3 * (size_t)t + (size_t)k]];
 }
 
@@ -68,7 +68,7 @@ static double part_side(const wcut_mesh *m, double support) {
     double side = support, samples = 0;
     for (int t = 0; t < m->triangle_count; t++) {
         wcut_vec3 p[3];
-        corners_of(m, t, p);
+        mesh_map_corners_of(m, t, p);
         const double parts = fmin(ceil(longest_of(p) / side), PARTS_MAX);
         samples += parts * parts;
     }
@@ -99,7 +99,7 @@ static wcut_status missing_area(const wcut_mesh *m, double support, const wcut_k
 #pragma omp parallel for schedule(dynamic, 256) num_threads(wcut_threads(threads))
     for (int t = 0; t < m->triangle_count; t++) {
         wcut_vec3 p[3];
-        corners_of(m, t, p);
+        mesh_map_corners_of(m, t, p);
         missing[t] = missing_of(p, side, support, tree);
     }
     for (int t = 0; t < m->triangle_count; t++) sum += missing[t];
@@ -127,7 +127,7 @@ wcut_status wcut_mesh_map_eval(const wcut_mesh *mesh, const double *sum, const d
             near[k] = wcut_kd_tree_distance(&tree, mesh->vertex[k], limit) < limit;
         double missing = 0;
         status = missing_area(mesh, support, &tree, threads, &missing);
-        if (status == WCUT_OK) status = fill(mesh, sum, weight, near, value, present);
+        if (status == WCUT_OK) status = mesh_map_fill(mesh, sum, weight, near, value, present);
         if (status == WCUT_OK) *area = missing;
         wcut_kd_tree_clear(&tree);
     }

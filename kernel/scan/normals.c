@@ -23,7 +23,7 @@ typedef struct covariance {
 } covariance;
 
 /* of the points around p, p itself among them */
-static covariance measure(const wcut_kd_tree *t, wcut_vec3 p, const wcut_kd_nearest *nearest) {
+static covariance normals_measure(const wcut_kd_tree *t, wcut_vec3 p, const wcut_kd_nearest *nearest) {
     wcut_vec3 mean = {0, 0, 0};
     for (int j = 0; j < nearest->count; j++) mean = vec3_add(mean, vec3_sub(t->point[nearest->place[j]], p));
     mean = vec3_scale(1.0 / (nearest->count + 1), mean);
@@ -71,20 +71,20 @@ static wcut_vec3 min_direction(covariance c) {
 }
 
 /* normals of a block of the tree's points, either side up */
-static void find_normals(const wcut_kd_tree *t, int neighbours, int first, int end, wcut_vec3 *normal) {
+static void normals_find_normals(const wcut_kd_tree *t, int neighbours, int first, int end, wcut_vec3 *normal) {
     wcut_kd_nearest nearest;
     for (int k = first; k < end; k++) {
         wcut_kd_tree_nearest(t, k, neighbours, &nearest);
-        normal[k] = min_direction(measure(t, t->point[k], &nearest));
+        normal[k] = min_direction(normals_measure(t, t->point[k], &nearest));
     }
 }
 
-static wcut_status solve(const wcut_kd_tree *t, const wcut_normal_options *o, int threads, wcut_vec3 *normal,
-                         wcut_normal_report *report) {
+static wcut_status normals_solve(const wcut_kd_tree *t, const wcut_normal_options *o, int threads, wcut_vec3 *normal,
+                                 wcut_normal_report *report) {
     const int blocks = t->count / BLOCK + (t->count % BLOCK > 0);
 #pragma omp parallel for schedule(dynamic) num_threads(wcut_threads(threads))
     for (int b = 0; b < blocks; b++)
-        find_normals(t, o->neighbours, b * BLOCK, b == blocks - 1 ? t->count : (b + 1) * BLOCK, normal);
+        normals_find_normals(t, o->neighbours, b * BLOCK, b == blocks - 1 ? t->count : (b + 1) * BLOCK, normal);
     for (int k = 0; k < t->count; k++) report->undefined += !(vec3_dot(normal[k], normal[k]) > 0);
     if (report->undefined == t->count) return WCUT_DEGENERATE;
     return wcut_orient(t, o->neighbours, vec3_unit(o->side), o->steep, threads, normal, report);
@@ -104,7 +104,7 @@ wcut_status wcut_cloud_normals(int count, const wcut_vec3 *point, const wcut_nor
     if (status != WCUT_OK) return status;
     wcut_normal_report r = {0, 0, 0};
     wcut_vec3 *found = wcut_alloc((size_t)count, sizeof *found);
-    status = found ? solve(&tree, &o, threads, found, &r) : WCUT_NO_MEMORY;
+    status = found ? normals_solve(&tree, &o, threads, found, &r) : WCUT_NO_MEMORY;
     if (status == WCUT_OK) {
         for (int k = 0; k < count; k++) normal[tree.index[k]] = found[k];
         if (report) *report = r;

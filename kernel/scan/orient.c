@@ -41,15 +41,16 @@ static bool before(const orientation *o, int a, int b) {
     return x < y || (x == y && a < b);
 }
 
-static void put(orientation *o, int at, int number) {
+static void orient_put(orientation *o, int at, int number) {
     o->heap[at] = number;
     o->waiting[number].heap = at;
 }
 
 static void rise(orientation *o, int at) {
     const int number = o->heap[at];
-    for (; at > 0 && before(o, number, o->heap[(at - 1) / 2]); at = (at - 1) / 2) put(o, at, o->heap[(at - 1) / 2]);
-    put(o, at, number);
+    for (; at > 0 && before(o, number, o->heap[(at - 1) / 2]); at = (at - 1) / 2)
+        orient_put(o, at, o->heap[(at - 1) / 2]);
+    orient_put(o, at, number);
 }
 
 static int take_first(orientation *o) {
@@ -59,14 +60,14 @@ static int take_first(orientation *o) {
     for (int child; (child = 2 * at + 1) < o->heap_count; at = child) {
         if (child + 1 < o->heap_count && before(o, o->heap[child + 1], o->heap[child])) child++;
         if (!before(o, o->heap[child], number)) break;
-        put(o, at, o->heap[child]);
+        orient_put(o, at, o->heap[child]);
     }
-    if (o->heap_count > 0) put(o, at, number);
+    if (o->heap_count > 0) orient_put(o, at, number);
     return first;
 }
 
 /* the turned point at `place` offers itself to a waiting one */
-static void offer(orientation *o, int place, int number) {
+static void orient_offer(orientation *o, int place, int number) {
     waiting_point *w = &o->waiting[number];
     const double weight = 1 - fabs(vec3_dot(o->normal[place], o->normal[w->place]));
     if (w->from >= 0 && weight >= w->weight) return;
@@ -140,32 +141,32 @@ static wcut_status turn_edges(orientation *o) {
 /* ---- walking it ---- */
 
 /* the point has its sign: its waiting neighbours hear of it */
-static void settle(orientation *o, int number) {
+static void orient_settle(orientation *o, int number) {
     const int place = o->waiting[number].place;
     o->number[place] = 0;
     o->done[o->done_count++] = place;
     for (int j = 0; j < o->k; j++) {
         const int p = o->neighbour[(size_t)number * (size_t)o->k + j];
-        if (p >= 0 && o->number[p] > 0) offer(o, place, o->number[p] - 1);
+        if (p >= 0 && o->number[p] > 0) orient_offer(o, place, o->number[p] - 1);
     }
     for (size_t e = o->first[number]; e < o->first[number + 1]; e++)
-        if (o->number[o->waiting[o->back[e]].place] > 0) offer(o, place, o->back[e]);
+        if (o->number[o->waiting[o->back[e]].place] > 0) orient_offer(o, place, o->back[e]);
 }
 
-static void follow(orientation *o) {
+static void orient_follow(orientation *o) {
     while (o->heap_count > 0) {
         const int number = take_first(o);
         wcut_vec3 *n = &o->normal[o->waiting[number].place];
         if (vec3_dot(*n, o->normal[o->waiting[number].from]) < 0) *n = vec3_scale(-1, *n);
-        settle(o, number);
+        orient_settle(o, number);
     }
 }
 
 /* a piece that nothing fixed reaches begins at its most upright point, and is turned as a whole */
 static void follow_piece(orientation *o, int number) {
     const int first = o->done_count;
-    settle(o, number);
-    follow(o);
+    orient_settle(o, number);
+    orient_follow(o);
     double sum = 0;
     for (int d = first; d < o->done_count; d++) sum += vec3_dot(o->normal[o->done[d]], o->side);
     for (int d = first; sum < 0 && d < o->done_count; d++)
@@ -178,25 +179,25 @@ typedef struct rank {
     int number;
 } rank;
 
-static int compare(const void *a, const void *b) {
+static int orient_compare(const void *a, const void *b) {
     const rank *x = a, *y = b;
     if (x->upright != y->upright) return x->upright < y->upright ? 1 : -1;
     return (x->number > y->number) - (x->number < y->number);
 }
 
-static wcut_status walk(orientation *o, wcut_normal_report *report) {
+static wcut_status orient_walk(orientation *o, wcut_normal_report *report) {
     const int n = o->waiting_count;
     rank *order = wcut_alloc((size_t)n, sizeof *order);
     const wcut_status status = order ? WCUT_OK : WCUT_NO_MEMORY;
     if (status == WCUT_OK) {
         for (int w = 0; w < n; w++) order[w] = (rank){o->waiting[w].upright, w};
-        qsort(order, (size_t)n, sizeof *order, compare);
+        qsort(order, (size_t)n, sizeof *order, orient_compare);
         for (size_t e = 0; e < (size_t)n * (size_t)o->k; e++) {
             const int p = o->neighbour[e];
             if (p >= 0 && o->number[p] == 0 && vec3_dot(o->normal[p], o->normal[p]) > 0)
-                offer(o, p, (int)(e / (size_t)o->k));
+                orient_offer(o, p, (int)(e / (size_t)o->k));
         }
-        follow(o);
+        orient_follow(o);
         for (int w = 0; w < n; w++) {
             if (o->number[o->waiting[order[w].number].place] == 0) continue;
             follow_piece(o, order[w].number);
@@ -219,7 +220,7 @@ wcut_status wcut_orient(const wcut_kd_tree *tree, int neighbours, wcut_vec3 side
         for (int b = 0; b < blocks; b++)
             find_neighbours(&o, b * BLOCK, b == blocks - 1 ? o.waiting_count : (b + 1) * BLOCK);
         status = turn_edges(&o);
-        if (status == WCUT_OK) status = walk(&o, report);
+        if (status == WCUT_OK) status = orient_walk(&o, report);
     }
     wcut_free(o.number);
     wcut_free(o.waiting);

@@ -31,7 +31,7 @@ void wcut_reconstruction_destroy(wcut_reconstruction *reconstruction) {
 
 /* ---- what is given ---- */
 
-static wcut_status check_options(const wcut_reconstruction_options *o, wcut_error *error) {
+static wcut_status reconstruct_check_options(const wcut_reconstruction_options *o, wcut_error *error) {
     if (!is_positive(o->support) || o->support > FAR)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "support: found %g, expected a positive number", o->support);
     if (!(o->spacing >= 0 && o->spacing <= FAR) || !(o->smoothing >= 0 && o->smoothing <= FAR) ||
@@ -174,7 +174,7 @@ wcut_status wcut_reconstruction_create(const wcut_surface *surface, int count, c
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "reconstruction: an argument is missing");
     if (count < MIN)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "scan: found %d points, expected at least %d", count, MIN);
-    wcut_status status = check_options(&o, error);
+    wcut_status status = reconstruct_check_options(&o, error);
     if (status == WCUT_OK) status = check_scan(surface, count, point, foot, error);
     if (status != WCUT_OK) return status;
     if (!wcut_spans_plane(count, point, sizeof *point, NULL))

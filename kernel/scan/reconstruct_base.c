@@ -24,7 +24,7 @@ static wcut_vec3 area_vector(const wcut_mesh *m, int t, double *longest) {
 }
 
 /* the direction that the whole mesh faces; 0 where none of its triangles may be turned so far away from it */
-static wcut_vec3 direction_of(const wcut_mesh *m, int flip) {
+static wcut_vec3 reconstruct_base_direction_of(const wcut_mesh *m, int flip) {
     wcut_vec3 sum = {0, 0, 0};
     double longest;
     for (int t = 0; t < m->triangle_count; t++) sum = vec3_add(sum, area_vector(m, t, &longest));
@@ -37,7 +37,7 @@ static wcut_vec3 direction_of(const wcut_mesh *m, int flip) {
     return vec3_scale(flip ? -1 : 1, n);
 }
 
-static bool is_usable(const wcut_mesh *m) {
+static bool reconstruct_base_is_usable(const wcut_mesh *m) {
     if (!m || m->triangle_count < 1 || m->vertex_count < 3 || !wcut_are_near(m->vertex_count, m->vertex)) return false;
     for (size_t k = 0; k < 3 * (size_t)m->triangle_count; k++)
         if (m->triangle[k] < 0 || m->triangle[k] >= m->vertex_count) return false;
@@ -45,8 +45,8 @@ static bool is_usable(const wcut_mesh *m) {
 }
 
 wcut_status wcut_mesh_base(const wcut_mesh *mesh, int flip, wcut_surface **surface) {
-    if (!surface || !is_usable(mesh)) return WCUT_BAD_ARGUMENT;
-    const wcut_vec3 n = direction_of(mesh, flip), x = {1, 0, 0}, y = {0, 1, 0};
+    if (!surface || !reconstruct_base_is_usable(mesh)) return WCUT_BAD_ARGUMENT;
+    const wcut_vec3 n = reconstruct_base_direction_of(mesh, flip), x = {1, 0, 0}, y = {0, 1, 0};
     if (!(vec3_dot(n, n) > 0)) return WCUT_DEGENERATE;
     const wcut_vec3 along = fabs(n.x) < 0.9 ? x : y;
     const wcut_vec3 e = vec3_unit(vec3_sub(along, vec3_scale(vec3_dot(along, n), n))), f = vec3_cross(n, e);
@@ -78,13 +78,13 @@ static corner corner_of(const wcut_lattice *l, const wcut_foot *foot, double hei
     return (corner){column + (double)p.s, row + (double)p.t, height};
 }
 
-static double turn(const corner *a, const corner *b, double x, double y) {
+static double reconstruct_base_turn(const corner *a, const corner *b, double x, double y) {
     return (b->x - a->x) * (y - a->y) - (b->y - a->y) * (x - a->x);
 }
 
 /* the nodes that a triangle covers, a rounding wider than it is */
 static void cover(const wcut_lattice *l, const corner c[3], wcut_base *base) {
-    const double slack = 1e-5, area = turn(&c[0], &c[1], c[2].x, c[2].y);
+    const double slack = 1e-5, area = reconstruct_base_turn(&c[0], &c[1], c[2].x, c[2].y);
     const double left = fmin(c[0].x, fmin(c[1].x, c[2].x)), right = fmax(c[0].x, fmax(c[1].x, c[2].x));
     const double front = fmin(c[0].y, fmin(c[1].y, c[2].y)), back = fmax(c[0].y, fmax(c[1].y, c[2].y));
     if (!(fabs(area) > 0)) return;
@@ -94,7 +94,7 @@ static void cover(const wcut_lattice *l, const corner c[3], wcut_base *base) {
             bool inside = true;
             for (int k = 0; k < 3; k++) {
                 const corner *p = &c[(k + 1) % 3], *q = &c[(k + 2) % 3];
-                w[k] = turn(p, q, i, j) / area;
+                w[k] = reconstruct_base_turn(p, q, i, j) / area;
                 inside = inside && w[k] * fabs(area) >= -slack * hypot(q->x - p->x, q->y - p->y);
             }
             if (!inside) continue;
@@ -105,7 +105,7 @@ static void cover(const wcut_lattice *l, const corner c[3], wcut_base *base) {
 
 /* Nodes that are not covered go on from those that are, from neighbour to neighbour: straight for NEAR steps, so that
    cells at the mesh's border are no bend, then level. */
-static bool spread(const wcut_lattice *l, wcut_base *base) {
+static bool reconstruct_base_spread(const wcut_lattice *l, wcut_base *base) {
     enum { NEAR = 2 };
     const int nodes = lattice_nodes(l), columns = l->columns;
     int *queue = wcut_alloc((size_t)nodes, sizeof *queue), last = 0;
@@ -153,7 +153,7 @@ void wcut_base_clear(wcut_base *base) {
 
 wcut_status wcut_base_lay(const wcut_surface *plane, const wcut_mesh *mesh, int threads, wcut_lattice *lattice,
                           wcut_base *base) {
-    if (!is_usable(mesh)) return WCUT_BAD_ARGUMENT;
+    if (!reconstruct_base_is_usable(mesh)) return WCUT_BAD_ARGUMENT;
     const size_t nodes = (size_t)lattice_nodes(lattice);
     wcut_base b = {wcut_alloc(nodes, sizeof *b.height), wcut_alloc(nodes, 1)};
     corner *at = wcut_alloc((size_t)mesh->vertex_count, sizeof *at);
@@ -164,7 +164,7 @@ wcut_status wcut_base_lay(const wcut_surface *plane, const wcut_mesh *mesh, int 
         cover(lattice, (corner[3]){at[v[0]], at[v[1]], at[v[2]]}, &b);
     }
     if (status == WCUT_OK && !memchr(b.covered, 1, nodes)) status = WCUT_BAD_ARGUMENT;
-    if (status == WCUT_OK && !spread(lattice, &b)) status = WCUT_NO_MEMORY;
+    if (status == WCUT_OK && !reconstruct_base_spread(lattice, &b)) status = WCUT_NO_MEMORY;
     for (size_t k = 0; k < nodes && status == WCUT_OK; k++)
         lattice->point[k] = vec3_add_scaled(lattice->point[k], b.height[k], lattice->normal[k]);
     wcut_free(at);

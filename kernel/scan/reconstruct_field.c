@@ -76,7 +76,7 @@ static void dilate(const plate *p, int reach, unsigned char *mark, unsigned char
 }
 
 /* a first height for nodes without a point around them: the mean of their neighbours', ring by ring */
-static void spread(const plate *p, int reach, unsigned char *ring_of, double *height) {
+static void reconstruct_field_spread(const plate *p, int reach, unsigned char *ring_of, double *height) {
     const int columns = p->columns, rows = p->rows;
     for (int ring = 1; ring <= 2 * reach && ring < 255; ring++)
         for (int k = 0; k < columns * rows; k++) {
@@ -115,7 +115,7 @@ static wcut_status take_points(plate *p, int count, const wcut_lattice_place *pl
         start[k] = weight[k] > 0 ? p->right[k] / weight[k] : 0;
         scratch[k] = weight[k] > 0;
     }
-    spread(p, reach, scratch, start);
+    reconstruct_field_spread(p, reach, scratch, start);
     wcut_free(scratch);
     return WCUT_OK;
 }
@@ -123,14 +123,14 @@ static wcut_status take_points(plate *p, int count, const wcut_lattice_place *pl
 /* ---- bending ---- */
 
 /* [mm] between nodes, narrow cells as if they were wider */
-static double apart(const plate *p, int k, int other, double thin) {
+static double reconstruct_field_apart(const plate *p, int k, int other, double thin) {
     return fmax(vec3_distance(p->lattice->point[k], p->lattice->point[other]), thin);
 }
 
 /* the square of the second difference of nodes k - step, k, k + step over the area around k, `across` wide:
    h_xx = 2 / (a + b) ((h_a - h) / a + (h_b - h) / b) */
 static void add_line(plate *p, int k, int step, int near, int far, double across, double root, double thin) {
-    const double a = apart(p, k, k - step, thin), b = apart(p, k, k + step, thin);
+    const double a = reconstruct_field_apart(p, k, k - step, thin), b = reconstruct_field_apart(p, k, k + step, thin);
     const double share = root * sqrt(across * (a + b) / 2);
     const double x = 2 * share / (a * (a + b)), y = 2 * share / (b * (a + b)), z = -x - y;
     p->entry[SELF][k - step] += x * x;
@@ -143,7 +143,8 @@ static void add_line(plate *p, int k, int step, int near, int far, double across
 
 /* [mm] mean distance of the neighbours that node k has, `place` of 0 .. last, in a direction */
 static double width(const plate *p, int k, int place, int last, int step, double thin) {
-    const double a = place > 0 ? apart(p, k, k - step, thin) : 0, b = place < last ? apart(p, k, k + step, thin) : 0;
+    const double a = place > 0 ? reconstruct_field_apart(p, k, k - step, thin) : 0,
+                 b = place < last ? reconstruct_field_apart(p, k, k + step, thin) : 0;
     return (a + b) / ((place > 0) + (place < last));
 }
 
@@ -156,7 +157,9 @@ static void add_bending(plate *p, int k, double root, double thin) {
     if (j > 0 && j < p->rows - 1 && active[-columns] && active[columns])
         add_line(p, k, columns, UP, UP2, width(p, k, i, columns - 1, 1, thin), root, thin);
     if (i == columns - 1 || j == p->rows - 1 || !active[1] || !active[columns] || !active[columns + 1]) return;
-    const double twist = root * sqrt(2 / (apart(p, k, k + 1, thin) * apart(p, k, k + columns, thin)));
+    const double twist =
+        root *
+        sqrt(2 / (reconstruct_field_apart(p, k, k + 1, thin) * reconstruct_field_apart(p, k, k + columns, thin)));
     add_cell(p, k, (double[CORNERS]){twist, -twist, -twist, twist});
 }
 
@@ -180,7 +183,7 @@ static void stiffen(plate *p, double root) {
 /* ---- conjugate gradients ---- */
 
 /* y = A x */
-static void multiply(const plate *p, const double *x, double *y) {
+static void reconstruct_field_multiply(const plate *p, const double *x, double *y) {
     const int offset[OFFSETS] = {0, 1, 2, p->columns - 1, p->columns, p->columns + 1, 2 * p->columns};
 #pragma omp parallel for schedule(static) num_threads(wcut_threads(p->threads))
     for (int j = 0; j < p->rows; j++)
@@ -193,7 +196,7 @@ static void multiply(const plate *p, const double *x, double *y) {
 }
 
 /* sum of a b c (c may be NULL): rows first, then in their order, the same for every number of threads */
-static double dot(const plate *p, const double *a, const double *b, const double *c) {
+static double reconstruct_field_dot(const plate *p, const double *a, const double *b, const double *c) {
 #pragma omp parallel for schedule(static) num_threads(wcut_threads(p->threads))
     for (int j = 0; j < p->rows; j++) {
         double sum = 0;
@@ -206,19 +209,19 @@ static double dot(const plate *p, const double *a, const double *b, const double
 }
 
 /* x from a first guess to A x = right; false where that takes more than MAX_STEPS steps */
-static bool solve(const plate *p, double *x, int *steps) {
+static bool reconstruct_field_solve(const plate *p, double *x, int *steps) {
     const int nodes = p->columns * p->rows;
     double *r = p->residual, *d = p->direction;
-    multiply(p, x, p->image);
+    reconstruct_field_multiply(p, x, p->image);
     for (int k = 0; k < nodes; k++) r[k] = p->right[k] - p->image[k], d[k] = r[k] * p->inverse[k];
-    double rho = dot(p, r, r, p->inverse);
+    double rho = reconstruct_field_dot(p, r, r, p->inverse);
     /* of the first residual or, where a guess leaves next to none, of the rounding of the right side */
-    const double goal = REDUCED * REDUCED * fmax(rho, 1e-16 * dot(p, p->right, p->right, p->inverse));
+    const double goal = REDUCED * REDUCED * fmax(rho, 1e-16 * reconstruct_field_dot(p, p->right, p->right, p->inverse));
     for (*steps = 0; rho > goal && *steps < MAX_STEPS; (*steps)++) {
-        multiply(p, d, p->image);
-        const double step = rho / dot(p, d, p->image, NULL);
+        reconstruct_field_multiply(p, d, p->image);
+        const double step = rho / reconstruct_field_dot(p, d, p->image, NULL);
         for (int k = 0; k < nodes; k++) x[k] += step * d[k], r[k] -= step * p->image[k];
-        const double next = dot(p, r, r, p->inverse), turn = next / rho;
+        const double next = reconstruct_field_dot(p, r, r, p->inverse), turn = next / rho;
         for (int k = 0; k < nodes; k++) d[k] = r[k] * p->inverse[k] + turn * d[k];
         rho = next;
     }
@@ -251,7 +254,7 @@ static bool allocate(plate *p) {
 }
 
 /* all but `active`, which is handed out */
-static void clear(plate *p) {
+static void reconstruct_field_clear(plate *p) {
     double **array[ARRAYS];
     list_arrays(p, array);
     for (int k = 0; k < ARRAYS; k++)
@@ -260,8 +263,8 @@ static void clear(plate *p) {
 }
 
 /* [mm] of the points about the field */
-static double misfit(const plate *p, int count, const wcut_lattice_place *place, const double *height,
-                     const double *x) {
+static double reconstruct_field_misfit(const plate *p, int count, const wcut_lattice_place *place, const double *height,
+                                       const double *x) {
     double sum = 0;
     for (int k = 0; k < count; k++) {
         double w[CORNERS], h = -height[k];
@@ -286,13 +289,13 @@ wcut_status wcut_field_solve(const wcut_lattice *lattice, int count, const wcut_
     if (status == WCUT_OK) status = take_points(&p, count, place, height, reach, x);
     if (status == WCUT_OK) {
         stiffen(&p, sqrt(density) * smoothing * smoothing);
-        if (!solve(&p, x, &f.iterations)) status = WCUT_NOT_CONVERGED;
-        f.rms = misfit(&p, count, place, height, x);
+        if (!reconstruct_field_solve(&p, x, &f.iterations)) status = WCUT_NOT_CONVERGED;
+        f.rms = reconstruct_field_misfit(&p, count, place, height, x);
     }
     if (status == WCUT_OK) f.height = wcut_copy(x, nodes, sizeof *x);
     if (status == WCUT_OK && !f.height) status = WCUT_NO_MEMORY;
     wcut_free(room);
-    clear(&p);
+    reconstruct_field_clear(&p);
     f.active = p.active;
     if (status == WCUT_OK)
         *field = f;

@@ -8,13 +8,13 @@
 
 enum { ACROSS = 33, ALONG_MIN = 64, ALONG_MAX = 4096 };
 
-static void spread(int count, const double *first, const double *last, double *at) {
+static void reconstruct_lattice_spread(int count, const double *first, const double *last, double *at) {
     for (int i = 0; i < count; i++) at[i] = *first + (*last - *first) * i / (count - 1);
 }
 
 /* the way along u (or v) to each of `along` parameters, that of the longest of some lines at every step */
-static wcut_status measure(const wcut_surface *surface, int by_u, int along, const double *at, const double *across,
-                           double *way) {
+static wcut_status reconstruct_lattice_measure(const wcut_surface *surface, int by_u, int along, const double *at,
+                                               const double *across, double *way) {
     wcut_vec3 *point = wcut_alloc((size_t)along * ACROSS, sizeof *point);
     if (!point) return WCUT_NO_MEMORY;
     const wcut_status status = by_u ? wcut_surface_eval_grid(surface, along, at, ACROSS, across, point)
@@ -58,13 +58,13 @@ static wcut_status make_ruler(const wcut_surface *surface, int by_u, ruler *r) {
     r->at = wcut_alloc((size_t)r->count, sizeof *r->at);
     r->way = wcut_alloc((size_t)r->count, sizeof *r->way);
     if (!r->at || !r->way) return WCUT_NO_MEMORY;
-    spread(r->count, &first[!by_u], &last[!by_u], r->at);
-    spread(ACROSS, &first[by_u], &last[by_u], across);
-    const wcut_status status = measure(surface, by_u, r->count, r->at, across, r->way);
+    reconstruct_lattice_spread(r->count, &first[!by_u], &last[!by_u], r->at);
+    reconstruct_lattice_spread(ACROSS, &first[by_u], &last[by_u], across);
+    const wcut_status status = reconstruct_lattice_measure(surface, by_u, r->count, r->at, across, r->way);
     return status == WCUT_OK && !is_positive(r->way[r->count - 1]) ? WCUT_DEGENERATE : status;
 }
 
-static void find_normals(const wcut_surface *surface, int threads, wcut_lattice *l) {
+static void reconstruct_lattice_find_normals(const wcut_surface *surface, int threads, wcut_lattice *l) {
 #pragma omp parallel for schedule(static) num_threads(wcut_threads(threads))
     for (int j = 0; j < l->rows; j++)
         for (int i = 0; i < l->columns; i++) {
@@ -75,8 +75,8 @@ static void find_normals(const wcut_surface *surface, int threads, wcut_lattice 
         }
 }
 
-static wcut_status fill(const wcut_surface *surface, const ruler *u, const ruler *v, double spacing, int threads,
-                        wcut_lattice *l) {
+static wcut_status reconstruct_lattice_fill(const wcut_surface *surface, const ruler *u, const ruler *v, double spacing,
+                                            int threads, wcut_lattice *l) {
     const double columns = ceil(u->way[u->count - 1] / spacing) + 1, rows = ceil(v->way[v->count - 1] / spacing) + 1;
     if (!(columns * rows <= WCUT_LATTICE_MAX)) return WCUT_BAD_ARGUMENT;
     l->columns = (int)columns;
@@ -89,7 +89,7 @@ static wcut_status fill(const wcut_surface *surface, const ruler *u, const ruler
     if (!l->u || !l->v || !l->point || !l->normal) return WCUT_NO_MEMORY;
     place_lines(u->count, u->at, u->way, l->columns, l->u);
     place_lines(v->count, v->at, v->way, l->rows, l->v);
-    find_normals(surface, threads, l);
+    reconstruct_lattice_find_normals(surface, threads, l);
     return wcut_surface_eval_grid(surface, l->columns, l->u, l->rows, l->v, l->point);
 }
 
@@ -98,7 +98,7 @@ wcut_status wcut_lattice_build(const wcut_surface *surface, double spacing, int 
     wcut_lattice l = {0};
     wcut_status status = make_ruler(surface, 1, &u);
     if (status == WCUT_OK) status = make_ruler(surface, 0, &v);
-    if (status == WCUT_OK) status = fill(surface, &u, &v, spacing, threads, &l);
+    if (status == WCUT_OK) status = reconstruct_lattice_fill(surface, &u, &v, spacing, threads, &l);
     if (status == WCUT_OK)
         *lattice = l;
     else

@@ -55,7 +55,7 @@ typedef struct split {
     int yes[CELL_TRIANGLES][3], no[CELL_TRIANGLES][3];
 } split;
 
-static void put(int (*triangle)[3], int *count, int a, int b, int c) {
+static void reconstruct_sheet_put(int (*triangle)[3], int *count, int a, int b, int c) {
     triangle[*count][0] = a, triangle[*count][1] = b, triangle[(*count)++][2] = c;
 }
 
@@ -70,14 +70,14 @@ static split split_cell(const wcut_sheet *s, int cell) {
     const int before = ring[(missing + 3) % RING], at = ring[missing], after = ring[(missing + 1) % RING],
               across = ring[(missing + 2) % RING];
     if (count == RING) {
-        put(c.yes, &c.measured, ring[0], ring[1], ring[2]);
-        put(c.yes, &c.measured, ring[0], ring[2], ring[3]);
+        reconstruct_sheet_put(c.yes, &c.measured, ring[0], ring[1], ring[2]);
+        reconstruct_sheet_put(c.yes, &c.measured, ring[0], ring[2], ring[3]);
     } else {
-        put(c.no, &c.unmeasured, before, at, after);
+        reconstruct_sheet_put(c.no, &c.unmeasured, before, at, after);
         if (count == RING - 1)
-            put(c.yes, &c.measured, after, across, before);
+            reconstruct_sheet_put(c.yes, &c.measured, after, across, before);
         else
-            put(c.no, &c.unmeasured, after, across, before);
+            reconstruct_sheet_put(c.no, &c.unmeasured, after, across, before);
     }
     return c;
 }
@@ -119,7 +119,7 @@ typedef struct list {
     int *triangle; /* room for 2 x cells */
 } list;
 
-static void add(list *l, const int t[3]) {
+static void reconstruct_sheet_add(list *l, const int t[3]) {
     for (int a = 0; a < 3; a++) l->triangle[3 * l->count + a] = t[a];
     l->count++;
 }
@@ -185,7 +185,7 @@ static void cut_cells(const wcut_sheet *s, list *yes, list *no, double *open_are
             /* triangles that points support */
             for (int k = 0; k < c.measured; k++) {
                 own += triangle_area(s->lattice->point, c.yes[k]);
-                add(yes, c.yes[k]);
+                reconstruct_sheet_add(yes, c.yes[k]);
             }
 
             /* triangles without points: open where they are inside the block */
@@ -198,7 +198,7 @@ static void cut_cells(const wcut_sheet *s, list *yes, list *no, double *open_are
                     continue;
                 }
                 open += area;
-                add(no, c.no[k]);
+                reconstruct_sheet_add(no, c.no[k]);
             }
 
             /* areas of the cell and of the face */

@@ -81,7 +81,7 @@ static wcut_status find_feet(wcut_register_cloud *c, const wcut_motion *motion) 
     return status;
 }
 
-static void find_normals(wcut_register_cloud *c) {
+static void register_cloud_find_normals(wcut_register_cloud *c) {
     const wcut_register_face *f = &c->face;
 #pragma omp parallel for schedule(static) num_threads(wcut_threads(c->threads))
     for (int i = 0; i < c->count; i++)
@@ -126,11 +126,11 @@ static double fade(double t) {
 }
 
 /* the weight of a deviate whose size is t times the limit of the share kept */
-static double weight_of(double t) { return fade((t - 1 + SOFT) / (2 * SOFT)); }
+static double register_cloud_weight_of(double t) { return fade((t - 1 + SOFT) / (2 * SOFT)); }
 
 /* the weight of a point at height r: its size over the limit, and how far it is beyond a border */
 static double weigh(const wcut_register_cloud *c, int i, double r, double limit) {
-    const double w = weight_of(fabs(r) / limit);
+    const double w = register_cloud_weight_of(fabs(r) / limit);
     if (w == 0 || !is_beyond(c, i)) return w;
     const wcut_vec3 d = vec3_sub(c->moved[i], c->at[i]), side = vec3_sub(d, vec3_scale(r, c->normal[i]));
     return w * fade(vec3_length(side) / limit);
@@ -141,7 +141,7 @@ wcut_status wcut_register_distances(void *data, const wcut_motion *motion, wcut_
     const wcut_status status = find_feet(c, motion);
     if (status != WCUT_OK) return status;
     int over = 0;
-    find_normals(c);
+    register_cloud_find_normals(c);
 
     /* the limit is that of the points over the face */
     for (int i = 0; i < c->count; i++) {
@@ -183,7 +183,10 @@ static double consistency_of(double keep) {
     const double q = wcut_gaussian_quantile((1 + keep) / 2), h = (1 + SOFT) * q / PANELS;
     double weight = 0, square = 0;
     for (int k = 0; k <= PANELS; k++) {
-        const double x = k * h, part = (k == 0 || k == PANELS ? 1 : k % 2 ? 4 : 2) * weight_of(x / q) * exp(-x * x / 2);
+        const double x = k * h, part = (k == 0 || k == PANELS ? 1
+                                        : k % 2               ? 4
+                                                              : 2) *
+                                       register_cloud_weight_of(x / q) * exp(-x * x / 2);
         weight += part;
         square += part * x * x;
     }

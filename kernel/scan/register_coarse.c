@@ -117,8 +117,8 @@ static wcut_status rank_starts(wcut_register_cloud *few, wcut_vec3 pivot, const 
 }
 
 /* some steps from a start; where they lead, and how close that is. One that leads nowhere stays where it was. */
-static wcut_status approach(wcut_register_cloud *some, const wcut_registration_options *o, double length,
-                            wcut_motion *motion, double *rms) {
+static wcut_status register_coarse_approach(wcut_register_cloud *some, const wcut_registration_options *o,
+                                            double length, wcut_motion *motion, double *rms) {
     wcut_registration unused = wcut_registration_none();
     wcut_register_problem problem = wcut_register_fit_problem(some, o, length);
     problem.max_iterations = STEPS;
@@ -137,8 +137,9 @@ static double apart(const wcut_register_cloud *c, const wcut_motion *a, const wc
     return sqrt(sum / c->count);
 }
 
-static wcut_status choose(wcut_register_cloud *few, wcut_register_cloud *some, const wcut_registration_options *options,
-                          double length, wcut_motion *motion, double *rival) {
+static wcut_status register_coarse_choose(wcut_register_cloud *few, wcut_register_cloud *some,
+                                          const wcut_registration_options *options, double length, wcut_motion *motion,
+                                          double *rival) {
     wcut_registration_options o = *options;
     wcut_motion reached[TRIED + 1];
     double rms[TRIED + 1] = {0};
@@ -150,7 +151,7 @@ static wcut_status choose(wcut_register_cloud *few, wcut_register_cloud *some, c
     if (status == WCUT_OK) status = rank_starts(few, motion->pivot, &scan, &surface, start);
     for (int k = 0; k <= TRIED && status == WCUT_OK; k++) {
         reached[k] = k ? start_of(start[k - 1], motion->pivot, &scan, &surface) : *motion;
-        status = approach(some, &o, length, &reached[k], &rms[k]);
+        status = register_coarse_approach(some, &o, length, &reached[k], &rms[k]);
         const double min = (best ? 1 : BETTER) * rms[best] - (best ? 0 : 1e-6 * length);
         if (status == WCUT_OK && k && rms[k] < min) best = k;
     }
@@ -169,7 +170,7 @@ wcut_status wcut_register_coarse(wcut_register_face face, int count, const wcut_
     wcut_register_cloud few = {0}, some = {0};
     wcut_status status = wcut_register_sample(face, count, point, FEW, options->keep, threads, &few);
     if (status == WCUT_OK) status = wcut_register_sample(face, count, point, SOME, options->keep, threads, &some);
-    if (status == WCUT_OK) status = choose(&few, &some, options, length, motion, rival);
+    if (status == WCUT_OK) status = register_coarse_choose(&few, &some, options, length, motion, rival);
     wcut_register_sample_clear(&few);
     wcut_register_sample_clear(&some);
     return status;

@@ -20,7 +20,7 @@ typedef struct datums {
 static double weight_of(double sigma) { return sigma > 0 ? 1 / (sigma * sigma) : 1; }
 
 /* the residuals of pairs, three each, and of the points on faces */
-static wcut_status residuals(void *data, const wcut_motion *motion, wcut_register_sums *sums) {
+static wcut_status register_datum_residuals(void *data, const wcut_motion *motion, wcut_register_sums *sums) {
     static const wcut_vec3 axis[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const datums *d = data;
     for (int i = 0; i < d->pairs; i++) {
@@ -102,7 +102,7 @@ static wcut_status check_face(int i, const wcut_datum_face *f, long long *residu
 }
 
 /* whether sigmas are known is told in `known`; the residuals are at most INT_MAX */
-static wcut_status check(const datums *d, int *known, int *residual_count, wcut_error *error) {
+static wcut_status register_datum_check(const datums *d, int *known, int *residual_count, wcut_error *error) {
     int unknown = 0;
     long long count = 3LL * d->pairs;
     *known = 0;
@@ -150,7 +150,7 @@ static bool all_free(const wcut_dof *dof) {
 }
 
 /* where Gauss-Newton starts: at the closed form if the pairs ask for it, else at the values */
-static wcut_motion start(const datums *d, const wcut_registration_options *o, wcut_vec3 pivot) {
+static wcut_motion register_datum_start(const datums *d, const wcut_registration_options *o, wcut_vec3 pivot) {
     wcut_vec3 scan, block;
     double x[WCUT_DOF_COUNT];
     wcut_register_start(o, x);
@@ -169,19 +169,19 @@ wcut_status wcut_registration_solve_datum(int pairs, const wcut_datum_pair *pair
     if (pairs < 0 || faces < 0 || pairs + (long long)faces < 1 || (pairs && !pair) || (faces && !face) || !registration)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "datums: found %d pairs and %d faces, expected some", pairs, faces);
     wcut_status status = wcut_register_options(options, &o, error);
-    if (status == WCUT_OK) status = check(&d, &known, &count, error);
+    if (status == WCUT_OK) status = register_datum_check(&d, &known, &count, error);
     if (status != WCUT_OK) return status;
     wcut_vec3 pivot = {0, 0, 0};
     const double length = find_pivot(&d, &o, &pivot);
     wcut_registration r = wcut_registration_none();
     wcut_register_sums before = {.weight = 0};
     const wcut_motion stay = wcut_motion_of(pivot, (double[WCUT_DOF_COUNT]){0});
-    status = residuals(&d, &stay, &before);
+    status = register_datum_residuals(&d, &stay, &before);
     r.method = WCUT_REGISTRATION_METHOD_DATUM;
     r.points = count;
     r.rms_before = sqrt(before.plain / before.used);
-    wcut_motion motion = start(&d, &o, pivot);
-    const wcut_register_problem problem = {.model = residuals,
+    wcut_motion motion = register_datum_start(&d, &o, pivot);
+    const wcut_register_problem problem = {.model = register_datum_residuals,
                                            .data = &d,
                                            .options = &o,
                                            .length = length,

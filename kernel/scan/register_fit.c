@@ -28,8 +28,8 @@ static bool wants_coarse(const wcut_registration_options *o) {
     return o->coarse;
 }
 
-static wcut_status solve(wcut_register_cloud *c, const wcut_registration_options *o, wcut_registration *registration,
-                         wcut_error *error) {
+static wcut_status register_fit_solve(wcut_register_cloud *c, const wcut_registration_options *o,
+                                      wcut_registration *registration, wcut_error *error) {
     wcut_registration r = wcut_registration_none();
     wcut_vec3 pivot;
     double x[WCUT_DOF_COUNT];
@@ -63,9 +63,9 @@ static wcut_status solve(wcut_register_cloud *c, const wcut_registration_options
     return status == WCUT_OK ? status : wcut_fail(error, status, "registration: stopped after %d steps", r.iterations);
 }
 
-static wcut_status fit(wcut_register_face face, int count, const wcut_vec3 *point,
-                       const wcut_registration_options *options, int threads, wcut_registration *registration,
-                       wcut_error *error) {
+static wcut_status register_fit_fit(wcut_register_face face, int count, const wcut_vec3 *point,
+                                    const wcut_registration_options *options, int threads,
+                                    wcut_registration *registration, wcut_error *error) {
     wcut_registration_options o;
     wcut_register_cloud cloud;
     if (!point || threads < 1 || !registration)
@@ -83,7 +83,7 @@ static wcut_status fit(wcut_register_face face, int count, const wcut_vec3 *poin
     /* fit a sample of the scan */
     status = wcut_register_sample(face, count, point, o.max_points, o.keep, threads, &cloud);
     if (status != WCUT_OK) return wcut_fail(error, status, "registration: %s", wcut_status_text(status));
-    status = solve(&cloud, &o, registration, error);
+    status = register_fit_solve(&cloud, &o, registration, error);
     wcut_register_sample_clear(&cloud);
     return status;
 }
@@ -92,7 +92,8 @@ wcut_status wcut_registration_fit(const wcut_projection *projection, int count, 
                                   const wcut_registration_options *options, int threads,
                                   wcut_registration *registration, wcut_error *error) {
     if (!projection) return wcut_fail(error, WCUT_BAD_ARGUMENT, "registration: an argument is missing");
-    return fit((wcut_register_face){.projection = projection}, count, point, options, threads, registration, error);
+    return register_fit_fit((wcut_register_face){.projection = projection}, count, point, options, threads,
+                            registration, error);
 }
 
 wcut_status wcut_registration_fit_mesh(const wcut_mesh *mesh, const wcut_mesh_tree *tree, int count,
@@ -100,5 +101,6 @@ wcut_status wcut_registration_fit_mesh(const wcut_mesh *mesh, const wcut_mesh_tr
                                        wcut_registration *registration, wcut_error *error) {
     if (!mesh || !tree || mesh->triangle_count != tree->triangles)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "registration: expected a mesh and its tree");
-    return fit((wcut_register_face){.mesh = mesh, .tree = tree}, count, point, options, threads, registration, error);
+    return register_fit_fit((wcut_register_face){.mesh = mesh, .tree = tree}, count, point, options, threads,
+                            registration, error);
 }

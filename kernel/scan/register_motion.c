@@ -7,7 +7,7 @@
 static const double SMALL = 1e-4;
 
 /* I + a [w]x + b [w]x^2 */
-static mat3 combine(wcut_vec3 w, double a, double b) {
+static mat3 register_motion_combine(wcut_vec3 w, double a, double b) {
     const mat3 cross = {{0, -a * w.z, a * w.y}, {a * w.z, 0, -a * w.x}, {-a * w.y, a * w.x, 0}};
     /* [w]x^2 = w w^T - |w|^2 I */
     return mat3_add_identity(mat3_add_outer(cross, vec3_scale(b, w), w), 1 - b * vec3_dot(w, w));
@@ -19,10 +19,10 @@ wcut_motion wcut_motion_of(wcut_vec3 pivot, const double *x) {
     const wcut_vec3 w = vec3(x[WCUT_DOF_RX], x[WCUT_DOF_RY], x[WCUT_DOF_RZ]);
     const double angle = vec3_length(w);
     if (angle < SMALL) {
-        m.rotation = combine(w, 1 - angle * angle / 6, 0.5 - angle * angle / 24);
+        m.rotation = register_motion_combine(w, 1 - angle * angle / 6, 0.5 - angle * angle / 24);
     } else {
         const double half = sin(angle / 2) / angle;
-        m.rotation = combine(w, sin(angle) / angle, 2 * half * half);
+        m.rotation = register_motion_combine(w, sin(angle) / angle, 2 * half * half);
     }
     return m;
 }
@@ -30,8 +30,9 @@ wcut_motion wcut_motion_of(wcut_vec3 pivot, const double *x) {
 mat3 wcut_motion_jacobian(const double *w) {
     const wcut_vec3 v = vec3(w[0], w[1], w[2]);
     const double angle = vec3_length(v);
-    if (angle < SMALL) return combine(v, 0.5 - angle * angle / 24, 1.0 / 6 - angle * angle / 120);
-    return combine(v, (1 - cos(angle)) / (angle * angle), (angle - sin(angle)) / (angle * angle * angle));
+    if (angle < SMALL) return register_motion_combine(v, 0.5 - angle * angle / 24, 1.0 / 6 - angle * angle / 120);
+    return register_motion_combine(v, (1 - cos(angle)) / (angle * angle),
+                                   (angle - sin(angle)) / (angle * angle * angle));
 }
 
 /* the quaternion (w; v) of a rotation, from its largest component (Shepperd 1978); turned so that w >= 0 */

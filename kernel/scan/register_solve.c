@@ -91,8 +91,8 @@ static void determine(const wcut_register_problem *p, double weight, int max, no
     n->rank = n->by_data + (n->by_data < n->m ? seen_by_prior(n, n->by_data, min) : 0);
 }
 
-static void linearise(const wcut_register_problem *p, const wcut_motion *motion, const wcut_register_sums *s, int max,
-                      normal *n) {
+static void register_solve_linearise(const wcut_register_problem *p, const wcut_motion *motion,
+                                     const wcut_register_sums *s, int max, normal *n) {
     double h[N * N], g[N];
     to_parameters(p, motion, s, h, g);
     n->m = 0;
@@ -125,7 +125,7 @@ static void reduce(const normal *n, double share, double *reduced) {
 }
 
 /* a step in y; its length [mm], how far points move (RMS) */
-static double step_of(const normal *n, double variance, double damping, double *y) {
+static double register_solve_step_of(const normal *n, double variance, double damping, double *y) {
     const int m = n->m, r = n->rank;
     double a[N * N], b[N] = {0}, z[N] = {0}, square = 0;
     reduce(n, 1 / variance, a);
@@ -179,8 +179,8 @@ static wcut_status cost_at(const wcut_register_problem *p, const wcut_motion *tr
 
 /* Take a trial that lowers the cost: residuals are chosen anew there. Where too few are left, those of the motion before
    are chosen again and the trial is not taken. */
-static wcut_status accept(const wcut_register_problem *p, const wcut_motion *trial, wcut_motion *motion,
-                          wcut_register_sums *there, bool *accepted) {
+static wcut_status register_solve_accept(const wcut_register_problem *p, const wcut_motion *trial, wcut_motion *motion,
+                                         wcut_register_sums *there, bool *accepted) {
     wcut_status status = WCUT_OK;
     if (p->held) {
         *there = (wcut_register_sums){.weight = 0};
@@ -196,12 +196,13 @@ static wcut_status accept(const wcut_register_problem *p, const wcut_motion *tri
 }
 
 /* one accepted step from motion, or none: how far points moved, INFINITY where no step of any length was better */
-static wcut_status advance(const wcut_register_problem *p, const normal *n, double variance, double *damping,
-                           wcut_motion *motion, wcut_register_sums *sums, double settled, double *moved) {
+static wcut_status register_solve_advance(const wcut_register_problem *p, const normal *n, double variance,
+                                          double *damping, wcut_motion *motion, wcut_register_sums *sums,
+                                          double settled, double *moved) {
     const double cost = sums->square / variance + prior_cost(p->options, motion->x);
     for (; *damping < DAMPED_MAX; *damping = fmax(1e-3, 10 * *damping)) {
         double y[N] = {0}, x[N], square = 0;
-        *moved = step_of(n, variance, *damping, y);
+        *moved = register_solve_step_of(n, variance, *damping, y);
 
         /* small, and not only for its damping */
         if (*moved <= settled && *damping > 1) break;
@@ -219,7 +220,7 @@ static wcut_status advance(const wcut_register_problem *p, const normal *n, doub
 
         /* choose the residuals of the next step there */
         bool accepted;
-        status = accept(p, &trial, motion, &there, &accepted);
+        status = register_solve_accept(p, &trial, motion, &there, &accepted);
         if (status != WCUT_OK) return status;
         if (!accepted) continue;
         *sums = there;
@@ -284,14 +285,14 @@ wcut_status wcut_register_solve(const wcut_register_problem *p, wcut_motion *mot
     bool converged = false;
     wcut_status status = p->model(p->data, &at, &sums);
     for (r.iterations = 0; status == WCUT_OK;) {
-        linearise(p, &at, &sums, max, &n);
+        register_solve_linearise(p, &at, &sums, max, &n);
         if (n.by_data == 0) return WCUT_DEGENERATE;
 
         /* what is at the edge of being determined ends on one side */
         if (r.iterations >= SETTLED) max = n.by_data;
         if (r.iterations >= p->max_iterations) break;
         const double variance = variance_of(p, &sums, n.rank), settled = settled_step(p, &n, variance);
-        status = advance(p, &n, variance, &damping, &at, &sums, settled, &moved);
+        status = register_solve_advance(p, &n, variance, &damping, &at, &sums, settled, &moved);
         converged = moved <= settled;
         if (isfinite(moved)) r.step = moved;
         if (converged || !isfinite(moved)) break;

@@ -10,7 +10,7 @@
 enum { SWEEPS = 60 }; /* quadratic convergence: ten are many */
 
 /* turn rows and columns p, q so that a[p][q] becomes 0 */
-static void rotate(int n, double *a, double *vector, int p, int q) {
+static void register_symmetric_rotate(int n, double *a, double *vector, int p, int q) {
     const double tau = (a[q * n + q] - a[p * n + p]) / (2 * a[p * n + q]);
     const double t = (tau < 0 ? -1 : 1) / (fabs(tau) + hypot(1, tau)), c = 1 / hypot(1, t), s = t * c;
     for (int k = 0; k < n; k++) {
@@ -34,7 +34,7 @@ static bool sweep(int n, double *a, double *vector) {
     for (int p = 0; p < n; p++)
         for (int q = p + 1; q < n; q++)
             if (fabs(a[p * n + q]) > 1e-17 * sqrt(fabs(a[p * n + p] * a[q * n + q])) && fabs(a[p * n + q]) > 1e-300) {
-                rotate(n, a, vector, p, q);
+                register_symmetric_rotate(n, a, vector, p, q);
                 turned = true;
             }
     return turned;

@@ -40,7 +40,7 @@ static inline uint64_t number(double x, double voxel) {
 }
 
 /* odd multipliers spread neighbours; the upper bits are the good ones */
-static inline size_t place_of(cell c, int bits) {
+static inline size_t thin_place_of(cell c, int bits) {
     uint64_t h = c.x * 0x9e3779b97f4a7c15u;
     h = (h ^ h >> 29 ^ c.y) * 0xbf58476d1ce4e5b9u;
     h = (h ^ h >> 32 ^ c.z) * 0x94d049bb133111ebu;
@@ -48,9 +48,9 @@ static inline size_t place_of(cell c, int bits) {
 }
 
 /* 1 where the cell was not there yet */
-static unsigned char add(cell *table, int bits, cell c) {
+static unsigned char thin_add(cell *table, int bits, cell c) {
     const size_t mask = ((size_t)1 << bits) - 1;
-    for (size_t k = place_of(c, bits);; k = (k + 1) & mask) {
+    for (size_t k = thin_place_of(c, bits);; k = (k + 1) & mask) {
         if (table[k].x == 0) {
             table[k] = c;
             return 1;
@@ -60,12 +60,12 @@ static unsigned char add(cell *table, int bits, cell c) {
 }
 
 /* twice the places; false: no memory, the table is as it was */
-static bool grow(wcut_thinning *t) {
+static bool thin_grow(wcut_thinning *t) {
     const size_t places = (size_t)1 << t->bits;
     cell *table = wcut_alloc(2 * places, sizeof *table);
     if (!table) return false;
     for (size_t k = 0; k < places; k++)
-        if (t->table[k].x != 0) add(table, t->bits + 1, t->table[k]);
+        if (t->table[k].x != 0) thin_add(table, t->bits + 1, t->table[k]);
     wcut_free(t->table);
     t->table = table;
     t->bits++;
@@ -79,9 +79,9 @@ wcut_status wcut_thinning_add(wcut_thinning *thinning, int count, const wcut_vec
     const double voxel = thinning->voxel;
     for (int k = 0; k < count; k++) {
         const size_t places = (size_t)1 << thinning->bits;
-        if (thinning->filled >= places - places / 3 && !grow(thinning)) return WCUT_NO_MEMORY;
+        if (thinning->filled >= places - places / 3 && !thin_grow(thinning)) return WCUT_NO_MEMORY;
         const cell c = {number(point[k].x, voxel), number(point[k].y, voxel), number(point[k].z, voxel)};
-        keep[k] = add(thinning->table, thinning->bits, c);
+        keep[k] = thin_add(thinning->table, thinning->bits, c);
         thinning->filled += keep[k];
     }
     return WCUT_OK;

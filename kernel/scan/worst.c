@@ -62,7 +62,7 @@ static bool is_full(const wcut_lattice *l) {
 }
 
 /* two by two cells into one, in place: what is read is not yet written over */
-static void halve(wcut_lattice *l) {
+static void worst_halve(wcut_lattice *l) {
     const int columns = (l->columns + 1) / 2, rows = (l->rows + 1) / 2;
     for (int r = 0; r < rows; r++)
         for (int c = 0; c < columns; c++) {
@@ -81,13 +81,13 @@ wcut_status wcut_lattice_coarsen(const wcut_lattice *fine, wcut_lattice *coarse)
     wcut_lattice l = *fine;
     l.cell = wcut_copy(fine->cell, (size_t)fine->columns * fine->rows, sizeof *l.cell);
     if (!l.cell) return WCUT_NO_MEMORY;
-    while (!is_full(&l) && (l.columns > 1 || l.rows > 1)) halve(&l);
+    while (!is_full(&l) && (l.columns > 1 || l.rows > 1)) worst_halve(&l);
     *coarse = l;
     return WCUT_OK;
 }
 
 /* The mean of a cell without its lowest and its highest, so that one stray point does not make a bump of 12 mm noise. */
-static double mean_of(const wcut_cell *cell) {
+static double worst_mean_of(const wcut_cell *cell) {
     const wcut_moments *m = &cell->of;
     if (m->count < HELD / 2) return wcut_moments_mean(m);
     return m->shift + (m->sum - (m->min - m->shift) - (m->max - m->shift)) / (m->count - 2);
@@ -123,7 +123,7 @@ wcut_status wcut_lattice_split(const wcut_lattice *lattice, wcut_split *split) {
     for (int k = 0; k < count; k++) {
         if (lattice->cell[k].of.count < TOLD) continue;
         s.cells++;
-        sum += mean_of(&lattice->cell[k]);
+        sum += worst_mean_of(&lattice->cell[k]);
         shares += 1.0 / lattice->cell[k].of.count;
     }
     if (s.cells > 0) {
@@ -132,7 +132,7 @@ wcut_status wcut_lattice_split(const wcut_lattice *lattice, wcut_split *split) {
         s.offset_error = sqrt(noise * shares) / s.cells;
         s.noise_rms = sqrt(noise);
         for (int k = 0; k < count; k++) {
-            const double d = mean_of(&lattice->cell[k]) - s.offset;
+            const double d = worst_mean_of(&lattice->cell[k]) - s.offset;
             if (lattice->cell[k].of.count >= TOLD) about += d * d;
         }
         s.form_rms = sqrt(fmax(about / s.cells - noise * shares / s.cells, 0));
@@ -147,7 +147,7 @@ wcut_status wcut_lattice_split(const wcut_lattice *lattice, wcut_split *split) {
 static double level_of(const wcut_lattice *l, double *scratch) {
     int count = 0;
     for (int k = 0; k < l->columns * l->rows; k++)
-        if (l->cell[k].of.count >= TOLD) scratch[count++] = fabs(mean_of(&l->cell[k]));
+        if (l->cell[k].of.count >= TOLD) scratch[count++] = fabs(worst_mean_of(&l->cell[k]));
     if (count == 0) return INFINITY;
     wcut_sort(count, scratch);
     return sorted_quantile(count, scratch, SHARE);
@@ -156,7 +156,7 @@ static double level_of(const wcut_lattice *l, double *scratch) {
 /* 1 above the level, -1 below minus it, 0 else */
 static int side_of(const wcut_lattice *l, int k, double level) {
     if (l->cell[k].of.count < TOLD) return 0;
-    const double mean = mean_of(&l->cell[k]);
+    const double mean = worst_mean_of(&l->cell[k]);
     return fabs(mean) < level || mean == 0 ? 0 : mean > 0 ? 1 : -1;
 }
 
@@ -167,13 +167,13 @@ typedef struct area {
     double volume, peak; /* [mm] of the cells' means: their sum, that of largest size */
 } area;
 
-static void grow(area *a, const wcut_lattice *l, int k) {
+static void worst_grow(area *a, const wcut_lattice *l, int k) {
     const int column = k % l->columns, row = k / l->columns;
     if (a->cells++ == 0) a->left = a->right = column, a->front = a->back = row;
     if (column < a->left) a->left = column;
     if (column > a->right) a->right = column;
     if (row > a->back) a->back = row;
-    const double mean = mean_of(&l->cell[k]);
+    const double mean = worst_mean_of(&l->cell[k]);
     if (fabs(mean) > fabs(a->peak)) a->peak = mean;
     a->volume += mean;
     merge(&a->sum, &l->cell[k]);
@@ -188,7 +188,7 @@ static area flood(const wcut_lattice *l, const signed char *side, unsigned char 
         const int k = stack[--depth], column = k % l->columns, row = k / l->columns;
         const int next[] = {column > 0 ? k - 1 : k, column < l->columns - 1 ? k + 1 : k, row > 0 ? k - l->columns : k,
                             row < l->rows - 1 ? k + l->columns : k};
-        grow(&a, l, k);
+        worst_grow(&a, l, k);
         for (int n = 0; n < 4; n++)
             if (!seen[next[n]] && side[next[n]] == side[from]) seen[next[n]] = 1, stack[depth++] = next[n];
     }

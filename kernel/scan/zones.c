@@ -23,7 +23,7 @@ void wcut_zone_add(wcut_zone_sums *zone, const wcut_deviation_summary_options *o
     for (int k = 0; k < options->bands; k++) zone->within[k] += fabs(deviation->distance) <= options->band[k];
 }
 
-static void fill(const wcut_deviation_summary_options *o, const wcut_zone_sums *sums, wcut_zone *zone) {
+static void zones_fill(const wcut_deviation_summary_options *o, const wcut_zone_sums *sums, wcut_zone *zone) {
     const wcut_moments *m = &sums->of;
     zone->count = m->count;
     zone->low = sums->low, zone->high = sums->high;
@@ -42,7 +42,7 @@ void wcut_zones_fill(const wcut_deviation_summary *summary, wcut_zone *zone) {
     for (int k = 0; k < summary->parts && k < WCUT_PARTS; k++) {
         zone[k] = (wcut_zone){.is_patch = 0};
         snprintf(zone[k].name, sizeof zone[k].name, "%s", part[k]);
-        fill(o, &summary->zone[k], &zone[k]);
+        zones_fill(o, &summary->zone[k], &zone[k]);
     }
     const double wide = (o->high.x - o->low.x) / summary->patch_columns;
     const double long_side = (o->high.y - o->low.y) / summary->patch_rows;
@@ -51,7 +51,7 @@ void wcut_zones_fill(const wcut_deviation_summary *summary, wcut_zone *zone) {
             const int k = summary->parts + r * summary->patch_columns + c;
             zone[k] = (wcut_zone){.is_patch = 1};
             snprintf(zone[k].name, sizeof zone[k].name, "patch %d %d", c + 1, r + 1);
-            fill(o, &summary->zone[k], &zone[k]);
+            zones_fill(o, &summary->zone[k], &zone[k]);
             zone[k].low.x = o->low.x + c * wide, zone[k].high.x = o->low.x + (c + 1) * wide;
             zone[k].low.y = o->low.y + r * long_side, zone[k].high.y = o->low.y + (r + 1) * long_side;
         }

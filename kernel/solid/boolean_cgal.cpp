@@ -25,7 +25,7 @@ using Tags = Mesh::Property_map<Mesh::Face_index, unsigned char>;
 namespace PMP = CGAL::Polygon_mesh_processing;
 
 /* false where an edge would have more than two triangles, or two that run along it the same way */
-bool load(const wcut_mesh &from, const unsigned char *tag, Mesh &mesh, Tags &tags) {
+bool boolean_load(const wcut_mesh &from, const unsigned char *tag, Mesh &mesh, Tags &tags) {
     tags = mesh.add_property_map<Mesh::Face_index, unsigned char>("f:tag", 0).first;
     mesh.reserve(from.vertex_count, 3 * from.triangle_count / 2, from.triangle_count);
     for (int k = 0; k < from.vertex_count; k++)
@@ -39,7 +39,7 @@ bool load(const wcut_mesh &from, const unsigned char *tag, Mesh &mesh, Tags &tag
     return true;
 }
 
-wcut_status store(Mesh &from, const Tags &tags, wcut_mesh **result, unsigned char **tag) {
+wcut_status boolean_store(Mesh &from, const Tags &tags, wcut_mesh **result, unsigned char **tag) {
     from.collect_garbage();
     const std::size_t vertices = from.number_of_vertices(), triangles = from.number_of_faces();
     if (vertices > INT_MAX || triangles > INT_MAX / 3) return WCUT_NO_MEMORY;
@@ -86,7 +86,7 @@ extern "C" wcut_status wcut_boolean_intersect(const wcut_mesh *a, const unsigned
     return wirecut::guard(error, [&] {
         Mesh x, y, both;
         std::map<const Mesh *, Tags> tags;
-        if (!load(*a, tag_a, x, tags[&x]) || !load(*b, tag_b, y, tags[&y])) return WCUT_DEGENERATE;
+        if (!boolean_load(*a, tag_a, x, tags[&x]) || !boolean_load(*b, tag_b, y, tags[&y])) return WCUT_DEGENERATE;
         tags[&both] = both.add_property_map<Mesh::Face_index, unsigned char>("f:tag", 0).first;
         try {
             if (!PMP::corefine_and_compute_intersection(
@@ -95,7 +95,7 @@ extern "C" wcut_status wcut_boolean_intersect(const wcut_mesh *a, const unsigned
         } catch (const PMP::Corefinement::Self_intersection_exception &) {
             return WCUT_DEGENERATE;
         }
-        return store(both, tags[&both], result, tag);
+        return boolean_store(both, tags[&both], result, tag);
     });
 }
 
@@ -103,7 +103,7 @@ extern "C" wcut_status wcut_self_intersections(const wcut_mesh *mesh, int *pairs
     return wirecut::guard(error, [&] {
         Mesh x;
         Tags tags;
-        if (!load(*mesh, nullptr, x, tags)) return WCUT_DEGENERATE;
+        if (!boolean_load(*mesh, nullptr, x, tags)) return WCUT_DEGENERATE;
         std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> found;
         PMP::self_intersections(x, std::back_inserter(found));
         if (!found.empty()) {

@@ -14,7 +14,7 @@ typedef struct fans {
     int *first, *end;
 } fans;
 
-static wcut_status gather(const wcut_mesh *m, fans *f) {
+static wcut_status check_gather(const wcut_mesh *m, fans *f) {
     const int corners = 3 * m->triangle_count;
     f->first = wcut_alloc((size_t)m->vertex_count + 2, sizeof *f->first);
     f->end = wcut_alloc((size_t)corners, sizeof *f->end);
@@ -64,7 +64,7 @@ static int count_pieces(const wcut_mesh *m, const fans *f, int *parent) {
 }
 
 /* twice a triangle's area along its normal */
-static wcut_vec3 spread(const wcut_mesh *m, int t) {
+static wcut_vec3 check_spread(const wcut_mesh *m, int t) {
     const int *c = m->triangle + 3 * (ptrdiff_t)t;
     const wcut_vec3 a = m->vertex[c[0]];
     return vec3_cross(vec3_sub(m->vertex[c[1]], a), vec3_sub(m->vertex[c[2]], a));
@@ -73,7 +73,7 @@ static wcut_vec3 spread(const wcut_mesh *m, int t) {
 wcut_status wcut_check_boundary(const wcut_mesh *mesh, wcut_half_report *report) {
     fans f = {.first = NULL};
     int *parent = wcut_alloc((size_t)mesh->vertex_count, sizeof *parent);
-    wcut_status status = parent ? gather(mesh, &f) : WCUT_NO_MEMORY;
+    wcut_status status = parent ? check_gather(mesh, &f) : WCUT_NO_MEMORY;
     if (status == WCUT_OK) {
         wcut_half_report *r = report;
         bool two;
@@ -83,7 +83,7 @@ wcut_status wcut_check_boundary(const wcut_mesh *mesh, wcut_half_report *report)
         r->volume = wcut_mesh_volume(mesh);
         r->oriented = r->oriented && r->volume > 0;
         r->area = 0;
-        for (int t = 0; t < mesh->triangle_count; t++) r->area += vec3_length(spread(mesh, t)) / 2;
+        for (int t = 0; t < mesh->triangle_count; t++) r->area += vec3_length(check_spread(mesh, t)) / 2;
         r->box_low = r->box_high = mesh->vertex_count > 0 ? mesh->vertex[0] : vec3(0, 0, 0);
         for (int v = 1; v < mesh->vertex_count; v++) {
             const wcut_vec3 p = mesh->vertex[v];
@@ -104,7 +104,7 @@ void wcut_check_draft(const wcut_mesh *mesh, const unsigned char *tag, wcut_vec3
     report->draft_min = INFINITY;
     for (int t = 0; t < mesh->triangle_count; t++) {
         if (!tag[t]) continue;
-        const wcut_vec3 n = spread(mesh, t);
+        const wcut_vec3 n = check_spread(mesh, t);
         const double area = vec3_length(n) / 2;
         if (!(area > 0)) continue;
         const double rise = vec3_dot(n, pull) / (2 * area);

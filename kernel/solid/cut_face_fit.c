@@ -37,22 +37,22 @@ typedef struct sampled {
     double *u, *v; /* rows x columns: parameters of the sheet */
 } sampled;
 
-static void lines_clear(lines *l) {
+static void cut_face_fit_lines_clear(lines *l) {
     wcut_free(l->at);
     wcut_free(l->coarse);
     *l = (lines){.count = 0};
 }
 
-static wcut_status lines_new(int count, lines *l) {
+static wcut_status cut_face_fit_lines_new(int count, lines *l) {
     *l = (lines){.count = count, .at = wcut_alloc((size_t)count, sizeof *l->at)};
     l->coarse = wcut_alloc((size_t)count, sizeof *l->coarse);
     if (l->at && l->coarse) return WCUT_OK;
-    lines_clear(l);
+    cut_face_fit_lines_clear(l);
     return WCUT_NO_MEMORY;
 }
 
 /* halve the coarse intervals, and those that would be left more than twice as wide as a neighbour */
-static wcut_status lines_refine(lines *l) {
+static wcut_status cut_face_fit_lines_refine(lines *l) {
     const int count = l->count;
     for (bool more = true; more;) {
         more = false;
@@ -68,13 +68,13 @@ static wcut_status lines_refine(lines *l) {
     int made = 0, halved = 0;
     for (int k = 0; k + 1 < count; k++) halved += l->coarse[k];
     lines fine;
-    const wcut_status status = lines_new(count + halved, &fine);
+    const wcut_status status = cut_face_fit_lines_new(count + halved, &fine);
     if (status != WCUT_OK) return status;
     for (int k = 0; k < count; k++) {
         fine.at[made++] = l->at[k];
         if (k + 1 < count && l->coarse[k]) fine.at[made++] = (l->at[k] + l->at[k + 1]) / 2;
     }
-    lines_clear(l);
+    cut_face_fit_lines_clear(l);
     *l = fine;
     return WCUT_OK;
 }
@@ -99,8 +99,8 @@ static wcut_status sampled_new(int columns, int rows, sampled *g) {
 static double x_of(const wcut_trim *trim, double s) { return (1 - s) * trim->sides.x[0] + s * trim->sides.x[1]; }
 
 /* the sheet where lines cross, column by column; the coordinate that a side fixes is exactly the side's */
-static wcut_status sample(const wcut_trim *trim, int columns, const double *s, int rows, const double *t, sampled *g,
-                          wcut_error *error) {
+static wcut_status cut_face_fit_sample(const wcut_trim *trim, int columns, const double *s, int rows, const double *t,
+                                       sampled *g, wcut_error *error) {
     wcut_status status = sampled_new(columns, rows, g);
     for (int i = 0; status == WCUT_OK && i < columns; i++) {
         const double x = x_of(trim, s[i]);
@@ -127,8 +127,8 @@ static wcut_status sample(const wcut_trim *trim, int columns, const double *s, i
 }
 
 /* the bicubic surface through a sampled grid */
-static wcut_status interpolate(const wcut_trim *trim, const lines *s, const lines *t, const sampled *g,
-                               wcut_surface **patch) {
+static wcut_status cut_face_fit_interpolate(const wcut_trim *trim, const lines *s, const lines *t, const sampled *g,
+                                            wcut_surface **patch) {
     const size_t count = (size_t)g->columns * (size_t)g->rows;
     double *knots_s = wcut_alloc((size_t)g->columns + DEGREE + 1, sizeof *knots_s);
     double *knots_t = wcut_alloc((size_t)g->rows + DEGREE + 1, sizeof *knots_t);
@@ -159,17 +159,18 @@ static wcut_status interpolate(const wcut_trim *trim, const lines *s, const line
 
 /* the middles of the intervals between lines */
 static wcut_status middles(const lines *l, lines *middle) {
-    const wcut_status status = lines_new(l->count - 1, middle);
+    const wcut_status status = cut_face_fit_lines_new(l->count - 1, middle);
     for (int k = 0; status == WCUT_OK && k + 1 < l->count; k++) middle->at[k] = (l->at[k] + l->at[k + 1]) / 2;
     return status;
 }
 
 /* Compare patch and sheet on the grid of s and t; *most grows; where too far apart, the intervals that a sample is the
    middle of are marked coarse (either may be NULL). */
-static wcut_status compare(const wcut_trim *trim, const wcut_surface *patch, const lines *s, const lines *t,
-                           double held, bool *coarse_s, bool *coarse_t, double *max, wcut_error *error) {
+static wcut_status cut_face_fit_compare(const wcut_trim *trim, const wcut_surface *patch, const lines *s,
+                                        const lines *t, double held, bool *coarse_s, bool *coarse_t, double *max,
+                                        wcut_error *error) {
     sampled g;
-    wcut_status status = sample(trim, s->count, s->at, t->count, t->at, &g, error);
+    wcut_status status = cut_face_fit_sample(trim, s->count, s->at, t->count, t->at, &g, error);
     if (status != WCUT_OK) return status;
     wcut_vec3 *point = wcut_alloc((size_t)s->count * (size_t)t->count, sizeof *point);
     status = point ? wcut_surface_eval_grid(patch, s->count, s->at, t->count, t->at, point) : WCUT_NO_MEMORY;
@@ -188,19 +189,19 @@ static wcut_status compare(const wcut_trim *trim, const wcut_surface *patch, con
 }
 
 /* the error of a patch, where its lines lie too far apart; samples in the middles of edges, then of cells */
-static wcut_status judge(const wcut_trim *trim, const wcut_surface *patch, lines *s, lines *t, double tolerance,
-                         double *max, wcut_error *error) {
+static wcut_status cut_face_fit_judge(const wcut_trim *trim, const wcut_surface *patch, lines *s, lines *t,
+                                      double tolerance, double *max, wcut_error *error) {
     const double held = SEEN_SHARE * tolerance;
     lines between_s = {.count = 0}, between_t = {.count = 0};
     *max = 0;
     wcut_status status = middles(s, &between_s);
     if (status == WCUT_OK) status = middles(t, &between_t);
-    if (status == WCUT_OK) status = compare(trim, patch, &between_s, t, held, s->coarse, NULL, max, error);
-    if (status == WCUT_OK) status = compare(trim, patch, s, &between_t, held, NULL, t->coarse, max, error);
+    if (status == WCUT_OK) status = cut_face_fit_compare(trim, patch, &between_s, t, held, s->coarse, NULL, max, error);
+    if (status == WCUT_OK) status = cut_face_fit_compare(trim, patch, s, &between_t, held, NULL, t->coarse, max, error);
     if (status == WCUT_OK && *max <= held)
-        status = compare(trim, patch, &between_s, &between_t, held, s->coarse, t->coarse, max, error);
-    lines_clear(&between_t);
-    lines_clear(&between_s);
+        status = cut_face_fit_compare(trim, patch, &between_s, &between_t, held, s->coarse, t->coarse, max, error);
+    cut_face_fit_lines_clear(&between_t);
+    cut_face_fit_lines_clear(&between_s);
     return status;
 }
 
@@ -258,18 +259,18 @@ static wcut_status check_prolonged(const wcut_trim *trim, const wcut_face_fit *k
 }
 
 /* sample, interpolate, judge and refine until the tolerance is held; the last samples are handed out */
-static wcut_status refine(const wcut_trim *trim, double tolerance, lines *s, lines *t, sampled *g, wcut_face_fit *fit,
-                          wcut_error *error) {
+static wcut_status cut_face_fit_refine(const wcut_trim *trim, double tolerance, lines *s, lines *t, sampled *g,
+                                       wcut_face_fit *fit, wcut_error *error) {
     for (int round = 0; round < ROUNDS_MAX; round++) {
         sampled_clear(g);
         wcut_surface_destroy(fit->patch);
         fit->patch = NULL;
-        wcut_status status = sample(trim, s->count, s->at, t->count, t->at, g, error);
-        if (status == WCUT_OK) status = interpolate(trim, s, t, g, &fit->patch);
-        if (status == WCUT_OK) status = judge(trim, fit->patch, s, t, tolerance, &fit->fit_error, error);
+        wcut_status status = cut_face_fit_sample(trim, s->count, s->at, t->count, t->at, g, error);
+        if (status == WCUT_OK) status = cut_face_fit_interpolate(trim, s, t, g, &fit->patch);
+        if (status == WCUT_OK) status = cut_face_fit_judge(trim, fit->patch, s, t, tolerance, &fit->fit_error, error);
         if (status != WCUT_OK || fit->fit_error <= SEEN_SHARE * tolerance) return status;
-        status = lines_refine(s);
-        if (status == WCUT_OK) status = lines_refine(t);
+        status = cut_face_fit_lines_refine(s);
+        if (status == WCUT_OK) status = cut_face_fit_lines_refine(t);
         if (status != WCUT_OK) return status;
         if (s->count > CONTROL_MAX / t->count) break;
     }
@@ -283,10 +284,10 @@ wcut_status wcut_face_fit_solve(const wcut_trim *trim, const double height[2], d
     lines s = {.count = 0}, t = {.count = 0};
     sampled g = {.columns = 0};
     wcut_face_fit k = {.patch = NULL};
-    wcut_status status = lines_new(LINES_FIRST, &s);
-    if (status == WCUT_OK) status = lines_new(LINES_FIRST, &t);
+    wcut_status status = cut_face_fit_lines_new(LINES_FIRST, &s);
+    if (status == WCUT_OK) status = cut_face_fit_lines_new(LINES_FIRST, &t);
     for (int i = 0; status == WCUT_OK && i < LINES_FIRST; i++) s.at[i] = t.at[i] = i / (LINES_FIRST - 1.0);
-    if (status == WCUT_OK) status = refine(trim, tolerance, &s, &t, &g, &k, error);
+    if (status == WCUT_OK) status = cut_face_fit_refine(trim, tolerance, &s, &t, &g, &k, error);
     if (status == WCUT_OK) status = measure_extent(trim, &g, height, &k);
     if (status == WCUT_OK) status = check_prolonged(trim, &k, prolong, error);
     if (status == WCUT_OK) {
@@ -295,7 +296,7 @@ wcut_status wcut_face_fit_solve(const wcut_trim *trim, const double height[2], d
         wcut_surface_destroy(k.patch);
     }
     sampled_clear(&g);
-    lines_clear(&t);
-    lines_clear(&s);
+    cut_face_fit_lines_clear(&t);
+    cut_face_fit_lines_clear(&s);
     return status;
 }

@@ -41,7 +41,7 @@ static wcut_status key_face(const wcut_division *d, wcut_sides sides, int upper,
 }
 
 /* the solid between two caps; the cut's triangles are the ceiling's, the floor's or both (sum of 1 and 2) */
-static wcut_status enclose(const wcut_cap *floor, const wcut_cap *ceiling, int cut, wcut_part *part) {
+static wcut_status halves_enclose(const wcut_cap *floor, const wcut_cap *ceiling, int cut, wcut_part *part) {
     wcut_part p = {.mesh = NULL};
     wcut_status status = wcut_cap_enclose(floor, ceiling, &p.mesh);
     if (status != WCUT_OK) return status;
@@ -78,9 +78,9 @@ wcut_status wcut_halves_by_index(const wcut_division *d, const wcut_cut_face *lo
     wcut_status status = key_face(d, sides, 0, 0, &bottom, error);
     if (status == WCUT_OK) status = key_face(d, sides, 1, d->block.z, &top, error);
     if (status == WCUT_OK) {
-        status = enclose(&bottom, &lower->cap, 1, &p.lower);
-        if (status == WCUT_OK) status = enclose(&upper->cap, &top, 2, &p.upper);
-        if (status == WCUT_OK && d->width) status = enclose(&lower->cap, &upper->cap, 3, &p.kerf);
+        status = halves_enclose(&bottom, &lower->cap, 1, &p.lower);
+        if (status == WCUT_OK) status = halves_enclose(&upper->cap, &top, 2, &p.upper);
+        if (status == WCUT_OK && d->width) status = halves_enclose(&lower->cap, &upper->cap, 3, &p.kerf);
         name_enclosure(status, error);
     }
     if (status == WCUT_OK) status = prove_simple(wcut_cap_is_graph(&lower->cap), &p.lower, error);
@@ -103,7 +103,7 @@ static wcut_status make_stock(const wcut_division *d, wcut_part *stock, wcut_err
     wcut_cap bottom = {.vertex_count = 0}, top = {.vertex_count = 0};
     wcut_status status = key_face(d, sides, 0, 0, &bottom, error);
     if (status == WCUT_OK) status = key_face(d, sides, 1, d->block.z, &top, error);
-    if (status == WCUT_OK) status = enclose(&bottom, &top, 0, stock);
+    if (status == WCUT_OK) status = halves_enclose(&bottom, &top, 0, stock);
     wcut_cap_clear(&top);
     wcut_cap_clear(&bottom);
     return status;
@@ -118,7 +118,7 @@ static wcut_status make_space(const wcut_division *d, const wcut_cap *floor, con
     wcut_status status = WCUT_OK;
     if (cut != 3) status = wcut_cap_flat(sides, ceiling ? height[0] : height[1], 0, NULL, 1, &flat);
     if (status == WCUT_OK) {
-        status = enclose(floor ? floor : &flat, ceiling ? ceiling : &flat, cut, space);
+        status = halves_enclose(floor ? floor : &flat, ceiling ? ceiling : &flat, cut, space);
         name_enclosure(status, error);
     }
     wcut_cap_clear(&flat);
@@ -133,8 +133,8 @@ static wcut_status make_space(const wcut_division *d, const wcut_cap *floor, con
 }
 
 /* what stock and space have in common */
-static wcut_status intersect(const wcut_part *stock, const wcut_part *space, const char *name, wcut_part *part,
-                             wcut_error *error) {
+static wcut_status halves_intersect(const wcut_part *stock, const wcut_part *space, const char *name, wcut_part *part,
+                                    wcut_error *error) {
     wcut_part p = {.mesh = NULL};
     wcut_error cause = {.text = ""};
     wcut_status status =
@@ -177,7 +177,7 @@ wcut_status wcut_halves_by_boolean(const wcut_division *d, const wcut_cut_face *
     for (int k = 0; status == WCUT_OK && k < (d->width ? 3 : 2); k++) {
         wcut_part space = {.mesh = NULL};
         status = make_space(d, floor[k], ceiling[k], margin, height, &space, error);
-        if (status == WCUT_OK) status = intersect(&from, &space, name[k], part[k], error);
+        if (status == WCUT_OK) status = halves_intersect(&from, &space, name[k], part[k], error);
         part_clear(&space);
     }
     if (status == WCUT_OK) {

@@ -97,7 +97,7 @@ static wcut_status check_stock(const wcut_mesh *stock, wcut_vec3 block, wcut_err
     return status;
 }
 
-static wcut_status check_options(const wcut_mould_options *o, wcut_vec3 block, wcut_error *error) {
+static wcut_status mould_check_options(const wcut_mould_options *o, wcut_vec3 block, wcut_error *error) {
     if (!is_positive(o->chord_tolerance) || !is_positive(o->fit_tolerance))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "tolerances: found %g and %g mm, expected them positive",
                          o->chord_tolerance, o->fit_tolerance);
@@ -149,7 +149,7 @@ static wcut_status report_half(const wcut_division *d, const wcut_part *part, in
 }
 
 /* the volumes of the parts against that of the block; WCUT_INTERNAL where they do not add up */
-static wcut_status balance(wcut_mould *m, wcut_error *error) {
+static wcut_status mould_balance(wcut_mould *m, wcut_error *error) {
     const double keys = m->lower.report.key_volume + m->upper.report.key_volume;
     m->kerf_volume = m->kerf ? wcut_mesh_volume(m->kerf) : 0;
     m->volume_error = fabs(m->lower.report.volume + m->upper.report.volume + m->kerf_volume - keys - m->block_volume) /
@@ -268,7 +268,7 @@ static wcut_status make_parts(const wcut_division *d, const faces *f, wcut_mould
     return status;
 }
 
-static wcut_status divide(const wcut_division *d, wcut_mould *m, wcut_error *error) {
+static wcut_status mould_divide(const wcut_division *d, wcut_mould *m, wcut_error *error) {
     faces f;
     wcut_parts parts = {.lower = {.mesh = NULL}};
 
@@ -286,7 +286,7 @@ static wcut_status divide(const wcut_division *d, wcut_mould *m, wcut_error *err
     if (status == WCUT_OK) {
         m->lower.mesh = parts.lower.mesh, m->upper.mesh = parts.upper.mesh, m->kerf = parts.kerf.mesh;
         parts.lower.mesh = parts.upper.mesh = parts.kerf.mesh = NULL;
-        status = balance(m, error);
+        status = mould_balance(m, error);
     }
     if (status == WCUT_OK) {
         /* scale for shrinkage, then judge walls and drafts at the final size */
@@ -311,12 +311,12 @@ wcut_status wcut_mould_create(const wcut_surface *surface, wcut_vec3 block_size,
                          block_size.y, block_size.z);
     wcut_surface *width = NULL;
     wcut_mould *m = NULL;
-    wcut_status status = check_options(o, block_size, error);
+    wcut_status status = mould_check_options(o, block_size, error);
     if (status == WCUT_OK) status = wcut_kerf_width(surface, o, &width, error);
     if (status == WCUT_OK) {
         const wcut_division d = {.surface = surface, .width = width, .block = block_size, .options = o};
         m = wcut_alloc(1, sizeof *m);
-        status = m ? divide(&d, m, error) : WCUT_NO_MEMORY;
+        status = m ? mould_divide(&d, m, error) : WCUT_NO_MEMORY;
     }
     wcut_surface_destroy(width);
     if (status == WCUT_OK) {

@@ -26,7 +26,7 @@ enum { ROUNDS = sizeof THIN / sizeof *THIN };
 
 static wcut_point2d flat_of(const region *r, int c) { return r->point[r->corner[c].at]; }
 
-static void measure(region *r, int c) {
+static void polygon_measure(region *r, int c) {
     corner *k = &r->corner[c];
     k->turn = wcut_orient2d(flat_of(r, k->before), flat_of(r, c), flat_of(r, k->after));
 }
@@ -43,12 +43,12 @@ static int add_run(region *r, int start, int size) {
         r->corner[r->corners++] =
             (corner){.at = start + k, .before = first + (k + size - 1) % size, .after = first + (k + 1) % size};
     }
-    for (int k = 0; k < size; k++) measure(r, first + k);
+    for (int k = 0; k < size; k++) polygon_measure(r, first + k);
     return first;
 }
 
 /* is x in the triangle a, b, c, its border included? */
-static bool holds(wcut_point2d a, wcut_point2d b, wcut_point2d c, wcut_point2d x) {
+static bool polygon_holds(wcut_point2d a, wcut_point2d b, wcut_point2d c, wcut_point2d x) {
     return wcut_orient2d(a, b, x) >= 0 && wcut_orient2d(b, c, x) >= 0 && wcut_orient2d(c, a, x) >= 0;
 }
 
@@ -86,7 +86,7 @@ static bool sees(const region *r, int start, int other, int c, wcut_point2d x) {
     return true;
 }
 
-static double distance(wcut_point2d a, wcut_point2d b) { return hypot(a.p - b.p, a.q - b.q); }
+static double polygon_distance(wcut_point2d a, wcut_point2d b) { return hypot(a.p - b.p, a.q - b.q); }
 
 /* Join a hole to the border by a bridge there and back from the hole's corner of largest p: holes that lie further are
    joined already. False where no corner of the border sees it. */
@@ -97,7 +97,8 @@ static bool join_hole(region *r, int border, int hole) {
     const wcut_point2d x = flat_of(r, h);
     int best = -1, c = border;
     do {
-        if ((best < 0 || distance(flat_of(r, c), x) < distance(flat_of(r, best), x)) && sees(r, border, h, c, x))
+        if ((best < 0 || polygon_distance(flat_of(r, c), x) < polygon_distance(flat_of(r, best), x)) &&
+            sees(r, border, h, c, x))
             best = c;
         c = r->corner[c].after;
     } while (c != border);
@@ -109,7 +110,7 @@ static bool join_hole(region *r, int border, int hole) {
     link(r, again, r->corner[best].after);
     link(r, best, h);
     link(r, back, again);
-    measure(r, best), measure(r, h), measure(r, back), measure(r, again);
+    polygon_measure(r, best), polygon_measure(r, h), polygon_measure(r, back), polygon_measure(r, again);
     return true;
 }
 
@@ -129,14 +130,14 @@ static bool join_holes(region *r, int loops, const int *size, bool *joined) {
 }
 
 /* No other corner in the triangle, nor on its new side. Only corners that do not turn left can be the first inside. */
-static bool is_ear(const region *r, int c) {
+static bool polygon_is_ear(const region *r, int c) {
     const corner *k = &r->corner[c];
     if (!(k->turn > 0)) return false;
     const wcut_point2d a = flat_of(r, k->before), b = flat_of(r, c), d = flat_of(r, k->after);
     for (int o = r->corner[k->after].after; o != k->before; o = r->corner[o].after) {
         if (r->corner[o].turn > 0) continue;
         const wcut_point2d x = flat_of(r, o);
-        if (!same(x, a) && !same(x, b) && !same(x, d) && holds(a, b, d, x)) return false;
+        if (!same(x, a) && !same(x, b) && !same(x, d) && polygon_holds(a, b, d, x)) return false;
     }
     return true;
 }
@@ -144,7 +145,7 @@ static bool is_ear(const region *r, int c) {
 static bool is_thin(const region *r, int c, double share) {
     const corner *k = &r->corner[c];
     const wcut_point2d a = flat_of(r, k->before), b = flat_of(r, c), d = flat_of(r, k->after);
-    const double longest = fmax(distance(a, b), fmax(distance(b, d), distance(d, a)));
+    const double longest = fmax(polygon_distance(a, b), fmax(polygon_distance(b, d), polygon_distance(d, a)));
     return k->turn < share * longest * longest;
 }
 
@@ -168,14 +169,14 @@ static bool cut_ears(region *r, int left, int c, int *triangle) {
         const corner k = r->corner[c];
         if (waited >= ROUNDS * left) return false;
         const double share = THIN[waited / left];
-        if (is_thin(r, c, share) || !is_ear(r, c) || grazes(r, c, share)) {
+        if (is_thin(r, c, share) || !polygon_is_ear(r, c) || grazes(r, c, share)) {
             c = k.after;
             waited++;
             continue;
         }
         *triangle++ = r->corner[k.before].at, *triangle++ = k.at, *triangle++ = r->corner[k.after].at;
         link(r, k.before, k.after);
-        measure(r, k.before), measure(r, k.after);
+        polygon_measure(r, k.before), polygon_measure(r, k.after);
         left--;
         waited = 0;
         c = r->corner[k.after].after;

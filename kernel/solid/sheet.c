@@ -42,7 +42,7 @@ static frame eval_frame(const wcut_sheet *sheet, double u, double v, bool second
 }
 
 /* derivative of a unit normal n = N / |N|, from that of N */
-static wcut_vec3 turn_of(wcut_vec3 unit, double length, wcut_vec3 normal_rate) {
+static wcut_vec3 sheet_turn_of(wcut_vec3 unit, double length, wcut_vec3 normal_rate) {
     return vec3_scale(1 / length, vec3_add_scaled(normal_rate, -vec3_dot(unit, normal_rate), unit));
 }
 
@@ -65,8 +65,8 @@ wcut_sheet_point wcut_sheet_eval(const wcut_sheet *sheet, double u, double v) {
     p.facing = length / sides;
     if (!sheet->width) return p;
     const wcut_vec3 n = vec3_scale(1 / length, normal);
-    const wcut_vec3 n_u = turn_of(n, length, vec3_add(vec3_cross(f.uu, f.v), vec3_cross(f.u, f.uv)));
-    const wcut_vec3 n_v = turn_of(n, length, vec3_add(vec3_cross(f.uv, f.v), vec3_cross(f.u, f.vv)));
+    const wcut_vec3 n_u = sheet_turn_of(n, length, vec3_add(vec3_cross(f.uu, f.v), vec3_cross(f.u, f.uv)));
+    const wcut_vec3 n_v = sheet_turn_of(n, length, vec3_add(vec3_cross(f.uv, f.v), vec3_cross(f.u, f.vv)));
     double d, d_u, d_v;
     eval_width(sheet, u, v, &d, &d_u, &d_v);
     p.at = vec3_add_scaled(f.at, d, n);

@@ -218,19 +218,19 @@ wcut_status wcut_brep_of_half(const wcut_surface *patch, int upper, double level
     return status;
 }
 
-static void scale_points(int count, double factor, wcut_vec3 *point) {
+static void solid_brep_scale_points(int count, double factor, wcut_vec3 *point) {
     for (int k = 0; k < count; k++) point[k] = vec3_scale(factor, point[k]);
 }
 
 void wcut_brep_scale(wcut_brep *brep, double factor) {
-    scale_points(brep->vertex_count, factor, brep->vertex);
+    solid_brep_scale_points(brep->vertex_count, factor, brep->vertex);
     for (int k = 0; k < brep->edge_count; k++) {
         const wcut_curve *c = brep->edge[k].curve;
-        if (c) scale_points(c->control_count, factor, c->control);
+        if (c) solid_brep_scale_points(c->control_count, factor, c->control);
     }
     for (int k = 0; k < brep->face_count; k++) {
         const wcut_surface *s = brep->face[k].surface;
-        if (s) scale_points(s->count_u * s->count_v, factor, s->control);
+        if (s) solid_brep_scale_points(s->count_u * s->count_v, factor, s->control);
         brep->face[k].origin = vec3_scale(factor, brep->face[k].origin);
     }
 }

@@ -78,11 +78,13 @@ static bool cross_row(const net *n, int j, double x, int *edge, crossing *found)
     return true;
 }
 
-static double size_of(const wcut_trim *m) { return fmax(m->sides.x[1] - m->sides.x[0], m->sides.y[1] - m->sides.y[0]); }
+static double trim_size_of(const wcut_trim *m) {
+    return fmax(m->sides.x[1] - m->sides.x[0], m->sides.y[1] - m->sides.y[0]);
+}
 
 /* Newton's method for x(u, v) = x, y(u, v) = y; `u`, `v`: a guess, then the solution */
 static bool solve_corner(const wcut_trim *m, double x, double y, double *u, double *v) {
-    const double held = SOLVED * (size_of(m) + fabs(x) + fabs(y));
+    const double held = SOLVED * (trim_size_of(m) + fabs(x) + fabs(y));
     double a = *u, b = *v, best = INFINITY;
     for (int k = 0; k < NEWTON_MAX; k++) {
         const wcut_sheet_point p = wcut_sheet_eval(m->sheet, a, b);
@@ -149,7 +151,7 @@ static wcut_status find_rib(const wcut_trim *m, const net *n, double x, int *edg
             return turns_back(error, n->at[(ptrdiff_t)j * n->columns + edge[j]]);
     for (int k = 0; k < 2; k++) {
         int j = 0;
-        const wcut_status status = cross_level(n, polygon, s->y[k], REACHED * size_of(m), &j, error);
+        const wcut_status status = cross_level(n, polygon, s->y[k], REACHED * trim_size_of(m), &j, error);
         if (status != WCUT_OK) return status;
         if (!guess_level(n, polygon, s->y[k], j, &rib->u[k], &rib->v[k]) ||
             !solve_corner(m, x, s->y[k], &rib->u[k], &rib->v[k])) {
@@ -255,7 +257,7 @@ wcut_status wcut_trim_rib(const wcut_trim *trim, double x, wcut_rib *rib, wcut_e
 
 wcut_status wcut_trim_point(const wcut_trim *trim, double x, double v, double *u, wcut_sheet_point *point,
                             wcut_error *error) {
-    const double held = SOLVED * (size_of(trim) + fabs(x));
+    const double held = SOLVED * (trim_size_of(trim) + fabs(x));
     double a = *u, best = INFINITY;
     for (int k = 0; k < NEWTON_MAX; k++) {
         const wcut_sheet_point p = wcut_sheet_eval(trim->sheet, a, v);

@@ -20,7 +20,7 @@ static void lessen(wcut_half_report *r, double wall, wcut_vec3 place) {
 }
 
 /* twice a triangle's area along its normal, which points upwards */
-static wcut_vec3 spread(const wcut_cap *l, int t) {
+static wcut_vec3 wall_spread(const wcut_cap *l, int t) {
     const int *c = l->triangle + 3 * (ptrdiff_t)t;
     const wcut_vec3 a = l->vertex[c[0]];
     return vec3_cross(vec3_sub(l->vertex[c[1]], a), vec3_sub(l->vertex[c[2]], a));
@@ -81,7 +81,7 @@ static void measure_pocket(const wcut_cap *l, int t, const wcut_key *key, double
 
 /* ---- sides ---- */
 
-static double coordinate(wcut_vec3 p, int axis) { return axis == 0 ? p.x : p.y; }
+static double wall_coordinate(wcut_vec3 p, int axis) { return axis == 0 ? p.x : p.y; }
 
 /* the sides in the order of a cap's borders: x low, x high, y low, y high */
 static wcut_vec3 side_normal(int side) {
@@ -96,7 +96,7 @@ static void measure_sides(const wcut_division *d, const wcut_cap *l, int t, wcut
         if (vec3_dot(inwards, side_normal(side)) < COS_FACING) continue;
         for (int k = 0; k < 3; k++) {
             const wcut_vec3 p = l->vertex[l->triangle[3 * (ptrdiff_t)t + k]];
-            const double at = coordinate(p, side / 2);
+            const double at = wall_coordinate(p, side / 2);
             lessen(r, side % 2 ? size[side / 2] - at : at, p);
         }
     }
@@ -110,7 +110,7 @@ static void measure_edge(const wcut_division *d, const wcut_cap *l, int t, wcut_
         for (int k = 0; k < 3; k++) {
             const wcut_vec3 a = l->vertex[l->triangle[3 * (ptrdiff_t)t + k]];
             const wcut_vec3 b = l->vertex[l->triangle[3 * (ptrdiff_t)t + (k + 1) % 3]];
-            if (coordinate(a, side / 2) != level || coordinate(b, side / 2) != level) continue;
+            if (wall_coordinate(a, side / 2) != level || wall_coordinate(b, side / 2) != level) continue;
             const double angle = acos(clamp(vec3_dot(inwards, side_normal(side)), -1, 1));
             if (angle < r->edge_min) r->edge_min = angle, r->edge_place = vec3_mix(a, b, 0.5);
         }
@@ -125,7 +125,7 @@ void wcut_wall_measure(const wcut_division *d, int upper, const wcut_cut_face *f
     report->wall_min = report->edge_min = INFINITY;
     for (int v = 0; v < l->vertex_count; v++) lessen(report, fabs(l->vertex[v].z - level), l->vertex[v]);
     for (int t = 0; t < l->triangle_count; t++) {
-        const wcut_vec3 inwards = vec3_scale(upper ? 1 : -1, vec3_unit(spread(l, t)));
+        const wcut_vec3 inwards = vec3_scale(upper ? 1 : -1, vec3_unit(wall_spread(l, t)));
         measure_sides(d, l, t, inwards, report);
         measure_edge(d, l, t, inwards, report);
     }

@@ -112,7 +112,7 @@ static int refinements(const lines *l) {
 }
 
 /* count + 4 knots, triple at joints, averages in between; a segment without lines inside it has none */
-static void lay_knots(const lines *l, double *knots) {
+static void approximate_lay_knots(const lines *l, double *knots) {
     int made = 0;
     for (int k = 0; k < 4; k++) knots[made++] = l->at[0];
     for (int from = 0, to; from + 1 < l->count; from = to) {
@@ -124,14 +124,14 @@ static void lay_knots(const lines *l, double *knots) {
     knots[made] = l->at[l->count - 1];
 }
 
-static wcut_status interpolate(wcut_grid_map map, const void *data, const lines *u, const lines *v,
-                               wcut_surface **out) {
+static wcut_status approximate_interpolate(wcut_grid_map map, const void *data, const lines *u, const lines *v,
+                                           wcut_surface **out) {
     if (u->count > SAMPLES_MAX / v->count) return WCUT_NOT_CONVERGED;
     wcut_surface *s;
     wcut_status status = wcut_surface_new(3, 3, u->count, v->count, false, &s);
     if (status != WCUT_OK) return status;
-    lay_knots(u, s->knots_u);
-    lay_knots(v, s->knots_v);
+    approximate_lay_knots(u, s->knots_u);
+    approximate_lay_knots(v, s->knots_v);
     status = map(data, u->count, u->at, v->count, v->at, s->control);
     if (status == WCUT_OK && !vec3_all_finite(u->count * v->count, s->control)) status = WCUT_DEGENERATE;
     if (status == WCUT_OK) status = wcut_interpolate_rows(3, u->count, s->knots_u, u->at, v->count, s->control);
@@ -145,8 +145,8 @@ static wcut_status interpolate(wcut_grid_map map, const void *data, const lines 
 }
 
 /* distances of map and surface on a grid, count_v x count_u */
-static wcut_status measure(wcut_grid_map map, const void *data, const wcut_surface *s, int count_u, const double *u,
-                           int count_v, const double *v, double *distance) {
+static wcut_status approximate_measure(wcut_grid_map map, const void *data, const wcut_surface *s, int count_u,
+                                       const double *u, int count_v, const double *v, double *distance) {
     const size_t row = (size_t)count_u;
     wcut_vec3 *a = wcut_alloc(row, 2 * sizeof *a);
     wcut_status status = a ? WCUT_OK : WCUT_NO_MEMORY;
@@ -169,8 +169,8 @@ static wcut_status mark_coarse(wcut_grid_map map, const void *data, const wcut_s
     wcut_status status = middle && off ? WCUT_OK : WCUT_NO_MEMORY;
     for (int i = 0; i < cells && status == WCUT_OK; i++) middle[i] = (fine->at[i] + fine->at[i + 1]) / 2;
     if (status == WCUT_OK)
-        status = turned ? measure(map, data, s, across->count, across->at, cells, middle, off)
-                        : measure(map, data, s, cells, middle, across->count, across->at, off);
+        status = turned ? approximate_measure(map, data, s, across->count, across->at, cells, middle, off)
+                        : approximate_measure(map, data, s, cells, middle, across->count, across->at, off);
     for (int i = 0; i < cells && status == WCUT_OK; i++)
         for (int k = 0; k < across->count; k++)
             if (!(off[turned ? (size_t)i * across->count + k : (size_t)k * cells + i] <= held)) fine->coarse[i] = true;
@@ -201,8 +201,9 @@ static int place_watch(const lines *l, const wcut_map_axis *axis, double *at, in
 }
 
 /* look closely everywhere; cells that miss are marked in both directions */
-static wcut_status check(wcut_grid_map map, const void *data, const wcut_surface *s, lines *u, lines *v,
-                         const wcut_map_axis *axis_u, const wcut_map_axis *axis_v, double tolerance, double *max) {
+static wcut_status approximate_check(wcut_grid_map map, const void *data, const wcut_surface *s, lines *u, lines *v,
+                                     const wcut_map_axis *axis_u, const wcut_map_axis *axis_v, double tolerance,
+                                     double *max) {
     const size_t room_u = (size_t)QUARTERS * (size_t)u->count + (size_t)axis_u->watched,
                  room_v = (size_t)QUARTERS * (size_t)v->count + (size_t)axis_v->watched;
     double *at = wcut_alloc(2 * room_u + room_v, sizeof *at);
@@ -214,7 +215,7 @@ static wcut_status check(wcut_grid_map map, const void *data, const wcut_surface
         const int count_u = place_watch(u, axis_u, at, cell), count_v = place_watch(v, axis_v, at_v, cell_v);
         *max = 0;
         for (int j = 0; j < count_v && status == WCUT_OK; j++) {
-            status = measure(map, data, s, count_u, at, 1, &at_v[j], off);
+            status = approximate_measure(map, data, s, count_u, at, 1, &at_v[j], off);
             for (int i = 0; i < count_u && status == WCUT_OK; i++) {
                 *max = fmax(*max, off[i]);
                 if (!(off[i] <= tolerance)) u->coarse[cell[i]] = v->coarse[cell_v[j]] = true;
@@ -239,12 +240,12 @@ wcut_status wcut_approximate(wcut_grid_map map, const void *data, const wcut_map
         if (round == ROUNDS_MAX) status = WCUT_NOT_CONVERGED;
         wcut_surface_destroy(s);
         s = NULL;
-        if (status == WCUT_OK) status = interpolate(map, data, &u, &v, &s);
+        if (status == WCUT_OK) status = approximate_interpolate(map, data, &u, &v, &s);
         if (status == WCUT_OK && is_within_rounding(s, tolerance)) status = WCUT_NOT_CONVERGED;
         if (status == WCUT_OK) status = mark_coarse(map, data, s, &u, &v, false, SHARE * tolerance);
         if (status == WCUT_OK) status = mark_coarse(map, data, s, &v, &u, true, SHARE * tolerance);
         if (status == WCUT_OK && refinements(&u) + refinements(&v) == 0)
-            status = check(map, data, s, &u, &v, axis_u, axis_v, tolerance, &max);
+            status = approximate_check(map, data, s, &u, &v, axis_u, axis_v, tolerance, &max);
         if (status != WCUT_OK || refinements(&u) + refinements(&v) == 0) break;
         status = lines_refine(&u);
         if (status == WCUT_OK) status = lines_refine(&v);

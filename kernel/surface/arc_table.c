@@ -10,7 +10,7 @@ enum { PARTS = 8, STEPS_MAX = 30 }; /* of a knot span; of Newton's method */
 /* of a part's length: what a parameter may be off by */
 static const double NEAR = 1e-10;
 
-static double speed_at(const wcut_curve *c, double u) {
+static double arc_table_speed_at(const wcut_curve *c, double u) {
     wcut_vec3 d[2];
     wcut_curve_eval(c, u, 1, d);
     return vec3_length(d[1]);
@@ -21,9 +21,10 @@ static double arc(const wcut_curve *c, double a, double b) {
     static const double at[2] = {0.53846931010568309104, 0.90617984593866399280};
     static const double weight[3] = {0.56888888888888888889, 0.47862867049936646804, 0.23692688505618908751};
     const double middle = (a + b) / 2, half = (b - a) / 2;
-    double sum = weight[0] * speed_at(c, middle);
+    double sum = weight[0] * arc_table_speed_at(c, middle);
     for (int k = 0; k < 2; k++)
-        sum += weight[k + 1] * (speed_at(c, middle - half * at[k]) + speed_at(c, middle + half * at[k]));
+        sum += weight[k + 1] *
+               (arc_table_speed_at(c, middle - half * at[k]) + arc_table_speed_at(c, middle + half * at[k]));
     return half * sum;
 }
 
@@ -59,7 +60,7 @@ wcut_status wcut_arc_table_fill(const wcut_curve *curve, wcut_arc_table *table) 
 }
 
 /* the parameter of a length between those of table entries k and k + 1: Newton's method, bisection where it fails */
-static double locate(const wcut_arc_table *t, int k, double length) {
+static double arc_table_locate(const wcut_arc_table *t, int k, double length) {
     double low = t->u[k], high = t->u[k + 1];
     const double part = t->length[k + 1] - t->length[k], wide = high - low;
     if (!(part > 0)) return low;
@@ -72,7 +73,7 @@ static double locate(const wcut_arc_table *t, int k, double length) {
         } else {
             low = u;
         }
-        const double speed = speed_at(t->curve, u), next = speed > 0 ? u - off / speed : low;
+        const double speed = arc_table_speed_at(t->curve, u), next = speed > 0 ? u - off / speed : low;
         u = next > low && next < high ? next : (low + high) / 2;
     }
     return u;
@@ -83,7 +84,9 @@ void wcut_arc_table_points(const wcut_arc_table *t, int count, wcut_vec3 *point)
     for (int i = 0, k = 0; i < count; i++) {
         const double length = whole * i / (count - 1);
         while (k + 2 < t->count && t->length[k + 1] < length) k++;
-        const double u = i == 0 || !(whole > 0) ? t->u[0] : i == count - 1 ? t->u[t->count - 1] : locate(t, k, length);
+        const double u = i == 0 || !(whole > 0) ? t->u[0]
+                         : i == count - 1       ? t->u[t->count - 1]
+                                                : arc_table_locate(t, k, length);
         wcut_curve_eval(t->curve, u, 0, &point[i]);
     }
 }

@@ -13,7 +13,7 @@
 /* A pivot below this share of the diagonal it began as is rounding. */
 static const double PIVOT_MIN = 1e-13;
 
-static double *at(const wcut_collocation *s, int i, int j) {
+static double *band_fit_at(const wcut_collocation *s, int i, int j) {
     return s->entry + (ptrdiff_t)i * (s->below + s->above + 1) + (j - i + s->below);
 }
 
@@ -23,12 +23,13 @@ static void fill_normal(const wcut_band_rows *a, wcut_collocation *s) {
         const double *value = a->value + (ptrdiff_t)i * a->width;
         for (int p = 0; p < a->width; p++)
             for (int q = 0; q < a->width; q++)
-                if (value[p] != 0 && value[q] != 0) *at(s, a->first[i] + p, a->first[i] + q) += value[p] * value[q];
+                if (value[p] != 0 && value[q] != 0)
+                    *band_fit_at(s, a->first[i] + p, a->first[i] + q) += value[p] * value[q];
     }
     const int band = s->below + s->above + 1, ends[2] = {0, s->count - 1};
     for (int k = 0; k < 2; k++) {
         memset(s->entry + (ptrdiff_t)ends[k] * band, 0, (size_t)band * sizeof *s->entry);
-        *at(s, ends[k], ends[k]) = 1;
+        *band_fit_at(s, ends[k], ends[k]) = 1;
     }
 }
 
@@ -58,11 +59,11 @@ wcut_status wcut_band_fit(const wcut_band_rows *a, int count, int columns, const
     wcut_status status = s.entry && diagonal && sum ? WCUT_OK : WCUT_NO_MEMORY;
     if (status == WCUT_OK) {
         fill_normal(a, &s);
-        for (int i = 0; i < count; i++) diagonal[i] = *at(&s, i, i);
+        for (int i = 0; i < count; i++) diagonal[i] = *band_fit_at(&s, i, i);
         status = wcut_collocation_eliminate(&s);
     }
     for (int i = 0; status == WCUT_OK && i < count; i++)
-        if (!(*at(&s, i, i) > PIVOT_MIN * diagonal[i])) status = WCUT_SINGULAR;
+        if (!(*band_fit_at(&s, i, i) > PIVOT_MIN * diagonal[i])) status = WCUT_SINGULAR;
     if (status == WCUT_OK) {
         fill_right(a, count, columns, b, sum);
         wcut_collocation_solve(&s, columns, sum);

@@ -15,7 +15,7 @@ static void shares(int degree, const double *knots, int span, double share[WCUT_
     }
 }
 
-static void add(wcut_homogeneous *to, double s, double x, double y, double z, double w) {
+static void bezier_add(wcut_homogeneous *to, double s, double x, double y, double z, double w) {
     to->x += s * x, to->y += s * y, to->z += s * z, to->w += s * w;
 }
 
@@ -31,7 +31,7 @@ void wcut_bezier_of_surface(const wcut_surface *s, int span_u, int span_v, wcut_
                 const ptrdiff_t from = (ptrdiff_t)(span_v - q + r) * s->count_u + span_u - p + k;
                 const double w = s->weights ? s->weights[from] : 1;
                 const wcut_vec3 c = s->control[from];
-                add(&row[j][k], across[j][r] * w, c.x, c.y, c.z, 1);
+                bezier_add(&row[j][k], across[j][r] * w, c.x, c.y, c.z, 1);
             }
     *patch = (wcut_bezier){.degree_u = p, .degree_v = q};
     patch->u0 = s->knots_u[span_u], patch->u1 = s->knots_u[span_u + 1];
@@ -40,7 +40,7 @@ void wcut_bezier_of_surface(const wcut_surface *s, int span_u, int span_v, wcut_
         for (int i = 0; i <= p; i++)
             for (int k = 0; k <= p; k++) {
                 const wcut_homogeneous *h = &row[j][k];
-                add(&patch->at[j][i], along[i][k], h->x, h->y, h->z, h->w);
+                bezier_add(&patch->at[j][i], along[i][k], h->x, h->y, h->z, h->w);
             }
 }
 
@@ -53,7 +53,8 @@ void wcut_bezier_of_curve(const wcut_curve *c, int span, wcut_bezier *patch) {
         for (int k = 0; k <= p; k++) {
             const int from = span - p + k;
             const wcut_vec3 point = c->control[from];
-            add(&patch->at[0][i], along[i][k] * (c->weights ? c->weights[from] : 1), point.x, point.y, point.z, 1);
+            bezier_add(&patch->at[0][i], along[i][k] * (c->weights ? c->weights[from] : 1), point.x, point.y, point.z,
+                       1);
         }
 }
 

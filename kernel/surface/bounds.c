@@ -22,7 +22,7 @@ typedef struct reach {
 static void attain(reach *r, wcut_vec3 p) { r->attained = fmax(r->attained, vec3_dot(r->outward, p)); }
 
 /* is a hull that reaches so high within the tolerance? */
-static bool settle(reach *r, double hull) {
+static bool bounds_settle(reach *r, double hull) {
     if (hull > r->attained + r->tolerance) return false;
     r->bound = fmax(r->bound, hull);
     return true;
@@ -35,11 +35,11 @@ static double hull_of(const reach *r, const wcut_bezier *b) {
     return max;
 }
 
-static void climb(reach *r, const wcut_bezier *b, int halvings) {
+static void bounds_climb(reach *r, const wcut_bezier *b, int halvings) {
     for (int corner = 0; corner < 4; corner++)
         attain(r, bezier_point(b, corner % 2 ? b->degree_u : 0, corner / 2 ? b->degree_v : 0));
     const double hull = hull_of(r, b);
-    if (settle(r, hull)) return;
+    if (bounds_settle(r, hull)) return;
     if (halvings == HALVINGS_MAX) {
         r->bound = fmax(r->bound, hull);
         return;
@@ -47,8 +47,8 @@ static void climb(reach *r, const wcut_bezier *b, int halvings) {
     wcut_bezier half[2];
     wcut_bezier_halve(b, b->degree_v == 0 || halvings % 2 == 0, half);
     const int first = hull_of(r, &half[1]) > hull_of(r, &half[0]); /* the higher one first: it may settle the other */
-    climb(r, &half[first], halvings + 1);
-    climb(r, &half[1 - first], halvings + 1);
+    bounds_climb(r, &half[first], halvings + 1);
+    bounds_climb(r, &half[1 - first], halvings + 1);
 }
 
 static void climb_surface(reach *r, const wcut_surface *s) {
@@ -59,10 +59,10 @@ static void climb_surface(reach *r, const wcut_surface *s) {
             for (int q = j - s->degree_v; q <= j; q++)
                 for (int p = i - s->degree_u; p <= i; p++)
                     hull = fmax(hull, vec3_dot(r->outward, s->control[(ptrdiff_t)q * s->count_u + p]));
-            if (settle(r, hull)) continue;
+            if (bounds_settle(r, hull)) continue;
             wcut_bezier b;
             wcut_bezier_of_surface(s, i, j, &b);
-            climb(r, &b, 0);
+            bounds_climb(r, &b, 0);
         }
 }
 
@@ -71,10 +71,10 @@ static void climb_curve(reach *r, const wcut_curve *c) {
         if (!(c->knots[i] < c->knots[i + 1])) continue;
         double hull = -INFINITY;
         for (int p = i - c->degree; p <= i; p++) hull = fmax(hull, vec3_dot(r->outward, c->control[p]));
-        if (settle(r, hull)) continue;
+        if (bounds_settle(r, hull)) continue;
         wcut_bezier b;
         wcut_bezier_of_curve(c, i, &b);
-        climb(r, &b, 0);
+        bounds_climb(r, &b, 0);
     }
 }
 
@@ -120,7 +120,7 @@ static wcut_vec3 point_near(const shape *f, int k) {
     return p;
 }
 
-static void find_box(const shape *f, double tolerance, wcut_box *box) {
+static void bounds_find_box(const shape *f, double tolerance, wcut_box *box) {
     const double size = largest_coordinate(f->count, f->control);
     double side[6];
     for (int k = 0; k < 6; k++) {
@@ -138,20 +138,20 @@ static void find_box(const shape *f, double tolerance, wcut_box *box) {
 wcut_status wcut_curve_bounds(const wcut_curve *curve, double tolerance, wcut_box *box) {
     if (!curve || !box || !is_positive(tolerance)) return WCUT_BAD_ARGUMENT;
     const shape f = {.curve = curve, .count = curve->control_count, .control = curve->control};
-    find_box(&f, tolerance, box);
+    bounds_find_box(&f, tolerance, box);
     return WCUT_OK;
 }
 
 wcut_status wcut_surface_bounds(const wcut_surface *surface, double tolerance, wcut_box *box) {
     if (!surface || !box || !is_positive(tolerance)) return WCUT_BAD_ARGUMENT;
     const shape f = {.surface = surface, .count = surface->count_u * surface->count_v, .control = surface->control};
-    find_box(&f, tolerance, box);
+    bounds_find_box(&f, tolerance, box);
     return WCUT_OK;
 }
 
 /* ---- clearance ------------------------------------------------------------------------------------------------------ */
 
-static double box_distance(const wcut_box *b, wcut_vec3 p) {
+static double bounds_box_distance(const wcut_box *b, wcut_vec3 p) {
     const double x = fmax(0, fmax(b->low.x - p.x, p.x - b->high.x)), y = fmax(0, fmax(b->low.y - p.y, p.y - b->high.y)),
                  z = fmax(0, fmax(b->low.z - p.z, p.z - b->high.z));
     return sqrt(x * x + y * y + z * z);
@@ -171,12 +171,12 @@ static double hull_distance(const approach *a, const wcut_bezier *b) {
         high = vec3(fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z));
     }
     const wcut_box grown = {vec3_sub(a->block->low, vec3_sub(high, low)), a->block->high};
-    return box_distance(&grown, low); /* Minkowski: low + [0, high - low] against the block */
+    return bounds_box_distance(&grown, low); /* Minkowski: low + [0, high - low] against the block */
 }
 
 static void draw_near(approach *a, const wcut_bezier *b, int halvings) {
     for (int end = 0; end < 2; end++) {
-        const double d = box_distance(a->block, bezier_point(b, end ? b->degree_u : 0, 0));
+        const double d = bounds_box_distance(a->block, bezier_point(b, end ? b->degree_u : 0, 0));
         if (d < a->attained) a->attained = d, a->u = end ? b->u1 : b->u0;
     }
     const double hull = hull_distance(a, b);

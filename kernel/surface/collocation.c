@@ -10,7 +10,7 @@
 #include "base/numbers.h"
 #include "surface/basis.h"
 
-static double *at(const wcut_collocation *s, int i, int j) {
+static double *collocation_at(const wcut_collocation *s, int i, int j) {
     return s->entry + (ptrdiff_t)i * (s->below + s->above + 1) + (j - i + s->below);
 }
 
@@ -31,12 +31,13 @@ static void measure_band(int degree, const double *knots, const double *paramete
 
 wcut_status wcut_collocation_eliminate(wcut_collocation *s) {
     for (int k = 0; k < s->count; k++) {
-        const double pivot = *at(s, k, k);
+        const double pivot = *collocation_at(s, k, k);
         if (!(fabs(pivot) > 0) || !isfinite(pivot)) return WCUT_SINGULAR;
         for (int i = k + 1; i <= k + s->below && i < s->count; i++) {
-            const double factor = *at(s, i, k) /= pivot;
+            const double factor = *collocation_at(s, i, k) /= pivot;
             if (factor == 0) continue;
-            for (int j = k + 1; j <= k + s->above && j < s->count; j++) *at(s, i, j) -= factor * *at(s, k, j);
+            for (int j = k + 1; j <= k + s->above && j < s->count; j++)
+                *collocation_at(s, i, j) -= factor * *collocation_at(s, k, j);
         }
     }
     return WCUT_OK;
@@ -54,7 +55,7 @@ wcut_status wcut_collocation_factor(int degree, int count, const double *knots, 
         wcut_basis basis;
         const int order = order_of(i, count, slopes);
         wcut_basis_eval(degree, count, knots, parameter[i], order, &basis);
-        for (int r = 0; r <= degree; r++) *at(&s, i, basis.span - degree + r) = basis.value[order][r];
+        for (int r = 0; r <= degree; r++) *collocation_at(&s, i, basis.span - degree + r) = basis.value[order][r];
     }
     const wcut_status status = wcut_collocation_eliminate(&s);
     if (status == WCUT_OK) {
@@ -75,11 +76,11 @@ void wcut_collocation_solve(const wcut_collocation *s, int columns, double *b) {
     const ptrdiff_t m = columns;
     for (int i = 0; i < s->count; i++)
         for (int j = i < s->below ? 0 : i - s->below; j < i; j++)
-            if (*at(s, i, j) != 0) subtract_row(columns, *at(s, i, j), b + j * m, b + i * m);
+            if (*collocation_at(s, i, j) != 0) subtract_row(columns, *collocation_at(s, i, j), b + j * m, b + i * m);
     for (int i = s->count - 1; i >= 0; i--) {
         for (int j = i + 1; j <= i + s->above && j < s->count; j++)
-            if (*at(s, i, j) != 0) subtract_row(columns, *at(s, i, j), b + j * m, b + i * m);
-        const double scale = 1 / *at(s, i, i);
+            if (*collocation_at(s, i, j) != 0) subtract_row(columns, *collocation_at(s, i, j), b + j * m, b + i * m);
+        const double scale = 1 / *collocation_at(s, i, i);
         double *restrict row = b + i * m;
 #pragma omp simd
         for (int c = 0; c < columns; c++) row[c] *= scale;

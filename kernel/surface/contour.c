@@ -52,7 +52,7 @@ static void *grown(void *old, int count, int *room, size_t size) {
     return bigger;
 }
 
-static wcut_status add_point(wcut_contour *c, double u, double v) {
+static wcut_status contour_add_point(wcut_contour *c, double u, double v) {
     double *uv = grown(c->uv, c->point_count, &c->point_room, 2 * sizeof *uv);
     if (!uv) return WCUT_NO_MEMORY;
     c->uv = uv;
@@ -73,7 +73,7 @@ static wcut_status add_piece(wcut_contour *c, wcut_contour_piece piece) {
 
 static bool is_above(double f) { return f >= 0; }
 
-static double value_at(int n, const double *b, double t) {
+static double contour_value_at(int n, const double *b, double t) {
     double line[WCUT_BASIS_SIZE] = {b[0]};
     for (int k = 0; k <= n; k++) line[k] = b[k];
     for (int k = n; k > 0; k--)
@@ -87,7 +87,7 @@ static double root_between(int n, const double *b) {
     for (int k = 0; k < 100 && high - low > 1e-16; k++) {
         double t = k % 4 == 3 ? (low + high) / 2 : low + (high - low) * at_low / (at_low - at_high);
         if (!(t > low && t < high)) t = (low + high) / 2;
-        const double f = value_at(n, b, t);
+        const double f = contour_value_at(n, b, t);
         if (t <= low || t >= high) break;
         if (is_above(f) == is_above(at_low)) {
             low = t, at_low = f;
@@ -138,7 +138,7 @@ static void across_at(const graph *g, double share, double *b) {
     double column[WCUT_BASIS_SIZE] = {0};
     for (int i = 0; i <= g->n; i++) {
         for (int j = 0; j <= g->m; j++) column[j] = g->turned ? g->k->f[i][j] : g->k->f[j][i];
-        b[i] = value_at(g->m, column, share);
+        b[i] = contour_value_at(g->m, column, share);
     }
 }
 
@@ -168,7 +168,7 @@ typedef struct place {
     wcut_vec3 point;
 } place;
 
-static place place_at(const walker *w, const graph *g, double t) {
+static place contour_place_at(const walker *w, const graph *g, double t) {
     place p;
     parameters_of(g, graph_at(g, t), t, &p.u, &p.v);
     wcut_surface_eval(w->surface, p.u, p.v, 0, &p.point);
@@ -176,26 +176,26 @@ static place place_at(const walker *w, const graph *g, double t) {
 }
 
 /* points strictly between two on the graph, until its chords are near enough; steep parts are walked along s */
-static wcut_status refine(walker *w, const graph *g, place a, place b, int halvings) {
+static wcut_status contour_refine(walker *w, const graph *g, place a, place b, int halvings) {
     const double wide_u = fabs(b.u - a.u) / (g->k->u1 - g->k->u0), wide_v = fabs(b.v - a.v) / (g->k->v1 - g->k->v0);
     if (g->other && (wide_u > wide_v) != g->turned) g = g->other;
     const double ta = g->turned ? a.u : a.v, tb = g->turned ? b.u : b.v, t = (ta + tb) / 2;
     if (t == ta || t == tb || halvings == REFINE_MAX) return WCUT_OK;
-    const place p = place_at(w, g, t);
+    const place p = contour_place_at(w, g, t);
     bool near = off_chord(p.point, a.point, b.point) <= HELD * w->tolerance;
     for (int k = 1; k <= 3 && near; k += 2)
-        near = off_chord(place_at(w, g, ta + (tb - ta) * k / 4).point, a.point, b.point) <= HELD * w->tolerance;
+        near = off_chord(contour_place_at(w, g, ta + (tb - ta) * k / 4).point, a.point, b.point) <= HELD * w->tolerance;
     /* a chord is only known by points in its middle: a parameter may rush through most of it at one end */
     const double chord = vec3_distance(a.point, b.point),
                  longer = fmax(vec3_distance(a.point, p.point), vec3_distance(p.point, b.point));
     if (near && longer <= fmax(0.8 * chord, w->tolerance)) return WCUT_OK;
-    wcut_status status = refine(w, g, a, p, halvings + 1);
-    if (status == WCUT_OK) status = add_point(w->c, p.u, p.v);
-    return status == WCUT_OK ? refine(w, g, p, b, halvings + 1) : status;
+    wcut_status status = contour_refine(w, g, a, p, halvings + 1);
+    if (status == WCUT_OK) status = contour_add_point(w->c, p.u, p.v);
+    return status == WCUT_OK ? contour_refine(w, g, p, b, halvings + 1) : status;
 }
 
 /* where the graph meets the cell's edges: on one of the lines s = s0, s1, or t = t0, t1 */
-static wcut_contour_end end_of(const graph *g, double s, double t, bool on_t, bool high) {
+static wcut_contour_end contour_end_of(const graph *g, double s, double t, bool on_t, bool high) {
     wcut_contour_end e = {.on_v = on_t != g->turned, .side = high ? -1 : 1};
     e.line = on_t ? (high ? g->t1 : g->t0) : (high ? g->s1 : g->s0);
     parameters_of(g, s, t, &e.u, &e.v);
@@ -208,9 +208,9 @@ static wcut_status trace_between(walker *w, const graph *g, const wcut_contour_e
     place a = {.u = from->u, .v = from->v}, b = {.u = to->u, .v = to->v};
     wcut_surface_eval(w->surface, a.u, a.v, 0, &a.point);
     wcut_surface_eval(w->surface, b.u, b.v, 0, &b.point);
-    wcut_status status = add_point(c, a.u, a.v);
-    if (status == WCUT_OK) status = refine(w, g, a, b, 0);
-    if (status == WCUT_OK) status = add_point(c, b.u, b.v);
+    wcut_status status = contour_add_point(c, a.u, a.v);
+    if (status == WCUT_OK) status = contour_refine(w, g, a, b, 0);
+    if (status == WCUT_OK) status = contour_add_point(c, b.u, b.v);
     if (status != WCUT_OK) return status;
     return add_piece(c, (wcut_contour_piece){.first = first, .count = c->point_count - first, .end = {*from, *to}});
 }
@@ -242,14 +242,16 @@ static wcut_status trace_graph(walker *w, const graph *g) {
     wcut_status status = WCUT_OK;
     for (int k = 0; k + 1 < breaks && status == WCUT_OK; k++) {
         const double middle = (at[k] + at[k + 1]) / 2;
-        if (is_above(value_at(g->m, edge[0], middle)) == is_above(value_at(g->m, edge[1], middle))) continue;
+        if (is_above(contour_value_at(g->m, edge[0], middle)) == is_above(contour_value_at(g->m, edge[1], middle)))
+            continue;
         wcut_contour_end end[2];
         double t[2];
         for (int e = 0; e < 2; e++) {
             const int b = k + e;
             t[e] = b == 0 ? g->t0 : b == breaks - 1 ? g->t1 : g->t0 + (g->t1 - g->t0) * at[b];
             const double s = side[b] < 0 ? graph_at(g, t[e]) : side[b] ? g->s1 : g->s0;
-            end[e] = side[b] < 0 ? end_of(g, s, t[e], true, b > 0) : end_of(g, s, t[e], false, side[b] == 1);
+            end[e] =
+                side[b] < 0 ? contour_end_of(g, s, t[e], true, b > 0) : contour_end_of(g, s, t[e], false, side[b] == 1);
         }
         if (t[0] < t[1]) status = trace_between(w, g, &end[0], &end[1]);
     }
@@ -283,7 +285,7 @@ static double bend_of(const cell *k, bool along_u) {
     return max;
 }
 
-static void halve(const cell *whole, bool along_u, cell half[2]) {
+static void contour_halve(const cell *whole, bool along_u, cell half[2]) {
     const int n = along_u ? whole->p : whole->q, lanes = along_u ? whole->q : whole->p;
     half[0] = half[1] = *whole;
     if (along_u) {
@@ -317,7 +319,7 @@ static bool is_touching(const walker *w, const cell *k) {
     return vec3_distance(a, b) < reach && vec3_distance(c, d) < reach && vec3_distance(a, c) < reach;
 }
 
-static wcut_status divide(walker *w, const cell *k, int depth) {
+static wcut_status contour_divide(walker *w, const cell *k, int depth) {
     bool above = false, below = false;
 
     /* control heights of one sign: no contour in the cell */
@@ -347,9 +349,9 @@ static wcut_status divide(walker *w, const cell *k, int depth) {
     /* halve across the direction that bends more */
     const double bend_u = bend_of(k, true), bend_v = bend_of(k, false);
     cell half[2];
-    halve(k, bend_u == bend_v ? depth % 2 == 0 : bend_u > bend_v, half);
-    wcut_status status = divide(w, &half[0], depth + 1);
-    if (status == WCUT_OK) status = divide(w, &half[1], depth + 1);
+    contour_halve(k, bend_u == bend_v ? depth % 2 == 0 : bend_u > bend_v, half);
+    wcut_status status = contour_divide(w, &half[0], depth + 1);
+    if (status == WCUT_OK) status = contour_divide(w, &half[1], depth + 1);
     return status;
 }
 
@@ -373,7 +375,7 @@ static wcut_status find_in_span(walker *w, int span_u, int span_v, wcut_vec3 nor
             const wcut_homogeneous *h = &b.at[j][i];
             k.f[j][i] = normal.x * h->x + normal.y * h->y + normal.z * h->z - level * h->w;
         }
-    return divide(w, &k, 0);
+    return contour_divide(w, &k, 0);
 }
 
 wcut_status wcut_contour_find(const wcut_surface *s, wcut_vec3 point, wcut_vec3 normal, double tolerance,

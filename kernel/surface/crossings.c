@@ -37,7 +37,7 @@ static bool overlap(const node *a, const node *b) {
            a->low.z <= b->high.z && b->low.z <= a->high.z;
 }
 
-static void widen(node *n, wcut_vec3 low, wcut_vec3 high) {
+static void crossings_widen(node *n, wcut_vec3 low, wcut_vec3 high) {
     n->low = vec3(fmin(n->low.x, low.x), fmin(n->low.y, low.y), fmin(n->low.z, low.z));
     n->high = vec3(fmax(n->high.x, high.x), fmax(n->high.y, high.y), fmax(n->high.z, high.z));
 }
@@ -68,11 +68,11 @@ static wcut_status build(finder *f) {
         node *leaf = &f->tree[f->leaves - 1 + k];
         *leaf = empty;
         if (k >= m->triangle_count || is_sliver(f, f->order[k])) continue;
-        for (int c = 0; c < 3; c++) widen(leaf, corner(m, f->order[k], c), corner(m, f->order[k], c));
+        for (int c = 0; c < 3; c++) crossings_widen(leaf, corner(m, f->order[k], c), corner(m, f->order[k], c));
     }
     for (int k = f->leaves - 2; k >= 0; k--) {
         f->tree[k] = f->tree[2 * k + 1];
-        widen(&f->tree[k], f->tree[2 * k + 2].low, f->tree[2 * k + 2].high);
+        crossings_widen(&f->tree[k], f->tree[2 * k + 2].low, f->tree[2 * k + 2].high);
     }
     return WCUT_OK;
 }
@@ -106,7 +106,7 @@ static bool pierces(const finder *f, int a, int b, wcut_vec3 *where) {
 }
 
 /* keep the first pairs in rising order */
-static void keep(finder *f, wcut_crossing c) {
+static void crossings_keep(finder *f, wcut_crossing c) {
     int at = f->count < f->room ? f->count : f->room;
     if (f->count < INT_MAX) f->count++;
     while (at > 0 && (f->found[at - 1].first > c.first ||
@@ -121,18 +121,18 @@ static void test_pair(finder *f, int p, int q) {
     const int a = f->order[p], b = f->order[q];
     wcut_vec3 where;
     if (!(pierces(f, a, b, &where) || pierces(f, b, a, &where)) || share_corner(f, a, b)) return;
-    keep(f, (wcut_crossing){.first = a < b ? a : b, .second = a < b ? b : a, .point = where});
+    crossings_keep(f, (wcut_crossing){.first = a < b ? a : b, .second = a < b ? b : a, .point = where});
 }
 
 /* pairs with one triangle under each of two nodes of one level */
-static void cross(finder *f, int a, int b) {
+static void crossings_cross(finder *f, int a, int b) {
     if (!overlap(&f->tree[a], &f->tree[b])) return;
     if (a >= f->leaves - 1) {
         test_pair(f, a - f->leaves + 1, b - f->leaves + 1);
         return;
     }
     for (int k = 1; k <= 2; k++)
-        for (int l = 1; l <= 2; l++) cross(f, 2 * a + k, 2 * b + l);
+        for (int l = 1; l <= 2; l++) crossings_cross(f, 2 * a + k, 2 * b + l);
 }
 
 wcut_status wcut_mesh_crossings(const wcut_mesh *mesh, int room, wcut_crossing *crossing, int *count) {
@@ -144,7 +144,7 @@ wcut_status wcut_mesh_crossings(const wcut_mesh *mesh, int room, wcut_crossing *
     f.found = wcut_alloc((size_t)room + 1, sizeof *f.found);
     wcut_status status = f.found ? build(&f) : WCUT_NO_MEMORY;
     if (status == WCUT_OK) {
-        for (int k = 0; k < f.leaves - 1; k++) cross(&f, 2 * k + 1, 2 * k + 2);
+        for (int k = 0; k < f.leaves - 1; k++) crossings_cross(&f, 2 * k + 1, 2 * k + 2);
         for (int k = 0; k < room && k < f.count; k++) crossing[k] = f.found[k];
         *count = f.count;
     }

@@ -41,7 +41,7 @@ typedef struct search {
     int halvings;
 } search;
 
-static wcut_vec3 space(const wcut_homogeneous *h) { return vec3(h->x / h->w, h->y / h->w, h->z / h->w); }
+static wcut_vec3 curve_foot_space(const wcut_homogeneous *h) { return vec3(h->x / h->w, h->y / h->w, h->z / h->w); }
 
 static void finder_clear(finder *f) {
     wcut_free(f->piece);
@@ -53,7 +53,7 @@ static void box_of_piece(const finder *f, int k) {
     const piece *q = &f->piece[k];
     wcut_vec3 *low = &f->low[f->leaves - 1 + k], *high = &f->high[f->leaves - 1 + k];
     for (int i = 0; i <= f->curve->degree; i++) {
-        const wcut_vec3 p = space(&q->at[i]);
+        const wcut_vec3 p = curve_foot_space(&q->at[i]);
         *low = vec3(fmin(low->x, p.x), fmin(low->y, p.y), fmin(low->z, p.z));
         *high = vec3(fmax(high->x, p.x), fmax(high->y, p.y), fmax(high->z, p.z));
     }
@@ -102,7 +102,7 @@ static wcut_status finder_build(const wcut_curve *curve, finder *f) {
     return WCUT_DEGENERATE;
 }
 
-static double box_distance(const finder *f, int node, wcut_vec3 p) {
+static double curve_foot_box_distance(const finder *f, int node, wcut_vec3 p) {
     const wcut_vec3 low = f->low[node], high = f->high[node];
     if (low.x > high.x) return INFINITY; /* empty */
     const double x = fmax(0, fmax(low.x - p.x, p.x - high.x)), y = fmax(0, fmax(low.y - p.y, p.y - high.y)),
@@ -119,26 +119,26 @@ static double chord_distance(wcut_vec3 p, wcut_vec3 a, wcut_vec3 side) {
 
 /* no point of the piece is closer */
 static double capsule_distance(const piece *q, int degree, wcut_vec3 p) {
-    const wcut_vec3 a = space(&q->at[0]), side = vec3_sub(space(&q->at[degree]), a);
+    const wcut_vec3 a = curve_foot_space(&q->at[0]), side = vec3_sub(curve_foot_space(&q->at[degree]), a);
     double off = 0;
-    for (int i = 1; i < degree; i++) off = fmax(off, chord_distance(space(&q->at[i]), a, side));
+    for (int i = 1; i < degree; i++) off = fmax(off, chord_distance(curve_foot_space(&q->at[i]), a, side));
     return chord_distance(p, a, side) - off;
 }
 
-static void offer(search *s, double u, wcut_vec3 point) {
+static void curve_foot_offer(search *s, double u, wcut_vec3 point) {
     const double distance = vec3_distance(point, s->p);
     if (distance < s->best.distance) s->best.u = u, s->best.point = point, s->best.distance = distance;
 }
 
 /* Newton's method for (C - p) . C' = 0 within [low, high], as long as it goes down */
-static void descend(search *s, double low, double high, double u) {
+static void curve_foot_descend(search *s, double low, double high, double u) {
     wcut_vec3 d[3];
     double min = INFINITY;
     for (int step = 0; step < STEPS_MAX; step++) {
         wcut_curve_eval(s->f->curve, u, 2, d);
         const wcut_vec3 off = vec3_sub(d[0], s->p);
         const double distance = vec3_length(off);
-        offer(s, u, d[0]);
+        curve_foot_offer(s, u, d[0]);
         if (!(distance < min)) return;
         min = distance;
         const double slope = vec3_dot(off, d[1]), plain = vec3_dot(d[1], d[1]), bend = plain + vec3_dot(off, d[2]);
@@ -150,7 +150,7 @@ static void descend(search *s, double low, double high, double u) {
     }
 }
 
-static void halve(const piece *q, int degree, piece half[2]) {
+static void curve_foot_halve(const piece *q, int degree, piece half[2]) {
     wcut_homogeneous line[WCUT_BASIS_SIZE];
     for (int k = 0; k <= degree; k++) line[k] = q->at[k];
     const double middle = (q->u0 + q->u1) / 2;
@@ -166,7 +166,7 @@ static void halve(const piece *q, int degree, piece half[2]) {
 }
 
 /* is the piece no closer than what is known, all but equal? */
-static bool is_excluded(search *s, double bound) {
+static bool curve_foot_is_excluded(search *s, double bound) {
     if (bound < s->best.distance - s->same) return false;
     s->lowest = fmin(s->lowest, bound);
     return true;
@@ -174,16 +174,16 @@ static bool is_excluded(search *s, double bound) {
 
 static void search_piece(search *s, const piece *q, double bound, int depth) {
     const int degree = s->f->curve->degree;
-    if (is_excluded(s, bound)) return;
+    if (curve_foot_is_excluded(s, bound)) return;
     if (s->halvings >= HALVINGS_MAX || depth == DEPTH_MAX) {
         s->lowest = fmin(s->lowest, bound);
         return;
     }
     if (++s->halvings % PATIENCE == 0) s->same *= 10; /* proof is long in coming: a tie */
     piece half[2] = {0};
-    halve(q, degree, half);
-    offer(s, half[0].u1, space(&half[1].at[0]));
-    if (depth < 3) descend(s, q->u0, q->u1, (q->u0 + q->u1) / 2);
+    curve_foot_halve(q, degree, half);
+    curve_foot_offer(s, half[0].u1, curve_foot_space(&half[1].at[0]));
+    if (depth < 3) curve_foot_descend(s, q->u0, q->u1, (q->u0 + q->u1) / 2);
     const double near[2] = {fmax(bound, capsule_distance(&half[0], degree, s->p)),
                             fmax(bound, capsule_distance(&half[1], degree, s->p))};
     const int first = near[1] < near[0];
@@ -191,26 +191,27 @@ static void search_piece(search *s, const piece *q, double bound, int depth) {
     search_piece(s, &half[1 - first], near[1 - first], depth + 1);
 }
 
-static void search_tree(search *s, int node) {
+static void curve_foot_search_tree(search *s, int node) {
     const finder *f = s->f;
-    if (is_excluded(s, box_distance(f, node, s->p))) return;
+    if (curve_foot_is_excluded(s, curve_foot_box_distance(f, node, s->p))) return;
     if (node >= f->leaves - 1) {
         const piece *q = &f->piece[node - f->leaves + 1];
         search_piece(s, q, capsule_distance(q, f->curve->degree, s->p), 0);
         return;
     }
-    const int first = 2 * node + 1 + (box_distance(f, 2 * node + 2, s->p) < box_distance(f, 2 * node + 1, s->p));
-    search_tree(s, first);
-    search_tree(s, 4 * node + 3 - first);
+    const int first = 2 * node + 1 +
+                      (curve_foot_box_distance(f, 2 * node + 2, s->p) < curve_foot_box_distance(f, 2 * node + 1, s->p));
+    curve_foot_search_tree(s, first);
+    curve_foot_search_tree(s, 4 * node + 3 - first);
 }
 
-static void locate(const finder *f, wcut_vec3 p, wcut_curve_foot *foot) {
+static void curve_foot_locate(const finder *f, wcut_vec3 p, wcut_curve_foot *foot) {
     search s = {.f = f, .p = p, .best = {.distance = INFINITY}, .lowest = INFINITY};
     const double same = s.same = SAME * (f->size + vec3_length(p));
     double first, last;
     wcut_curve_domain(f->curve, &first, &last);
-    search_tree(&s, 0);
-    descend(&s, first, last, s.best.u);
+    curve_foot_search_tree(&s, 0);
+    curve_foot_descend(&s, first, last, s.best.u);
     const double proven = fmax(0, s.lowest);
     s.best.gap = s.best.distance - proven > 4 * same ? s.best.distance - proven : 0;
     wcut_vec3 d[2];
@@ -229,7 +230,7 @@ wcut_status wcut_curve_locate(const wcut_curve *curve, int count, const wcut_vec
     const wcut_status status = finder_build(curve, &f);
     if (status != WCUT_OK) return status;
 #pragma omp parallel for schedule(dynamic, 64) num_threads(wcut_threads(threads))
-    for (int k = 0; k < count; k++) locate(&f, query[k], &foot[k]);
+    for (int k = 0; k < count; k++) curve_foot_locate(&f, query[k], &foot[k]);
     finder_clear(&f);
     return WCUT_OK;
 }

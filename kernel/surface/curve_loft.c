@@ -45,7 +45,7 @@ static wcut_status sample(sections *s, int nodes) {
 }
 
 /* the largest distance of the cubics through the nodes from their curves, at quarters between the nodes */
-static wcut_status measure(const sections *s, double *max) {
+static wcut_status curve_loft_measure(const sections *s, double *max) {
     const int n = s->nodes, fine = 4 * (n - 1) + 1;
     double *u = wcut_alloc((size_t)n, sizeof *u), *knots = wcut_alloc((size_t)n + 4, sizeof *knots);
     wcut_vec3 *control = wcut_alloc((size_t)n, sizeof *control), *exact = wcut_alloc((size_t)fine, sizeof *exact);
@@ -81,7 +81,7 @@ static double mean_distance(int nodes, const wcut_vec3 *a, const wcut_vec3 *b, b
     return sum / nodes;
 }
 
-static void describe(const sections *s, wcut_curve_loft_report *r) {
+static void curve_loft_describe(const sections *s, wcut_curve_loft_report *r) {
     r->nodes = s->nodes, r->first_turned = -1;
     for (int j = 0; j < s->count; j++) {
         const wcut_vec3 *p = s->point + (ptrdiff_t)j * s->nodes;
@@ -108,12 +108,12 @@ wcut_status wcut_surface_loft_curves(int count, const wcut_curve *const *curve, 
     for (int nodes = NODES_FIRST; status == WCUT_OK; nodes = 2 * nodes - 1) {
         if (nodes > NODES_MAX) status = WCUT_NOT_CONVERGED;
         if (status == WCUT_OK) status = sample(&s, nodes);
-        if (status == WCUT_OK) status = measure(&s, &r.section_error);
+        if (status == WCUT_OK) status = curve_loft_measure(&s, &r.section_error);
         if (status == WCUT_OK && r.section_error <= tolerance) break;
     }
     if (status == WCUT_OK) status = wcut_surface_loft(count, s.nodes, s.point, merge, surface, parameter, &loft);
     if (status == WCUT_OK && report) {
-        describe(&s, &r);
+        curve_loft_describe(&s, &r);
         r.used = loft.used, r.dropped = loft.dropped;
         *report = r;
     }

@@ -50,12 +50,13 @@ static double gauss(const wcut_curve *curve, double a, double b) {
 }
 
 /* halve until a half more says the same */
-static double refine(const wcut_curve *curve, double a, double b, double whole, double tolerance, int halvings) {
+static double curve_measure_refine(const wcut_curve *curve, double a, double b, double whole, double tolerance,
+                                   int halvings) {
     const double middle = (a + b) / 2, low = gauss(curve, a, middle), high = gauss(curve, middle, b);
     if (!(fabs(low + high - whole) > tolerance) || halvings == HALVINGS_MAX)
         return low + high; /* overflow ends it, too */
-    return refine(curve, a, middle, low, tolerance / 2, halvings + 1) +
-           refine(curve, middle, b, high, tolerance / 2, halvings + 1);
+    return curve_measure_refine(curve, a, middle, low, tolerance / 2, halvings + 1) +
+           curve_measure_refine(curve, middle, b, high, tolerance / 2, halvings + 1);
 }
 
 /* from a to b >= a, span by span: the speed is smooth inside each */
@@ -67,7 +68,7 @@ static double length_between(const wcut_curve *curve, double a, double b) {
             if (!(from < to)) continue;
             const double whole = gauss(curve, from, to);
             if (pass == 0) rough += whole;
-            if (pass == 1) sum += refine(curve, from, to, whole, EXACT * rough, 0);
+            if (pass == 1) sum += curve_measure_refine(curve, from, to, whole, EXACT * rough, 0);
         }
     return sum;
 }

@@ -44,7 +44,7 @@ static void find_slope(const wcut_surface *s, wcut_vec3 p, double u, double v, s
 }
 
 /* at a bound that the descent direction leads out of */
-static bool is_held(double at, double low, double high, double gradient) {
+static bool foot_search_is_held(double at, double low, double high, double gradient) {
     return (at <= low && gradient > 0) || (at >= high && gradient < 0);
 }
 
@@ -81,7 +81,8 @@ static candidate descend(const wcut_projection *m, wcut_vec3 p, const double box
     double distance = vec3_distance(f.ders[0], p);
     bool converged = false;
     for (int step = 0; step < STEPS_MAX; step++) {
-        const bool held_u = is_held(u, box[0], box[1], f.gu), held_v = is_held(v, box[2], box[3], f.gv);
+        const bool held_u = foot_search_is_held(u, box[0], box[1], f.gu),
+                   held_v = foot_search_is_held(v, box[2], box[3], f.gv);
         double du, dv;
         newton_step(&f, held_u, held_v, &du, &dv);
         du = clamp(u + du, box[0], box[1]) - u, dv = clamp(v + dv, box[2], box[3]) - v;
@@ -243,7 +244,8 @@ static void search_tree(search *s) {
 }
 
 /* the unit normal at a foot; where the derivatives span no plane that of a point a little inwards */
-static wcut_vec3 normal_at(const wcut_projection *m, double u, double v, wcut_vec3 along_u, wcut_vec3 along_v) {
+static wcut_vec3 foot_search_normal_at(const wcut_projection *m, double u, double v, wcut_vec3 along_u,
+                                       wcut_vec3 along_v) {
     wcut_vec3 n = vec3_cross(along_u, along_v), inner[4];
     const double width = (m->last[0] - m->first[0]) * (m->last[1] - m->first[1]);
     for (double share = 1e-6; share < 0.1; share *= 10) {
@@ -270,7 +272,7 @@ void wcut_foot_describe(const wcut_projection *m, wcut_vec3 p, const wcut_foot_j
     const double off_u = outwards(m, at->u, m->first[0], m->last[0], r, at->along_u);
     const double off_v = outwards(m, at->v, m->first[1], m->last[1], r, at->along_v);
     *foot = (wcut_foot){.u = at->u, .v = at->v, .point = at->point, .distance = vec3_length(r)};
-    foot->height = vec3_dot(r, normal_at(m, at->u, at->v, at->along_u, at->along_v));
+    foot->height = vec3_dot(r, foot_search_normal_at(m, at->u, at->v, at->along_u, at->along_v));
     foot->beyond = fmax(off_u, off_v) > BEYOND * m->size;
 }
 

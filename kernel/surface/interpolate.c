@@ -37,7 +37,7 @@ void wcut_knots_average(int degree, int count, const double *parameter, double *
 }
 
 /* move `rows` curves of `count` points into count x rows points, or back */
-static void turn(int rows, int count, wcut_vec3 *curve, wcut_vec3 *turned, bool back) {
+static void interpolate_turn(int rows, int count, wcut_vec3 *curve, wcut_vec3 *turned, bool back) {
     for (int r = 0; r < rows; r++)
         for (int i = 0; i < count; i++) {
             wcut_vec3 *a = &curve[(ptrdiff_t)r * count + i], *b = &turned[(ptrdiff_t)i * rows + r];
@@ -60,9 +60,9 @@ wcut_status wcut_interpolate_rows(int degree, int count, const double *knots, co
         for (int r = 0; r < rows; r += BLOCK) {
             const int together = rows - r < BLOCK ? rows - r : BLOCK;
             wcut_vec3 *curve = point + (ptrdiff_t)r * count;
-            turn(together, count, curve, block, false);
+            interpolate_turn(together, count, curve, block, false);
             wcut_collocation_solve(&system, 3 * together, &block->x);
-            turn(together, count, curve, block, true);
+            interpolate_turn(together, count, curve, block, true);
         }
     } else {
         status = WCUT_NO_MEMORY;

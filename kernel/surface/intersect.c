@@ -30,18 +30,18 @@ typedef struct tip {
     bool on_border;
 } tip;
 
-static int compare(double a, double b) { return (a > b) - (a < b); }
+static int intersect_compare(double a, double b) { return (a > b) - (a < b); }
 
 /* by line, then along it */
 static int by_line(const void *a, const void *b) {
     const tip *p = *(tip *const *)a, *q = *(tip *const *)b;
     if (p->at.on_v != q->at.on_v) return p->at.on_v ? 1 : -1;
-    int order = compare(p->at.line, q->at.line);
-    if (order == 0) order = p->at.on_v ? compare(p->at.u, q->at.u) : compare(p->at.v, q->at.v);
+    int order = intersect_compare(p->at.line, q->at.line);
+    if (order == 0) order = p->at.on_v ? intersect_compare(p->at.u, q->at.u) : intersect_compare(p->at.v, q->at.v);
     return order != 0 ? order : p->index - q->index;
 }
 
-static void join(tip *a, tip *b) { a->partner = b->index, b->partner = a->index; }
+static void intersect_join(tip *a, tip *b) { a->partner = b->index, b->partner = a->index; }
 
 /* ends on either side of one line, at one place of it */
 static void join_across_lines(int count, tip **sorted, const double width[2]) {
@@ -54,7 +54,7 @@ static void join_across_lines(int count, tip **sorted, const double width[2]) {
             const double step = a->at.on_v ? b->at.u - a->at.u : b->at.v - a->at.v;
             if (step > SAME * width[a->at.on_v ? 0 : 1]) break;
             if (b->partner >= 0 || b->at.side == a->at.side) continue;
-            join(a, b);
+            intersect_join(a, b);
             break;
         }
     }
@@ -74,7 +74,7 @@ static void join_in_space(int count, tip *all, double within, double same) {
                 const double distance = vec3_distance(all[n].point, all[k].point);
                 if (distance <= nearest) nearest = distance, best = n;
             }
-            if (best >= 0) join(&all[k], &all[best]);
+            if (best >= 0) intersect_join(&all[k], &all[best]);
         }
 }
 
@@ -125,7 +125,8 @@ static wcut_status make_tips(const wcut_surface *s, const wcut_contour *c, doubl
 }
 
 /* the pieces from an end on, marked as used; `trace` may be NULL, then they are only counted. Returns the points. */
-static int follow(const wcut_contour *c, const tip *tips, int start, bool *used, wcut_trace *trace, bool *closed) {
+static int intersect_follow(const wcut_contour *c, const tip *tips, int start, bool *used, wcut_trace *trace,
+                            bool *closed) {
     int made = 0, at = start;
     *closed = false;
     for (;;) {
@@ -151,7 +152,7 @@ static wcut_status take_trace(const wcut_surface *s, const wcut_contour *c, cons
                               wcut_traces *all) {
     bool closed;
     wcut_trace t = {.face = 0};
-    const int count = follow(c, tips, start, NULL, NULL, &closed);
+    const int count = intersect_follow(c, tips, start, NULL, NULL, &closed);
     t.uv = wcut_alloc((size_t)count + 1, 2 * sizeof *t.uv);
     t.point = wcut_alloc((size_t)count + 1, sizeof *t.point);
     if (!t.uv || !t.point) {
@@ -159,7 +160,7 @@ static wcut_status take_trace(const wcut_surface *s, const wcut_contour *c, cons
         wcut_free(t.point);
         return WCUT_NO_MEMORY;
     }
-    t.count = follow(c, tips, start, used, &t, &closed);
+    t.count = intersect_follow(c, tips, start, used, &t, &closed);
     t.closed = closed;
     for (int k = 0; k < t.count; k++)
         wcut_surface_eval(s, t.uv[2 * (size_t)k], t.uv[2 * (size_t)k + 1], 0, &t.point[k]);

@@ -57,7 +57,7 @@ static int by_change(const void *a, const void *b) {
 }
 
 /* the interior knots of a net, those first whose removal changes least; returns how many change less than `max` */
-static int rank(const wcut_net *net, double max, candidate *list, bool *taken) {
+static int knot_removal_rank(const wcut_net *net, double max, candidate *list, bool *taken) {
     int count = 0, order = 0;
     for (int r = net->degree + 1, copies = 1; r < net->count; r++) {
         if (net->knots[r + 1] == net->knots[r]) {
@@ -175,7 +175,7 @@ static wcut_status remove_batch(const target *t, double tolerance, const candida
 }
 
 /* in place; *error: the bound, 0 where nothing was removed */
-static wcut_status thin(wcut_net *net, bool rational, double tolerance, double *error) {
+static wcut_status knot_removal_thin(wcut_net *net, bool rational, double tolerance, double *error) {
     *error = 0;
     wcut_status status = wcut_net_clamp(net);
     if (status != WCUT_OK) return status;
@@ -200,7 +200,7 @@ static wcut_status thin(wcut_net *net, bool rational, double tolerance, double *
     status = list && taken ? without(&fine, NULL, 0, &coarse) : WCUT_NO_MEMORY;
     if (status == WCUT_OK) memcpy(coarse.at, fine.at, max * (size_t)fine.lanes * sizeof *fine.at);
     for (int round = 0, removed = 1; status == WCUT_OK && removed > 0 && round < ROUNDS_MAX; round++) {
-        const int count = rank(&coarse, 4 * tolerance, list, taken);
+        const int count = knot_removal_rank(&coarse, 4 * tolerance, list, taken);
         status = remove_batch(&t, tolerance, list, count, &coarse, error, &removed);
     }
     if (status == WCUT_OK) {
@@ -220,7 +220,7 @@ wcut_status wcut_curve_remove_knots(const wcut_curve *curve, double tolerance, w
     double off = 0;
     wcut_status status = wcut_net_of_curve(curve, &net);
     if (status != WCUT_OK) return status;
-    status = thin(&net, curve->weights != NULL, tolerance, &off);
+    status = knot_removal_thin(&net, curve->weights != NULL, tolerance, &off);
     if (status == WCUT_OK) status = wcut_curve_of_net(&net, curve->weights != NULL, result);
     if (status == WCUT_OK && error) *error = off;
     wcut_net_clear(&net);
@@ -236,11 +236,11 @@ wcut_status wcut_surface_remove_knots(const wcut_surface *surface, double tolera
     wcut_net net = {.count = 0};
     double off_u = 0, off_v = 0;
     wcut_status status = wcut_net_of_surface(surface, WCUT_DIRECTION_U, &net);
-    if (status == WCUT_OK) status = thin(&net, rational, tolerance / 2, &off_u);
+    if (status == WCUT_OK) status = knot_removal_thin(&net, rational, tolerance / 2, &off_u);
     if (status == WCUT_OK) status = wcut_surface_of_net(&net, WCUT_DIRECTION_U, surface, false, &half);
     wcut_net_clear(&net);
     if (status == WCUT_OK) status = wcut_net_of_surface(half, WCUT_DIRECTION_V, &net);
-    if (status == WCUT_OK) status = thin(&net, rational, tolerance - off_u, &off_v);
+    if (status == WCUT_OK) status = knot_removal_thin(&net, rational, tolerance - off_u, &off_v);
     if (status == WCUT_OK) status = wcut_surface_of_net(&net, WCUT_DIRECTION_V, half, false, result);
     if (status == WCUT_OK && error) *error = off_u + off_v;
     wcut_net_clear(&net);

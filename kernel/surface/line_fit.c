@@ -78,7 +78,7 @@ static void miss(const data *d, const wcut_band_rows *a, const wcut_vec3 *contro
 }
 
 /* least squares over given knots; WCUT_SINGULAR where some of them have too few rows */
-static wcut_status solve(const data *d, wcut_line_fit *fit, double *missed) {
+static wcut_status line_fit_solve(const data *d, wcut_line_fit *fit, double *missed) {
     wcut_axis axis;
     wcut_status status = wcut_axis_fill(3, fit->count, fit->knots, d->rows, d->parameter, 0, &axis);
     if (status != WCUT_OK) return status;
@@ -90,7 +90,7 @@ static wcut_status solve(const data *d, wcut_line_fit *fit, double *missed) {
 }
 
 /* every row is met exactly */
-static wcut_status interpolate(const data *d, wcut_line_fit *fit) {
+static wcut_status line_fit_interpolate(const data *d, wcut_line_fit *fit) {
     wcut_line_fit f;
     wcut_status status = fit_new(d->rows, d->columns, &f);
     if (status != WCUT_OK) return status;
@@ -121,7 +121,7 @@ static void adapt(const data *d, const double *missed, double tolerance, bool he
     }
 }
 
-static wcut_status begin(const data *d, wcut_spacing *s) {
+static wcut_status line_fit_begin(const data *d, wcut_spacing *s) {
     wcut_spacing n = {.pieces = 1};
     n.at = wcut_alloc(2, sizeof *n.at);
     n.density = wcut_alloc(1, sizeof *n.density);
@@ -150,7 +150,7 @@ static wcut_status next_fit(const data *d, wcut_spacing *s, double *missed, wcut
     if (status != WCUT_OK) return status;
     f.count = lay_knots(d, &lines, f.knots);
     *dense = f.count > DENSE * d->rows;
-    if (!*dense) status = solve(d, &f, missed);
+    if (!*dense) status = line_fit_solve(d, &f, missed);
     if (status == WCUT_SINGULAR) *dense = true, status = WCUT_OK;
     if (status == WCUT_OK && !*dense) {
         *fit = f;
@@ -167,7 +167,7 @@ wcut_status wcut_line_fit_points(int rows, const double *parameter, int columns,
     wcut_line_fit best = {.count = 0}, now = {.count = 0};
     bool dense = false;
     double *missed = wcut_alloc((size_t)rows, sizeof *missed);
-    wcut_status status = missed ? begin(&d, &s) : WCUT_NO_MEMORY;
+    wcut_status status = missed ? line_fit_begin(&d, &s) : WCUT_NO_MEMORY;
     for (int round = 0; status == WCUT_OK && tolerance > 0 && round < ROUNDS_MAX; round++) {
         status = next_fit(&d, &s, missed, &now, &dense);
         if (status != WCUT_OK || dense) break;
@@ -183,7 +183,7 @@ wcut_status wcut_line_fit_points(int rows, const double *parameter, int columns,
         if (held && best.count <= PIECES_FIRST / 2) break; /* a plane needs no fewer */
         adapt(&d, missed, tolerance, held, &s);
     }
-    if (status == WCUT_OK && best.count == 0) status = interpolate(&d, &best);
+    if (status == WCUT_OK && best.count == 0) status = line_fit_interpolate(&d, &best);
     if (status == WCUT_OK) {
         *fit = best;
     } else {

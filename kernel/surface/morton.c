@@ -32,7 +32,7 @@ static inline wcut_vec3 higher(wcut_vec3 a, wcut_vec3 b) {
     return (wcut_vec3){a.x > b.x ? a.x : b.x, a.y > b.y ? a.y : b.y, a.z > b.z ? a.z : b.z};
 }
 
-static void find_box(sorter *s, int chunk) {
+static void morton_find_box(sorter *s, int chunk) {
     const int begin = begin_of(s, chunk), end = begin_of(s, chunk + 1);
     wcut_vec3 low = s->point[begin], high = low;
     for (int k = begin + 1; k < end; k++) low = lower(low, s->point[k]), high = higher(high, s->point[k]);
@@ -108,9 +108,9 @@ static void move_items(sorter *s, int chunk, int pass) {
     for (int k = begin_of(s, chunk); k < end; k++) s->next[start[digit_of(s->now[k], pass)]++] = s->now[k];
 }
 
-static void sort(sorter *s) {
+static void morton_sort(sorter *s) {
 #pragma omp parallel for schedule(static) num_threads(wcut_threads(s->chunks))
-    for (int c = 0; c < s->chunks; c++) find_box(s, c);
+    for (int c = 0; c < s->chunks; c++) morton_find_box(s, c);
     for (int c = 1; c < s->chunks; c++)
         s->low[0] = lower(s->low[0], s->low[c]), s->high[0] = higher(s->high[0], s->high[c]);
     plan_cells(s);
@@ -133,7 +133,7 @@ wcut_status wcut_morton_sort(int count, const wcut_vec3 *point, int threads, int
     s.start = wcut_alloc((size_t)s.chunks, sizeof *s.start);
     s.now = wcut_alloc((size_t)count, sizeof *s.now), s.next = wcut_alloc((size_t)count, sizeof *s.next);
     const wcut_status status = s.start && s.now && s.next ? WCUT_OK : WCUT_NO_MEMORY;
-    if (status == WCUT_OK && count > 0) sort(&s);
+    if (status == WCUT_OK && count > 0) morton_sort(&s);
     if (status == WCUT_OK)
         *items = s.now;
     else

@@ -31,7 +31,7 @@ int wcut_net_multiplicity(const wcut_net *net, double u) {
     return times;
 }
 
-static wcut_homogeneous mix(wcut_homogeneous a, wcut_homogeneous b, double t) {
+static wcut_homogeneous net_mix(wcut_homogeneous a, wcut_homogeneous b, double t) {
     return (wcut_homogeneous){(1 - t) * a.x + t * b.x, (1 - t) * a.y + t * b.y, (1 - t) * a.z + t * b.z,
                               (1 - t) * a.w + t * b.w};
 }
@@ -46,7 +46,7 @@ static void insert_once(wcut_net *net, double u) {
         const double share = (u - net->knots[i]) / (net->knots[i + p] - net->knots[i]);
         for (int c = 0; c < lanes; c++) {
             wcut_homogeneous *to = &at[(ptrdiff_t)i * lanes + c];
-            *to = mix(to[-lanes], *to, share);
+            *to = net_mix(to[-lanes], *to, share);
         }
     }
     memmove(net->knots + span + 2, net->knots + span + 1, (size_t)(net->count + p - span) * sizeof *net->knots);

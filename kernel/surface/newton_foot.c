@@ -24,7 +24,7 @@ static const double LAST = 1e5;
 
 /* ---- places ---- */
 
-static int find(const double *knot, int spans, double x) {
+static int newton_foot_find(const double *knot, int spans, double x) {
     int low = 0, high = spans;
     while (high - low > 1) {
         const int middle = low + (high - low) / 2;
@@ -42,7 +42,7 @@ static double own(const double *knot, int k, double x) { return (x - knot[k]) / 
 static double back(const double *knot, int k, double s) { return knot[k] + (s + 0.5) * (knot[k + 1] - knot[k]); }
 
 wcut_span_place wcut_span_place_at(const wcut_newton_foot *q, double u, double v) {
-    const int column = find(q->u, q->columns, u), row = find(q->v, q->rows, v);
+    const int column = newton_foot_find(q->u, q->columns, u), row = newton_foot_find(q->v, q->rows, v);
     return (wcut_span_place){column, row, own(q->u, column, u), own(q->v, row, v)};
 }
 
@@ -55,7 +55,7 @@ static inline int spans_away(float x) {
 static inline int within(int k, int count) { return k < 0 ? 0 : k < count ? k : count - 1; }
 
 /* one step: where the span at hand sees a query, in parameters about its middle */
-static inline void look(const wcut_span_guide *g, const float p[3], float *s, float *t) {
+static inline void newton_foot_look(const wcut_span_guide *g, const float p[3], float *s, float *t) {
     const float x = p[0] - g->middle[0], y = p[1] - g->middle[1], z = p[2] - g->middle[2];
     *s = g->to_s[0] * x + g->to_s[1] * y + g->to_s[2] * z;
     *t = g->to_t[0] * x + g->to_t[1] * y + g->to_t[2] * z;
@@ -65,7 +65,7 @@ wcut_span_place wcut_newton_foot_walk(const wcut_newton_foot *q, wcut_vec3 query
     const float p[3] = {(float)(query.x - q->centre.x), (float)(query.y - q->centre.y), (float)(query.z - q->centre.z)};
     int column = from.column, row = from.row, before_column = -1, before_row = -1;
     float s = 0, t = 0;
-    look(&q->guide[row * q->columns + column], p, &s, &t);
+    newton_foot_look(&q->guide[row * q->columns + column], p, &s, &t);
     for (int step = 0; step < WALK; step++) {
         /* computed even where it leads nowhere: a branch here would often be mispredicted */
         const int next_column = within(column + spans_away(s), q->columns);
@@ -74,7 +74,7 @@ wcut_span_place wcut_newton_foot_walk(const wcut_newton_foot *q, wcut_vec3 query
         if (next_column == before_column && next_row == before_row) break; /* each of two spans sees it in the other */
         before_column = column, before_row = row;
         column = next_column, row = next_row;
-        look(&q->guide[row * q->columns + column], p, &s, &t);
+        newton_foot_look(&q->guide[row * q->columns + column], p, &s, &t);
     }
     /* what is no number starts from the edge, too */
     return (wcut_span_place){column, row, s > -0.5F ? s < 0.5F ? (double)s : 0.5 : -0.5,
@@ -142,7 +142,8 @@ typedef struct lanes {
 
 /* A round for lanes first .. end. A second step e2 after e1 leaves e2^2 / e1; what third derivatives change along e1 is
    e1^2 (|r| + e1) turn beside the least eigenvalue of the Hessian, itself above area / (ss + tt). */
-WCUT_WIDE static void solve(const wcut_span *restrict of, double tolerance, int first, int last, lanes *restrict l) {
+WCUT_WIDE static void newton_foot_solve(const wcut_span *restrict of, double tolerance, int first, int last,
+                                        lanes *restrict l) {
     const double shortest = of->speed / tolerance, bends = of->turn * shortest, speed = of->speed;
     const double radius = of->radius;
 #pragma omp simd
@@ -189,19 +190,19 @@ WCUT_WIDE static void solve(const wcut_span *restrict of, double tolerance, int 
 enum { SIDE = 32, CELLS = SIDE * SIDE };
 
 /* spans that are neighbours have cells of their own */
-static inline int cell_of(const wcut_span_place *p) { return p->row % SIDE * SIDE + p->column % SIDE; }
+static inline int newton_foot_cell_of(const wcut_span_place *p) { return p->row % SIDE * SIDE + p->column % SIDE; }
 
 /* the queries' order by cells, stable */
 static void sort_by_span(int count, const wcut_span_place *place, int *order) {
     int start[CELLS + 1] = {0};
-    for (int k = 0; k < count; k++) start[cell_of(&place[k]) + 1]++;
+    for (int k = 0; k < count; k++) start[newton_foot_cell_of(&place[k]) + 1]++;
     for (int c = 0; c < CELLS; c++) start[c + 1] += start[c];
-    for (int k = 0; k < count; k++) order[start[cell_of(&place[k])]++] = k;
+    for (int k = 0; k < count; k++) order[start[newton_foot_cell_of(&place[k])]++] = k;
 }
 
 /* hand out what was found, gather at the front what needs another round; how many */
-static int collect(const wcut_newton_foot *q, int first, int last, lanes *l, wcut_foot *foot, unsigned char *done,
-                   wcut_span_place *start) {
+static int newton_foot_collect(const wcut_newton_foot *q, int first, int last, lanes *l, wcut_foot *foot,
+                               unsigned char *done, wcut_span_place *start) {
     int more = first;
     for (int k = first; k < last; k++) {
         const int to = l->index[k];
@@ -250,8 +251,8 @@ void wcut_newton_foot_batch(const wcut_newton_foot *newton, int count, const wcu
         }
         const wcut_span *span = &q->span[of->row * q->columns + of->column];
         for (int round = 0, end = last; round < ROUNDS && end > first; round++) {
-            solve(span, q->tolerance, first, end, &l);
-            end = collect(q, first, end, &l, foot, done, start);
+            newton_foot_solve(span, q->tolerance, first, end, &l);
+            end = newton_foot_collect(q, first, end, &l, foot, done, start);
         }
     }
 }
@@ -259,7 +260,7 @@ void wcut_newton_foot_batch(const wcut_newton_foot *newton, int count, const wcu
 /* ---- one query ---- */
 
 /* one step of Newton's method, held where the border is in the way; false where the squared distance is not convex */
-static bool step_of(const jet *f, wcut_vec3 r, bool held_s, bool held_t, double *ds, double *dt) {
+static bool newton_foot_step_of(const jet *f, wcut_vec3 r, bool held_s, bool held_t, double *ds, double *dt) {
     const double gs = held_s ? 0 : vec3_dot(r, f->s), gt = held_t ? 0 : vec3_dot(r, f->t);
     const double ss = vec3_dot(f->s, f->s) - vec3_dot(r, f->ss), tt = vec3_dot(f->t, f->t) - vec3_dot(r, f->tt);
     const double st = held_s || held_t ? 0 : vec3_dot(f->s, f->t) - vec3_dot(r, f->st), area = ss * tt - st * st;
@@ -271,7 +272,7 @@ static bool step_of(const jet *f, wcut_vec3 r, bool held_s, bool held_t, double 
 }
 
 /* a parameter out of its span: the span that it is in, or the border; false where that is too far away */
-static bool cross(const double *knot, int spans, int *at, double *s) {
+static bool newton_foot_cross(const double *knot, int spans, int *at, double *s) {
     if (fabs(*s) <= 0.5 + HAIR) return true;
     const double x = back(knot, *at, *s);
     int k = *at;
@@ -300,8 +301,8 @@ static bool is_held(int k, int spans, double s, double along) {
 }
 
 /* the end of the last step, if that is proven */
-static bool finish(const wcut_newton_foot *q, const wcut_span_place *at, wcut_vec3 p, const jet *f, double s, double t,
-                   wcut_foot_jet *spot) {
+static bool newton_foot_finish(const wcut_newton_foot *q, const wcut_span_place *at, wcut_vec3 p, const jet *f,
+                               double s, double t, wcut_foot_jet *spot) {
     const jet m = jet_moved(*f, s - at->s, t - at->t);
     const double radius = q->span[at->row * q->columns + at->column].radius;
     if (fabs(s) > 0.5 + HAIR || fabs(t) > 0.5 + HAIR || vec3_distance(p, m.at) >= radius) return false;
@@ -319,16 +320,17 @@ bool wcut_newton_foot_slide(const wcut_newton_foot *newton, wcut_vec3 p, wcut_sp
         const jet f = jet_at(of, place.s, place.t);
         const wcut_vec3 r = vec3_sub(p, f.at);
         double ds, dt;
-        if (!step_of(&f, r, is_held(place.column, q->columns, place.s, vec3_dot(r, f.s)),
-                     is_held(place.row, q->rows, place.t, vec3_dot(r, f.t)), &ds, &dt))
+        if (!newton_foot_step_of(&f, r, is_held(place.column, q->columns, place.s, vec3_dot(r, f.s)),
+                                 is_held(place.row, q->rows, place.t, vec3_dot(r, f.t)), &ds, &dt))
             return false;
         const double s = kept(place.column, q->columns, place.s + ds), t = kept(place.row, q->rows, place.t + dt);
         const double cut = fabs(place.s + ds - s) + fabs(place.t + dt - t); /* the border changes the other direction */
         if (fabs(ds) * vec3_length(f.s) + fabs(dt) * vec3_length(f.t) <= LAST * q->tolerance &&
             cut * of->speed <= q->tolerance)
-            return finish(q, &place, p, &f, s, t, spot);
+            return newton_foot_finish(q, &place, p, &f, s, t, spot);
         place.s = s, place.t = t;
-        if (!cross(q->u, q->columns, &place.column, &place.s) || !cross(q->v, q->rows, &place.row, &place.t))
+        if (!newton_foot_cross(q->u, q->columns, &place.column, &place.s) ||
+            !newton_foot_cross(q->v, q->rows, &place.row, &place.t))
             return false;
     }
     return false;

@@ -27,15 +27,15 @@ typedef struct range {
     int c0, c1, r0, r1;
 } range;
 
-static inline double larger(double a, double b) { return a > b ? a : b; }
+static inline double newton_proof_larger(double a, double b) { return a > b ? a : b; }
 static inline double smaller(double a, double b) { return a < b ? a : b; }
 
-static void enclose(wcut_span_bounds *all, const wcut_span_bounds *one) {
+static void newton_proof_enclose(wcut_span_bounds *all, const wcut_span_bounds *one) {
     all->low = vec3(smaller(all->low.x, one->low.x), smaller(all->low.y, one->low.y), smaller(all->low.z, one->low.z));
-    all->high =
-        vec3(larger(all->high.x, one->high.x), larger(all->high.y, one->high.y), larger(all->high.z, one->high.z));
+    all->high = vec3(newton_proof_larger(all->high.x, one->high.x), newton_proof_larger(all->high.y, one->high.y),
+                     newton_proof_larger(all->high.z, one->high.z));
     all->sigma = smaller(all->sigma, one->sigma);
-    all->bend = larger(all->bend, one->bend);
+    all->bend = newton_proof_larger(all->bend, one->bend);
 }
 
 static const wcut_span_bounds nothing = {
@@ -50,7 +50,7 @@ static bool build_pyramid(pyramid *p) {
         for (int k = 0; k < columns * rows; k++) to[k] = nothing;
         for (int r = 0; r < p->rows[l]; r++)
             for (int c = 0; c < p->columns[l]; c++)
-                enclose(&to[r / 2 * columns + c / 2], &p->block[l][r * p->columns[l] + c]);
+                newton_proof_enclose(&to[r / 2 * columns + c / 2], &p->block[l][r * p->columns[l] + c]);
         p->block[l + 1] = to, p->columns[l + 1] = columns, p->rows[l + 1] = rows;
         p->levels = l + 2;
     }
@@ -63,21 +63,21 @@ static const wcut_span_bounds *block_at(const pyramid *p, int level, int column,
 
 /* ---- distances between boxes ---- */
 
-static double gap_of(double low, double high, double other_low, double other_high) {
-    return larger(larger(other_low - high, low - other_high), 0);
+static double newton_proof_gap_of(double low, double high, double other_low, double other_high) {
+    return newton_proof_larger(newton_proof_larger(other_low - high, low - other_high), 0);
 }
 
 static double box_distance(const wcut_span_bounds *a, const wcut_span_bounds *b) {
-    return vec3_length(vec3(gap_of(a->low.x, a->high.x, b->low.x, b->high.x),
-                            gap_of(a->low.y, a->high.y, b->low.y, b->high.y),
-                            gap_of(a->low.z, a->high.z, b->low.z, b->high.z)));
+    return vec3_length(vec3(newton_proof_gap_of(a->low.x, a->high.x, b->low.x, b->high.x),
+                            newton_proof_gap_of(a->low.y, a->high.y, b->low.y, b->high.y),
+                            newton_proof_gap_of(a->low.z, a->high.z, b->low.z, b->high.z)));
 }
 
 /* between their furthest points */
 static double box_reach(const wcut_span_bounds *a, const wcut_span_bounds *b) {
-    return vec3_length(vec3(larger(b->high.x - a->low.x, a->high.x - b->low.x),
-                            larger(b->high.y - a->low.y, a->high.y - b->low.y),
-                            larger(b->high.z - a->low.z, a->high.z - b->low.z)));
+    return vec3_length(vec3(newton_proof_larger(b->high.x - a->low.x, a->high.x - b->low.x),
+                            newton_proof_larger(b->high.y - a->low.y, a->high.y - b->low.y),
+                            newton_proof_larger(b->high.z - a->low.z, a->high.z - b->low.z)));
 }
 
 static range neighbours(const pyramid *p, int level, int column, int row) {
@@ -87,7 +87,7 @@ static range neighbours(const pyramid *p, int level, int column, int row) {
 
 /* the nearest of the four blocks just beyond the neighbours: no proof, but a limit for one, and it saves most of the
    tree; infinite where there are none */
-static double beside(const pyramid *p, int level, int column, int row) {
+static double newton_proof_beside(const pyramid *p, int level, int column, int row) {
     const int at[4][2] = {{column - 2, row}, {column + 2, row}, {column, row - 2}, {column, row + 2}};
     double best = INFINITY;
     for (int k = 0; k < 4; k++)
@@ -132,15 +132,15 @@ static double radius_of(const pyramid *p, int level, int column, int row) {
     const range of = neighbours(p, level, column, row);
     wcut_span_bounds all = nothing;
     for (int r = of.r0; r <= of.r1; r++)
-        for (int k = of.c0; k <= of.c1; k++) enclose(&all, block_at(p, level, k, r));
+        for (int k = of.c0; k <= of.c1; k++) newton_proof_enclose(&all, block_at(p, level, k, r));
     if (!(all.sigma > 0)) return -1;
     const double convex = all.bend > 0 ? all.sigma * all.sigma / all.bend - box_reach(c, &all) : INFINITY;
     if (!(convex > 0)) return -1;
-    const double guess = smaller(beside(p, level, column, row), 2 * convex);
+    const double guess = smaller(newton_proof_beside(p, level, column, row), 2 * convex);
     return smaller(convex, outer_distance(p, level, of, c, guess) / 2);
 }
 
-static void settle(const pyramid *p, int level, int column, int row, double radius) {
+static void newton_proof_settle(const pyramid *p, int level, int column, int row, double radius) {
     wcut_newton_foot *q = p->newton;
     const int side = 1 << level, left = column * side, top = row * side;
     for (int r = top; r < top + side && r < q->rows; r++)
@@ -149,12 +149,12 @@ static void settle(const pyramid *p, int level, int column, int row, double radi
 
 /* can a smaller block prove more than this? */
 static bool may_improve(const pyramid *p, int level, int column, int row, double radius) {
-    return beside(p, level, column, row) / 2 > radius;
+    return newton_proof_beside(p, level, column, row) / 2 > radius;
 }
 
 /* `radius` is what larger blocks have proven */
-static void refine(const pyramid *p, int level, int column, int row, double radius) {
-    radius = larger(radius, radius_of(p, level, column, row));
+static void newton_proof_refine(const pyramid *p, int level, int column, int row, double radius) {
+    radius = newton_proof_larger(radius, radius_of(p, level, column, row));
     bool further = false;
     const int below = level - 1;
     for (int i = 0; i < 4 && level > 0; i++) {
@@ -162,12 +162,13 @@ static void refine(const pyramid *p, int level, int column, int row, double radi
         if (c < p->columns[below] && r < p->rows[below]) further |= may_improve(p, below, c, r, radius);
     }
     if (!further) {
-        settle(p, level, column, row, radius - 1e5 * p->newton->tolerance); /* rounding, a last step out of the span */
+        newton_proof_settle(p, level, column, row,
+                            radius - 1e5 * p->newton->tolerance); /* rounding, a last step out of the span */
         return;
     }
     for (int i = 0; i < 4; i++) {
         const int c = 2 * column + i % 2, r = 2 * row + i / 2;
-        if (c < p->columns[below] && r < p->rows[below]) refine(p, below, c, r, radius);
+        if (c < p->columns[below] && r < p->rows[below]) newton_proof_refine(p, below, c, r, radius);
     }
 }
 
@@ -175,7 +176,7 @@ wcut_status wcut_newton_foot_prove(wcut_newton_foot *newton, wcut_span_bounds *b
     pyramid p = {.levels = 1, .columns = {newton->columns}, .rows = {newton->rows}, .newton = newton};
     p.block[0] = bounds;
     const bool there = build_pyramid(&p);
-    if (there) refine(&p, p.levels - 1, 0, 0, -1);
+    if (there) newton_proof_refine(&p, p.levels - 1, 0, 0, -1);
     for (int l = 1; l < LEVELS; l++) wcut_free(p.block[l]);
     return there ? WCUT_OK : WCUT_NO_MEMORY;
 }

@@ -82,7 +82,7 @@ static inline double bound(const double size[ORDER][ORDER], int k, int l, bool r
     return sum;
 }
 
-static inline double larger(double a, double b) { return a > b ? a : b; }
+static inline double newton_spans_larger(double a, double b) { return a > b ? a : b; }
 
 /* how far a span reaches from its middle along each axis, at most */
 static wcut_vec3 reach_of(wcut_vec3 power[ORDER][ORDER]) {
@@ -103,15 +103,15 @@ static void bound_span(wcut_span *of, double wide, double high, wcut_span_bounds
     const wcut_vec3 reach = reach_of(of->power);
     b->low = vec3_sub(of->power[0][0], reach), b->high = vec3_add(of->power[0][0], reach);
     const double off_s = bound(size, 1, 0, true), off_t = bound(size, 0, 1, true);
-    of->speed = larger(size[0][1] + off_s, size[1][0] + off_t);
-    of->turn = larger(larger(bound(size, 3, 0, false), bound(size, 2, 1, false)),
-                      larger(bound(size, 1, 2, false), bound(size, 0, 3, false)));
+    of->speed = newton_spans_larger(size[0][1] + off_s, size[1][0] + off_t);
+    of->turn = newton_spans_larger(newton_spans_larger(bound(size, 3, 0, false), bound(size, 2, 1, false)),
+                                   newton_spans_larger(bound(size, 1, 2, false), bound(size, 0, 3, false)));
     const wcut_vec3 su = vec3_scale(1 / wide, of->power[0][1]), sv = vec3_scale(1 / high, of->power[1][0]);
     const double uu = vec3_dot(su, su), uv = vec3_dot(su, sv), vv = vec3_dot(sv, sv);
     const double min = (uu + vv) / 2 - sqrt((uu - vv) * (uu - vv) / 4 + uv * uv);
     const double off_u = off_s / wide, off_v = off_t / high;
-    b->sigma = sqrt(larger(min, 0)) - sqrt(off_u * off_u + off_v * off_v);
-    b->bend = larger(bound(size, 2, 0, false) / (wide * wide), bound(size, 0, 2, false) / (high * high)) +
+    b->sigma = sqrt(newton_spans_larger(min, 0)) - sqrt(off_u * off_u + off_v * off_v);
+    b->bend = newton_spans_larger(bound(size, 2, 0, false) / (wide * wide), bound(size, 0, 2, false) / (high * high)) +
               bound(size, 1, 1, false) / (wide * high);
 }
 

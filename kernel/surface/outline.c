@@ -12,13 +12,13 @@ typedef struct ends {
     int count, *partner; /* 2 * traces; -1: a closed trace has none */
 } ends;
 
-static wcut_vec3 point_at(const wcut_traces *t, int end) {
+static wcut_vec3 outline_point_at(const wcut_traces *t, int end) {
     const wcut_trace *trace = &t->trace[end / 2];
     return trace->point[end % 2 ? trace->count - 1 : 0];
 }
 
 /* each free end to the nearest other one within the tolerance */
-static void join(const wcut_traces *t, double tolerance, ends *e) {
+static void outline_join(const wcut_traces *t, double tolerance, ends *e) {
     for (int k = 0; k < e->count; k++) e->partner[k] = t->trace[k / 2].closed ? -1 : k;
     for (int k = 0; k < e->count; k++) {
         if (e->partner[k] != k) continue;
@@ -26,7 +26,7 @@ static void join(const wcut_traces *t, double tolerance, ends *e) {
         int best = k;
         for (int n = k + 1; n < e->count; n++) {
             if (e->partner[n] != n) continue;
-            const double distance = vec3_distance(point_at(t, k), point_at(t, n));
+            const double distance = vec3_distance(outline_point_at(t, k), outline_point_at(t, n));
             if (distance <= nearest) nearest = distance, best = n;
         }
         e->partner[k] = best, e->partner[best] = k;
@@ -34,7 +34,7 @@ static void join(const wcut_traces *t, double tolerance, ends *e) {
 }
 
 /* the points of a trace behind those of a line, from one end on; what is there already is left out */
-static void append(const wcut_trace *from, bool forth, double tolerance, wcut_trace *to) {
+static void outline_append(const wcut_trace *from, bool forth, double tolerance, wcut_trace *to) {
     for (int k = 0; k < from->count; k++) {
         const size_t at = (size_t)(forth ? k : from->count - 1 - k), end = (size_t)to->count;
         if (k == 0 && end > 0 && vec3_distance(to->point[end - 1], from->point[at]) <= tolerance) continue;
@@ -45,7 +45,7 @@ static void append(const wcut_trace *from, bool forth, double tolerance, wcut_tr
 }
 
 /* the line that begins at an end, its traces marked as used; NULL points: no memory */
-static wcut_trace follow(const wcut_traces *t, const ends *e, int start, double tolerance, bool *used) {
+static wcut_trace outline_follow(const wcut_traces *t, const ends *e, int start, double tolerance, bool *used) {
     wcut_trace line = {.face = t->trace[start / 2].face};
     size_t points = 0;
     int at = start;
@@ -66,7 +66,7 @@ static wcut_trace follow(const wcut_traces *t, const ends *e, int start, double 
     }
     for (at = start; !used[at / 2]; at = e->partner[at ^ 1]) {
         used[at / 2] = true;
-        append(&t->trace[at / 2], at % 2 == 0, tolerance, &line);
+        outline_append(&t->trace[at / 2], at % 2 == 0, tolerance, &line);
         if (e->partner[at ^ 1] < 0 || e->partner[at ^ 1] == (at ^ 1)) break;
     }
     line.closed = t->trace[start / 2].closed || (e->partner[start] >= 0 && e->partner[start] != start);
@@ -84,11 +84,11 @@ wcut_status wcut_traces_join(const wcut_traces *traces, double tolerance, wcut_t
     wcut_traces *all = wcut_alloc(1, sizeof *all);
     if (all) all->trace = wcut_alloc((size_t)traces->count, sizeof *all->trace);
     wcut_status status = e.partner && used && all && all->trace ? WCUT_OK : WCUT_NO_MEMORY;
-    if (status == WCUT_OK) join(traces, tolerance, &e);
+    if (status == WCUT_OK) outline_join(traces, tolerance, &e);
     for (int pass = 0; pass < 2 && status == WCUT_OK; pass++) /* open lines from their free ends, then closed ones */
         for (int k = 0; k < e.count && status == WCUT_OK; k++) {
             if (used[k / 2] || (pass == 0 && e.partner[k] != k)) continue;
-            const wcut_trace line = follow(traces, &e, k, tolerance, used);
+            const wcut_trace line = outline_follow(traces, &e, k, tolerance, used);
             if (line.point) all->trace[all->count++] = line;
             if (!line.point) status = WCUT_NO_MEMORY;
         }

@@ -44,7 +44,7 @@ wcut_patch wcut_patch_ball(double u0, double u1, double v0, double v1, wcut_vec3
 }
 
 /* (a - c b) . b / b . b within [-1/2, 1/2] */
-static double along(double ab, double bb) { return bb > 0 ? clamp(ab / bb, -0.5, 0.5) : 0; }
+static double patch_along(double ab, double bb) { return bb > 0 ? clamp(ab / bb, -0.5, 0.5) : 0; }
 
 static inline double square_at(const wcut_patch *patch, wcut_vec3 q, double s, double t) {
     const wcut_vec3 off = vec3_add_scaled(vec3_add_scaled(q, -s, patch->side_u), -t, patch->side_v);
@@ -70,8 +70,8 @@ double wcut_patch_distance(const wcut_patch *patch, wcut_vec3 p, double enough, 
         const double bound = edge % 2 ? 0.5 : -0.5;
         const bool of_s = edge < 2;
         if (area > 1e-12 * aa * bb && (of_s ? inner_s : inner_t) * bound <= 0.25) continue;
-        const double edge_s = of_s ? bound : along(qa - bound * ab, aa),
-                     edge_t = of_s ? along(qb - bound * ab, bb) : bound;
+        const double edge_s = of_s ? bound : patch_along(qa - bound * ab, aa),
+                     edge_t = of_s ? patch_along(qb - bound * ab, bb) : bound;
         const double square = square_at(patch, q, edge_s, edge_t);
         if (square < min) min = square, *s = edge_s, *t = edge_t;
     }

@@ -52,7 +52,7 @@ static void take_block(const builder *b, const int range[4], wcut_vec3 c, block 
 }
 
 /* (degree - order + 1) / (knots[i + degree + 1] - knots[i + order]): the factor of the order-th derivative's point i */
-static double step_of(int degree, const double *knots, int i, int order) {
+static double patch_tree_step_of(int degree, const double *knots, int i, int order) {
     const double wide = knots[i + degree + 1] - knots[i + order];
     return wide > 0 && order <= degree ? (degree - order + 1) / wide : 0;
 }
@@ -65,7 +65,7 @@ static wcut_homogeneous difference(double step, const wcut_homogeneous *a, const
 static void differentiate_u(const wcut_surface *s, int order, block *k) {
     k->columns = k->columns > 1 ? k->columns - 1 : 1;
     for (int i = 0; i < k->columns; i++) {
-        const double step = step_of(s->degree_u, s->knots_u, k->first_u + i, order);
+        const double step = patch_tree_step_of(s->degree_u, s->knots_u, k->first_u + i, order);
         for (int j = 0; j < k->rows; j++) k->at[j][i] = difference(step, &k->at[j][i], &k->at[j][i + (step > 0)]);
     }
 }
@@ -73,7 +73,7 @@ static void differentiate_u(const wcut_surface *s, int order, block *k) {
 static void differentiate_v(const wcut_surface *s, int order, block *k) {
     k->rows = k->rows > 1 ? k->rows - 1 : 1;
     for (int j = 0; j < k->rows; j++) {
-        const double step = step_of(s->degree_v, s->knots_v, k->first_v + j, order);
+        const double step = patch_tree_step_of(s->degree_v, s->knots_v, k->first_v + j, order);
         for (int i = 0; i < k->columns; i++) k->at[j][i] = difference(step, &k->at[j][i], &k->at[j + (step > 0)][i]);
     }
 }
@@ -103,8 +103,8 @@ static void enclose(const block *k, double *weight_min, double *radius) {
 }
 
 /* bound[k][l] >= |S^(k,l)| over a range, k + l <= order */
-static void bound_derivatives(const builder *b, const int range[4], wcut_vec3 c, int order,
-                              double bound[ORDERS][ORDERS]) {
+static void patch_tree_bound_derivatives(const builder *b, const int range[4], wcut_vec3 c, int order,
+                                         double bound[ORDERS][ORDERS]) {
     static const double binomial[ORDERS][ORDERS] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
     double weight[ORDERS][ORDERS], min = 1;
     block across, along;
@@ -137,7 +137,7 @@ static void make_patch(const builder *b, const int range[4], bool turns, wcut_pa
     p->u0 = s->knots_u[b->span[0][range[0]]], p->u1 = s->knots_u[b->span[0][range[1] - 1] + 1];
     p->v0 = s->knots_v[b->span[1][range[2]]], p->v1 = s->knots_v[b->span[1][range[3] - 1] + 1];
     wcut_surface_eval(s, (p->u0 + p->u1) / 2, (p->v0 + p->v1) / 2, 0, &c);
-    bound_derivatives(b, range, c, turns ? 3 : 2, bound);
+    patch_tree_bound_derivatives(b, range, c, turns ? 3 : 2, bound);
     const double u = p->u1 - p->u0, v = p->v1 - p->v0;
     p->bend_uu = bound[2][0] * u * u, p->bend_uv = bound[1][1] * u * v, p->bend_vv = bound[0][2] * v * v;
     p->turn_uuu = turns ? bound[3][0] * u * u * u : INFINITY;
@@ -185,7 +185,7 @@ static int add_children(builder *b) {
 }
 
 /* a ball about two balls */
-static wcut_patch join(const wcut_patch *a, const wcut_patch *c) {
+static wcut_patch patch_tree_join(const wcut_patch *a, const wcut_patch *c) {
     const wcut_vec3 middle = vec3_mix(a->centre, c->centre, 0.5);
     const double radius =
         fmax(vec3_distance(middle, a->centre) + a->radius, vec3_distance(middle, c->centre) + c->radius);
@@ -195,7 +195,7 @@ static wcut_patch join(const wcut_patch *a, const wcut_patch *c) {
 /* What a range becomes: WCUT_OK with a patch in the node, and whether and where to divide it further. A patch is only
    made where a Taylor polynomial holds, over few spans and no crease; above that a node is the ball about its
    children. */
-static bool decide(builder *b, int node, const int range[4], bool *along_u, int *at, bool *is_ball) {
+static bool patch_tree_decide(builder *b, int node, const int range[4], bool *along_u, int *at, bool *is_ball) {
     const int wide = range[1] - range[0], high = range[3] - range[2];
     *is_ball = true;
     if (find_knot(b, range, 1, along_u, at)) return true;
@@ -233,22 +233,23 @@ static wcut_status halve(builder *b, int node, int levels) {
     return status == WCUT_OK ? halve(b, child + 1, levels - 1) : status;
 }
 
-static wcut_status divide(builder *b, int node, const int range[4]) {
+static wcut_status patch_tree_divide(builder *b, int node, const int range[4]) {
     bool along_u, is_ball;
     int at, low[4], high[4];
-    if (!decide(b, node, range, &along_u, &at, &is_ball)) return halve(b, node, HALVINGS);
+    if (!patch_tree_decide(b, node, range, &along_u, &at, &is_ball)) return halve(b, node, HALVINGS);
     const int child = add_children(b);
     if (child == 0) return WCUT_NO_MEMORY;
     b->node[node].child = child;
     for (int k = 0; k < 4; k++) low[k] = high[k] = range[k];
     low[along_u ? 1 : 3] = high[along_u ? 0 : 2] = at;
-    wcut_status status = divide(b, child, low);
-    if (status == WCUT_OK) status = divide(b, child + 1, high);
-    if (status == WCUT_OK && is_ball) b->node[node].patch = join(&b->node[child].patch, &b->node[child + 1].patch);
+    wcut_status status = patch_tree_divide(b, child, low);
+    if (status == WCUT_OK) status = patch_tree_divide(b, child + 1, high);
+    if (status == WCUT_OK && is_ball)
+        b->node[node].patch = patch_tree_join(&b->node[child].patch, &b->node[child + 1].patch);
     return status;
 }
 
-static int *list_spans(int degree, int count, const double *knots, int *spans) {
+static int *patch_tree_list_spans(int degree, int count, const double *knots, int *spans) {
     int *span = wcut_alloc((size_t)count, sizeof *span);
     *spans = 0;
     for (int s = degree; span && s < count; s++)
@@ -258,13 +259,13 @@ static int *list_spans(int degree, int count, const double *knots, int *spans) {
 
 wcut_status wcut_patch_tree_build(const wcut_surface *surface, wcut_patch_node **node) {
     builder b = {.surface = surface, .count = 1, .room = 64};
-    b.span[0] = list_spans(surface->degree_u, surface->count_u, surface->knots_u, &b.spans[0]);
-    b.span[1] = list_spans(surface->degree_v, surface->count_v, surface->knots_v, &b.spans[1]);
+    b.span[0] = patch_tree_list_spans(surface->degree_u, surface->count_u, surface->knots_u, &b.spans[0]);
+    b.span[1] = patch_tree_list_spans(surface->degree_v, surface->count_v, surface->knots_v, &b.spans[1]);
     b.node = wcut_alloc((size_t)b.room, sizeof *b.node);
     wcut_status status = WCUT_NO_MEMORY;
     if (b.span[0] && b.span[1] && b.node) {
         const int whole[4] = {0, b.spans[0], 0, b.spans[1]};
-        status = divide(&b, 0, whole);
+        status = patch_tree_divide(&b, 0, whole);
     }
     if (status == WCUT_OK) {
         *node = b.node;

@@ -17,8 +17,8 @@ static double station_of(double u, int count, const int *kept, const double *sha
 }
 
 /* a path of at least two places; share: room for them */
-static wcut_status measure(int count, const wcut_vec3 *apart, const int *kept, double *share, const wcut_box *block,
-                           double tolerance, wcut_path_near *near) {
+static wcut_status path_clearance_measure(int count, const wcut_vec3 *apart, const int *kept, double *share,
+                                          const wcut_box *block, double tolerance, wcut_path_near *near) {
     wcut_curve *curve = NULL;
     wcut_path_near found = {.distance = 0};
     double u = 0;
@@ -55,7 +55,8 @@ wcut_status wcut_path_clearance(int count, const wcut_vec3 *mount, const wcut_bo
     for (int k = 0; status == WCUT_OK && k < count; k++)
         if (n == 0 || vec3_distance(mount[k], apart[n - 1]) > MERGE) apart[n] = mount[k], kept[n++] = k;
     if (status == WCUT_OK)
-        status = n < 2 ? measure_point(mount[0], block, near) : measure(n, apart, kept, share, block, tolerance, near);
+        status = n < 2 ? measure_point(mount[0], block, near)
+                       : path_clearance_measure(n, apart, kept, share, block, tolerance, near);
     wcut_free(kept);
     wcut_free(share);
     wcut_free(apart);

@@ -78,7 +78,7 @@ static bool measure_gap(const wcut_net *low, const wcut_net *high, double *gap) 
 }
 
 /* `low` followed by `high`, both clamped, of one degree and lanes */
-static wcut_status append(const wcut_net *low, const wcut_net *high, wcut_net *result) {
+static wcut_status reshape_append(const wcut_net *low, const wcut_net *high, wcut_net *result) {
     const int p = low->degree, lanes = low->lanes;
     if (high->count - 1 > INT_MAX / 8 / lanes - low->count) return WCUT_BAD_ARGUMENT;
     wcut_net n;
@@ -103,7 +103,7 @@ static wcut_status append(const wcut_net *low, const wcut_net *high, wcut_net *r
 
 static wcut_status append_in_place(wcut_net *low, const wcut_net *high) {
     wcut_net both = {.count = 0};
-    const wcut_status status = append(low, high, &both);
+    const wcut_status status = reshape_append(low, high, &both);
     if (status == WCUT_OK) {
         wcut_net_clear(low);
         *low = both;

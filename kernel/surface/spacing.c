@@ -59,7 +59,7 @@ static double pure_second(int count, const double *step, int i, wcut_vec3 a, wcu
     return vec3_dot(d, d);
 }
 
-static void raise(double *to, double value) {
+static void spacing_raise(double *to, double value) {
     if (isnan(value) || value > *to) *to = value; /* a NaN from overflow stays, and lines without number follow */
 }
 
@@ -70,16 +70,16 @@ static void bound_derivatives(const wcut_surface *s, nets *n) {
     for (int j = 0; j < s->count_v; j++) {
         const wcut_vec3 *row = s->control + (ptrdiff_t)j * m;
         for (int i = 0; i + 2 < m; i++)
-            raise(&n->pure_u[i], pure_second(m, n->step_u, i, row[i], row[i + 1], row[i + 2]));
+            spacing_raise(&n->pure_u[i], pure_second(m, n->step_u, i, row[i], row[i + 1], row[i + 2]));
         for (int i = 0; j + 2 < s->count_v && i < m; i++)
-            raise(&n->pure_v[j], pure_second(s->count_v, n->step_v, j, row[i], row[i + m], row[i + 2 * m]));
+            spacing_raise(&n->pure_v[j], pure_second(s->count_v, n->step_v, j, row[i], row[i + m], row[i + 2 * m]));
         for (int i = 0; j + 1 < s->count_v && i + 1 < m; i++) {
             const wcut_vec3 twist = vec3_sub(vec3_sub(row[i + m + 1], row[i + m]), vec3_sub(row[i + 1], row[i]));
             const double scale = n->step_u[i] * n->step_v[j], value = scale * scale * vec3_dot(twist, twist);
             const wcut_vec3 du = vec3_scale(n->step_u[i], vec3_sub(row[i + 1], row[i]));
             const wcut_vec3 dv = vec3_scale(n->step_v[j], vec3_sub(row[i + m], row[i]));
-            raise(&n->mixed_u[i], value);
-            raise(&n->mixed_v[j], value);
+            spacing_raise(&n->mixed_u[i], value);
+            spacing_raise(&n->mixed_v[j], value);
             n->speed_u += vec3_dot(du, du);
             n->speed_v += vec3_dot(dv, dv);
         }
@@ -88,7 +88,7 @@ static void bound_derivatives(const wcut_surface *s, nets *n) {
 
 static double largest(int count, const double *value) {
     double max = 0;
-    for (int i = 0; i < count; i++) raise(&max, value[i]);
+    for (int i = 0; i < count; i++) spacing_raise(&max, value[i]);
     return max;
 }
 

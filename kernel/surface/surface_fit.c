@@ -16,7 +16,7 @@ enum { ROUNDS_MAX = 8 };
 static const double SHARE = 0.6;
 
 /* rows x columns -> columns x rows */
-static void turn(int rows, int columns, const wcut_vec3 *from, wcut_vec3 *to) {
+static void surface_fit_turn(int rows, int columns, const wcut_vec3 *from, wcut_vec3 *to) {
     for (int j = 0; j < rows; j++)
         for (int i = 0; i < columns; i++) to[(ptrdiff_t)i * rows + j] = from[(ptrdiff_t)j * columns + i];
 }
@@ -33,14 +33,14 @@ static wcut_status fit_grid(int nodes, const double *u, int kept, const double *
         if (!turned) status = WCUT_NO_MEMORY;
     }
     if (status == WCUT_OK) {
-        turn(along_v.count, nodes, along_v.control, turned);
+        surface_fit_turn(along_v.count, nodes, along_v.control, turned);
         status = wcut_line_fit_points(nodes, u, along_v.count, turned, share, &along_u);
     }
     if (status == WCUT_OK) status = wcut_surface_new(3, 3, along_u.count, along_v.count, false, &s);
     if (status == WCUT_OK) {
         memcpy(s->knots_u, along_u.knots, ((size_t)along_u.count + 4) * sizeof *s->knots_u);
         memcpy(s->knots_v, along_v.knots, ((size_t)along_v.count + 4) * sizeof *s->knots_v);
-        turn(along_u.count, along_v.count, along_u.control, s->control);
+        surface_fit_turn(along_u.count, along_v.count, along_u.control, s->control);
         *surface = s;
     }
     wcut_free(turned);
@@ -50,8 +50,9 @@ static wcut_status fit_grid(int nodes, const double *u, int kept, const double *
 }
 
 /* largest distances at the nodes, and from the loft through them half way between */
-static wcut_status measure(const wcut_surface *s, const wcut_surface *loft, int nodes, const double *u, int kept,
-                           const double *v, const wcut_vec3 *point, double *at_nodes, double *between) {
+static wcut_status surface_fit_measure(const wcut_surface *s, const wcut_surface *loft, int nodes, const double *u,
+                                       int kept, const double *v, const wcut_vec3 *point, double *at_nodes,
+                                       double *between) {
     const int wide = 2 * nodes - 1;
     double *at = wcut_alloc((size_t)wide, sizeof *at);
     wcut_vec3 *a = wcut_alloc((size_t)wide, sizeof *a), *b = wcut_alloc((size_t)wide, sizeof *b);
@@ -87,7 +88,7 @@ static wcut_status fit_until_held(const wcut_surface *loft, int nodes, const dou
         double at_nodes = 0, between = 0;
         wcut_status status = fit_grid(nodes, u, kept, v, point, share, &s);
         if (status != WCUT_OK) return status;
-        status = measure(s, loft, nodes, u, kept, v, point, &at_nodes, &between);
+        status = surface_fit_measure(s, loft, nodes, u, kept, v, point, &at_nodes, &between);
         const double max = fmax(at_nodes, between);
         if (status == WCUT_OK && max <= tolerance) {
             report->node_error = at_nodes, report->between_error = between;

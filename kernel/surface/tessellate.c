@@ -38,7 +38,8 @@ static wcut_status lay_lines(wcut_spacing *spacing) {
 }
 
 /* grid lines that hold the tolerance; *most: the distance measured */
-static wcut_status find_lines(const wcut_surface *s, double tolerance, wcut_spacing *u, wcut_spacing *v, double *max) {
+static wcut_status tessellate_find_lines(const wcut_surface *s, double tolerance, wcut_spacing *u, wcut_spacing *v,
+                                         double *max) {
     const double held = SAMPLED_SHARE * tolerance;
     wcut_status status = wcut_spacing_estimate(s, tolerance, u, v);
     for (int round = 0; status == WCUT_OK; round++) {
@@ -154,7 +155,7 @@ wcut_status wcut_surface_tessellate(const wcut_surface *surface, double chord_to
     wcut_spacing u = {.pieces = 0}, v = {.pieces = 0};
     wcut_mesh *m = NULL;
     double max = 0, area;
-    wcut_status status = find_lines(surface, chord_tolerance, &u, &v, &max);
+    wcut_status status = tessellate_find_lines(surface, chord_tolerance, &u, &v, &max);
     if (status != WCUT_OK) goto done;
     const int columns = u.pieces + 1, rows = v.pieces + 1;
     status = wcut_mesh_create(columns * rows, 2 * u.pieces * v.pieces, WCUT_MESH_NORMAL | WCUT_MESH_UV, &m);
