@@ -32,6 +32,12 @@ static int load(export_ *e) {
     const int code = app_job_load(e->call, e->path, &e->job);
     if (code != APP_DONE) return code;
 
+    /* what the programs cannot hold */
+    if (e->job->dither_count + e->job->heat_step_count > 0)
+        return app_fail(APP_BAD_INPUT,
+                        "%s: excitation: found %d sines of the speed and %d heater steps, expected none: the programs "
+                        "have fixed speeds and no heater steps, the recording of such a cut would not follow its job",
+                        e->path, e->job->dither_count, e->job->heat_step_count);
     e->format = (wcut_robot_format)app_choice(e->call, "format");
     const wcut_status status = wcut_setup_create(e->job, NULL, &e->setup, &error);
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, e->path, &error);

@@ -7,13 +7,15 @@
 #include "base/fail.h"
 #include "io/report/page_memory.h"
 #include "io/report/report_evidence.h"
+#include "io/report/report_findings.h"
 
-enum { SECTIONS_BESIDE_CUTS = 5 };
+enum { SECTIONS_BESIDE_CUTS = 7 };
 
 typedef struct page {
     const wcut_report_diagnose *of;
     const wcut_diagnosis *d;
     wcut_page_memory memory;
+    wcut_report_scene scene;
 } page;
 
 /* ---- words ---- */
@@ -399,6 +401,7 @@ static wcut_status write_page(page *p, int sections, const wcut_report_section *
                                 /* the last one where it was run */
                                 .fact_count = (int)(sizeof fact / sizeof *fact) - (d->naive[0] == 0),
                                 .fact = fact,
+                                .scene = p->scene.shape_count > 0 ? &p->scene : NULL,
                                 .section_count = sections,
                                 .section = section,
                                 .source_count = p->of->sources,
@@ -415,6 +418,9 @@ wcut_status wcut_report_diagnose_write(const wcut_report_diagnose *diagnosed, co
     int count = 0;
     wcut_report_section *section = wcut_page_take(&p.memory, SECTIONS_BESIDE_CUTS + (size_t)p.d->cuts, sizeof *section);
     if (section) {
+        wcut_report_block_fill(&p.memory, diagnosed, &p.scene);
+        count += wcut_report_next_fill(&p.memory, diagnosed, &section[count]);
+        count += wcut_report_channels_fill(&p.memory, diagnosed, &section[count]);
         count += wcut_report_evidence_fill(&p.memory, diagnosed, &section[count]);
         count += fill_found(&p, &section[count]);
         count += fill_worth(&p, &section[count]);

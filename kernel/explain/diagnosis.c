@@ -21,6 +21,7 @@
 #include "explain/rig.h"
 #include "explain/variance.h"
 #include "explain/verdict_text.h"
+#include "explain/view.h"
 
 #define DEGREES (180 / WCUT_PI)
 
@@ -33,6 +34,7 @@ void wcut_diagnosis_destroy(wcut_diagnosis *d) {
     for (int k = 0; k < d->traces; k++) {
         wcut_free(d->trace[k].time);
         wcut_free(d->trace[k].station);
+        wcut_free(d->trace[k].measured);
         wcut_free(d->trace[k].before);
         wcut_free(d->trace[k].recalibrated);
         wcut_free(d->trace[k].after);
@@ -40,6 +42,9 @@ void wcut_diagnosis_destroy(wcut_diagnosis *d) {
     wcut_free(d->trace);
     wcut_free(d->hypothesis);
     wcut_free(d->mismatch);
+    wcut_free(d->view.surface);
+    wcut_free(d->view.point);
+    wcut_free(d->view.distance);
     wcut_free(d->dependence);
     wcut_free(d->held_out);
     wcut_free(d->rig);
@@ -272,10 +277,11 @@ static bool trace_of(diagnosing *g, int cut, int signal, wcut_residual_trace *t)
     snprintf(t->column, sizeof t->column, "%s", wcut_channel_name((wcut_channel)(WCUT_CHANNEL_TENSION_A + signal)));
     t->time = wcut_copy(c->middle, n, sizeof(double));
     t->station = wcut_copy(c->station, n, sizeof(double));
+    t->measured = wcut_alloc(n, sizeof(double));
     t->before = wcut_alloc(n, sizeof(double));
     t->recalibrated = wcut_alloc(n, sizeof(double));
     t->after = wcut_alloc(n, sizeof(double));
-    if (!t->time || !t->station || !t->before || !t->recalibrated || !t->after) return false;
+    if (!t->time || !t->station || !t->measured || !t->before || !t->recalibrated || !t->after) return false;
     const double *kept = g->outside.kept; /* with the bins that were left out */
     int before_row = 0;                   /* rows before there were patches */
     for (int k = 0; k < cut; k++) before_row += WCUT_SIGNALS * g->evidence->cut[k].bins;
@@ -283,6 +289,7 @@ static bool trace_of(diagnosing *g, int cut, int signal, wcut_residual_trace *t)
         const int at = signal * c->bins + i;
         t->before[i] = unit * g->before[before_row + at];
         const double measured = kept ? kept[c->row + at] : c->measured[signal][i];
+        t->measured[i] = unit * measured;
         t->recalibrated[i] = unit * (measured - g->search.none.predicted[c->row + at]);
         t->after[i] = unit * (measured - final_fit(g)->predicted[c->row + at]);
     }
@@ -524,6 +531,8 @@ static wcut_status conclude(diagnosing *g, bool searched, wcut_error *error) {
     if (status == WCUT_OK) status = correct(g);
     if (status == WCUT_OK && (!searched || looked == WCUT_INTERRUPTED)) status = WCUT_INTERRUPTED;
     if (status == WCUT_OK) status = locate(g, error);
+    if (status == WCUT_OK)
+        status = wcut_view_fill(g->evidence, final_fit(g), g->out->mismatches, g->out->mismatch, &g->out->view, error);
     if (status == WCUT_OK) status = step(g, "the forward proof was run", PROOF, error);
     if (status == WCUT_OK) status = prove(g, error);
     if (status == WCUT_OK) status = step(g, "the next experiment was chosen", EXPERIMENT, error);
@@ -566,7 +575,8 @@ wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *cut, int t
     wcut_stop_begin(&g.stop, progress, context, STEPS);
     g.decision.chosen = -1;
     g.out = wcut_alloc(1, sizeof *g.out);
-    if (g.out) g.out->cuts = cuts, g.out->held_out = wcut_alloc((size_t)cuts, sizeof *g.out->held_out);
+    if (g.out)
+        g.out->cuts = cuts, g.out->view.cut = -1, g.out->held_out = wcut_alloc((size_t)cuts, sizeof *g.out->held_out);
     status = g.out && g.out->held_out ? prepare(&g, error) : wcut_fail(error, WCUT_NO_MEMORY, "no memory");
     if (status == WCUT_OK) status = wcut_search_run(g.evidence, o.without, &g.search, error);
     const bool recalibrated = g.search.none.predicted != NULL; /* the least that is worth handing out */

@@ -268,7 +268,9 @@ static double significance(const trial *t) {
 
 /* whether the fit ended inside the range that a term may have at all */
 static bool is_plausible(const trial *t) {
-    if (t->broken) return false;
+    const wcut_effect *last = &t->fit.model.effect[t->fit.model.effects - 1];
+    const bool band = last->choice >= WCUT_TERM_BAND_X && last->choice <= WCUT_TERM_BAND_Z;
+    if (t->broken || (band && last->value[WCUT_TERM_SHAPE] > last->value[WCUT_TERM_SHAPE + 1])) return false;
     for (int k = 0; k < t->fit.count; k++) {
         const wcut_coordinate *c = &t->fit.coordinate[k];
         const double x = t->fit.x[WCUT_BASE + k], wide = 1e-6 * (c->high - c->low);

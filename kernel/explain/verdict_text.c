@@ -37,6 +37,14 @@ static void add_number(text *t, const wcut_explanation *p, double value) {
 static void add_effect(text *t, const wcut_found_effect *f) {
     const wcut_effect_info *info = wcut_effect_view(f->effect.kind);
     const wcut_explanation *p = wcut_explanation_view(f->effect.kind);
+    const double *v = f->effect.value;
+
+    /* a spot is told by where and how much */
+    if (f->effect.kind == WCUT_EFFECT_FOAM_INCLUSION) {
+        add(t, "a spot %.0f %% %s at x %.0f, y %.0f, z %.0f mm, radius %.0f mm", fabs(100 * v[0]),
+            v[0] < 0 ? "softer" : "denser", v[2], v[3], v[4], v[1]);
+        return;
+    }
     add(t, "%s", p->phrase);
     if (info->choice) add(t, " [%s %s]", info->choice_key, info->choice[f->effect.choice]);
     if (f->effect.kind == WCUT_EFFECT_KERF_GROWTH && f->effect.choice == 1)

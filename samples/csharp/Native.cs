@@ -488,6 +488,7 @@ public unsafe struct wcut_diagnosis
     public int dependences;
     public wcut_dependence* dependence;
     public wcut_modelled modelled;
+    public wcut_diagnosis_view view;
     public int traces;
     public wcut_residual_trace* trace;
     public int rig_rows;
@@ -526,6 +527,20 @@ public unsafe struct wcut_diagnosis_options
     public byte proof;
     public byte naive;
     public ulong seed;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_diagnosis_view
+{
+    public int cut;
+    public double time;
+    public wcut_vec3 block;
+    public int rows;
+    public int nodes;
+    public wcut_vec3* surface;
+    public int worst;
+    public int points;
+    public wcut_vec3* point;
+    public double* distance;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_dither
@@ -1395,6 +1410,7 @@ public unsafe struct wcut_residual_trace
     public int count;
     public double* time;
     public double* station;
+    public double* measured;
     public double* before;
     public double* recalibrated;
     public double* after;

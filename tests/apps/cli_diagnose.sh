@@ -123,7 +123,11 @@ assert d["interrupted"] is True and d["stopped"] == "while " + sys.argv[1], (d["
 assert "Stopped on request while " + sys.argv[1] in d["verdict"]["sentence"], d["verdict"]
 page = open("cut/report.html").read()
 assert "Stopped on request while " + sys.argv[1] in page
-assert json.load(open("cut/job-improved.json"))["format"] == "wirecut-job/1"
+import os
+if d["correction"] is None: # an unknown verdict: withheld
+    assert d["withheld"] and not os.path.exists("cut/job-improved.json")
+else:
+    assert json.load(open("cut/job-improved.json"))["format"] == "wirecut-job/1"
 EOF
     rm -rf cut
 }
@@ -133,7 +137,7 @@ untouched cut
 stop SIGTERM 6
 grep -q '"confidence": 0[,}]' cut/diagnosis.json || fail "$called: confidence in a verdict that was not reached"
 marked "effects were fitted one by one"
-stop SIGINT 17
+stop SIGINT 18
 marked "the forward proof was run"
 
 # what cannot be

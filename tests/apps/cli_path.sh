@@ -77,4 +77,12 @@ untouched made
 run 2 path "$job" -o made --format krl --zone -1; one_line "--zone"
 run 3 path nowhere.json -o made --format krl
 run 4 path "$job" -o coarse/robot.csv/in --format krl
+# an identification cut's excitation is in no program: refused, not left out without a word
+python3 -c 'import json, sys
+job = json.load(open(sys.argv[1]))
+job["excitation"] = {"speed": [{"amplitude": 0.05, "period_s": 3, "phase_rad": 0}], "heat": []}
+json.dump(job, open("excited.json", "w"))' "$jobs/steady-400-60.json"
+run 3 path excited.json --format urscript -o excited
+one_line excitation '1 sines of the speed and 0 heater steps'
+untouched excited
 finish

@@ -170,6 +170,7 @@ typedef struct wcut_residual_trace {
     char column[24];
     int count;
     double *time, *station;                /**< count: middles of bins [s], [1] */
+    double *measured;                      /**< count: mean of a bin, channel's unit; NaN: none */
     double *before, *recalibrated, *after; /**< count: measured less replayed, channel's unit; NaN: none */
     double noise;                          /**< standard deviation of a bin's mean by noise alone */
 } wcut_residual_trace;
@@ -186,6 +187,19 @@ typedef struct wcut_modelled {
     double recalibrated, after; /**< [N] of events: misfit of the tensions as the rest says, and with a level for each
                                    window, told by every other bin of it */
 } wcut_modelled;
+
+/** Where in space the worst misfit is: a cut as the model called "after" has it, and its scan. */
+typedef struct wcut_diagnosis_view {
+    int cut;         /**< -1: there is none */
+    double time;     /**< [s] of the worst misfit */
+    wcut_vec3 block; /**< [mm] of this cut */
+    int rows, nodes;
+    wcut_vec3 *surface; /**< rows x nodes [mm]: the wire, time after time */
+    int worst;          /**< row of the worst misfit */
+    int points;
+    wcut_vec3 *point; /**< points [mm]: means over patches of the scan */
+    double *distance; /**< points [mm] of the scan above the recalibrated wire's surface, along the normal */
+} wcut_diagnosis_view;
 
 /** A diagnosis: everything that was found, owned. */
 typedef struct wcut_diagnosis {
@@ -205,6 +219,7 @@ typedef struct wcut_diagnosis {
     int dependences;         /**< the terms of `modelled`, each as one quantity */
     wcut_dependence *dependence;
     wcut_modelled modelled;
+    wcut_diagnosis_view view;
     int traces;
     wcut_residual_trace *trace;
     int rig_rows;

@@ -118,7 +118,13 @@ static inline void give_diagnosis(given_diagnosis *g) {
     d->mismatches = 2, d->mismatch = g->mismatch;
     d->dependences = 1, d->dependence = &g->dependence;
     d->traces = GIVEN_TRACES, d->trace = g->trace;
-    d->cuts = 3, d->held_out = g->held_out;
+    d->cuts = 3, d->held_out = g->held_out, d->view.cut = 1;
+    static wcut_vec3 wire[6] = {{0, 0, 100},  {200, 10, 110}, {400, 0, 100},
+                                {0, 50, 100}, {200, 60, 120}, {400, 50, 100}};
+    static double above[2] = {0.2, -0.1};
+    d->view.rows = 2, d->view.nodes = 3, d->view.surface = wire, d->view.worst = 1, d->view.time = 14;
+    d->view.block = (wcut_vec3){400, 600, 300};
+    d->view.points = 2, d->view.point = wire, d->view.distance = above;
     give_fits(d->fit);
     give_fits(d->held_out_fit);
     d->limits = 2, d->limit = g->limit;

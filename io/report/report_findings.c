@@ -1,0 +1,186 @@
+/* The findings on a diagnosis's page: the channels as they are, and what to do next. */
+#include "io/report/report_findings.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { SERIES = 4, STEPS = 12, WINDOWS = 16 };
+
+/* ---- channels ---- */
+
+/* measured less residual: what a model says */
+static const double *simulated(wcut_page_memory *memory, const wcut_residual_trace *t, const double *residual) {
+    double *value = residual ? wcut_page_take(memory, (size_t)t->count, sizeof *value) : NULL;
+    for (int i = 0; value && i < t->count; i++) value[i] = t->measured[i] - residual[i];
+    return value;
+}
+
+static int list_windows(wcut_page_memory *memory, const wcut_diagnosis *d, const wcut_residual_trace *t,
+                        wcut_report_span *span) {
+    int count = 0;
+    for (int k = 0; k < d->modelled.events && count < WINDOWS; k++) {
+        const wcut_event *e = &d->modelled.event[k];
+        if (e->cut != t->cut) continue;
+        span[count++] = (wcut_report_span){.label = "event, left out of the fit",
+                                           .from = {e->time[0], e->station[0]},
+                                           .to = {e->time[1], e->station[1]}};
+    }
+    for (int k = 0; k < d->mismatches && count < WINDOWS; k++) {
+        const wcut_mismatch *m = &d->mismatch[k];
+        if (m->cut != t->cut || strcmp(m->column, t->column) != 0 || !isfinite(m->time[0] + m->time[1])) continue;
+        span[count++] = (wcut_report_span){.label = wcut_page_text(memory, "%.0f %% of the misfit", 100 * m->share),
+                                           .from = {m->time[0], m->station[0]},
+                                           .to = {m->time[1], m->station[1]}};
+        break; /* the worst one alone */
+    }
+    return count;
+}
+
+static void fill_chart(wcut_page_memory *memory, const wcut_report_diagnose *of, const wcut_residual_trace *t,
+                       wcut_report_chart *chart) {
+    static const char *const label[SERIES] = {"measured", "simulated before", "recalibrated", "after"};
+    static const wcut_report_mark mark[SERIES] = {WCUT_REPORT_MARK_POINTS, WCUT_REPORT_MARK_DASHED,
+                                                  WCUT_REPORT_MARK_LINE, WCUT_REPORT_MARK_LINE};
+    const double *value[SERIES] = {t->measured, simulated(memory, t, t->before), simulated(memory, t, t->recalibrated),
+                                   simulated(memory, t, t->after)};
+    wcut_report_series *series = wcut_page_take(memory, SERIES, sizeof *series);
+    wcut_report_span *span = wcut_page_take(memory, WINDOWS, sizeof *span);
+    int count = 0;
+    for (int m = 0; series && m < SERIES; m++)
+        if (value[m])
+            series[count++] = (wcut_report_series){
+                .label = label[m], .mark = mark[m], .count = t->count, .x = {t->time}, .y = value[m]};
+    if (memory->failed) return;
+    *chart = (wcut_report_chart){.title = wcut_page_text(memory, "%s, %s", t->column, of->cut_name[t->cut]),
+                                 .x_label = {"time"},
+                                 .x_unit = {"s"},
+                                 .y_label = wcut_evidence_name(t->channel),
+                                 .y_unit = wcut_evidence_unit(t->channel),
+                                 .series_count = count,
+                                 .series = series,
+                                 .span_count = list_windows(memory, of->diagnosis, t, span),
+                                 .span = span};
+}
+
+/* the channels that are drawn of a cut: tension and alpha of mount A, and the worst window's own */
+static bool is_drawn(const wcut_residual_trace *t, int cut, const char *worst) {
+    if (t->cut != cut || t->count < 2 || !t->measured) return false;
+    return !strcmp(t->column, "tension_a_N") || !strcmp(t->column, "alpha_a_deg") || !strcmp(t->column, worst);
+}
+
+bool wcut_report_channels_fill(wcut_page_memory *memory, const wcut_report_diagnose *of, wcut_report_section *section) {
+    const wcut_diagnosis *d = of->diagnosis;
+    wcut_report_chart *chart = wcut_page_take(memory, (size_t)d->traces + 1, sizeof *chart);
+    const char *column = d->mismatches > 0 ? d->mismatch[0].column : "";
+    const int worst = d->mismatches > 0 ? d->mismatch[0].cut : 0;
+    int other = -1, count = 0;
+    for (int k = 0; d->held_out && k < d->cuts && other < 0; k++)
+        if (k != worst && d->held_out[k]) other = k;
+    for (int pass = 0; chart && pass < 2; pass++)
+        for (int i = 0; i < d->traces; i++)
+            if (is_drawn(&d->trace[i], pass ? other : worst, column))
+                fill_chart(memory, of, &d->trace[i], &chart[count++]);
+    if (memory->failed || count == 0) return false;
+    *section = (wcut_report_section){
+        .title = "Channels, measured and simulated",
+        .note =
+            "The cut of the worst misfit, then another one. Before: the job as it is; recalibrated: a, b and the "
+            "wire's length; after: with what was found. Means over half a second.",
+        .chart_count = count,
+        .chart = chart};
+    return true;
+}
+
+/* ---- what to do next ---- */
+
+static const char *step_of(wcut_page_memory *memory, const wcut_found_effect *f) {
+    const wcut_effect_info *info = wcut_effect_view(f->effect.kind);
+    const char *which = info->choice ? info->choice[f->effect.choice] : "";
+    switch (f->effect.kind) {
+        case WCUT_EFFECT_TENSION_GAIN:
+        case WCUT_EFFECT_TENSION_DRIFT:
+            return wcut_page_text(memory, "Check tension sensor %s: hang a known weight on it, before and after a cut.",
+                                  which);
+        case WCUT_EFFECT_ANGLE_OFFSET:
+            return wcut_page_text(memory, "Set the zero of the encoder %s: with a straight wire it must read 0.",
+                                  which);
+        case WCUT_EFFECT_CLOCK_OFFSET:
+            return "Synchronise the clocks of robot and sensors, or trigger both from one signal.";
+        case WCUT_EFFECT_SCAN_OFFSET:
+        case WCUT_EFFECT_SCAN_SCALE:
+            return "Register the scan again on datums of the block, and check the scanner on a known length.";
+        case WCUT_EFFECT_WIRE_FOULING:
+            return "Clean or change the wire, and cut the first job again: the force must be back.";
+        case WCUT_EFFECT_FOAM_INCLUSION:
+        case WCUT_EFFECT_FOAM_DENSITY_GRADIENT:
+            return "Weigh or probe the block where the force differs, or turn the next block round: the place must "
+                   "turn with it.";
+        case WCUT_EFFECT_MOUNT_COMPLIANCE:
+            return "Pull each mount with 2 N and measure how far it gives.";
+        case WCUT_EFFECT_BLOCK_SPRINGBACK:
+            return "Measure the block clamped and unclamped, and clamp it as it will be used.";
+        default:
+            return wcut_page_text(memory, "Put %s into the jobs (wirecut apply): the simulation then plans with it.",
+                                  info->name);
+    }
+}
+
+/* the steps that a verdict asks for; gives how many */
+static int list_steps(wcut_page_memory *memory, const wcut_diagnosis *d, const char **step) {
+    int count = 0;
+    for (int e = 0; e < d->effects && d->kind != WCUT_VERDICT_AMBIGUOUS; e++)
+        if (d->effect[e].present && count < 4) step[count++] = step_of(memory, &d->effect[e]);
+    for (int e = 0; e < d->modelled.events && e < 3; e++)
+        step[count++] =
+            wcut_page_text(memory,
+                           "Look up what happened in cut %d from %.0f to %.0f s: supply of the heater, "
+                           "lumps on the wire, a hand on the machine.",
+                           d->modelled.event[e].cut + 1, d->modelled.event[e].time[0], d->modelled.event[e].time[1]);
+    if (d->modelled.terms > 0)
+        step[count++] =
+            "Look for the cause of what the sentence above describes. Until it is known, plan with the term: it "
+            "held on cuts left out.";
+    if (d->next_experiment)
+        step[count++] = "Cut next-experiment.json and diagnose it with the others: it tells the alternatives apart.";
+    if (d->kind == WCUT_VERDICT_UNKNOWN && d->modelled.terms == 0 && d->modelled.events == 0)
+        step[count++] =
+            "Do not recalibrate by these cuts. Make identification cuts (wirecut identify) of the same job, record "
+            "the heater's volts and amperes, and diagnose again.";
+    if (d->kind == WCUT_VERDICT_NONE) step[count++] = "Accept: nothing is wrong beyond noise.";
+    if (!d->withheld[0])
+        step[count++] = "Recalibrate: put the correction into the jobs of this foam, wire and machine (wirecut apply).";
+    return count;
+}
+
+/* the files beside the page, and what each is for */
+static int list_files(const wcut_diagnosis *d, const char **name, const char **use) {
+    int count = 0;
+    name[count] = "diagnosis.json",
+    use[count++] = "everything on this page in numbers; wirecut apply diagnosis.json JOB -o JOB2";
+    if (d->improved)
+        name[count] = "job-improved.json",
+        use[count++] =
+            "the first cut's job, corrected, without its excitation: simulate, path, mould and score take it";
+    if (d->next_experiment)
+        name[count] = "next-experiment.json", use[count++] = "a job to cut next, with its own excitation";
+    return count;
+}
+
+bool wcut_report_next_fill(wcut_page_memory *memory, const wcut_report_diagnose *of, wcut_report_section *section) {
+    wcut_report_table *table = wcut_page_take(memory, 2, sizeof *table);
+    wcut_report_column *column = wcut_page_take(memory, 3, sizeof *column);
+    const char **step = wcut_page_take(memory, STEPS, sizeof *step), **name = wcut_page_take(memory, 4, sizeof *name),
+               **use = wcut_page_take(memory, 4, sizeof *use);
+    if (memory->failed) return false;
+    column[0] = (wcut_report_column){.label = "step", .text = step};
+    column[1] = (wcut_report_column){.label = "file", .text = name};
+    column[2] = (wcut_report_column){.label = "use", .text = use};
+    const wcut_diagnosis *d = of->diagnosis;
+    table[0] =
+        (wcut_report_table){.title = "Steps", .rows = list_steps(memory, d, step), .columns = 1, .column = column};
+    table[1] = (wcut_report_table){
+        .title = "Files of this diagnosis", .rows = list_files(d, name, use), .columns = 2, .column = column + 1};
+    *section = (wcut_report_section){.title = "What to do next", .table_count = 2, .table = table};
+    if (d->withheld[0]) section->note = wcut_page_text(memory, "There is no correction: %s.", d->withheld);
+    return !memory->failed;
+}
