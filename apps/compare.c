@@ -307,8 +307,9 @@ static const app_operand operand[] = {
     {.name = "SCAN",
      .kind = APP_FILE,
      .many = true,
-     .help = "point clouds of the lower half's cut face, which together are one scan: PLY, text (XYZ, PTS, CSV, ASC), "
-             "LAS, PCD; or the vertices of STL, OBJ, OFF, glTF"},
+     .help =
+         "point clouds of the lower half's cut face, which together are one scan: PLY, text (XYZ, PTS, PTX, CSV, ASC), "
+         "LAS, PCD; or the vertices of STL, OBJ, OFF, glTF"},
     {.name = NULL},
 };
 

@@ -1,6 +1,7 @@
 /* Lines of text and the numbers in them. */
 #include "io/file/row.h"
 
+#include <ctype.h>
 #include <limits.h>
 #include <math.h>
 #include <string.h>
@@ -9,13 +10,25 @@
 #include <wirecut/cloud_file.h>
 #include "io/file/decimal.h"
 
+/* Which line ends a file has, from its first one: a feed, with or without a return before it, or a return alone. 0: not
+   to be told yet. */
+static char find_ending(const wcut_stream *t) {
+    const unsigned char *from = t->data + t->at, *end = t->data + t->end;
+    for (const unsigned char *p = from; p < end; p++) {
+        if (*p == '\n') return '\n';
+        if (*p == '\r' && (p + 1 < end || t->ended)) return p + 1 < end && p[1] == '\n' ? '\n' : '\r';
+    }
+    return t->ended ? '\n' : 0;
+}
+
 const char *wcut_row_peek(wcut_source *s, size_t *length) {
     wcut_stream *t = &s->stream;
     size_t known = 0;
     for (;;) {
         const size_t unread = t->end - t->at;
         const unsigned char *line = t->data + t->at;
-        const unsigned char *feed = memchr(line + known, '\n', unread - known);
+        if (!s->ending) s->ending = find_ending(t);
+        const unsigned char *feed = s->ending ? memchr(line + known, s->ending, unread - known) : NULL;
         if (feed || (t->ended && unread > 0)) {
             *length = feed ? (size_t)(feed - line) + 1 : unread;
             return (const char *)line;
@@ -28,7 +41,7 @@ const char *wcut_row_peek(wcut_source *s, size_t *length) {
             wcut_source_refuse(s, "found more than %zu bytes without a line feed, expected lines", t->capacity);
             return NULL;
         }
-        known = unread;
+        known = s->ending ? unread : 0;
         wcut_stream_fill(t, unread + 1);
     }
 }
@@ -38,19 +51,31 @@ void wcut_row_done(wcut_source *s, size_t length) {
     s->line += s->line < LONG_MAX;
 }
 
-/* what printf and scanners write where there is no number */
+static bool is_word_end(const char *p, char separator) {
+    return wcut_is_blank(*p) || wcut_is_line_end(p) || *p == separator;
+}
+
+/* What printf and scanners write where there is no number: "nan" with anything in brackets, "inf", and what Microsoft's
+   libraries make of a format, "1.#IND00", "1.#QNAN0e+000", "1.#J". */
 static const char *read_word(const char *at, char separator, double *value) {
-    static const char *const words[] = {"nan",       "inf",     "infinity", "nan(ind)",
-                                        "nan(snan)", "1.#qnan", "1.#ind",   "1.#inf"};
-    const char *from = at + (*at == '-' || *at == '+');
-    size_t n = 0;
-    while (n < 10 && !wcut_is_blank(from[n]) && !wcut_is_line_end(from + n) && from[n] != separator) n++;
-    for (size_t k = 0; k < sizeof words / sizeof *words; k++) {
-        if (strlen(words[k]) != n || strncasecmp(from, words[k], n) != 0) continue;
-        *value = NAN;
-        return from + n;
+    static const char *const words[] = {"infinity", "inf", "nan", "1.#"};
+    const char *p = at + (*at == '-' || *at == '+');
+    size_t k = 0;
+    while (k < 4 && strncasecmp(p, words[k], strlen(words[k])) != 0) k++;
+    if (k == 4) return NULL;
+    p += strlen(words[k]);
+
+    /* behind 1.# a kind of nothing, shortened as the format was, and an exponent */
+    if (k == 3)
+        while (isalnum((unsigned char)*p) || *p == '+' || *p == '-') p++;
+    if (k == 2 && *p == '(') {
+        const char *bracket = p + 1;
+        while (isalnum((unsigned char)*bracket) || *bracket == '_') bracket++;
+        if (*bracket == ')') p = bracket + 1;
     }
-    return NULL;
+    if (!is_word_end(p, separator)) return NULL;
+    *value = NAN;
+    return p;
 }
 
 /* "1,5" as 1.5 */

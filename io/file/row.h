@@ -14,9 +14,7 @@ void wcut_row_done(wcut_source *source, size_t length);
 static inline bool wcut_is_blank(char c) { return c == ' ' || c == '\t'; }
 
 /* a zero byte is an end only at the end of the file: `end` tells */
-static inline bool wcut_is_line_end(const char *at) {
-    return *at == '\n' || *at == '\0' || (*at == '\r' && (at[1] == '\n' || at[1] == '\0'));
-}
+static inline bool wcut_is_line_end(const char *at) { return *at == '\n' || *at == '\0' || *at == '\r'; }
 
 static inline const char *wcut_skip_blanks(const char *at) {
     while (wcut_is_blank(*at)) at++;

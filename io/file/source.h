@@ -20,6 +20,7 @@ typedef struct wcut_source {
     long line;          /* of the first unread byte, from 1; 0: the format has no lines */
     bool binary;        /* numbers have a byte order that could be the wrong one */
     double scale;       /* [mm] of the file's unit */
+    char ending;        /* of its lines, the last byte of one: a feed or a return; 0: not known yet */
 } wcut_source;
 
 /* WCUT_OK: to wcut_source_close. WCUT_NOT_FOUND, WCUT_NO_MEMORY: nothing to close */

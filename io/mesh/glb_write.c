@@ -1,158 +1,188 @@
-/* Triangles to binary glTF through assimp, in memory, then to disk by our own writer (assimp says success on a full
-   disk). */
-#include <assimp/cexport.h>
-#include <assimp/cimport.h>
-#include <assimp/material.h>
-#include <assimp/scene.h>
+/* Triangles to binary glTF 2.0 (Khronos): a header, the scene in JSON, then positions, normals, colours, indices. */
+#include <float.h>
 #include <math.h>
 #include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <wirecut/version.h>
 #include <wirecut/write.h>
 
-#include "base/alloc.h"
 #include "base/fail.h"
 #include "io/mesh/colour.h"
 #include "io/mesh/mesh_write.h"
 
-/* a scene is a web of pointers: all of its parts in one place that is freed as one */
-typedef struct glb_scene {
-    struct aiScene scene;
-    struct aiNode root, child;
-    struct aiNode *children[1];
-    struct aiMesh mesh;
-    struct aiMesh *meshes[1];
-    unsigned mesh_index[1];
-    struct aiMaterial material;
-    struct aiMaterial *materials[1];
-    struct aiMaterialProperty property[3];
-    struct aiMaterialProperty *properties[3];
-    float metallic, roughness;
-    int32_t two_sided;
-    unsigned *corner;
-} glb_scene;
+_Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "binary files are written as they lie in memory");
 
-/* one mesh in 32-bit offsets, and what assimp spends on it while it joins vertices */
+/* lengths and offsets of the format have 32 bits */
 enum { TRIANGLES_MAX = 30000000 };
 
-static void name(struct aiString *to, const char *text) {
-    to->length = (ai_uint32)snprintf(to->data, sizeof to->data, "%s", text);
-}
+enum { HEADER = 12, CHUNK = 8, ARRAY_BUFFER = 34962, INDEX_BUFFER = 34963, FLOAT = 5126, UNSIGNED = 5125 };
+static const uint32_t MAGIC = 0x46546c67, JSON_CHUNK = 0x4e4f534a, BIN_CHUNK = 0x004e4942;
+
+/* what of a mesh goes into which view of the buffer, in this order */
+typedef struct view {
+    const char *attribute; /* NULL: indices */
+    const char *type;
+    int components, target;
+    size_t bytes;
+} view;
+
+typedef struct layout {
+    view view[4];
+    int views;
+    size_t bytes;   /* of the buffer */
+    wcut_vec3 from; /* [mm] positions are relative to it: single precision keeps what a far part has of digits */
+    float low[3], high[3];
+} layout;
 
 static double linear_of_srgb(double byte) {
-    double s = byte / 255;
+    const double s = byte / 255;
     return s <= 0.04045 ? s / 12.92 : pow((s + 0.055) / 1.055, 2.4);
 }
 
+static void add_view(layout *l, const char *attribute, const char *type, int components, size_t count, int target) {
+    const size_t bytes = count * (size_t)components * 4;
+    l->view[l->views++] = (view){attribute, type, components, target, bytes};
+    l->bytes += bytes;
+}
+
+static wcut_vec3 relative(const layout *l, wcut_vec3 p) {
+    return (wcut_vec3){p.x - l->from.x, p.y - l->from.y, p.z - l->from.z};
+}
+
+/* the views, the place that positions are relative to, and their box, which the format asks for */
+static layout lay_out(const wcut_mesh *mesh) {
+    layout l = {.low = {FLT_MAX, FLT_MAX, FLT_MAX}, .high = {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
+    wcut_vec3 low = mesh->vertex[0], high = mesh->vertex[0];
+    const size_t n = (size_t)mesh->vertex_count;
+    add_view(&l, "POSITION", "VEC3", 3, n, ARRAY_BUFFER);
+    if (mesh->normal) add_view(&l, "NORMAL", "VEC3", 3, n, ARRAY_BUFFER);
+    if (mesh->scalar) add_view(&l, "COLOR_0", "VEC4", 4, n, ARRAY_BUFFER);
+    add_view(&l, NULL, "SCALAR", 1, 3 * (size_t)mesh->triangle_count, INDEX_BUFFER);
+    for (size_t i = 0; i < n; i++) {
+        const wcut_vec3 p = mesh->vertex[i];
+        low = (wcut_vec3){fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z)};
+        high = (wcut_vec3){fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z)};
+    }
+
+    /* a part that is farther away than it is large begins at its own middle */
+    const wcut_vec3 middle = {low.x / 2 + high.x / 2, low.y / 2 + high.y / 2, low.z / 2 + high.z / 2};
+    const double size = fmax(high.x - low.x, fmax(high.y - low.y, high.z - low.z));
+    if (fmax(fabs(middle.x), fmax(fabs(middle.y), fabs(middle.z))) > 10 * size) l.from = middle;
+    for (size_t i = 0; i < n; i++) {
+        const wcut_vec3 p = relative(&l, mesh->vertex[i]);
+        const float c[3] = {(float)p.x, (float)p.y, (float)p.z};
+        for (int k = 0; k < 3; k++) l.low[k] = fminf(l.low[k], c[k]), l.high[k] = fmaxf(l.high[k], c[k]);
+    }
+    return l;
+}
+
+/* ---- the scene ---- */
+
+static void put_triple(wcut_text *t, const char *before, const float v[3]) {
+    wcut_text_print(t, "%s", before);
+    for (int k = 0; k < 3; k++) {
+        wcut_text_print(t, k ? "," : "[");
+        wcut_text_number(t, (double)v[k]);
+    }
+    wcut_text_print(t, "]");
+}
+
+static void put_views(wcut_text *t, const layout *l, const wcut_mesh *mesh) {
+    size_t offset = 0;
+    wcut_text_print(t, "\"bufferViews\":[");
+    for (int k = 0; k < l->views; k++) {
+        wcut_text_print(t, "%s{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu,\"target\":%d}", k ? "," : "", offset,
+                        l->view[k].bytes, l->view[k].target);
+        offset += l->view[k].bytes;
+    }
+    wcut_text_print(t, "],\"accessors\":[");
+    for (int k = 0; k < l->views; k++) {
+        const view *v = &l->view[k];
+        wcut_text_print(t, "%s{\"bufferView\":%d,\"componentType\":%d,\"count\":%zu,\"type\":\"%s\"", k ? "," : "", k,
+                        v->attribute ? FLOAT : UNSIGNED, v->bytes / 4 / (size_t)v->components, v->type);
+        if (k == 0) put_triple(t, ",\"min\":", l->low), put_triple(t, ",\"max\":", l->high);
+        if (!v->attribute) wcut_text_print(t, ",\"min\":[0],\"max\":[%d]", mesh->vertex_count - 1);
+        wcut_text_print(t, "}");
+    }
+    wcut_text_print(t, "]");
+}
+
+/* millimetres to metres, and our z to glTF's y: (x, y, z) -> (x, z, -y) / 1000, by columns */
+static void put_matrix(wcut_text *t, wcut_vec3 from) {
+    const double s = 0.001;
+    const double m[16] = {s, 0, 0, 0, 0, 0, -s, 0, 0, s, 0, 0, s * from.x, s * from.z, -s * from.y, 1};
+    wcut_text_print(t, "\"matrix\":");
+    for (int k = 0; k < 16; k++) {
+        wcut_text_print(t, k ? "," : "[");
+        wcut_text_number(t, m[k] + 0.0);
+    }
+    wcut_text_print(t, "]");
+}
+
+/* dull and seen from both sides: glTF's default is polished metal, black without surroundings */
+static void put_scene(wcut_text *t, const layout *l, const wcut_mesh *mesh) {
+    wcut_text_print(t, "{\"asset\":{\"version\":\"2.0\",\"generator\":\"wirecut " WCUT_VERSION
+                       "\"},\"scene\":0,"
+                       "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"name\":\"wirecut_mm_to_m\",\"children\":[1],");
+    put_matrix(t, l->from);
+    wcut_text_print(
+        t,
+        "},{\"name\":\"surface\",\"mesh\":0}],\"meshes\":[{\"name\":\"surface\",\"primitives\":[{\"mode\":4,"
+        "\"material\":0,\"attributes\":{");
+    for (int k = 0; k < l->views; k++)
+        if (l->view[k].attribute) wcut_text_print(t, "%s\"%s\":%d", k ? "," : "", l->view[k].attribute, k);
+    wcut_text_print(t,
+                    "},\"indices\":%d}]}],\"materials\":[{\"pbrMetallicRoughness\":{\"metallicFactor\":0,"
+                    "\"roughnessFactor\":0.8},\"doubleSided\":true}],\"buffers\":[{\"byteLength\":%zu}],",
+                    l->views - 1, l->bytes);
+    put_views(t, l, mesh);
+    wcut_text_print(t, "}");
+}
+
+/* ---- the buffer ---- */
+
+static void put_vectors(wcut_text *t, const layout *l, int count, const wcut_vec3 *v) {
+    for (int i = 0; i < count; i++) {
+        const wcut_vec3 p = l ? relative(l, v[i]) : v[i];
+        const float f[3] = {(float)p.x, (float)p.y, (float)p.z};
+        wcut_text_put(t, f, sizeof f);
+    }
+}
+
 /* glTF's vertex colours are linear */
-static void fill_colours(struct aiColor4D *colour, int count, const double *scalar) {
+static void put_colours(wcut_text *t, int count, const double *scalar) {
     double min, greatest, rgb[3];
     wcut_range(count, scalar, &min, &greatest);
     for (int i = 0; i < count; i++) {
         wcut_colour(wcut_colour_parameter(scalar[i], min, greatest), rgb);
-        colour[i] = (struct aiColor4D){(float)linear_of_srgb(rgb[0]), (float)linear_of_srgb(rgb[1]),
-                                       (float)linear_of_srgb(rgb[2]), 1};
+        const float f[4] = {(float)linear_of_srgb(rgb[0]), (float)linear_of_srgb(rgb[1]), (float)linear_of_srgb(rgb[2]),
+                            1};
+        wcut_text_put(t, f, sizeof f);
     }
 }
 
-static struct aiVector3D *copy_vectors(const wcut_vec3 *from, int count) {
-    struct aiVector3D *to = wcut_alloc((size_t)count, sizeof *to);
-    for (int i = 0; to && i < count; i++)
-        to[i] = (struct aiVector3D){(float)from[i].x, (float)from[i].y, (float)from[i].z};
-    return to;
-}
+typedef struct document {
+    const layout *layout;
+    const char *json;
+    size_t length; /* with blanks to a multiple of four */
+} document;
 
-static bool fill_faces(glb_scene *glb, const wcut_mesh *mesh) {
-    size_t count = (size_t)mesh->triangle_count;
-    glb->corner = wcut_alloc(3 * count, sizeof *glb->corner);
-    glb->mesh.mFaces = wcut_alloc(count, sizeof *glb->mesh.mFaces);
-    if (!glb->corner || !glb->mesh.mFaces) return false;
-    for (size_t k = 0; k < 3 * count; k++) glb->corner[k] = (unsigned)mesh->triangle[k];
-    for (size_t t = 0; t < count; t++) glb->mesh.mFaces[t] = (struct aiFace){3, glb->corner + 3 * t};
-    glb->mesh.mNumFaces = (unsigned)count;
-    return true;
-}
+static void put_glb(wcut_text *t, const wcut_mesh *mesh, const void *context) {
+    const document *d = context;
+    const layout *l = d->layout;
+    const uint32_t total = (uint32_t)(HEADER + CHUNK + d->length + CHUNK + l->bytes);
+    const uint32_t head[5] = {MAGIC, 2, total, (uint32_t)d->length, JSON_CHUNK};
+    const uint32_t bin[2] = {(uint32_t)l->bytes, BIN_CHUNK};
+    wcut_text_put(t, head, sizeof head);
+    wcut_text_put(t, d->json, d->length);
+    wcut_text_put(t, bin, sizeof bin);
 
-static bool fill_mesh(glb_scene *glb, const wcut_mesh *mesh) {
-    struct aiMesh *to = &glb->mesh;
-    name(&to->mName, "surface");
-    to->mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
-    to->mNumVertices = (unsigned)mesh->vertex_count;
-    to->mVertices = copy_vectors(mesh->vertex, mesh->vertex_count);
-    if (!to->mVertices || !fill_faces(glb, mesh)) return false;
-    if (mesh->normal) to->mNormals = copy_vectors(mesh->normal, mesh->vertex_count);
-    if (mesh->normal && !to->mNormals) return false;
-    if (!mesh->scalar) return true;
-    to->mColors[0] = wcut_alloc((size_t)mesh->vertex_count, sizeof *to->mColors[0]);
-    if (!to->mColors[0]) return false;
-    fill_colours(to->mColors[0], mesh->vertex_count, mesh->scalar);
-    return true;
-}
-
-static void fill_property(glb_scene *glb, int k, const char *key, enum aiPropertyTypeInfo type, void *data) {
-    struct aiMaterialProperty *property = &glb->property[k];
-    name(&property->mKey, key);
-    property->mType = type;
-    property->mDataLength = 4;
-    property->mData = data;
-    glb->properties[k] = property;
-}
-
-/* dull and seen from both sides: glTF's default is polished metal, black without surroundings */
-static void fill_material(glb_scene *glb) {
-    glb->metallic = 0;
-    glb->roughness = 0.8F;
-    glb->two_sided = 1;
-    fill_property(glb, 0, "$mat.metallicFactor", aiPTI_Float, &glb->metallic);
-    fill_property(glb, 1, "$mat.roughnessFactor", aiPTI_Float, &glb->roughness);
-    fill_property(glb, 2, "$mat.twosided", aiPTI_Integer, &glb->two_sided);
-    glb->material = (struct aiMaterial){glb->properties, 3, 3};
-}
-
-static bool fill_scene(glb_scene *glb, const wcut_mesh *mesh) {
-    if (!fill_mesh(glb, mesh)) return false;
-    fill_material(glb);
-    name(&glb->root.mName, "wirecut_mm_to_m");
-    /* millimetres to metres, and our z to glTF's y: (x, y, z) -> (x, z, -y) / 1000 */
-    const float s = 0.001F;
-    glb->root.mTransformation = (struct aiMatrix4x4){s, 0, 0, 0, 0, 0, s, 0, 0, -s, 0, 0, 0, 0, 0, 1};
-    glb->root.mNumChildren = 1;
-    glb->root.mChildren = glb->children;
-    glb->children[0] = &glb->child;
-    name(&glb->child.mName, "surface");
-    glb->child.mTransformation = (struct aiMatrix4x4){1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-    glb->child.mParent = &glb->root;
-    glb->child.mNumMeshes = 1;
-    glb->child.mMeshes = glb->mesh_index;
-    glb->meshes[0] = &glb->mesh;
-    glb->materials[0] = &glb->material;
-    glb->scene.mFlags = AI_SCENE_FLAGS_NON_VERBOSE_FORMAT; /* vertices are shared */
-    glb->scene.mRootNode = &glb->root;
-    glb->scene.mNumMeshes = 1;
-    glb->scene.mMeshes = glb->meshes;
-    glb->scene.mNumMaterials = 1;
-    glb->scene.mMaterials = glb->materials;
-    return true;
-}
-
-static void free_scene(glb_scene *glb) {
-    if (!glb) return;
-    free(glb->mesh.mVertices);
-    free(glb->mesh.mNormals);
-    free(glb->mesh.mColors[0]);
-    free(glb->mesh.mFaces);
-    free(glb->corner);
-    free(glb);
-}
-
-static wcut_status write_blob(const struct aiExportDataBlob *blob, const char *path, wcut_error *error) {
-    char label[WCUT_QUOTE_SIZE], cause[WCUT_QUOTE_SIZE];
-    if (!blob || blob->size < 12 || memcmp(blob->data, "glTF", 4) != 0)
-        return wcut_fail(error, WCUT_NOT_WRITTEN, "%s: not written: assimp made no glTF of it: %s",
-                         wcut_quote(label, path, WCUT_LABEL_MAX, 1),
-                         wcut_quote(cause, aiGetErrorString(), WCUT_FOUND_MAX, 0));
-    return wcut_file_write_whole(path, blob->data, blob->size, error);
+    /* in the order of the views */
+    put_vectors(t, l, mesh->vertex_count, mesh->vertex);
+    if (mesh->normal) put_vectors(t, NULL, mesh->vertex_count, mesh->normal);
+    if (mesh->scalar) put_colours(t, mesh->vertex_count, mesh->scalar);
+    wcut_text_put(t, mesh->triangle, 3 * (size_t)mesh->triangle_count * sizeof *mesh->triangle);
 }
 
 wcut_status wcut_mesh_write_glb(const wcut_mesh *mesh, const char *path, wcut_error *error) {
@@ -162,14 +192,19 @@ wcut_status wcut_mesh_write_glb(const wcut_mesh *mesh, const char *path, wcut_er
     if (mesh->triangle_count > TRIANGLES_MAX)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s: found %d triangles, expected at most %d in a GLB",
                          wcut_quote(label, path, WCUT_LABEL_MAX, 1), mesh->triangle_count, TRIANGLES_MAX);
-    glb_scene *glb = wcut_alloc(1, sizeof *glb);
-    if (!glb || !fill_scene(glb, mesh)) {
-        free_scene(glb);
-        return wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
-    }
-    const struct aiExportDataBlob *blob = aiExportSceneToBlob(&glb->scene, "glb2", 0);
-    free_scene(glb);
-    status = write_blob(blob, path, error);
-    if (blob) aiReleaseExportBlob(blob);
+
+    /* the scene says how long it is before it is written: blanks fill it up to a multiple of four */
+    const layout l = lay_out(mesh);
+    document d = {.layout = &l};
+    wcut_text json;
+    char *text = NULL;
+    if (!wcut_text_create(&json, NULL)) return wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
+    put_scene(&json, &l, mesh);
+    while (json.count % 4) wcut_text_put(&json, " ", 1);
+    status = wcut_text_finish(&json, &text, &d.length);
+    if (status != WCUT_OK) return wcut_fail(error, status, "%s", wcut_status_text(status));
+    d.json = text;
+    status = wcut_mesh_write(mesh, put_glb, &d, path, error);
+    free(text);
     return status;
 }

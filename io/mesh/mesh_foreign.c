@@ -270,6 +270,36 @@ static char *slurp(wcut_source *s, size_t *size) {
     return NULL;
 }
 
+/* a file beside this one that its text names, copied; NULL: none is named */
+static const char *find_neighbour(const char *bytes, size_t size, char name[ENOUGH]) {
+    static const char key[] = "\"uri\"", list[] = "\"buffers\"";
+    bool is_inside = false;
+    for (size_t k = 0; k + sizeof list < size; k++) {
+        /* of the buffers alone: pictures are not needed */
+        if (memcmp(bytes + k, list, sizeof list - 1) == 0) is_inside = true;
+        if (bytes[k] == ']') is_inside = false;
+        if (!is_inside || memcmp(bytes + k, key, sizeof key - 1) != 0) continue;
+        size_t at = k + sizeof key - 1, n = 0;
+        while (at < size &&
+               (bytes[at] == ' ' || bytes[at] == ':' || bytes[at] == '\n' || bytes[at] == '\r' || bytes[at] == '\t'))
+            at++;
+        if (at >= size || bytes[at++] != '"' || (size - at > 5 && memcmp(bytes + at, "data:", 5) == 0)) continue;
+        while (at < size && bytes[at] != '"' && n < ENOUGH - 1) name[n++] = bytes[at++];
+        name[n] = '\0';
+        return name;
+    }
+    return NULL;
+}
+
+/* glTF is told by its first bytes: another format's numbers would be read as metres */
+static bool check_gltf(wcut_source *s, const char *bytes, size_t size) {
+    size_t at = 0;
+    while (at < size && strchr(" \t\r\n\xef\xbb\xbf", bytes[at]) && bytes[at]) at++;
+    if ((size >= 4 && memcmp(bytes, "glTF", 4) == 0) || (at < size && bytes[at] == '{')) return true;
+    s->stream.at = s->stream.end;
+    return wcut_source_refuse(s, "found neither glTF nor {, expected a glTF file");
+}
+
 /* the file's mesh as the child sends it, whole; NULL: refused */
 static char *ask(wcut_source *s, request *r, size_t of_each, int seconds, int32_t head[2]) {
     size_t length = 0;
@@ -279,6 +309,14 @@ static char *ask(wcut_source *s, request *r, size_t of_each, int seconds, int32_
         return NULL;
     }
     r->bytes = bytes;
+    if (!check_gltf(s, bytes, r->size)) return free(bytes), NULL;
+    char beside[ENOUGH], shown[WCUT_QUOTE_SIZE];
+    if (find_neighbour(bytes, r->size, beside)) {
+        wcut_source_refuse(
+            s, "its data are in another file, \"%s\", expected one file: a .glb, or a .gltf that embeds them",
+            wcut_quote(shown, beside, WCUT_FOUND_MAX, 0));
+        return free(bytes), NULL;
+    }
     const wcut_child_limits limits = {seconds, (size_t)4 << 30, (size_t)r->max * of_each + ENOUGH};
     const wcut_child_end end = wcut_child_run(import, r, &limits, &data, &length);
     free(bytes);

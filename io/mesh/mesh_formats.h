@@ -7,7 +7,7 @@
 
 /* false: refused, the source holds the failure */
 typedef bool wcut_mesh_fill(wcut_source *source, wcut_mesh_builder *builder);
-wcut_mesh_fill wcut_mesh_fill_stl, wcut_mesh_fill_ply, wcut_mesh_fill_obj;
+wcut_mesh_fill wcut_mesh_fill_stl, wcut_mesh_fill_ply, wcut_mesh_fill_obj, wcut_mesh_fill_off;
 
 /* the formats that assimp reads, `ending` being the one that chooses its importer; in at most `seconds` */
 bool wcut_mesh_fill_foreign(wcut_source *source, wcut_mesh_builder *builder, const char *ending, int seconds);

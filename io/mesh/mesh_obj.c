@@ -30,7 +30,8 @@ static const char *read_corner(const char *p, int count, int *vertex) {
     p = read_index(p, &index);
     for (int part = 0; p && *p == '/' && part < 2; part++) {
         p++;
-        if (!(part == 0 && *p == '/')) p = read_index(p, &other);
+        /* either part may be left out: "7/", "7//", "7/1/" */
+        if (*p != '/' && !wcut_is_blank(*p) && !wcut_is_line_end(p)) p = read_index(p, &other);
     }
     if (!p || !(wcut_is_blank(*p) || wcut_is_line_end(p))) return NULL;
     index = index < 0 ? count + index : index - 1;

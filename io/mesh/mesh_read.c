@@ -61,7 +61,7 @@ static bool fill(wcut_source *s, wcut_mesh_builder *g, wcut_mesh_format format, 
         case WCUT_MESH_FORMAT_OBJ:
             return wcut_mesh_fill_obj(s, g);
         case WCUT_MESH_FORMAT_OFF:
-            return wcut_mesh_fill_foreign(s, g, ".off", seconds);
+            return wcut_mesh_fill_off(s, g);
         case WCUT_MESH_FORMAT_GLTF:
             return wcut_mesh_fill_foreign(s, g, is_binary ? ".glb" : ".gltf", seconds);
         default:

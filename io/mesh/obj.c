@@ -1,11 +1,26 @@
 /* Lines of an OBJ file (Wavefront): what changes no triangle is passed over, free-form geometry refused. */
 #include "io/mesh/obj.h"
 
+#include <stdint.h>
 #include <string.h>
 #include <wirecut/cloud_file.h>
 
+/* where a backslash says that the line goes on behind its end; NULL: it does not */
+static char *find_continuation(const char *line, size_t length) {
+    size_t n = length;
+    while (n > 0 && (line[n - 1] == '\n' || line[n - 1] == '\r')) n--;
+    return n < length && n > 0 && line[n - 1] == '\\' ? (char *)(uintptr_t)line + n - 1 : NULL;
+}
+
 const char *wcut_obj_line(wcut_source *s, size_t *length) {
-    const char *line = wcut_row_peek(s, length), *zero = line ? memchr(line, 0, *length) : NULL;
+    const char *line = wcut_row_peek(s, length);
+
+    /* lines that go on become one: blanks in the window, in the place of the backslash and the line's end */
+    for (char *p; line && (p = find_continuation(line, *length)) != NULL; line = wcut_row_peek(s, length)) {
+        memset(p, ' ', (size_t)(line + *length - p));
+        s->line++;
+    }
+    const char *zero = line ? memchr(line, 0, *length) : NULL;
     if (zero) wcut_source_refuse_text(s, line, zero, "text");
     return zero ? NULL : line;
 }

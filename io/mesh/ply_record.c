@@ -68,7 +68,13 @@ static const char *read_words(wcut_source *s, const char *line, const char *p, c
 static bool read_ascii(wcut_source *s, const wcut_ply *m, const wcut_ply_element *e, double *value,
                        wcut_ply_corners *corners) {
     size_t length;
-    const char *line = wcut_row_peek(s, &length), *p = line;
+    const char *line;
+
+    /* empty lines are no records */
+    while ((line = wcut_row_peek(s, &length)) != NULL && wcut_is_line_end(wcut_skip_blanks(line)) &&
+           e->properties > 0 && line[0] != '\0')
+        wcut_row_done(s, length);
+    const char *p = line;
     if (!line) return s->failure.status == WCUT_OK && wcut_source_refuse_end(s, "as many lines as elements are stated");
     for (const wcut_ply_property *q = m->property + e->first; q < m->property + e->first + e->properties; q++) {
         double any;

@@ -1,4 +1,5 @@
 /* The limits of a report, checked before a byte is written. */
+#include <limits.h>
 #include <math.h>
 
 #include "base/fail.h"
@@ -127,9 +128,9 @@ static wcut_status check_shape(const wcut_report_shape *shape, wcut_error *error
          shape->vertex_count / shape->rows != shape->columns || !shape->row_label || !shape->column_label))
         return bad(error, "shape", shape->name, "rows x columns are not the vertices, or have no labels");
 
-    if (!is_list(shape->triangle_count, shape->triangle) || shape->triangle_count > shape->vertex_count * 3LL ||
+    if (!is_list(shape->triangle_count, shape->triangle) || shape->triangle_count > INT_MAX / 3 ||
         (shape->rows && shape->triangle_count))
-        return bad(error, "shape", shape->name, "triangles: none for a grid, at most 3 a vertex");
+        return bad(error, "shape", shape->name, "triangles: none for a grid, at most 715827882");
     for (long long i = 0; i < shape->triangle_count * 3LL; i++)
         if (shape->triangle[i] < 0 || shape->triangle[i] >= shape->vertex_count)
             return bad(error, "shape", shape->name, "a triangle names a vertex that is not there");

@@ -1,4 +1,4 @@
-/* LAS 1.2 to 1.4 (ASPRS LAS Specification 1.4 R15), point formats 0 to 10, as binary records. */
+/* LAS 1.0 to 1.4 (ASPRS LAS Specification 1.4 R15), point formats 0 to 10, as binary records. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -55,8 +55,8 @@ static bool set_axes(wcut_cloud_source *s, const unsigned char *head, wcut_recor
 static bool check_version(wcut_cloud_source *s, const unsigned char *head) {
     const unsigned major = head[VERSION_MAJOR], minor = head[VERSION_MINOR];
     if (memcmp(head, "LASF", 4) != 0) return wcut_source_refuse(&s->in, "found no LASF, expected a LAS file");
-    if (major != 1 || minor < 2 || minor > 4)
-        return wcut_source_refuse(&s->in, "found LAS %u.%u, expected 1.2 to 1.4", major, minor);
+    if (major != 1 || minor > 4)
+        return wcut_source_refuse(&s->in, "found LAS %u.%u, expected 1.0 to 1.4", major, minor);
     const unsigned size = wcut_load_16(head + HEADER_SIZE, false);
     const unsigned min = minor < 4 ? MIN_HEADER : MIN_HEADER_1_4;
     return size >= min || wcut_source_refuse(&s->in, "found a header of %u bytes, expected at least %u", size, min);
@@ -72,7 +72,11 @@ static bool read_header(wcut_cloud_source *s, const unsigned char *head, wcut_re
     if (length < min[format]) return refuse_record(s, format, length, min[format]);
     r->size = length;
     set_flag(r, format);
-    *count = head[VERSION_MINOR] < 4 ? wcut_load_32(head + LEGACY_COUNT, false) : wcut_load_64(head + COUNT_1_4, false);
+
+    /* some programs that write 1.4 fill in the old count alone */
+    const uint64_t legacy = wcut_load_32(head + LEGACY_COUNT, false);
+    *count = head[VERSION_MINOR] < 4 ? legacy : wcut_load_64(head + COUNT_1_4, false);
+    if (*count == 0) *count = legacy;
     return set_axes(s, head, r);
 }
 

@@ -5,6 +5,7 @@
 #include <wirecut/cloud_file.h>
 #include "base/alloc.h"
 #include "base/fail.h"
+#include "io/file/lzf.h"
 #include "io/file/row.h"
 #include "io/scan/cloud_source.h"
 
@@ -24,6 +25,9 @@ typedef struct pcd_rows {
     wcut_record record; /* the state begins with it: wcut_cloud_fill_records reads it */
     int columns;        /* of text */
     int *field;         /* columns: which one each is, or -1; behind the struct */
+    /* of compressed data: field by field, behind the columns */
+    int64_t points;
+    size_t raw;
 } pcd_rows;
 
 enum { FIELDS_LINE, SIZE_LINE, TYPE_LINE, COUNT_LINE, WIDTH_LINE, HEIGHT_LINE, POINTS_LINE, DATA_LINE, LINES };
@@ -92,6 +96,7 @@ static bool read_header_line(wcut_cloud_source *s, const char *line, pcd_header 
     /* the other keywords stand once each, FIELDS first */
     for (int k = 0; k < LINES; k++)
         if (wcut_row_has_word(p, keyword[k])) *which = k;
+    if (wcut_row_has_word(p, "COLUMNS")) *which = FIELDS_LINE; /* of the first versions */
     if (*which == LINES) return wcut_source_refuse_text(&s->in, line, p, "a keyword of a PCD header");
     if (h->seen[*which]) return wcut_source_refuse_text(&s->in, line, p, "each keyword once");
     if (*which != FIELDS_LINE && !h->seen[FIELDS_LINE])
@@ -210,20 +215,88 @@ static bool fill_binary(wcut_cloud_source *s, wcut_batch *b) {
            (s->left > 0 || wcut_source_check_end(&s->in, ((const pcd_rows *)s->state)->record.size));
 }
 
+/* ---- compressed: the bytes of all points field by field, as one block of LZF ---- */
+
+static bool fill_compressed(wcut_cloud_source *s, wcut_batch *b) {
+    const pcd_rows *r = s->state;
+    const unsigned char *raw = (const unsigned char *)s->state + r->raw;
+    for (; s->left > 0 && b->count < b->capacity; s->left--) {
+        const size_t i = (size_t)(r->points - s->left), n = (size_t)r->points;
+        double value[WCUT_FIELDS] = {0};
+        for (int k = 0; k < r->record.fields; k++) {
+            const wcut_scalar scalar = r->record.field[k].scalar;
+            value[k] =
+                wcut_scalar_load(raw + r->record.field[k].offset * n + i * wcut_scalar_size(scalar), scalar, false);
+        }
+        if (!wcut_cloud_take(s, b, value)) return false;
+    }
+    return true;
+}
+
+/* the next `size` bytes of the file; NULL: refused */
+static unsigned char *read_bytes(wcut_cloud_source *s, size_t size) {
+    unsigned char *bytes = wcut_alloc(size, 1);
+    if (!bytes) return wcut_source_refuse_memory(&s->in), NULL;
+    for (size_t used = 0; used < size;) {
+        const size_t got = wcut_stream_fill(&s->in.stream, 1), n = got < size - used ? got : size - used;
+        if (got == 0) {
+            wcut_source_refuse_end(&s->in, "the compressed points");
+            wcut_free(bytes);
+            return NULL;
+        }
+        memcpy(bytes + used, s->in.stream.data + s->in.stream.at, n);
+        s->in.stream.at += n;
+        used += n;
+    }
+    return bytes;
+}
+
+/* the block behind the header: two sizes, then LZF; into memory behind the state */
+static bool read_compressed(wcut_cloud_source *s, int64_t points) {
+    const uint64_t max = (uint64_t)1 << 31;
+    pcd_rows *r = s->state;
+    const size_t head = sizeof *r + (size_t)r->columns * sizeof *r->field;
+    if (wcut_stream_fill(&s->in.stream, 8) < 8) return wcut_source_refuse_end(&s->in, "the sizes of compressed points");
+    const unsigned char *at = s->in.stream.data + s->in.stream.at;
+    const uint64_t packed = wcut_load_32(at, false), plain = wcut_load_32(at + 4, false);
+    const uint64_t wanted = (uint64_t)points * r->record.size;
+    if (points > INT32_MAX || plain != wanted || plain > max || plain > packed * WCUT_LZF_RATIO_MAX)
+        return wcut_source_refuse(&s->in, "found %llu bytes compressed to %llu, expected %llu for the points stated",
+                                  (unsigned long long)plain, (unsigned long long)packed, (unsigned long long)wanted);
+    if (packed > wcut_stream_left(&s->in.stream)) return wcut_source_refuse_end(&s->in, "the compressed points");
+    s->in.stream.at += 8;
+    unsigned char *bytes = read_bytes(s, (size_t)packed);
+    if (!bytes) return false;
+
+    /* the state grows: what points into it follows */
+    pcd_rows *grown = wcut_grow(r, head + (size_t)plain);
+    bool done = grown || wcut_source_refuse_memory(&s->in);
+    if (grown) {
+        s->state = grown;
+        grown->field = (int *)(grown + 1);
+        grown->raw = head;
+        grown->points = points;
+        done = wcut_lzf_read(bytes, (size_t)packed, (unsigned char *)s->state + head, (size_t)plain) ||
+               wcut_source_refuse(&s->in, "found compressed points that do not unpack, expected LZF");
+    }
+    wcut_free(bytes);
+    return done && wcut_cloud_state(s, points, 0, "points") && wcut_source_check_end(&s->in, 0);
+}
+
 static bool begin_data(wcut_cloud_source *s, const char *line, const char *how, size_t length, const pcd_header *h) {
-    const bool binary = wcut_row_has_word(how, "binary");
-    if (wcut_row_has_word(how, "binary_compressed"))
-        return wcut_source_refuse_text(&s->in, line, how, "ascii or binary: write the points without compression");
+    const bool packed = wcut_row_has_word(how, "binary_compressed"),
+               binary = packed || wcut_row_has_word(how, "binary");
     if (!binary && !wcut_row_has_word(how, "ascii"))
-        return wcut_source_refuse_text(&s->in, line, how, "ascii or binary");
+        return wcut_source_refuse_text(&s->in, line, how, "ascii, binary or binary_compressed");
     if (!check_header(s, line, h)) return false;
     pcd_rows *r = make_rows(h);
     if (!r) return wcut_source_refuse_memory(&s->in);
     s->state = r;
     s->info.has_normals = r->record.fields == 6;
-    s->fill = binary ? fill_binary : fill_text;
+    s->fill = packed ? fill_compressed : binary ? fill_binary : fill_text;
     wcut_row_done(&s->in, length);
     if (binary) s->in.line = 0, s->in.binary = true;
+    if (packed) return read_compressed(s, count_points(h));
     return wcut_cloud_state(s, count_points(h), binary ? r->record.size : 2 * (uint64_t)r->columns - 1, "points");
 }
 

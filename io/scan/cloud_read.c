@@ -20,7 +20,7 @@ wcut_cloud_options wcut_cloud_options_default(void) {
 }
 
 static bool options_are_usable(const wcut_cloud_options *o) {
-    return (unsigned)o->format <= WCUT_CLOUD_FORMAT_GLTF && (unsigned)o->unit < WCUT_LENGTH_UNIT_COUNT;
+    return (unsigned)o->format < WCUT_CLOUD_FORMAT_COUNT && (unsigned)o->unit < WCUT_LENGTH_UNIT_COUNT;
 }
 
 bool wcut_cloud_state(wcut_cloud_source *s, int64_t count, uint64_t size, const char *what) {
@@ -107,11 +107,24 @@ static bool ends_with(const char *text, const char *ending) {
     return n >= m && strcasecmp(text + n - m, ending) == 0;
 }
 
+/* two lines of a count each: a PTX, since a PTS has one */
+static bool begins_ptx(const wcut_stream *s) {
+    const char *p = (const char *)s->data + s->at;
+    for (int k = 0; k < 2; k++) {
+        const size_t digits = strspn(p, "0123456789");
+        p += digits;
+        p += strspn(p, " \t\r");
+        if (digits == 0 || *p++ != '\n') return false;
+    }
+    return true;
+}
+
 static wcut_cloud_format find_format(wcut_cloud_source *s) {
     const wcut_stream *t = &s->in.stream;
     if (begins(t, "ply\n") || begins(t, "ply\r")) return WCUT_CLOUD_FORMAT_PLY;
     if (begins(t, "LASF")) return WCUT_CLOUD_FORMAT_LAS;
-    if (begins(t, "# .PCD") || begins(t, "VERSION .7") || begins(t, "VERSION 0.7")) return WCUT_CLOUD_FORMAT_PCD;
+    if (begins(t, "# .PCD") || begins(t, "VERSION .") || begins(t, "VERSION 0.")) return WCUT_CLOUD_FORMAT_PCD;
+    if (ends_with(s->in.label, ".ptx") || begins_ptx(t)) return WCUT_CLOUD_FORMAT_PTX;
     if (ends_with(s->in.label, ".obj")) return WCUT_CLOUD_FORMAT_OBJ;
     if (ends_with(s->in.label, ".off")) return WCUT_CLOUD_FORMAT_OFF;
     if (wcut_cloud_foreign_ending((const char *)t->data + t->at, s->in.label)) return WCUT_CLOUD_FORMAT_GLTF;
@@ -130,7 +143,7 @@ static bool check_readable(wcut_cloud_source *s) {
         if (begins(&s->in.stream, refused[k].begin))
             return wcut_source_refuse(
                 &s->in,
-                "found %s, expected PLY, XYZ/PTS/CSV text, STL, OBJ, OFF, glTF, LAS or PCD: export the "
+                "found %s, expected PLY, XYZ/PTS/PTX/CSV text, STL, OBJ, OFF, glTF, LAS or PCD: export the "
                 "points "
                 "as one of these",
                 refused[k].name);
@@ -146,7 +159,8 @@ static bool begin_format(wcut_cloud_source *s) {
                                               wcut_cloud_begin_pcd,
                                               wcut_cloud_begin_obj,
                                               wcut_cloud_begin_off,
-                                              wcut_cloud_begin_foreign};
+                                              wcut_cloud_begin_foreign,
+                                              wcut_cloud_begin_ptx};
 
     s->in.scale = wcut_unit_length(s->options.unit);
     if (wcut_stream_fill(&s->in.stream, SNIFF) == 0) return wcut_source_refuse_end(&s->in, "points");

@@ -33,7 +33,7 @@ struct wcut_cloud_source {
 /* what begins each format: the header is read, info, fill and state are set */
 typedef bool wcut_cloud_begin(wcut_cloud_source *source);
 wcut_cloud_begin wcut_cloud_begin_ply, wcut_cloud_begin_text, wcut_cloud_begin_stl, wcut_cloud_begin_las,
-    wcut_cloud_begin_pcd, wcut_cloud_begin_obj, wcut_cloud_begin_off, wcut_cloud_begin_foreign;
+    wcut_cloud_begin_pcd, wcut_cloud_begin_obj, wcut_cloud_begin_off, wcut_cloud_begin_foreign, wcut_cloud_begin_ptx;
 
 /* begin with bytes in memory through a small window; for tests and fuzzers */
 wcut_status wcut_cloud_source_create_memory(const void *bytes, size_t size, size_t window, const char *label,

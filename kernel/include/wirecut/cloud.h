@@ -16,13 +16,15 @@ typedef enum wcut_cloud_format {
     WCUT_CLOUD_FORMAT_PLY,  /**< ascii, binary of either byte order */
     WCUT_CLOUD_FORMAT_TEXT, /**< XYZ, PTS, ASC, CSV: a point a line */
     WCUT_CLOUD_FORMAT_STL,  /**< the corners of its triangles, so that most come several times; no normals */
-    WCUT_CLOUD_FORMAT_LAS,  /**< 1.2 to 1.4, point formats 0 to 10, not compressed */
-    WCUT_CLOUD_FORMAT_PCD,  /**< ascii or binary; the viewpoint is not applied */
+    WCUT_CLOUD_FORMAT_LAS,  /**< 1.0 to 1.4, point formats 0 to 10, not compressed */
+    WCUT_CLOUD_FORMAT_PCD,  /**< ascii, binary or compressed (LZF); the viewpoint is not applied */
     WCUT_CLOUD_FORMAT_OBJ,  /**< its vertices, whatever its faces are; no normals */
     WCUT_CLOUD_FORMAT_OFF,  /**< the same */
     /** glTF, by assimp in a process of its own: the vertices of every node, held as a whole, at most 20000000; it is in
         metres with y upwards, and becomes mm with z upwards whatever the option unit says */
-    WCUT_CLOUD_FORMAT_GLTF
+    WCUT_CLOUD_FORMAT_GLTF,
+    WCUT_CLOUD_FORMAT_PTX, /**< scans one after the other, each moved by its matrix; beams that met nothing are withheld */
+    WCUT_CLOUD_FORMAT_COUNT
 } wcut_cloud_format;
 
 /** What a source has given so far. */

@@ -56,7 +56,7 @@ WCUT_API wcut_cloud_options wcut_cloud_options_default(void);
  * @param[in]  options NULL for the defaults; max_points and voxel are not read
  * @param[out] source  the caller's, to wcut_cloud_source_destroy
  * @param[out] error   may be NULL; line or byte, what was found, what was expected
- * @return WCUT_OK; WCUT_NOT_FOUND (no such file, not readable), WCUT_BAD_FORMAT (no cloud; LAZ, E57, compressed PCD; a
+ * @return WCUT_OK; WCUT_NOT_FOUND (no such file, not readable), WCUT_BAD_FORMAT (no cloud; LAZ, E57; a
  *         header that is malformed or claims more than the file can hold), WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing
  *         was written.
  */

@@ -210,6 +210,36 @@ TEST(a_gltf_is_in_metres_with_y_up_and_its_nodes_move_and_mirror_it) {
 
 /* ---- refusals ---- */
 
+TEST(faces_of_an_obj_may_leave_parts_out_and_lines_may_go_on) {
+    static const char *const face[] = {"f 1// 2// 3//",    "f 1/1/ 2/1/ 3/1/", "f 1/ 2/ 3/",
+                                       "f 1//1 2//1 3//1", "f 1 \\\n2 3",      "f 1 2 \\\r\n \\\r\n3"};
+    char text[200];
+    for (size_t k = 0; k < sizeof face / sizeof *face; k++) {
+        snprintf(text, sizeof text, "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n%s\n", face[k]);
+        const wcut_mesh_read_options o = wcut_mesh_read_options_default();
+        ck_assert_msg(wcut_mesh_read_memory(text, strlen(text), 1024, "a.obj", &o, &mesh, &info, &error) == WCUT_OK,
+                      "%s", error.text);
+        ck_assert_int_eq(mesh->triangle_count, 1);
+        wcut_mesh_destroy(mesh);
+        mesh = NULL;
+    }
+    refuses("a.obj", "v 0 0 \\\n0\nv 1 0 0\nv 0 1 0\nf 1 2 x\n", "line 5, column 7: found x");
+}
+
+TEST(a_mesh_of_off_is_in_double_precision) {
+    /* 4.5 km from the origin, a thousandth of a millimetre apart */
+    static const char text[] =
+        "OFF\n4 1 0\n4500000.001 0 0\n4500001.002 0 0 255 0 0\n4500001 1 0\n4500000 1 0.003\n"
+        "4 0 1 2 3 1 0 0\n";
+    const wcut_mesh_read_options o = wcut_mesh_read_options_default();
+    ck_assert_msg(wcut_mesh_read_memory(text, strlen(text), 1024, "a.off", &o, &mesh, &info, &error) == WCUT_OK, "%s",
+                  error.text);
+    ck_assert(mesh->triangle_count == 2 && mesh->vertex_count == 4 && info.split == 1);
+    ck_assert(mesh->vertex[0].x == 4500000.001 && mesh->vertex[1].x == 4500001.002 && mesh->vertex[3].z == 0.003);
+    wcut_mesh_destroy(mesh);
+    mesh = NULL;
+}
+
 TEST(what_is_no_mesh_is_refused_with_its_words) {
     refuses("a.obj", "", "byte 0: found the end of the file, expected a mesh");
     refuses("a.txt", "1 2 3\n", "found no mesh in a known format, expected STL, PLY, OBJ, OFF or glTF");
@@ -225,7 +255,14 @@ TEST(what_is_no_mesh_is_refused_with_its_words) {
     refuses("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "line 3: found a polygon of 2 corners, expected 3 to 1024");
     refuses("a.obj", "cstype bspline\n", "line 1, column 1: found cstype bspline, expected a polygon mesh");
     refuses_bytes("a.obj", "v 0 0 0\0\nv 1", 12, "line 1, column 8: found a zero byte");
-    refuses("a.off", "OFF\n3 1 0\nxyz\n", "assimp");
+    refuses("a.off", "OFF\n3 1 0\nxyz\n0 0 0\n0 0 0\n3 0 1 2\n", "line 3, column 1: found xyz, expected a number");
+    refuses("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n", "line 6, column 6: found the end of the line");
+    refuses("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n", "expected 1 faces more");
+    refuses("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "found a corner at vertex 3, expected 0 to 2");
+    refuses("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n", "line 7, column 1: found 3 0 2 1");
+    refuses("a.glb", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "found neither glTF nor {");
+    refuses("a.gltf", "{\"buffers\": [{\"byteLength\": 9, \"uri\": \"plane.bin\"}]}",
+            "its data are in another file, \"plane.bin\"");
     refuses("a.gltf", "{", "assimp reads no mesh in it, expected a sound gltf file");
 }
 

@@ -301,6 +301,99 @@ TEST(an_option_says_which_columns_are_meant) {
     }
 }
 
+/* LZF with two literal runs and a reference over what it writes itself */
+TEST(compressed_pcd_is_read_field_by_field) {
+    static const char *const head =
+        "# .PCD v0.7\nVERSION 0.7\nCOLUMNS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 2\nDATA "
+        "binary_compressed\n";
+    given(head);
+    put_bits(23, 4, false), put_bits(24, 4, false);
+    put_bits(7, 1, false), put_float(1, false), put_float(4, false); /* x: 1 and 4 */
+    put_bits(3, 1, false), put_float(2, false);                      /* y: 2 */
+    put_bits(2 << 5, 1, false), put_bits(3, 1, false);               /* and 2 again: four bytes from four before */
+    put_bits(6, 1, false);
+    put_bits(0x40400000, 4, false), put_bits(0, 3, false); /* z: 3 and seven bytes of a 0 */
+    put_bits(0, 1, false), put_bits(0, 1, false);
+    const size_t whole = size;
+    const uint32_t packed = (uint32_t)(whole - strlen(head) - 8);
+    memcpy(bytes + strlen(head), &packed, 4);
+    reads(2);
+    ck_assert(equal(got[0], (wcut_vec3){1, 2, 3}) && equal(got[1], (wcut_vec3){4, 2, 0}));
+    put_bits(0, 8, false); /* a page that is filled up */
+    reads(2);
+
+    /* cut short, a reference before the first byte, a size that the points do not have */
+    size = whole - 1;
+    refused(0, "expected the compressed points");
+    size = whole;
+    bytes[strlen(head) + 8] = 0x20;
+    refused(0, "found compressed points that do not unpack, expected LZF");
+    bytes[strlen(head) + 4] = 25;
+    refused(0, "expected 24 for the points stated");
+}
+
+TEST(ptx_scans_are_moved_by_their_matrices) {
+    static const char *const still = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
+    begin();
+    put_text("2\n1\n%s1 2 3 0.5\n0 0 0 0.5\n", still);
+    put_text("1\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 1 0 0\n-1 0 0 0\n0 0 1 0\n10 20 30 1\n1 2 3 0.5 9 9 9\n");
+    reads(2);
+    ck_assert(got_info.format == WCUT_CLOUD_FORMAT_PTX && got_info.withheld == 1 && got_info.stated == 3);
+    ck_assert(equal(got[0], (wcut_vec3){1, 2, 3}));
+    ck_assert(equal(got[1], (wcut_vec3){8, 21, 33})); /* a quarter turn about z, then the shift */
+    begin();
+    put_text("2\n1\n%s1.00000 2.00000 3.00000 0.5\n", still);
+    refused(1, "expected 1 points more");
+    begin();
+    put_text("2\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 5\n0 0 0 1\n1 2 3 0.5\n");
+    refused(0, "found a matrix that is no motion");
+}
+
+TEST(lines_may_end_with_a_return_alone_and_numbers_may_be_none) {
+    given("1 2 3\r4 5 6\r\r7 8 9");
+    reads(3);
+    ck_assert(equal(got[2], (wcut_vec3){7, 8, 9}));
+    given("1 2 3\r\n4 5 6\r\n");
+    reads(2);
+    given(
+        "ply\rformat binary_little_endian 1.0\relement vertex 1\rproperty float x\rproperty float y\r"
+        "property float z\rend_header\r");
+    put_bits(0x3f80000a, 4, false); /* the first byte is a line feed, and data */
+    put_float(2, false), put_float(3, false);
+    reads(1);
+    ck_assert(got[0].x > 1 && got[0].x < 1.01 && got[0].z == 3);
+    given(
+        "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
+        "property float nx\nproperty float ny\nproperty float nz\nend_header\n\n"
+        "1 2 3 -1.#IND00 1.#QNAN0e+000 -1.#J\n4 5 6 nan(0x8) -nan +inf\n");
+    reads(2);
+    ck_assert(got_normal[0].z == 0 && got_normal[1].z == 0 && got[1].z == 6);
+    given("1 2 3\n1.#INF00 2 3\n-1.#IND 2 3\n1 2 1.#R\n1 nan(ind) 3\n");
+    reads(1);
+    ck_assert_int_eq(got_info.not_finite, 4);
+    given("1 2 3\n1.#? 2 3\n");
+    refused(1, "line 2, column 1: found 1.#? 2 3, expected a number");
+}
+
+TEST(off_with_colours_and_normals_is_read) {
+    static const char *const good[] = {
+        "COFF\n2 0 0\n1 2 3 255 0 0 255\n4 5 6 1 1 1 1\n", "NOFF\n2 0\n1 2 3 0 0 2\n4 5 6 0 0 2\n",
+        "STCNOFF # all\n\n2 0 0\n1 2 3 0 0 2 1 1 1 1 0 0\n4 5 6 0 0 2 1 1 1 1 0 0\n", "2 0 0\n1 2 3\n4 5 6\n"};
+    for (size_t k = 0; k < sizeof good / sizeof *good; k++) {
+        given(good[k]);
+        options.format = WCUT_CLOUD_FORMAT_OFF;
+        reads(2);
+        ck_assert(equal(got[1], (wcut_vec3){4, 5, 6}) && got_info.has_normals == (k == 1 || k == 2));
+        if (got_info.has_normals) ck_assert(got_normal[1].z == 1);
+    }
+    given("nOFF\n4\n1 0 0\n1 2 3 4\n");
+    options.format = WCUT_CLOUD_FORMAT_OFF;
+    refused(0, "expected OFF, COFF, NOFF or CNOFF");
+    given("OFF BINARY\n");
+    options.format = WCUT_CLOUD_FORMAT_OFF;
+    refused(0, "expected OFF, COFF, NOFF or CNOFF");
+}
+
 TEST(a_text_of_several_scans_is_one) {
     given("2\n1 2 3\n4 5 6\n1\n7 8 9\n");
     reads(3);
@@ -552,7 +645,7 @@ TEST(arguments_outside_their_range_are_refused) {
     on_disk(".xyz");
     wcut_cloud_options bad[6];
     for (int k = 0; k < 6; k++) bad[k] = wcut_cloud_options_default();
-    bad[0].format = (wcut_cloud_format)9, bad[1].unit = WCUT_LENGTH_UNIT_COUNT;
+    bad[0].format = WCUT_CLOUD_FORMAT_COUNT, bad[1].unit = WCUT_LENGTH_UNIT_COUNT;
     bad[2].max_points = 0, bad[3].voxel = -1, bad[4].voxel = NAN, bad[5].voxel = INFINITY;
     for (int k = 0; k < 6; k++) {
         if (k < 2) ck_assert_int_eq(wcut_cloud_source_create(path, &bad[k], &source, NULL), WCUT_BAD_ARGUMENT);

@@ -52,7 +52,7 @@ TEST(zero_bytes_other_alphabets_and_endless_lines_are_refused) {
     put("\xff\xfe"
         "1\0 \0",
         6);
-    refused(0, "found UTF-16 text, expected PLY, XYZ/PTS/CSV text, STL, OBJ, OFF, glTF, LAS or PCD");
+    refused(0, "found UTF-16 text, expected PLY, XYZ/PTS/PTX/CSV text, STL, OBJ, OFF, glTF, LAS or PCD");
     begin();
     for (int k = 0; k < 50000; k++) put("1 ", 2);
     refused(0, "without a line feed");
@@ -286,7 +286,11 @@ TEST(las_that_lies_is_refused) {
     given_las(2, 0, 20, 5, 0.001);
     reads(5);
     given_las(1, 0, 20, 5, 0.001);
-    refused(0, "found LAS 1.1, expected 1.2 to 1.4");
+    reads(5);
+    given_las(0, 0, 20, 5, 0.001);
+    reads(5);
+    given_las(5, 0, 20, 5, 0.001);
+    refused(0, "found LAS 1.5, expected 1.0 to 1.4");
     given_las(2, 0x80, 20, 5, 0.001);
     refused(0, "found compressed points (LAZ), expected LAS without compression");
     given_las(4, 0x40 | 6, 30, 5, 0.001);
@@ -336,8 +340,8 @@ static void pcd_refused(int count, const char *text, const char *words) {
 TEST(pcd_that_lies_is_refused) {
     pcd_refused(0, "", "expected DATA");
     pcd_refused(0, XYZ "WIDTH 1\nDATA binary_compressed\n",
-                "found binary_compressed, expected ascii or binary: write the points without compression");
-    pcd_refused(0, XYZ "WIDTH 1\nDATA\n", "found the end of the line, expected ascii or binary");
+                "found the end of the file, expected the sizes of compressed points");
+    pcd_refused(0, XYZ "WIDTH 1\nDATA\n", "found the end of the line, expected ascii, binary or binary_compressed");
     pcd_refused(0, XYZ "DATA ascii\n", "found DATA, expected WIDTH before it");
     pcd_refused(0, "SIZE 4\n", "found SIZE 4, expected FIELDS before it");
     pcd_refused(0, XYZ "SIZE 4 4 4\n", "expected each keyword once");
@@ -386,10 +390,9 @@ TEST(meshes_that_lie_are_refused) {
     put("v 1 2 3\nv 4\0 5\n", 15);
     options.format = obj;
     refused(1, "line 2, column 4: found a zero byte");
-    mesh_refused(off, 0, "1 2 3\n", "line 1, column 1: found 1 2 3, expected OFF");
-    mesh_refused(off, 0, "NOFF\n1 0 0\n", "found NOFF, expected OFF: with plain vertices");
+    mesh_refused(off, 0, "x 2 3\n", "line 1, column 1: found x 2 3, expected OFF");
     mesh_refused(off, 0, "OFF\n", "line 2: found the end of the file, expected the counts");
-    mesh_refused(off, 0, "OFF\n3 1\n", "line 2, column 1: found 3 1, expected the counts");
+    mesh_refused(off, 0, "OFF\n3 1 x\n", "line 2, column 5: found x, expected the counts");
     mesh_refused(off, 0, "OFF\n-3 1 0\n", "found -3 1 0, expected the counts");
     mesh_refused(off, 0, "OFF\n2147483648 1 0\n1 2 3\n", "found a count of 2147483648 vertices");
     mesh_refused(off, 0, "OFF\n2000000000 1 0\n1 2 3\n",
