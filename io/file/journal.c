@@ -34,6 +34,13 @@ static bool is_there(int folder, const char *name) {
     return fstatat(folder, name, &s, AT_SYMLINK_NOFOLLOW) == 0;
 }
 
+/* the same where "cannot be seen" must not pass for "is not there" */
+static int look_for(int folder, const char *name, bool *there) {
+    struct stat s;
+    *there = fstatat(folder, name, &s, AT_SYMLINK_NOFOLLOW) == 0;
+    return *there || errno == ENOENT ? 0 : errno;
+}
+
 bool wcut_journal_is_there(int folder) { return is_there(folder, FORWARD) || is_there(folder, BACK); }
 
 static int open_folder(int folder, const char *name) {
@@ -162,10 +169,12 @@ static int keep_old(int folder, int inside, const wcut_journal *journal) {
 }
 
 int wcut_journal_begin(int folder, int inside, const char *temporary, wcut_journal *journal) {
-    for (int k = 0; k < journal->count; k++) journal->entry[k].had = is_there(folder, journal->entry[k].name);
+    int code = 0;
+    for (int k = 0; k < journal->count && code == 0; k++)
+        code = look_for(folder, journal->entry[k].name, &journal->entry[k].had);
 
     /* everything that the way back needs is on disk before the set counts */
-    int code = keep_old(folder, inside, journal);
+    if (code == 0) code = keep_old(folder, inside, journal);
     if (code == 0) code = write_manifest(inside, journal);
     if (code == 0) code = wcut_folder_sync(inside);
     if (code) return code;
@@ -190,9 +199,11 @@ static int remove_file(int folder, const char *name) {
 
 static int go_forward(int folder, int inside, const wcut_journal *journal) {
     const wcut_journal_entry *voucher = &journal->entry[journal->count - 1];
-    if (!is_there(inside, voucher->name)) return 0; /* it comes last: all of it is out */
+    bool inside_still;
+    int code = look_for(inside, voucher->name, &inside_still);
+    if (code || !inside_still) return code; /* it comes last: all of it is out */
 
-    int code = remove_file(folder, voucher->name);
+    code = remove_file(folder, voucher->name);
     for (int k = 0; k < journal->count - 1 && code == 0; k++) {
         const wcut_journal_entry *e = &journal->entry[k];
         code = e->remove ? remove_file(folder, e->name) : move_out(inside, folder, e->name);
@@ -210,8 +221,11 @@ static int go_back(int folder, int inside, const wcut_journal *journal) {
         const wcut_journal_entry *e = &journal->entry[k];
         if (e->had)
             code = old < 0 ? 0 : move_out(old, folder, e->name);
-        else if (!is_there(inside, e->name))
-            code = remove_file(folder, e->name);
+        else {
+            bool inside_still;
+            code = look_for(inside, e->name, &inside_still);
+            if (code == 0 && !inside_still) code = remove_file(folder, e->name);
+        }
     }
     if (old >= 0) close(old);
     return code ? code : wcut_folder_sync(folder);
