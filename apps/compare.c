@@ -153,6 +153,10 @@ static int read_options(const app_call *call, app_compare_options *o) {
     if (app_given(call, "support")) o->support = app_real(call, "support");
     o->scans.unit = (wcut_length_unit)app_choice(call, "unit");
     o->scans.columns = app_text(call, "columns");
+    o->part = app_text(call, "part");
+    o->inspector = app_text(call, "inspector");
+    o->instrument = app_text(call, "instrument");
+    o->date = app_text(call, "date");
     if (app_given(call, "force-law")) o->force_law = app_text(call, "force-law");
     o->reference_unit =
         app_given(call, "reference-unit") ? (wcut_length_unit)app_choice(call, "reference-unit") : o->scans.unit;
@@ -324,6 +328,10 @@ static const app_option option[] = {
      .name = "reference-unit",
      .value = "mm|cm|m|inch|ft|dm|um",
      .help = "unit of the mesh alone, where it is not that of the scans"},
+    {.kind = APP_TEXT, .name = "part", .value = "TEXT", .help = "title block of the report: what was measured"},
+    {.kind = APP_TEXT, .name = "inspector", .value = "TEXT", .help = "title block: who measured it"},
+    {.kind = APP_TEXT, .name = "instrument", .value = "TEXT", .help = "title block: with which instrument"},
+    {.kind = APP_TEXT, .name = "date", .value = "TEXT", .help = "title block: when it was measured"},
     {.kind = APP_TEXT,
      .name = "columns",
      .value = "X,Y,Z",

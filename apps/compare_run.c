@@ -206,6 +206,14 @@ static int prepare(app_comparison *c, app_results *results) {
     const double spacing = spacing_of(c);
     c->support = c->options.support > 0 ? c->options.support : fmax(1.5, 2.5 * spacing);
     if (status == WCUT_OK) status = begin_survey(c, FOUND);
+
+    /* a face of too many zones: a vertex far from the others, or another unit */
+    const wcut_vec3 *low = &c->reference.low, *high = &c->reference.high;
+    if (status == WCUT_BAD_ARGUMENT)
+        return app_fail(APP_BAD_INPUT,
+                        "%s: found a face from (%.6g, %.6g, %.6g) to (%.6g, %.6g, %.6g) mm, too large for its zones: a "
+                        "stray vertex, or another --reference-unit?",
+                        c->reference.path, low->x, low->y, low->z, high->x, high->y, high->z);
     if (status == WCUT_OK && c->options.method != WCUT_REGISTRATION_METHOD_NONE) status = begin_survey(c, UNMOVED);
     if (status == WCUT_OK) status = make_map(c);
     const size_t count = (size_t)c->scans.count;
@@ -418,6 +426,12 @@ static int conclude(app_comparison *c) {
     if (found->statistics.count == 0) return refuse_elsewhere(c);
     c->found = (wcut_compared){.reference = c->reference.path,
                                .distance = distance[c->reference.distance],
+                               .part = c->options.part,
+                               .inspector = c->options.inspector,
+                               .instrument = c->options.instrument,
+                               .date = c->options.date,
+                               .datum_file = c->options.datum_path,
+                               .cleaning = c->options.scans.cleaned ? &c->options.scans.clean : NULL,
                                .scans = c->scans.files,
                                .scan = c->scans.scan,
                                .registration = &c->registration,

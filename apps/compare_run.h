@@ -21,7 +21,8 @@ typedef struct app_compare_options {
     app_scan_options scans;
     wcut_registration_method method;
     wcut_registration_options registration;
-    const char *datum_path; /* NULL: none */
+    const char *datum_path;                           /* NULL: none */
+    const char *part, *inspector, *instrument, *date; /* the title block; NULL: not given */
     int bands;
     double band[WCUT_BANDS_MAX]; /* [mm] ascending */
     double tolerance, share;     /* [mm], [1]; tolerance 0: no gate */

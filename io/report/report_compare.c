@@ -11,7 +11,7 @@
 #include "io/report/page_memory.h"
 #include "io/report/report_scan.h"
 
-enum { LINES_MAX = WCUT_WORST_MAX + 2, FACTS_MAX = 16, FIGURES = 27, TEXT = 96 };
+enum { LINES_MAX = WCUT_WORST_MAX + 2, FACTS_MAX = 24, FIGURES = 27, TEXT = 96 };
 
 /* what the page borrows: rows of tables, columns of charts */
 typedef struct page {
@@ -242,6 +242,12 @@ static int list_facts(const page *p, wcut_report_fact *fact) {
     const wcut_compared *f = p->c;
     const wcut_deviation_summary_result *r = f->found;
     int n = 0;
+
+    /* the title block first */
+    if (f->part) fact[n++] = (wcut_report_fact){"part", f->part, 0, ""};
+    if (f->inspector) fact[n++] = (wcut_report_fact){"inspector", f->inspector, 0, ""};
+    if (f->instrument) fact[n++] = (wcut_report_fact){"instrument", f->instrument, 0, ""};
+    if (f->date) fact[n++] = (wcut_report_fact){"date", f->date, 0, ""};
     fact[n++] = (wcut_report_fact){"deviations", NULL, r->statistics.count, ""};
     fact[n++] = (wcut_report_fact){"points outside", NULL, r->place[WCUT_PLACE_BEYOND], ""};
     fact[n++] = (wcut_report_fact){"RMS", NULL, r->statistics.rms, "mm"};
@@ -274,6 +280,16 @@ static int list_options(const page *p, wcut_report_fact *option) {
     option[n++] = (wcut_report_fact){"border", NULL, of->border, "mm"};
     option[n++] = (wcut_report_fact){"side of a cell", NULL, p->c->found->split.cell, "mm"};
     if (p->c->reconstruction) option[n++] = (wcut_report_fact){"reconstruction", p->c->reconstruction_method, 0, ""};
+
+    /* what the motion came from, and what was removed before */
+    const wcut_clean_options *clean = p->c->cleaning;
+    if (p->c->datum_file) option[n++] = (wcut_report_fact){"file of datums", p->c->datum_file, 0, ""};
+    if (clean && clean->duplicate >= 0) option[n++] = (wcut_report_fact){"equal points", "once each", 0, ""};
+    if (clean && clean->radius > 0)
+        option[n++] = (wcut_report_fact){"isolated points removed within", NULL, clean->radius, "mm"};
+    if (clean && clean->neighbours > 0)
+        option[n++] = (wcut_report_fact){"outliers removed beyond deviations", NULL, clean->deviations, ""};
+    if (clean && clean->voxel > 0) option[n++] = (wcut_report_fact){"scan thinned to", NULL, clean->voxel, "mm"};
     if (of->spacing > 0) option[n++] = (wcut_report_fact){"view thinned to", NULL, of->spacing, "mm"};
     return n;
 }

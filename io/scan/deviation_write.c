@@ -75,6 +75,35 @@ static void put_known(wcut_text *text, const char *before, bool is_known, double
         put(text, "null");
 }
 
+static void put_text_or_null(wcut_text *text, const char *before, const char *string) {
+    if (string)
+        put_string(text, before, string);
+    else
+        wcut_text_print(text, "%snull", before);
+}
+
+/* the title block, and what was done to the scan before it was compared */
+static void put_provenance(wcut_text *text, const wcut_compared *c) {
+    put_text_or_null(text, ",\n  \"title\": {\"part\": ", c->part);
+    put_text_or_null(text, ", \"inspector\": ", c->inspector);
+    put_text_or_null(text, ", \"instrument\": ", c->instrument);
+    put_text_or_null(text, ", \"date\": ", c->date);
+    put_text_or_null(text, "},\n  \"datum_file\": ", c->datum_file);
+    put(text, ",\n  \"cleaning\": ");
+    const wcut_clean_options *o = c->cleaning;
+    if (!o) {
+        put(text, "null");
+        return;
+    }
+
+    /* each null where that removes nothing */
+    put(text, o->duplicate >= 0 ? "{\"duplicates\": true" : "{\"duplicates\": false");
+    put_known(text, ", \"isolated_mm\": ", o->radius > 0, o->radius);
+    put_known(text, ", \"outlier_deviations\": ", o->neighbours > 0, o->deviations);
+    put_known(text, ", \"thinned_mm\": ", o->voxel > 0, o->voxel);
+    put(text, "}");
+}
+
 static void put_datums(wcut_text *text, int count, const wcut_datum_residual *datum) {
     put(text, ",\n    \"datums\": [");
     for (int k = 0; k < count; k++) {
@@ -273,6 +302,7 @@ static void put_document(wcut_text *t, const wcut_compared *c) {
     put_string(t, ",\n  \"reference\": ", c->reference);
     put_string(t, ",\n  \"distance\": ", c->distance);
     put_scans(t, c);
+    put_provenance(t, c);
     put_points(t, c);
     put_registration(t, c);
 

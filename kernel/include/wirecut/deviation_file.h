@@ -27,7 +27,11 @@ typedef struct wcut_compared_scan {
 typedef struct wcut_compared {
     const char *reference; /**< the job or the mesh */
     const char *distance;  /**< how distances were taken: "surface", "mesh", "reconstruction" */
-    int scans;             /**< 1 or more */
+    /** the title block of a report: what was measured, by whom, with what, when; NULL where it is not given */
+    const char *part, *inspector, *instrument, *date;
+    const char *datum_file;             /**< NULL: none */
+    const wcut_clean_options *cleaning; /**< NULL: nothing was to be removed */
+    int scans;                          /**< 1 or more */
     const wcut_compared_scan *scan;
     int removed[WCUT_REMOVAL_COUNT]; /**< by cause; removed[WCUT_REMOVAL_KEPT] points were compared */
     const wcut_registration *registration;

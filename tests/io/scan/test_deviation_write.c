@@ -102,6 +102,24 @@ TEST(a_comparison_says_what_the_format_asks_for) {
     forget();
 }
 
+TEST(a_title_block_and_the_cleaning_are_told) {
+    wcut_compared c = given_comparison();
+    wcut_clean_options cleaning = wcut_clean_options_default();
+    char *text = NULL;
+    cleaning.radius = 3, cleaning.neighbours = 0;
+    c.part = "P \"7\"", c.date = "2026-11-30", c.datum_file = "d.csv", c.cleaning = &cleaning;
+    ck_assert_int_eq(wcut_deviation_print(&c, &text), WCUT_OK);
+    json_t *root = json_loads(text, JSON_REJECT_DUPLICATES, NULL);
+    ck_assert_str_eq(json_string_value(at(root, "title.part")), "P \"7\"");
+    ck_assert_str_eq(json_string_value(at(root, "title.date")), "2026-11-30");
+    ck_assert(json_is_null(at(root, "title.inspector")) && json_is_null(at(root, "title.instrument")));
+    ck_assert_str_eq(json_string_value(at(root, "datum_file")), "d.csv");
+    ck_assert(json_is_true(at(root, "cleaning.duplicates")) && number(root, "cleaning.isolated_mm") == 3);
+    ck_assert(json_is_null(at(root, "cleaning.outlier_deviations")) && json_is_null(at(root, "cleaning.thinned_mm")));
+    json_decref(root);
+    free(text);
+}
+
 TEST(bad_comparisons_are_refused) {
     char *text = (char *)999;
     const wcut_compared good = given_comparison();
