@@ -220,6 +220,12 @@ public unsafe struct wcut_compared
 {
     public byte* reference;
     public byte* distance;
+    public byte* part;
+    public byte* inspector;
+    public byte* instrument;
+    public byte* date;
+    public byte* datum_file;
+    public wcut_clean_options* cleaning;
     public int scans;
     public wcut_compared_scan* scan;
     public fixed int removed[5];
