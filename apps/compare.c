@@ -139,6 +139,7 @@ static int read_options(const app_call *call, app_compare_options *o) {
     }
     const long processors = sysconf(_SC_NPROCESSORS_ONLN);
     *o = (app_compare_options){.reference = call->operand[0],
+                               .call = call,
                                .files = call->operand_count - 1,
                                .scan = call->operand + 1,
                                .quiet = app_given(call, "quiet"),
@@ -319,6 +320,7 @@ static const app_operand operand[] = {
 
 static const app_option option[] = {
     APP_OPTION_OUTPUT,
+    APP_OPTION_EDGES,
     {.kind = APP_CHOICE,
      .name = "unit",
      .value = "mm|cm|m|inch|ft|dm|um",

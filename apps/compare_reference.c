@@ -31,15 +31,15 @@ static const char *const cad_ending[] = {".step", ".stp", ".iges", ".igs", NULL}
 
 /* ---- a job ---- */
 
-static int simulate(app_reference *r, const char *force_law, bool quiet) {
+static int simulate(app_reference *r, const app_reference_options *o) {
     wcut_error error = {0};
-    const int code = app_job_load(NULL, r->path, &r->job);
+    const int code = app_job_load(o->call, r->path, &r->job);
     if (code != APP_DONE) return code;
-    wcut_status status = force_law ? wcut_job_read_force_law(r->job, force_law, &error) : WCUT_OK;
-    if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : force_law, &error);
+    wcut_status status = o->force_law ? wcut_job_read_force_law(r->job, o->force_law, &error) : WCUT_OK;
+    if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : o->force_law, &error);
     status = wcut_setup_create(r->job, NULL, &r->setup, &error);
     if (status != WCUT_OK) return app_fail_status(status, r->path, &error);
-    app_progress progress = app_progress_begin(quiet);
+    app_progress progress = app_progress_begin(o->quiet);
     status = wcut_setup_run(r->setup, app_progress_step, &progress, &r->history, &error);
     app_progress_end(&progress);
     /* half a face would be compared with a whole scan */
@@ -58,13 +58,13 @@ static wcut_status make_face(app_reference *r, wcut_error *error) {
     return status;
 }
 
-static int load_job(app_reference *r, const char *force_law, double chord_tolerance, bool quiet) {
+static int load_job(app_reference *r, const app_reference_options *o) {
     wcut_error error = {0};
-    int code = simulate(r, force_law, quiet);
+    int code = simulate(r, o);
     if (code != APP_DONE) return code;
     wcut_status status = make_face(r, &error);
     if (status == WCUT_OK && r->distance == APP_TO_MESH) {
-        status = wcut_surface_tessellate(r->face->surface, chord_tolerance, &r->mesh, NULL);
+        status = wcut_surface_tessellate(r->face->surface, o->chord_tolerance, &r->mesh, NULL);
         if (status == WCUT_OK) status = wcut_mesh_tree_create(r->mesh, &r->tree);
     }
     if (status != WCUT_OK) return app_fail_status(status, r->path, &error);
@@ -151,8 +151,9 @@ int app_reference_load(app_reference *reference, const app_reference_options *op
                         path);
     r->is_job = is_job(path);
     r->options.flip = options->flip;
-    const int code = r->is_job ? load_job(r, options->force_law, options->chord_tolerance, options->quiet)
-                               : load_mesh(r, options->unit);
+    if (!r->is_job && options->call && app_given(options->call, "edges"))
+        return app_fail(APP_BAD_INPUT, "%s: --edges: expected a design, found no job", options->path);
+    const int code = r->is_job ? load_job(r, options) : load_mesh(r, options->unit);
     if (code != APP_DONE) return code;
     if (!r->is_job && options->distance == APP_TO_SURFACE) r->distance = APP_TO_MESH;
     r->plan = (r->high.x - r->low.x) * (r->high.y - r->low.y);

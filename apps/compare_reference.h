@@ -5,6 +5,8 @@
 #include <stdbool.h>
 #include <wirecut/wirecut.h>
 
+#include "command.h"
+
 /* how distances are taken */
 typedef enum app_distance { APP_TO_SURFACE, APP_TO_MESH, APP_TO_RECONSTRUCTION } app_distance;
 
@@ -34,6 +36,7 @@ typedef struct app_reference {
 typedef struct app_reference_options {
     const char *path;
     const char *force_law; /* of a job: a file, or NULL */
+    const app_call *call;  /* whose options change a job; may be NULL */
     app_distance distance;
     double chord_tolerance; /* [mm] of a job's triangles */
     wcut_length_unit unit;  /* of a mesh */

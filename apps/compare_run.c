@@ -466,6 +466,7 @@ int app_comparison_run(app_comparison *comparison, const app_compare_options *op
     const app_compare_options *o = &c->options;
     const app_reference_options reference = {.path = o->reference,
                                              .force_law = o->force_law,
+                                             .call = o->call,
                                              .distance = o->distance,
                                              .chord_tolerance = o->chord_tolerance,
                                              .unit = o->reference_unit,

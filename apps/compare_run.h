@@ -11,6 +11,7 @@
 /* what is asked for */
 typedef struct app_compare_options {
     const char *reference;
+    const app_call *call; /* whose options change a job; may be NULL */
     int files;
     const char **scan;
     bool quiet, flip;

@@ -106,35 +106,23 @@ static wcut_status simulate_job(loop *l, wcut_setup **setup, wcut_history **hist
     return status;
 }
 
-/* a design's path curves as the path of the job */
-static wcut_status take_path(loop *l, const wcut_setup *setup, const wcut_history *h, wcut_error *error) {
-    const size_t m = (size_t)h->stations;
-    wcut_vec3 *a = calloc(m, sizeof *a), *b = calloc(m, sizeof *b);
-    wcut_status status = a && b ? WCUT_OK : WCUT_NO_MEMORY;
-    if (status == WCUT_OK) status = wcut_history_path(setup, h, a, b, &l->job->wire_length, error);
-    if (status != WCUT_OK) {
-        free(a);
-        free(b);
-        return status;
-    }
-    l->job->mode = WCUT_MODE_PATH;
-    l->job->stations = h->stations;
-    l->job->mount_a = a;
-    l->job->mount_b = b;
+/* a design's path as the job */
+static wcut_status take_path(loop *l, wcut_error *error) {
+    wcut_setup *setup = NULL;
+    wcut_job *path = NULL;
+    wcut_status status = wcut_setup_create(l->job, NULL, &setup, error);
+    if (status == WCUT_OK) status = wcut_setup_path_job(setup, &path);
+    wcut_setup_destroy(setup);
+    if (status != WCUT_OK) return status;
+    wcut_job_destroy(l->job);
+    l->job = path;
     return WCUT_OK;
 }
 
 static wcut_status simulate(loop *l, wcut_error *error) {
     wcut_setup *setup = NULL;
     wcut_status status = WCUT_OK;
-    if (l->job->mode == WCUT_MODE_DESIGN) {
-        wcut_history *design = NULL;
-        status = simulate_job(l, &setup, &design, error);
-        if (status == WCUT_OK) status = take_path(l, setup, design, error);
-        wcut_history_destroy(design);
-        wcut_setup_destroy(setup);
-        setup = NULL;
-    }
+    if (l->job->mode == WCUT_MODE_DESIGN) status = take_path(l, error);
     if (status == WCUT_OK) status = simulate_job(l, &setup, &l->history, error);
     wcut_setup_destroy(setup);
     return status;
@@ -293,6 +281,7 @@ static const app_operand operand[] = {
 
 static const app_option option[] = {
     APP_OPTION_OUTPUT,
+    APP_OPTION_EDGES,
     {.kind = APP_TEXT,
      .name = "disturb",
      .value = "KEY:X,...",

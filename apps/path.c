@@ -20,6 +20,7 @@ typedef struct export_ {
     wcut_setup *setup;
     wcut_history *history;
     wcut_vec3 *mount_a, *mount_b; /* one block */
+    double length;                /* [mm] of the wire from mount to mount */
     wcut_robot_motion *motion;
     wcut_robot_check check[WCUT_ROBOT_CHECKS];
     wcut_path_near near[2]; /* the mounts' paths and the block */
@@ -46,7 +47,6 @@ static int load(export_ *e) {
 /* a cut that does not reach its end is no program */
 static int run(export_ *e) {
     wcut_error error = {0};
-    double length;
     app_progress progress = app_progress_begin(app_given(e->call, "quiet"));
     wcut_status status = wcut_setup_run(e->setup, app_progress_step, &progress, &e->history, &error);
     app_progress_end(&progress);
@@ -55,19 +55,37 @@ static int run(export_ *e) {
     e->mount_a = calloc(2 * stations, sizeof *e->mount_a);
     if (!e->mount_a) return app_fail_status(WCUT_NO_MEMORY, e->path, NULL);
     e->mount_b = e->mount_a + stations;
-    status = wcut_history_path(e->setup, e->history, e->mount_a, e->mount_b, &length, &error);
+    status = wcut_history_path(e->setup, e->history, e->mount_a, e->mount_b, &e->length, &error);
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, e->path, &error);
 }
 
-/* how near the mounts' paths come to the block, between the stations too */
+/* A program must not end with the hot wire in the foam: only a lead-out can take it out behind the path. */
+static int check_end(const export_ *e) {
+    const wcut_history_row *last = &e->history->row[e->history->stations - 1];
+    if (!(last->engaged_length > 0) || app_real(e->call, "lead-out") > 0) return APP_DONE;
+    return app_fail(APP_BAD_INPUT,
+                    "%s: station %d, the last: %.4g mm of the wire are in the foam; expected a path that goes on until "
+                    "the wire has left the block, or --lead-out",
+                    e->path, e->history->stations - 1, last->engaged_length);
+}
+
+/* How near the mounts' ways come to the block, between the stations too, with their leads. */
 static int approach(export_ *e) {
     const wcut_box block = {{0, 0, 0}, e->job->block_size};
-    for (int k = 0; k < 2; k++) {
-        const wcut_status status =
-            wcut_path_clearance(e->history->stations, k ? e->mount_b : e->mount_a, &block, CLEARANCE_MM, &e->near[k]);
-        if (status != WCUT_OK) return app_fail_status(status, e->path, NULL);
+    const wcut_robot_motion *m = e->motion;
+    const int in = m->target[0].station == -1, out = m->target[m->count - 1].station == -2;
+    const int stations = e->history->stations, count = in + stations + out;
+    wcut_vec3 *way = calloc((size_t)count, sizeof *way);
+    wcut_status status = way ? WCUT_OK : WCUT_NO_MEMORY;
+    for (int k = 0; k < 2 && status == WCUT_OK; k++) {
+        if (in) way[0] = k ? m->target[0].b : m->target[0].a;
+        memcpy(way + in, k ? e->mount_b : e->mount_a, (size_t)stations * sizeof *way);
+        if (out) way[count - 1] = k ? m->target[m->count - 1].b : m->target[m->count - 1].a;
+        status = wcut_path_clearance(count, way, &block, CLEARANCE_MM, &e->near[k]);
+        e->near[k].station -= in; /* a lead-in lies before station 0 */
     }
-    return APP_DONE;
+    free(way);
+    return status == WCUT_OK ? APP_DONE : app_fail_status(status, e->path, NULL);
 }
 
 static void choose(const app_call *call, const char *option, double unit, double *to) {
@@ -87,12 +105,19 @@ static int make_motion(export_ *e) {
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, e->path, &error);
 }
 
-static int check_limits(export_ *e) {
+static wcut_robot_limits limits_of(const export_ *e) {
     wcut_robot_limits l = wcut_robot_limits_default(e->job);
     choose(e->call, "speed", 1, &l.speed);
     choose(e->call, "acceleration", 1, &l.acceleration);
     choose(e->call, "alpha", WCUT_RAD_PER_DEG, &l.alpha);
     choose(e->call, "beta", WCUT_RAD_PER_DEG, &l.beta);
+    choose(e->call, "cold-strength", 1, &l.cold_strength);
+    choose(e->call, "hot-strength", 1, &l.hot_strength);
+    return l;
+}
+
+static int check_limits(export_ *e) {
+    const wcut_robot_limits l = limits_of(e);
     wcut_status status = wcut_robot_limits_check(e->job, e->history, e->mount_a, e->mount_b, &l, e->check);
     if (status != WCUT_OK)
         return app_fail(app_exit_code(status), "%s: limits: the wire exceeds 3000 degC, expected less", e->path);
@@ -119,13 +144,28 @@ static void name_results(wcut_robot_format format, const char *name[4]) {
     name[count + 1] = NULL;
 }
 
+/* a procedure's name: as given, none, or the default */
+static const char *hook(const app_call *call, const char *option, const char *otherwise) {
+    if (!app_given(call, option)) return otherwise;
+    return strcmp(app_text(call, option), "none") == 0 ? NULL : app_text(call, option);
+}
+
 static int write_programs(export_ *e) {
     wcut_error error = {0};
     wcut_robot_names names = wcut_robot_names_default();
     names.title = e->job->name;
     names.sync_io = app_int(e->call, "sync-io");
-    if (app_given(e->call, "wire-on")) names.wire_on = app_text(e->call, "wire-on");
-    if (app_given(e->call, "wire-off")) names.wire_off = app_text(e->call, "wire-off");
+    names.wire_on = hook(e->call, "wire-on", names.wire_on);
+    names.wire_off = hook(e->call, "wire-off", names.wire_off);
+
+    /* what the moves keep that have no time of their own, and what the cell sets */
+    const wcut_robot_limits l = limits_of(e);
+    if (names.approach_speed > l.speed) names.approach_speed = l.speed;
+    names.approach_acceleration = l.acceleration;
+    names.preheat = app_real(e->call, "preheat");
+    names.heat = e->job->heat;
+    names.tension = e->job->tension;
+    names.wire_length = e->length;
     int code = APP_DONE;
     for (int robot = 0; robot < 2 && code == APP_DONE; robot++) {
         const char *name = wcut_robot_file_name(e->format, robot);
@@ -193,8 +233,9 @@ static int path(const app_call *call) {
     name_results(e.format, name);
     if (code == APP_DONE) app_catch_interrupts();
     if (code == APP_DONE) code = run(&e);
-    if (code == APP_DONE) code = approach(&e);
+    if (code == APP_DONE) code = check_end(&e);
     if (code == APP_DONE) code = make_motion(&e);
+    if (code == APP_DONE) code = approach(&e);
     if (code == APP_DONE) code = check_limits(&e);
     if (code == APP_DONE) code = app_results_begin(&e.results, app_text(call, "output"), name);
     if (code == APP_DONE) code = write_results(&e);
@@ -269,6 +310,13 @@ static const app_option option[] = {
      .library = path_lead_out,
      .help = "length of a straight lead-out after the path, mm"},
     {.kind = APP_REAL,
+     .name = "preheat",
+     .value = "S",
+     .low = 0,
+     .high = 3600,
+     .standard = "0",
+     .help = "time that the wire is heated for at the first target before both robots start, s"},
+    {.kind = APP_REAL,
      .name = "zone",
      .value = "MM",
      .low = 0,
@@ -323,6 +371,21 @@ static const app_option option[] = {
      .high = 90,
      .library = path_beta,
      .help = "largest beta of the head, deg"},
+    {.kind = APP_REAL,
+     .name = "cold-strength",
+     .value = "MPA",
+     .low = 1,
+     .high = 1e4,
+     .standard = "725",
+     .help = "tensile strength of the wire at 20 degC, MPa; default: Kanthal A, maker's data sheet"},
+    {.kind = APP_REAL,
+     .name = "hot-strength",
+     .value = "MPA",
+     .low = 1,
+     .high = 1e4,
+     .standard = "37",
+     .help =
+         "tensile strength of the wire at 900 degC, MPa; default: Kanthal A, maker's data sheet; exponential between"},
     {.kind = APP_FLAG,
      .name = "strict",
      .help = "treat an exceeded limit as an error: nothing is written, the exit code is 5"},

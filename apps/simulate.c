@@ -13,8 +13,9 @@
 #define FORMATS "vtp,stl,obj,ply,glb,csv,step"
 
 /* What a run may leave in its folder, in the order written. */
-static const char *const result_name[] = {"history.vtp", "surface.stl",  "surface.obj", "surface.ply",  "surface.glb",
-                                          "path.csv",    "surface.step", "report.html", "summary.json", NULL};
+static const char *const result_name[] = {"history.vtp", "surface.stl",  "surface.obj",   "surface.ply", "surface.glb",
+                                          "path.csv",    "surface.step", "job-path.json", "report.html", "summary.json",
+                                          NULL};
 
 typedef struct simulation {
     const app_call *call;
@@ -167,6 +168,17 @@ static int write_path(simulation *s) {
     return code;
 }
 
+/* what a design became: the job of both mounts' way, for whoever takes paths alone */
+static int write_path_job(simulation *s) {
+    wcut_error error = {0};
+    const char *name = "job-path.json";
+    wcut_job *path = NULL;
+    wcut_status status = wcut_setup_path_job(s->setup, &path);
+    if (status == WCUT_OK) status = wcut_job_write(path, app_results_path(&s->results, name), &error);
+    wcut_job_destroy(path);
+    return app_results_add(&s->results, name, status, &error);
+}
+
 static int write_report(simulation *s) {
     wcut_error error = {0};
     const char *name = "report.html";
@@ -185,6 +197,8 @@ static int write_results(simulation *s) {
     int code = write_history(s);
     if (code == APP_DONE && surface) code = write_surface(s);
     if (code == APP_DONE && surface) code = write_path(s);
+    const bool whole = s->history->stations == s->history->planned;
+    if (code == APP_DONE && whole && s->job->mode == WCUT_MODE_DESIGN) code = write_path_job(s);
     if (code == APP_DONE) code = write_report(s);
     if (code != APP_DONE) return code;
     char *text = NULL;
@@ -204,6 +218,19 @@ static void say_effects(const wcut_job *job) {
     }
 }
 
+/* one word and its reason */
+static void say_feasibility(const simulation *s) {
+    const size_t stations = (size_t)s->history->stations;
+    wcut_feasibility v;
+    double length;
+    wcut_vec3 *way = calloc(2 * stations, sizeof *way);
+    if (way && wcut_history_path(s->setup, s->history, way, way + stations, &length, NULL) == WCUT_OK &&
+        wcut_feasibility_eval(s->job, s->history, way, way + stations, NULL, &v, NULL) == WCUT_OK)
+        app_say("%s%s: %s", v.verdict == WCUT_FEASIBILITY_VERDICT_INFEASIBLE ? "warning: " : "",
+                wcut_feasibility_name(v.verdict), v.reason);
+    free(way);
+}
+
 static int say_summary(const simulation *s) {
     wcut_summary sum;
     const wcut_status status = wcut_summary_eval(s->history, &sum);
@@ -212,6 +239,7 @@ static int say_summary(const simulation *s) {
             s->history->planned, sum.duration, sum.speed.min, sum.speed.max);
     app_say("largest residual %.1e, %.1f iterations per station", sum.residual_max, sum.iterations_mean);
     say_effects(s->job);
+    say_feasibility(s);
     app_say("in %s: %s", s->results.folder, app_results_list(&s->results));
     return APP_DONE;
 }
@@ -257,6 +285,7 @@ static const app_operand operand[] = {
 
 static const app_option option[] = {
     APP_OPTION_OUTPUT,
+    APP_OPTION_EDGES,
     {.kind = APP_CHOICE,
      .name = "integrator",
      .value = "implicit|heun",

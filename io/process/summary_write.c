@@ -1,6 +1,7 @@
 /* "wirecut-summary/1": a cut in a few figures. */
 #include <math.h>
 #include <stdlib.h>
+#include <wirecut/feasibility.h>
 #include <wirecut/summary.h>
 #include <wirecut/version.h>
 #include <wirecut/write.h>
@@ -78,6 +79,25 @@ static void put_figures(wcut_text *text, const wcut_summary *s) {
     put_counts(text, s);
 }
 
+/* the verdict by the default limits, from the mounts' ways */
+static bool put_feasibility(wcut_text *text, const wcut_setup *setup, const wcut_history *h) {
+    wcut_feasibility v;
+    double length;
+    wcut_vec3 *way = calloc(2 * (size_t)h->stations, sizeof *way);
+    if (!way) return false;
+    wcut_status status = wcut_history_path(setup, h, way, way + h->stations, &length, NULL);
+    if (status == WCUT_OK)
+        status = wcut_feasibility_eval(wcut_setup_job(setup), h, way, way + h->stations, NULL, &v, NULL);
+    free(way);
+    if (status != WCUT_OK) return true; /* no limits for such a wire: nothing is said */
+    wcut_text_print(text, ",\n  \"feasibility\": {\"verdict\": \"%s\", \"reason\": ", wcut_feasibility_name(v.verdict));
+    wcut_text_string(text, v.reason);
+    if (v.station >= 0) wcut_text_print(text, ", \"station\": %d", v.station);
+    if (isfinite(v.radius_min)) wcut_text_put_number(text, ", \"radius_min_mm\": ", v.radius_min);
+    wcut_text_print(text, "}");
+    return true;
+}
+
 static bool are_usable(const wcut_setup *setup, const wcut_history *h) {
     if (!setup || !wcut_history_is_usable(h) || !h->force_line) return false;
     for (size_t i = 0; i < (size_t)h->stations * (size_t)h->nodes; i++)
@@ -92,6 +112,10 @@ static wcut_status print_summary(const wcut_setup *setup, const wcut_history *h,
     if (wcut_summary_eval(h, &summary) != WCUT_OK || !wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
     put_head(&out, setup, h);
     put_figures(&out, &summary);
+    if (!put_feasibility(&out, setup, h)) {
+        wcut_text_destroy(&out);
+        return WCUT_NO_MEMORY;
+    }
     wcut_text_print(&out, "\n}\n");
     return wcut_text_finish(&out, text, length);
 }

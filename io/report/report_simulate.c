@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <wirecut/angle.h>
 #include <wirecut/curvature.h>
+#include <wirecut/feasibility.h>
 #include <wirecut/report_pages.h>
 
 #include "base/fail.h"
@@ -39,6 +40,8 @@ typedef struct page {
     wcut_vec3 *mount_a, *mount_b; /* stations; none without a surface */
     double *force, *curvature;    /* stations x nodes; none without a surface */
     char verdict[512], block[96], hash[WCUT_SHA256_TEXT];
+    double *share; /* measures x stations; NULL: not judged */
+    wcut_feasibility feasibility;
 } page;
 
 /* ---- what is copied ---- */
@@ -111,7 +114,16 @@ static wcut_status fill(page *p, const wcut_setup *setup, wcut_error *error) {
     if (h->stations < 2) return WCUT_OK;
     double length;
     status = wcut_history_path(setup, h, p->mount_a, p->mount_b, &length, error);
-    return status ? status : fill_curvature(p);
+    if (status) return status;
+
+    /* by the default limits; a wire beyond their range is not judged */
+    p->share = calloc(stations * WCUT_FEASIBILITY_MEASURE_COUNT, sizeof *p->share);
+    if (!p->share) return WCUT_NO_MEMORY;
+    if (wcut_feasibility_eval(p->job, h, p->mount_a, p->mount_b, NULL, &p->feasibility, p->share) != WCUT_OK) {
+        free(p->share);
+        p->share = NULL;
+    }
+    return fill_curvature(p);
 }
 
 static void clear(page *p) {
@@ -120,6 +132,7 @@ static void clear(page *p) {
     free(p->curvature);
     free(p->mount_a);
     free(p->mount_b);
+    free(p->share);
 }
 
 /* ---- what is said ---- */
@@ -134,8 +147,9 @@ static wcut_report_tone judge(page *p) {
 
     /* the worst news is the verdict */
     if (p->run->ended || h->stations < h->planned) {
-        snprintf(p->verdict, sizeof p->verdict, "The cut ends early, after station %d of 0 to %d and %.1f s: %s.",
-                 h->stations - 1, h->planned - 1, last->time, wcut_status_text(p->run->ended));
+        snprintf(p->verdict, sizeof p->verdict, "The cut ends early, after station %d of 0 to %d and %.1f s: %.300s.",
+                 h->stations - 1, h->planned - 1, last->time,
+                 h->ended.text[0] ? h->ended.text : wcut_status_text(p->run->ended));
         return WCUT_REPORT_TONE_BAD;
     }
 
@@ -218,7 +232,32 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
         chart("Wire in the foam", "length", "mm", 1, &engaged, spans, span)};
     const wcut_report_chart solver[SOLVER_CHARTS] = {chart("Iterations", "iterations", "", 1, &steps, spans, span),
                                                      chart("Residual", "residual", "", 1, &residual, spans, span)};
+
+    /* every figure of every station over its limit */
+    static const char *const row_name[WCUT_FEASIBILITY_MEASURE_COUNT] = {"speed", "alpha", "beta", "turn of the wire",
+                                                                         "stress of the wire"};
+    static const int row_first[WCUT_FEASIBILITY_MEASURE_COUNT] = {0, 1, 2, 3, 4};
+    static const double row_at[WCUT_FEASIBILITY_MEASURE_COUNT] = {0, 1, 2, 3, 4};
+    const wcut_report_map map = {.title = "Share of each limit",
+                                 .note = p->feasibility.reason,
+                                 .x_label = "station",
+                                 .x_unit = "",
+                                 .y_label = "limit",
+                                 .y_unit = "",
+                                 .label = "value over limit",
+                                 .unit = "",
+                                 .columns = h->stations,
+                                 .rows = WCUT_FEASIBILITY_MEASURE_COUNT,
+                                 .x = p->column[STATION],
+                                 .y = row_at,
+                                 .value = p->share,
+                                 .scale = WCUT_REPORT_SCALE_SEQUENTIAL,
+                                 .limit = 1,
+                                 .bands = WCUT_FEASIBILITY_MEASURE_COUNT,
+                                 .band = row_first,
+                                 .band_label = row_name};
     const wcut_report_section section[] = {
+        {.title = "Feasibility", .map_count = p->share ? 1 : 0, .map = &map},
         {.title = "Along the cut", .chart_count = CHARTS, .chart = along},
         {.title = "Quality of the solution", .chart_count = SOLVER_CHARTS, .chart = solver}};
 
@@ -226,17 +265,19 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
              job->block_size.z);
 
     /* the answer in numbers, and the settings */
-    const wcut_report_fact fact[] = {{"duration", NULL, h->row[h->stations - 1].time, "s"},
-                                     {"stations", NULL, h->stations, ""},
-                                     {"nodes along the wire", NULL, h->nodes, ""},
-                                     {"block, x by y by z", p->block, 0, "mm"},
-                                     {"heat", NULL, job->heat, "W/m"},
-                                     {"target tension", NULL, job->tension, "N"},
-                                     {"foam", job->foam_material ? job->foam_material : "not stated", 0, ""},
-                                     {"wire", job->wire_material ? job->wire_material : "not stated", 0, ""},
-                                     {"wire diameter", NULL, job->wire_diameter, "mm"},
-                                     {"force law, a", NULL, job->force_law.a, "N/mm"},
-                                     {"force law, b", NULL, job->force_law.b, "m\xc2\xb2/J"}};
+    const wcut_report_fact fact[] = {
+        {"feasibility", p->share ? wcut_feasibility_name(p->feasibility.verdict) : "not judged", 0, ""},
+        {"duration", NULL, h->row[h->stations - 1].time, "s"},
+        {"stations", NULL, h->stations, ""},
+        {"nodes along the wire", NULL, h->nodes, ""},
+        {"block, x by y by z", p->block, 0, "mm"},
+        {"heat", NULL, job->heat, "W/m"},
+        {"target tension", NULL, job->tension, "N"},
+        {"foam", job->foam_material ? job->foam_material : "not stated", 0, ""},
+        {"wire", job->wire_material ? job->wire_material : "not stated", 0, ""},
+        {"wire diameter", NULL, job->wire_diameter, "mm"},
+        {"force law, a", NULL, job->force_law.a, "N/mm"},
+        {"force law, b", NULL, job->force_law.b, "m\xc2\xb2/J"}};
     const wcut_report_fact option[] = {{"integrator", p->run->integrator, 0, ""},
                                        {"chord tolerance of the meshes", NULL, p->run->chord_tolerance, "mm"},
                                        {"lowest speed allowed", NULL, job->speed_min, "mm/s"},

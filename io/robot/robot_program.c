@@ -4,11 +4,14 @@
 #include <wirecut/robot_file.h>
 
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 
-#define STANDING 5e-4     /* [mm] a move shorter than it is printed */
-#define START_SPEED 50    /* [mm/s] to the first target */
-#define UR_ACCELERATION 1 /* [m/s^2] read by the controller only where t is not met */
+#define STANDING 5e-4   /* [mm] a shorter way is printed as none */
+#define STILL 1e-5      /* [rad] a smaller turn of the tool is none */
+#define ORI_SPEED 200.0 /* [deg/s] of the tool where the way sets the time, KRL */
+#define RUN_ID_BITS 12
+#define BIT_TIME 0.1 /* [s] half a bit of the run id: far above the cycle of either controller */
 
 /* one robot's half of a target */
 typedef struct half {
@@ -26,6 +29,40 @@ static half half_of(const wcut_robot_motion *m, int robot, int i) {
                   .duration = t->duration,
                   .way = speed * t->duration,
                   .frame = robot ? t->frame_b : t->frame_a};
+}
+
+/* the angle between two frames [rad] */
+static double turn_of(const double p[4], const double q[4]) {
+    double dot = 0;
+    for (int k = 0; k < 4; k++) dot += p[k] * q[k];
+    double sine = 0; /* of half the angle: accurate where it is small */
+    for (int k = 0; k < 4; k++) sine += (p[k] - (dot < 0 ? -q[k] : q[k])) * (p[k] - (dot < 0 ? -q[k] : q[k]));
+    return 4 * asin(fmin(1, sqrt(sine) / 2));
+}
+
+/* where a controller is sent: to 1e-3 mm */
+static wcut_vec3 printed(wcut_vec3 p) {
+    return (wcut_vec3){round(p.x * 1000) / 1000, round(p.y * 1000) / 1000, round(p.z * 1000) / 1000};
+}
+
+static double distance(wcut_vec3 p, wcut_vec3 q) {
+    return sqrt((p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y) + (p.z - q.z) * (p.z - q.z));
+}
+
+/* twelve bits of all targets and the title: FNV-1a (Fowler, Noll, Vo 1991) over what is printed */
+static unsigned run_id(const wcut_robot_motion *m, const wcut_robot_names *names) {
+    uint32_t hash = 2166136261u;
+    for (const char *c = names->title; c && *c; c++) hash = (hash ^ (unsigned char)*c) * 16777619u;
+    for (int i = 0; i < m->count; i++) {
+        const wcut_robot_target *t = &m->target[i];
+        const double value[] = {t->time, t->a.x, t->a.y, t->a.z, t->b.x, t->b.y, t->b.z};
+        for (size_t k = 0; k < sizeof value / sizeof *value; k++) {
+            const long long number = llround(value[k] * 1000);
+            for (int byte = 0; byte < 8; byte++)
+                hash = (hash ^ (unsigned char)((unsigned long long)number >> (8 * byte))) * 16777619u;
+        }
+    }
+    return (hash ^ (hash >> RUN_ID_BITS) ^ (hash >> (2 * RUN_ID_BITS))) & ((1u << RUN_ID_BITS) - 1);
 }
 
 void wcut_text_fixed(wcut_text *text, double value, int decimals) {
@@ -61,8 +98,22 @@ static void put_head(wcut_text *text, const char *mark, const wcut_robot_motion 
     if (names->title && *names->title) put_comment(text, mark, names->title);
     wcut_text_print(text,
                     "%sPositions are in the frame of the foam block: x across from A to B, y the feed, z up.\n"
-                    "%sTool: its x axis looks along the wire into the cut, its z axis up.\n",
-                    mark, mark);
+                    "%sTool: its x axis looks along the wire into the cut, its z axis up.\n"
+                    "%sRun id %03x: the other program has the same, or neither starts.\n",
+                    mark, mark, mark, run_id(m, names));
+
+    /* what the cell sets before it starts */
+    wcut_text_print(text, "%sWire:", mark);
+    if (names->heat > 0) put(text, " heat ", names->heat, 3), wcut_text_print(text, " W/m;");
+    if (names->tension > 0) put(text, " tension ", names->tension, 3), wcut_text_print(text, " N;");
+    if (names->wire_length > 0)
+        put(text, " length from mount to mount ", names->wire_length, 3), wcut_text_print(text, " mm;");
+    if (names->preheat > 0) put(text, " heated for ", names->preheat, 3), wcut_text_print(text, " s before the start;");
+    if (names->wire_on || names->wire_off)
+        wcut_text_print(text, " A calls %s%s%s, to be defined by the cell.\n", names->wire_on ? names->wire_on : "",
+                        names->wire_on && names->wire_off ? " and " : "", names->wire_off ? names->wire_off : "");
+    else
+        wcut_text_print(text, " nothing is called to switch it.\n");
 }
 
 /* angle and axis of a unit quaternion with w >= 0, as a rotation vector */
@@ -93,6 +144,21 @@ static void put_ur_pose(wcut_text *text, const half *h) {
     wcut_text_print(text, "])");
 }
 
+/* Both robots send and read the run id at the same time, a bit every two BIT_TIME, read in the middle. */
+static void put_ur_run_id(wcut_text *text, unsigned id, int io) {
+    for (int k = RUN_ID_BITS - 1; k >= 0; k--) {
+        const char *bit = id >> k & 1 ? "True" : "False";
+        wcut_text_print(text, "  set_digital_out(%d, %s)\n", io, bit);
+        put(text, "  sleep(", BIT_TIME, 3);
+        wcut_text_print(text,
+                        ")\n  if (get_digital_in(%d) != %s):\n    popup(\"programs of different runs\", \"wirecut\", "
+                        "False, True, True)\n    halt\n  end\n",
+                        io, bit);
+        put(text, "  sleep(", BIT_TIME, 3);
+        wcut_text_print(text, ")\n");
+    }
+}
+
 void wcut_urscript_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_names *names, int robot) {
     const int io = names->sync_io;
 
@@ -107,32 +173,43 @@ void wcut_urscript_put(wcut_text *text, const wcut_robot_motion *m, const wcut_r
         "  block = p[0, 0, 0, 0, 0, 0]\n",
         io, io);
 
-    /* go to the start slowly, switch the wire on, wait for the other robot */
+    /* no start signal of an earlier run, then to the first target */
+    const double acceleration = names->approach_acceleration / 1000;
+    wcut_text_print(text, "  set_digital_out(%d, False)\n", io);
     half h = half_of(m, robot, 0);
     wcut_text_print(text, "  movel(");
     put_ur_pose(text, &h);
-    put(text, ", a=", UR_ACCELERATION, 3);
-    put(text, ", v=", START_SPEED / 1000.0, 6);
+    put(text, ", a=", acceleration, 6);
+    put(text, ", v=", names->approach_speed / 1000, 6);
     wcut_text_print(text, ")\n");
     if (robot == 0 && names->wire_on) wcut_text_print(text, "  %s()\n", names->wire_on);
+    if (robot == 0 && names->preheat > 0) {
+        put(text, "  sleep(", names->preheat, 3);
+        wcut_text_print(text, ")\n");
+    }
+
+    /* both are there; the run id; both start */
     wcut_text_print(text, "  set_digital_out(%d, True)\n  while (get_digital_in(%d) == False):\n    sync()\n  end\n",
                     io, io);
+    put_ur_run_id(text, run_id(m, names), io);
 
-    /* a move for each target; a target without a way is a pause */
+    /* a move for each target; one that neither goes nor turns is a pause */
+    half last = h;
     for (int i = 1; i < m->count; i++) {
         h = half_of(m, robot, i);
-        if (h.way < STANDING) {
+        if (h.way < STANDING && turn_of(last.frame, h.frame) < STILL) {
             put(text, "  sleep(", h.duration, 6);
             wcut_text_print(text, ")\n");
             continue;
         }
         wcut_text_print(text, "  movel(");
         put_ur_pose(text, &h);
-        put(text, ", a=", UR_ACCELERATION, 3);
+        put(text, ", a=", acceleration, 6);
         put(text, ", v=", h.speed / 1000, 6);
         put(text, ", t=", h.duration, 6);
         put(text, ", r=", h.zone / 1000, 6);
         wcut_text_print(text, ")\n");
+        last = h;
     }
 
     /* tell the other robot, switch the wire off */
@@ -165,26 +242,32 @@ static void put_rapid_move(wcut_text *text, const half *h, int id, double speed)
 
 void wcut_rapid_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_names *names, int robot) {
     const char *p = names->program, side = robot ? 'b' : 'a';
+    const unsigned id = run_id(m, names); /* points of different runs have different names, and never meet */
     wcut_text_print(text, "MODULE %s_%c\n", p, side);
     put_head(text, "  ! ", m, names, robot);
-    wcut_text_print(text,
-                    "  ! To be defined in task T_ROB%d: tooldata %s_tool, wobjdata %s_block (the foam block).\n"
-                    "  ! Needs MultiMove; moves of one ID end together in both tasks.\n"
-                    "  PERS tasks %s_tasks{2} := [[\"T_ROB1\"],[\"T_ROB2\"]];\n"
-                    "  VAR syncident %s_on;\n  VAR syncident %s_off;\n  PROC %s_%c_main()\n    ConfL \\Off;\n",
-                    robot + 1, p, p, p, p, p, p, side);
+    wcut_text_print(
+        text,
+        "  ! To be defined in task T_ROB%d: tooldata %s_tool, wobjdata %s_block (the foam block).\n"
+        "  ! Needs MultiMove; moves of one ID end together in both tasks.\n"
+        "  PERS tasks %s_tasks{2} := [[\"T_ROB1\"],[\"T_ROB2\"]];\n"
+        "  VAR syncident %s_on_%03x;\n  VAR syncident %s_off_%03x;\n  PROC %s_%c_main()\n    ConfL \\Off;\n",
+        robot + 1, p, p, p, p, id, p, id, p, side);
     half h = half_of(m, robot, 0);
-    put_rapid_move(text, &h, 0, START_SPEED);
+    put_rapid_move(text, &h, 0, names->approach_speed);
     wcut_text_print(text, ", %s_tool\\WObj:=%s_block;\n", p, p);
     if (robot == 0 && names->wire_on) wcut_text_print(text, "    %s;\n", names->wire_on);
-    wcut_text_print(text, "    SyncMoveOn %s_on, %s_tasks;\n", p, p);
+    if (robot == 0 && names->preheat > 0) {
+        put(text, "    WaitTime ", names->preheat, 3);
+        wcut_text_print(text, ";\n");
+    }
+    wcut_text_print(text, "    SyncMoveOn %s_on_%03x, %s_tasks;\n", p, id, p);
     for (int i = 1; i < m->count; i++) {
         h = half_of(m, robot, i);
         /* a robot that stands waits for the other; its own speed must not be 0 */
         put_rapid_move(text, &h, 10 * i, h.speed < 0.01 ? 0.01 : h.speed);
         wcut_text_print(text, ", %s_tool\\WObj:=%s_block;\n", p, p);
     }
-    wcut_text_print(text, "    SyncMoveOff %s_off;\n", p);
+    wcut_text_print(text, "    SyncMoveOff %s_off_%03x;\n", p, id);
     if (robot == 0 && names->wire_off) wcut_text_print(text, "    %s;\n", names->wire_off);
     wcut_text_print(text, "  ENDPROC\nENDMODULE\n");
 }
@@ -203,9 +286,29 @@ static void put_krl_move(wcut_text *text, const half *h) {
     wcut_text_print(text, "}%s\n", h->zone < 5e-4 ? "" : " C_DIS");
 }
 
+/* 9 decimals of m/s: a creeping arm keeps its time, and no speed is printed as 0, which never ends */
 static void put_krl_speed(wcut_text *text, double speed) {
-    put(text, "$VEL.CP = ", speed / 1000, 6);
+    put(text, "$VEL.CP = ", fmax(speed / 1000, 1e-9), 9);
     wcut_text_print(text, "\n");
+}
+
+/* both orientation speeds [deg/s] */
+static void put_krl_turning(wcut_text *text, double speed) {
+    put(text, "$VEL.ORI1 = ", fmax(speed, 1e-6), 6);
+    put(text, "\n$VEL.ORI2 = ", fmax(speed, 1e-6), 6);
+    wcut_text_print(text, "\n");
+}
+
+/* as put_ur_run_id */
+static void put_krl_run_id(wcut_text *text, unsigned id, int io) {
+    for (int k = RUN_ID_BITS - 1; k >= 0; k--) {
+        const char *bit = id >> k & 1 ? "TRUE" : "FALSE";
+        wcut_text_print(text, "$OUT[%d] = %s\n", io, bit);
+        put(text, "WAIT SEC ", BIT_TIME, 3);
+        wcut_text_print(text, "\nIF $IN[%d] <> %s THEN\nLOOP\nHALT\nENDLOOP\nENDIF\n", io, bit);
+        put(text, "WAIT SEC ", BIT_TIME, 3);
+        wcut_text_print(text, "\n");
+    }
 }
 
 void wcut_krl_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_names *names, int robot) {
@@ -219,30 +322,48 @@ void wcut_krl_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_
         "; To be set: TOOL_DATA[1], BASE_DATA[1] (the foam block); output %d of either controller wired to\n"
         "; input %d of the other. Both start together and then keep the speed of every move; their clocks\n"
         "; are not coupled.\n"
-        "$TOOL = TOOL_DATA[1]\n$BASE = BASE_DATA[1]\n$ORI_TYPE = #VAR\n$ADVANCE = 3\n",
+        "BAS (#INITMOV,0)\n$TOOL = TOOL_DATA[1]\n$BASE = BASE_DATA[1]\n$ORI_TYPE = #VAR\n$ADVANCE = 3\n",
         io, io);
+    put(text, "$ACC.CP = ", names->approach_acceleration / 1000, 6);
+    wcut_text_print(text, "\n");
+    put_krl_turning(text, ORI_SPEED);
 
-    /* go to the start slowly, switch the wire on, wait for the other robot */
+    /* block coincidence where the arm stands, no start signal of an earlier run, then to the first target */
+    wcut_text_print(text, "PTP $AXIS_ACT\n$OUT[%d] = FALSE\n", io);
     half h = half_of(m, robot, 0);
-    put_krl_speed(text, START_SPEED);
+    put_krl_speed(text, names->approach_speed);
     put_krl_move(text, &h);
     if (robot == 0 && names->wire_on) wcut_text_print(text, "%s ( )\n", names->wire_on);
+    if (robot == 0 && names->preheat > 0) {
+        put(text, "WAIT SEC ", names->preheat, 3);
+        wcut_text_print(text, "\n");
+    }
     wcut_text_print(text, "$OUT[%d] = TRUE\nWAIT FOR $IN[%d]\n", io, io);
+    put_krl_run_id(text, run_id(m, names), io);
 
-    /* a move for each target; a target without a way is a pause */
+    /* speeds are those of the printed ways: rounded places must not cost time */
+    half last = h;
     for (int i = 1; i < m->count; i++) {
         h = half_of(m, robot, i);
-        if (h.way < STANDING) {
+        const double way = distance(printed(last.at), printed(h.at)), turn = turn_of(last.frame, h.frame);
+        if (way < STANDING && turn < STILL) {
             put(text, "WAIT SEC ", h.duration, 6);
             wcut_text_print(text, "\n");
             continue;
         }
-        if (h.zone >= 5e-4) {
-            put(text, "$APO.CDIS = ", h.zone, 3);
-            wcut_text_print(text, "\n");
+        if (way < STANDING) {
+            put_krl_turning(text, turn * WCUT_DEG_PER_RAD / h.duration);
+            put_krl_move(text, &h);
+            put_krl_turning(text, ORI_SPEED);
+        } else {
+            if (h.zone >= 5e-4) {
+                put(text, "$APO.CDIS = ", h.zone, 3);
+                wcut_text_print(text, "\n");
+            }
+            put_krl_speed(text, way / h.duration);
+            put_krl_move(text, &h);
         }
-        put_krl_speed(text, h.speed);
-        put_krl_move(text, &h);
+        last = h;
     }
 
     /* tell the other robot, switch the wire off */

@@ -18,7 +18,12 @@ static const struct {
 enum { FORMATS = sizeof known / sizeof *known, NAME_MAX = 22, IO_MAX = 255 };
 
 wcut_robot_names wcut_robot_names_default(void) {
-    return (wcut_robot_names){.program = "wirecut", .wire_on = "wire_on", .wire_off = "wire_off", .sync_io = 1};
+    return (wcut_robot_names){.program = "wirecut",
+                              .wire_on = "wire_on",
+                              .wire_off = "wire_off",
+                              .sync_io = 1,
+                              .approach_speed = 50,
+                              .approach_acceleration = 1000};
 }
 
 const char *wcut_robot_format_name(wcut_robot_format format) {
@@ -116,8 +121,20 @@ static wcut_status check(const wcut_robot_motion *m, const wcut_robot_names *n, 
                              "long",
                              wcut_quote(quoted, name[k], WCUT_FOUND_MAX, 0), NAME_MAX);
     }
-    if (n->sync_io < 0 || n->sync_io > IO_MAX)
-        return wcut_fail(error, WCUT_BAD_ARGUMENT, "sync_io: found %d, expected 0 to %d", n->sync_io, IO_MAX);
+
+    /* outputs that the controller has: eight of Universal Robots, $OUT[0] is none of KUKA */
+    const int low = format == WCUT_ROBOT_FORMAT_KRL ? 1 : 0, high = format == WCUT_ROBOT_FORMAT_URSCRIPT ? 7 : IO_MAX;
+    if (n->sync_io < low || n->sync_io > high)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "sync_io: found %d, expected %d to %d for %s", n->sync_io, low, high,
+                         wcut_robot_format_name(format));
+    if (!(n->approach_speed > 0 && n->approach_speed < 1e6) ||
+        !(n->approach_acceleration > 0 && n->approach_acceleration < 1e6) || !(n->preheat >= 0 && n->preheat < 1e6) ||
+        !(n->heat >= 0 && n->heat < 1e9) || !(n->tension >= 0 && n->tension < 1e9) ||
+        !(n->wire_length >= 0 && n->wire_length < 1e9))
+        return wcut_fail(
+            error, WCUT_BAD_ARGUMENT,
+            "a positive speed and acceleration of the approach, a preheat, heat, tension and wire length of "
+            "0 or more are expected");
     for (int i = 0; i < m->count; i++) {
         const wcut_robot_target *t = &m->target[i];
         const double value[] = {t->a.x,  t->a.y,     t->a.z,     t->b.x,    t->b.y,    t->b.z,

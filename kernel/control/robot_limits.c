@@ -1,5 +1,5 @@
 /* A cut against what cell and wire bear: speeds, accelerations, the head's angles, heat and stress of the wire. */
-#include <wirecut/robot.h>
+#include "control/robot_limits.h"
 
 #include "base/numbers.h"
 #include "base/vec3.h"
@@ -61,6 +61,16 @@ static double strength(const wcut_robot_limits *l, double temperature) {
     return l->cold_strength * pow(l->hot_strength / l->cold_strength, share);
 }
 
+bool wcut_limits_wire(const wcut_job *job, const wcut_robot_limits *l, double *temperature, double *wire_strength) {
+    const double positive[] = {l->speed,         l->acceleration, l->alpha,       l->beta,
+                               l->cold_strength, l->hot_strength, l->temperature, l->hot_temperature};
+    if (!all_positive(sizeof positive / sizeof *positive, positive) || !(l->hot_temperature > 20) ||
+        wcut_wire_temperature(job->heat, job->wire_diameter, l->ambient, l->emissivity, temperature) != WCUT_OK)
+        return false;
+    *wire_strength = strength(l, *temperature);
+    return true;
+}
+
 /* ---- the motion ---- */
 
 static void raise(wcut_robot_check *check, double value, int station) {
@@ -98,12 +108,8 @@ wcut_status wcut_robot_limits_check(const wcut_job *job, const wcut_history *his
         !vec3_all_finite(history->stations, mount_a) || !vec3_all_finite(history->stations, mount_b))
         return WCUT_BAD_ARGUMENT;
     const wcut_robot_limits l = limits ? *limits : wcut_robot_limits_default(job);
-    const double positive[] = {l.speed,         l.acceleration, l.alpha,       l.beta,
-                               l.cold_strength, l.hot_strength, l.temperature, l.hot_temperature};
-    double temperature;
-    if (!all_positive(sizeof positive / sizeof *positive, positive) || !(l.hot_temperature > 20) ||
-        wcut_wire_temperature(job->heat, job->wire_diameter, l.ambient, l.emissivity, &temperature) != WCUT_OK)
-        return WCUT_BAD_ARGUMENT;
+    double temperature, wire_strength;
+    if (!wcut_limits_wire(job, &l, &temperature, &wire_strength)) return WCUT_BAD_ARGUMENT;
     const double degree = 180 / WCUT_PI;
     wcut_robot_check check[WCUT_ROBOT_CHECKS] = {{"speed of mount A", "mm/s", 0, l.speed, -1, false},
                                                  {"speed of mount B", "mm/s", 0, l.speed, -1, false},
@@ -119,7 +125,7 @@ wcut_status wcut_robot_limits_check(const wcut_job *job, const wcut_history *his
     check_motion(history, mount, check);
     check[TEMPERATURE].value = temperature;
     check[STRESS].value /= WCUT_PI / 4 * job->wire_diameter * job->wire_diameter;
-    check[STRESS].limit = strength(&l, temperature);
+    check[STRESS].limit = wire_strength;
     for (int i = 0; i < WCUT_ROBOT_CHECKS; i++) {
         check[i].over = check[i].value > check[i].limit * (1 + 1e-9); /* what is at its limit is within it */
         out[i] = check[i];

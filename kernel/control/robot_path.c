@@ -13,6 +13,7 @@ typedef struct path { /* what is thinned */
     const wcut_vec3 *a, *b;
     wcut_robot_options o;
     double chord_error, time_error; /* [mm] the largest of what was accepted */
+    wcut_vec3 feed, onward;         /* [1] of the leads */
 } path;
 
 wcut_robot_options wcut_robot_options_default(void) {
@@ -110,11 +111,25 @@ static wcut_robot_target at_station(const path *p, int j) {
     return t;
 }
 
-/* a lead: both mounts by the same vector along the mean motion from station i to j, at the speed of the faster one */
-static wcut_robot_target lead(const path *p, int from, int i, int j, double way, double speed) {
+/* The direction in which both mounts together begin (step 1, from the first station) or end (step -1, from the last):
+   of as much of the way as they need to go together, where they start against each other; false where they never do. */
+static bool lead_direction(const path *p, int m, int step, wcut_vec3 *direction) {
+    const int from = step > 0 ? 0 : m - 1;
+    double way = 0;
+    for (int j = from; j + step >= 0 && j + step < m; j += step) {
+        way += vec3_distance(p->a[j], p->a[j + step]) + vec3_distance(p->b[j], p->b[j + step]);
+        const wcut_vec3 move = vec3_add(vec3_sub(p->a[j + step], p->a[from]), vec3_sub(p->b[j + step], p->b[from]));
+        if (!(way > 0) || vec3_length(move) < way / 4) continue;
+        *direction = vec3_scale(step, vec3_unit(move));
+        return true;
+    }
+    return false;
+}
+
+/* a lead: both mounts by the same vector along a direction, at the speed of the faster one */
+static wcut_robot_target lead(const path *p, int from, wcut_vec3 direction, double way, double speed) {
     wcut_robot_target t = at_station(p, from);
-    const wcut_vec3 move = vec3_add(vec3_sub(p->a[j], p->a[i]), vec3_sub(p->b[j], p->b[i]));
-    const wcut_vec3 step = vec3_scale(way, vec3_unit(move));
+    const wcut_vec3 step = vec3_scale(way, direction);
     t.station = way < 0 ? -1 : -2;
     t.a = vec3_add(t.a, step);
     t.b = vec3_add(t.b, step);
@@ -150,12 +165,12 @@ static wcut_status fill(const wcut_history *h, path *p, const unsigned char *kee
     int n = 0;
     const double first = fmax(h->row[1].speed_a, h->row[1].speed_b);
     const double last = fmax(h->row[m - 1].speed_a, h->row[m - 1].speed_b);
-    if (p->o.lead_in > 0) motion->target[n++] = lead(p, 0, 0, 1, -p->o.lead_in, first);
+    if (p->o.lead_in > 0) motion->target[n++] = lead(p, 0, p->feed, -p->o.lead_in, first);
     motion->first = n;
     for (int j = 0; j < m; j++)
         if (keep[j]) motion->target[n++] = at_station(p, j);
     motion->last = n - 1;
-    if (p->o.lead_out > 0) motion->target[n++] = lead(p, m - 1, m - 2, m - 1, p->o.lead_out, last);
+    if (p->o.lead_out > 0) motion->target[n++] = lead(p, m - 1, p->onward, p->o.lead_out, last);
     motion->count = n;
     motion->stations = m;
     motion->chord_error = p->chord_error;
@@ -190,6 +205,10 @@ wcut_status wcut_robot_motion_create(const wcut_history *history, const wcut_vec
     path p = {.row = history->row, .a = mount_a, .b = mount_b, .o = options ? *options : wcut_robot_options_default()};
     wcut_status status = check(history, mount_a, mount_b, &p.o, error);
     if (status != WCUT_OK) return status;
+    if ((p.o.lead_in > 0 && !lead_direction(&p, history->stations, 1, &p.feed)) ||
+        (p.o.lead_out > 0 && !lead_direction(&p, history->stations, -1, &p.onward)))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                         "a lead: the mounts move against each other all along, expected a common direction");
     const size_t m = (size_t)history->stations;
     wcut_robot_motion *motion = wcut_alloc(1, sizeof *motion);
     int *stack = wcut_alloc(m, sizeof *stack);

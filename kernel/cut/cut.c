@@ -59,6 +59,11 @@ static void copy_wire(int n, int effects, const wcut_wire *from, wcut_wire *to) 
     to->clock = from->clock;
 }
 
+void wcut_contact_rule_set(wcut_cut *cut, wcut_contact_rule rule) {
+    cut->contact_rule = rule;
+    cut->weighted = rule == WCUT_CONTACT_HEAVY;
+}
+
 /* station 0: the wire hangs trailing, under an even load against the feed */
 static bool begin(wcut_cut *cut) {
     const wcut_setup *setup = cut->setup;
@@ -88,7 +93,7 @@ wcut_status wcut_cut_create(const wcut_setup *setup, wcut_cut **out, wcut_error 
     wcut_cut *cut = wcut_alloc(1, sizeof *cut);
     if (!cut) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a run");
     cut->setup = setup;
-    cut->weighted = setup->options.weighted;
+    wcut_contact_rule_set(cut, setup->options.weighted ? WCUT_CONTACT_HEAVY : WCUT_CONTACT_BY_WEIGHT);
     cut->was = wcut_alloc((size_t)n, sizeof *cut->was);
     cut->hanging_shape = wcut_alloc((size_t)n, sizeof *cut->hanging_shape);
     cut->hanging_tension = wcut_alloc((size_t)n, sizeof *cut->hanging_tension);
@@ -162,7 +167,7 @@ wcut_status wcut_cut_step(wcut_cut *cut, wcut_error *error) {
     if (!cut) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a run is expected");
     const wcut_setup *setup = cut->setup;
     const int j = cut->index + 1;
-    if (j >= setup->job->stations)
+    if (j >= setup->stations)
         return wcut_fail(error, WCUT_NOT_FOUND, "station %d: the path ends with station %d", j, j - 1);
     if (cut->over) return wcut_fail(error, WCUT_NOT_CONVERGED, "station %d: the run has ended before", j);
     const wcut_target target = {
@@ -179,15 +184,15 @@ wcut_status wcut_cut_drive(wcut_cut *cut, wcut_vec3 mount_a, wcut_vec3 mount_b, 
     if (!cut || !vec3_is_finite(mount_a) || !vec3_is_finite(mount_b) || !is_positive(duration) || !is_positive(heat))
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "a run, finite positions, a positive duration and heat are expected");
-    const wcut_job *job = cut->setup->job;
-    if (job->mode != WCUT_MODE_PATH || cut->setup->options.integrator != WCUT_INTEGRATOR_IMPLICIT)
-        return wcut_fail(error, WCUT_BAD_ARGUMENT, "time-driven steps are for path mode and the implicit integrator");
+    const wcut_setup *setup = cut->setup;
+    if (setup->foam.embedded || setup->options.integrator != WCUT_INTEGRATOR_IMPLICIT)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "time-driven steps are for mounts and the implicit integrator");
+    const double wire = setup->length[0];
     const double chord = vec3_distance(mount_a, mount_b);
-    if (chord > job->wire_length)
+    if (chord > wire)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "the mounts are %.6g mm apart, the wire is %.6g mm long", chord,
-                         job->wire_length);
-    const wcut_target target = {
-        .end_a = mount_a, .end_b = mount_b, .length = job->wire_length, .duration = duration, .heat = heat};
+                         wire);
+    const wcut_target target = {.end_a = mount_a, .end_b = mount_b, .length = wire, .duration = duration, .heat = heat};
     return advance(cut, &target, WCUT_INTEGRATOR_IMPLICIT, error);
 }
 
@@ -223,6 +228,7 @@ static double mount_tension(wcut_vec3 mount, wcut_vec3 next, double s, wcut_vec3
 }
 
 void wcut_cut_view(const wcut_cut *cut, wcut_station *station) {
+    if (!cut || !station) return;
     const int n = cut->setup->job->nodes;
     const wcut_wire *w = &cut->now;
     *station = (wcut_station){.index = cut->index,

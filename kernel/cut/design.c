@@ -1,4 +1,6 @@
 /* Design mode: the wire's ends run on two edge curves, its length is their distance and an extra. */
+#include <stddef.h>
+
 #include "base/fail.h"
 #include "base/numbers.h"
 #include "base/vec3.h"
@@ -41,6 +43,61 @@ static wcut_status point_at(const wcut_curve *edge, double share, wcut_vec3 *poi
     double first, last;
     wcut_curve_domain(edge, &first, &last);
     return wcut_curve_eval(edge, first + share * (last - first), 0, point);
+}
+
+/* ---- edges and the block ---- */
+
+const char *wcut_unit_hint(double length, double against) {
+    static const struct {
+        double factor;
+        const char *words;
+    } known[] = {{1000, "; they differ by 1000: metres and millimetres? every length of a job is in mm"},
+                 {25.4, "; they differ by 25.4: inches and millimetres? every length of a job is in mm"},
+                 {10, "; they differ by 10: centimetres and millimetres? every length of a job is in mm"}};
+    if (!is_positive(length) || !is_positive(against)) return "";
+    const double ratio = fmax(length / against, against / length);
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (fabs(log(ratio / known[i].factor)) < 0.3) return known[i].words;
+    return "";
+}
+
+/* the diagonal of the box about both edges [mm] */
+static double extent(int count, const wcut_vec3 *a, const wcut_vec3 *b) {
+    wcut_vec3 low = a[0], high = a[0];
+    for (int j = 0; j < 2 * count; j++) {
+        const wcut_vec3 p = j < count ? a[j] : b[j - count];
+        low = vec3(fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z));
+        high = vec3(fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z));
+    }
+    return vec3_distance(low, high);
+}
+
+wcut_status wcut_design_check_edges(const wcut_job *job, const wcut_vec3 *a, const wcut_vec3 *b, wcut_error *error) {
+    const wcut_block block = {.size = job->block_size, .depth = job->wire_diameter};
+    const char *hint = wcut_unit_hint(extent(job->stations, a, b), vec3_length(block.size));
+
+    /* the station furthest out of the block */
+    double worst = 0;
+    int at = -1, edge = 0;
+    for (int j = 0; j < job->stations; j++)
+        for (int k = 0; k < 2; k++) {
+            const double off = wcut_block_distance(&block, k ? b[j] : a[j]);
+            if (off > worst) worst = off, at = j, edge = k;
+        }
+    if (worst > WCUT_EDGE_TOLERANCE) {
+        const wcut_vec3 p = edge ? b[at] : a[at];
+        return wcut_fail(error, WCUT_DEGENERATE,
+                         "design.edge_%c: station %d of 0 to %d, (%.6g, %.6g, %.6g) mm, lies %.3g mm outside the block "
+                         "of %g x %g x %g mm; expected edges on the block or in it, within %g mm%s",
+                         edge ? 'b' : 'a', at, job->stations - 1, p.x, p.y, p.z, worst, block.size.x, block.size.y,
+                         block.size.z, WCUT_EDGE_TOLERANCE, hint);
+    }
+    if (!*hint) return WCUT_OK;
+    return wcut_fail(
+        error, WCUT_DEGENERATE,
+        "design: the edges span %.3g mm in a block of %g x %g x %g mm; expected edges on the block's sides, "
+        "and design.extra_length_mm in the same unit%s",
+        extent(job->stations, a, b), block.size.x, block.size.y, block.size.z, hint);
 }
 
 wcut_status wcut_design_ends(const wcut_job *job, wcut_vec3 *end_a, wcut_vec3 *end_b, double *length,

@@ -78,16 +78,17 @@ static wcut_status run(wcut_cut *cut, wcut_progress progress, void *context, wcu
     return status;
 }
 
-/* A run that found no way on, once more with a weight for the loose wire; it is kept if it comes further. */
-static wcut_status run_weighted(const wcut_setup *setup, wcut_progress progress, void *context,
-                                wcut_history **history) {
+/* A run that found no way on, once more under another rule of first contact; it is kept if it comes further. */
+static wcut_status run_again(const wcut_setup *setup, wcut_contact_rule rule, wcut_progress progress, void *context,
+                             wcut_history **history) {
     wcut_cut *cut = NULL;
     wcut_history *h = create((*history)->planned, (*history)->nodes);
     wcut_status status = h ? wcut_cut_create(setup, &cut, NULL) : WCUT_NO_MEMORY;
     if (status == WCUT_OK) {
-        cut->weighted = true;
+        wcut_contact_rule_set(cut, rule);
         status = run(cut, progress, context, h);
     }
+
     if (h && h->stations > (*history)->stations) {
         wcut_history *shorter = *history;
         *history = h;
@@ -103,21 +104,32 @@ static wcut_status run_weighted(const wcut_setup *setup, wcut_progress progress,
 wcut_status wcut_setup_run(const wcut_setup *setup, wcut_progress progress, void *context, wcut_history **history,
                            wcut_error *error) {
     if (!setup || !history) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a setup and a place for the history expected");
-    const wcut_job *job = wcut_setup_job(setup);
     wcut_cut *cut = NULL;
     wcut_status status = wcut_cut_create(setup, &cut, error);
     if (status != WCUT_OK) return status;
-    wcut_history *h = create(job->stations, job->nodes);
+    const int nodes = setup->job->nodes;
+    wcut_history *h = create(setup->stations, nodes);
     if (!h) {
         wcut_cut_destroy(cut);
-        return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a history of %d stations of %d nodes", job->stations,
-                         job->nodes);
+        return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a history of %d stations of %d nodes", setup->stations,
+                         nodes);
     }
     status = run(cut, progress, context, h);
-    const bool again = status == WCUT_NOT_CONVERGED && job->mode == WCUT_MODE_PATH &&
-                       setup->options.integrator == WCUT_INTEGRATOR_IMPLICIT && !cut->weighted;
     wcut_cut_destroy(cut);
-    if (again) status = run_weighted(setup, progress, context, &h);
+
+    /* where it ends early in path mode: by leaning alone, then with a weight from the beginning */
+    const bool other =
+        !setup->foam.embedded && setup->options.integrator == WCUT_INTEGRATOR_IMPLICIT && !setup->options.weighted;
+    if (other && status == WCUT_NOT_CONVERGED)
+        status = run_again(setup, WCUT_CONTACT_BY_LEANING, progress, context, &h);
+    if (other && status == WCUT_NOT_CONVERGED) status = run_again(setup, WCUT_CONTACT_HEAVY, progress, context, &h);
+
+    /* a design whose plan went no further */
+    if (status == WCUT_OK && setup->plan_ended.status != WCUT_OK) {
+        status = setup->plan_ended.status;
+        h->ended = setup->plan_ended;
+        h->planned += setup->job->stations - (setup->part_last - setup->part_first + 1);
+    }
     if (error && status != WCUT_OK) *error = h->ended;
     *history = h;
     return status;

@@ -14,12 +14,14 @@
 /* a wire pulled less than this share of k hangs loose: what the foam does to it does not shape it */
 #define SLACK_TENSION 1e-6
 
-/* A wire that found no way through a first contact is given a weight of WEIGHT k, which fades until the foam pulls it
-   with LOOSE k, and up to 2^SLOWER times shorter sub-steps (a wire of 0.15 mm and 600 mm weighs 4e-4 of 2 N). Its shape
-   then is unique at every moment, however it touches. */
+/* A wire that touches without tension is given a weight of WEIGHT k, which fades until the foam pulls it with LOOSE k
+   (a wire of 0.15 mm and 600 mm weighs 4e-4 of 2 N): leaning without load, how it lies would be a matter of chance. While
+   it hangs loose so, a part of a step moves it by LOOSE_WAY of its length at most, so that the cut converges in stations;
+   parts may become up to 2^SLOWER times shorter than others. */
 #define LOOSE 1e-2
 #define WEIGHT 1e-4
 #define SLOWER 4
+#define LOOSE_WAY 1e-3
 
 /* the solver's last evaluation becomes the wire */
 static void accept(wcut_cut *cut, const wcut_target *target, double rate, double reach, double pull,
@@ -54,6 +56,7 @@ typedef struct attempt { /* one sub-step being solved */
     double reach;   /* [mm] way of the faster end */
     double weight;  /* [1] share of the pattern that a loose wire has for a weight */
     double pull;    /* [N] tension that the foam's force asks for in the last solution */
+    bool brief;     /* a loose wire, fed at v_max: no other ways are tried before the part is halved */
 } attempt;
 
 /* Newton from the wire in cut->hanging_shape, at a given depth of the block's faces */
@@ -139,7 +142,7 @@ static bool solve(attempt *a, bool by_tension, double speed, wcut_solution *solu
         }
         solved = newton(a, depth, by_tension, log_rate, solution);
     }
-    if (!solved && hang(a)) solved = harden(a, by_tension, log_rate, solution);
+    if (!solved && !a->brief && hang(a)) solved = harden(a, by_tension, log_rate, solution);
     if (solved) cut->residual = fmax(cut->residual, solution->residual);
     a->pull = solution->pull;
     return solved;
@@ -171,6 +174,7 @@ static bool solve_complementary(attempt *a, double *speed, wcut_condition *condi
     const bool max_first = !last->loaded || last->condition == WCUT_CONDITION_SPEED_MAX;
     *condition = WCUT_CONDITION_SPEED_MAX;
     if (max_first && solve_at_limit(a, job->speed_max, true, speed)) return true;
+    if (a->brief) return false;
     *condition = WCUT_CONDITION_TENSION;
     if (solve_at_tension(a, guess, speed)) return true;
     *condition = WCUT_CONDITION_SPEED_MAX;
@@ -227,20 +231,39 @@ static void stand_still(wcut_cut *cut, const wcut_target *target, double *elapse
     *elapsed += target->duration;
 }
 
-static bool try_substep(wcut_cut *cut, const wcut_target *target, double *elapsed) {
+/* Where the material of a plan's nodes comes from: the wire slides through its ends by half the change of its length at
+   each, and before them it is straight. */
+static void find_material(const wcut_cut *cut, const wcut_target *target) {
+    const wcut_wire *w = &cut->next;
+    const int n = cut->setup->job->nodes;
+    const double change = target->length - w->length, edge = w->length / (n - 1);
+    for (int i = 0; i < n; i++) {
+        const double way = (i * target->length / (n - 1) - change / 2) / edge;
+        const int e = (int)clamp(floor(way), 0, n - 2);
+        cut->was[i] = vec3_mix(w->x[e], w->x[e + 1], way - e);
+    }
+}
+
+/* brief: see attempt */
+static bool try_substep(wcut_cut *cut, const wcut_target *target, bool brief, double *elapsed) {
     const wcut_setup *setup = cut->setup;
     const int n = setup->job->nodes;
     wcut_wire *w = &cut->next;
     memcpy(cut->was, w->x, sizeof *w->x * (size_t)n);
+    if (setup->foam.embedded && target->length != w->length) find_material(cut, target);
     const double reach = fmax(vec3_distance(target->end_a, w->end_a), vec3_distance(target->end_b, w->end_b));
     if (reach == 0) {
         stand_still(cut, target, elapsed);
         return true;
     }
+
+    /* what touches, and whether it can pull the wire taut */
     const wcut_contact_state load = wcut_contact_find(cut, target);
     if (load == WCUT_CONTACT_NO_SHAPE) return false;
     if (load == WCUT_CONTACT_FREE) return feed_free(cut, target, reach, elapsed);
-    attempt a = {.cut = cut, .target = target, .foam = setup->foam, .reach = reach};
+
+    /* Newton: at the given speed, or under the complementarity of speed and tension */
+    attempt a = {.cut = cut, .target = target, .foam = setup->foam, .reach = reach, .brief = brief};
     a.step = (wcut_step){.foam = &a.foam,
                          .heat = target->heat,
                          .tension = setup->job->tension,
@@ -260,6 +283,13 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, double *elapse
         return true;
     }
     if (!solved && !(load == WCUT_CONTACT_SLACK && hangs_loose(cut))) return false;
+
+    /* it touches and has no tension */
+    if (cut->contact_rule == WCUT_CONTACT_BY_WEIGHT && !cut->weighted && target->duration == 0) {
+        cut->weighted = true;
+        memcpy(w->pattern, cut->kept, sizeof *w->pattern * (size_t)n);
+        return false;
+    }
     return wcut_cut_hang(cut, target, w->pattern) && feed_free(cut, target, reach, elapsed);
 }
 
@@ -269,17 +299,38 @@ static double sag_of(wcut_vec3 a, wcut_vec3 b, double length) {
     return sqrt(0.375 * chord * fmax(length - chord, 0));
 }
 
+/* by how much the mounts' mean motion turns at the station that the run is at [deg]; 0 where it has not moved yet */
+static double turn_of_path(const wcut_cut *cut, const wcut_target *target) {
+    const wcut_setup *setup = cut->setup;
+    const int j = cut->index;
+    if (j < 1 || j >= setup->stations || target->duration > 0) return 0;
+    const wcut_vec3 before =
+        vec3_add(vec3_sub(setup->end_a[j], setup->end_a[j - 1]), vec3_sub(setup->end_b[j], setup->end_b[j - 1]));
+    const wcut_vec3 after =
+        vec3_add(vec3_sub(target->end_a, setup->end_a[j]), vec3_sub(target->end_b, setup->end_b[j]));
+    const double size = vec3_length(before) * vec3_length(after);
+    return size > 0 ? acos(clamp(vec3_dot(before, after) / size, -1, 1)) * 180 / WCUT_PI : 0;
+}
+
 /* why no sub-step could be solved, as far as can be told */
 static wcut_status explain_failure(const wcut_cut *cut, const wcut_target *target, wcut_error *error) {
     const wcut_cut_options *o = &cut->setup->options;
     const wcut_vec3 *from = cut->now.x;
     const int n = cut->setup->job->nodes;
+    const double turn = turn_of_path(cut, target);
+    if (cut->now.loaded && turn > 90)
+        return wcut_fail(
+            error, WCUT_NOT_CONVERGED,
+            "the path turns back by %.0f deg at station %d: the wire would run in the slot that it has cut, "
+            "which the model does not know; expected turns of 90 deg at most",
+            turn, cut->index);
     const double slack = target->length - vec3_distance(target->end_a, target->end_b);
     if (slack <= 1e-7 * target->length)
         return wcut_fail(
             error, WCUT_NOT_CONVERGED,
             "the wire is straight (%.3g mm longer than the distance of its ends): under load it would need "
-            "endless tension; expected a longer wire or mounts nearer to each other",
+            "endless tension; expected a longer wire or mounts nearer to each other (in a design, a larger "
+            "extra_length_mm)",
             slack);
     const double feed = fmax(vec3_distance(target->end_a, from[0]), vec3_distance(target->end_b, from[n - 1]));
     const double sag =
@@ -288,7 +339,9 @@ static wcut_status explain_failure(const wcut_cut *cut, const wcut_target *targe
         return wcut_fail(
             error, WCUT_NOT_CONVERGED,
             "the wire gains %.3g mm of sag while its ends move %.3g mm: its middle would have to move back; "
-            "expected a wire that gains length more slowly (in a design, one that begins with more than 0)",
+            "expected a wire that gains length more slowly (in a design, a design.extra_length_mm that grows more "
+            "slowly "
+            "or begins with more than 0)",
             sag, feed);
     return wcut_fail(
         error, WCUT_NOT_CONVERGED,
@@ -296,26 +349,50 @@ static wcut_status explain_failure(const wcut_cut *cut, const wcut_target *targe
         ldexp(1, o->max_halvings), o->tolerance);
 }
 
+/* The largest part of a step, a power of 1/2, that a wire with a weight is tried with while it hangs loose: how often a
+   part is halved then is no matter of rounding. */
+static double part_of_step(const wcut_cut *cut, double reach) {
+    const wcut_wire *w = &cut->next;
+    const bool loose = !w->loaded || w->required_tension < LOOSE * cut->setup->job->tension;
+    if (cut->contact_rule != WCUT_CONTACT_BY_WEIGHT || !cut->weighted || !loose) return 1;
+    double part = 1;
+    while (part * reach > LOOSE_WAY * w->length && part > 1.0 / 1024) part /= 2;
+    return part;
+}
+
 wcut_status wcut_implicit_advance(wcut_cut *cut, const wcut_target *target, double *elapsed, wcut_error *error) {
     const wcut_vec3 from_a = cut->next.end_a, from_b = cut->next.end_b;
     const double from_length = cut->next.length;
-    const double smallest = ldexp(1, -(cut->setup->options.max_halvings + (cut->weighted ? SLOWER : 0)));
-    double done = 0, size = 1;
+    const double reach = fmax(vec3_distance(target->end_a, from_a), vec3_distance(target->end_b, from_b));
+    double done = 0, size = 1, longest = 1;
+
     while (done < 1) {
+        /* part of the step: mounts and length evenly from where it began */
+        size = fmin(size, fmin(longest * part_of_step(cut, reach), 1 - done));
         const double to = done + size;
         const wcut_target part = {.end_a = to < 1 ? vec3_mix(from_a, target->end_a, to) : target->end_a,
                                   .end_b = to < 1 ? vec3_mix(from_b, target->end_b, to) : target->end_b,
                                   .length = to < 1 ? from_length + to * (target->length - from_length) : target->length,
                                   .duration = size * target->duration,
                                   .heat = target->heat};
-        if (try_substep(cut, &part, elapsed)) {
+        const bool weighted = cut->weighted;
+        const double limit = part_of_step(cut, reach);
+        if (try_substep(cut, &part, limit < 1 && size > limit / 64, elapsed)) {
             cut->substeps++;
             done = to;
             size = fmin(2 * size, 1 - done);
             continue;
         }
+
+        /* once more: with a weight that it did not have, or half as far */
+        if (cut->weighted != weighted) continue;
         size /= 2;
-        if (size < smallest) return explain_failure(cut, target, error);
+        if (size >= ldexp(1, -(cut->setup->options.max_halvings + (cut->weighted ? SLOWER : 0)))) continue;
+
+        /* a loose wire's branch of equilibria may end: the next one is further off than short parts reach */
+        if (longest * part_of_step(cut, reach) >= 1) return explain_failure(cut, target, error);
+        longest *= 4;
+        size = 1;
     }
     return WCUT_OK;
 }

@@ -87,7 +87,7 @@ done:
 }
 
 wcut_status wcut_job_resample(wcut_job *job, int stations) {
-    if (!job || stations < 2) return WCUT_BAD_ARGUMENT;
+    if (!job || stations < 2 || job->stations < 0) return WCUT_BAD_ARGUMENT;
     wcut_status status = job->mode == WCUT_MODE_PATH ? resample_path(job, stations) : WCUT_OK;
     if (status == WCUT_OK) job->stations = stations;
     return status;
@@ -97,14 +97,14 @@ wcut_status wcut_job_resample(wcut_job *job, int stations) {
 
 double wcut_job_heat_eval(const wcut_job *job, double time) {
     double heat = job->heat;
-    for (int k = 0; k < job->heat_step_count; k++)
+    for (int k = 0; job->heat_step && k < job->heat_step_count; k++)
         if (time >= job->heat_step[k].from && time < job->heat_step[k].to) heat *= job->heat_step[k].factor;
     return heat;
 }
 
 double wcut_job_pace_eval(const wcut_job *job, double time) {
     double pace = 1;
-    for (int k = 0; k < job->dither_count; k++)
+    for (int k = 0; job->dither && k < job->dither_count; k++)
         pace += job->dither[k].amplitude * sin(2 * WCUT_PI * time / job->dither[k].period + job->dither[k].phase);
     return pace;
 }

@@ -31,6 +31,13 @@ typedef struct wcut_wire {
     bool pulled;                  /* offset and pull are there */
 } wcut_wire;
 
+/* What a wire does that comes to touch while it hangs loose. */
+typedef enum wcut_contact_rule {
+    WCUT_CONTACT_BY_WEIGHT,  /* it leans; where that leaves it without tension it has a weight from then on */
+    WCUT_CONTACT_BY_LEANING, /* it leans, whatever comes of it */
+    WCUT_CONTACT_HEAVY       /* it has a weight from station 0 on */
+} wcut_contact_rule;
+
 struct wcut_cut {
     const wcut_setup *setup;
     int index;               /* of the station it is at */
@@ -39,8 +46,9 @@ struct wcut_cut {
     double speed_a, speed_b; /* [mm/s] of the ends over the last step */
     int iterations, substeps;
     double residual;
-    bool touched;  /* the wire has been in contact */
-    bool over;     /* a step failed: the run cannot go on */
+    bool touched; /* the wire has been in contact */
+    bool over;    /* a step failed: the run cannot go on */
+    wcut_contact_rule contact_rule;
     bool weighted; /* a loose wire has a weight: the slower way through a first contact, see implicit.c */
     wcut_wire now, next;
     wcut_vec3 *was;           /* n: where the nodes come from in the sub-step being tried */
@@ -55,6 +63,9 @@ struct wcut_cut {
     double *rest;             /* n-1 [mm] the same without tension: other than edge where the wire stretches */
     wcut_solver solver;
 };
+
+/* how a run deals with first contact; before its first step */
+void wcut_contact_rule_set(wcut_cut *cut, wcut_contact_rule rule);
 
 /* Where a step or sub-step is to lead. */
 typedef struct wcut_target {

@@ -5,6 +5,9 @@
 #include "base/fail.h"
 #include "base/numbers.h"
 
+#define COUNT_MAX 10000000 /* nodes, stations, entries of a list: index arithmetic stays within int */
+#define FEED_WAY 0.25      /* [1] wire lengths of way that tell the feed */
+
 wcut_cut_options wcut_cut_options_default(void) {
     return (wcut_cut_options){
         .integrator = WCUT_INTEGRATOR_IMPLICIT, .tolerance = 1e-10, .max_iterations = 40, .max_halvings = 10};
@@ -37,10 +40,32 @@ static wcut_status check_numbers(const wcut_job *job, wcut_error *error) {
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "limits.speed_min_mm_s: found %g, expected less than speed_max_mm_s = %g", job->speed_min,
                          job->speed_max);
-    if (job->nodes < 3)
-        return wcut_fail(error, WCUT_BAD_ARGUMENT, "wire.nodes: found %d, expected at least 3", job->nodes);
-    if (job->stations < 2)
-        return wcut_fail(error, WCUT_BAD_ARGUMENT, "stations: found %d, expected at least 2", job->stations);
+    if (job->nodes < 3 || job->nodes > COUNT_MAX)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "wire.nodes: found %d, expected at least 3 and at most %d",
+                         job->nodes, COUNT_MAX);
+    if (job->stations < 2 || job->stations > COUNT_MAX)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "stations: found %d, expected at least 2 and at most %d",
+                         job->stations, COUNT_MAX);
+    return WCUT_OK;
+}
+
+/* arrays that their counts speak of, and values of enumerations */
+static wcut_status check_lists(const wcut_job *job, wcut_error *error) {
+    if (job->mode != WCUT_MODE_PATH && job->mode != WCUT_MODE_DESIGN)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "mode: found %d, expected path or design", (int)job->mode);
+    const struct {
+        const char *key;
+        int count;
+        const void *array;
+    } list[] = {{"effects", job->effect_count, job->effect},
+                {"excitation.speed", job->dither_count, job->dither},
+                {"excitation.heat", job->heat_step_count, job->heat_step},
+                {"design.extra_length_mm", job->extra_count, job->extra_u},
+                {"design.extra_length_mm", job->extra_count, job->extra_length}};
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++)
+        if (list[i].count < 0 || list[i].count > COUNT_MAX || (list[i].count > 0 && !list[i].array))
+            return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s: found %d entries%s, expected an array of 0 to %d",
+                             list[i].key, list[i].count, list[i].array ? "" : " without an array", COUNT_MAX);
     return WCUT_OK;
 }
 
@@ -82,10 +107,6 @@ static wcut_status check_effects(const wcut_job *job, wcut_integrator integrator
                              "effects[%d]: found %s with the integrator heun, expected implicit: heun is the paper's "
                              "plain model",
                              e, info->name);
-        if (info->needs_mounts && job->mode == WCUT_MODE_DESIGN)
-            return wcut_fail(error, WCUT_BAD_ARGUMENT,
-                             "effects[%d]: found %s in a design, expected a job with a path: a design has no mounts", e,
-                             info->name);
     }
     return status;
 }
@@ -95,7 +116,9 @@ static bool pick_effects(wcut_setup *setup) {
     const wcut_job *job = setup->job;
     setup->effect = wcut_alloc((size_t)job->effect_count, sizeof *setup->effect);
     for (int e = 0; setup->effect && e < job->effect_count; e++)
-        if (acts_in_step(&job->effect[e])) setup->effect[setup->effect_count++] = job->effect[e];
+        if (acts_in_step(&job->effect[e]) &&
+            !(setup->foam.embedded && wcut_effect_view(job->effect[e].kind)->needs_mounts))
+            setup->effect[setup->effect_count++] = job->effect[e]; /* a plan has no mounts to give way */
     return setup->effect != NULL;
 }
 
@@ -122,33 +145,38 @@ static bool passes_inside(const wcut_block *block, wcut_vec3 p, wcut_vec3 q) {
     return enter < leave;
 }
 
+/* path mode: mounts in the foam, or that come through it from the station before */
+static wcut_status check_mounts(const wcut_setup *setup, int j, wcut_error *error) {
+    const wcut_block *block = &setup->foam.block;
+    const wcut_vec3 a = setup->end_a[j], b = setup->end_b[j];
+    if (strictly_inside(block, a) || strictly_inside(block, b))
+        return wcut_fail(error, WCUT_DEGENERATE, "station %d: mount %c is inside the block, expected a path around it",
+                         j, strictly_inside(block, a) ? 'A' : 'B');
+    if (j == 0) return WCUT_OK;
+    const bool by_a = passes_inside(block, setup->end_a[j - 1], a);
+    if (!by_a && !passes_inside(block, setup->end_b[j - 1], b)) return WCUT_OK;
+    return wcut_fail(error, WCUT_DEGENERATE,
+                     "station %d: mount %c comes through the block from station %d, expected a path around it", j,
+                     by_a ? 'A' : 'B', j - 1);
+}
+
 /* stations that the wire cannot reach, mounts in the foam, mounts that stand still */
 static wcut_status check_stations(const wcut_setup *setup, wcut_error *error) {
-    const wcut_job *job = setup->job;
-    for (int j = 0; j < job->stations; j++) {
+    for (int j = 0; j < setup->stations; j++) {
         const wcut_vec3 a = setup->end_a[j], b = setup->end_b[j];
         const double chord = vec3_distance(a, b), length = setup->length[j];
+
         /* only where it begins may the wire be straight: under load a straight wire would need endless tension */
         if (length < chord * (1 - 1e-9))
             return wcut_fail(
                 error, WCUT_DEGENERATE,
-                "station %d: the wire (%.6g mm) is shorter than the distance of its ends (%.6g mm) by %.3g mm", j,
-                length, chord, chord - length);
+                "station %d: the wire (%.6g mm) is shorter than the distance of its ends (%.6g mm) by %.3g mm%s", j,
+                length, chord, chord - length, wcut_unit_hint(length, chord));
         if (!(chord > 1e-6 * length))
             return wcut_fail(error, WCUT_DEGENERATE, "station %d: both ends of the wire are in one place", j);
-        if (job->mode == WCUT_MODE_PATH &&
-            (strictly_inside(&setup->foam.block, a) || strictly_inside(&setup->foam.block, b)))
-            return wcut_fail(error, WCUT_DEGENERATE,
-                             "station %d: mount %c is inside the block, expected a path around it", j,
-                             strictly_inside(&setup->foam.block, a) ? 'A' : 'B');
-        if (job->mode == WCUT_MODE_PATH && j > 0) {
-            const bool by_a = passes_inside(&setup->foam.block, setup->end_a[j - 1], a);
-            if (by_a || passes_inside(&setup->foam.block, setup->end_b[j - 1], b))
-                return wcut_fail(error, WCUT_DEGENERATE,
-                                 "station %d: mount %c comes through the block from station %d, expected a path around "
-                                 "it",
-                                 j, by_a ? 'A' : 'B', j - 1);
-        }
+
+        const wcut_status status = setup->foam.embedded ? WCUT_OK : check_mounts(setup, j, error);
+        if (status != WCUT_OK) return status;
         if (j > 0 &&
             !(fmax(vec3_distance(a, setup->end_a[j - 1]), vec3_distance(b, setup->end_b[j - 1])) > 1e-9 * length))
             return wcut_fail(error, WCUT_DEGENERATE, "station %d: neither mount has moved since station %d", j, j - 1);
@@ -159,10 +187,9 @@ static wcut_status check_stations(const wcut_setup *setup, wcut_error *error) {
 /* whether anything of the region that the wire sweeps can lie in the block: the hull of the ends, trailing by
    the slack */
 static wcut_status check_contact(const wcut_setup *setup, wcut_error *error) {
-    const wcut_job *job = setup->job;
     wcut_vec3 low = setup->end_a[0], high = low;
     double slack = 0;
-    for (int j = 0; j < job->stations; j++) {
+    for (int j = 0; j < setup->stations; j++) {
         const wcut_vec3 end[2] = {setup->end_a[j], setup->end_b[j]};
         for (int k = 0; k < 2; k++) {
             low = vec3(fmin(low.x, end[k].x), fmin(low.y, end[k].y), fmin(low.z, end[k].z));
@@ -178,9 +205,9 @@ static wcut_status check_contact(const wcut_setup *setup, wcut_error *error) {
     return wcut_fail(
         error, WCUT_DEGENERATE,
         "path: no contact with the block: the wire stays within x %.6g .. %.6g, y %.6g .. %.6g, z %.6g .. %.6g "
-        "mm, the block fills 0 .. %.6g, 0 .. %.6g, 0 .. %.6g mm",
+        "mm, the block fills 0 .. %.6g, 0 .. %.6g, 0 .. %.6g mm%s",
         low.x - slack, high.x + slack, low.y - slack, high.y + slack, low.z - slack, high.z + slack, size.x, size.y,
-        size.z);
+        size.z, wcut_unit_hint(vec3_distance(low, high), vec3_length(size)));
 }
 
 static double slack_of(const wcut_setup *setup, int j) {
@@ -190,7 +217,7 @@ static double slack_of(const wcut_setup *setup, int j) {
 /* Entry: the wire gains slack from the beginning on, after whatever even approach. Exit: it loses slack until the end.
    Rates below a fiftieth of the largest count as even. */
 static void find_phases(wcut_setup *setup) {
-    const int m = setup->job->stations;
+    const int m = setup->stations;
     double fastest = 0;
     for (int j = 1; j < m; j++) fastest = fmax(fastest, fabs(slack_of(setup, j) - slack_of(setup, j - 1)));
     const double even = fastest / 50;
@@ -207,33 +234,100 @@ static void find_phases(wcut_setup *setup) {
     setup->exit_begin = m;
 }
 
+/* The direction in which the cut begins, across the first chord: the mean motion of both mounts over the first part of
+   the way, FEED_WAY wire lengths, the beginning counting most (weights falling evenly to 0). The first step alone would
+   be a matter of how finely the path is sampled. */
 static wcut_vec3 find_feed(const wcut_setup *setup) {
     const wcut_vec3 across = vec3_unit(vec3_sub(setup->end_b[0], setup->end_a[0]));
-    for (int j = 1; j < setup->job->stations; j++) {
-        const wcut_vec3 move =
-            vec3_add(vec3_sub(setup->end_a[j], setup->end_a[0]), vec3_sub(setup->end_b[j], setup->end_b[0]));
-        const wcut_vec3 feed = vec3_add_scaled(move, -vec3_dot(move, across), across);
-        if (vec3_length(feed) > 1e-9 * setup->length[0]) return vec3_unit(feed);
+    const double reach = FEED_WAY * setup->length[0];
+    wcut_vec3 motion = {0, 0, 0};
+    double way = 0;
+
+    for (int j = 1; j < setup->stations && way < reach; j++) {
+        const wcut_vec3 move_a = vec3_sub(setup->end_a[j], setup->end_a[j - 1]);
+        const wcut_vec3 move_b = vec3_sub(setup->end_b[j], setup->end_b[j - 1]);
+
+        /* the integral of the weight 1 - way / reach over the step, which may end beyond `reach` */
+        const double step = (vec3_length(move_a) + vec3_length(move_b)) / 2;
+        const double share = fmin(1, (reach - way) / step);
+        const double weight = share * (1 - (way + share * step / 2) / reach);
+        motion = vec3_add_scaled(motion, weight, vec3_add(move_a, move_b));
+        way += step;
     }
-    return vec3(0, 1, 0);
+
+    /* what is along the chord does not feed */
+    const wcut_vec3 feed = vec3_add_scaled(motion, -vec3_dot(motion, across), across);
+    return vec3_length(feed) > 1e-9 * setup->length[0] ? vec3_unit(feed) : vec3(0, 1, 0);
+}
+
+/* room for so many stations */
+static bool make_room(wcut_setup *setup, int stations) {
+    const size_t m = (size_t)stations;
+    setup->stations = stations;
+    setup->part_last = stations - 1;
+    setup->end_a = wcut_alloc(m, sizeof *setup->end_a);
+    setup->end_b = wcut_alloc(m, sizeof *setup->end_b);
+    setup->length = wcut_alloc(m, sizeof *setup->length);
+    return setup->end_a && setup->end_b && setup->length;
+}
+
+/* the mounts' way as given, with one length of wire */
+static void take_mounts(wcut_setup *setup, const wcut_vec3 *a, const wcut_vec3 *b, double length) {
+    for (int j = 0; j < setup->stations; j++) {
+        setup->end_a[j] = a[j];
+        setup->end_b[j] = b[j];
+        setup->length[j] = length;
+    }
+}
+
+/* a design: its plan is run, as far as it goes, and gives the mounts' way */
+static wcut_status take_design(wcut_setup *setup, wcut_error *error) {
+    wcut_setup *plan = NULL;
+    wcut_history *history = NULL;
+    wcut_design_path path = {0};
+    wcut_status status = wcut_plan_create(setup->job, &setup->options, &plan, error);
+    if (status == WCUT_OK) status = wcut_setup_run(plan, NULL, NULL, &history, error);
+
+    /* a plan that ends early is cut up to there, and the run says why */
+    if (status == WCUT_NOT_CONVERGED && history) {
+        setup->plan_ended = history->ended;
+        status = WCUT_OK;
+    }
+    if (status == WCUT_OK) status = wcut_design_path_create(plan, history, &path, error);
+    if (status == WCUT_OK) {
+        if (make_room(setup, path.stations)) {
+            take_mounts(setup, path.mount_a, path.mount_b, path.length);
+            setup->part_first = path.part_first, setup->part_last = path.part_last;
+        } else {
+            status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d stations", path.stations);
+        }
+    }
+    wcut_design_path_destroy(&path);
+    wcut_history_destroy(history);
+    wcut_setup_destroy(plan);
+    return status;
 }
 
 static wcut_status fill(wcut_setup *setup, wcut_error *error) {
     const wcut_job *job = setup->job;
-    setup->foam = (wcut_foam){.law = job->force_law,
-                              .block = {.size = job->block_size, .depth = job->wire_diameter},
-                              .embedded = job->mode == WCUT_MODE_DESIGN};
-    if (job->mode == WCUT_MODE_DESIGN) {
-        const wcut_status status = wcut_design_ends(job, setup->end_a, setup->end_b, setup->length, error);
-        if (status != WCUT_OK) return status;
-    } else {
-        for (int j = 0; j < job->stations; j++) {
-            setup->end_a[j] = job->mount_a[j];
-            setup->end_b[j] = job->mount_b[j];
-            setup->length[j] = job->wire_length;
-        }
-    }
-    wcut_status status = check_stations(setup, error);
+    wcut_status status = WCUT_OK;
+    setup->foam.law = job->force_law;
+    setup->foam.block = (wcut_block){.size = job->block_size, .depth = job->wire_diameter};
+
+    /* where the wire's ends are at every station */
+    if (job->mode == WCUT_MODE_DESIGN && !setup->foam.embedded)
+        status = take_design(setup, error);
+    else if (!make_room(setup, job->stations))
+        status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d stations", job->stations);
+    else if (setup->foam.embedded)
+        status = wcut_design_ends(job, setup->end_a, setup->end_b, setup->length, error);
+    else
+        take_mounts(setup, job->mount_a, job->mount_b, job->wire_length);
+
+    /* whether a wire can go there, and meets the block */
+    if (status == WCUT_OK && setup->foam.embedded)
+        status = wcut_design_check_edges(job, setup->end_a, setup->end_b, error);
+    if (status == WCUT_OK) status = check_stations(setup, error);
     if (status == WCUT_OK) status = check_contact(setup, error);
     if (status != WCUT_OK) return status;
     setup->feed = find_feed(setup);
@@ -250,33 +344,77 @@ static wcut_status check_options(const wcut_cut_options *o, wcut_error *error) {
                      "0 to 30 halvings expected");
 }
 
+/* a setup of a job that is checked; embedded: of a design's plan */
+static wcut_status create(const wcut_job *job, const wcut_cut_options *options, bool embedded, wcut_setup **out,
+                          wcut_error *error) {
+    wcut_setup *setup = wcut_alloc(1, sizeof *setup);
+    if (!setup) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a setup");
+    wcut_status status;
+    setup->options = *options;
+    setup->foam.embedded = embedded;
+    setup->job = wcut_job_copy(job);
+    if (setup->job && pick_effects(setup))
+        status = fill(setup, error);
+    else
+        status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a job of %d stations", job->stations);
+    if (status == WCUT_OK)
+        *out = setup;
+    else
+        wcut_setup_destroy(setup);
+    return status;
+}
+
+wcut_status wcut_plan_create(const wcut_job *job, const wcut_cut_options *options, wcut_setup **plan,
+                             wcut_error *error) {
+    return create(job, options, true, plan, error);
+}
+
 wcut_status wcut_setup_create(const wcut_job *job, const wcut_cut_options *options, wcut_setup **out,
                               wcut_error *error) {
     const wcut_cut_options o = options ? *options : wcut_cut_options_default();
     if (!job || !out) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a job and a place for the setup are expected");
     wcut_status status = check_options(&o, error);
     if (status == WCUT_OK) status = check_numbers(job, error);
+    if (status == WCUT_OK) status = check_lists(job, error);
     if (status == WCUT_OK) status = job->mode == WCUT_MODE_PATH ? check_path(job, error) : check_design(job, error);
     if (status == WCUT_OK) status = check_effects(job, o.integrator, error);
-    if (status != WCUT_OK) return status;
+    return status == WCUT_OK ? create(job, &o, false, out, error) : status;
+}
 
-    const size_t m = (size_t)job->stations;
-    wcut_setup *setup = wcut_alloc(1, sizeof *setup);
-    if (!setup) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for the setup");
-    setup->options = o;
-    setup->job = wcut_job_copy(job);
-    setup->end_a = wcut_alloc(m, sizeof *setup->end_a);
-    setup->end_b = wcut_alloc(m, sizeof *setup->end_b);
-    setup->length = wcut_alloc(m, sizeof *setup->length);
-    if (setup->job && setup->end_a && setup->end_b && setup->length && pick_effects(setup))
-        status = fill(setup, error);
-    else
-        status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d stations", job->stations);
-    if (status == WCUT_OK)
-        *out = setup;
-    else
-        wcut_setup_destroy(setup);
-    return status;
+wcut_status wcut_setup_path_job(const wcut_setup *setup, wcut_job **job) {
+    if (!setup || !job) return WCUT_BAD_ARGUMENT;
+    if (setup->plan_ended.status != WCUT_OK) return setup->plan_ended.status;
+    wcut_job *path = wcut_job_copy(setup->job);
+    if (!path) return WCUT_NO_MEMORY;
+
+    /* what a design was drawn by gives way to the mounts' way that it became */
+    const size_t m = (size_t)setup->stations;
+    wcut_free(path->mount_a);
+    wcut_free(path->mount_b);
+    wcut_curve_destroy(path->edge_a);
+    wcut_curve_destroy(path->edge_b);
+    wcut_free(path->extra_u);
+    wcut_free(path->extra_length);
+    path->edge_a = path->edge_b = NULL;
+    path->extra_u = path->extra_length = NULL;
+    path->extra_count = 0;
+    path->clearance = 0;
+    path->mode = WCUT_MODE_PATH;
+    path->stations = setup->stations;
+    path->wire_length = setup->length[0];
+    path->mount_a = wcut_copy(setup->end_a, m, sizeof *path->mount_a);
+    path->mount_b = wcut_copy(setup->end_b, m, sizeof *path->mount_b);
+    if (!path->mount_a || !path->mount_b) {
+        wcut_job_destroy(path);
+        return WCUT_NO_MEMORY;
+    }
+    *job = path;
+    return WCUT_OK;
+}
+
+wcut_setup_span wcut_setup_stations(const wcut_setup *setup) {
+    if (!setup) return (wcut_setup_span){0, 0, 0};
+    return (wcut_setup_span){setup->stations, setup->part_first, setup->part_last};
 }
 
 void wcut_setup_destroy(wcut_setup *setup) {
@@ -289,6 +427,6 @@ void wcut_setup_destroy(wcut_setup *setup) {
     wcut_free(setup);
 }
 
-const wcut_job *wcut_setup_job(const wcut_setup *setup) { return setup->job; }
+const wcut_job *wcut_setup_job(const wcut_setup *setup) { return setup ? setup->job : NULL; }
 
-const wcut_cut_options *wcut_setup_options(const wcut_setup *setup) { return &setup->options; }
+const wcut_cut_options *wcut_setup_options(const wcut_setup *setup) { return setup ? &setup->options : NULL; }

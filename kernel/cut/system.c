@@ -202,8 +202,10 @@ void wcut_system_eval(wcut_system *y, const wcut_step *step, const wcut_vec3 *x,
 }
 
 wcut_misfit wcut_system_misfit(const wcut_system *y, const wcut_step *step) {
-    /* a load far below the target tension is held to what rounding of the target allows */
-    const double scale = fmax(y->load, 1e-6 * step->tension);
+    /* a load far below the target tension is held to what rounding of the target allows; where a dead load shapes the
+       wire, that is the measure, however much more the foam pulls already */
+    double scale = fmax(y->load, 1e-6 * step->tension);
+    if (step->dead_load) scale = fmin(scale, 1e-4 * step->tension);
     wcut_misfit m = {.condition = fabs(y->condition) / step->tension};
     for (int e = 0; e < y->n - 1; e++) m.strain = fmax(m.strain, fabs(y->residual[tension_at(e)]) / step->edge);
     for (int i = 1; i < y->n - 1; i++)

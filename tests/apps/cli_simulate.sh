@@ -42,6 +42,43 @@ run 0 simulate "$job" -o fine $small --chord-tolerance 0.05
 run 0 simulate "$jobs/freeform-3.json" -o design --stations 41 --nodes 31 --chord-tolerance 1 --quiet
 whole design
 
+# a design is its own path job to the last byte: positions, times and speeds of every file
+run 0 simulate design/job-path.json -o way --nodes 31 --chord-tolerance 1 --quiet
+for name in path.csv surface.stl surface.ply; do
+    cmp -s "design/$name" "way/$name" || fail "$name of a design and of its path job differ"
+done
+[ -e way/job-path.json ] && fail "a path job has written itself"
+python3 - design/path.csv <<'EOF' || fail "speeds in path.csv are not way over time"
+import csv, math, sys
+rows = list(csv.DictReader(open(sys.argv[1])))
+assert rows[0]["phase"] == "approach" and rows[-1]["phase"] == "left", (rows[0]["phase"], rows[-1]["phase"])
+for a, b in zip(rows, rows[1:]):
+    dt = float(b["time_s"]) - float(a["time_s"])
+    for m in "ab":
+        way = math.dist([float(a[m + k]) for k in ("_x_mm", "_y_mm", "_z_mm")], [float(b[m + k]) for k in ("_x_mm", "_y_mm", "_z_mm")])
+        assert abs(way / dt - float(b[f"speed_{m}_mm_s"])) < 1e-6 * (1 + way / dt), (b["station"], m)
+EOF
+python3 -c '
+import json, sys
+d = json.load(open(sys.argv[1]))["design"]
+print(json.dumps({"curves": [d["edge_a"], d["edge_b"]]}))' "$jobs/freeform-1.json" >edges.json
+run 0 simulate "$jobs/freeform-3.json" --edges edges.json -o edges --stations 21 --nodes 31 --chord-tolerance 1 --quiet
+cmp -s edges/path.csv design/path.csv && fail "--edges changed nothing"
+run 3 simulate "$job" --edges edges.json -o edges2
+one_line '--edges' 'expected a design'
+
+# inputs of users: what does not fit the block is refused with place and unit
+found=$SOURCE_DIR/../shared/found/user
+if [ -d "$found" ]; then
+    for name in design-in-metres-of-block design-longer-than-block design-thicker-than-block outofblock metres; do
+        run 3 simulate "$found/$name.json" -o user --quiet
+        one_line design
+        case $name in *metres*) grep -q 'they differ by 1000' err || fail "$name: no hint: $(cat err)" ;; esac
+    done
+else
+    echo "skipped: no ../shared/found/user here"
+fi
+
 # a name that could speak to the terminal, in the job and in the folder
 odd=$(printf 'odd \033[31m \303\266')
 sed 's/"name": "[^"]*"/"name": "a\\u001b[31m\\n\\"<b>"/' "$job" >"$odd.json"

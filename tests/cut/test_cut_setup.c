@@ -1,6 +1,9 @@
 /* Bad jobs: each is refused with its place and expectation, and nothing is written; a step without a solution ends the
    run with the station before still in view. */
+#include <limits.h>
+#include <wirecut/summary.h>
 #include "cut/cuts.h"
+
 #include "test.h"
 
 /* what is expected of a job that `spoil` has spoilt */
@@ -236,4 +239,59 @@ TEST(names_of_phases_and_conditions_are_those_of_the_files) {
     for (int k = 0; k < 4; k++) ck_assert_str_eq(wcut_condition_name((wcut_condition)k), condition[k]);
     ck_assert_str_eq(wcut_phase_name((wcut_phase)17), "unknown");
     ck_assert_str_eq(wcut_condition_name((wcut_condition)17), "unknown");
+}
+
+/* what a program may hand over that no file can say */
+TEST(a_job_with_counts_but_no_arrays_or_with_an_impossible_mode_is_refused) {
+    for (int mode = 0; mode < 2; mode++)
+        for (int k = 0; k < 12; k++) {
+            wcut_job *job = mode ? sample_job("freeform-1.json") : straight_job(400, 60, 620, 61, 20, 150, 400);
+            if (k == 0) job->mode = (wcut_mode)7;
+            if (k == 1) job->mode = (wcut_mode)-1;
+            if (k == 2) job->effect_count = 3;
+            if (k == 3) job->effect_count = -1;
+            if (k == 4) job->dither_count = 2;
+            if (k == 5) job->dither_count = -2;
+            if (k == 6) job->heat_step_count = 1;
+            if (k == 7) job->heat_step_count = INT_MAX;
+            if (k == 8) job->nodes = INT_MAX;
+            if (k == 9) job->stations = INT_MAX;
+            if (k == 10) job->stations = -5;
+            double *extra = job->extra_u;
+            if (k == 11) job->extra_count = 4, job->extra_u = NULL;
+            wcut_setup *setup = NULL;
+            wcut_error error = {0};
+            ck_assert_int_eq(wcut_setup_create(job, NULL, &setup, &error), WCUT_BAD_ARGUMENT);
+            ck_assert_msg(!setup && strstr(error.text, "expected"), "%d: %s", k, error.text);
+
+            /* nor does anything else run over what is not there */
+            ck_assert(isfinite(wcut_job_heat_eval(job, 1)));
+            ck_assert(isfinite(wcut_job_pace_eval(job, 1)));
+            if (k != 9) wcut_job_resample(job, 30); /* what a count promises must be there */
+            job->effect_count = job->dither_count = job->heat_step_count = 0;
+            job->extra_u = extra;
+            wcut_job_destroy(job);
+        }
+}
+
+TEST(functions_of_a_cut_refuse_null) {
+    double length = 999;
+    wcut_vec3 at = {0, 0, 0};
+    wcut_job *job = NULL;
+    wcut_summary summary;
+    wcut_history empty = {.stations = 2, .nodes = 5};
+    ck_assert_int_eq(wcut_setup_path_job(NULL, &job), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_job_create(NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_job_resample(NULL, 5), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_cut_drive(NULL, at, at, 1, 60, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_history_path(NULL, &empty, &at, &at, &length, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_summary_eval(NULL, &summary), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_summary_eval(&empty, &summary), WCUT_BAD_ARGUMENT);
+    wcut_job_destroy(NULL);
+    wcut_cut_view(NULL, NULL);
+    ck_assert_ptr_null(wcut_setup_job(NULL));
+    ck_assert_ptr_null(wcut_setup_options(NULL));
+    ck_assert_int_eq(wcut_setup_stations(NULL).stations, 0);
+    ck_assert_str_eq(wcut_phase_name((wcut_phase)99), "unknown");
+    ck_assert_str_eq(wcut_condition_name((wcut_condition)-1), "unknown");
 }

@@ -115,17 +115,24 @@ TEST(a_drive_without_a_solution_leaves_the_state_before_in_view) {
     wcut_job_destroy(job);
 }
 
-TEST(design_mode_and_heun_are_not_driven) {
-    wcut_job *design = sample_job("freeform-1.json"), *path = swinging_job(31, 20);
+TEST(heun_is_not_driven_and_a_design_is_driven_along_its_path) {
+    wcut_job *design = sample_job("freeform-1.json"), *path = swinging_job(31, 20), *of_design = NULL;
     wcut_cut_options heun = wcut_cut_options_default();
     heun.integrator = WCUT_INTEGRATOR_HEUN;
-    for (int k = 0; k < 2; k++) {
-        wcut_setup *setup = setup_of(k == 0 ? design : path, k == 0 ? NULL : &heun);
-        wcut_cut *cut = begin(setup);
-        ck_assert_int_eq(wcut_cut_drive(cut, vec3(0, 4, 150), vec3(400, 4, 150), 0.1, 65, NULL), WCUT_BAD_ARGUMENT);
-        wcut_cut_destroy(cut);
-        wcut_setup_destroy(setup);
-    }
+    wcut_setup *setup = setup_of(path, &heun);
+    wcut_cut *cut = begin(setup);
+    ck_assert_int_eq(wcut_cut_drive(cut, vec3(0, 4, 150), vec3(400, 4, 150), 0.1, 65, NULL), WCUT_BAD_ARGUMENT);
+    wcut_cut_destroy(cut);
+    wcut_setup_destroy(setup);
+
+    setup = setup_of(design, NULL);
+    cut = begin(setup);
+    ck_assert_int_eq(wcut_setup_path_job(setup, &of_design), WCUT_OK);
+    for (int j = 1; j < 10; j++)
+        ck_assert_int_eq(wcut_cut_drive(cut, of_design->mount_a[j], of_design->mount_b[j], 0.1, 65, NULL), WCUT_OK);
+    wcut_cut_destroy(cut);
+    wcut_setup_destroy(setup);
+    wcut_job_destroy(of_design);
     wcut_job_destroy(design);
     wcut_job_destroy(path);
 }

@@ -10,24 +10,29 @@ static const char *const all_jobs[] = {
     "steady-400-50.json", "steady-400-60.json", "steady-400-70.json", "steady-400-85.json",
     "steady-500-50.json", "steady-500-60.json", "steady-500-70.json", "steady-500-85.json"};
 
-static void run_all(int stations) {
-    for (size_t k = 0; k < sizeof all_jobs / sizeof *all_jobs; k++) {
-        wcut_job *job = sample_job(all_jobs[k]);
-        ck_assert_int_eq(wcut_job_resample(job, stations), WCUT_OK);
-        wcut_history *h = run_of(job);
-        ck_assert_int_eq(h->stations, stations);
-        for (int j = 0; j < stations; j++) ck_assert_double_le(h->row[j].residual, 1e-10);
-        const wobble w = wobble_of(h, 0);
-        ck_assert_msg(w.speed < 0.01 && w.angle < 1e-4 && w.force < 3e-3, "%s, %d stations: %g %g %g", all_jobs[k],
-                      stations, w.speed, w.angle, w.force);
-        wcut_history_destroy(h);
-        wcut_job_destroy(job);
-    }
+enum { JOBS = sizeof all_jobs / sizeof *all_jobs };
+
+static void run_one(const char *name, int stations) {
+    wcut_job *job = sample_job(name);
+    ck_assert_int_eq(wcut_job_resample(job, stations), WCUT_OK);
+    wcut_history *h = run_of(job);
+    ck_assert_int_ge(h->stations, stations);
+    for (int j = 0; j < h->stations; j++) ck_assert_double_le(h->row[j].residual, 1e-10);
+    /* a design's wire comes loose to the block, and its path bends where the way out begins: in between */
+    wcut_setup *setup = setup_of(job, NULL);
+    const bool design = job->mode == WCUT_MODE_DESIGN;
+    h->stations = wcut_setup_stations(setup).part_last + 1;
+    wcut_setup_destroy(setup);
+    const wobble w = wobble_of(h, design ? 8 : 0);
+    ck_assert_msg(w.speed < 0.01 && w.angle < 1e-4 && w.force < 3e-3, "%s, %d stations: %g %g %g", name, stations,
+                  w.speed, w.angle, w.force);
+    wcut_history_destroy(h);
+    wcut_job_destroy(job);
 }
 
-TEST(every_sample_job_is_cut_to_its_end_without_a_wobble_at_60_stations) { run_all(60); }
+TEST_EACH(every_sample_job_is_cut_to_its_end_without_a_wobble_at_60_stations, JOBS) { run_one(all_jobs[_i], 60); }
 
-TEST(every_sample_job_is_cut_to_its_end_without_a_wobble_at_300_stations) { run_all(300); }
+TEST_EACH(every_sample_job_is_cut_to_its_end_without_a_wobble_at_300_stations, JOBS) { run_one(all_jobs[_i], 300); }
 
 TEST(the_phases_follow_each_other_and_the_planned_geometry) {
     wcut_job *job = sample_job("steady-400-60.json");

@@ -1,4 +1,6 @@
 /* Hostile calls of wire, foam, cut, control and explain. */
+#include <wirecut/feasibility.h>
+
 #include "hostile/sound.h"
 
 enum { NODES = 11, TESTS = 12 };
@@ -213,6 +215,8 @@ HOSTILE_STATUS(wcut_correction_apply, RECORD(correction()), PTR(short_job_once()
 HOSTILE_VALUE(wcut_setup_destroy, NULL)
 HOSTILE_VALUE(wcut_setup_job, sound_setup())
 HOSTILE_VALUE(wcut_setup_options, sound_setup())
+HOSTILE_VALUE(wcut_setup_stations, sound_setup())
+HOSTILE_MADE(wcut_setup_path_job, wcut_job, wcut_job_destroy, PTR(sound_setup()), PTR(&made))
 HOSTILE_MADE(wcut_cut_create, wcut_cut, wcut_cut_destroy, PTR(sound_setup()), PTR(&made), OPT(NULL))
 HOSTILE_VALUE(wcut_cut_destroy, NULL)
 HOSTILE_VALUE(wcut_history_destroy, NULL)
@@ -249,6 +253,29 @@ HOSTILE(wcut_cut_view) {
     wcut_cut_view(cut_once(), &station);
     ck_assert_int_eq(station.nodes, sound_job()->nodes);
 }
+
+static wcut_vec3 *ways(void) {
+    static wcut_vec3 *way;
+    double of_wire;
+    const size_t n = (size_t)sound_job()->stations;
+    if (!way) {
+        way = calloc(2 * n, sizeof *way);
+        ck_assert_int_eq(wcut_history_path(sound_setup(), sound_history(), way, way + n, &of_wire, NULL), WCUT_OK);
+    }
+    return way;
+}
+
+HOSTILE(wcut_feasibility_eval) {
+    const int n = sound_job()->stations;
+    wcut_feasibility verdict = {.station = 999};
+    EACH_HOSTILE_ARGUMENT(
+        wcut_feasibility_eval,
+        wcut_feasibility_eval(PTR(sound_job()), PTR(sound_history()), PTR(ways()), PTR(ways() + n),
+                              OPT((const wcut_robot_limits *)NULL), PTR(&verdict), OPT((double *)NULL)),
+        verdict.station == 999, verdict.station = 999);
+}
+
+HOSTILE_VALUE(wcut_feasibility_name, ANY_ENUM(WCUT_FEASIBILITY_VERDICT_FEASIBLE))
 
 HOSTILE(wcut_history_path) {
     const int n = sound_job()->stations;

@@ -78,18 +78,45 @@ WCUT_API wcut_cut_options wcut_cut_options_default(void);
 /**
  * Check a job and prepare everything that runs share.
  *
+ * A design is planned first: a wire that runs from edge to edge, foam all about it, with the given extra length. Its ends
+ * prolonged along their tangents give the mounts' way, with an approach before the block and a way out behind it; that
+ * is what runs of the setup cut, the block before them and no foam elsewhere. Where the plan ends early, so do the runs,
+ * with its reason.
+ *
  * @param[in]  job     copied; may be freed afterwards
  * @param[in]  options NULL for the defaults
  * @param[out] setup   the caller's, to wcut_setup_destroy after its last cut
  * @param[out] error   may be NULL; says which key is wrong and what was expected
- * @return WCUT_OK; WCUT_BAD_ARGUMENT (a value out of range), WCUT_DEGENERATE (wire shorter than a chord, no
- *         contact with the block, a mount inside the block), WCUT_NO_MEMORY: nothing was written.
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a value out of range, an array that its count speaks of is NULL), WCUT_DEGENERATE
+ *         (wire shorter than a chord, no contact with the block, a mount inside the block, a design's edge more than
+ *         0.1 mm outside it, a design's wire that does not leave the block at its edge), WCUT_NOT_CONVERGED (a design's
+ *         first wire has no equilibrium), WCUT_NO_MEMORY: nothing was written.
  */
 WCUT_API wcut_status wcut_setup_create(const wcut_job *job, const wcut_cut_options *options, wcut_setup **setup,
                                        wcut_error *error);
 
 /** Free a setup; NULL is allowed. */
 WCUT_API void wcut_setup_destroy(wcut_setup *setup);
+
+/** The stations of a setup's runs. */
+typedef struct wcut_setup_span {
+    int stations;              /**< of a run, from 0 on */
+    int part_first, part_last; /**< a design's own stations: before them an approach, behind them a way out */
+} wcut_setup_span;
+
+/** Path mode: the job's stations. Design mode: those of the path that the design became, see wcut_setup_path_job. */
+WCUT_API wcut_setup_span wcut_setup_stations(const wcut_setup *setup);
+
+/**
+ * The path-mode job that a setup cuts: of a design both mounts' way with its approach and its way out, and the one
+ * length of wire between them; of a path-mode job the job. Its own setup makes the same run, to the last digit.
+ *
+ * @param[in]  setup
+ * @param[out] job   the caller's, to wcut_job_destroy
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NOT_CONVERGED (a design whose plan ends early: a run says where and why),
+ *         WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_setup_path_job(const wcut_setup *setup, wcut_job **job);
 
 /** The job that a setup was made from, borrowed. */
 WCUT_API const wcut_job *wcut_setup_job(const wcut_setup *setup);

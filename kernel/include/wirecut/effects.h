@@ -80,7 +80,7 @@ typedef struct wcut_effect_info {
     int strengths;                          /**< value[0] .. value[strengths - 1] are its size */
     double neutral;                         /**< at which all of them give the plain model back, bit for bit */
     bool repeats;                           /**< a job may have several of them */
-    bool needs_mounts;                      /**< path mode only */
+    bool needs_mounts;                      /**< acts where mounts are: left out of a design's plan */
     const wcut_effect_parameter *parameter; /**< of the first choice, the required ones first */
 } wcut_effect_info;
 

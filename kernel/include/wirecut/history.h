@@ -58,17 +58,15 @@ WCUT_API wcut_status wcut_setup_run(const wcut_setup *setup, wcut_progress progr
 WCUT_API void wcut_history_destroy(wcut_history *history);
 
 /**
- * Path curves of a design-mode cut: both ends prolonged along their end tangents so that every wire has one length and
- * both mounts keep the job's clearance from the block; in path mode the mounts as they are.
+ * The ways of both mounts along which a cut was made, of the stations that it reached.
  *
  * @param[in]  setup   that the history came from
  * @param[in]  history of that setup, at least one station
  * @param[out] mount_a history->stations [mm]
  * @param[out] mount_b history->stations [mm]
  * @param[out] length  [mm] the one wire length between the mounts
- * @param[out] error   may be NULL; the station at which there is no path
- * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_DEGENERATE (a tangent runs into the block):
- *         nothing was written.
+ * @param[out] error   may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was written.
  */
 WCUT_API wcut_status wcut_history_path(const wcut_setup *setup, const wcut_history *history, wcut_vec3 *mount_a,
                                        wcut_vec3 *mount_b, double *length, wcut_error *error);

@@ -19,14 +19,23 @@ typedef enum wcut_robot_format {
     WCUT_ROBOT_FORMAT_JSON      /**< both robots in one object, "format": "wirecut-robot/1" */
 } wcut_robot_format;
 
-/** What the programs call things. Names are letters, digits and _, beginning with a letter, at most 22 long: KRL has no
+/** What the programs call things and say in their heads. Both programs carry a run id of 12 bits, made of all targets and
+ * the title: urscript and krl exchange it bit by bit over the start signal before they move together, rapid has it in the
+ * names of its synchronisation points, so that programs of different runs do not start with each other. Names are letters, digits and _, beginning with a letter, at most 22 long: KRL has no
  * more. */
 typedef struct wcut_robot_names {
     const char *title;    /**< the job's; any text, for comments */
     const char *program;  /**< default "wirecut": module and program names get _a and _b */
     const char *wire_on;  /**< procedure that robot A calls at its first target; NULL: none; default "wire_on" */
     const char *wire_off; /**< ... after its last; default "wire_off" */
-    int sync_io;          /**< digital output of one robot that is this input of the other, 0 .. 255; default 1 */
+    int sync_io; /**< digital output of one robot that is this input of the other: urscript 0 .. 7, krl 1 .. 255;
+                               default 1 */
+    double approach_speed;        /**< [mm/s] of the move to the first target, positive; default 50 */
+    double approach_acceleration; /**< [mm/s^2] of every move that has no time of its own, positive; default 1000 */
+    double preheat;     /**< [s] that robot A waits behind wire_on before both start, not negative; default 0 */
+    double heat;        /**< [W/m] for the head; 0, the default: not said */
+    double tension;     /**< [N] for the head; 0, the default: not said */
+    double wire_length; /**< [mm] from mount to mount, for the head; 0, the default: not said */
 } wcut_robot_names;
 WCUT_API wcut_robot_names wcut_robot_names_default(void);
 
@@ -43,7 +52,7 @@ WCUT_API const char *wcut_robot_file_name(wcut_robot_format format, int robot);
  * @param[in]  robot   0 or 1
  * @param[in]  path    the target, replaced whole or not at all
  * @param[out] error   may be NULL
- * @return WCUT_OK; WCUT_BAD_ARGUMENT (a name that is none; a robot that the format has no file for), WCUT_NO_MEMORY,
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a name that is none; a digital output that the controller lacks; a robot that the format has no file for), WCUT_NO_MEMORY,
  *         WCUT_NOT_WRITTEN: the target is as it was.
  */
 WCUT_API wcut_status wcut_robot_write(const wcut_robot_motion *motion, const wcut_robot_names *names,

@@ -29,6 +29,7 @@
 #include <wirecut/exchange.h>
 #include <wirecut/export.h>
 #include <wirecut/face.h>
+#include <wirecut/feasibility.h>
 #include <wirecut/force_density.h>
 #include <wirecut/force_law.h>
 #include <wirecut/history.h>

@@ -179,31 +179,75 @@ static void from_euler(const double abc[3], double r[3][3]) {
     memcpy(r, m, sizeof m);
 }
 
-static bool stands(int robot, int i) { return speed_of(robot, i) * motion->target[i].duration < 5e-4; }
+/* the angle by which the tool turns in a move [rad] */
+static double turn_at(int robot, int i) {
+    const wcut_robot_target *t = &motion->target[i];
+    const double *p = robot ? t[-1].frame_b : t[-1].frame_a, *q = robot ? t->frame_b : t->frame_a;
+    return 2 * acos(fmin(1, fabs(p[0] * q[0] + p[1] * q[1] + p[2] * q[2] + p[3] * q[3])));
+}
+
+static bool creeps(int robot, int i) { return speed_of(robot, i) * motion->target[i].duration < 5e-4; }
+
+/* neither goes nor turns */
+static bool stands(int robot, int i) { return creeps(robot, i) && turn_at(robot, i) < 1e-5; }
+
+/* the run id over output and input `io` of URScript or KRL */
+static unsigned expect_run_id(bool ur, int io) {
+    char words[300];
+    unsigned id = 0;
+    for (int k = 0; k < 12; k++) {
+        snprintf(words, sizeof words, ur ? "set_digital_out(%d, " : "$OUT[%d] = ", io);
+        expect(words);
+        const bool bit = sees("T");
+        id = 2 * id + bit;
+        const char *value = ur ? bit ? "True" : "False" : bit ? "TRUE" : "FALSE";
+        if (ur)
+            snprintf(
+                words, sizeof words,
+                "%s) sleep(0.100) if (get_digital_in(%d) != %s): popup(\"programs of different runs\", \"wirecut\", "
+                "False, True, True) halt end sleep(0.100)",
+                value, io, value);
+        else
+            snprintf(words, sizeof words,
+                     "%s WAIT SEC 0.100 IF $IN[%d] <> %s THEN LOOP HALT ENDLOOP ENDIF WAIT SEC 0.100", value, io,
+                     value);
+        expect(words);
+    }
+    return id;
+}
+
+/* the same that a program's head says */
+static unsigned id_of_head(void) {
+    const char *found = strstr(text, "Run id ");
+    ck_assert_ptr_nonnull(found);
+    return (unsigned)strtoul(found + 7, NULL, 16);
+}
 
 TEST(urscript_parses_and_says_what_the_motion_is) {
     make();
     comment_mark = '#';
-    int standing = 0;
+    int turning = 0; /* where a mount stands, its tool follows the wire all the same */
     for (int robot = 0; robot < 2; robot++) {
         load(WCUT_ROBOT_FORMAT_URSCRIPT, robot, NULL);
         double x, y, z, v[3], a, speed, t, zone, r[3][3];
         expect(robot ? "def wirecut_b(): block = p[0, 0, 0, 0, 0, 0]" : "def wirecut_a(): block = p[0, 0, 0, 0, 0, 0]");
-        expect("movel(pose_trans(block, p[");
+        expect("set_digital_out(1, False) movel(pose_trans(block, p[");
         skip();
         expect("#, #, #, #, #, #]), a=#, v=#)", &x, &y, &z, &v[0], &v[1], &v[2], &a, &speed);
         check_place(robot, 0, 1000 * x, 1000 * y, 1000 * z);
+        ck_assert(a == 1 && speed == 0.05);
         if (robot == 0) expect("wire_on()");
         expect("set_digital_out(1, True) while (get_digital_in(1) == False): sync() end");
+        ck_assert_uint_eq(expect_run_id(true, 1), id_of_head());
         for (int i = 1; i < motion->count; i++) {
             if (stands(robot, i)) {
                 expect("sleep(#)", &t);
                 ck_assert_double_eq_tol(t, motion->target[i].duration, 1e-6);
-                standing++;
                 continue;
             }
             expect("movel(pose_trans(block, p[#, #, #, #, #, #]), a=#, v=#, t=#, r=#)", &x, &y, &z, &v[0], &v[1], &v[2],
                    &a, &speed, &t, &zone);
+            turning += creeps(robot, i);
             check_place(robot, i, 1000 * x, 1000 * y, 1000 * z);
             from_vector(v, r);
             check_axes(robot, i, r, 3e-6);
@@ -217,7 +261,7 @@ TEST(urscript_parses_and_says_what_the_motion_is) {
         skip();
         ck_assert(*at == 0);
     }
-    ck_assert_int_gt(standing, 0);
+    ck_assert_int_gt(turning, 0);
 }
 
 TEST(rapid_parses_and_says_what_the_motion_is) {
@@ -227,9 +271,15 @@ TEST(rapid_parses_and_says_what_the_motion_is) {
         load(WCUT_ROBOT_FORMAT_RAPID, robot, NULL);
         double x, y, z, q[4], speed, id, zone[5];
         expect(robot ? "MODULE wirecut_b" : "MODULE wirecut_a");
-        expect(
-            "PERS tasks wirecut_tasks{2} := [[\"T_ROB1\"],[\"T_ROB2\"]]; VAR syncident wirecut_on; VAR syncident "
-            "wirecut_off;");
+        char words[200], on[60], off[60];
+        snprintf(on, sizeof on, "SyncMoveOn wirecut_on_%03x, wirecut_tasks;", id_of_head());
+        snprintf(off, sizeof off, "SyncMoveOff wirecut_off_%03x;", id_of_head());
+        snprintf(
+            words, sizeof words,
+            "PERS tasks wirecut_tasks{2} := [[\"T_ROB1\"],[\"T_ROB2\"]]; VAR syncident wirecut_on_%03x; VAR syncident "
+            "wirecut_off_%03x;",
+            id_of_head(), id_of_head());
+        expect(words);
         expect(robot ? "PROC wirecut_b_main() ConfL \\Off;" : "PROC wirecut_a_main() ConfL \\Off;");
         const char *rest = "[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
         for (int i = 0; i < motion->count; i++) {
@@ -253,9 +303,9 @@ TEST(rapid_parses_and_says_what_the_motion_is) {
             }
             expect(", wirecut_tool\\WObj:=wirecut_block;");
             if (i == 0 && robot == 0) expect("wire_on;");
-            if (i == 0) expect("SyncMoveOn wirecut_on, wirecut_tasks;");
+            if (i == 0) expect(on);
         }
-        expect("SyncMoveOff wirecut_off;");
+        expect(off);
         if (robot == 0) expect("wire_off;");
         expect("ENDPROC ENDMODULE");
         skip();
@@ -266,34 +316,69 @@ TEST(rapid_parses_and_says_what_the_motion_is) {
 TEST(krl_parses_and_says_what_the_motion_is) {
     make();
     comment_mark = ';';
-    const wcut_robot_names names = {.program = "cut7", .wire_on = "heat", .wire_off = NULL, .sync_io = 12};
+    const wcut_robot_names names = {.program = "cut7",
+                                    .wire_on = "heat",
+                                    .wire_off = NULL,
+                                    .sync_io = 12,
+                                    .approach_speed = 30,
+                                    .approach_acceleration = 500,
+                                    .preheat = 2.5,
+                                    .heat = 65,
+                                    .tension = 2,
+                                    .wire_length = 606};
+    int turns = 0;
     for (int robot = 0; robot < 2; robot++) {
         load(WCUT_ROBOT_FORMAT_KRL, robot, &names);
         double x, y, z, abc[3], speed, zone, t, r[3][3];
         expect(robot ? "DEF cut7_b ( )" : "DEF cut7_a ( )");
+        skip();
+        ck_assert_int_eq(strncmp(at, "BAS (#INITMOV,0)", 16), 0);
+        at += 16;
         expect("$TOOL = TOOL_DATA[1] $BASE = BASE_DATA[1] $ORI_TYPE = ");
         skip();
         ck_assert_int_eq(strncmp(at, "#VAR", 4), 0);
         at += 4;
-        expect("$ADVANCE = 3 $VEL.CP = # LIN {X #, Y #, Z #, A #, B #, C #}", &speed, &x, &y, &z, &abc[0], &abc[1],
-               &abc[2]);
+        double acceleration, ori[2];
+        expect("$ADVANCE = 3 $ACC.CP = # $VEL.ORI1 = # $VEL.ORI2 = # PTP $AXIS_ACT $OUT[12] = FALSE", &acceleration,
+               &ori[0], &ori[1]);
+        expect("$VEL.CP = # LIN {X #, Y #, Z #, A #, B #, C #}", &speed, &x, &y, &z, &abc[0], &abc[1], &abc[2]);
         check_place(robot, 0, x, y, z);
-        if (robot == 0) expect("heat ( )");
+        ck_assert(acceleration == 0.5 && speed == 0.03 && ori[0] == 200 && ori[1] == 200);
+        ck_assert(strstr(text, "heat 65.000 W/m; tension 2.000 N; length from mount to mount 606.000 mm"));
+        ck_assert(strstr(text, "A calls heat, to be defined"));
+        if (robot == 0) expect("heat ( ) WAIT SEC 2.500");
         expect("$OUT[12] = TRUE WAIT FOR $IN[12]");
+        ck_assert_uint_eq(expect_run_id(false, 12), id_of_head());
+        double last[3] = {x, y, z}, late = 0;
         for (int i = 1; i < motion->count; i++) {
             if (stands(robot, i)) {
                 expect("WAIT SEC #", &t);
                 ck_assert_double_eq_tol(t, motion->target[i].duration, 1e-6);
                 continue;
             }
-            const bool blends = sees("$APO");
-            if (blends) {
-                expect("$APO.CDIS = #", &zone);
-                ck_assert_double_eq_tol(zone, zone_of(robot, i), 0.51e-3);
+            if (sees("$VEL.ORI1")) { /* it turns where it stands, and takes the time of the move for it */
+                expect(
+                    "$VEL.ORI1 = # $VEL.ORI2 = # LIN {X #, Y #, Z #, A #, B #, C #} $VEL.ORI1 = 200.000000 $VEL.ORI2 = "
+                    "200.000000",
+                    &ori[0], &ori[1], &x, &y, &z, &abc[0], &abc[1], &abc[2]);
+                ck_assert_double_eq_tol(ori[0] * motion->target[i].duration, turn_at(robot, i) * 180 / acos(-1), 2e-3);
+                turns++;
+            } else {
+                const bool blends = sees("$APO");
+                if (blends) {
+                    expect("$APO.CDIS = #", &zone);
+                    ck_assert_double_eq_tol(zone, zone_of(robot, i), 0.51e-3);
+                }
+                expect("$VEL.CP = # LIN {X #, Y #, Z #, A #, B #, C #}", &speed, &x, &y, &z, &abc[0], &abc[1], &abc[2]);
+                if (blends) expect("C_DIS");
+                ck_assert_double_gt(speed, 0);
+
+                /* way over speed as printed is the time of the move: the arms stay together */
+                const double way = sqrt(pow(x - last[0], 2) + pow(y - last[1], 2) + pow(z - last[2], 2));
+                late += way / (1000 * speed) - motion->target[i].duration;
+                ck_assert_double_lt(fabs(late), 1e-3);
             }
-            expect("$VEL.CP = # LIN {X #, Y #, Z #, A #, B #, C #}", &speed, &x, &y, &z, &abc[0], &abc[1], &abc[2]);
-            if (blends) expect("C_DIS");
-            ck_assert_double_eq_tol(1000 * speed, speed_of(robot, i), 1e-3);
+            last[0] = x, last[1] = y, last[2] = z;
             check_place(robot, i, x, y, z);
             from_euler(abc, r);
             check_axes(robot, i, r, 3e-6);
@@ -302,6 +387,60 @@ TEST(krl_parses_and_says_what_the_motion_is) {
         skip();
         ck_assert(*at == 0);
     }
+    ck_assert_int_gt(turns, 0);
+}
+
+TEST(a_run_id_is_that_of_both_programs_and_of_no_other_run) {
+    make();
+    unsigned id[4];
+    for (int robot = 0; robot < 2; robot++) {
+        load(WCUT_ROBOT_FORMAT_URSCRIPT, robot, NULL);
+        id[robot] = id_of_head();
+    }
+    wcut_robot_names names = wcut_robot_names_default();
+    names.title = "another job";
+    load(WCUT_ROBOT_FORMAT_KRL, 0, &names);
+    id[2] = id_of_head();
+    motion->target[motion->count / 2].a.z += 0.01;
+    load(WCUT_ROBOT_FORMAT_URSCRIPT, 0, NULL);
+    id[3] = id_of_head();
+    ck_assert(id[0] == id[1] && id[0] != id[2] && id[0] != id[3]);
+}
+
+TEST(outputs_that_a_controller_lacks_are_refused) {
+    make();
+    wcut_robot_names names = wcut_robot_names_default();
+    const struct {
+        wcut_robot_format format;
+        int io;
+        wcut_status status;
+    } of[] = {{WCUT_ROBOT_FORMAT_URSCRIPT, 7, WCUT_OK},
+              {WCUT_ROBOT_FORMAT_URSCRIPT, 8, WCUT_BAD_ARGUMENT},
+              {WCUT_ROBOT_FORMAT_KRL, 0, WCUT_BAD_ARGUMENT},
+              {WCUT_ROBOT_FORMAT_KRL, 255, WCUT_OK}};
+    for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
+        names.sync_io = of[k].io;
+        ck_assert_int_eq(wcut_robot_write(motion, &names, of[k].format, 0, "test_robot.io", &error), of[k].status);
+        if (of[k].status != WCUT_OK) ck_assert_msg(strstr(error.text, "sync_io"), "%s", error.text);
+    }
+    remove("test_robot.io");
+}
+
+TEST(mounts_that_start_against_each_other_have_a_lead_of_their_common_way) {
+    for (int j = 0; j < STATIONS; j++) {
+        mount_a[j] = (wcut_vec3){-60, j < 5 ? 10 - 2.0 * j : 2 + 10.0 * (j - 4), 150};
+        mount_b[j] = (wcut_vec3){460, j < 5 ? 2.0 * j : 8 + 10.0 * (j - 4), 150};
+    }
+    make();
+    ck_assert_int_eq(motion->target[0].station, -1);
+    ck_assert_double_eq_tol(motion->target[0].a.y, mount_a[0].y - 20, 1e-9);
+    ck_assert_double_eq_tol(motion->target[0].b.y, mount_b[0].y - 20, 1e-9);
+    wcut_robot_motion_destroy(motion);
+    motion = NULL;
+    for (int j = 0; j < STATIONS; j++) mount_b[j].y = -mount_a[j].y;
+    ck_assert_int_eq(wcut_robot_motion_create(&history, mount_a, mount_b, &options, &motion, &error),
+                     WCUT_BAD_ARGUMENT);
+    ck_assert_msg(strstr(error.text, "a lead"), "%s", error.text);
 }
 
 TEST(the_table_and_the_object_say_what_the_motion_is) {

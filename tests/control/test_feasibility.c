@@ -1,0 +1,82 @@
+/* One word on a cut and its reason. labels: unit */
+#include <math.h>
+#include <string.h>
+#include <wirecut/feasibility.h>
+
+#include "cut/cuts.h"
+#include "test.h"
+
+/* the verdict on a job by the default limits, the wire a strong one */
+static wcut_feasibility verdict_on(const wcut_job *job, const wcut_robot_limits *limits) {
+    wcut_setup *setup = setup_of(job, NULL);
+    wcut_history *h = NULL;
+    wcut_setup_run(setup, NULL, NULL, &h, NULL);
+    ck_assert_ptr_nonnull(h);
+    const size_t m = (size_t)h->stations;
+    wcut_vec3 *a = wcut_alloc(m, sizeof *a), *b = wcut_alloc(m, sizeof *b);
+    double *share = wcut_alloc(m * WCUT_FEASIBILITY_MEASURE_COUNT, sizeof *share), length;
+    wcut_feasibility v;
+    ck_assert_int_eq(wcut_history_path(setup, h, a, b, &length, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_feasibility_eval(job, h, a, b, limits, &v, share), WCUT_OK);
+
+    /* the map holds what the word says */
+    double worst = 0;
+    for (size_t i = 0; i < m * WCUT_FEASIBILITY_MEASURE_COUNT; i++) worst = fmax(worst, share[i]);
+    if (v.verdict == WCUT_FEASIBILITY_VERDICT_FEASIBLE) ck_assert_double_lt(worst, 1 + 1e-8);
+    if (v.verdict == WCUT_FEASIBILITY_VERDICT_AT_LIMIT) ck_assert(worst >= 0.95 && worst < 1 + 1e-8);
+    wcut_free(a);
+    wcut_free(b);
+    wcut_free(share);
+    wcut_history_destroy(h);
+    wcut_setup_destroy(setup);
+    return v;
+}
+
+static wcut_job *design(void) {
+    wcut_job *job = sample_job("freeform-1.json");
+    job->stations = 61, job->nodes = 61;
+    return job;
+}
+
+TEST(a_cut_within_its_limits_is_feasible_and_one_beyond_is_not_with_its_place) {
+    wcut_job *job = design();
+    wcut_robot_limits limits = wcut_robot_limits_default(job);
+    limits.speed = 200, limits.cold_strength = 3000, limits.hot_strength = 1000;
+    wcut_feasibility v = verdict_on(job, &limits);
+    ck_assert_int_eq(v.verdict, WCUT_FEASIBILITY_VERDICT_FEASIBLE);
+    ck_assert_double_gt(v.radius_min, 50);
+    limits.cold_strength = limits.hot_strength = 117; /* MPa; 2 N on 0.15 mm are 113 */
+    v = verdict_on(job, &limits);
+    ck_assert_int_eq(v.verdict, WCUT_FEASIBILITY_VERDICT_AT_LIMIT);
+    ck_assert_msg(strstr(v.reason, "stress of the wire"), "%s", v.reason);
+    limits.alpha = 0.2;
+    v = verdict_on(job, &limits);
+    ck_assert_int_eq(v.verdict, WCUT_FEASIBILITY_VERDICT_INFEASIBLE);
+    ck_assert_msg(strstr(v.reason, "alpha") && v.station > 0, "%s", v.reason);
+    wcut_job_destroy(job);
+}
+
+TEST(exchanged_edges_are_infeasible_for_the_wires_angle) {
+    wcut_job *job = design();
+    wcut_curve *edge = job->edge_a;
+    job->edge_a = job->edge_b;
+    job->edge_b = edge;
+    const wcut_feasibility v = verdict_on(job, NULL);
+    ck_assert_int_eq(v.verdict, WCUT_FEASIBILITY_VERDICT_INFEASIBLE);
+    ck_assert_msg(strstr(v.reason, "edges exchanged"), "%s", v.reason);
+    wcut_job_destroy(job);
+}
+
+TEST(a_path_that_ends_in_the_foam_or_early_is_infeasible) {
+    wcut_job *job = straight_job(400, 60, 540, 31, 30, -20, 200);
+    wcut_feasibility v = verdict_on(job, NULL);
+    ck_assert_int_eq(v.verdict, WCUT_FEASIBILITY_VERDICT_INFEASIBLE);
+    ck_assert_msg(strstr(v.reason, "wire in the foam"), "%s", v.reason);
+
+    /* back through its own slot: named as such */
+    for (int j = 20; j < 30; j++) job->mount_a[j].y = job->mount_b[j].y = job->mount_a[38 - j].y;
+    v = verdict_on(job, NULL);
+    ck_assert_int_eq(v.verdict, WCUT_FEASIBILITY_VERDICT_INFEASIBLE);
+    ck_assert_msg(strstr(v.reason, "turns back by 180 deg"), "%s", v.reason);
+    wcut_job_destroy(job);
+}
