@@ -13,6 +13,7 @@ public enum wcut_dof_kind { WCUT_DOF_KIND_FREE = 0, WCUT_DOF_KIND_LOCKED = 1, WC
 public enum wcut_effect_kind { WCUT_EFFECT_WIRE_THERMAL_LAG = 0, WCUT_EFFECT_AIR_OVERHEATING = 1, WCUT_EFFECT_END_COOLING = 2, WCUT_EFFECT_FOAM_DENSITY_GRADIENT = 3, WCUT_EFFECT_FOAM_INCLUSION = 4, WCUT_EFFECT_TANGENTIAL_DRAG = 5, WCUT_EFFECT_WIRE_ELONGATION = 6, WCUT_EFFECT_MOUNT_COMPLIANCE = 7, WCUT_EFFECT_RATE_DEPENDENCE = 8, WCUT_EFFECT_WIRE_FOULING = 9, WCUT_EFFECT_EMPIRICAL_FORCE = 10, WCUT_EFFECT_KERF_GROWTH = 11, WCUT_EFFECT_BLOCK_SPRINGBACK = 12, WCUT_EFFECT_ANGLE_OFFSET = 13, WCUT_EFFECT_TENSION_GAIN = 14, WCUT_EFFECT_TENSION_DRIFT = 15, WCUT_EFFECT_CLOCK_OFFSET = 16, WCUT_EFFECT_TENSION_DELAY = 17, WCUT_EFFECT_TENSION_ZERO = 18, WCUT_EFFECT_ANGLE_GAIN = 19, WCUT_EFFECT_ENCODER_FRICTION = 20, WCUT_EFFECT_EMPIRICAL_READING = 21, WCUT_EFFECT_SCAN_OFFSET = 22, WCUT_EFFECT_SCAN_SCALE = 23, WCUT_EFFECT_COUNT = 24 }
 public enum wcut_effect_place { WCUT_EFFECT_PLACE_STEP = 0, WCUT_EFFECT_PLACE_FACE = 1, WCUT_EFFECT_PLACE_SENSOR = 2, WCUT_EFFECT_PLACE_SCAN = 3 }
 public enum wcut_evidence_channel { WCUT_EVIDENCE_CHANNEL_SPEED = 0, WCUT_EVIDENCE_CHANNEL_TENSION = 1, WCUT_EVIDENCE_CHANNEL_ALPHA = 2, WCUT_EVIDENCE_CHANNEL_BETA = 3, WCUT_EVIDENCE_CHANNEL_SCAN = 4, WCUT_EVIDENCE_CHANNEL_COUNT = 5 }
+public enum wcut_feasibility_verdict { WCUT_FEASIBILITY_VERDICT_FEASIBLE = 0, WCUT_FEASIBILITY_VERDICT_AT_LIMIT = 1, WCUT_FEASIBILITY_VERDICT_INFEASIBLE = 2 }
 public enum wcut_integrator { WCUT_INTEGRATOR_IMPLICIT = 0, WCUT_INTEGRATOR_HEUN = 1 }
 public enum wcut_lack_of_fit { WCUT_LACK_OF_FIT_UNTESTED = 0, WCUT_LACK_OF_FIT_REPLICATE = 1, WCUT_LACK_OF_FIT_FLEXIBLE = 2 }
 public enum wcut_length_unit { WCUT_LENGTH_UNIT_MM = 0, WCUT_LENGTH_UNIT_CM = 1, WCUT_LENGTH_UNIT_M = 2, WCUT_LENGTH_UNIT_INCH = 3, WCUT_LENGTH_UNIT_FOOT = 4, WCUT_LENGTH_UNIT_DM = 5, WCUT_LENGTH_UNIT_UM = 6, WCUT_LENGTH_UNIT_COUNT = 7 }
@@ -680,6 +681,14 @@ public unsafe struct wcut_fdm_report
 {
     public double strain;
     public int rounds;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_feasibility
+{
+    public wcut_feasibility_verdict verdict;
+    public int station;
+    public double radius_min;
+    public fixed byte reason[240];
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_fit
@@ -1533,6 +1542,12 @@ public unsafe struct wcut_robot_names
     public byte* wire_on;
     public byte* wire_off;
     public int sync_io;
+    public double approach_speed;
+    public double approach_acceleration;
+    public double preheat;
+    public double heat;
+    public double tension;
+    public double wire_length;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_robot_options
@@ -1597,6 +1612,13 @@ public unsafe struct wcut_scored_cut
 public unsafe struct wcut_scores
 {
     public wcut_score of_0, of_1, of_2, of_3, of_4, of_5, of_6, of_7, of_8, of_9, of_10, of_11, of_12, of_13, of_14, of_15, of_16, of_17, of_18, of_19, of_20, of_21, of_22, of_23, of_24, of_25, of_26, of_27, of_28, of_29, of_30, of_31, of_32, of_33, of_34, of_35, of_36, of_37, of_38, of_39, of_40, of_41, of_42, of_43, of_44, of_45, of_46, of_47;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_setup_span
+{
+    public int stations;
+    public int part_first;
+    public int part_last;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_shape
@@ -1964,6 +1986,8 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_face_mesh(wcut_face* a0, wcut_mesh** a1);
     [DllImport("wirecut-io")] public static extern wcut_fdm_options wcut_fdm_options_default();
     [DllImport("wirecut-io")] public static extern wcut_status wcut_fdm_solve(int a0, wcut_vec3* a1, double* a2, wcut_fdm_options* a3, double* a4, wcut_vec3* a5, wcut_fdm_report* a6);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_feasibility_eval(wcut_job* a0, wcut_history* a1, wcut_vec3* a2, wcut_vec3* a3, wcut_robot_limits* a4, wcut_feasibility* a5, double* a6);
+    [DllImport("wirecut-io")] public static extern byte* wcut_feasibility_name(wcut_feasibility_verdict a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_file_hash(byte* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern double wcut_force_law_eval(wcut_force_law* a0, double a1, double a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_force_law_print(int a0, wcut_test_cut* a1, wcut_calibration_options* a2, wcut_calibration* a3, wcut_calibration_point* a4, byte** a5);
@@ -2089,7 +2113,9 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern void wcut_setup_destroy(void* a0);
     [DllImport("wirecut-io")] public static extern wcut_job* wcut_setup_job(void* a0);
     [DllImport("wirecut-io")] public static extern wcut_cut_options* wcut_setup_options(void* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_setup_path_job(void* a0, wcut_job** a1);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_setup_run(void* a0, IntPtr a1, void* a2, wcut_history** a3, wcut_error* a4);
+    [DllImport("wirecut-io")] public static extern wcut_setup_span wcut_setup_stations(void* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_source_hash(byte* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern byte* wcut_status_text(wcut_status a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_step_write(int a0, wcut_shape* a1, wcut_step_schema a2, byte* a3, wcut_error* a4);
