@@ -7,7 +7,7 @@
 #include "command.h"
 #include "terminal.h"
 
-static void say_summary(const wcut_correction *c, const wcut_job *was, const char *path) {
+static void say_apply_summary(const wcut_correction *c, const wcut_job *was, const char *path) {
     app_say("a %.6g -> %.6g N/mm, b %.6g -> %.6g m2/J", was->force_law.a, c->a, was->force_law.b, c->b);
     if (was->mode == WCUT_MODE_PATH)
         app_say("wire %.6g -> %.6g mm", was->wire_length, was->wire_length + c->length_change);
@@ -16,7 +16,7 @@ static void say_summary(const wcut_correction *c, const wcut_job *was, const cha
     app_say("%s", path);
 }
 
-static void print_json(const wcut_correction *c, const char *path) {
+static void print_apply_json(const wcut_correction *c, const char *path) {
     printf("{\"format\": \"wirecut-apply/1\", \"job\": \"%s\", \"effects\": [", path);
     for (int e = 0; e < c->effects; e++) printf("%s\"%s\"", e ? ", " : "", wcut_effect_view(c->effect[e].kind)->name);
     printf("]}\n");
@@ -37,8 +37,8 @@ static int apply(const app_call *call) {
         status = wcut_job_write(job, path, &error);
         if (status != WCUT_OK) code = app_fail_status(status, NULL, &error);
     }
-    if (code == APP_DONE && !app_given(call, "quiet")) say_summary(&correction, &was, path);
-    if (code == APP_DONE && app_given(call, "json")) print_json(&correction, path);
+    if (code == APP_DONE && !app_given(call, "quiet")) say_apply_summary(&correction, &was, path);
+    if (code == APP_DONE && app_given(call, "json")) print_apply_json(&correction, path);
     wcut_job_destroy(job);
     return code;
 }

@@ -31,7 +31,7 @@ enum { WARNINGS_OF_ALL = 8 }; /* beside two a cut */
 
 static const char *const result_name[] = {"report.html", "force_law.json", NULL};
 
-static int load(calibration *c) {
+static int load_calibrate(calibration *c) {
     wcut_error error = {0};
     c->weights = app_given(c->call, "weights") ? app_text(c->call, "weights") : NULL;
     wcut_status status = wcut_calibration_table_read(c->path, c->weights, &c->cuts, &c->cut, &error);
@@ -61,7 +61,7 @@ static int fit(calibration *c) {
 }
 
 /* force_law.json vouches for the page beside it: both are of the same cuts */
-static int write_results(calibration *c) {
+static int write_calibrate_results(calibration *c) {
     wcut_error error = {0};
     const char *page = result_name[0];
     char *text = NULL;
@@ -193,7 +193,7 @@ static void describe(calibration *c) {
 
 static int calibrate(const app_call *call) {
     calibration c = {.call = call, .path = call->operand[0]};
-    int code = load(&c);
+    int code = load_calibrate(&c);
     if (code == APP_DONE) code = app_results_begin(&c.results, app_text(call, "output"), result_name);
 
     /* fit, then say what was found */
@@ -201,7 +201,7 @@ static int calibrate(const app_call *call) {
     if (code == APP_DONE) code = fit(&c);
     if (code == APP_DONE && app_is_interrupted()) code = app_fail(APP_INTERRUPTED, "%s: interrupted", c.path);
     if (code == APP_DONE) describe(&c);
-    if (code == APP_DONE) code = write_results(&c);
+    if (code == APP_DONE) code = write_calibrate_results(&c);
     if (code == APP_DONE && app_given(call, "json")) fputs(c.results.text, stdout);
     if (code == APP_DONE && !app_given(call, "quiet")) {
         say_laws(&c);

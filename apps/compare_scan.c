@@ -23,9 +23,9 @@ typedef struct growth {
     unsigned char *keep;     /* APP_SCAN_PIECE */
 } growth;
 
-static int fail_memory(void) { return app_fail_status(WCUT_NO_MEMORY, "compare", NULL); }
+static int fail_scan_memory(void) { return app_fail_status(WCUT_NO_MEMORY, "compare", NULL); }
 
-static bool make_room(growth *g, int more) {
+static bool make_scan_room(growth *g, int more) {
     app_scans *s = g->scans;
     const size_t need = (size_t)s->count + (size_t)more;
     if (need <= g->room) return true;
@@ -43,7 +43,7 @@ static wcut_status append(growth *g, int count, const wcut_vec3 *point) {
         const wcut_status status = wcut_thinning_add(g->thinning, count, point, g->keep);
         if (status != WCUT_OK) return status;
     }
-    if (!make_room(g, count)) return WCUT_NO_MEMORY;
+    if (!make_scan_room(g, count)) return WCUT_NO_MEMORY;
     for (int k = 0; k < count; k++)
         if (!g->thinning || g->keep[k]) s->point[s->count++] = point[k];
     return WCUT_OK;
@@ -72,7 +72,7 @@ static bool is_file(const char *path) {
 }
 
 /* Take in a piece. Gives an exit code. */
-static int take(growth *g, const char *path, int count) {
+static int take_scan(growth *g, const char *path, int count) {
     app_scans *s = g->scans;
     const bool whole = s->options.cleaned || g->thin_all;
     if (whole && count > CLEANED_MAX - s->count)
@@ -93,7 +93,7 @@ static int take(growth *g, const char *path, int count) {
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, path, NULL);
 }
 
-static void widen(app_scans *s, int files_before, const wcut_cloud_info *info) {
+static void widen_scan(app_scans *s, int files_before, const wcut_cloud_info *info) {
     if (info->read == 0) return;
     double *low = &s->low.x, *high = &s->high.x;
     const double *l = &info->low.x, *h = &info->high.x;
@@ -121,7 +121,7 @@ static int read_file(growth *g, int file) {
         else if (app_is_interrupted())
             code = app_fail(APP_INTERRUPTED, "%s: interrupted", s->path[file]);
         else
-            code = take(g, s->path[file], count);
+            code = take_scan(g, s->path[file], count);
     }
 
     /* what the file held, and its hash */
@@ -130,7 +130,7 @@ static int read_file(growth *g, int file) {
         if (info->read == 0)
             code = app_fail(APP_BAD_INPUT, "%s: found no point (%d not finite, %d withheld), expected a scan",
                             s->path[file], info->not_finite, info->withheld);
-        widen(s, file, info);
+        widen_scan(s, file, info);
         s->scan[file] =
             (wcut_compared_scan){s->path[file], s->hash[file], info->read, info->not_finite, info->withheld};
         status = wcut_source_hash(s->path[file], s->hash[file], &error);
@@ -146,7 +146,7 @@ static int read_file(growth *g, int file) {
 static int clean(app_scans *s) {
     unsigned char *removal = malloc(s->count > 0 ? (size_t)s->count : 1);
     wcut_clean_report report = {0};
-    if (!removal) return fail_memory();
+    if (!removal) return fail_scan_memory();
     const wcut_status status =
         wcut_cloud_clean(s->count, s->point, &s->options.clean, s->options.threads, removal, &report);
     int code = APP_DONE;
@@ -167,13 +167,13 @@ static bool only_thins(const wcut_clean_options *o) {
 
 /* ---- the whole ---- */
 
-static int read_all(growth *g) {
+static int read_scans(growth *g) {
     app_scans *s = g->scans;
 
     /* room for a piece; where points are only thinned, they are thinned as they come */
     g->piece = malloc(APP_SCAN_PIECE * sizeof *g->piece);
     g->keep = malloc(APP_SCAN_PIECE);
-    if (!g->piece || !g->keep) return fail_memory();
+    if (!g->piece || !g->keep) return fail_scan_memory();
     if (s->options.cleaned && only_thins(&s->options.clean)) {
         const wcut_status status = wcut_thinning_create(s->options.clean.voxel, &g->thinning);
         if (status != WCUT_OK) return app_fail_status(status, "compare", NULL);
@@ -198,9 +198,9 @@ int app_scans_read(app_scans *scans, const app_scan_options *options, int files,
     *scans = (app_scans){.options = *options, .files = files, .path = path, .held = true};
     scans->scan = calloc((size_t)files, sizeof *scans->scan);
     scans->hash = calloc((size_t)files, sizeof *scans->hash);
-    if (!scans->scan || !scans->hash) return fail_memory();
+    if (!scans->scan || !scans->hash) return fail_scan_memory();
     growth g = {.scans = scans};
-    const int code = read_all(&g);
+    const int code = read_scans(&g);
     wcut_thinning_destroy(g.thinning);
     free(g.piece);
     free(g.keep);
@@ -252,7 +252,7 @@ int app_scans_pass(const app_scans *scans, app_scan_visitor *visit, void *contex
         return code;
     }
     wcut_vec3 *piece = malloc(APP_SCAN_PIECE * sizeof *piece);
-    if (!piece) return fail_memory();
+    if (!piece) return fail_scan_memory();
     for (int k = 0; k < scans->files && code == APP_DONE; k++)
         code = pass_file(scans, k, piece, &first, visit, context);
     free(piece);

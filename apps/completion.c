@@ -17,7 +17,7 @@ static void print_choice(FILE *out, const char *words) {
 }
 
 /* After an option that takes a value: what the value may be. */
-static void print_value(FILE *out, const app_option *o) {
+static void print_completion_value(FILE *out, const app_option *o) {
     if (o->kind == APP_FLAG) return;
     fprintf(out, "        --%s", o->name);
     if (o->letter) fprintf(out, "|-%c", o->letter);
@@ -39,9 +39,9 @@ static void print_value(FILE *out, const app_option *o) {
     fputs("); return;;\n", out);
 }
 
-static void print_verb(FILE *out, const app_verb *verb) {
+static void print_completion_verb(FILE *out, const app_verb *verb) {
     fprintf(out, "    %s)\n        case $before in\n", verb->name);
-    for (const app_option *o = verb->option; o->kind != APP_END; o++) print_value(out, o);
+    for (const app_option *o = verb->option; o->kind != APP_END; o++) print_completion_value(out, o);
     fputs("        esac\n        options='", out);
     print_names(out, verb);
     fputs("';;\n", out);
@@ -59,7 +59,7 @@ void app_print_completion(FILE *out) {
     for (int i = 0; app_verbs[i]; i++) fprintf(out, "%s ", app_verbs[i]->name);
     print_names(out, &app_self);
     fputs("' -- \"$word\"))\n        return\n    fi\n    case ${COMP_WORDS[1]} in\n", out);
-    for (int i = 0; app_verbs[i]; i++) print_verb(out, app_verbs[i]);
+    for (int i = 0; app_verbs[i]; i++) print_completion_verb(out, app_verbs[i]);
     fputs(
         "    *) return;;\n"
         "    esac\n"

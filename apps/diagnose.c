@@ -43,7 +43,7 @@ typedef struct run {
 
 /* ---- options ---- */
 
-static int leave_out(run *r, const char *name) {
+static int leave_diagnose_out(run *r, const char *name) {
     const char *names[WCUT_EFFECT_COUNT + 1] = {NULL};
     wcut_effect_kind kind;
     if (wcut_effect_locate(name, &kind) == WCUT_OK) {
@@ -56,7 +56,7 @@ static int leave_out(run *r, const char *name) {
                     near ? "; did you mean " : "", near ? near : "");
 }
 
-static int read_options(run *r) {
+static int read_diagnose_options(run *r) {
     r->options = wcut_diagnosis_options_default();
     const long processors = sysconf(_SC_NPROCESSORS_ONLN);
     r->options.threads = app_given(r->call, "threads") ? app_int(r->call, "threads")
@@ -72,7 +72,7 @@ static int read_options(run *r) {
         const int length = (int)strcspn(list, ",");
         char name[256];
         snprintf(name, sizeof name, "%.*s", length, list);
-        code = leave_out(r, name);
+        code = leave_diagnose_out(r, name);
         if (!list[length]) break;
         list += length + 1;
     }
@@ -81,10 +81,10 @@ static int read_options(run *r) {
 
 /* ---- what is there ---- */
 
-static int fail_memory(void) { return app_fail_status(WCUT_NO_MEMORY, "diagnose", NULL); }
+static int fail_diagnose_memory(void) { return app_fail_status(WCUT_NO_MEMORY, "diagnose", NULL); }
 
 /* a, b and c in one text, to free() */
-static char *join(run *r, const char *a, const char *b, const char *c) {
+static char *join_diagnose(run *r, const char *a, const char *b, const char *c) {
     const size_t size = strlen(a) + strlen(b) + strlen(c) + 1;
     char *text = malloc(size);
     if (text)
@@ -95,10 +95,10 @@ static char *join(run *r, const char *a, const char *b, const char *c) {
 }
 
 /* a file that cannot be read is said, here and on the page, and the diagnosis goes on without it */
-static void note_bad(run *r, wcut_status status, const wcut_error *error, const char *loss) {
+static void note_diagnose_bad(run *r, wcut_status status, const wcut_error *error, const char *loss) {
     const int code = app_fail_status(status, NULL, error);
     if (r->code == APP_DONE) r->code = code;
-    r->said_text[r->said++] = join(r, error->text, ": ", loss);
+    r->said_text[r->said++] = join_diagnose(r, error->text, ": ", loss);
 }
 
 static void note_source(run *r, const char *role, const char *path) {
@@ -109,7 +109,7 @@ static void note_source(run *r, const char *role, const char *path) {
     if (status != WCUT_OK && r->code == APP_DONE) r->code = app_fail_status(status, NULL, &error);
 }
 
-static void read_cut(run *r, int i) {
+static void read_diagnose_cut(run *r, int i) {
     const wcut_case_cut *files = &r->found->cut[i];
     trial *t = &r->trial[i];
     wcut_error error = {0};
@@ -117,20 +117,20 @@ static void read_cut(run *r, int i) {
     if (status == WCUT_OK)
         note_source(r, "job", files->job);
     else
-        note_bad(r, status, &error, "the cut is left out");
+        note_diagnose_bad(r, status, &error, "the cut is left out");
     if (status == WCUT_OK) {
         status = wcut_recording_read(files->recording, &t->recording, &error);
         if (status == WCUT_OK)
             note_source(r, "recording", files->recording);
         else
-            note_bad(r, status, &error, "the cut is left out");
+            note_diagnose_bad(r, status, &error, "the cut is left out");
     }
     wcut_doubt doubt[WCUT_DOUBTS_MAX];
     int doubts = 0;
     if (status == WCUT_OK) status = wcut_recording_check(t->job, t->recording, &doubts, doubt);
     for (int k = 0; k < doubts; k++) {
         if (doubt[k].certain) {
-            note_bad(r, doubt[k].error.status, &doubt[k].error, "the cut is left out");
+            note_diagnose_bad(r, doubt[k].error.status, &doubt[k].error, "the cut is left out");
             wcut_recording_destroy(t->recording);
             t->recording = NULL;
             status = doubt[k].error.status;
@@ -143,12 +143,12 @@ static void read_cut(run *r, int i) {
         if (status == WCUT_OK)
             note_source(r, "scan", files->scan);
         else
-            note_bad(r, status, &error, "the cut is diagnosed without its scan");
+            note_diagnose_bad(r, status, &error, "the cut is diagnosed without its scan");
     }
     r->cut[i] = (wcut_diagnosis_cut){.job = t->job, .recording = t->recording, .scan = t->scan};
 }
 
-static void read_calibration(run *r) {
+static void read_diagnose_calibration(run *r) {
     if (!r->found->calibration) return;
     wcut_error error = {0};
     const wcut_status status =
@@ -156,13 +156,13 @@ static void read_calibration(run *r) {
     if (status == WCUT_OK)
         note_source(r, "calibration", r->found->calibration);
     else
-        note_bad(r, status, &error, "diagnosed without the calibration table");
+        note_diagnose_bad(r, status, &error, "diagnosed without the calibration table");
 }
 
-static int load(run *r) {
+static int load_diagnose(run *r) {
     wcut_error error = {0};
     const char *path = r->call->operand[0];
-    int code = read_options(r);
+    int code = read_diagnose_options(r);
     if (code != APP_DONE) return code;
     const wcut_status status = wcut_case_read(path, &r->found, &error);
     if (status != WCUT_OK) return app_fail_status(status, NULL, &error);
@@ -173,17 +173,17 @@ static int load(run *r) {
     r->said_text = calloc(2 * n + 1, sizeof *r->said_text);
     r->source = calloc(3 * n + 2, sizeof *r->source);
     r->hash = calloc(3 * n + 2, sizeof *r->hash);
-    if (!r->trial || !r->cut || !r->cut_name || !r->said_text || !r->source || !r->hash) return fail_memory();
+    if (!r->trial || !r->cut || !r->cut_name || !r->said_text || !r->source || !r->hash) return fail_diagnose_memory();
 
     /* the files, as many as can be read */
     note_source(r, "case", path);
     int usable = 0;
     for (int i = 0; i < r->found->cuts; i++) {
-        read_cut(r, i);
+        read_diagnose_cut(r, i);
         usable += r->trial[i].recording != NULL;
     }
-    read_calibration(r);
-    if (r->failed) return fail_memory();
+    read_diagnose_calibration(r);
+    if (r->failed) return fail_diagnose_memory();
     if (usable > 0) return APP_DONE;
     return app_fail(r->code, "%s: no cut with a job and a recording that can be read", path);
 }
@@ -215,14 +215,14 @@ static char *name_cut(run *r, int i) {
     const wcut_job *job = r->trial[i].job;
     char number[16];
     snprintf(number, sizeof number, "%d", i + 1);
-    return join(r, number, " ", job && job->name ? job->name : r->found->cut[i].job);
+    return join_diagnose(r, number, " ", job && job->name ? job->name : r->found->cut[i].job);
 }
 
-static int write_report(run *r) {
+static int write_diagnose_report(run *r) {
     const wcut_diagnosis *d = r->diagnosis;
     wcut_error error = {0};
     for (int i = 0; i < r->found->cuts; i++) r->cut_name[i] = name_cut(r, i);
-    if (r->failed) return fail_memory();
+    if (r->failed) return fail_diagnose_memory();
     const wcut_report_fact option[] = {
         {"effects left out", app_given(r->call, "without") ? app_text(r->call, "without") : "none", 0, ""},
         {"forward proof", r->options.proof ? "run" : "not run", 0, ""},
@@ -241,11 +241,11 @@ static int write_report(run *r) {
 }
 
 /* what a run leaves in its folder, under diagnosis.json */
-static int write_results(run *r) {
+static int write_diagnose_results(run *r) {
     char *text = NULL;
     int code = write_job(r, r->diagnosis->improved, "job-improved.json");
     if (code == APP_DONE) code = write_job(r, r->diagnosis->next_experiment, "next-experiment.json");
-    if (code == APP_DONE) code = write_report(r);
+    if (code == APP_DONE) code = write_diagnose_report(r);
     if (code != APP_DONE) return code;
     const wcut_status status = wcut_diagnosis_print(r->diagnosis, r->found->name, &text);
     return app_results_commit(&r->results, "diagnosis.json", status, text);
@@ -291,7 +291,7 @@ static void print_fits(const wcut_diagnosis *d) {
     }
 }
 
-static void print_summary(const run *r) {
+static void print_diagnose_summary(const run *r) {
     const wcut_diagnosis *d = r->diagnosis;
     printf("%s\n", d->sentence);
     printf("verdict %s, confidence %.2f\n", wcut_verdict_name(d->kind), d->confidence);
@@ -300,16 +300,16 @@ static void print_summary(const run *r) {
     if (d->next_experiment) printf("next experiment: %s\n", d->next_reason);
 }
 
-static void give_summary(const run *r) {
+static void give_diagnose_summary(const run *r) {
     const bool quiet = app_given(r->call, "quiet");
     if (!quiet) app_say("in %s: %s", r->results.folder, app_results_list(&r->results));
     if (app_given(r->call, "json"))
         fputs(r->results.text, stdout);
     else if (!quiet)
-        print_summary(r);
+        print_diagnose_summary(r);
 }
 
-static void forget(run *r) {
+static void forget_diagnose(run *r) {
     for (int i = 0; r->trial && i < r->found->cuts; i++) {
         wcut_cloud_destroy(r->trial[i].scan);
         wcut_recording_destroy(r->trial[i].recording);
@@ -330,20 +330,20 @@ static void forget(run *r) {
 
 static int diagnose(const app_call *call) {
     run r = {.call = call};
-    int code = load(&r);
+    int code = load_diagnose(&r);
     if (code == APP_DONE) code = app_results_begin(&r.results, app_text(call, "output"), result_name);
     if (code == APP_DONE) {
         app_catch_interrupts();
         code = diagnose_case(&r);
         if (r.diagnosis) {
-            const int written = write_results(&r);
+            const int written = write_diagnose_results(&r);
             if (written != APP_DONE) code = written;
-            if (written == APP_DONE) give_summary(&r);
+            if (written == APP_DONE) give_diagnose_summary(&r);
         }
     }
     if (code == APP_DONE) code = r.code;
     app_results_end(&r.results);
-    forget(&r);
+    forget_diagnose(&r);
     return code;
 }
 

@@ -47,7 +47,7 @@ static void print_wrapped(FILE *out, const char *text, int margin, int column) {
     fprintf(out, "\n");
 }
 
-static void print_entry(FILE *out, const char *name, const char *help) {
+static void print_help_entry(FILE *out, const char *name, const char *help) {
     int column = fprintf(out, "  %s", name);
     if (column > name_width - 2) {
         fprintf(out, "\n");
@@ -56,7 +56,7 @@ static void print_entry(FILE *out, const char *name, const char *help) {
     print_wrapped(out, help, name_width, column);
 }
 
-static void print_option(FILE *out, const app_option *o) {
+static void print_help_option(FILE *out, const app_option *o) {
     char name[96], help[400], range[64] = "", text[APP_STANDARD_SIZE];
     const char *standard = app_standard(o, text);
     char letter[] = {'-', o->letter, ',', ' ', 0};
@@ -65,7 +65,7 @@ static void print_option(FILE *out, const app_option *o) {
     if (o->kind == APP_INT || o->kind == APP_REAL) snprintf(range, sizeof range, " (%.12g to %.12g)", o->low, o->high);
     snprintf(help, sizeof help, "%s%s%s%s%s", o->help, range, standard ? "; default " : "", standard ? standard : "",
              o->required ? "; required" : "");
-    print_entry(out, name, help);
+    print_help_entry(out, name, help);
 }
 
 static void print_usage_line(FILE *out, const app_verb *verb) {
@@ -92,19 +92,19 @@ void app_print_help(FILE *out, const app_verb *verb) {
     print_wrapped(out, verb->about, 0, 0);
     if (self) {
         fprintf(out, "\nVerbs\n");
-        for (int i = 0; app_verbs[i]; i++) print_entry(out, app_verbs[i]->name, app_verbs[i]->brief);
+        for (int i = 0; app_verbs[i]; i++) print_help_entry(out, app_verbs[i]->name, app_verbs[i]->brief);
     }
     if (verb->operand->name) {
         fprintf(out, "\nInputs\n");
-        for (const app_operand *o = verb->operand; o->name; o++) print_entry(out, o->name, o->help);
+        for (const app_operand *o = verb->operand; o->name; o++) print_help_entry(out, o->name, o->help);
     }
     fprintf(out, "\nOptions\n");
-    for (const app_option *o = verb->option; o->kind != APP_END; o++) print_option(out, o);
+    for (const app_option *o = verb->option; o->kind != APP_END; o++) print_help_option(out, o);
     fprintf(out, "\nExit codes\n");
     for (int i = 0; i < EXIT_CODES; i++) {
         char code[16];
         snprintf(code, sizeof code, "%d", exit_code[i].code);
-        print_entry(out, code, exit_code[i].text);
+        print_help_entry(out, code, exit_code[i].text);
     }
 }
 

@@ -20,7 +20,7 @@ typedef struct identification {
     app_results results;
 } identification;
 
-static int load(identification *x) {
+static int load_identify(identification *x) {
     wcut_error error = {0};
     const char *path = x->call->operand[0];
     const int code = app_job_load(x->call, path, &x->job);
@@ -33,7 +33,7 @@ static int load(identification *x) {
 }
 
 /* their names, and the NULL that closes the list */
-static void name_results(identification *x) {
+static void name_identify_results(identification *x) {
     for (int k = 0; k < CUTS_MAX; k++) {
         snprintf(x->name[k], sizeof x->name[k], "identification-%d.json", k + 1);
         x->result[k] = x->name[k];
@@ -42,7 +42,7 @@ static void name_results(identification *x) {
 }
 
 /* the jobs, under identify.json */
-static int write_results(identification *x) {
+static int write_identify_results(identification *x) {
     int code = APP_DONE;
     for (int k = 0; k < x->count && code == APP_DONE; k++) {
         wcut_error error = {0};
@@ -69,7 +69,7 @@ static double step_of(const wcut_job *job) {
     return max;
 }
 
-static void say_summary(const identification *x) {
+static void say_identify_summary(const identification *x) {
     for (int k = 0; k < x->count; k++)
         app_say("%s: %s: speed varied by up to %.1f %%, %d heater steps of %.1f %%", x->name[k], x->cut[k]->name,
                 100 * dither_of(x->cut[k]), x->cut[k]->heat_step_count, 100 * step_of(x->cut[k]));
@@ -78,11 +78,11 @@ static void say_summary(const identification *x) {
 
 static int identify(const app_call *call) {
     identification x = {.call = call};
-    int code = load(&x);
-    name_results(&x);
+    int code = load_identify(&x);
+    name_identify_results(&x);
     if (code == APP_DONE) code = app_results_begin(&x.results, app_text(call, "output"), x.result);
-    if (code == APP_DONE) code = write_results(&x);
-    if (code == APP_DONE && !app_given(call, "quiet")) say_summary(&x);
+    if (code == APP_DONE) code = write_identify_results(&x);
+    if (code == APP_DONE && !app_given(call, "quiet")) say_identify_summary(&x);
     if (code == APP_DONE && app_given(call, "json")) fputs(x.results.text, stdout);
     app_results_end(&x.results);
     for (int k = 0; k < x.count; k++) wcut_job_destroy(x.cut[k]);

@@ -27,7 +27,7 @@ static void line(FILE *out, const char *request, const char *text) {
     fputc('\n', out);
 }
 
-static void print_option(FILE *out, const app_option *o) {
+static void print_man_option(FILE *out, const app_option *o) {
     fputs(".TP\n", out);
 
     /* letter, name and value */
@@ -56,10 +56,10 @@ static void print_option(FILE *out, const app_option *o) {
 }
 
 static void print_options(FILE *out, const app_verb *verb) {
-    for (const app_option *o = verb->option; o->kind != APP_END; o++) print_option(out, o);
+    for (const app_option *o = verb->option; o->kind != APP_END; o++) print_man_option(out, o);
 }
 
-static void print_verb(FILE *out, const app_verb *verb) {
+static void print_man_verb(FILE *out, const app_verb *verb) {
     fprintf(out, ".SS \"wirecut %s", verb->name);
     for (const app_operand *o = verb->operand; o->name; o++) fprintf(out, " %s%s", o->name, o->many ? "..." : "");
     fputs("\"\n", out);
@@ -80,7 +80,7 @@ void app_print_man(FILE *out) {
     fputs(".SH OPTIONS\n", out);
     print_options(out, &app_self);
     fputs(".SH VERBS\n", out);
-    for (int i = 0; app_verbs[i]; i++) print_verb(out, app_verbs[i]);
+    for (int i = 0; app_verbs[i]; i++) print_man_verb(out, app_verbs[i]);
     fputs(".SH \"EXIT STATUS\"\n", out);
 #define APP_EXIT_ENTRY(name, code, text) \
     fprintf(out, ".TP\n%d\n", code);     \

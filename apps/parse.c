@@ -31,7 +31,7 @@ static int usage_error(const app_verb *verb, const char *what, const char *found
 /* ---- values ---- */
 
 /* Decimal numbers only; the command never calls setlocale, so that strtod reads a point whatever the user's locale. */
-static bool read_number(const app_option *option, const char *text, double *number) {
+static bool read_option_number(const app_option *option, const char *text, double *number) {
     const char *letters = option->kind == APP_INT ? "+-0123456789" : "+-.0123456789eE";
     char *end = NULL;
     if (!*text || text[strspn(text, letters)]) return false;
@@ -61,7 +61,7 @@ static int set_value(const app_verb *verb, const app_option *option, const char 
     switch (option->kind) {
         case APP_INT:
         case APP_REAL:
-            if (read_number(option, text, &number)) break;
+            if (read_option_number(option, text, &number)) break;
             snprintf(expected, sizeof expected, "%s from %.12g to %.12g",
                      option->kind == APP_INT ? "a whole number" : "a number", option->low, option->high);
             return usage_error(verb, what, text, expected);
@@ -145,7 +145,7 @@ static int refuse_option(const app_verb *verb, int count, int code, char **argv)
 
 /* ---- a whole call ---- */
 
-static int read_words(const app_verb *verb, int count, int argc, char **argv, app_call *call) {
+static int read_parse_words(const app_verb *verb, int count, int argc, char **argv, app_call *call) {
     struct option longs[APP_OPTIONS_MAX + 1];
     char shorts[2 * APP_OPTIONS_MAX + 3];
     describe_table(verb, count, longs, shorts);
@@ -199,7 +199,7 @@ int app_parse(const app_verb *verb, int argc, char **argv, app_call *call) {
     for (int i = 0; i < count; i++)
         if (set_standard(verb, &verb->option[i], &call->value[i])) assert(!"a standard is within its own range");
 
-    int code = read_words(verb, count, argc, argv, call);
+    int code = read_parse_words(verb, count, argc, argv, call);
     if (code == APP_DONE && !app_given(call, "help")) code = check_complete(verb, count, call);
     if (code != APP_DONE) app_call_clear(call);
     return code;

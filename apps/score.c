@@ -42,10 +42,10 @@ typedef struct scoring {
 
 static const char *const result_name[] = {"score.json", "residuals.csv", "report.html", NULL};
 
-static int fail_memory(void) { return app_fail_status(WCUT_NO_MEMORY, "score", NULL); }
+static int fail_score_memory(void) { return app_fail_status(WCUT_NO_MEMORY, "score", NULL); }
 
 /* a bad cut, or case: said, remembered, and not the end */
-static void note_bad(scoring *s, int code) {
+static void note_score_bad(scoring *s, int code) {
     if (s->code == APP_DONE) s->code = code;
 }
 
@@ -54,18 +54,18 @@ static void note_bad(scoring *s, int code) {
 static int list_cases(scoring *s) {
     const int n = s->call->operand_count;
     s->found = calloc((size_t)n, sizeof *s->found);
-    if (!s->found) return fail_memory();
+    if (!s->found) return fail_score_memory();
     for (int i = 0; i < n; i++) {
         wcut_error error = {0};
         const wcut_status status = wcut_case_read(s->call->operand[i], &s->found[s->cases], &error);
         if (status == WCUT_OK)
             s->cuts += s->found[s->cases++]->cuts;
         else
-            note_bad(s, app_fail_status(status, NULL, &error));
+            note_score_bad(s, app_fail_status(status, NULL, &error));
     }
     if (s->cuts == 0) return s->code;
     s->trial = calloc((size_t)s->cuts, sizeof *s->trial);
-    if (!s->trial) return fail_memory();
+    if (!s->trial) return fail_score_memory();
     int at = 0;
     for (int c = 0; c < s->cases; c++)
         for (int k = 0; k < s->found[c]->cuts; k++, at++)
@@ -84,7 +84,7 @@ static int list_recordings(scoring *s) {
             "%s: found a job without recordings, expected JOB.json RECORDING.csv... (see wirecut score --help)",
             s->call->operand[0]);
     s->trial = calloc((size_t)s->cuts, sizeof *s->trial);
-    if (!s->trial) return fail_memory();
+    if (!s->trial) return fail_score_memory();
     for (int i = 0; i < s->cuts; i++)
         s->trial[i] = (trial){.job_path = s->call->operand[0], .recording_path = s->call->operand[i + 1], .job_of = 0};
     return APP_DONE;
@@ -143,7 +143,7 @@ static wcut_status read_trial(scoring *s, trial *t) {
     return status == WCUT_OK ? doubt_trial(s, t) : status;
 }
 
-static int load(scoring *s) {
+static int load_score(scoring *s) {
     s->options = wcut_comparison_options_default();
     s->options.replay.motion = app_choice(s->call, "motion") == 1 ? WCUT_MOTION_POSITION : WCUT_MOTION_STATION;
     s->options.replay.window = app_real(s->call, "window");
@@ -153,14 +153,14 @@ static int load(scoring *s) {
     if (code != APP_DONE) return code;
     for (int i = 0; i < s->cuts; i++) {
         const wcut_status status = read_trial(s, &s->trial[i]);
-        if (status != WCUT_OK) note_bad(s, app_fail_status(status, NULL, &s->trial[i].error));
+        if (status != WCUT_OK) note_score_bad(s, app_fail_status(status, NULL, &s->trial[i].error));
     }
     return APP_DONE;
 }
 
 /* ---- the run ---- */
 
-static bool make_room(scoring *s) {
+static bool make_score_room(scoring *s) {
     const size_t n = s->cuts > 0 ? (size_t)s->cuts : 1;
     s->job = calloc(n, sizeof *s->job);
     s->recording = calloc(n, sizeof *s->recording);
@@ -192,7 +192,7 @@ static int run(scoring *s) {
         if (!t->recording || t->comparison) continue;
         t->error = s->error[i];
         if (t->error.status != WCUT_INTERRUPTED)
-            note_bad(s, app_fail_status(t->error.status, t->recording_path, &t->error));
+            note_score_bad(s, app_fail_status(t->error.status, t->recording_path, &t->error));
     }
     if (status == WCUT_INTERRUPTED)
         return app_fail(APP_INTERRUPTED, "interrupted after %d of %d cuts", s->scored, s->cuts);
@@ -232,7 +232,7 @@ static void find_means(scoring *s) {
 
 /* ---- the files ---- */
 
-static int write_report(scoring *s) {
+static int write_score_report(scoring *s) {
     const app_call *call = s->call;
     const char *role = s->cases > 0 ? "case" : "job";
     wcut_report_source *source = calloc((size_t)call->operand_count, sizeof *source);
@@ -270,13 +270,13 @@ static int write_report(scoring *s) {
 }
 
 /* What a run leaves in its folder, under score.json. */
-static int write_results(scoring *s) {
+static int write_score_results(scoring *s) {
     wcut_error error = {0};
     char *text = NULL;
     const char *name = "residuals.csv";
     wcut_status status = wcut_residuals_write(s->cuts, s->named, app_results_path(&s->results, name), &error);
     int code = app_results_add(&s->results, name, status, &error);
-    if (code == APP_DONE) code = write_report(s);
+    if (code == APP_DONE) code = write_score_report(s);
     if (code != APP_DONE) return code;
     status = wcut_score_print(s->cuts, s->named, &s->options, &text);
     return app_results_commit(&s->results, "score.json", status, text);
@@ -286,7 +286,7 @@ static int write_results(scoring *s) {
 
 typedef enum figure { FIGURE_NRMSD, FIGURE_RMSE, FIGURE_BIAS, FIGURES } figure;
 
-static void put_figure(char *to, size_t size, const wcut_score *s, int scored, figure what) {
+static void put_score_figure(char *to, size_t size, const wcut_score *s, int scored, figure what) {
     const bool angle = scored == WCUT_SCORED_ALPHA || scored == WCUT_SCORED_BETA;
     if (s->count == 0 || (what != FIGURE_BIAS && !(s->range > 0)))
         snprintf(to, size, "%8s", "-");
@@ -299,8 +299,9 @@ static void put_figure(char *to, size_t size, const wcut_score *s, int scored, f
 /* a line of a figure of each channel, planned and replayed */
 static void say_row(const char *name, const wcut_scores *planned, const wcut_scores *replayed, figure what) {
     char text[7][32];
-    for (int k = 0; k < 4; k++) put_figure(text[k], sizeof text[k], &planned->of[k][WCUT_PART_ALL], k, what);
-    for (int k = 1; k < 4; k++) put_figure(text[k + 3], sizeof text[k + 3], &replayed->of[k][WCUT_PART_ALL], k, what);
+    for (int k = 0; k < 4; k++) put_score_figure(text[k], sizeof text[k], &planned->of[k][WCUT_PART_ALL], k, what);
+    for (int k = 1; k < 4; k++)
+        put_score_figure(text[k + 3], sizeof text[k + 3], &replayed->of[k][WCUT_PART_ALL], k, what);
     app_say("%-24.24s %s %s %s %s   %s %s %s", name, text[0], text[1], text[2], text[3], text[4], text[5], text[6]);
 }
 
@@ -350,12 +351,12 @@ static void say_table(const scoring *s) {
     app_say("%d of %d cuts scored; in %s: %s", s->scored, s->cuts, s->results.folder, app_results_list(&s->results));
 }
 
-static void give_summary(const scoring *s) {
+static void give_score_summary(const scoring *s) {
     if (!app_given(s->call, "quiet")) say_table(s);
     if (app_given(s->call, "json")) fputs(s->results.text, stdout);
 }
 
-static void forget(scoring *s) {
+static void forget_score(scoring *s) {
     for (int i = 0; s->trial && i < s->cuts; i++) {
         wcut_comparison_destroy(s->trial[i].comparison);
         wcut_recording_destroy(s->trial[i].recording);
@@ -376,8 +377,8 @@ static void forget(scoring *s) {
 
 static int score(const app_call *call) {
     scoring s = {.call = call};
-    int ended = APP_DONE, code = load(&s);
-    if (code == APP_DONE && !make_room(&s)) code = fail_memory();
+    int ended = APP_DONE, code = load_score(&s);
+    if (code == APP_DONE && !make_score_room(&s)) code = fail_score_memory();
     if (code == APP_DONE) code = app_results_begin(&s.results, app_text(call, "output"), result_name);
     if (code == APP_DONE) {
         app_catch_interrupts();
@@ -385,15 +386,15 @@ static int score(const app_call *call) {
         if (s.scored > 0) {
             name_cuts(&s);
             find_means(&s);
-            code = write_results(&s);
-            if (code == APP_DONE) give_summary(&s);
+            code = write_score_results(&s);
+            if (code == APP_DONE) give_score_summary(&s);
         } else {
             app_say("none of %d cuts could be scored: nothing was written", s.cuts);
         }
     }
     if (code == APP_DONE) code = ended != APP_DONE ? ended : s.code;
     app_results_end(&s.results);
-    forget(&s);
+    forget_score(&s);
     return code;
 }
 

@@ -66,7 +66,7 @@ static void escape(const char *text, char *line, size_t size) {
 
 /* ---- lines ---- */
 
-static void put_line(const char *prefix, const char *format, va_list arguments) {
+static void put_terminal_line(const char *prefix, const char *format, va_list arguments) {
     char text[LINE_MAX_BYTES], line[LINE_MAX_BYTES];
     vsnprintf(text, sizeof text, format, arguments);
     escape(text, line, sizeof line);
@@ -76,14 +76,14 @@ static void put_line(const char *prefix, const char *format, va_list arguments) 
 void app_say(const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
-    put_line("", format, arguments);
+    put_terminal_line("", format, arguments);
     va_end(arguments);
 }
 
 int app_fail(int code, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
-    put_line("wirecut: ", format, arguments);
+    put_terminal_line("wirecut: ", format, arguments);
     va_end(arguments);
     return code;
 }

@@ -20,7 +20,7 @@ static const char *state_word(wcut_result_state state) {
     return word[state];
 }
 
-static void print_json(const wcut_verification *v) {
+static void print_verify_json(const wcut_verification *v) {
     printf("{\n  \"format\": \"wirecut-verification/1\",\n  \"whole\": %s,\n  \"files\": [",
            v->broken ? "false" : "true");
     for (int k = 0; k < v->count; k++) {
@@ -39,7 +39,7 @@ static int verify(const app_call *call) {
     const char *folder = call->operand[0];
     const wcut_status status = wcut_results_verify(folder, &v, &error);
     if (status != WCUT_OK) return app_fail_status(status, error.text[0] ? NULL : folder, &error);
-    if (app_given(call, "json")) print_json(v);
+    if (app_given(call, "json")) print_verify_json(v);
 
     /* each broken file is a line; the last one is the answer */
     for (int k = 0; k < v->count; k++)

@@ -9,12 +9,12 @@
 enum { INSTANCES_MAX = 8 };
 static const double INCREDIBLE = 1e12; /* [mm] */
 
-static bool refuse_data(wcut_iges *f, const wcut_iges_entry *e) {
+static bool refuse_curve_iges_data(wcut_iges *f, const wcut_iges_entry *e) {
     return wcut_curves_refuse(f->reader, "line %d: found too few values, or values of another kind, for this entity",
                               e->at + 1);
 }
 
-static int max_values(const wcut_iges_cursor *c) { return (c->end - c->line) * 32; }
+static int curve_iges_max_values(const wcut_iges_cursor *c) { return (c->end - c->line) * 32; }
 
 static wcut_curve *leave_out_nested(wcut_iges *f) {
     wcut_curves_leave_out(f->reader, "a composite curve in a composite curve");
@@ -35,7 +35,7 @@ static bool add_composite(wcut_iges *f, const wcut_iges_entry *e) {
     wcut_iges_cursor c;
     int count = 0, made = 0, number = 0;
     if (!wcut_iges_open(f, e, &c)) return false;
-    if (!wcut_iges_int(&c, 1, max_values(&c), &count)) return refuse_data(f, e);
+    if (!wcut_iges_int(&c, 1, curve_iges_max_values(&c), &count)) return refuse_curve_iges_data(f, e);
 
     /* the members, each in the place of the whole */
     wcut_curve **piece = wcut_alloc((size_t)count, sizeof *piece);
@@ -43,7 +43,7 @@ static bool add_composite(wcut_iges *f, const wcut_iges_entry *e) {
     for (bool ok = true; ok && made < count;) {
         wcut_iges_entry of = {0};
         if (!wcut_iges_int(&c, 1, 9999999, &number)) {
-            refuse_data(f, e);
+            refuse_curve_iges_data(f, e);
             break;
         }
         if (!wcut_iges_find_named(f, e, number, &of)) break;
@@ -66,7 +66,7 @@ static bool add_composite(wcut_iges *f, const wcut_iges_entry *e) {
 /* the list of entries that one names at its cursor: each gets a mark */
 static bool mark_all(wcut_iges *f, const wcut_iges_entry *e, wcut_iges_cursor *c, int mark) {
     int count = 0, number = 0;
-    if (!wcut_iges_int(c, 0, max_values(c), &count)) return refuse_data(f, e);
+    if (!wcut_iges_int(c, 0, curve_iges_max_values(c), &count)) return refuse_curve_iges_data(f, e);
     for (int k = 0; k < count && wcut_iges_int(c, 1, f->data - f->directory, &number); k++)
         f->mark[number / 2] |= (unsigned char)mark;
     return true;
@@ -93,7 +93,7 @@ static bool mark_members(wcut_iges *f, const wcut_iges_entry *e) {
 
 /* ---- which curves ---- */
 
-static bool add(wcut_iges *f, const wcut_iges_entry *e, int depth);
+static bool add_iges_entity(wcut_iges *f, const wcut_iges_entry *e, int depth);
 
 /* p -> scale p + shift of the set's curves from the `first` on, then by the instance's transformation */
 static bool set_in_place(wcut_iges *f, const wcut_iges_entry *e, int first, double scale, wcut_vec3 shift) {
@@ -112,7 +112,7 @@ static bool set_in_place(wcut_iges *f, const wcut_iges_entry *e, int first, doub
 }
 
 /* the members of a subfigure where its instance says */
-static bool add_instance(wcut_iges *f, const wcut_iges_entry *e, int depth) {
+static bool add_curve_iges_instance(wcut_iges *f, const wcut_iges_entry *e, int depth) {
     wcut_iges_cursor c, m;
     wcut_iges_entry figure = {0};
     double shift[3], scale = 1;
@@ -120,24 +120,24 @@ static bool add_instance(wcut_iges *f, const wcut_iges_entry *e, int depth) {
     const int first = f->reader->set->count;
     if (depth == 0) return wcut_curves_refuse(f->reader, "line %d: found instances nested too deep", e->at + 1);
     if (!wcut_iges_open(f, e, &c)) return false;
-    if (!wcut_iges_int(&c, 1, 9999999, &number) || !wcut_iges_reals(&c, 3, shift)) return refuse_data(f, e);
+    if (!wcut_iges_int(&c, 1, 9999999, &number) || !wcut_iges_reals(&c, 3, shift)) return refuse_curve_iges_data(f, e);
     if (!wcut_iges_real(&c, &scale)) scale = 1;
     if (!wcut_iges_find_named(f, e, number, &figure) || !wcut_iges_open(f, &figure, &m)) return false;
-    if (figure.type != 308 || !(scale > 0)) return refuse_data(f, e);
+    if (figure.type != 308 || !(scale > 0)) return refuse_curve_iges_data(f, e);
 
     /* depth and name come before the members */
     wcut_iges_pass(&m);
     wcut_iges_pass(&m);
-    if (!wcut_iges_int(&m, 0, max_values(&m), &count)) return refuse_data(f, &figure);
+    if (!wcut_iges_int(&m, 0, curve_iges_max_values(&m), &count)) return refuse_curve_iges_data(f, &figure);
     for (int k = 0; k < count; k++) {
         wcut_iges_entry member = {0};
-        if (!wcut_iges_int(&m, 1, 9999999, &number)) return refuse_data(f, &figure);
-        if (!wcut_iges_find_named(f, &figure, number, &member) || !add(f, &member, depth - 1)) return false;
+        if (!wcut_iges_int(&m, 1, 9999999, &number)) return refuse_curve_iges_data(f, &figure);
+        if (!wcut_iges_find_named(f, &figure, number, &member) || !add_iges_entity(f, &member, depth - 1)) return false;
     }
     return set_in_place(f, e, first, scale, (wcut_vec3){shift[0] * f->scale, shift[1] * f->scale, shift[2] * f->scale});
 }
 
-static bool add(wcut_iges *f, const wcut_iges_entry *e, int depth) {
+static bool add_iges_entity(wcut_iges *f, const wcut_iges_entry *e, int depth) {
     const int mark = f->mark[(e->at - f->directory) / 2];
     const bool depends = e->status[3] == '1' || e->status[3] == '3';
     if ((!is_curve(e) && e->type != 408) || (depends && (mark & WCUT_IGES_PIECE))) return true;
@@ -147,7 +147,7 @@ static bool add(wcut_iges *f, const wcut_iges_entry *e, int depth) {
     const bool belongs = depends && !(mark & (WCUT_IGES_MEMBER | WCUT_IGES_GROUPED));
     if (belongs || (e->status[4] == '0' && e->status[5] == '5'))
         return wcut_curves_leave_out(f->reader, "a piece of another entity"), true;
-    if (e->type == 408) return add_instance(f, e, depth);
+    if (e->type == 408) return add_curve_iges_instance(f, e, depth);
     if (e->type == 102) return add_composite(f, e);
     wcut_curve *curve = wcut_iges_curve(f, e);
     if (curve) return wcut_curves_add(f->reader, curve, "", 0);
@@ -165,7 +165,7 @@ bool wcut_curves_fill_iges(wcut_curve_reader *r, char *text, size_t length) {
 
             /* members of a subfigure are seen through its instances alone */
             else if (done && !(f.mark[(at - f.directory) / 2] & WCUT_IGES_MEMBER))
-                done = add(&f, &entry, INSTANCES_MAX);
+                done = add_iges_entity(&f, &entry, INSTANCES_MAX);
         }
     wcut_iges_end(&f);
     return done && wcut_curves_join_loose(r, 0);

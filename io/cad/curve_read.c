@@ -128,7 +128,7 @@ bool wcut_curves_fill_csv(wcut_curve_reader *r, char *text, size_t length) {
 
 /* ---- any ---- */
 
-static wcut_curve_format find_format(const char *text, size_t length, const char *label) {
+static wcut_curve_format find_curve_format(const char *text, size_t length, const char *label) {
     static const struct {
         const char *ending;
         wcut_curve_format format;
@@ -146,12 +146,12 @@ static wcut_curve_format find_format(const char *text, size_t length, const char
     return WCUT_CURVE_FORMAT_ANY;
 }
 
-static bool fill(wcut_curve_reader *r, char *text, size_t length) {
+static bool fill_curve(wcut_curve_reader *r, char *text, size_t length) {
     static wcut_curves_fill *const by_format[] = {NULL, wcut_curves_fill_step, wcut_curves_fill_iges,
                                                   wcut_curves_fill_json, wcut_curves_fill_csv};
     wcut_curve_set *set = r->set;
     set->format =
-        r->options->format != WCUT_CURVE_FORMAT_ANY ? r->options->format : find_format(text, length, r->label);
+        r->options->format != WCUT_CURVE_FORMAT_ANY ? r->options->format : find_curve_format(text, length, r->label);
     if (set->format == WCUT_CURVE_FORMAT_ANY)
         return wcut_curves_refuse(r, "found no curves in a known format, expected STEP, IGES, JSON or CSV");
     if (!by_format[set->format](r, text, length)) return false;
@@ -165,7 +165,7 @@ wcut_status wcut_curve_set_read_memory(char *text, size_t length, const char *la
                                        const wcut_curve_read_options *options, wcut_curve_set **set,
                                        wcut_error *error) {
     wcut_curve_reader r = {.label = label, .options = options, .set = wcut_alloc(1, sizeof(wcut_curve_set))};
-    if (r.set && fill(&r, text, length)) {
+    if (r.set && fill_curve(&r, text, length)) {
         *set = r.set;
         return WCUT_OK;
     }

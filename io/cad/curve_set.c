@@ -46,7 +46,7 @@ static char *copy_name(const char *name, size_t length) {
     return copy;
 }
 
-static bool make_room(wcut_curve_reader *r) {
+static bool make_curve_set_room(wcut_curve_reader *r) {
     if ((size_t)r->set->count < r->room) return true;
     const size_t room = r->room ? 2 * r->room : 16;
     wcut_curve **curve = wcut_grow(r->set->curve, room * sizeof *curve);
@@ -64,7 +64,7 @@ bool wcut_curves_add(wcut_curve_reader *r, wcut_curve *curve, const char *name, 
               wcut_curves_refuse(r, "found more than %d curves, expected at most that", r->options->max_curves);
     if (ok) {
         copy = copy_name(name, length);
-        ok = (copy && make_room(r)) || wcut_curves_refuse_memory(r);
+        ok = (copy && make_curve_set_room(r)) || wcut_curves_refuse_memory(r);
     }
     if (!ok) {
         free(copy);
@@ -104,7 +104,7 @@ typedef struct curve_end {
     wcut_vec3 point, out;
 } curve_end;
 
-static curve_end end_of(const wcut_curve *curve, int which) {
+static curve_end curve_set_end_of(const wcut_curve *curve, int which) {
     double first, last;
     wcut_vec3 d[2] = {{0, 0, 0}, {0, 0, 0}};
     wcut_curve_domain(curve, &first, &last);
@@ -215,7 +215,7 @@ bool wcut_curves_join_loose(wcut_curve_reader *r, int first) {
     bool done = end && l.curve && l.piece && l.partner && l.is_turned;
     if (!done) wcut_curves_refuse_memory(r);
     int joints = 0;
-    for (int k = 0; done && k < 2 * l.curves; k++) end[k] = end_of(l.curve[k / 2], k % 2);
+    for (int k = 0; done && k < 2 * l.curves; k++) end[k] = curve_set_end_of(l.curve[k / 2], k % 2);
     for (int k = 0; done && k < 2 * l.curves; k++) {
         l.partner[k] = find_partner(2 * l.curves, end, k, gap_of(r));
         if (l.partner[k] == (k ^ 1)) l.partner[k] = -1; /* a closed curve */

@@ -66,7 +66,7 @@ static double angle_of(wcut_vec3 p, wcut_vec3 center, wcut_vec3 x, wcut_vec3 y, 
     return atan2((d.x * y.x + d.y * y.y + d.z * y.z) / b, (d.x * x.x + d.y * x.y + d.z * x.z) / a);
 }
 
-static wcut_curve *make_arc(wcut_step_source *s, long id, const char *list, bool is_circle, const piece *p) {
+static wcut_curve *make_curve_step_arc(wcut_step_source *s, long id, const char *list, bool is_circle, const piece *p) {
     long at = 0;
     double a = 0, b = 0, t[2];
     wcut_vec3 center, x, y, pole[WCUT_ARC_POLES];
@@ -153,7 +153,7 @@ static wcut_curve *cut_spline(wcut_step_source *s, wcut_curve *curve, const piec
 /* ---- any curve ---- */
 
 /* the name of a simple instance, for people */
-static void leave_out(wcut_step_source *s, const char *body) {
+static void leave_curve_step_out(wcut_step_source *s, const char *body) {
     char kind[48];
     const size_t n = strcspn(body[0] == '(' ? body + 1 : body, "(");
     snprintf(kind, sizeof kind, "%.*s", (int)(n < 40 ? n : 40), body[0] == '(' ? body + 1 : body);
@@ -201,8 +201,10 @@ static wcut_curve *make(wcut_step_source *s, long id, const piece *p, int depth)
     if (depth == 0) return wcut_step_refuse(s, id, "curves nested too deep"), NULL;
     if (wcut_step_is_spline(body)) return cut_spline(s, wcut_step_read_spline(s, id, body), p ? p : &whole);
     if (wcut_p21_record(body, "POLYLINE")) return cut_spline(s, wcut_step_read_polyline(s, id, body), p ? p : &whole);
-    if ((list = wcut_p21_record(body, "CIRCLE")) != NULL) return make_arc(s, id, list, true, p ? p : &whole_turn);
-    if ((list = wcut_p21_record(body, "ELLIPSE")) != NULL) return make_arc(s, id, list, false, p ? p : &whole_turn);
+    if ((list = wcut_p21_record(body, "CIRCLE")) != NULL)
+        return make_curve_step_arc(s, id, list, true, p ? p : &whole_turn);
+    if ((list = wcut_p21_record(body, "ELLIPSE")) != NULL)
+        return make_curve_step_arc(s, id, list, false, p ? p : &whole_turn);
     if (p && (list = wcut_p21_record(body, "LINE")) != NULL) return make_line(s, id, list, p);
     if ((list = wcut_p21_record(body, "TRIMMED_CURVE")) != NULL) {
         /* a piece of a piece: between points on it, or, with the basis curve's parameters, a piece of that */
@@ -220,7 +222,7 @@ static wcut_curve *make(wcut_step_source *s, long id, const piece *p, int depth)
     for (int k = 0; k < 3; k++)
         if ((list = wcut_p21_record(body, bearer[k])) != NULL)
             return reference(s, id, wcut_p21_item(list, 1), &inner) ? make(s, inner, p, depth - 1) : NULL;
-    leave_out(s, body);
+    leave_curve_step_out(s, body);
     return NULL;
 }
 
@@ -237,7 +239,7 @@ static const char *find_name(const char *body, size_t *length) {
 }
 
 /* a curve into the set; false: refused */
-static bool add(wcut_step_source *s, long id, const piece *p, const char *body) {
+static bool add_step_piece(wcut_step_source *s, long id, const piece *p, const char *body) {
     size_t length;
     const char *name = find_name(body, &length);
     wcut_curve *curve = make(s, id, p, DEPTH_MAX);
@@ -276,7 +278,7 @@ static const char *find_composite(const char *body) {
 }
 
 /* the curves of a row from the first-th on the other way round */
-static bool turn_back(wcut_step_source *s, row *of, int first) {
+static bool turn_curve_step_back(wcut_step_source *s, row *of, int first) {
     for (int k = first; k < of->count; k++) {
         of->curve[k] = reversed(s, of->curve[k]);
         if (!of->curve[k]) return false;
@@ -289,7 +291,7 @@ static bool turn_back(wcut_step_source *s, row *of, int first) {
 }
 
 /* the segments of a composite curve, those of composite segments among them; false: one is refused or left out */
-static bool collect(wcut_step_source *s, long id, const char *list, int depth, row *to) {
+static bool collect_curve_step(wcut_step_source *s, long id, const char *list, int depth, row *to) {
     const char *segments = wcut_p21_item(list, 1);
     if (wcut_p21_length(segments) < 1) return wcut_step_refuse(s, id, "no segments");
     if (depth == 0) return wcut_step_refuse(s, id, "curves nested too deep");
@@ -305,12 +307,12 @@ static bool collect(wcut_step_source *s, long id, const char *list, int depth, r
         /* a curve, or a row of them */
         const char *of = wcut_p21_find(&s->file, parent), *nested = of ? find_composite(of) : NULL;
         if (nested) {
-            if (!collect(s, parent, nested, depth - 1, to)) return false;
+            if (!collect_curve_step(s, parent, nested, depth - 1, to)) return false;
         } else {
             wcut_curve *curve = make(s, parent, NULL, DEPTH_MAX);
             if (!curve || !push(s, to, curve)) return false;
         }
-        if (wcut_p21_is(wcut_p21_item(segment, 1), ".F.") && !turn_back(s, to, first)) return false;
+        if (wcut_p21_is(wcut_p21_item(segment, 1), ".F.") && !turn_curve_step_back(s, to, first)) return false;
     }
     return true;
 }
@@ -319,7 +321,8 @@ static bool add_segments(wcut_step_source *s, long id, const char *list) {
     size_t length;
     const char *name = find_name(wcut_p21_find(&s->file, id), &length);
     row of = {0};
-    if (collect(s, id, list, DEPTH_MAX, &of)) return wcut_curves_add_chain(s->reader, of.count, of.curve, name, length);
+    if (collect_curve_step(s, id, list, DEPTH_MAX, &of))
+        return wcut_curves_add_chain(s->reader, of.count, of.curve, name, length);
     for (int k = 0; k < of.count; k++) wcut_curve_destroy(of.curve[k]);
     wcut_free(of.curve);
     return s->reader->failure.status == WCUT_OK;
@@ -344,12 +347,12 @@ static bool add_set(wcut_step_source *s, long id, const char *list) {
         for (size_t k = 0; k < sizeof no_curve / sizeof *no_curve; k++)
             is_curve = is_curve && !wcut_p21_record(body, no_curve[k]);
         const char *composite = find_composite(body);
-        if (composite ? !add_segments(s, at, composite) : is_curve && !add(s, at, NULL, body)) return false;
+        if (composite ? !add_segments(s, at, composite) : is_curve && !add_step_piece(s, at, NULL, body)) return false;
     }
     return true;
 }
 
-static bool read_vertex(wcut_step_source *s, long id, const char *item, wcut_vec3 *point) {
+static bool read_curve_step_vertex(wcut_step_source *s, long id, const char *item, wcut_vec3 *point) {
     long vertex = 0, at = 0;
     if (!reference(s, id, item, &vertex)) return false;
     const char *body = wcut_p21_find(&s->file, vertex);
@@ -361,13 +364,13 @@ static bool add_edge(wcut_step_source *s, const wcut_p21_instance *at, const cha
     piece p = {.has_points = true, .slack = 1e-2};
     long curve = 0;
     for (int k = 0; k < 2; k++)
-        if (!read_vertex(s, at->id, wcut_p21_item(list, 1 + k), &p.point[k])) return false;
+        if (!read_curve_step_vertex(s, at->id, wcut_p21_item(list, 1 + k), &p.point[k])) return false;
     p.forwards = !wcut_p21_is(wcut_p21_item(list, 4), ".F.");
-    return reference(s, at->id, wcut_p21_item(list, 3), &curve) && add(s, curve, &p, at->body);
+    return reference(s, at->id, wcut_p21_item(list, 3), &curve) && add_step_piece(s, curve, &p, at->body);
 }
 
 /* what is added in one place of a part: copies of it stand in the others */
-static bool spread(wcut_step_source *s, long id, int first, int places, const wcut_step_place *place) {
+static bool spread_curve_step(wcut_step_source *s, long id, int first, int places, const wcut_step_place *place) {
     wcut_curve_set *set = s->reader->set;
     const int count = set->count - first;
 
@@ -399,7 +402,7 @@ static bool add_part(wcut_step_source *s, long id, const char *list) {
     if (holder && !wcut_step_use_units(s, holder)) return false;
     if (!add_set(s, id, list) || !wcut_curves_join_loose(s->reader, first)) return false;
     if (!holder || s->reader->set->count == first) return true;
-    return wcut_step_find_places(s, holder, place, &places) && spread(s, id, first, places, place);
+    return wcut_step_find_places(s, holder, place, &places) && spread_curve_step(s, id, first, places, place);
 }
 
 static bool moves_parts(const wcut_step_source *s) {
@@ -464,7 +467,7 @@ static bool add_representation(wcut_step_source *s, const wcut_p21_instance *rep
         if (list && !add_edge(s, &s->file.instance[k], list)) return false;
     }
     if (s->reader->set->count == first) return true;
-    return wcut_step_find_places(s, rep->id, place, &places) && spread(s, rep->id, first, places, place);
+    return wcut_step_find_places(s, rep->id, place, &places) && spread_curve_step(s, rep->id, first, places, place);
 }
 
 static bool add_parts(wcut_step_source *s) {

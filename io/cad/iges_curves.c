@@ -13,13 +13,13 @@ enum { NESTED_MAX = 8 };
 static const double TURN = 6.283185307179586;
 static const double INCREDIBLE = 1e12; /* [mm] */
 
-static wcut_curve *refuse_data(wcut_iges *f, const wcut_iges_entry *e) {
+static wcut_curve *refuse_iges_curves_data(wcut_iges *f, const wcut_iges_entry *e) {
     wcut_curves_refuse(f->reader, "line %d: found too few values, or values of another kind, for this entity",
                        e->at + 1);
     return NULL;
 }
 
-static wcut_curve *leave_out(wcut_iges *f, const wcut_iges_entry *e) {
+static wcut_curve *leave_iges_curves_out(wcut_iges *f, const wcut_iges_entry *e) {
     char text[40];
     snprintf(text, sizeof text, "type %d form %d", e->type, e->form);
     wcut_curves_leave_out(f->reader, text);
@@ -32,7 +32,7 @@ static void scale_points(const wcut_iges *f, wcut_vec3 *p, int count) {
 }
 
 /* what the data could hold at two characters a value: more is refused before memory is asked for */
-static int max_values(const wcut_iges_cursor *c) { return (c->end - c->line) * 32; }
+static int iges_curves_max_values(const wcut_iges_cursor *c) { return (c->end - c->line) * 32; }
 
 /* ---- one kind each; NULL: refused or left out ---- */
 
@@ -51,9 +51,9 @@ static wcut_curve *cut_to_range(wcut_iges *f, const wcut_iges_entry *e, wcut_cur
 
 static wcut_curve *read_spline(wcut_iges *f, const wcut_iges_entry *e, wcut_iges_cursor *c, const char *place) {
     int last = 0, degree = 0, flag[4];
-    bool ok = wcut_iges_int(c, 1, max_values(c), &last) && wcut_iges_int(c, 1, 1000, &degree);
+    bool ok = wcut_iges_int(c, 1, iges_curves_max_values(c), &last) && wcut_iges_int(c, 1, 1000, &degree);
     for (int k = 0; ok && k < 4; k++) ok = wcut_iges_int(c, 0, 1, &flag[k]);
-    if (!ok) return refuse_data(f, e);
+    if (!ok) return refuse_iges_curves_data(f, e);
     if (degree > WCUT_DEGREE_MAX) return wcut_curves_leave_out(f->reader, "a degree above 7"), NULL;
     const int count = last + 1, knots = count + degree + 1;
     double *value = wcut_alloc((size_t)knots + 4 * (size_t)count, sizeof *value);
@@ -72,15 +72,15 @@ static wcut_curve *read_spline(wcut_iges *f, const wcut_iges_entry *e, wcut_iges
         /* the part of the knots' range that the curve is; files without it mean all of it */
         if (curve && wcut_iges_reals(c, 2, range)) curve = cut_to_range(f, e, curve, range);
     } else {
-        refuse_data(f, e);
+        refuse_iges_curves_data(f, e);
     }
     free(value);
     return curve;
 }
 
 /* `count` points of three coordinates, or of two at one height */
-static wcut_curve *read_points(wcut_iges *f, const wcut_iges_entry *e, wcut_iges_cursor *c, const char *place,
-                               int count, bool is_flat) {
+static wcut_curve *read_iges_curves_points(wcut_iges *f, const wcut_iges_entry *e, wcut_iges_cursor *c,
+                                           const char *place, int count, bool is_flat) {
     wcut_vec3 *point = wcut_alloc((size_t)count, sizeof *point);
     wcut_curve *curve = NULL;
     if (!point) return wcut_curves_refuse_memory(f->reader), NULL;
@@ -94,7 +94,7 @@ static wcut_curve *read_points(wcut_iges *f, const wcut_iges_entry *e, wcut_iges
         scale_points(f, point, count);
         curve = wcut_curves_polyline(f->reader, place, count, point);
     } else {
-        refuse_data(f, e);
+        refuse_iges_curves_data(f, e);
     }
     free(point);
     return curve;
@@ -102,13 +102,14 @@ static wcut_curve *read_points(wcut_iges *f, const wcut_iges_entry *e, wcut_iges
 
 static wcut_curve *read_string(wcut_iges *f, const wcut_iges_entry *e, wcut_iges_cursor *c, const char *place) {
     int kind = 0, count = 0;
-    if (!wcut_iges_int(c, 1, 3, &kind) || !wcut_iges_int(c, 2, max_values(c), &count)) return refuse_data(f, e);
-    return kind == 3 ? leave_out(f, e) : read_points(f, e, c, place, count, kind == 1);
+    if (!wcut_iges_int(c, 1, 3, &kind) || !wcut_iges_int(c, 2, iges_curves_max_values(c), &count))
+        return refuse_iges_curves_data(f, e);
+    return kind == 3 ? leave_iges_curves_out(f, e) : read_iges_curves_points(f, e, c, place, count, kind == 1);
 }
 
 /* center + cos(t) a x + sin(t) b y at a height, counter-clockwise from start to end, a whole turn where they are one */
-static wcut_curve *make_arc(wcut_iges *f, const char *place, wcut_vec3 center, double a, double b,
-                            const double start[2], const double end[2]) {
+static wcut_curve *make_iges_curves_arc(wcut_iges *f, const char *place, wcut_vec3 center, double a, double b,
+                                        const double start[2], const double end[2]) {
     wcut_vec3 pole[WCUT_ARC_POLES];
     double weight[WCUT_ARC_POLES], knot[WCUT_ARC_POLES + 3];
     const double from = atan2((start[1] - center.y) / b, (start[0] - center.x) / a);
@@ -121,20 +122,20 @@ static wcut_curve *make_arc(wcut_iges *f, const char *place, wcut_vec3 center, d
 
 static wcut_curve *read_circle(wcut_iges *f, const wcut_iges_entry *e, wcut_iges_cursor *c, const char *place) {
     double v[7]; /* height, center, start, end */
-    if (!wcut_iges_reals(c, 7, v)) return refuse_data(f, e);
+    if (!wcut_iges_reals(c, 7, v)) return refuse_iges_curves_data(f, e);
     const double radius = hypot(v[3] - v[1], v[4] - v[2]);
-    if (!(radius > 0) || !isfinite(radius)) return refuse_data(f, e);
-    return make_arc(f, place, (wcut_vec3){v[1], v[2], v[0]}, radius, radius, v + 3, v + 5);
+    if (!(radius > 0) || !isfinite(radius)) return refuse_iges_curves_data(f, e);
+    return make_iges_curves_arc(f, place, (wcut_vec3){v[1], v[2], v[0]}, radius, radius, v + 3, v + 5);
 }
 
 /* a x^2 + b x y + c y^2 + d x + e y + f = 0 at a height, from start to end: an ellipse along the axes, as it must be */
 static wcut_curve *read_conic(wcut_iges *f, const wcut_iges_entry *e, wcut_iges_cursor *c, const char *place) {
     double v[11];
-    if (!wcut_iges_reals(c, 11, v)) return refuse_data(f, e);
+    if (!wcut_iges_reals(c, 11, v)) return refuse_iges_curves_data(f, e);
     const bool is_ellipse = v[1] == 0 && v[3] == 0 && v[4] == 0 && v[0] * v[2] > 0 && v[0] * v[5] < 0;
     const double x = sqrt(-v[5] / v[0]), y = sqrt(-v[5] / v[2]);
-    if (!is_ellipse || !(x > 0 && y > 0) || !isfinite(x) || !isfinite(y)) return leave_out(f, e);
-    return make_arc(f, place, (wcut_vec3){0, 0, v[6]}, x, y, v + 7, v + 9);
+    if (!is_ellipse || !(x > 0 && y > 0) || !isfinite(x) || !isfinite(y)) return leave_iges_curves_out(f, e);
+    return make_iges_curves_arc(f, place, (wcut_vec3){0, 0, v[6]}, x, y, v + 7, v + 9);
 }
 
 /* ---- where it stands ---- */
@@ -179,7 +180,7 @@ wcut_curve *wcut_iges_curve(wcut_iges *f, const wcut_iges_entry *e) {
     if (e->type == 126)
         curve = read_spline(f, e, &c, place);
     else if (e->type == 110 && e->form == 0)
-        curve = read_points(f, e, &c, place, 2, false);
+        curve = read_iges_curves_points(f, e, &c, place, 2, false);
     else if (e->type == 100)
         curve = read_circle(f, e, &c, place);
     else if (e->type == 104)
@@ -187,7 +188,7 @@ wcut_curve *wcut_iges_curve(wcut_iges *f, const wcut_iges_entry *e) {
     else if (e->type == 106)
         curve = read_string(f, e, &c, place);
     else
-        leave_out(f, e);
+        leave_iges_curves_out(f, e);
 
     if (!curve || wcut_iges_transform(f, e, curve)) return curve;
     wcut_curve_destroy(curve);

@@ -186,7 +186,7 @@ static bool read_global(wcut_iges *f) {
 /* ---- the directory ---- */
 
 /* field k of a directory line, blank as 0; false: it is no number */
-static bool read_field(const char *line, int k, int *value) {
+static bool read_iges_field(const char *line, int k, int *value) {
     const char *p = line + (size_t)FIELD * (size_t)k, *end = p + FIELD;
     int n = 0, sign = 1;
     while (p < end && *p == ' ') p++;
@@ -200,9 +200,9 @@ static bool read_field(const char *line, int k, int *value) {
 bool wcut_iges_find(wcut_iges *f, int at, wcut_iges_entry *entry) {
     const char *first = f->line[at], *second = f->line[at + 1];
     wcut_iges_entry e = {.at = at};
-    bool ok = read_field(first, 0, &e.type) && read_field(first, 1, &e.data) &&
-              read_field(first, 6, &e.transformation) && read_field(second, 3, &e.lines) &&
-              read_field(second, 4, &e.form);
+    bool ok = read_iges_field(first, 0, &e.type) && read_iges_field(first, 1, &e.data) &&
+              read_iges_field(first, 6, &e.transformation) && read_iges_field(second, 3, &e.lines) &&
+              read_iges_field(second, 4, &e.form);
     memcpy(e.status, first + 64, FIELD);
     ok = ok && e.data >= 1 && e.lines >= 1 && e.data <= f->end - f->data && e.lines <= f->end - f->data - e.data + 1;
     *entry = e;

@@ -33,16 +33,16 @@ typedef struct entry {
 /* ---- lines and tokens ---- */
 
 /* a number at the right of its columns */
-static void put_field(char *to, int width, long value) {
+static void put_iges_field(char *to, int width, long value) {
     for (int k = width - 1; k >= 0; k--, value /= 10)
         to[k] = (char)(value > 0 || k == width - 1 ? '0' + value % 10 : ' ');
 }
 
 static void end_line(iges *f) {
     memset(f->line + f->used, ' ', (size_t)(72 - f->used));
-    if (f->entity) put_field(f->line + 64, 8, f->entity);
+    if (f->entity) put_iges_field(f->line + 64, 8, f->entity);
     f->line[72] = f->section;
-    put_field(f->line + 73, 7, f->sequence);
+    put_iges_field(f->line + 73, 7, f->sequence);
     f->line[80] = '\n';
     wcut_text_put(f->text, f->line, LINE);
     f->sequence++;
@@ -79,7 +79,7 @@ static void put_real(iges *f, double value, char end) {
 }
 
 /* 5Hlower, at most 50 characters; IGES knows ASCII alone, so the rest becomes "_" */
-static void put_string(iges *f, const char *string, char end) {
+static void put_iges_string(iges *f, const char *string, char end) {
     char plain[64], token[80];
     int length = 0;
     while (*string && length < 50) {
@@ -101,33 +101,33 @@ static void begin_section(iges *f, char section, int width) {
 
 /* ---- start and global section; gives the number of its lines ---- */
 
-static long put_head(iges *f, const char *name) {
+static long put_iges_head(iges *f, const char *name) {
     begin_section(f, 'S', GLOBAL);
     f->used = snprintf(f->line, 72, "wirecut %s, lengths in mm", WCUT_VERSION);
     end_line(f);
     begin_section(f, 'G', GLOBAL);
     put_token(f, "1H,", 3, ',');
     put_token(f, "1H;", 3, ',');
-    put_string(f, name, ',');
-    put_string(f, name, ',');
-    put_string(f, "wirecut " WCUT_VERSION, ',');
-    put_string(f, "wirecut " WCUT_VERSION, ',');
+    put_iges_string(f, name, ',');
+    put_iges_string(f, name, ',');
+    put_iges_string(f, "wirecut " WCUT_VERSION, ',');
+    put_iges_string(f, "wirecut " WCUT_VERSION, ',');
     static const int numbers[] = {32, 38, 6, 308, 15}; /* bits of an integer; range and digits of reals */
     for (int k = 0; k < 5; k++) put_integer(f, numbers[k], ',');
-    put_string(f, name, ',');
+    put_iges_string(f, name, ',');
     put_real(f, 1, ',');
     put_integer(f, 2, ',');
-    put_string(f, "MM", ',');
+    put_iges_string(f, "MM", ',');
     put_integer(f, 1, ',');
     put_real(f, 0.01, ',');
-    put_string(f, "19700101.000000", ','); /* a date must be there; this one is nobody's */
+    put_iges_string(f, "19700101.000000", ','); /* a date must be there; this one is nobody's */
     put_real(f, 1e-6, ',');
     put_real(f, 0, ',');
-    put_string(f, "", ',');
-    put_string(f, "", ',');
+    put_iges_string(f, "", ',');
+    put_iges_string(f, "", ',');
     put_integer(f, 11, ','); /* version 5.3 */
     put_integer(f, 0, ',');
-    put_string(f, "19700101.000000", ';');
+    put_iges_string(f, "19700101.000000", ';');
     end_line(f);
     return f->sequence - 1;
 }
@@ -138,7 +138,7 @@ static void put_reals(iges *f, const double *value, size_t count) {
     for (size_t k = 0; k < count; k++) put_real(f, value[k], ',');
 }
 
-static void put_weights(iges *f, const double *weight, size_t count) {
+static void put_iges_weights(iges *f, const double *weight, size_t count) {
     for (size_t k = 0; k < count; k++) put_real(f, weight ? weight[k] : 1, ',');
 }
 
@@ -152,7 +152,7 @@ static void put_name_pointer(iges *f, long name) {
 
 static bool is_same(wcut_vec3 a, wcut_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
-static void put_curve(iges *f, const wcut_curve *c, long name) {
+static void put_iges_curve(iges *f, const wcut_curve *c, long name) {
     const int n = c->control_count, p = c->degree;
     put_integer(f, 126, ',');
     put_integer(f, n - 1, ',');
@@ -162,7 +162,7 @@ static void put_curve(iges *f, const wcut_curve *c, long name) {
     put_integer(f, c->weights == NULL, ',');
     put_integer(f, 0, ',');
     put_reals(f, c->knots, (size_t)n + (size_t)p + 1);
-    put_weights(f, c->weights, (size_t)n);
+    put_iges_weights(f, c->weights, (size_t)n);
     put_reals(f, &c->control->x, 3 * (size_t)n);
     put_real(f, c->knots[p], ',');
     put_real(f, c->knots[n], ',');
@@ -171,7 +171,7 @@ static void put_curve(iges *f, const wcut_curve *c, long name) {
 }
 
 /* whether the two borders of a direction are one curve: u, whose poles are steps of 1, or v */
-static bool is_closed(const wcut_surface *s, bool along_u) {
+static bool is_iges_closed(const wcut_surface *s, bool along_u) {
     const size_t columns = (size_t)s->count_u, rows = (size_t)s->count_v;
     const size_t count = along_u ? rows : columns, step = along_u ? columns : 1;
     const size_t across = along_u ? columns - 1 : columns * (rows - 1);
@@ -189,8 +189,8 @@ static void put_surface(iges *f, const wcut_surface *s, long name) {
     put_integer(f, s->count_v - 1, ',');
     put_integer(f, s->degree_u, ',');
     put_integer(f, s->degree_v, ',');
-    put_integer(f, is_closed(s, true), ',');
-    put_integer(f, is_closed(s, false), ',');
+    put_integer(f, is_iges_closed(s, true), ',');
+    put_integer(f, is_iges_closed(s, false), ',');
     put_integer(f, s->weights == NULL, ',');
     put_integer(f, 0, ',');
     put_integer(f, 0, ',');
@@ -198,7 +198,7 @@ static void put_surface(iges *f, const wcut_surface *s, long name) {
     /* knots, weights, control points */
     put_reals(f, s->knots_u, (size_t)s->count_u + (size_t)s->degree_u + 1);
     put_reals(f, s->knots_v, (size_t)s->count_v + (size_t)s->degree_v + 1);
-    put_weights(f, s->weights, count);
+    put_iges_weights(f, s->weights, count);
     put_reals(f, &s->control->x, 3 * count);
 
     /* the domain in both directions */
@@ -212,7 +212,7 @@ static void put_surface(iges *f, const wcut_surface *s, long name) {
 static void put_name(iges *f, const char *name) {
     put_integer(f, 406, ',');
     put_integer(f, 1, ',');
-    put_string(f, name[0] ? name : "_", ';');
+    put_iges_string(f, name[0] ? name : "_", ';');
     end_line(f);
 }
 
@@ -229,7 +229,7 @@ static entry put_entity(iges *f, const wcut_shape *shape, long k) {
         put_surface(f, s->surface, f->entity - 2);
     } else {
         e = (entry){126, 0, f->sequence, 0, "00000000"};
-        put_curve(f, s->curve, f->entity - 2);
+        put_iges_curve(f, s->curve, f->entity - 2);
     }
     e.lines = f->sequence - e.first;
     return e;
@@ -237,13 +237,13 @@ static entry put_entity(iges *f, const wcut_shape *shape, long k) {
 
 /* ---- the directory, written when the lines of the data are known ---- */
 
-static void print_entry(char two[2 * LINE], const entry *e, long sequence) {
+static void print_iges_entry(char two[2 * LINE], const entry *e, long sequence) {
     const long field[2][9] = {{e->type, e->first, 0, 0, 0, 0, 0, 0, 0}, {e->type, 0, 0, e->lines, e->form, 0, 0, 0, 0}};
     for (int row = 0; row < 2; row++) {
         char *line = two + (size_t)row * LINE;
-        for (int k = 0; k < 9; k++) put_field(line + 8 * (size_t)k, 8, field[row][k]);
+        for (int k = 0; k < 9; k++) put_iges_field(line + 8 * (size_t)k, 8, field[row][k]);
         line[72] = 'D';
-        put_field(line + 73, 7, sequence + row);
+        put_iges_field(line + 73, 7, sequence + row);
         line[80] = '\n';
     }
     memcpy(two + 64, e->status, 8);
@@ -255,9 +255,10 @@ static wcut_status refuse_length(wcut_error *error) {
                      LINES_MAX);
 }
 
-static wcut_status write_all(wcut_file *file, wcut_text *text, int count, const wcut_shape *shape, wcut_error *error) {
+static wcut_status write_iges_all(wcut_file *file, wcut_text *text, int count, const wcut_shape *shape,
+                                  wcut_error *error) {
     iges f = {.text = text};
-    const long global = put_head(&f, shape[0].name), entities = 2L * count;
+    const long global = put_iges_head(&f, shape[0].name), entities = 2L * count;
     const uint64_t directory = (uint64_t)(1 + global) * LINE;
     wcut_text_flush(text);
 
@@ -268,7 +269,7 @@ static wcut_status write_all(wcut_file *file, wcut_text *text, int count, const 
         char two[2 * LINE];
         const entry e = put_entity(&f, shape, k);
         if (f.sequence > LINES_MAX) return refuse_length(error);
-        print_entry(two, &e, 2 * k + 1);
+        print_iges_entry(two, &e, 2 * k + 1);
         wcut_file_write_at(file, directory + (uint64_t)k * 2 * LINE, two, sizeof two);
     }
 
@@ -282,7 +283,7 @@ static wcut_status write_all(wcut_file *file, wcut_text *text, int count, const 
     return wcut_file_commit(file, error);
 }
 
-static wcut_status check(int count, const wcut_shape *shape, const char *path, wcut_error *error) {
+static wcut_status check_iges(int count, const wcut_shape *shape, const char *path, wcut_error *error) {
     wcut_status status = wcut_shapes_check(count, shape, path, error);
     for (int k = 0; status == WCUT_OK && k < count; k++)
         if (shape[k].solid)
@@ -294,11 +295,11 @@ static wcut_status check(int count, const wcut_shape *shape, const char *path, w
 wcut_status wcut_iges_write(int count, const wcut_shape *shape, const char *path, wcut_error *error) {
     wcut_file *file = NULL;
     wcut_text text = {0};
-    wcut_status status = check(count, shape, path, error);
+    wcut_status status = check_iges(count, shape, path, error);
     if (status == WCUT_OK) status = wcut_file_create(path, &file, error);
     if (status != WCUT_OK) return status;
     if (wcut_text_create(&text, file))
-        status = write_all(file, &text, count, shape, error);
+        status = write_iges_all(file, &text, count, shape, error);
     else
         status = wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
     wcut_text_destroy(&text);

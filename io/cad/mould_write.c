@@ -46,7 +46,7 @@ static void put_half(wcut_text *text, const char *name, const wcut_half *half) {
     wcut_text_print(text, ", \"exact_faces\": %d}", half->brep ? half->brep->face_count : 0);
 }
 
-static void put_cut(wcut_text *text, const wcut_mould *m) {
+static void put_mould_cut(wcut_text *text, const wcut_mould *m) {
     /* volumes and their balance, kerf, errors */
     wcut_text_put_number(text, ",\n  \"kerf_volume_mm3\": ", m->kerf_volume);
     wcut_text_put_number(text, ",\n  \"block_volume_mm3\": ", m->block_volume);
@@ -82,7 +82,7 @@ static wcut_status print_mould(const wcut_mould *m, const char *name, char **tex
     wcut_text_string(&out, name);
     put_half(&out, "lower", &m->lower);
     put_half(&out, "upper", &m->upper);
-    put_cut(&out, m);
+    put_mould_cut(&out, m);
     wcut_text_print(&out, "\n}\n");
     return wcut_text_finish(&out, text, length);
 }

@@ -85,7 +85,7 @@ static char *end_statement(wcut_curve_reader *r, char *p) {
 }
 
 /* #12= at p: its number and what is behind it; NULL: refused */
-static char *read_number(wcut_curve_reader *r, char *p, long *id) {
+static char *read_part21_number(wcut_curve_reader *r, char *p, long *id) {
     char *at = p + 1;
     long n = 0;
     for (; *at >= '0' && *at <= '9' && n < LONG_MAX / 100; at++) n = 10 * n + (*at - '0');
@@ -97,7 +97,7 @@ static char *read_number(wcut_curve_reader *r, char *p, long *id) {
     return NULL;
 }
 
-static bool add_instance(wcut_p21_file *f, size_t *room, long id, const char *body) {
+static bool add_part21_instance(wcut_p21_file *f, size_t *room, long id, const char *body) {
     if ((size_t)f->count == *room) {
         const size_t wanted = *room ? 2 * *room : 1024;
         wcut_p21_instance *grown = wanted <= INT_MAX ? wcut_grow(f->instance, wanted * sizeof *grown) : NULL;
@@ -117,8 +117,8 @@ static bool read_statements(wcut_p21_file *f, char *p) {
         if (!end) return false;
         *end = '\0';
         if (*p == '#') {
-            char *body = read_number(f->reader, p, &id);
-            if (!body || !add_instance(f, &room, id, body)) return false;
+            char *body = read_part21_number(f->reader, p, &id);
+            if (!body || !add_part21_instance(f, &room, id, body)) return false;
         }
         if (strcmp(p, "END-ISO-10303-21") == 0) return true;
         p = end + 1;

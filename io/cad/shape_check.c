@@ -7,24 +7,24 @@
 
 #include "base/fail.h"
 
-static bool is_sound(double x) { return fabs(x) <= 1e12; /* false for nan, too */ }
+static bool is_shape_sound(double x) { return fabs(x) <= 1e12; /* false for nan, too */ }
 
 static bool are_points(const wcut_vec3 *p, size_t count) {
     for (size_t k = 0; k < count; k++)
-        if (!is_sound(p[k].x) || !is_sound(p[k].y) || !is_sound(p[k].z)) return false;
+        if (!is_shape_sound(p[k].x) || !is_shape_sound(p[k].y) || !is_shape_sound(p[k].z)) return false;
     return true;
 }
 
 static bool are_weights(const double *w, size_t count) {
     for (size_t k = 0; w && k < count; k++)
-        if (!(w[k] > 0) || !is_sound(w[k])) return false;
+        if (!(w[k] > 0) || !is_shape_sound(w[k])) return false;
     return true;
 }
 
 static bool are_knots(int degree, int count, const double *knot) {
     if (degree < 1 || degree > WCUT_DEGREE_MAX || count <= degree || !knot) return false;
     for (int k = 0; k <= count + degree; k++)
-        if (!is_sound(knot[k]) || (k > 0 && knot[k] < knot[k - 1])) return false;
+        if (!is_shape_sound(knot[k]) || (k > 0 && knot[k] < knot[k - 1])) return false;
     return knot[degree] < knot[count];
 }
 
@@ -57,7 +57,7 @@ static const char *judge_edges(const wcut_brep *b) {
 }
 
 /* each coedge begins where the one before it ends */
-static bool is_closed(const wcut_brep *b, const wcut_brep_loop *loop) {
+static bool is_shape_closed(const wcut_brep *b, const wcut_brep_loop *loop) {
     for (int k = 0; k < loop->coedge_count; k++) {
         const wcut_brep_coedge *at = &b->coedge[loop->first_coedge + k];
         const wcut_brep_coedge *next = &b->coedge[loop->first_coedge + (k + 1) % loop->coedge_count];
@@ -74,7 +74,7 @@ static const char *judge_loops(const wcut_brep *b) {
         const wcut_brep_loop *l = &b->loop[k];
         if (l->first_coedge < 0 || l->coedge_count < 1 || l->coedge_count > b->coedge_count - l->first_coedge)
             return "a loop without edges";
-        if (!is_closed(b, l)) return "a loop that is open";
+        if (!is_shape_closed(b, l)) return "a loop that is open";
     }
     return NULL;
 }
@@ -105,7 +105,7 @@ static const char *judge_solid(const wcut_brep *b) {
 
 /* ---- any ---- */
 
-static const char *judge(const wcut_shape *p) {
+static const char *judge_shape(const wcut_shape *p) {
     if (!p->name) return "no name";
     if ((p->solid != NULL) + (p->surface != NULL) + (p->curve != NULL) != 1)
         return "not exactly one of solid, surface and curve";
@@ -118,7 +118,7 @@ wcut_status wcut_shapes_check(int count, const wcut_shape *shape, const char *pa
     wcut_quote(name, path, WCUT_LABEL_MAX, 1);
     if (count < 1 || !shape) return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s: found no shape to write", name);
     for (int k = 0; k < count; k++) {
-        const char *cause = judge(&shape[k]);
+        const char *cause = judge_shape(&shape[k]);
         if (cause) return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s: shape %d: found %s", name, k, cause);
     }
     return WCUT_OK;

@@ -65,7 +65,7 @@ bool wcut_step_use_units(wcut_step_source *s, long representation) {
 
 /* ---- motions ---- */
 
-static wcut_vec3 turn(const wcut_step_place *a, wcut_vec3 p) {
+static wcut_vec3 turn_step_places(const wcut_step_place *a, wcut_vec3 p) {
     const wcut_vec3 *r = a->row;
     return (wcut_vec3){r[0].x * p.x + r[0].y * p.y + r[0].z * p.z, r[1].x * p.x + r[1].y * p.y + r[1].z * p.z,
                        r[2].x * p.x + r[2].y * p.y + r[2].z * p.z};
@@ -73,10 +73,10 @@ static wcut_vec3 turn(const wcut_step_place *a, wcut_vec3 p) {
 
 /* first b, then a */
 static wcut_step_place after(const wcut_step_place *a, const wcut_step_place *b) {
-    const wcut_vec3 x = turn(a, (wcut_vec3){b->row[0].x, b->row[1].x, b->row[2].x});
-    const wcut_vec3 y = turn(a, (wcut_vec3){b->row[0].y, b->row[1].y, b->row[2].y});
-    const wcut_vec3 z = turn(a, (wcut_vec3){b->row[0].z, b->row[1].z, b->row[2].z});
-    const wcut_vec3 t = turn(a, b->shift);
+    const wcut_vec3 x = turn_step_places(a, (wcut_vec3){b->row[0].x, b->row[1].x, b->row[2].x});
+    const wcut_vec3 y = turn_step_places(a, (wcut_vec3){b->row[0].y, b->row[1].y, b->row[2].y});
+    const wcut_vec3 z = turn_step_places(a, (wcut_vec3){b->row[0].z, b->row[1].z, b->row[2].z});
+    const wcut_vec3 t = turn_step_places(a, b->shift);
     return (wcut_step_place){{{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}},
                              {t.x + a->shift.x, t.y + a->shift.y, t.z + a->shift.z}};
 }
@@ -101,7 +101,7 @@ static bool between(wcut_step_source *s, long id, long from, long to, wcut_step_
     const wcut_step_place out = {{{x[1].x, y[1].x, z[1].x}, {x[1].y, y[1].y, z[1].y}, {x[1].z, y[1].z, z[1].z}},
                                  {0, 0, 0}};
     *place = after(&out, &in);
-    const wcut_vec3 moved = turn(place, o[0]);
+    const wcut_vec3 moved = turn_step_places(place, o[0]);
     place->shift = (wcut_vec3){o[1].x - moved.x, o[1].y - moved.y, o[1].z - moved.z};
     return true;
 }
@@ -118,8 +118,8 @@ typedef struct search {
 static bool climb(wcut_step_source *s, long representation, const wcut_step_place *below, search *f);
 
 /* a user of the representation on top of the way: its place is `local` in `above` */
-static bool use(wcut_step_source *s, long above, const wcut_step_place *local, const wcut_step_place *below, search *f,
-                bool *used) {
+static bool step_places_use(wcut_step_source *s, long above, const wcut_step_place *local, const wcut_step_place *below,
+                            search *f, bool *used) {
     const wcut_step_place place = after(local, below);
     for (int k = 0; k < f->depth; k++)
         if (f->way[k] == above) return true; /* the way it came */
@@ -138,8 +138,8 @@ static bool follow_relation(wcut_step_source *s, long id, const char *body, long
         !wcut_p21_read_reference(wcut_p21_item(list, 3), &whole))
         return true;
     if (!with) {
-        if (part == representation) return use(s, whole, &here, below, f, used);
-        return whole != representation || use(s, part, &here, below, f, used);
+        if (part == representation) return step_places_use(s, whole, &here, below, f, used);
+        return whole != representation || step_places_use(s, part, &here, below, f, used);
     }
     if (part != representation) return true;
     wcut_step_place local;
@@ -152,7 +152,7 @@ static bool follow_relation(wcut_step_source *s, long id, const char *body, long
 
     /* some programs name the placement in the whole first */
     const bool swapped = !holds(s, part, axis[0]) && holds(s, whole, axis[0]) && holds(s, part, axis[1]);
-    return between(s, id, axis[swapped], axis[!swapped], &local) && use(s, whole, &local, below, f, used);
+    return between(s, id, axis[swapped], axis[!swapped], &local) && step_places_use(s, whole, &local, below, f, used);
 }
 
 /* #id is a mapped item of a map of the representation: it stands wherever the item is listed */
@@ -172,7 +172,7 @@ static bool follow_map(wcut_step_source *s, long id, const char *list, long repr
     if (!to || !wcut_p21_record(to, "AXIS2_PLACEMENT_3D"))
         return wcut_step_refuse(s, id, "a mapped item that is scaled, expected one set by a placement");
     if (!between(s, id, origin, target, &local)) return false;
-    if (holder) return use(s, holder, &local, below, f, used);
+    if (holder) return step_places_use(s, holder, &local, below, f, used);
     return true;
 }
 
@@ -207,7 +207,7 @@ bool wcut_step_find_places(wcut_step_source *s, long representation, wcut_step_p
 bool wcut_step_set_in_place(wcut_step_source *s, long id, const wcut_step_place *place, wcut_curve *curve) {
     if (memcmp(place, &here, sizeof here) == 0) return true;
     for (int k = 0; k < curve->control_count; k++) {
-        const wcut_vec3 p = turn(place, curve->control[k]);
+        const wcut_vec3 p = turn_step_places(place, curve->control[k]);
         wcut_vec3 *to = &curve->control[k];
         *to = (wcut_vec3){p.x + place->shift.x, p.y + place->shift.y, p.z + place->shift.z};
         if (!(fabs(to->x) <= INCREDIBLE && fabs(to->y) <= INCREDIBLE && fabs(to->z) <= INCREDIBLE))

@@ -38,7 +38,7 @@ static wcut_id put_plane(wcut_part21 *p, wcut_vec3 origin, wcut_vec3 normal) {
     return wcut_p21_put(p, "PLANE('',#%ld)", place);
 }
 
-static wcut_id put_line(wcut_part21 *p, wcut_vec3 from, wcut_vec3 to) {
+static wcut_id put_step_solid_line(wcut_part21 *p, wcut_vec3 from, wcut_vec3 to) {
     const wcut_id at = wcut_p21_point(p, from);
     const wcut_id along = wcut_p21_direction(p, unit((wcut_vec3){to.x - from.x, to.y - from.y, to.z - from.z}));
     const wcut_id vector = wcut_p21_put(p, "VECTOR('',#%ld,1.)", along);
@@ -112,7 +112,8 @@ static void put_edges(wcut_part21 *p, pieces *n) {
     const wcut_brep *b = n->b;
     for (int k = 0; k < b->edge_count; k++) {
         const wcut_brep_edge *e = &b->edge[k];
-        const wcut_id curve = e->curve ? put_spline(p, n, k) : put_line(p, b->vertex[e->from], b->vertex[e->to]);
+        const wcut_id curve =
+            e->curve ? put_spline(p, n, k) : put_step_solid_line(p, b->vertex[e->from], b->vertex[e->to]);
         n->edge[k] = wcut_p21_put(p, "EDGE_CURVE('',#%ld,#%ld,#%ld,.T.)", n->vertex[e->from], n->vertex[e->to], curve);
     }
 }
@@ -144,7 +145,7 @@ static wcut_id put_loop(wcut_part21 *p, const pieces *n, const wcut_brep_loop *l
     return loop;
 }
 
-static wcut_id put_face(wcut_part21 *p, const pieces *n, int face) {
+static wcut_id put_step_solid_face(wcut_part21 *p, const pieces *n, int face) {
     const wcut_brep_face *f = &n->b->face[face];
     const wcut_brep_loop *loop = n->b->loop + f->first_loop;
     for (int k = 0; k < f->loop_count; k++) put_loop(p, n, loop + k);
@@ -174,7 +175,7 @@ static void put_pieces(wcut_part21 *p, pieces *n, wcut_id *face) {
     }
     note_faces(n);
     put_edges(p, n);
-    for (int k = 0; k < b->face_count; k++) face[k] = put_face(p, n, k);
+    for (int k = 0; k < b->face_count; k++) face[k] = put_step_solid_face(p, n, k);
 }
 
 /* a shell of all faces; 0: no memory */

@@ -32,7 +32,7 @@ static void put_knots(wcut_part21 *p, const double *knot, int total) {
     wcut_text_put(p->text, ")", 1);
 }
 
-static wcut_id put_points(wcut_part21 *p, const wcut_vec3 *point, int count) {
+static wcut_id put_step_spline_points(wcut_part21 *p, const wcut_vec3 *point, int count) {
     const wcut_id first = p->last + 1;
     for (int k = 0; k < count; k++) wcut_p21_point(p, point[k]);
     return first;
@@ -42,7 +42,7 @@ static wcut_id put_points(wcut_part21 *p, const wcut_vec3 *point, int count) {
 
 wcut_id wcut_step_curve(wcut_part21 *p, const char *name, const wcut_curve *c) {
     /* the points stand before the curve that refers to them */
-    const wcut_id first = put_points(p, c->control, c->control_count);
+    const wcut_id first = put_step_spline_points(p, c->control, c->control_count);
     const int knots = c->control_count + c->degree + 1;
     const wcut_id id = wcut_p21_begin(p);
 
@@ -86,7 +86,7 @@ static void put_net(wcut_part21 *p, const wcut_surface *s, wcut_id first) {
     wcut_text_print(p->text, ")");
 }
 
-static void put_weights(wcut_part21 *p, const wcut_surface *s) {
+static void put_step_spline_weights(wcut_part21 *p, const wcut_surface *s) {
     for (int i = 0; i < s->count_u; i++) {
         wcut_text_print(p->text, i ? ",\n" : "(");
         wcut_p21_reals(p, s->weights + i, s->count_v, s->count_u);
@@ -98,7 +98,7 @@ wcut_id wcut_step_surface(wcut_part21 *p, const char *name, const wcut_surface *
     const int knots_u = s->count_u + s->degree_u + 1, knots_v = s->count_v + s->degree_v + 1;
 
     /* the points stand before the surface that refers to them */
-    const wcut_id first = put_points(p, s->control, s->count_u * s->count_v);
+    const wcut_id first = put_step_spline_points(p, s->control, s->count_u * s->count_v);
     const wcut_id id = wcut_p21_begin(p);
 
     /* a rational surface is a complex instance, a plain one a simple one */
@@ -125,7 +125,7 @@ wcut_id wcut_step_surface(wcut_part21 *p, const char *name, const wcut_surface *
     /* the weights end the complex instance */
     if (s->weights) {
         wcut_text_print(p->text, "\nGEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_SURFACE(");
-        put_weights(p, s);
+        put_step_spline_weights(p, s);
         wcut_text_print(p->text, ")\nREPRESENTATION_ITEM(");
         wcut_p21_string(p, name);
         wcut_text_print(p->text, ")SURFACE())");

@@ -79,7 +79,7 @@ static bool read_context(wcut_step_source *s, const wcut_p21_instance *at, const
     return true;
 }
 
-static void use(wcut_step_source *s, const units *u) {
+static void step_values_use(wcut_step_source *s, const units *u) {
     if (u->length > 0) s->length = u->length;
     s->angle = u->angle > 0 ? u->angle : s->angle > 0 ? s->angle : 1;
     if (u->accuracy > 0) wcut_curves_use_accuracy(s->reader, u->accuracy);
@@ -93,7 +93,7 @@ bool wcut_step_units_of(wcut_step_source *s, long context) {
     if (!list) return true;
     if (!read_context(s, &at, list, &u)) return false;
     if (u.length > 0 && !(u.length < 1e9)) return wcut_step_refuse(s, context, "no unit of length");
-    use(s, &u);
+    step_values_use(s, &u);
     return true;
 }
 
@@ -105,7 +105,7 @@ bool wcut_step_units(wcut_step_source *s) {
         if (!list) continue;
         if (!read_context(s, at, list, &u)) return false;
         if (s->length > 0 && u.length > 0 && fabs(s->length / u.length - 1) > 1e-12) s->has_several = true;
-        if (!(s->length > 0)) use(s, &u);
+        if (!(s->length > 0)) step_values_use(s, &u);
     }
     if (!(s->length > 0 && s->length < 1e9))
         return wcut_curves_refuse(s->reader, "found no unit of length, expected a GLOBAL_UNIT_ASSIGNED_CONTEXT");
@@ -174,7 +174,7 @@ bool wcut_step_placement(wcut_step_source *s, long id, wcut_vec3 *origin, wcut_v
 /* ---- splines ---- */
 
 /* the points of a list of references; NULL: refused. Not more than the list has characters, so no lie costs memory. */
-static wcut_vec3 *read_points(wcut_step_source *s, long id, const char *list, int *count) {
+static wcut_vec3 *read_step_values_points(wcut_step_source *s, long id, const char *list, int *count) {
     *count = wcut_p21_length(list);
     wcut_vec3 *point = wcut_alloc((size_t)*count, sizeof *point);
     if (!point) return wcut_curves_refuse_memory(s->reader), NULL;
@@ -193,7 +193,7 @@ static wcut_vec3 *read_points(wcut_step_source *s, long id, const char *list, in
 wcut_curve *wcut_step_read_polyline(wcut_step_source *s, long id, const char *body) {
     char place[32];
     int count = 0;
-    wcut_vec3 *point = read_points(s, id, wcut_p21_item(wcut_p21_record(body, "POLYLINE"), 1), &count);
+    wcut_vec3 *point = read_step_values_points(s, id, wcut_p21_item(wcut_p21_record(body, "POLYLINE"), 1), &count);
     snprintf(place, sizeof place, "#%ld", id);
     wcut_curve *curve = point ? wcut_curves_polyline(s->reader, place, count, point) : NULL;
     free(point);
@@ -201,7 +201,8 @@ wcut_curve *wcut_step_read_polyline(wcut_step_source *s, long id, const char *bo
 }
 
 /* knots by their multiplicities into `total` numbers; false: refused */
-static bool read_knots(wcut_step_source *s, long id, const char *times, const char *values, int total, double *knot) {
+static bool read_step_values_knots(wcut_step_source *s, long id, const char *times, const char *values, int total,
+                                   double *knot) {
     int used = 0;
     const char *time = wcut_p21_item(times, 0), *value = wcut_p21_item(values, 0);
     for (; time && value; time = wcut_p21_next(time), value = wcut_p21_next(value)) {
@@ -215,7 +216,7 @@ static bool read_knots(wcut_step_source *s, long id, const char *times, const ch
     return true;
 }
 
-static bool read_weights(wcut_step_source *s, long id, const char *list, int count, double *weight) {
+static bool read_step_values_weights(wcut_step_source *s, long id, const char *list, int count, double *weight) {
     const char *item = wcut_p21_item(list, 0);
     for (int k = 0; k < count; k++, item = item ? wcut_p21_next(item) : NULL)
         if (!wcut_p21_read_real(item, &weight[k])) return wcut_step_refuse(s, id, "too few weights");
@@ -278,7 +279,7 @@ wcut_curve *wcut_step_read_spline(wcut_step_source *s, long id, const char *body
     /* degree and control points */
     if (!wcut_p21_read_integer(at.degree, 1, 1000, &degree)) return wcut_step_refuse(s, id, "no degree"), NULL;
     if (degree > WCUT_DEGREE_MAX) return wcut_curves_leave_out(s->reader, "a degree above 7"), NULL;
-    wcut_vec3 *control = read_points(s, id, at.points, &count);
+    wcut_vec3 *control = read_step_values_points(s, id, at.points, &count);
     if (!control) return NULL;
 
     /* knots, listed or implied, and weights */
@@ -288,9 +289,9 @@ wcut_curve *wcut_step_read_spline(wcut_step_source *s, long id, const char *body
     snprintf(place, sizeof place, "#%ld", id);
     if (!knot)
         wcut_curves_refuse_memory(s->reader);
-    else if ((at.kind == KNOTS_LISTED ? read_knots(s, id, at.times, at.knots, (int)total, knot)
+    else if ((at.kind == KNOTS_LISTED ? read_step_values_knots(s, id, at.times, at.knots, (int)total, knot)
                                       : imply_knots(s, id, at.kind, degree, count, knot)) &&
-             (!at.weights || read_weights(s, id, at.weights, count, knot + total)))
+             (!at.weights || read_step_values_weights(s, id, at.weights, count, knot + total)))
         curve = wcut_curves_make(s->reader, place, degree, count, knot, control, at.weights ? knot + total : NULL);
 
     free(knot);

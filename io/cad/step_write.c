@@ -13,7 +13,7 @@ typedef struct shared {
     wcut_id origin;
 } shared;
 
-static void put_header(wcut_text *text, const char *name, wcut_step_schema schema) {
+static void put_step_header(wcut_text *text, const char *name, wcut_step_schema schema) {
     static const char *const identifier[] = {
         "AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }",
         "AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF { 1 0 10303 442 1 1 4 }",
@@ -83,7 +83,7 @@ static wcut_id put_geometry(wcut_part21 *p, const wcut_shape *shape, const share
 }
 
 /* a product and its shape; false: no memory */
-static bool put_shape(wcut_part21 *p, const wcut_shape *shape, const shared *s) {
+static bool put_step_shape(wcut_part21 *p, const wcut_shape *shape, const shared *s) {
     const char *kind = "";
     const wcut_id geometry = put_geometry(p, shape, s, &kind);
     if (geometry == 0) return false;
@@ -112,10 +112,10 @@ typedef struct shapes {
 static bool put_shapes(wcut_text *text, const void *context) {
     const shapes *whole = context;
     wcut_part21 p = {text, 0};
-    put_header(text, whole->shape[0].name, whole->schema);
+    put_step_header(text, whole->shape[0].name, whole->schema);
     const shared s = put_shared(&p, whole->schema);
     bool done = true;
-    for (int k = 0; done && k < whole->count; k++) done = put_shape(&p, &whole->shape[k], &s);
+    for (int k = 0; done && k < whole->count; k++) done = put_step_shape(&p, &whole->shape[k], &s);
     wcut_text_print(text, "ENDSEC;\nEND-ISO-10303-21;\n");
     return done;
 }

@@ -53,7 +53,7 @@ static int check_target(const char *path, int *mode) {
     return faccessat(AT_FDCWD, path, W_OK, AT_EACCESS) == 0 ? 0 : errno;
 }
 
-static int open_folder(const char *path, const char *name) {
+static int open_atomic_folder(const char *path, const char *name) {
     char *folder = wcut_alloc(strlen(path) + 3, 1);
     if (!folder) return errno = ENOMEM, -1;
     if (name == path)
@@ -86,7 +86,7 @@ static int open_temporary(wcut_file *file) {
 /* ---- the file ---- */
 
 /* errno, or 0 */
-static int begin(wcut_file *file) {
+static int begin_atomic(wcut_file *file) {
     int mode;
     file->path = follow_link(file->label);
     if (!file->path) return errno ? errno : ENOMEM;
@@ -95,7 +95,7 @@ static int begin(wcut_file *file) {
     if (file->name[0] == '\0') return file->path[0] ? EISDIR : ENOENT;
     int code = check_target(file->path, &mode);
     if (code) return code;
-    file->folder = open_folder(file->path, file->name);
+    file->folder = open_atomic_folder(file->path, file->name);
     if (file->folder < 0) return errno;
     wcut_folder_sweep(file->folder);
     file->fd = open_temporary(file);
@@ -120,7 +120,7 @@ wcut_status wcut_file_create(const char *path, wcut_file **file, wcut_error *err
 
     /* the temporary beside the target */
     errno = 0;
-    int code = begin(made);
+    int code = begin_atomic(made);
     if (code) {
         wcut_status status = wcut_fail_errno(error, code == ENOMEM ? WCUT_NO_MEMORY : WCUT_NOT_WRITTEN, code, path,
                                              code == EINVAL ? "not written, no regular file" : "not written");

@@ -105,7 +105,7 @@ static bool await(int fd, const struct timespec *start, int seconds) {
 }
 
 /* everything up to the end of the pipe, grown into *data */
-static wcut_child_end collect(int fd, const wcut_child_limits *limits, char **data, size_t *length) {
+static wcut_child_end collect_child(int fd, const wcut_child_limits *limits, char **data, size_t *length) {
     size_t room = 0;
     struct timespec start = {0};
     clock_gettime(CLOCK_MONOTONIC, &start);
@@ -159,7 +159,7 @@ wcut_child_end wcut_child_run(wcut_child_work *work, void *context, const wcut_c
     const int code = errno;
     wcut_child_end end = {WCUT_CHILD_NOT_STARTED, code};
     close(ends[1]);
-    if (child > 0) end = reap(child, collect(ends[0], limits, data, length));
+    if (child > 0) end = reap(child, collect_child(ends[0], limits, data, length));
     close(ends[0]);
 
     /* what a failed child wrote is not handed out */

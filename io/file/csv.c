@@ -27,7 +27,7 @@ typedef struct scanner {
     size_t scratch_size;
 } scanner;
 
-static wcut_status refuse_memory(scanner *s) {
+static wcut_status refuse_csv_memory(scanner *s) {
     char name[WCUT_QUOTE_SIZE];
     return wcut_fail(s->error, WCUT_NO_MEMORY, "%s: %s", wcut_quote(name, s->label, WCUT_LABEL_MAX, 1),
                      wcut_status_text(WCUT_NO_MEMORY));
@@ -43,13 +43,13 @@ static wcut_status refuse(scanner *s, int column, const char *found, const char 
                      known ? ")" : "", wcut_quote(shown, found, WCUT_FOUND_MAX, 0), expected);
 }
 
-static bool is_blank(char c) { return c == ' ' || c == '\t'; }
+static bool is_csv_blank(char c) { return c == ' ' || c == '\t'; }
 
 static bool at_line_end(const scanner *s) {
     return s->at == s->end || *s->at == '\n' || (*s->at == '\r' && s->at[1] == '\n');
 }
 
-static void next_line(scanner *s) {
+static void next_csv_line(scanner *s) {
     const char *feed = memchr(s->at, '\n', (size_t)(s->end - s->at));
     s->at = feed ? feed + 1 : s->end;
     s->line += feed != NULL && s->line < INT_MAX;
@@ -61,11 +61,11 @@ static bool next_row(scanner *s) {
     while (s->at < s->end) {
         const char *p = s->at;
         if (*p != '#') {
-            while (is_blank(*p)) p++;
+            while (is_csv_blank(*p)) p++;
             bool empty = p == s->end || *p == '\n' || (*p == '\r' && p[1] == '\n');
             if (!empty) return true;
         }
-        next_line(s);
+        next_csv_line(s);
     }
     return false;
 }
@@ -85,20 +85,20 @@ static bool keep(scanner *s, size_t used, char c) {
 }
 
 /* the field at s->at, quoted or not, without quotes and outer blanks, into s->scratch; s->at goes to its delimiter */
-static wcut_status read_field(scanner *s, int column) {
+static wcut_status read_csv_field(scanner *s, int column) {
     size_t used = 0;
-    if (!keep(s, 0, '\0')) return refuse_memory(s);
+    if (!keep(s, 0, '\0')) return refuse_csv_memory(s);
 
     /* a plain field ends at the comma or the line's end, without the blanks around it */
-    while (is_blank(*s->at)) s->at++;
+    while (is_csv_blank(*s->at)) s->at++;
     s->field = s->at;
     if (*s->at != '"') {
         for (; !at_line_end(s) && *s->at != ','; s->at++) {
             if (*s->at == '"') return refuse(s, column, "a quote within a field", "quotes around the whole field");
             if (*s->at == '\0') return refuse(s, column, "a zero byte", "text");
-            if (!keep(s, used++, *s->at)) return refuse_memory(s);
+            if (!keep(s, used++, *s->at)) return refuse_csv_memory(s);
         }
-        while (used > 0 && is_blank(s->scratch[used - 1])) s->scratch[--used] = '\0';
+        while (used > 0 && is_csv_blank(s->scratch[used - 1])) s->scratch[--used] = '\0';
         return WCUT_OK;
     }
 
@@ -114,11 +114,11 @@ static wcut_status read_field(scanner *s, int column) {
         if (*s->at == '\0') return refuse(s, column, "a zero byte", "text");
         if (*s->at == '"' && *++s->at != '"') break;
         if (*s->at == '\n') s->line += s->line < INT_MAX, s->line_start = s->at + 1;
-        if (!keep(s, used++, *s->at)) return refuse_memory(s);
+        if (!keep(s, used++, *s->at)) return refuse_csv_memory(s);
     }
 
     /* only blanks may follow the closing quote */
-    while (is_blank(*s->at)) s->at++;
+    while (is_csv_blank(*s->at)) s->at++;
     if (at_line_end(s) || *s->at == ',') return WCUT_OK;
     s->field = s->at;
     return refuse(s, column, "text after a closing quote", "a comma or the end of the line");
@@ -146,7 +146,7 @@ static wcut_status miss_sample(scanner *s, int column, int row) {
     wcut_column *c = &s->table->column[column];
     if (!c->present) {
         c->present = wcut_alloc((size_t)s->table->rows, 1); /* rows is still the most there can be */
-        if (!c->present) return refuse_memory(s);
+        if (!c->present) return refuse_csv_memory(s);
         memset(c->present, 1, (size_t)s->table->rows);
     }
     c->present[row] = 0;
@@ -157,7 +157,7 @@ static wcut_status miss_sample(scanner *s, int column, int row) {
 
 /* a field that is no plain number: quoted, empty, nan, or text */
 static wcut_status read_odd_sample(scanner *s, int column, int row) {
-    wcut_status status = read_field(s, column);
+    wcut_status status = read_csv_field(s, column);
     if (status != WCUT_OK) return status;
     double *value = &s->table->column[column].value[row];
     const char *behind = wcut_decimal_read(s->scratch, value);
@@ -175,20 +175,20 @@ static wcut_status read_odd_sample(scanner *s, int column, int row) {
 /* the common case, a bare number and its comma or line end, goes straight to its place */
 static wcut_status read_sample(scanner *s, int column, int row) {
     const char *start = s->at;
-    while (is_blank(*s->at)) s->at++;
+    while (is_csv_blank(*s->at)) s->at++;
     s->field = s->at;
     double *value = &s->table->column[column].value[row];
     const char *behind = wcut_decimal_read(s->at, value);
     if (behind > s->at && isfinite(*value)) {
         s->at = behind;
-        while (is_blank(*s->at)) s->at++;
+        while (is_csv_blank(*s->at)) s->at++;
         if (*s->at == ',' || at_line_end(s)) return WCUT_OK;
     }
     s->at = start;
     return read_odd_sample(s, column, row);
 }
 
-static wcut_status read_row(scanner *s, int row) {
+static wcut_status read_csv_row(scanner *s, int row) {
     s->table->line[row] = s->line;
     for (int c = 0; c < s->table->columns; c++) {
         wcut_status status = read_sample(s, c, row);
@@ -203,7 +203,7 @@ static wcut_status read_row(scanner *s, int row) {
     if (!at_line_end(s))
         return refuse(s, -1, "more fields than the header has",
                       "as many (numbers have a decimal point, not a decimal comma)");
-    next_line(s);
+    next_csv_line(s);
     return WCUT_OK;
 }
 
@@ -224,7 +224,7 @@ static const char *foreign_separator(const scanner *s) {
     const char *row = memchr(s->at, '\n', (size_t)(s->end - s->at));
     if (!row || !strchr(s->scratch, ' ')) return NULL;
     double value;
-    while (row < s->end && (is_blank(*row) || *row == '\n')) row++;
+    while (row < s->end && (is_csv_blank(*row) || *row == '\n')) row++;
     const char *behind = wcut_decimal_read(row, &value);
     return behind > row && *behind == ' ' ? "columns separated by commas, not by blanks" : NULL;
 }
@@ -241,16 +241,16 @@ static wcut_status name_column(scanner *s, int c) {
     return WCUT_OK;
 }
 
-static wcut_status read_header(scanner *s) {
+static wcut_status read_csv_header(scanner *s) {
     s->field = s->at;
     if (!next_row(s)) return s->field = s->at, refuse(s, -1, "no header", "a row with the names of the columns");
 
     /* names up to the end of the row */
     s->table->column = wcut_alloc(WCUT_CSV_COLUMNS_MAX, sizeof *s->table->column);
-    if (!s->table->column) return refuse_memory(s);
+    if (!s->table->column) return refuse_csv_memory(s);
     for (int c = 0;; c++) {
         if (c == WCUT_CSV_COLUMNS_MAX) return refuse(s, -1, "more than 1000 columns", "at most that");
-        wcut_status status = read_field(s, -1);
+        wcut_status status = read_csv_field(s, -1);
         if (status == WCUT_OK) status = name_column(s, c);
         if (status != WCUT_OK) return status;
         if (*s->at != ',') break;
@@ -262,7 +262,7 @@ static wcut_status read_header(scanner *s) {
     const char *name = s->table->column[0].name;
     if (name[0] && *wcut_decimal_read(name, &first) == '\0')
         return refuse(s, -1, name, "the names of the columns before numbers");
-    next_line(s);
+    next_csv_line(s);
     return WCUT_OK;
 }
 
@@ -279,10 +279,10 @@ static wcut_status make_columns(scanner *s, int numeric_count, const char *const
     t->rows = count_rows(s);
     t->line = wcut_alloc((size_t)t->rows, sizeof *t->line);
     s->numeric = wcut_alloc((size_t)t->columns, 1);
-    if (!t->line || !s->numeric) return refuse_memory(s);
+    if (!t->line || !s->numeric) return refuse_csv_memory(s);
     for (int c = 0; c < t->columns; c++) {
         t->column[c].value = wcut_alloc((size_t)t->rows, sizeof(double));
-        if (!t->column[c].value) return refuse_memory(s);
+        if (!t->column[c].value) return refuse_csv_memory(s);
         for (int k = 0; k < numeric_count; k++)
             if (strcmp(t->column[c].name, numeric[k]) == 0) s->numeric[c] = 1;
     }
@@ -294,7 +294,7 @@ static wcut_status read_rows(scanner *s) {
     while (next_row(s)) {
         s->field = s->at;
         if (rows == s->table->rows) return refuse(s, -1, "too many rows", "at most 2147483647");
-        wcut_status status = read_row(s, rows++);
+        wcut_status status = read_csv_row(s, rows++);
         if (status != WCUT_OK) return status;
     }
     s->table->rows = rows;
@@ -307,7 +307,7 @@ wcut_status wcut_csv_parse(const char *text, size_t length, const char *label, i
     s.known = numeric;
     s.known_count = numeric_count;
     s.table = wcut_alloc(1, sizeof *s.table);
-    if (!s.table) return refuse_memory(&s);
+    if (!s.table) return refuse_csv_memory(&s);
 
     /* a byte order mark of UTF-8 is passed over */
     if (length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) s.at += 3;
@@ -316,7 +316,7 @@ wcut_status wcut_csv_parse(const char *text, size_t length, const char *label, i
     wcut_status status = WCUT_OK;
     if (length >= 2 && (memcmp(text, "\xff\xfe", 2) == 0 || memcmp(text, "\xfe\xff", 2) == 0))
         status = refuse(&s, -1, "UTF-16", "UTF-8");
-    if (status == WCUT_OK) status = read_header(&s);
+    if (status == WCUT_OK) status = read_csv_header(&s);
     if (status == WCUT_OK) status = make_columns(&s, numeric_count, numeric);
     if (status == WCUT_OK) status = read_rows(&s);
 

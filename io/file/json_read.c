@@ -43,7 +43,7 @@ json_t *wcut_json_load(wcut_reader *reader, const char *text, size_t length) {
 
 /* ---- refusals ---- */
 
-static void print_value(char *to, size_t size, const json_t *value) {
+static void print_json_value(char *to, size_t size, const json_t *value) {
     char number[WCUT_NUMBER_SIZE], quote[WCUT_QUOTE_SIZE];
 
     /* containers by kind, scalars by their value */
@@ -85,7 +85,7 @@ static size_t print_path(char *to, size_t size, const wcut_place *at) {
 bool wcut_refuse(wcut_reader *reader, const wcut_place *at, wcut_status status, const char *format, ...) {
     char label[WCUT_QUOTE_SIZE], path[128], found[100], expected[256];
     print_path(path, sizeof path, at);
-    print_value(found, sizeof found, at->value);
+    print_json_value(found, sizeof found, at->value);
     va_list arguments;
     va_start(arguments, format);
     locale_t before = wcut_locale_plain();
@@ -147,7 +147,7 @@ static bool refuse_key(wcut_reader *reader, const wcut_place *at, const char *ke
     return false;
 }
 
-static bool is_known(const char *key, const wcut_field *field, int fields) {
+static bool is_json_known(const char *key, const wcut_field *field, int fields) {
     for (int f = 0; f < fields; f++)
         if (strcmp(key, field[f].key) == 0) return true;
     return strncmp(key, "x-", 2) == 0;
@@ -163,7 +163,7 @@ bool wcut_read_object(wcut_reader *reader, const wcut_place *at, const wcut_fiel
     void *at_key = json_object_iter((json_t *)at->value);
     for (; at_key; at_key = json_object_iter_next((json_t *)at->value, at_key)) {
         const char *key = json_object_iter_key(at_key);
-        if (!is_known(key, field, fields)) return refuse_key(reader, at, key, field, fields);
+        if (!is_json_known(key, field, fields)) return refuse_key(reader, at, key, field, fields);
     }
     for (int f = 0; f < fields; f++) {
         wcut_place member = wcut_place_member(at, field[f].key);
@@ -216,8 +216,8 @@ bool wcut_read_word(wcut_reader *reader, const wcut_place *at, const char *const
 }
 
 /* a number for which low < value, or low <= value where that is allowed */
-static bool read_number(wcut_reader *reader, const wcut_place *at, double low, bool open, const char *expected,
-                        double *into) {
+static bool read_json_number(wcut_reader *reader, const wcut_place *at, double low, bool open, const char *expected,
+                             double *into) {
     if (!json_is_number(at->value)) return wcut_refuse(reader, at, WCUT_BAD_FORMAT, "%s", expected);
     double value = json_number_value(at->value);
     if (!isfinite(value) || !(open ? value > low : value >= low))
@@ -227,15 +227,15 @@ static bool read_number(wcut_reader *reader, const wcut_place *at, double low, b
 }
 
 bool wcut_read_finite(wcut_reader *reader, const wcut_place *at, void *into) {
-    return read_number(reader, at, -INFINITY, true, "a number", into);
+    return read_json_number(reader, at, -INFINITY, true, "a number", into);
 }
 
 bool wcut_read_positive(wcut_reader *reader, const wcut_place *at, void *into) {
-    return read_number(reader, at, 0, true, "a number greater than 0", into);
+    return read_json_number(reader, at, 0, true, "a number greater than 0", into);
 }
 
 bool wcut_read_not_negative(wcut_reader *reader, const wcut_place *at, void *into) {
-    return read_number(reader, at, 0, false, "a number of at least 0", into);
+    return read_json_number(reader, at, 0, false, "a number of at least 0", into);
 }
 
 bool wcut_read_int(wcut_reader *reader, const wcut_place *at, int min, int max, int *into) {

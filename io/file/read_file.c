@@ -26,7 +26,7 @@ static wcut_status refuse_size(wcut_error *error, const char *path, size_t max) 
                      wcut_quote(name, path, WCUT_LABEL_MAX, 1), max >> 20);
 }
 
-static wcut_status refuse_memory(wcut_error *error, const char *path) {
+static wcut_status refuse_file_memory(wcut_error *error, const char *path) {
     char name[WCUT_QUOTE_SIZE];
     return wcut_fail(error, WCUT_NO_MEMORY, "%s: %s", wcut_quote(name, path, WCUT_LABEL_MAX, 1),
                      wcut_status_text(WCUT_NO_MEMORY));
@@ -44,10 +44,10 @@ static wcut_status check_kind(int fd, const char *path, wcut_error *error) {
 }
 
 /* read to the end; *text is the caller's to free in any case */
-static wcut_status read_all(int fd, const char *path, size_t max, char **text, size_t *length, wcut_error *error) {
+static wcut_status read_file_all(int fd, const char *path, size_t max, char **text, size_t *length, wcut_error *error) {
     size_t capacity = first_size(fd, max), used = 0;
     *text = wcut_alloc(capacity, 1);
-    if (!*text) return refuse_memory(error, path);
+    if (!*text) return refuse_file_memory(error, path);
 
     /* until the end of the file, with twice the room where it is full */
     for (;;) {
@@ -60,7 +60,7 @@ static wcut_status read_all(int fd, const char *path, size_t max, char **text, s
         if (used + 1 < capacity) continue;
         capacity = capacity <= max / 2 ? 2 * capacity : max + 2;
         char *grown = wcut_grow(*text, capacity);
-        if (!grown) return refuse_memory(error, path);
+        if (!grown) return refuse_file_memory(error, path);
         *text = grown;
     }
 
@@ -75,7 +75,7 @@ wcut_status wcut_file_read(const char *path, size_t max, char **text, size_t *le
     char *found = NULL;
     size_t count = 0;
     wcut_status status = check_kind(fd, path, error);
-    if (status == WCUT_OK) status = read_all(fd, path, max, &found, &count, error);
+    if (status == WCUT_OK) status = read_file_all(fd, path, max, &found, &count, error);
     close(fd); /* nothing was written: a failed close loses nothing */
     if (status != WCUT_OK) {
         free(found);

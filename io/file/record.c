@@ -21,7 +21,7 @@ static inline double as_double(uint64_t bits) {
 }
 
 /* in a byte order known at compile time */
-static inline double load(const unsigned char *at, wcut_scalar scalar, const bool big_endian) {
+static inline double load_record(const unsigned char *at, wcut_scalar scalar, const bool big_endian) {
     /* integers of 64 bits are rounded to the nearest double */
     switch (scalar) {
         case WCUT_SCALAR_F32:
@@ -50,13 +50,14 @@ static inline double load(const unsigned char *at, wcut_scalar scalar, const boo
 }
 
 double wcut_scalar_load(const unsigned char *at, wcut_scalar scalar, bool big_endian) {
-    return big_endian ? load(at, scalar, true) : load(at, scalar, false);
+    return big_endian ? load_record(at, scalar, true) : load_record(at, scalar, false);
 }
 
 bool wcut_record_read(const wcut_record *r, const unsigned char *at, double value[WCUT_FIELDS]) {
     for (int k = 0; k < r->fields; k++) {
         const unsigned char *from = at + r->field[k].offset;
-        const double raw = r->big_endian ? load(from, r->field[k].scalar, true) : load(from, r->field[k].scalar, false);
+        const double raw =
+            r->big_endian ? load_record(from, r->field[k].scalar, true) : load_record(from, r->field[k].scalar, false);
         value[k] = raw * r->field[k].factor + r->field[k].shift;
     }
     return !(r->flag_mask && (at[r->flag_offset] & r->flag_mask));

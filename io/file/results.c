@@ -32,7 +32,7 @@ struct wcut_results {
 
 /* ---- errors ---- */
 
-static wcut_status fail_memory(wcut_error *error) {
+static wcut_status fail_results_memory(wcut_error *error) {
     return wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
 }
 
@@ -49,7 +49,7 @@ char *wcut_results_join(const char *folder, const char *name) {
 
 static wcut_status fail_name(wcut_error *error, const wcut_results *r, const char *name, int code, const char *what) {
     char *path = wcut_results_join(r->folder, name);
-    const wcut_status status = path ? fail_code(error, code, path, what) : fail_memory(error);
+    const wcut_status status = path ? fail_code(error, code, path, what) : fail_results_memory(error);
     wcut_free(path);
     return status;
 }
@@ -103,7 +103,7 @@ wcut_status wcut_results_enter(const char *label, int folder, const char *tempor
     /* what was not possible, with the process that stands in the way where it is known */
     wcut_results_leave(folder, *locked);
     *locked = 0;
-    if (code == ENOMEM) return fail_memory(error);
+    if (code == ENOMEM) return fail_results_memory(error);
     if (code == EBADMSG)
         return wcut_fail(
             error, WCUT_NOT_WRITTEN,
@@ -163,7 +163,7 @@ static wcut_status begin(wcut_results *r, int count, const char *const *name, wc
         return refuse_folder(error, r->folder, strerror(code));
     }
     r->hidden = wcut_results_join(r->folder, r->temporary);
-    return r->hidden ? WCUT_OK : fail_memory(error);
+    return r->hidden ? WCUT_OK : fail_results_memory(error);
 }
 
 wcut_status wcut_results_create(const char *folder, int count, const char *const *name, wcut_results **results,
@@ -173,12 +173,13 @@ wcut_status wcut_results_create(const char *folder, int count, const char *const
     for (int k = 0; k < count; k++)
         if (!name[k]) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a result's name is NULL");
     wcut_results *r = wcut_alloc(1, sizeof *r);
-    if (!r) return fail_memory(error);
+    if (!r) return fail_results_memory(error);
     r->fd = r->inside = -1;
     r->folder = wcut_copy_text(folder);
     r->name = wcut_alloc(WCUT_RESULTS_MAX, sizeof *r->name);
     r->may = wcut_alloc((size_t)count, sizeof *r->may);
-    const wcut_status status = r->folder && r->name && r->may ? begin(r, count, name, error) : fail_memory(error);
+    const wcut_status status =
+        r->folder && r->name && r->may ? begin(r, count, name, error) : fail_results_memory(error);
     if (status == WCUT_OK)
         *results = r;
     else
@@ -251,7 +252,7 @@ static wcut_status print_voucher(wcut_results *r, const char *voucher, const cha
 
     /* the names of all results, with the voucher itself */
     wcut_text out;
-    if (!wcut_text_create(&out, NULL)) return fail_memory(error);
+    if (!wcut_text_create(&out, NULL)) return fail_results_memory(error);
     wcut_text_put(&out, text, length);
     wcut_text_print(&out, "%s\"files\": [", comma);
     for (int k = 0; k < r->count; k++) {
@@ -265,7 +266,7 @@ static wcut_status print_voucher(wcut_results *r, const char *voucher, const cha
     for (int k = 0; k < r->count; k++) {
         char hash[WCUT_RESULT_HASH_SIZE];
         const char *path = wcut_results_path(r, r->name[k]);
-        const wcut_status status = path ? wcut_file_hash(path, hash, error) : fail_memory(error);
+        const wcut_status status = path ? wcut_file_hash(path, hash, error) : fail_results_memory(error);
         if (status != WCUT_OK) {
             wcut_text_destroy(&out);
             return status == WCUT_NO_MEMORY ? status : WCUT_NOT_WRITTEN;
@@ -276,7 +277,7 @@ static wcut_status print_voucher(wcut_results *r, const char *voucher, const cha
     }
 
     wcut_text_print(&out, "%s}\n}\n", r->count ? "\n  " : "");
-    return wcut_text_finish(&out, whole, NULL) == WCUT_OK ? WCUT_OK : fail_memory(error);
+    return wcut_text_finish(&out, whole, NULL) == WCUT_OK ? WCUT_OK : fail_results_memory(error);
 }
 
 /* ---- the end ---- */
@@ -333,7 +334,7 @@ static wcut_status publish(wcut_results *r, const char *voucher, wcut_journal *j
 
 static wcut_status commit(wcut_results *r, const char *voucher, const char *text, char **whole, wcut_error *error) {
     wcut_journal journal = {0, wcut_alloc(WCUT_JOURNAL_NAMES_MAX, sizeof *journal.entry)};
-    wcut_status status = journal.entry ? WCUT_OK : fail_memory(error);
+    wcut_status status = journal.entry ? WCUT_OK : fail_results_memory(error);
     char *printed = NULL;
     int locked;
 
@@ -341,7 +342,7 @@ static wcut_status commit(wcut_results *r, const char *voucher, const char *text
     if (status == WCUT_OK) status = print_voucher(r, voucher, text, &printed, error);
     if (status == WCUT_OK) {
         const char *path = wcut_results_path(r, voucher);
-        status = path ? wcut_file_write_whole(path, printed, strlen(printed), error) : fail_memory(error);
+        status = path ? wcut_file_write_whole(path, printed, strlen(printed), error) : fail_results_memory(error);
     }
 
     /* all results take their places under the folder's lock */

@@ -14,7 +14,7 @@
 #include "io/file/journal.h"
 #include "io/file/results.h"
 
-static wcut_status fail_memory(wcut_error *error) {
+static wcut_status fail_results_verify_memory(wcut_error *error) {
     return wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
 }
 
@@ -24,7 +24,7 @@ static wcut_status find_state(const char *folder, const char *name, const char *
     struct stat s;
     char found[WCUT_RESULT_HASH_SIZE];
     char *path = wcut_results_join(folder, name);
-    wcut_status status = path ? WCUT_OK : fail_memory(error);
+    wcut_status status = path ? WCUT_OK : fail_results_verify_memory(error);
     *state = WCUT_RESULT_STATE_CHANGED;
     if (status == WCUT_OK && lstat(path, &s) != 0)
         *state = WCUT_RESULT_STATE_MISSING;
@@ -40,12 +40,12 @@ static wcut_status find_state(const char *folder, const char *name, const char *
 static wcut_status add_file(wcut_verification *v, const char *folder, const char *voucher, const char *name,
                             const json_t *hash, wcut_error *error) {
     wcut_verified_file *grown = wcut_grow(v->file, (size_t)(v->count + 1) * sizeof *grown);
-    if (!grown) return fail_memory(error);
+    if (!grown) return fail_results_verify_memory(error);
     v->file = grown;
     wcut_verified_file *f = &v->file[v->count];
     *f = (wcut_verified_file){wcut_copy_text(voucher), wcut_copy_text(name), WCUT_RESULT_STATE_CHANGED};
     v->count++; /* destroy frees what there is of it */
-    if (!f->voucher || !f->name) return fail_memory(error);
+    if (!f->voucher || !f->name) return fail_results_verify_memory(error);
 
     /* a name that leaves the folder is no file of this set */
     wcut_status status = WCUT_OK;
@@ -85,7 +85,7 @@ static wcut_status check_voucher(wcut_verification *v, const char *folder, const
     json_t *root, *hashes, *hash;
     const char *key;
     wcut_status status = load_voucher(folder, name, &root, &hashes);
-    if (status != WCUT_OK) return fail_memory(error);
+    if (status != WCUT_OK) return fail_results_verify_memory(error);
     if (!root) return WCUT_OK;
     v->vouchers++;
     json_object_foreach(hashes, key, hash) {
@@ -126,7 +126,7 @@ wcut_status wcut_results_verify(const char *folder, wcut_verification **verifica
     if (fd < 0) return wcut_fail_errno(error, WCUT_NOT_FOUND, errno, folder, "cannot be read");
     wcut_verification *v = wcut_alloc(1, sizeof *v);
     int locked = 0;
-    wcut_status status = v ? wcut_results_enter(folder, fd, NULL, &locked, error) : fail_memory(error);
+    wcut_status status = v ? wcut_results_enter(folder, fd, NULL, &locked, error) : fail_results_verify_memory(error);
     if (status == WCUT_OK) status = check_vouchers(v, folder, fd, error);
     if (status == WCUT_OK && v->vouchers == 0) {
         char shown[WCUT_QUOTE_SIZE];

@@ -11,7 +11,7 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 
-static wcut_status begin(size_t window, wcut_stream *s) {
+static wcut_status begin_stream(size_t window, wcut_stream *s) {
     s->data = wcut_alloc(window + 1, 1);
     s->capacity = window;
     return s->data ? WCUT_OK : WCUT_NO_MEMORY;
@@ -22,7 +22,7 @@ wcut_status wcut_stream_open(const char *path, wcut_stream *stream, wcut_error *
     struct stat about;
     if (s.fd < 0) return wcut_fail_errno(error, WCUT_NOT_FOUND, errno, path, "cannot be read");
     if (fstat(s.fd, &about) == 0 && S_ISREG(about.st_mode)) s.size = about.st_size;
-    const wcut_status status = begin(WCUT_STREAM_WINDOW, &s);
+    const wcut_status status = begin_stream(WCUT_STREAM_WINDOW, &s);
     if (status == WCUT_OK)
         *stream = s;
     else
@@ -32,7 +32,7 @@ wcut_status wcut_stream_open(const char *path, wcut_stream *stream, wcut_error *
 
 wcut_status wcut_stream_open_memory(const void *bytes, size_t size, size_t window, wcut_stream *stream) {
     wcut_stream s = {.fd = -1, .memory = bytes, .size = (int64_t)size};
-    const wcut_status status = begin(window, &s);
+    const wcut_status status = begin_stream(window, &s);
     if (status == WCUT_OK) *stream = s;
     return status;
 }
@@ -44,7 +44,7 @@ void wcut_stream_close(wcut_stream *stream) {
 }
 
 /* read(2) from either kind; 0 at the end, -1 with errno */
-static ssize_t read_some(wcut_stream *s, unsigned char *to, size_t max) {
+static ssize_t read_stream_some(wcut_stream *s, unsigned char *to, size_t max) {
     if (s->fd >= 0) {
         ssize_t n;
         do n = read(s->fd, to, max);
@@ -64,7 +64,7 @@ size_t wcut_stream_fill(wcut_stream *s, size_t n) {
     s->end -= s->at;
     s->at = 0;
     while (s->end < n && !s->ended) {
-        const ssize_t got = read_some(s, s->data + s->end, s->capacity - s->end);
+        const ssize_t got = read_stream_some(s, s->data + s->end, s->capacity - s->end);
         if (got < 0) s->code = errno;
         if (got <= 0) s->ended = true;
         if (got > 0) s->end += (size_t)got;

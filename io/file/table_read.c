@@ -47,7 +47,7 @@ static bool is_unit(const char *suffix) {
     return false;
 }
 
-static bool is_known(const char *name, int count, const wcut_known_column *known) {
+static bool is_table_known(const char *name, int count, const wcut_known_column *known) {
     for (int k = 0; k < count; k++)
         if (strcmp(name, known[k].name) == 0) return true;
     return false;
@@ -57,7 +57,7 @@ static bool is_known(const char *name, int count, const wcut_known_column *known
 static const char *locate_misnamed(const wcut_table *table, int count, const wcut_known_column *known, int k) {
     for (int c = 0; c < table->columns; c++) {
         const char *name = table->column[c].name, *suffix = behind_stem(name, known[k].stem);
-        if (suffix && is_unit(suffix) && !is_known(name, count, known)) return name;
+        if (suffix && is_unit(suffix) && !is_table_known(name, count, known)) return name;
     }
     return NULL;
 }

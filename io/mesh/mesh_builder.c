@@ -69,7 +69,7 @@ static size_t find_slot(const wcut_mesh_builder *g, wcut_vec3 p) {
 }
 
 /* twice as many slots, filled anew */
-static bool widen(wcut_mesh_builder *g) {
+static bool widen_mesh_builder(wcut_mesh_builder *g) {
     const size_t slots = g->slots ? 2 * g->slots : 1024;
     int *slot = wcut_alloc(slots, sizeof *slot);
     if (!slot) return false;
@@ -82,7 +82,8 @@ static bool widen(wcut_mesh_builder *g) {
 
 int wcut_mesh_builder_vertex(wcut_mesh_builder *g, wcut_vec3 p) {
     p = (wcut_vec3){p.x + 0.0, p.y + 0.0, p.z + 0.0}; /* -0 and 0 are one place */
-    if (2 * ((size_t)g->vertices + 1) > g->slots && !widen(g)) return wcut_source_refuse_memory(g->source), -1;
+    if (2 * ((size_t)g->vertices + 1) > g->slots && !widen_mesh_builder(g))
+        return wcut_source_refuse_memory(g->source), -1;
     const size_t at = find_slot(g, p);
     if (g->slot[at]) return g->slot[at] - 1;
     if (g->vertices == INT_MAX - 1)

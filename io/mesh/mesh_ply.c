@@ -15,7 +15,7 @@ static bool read_vertices(wcut_source *s, const wcut_ply *m, wcut_mesh_builder *
     return true;
 }
 
-static bool read_face(wcut_source *s, const wcut_ply *m, wcut_mesh_builder *g, wcut_numbered *n) {
+static bool read_mesh_ply_face(wcut_source *s, const wcut_ply *m, wcut_mesh_builder *g, wcut_numbered *n) {
     wcut_ply_corners corners = {0};
     double none[WCUT_FIELDS];
     int vertex[WCUT_POLYGON_MAX];
@@ -39,7 +39,7 @@ static bool has_corners(const wcut_ply *m) {
     return lists == 1;
 }
 
-static bool read(wcut_source *s, wcut_ply *m, wcut_mesh_builder *g, wcut_numbered *n) {
+static bool read_mesh_ply(wcut_source *s, wcut_ply *m, wcut_mesh_builder *g, wcut_numbered *n) {
     if (!wcut_ply_header(s, m)) return false;
     if (m->face < 0 || m->face < m->vertex || !has_corners(m))
         return wcut_source_refuse(s,
@@ -48,7 +48,7 @@ static bool read(wcut_source *s, wcut_ply *m, wcut_mesh_builder *g, wcut_numbere
     if (!wcut_ply_begin(s, m) || !read_vertices(s, m, g, n)) return false;
     if (!wcut_ply_skip(s, m, m->vertex + 1, m->face)) return false;
     for (int64_t k = 0; k < m->element[m->face].count; k++)
-        if (!read_face(s, m, g, n)) return false;
+        if (!read_mesh_ply_face(s, m, g, n)) return false;
     return wcut_ply_skip(s, m, m->face + 1, m->elements) && wcut_source_check_end(s, m->element[m->elements - 1].size);
 }
 
@@ -56,7 +56,7 @@ bool wcut_mesh_fill_ply(wcut_source *s, wcut_mesh_builder *g) {
     wcut_numbered n = {0};
     wcut_ply *m = wcut_alloc(1, sizeof *m);
     s->line = 1;
-    const bool done = m ? read(s, m, g, &n) : wcut_source_refuse_memory(s);
+    const bool done = m ? read_mesh_ply(s, m, g, &n) : wcut_source_refuse_memory(s);
     wcut_numbered_free(&n);
     free(m);
     return done;

@@ -19,16 +19,16 @@ _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "binary files are writ
 /* beyond it single precision and squares of products are in danger; no wire gets there */
 #define COORDINATE_MAX 1e30
 
-static bool is_sound(double x) { return fabs(x) <= COORDINATE_MAX; /* false for nan, too */ }
+static bool is_mesh_sound(double x) { return fabs(x) <= COORDINATE_MAX; /* false for nan, too */ }
 
-static bool is_finite(wcut_vec3 a) { return is_sound(a.x) && is_sound(a.y) && is_sound(a.z); }
+static bool is_finite(wcut_vec3 a) { return is_mesh_sound(a.x) && is_mesh_sound(a.y) && is_mesh_sound(a.z); }
 
 /* the vertex at which something is not finite, -1 where none is */
 static int find_odd_vertex(const wcut_mesh *mesh) {
     for (int i = 0; i < mesh->vertex_count; i++) {
         bool ok = is_finite(mesh->vertex[i]) && (!mesh->normal || is_finite(mesh->normal[i])) &&
-                  (!mesh->scalar || is_sound(mesh->scalar[i])) &&
-                  (!mesh->uv || (is_sound(mesh->uv[2 * (size_t)i]) && is_sound(mesh->uv[2 * (size_t)i + 1])));
+                  (!mesh->scalar || is_mesh_sound(mesh->scalar[i])) &&
+                  (!mesh->uv || (is_mesh_sound(mesh->uv[2 * (size_t)i]) && is_mesh_sound(mesh->uv[2 * (size_t)i + 1])));
         if (!ok) return i;
     }
     return -1;
@@ -102,7 +102,7 @@ wcut_status wcut_mesh_write_stl(const wcut_mesh *mesh, const char *path, wcut_er
 /* ---- OBJ ---- */
 
 /* "v 1 2.5 3\n" */
-static void put_line(wcut_text *text, const char *word, int count, const double *value) {
+static void put_mesh_line(wcut_text *text, const char *word, int count, const double *value) {
     char *room = wcut_text_room(text);
     size_t used = strlen(word);
     memcpy(room, word, used);
@@ -123,7 +123,7 @@ static size_t print_index(char *room, int index) {
 }
 
 /* "f 1/1/1 2/2/2 3/3/3": position, texture and normal of a vertex have one index */
-static void put_face(wcut_text *text, const wcut_mesh *mesh, const int *v) {
+static void put_mesh_face(wcut_text *text, const wcut_mesh *mesh, const int *v) {
     char *room = wcut_text_room(text);
     size_t used = 0;
     room[used++] = 'f';
@@ -145,10 +145,10 @@ static void put_obj(wcut_text *text, const wcut_mesh *mesh, const void *context)
     (void)context;
     wcut_text_print(text, "# wirecut %s\n# units: mm, z up\n# %d vertices, %d triangles\no surface\n", WCUT_VERSION,
                     mesh->vertex_count, mesh->triangle_count);
-    for (int i = 0; i < mesh->vertex_count; i++) put_line(text, "v", 3, &mesh->vertex[i].x);
-    for (int i = 0; mesh->uv && i < mesh->vertex_count; i++) put_line(text, "vt", 2, mesh->uv + 2 * (size_t)i);
-    for (int i = 0; mesh->normal && i < mesh->vertex_count; i++) put_line(text, "vn", 3, &mesh->normal[i].x);
-    for (size_t t = 0; t < (size_t)mesh->triangle_count; t++) put_face(text, mesh, mesh->triangle + 3 * t);
+    for (int i = 0; i < mesh->vertex_count; i++) put_mesh_line(text, "v", 3, &mesh->vertex[i].x);
+    for (int i = 0; mesh->uv && i < mesh->vertex_count; i++) put_mesh_line(text, "vt", 2, mesh->uv + 2 * (size_t)i);
+    for (int i = 0; mesh->normal && i < mesh->vertex_count; i++) put_mesh_line(text, "vn", 3, &mesh->normal[i].x);
+    for (size_t t = 0; t < (size_t)mesh->triangle_count; t++) put_mesh_face(text, mesh, mesh->triangle + 3 * t);
 }
 
 wcut_status wcut_mesh_write_obj(const wcut_mesh *mesh, const char *path, wcut_error *error) {

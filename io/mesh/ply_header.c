@@ -4,7 +4,7 @@
 #include "io/file/row.h"
 #include "io/mesh/ply.h"
 
-static wcut_scalar find_scalar(const char *p) {
+static wcut_scalar find_ply_header_scalar(const char *p) {
     static const char *const name[] = {"char", "int8",  "uchar", "uint8",  "short", "int16",   "ushort", "uint16",
                                        "int",  "int32", "uint",  "uint32", "float", "float32", "double", "float64"};
     static const wcut_scalar scalar[] = {WCUT_SCALAR_I8,  WCUT_SCALAR_U8,  WCUT_SCALAR_I16, WCUT_SCALAR_U16,
@@ -19,7 +19,7 @@ static const char *next_word(const char *p) {
     return wcut_skip_blanks(p);
 }
 
-static bool read_format(wcut_source *s, const char *line, const char *p, wcut_ply *m, bool *seen) {
+static bool read_ply_header_format(wcut_source *s, const char *line, const char *p, wcut_ply *m, bool *seen) {
     const char *version = next_word(p);
     if (*seen) return wcut_source_refuse_text(s, line, line, "one format");
     *seen = true;
@@ -65,7 +65,7 @@ static bool read_property(wcut_source *s, const char *line, const char *p, wcut_
     /* a list: the type of its count */
     if (wcut_row_has_word(p, "list")) {
         p = next_word(p);
-        q->count = find_scalar(p);
+        q->count = find_ply_header_scalar(p);
         if (q->count == WCUT_SCALAR_NONE || q->count == WCUT_SCALAR_F32 || q->count == WCUT_SCALAR_F64)
             return wcut_source_refuse_text(s, line, p, "an integer type for a list's count");
         p = next_word(p);
@@ -73,7 +73,7 @@ static bool read_property(wcut_source *s, const char *line, const char *p, wcut_
     }
 
     /* the type of the value and the name */
-    q->value = find_scalar(p);
+    q->value = find_ply_header_scalar(p);
     if (q->value == WCUT_SCALAR_NONE)
         return wcut_source_refuse_text(s, line, p, "a type such as float, double or uchar");
     p = next_word(p);
@@ -110,7 +110,7 @@ bool wcut_ply_header(wcut_source *s, wcut_ply *m) {
 
         /* a line by its first word */
         if (wcut_row_has_word(p, "format"))
-            read = read_format(s, line, rest, m, &seen);
+            read = read_ply_header_format(s, line, rest, m, &seen);
         else if (wcut_row_has_word(p, "element"))
             read = read_element(s, line, rest, m);
         else if (wcut_row_has_word(p, "property"))

@@ -11,7 +11,7 @@
 static const char *const letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
 
 /* a property's name is one word, and not one that the file has already */
-static bool is_name(const char *name) {
+static bool is_ply_name(const char *name) {
     static const char *const taken[] = {"x", "y", "z", "nx", "ny", "nz", "red", "green", "blue"};
     if (!name || !*name || strlen(name) > 100 || name[strspn(name, letters)] != '\0') return false;
     for (size_t k = 0; k < sizeof taken / sizeof *taken; k++)
@@ -19,7 +19,7 @@ static bool is_name(const char *name) {
     return true;
 }
 
-static void put_header(wcut_text *text, const wcut_mesh *mesh, const char *name, double min, double greatest) {
+static void put_ply_header(wcut_text *text, const wcut_mesh *mesh, const char *name, double min, double greatest) {
     wcut_text_print(text, "ply\nformat binary_little_endian 1.0\ncomment wirecut %s\ncomment units: mm, z up\n",
                     WCUT_VERSION);
     if (mesh->scalar) {
@@ -51,7 +51,7 @@ static void put_scalar(wcut_text *text, double value, double min, double greates
 static void put_ply(wcut_text *text, const wcut_mesh *mesh, const void *context) {
     double min = 0, greatest = 0;
     if (mesh->scalar) wcut_range(mesh->vertex_count, mesh->scalar, &min, &greatest);
-    put_header(text, mesh, context, min, greatest);
+    put_ply_header(text, mesh, context, min, greatest);
     for (int i = 0; i < mesh->vertex_count; i++) {
         wcut_text_put(text, &mesh->vertex[i], sizeof(wcut_vec3));
         if (mesh->normal) wcut_text_put(text, &mesh->normal[i], sizeof(wcut_vec3));
@@ -68,7 +68,7 @@ static void put_ply(wcut_text *text, const wcut_mesh *mesh, const void *context)
 
 wcut_status wcut_mesh_write_ply(const wcut_mesh *mesh, const char *name, const char *path, wcut_error *error) {
     char quote[WCUT_QUOTE_SIZE];
-    if (mesh && mesh->scalar && !is_name(name))
+    if (mesh && mesh->scalar && !is_ply_name(name))
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "a PLY property: found the name \"%s\", expected letters, digits and _, not one that the "
                          "file has already",

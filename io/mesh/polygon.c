@@ -33,17 +33,17 @@ static flat project(wcut_vec3 p, const int axis[2]) {
 }
 
 /* twice the signed area */
-static double turn(flat a, flat b, flat c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+static double turn_polygon(flat a, flat b, flat c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
 /* whether the corner at place k of the ring of `left` corners is convex, and no other one lies in its triangle */
 static bool is_ear(int left, const int *ring, int k, const wcut_vec3 *corner, const int axis[2]) {
     const int before = ring[(k + left - 1) % left], at = ring[k], after = ring[(k + 1) % left];
     const flat a = project(corner[before], axis), b = project(corner[at], axis), c = project(corner[after], axis);
-    if (!(turn(a, b, c) > 0)) return false;
+    if (!(turn_polygon(a, b, c) > 0)) return false;
     for (int j = 0; j < left; j++) {
         if (ring[j] == before || ring[j] == at || ring[j] == after) continue;
         const flat p = project(corner[ring[j]], axis);
-        if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) return false;
+        if (turn_polygon(a, b, p) >= 0 && turn_polygon(b, c, p) >= 0 && turn_polygon(c, a, p) >= 0) return false;
     }
     return true;
 }

@@ -97,7 +97,7 @@ static bool begin_ascii(wcut_source *s, wcut_stl_reader *r) {
 }
 
 /* one line; has_corner: it was a vertex */
-static bool read_line(wcut_stl_reader *r, const char *line, double corner[3], bool *has_corner) {
+static bool read_stl_line(wcut_stl_reader *r, const char *line, double corner[3], bool *has_corner) {
     static const char *const expected[] = {
         "solid", "endsolid or facet normal", "outer loop", "vertex", "vertex", "vertex", "endloop", "endfacet"};
     const stl_line at = (stl_line)r->state;
@@ -124,7 +124,7 @@ static bool next_ascii(wcut_stl_reader *r, double corner[3]) {
             if (s->failure.status == WCUT_OK && r->state != SOLID) wcut_source_refuse_end(s, "endsolid");
             return false;
         }
-        if (!wcut_is_line_end(wcut_skip_blanks(line)) && !read_line(r, line, corner, &has_corner)) return false;
+        if (!wcut_is_line_end(wcut_skip_blanks(line)) && !read_stl_line(r, line, corner, &has_corner)) return false;
         wcut_row_done(s, length);
     }
     return true;

@@ -34,7 +34,7 @@ static uint64_t mix(uint64_t h) {
 
 /* Whether every directed edge is met by its opposite, which 3MF asks of a solid: the sum of edges' hashes less those of
    their opposites vanishes then, and otherwise but once in 2^64. */
-static bool is_closed(const wcut_mesh *mesh) {
+static bool is_three_mf_closed(const wcut_mesh *mesh) {
     uint64_t sum = 0;
     for (size_t t = 0; t < (size_t)mesh->triangle_count; t++) {
         const int *v = mesh->triangle + 3 * t;
@@ -48,7 +48,7 @@ static bool is_closed(const wcut_mesh *mesh) {
 
 /* ---- XML ---- */
 
-static void put_escaped(wcut_text *text, const char *string) {
+static void put_three_mf_escaped(wcut_text *text, const char *string) {
     for (const char *p = string; *p; p++) {
         if (*p == '&' || *p == '<' || *p == '>' || *p == '"')
             wcut_text_print(text, "&#%d;", *p);
@@ -75,8 +75,9 @@ static void put_vertex(wcut_text *text, wcut_vec3 v) {
 }
 
 static void put_object(sink *s, const wcut_mesh *mesh, const char *name, int id) {
-    wcut_text_print(&s->text, "<object id=\"%d\" type=\"%s\" name=\"", id, is_closed(mesh) ? "model" : "surface");
-    put_escaped(&s->text, name);
+    wcut_text_print(&s->text, "<object id=\"%d\" type=\"%s\" name=\"", id,
+                    is_three_mf_closed(mesh) ? "model" : "surface");
+    put_three_mf_escaped(&s->text, name);
     wcut_text_print(&s->text, "\"><mesh><vertices>\n");
     for (int i = 0; i < mesh->vertex_count; i++) {
         put_vertex(&s->text, mesh->vertex[i]);
@@ -136,8 +137,8 @@ static bool put_package(sink *s, int count, const wcut_mesh *const *mesh, const 
     return wcut_zip_finish(&s->zip);
 }
 
-static wcut_status check(int count, const wcut_mesh *const *mesh, const char *const *name, const char *path,
-                         wcut_error *error) {
+static wcut_status check_three_mf(int count, const wcut_mesh *const *mesh, const char *const *name, const char *path,
+                                  wcut_error *error) {
     if (count < 1 || !mesh || !name) return wcut_fail(error, WCUT_BAD_ARGUMENT, "found no mesh to write to a 3MF");
     for (int k = 0; k < count; k++) {
         const wcut_status status = wcut_mesh_check(mesh[k], path, error);
@@ -151,7 +152,7 @@ static wcut_status check(int count, const wcut_mesh *const *mesh, const char *co
 wcut_status wcut_mesh_write_3mf(int count, const wcut_mesh *const *mesh, const char *const *name, const char *path,
                                 wcut_error *error) {
     wcut_file *file = NULL;
-    wcut_status status = check(count, mesh, name, path, error);
+    wcut_status status = check_three_mf(count, mesh, name, path, error);
     if (status == WCUT_OK) status = wcut_file_create(path, &file, error);
     if (status != WCUT_OK) return status;
     sink s = {0};

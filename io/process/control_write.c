@@ -26,7 +26,7 @@ static void put_settings(wcut_text *text, const wcut_control_settings *s) {
     wcut_text_print(text, "}");
 }
 
-static void put_rig(wcut_text *text, const wcut_rig_options *o, double degree) {
+static void put_control_rig(wcut_text *text, const wcut_rig_options *o, double degree) {
     wcut_text_put_number(text, ",\n  \"disturbance\": {\"law_a\": ", o->law_a);
     wcut_text_put_number(text, ", \"law_b\": ", o->law_b);
     wcut_text_put_number(text, ", \"density\": ", o->density);
@@ -42,7 +42,8 @@ static void put_rig(wcut_text *text, const wcut_rig_options *o, double degree) {
     wcut_text_print(text, ", \"excitation\": %s}", o->excitation ? "true" : "false");
 }
 
-static void put_figures(wcut_text *text, const char *name, bool there, const wcut_rig_figures *f, double target) {
+static void put_control_figures(wcut_text *text, const char *name, bool there, const wcut_rig_figures *f,
+                                double target) {
     wcut_text_print(text, ",\n    \"%s\": ", name);
     if (!there) {
         wcut_text_print(text, "null");
@@ -64,12 +65,12 @@ static void put_run(wcut_text *text, const char *name, const wcut_rig_run *run) 
     wcut_text_print(text, ", \"samples\": %d", run->recording.samples);
     wcut_text_put_number(text, ", \"duration_s\": ", run->duration);
     wcut_text_put_number(text, ", \"overshoot\": ", run->overshoot);
-    put_figures(text, "steady", run->has_steady, &run->steady, run->target);
-    put_figures(text, "beyond_density_step", run->has_density, &run->density, run->target);
+    put_control_figures(text, "steady", run->has_steady, &run->steady, run->target);
+    put_control_figures(text, "beyond_density_step", run->has_density, &run->density, run->target);
     wcut_text_print(text, "}");
 }
 
-static wcut_status print_summary(const wcut_rig_summary *s, char **text, size_t *length) {
+static wcut_status print_control_summary(const wcut_rig_summary *s, char **text, size_t *length) {
     if (!s || !s->job || !s->control || !s->options || !s->feedback || !s->plan) return WCUT_BAD_ARGUMENT;
     wcut_text out;
     if (!wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
@@ -78,7 +79,7 @@ static wcut_status print_summary(const wcut_rig_summary *s, char **text, size_t 
     wcut_text_put_number(&out, ",\n  \"target_N\": ", s->control->tension);
     wcut_text_print(&out, ",\n  \"recorded\": \"%s\"", s->plan_recorded ? "plan_alone" : "feedback");
     put_settings(&out, s->control);
-    put_rig(&out, s->options, WCUT_RAD_PER_DEG);
+    put_control_rig(&out, s->options, WCUT_RAD_PER_DEG);
     put_run(&out, "feedback", s->feedback);
     put_run(&out, "plan_alone", s->plan);
     wcut_text_print(&out, "\n}\n");
@@ -87,13 +88,13 @@ static wcut_status print_summary(const wcut_rig_summary *s, char **text, size_t 
 
 wcut_status wcut_rig_summary_print(const wcut_rig_summary *summary, char **text) {
     size_t length;
-    return text ? print_summary(summary, text, &length) : WCUT_BAD_ARGUMENT;
+    return text ? print_control_summary(summary, text, &length) : WCUT_BAD_ARGUMENT;
 }
 
 wcut_status wcut_rig_summary_write(const wcut_rig_summary *summary, const char *path, wcut_error *error) {
     char *text = NULL;
     size_t length = 0;
-    wcut_status status = path ? print_summary(summary, &text, &length) : WCUT_BAD_ARGUMENT;
+    wcut_status status = path ? print_control_summary(summary, &text, &length) : WCUT_BAD_ARGUMENT;
     if (status != WCUT_OK) return wcut_fail(error, status, "a control summary: %s", wcut_status_text(status));
     status = wcut_file_write_whole(path, text, length, error);
     free(text);

@@ -12,39 +12,39 @@
 #include "io/file/text.h"
 #include "io/process/effect_json.h"
 
-static void put(wcut_text *text, const char *word) { wcut_text_put(text, word, strlen(word)); }
+static void put_diagnosis(wcut_text *text, const char *word) { wcut_text_put(text, word, strlen(word)); }
 
 /* a number, or null where there is none */
-static void put_number(wcut_text *text, const char *before, double value) {
-    put(text, before);
+static void put_diagnosis_number(wcut_text *text, const char *before, double value) {
+    put_diagnosis(text, before);
     if (isfinite(value))
         wcut_text_number(text, value);
     else
-        put(text, "null");
+        put_diagnosis(text, "null");
 }
 
-static void put_string(wcut_text *text, const char *before, const char *value) {
-    put(text, before);
+static void put_diagnosis_string(wcut_text *text, const char *before, const char *value) {
+    put_diagnosis(text, before);
     wcut_text_string(text, value ? value : "");
 }
 
 static void put_pair(wcut_text *text, const char *before, double low, double high) {
-    put_number(text, before, low);
-    put_number(text, ", ", high);
-    put(text, "]");
+    put_diagnosis_number(text, before, low);
+    put_diagnosis_number(text, ", ", high);
+    put_diagnosis(text, "]");
 }
 
 /* ---- estimates ---- */
 
 /* An end that the data leave open is the end of what the parameter may be: readers compare numbers, and JSON has no
    infinity. */
-static double end_of(double value, double limit) {
+static double diagnosis_end_of(double value, double limit) {
     if (isfinite(value)) return value;
     return isfinite(limit) ? limit : copysign(DBL_MAX, limit);
 }
 
 static void put_interval(wcut_text *text, const char *before, const wcut_estimate *e, double min, double max) {
-    put_pair(text, before, end_of(e->low, min), end_of(e->high, max));
+    put_pair(text, before, diagnosis_end_of(e->low, min), diagnosis_end_of(e->high, max));
 }
 
 static void put_open(wcut_text *text, bool low, bool high) {
@@ -58,78 +58,78 @@ static void put_parameter(wcut_text *text, const wcut_found_effect *found, const
     bool estimated = true, low = false, high = false;
     wcut_text_print(text, "\"%s\": {\"value\": %s", p->key, list ? "[" : "");
     for (int k = 0; k < p->size; k++) {
-        put_number(text, k ? ", " : "", found->effect.value[p->at + k]);
+        put_diagnosis_number(text, k ? ", " : "", found->effect.value[p->at + k]);
         estimated = estimated && found->estimated[p->at + k] && !isnan(e[k].low) && !isnan(e[k].high);
         low = low || isinf(e[k].low), high = high || isinf(e[k].high);
     }
-    put(text, list ? "]" : "");
+    put_diagnosis(text, list ? "]" : "");
     if (estimated) {
-        put(text, list ? ", \"ci95\": [" : ", \"ci95\": ");
+        put_diagnosis(text, list ? ", \"ci95\": [" : ", \"ci95\": ");
         for (int k = 0; k < p->size; k++) put_interval(text, k ? ", [" : "[", &e[k], p->min, p->max);
-        put(text, list ? "]" : "");
+        put_diagnosis(text, list ? "]" : "");
         put_open(text, low, high);
     } else {
-        put(text, ", \"ci95\": null");
+        put_diagnosis(text, ", \"ci95\": null");
     }
-    put(text, "}");
+    put_diagnosis(text, "}");
 }
 
-static void put_effect(wcut_text *text, const wcut_found_effect *found) {
+static void put_diagnosis_effect(wcut_text *text, const wcut_found_effect *found) {
     const wcut_effect_info *info = wcut_effect_view(found->effect.kind);
     wcut_text_print(text, "{\"name\": \"%s\", \"present\": %s", info->name, found->present ? "true" : "false");
-    put_number(text, ", \"confidence\": ", found->confidence);
-    put(text, ", \"parameters\": {");
+    put_diagnosis_number(text, ", \"confidence\": ", found->confidence);
+    put_diagnosis(text, ", \"parameters\": {");
     const char *between = "";
     if (info->choice_key) {
         wcut_text_print(text, "\"%s\": \"%s\"", info->choice_key, info->choice[found->effect.choice]);
         between = ", ";
     }
     for (const wcut_effect_parameter *p = wcut_effect_parameters(&found->effect); p->key; p++, between = ", ") {
-        put(text, between);
+        put_diagnosis(text, between);
         put_parameter(text, found, p);
     }
-    put(text, "}}");
+    put_diagnosis(text, "}}");
 }
 
-static void put_effects(wcut_text *text, const wcut_diagnosis *d) {
-    put(text, ",\n  \"effects\": [");
+static void put_diagnosis_effects(wcut_text *text, const wcut_diagnosis *d) {
+    put_diagnosis(text, ",\n  \"effects\": [");
     for (int e = 0; e < d->effects; e++) {
-        put(text, e ? ",\n    " : "\n    ");
-        put_effect(text, &d->effect[e]);
+        put_diagnosis(text, e ? ",\n    " : "\n    ");
+        put_diagnosis_effect(text, &d->effect[e]);
     }
-    put(text, "]");
+    put_diagnosis(text, "]");
 }
 
 /* "key": {"value", "ci95", "job"}: a number of the plain model that was set anew */
 static void put_base(wcut_text *text, const char *before, const wcut_estimate *e, double job) {
-    put_number(text, before, e->value);
+    put_diagnosis_number(text, before, e->value);
     if (isnan(e->low) || isnan(e->high))
-        put(text, ", \"ci95\": null");
+        put_diagnosis(text, ", \"ci95\": null");
     else
         put_interval(text, ", \"ci95\": [", e, -INFINITY, INFINITY);
-    put_number(text, ", \"job\": ", job);
-    put(text, "}");
+    put_diagnosis_number(text, ", \"job\": ", job);
+    put_diagnosis(text, "}");
 }
 
 /* what wirecut apply puts into jobs: the numbers whole, effects as a job has them */
 static void put_correction(wcut_text *text, const wcut_diagnosis *d) {
     const wcut_correction *c = &d->correction;
     if (d->withheld[0]) {
-        put_string(text, ",\n  \"correction\": null,\n  \"withheld\": ", d->withheld);
+        put_diagnosis_string(text, ",\n  \"correction\": null,\n  \"withheld\": ", d->withheld);
         return;
     }
-    put_number(text, ",\n  \"correction\": {\"a_N_per_mm\": ", c->a);
-    put_number(text, ", \"b_m2_per_J\": ", c->b);
-    put_number(text, ", \"length_change_mm\": ", c->length_change);
+    put_diagnosis_number(text, ",\n  \"correction\": {\"a_N_per_mm\": ", c->a);
+    put_diagnosis_number(text, ", \"b_m2_per_J\": ", c->b);
+    put_diagnosis_number(text, ", \"length_change_mm\": ", c->length_change);
     if (isfinite(c->kerf)) {
-        put_number(text, ",\n                 \"kerf\": {\"width_mm\": ", c->kerf);
-        put_number(text, ", \"per_J_m2_mm\": ", c->kerf_per_q);
-        put(text, "}");
+        put_diagnosis_number(text, ",\n                 \"kerf\": {\"width_mm\": ", c->kerf);
+        put_diagnosis_number(text, ", \"per_J_m2_mm\": ", c->kerf_per_q);
+        put_diagnosis(text, "}");
     } else {
-        put(text, ",\n                 \"kerf\": null");
+        put_diagnosis(text, ",\n                 \"kerf\": null");
     }
     wcut_put_effects(text, c->effects, c->effect);
-    put(text, "}");
+    put_diagnosis(text, "}");
 }
 
 static void put_recalibrated(wcut_text *text, const wcut_diagnosis *d) {
@@ -137,7 +137,7 @@ static void put_recalibrated(wcut_text *text, const wcut_diagnosis *d) {
     put_base(text, ",\n                   \"b_m2_per_J\": {\"value\": ", &d->b, d->b_job);
     put_base(text, ",\n                   \"length_change_mm\": {\"value\": ", &d->length_change, 0);
     put_base(text, ",\n                   \"kerf_mm\": {\"value\": ", &d->kerf, NAN);
-    put(text, "}");
+    put_diagnosis(text, "}");
 }
 
 /* ---- the verdict ---- */
@@ -156,18 +156,18 @@ static void put_verdict(wcut_text *text, const wcut_diagnosis *d) {
         wcut_text_print(text, "%s\"%s\"", between, wcut_effect_view(d->effect[e].effect.kind)->name);
         between = ", ";
     }
-    put_number(text, "], \"confidence\": ", d->confidence);
-    put(text, ",\n              \"alternatives\": [");
+    put_diagnosis_number(text, "], \"confidence\": ", d->confidence);
+    put_diagnosis(text, ",\n              \"alternatives\": [");
     between = "";
     for (int e = 0; e < d->effects; e++) {
         if (named && d->effect[e].present) continue;
         wcut_text_print(text, "%s{\"name\": \"%s\"", between, wcut_effect_view(d->effect[e].effect.kind)->name);
-        put_number(text, ", \"confidence\": ", d->effect[e].confidence);
-        put(text, "}");
+        put_diagnosis_number(text, ", \"confidence\": ", d->effect[e].confidence);
+        put_diagnosis(text, "}");
         between = ", ";
     }
-    put_string(text, "],\n              \"sentence\": ", d->sentence);
-    put(text, "}");
+    put_diagnosis_string(text, "],\n              \"sentence\": ", d->sentence);
+    put_diagnosis(text, "}");
 }
 
 /* ---- where ---- */
@@ -179,44 +179,44 @@ static bool is_box(const wcut_vec3 corner[2]) {
 }
 
 static void put_box(wcut_text *text, const char *before, const wcut_vec3 corner[2]) {
-    put(text, before);
+    put_diagnosis(text, before);
     if (!is_box(corner)) {
-        put(text, "null");
+        put_diagnosis(text, "null");
         return;
     }
     for (int k = 0; k < 2; k++) {
-        put_number(text, k ? ", [" : "[[", corner[k].x);
-        put_number(text, ", ", corner[k].y);
-        put_number(text, ", ", corner[k].z);
-        put(text, k ? "]]" : "]");
+        put_diagnosis_number(text, k ? ", [" : "[[", corner[k].x);
+        put_diagnosis_number(text, ", ", corner[k].y);
+        put_diagnosis_number(text, ", ", corner[k].z);
+        put_diagnosis(text, k ? "]]" : "]");
     }
 }
 
 static void put_mismatch(wcut_text *text, const wcut_mismatch *m) {
     wcut_text_print(text, "{\"cut\": %d", m->cut);
-    put_string(text, ", \"channel\": ", m->column);
+    put_diagnosis_string(text, ", \"channel\": ", m->column);
     put_pair(text, ", \"time_s\": [", m->time[0], m->time[1]);
     put_pair(text, ", \"station\": [", m->station[0], m->station[1]);
     if (isfinite(m->wire[0]) && isfinite(m->wire[1]))
         put_pair(text, ", \"wire_mm\": [", m->wire[0], m->wire[1]);
     else
-        put(text, ", \"wire_mm\": null");
+        put_diagnosis(text, ", \"wire_mm\": null");
     put_box(text, ",\n     \"block_mm\": ", m->block);
     wcut_text_print(text, ", \"unit\": \"%s\"", wcut_evidence_unit(m->channel));
-    put_number(text, ", \"mean\": ", m->mean);
-    put_number(text, ", \"share_of_misfit\": ", m->share);
-    put_number(text, ", \"p_value\": ", m->p_value);
-    put_string(text, ", \"regime\": ", m->regime);
-    put(text, "}");
+    put_diagnosis_number(text, ", \"mean\": ", m->mean);
+    put_diagnosis_number(text, ", \"share_of_misfit\": ", m->share);
+    put_diagnosis_number(text, ", \"p_value\": ", m->p_value);
+    put_diagnosis_string(text, ", \"regime\": ", m->regime);
+    put_diagnosis(text, "}");
 }
 
 static void put_mismatches(wcut_text *text, const wcut_diagnosis *d) {
-    put(text, ",\n  \"mismatch\": [");
+    put_diagnosis(text, ",\n  \"mismatch\": [");
     for (int i = 0; i < d->mismatches; i++) {
-        put(text, i ? ",\n    " : "\n    ");
+        put_diagnosis(text, i ? ",\n    " : "\n    ");
         put_mismatch(text, &d->mismatch[i]);
     }
-    put(text, "]");
+    put_diagnosis(text, "]");
 }
 
 /* ---- how well ---- */
@@ -227,14 +227,14 @@ static void put_channels(wcut_text *text, const wcut_fit fit[WCUT_EVIDENCE_CHANN
         const wcut_fit *f = &fit[c];
         if (f->count < 1) continue;
         wcut_text_print(text, "%s\"%s\": {", between, wcut_evidence_name((wcut_evidence_channel)c));
-        put_number(text, "\"rmsd\": ", f->rmsd);
-        put_number(text, ", \"nrmsd\": ", f->nrmsd);
-        put_number(text, ", \"rmse_over_range\": ", f->rmse_over_range);
+        put_diagnosis_number(text, "\"rmsd\": ", f->rmsd);
+        put_diagnosis_number(text, ", \"nrmsd\": ", f->nrmsd);
+        put_diagnosis_number(text, ", \"rmse_over_range\": ", f->rmse_over_range);
         if (isfinite(f->low) && isfinite(f->high)) put_pair(text, ", \"rmse_over_range_ci95\": [", f->low, f->high);
         wcut_text_print(text, ", \"count\": %d}", f->count);
         between = ", ";
     }
-    put(text, between[0] == '{' ? "{}" : "}");
+    put_diagnosis(text, between[0] == '{' ? "{}" : "}");
 }
 
 static void put_models(wcut_text *text, const wcut_fit fit[WCUT_FIT_MODEL_COUNT][WCUT_EVIDENCE_CHANNEL_COUNT],
@@ -247,166 +247,166 @@ static void put_models(wcut_text *text, const wcut_fit fit[WCUT_FIT_MODEL_COUNT]
 }
 
 static void put_fit(wcut_text *text, const wcut_diagnosis *d) {
-    put(text, ",\n  \"fit\": {");
+    put_diagnosis(text, ",\n  \"fit\": {");
     put_models(text, d->fit, ",\n          ");
-    put(text, ",\n          \"held_out_cuts\": [");
+    put_diagnosis(text, ",\n          \"held_out_cuts\": [");
     const char *between = "";
     for (int i = 0; d->held_out && i < d->cuts; i++) {
         if (!d->held_out[i]) continue;
         wcut_text_print(text, "%s%d", between, i);
         between = ", ";
     }
-    put(text, "],\n          \"held_out\": {");
+    put_diagnosis(text, "],\n          \"held_out\": {");
     put_models(text, d->held_out_fit, ",\n                       ");
-    put(text, "}}");
+    put_diagnosis(text, "}}");
 }
 
 /* ---- what else was weighed ---- */
 
 static void put_hypothesis(wcut_text *text, const wcut_hypothesis *h) {
-    put(text, "{\"effects\": [");
+    put_diagnosis(text, "{\"effects\": [");
     for (int e = 0; e < h->count; e++) {
         const wcut_effect_info *info = wcut_effect_view(h->effect[e].kind);
         wcut_text_print(text, "%s{\"name\": \"%s\"", e ? ", " : "", info->name);
         if (info->choice_key)
             wcut_text_print(text, ", \"%s\": \"%s\"", info->choice_key, info->choice[h->effect[e].choice]);
-        put(text, "}");
+        put_diagnosis(text, "}");
     }
     wcut_text_print(text, "], \"parameters\": %d", h->parameters);
-    put_number(text, ", \"gain\": ", h->gain);
-    put_number(text, ", \"held_out_gain\": ", h->held_out);
-    put_number(text, ", \"adequacy\": ", h->adequacy);
-    put_number(text, ", \"probability\": ", h->probability);
-    put_string(text, ", \"set_aside\": ", h->why);
-    put(text, "}");
+    put_diagnosis_number(text, ", \"gain\": ", h->gain);
+    put_diagnosis_number(text, ", \"held_out_gain\": ", h->held_out);
+    put_diagnosis_number(text, ", \"adequacy\": ", h->adequacy);
+    put_diagnosis_number(text, ", \"probability\": ", h->probability);
+    put_diagnosis_string(text, ", \"set_aside\": ", h->why);
+    put_diagnosis(text, "}");
 }
 
 /* a row of the rig's table */
-static void put_rig(wcut_text *text, const wcut_rig_row *row) {
-    put_string(text, "{\"name\": ", row->name);
-    put_number(text, ", \"value\": ", row->value.value);
+static void put_diagnosis_rig(wcut_text *text, const wcut_rig_row *row) {
+    put_diagnosis_string(text, "{\"name\": ", row->name);
+    put_diagnosis_number(text, ", \"value\": ", row->value.value);
     put_pair(text, ", \"ci95\": [", row->value.low, row->value.high);
-    put(text, ", \"cuts\": [");
+    put_diagnosis(text, ", \"cuts\": [");
     for (int k = 0; k < row->cuts; k++) {
         wcut_text_print(text, "%s{\"cut\": %d", k ? ", " : "", row->cut[k]);
-        put_number(text, ", \"value\": ", row->of_cut[k].value);
+        put_diagnosis_number(text, ", \"value\": ", row->of_cut[k].value);
         put_pair(text, ", \"ci95\": [", row->of_cut[k].low, row->of_cut[k].high);
-        put(text, "}");
+        put_diagnosis(text, "}");
     }
-    put(text, "]}");
+    put_diagnosis(text, "]}");
 }
 
 static void put_dependence(wcut_text *text, const wcut_dependence *x) {
-    put_string(text, "{\"quantity\": ", x->quantity);
+    put_diagnosis_string(text, "{\"quantity\": ", x->quantity);
     wcut_text_print(text, ", \"channel\": \"%s\"", wcut_evidence_name(x->channel));
-    put_number(text, ", \"coefficient\": ", x->coefficient.value);
+    put_diagnosis_number(text, ", \"coefficient\": ", x->coefficient.value);
     put_interval(text, ", \"ci95\": [", &x->coefficient, -INFINITY, INFINITY);
-    put_number(text, ", \"held_out_gain\": ", x->gain);
-    put(text, "}");
+    put_diagnosis_number(text, ", \"held_out_gain\": ", x->gain);
+    put_diagnosis(text, "}");
 }
 
 static void put_event(wcut_text *text, const wcut_event *e) {
     wcut_text_print(text, "{\"cut\": %d", e->cut);
     put_pair(text, ", \"time_s\": [", e->time[0], e->time[1]);
     put_pair(text, ", \"station\": [", e->station[0], e->station[1]);
-    put_number(text, ", \"tension_N\": ", e->tension);
-    put_number(text, ", \"force_change\": ", e->force);
-    put_number(text, ", \"as_heat_change\": ", e->heat);
-    put(text, "}");
+    put_diagnosis_number(text, ", \"tension_N\": ", e->tension);
+    put_diagnosis_number(text, ", \"force_change\": ", e->force);
+    put_diagnosis_number(text, ", \"as_heat_change\": ", e->heat);
+    put_diagnosis(text, "}");
 }
 
 /* misfit of a channel on cuts left out, before and with the terms; of events, with a level for each window */
 static void put_improvement(wcut_text *text, const wcut_diagnosis *d) {
     const char *between = "";
-    put(text, ",\n               \"improvement\": {");
+    put_diagnosis(text, ",\n               \"improvement\": {");
     for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) {
         const wcut_fit *from = &d->held_out_fit[WCUT_FIT_MODEL_RECALIBRATED][c];
         const wcut_fit *to = &d->held_out_fit[WCUT_FIT_MODEL_AFTER][c];
         if (d->modelled.terms == 0 || from->count < 1 || to->count < 1) continue;
         wcut_text_print(text, "%s\"%s_%s\": {", between, wcut_evidence_name((wcut_evidence_channel)c),
                         wcut_evidence_unit((wcut_evidence_channel)c));
-        put_number(text, "\"recalibrated\": ", from->rmsd);
-        put_number(text, ", \"after\": ", to->rmsd);
-        put(text, "}");
+        put_diagnosis_number(text, "\"recalibrated\": ", from->rmsd);
+        put_diagnosis_number(text, ", \"after\": ", to->rmsd);
+        put_diagnosis(text, "}");
         between = ", ";
     }
     if (d->modelled.events > 0) {
         wcut_text_print(text, "%s\"tension_N_with_events\": {", between);
-        put_number(text, "\"recalibrated\": ", d->modelled.recalibrated);
-        put_number(text, ", \"after\": ", d->modelled.after);
-        put(text, "}");
+        put_diagnosis_number(text, "\"recalibrated\": ", d->modelled.recalibrated);
+        put_diagnosis_number(text, ", \"after\": ", d->modelled.after);
+        put_diagnosis(text, "}");
     }
-    put(text, "}");
+    put_diagnosis(text, "}");
 }
 
 /* null where nothing was looked for, or nothing was confirmed */
 static void put_modelled(wcut_text *text, const wcut_diagnosis *d) {
     const wcut_modelled *m = &d->modelled;
     if (m->terms == 0 && m->events == 0) {
-        put(text, ",\n  \"modelled\": null");
+        put_diagnosis(text, ",\n  \"modelled\": null");
         return;
     }
-    put(text, ",\n  \"modelled\": {\"terms\": [");
+    put_diagnosis(text, ",\n  \"modelled\": {\"terms\": [");
     for (int k = 0; k < m->terms; k++) {
-        put(text, k ? ",\n                         " : "");
-        put_effect(text, &m->term[k]);
+        put_diagnosis(text, k ? ",\n                         " : "");
+        put_diagnosis_effect(text, &m->term[k]);
     }
-    put_string(text, "],\n               \"equation\": ", m->equation);
+    put_diagnosis_string(text, "],\n               \"equation\": ", m->equation);
     put_improvement(text, d);
-    put(text, ",\n               \"alternatives\": [");
-    for (int k = 0; k < m->rivals; k++) put_string(text, k ? ", " : "", m->rival[k]);
-    put(text, "],\n               \"events\": [");
+    put_diagnosis(text, ",\n               \"alternatives\": [");
+    for (int k = 0; k < m->rivals; k++) put_diagnosis_string(text, k ? ", " : "", m->rival[k]);
+    put_diagnosis(text, "],\n               \"events\": [");
     for (int k = 0; k < m->events; k++) {
-        put(text, k ? ",\n                          " : "");
+        put_diagnosis(text, k ? ",\n                          " : "");
         put_event(text, &m->event[k]);
     }
-    put(text, "]}");
+    put_diagnosis(text, "]}");
 }
 
 static void put_weighed(wcut_text *text, const wcut_diagnosis *d) {
-    put(text, ",\n  \"ranking\": [");
+    put_diagnosis(text, ",\n  \"ranking\": [");
     for (int i = 0; i < d->hypotheses; i++) {
-        put(text, i ? ",\n    " : "\n    ");
+        put_diagnosis(text, i ? ",\n    " : "\n    ");
         put_hypothesis(text, &d->hypothesis[i]);
     }
-    put(text, "],\n  \"dependences\": [");
+    put_diagnosis(text, "],\n  \"dependences\": [");
     for (int i = 0; i < d->dependences; i++) {
-        put(text, i ? ",\n    " : "\n    ");
+        put_diagnosis(text, i ? ",\n    " : "\n    ");
         put_dependence(text, &d->dependence[i]);
     }
-    put(text, "],\n  \"limits\": [");
-    for (int i = 0; i < d->limits; i++) put_string(text, i ? ",\n    " : "\n    ", d->limit[i]);
-    put(text, "],\n  \"rig\": [");
+    put_diagnosis(text, "],\n  \"limits\": [");
+    for (int i = 0; i < d->limits; i++) put_diagnosis_string(text, i ? ",\n    " : "\n    ", d->limit[i]);
+    put_diagnosis(text, "],\n  \"rig\": [");
     for (int i = 0; i < d->rig_rows; i++) {
-        put(text, i ? ",\n    " : "\n    ");
-        put_rig(text, &d->rig[i]);
+        put_diagnosis(text, i ? ",\n    " : "\n    ");
+        put_diagnosis_rig(text, &d->rig[i]);
     }
-    put_number(text, "],\n  \"adequacy\": {\"ratio\": ", d->adequacy);
-    put_number(text, ", \"p_value\": ", d->adequacy_p);
-    put(text, "},\n  \"noise\": {");
+    put_diagnosis_number(text, "],\n  \"adequacy\": {\"ratio\": ", d->adequacy);
+    put_diagnosis_number(text, ", \"p_value\": ", d->adequacy_p);
+    put_diagnosis(text, "},\n  \"noise\": {");
     for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) {
         wcut_text_print(text, "%s\"%s\": ", c ? ", " : "", wcut_evidence_name((wcut_evidence_channel)c));
-        put_number(text, "", d->noise[c]);
+        put_diagnosis_number(text, "", d->noise[c]);
     }
-    put(text, "},\n  \"naive\": ");
+    put_diagnosis(text, "},\n  \"naive\": ");
     if (d->naive_false || d->naive[0]) { /* else it was not run */
         wcut_text_print(text, "{\"names_an_effect\": %s", d->naive_false ? "true" : "false");
-        put_string(text, ", \"which\": ", d->naive);
-        put(text, "}");
+        put_diagnosis_string(text, ", \"which\": ", d->naive);
+        put_diagnosis(text, "}");
     } else {
-        put(text, "null");
+        put_diagnosis(text, "null");
     }
 }
 
 static void put_next(wcut_text *text, const wcut_diagnosis *d) {
     if (!d->next_experiment) {
-        put(text, ",\n  \"next_experiment\": null");
+        put_diagnosis(text, ",\n  \"next_experiment\": null");
         return;
     }
-    put(text, ",\n  \"next_experiment\": {\"job\": \"next-experiment.json\"");
-    put_string(text, ", \"name\": ", d->next_experiment->name);
-    put_string(text, ", \"reason\": ", d->next_reason);
-    put(text, "}");
+    put_diagnosis(text, ",\n  \"next_experiment\": {\"job\": \"next-experiment.json\"");
+    put_diagnosis_string(text, ", \"name\": ", d->next_experiment->name);
+    put_diagnosis_string(text, ", \"reason\": ", d->next_reason);
+    put_diagnosis(text, "}");
 }
 
 /* ---- the document ---- */
@@ -419,7 +419,7 @@ static bool is_effect(const wcut_effect *effect) {
 }
 
 /* whether every count has its array and every effect is one */
-static bool is_whole(const wcut_diagnosis *d) {
+static bool is_diagnosis_whole(const wcut_diagnosis *d) {
     if ((unsigned)d->kind >= WCUT_VERDICT_COUNT || d->effects < 0 || d->effects > WCUT_DIAGNOSIS_EFFECTS) return false;
     if (d->hypotheses < 0 || d->mismatches < 0 || d->dependences < 0 || d->limits < 0 || d->cuts < 0 || d->rig_rows < 0)
         return false;
@@ -438,17 +438,17 @@ static bool is_whole(const wcut_diagnosis *d) {
 }
 
 wcut_status wcut_diagnosis_print(const wcut_diagnosis *diagnosis, const char *name, char **text) {
-    if (!diagnosis || !name || !text || !is_whole(diagnosis)) return WCUT_BAD_ARGUMENT;
+    if (!diagnosis || !name || !text || !is_diagnosis_whole(diagnosis)) return WCUT_BAD_ARGUMENT;
     wcut_text out;
     if (!wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
     wcut_text_print(&out, "{\n  \"format\": \"wirecut-diagnosis/1\",\n  \"version\": \"%s\"", WCUT_VERSION);
-    put_string(&out, ",\n  \"case\": ", name);
+    put_diagnosis_string(&out, ",\n  \"case\": ", name);
     if (diagnosis->interrupted) {
-        put(&out, ",\n  \"interrupted\": true");
-        put_string(&out, ",\n  \"stopped\": ", diagnosis->stopped);
+        put_diagnosis(&out, ",\n  \"interrupted\": true");
+        put_diagnosis_string(&out, ",\n  \"stopped\": ", diagnosis->stopped);
     }
     put_verdict(&out, diagnosis);
-    put_effects(&out, diagnosis);
+    put_diagnosis_effects(&out, diagnosis);
     put_recalibrated(&out, diagnosis);
     put_correction(&out, diagnosis);
     put_modelled(&out, diagnosis);
@@ -456,7 +456,7 @@ wcut_status wcut_diagnosis_print(const wcut_diagnosis *diagnosis, const char *na
     put_fit(&out, diagnosis);
     put_weighed(&out, diagnosis);
     put_next(&out, diagnosis);
-    put(&out, "\n}\n");
+    put_diagnosis(&out, "\n}\n");
     return wcut_text_finish(&out, text, NULL);
 }
 

@@ -71,7 +71,7 @@ bool wcut_read_effects(wcut_reader *reader, const wcut_place *at, void *into) {
     return true;
 }
 
-static void put_effect(wcut_text *text, const wcut_effect *effect) {
+static void put_effect_json_effect(wcut_text *text, const wcut_effect *effect) {
     const wcut_effect_info *info = wcut_effect_view(effect->kind);
     wcut_text_print(text, "{\"name\": \"%s\"", info->name);
     if (info->choice_key) wcut_text_print(text, ", \"%s\": \"%s\"", info->choice_key, info->choice[effect->choice]);
@@ -91,7 +91,7 @@ void wcut_put_effects(wcut_text *text, int count, const wcut_effect *effect) {
     wcut_text_print(text, ",\n  \"effects\": [");
     for (int e = 0; e < count; e++) {
         if (e) wcut_text_print(text, ",\n              ");
-        put_effect(text, &effect[e]);
+        put_effect_json_effect(text, &effect[e]);
     }
     wcut_text_put(text, "]", 1);
 }

@@ -78,7 +78,7 @@ static void put_law(wcut_text *text, const char *name, int parameters, const wcu
 }
 
 /* the laws alone, as they stand in a job's "process" */
-static void put_process(wcut_text *text, const wcut_calibration *c) {
+static void put_force_law_process(wcut_text *text, const wcut_calibration *c) {
     const double force[2] = {c->force.a, c->force.b}, tension[3] = {c->tension.a, c->tension.b, c->tension.c};
     wcut_text_put_word(text, ",\n  \"process\": {\"force_law\": ");
     put_keyed(text, 2, force);
@@ -104,7 +104,7 @@ static void put_reference(wcut_text *text, const wcut_calibration *c) {
     wcut_text_print(text, "\"large_angles\": %d}", c->large_angles);
 }
 
-static void put_point(wcut_text *text, const char *name, const wcut_fit_point *p, int fitted) {
+static void put_force_law_point(wcut_text *text, const char *name, const wcut_fit_point *p, int fitted) {
     wcut_text_print(text, ", \"%s\": {\"measured_N_per_mm\": ", name);
     wcut_text_number(text, p->measured);
     if (fitted) {
@@ -117,23 +117,23 @@ static void put_point(wcut_text *text, const char *name, const wcut_fit_point *p
     wcut_text_put_word(text, "}");
 }
 
-static void put_residuals(wcut_text *text, int n, const wcut_test_cut *cut, const wcut_calibration *c,
-                          const wcut_calibration_point *point) {
+static void put_force_law_residuals(wcut_text *text, int n, const wcut_test_cut *cut, const wcut_calibration *c,
+                                    const wcut_calibration_point *point) {
     wcut_text_put_word(text, ",\n  \"residuals\": [");
     for (int i = 0; i < n; i++) {
         wcut_text_print(text, "%s\n    {\"line\": %d", i ? "," : "", cut[i].line);
         wcut_text_put_number(text, ", \"heat_W_per_m\": ", cut[i].heat);
         wcut_text_put_number(text, ", \"speed_mm_s\": ", cut[i].speed);
         wcut_text_put_number(text, ", \"q_eff_J_per_m2\": ", point[i].q_eff);
-        put_point(text, "force", &point[i].force, 1);
-        put_point(text, "tension", &point[i].tension, c->tension_fitted);
+        put_force_law_point(text, "force", &point[i].force, 1);
+        put_force_law_point(text, "tension", &point[i].tension, c->tension_fitted);
         wcut_text_put_word(text, "}");
     }
     wcut_text_put_word(text, "\n  ]");
 }
 
 /* JSON has no word for a number that is not finite: a struct that holds one did not come from the fit */
-static int is_whole(const wcut_calibration *c) {
+static int is_force_law_whole(const wcut_calibration *c) {
     const wcut_law_fit *law[2] = {&c->force, &c->tension};
     double sum = c->q_eff_low + c->q_eff_high + c->reference_force + c->reference_heat + c->reference_speed +
                  c->reference_speed_error + c->exponent + c->exponent_error + c->correlation;
@@ -149,7 +149,7 @@ static int is_whole(const wcut_calibration *c) {
 
 wcut_status wcut_force_law_print(int n, const wcut_test_cut *cut, const wcut_calibration_options *options,
                                  const wcut_calibration *c, const wcut_calibration_point *point, char **text) {
-    if (n < 1 || !cut || !c || !point || !text || !is_whole(c)) return WCUT_BAD_ARGUMENT;
+    if (n < 1 || !cut || !c || !point || !text || !is_force_law_whole(c)) return WCUT_BAD_ARGUMENT;
     wcut_calibration_options o = options ? *options : wcut_calibration_options_default();
     if ((unsigned)o.loss > WCUT_LOSS_TUKEY || (unsigned)o.noise > WCUT_NOISE_ABSOLUTE) return WCUT_BAD_ARGUMENT;
     static const char *const loss[] = {"square", "huber", "tukey"}, *const noise[] = {"relative", "absolute"};
@@ -157,14 +157,14 @@ wcut_status wcut_force_law_print(int n, const wcut_test_cut *cut, const wcut_cal
     if (!wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
     wcut_text_print(&out, "{\"format\": \"wirecut-force-law/1\", \"noise\": \"%s\", \"loss\": \"%s\"", noise[o.noise],
                     loss[o.loss]);
-    put_process(&out, c);
+    put_force_law_process(&out, c);
     put_law(&out, "force_law", 2, &c->force, c, o.confidence);
     if (c->tension_fitted)
         put_law(&out, "tension_law", 3, &c->tension, c, o.confidence);
     else
         wcut_text_put_word(&out, ",\n  \"tension_law\": null");
     put_reference(&out, c);
-    put_residuals(&out, n, cut, c, point);
+    put_force_law_residuals(&out, n, cut, c, point);
     wcut_text_put(&out, "}\n", 3); /* with its zero */
     if (out.failed) {
         wcut_text_destroy(&out);

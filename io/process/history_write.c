@@ -24,7 +24,7 @@ bool wcut_history_is_usable(const wcut_history *history) {
 
 /* ---- path.csv ---- */
 
-static void put_row(wcut_text *text, const wcut_history *history, int j, wcut_vec3 a, wcut_vec3 b) {
+static void put_history_row(wcut_text *text, const wcut_history *history, int j, wcut_vec3 a, wcut_vec3 b) {
     const wcut_history_row *r = &history->row[j];
     /* a speed is that of the way to the station: the first one has none and takes the second's */
     const wcut_history_row *moved = j == 0 && history->stations > 1 ? r + 1 : r;
@@ -65,7 +65,8 @@ static bool put_path(wcut_text *text, const void *context) {
         "speed_a_mm_s,speed_b_mm_s,tension_a_N,tension_b_N,"
         "alpha_a_deg,beta_a_deg,alpha_b_deg,beta_b_deg\n";
     wcut_text_put(text, header, sizeof header - 1);
-    for (int j = 0; j < whole->history->stations; j++) put_row(text, whole->history, j, whole->a[j], whole->b[j]);
+    for (int j = 0; j < whole->history->stations; j++)
+        put_history_row(text, whole->history, j, whole->a[j], whole->b[j]);
     return true;
 }
 

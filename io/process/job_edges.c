@@ -15,7 +15,7 @@ static bool find_ends(const wcut_curve *curve, wcut_vec3 end[2]) {
 }
 
 /* one that runs against the feed is turned */
-static wcut_status turn(wcut_curve **curve, const wcut_vec3 end[2]) {
+static wcut_status turn_job_edges(wcut_curve **curve, const wcut_vec3 end[2]) {
     wcut_curve *turned = NULL;
     if (end[0].y <= end[1].y) return WCUT_OK;
     const wcut_status status = wcut_curve_reverse(*curve, &turned);
@@ -42,7 +42,7 @@ wcut_status wcut_job_read_edges(wcut_job *job, const char *path, wcut_error *err
 
     /* both run the same way */
     for (int k = 0; status == WCUT_OK && k < 2; k++) {
-        status = turn(&set->curve[k], end[k]);
+        status = turn_job_edges(&set->curve[k], end[k]);
         if (status != WCUT_OK) wcut_fail(error, status, "%s: %s", shown, wcut_status_text(status));
     }
 

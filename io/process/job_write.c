@@ -9,7 +9,7 @@
 #include "io/process/effect_json.h"
 #include "io/process/job.h"
 
-static void put_points(wcut_text *text, const char *before, int count, const wcut_vec3 *point) {
+static void put_job_points(wcut_text *text, const char *before, int count, const wcut_vec3 *point) {
     wcut_text_print(text, "%s[", before);
     for (int i = 0; i < count; i++) {
         if (i) wcut_text_put(text, ", ", 2);
@@ -36,7 +36,7 @@ static void put_block_and_wire(wcut_text *text, const wcut_job *job) {
     wcut_text_put(text, "}", 1);
 }
 
-static void put_process(wcut_text *text, const wcut_job *job) {
+static void put_job_process(wcut_text *text, const wcut_job *job) {
     wcut_text_put_number(text, ",\n  \"process\": {\n    \"heat_W_per_m\": ", job->heat);
     wcut_text_put_number(text, ",\n    \"tension_N\": ", job->tension);
     wcut_text_put_number(text, ",\n    \"force_law\": {\"a_N_per_mm\": ", job->force_law.a);
@@ -55,18 +55,18 @@ static void put_process(wcut_text *text, const wcut_job *job) {
     wcut_text_put(text, "}", 1);
 }
 
-static void put_curve(wcut_text *text, const char *before, const wcut_curve *curve) {
+static void put_job_curve(wcut_text *text, const char *before, const wcut_curve *curve) {
     wcut_text_print(text, "%s{\"degree\": %d", before, curve->degree);
     put_numbers(text, ", \"knots\": ", curve->control_count + curve->degree + 1, curve->knots);
-    put_points(text, ",\n               \"control_points_mm\": ", curve->control_count, curve->control);
+    put_job_points(text, ",\n               \"control_points_mm\": ", curve->control_count, curve->control);
     if (curve->weights) put_numbers(text, ",\n               \"weights\": ", curve->control_count, curve->weights);
     wcut_text_put(text, "}", 1);
 }
 
 static void put_design(wcut_text *text, const wcut_job *job) {
     wcut_text_print(text, ",\n  \"design\": {\n");
-    put_curve(text, "    \"edge_a\": ", job->edge_a);
-    put_curve(text, ",\n    \"edge_b\": ", job->edge_b);
+    put_job_curve(text, "    \"edge_a\": ", job->edge_a);
+    put_job_curve(text, ",\n    \"edge_b\": ", job->edge_b);
     wcut_text_print(text, ",\n    \"stations\": %d,\n    \"extra_length_mm\": [", job->stations);
     for (int i = 0; i < job->extra_count; i++) {
         wcut_text_put_number(text, i ? ", [" : "[", job->extra_u[i]);
@@ -99,10 +99,10 @@ static void put_excitation(wcut_text *text, const wcut_job *job) {
 static void put_job(wcut_text *text, const wcut_job *job) {
     wcut_text_put_string(text, "{\n  \"format\": \"wirecut-job/1\",\n  \"name\": ", job->name);
     put_block_and_wire(text, job);
-    put_process(text, job);
+    put_job_process(text, job);
     if (job->mode == WCUT_MODE_PATH) {
-        put_points(text, ",\n  \"path\": {\n    \"mount_a_mm\": ", job->stations, job->mount_a);
-        put_points(text, ",\n    \"mount_b_mm\": ", job->stations, job->mount_b);
+        put_job_points(text, ",\n  \"path\": {\n    \"mount_a_mm\": ", job->stations, job->mount_a);
+        put_job_points(text, ",\n    \"mount_b_mm\": ", job->stations, job->mount_b);
         wcut_text_put(text, "\n  }", 4);
     } else {
         put_design(text, job);
@@ -113,7 +113,7 @@ static void put_job(wcut_text *text, const wcut_job *job) {
 }
 
 /* whether every array is there that the counts promise */
-static bool is_whole(const wcut_job *job) {
+static bool is_job_whole(const wcut_job *job) {
     if (!job->name || job->stations < 0 || job->dither_count < 0 || job->heat_step_count < 0) return false;
     if ((job->dither_count > 0 && !job->dither) || (job->heat_step_count > 0 && !job->heat_step)) return false;
     if (job->mode == WCUT_MODE_PATH) return job->mount_a && job->mount_b;
@@ -123,7 +123,7 @@ static bool is_whole(const wcut_job *job) {
 wcut_status wcut_job_print(const wcut_job *job, const char *label, char **text, size_t *length, wcut_error *error) {
     char name[WCUT_QUOTE_SIZE];
     wcut_quote(name, label, WCUT_LABEL_MAX, 1);
-    if (!is_whole(job))
+    if (!is_job_whole(job))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s: found a job without its name, path or design", name);
     const wcut_status known = wcut_effects_check(job->effect_count, job->effect, error);
     if (known != WCUT_OK) return known;

@@ -13,7 +13,7 @@
 #include "io/file/text.h"
 
 /* from the API's unit to the file's */
-static double unit_of(int scored) {
+static double score_unit_of(int scored) {
     return strcmp(wcut_scored_unit((wcut_scored)scored), "deg") == 0 ? WCUT_DEG_PER_RAD : 1;
 }
 
@@ -48,11 +48,11 @@ static void put_scores(wcut_text *text, const char *before, const wcut_scores *s
         if (of[WCUT_PART_ALL].count < 1) continue;
         wcut_text_print(text, "%s\n%s\"%s\": {", first ? "" : ",", indent, wcut_scored_name((wcut_scored)k));
         first = false;
-        put_score(text, &of[WCUT_PART_ALL], unit_of(k));
+        put_score(text, &of[WCUT_PART_ALL], score_unit_of(k));
         for (int part = WCUT_PART_ENTRY; part < WCUT_PART_COUNT; part++) {
             if (of[part].count < 1) continue;
             wcut_text_print(text, ",\n%s  \"%s\": {", indent, wcut_part_name((wcut_part)part));
-            put_score(text, &of[part], unit_of(k));
+            put_score(text, &of[part], score_unit_of(k));
             wcut_text_put_word(text, "}");
         }
         wcut_text_put_word(text, "}");
@@ -72,7 +72,7 @@ static void put_prediction(wcut_text *text, const char *before, const wcut_predi
     }
 }
 
-static void put_cut(wcut_text *text, const wcut_scored_cut *cut, bool first) {
+static void put_score_cut(wcut_text *text, const wcut_scored_cut *cut, bool first) {
     const wcut_comparison *c = cut->comparison;
 
     /* the names of the cut and its files */
@@ -146,7 +146,7 @@ static void put_options(wcut_text *text, const wcut_comparison_options *o) {
     wcut_text_put_word(text, "}");
 }
 
-static bool are_usable(int n, const wcut_scored_cut *cut) {
+static bool are_score_usable(int n, const wcut_scored_cut *cut) {
     if (n < 1 || !cut) return false;
     for (int i = 0; i < n; i++)
         if (!cut[i].name || !cut[i].job || !cut[i].recording || !cut[i].comparison != !cut[i].samples ||
@@ -156,7 +156,7 @@ static bool are_usable(int n, const wcut_scored_cut *cut) {
 }
 
 wcut_status wcut_score_print(int n, const wcut_scored_cut *cut, const wcut_comparison_options *options, char **text) {
-    if (!are_usable(n, cut) || !text) return WCUT_BAD_ARGUMENT;
+    if (!are_score_usable(n, cut) || !text) return WCUT_BAD_ARGUMENT;
     const wcut_comparison_options o = options ? *options : wcut_comparison_options_default();
 
     /* room for the comparisons in a row */
@@ -176,7 +176,7 @@ wcut_status wcut_score_print(int n, const wcut_scored_cut *cut, const wcut_compa
     wcut_text_put_word(&out, "}");
     put_cases(&out, n, cut, comparison);
     wcut_text_put_word(&out, ",\n  \"cuts\": [");
-    for (int i = 0; i < n; i++) put_cut(&out, &cut[i], i == 0);
+    for (int i = 0; i < n; i++) put_score_cut(&out, &cut[i], i == 0);
     wcut_text_put_word(&out, "]\n}\n");
 
     free(comparison);
@@ -197,7 +197,7 @@ wcut_status wcut_score_write(int n, const wcut_scored_cut *cut, const wcut_compa
 
 /* A name as a field, quoted where need be (RFC 4180), and as a text, never as a formula: spreadsheets run what begins with =, +, - or @, so it gets an apostrophe.
    Control characters are shown as \xNN. */
-static void put_field(wcut_text *text, const char *field) {
+static void put_score_field(wcut_text *text, const char *field) {
     const bool formula = *field && strchr("=+-@", *field);
     const bool quoted = strpbrk(field, ",\"#") != NULL;
     if (quoted) wcut_text_put_word(text, "\"");
@@ -217,7 +217,7 @@ static const char *column_of(int signal) { return wcut_channel_name((wcut_channe
 /* the speed is what a replay is driven by: it has no residual */
 static bool is_replayed(int signal) { return signal >= 2; }
 
-static void put_header(wcut_text *text) {
+static void put_score_header(wcut_text *text) {
     wcut_text_put_word(text, "case,cut,time_s,station,phase,counted");
     for (int k = 0; k < WCUT_SIGNAL_COUNT; k++) {
         const char *name = column_of(k);
@@ -229,22 +229,22 @@ static void put_header(wcut_text *text) {
 
 /* a comma and a value to a millionth of its unit, a tenth of what any sensor of the rig resolves; nothing where there
    is none */
-static void put_value(wcut_text *text, bool there, double value) {
+static void put_score_value(wcut_text *text, bool there, double value) {
     wcut_text_put_word(text, ",");
     if (there) wcut_text_number(text, round(value * 1e6) / 1e6 + 0.0);
 }
 
-static void put_row(wcut_text *text, const wcut_scored_cut *cut, int i) {
+static void put_score_row(wcut_text *text, const wcut_scored_cut *cut, int i) {
     const wcut_comparison *c = cut->comparison;
     const wcut_column *channel = cut->samples->channel, *station = &channel[WCUT_CHANNEL_STATION];
 
     /* which sample of which cut */
-    put_field(text, cut->of_case ? cut->of_case : "");
+    put_score_field(text, cut->of_case ? cut->of_case : "");
     wcut_text_put_word(text, ",");
-    put_field(text, cut->name);
-    put_value(text, true, channel[WCUT_CHANNEL_TIME].value[i]);
+    put_score_field(text, cut->name);
+    put_score_value(text, true, channel[WCUT_CHANNEL_TIME].value[i]);
     const bool placed = !station->present || station->present[i];
-    put_value(text, placed, station->value[i]);
+    put_score_value(text, placed, station->value[i]);
     wcut_text_print(text, ",%s,%d", placed ? wcut_phase_name(c->phase[i]) : "", c->counted[i]);
 
     /* each signal: measured, planned, replayed, and what is between */
@@ -253,12 +253,12 @@ static void put_row(wcut_text *text, const wcut_scored_cut *cut, int i) {
         const double unit = k < 4 ? 1 : WCUT_DEG_PER_RAD;
         const bool measured = !x->present || x->present[i];
         const bool planned = c->planned->present[i], replayed = c->replayed->present[i];
-        put_value(text, measured, x->value[i] * unit);
-        put_value(text, planned, c->planned->value[k][i] * unit);
-        put_value(text, measured && planned, (x->value[i] - c->planned->value[k][i]) * unit);
+        put_score_value(text, measured, x->value[i] * unit);
+        put_score_value(text, planned, c->planned->value[k][i] * unit);
+        put_score_value(text, measured && planned, (x->value[i] - c->planned->value[k][i]) * unit);
         if (!is_replayed(k)) continue;
-        put_value(text, replayed, c->replayed->value[k][i] * unit);
-        put_value(text, measured && replayed, (x->value[i] - c->replayed->value[k][i]) * unit);
+        put_score_value(text, replayed, c->replayed->value[k][i] * unit);
+        put_score_value(text, measured && replayed, (x->value[i] - c->replayed->value[k][i]) * unit);
     }
 
     wcut_text_put_word(text, "\n");
@@ -271,16 +271,16 @@ typedef struct scored {
 
 static bool put_residuals(wcut_text *text, const void *context) {
     const scored *whole = context;
-    put_header(text);
+    put_score_header(text);
     for (int k = 0; k < whole->count; k++) {
         const wcut_scored_cut *cut = &whole->cut[k];
-        for (int i = 0; cut->comparison && i < cut->comparison->samples; i++) put_row(text, cut, i);
+        for (int i = 0; cut->comparison && i < cut->comparison->samples; i++) put_score_row(text, cut, i);
     }
     return true;
 }
 
 wcut_status wcut_residuals_write(int n, const wcut_scored_cut *cut, const char *path, wcut_error *error) {
-    if (!are_usable(n, cut) || !path)
+    if (!are_score_usable(n, cut) || !path)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "residuals: %s", wcut_status_text(WCUT_BAD_ARGUMENT));
     const scored whole = {n, cut};
     return wcut_text_write_file(path, put_residuals, &whole, error);

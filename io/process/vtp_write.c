@@ -52,7 +52,7 @@ struct wcut_vtp_stream {
 
 /* ---- the layout ---- */
 
-static bool is_there(const wcut_vtp_stream *s, int k) { return k != ENGAGED || s->engaged; }
+static bool is_vtp_there(const wcut_vtp_stream *s, int k) { return k != ENGAGED || s->engaged; }
 
 /* bytes that a station puts into an array */
 static uint64_t bytes_of(const wcut_vtp_stream *s, int k) {
@@ -61,26 +61,26 @@ static uint64_t bytes_of(const wcut_vtp_stream *s, int k) {
     return sizeof(double) * (uint64_t)arrays[k].components * (nodal ? (uint64_t)s->nodes : 1);
 }
 
-static void put_array(wcut_text *text, int k, uint64_t offset) {
+static void put_vtp_array(wcut_text *text, int k, uint64_t offset) {
     static const char *const type[] = {"Float64", "Float64", "Int32", "Float64", "Int64"};
     wcut_text_print(text, "        <DataArray type=\"%s\" Name=\"%s\" NumberOfComponents=\"%d\" format=\"appended\" ",
                     type[arrays[k].section], arrays[k].name, arrays[k].components);
     wcut_text_print(text, "offset=\"%llu\"/>\n", (unsigned long long)offset);
 }
 
-static void put_section(wcut_text *text, const wcut_vtp_stream *s, int m, const char *element, int first, int end) {
+static void put_vtp_section(wcut_text *text, const wcut_vtp_stream *s, int m, const char *element, int first, int end) {
     uint64_t offset = 0;
     wcut_text_print(text, "      <%s>\n", element);
     for (int k = 0; k < end; k++) {
-        if (!is_there(s, k)) continue;
-        if (k >= first) put_array(text, k, offset);
+        if (!is_vtp_there(s, k)) continue;
+        if (k >= first) put_vtp_array(text, k, offset);
         offset += sizeof(uint64_t) + (uint64_t)m * bytes_of(s, k);
     }
     wcut_text_print(text, "      </%.*s>\n", (int)strcspn(element, " "), element);
 }
 
 /* everything before the first array, for m stations */
-static void put_header(wcut_text *text, const wcut_vtp_stream *s, int m) {
+static void put_vtp_header(wcut_text *text, const wcut_vtp_stream *s, int m) {
     /* what the numbers stand for */
     wcut_text_print(
         text,
@@ -101,19 +101,19 @@ static void put_header(wcut_text *text, const wcut_vtp_stream *s, int m) {
                     "  <PolyData>\n    <Piece NumberOfPoints=\"%lld\" NumberOfVerts=\"0\" NumberOfLines=\"%d\" "
                     "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n",
                     (long long)m * s->nodes, m);
-    put_section(text, s, m, "PointData Scalars=\"force_N_per_mm\" Vectors=\"force_N\"", 0, FIELDS);
-    put_section(text, s, m, "CellData Scalars=\"time_s\"", FIRST_REAL, COORDINATES);
-    put_section(text, s, m, "Points", COORDINATES, CONNECTIVITY);
-    put_section(text, s, m, "Lines", CONNECTIVITY, ARRAYS);
+    put_vtp_section(text, s, m, "PointData Scalars=\"force_N_per_mm\" Vectors=\"force_N\"", 0, FIELDS);
+    put_vtp_section(text, s, m, "CellData Scalars=\"time_s\"", FIRST_REAL, COORDINATES);
+    put_vtp_section(text, s, m, "Points", COORDINATES, CONNECTIVITY);
+    put_vtp_section(text, s, m, "Lines", CONNECTIVITY, ARRAYS);
 
     wcut_text_print(text, "    </Piece>\n  </PolyData>\n  <AppendedData encoding=\"raw\">\n_");
 }
 
 /* where every array lies behind a header of that size */
-static uint64_t lay_out(const wcut_vtp_stream *s, int m, uint64_t header, uint64_t at[ARRAYS]) {
+static uint64_t lay_vtp_out(const wcut_vtp_stream *s, int m, uint64_t header, uint64_t at[ARRAYS]) {
     for (int k = 0; k < ARRAYS; k++) {
         at[k] = header;
-        if (is_there(s, k)) header += sizeof(uint64_t) + (uint64_t)m * bytes_of(s, k);
+        if (is_vtp_there(s, k)) header += sizeof(uint64_t) + (uint64_t)m * bytes_of(s, k);
     }
     return header;
 }
@@ -151,13 +151,13 @@ wcut_status wcut_vtp_stream_create(const char *path, int stations, int nodes, wc
 }
 
 /* the first station says which arrays there are, so where each begins */
-static wcut_status begin(wcut_vtp_stream *s, const wcut_station *station, wcut_error *error) {
+static wcut_status begin_vtp(wcut_vtp_stream *s, const wcut_station *station, wcut_error *error) {
     wcut_text text;
     s->engaged = station->engaged != NULL;
     bool made = wcut_text_create(&text, NULL);
-    if (made) put_header(&text, s, s->max);
+    if (made) put_vtp_header(&text, s, s->max);
     made = made && !text.failed;
-    if (made) lay_out(s, s->max, text.count, s->at);
+    if (made) lay_vtp_out(s, s->max, text.count, s->at);
     wcut_text_destroy(&text);
     return made ? WCUT_OK : no_memory(error);
 }
@@ -178,7 +178,7 @@ static void list_reals(const wcut_station *t, double real[REALS]) {
     memcpy(real, value, sizeof value);
 }
 
-static bool is_usable(const wcut_vtp_stream *s, const wcut_station *t, const double real[REALS]) {
+static bool is_vtp_usable(const wcut_vtp_stream *s, const wcut_station *t, const double real[REALS]) {
     int n = s->nodes;
     if (t->nodes != n || !t->position || !t->force || !t->force_line || !t->speed || !t->tension) return false;
     if (s->count > 0 && s->engaged != (t->engaged != NULL)) return false;
@@ -200,12 +200,12 @@ wcut_status wcut_vtp_stream_append(wcut_vtp_stream *s, const wcut_station *stati
     list_reals(station, real);
     if (s->count == s->max)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "a .vtp: found another station, expected at most %d", s->max);
-    if (!is_usable(s, station, real))
+    if (!is_vtp_usable(s, station, real))
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "a .vtp, station %d: expected %d nodes, every array and finite numbers", s->count, s->nodes);
 
     /* the first one begins the file */
-    wcut_status status = s->count == 0 ? begin(s, station, error) : WCUT_OK;
+    wcut_status status = s->count == 0 ? begin_vtp(s, station, error) : WCUT_OK;
     if (status != WCUT_OK) return status;
     memcpy(s->along, station->tension, (size_t)(s->nodes - 1) * sizeof(double));
     s->along[s->nodes - 1] = s->along[s->nodes - 2];
@@ -213,7 +213,7 @@ wcut_status wcut_vtp_stream_append(wcut_vtp_stream *s, const wcut_station *stati
     /* arrays of nodes go to disk at once, numbers of stations at the end */
     const void *field[FIELDS] = {station->force, station->force_line, station->speed, s->along, station->engaged};
     for (int k = 0; k < FIELDS; k++)
-        if (is_there(s, k)) write_row(s, k, field[k]);
+        if (is_vtp_there(s, k)) write_row(s, k, field[k]);
     write_row(s, COORDINATES, station->position);
     const int32_t integer[INTEGERS] = {(int32_t)station->phase, (int32_t)station->condition, station->iterations,
                                        station->substeps};
@@ -242,9 +242,9 @@ static void put_values(wcut_text *text, const wcut_vtp_stream *s, int k) {
 
 /* move what the stations wrote to where it belongs for as many as came, and write the rest around it */
 static void finish(wcut_vtp_stream *s, wcut_text *header, wcut_text *body) {
-    uint64_t at[ARRAYS], end = lay_out(s, s->count, header->count, at);
+    uint64_t at[ARRAYS], end = lay_vtp_out(s, s->count, header->count, at);
     for (int k = 0; k < ARRAYS; k++) {
-        if (!is_there(s, k)) continue;
+        if (!is_vtp_there(s, k)) continue;
         uint64_t size = (uint64_t)s->count * bytes_of(s, k);
         if (arrays[k].section == POINT_DATA || k == COORDINATES)
             wcut_file_move(s->file, at[k] + sizeof size, s->at[k] + sizeof size, size);
@@ -264,7 +264,7 @@ wcut_status wcut_vtp_stream_commit(wcut_vtp_stream *s, wcut_error *error) {
     if (!s || s->count == 0) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a .vtp: found no station to write");
     wcut_text header, body = {0};
     bool made = wcut_text_create(&header, NULL);
-    if (made) put_header(&header, s, s->count);
+    if (made) put_vtp_header(&header, s, s->count);
     made = made && !header.failed && wcut_text_create(&body, s->file);
     if (made) finish(s, &header, &body);
     wcut_text_destroy(&header);

@@ -65,7 +65,7 @@ void wcut_report_calibrate_lack(const wcut_law_fit *fit, char sentence[WCUT_REPO
                  fit->lack_degrees[0], fit->lack_degrees[1], fit->lack_f, fit->lack_p);
 }
 
-static wcut_report_tone judge(const wcut_report_calibrate *of, char *verdict, size_t size) {
+static wcut_report_tone judge_calibrate(const wcut_report_calibrate *of, char *verdict, size_t size) {
     const wcut_law_fit *f = &of->fit->force;
     const bool tested = f->lack != WCUT_LACK_OF_FIT_UNTESTED, fits = !tested || f->lack_p >= 0.05;
 
@@ -346,7 +346,7 @@ static char *section_note(page *p, const law *l) {
     return note;
 }
 
-static void fill_section(page *p, const law *l, wcut_report_section *section) {
+static void fill_calibrate_section(page *p, const law *l, wcut_report_section *section) {
     const int n = p->of->cuts;
     double *measured = take_numbers(p, n), *residual = take_numbers(p, n);
     wcut_report_chart *chart = wcut_page_take(&p->memory, CHARTS, sizeof *chart);
@@ -410,7 +410,7 @@ static int fill_sections(page *p, wcut_report_section *section) {
         of[k].point = wcut_page_take(&p->memory, (size_t)p->of->cuts, sizeof *of[k].point);
         for (int i = 0; i < p->of->cuts && !p->memory.failed; i++)
             of[k].point[i] = k ? &p->of->point[i].tension : &p->of->point[i].force;
-        if (!p->memory.failed) fill_section(p, &of[k], &section[count++]);
+        if (!p->memory.failed) fill_calibrate_section(p, &of[k], &section[count++]);
     }
     return count;
 }
@@ -467,8 +467,8 @@ static int fill_facts(page *p, wcut_report_fact *fact) {
     return n;
 }
 
-static wcut_status write_page(page *p, int sections, const wcut_report_section *section, const char *path,
-                              wcut_error *error) {
+static wcut_status write_calibrate_page(page *p, int sections, const wcut_report_section *section, const char *path,
+                                        wcut_error *error) {
     static const char *const loss[] = {"least squares", "Huber", "Tukey's biweight"};
     const wcut_report_calibrate *of = p->of;
     const wcut_calibration_options *o = of->options;
@@ -492,7 +492,7 @@ static wcut_status write_page(page *p, int sections, const wcut_report_section *
     const wcut_report_source source = {"calibration table", of->path, p->hash[0] ? p->hash : NULL};
     const wcut_report report = {.verb = "calibrate",
                                 .title = of->path,
-                                .tone = judge(of, verdict, sizeof verdict),
+                                .tone = judge_calibrate(of, verdict, sizeof verdict),
                                 .verdict = verdict,
                                 .fact_count = facts,
                                 .fact = fact,
@@ -514,7 +514,7 @@ wcut_status wcut_report_calibrate_write(const wcut_report_calibrate *of, const c
     if (!status) {
         fill_cuts(&p);
         const int sections = p.memory.failed ? 0 : fill_sections(&p, section);
-        status = p.memory.failed ? WCUT_NO_MEMORY : write_page(&p, sections, section, path, error);
+        status = p.memory.failed ? WCUT_NO_MEMORY : write_calibrate_page(&p, sections, section, path, error);
     }
     wcut_page_free(&p.memory);
     return status;

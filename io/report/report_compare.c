@@ -208,7 +208,7 @@ static bool fill_stations(page *p) {
 }
 
 /* runs of stations of one phase, as far as there is room; gives how many */
-static int list_phases(const wcut_face *f, int max, wcut_report_span *span) {
+static int list_compare_phases(const wcut_face *f, int max, wcut_report_span *span) {
     int count = 0;
     for (int s = 0, from = 0; s < f->stations && count < max; s++) {
         if (s + 1 < f->stations && f->phase[s + 1] == f->phase[from]) continue;
@@ -221,7 +221,7 @@ static int list_phases(const wcut_face *f, int max, wcut_report_span *span) {
 
 /* ---- what is said ---- */
 
-static void judge(page *p) {
+static void judge_compare(page *p) {
     const wcut_compared *f = p->c;
     const wcut_statistics *s = &f->found->statistics;
     char *to = p->verdict;
@@ -299,13 +299,13 @@ static const char *hash_of(const wcut_compared_scan *scan) {
     return scan->sha256 && scan->sha256[0] ? scan->sha256 : NULL;
 }
 
-static wcut_status write_page(page *p, const wcut_report_scene *scene, const char *path, wcut_error *error) {
+static wcut_status write_compare_page(page *p, const wcut_report_scene *scene, const char *path, wcut_error *error) {
     const wcut_compared *c = p->c;
     const wcut_face *f = p->of->face;
 
     /* charts over the time of the cut, where a job tells it */
     wcut_report_span span[32];
-    const int spans = f ? list_phases(f, 32, span) : 0;
+    const int spans = f ? list_compare_phases(f, 32, span) : 0;
     const wcut_report_series mean = {.label = "mean of a station, and its range",
                                      .count = f ? f->stations : 0,
                                      .x = {f ? f->time : NULL, p->station},
@@ -352,7 +352,7 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
     for (int k = 0; k < c->scans; k++)
         source[k + 1] = (wcut_report_source){"scan", c->scan[k].name, hash_of(&c->scan[k])};
 
-    judge(p);
+    judge_compare(p);
     const wcut_report report = {.verb = "compare",
                                 .title = p->of->title ? p->of->title : c->reference,
                                 .tone = p->tone,
@@ -438,7 +438,7 @@ static wcut_status write_scene(page *p, const char *path, wcut_error *error) {
                                      .shape = shape,
                                      .line_count = list_lines(p, line),
                                      .line = line};
-    return write_page(p, &scene, path, error);
+    return write_compare_page(p, &scene, path, error);
 }
 
 /* figures that the page has room for */
@@ -454,14 +454,14 @@ static bool is_compared(const wcut_compared *c) {
            c->face_to_scan && (!c->reconstruction || (c->reconstruction->mesh && c->to_scan && c->to_face));
 }
 
-static bool is_shown(const wcut_report_compare *of) {
+static bool is_compare_shown(const wcut_report_compare *of) {
     return of->mesh && of->value && of->present && of->unit && of->points >= 0 && of->stations >= 0 &&
            (of->points == 0 || (of->point && of->deviation)) && (of->stations == 0 || (of->mount_a && of->mount_b)) &&
            (!of->face || (long)of->face->stations * of->face->nodes == of->mesh->vertex_count);
 }
 
 wcut_status wcut_report_compare_write(const wcut_report_compare *of, const char *path, wcut_error *error) {
-    if (!of || !is_compared(of->compared) || !is_shown(of) || !path)
+    if (!of || !is_compared(of->compared) || !is_compare_shown(of) || !path)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "report page: an argument is missing");
     page *p = wcut_alloc(1, sizeof *p);
     if (!p) return wcut_fail(error, WCUT_NO_MEMORY, "report page: %s", wcut_status_text(WCUT_NO_MEMORY));

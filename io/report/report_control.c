@@ -17,7 +17,7 @@ typedef struct page {
 
 /* ---- what is said ---- */
 
-static wcut_report_tone judge(page *p) {
+static wcut_report_tone judge_control(page *p) {
     const wcut_rig_run *with = p->s->feedback, *plan = p->s->plan;
     char without[160];
 
@@ -51,7 +51,7 @@ static wcut_report_tone judge(page *p) {
 }
 
 /* runs of samples of one phase; gives how many */
-static int list_phases(const wcut_rig_run *run, wcut_report_span *span) {
+static int list_control_phases(const wcut_rig_run *run, wcut_report_span *span) {
     const double *time = run->recording.channel[WCUT_CHANNEL_TIME].value;
     const double *station = run->recording.channel[WCUT_CHANNEL_STATION].value;
     const int n = run->recording.samples;
@@ -107,7 +107,7 @@ static void list_figures(const wcut_rig_run *run, double *to) {
     for (int i = 0; i < FIGURES; i++) to[i] = value[i];
 }
 
-static wcut_status write_page(page *p, const char *job_path, const char *path, wcut_error *error) {
+static wcut_status write_control_page(page *p, const char *job_path, const char *path, wcut_error *error) {
     static const char *const figure[FIGURES] = {"duration",
                                                 "overshoot, whole cut",
                                                 "mean tension, steady phase",
@@ -125,7 +125,7 @@ static wcut_status write_page(page *p, const char *job_path, const char *path, w
     list_figures(with, of_feedback);
     list_figures(plan, of_plan);
     wcut_report_span span[SPANS];
-    const int spans = list_phases(with, span);
+    const int spans = list_control_phases(with, span);
 
     /* what is drawn: tension, speed, readings, angle */
     const wcut_report_series tension[] = {series(with, "with feedback", WCUT_REPORT_MARK_LINE, with->tension),
@@ -190,7 +190,7 @@ static wcut_status write_page(page *p, const char *job_path, const char *path, w
     const wcut_report_source source = {"job", job_path, p->hash[0] ? p->hash : NULL};
     const wcut_report report = {.verb = "control",
                                 .title = p->s->job->name,
-                                .tone = judge(p),
+                                .tone = judge_control(p),
                                 .verdict = p->verdict,
                                 .fact_count = sizeof fact / sizeof *fact,
                                 .fact = fact,
@@ -227,7 +227,7 @@ wcut_status wcut_report_control_write(const wcut_rig_summary *summary, const cha
 
     if (!status) status = wcut_source_hash(job_path, p.hash, error);
 
-    if (!status) status = write_page(&p, job_path, path, error);
+    if (!status) status = write_control_page(&p, job_path, path, error);
     free(p.target);
     free(p.alpha[0]);
     free(p.alpha[1]);

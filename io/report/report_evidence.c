@@ -70,7 +70,7 @@ static int bin_at(const wcut_residual_trace *t, double time) {
 }
 
 /* residuals in standard deviations of noise, so that all channels share one scale */
-static double *fill_map(wcut_page_memory *memory, const grid *g, int model) {
+static double *fill_evidence_map(wcut_page_memory *memory, const grid *g, int model) {
     double *value = wcut_page_take(memory, (size_t)g->rows * (size_t)g->columns, sizeof *value);
     for (int r = 0; value && r < g->rows; r++) {
         const wcut_residual_trace *t = g->row[r];
@@ -144,7 +144,7 @@ bool wcut_report_evidence_fill(wcut_page_memory *memory, const wcut_report_diagn
     wcut_report_map *map = wcut_page_take(memory, MODELS, sizeof *map);
     wcut_report_table *table = wcut_page_take(memory, 1, sizeof *table);
     double *value[MODELS];
-    for (int m = 0; m < MODELS; m++) value[m] = fill_map(memory, &g, m);
+    for (int m = 0; m < MODELS; m++) value[m] = fill_evidence_map(memory, &g, m);
     if (memory->failed) return false;
     const double limit = common_limit(memory, &g, value[1]);
 
@@ -206,8 +206,8 @@ static const double *forward(wcut_page_memory *memory, const wcut_residual_trace
     return station;
 }
 
-static void fill_chart(wcut_page_memory *memory, const wcut_report_diagnose *of, const wcut_residual_trace *t,
-                       wcut_report_chart *chart) {
+static void fill_evidence_chart(wcut_page_memory *memory, const wcut_report_diagnose *of, const wcut_residual_trace *t,
+                                wcut_report_chart *chart) {
     static const char *const label[MODELS] = {"before", "recalibrated", "after"};
     static const wcut_report_mark mark[MODELS] = {WCUT_REPORT_MARK_DASHED, WCUT_REPORT_MARK_LINE,
                                                   WCUT_REPORT_MARK_LINE};
@@ -249,7 +249,8 @@ bool wcut_report_residuals_fill(wcut_page_memory *memory, const wcut_report_diag
     wcut_report_chart *chart = wcut_page_take(memory, (size_t)d->traces, sizeof *chart);
     int charts = 0;
     for (int i = 0; chart && i < d->traces; i++)
-        if (d->trace[i].cut == cut && d->trace[i].count > 1) fill_chart(memory, of, &d->trace[i], &chart[charts++]);
+        if (d->trace[i].cut == cut && d->trace[i].count > 1)
+            fill_evidence_chart(memory, of, &d->trace[i], &chart[charts++]);
     if (memory->failed || charts == 0) return false;
     *section =
         (wcut_report_section){.title = wcut_page_text(memory, "Residuals, %s", of->cut_name[cut]),

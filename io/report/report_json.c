@@ -67,7 +67,7 @@ static void put_int(document *d, json_t *object, const char *key, int value) {
     put(d, object, key, json_integer(value));
 }
 
-static void put_array(document *d, json_t *object, const char *key, int number) {
+static void put_json_array(document *d, json_t *object, const char *key, int number) {
     if (number < 0) d->failed = true;
     put_int(d, object, key, number);
 }
@@ -114,12 +114,12 @@ static void put_series(document *d, json_t *item, const wcut_report_series *seri
     put_text(d, item, "label", series->label);
     put_text(d, item, "mark", mark[series->mark]);
     put_int(d, item, "total", series->count);
-    put_array(d, item, "x", wcut_report_pool_add_doubles(d->pool, count, chosen, series->x[0]));
-    if (series->x[1]) put_array(d, item, "x2", wcut_report_pool_add_doubles(d->pool, count, chosen, series->x[1]));
-    put_array(d, item, "y", wcut_report_pool_add_doubles(d->pool, count, chosen, series->y));
+    put_json_array(d, item, "x", wcut_report_pool_add_doubles(d->pool, count, chosen, series->x[0]));
+    if (series->x[1]) put_json_array(d, item, "x2", wcut_report_pool_add_doubles(d->pool, count, chosen, series->x[1]));
+    put_json_array(d, item, "y", wcut_report_pool_add_doubles(d->pool, count, chosen, series->y));
     if (series->low) {
-        put_array(d, item, "low", wcut_report_pool_add_doubles(d->pool, count, chosen, series->low));
-        put_array(d, item, "high", wcut_report_pool_add_doubles(d->pool, count, chosen, series->high));
+        put_json_array(d, item, "low", wcut_report_pool_add_doubles(d->pool, count, chosen, series->low));
+        put_json_array(d, item, "high", wcut_report_pool_add_doubles(d->pool, count, chosen, series->high));
     }
 
     free(index);
@@ -170,9 +170,9 @@ static void put_map(document *d, json_t *item, const wcut_report_map *map) {
     /* the scale of the colours, the arrays */
     put_text(d, item, "scale", scale_text(map->scale));
     put(d, item, "limit", json_real(map->limit));
-    put_array(d, item, "x", wcut_report_pool_add_doubles(d->pool, map->columns, NULL, map->x));
-    put_array(d, item, "y", wcut_report_pool_add_doubles(d->pool, map->rows, NULL, map->y));
-    put_array(d, item, "value", wcut_report_pool_add_floats(d->pool, map->rows * map->columns, NULL, map->value));
+    put_json_array(d, item, "x", wcut_report_pool_add_doubles(d->pool, map->columns, NULL, map->x));
+    put_json_array(d, item, "y", wcut_report_pool_add_doubles(d->pool, map->rows, NULL, map->y));
+    put_json_array(d, item, "value", wcut_report_pool_add_floats(d->pool, map->rows * map->columns, NULL, map->value));
     put(d, item, "blank_missing", json_boolean(map->blank_missing));
 
     json_t *bands = put_list(d, item, "bands");
@@ -201,8 +201,8 @@ static void put_table(document *d, json_t *item, const wcut_report_table *table)
     }
 }
 
-static void put_field(document *d, json_t *item, const wcut_report_shape *shape, const wcut_report_view *view,
-                      const wcut_report_field *field) {
+static void put_json_field(document *d, json_t *item, const wcut_report_shape *shape, const wcut_report_view *view,
+                           const wcut_report_field *field) {
     double quantile[WCUT_REPORT_QUANTILES];
     int found = 0;
     if (wcut_report_quantiles(shape->vertex_count, field->value, WCUT_REPORT_QUANTILES, quantile, &found))
@@ -212,13 +212,14 @@ static void put_field(document *d, json_t *item, const wcut_report_shape *shape,
     put_text(d, item, "scale", scale_text(field->scale));
     put(d, item, "tolerance", json_real(field->tolerance));
     put_int(d, item, "count", found);
-    put_array(d, item, "value", wcut_report_pool_add_floats(d->pool, view->count, view->index, field->value));
+    put_json_array(d, item, "value", wcut_report_pool_add_floats(d->pool, view->count, view->index, field->value));
     /* the pool tells arrays apart by their address, and this one is on the stack: so floats, which are never shared */
     if (found)
-        put_array(d, item, "quantiles", wcut_report_pool_add_floats(d->pool, WCUT_REPORT_QUANTILES, NULL, quantile));
+        put_json_array(d, item, "quantiles",
+                       wcut_report_pool_add_floats(d->pool, WCUT_REPORT_QUANTILES, NULL, quantile));
 }
 
-static void put_shape(document *d, json_t *item, const wcut_report_shape *shape, int shapes) {
+static void put_json_shape(document *d, json_t *item, const wcut_report_shape *shape, int shapes) {
     /* a view thins a large shape to what the page can show */
     wcut_report_view view;
     if (wcut_report_view_create(shape, shapes, &view)) {
@@ -244,11 +245,12 @@ static void put_shape(document *d, json_t *item, const wcut_report_shape *shape,
     /* triangles where the vertices are not a grid, positions, fields */
     put_int(d, item, "triangle_total", shape->triangle_count);
     if (view.triangles)
-        put_array(d, item, "triangle_array",
-                  wcut_report_pool_add_ints(d->pool, 3 * shape->triangle_count, shape->triangle));
-    put_array(d, item, "position", wcut_report_pool_add_points(d->pool, view.count, view.index, shape->vertex));
+        put_json_array(d, item, "triangle_array",
+                       wcut_report_pool_add_ints(d->pool, 3 * shape->triangle_count, shape->triangle));
+    put_json_array(d, item, "position", wcut_report_pool_add_points(d->pool, view.count, view.index, shape->vertex));
     json_t *fields = put_list(d, item, "fields");
-    for (int f = 0; f < shape->field_count; f++) put_field(d, append_object(d, fields), shape, &view, &shape->field[f]);
+    for (int f = 0; f < shape->field_count; f++)
+        put_json_field(d, append_object(d, fields), shape, &view, &shape->field[f]);
     free(view.index);
 }
 
@@ -259,18 +261,18 @@ static void put_scene(document *d, json_t *item, const wcut_report_scene *scene)
     put(d, item, "block", json_pack("[fff]", block.x, block.y, block.z));
     json_t *shapes = put_list(d, item, "shapes");
     for (int s = 0; s < scene->shape_count; s++)
-        put_shape(d, append_object(d, shapes), &scene->shape[s], scene->shape_count);
+        put_json_shape(d, append_object(d, shapes), &scene->shape[s], scene->shape_count);
     json_t *lines = put_list(d, item, "lines");
     for (int l = 0; l < scene->line_count; l++) {
         const wcut_report_line *line = &scene->line[l];
         json_t *to = append_object(d, lines);
         put_text(d, to, "group", line->group);
         put_text(d, to, "label", line->label);
-        put_array(d, to, "points", wcut_report_pool_add_points(d->pool, line->count, NULL, line->point));
+        put_json_array(d, to, "points", wcut_report_pool_add_points(d->pool, line->count, NULL, line->point));
     }
 }
 
-static void put_section(document *d, json_t *item, const wcut_report_section *section) {
+static void put_json_section(document *d, json_t *item, const wcut_report_section *section) {
     put_text(d, item, "title", section->title);
     put_text(d, item, "note", section->note);
     json_t *list = put_list(d, item, "charts");
@@ -301,7 +303,7 @@ json_t *wcut_report_json(const wcut_report *report, wcut_report_pool *pool) {
         put_scene(&d, scene, report->scene);
     }
     json_t *list = put_list(&d, root, "sections");
-    for (int i = 0; i < report->section_count; i++) put_section(&d, append_object(&d, list), &report->section[i]);
+    for (int i = 0; i < report->section_count; i++) put_json_section(&d, append_object(&d, list), &report->section[i]);
 
     /* sources and options end the page */
     list = put_list(&d, root, "sources");

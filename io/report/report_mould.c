@@ -19,13 +19,13 @@ typedef struct page {
     char verdict[512], block[96], pull[96], hash[3][WCUT_SHA256_TEXT];
 } page;
 
-static const wcut_half *half_of(const page *p, int upper) { return upper ? &p->mould->upper : &p->mould->lower; }
+static const wcut_half *mould_half_of(const page *p, int upper) { return upper ? &p->mould->upper : &p->mould->lower; }
 
 /* ---- what is copied ---- */
 
 static wcut_status fill_drafts(page *p) {
     for (int upper = 0; upper < 2; upper++) {
-        const wcut_half *half = half_of(p, upper);
+        const wcut_half *half = mould_half_of(p, upper);
         const int count = half->mesh->vertex_count;
         p->draft[upper] = calloc((size_t)count, sizeof(double));
         if (!p->draft[upper]) return WCUT_NO_MEMORY;
@@ -36,7 +36,7 @@ static wcut_status fill_drafts(page *p) {
 
 /* ---- what is said ---- */
 
-static wcut_report_tone judge(page *p) {
+static wcut_report_tone judge_mould(page *p) {
     const wcut_mould *m = p->mould;
     const wcut_half_report *a = &m->lower.report, *b = &m->upper.report;
     const double prolonged = fmax(m->prolonged_entry, fmax(m->prolonged_exit, m->prolonged_side));
@@ -77,7 +77,7 @@ static wcut_report_table table_of_halves(const page *p, double number[2][ROWS], 
 
     /* a column of numbers for each half */
     for (int k = 0; k < 2; k++) {
-        const wcut_half *h = half_of(p, k);
+        const wcut_half *h = mould_half_of(p, k);
         const wcut_half_report *r = &h->report;
         const double value[ROWS] = {r->volume,
                                     r->area,
@@ -108,7 +108,7 @@ static wcut_report_table table_of_halves(const page *p, double number[2][ROWS], 
 
 /* ---- the page ---- */
 
-static wcut_status write_page(page *p, const wcut_report_scene *scene, const char *path, wcut_error *error) {
+static wcut_status write_mould_page(page *p, const wcut_report_scene *scene, const char *path, wcut_error *error) {
     const wcut_job *job = p->job;
     const wcut_mould *m = p->mould;
 
@@ -160,7 +160,7 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
 
     const wcut_report report = {.verb = "mould",
                                 .title = job->name ? job->name : p->run->job_path,
-                                .tone = judge(p),
+                                .tone = judge_mould(p),
                                 .verdict = p->verdict,
                                 .fact_count = sizeof fact / sizeof *fact,
                                 .fact = fact,
@@ -191,7 +191,7 @@ wcut_status wcut_report_mould_write(const wcut_report_mould *run, const wcut_job
         wcut_report_field field[2];
         wcut_report_shape shape[2];
         for (int k = 0; k < 2; k++) {
-            const wcut_mesh *mesh = half_of(&p, k)->mesh;
+            const wcut_mesh *mesh = mould_half_of(&p, k)->mesh;
             field[k] = (wcut_report_field){k ? "draft of the upper half" : "draft of the lower half", "deg",
                                            WCUT_REPORT_SCALE_SEQUENTIAL, 0, p.draft[k]};
             shape[k] = (wcut_report_shape){.name = k ? "upper half" : "lower half",
@@ -212,7 +212,7 @@ wcut_status wcut_report_mould_write(const wcut_report_mould *run, const wcut_job
             .shape_count = 2,
             .shape = shape};
 
-        status = write_page(&p, &scene, path, error);
+        status = write_mould_page(&p, &scene, path, error);
     }
 
     free(p.draft[1]);

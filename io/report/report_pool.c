@@ -41,7 +41,7 @@ static void store_double(double value, uint8_t *to) {
 }
 
 /* a place for size bytes; NULL without memory */
-static uint8_t *add(wcut_report_pool *pool, const void *key, size_t size) {
+static uint8_t *add_pool(wcut_report_pool *pool, const void *key, size_t size) {
     if (pool->count == pool->room) {
         const int room = pool->room ? 2 * pool->room : 32;
         wcut_report_array *array = wcut_alloc((size_t)room, sizeof *array);
@@ -62,21 +62,21 @@ int wcut_report_pool_add_doubles(wcut_report_pool *pool, int count, const int *i
     const size_t size = 8 * (size_t)count;
     for (int k = 0; !index && k < pool->count; k++)
         if (pool->array[k].key == value && pool->array[k].size == size) return k;
-    uint8_t *data = add(pool, index ? NULL : value, size);
+    uint8_t *data = add_pool(pool, index ? NULL : value, size);
     if (!data) return -1;
     for (int i = 0; i < count; i++) store_double(value[index ? index[i] : i], data + 8 * (size_t)i);
     return pool->count - 1;
 }
 
 int wcut_report_pool_add_floats(wcut_report_pool *pool, int count, const int *index, const double *value) {
-    uint8_t *data = add(pool, NULL, 4 * (size_t)count);
+    uint8_t *data = add_pool(pool, NULL, 4 * (size_t)count);
     if (!data) return -1;
     for (int i = 0; i < count; i++) store_float(value[index ? index[i] : i], data + 4 * (size_t)i);
     return pool->count - 1;
 }
 
 int wcut_report_pool_add_points(wcut_report_pool *pool, int count, const int *index, const wcut_vec3 *point) {
-    uint8_t *data = add(pool, NULL, 12 * (size_t)count);
+    uint8_t *data = add_pool(pool, NULL, 12 * (size_t)count);
     if (!data) return -1;
     for (int i = 0; i < count; i++) {
         const wcut_vec3 p = point[index ? index[i] : i];
@@ -89,7 +89,7 @@ int wcut_report_pool_add_points(wcut_report_pool *pool, int count, const int *in
 }
 
 int wcut_report_pool_add_ints(wcut_report_pool *pool, int count, const int *value) {
-    uint8_t *data = add(pool, NULL, 4 * (size_t)count);
+    uint8_t *data = add_pool(pool, NULL, 4 * (size_t)count);
     if (!data) return -1;
     for (int i = 0; i < count; i++) store((uint32_t)value[i], 4, data + 4 * (size_t)i);
     return pool->count - 1;

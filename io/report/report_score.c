@@ -26,7 +26,7 @@ typedef struct page {
     wcut_page_memory memory;
 } page;
 
-static char *join(page *p, const char *a, const char *between, const char *b) {
+static char *join_score(page *p, const char *a, const char *between, const char *b) {
     const size_t size = strlen(a) + strlen(between) + strlen(b) + 1;
     char *text = wcut_page_take(&p->memory, size, 1);
     if (text) snprintf(text, size, "%s%s%s", a, between, b);
@@ -35,10 +35,10 @@ static char *join(page *p, const char *a, const char *between, const char *b) {
 
 /* "case, cut", or the cut alone */
 static const char *name_of(page *p, const wcut_scored_cut *cut) {
-    return cut->of_case ? join(p, cut->of_case, ", ", cut->name) : cut->name;
+    return cut->of_case ? join_score(p, cut->of_case, ", ", cut->name) : cut->name;
 }
 
-static double larger(double a, double b) { return a > b ? a : b; }
+static double score_larger(double a, double b) { return a > b ? a : b; }
 
 static double unit_of(int scored) {
     return strcmp(wcut_scored_unit((wcut_scored)scored), "deg") ? 1 : WCUT_DEG_PER_RAD;
@@ -141,7 +141,7 @@ static wcut_report_table trouble_table(page *p) {
                      replay->without_motion, replay->standing, plan->failed, replay->failed);
         }
         name[table.rows] = name_of(p, cut);
-        text[table.rows++] = cut->comparison ? join(p, said, "", "") : cut->error ? cut->error->text : "";
+        text[table.rows++] = cut->comparison ? join_score(p, said, "", "") : cut->error ? cut->error->text : "";
     }
 
     column[0] = (wcut_report_column){.label = "cut", .text = name};
@@ -170,7 +170,7 @@ static drawn choose_samples(const wcut_scored_cut *cut) {
 }
 
 /* runs of drawn samples of one phase */
-static int list_phases(const wcut_comparison *c, const drawn *d, wcut_report_span *span) {
+static int list_score_phases(const wcut_comparison *c, const drawn *d, wcut_report_span *span) {
     const wcut_phase *phase = c->phase + d->first;
     int count = 0;
     for (int i = 0, from = 0; i < d->count && count < SPANS_MAX; i++) {
@@ -208,8 +208,8 @@ static void fill_series(page *p, const wcut_comparison *c, const wcut_prediction
     to->y = y, to->low = low, to->high = high;
 }
 
-static void fill_chart(page *p, const wcut_scored_cut *cut, int k, const drawn *d, int spans,
-                       const wcut_report_span *span, wcut_report_chart *chart) {
+static void fill_score_chart(page *p, const wcut_scored_cut *cut, int k, const drawn *d, int spans,
+                             const wcut_report_span *span, wcut_report_chart *chart) {
     static const char *const title[WCUT_SIGNAL_COUNT] = {"Speed, mount A",   "Speed, mount B", "Tension, mount A",
                                                          "Tension, mount B", "Alpha, mount A", "Beta, mount A",
                                                          "Alpha, mount B",   "Beta, mount B"};
@@ -251,7 +251,7 @@ static void fill_chart(page *p, const wcut_scored_cut *cut, int k, const drawn *
 }
 
 /* a cut: its channels over time, and its own scores */
-static void fill_section(page *p, const wcut_scored_cut *cut, wcut_report_section *section) {
+static void fill_score_section(page *p, const wcut_scored_cut *cut, wcut_report_section *section) {
     static const int order[CHARTS] = {0, 1, 2, 3, 4, 6, 5, 7};
     const wcut_comparison *c = cut->comparison;
     const wcut_column *recorded = &cut->samples->channel[WCUT_CHANNEL_STATION];
@@ -270,13 +270,13 @@ static void fill_section(page *p, const wcut_scored_cut *cut, wcut_report_sectio
         const bool there = !recorded->present || recorded->present[sample];
         time[i] = cut->samples->channel[WCUT_CHANNEL_TIME].value[sample];
         /* lines go forward, whatever the encoder's noise */
-        station[i] = larger(i ? station[i - 1] : 0, there ? recorded->value[sample] : 0);
+        station[i] = score_larger(i ? station[i - 1] : 0, there ? recorded->value[sample] : 0);
     }
     d.time = time, d.station = station;
 
     /* a chart for each channel, then what the scores rest on */
-    const int spans = list_phases(c, &d, span);
-    for (int k = 0; k < CHARTS; k++) fill_chart(p, cut, order[k], &d, spans, span, &chart[k]);
+    const int spans = list_score_phases(c, &d, span);
+    for (int k = 0; k < CHARTS; k++) fill_score_chart(p, cut, order[k], &d, spans, span, &chart[k]);
     snprintf(note, 300,
              "Scored from %.1f s to %.1f s, %d of %d samples; half of the settling time before it is shown. The band "
              "is two RMSE to either side of the replayed prediction, for speeds of the planned one.",
@@ -296,12 +296,12 @@ static double badness(const wcut_comparison *c) {
     double worst = 0;
     if (!c) return -1;
     for (int k = WCUT_SCORED_TENSION; k <= WCUT_SCORED_BETA; k++)
-        worst = larger(worst, c->replayed_score.of[k][WCUT_PART_ALL].rmse_over_range);
+        worst = score_larger(worst, c->replayed_score.of[k][WCUT_PART_ALL].rmse_over_range);
     return worst;
 }
 
 /* which cuts are shown: 1 in `shown`; gives how many */
-static int choose(const wcut_report_score *of, unsigned char *shown) {
+static int choose_score(const wcut_report_score *of, unsigned char *shown) {
     size_t bytes = 0;
     int count = 0;
     for (;;) {
@@ -334,8 +334,8 @@ static void fill_overview(page *p, const char *note, wcut_report_section *sectio
         .title = "Scores", .note = note, .table_count = table[4].rows > 0 ? 5 : 4, .table = table};
 }
 
-static wcut_status write_page(page *p, int compared, int shown, int sections, const wcut_report_section *section,
-                              const char *path, wcut_error *error) {
+static wcut_status write_score_page(page *p, int compared, int shown, int sections, const wcut_report_section *section,
+                                    const char *path, wcut_error *error) {
     const wcut_report_score *of = p->of;
     const wcut_scores *planned = &of->planned[of->groups], *replayed = &of->replayed[of->groups];
 
@@ -389,7 +389,7 @@ wcut_status wcut_report_score_write(const wcut_report_score *scored, const char 
     int compared = 0, shown = 0, sections = 1;
     for (int i = 0; i < scored->cuts; i++) compared += scored->cut[i].comparison != NULL;
     unsigned char *chosen = wcut_page_take(&p.memory, (size_t)scored->cuts, 1);
-    if (chosen) shown = choose(scored, chosen);
+    if (chosen) shown = choose_score(scored, chosen);
     wcut_report_section *section = wcut_page_take(&p.memory, (size_t)shown + 1, sizeof *section);
 
     /* an overview of all, then a section for each of those */
@@ -398,10 +398,10 @@ wcut_status wcut_report_score_write(const wcut_report_score *scored, const char 
         snprintf(note, sizeof note, "Below are the %d cuts that fit worst; residuals.csv holds them all.", shown);
     if (section) fill_overview(&p, note, section);
     for (int i = 0; !p.memory.failed && chosen && section && i < scored->cuts; i++)
-        if (chosen[i]) fill_section(&p, &scored->cut[i], &section[sections++]);
+        if (chosen[i]) fill_score_section(&p, &scored->cut[i], &section[sections++]);
 
     const wcut_status status =
-        p.memory.failed ? WCUT_NO_MEMORY : write_page(&p, compared, shown, sections, section, path, error);
+        p.memory.failed ? WCUT_NO_MEMORY : write_score_page(&p, compared, shown, sections, section, path, error);
     wcut_page_free(&p.memory);
     return status;
 }

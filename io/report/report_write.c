@@ -11,7 +11,7 @@
 #include "io/report/report_page.h"
 
 /* text as HTML: it can end no element and no attribute */
-static void put_escaped(wcut_text *out, const char *text) {
+static void put_write_escaped(wcut_text *out, const char *text) {
     for (; *text; text++) {
         const char *as = *text == '<'    ? "&lt;"
                          : *text == '>'  ? "&gt;"
@@ -60,7 +60,7 @@ static int put_json(const char *text, size_t size, void *context) {
 }
 
 /* the words without a script: title and verdict */
-static wcut_status put_head(wcut_text *out, const wcut_report *report) {
+static wcut_status put_page_head(wcut_text *out, const wcut_report *report) {
     char *title = wcut_report_text(report->title), *verdict = wcut_report_text(report->verdict);
     char *verb = wcut_report_text(report->verb);
     const bool complete = title && verdict && verb;
@@ -78,19 +78,19 @@ static wcut_status put_head(wcut_text *out, const wcut_report *report) {
                  "<meta name=\"color-scheme\" content=\"light dark\">\n"
                  "<meta name=\"generator\" content=\"wirecut " WCUT_VERSION "\">\n<title>");
 
-        put_escaped(out, title);
+        put_write_escaped(out, title);
         put_word(out, " \xe2\x80\x93 wirecut ");
-        put_escaped(out, verb);
+        put_write_escaped(out, verb);
         put_word(out, "</title>\n<style>");
         wcut_text_put(out, wcut_report_style, wcut_report_style_size);
 
         /* what a browser without scripts shows too */
         put_word(out, "</style>\n</head>\n<body>\n<main id=\"page\">\n<header>\n<p class=\"verb\">wirecut ");
-        put_escaped(out, verb);
+        put_write_escaped(out, verb);
         put_word(out, "</p>\n<h1>");
-        put_escaped(out, title);
+        put_write_escaped(out, title);
         put_word(out, "</h1>\n<p class=\"verdict\">");
-        put_escaped(out, verdict);
+        put_write_escaped(out, verdict);
         put_word(out,
                  "</p>\n</header>\n<noscript><p>View, charts and tables need JavaScript, which this browser has "
                  "switched off.</p></noscript>\n</main>\n");
@@ -104,7 +104,7 @@ static wcut_status put_head(wcut_text *out, const wcut_report *report) {
 
 static wcut_status put_page(wcut_text *out, const wcut_report *report, const json_t *document,
                             const wcut_report_pool *pool) {
-    const wcut_status status = put_head(out, report);
+    const wcut_status status = put_page_head(out, report);
     if (status) return status;
     put_word(out, "<script type=\"application/json\" id=\"report\">");
     if (json_dump_callback(document, put_json, out, JSON_COMPACT | JSON_ENSURE_ASCII)) return WCUT_NO_MEMORY;

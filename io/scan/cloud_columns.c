@@ -10,7 +10,7 @@
 
 /* ---- cells ---- */
 
-static bool is_blank(char c) { return c == ' ' || c == '\t'; }
+static bool is_cloud_columns_blank(char c) { return c == ' ' || c == '\t'; }
 
 /* behind the cell at p */
 static const char *cell_end(const char *p, const char *end, char separator) {
@@ -23,11 +23,11 @@ static const char *cell_end(const char *p, const char *end, char separator) {
         while (p < end && *p != separator) p++;
         return p;
     }
-    while (p < end && !is_blank(*p)) p++;
+    while (p < end && !is_cloud_columns_blank(*p)) p++;
 
     /* a unit in brackets belongs to the name before it */
     const char *next = p;
-    while (next < end && is_blank(*next)) next++;
+    while (next < end && is_cloud_columns_blank(*next)) next++;
     if (next < end && (*next == '[' || *next == '(')) {
         while (next < end && *next != ']' && *next != ')') next++;
         return next < end ? next + 1 : p;
@@ -36,8 +36,8 @@ static const char *cell_end(const char *p, const char *end, char separator) {
 }
 
 static wcut_cell trim(const char *from, const char *to) {
-    while (from < to && (is_blank(*from) || *from == '"')) from++;
-    while (to > from && (is_blank(to[-1]) || to[-1] == '"' || to[-1] == '\r')) to--;
+    while (from < to && (is_cloud_columns_blank(*from) || *from == '"')) from++;
+    while (to > from && (is_cloud_columns_blank(to[-1]) || to[-1] == '"' || to[-1] == '\r')) to--;
     return (wcut_cell){from, (int)(to - from)};
 }
 
@@ -45,14 +45,14 @@ int wcut_cells_split(const char *line, const char *end, char separator, wcut_cel
     int count = 0;
     const char *p = line;
     while (end > p && (end[-1] == '\n' || end[-1] == '\r' || end[-1] == '\0')) end--;
-    while (p < end && is_blank(*p)) p++;
-    while (separator == ' ' && end > p && is_blank(end[-1])) end--;
+    while (p < end && is_cloud_columns_blank(*p)) p++;
+    while (separator == ' ' && end > p && is_cloud_columns_blank(end[-1])) end--;
     while (count <= WCUT_CELLS_MAX && p < end) {
         const char *stop = cell_end(p, end, separator);
         cell[count++] = trim(p, stop);
         p = stop;
         if (separator == ' ')
-            while (p < end && is_blank(*p)) p++;
+            while (p < end && is_cloud_columns_blank(*p)) p++;
         else if (p < end && ++p == end && count <= WCUT_CELLS_MAX)
             cell[count++] = trim(p, p); /* an empty cell behind the last separator */
     }
@@ -122,7 +122,7 @@ static bool take_glued(const char *word, size_t n, int *axis, bool *is_normal, r
 /* the words between what is neither letter nor digit */
 static bool is_word(char c) { return isalnum((unsigned char)c) || (unsigned char)c >= 0x80; }
 
-static name read_name(const wcut_cell *cell) {
+static name read_cloud_columns_name(const wcut_cell *cell) {
     name found = {-1, PLAIN, 0, 2166136261u};
     int axis = -1;
     bool is_normal = false, is_point = false;
@@ -170,9 +170,9 @@ typedef struct group {
     bool twice;
 } group;
 
-static bool is_whole(const group *g) { return g->count == 3; }
+static bool is_group_whole(const group *g) { return g->count == 3; }
 
-static void add(group *g, int field, int column, double unit) {
+static void add_column(group *g, int field, int column, double unit) {
     if (field >= 3) {
         if (g->column[field] < 0) g->column[field] = column;
         return;
@@ -194,7 +194,7 @@ static bool agree(const double unit[3], double *one) {
     return true;
 }
 
-static const char *take(const group *g, const group *normals, wcut_columns *columns) {
+static const char *take_cloud_columns(const group *g, const group *normals, wcut_columns *columns) {
     if (g->twice) return "each coordinate once: say which columns by the option columns";
     if (!agree(g->unit, &columns->unit)) return "x, y and z in one unit";
     for (int k = 0; k < 3; k++) columns->column[k] = g->column[k];
@@ -210,7 +210,7 @@ const char *wcut_columns_find(int count, const wcut_cell *cell, wcut_columns *co
     unsigned word = 0;
     bool mixed = false;
     for (int k = 0; k < count; k++) {
-        const name n = read_name(&cell[k]);
+        const name n = read_cloud_columns_name(&cell[k]);
         if (n.field < 0) continue;
 
         /* columns with different strange words belong to several kinds */
@@ -218,22 +218,22 @@ const char *wcut_columns_find(int count, const wcut_cell *cell, wcut_columns *co
             mixed = mixed || (word && word != n.word);
             word = n.word;
         }
-        add(&by_role[n.field >= 3 && n.role != DERIVED ? PLAIN : n.role], n.field, k, n.unit);
+        add_column(&by_role[n.field >= 3 && n.role != DERIVED ? PLAIN : n.role], n.field, k, n.unit);
     }
     const group *measured = &by_role[MEASURED], *plain = &by_role[PLAIN], *nominal = &by_role[NOMINAL];
-    const bool strange = mixed || is_whole(&by_role[STRANGE]) || by_role[STRANGE].twice;
-    if (is_whole(measured) && plain->count == 0 && !strange) return take(measured, plain, columns);
-    if (is_whole(plain) && measured->count == 0 && !strange) return take(plain, plain, columns);
-    if (is_whole(nominal) && measured->count == 0 && plain->count == 0 && !strange)
+    const bool strange = mixed || is_group_whole(&by_role[STRANGE]) || by_role[STRANGE].twice;
+    if (is_group_whole(measured) && plain->count == 0 && !strange) return take_cloud_columns(measured, plain, columns);
+    if (is_group_whole(plain) && measured->count == 0 && !strange) return take_cloud_columns(plain, plain, columns);
+    if (is_group_whole(nominal) && measured->count == 0 && plain->count == 0 && !strange)
         return "columns of what was measured, not nominal ones alone: say which by the option columns";
-    if (is_whole(measured) || is_whole(plain) || strange)
+    if (is_group_whole(measured) || is_group_whole(plain) || strange)
         return "one set of columns x, y, z: say which by the option columns, as x_meas,y_meas,z_meas or 4,5,6";
     return "columns named x, y, z: say which they are by the option columns, as east,north,height or 1,2,3";
 }
 
 bool wcut_columns_named(int count, const wcut_cell *cell) {
     int axes = 0;
-    for (int k = 0; k < count; k++) axes += read_name(&cell[k]).field >= 0;
+    for (int k = 0; k < count; k++) axes += read_cloud_columns_name(&cell[k]).field >= 0;
     return axes >= 3;
 }
 
@@ -270,7 +270,7 @@ const char *wcut_columns_choose(const char *option, int columns, int names, cons
         if (fields == WCUT_FIELDS) return expected;
         const int column = find_column(word.at, (size_t)word.length, columns, names, cell);
         if (column < 0) return expected;
-        if (fields < 3 && column < names) unit[fields] = read_name(&cell[column]).unit;
+        if (fields < 3 && column < names) unit[fields] = read_cloud_columns_name(&cell[column]).unit;
         c.column[fields++] = column;
         p += n;
         if (*p == '\0') break;

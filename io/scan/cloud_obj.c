@@ -3,7 +3,7 @@
 #include "io/mesh/obj.h"
 #include "io/scan/cloud_source.h"
 
-static bool read_line(wcut_cloud_source *s, const char *line, wcut_batch *b) {
+static bool read_cloud_obj_line(wcut_cloud_source *s, const char *line, wcut_batch *b) {
     const char *p = wcut_skip_blanks(line), *rest = wcut_obj_match(p, "v");
     double value[WCUT_FIELDS] = {0};
     if (rest) return wcut_obj_vertex(&s->in, line, rest, value) && wcut_cloud_take(s, b, value);
@@ -15,7 +15,7 @@ static bool fill(wcut_cloud_source *s, wcut_batch *b) {
     while (b->count < b->capacity) {
         const char *line = wcut_obj_line(&s->in, &length);
         if (!line) return s->in.failure.status == WCUT_OK;
-        if (!read_line(s, line, b)) return false;
+        if (!read_cloud_obj_line(s, line, b)) return false;
         wcut_row_done(&s->in, length);
     }
     return true;

@@ -243,7 +243,7 @@ static bool choose_columns(wcut_cloud_source *s, const header *h, const text_lay
     return true;
 }
 
-static void lay_out(wcut_cloud_source *s, text_layout *t) {
+static void lay_cloud_text_out(wcut_cloud_source *s, text_layout *t) {
     memset(t->field, -1, sizeof t->field);
     for (int k = 0; k < WCUT_FIELDS; k++) {
         const int c = t->column[k];
@@ -283,7 +283,7 @@ static bool find_layout(wcut_cloud_source *s, const char *line, const char *end,
         why = find_doubt(s, line, t);
         if (why) return wcut_source_refuse_text(&s->in, line, line, why);
     }
-    lay_out(s, t);
+    lay_cloud_text_out(s, t);
     return true;
 }
 
@@ -320,7 +320,8 @@ static bool check_zero(wcut_cloud_source *s, const char *line, size_t length, co
     return *at != '\0' || at == line + length || wcut_source_refuse_text(&s->in, line, at, "text");
 }
 
-static bool read_row(wcut_cloud_source *s, const text_layout *t, const char *line, size_t length, double *value) {
+static bool read_cloud_text_row(wcut_cloud_source *s, const text_layout *t, const char *line, size_t length,
+                                double *value) {
     const char *p = line;
     for (int c = 0;; c++) {
         const int k = c <= t->last ? t->field[c] : -1;
@@ -360,7 +361,7 @@ static bool fill_text(wcut_cloud_source *s, wcut_batch *b) {
             if (s->left == 0 && !is_count)
                 return wcut_source_refuse_text(&s->in, line, p, "the end: the file states no more points");
             if (!is_count) {
-                if (!read_row(s, t, line, length, value) || !wcut_cloud_take(s, b, value)) return false;
+                if (!read_cloud_text_row(s, t, line, length, value) || !wcut_cloud_take(s, b, value)) return false;
                 s->left--;
             }
         }
@@ -370,7 +371,7 @@ static bool fill_text(wcut_cloud_source *s, wcut_batch *b) {
 }
 
 /* a line before the first row: a comment, which may name columns or a unit, or words */
-static bool read_header_line(wcut_cloud_source *s, const char *line, size_t length, header *h) {
+static bool read_cloud_text_header_line(wcut_cloud_source *s, const char *line, size_t length, header *h) {
     const char *p = wcut_skip_blanks(line);
     if (wcut_is_line_end(p)) return check_zero(s, line, length, p);
 
@@ -399,7 +400,7 @@ static bool read_header_line(wcut_cloud_source *s, const char *line, size_t leng
     return !is_named || keep_header(s, line, length, true, h);
 }
 
-static bool read_header(wcut_cloud_source *s, text_layout *t, header *h) {
+static bool read_cloud_text_header(wcut_cloud_source *s, text_layout *t, header *h) {
     size_t length;
     for (const char *line; (line = wcut_row_peek(&s->in, &length)) != NULL; wcut_row_done(&s->in, length)) {
         const char *p = wcut_skip_blanks(line);
@@ -413,7 +414,7 @@ static bool read_header(wcut_cloud_source *s, text_layout *t, header *h) {
             if (!is_count && !find_layout(s, line, line + length, is_number, h, t, &is_row)) return false;
         }
         if (is_row) return true;
-        if (!is_count && !read_header_line(s, line, length, h)) return false;
+        if (!is_count && !read_cloud_text_header_line(s, line, length, h)) return false;
     }
     return s->in.failure.status == WCUT_OK && wcut_source_refuse_end(&s->in, "a row with the numbers x y z");
 }
@@ -428,7 +429,7 @@ bool wcut_cloud_begin_text(wcut_cloud_source *s) {
     s->fill = fill_text;
     wcut_stream *in = &s->in.stream;
     if (in->end - in->at >= 3 && memcmp(in->data + in->at, "\xef\xbb\xbf", 3) == 0) in->at += 3;
-    const bool done = read_header(s, t, &h);
+    const bool done = read_cloud_text_header(s, t, &h);
     wcut_free(h.text);
     return done;
 }

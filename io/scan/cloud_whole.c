@@ -19,7 +19,7 @@ typedef struct growth {
 } growth;
 
 /* room for a piece more: as much as a file that was held to its header states, or twice as much as before */
-static bool make_room(growth *g, const wcut_cloud_source *s) {
+static bool make_cloud_room(growth *g, const wcut_cloud_source *s) {
     const wcut_cloud_info *info = &s->info;
     const size_t need = (size_t)g->cloud->count + PIECE;
     if (need <= g->room) return true;
@@ -57,7 +57,7 @@ static wcut_status read_pieces(wcut_cloud_source *s, growth *g, wcut_error *erro
     wcut_cloud *c = g->cloud;
     for (;;) {
         int count = 0;
-        if (!make_room(g, s)) return wcut_source_refuse_memory(&s->in), WCUT_NO_MEMORY;
+        if (!make_cloud_room(g, s)) return wcut_source_refuse_memory(&s->in), WCUT_NO_MEMORY;
         wcut_vec3 *normal = c->normal ? c->normal + c->count : NULL;
         wcut_status status = wcut_cloud_source_next(s, PIECE, c->point + c->count, normal, &count, error);
         if (status != WCUT_OK || count == 0) return status;

@@ -36,7 +36,7 @@ static row row_of(const wcut_table *t, int r) {
 static wcut_vec3 triple(const double *value) { return (wcut_vec3){value[0], value[1], value[2]}; }
 
 /* false: the row is neither a pair nor a point on a face */
-static bool take(wcut_datums *d, const row *r) {
+static bool take_datum(wcut_datums *d, const row *r) {
     /* the scan's point, and one or three coordinates in the block */
     int block = 0, axis = 0;
     for (int k = 0; k < 3; k++) {
@@ -83,7 +83,7 @@ wcut_status wcut_datums_read(const char *path, wcut_datums **datums, wcut_error 
     /* each row is a point of the scan and its place or its face */
     for (int r = 0; r < table->rows && status == WCUT_OK; r++) {
         const row found = row_of(table, r);
-        if (!take(d, &found))
+        if (!take_datum(d, &found))
             status = wcut_fail(error, WCUT_BAD_FORMAT,
                                "%s: line %d: expected a point of the scan and either its three coordinates in the "
                                "block or the one of a face that it lies on, up to 1e12 mm",

@@ -40,7 +40,7 @@ static void put_scale(wcut_text *text, double limit) {
 }
 
 /* a value with its colour; nan and grey where there is none */
-static void put_value(wcut_text *text, bool there, double value, double limit) {
+static void put_deviation_colour_value(wcut_text *text, bool there, double value, double limit) {
     unsigned char rgb[3];
     const double shown = there ? value : NAN;
     if (there)
@@ -68,7 +68,7 @@ struct wcut_deviation_stream {
 
 enum { COUNT_ROOM = 10 }; /* digits of INT_MAX */
 
-static void put_header(wcut_deviation_stream *s) {
+static void put_deviation_colour_header(wcut_deviation_stream *s) {
     wcut_text *t = &s->text;
     wcut_text_print(t, "ply\nformat binary_little_endian 1.0\ncomment wirecut %s\ncomment units: mm, z up\n",
                     WCUT_VERSION);
@@ -96,7 +96,7 @@ wcut_status wcut_deviation_stream_create(const char *path, double limit, int nor
         wcut_deviation_stream_destroy(s);
         return status;
     }
-    put_header(s);
+    put_deviation_colour_header(s);
     *stream = s;
     return WCUT_OK;
 }
@@ -112,7 +112,7 @@ wcut_status wcut_deviation_stream_append(wcut_deviation_stream *stream, int coun
         const unsigned char place = (unsigned char)deviation[i].place;
         wcut_text_put(&stream->text, &point[i], sizeof point[i]);
         if (normal) wcut_text_put(&stream->text, &normal[i], sizeof normal[i]);
-        put_value(&stream->text, there, deviation[i].distance, stream->limit);
+        put_deviation_colour_value(&stream->text, there, deviation[i].distance, stream->limit);
         wcut_text_put(&stream->text, &place, 1);
     }
     stream->count += count;
@@ -144,7 +144,7 @@ typedef struct coloured {
     double limit;
 } coloured;
 
-static bool is_there(const coloured *c, int i) { return !c->present || c->present[i]; }
+static bool is_deviation_colour_there(const coloured *c, int i) { return !c->present || c->present[i]; }
 
 static void put_ply(wcut_text *text, const wcut_mesh *mesh, const void *context) {
     const coloured *c = context;
@@ -162,7 +162,7 @@ static void put_ply(wcut_text *text, const wcut_mesh *mesh, const void *context)
     for (int i = 0; i < mesh->vertex_count; i++) {
         wcut_text_put(text, &mesh->vertex[i], sizeof mesh->vertex[i]);
         if (mesh->normal) wcut_text_put(text, &mesh->normal[i], sizeof mesh->normal[i]);
-        put_value(text, is_there(c, i), c->value[i], c->limit);
+        put_deviation_colour_value(text, is_deviation_colour_there(c, i), c->value[i], c->limit);
     }
     for (size_t t = 0; t < (size_t)mesh->triangle_count; t++) {
         const unsigned char three = 3;
@@ -174,7 +174,7 @@ static void put_ply(wcut_text *text, const wcut_mesh *mesh, const void *context)
 /* "v x y z r g b", colours from 0 to 1 as most programs read them */
 static void put_coloured(wcut_text *text, const coloured *c, const wcut_mesh *mesh, int i) {
     unsigned char rgb[3];
-    if (is_there(c, i))
+    if (is_deviation_colour_there(c, i))
         colour_of(c->value[i], c->limit, rgb);
     else
         memcpy(rgb, missing, sizeof rgb);
