@@ -113,6 +113,8 @@ static void read_diagnose_cut(run *r, int i) {
     const wcut_case_cut *files = &r->found->cut[i];
     trial *t = &r->trial[i];
     wcut_error error = {0};
+
+    /* job and recording; without one of them the cut is left out */
     wcut_status status = app_job_read(r->call, files->job, &t->job, &error);
     if (status == WCUT_OK)
         note_source(r, "job", files->job);
@@ -125,6 +127,8 @@ static void read_diagnose_cut(run *r, int i) {
         else
             note_diagnose_bad(r, status, &error, "the cut is left out");
     }
+
+    /* a recording that cannot belong to its job is left out, a doubtful one is kept */
     wcut_doubt doubt[WCUT_DOUBTS_MAX];
     int doubts = 0;
     if (status == WCUT_OK) status = wcut_recording_check(t->job, t->recording, &doubts, doubt);
@@ -138,6 +142,8 @@ static void read_diagnose_cut(run *r, int i) {
         }
         app_say("%s: warning: %s", files->recording, doubt[k].error.text);
     }
+
+    /* a scan is not required */
     if (status == WCUT_OK && files->scan) {
         status = wcut_cloud_read(files->scan, NULL, &t->scan, &error);
         if (status == WCUT_OK)
@@ -145,6 +151,7 @@ static void read_diagnose_cut(run *r, int i) {
         else
             note_diagnose_bad(r, status, &error, "the cut is diagnosed without its scan");
     }
+
     r->cut[i] = (wcut_diagnosis_cut){.job = t->job, .recording = t->recording, .scan = t->scan};
 }
 

@@ -81,15 +81,21 @@ static void print_usage_line(FILE *out, const app_verb *verb) {
 
 void app_print_help(FILE *out, const app_verb *verb) {
     bool self = verb == &app_self;
+
+    /* a narrow terminal has shorter lines */
     const int width = app_terminal_width(fileno(out), TEXT_WIDTH);
     text_width = width < TEXT_WIDTH ? width - 1 : TEXT_WIDTH;
     name_width = width < NARROW ? NARROW_NAME : NAME_WIDTH;
+
+    /* what the verb is, how it is called, what it does */
     print_wrapped(out, verb->brief, 0, fprintf(out, "wirecut%s%s -", self ? "" : " ", verb->name));
     fprintf(out, "\n");
     if (self) fprintf(out, "usage: wirecut VERB ... (wirecut VERB --help says more)\n");
     print_usage_line(out, verb);
     fprintf(out, "\n");
     print_wrapped(out, verb->about, 0, 0);
+
+    /* the tables: verbs, inputs, options, exit codes */
     if (self) {
         fprintf(out, "\nVerbs\n");
         for (int i = 0; app_verbs[i]; i++) print_help_entry(out, app_verbs[i]->name, app_verbs[i]->brief);

@@ -24,4 +24,4 @@ sh "$check" tree 0
 plant 15 ''
 sh "$check" tree 0
 
-sh "$check" "$SOURCE_DIR" 110
+sh "$check" "$SOURCE_DIR" 75
