@@ -12,26 +12,15 @@
 #include "io/file/text.h"
 #include "io/process/effect_json.h"
 
-static void put_diagnosis(wcut_text *text, const char *word) { wcut_text_put(text, word, strlen(word)); }
-
-/* a number, or null where there is none */
-static void put_diagnosis_number(wcut_text *text, const char *before, double value) {
-    put_diagnosis(text, before);
-    if (isfinite(value))
-        wcut_text_number(text, value);
-    else
-        put_diagnosis(text, "null");
-}
-
 static void put_diagnosis_string(wcut_text *text, const char *before, const char *value) {
-    put_diagnosis(text, before);
+    wcut_text_put_word(text, before);
     wcut_text_string(text, value ? value : "");
 }
 
 static void put_pair(wcut_text *text, const char *before, double low, double high) {
-    put_diagnosis_number(text, before, low);
-    put_diagnosis_number(text, ", ", high);
-    put_diagnosis(text, "]");
+    wcut_text_put_number(text, before, low);
+    wcut_text_put_number(text, ", ", high);
+    wcut_text_put_word(text, "]");
 }
 
 /* ---- estimates ---- */
@@ -58,57 +47,57 @@ static void put_parameter(wcut_text *text, const wcut_found_effect *found, const
     bool estimated = true, low = false, high = false;
     wcut_text_print(text, "\"%s\": {\"value\": %s", p->key, list ? "[" : "");
     for (int k = 0; k < p->size; k++) {
-        put_diagnosis_number(text, k ? ", " : "", found->effect.value[p->at + k]);
+        wcut_text_put_number(text, k ? ", " : "", found->effect.value[p->at + k]);
         estimated = estimated && found->estimated[p->at + k] && !isnan(e[k].low) && !isnan(e[k].high);
         low = low || isinf(e[k].low), high = high || isinf(e[k].high);
     }
-    put_diagnosis(text, list ? "]" : "");
+    wcut_text_put_word(text, list ? "]" : "");
     if (estimated) {
-        put_diagnosis(text, list ? ", \"ci95\": [" : ", \"ci95\": ");
+        wcut_text_put_word(text, list ? ", \"ci95\": [" : ", \"ci95\": ");
         for (int k = 0; k < p->size; k++) put_interval(text, k ? ", [" : "[", &e[k], p->min, p->max);
-        put_diagnosis(text, list ? "]" : "");
+        wcut_text_put_word(text, list ? "]" : "");
         put_open(text, low, high);
     } else {
-        put_diagnosis(text, ", \"ci95\": null");
+        wcut_text_put_word(text, ", \"ci95\": null");
     }
-    put_diagnosis(text, "}");
+    wcut_text_put_word(text, "}");
 }
 
 static void put_diagnosis_effect(wcut_text *text, const wcut_found_effect *found) {
     const wcut_effect_info *info = wcut_effect_view(found->effect.kind);
     wcut_text_print(text, "{\"name\": \"%s\", \"present\": %s", info->name, found->present ? "true" : "false");
-    put_diagnosis_number(text, ", \"confidence\": ", found->confidence);
-    put_diagnosis(text, ", \"parameters\": {");
+    wcut_text_put_number(text, ", \"confidence\": ", found->confidence);
+    wcut_text_put_word(text, ", \"parameters\": {");
     const char *between = "";
     if (info->choice_key) {
         wcut_text_print(text, "\"%s\": \"%s\"", info->choice_key, info->choice[found->effect.choice]);
         between = ", ";
     }
     for (const wcut_effect_parameter *p = wcut_effect_parameters(&found->effect); p->key; p++, between = ", ") {
-        put_diagnosis(text, between);
+        wcut_text_put_word(text, between);
         put_parameter(text, found, p);
     }
-    put_diagnosis(text, "}}");
+    wcut_text_put_word(text, "}}");
 }
 
 static void put_diagnosis_effects(wcut_text *text, const wcut_diagnosis *d) {
-    put_diagnosis(text, ",\n  \"effects\": [");
+    wcut_text_put_word(text, ",\n  \"effects\": [");
     for (int e = 0; e < d->effects; e++) {
-        put_diagnosis(text, e ? ",\n    " : "\n    ");
+        wcut_text_put_word(text, e ? ",\n    " : "\n    ");
         put_diagnosis_effect(text, &d->effect[e]);
     }
-    put_diagnosis(text, "]");
+    wcut_text_put_word(text, "]");
 }
 
 /* "key": {"value", "ci95", "job"}: a number of the plain model that was set anew */
 static void put_base(wcut_text *text, const char *before, const wcut_estimate *e, double job) {
-    put_diagnosis_number(text, before, e->value);
+    wcut_text_put_number(text, before, e->value);
     if (isnan(e->low) || isnan(e->high))
-        put_diagnosis(text, ", \"ci95\": null");
+        wcut_text_put_word(text, ", \"ci95\": null");
     else
         put_interval(text, ", \"ci95\": [", e, -INFINITY, INFINITY);
-    put_diagnosis_number(text, ", \"job\": ", job);
-    put_diagnosis(text, "}");
+    wcut_text_put_number(text, ", \"job\": ", job);
+    wcut_text_put_word(text, "}");
 }
 
 /* what wirecut apply puts into jobs: the numbers whole, effects as a job has them */
@@ -118,18 +107,18 @@ static void put_correction(wcut_text *text, const wcut_diagnosis *d) {
         put_diagnosis_string(text, ",\n  \"correction\": null,\n  \"withheld\": ", d->withheld);
         return;
     }
-    put_diagnosis_number(text, ",\n  \"correction\": {\"a_N_per_mm\": ", c->a);
-    put_diagnosis_number(text, ", \"b_m2_per_J\": ", c->b);
-    put_diagnosis_number(text, ", \"length_change_mm\": ", c->length_change);
+    wcut_text_put_number(text, ",\n  \"correction\": {\"a_N_per_mm\": ", c->a);
+    wcut_text_put_number(text, ", \"b_m2_per_J\": ", c->b);
+    wcut_text_put_number(text, ", \"length_change_mm\": ", c->length_change);
     if (isfinite(c->kerf)) {
-        put_diagnosis_number(text, ",\n                 \"kerf\": {\"width_mm\": ", c->kerf);
-        put_diagnosis_number(text, ", \"per_J_m2_mm\": ", c->kerf_per_q);
-        put_diagnosis(text, "}");
+        wcut_text_put_number(text, ",\n                 \"kerf\": {\"width_mm\": ", c->kerf);
+        wcut_text_put_number(text, ", \"per_J_m2_mm\": ", c->kerf_per_q);
+        wcut_text_put_word(text, "}");
     } else {
-        put_diagnosis(text, ",\n                 \"kerf\": null");
+        wcut_text_put_word(text, ",\n                 \"kerf\": null");
     }
     wcut_put_effects(text, c->effects, c->effect);
-    put_diagnosis(text, "}");
+    wcut_text_put_word(text, "}");
 }
 
 static void put_recalibrated(wcut_text *text, const wcut_diagnosis *d) {
@@ -137,7 +126,7 @@ static void put_recalibrated(wcut_text *text, const wcut_diagnosis *d) {
     put_base(text, ",\n                   \"b_m2_per_J\": {\"value\": ", &d->b, d->b_job);
     put_base(text, ",\n                   \"length_change_mm\": {\"value\": ", &d->length_change, 0);
     put_base(text, ",\n                   \"kerf_mm\": {\"value\": ", &d->kerf, NAN);
-    put_diagnosis(text, "}");
+    wcut_text_put_word(text, "}");
 }
 
 /* ---- the verdict ---- */
@@ -156,18 +145,18 @@ static void put_verdict(wcut_text *text, const wcut_diagnosis *d) {
         wcut_text_print(text, "%s\"%s\"", between, wcut_effect_view(d->effect[e].effect.kind)->name);
         between = ", ";
     }
-    put_diagnosis_number(text, "], \"confidence\": ", d->confidence);
-    put_diagnosis(text, ",\n              \"alternatives\": [");
+    wcut_text_put_number(text, "], \"confidence\": ", d->confidence);
+    wcut_text_put_word(text, ",\n              \"alternatives\": [");
     between = "";
     for (int e = 0; e < d->effects; e++) {
         if (named && d->effect[e].present) continue;
         wcut_text_print(text, "%s{\"name\": \"%s\"", between, wcut_effect_view(d->effect[e].effect.kind)->name);
-        put_diagnosis_number(text, ", \"confidence\": ", d->effect[e].confidence);
-        put_diagnosis(text, "}");
+        wcut_text_put_number(text, ", \"confidence\": ", d->effect[e].confidence);
+        wcut_text_put_word(text, "}");
         between = ", ";
     }
     put_diagnosis_string(text, "],\n              \"sentence\": ", d->sentence);
-    put_diagnosis(text, "}");
+    wcut_text_put_word(text, "}");
 }
 
 /* ---- where ---- */
@@ -179,16 +168,16 @@ static bool is_box(const wcut_vec3 corner[2]) {
 }
 
 static void put_box(wcut_text *text, const char *before, const wcut_vec3 corner[2]) {
-    put_diagnosis(text, before);
+    wcut_text_put_word(text, before);
     if (!is_box(corner)) {
-        put_diagnosis(text, "null");
+        wcut_text_put_word(text, "null");
         return;
     }
     for (int k = 0; k < 2; k++) {
-        put_diagnosis_number(text, k ? ", [" : "[[", corner[k].x);
-        put_diagnosis_number(text, ", ", corner[k].y);
-        put_diagnosis_number(text, ", ", corner[k].z);
-        put_diagnosis(text, k ? "]]" : "]");
+        wcut_text_put_number(text, k ? ", [" : "[[", corner[k].x);
+        wcut_text_put_number(text, ", ", corner[k].y);
+        wcut_text_put_number(text, ", ", corner[k].z);
+        wcut_text_put_word(text, k ? "]]" : "]");
     }
 }
 
@@ -200,23 +189,23 @@ static void put_mismatch(wcut_text *text, const wcut_mismatch *m) {
     if (isfinite(m->wire[0]) && isfinite(m->wire[1]))
         put_pair(text, ", \"wire_mm\": [", m->wire[0], m->wire[1]);
     else
-        put_diagnosis(text, ", \"wire_mm\": null");
+        wcut_text_put_word(text, ", \"wire_mm\": null");
     put_box(text, ",\n     \"block_mm\": ", m->block);
     wcut_text_print(text, ", \"unit\": \"%s\"", wcut_evidence_unit(m->channel));
-    put_diagnosis_number(text, ", \"mean\": ", m->mean);
-    put_diagnosis_number(text, ", \"share_of_misfit\": ", m->share);
-    put_diagnosis_number(text, ", \"p_value\": ", m->p_value);
+    wcut_text_put_number(text, ", \"mean\": ", m->mean);
+    wcut_text_put_number(text, ", \"share_of_misfit\": ", m->share);
+    wcut_text_put_number(text, ", \"p_value\": ", m->p_value);
     put_diagnosis_string(text, ", \"regime\": ", m->regime);
-    put_diagnosis(text, "}");
+    wcut_text_put_word(text, "}");
 }
 
 static void put_mismatches(wcut_text *text, const wcut_diagnosis *d) {
-    put_diagnosis(text, ",\n  \"mismatch\": [");
+    wcut_text_put_word(text, ",\n  \"mismatch\": [");
     for (int i = 0; i < d->mismatches; i++) {
-        put_diagnosis(text, i ? ",\n    " : "\n    ");
+        wcut_text_put_word(text, i ? ",\n    " : "\n    ");
         put_mismatch(text, &d->mismatch[i]);
     }
-    put_diagnosis(text, "]");
+    wcut_text_put_word(text, "]");
 }
 
 /* ---- how well ---- */
@@ -227,14 +216,14 @@ static void put_channels(wcut_text *text, const wcut_fit fit[WCUT_EVIDENCE_CHANN
         const wcut_fit *f = &fit[c];
         if (f->count < 1) continue;
         wcut_text_print(text, "%s\"%s\": {", between, wcut_evidence_name((wcut_evidence_channel)c));
-        put_diagnosis_number(text, "\"rmsd\": ", f->rmsd);
-        put_diagnosis_number(text, ", \"nrmsd\": ", f->nrmsd);
-        put_diagnosis_number(text, ", \"rmse_over_range\": ", f->rmse_over_range);
+        wcut_text_put_number(text, "\"rmsd\": ", f->rmsd);
+        wcut_text_put_number(text, ", \"nrmsd\": ", f->nrmsd);
+        wcut_text_put_number(text, ", \"rmse_over_range\": ", f->rmse_over_range);
         if (isfinite(f->low) && isfinite(f->high)) put_pair(text, ", \"rmse_over_range_ci95\": [", f->low, f->high);
         wcut_text_print(text, ", \"count\": %d}", f->count);
         between = ", ";
     }
-    put_diagnosis(text, between[0] == '{' ? "{}" : "}");
+    wcut_text_put_word(text, between[0] == '{' ? "{}" : "}");
 }
 
 static void put_models(wcut_text *text, const wcut_fit fit[WCUT_FIT_MODEL_COUNT][WCUT_EVIDENCE_CHANNEL_COUNT],
@@ -247,166 +236,166 @@ static void put_models(wcut_text *text, const wcut_fit fit[WCUT_FIT_MODEL_COUNT]
 }
 
 static void put_fit(wcut_text *text, const wcut_diagnosis *d) {
-    put_diagnosis(text, ",\n  \"fit\": {");
+    wcut_text_put_word(text, ",\n  \"fit\": {");
     put_models(text, d->fit, ",\n          ");
-    put_diagnosis(text, ",\n          \"held_out_cuts\": [");
+    wcut_text_put_word(text, ",\n          \"held_out_cuts\": [");
     const char *between = "";
     for (int i = 0; d->held_out && i < d->cuts; i++) {
         if (!d->held_out[i]) continue;
         wcut_text_print(text, "%s%d", between, i);
         between = ", ";
     }
-    put_diagnosis(text, "],\n          \"held_out\": {");
+    wcut_text_put_word(text, "],\n          \"held_out\": {");
     put_models(text, d->held_out_fit, ",\n                       ");
-    put_diagnosis(text, "}}");
+    wcut_text_put_word(text, "}}");
 }
 
 /* ---- what else was weighed ---- */
 
 static void put_hypothesis(wcut_text *text, const wcut_hypothesis *h) {
-    put_diagnosis(text, "{\"effects\": [");
+    wcut_text_put_word(text, "{\"effects\": [");
     for (int e = 0; e < h->count; e++) {
         const wcut_effect_info *info = wcut_effect_view(h->effect[e].kind);
         wcut_text_print(text, "%s{\"name\": \"%s\"", e ? ", " : "", info->name);
         if (info->choice_key)
             wcut_text_print(text, ", \"%s\": \"%s\"", info->choice_key, info->choice[h->effect[e].choice]);
-        put_diagnosis(text, "}");
+        wcut_text_put_word(text, "}");
     }
     wcut_text_print(text, "], \"parameters\": %d", h->parameters);
-    put_diagnosis_number(text, ", \"gain\": ", h->gain);
-    put_diagnosis_number(text, ", \"held_out_gain\": ", h->held_out);
-    put_diagnosis_number(text, ", \"adequacy\": ", h->adequacy);
-    put_diagnosis_number(text, ", \"probability\": ", h->probability);
+    wcut_text_put_number(text, ", \"gain\": ", h->gain);
+    wcut_text_put_number(text, ", \"held_out_gain\": ", h->held_out);
+    wcut_text_put_number(text, ", \"adequacy\": ", h->adequacy);
+    wcut_text_put_number(text, ", \"probability\": ", h->probability);
     put_diagnosis_string(text, ", \"set_aside\": ", h->why);
-    put_diagnosis(text, "}");
+    wcut_text_put_word(text, "}");
 }
 
 /* a row of the rig's table */
 static void put_diagnosis_rig(wcut_text *text, const wcut_rig_row *row) {
     put_diagnosis_string(text, "{\"name\": ", row->name);
-    put_diagnosis_number(text, ", \"value\": ", row->value.value);
+    wcut_text_put_number(text, ", \"value\": ", row->value.value);
     put_pair(text, ", \"ci95\": [", row->value.low, row->value.high);
-    put_diagnosis(text, ", \"cuts\": [");
+    wcut_text_put_word(text, ", \"cuts\": [");
     for (int k = 0; k < row->cuts; k++) {
         wcut_text_print(text, "%s{\"cut\": %d", k ? ", " : "", row->cut[k]);
-        put_diagnosis_number(text, ", \"value\": ", row->of_cut[k].value);
+        wcut_text_put_number(text, ", \"value\": ", row->of_cut[k].value);
         put_pair(text, ", \"ci95\": [", row->of_cut[k].low, row->of_cut[k].high);
-        put_diagnosis(text, "}");
+        wcut_text_put_word(text, "}");
     }
-    put_diagnosis(text, "]}");
+    wcut_text_put_word(text, "]}");
 }
 
 static void put_dependence(wcut_text *text, const wcut_dependence *x) {
     put_diagnosis_string(text, "{\"quantity\": ", x->quantity);
     wcut_text_print(text, ", \"channel\": \"%s\"", wcut_evidence_name(x->channel));
-    put_diagnosis_number(text, ", \"coefficient\": ", x->coefficient.value);
+    wcut_text_put_number(text, ", \"coefficient\": ", x->coefficient.value);
     put_interval(text, ", \"ci95\": [", &x->coefficient, -INFINITY, INFINITY);
-    put_diagnosis_number(text, ", \"held_out_gain\": ", x->gain);
-    put_diagnosis(text, "}");
+    wcut_text_put_number(text, ", \"held_out_gain\": ", x->gain);
+    wcut_text_put_word(text, "}");
 }
 
 static void put_event(wcut_text *text, const wcut_event *e) {
     wcut_text_print(text, "{\"cut\": %d", e->cut);
     put_pair(text, ", \"time_s\": [", e->time[0], e->time[1]);
     put_pair(text, ", \"station\": [", e->station[0], e->station[1]);
-    put_diagnosis_number(text, ", \"tension_N\": ", e->tension);
-    put_diagnosis_number(text, ", \"force_change\": ", e->force);
-    put_diagnosis_number(text, ", \"as_heat_change\": ", e->heat);
-    put_diagnosis(text, "}");
+    wcut_text_put_number(text, ", \"tension_N\": ", e->tension);
+    wcut_text_put_number(text, ", \"force_change\": ", e->force);
+    wcut_text_put_number(text, ", \"as_heat_change\": ", e->heat);
+    wcut_text_put_word(text, "}");
 }
 
 /* misfit of a channel on cuts left out, before and with the terms; of events, with a level for each window */
 static void put_improvement(wcut_text *text, const wcut_diagnosis *d) {
     const char *between = "";
-    put_diagnosis(text, ",\n               \"improvement\": {");
+    wcut_text_put_word(text, ",\n               \"improvement\": {");
     for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) {
         const wcut_fit *from = &d->held_out_fit[WCUT_FIT_MODEL_RECALIBRATED][c];
         const wcut_fit *to = &d->held_out_fit[WCUT_FIT_MODEL_AFTER][c];
         if (d->modelled.terms == 0 || from->count < 1 || to->count < 1) continue;
         wcut_text_print(text, "%s\"%s_%s\": {", between, wcut_evidence_name((wcut_evidence_channel)c),
                         wcut_evidence_unit((wcut_evidence_channel)c));
-        put_diagnosis_number(text, "\"recalibrated\": ", from->rmsd);
-        put_diagnosis_number(text, ", \"after\": ", to->rmsd);
-        put_diagnosis(text, "}");
+        wcut_text_put_number(text, "\"recalibrated\": ", from->rmsd);
+        wcut_text_put_number(text, ", \"after\": ", to->rmsd);
+        wcut_text_put_word(text, "}");
         between = ", ";
     }
     if (d->modelled.events > 0) {
         wcut_text_print(text, "%s\"tension_N_with_events\": {", between);
-        put_diagnosis_number(text, "\"recalibrated\": ", d->modelled.recalibrated);
-        put_diagnosis_number(text, ", \"after\": ", d->modelled.after);
-        put_diagnosis(text, "}");
+        wcut_text_put_number(text, "\"recalibrated\": ", d->modelled.recalibrated);
+        wcut_text_put_number(text, ", \"after\": ", d->modelled.after);
+        wcut_text_put_word(text, "}");
     }
-    put_diagnosis(text, "}");
+    wcut_text_put_word(text, "}");
 }
 
 /* null where nothing was looked for, or nothing was confirmed */
 static void put_modelled(wcut_text *text, const wcut_diagnosis *d) {
     const wcut_modelled *m = &d->modelled;
     if (m->terms == 0 && m->events == 0) {
-        put_diagnosis(text, ",\n  \"modelled\": null");
+        wcut_text_put_word(text, ",\n  \"modelled\": null");
         return;
     }
-    put_diagnosis(text, ",\n  \"modelled\": {\"terms\": [");
+    wcut_text_put_word(text, ",\n  \"modelled\": {\"terms\": [");
     for (int k = 0; k < m->terms; k++) {
-        put_diagnosis(text, k ? ",\n                         " : "");
+        wcut_text_put_word(text, k ? ",\n                         " : "");
         put_diagnosis_effect(text, &m->term[k]);
     }
     put_diagnosis_string(text, "],\n               \"equation\": ", m->equation);
     put_improvement(text, d);
-    put_diagnosis(text, ",\n               \"alternatives\": [");
+    wcut_text_put_word(text, ",\n               \"alternatives\": [");
     for (int k = 0; k < m->rivals; k++) put_diagnosis_string(text, k ? ", " : "", m->rival[k]);
-    put_diagnosis(text, "],\n               \"events\": [");
+    wcut_text_put_word(text, "],\n               \"events\": [");
     for (int k = 0; k < m->events; k++) {
-        put_diagnosis(text, k ? ",\n                          " : "");
+        wcut_text_put_word(text, k ? ",\n                          " : "");
         put_event(text, &m->event[k]);
     }
-    put_diagnosis(text, "]}");
+    wcut_text_put_word(text, "]}");
 }
 
 static void put_weighed(wcut_text *text, const wcut_diagnosis *d) {
-    put_diagnosis(text, ",\n  \"ranking\": [");
+    wcut_text_put_word(text, ",\n  \"ranking\": [");
     for (int i = 0; i < d->hypotheses; i++) {
-        put_diagnosis(text, i ? ",\n    " : "\n    ");
+        wcut_text_put_word(text, i ? ",\n    " : "\n    ");
         put_hypothesis(text, &d->hypothesis[i]);
     }
-    put_diagnosis(text, "],\n  \"dependences\": [");
+    wcut_text_put_word(text, "],\n  \"dependences\": [");
     for (int i = 0; i < d->dependences; i++) {
-        put_diagnosis(text, i ? ",\n    " : "\n    ");
+        wcut_text_put_word(text, i ? ",\n    " : "\n    ");
         put_dependence(text, &d->dependence[i]);
     }
-    put_diagnosis(text, "],\n  \"limits\": [");
+    wcut_text_put_word(text, "],\n  \"limits\": [");
     for (int i = 0; i < d->limits; i++) put_diagnosis_string(text, i ? ",\n    " : "\n    ", d->limit[i]);
-    put_diagnosis(text, "],\n  \"rig\": [");
+    wcut_text_put_word(text, "],\n  \"rig\": [");
     for (int i = 0; i < d->rig_rows; i++) {
-        put_diagnosis(text, i ? ",\n    " : "\n    ");
+        wcut_text_put_word(text, i ? ",\n    " : "\n    ");
         put_diagnosis_rig(text, &d->rig[i]);
     }
-    put_diagnosis_number(text, "],\n  \"adequacy\": {\"ratio\": ", d->adequacy);
-    put_diagnosis_number(text, ", \"p_value\": ", d->adequacy_p);
-    put_diagnosis(text, "},\n  \"noise\": {");
+    wcut_text_put_number(text, "],\n  \"adequacy\": {\"ratio\": ", d->adequacy);
+    wcut_text_put_number(text, ", \"p_value\": ", d->adequacy_p);
+    wcut_text_put_word(text, "},\n  \"noise\": {");
     for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) {
         wcut_text_print(text, "%s\"%s\": ", c ? ", " : "", wcut_evidence_name((wcut_evidence_channel)c));
-        put_diagnosis_number(text, "", d->noise[c]);
+        wcut_text_put_number(text, "", d->noise[c]);
     }
-    put_diagnosis(text, "},\n  \"naive\": ");
+    wcut_text_put_word(text, "},\n  \"naive\": ");
     if (d->naive_false || d->naive[0]) { /* else it was not run */
         wcut_text_print(text, "{\"names_an_effect\": %s", d->naive_false ? "true" : "false");
         put_diagnosis_string(text, ", \"which\": ", d->naive);
-        put_diagnosis(text, "}");
+        wcut_text_put_word(text, "}");
     } else {
-        put_diagnosis(text, "null");
+        wcut_text_put_word(text, "null");
     }
 }
 
 static void put_next(wcut_text *text, const wcut_diagnosis *d) {
     if (!d->next_experiment) {
-        put_diagnosis(text, ",\n  \"next_experiment\": null");
+        wcut_text_put_word(text, ",\n  \"next_experiment\": null");
         return;
     }
-    put_diagnosis(text, ",\n  \"next_experiment\": {\"job\": \"next-experiment.json\"");
+    wcut_text_put_word(text, ",\n  \"next_experiment\": {\"job\": \"next-experiment.json\"");
     put_diagnosis_string(text, ", \"name\": ", d->next_experiment->name);
     put_diagnosis_string(text, ", \"reason\": ", d->next_reason);
-    put_diagnosis(text, "}");
+    wcut_text_put_word(text, "}");
 }
 
 /* ---- the document ---- */
@@ -444,7 +433,7 @@ wcut_status wcut_diagnosis_print(const wcut_diagnosis *diagnosis, const char *na
     wcut_text_print(&out, "{\n  \"format\": \"wirecut-diagnosis/1\",\n  \"version\": \"%s\"", WCUT_VERSION);
     put_diagnosis_string(&out, ",\n  \"case\": ", name);
     if (diagnosis->interrupted) {
-        put_diagnosis(&out, ",\n  \"interrupted\": true");
+        wcut_text_put_word(&out, ",\n  \"interrupted\": true");
         put_diagnosis_string(&out, ",\n  \"stopped\": ", diagnosis->stopped);
     }
     put_verdict(&out, diagnosis);
@@ -456,7 +445,7 @@ wcut_status wcut_diagnosis_print(const wcut_diagnosis *diagnosis, const char *na
     put_fit(&out, diagnosis);
     put_weighed(&out, diagnosis);
     put_next(&out, diagnosis);
-    put_diagnosis(&out, "\n}\n");
+    wcut_text_put_word(&out, "\n}\n");
     return wcut_text_finish(&out, text, NULL);
 }
 
