@@ -18,7 +18,7 @@ typedef struct wcut_decision {
 /* Decide by what the search found. */
 wcut_decision wcut_search_decide(const wcut_search *search);
 
-/* whether a candidate that is late readings alone explains them and leaves noise */
+/* whether a candidate whose last effect is late readings explains them and leaves noise */
 bool wcut_search_explains_delay(const wcut_search *search, int candidate);
 
 /* why a candidate is not the verdict, a constant text; "" of the one that is */

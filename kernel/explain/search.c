@@ -297,7 +297,7 @@ static wcut_status add_delay(searching *g, wcut_error *error) {
     const int count = s->count;
     const double before = s->candidate[d.chosen].gain;
     const wcut_status status = try_model(g, &start, error);
-    if (s->count > count && s->candidate[count].gain > before + LATE &&
+    if (s->count > count && s->candidate[count].gain > before + LATE && wcut_search_explains_delay(s, count) &&
         wcut_effect_size(&s->candidate[count].fit.model.effect[start.effects - 1]) >= 1)
         s->undelayed = count, s->undelayed_from = d.chosen;
     return status;
