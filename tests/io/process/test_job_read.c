@@ -236,7 +236,8 @@ TEST(an_effect_is_refused_by_name_not_ignored) {
     EFFECT("{\"name\": \"wire_thermal_lag\", \"time_constant_s\": -1}", WCUT_BAD_ARGUMENT,
            "$.effects[0].time_constant_s: found -1, expected a number from 0 to 60");
     EFFECT("{\"name\": \"foam_density_gradient\", \"relative_change_across_block\": 0}", WCUT_BAD_FORMAT,
-           "$.effects[0].axis: found nothing, expected one of x, y, z");
+           "$.effects[0].axis: found nothing, expected one of x, y, z, x_quadratic, y_quadratic, z_quadratic, x_step, "
+           "y_step, z_step");
     EFFECT("{\"name\": \"foam_density_gradient\", \"axis\": \"w\", \"relative_change_across_block\": 0}",
            WCUT_BAD_ARGUMENT, "$.effects[0].axis: found \"w\", expected \"x\"");
     EFFECT("{\"name\": \"rate_dependence\", \"exponent\": 0}, {\"name\": \"rate_dependence\", \"exponent\": 0}",
