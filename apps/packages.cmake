@@ -25,7 +25,14 @@ set(WCUT_ABOUT "Wirecut simulates a hot wire that two robot arms draw through fo
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME ${WCUT_RUNTIME})
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS ON)
+set(WCUT_CONTROL ${CMAKE_BINARY_DIR}/control)
+file(WRITE ${WCUT_CONTROL}/triggers "activate-noawait ldconfig\n")
+file(WRITE ${WCUT_CONTROL}/shlibs "")
+foreach(library libwirecut libwirecut-io)
+  file(APPEND ${WCUT_CONTROL}/shlibs
+       "${library} ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} ${WCUT_RUNTIME} (>= ${PROJECT_VERSION})\n")
+endforeach()
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${WCUT_CONTROL}/triggers ${WCUT_CONTROL}/shlibs)
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "spatial hot-wire cutting, shared libraries\n ${WCUT_ABOUT}")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libwirecut-dev)

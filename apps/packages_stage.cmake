@@ -19,7 +19,7 @@ foreach(name ${names})
 Upstream-Name: Wirecut
 
 Files: *
-Copyright: the Wirecut authors
+Copyright: (C) 2026 the Wirecut authors
 License: GPL-3.0-or-later
  On Debian systems, the full text of the GNU General Public License
  version 3 can be found in /usr/share/common-licenses/GPL-3.
