@@ -1,4 +1,4 @@
-/* How many threads a parallel loop asks for: as many as can be had. */
+/* How many threads a parallel loop asks for: as many as can be team_size. */
 #include "base/threads.h"
 
 #include <pthread.h>
@@ -37,8 +37,8 @@ static int try_threads(int asked) {
 }
 
 int wcut_threads(int asked) {
-    static _Thread_local int had = 1; /* the size of the team that this thread began last: libgomp keeps it waiting */
+    static _Thread_local int team_size = 1; /* that this thread began last: libgomp keeps it waiting */
     const int wanted = asked < 1 ? 1 : asked < WCUT_THREADS_MAX ? asked : WCUT_THREADS_MAX;
-    had = wanted <= had ? wanted : had + try_threads(wanted - had);
-    return had;
+    team_size = wanted <= team_size ? wanted : team_size + try_threads(wanted - team_size);
+    return team_size;
 }

@@ -27,8 +27,8 @@ for k in range(COLUMNS):
     surfaces[-1].write(os.path.join(folder, f"panel-{k + 1}.step"))
     print(job, surfaces[-1])
 
-# neighbours meet: the right border of one panel is the left border of the next
-for left, right in zip(surfaces, surfaces[1:]):
-    v = np.linspace(0, 1, 101)
-    gap = left.closest(right.evaluate([0.0], v).reshape(-1, 3) + [WIDTH, 0, 0]).distance_mm.max()
-    print(f"joint: {gap:.2g} mm apart")
+# neighbours meet near their joint: the edge curve is one, and each cut leaves it by what its way in and out moves the wire
+for k, (left, right) in enumerate(zip(surfaces, surfaces[1:])):
+    joint = edge(k + 1)[1:-1]
+    gap = max(right.closest(joint).distance_mm.max(), left.closest(joint + [WIDTH, 0, 0]).distance_mm.max())
+    print(f"joint: the cuts pass within {gap:.2g} mm of the edge curve")

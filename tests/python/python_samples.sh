@@ -14,4 +14,4 @@ samples=$SOURCE_DIR/samples
 for file in cut/surface.step cut/surface.stl cut/path.csv study/study.csv scan/deviation.csv panels/panel-4.step; do
     [ -s "$file" ] || { echo "$file is missing or empty"; exit 1; }
 done
-awk '$1 == "joint:" { joints++; if ($2 > 1e-4) far = 1 } END { exit joints != 3 || far }' said
+awk '$1 == "joint:" { joints++; if ($6 > 1) far = 1 } END { exit joints != 3 || far }' said

@@ -400,7 +400,7 @@ TEST(the_area_without_points_does_not_depend_on_the_triangles) {
 
         /* points reach sqrt(0.3^2 - 0.2^2) further than x = 6; places are 0.3 mm apart */
         ck_assert_double_eq_tol(area[k], 100 - 62.2, 0.5);
-        ck_assert_double_eq_tol(area[k], area[0], 0.5);
+        ck_assert_double_eq_tol(area[k], area[0], 0.75); /* a quarter of a column of places */
     }
 }
 
