@@ -26,8 +26,9 @@ run 0 path design.json --edges curves.csv --format csv -o ../curves --quiet
 read_in curves.json curves.csv
 run 0 mould design.json -o ../mould --quiet
 run 0 control job.json -o ../control --quiet
-run 0 path job.json --format json -o ../robot --quiet
-run 0 path job.json --format csv -o ../robot --quiet --json
+# a job with an excitation has no programs, nor has a path that ends in the foam: the design has
+run 0 path design.json --format json -o ../robot --quiet
+run 0 path design.json --format csv -o ../robot --quiet --json
 cp out ../path.json
 run 0 identify job.json -o ../identify --quiet --json
 cp out ../identification.json
