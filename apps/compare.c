@@ -296,9 +296,9 @@ static int compare(const app_call *call) {
     app_catch_interrupts();
     app_comparison *c = calloc(1, sizeof *c);
     code = c ? app_comparison_run(c, &options, &results) : app_fail_status(WCUT_NO_MEMORY, "compare", NULL);
-    if (code == APP_DONE) code = write_results(c, &results);
+    if (c && code == APP_DONE) code = write_results(c, &results);
     if (code == APP_DONE && app_given(call, "json")) fputs(results.text, stdout);
-    if (code == APP_DONE) code = give_answer(c, &results);
+    if (c && code == APP_DONE) code = give_answer(c, &results);
     if (c) app_comparison_clear(c);
     free(c);
     app_results_end(&results);

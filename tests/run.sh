@@ -137,7 +137,7 @@ tidy_sources() {
                 *) grep -rlE --include='*.c' "^#include [<\"](.*/)?$(basename "$file")[>\"]" kernel io apps | LC_ALL=C sort | head -n 1 ;;
             esac
         done
-    fi | grep -v -e '^tests/fuzz/' -e '^tests/install/' | LC_ALL=C sort -u
+    fi | grep -v -e '^tests/fuzz/' -e '^tests/install/' -e '^tests/bench/peers/' -e '^tests/fault/shim' | LC_ALL=C sort -u
 }
 
 # one source a call, as many at a time as there are cores; xargs ends with 123 where any call failed

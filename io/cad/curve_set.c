@@ -168,8 +168,11 @@ static wcut_curve *join_chain(const wcut_curve_reader *r, loose *l, int count) {
         wcut_curve_destroy(l->piece[k]);
         l->piece[k] = turned;
     }
-    if (status == WCUT_OK)
-        status = wcut_curve_join(count, (const wcut_curve *const *)l->piece, gap_of(r), &whole, NULL);
+
+    /* no curve where a piece cannot be turned, or the pieces do not meet */
+    if (status == WCUT_OK &&
+        wcut_curve_join(count, (const wcut_curve *const *)l->piece, gap_of(r), &whole, NULL) != WCUT_OK)
+        whole = NULL;
     for (int k = 0; k < count; k++) wcut_curve_destroy(l->piece[k]);
     return whole;
 }

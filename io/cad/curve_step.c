@@ -474,7 +474,7 @@ static bool add_parts(wcut_step_source *s) {
     int *stack = wcut_alloc((size_t)s->file.count + 1, sizeof *stack);
     unsigned char *reached = wcut_alloc((size_t)s->file.count + 1, 1);
     bool done = (stack && reached) || wcut_curves_refuse_memory(s->reader);
-    for (int k = 0; done && k < s->file.count; k++)
+    for (int k = 0; done && stack && reached && k < s->file.count; k++)
         if (wcut_step_items(s->file.instance[k].body))
             done = add_representation(s, &s->file.instance[k], stack, reached);
     wcut_free(stack);

@@ -6,6 +6,8 @@
 
 enum { DEPTH_MAX = 32 };
 static const double INCREDIBLE = 1e12; /* [mm] */
+static bool are_equal(wcut_vec3 a, wcut_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
 static const wcut_step_place here = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
 
 /* ---- representations ---- */
@@ -92,9 +94,7 @@ static bool between(wcut_step_source *s, long id, long from, long to, wcut_step_
     }
     (void)id;
     *place = here;
-    if (from == to || (memcmp(&o[0], &o[1], sizeof *o) == 0 && memcmp(&x[0], &x[1], sizeof *x) == 0 &&
-                       memcmp(&y[0], &y[1], sizeof *y) == 0))
-        return true;
+    if (from == to || (are_equal(o[0], o[1]) && are_equal(x[0], x[1]) && are_equal(y[0], y[1]))) return true;
 
     /* p -> to_axes^T from_axes (p - from) + to */
     const wcut_step_place in = {{x[0], y[0], z[0]}, {0, 0, 0}};
@@ -205,7 +205,9 @@ bool wcut_step_find_places(wcut_step_source *s, long representation, wcut_step_p
 }
 
 bool wcut_step_set_in_place(wcut_step_source *s, long id, const wcut_step_place *place, wcut_curve *curve) {
-    if (memcmp(place, &here, sizeof here) == 0) return true;
+    if (are_equal(place->shift, here.shift) && are_equal(place->row[0], here.row[0]) &&
+        are_equal(place->row[1], here.row[1]) && are_equal(place->row[2], here.row[2]))
+        return true;
     for (int k = 0; k < curve->control_count; k++) {
         const wcut_vec3 p = turn_step_places(place, curve->control[k]);
         wcut_vec3 *to = &curve->control[k];

@@ -147,7 +147,7 @@ int wcut_folder_remove_tree(int folder, const char *name, const char *first) {
 /* ---- the folder itself ---- */
 
 int wcut_folder_lock(int folder, double seconds) {
-    const struct timespec pause = {0, 10 * 1000 * 1000};
+    const struct timespec pause = {0, 10L * 1000 * 1000};
     struct timespec begun, now;
     clock_gettime(CLOCK_MONOTONIC, &begun);
     for (;;) {

@@ -135,7 +135,7 @@ static int read_manifest(int inside, wcut_journal *journal, long *owner) {
 static int copy_file(int from_folder, int to_folder, const char *name) {
     char *piece = wcut_alloc(PIECE, 1);
     const int from = openat(from_folder, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    struct stat s;
+    struct stat s = {0};
     int code = !piece ? ENOMEM : from < 0 || fstat(from, &s) != 0 ? errno : 0;
     const int to = code ? -1 : openat(to_folder, name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, s.st_mode & 0777);
     if (code == 0 && to < 0) code = errno;

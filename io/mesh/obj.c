@@ -9,6 +9,7 @@
 static char *find_continuation(const char *line, size_t length) {
     size_t n = length;
     while (n > 0 && (line[n - 1] == '\n' || line[n - 1] == '\r')) n--;
+    /* NOLINTNEXTLINE(performance-no-int-to-ptr): the line is in the source's own window, which is writable */
     return n < length && n > 0 && line[n - 1] == '\\' ? (char *)(uintptr_t)line + n - 1 : NULL;
 }
 

@@ -118,7 +118,7 @@ static wcut_report_table row_table(wcut_page_memory *memory, const wcut_report_d
     /* a row of the table for each run of rows of one channel */
     for (int from = 0, to; from < g->rows; from = to) {
         const wcut_residual_trace *first = g->row[from];
-        double min = first->noise, max = first->noise;
+        double min = first->noise, max = min;
         const char *cuts = of->cut_name[first->cut];
         for (to = from + 1; to < g->rows && strcmp(g->row[to]->column, first->column) == 0; to++) {
             cuts = wcut_page_text(memory, "%s; %s", cuts, of->cut_name[g->row[to]->cut]);

@@ -46,10 +46,12 @@ static void fill_chart(wcut_page_memory *memory, const wcut_report_diagnose *of,
     wcut_report_series *series = wcut_page_take(memory, SERIES, sizeof *series);
     wcut_report_span *span = wcut_page_take(memory, WINDOWS, sizeof *span);
     int count = 0;
-    for (int m = 0; series && m < SERIES; m++)
-        if (value[m])
-            series[count++] = (wcut_report_series){
-                .label = label[m], .mark = mark[m], .count = t->count, .x = {t->time}, .y = value[m]};
+    for (int m = 0; series && m < SERIES; m++) {
+        if (!value[m]) continue;
+        series[count] =
+            (wcut_report_series){.label = label[m], .mark = mark[m], .count = t->count, .x = {t->time}, .y = value[m]};
+        count++;
+    }
     if (memory->failed) return;
     *chart = (wcut_report_chart){.title = wcut_page_text(memory, "%s, %s", t->column, of->cut_name[t->cut]),
                                  .x_label = {"time"},

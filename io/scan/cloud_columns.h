@@ -25,11 +25,11 @@ typedef struct wcut_columns {
 /* The coordinates among named columns. x, y, z are known with or without words such as coordinate, point, a unit; of
    nominal and measured ones those measured are taken. NULL: found; else why they are not known, for a refusal that
    begins "expected". */
-const char *wcut_columns_find(int count, const wcut_cell *name, wcut_columns *columns);
+const char *wcut_columns_find(int count, const wcut_cell *cell, wcut_columns *columns);
 
 /* The coordinates as an option names them: three or six names of the header or numbers from 1, separated by commas.
    NULL: found; else what was expected. names may be 0. */
-const char *wcut_columns_choose(const char *option, int columns, int names, const wcut_cell *name,
+const char *wcut_columns_choose(const char *option, int columns, int names, const wcut_cell *cell,
                                 wcut_columns *chosen);
 
 /* whether a line says anything of coordinates: one of its words names an axis */

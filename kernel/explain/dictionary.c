@@ -151,7 +151,7 @@ int wcut_dictionary_list(const wcut_evidence *e, wcut_entry *out) {
     add(&l, WCUT_TERM_LOG_SPEED, 0, 0, false);
     add(&l, WCUT_TERM_CURVATURE, 0, 0, false);
     for (int k = 1; k < 6; k++) add(&l, WCUT_TERM_ENTRY, time[k], 0, false);
-    for (int carried = 0; carried <= (cuts > 1); carried++) {
+    for (int carried = 0; carried < (cuts > 1 ? 2 : 1); carried++) {
         add(&l, WCUT_TERM_WAY, 0, 0, carried);
         add(&l, WCUT_TERM_CLOCK, 0, 0, carried);
     }

@@ -151,7 +151,8 @@ static wcut_status fill(searching *g, const wcut_model *about, wcut_error *error
     int bins = 0;
     for (int k = 0; k < e->cuts; k++) bins = e->cut[k].bins > bins ? e->cut[k].bins : bins;
     wcut_response *d = wcut_alloc((size_t)e->cuts, sizeof *d);
-    double *value = wcut_alloc((size_t)(WCUT_WEIGHTS * bins), sizeof *value), *raw = wcut_alloc(rows, sizeof *raw);
+    double *value = wcut_alloc((size_t)WCUT_WEIGHTS * (size_t)bins, sizeof *value),
+           *raw = wcut_alloc(rows, sizeof *raw);
     wcut_status status = d && value && raw ? base_columns(g, about, error) : WCUT_NO_MEMORY;
     if (status == WCUT_OK) status = drive_all(e, about, d, error);
     for (int k = 0; status == WCUT_OK && k < g->entries; k++) {

@@ -53,7 +53,7 @@ void wcut_normal_equations_fill(const wcut_evidence *evidence, const double *col
                                 wcut_normal_equations *out);
 
 /* The same sums under another scatter: gram, moment and total anew (Woodbury 1950), noise as it was filled with. */
-void wcut_normal_equations_weigh(const wcut_evidence *evidence, wcut_normal_equations *normal);
+void wcut_normal_equations_weigh(const wcut_evidence *evidence, wcut_normal_equations *out);
 
 /*
  * min |r - X t|^2 + sum precision (t - centre)^2 over the chosen columns, all cuts or all but one (without: -1 for all).

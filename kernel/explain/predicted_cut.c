@@ -131,13 +131,13 @@ wcut_status wcut_schedule_create(const wcut_job *job, wcut_schedule *schedule, w
 
 /* ---- the run ---- */
 
-void wcut_predicted_cut_destroy(wcut_predicted_cut *r) {
-    wcut_free(r->present);
-    for (int k = 0; k < WCUT_SENSED_COUNT; k++) wcut_free(r->value[k]);
-    wcut_free(r->position);
-    wcut_free(r->speed);
-    wcut_free(r->inside);
-    *r = (wcut_predicted_cut){0};
+void wcut_predicted_cut_destroy(wcut_predicted_cut *predicted) {
+    wcut_free(predicted->present);
+    for (int k = 0; k < WCUT_SENSED_COUNT; k++) wcut_free(predicted->value[k]);
+    wcut_free(predicted->position);
+    wcut_free(predicted->speed);
+    wcut_free(predicted->inside);
+    *predicted = (wcut_predicted_cut){0};
 }
 
 static bool make_predicted_cut(int count, int nodes, wcut_predicted_cut *r) {

@@ -153,7 +153,7 @@ static wcut_status add_path_response(const wcut_evidence *e, int cut, double *sq
     wcut_job job = wcut_model_job(e, &e->at, cut, effect);
     wcut_random random = wcut_random_seed((unsigned)cut + 1);
     wcut_vec3 *mount = wcut_alloc(2 * stations, sizeof *mount);
-    double *bins = wcut_alloc(2 * WCUT_SIGNALS * (size_t)c->bins, sizeof *bins);
+    double *bins = wcut_alloc((size_t)2 * WCUT_SIGNALS * (size_t)c->bins, sizeof *bins);
     double *plain = bins ? bins + WCUT_SIGNALS * (size_t)c->bins : NULL;
     wcut_response d = {0};
     wcut_status status = mount && bins ? WCUT_OK : wcut_fail(error, WCUT_NO_MEMORY, "no memory for a path");

@@ -217,7 +217,7 @@ static bool is_known(const wcut_model *about, const wcut_effect *effect) {
 wcut_status wcut_screen_move(const wcut_evidence *e, const wcut_fitted *fitted, wcut_screen *s) {
     const size_t rows = (size_t)e->rows;
     const int shared = s->base + s->nuisances, kept = shared + fitted->count;
-    const size_t room = (size_t)(kept + s->columns);
+    const size_t room = (size_t)kept + (size_t)s->columns;
     double *plain = wcut_alloc(room * rows, sizeof *plain), *white = wcut_alloc((room + 1) * rows, sizeof *white);
     double *centre = wcut_alloc(room, sizeof *centre), *precision = wcut_alloc(room, sizeof *precision);
     wcut_normal_equations normal = {0};

@@ -300,7 +300,7 @@ wcut_status wcut_response_run(const wcut_job *job, int nodes, const wcut_traject
         if (!d.middle || !room || !index) status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a motion");
     }
     if (status == WCUT_OK && !drive(&d, stop, &driven)) status = wcut_fail(error, WCUT_INTERRUPTED, "interrupted");
-    if (status == WCUT_OK && d.middle) fill_between(&d, room, index, &driven);
+    if (status == WCUT_OK && d.middle && room && index) fill_between(&d, room, index, &driven);
     wcut_free(index);
     wcut_free(room);
     wcut_free(d.middle);

@@ -300,7 +300,7 @@ static void standardise_cut(const wcut_evidence *own, const wcut_normal_equation
     const wcut_evidence_cut *c = &own->cut[cut];
     const int m = normal->m, count = WCUT_SIGNALS * c->bins + c->patch.count;
     const double *gram = normal->own + (size_t)cut * (size_t)m * (size_t)m;
-    double b[COLUMNS * COLUMNS], v[COLUMNS * COLUMNS], spread[COLUMNS], moment[COLUMNS], in[COLUMNS];
+    double b[COLUMNS * COLUMNS] = {0}, v[COLUMNS * COLUMNS] = {0}, spread[COLUMNS], moment[COLUMNS], in[COLUMNS];
     for (int i = 0; i < m; i++) spread[i] = own->noise.scatter[own->scatter.kind[i]];
     for (int i = 0; i < m; i++)
         for (int j = 0; j < m; j++) b[i * m + j] = (i == j) + spread[i] * spread[j] * gram[i * m + j];

@@ -19,7 +19,7 @@ typedef struct wcut_span_place {
 } wcut_span_place;
 
 /* the place of a point of the surface */
-wcut_span_place wcut_span_place_at(const wcut_newton_foot *newton, double u, double v);
+wcut_span_place wcut_span_place_at(const wcut_newton_foot *q, double u, double v);
 
 /* Feet within spans for up to WCUT_NEWTON_FOOT_BATCH queries, neighbours near one another, the first near `place`. done[k] is
    1 where foot[k] was found and proven; else 0, foot[k] was not written, and start[k] is where to go on. ahead, if not
@@ -40,6 +40,6 @@ bool wcut_newton_foot_slide(const wcut_newton_foot *newton, wcut_vec3 query, wcu
                             wcut_foot_jet *spot);
 
 /* a better place to begin a query: from span to span as their middles tell */
-wcut_span_place wcut_newton_foot_walk(const wcut_newton_foot *newton, wcut_vec3 query, wcut_span_place from);
+wcut_span_place wcut_newton_foot_walk(const wcut_newton_foot *q, wcut_vec3 query, wcut_span_place from);
 
 #endif

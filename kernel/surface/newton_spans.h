@@ -45,8 +45,7 @@ wcut_status wcut_newton_foot_create(const wcut_surface *surface, double size, wc
 void wcut_newton_foot_destroy(wcut_newton_foot *newton);
 
 /* fills span, guide and bounds (rows x columns) of a structure whose knots stand; WCUT_NO_MEMORY */
-wcut_status wcut_newton_foot_spans(const wcut_surface *surface, struct wcut_newton_foot *newton,
-                                   wcut_span_bounds *bounds);
+wcut_status wcut_newton_foot_spans(const wcut_surface *surface, struct wcut_newton_foot *q, wcut_span_bounds *bounds);
 
 /* finds every span's radius; WCUT_NO_MEMORY */
 wcut_status wcut_newton_foot_prove(struct wcut_newton_foot *newton, wcut_span_bounds *bounds);

@@ -170,7 +170,7 @@ static void given_box(int open) {
 /* so many points evenly over the area, each coordinate with noise */
 static void scan_box(int count, double noise, uint64_t seed) {
     wcut_random r = wcut_random_seed(seed);
-    double reach[12], sum = 0;
+    double reach[12] = {0}, sum = 0;
     for (int t = 0; t < mesh->triangle_count; t++) reach[t] = sum += area_of(mesh, t);
     for (int k = 0; k < count; k++) {
         int t = 0;

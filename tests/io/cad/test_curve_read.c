@@ -357,7 +357,7 @@ TEST(pieces_that_meet_become_one_curve_within_the_accuracy_that_is_stated) {
     is_at(at(0, 1), 9, 0, 0);
 
     /* further apart than the file's accuracy they are two */
-    strcpy(copy, text);
+    snprintf(copy, sizeof copy, "%s", text);
     memcpy(strstr(copy, "MEASURE(0.01)"), "MEASURE(.001)", 13);
     reads("a.step", copy, 4);
 
@@ -562,7 +562,7 @@ TEST(an_iges_unit_may_be_a_name_and_an_author_any_letters) {
     char text[4000];
     for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
         put_iges(text, known[k].unit, k % 2 ? "6HM\xc3\xbcller" : "1Hx", 1, &line);
-        strcat(text, "   \n");
+        snprintf(text + strlen(text), sizeof text - strlen(text), "   \n");
         reads("a.igs", text, 1);
         ck_assert_double_eq_tol(at(0, 1).x, known[k].millimetres, 1e-12 * known[k].millimetres);
     }
