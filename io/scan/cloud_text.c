@@ -299,10 +299,13 @@ static bool begins_number(const char *p) {
 }
 
 /* a line that is only a count; the rows will be held to it */
-static bool read_count(wcut_cloud_source *s, const char *p, bool *is_count) {
+static bool read_count(wcut_cloud_source *s, const char *p, const char *end, bool *is_count) {
     int64_t count;
     const char *behind = wcut_row_count(p, &count);
-    *is_count = behind && wcut_is_line_end(wcut_skip_blanks(behind));
+
+    /* a zero byte ends a line only where the file ends */
+    if (behind) behind = wcut_skip_blanks(behind);
+    *is_count = behind && wcut_is_line_end(behind) && (*behind != '\0' || behind == end);
     if (!*is_count) return true;
 
     /* of several scans in one file, the sum */
@@ -357,7 +360,7 @@ static bool fill_text(wcut_cloud_source *s, wcut_batch *b) {
         } else {
             /* a count is that of the next scan in the file */
             bool is_count = false;
-            if (s->left == 0 && !read_count(s, p, &is_count)) return false;
+            if (s->left == 0 && !read_count(s, p, line + length, &is_count)) return false;
             if (s->left == 0 && !is_count)
                 return wcut_source_refuse_text(&s->in, line, p, "the end: the file states no more points");
             if (!is_count) {
@@ -407,7 +410,7 @@ static bool read_cloud_text_header(wcut_cloud_source *s, text_layout *t, header 
         bool is_count = false, is_row = false;
         if (!wcut_is_line_end(p) && !is_comment(p)) {
             const bool is_number = begins_number(p);
-            if (is_number && !read_count(s, p, &is_count)) return false;
+            if (is_number && !read_count(s, p, line + length, &is_count)) return false;
 
             /* words before a count are a title */
             if (is_count && h->words > 0) wcut_free(h->text), h->text = NULL;

@@ -58,6 +58,9 @@ TEST(zero_bytes_other_alphabets_and_endless_lines_are_refused) {
     refused(0, "without a line feed");
     given("1 2 3\x01\n");
     refused(0, "found 3\\x01");
+    begin();
+    put("2\r\n1 \0 2 3\r\n4 5 6\r\n", 19);
+    refused(0, "expected");
 }
 
 TEST(formats_that_are_not_read_are_named) {
