@@ -410,7 +410,10 @@ static bool read_cloud_text_header(wcut_cloud_source *s, text_layout *t, header 
         bool is_count = false, is_row = false;
         if (!wcut_is_line_end(p) && !is_comment(p)) {
             const bool is_number = begins_number(p);
+            const bool is_counted = s->info.stated >= 0;
             if (is_number && !read_count(s, p, line + length, &is_count)) return false;
+            if (is_count && is_counted)
+                return wcut_source_refuse_text(&s->in, line, p, "a row with the numbers x y z behind the count");
 
             /* words before a count are a title */
             if (is_count && h->words > 0) wcut_free(h->text), h->text = NULL;

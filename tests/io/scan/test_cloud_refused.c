@@ -61,6 +61,8 @@ TEST(zero_bytes_other_alphabets_and_endless_lines_are_refused) {
     begin();
     put("2\r\n1 \0 2 3\r\n4 5 6\r\n", 19);
     refused(0, "expected");
+    given("2\r\n1\n1 5 6 41 1 ");
+    refused(0, "expected the end of the line");
 }
 
 TEST(formats_that_are_not_read_are_named) {
