@@ -40,35 +40,37 @@ def declared_functions(text):
     return sorted(set(re.findall(r"\b(wcut_[a-z0-9_]+)\s*\([^;{]*\)\s*;", text)))
 
 
-def emit(text, path):
+def made_for_python(text):
+    """The text of wirecut/_ffi.py."""
     builder = cffi.FFI()
     builder.cdef(text)
     builder.set_source("wirecut._ffi", None)
-    builder.emit_python_code(path)
+    with tempfile.TemporaryDirectory() as folder:
+        fresh = os.path.join(folder, "_ffi.py")
+        builder.emit_python_code(fresh)
+        with open(fresh, encoding="ascii") as file:
+            return "# mypy: ignore-errors\n" + file.read()
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+def run(description, target, make, command):
+    """Write what `make` gives for the declarations to the target, or with --check compare the two; gives an exit code."""
+    parser = argparse.ArgumentParser(description=description.split("\n")[0])
     parser.add_argument("--check", action="store_true", help="compare, write nothing")
     parser.add_argument("--cc", default="cc", help="the C compiler whose preprocessor is used")
     options = parser.parse_args()
     text = preprocess(options.cc)
-    with tempfile.TemporaryDirectory() as folder:
-        fresh = os.path.join(folder, "_ffi.py")
-        emit(text, fresh)
-        with open(fresh, encoding="ascii") as file:
-            made = "# mypy: ignore-errors\n" + file.read()
+    made = make(text)
     if not options.check:
-        with open(TARGET, "w", encoding="ascii") as file:
+        with open(target, "w", encoding="ascii") as file:
             file.write(made)
         print(f"{len(declared_functions(text))} functions")
         return 0
-    with open(TARGET, encoding="ascii") as file:
+    with open(target, encoding="ascii") as file:
         if file.read() == made:
             return 0
-    print(f"{TARGET}: differs from the public headers: run python3 apps/python/generate.py")
+    print(f"{target}: differs from the public headers: run {command}")
     return 1
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run(__doc__, TARGET, made_for_python, "python3 apps/python/generate.py"))

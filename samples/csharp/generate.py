@@ -6,7 +6,6 @@
 Every function, struct and enumerator is taken, none is written by hand. Structs are blittable: an array of Point3d, or of
 any other struct of three doubles, passes as it is. --check compares with the file that is there.
 """
-import argparse
 import os
 import sys
 
@@ -106,23 +105,5 @@ def function_type(builder, name):
         return builder._get_cached_btype(builder._parser._declarations["function " + name][0])
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--check", action="store_true")
-    parser.add_argument("--cc", default="cc")
-    options = parser.parse_args()
-    made = make(generate.preprocess(options.cc))
-    if not options.check:
-        with open(TARGET, "w", encoding="ascii") as file:
-            file.write(made)
-        print(f"{made.count('DllImport')} functions")
-        return 0
-    with open(TARGET, encoding="ascii") as file:
-        if file.read() == made:
-            return 0
-    print(f"{TARGET}: differs from the public headers: run python3 samples/csharp/generate.py")
-    return 1
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(generate.run(__doc__, TARGET, make, "python3 samples/csharp/generate.py"))

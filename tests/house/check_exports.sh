@@ -7,19 +7,7 @@ folder=$1
 shift
 for library in "$@"; do nm -D --defined-only "$library"; done | awk '$2 != "A" { print $NF }' | sort >exports
 sort -u exports >exported
-# declarations run over several lines: read each header as one text, comments taken out
-cat "$folder"/*.h | awk '
-{ text = text " " $0 }
-END {
-    while (match(text, /\/\*([^*]|\*+[^*\/])*\*+\//)) text = substr(text, 1, RSTART - 1) " " substr(text, RSTART + RLENGTH)
-    while (match(text, /WCUT_API[^;({]*[ *]wcut_[a-z0-9_]+ *\(/)) {
-        declaration = substr(text, RSTART, RLENGTH)
-        text = substr(text, RSTART + RLENGTH)
-        sub(/ *\($/, "", declaration)
-        sub(/.*[ *]/, "", declaration)
-        print declaration
-    }
-}' | sort -u >declared
+cat "$folder"/*.h | awk -f "$(dirname "$0")/declared.awk" | sort -u >declared
 [ -s declared ] || { echo "$folder: no WCUT_API function found"; exit 2; }
 grep -v '^wcut_' exported | sed 's/$/: exported without the prefix wcut_/' >complaints || true
 comm -23 declared exported | sed 's/$/: declared WCUT_API, not exported/' >>complaints

@@ -4,18 +4,7 @@
 set -eu
 LC_ALL=C
 export LC_ALL
-cat "$1"/*.h | awk '
-{ text = text " " $0 }
-END {
-    while (match(text, /\/\*([^*]|\*+[^*\/])*\*+\//)) text = substr(text, 1, RSTART - 1) " " substr(text, RSTART + RLENGTH)
-    while (match(text, /WCUT_API[^;({]*[ *]wcut_[a-z0-9_]+ *\(/)) {
-        declaration = substr(text, RSTART, RLENGTH)
-        text = substr(text, RSTART + RLENGTH)
-        sub(/ *\($/, "", declaration)
-        sub(/.*[ *]/, "", declaration)
-        print declaration
-    }
-}' | sort -u >declared
+cat "$1"/*.h | awk -f "$(dirname "$0")/declared.awk" | sort -u >declared
 [ -s declared ] || { echo "$1: no WCUT_API function found"; exit 2; }
 sed -n 's/^HOSTILE[A-Z_]*(\(wcut_[a-z0-9_]*\).*/\1/p' "$2"/*.c | sort >entries
 uniq -d entries | sed 's/$/: two entries/' >complaints
