@@ -33,14 +33,22 @@ wcut_status wcut_adequacy_p_value(const wcut_evidence *e, double slow, int draws
         for (int g = 0; g < WCUT_NOISE_GROUPS; g++) usual.noise.slow[g] = WCUT_SLOW_NOISE;
         wcut_random random = wcut_random_seed(seed);
         int as_much = 0;
+
+        /* the residual is computed for its gaps only: rows without a reading stay without noise */
         wcut_evidence_residual(e, measured); /* for its gaps */
+
+        /* each drawing: noise with a random slow share, whitened as usual, and counted if it leaves as much as the
+           model */
         for (int d = 0; d < draws; d++) {
             draw_noise(e, &random, noise);
             wcut_evidence_whiten(&usual, measured, noise, noise);
             as_much += wcut_residual_stats_eval(e, noise).slow >= slow;
         }
+
+        /* the estimate (k + 1) / (n + 1) is never zero (Davison, Hinkley 1997) */
         *p = (as_much + 1.0) / (draws + 1);
     }
+
     wcut_free(measured);
     wcut_free(noise);
     return whole ? WCUT_OK : WCUT_NO_MEMORY;

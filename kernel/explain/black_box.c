@@ -54,12 +54,18 @@ static bool regression_create(const wcut_evidence *e, regression *r) {
     const size_t cuts = (size_t)e->cuts, n = COLUMNS;
     int bins = 0;
     *r = (regression){.e = e, .bin = wcut_alloc(cuts, sizeof(int)), .rows = wcut_alloc(cuts, sizeof(int))};
+
+    /* where the bins of each cut begin in x, and how many there are in all */
     for (int k = 0; r->bin && k < e->cuts; k++) r->bin[k] = bins, bins += e->cut[k].bins;
+
+    /* the inputs, and the sums of each cut that any choice of training cuts is made of */
     r->x = wcut_alloc((size_t)bins * n, sizeof(double));
     r->gram = wcut_alloc(cuts * n * n, sizeof(double));
     r->moment = wcut_alloc(cuts * n, sizeof(double));
     r->sum = wcut_alloc(cuts, sizeof(double));
     if (!r->bin || !r->rows || !r->x || !r->gram || !r->moment || !r->sum) return false;
+
+    /* a row holds every input at this bin and at the LAGS - 1 bins before it, and a constant */
     for (int k = 0; k < e->cuts; k++)
         for (int i = 0; i < e->cut[k].bins; i++)
             for (size_t j = 0; j < n; j++)
@@ -72,18 +78,23 @@ static bool regression_create(const wcut_evidence *e, regression *r) {
         const double scale = square > 0 ? 1 / sqrt(square) : 0;
         for (int i = 0; i < bins; i++) r->x[(size_t)i * n + j] = scale * (r->x[(size_t)i * n + j] - mean);
     }
+
     return true;
 }
 
 /* sums of one signal; y: rows of the evidence, measured less predicted */
 static void add_up(regression *r, int signal, const double *y) {
     const size_t n = COLUMNS;
+
+    /* start from zero: the same memory serves every signal in turn */
     memset(r->gram, 0, (size_t)r->e->cuts * n * n * sizeof(double));
     memset(r->moment, 0, (size_t)r->e->cuts * n * sizeof(double));
     for (int k = 0; k < r->e->cuts; k++) {
         const wcut_evidence_cut *c = &r->e->cut[k];
         double *gram = r->gram + (size_t)k * n * n, *moment = r->moment + (size_t)k * n;
         r->rows[k] = 0, r->sum[k] = 0;
+
+        /* normal equations of this cut: x x' in the lower triangle, x y, y y */
         for (int i = 0; i < c->bins; i++) {
             const double value = y[c->row + signal * c->bins + i];
             if (!isfinite(value)) continue;
@@ -103,6 +114,8 @@ static bool learn(const regression *r, int but, int nor, double ridge_of_row, do
     double m[N * N] = {0};
     int rows = 0;
     memset(w, 0, N * sizeof *w);
+
+    /* sum the normal equations of the training cuts */
     for (int k = 0; k < r->e->cuts; k++) {
         if (k == but || k == nor) continue;
         rows += r->rows[k];
@@ -116,7 +129,10 @@ static bool learn(const regression *r, int but, int nor, double ridge_of_row, do
     /* the ridge makes it positive definite, the constant bears none */
     for (int j = 0; j + 1 < N; j++) m[j * N + j] += ridge_of_row * rows;
     if (!wcut_cholesky_factor(N, m, 0)) return false;
+
+    /* weights of the ridge regression */
     wcut_cholesky_solve(N, m, w);
+
     return true;
 }
 
@@ -182,22 +198,31 @@ wcut_status wcut_black_box_run(const wcut_evidence *e, unsigned long long seed, 
     wcut_status status = WCUT_NO_MEMORY;
     if (made && y && start(e, &p->in_sample[WCUT_FIT_MODEL_RECALIBRATED], &all) &&
         start(e, &p->held_out[WCUT_FIT_MODEL_RECALIBRATED], &held_out)) {
+        /* the target: what the recalibrated simulation leaves along the recorded motion */
         for (int i = 0; i < e->rows; i++) y[i] = measured[i] - replayed[i];
         for (int signal = 0; signal < WCUT_SIGNALS; signal++) {
+            /* in sample: one set of weights learnt from all cuts */
             add_up(&r, signal, y);
             const bool learnt = learn(&r, -1, -1, choose_ridge(&r, -1), w);
+
+            /* held out: the weights for a cut are learnt from the others */
             for (int k = 0; learnt && k < e->cuts; k++) predict(&r, k, signal, w, all.row);
             for (int k = 0; k < e->cuts; k++)
                 if (learn(&r, k, -1, choose_ridge(&r, k), w)) predict(&r, k, signal, w, held_out.row);
         }
+
+        /* a single cut can hold nothing out, so that only the fit in sample is scored */
         for (int k = 0; k < e->cuts; k++) cuts += e->cut[k].bins > 0;
         status = wcut_forecast_score(e, &p->measured, &all, seed, fit);
         if (status == WCUT_OK && cuts > 1) status = wcut_forecast_score(e, &p->measured, &held_out, seed, held_out_fit);
     }
+
+    /* write only when everything has succeeded */
     if (status == WCUT_OK) {
         memcpy(p->fit[WCUT_FIT_MODEL_BLACK_BOX], fit, sizeof fit);
         memcpy(p->held_out_fit[WCUT_FIT_MODEL_BLACK_BOX], held_out_fit, sizeof held_out_fit);
     }
+
     wcut_free(all.row);
     wcut_free(all.speed);
     wcut_free(held_out.row);

@@ -166,7 +166,11 @@ static wcut_status forecast_face(const wcut_evidence *e, int cut, const subject 
 static wcut_status forecast_speed(const wcut_evidence *e, int cut, const wcut_job *job, wcut_forecast *f,
                                   wcut_error *error) {
     const wcut_evidence_cut *c = &e->cut[cut];
+
+    /* an excitation programme moves the mounts by itself, so that there is no plain speed to forecast */
     if (job->dither_count > 0 || job->heat_step_count > 0) return WCUT_OK;
+
+    /* the plan: the job run tension-driven with the fine wire, at the diagnosis' tolerance */
     wcut_job planned = *job;
     planned.nodes = WCUT_NODES_FINE;
     wcut_cut_options options = wcut_cut_options_default();
@@ -176,10 +180,15 @@ static wcut_status forecast_speed(const wcut_evidence *e, int cut, const wcut_jo
     wcut_prediction *prediction = NULL;
     wcut_status status = wcut_setup_create(&planned, &options, &setup, error);
     if (status != WCUT_OK) return status;
+
+    /* a run that ends early still has a history, whose bins are used */
     status = wcut_setup_run(setup, wcut_stop_progress, e->stop, &history, error);
     if (history && status != WCUT_INTERRUPTED) status = wcut_prediction_plan(history, c->recording, &prediction, error);
+
+    /* the speeds of both mounts in the bins of this cut */
     for (int side = 0; prediction && side < 2; side++)
         bin_speed(c, prediction->value[side], prediction->present, speed_of(e, f, cut) + (ptrdiff_t)side * c->bins);
+
     wcut_prediction_destroy(prediction);
     wcut_history_destroy(history);
     wcut_setup_destroy(setup);
@@ -262,15 +271,19 @@ static void copy_forecast(const wcut_evidence *e, const wcut_forecast *from, wcu
 
 static wcut_status forecast_all(const wcut_evidence *e, const wcut_fitted *const *fitted, wcut_cross_validation *p,
                                 wcut_error *error) {
+    /* where no effect was named, the third model equals the second and is not run again */
     const int models =
         fitted[WCUT_FIT_MODEL_AFTER] == fitted[WCUT_FIT_MODEL_RECALIBRATED] ? WCUT_FIT_MODEL_AFTER : MODELS;
     const int tasks = 2 * models * e->cuts;
     wcut_error *failed = wcut_alloc((size_t)tasks, sizeof *failed);
     double *room = wcut_alloc((size_t)e->rows, sizeof *room);
     wcut_status status = failed && room ? WCUT_OK : wcut_fail(error, WCUT_NO_MEMORY, "no memory for the proof");
+
+    /* each task writes into its own cut, model and error, so that the result does not depend on the threads */
     if (status == WCUT_OK) {
 #pragma omp parallel for num_threads(wcut_threads(e->threads)) schedule(dynamic, 1)
         for (int i = 0; i < tasks; i++) {
+            /* each cut and model is run twice: fitted on all cuts, and fitted on all but this one */
             const task t = {.cut = i / (2 * models), .model = i / 2 % models, .held_out = i % 2};
             if (e->cut[t.cut].bins == 0 || (t.held_out && t.model == WCUT_FIT_MODEL_BEFORE)) continue;
             const subject s = subject_of(e, &t, fitted);
@@ -278,17 +291,26 @@ static wcut_status forecast_all(const wcut_evidence *e, const wcut_fitted *const
             failed[i].status = forecast_cut(e, t.cut, &s, f, &failed[i]);
         }
     }
+
+    /* report the first failure in the order of the cuts */
     for (int i = 0; status == WCUT_OK && i < tasks; i++)
         if (failed[i].status != WCUT_OK)
             status = wcut_fail(error, failed[i].status, "cut %d: %s", i / (2 * models) + 1, failed[i].text);
+
+    /* a scan's patches come lower by half the kerf that the other scans show */
     for (int m = WCUT_FIT_MODEL_RECALIBRATED; status == WCUT_OK && m < models; m++)
         if (isfinite(fitted[m]->kerf))
             apply_kerf(e, p->measured.row, &p->in_sample[m], fitted[m]->kerf, &p->held_out[m], room);
+
+    /* the model before was fitted to nothing, so that its forecasts held out are the same */
     if (status == WCUT_OK) copy_forecast(e, &p->in_sample[WCUT_FIT_MODEL_BEFORE], &p->held_out[WCUT_FIT_MODEL_BEFORE]);
+
+    /* no effect named: the third model's figures are those of the second */
     if (status == WCUT_OK && models < MODELS) {
         copy_forecast(e, &p->in_sample[WCUT_FIT_MODEL_RECALIBRATED], &p->in_sample[WCUT_FIT_MODEL_AFTER]);
         copy_forecast(e, &p->held_out[WCUT_FIT_MODEL_RECALIBRATED], &p->held_out[WCUT_FIT_MODEL_AFTER]);
     }
+
     wcut_free(room);
     wcut_free(failed);
     return status;
@@ -298,6 +320,8 @@ wcut_status wcut_cross_validation_create(const wcut_evidence *e, const wcut_fitt
                                          const wcut_fitted *chosen, unsigned long long seed, wcut_cross_validation *out,
                                          wcut_error *error) {
     const wcut_fitted *const fitted[MODELS] = {NULL, recalibrated, chosen};
+
+    /* room for the measured values and for every model's forecasts */
     wcut_cross_validation p = {.fit = {{{0}}}};
     bool whole = forecast_create(e, &p.measured);
     int cuts = 0;
@@ -306,9 +330,12 @@ wcut_status wcut_cross_validation_create(const wcut_evidence *e, const wcut_fitt
     for (int k = 0; k < e->cuts; k++) cuts += e->cut[k].bins > 0;
     wcut_status status = whole ? WCUT_OK : wcut_fail(error, WCUT_NO_MEMORY, "no memory for the proof");
     if (status == WCUT_OK) {
+        /* forecasts of all cuts under all models, in sample and held out */
         fill_measured(e, &p.measured);
         status = forecast_all(e, fitted, &p, error);
     }
+
+    /* figures of each model; nothing is held out where there is a single cut */
     for (int m = 0; status == WCUT_OK && m < MODELS; m++) {
         status = wcut_forecast_score(e, &p.measured, &p.in_sample[m], seed, p.fit[m]);
         if (status == WCUT_OK && cuts > 1)
@@ -319,5 +346,6 @@ wcut_status wcut_cross_validation_create(const wcut_evidence *e, const wcut_fitt
         *out = p;
     else
         wcut_cross_validation_destroy(&p);
+
     return status;
 }

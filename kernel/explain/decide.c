@@ -173,10 +173,15 @@ static int best_of(const wcut_search *s, int effects) {
 /* whether a pair says more than its better half */
 static bool second_counts(const wcut_search *s, int pair, int single) {
     const double noise = s->rows, paired = s->candidate[pair].fit.misfit;
+
+    /* no single effect was found: the pair must gain by itself, and take most of what is beyond noise */
     if (single < 0) {
         const double beyond = wcut_search_base(s)->misfit - noise;
         return !is_null(s) && s->candidate[pair].gain > GAIN_PAIR && s->candidate[pair].fall > PAIR_TAKES * beyond;
     }
+
+    /* a second effect that does not act on the force is accepted more easily: the form of the force law cannot
+       imitate it */
     const wcut_model *one = &s->candidate[single].fit.model, *both = &s->candidate[pair].fit.model;
     const double first = s->candidate[single].gain;
     bool off_the_force = true;
@@ -186,9 +191,14 @@ static bool second_counts(const wcut_search *s, int pair, int single) {
         for (int j = 0; j < one->effects; j++) known = known || both->effect[k].kind == one->effect[j].kind;
         off_the_force = off_the_force && (known || place != WCUT_EFFECT_PLACE_STEP);
     }
+
+    /* the second effect must take away a given share of what the first one leaves */
     const double takes = s->candidate[single].fit.misfit - paired, leaves = s->candidate[single].fit.misfit - noise;
     if (takes < (off_the_force ? SENSOR_TAKES : SECOND_TAKES) * leaves) return false;
+
+    /* and its gain must exceed what an error of the model's form could feign */
     const double error = off_the_force ? MODEL_ERROR : FORM_ERROR;
+
     return wcut_candidate_score(s, pair) - wcut_candidate_score(s, single) > fmax(GAIN_MIN, error * first);
 }
 
@@ -279,10 +289,13 @@ static double confidence(const wcut_search *s, const wcut_decision *d) {
 
 /* the verdict before late readings are looked at */
 static wcut_decision decide_effects(const wcut_search *s) {
+    /* the best single effect, unless a pair says more */
     wcut_decision d = {.kind = WCUT_VERDICT_NONE, .chosen = -1, .adequacy = s->left.slow};
     const int single = best_of(s, 1), pair = best_of(s, 2);
     d.chosen = single;
     if (pair >= 0 && second_counts(s, pair, single)) d.chosen = pair;
+
+    /* no candidate: either nothing is there, or something that no effect explains */
     if (d.chosen < 0) {
         if (!is_null(s)) d.kind = WCUT_VERDICT_UNKNOWN;
         return d;
@@ -295,9 +308,12 @@ static wcut_decision decide_effects(const wcut_search *s) {
         d.kind = WCUT_VERDICT_UNKNOWN;
         return d;
     }
+
+    /* several effects that explain the data equally well make the verdict ambiguous */
     d.kind = kind_of(&best->fit.model);
     list_rivals(s, &d);
     if (d.rivals > 1) d.kind = WCUT_VERDICT_AMBIGUOUS;
+
     return d;
 }
 

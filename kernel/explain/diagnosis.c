@@ -31,6 +31,8 @@ wcut_diagnosis_options wcut_diagnosis_options_default(void) {
 
 void wcut_diagnosis_destroy(wcut_diagnosis *d) {
     if (!d) return;
+
+    /* arrays of each residual over time */
     for (int k = 0; k < d->traces; k++) {
         wcut_free(d->trace[k].time);
         wcut_free(d->trace[k].station);
@@ -39,6 +41,8 @@ void wcut_diagnosis_destroy(wcut_diagnosis *d) {
         wcut_free(d->trace[k].recalibrated);
         wcut_free(d->trace[k].after);
     }
+
+    /* owned tables, then the two jobs */
     wcut_free(d->trace);
     wcut_free(d->hypothesis);
     wcut_free(d->mismatch);
@@ -95,22 +99,31 @@ static wcut_status keep_before(diagnosing *g) {
 }
 
 static wcut_status prepare(diagnosing *g, wcut_error *error) {
+    /* gather the cuts; the model is the jobs' own so far */
     wcut_status status = step(g, "the recordings were replayed", 0, error);
     if (status == WCUT_OK)
         status = wcut_evidence_create(g->cuts, g->cut, false, g->options->threads, &g->stop, &g->evidence, error);
     if (status != WCUT_OK) return status;
     wcut_evidence *e = g->evidence;
+
+    /* replay under the jobs' own values: the figures called "before" */
     g->job_model = e->at;
     status = wcut_evidence_predict(e, &g->job_model, false, error);
     if (status == WCUT_OK) status = keep_before(g);
+
+    /* recalibrate: a, b and wire length fitted to all cuts */
     if (status == WCUT_OK) status = step(g, "the recalibration was fitted", 1, error);
     wcut_fitted first = {0};
     if (status == WCUT_OK) status = wcut_fit_solve(e, &e->at, &first, error);
     if (status != WCUT_OK) return status;
     const wcut_model recalibrated = first.model;
     wcut_fitted_destroy(&first);
+
+    /* everything later is linear about the recalibrated model; the scans' patches are made there */
     status = step(g, "recordings and scans were replayed", 2, error);
     if (status == WCUT_OK) status = wcut_evidence_predict(e, &recalibrated, true, error);
+
+    /* columns of what differs from cut to cut (blocks, wires, zeros, friction) */
     if (status == WCUT_OK) status = wcut_scatter_create(e, error);
     if (status != WCUT_OK) return status;
 
@@ -120,6 +133,7 @@ static wcut_status prepare(diagnosing *g, wcut_error *error) {
     wcut_evidence_residual(e, missing);
     wcut_variances_begin(&e->noise);
     wcut_evidence_whiten_scatter(e, missing);
+
     wcut_free(missing);
     return WCUT_OK;
 }
@@ -170,13 +184,18 @@ static void add_effects(diagnosing *g, int candidate, bool present, double confi
     wcut_diagnosis *d = g->out;
     const wcut_candidate *c = &g->search.candidate[candidate];
     for (int e = 0; e < c->fit.model.effects && d->effects < WCUT_DIAGNOSIS_EFFECTS; e++) {
+        /* an effect that two candidates share is listed once */
         bool listed = false;
         for (int k = 0; k < d->effects; k++) listed = listed || d->effect[k].effect.kind == c->fit.model.effect[e].kind;
         if (listed) continue;
+
+        /* the values of the start, each as an interval of no width */
         wcut_found_effect *f = &d->effect[d->effects++];
         *f = (wcut_found_effect){.effect = c->fit.model.effect[e], .present = present, .confidence = confidence};
         for (int k = 0; k < WCUT_EFFECT_VALUES; k++)
             f->parameter[k] = (wcut_estimate){f->effect.value[k], f->effect.value[k], f->effect.value[k]};
+
+        /* replace those that were fitted, with intervals widened by what the fit leaves */
         for (int k = 0; k < c->fit.count; k++) {
             if (c->fit.effect_of[k] != e) continue;
             const int at = c->fit.coordinate[k].at;
@@ -195,20 +214,30 @@ static wcut_estimate positive(double x, double error, double slow, double model)
 
 static void report_base(diagnosing *g) {
     wcut_diagnosis *d = g->out;
+
+    /* the fit whose values are reported, and what it leaves as dispersion */
     const wcut_fitted *f = final_fit(g);
     const double slow = g->decision.adequacy;
+
+    /* a and b are fitted as logarithms, so that their intervals are factors */
     d->a_job = g->job_model.a, d->b_job = g->job_model.b;
     d->a = positive(f->x[0], f->error[0], slow, MODEL_ERROR_A);
     d->b = positive(f->x[1], f->error[1], slow, MODEL_ERROR_B);
+
+    /* the length change and the kerf have symmetric intervals at 95 % (1.96 sigma) */
     const double half = 1.96 * widened(f->error[2], 0, slow);
     d->length_change = (wcut_estimate){f->x[2], f->x[2] - half, f->x[2] + half};
     const double kerf = 1.96 * f->kerf_error;
     d->kerf = (wcut_estimate){f->kerf, f->kerf - kerf, f->kerf + kerf};
+
+    /* noise per sample: a bin of 0.5 s is a mean, so its noise times the root of the samples in it */
     d->noise[WCUT_EVIDENCE_CHANNEL_SPEED] = d->noise[WCUT_EVIDENCE_CHANNEL_SCAN] = (double)NAN;
     const double bin = sqrt(WCUT_BIN_WIDTH / 0.05); /* of a sample at 20 Hz */
     d->noise[WCUT_EVIDENCE_CHANNEL_TENSION] = bin * (g->evidence->sigma[0] + g->evidence->sigma[1]) / 2;
     d->noise[WCUT_EVIDENCE_CHANNEL_ALPHA] = bin * DEGREES * (g->evidence->sigma[2] + g->evidence->sigma[4]) / 2;
     d->noise[WCUT_EVIDENCE_CHANNEL_BETA] = bin * DEGREES * (g->evidence->sigma[3] + g->evidence->sigma[5]) / 2;
+
+    /* of scans, the noise of a point within its patch */
     for (int k = 0; k < g->cuts; k++)
         if (g->evidence->cut[k].patch.count > 0)
             d->noise[WCUT_EVIDENCE_CHANNEL_SCAN] = g->evidence->cut[k].patch.spread;
@@ -227,10 +256,16 @@ static int by_score(const void *a, const void *b) {
 static wcut_status rank(diagnosing *g) {
     wcut_diagnosis *d = g->out;
     const wcut_search *s = &g->search;
+
+    /* room for the null hypothesis, every candidate and every effect that was only screened */
     d->hypothesis = wcut_alloc((size_t)s->count + 1 + WCUT_EFFECT_COUNT, sizeof *d->hypothesis);
     if (!d->hypothesis) return WCUT_NO_MEMORY;
+
+    /* subtract the highest score before exp, so that nothing overflows */
     double most = 0, sum = 0;
     for (int k = -1; k < s->count; k++) most = fmax(most, wcut_candidate_score(s, k));
+
+    /* posterior of each candidate from exp(score / 2), the null hypothesis (k = -1) among them */
     for (int k = -1; k < s->count; k++) {
         wcut_hypothesis *h = &d->hypothesis[d->hypotheses++];
         *h = (wcut_hypothesis){.adequacy = s->left.slow, .why = wcut_candidate_why(s, &g->decision, k)};
@@ -238,11 +273,17 @@ static wcut_status rank(diagnosing *g) {
         sum += h->probability;
         if (k < 0) continue;
         const wcut_candidate *c = &s->candidate[k];
+
+        /* at most two effects are shown */
         h->count = c->fit.model.effects < 2 ? c->fit.model.effects : 2;
         for (int e = 0; e < h->count; e++) h->effect[e] = c->fit.model.effect[e];
         h->parameters = c->fit.count, h->gain = c->gain, h->held_out = c->held_out, h->adequacy = c->left.slow;
     }
+
+    /* normalise to a sum of 1 */
     for (int k = 0; k < d->hypotheses; k++) d->hypothesis[k].probability /= sum;
+
+    /* effects that the screen alone set aside, with the reason in words */
     for (int k = 0; k < s->screened; k++) { /* what the screen alone set aside */
         bool full = false;
         for (int j = 0; j < s->count; j++)
@@ -260,6 +301,7 @@ static wcut_status rank(diagnosing *g) {
                                                                                     : "no more than chance"};
     }
     qsort(d->hypothesis, (size_t)d->hypotheses, sizeof *d->hypothesis, by_score);
+
     return WCUT_OK;
 }
 
@@ -267,6 +309,8 @@ static wcut_status rank(diagnosing *g) {
 
 static bool trace_of(diagnosing *g, int cut, int signal, wcut_residual_trace *t) {
     const wcut_evidence_cut *c = &g->evidence->cut[cut];
+
+    /* two tensions, then alpha and beta of either side; angles in degrees */
     const size_t n = (size_t)c->bins;
     const wcut_evidence_channel channels[] = {WCUT_EVIDENCE_CHANNEL_TENSION, WCUT_EVIDENCE_CHANNEL_ALPHA,
                                               WCUT_EVIDENCE_CHANNEL_BETA};
@@ -275,6 +319,8 @@ static bool trace_of(diagnosing *g, int cut, int signal, wcut_residual_trace *t)
     *t = (wcut_residual_trace){
         .cut = cut, .channel = channel, .count = c->bins, .noise = unit * g->evidence->sigma[signal]};
     snprintf(t->column, sizeof t->column, "%s", wcut_channel_name((wcut_channel)(WCUT_CHANNEL_TENSION_A + signal)));
+
+    /* times, stations, and the four curves of this signal */
     t->time = wcut_copy(c->middle, n, sizeof(double));
     t->station = wcut_copy(c->station, n, sizeof(double));
     t->measured = wcut_alloc(n, sizeof(double));
@@ -282,9 +328,13 @@ static bool trace_of(diagnosing *g, int cut, int signal, wcut_residual_trace *t)
     t->recalibrated = wcut_alloc(n, sizeof(double));
     t->after = wcut_alloc(n, sizeof(double));
     if (!t->time || !t->station || !t->measured || !t->before || !t->recalibrated || !t->after) return false;
+
+    /* bins that were left out as events still belong into the picture */
     const double *kept = g->outside.kept; /* with the bins that were left out */
     int before_row = 0;                   /* rows before there were patches */
     for (int k = 0; k < cut; k++) before_row += WCUT_SIGNALS * g->evidence->cut[k].bins;
+
+    /* residuals in the channel's unit: before, recalibrated and after */
     for (int i = 0; i < c->bins; i++) {
         const int at = signal * c->bins + i;
         t->before[i] = unit * g->before[before_row + at];
@@ -293,6 +343,7 @@ static bool trace_of(diagnosing *g, int cut, int signal, wcut_residual_trace *t)
         t->recalibrated[i] = unit * (measured - g->search.none.predicted[c->row + at]);
         t->after[i] = unit * (measured - final_fit(g)->predicted[c->row + at]);
     }
+
     return true;
 }
 
@@ -378,6 +429,8 @@ static wcut_status prove(diagnosing *g, wcut_error *error) {
 static wcut_status try_naive(diagnosing *g, wcut_error *error) {
     wcut_diagnosis *d = g->out;
     if (!g->options->naive) return WCUT_OK;
+
+    /* the recorded motion itself as exogenous, and no slow noise: what plain least squares assume */
     wcut_evidence *e = NULL;
     wcut_screen screen = {0};
     wcut_fitted plain = {0};
@@ -386,9 +439,13 @@ static wcut_status try_naive(diagnosing *g, wcut_error *error) {
         memset(&e->noise, 0, sizeof e->noise);
         status = wcut_evidence_predict(e, &g->evidence->at, false, error);
     }
+
+    /* the recalibration, then every single effect of the library, both by plain least squares */
     if (status == WCUT_OK) status = wcut_fit_solve(e, &e->at, &plain, error);
     if (status == WCUT_OK)
         status = wcut_screen_create(e, &plain.model, plain.open, g->options->without, &screen, error);
+
+    /* the most likely single effect, named if it passes the usual test */
     wcut_screened *found = status == WCUT_OK ? wcut_alloc((size_t)screen.groups, sizeof *found) : NULL;
     if (found) snprintf(d->naive, sizeof d->naive, "nothing");
     if (found && wcut_screen_singles(&screen, found) > 0) {
@@ -398,6 +455,8 @@ static wcut_status try_naive(diagnosing *g, wcut_error *error) {
             snprintf(d->naive, sizeof d->naive, "%s, likelihood ratio %.0f",
                      wcut_effect_view(found[0].effect[0].kind)->name, found[0].gain);
     }
+
+    /* release everything; only want of memory and a request to stop end the diagnosis */
     wcut_free(found);
     wcut_fitted_destroy(&plain);
     wcut_screen_destroy(&screen);
@@ -405,6 +464,7 @@ static wcut_status try_naive(diagnosing *g, wcut_error *error) {
     if (status == WCUT_OK || status == WCUT_NO_MEMORY || status == WCUT_INTERRUPTED) return status;
     /* a control that does not come to its end takes nothing from the diagnosis */
     snprintf(d->naive, sizeof d->naive, "cannot be said: %.60s", error ? error->text : wcut_status_text(status));
+
     return WCUT_OK;
 }
 
@@ -427,6 +487,8 @@ static void add_dependence(wcut_diagnosis *d, const wcut_found_effect *f, double
 static void report_terms(diagnosing *g) {
     const wcut_empirical *m = &g->outside.empirical;
     wcut_modelled *out = &g->out->modelled;
+
+    /* each empirical term as a found effect: its values, then those that were fitted, with intervals */
     for (int e = 0; m->fit.residual && e < m->fit.model.effects && out->terms < WCUT_MODELLED_TERMS; e++) {
         wcut_found_effect *f = &out->term[out->terms++];
         *f = (wcut_found_effect){.effect = m->fit.model.effect[e], .present = true};
@@ -439,8 +501,12 @@ static void report_terms(diagnosing *g) {
             f->effect.value[at] = f->parameter[at].value;
             f->estimated[at] = true;
         }
+
+        /* how a term depends on which cut is left out */
         add_dependence(g->out, f, m->held_out);
     }
+
+    /* terms that explain as much as a chosen one, as formulas */
     for (int r = 0; r < m->rivals && out->rivals < WCUT_MODELLED_RIVALS; r++)
         wcut_term_formula(&m->rival[r].effect, out->rival[out->rivals++], sizeof out->rival[0]);
 }
@@ -523,28 +589,41 @@ static void tell_stop(diagnosing *g, bool searched) {
 static wcut_status conclude(diagnosing *g, bool searched, wcut_error *error) {
     wcut_status status = decide(g, searched, error);
     wcut_status looked = WCUT_OK; /* a search for terms that was stopped takes nothing from the rest */
+
+    /* only a search that came to its end allows to look outside the library */
     if (status == WCUT_OK && searched) looked = step(g, "terms outside the library were sought", OUTSIDE, error);
     if (status == WCUT_OK && searched && looked == WCUT_OK) looked = model(g, error);
     if (status == WCUT_OK && looked != WCUT_INTERRUPTED) status = looked;
+
+    /* the report: hypotheses, residuals over time, the corrected job */
     if (status == WCUT_OK) status = rank(g);
     if (status == WCUT_OK) status = trace(g);
     if (status == WCUT_OK) status = correct(g);
+
+    /* what follows an interruption is not run */
     if (status == WCUT_OK && (!searched || looked == WCUT_INTERRUPTED)) status = WCUT_INTERRUPTED;
     if (status == WCUT_OK) status = locate(g, error);
+
+    /* where in space and time the misfit is, as a picture */
     if (status == WCUT_OK)
         status = wcut_view_fill(g->evidence, final_fit(g), g->out->mismatches, g->out->mismatch, &g->out->view, error);
+
+    /* forecasts of cuts left out, the next experiment, and the control, each as one step of progress */
     if (status == WCUT_OK) status = step(g, "the forward proof was run", PROOF, error);
     if (status == WCUT_OK) status = prove(g, error);
     if (status == WCUT_OK) status = step(g, "the next experiment was chosen", EXPERIMENT, error);
     if (status == WCUT_OK) status = propose(g, error);
     if (status == WCUT_OK) status = step(g, "plain least squares were run beside it", CONTROL, error);
     if (status == WCUT_OK) status = try_naive(g, error);
+
+    /* words come last, because they tell of everything above */
     if (status == WCUT_OK || status == WCUT_INTERRUPTED) {
         wcut_diagnosis_sentence(g->out);
         wcut_modelled_tell(g->out);
         if (status == WCUT_INTERRUPTED) tell_stop(g, searched);
         if (!wcut_diagnosis_limits(g->out, g->cuts, g->cut, g->test_cuts, g->calibration)) status = WCUT_NO_MEMORY;
     }
+
     return status;
 }
 
@@ -568,28 +647,40 @@ wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *cut, int t
                                   const wcut_test_cut *calibration, const wcut_diagnosis_options *options,
                                   wcut_progress progress, void *context, wcut_diagnosis **diagnosis,
                                   wcut_error *error) {
+    /* check all arguments before any work */
     const wcut_diagnosis_options o = options ? *options : wcut_diagnosis_options_default();
     wcut_status status = check(cuts, cut, test_cuts, calibration, &o, diagnosis, error);
     if (status != WCUT_OK) return status;
     diagnosing g = {.cuts = cuts, .cut = cut, .test_cuts = test_cuts, .calibration = calibration, .options = &o};
+
+    /* begin the progress; the decision has no candidate yet */
     wcut_stop_begin(&g.stop, progress, context, STEPS);
     g.decision.chosen = -1;
     g.out = wcut_alloc(1, sizeof *g.out);
     if (g.out)
         g.out->cuts = cuts, g.out->view.cut = -1, g.out->held_out = wcut_alloc((size_t)cuts, sizeof *g.out->held_out);
+
+    /* evidence and search */
     status = g.out && g.out->held_out ? prepare(&g, error) : wcut_fail(error, WCUT_NO_MEMORY, "no memory");
     if (status == WCUT_OK) status = wcut_search_run(g.evidence, o.without, &g.search, error);
     const bool recalibrated = g.search.none.predicted != NULL; /* the least that is worth handing out */
+
+    /* conclude from what there is, even if the search was stopped after the recalibration */
     if (status == WCUT_OK || (status == WCUT_INTERRUPTED && recalibrated))
         status = conclude(&g, status == WCUT_OK, error);
+
+    /* the text says where it was stopped and whether there is a result */
     if (status == WCUT_INTERRUPTED)
         wcut_fail(error, status, "stopped on request while %s%s", g.stop.stage,
                   recalibrated ? "; what was found up to then is marked as cut short"
                                : ", before anything was found: nothing is written");
+
+    /* hand the diagnosis over: after an interruption too, if there is at least a recalibration */
     if (status == WCUT_OK || (status == WCUT_INTERRUPTED && recalibrated)) {
         *diagnosis = g.out;
         g.out = NULL;
     }
+
     wcut_diagnosis_destroy(g.out);
     wcut_cross_validation_destroy(&g.proof);
     wcut_search_destroy(&g.search);

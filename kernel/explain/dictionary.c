@@ -15,6 +15,7 @@
 static const wcut_coordinate coefficient = {0, WCUT_FIT_SCALE_LINEAR, 0, 0.5, 0.03, -1.5, 1.5};
 
 int wcut_term_coordinates(const wcut_effect *effect) {
+    /* waves, bands and windows: a coefficient and two shape parameters */
     switch (effect->choice) {
         case WCUT_TERM_WAVE_X:
         case WCUT_TERM_WAVE_Y:
@@ -36,7 +37,10 @@ int wcut_term_coordinates(const wcut_effect *effect) {
 }
 
 wcut_coordinate wcut_term_coordinate(const wcut_effect *effect, int k) {
+    /* the coefficient is the same for all terms */
     if (k == 0) return coefficient;
+
+    /* shape parameters: where in value[], scale, start, prior width, step of differences, bounds */
     switch (effect->choice) {
         case WCUT_TERM_WAVE_X:
         case WCUT_TERM_WAVE_Y:
@@ -134,50 +138,70 @@ static void add_ranges(list *l, int cuts) {
 int wcut_dictionary_list(const wcut_evidence *e, wcut_entry *out) {
     static const double time[] = {0.4, 0.8, 1.6, 3.2, 6.4, 12.8}, y_width[] = {50, 100, 200}, z_width[] = {25, 50};
     const ranges r = ranges_of(e);
+
+    /* the number of cuts that are there decides which terms can be told apart */
     int cuts = 0;
     for (int k = 0; k < e->cuts; k++) cuts += e->cut[k].bins > 0;
     list l = {out, 0};
+
+    /* polynomials in the position of the node, and the direction of its motion */
     for (int axis = 0; axis < 3; axis++)
         for (int degree = 1; degree <= 4; degree++) add(&l, WCUT_TERM_POSITION_X + axis, degree, 0, false);
     for (int axis = 0; axis < 3; axis++)
         for (int order = 1; order <= 2; order++) add(&l, WCUT_TERM_DIRECTION_X + axis, order, 0, false);
+
+    /* thresholds in Q_eff at seven places of its range, where that range is wide enough */
     const double q_range = log(r.q_high / r.q_low);
     for (int k = 1; k <= 7 && q_range > 0.05; k++) {
         const double q = r.q_low * exp(q_range * k / 8);
         add(&l, WCUT_TERM_HEAT_STEP, q, 0.05 * q, false);
         add(&l, WCUT_TERM_HEAT_HINGE, q, 0.05 * q, false);
     }
+
+    /* other functions of heat, speed and shape */
     add(&l, WCUT_TERM_HEAT_INVERSE, sqrt(r.q_low * r.q_high), 0, false);
     add(&l, WCUT_TERM_LOG_SPEED, 0, 0, false);
     add(&l, WCUT_TERM_CURVATURE, 0, 0, false);
+
+    /* what decays after entry, and what grows with the way and the time, from zero in each cut or carried over */
     for (int k = 1; k < 6; k++) add(&l, WCUT_TERM_ENTRY, time[k], 0, false);
     for (int carried = 0; carried < (cuts > 1 ? 2 : 1); carried++) {
         add(&l, WCUT_TERM_WAY, 0, 0, carried);
         add(&l, WCUT_TERM_CLOCK, 0, 0, carried);
     }
+
+    /* between cuts: their number, and ranges of them */
     if (cuts > 1) add(&l, WCUT_TERM_ORDER, 0, 0, false);
     add_ranges(&l, e->cuts);
+
+    /* memories of speed and heat, by time constant */
     for (int k = 0; k < 6; k++) {
         add(&l, WCUT_TERM_SPEED_MEMORY, time[k], 0, false);
         add(&l, WCUT_TERM_HEAT_MEMORY, time[k], 0, false);
     }
+
+    /* periodic in space along each axis, and bands across y and z */
     add_waves(&l, WCUT_TERM_WAVE_Y, r.size.y, 35, 500, 80);
     add_waves(&l, WCUT_TERM_WAVE_Z, fmax(r.high.z - r.low.z, 50), 30, 300, 20);
     add_waves(&l, WCUT_TERM_WAVE_X, r.size.x, 60, 600, 20);
     add_bands(&l, WCUT_TERM_BAND_Z, r.low.z, r.high.z, z_width, 2);
     add_bands(&l, WCUT_TERM_BAND_Y, 0, r.size.y, y_width, 3);
+
     return l.count;
 }
 
 /* ---- a term in one cut ---- */
 
 bool wcut_term_place(const wcut_evidence *e, int cut, bool carried, wcut_effect *effect) {
+    /* the way and the time of the cuts before this one */
     double way = 0, time = 0;
     for (int k = 0; k < cut; k++) {
         if (!e->cut[k].job) continue;
         way += e->cut[k].job->block_size.y;
         if (e->cut[k].recorded.count > 0) time += e->cut[k].recorded.time[e->cut[k].recorded.count - 1];
     }
+
+    /* write into the term what depends on the cut */
     switch (effect->choice) {
         case WCUT_TERM_ORDER:
             effect->value[WCUT_TERM_SHAPE] = cut;
@@ -219,6 +243,8 @@ static bool add_nodes(walk *w, int sample, double sum[WCUT_WEIGHTS]) {
     const wcut_trajectory *t = &w->c->exogenous;
     const wcut_block block = {.size = w->c->job->block_size};
     const size_t n = (size_t)w->d->nodes, at = (size_t)sample * n;
+
+    /* the step from the sample before to this one */
     const double step = t->time[sample] - t->time[sample - 1], heat = t->heat[sample];
     double total[WCUT_WEIGHTS] = {0}, weight[WCUT_WEIGHTS] = {0};
     const wcut_locality local = {.count = 1,
@@ -227,6 +253,8 @@ static bool add_nodes(walk *w, int sample, double sum[WCUT_WEIGHTS]) {
                                  .age = w->age,
                                  .clock = t->time[sample - 1],
                                  .was = w->d->position + at - n};
+
+    /* each node: its factor phi, if it is in the block, under three weights (even, towards A, towards B) */
     for (int j = 0; j < w->d->nodes; j++) {
         const wcut_vec3 p = w->d->position[at + (size_t)j];
         const double speed = fmax(w->d->speed[at + (size_t)j], 0.05), across = j / (w->d->nodes - 1.0);
@@ -238,14 +266,21 @@ static bool add_nodes(walk *w, int sample, double sum[WCUT_WEIGHTS]) {
             const double share[WCUT_WEIGHTS] = {1, 1 - across, across}, phi = (factor.value - 1) / UNIT;
             for (int k = 0; k < WCUT_WEIGHTS; k++) total[k] += share[k] * phi, weight[k] += share[k];
         }
+
+        /* memories run on inside and outside the foam */
         double held[WCUT_TERM_MEMORIES] = {0};
         wcut_term_remember(&local, 1 / step, speed, heat, j, held);
         w->state[j].set = true, w->state[j].way += inside ? speed * step : 0;
         memcpy(w->state[j].held, held, sizeof held);
     }
+
+    /* without a node in the block on either side of the wire the sample says nothing */
     if (!(weight[1] > 0 && weight[2] > 0)) return false;
+
+    /* time in the foam, and the means over the nodes */
     w->age += step;
     for (int k = 0; k < WCUT_WEIGHTS; k++) sum[k] += total[k] / weight[k];
+
     return true;
 }
 
@@ -253,20 +288,27 @@ wcut_status wcut_dictionary_eval(const wcut_evidence *e, int cut, const wcut_res
                                  const wcut_entry *entry, double *out) {
     const wcut_evidence_cut *c = &e->cut[cut];
     walk w = {.c = c, .d = response, .effect = entry->effect};
+
+    /* no term: 0 in every bin */
     memset(out, 0, (size_t)(WCUT_WEIGHTS * c->bins) * sizeof *out);
     for (int k = 0; k < 2; k++) w.effect.value[k] *= UNIT;
     if (!wcut_term_place(e, cut, entry->carried, &w.effect)) return WCUT_OK;
+
+    /* state of the nodes: their memories and the way that each has gone */
     w.state = wcut_alloc((size_t)response->nodes, sizeof *w.state);
     if (!w.state) return WCUT_NO_MEMORY;
     for (int i = -1, sample = 1; i < c->bins; i++) {
         /* what comes before the first bin is walked for its memory alone */
         const double end = i < 0 ? c->middle[0] - WCUT_BIN_WIDTH / 2 : c->middle[i] + WCUT_BIN_WIDTH / 2;
+
+        /* mean over the samples of the bin */
         double sum[WCUT_WEIGHTS] = {0};
         int count = 0;
         for (; sample < response->count && c->exogenous.time[sample] < end; sample++)
             if (response->present[sample] && response->present[sample - 1]) count += add_nodes(&w, sample, sum);
         for (int k = 0; k < WCUT_WEIGHTS && i >= 0; k++) out[k * c->bins + i] = count > 0 ? sum[k] / count : 0;
     }
+
     wcut_free(w.state);
     return WCUT_OK;
 }

@@ -105,24 +105,35 @@ static wcut_status base_columns(searching *g, const wcut_model *about, wcut_erro
 static wcut_status entry_column(searching *g, int k, const wcut_response *d, double *value) {
     static const wcut_weight weight[WCUT_SIGNALS] = {WCUT_WEIGHT_EVEN, WCUT_WEIGHT_EVEN, WCUT_WEIGHT_A,
                                                      WCUT_WEIGHT_A,    WCUT_WEIGHT_B,    WCUT_WEIGHT_B};
+
+    /* the column of this entry, and the response to a change of ln a that it is made from */
     double *column = column_of(g, WCUT_BASE + g->nuisances + k), square = 0;
     const double *by_force = column_of(g, 0);
     int bins = 0;
     g->most[k] = 0;
+
+    /* phi of each cut in its bins */
     for (int cut = 0; cut < g->e->cuts; cut++) {
         const wcut_evidence_cut *c = &g->e->cut[cut];
         if (c->bins == 0) continue;
         const wcut_status status = wcut_dictionary_eval(g->e, cut, &d[cut], &g->entry[k], value);
         if (status != WCUT_OK) return status;
+
+        /* sums for the scale, and the largest value for the report */
         for (int i = 0; i < c->bins; i++) {
             square += value[i] * value[i], bins++;
             g->most[k] = fmax(g->most[k], fabs(value[i]));
         }
+
+        /* the response to a force changed by phi is that to ln a times phi, angles weighted towards their mount */
         for (int i = 0; i < WCUT_SIGNALS * c->bins; i++)
             column[c->row + i] = by_force[c->row + i] * value[(int)weight[i / c->bins] * c->bins + i % c->bins];
     }
+
+    /* scale the column to unit mean square; an entry that is zero everywhere is left out */
     g->scale[k] = square > 1e-12 * bins ? 1 / sqrt(square / bins) : 0;
     for (int i = 0; i < g->e->rows; i++) column[i] *= g->scale[k];
+
     return WCUT_OK;
 }
 
@@ -149,12 +160,18 @@ static wcut_status fill(searching *g, const wcut_model *about, wcut_error *error
     const size_t rows = (size_t)e->rows;
     double spread[WCUT_FIT_MAX] = {0};
     int bins = 0;
+
+    /* room for the most bins of a cut */
     for (int k = 0; k < e->cuts; k++) bins = e->cut[k].bins > bins ? e->cut[k].bins : bins;
     wcut_response *d = wcut_alloc((size_t)e->cuts, sizeof *d);
     double *value = wcut_alloc((size_t)WCUT_WEIGHTS * (size_t)bins, sizeof *value),
            *raw = wcut_alloc(rows, sizeof *raw);
+
+    /* columns of the base coordinates, then the wire driven once along each exogenous trajectory */
     wcut_status status = d && value && raw ? base_columns(g, about, error) : WCUT_NO_MEMORY;
     if (status == WCUT_OK) status = drive_all(e, about, d, error);
+
+    /* one column for every entry of the dictionary */
     for (int k = 0; status == WCUT_OK && k < g->entries; k++) {
         status = entry_column(g, k, d, value);
         if (wcut_stop_asked(e->stop)) status = wcut_fail(error, WCUT_INTERRUPTED, "interrupted");
@@ -172,7 +189,10 @@ static wcut_status fill(searching *g, const wcut_model *about, wcut_error *error
             g->precision[k] = 1 / (width * width);
         }
     }
+
+    /* release the responses and the scratch */
     for (int k = 0; d && k < e->cuts; k++) wcut_response_destroy(&d[k]);
+
     wcut_free(d);
     wcut_free(value);
     wcut_free(raw);
@@ -205,25 +225,37 @@ static bool screen_one(const searching *g, int fixed, int *chosen, double before
 static int screen(const searching *g, int fixed, int *chosen, pick *best) {
     double t[WCUT_FIT_MAX], before;
     int n = 0;
+
+    /* the cost of the columns that are in already */
     if (!wcut_normal_equations_solve(&g->normal, fixed, chosen, g->centre, g->precision, -1, t, NULL, &before))
         return 0;
+
+    /* each entry, a sine and its cosine taken together */
     for (int k = 0; k < g->entries; k++) {
         pick p = {.entry = k, .width = g->entry[k].pair ? 2 : 1};
         if (k > 0 && g->entry[k - 1].pair) continue; /* the cosine of a pair */
         if (g->scale[k] == 0 || !screen_one(g, fixed, chosen, before, &p)) continue;
+
+        /* keep the best of each family, so that the list is not all variants of one term */
         int at = 0;
         while (at < n && !same_family(&g->entry[best[at].entry], &g->entry[k])) at++;
         if (at < n && best[at].gain >= p.gain) continue;
+
+        /* a full list: the new one takes the place of the last, if it is better by the criterion of Akaike (gain - 4
+           a coordinate) */
         if (at == n && n == TRIED) {
             if (best[n - 1].gain - 4 * best[n - 1].width >= p.gain - 4 * p.width) continue;
             at = n - 1;
         } else if (at == n) {
             n++;
         }
+
+        /* insert in order */
         for (; at > 0 && best[at - 1].gain - 4 * best[at - 1].width < p.gain - 4 * p.width; at--)
             best[at] = best[at - 1];
         best[at] = p;
     }
+
     return n;
 }
 
@@ -316,6 +348,7 @@ static wcut_status step(searching *g, const wcut_fitted *from, const wcut_residu
     wcut_status status = missing && open ? WCUT_OK : wcut_fail(error, WCUT_NO_MEMORY, "no memory for a step");
     int n = 0;
     if (status == WCUT_OK) {
+        /* the screen about this residual */
         wcut_evidence_residual(g->e, missing);
         wcut_evidence_whiten(g->e, missing, from->open, open);
         wcut_normal_equations_fill(g->e, g->column, open, &g->normal);
@@ -323,16 +356,24 @@ static wcut_status step(searching *g, const wcut_fitted *from, const wcut_residu
     }
     wcut_free(open);
     wcut_free(missing);
+
+    /* fit the best in full, as long as they contend with the first and are not due to chance */
     int at = -1;
     for (int k = 0; status == WCUT_OK && k < n; k++) {
         const double chance = wcut_chi_square_tail(best[k].gain / clamp(before->slow, 1, 3), best[k].width);
         if (!(best[k].gain > CONTENDS * best[0].gain) || !(chance * g->entries < LEVEL)) break;
         status = try_entry(g, from, &best[k], &t[k], error);
+
+        /* a trial that does not converge is no candidate */
         if (status == WCUT_NOT_CONVERGED || status == WCUT_BAD_ARGUMENT) status = WCUT_OK;
+
+        /* confirmed on held-out cuts, and better than those before */
         if (!t[k].fit.residual || !is_confirmed(g, &t[k], before)) continue;
         if (at < 0 || t[k].gain - 4 * t[k].fit.count > t[at].gain - 4 * t[at].fit.count) at = k;
     }
     taken->width = 0;
+
+    /* the best one becomes the fit; its rivals are kept for the report */
     if (status == WCUT_OK && at >= 0) {
         *taken = t[at].pick;
         keep_rivals(g, t, n, at, out);
@@ -342,33 +383,49 @@ static wcut_status step(searching *g, const wcut_fitted *from, const wcut_residu
         out->fit = t[at].fit;
         t[at].fit = (wcut_fitted){0};
     }
+
+    /* release the trials that were not taken */
     for (int k = 0; k < TRIED; k++) wcut_fitted_destroy(&t[k].fit);
+
     return status;
 }
 
 wcut_status wcut_empirical_find(const wcut_evidence *e, const wcut_fitted *recalibrated, wcut_empirical *out,
                                 wcut_error *error) {
     searching g;
+
+    /* the dictionary's columns about the recalibrated model */
     wcut_empirical found = {.left = wcut_residual_stats_eval(e, recalibrated->residual)};
     wcut_status status = searching_create(e, &g) ? fill(&g, &recalibrated->model, error)
                                                  : wcut_fail(error, WCUT_NO_MEMORY, "no memory for the dictionary");
+
+    /* recalibration and nuisances are in every solve */
     int chosen[WCUT_FIT_MAX], fixed = WCUT_BASE + g.nuisances;
     for (int k = 0; k < fixed && status == WCUT_OK; k++) chosen[k] = k;
     const int most = g.cuts > 1 ? WCUT_EMPIRICAL_TERMS : 0; /* one cut confirms nothing */
+
+    /* add one term after the other, each about the fit of those before */
     for (int term = 0; status == WCUT_OK && term < most; term++) {
         pick taken = {.width = 0};
         const wcut_residual_stats before = found.left;
         status =
             step(&g, found.fit.residual ? &found.fit : recalibrated, &before, fixed, chosen, &found, &taken, error);
+
+        /* nothing was confirmed: the search ends */
         if (taken.width == 0) break;
+
+        /* the columns of the term stay in from now on */
         found.size[term] = g.most[taken.entry];
         for (int k = 0; k < taken.width; k++) chosen[fixed++] = WCUT_BASE + g.nuisances + taken.entry + k;
     }
+
+    /* hand over, or release, what was found */
     searching_destroy(&g);
     if (status == WCUT_OK)
         *out = found;
     else
         wcut_empirical_destroy(&found);
+
     return status;
 }
 

@@ -55,15 +55,22 @@ static bool common_create(const wcut_evidence *e, common *c) {
 }
 
 static wcut_status fill(const wcut_evidence *e, const wcut_fitted *about, common *c, wcut_error *error) {
+    /* the model itself, and one copy for each base coordinate */
     wcut_model model[1 + WCUT_BASE] = {about->model, about->model, about->model, about->model};
     const size_t rows = (size_t)e->rows;
     double *all = wcut_alloc((1 + WCUT_BASE) * rows, sizeof *all);
     if (!all) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d rows", e->rows);
+
+    /* base coordinates by finite steps: ln a, ln b and length */
     model[1].a *= exp(wcut_base_step[0]), model[2].b *= exp(wcut_base_step[1]);
     model[3].length_change += wcut_base_step[2];
+
+    /* rows of all four along the exogenous trajectory */
     const wcut_status status = wcut_models_rows(e, 1 + WCUT_BASE, model, all, error);
     for (int k = 0; status == WCUT_OK && k < e->cuts; k++) {
         const wcut_evidence_cut *cut = &e->cut[k];
+
+        /* the mean of both tensions in each bin, and how it answers to the base coordinates */
         for (int i = 0; i < cut->bins; i++) {
             const int a = cut->row + i, b = a + cut->bins;
             const double value =
@@ -77,6 +84,7 @@ static wcut_status fill(const wcut_evidence *e, const wcut_fitted *about, common
             c->n++;
         }
     }
+
     wcut_free(all);
     return status;
 }
@@ -99,6 +107,7 @@ static double spread_of(const common *c, double *room) {
 static void solve(common *c, double sigma) {
     double m[WCUT_BASE][WCUT_BASE + 1] = {{0}};
     for (int j = 0; j < WCUT_BASE; j++) {
+        /* normal equations; the prior stands on the diagonal, in units of sigma */
         m[j][j] = sigma * sigma / (wcut_base_spread[j] * wcut_base_spread[j]);
         for (int i = 0; i < c->n; i++) {
             for (int k = 0; k < WCUT_BASE; k++) m[j][k] += c->weight[i] * c->by[j][i] * c->by[k][i];
@@ -110,11 +119,15 @@ static void solve(common *c, double sigma) {
             const double factor = m[k][j] / m[j][j];
             for (int l = j; l <= WCUT_BASE; l++) m[k][l] -= factor * m[j][l];
         }
+
+    /* back substitution */
     for (int j = WCUT_BASE - 1; j >= 0; j--) {
         c->t[j] = m[j][WCUT_BASE];
         for (int k = j + 1; k < WCUT_BASE; k++) c->t[j] -= m[j][k] * c->t[k];
         c->t[j] /= m[j][j];
     }
+
+    /* what the solution leaves */
     for (int i = 0; i < c->n; i++) {
         c->left[i] = c->value[i];
         for (int j = 0; j < WCUT_BASE; j++) c->left[i] -= c->t[j] * c->by[j][i];

@@ -207,7 +207,10 @@ void wcut_evidence_whiten(const wcut_evidence *e, const double *residual, const 
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
         for (int s = 0; s < WCUT_SIGNALS; s++) {
+            /* each channel has its own filter, begun anew in each cut */
             innovations f = begin_innovations(e->noise.slow[wcut_noise_group(s)]);
+
+            /* a reading: the innovation of the Kalman filter with unit variance, then the update of the slow part */
             for (int i = 0; i < c->bins; i++) {
                 const int row = c->row + s * c->bins + i;
                 if (isfinite(residual[row])) {
@@ -216,11 +219,14 @@ void wcut_evidence_whiten(const wcut_evidence *e, const double *residual, const 
                     f.mean += f.variance / size * innovation;
                     f.variance /= size;
                 } else {
+                    /* a gap: no innovation, the variance grows */
                     out[row] = 0;
                 }
                 pass_bin(&f);
             }
         }
+
+        /* patches of a scan are white */
         for (int i = 0; i < c->patch.count; i++) {
             const int row = c->row + WCUT_SIGNALS * c->bins + i;
             out[row] = in[row] / c->patch.sigma[i];
@@ -315,6 +321,8 @@ static wcut_status measure(wcut_evidence_cut *c, const wcut_response *d) {
     const int n = c->recorded.count;
     double *value = wcut_alloc((size_t)n, sizeof *value);
     int *count = wcut_alloc((size_t)c->bins, sizeof *count);
+
+    /* the recorded signals, averaged in each bin; gaps become NaN */
     if (value && count) {
         for (int s = 0; s < WCUT_SIGNALS; s++) {
             const wcut_column *column = &c->recording->channel[WCUT_CHANNEL_TENSION_A + s];
@@ -324,9 +332,13 @@ static wcut_status measure(wcut_evidence_cut *c, const wcut_response *d) {
             }
             bin_samples(c, n, c->recorded.time, value, count, c->measured[s]);
         }
+
+        /* station, heat and engaged length in the same bins */
         bin_line(c, &c->exogenous, c->exogenous.station, c->station);
         bin_line(c, &c->exogenous, c->exogenous.heat, c->heat);
         bin_line(c, &c->exogenous, d->engaged, c->engaged);
+
+        /* the pace: way of the faster mount over a bin, from the progress at its two ends */
         for (int i = 0; i < c->bins; i++) {
             c->middle[i] = c->from + (i + 0.5) * WCUT_BIN_WIDTH;
             const int j = (int)clamp(floor(c->station[i]), 0, c->job->stations - 2);
@@ -339,7 +351,10 @@ static wcut_status measure(wcut_evidence_cut *c, const wcut_response *d) {
                           wcut_between(t->count, t->time, t->station, c->middle[i] - half));
         }
     }
+
+    /* release the scratch */
     const wcut_status status = value && count ? WCUT_OK : WCUT_NO_MEMORY;
+
     wcut_free(value);
     wcut_free(count);
     return status;
@@ -365,12 +380,16 @@ wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, bool f
     wcut_evidence *e = wcut_alloc(1, sizeof *e);
     wcut_error *failed = wcut_alloc((size_t)cuts, sizeof *failed);
     wcut_status status = WCUT_OK;
+
+    /* the borrowed inputs and the options of the whole case */
     if (e)
         *e = (wcut_evidence){.cuts = cuts,
                              .cut = wcut_alloc((size_t)cuts, sizeof *e->cut),
                              .threads = wcut_threads(threads),
                              .stop = stop};
     if (!e || !failed || !e->cut) status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d cuts", cuts);
+
+    /* take the cuts that are whole; one without a job or a recording stays empty */
     const wcut_job *first = NULL;
     for (int k = 0; status == WCUT_OK && k < cuts; k++) {
         const bool whole = cut[k].job && cut[k].recording;
@@ -381,6 +400,8 @@ wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, bool f
     }
     if (status == WCUT_OK && !first)
         status = wcut_fail(error, WCUT_BAD_ARGUMENT, "found no cut with a job and a recording, expected one at least");
+
+    /* the model is the first job's own; every channel begins with the usual slow noise */
     if (status == WCUT_OK) {
         e->at = (wcut_model){.a = first->force_law.a, .b = first->force_law.b};
         for (int g = 0; g < WCUT_NOISE_GROUPS; g++) e->noise.slow[g] = WCUT_SLOW_NOISE;
@@ -388,6 +409,8 @@ wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, bool f
         for (int k = 0; k < cuts; k++)
             if (e->cut[k].job) failed[k].status = fill_cut(&e->cut[k], fed_back, stop, &failed[k]);
     }
+
+    /* rows of the cuts one after the other */
     for (int k = 0; status == WCUT_OK && k < cuts; k++) {
         if (failed[k].status != WCUT_OK)
             status = wcut_fail(error, failed[k].status, "cut %d: %s", k + 1, failed[k].text);
@@ -397,10 +420,13 @@ wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, bool f
     if (status == WCUT_OK && e->rows == 0)
         status = wcut_fail(error, WCUT_BAD_ARGUMENT, "found no cut that is 4 s in the foam, expected one at least");
     wcut_free(failed);
+
+    /* hand over, or release */
     if (status == WCUT_OK)
         *out = e;
     else
         wcut_evidence_destroy(e);
+
     return status;
 }
 
@@ -429,27 +455,38 @@ static double white_noise(const wcut_evidence *e, int s, double *room) {
 
 static wcut_status predict_cut(wcut_evidence *e, int k, bool scans, wcut_error *error) {
     wcut_evidence_cut *c = &e->cut[k];
+
+    /* the job under this model; its effects stand in `effect` */
     const bool scan = scans && c->scan;
     wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
     const wcut_job job = wcut_model_job(e, &e->at, k, effect);
     double *out = wcut_alloc((size_t)WCUT_SIGNALS * (size_t)c->bins, sizeof *out);
     wcut_response d = {0}, reference = {0};
+
+    /* the fine wire along the recorded motion: what the measured values are compared with */
     wcut_status status = out ? wcut_response_run(&job, NODES_FINE, &c->recorded, scan, e->stop, &d, error)
                              : wcut_fail(error, WCUT_NO_MEMORY, "no memory");
     if (status == WCUT_OK) status = wcut_evidence_bin_recorded(c, &e->at, &d, out);
+
+    /* the coarse wire along the exogenous motion: the reference of all differences */
     if (status == WCUT_OK)
         status = wcut_response_run(&job, NODES_COARSE, &c->exogenous, scan, e->stop, &reference, error);
+
+    /* copy and replace only once both runs have succeeded */
     for (int s = 0; status == WCUT_OK && s < WCUT_SIGNALS; s++)
         memcpy(c->predicted[s], out + (size_t)s * (size_t)c->bins, (size_t)c->bins * sizeof *out);
     if (status == WCUT_OK) {
         wcut_response_destroy(&c->reference);
         c->reference = reference;
         reference = (wcut_response){0};
+
+        /* patches of the scan belong to the face of this run */
         if (scan) {
             wcut_patches_destroy(&c->patch);
             status = wcut_patches_create(c, &d, &c->patch, error);
         }
     }
+
     wcut_response_destroy(&reference);
     wcut_response_destroy(&d);
     wcut_free(out);
@@ -459,10 +496,14 @@ static wcut_status predict_cut(wcut_evidence *e, int k, bool scans, wcut_error *
 wcut_status wcut_evidence_predict(wcut_evidence *e, const wcut_model *model, bool scans, wcut_error *error) {
     wcut_error *failed = wcut_alloc((size_t)e->cuts, sizeof *failed);
     if (!failed) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d cuts", e->cuts);
+
+    /* every cut is driven by itself */
     e->at = *model;
 #pragma omp parallel for num_threads(wcut_threads(e->threads)) schedule(dynamic, 1)
     for (int k = 0; k < e->cuts; k++)
         if (e->cut[k].bins > 0) failed[k].status = predict_cut(e, k, scans, &failed[k]);
+
+    /* rows anew, because the number of patches may have changed */
     wcut_status status = WCUT_OK;
     e->rows = 0;
     for (int k = 0; k < e->cuts; k++) {
@@ -473,9 +514,12 @@ wcut_status wcut_evidence_predict(wcut_evidence *e, const wcut_model *model, boo
     }
     wcut_free(failed);
     if (status != WCUT_OK) return status;
+
+    /* the white part of the noise from steps between neighbouring bins */
     double *room = wcut_alloc((size_t)e->rows, sizeof *room);
     if (!room) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d rows", e->rows);
     for (int s = 0; s < WCUT_SIGNALS; s++) e->sigma[s] = white_noise(e, s, room);
+
     wcut_free(room);
     return WCUT_OK;
 }

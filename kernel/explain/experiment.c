@@ -246,13 +246,19 @@ static void add_priors(trial *t) {
 /* what is left of the difference after the best refit */
 static wcut_status find_left(const trial *t, double *left) {
     const size_t m = (size_t)t->rows;
+
+    /* split the rows into the columns of the plain model and the difference of the two explanations */
     double *a = wcut_alloc(m * COLUMNS, sizeof *a), *d = wcut_alloc(m, sizeof *d), x[COLUMNS];
     wcut_status status = a && d ? WCUT_OK : WCUT_NO_MEMORY;
     for (size_t i = 0; status == WCUT_OK && i < m; i++) {
         memcpy(a + i * COLUMNS, t->row + i * WIDTH, COLUMNS * sizeof *a);
         d[i] = t->row[i * WIDTH + COLUMNS];
     }
+
+    /* least squares: the part of the difference that a refit takes away */
     if (status == WCUT_OK) status = wcut_qr_solve(t->rows, COLUMNS, a, d, x, NULL);
+
+    /* norm of the rest */
     double sum = 0;
     for (size_t i = 0; status == WCUT_OK && i < m; i++) {
         const double *row = t->row + i * WIDTH;
@@ -263,6 +269,7 @@ static wcut_status find_left(const trial *t, double *left) {
     wcut_free(d);
     wcut_free(a);
     if (status == WCUT_OK) *left = sqrt(sum);
+
     return status;
 }
 
@@ -370,10 +377,13 @@ static wcut_job *copy_plain(const wcut_job *job) {
 wcut_status wcut_experiment_choose(const wcut_job *job, int count_a, const wcut_effect *a, int count_b,
                                    const wcut_effect *b, wcut_stop *stop, wcut_job **best, double *separation,
                                    char reason[WCUT_DIAGNOSIS_TEXT], wcut_error *error) {
+    /* check, and whether either explanation moves the face, so that a scan would help */
     wcut_status status = check(job, count_a, a, count_b, b, best && separation && reason, error);
     if (status != WCUT_OK) return status;
     trial t = {.count = {count_a, count_b}, .effect = {a, b}, .stop = stop};
     t.scan = moves_face(count_a, a) || moves_face(count_b, b);
+
+    /* candidates: the cut as it is, then variations of it */
     wcut_job *chosen = NULL;
     candidate choice = AS_IT_IS;
     double most = -1, as_it_is = 0;
@@ -381,12 +391,18 @@ wcut_status wcut_experiment_choose(const wcut_job *job, int count_a, const wcut_
     for (int k = 0; k < CANDIDATES; k++) {
         wcut_job *made = copy_plain(job);
         double found = 0;
+
+        /* the separation: difference of both predictions after the best refit */
         status = made ? measure(&t, (candidate)k, made, &found, error)
                       : wcut_fail(error, WCUT_NO_MEMORY, "no memory for a copy of a job");
+
+        /* a variation that cannot be cut is passed over; the cut as it is must succeed */
         if (status == WCUT_NO_MEMORY || status == WCUT_INTERRUPTED || (status != WCUT_OK && k == AS_IT_IS)) {
             wcut_job_destroy(made);
             break;
         }
+
+        /* keep the best one so far */
         tried += status == WCUT_OK;
         if (k == AS_IT_IS) as_it_is = found;
         const bool better = status == WCUT_OK && found > most;
@@ -398,8 +414,11 @@ wcut_status wcut_experiment_choose(const wcut_job *job, int count_a, const wcut_
         wcut_job_destroy(chosen);
         return status;
     }
+
+    /* the reason in words, and the job handed over */
     tell(&t, tried, choice, most, as_it_is, reason);
     *best = chosen;
     *separation = most;
+
     return WCUT_OK;
 }

@@ -34,16 +34,21 @@ static double mean_of(const double *bin) {
 /* both mounts of a second are in one block */
 static void gather(const wcut_evidence *e, wcut_evidence_channel channel, const wcut_forecast *measured,
                    const wcut_forecast *predicted, pairs *p) {
+    /* the two rows of each channel (mounts A and B); angles in degrees */
     static const int signal[WCUT_EVIDENCE_CHANNEL_COUNT][2] = {{0, 1}, {0, 1}, {2, 4}, {3, 5}, {0, 0}};
     const double unit =
         channel == WCUT_EVIDENCE_CHANNEL_ALPHA || channel == WCUT_EVIDENCE_CHANNEL_BETA ? 180 / WCUT_PI : 1;
     size_t speed = 0;
     p->count = p->blocks = 0;
+
+    /* rows and blocks of each cut, in one list */
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
         const size_t row = (size_t)c->row, bins = (size_t)c->bins, face = row + WCUT_SIGNALS * bins;
         const bool is_scan = channel == WCUT_EVIDENCE_CHANNEL_SCAN;
         const int length = is_scan ? PATCH_BLOCK : BLOCK, n = is_scan ? c->patch.count : c->bins / MEAN;
+
+        /* of scans every patch, of signals means over one second */
         for (int i = 0; i < n; i++) {
             const int block = p->blocks + i / length;
             if (is_scan) add_pair(p, measured->row[face + (size_t)i], predicted->row[face + (size_t)i], block);
@@ -56,6 +61,8 @@ static void gather(const wcut_evidence *e, wcut_evidence_channel channel, const 
                              block);
             }
         }
+
+        /* blocks do not reach over the end of a cut */
         p->blocks += (n + length - 1) / length;
         speed += 2 * bins;
     }
@@ -65,16 +72,22 @@ static void gather(const wcut_evidence *e, wcut_evidence_channel channel, const 
 static void bootstrap(const pairs *p, double range, wcut_random *random, double *sum, int *number, wcut_fit *fit) {
     double draw[DRAWS];
     fit->low = fit->high = (double)NAN;
+
+    /* squared deviations and their number, by block */
     memset(sum, 0, (size_t)p->blocks * sizeof *sum);
     memset(number, 0, (size_t)p->blocks * sizeof *number);
     for (int i = 0; i < p->count; i++) {
         const double d = p->measured[i] - p->predicted[i];
         sum[p->block[i]] += d * d, number[p->block[i]]++;
     }
+
+    /* blocks without any value drop out */
     int used = 0;
     for (int k = 0; k < p->blocks; k++)
         if (number[k] > 0) sum[used] = sum[k], number[used++] = number[k];
     if (used < 2 || !(range > 0)) return;
+
+    /* draw as many blocks as there are, with replacement, and take the RMSE of each drawing */
     for (int k = 0; k < DRAWS; k++) {
         double square = 0, count = 0;
         for (int i = 0; i < used; i++) {
@@ -83,12 +96,15 @@ static void bootstrap(const pairs *p, double range, wcut_random *random, double 
         }
         draw[k] = sqrt(square / count) / range;
     }
+
+    /* 2.5 and 97.5 % of the drawings */
     wcut_sort(DRAWS, draw);
     fit->low = draw[DRAWS / 40], fit->high = draw[DRAWS - 1 - DRAWS / 40];
 }
 
 wcut_status wcut_forecast_score(const wcut_evidence *e, const wcut_forecast *measured, const wcut_forecast *predicted,
                                 unsigned long long seed, wcut_fit *fit) {
+    /* room for the pairs of any channel over all cuts */
     size_t most = 0;
     for (int k = 0; k < e->cuts; k++) most += (size_t)(2 * e->cut[k].bins + e->cut[k].patch.count) + 2;
     pairs p = {.measured = wcut_alloc(most, sizeof(double)),
@@ -97,6 +113,8 @@ wcut_status wcut_forecast_score(const wcut_evidence *e, const wcut_forecast *mea
     double *sum = wcut_alloc(most, sizeof *sum);
     int *number = wcut_alloc(most, sizeof *number);
     const bool whole = p.measured && p.predicted && p.block && sum && number;
+
+    /* each channel: pairs of values, their score, and its interval from a random seed of its own */
     for (int k = 0; whole && k < WCUT_EVIDENCE_CHANNEL_COUNT; k++) {
         gather(e, (wcut_evidence_channel)k, measured, predicted, &p);
         const wcut_score s = wcut_score_of(p.count, p.measured, p.predicted, 0);
@@ -104,6 +122,8 @@ wcut_status wcut_forecast_score(const wcut_evidence *e, const wcut_forecast *mea
         wcut_random random = wcut_random_seed(seed + (unsigned)k);
         bootstrap(&p, s.range, &random, sum, number, &fit[k]);
     }
+
+    /* release in the order opposite to the allocation */
     wcut_free(number);
     wcut_free(sum);
     wcut_free(p.block);

@@ -68,12 +68,16 @@ static bool list_coordinates(const wcut_model *start, wcut_fitted *f) {
 
 static wcut_status fitting_create(const wcut_evidence *e, const wcut_model *start, wcut_fitted *f, fitting *g) {
     const size_t rows = (size_t)e->rows;
+
+    /* the unknowns: base coordinates and effects, then nuisances */
     if (!list_coordinates(start, f)) return WCUT_BAD_ARGUMENT;
     g->e = e, g->f = f;
     g->shared = WCUT_BASE + f->count;
     g->nuisances = wcut_nuisance_count(e);
     g->n = g->shared + g->nuisances;
     if (g->n > WCUT_FIT_MAX) return WCUT_BAD_ARGUMENT;
+
+    /* rows and columns of the linear problem, and what the fit hands out */
     g->rows = wcut_alloc((size_t)(1 + g->shared) * rows, sizeof(double));
     g->at_rows = wcut_alloc(rows, sizeof(double));
     g->measured = wcut_alloc(rows, sizeof(double));
@@ -96,9 +100,13 @@ static wcut_status fitting_create(const wcut_evidence *e, const wcut_model *star
         !f->held_out || !f->without || !f->residual || !f->standard || !f->open || !f->scatter || !f->scatter_error ||
         !f->predicted || !f->column || !g->plain_column || !g->plain_residual)
         return WCUT_NO_MEMORY;
+
+    /* priors of the base coordinates and of the effects */
     for (int k = 0; k < WCUT_BASE; k++) g->precision[k] = 1 / (wcut_base_spread[k] * wcut_base_spread[k]);
     for (int k = 0; k < f->count; k++)
         g->precision[WCUT_BASE + k] = 1 / (f->coordinate[k].spread * f->coordinate[k].spread);
+
+    /* columns of the nuisances: delays of readings, and a kerf where there are scans */
     double spread[WCUT_FIT_MAX] = {0};
     double *own = g->plain_column + (size_t)g->shared * rows, *white = g->column + (size_t)g->shared * rows;
     wcut_nuisance_columns(e, own, spread);
@@ -106,11 +114,14 @@ static wcut_status fitting_create(const wcut_evidence *e, const wcut_model *star
     memcpy(g->anchor, g->measured, rows * sizeof(double));
     for (int k = 0; k < start->effects; k++) /* a delay that is fitted leaves none to the nuisances */
         if (wcut_explanation_view(start->effect[k].kind)->delay) spread[0] = spread[1] = WCUT_DELAY_REST;
+
+    /* their priors; a kerf has its mean at one millimetre */
     for (int k = 0; k < g->nuisances; k++) {
         g->precision[g->shared + k] = 1 / (spread[k] * spread[k]);
         g->centre[g->shared + k] = k == WCUT_DELAYS ? WCUT_KERF : 0;
         wcut_evidence_whiten(e, g->measured, own + (size_t)k * rows, white + (size_t)k * rows);
     }
+
     return wcut_normal_equations_create(g->n, e->scatter.count, e->cuts, &g->normal);
 }
 
@@ -138,6 +149,8 @@ static wcut_status take_columns(fitting *g, wcut_error *error) {
     wcut_model model[1 + WCUT_FIT_MAX];
     wcut_fitted *f = g->f;
     const size_t rows = (size_t)g->e->rows;
+
+    /* the model itself, and one with each coordinate moved by its step */
     model[0] = wcut_fitted_model(f, f->x);
     for (int k = 0; k < g->shared; k++) {
         double x[WCUT_FIT_MAX];
@@ -145,14 +158,19 @@ static wcut_status take_columns(fitting *g, wcut_error *error) {
         x[k] += step_of(f, k);
         model[1 + k] = wcut_fitted_model(f, x);
     }
+
+    /* all of them along the exogenous trajectory, every motion driven once */
     const wcut_status status = wcut_models_rows(g->e, 1 + g->shared, model, g->rows, error);
     if (status != WCUT_OK) return status;
+
+    /* differences divided by the step, as measured and whitened */
     for (int k = 0; k < g->shared; k++) {
         double *column = g->plain_column + (size_t)k * rows;
         for (size_t i = 0; i < rows; i++)
             column[i] = (g->rows[(size_t)(1 + k) * rows + i] - g->rows[i]) / step_of(f, k);
         wcut_evidence_whiten(g->e, g->measured, column, g->column + (size_t)k * rows);
     }
+
     return WCUT_OK;
 }
 
@@ -227,10 +245,15 @@ static wcut_status iterate(fitting *g, double *covariance, wcut_error *error) {
     double t[WCUT_FIT_MAX], from[WCUT_FIT_MAX], cost = 0, before = HUGE_VAL, longest = 0;
     wcut_status status = WCUT_OK;
     for (int round = 0; status == WCUT_OK && round < ROUNDS; round++) {
+        /* columns are taken again at first, and whenever the last step was long */
         if (round < JACOBIANS || longest > FAR) status = take_columns(g, error);
         if (status != WCUT_OK) break;
+
+        /* residual at x, and its cost at the start */
         exogenous_residual(g);
         if (round == 0 && !present_cost(g, &before)) return WCUT_NOT_CONVERGED;
+
+        /* the Gauss-Newton step, shortened by halves until the cost does not rise */
         if (!find_step(g, t, covariance, &cost)) return WCUT_NOT_CONVERGED;
         memcpy(from, g->f->x, sizeof from);
         double share = 1;
@@ -246,16 +269,20 @@ static wcut_status iterate(fitting *g, double *covariance, wcut_error *error) {
             memcpy(g->f->x, from, sizeof from);
             return present_rows(g, error);
         }
+
+        /* stop where the step is well within chance, or gains nothing */
         const double gain = before - cost;
         before = cost;
         if (longest < 0.3 || gain < 0.5) break;
     }
+
     return status;
 }
 
 /* Predict along the recorded motion at the present x, of which g->rows are the rows: the differences along the exogenous
    trajectory count from here. */
 static wcut_status set_anchor(fitting *g, wcut_error *error) {
+    /* the recorded motion under the present model, cut by cut */
     const wcut_evidence *e = g->e;
     const wcut_model model = wcut_fitted_model(g->f, g->f->x);
     wcut_error *failed = wcut_alloc((size_t)e->cuts, sizeof *failed);
@@ -272,6 +299,8 @@ static wcut_status set_anchor(fitting *g, wcut_error *error) {
             failed[k].status = wcut_evidence_bin_recorded(c, &model, &d, g->f->predicted + c->row);
         wcut_response_destroy(&d);
     }
+
+    /* the anchor: measured less predicted there */
     wcut_status status = WCUT_OK;
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
@@ -290,7 +319,10 @@ static wcut_status set_anchor(fitting *g, wcut_error *error) {
         if (isfinite(g->measured[i]) && !isfinite(g->anchor[i])) g->anchor[i] = 0;
         g->at_rows[i] = g->rows[i];
     }
+
+    /* the residual refers to the new anchor from now on */
     exogenous_residual(g);
+
     return WCUT_OK;
 }
 
@@ -323,6 +355,8 @@ static void judge(fitting *g, const double *t) {
 /* what is left: with the nuisances and the scatter in, without them, and in units of all that may scatter */
 static void keep_residuals(fitting *g, const wcut_evidence *own, const double *t) {
     wcut_fitted *f = g->f;
+
+    /* as measured, before and after the nuisances are subtracted */
     const size_t rows = (size_t)g->e->rows;
     double *left = f->residual;
     memcpy(left, g->plain_residual, rows * sizeof *left);
@@ -331,6 +365,8 @@ static void keep_residuals(fitting *g, const wcut_evidence *own, const double *t
         if (k == g->shared) memcpy(f->open, left, rows * sizeof *left);
         for (size_t i = 0; i < rows; i++) left[i] -= t[k] * g->plain_column[(size_t)k * rows + i];
     }
+
+    /* in units of noise and scatter together */
     wcut_evidence_whiten(own, g->measured, left, f->standard);
     wcut_scatter_standardise(own, &g->normal, f->standard);
 
@@ -353,6 +389,8 @@ static wcut_status finish(fitting *g, double *covariance) {
     wcut_fitted *f = g->f;
     double t[WCUT_FIT_MAX], from[WCUT_FIT_MAX], cost;
     int chosen[WCUT_FIT_MAX];
+
+    /* the noise of this hypothesis is fitted in a copy, so that the evidence keeps its own */
     wcut_evidence own = *g->e;
     own.scatter.white = wcut_alloc((size_t)own.scatter.count * (size_t)own.rows, sizeof(double));
     if (!own.scatter.white) return WCUT_NO_MEMORY;
@@ -361,7 +399,11 @@ static wcut_status finish(fitting *g, double *covariance) {
         wcut_free(own.scatter.white);
         return WCUT_NOT_CONVERGED;
     }
+
+    /* cost of each cut, on all cuts and held out */
     judge(g, t);
+
+    /* the variances under which the residual is likeliest, and the solution under them */
     wcut_variances_begin(&own.noise);
     const wcut_linear linear = {.n = g->n,
                                 .column = g->plain_column,
@@ -373,6 +415,8 @@ static wcut_status finish(fitting *g, double *covariance) {
     if (status == WCUT_OK &&
         !wcut_normal_equations_solve(&g->normal, g->n, chosen, g->centre, g->precision, -1, t, covariance, &cost))
         status = WCUT_NOT_CONVERGED;
+
+    /* errors from the covariance, half widths before any profile */
     if (status == WCUT_OK) {
         f->noise = own.noise;
         keep_residuals(g, &own, t);
@@ -384,31 +428,41 @@ static wcut_status finish(fitting *g, double *covariance) {
             f->error[k] = sqrt(covariance[k * g->n + k]);
             f->below[k] = f->above[k] = NORMAL_95 * f->error[k];
         }
+
+        /* delays of the readings, then the kerf, as far as there are scans */
         for (int k = 0; k < WCUT_DELAYS; k++) {
             const int at = g->shared + k;
             f->delay[k] = t[at], f->delay_error[k] = sqrt(covariance[at * g->n + at]);
         }
         f->kerf = f->kerf_error = (double)NAN;
         if (g->nuisances > WCUT_DELAYS) f->kerf = t[g->n - 1], f->kerf_error = sqrt(covariance[g->n * g->n - 1]);
+
+        /* the model at the fitted coordinates */
         f->model = wcut_fitted_model(f, f->x);
     }
+
     wcut_free(own.scatter.white);
     return status;
 }
 
 wcut_status wcut_fit_solve(const wcut_evidence *e, const wcut_model *start, wcut_fitted *out, wcut_error *error) {
+    /* room for the problem, and the rows at the model that the evidence was predicted with */
     fitting g = {0};
     wcut_fitted f = {.kerf = 0};
     double *covariance = wcut_alloc((size_t)WCUT_FIT_MAX * WCUT_FIT_MAX, sizeof *covariance);
     wcut_status status = covariance ? fitting_create(e, start, &f, &g) : WCUT_NO_MEMORY;
     if (status != WCUT_OK) wcut_fail(error, status, "a fit of %d effects", start->effects);
     if (status == WCUT_OK) status = wcut_models_rows(e, 1, &e->at, g.at_rows, error);
+
+    /* alternate: Gauss-Newton about an anchor, then the anchor anew, until the step is within chance */
     bool settled = false;
     for (int round = 0; status == WCUT_OK && round < ANCHORS && !settled; round++) {
         status = iterate(&g, covariance, error);
         if (status == WCUT_OK) status = set_anchor(&g, error);
         if (status == WCUT_OK) settled = has_settled(&g, covariance);
     }
+
+    /* variances, intervals and held-out costs, then hand over */
     if (status == WCUT_OK) status = finish(&g, covariance);
     fitting_destroy(&g);
     wcut_free(covariance);
@@ -416,6 +470,7 @@ wcut_status wcut_fit_solve(const wcut_evidence *e, const wcut_model *start, wcut
         *out = f;
     else
         wcut_fitted_destroy(&f);
+
     return status;
 }
 
@@ -430,21 +485,30 @@ typedef struct summit {
 static wcut_status held_cost(fitting *g, const summit *s, int k, double value, double *cost, wcut_error *error) {
     int chosen[WCUT_FIT_MAX], count = 0;
     double t[WCUT_FIT_MAX];
+
+    /* move the others along the ridge of the covariance, so that they begin near their best */
     for (int i = 0; i < g->shared; i++) {
         const wcut_coordinate *c = i < WCUT_BASE ? NULL : &g->f->coordinate[i - WCUT_BASE];
         const double along = s->covariance[i * g->n + k] / s->covariance[k * g->n + k];
         const double to = i == k ? value : s->x[i] + along * (value - s->x[k]);
         g->f->x[i] = c ? clamp(to, c->low, c->high) : to;
     }
+
+    /* all columns but the one that is held */
     for (int i = 0; i < g->n; i++)
         if (i != k) chosen[count++] = i;
+
+    /* the residual there, and the best step of the others about it */
     const wcut_status status = present_rows(g, error);
     if (status != WCUT_OK) return status;
     set_centres(g);
     wcut_normal_equations_fill(g->e, g->column, g->residual, &g->normal);
     if (!wcut_normal_equations_solve(&g->normal, count, chosen, g->centre, g->precision, -1, t, NULL, cost))
         return wcut_fail(error, WCUT_NOT_CONVERGED, "the coordinates beside a profile depend on each other");
+
+    /* the prior of the held coordinate counts too */
     *cost += g->precision[k] * g->centre[k] * g->centre[k];
+
     return WCUT_OK;
 }
 
@@ -509,6 +573,8 @@ wcut_status wcut_fit_profile(const wcut_evidence *e, wcut_fitted *fitted, wcut_e
             status = find_end(&g, &s, k, side ? 1 : -1, &half[k][side], error);
     for (int k = WCUT_BASE; status == WCUT_OK && k < g.shared; k++)
         fitted->below[k] = half[k][0], fitted->above[k] = half[k][1];
+
+    /* the profile replaces the half widths only after the last end was found */
     fitting_destroy(&g);
     wcut_fitted_destroy(&f);
     wcut_free(own.scatter.white);

@@ -127,8 +127,11 @@ static void forget(wcut_job *job) {
 
 wcut_status wcut_programme_create(wcut_job *job, const wcut_schedule *schedule, int parts, wcut_random *random,
                                   wcut_error *error) {
+    /* room for the heater's steps: a duration holds so many of the shortest at most */
     const int room = (int)(schedule->count * WCUT_PREDICTED_CUT_STEP / STEP_LEAST) + 2;
     double *speed = wcut_alloc((size_t)schedule->count, sizeof *speed);
+
+    /* the plain job without any excitation, then the programme */
     forget(job);
     job->dither = wcut_alloc(SINES, sizeof *job->dither);
     job->heat_step = wcut_alloc((size_t)room, sizeof *job->heat_step);
@@ -143,6 +146,7 @@ wcut_status wcut_programme_create(wcut_job *job, const wcut_schedule *schedule, 
     } else {
         status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a programme of %d steps", room);
     }
+
     wcut_free(speed);
     return status;
 }
@@ -161,32 +165,43 @@ static wcut_status turn(wcut_job *job, bool *turned, wcut_schedule *schedule, wc
 
 static wcut_status make_cut(const wcut_job *plain, const wcut_schedule *schedule, int index, wcut_random *random,
                             wcut_job **out, wcut_error *error) {
+    /* the second cut runs the path backwards, so that place and time do not go together */
     wcut_job *job = wcut_job_copy(plain);
     wcut_schedule back = {0};
     if (!job) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a copy of a job");
     bool turned = false;
     wcut_status status = index == 1 ? turn(job, &turned, &back, error) : WCUT_OK;
+
+    /* its name says which cut it is */
     char behind[60];
     snprintf(behind, sizeof behind, ", identification %d%s", index + 1, turned ? ", backwards" : "");
     if (status == WCUT_OK && !wcut_job_name(job, behind))
         status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a name");
+
+    /* the excitation: sines on the speed, steps of the heat */
     if (status == WCUT_OK)
         status = wcut_programme_create(job, turned ? &back : schedule, WCUT_PROGRAMME_SPEED | WCUT_PROGRAMME_HEAT,
                                        random, error);
     wcut_schedule_destroy(&back);
+
+    /* hand over, or release */
     if (status == WCUT_OK)
         *out = job;
     else
         wcut_job_destroy(job);
+
     return status;
 }
 
 wcut_status wcut_identification_create(const wcut_job *job, int count, unsigned long long seed, wcut_job **out,
                                        wcut_error *error) {
+    /* check the arguments, and that there is a path to vary */
     if (!job || count < 1 || count > CUTS_MOST || !out)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "a job and 1 .. %d cuts are expected", CUTS_MOST);
     if (job->mode != WCUT_MODE_PATH)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "found a design, expected a job with the mounts' path");
+
+    /* one plan for all cuts: the job without excitation */
     wcut_job *made[CUTS_MOST] = {NULL};
     wcut_schedule schedule = {0};
     wcut_random random = wcut_random_seed(seed);
@@ -196,10 +211,15 @@ wcut_status wcut_identification_create(const wcut_job *job, int count, unsigned 
         forget(plain);
         status = wcut_schedule_create(plain, &schedule, error);
     }
+
+    /* every cut draws on from the same random numbers */
     for (int k = 0; k < count && status == WCUT_OK; k++)
         status = make_cut(plain, &schedule, k, &random, &made[k], error);
+
+    /* write all of them or none */
     if (status == WCUT_OK) memcpy(out, made, (size_t)count * sizeof *out);
     for (int k = 0; k < count && status != WCUT_OK; k++) wcut_job_destroy(made[k]);
+
     wcut_schedule_destroy(&schedule);
     wcut_job_destroy(plain);
     return status;

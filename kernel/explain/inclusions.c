@@ -66,9 +66,13 @@ static double height_at(const wcut_evidence_cut *c, const wcut_response *d, doub
 static wcut_status run_column(const wcut_evidence *e, const wcut_model *about, int cut, const wcut_response *plain,
                               const double *plain_bins, int column, int phase, double *bins, blobs *b) {
     const wcut_evidence_cut *c = &e->cut[cut];
+
+    /* the job under the model, with as many inclusions as there is room for */
     wcut_effect effect[BLOBS_MAX + WCUT_DIAGNOSIS_EFFECTS];
     wcut_job job = wcut_model_job(e, about, cut, effect);
     const double x = blob_share[column] * c->job->block_size.x;
+
+    /* a row of small inclusions along y, far enough apart that the wire meets one at a time */
     const int known = job.effect_count, begun = b->count;
     for (double y = PITCH * (0.5 + phase); y < c->job->block_size.y && b->count - begun < BLOBS_MAX;
          y += PITCH * PHASES) {
@@ -79,9 +83,13 @@ static wcut_status run_column(const wcut_evidence *e, const wcut_model *about, i
         b->x[b->count] = x, b->y[b->count++] = y;
     }
     if (job.effect_count == known) return WCUT_OK;
+
+    /* one simulation for all of them */
     wcut_response d = {0};
     wcut_status status = wcut_response_run(&job, NODES, &c->exogenous, false, e->stop, &d, NULL);
     if (status == WCUT_OK) status = wcut_evidence_bin_exogenous(c, about, &d, bins);
+
+    /* assign the change in each bin to the inclusion that the wire is nearest to */
     const int last = plain->count - 1;
     for (int i = 0; status == WCUT_OK && i < c->bins; i++) {
         const double place = (c->middle[i] - c->exogenous.time[0]) / (c->exogenous.time[1] - c->exogenous.time[0]);
@@ -95,14 +103,19 @@ static wcut_status run_column(const wcut_evidence *e, const wcut_model *about, i
             b->change[(size_t)nearest * WCUT_SIGNALS * (size_t)c->bins + at] = (bins[at] - plain_bins[at]) / AMPLITUDE;
         }
     }
+
+    /* release the run */
     wcut_response_destroy(&d);
     return status;
 }
 
 static wcut_status run_cut(const wcut_evidence *e, const wcut_model *about, int cut, blobs *b) {
+    /* room for all inclusions of this cut, of all columns and phases */
     const wcut_evidence_cut *c = &e->cut[cut];
     const size_t size = WCUT_SIGNALS * (size_t)c->bins;
     const size_t most = COLUMNS * (size_t)(c->job->block_size.y / PITCH + PHASES + 1);
+
+    /* the plain run, with positions: where the wire is when */
     wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
     const wcut_job job = wcut_model_job(e, about, cut, effect);
     wcut_response plain = {0};
@@ -111,10 +124,15 @@ static wcut_status run_cut(const wcut_evidence *e, const wcut_model *about, int 
                  .y = wcut_alloc(most, sizeof(double)),
                  .change = wcut_alloc(most * size, sizeof(double))};
     wcut_status status = bins && b->x && b->y && b->change ? WCUT_OK : WCUT_NO_MEMORY;
+
+    /* its signals in the bins, as the reference */
     if (status == WCUT_OK) status = wcut_response_run(&job, NODES, &c->exogenous, true, e->stop, &plain, NULL);
     if (status == WCUT_OK) status = wcut_evidence_bin_exogenous(c, about, &plain, bins + size);
+
+    /* every column and phase is a run of its own */
     for (int task = 0; status == WCUT_OK && task < COLUMNS * PHASES; task++)
         status = run_column(e, about, cut, &plain, bins + size, task / PHASES, task % PHASES, bins, b);
+
     wcut_response_destroy(&plain);
     wcut_free(bins);
     return status;
@@ -141,6 +159,7 @@ static bool spread(const wcut_evidence *e, const blobs *b, double x, double y, d
 }
 
 static wcut_status list_places(const wcut_evidence *e, const blobs *b, wcut_inclusions *out) {
+    /* places over the narrowest width and the longest block */
     double width = HUGE_VAL, length = 0;
     const wcut_evidence_cut *first = NULL;
     for (int k = 0; k < e->cuts; k++) {
@@ -148,27 +167,35 @@ static wcut_status list_places(const wcut_evidence *e, const blobs *b, wcut_incl
         if (!first) first = &e->cut[k];
         width = fmin(width, e->cut[k].job->block_size.x), length = fmax(length, e->cut[k].job->block_size.y);
     }
+
+    /* a column of rows for each place, PITCH apart along y */
     const int along = (int)fmin(length / PITCH, 200);
     out->effect = wcut_alloc((size_t)PLACES_X * (size_t)along, sizeof *out->effect);
     out->column = wcut_alloc((size_t)PLACES_X * (size_t)along * (size_t)e->rows, sizeof(double));
     if (!out->effect || !out->column) return WCUT_NO_MEMORY;
     if (!first) return WCUT_OK; /* no cut with bins: no places */
+
+    /* a Gaussian blend of the simulated inclusions around the place; a place that changes no bin drops out */
     for (int i = 0; i < PLACES_X * along; i++) {
         const double x = place_share[i / along] * width, y = PITCH * (i % along + 0.5);
         double *column = out->column + (size_t)out->count * (size_t)e->rows;
         memset(column, 0, (size_t)e->rows * sizeof *column);
         if (!spread(e, b, x, y, column)) continue;
+
+        /* the effect of this place, as wide as its blended column */
         wcut_effect *effect = &out->effect[out->count++];
         *effect = wcut_effect_default(WCUT_EFFECT_FOAM_INCLUSION);
         effect->value[0] = 1, effect->value[1] = hypot(RADIUS, WIDE_Y);
         effect->value[2] = x, effect->value[3] = y;
         effect->value[4] = first->job->mount_a[first->job->stations / 2].z;
     }
+
     return WCUT_OK;
 }
 
 wcut_status wcut_inclusions_create(const wcut_evidence *e, const wcut_model *about, wcut_inclusions *out,
                                    wcut_error *error) {
+    /* every cut by itself; failures are collected in order */
     blobs *b = wcut_alloc((size_t)e->cuts, sizeof *b);
     wcut_status *failed = wcut_alloc((size_t)e->cuts, sizeof *failed);
     wcut_inclusions found = {0};
@@ -180,7 +207,11 @@ wcut_status wcut_inclusions_create(const wcut_evidence *e, const wcut_model *abo
         for (int cut = 0; cut < e->cuts; cut++)
             if (status == WCUT_OK) status = failed[cut];
     }
+
+    /* then the columns of the places, over all cuts */
     if (status == WCUT_OK) status = list_places(e, b, &found);
+
+    /* release the simulated inclusions, and hand the places over */
     for (int cut = 0; b && cut < e->cuts; cut++) blobs_destroy(&b[cut]);
     wcut_free(b);
     wcut_free(failed);
@@ -188,5 +219,6 @@ wcut_status wcut_inclusions_create(const wcut_evidence *e, const wcut_model *abo
         *out = found;
     else
         wcut_inclusions_destroy(&found);
+
     return status == WCUT_OK ? status : wcut_fail(error, status, "inclusions: %s", wcut_status_text(status));
 }

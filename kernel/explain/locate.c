@@ -179,6 +179,7 @@ static double lower_half(int n, double *square) {
 /* dispersion of windows by length, that of the two quietest of the six channels: an effect in the others is not to pass
    for noise; and how many tests there are. room: for a channel; square: all windows of a length in a channel */
 static void find_dispersion(search *s, double *room, double *square) {
+    /* windows of each length, in every channel of every cut */
     for (int l = 0; l < LENGTHS; l++) {
         double shown[WCUT_SIGNALS];
         for (int signal = 0; signal < WCUT_SIGNALS; signal++) {
@@ -191,12 +192,18 @@ static void find_dispersion(search *s, double *room, double *square) {
                     if (w.kind == l && w.last - w.first == window_length[l] && test_window(&h, &w))
                         square[n++] = w.t * w.t;
             }
+
+            /* a channel's dispersion is the mean of the lower half of t^2, which a local effect leaves as it is */
             s->tests += n;
             shown[signal] = lower_half(n, square);
         }
+
+        /* the two quietest channels count */
         wcut_sort(WCUT_SIGNALS, shown);
         s->dispersion[l] = (shown[0] + shown[1]) / 2;
     }
+
+    /* windows of whole regimes and cuts are tests too */
     for (int k = 0; k < s->e->cuts; k++) s->tests += s->e->cut[k].bins > 0 ? WCUT_SIGNALS * PART_WINDOWS : 0;
 }
 
@@ -247,21 +254,30 @@ static double beside(const channel *h, const window *w) {
 static void search_channel(search *s, int cut, int signal, double *room) {
     const channel h = channel_of(s, cut, signal, room);
     for (int found = 0; found < MOST && s->count < s->room; found++) {
+        /* where neighbours do not err alike, a window is also held against the mean square beside it */
         const bool order = has_order(s, &h, mean_square(&h));
         window best = {.t = 0}, w = {.cut = cut, .signal = signal, .left = 0, .right = 1};
         double most = 0;
+
+        /* the largest t of all windows that do not overlap with one already found */
         for (int k = 0; window_at(&h, k, &w); k++) {
             if (overlaps(s, &w) || !test_window(&h, &w)) continue;
             double t = fabs(w.t) / sqrt(s->dispersion[w.kind]);
             if (!order && t > most) t = fmin(t, fabs(w.t) / sqrt(beside(&h, &w)));
             if (t > most) most = t, best = w;
         }
+
+        /* its probability among all tests (Sidak 1967); end where nothing stands out */
         best.p = sidak(s->tests, most);
         if (!(best.p <= WCUT_LOCATE_LEVEL)) return;
+
+        /* its share of the misfit */
         double product, response, sum = 0;
         const double *z = s->whole + h.c->row + (ptrdiff_t)signal * h.n;
         for (int i = best.first; i < best.last; i++) sum += z[i] * z[i] - (h.scale[i] > 0);
         best.excess = fmax(best.t * best.t - 1, sum);
+
+        /* take the shift out of the channel, before the next window is sought */
         respond(&h, best.first, best.last, -best.shift, &product, &response);
         s->found[s->count++] = best;
     }
@@ -337,13 +353,17 @@ static void find_scan_dispersion(search *s, double *square) {
 }
 
 static void search_scan(search *s, int cut) {
+    /* rows of the scan: those searched, from which findings are taken out, and the whole */
     const wcut_evidence_cut *c = &s->e->cut[cut];
     double *z = scan_rows(s, cut);
     const double *whole = s->whole + (z - s->residual);
     for (int found = 0; found < MOST && s->count < s->room && c->patch.count > 0; found++) {
+        /* sums over the cells, for sums over rectangles */
         const cells in = sum_cells(s, cut);
         double own = 0, most = 0;
         for (int i = 0; i < c->patch.count; i++) own += z[i] * z[i] / c->patch.count;
+
+        /* the rectangle that stands out most */
         window best = {.t = 0}, w = {.cut = cut, .signal = WCUT_SIGNALS, .first = 0, .last = 1};
         while (next_rectangle(&w)) {
             double sum;
@@ -353,8 +373,12 @@ static void search_scan(search *s, int cut) {
             const double t = fabs(w.t) / sqrt(fmax(s->scan_dispersion, own));
             if (t > most) most = t, best = w;
         }
+
+        /* its probability among all tests; end where nothing stands out */
         best.p = sidak(s->tests, most);
         if (!(best.p <= WCUT_LOCATE_LEVEL)) return;
+
+        /* its share of the misfit, and the shift taken out of its patches */
         double sum = 0;
         for (int i = 0; i < c->patch.count; i++) {
             const int cell = cell_of(c, i), stripe = cell / LANES, lane = cell % LANES;
@@ -403,6 +427,7 @@ static double station_at(const wcut_evidence_cut *c, double time) {
 }
 
 static void tell_channel(const search *s, const window *w, const wcut_response *d, double *room, wcut_mismatch *out) {
+    /* back from whitened values to the unit of the channel */
     const wcut_evidence_cut *c = &s->e->cut[w->cut];
     channel h = channel_of(s, w->cut, w->signal, room);
     double *value = room + 3 * (ptrdiff_t)c->bins, sum = 0;
@@ -411,14 +436,20 @@ static void tell_channel(const search *s, const window *w, const wcut_response *
     for (int i = w->first; i < w->last; i++)
         if (h.scale[i] > 0) sum += value[i], n++;
     const double unit = w->signal < 2 ? 1 : 180 / WCUT_PI;
+
+    /* mean over the window, and which channel it is */
     out->mean = unit * h.sigma * sum / (n > 0 ? n : 1);
     out->channel = (wcut_evidence_channel)(WCUT_EVIDENCE_CHANNEL_TENSION + kind_of(w->signal));
     snprintf(out->column, sizeof out->column, "%s",
              wcut_channel_name((wcut_channel)(WCUT_CHANNEL_TENSION_A + w->signal)));
+
+    /* where it is in time, on the path, and in the block */
     out->time[0] = c->from + w->first * WCUT_BIN_WIDTH, out->time[1] = c->from + w->last * WCUT_BIN_WIDTH;
     for (int k = 0; k < 2; k++) out->station[k] = station_at(c, out->time[k]), out->wire[k] = (double)NAN;
     const box where = swept(c, d, out->time[0], out->time[1]);
     out->block[0] = where.low, out->block[1] = where.high;
+
+    /* the regime that the window lies in */
     for (int k = 0; k < REGIMES; k++)
         if (w->first >= h.regime[k] && w->last <= h.regime[k + 1])
             snprintf(out->regime, sizeof out->regime, "%s", regime_name[k]);
@@ -439,6 +470,8 @@ static void tell_scan(const search *s, const window *w, wcut_mismatch *out) {
     const wcut_evidence_cut *c = &s->e->cut[w->cut];
     const wcut_patches *p = &c->patch;
     const double *z = s->whole + c->row + (ptrdiff_t)WCUT_SIGNALS * c->bins, length = c->job->wire_length;
+
+    /* patches of the rectangle: mean deviation, and the boxes they lie in */
     box where = {.any = false}, range = {.any = false};
     double sum = 0;
     int n = 0;
@@ -449,12 +482,16 @@ static void tell_scan(const search *s, const window *w, wcut_mismatch *out) {
         box_add(&where, p->point[i]);
         box_add(&range, vec3(p->station[i], (p->across[i] - entering(p)) * length, 0));
     }
+
+    /* the mean in mm; the range of stations and of the wire */
     out->mean = n > 0 ? sum / n : 0;
     out->channel = WCUT_EVIDENCE_CHANNEL_SCAN;
     snprintf(out->column, sizeof out->column, "scan");
     out->station[0] = range.low.x, out->station[1] = range.high.x;
     out->wire[0] = range.low.y, out->wire[1] = range.high.y;
     out->block[0] = where.low, out->block[1] = where.high;
+
+    /* times at which the wire was there */
     for (int k = 0; k < 2; k++)
         out->time[k] = wcut_between(c->exogenous.count, c->exogenous.station, c->exogenous.time, out->station[k]);
 }
@@ -510,11 +547,14 @@ static wcut_status tell(search *s, double *room, int *count, wcut_mismatch *out,
 
 wcut_status wcut_mismatch_locate(const wcut_evidence *e, const double *residual, int *count, wcut_mismatch *out,
                                  wcut_error *error) {
+    /* the largest cut decides the room */
     int bins = 0, scans = 0;
     for (int k = 0; k < e->cuts; k++) {
         bins = e->cut[k].bins > bins ? e->cut[k].bins : bins;
         scans += e->cut[k].patch.count > 0;
     }
+
+    /* copies: what is found is taken out of `residual`, while `whole` stays */
     search s = {.e = e, .whole = residual, .room = MOST * (WCUT_SIGNALS * e->cuts + scans)};
     s.residual = wcut_copy(residual, (size_t)e->rows, sizeof *residual);
     s.raw = wcut_alloc((size_t)e->rows, sizeof(double));
@@ -523,19 +563,26 @@ wcut_status wcut_mismatch_locate(const wcut_evidence *e, const double *residual,
     /* windows of a length start every bin at most */
     double *square = wcut_alloc((size_t)e->cuts * (size_t)(bins + 1 + STRIPES), sizeof *square);
     wcut_status status = WCUT_NO_MEMORY;
+
+    /* dispersions first, because every test is divided by them */
     if (s.residual && s.raw && s.found && room && square) {
         wcut_evidence_residual(e, s.raw);
         find_dispersion(&s, room, square);
         find_scan_dispersion(&s, square);
+
+        /* then channel by channel and scan by scan */
         for (int k = 0; k < e->cuts; k++) {
             if (e->cut[k].bins == 0) continue;
             for (int signal = 0; signal < WCUT_SIGNALS; signal++) search_channel(&s, k, signal, room);
             search_scan(&s, k);
         }
+
+        /* findings of all cuts, sorted and written out */
         status = tell(&s, room, count, out, error);
     } else {
         wcut_fail(error, status, "no memory for %d rows", e->rows);
     }
+
     wcut_free(square);
     wcut_free(room);
     wcut_free(s.found);

@@ -21,6 +21,7 @@ static wcut_status look_at_rest(wcut_evidence *e, const wcut_fitted *recalibrate
 }
 
 wcut_status wcut_outside_find(wcut_evidence *e, const wcut_fitted *recalibrated, wcut_outside *out, wcut_error *error) {
+    /* empirical terms of the force that all cuts share */
     wcut_outside o = {.left = wcut_residual_stats_eval(e, recalibrated->residual)};
     wcut_status status = wcut_empirical_find(e, recalibrated, &o.empirical, error);
     if (status == WCUT_OK && o.empirical.fit.residual) o.left = o.empirical.left;
@@ -29,11 +30,14 @@ wcut_status wcut_outside_find(wcut_evidence *e, const wcut_fitted *recalibrated,
     wcut_outside rare = {.left = o.left};
     if (status == WCUT_OK && o.left.slow > ADEQUATE) status = wcut_events_find(e, recalibrated, &rare.events, error);
     if (status == WCUT_OK && rare.events.count > 0) status = look_at_rest(e, recalibrated, &rare, error);
+
+    /* events are taken where they leave far less than the terms do */
     if (status == WCUT_OK && rare.events.count > 0 && rare.left.slow < HALF * o.left.slow) {
         wcut_outside_destroy(&o);
         o = rare;
         rare = (wcut_outside){.left = o.left};
     } else if (rare.kept) {
+        /* otherwise the bins that were left out come back */
         wcut_events_restore(rare.kept, e);
     }
     wcut_outside_destroy(&rare);
@@ -41,6 +45,7 @@ wcut_status wcut_outside_find(wcut_evidence *e, const wcut_fitted *recalibrated,
         *out = o;
     else
         wcut_outside_destroy(&o);
+
     return status;
 }
 

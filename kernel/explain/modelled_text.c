@@ -30,6 +30,8 @@ static int axis_of(int term) { return term < WCUT_TERM_HEAT_STEP ? term % 3 : 1;
 
 void wcut_term_formula(const wcut_effect *e, char *to, int size) {
     const double *v = e->value, turn = atan2(v[1], v[0]);
+
+    /* a term of waves has an amplitude and a phase */
     const char axis = "xyz"[axis_of(e->choice)], length = "WLH"[axis_of(e->choice)];
     switch (e->choice) {
         case WCUT_TERM_POSITION_X:
@@ -90,6 +92,8 @@ void wcut_term_formula(const wcut_effect *e, char *to, int size) {
 
 static void tell_place(writer *w, const wcut_effect *e) {
     const double *v = e->value, c = 100 * v[0];
+
+    /* polynomials of degree 1 are told as a difference between two faces */
     const char *axis = axis_name[axis_of(e->choice)];
     if (e->choice <= WCUT_TERM_POSITION_Z && v[2] < 1.5)
         add(w, "the force changes by %+.0f %% %s from one face of the block to the other", 2 * c, axis);
@@ -114,12 +118,16 @@ static void tell_place(writer *w, const wcut_effect *e) {
 
 void wcut_term_clause(const wcut_effect *e, char *to, int size) {
     const double *v = e->value, c = 100 * v[0];
+
+    /* terms of place and direction have a function of their own */
     writer w = {to, size, 0};
     to[0] = 0;
     if (e->choice <= WCUT_TERM_DIRECTION_Z) {
         tell_place(&w, e);
         return;
     }
+
+    /* terms of heat, speed, shape, time and number */
     switch (e->choice) {
         case WCUT_TERM_HEAT_STEP:
             add(&w, "the force changes by %+.0f %% where the heat input is above %.0f J/m2 (another way of melting?)",
@@ -195,7 +203,11 @@ static void tell_events(writer *w, const wcut_modelled *m) {
 void wcut_modelled_tell(wcut_diagnosis *d) {
     wcut_modelled *m = &d->modelled;
     if (m->terms == 0 && m->events == 0) return;
+
+    /* append to the sentence of the verdict */
     writer w = {d->sentence, sizeof d->sentence, 0};
+
+    /* the windows that were left out */
     if (m->events > 0) {
         tell_events(&w, m);
         add(&w,
@@ -204,6 +216,8 @@ void wcut_modelled_tell(wcut_diagnosis *d) {
                 : ".",
             m->recalibrated, m->after);
     }
+
+    /* the terms: an equation, then each in words */
     if (m->terms == 0) return;
     write_equation(m);
     add(&w, "%sSomething outside the list: ", m->events > 0 ? " " : "");
@@ -213,6 +227,8 @@ void wcut_modelled_tell(wcut_diagnosis *d) {
         add(&w, "%s%s", k ? ", and " : "", clause);
     }
     add(&w, ". ");
+
+    /* what they are worth on cuts that were left out */
     const wcut_fit *from = &d->held_out_fit[WCUT_FIT_MODEL_RECALIBRATED][WCUT_EVIDENCE_CHANNEL_TENSION];
     const wcut_fit *to = &d->held_out_fit[WCUT_FIT_MODEL_AFTER][WCUT_EVIDENCE_CHANNEL_TENSION];
     if (from->count > 0 && to->count > 0)

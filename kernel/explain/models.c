@@ -68,10 +68,14 @@ wcut_status wcut_models_rows(const wcut_evidence *e, int count, const wcut_model
     wcut_response *kept = wcut_alloc((size_t)e->cuts, sizeof *kept);
     int shared = -2;
     wcut_status status = failed && motion && kept ? WCUT_OK : wcut_fail(error, WCUT_NO_MEMORY, "no memory");
+
+    /* which model moves the wire as an earlier one does: -1 the reference, k model k */
     for (int k = 0; status == WCUT_OK && k < count; k++) {
         motion[k] = motion_of(e, model, k);
         if (motion[k] >= 0 && motion[k] < k) shared = motion[k];
     }
+
+    /* drive the shared motion once */
     if (status == WCUT_OK && shared >= 0) {
 #pragma omp parallel for num_threads(wcut_threads(e->threads)) schedule(dynamic, 1)
         for (int cut = 0; cut < e->cuts; cut++) {
@@ -84,6 +88,8 @@ wcut_status wcut_models_rows(const wcut_evidence *e, int count, const wcut_model
         for (int cut = 0; status == WCUT_OK && cut < e->cuts; cut++)
             if (failed[cut].status != WCUT_OK) status = wcut_fail(error, failed[cut].status, "%s", failed[cut].text);
     }
+
+    /* the rows of every model in every cut; one whose motion is known is not driven again */
     if (status == WCUT_OK) {
 #pragma omp parallel for num_threads(wcut_threads(e->threads)) schedule(dynamic, 1)
         for (int task = 0; task < tasks; task++) {
@@ -96,9 +102,14 @@ wcut_status wcut_models_rows(const wcut_evidence *e, int count, const wcut_model
                 model_rows(e, cut, &model[k], moved, rows + (size_t)k * (size_t)e->rows, &failed[task]);
         }
     }
+
+    /* the first failure in the order of the tasks */
     for (int task = 0; status == WCUT_OK && task < tasks; task++)
         if (failed[task].status != WCUT_OK) status = wcut_fail(error, failed[task].status, "%s", failed[task].text);
+
+    /* release the kept responses */
     for (int cut = 0; kept && cut < e->cuts; cut++) wcut_response_destroy(&kept[cut]);
+
     wcut_free(kept);
     wcut_free(motion);
     wcut_free(failed);

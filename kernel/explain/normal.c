@@ -11,6 +11,8 @@ static const double PIVOT_MIN = 1e-11; /* [1] of a matrix of unit diagonal, belo
 
 wcut_status wcut_normal_equations_create(int n, int m, int cuts, wcut_normal_equations *out) {
     const size_t square = (size_t)n * (size_t)n, k = (size_t)cuts, scatter = (size_t)m;
+
+    /* sums of all cuts, of each cut, and the products from which those are weighed */
     *out = (wcut_normal_equations){.n = n,
                                    .m = m,
                                    .cuts = cuts,
@@ -27,10 +29,13 @@ wcut_status wcut_normal_equations_create(int n, int m, int cuts, wcut_normal_equ
                                    .cross_moment = wcut_alloc(scatter * k, sizeof(double)),
                                    .own = wcut_alloc(scatter * scatter * k, sizeof(double)),
                                    .room = wcut_alloc(scatter * (size_t)n * k, sizeof(double))};
+
+    /* all or nothing */
     if (out->gram && out->moment && out->cut_gram && out->cut_moment && out->cut_total && out->cut_log_det &&
         out->plain_gram && out->plain_moment && out->plain_total && out->cross && out->cross_moment && out->own &&
         out->room)
         return WCUT_OK;
+
     wcut_normal_equations_destroy(out);
     return WCUT_NO_MEMORY;
 }
@@ -65,9 +70,13 @@ static double dot(int n, const double *a, const double *b) {
 static void fill_cut(const wcut_evidence *e, int cut, const double *column, const double *residual,
                      wcut_normal_equations *out) {
     const wcut_evidence_cut *c = &e->cut[cut];
+
+    /* the cut's rows lie together */
     const int count = WCUT_SIGNALS * c->bins + c->patch.count, from = c->row, n = out->n, m = out->m;
     const size_t rows = (size_t)e->rows, k = (size_t)cut, wide = (size_t)n, deep = (size_t)m;
     double *gram = out->plain_gram + k * wide * wide, *moment = out->plain_moment + k * wide;
+
+    /* X' X and X' r, symmetric */
     for (int i = 0; i < n; i++) {
         const double *x = column + (size_t)i * rows + from;
         moment[i] = dot(count, x, residual + from);
@@ -104,6 +113,8 @@ static void weigh_cut(const wcut_evidence *e, int cut, wcut_normal_equations *ou
     const size_t k = (size_t)cut, wide = (size_t)n, deep = (size_t)m;
     double factor[WCUT_SCATTER_COLUMNS_MAX * WCUT_SCATTER_COLUMNS_MAX], w[WCUT_SCATTER_COLUMNS_MAX];
     double spread[WCUT_SCATTER_COLUMNS_MAX];
+
+    /* without scatter the weighed sums are the plain ones */
     double *gram = out->cut_gram + k * wide * wide, *moment = out->cut_moment + k * wide;
     memcpy(gram, out->plain_gram + k * wide * wide, wide * wide * sizeof *gram);
     memcpy(moment, out->plain_moment + k * wide, wide * sizeof *moment);
@@ -160,9 +171,13 @@ bool wcut_normal_equations_solve(const wcut_normal_equations *normal, int count,
     double m[WCUT_FIT_MAX * WCUT_FIT_MAX], b[WCUT_FIT_MAX], scale[WCUT_FIT_MAX], unit[WCUT_FIT_MAX];
     if (count > WCUT_FIT_MAX) return false;
     const int n = normal->n;
+
+    /* leave one cut out by subtracting its sums */
     const double *less = without < 0 ? NULL : normal->cut_gram + (size_t)without * (size_t)n * (size_t)n;
     const double *less_moment = without < 0 ? NULL : normal->cut_moment + (size_t)without * (size_t)n;
     double total = normal->total - (without < 0 ? 0 : normal->cut_total[without]);
+
+    /* the matrix of the chosen columns with their priors, and its right side */
     for (int i = 0; i < count; i++) {
         const int ci = chosen[i];
         for (int j = 0; j < count; j++) {
@@ -174,6 +189,8 @@ bool wcut_normal_equations_solve(const wcut_normal_equations *normal, int count,
         total += precision[ci] * centre[ci] * centre[ci];
         scale[i] = m[i * count + i] > 0 ? 1 / sqrt(m[i * count + i]) : 0;
     }
+
+    /* scale to a unit diagonal: the columns have different units */
     for (int i = 0; i < count; i++) {
         for (int j = 0; j < count; j++) m[i * count + j] *= scale[i] * scale[j];
         if (scale[i] == 0) m[i * count + i] = 1; /* a column of nothing: 0 stays 0 */
@@ -183,15 +200,20 @@ bool wcut_normal_equations_solve(const wcut_normal_equations *normal, int count,
         *cost = total;
         return true;
     }
+
+    /* solve; the minimum is total - t' b */
     if (!wcut_cholesky_factor(count, m, PIVOT_MIN)) return false;
     wcut_cholesky_solve(count, m, t);
     *cost = total;
     for (int i = 0; i < count; i++) t[i] *= scale[i], *cost -= t[i] * b[i];
+
+    /* covariance: columns of the inverse, one unit vector each */
     for (int j = 0; covariance && j < count; j++) {
         for (int i = 0; i < count; i++) unit[i] = i == j;
         wcut_cholesky_solve(count, m, unit);
         for (int i = 0; i < count; i++) covariance[i * count + j] = unit[i] * scale[i] * scale[j];
     }
+
     return true;
 }
 

@@ -54,11 +54,15 @@ static void face_destroy(face *f) {
 static wcut_status face_create(const wcut_evidence_cut *c, const wcut_response *d, face *f) {
     const wcut_trajectory *t = &c->recorded;
     const size_t n = (size_t)d->nodes;
+
+    /* the positions of the wire as sections of a surface */
     wcut_vec3 *position = wcut_alloc((size_t)d->count * n, sizeof *position);
     f->parameter = wcut_alloc((size_t)d->count, sizeof(double));
     f->station = wcut_alloc((size_t)d->count, sizeof(double));
     wcut_status status = position && f->parameter && f->station ? WCUT_OK : WCUT_NO_MEMORY;
     double last = -HUGE_VAL;
+
+    /* a section every SECTION seconds and stations, of the samples that the run reached */
     for (int i = 0; status == WCUT_OK && i < d->count; i++) {
         if (!d->present[i] || t->time[i] < last + SECTION) continue;
         if (f->sections > 0 && t->station[i] - f->station[f->sections - 1] < SECTION) continue;
@@ -66,10 +70,13 @@ static wcut_status face_create(const wcut_evidence_cut *c, const wcut_response *
         f->station[f->sections++] = t->station[i];
         last = t->time[i];
     }
+
+    /* loft through the sections, and prepare its closest points */
     if (status == WCUT_OK && f->sections < 4) status = WCUT_DEGENERATE;
     if (status == WCUT_OK)
         status = wcut_surface_loft(f->sections, d->nodes, position, 1e-6, &f->surface, f->parameter, NULL);
     if (status == WCUT_OK) status = wcut_projection_create(f->surface, &f->projection);
+
     wcut_free(position);
     return status;
 }
@@ -78,19 +85,29 @@ static wcut_status face_create(const wcut_evidence_cut *c, const wcut_response *
 static void add_point(const wcut_evidence_cut *c, const face *f, double first, double last, wcut_vec3 point,
                       const wcut_foot *foot, sums *patch) {
     const double width = c->job->block_size.x;
+
+    /* no point beyond the face, far from it, or at the edge of the block */
     if (foot->beyond || foot->distance > REACH || point.x < 5 || point.x > width - 5) return;
+
+    /* only the stations of the bins count, because the others have no prediction */
     const double station = wcut_between(f->sections, f->parameter, f->station, foot->v);
     if (!(station > first && station < last)) return;
+
+    /* the normal, turned upwards */
     wcut_vec3 ders[4];
     wcut_surface_eval(f->surface, foot->u, foot->v, 1, ders);
     wcut_vec3 normal = vec3_unit(vec3_cross(ders[2], ders[1]));
     const double sign = normal.z < 0 ? -1 : 1;
     normal = vec3_scale(sign, normal);
     if (normal.z < 0.2) return; /* a steep face: what is above and what beside is not told */
+
+    /* height over the face, and the patch it belongs to */
     const double distance = sign * foot->height;
     const int row = (int)clamp((station - first) / (last - first) * ALONG, 0, ALONG - 1);
     const int column = (int)clamp(point.x / width * ACROSS, 0, ACROSS - 1);
     sums *s = &patch[row * ACROSS + column];
+
+    /* sums for mean, standard deviation and place */
     s->count++;
     s->station += station, s->across += foot->u, s->distance += distance, s->square += distance * distance;
     s->point = vec3_add(s->point, foot->point), s->normal = vec3_add(s->normal, normal);
@@ -127,8 +144,11 @@ static void find_heat(const wcut_evidence_cut *c, wcut_patches *p) {
 
 wcut_status wcut_patches_create(const wcut_evidence_cut *c, const wcut_response *recorded, wcut_patches *out,
                                 wcut_error *error) {
+    /* a bounded number of points is enough: every stride-th one */
     const int count = c->scan->count, stride = count > POINTS ? count / POINTS + 1 : 1, n = (count - 1) / stride + 1;
     const size_t room = (size_t)ALONG * ACROSS;
+
+    /* the points, their feet, and the sums of the patches */
     face f = {0};
     wcut_vec3 *point = wcut_alloc((size_t)n, sizeof *point);
     wcut_foot *foot = wcut_alloc((size_t)n, sizeof *foot);
@@ -144,13 +164,18 @@ wcut_status wcut_patches_create(const wcut_evidence_cut *c, const wcut_response 
         point && foot && patch && p.station && p.across && p.point && p.normal && p.distance && p.sigma && p.q_eff
             ? WCUT_OK
             : WCUT_NO_MEMORY;
+
+    /* the face of the recorded run, and the foot of each point on it */
     for (int i = 0; status == WCUT_OK && i < n; i++) point[i] = c->scan->point[(size_t)i * (size_t)stride];
     if (status == WCUT_OK) status = face_create(c, recorded, &f);
     if (status == WCUT_OK) status = wcut_projection_locate(f.projection, n, point, 1, foot);
     if (status == WCUT_OK) {
+        /* stations at the ends of the bins */
         const double first = wcut_between(c->exogenous.count, c->exogenous.time, c->exogenous.station, c->from);
         const double last = wcut_between(c->exogenous.count, c->exogenous.time, c->exogenous.station,
                                          c->from + c->bins * WCUT_BIN_WIDTH);
+
+        /* sums over the points, then means and errors of the patches that hold enough */
         for (int i = 0; i < n; i++) add_point(c, &f, first, last, point[i], &foot[i], patch);
         keep_patches(patch, &p);
         find_heat(c, &p);
@@ -159,6 +184,7 @@ wcut_status wcut_patches_create(const wcut_evidence_cut *c, const wcut_response 
         wcut_patches_destroy(&p);
         wcut_fail(error, status, "the scan: %s", wcut_status_text(status));
     }
+
     face_destroy(&f);
     wcut_free(point);
     wcut_free(foot);

@@ -108,8 +108,11 @@ wcut_status wcut_schedule_create(const wcut_job *job, wcut_schedule *schedule, w
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "a job with the mounts' path is expected");
     planned p;
     wcut_schedule made = {0};
+
+    /* the plan gives the speed at each place */
     wcut_status status = plan(job, &p, error);
     if (status == WCUT_OK) {
+        /* room: twice the planned time is usual; a twentieth of the speed is the slowest that is walked */
         const double most = p.history->row[p.history->stations - 1].time / WCUT_PREDICTED_CUT_STEP / 0.05 + 2;
         const double usual = p.history->row[p.history->stations - 1].time / WCUT_PREDICTED_CUT_STEP * 2 + 100;
         if (!(most < 1e8))
@@ -121,11 +124,14 @@ wcut_status wcut_schedule_create(const wcut_job *job, wcut_schedule *schedule, w
             status = wcut_fail(error, WCUT_DEGENERATE,
                                "the programmed speed takes more than twice the plan's time, expected a dither about 1");
     }
+
+    /* hand over, or release */
     destroy_planned(&p);
     if (status == WCUT_OK)
         *schedule = made;
     else
         wcut_schedule_destroy(&made);
+
     return status;
 }
 
@@ -199,17 +205,25 @@ wcut_status wcut_predicted_cut_run(const wcut_job *job, const wcut_schedule *sch
     wcut_setup *setup = NULL;
     wcut_cut *cut = NULL;
     wcut_predicted_cut made = {0};
+
+    /* the wire needs few nodes, because only the readings count */
     if (!few) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a copy of a job");
     if (few->nodes > WCUT_PREDICTED_CUT_NODES) few->nodes = WCUT_PREDICTED_CUT_NODES;
+
+    /* set up the cut without a record */
     wcut_cut_options o = wcut_cut_options_default();
     o.tolerance = TOLERANCE;
     wcut_status status = wcut_setup_create(few, &o, &setup, error);
     if (status == WCUT_OK) status = wcut_cut_create(setup, &cut, error);
+
+    /* lead the mounts along the schedule, then turn the states into readings */
     if (status == WCUT_OK && !make_predicted_cut(schedule->count, few->nodes, &made))
         status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d samples", schedule->count);
     if (status == WCUT_OK && !lead(few, schedule, cut, stop, &made))
         status = wcut_fail(error, WCUT_INTERRUPTED, "interrupted");
     if (status == WCUT_OK) status = sense(few, &made, error);
+
+    /* release in the order opposite to the creation */
     wcut_cut_destroy(cut);
     wcut_setup_destroy(setup);
     wcut_job_destroy(few);
@@ -217,5 +231,6 @@ wcut_status wcut_predicted_cut_run(const wcut_job *job, const wcut_schedule *sch
         *predicted = made;
     else
         wcut_predicted_cut_destroy(&made);
+
     return status;
 }

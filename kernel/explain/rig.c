@@ -65,6 +65,8 @@ static void scatter_row(const wcut_evidence *e, const wcut_fitted *f, wcut_scatt
             row->cut[row->cuts] = cut;
             row->of_cut[row->cuts++] = (wcut_estimate){value, value - 1.96 * wide, value + 1.96 * wide};
         }
+
+    /* the spread of the rig, from the variance and from the values */
     row->value = spread_of(f->noise.scatter[kind], square, error, n > 0 ? n : 1);
 }
 
@@ -85,6 +87,8 @@ static wcut_estimate path_error(const wcut_evidence *e, const wcut_fitted *f) {
 wcut_status wcut_rig_fill(const wcut_evidence *e, const wcut_fitted *f, wcut_diagnosis *d) {
     wcut_rig_row *row = wcut_alloc(WCUT_SCATTER_COUNT + FURTHER, sizeof *row);
     if (!row) return WCUT_NO_MEMORY;
+
+    /* scan kinds are there where there is a scan */
     int rows = 0;
     bool scans = false;
     for (int k = 0; k < e->cuts; k++) scans = scans || e->cut[k].patch.count > 0;
@@ -97,9 +101,11 @@ wcut_status wcut_rig_fill(const wcut_evidence *e, const wcut_fitted *f, wcut_dia
         snprintf(row[rows].name, sizeof row[rows].name, "%s", further_name[k]);
         row[rows++].value = (wcut_estimate){f->delay[k], f->delay[k] - half, f->delay[k] + half};
     }
+
     snprintf(row[rows].name, sizeof row[rows].name, "%s", further_name[PATH_ERROR]);
     row[rows++].value = path_error(e, f);
     d->rig_rows = rows, d->rig = row;
+
     return WCUT_OK;
 }
 

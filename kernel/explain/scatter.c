@@ -125,6 +125,7 @@ static void add_registration(const wcut_evidence *e, wcut_scatter *s, int axis, 
 
 /* a smooth random shift of every station, PATH_ERROR in each direction */
 static void misplace(const wcut_job *job, const wcut_vec3 *mount, wcut_random *random, wcut_vec3 *out) {
+    /* random wave numbers and phases: evenly drawn over the logarithm of the wavelength */
     double number[3][WAVES], phase[3][WAVES];
     for (int d = 0; d < 3; d++)
         for (int w = 0; w < WAVES; w++) {
@@ -148,6 +149,8 @@ static void misplace(const wcut_job *job, const wcut_vec3 *mount, wcut_random *r
 /* squares of what misplaced mounts change in a cut, by group, and how many bins they are of */
 static wcut_status add_path_response(const wcut_evidence *e, int cut, double *square, int *count, wcut_error *error) {
     const wcut_evidence_cut *c = &e->cut[cut];
+
+    /* the job of this cut, and room for its mounts misplaced */
     const size_t stations = (size_t)c->job->stations;
     wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
     wcut_job job = wcut_model_job(e, &e->at, cut, effect);
@@ -157,12 +160,16 @@ static wcut_status add_path_response(const wcut_evidence *e, int cut, double *sq
     double *plain = bins ? bins + WCUT_SIGNALS * (size_t)c->bins : NULL;
     wcut_response d = {0};
     wcut_status status = mount && bins ? WCUT_OK : wcut_fail(error, WCUT_NO_MEMORY, "no memory for a path");
+
+    /* the response along the same trajectory with both mounts misplaced */
     if (status == WCUT_OK) {
         misplace(c->job, c->job->mount_a, &random, mount);
         misplace(c->job, c->job->mount_b, &random, mount + stations);
         job.mount_a = mount, job.mount_b = mount + stations;
         status = wcut_response_run(&job, WCUT_NODES_COARSE, &c->exogenous, false, e->stop, &d, error);
     }
+
+    /* the difference to the reference, squared and summed by group of channels */
     if (status == WCUT_OK) status = wcut_evidence_bin_exogenous(c, &e->at, &d, bins);
     if (status == WCUT_OK) status = wcut_evidence_bin_exogenous(c, &e->at, &c->reference, plain);
     for (int s = 0; status == WCUT_OK && s < WCUT_SIGNALS; s++)
@@ -170,6 +177,7 @@ static wcut_status add_path_response(const wcut_evidence *e, int cut, double *sq
             const double change = bins[s * c->bins + i] - plain[s * c->bins + i];
             square[wcut_noise_group(s)] += change * change, count[wcut_noise_group(s)]++;
         }
+
     wcut_response_destroy(&d);
     wcut_free(bins);
     wcut_free(mount);
@@ -197,19 +205,26 @@ wcut_status wcut_scatter_create(wcut_evidence *e, wcut_error *error) {
     wcut_scatter s = {.column = wcut_alloc(room, sizeof *s.column), .white = wcut_alloc(room, sizeof *s.white)};
     if (!s.column || !s.white) wcut_scatter_destroy(&s);
     if (!s.column) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d rows", e->rows);
+
+    /* columns of level and length; the response to mounts beside their path */
     wcut_status status = add_levels(e, &s, error);
     if (status == WCUT_OK) status = find_path_response(e, error);
     if (status != WCUT_OK) {
         wcut_scatter_destroy(&s);
         return status;
     }
+
+    /* zeros of all sensors, friction of the angles */
     for (int k = 0; k < WCUT_SIGNALS; k++) add_zero(e, &s, k);
     for (int k = 2; k < WCUT_SIGNALS; k++) add_friction(e, &s, k);
+
+    /* of scans: the shape of the face, and the registration */
     bool scans = false;
     for (int k = 0; k < e->cuts; k++) scans = scans || e->cut[k].patch.count > 0;
     for (int k = 0; scans && k < 2 * KNOTS; k++) add_face(e, &s, k / 2, k % 2);
     for (int k = 0; scans && k < 6; k++) add_registration(e, &s, k % 3, k >= 3);
     wcut_scatter_destroy(&e->scatter);
     e->scatter = s;
+
     return WCUT_OK;
 }

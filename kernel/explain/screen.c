@@ -51,10 +51,14 @@ static void add_column(wcut_screen *s, const wcut_variant *v, int part, bool gro
 static bool list_models(making *m, int variants, const wcut_variant *variant) {
     wcut_screen *s = m->s;
     const wcut_model *at = m->about;
+
+    /* the base model, and one with each base coordinate moved */
     for (int k = 0; k <= WCUT_BASE; k++) m->model[k] = *at;
     m->model[1].a *= exp(wcut_base_step[0]), m->model[2].b *= exp(wcut_base_step[1]),
         m->model[3].length_change += wcut_base_step[2];
     if (at->effects == WCUT_DIAGNOSIS_EFFECTS) return false;
+
+    /* one model for each variant; an offset of a scan has one for each direction */
     for (int k = 0; k < variants; k++) {
         const int parts = variant[k].effect.kind == WCUT_EFFECT_SCAN_OFFSET ? 3 : 1;
         for (int p = 0; p < parts; p++) {
@@ -62,12 +66,15 @@ static bool list_models(making *m, int variants, const wcut_variant *variant) {
             *model = *at;
             wcut_effect effect = variant[k].effect;
             if (parts == 3) effect.value[p] = 1;
+
+            /* the effect of the variant is added to those of the model */
             model->effect[model->effects++] = effect;
             model->carried = model->carried || variant[k].carried;
             add_column(s, &variant[k], p, p > 0);
             s->column[s->columns - 1].effect = effect;
         }
     }
+
     return true;
 }
 
@@ -151,8 +158,12 @@ wcut_status wcut_screen_create(const wcut_evidence *e, const wcut_model *about, 
     wcut_variant variant[WCUT_VARIANTS];
     wcut_screen s = {.base = WCUT_BASE, .nuisances = wcut_nuisance_count(e)};
     making m = {.e = e, .about = about, .s = &s};
+
+    /* variants of the library without the kinds that the model has already */
     const int variants =
         drop_known(about, wcut_library_variants(without, e->cuts > 1, s.nuisances > WCUT_DELAYS, variant), variant);
+
+    /* inclusions have columns of their own, one for each place */
     bool places = !without[WCUT_EFFECT_FOAM_INCLUSION] && about->effects < WCUT_DIAGNOSIS_EFFECTS;
     for (int k = 0; k < about->effects; k++) places = places && about->effect[k].kind != WCUT_EFFECT_FOAM_INCLUSION;
     wcut_inclusions inclusions = {0};
@@ -160,11 +171,15 @@ wcut_status wcut_screen_create(const wcut_evidence *e, const wcut_model *about, 
     const size_t rows = (size_t)e->rows;
     if (status == WCUT_OK && !make_screen(e, variants, inclusions.count, &m, &s))
         status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for the columns of %d effects", variants);
+
+    /* residual and gaps, then the models of all columns */
     if (status == WCUT_OK) {
         wcut_evidence_residual(e, s.missing);
         memcpy(s.residual, residual, rows * sizeof(double));
         if (!list_models(&m, variants, variant)) status = WCUT_BAD_ARGUMENT;
     }
+
+    /* drive them, and whiten */
     if (status == WCUT_OK) status = fill_columns(&m, error);
     if (status == WCUT_OK) {
         // what was simulated place by place comes last
@@ -174,16 +189,21 @@ wcut_status wcut_screen_create(const wcut_evidence *e, const wcut_model *about, 
             memcpy(column, inclusions.column + (size_t)k * rows, rows * sizeof *column);
             add_column(&s, &v, 0, false);
         }
+
+        /* priors of the columns, and room for their normal equations */
         set_priors(&m);
         status =
             wcut_normal_equations_create(WCUT_BASE + s.nuisances + s.columns, e->scatter.count, e->cuts, &s.normal);
     }
+
+    /* sums, then hand over */
     if (status == WCUT_OK) {
         wcut_screen_weigh(e, &s);
         *out = s;
     } else {
         wcut_screen_destroy(&s);
     }
+
     wcut_inclusions_destroy(&inclusions);
     wcut_free(m.model);
     wcut_free(m.rows);
@@ -216,6 +236,8 @@ static bool is_known(const wcut_model *about, const wcut_effect *effect) {
 
 wcut_status wcut_screen_move(const wcut_evidence *e, const wcut_fitted *fitted, wcut_screen *s) {
     const size_t rows = (size_t)e->rows;
+
+    /* columns: recalibration and nuisances, those of the fit, those that are left */
     const int shared = s->base + s->nuisances, kept = shared + fitted->count;
     const size_t room = (size_t)kept + (size_t)s->columns;
     double *plain = wcut_alloc(room * rows, sizeof *plain), *white = wcut_alloc((room + 1) * rows, sizeof *white);
@@ -248,16 +270,21 @@ wcut_status wcut_screen_move(const wcut_evidence *e, const wcut_fitted *fitted, 
         }
         status = wcut_normal_equations_create(kept + columns, e->scatter.count, e->cuts, &normal);
     }
+
+    /* on failure the screen stays as it was */
     if (status != WCUT_OK) {
         wcut_free(plain), wcut_free(white), wcut_free(centre), wcut_free(precision);
         return status;
     }
+
+    /* replace the columns; the residual is that of the fit */
     wcut_free(s->plain), wcut_free(s->white), wcut_free(s->centre), wcut_free(s->precision);
     wcut_normal_equations_destroy(&s->normal);
     s->plain = plain, s->white = white, s->centre = centre, s->precision = precision, s->normal = normal;
     s->nuisances += fitted->count, s->columns = columns, s->groups = groups;
     memcpy(s->residual, fitted->open, rows * sizeof *s->residual);
     wcut_screen_weigh(e, s);
+
     return WCUT_OK;
 }
 
@@ -287,33 +314,43 @@ wcut_status wcut_screen_saturate(wcut_evidence *e, wcut_screen *s) {
     double *plain = wcut_alloc(WCUT_FIT_MAX * rows, sizeof *plain),
            *white = wcut_alloc(WCUT_FIT_MAX * rows, sizeof *white);
     double *residual = wcut_alloc(rows, sizeof *residual);
+
+    /* a copy of the evidence, whose noise may change */
     wcut_evidence own = *e;
     own.scatter.white = wcut_alloc((size_t)e->scatter.count * rows, sizeof(double));
     wcut_normal_equations normal = {0};
     wcut_status status = single && plain && white && residual && own.scatter.white ? WCUT_OK : WCUT_NO_MEMORY;
     if (status == WCUT_OK) {
+        /* the best groups of every kind together, beside recalibration and nuisances */
         const int singles = wcut_screen_singles(s, single);
         const int groups = saturating_groups(single, singles, SATURATING, group);
         for (int k = 0; k < s->base + s->nuisances; k++) column[n++] = k;
         for (int g = 0; g < groups; g++)
             for (int c = 0; c < s->columns && n < WCUT_FIT_MAX; c++)
                 if (s->column[c].group == group[g]) column[n++] = s->base + s->nuisances + c;
+
+        /* their columns and priors */
         for (int k = 0; k < n; k++) {
             memcpy(plain + (size_t)k * rows, s->plain + (size_t)column[k] * rows, rows * sizeof *plain);
             centre[k] = s->centre[column[k]], precision[k] = s->precision[column[k]];
         }
         status = wcut_normal_equations_create(n, e->scatter.count, e->cuts, &normal);
     }
+
+    /* the variances under which this model is likeliest */
     if (status == WCUT_OK) {
         const wcut_linear linear = {n, plain, s->residual, s->missing, centre, precision};
         wcut_variances_begin(&own.noise);
         status = wcut_variance_fit(&linear, &own, white, residual, &normal, &score);
     }
+
+    /* they become the evidence's; everything is weighed anew */
     if (status == WCUT_OK) {
         e->noise = own.noise;
         wcut_evidence_whiten_scatter(e, s->missing);
         wcut_screen_weigh(e, s);
     }
+
     wcut_normal_equations_destroy(&normal);
     wcut_free(own.scatter.white);
     wcut_free(residual);
@@ -328,12 +365,16 @@ wcut_status wcut_screen_saturate(wcut_evidence *e, wcut_screen *s) {
 bool wcut_screen_solve(const wcut_screen *s, int groups, const int *group, wcut_screened *out) {
     int chosen[WCUT_FIT_MAX], count = 0;
     double t[WCUT_FIT_MAX], cost;
+
+    /* recalibration and nuisances are always in, beside the columns of the groups */
     for (int k = 0; k < s->base + s->nuisances; k++) chosen[count++] = k;
     for (int c = 0; c < s->columns; c++)
         for (int g = 0; g < groups; g++)
             if (s->column[c].group == group[g] && count < WCUT_FIT_MAX) chosen[count++] = s->base + s->nuisances + c;
     if (!wcut_normal_equations_solve(&s->normal, count, chosen, s->centre, s->precision, -1, t, NULL, &cost))
         return false;
+
+    /* the fall of the cost, and the strengths found */
     wcut_screened found = {.groups = groups, .gain = s->cost - cost};
     for (int g = 0; g < groups; g++) found.group[g] = group[g];
     for (int k = s->base + s->nuisances; k < count; k++) {
@@ -343,8 +384,11 @@ bool wcut_screen_solve(const wcut_screen *s, int groups, const int *group, wcut_
         set_strength(&found.effect[g], c->part, neutral_of(&c->effect, c->part) + t[k]);
         found.carried = found.carried || c->carried;
     }
+
+    /* sizes in gates: 1 is what is worth naming */
     for (int g = 0; g < groups; g++) found.size[g] = wcut_effect_size(&found.effect[g]);
     *out = found;
+
     return true;
 }
 
@@ -372,6 +416,8 @@ static wcut_effect_kind kind_of(const wcut_screen *s, int group, int *choice) {
 
 int wcut_screen_pairs(const wcut_screen *s, int most, wcut_screened *out) {
     int count = 0;
+
+    /* every pair of groups, kept in order of gain */
     for (int i = 0; i < s->groups; i++)
         for (int j = i + 1; j < s->groups; j++) {
             int first, second;
@@ -380,13 +426,18 @@ int wcut_screen_pairs(const wcut_screen *s, int most, wcut_screened *out) {
             wcut_screened found;
             if (kind == kind_of(s, j, &second)) continue; /* two of one kind are one explanation */
             if (!wcut_screen_solve(s, 2, group, &found)) continue;
+
+            /* append, or replace the last one if this one gains more */
             int at = count < most ? count++ : most - 1;
             if (at == most - 1 && count == most && out[at].groups == 2 && out[at].gain >= found.gain) continue;
             out[at] = found;
+
+            /* move it up to its place */
             while (at > 0 && by_gain(&out[at - 1], &out[at]) > 0) {
                 const wcut_screened swap = out[at];
                 out[at] = out[at - 1], out[at - 1] = swap, at--;
             }
         }
+
     return count;
 }

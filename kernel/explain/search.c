@@ -46,30 +46,41 @@ wcut_residual_stats wcut_residual_stats_eval(const wcut_evidence *e, const doubl
     block_sums slow = {0}, common = {0};
     double sum = 0, patches = 0;
     int rows = 0, patch_count = 0;
+
+    /* sums over all cuts */
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
         const double *z = residual + c->row;
+
+        /* each channel: its slow part, and the worst of them */
         for (int s = 0; s < WCUT_SIGNALS; s++) {
             const block_sums t = slow_part(c->bins, z + (ptrdiff_t)s * c->bins);
             slow.sum += t.sum, slow.blocks += t.blocks;
             left.peak = fmax(left.peak, t.peak);
             if (t.blocks > 4) left.worst = fmax(left.worst, t.sum / t.blocks);
         }
+
+        /* means over four seconds of what both tensions share */
         for (int i = 0; i + BLOCK <= c->bins; i += BLOCK) {
             double both = 0;
             for (int j = i; j < i + BLOCK; j++) both += z[j] + z[c->bins + j];
             common.sum += both * both / (2 * BLOCK), common.blocks++;
         }
+
+        /* all rows, then the patches of the scan */
         for (int i = 0; i < WCUT_SIGNALS * c->bins; i++) sum += z[i] * z[i];
         rows += WCUT_SIGNALS * c->bins;
         const double *p = z + (ptrdiff_t)WCUT_SIGNALS * c->bins;
         for (int i = 0; i < c->patch.count; i++) patches += p[i] * p[i];
         patch_count += c->patch.count;
     }
+
+    /* means; 0 where there is nothing */
     left.per_row = rows ? sum / rows : 0;
     left.slow = slow.blocks ? slow.sum / slow.blocks : 0;
     left.common = common.blocks ? common.sum / common.blocks : 0;
     left.patches = patch_count ? patches / patch_count : 0;
+
     return left;
 }
 
@@ -121,26 +132,37 @@ const wcut_fitted *wcut_search_base(const wcut_search *s) {
 /* Fit a model in full and keep it. WCUT_OK where it did not converge, too: then it is no candidate. */
 static wcut_status try_model(searching *g, const wcut_model *start, wcut_error *error) {
     wcut_search *s = g->s;
+
+    /* no model twice, and no more than there is room for */
     if (s->count == WCUT_CANDIDATES || tried(s, start)) return WCUT_OK;
     wcut_status status =
         step(g, start->effects > 1 ? "pairs of effects were fitted" : "effects were fitted one by one", error);
     if (status != WCUT_OK) return status;
+
+    /* fit in full; one that does not converge is no candidate */
     wcut_candidate c = {.effects = start->effects};
     wcut_model model = *start; /* from the jobs' own wire length: without the effect it has gone where it could */
     model.length_change = 0;
     status = wcut_fit_solve(g->e, &model, &c.fit, error);
     if (status == WCUT_NO_MEMORY || status == WCUT_INTERRUPTED) return status;
     if (status != WCUT_OK) return WCUT_OK;
+
+    /* against the base: gain in likelihood, fall of the misfit */
     const wcut_fitted *base = wcut_search_base(s);
     c.effects = start->effects - base->model.effects;
     c.gain = base->cost - c.fit.cost;
     c.fall = base->misfit - c.fit.misfit;
+
+    /* the smaller of the sizes decides whether a pair is worth its second effect */
     c.second_size = HUGE_VAL;
     for (int k = base->model.effects; k < start->effects; k++)
         c.second_size = fmin(c.second_size, wcut_effect_size(&c.fit.model.effect[k]));
+
+    /* the same on cuts left out, and what the fit leaves */
     compare_held_out(g->e, base, &c);
     c.left = wcut_residual_stats_eval(g->e, c.fit.standard);
     s->candidate[s->count++] = c;
+
     return WCUT_OK;
 }
 
@@ -210,9 +232,13 @@ static wcut_status try_delay(searching *g, wcut_error *error) {
 static wcut_status try_singles(searching *g, wcut_error *error) {
     wcut_search *s = g->s;
     wcut_screen *screen = &g->screen;
+
+    /* columns of the whole library about the recalibrated model */
     wcut_status status = step(g, "the library was screened", error);
     if (status == WCUT_OK) status = wcut_screen_create(g->e, &s->none.model, s->none.open, g->without, screen, error);
     if (status != WCUT_OK) return status;
+
+    /* noise under a saturated model, so that no effect is taken for scatter */
     status = wcut_screen_saturate(g->e, screen);
     if (status == WCUT_NOT_CONVERGED) status = WCUT_OK; /* the noise stays what it began as */
     if (status != WCUT_OK) return wcut_fail(error, status, "no memory for the saturated model");
@@ -223,16 +249,24 @@ static wcut_status try_singles(searching *g, wcut_error *error) {
     if (status != WCUT_OK) return status;
     wcut_fitted_destroy(&s->none);
     s->none = again;
+
+    /* what recalibration leaves, and how many rows and cuts count */
     s->left = wcut_residual_stats_eval(g->e, s->none.standard);
     s->rows = s->cuts = 0;
     for (int k = 0; k < g->e->cuts; k++) s->cuts += g->e->cut[k].bins > 0;
     for (int i = 0; i < g->e->rows; i++) s->rows += isfinite(screen->missing[i]) != 0;
+
+    /* late readings join the base if they leave noise alone */
     status = try_delay(g, error);
     if (status == WCUT_OK && s->delayed >= 0) status = wcut_screen_move(g->e, wcut_search_base(s), screen);
     if (status != WCUT_OK) return status;
+
+    /* the best variant of each kind, and the best pairs */
     s->screened = best_of_kinds(screen, s->single, error);
     s->pairs = wcut_screen_pairs(screen, WCUT_SCREENED, s->pair);
     if (s->screened < 0) return WCUT_NO_MEMORY;
+
+    /* fit in full what contends with the best and is large enough to be named */
     for (int k = 0, full = 0; status == WCUT_OK && k < s->screened && full < SINGLES; k++) {
         if (s->single[k].gain < fmax(WORTH * s->left.slow, CONTENDS * s->single[0].gain)) continue;
         if (s->single[k].size[0] < NEARLY && s->single[k].gain < TELLS) continue;
@@ -240,6 +274,7 @@ static wcut_status try_singles(searching *g, wcut_error *error) {
         status = try_model(g, &start, error);
         full++;
     }
+
     return status;
 }
 
@@ -257,6 +292,8 @@ static wcut_status try_pairs(searching *g, wcut_error *error) {
     wcut_search *s = g->s;
     const int best = best_candidate(s, 1);
     if (best < 0) return WCUT_OK;
+
+    /* the screen about the best single effect */
     const wcut_model about = s->candidate[best].fit.model;
     wcut_status status = step(g, "the library was screened for a second effect", error);
     if (status != WCUT_OK) return status;
@@ -264,7 +301,11 @@ static wcut_status try_pairs(searching *g, wcut_error *error) {
         return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a second screen");
     s->next = best_of_kinds(&g->screen, s->second, error);
     if (s->next < 0) return WCUT_NO_MEMORY;
+
+    /* what would have to be gained to be more than chance */
     const double chance = WORTH * scale(s);
+
+    /* the best single effect with a second one */
     for (int k = 0, full = 0; status == WCUT_OK && k < s->next && full < SECONDS; k++) {
         if (s->second[k].gain < fmax(chance, CONTENDS * s->second[0].gain) ||
             (s->second[k].size[0] < NEARLY && s->second[k].gain < TELLS))
@@ -273,6 +314,8 @@ static wcut_status try_pairs(searching *g, wcut_error *error) {
         status = try_model(g, &start, error);
         full++;
     }
+
+    /* the best pairs of the screen that beat every single one */
     for (int k = 0, full = 0; status == WCUT_OK && k < s->pairs && full < PAIRS; k++) {
         const wcut_screened *p = &s->pair[k];
         if (p->gain < s->candidate[best].gain + chance || fmin(p->size[0], p->size[1]) < 1) continue;
@@ -280,6 +323,7 @@ static wcut_status try_pairs(searching *g, wcut_error *error) {
         status = try_model(g, &start, error);
         full++;
     }
+
     return status;
 }
 
@@ -330,7 +374,11 @@ wcut_status wcut_search_run(wcut_evidence *e, const bool without[WCUT_EFFECT_COU
     wcut_search *s = wcut_alloc(1, sizeof *s);
     if (!s) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for the search");
     s->delayed = s->undelayed = -1;
+
+    /* steps of progress follow those of the caller */
     searching g = {.e = e, .s = s, .without = without, .done = e->stop ? e->stop->done + 1 : 0};
+
+    /* the recalibration: the least that is handed out */
     wcut_status status = step(&g, "the recalibration was fitted", error);
     if (status == WCUT_OK) status = wcut_fit_solve(e, &e->at, &s->none, error);
     const bool fitted = status == WCUT_OK;
@@ -338,13 +386,18 @@ wcut_status wcut_search_run(wcut_evidence *e, const bool without[WCUT_EFFECT_COU
         s->left = wcut_residual_stats_eval(e, s->none.standard);
         status = try_singles(&g, error);
     }
+
+    /* pairs, then the candidates with and without the delay of readings */
     if (status == WCUT_OK) status = try_pairs(&g, error);
     if (status == WCUT_OK) status = drop_delay(&g, error);
     if (status == WCUT_OK) status = add_delay(&g, error);
+
+    /* hand over what was found, also after an interruption */
     if (status == WCUT_OK || (status == WCUT_INTERRUPTED && fitted))
         *out = *s;
     else
         wcut_search_destroy(s);
+
     wcut_screen_destroy(&g.screen);
     wcut_free(s);
     return status;

@@ -67,6 +67,8 @@ static double programmed_pace(const wcut_job *job, double time) { return fmax(wc
 wcut_status wcut_trajectory_recorded(const wcut_job *job, const wcut_recording *recording, double window,
                                      wcut_trajectory *out, wcut_error *error) {
     wcut_track track = {0};
+
+    /* the times at which the mounts were at which station, smoothed over the window */
     const wcut_replay_options options = {.motion = WCUT_MOTION_STATION, .window = window};
     const wcut_status status = wcut_track_create(job, recording, &options, &track, error);
     if (status != WCUT_OK) return status;
@@ -76,6 +78,8 @@ wcut_status wcut_trajectory_recorded(const wcut_job *job, const wcut_recording *
         made = wcut_fail(error, WCUT_BAD_ARGUMENT, "found %d samples with a station, expected 8 or more", track.count);
     else if (!trajectory_create(track.count, true, &trajectory))
         made = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a motion of %d samples", track.count);
+
+    /* heat of each sample: recorded, or the last one recorded, or the job's */
     if (made == WCUT_OK) {
         const wcut_column *heat = &recording->channel[WCUT_CHANNEL_HEAT];
         double last = wcut_job_heat_eval(job, track.time[0]);
@@ -91,6 +95,8 @@ wcut_status wcut_trajectory_recorded(const wcut_job *job, const wcut_recording *
         }
         *out = trajectory;
     }
+
+    /* release the track */
     wcut_track_destroy(&track);
     return made;
 }
@@ -98,6 +104,8 @@ wcut_status wcut_trajectory_recorded(const wcut_job *job, const wcut_recording *
 wcut_status wcut_trajectory_exogenous(const wcut_job *job, const wcut_trajectory *recorded, double width, double step,
                                       wcut_trajectory *out) {
     const int n = recorded->count;
+
+    /* samples evenly in time */
     const double begun = recorded->time[0], length = recorded->time[n - 1] - begun;
     const int count = (int)fmin(floor(length / step), 1e7) + 1;
     double *programme = wcut_alloc((size_t)n, sizeof *programme), *smooth = wcut_alloc((size_t)n, sizeof *smooth);
@@ -107,13 +115,21 @@ wcut_status wcut_trajectory_exogenous(const wcut_job *job, const wcut_trajectory
         wcut_free(smooth);
         return count < 2 ? WCUT_BAD_ARGUMENT : WCUT_NO_MEMORY;
     }
+
+    /* programmed progress: the integral of the programmed pace */
     for (int i = 1; i < n; i++) {
         const double middle = (recorded->time[i] + recorded->time[i - 1]) / 2;
         programme[i] = programme[i - 1] + (recorded->time[i] - recorded->time[i - 1]) * programmed_pace(job, middle);
     }
+
+    /* smooth the recorded progress as a function of the programmed one, so that the programme's part stays */
     wcut_smooth(n, programme, recorded->station, width, smooth);
+
+    /* progress never runs backwards */
     double furthest = 0;
     for (int i = 0; i < n; i++) furthest = smooth[i] = clamp(smooth[i], furthest, job->stations - 1);
+
+    /* sample it */
     for (int i = 0; i < count; i++) {
         trajectory.time[i] = begun + i * step;
         trajectory.station[i] = wcut_between(n, recorded->time, smooth, trajectory.time[i]);
@@ -122,6 +138,7 @@ wcut_status wcut_trajectory_exogenous(const wcut_job *job, const wcut_trajectory
     wcut_free(programme);
     wcut_free(smooth);
     *out = trajectory;
+
     return WCUT_OK;
 }
 
@@ -279,6 +296,7 @@ static bool drive(driver *d, wcut_stop *stop, wcut_response *out) {
 
 wcut_status wcut_response_run(const wcut_job *job, int nodes, const wcut_trajectory *trajectory, bool positions,
                               wcut_stop *stop, wcut_response *out, wcut_error *error) {
+    /* the same job with fewer nodes and looser tolerances */
     wcut_job coarse = *job; /* borrowed arrays: the setup copies them */
     coarse.nodes = nodes;
     wcut_cut_options options = wcut_cut_options_default();
@@ -287,10 +305,14 @@ wcut_status wcut_response_run(const wcut_job *job, int nodes, const wcut_traject
     wcut_setup *setup = NULL;
     driver d = {.job = job, .trajectory = trajectory};
     wcut_response driven = {0};
+
+    /* a cut that is led along the trajectory */
     wcut_status status = wcut_setup_create(&coarse, &options, &setup, error);
     if (status == WCUT_OK) status = wcut_cut_create(setup, &d.cut, error);
     if (status == WCUT_OK && !response_create(trajectory->count, nodes, positions, &driven))
         status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d samples", trajectory->count);
+
+    /* along the recorded motion tensions count at the middle of each step */
     double *room = NULL;
     int *index = NULL;
     if (status == WCUT_OK && trajectory->sample) {
@@ -299,15 +321,20 @@ wcut_status wcut_response_run(const wcut_job *job, int nodes, const wcut_traject
         index = wcut_alloc((size_t)trajectory->count, sizeof *index);
         if (!d.middle || !room || !index) status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a motion");
     }
+
+    /* drive, then fill in the samples between */
     if (status == WCUT_OK && !drive(&d, stop, &driven)) status = wcut_fail(error, WCUT_INTERRUPTED, "interrupted");
     if (status == WCUT_OK && d.middle && room && index) fill_between(&d, room, index, &driven);
     wcut_free(index);
     wcut_free(room);
     wcut_free(d.middle);
+
+    /* hand over, or release */
     if (status == WCUT_OK)
         *out = driven;
     else
         wcut_response_destroy(&driven);
+
     wcut_cut_destroy(d.cut);
     wcut_setup_destroy(setup);
     return status;

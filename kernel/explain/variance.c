@@ -32,6 +32,8 @@ static void invert_factor(const wcut_evidence *own, const wcut_normal_equations 
     const int m = normal->m;
     const double *gram = normal->own + (size_t)cut * (size_t)m * (size_t)m;
     double factor[COLUMNS * COLUMNS];
+
+    /* B = I + S^1/2 J'J S^1/2 and its Cholesky factor */
     for (int i = 0; i < m; i++) spread[i] = own->noise.scatter[own->scatter.kind[i]];
     for (int i = 0; i < m; i++)
         for (int j = 0; j < m; j++) factor[i * m + j] = (i == j) + spread[i] * spread[j] * gram[i * m + j];
@@ -96,9 +98,13 @@ static bool step_scatter(wcut_evidence *own, const wcut_linear *p, wcut_normal_e
     double square[WCUT_SCATTER_COUNT] = {0};
     int chosen[WCUT_FIT_MAX], count[WCUT_SCATTER_COUNT] = {0};
     double cost;
+
+    /* the shared coefficients and their covariance */
     for (int k = 0; k < p->n; k++) chosen[k] = k;
     if (!wcut_normal_equations_solve(normal, p->n, chosen, p->centre, p->precision, -1, t, covariance, &cost))
         return false;
+
+    /* the coefficients of each cut, given the shared ones */
     for (int cut = 0; cut < own->cuts; cut++) {
         double spread[COLUMNS], inverse[COLUMNS * COLUMNS], moment[COLUMNS];
         if (own->cut[cut].bins == 0) continue;
@@ -129,6 +135,7 @@ static bool step_scatter(wcut_evidence *own, const wcut_linear *p, wcut_normal_e
         own->noise.scatter[k] = clamp(sqrt(to), 1e-3 * info->width, info->most);
     }
     wcut_normal_equations_weigh(own, normal);
+
     return true;
 }
 
@@ -182,16 +189,23 @@ static double group_white(const wcut_evidence *e, int group) {
 
 /* the likeliest slow noise of a group, by golden section over its logarithm */
 static void step_slow(wcut_evidence *own, const wcut_linear *p, int group, const double *residual, double *room) {
+    /* the range of the slow share: from what the model's error makes to what mounts beside their path would */
     const double white = group_white(own, group), model = group == 0 ? MODEL_ERROR_TENSION : MODEL_ERROR_ANGLE;
     const double path = own->path_response[group];
     const double low = fmax(WCUT_SLOW_NOISE, model * model / white);
     const double high = fmax(fmax(SENSOR_SLOW_MAX, 1.01 * low), PATH_MAX * PATH_MAX * path * path / white);
+
+    /* the width of the prior on the slow standard deviation */
     const double width = fmax(fmax(PATH_WIDTH * path, model), sqrt(SENSOR_SLOW_MAX * white));
     const double golden = 0.3819660112501051;
+
+    /* the two inner points of the interval */
     double ends[2] = {log(low), log(high)}, x[2], score[2];
     for (int k = 0; k < 2; k++) x[k] = ends[k] + (k ? -golden : golden) * (ends[1] - ends[0]);
     for (int k = 0; k < 2; k++)
         score[k] = group_score(own, p, group, exp(x[k]), residual, room) + exp(x[k]) * white / (width * width);
+
+    /* drop the end beside the worse point; the other inner point is used again */
     for (int round = 0; round < GOLDEN && ends[1] - ends[0] > 0.1; round++) {
         const int worse = score[0] > score[1] ? 0 : 1, other = 1 - worse;
         ends[worse] = x[worse];
@@ -243,16 +257,21 @@ wcut_status wcut_variance_fit(const wcut_linear *p, wcut_evidence *own, double *
         conditional_residual(own, p, normal, t, left);
         for (int g = 0; g < WCUT_NOISE_GROUPS; g++) step_slow(own, p, g, left, room);
     }
+
+    /* the solution under the final variances */
     if (status == WCUT_OK) {
         fill(p, own, column, residual, normal);
         for (int k = 0; k < p->n; k++) chosen[k] = k;
         if (!wcut_normal_equations_solve(normal, p->n, chosen, p->centre, p->precision, -1, t, NULL, &cost))
             status = WCUT_NOT_CONVERGED;
     }
+
+    /* -2 ln likelihood: cost, determinants of noise and of scatter, priors of the variances */
     if (status == WCUT_OK) {
         *score = cost + wcut_evidence_log_det(own, p->missing) + prior_score(own);
         for (int k = 0; k < own->cuts; k++) *score += normal->cut_log_det[k];
     }
+
     wcut_free(covariance);
     wcut_free(room);
     wcut_free(left);
@@ -264,6 +283,8 @@ wcut_status wcut_variance_fit(const wcut_linear *p, wcut_evidence *own, double *
 /* eigenvalues and vectors (columns of v) of a symmetric matrix, destroyed: cyclic rotations (Jacobi 1846) */
 static void eigen(int n, double *a, double *v) {
     for (int i = 0; i < n * n; i++) v[i] = i / n == i % n;
+
+    /* sweeps over all pairs until the off-diagonal part is within rounding */
     for (int sweep = 0; sweep < SWEEPS; sweep++) {
         double off = 0, all = 0;
         for (int i = 0; i < n * n; i++) all += a[i] * a[i], off += i / n == i % n ? 0 : a[i] * a[i];
@@ -276,6 +297,8 @@ static void eigen(int n, double *a, double *v) {
                 const double theta = (a[q * n + q] - a[p * n + p]) / (2 * a[p * n + q]);
                 const double t = (theta < 0 ? -1 : 1) / (fabs(theta) + sqrt(theta * theta + 1));
                 const double c = 1 / sqrt(t * t + 1), s = t * c;
+
+                /* apply it to columns, rows, and the vectors */
                 for (int k = 0; k < n; k++) {
                     const double x = a[k * n + p], y = a[k * n + q];
                     a[k * n + p] = c * x - s * y, a[k * n + q] = s * x + c * y;
@@ -301,6 +324,8 @@ static void standardise_cut(const wcut_evidence *own, const wcut_normal_equation
     const int m = normal->m, count = WCUT_SIGNALS * c->bins + c->patch.count;
     const double *gram = normal->own + (size_t)cut * (size_t)m * (size_t)m;
     double b[COLUMNS * COLUMNS] = {0}, v[COLUMNS * COLUMNS] = {0}, spread[COLUMNS], moment[COLUMNS], in[COLUMNS];
+
+    /* B, and its eigenvalues and vectors */
     for (int i = 0; i < m; i++) spread[i] = own->noise.scatter[own->scatter.kind[i]];
     for (int i = 0; i < m; i++)
         for (int j = 0; j < m; j++) b[i * m + j] = (i == j) + spread[i] * spread[j] * gram[i * m + j];

@@ -54,6 +54,7 @@ static void add_effect(text *t, const wcut_found_effect *f) {
 }
 
 void wcut_diagnosis_sentence(wcut_diagnosis *d) {
+    /* the beginning depends on the verdict */
     text t = {d->sentence, sizeof d->sentence, 0};
     char scatter[WCUT_DIAGNOSIS_TEXT - 150];
     switch (d->kind) {
@@ -78,10 +79,14 @@ void wcut_diagnosis_sentence(wcut_diagnosis *d) {
         default:
             break;
     }
+
+    /* the effects, joined with "and", or "or" where several explain the same */
     for (int k = 0; k < d->effects; k++) {
         if (k > 0) add(&t, d->kind == WCUT_VERDICT_AMBIGUOUS ? ", or " : ", and ");
         add_effect(&t, &d->effect[k]);
     }
+
+    /* a sentence begins with a capital letter */
     add(&t, ".");
     if (t.at > 0 && d->kind != WCUT_VERDICT_AMBIGUOUS && d->sentence[0] >= 'a' && d->sentence[0] <= 'z')
         d->sentence[0] = (char)(d->sentence[0] - 'a' + 'A');
@@ -110,6 +115,7 @@ static int missing_channels(const wcut_recording *r) {
 }
 
 static void limit_cuts(wcut_diagnosis *d, int cuts, const wcut_diagnosis_cut *cut) {
+    /* count what the cuts have: scans, excitations, commanded speeds, empty channels, range of heats */
     int used = 0, scans = 0, excited = 0, commands = 0, missing = 0;
     double least = HUGE_VAL, most = 0;
     for (int k = 0; k < cuts; k++) {
@@ -122,6 +128,8 @@ static void limit_cuts(wcut_diagnosis *d, int cuts, const wcut_diagnosis_cut *cu
         missing += missing_channels(cut[k].recording);
         least = fmin(least, cut[k].job->heat), most = fmax(most, cut[k].job->heat);
     }
+
+    /* a sentence for everything that is missing */
     if (used == 1)
         limit(d,
               "With one cut nothing can be held out, and what belongs to the block is not told from what belongs to "
