@@ -42,10 +42,14 @@ static wcut_status count_samples(const wcut_history *plan, const wcut_recording 
     int contact, left;
     if (!find_contact(plan, &contact, &left))
         return wcut_fail(error, WCUT_DEGENERATE, "the planned run has no contact with the block: nothing to score");
+
+    /* the planned stations of first contact and of leaving, as times of the recording */
     c->contact = time_at(recording, contact);
     c->leave = time_at(recording, left);
     c->from = c->contact + o->settle;
     c->to = c->leave - o->leave;
+
+    /* a sample counts between settling after contact and some time before leaving, in the phases that cut */
     const wcut_column *s = &recording->channel[WCUT_CHANNEL_STATION];
     const double *time = recording->channel[WCUT_CHANNEL_TIME].value;
     int station = 0;
@@ -56,6 +60,7 @@ static wcut_status count_samples(const wcut_history *plan, const wcut_recording 
         c->counted[i] = there && time[i] >= c->from && time[i] <= c->to && is_cutting(c->phase[i]);
         c->counted_samples += c->counted[i];
     }
+
     return WCUT_OK;
 }
 
@@ -106,6 +111,7 @@ void wcut_comparison_destroy(wcut_comparison *c) {
 /* plan, replay and score into a comparison that holds nothing yet; `room` is 4 x samples */
 static wcut_status compare(const wcut_job *job, const wcut_recording *recording, const wcut_comparison_options *o,
                            double *room, wcut_comparison *c, wcut_error *error) {
+    /* the plan: the job run by the simulator alone */
     wcut_setup *setup = NULL;
     wcut_history *plan = NULL;
     wcut_cut_options cut = wcut_cut_options_default();
@@ -118,15 +124,19 @@ static wcut_status compare(const wcut_job *job, const wcut_recording *recording,
     if (status != WCUT_OK && !(status == WCUT_NOT_CONVERGED && plan)) {
         wcut_fail(error, status, "%s", ended.text);
     } else {
+        /* both predictions at the recording's samples: from the plan by station, and by a replay of the motion */
         status = wcut_prediction_plan(plan, recording, &c->planned, error);
         if (status == WCUT_OK && c->planned->failed > 0) c->planned->cause = ended;
         if (status == WCUT_OK) status = wcut_prediction_replay(setup, recording, &o->replay, &c->replayed, error);
         if (status == WCUT_OK) status = count_samples(plan, recording, o, c, error);
     }
+
+    /* scores of both over the samples that count */
     if (status == WCUT_OK) {
         score_prediction(recording, c, c->planned, room, &c->planned_score);
         score_prediction(recording, c, c->replayed, room, &c->replayed_score);
     }
+
     wcut_history_destroy(plan);
     wcut_setup_destroy(setup);
     return status;
@@ -144,6 +154,8 @@ wcut_status wcut_comparison_create(const wcut_job *job, const wcut_recording *re
             error, WCUT_BAD_ARGUMENT,
             "a job, a recording, a place for the comparison, a positive tolerance and times of 0 s or more are "
             "expected");
+
+    /* room for all samples */
     const size_t n = (size_t)recording->samples;
     wcut_comparison *c = wcut_alloc(1, sizeof *c);
     double *room = wcut_alloc(4 * n, sizeof *room);
@@ -153,6 +165,8 @@ wcut_status wcut_comparison_create(const wcut_job *job, const wcut_recording *re
         c->phase = wcut_alloc(n, sizeof *c->phase);
         c->counted = wcut_alloc(n, sizeof *c->counted);
     }
+
+    /* compare, and hand over what was made */
     if (c && room && c->phase && c->counted)
         status = compare(job, recording, &o, room, c, error);
     else
@@ -162,6 +176,7 @@ wcut_status wcut_comparison_create(const wcut_job *job, const wcut_recording *re
         *out = c;
     else
         wcut_comparison_destroy(c);
+
     return status;
 }
 
@@ -170,6 +185,8 @@ wcut_status wcut_comparison_run(int n, const wcut_job *const *job, const wcut_re
                                 wcut_comparison **comparison, wcut_error *error) {
     const wcut_comparison_options o = options ? *options : wcut_comparison_options_default();
     if (n < 0 || (n > 0 && (!job || !recording || !comparison || !error)) || !are_usable(&o)) return WCUT_BAD_ARGUMENT;
+
+    /* outputs are empty where a cut is missing or fails */
     int done = 0, stop = 0;
     for (int i = 0; i < n; i++) comparison[i] = NULL, error[i] = (wcut_error){0};
         /* every cut is one thread's alone, from its setup to its sums */
@@ -178,12 +195,16 @@ wcut_status wcut_comparison_run(int n, const wcut_job *const *job, const wcut_re
         int stopped;
 #pragma omp atomic read
         stopped = stop;
+
+        /* missing cuts stay empty; after a request to stop no cut is begun */
         if (!job[i] || !recording[i]) continue;
         if (stopped) {
             wcut_fail(&error[i], WCUT_INTERRUPTED, "stopped on request");
             continue;
         }
         wcut_comparison_create(job[i], recording[i], &o, &comparison[i], &error[i]);
+
+        /* progress is called by one thread at a time */
 #pragma omp critical /* unnamed: a name would be a global of ours */
         {
             if (progress && progress(done, n, context) != 0) {
@@ -193,5 +214,6 @@ wcut_status wcut_comparison_run(int n, const wcut_job *const *job, const wcut_re
             done++;
         }
     }
+
     return stop ? WCUT_INTERRUPTED : WCUT_OK;
 }

@@ -35,22 +35,29 @@ bool wcut_cut_touches(const wcut_cut *cut, const wcut_vec3 *x) {
 }
 
 void wcut_cut_feed_free(wcut_cut *cut, const wcut_target *target, double reach, double *elapsed) {
+    /* the time: given, or what the faster mount needs at the highest speed */
     const wcut_job *job = cut->setup->job;
     const int n = job->nodes;
     wcut_wire *w = &cut->next;
     const double duration = target->duration > 0 ? target->duration : reach / job->speed_max;
+
+    /* the wire hangs in its last pattern, without force and outside the foam */
     for (int i = 0; i < n; i++) {
         w->x[i] = cut->hanging_shape[i];
         w->force[i] = vec3(0, 0, 0);
         w->line[i] = w->engaged[i] = 0;
         w->speed[i] = vec3_distance(cut->hanging_shape[i], cut->was[i]) / duration;
     }
+
+    /* no tension counts; the condition is the one that set the speed */
     for (int e = 0; e < n - 1; e++) w->s[e] = 0;
     w->length = target->length;
     w->loaded = false;
     w->required_tension = 0;
     w->condition = target->duration > 0 ? WCUT_CONDITION_TIME : WCUT_CONDITION_SPEED_MAX;
     w->front_speed = reach / duration;
+
+    /* states of the nodes follow the step, then the clock */
     wcut_cut_remember(cut, target, 1 / duration);
     *elapsed += duration;
 }

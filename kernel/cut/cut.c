@@ -38,11 +38,15 @@ static void destroy_wire(wcut_wire *w) {
 /* what the next step starts from; the fields that every step writes anew are left */
 static void copy_wire(int n, int effects, const wcut_wire *from, wcut_wire *to) {
     const size_t count = (size_t)n;
+
+    /* shape, tensions, load pattern and forces */
     memcpy(to->x, from->x, sizeof *to->x * count);
     memcpy(to->s, from->s, sizeof *to->s * count);
     memcpy(to->pattern, from->pattern, sizeof *to->pattern * count);
     memcpy(to->force, from->force, sizeof *to->force * count);
     memcpy(to->accumulated, from->accumulated, sizeof *to->accumulated * count);
+
+    /* scalars of the last station */
     to->length = from->length;
     to->front_speed = from->front_speed;
     to->loaded = from->loaded;
@@ -50,6 +54,8 @@ static void copy_wire(int n, int effects, const wcut_wire *from, wcut_wire *to) 
     to->condition = from->condition;
     to->step_duration = from->step_duration;
     to->end_a = from->end_a, to->end_b = from->end_b;
+
+    /* states of the nodes and mounts exist only with effects */
     if (effects == 0) return;
     memcpy(to->state, from->state, sizeof *to->state * count);
     memcpy(to->engaged, from->engaged, sizeof *to->engaged * count);
@@ -66,24 +72,31 @@ void wcut_contact_rule_set(wcut_cut *cut, wcut_contact_rule rule) {
 
 /* station 0: the wire hangs trailing, under an even load against the feed */
 static bool begin(wcut_cut *cut) {
+    /* an even load against the feed with the sum k gives the first shape */
     const wcut_setup *setup = cut->setup;
     const int n = setup->job->nodes;
     wcut_wire *w = &cut->now;
     for (int i = 0; i < n; i++) w->pattern[i] = vec3_scale(-setup->job->tension / n, setup->feed);
+
     const wcut_target target = {
         .end_a = setup->end_a[0], .end_b = setup->end_b[0], .length = setup->length[0], .heat = setup->job->heat};
     w->end_a = target.end_a, w->end_b = target.end_b;
+
+    /* hang the wire between the mounts, and start from that shape */
     if (!wcut_cut_hang(cut, &target, w->pattern)) return false;
     memcpy(w->x, cut->hanging_shape, sizeof *w->x * (size_t)n);
     w->length = setup->length[0];
     w->front_speed = setup->job->speed_max;
     w->loaded = wcut_cut_touches(cut, w->x);
     w->condition = WCUT_CONDITION_SPEED_MAX;
+
+    /* what of each node is in the foam where it begins; in a plan all of it */
     wcut_vec3 unused[2];
     for (int i = 0; i < n; i++)
         w->engaged[i] =
             setup->foam.embedded ? 1 : wcut_block_engagement(&setup->foam.block, w->x[i], w->x[i], unused, unused + 1);
     cut->touched = w->loaded;
+
     return true;
 }
 
@@ -92,6 +105,8 @@ wcut_status wcut_cut_create(const wcut_setup *setup, wcut_cut **out, wcut_error 
     const int n = setup->job->nodes;
     wcut_cut *cut = wcut_alloc(1, sizeof *cut);
     if (!cut) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a run");
+
+    /* scratch of the solver's sub-steps, one value a node */
     cut->setup = setup;
     wcut_contact_rule_set(cut, setup->options.weighted ? WCUT_CONTACT_HEAVY : WCUT_CONTACT_BY_WEIGHT);
     cut->was = wcut_alloc((size_t)n, sizeof *cut->was);
@@ -104,6 +119,8 @@ wcut_status wcut_cut_create(const wcut_setup *setup, wcut_cut **out, wcut_error 
     cut->softer_tension = wcut_alloc((size_t)n, sizeof *cut->softer_tension);
     cut->edge = wcut_alloc((size_t)n, sizeof *cut->edge);
     cut->rest = wcut_alloc((size_t)n, sizeof *cut->rest);
+
+    /* the present wire, the next one and Newton's system */
     bool whole = create_wire(n, &cut->now);
     whole = create_wire(n, &cut->next) && whole;
     whole = wcut_solver_create(n, &cut->solver) && whole;
@@ -117,6 +134,7 @@ wcut_status wcut_cut_create(const wcut_setup *setup, wcut_cut **out, wcut_error 
         *out = cut;
     else
         wcut_cut_destroy(cut);
+
     return status;
 }
 
@@ -141,25 +159,36 @@ void wcut_cut_destroy(wcut_cut *cut) {
 /* advance to a target; on success `next` becomes `now` */
 static wcut_status advance(wcut_cut *cut, const wcut_target *target, wcut_integrator integrator, wcut_error *error) {
     const int n = cut->setup->job->nodes;
+
+    /* way of both mounts in this step */
     const double way_a = vec3_distance(target->end_a, cut->now.end_a);
     const double way_b = vec3_distance(target->end_b, cut->now.end_b);
+
+    /* the next wire starts as the present one */
     double elapsed = 0;
     cut->iterations = cut->substeps = 0;
     cut->residual = 0;
     copy_wire(n, cut->setup->effect_count, &cut->now, &cut->next);
+
+    /* solve the step by the chosen integrator */
     const wcut_status status = integrator == WCUT_INTEGRATOR_HEUN ? wcut_heun_advance(cut, target, &elapsed, error)
                                                                   : wcut_implicit_advance(cut, target, &elapsed, error);
     if (status != WCUT_OK) return status;
+
+    /* swap: the next wire becomes the present one */
     cut->next.end_a = target->end_a, cut->next.end_b = target->end_b;
     const wcut_wire spare = cut->now;
     cut->now = cut->next;
     cut->next = spare;
+
+    /* index, time and the speeds of the mounts */
     cut->index++;
     cut->time += elapsed;
     cut->duration = elapsed;
     cut->speed_a = way_a / elapsed;
     cut->speed_b = way_b / elapsed;
     cut->touched = cut->touched || cut->now.loaded;
+
     return WCUT_OK;
 }
 
@@ -229,6 +258,8 @@ static double mount_tension(wcut_vec3 mount, wcut_vec3 next, double s, wcut_vec3
 
 void wcut_cut_view(const wcut_cut *cut, wcut_station *station) {
     if (!cut || !station) return;
+
+    /* everything of the present station, borrowed from the cut */
     const int n = cut->setup->job->nodes;
     const wcut_wire *w = &cut->now;
     *station = (wcut_station){.index = cut->index,

@@ -92,6 +92,8 @@ wcut_status wcut_design_check_edges(const wcut_job *job, const wcut_vec3 *a, con
                          edge ? 'b' : 'a', at, job->stations - 1, p.x, p.y, p.z, worst, block.size.x, block.size.y,
                          block.size.z, WCUT_EDGE_TOLERANCE, hint);
     }
+
+    /* edges on the block, but with a size that suggests another unit */
     if (!*hint) return WCUT_OK;
     return wcut_fail(
         error, WCUT_DEGENERATE,

@@ -47,6 +47,8 @@ typedef struct extension {
 
 static wcut_status extend(const wcut_setup *plan, const wcut_history *h, int j, extension *e, wcut_error *error) {
     const int n = h->nodes;
+
+    /* end tangents that point out of the wire */
     const wcut_vec3 *x = h->position + (size_t)j * (size_t)n;
     double unused;
     e->out_a = wcut_chain_outward(x[0], x[1], x[2], &unused);
@@ -120,6 +122,7 @@ static int lead_stations(double way, double spacing) { return (int)clamp(ceil(wa
 /* p holds the mounts of `count` stations of the plan, with room for none besides: put the leads before and behind */
 static wcut_status add_leads(const wcut_setup *plan, const wcut_history *h, bool whole, wcut_design_path *p,
                              wcut_error *error) {
+    /* in and out along the first and the last motion */
     const int n = h->nodes, count = h->stations, last = count - 1;
     const wcut_block *block = &plan->foam.block;
     const wcut_vec3 *first_x = h->position, *last_x = h->position + (size_t)last * (size_t)n;
@@ -160,11 +163,13 @@ static wcut_status add_leads(const wcut_setup *plan, const wcut_history *h, bool
     p->mount_a = a, p->mount_b = b;
     p->stations = (int)total;
     p->part_first = in, p->part_last = in + last;
+
     return WCUT_OK;
 }
 
 wcut_status wcut_design_path_create(const wcut_setup *plan, const wcut_history *h, wcut_design_path *out,
                                     wcut_error *error) {
+    /* room for the extensions and the mounts of all stations */
     const size_t m = (size_t)h->stations, n = (size_t)h->nodes;
     extension *e = wcut_alloc(m, sizeof *e);
     wcut_design_path p = {0};
@@ -179,6 +184,8 @@ wcut_status wcut_design_path_create(const wcut_setup *plan, const wcut_history *
     if (status == WCUT_OK) {
         double shift;
         p.length = common_length(plan, h->stations, e, &shift);
+
+        /* both mounts at the ends of the wire prolonged, shifted so that material slides evenly */
         for (size_t j = 0; j < m; j++) {
             const wcut_vec3 *x = h->position + j * n;
             const double half = (p.length - plan->length[j]) / 2;
@@ -192,6 +199,7 @@ wcut_status wcut_design_path_create(const wcut_setup *plan, const wcut_history *
         *out = p;
     else
         wcut_design_path_destroy(&p);
+
     return status;
 }
 

@@ -19,22 +19,31 @@ double wcut_cut_fit(wcut_cut *cut, const wcut_target *target, wcut_vec3 *end_a, 
     const wcut_wire *w = &cut->next;
     const int n = cut->setup->job->nodes;
     const double edge = target->length / (n - 1);
+
+    /* rest lengths and present lengths are equal without effects */
     for (int e = 0; e < n - 1; e++) cut->rest[e] = cut->edge[e] = edge;
     *end_a = target->end_a, *end_b = target->end_b;
+
+    /* a mount that gives carries the end of the wire with it */
     if (w->loaded && find(cut->setup, WCUT_EFFECT_MOUNT_COMPLIANCE)) {
         *end_a = vec3_add(*end_a, w->offset[0]);
         *end_b = vec3_add(*end_b, w->offset[1]);
     }
+
+    /* thermal strain at this heat, less where the wire is in air */
     const wcut_effect *longer = find(cut->setup, WCUT_EFFECT_WIRE_ELONGATION);
     if (!longer) return target->length;
     const double strain = thermal_strain(longer) * target->heat / 60, air = longer->value[2];
     double sum = 0;
+
+    /* each edge: its rest length when hot, then longer by its tension */
     for (int e = 0; e < n - 1; e++) {
         const double share = (w->engaged[e] + w->engaged[e + 1]) / 2;
         cut->rest[e] *= 1 + strain * (share + (1 - share) * air);
         cut->edge[e] = cut->rest[e] * (1 + softness(longer) * w->s[e]);
         sum += cut->edge[e];
     }
+
     return sum;
 }
 
@@ -53,13 +62,19 @@ void wcut_extension_apply(wcut_cut *cut, const wcut_target *target, wcut_extensi
     const wcut_setup *setup = cut->setup;
     const wcut_wire *w = &cut->next;
     if (setup->effect_count == 0) return;
+
+    /* the law at a node sees the effects' states */
     out->local = locality_of(cut, target);
     foam->local = &out->local;
     const wcut_effect *longer = find(setup, WCUT_EFFECT_WIRE_ELONGATION),
                       *mounts = find(setup, WCUT_EFFECT_MOUNT_COMPLIANCE);
+
+    /* without elongation and compliance the step stays as it is */
     if (!longer && !mounts) return;
     out->compliance = (wcut_compliance){.mount = {{target->end_a, w->offset[0], w->pull[0], w->pulled},
                                                   {target->end_b, w->offset[1], w->pull[1], w->pulled}}};
+
+    /* the solver works with the mean rest length, and corrects each edge by its own */
     if (longer) {
         double sum = 0;
         for (int e = 0; e < step->n - 1; e++) sum += cut->rest[e];
@@ -67,6 +82,8 @@ void wcut_extension_apply(wcut_cut *cut, const wcut_target *target, wcut_extensi
         out->compliance.rest = cut->rest;
         out->compliance.softness = softness(longer);
     }
+
+    /* compliance of the mounts, as displacement per tension, and their settling time */
     if (mounts) out->compliance.mount_compliance = 1 / mounts->value[0], out->compliance.settling = mounts->value[1];
     step->compliance = &out->compliance;
 }

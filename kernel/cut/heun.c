@@ -36,11 +36,15 @@ static double excess_at(moment *m, double speed) {
 /* (11) by the secant method, kept inside a bracket (Illinois); the speed where it holds, or a limit */
 static double find_speed(moment *m, wcut_condition *condition, int *rounds) {
     const wcut_job *job = m->cut->setup->job;
+
+    /* the excess of the foam's force over the tension at both limits of the speed */
     double low = job->speed_min, high = job->speed_max;
     double at_high = excess_at(m, high), at_low = at_high > 0 ? excess_at(m, low) : 0;
     *condition = at_high <= 0 ? WCUT_CONDITION_SPEED_MAX : WCUT_CONDITION_SPEED_MIN;
     if (at_high <= 0) return excess_at(m, high), high;
     if (at_low >= 0) return low;
+
+    /* between them the secant method, which halves a value that has stayed too long (Illinois) */
     *condition = WCUT_CONDITION_TENSION;
     double speed = high;
     int side = 0;
@@ -58,6 +62,7 @@ static double find_speed(moment *m, wcut_condition *condition, int *rounds) {
             side = -1;
         }
     }
+
     return speed;
 }
 
@@ -75,13 +80,19 @@ static void keep(moment *m, double speed, wcut_condition condition, double *elap
     wcut_cut *cut = m->cut;
     wcut_wire *w = &cut->next;
     const int n = cut->setup->job->nodes;
+
+    /* (11) gave the speed, so that h is the time of the step */
     const double h = m->reach / speed;
     wcut_vec3 sum = {0, 0, 0}, now = {0, 0, 0};
     for (int i = 0; i < n; i++) {
         sum = vec3_add(sum, m->total[i]);
         now = vec3_add(now, m->at[i].force);
     }
+
+    /* scale: the present force over the accumulated one */
     const double scale = vec3_length(sum) > 0 ? vec3_length(now) / vec3_length(sum) : 0;
+
+    /* the wire as it hangs, the force as it acts, the accumulated force times the time */
     for (int i = 0; i < n; i++) {
         w->x[i] = cut->hanging_shape[i];
         w->force[i] = m->at[i].force;
@@ -92,6 +103,8 @@ static void keep(moment *m, double speed, wcut_condition condition, double *elap
         w->accumulated[i] = vec3_scale(scale * h, m->total[i]);
     }
     for (int e = 0; e < n - 1; e++) w->s[e] = cut->hanging_tension[e] * scale;
+
+    /* what the next step starts from */
     w->length = m->target->length;
     w->loaded = true;
     w->condition = condition;
@@ -104,6 +117,8 @@ static void keep(moment *m, double speed, wcut_condition condition, double *elap
 wcut_status wcut_heun_advance(wcut_cut *cut, const wcut_target *target, double *elapsed, wcut_error *error) {
     const int n = cut->setup->job->nodes;
     wcut_wire *w = &cut->next;
+
+    /* the way of the faster mount, and where the wire was */
     moment m = {.cut = cut, .target = target, .total = cut->softer, .at = cut->solver.system.node};
     m.reach = fmax(vec3_distance(target->end_a, w->x[0]), vec3_distance(target->end_b, w->x[n - 1]));
     memcpy(cut->was, w->x, sizeof *w->x * (size_t)n);
@@ -116,6 +131,8 @@ wcut_status wcut_heun_advance(wcut_cut *cut, const wcut_target *target, double *
         w->step_duration = *elapsed;
         return WCUT_OK;
     }
+
+    /* predictor, as soon as there has been a step under load */
     wcut_condition condition;
     int rounds = 0;
     if (w->loaded && w->step_duration > 0) {
@@ -123,14 +140,21 @@ wcut_status wcut_heun_advance(wcut_cut *cut, const wcut_target *target, double *
         if (!wcut_cut_hang(cut, target, m.total))
             return wcut_fail(error, WCUT_NOT_CONVERGED, "heun: the predicted force (9) gives the wire no shape");
     }
+
+    /* rate at the predicted shape */
     double speed = find_speed(&m, &condition, &rounds);
     cut->iterations += rounds;
+
+    /* corrector: the mean of both forces, and the rate at the corrected shape */
     accumulate(&m, w->step_duration > 0 ? w->step_duration : m.reach / speed, 0.5, 0.5); /* (10) */
     if (!wcut_cut_hang(cut, target, m.total))
         return wcut_fail(error, WCUT_NOT_CONVERGED, "heun: the corrected force (10) gives the wire no shape");
     speed = find_speed(&m, &condition, &rounds);
     cut->iterations += rounds;
+
+    /* residual of (4), where the tension decides */
     if (condition == WCUT_CONDITION_TENSION) cut->residual = fabs(m.pull / cut->setup->job->tension - 1);
     keep(&m, speed, condition, elapsed);
+
     return WCUT_OK;
 }

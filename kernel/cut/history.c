@@ -37,12 +37,16 @@ void wcut_history_destroy(wcut_history *h) {
 static void append(wcut_history *h, const wcut_cut *cut) {
     wcut_station s;
     wcut_cut_view(cut, &s);
+
+    /* arrays of the nodes go behind those of the last station */
     const size_t n = (size_t)h->nodes, at = (size_t)h->stations * n;
     memcpy(h->position + at, s.position, n * sizeof *s.position);
     memcpy(h->force + at, s.force, n * sizeof *s.force);
     memcpy(h->force_line + at, s.force_line, n * sizeof *s.force_line);
     memcpy(h->speed + at, s.speed, n * sizeof *s.speed);
     memcpy(h->tension + (size_t)h->stations * (n - 1), s.tension, (n - 1) * sizeof *s.tension);
+
+    /* scalars of the station as a row */
     h->row[h->stations++] = (wcut_history_row){.time = s.time,
                                                .duration = s.duration,
                                                .speed_a = s.speed_a,
@@ -82,6 +86,8 @@ static wcut_status run(wcut_cut *cut, wcut_progress progress, void *context, wcu
 static wcut_status run_again(const wcut_setup *setup, wcut_contact_rule rule, wcut_progress progress, void *context,
                              wcut_history **history) {
     wcut_cut *cut = NULL;
+
+    /* a history of its own, because the first one may be the longer */
     wcut_history *h = create((*history)->planned, (*history)->nodes);
     wcut_status status = h ? wcut_cut_create(setup, &cut, NULL) : WCUT_NO_MEMORY;
     if (status == WCUT_OK) {
@@ -96,6 +102,7 @@ static wcut_status run_again(const wcut_setup *setup, wcut_contact_rule rule, wc
     } else {
         status = (*history)->ended.status;
     }
+
     wcut_history_destroy(h);
     wcut_cut_destroy(cut);
     return status;
@@ -107,6 +114,8 @@ wcut_status wcut_setup_run(const wcut_setup *setup, wcut_progress progress, void
     wcut_cut *cut = NULL;
     wcut_status status = wcut_cut_create(setup, &cut, error);
     if (status != WCUT_OK) return status;
+
+    /* a history of the planned size */
     const int nodes = setup->job->nodes;
     wcut_history *h = create(setup->stations, nodes);
     if (!h) {
@@ -132,5 +141,6 @@ wcut_status wcut_setup_run(const wcut_setup *setup, wcut_progress progress, void
     }
     if (error && status != WCUT_OK) *error = h->ended;
     *history = h;
+
     return status;
 }

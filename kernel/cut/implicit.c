@@ -26,10 +26,13 @@
 /* the solver's last evaluation becomes the wire */
 static void accept(wcut_cut *cut, const wcut_target *target, double rate, double reach, double pull,
                    wcut_condition condition, double *elapsed) {
+    /* shape and tensions of the solution */
     const int n = cut->setup->job->nodes;
     wcut_wire *w = &cut->next;
     memcpy(w->x, cut->hanging_shape, sizeof *w->x * (size_t)n);
     memcpy(w->s, cut->hanging_tension, sizeof *w->s * (size_t)(n - 1));
+
+    /* forces, speeds and engagement at the nodes */
     for (int i = 0; i < n; i++) {
         const wcut_resistance *f = &cut->solver.system.node[i];
         w->force[i] = f->force;
@@ -37,8 +40,12 @@ static void accept(wcut_cut *cut, const wcut_target *target, double rate, double
         w->speed[i] = f->speed;
         w->engaged[i] = f->engaged;
     }
+
+    /* the load pattern is kept for times without load; a mere weight does not become the pattern */
     const bool pulls = !cut->weighted || pull > LOOSE * cut->setup->job->tension;
     if (pulls && wcut_load_sum(n, w->force) > 0) memcpy(w->pattern, w->force, sizeof *w->pattern * (size_t)n);
+
+    /* scalars of the step */
     w->length = target->length;
     w->loaded = true;
     w->required_tension = pull;
@@ -249,6 +256,8 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, bool brief, do
     const wcut_setup *setup = cut->setup;
     const int n = setup->job->nodes;
     wcut_wire *w = &cut->next;
+
+    /* where the material comes from: the shape before, or in a plan the wire slid through its ends */
     memcpy(cut->was, w->x, sizeof *w->x * (size_t)n);
     if (setup->foam.embedded && target->length != w->length) find_material(cut, target);
     const double reach = fmax(vec3_distance(target->end_a, w->end_a), vec3_distance(target->end_b, w->end_b));
@@ -271,17 +280,25 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, bool brief, do
                          .n = n,
                          .was = cut->was,
                          .dead_load = find_dead_load(cut, &a.weight)};
+
+    /* effects change the ends, the lengths and the law */
     wcut_extension extension;
     wcut_extension_apply(cut, target, &extension, &a.foam, &a.step);
+
+    /* under a given duration the speed is known; else it is an unknown beside the tension */
     double speed = target->duration > 0 ? reach / target->duration : 0;
     wcut_condition condition = WCUT_CONDITION_TIME;
     wcut_solution out = {0};
     const bool solved =
         target->duration > 0 ? solve(&a, false, speed, &out) : solve_complementary(&a, &speed, &condition);
+
+    /* a solution counts if the wire is taut or carries a weight */
     if (solved && (cut->weighted || a.pull >= SLACK_TENSION * setup->job->tension)) {
         accept(cut, target, speed / reach, reach, a.pull, condition, elapsed);
         return true;
     }
+
+    /* without a solution only a loose wire may go on */
     if (!solved && !(load == WCUT_CONTACT_SLACK && hangs_loose(cut))) return false;
 
     /* it touches and has no tension */
@@ -290,6 +307,7 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, bool brief, do
         memcpy(w->pattern, cut->kept, sizeof *w->pattern * (size_t)n);
         return false;
     }
+
     return wcut_cut_hang(cut, target, w->pattern) && feed_free(cut, target, reach, elapsed);
 }
 
@@ -317,6 +335,8 @@ static wcut_status explain_failure(const wcut_cut *cut, const wcut_target *targe
     const wcut_cut_options *o = &cut->setup->options;
     const wcut_vec3 *from = cut->now.x;
     const int n = cut->setup->job->nodes;
+
+    /* a path that turns back would cut in its own slot */
     const double turn = turn_of_path(cut, target);
     if (cut->now.loaded && turn > 90)
         return wcut_fail(
@@ -324,6 +344,8 @@ static wcut_status explain_failure(const wcut_cut *cut, const wcut_target *targe
             "the path turns back by %.0f deg at station %d: the wire would run in the slot that it has cut, "
             "which the model does not know; expected turns of 90 deg at most",
             turn, cut->index);
+
+    /* a straight wire has no sag to carry a load with */
     const double slack = target->length - vec3_distance(target->end_a, target->end_b);
     if (slack <= 1e-7 * target->length)
         return wcut_fail(
@@ -332,6 +354,8 @@ static wcut_status explain_failure(const wcut_cut *cut, const wcut_target *targe
             "endless tension; expected a longer wire or mounts nearer to each other (in a design, a larger "
             "extra_length_mm)",
             slack);
+
+    /* sag that grows faster than the feed would push the middle back */
     const double feed = fmax(vec3_distance(target->end_a, from[0]), vec3_distance(target->end_b, from[n - 1]));
     const double sag =
         sag_of(target->end_a, target->end_b, target->length) - sag_of(from[0], from[n - 1], cut->now.length);
@@ -343,6 +367,8 @@ static wcut_status explain_failure(const wcut_cut *cut, const wcut_target *targe
             "slowly "
             "or begins with more than 0)",
             sag, feed);
+
+    /* no cause found: say how far the steps were halved */
     return wcut_fail(
         error, WCUT_NOT_CONVERGED,
         "no equilibrium of wire and foam found, with the step cut into %.0f parts; expected a residual below %g",
@@ -394,5 +420,6 @@ wcut_status wcut_implicit_advance(wcut_cut *cut, const wcut_target *target, doub
         longest *= 4;
         size = 1;
     }
+
     return WCUT_OK;
 }

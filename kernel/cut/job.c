@@ -68,11 +68,15 @@ static wcut_status resample_path(wcut_job *job, int count) {
     wcut_vec3 *a = wcut_alloc((size_t)count, sizeof *a);
     wcut_vec3 *b = wcut_alloc((size_t)count, sizeof *b);
     wcut_status status = WCUT_NO_MEMORY;
+
+    /* sample both mount paths at even steps of the mean way */
     if (!way || !a || !b) goto done;
     measure_way(m, job->mount_a, job->mount_b, way);
     status = WCUT_BAD_ARGUMENT; /* a path that goes nowhere, or beyond the range of a double */
     if (!(way[m - 1] > 0) || !isfinite(way[m - 1])) goto done;
     sample_way(job, way, count, a, b);
+
+    /* the new path takes the place of the old one */
     wcut_free(job->mount_a);
     wcut_free(job->mount_b);
     job->mount_a = a;

@@ -22,6 +22,8 @@ static bool copy_curve(const wcut_curve *c, wcut_curve **to) {
 wcut_job *wcut_job_copy(const wcut_job *job) {
     wcut_job *copy = wcut_copy(job, 1, sizeof *job);
     if (!copy) return NULL;
+
+    /* pointers of the original are not the copy's: clear them, so that destroy is safe at any point */
     copy->name = copy->foam_material = copy->wire_material = NULL;
     copy->mount_a = copy->mount_b = NULL;
     copy->edge_a = copy->edge_b = NULL;
@@ -29,6 +31,8 @@ wcut_job *wcut_job_copy(const wcut_job *job) {
     copy->dither = NULL;
     copy->heat_step = NULL;
     copy->effect = NULL;
+
+    /* copy what each points to */
     const bool whole =
         copy_text(job->name, &copy->name) && copy_text(job->foam_material, &copy->foam_material) &&
         copy_text(job->wire_material, &copy->wire_material) &&
@@ -41,6 +45,7 @@ wcut_job *wcut_job_copy(const wcut_job *job) {
         copy_array(job->heat_step, job->heat_step_count, sizeof *job->heat_step, (void **)&copy->heat_step) &&
         copy_array(job->effect, job->effect_count, sizeof *job->effect, (void **)&copy->effect);
     if (whole) return copy;
+
     wcut_job_destroy(copy);
     return NULL;
 }

@@ -62,10 +62,14 @@ static void check_clock(check *c) {
         {1e-9, "time_s looks like nanoseconds"},      {60, "time_s looks like minutes, or speed_a_mm_s like m/min"},
         {1.0 / 60, "speed_a_mm_s looks like mm/min"}, {1000, "speed_a_mm_s looks like m/s"},
         {25.4, "speed_a_mm_s looks like inch/s"},     {10, "speed_a_mm_s looks like cm/s"}};
+
+    /* way along the job's path against the recorded speed times the time */
     const wcut_column *time = &c->recording->channel[WCUT_CHANNEL_TIME];
     const wcut_column *station = &c->recording->channel[WCUT_CHANNEL_STATION];
     const wcut_column *speed = &c->recording->channel[WCUT_CHANNEL_SPEED_A];
     if (c->job->mode != WCUT_MODE_PATH || c->job->stations < 2) return;
+
+    /* sums over the samples at which all three are there */
     double way = 0, sum = 0, span = 0;
     for (int i = 1; i < c->recording->samples; i++) {
         if (!is_there(station, i) || !is_there(station, i - 1) || !is_there(speed, i)) continue;
@@ -78,9 +82,13 @@ static void check_clock(check *c) {
     /* a machine that stands says nothing */
     if (!(way > 0.01 * length_of(c->job->mount_a[0], c->job->mount_a[c->job->stations - 1])) || !(fabs(sum) > 0))
         return;
+
+    /* their ratio is 1 in the right units */
     const double ratio = way / fabs(sum);
     if (ratio < SPEED_MARGIN && ratio > 1 / SPEED_MARGIN) return;
     const char *name = nearest_unit(sizeof unit / sizeof *unit, unit, ratio);
+
+    /* the doubt, with the unit that would explain the ratio */
     wcut_doubt *d = add(c, WCUT_CHANNEL_TIME, ratio, ratio > CERTAIN || ratio < 1 / CERTAIN);
     wcut_fail(
         &d->error, WCUT_BAD_FORMAT,
@@ -93,9 +101,13 @@ static void check_clock(check *c) {
 
 static void check_places(check *c) {
     static const other_unit unit[] = {{1e-3, "metres"}, {0.1, "centimetres"}, {1 / 25.4, "inches"}};
+
+    /* measured places against the path at the recorded stations */
     const wcut_column *x = &c->recording->channel[WCUT_CHANNEL_A_X], *y = x + 1, *z = x + 2;
     const wcut_column *station = &c->recording->channel[WCUT_CHANNEL_STATION];
     if (c->job->mode != WCUT_MODE_PATH || c->job->stations < 2) return;
+
+    /* mean distance, and mean distances of both from the origin */
     double off = 0, found = 0, expected = 0;
     int n = 0;
     for (int i = 0; i < c->recording->samples; i++) {
@@ -107,8 +119,12 @@ static void check_places(check *c) {
         expected += length_of(p, zero);
         n++;
     }
+
+    /* off by less than a share of the block: no doubt */
     const wcut_vec3 size = c->job->block_size;
     if (n == 0 || off / n < PLACE_MARGIN * fmax(size.x, fmax(size.y, size.z))) return;
+
+    /* the ratio of the distances tells a unit */
     const double ratio = expected > 0 ? found / expected : 0;
     const char *name = nearest_unit(sizeof unit / sizeof *unit, unit, ratio);
     wcut_doubt *d = add(c, WCUT_CHANNEL_A_X, ratio, false);

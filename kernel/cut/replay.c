@@ -75,17 +75,22 @@ static void interpolate(const wcut_history *plan, double station, double value[W
 
 wcut_status wcut_prediction_plan(const wcut_history *plan, const wcut_recording *recording,
                                  wcut_prediction **prediction, wcut_error *error) {
+    /* check the plan and the stations of the recording */
     wcut_status status = check(plan, recording, prediction, error);
     if (status == WCUT_OK && (plan->stations < 1 || plan->planned < 2 || !plan->row))
         status = wcut_fail(error, WCUT_BAD_ARGUMENT, "found a plan without stations, expected at least one");
     if (status == WCUT_OK) status = wcut_track_check(plan->planned, recording, error);
     if (status != WCUT_OK) return status;
+
+    /* a prediction with as many samples as the recording */
     wcut_prediction *p = create(recording->samples);
     if (!p) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d samples", recording->samples);
     const wcut_column *station = &recording->channel[WCUT_CHANNEL_STATION];
     wcut_error cause = {0};
     wcut_fail(&cause, WCUT_NOT_CONVERGED, "the planned run ended at station %d of %d", plan->stations - 1,
               plan->planned - 1);
+
+    /* each sample: none without a station, a failure beyond the plan's end, else interpolated between stations */
     for (int i = 0; i < recording->samples; i++) {
         if (station->present && !station->present[i]) {
             p->without_motion++;
@@ -101,7 +106,9 @@ wcut_status wcut_prediction_plan(const wcut_history *plan, const wcut_recording 
         for (int k = 0; k < WCUT_SIGNAL_COUNT; k++) p->value[k][i] = value[k];
         p->present[i] = 1;
     }
+
     *prediction = p;
+
     return WCUT_OK;
 }
 
@@ -136,12 +143,18 @@ static wcut_vec3 beside(const replay *r, const wcut_vec3 *path, double station, 
 static wcut_status lead(replay *r, int i, wcut_error *error) {
     const wcut_track *t = r->track;
     const wcut_job *job = r->job;
+
+    /* as many sub-steps as there are stations to pass */
     const int steps = (int)fmax(1, ceil(t->station[i] - r->station));
     const double from = r->station, begun = r->time, duration = (t->time[i] - begun) / steps;
+
+    /* how far the mounts are beside the path at both ends */
     const wcut_vec3 side_a[2] = {beside(r, job->mount_a, from, r->mount_a),
                                  beside(r, job->mount_a, t->station[i], t->mount_a[i])};
     const wcut_vec3 side_b[2] = {beside(r, job->mount_b, from, r->mount_b),
                                  beside(r, job->mount_b, t->station[i], t->mount_b[i])};
+
+    /* lead: along the path, and beside it by the share of the way */
     for (int k = 1; k <= steps; k++) {
         const bool there = k == steps;
         const double share = (double)k / steps, s = there ? t->station[i] : mix(from, t->station[i], share);
@@ -152,6 +165,8 @@ static wcut_status lead(replay *r, int i, wcut_error *error) {
         const wcut_status status =
             wcut_cut_drive(r->cut, there ? t->mount_a[i] : a, there ? t->mount_b[i] : b, duration, r->heat, error);
         if (status != WCUT_OK) return status;
+
+        /* the last place that was reached is where the next step begins */
         wcut_station view;
         wcut_cut_view(r->cut, &view);
         r->out->iterations += view.iterations;
@@ -159,6 +174,7 @@ static wcut_status lead(replay *r, int i, wcut_error *error) {
         r->mount_a = view.mount_a, r->mount_b = view.mount_b;
         r->time = there ? t->time[i] : begun + k * duration;
     }
+
     return WCUT_OK;
 }
 
@@ -225,20 +241,27 @@ static void run(replay *r) {
 wcut_status wcut_prediction_replay(const wcut_setup *setup, const wcut_recording *recording,
                                    const wcut_replay_options *options, wcut_prediction **prediction,
                                    wcut_error *error) {
+    /* check everything before the first allocation */
     const wcut_replay_options o = options ? *options : wcut_replay_options_default();
     wcut_status status = check(setup, recording, prediction, error);
     if (status == WCUT_OK && (!(o.window >= 0 && isfinite(o.window)) || (unsigned)o.motion > WCUT_MOTION_POSITION))
         status = wcut_fail(error, WCUT_BAD_ARGUMENT, "a window of 0 s or more and a known motion are expected");
     if (status == WCUT_OK) status = check_heat(recording, error);
+
+    /* the track of the mounts, smoothed */
     wcut_track track = {0};
     if (status == WCUT_OK) status = wcut_track_create(setup->job, recording, &o, &track, error);
     if (status != WCUT_OK) return status;
+
+    /* a cut that is driven along it */
     replay r = {.job = setup->job, .recording = recording, .track = &track};
     status = wcut_cut_create(setup, &r.cut, error);
     if (status == WCUT_OK) {
         r.out = create(recording->samples);
         if (!r.out) status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d samples", recording->samples);
     }
+
+    /* run, then report what had no motion and what was smoothed away */
     if (status == WCUT_OK) {
         run(&r);
         r.out->without_motion = recording->samples - track.count;
@@ -247,6 +270,7 @@ wcut_status wcut_prediction_replay(const wcut_setup *setup, const wcut_recording
     } else {
         wcut_prediction_destroy(r.out);
     }
+
     wcut_cut_destroy(r.cut);
     wcut_track_destroy(&track);
     return status;

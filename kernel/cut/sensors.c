@@ -97,6 +97,7 @@ static wcut_status delay_clock(const wcut_effect *e, const span *s, double *cons
 
 wcut_status wcut_sensors_eval(int count, const wcut_effect *effect, int samples, const double *time,
                               const unsigned char *present, double *const value[WCUT_SENSED_COUNT]) {
+    /* check before anything is changed: the values are changed in place */
     if (samples < 0 || !value || (samples > 0 && !time) || wcut_effects_check(count, effect, NULL) != WCUT_OK)
         return WCUT_BAD_ARGUMENT;
     for (int i = 0; i < samples; i++)
@@ -109,8 +110,12 @@ wcut_status wcut_sensors_eval(int count, const wcut_effect *effect, int samples,
         const wcut_status status = delay_clock(&effect[e], &s, value);
         if (status != WCUT_OK) return status;
     }
+
+    /* play of the joints comes before gains and offsets: it acts on the true angle */
     for (int e = 0; e < count; e++)
         if (effect[e].kind == WCUT_EFFECT_ENCODER_FRICTION) hold_angles(&effect[e], &s, value);
+
+    /* then everything that is constant or grows slowly */
     for (int e = 0; e < count; e++) {
         if (wcut_effect_is_neutral(&effect[e])) continue;
         if (effect[e].kind == WCUT_EFFECT_EMPIRICAL_READING) add_reading(&effect[e], &s, value);
@@ -120,5 +125,6 @@ wcut_status wcut_sensors_eval(int count, const wcut_effect *effect, int samples,
             effect[e].kind == WCUT_EFFECT_TENSION_ZERO)
             spoil_tension(&effect[e], &s, value);
     }
+
     return WCUT_OK;
 }

@@ -19,6 +19,7 @@ static wcut_status expect_positive(wcut_error *error, const char *key, double va
 }
 
 static wcut_status check_numbers(const wcut_job *job, wcut_error *error) {
+    /* every number that must be positive, under its key in the job's file */
     const struct {
         const char *key;
         double value;
@@ -36,6 +37,8 @@ static wcut_status check_numbers(const wcut_job *job, wcut_error *error) {
         const wcut_status status = expect_positive(error, positive[i].key, positive[i].value);
         if (status != WCUT_OK) return status;
     }
+
+    /* limits and counts */
     if (job->speed_min >= job->speed_max)
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "limits.speed_min_mm_s: found %g, expected less than speed_max_mm_s = %g", job->speed_min,
@@ -46,6 +49,7 @@ static wcut_status check_numbers(const wcut_job *job, wcut_error *error) {
     if (job->stations < 2 || job->stations > COUNT_MAX)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "stations: found %d, expected at least 2 and at most %d",
                          job->stations, COUNT_MAX);
+
     return WCUT_OK;
 }
 
@@ -177,16 +181,20 @@ static wcut_status check_stations(const wcut_setup *setup, wcut_error *error) {
 
         const wcut_status status = setup->foam.embedded ? WCUT_OK : check_mounts(setup, j, error);
         if (status != WCUT_OK) return status;
+
+        /* a station at which nothing moves has no direction and no time */
         if (j > 0 &&
             !(fmax(vec3_distance(a, setup->end_a[j - 1]), vec3_distance(b, setup->end_b[j - 1])) > 1e-9 * length))
             return wcut_fail(error, WCUT_DEGENERATE, "station %d: neither mount has moved since station %d", j, j - 1);
     }
+
     return WCUT_OK;
 }
 
 /* whether anything of the region that the wire sweeps can lie in the block: the hull of the ends, trailing by
    the slack */
 static wcut_status check_contact(const wcut_setup *setup, wcut_error *error) {
+    /* the box of the ends, and the largest sag over all stations */
     wcut_vec3 low = setup->end_a[0], high = low;
     double slack = 0;
     for (int j = 0; j < setup->stations; j++) {
@@ -195,9 +203,13 @@ static wcut_status check_contact(const wcut_setup *setup, wcut_error *error) {
             low = vec3(fmin(low.x, end[k].x), fmin(low.y, end[k].y), fmin(low.z, end[k].z));
             high = vec3(fmax(high.x, end[k].x), fmax(high.y, end[k].y), fmax(high.z, end[k].z));
         }
+
+        /* largest distance of the wire from its chord: half the root of L^2 - c^2 */
         const double chord = vec3_distance(end[0], end[1]), length = setup->length[j];
         slack = fmax(slack, sqrt(fmax(length * length - chord * chord, 0)) / 2);
     }
+
+    /* the box with the sag all around against the block */
     const wcut_vec3 size = setup->foam.block.size;
     const bool meets = low.x - slack < size.x && high.x + slack > 0 && low.y - slack < size.y && high.y + slack > 0 &&
                        low.z - slack < size.z && high.z + slack > 0;
@@ -238,6 +250,7 @@ static void find_phases(wcut_setup *setup) {
    the way, FEED_WAY wire lengths, the beginning counting most (weights falling evenly to 0). The first step alone would
    be a matter of how finely the path is sampled. */
 static wcut_vec3 find_feed(const wcut_setup *setup) {
+    /* a chord of the first station, and the way over which is averaged */
     const wcut_vec3 across = vec3_unit(vec3_sub(setup->end_b[0], setup->end_a[0]));
     const double reach = FEED_WAY * setup->length[0];
     wcut_vec3 motion = {0, 0, 0};
@@ -257,6 +270,7 @@ static wcut_vec3 find_feed(const wcut_setup *setup) {
 
     /* what is along the chord does not feed */
     const wcut_vec3 feed = vec3_add_scaled(motion, -vec3_dot(motion, across), across);
+
     return vec3_length(feed) > 1e-9 * setup->length[0] ? vec3_unit(feed) : vec3(0, 1, 0);
 }
 
@@ -285,6 +299,8 @@ static wcut_status take_design(wcut_setup *setup, wcut_error *error) {
     wcut_setup *plan = NULL;
     wcut_history *history = NULL;
     wcut_design_path path = {0};
+
+    /* run the plan: the wire inside the block, from edge to edge */
     wcut_status status = wcut_plan_create(setup->job, &setup->options, &plan, error);
     if (status == WCUT_OK) status = wcut_setup_run(plan, NULL, NULL, &history, error);
 
@@ -293,6 +309,8 @@ static wcut_status take_design(wcut_setup *setup, wcut_error *error) {
         setup->plan_ended = history->ended;
         status = WCUT_OK;
     }
+
+    /* the mounts' way that leads the wire along the plan */
     if (status == WCUT_OK) status = wcut_design_path_create(plan, history, &path, error);
     if (status == WCUT_OK) {
         if (make_room(setup, path.stations)) {
@@ -302,6 +320,7 @@ static wcut_status take_design(wcut_setup *setup, wcut_error *error) {
             status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d stations", path.stations);
         }
     }
+
     wcut_design_path_destroy(&path);
     wcut_history_destroy(history);
     wcut_setup_destroy(plan);
@@ -330,8 +349,11 @@ static wcut_status fill(wcut_setup *setup, wcut_error *error) {
     if (status == WCUT_OK) status = check_stations(setup, error);
     if (status == WCUT_OK) status = check_contact(setup, error);
     if (status != WCUT_OK) return status;
+
+    /* direction and phases follow from the stations */
     setup->feed = find_feed(setup);
     find_phases(setup);
+
     return WCUT_OK;
 }
 
@@ -384,6 +406,8 @@ wcut_status wcut_setup_create(const wcut_job *job, const wcut_cut_options *optio
 wcut_status wcut_setup_path_job(const wcut_setup *setup, wcut_job **job) {
     if (!setup || !job) return WCUT_BAD_ARGUMENT;
     if (setup->plan_ended.status != WCUT_OK) return setup->plan_ended.status;
+
+    /* the copy is changed, the setup stays */
     wcut_job *path = wcut_job_copy(setup->job);
     if (!path) return WCUT_NO_MEMORY;
 
@@ -399,6 +423,8 @@ wcut_status wcut_setup_path_job(const wcut_setup *setup, wcut_job **job) {
     path->extra_u = path->extra_length = NULL;
     path->extra_count = 0;
     path->clearance = 0;
+
+    /* a job in path mode, with the stations of the setup */
     path->mode = WCUT_MODE_PATH;
     path->stations = setup->stations;
     path->wire_length = setup->length[0];
@@ -409,6 +435,7 @@ wcut_status wcut_setup_path_job(const wcut_setup *setup, wcut_job **job) {
         return WCUT_NO_MEMORY;
     }
     *job = path;
+
     return WCUT_OK;
 }
 

@@ -43,6 +43,8 @@ static double worst_of(wcut_misfit m, bool by_tension) {
 /* Newton direction in unknowns and ln r; false where the matrix is singular */
 static bool find_direction(wcut_solver *o, bool by_tension, double *log_rate_step) {
     wcut_system *y = &o->system;
+
+    /* solve J dx = -r for a fixed rate */
     const size_t bytes = sizeof(double) * (size_t)y->size;
     *log_rate_step = 0;
     if (!wcut_banded_factor(&y->jacobian)) return false;
@@ -50,8 +52,11 @@ static bool find_direction(wcut_solver *o, bool by_tension, double *log_rate_ste
     wcut_banded_solve(&y->jacobian, o->step_by_residual);
     if (!by_tension) return all_finite(y->size, o->step_by_residual);
 
+    /* solve for the border: how the unknowns follow ln r */
     memcpy(o->step_by_rate, y->by_log_rate, bytes);
     wcut_banded_solve(&y->jacobian, o->step_by_rate);
+
+    /* the condition (4) gives the step of ln r (Schur complement) */
     double gap = -y->condition, slope = y->condition_by_log_rate;
     for (int k = 0; k < y->size; k++) {
         gap -= y->border[k] * o->step_by_residual[k];
@@ -59,7 +64,10 @@ static bool find_direction(wcut_solver *o, bool by_tension, double *log_rate_ste
     }
     if (!(fabs(slope) > 0)) return false;
     *log_rate_step = gap / slope;
+
+    /* the step of the unknowns at that rate */
     for (int k = 0; k < y->size; k++) o->step_by_residual[k] -= *log_rate_step * o->step_by_rate[k];
+
     return isfinite(*log_rate_step) && all_finite(y->size, o->step_by_residual);
 }
 

@@ -29,15 +29,23 @@ static void add_row(wcut_summary *s, const wcut_history_row *r) {
 wcut_status wcut_summary_eval(const wcut_history *h, wcut_summary *summary) {
     if (!h || h->stations < 1 || h->nodes < 1 || !h->row || !h->force_line || !summary) return WCUT_BAD_ARGUMENT;
     const int first = h->stations > 1, count = h->stations - first; /* nothing moved to station 0 */
+
+    /* medians need the speeds in an array of their own */
     double *speed = wcut_alloc((size_t)count, sizeof *speed);
     if (!speed) return WCUT_NO_MEMORY;
+
+    /* extremes start outside of every value */
     const wcut_range none = {INFINITY, -INFINITY};
     wcut_summary s = {
         .duration = h->row[h->stations - 1].time, .speed = none, .alpha = none, .beta = none, .tension = none};
+
+    /* sums and extremes over the stations */
     for (int j = 0; j < count; j++) {
         add_row(&s, &h->row[first + j]);
         speed[j] = front_speed(&h->row[first + j]);
     }
+
+    /* means, the largest force along the wire, and the median speed */
     s.iterations_mean /= count;
     s.substeps_mean /= count;
     for (size_t i = 0; i < (size_t)h->stations * (size_t)h->nodes; i++)
@@ -46,5 +54,6 @@ wcut_status wcut_summary_eval(const wcut_history *h, wcut_summary *summary) {
     s.speed_median = sorted_median(count, speed);
     wcut_free(speed);
     *summary = s;
+
     return WCUT_OK;
 }

@@ -64,15 +64,21 @@ static void put_equilibrium(wcut_system *y, const wcut_step *step, const wcut_ve
     const wcut_compliance *give = step->compliance;
     const double edge = step->edge, per_edge = 1 / edge;
     for (int i = 1; i < y->n - 1; i++) {
+        /* unit vectors of both edges, by their present lengths where they stretch */
         const double l = give ? wcut_edge_length(give, edge, i - 1, s[i - 1]) : edge;
         const double m = give ? wcut_edge_length(give, edge, i, s[i]) : edge;
         const wcut_vec3 back = vec3_scale(give ? 1 / l : per_edge, vec3_sub(x[i], x[i - 1]));
         const wcut_vec3 front = vec3_scale(give ? 1 / m : per_edge, vec3_sub(x[i + 1], x[i]));
+
+        /* residual: loads of foam and weight, and the pull of both edges */
         const wcut_resistance *f = &y->node[i];
         const int row = node_at(i);
         const wcut_vec3 load = step->dead_load ? vec3_add(f->force, step->dead_load[i]) : f->force;
         put_vector(y->residual + row, vec3_add_scaled(vec3_add_scaled(load, s[i], front), -s[i - 1], back));
+
         if (!slopes) continue;
+
+        /* slopes by the tensions; a soft edge gets longer, which turns less */
         const double less_back = give ? 1 - s[i - 1] * wcut_edge_softness(give, i - 1) / l : 1;
         const double less_front = give ? 1 - s[i] * wcut_edge_softness(give, i) / m : 1;
         for (int c = 0; c < 3; c++) {
@@ -80,10 +86,14 @@ static void put_equilibrium(wcut_system *y, const wcut_step *step, const wcut_ve
             *banded_at(&y->jacobian, row + c, tension_at(i - 1)) = -b[c] * less_back;
             *banded_at(&y->jacobian, row + c, tension_at(i)) = a[c] * less_front;
         }
+
+        /* slopes by the positions: the foam's own, and S / l of the edges */
         const double both = give ? s[i] / m + s[i - 1] / l : (s[i] + s[i - 1]) / l;
         add_block(&y->jacobian, row, row, mat3_add_identity(f->by_here, -both));
         if (i > 1) add_block(&y->jacobian, row, node_at(i - 1), mat3_add_identity(f->by_before, s[i - 1] / l));
         if (i < y->n - 2) add_block(&y->jacobian, row, node_at(i + 1), mat3_add_identity(f->by_after, s[i] / m));
+
+        /* slope by ln r */
         put_vector(y->by_log_rate + row, f->by_log_rate);
     }
 }
@@ -108,11 +118,15 @@ static wcut_vec3 turn_of(const wire_end *e, double weight, wcut_vec3 direction) 
 static void put_condition(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, bool slopes) {
     const int n = y->n;
     wcut_vec3 sum = {0, 0, 0};
+
+    /* sum of the foam's forces, and of their magnitudes */
     y->load = 0;
     for (int i = 0; i < n; i++) {
         sum = vec3_add(sum, y->node[i].force);
         y->load += vec3_length(y->node[i].force);
     }
+
+    /* end tangents, and the tension that the force asks for */
     const wire_end a = end_of(x[0], x[1], x[2]), b = end_of(x[n - 1], x[n - 2], x[n - 3]);
     const wcut_vec3 out = vec3_add(a.outward, b.outward);
     const double total = vec3_length(sum), opening = vec3_length(out);
@@ -120,6 +134,7 @@ static void put_condition(wcut_system *y, const wcut_step *step, const wcut_vec3
     y->pull = opening > 0 ? total / opening : 0;
     if (!slopes) return;
 
+    /* the border: derivative of |sum f| by the free nodes and ln r */
     const wcut_vec3 u = vec3_unit(sum), w = vec3_unit(out);
     y->condition_by_log_rate = 0;
     for (int i = 0; i < n; i++) {
@@ -129,6 +144,8 @@ static void put_condition(wcut_system *y, const wcut_step *step, const wcut_vec3
         if (is_free(y, i - 1)) add_vector(y->border + node_at(i - 1), mat3_row_product(u, f->by_before));
         if (is_free(y, i + 1)) add_vector(y->border + node_at(i + 1), mat3_row_product(u, f->by_after));
     }
+
+    /* derivative of k |t_0 + t_{n-1}|, by the two nodes next to each end */
     const double k = step->tension;
     const int inner[4] = {1, 2, n - 2, n - 3}; /* the last two are ends of the other side where there are few nodes */
     for (int i = 0; i < 4; i++)
@@ -164,20 +181,27 @@ static void pass_on(wcut_system *y, const wcut_end *end, int row, int e, int nex
 /* The ends are no unknowns: their share in the equations goes to those that they follow. */
 static void put_mounts(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, const double *s, double rate) {
     const int n = y->n;
+
+    /* directions of the whole force and of the whole opening */
     wcut_vec3 sum = {0, 0, 0};
     for (int i = 0; i < n; i++) sum = vec3_add(sum, y->node[i].force);
     const wire_end side[2] = {end_of(x[0], x[1], x[2]), end_of(x[n - 1], x[n - 2], x[n - 3])};
     const wcut_vec3 u = vec3_unit(sum), w = vec3_unit(vec3_add(side[0].outward, side[1].outward));
     for (int m = 0; m < 2; m++) {
+        /* each end follows its neighbour, the tension of its edge, and ln r */
         const int e = m == 0 ? 0 : n - 2, next = m == 0 ? 1 : n - 2, here = m == 0 ? 0 : n - 1;
         const wcut_end end = end_on_mount(step, x, s, rate, m);
         const double l = wcut_edge_length(step->compliance, step->edge, e, s[e]);
         const mat3 by_next = m == 0 ? y->node[next].by_before : y->node[next].by_after;
         const mat3 balance = mat3_add_identity(by_next, s[e] / l);
+
+        /* its share in the equations of length and of equilibrium */
         pass_on(y, &end, tension_at(e), e, next, vec3_scale(1 / l, vec3_sub(x[here], x[next])));
         pass_on(y, &end, node_at(next), e, next, balance.x);
         pass_on(y, &end, node_at(next) + 1, e, next, balance.y);
         pass_on(y, &end, node_at(next) + 2, e, next, balance.z);
+
+        /* its share in condition (4) */
         wcut_vec3 by_end = vec3_add(mat3_row_product(u, y->node[here].by_here), mat3_row_product(u, by_next));
         by_end = vec3_add_scaled(by_end, -step->tension, turn_of(&side[m], 3, w));
         add_vector(y->border + node_at(next), vec3_scale(end.by_next, by_end));

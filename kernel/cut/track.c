@@ -70,6 +70,8 @@ wcut_status wcut_track_check(int stations, const wcut_recording *recording, wcut
     const wcut_column *station = &recording->channel[WCUT_CHANNEL_STATION];
     const int *line = recording->further->line;
     double furthest = -HUGE_VAL;
+
+    /* stations must lie on the path and go forward, but for jitter of one station */
     for (int i = 0; i < recording->samples; i++) {
         const double s = station->value[i];
         if (!is_there(station, i)) continue;
@@ -127,13 +129,18 @@ static void keep_forward(const wcut_job *job, wcut_track *track) {
 
 static void fill(const wcut_job *job, const wcut_recording *recording, const wcut_replay_options *o, double *room,
                  wcut_track *track) {
+    /* progress along the path, smoothed and never backwards */
     double *raw = room, *smooth = room + track->count;
     double taken = smooth_channel(recording, WCUT_CHANNEL_STATION, track, o->window, raw, track->station);
     keep_forward(job, track);
+
+    /* mounts on the path at that progress */
     for (int i = 0; i < track->count && o->motion == WCUT_MOTION_STATION; i++) {
         track->mount_a[i] = wcut_path_at(job->stations, job->mount_a, track->station[i]);
         track->mount_b[i] = wcut_path_at(job->stations, job->mount_b, track->station[i]);
     }
+
+    /* or mounts as measured, each coordinate smoothed by itself */
     if (o->motion == WCUT_MOTION_POSITION) {
         taken = 0;
         for (int k = 0; k < 6; k++) {
@@ -143,6 +150,8 @@ static void fill(const wcut_job *job, const wcut_recording *recording, const wcu
                 *(k % 3 == 0 ? &mount[i].x : k % 3 == 1 ? &mount[i].y : &mount[i].z) = smooth[i];
         }
     }
+
+    /* what smoothing took away, as a root mean square */
     track->scatter = sqrt(taken / track->count);
 }
 
@@ -165,6 +174,8 @@ wcut_status wcut_track_create(const wcut_job *job, const wcut_recording *recordi
                                            WCUT_CHANNEL_B_X,     WCUT_CHANNEL_B_Y, WCUT_CHANNEL_B_Z};
     const wcut_status status = check(job, recording, o, error);
     if (status != WCUT_OK) return status;
+
+    /* room for all samples, though fewer may count */
     const size_t n = (size_t)recording->samples;
     wcut_track track = {0};
     double *room = wcut_alloc(2 * n, sizeof *room);
@@ -177,6 +188,7 @@ wcut_status wcut_track_create(const wcut_job *job, const wcut_recording *recordi
     if (!room || !track.sample || !track.time || !track.station || !track.mount_a || !track.mount_b) {
         made = wcut_fail(error, WCUT_NO_MEMORY, "no memory for the motion of %d samples", recording->samples);
     } else {
+        /* samples that have all channels which the motion needs */
         track.count = gather(recording, o->motion == WCUT_MOTION_POSITION ? 7 : 1, channel, track.sample, track.time);
         if (track.count > 0)
             fill(job, recording, o, room, &track);
@@ -188,6 +200,7 @@ wcut_status wcut_track_create(const wcut_job *job, const wcut_recording *recordi
         *out = track;
     else
         wcut_track_destroy(&track);
+
     return made;
 }
 

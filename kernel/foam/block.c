@@ -79,12 +79,17 @@ static double weight_at(const wcut_block *b, wcut_vec3 x) {
 static double integrate(const wcut_block *b, wcut_vec3 p, wcut_vec3 q, const slab *c, wcut_vec3 *dp, wcut_vec3 *dq) {
     static const double simpson[3] = {1.0 / 6, 4.0 / 6, 1.0 / 6};
     double at[10], sum = 0;
+
+    /* the pieces on which the weight is a polynomial */
     const int pieces = find_pieces(b, p, q, c, at);
     for (int k = 0; k < pieces; k++) {
+        /* slopes of the weight on this piece */
         const double h = at[k + 1] - at[k];
         const wcut_vec3 middle = vec3_mix(p, q, at[k] + h / 2);
         const double slope_y = ramp_slope(middle.y, b->size.y, b->depth);
         const double slope_z = ramp_slope(middle.z, b->size.z, b->depth);
+
+        /* sum of the weight, and its derivatives by both ends of the wire piece */
         for (int i = 0; i < 3; i++) {
             const double s = at[k] + h * i / 2, w = simpson[i] * h;
             const wcut_vec3 x = vec3_mix(p, q, s);
@@ -94,6 +99,7 @@ static double integrate(const wcut_block *b, wcut_vec3 p, wcut_vec3 q, const sla
             dp->z += w * slope_z * ry * (1 - s), dq->z += w * slope_z * ry * s;
         }
     }
+
     return sum;
 }
 

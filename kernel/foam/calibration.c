@@ -82,22 +82,33 @@ static void describe_cuts(int n, const wcut_test_cut *cut, const wcut_law_data *
 static wcut_status find_reference(int n, const wcut_calibration_point *point, const wcut_calibration_options *o,
                                   wcut_calibration *c, wcut_error *error) {
     const wcut_law_fit *f = &c->force;
+
+    /* the reference force: given, or the geometric mean of the fitted forces */
     double sum = 0;
     for (int i = 0; i < n; i++) sum += log(point[i].force.fitted) / n;
     c->reference_force = o->reference_force > 0 ? o->reference_force : exp(sum);
     if (o->reference_heat > 0) c->reference_heat = o->reference_heat;
+
+    /* the law reaches the reference force only below a */
     if (!(c->reference_force < f->a))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "reference force: found %g N/mm, expected less than a = %g N/mm",
                          c->reference_force, f->a);
+
+    /* V0 and the exponent by solving (2) for the speed */
     double log_ratio = log(f->a / c->reference_force);
     c->exponent = 1 / log_ratio;
     c->reference_speed = f->b * c->reference_heat * MM_PER_M / log_ratio;
+
+    /* errors by first derivatives and the covariance of a and b */
     const double da = -1 / (f->a * log_ratio), db = 1 / f->b; /* d ln V0 / da, d ln V0 / db; d ln m / da = da too */
     double variance = da * da * f->covariance[0] + 2 * da * db * f->covariance[1] + db * db * f->covariance[4];
     c->reference_speed_error = c->reference_speed * sqrt(fmax(0, variance));
     c->exponent_error = c->exponent * fabs(da) * f->standard_error[0];
+
+    /* a and b can be told apart where the interval of b is narrower than b */
     c->correlation = f->correlation[1];
     c->told_apart = f->high[1] - f->low[1] < f->b;
+
     return WCUT_OK;
 }
 
@@ -120,6 +131,7 @@ static wcut_law_data lay_out(int n, const wcut_test_cut *cut, double *block, dou
 /* why equation (2) does not come out of these cuts */
 static wcut_status explain_failure(wcut_status status, const wcut_calibration *c, const wcut_law_data *d,
                                    wcut_error *error) {
+    /* the causes one by one, the most specific first */
     int positive = 0;
     for (int i = 0; i < d->n; i++) positive += d->y[i] > 0;
     if (status == WCUT_NOT_CONVERGED)
@@ -141,6 +153,7 @@ static wcut_status explain_failure(wcut_status status, const wcut_calibration *c
 
 wcut_status wcut_calibration_fit(int n, const wcut_test_cut *cut, const wcut_calibration_options *options,
                                  wcut_calibration *calibration, wcut_calibration_point *point, wcut_error *error) {
+    /* check options, number of cuts and each cut */
     wcut_calibration_options o = options ? *options : wcut_calibration_options_default();
     if (!cut || !calibration || !is_option(&o))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s", wcut_status_text(WCUT_BAD_ARGUMENT));
@@ -156,13 +169,19 @@ wcut_status wcut_calibration_fit(int n, const wcut_test_cut *cut, const wcut_cal
         status = wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
         goto done;
     }
+
+    /* columns of the table as arrays; what the cuts span */
     wcut_law_data data = lay_out(n, cut, block, &tension);
     describe_cuts(n, cut, &data, o.alpha_large, block + 6 * (size_t)n, &c);
+
+    /* equation (2): at least two levels of Q_eff are needed */
     status = c.q_effs < 2 ? WCUT_DEGENERATE : wcut_law_fit_solve(&data, &o, &c.force, of_law);
     if (status != WCUT_OK) {
         explain_failure(status, &c, &data, error);
         goto done;
     }
+
+    /* fitted forces, and the tensions that belong to them */
     for (int i = 0; i < n; i++) {
         found[i].q_eff = data.q[i];
         found[i].force = of_law[i];
@@ -181,6 +200,8 @@ wcut_status wcut_calibration_fit(int n, const wcut_test_cut *cut, const wcut_cal
     }
     c.tension_fitted = of_tension == WCUT_OK;
     for (int i = 0; i < n && c.tension_fitted; i++) found[i].tension = of_law[i];
+
+    /* write everything at once */
     *calibration = c;
     if (point) memcpy(point, found, (size_t)n * sizeof *found);
 

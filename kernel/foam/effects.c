@@ -162,6 +162,8 @@ static wcut_status check_values(int place, const wcut_effect *effect, wcut_error
 wcut_status wcut_effects_check(int count, const wcut_effect *effect, wcut_error *error) {
     if (count < 0 || (count > 0 && !effect))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "effects: expected %d of them", count);
+
+    /* each effect: known, in range, and not twice where it does not repeat */
     int memories = 0;
     for (int e = 0; e < count; e++) {
         const wcut_effect_info *info = wcut_effect_view(effect[e].kind);
@@ -179,5 +181,6 @@ wcut_status wcut_effects_check(int count, const wcut_effect *effect, wcut_error 
                 return wcut_fail(error, WCUT_BAD_ARGUMENT, "effects[%d]: found a second %s, expected one at most", e,
                                  info->name);
     }
+
     return WCUT_OK;
 }

@@ -206,6 +206,7 @@ static part of_clock(const wcut_locality *at, int term, const double *v, const w
 /* ---- all of them ---- */
 
 static part part_of(const wcut_locality *at, const wcut_effect *e, int memory, const wcut_term_node *node) {
+    /* terms of place, direction and heat are groups of consecutive enumerators */
     const double *v = e->value;
     const wcut_term term = (wcut_term)e->choice;
     if (term <= WCUT_TERM_POSITION_Z) return of_position(v, term - WCUT_TERM_POSITION_X, node);
@@ -213,6 +214,8 @@ static part part_of(const wcut_locality *at, const wcut_effect *e, int memory, c
     if (term <= WCUT_TERM_BAND_Z) return of_band(v, term - WCUT_TERM_BAND_X, node);
     if (term <= WCUT_TERM_DIRECTION_Z) return of_direction(at, v, term - WCUT_TERM_DIRECTION_X, node);
     if (term <= WCUT_TERM_HEAT_INVERSE) return of_heat(term, v, node);
+
+    /* single terms */
     switch (term) {
         case WCUT_TERM_LOG_SPEED:
             return (part){.value = v[0] * (ln_speed(node->speed) - log(v[2])),
@@ -234,6 +237,7 @@ static part part_of(const wcut_locality *at, const wcut_effect *e, int memory, c
 }
 
 bool wcut_term_factor_eval(const wcut_locality *at, const wcut_term_node *node, wcut_term_factor *out) {
+    /* sum of all terms c phi and its derivatives */
     int terms = 0, memories = 0;
     part sum = {.value = 0};
     for (int k = 0; k < at->count; k++) {
@@ -257,6 +261,7 @@ bool wcut_term_factor_eval(const wcut_locality *at, const wcut_term_node *node, 
     if (sum.value < -0.5) slope = exp(2 * sum.value + 1), out->value = slope / 2;
     out->by_speed = slope * sum.by_speed, out->by_log_rate = slope * sum.by_log_rate;
     out->by_position = vec3_scale(slope, sum.by_position);
+
     return true;
 }
 

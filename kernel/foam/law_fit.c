@@ -125,10 +125,13 @@ typedef struct solution {
 /* repeat the weighted fit until the standard deviations, which are the law's own values, stand still */
 static wcut_status fit_from(trial *t, wcut_noise noise, wcut_loss loss, const double *weight, double *loss_weight,
                             solution *s) {
+    /* weighted least squares under the chosen loss */
     wcut_lsq_options o = wcut_lsq_options_default();
     o.loss = loss;
     wcut_lsq_problem problem = {t->d->n, s->parameters, residuals, t, weight};
     t->parameters = s->parameters;
+
+    /* weights from the law's present values, until they stand still */
     for (int round = 0; round < 60; round++) {
         for (int i = 0; i < t->d->n; i++) {
             t->sigma[i] = noise == WCUT_NOISE_ABSOLUTE ? 1 : law_at(s->x, s->parameters, t->d->q[i]);
@@ -136,11 +139,14 @@ static wcut_status fit_from(trial *t, wcut_noise noise, wcut_loss loss, const do
         }
         /* a median of residuals moves by jumps: once it is about right it stays, so that the rest can come to rest */
         if (loss != WCUT_LOSS_SQUARE && round == 5) o.scale = s->report.scale;
+
         double before[3];
         memcpy(before, s->x, sizeof before);
         wcut_status status = wcut_lsq_solve(&problem, &o, s->x, s->covariance, loss_weight, &s->report);
         if (status != WCUT_OK)
             return status == WCUT_NO_MEMORY || status == WCUT_NOT_CONVERGED ? status : WCUT_DEGENERATE;
+
+        /* change against the standard errors of the parameters */
         double change = 0;
         for (int j = 0; j < s->parameters; j++) {
             double error = sqrt(s->covariance[(size_t)j * (size_t)(s->parameters + 1)]);
@@ -149,6 +155,7 @@ static wcut_status fit_from(trial *t, wcut_noise noise, wcut_loss loss, const do
         }
         if (round > 0 && (noise == WCUT_NOISE_ABSOLUTE || change < 1e-9)) return WCUT_OK;
     }
+
     return WCUT_NOT_CONVERGED;
 }
 
@@ -226,9 +233,12 @@ static bool test_replicates(const trial *t, const solution *s, const double *los
     const wcut_law_data *d = t->d;
     double misfit = 0, pure = 0;
     int levels = 0;
+
+    /* each cut against the mean of those with the same setting */
     for (int i = 0; i < d->n; i++) {
         double mass = 0, mean = 0;
         bool first = true;
+
         for (int k = 0; k < d->n; k++) {
             if (!same_setting(d, i, k)) continue;
             first = first && k >= i;
@@ -236,12 +246,17 @@ static bool test_replicates(const trial *t, const solution *s, const double *los
             mean += d->weight[k] * loss_weight[k] * d->y[k];
         }
         levels += first;
+
+        /* pure scatter about the mean, and misfit to the law */
         double off = mass > 0 ? (d->y[i] - mean / mass) / t->sigma[i] : 0;
         pure += d->weight[i] * loss_weight[i] * off * off;
         misfit += e[i] * e[i];
     }
+
+    /* both need degrees of freedom */
     if (d->n - levels < 2 || levels <= s->parameters) return false;
     keep_test(fit, WCUT_LACK_OF_FIT_REPLICATE, misfit, levels - s->parameters, pure, d->n - levels);
+
     return true;
 }
 
@@ -288,15 +303,20 @@ static wcut_status leave_out(trial *t, const solution *s, const wcut_calibration
                              wcut_law_fit *fit, wcut_fit_point *point) {
     const wcut_law_data *d = t->d;
     int n = d->n, p = s->parameters;
+
+    /* weights are a copy: one of them is 0 at a time */
     double sum = 0, *weight = work + 6 * (size_t)n, *loss_weight = weight + n;
     memcpy(weight, d->weight, (size_t)n * sizeof *weight);
     for (int i = 0; i < n; i++) {
         solution other = *s;
         wcut_status status = WCUT_OK;
+
+        /* many cuts: one step by the leverage instead of a new fit (Cook 1977) */
         if (n > REFIT_MOST) {
             double off = point[i].measured - point[i].fitted;
             point[i].left_out = point[i].measured - off / fmax(1 - point[i].leverage, 1e-9);
         } else {
+            /* few cuts: fit without this one, from the present solution */
             weight[i] = 0;
             status = fit_from(t, o->noise, o->loss, weight, loss_weight, &other);
             weight[i] = d->weight[i];
@@ -304,12 +324,15 @@ static wcut_status leave_out(trial *t, const solution *s, const wcut_calibration
             if (status == WCUT_OK) point[i].left_out = law_at(other.x, p, d->q[i]);
         }
         if (status != WCUT_OK) continue;
+
+        /* error of the prediction, relative where the noise is */
         double off = point[i].measured - point[i].left_out;
         off /= o->noise == WCUT_NOISE_RELATIVE ? point[i].left_out : 1;
         sum += off * off;
         fit->left_out++;
     }
     fit->leave_one_out = fit->left_out ? sqrt(sum / fit->left_out) : 0;
+
     return WCUT_OK;
 }
 
@@ -357,6 +380,8 @@ static void keep_solution(const trial *t, const solution *s, const wcut_calibrat
 static wcut_status examine(trial *t, const solution *s, const wcut_calibration_options *o, double *work,
                            wcut_law_fit *fit, wcut_fit_point *point) {
     const wcut_law_data *d = t->d;
+
+    /* fitted values and standardised residuals */
     double *loss_weight = work + 7 * (size_t)d->n, *e = work + 5 * (size_t)d->n, relative, absolute;
     for (int i = 0; i < d->n; i++) {
         double fitted = law_at(s->x, s->parameters, d->q[i]), off = (d->y[i] - fitted) * sqrt(d->weight[i]);
@@ -368,20 +393,28 @@ static wcut_status examine(trial *t, const solution *s, const wcut_calibration_o
                                     .left_out = fitted,
                                     .relative = d->y[i] / fitted - 1};
     }
+
+    /* lack of fit by replicates, or by a more flexible law where there are none */
     linearise(t, s, loss_weight, 0, work, e);
     wcut_status status = WCUT_OK;
     if (!test_replicates(t, s, loss_weight, e, fit)) status = test_flexible(t, s, loss_weight, work, fit);
+
+    /* leverages, each cut left out, marks */
     if (status == WCUT_OK) status = find_leverages(t, s, loss_weight, work, point);
     if (status == WCUT_OK) status = leave_out(t, s, o, work, fit, point);
     if (status == WCUT_OK) mark_unusual(d, s->parameters, fit, point);
+
+    /* which noise model is likelier: log likelihoods of relative and absolute */
     if (status == WCUT_OK) status = log_likelihood(t, WCUT_NOISE_RELATIVE, s->parameters, s->x, work, &relative);
     if (status == WCUT_OK) status = log_likelihood(t, WCUT_NOISE_ABSOLUTE, s->parameters, s->x, work, &absolute);
     if (status == WCUT_OK) fit->evidence = relative - absolute;
+
     return status == WCUT_NO_MEMORY ? status : WCUT_OK; /* a comparison that cannot be made says nothing: 0 */
 }
 
 wcut_status wcut_law_fit_solve(const wcut_law_data *d, const wcut_calibration_options *o, wcut_law_fit *fit,
                                wcut_fit_point *point) {
+    /* room for all scratch of the fit */
     size_t n = (size_t)d->n;
     double *work = wcut_alloc(9 * n, sizeof *work);
     wcut_fit_point *found = wcut_alloc(n, sizeof *found);
@@ -391,10 +424,14 @@ wcut_status wcut_law_fit_solve(const wcut_law_data *d, const wcut_calibration_op
     trial t = {.d = d, .sigma = work + 8 * n};
     solution s = {.parameters = 0};
     wcut_law_fit at;
+
+    /* the fit itself; more cuts than parameters are needed */
     status = fit_law(&t, o, o->loss, d->weight, work + 7 * n, work, &s);
     if (status == WCUT_OK && d->n <= s.parameters) status = WCUT_DEGENERATE;
     if (status != WCUT_OK) goto done;
     keep_solution(&t, &s, o, &at);
+
+    /* tests and marks, then write everything at once */
     status = examine(&t, &s, o, work, &at, found);
     if (status != WCUT_OK) goto done;
     *fit = at;

@@ -140,16 +140,22 @@ static power supply(const wcut_locality *at, double heat, double rate, int n, in
 
 wcut_local_law wcut_local_law_eval(const wcut_locality *at, const wcut_block *block, const wcut_force_law *law,
                                    double heat, double rate, double speed, int n, wcut_vec3 x, int i) {
+    /* coefficients at this place, and the heat that arrives at this node */
     const factors f = coefficients(at, block, x, i);
     power q = supply(at, heat, rate, n, i);
     const wcut_effect *lag = find(at, WCUT_EFFECT_WIRE_THERMAL_LAG), *faster = find(at, WCUT_EFFECT_RATE_DEPENDENCE);
     if (lag) delay(lag, &at->state[i], rate, speed, &q);
     wcut_local_law out = {.heat = q.value};
+
+    /* a node at rest has no force */
     if (!(speed > 0)) return out;
 
+    /* beyond exp(-700) the force is below every double */
     const double b = law->b * f.b * MM_PER_M / speed, exponent = b * q.value;
     if (exponent > 700) return out;
     const double m = faster ? faster->value[0] : 0;
+
+    /* (2) with the effects' factors, and its logarithmic derivatives */
     out.force = law->a * f.a * exp(-exponent) * (faster ? pow(speed / faster->value[1], m) : 1);
     out.by_speed = out.force * ((exponent + m) / speed - b * q.by_speed);
     out.by_log_rate = -out.force * b * q.by_log_rate;
@@ -159,11 +165,14 @@ wcut_local_law wcut_local_law_eval(const wcut_locality *at, const wcut_block *bl
     wcut_term_factor term;
     const wcut_term_node node = {block, x, n, i, rate, speed, q.value, q.by_speed, q.by_log_rate, q.by_position};
     if (!wcut_term_factor_eval(at, &node, &term)) return out;
+
+    /* product rule: force times the factor of the terms */
     const double plain = out.force;
     out.force *= term.value;
     out.by_speed = out.by_speed * term.value + plain * term.by_speed;
     out.by_log_rate = out.by_log_rate * term.value + plain * term.by_log_rate;
     out.by_position = vec3_add_scaled(vec3_scale(term.value, out.by_position), plain, term.by_position);
+
     return out;
 }
 

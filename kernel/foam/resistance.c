@@ -46,15 +46,19 @@ typedef struct motion {           /* of a node with force, and how long a piece 
    has across the wire (Coulomb) */
 static void add_drag(const motion *m, double mu, double smooth, bool slopes, mat3 *before, mat3 *here, mat3 *after,
                      wcut_resistance *out) {
+    /* Coulomb friction along the wire, smoothed by tanh at rest */
     const double sliding = m->rate * m->along, turn = tanh(sliding / smooth), turn_by = (1 - turn * turn) / smooth;
     const double sine = m->across / m->distance, share = sine * sine, per_length = m->law->force * share;
     const double pressing = per_length * m->e->length;
     out->force = vec3_add_scaled(out->force, -mu * pressing * turn, m->t);
+
+    /* derivative by ln r */
     const double by_log_rate = (m->law->by_speed * m->speed + m->law->by_log_rate) * m->e->length * share;
     out->by_log_rate =
         vec3_add_scaled(out->by_log_rate, -mu * (turn * by_log_rate + pressing * turn_by * sliding), m->t);
     if (!slopes) return;
 
+    /* derivatives by this node's own place, and by its neighbours through the engaged length */
     const double length = m->e->length, force = m->law->force, d = m->distance;
     wcut_vec3 by_here = vec3_scale(length * (m->law->by_speed * m->rate - 2 * force / d) * share / d, m->move);
     by_here = vec3_add_scaled(by_here, 2 * sine * length * force / d, m->p);
@@ -89,6 +93,7 @@ static void add_effects(const wcut_locality *local, const motion *m, bool slopes
 
 void wcut_resistance_eval(const wcut_foam *foam, double heat, double edge, double rate, int n, const wcut_vec3 *x,
                           const wcut_vec3 *was, int i, bool slopes, wcut_resistance *out) {
+    /* engaged length, motion, and the law at this speed */
     const engagement e = engage(foam, edge, n, x, i);
     const wcut_vec3 move = vec3_sub(x[i], was[i]);
     const double distance = vec3_length(move), speed = rate * distance;
@@ -103,10 +108,13 @@ void wcut_resistance_eval(const wcut_foam *foam, double heat, double edge, doubl
     *out = (wcut_resistance){.speed = speed, .engaged = e.length / (edge / 2 * ((i > 0) + (i < n - 1)))};
     if (!(law > 0) || !(e.length > 0)) return; /* a melted or untouched node has neither force nor slope */
 
+    /* tangent by central difference, one-sided at the ends */
     const int before = i > 0 ? i - 1 : i, after = i < n - 1 ? i + 1 : i;
     const wcut_vec3 span = vec3_sub(x[after], x[before]);
     const double span_length = vec3_length(span);
     const wcut_vec3 t = vec3_scale(1 / span_length, span);
+
+    /* parts of the motion along and across the wire */
     const double along = vec3_dot(t, move);
     const wcut_vec3 normal = vec3_add_scaled(move, -along, t); /* |normal| = |t x move| */
     const double across = vec3_length(normal);
@@ -119,6 +127,7 @@ void wcut_resistance_eval(const wcut_foam *foam, double heat, double edge, doubl
     const wcut_vec3 p = across > 0 ? vec3_scale(1 / across, normal) : zero;
 
     if (slopes) {
+        /* derivative by the node's own place: the length of the motion, its direction, the engaged length */
         const double w_by_distance = e.length * (slope * rate - 2 * law / distance) / square;
         const wcut_vec3 by_move = vec3_add_scaled(vec3_scale(w_by_distance * across / distance, move), w, p);
         const double per_length = law * across / square;
@@ -126,16 +135,22 @@ void wcut_resistance_eval(const wcut_foam *foam, double heat, double edge, doubl
         here = mat3_add_outer(here, vec3_scale(-1, move), vec3_add_scaled(by_move, per_length, e.by_here));
         const wcut_vec3 turning =
             vec3_scale(w * along / span_length, p); /* the tangent turns: -(t.move)/|span| p by x[after] */
+
+        /* by the neighbours, through the engaged length and the tangent */
         out->by_before =
             mat3_add_outer((mat3){zero, zero, zero}, vec3_scale(-1, move), vec3_scale(per_length, e.by_before));
         out->by_after =
             mat3_add_outer((mat3){zero, zero, zero}, vec3_scale(-1, move), vec3_scale(per_length, e.by_after));
+
+        /* at an end of the wire the node itself is one of the two that span the tangent */
         mat3 *front = i < n - 1 ? &out->by_after : &here, *back = i > 0 ? &out->by_before : &here;
         *front = mat3_add_outer(*front, move, turning);
         *back = mat3_add_outer(*back, move, vec3_scale(-1, turning));
         out->by_here = here;
     }
     if (!foam->local) return;
+
+    /* effects add forces along the wire and at the ends */
     const motion m = {move, normal, t, p, distance, along, across, span_length, speed, rate, &e, &at};
     add_effects(foam->local, &m, slopes, i == 0, i == n - 1, out);
 }

@@ -55,15 +55,21 @@ static double deviation_of_cut(const wcut_calibration *fit, const wcut_test_cut 
 /* which column, moved by one or two places, brings the cut back to the law */
 static wcut_slip explain(const wcut_calibration *fit, int n, const wcut_test_cut *all, int index, bool relative) {
     static const double factor[] = {0.1, 10, 0.01, 100};
+
+    /* where the cut lies, against the law of the others */
     const wcut_test_cut *cut = &all[index];
     const double q_eff = wcut_q_eff_eval(cut->heat, cut->speed);
     wcut_slip slip = {.cut = index, .column = WCUT_SLIP_COLUMN_NONE, .factor = 1};
     slip.ratio = wcut_test_cut_force(cut) / (fit->force.a * exp(-fit->force.b * q_eff) + fit->force.c);
+
+    /* each column moved by each factor: the one that brings the cut nearest to the law */
     double best = DEVIATIONS_MAX;
     for (int column = WCUT_SLIP_COLUMN_HEAT; column < WCUT_SLIP_COLUMN_COUNT; column++)
         for (int k = 0; k < 4; k++) {
             wcut_test_cut moved = *cut;
             scale_column(&moved, (wcut_slip_column)column, factor[k]);
+
+            /* a moved value must be usual in its column */
             const double deviation = deviation_of_cut(fit, &moved, relative);
             const double value = value_of(&moved, (wcut_slip_column)column);
             if (!(deviation < best) || !is_usual(n, all, index, (wcut_slip_column)column, value)) continue;
@@ -71,6 +77,7 @@ static wcut_slip explain(const wcut_calibration *fit, int n, const wcut_test_cut
             slip.column = (wcut_slip_column)column;
             slip.factor = factor[k];
         }
+
     return slip;
 }
 
@@ -78,6 +85,8 @@ wcut_status wcut_calibration_slips(int n, const wcut_test_cut *cut, const wcut_c
                                    wcut_slip *slip, wcut_error *error) {
     if (n < 1 || !cut || !count || !slip)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s", wcut_status_text(WCUT_BAD_ARGUMENT));
+
+    /* a robust fit, so that a slip does not bend the law it is measured by */
     wcut_calibration_options robust = options ? *options : wcut_calibration_options_default();
     const bool relative = robust.noise == WCUT_NOISE_RELATIVE;
     robust.loss = WCUT_LOSS_TUKEY;
@@ -96,6 +105,7 @@ wcut_status wcut_calibration_slips(int n, const wcut_test_cut *cut, const wcut_c
                 slip[(*count)++] = explain(&fit, n, cut, i, relative);
         }
     }
+
     wcut_free(point);
     return status;
 }

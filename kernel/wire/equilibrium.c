@@ -52,6 +52,7 @@ static bool newton_direction(const dual *d, wcut_vec3 *step) {
 
 /* The h of a taut wire: sum l |N| = |h| L + (load across the chord)^2 / 2|h| to first order. */
 static wcut_vec3 taut_guess(int n, const wcut_vec3 *force, const double *length, wcut_vec3 reach) {
+    /* mean load of the edges */
     double total = 0, across = 0;
     wcut_vec3 load = {0, 0, 0}, mean = {0, 0, 0};
     for (int e = 0; e < n - 1; e++) {
@@ -59,8 +60,11 @@ static wcut_vec3 taut_guess(int n, const wcut_vec3 *force, const double *length,
         mean = vec3_add_scaled(mean, length[e], load);
         total += length[e];
     }
+
+    /* part of it across the chord */
     mean = vec3_scale(1 / total, mean);
     const double chord = vec3_length(reach);
+
     const wcut_vec3 along = chord > 0 ? vec3_scale(1 / chord, reach) : vec3(0, 0, 0);
     load = vec3(0, 0, 0);
     for (int e = 0; e < n - 1; e++) {
@@ -69,6 +73,8 @@ static wcut_vec3 taut_guess(int n, const wcut_vec3 *force, const double *length,
         const double size = vec3_length(vec3_add_scaled(off, -vec3_dot(off, along), along));
         across += length[e] * size * size / 2;
     }
+
+    /* |h| from the slack: sqrt(sum l across^2 / 2 / (total - chord)) */
     return vec3_add_scaled(mean, sqrt(across / (total - chord)), along);
 }
 
@@ -121,12 +127,14 @@ static void measure(int n, const wcut_vec3 *force, const double *length, const w
 wcut_status wcut_equilibrium_shape(int n, const wcut_vec3 *force, const double *length,
                                    const wcut_equilibrium_options *o, wcut_vec3 *x, double *q,
                                    wcut_equilibrium_report *report) {
+    /* a wire that is too short, or without load, has no shape */
     const wcut_vec3 reach = vec3_sub(x[n - 1], x[0]);
     double total = 0, load = 0;
     for (int e = 0; e < n - 1; e++) total += length[e];
     for (int i = 1; i < n - 1; i++) load += vec3_length(force[i]);
     if (!(load > 0) || !(total > vec3_length(reach))) return WCUT_DEGENERATE;
 
+    /* Newton's method on the dual, with the gradient where its matrix is singular */
     wcut_vec3 h = taut_guess(n, force, length, reach), step;
     dual d = evaluate(n, force, length, reach, h);
     wcut_equilibrium_report r = {0};
@@ -134,9 +142,12 @@ wcut_status wcut_equilibrium_shape(int n, const wcut_vec3 *force, const double *
         if (!newton_direction(&d, &step)) step = vec3_scale(-load / total, d.gradient);
         if (search(n, force, length, reach, step, &h, &d) == 0) break;
     }
+
+    /* positions and force densities from h, and how well they fit */
     place_nodes(n, force, length, h, x, q);
     measure(n, force, length, x, q, load, &r);
     if (report) *report = r;
+
     return r.strain <= o->tolerance && r.unbalance <= o->tolerance ? WCUT_OK : WCUT_NOT_CONVERGED;
 }
 

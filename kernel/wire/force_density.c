@@ -30,6 +30,7 @@ static double measure_edges(int n, const wcut_vec3 *x, const double *length, dou
 
 wcut_status wcut_fdm_solve(int n, const wcut_vec3 *force, const double *length, const wcut_fdm_options *options,
                            double *q, wcut_vec3 *x, wcut_fdm_report *report) {
+    /* check everything before the first allocation */
     const wcut_fdm_options o = options ? *options : wcut_fdm_options_default();
     if (n < 3 || !force || !length || !q || !x || o.max_rounds < 1 || !isfinite(o.tolerance) || o.tolerance < 0)
         return WCUT_BAD_ARGUMENT;
@@ -52,5 +53,6 @@ wcut_status wcut_fdm_solve(int n, const wcut_vec3 *force, const double *length, 
 
     wcut_free(work);
     if (report) *report = r;
+
     return r.strain <= o.tolerance ? WCUT_OK : WCUT_NOT_CONVERGED;
 }
