@@ -44,7 +44,7 @@ static int load_calibrate(calibration *c) {
     return APP_DONE;
 }
 
-static int fit(calibration *c) {
+static int fit_laws(calibration *c) {
     wcut_error error = {0};
     const size_t max = 2 * (size_t)c->cuts + WARNINGS_OF_ALL;
     c->point = calloc((size_t)c->cuts + 1, sizeof *c->point);
@@ -185,7 +185,7 @@ static void find_warnings(calibration *c) {
              relative ? "absolute" : "relative", against, relative ? "absolute" : "relative");
 }
 
-static void describe(calibration *c) {
+static void describe_calibration(calibration *c) {
     c->of =
         (wcut_report_calibrate){c->path, c->weights, c->cuts, c->cut, &c->options, &c->fit, c->point, 0, c->warning};
     find_warnings(c);
@@ -198,9 +198,9 @@ static int calibrate(const app_call *call) {
 
     /* fit, then say what was found */
     app_catch_interrupts();
-    if (code == APP_DONE) code = fit(&c);
+    if (code == APP_DONE) code = fit_laws(&c);
     if (code == APP_DONE && app_is_interrupted()) code = app_fail(APP_INTERRUPTED, "%s: interrupted", c.path);
-    if (code == APP_DONE) describe(&c);
+    if (code == APP_DONE) describe_calibration(&c);
     if (code == APP_DONE) code = write_calibrate_results(&c);
     if (code == APP_DONE && app_given(call, "json")) fputs(c.results.text, stdout);
     if (code == APP_DONE && !app_given(call, "quiet")) {

@@ -194,7 +194,7 @@ static int write_meshes(const app_comparison *c, app_results *r) {
     return app_results_add(r, "reconstruction.stl", status, &error);
 }
 
-static int write_report(const app_comparison *c, app_results *r) {
+static int write_compare_report(const app_comparison *c, app_results *r) {
     wcut_error error = {0};
     static const char *const unit[] = {"mm", "cm", "m", "inch", "ft", "dm", "um"};
     const app_reference *reference = &c->reference;
@@ -219,7 +219,7 @@ static int write_report(const app_comparison *c, app_results *r) {
 }
 
 /* What a run leaves in its folder, under deviation.json. */
-static int write_results(app_comparison *c, app_results *r) {
+static int write_compare_results(app_comparison *c, app_results *r) {
     wcut_error error = {0};
     int code = app_results_add(r, "deviation.ply", wcut_deviation_stream_commit(c->points, &error), &error);
     if (code == APP_DONE) code = write_meshes(c, r);
@@ -227,7 +227,7 @@ static int write_results(app_comparison *c, app_results *r) {
         const wcut_status status = wcut_zones_write(c->found.found, app_results_path(r, "zones.csv"), &error);
         code = app_results_add(r, "zones.csv", status, &error);
     }
-    if (code == APP_DONE) code = write_report(c, r);
+    if (code == APP_DONE) code = write_compare_report(c, r);
     if (code != APP_DONE) return code;
     char *text = NULL;
     const wcut_status status = wcut_deviation_print(&c->found, &text);
@@ -287,7 +287,7 @@ static int give_answer(const app_comparison *c, const app_results *results) {
     return c->found.within ? APP_DONE : APP_OUTSIDE;
 }
 
-static int compare(const app_call *call) {
+static int run_compare(const app_call *call) {
     app_compare_options options;
     app_results results;
     int code = read_options(call, &options);
@@ -296,7 +296,7 @@ static int compare(const app_call *call) {
     app_catch_interrupts();
     app_comparison *c = calloc(1, sizeof *c);
     code = c ? app_comparison_run(c, &options, &results) : app_fail_status(WCUT_NO_MEMORY, "compare", NULL);
-    if (c && code == APP_DONE) code = write_results(c, &results);
+    if (c && code == APP_DONE) code = write_compare_results(c, &results);
     if (code == APP_DONE && app_given(call, "json")) fputs(results.text, stdout);
     if (c && code == APP_DONE) code = give_answer(c, &results);
     if (c) app_comparison_clear(c);
@@ -456,5 +456,5 @@ const app_verb app_verb_compare = {
         "the files.\nThe exit code is 5 if the deviations are outside --tolerance; the files are written in any case.",
     .operand = operand,
     .option = option,
-    .run = compare,
+    .run = run_compare,
 };

@@ -19,7 +19,7 @@
 #define SIDED 1e-3
 
 /* whether a name ends with one of a list, which ends with NULL */
-static bool ends_with(const char *path, const char *const *ending) {
+static bool has_ending(const char *path, const char *const *ending) {
     const char *dot = strrchr(path, '.');
     for (; dot && *ending; ending++)
         if (strcasecmp(dot, *ending) == 0) return true;
@@ -31,7 +31,7 @@ static const char *const cad_ending[] = {".step", ".stp", ".iges", ".igs", NULL}
 
 /* ---- a job ---- */
 
-static int simulate(app_reference *r, const app_reference_options *o) {
+static int simulate_reference(app_reference *r, const app_reference_options *o) {
     wcut_error error = {0};
     const int code = app_job_load(o->call, r->path, &r->job);
     if (code != APP_DONE) return code;
@@ -60,7 +60,7 @@ static wcut_status make_face(app_reference *r, wcut_error *error) {
 
 static int load_job(app_reference *r, const app_reference_options *o) {
     wcut_error error = {0};
-    int code = simulate(r, o);
+    int code = simulate_reference(r, o);
     if (code != APP_DONE) return code;
     wcut_status status = make_face(r, &error);
     if (status == WCUT_OK && r->distance == APP_TO_MESH) {
@@ -126,8 +126,8 @@ int app_reference_base(app_reference *reference, const wcut_surface **surface) {
 /* a job is JSON: by its ending or its first byte; what comes through a pipe is a job */
 static bool is_job(const char *path) {
     static const char *const ending[] = {".json", NULL};
-    if (ends_with(path, ending)) return true;
-    if (ends_with(path, mesh_ending)) return false;
+    if (has_ending(path, ending)) return true;
+    if (has_ending(path, mesh_ending)) return false;
     struct stat about;
     FILE *file = stat(path, &about) == 0 && S_ISREG(about.st_mode) ? fopen(path, "rb") : NULL;
     if (!file) return true;
@@ -144,7 +144,7 @@ int app_reference_load(app_reference *reference, const app_reference_options *op
     app_reference *r = reference;
     const char *path = options->path;
     *r = (app_reference){.path = path, .distance = options->distance, .options = wcut_deviation_options_default()};
-    if (ends_with(path, cad_ending))
+    if (has_ending(path, cad_ending))
         return app_fail(APP_BAD_INPUT,
                         "%s: found a CAD file, expected a job, whose surface is exact, or a mesh: .stl .ply .obj .off "
                         ".glb",

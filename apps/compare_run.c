@@ -179,7 +179,7 @@ static wcut_status make_map(app_comparison *c) {
 /* the points' normals, where they are wanted: of what is held, as registered, to the side of the removed half */
 static int find_normals(app_comparison *c) {
     const size_t count = (size_t)c->scans.count;
-    wcut_normal_options options = wcut_normal_options_default();
+    wcut_normals_options options = wcut_normals_options_default();
     options.neighbours = c->options.normals;
     if (c->options.normals == 0) return APP_DONE;
     if (!c->scans.held)
@@ -198,7 +198,7 @@ static int find_normals(app_comparison *c) {
     return status == WCUT_OK ? APP_DONE : fail(status, "finding the points' normals", NULL);
 }
 
-static int prepare(app_comparison *c, app_results *results) {
+static int prepare_comparison(app_comparison *c, app_results *results) {
     wcut_error error = {0};
     int counted = 0;
     wcut_status status = look(c, &counted);
@@ -238,17 +238,17 @@ typedef struct pass {
 } pass;
 
 /* what the view, the reconstruction and the way back need of a piece that is held */
-static void keep(app_comparison *c, int first, int count, const wcut_vec3 *moved, const wcut_deviation *d) {
+static void keep_piece(app_comparison *c, int first, int count, const wcut_vec3 *moved, const wcut_deviation *d) {
     memcpy(c->scans.point + first, moved, (size_t)count * sizeof *moved);
     for (int k = 0; k < count; k++) c->deviation[first + k] = d[k].place <= WCUT_PLACE_BORDER ? d[k].distance : NAN;
 }
 
-static wcut_status locate(const app_comparison *c, int count, const wcut_vec3 *point, wcut_deviation *d,
-                          wcut_foot *foot) {
+static wcut_status locate_points(const app_comparison *c, int count, const wcut_vec3 *point, wcut_deviation *d,
+                                 wcut_foot *foot) {
     return app_reference_locate(&c->reference, count, point, c->options.threads, d, foot);
 }
 
-static wcut_status spread(app_comparison *c, int count, const wcut_deviation *d) {
+static wcut_status spread_deviation(app_comparison *c, int count, const wcut_deviation *d) {
     if (!c->map) return wcut_mesh_spread(c->mesh, count, d, c->sum, c->weight);
     wcut_face_map_add(c->map, c->reference.face, count, d);
     return WCUT_OK;
@@ -260,21 +260,21 @@ static int take_piece(void *context, int first, int count, const wcut_vec3 *poin
     wcut_error error = {0};
     wcut_status status = WCUT_OK;
     if (c->summary[UNMOVED]) {
-        status = locate(c, count, point, p->found, NULL);
+        status = locate_points(c, count, point, p->found, NULL);
         if (status == WCUT_OK) status = wcut_deviation_summary_add(c->summary[UNMOVED], count, p->found);
     }
     memcpy(p->moved, point, (size_t)count * sizeof *point);
     if (status == WCUT_OK) status = wcut_registration_move(&c->registration, count, p->moved, NULL);
     wcut_foot *foot = c->foot && c->scans.held && !c->reference.tree ? c->foot + first : NULL;
-    if (status == WCUT_OK) status = locate(c, count, p->moved, p->found, foot);
+    if (status == WCUT_OK) status = locate_points(c, count, p->moved, p->found, foot);
     if (status == WCUT_OK && c->options.distance != APP_TO_RECONSTRUCTION)
         status = wcut_deviation_summary_add(c->summary[FOUND], count, p->found);
-    if (status == WCUT_OK) status = spread(c, count, p->found);
+    if (status == WCUT_OK) status = spread_deviation(c, count, p->found);
     if (status == WCUT_OK)
         status = wcut_deviation_stream_append(c->points, count, p->moved, c->normal ? c->normal + first : NULL,
                                               p->found, &error);
     if (status != WCUT_OK) return fail(status, "measuring deviations", &error);
-    if (c->scans.held) keep(c, first, count, p->moved, p->found);
+    if (c->scans.held) keep_piece(c, first, count, p->moved, p->found);
     if (app_progress_step(first + count - 1, p->total, &p->progress))
         return app_fail(APP_INTERRUPTED, "compare: interrupted after %d of %d points", first + count, p->total);
     return APP_DONE;
@@ -286,13 +286,13 @@ static int take_sample(void *context, int first, int count, const wcut_vec3 *poi
     app_comparison *c = p->c;
     memcpy(p->moved, point, (size_t)count * sizeof *point);
     wcut_status status = wcut_registration_move(&c->registration, count, p->moved, NULL);
-    if (status == WCUT_OK) status = locate(c, count, p->moved, p->found, NULL);
+    if (status == WCUT_OK) status = locate_points(c, count, p->moved, p->found, NULL);
     if (status != WCUT_OK) return fail(status, "measuring deviations", NULL);
-    keep(c, first, count, p->moved, p->found);
+    keep_piece(c, first, count, p->moved, p->found);
     return APP_DONE;
 }
 
-static int measure(app_comparison *c) {
+static int measure_scans(app_comparison *c) {
     pass p = {.c = c, .total = c->scans.held ? c->scans.count : c->scans.removed[WCUT_REMOVAL_KEPT]};
     p.moved = calloc(APP_SCAN_PIECE, sizeof *p.moved);
     p.found = calloc(APP_SCAN_PIECE, sizeof *p.found);
@@ -360,7 +360,7 @@ static wcut_status measure_to_scan(app_comparison *c, wcut_deviation *d) {
     return status;
 }
 
-static int reconstruct(app_comparison *c) {
+static int reconstruct_scans(app_comparison *c) {
     wcut_error error = {0};
     if (c->options.reconstruct == 0) return APP_DONE;
     wcut_reconstruction_options options = wcut_reconstruction_options_default();
@@ -414,7 +414,7 @@ static wcut_status fill_map(app_comparison *c, double *unmeasured) {
 }
 
 /* everything that is written, in one place */
-static int conclude(app_comparison *c) {
+static int conclude_comparison(app_comparison *c) {
     static const char *const distance[] = {"surface", "mesh", "reconstruction"};
     double unmeasured = 0;
     wcut_status status = measure_back(c);
@@ -484,10 +484,10 @@ int app_comparison_run(app_comparison *comparison, const app_compare_options *op
     code = prepare_many(c);
     if (code == APP_DONE) code = register_scan(c);
     if (code == APP_DONE) code = find_normals(c);
-    if (code == APP_DONE) code = prepare(c, results);
-    if (code == APP_DONE) code = measure(c);
-    if (code == APP_DONE) code = reconstruct(c);
-    return code == APP_DONE ? conclude(c) : code;
+    if (code == APP_DONE) code = prepare_comparison(c, results);
+    if (code == APP_DONE) code = measure_scans(c);
+    if (code == APP_DONE) code = reconstruct_scans(c);
+    return code == APP_DONE ? conclude_comparison(c) : code;
 }
 
 void app_comparison_clear(app_comparison *comparison) {

@@ -37,7 +37,7 @@ static bool make_scan_room(growth *g, int more) {
 }
 
 /* append points that a thinning keeps, or all */
-static wcut_status append(growth *g, int count, const wcut_vec3 *point) {
+static wcut_status append_points(growth *g, int count, const wcut_vec3 *point) {
     app_scans *s = g->scans;
     if (g->thinning) {
         const wcut_status status = wcut_thinning_add(g->thinning, count, point, g->keep);
@@ -60,7 +60,7 @@ static wcut_status begin_sample(growth *g) {
     const int count = s->count;
     s->point = NULL, s->count = 0, g->room = 0;
     for (int k = 0; k < count && status == WCUT_OK; k += APP_SCAN_PIECE)
-        status = append(g, count - k < APP_SCAN_PIECE ? count - k : APP_SCAN_PIECE, all + k);
+        status = append_points(g, count - k < APP_SCAN_PIECE ? count - k : APP_SCAN_PIECE, all + k);
     free(all);
     return status;
 }
@@ -89,7 +89,7 @@ static int take_scan(growth *g, const char *path, int count) {
         if (status != WCUT_OK) return app_fail_status(status, path, NULL);
     }
     if (!s->held && s->count >= s->options.hold) return APP_DONE; /* a scan of a room: the sample is full */
-    const wcut_status status = append(g, count, g->piece);
+    const wcut_status status = append_points(g, count, g->piece);
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, path, NULL);
 }
 
@@ -143,7 +143,7 @@ static int read_file(growth *g, int file) {
 
 /* ---- cleaning ---- */
 
-static int clean(app_scans *s) {
+static int clean_scans(app_scans *s) {
     unsigned char *removal = malloc(s->count > 0 ? (size_t)s->count : 1);
     wcut_clean_report report = {0};
     if (!removal) return fail_scan_memory();
@@ -191,7 +191,7 @@ static int read_scans(growth *g) {
     if (read > 2147483647.0) return app_fail(APP_BAD_INPUT, "found %.0f points, expected at most 2147483647", read);
     s->removed[WCUT_REMOVAL_KEPT] = s->held ? s->count : (int)read;
     if (g->thin_all) s->removed[WCUT_REMOVAL_THINNED] = (int)read - s->count;
-    return s->options.cleaned && !g->thin_all ? clean(s) : APP_DONE;
+    return s->options.cleaned && !g->thin_all ? clean_scans(s) : APP_DONE;
 }
 
 int app_scans_read(app_scans *scans, const app_scan_options *options, int files, const char **path) {

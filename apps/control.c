@@ -27,7 +27,7 @@ typedef struct loop {
 
 enum { KEY_MAX = 32 };
 
-static int refuse(const char *found, const char *expected) {
+static int refuse_disturbance(const char *found, const char *expected) {
     return app_fail(APP_USAGE, "control: --disturb: found \"%s\", expected %s", found, expected);
 }
 
@@ -66,7 +66,7 @@ static int disturb_by(wcut_rig_options *o, const char *item) {
             !(value >= key[k].low && value <= key[k].high)) {
             char expected[160];
             snprintf(expected, sizeof expected, "%s:NUMBER with a number from %g to %g", name, key[k].low, key[k].high);
-            return refuse(item, expected);
+            return refuse_disturbance(item, expected);
         }
         *key[k].to = value * key[k].unit;
         return APP_DONE;
@@ -77,7 +77,7 @@ static int disturb_by(wcut_rig_options *o, const char *item) {
     char expected[120];
     snprintf(expected, sizeof expected, "KEY:NUMBER with a key that --help lists%s%s", near ? "; did you mean " : "",
              near ? near : "");
-    return refuse(item, expected);
+    return refuse_disturbance(item, expected);
 }
 
 static int disturb(loop *l) {
@@ -119,7 +119,7 @@ static wcut_status take_path(loop *l, wcut_error *error) {
     return WCUT_OK;
 }
 
-static wcut_status simulate(loop *l, wcut_error *error) {
+static wcut_status simulate_plan(loop *l, wcut_error *error) {
     wcut_setup *setup = NULL;
     wcut_status status = WCUT_OK;
     if (l->job->mode == WCUT_MODE_DESIGN) status = take_path(l, error);
@@ -128,7 +128,7 @@ static wcut_status simulate(loop *l, wcut_error *error) {
     return status;
 }
 
-static int load(loop *l) {
+static int load_loop(loop *l) {
     const int code = app_job_load(l->call, l->path, &l->job);
     if (code != APP_DONE) return code;
 
@@ -152,7 +152,7 @@ static int load(loop *l) {
     return disturb(l);
 }
 
-static int run_one(loop *l, bool feedback, wcut_rig_run **run) {
+static int run_rig(loop *l, bool feedback, wcut_rig_run **run) {
     wcut_error error = {0};
     wcut_control_settings settings = l->settings;
     settings.feedback = feedback;
@@ -163,12 +163,12 @@ static int run_one(loop *l, bool feedback, wcut_rig_run **run) {
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, l->path, &error);
 }
 
-static int run(loop *l) {
+static int control_cut(loop *l) {
     wcut_error error = {0};
-    wcut_status status = simulate(l, &error);
+    wcut_status status = simulate_plan(l, &error);
     if (status != WCUT_OK) return app_fail_status(status, l->path, &error);
-    int code = run_one(l, true, &l->feedback);
-    if (code == APP_DONE) code = run_one(l, false, &l->plan);
+    int code = run_rig(l, true, &l->feedback);
+    if (code == APP_DONE) code = run_rig(l, false, &l->plan);
     return code;
 }
 
@@ -201,7 +201,7 @@ static int write_part(loop *l) {
                                     "{\n  \"format\": \"wirecut-control/1\",\n  \"complete\": false\n}\n");
 }
 
-static int write_results(loop *l) {
+static int write_control_results(loop *l) {
     wcut_error error = {0};
     char *text = NULL;
     app_results *r = &l->results;
@@ -231,7 +231,7 @@ static void say_run(const char *name, const wcut_rig_run *run) {
     app_say("  after the density step: mean %+.2f %%, largest error %.2g %%, %s", 100 * f->mean, 100 * f->max, settled);
 }
 
-static void say_summary(const loop *l) {
+static void say_control(const loop *l) {
     app_say("%s: target %.3g N; foam: a times %.3g, b times %.3g, density step times %.3g", l->job->name,
             l->settings.tension, l->options.law_a, l->options.law_b, l->options.density);
     say_run("with feedback", l->feedback);
@@ -241,17 +241,17 @@ static void say_summary(const loop *l) {
 
 static int control(const app_call *call) {
     loop l = {.call = call, .path = call->operand[0]};
-    int code = load(&l);
+    int code = load_loop(&l);
     if (code == APP_DONE) code = app_results_begin(&l.results, app_text(call, "output"), result_name);
     if (code == APP_DONE) {
         app_catch_interrupts();
-        code = run(&l);
+        code = control_cut(&l);
         if (code == APP_DONE)
-            code = write_results(&l);
+            code = write_control_results(&l);
         else if (code == APP_INTERRUPTED || code == APP_NOT_CONVERGED)
             code = write_part(&l) == APP_DONE ? code : APP_NOT_WRITTEN;
     }
-    if (code == APP_DONE && !app_given(call, "quiet")) say_summary(&l);
+    if (code == APP_DONE && !app_given(call, "quiet")) say_control(&l);
     if (code == APP_DONE && app_given(call, "json")) fputs(l.results.text, stdout);
     if (code == APP_DONE && recorded(&l)->ended != WCUT_CONTROL_STATE_RUN)
         code = app_fail(APP_OUTSIDE, "%s: safe %s at %.2f s", l.path, wcut_control_state_name(recorded(&l)->ended),

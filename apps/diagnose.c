@@ -276,7 +276,7 @@ static void print_effects(const wcut_diagnosis *d) {
     }
 }
 
-static void print_figure(const wcut_fit *f) {
+static void print_figure(const wcut_evidence_score *f) {
     if (f->count > 0)
         printf(" %12.4f", f->rmse_over_range);
     else
@@ -290,10 +290,10 @@ static void print_fits(const wcut_diagnosis *d) {
     printf("RMSE over range, %-14s %12s %12s %12s\n", held ? "held-out cuts" : "all cuts", "before", "recalibrated",
            "after");
     for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) {
-        if (d->fit[WCUT_FIT_MODEL_BEFORE][c].count < 1) continue;
+        if (d->score[WCUT_EVIDENCE_MODEL_BEFORE][c].count < 1) continue;
         printf("  %-29s", wcut_evidence_name((wcut_evidence_channel)c));
-        for (int m = WCUT_FIT_MODEL_BEFORE; m <= WCUT_FIT_MODEL_AFTER; m++)
-            print_figure(held ? &d->held_out_fit[m][c] : &d->fit[m][c]);
+        for (int m = WCUT_EVIDENCE_MODEL_BEFORE; m <= WCUT_EVIDENCE_MODEL_AFTER; m++)
+            print_figure(held ? &d->held_out_score[m][c] : &d->score[m][c]);
         printf("\n");
     }
 }

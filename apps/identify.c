@@ -59,7 +59,7 @@ static double dither_of(const wcut_job *job) {
     return sum;
 }
 
-static double step_of(const wcut_job *job) {
+static double longest_step(const wcut_job *job) {
     double max = 0;
     for (int i = 0; i < job->heat_step_count; i++) {
         const double size = job->heat_step[i].factor - 1;
@@ -72,7 +72,7 @@ static double step_of(const wcut_job *job) {
 static void say_identify_summary(const identification *x) {
     for (int k = 0; k < x->count; k++)
         app_say("%s: %s: speed varied by up to %.1f %%, %d heater steps of %.1f %%", x->name[k], x->cut[k]->name,
-                100 * dither_of(x->cut[k]), x->cut[k]->heat_step_count, 100 * step_of(x->cut[k]));
+                100 * dither_of(x->cut[k]), x->cut[k]->heat_step_count, 100 * longest_step(x->cut[k]));
     app_say("in %s: %s", x->results.folder, app_results_list(&x->results));
 }
 

@@ -48,7 +48,7 @@ typedef struct moulding {
 
 /* ---- names ---- */
 
-static int name_results(moulding *m) {
+static int name_mould_files(moulding *m) {
     static const char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
     const char *label = app_given(m->call, "label") ? app_text(m->call, "label") : NULL;
     if (label && (!label[0] || strlen(label) > LABEL_MAX || label[0] == '.' || label[strspn(label, letters)]))
@@ -72,7 +72,7 @@ static int name_results(moulding *m) {
 
 /* ---- the cut ---- */
 
-static int load(moulding *m) {
+static int load_moulding(moulding *m) {
     wcut_error error = {0};
     const int code = app_job_load(m->call, m->path, &m->job);
     if (code != APP_DONE) return code;
@@ -91,7 +91,7 @@ static int load(moulding *m) {
 }
 
 /* a block is divided by a whole cut, or not at all */
-static int run(moulding *m) {
+static int run_moulding(moulding *m) {
     wcut_error error = {0};
     app_progress progress = app_progress_begin(app_given(m->call, "quiet"));
     const wcut_status status = wcut_setup_run(m->setup, app_progress_step, &progress, &m->history, &error);
@@ -214,7 +214,7 @@ static int write_cut(moulding *m) {
     return app_results_add(&m->results, m->name[CUT], status, &error);
 }
 
-static int write_report(moulding *m) {
+static int write_mould_report(moulding *m) {
     wcut_error error = {0};
     const char *name = "report.html";
     const wcut_report_mould run = {.job_path = m->path,
@@ -229,10 +229,10 @@ static int write_report(moulding *m) {
 }
 
 /* what a run leaves in its folder, under mould.json */
-static int write_results(moulding *m) {
+static int write_mould_results(moulding *m) {
     int code = write_halves(m);
     if (code == APP_DONE) code = write_cut(m);
-    if (code == APP_DONE) code = write_report(m);
+    if (code == APP_DONE) code = write_mould_report(m);
     if (code != APP_DONE) return code;
     char *text = NULL;
     const wcut_status status = wcut_mould_print(m->mould, m->job->name, &text);
@@ -294,17 +294,17 @@ static int give(const moulding *m) {
 static int mould(const app_call *call) {
     moulding m = {.call = call, .path = call->operand[0]};
     int code = app_check_formats(call, FORMATS_KNOWN);
-    if (code == APP_DONE) code = load(&m);
+    if (code == APP_DONE) code = load_moulding(&m);
     if (code == APP_DONE) code = read_pull(app_text(call, "pull"), &m.pull);
-    if (code == APP_DONE) code = name_results(&m);
+    if (code == APP_DONE) code = name_mould_files(&m);
     if (code == APP_DONE) code = app_results_begin(&m.results, app_text(call, "output"), m.result);
     if (code == APP_DONE) {
         app_catch_interrupts();
-        code = run(&m);
+        code = run_moulding(&m);
     }
     if (code == APP_DONE) code = loft(&m);
     if (code == APP_DONE) code = divide(&m);
-    if (code == APP_DONE) code = write_results(&m);
+    if (code == APP_DONE) code = write_mould_results(&m);
     if (code == APP_DONE) code = give(&m);
     app_results_end(&m.results);
     wcut_mould_destroy(m.mould);

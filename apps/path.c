@@ -28,7 +28,7 @@ typedef struct export_ {
     app_results results;
 } export_;
 
-static int load(export_ *e) {
+static int load_export(export_ *e) {
     wcut_error error = {0};
     const int code = app_job_load(e->call, e->path, &e->job);
     if (code != APP_DONE) return code;
@@ -45,7 +45,7 @@ static int load(export_ *e) {
 }
 
 /* a cut that does not reach its end is no program */
-static int run(export_ *e) {
+static int run_export(export_ *e) {
     wcut_error error = {0};
     app_progress progress = app_progress_begin(app_given(e->call, "quiet"));
     wcut_status status = wcut_setup_run(e->setup, app_progress_step, &progress, &e->history, &error);
@@ -134,7 +134,7 @@ static int check_limits(export_ *e) {
 }
 
 /* the files of a format, path.json, and the NULL that closes the list */
-static void name_results(wcut_robot_format format, const char *name[4]) {
+static void name_programs(wcut_robot_format format, const char *name[4]) {
     int count = 0;
     for (int robot = 0; robot < 2; robot++) {
         name[count] = wcut_robot_file_name(format, robot);
@@ -179,7 +179,7 @@ static int write_programs(export_ *e) {
 }
 
 /* both programs, under path.json */
-static int write_results(export_ *e) {
+static int write_path_results(export_ *e) {
     const int code = write_programs(e);
     if (code != APP_DONE) return code;
     char *text = NULL;
@@ -189,7 +189,7 @@ static int write_results(export_ *e) {
     return app_results_commit(&e->results, "path.json", status, text);
 }
 
-static void say_summary(const export_ *e) {
+static void say_motion(const export_ *e) {
     const wcut_robot_motion *m = e->motion;
 
     /* the motion and how far it is from the path */
@@ -229,17 +229,17 @@ static void say_summary(const export_ *e) {
 static int path(const app_call *call) {
     export_ e = {.call = call, .path = call->operand[0]};
     const char *name[4];
-    int code = load(&e);
-    name_results(e.format, name);
+    int code = load_export(&e);
+    name_programs(e.format, name);
     if (code == APP_DONE) app_catch_interrupts();
-    if (code == APP_DONE) code = run(&e);
+    if (code == APP_DONE) code = run_export(&e);
     if (code == APP_DONE) code = check_end(&e);
     if (code == APP_DONE) code = make_motion(&e);
     if (code == APP_DONE) code = approach(&e);
     if (code == APP_DONE) code = check_limits(&e);
     if (code == APP_DONE) code = app_results_begin(&e.results, app_text(call, "output"), name);
-    if (code == APP_DONE) code = write_results(&e);
-    if (code == APP_DONE && !app_given(call, "quiet")) say_summary(&e);
+    if (code == APP_DONE) code = write_path_results(&e);
+    if (code == APP_DONE && !app_given(call, "quiet")) say_motion(&e);
     if (code == APP_DONE && app_given(call, "json")) fputs(e.results.text, stdout);
     app_results_end(&e.results);
     wcut_robot_motion_destroy(e.motion);

@@ -175,7 +175,7 @@ static bool make_score_room(scoring *s) {
 }
 
 /* Compare every cut that could be read. APP_DONE or APP_INTERRUPTED. */
-static int run(scoring *s) {
+static int run_scoring(scoring *s) {
     for (int i = 0; i < s->cuts; i++) {
         trial *t = &s->trial[i];
         if (t->recording) s->job[i] = s->trial[t->job_of].job, s->recording[i] = t->recording;
@@ -382,7 +382,7 @@ static int score(const app_call *call) {
     if (code == APP_DONE) code = app_results_begin(&s.results, app_text(call, "output"), result_name);
     if (code == APP_DONE) {
         app_catch_interrupts();
-        ended = run(&s);
+        ended = run_scoring(&s);
         if (s.scored > 0) {
             name_cuts(&s);
             find_means(&s);

@@ -31,7 +31,7 @@ typedef struct simulation {
 /* ---- the run ---- */
 
 /* Read the job and let the options have their say. */
-static int load(simulation *s) {
+static int load_simulation(simulation *s) {
     wcut_error error = {0};
     const int code = app_job_load(s->call, s->path, &s->job);
     if (code != APP_DONE) return code;
@@ -43,7 +43,7 @@ static int load(simulation *s) {
 }
 
 /* Cut from the first station to the last, or as far as it goes: then the history holds what there is. */
-static int run(simulation *s) {
+static int run_simulation(simulation *s) {
     wcut_error error = {0};
     app_progress progress = app_progress_begin(app_given(s->call, "quiet"));
     wcut_status status = wcut_setup_run(s->setup, app_progress_step, &progress, &s->history, &error);
@@ -251,14 +251,14 @@ static int give_summary(const simulation *s) {
     return code;
 }
 
-static int simulate(const app_call *call) {
+static int run_simulate(const app_call *call) {
     simulation s = {.call = call, .path = call->operand[0]};
     int ended = APP_DONE, code = app_check_formats(call, FORMATS);
-    if (code == APP_DONE) code = load(&s);
+    if (code == APP_DONE) code = load_simulation(&s);
     if (code == APP_DONE) code = app_results_begin(&s.results, app_text(call, "output"), result_name);
     if (code == APP_DONE) {
         app_catch_interrupts();
-        ended = run(&s);
+        ended = run_simulation(&s);
         if (s.history && s.history->stations > 0) {
             code = write_results(&s);
             if (code == APP_DONE) code = give_summary(&s);
@@ -318,5 +318,5 @@ const app_verb app_verb_simulate = {
         "interrupted, the files hold the stations up to there.",
     .operand = operand,
     .option = option,
-    .run = simulate,
+    .run = run_simulate,
 };

@@ -8,7 +8,7 @@ enum { LONGEST = 40 };
 static int min(int a, int b) { return a < b ? a : b; }
 
 /* Insertions, deletions, replacements and swaps that turn one word into the other. */
-static int distance(const char *from, const char *to) {
+static int option_distance(const char *from, const char *to) {
     int n = (int)strlen(from), m = (int)strlen(to), d[LONGEST + 1][LONGEST + 1];
     for (int i = 0; i <= n; i++) d[i][0] = i;
     for (int j = 0; j <= m; j++) d[0][j] = j;
@@ -30,7 +30,7 @@ const char *app_suggest(const char *typed, const char *const *name) {
     int best = 1 + (int)length / 3; /* a third of the letters may be wrong */
     for (; *name; name++) {
         if (strlen(*name) > LONGEST) continue;
-        int d = distance(typed, *name);
+        int d = option_distance(typed, *name);
         if (d <= best && (!nearest || d < best)) nearest = *name, best = d;
     }
     return nearest;

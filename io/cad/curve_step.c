@@ -28,7 +28,7 @@ static bool reference(wcut_step_source *s, long id, const char *item, long *to) 
     return wcut_p21_read_reference(item, to) || wcut_step_refuse(s, id, "no reference where one is expected");
 }
 
-static double distance(wcut_vec3 a, wcut_vec3 b) {
+static double point_distance(wcut_vec3 a, wcut_vec3 b) {
     const double x = a.x - b.x, y = a.y - b.y, z = a.z - b.z;
     return sqrt(x * x + y * y + z * z);
 }
@@ -128,7 +128,8 @@ static wcut_curve *cut_spline(wcut_step_source *s, wcut_curve *curve, const piec
         wcut_curve_eval(curve, first, 0, &end[0]);
         wcut_curve_eval(curve, last, 0, &end[1]);
         const int begins = p->forwards ? 0 : 1;
-        cuts = distance(end[begins], p->point[0]) > p->slack || distance(end[1 - begins], p->point[1]) > p->slack;
+        cuts = point_distance(end[begins], p->point[0]) > p->slack ||
+               point_distance(end[1 - begins], p->point[1]) > p->slack;
         for (int k = 0; cuts && ok && k < 2; k++) ok = find_parameter(s, curve, p->point[k], p->slack, &u[k]);
 
         /* a piece in the wrong direction would run over the seam */

@@ -38,7 +38,7 @@ static size_t print_begin(char *to, wcut_id id) {
     return used;
 }
 
-static wcut_id put_triple(wcut_part21 *p, const char *words, wcut_vec3 v) {
+static wcut_id put_part21_triple(wcut_part21 *p, const char *words, wcut_vec3 v) {
     char *room = wcut_text_room(p->text);
     const double value[3] = {v.x, v.y, v.z};
     size_t used = print_begin(room, ++p->last);
@@ -72,9 +72,11 @@ wcut_id wcut_p21_put(wcut_part21 *p, const char *format, ...) {
     return id;
 }
 
-wcut_id wcut_p21_point(wcut_part21 *p, wcut_vec3 point) { return put_triple(p, "CARTESIAN_POINT('',", point); }
+wcut_id wcut_p21_point(wcut_part21 *p, wcut_vec3 point) { return put_part21_triple(p, "CARTESIAN_POINT('',", point); }
 
-wcut_id wcut_p21_direction(wcut_part21 *p, wcut_vec3 direction) { return put_triple(p, "DIRECTION('',", direction); }
+wcut_id wcut_p21_direction(wcut_part21 *p, wcut_vec3 direction) {
+    return put_part21_triple(p, "DIRECTION('',", direction);
+}
 
 /* ---- values ---- */
 

@@ -67,7 +67,7 @@ static size_t used_memory(void) {
 }
 
 /* the host's own limit stays where it is lower */
-static bool limit(int resource, size_t max) {
+static bool limit_resource(int resource, size_t max) {
     struct rlimit r;
     if (getrlimit(resource, &r) != 0) return false;
     if (r.rlim_max > max) r.rlim_max = max;
@@ -79,8 +79,9 @@ static bool confine(int fd, const wcut_child_limits *limits) {
     const size_t memory = used_memory();
     forget_signals();
     if (memory == 0 || memory > SIZE_MAX / 2 || !close_others(fd)) return false;
-    return limit(RLIMIT_AS, memory + limits->memory) && limit(RLIMIT_CPU, (size_t)limits->seconds + 1) &&
-           limit(RLIMIT_FSIZE, 0) && limit(RLIMIT_CORE, 0) && limit(RLIMIT_NPROC, 0) && limit(RLIMIT_NOFILE, 0);
+    return limit_resource(RLIMIT_AS, memory + limits->memory) &&
+           limit_resource(RLIMIT_CPU, (size_t)limits->seconds + 1) && limit_resource(RLIMIT_FSIZE, 0) &&
+           limit_resource(RLIMIT_CORE, 0) && limit_resource(RLIMIT_NPROC, 0) && limit_resource(RLIMIT_NOFILE, 0);
 }
 
 /* ---- in the parent ---- */

@@ -29,7 +29,7 @@ bool wcut_result_name_is_fine(const char *name) {
            wcut_utf8_is_plain(name);
 }
 
-static bool is_there(int folder, const char *name) {
+static bool file_is_there(int folder, const char *name) {
     struct stat s;
     return fstatat(folder, name, &s, AT_SYMLINK_NOFOLLOW) == 0;
 }
@@ -41,7 +41,7 @@ static int look_for(int folder, const char *name, bool *there) {
     return *there || errno == ENOENT ? 0 : errno;
 }
 
-bool wcut_journal_is_there(int folder) { return is_there(folder, FORWARD) || is_there(folder, BACK); }
+bool wcut_journal_is_there(int folder) { return file_is_there(folder, FORWARD) || file_is_there(folder, BACK); }
 
 static int open_folder(int folder, const char *name) {
     return openat(folder, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
@@ -86,7 +86,7 @@ static int write_manifest(int inside, const wcut_journal *journal) {
 }
 
 /* a line of the manifest into an entry; gives what is behind it, NULL where it is none */
-static char *read_line(char *at, wcut_journal_entry *e) {
+static char *read_entry(char *at, wcut_journal_entry *e) {
     char *end = strchr(at, '\n');
     if (!end || !strchr("+=-", at[0]) || at[1] != ' ') return NULL;
     *end = '\0';
@@ -104,7 +104,7 @@ static int parse_manifest(char *text, wcut_journal *journal, long *owner) {
     if (*at++ != '\n' || *owner <= 0) return EBADMSG;
     for (journal->count = 0; *at; journal->count++) {
         if (journal->count == WCUT_JOURNAL_NAMES_MAX) return EBADMSG;
-        at = read_line(at, &journal->entry[journal->count]);
+        at = read_entry(at, &journal->entry[journal->count]);
         if (!at) return EBADMSG;
     }
     return journal->count > 0 ? 0 : EBADMSG;
@@ -279,8 +279,8 @@ static int recover(int folder, const char *name, bool locked, long *owner) {
 
 int wcut_journal_recover(int folder, bool locked, long *owner) {
     int code = 0;
-    if (is_there(folder, BACK)) code = recover(folder, BACK, locked, owner);
-    if (code == 0 && is_there(folder, FORWARD)) code = recover(folder, FORWARD, locked, owner);
+    if (file_is_there(folder, BACK)) code = recover(folder, BACK, locked, owner);
+    if (code == 0 && file_is_there(folder, FORWARD)) code = recover(folder, FORWARD, locked, owner);
     return code;
 }
 

@@ -143,7 +143,7 @@ static wcut_status check_name(wcut_results *r, const char *name, int *mode, wcut
 
 /* ---- begin ---- */
 
-static wcut_status begin(wcut_results *r, int count, const char *const *name, wcut_error *error) {
+static wcut_status results_begin(wcut_results *r, int count, const char *const *name, wcut_error *error) {
     int mode, locked;
     wcut_status status = make_folders(r, error);
 
@@ -179,7 +179,7 @@ wcut_status wcut_results_create(const char *folder, int count, const char *const
     r->name = wcut_alloc(WCUT_RESULTS_MAX, sizeof *r->name);
     r->may = wcut_alloc((size_t)count, sizeof *r->may);
     const wcut_status status =
-        r->folder && r->name && r->may ? begin(r, count, name, error) : fail_results_memory(error);
+        r->folder && r->name && r->may ? results_begin(r, count, name, error) : fail_results_memory(error);
     if (status == WCUT_OK)
         *results = r;
     else

@@ -51,7 +51,7 @@ static wcut_vec3 relative(const layout *l, wcut_vec3 p) {
 }
 
 /* the views, the place that positions are relative to, and their box, which the format asks for */
-static layout lay_out(const wcut_mesh *mesh) {
+static layout lay_out_views(const wcut_mesh *mesh) {
     layout l = {.low = {FLT_MAX, FLT_MAX, FLT_MAX}, .high = {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
     wcut_vec3 low = mesh->vertex[0], high = mesh->vertex[0];
     const size_t n = (size_t)mesh->vertex_count;
@@ -79,7 +79,7 @@ static layout lay_out(const wcut_mesh *mesh) {
 
 /* ---- the scene ---- */
 
-static void put_triple(wcut_text *t, const char *before, const float v[3]) {
+static void put_glb_triple(wcut_text *t, const char *before, const float v[3]) {
     wcut_text_print(t, "%s", before);
     for (int k = 0; k < 3; k++) {
         wcut_text_print(t, k ? "," : "[");
@@ -101,7 +101,7 @@ static void put_views(wcut_text *t, const layout *l, const wcut_mesh *mesh) {
         const view *v = &l->view[k];
         wcut_text_print(t, "%s{\"bufferView\":%d,\"componentType\":%d,\"count\":%zu,\"type\":\"%s\"", k ? "," : "", k,
                         v->attribute ? FLOAT : UNSIGNED, v->bytes / 4 / (size_t)v->components, v->type);
-        if (k == 0) put_triple(t, ",\"min\":", l->low), put_triple(t, ",\"max\":", l->high);
+        if (k == 0) put_glb_triple(t, ",\"min\":", l->low), put_glb_triple(t, ",\"max\":", l->high);
         if (!v->attribute) wcut_text_print(t, ",\"min\":[0],\"max\":[%d]", mesh->vertex_count - 1);
         wcut_text_print(t, "}");
     }
@@ -121,7 +121,7 @@ static void put_matrix(wcut_text *t, wcut_vec3 from) {
 }
 
 /* dull and seen from both sides: glTF's default is polished metal, black without surroundings */
-static void put_scene(wcut_text *t, const layout *l, const wcut_mesh *mesh) {
+static void put_glb_scene(wcut_text *t, const layout *l, const wcut_mesh *mesh) {
     wcut_text_print(t, "{\"asset\":{\"version\":\"2.0\",\"generator\":\"wirecut " WCUT_VERSION
                        "\"},\"scene\":0,"
                        "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"name\":\"wirecut_mm_to_m\",\"children\":[1],");
@@ -194,12 +194,12 @@ wcut_status wcut_mesh_write_glb(const wcut_mesh *mesh, const char *path, wcut_er
                          wcut_quote(label, path, WCUT_LABEL_MAX, 1), mesh->triangle_count, TRIANGLES_MAX);
 
     /* the scene says how long it is before it is written: blanks fill it up to a multiple of four */
-    const layout l = lay_out(mesh);
+    const layout l = lay_out_views(mesh);
     document d = {.layout = &l};
     wcut_text json;
     char *text = NULL;
     if (!wcut_text_create(&json, NULL)) return wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
-    put_scene(&json, &l, mesh);
+    put_glb_scene(&json, &l, mesh);
     while (json.count % 4) wcut_text_put(&json, " ", 1);
     status = wcut_text_finish(&json, &text, &d.length);
     if (status != WCUT_OK) return wcut_fail(error, status, "%s", wcut_status_text(status));

@@ -41,7 +41,7 @@ static size_t write_none(struct aiFile *file, const char *from, size_t size, siz
     return 0;
 }
 
-static size_t tell(struct aiFile *file) { return ((request *)file->UserData)->at; }
+static size_t tell_offset(struct aiFile *file) { return ((request *)file->UserData)->at; }
 
 static size_t tell_size(struct aiFile *file) { return ((request *)file->UserData)->size; }
 
@@ -65,7 +65,7 @@ static struct aiFile *open_one(struct aiFileIO *io, const char *path, const char
     struct aiFile *file = calloc(1, sizeof *file);
     if (!file) return NULL;
     r->at = 0;
-    *file = (struct aiFile){read_some, write_none, tell, tell_size, seek, flush_nothing, (char *)r};
+    *file = (struct aiFile){read_some, write_none, tell_offset, tell_size, seek, flush_nothing, (char *)r};
     return file;
 }
 
@@ -135,7 +135,8 @@ static int count_triangles(const struct aiMesh *mesh, message *t) {
 enum { COUNT, SEND_VERTICES, SEND_TRIANGLES };
 
 /* one pass over a node and those below */
-static int walk(const struct aiScene *scene, const struct aiNode *node, const double above[12], int pass, message *t) {
+static int walk_nodes(const struct aiScene *scene, const struct aiNode *node, const double above[12], int pass,
+                      message *t) {
     double m[12];
     int code = DONE;
     if (t->depth == DEPTH_MAX) return TOO_DEEP;
@@ -149,7 +150,7 @@ static int walk(const struct aiScene *scene, const struct aiNode *node, const do
     }
     t->depth++;
     for (unsigned k = 0; code == DONE && k < node->mNumChildren; k++)
-        code = walk(scene, node->mChildren[k], m, pass, t);
+        code = walk_nodes(scene, node->mChildren[k], m, pass, t);
     t->depth--;
     return code;
 }
@@ -158,11 +159,11 @@ static int send_scene(const struct aiScene *scene, int fd, const request *r) {
     static const double here[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
     message t = {.fd = fd, .max = r->max, .as_vertices = r->as_vertices};
     const int last_pass = r->as_vertices ? SEND_VERTICES : SEND_TRIANGLES;
-    int code = walk(scene, scene->mRootNode, here, COUNT, &t);
+    int code = walk_nodes(scene, scene->mRootNode, here, COUNT, &t);
     const int32_t head[2] = {t.vertices, t.triangles};
     if (code == DONE && !wcut_child_write(fd, head, sizeof head)) code = NOT_SENT;
     for (int pass = SEND_VERTICES; code == DONE && pass <= last_pass; pass++)
-        code = walk(scene, scene->mRootNode, here, pass, &t);
+        code = walk_nodes(scene, scene->mRootNode, here, pass, &t);
     if (code == DONE && !wcut_child_write(fd, &LAST_WORD, sizeof LAST_WORD)) code = NOT_SENT;
     return code;
 }

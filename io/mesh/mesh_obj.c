@@ -53,7 +53,7 @@ static bool read_face(wcut_source *s, const char *line, const char *p, wcut_mesh
     return wcut_mesh_builder_polygon(g, count, vertex);
 }
 
-static bool read_line(wcut_source *s, const char *line, wcut_mesh_builder *g, wcut_numbered *n) {
+static bool read_obj_line(wcut_source *s, const char *line, wcut_mesh_builder *g, wcut_numbered *n) {
     const char *p = wcut_skip_blanks(line), *rest;
     if ((rest = wcut_obj_match(p, "v")) != NULL) return add_vertex(s, line, rest, g, n);
     if ((rest = wcut_obj_match(p, "f")) != NULL) return read_face(s, line, rest, g, n);
@@ -66,7 +66,7 @@ bool wcut_mesh_fill_obj(wcut_source *s, wcut_mesh_builder *g) {
     bool done = true;
     s->line = 1;
     for (const char *line; done && (line = wcut_obj_line(s, &length)) != NULL; wcut_row_done(s, length))
-        done = read_line(s, line, g, &n);
+        done = read_obj_line(s, line, g, &n);
     wcut_numbered_free(&n);
     return done && s->failure.status == WCUT_OK;
 }

@@ -17,7 +17,7 @@ wcut_mesh_read_options wcut_mesh_read_options_default(void) {
         .format = WCUT_MESH_FORMAT_ANY, .unit = WCUT_LENGTH_UNIT_MM, .max_triangles = 20000000, .seconds = 60};
 }
 
-static bool options_are_usable(const wcut_mesh_read_options *o) {
+static bool mesh_options_are_usable(const wcut_mesh_read_options *o) {
     return (unsigned)o->format < WCUT_MESH_FORMAT_COUNT && (unsigned)o->unit < WCUT_LENGTH_UNIT_COUNT &&
            o->max_triangles >= 1 && o->max_triangles <= INT_MAX / 3 && o->seconds >= 1 && o->seconds <= 3600;
 }
@@ -34,7 +34,7 @@ static bool begins_off(const char *at) {
     return word && word - at <= 4 && strspn(at, "STCN4n") >= (size_t)(word - at);
 }
 
-static wcut_mesh_format find_format(const wcut_source *s) {
+static wcut_mesh_format find_mesh_format(const wcut_source *s) {
     static const struct {
         const char *ending;
         wcut_mesh_format format;
@@ -51,7 +51,7 @@ static wcut_mesh_format find_format(const wcut_source *s) {
     return begins_off(at) ? WCUT_MESH_FORMAT_OFF : WCUT_MESH_FORMAT_ANY;
 }
 
-static bool fill(wcut_source *s, wcut_mesh_builder *g, wcut_mesh_format format, int seconds) {
+static bool fill_mesh(wcut_source *s, wcut_mesh_builder *g, wcut_mesh_format format, int seconds) {
     const bool is_binary = s->stream.end - s->stream.at >= 4 && memcmp(s->stream.data + s->stream.at, "glTF", 4) == 0;
     switch (format) {
         case WCUT_MESH_FORMAT_STL:
@@ -73,8 +73,8 @@ static bool read(wcut_source *s, wcut_mesh_builder *g, const wcut_mesh_read_opti
                  wcut_mesh_read_info *info) {
     s->scale = wcut_unit_length(o->unit);
     if (wcut_stream_fill(&s->stream, SNIFF) == 0) return wcut_source_refuse_end(s, "a mesh");
-    info->format = o->format != WCUT_MESH_FORMAT_ANY ? o->format : find_format(s);
-    return fill(s, g, info->format, o->seconds) && wcut_mesh_builder_finish(g, mesh, info);
+    info->format = o->format != WCUT_MESH_FORMAT_ANY ? o->format : find_mesh_format(s);
+    return fill_mesh(s, g, info->format, o->seconds) && wcut_mesh_builder_finish(g, mesh, info);
 }
 
 /* the bytes, opened, are closed here */
@@ -97,7 +97,7 @@ static wcut_status read_source(wcut_source s, const wcut_mesh_read_options *o, w
 wcut_status wcut_mesh_read(const char *path, const wcut_mesh_read_options *options, wcut_mesh **mesh,
                            wcut_mesh_read_info *info, wcut_error *error) {
     const wcut_mesh_read_options o = options ? *options : wcut_mesh_read_options_default();
-    if (!path || !mesh || !options_are_usable(&o)) return WCUT_BAD_ARGUMENT;
+    if (!path || !mesh || !mesh_options_are_usable(&o)) return WCUT_BAD_ARGUMENT;
     wcut_source source;
     const wcut_status status = wcut_source_open(path, &source, error);
     return status == WCUT_OK ? read_source(source, &o, mesh, info, error) : status;

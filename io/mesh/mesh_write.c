@@ -21,12 +21,12 @@ _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "binary files are writ
 
 static bool is_mesh_sound(double x) { return fabs(x) <= COORDINATE_MAX; /* false for nan, too */ }
 
-static bool is_finite(wcut_vec3 a) { return is_mesh_sound(a.x) && is_mesh_sound(a.y) && is_mesh_sound(a.z); }
+static bool is_sound_point(wcut_vec3 a) { return is_mesh_sound(a.x) && is_mesh_sound(a.y) && is_mesh_sound(a.z); }
 
 /* the vertex at which something is not finite, -1 where none is */
 static int find_odd_vertex(const wcut_mesh *mesh) {
     for (int i = 0; i < mesh->vertex_count; i++) {
-        bool ok = is_finite(mesh->vertex[i]) && (!mesh->normal || is_finite(mesh->normal[i])) &&
+        bool ok = is_sound_point(mesh->vertex[i]) && (!mesh->normal || is_sound_point(mesh->normal[i])) &&
                   (!mesh->scalar || is_mesh_sound(mesh->scalar[i])) &&
                   (!mesh->uv || (is_mesh_sound(mesh->uv[2 * (size_t)i]) && is_mesh_sound(mesh->uv[2 * (size_t)i + 1])));
         if (!ok) return i;
@@ -141,7 +141,7 @@ static void put_mesh_face(wcut_text *text, const wcut_mesh *mesh, const int *v) 
     text->count += used;
 }
 
-static void put_obj(wcut_text *text, const wcut_mesh *mesh, const void *context) {
+static void put_plain_obj(wcut_text *text, const wcut_mesh *mesh, const void *context) {
     (void)context;
     wcut_text_print(text, "# wirecut %s\n# units: mm, z up\n# %d vertices, %d triangles\no surface\n", WCUT_VERSION,
                     mesh->vertex_count, mesh->triangle_count);
@@ -152,5 +152,5 @@ static void put_obj(wcut_text *text, const wcut_mesh *mesh, const void *context)
 }
 
 wcut_status wcut_mesh_write_obj(const wcut_mesh *mesh, const char *path, wcut_error *error) {
-    return wcut_mesh_write(mesh, put_obj, NULL, path, error);
+    return wcut_mesh_write(mesh, put_plain_obj, NULL, path, error);
 }

@@ -18,7 +18,7 @@ static const char *next_line(wcut_source *s, size_t *length) {
     return NULL;
 }
 
-static const char *expect_line(wcut_source *s, size_t *length, const char *expected) {
+static const char *expect_off_line(wcut_source *s, size_t *length, const char *expected) {
     const char *line = next_line(s, length);
     if (!line && s->failure.status == WCUT_OK) wcut_source_refuse_end(s, expected);
     return line;
@@ -49,12 +49,12 @@ bool wcut_off_begin(wcut_source *s, wcut_off_reader *r) {
     s->line = 1;
     if (s->stream.end - s->stream.at >= 3 && memcmp(s->stream.data + s->stream.at, "\xef\xbb\xbf", 3) == 0)
         s->stream.at += 3;
-    const char *line = expect_line(s, &length, "OFF");
+    const char *line = expect_off_line(s, &length, "OFF");
     const char *p = line ? read_keyword(s, line, wcut_skip_blanks(line), r) : NULL;
     if (!p) return false;
     if (wcut_is_line_end(p) || *p == '#') {
         wcut_row_done(s, length);
-        p = line = expect_line(s, &length, expected);
+        p = line = expect_off_line(s, &length, expected);
         if (!line) return false;
     }
 

@@ -119,7 +119,7 @@ bool wcut_ply_skip(wcut_source *s, const wcut_ply *m, int first, int end) {
 }
 
 /* from the vertex's properties to its record */
-static bool lay_out(wcut_source *s, wcut_ply *m) {
+static bool lay_out_record(wcut_source *s, wcut_ply *m) {
     if (m->vertex < 0) return wcut_source_refuse(s, "found no element vertex, expected one");
     const wcut_ply_element *e = &m->element[m->vertex];
     bool has[WCUT_FIELDS] = {false};
@@ -141,7 +141,7 @@ static bool lay_out(wcut_source *s, wcut_ply *m) {
 }
 
 bool wcut_ply_begin(wcut_source *s, wcut_ply *m) {
-    if (!lay_out(s, m)) return false;
+    if (!lay_out_record(s, m)) return false;
     s->binary = !m->ascii;
     if (!m->ascii) s->line = 0;
     const wcut_ply_element *e = &m->element[m->vertex];

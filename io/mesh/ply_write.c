@@ -48,7 +48,7 @@ static void put_scalar(wcut_text *text, double value, double min, double greates
     wcut_text_put(text, &value, sizeof value);
 }
 
-static void put_ply(wcut_text *text, const wcut_mesh *mesh, const void *context) {
+static void put_plain_ply(wcut_text *text, const wcut_mesh *mesh, const void *context) {
     double min = 0, greatest = 0;
     if (mesh->scalar) wcut_range(mesh->vertex_count, mesh->scalar, &min, &greatest);
     put_ply_header(text, mesh, context, min, greatest);
@@ -73,5 +73,5 @@ wcut_status wcut_mesh_write_ply(const wcut_mesh *mesh, const char *name, const c
                          "a PLY property: found the name \"%s\", expected letters, digits and _, not one that the "
                          "file has already",
                          name ? wcut_quote(quote, name, WCUT_FOUND_MAX, 0) : "");
-    return wcut_mesh_write(mesh, put_ply, name, path, error);
+    return wcut_mesh_write(mesh, put_plain_ply, name, path, error);
 }

@@ -26,7 +26,7 @@ static void drain(sink *s) {
 
 /* ---- what a mesh is ---- */
 
-static uint64_t mix(uint64_t h) {
+static uint64_t mix_bits(uint64_t h) {
     h = (h ^ h >> 33) * 0xff51afd7ed558ccdu;
     h = (h ^ h >> 33) * 0xc4ceb9fe1a85ec53u;
     return h ^ h >> 33;
@@ -40,7 +40,7 @@ static bool is_three_mf_closed(const wcut_mesh *mesh) {
         const int *v = mesh->triangle + 3 * t;
         for (int k = 0; k < 3; k++) {
             const uint64_t a = (uint64_t)v[k], b = (uint64_t)v[(k + 1) % 3];
-            sum += mix(a << 32 | b) - mix(b << 32 | a);
+            sum += mix_bits(a << 32 | b) - mix_bits(b << 32 | a);
         }
     }
     return sum == 0;

@@ -75,7 +75,7 @@ static bool read_name(wcut_reader *reader, const wcut_place *at, const filling *
 
 /* ---- values ---- */
 
-static bool read_format(wcut_reader *reader, const wcut_place *at, void *into) {
+static bool read_case_format(wcut_reader *reader, const wcut_place *at, void *into) {
     (void)into;
     const char *format = json_string_value(at->value);
     return (format && strcmp(format, FORMAT) == 0) || wcut_refuse(reader, at, WCUT_BAD_FORMAT, "\"" FORMAT "\"");
@@ -90,7 +90,7 @@ static bool read_calibration(wcut_reader *reader, const wcut_place *at, void *in
     return json_is_null(at->value) || read_name(reader, at, of, &of->made->calibration);
 }
 
-static bool read_job(wcut_reader *reader, const wcut_place *at, void *into) {
+static bool read_cut_job(wcut_reader *reader, const wcut_place *at, void *into) {
     cut_filling *to = into;
     return read_name(reader, at, to->of, &to->cut.job);
 }
@@ -107,7 +107,7 @@ static bool read_scan(wcut_reader *reader, const wcut_place *at, void *into) {
 
 static bool read_cuts(wcut_reader *reader, const wcut_place *at, void *into) {
     static const wcut_field fields[] = {
-        {"job", true, read_job, 0}, {"recording", true, read_recording, 0}, {"scan", false, read_scan, 0}};
+        {"job", true, read_cut_job, 0}, {"recording", true, read_recording, 0}, {"scan", false, read_scan, 0}};
     filling *of = into;
     const size_t n = json_array_size(at->value);
     if (!json_is_array(at->value) || n < 1 || n > WCUT_CASE_CUTS_MAX)
@@ -126,13 +126,13 @@ static bool read_cuts(wcut_reader *reader, const wcut_place *at, void *into) {
 }
 
 static bool read_case(wcut_reader *reader, const wcut_place *at, filling *of) {
-    static const wcut_field fields[] = {{"format", true, read_format, 0},
+    static const wcut_field fields[] = {{"format", true, read_case_format, 0},
                                         {"name", true, read_case_name, 0},
                                         {"cuts", true, read_cuts, 0},
                                         {"calibration", false, read_calibration, 0}};
     /* the format before all else: another format has other keys */
     const wcut_place format = wcut_place_member(at, "format");
-    if (json_is_object(at->value) && !read_format(reader, &format, NULL)) return false;
+    if (json_is_object(at->value) && !read_case_format(reader, &format, NULL)) return false;
     return wcut_read_object(reader, at, fields, sizeof fields / sizeof *fields, of);
 }
 

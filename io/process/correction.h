@@ -6,7 +6,7 @@
 #include <wirecut/correction.h>
 
 /* limit beyond which it is no diagnosis */
-enum { WCUT_DIAGNOSIS_BYTES_MOST = 64 << 20 };
+enum { WCUT_DIAGNOSIS_BYTES_MAX = 64 << 20 };
 
 /* wcut_correction_read of `length` bytes; path stands in front of every message */
 wcut_status wcut_correction_parse(const char *text, size_t length, const char *path, wcut_correction *correction,

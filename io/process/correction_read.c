@@ -18,7 +18,7 @@ typedef struct filling {
     wcut_job effects;
 } filling;
 
-static bool read_kerf(wcut_reader *reader, const wcut_place *at, void *into) {
+static bool read_kerf_correction(wcut_reader *reader, const wcut_place *at, void *into) {
     static const wcut_field fields[] = {
         {"width_mm", true, wcut_read_not_negative, offsetof(wcut_correction, kerf)},
         {"per_J_m2_mm", false, wcut_read_not_negative, offsetof(wcut_correction, kerf_per_q)}};
@@ -41,7 +41,7 @@ static bool read_correction(wcut_reader *reader, const wcut_place *root, filling
     static const wcut_field fields[] = {{"a_N_per_mm", true, wcut_read_positive, IN(a)},
                                         {"b_m2_per_J", true, wcut_read_positive, IN(b)},
                                         {"length_change_mm", true, wcut_read_finite, IN(length_change)},
-                                        {"kerf", false, read_kerf, offsetof(filling, made)},
+                                        {"kerf", false, read_kerf_correction, offsetof(filling, made)},
                                         {"effects", false, read_effects, 0}};
 
     /* a diagnosis, which may withhold its correction and say why */
@@ -79,7 +79,7 @@ wcut_status wcut_correction_read(const char *path, wcut_correction *correction, 
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "wcut_correction_read: path or correction is NULL");
     char *text = NULL;
     size_t length = 0;
-    wcut_status status = wcut_file_read(path, WCUT_DIAGNOSIS_BYTES_MOST, &text, &length, error);
+    wcut_status status = wcut_file_read(path, WCUT_DIAGNOSIS_BYTES_MAX, &text, &length, error);
     if (status == WCUT_OK) status = wcut_correction_parse(text, length, path, correction, error);
     free(text);
     return status;

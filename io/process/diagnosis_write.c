@@ -132,12 +132,12 @@ static void put_recalibrated(wcut_text *text, const wcut_diagnosis *d) {
 /* ---- the verdict ---- */
 
 /* kinds whose verdict names effects; the others have none, or alternatives */
-static bool names_effects(wcut_verdict_kind kind) {
+static bool kind_names_effects(wcut_verdict_kind kind) {
     return kind == WCUT_VERDICT_PHYSICS || kind == WCUT_VERDICT_INSTRUMENT || kind == WCUT_VERDICT_BOTH;
 }
 
 static void put_verdict(wcut_text *text, const wcut_diagnosis *d) {
-    const bool named = names_effects(d->kind);
+    const bool named = kind_names_effects(d->kind);
     const char *between = "";
     wcut_text_print(text, ",\n  \"verdict\": {\"kind\": \"%s\", \"effects\": [", wcut_verdict_name(d->kind));
     for (int e = 0; e < d->effects; e++) {
@@ -210,10 +210,10 @@ static void put_mismatches(wcut_text *text, const wcut_diagnosis *d) {
 
 /* ---- how well ---- */
 
-static void put_channels(wcut_text *text, const wcut_fit fit[WCUT_EVIDENCE_CHANNEL_COUNT]) {
+static void put_channels(wcut_text *text, const wcut_evidence_score fit[WCUT_EVIDENCE_CHANNEL_COUNT]) {
     const char *between = "{";
     for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) {
-        const wcut_fit *f = &fit[c];
+        const wcut_evidence_score *f = &fit[c];
         if (f->count < 1) continue;
         wcut_text_print(text, "%s\"%s\": {", between, wcut_evidence_name((wcut_evidence_channel)c));
         wcut_text_put_number(text, "\"rmsd\": ", f->rmsd);
@@ -226,10 +226,11 @@ static void put_channels(wcut_text *text, const wcut_fit fit[WCUT_EVIDENCE_CHANN
     wcut_text_put_word(text, between[0] == '{' ? "{}" : "}");
 }
 
-static void put_models(wcut_text *text, const wcut_fit fit[WCUT_FIT_MODEL_COUNT][WCUT_EVIDENCE_CHANNEL_COUNT],
+static void put_models(wcut_text *text,
+                       const wcut_evidence_score fit[WCUT_EVIDENCE_MODEL_COUNT][WCUT_EVIDENCE_CHANNEL_COUNT],
                        const char *indent) {
-    static const char *const name[WCUT_FIT_MODEL_COUNT] = {"before", "recalibrated", "after", "black_box"};
-    for (int m = 0; m < WCUT_FIT_MODEL_COUNT; m++) {
+    static const char *const name[WCUT_EVIDENCE_MODEL_COUNT] = {"before", "recalibrated", "after", "black_box"};
+    for (int m = 0; m < WCUT_EVIDENCE_MODEL_COUNT; m++) {
         wcut_text_print(text, "%s\"%s\": ", m ? indent : "", name[m]);
         put_channels(text, fit[m]);
     }
@@ -237,7 +238,7 @@ static void put_models(wcut_text *text, const wcut_fit fit[WCUT_FIT_MODEL_COUNT]
 
 static void put_fit(wcut_text *text, const wcut_diagnosis *d) {
     wcut_text_put_word(text, ",\n  \"fit\": {");
-    put_models(text, d->fit, ",\n          ");
+    put_models(text, d->score, ",\n          ");
     wcut_text_put_word(text, ",\n          \"held_out_cuts\": [");
     const char *between = "";
     for (int i = 0; d->held_out && i < d->cuts; i++) {
@@ -246,7 +247,7 @@ static void put_fit(wcut_text *text, const wcut_diagnosis *d) {
         between = ", ";
     }
     wcut_text_put_word(text, "],\n          \"held_out\": {");
-    put_models(text, d->held_out_fit, ",\n                       ");
+    put_models(text, d->held_out_score, ",\n                       ");
     wcut_text_put_word(text, "}}");
 }
 
@@ -309,8 +310,8 @@ static void put_improvement(wcut_text *text, const wcut_diagnosis *d) {
     const char *between = "";
     wcut_text_put_word(text, ",\n               \"improvement\": {");
     for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) {
-        const wcut_fit *from = &d->held_out_fit[WCUT_FIT_MODEL_RECALIBRATED][c];
-        const wcut_fit *to = &d->held_out_fit[WCUT_FIT_MODEL_AFTER][c];
+        const wcut_evidence_score *from = &d->held_out_score[WCUT_EVIDENCE_MODEL_RECALIBRATED][c];
+        const wcut_evidence_score *to = &d->held_out_score[WCUT_EVIDENCE_MODEL_AFTER][c];
         if (d->modelled.terms == 0 || from->count < 1 || to->count < 1) continue;
         wcut_text_print(text, "%s\"%s_%s\": {", between, wcut_evidence_name((wcut_evidence_channel)c),
                         wcut_evidence_unit((wcut_evidence_channel)c));

@@ -104,7 +104,7 @@ static void put_reference(wcut_text *text, const wcut_calibration *c) {
     wcut_text_print(text, "\"large_angles\": %d}", c->large_angles);
 }
 
-static void put_force_law_point(wcut_text *text, const char *name, const wcut_fit_point *p, int fitted) {
+static void put_force_law_point(wcut_text *text, const char *name, const wcut_law_fit_point *p, int fitted) {
     wcut_text_print(text, ", \"%s\": {\"measured_N_per_mm\": ", name);
     wcut_text_number(text, p->measured);
     if (fitted) {

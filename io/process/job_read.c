@@ -104,7 +104,7 @@ static bool read_limits(wcut_reader *reader, const wcut_place *at, void *into) {
                        job->speed_min, job->speed_max);
 }
 
-static bool read_kerf(wcut_reader *reader, const wcut_place *at, void *job) {
+static bool read_job_kerf(wcut_reader *reader, const wcut_place *at, void *job) {
     static const wcut_field fields[] = {
         IN_JOB(kerf_width, "width_mm", true, wcut_read_not_negative),
         IN_JOB(kerf_per_q, "per_J_m2_mm", false, wcut_read_not_negative),
@@ -263,29 +263,24 @@ static bool read_excitation(wcut_reader *reader, const wcut_place *at, void *job
 
 /* ---- the whole ---- */
 
-static bool read_format(wcut_reader *reader, const wcut_place *at, void *job) {
+static bool read_job_format(wcut_reader *reader, const wcut_place *at, void *job) {
     (void)job;
     const char *format = json_string_value(at->value);
     return (format && strcmp(format, FORMAT) == 0) || wcut_refuse(reader, at, WCUT_BAD_FORMAT, "\"" FORMAT "\"");
 }
 
-static bool read_job(wcut_reader *reader, const wcut_place *at, wcut_job *job) {
+static bool read_job_keys(wcut_reader *reader, const wcut_place *at, wcut_job *job) {
     static const wcut_field fields[] = {
-        PART("format", true, read_format),
-        IN_JOB(name, "name", true, wcut_read_text),
-        PART("block", true, read_block),
-        PART("wire", true, read_wire),
-        PART("process", true, read_process),
-        PART("path", false, read_path),
-        PART("design", false, read_design),
-        PART("limits", false, read_limits),
-        PART("kerf", false, read_kerf),
-        PART("excitation", false, read_excitation),
+        PART("format", true, read_job_format),     IN_JOB(name, "name", true, wcut_read_text),
+        PART("block", true, read_block),           PART("wire", true, read_wire),
+        PART("process", true, read_process),       PART("path", false, read_path),
+        PART("design", false, read_design),        PART("limits", false, read_limits),
+        PART("kerf", false, read_job_kerf),        PART("excitation", false, read_excitation),
         PART("effects", false, wcut_read_effects),
     };
     /* the format before all else: another format has other keys */
     wcut_place format = wcut_place_member(at, "format");
-    if (json_is_object(at->value) && !read_format(reader, &format, NULL)) return false;
+    if (json_is_object(at->value) && !read_job_format(reader, &format, NULL)) return false;
     bool path = json_object_get(at->value, "path"), design = json_object_get(at->value, "design");
     if (path && design) return wcut_refuse(reader, at, WCUT_BAD_FORMAT, "either \"path\" or \"design\", not both");
     if (!READ_OBJECT(fields, job)) return false;
@@ -298,7 +293,7 @@ wcut_status wcut_job_parse(const char *text, size_t length, const char *label, w
     json_t *root = wcut_json_load(&reader, text, length);
     if (!root) return reader.status;
     wcut_place at = {NULL, NULL, 0, root};
-    bool ok = wcut_job_create(&made) == WCUT_OK ? read_job(&reader, &at, made) : wcut_refuse_memory(&reader);
+    bool ok = wcut_job_create(&made) == WCUT_OK ? read_job_keys(&reader, &at, made) : wcut_refuse_memory(&reader);
     json_decref(root);
     if (!ok) {
         wcut_job_destroy(made);

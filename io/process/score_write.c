@@ -212,7 +212,9 @@ static void put_score_field(wcut_text *text, const char *field) {
     if (quoted) wcut_text_put_word(text, "\"");
 }
 
-static const char *column_of(int signal) { return wcut_channel_name((wcut_channel)(WCUT_CHANNEL_SPEED_A + signal)); }
+static const char *signal_column(int signal) {
+    return wcut_channel_name((wcut_channel)(WCUT_CHANNEL_SPEED_A + signal));
+}
 
 /* the speed is what a replay is driven by: it has no residual */
 static bool is_replayed(int signal) { return signal >= 2; }
@@ -220,7 +222,7 @@ static bool is_replayed(int signal) { return signal >= 2; }
 static void put_score_header(wcut_text *text) {
     wcut_text_put_word(text, "case,cut,time_s,station,phase,counted");
     for (int k = 0; k < WCUT_SIGNAL_COUNT; k++) {
-        const char *name = column_of(k);
+        const char *name = signal_column(k);
         wcut_text_print(text, ",%s,planned_%s,planned_residual_%s", name, name, name);
         if (is_replayed(k)) wcut_text_print(text, ",replayed_%s,replayed_residual_%s", name, name);
     }

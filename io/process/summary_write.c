@@ -43,7 +43,7 @@ static void put_effects(wcut_text *text, const char *key, const wcut_job *job, b
     if (listed) wcut_text_print(text, "]");
 }
 
-static void put_head(wcut_text *text, const wcut_setup *setup, const wcut_history *h) {
+static void put_summary_head(wcut_text *text, const wcut_setup *setup, const wcut_history *h) {
     const wcut_job *job = wcut_setup_job(setup);
     bool implicit = wcut_setup_options(setup)->integrator == WCUT_INTEGRATOR_IMPLICIT;
     wcut_text_print(text, "{\n  \"format\": \"wirecut-summary/1\",\n  \"version\": \"%s\",\n  \"job\": ", WCUT_VERSION);
@@ -60,7 +60,7 @@ static void put_head(wcut_text *text, const wcut_setup *setup, const wcut_histor
     }
 }
 
-static void put_figures(wcut_text *text, const wcut_summary *s) {
+static void put_summary_figures(wcut_text *text, const wcut_summary *s) {
     wcut_text_put_number(text, ",\n  \"duration_s\": ", s->duration);
     wcut_text_put_number(text, ",\n  \"speed_mm_s\": {\"min\": ", s->speed.min);
     wcut_text_put_number(text, ", \"median\": ", s->speed_median);
@@ -98,7 +98,7 @@ static bool put_feasibility(wcut_text *text, const wcut_setup *setup, const wcut
     return true;
 }
 
-static bool are_usable(const wcut_setup *setup, const wcut_history *h) {
+static bool has_summary(const wcut_setup *setup, const wcut_history *h) {
     if (!setup || !wcut_history_is_usable(h) || !h->force_line) return false;
     for (size_t i = 0; i < (size_t)h->stations * (size_t)h->nodes; i++)
         if (!isfinite(h->force_line[i])) return false;
@@ -106,12 +106,12 @@ static bool are_usable(const wcut_setup *setup, const wcut_history *h) {
 }
 
 static wcut_status print_summary(const wcut_setup *setup, const wcut_history *h, char **text, size_t *length) {
-    if (!are_usable(setup, h)) return WCUT_BAD_ARGUMENT;
+    if (!has_summary(setup, h)) return WCUT_BAD_ARGUMENT;
     wcut_summary summary;
     wcut_text out;
     if (wcut_summary_eval(h, &summary) != WCUT_OK || !wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
-    put_head(&out, setup, h);
-    put_figures(&out, &summary);
+    put_summary_head(&out, setup, h);
+    put_summary_figures(&out, &summary);
     if (!put_feasibility(&out, setup, h)) {
         wcut_text_destroy(&out);
         return WCUT_NO_MEMORY;

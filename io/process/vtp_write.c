@@ -241,7 +241,7 @@ static void put_values(wcut_text *text, const wcut_vtp_stream *s, int k) {
 }
 
 /* move what the stations wrote to where it belongs for as many as came, and write the rest around it */
-static void finish(wcut_vtp_stream *s, wcut_text *header, wcut_text *body) {
+static void finish_stream(wcut_vtp_stream *s, wcut_text *header, wcut_text *body) {
     uint64_t at[ARRAYS], end = lay_vtp_out(s, s->count, header->count, at);
     for (int k = 0; k < ARRAYS; k++) {
         if (!is_vtp_there(s, k)) continue;
@@ -266,7 +266,7 @@ wcut_status wcut_vtp_stream_commit(wcut_vtp_stream *s, wcut_error *error) {
     bool made = wcut_text_create(&header, NULL);
     if (made) put_vtp_header(&header, s, s->count);
     made = made && !header.failed && wcut_text_create(&body, s->file);
-    if (made) finish(s, &header, &body);
+    if (made) finish_stream(s, &header, &body);
     wcut_text_destroy(&header);
     wcut_text_destroy(&body);
     return made ? wcut_file_commit(s->file, error) : no_memory(error);

@@ -14,7 +14,7 @@ typedef struct drawing {
     int count;
 } drawing;
 
-static wcut_vec3 *add(drawing *g, const char *group, const char *label, int count) {
+static wcut_vec3 *add_lines(drawing *g, const char *group, const char *label, int count) {
     wcut_vec3 *point = g->count < LINES ? wcut_page_take(g->memory, (size_t)count, sizeof *point) : NULL;
     if (point) g->line[g->count++] = (wcut_report_line){.group = group, .label = label, .count = count, .point = point};
     return point;
@@ -24,7 +24,7 @@ static wcut_vec3 *add(drawing *g, const char *group, const char *label, int coun
 static void draw_spot(drawing *g, const wcut_effect *e, const char *label) {
     const double r = e->value[1], *at = &e->value[2];
     for (int plane = 0; plane < 3; plane++) {
-        wcut_vec3 *p = add(g, "found", plane ? NULL : label, ARC);
+        wcut_vec3 *p = add_lines(g, "found", plane ? NULL : label, ARC);
         for (int i = 0; p && i < ARC; i++) {
             const double u = r * cos(2 * PI * i / (ARC - 1)), v = r * sin(2 * PI * i / (ARC - 1));
             p[i] = plane == 0   ? (wcut_vec3){at[0] + u, at[1] + v, at[2]}
@@ -36,7 +36,7 @@ static void draw_spot(drawing *g, const wcut_effect *e, const char *label) {
 
 /* the outline of the block's section across an axis */
 static void draw_section(drawing *g, wcut_vec3 block, int axis, double at, const char *label) {
-    wcut_vec3 *p = add(g, "found", label, 5);
+    wcut_vec3 *p = add_lines(g, "found", label, 5);
     for (int i = 0; p && i < 5; i++) {
         const bool u = i == 1 || i == 2, v = i == 2 || i == 3;
         p[i] = axis == 0   ? (wcut_vec3){at, u ? block.y : 0, v ? block.z : 0}
@@ -111,7 +111,7 @@ bool wcut_report_block_fill(wcut_page_memory *memory, const wcut_report_diagnose
     wcut_report_shape *shape = wcut_page_take(memory, 2, sizeof *shape);
     if (memory->failed) return false;
     draw_found(&g, d, v->block);
-    wcut_vec3 *wire = add(&g, "wire", wcut_page_text(memory, "at %.1f s", v->time), v->nodes);
+    wcut_vec3 *wire = add_lines(&g, "wire", wcut_page_text(memory, "at %.1f s", v->time), v->nodes);
     if (wire) memcpy(wire, v->surface + (size_t)v->worst * (size_t)v->nodes, (size_t)v->nodes * sizeof *wire);
     *scene =
         (wcut_report_scene){.title = wcut_page_text(memory, "The block, %s", of->cut_name[v->cut]),

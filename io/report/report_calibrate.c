@@ -35,7 +35,7 @@ typedef struct law {
     const char *title, *symbol, *chart, *label; /* "Force law", "F = a exp(-b Q_eff)", "Force per engaged length" */
     int parameters;
     const wcut_law_fit *fit;
-    const wcut_fit_point **point; /* cuts */
+    const wcut_law_fit_point **point; /* cuts */
 } law;
 
 static double *take_numbers(page *p, int count) { return wcut_page_take(&p->memory, (size_t)count, sizeof(double)); }
@@ -105,7 +105,7 @@ static double *pick_unusual(page *p, const law *l, const double *y) {
     /* the same length as y, so that both share the abscissa */
     double *out = take_numbers(p, p->of->cuts);
     for (int i = 0; out && i < p->of->cuts; i++) {
-        const wcut_fit_point *point = l->point[i];
+        const wcut_law_fit_point *point = l->point[i];
         const bool unusual = point && point->unusual;
         out[i] = unusual ? y[i] : NAN;
         marked += unusual;
@@ -209,7 +209,7 @@ static wcut_report_chart normal_chart(page *p, const law *l) {
 /* ---- tables ---- */
 
 /* what of a cut wants a second look */
-static const char *remark(page *p, int i, const wcut_fit_point *at) {
+static const char *remark(page *p, int i, const wcut_law_fit_point *at) {
     const wcut_test_cut *cut = &p->of->cut[i];
     const double max = p->of->options->alpha_large;
     const bool large = fabs(cut->alpha_a) > max || fabs(cut->alpha_b) > max;

@@ -67,7 +67,8 @@ static int list_control_phases(const wcut_rig_run *run, wcut_report_span *span) 
     return count;
 }
 
-static wcut_report_series series(const wcut_rig_run *run, const char *label, wcut_report_mark mark, const double *y) {
+static wcut_report_series rig_series(const wcut_rig_run *run, const char *label, wcut_report_mark mark,
+                                     const double *y) {
     const wcut_column *c = run->recording.channel;
     return (wcut_report_series){.label = label,
                                 .mark = mark,
@@ -76,8 +77,9 @@ static wcut_report_series series(const wcut_rig_run *run, const char *label, wcu
                                 .y = y};
 }
 
-static wcut_report_chart chart(const char *title, const char *note, const char *label, const char *unit, int count,
-                               const wcut_report_series *of, int spans, const wcut_report_span *span) {
+static wcut_report_chart control_chart(const char *title, const char *note, const char *label, const char *unit,
+                                       int count, const wcut_report_series *of, int spans,
+                                       const wcut_report_span *span) {
     return (wcut_report_chart){.title = title,
                                .note = note,
                                .x_label = {"time", "station"},
@@ -128,25 +130,25 @@ static wcut_status write_control_page(page *p, const char *job_path, const char 
     const int spans = list_control_phases(with, span);
 
     /* what is drawn: tension, speed, readings, angle */
-    const wcut_report_series tension[] = {series(with, "with feedback", WCUT_REPORT_MARK_LINE, with->tension),
-                                          series(plan, "plan alone", WCUT_REPORT_MARK_LINE, plan->tension),
-                                          series(with, "aimed at", WCUT_REPORT_MARK_DASHED, p->target)};
+    const wcut_report_series tension[] = {rig_series(with, "with feedback", WCUT_REPORT_MARK_LINE, with->tension),
+                                          rig_series(plan, "plan alone", WCUT_REPORT_MARK_LINE, plan->tension),
+                                          rig_series(with, "aimed at", WCUT_REPORT_MARK_DASHED, p->target)};
     const wcut_report_series reading[] = {
-        series(with, "sensor A", WCUT_REPORT_MARK_LINE, c[WCUT_CHANNEL_TENSION_A].value),
-        series(with, "sensor B", WCUT_REPORT_MARK_LINE, c[WCUT_CHANNEL_TENSION_B].value)};
+        rig_series(with, "sensor A", WCUT_REPORT_MARK_LINE, c[WCUT_CHANNEL_TENSION_A].value),
+        rig_series(with, "sensor B", WCUT_REPORT_MARK_LINE, c[WCUT_CHANNEL_TENSION_B].value)};
     const wcut_report_series speed[] = {
-        series(with, "commanded, with feedback", WCUT_REPORT_MARK_LINE, c[WCUT_CHANNEL_SPEED_COMMAND].value),
-        series(plan, "commanded, plan alone", WCUT_REPORT_MARK_LINE, d[WCUT_CHANNEL_SPEED_COMMAND].value),
-        series(with, "planned", WCUT_REPORT_MARK_DASHED, with->planned)};
-    const wcut_report_series alpha[] = {series(with, "with feedback", WCUT_REPORT_MARK_LINE, p->alpha[0]),
-                                        series(plan, "plan alone", WCUT_REPORT_MARK_DASHED, p->alpha[1])};
+        rig_series(with, "commanded, with feedback", WCUT_REPORT_MARK_LINE, c[WCUT_CHANNEL_SPEED_COMMAND].value),
+        rig_series(plan, "commanded, plan alone", WCUT_REPORT_MARK_LINE, d[WCUT_CHANNEL_SPEED_COMMAND].value),
+        rig_series(with, "planned", WCUT_REPORT_MARK_DASHED, with->planned)};
+    const wcut_report_series alpha[] = {rig_series(with, "with feedback", WCUT_REPORT_MARK_LINE, p->alpha[0]),
+                                        rig_series(plan, "plan alone", WCUT_REPORT_MARK_DASHED, p->alpha[1])};
 
     const wcut_report_chart charts[] = {
-        chart("Tension, mean of both mounts", "The wire's own, without sensor noise.", "tension", "N", 3, tension,
-              spans, span),
-        chart("Speed of mount A", NULL, "speed", "mm/s", 3, speed, spans, span),
-        chart("What the controller reads", "Delayed, with noise.", "tension", "N", 2, reading, spans, span),
-        chart("Angle alpha at mount A", NULL, "alpha", "deg", 2, alpha, spans, span)};
+        control_chart("Tension, mean of both mounts", "The wire's own, without sensor noise.", "tension", "N", 3,
+                      tension, spans, span),
+        control_chart("Speed of mount A", NULL, "speed", "mm/s", 3, speed, spans, span),
+        control_chart("What the controller reads", "Delayed, with noise.", "tension", "N", 2, reading, spans, span),
+        control_chart("Angle alpha at mount A", NULL, "alpha", "deg", 2, alpha, spans, span)};
 
     /* the table beside the charts */
     const wcut_report_column column[] = {{"figure", NULL, NULL, figure},

@@ -181,40 +181,40 @@ static bool fill_found(page *p, wcut_report_section *section) {
 
 /* ---- what it is worth ---- */
 
-typedef const wcut_fit (*fits)[WCUT_EVIDENCE_CHANNEL_COUNT];
+typedef const wcut_evidence_score (*fits)[WCUT_EVIDENCE_CHANNEL_COUNT];
 
-static double figure_of(const wcut_fit *f, bool with_bias) {
+static double figure_of(const wcut_evidence_score *f, bool with_bias) {
     return f->count > 0 ? shown(with_bias ? f->rmse_over_range : f->nrmsd) : NAN;
 }
 
 /* a row a channel, a column a model */
 static wcut_report_table fit_table(page *p, const char *title, const char *note, fits fit, bool with_bias) {
-    static const char *const label[WCUT_FIT_MODEL_COUNT] = {"before", "recalibrated", "after", "black box"};
+    static const char *const label[WCUT_EVIDENCE_MODEL_COUNT] = {"before", "recalibrated", "after", "black box"};
 
     /* a column for each model between the channel and the interval */
-    wcut_report_column *c = columns(p, WCUT_FIT_MODEL_COUNT + 2);
+    wcut_report_column *c = columns(p, WCUT_EVIDENCE_MODEL_COUNT + 2);
     wcut_report_table table = {.title = title, .note = note, .columns = with_bias ? 6 : 5, .column = c};
     const char **name = c ? texts(p, &c[0], "channel", WCUT_EVIDENCE_CHANNEL_COUNT) : NULL;
     const char **interval =
-        c ? texts(p, &c[WCUT_FIT_MODEL_COUNT + 1], "95 % after", WCUT_EVIDENCE_CHANNEL_COUNT) : NULL;
+        c ? texts(p, &c[WCUT_EVIDENCE_MODEL_COUNT + 1], "95 % after", WCUT_EVIDENCE_CHANNEL_COUNT) : NULL;
     double *number =
-        wcut_page_take(&p->memory, (size_t)WCUT_FIT_MODEL_COUNT * WCUT_EVIDENCE_CHANNEL_COUNT, sizeof *number);
+        wcut_page_take(&p->memory, (size_t)WCUT_EVIDENCE_MODEL_COUNT * WCUT_EVIDENCE_CHANNEL_COUNT, sizeof *number);
     if (!c || !name || !interval || !number) return table;
-    for (int m = 0; m < WCUT_FIT_MODEL_COUNT; m++)
+    for (int m = 0; m < WCUT_EVIDENCE_MODEL_COUNT; m++)
         c[m + 1] = (wcut_report_column){.label = label[m], .number = number + (size_t)m * WCUT_EVIDENCE_CHANNEL_COUNT};
 
     /* a row for each channel that any model was compared with */
     for (int k = 0; k < WCUT_EVIDENCE_CHANNEL_COUNT; k++) {
         const int r = table.rows;
         bool there = false;
-        for (int m = 0; m < WCUT_FIT_MODEL_COUNT; m++) {
+        for (int m = 0; m < WCUT_EVIDENCE_MODEL_COUNT; m++) {
             number[m * WCUT_EVIDENCE_CHANNEL_COUNT + r] = figure_of(&fit[m][k], with_bias);
             there = there || fit[m][k].count > 0;
         }
         if (!there) continue;
 
         /* the interval belongs to the model with the effects */
-        const wcut_fit *after = &fit[WCUT_FIT_MODEL_AFTER][k];
+        const wcut_evidence_score *after = &fit[WCUT_EVIDENCE_MODEL_AFTER][k];
         name[r] = wcut_evidence_name((wcut_evidence_channel)k);
         interval[r] = after->count > 0 && isfinite(after->low) && isfinite(after->high)
                           ? wcut_page_text(&p->memory, "%.3g to %.3g", after->low, after->high)
@@ -230,10 +230,10 @@ static bool fill_worth(page *p, wcut_report_section *section) {
     static const char *const blind = "RMSD over range: does not see a bias.";
     wcut_report_table *table = wcut_page_take(&p->memory, 4, sizeof *table);
     if (!table) return false;
-    table[0] = fit_table(p, "Held-out cuts: RMSE over range", bias, d->held_out_fit, true);
-    table[1] = fit_table(p, "Held-out cuts: NRMSD", blind, d->held_out_fit, false);
-    table[2] = fit_table(p, "All cuts, all fitted: RMSE over range", bias, d->fit, true);
-    table[3] = fit_table(p, "All cuts, all fitted: NRMSD", blind, d->fit, false);
+    table[0] = fit_table(p, "Held-out cuts: RMSE over range", bias, d->held_out_score, true);
+    table[1] = fit_table(p, "Held-out cuts: NRMSD", blind, d->held_out_score, false);
+    table[2] = fit_table(p, "All cuts, all fitted: RMSE over range", bias, d->score, true);
+    table[3] = fit_table(p, "All cuts, all fitted: NRMSD", blind, d->score, false);
     int first = 0;
     while (first < 4 && table[first].rows == 0) first++;
     if (first == 4) return false;
@@ -371,8 +371,8 @@ static double improvement(const wcut_diagnosis *d) {
     double sum = 0;
     int count = 0;
     for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) {
-        const wcut_fit *from = &d->held_out_fit[WCUT_FIT_MODEL_RECALIBRATED][c],
-                       *to = &d->held_out_fit[WCUT_FIT_MODEL_AFTER][c];
+        const wcut_evidence_score *from = &d->held_out_score[WCUT_EVIDENCE_MODEL_RECALIBRATED][c],
+                                  *to = &d->held_out_score[WCUT_EVIDENCE_MODEL_AFTER][c];
         if (from->count < 1 || to->count < 1 || !(from->rmse_over_range > 0) || !(to->rmse_over_range > 0)) continue;
         sum += to->rmse_over_range / from->rmse_over_range;
         count++;
@@ -380,8 +380,8 @@ static double improvement(const wcut_diagnosis *d) {
     return count > 0 ? sum / count : NAN;
 }
 
-static wcut_status write_page(page *p, int sections, const wcut_report_section *section, const char *path,
-                              wcut_error *error) {
+static wcut_status write_diagnose_page(page *p, int sections, const wcut_report_section *section, const char *path,
+                                       wcut_error *error) {
     const wcut_diagnosis *d = p->d;
     int held = 0;
     for (int i = 0; d->held_out && i < d->cuts; i++) held += d->held_out[i];
@@ -429,7 +429,7 @@ wcut_status wcut_report_diagnose_write(const wcut_report_diagnose *diagnosed, co
     }
     for (int cut = 0; section && cut < p.d->cuts; cut++)
         count += wcut_report_residuals_fill(&p.memory, diagnosed, cut, &section[count]);
-    const wcut_status status = p.memory.failed ? WCUT_NO_MEMORY : write_page(&p, count, section, path, error);
+    const wcut_status status = p.memory.failed ? WCUT_NO_MEMORY : write_diagnose_page(&p, count, section, path, error);
     wcut_page_free(&p.memory);
     return status;
 }

@@ -95,7 +95,7 @@ bool wcut_report_channels_fill(wcut_page_memory *memory, const wcut_report_diagn
 
 /* ---- what to do next ---- */
 
-static const char *step_of(wcut_page_memory *memory, const wcut_found_effect *f) {
+static const char *next_action(wcut_page_memory *memory, const wcut_found_effect *f) {
     const wcut_effect_info *info = wcut_effect_view(f->effect.kind);
     const char *which = info->choice ? info->choice[f->effect.choice] : "";
     switch (f->effect.kind) {
@@ -131,7 +131,7 @@ static const char *step_of(wcut_page_memory *memory, const wcut_found_effect *f)
 static int list_steps(wcut_page_memory *memory, const wcut_diagnosis *d, const char **step) {
     int count = 0;
     for (int e = 0; e < d->effects && d->kind != WCUT_VERDICT_AMBIGUOUS; e++)
-        if (d->effect[e].present && count < 4) step[count++] = step_of(memory, &d->effect[e]);
+        if (d->effect[e].present && count < 4) step[count++] = next_action(memory, &d->effect[e]);
     for (int e = 0; e < d->modelled.events && e < 3; e++)
         step[count++] =
             wcut_page_text(memory,

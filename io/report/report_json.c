@@ -41,7 +41,7 @@ typedef struct document {
     bool failed;
 } document;
 
-static void put(document *d, json_t *object, const char *key, json_t *value) {
+static void put_member(document *d, json_t *object, const char *key, json_t *value) {
     if (json_object_set_new(object, key, value)) d->failed = true;
 }
 
@@ -56,7 +56,7 @@ static json_t *text_or_null(const char *text) {
 static json_t *number_or_null(double value) { return isnan(value) ? json_null() : json_real(value); }
 
 static void put_text(document *d, json_t *object, const char *key, const char *text) {
-    put(d, object, key, text_or_null(text));
+    put_member(d, object, key, text_or_null(text));
 }
 
 static void put_unit(document *d, json_t *object, const char *key, const char *unit) {
@@ -64,7 +64,7 @@ static void put_unit(document *d, json_t *object, const char *key, const char *u
 }
 
 static void put_int(document *d, json_t *object, const char *key, int value) {
-    put(d, object, key, json_integer(value));
+    put_member(d, object, key, json_integer(value));
 }
 
 static void put_json_array(document *d, json_t *object, const char *key, int number) {
@@ -74,7 +74,7 @@ static void put_json_array(document *d, json_t *object, const char *key, int num
 
 static json_t *put_list(document *d, json_t *object, const char *key) {
     json_t *list = json_array();
-    put(d, object, key, list);
+    put_member(d, object, key, list);
     return list;
 }
 
@@ -92,7 +92,7 @@ static void put_facts(document *d, json_t *object, const char *key, int count, c
         if (fact[i].text)
             put_text(d, item, "text", fact[i].text);
         else
-            put(d, item, "value", number_or_null(fact[i].value));
+            put_member(d, item, "value", number_or_null(fact[i].value));
         put_unit(d, item, "unit", fact[i].unit);
     }
 }
@@ -147,8 +147,8 @@ static void put_chart(document *d, json_t *item, const wcut_report_chart *chart)
         const wcut_report_span *span = &chart->span[s];
         json_t *to = append_object(d, spans);
         put_text(d, to, "label", span->label);
-        put(d, to, "from", json_pack("[ff]", span->from[0], span->from[1]));
-        put(d, to, "to", json_pack("[ff]", span->to[0], span->to[1]));
+        put_member(d, to, "from", json_pack("[ff]", span->from[0], span->from[1]));
+        put_member(d, to, "to", json_pack("[ff]", span->to[0], span->to[1]));
     }
 }
 
@@ -169,17 +169,17 @@ static void put_map(document *d, json_t *item, const wcut_report_map *map) {
 
     /* the scale of the colours, the arrays */
     put_text(d, item, "scale", scale_text(map->scale));
-    put(d, item, "limit", json_real(map->limit));
+    put_member(d, item, "limit", json_real(map->limit));
     put_json_array(d, item, "x", wcut_report_pool_add_doubles(d->pool, map->columns, NULL, map->x));
     put_json_array(d, item, "y", wcut_report_pool_add_doubles(d->pool, map->rows, NULL, map->y));
     put_json_array(d, item, "value", wcut_report_pool_add_floats(d->pool, map->rows * map->columns, NULL, map->value));
-    put(d, item, "blank_missing", json_boolean(map->blank_missing));
+    put_member(d, item, "blank_missing", json_boolean(map->blank_missing));
 
     json_t *bands = put_list(d, item, "bands");
     for (int i = 0; i < map->bands; i++) {
         json_t *band = append_object(d, bands);
         put_text(d, band, "label", map->band_label[i]);
-        put(d, band, "row", json_integer(map->band[i]));
+        put_member(d, band, "row", json_integer(map->band[i]));
     }
 }
 
@@ -210,7 +210,7 @@ static void put_json_field(document *d, json_t *item, const wcut_report_shape *s
     put_text(d, item, "label", field->label);
     put_unit(d, item, "unit", field->unit);
     put_text(d, item, "scale", scale_text(field->scale));
-    put(d, item, "tolerance", json_real(field->tolerance));
+    put_member(d, item, "tolerance", json_real(field->tolerance));
     put_int(d, item, "count", found);
     put_json_array(d, item, "value", wcut_report_pool_add_floats(d->pool, view->count, view->index, field->value));
     /* the pool tells arrays apart by their address, and this one is on the stack: so floats, which are never shared */
@@ -254,11 +254,11 @@ static void put_json_shape(document *d, json_t *item, const wcut_report_shape *s
     free(view.index);
 }
 
-static void put_scene(document *d, json_t *item, const wcut_report_scene *scene) {
+static void put_report_scene(document *d, json_t *item, const wcut_report_scene *scene) {
     put_text(d, item, "title", scene->title);
     put_text(d, item, "note", scene->note);
     const wcut_vec3 block = scene->block_size;
-    put(d, item, "block", json_pack("[fff]", block.x, block.y, block.z));
+    put_member(d, item, "block", json_pack("[fff]", block.x, block.y, block.z));
     json_t *shapes = put_list(d, item, "shapes");
     for (int s = 0; s < scene->shape_count; s++)
         put_json_shape(d, append_object(d, shapes), &scene->shape[s], scene->shape_count);
@@ -299,8 +299,8 @@ json_t *wcut_report_json(const wcut_report *report, wcut_report_pool *pool) {
     /* the scene, then the sections in order */
     if (report->scene) {
         json_t *scene = json_object();
-        put(&d, root, "scene", scene);
-        put_scene(&d, scene, report->scene);
+        put_member(&d, root, "scene", scene);
+        put_report_scene(&d, scene, report->scene);
     }
     json_t *list = put_list(&d, root, "sections");
     for (int i = 0; i < report->section_count; i++) put_json_section(&d, append_object(&d, list), &report->section[i]);

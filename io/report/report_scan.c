@@ -7,7 +7,7 @@
 enum { HOLES_MAX = 20 };
 
 /* `count` columns of `rows` numbers each, behind one of texts; NULL without memory */
-static wcut_report_column *take_columns(wcut_page_memory *m, int count, int rows, double **number) {
+static wcut_report_column *take_report_columns(wcut_page_memory *m, int count, int rows, double **number) {
     wcut_report_column *column = wcut_page_take(m, (size_t)count + 1, sizeof *column);
     *number = wcut_page_take(m, (size_t)count * (size_t)rows, sizeof **number);
     if (m->failed) return NULL;
@@ -29,7 +29,7 @@ static wcut_report_table point_table(wcut_page_memory *m, const wcut_compared *c
                                        "with two equally near places"};
     enum { ROWS = WCUT_REMOVAL_COUNT + WCUT_PLACE_COUNT };
     double *count;
-    wcut_report_column *column = take_columns(m, 1, ROWS, &count);
+    wcut_report_column *column = take_report_columns(m, 1, ROWS, &count);
     if (!column) return (wcut_report_table){0};
     for (int k = 0; k < WCUT_REMOVAL_COUNT; k++) count[k] = c->removed[k];
     for (int k = 0; k < WCUT_PLACE_COUNT; k++) count[WCUT_REMOVAL_COUNT + k] = c->found->place[k];
@@ -48,7 +48,7 @@ static wcut_report_table motion_table(wcut_page_memory *m, const wcut_registrati
     static const char *const known[] = {"mm", "deg"}, *const unknown[] = {"mm, not determined by the data",
                                                                           "deg, not determined by the data"};
     double *number;
-    wcut_report_column *column = take_columns(m, 3, WCUT_DOF_COUNT, &number);
+    wcut_report_column *column = take_report_columns(m, 3, WCUT_DOF_COUNT, &number);
     const char **unit = wcut_page_take(m, WCUT_DOF_COUNT, sizeof *unit);
     if (m->failed) return (wcut_report_table){0};
 
@@ -75,7 +75,7 @@ static wcut_report_table motion_table(wcut_page_memory *m, const wcut_registrati
 static wcut_report_table covariance_table(wcut_page_memory *m, const wcut_registration *r) {
     static const char *const name[] = {"tx, mm", "ty, mm", "tz, mm", "rx, deg", "ry, deg", "rz, deg"};
     double *number;
-    wcut_report_column *column = take_columns(m, WCUT_DOF_COUNT, WCUT_DOF_COUNT, &number);
+    wcut_report_column *column = take_report_columns(m, WCUT_DOF_COUNT, WCUT_DOF_COUNT, &number);
     if (!column) return (wcut_report_table){0};
     column[0] = (wcut_report_column){.label = "parameter", .text = name};
     for (int i = 0; i < WCUT_DOF_COUNT; i++) {
@@ -108,7 +108,7 @@ static wcut_report_table matrix_table(wcut_page_memory *m, const wcut_registrati
 static wcut_report_table datum_table(wcut_page_memory *m, const wcut_compared *c) {
     static const char *const label[] = {"x", "y", "z", "dx", "dy", "dz", "distance"};
     double *number;
-    wcut_report_column *column = take_columns(m, 7, c->datums, &number);
+    wcut_report_column *column = take_report_columns(m, 7, c->datums, &number);
     const char **name = wcut_page_take(m, (size_t)c->datums, sizeof *name);
     if (!column || !name) return (wcut_report_table){0};
 
@@ -167,7 +167,7 @@ static wcut_report_table both_table(wcut_page_memory *m, const wcut_compared *c)
     enum { ROWS = sizeof name / sizeof *name };
     const wcut_statistics *const side[] = {c->to_face, c->to_scan};
     double *number;
-    wcut_report_column *column = take_columns(m, 3, ROWS, &number);
+    wcut_report_column *column = take_report_columns(m, 3, ROWS, &number);
     if (!column) return (wcut_report_table){0};
 
     /* the same figures from both sides */
@@ -194,7 +194,7 @@ static wcut_report_table hole_table(wcut_page_memory *m, const wcut_reconstructi
     static const char *const unit[] = {"mm", "mm", "mm", "mm\xc2\xb2"};
     const int rows = r->hole_count < HOLES_MAX ? r->hole_count : HOLES_MAX;
     double *number;
-    wcut_report_column *column = take_columns(m, 4, rows, &number);
+    wcut_report_column *column = take_report_columns(m, 4, rows, &number);
     const char **kind = wcut_page_take(m, (size_t)rows, sizeof *kind);
     if (m->failed) return (wcut_report_table){0};
 

@@ -46,7 +46,7 @@ typedef struct page {
 
 /* ---- what is copied ---- */
 
-static void fill_columns(page *p) {
+static void fill_page_columns(page *p) {
     for (int s = 0; s < p->history->stations; s++) {
         const wcut_history_row *row = &p->history->row[s];
         const double value[COLUMNS] = {
@@ -94,7 +94,7 @@ static wcut_status fill_curvature(page *p) {
     return status;
 }
 
-static wcut_status fill(page *p, const wcut_setup *setup, wcut_error *error) {
+static wcut_status fill_page(page *p, const wcut_setup *setup, wcut_error *error) {
     const wcut_history *h = p->history;
     const size_t stations = (size_t)h->stations, cells = stations * (size_t)h->nodes;
     double *block = calloc(COLUMNS * stations, sizeof *block);
@@ -106,7 +106,7 @@ static wcut_status fill(page *p, const wcut_setup *setup, wcut_error *error) {
     p->mount_b = calloc(stations, sizeof *p->mount_b);
     if (!block || !p->force || !p->curvature || !p->mount_a || !p->mount_b) return WCUT_NO_MEMORY;
 
-    fill_columns(p);
+    fill_page_columns(p);
     /* outside the foam there is no force, and no colour */
     for (size_t i = 0; i < cells; i++) p->force[i] = h->force_line[i] > 0 ? h->force_line[i] : NAN;
     wcut_status status = wcut_source_hash(p->run->job_path, p->hash, error);
@@ -126,7 +126,7 @@ static wcut_status fill(page *p, const wcut_setup *setup, wcut_error *error) {
     return fill_curvature(p);
 }
 
-static void clear(page *p) {
+static void clear_page(page *p) {
     free(p->column[0]);
     free(p->force);
     free(p->curvature);
@@ -137,7 +137,7 @@ static void clear(page *p) {
 
 /* ---- what is said ---- */
 
-static wcut_report_tone judge(page *p) {
+static wcut_report_tone run_tone(page *p) {
     const wcut_history *h = p->history;
 
     /* stations at which the speed reached its lower limit */
@@ -183,7 +183,7 @@ static int list_phases(const page *p, wcut_report_span *span) {
     return count;
 }
 
-static wcut_report_series series(const page *p, const char *label, wcut_report_mark mark, int column) {
+static wcut_report_series page_series(const page *p, const char *label, wcut_report_mark mark, int column) {
     return (wcut_report_series){.label = label,
                                 .mark = mark,
                                 .count = p->history->stations,
@@ -191,8 +191,8 @@ static wcut_report_series series(const page *p, const char *label, wcut_report_m
                                 .y = p->column[column]};
 }
 
-static wcut_report_chart chart(const char *title, const char *label, const char *unit, int count,
-                               const wcut_report_series *of, int spans, const wcut_report_span *span) {
+static wcut_report_chart station_chart(const char *title, const char *label, const char *unit, int count,
+                                       const wcut_report_series *of, int spans, const wcut_report_span *span) {
     return (wcut_report_chart){.title = title,
                                .x_label = {"time", "station"},
                                .x_unit = {"s", ""},
@@ -206,32 +206,35 @@ static wcut_report_chart chart(const char *title, const char *label, const char 
 
 /* ---- the page ---- */
 
-static wcut_status write_page(page *p, const wcut_report_scene *scene, const char *path, wcut_error *error) {
+static wcut_status write_simulate_page(page *p, const wcut_report_scene *scene, const char *path, wcut_error *error) {
     const wcut_history *h = p->history;
     const wcut_job *job = p->job;
     wcut_report_span span[PHASES_MAX];
     const int spans = list_phases(p, span);
 
     /* both mounts in each chart */
-    const wcut_report_series pair[][2] = {
-        {series(p, "mount A", WCUT_REPORT_MARK_LINE, SPEED_A), series(p, "mount B", WCUT_REPORT_MARK_DASHED, SPEED_B)},
-        {series(p, "mount A", WCUT_REPORT_MARK_LINE, TENSION_A),
-         series(p, "mount B", WCUT_REPORT_MARK_DASHED, TENSION_B)},
-        {series(p, "mount A", WCUT_REPORT_MARK_LINE, ALPHA_A), series(p, "mount B", WCUT_REPORT_MARK_DASHED, ALPHA_B)},
-        {series(p, "mount A", WCUT_REPORT_MARK_LINE, BETA_A), series(p, "mount B", WCUT_REPORT_MARK_DASHED, BETA_B)}};
+    const wcut_report_series pair[][2] = {{page_series(p, "mount A", WCUT_REPORT_MARK_LINE, SPEED_A),
+                                           page_series(p, "mount B", WCUT_REPORT_MARK_DASHED, SPEED_B)},
+                                          {page_series(p, "mount A", WCUT_REPORT_MARK_LINE, TENSION_A),
+                                           page_series(p, "mount B", WCUT_REPORT_MARK_DASHED, TENSION_B)},
+                                          {page_series(p, "mount A", WCUT_REPORT_MARK_LINE, ALPHA_A),
+                                           page_series(p, "mount B", WCUT_REPORT_MARK_DASHED, ALPHA_B)},
+                                          {page_series(p, "mount A", WCUT_REPORT_MARK_LINE, BETA_A),
+                                           page_series(p, "mount B", WCUT_REPORT_MARK_DASHED, BETA_B)}};
 
     /* the wire as a whole, and the solver */
-    const wcut_report_series engaged = series(p, "wire in the foam", WCUT_REPORT_MARK_LINE, ENGAGED);
-    const wcut_report_series steps = series(p, "Newton iterations", WCUT_REPORT_MARK_LINE, STEPS);
-    const wcut_report_series residual = series(p, "largest relative residual", WCUT_REPORT_MARK_LINE, RESIDUAL);
+    const wcut_report_series engaged = page_series(p, "wire in the foam", WCUT_REPORT_MARK_LINE, ENGAGED);
+    const wcut_report_series steps = page_series(p, "Newton iterations", WCUT_REPORT_MARK_LINE, STEPS);
+    const wcut_report_series residual = page_series(p, "largest relative residual", WCUT_REPORT_MARK_LINE, RESIDUAL);
     const wcut_report_chart along[CHARTS] = {
-        chart("Speed of the mounts", "speed", "mm/s", 2, pair[0], spans, span),
-        chart("Tension at the mounts", "tension", "N", 2, pair[1], spans, span),
-        chart("Angle alpha, positive when the wire trails", "alpha", "deg", 2, pair[2], spans, span),
-        chart("Angle beta, positive upward", "beta", "deg", 2, pair[3], spans, span),
-        chart("Wire in the foam", "length", "mm", 1, &engaged, spans, span)};
-    const wcut_report_chart solver[SOLVER_CHARTS] = {chart("Iterations", "iterations", "", 1, &steps, spans, span),
-                                                     chart("Residual", "residual", "", 1, &residual, spans, span)};
+        station_chart("Speed of the mounts", "speed", "mm/s", 2, pair[0], spans, span),
+        station_chart("Tension at the mounts", "tension", "N", 2, pair[1], spans, span),
+        station_chart("Angle alpha, positive when the wire trails", "alpha", "deg", 2, pair[2], spans, span),
+        station_chart("Angle beta, positive upward", "beta", "deg", 2, pair[3], spans, span),
+        station_chart("Wire in the foam", "length", "mm", 1, &engaged, spans, span)};
+    const wcut_report_chart solver[SOLVER_CHARTS] = {
+        station_chart("Iterations", "iterations", "", 1, &steps, spans, span),
+        station_chart("Residual", "residual", "", 1, &residual, spans, span)};
 
     /* every figure of every station over its limit */
     static const char *const row_name[WCUT_FEASIBILITY_MEASURE_COUNT] = {"speed", "alpha", "beta", "turn of the wire",
@@ -288,7 +291,7 @@ static wcut_status write_page(page *p, const wcut_report_scene *scene, const cha
     const wcut_report_source source = {"job", p->run->job_path, p->hash[0] ? p->hash : NULL};
     const wcut_report report = {.verb = "simulate",
                                 .title = job->name ? job->name : p->run->job_path,
-                                .tone = judge(p),
+                                .tone = run_tone(p),
                                 .verdict = p->verdict,
                                 .fact_count = sizeof fact / sizeof *fact,
                                 .fact = fact,
@@ -307,7 +310,7 @@ wcut_status wcut_report_simulate_write(const wcut_report_simulate *run, const wc
     if (!run || !run->job_path || !setup || !history || history->stations < 1 || !path)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "report page: an argument is missing");
     page p = {.run = run, .job = wcut_setup_job(setup), .history = history};
-    wcut_status status = fill(&p, setup, error);
+    wcut_status status = fill_page(&p, setup, error);
     if (!status) {
         /* what colours the surface */
         const wcut_report_field field[] = {
@@ -334,8 +337,8 @@ wcut_status wcut_report_simulate_write(const wcut_report_simulate *run, const wc
                                          .shape = &shape,
                                          .line_count = 2,
                                          .line = line};
-        status = write_page(&p, history->stations > 1 ? &scene : NULL, path, error);
+        status = write_simulate_page(&p, history->stations > 1 ? &scene : NULL, path, error);
     }
-    clear(&p);
+    clear_page(&p);
     return status;
 }

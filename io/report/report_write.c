@@ -48,7 +48,7 @@ static void put_pin(wcut_text *out, size_t size, const void *data) {
 
 /* JSON that is safe in a script element: what could end the element stands as \u003c and its like. The dump is ASCII,
    and these letters stand in its strings alone. */
-static int put_json(const char *text, size_t size, void *context) {
+static int put_page_json(const char *text, size_t size, void *context) {
     wcut_text *out = context;
     for (size_t i = 0; i < size; i++) {
         if (text[i] == '<' || text[i] == '>' || text[i] == '&')
@@ -107,7 +107,7 @@ static wcut_status put_page(wcut_text *out, const wcut_report *report, const jso
     const wcut_status status = put_page_head(out, report);
     if (status) return status;
     put_word(out, "<script type=\"application/json\" id=\"report\">");
-    if (json_dump_callback(document, put_json, out, JSON_COMPACT | JSON_ENSURE_ASCII)) return WCUT_NO_MEMORY;
+    if (json_dump_callback(document, put_page_json, out, JSON_COMPACT | JSON_ENSURE_ASCII)) return WCUT_NO_MEMORY;
     put_word(out, "</script>\n");
     for (int k = 0; k < pool->count; k++) {
         wcut_text_print(out, "<script type=\"text/plain\" id=\"array-%d\">", k);

@@ -32,7 +32,7 @@ static half half_of(const wcut_robot_motion *m, int robot, int i) {
 }
 
 /* the angle between two frames [rad] */
-static double turn_of(const double p[4], const double q[4]) {
+static double frame_angle(const double p[4], const double q[4]) {
     double dot = 0;
     for (int k = 0; k < 4; k++) dot += p[k] * q[k];
     double sine = 0; /* of half the angle: accurate where it is small */
@@ -45,7 +45,7 @@ static wcut_vec3 printed(wcut_vec3 p) {
     return (wcut_vec3){round(p.x * 1000) / 1000, round(p.y * 1000) / 1000, round(p.z * 1000) / 1000};
 }
 
-static double distance(wcut_vec3 p, wcut_vec3 q) {
+static double flange_distance(wcut_vec3 p, wcut_vec3 q) {
     return sqrt((p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y) + (p.z - q.z) * (p.z - q.z));
 }
 
@@ -75,7 +75,7 @@ void wcut_text_fixed(wcut_text *text, double value, int decimals) {
         wcut_text_print(text, "%s%lld.%0*lld", sign, scaled / one, decimals, scaled % one);
 }
 
-static void put(wcut_text *text, const char *before, double value, int decimals) {
+static void put_rounded(wcut_text *text, const char *before, double value, int decimals) {
     wcut_text_print(text, "%s", before);
     wcut_text_fixed(text, value, decimals);
 }
@@ -89,11 +89,11 @@ static void put_comment(wcut_text *text, const char *mark, const char *words) {
     wcut_text_print(text, "%s%s\n", mark, line);
 }
 
-static void put_head(wcut_text *text, const char *mark, const wcut_robot_motion *m, const wcut_robot_names *names,
-                     int robot) {
+static void put_program_head(wcut_text *text, const char *mark, const wcut_robot_motion *m,
+                             const wcut_robot_names *names, int robot) {
     wcut_text_print(text, "%swirecut: mount %c of two that cut one wire; %d targets of %d stations, ", mark,
                     robot ? 'B' : 'A', m->count, m->stations);
-    put(text, "", m->duration, 3);
+    put_rounded(text, "", m->duration, 3);
     wcut_text_print(text, " s\n");
     if (names->title && *names->title) put_comment(text, mark, names->title);
     wcut_text_print(text,
@@ -104,11 +104,12 @@ static void put_head(wcut_text *text, const char *mark, const wcut_robot_motion 
 
     /* what the cell sets before it starts */
     wcut_text_print(text, "%sWire:", mark);
-    if (names->heat > 0) put(text, " heat ", names->heat, 3), wcut_text_print(text, " W/m;");
-    if (names->tension > 0) put(text, " tension ", names->tension, 3), wcut_text_print(text, " N;");
+    if (names->heat > 0) put_rounded(text, " heat ", names->heat, 3), wcut_text_print(text, " W/m;");
+    if (names->tension > 0) put_rounded(text, " tension ", names->tension, 3), wcut_text_print(text, " N;");
     if (names->wire_length > 0)
-        put(text, " length from mount to mount ", names->wire_length, 3), wcut_text_print(text, " mm;");
-    if (names->preheat > 0) put(text, " heated for ", names->preheat, 3), wcut_text_print(text, " s before the start;");
+        put_rounded(text, " length from mount to mount ", names->wire_length, 3), wcut_text_print(text, " mm;");
+    if (names->preheat > 0)
+        put_rounded(text, " heated for ", names->preheat, 3), wcut_text_print(text, " s before the start;");
     if (names->wire_on || names->wire_off)
         wcut_text_print(text, " A calls %s%s%s, to be defined by the cell.\n", names->wire_on ? names->wire_on : "",
                         names->wire_on && names->wire_off ? " and " : "", names->wire_off ? names->wire_off : "");
@@ -137,10 +138,10 @@ static void euler_angles(const double q[4], double abc[3]) {
 static void put_ur_pose(wcut_text *text, const half *h) {
     double v[3];
     rotation_vector(h->frame, v);
-    put(text, "pose_trans(block, p[", h->at.x / 1000, 6);
-    put(text, ", ", h->at.y / 1000, 6);
-    put(text, ", ", h->at.z / 1000, 6);
-    for (int k = 0; k < 3; k++) put(text, ", ", v[k], 6);
+    put_rounded(text, "pose_trans(block, p[", h->at.x / 1000, 6);
+    put_rounded(text, ", ", h->at.y / 1000, 6);
+    put_rounded(text, ", ", h->at.z / 1000, 6);
+    for (int k = 0; k < 3; k++) put_rounded(text, ", ", v[k], 6);
     wcut_text_print(text, "])");
 }
 
@@ -149,12 +150,12 @@ static void put_ur_run_id(wcut_text *text, unsigned id, int io) {
     for (int k = RUN_ID_BITS - 1; k >= 0; k--) {
         const char *bit = id >> k & 1 ? "True" : "False";
         wcut_text_print(text, "  set_digital_out(%d, %s)\n", io, bit);
-        put(text, "  sleep(", BIT_TIME, 3);
+        put_rounded(text, "  sleep(", BIT_TIME, 3);
         wcut_text_print(text,
                         ")\n  if (get_digital_in(%d) != %s):\n    popup(\"programs of different runs\", \"wirecut\", "
                         "False, True, True)\n    halt\n  end\n",
                         io, bit);
-        put(text, "  sleep(", BIT_TIME, 3);
+        put_rounded(text, "  sleep(", BIT_TIME, 3);
         wcut_text_print(text, ")\n");
     }
 }
@@ -164,7 +165,7 @@ void wcut_urscript_put(wcut_text *text, const wcut_robot_motion *m, const wcut_r
 
     /* the head: what is to be set at the cell */
     wcut_text_print(text, "def %s_%c():\n", names->program, robot ? 'b' : 'a');
-    put_head(text, "  # ", m, names, robot);
+    put_program_head(text, "  # ", m, names, robot);
     wcut_text_print(
         text,
         "  # To be set: block, the pose of the foam block in this robot's base; the TCP; digital output %d\n"
@@ -179,12 +180,12 @@ void wcut_urscript_put(wcut_text *text, const wcut_robot_motion *m, const wcut_r
     half h = half_of(m, robot, 0);
     wcut_text_print(text, "  movel(");
     put_ur_pose(text, &h);
-    put(text, ", a=", acceleration, 6);
-    put(text, ", v=", names->approach_speed / 1000, 6);
+    put_rounded(text, ", a=", acceleration, 6);
+    put_rounded(text, ", v=", names->approach_speed / 1000, 6);
     wcut_text_print(text, ")\n");
     if (robot == 0 && names->wire_on) wcut_text_print(text, "  %s()\n", names->wire_on);
     if (robot == 0 && names->preheat > 0) {
-        put(text, "  sleep(", names->preheat, 3);
+        put_rounded(text, "  sleep(", names->preheat, 3);
         wcut_text_print(text, ")\n");
     }
 
@@ -197,17 +198,17 @@ void wcut_urscript_put(wcut_text *text, const wcut_robot_motion *m, const wcut_r
     half last = h;
     for (int i = 1; i < m->count; i++) {
         h = half_of(m, robot, i);
-        if (h.way < STANDING && turn_of(last.frame, h.frame) < STILL) {
-            put(text, "  sleep(", h.duration, 6);
+        if (h.way < STANDING && frame_angle(last.frame, h.frame) < STILL) {
+            put_rounded(text, "  sleep(", h.duration, 6);
             wcut_text_print(text, ")\n");
             continue;
         }
         wcut_text_print(text, "  movel(");
         put_ur_pose(text, &h);
-        put(text, ", a=", acceleration, 6);
-        put(text, ", v=", h.speed / 1000, 6);
-        put(text, ", t=", h.duration, 6);
-        put(text, ", r=", h.zone / 1000, 6);
+        put_rounded(text, ", a=", acceleration, 6);
+        put_rounded(text, ", v=", h.speed / 1000, 6);
+        put_rounded(text, ", t=", h.duration, 6);
+        put_rounded(text, ", r=", h.zone / 1000, 6);
         wcut_text_print(text, ")\n");
         last = h;
     }
@@ -221,21 +222,21 @@ void wcut_urscript_put(wcut_text *text, const wcut_robot_motion *m, const wcut_r
 /* ---- RAPID: millimetres, quaternions, MultiMove: moves of one ID end together ---- */
 
 static void put_rapid_move(wcut_text *text, const half *h, int id, double speed) {
-    put(text, "    MoveL [[", h->at.x, 3);
-    put(text, ",", h->at.y, 3);
-    put(text, ",", h->at.z, 3);
-    for (int k = 0; k < 4; k++) put(text, k ? "," : "],[", h->frame[k], 9);
+    put_rounded(text, "    MoveL [[", h->at.x, 3);
+    put_rounded(text, ",", h->at.y, 3);
+    put_rounded(text, ",", h->at.z, 3);
+    for (int k = 0; k < 4; k++) put_rounded(text, k ? "," : "],[", h->frame[k], 9);
     wcut_text_print(text, "],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]");
     if (id > 0) wcut_text_print(text, "\\ID:=%d", id);
-    put(text, ", [", speed, 3);
+    put_rounded(text, ", [", speed, 3);
     wcut_text_print(text, ",500,5000,1000], ");
     if (h->zone < 5e-4) {
         wcut_text_print(text, "fine");
     } else {
-        put(text, "[FALSE,", h->zone, 3);
-        put(text, ",", 1.5 * h->zone, 3);
-        put(text, ",", 1.5 * h->zone, 3);
-        put(text, ",0.150,", 1.5 * h->zone, 3);
+        put_rounded(text, "[FALSE,", h->zone, 3);
+        put_rounded(text, ",", 1.5 * h->zone, 3);
+        put_rounded(text, ",", 1.5 * h->zone, 3);
+        put_rounded(text, ",0.150,", 1.5 * h->zone, 3);
         wcut_text_print(text, ",0.150]");
     }
 }
@@ -244,7 +245,7 @@ void wcut_rapid_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robo
     const char *p = names->program, side = robot ? 'b' : 'a';
     const unsigned id = run_id(m, names); /* points of different runs have different names, and never meet */
     wcut_text_print(text, "MODULE %s_%c\n", p, side);
-    put_head(text, "  ! ", m, names, robot);
+    put_program_head(text, "  ! ", m, names, robot);
     wcut_text_print(
         text,
         "  ! To be defined in task T_ROB%d: tooldata %s_tool, wobjdata %s_block (the foam block).\n"
@@ -257,7 +258,7 @@ void wcut_rapid_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robo
     wcut_text_print(text, ", %s_tool\\WObj:=%s_block;\n", p, p);
     if (robot == 0 && names->wire_on) wcut_text_print(text, "    %s;\n", names->wire_on);
     if (robot == 0 && names->preheat > 0) {
-        put(text, "    WaitTime ", names->preheat, 3);
+        put_rounded(text, "    WaitTime ", names->preheat, 3);
         wcut_text_print(text, ";\n");
     }
     wcut_text_print(text, "    SyncMoveOn %s_on_%03x, %s_tasks;\n", p, id, p);
@@ -277,25 +278,25 @@ void wcut_rapid_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robo
 static void put_krl_move(wcut_text *text, const half *h) {
     double abc[3];
     euler_angles(h->frame, abc);
-    put(text, "LIN {X ", h->at.x, 3);
-    put(text, ", Y ", h->at.y, 3);
-    put(text, ", Z ", h->at.z, 3);
-    put(text, ", A ", abc[0], 4);
-    put(text, ", B ", abc[1], 4);
-    put(text, ", C ", abc[2], 4);
+    put_rounded(text, "LIN {X ", h->at.x, 3);
+    put_rounded(text, ", Y ", h->at.y, 3);
+    put_rounded(text, ", Z ", h->at.z, 3);
+    put_rounded(text, ", A ", abc[0], 4);
+    put_rounded(text, ", B ", abc[1], 4);
+    put_rounded(text, ", C ", abc[2], 4);
     wcut_text_print(text, "}%s\n", h->zone < 5e-4 ? "" : " C_DIS");
 }
 
 /* 9 decimals of m/s: a creeping arm keeps its time, and no speed is printed as 0, which never ends */
 static void put_krl_speed(wcut_text *text, double speed) {
-    put(text, "$VEL.CP = ", fmax(speed / 1000, 1e-9), 9);
+    put_rounded(text, "$VEL.CP = ", fmax(speed / 1000, 1e-9), 9);
     wcut_text_print(text, "\n");
 }
 
 /* both orientation speeds [deg/s] */
 static void put_krl_turning(wcut_text *text, double speed) {
-    put(text, "$VEL.ORI1 = ", fmax(speed, 1e-6), 6);
-    put(text, "\n$VEL.ORI2 = ", fmax(speed, 1e-6), 6);
+    put_rounded(text, "$VEL.ORI1 = ", fmax(speed, 1e-6), 6);
+    put_rounded(text, "\n$VEL.ORI2 = ", fmax(speed, 1e-6), 6);
     wcut_text_print(text, "\n");
 }
 
@@ -304,9 +305,9 @@ static void put_krl_run_id(wcut_text *text, unsigned id, int io) {
     for (int k = RUN_ID_BITS - 1; k >= 0; k--) {
         const char *bit = id >> k & 1 ? "TRUE" : "FALSE";
         wcut_text_print(text, "$OUT[%d] = %s\n", io, bit);
-        put(text, "WAIT SEC ", BIT_TIME, 3);
+        put_rounded(text, "WAIT SEC ", BIT_TIME, 3);
         wcut_text_print(text, "\nIF $IN[%d] <> %s THEN\nLOOP\nHALT\nENDLOOP\nENDIF\n", io, bit);
-        put(text, "WAIT SEC ", BIT_TIME, 3);
+        put_rounded(text, "WAIT SEC ", BIT_TIME, 3);
         wcut_text_print(text, "\n");
     }
 }
@@ -316,7 +317,7 @@ void wcut_krl_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_
 
     /* the head: what is to be set at the cell */
     wcut_text_print(text, "DEF %s_%c ( )\n", names->program, robot ? 'b' : 'a');
-    put_head(text, "; ", m, names, robot);
+    put_program_head(text, "; ", m, names, robot);
     wcut_text_print(
         text,
         "; To be set: TOOL_DATA[1], BASE_DATA[1] (the foam block); output %d of either controller wired to\n"
@@ -324,7 +325,7 @@ void wcut_krl_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_
         "; are not coupled.\n"
         "BAS (#INITMOV,0)\n$TOOL = TOOL_DATA[1]\n$BASE = BASE_DATA[1]\n$ORI_TYPE = #VAR\n$ADVANCE = 3\n",
         io, io);
-    put(text, "$ACC.CP = ", names->approach_acceleration / 1000, 6);
+    put_rounded(text, "$ACC.CP = ", names->approach_acceleration / 1000, 6);
     wcut_text_print(text, "\n");
     put_krl_turning(text, ORI_SPEED);
 
@@ -335,7 +336,7 @@ void wcut_krl_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_
     put_krl_move(text, &h);
     if (robot == 0 && names->wire_on) wcut_text_print(text, "%s ( )\n", names->wire_on);
     if (robot == 0 && names->preheat > 0) {
-        put(text, "WAIT SEC ", names->preheat, 3);
+        put_rounded(text, "WAIT SEC ", names->preheat, 3);
         wcut_text_print(text, "\n");
     }
     wcut_text_print(text, "$OUT[%d] = TRUE\nWAIT FOR $IN[%d]\n", io, io);
@@ -345,9 +346,9 @@ void wcut_krl_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_
     half last = h;
     for (int i = 1; i < m->count; i++) {
         h = half_of(m, robot, i);
-        const double way = distance(printed(last.at), printed(h.at)), turn = turn_of(last.frame, h.frame);
+        const double way = flange_distance(printed(last.at), printed(h.at)), turn = frame_angle(last.frame, h.frame);
         if (way < STANDING && turn < STILL) {
-            put(text, "WAIT SEC ", h.duration, 6);
+            put_rounded(text, "WAIT SEC ", h.duration, 6);
             wcut_text_print(text, "\n");
             continue;
         }
@@ -357,7 +358,7 @@ void wcut_krl_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_
             put_krl_turning(text, ORI_SPEED);
         } else {
             if (h.zone >= 5e-4) {
-                put(text, "$APO.CDIS = ", h.zone, 3);
+                put_rounded(text, "$APO.CDIS = ", h.zone, 3);
                 wcut_text_print(text, "\n");
             }
             put_krl_speed(text, way / h.duration);

@@ -74,7 +74,7 @@ static void put_robot(wcut_text *text, const char *name, wcut_vec3 at, double sp
     wcut_text_print(text, "]}");
 }
 
-static void put_json(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_names *names) {
+static void put_motion_json(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_names *names) {
     wcut_text_print(text, "{\n  \"format\": \"wirecut-robot/1\",\n  \"version\": \"%s\",\n  \"job\": ", WCUT_VERSION);
     wcut_text_string(text, names->title ? names->title : "");
     wcut_text_put_number(text, ",\n  \"duration_s\": ", m->duration);
@@ -107,8 +107,8 @@ static bool is_name(const char *name) {
     return strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") == length;
 }
 
-static wcut_status check(const wcut_robot_motion *m, const wcut_robot_names *n, wcut_robot_format format, int robot,
-                         const char *path, wcut_error *error) {
+static wcut_status motion_is_writable(const wcut_robot_motion *m, const wcut_robot_names *n, wcut_robot_format format,
+                                      int robot, const char *path, wcut_error *error) {
     if (!m || !m->target || m->count < 2 || !path || !wcut_robot_file_name(format, robot))
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "a robot program: expected a motion, a file name and a robot that the format has a file for");
@@ -170,7 +170,7 @@ static bool put_program(wcut_text *text, const void *context) {
             put_csv(text, p->motion);
             break;
         case WCUT_ROBOT_FORMAT_JSON:
-            put_json(text, p->motion, p->names);
+            put_motion_json(text, p->motion, p->names);
             break;
     }
     return true;
@@ -179,7 +179,7 @@ static bool put_program(wcut_text *text, const void *context) {
 wcut_status wcut_robot_write(const wcut_robot_motion *motion, const wcut_robot_names *names, wcut_robot_format format,
                              int robot, const char *path, wcut_error *error) {
     const wcut_robot_names n = names ? *names : wcut_robot_names_default();
-    const wcut_status status = check(motion, &n, format, robot, path, error);
+    const wcut_status status = motion_is_writable(motion, &n, format, robot, path, error);
     if (status != WCUT_OK) return status;
     const program whole = {motion, &n, format, robot};
     return wcut_text_write_file(path, put_program, &whole, error);

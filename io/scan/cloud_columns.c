@@ -98,7 +98,7 @@ static role role_of(const char *word, size_t n) {
 }
 
 /* 0 .. 2 for a word that is an axis, -1 otherwise */
-static int axis_of(const char *word, size_t n) {
+static int axis_of_word(const char *word, size_t n) {
     const int c = tolower((unsigned char)word[0]);
     return n == 1 && c >= 'x' && c <= 'z' ? c - 'x' : -1;
 }
@@ -106,7 +106,7 @@ static int axis_of(const char *word, size_t n) {
 /* an axis glued to a word: "nx", "xnom", "measy" */
 static bool take_glued(const char *word, size_t n, int *axis, bool *is_normal, role *r) {
     if (n < 2) return false;
-    const int first = axis_of(word, 1), last = axis_of(word + n - 1, 1);
+    const int first = axis_of_word(word, 1), last = axis_of_word(word + n - 1, 1);
     if (last >= 0 && is_one_of(word, n - 1, said_of_normal)) {
         *axis = last, *is_normal = true;
         return true;
@@ -142,8 +142,8 @@ static name read_cloud_columns_name(const wcut_cell *cell) {
         /* "Points:0" as ParaView writes it */
         if (is_point && n == 1 && *word >= '0' && *word <= '2' && axis < 0)
             axis = *word - '0';
-        else if (axis_of(word, n) >= 0 && axis < 0)
-            axis = axis_of(word, n);
+        else if (axis_of_word(word, n) >= 0 && axis < 0)
+            axis = axis_of_word(word, n);
         else if (is_one_of(word, n, said_of_normal))
             is_normal = true;
         else if (unit > 0 && axis >= 0)
@@ -172,7 +172,7 @@ typedef struct group {
 
 static bool is_group_whole(const group *g) { return g->count == 3; }
 
-static void add_column(group *g, int field, int column, double unit) {
+static void take_column(group *g, int field, int column, double unit) {
     if (field >= 3) {
         if (g->column[field] < 0) g->column[field] = column;
         return;
@@ -218,7 +218,7 @@ const char *wcut_columns_find(int count, const wcut_cell *cell, wcut_columns *co
             mixed = mixed || (word && word != n.word);
             word = n.word;
         }
-        add_column(&by_role[n.field >= 3 && n.role != DERIVED ? PLAIN : n.role], n.field, k, n.unit);
+        take_column(&by_role[n.field >= 3 && n.role != DERIVED ? PLAIN : n.role], n.field, k, n.unit);
     }
     const group *measured = &by_role[MEASURED], *plain = &by_role[PLAIN], *nominal = &by_role[NOMINAL];
     const bool strange = mixed || is_group_whole(&by_role[STRANGE]) || by_role[STRANGE].twice;

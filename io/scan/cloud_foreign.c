@@ -21,7 +21,7 @@ const char *wcut_cloud_foreign_ending(const char *begin, const char *name) {
     return NULL;
 }
 
-static bool fill(wcut_cloud_source *s, wcut_batch *b) {
+static bool fill_foreign(wcut_cloud_source *s, wcut_batch *b) {
     const double *position = s->state;
     for (; s->left > 0 && b->count < b->capacity; s->left--) {
         double value[WCUT_FIELDS] = {0};
@@ -38,6 +38,6 @@ bool wcut_cloud_begin_foreign(wcut_cloud_source *s) {
         return false;
     s->state = position;
     s->left = s->info.stated;
-    s->fill = fill;
+    s->fill = fill_foreign;
     return true;
 }

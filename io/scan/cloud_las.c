@@ -62,7 +62,7 @@ static bool check_version(wcut_cloud_source *s, const unsigned char *head) {
     return size >= min || wcut_source_refuse(&s->in, "found a header of %u bytes, expected at least %u", size, min);
 }
 
-static bool read_header(wcut_cloud_source *s, const unsigned char *head, wcut_record *r, uint64_t *count) {
+static bool read_las_header(wcut_cloud_source *s, const unsigned char *head, wcut_record *r, uint64_t *count) {
     static const unsigned char min[FORMATS] = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
     if (!check_version(s, head)) return false;
     const unsigned format = head[POINT_FORMAT], length = wcut_load_16(head + RECORD_LENGTH, false);
@@ -90,7 +90,7 @@ bool wcut_cloud_begin_las(wcut_cloud_source *s) {
     if (unread < MIN_HEADER || (head[VERSION_MINOR] >= 4 && unread < MIN_HEADER_1_4))
         return wcut_source_refuse_end(&s->in, "the header of a LAS file");
     uint64_t count = 0;
-    if (!read_header(s, head, r, &count)) return false;
+    if (!read_las_header(s, head, r, &count)) return false;
     const uint64_t data = wcut_load_32(head + POINT_DATA, false);
     if (data < wcut_load_16(head + HEADER_SIZE, false))
         return wcut_source_refuse(&s->in, "found the points at byte %llu, expected them after the header",

@@ -10,7 +10,7 @@ static bool read_cloud_obj_line(wcut_cloud_source *s, const char *line, wcut_bat
     return wcut_obj_match(p, "f") || wcut_obj_is_passed_over(p) || wcut_obj_refuse(&s->in, line, p);
 }
 
-static bool fill(wcut_cloud_source *s, wcut_batch *b) {
+static bool fill_obj(wcut_cloud_source *s, wcut_batch *b) {
     size_t length;
     while (b->count < b->capacity) {
         const char *line = wcut_obj_line(&s->in, &length);
@@ -23,6 +23,6 @@ static bool fill(wcut_cloud_source *s, wcut_batch *b) {
 
 bool wcut_cloud_begin_obj(wcut_cloud_source *s) {
     s->in.line = 1;
-    s->fill = fill;
+    s->fill = fill_obj;
     return true;
 }

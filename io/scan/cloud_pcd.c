@@ -189,7 +189,7 @@ static pcd_rows *make_rows(const pcd_header *h) {
 
 /* ---- the data ---- */
 
-static bool fill_text(wcut_cloud_source *s, wcut_batch *b) {
+static bool fill_pcd_text(wcut_cloud_source *s, wcut_batch *b) {
     const pcd_rows *r = s->state;
     double value[WCUT_FIELDS] = {0};
     size_t length;
@@ -293,14 +293,14 @@ static bool begin_data(wcut_cloud_source *s, const char *line, const char *how, 
     if (!r) return wcut_source_refuse_memory(&s->in);
     s->state = r;
     s->info.has_normals = r->record.fields == 6;
-    s->fill = packed ? fill_compressed : binary ? fill_binary : fill_text;
+    s->fill = packed ? fill_compressed : binary ? fill_binary : fill_pcd_text;
     wcut_row_done(&s->in, length);
     if (binary) s->in.line = 0, s->in.binary = true;
     if (packed) return read_compressed(s, count_points(h));
     return wcut_cloud_state(s, count_points(h), binary ? r->record.size : 2 * (uint64_t)r->columns - 1, "points");
 }
 
-static bool read_header(wcut_cloud_source *s, pcd_header *h) {
+static bool read_pcd_header(wcut_cloud_source *s, pcd_header *h) {
     size_t length;
     for (const char *line; (line = wcut_row_peek(&s->in, &length)) != NULL; wcut_row_done(&s->in, length)) {
         int which;
@@ -316,7 +316,7 @@ bool wcut_cloud_begin_pcd(wcut_cloud_source *s) {
     if (!h) return wcut_source_refuse_memory(&s->in);
     h->height = 1;
     s->in.line = 1;
-    const bool read = read_header(s, h);
+    const bool read = read_pcd_header(s, h);
     free(h);
     return read;
 }

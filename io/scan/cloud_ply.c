@@ -6,7 +6,7 @@
 #include "io/mesh/ply.h"
 #include "io/scan/cloud_source.h"
 
-static bool fill(wcut_cloud_source *s, wcut_batch *b) {
+static bool fill_ply(wcut_cloud_source *s, wcut_batch *b) {
     const wcut_ply *m = s->state;
     const wcut_ply_element *e = &m->element[m->vertex];
     double value[WCUT_FIELDS] = {0};
@@ -27,7 +27,7 @@ bool wcut_cloud_begin_ply(wcut_cloud_source *s) {
     if (!m) return wcut_source_refuse_memory(&s->in);
     s->state = m;
     s->in.line = 1;
-    s->fill = fill;
+    s->fill = fill_ply;
     if (!wcut_ply_header(&s->in, m) || !wcut_ply_begin(&s->in, m)) return false;
     s->info.has_normals = m->record.fields == 6;
     return wcut_cloud_state(s, m->element[m->vertex].count, 0, "vertices");

@@ -12,15 +12,15 @@ typedef struct ptx_scan {
 } ptx_scan;
 
 /* the next line, which the format needs; NULL: refused */
-static const char *expect_line(wcut_cloud_source *s, size_t *length, const char *expected) {
+static const char *expect_ptx_line(wcut_cloud_source *s, size_t *length, const char *expected) {
     const char *line = wcut_row_peek(&s->in, length);
     if (!line && s->in.failure.status == WCUT_OK) wcut_source_refuse_end(&s->in, expected);
     return line;
 }
 
-static bool read_count(wcut_cloud_source *s, const char *expected, int64_t *count) {
+static bool read_ptx_count(wcut_cloud_source *s, const char *expected, int64_t *count) {
     size_t length;
-    const char *line = expect_line(s, &length, expected);
+    const char *line = expect_ptx_line(s, &length, expected);
     if (!line) return false;
     const char *behind = wcut_row_count(line, count);
     if (!behind || !wcut_is_line_end(wcut_skip_blanks(behind)))
@@ -30,9 +30,9 @@ static bool read_count(wcut_cloud_source *s, const char *expected, int64_t *coun
 }
 
 /* a line of so many numbers, finite ones */
-static bool read_line(wcut_cloud_source *s, int count, const char *expected, double *value) {
+static bool read_ptx_numbers(wcut_cloud_source *s, int count, const char *expected, double *value) {
     size_t length;
-    const char *line = expect_line(s, &length, expected), *p = line;
+    const char *line = expect_ptx_line(s, &length, expected), *p = line;
     if (!line) return false;
     for (int k = 0; k < count; k++) {
         const char *behind = wcut_row_number(p, ' ', false, &value[k]);
@@ -46,16 +46,16 @@ static bool read_line(wcut_cloud_source *s, int count, const char *expected, dou
 }
 
 /* ten lines: columns, rows, the scanner's place and axes, and the matrix, whose last row is the shift */
-static bool read_header(wcut_cloud_source *s, ptx_scan *scan) {
+static bool read_ptx_header(wcut_cloud_source *s, ptx_scan *scan) {
     int64_t columns = 0, rows = 0;
     double unused[3], row[4];
-    if (!read_count(s, "the number of columns of a PTX scan", &columns) ||
-        !read_count(s, "the number of rows of a PTX scan", &rows))
+    if (!read_ptx_count(s, "the number of columns of a PTX scan", &columns) ||
+        !read_ptx_count(s, "the number of rows of a PTX scan", &rows))
         return false;
     for (int k = 0; k < 4; k++)
-        if (!read_line(s, 3, "three numbers, the scanner's place and axes", unused)) return false;
+        if (!read_ptx_numbers(s, 3, "three numbers, the scanner's place and axes", unused)) return false;
     for (int k = 0; k < 4; k++) {
-        if (!read_line(s, 4, "four numbers, a row of the scan's matrix", row)) return false;
+        if (!read_ptx_numbers(s, 4, "four numbers, a row of the scan's matrix", row)) return false;
         if (row[3] != (k == 3)) return wcut_source_refuse(&s->in, "found a matrix that is no motion of a PTX scan");
         memcpy(scan->matrix[k], row, 3 * sizeof *row);
     }
@@ -104,12 +104,12 @@ static bool has_more(wcut_cloud_source *s) {
     return false;
 }
 
-static bool fill(wcut_cloud_source *s, wcut_batch *b) {
+static bool fill_ptx(wcut_cloud_source *s, wcut_batch *b) {
     ptx_scan *scan = s->state;
     while (b->count < b->capacity) {
         if (s->left == 0) {
             if (!has_more(s)) return s->in.failure.status == WCUT_OK;
-            if (!read_header(s, scan)) return false;
+            if (!read_ptx_header(s, scan)) return false;
             continue;
         }
         if (!read_point(s, scan, b)) return false;
@@ -121,7 +121,7 @@ bool wcut_cloud_begin_ptx(wcut_cloud_source *s) {
     ptx_scan *scan = wcut_alloc(1, sizeof *scan);
     if (!scan) return wcut_source_refuse_memory(&s->in);
     s->state = scan;
-    s->fill = fill;
+    s->fill = fill_ptx;
     s->in.line = 1;
-    return read_header(s, scan);
+    return read_ptx_header(s, scan);
 }

@@ -19,7 +19,7 @@ wcut_cloud_options wcut_cloud_options_default(void) {
         .format = WCUT_CLOUD_FORMAT_ANY, .unit = WCUT_LENGTH_UNIT_MM, .max_points = 20000000, .voxel = 0};
 }
 
-static bool options_are_usable(const wcut_cloud_options *o) {
+static bool cloud_options_are_usable(const wcut_cloud_options *o) {
     return (unsigned)o->format < WCUT_CLOUD_FORMAT_COUNT && (unsigned)o->unit < WCUT_LENGTH_UNIT_COUNT;
 }
 
@@ -119,7 +119,7 @@ static bool begins_ptx(const wcut_stream *s) {
     return true;
 }
 
-static wcut_cloud_format find_format(wcut_cloud_source *s) {
+static wcut_cloud_format find_cloud_format(wcut_cloud_source *s) {
     const wcut_stream *t = &s->in.stream;
     if (begins(t, "ply\n") || begins(t, "ply\r")) return WCUT_CLOUD_FORMAT_PLY;
     if (begins(t, "LASF")) return WCUT_CLOUD_FORMAT_LAS;
@@ -165,7 +165,7 @@ static bool begin_format(wcut_cloud_source *s) {
     s->in.scale = wcut_unit_length(s->options.unit);
     if (wcut_stream_fill(&s->in.stream, SNIFF) == 0) return wcut_source_refuse_end(&s->in, "points");
     if (!check_readable(s)) return false;
-    s->info.format = s->options.format != WCUT_CLOUD_FORMAT_ANY ? s->options.format : find_format(s);
+    s->info.format = s->options.format != WCUT_CLOUD_FORMAT_ANY ? s->options.format : find_cloud_format(s);
     s->info.stated = -1;
     if (!begin[s->info.format](s)) return false;
     s->info.unit = s->in.scale;
@@ -173,8 +173,8 @@ static bool begin_format(wcut_cloud_source *s) {
 }
 
 /* the bytes, opened, become the source's; they are closed on failure */
-static wcut_status create(wcut_source in, const wcut_cloud_options *options, wcut_cloud_source **source,
-                          wcut_error *error) {
+static wcut_status create_source(wcut_source in, const wcut_cloud_options *options, wcut_cloud_source **source,
+                                 wcut_error *error) {
     wcut_cloud_source *s = wcut_alloc(1, sizeof *s);
     if (!s) {
         wcut_source_close(&in);
@@ -195,10 +195,10 @@ static wcut_status create(wcut_source in, const wcut_cloud_options *options, wcu
 wcut_status wcut_cloud_source_create(const char *path, const wcut_cloud_options *options, wcut_cloud_source **source,
                                      wcut_error *error) {
     const wcut_cloud_options o = options ? *options : wcut_cloud_options_default();
-    if (!path || !source || !options_are_usable(&o)) return WCUT_BAD_ARGUMENT;
+    if (!path || !source || !cloud_options_are_usable(&o)) return WCUT_BAD_ARGUMENT;
     wcut_source in;
     const wcut_status status = wcut_source_open(path, &in, error);
-    return status == WCUT_OK ? create(in, &o, source, error) : status;
+    return status == WCUT_OK ? create_source(in, &o, source, error) : status;
 }
 
 wcut_status wcut_cloud_source_create_memory(const void *bytes, size_t size, size_t window, const char *label,
@@ -207,5 +207,5 @@ wcut_status wcut_cloud_source_create_memory(const void *bytes, size_t size, size
     const wcut_cloud_options o = options ? *options : wcut_cloud_options_default();
     wcut_source in;
     const wcut_status status = wcut_source_open_memory(bytes, size, window, label, &in, error);
-    return status == WCUT_OK ? create(in, &o, source, error) : status;
+    return status == WCUT_OK ? create_source(in, &o, source, error) : status;
 }

@@ -4,7 +4,7 @@
 #include "io/mesh/stl_read.h"
 #include "io/scan/cloud_source.h"
 
-static bool fill(wcut_cloud_source *s, wcut_batch *b) {
+static bool fill_stl(wcut_cloud_source *s, wcut_batch *b) {
     wcut_stl_reader *r = s->state;
     while (b->count < b->capacity) {
         double value[WCUT_FIELDS] = {0};
@@ -18,7 +18,7 @@ bool wcut_cloud_begin_stl(wcut_cloud_source *s) {
     wcut_stl_reader *r = wcut_alloc(1, sizeof *r);
     if (!r) return wcut_source_refuse_memory(&s->in);
     s->state = r;
-    s->fill = fill;
+    s->fill = fill_stl;
     if (!wcut_stl_begin(&s->in, r)) return false;
     return r->stated < 0 || wcut_cloud_state(s, 3 * r->stated, 0, "corners");
 }

@@ -299,7 +299,7 @@ static bool begins_number(const char *p) {
 }
 
 /* a line that is only a count; the rows will be held to it */
-static bool read_count(wcut_cloud_source *s, const char *p, const char *end, bool *is_count) {
+static bool read_lone_count(wcut_cloud_source *s, const char *p, const char *end, bool *is_count) {
     int64_t count;
     const char *behind = wcut_row_count(p, &count);
 
@@ -360,7 +360,7 @@ static bool fill_text(wcut_cloud_source *s, wcut_batch *b) {
         } else {
             /* a count is that of the next scan in the file */
             bool is_count = false;
-            if (s->left == 0 && !read_count(s, p, line + length, &is_count)) return false;
+            if (s->left == 0 && !read_lone_count(s, p, line + length, &is_count)) return false;
             if (s->left == 0 && !is_count)
                 return wcut_source_refuse_text(&s->in, line, p, "the end: the file states no more points");
             if (!is_count) {
@@ -411,7 +411,7 @@ static bool read_cloud_text_header(wcut_cloud_source *s, text_layout *t, header 
         if (!wcut_is_line_end(p) && !is_comment(p)) {
             const bool is_number = begins_number(p);
             const bool is_counted = s->info.stated >= 0;
-            if (is_number && !read_count(s, p, line + length, &is_count)) return false;
+            if (is_number && !read_lone_count(s, p, line + length, &is_count)) return false;
             if (is_count && is_counted)
                 return wcut_source_refuse_text(&s->in, line, p, "a row with the numbers x y z behind the count");
 

@@ -10,16 +10,16 @@
 #include "io/file/atomic.h"
 #include "io/file/text.h"
 
-static void put(wcut_text *text, const char *word) { wcut_text_put(text, word, strlen(word)); }
+static void write_word(wcut_text *text, const char *word) { wcut_text_put(text, word, strlen(word)); }
 
 /* "before" and a number */
 static void put_number(wcut_text *text, const char *before, double value) {
-    put(text, before);
+    write_word(text, before);
     wcut_text_number(text, value);
 }
 
 static void put_string(wcut_text *text, const char *before, const char *value) {
-    put(text, before);
+    write_word(text, before);
     wcut_text_string(text, value);
 }
 
@@ -29,23 +29,23 @@ static void put_point(wcut_text *text, const char *before, wcut_vec3 p) {
     put_number(text, before, p.x);
     put_number(text, ", ", p.y);
     put_number(text, ", ", p.z);
-    put(text, "]");
+    write_word(text, "]");
 }
 
 /* ---- parts of the document ---- */
 
 static void put_scans(wcut_text *text, const wcut_compared *c) {
     put_string(text, ",\n  \"scan\": ", c->scan[0].name);
-    put(text, ",\n  \"scans\": [");
+    write_word(text, ",\n  \"scans\": [");
     for (int k = 0; k < c->scans; k++) {
         put_string(text, k ? ",\n    {\"name\": " : "\n    {\"name\": ", c->scan[k].name);
         put_string(text, ", \"sha256\": ", c->scan[k].sha256);
         put_count(text, ", \"read\": ", c->scan[k].read);
         put_count(text, ", \"not_finite\": ", c->scan[k].not_finite);
         put_count(text, ", \"withheld\": ", c->scan[k].withheld);
-        put(text, "}");
+        write_word(text, "}");
     }
-    put(text, "]");
+    write_word(text, "]");
 }
 
 static void put_points(wcut_text *text, const wcut_compared *c) {
@@ -63,16 +63,16 @@ static void put_points(wcut_text *text, const wcut_compared *c) {
     put_count(text, ", \"isolated\": ", c->removed[WCUT_REMOVAL_ISOLATED]);
     put_count(text, ", \"outlier\": ", c->removed[WCUT_REMOVAL_OUTLIER]);
     put_count(text, ", \"thinned\": ", c->removed[WCUT_REMOVAL_THINNED]);
-    put(text, "}}");
+    write_word(text, "}}");
 }
 
 /* a figure of points that were compared, null where there were none */
 static void put_known(wcut_text *text, const char *before, bool is_known, double value) {
-    put(text, before);
+    write_word(text, before);
     if (is_known)
         wcut_text_number(text, value);
     else
-        put(text, "null");
+        write_word(text, "null");
 }
 
 static void put_text_or_null(wcut_text *text, const char *before, const char *string) {
@@ -89,33 +89,33 @@ static void put_provenance(wcut_text *text, const wcut_compared *c) {
     put_text_or_null(text, ", \"instrument\": ", c->instrument);
     put_text_or_null(text, ", \"date\": ", c->date);
     put_text_or_null(text, "},\n  \"datum_file\": ", c->datum_file);
-    put(text, ",\n  \"cleaning\": ");
+    write_word(text, ",\n  \"cleaning\": ");
     const wcut_clean_options *o = c->cleaning;
     if (!o) {
-        put(text, "null");
+        write_word(text, "null");
         return;
     }
 
     /* each null where that removes nothing */
-    put(text, o->duplicate >= 0 ? "{\"duplicates\": true" : "{\"duplicates\": false");
+    write_word(text, o->duplicate >= 0 ? "{\"duplicates\": true" : "{\"duplicates\": false");
     put_known(text, ", \"isolated_mm\": ", o->radius > 0, o->radius);
     put_known(text, ", \"outlier_deviations\": ", o->neighbours > 0, o->deviations);
     put_known(text, ", \"thinned_mm\": ", o->voxel > 0, o->voxel);
-    put(text, "}");
+    write_word(text, "}");
 }
 
 static void put_datums(wcut_text *text, int count, const wcut_datum_residual *datum) {
-    put(text, ",\n    \"datums\": [");
+    write_word(text, ",\n    \"datums\": [");
     for (int k = 0; k < count; k++) {
-        put(text, k ? ",\n      {\"kind\": " : "\n      {\"kind\": ");
-        put(text, datum[k].is_face ? "\"face\"" : "\"point\"");
+        write_word(text, k ? ",\n      {\"kind\": " : "\n      {\"kind\": ");
+        write_word(text, datum[k].is_face ? "\"face\"" : "\"point\"");
         put_count(text, ", \"number\": ", datum[k].datum + 1);
         put_point(text, ", \"moved_mm\": [", datum[k].moved);
         put_point(text, ", \"offset_mm\": [", datum[k].offset);
         put_number(text, ", \"distance_mm\": ", datum[k].distance);
-        put(text, "}");
+        write_word(text, "}");
     }
-    put(text, "]");
+    write_word(text, "]");
 }
 
 static void put_registration(wcut_text *text, const wcut_compared *c) {
@@ -125,15 +125,15 @@ static void put_registration(wcut_text *text, const wcut_compared *c) {
 
     /* the motion as a matrix, then by its six parameters */
     put_string(text, ",\n  \"registration\": {\"method\": ", method[r->method]);
-    put(text, ", \"matrix\": [");
+    write_word(text, ", \"matrix\": [");
     for (int k = 0; k < 16; k++) {
-        put(text, k == 0 ? "[" : k % 4 == 0 ? "], [" : ", ");
+        write_word(text, k == 0 ? "[" : k % 4 == 0 ? "], [" : ", ");
         wcut_text_number(text, r->matrix[k]);
     }
     put_number(text, "]], \"rms_mm\": ", r->rms);
     put_number(text, ", \"rms_before_mm\": ", r->rms_before);
     put_point(text, ",\n    \"pivot_mm\": [", r->pivot);
-    put(text, ", \"parameters\": {");
+    write_word(text, ", \"parameters\": {");
     for (int k = 0; k < WCUT_DOF_COUNT; k++) {
         const double unit = k < 3 ? 1 : WCUT_DEG_PER_RAD;
         wcut_text_print(text, "%s\"%s\": {", k ? ", " : "", name[k]);
@@ -143,9 +143,9 @@ static void put_registration(wcut_text *text, const wcut_compared *c) {
     }
 
     /* how certain it is, and how much of the scan it rests on */
-    put(text, "},\n    \"covariance_mm_rad\": [");
+    write_word(text, "},\n    \"covariance_mm_rad\": [");
     for (int k = 0; k < WCUT_DOF_COUNT * WCUT_DOF_COUNT; k++) {
-        put(text, k == 0 ? "[" : k % WCUT_DOF_COUNT == 0 ? "], [" : ", ");
+        write_word(text, k == 0 ? "[" : k % WCUT_DOF_COUNT == 0 ? "], [" : ", ");
         wcut_text_number(text, r->covariance[k]);
     }
     put_number(text, "]], \"overlap\": ", r->overlap);
@@ -157,7 +157,7 @@ static void put_registration(wcut_text *text, const wcut_compared *c) {
     put_number(text, ", \"standard_error_mm\": ", r->doubt);
     wcut_text_print(text, ", \"converged\": %s", r->converged ? "true" : "false");
     put_datums(text, c->datums, c->datum);
-    put(text, "}");
+    write_word(text, "}");
 }
 
 static void put_statistics(wcut_text *text, const char *before, const wcut_statistics *s) {
@@ -167,29 +167,29 @@ static void put_statistics(wcut_text *text, const char *before, const wcut_stati
     } figure[] = {{"mean", s->mean}, {"median", s->median}, {"std", s->std}, {"rms", s->rms},
                   {"mae", s->mae},   {"p01", s->p01},       {"p05", s->p05}, {"p95", s->p95},
                   {"p99", s->p99},   {"min", s->min},       {"max", s->max}};
-    put(text, before);
+    write_word(text, before);
     for (size_t k = 0; k < sizeof figure / sizeof *figure; k++) {
         wcut_text_print(text, "%s\"%s\": ", k ? ", " : "{", figure[k].name);
         put_known(text, "", s->count > 0, figure[k].value);
     }
-    put(text, "}");
+    write_word(text, "}");
 }
 
 static void put_bands(wcut_text *text, const char *before, const wcut_statistics *s) {
-    put(text, before);
-    put(text, "[");
+    write_word(text, before);
+    write_word(text, "[");
     for (int k = 0; k < s->bands; k++) {
         put_number(text, k ? ", {\"tolerance_mm\": " : "{\"tolerance_mm\": ", s->band[k]);
         put_known(text, ", \"share\": ", s->count > 0, s->within[k]);
         put_known(text, ", \"over\": ", s->count > 0, s->over[k]);
         put_known(text, ", \"under\": ", s->count > 0, s->under[k]);
-        put(text, "}");
+        write_word(text, "}");
     }
-    put(text, "]");
+    write_word(text, "]");
 }
 
 /* what stands beside the quantiles: parts, extremes, offset and form */
-static void put_figures(wcut_text *text, const wcut_deviation_summary_result *r, const char *indent) {
+static void put_deviation_figures(wcut_text *text, const wcut_deviation_summary_result *r, const char *indent) {
     const wcut_statistics *s = &r->statistics;
     wcut_text_print(text, ",\n%s", indent);
     const bool any = s->count > 0;
@@ -221,17 +221,17 @@ static void put_way_back(wcut_text *text, const wcut_compared *c) {
     if (!c->has_kerf) return;
     put_number(text, ",\n  \"kerf_mm\": {\"of_job\": ", c->kerf);
     put_number(text, ", \"by_scan\": ", c->kerf - 2 * c->found->split.offset);
-    put(text, "}");
+    write_word(text, "}");
 }
 
 static void put_relation(wcut_text *text, const char *before, wcut_relation r) {
     put_number(text, before, r.of_deviation);
     put_number(text, ", \"of_size\": ", r.of_size);
-    put(text, "}");
+    write_word(text, "}");
 }
 
 static void put_zones(wcut_text *text, const wcut_deviation_summary_result *r) {
-    put(text, ",\n  \"zones\": [");
+    write_word(text, ",\n  \"zones\": [");
     bool first = true;
     for (int k = 0; k < r->zones; k++) {
         const wcut_zone *z = &r->zone[k];
@@ -246,14 +246,14 @@ static void put_zones(wcut_text *text, const wcut_deviation_summary_result *r) {
         put_number(text, ", \"max_mm\": ", z->max);
         put_point(text, ", \"low_mm\": [", z->low);
         put_point(text, ", \"high_mm\": [", z->high);
-        put(text, "}");
+        write_word(text, "}");
         first = false;
     }
-    put(text, "]");
+    write_word(text, "]");
 }
 
 static void put_worst(wcut_text *text, const wcut_deviation_summary_result *r) {
-    put(text, ",\n  \"worst\": [");
+    write_word(text, ",\n  \"worst\": [");
     for (int k = 0; k < r->worsts; k++) {
         const wcut_worst *w = &r->worst[k];
         put_point(text, k ? ",\n    {\"place_mm\": [" : "\n    {\"place_mm\": [", w->place);
@@ -264,9 +264,9 @@ static void put_worst(wcut_text *text, const wcut_deviation_summary_result *r) {
         put_number(text, ", \"peak_mm\": ", w->peak);
         put_number(text, ", \"volume_mm3\": ", w->volume);
         put_count(text, ", \"count\": ", w->count);
-        put(text, "}");
+        write_word(text, "}");
     }
-    put(text, "]");
+    write_word(text, "]");
 }
 
 static void put_reconstruction(wcut_text *text, const wcut_compared *c) {
@@ -280,16 +280,16 @@ static void put_reconstruction(wcut_text *text, const wcut_compared *c) {
     put_number(text, ", \"farthest_mm\": ", r->farthest);
     put_number(text, ", \"spacing_mm\": ", r->spacing);
     put_number(text, ", \"smoothing_mm\": ", r->smoothing);
-    put(text, ", \"holes\": [");
+    write_word(text, ", \"holes\": [");
     for (int k = 0; k < r->hole_count; k++) {
         put_number(text, k ? ", {\"area_mm2\": " : "{\"area_mm2\": ", r->hole[k].area);
         put_point(text, ", \"centre_mm\": [", r->hole[k].centre);
         wcut_text_print(text, ", \"open\": %s}", r->hole[k].open ? "true" : "false");
     }
-    put(text, "]");
+    write_word(text, "]");
     put_statistics(text, ",\n    \"scan_to_face_mm\": ", c->to_face);
     put_statistics(text, ",\n    \"face_to_scan_mm\": ", c->to_scan);
-    put(text, "}");
+    write_word(text, "}");
 }
 
 /* ---- the document ---- */
@@ -308,7 +308,7 @@ static void put_document(wcut_text *t, const wcut_compared *c) {
 
     /* the deviations after the registration */
     put_statistics(t, ",\n  \"distance_mm\": ", &r->statistics);
-    put_figures(t, r, "  ");
+    put_deviation_figures(t, r, "  ");
     put_way_back(t, c);
     put_bands(t, ",\n  \"bands\": ", &r->statistics);
 
@@ -323,15 +323,15 @@ static void put_document(wcut_text *t, const wcut_compared *c) {
     put_statistics(t, ",\n  \"as_scanned\": {\"distance_mm\": ", &c->unmoved->statistics);
     put_bands(t, ", \"bands\": ", &c->unmoved->statistics);
     put_count(t, ", \"outside\": ", c->unmoved->place[WCUT_PLACE_BEYOND]);
-    put_figures(t, c->unmoved, "    ");
-    put(t, "}");
+    put_deviation_figures(t, c->unmoved, "    ");
+    write_word(t, "}");
 
     /* what they go with, where a job tells */
     if (r->related) {
         put_relation(t, ",\n  \"correlation\": {\"time_since_entry\": {\"of_deviation\": ", r->time);
         put_relation(t, ", \"path_curvature\": {\"of_deviation\": ", r->path);
         put_relation(t, ", \"face_curvature\": {\"of_deviation\": ", r->bend);
-        put(t, "}");
+        write_word(t, "}");
     }
 
     put_zones(t, r);
@@ -376,19 +376,19 @@ static void put_zone(wcut_text *t, const wcut_zone *z, int bands) {
     wcut_text_print(t, "%s,%s,%d", z->name, z->is_patch ? "patch" : "phase", z->count);
     const double figure[] = {z->mean, z->std, z->rms, z->mae, z->min, z->max};
     for (size_t k = 0; k < sizeof figure / sizeof *figure; k++) {
-        put(t, ",");
+        write_word(t, ",");
         if (z->count > 0) wcut_text_number(t, figure[k]);
     }
     const double side[] = {z->low.x, z->high.x, z->low.y, z->high.y};
     for (size_t k = 0; k < sizeof side / sizeof *side; k++) {
-        put(t, ",");
+        write_word(t, ",");
         if (z->count > 0 || z->is_patch) wcut_text_number(t, side[k]);
     }
     for (int k = 0; k < bands; k++) {
-        put(t, ",");
+        write_word(t, ",");
         if (z->count > 0) wcut_text_number(t, z->within[k]);
     }
-    put(t, "\n");
+    write_word(t, "\n");
 }
 
 wcut_status wcut_zones_write(const wcut_deviation_summary_result *found, const char *path, wcut_error *error) {
@@ -396,9 +396,9 @@ wcut_status wcut_zones_write(const wcut_deviation_summary_result *found, const c
     if (!found || !path || found->zones < 0 || !are_figures(&found->statistics) || (found->zones > 0 && !found->zone))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "zones: %s", wcut_status_text(WCUT_BAD_ARGUMENT));
     if (!wcut_text_create(&t, NULL)) return wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
-    put(&t, "zone,kind,count,mean_mm,std_mm,rms_mm,mae_mm,min_mm,max_mm,x_low_mm,x_high_mm,y_low_mm,y_high_mm");
+    write_word(&t, "zone,kind,count,mean_mm,std_mm,rms_mm,mae_mm,min_mm,max_mm,x_low_mm,x_high_mm,y_low_mm,y_high_mm");
     for (int k = 0; k < found->statistics.bands; k++) put_number(&t, ",within_mm_", found->statistics.band[k]);
-    put(&t, "\n");
+    write_word(&t, "\n");
     for (int k = 0; k < found->zones; k++) put_zone(&t, &found->zone[k], found->statistics.bands);
     char *text = NULL;
     wcut_status status = wcut_text_finish(&t, &text, NULL);

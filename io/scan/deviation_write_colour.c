@@ -146,7 +146,7 @@ typedef struct coloured {
 
 static bool is_deviation_colour_there(const coloured *c, int i) { return !c->present || c->present[i]; }
 
-static void put_ply(wcut_text *text, const wcut_mesh *mesh, const void *context) {
+static void put_coloured_ply(wcut_text *text, const wcut_mesh *mesh, const void *context) {
     const coloured *c = context;
 
     /* the header: units, the scale of the colours, what a vertex and a face have */
@@ -187,7 +187,7 @@ static void put_coloured(wcut_text *text, const coloured *c, const wcut_mesh *me
     wcut_text_put(text, "\n", 1);
 }
 
-static void put_obj(wcut_text *text, const wcut_mesh *mesh, const void *context) {
+static void put_coloured_obj(wcut_text *text, const wcut_mesh *mesh, const void *context) {
     const coloured *c = context;
     wcut_text_print(text, "# wirecut %s\n# units: mm, z up\n# %d vertices, %d triangles\n# ", WCUT_VERSION,
                     mesh->vertex_count, mesh->triangle_count);
@@ -213,11 +213,11 @@ static wcut_status write_coloured(const wcut_mesh *mesh, wcut_mesh_put *put, con
 wcut_status wcut_deviation_mesh_write_ply(const wcut_mesh *mesh, const double *value, const unsigned char *present,
                                           double limit, const char *path, wcut_error *error) {
     const coloured c = {value, present, limit};
-    return write_coloured(mesh, put_ply, &c, path, error);
+    return write_coloured(mesh, put_coloured_ply, &c, path, error);
 }
 
 wcut_status wcut_deviation_mesh_write_obj(const wcut_mesh *mesh, const double *value, const unsigned char *present,
                                           double limit, const char *path, wcut_error *error) {
     const coloured c = {value, present, limit};
-    return write_coloured(mesh, put_obj, &c, path, error);
+    return write_coloured(mesh, put_coloured_obj, &c, path, error);
 }

@@ -9,7 +9,7 @@
 #define SPARE 0.7   /* [1] of the acceleration that the plan may use; the rest is the feedback's */
 #define NO_LOAD 0.1 /* [1] of the target: with less there is nothing to steer by, and no reason to speed up */
 #define LOAD 0.4    /* [1] of the target: from here on the error counts in full */
-enum { STILL_MOST = 50 /* calls in a row in which time may stand still */ };
+enum { STILL_MAX = 50 /* calls in a row in which time may stand still */ };
 
 struct wcut_control {
     wcut_control_settings s;
@@ -47,7 +47,7 @@ wcut_control_settings wcut_control_settings_default(const wcut_job *job) {
                                    .fault_time = 0.5};
 }
 
-static wcut_status check(const wcut_control_settings *s, wcut_error *error) {
+static wcut_status check_settings(const wcut_control_settings *s, wcut_error *error) {
     const struct {
         const char *name;
         double value;
@@ -81,7 +81,7 @@ static wcut_status check(const wcut_control_settings *s, wcut_error *error) {
     return WCUT_OK;
 }
 
-static double way_of(const wcut_history_row *row, int j) { /* [mm] of the faster mount from station j to j+1 */
+static double faster_way(const wcut_history_row *row, int j) { /* [mm] of the faster mount from station j to j+1 */
     return fmax(row[j + 1].speed_a, row[j + 1].speed_b) * row[j + 1].duration;
 }
 
@@ -92,34 +92,34 @@ static bool is_cut(const wcut_history_row *row, int j) { /* whether the wire is 
 /* The least speed at which the plan cuts within the margin of segment j, where contact begins or ends there: the load
    sets in over the whole width at once, and the block may stand a little elsewhere. */
 static double speed_near_contact(const wcut_control *c, const wcut_history_row *row, int j) {
-    double least = fmax(row[j + 1].speed_a, row[j + 1].speed_b);
+    double min = fmax(row[j + 1].speed_a, row[j + 1].speed_b);
     for (int side = -1; side <= 1; side += 2) {
-        double gone = 0, slowest = least;
+        double gone = 0, slowest = min;
         bool changes = false;
         for (int i = j; i >= 0 && i < c->stations - 1 && gone <= c->s.margin; i += side) {
             changes = changes || is_cut(row, i) != is_cut(row, j);
             if (is_cut(row, i)) slowest = fmin(slowest, fmax(row[i + 1].speed_a, row[i + 1].speed_b));
-            if (i != j) gone += way_of(row, i);
+            if (i != j) gone += faster_way(row, i);
         }
-        if (changes) least = slowest;
+        if (changes) min = slowest;
     }
-    return least;
+    return min;
 }
 
 /* the plan's speeds, slow at contact, no drop of which needs more than SPARE of the acceleration: v0^2 <= v1^2
    + 2 a d */
-static bool fill(wcut_control *c, const wcut_history *plan) {
+static bool fill_plan(wcut_control *c, const wcut_history *plan) {
     const wcut_history_row *row = plan->row;
     for (int j = 0; j < c->stations; j++) {
         const double mean = (row[j].tension_a + row[j].tension_b) / 2;
         if (!isfinite(mean)) return false;
         c->loaded[j] = clamp(mean / c->s.tension, 0, 1);
-        if (j > 0 && !is_positive(way_of(row, j - 1))) return false;
+        if (j > 0 && !is_positive(faster_way(row, j - 1))) return false;
     }
     for (int j = c->stations - 2; j >= 0; j--) {
         c->planned[j] = clamp(speed_near_contact(c, row, j), c->s.speed_min, c->s.speed_max);
         if (j == c->stations - 2) continue;
-        const double next = c->planned[j + 1], d = (way_of(row, j) + way_of(row, j + 1)) / 2;
+        const double next = c->planned[j + 1], d = (faster_way(row, j) + faster_way(row, j + 1)) / 2;
         c->planned[j] = fmin(c->planned[j], sqrt(next * next + 2 * SPARE * c->s.acceleration * d));
     }
     return true;
@@ -132,7 +132,7 @@ wcut_status wcut_control_create(const wcut_control_settings *settings, const wcu
     if (!plan->row || plan->stations < 2 || plan->stations != plan->planned)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "plan: found %d of %d stations, expected a cut to its end",
                          plan->stations, plan->planned);
-    wcut_status status = check(settings, error);
+    wcut_status status = check_settings(settings, error);
     if (status != WCUT_OK) return status;
     wcut_control *c = wcut_alloc(1, sizeof *c);
     if (!c) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a controller");
@@ -143,7 +143,7 @@ wcut_status wcut_control_create(const wcut_control_settings *settings, const wcu
     c->loaded = wcut_alloc((size_t)c->stations, sizeof *c->loaded);
     if (!c->planned || !c->loaded)
         status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a plan of %d stations", c->stations);
-    else if (!fill(c, plan))
+    else if (!fill_plan(c, plan))
         status = wcut_fail(error, WCUT_BAD_ARGUMENT, "plan: expected positive speeds and finite tensions");
     if (status == WCUT_OK)
         *out = c;
@@ -160,7 +160,7 @@ void wcut_control_destroy(wcut_control *c) {
 }
 
 /* between two neighbours of a table, at a real-valued index whose ends are held */
-static double interpolate(int count, const double *table, double at) {
+static double table_at(int count, const double *table, double at) {
     if (!(at > 0)) return table[0];
     if (at >= count - 1) return table[count - 1];
     const int j = (int)at;
@@ -189,7 +189,7 @@ static double pass_time(wcut_control *c, double time) {
         return c->period = dt;
     }
     c->view.dropped++;
-    if (++c->still > STILL_MOST) c->view.state = WCUT_CONTROL_STATE_STOP_STALE;
+    if (++c->still > STILL_MAX) c->view.state = WCUT_CONTROL_STATE_STOP_STALE;
     return 0;
 }
 
@@ -220,26 +220,26 @@ static bool watch(wcut_control *c, double dt, double station, double a, double b
 
 /* The error that is fed back: of the filtered tension. What would speed the wire up counts as far as the plan expects
    a load, and as far as there is one. */
-static void measure(wcut_control *c, double dt, double station) {
+static void measure_foam(wcut_control *c, double dt, double station) {
     const double mean = (c->tension_a + c->tension_b) / 2, k = c->s.tension;
     wcut_control_view *v = &c->view;
     v->tension = c->filtered ? v->tension + (mean - v->tension) * dt / (c->s.filter + dt) : mean;
     c->filtered = true;
     const double load = v->tension / k, e = log(fmax(load, NO_LOAD));
     const double share = clamp((load - NO_LOAD) / (LOAD - NO_LOAD), 0, 1);
-    v->error = e > 0 ? e : e * share * interpolate(c->stations, c->loaded, station);
+    v->error = e > 0 ? e : e * share * table_at(c->stations, c->loaded, station);
 }
 
 /* the speed that a correction asks for; +inf where it asks for less than no slowness */
-static double speed_of(const wcut_control *c, double correction) {
+static double corrected_speed(const wcut_control *c, double correction) {
     const double x = c->s.exponent_speed / c->view.planned + correction;
     return x > 0 ? c->s.exponent_speed / x : INFINITY;
 }
 
 /* no further than the acceleration allows in dt */
-static double ramp(const wcut_control *c, double dt, double speed) {
-    const double most = c->s.acceleration * dt;
-    return clamp(speed, c->view.speed - most, c->view.speed + most);
+static double limit_acceleration(const wcut_control *c, double dt, double speed) {
+    const double max = c->s.acceleration * dt;
+    return clamp(speed, c->view.speed - max, c->view.speed + max);
 }
 
 /* Plan and feedback to a speed within all limits; without a usable reading the correction stays. Anti-windup: the
@@ -248,8 +248,8 @@ static void follow(wcut_control *c, double dt, bool usable) {
     const double e = c->s.feedback ? c->view.error : 0, add = usable ? c->s.rate * e * dt : 0;
     const double asked = c->s.gain * e + c->integral + add;
     const double u = clamp(asked, -c->s.authority, c->s.authority);
-    const double wanted = speed_of(c, u);
-    const double speed = ramp(c, dt, clamp(wanted, c->s.speed_min, c->s.speed_max));
+    const double wanted = corrected_speed(c, u);
+    const double speed = limit_acceleration(c, dt, clamp(wanted, c->s.speed_min, c->s.speed_max));
     const bool against = (e > 0 && (speed > wanted || asked > u)) || (e < 0 && (speed < wanted || asked < u));
     if (!against) c->integral += add;
     c->view.correction = u;
@@ -266,8 +266,8 @@ wcut_status wcut_control_step(wcut_control *c, double time, double station, doub
         c->view.speed = fmax(0, c->view.speed - c->s.acceleration * (dt > 0 ? dt : c->period));
     } else {
         c->view.state = c->view.dropped > dropped ? WCUT_CONTROL_STATE_HOLD : WCUT_CONTROL_STATE_RUN;
-        if (isfinite(station)) c->view.planned = interpolate(c->stations - 1, c->planned, station - 0.5);
-        if (usable) measure(c, dt, station);
+        if (isfinite(station)) c->view.planned = table_at(c->stations - 1, c->planned, station - 0.5);
+        if (usable) measure_foam(c, dt, station);
         if (dt > 0 && c->view.planned > 0) follow(c, dt, usable);
     }
     *speed = c->view.speed;

@@ -44,8 +44,8 @@ typedef struct figure {
 } figure;
 
 /* the figures of station j in the order of the measures */
-static void measure(const wcut_history *h, const wcut_robot_limits *l, double stress_per_tension, double strength,
-                    int j, figure *f) {
+static void measure_station(const wcut_history *h, const wcut_robot_limits *l, double stress_per_tension,
+                            double strength, int j, figure *f) {
     const wcut_history_row *r = &h->row[j];
     const double alpha = fmax(fabs(r->alpha_a), fabs(r->alpha_b)), beta = fmax(fabs(r->beta_a), fabs(r->beta_b));
     f[WCUT_FEASIBILITY_MEASURE_SPEED] = (figure){"speed of a mount", "mm/s", fmax(r->speed_a, r->speed_b), l->speed};
@@ -66,7 +66,7 @@ static double radius_at(const wcut_history *h, int j) {
 }
 
 /* the verdict of the worst figure at its station */
-static void judge(const figure *worst, int station, wcut_feasibility *v) {
+static void judge_figure(const figure *worst, int station, wcut_feasibility *v) {
     const double share = worst->value / worst->limit;
     const bool over = share > 1 + 1e-9;
     v->verdict = over                  ? WCUT_FEASIBILITY_VERDICT_INFEASIBLE
@@ -126,7 +126,7 @@ wcut_status wcut_feasibility_eval(const wcut_job *job, const wcut_history *h, co
     int at = 0;
     for (int j = 0; j < h->stations; j++) {
         figure f[WCUT_FEASIBILITY_MEASURE_COUNT];
-        measure(h, &l, per_tension, strength, j, f);
+        measure_station(h, &l, per_tension, strength, j, f);
         v.radius_min = fmin(v.radius_min, radius_at(h, j));
         for (int k = 0; k < WCUT_FEASIBILITY_MEASURE_COUNT; k++) {
             if (share) share[(size_t)k * (size_t)h->stations + (size_t)j] = f[k].value / f[k].limit;
@@ -136,7 +136,7 @@ wcut_status wcut_feasibility_eval(const wcut_job *job, const wcut_history *h, co
             if (!fed && f[k].value / f[k].limit > worst.value / worst.limit) worst = f[k], at = j;
         }
     }
-    if (!judge_course(h, &v)) judge(&worst, at, &v);
+    if (!judge_course(h, &v)) judge_figure(&worst, at, &v);
     *verdict = v;
     return WCUT_OK;
 }

@@ -55,7 +55,7 @@ wcut_rig_options wcut_rig_options_default(const wcut_job *job) {
                               .excitation = true};
 }
 
-static wcut_status check(const wcut_rig_options *o, wcut_error *error) {
+static wcut_status check_rig(const wcut_rig_options *o, wcut_error *error) {
     const double zero_or_more[] = {o->delay,       o->lag,         o->noise_tension,
                                    o->noise_angle, o->noise_speed, o->noise_position};
     const double positive[] = {o->law_a, o->law_b, o->density, o->period};
@@ -77,7 +77,7 @@ static wcut_status check(const wcut_rig_options *o, wcut_error *error) {
 
 /* ---- the plant ---- */
 
-static double way_of(const wcut_vec3 *mount, int j) { return vec3_distance(mount[j], mount[j + 1]); }
+static double mount_way(const wcut_vec3 *mount, int j) { return vec3_distance(mount[j], mount[j + 1]); }
 
 /* the segment that a station lies in */
 static int segment_of(const rig *r) {
@@ -96,7 +96,7 @@ static void move_mounts(rig *r, double way) {
     const wcut_vec3 from_a = mount_at(r, r->job->mount_a), from_b = mount_at(r, r->job->mount_b);
     while (way > 0 && r->station < r->job->stations - 1) {
         const int j = segment_of(r);
-        const double longer = fmax(way_of(r->job->mount_a, j), way_of(r->job->mount_b, j));
+        const double longer = fmax(mount_way(r->job->mount_a, j), mount_way(r->job->mount_b, j));
         const double left = (j + 1 - r->station) * longer;
         r->station = way < left ? r->station + way / longer : j + 1;
         way -= left;
@@ -108,7 +108,7 @@ static void move_mounts(rig *r, double way) {
 }
 
 /* the speed dither of an identification cut, while most of the wire is in the foam */
-static double dither(const rig *r, double engaged) {
+static double excitation_dither(const rig *r, double engaged) {
     if (!r->o.excitation || engaged < MOST_OF_WIRE * r->longest) return 1;
     return fmax(wcut_job_pace_eval(r->job, r->time), 0);
 }
@@ -129,7 +129,7 @@ static void meet_foam(rig *r) {
 /* ---- the loop ---- */
 
 /* what the sensors gave a delay ago; before there was anything to read, the first reading */
-static reading delay(rig *r, reading now) {
+static reading delay_reading(rig *r, reading now) {
     if (r->delays == 0) return now;
     const reading before = r->line[r->next];
     r->line[r->next] = now;
@@ -143,7 +143,7 @@ static double noisy(rig *r, double value, double deviation) {
 
 static reading read_sensors(rig *r, const wcut_station *s) {
     const double a = noisy(r, s->tension_a, r->o.noise_tension), b = noisy(r, s->tension_b, r->o.noise_tension);
-    return delay(r, (reading){a, b});
+    return delay_reading(r, (reading){a, b});
 }
 
 static wcut_vec3 noisy_position(rig *r, wcut_vec3 p) {
@@ -154,7 +154,7 @@ static wcut_vec3 noisy_position(rig *r, wcut_vec3 p) {
 static bool record(rig *r, const wcut_station *s, reading tension, wcut_rig_run *run) {
     if (!wcut_rig_run_grow(run)) return false;
     const int j = segment_of(r);
-    const double a = way_of(r->job->mount_a, j), b = way_of(r->job->mount_b, j), share = a / fmax(a, b);
+    const double a = mount_way(r->job->mount_a, j), b = mount_way(r->job->mount_b, j), share = a / fmax(a, b);
     const wcut_history_row *row = &r->plan->row[j + 1];
     wcut_control_view control;
     wcut_control_look(r->control, &control);
@@ -189,7 +189,7 @@ static bool record(rig *r, const wcut_station *s, reading tension, wcut_rig_run 
 }
 
 /* One period: the mounts move by the command of the step before, then the sensors are read and the speed is set. */
-static wcut_status advance(rig *r, reading *tension, wcut_error *error) {
+static wcut_status rig_advance(rig *r, reading *tension, wcut_error *error) {
     const double dt = r->o.period;
     r->speed += (r->command - r->speed) * dt / (r->o.lag + dt);
     r->time += dt;
@@ -208,18 +208,18 @@ static wcut_status advance(rig *r, reading *tension, wcut_error *error) {
     *tension = read_sensors(r, &s);
     double speed;
     status = wcut_control_step(r->control, r->time, r->station, tension->a, tension->b, &speed);
-    r->command = fmin(speed * dither(r, s.engaged_length), r->job->speed_max);
+    r->command = fmin(speed * excitation_dither(r, s.engaged_length), r->job->speed_max);
     return status;
 }
 
 static wcut_status run_loop(rig *r, wcut_progress progress, void *context, wcut_rig_run *run, wcut_error *error) {
     const wcut_history *plan = r->plan;
-    const double most = 1 + PATIENCE * plan->row[plan->stations - 1].time;
+    const double max = 1 + PATIENCE * plan->row[plan->stations - 1].time;
     const int every = r->o.decimation > 0 ? r->o.decimation : (int)fmax(1, floor(0.05 / r->o.period + 0.5));
     wcut_control_view control = {.state = WCUT_CONTROL_STATE_RUN};
     for (long step = 1; r->station < plan->stations - 1; step++) {
         reading tension = {0, 0};
-        wcut_status status = advance(r, &tension, error);
+        wcut_status status = rig_advance(r, &tension, error);
         if (status != WCUT_OK) return status;
         wcut_station s;
         wcut_cut_view(r->cut, &s);
@@ -233,7 +233,7 @@ static wcut_status run_loop(rig *r, wcut_progress progress, void *context, wcut_
         if (run->ended != WCUT_CONTROL_STATE_RUN && control.speed == 0) return WCUT_OK;
         if (progress && progress((int)r->station + 1, plan->stations, context) != 0)
             return wcut_fail(error, WCUT_INTERRUPTED, "station %.1f: stopped on request", r->station);
-        if (r->time > most)
+        if (r->time > max)
             return wcut_fail(error, WCUT_NOT_CONVERGED, "station %.1f of %d after %.0f s, the plan ends at %.0f s",
                              r->station, plan->stations - 1, r->time, plan->row[plan->stations - 1].time);
     }
@@ -241,7 +241,7 @@ static wcut_status run_loop(rig *r, wcut_progress progress, void *context, wcut_
     return WCUT_OK;
 }
 
-static wcut_status begin(rig *r, const wcut_control_settings *settings, wcut_error *error) {
+static wcut_status rig_begin(rig *r, const wcut_control_settings *settings, wcut_error *error) {
     wcut_status status = wcut_control_create(settings, r->plan, &r->control, error);
     if (status == WCUT_OK) status = wcut_setup_create(r->job, NULL, &r->setup, error);
     if (status == WCUT_OK) status = wcut_cut_create(r->setup, &r->cut, error);
@@ -272,9 +272,9 @@ wcut_status wcut_rig_run_create(const wcut_job *job, const wcut_history *plan, c
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "a job, a plan, settings and a place for the run are expected");
     rig r = {.job = job, .plan = plan, .o = options ? *options : wcut_rig_options_default(job)};
     wcut_rig_run *run = NULL;
-    wcut_status status = check(&r.o, error);
+    wcut_status status = check_rig(&r.o, error);
     if (status == WCUT_OK) status = check_match(job, plan, error);
-    if (status == WCUT_OK) status = begin(&r, control, error);
+    if (status == WCUT_OK) status = rig_begin(&r, control, error);
     if (status == WCUT_OK) {
         r.random = wcut_random_seed(r.o.seed);
         run = wcut_alloc(1, sizeof *run);

@@ -61,7 +61,7 @@ void wcut_rig_run_destroy(wcut_rig_run *run) {
 }
 
 /* of the samples from .. to - 1 */
-static wcut_rig_figures measure(const wcut_rig_run *run, int from, int to) {
+static wcut_rig_figures measure_samples(const wcut_rig_run *run, int from, int to) {
     const double *time = run->recording.channel[WCUT_CHANNEL_TIME].value;
     wcut_rig_figures f = {.from = time[from], .to = time[to - 1]};
     double sum = 0, squares = 0;
@@ -85,10 +85,10 @@ void wcut_rig_run_finish(wcut_rig_run *run) {
     while (to < count && run->phase[to] == WCUT_PHASE_STEADY) to++;
     if (to <= from) return;
     run->has_steady = true;
-    run->steady = measure(run, from, to);
+    run->steady = measure_samples(run, from, to);
     int beyond = from;
     while (beyond < to && run->beyond[beyond] < 0.5) beyond++;
     if (beyond == from || beyond == to) return;
     run->has_density = true;
-    run->density = measure(run, beyond, to);
+    run->density = measure_samples(run, beyond, to);
 }

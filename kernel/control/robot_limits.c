@@ -56,7 +56,7 @@ wcut_status wcut_wire_temperature(double heat, double diameter, double ambient, 
 }
 
 /* [MPa] between its two known values, and on, exponentially */
-static double strength(const wcut_robot_limits *l, double temperature) {
+static double strength_at(const wcut_robot_limits *l, double temperature) {
     const double share = (temperature - 20) / (l->hot_temperature - 20);
     return l->cold_strength * pow(l->hot_strength / l->cold_strength, share);
 }
@@ -67,7 +67,7 @@ bool wcut_limits_wire(const wcut_job *job, const wcut_robot_limits *l, double *t
     if (!all_positive(sizeof positive / sizeof *positive, positive) || !(l->hot_temperature > 20) ||
         wcut_wire_temperature(job->heat, job->wire_diameter, l->ambient, l->emissivity, temperature) != WCUT_OK)
         return false;
-    *wire_strength = strength(l, *temperature);
+    *wire_strength = strength_at(l, *temperature);
     return true;
 }
 

@@ -34,11 +34,13 @@ static void stray(const wcut_vec3 *x, int i, int j, int k, double share, double 
     *along = fabs(*along);
 }
 
-static double turn(double from, double to, double share, double at) { return fabs(at - (from + share * (to - from))); }
+static double turn_error(double from, double to, double share, double at) {
+    return fabs(at - (from + share * (to - from)));
+}
 
 /* the station between i and k that strays most, as a share of its tolerance; gives that share */
 static double find_worst(path *p, int i, int k, int *worst) {
-    double most = 0, chord = 0, time = 0;
+    double max = 0, chord = 0, time = 0;
     *worst = i + 1;
     for (int j = i + 1; j < k; j++) {
         const wcut_history_row *f = &p->row[i], *t = &p->row[k], *r = &p->row[j];
@@ -47,23 +49,24 @@ static double find_worst(path *p, int i, int k, int *worst) {
         stray(p->a, i, j, k, share, &across[0], &along[0]);
         stray(p->b, i, j, k, share, &across[1], &along[1]);
         if (p->o.frame == WCUT_TOOL_FRAME_FOLLOWING)
-            angle = fmax(
-                fmax(turn(f->alpha_a, t->alpha_a, share, r->alpha_a), turn(f->beta_a, t->beta_a, share, r->beta_a)),
-                fmax(turn(f->alpha_b, t->alpha_b, share, r->alpha_b), turn(f->beta_b, t->beta_b, share, r->beta_b)));
+            angle = fmax(fmax(turn_error(f->alpha_a, t->alpha_a, share, r->alpha_a),
+                              turn_error(f->beta_a, t->beta_a, share, r->beta_a)),
+                         fmax(turn_error(f->alpha_b, t->alpha_b, share, r->alpha_b),
+                              turn_error(f->beta_b, t->beta_b, share, r->beta_b)));
         const double c = fmax(across[0], across[1]), l = fmax(along[0], along[1]);
         const double size = fmax(fmax(c / p->o.chord_tolerance, l / p->o.time_tolerance), angle / p->o.angle_tolerance);
         chord = fmax(chord, c);
         time = fmax(time, l);
-        if (size > most) {
-            most = size;
+        if (size > max) {
+            max = size;
             *worst = j;
         }
     }
-    if (most <= 1) {
+    if (max <= 1) {
         p->chord_error = fmax(p->chord_error, chord);
         p->time_error = fmax(p->time_error, time);
     }
-    return most;
+    return max;
 }
 
 /* mark the stations to keep; `stack` has room for m */
@@ -127,7 +130,7 @@ static bool lead_direction(const path *p, int m, int step, wcut_vec3 *direction)
 }
 
 /* a lead: both mounts by the same vector along a direction, at the speed of the faster one */
-static wcut_robot_target lead(const path *p, int from, wcut_vec3 direction, double way, double speed) {
+static wcut_robot_target lead_target(const path *p, int from, wcut_vec3 direction, double way, double speed) {
     wcut_robot_target t = at_station(p, from);
     const wcut_vec3 step = vec3_scale(way, direction);
     t.station = way < 0 ? -1 : -2;
@@ -138,7 +141,7 @@ static wcut_robot_target lead(const path *p, int from, wcut_vec3 direction, doub
 }
 
 /* durations, speeds and zones from times and places */
-static void finish(wcut_robot_motion *motion, double zone) {
+static void finish_motion(wcut_robot_motion *motion, double zone) {
     const int n = motion->count;
     const double begin = motion->target[0].time;
     for (int i = 0; i < n; i++) motion->target[i].time -= begin;
@@ -156,7 +159,7 @@ static void finish(wcut_robot_motion *motion, double zone) {
     motion->duration = motion->target[n - 1].time;
 }
 
-static wcut_status fill(const wcut_history *h, path *p, const unsigned char *keep, wcut_robot_motion *motion) {
+static wcut_status fill_motion(const wcut_history *h, path *p, const unsigned char *keep, wcut_robot_motion *motion) {
     const int m = h->stations;
     int count = 0;
     for (int j = 0; j < m; j++) count += keep[j];
@@ -165,22 +168,22 @@ static wcut_status fill(const wcut_history *h, path *p, const unsigned char *kee
     int n = 0;
     const double first = fmax(h->row[1].speed_a, h->row[1].speed_b);
     const double last = fmax(h->row[m - 1].speed_a, h->row[m - 1].speed_b);
-    if (p->o.lead_in > 0) motion->target[n++] = lead(p, 0, p->feed, -p->o.lead_in, first);
+    if (p->o.lead_in > 0) motion->target[n++] = lead_target(p, 0, p->feed, -p->o.lead_in, first);
     motion->first = n;
     for (int j = 0; j < m; j++)
         if (keep[j]) motion->target[n++] = at_station(p, j);
     motion->last = n - 1;
-    if (p->o.lead_out > 0) motion->target[n++] = lead(p, m - 1, p->onward, p->o.lead_out, last);
+    if (p->o.lead_out > 0) motion->target[n++] = lead_target(p, m - 1, p->onward, p->o.lead_out, last);
     motion->count = n;
     motion->stations = m;
     motion->chord_error = p->chord_error;
     motion->time_error = p->time_error;
-    finish(motion, p->o.zone);
+    finish_motion(motion, p->o.zone);
     return WCUT_OK;
 }
 
-static wcut_status check(const wcut_history *h, const wcut_vec3 *a, const wcut_vec3 *b, const wcut_robot_options *o,
-                         wcut_error *error) {
+static wcut_status check_robot_path(const wcut_history *h, const wcut_vec3 *a, const wcut_vec3 *b,
+                                    const wcut_robot_options *o, wcut_error *error) {
     if (!is_positive(o->chord_tolerance) || !is_positive(o->time_tolerance) || !is_positive(o->angle_tolerance) ||
         !(o->lead_in >= 0 && isfinite(o->lead_in)) || !(o->lead_out >= 0 && isfinite(o->lead_out)) ||
         !(o->zone >= 0 && isfinite(o->zone)) ||
@@ -203,7 +206,7 @@ wcut_status wcut_robot_motion_create(const wcut_history *history, const wcut_vec
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "a history, its path curves and a place for the motion are expected");
     path p = {.row = history->row, .a = mount_a, .b = mount_b, .o = options ? *options : wcut_robot_options_default()};
-    wcut_status status = check(history, mount_a, mount_b, &p.o, error);
+    wcut_status status = check_robot_path(history, mount_a, mount_b, &p.o, error);
     if (status != WCUT_OK) return status;
     if ((p.o.lead_in > 0 && !lead_direction(&p, history->stations, 1, &p.feed)) ||
         (p.o.lead_out > 0 && !lead_direction(&p, history->stations, -1, &p.onward)))
@@ -216,7 +219,7 @@ wcut_status wcut_robot_motion_create(const wcut_history *history, const wcut_vec
     status = WCUT_NO_MEMORY;
     if (motion && stack && keep) {
         thin(&p, history->stations, stack, keep);
-        status = fill(history, &p, keep, motion);
+        status = fill_motion(history, &p, keep, motion);
     }
     wcut_free(stack);
     wcut_free(keep);

@@ -19,7 +19,7 @@ static bool is_cutting(wcut_phase phase) {
 }
 
 /* the plan's first station in contact, and the first after its last; false where it has none */
-static bool find_contact(const wcut_history *plan, int *contact, int *left) {
+static bool find_plan_contact(const wcut_history *plan, int *contact, int *left) {
     *contact = -1;
     for (int j = 0; j < plan->stations; j++) {
         if (!is_cutting(plan->row[j].phase)) continue;
@@ -40,7 +40,7 @@ static double time_at(const wcut_recording *recording, double station) {
 static wcut_status count_samples(const wcut_history *plan, const wcut_recording *recording,
                                  const wcut_comparison_options *o, wcut_comparison *c, wcut_error *error) {
     int contact, left;
-    if (!find_contact(plan, &contact, &left))
+    if (!find_plan_contact(plan, &contact, &left))
         return wcut_fail(error, WCUT_DEGENERATE, "the planned run has no contact with the block: nothing to score");
 
     /* the planned stations of first contact and of leaving, as times of the recording */
@@ -67,8 +67,8 @@ static wcut_status count_samples(const wcut_history *plan, const wcut_recording 
 /* ---- scores of a cut ---- */
 
 /* the pairs of one scored channel in one part; gives how many */
-static int gather(const wcut_recording *recording, const wcut_comparison *c, const wcut_prediction *p, int scored,
-                  wcut_part part, double *measured, double *predicted) {
+static int gather_pairs(const wcut_recording *recording, const wcut_comparison *c, const wcut_prediction *p, int scored,
+                        wcut_part part, double *measured, double *predicted) {
     static const wcut_phase phase_of[WCUT_PART_COUNT] = {WCUT_PHASE_APPROACH, WCUT_PHASE_ENTRY, WCUT_PHASE_STEADY,
                                                          WCUT_PHASE_EXIT};
     const int first = scored_signal[scored][0], last = scored_signal[scored][1];
@@ -93,7 +93,7 @@ static void score_prediction(const wcut_recording *recording, const wcut_compari
         if (p == c->replayed && scored_signal[k][0] < 2) continue;
         wcut_score *of = scores->of[k];
         for (int part = 0; part < WCUT_PART_COUNT; part++) {
-            const int n = gather(recording, c, p, k, (wcut_part)part, measured, predicted);
+            const int n = gather_pairs(recording, c, p, k, (wcut_part)part, measured, predicted);
             of[part] = wcut_score_of(n, measured, predicted, part == WCUT_PART_ALL ? 0 : of[WCUT_PART_ALL].range);
         }
     }
@@ -109,8 +109,9 @@ void wcut_comparison_destroy(wcut_comparison *c) {
 }
 
 /* plan, replay and score into a comparison that holds nothing yet; `room` is 4 x samples */
-static wcut_status compare(const wcut_job *job, const wcut_recording *recording, const wcut_comparison_options *o,
-                           double *room, wcut_comparison *c, wcut_error *error) {
+static wcut_status fill_comparison(const wcut_job *job, const wcut_recording *recording,
+                                   const wcut_comparison_options *o, double *room, wcut_comparison *c,
+                                   wcut_error *error) {
     /* the plan: the job run by the simulator alone */
     wcut_setup *setup = NULL;
     wcut_history *plan = NULL;
@@ -142,14 +143,15 @@ static wcut_status compare(const wcut_job *job, const wcut_recording *recording,
     return status;
 }
 
-static bool are_usable(const wcut_comparison_options *o) {
+static bool comparison_options_are_usable(const wcut_comparison_options *o) {
     return o->settle >= 0 && isfinite(o->settle) && o->leave >= 0 && isfinite(o->leave) && is_positive(o->tolerance);
 }
 
 wcut_status wcut_comparison_create(const wcut_job *job, const wcut_recording *recording,
                                    const wcut_comparison_options *options, wcut_comparison **out, wcut_error *error) {
     const wcut_comparison_options o = options ? *options : wcut_comparison_options_default();
-    if (!job || !recording || recording->samples < 1 || !recording->further || !out || !are_usable(&o))
+    if (!job || !recording || recording->samples < 1 || !recording->further || !out ||
+        !comparison_options_are_usable(&o))
         return wcut_fail(
             error, WCUT_BAD_ARGUMENT,
             "a job, a recording, a place for the comparison, a positive tolerance and times of 0 s or more are "
@@ -168,7 +170,7 @@ wcut_status wcut_comparison_create(const wcut_job *job, const wcut_recording *re
 
     /* compare, and hand over what was made */
     if (c && room && c->phase && c->counted)
-        status = compare(job, recording, &o, room, c, error);
+        status = fill_comparison(job, recording, &o, room, c, error);
     else
         wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d samples", recording->samples);
     wcut_free(room);
@@ -184,7 +186,8 @@ wcut_status wcut_comparison_run(int n, const wcut_job *const *job, const wcut_re
                                 const wcut_comparison_options *options, wcut_progress progress, void *context,
                                 wcut_comparison **comparison, wcut_error *error) {
     const wcut_comparison_options o = options ? *options : wcut_comparison_options_default();
-    if (n < 0 || (n > 0 && (!job || !recording || !comparison || !error)) || !are_usable(&o)) return WCUT_BAD_ARGUMENT;
+    if (n < 0 || (n > 0 && (!job || !recording || !comparison || !error)) || !comparison_options_are_usable(&o))
+        return WCUT_BAD_ARGUMENT;
 
     /* outputs are empty where a cut is missing or fails */
     int done = 0, stop = 0;

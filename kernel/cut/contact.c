@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "base/numbers.h"
-#include "cut/effects.h"
+#include "cut/active_effects.h"
 #include "wire/equilibrium.h"
 
 bool wcut_cut_hang(wcut_cut *cut, const wcut_target *target, const wcut_vec3 *load) {
@@ -118,10 +118,10 @@ static bool hang_slack(wcut_cut *cut, const wcut_target *target) {
    contact is loaded by it (and that contact is the load to begin with); before, it leans just so far that it does not
    enter. */
 static wcut_contact_state lean(wcut_cut *cut, const wcut_target *target) {
-    const double most = 0.999; /* a wire on its contact alone may have parts without any load, hence without a shape */
+    const double max = 0.999; /* a wire on its contact alone may have parts without any load, hence without a shape */
     if (!find_contact(cut, target)) return WCUT_CONTACT_FREE;
-    if (touches_leaning(cut, target, most)) return WCUT_CONTACT_SLACK;
-    double low = 0, high = most;
+    if (touches_leaning(cut, target, max)) return WCUT_CONTACT_SLACK;
+    double low = 0, high = max;
     for (int i = 0; i < 20; i++) {
         const double middle = (low + high) / 2;
         if (touches_leaning(cut, target, middle))

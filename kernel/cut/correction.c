@@ -5,7 +5,7 @@
 #include "base/fail.h"
 #include "base/numbers.h"
 
-static wcut_status check(const wcut_correction *c, const wcut_job *job, wcut_error *error) {
+static wcut_status check_correction(const wcut_correction *c, const wcut_job *job, wcut_error *error) {
     if (!c || !job) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a correction and a job are expected");
     if (!is_positive(c->a) || !is_positive(c->b))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "correction: found a = %g, b = %g, expected positive ones", c->a,
@@ -40,7 +40,7 @@ static wcut_status check(const wcut_correction *c, const wcut_job *job, wcut_err
 }
 
 wcut_status wcut_correction_apply(const wcut_correction *c, wcut_job *job, wcut_error *error) {
-    const wcut_status status = check(c, job, error);
+    const wcut_status status = check_correction(c, job, error);
     if (status != WCUT_OK) return status;
 
     /* copy before anything of the job is changed */

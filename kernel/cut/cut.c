@@ -71,7 +71,7 @@ void wcut_contact_rule_set(wcut_cut *cut, wcut_contact_rule rule) {
 }
 
 /* station 0: the wire hangs trailing, under an even load against the feed */
-static bool begin(wcut_cut *cut) {
+static bool begin_cut(wcut_cut *cut) {
     /* an even load against the feed with the sum k gives the first shape */
     const wcut_setup *setup = cut->setup;
     const int n = setup->job->nodes;
@@ -128,7 +128,7 @@ wcut_status wcut_cut_create(const wcut_setup *setup, wcut_cut **out, wcut_error 
     if (!whole || !cut->was || !cut->hanging_shape || !cut->hanging_tension || !cut->kept || !cut->contact ||
         !cut->dead_load || !cut->softer || !cut->softer_tension || !cut->edge || !cut->rest)
         status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a wire of %d nodes", n);
-    else if (!begin(cut))
+    else if (!begin_cut(cut))
         status = wcut_fail(error, WCUT_NOT_CONVERGED, "station 0: no equilibrium of the wire found under an even load");
     if (status == WCUT_OK)
         *out = cut;
@@ -157,7 +157,8 @@ void wcut_cut_destroy(wcut_cut *cut) {
 }
 
 /* advance to a target; on success `next` becomes `now` */
-static wcut_status advance(wcut_cut *cut, const wcut_target *target, wcut_integrator integrator, wcut_error *error) {
+static wcut_status advance_wire(wcut_cut *cut, const wcut_target *target, wcut_integrator integrator,
+                                wcut_error *error) {
     const int n = cut->setup->job->nodes;
 
     /* way of both mounts in this step */
@@ -202,7 +203,7 @@ wcut_status wcut_cut_step(wcut_cut *cut, wcut_error *error) {
     const wcut_target target = {
         .end_a = setup->end_a[j], .end_b = setup->end_b[j], .length = setup->length[j], .heat = setup->job->heat};
     wcut_error cause = {0};
-    const wcut_status status = advance(cut, &target, setup->options.integrator, &cause);
+    const wcut_status status = advance_wire(cut, &target, setup->options.integrator, &cause);
     if (status == WCUT_OK) return WCUT_OK;
     cut->over = true;
     return wcut_fail(error, status, "station %d: %s", j, cause.text);
@@ -222,7 +223,7 @@ wcut_status wcut_cut_drive(wcut_cut *cut, wcut_vec3 mount_a, wcut_vec3 mount_b, 
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "the mounts are %.6g mm apart, the wire is %.6g mm long", chord,
                          wire);
     const wcut_target target = {.end_a = mount_a, .end_b = mount_b, .length = wire, .duration = duration, .heat = heat};
-    return advance(cut, &target, WCUT_INTEGRATOR_IMPLICIT, error);
+    return advance_wire(cut, &target, WCUT_INTEGRATOR_IMPLICIT, error);
 }
 
 static double engaged_length(int n, const wcut_wire *w) {

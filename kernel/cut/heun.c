@@ -5,8 +5,8 @@
 
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "cut/active_effects.h"
 #include "cut/contact.h"
-#include "cut/effects.h"
 #include "cut/run.h"
 
 typedef struct moment { /* the wire at the new station, as far as it is known */
@@ -76,7 +76,7 @@ static void accumulate(moment *m, double h, double share_now, double share_next)
 }
 
 /* The accumulated force is scaled so that it meets (4), then multiplied by h. */
-static void keep(moment *m, double speed, wcut_condition condition, double *elapsed) {
+static void keep_moment(moment *m, double speed, wcut_condition condition, double *elapsed) {
     wcut_cut *cut = m->cut;
     wcut_wire *w = &cut->next;
     const int n = cut->setup->job->nodes;
@@ -154,7 +154,7 @@ wcut_status wcut_heun_advance(wcut_cut *cut, const wcut_target *target, double *
 
     /* residual of (4), where the tension decides */
     if (condition == WCUT_CONDITION_TENSION) cut->residual = fabs(m.pull / cut->setup->job->tension - 1);
-    keep(&m, speed, condition, elapsed);
+    keep_moment(&m, speed, condition, elapsed);
 
     return WCUT_OK;
 }

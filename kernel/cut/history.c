@@ -6,7 +6,7 @@
 #include "base/fail.h"
 #include "cut/run.h"
 
-static wcut_history *create(int stations, int nodes) {
+static wcut_history *create_history(int stations, int nodes) {
     const size_t m = (size_t)stations, n = (size_t)nodes;
     wcut_history *h = wcut_alloc(1, sizeof *h);
     if (!h) return NULL;
@@ -34,7 +34,7 @@ void wcut_history_destroy(wcut_history *h) {
     wcut_free(h);
 }
 
-static void append(wcut_history *h, const wcut_cut *cut) {
+static void append_station(wcut_history *h, const wcut_cut *cut) {
     wcut_station s;
     wcut_cut_view(cut, &s);
 
@@ -66,15 +66,15 @@ static void append(wcut_history *h, const wcut_cut *cut) {
 }
 
 /* run a cut to its end, or as far as it goes; h->ended says why it went no further */
-static wcut_status run(wcut_cut *cut, wcut_progress progress, void *context, wcut_history *h) {
+static wcut_status fill_history(wcut_cut *cut, wcut_progress progress, void *context, wcut_history *h) {
     wcut_status status = WCUT_OK;
     h->stations = 0;
     h->ended = (wcut_error){.status = WCUT_OK};
-    append(h, cut);
+    append_station(h, cut);
     while (status == WCUT_OK && h->stations < h->planned) {
         status = wcut_cut_step(cut, &h->ended);
         if (status != WCUT_OK) break;
-        append(h, cut);
+        append_station(h, cut);
         if (progress && progress(h->stations, h->planned, context) != 0)
             status = wcut_fail(&h->ended, WCUT_INTERRUPTED, "station %d of %d: stopped on request", h->stations - 1,
                                h->planned);
@@ -88,11 +88,11 @@ static wcut_status run_again(const wcut_setup *setup, wcut_contact_rule rule, wc
     wcut_cut *cut = NULL;
 
     /* a history of its own, because the first one may be the longer */
-    wcut_history *h = create((*history)->planned, (*history)->nodes);
+    wcut_history *h = create_history((*history)->planned, (*history)->nodes);
     wcut_status status = h ? wcut_cut_create(setup, &cut, NULL) : WCUT_NO_MEMORY;
     if (status == WCUT_OK) {
         wcut_contact_rule_set(cut, rule);
-        status = run(cut, progress, context, h);
+        status = fill_history(cut, progress, context, h);
     }
 
     if (h && h->stations > (*history)->stations) {
@@ -117,13 +117,13 @@ wcut_status wcut_setup_run(const wcut_setup *setup, wcut_progress progress, void
 
     /* a history of the planned size */
     const int nodes = setup->job->nodes;
-    wcut_history *h = create(setup->stations, nodes);
+    wcut_history *h = create_history(setup->stations, nodes);
     if (!h) {
         wcut_cut_destroy(cut);
         return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a history of %d stations of %d nodes", setup->stations,
                          nodes);
     }
-    status = run(cut, progress, context, h);
+    status = fill_history(cut, progress, context, h);
     wcut_cut_destroy(cut);
 
     /* where it ends early in path mode: by leaning alone, then with a weight from the beginning */

@@ -4,8 +4,8 @@
 
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "cut/active_effects.h"
 #include "cut/contact.h"
-#include "cut/effects.h"
 #include "cut/run.h"
 
 /* the softest face, as a share of the wire's length: deeper than a wire hangs at first contact */
@@ -135,7 +135,7 @@ static bool hang(attempt *a) {
 
 /* Solve with the rate as an unknown, or given: from the wire hung in its last load, from the wire carried along, from a
    softened block. A loose wire that touches is carried along first: its shape is not that of its pattern. */
-static bool solve(attempt *a, bool by_tension, double speed, wcut_solution *solution) {
+static bool solve_attempt(attempt *a, bool by_tension, double speed, wcut_solution *solution) {
     wcut_cut *cut = a->cut;
     const double log_rate = log(speed / a->reach), depth = cut->setup->foam.block.depth;
     const bool carry_first = cut->next.loaded && a->weight > 0;
@@ -159,7 +159,7 @@ static bool solve(attempt *a, bool by_tension, double speed, wcut_solution *solu
 static bool solve_at_limit(attempt *a, double limit, bool upper, double *speed) {
     wcut_solution out = {0};
     const double k = a->cut->setup->job->tension;
-    if (!solve(a, false, limit, &out)) return false;
+    if (!solve_attempt(a, false, limit, &out)) return false;
     *speed = limit;
     return upper ? out.pull <= k * (1 + 1e-12) : out.pull >= k * (1 - 1e-12);
 }
@@ -168,7 +168,7 @@ static bool solve_at_limit(attempt *a, double limit, bool upper, double *speed) 
 static bool solve_at_tension(attempt *a, double guess, double *speed) {
     const wcut_job *job = a->cut->setup->job;
     wcut_solution out = {0};
-    if (!solve(a, true, guess, &out)) return false;
+    if (!solve_attempt(a, true, guess, &out)) return false;
     *speed = a->reach * exp(out.log_rate);
     return *speed <= job->speed_max && *speed >= job->speed_min;
 }
@@ -290,7 +290,7 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, bool brief, do
     wcut_condition condition = WCUT_CONDITION_TIME;
     wcut_solution out = {0};
     const bool solved =
-        target->duration > 0 ? solve(&a, false, speed, &out) : solve_complementary(&a, &speed, &condition);
+        target->duration > 0 ? solve_attempt(&a, false, speed, &out) : solve_complementary(&a, &speed, &condition);
 
     /* a solution counts if the wire is taut or carries a weight */
     if (solved && (cut->weighted || a.pull >= SLACK_TENSION * setup->job->tension)) {
@@ -331,7 +331,7 @@ static double turn_of_path(const wcut_cut *cut, const wcut_target *target) {
 }
 
 /* why no sub-step could be solved, as far as can be told */
-static wcut_status explain_failure(const wcut_cut *cut, const wcut_target *target, wcut_error *error) {
+static wcut_status explain_no_step(const wcut_cut *cut, const wcut_target *target, wcut_error *error) {
     const wcut_cut_options *o = &cut->setup->options;
     const wcut_vec3 *from = cut->now.x;
     const int n = cut->setup->job->nodes;
@@ -416,7 +416,7 @@ wcut_status wcut_implicit_advance(wcut_cut *cut, const wcut_target *target, doub
         if (size >= ldexp(1, -(cut->setup->options.max_halvings + (cut->weighted ? SLOWER : 0)))) continue;
 
         /* a loose wire's branch of equilibria may end: the next one is further off than short parts reach */
-        if (longest * part_of_step(cut, reach) >= 1) return explain_failure(cut, target, error);
+        if (longest * part_of_step(cut, reach) >= 1) return explain_no_step(cut, target, error);
         longest *= 4;
         size = 1;
     }

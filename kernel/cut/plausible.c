@@ -33,9 +33,9 @@ static const char *nearest_unit(int n, const other_unit *unit, double ratio) {
     return NULL;
 }
 
-static bool is_there(const wcut_column *c, int i) { return c->value && (!c->present || c->present[i]); }
+static bool column_has(const wcut_column *c, int i) { return c->value && (!c->present || c->present[i]); }
 
-static wcut_doubt *add(check *c, wcut_channel channel, double ratio, bool certain) {
+static wcut_doubt *add_doubt(check *c, wcut_channel channel, double ratio, bool certain) {
     wcut_doubt *d = &c->doubt[c->count++];
     *d = (wcut_doubt){.channel = channel, .ratio = ratio, .certain = certain};
     return d;
@@ -72,7 +72,7 @@ static void check_clock(check *c) {
     /* sums over the samples at which all three are there */
     double way = 0, sum = 0, span = 0;
     for (int i = 1; i < c->recording->samples; i++) {
-        if (!is_there(station, i) || !is_there(station, i - 1) || !is_there(speed, i)) continue;
+        if (!column_has(station, i) || !column_has(station, i - 1) || !column_has(speed, i)) continue;
         const double dt = time->value[i] - time->value[i - 1];
         way += length_of(place_at(c->job, station->value[i]), place_at(c->job, station->value[i - 1]));
         sum += speed->value[i] * dt;
@@ -89,7 +89,7 @@ static void check_clock(check *c) {
     const char *name = nearest_unit(sizeof unit / sizeof *unit, unit, ratio);
 
     /* the doubt, with the unit that would explain the ratio */
-    wcut_doubt *d = add(c, WCUT_CHANNEL_TIME, ratio, ratio > CERTAIN || ratio < 1 / CERTAIN);
+    wcut_doubt *d = add_doubt(c, WCUT_CHANNEL_TIME, ratio, ratio > CERTAIN || ratio < 1 / CERTAIN);
     wcut_fail(
         &d->error, WCUT_BAD_FORMAT,
         "time_s and speed_a_mm_s contradict each other: mount A makes %.4g mm in %.4g s, which is %.3g mm/s, where "
@@ -111,7 +111,7 @@ static void check_places(check *c) {
     double off = 0, found = 0, expected = 0;
     int n = 0;
     for (int i = 0; i < c->recording->samples; i++) {
-        if (!is_there(x, i) || !is_there(y, i) || !is_there(z, i) || !is_there(station, i)) continue;
+        if (!column_has(x, i) || !column_has(y, i) || !column_has(z, i) || !column_has(station, i)) continue;
         const wcut_vec3 at = {x->value[i], y->value[i], z->value[i]}, p = place_at(c->job, station->value[i]),
                         zero = {0, 0, 0};
         off += length_of(at, p);
@@ -127,7 +127,7 @@ static void check_places(check *c) {
     /* the ratio of the distances tells a unit */
     const double ratio = expected > 0 ? found / expected : 0;
     const char *name = nearest_unit(sizeof unit / sizeof *unit, unit, ratio);
-    wcut_doubt *d = add(c, WCUT_CHANNEL_A_X, ratio, false);
+    wcut_doubt *d = add_doubt(c, WCUT_CHANNEL_A_X, ratio, false);
     wcut_fail(&d->error, WCUT_BAD_FORMAT,
               "a_x_mm, a_y_mm, a_z_mm: mount A is %.4g mm off the job's path in the mean%s%s", off / n,
               name ? ": the columns look like " : ", in another frame or of another job", name ? name : "");
@@ -136,12 +136,12 @@ static void check_places(check *c) {
 /* ---- tensions, angles, heat ---- */
 
 /* the mean of a channel where it is there; 0 where it never is */
-static double mean_of(const check *c, wcut_channel channel, bool absolute) {
+static double channel_mean(const check *c, wcut_channel channel, bool absolute) {
     const wcut_column *column = &c->recording->channel[channel];
     double sum = 0;
     int n = 0;
     for (int i = 0; i < c->recording->samples; i++) {
-        if (!is_there(column, i)) continue;
+        if (!column_has(column, i)) continue;
         sum += absolute ? fabs(column->value[i]) : column->value[i];
         n++;
     }
@@ -153,7 +153,7 @@ static bool is_of_a_cut(const check *c) {
     const wcut_column *station = &c->recording->channel[WCUT_CHANNEL_STATION];
     double low = INFINITY, high = -INFINITY;
     for (int i = 0; i < c->recording->samples; i++) {
-        if (!is_there(station, i)) continue;
+        if (!column_has(station, i)) continue;
         low = fmin(low, station->value[i]);
         high = fmax(high, station->value[i]);
     }
@@ -163,43 +163,44 @@ static bool is_of_a_cut(const check *c) {
 static void check_tension(check *c, wcut_channel channel) {
     static const other_unit unit[] = {
         {101.97, "grams"}, {0.10197, "kilograms"}, {1000, "millinewtons"}, {0.2248, "pounds"}};
-    const double mean = mean_of(c, channel, false), ratio = mean / c->job->tension;
+    const double mean = channel_mean(c, channel, false), ratio = mean / c->job->tension;
     const char *column = wcut_channel_name(channel);
     if (mean < 0 && ratio < -0.1) {
-        wcut_doubt *d = add(c, channel, ratio, false);
+        wcut_doubt *d = add_doubt(c, channel, ratio, false);
         wcut_fail(&d->error, WCUT_BAD_FORMAT, "%s is %.4g N in the mean: a wire cannot be pushed, the sign is turned",
                   column, mean);
         return;
     }
     if (mean == 0 || (ratio < CERTAIN && ratio > 1 / CERTAIN)) return;
     const char *name = nearest_unit(sizeof unit / sizeof *unit, unit, ratio);
-    wcut_doubt *d = add(c, channel, ratio, false);
+    wcut_doubt *d = add_doubt(c, channel, ratio, false);
     wcut_fail(&d->error, WCUT_BAD_FORMAT, "%s is %.4g N in the mean, the job aims at %.4g N%s%s", column, mean,
               c->job->tension, name ? ": it looks like " : "", name ? name : "");
 }
 
 /* the balance of forces, 2 T sin(alpha) = F L, with the job's law at the recorded speed */
 static void check_angles(check *c) {
-    const double alpha = (mean_of(c, WCUT_CHANNEL_ALPHA_A, true) + mean_of(c, WCUT_CHANNEL_ALPHA_B, true)) / 2;
-    const double speed = mean_of(c, WCUT_CHANNEL_SPEED_A, true), heat = mean_of(c, WCUT_CHANNEL_HEAT, false);
+    const double alpha =
+        (channel_mean(c, WCUT_CHANNEL_ALPHA_A, true) + channel_mean(c, WCUT_CHANNEL_ALPHA_B, true)) / 2;
+    const double speed = channel_mean(c, WCUT_CHANNEL_SPEED_A, true), heat = channel_mean(c, WCUT_CHANNEL_HEAT, false);
     if (!(alpha > 0) || !(speed > 0) || !(c->job->tension > 0)) return;
     const double force = wcut_force_law_eval(&c->job->force_law, heat > 0 ? heat : c->job->heat, speed);
     const double expected = asin(fmin(force * c->job->block_size.x / (2 * c->job->tension), 1));
     const double ratio = alpha / expected;
     if (!(ratio > 0) || ratio > 2 / WCUT_DEG_PER_RAD || ratio < 0.3 / WCUT_DEG_PER_RAD) return;
-    wcut_doubt *d = add(c, WCUT_CHANNEL_ALPHA_A, ratio, false);
+    wcut_doubt *d = add_doubt(c, WCUT_CHANNEL_ALPHA_A, ratio, false);
     wcut_fail(&d->error, WCUT_BAD_FORMAT,
               "alpha_a_deg and alpha_b_deg are %.3g deg in the mean, the balance of forces asks for %.3g deg: they "
               "look like radians",
               alpha * WCUT_DEG_PER_RAD, expected * WCUT_DEG_PER_RAD);
 }
 
-static void check_heat(check *c) {
+static void doubt_heat(check *c) {
     static const other_unit unit[] = {{0.01, "W/cm"}, {1e-3, "W/mm"}, {1e3, "mW/m"}};
-    const double mean = mean_of(c, WCUT_CHANNEL_HEAT, false), ratio = mean / c->job->heat;
+    const double mean = channel_mean(c, WCUT_CHANNEL_HEAT, false), ratio = mean / c->job->heat;
     if (mean == 0 || (ratio < CERTAIN && ratio > 1 / CERTAIN)) return;
     const char *name = nearest_unit(sizeof unit / sizeof *unit, unit, ratio);
-    wcut_doubt *d = add(c, WCUT_CHANNEL_HEAT, ratio, false);
+    wcut_doubt *d = add_doubt(c, WCUT_CHANNEL_HEAT, ratio, false);
     wcut_fail(&d->error, WCUT_BAD_FORMAT, "heat_W_per_m is %.4g W/m in the mean, the job has %.4g W/m%s%s", mean,
               c->job->heat, name ? ": it looks like " : "", name ? name : "");
 }
@@ -217,7 +218,7 @@ wcut_status wcut_recording_check(const wcut_job *job, const wcut_recording *reco
         check_tension(&c, WCUT_CHANNEL_TENSION_B);
         check_angles(&c);
     }
-    check_heat(&c);
+    doubt_heat(&c);
     *count = c.count;
     return WCUT_OK;
 }

@@ -5,7 +5,7 @@
 #include "base/fail.h"
 #include "base/numbers.h"
 #include "base/vec3.h"
-#include "cut/effects.h"
+#include "cut/active_effects.h"
 #include "cut/setup.h"
 #include "cut/track.h"
 
@@ -25,7 +25,7 @@ void wcut_prediction_destroy(wcut_prediction *p) {
     wcut_free(p);
 }
 
-static wcut_prediction *create(int samples) {
+static wcut_prediction *create_prediction(int samples) {
     wcut_prediction *p = wcut_alloc(1, sizeof *p);
     if (!p) return NULL;
     *p = (wcut_prediction){.samples = samples, .first_failed = -1};
@@ -46,44 +46,44 @@ static void note_failure(wcut_prediction *p, int sample, const wcut_error *cause
     p->cause = *cause;
 }
 
-static wcut_status check(const void *from, const wcut_recording *recording, const void *to, wcut_error *error) {
+static wcut_status check_replay(const void *from, const wcut_recording *recording, const void *to, wcut_error *error) {
     if (from && recording && recording->samples > 0 && recording->further && to) return WCUT_OK;
     return wcut_fail(error, WCUT_BAD_ARGUMENT, "a plan or setup, a recording and a place for the prediction expected");
 }
 
 /* ---- planned ---- */
 
-static double mix(double a, double b, double t) { return (1 - t) * a + t * b; }
+static double lerp(double a, double b, double t) { return (1 - t) * a + t * b; }
 
-static void interpolate(const wcut_history *plan, double station, double value[WCUT_SIGNAL_COUNT]) {
+static void plan_signals_at(const wcut_history *plan, double station, double value[WCUT_SIGNAL_COUNT]) {
     const int last = plan->stations - 1;
     const int j = (int)clamp(floor(station), 0, last), k = j < last ? j + 1 : j;
     const wcut_history_row *a = &plan->row[j], *b = &plan->row[k];
     const double t = station - j;
-    value[TENSION_A] = mix(a->tension_a, b->tension_a, t);
-    value[TENSION_B] = mix(a->tension_b, b->tension_b, t);
-    value[ALPHA_A] = mix(a->alpha_a, b->alpha_a, t);
-    value[BETA_A] = mix(a->beta_a, b->beta_a, t);
-    value[ALPHA_B] = mix(a->alpha_b, b->alpha_b, t);
-    value[BETA_B] = mix(a->beta_b, b->beta_b, t);
+    value[TENSION_A] = lerp(a->tension_a, b->tension_a, t);
+    value[TENSION_B] = lerp(a->tension_b, b->tension_b, t);
+    value[ALPHA_A] = lerp(a->alpha_a, b->alpha_a, t);
+    value[BETA_A] = lerp(a->beta_a, b->beta_a, t);
+    value[ALPHA_B] = lerp(a->alpha_b, b->alpha_b, t);
+    value[BETA_B] = lerp(a->beta_b, b->beta_b, t);
     /* the speed of row j is that of the step from j-1 to j */
     const double middle = clamp(station + 0.5, 1, last > 1 ? last : 1);
     const int i = (int)fmin(floor(middle), last), next = i < last ? i + 1 : i;
-    value[SPEED_A] = mix(plan->row[i].speed_a, plan->row[next].speed_a, middle - i);
-    value[SPEED_B] = mix(plan->row[i].speed_b, plan->row[next].speed_b, middle - i);
+    value[SPEED_A] = lerp(plan->row[i].speed_a, plan->row[next].speed_a, middle - i);
+    value[SPEED_B] = lerp(plan->row[i].speed_b, plan->row[next].speed_b, middle - i);
 }
 
 wcut_status wcut_prediction_plan(const wcut_history *plan, const wcut_recording *recording,
                                  wcut_prediction **prediction, wcut_error *error) {
     /* check the plan and the stations of the recording */
-    wcut_status status = check(plan, recording, prediction, error);
+    wcut_status status = check_replay(plan, recording, prediction, error);
     if (status == WCUT_OK && (plan->stations < 1 || plan->planned < 2 || !plan->row))
         status = wcut_fail(error, WCUT_BAD_ARGUMENT, "found a plan without stations, expected at least one");
     if (status == WCUT_OK) status = wcut_track_check(plan->planned, recording, error);
     if (status != WCUT_OK) return status;
 
     /* a prediction with as many samples as the recording */
-    wcut_prediction *p = create(recording->samples);
+    wcut_prediction *p = create_prediction(recording->samples);
     if (!p) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d samples", recording->samples);
     const wcut_column *station = &recording->channel[WCUT_CHANNEL_STATION];
     wcut_error cause = {0};
@@ -102,7 +102,7 @@ wcut_status wcut_prediction_plan(const wcut_history *plan, const wcut_recording 
             continue;
         }
         double value[WCUT_SIGNAL_COUNT];
-        interpolate(plan, s, value);
+        plan_signals_at(plan, s, value);
         for (int k = 0; k < WCUT_SIGNAL_COUNT; k++) p->value[k][i] = value[k];
         p->present[i] = 1;
     }
@@ -134,13 +134,13 @@ static double heat_at(const replay *r, int sample) {
 }
 
 /* how far a mount is beside its path: 0 but for measured positions */
-static wcut_vec3 beside(const replay *r, const wcut_vec3 *path, double station, wcut_vec3 mount) {
+static wcut_vec3 path_offset(const replay *r, const wcut_vec3 *path, double station, wcut_vec3 mount) {
     return vec3_sub(mount, wcut_path_at(r->job->stations, path, station));
 }
 
 /* Lead the wire to the track's sample i, by one station of the path at most at once; where the solver fails, it stays
    at the last place that was reached. */
-static wcut_status lead(replay *r, int i, wcut_error *error) {
+static wcut_status lead_mounts(replay *r, int i, wcut_error *error) {
     const wcut_track *t = r->track;
     const wcut_job *job = r->job;
 
@@ -149,15 +149,15 @@ static wcut_status lead(replay *r, int i, wcut_error *error) {
     const double from = r->station, begun = r->time, duration = (t->time[i] - begun) / steps;
 
     /* how far the mounts are beside the path at both ends */
-    const wcut_vec3 side_a[2] = {beside(r, job->mount_a, from, r->mount_a),
-                                 beside(r, job->mount_a, t->station[i], t->mount_a[i])};
-    const wcut_vec3 side_b[2] = {beside(r, job->mount_b, from, r->mount_b),
-                                 beside(r, job->mount_b, t->station[i], t->mount_b[i])};
+    const wcut_vec3 side_a[2] = {path_offset(r, job->mount_a, from, r->mount_a),
+                                 path_offset(r, job->mount_a, t->station[i], t->mount_a[i])};
+    const wcut_vec3 side_b[2] = {path_offset(r, job->mount_b, from, r->mount_b),
+                                 path_offset(r, job->mount_b, t->station[i], t->mount_b[i])};
 
     /* lead: along the path, and beside it by the share of the way */
     for (int k = 1; k <= steps; k++) {
         const bool there = k == steps;
-        const double share = (double)k / steps, s = there ? t->station[i] : mix(from, t->station[i], share);
+        const double share = (double)k / steps, s = there ? t->station[i] : lerp(from, t->station[i], share);
         const wcut_vec3 a =
             vec3_add(wcut_path_at(job->stations, job->mount_a, s), vec3_mix(side_a[0], side_a[1], share));
         const wcut_vec3 b =
@@ -178,7 +178,7 @@ static wcut_status lead(replay *r, int i, wcut_error *error) {
     return WCUT_OK;
 }
 
-static void keep(replay *r, int sample) {
+static void keep_sample(replay *r, int sample) {
     wcut_station s;
     wcut_cut_view(r->cut, &s);
     const double value[WCUT_SIGNAL_COUNT] = {s.speed_a, s.speed_b, s.tension_a, s.tension_b,
@@ -196,7 +196,7 @@ static double first_pace(const wcut_track *t) {
 
 /* Station 0, where the wire hangs, at such a time that the way to the first sample is gone at the first second's pace:
    the recording does not say when it left. */
-static void begin(replay *r) {
+static void replay_begin(replay *r) {
     const wcut_track *t = r->track;
     const double pace = first_pace(t);
     r->mount_a = r->job->mount_a[0], r->mount_b = r->job->mount_b[0];
@@ -222,8 +222,8 @@ static bool stands(const replay *r, int i) {
     return !(duration > 0) || way < STANDING * r->job->speed_min * duration;
 }
 
-static void run(replay *r) {
-    begin(r);
+static void run_replay(replay *r) {
+    replay_begin(r);
     wcut_cut_set_clock(r->cut, r->time);
     for (int i = 0; i < r->track->count; i++) {
         const int sample = r->track->sample[i];
@@ -231,8 +231,8 @@ static void run(replay *r) {
         r->heat = heat_at(r, sample);
         if (stands(r, i))
             r->out->standing++;
-        else if (lead(r, i, &cause) == WCUT_OK)
-            keep(r, sample);
+        else if (lead_mounts(r, i, &cause) == WCUT_OK)
+            keep_sample(r, sample);
         else
             note_failure(r->out, sample, &cause);
     }
@@ -243,7 +243,7 @@ wcut_status wcut_prediction_replay(const wcut_setup *setup, const wcut_recording
                                    wcut_error *error) {
     /* check everything before the first allocation */
     const wcut_replay_options o = options ? *options : wcut_replay_options_default();
-    wcut_status status = check(setup, recording, prediction, error);
+    wcut_status status = check_replay(setup, recording, prediction, error);
     if (status == WCUT_OK && (!(o.window >= 0 && isfinite(o.window)) || (unsigned)o.motion > WCUT_MOTION_POSITION))
         status = wcut_fail(error, WCUT_BAD_ARGUMENT, "a window of 0 s or more and a known motion are expected");
     if (status == WCUT_OK) status = check_heat(recording, error);
@@ -257,13 +257,13 @@ wcut_status wcut_prediction_replay(const wcut_setup *setup, const wcut_recording
     replay r = {.job = setup->job, .recording = recording, .track = &track};
     status = wcut_cut_create(setup, &r.cut, error);
     if (status == WCUT_OK) {
-        r.out = create(recording->samples);
+        r.out = create_prediction(recording->samples);
         if (!r.out) status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d samples", recording->samples);
     }
 
     /* run, then report what had no motion and what was smoothed away */
     if (status == WCUT_OK) {
-        run(&r);
+        run_replay(&r);
         r.out->without_motion = recording->samples - track.count;
         r.out->scatter = track.scatter;
         *prediction = r.out;

@@ -39,8 +39,8 @@ static bool correlate(int n, const double *x, const double *y, double *correlati
         xx += dx * dx, yy += dy * dy, xy += dx * dy;
     }
     /* values that differ by rounding alone do not vary */
-    const double least = 1e-24 * n;
-    if (!(xx > least * mx * mx) || !(yy > least * my * my)) return false;
+    const double min = 1e-24 * n;
+    if (!(xx > min * mx * mx) || !(yy > min * my * my)) return false;
     *correlation = clamp(xy / sqrt(xx) / sqrt(yy), -1, 1);
     return true;
 }
@@ -78,7 +78,7 @@ typedef struct mean {
     int ranges, correlations; /* scores that have them */
 } mean;
 
-static void add(mean *m, const wcut_score *s) {
+static void add_to_mean(mean *m, const wcut_score *s) {
     if (s->count < 1) return;
     m->sum.count++;
     m->sum.bias += s->bias, m->sum.rmsd += s->rmsd, m->sum.rmse += s->rmse;
@@ -88,7 +88,7 @@ static void add(mean *m, const wcut_score *s) {
     m->ranges++;
 }
 
-static wcut_score finish(const mean *m) {
+static wcut_score mean_score(const mean *m) {
     wcut_score s = m->sum;
     const int n = s.count > 0 ? s.count : 1, ranges = m->ranges > 0 ? m->ranges : 1;
     s.bias /= n, s.rmsd /= n, s.rmse /= n;
@@ -101,8 +101,8 @@ static wcut_score finish(const mean *m) {
 wcut_status wcut_score_mean(int n, const wcut_score *score, wcut_score *out) {
     if (n < 0 || !out || (n > 0 && !score)) return WCUT_BAD_ARGUMENT;
     mean m = {0};
-    for (int i = 0; i < n; i++) add(&m, &score[i]);
-    *out = finish(&m);
+    for (int i = 0; i < n; i++) add_to_mean(&m, &score[i]);
+    *out = mean_score(&m);
     return WCUT_OK;
 }
 
@@ -114,11 +114,11 @@ wcut_status wcut_scores_mean(int n, const wcut_comparison *const *comparison, wc
             mean of_plans = {0}, of_replays = {0};
             for (int i = 0; i < n; i++) {
                 if (!comparison[i]) continue;
-                add(&of_plans, &comparison[i]->planned_score.of[k][part]);
-                add(&of_replays, &comparison[i]->replayed_score.of[k][part]);
+                add_to_mean(&of_plans, &comparison[i]->planned_score.of[k][part]);
+                add_to_mean(&of_replays, &comparison[i]->replayed_score.of[k][part]);
             }
-            planned->of[k][part] = finish(&of_plans);
-            replayed->of[k][part] = finish(&of_replays);
+            planned->of[k][part] = mean_score(&of_plans);
+            replayed->of[k][part] = mean_score(&of_replays);
         }
     return WCUT_OK;
 }

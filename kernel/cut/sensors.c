@@ -10,7 +10,7 @@ typedef struct span { /* the samples that are there */
     const unsigned char *present;
 } span;
 
-static bool is_there(const span *s, int i) { return !s->present || s->present[i]; }
+static bool span_has(const span *s, int i) { return !s->present || s->present[i]; }
 
 /* sensor "a", "b" or "both" */
 static bool is_meant(const wcut_effect *e, int mount) { return e->choice == mount || e->choice == 2; }
@@ -18,7 +18,7 @@ static bool is_meant(const wcut_effect *e, int mount) { return e->choice == moun
 static void offset_angle(const wcut_effect *e, const span *s, double *const value[WCUT_SENSED_COUNT]) {
     double *angle = value[WCUT_SENSED_ALPHA_A + e->choice];
     for (int i = 0; angle && i < s->samples; i++)
-        if (is_there(s, i)) angle[i] += e->value[0] * WCUT_PI / 180;
+        if (span_has(s, i)) angle[i] += e->value[0] * WCUT_PI / 180;
 }
 
 /* drift [N]: d t / 100 s, or d (1 - exp(-t/tau)) */
@@ -33,7 +33,7 @@ static void hold_angles(const wcut_effect *e, const span *s, double *const value
         double *angle = value[k], shown = 0;
         bool begun = false;
         for (int i = 0; angle && i < s->samples; i++) {
-            if (!is_there(s, i)) continue;
+            if (!span_has(s, i)) continue;
             shown = begun ? clamp(shown, angle[i] - half, angle[i] + half) : angle[i];
             angle[i] = shown, begun = true;
         }
@@ -43,7 +43,7 @@ static void hold_angles(const wcut_effect *e, const span *s, double *const value
 static void scale_angle(const wcut_effect *e, const span *s, double *const value[WCUT_SENSED_COUNT]) {
     double *angle = value[WCUT_SENSED_ALPHA_A + e->choice];
     for (int i = 0; angle && i < s->samples; i++)
-        if (is_there(s, i)) angle[i] *= 1 + e->value[0];
+        if (span_has(s, i)) angle[i] *= 1 + e->value[0];
 }
 
 static void spoil_tension(const wcut_effect *e, const span *s, double *const value[WCUT_SENSED_COUNT]) {
@@ -51,7 +51,7 @@ static void spoil_tension(const wcut_effect *e, const span *s, double *const val
         double *tension = value[WCUT_SENSED_TENSION_A + mount];
         if (!tension || !is_meant(e, mount)) continue;
         for (int i = 0; i < s->samples; i++) {
-            if (!is_there(s, i)) continue;
+            if (!span_has(s, i)) continue;
             if (e->kind == WCUT_EFFECT_TENSION_GAIN)
                 tension[i] *= 1 + e->value[0];
             else if (e->kind == WCUT_EFFECT_TENSION_ZERO)
@@ -67,7 +67,7 @@ static void add_reading(const wcut_effect *e, const span *s, double *const value
     double *signal = value[WCUT_SENSED_TENSION_A + e->choice];
     const double unit = e->choice < 2 ? 1 : WCUT_PI / 180;
     for (int i = 0; signal && i < s->samples; i++)
-        if (is_there(s, i) && s->time[i] >= e->value[2] && s->time[i] <= e->value[3])
+        if (span_has(s, i) && s->time[i] >= e->value[2] && s->time[i] <= e->value[3])
             signal[i] += unit * (e->value[0] + e->value[1] * (s->time[i] - fmax(e->value[2], s->time[0])) / 100);
 }
 
@@ -75,9 +75,9 @@ static void add_reading(const wcut_effect *e, const span *s, double *const value
 static void shift(const span *s, double delay, double *t, double *y, double *value) {
     int count = 0, j = 0;
     for (int i = 0; i < s->samples; i++)
-        if (is_there(s, i)) t[count] = s->time[i], y[count++] = value[i];
+        if (span_has(s, i)) t[count] = s->time[i], y[count++] = value[i];
     for (int i = 0; i < s->samples; i++) {
-        if (!is_there(s, i)) continue;
+        if (!span_has(s, i)) continue;
         const double at = clamp(s->time[i] - delay, t[0], t[count - 1]);
         while (j < count - 2 && t[j + 1] <= at) j++;
         const double share = count > 1 ? (at - t[j]) / (t[j + 1] - t[j]) : 0;

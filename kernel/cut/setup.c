@@ -327,7 +327,7 @@ static wcut_status take_design(wcut_setup *setup, wcut_error *error) {
     return status;
 }
 
-static wcut_status fill(wcut_setup *setup, wcut_error *error) {
+static wcut_status fill_setup(wcut_setup *setup, wcut_error *error) {
     const wcut_job *job = setup->job;
     wcut_status status = WCUT_OK;
     setup->foam.law = job->force_law;
@@ -367,8 +367,8 @@ static wcut_status check_options(const wcut_cut_options *o, wcut_error *error) {
 }
 
 /* a setup of a job that is checked; embedded: of a design's plan */
-static wcut_status create(const wcut_job *job, const wcut_cut_options *options, bool embedded, wcut_setup **out,
-                          wcut_error *error) {
+static wcut_status create_setup(const wcut_job *job, const wcut_cut_options *options, bool embedded, wcut_setup **out,
+                                wcut_error *error) {
     wcut_setup *setup = wcut_alloc(1, sizeof *setup);
     if (!setup) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a setup");
     wcut_status status;
@@ -376,7 +376,7 @@ static wcut_status create(const wcut_job *job, const wcut_cut_options *options, 
     setup->foam.embedded = embedded;
     setup->job = wcut_job_copy(job);
     if (setup->job && pick_effects(setup))
-        status = fill(setup, error);
+        status = fill_setup(setup, error);
     else
         status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a job of %d stations", job->stations);
     if (status == WCUT_OK)
@@ -388,7 +388,7 @@ static wcut_status create(const wcut_job *job, const wcut_cut_options *options, 
 
 wcut_status wcut_plan_create(const wcut_job *job, const wcut_cut_options *options, wcut_setup **plan,
                              wcut_error *error) {
-    return create(job, options, true, plan, error);
+    return create_setup(job, options, true, plan, error);
 }
 
 wcut_status wcut_setup_create(const wcut_job *job, const wcut_cut_options *options, wcut_setup **out,
@@ -400,7 +400,7 @@ wcut_status wcut_setup_create(const wcut_job *job, const wcut_cut_options *optio
     if (status == WCUT_OK) status = check_lists(job, error);
     if (status == WCUT_OK) status = job->mode == WCUT_MODE_PATH ? check_path(job, error) : check_design(job, error);
     if (status == WCUT_OK) status = check_effects(job, o.integrator, error);
-    return status == WCUT_OK ? create(job, &o, false, out, error) : status;
+    return status == WCUT_OK ? create_setup(job, &o, false, out, error) : status;
 }
 
 wcut_status wcut_setup_path_job(const wcut_setup *setup, wcut_job **job) {

@@ -35,7 +35,7 @@ static double merit_of(const wcut_system *y, const wcut_step *step, bool by_tens
     return sum;
 }
 
-static double worst_of(wcut_misfit m, bool by_tension) {
+static double worst_misfit(wcut_misfit m, bool by_tension) {
     const double worst = fmax(m.balance, m.strain);
     return by_tension ? fmax(worst, m.condition) : worst;
 }
@@ -115,7 +115,7 @@ void wcut_solver_run(wcut_solver *o, const wcut_step *step, bool by_tension, dou
     wcut_system_place_ends(step, s, out->log_rate, x);
     for (out->iterations = 0;; out->iterations++) {
         wcut_system_eval(y, step, x, s, out->log_rate, true);
-        out->residual = worst_of(wcut_system_misfit(y, step), by_tension);
+        out->residual = worst_misfit(wcut_system_misfit(y, step), by_tension);
         out->pull = y->pull;
         const bool met = out->residual <= tolerance;
         out->converged = met && is_pulled(y->n, s, 1e-6, step->tension);

@@ -110,7 +110,7 @@ static wire_end end_of(wcut_vec3 end, wcut_vec3 next, wcut_vec3 second) {
 }
 
 /* d (direction . outward) by the position that enters the difference with `weight` */
-static wcut_vec3 turn_of(const wire_end *e, double weight, wcut_vec3 direction) {
+static wcut_vec3 direction_change(const wire_end *e, double weight, wcut_vec3 direction) {
     return vec3_scale(weight * e->scale, vec3_add_scaled(direction, -vec3_dot(e->outward, direction), e->outward));
 }
 
@@ -150,7 +150,8 @@ static void put_condition(wcut_system *y, const wcut_step *step, const wcut_vec3
     const int inner[4] = {1, 2, n - 2, n - 3}; /* the last two are ends of the other side where there are few nodes */
     for (int i = 0; i < 4; i++)
         if (is_free(y, inner[i]))
-            add_vector(y->border + node_at(inner[i]), vec3_scale(-k, turn_of(i < 2 ? &a : &b, i % 2 ? 1 : -4, w)));
+            add_vector(y->border + node_at(inner[i]),
+                       vec3_scale(-k, direction_change(i < 2 ? &a : &b, i % 2 ? 1 : -4, w)));
 }
 
 /* ---- ends that give way with their mounts ---- */
@@ -203,7 +204,7 @@ static void put_mounts(wcut_system *y, const wcut_step *step, const wcut_vec3 *x
 
         /* its share in condition (4) */
         wcut_vec3 by_end = vec3_add(mat3_row_product(u, y->node[here].by_here), mat3_row_product(u, by_next));
-        by_end = vec3_add_scaled(by_end, -step->tension, turn_of(&side[m], 3, w));
+        by_end = vec3_add_scaled(by_end, -step->tension, direction_change(&side[m], 3, w));
         add_vector(y->border + node_at(next), vec3_scale(end.by_next, by_end));
         y->border[tension_at(e)] += vec3_dot(by_end, end.by_tension);
         y->condition_by_log_rate += vec3_dot(by_end, end.by_log_rate);

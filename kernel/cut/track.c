@@ -47,8 +47,8 @@ static wcut_vec3 tangent_at(int m, const wcut_vec3 *p, int j) {
     if (j == 0) return vec3_sub(p[1], p[0]);
     if (j == m - 1) return vec3_sub(p[m - 1], p[m - 2]);
     const wcut_vec3 v = vec3_scale(0.5, vec3_sub(p[j + 1], p[j - 1]));
-    const double most = 3 * fmin(vec3_distance(p[j], p[j - 1]), vec3_distance(p[j + 1], p[j])), length = vec3_length(v);
-    return length > most ? vec3_scale(most / length, v) : v;
+    const double max = 3 * fmin(vec3_distance(p[j], p[j - 1]), vec3_distance(p[j + 1], p[j])), length = vec3_length(v);
+    return length > max ? vec3_scale(max / length, v) : v;
 }
 
 wcut_vec3 wcut_path_at(int m, const wcut_vec3 *p, double station) {
@@ -64,7 +64,7 @@ wcut_vec3 wcut_path_at(int m, const wcut_vec3 *p, double station) {
 
 /* ---- the recording ---- */
 
-static bool is_there(const wcut_column *c, int i) { return !c->present || c->present[i]; }
+static bool track_has(const wcut_column *c, int i) { return !c->present || c->present[i]; }
 
 wcut_status wcut_track_check(int stations, const wcut_recording *recording, wcut_error *error) {
     const wcut_column *station = &recording->channel[WCUT_CHANNEL_STATION];
@@ -74,7 +74,7 @@ wcut_status wcut_track_check(int stations, const wcut_recording *recording, wcut
     /* stations must lie on the path and go forward, but for jitter of one station */
     for (int i = 0; i < recording->samples; i++) {
         const double s = station->value[i];
-        if (!is_there(station, i)) continue;
+        if (!track_has(station, i)) continue;
         if (!(s >= -1 && s <= stations))
             return wcut_fail(error, WCUT_BAD_ARGUMENT,
                              "line %d: station: found %.6g, expected 0 .. %d of the job's path", line[i], s,
@@ -91,12 +91,12 @@ wcut_status wcut_track_check(int stations, const wcut_recording *recording, wcut
 }
 
 /* the samples whose motion is there; gives how many */
-static int gather(const wcut_recording *recording, int channels, const wcut_channel *channel, int *sample,
-                  double *time) {
+static int gather_samples(const wcut_recording *recording, int channels, const wcut_channel *channel, int *sample,
+                          double *time) {
     int count = 0;
     for (int i = 0; i < recording->samples; i++) {
         bool whole = true;
-        for (int k = 0; k < channels; k++) whole = whole && is_there(&recording->channel[channel[k]], i);
+        for (int k = 0; k < channels; k++) whole = whole && track_has(&recording->channel[channel[k]], i);
         if (!whole) continue;
         sample[count] = i;
         time[count++] = recording->channel[WCUT_CHANNEL_TIME].value[i];
@@ -127,8 +127,8 @@ static void keep_forward(const wcut_job *job, wcut_track *track) {
     }
 }
 
-static void fill(const wcut_job *job, const wcut_recording *recording, const wcut_replay_options *o, double *room,
-                 wcut_track *track) {
+static void fill_track(const wcut_job *job, const wcut_recording *recording, const wcut_replay_options *o, double *room,
+                       wcut_track *track) {
     /* progress along the path, smoothed and never backwards */
     double *raw = room, *smooth = room + track->count;
     double taken = smooth_channel(recording, WCUT_CHANNEL_STATION, track, o->window, raw, track->station);
@@ -155,8 +155,8 @@ static void fill(const wcut_job *job, const wcut_recording *recording, const wcu
     track->scatter = sqrt(taken / track->count);
 }
 
-static wcut_status check(const wcut_job *job, const wcut_recording *recording, const wcut_replay_options *o,
-                         wcut_error *error) {
+static wcut_status check_track(const wcut_job *job, const wcut_recording *recording, const wcut_replay_options *o,
+                               wcut_error *error) {
     if (job->mode != WCUT_MODE_PATH)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "found a design, expected a job with the mounts' path");
     for (int k = 0; k < 6 && o->motion == WCUT_MOTION_POSITION; k++) {
@@ -172,7 +172,7 @@ wcut_status wcut_track_create(const wcut_job *job, const wcut_recording *recordi
                               wcut_track *out, wcut_error *error) {
     static const wcut_channel channel[] = {WCUT_CHANNEL_STATION, WCUT_CHANNEL_A_X, WCUT_CHANNEL_A_Y, WCUT_CHANNEL_A_Z,
                                            WCUT_CHANNEL_B_X,     WCUT_CHANNEL_B_Y, WCUT_CHANNEL_B_Z};
-    const wcut_status status = check(job, recording, o, error);
+    const wcut_status status = check_track(job, recording, o, error);
     if (status != WCUT_OK) return status;
 
     /* room for all samples, though fewer may count */
@@ -189,9 +189,10 @@ wcut_status wcut_track_create(const wcut_job *job, const wcut_recording *recordi
         made = wcut_fail(error, WCUT_NO_MEMORY, "no memory for the motion of %d samples", recording->samples);
     } else {
         /* samples that have all channels which the motion needs */
-        track.count = gather(recording, o->motion == WCUT_MOTION_POSITION ? 7 : 1, channel, track.sample, track.time);
+        track.count =
+            gather_samples(recording, o->motion == WCUT_MOTION_POSITION ? 7 : 1, channel, track.sample, track.time);
         if (track.count > 0)
-            fill(job, recording, o, room, &track);
+            fill_track(job, recording, o, room, &track);
         else
             made = wcut_fail(error, WCUT_BAD_ARGUMENT, "found no sample with a station and a measured position");
     }

@@ -150,7 +150,7 @@ static double misfit(const regression *r, int cut, const double *w) {
 
 /* the ridge by which the cuts but one predict each other best */
 static double choose_ridge(const regression *r, int but) {
-    double best = ridge[RIDGES - 1], least = HUGE_VAL, w[COLUMNS];
+    double best = ridge[RIDGES - 1], min = HUGE_VAL, w[COLUMNS];
     for (int l = 0; l < RIDGES; l++) {
         double sum = 0;
         int judged = 0;
@@ -158,7 +158,7 @@ static double choose_ridge(const regression *r, int but) {
             if (k == but || r->rows[k] == 0 || !learn(r, but, k, ridge[l], w)) continue;
             sum += misfit(r, k, w), judged++;
         }
-        if (judged > 0 && sum < least) least = sum, best = ridge[l];
+        if (judged > 0 && sum < min) min = sum, best = ridge[l];
     }
     return best;
 }
@@ -188,16 +188,16 @@ static bool start(const wcut_evidence *e, const wcut_forecast *from, wcut_foreca
 }
 
 wcut_status wcut_black_box_run(const wcut_evidence *e, unsigned long long seed, wcut_cross_validation *p) {
-    const double *measured = p->measured.row, *replayed = p->in_sample[WCUT_FIT_MODEL_RECALIBRATED].row;
+    const double *measured = p->measured.row, *replayed = p->in_sample[WCUT_EVIDENCE_MODEL_RECALIBRATED].row;
     regression r = {0};
     wcut_forecast all = {0}, held_out = {0};
-    wcut_fit fit[WCUT_EVIDENCE_CHANNEL_COUNT], held_out_fit[WCUT_EVIDENCE_CHANNEL_COUNT] = {{0}};
+    wcut_evidence_score fit[WCUT_EVIDENCE_CHANNEL_COUNT], held_out_score[WCUT_EVIDENCE_CHANNEL_COUNT] = {{0}};
     double *y = wcut_alloc((size_t)e->rows, sizeof *y), w[COLUMNS];
     const bool made = regression_create(e, &r);
     int cuts = 0;
     wcut_status status = WCUT_NO_MEMORY;
-    if (made && y && start(e, &p->in_sample[WCUT_FIT_MODEL_RECALIBRATED], &all) &&
-        start(e, &p->held_out[WCUT_FIT_MODEL_RECALIBRATED], &held_out)) {
+    if (made && y && start(e, &p->in_sample[WCUT_EVIDENCE_MODEL_RECALIBRATED], &all) &&
+        start(e, &p->held_out[WCUT_EVIDENCE_MODEL_RECALIBRATED], &held_out)) {
         /* the target: what the recalibrated simulation leaves along the recorded motion */
         for (int i = 0; i < e->rows; i++) y[i] = measured[i] - replayed[i];
         for (int signal = 0; signal < WCUT_SIGNALS; signal++) {
@@ -214,13 +214,14 @@ wcut_status wcut_black_box_run(const wcut_evidence *e, unsigned long long seed, 
         /* a single cut can hold nothing out, so that only the fit in sample is scored */
         for (int k = 0; k < e->cuts; k++) cuts += e->cut[k].bins > 0;
         status = wcut_forecast_score(e, &p->measured, &all, seed, fit);
-        if (status == WCUT_OK && cuts > 1) status = wcut_forecast_score(e, &p->measured, &held_out, seed, held_out_fit);
+        if (status == WCUT_OK && cuts > 1)
+            status = wcut_forecast_score(e, &p->measured, &held_out, seed, held_out_score);
     }
 
     /* write only when everything has succeeded */
     if (status == WCUT_OK) {
-        memcpy(p->fit[WCUT_FIT_MODEL_BLACK_BOX], fit, sizeof fit);
-        memcpy(p->held_out_fit[WCUT_FIT_MODEL_BLACK_BOX], held_out_fit, sizeof held_out_fit);
+        memcpy(p->score[WCUT_EVIDENCE_MODEL_BLACK_BOX], fit, sizeof fit);
+        memcpy(p->held_out_score[WCUT_EVIDENCE_MODEL_BLACK_BOX], held_out_score, sizeof held_out_score);
     }
 
     wcut_free(all.row);

@@ -10,7 +10,7 @@
  * the output's own past, Ljung 1999, for it is to predict whole cuts). Each cut by what was learnt on the others, the
  * ridge chosen by leaving cuts of those out in turn.
  *
- * evidence: predicted; proof: of it. Fills the figures of WCUT_FIT_MODEL_BLACK_BOX for tension, alpha and beta, in sample
+ * evidence: predicted; proof: of it. Fills the figures of WCUT_EVIDENCE_MODEL_BLACK_BOX for tension, alpha and beta, in sample
  * and held out; speed and scan stay at count 0, held out also where there is one cut alone.
  * WCUT_OK; WCUT_NO_MEMORY: nothing was written.
  */

@@ -4,7 +4,7 @@
 
 #include <wirecut/correction.h>
 
-#include "explain/fit.h"
+#include "explain/model_fit.h"
 
 /* Law, length, kerf and effects of a fit as wcut_correction_apply puts them into a job: the job then predicts what the
    fit's model does. A kerf that grows evenly with the heat goes into the job's kerf, where moulds see it too. */

@@ -13,7 +13,7 @@
 #include "base/threads.h"
 #include "base/vec3.h"
 
-enum { MODELS = WCUT_FIT_MODEL_BLACK_BOX };
+enum { MODELS = WCUT_EVIDENCE_MODEL_BLACK_BOX };
 
 /* the solver's tolerance: tensions move by a thousandth of a sensor's noise against 1e-10 */
 #define TOLERANCE 1e-6
@@ -50,11 +50,11 @@ static void forecast_destroy(wcut_forecast *f) {
 void wcut_cross_validation_destroy(wcut_cross_validation *p) {
     forecast_destroy(&p->measured);
     for (int m = 0; m < MODELS; m++) forecast_destroy(&p->in_sample[m]), forecast_destroy(&p->held_out[m]);
-    *p = (wcut_cross_validation){.fit = {{{0}}}};
+    *p = (wcut_cross_validation){.score = {{{0}}}};
 }
 
 /* where a cut's bins of speed begin */
-static double *speed_of(const wcut_evidence *e, const wcut_forecast *f, int cut) {
+static double *speed_bins(const wcut_evidence *e, const wcut_forecast *f, int cut) {
     size_t at = 0;
     for (int k = 0; k < cut; k++) at += 2 * (size_t)e->cut[k].bins;
     return f->speed + at;
@@ -63,15 +63,15 @@ static double *speed_of(const wcut_evidence *e, const wcut_forecast *f, int cut)
 /* mean of samples in each bin; NaN where fewer than half of the usual number are there */
 static void bin_speed(const wcut_evidence_cut *c, const double *value, const unsigned char *present, double *out) {
     const wcut_column *time = &c->recording->channel[WCUT_CHANNEL_TIME];
-    double most = 0, sum = 0, count = 0;
+    double max = 0, sum = 0, count = 0;
     for (int pass = 0; pass < 2; pass++) {
         int bin = -1;
         for (int i = 0; i <= c->recording->samples; i++) {
             const bool end = i == c->recording->samples;
             const double place = end ? HUGE_VAL : floor((time->value[i] - c->from) / WCUT_BIN_WIDTH);
             if (place != bin) { /* samples come in order of time */
-                if (pass == 0) most = fmax(most, count);
-                if (pass == 1 && bin >= 0) out[bin] = count > 0 && 2 * count >= most ? sum / count : (double)NAN;
+                if (pass == 0) max = fmax(max, count);
+                if (pass == 1 && bin >= 0) out[bin] = count > 0 && 2 * count >= max ? sum / count : (double)NAN;
                 sum = count = 0;
                 bin = place >= 0 && place < c->bins ? (int)place : -1;
             }
@@ -100,9 +100,9 @@ static void fill_measured(const wcut_evidence *e, wcut_forecast *f) {
         for (int i = 0; i < c->patch.count; i++) f->row[c->row + WCUT_SIGNALS * c->bins + i] = c->patch.distance[i];
         for (int side = 0; side < 2; side++) {
             const wcut_column *column = &c->recording->channel[WCUT_CHANNEL_SPEED_A + side];
-            bin_speed(c, column->value, column->present, speed_of(e, f, k) + (ptrdiff_t)side * c->bins);
+            bin_speed(c, column->value, column->present, speed_bins(e, f, k) + (ptrdiff_t)side * c->bins);
         }
-        keep_settled(c, speed_of(e, f, k));
+        keep_settled(c, speed_bins(e, f, k));
     }
 }
 
@@ -187,7 +187,7 @@ static wcut_status forecast_speed(const wcut_evidence *e, int cut, const wcut_jo
 
     /* the speeds of both mounts in the bins of this cut */
     for (int side = 0; prediction && side < 2; side++)
-        bin_speed(c, prediction->value[side], prediction->present, speed_of(e, f, cut) + (ptrdiff_t)side * c->bins);
+        bin_speed(c, prediction->value[side], prediction->present, speed_bins(e, f, cut) + (ptrdiff_t)side * c->bins);
 
     wcut_prediction_destroy(prediction);
     wcut_history_destroy(history);
@@ -232,23 +232,23 @@ typedef struct task {
 
 /* [mm] the change of length that leaves every wire longer than the way between its mounts: a fit that has not seen a cut
    may ask for less */
-static double least_change(const wcut_evidence *e) {
-    double least = -HUGE_VAL;
+static double min_change(const wcut_evidence *e) {
+    double min = -HUGE_VAL;
     for (int k = 0; k < e->cuts; k++) {
         const wcut_job *job = e->cut[k].bins > 0 ? e->cut[k].job : NULL;
         for (int j = 0; job && j < job->stations; j++)
-            least = fmax(least, vec3_distance(job->mount_a[j], job->mount_b[j]) + LONGER - job->wire_length);
+            min = fmax(min, vec3_distance(job->mount_a[j], job->mount_b[j]) + LONGER - job->wire_length);
     }
-    return fmin(least, 0);
+    return fmin(min, 0);
 }
 
 static subject subject_of(const wcut_evidence *e, const task *t, const wcut_fitted *const *fitted) {
-    if (t->model == WCUT_FIT_MODEL_BEFORE) return own_subject(e->cut[t->cut].job);
+    if (t->model == WCUT_EVIDENCE_MODEL_BEFORE) return own_subject(e->cut[t->cut].job);
     const wcut_fitted *f = fitted[t->model];
     subject s = {.model = f->model, .kerf = isfinite(f->kerf) ? f->kerf : 0};
     if (!t->held_out) return s;
     s.model = wcut_fitted_model(f, f->without + (size_t)t->cut * (size_t)(WCUT_BASE + f->count));
-    s.model.length_change = fmax(s.model.length_change, least_change(e));
+    s.model.length_change = fmax(s.model.length_change, min_change(e));
     s.kerf = 0; /* from the other scans, once they are predicted */
     return s;
 }
@@ -272,8 +272,9 @@ static void copy_forecast(const wcut_evidence *e, const wcut_forecast *from, wcu
 static wcut_status forecast_all(const wcut_evidence *e, const wcut_fitted *const *fitted, wcut_cross_validation *p,
                                 wcut_error *error) {
     /* where no effect was named, the third model equals the second and is not run again */
-    const int models =
-        fitted[WCUT_FIT_MODEL_AFTER] == fitted[WCUT_FIT_MODEL_RECALIBRATED] ? WCUT_FIT_MODEL_AFTER : MODELS;
+    const int models = fitted[WCUT_EVIDENCE_MODEL_AFTER] == fitted[WCUT_EVIDENCE_MODEL_RECALIBRATED]
+                           ? WCUT_EVIDENCE_MODEL_AFTER
+                           : MODELS;
     const int tasks = 2 * models * e->cuts;
     wcut_error *failed = wcut_alloc((size_t)tasks, sizeof *failed);
     double *room = wcut_alloc((size_t)e->rows, sizeof *room);
@@ -285,7 +286,7 @@ static wcut_status forecast_all(const wcut_evidence *e, const wcut_fitted *const
         for (int i = 0; i < tasks; i++) {
             /* each cut and model is run twice: fitted on all cuts, and fitted on all but this one */
             const task t = {.cut = i / (2 * models), .model = i / 2 % models, .held_out = i % 2};
-            if (e->cut[t.cut].bins == 0 || (t.held_out && t.model == WCUT_FIT_MODEL_BEFORE)) continue;
+            if (e->cut[t.cut].bins == 0 || (t.held_out && t.model == WCUT_EVIDENCE_MODEL_BEFORE)) continue;
             const subject s = subject_of(e, &t, fitted);
             wcut_forecast *f = t.held_out ? &p->held_out[t.model] : &p->in_sample[t.model];
             failed[i].status = forecast_cut(e, t.cut, &s, f, &failed[i]);
@@ -298,17 +299,18 @@ static wcut_status forecast_all(const wcut_evidence *e, const wcut_fitted *const
             status = wcut_fail(error, failed[i].status, "cut %d: %s", i / (2 * models) + 1, failed[i].text);
 
     /* a scan's patches come lower by half the kerf that the other scans show */
-    for (int m = WCUT_FIT_MODEL_RECALIBRATED; status == WCUT_OK && m < models; m++)
+    for (int m = WCUT_EVIDENCE_MODEL_RECALIBRATED; status == WCUT_OK && m < models; m++)
         if (isfinite(fitted[m]->kerf))
             apply_kerf(e, p->measured.row, &p->in_sample[m], fitted[m]->kerf, &p->held_out[m], room);
 
     /* the model before was fitted to nothing, so that its forecasts held out are the same */
-    if (status == WCUT_OK) copy_forecast(e, &p->in_sample[WCUT_FIT_MODEL_BEFORE], &p->held_out[WCUT_FIT_MODEL_BEFORE]);
+    if (status == WCUT_OK)
+        copy_forecast(e, &p->in_sample[WCUT_EVIDENCE_MODEL_BEFORE], &p->held_out[WCUT_EVIDENCE_MODEL_BEFORE]);
 
     /* no effect named: the third model's figures are those of the second */
     if (status == WCUT_OK && models < MODELS) {
-        copy_forecast(e, &p->in_sample[WCUT_FIT_MODEL_RECALIBRATED], &p->in_sample[WCUT_FIT_MODEL_AFTER]);
-        copy_forecast(e, &p->held_out[WCUT_FIT_MODEL_RECALIBRATED], &p->held_out[WCUT_FIT_MODEL_AFTER]);
+        copy_forecast(e, &p->in_sample[WCUT_EVIDENCE_MODEL_RECALIBRATED], &p->in_sample[WCUT_EVIDENCE_MODEL_AFTER]);
+        copy_forecast(e, &p->held_out[WCUT_EVIDENCE_MODEL_RECALIBRATED], &p->held_out[WCUT_EVIDENCE_MODEL_AFTER]);
     }
 
     wcut_free(room);
@@ -322,7 +324,7 @@ wcut_status wcut_cross_validation_create(const wcut_evidence *e, const wcut_fitt
     const wcut_fitted *const fitted[MODELS] = {NULL, recalibrated, chosen};
 
     /* room for the measured values and for every model's forecasts */
-    wcut_cross_validation p = {.fit = {{{0}}}};
+    wcut_cross_validation p = {.score = {{{0}}}};
     bool whole = forecast_create(e, &p.measured);
     int cuts = 0;
     for (int m = 0; m < MODELS; m++)
@@ -337,9 +339,9 @@ wcut_status wcut_cross_validation_create(const wcut_evidence *e, const wcut_fitt
 
     /* figures of each model; nothing is held out where there is a single cut */
     for (int m = 0; status == WCUT_OK && m < MODELS; m++) {
-        status = wcut_forecast_score(e, &p.measured, &p.in_sample[m], seed, p.fit[m]);
+        status = wcut_forecast_score(e, &p.measured, &p.in_sample[m], seed, p.score[m]);
         if (status == WCUT_OK && cuts > 1)
-            status = wcut_forecast_score(e, &p.measured, &p.held_out[m], seed, p.held_out_fit[m]);
+            status = wcut_forecast_score(e, &p.measured, &p.held_out[m], seed, p.held_out_score[m]);
         if (status != WCUT_OK) wcut_fail(error, status, "no memory for the figures");
     }
     if (status == WCUT_OK)

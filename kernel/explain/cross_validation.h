@@ -2,7 +2,7 @@
 #ifndef WCUT_EXPLAIN_CROSS_VALIDATION_H
 #define WCUT_EXPLAIN_CROSS_VALIDATION_H
 
-#include "explain/fit.h"
+#include "explain/model_fit.h"
 
 /* A prediction of a whole case beside its measurements, in bins and patches. */
 typedef struct wcut_forecast {
@@ -13,11 +13,12 @@ typedef struct wcut_forecast {
 /* What is measured is the same for all models: `row` is that of the evidence, patches their distance. */
 typedef struct wcut_cross_validation {
     wcut_forecast measured;
-    wcut_forecast in_sample[WCUT_FIT_MODEL_BLACK_BOX]; /* before, recalibrated, after: fitted on all cuts */
+    wcut_forecast in_sample[WCUT_EVIDENCE_MODEL_BLACK_BOX]; /* before, recalibrated, after: fitted on all cuts */
     wcut_forecast
-        held_out[WCUT_FIT_MODEL_BLACK_BOX]; /* each cut by models fitted on all but it; before: as in_sample */
-    wcut_fit fit[WCUT_FIT_MODEL_COUNT][WCUT_EVIDENCE_CHANNEL_COUNT];
-    wcut_fit held_out_fit[WCUT_FIT_MODEL_COUNT][WCUT_EVIDENCE_CHANNEL_COUNT]; /* all cuts, each held out in turn */
+        held_out[WCUT_EVIDENCE_MODEL_BLACK_BOX]; /* each cut by models fitted on all but it; before: as in_sample */
+    wcut_evidence_score score[WCUT_EVIDENCE_MODEL_COUNT][WCUT_EVIDENCE_CHANNEL_COUNT];
+    wcut_evidence_score held_out_score[WCUT_EVIDENCE_MODEL_COUNT]
+                                      [WCUT_EVIDENCE_CHANNEL_COUNT]; /* all cuts, each held out in turn */
 } wcut_cross_validation;
 
 /*
@@ -32,8 +33,8 @@ typedef struct wcut_cross_validation {
  *
  * Figures are of one-second means over all cuts, differences of both mounts and all cuts pooled, one range: rmsd,
  * nrmsd and rmse_over_range as wcut_score. Intervals: bootstrap of blocks of 5 s (scans: of 20 patches), drawn alike
- * for all models. With one cut alone nothing can be held out: the counts of held_out_fit are 0.
- * The rows of WCUT_FIT_MODEL_BLACK_BOX are left at count 0 (explain/black_box.h fills them).
+ * for all models. With one cut alone nothing can be held out: the counts of held_out_score are 0.
+ * The rows of WCUT_EVIDENCE_MODEL_BLACK_BOX are left at count 0 (explain/black_box.h fills them).
  *
  * evidence: predicted, under any model; recalibrated, chosen: fitted on it; may be the same, then it is run once.
  * out: the caller's, to wcut_cross_validation_destroy; the same for any number of threads.
@@ -47,6 +48,6 @@ void wcut_cross_validation_destroy(wcut_cross_validation *proof);
 /* Figures of a forecast in each channel; pairs of which a side is NaN are left out. fit: WCUT_EVIDENCE_CHANNEL_COUNT.
    WCUT_OK; WCUT_NO_MEMORY: nothing was written. */
 wcut_status wcut_forecast_score(const wcut_evidence *evidence, const wcut_forecast *measured,
-                                const wcut_forecast *predicted, unsigned long long seed, wcut_fit *fit);
+                                const wcut_forecast *predicted, unsigned long long seed, wcut_evidence_score *fit);
 
 #endif

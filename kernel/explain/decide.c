@@ -57,16 +57,16 @@ enum { MISFIT_CUTS = 5 };
 #define FORM_LEADS 1.3
 
 /* whether the scatter of a fit is that of a rig: not at the end of what blocks, wires and sensors differ by */
-static bool is_plausible(const wcut_fitted *f) {
+static bool scatter_is_plausible(const wcut_fitted *f) {
     for (int k = 0; k < WCUT_SCATTER_COUNT; k++)
-        if (f->noise.scatter[k] > PLAUSIBLE * wcut_scatter_view((wcut_scatter_kind)k)->most) return false;
+        if (f->noise.scatter[k] > PLAUSIBLE * wcut_scatter_view((wcut_scatter_kind)k)->max) return false;
     return true;
 }
 
 static bool is_adequate(const wcut_search *s, const wcut_fitted *f, const wcut_residual_stats *left) {
     return left->slow <= SLOW_MAX && left->common <= COMMON_MAX && left->worst <= WORST_MAX &&
            left->patches <= PATCHES_MAX && left->peak <= PEAK_MAX &&
-           (s->cuts < MISFIT_CUTS || f->misfit <= MISFIT_MAX * s->rows) && is_plausible(f);
+           (s->cuts < MISFIT_CUTS || f->misfit <= MISFIT_MAX * s->rows) && scatter_is_plausible(f);
 }
 
 /* whether recalibration, with the delay of late readings, leaves noise and scatter alone */
@@ -202,7 +202,7 @@ static bool second_counts(const wcut_search *s, int pair, int single) {
     return wcut_candidate_score(s, pair) - wcut_candidate_score(s, single) > fmax(GAIN_MIN, error * first);
 }
 
-static wcut_verdict_kind kind_of(const wcut_model *m) {
+static wcut_verdict_kind verdict_kind_of(const wcut_model *m) {
     bool physics = false, instrument = false;
     for (int k = 0; k < m->effects; k++) {
         const bool fault = wcut_explanation_view(m->effect[k].kind)->instrument;
@@ -277,9 +277,9 @@ static double confidence(const wcut_search *s, const wcut_decision *d) {
     if (d->kind == WCUT_VERDICT_UNKNOWN) return d->adequacy > 2 * SLOW_MAX ? 0.9 : 0.7;
     if (d->kind == WCUT_VERDICT_AMBIGUOUS) return 0.5;
     if (d->kind == WCUT_VERDICT_NONE) {
-        double most = 0;
-        for (int k = 0; k < s->count; k++) most = fmax(most, wcut_candidate_score(s, k));
-        return most > GAIN_MIN / 2 ? 0.7 : 0.9;
+        double max = 0;
+        for (int k = 0; k < s->count; k++) max = fmax(max, wcut_candidate_score(s, k));
+        return max > GAIN_MIN / 2 ? 0.7 : 0.9;
     }
     const wcut_candidate *best = &s->candidate[d->chosen];
     if (!leaves_noise(s, d->chosen)) return 0.7;
@@ -310,7 +310,7 @@ static wcut_decision decide_effects(const wcut_search *s) {
     }
 
     /* several effects that explain the data equally well make the verdict ambiguous */
-    d.kind = kind_of(&best->fit.model);
+    d.kind = verdict_kind_of(&best->fit.model);
     list_rivals(s, &d);
     if (d.rivals > 1) d.kind = WCUT_VERDICT_AMBIGUOUS;
 
@@ -329,7 +329,7 @@ wcut_decision wcut_search_decide(const wcut_search *s) {
         d.kind != WCUT_VERDICT_UNKNOWN) {
         d.chosen = d.rival[0] = s->undelayed, d.rivals = 1;
         d.adequacy = s->candidate[s->undelayed].left.slow;
-        d.kind = kind_of(&s->candidate[s->undelayed].fit.model);
+        d.kind = verdict_kind_of(&s->candidate[s->undelayed].fit.model);
     }
     d.confidence = confidence(s, &d);
     return d;

@@ -83,7 +83,7 @@ enum { NULLS = 500 };
 /* of preparing, of the search, of what follows from it */
 enum { FIRST_STEPS = 3, OUTSIDE = FIRST_STEPS + WCUT_SEARCH_STEPS + 1, PROOF, EXPERIMENT, CONTROL, STEPS };
 
-static wcut_status step(diagnosing *g, const char *stage, int done, wcut_error *error) {
+static wcut_status report_step(diagnosing *g, const char *stage, int done, wcut_error *error) {
     return wcut_stop_step(&g->stop, stage, done) ? wcut_fail(error, WCUT_INTERRUPTED, "interrupted") : WCUT_OK;
 }
 
@@ -98,9 +98,9 @@ static wcut_status keep_before(diagnosing *g) {
     return WCUT_OK;
 }
 
-static wcut_status prepare(diagnosing *g, wcut_error *error) {
+static wcut_status prepare_diagnosis(diagnosing *g, wcut_error *error) {
     /* gather the cuts; the model is the jobs' own so far */
-    wcut_status status = step(g, "the recordings were replayed", 0, error);
+    wcut_status status = report_step(g, "the recordings were replayed", 0, error);
     if (status == WCUT_OK)
         status = wcut_evidence_create(g->cuts, g->cut, false, g->options->threads, &g->stop, &g->evidence, error);
     if (status != WCUT_OK) return status;
@@ -112,15 +112,15 @@ static wcut_status prepare(diagnosing *g, wcut_error *error) {
     if (status == WCUT_OK) status = keep_before(g);
 
     /* recalibrate: a, b and wire length fitted to all cuts */
-    if (status == WCUT_OK) status = step(g, "the recalibration was fitted", 1, error);
+    if (status == WCUT_OK) status = report_step(g, "the recalibration was fitted", 1, error);
     wcut_fitted first = {0};
-    if (status == WCUT_OK) status = wcut_fit_solve(e, &e->at, &first, error);
+    if (status == WCUT_OK) status = wcut_model_fit(e, &e->at, &first, error);
     if (status != WCUT_OK) return status;
     const wcut_model recalibrated = first.model;
     wcut_fitted_destroy(&first);
 
     /* everything later is linear about the recalibrated model; the scans' patches are made there */
-    status = step(g, "recordings and scans were replayed", 2, error);
+    status = report_step(g, "recordings and scans were replayed", 2, error);
     if (status == WCUT_OK) status = wcut_evidence_predict(e, &recalibrated, true, error);
 
     /* columns of what differs from cut to cut (blocks, wires, zeros, friction) */
@@ -168,19 +168,19 @@ static double widened_95(double half, double value, double slow) { return 1.96 *
 
 static void estimate(const wcut_fitted *f, int k, double slow, wcut_estimate *out) {
     const wcut_coordinate *c = &f->coordinate[k];
-    const double x = f->x[WCUT_BASE + k], own = c->scale == WCUT_FIT_SCALE_LOG ? 1 : x;
+    const double x = f->x[WCUT_BASE + k], own = c->scale == WCUT_COORDINATE_SCALE_LOG ? 1 : x;
     const double below = widened_95(f->below[WCUT_BASE + k], own, slow);
     const double above = widened_95(f->above[WCUT_BASE + k], own, slow);
     const double ends[2] = {fmax(x - below, c->low), fmin(x + above, c->high)};
     out->value = wcut_scale_out(c->scale, x);
     out->low = wcut_scale_out(c->scale, ends[0]), out->high = wcut_scale_out(c->scale, ends[1]);
-    if (c->scale == WCUT_FIT_SCALE_RECIPROCAL) {
+    if (c->scale == WCUT_COORDINATE_SCALE_RECIPROCAL) {
         const double swap = out->low;
         out->low = out->high, out->high = swap;
     }
 }
 
-static void add_effects(diagnosing *g, int candidate, bool present, double confidence) {
+static void add_found_effects(diagnosing *g, int candidate, bool present, double confidence) {
     wcut_diagnosis *d = g->out;
     const wcut_candidate *c = &g->search.candidate[candidate];
     for (int e = 0; e < c->fit.model.effects && d->effects < WCUT_DIAGNOSIS_EFFECTS; e++) {
@@ -262,14 +262,14 @@ static wcut_status rank(diagnosing *g) {
     if (!d->hypothesis) return WCUT_NO_MEMORY;
 
     /* subtract the highest score before exp, so that nothing overflows */
-    double most = 0, sum = 0;
-    for (int k = -1; k < s->count; k++) most = fmax(most, wcut_candidate_score(s, k));
+    double max = 0, sum = 0;
+    for (int k = -1; k < s->count; k++) max = fmax(max, wcut_candidate_score(s, k));
 
     /* posterior of each candidate from exp(score / 2), the null hypothesis (k = -1) among them */
     for (int k = -1; k < s->count; k++) {
         wcut_hypothesis *h = &d->hypothesis[d->hypotheses++];
         *h = (wcut_hypothesis){.adequacy = s->left.slow, .why = wcut_candidate_why(s, &g->decision, k)};
-        h->probability = exp(fmax((wcut_candidate_score(s, k) - most) / 2, -700));
+        h->probability = exp(fmax((wcut_candidate_score(s, k) - max) / 2, -700));
         sum += h->probability;
         if (k < 0) continue;
         const wcut_candidate *c = &s->candidate[k];
@@ -419,8 +419,8 @@ static wcut_status prove(diagnosing *g, wcut_error *error) {
         return WCUT_OK;
     }
     d->unproven[0] = 0;
-    memcpy(d->fit, g->proof.fit, sizeof d->fit);
-    memcpy(d->held_out_fit, g->proof.held_out_fit, sizeof d->held_out_fit);
+    memcpy(d->score, g->proof.score, sizeof d->score);
+    memcpy(d->held_out_score, g->proof.held_out_score, sizeof d->held_out_score);
     for (int k = 0; k < g->cuts; k++) d->held_out[k] = g->evidence->cut[k].bins > 0;
     return WCUT_OK;
 }
@@ -441,7 +441,7 @@ static wcut_status try_naive(diagnosing *g, wcut_error *error) {
     }
 
     /* the recalibration, then every single effect of the library, both by plain least squares */
-    if (status == WCUT_OK) status = wcut_fit_solve(e, &e->at, &plain, error);
+    if (status == WCUT_OK) status = wcut_model_fit(e, &e->at, &plain, error);
     if (status == WCUT_OK)
         status = wcut_screen_create(e, &plain.model, plain.open, g->options->without, &screen, error);
 
@@ -468,7 +468,7 @@ static wcut_status try_naive(diagnosing *g, wcut_error *error) {
     return WCUT_OK;
 }
 
-static wcut_status locate(diagnosing *g, wcut_error *error) {
+static wcut_status locate_events(diagnosing *g, wcut_error *error) {
     wcut_diagnosis *d = g->out;
     d->mismatch = wcut_alloc(WCUT_MISMATCHES, sizeof *d->mismatch);
     if (!d->mismatch) return WCUT_NO_MEMORY;
@@ -538,7 +538,7 @@ static wcut_status profile(diagnosing *g, bool searched, wcut_error *error) {
     const int count = rivals ? v->rivals : names_effects(g);
     wcut_status status = searched ? WCUT_OK : WCUT_INTERRUPTED;
     for (int r = 0; status == WCUT_OK && r < count; r++)
-        status = wcut_fit_profile(g->evidence, &g->search.candidate[rivals ? v->rival[r] : v->chosen].fit, error);
+        status = wcut_fitted_profile(g->evidence, &g->search.candidate[rivals ? v->rival[r] : v->chosen].fit, error);
     if (status == WCUT_NO_MEMORY) return status;
     if (count > 0 && status != WCUT_OK)
         snprintf(g->out->unprofiled, sizeof g->out->unprofiled, "%.110s",
@@ -556,9 +556,9 @@ static wcut_status decide(diagnosing *g, bool searched, wcut_error *error) {
     const wcut_status status = profile(g, searched, error);
     if (status != WCUT_OK) return status;
     if (v->kind == WCUT_VERDICT_AMBIGUOUS)
-        for (int r = 0; r < v->rivals; r++) add_effects(g, v->rival[r], false, v->confidence / v->rivals);
+        for (int r = 0; r < v->rivals; r++) add_found_effects(g, v->rival[r], false, v->confidence / v->rivals);
     else if (names_effects(g))
-        add_effects(g, v->chosen, true, v->confidence);
+        add_found_effects(g, v->chosen, true, v->confidence);
     report_base(g);
     if (wcut_rig_fill(g->evidence, final_fit(g), d) != WCUT_OK) return WCUT_NO_MEMORY;
     return wcut_adequacy_p_value(g->evidence, d->adequacy, NULLS, g->options->seed, &d->adequacy_p);
@@ -586,12 +586,12 @@ static void tell_stop(diagnosing *g, bool searched) {
 }
 
 /* searched: to its end */
-static wcut_status conclude(diagnosing *g, bool searched, wcut_error *error) {
+static wcut_status conclude_diagnosis(diagnosing *g, bool searched, wcut_error *error) {
     wcut_status status = decide(g, searched, error);
     wcut_status looked = WCUT_OK; /* a search for terms that was stopped takes nothing from the rest */
 
     /* only a search that came to its end allows to look outside the library */
-    if (status == WCUT_OK && searched) looked = step(g, "terms outside the library were sought", OUTSIDE, error);
+    if (status == WCUT_OK && searched) looked = report_step(g, "terms outside the library were sought", OUTSIDE, error);
     if (status == WCUT_OK && searched && looked == WCUT_OK) looked = model(g, error);
     if (status == WCUT_OK && looked != WCUT_INTERRUPTED) status = looked;
 
@@ -602,18 +602,18 @@ static wcut_status conclude(diagnosing *g, bool searched, wcut_error *error) {
 
     /* what follows an interruption is not run */
     if (status == WCUT_OK && (!searched || looked == WCUT_INTERRUPTED)) status = WCUT_INTERRUPTED;
-    if (status == WCUT_OK) status = locate(g, error);
+    if (status == WCUT_OK) status = locate_events(g, error);
 
     /* where in space and time the misfit is, as a picture */
     if (status == WCUT_OK)
         status = wcut_view_fill(g->evidence, final_fit(g), g->out->mismatches, g->out->mismatch, &g->out->view, error);
 
     /* forecasts of cuts left out, the next experiment, and the control, each as one step of progress */
-    if (status == WCUT_OK) status = step(g, "the forward proof was run", PROOF, error);
+    if (status == WCUT_OK) status = report_step(g, "the forward proof was run", PROOF, error);
     if (status == WCUT_OK) status = prove(g, error);
-    if (status == WCUT_OK) status = step(g, "the next experiment was chosen", EXPERIMENT, error);
+    if (status == WCUT_OK) status = report_step(g, "the next experiment was chosen", EXPERIMENT, error);
     if (status == WCUT_OK) status = propose(g, error);
-    if (status == WCUT_OK) status = step(g, "plain least squares were run beside it", CONTROL, error);
+    if (status == WCUT_OK) status = report_step(g, "plain least squares were run beside it", CONTROL, error);
     if (status == WCUT_OK) status = try_naive(g, error);
 
     /* words come last, because they tell of everything above */
@@ -627,8 +627,9 @@ static wcut_status conclude(diagnosing *g, bool searched, wcut_error *error) {
     return status;
 }
 
-static wcut_status check(int cuts, const wcut_diagnosis_cut *cut, int test_cuts, const wcut_test_cut *calibration,
-                         const wcut_diagnosis_options *o, wcut_diagnosis **out, wcut_error *error) {
+static wcut_status check_diagnosis(int cuts, const wcut_diagnosis_cut *cut, int test_cuts,
+                                   const wcut_test_cut *calibration, const wcut_diagnosis_options *o,
+                                   wcut_diagnosis **out, wcut_error *error) {
     if (cuts < 1 || !cut || !out || test_cuts < 0 || (test_cuts > 0 && !calibration))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "cuts and a place for the diagnosis are expected");
     if (o->threads < 1) return wcut_fail(error, WCUT_BAD_ARGUMENT, "found %d threads, expected 1 or more", o->threads);
@@ -649,7 +650,7 @@ wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *cut, int t
                                   wcut_error *error) {
     /* check all arguments before any work */
     const wcut_diagnosis_options o = options ? *options : wcut_diagnosis_options_default();
-    wcut_status status = check(cuts, cut, test_cuts, calibration, &o, diagnosis, error);
+    wcut_status status = check_diagnosis(cuts, cut, test_cuts, calibration, &o, diagnosis, error);
     if (status != WCUT_OK) return status;
     diagnosing g = {.cuts = cuts, .cut = cut, .test_cuts = test_cuts, .calibration = calibration, .options = &o};
 
@@ -661,13 +662,13 @@ wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *cut, int t
         g.out->cuts = cuts, g.out->view.cut = -1, g.out->held_out = wcut_alloc((size_t)cuts, sizeof *g.out->held_out);
 
     /* evidence and search */
-    status = g.out && g.out->held_out ? prepare(&g, error) : wcut_fail(error, WCUT_NO_MEMORY, "no memory");
+    status = g.out && g.out->held_out ? prepare_diagnosis(&g, error) : wcut_fail(error, WCUT_NO_MEMORY, "no memory");
     if (status == WCUT_OK) status = wcut_search_run(g.evidence, o.without, &g.search, error);
     const bool recalibrated = g.search.none.predicted != NULL; /* the least that is worth handing out */
 
     /* conclude from what there is, even if the search was stopped after the recalibration */
     if (status == WCUT_OK || (status == WCUT_INTERRUPTED && recalibrated))
-        status = conclude(&g, status == WCUT_OK, error);
+        status = conclude_diagnosis(&g, status == WCUT_OK, error);
 
     /* the text says where it was stopped and whether there is a result */
     if (status == WCUT_INTERRUPTED)

@@ -12,7 +12,7 @@
 /* ---- what is fitted ---- */
 
 /* [1] a relative change of the force: prior, step, and what is plausible at all */
-static const wcut_coordinate coefficient = {0, WCUT_FIT_SCALE_LINEAR, 0, 0.5, 0.03, -1.5, 1.5};
+static const wcut_coordinate coefficient = {0, WCUT_COORDINATE_SCALE_LINEAR, 0, 0.5, 0.03, -1.5, 1.5};
 
 int wcut_term_coordinates(const wcut_effect *effect) {
     /* waves, bands and windows: a coefficient and two shape parameters */
@@ -45,19 +45,21 @@ wcut_coordinate wcut_term_coordinate(const wcut_effect *effect, int k) {
         case WCUT_TERM_WAVE_X:
         case WCUT_TERM_WAVE_Y:
         case WCUT_TERM_WAVE_Z:
-            if (k == 1) return (wcut_coordinate){WCUT_TERM_COSINE, WCUT_FIT_SCALE_LINEAR, 0, 0.5, 0.03, -3, 3};
-            return (wcut_coordinate){WCUT_TERM_SHAPE, WCUT_FIT_SCALE_LOG, 4.5 /* ln 90 mm */, 1.5, 0.004, 2.7, 7.6};
+            if (k == 1) return (wcut_coordinate){WCUT_TERM_COSINE, WCUT_COORDINATE_SCALE_LINEAR, 0, 0.5, 0.03, -3, 3};
+            return (wcut_coordinate){
+                WCUT_TERM_SHAPE, WCUT_COORDINATE_SCALE_LOG, 4.5 /* ln 90 mm */, 1.5, 0.004, 2.7, 7.6};
         case WCUT_TERM_BAND_X:
         case WCUT_TERM_BAND_Y:
         case WCUT_TERM_BAND_Z:
-            return (wcut_coordinate){WCUT_TERM_SHAPE + k - 1, WCUT_FIT_SCALE_LINEAR, 0, 1e4, 3, -500, 5000};
+            return (wcut_coordinate){WCUT_TERM_SHAPE + k - 1, WCUT_COORDINATE_SCALE_LINEAR, 0, 1e4, 3, -500, 5000};
         case WCUT_TERM_WINDOW:
-            return (wcut_coordinate){WCUT_TERM_SHAPE + k - 1, WCUT_FIT_SCALE_LINEAR, 0, 1e4, 0.2, -1e4, 1e5};
+            return (wcut_coordinate){WCUT_TERM_SHAPE + k - 1, WCUT_COORDINATE_SCALE_LINEAR, 0, 1e4, 0.2, -1e4, 1e5};
         case WCUT_TERM_HEAT_STEP:
         case WCUT_TERM_HEAT_HINGE:
-            return (wcut_coordinate){WCUT_TERM_SHAPE, WCUT_FIT_SCALE_LOG, 8.5 /* ln 5000 J/m^2 */, 1.5, 0.02, 5, 14};
+            return (wcut_coordinate){
+                WCUT_TERM_SHAPE, WCUT_COORDINATE_SCALE_LOG, 8.5 /* ln 5000 J/m^2 */, 1.5, 0.02, 5, 14};
         default:
-            return (wcut_coordinate){WCUT_TERM_SHAPE, WCUT_FIT_SCALE_LOG, 0.5, 1.5, 0.1, -2.3, 5};
+            return (wcut_coordinate){WCUT_TERM_SHAPE, WCUT_COORDINATE_SCALE_LOG, 0.5, 1.5, 0.1, -2.3, 5};
     }
 }
 
@@ -93,7 +95,7 @@ typedef struct list {
     int count;
 } list;
 
-static void add(list *l, wcut_term term, double shape0, double shape1, bool carried) {
+static void add_entry(list *l, wcut_term term, double shape0, double shape1, bool carried) {
     if (l->count == WCUT_ENTRIES_MAX) return;
     wcut_entry *entry = &l->out[l->count++];
     *entry = (wcut_entry){.effect = wcut_effect_choose(WCUT_EFFECT_EMPIRICAL_FORCE, term), .carried = carried};
@@ -104,16 +106,16 @@ static void add(list *l, wcut_term term, double shape0, double shape1, bool carr
 
 static void add_wave(list *l, wcut_term term, double wavelength) {
     if (l->count + 2 > WCUT_ENTRIES_MAX) return;
-    add(l, term, wavelength, 0, false);
+    add_entry(l, term, wavelength, 0, false);
     l->out[l->count - 1].pair = true;
-    add(l, term, wavelength, 0, false);
+    add_entry(l, term, wavelength, 0, false);
     l->out[l->count - 1].effect.value[WCUT_TERM_COEFFICIENT] = 0;
     l->out[l->count - 1].effect.value[WCUT_TERM_COSINE] = 1;
 }
 
 /* evenly in frequency, close enough for none to fall between two: a third of a turn over the extent */
-static void add_waves(list *l, wcut_term term, double extent, double shortest, double longest, int most) {
-    const int count = (int)clamp(ceil(3 * extent * (1 / shortest - 1 / longest)), 2, most);
+static void add_waves(list *l, wcut_term term, double extent, double shortest, double longest, int max) {
+    const int count = (int)clamp(ceil(3 * extent * (1 / shortest - 1 / longest)), 2, max);
     for (int k = 0; k < count; k++) {
         const double share = k / (count - 1.0);
         add_wave(l, term, 1 / ((1 - share) / longest + share / shortest));
@@ -122,14 +124,14 @@ static void add_waves(list *l, wcut_term term, double extent, double shortest, d
 
 static void add_bands(list *l, wcut_term term, double from, double to, const double *width, int widths) {
     for (int k = 0; k < widths; k++)
-        for (double at = from; at < to; at += width[k] / 2) add(l, term, fmax(at, 1e-3), at + width[k], false);
+        for (double at = from; at < to; at += width[k] / 2) add_entry(l, term, fmax(at, 1e-3), at + width[k], false);
 }
 
 /* cuts that follow each other against the others, two at least on either side: another batch, another wire */
 static void add_ranges(list *l, int cuts) {
     for (int from = 0; from < cuts && cuts <= 12; from++)
         for (int to = from + 1; to < cuts && to - from + 3 <= cuts; to++) {
-            add(l, WCUT_TERM_ORDER, 0, 0, false);
+            add_entry(l, WCUT_TERM_ORDER, 0, 0, false);
             l->out[l->count - 1].effect.value[WCUT_TERM_SHAPE + 1] = from;
             l->out[l->count - 1].effect.value[WCUT_TERM_SHAPE + 2] = to;
         }
@@ -146,38 +148,38 @@ int wcut_dictionary_list(const wcut_evidence *e, wcut_entry *out) {
 
     /* polynomials in the position of the node, and the direction of its motion */
     for (int axis = 0; axis < 3; axis++)
-        for (int degree = 1; degree <= 4; degree++) add(&l, WCUT_TERM_POSITION_X + axis, degree, 0, false);
+        for (int degree = 1; degree <= 4; degree++) add_entry(&l, WCUT_TERM_POSITION_X + axis, degree, 0, false);
     for (int axis = 0; axis < 3; axis++)
-        for (int order = 1; order <= 2; order++) add(&l, WCUT_TERM_DIRECTION_X + axis, order, 0, false);
+        for (int order = 1; order <= 2; order++) add_entry(&l, WCUT_TERM_DIRECTION_X + axis, order, 0, false);
 
     /* thresholds in Q_eff at seven places of its range, where that range is wide enough */
     const double q_range = log(r.q_high / r.q_low);
     for (int k = 1; k <= 7 && q_range > 0.05; k++) {
         const double q = r.q_low * exp(q_range * k / 8);
-        add(&l, WCUT_TERM_HEAT_STEP, q, 0.05 * q, false);
-        add(&l, WCUT_TERM_HEAT_HINGE, q, 0.05 * q, false);
+        add_entry(&l, WCUT_TERM_HEAT_STEP, q, 0.05 * q, false);
+        add_entry(&l, WCUT_TERM_HEAT_HINGE, q, 0.05 * q, false);
     }
 
     /* other functions of heat, speed and shape */
-    add(&l, WCUT_TERM_HEAT_INVERSE, sqrt(r.q_low * r.q_high), 0, false);
-    add(&l, WCUT_TERM_LOG_SPEED, 0, 0, false);
-    add(&l, WCUT_TERM_CURVATURE, 0, 0, false);
+    add_entry(&l, WCUT_TERM_HEAT_INVERSE, sqrt(r.q_low * r.q_high), 0, false);
+    add_entry(&l, WCUT_TERM_LOG_SPEED, 0, 0, false);
+    add_entry(&l, WCUT_TERM_CURVATURE, 0, 0, false);
 
     /* what decays after entry, and what grows with the way and the time, from zero in each cut or carried over */
-    for (int k = 1; k < 6; k++) add(&l, WCUT_TERM_ENTRY, time[k], 0, false);
+    for (int k = 1; k < 6; k++) add_entry(&l, WCUT_TERM_ENTRY, time[k], 0, false);
     for (int carried = 0; carried < (cuts > 1 ? 2 : 1); carried++) {
-        add(&l, WCUT_TERM_WAY, 0, 0, carried);
-        add(&l, WCUT_TERM_CLOCK, 0, 0, carried);
+        add_entry(&l, WCUT_TERM_WAY, 0, 0, carried);
+        add_entry(&l, WCUT_TERM_CLOCK, 0, 0, carried);
     }
 
     /* between cuts: their number, and ranges of them */
-    if (cuts > 1) add(&l, WCUT_TERM_ORDER, 0, 0, false);
+    if (cuts > 1) add_entry(&l, WCUT_TERM_ORDER, 0, 0, false);
     add_ranges(&l, e->cuts);
 
     /* memories of speed and heat, by time constant */
     for (int k = 0; k < 6; k++) {
-        add(&l, WCUT_TERM_SPEED_MEMORY, time[k], 0, false);
-        add(&l, WCUT_TERM_HEAT_MEMORY, time[k], 0, false);
+        add_entry(&l, WCUT_TERM_SPEED_MEMORY, time[k], 0, false);
+        add_entry(&l, WCUT_TERM_HEAT_MEMORY, time[k], 0, false);
     }
 
     /* periodic in space along each axis, and bands across y and z */

@@ -2,7 +2,7 @@
 #ifndef WCUT_EXPLAIN_DICTIONARY_H
 #define WCUT_EXPLAIN_DICTIONARY_H
 
-#include "explain/fit.h"
+#include "explain/model_fit.h"
 
 /* An entry: a term of empirical_force at a shape; its coefficient is what is sought. */
 typedef struct wcut_entry {

@@ -33,7 +33,7 @@ typedef struct searching {
     int entries, nuisances, n; /* n: base, nuisances, entries */
     wcut_entry *entry;
     double *scale;  /* entries: of each to a mean square of 1 over the bins */
-    double *most;   /* entries: largest abs(phi) of a bin, unscaled */
+    double *max;    /* entries: largest abs(phi) of a bin, unscaled */
     double *column; /* n x rows, whitened; those of entries are 0 in patches */
     wcut_normal_equations normal;
     double *centre, *precision; /* n */
@@ -58,7 +58,7 @@ typedef struct trial {
 static void searching_destroy(searching *g) {
     wcut_free(g->entry);
     wcut_free(g->scale);
-    wcut_free(g->most);
+    wcut_free(g->max);
     wcut_free(g->column);
     wcut_free(g->centre);
     wcut_free(g->precision);
@@ -73,17 +73,17 @@ static bool searching_create(const wcut_evidence *e, searching *g) {
     g->nuisances = wcut_nuisance_count(e);
     g->n = WCUT_BASE + g->nuisances + g->entries;
     g->scale = wcut_alloc((size_t)g->entries, sizeof(double));
-    g->most = wcut_alloc((size_t)g->entries, sizeof(double));
+    g->max = wcut_alloc((size_t)g->entries, sizeof(double));
     g->column = wcut_alloc((size_t)g->n * (size_t)e->rows, sizeof(double));
     g->centre = wcut_alloc((size_t)g->n, sizeof(double));
     g->precision = wcut_alloc((size_t)g->n, sizeof(double));
-    return g->scale && g->most && g->column && g->centre && g->precision &&
+    return g->scale && g->max && g->column && g->centre && g->precision &&
            wcut_normal_equations_create(g->n, e->scatter.count, e->cuts, &g->normal) == WCUT_OK;
 }
 
 /* ---- columns ---- */
 
-static double *column_of(const searching *g, int k) { return g->column + (size_t)k * (size_t)g->e->rows; }
+static double *column_of_entry(const searching *g, int k) { return g->column + (size_t)k * (size_t)g->e->rows; }
 
 /* changes of the prediction with the base coordinates, not whitened */
 static wcut_status base_columns(searching *g, const wcut_model *about, wcut_error *error) {
@@ -96,7 +96,7 @@ static wcut_status base_columns(searching *g, const wcut_model *about, wcut_erro
     const wcut_status status = wcut_models_rows(g->e, 1 + WCUT_BASE, model, all, error);
     for (int k = 0; status == WCUT_OK && k < WCUT_BASE; k++)
         for (size_t i = 0; i < rows; i++)
-            column_of(g, k)[i] = (all[(size_t)(1 + k) * rows + i] - all[i]) / wcut_base_step[k];
+            column_of_entry(g, k)[i] = (all[(size_t)(1 + k) * rows + i] - all[i]) / wcut_base_step[k];
     wcut_free(all);
     return status;
 }
@@ -107,10 +107,10 @@ static wcut_status entry_column(searching *g, int k, const wcut_response *d, dou
                                                      WCUT_WEIGHT_A,    WCUT_WEIGHT_B,    WCUT_WEIGHT_B};
 
     /* the column of this entry, and the response to a change of ln a that it is made from */
-    double *column = column_of(g, WCUT_BASE + g->nuisances + k), square = 0;
-    const double *by_force = column_of(g, 0);
+    double *column = column_of_entry(g, WCUT_BASE + g->nuisances + k), square = 0;
+    const double *by_force = column_of_entry(g, 0);
     int bins = 0;
-    g->most[k] = 0;
+    g->max[k] = 0;
 
     /* phi of each cut in its bins */
     for (int cut = 0; cut < g->e->cuts; cut++) {
@@ -122,7 +122,7 @@ static wcut_status entry_column(searching *g, int k, const wcut_response *d, dou
         /* sums for the scale, and the largest value for the report */
         for (int i = 0; i < c->bins; i++) {
             square += value[i] * value[i], bins++;
-            g->most[k] = fmax(g->most[k], fabs(value[i]));
+            g->max[k] = fmax(g->max[k], fabs(value[i]));
         }
 
         /* the response to a force changed by phi is that to ln a times phi, angles weighted towards their mount */
@@ -155,10 +155,10 @@ static wcut_status drive_all(const wcut_evidence *e, const wcut_model *model, wc
     return status;
 }
 
-static wcut_status fill(searching *g, const wcut_model *about, wcut_error *error) {
+static wcut_status fill_entries(searching *g, const wcut_model *about, wcut_error *error) {
     const wcut_evidence *e = g->e;
     const size_t rows = (size_t)e->rows;
-    double spread[WCUT_FIT_MAX] = {0};
+    double spread[WCUT_FITTED_MAX] = {0};
     int bins = 0;
 
     /* room for the most bins of a cut */
@@ -179,10 +179,10 @@ static wcut_status fill(searching *g, const wcut_model *about, wcut_error *error
 
     /* nuisances and priors, then everything whitened alike */
     if (status == WCUT_OK) {
-        wcut_nuisance_columns(e, column_of(g, WCUT_BASE), spread);
+        wcut_nuisance_columns(e, column_of_entry(g, WCUT_BASE), spread);
         wcut_evidence_residual(e, raw);
         for (int k = 0; k < g->n; k++) {
-            wcut_evidence_whiten(e, raw, column_of(g, k), column_of(g, k));
+            wcut_evidence_whiten(e, raw, column_of_entry(g, k), column_of_entry(g, k));
             const double width = k < WCUT_BASE                  ? wcut_base_spread[k]
                                  : k < WCUT_BASE + g->nuisances ? spread[k - WCUT_BASE]
                                                                 : 1;
@@ -212,7 +212,7 @@ static bool same_family(const wcut_entry *a, const wcut_entry *b) {
 
 /* gain of an entry about the present residual, the base, nuisances and terms so far free beside it */
 static bool screen_one(const searching *g, int fixed, int *chosen, double before, pick *p) {
-    double t[WCUT_FIT_MAX], cost;
+    double t[WCUT_FITTED_MAX], cost;
     for (int k = 0; k < p->width; k++) chosen[fixed + k] = WCUT_BASE + g->nuisances + p->entry + k;
     if (!wcut_normal_equations_solve(&g->normal, fixed + p->width, chosen, g->centre, g->precision, -1, t, NULL, &cost))
         return false;
@@ -223,7 +223,7 @@ static bool screen_one(const searching *g, int fixed, int *chosen, double before
 
 /* the entries that gain most, one of a family; gives how many there are of TRIED. fixed: columns beside */
 static int screen(const searching *g, int fixed, int *chosen, pick *best) {
-    double t[WCUT_FIT_MAX], before;
+    double t[WCUT_FITTED_MAX], before;
     int n = 0;
 
     /* the cost of the columns that are in already */
@@ -259,7 +259,7 @@ static int screen(const searching *g, int fixed, int *chosen, pick *best) {
     return n;
 }
 
-static void compare(const searching *g, const wcut_fitted *from, trial *t) {
+static void compare_trial(const searching *g, const wcut_fitted *from, trial *t) {
     t->gain = from->misfit - t->fit.misfit;
     t->left = wcut_residual_stats_eval(g->e, t->fit.residual);
     t->noise = fmax(1, t->left.slow);
@@ -284,23 +284,23 @@ static wcut_status try_entry(const searching *g, const wcut_fitted *from, const 
     if (p->width > 1) effect->value[WCUT_TERM_COSINE] = clamp(p->t[1], -0.8, 0.8);
     model.carried = model.carried || entry->carried;
     *t = (trial){.pick = *p};
-    const wcut_status status = wcut_fit_solve(g->e, &model, &t->fit, error);
-    if (status == WCUT_OK) compare(g, from, t);
+    const wcut_status status = wcut_model_fit(g->e, &model, &t->fit, error);
+    if (status == WCUT_OK) compare_trial(g, from, t);
     return status;
 }
 
 /* coefficient of the last term in standard errors */
 static double significance(const trial *t) {
-    double most = 0;
+    double max = 0;
     for (int k = 0; k < t->fit.count; k++)
         if (t->fit.effect_of[k] == t->fit.model.effects - 1 && t->fit.coordinate[k].at <= WCUT_TERM_COSINE &&
-            t->fit.coordinate[k].scale == WCUT_FIT_SCALE_LINEAR)
-            most = fmax(most, fabs(t->fit.x[WCUT_BASE + k]) / t->fit.error[WCUT_BASE + k]);
-    return most / sqrt(t->noise);
+            t->fit.coordinate[k].scale == WCUT_COORDINATE_SCALE_LINEAR)
+            max = fmax(max, fabs(t->fit.x[WCUT_BASE + k]) / t->fit.error[WCUT_BASE + k]);
+    return max / sqrt(t->noise);
 }
 
 /* whether the fit ended inside the range that a term may have at all */
-static bool is_plausible(const trial *t) {
+static bool term_is_plausible(const trial *t) {
     const wcut_effect *last = &t->fit.model.effect[t->fit.model.effects - 1];
     const bool band = last->choice >= WCUT_TERM_BAND_X && last->choice <= WCUT_TERM_BAND_Z;
     if (t->broken || (band && last->value[WCUT_TERM_SHAPE] > last->value[WCUT_TERM_SHAPE + 1])) return false;
@@ -317,7 +317,7 @@ static bool is_confirmed(const searching *g, const trial *t, const wcut_residual
     const bool third = t->fit.model.effects == WCUT_EMPIRICAL_TERMS;
     if (!(wcut_chi_square_tail(gain, t->pick.width) * g->entries < LEVEL)) return false;
     if (!(t->held_out >= HOLDS * t->gain) || 3 * t->better < 2 * t->judged || t->judged == 0) return false;
-    if (!(significance(t) > STANDS_OUT) || !is_plausible(t)) return false;
+    if (!(significance(t) > STANDS_OUT) || !term_is_plausible(t)) return false;
     return before->slow - t->left.slow > (third ? HALVES : TAKES) * excess;
 }
 
@@ -326,7 +326,7 @@ static void keep_rivals(const searching *g, const trial *trial_of, int trials, i
     for (int k = 0; k < trials && out->rivals < WCUT_EMPIRICAL_RIVALS; k++) {
         const trial *t = &trial_of[k];
         const double behind = (b->gain - t->gain) / b->noise;
-        if (k == best || !t->fit.residual || !(t->held_out > 0) || !is_plausible(t)) continue;
+        if (k == best || !t->fit.residual || !(t->held_out > 0) || !term_is_plausible(t)) continue;
         if (behind > RIVAL + RIVAL_SHARE * b->gain / b->noise) continue;
         const int last = t->fit.model.effects - 1;
         out->rival[out->rivals++] = (wcut_empirical_rival){.effect = t->fit.model.effect[last],
@@ -337,8 +337,8 @@ static void keep_rivals(const searching *g, const trial *trial_of, int trials, i
 }
 
 /* one step about `from`: the best confirmed trial becomes the new fit. *taken: its entry, -1 where none is confirmed */
-static wcut_status step(searching *g, const wcut_fitted *from, const wcut_residual_stats *before, int fixed,
-                        int *chosen, wcut_empirical *out, pick *taken, wcut_error *error) {
+static wcut_status confirm_term(searching *g, const wcut_fitted *from, const wcut_residual_stats *before, int fixed,
+                                int *chosen, wcut_empirical *out, pick *taken, wcut_error *error) {
     pick best[TRIED] = {{0}};
     trial t[TRIED];
     memset(t, 0, sizeof t);
@@ -396,26 +396,26 @@ wcut_status wcut_empirical_find(const wcut_evidence *e, const wcut_fitted *recal
 
     /* the dictionary's columns about the recalibrated model */
     wcut_empirical found = {.left = wcut_residual_stats_eval(e, recalibrated->residual)};
-    wcut_status status = searching_create(e, &g) ? fill(&g, &recalibrated->model, error)
+    wcut_status status = searching_create(e, &g) ? fill_entries(&g, &recalibrated->model, error)
                                                  : wcut_fail(error, WCUT_NO_MEMORY, "no memory for the dictionary");
 
     /* recalibration and nuisances are in every solve */
-    int chosen[WCUT_FIT_MAX], fixed = WCUT_BASE + g.nuisances;
+    int chosen[WCUT_FITTED_MAX], fixed = WCUT_BASE + g.nuisances;
     for (int k = 0; k < fixed && status == WCUT_OK; k++) chosen[k] = k;
-    const int most = g.cuts > 1 ? WCUT_EMPIRICAL_TERMS : 0; /* one cut confirms nothing */
+    const int max = g.cuts > 1 ? WCUT_EMPIRICAL_TERMS : 0; /* one cut confirms nothing */
 
     /* add one term after the other, each about the fit of those before */
-    for (int term = 0; status == WCUT_OK && term < most; term++) {
+    for (int term = 0; status == WCUT_OK && term < max; term++) {
         pick taken = {.width = 0};
         const wcut_residual_stats before = found.left;
-        status =
-            step(&g, found.fit.residual ? &found.fit : recalibrated, &before, fixed, chosen, &found, &taken, error);
+        status = confirm_term(&g, found.fit.residual ? &found.fit : recalibrated, &before, fixed, chosen, &found,
+                              &taken, error);
 
         /* nothing was confirmed: the search ends */
         if (taken.width == 0) break;
 
         /* the columns of the term stay in from now on */
-        found.size[term] = g.most[taken.entry];
+        found.size[term] = g.max[taken.entry];
         for (int k = 0; k < taken.width; k++) chosen[fixed++] = WCUT_BASE + g.nuisances + taken.entry + k;
     }
 

@@ -14,7 +14,7 @@
 #define REACH 3.0
 /* bins: shorter is an outlier of a sensor, not an event; the share of all bins beyond which it is no exception */
 enum { SHORTEST = 3 };
-#define SHARE_MOST 0.4
+#define SHARE_MAX 0.4
 /* of the misfit of the tensions, what must lie in the windows */
 #define TAKES 0.8
 /* [N] of a mean of both tensions, under which nothing is an event */
@@ -54,7 +54,7 @@ static bool common_create(const wcut_evidence *e, common *c) {
     return whole && c->left && c->weight && c->cut && c->bin;
 }
 
-static wcut_status fill(const wcut_evidence *e, const wcut_fitted *about, common *c, wcut_error *error) {
+static wcut_status fill_common(const wcut_evidence *e, const wcut_fitted *about, common *c, wcut_error *error) {
     /* the model itself, and one copy for each base coordinate */
     wcut_model model[1 + WCUT_BASE] = {about->model, about->model, about->model, about->model};
     const size_t rows = (size_t)e->rows;
@@ -97,14 +97,14 @@ static int ascending(const void *a, const void *b) {
 }
 
 /* standard deviation of normal noise with the median of abs(left) */
-static double spread_of(const common *c, double *room) {
+static double robust_deviation(const common *c, double *room) {
     for (int i = 0; i < c->n; i++) room[i] = fabs(c->left[i]);
     qsort(room, (size_t)c->n, sizeof *room, ascending);
     return 1.4826 * room[c->n / 2];
 }
 
 /* weighted least squares of the base coordinates, their priors beside it; three unknowns by Cramer's rule */
-static void solve(common *c, double sigma) {
+static void solve_common(common *c, double sigma) {
     double m[WCUT_BASE][WCUT_BASE + 1] = {{0}};
     for (int j = 0; j < WCUT_BASE; j++) {
         /* normal equations; the prior stands on the diagonal, in units of sigma */
@@ -135,20 +135,20 @@ static void solve(common *c, double sigma) {
 }
 
 /* least absolute deviations first, which half of the bins may spoil; then Tukey's biweight from there */
-static bool fit(common *c, double floor) {
+static bool fit_common(common *c, double floor) {
     double *room = wcut_alloc((size_t)c->n, sizeof *room);
     if (!room) return false;
     for (int i = 0; i < c->n; i++) c->weight[i] = 1;
     for (int round = 0; round < ROUNDS; round++) {
-        solve(c, floor);
-        c->deviation = fmax(spread_of(c, room), floor);
+        solve_common(c, floor);
+        c->deviation = fmax(robust_deviation(c, room), floor);
         for (int i = 0; i < c->n; i++) {
             const double z = fabs(c->left[i]) / c->deviation, far = z / 4.7;
             c->weight[i] = round < ROUNDS / 2 ? 1 / fmax(z, 0.1) : far < 1 ? (1 - far * far) * (1 - far * far) : 0;
         }
     }
-    solve(c, floor);
-    c->deviation = fmax(spread_of(c, room), floor);
+    solve_common(c, floor);
+    c->deviation = fmax(robust_deviation(c, room), floor);
     wcut_free(room);
     return true;
 }
@@ -157,14 +157,14 @@ static bool fit(common *c, double floor) {
 
 /* the window around bin i: as far as bins of the same cut stay beyond REACH on the same side */
 static void reach(const common *c, int i, int *from, int *to) {
-    const double side = c->left[i] < 0 ? -1 : 1, least = REACH * c->deviation;
+    const double side = c->left[i] < 0 ? -1 : 1, min = REACH * c->deviation;
     *from = *to = i;
-    while (*from > 0 && c->cut[*from - 1] == c->cut[i] && side * c->left[*from - 1] > least) --*from;
-    while (*to + 1 < c->n && c->cut[*to + 1] == c->cut[i] && side * c->left[*to + 1] > least) ++*to;
+    while (*from > 0 && c->cut[*from - 1] == c->cut[i] && side * c->left[*from - 1] > min) --*from;
+    while (*to + 1 < c->n && c->cut[*to + 1] == c->cut[i] && side * c->left[*to + 1] > min) ++*to;
 }
 
-static void describe(const wcut_evidence *e, const wcut_fitted *about, const common *c, int from, int to,
-                     wcut_event *out) {
+static void describe_event(const wcut_evidence *e, const wcut_fitted *about, const common *c, int from, int to,
+                           wcut_event *out) {
     const wcut_evidence_cut *cut = &e->cut[c->cut[from]];
     double force = 0, heat = 0, tension = 0;
     for (int i = from; i <= to; i++) {
@@ -183,7 +183,7 @@ static void describe(const wcut_evidence *e, const wcut_fitted *about, const com
 }
 
 /* sums of squares in a window: as it is, and less a level that the bins between say */
-static void judge(const common *c, int from, int to, double *whole, double *left) {
+static void judge_window(const common *c, int from, int to, double *whole, double *left) {
     double mean[2] = {0};
     int count[2] = {0};
     for (int i = from; i <= to; i++) mean[i % 2] += c->left[i], count[i % 2]++;
@@ -205,11 +205,11 @@ static void find_windows(const wcut_evidence *e, const wcut_fitted *about, const
         reach(c, i, &from, &to);
         i = to;
         if (to - from + 1 < SHORTEST || out->count == WCUT_EVENTS_MAX) continue;
-        describe(e, about, c, from, to, &out->event[out->count++]);
-        judge(c, from, to, &inside, &levelled);
+        describe_event(e, about, c, from, to, &out->event[out->count++]);
+        judge_window(c, from, to, &inside, &levelled);
         bins += to - from + 1;
     }
-    if (bins > SHARE_MOST * c->n || inside < TAKES * all) out->count = 0;
+    if (bins > SHARE_MAX * c->n || inside < TAKES * all) out->count = 0;
     out->recalibrated = sqrt(rest / c->n);
     out->after = sqrt((all - inside + levelled) / c->n);
 }
@@ -218,9 +218,9 @@ wcut_status wcut_events_find(const wcut_evidence *e, const wcut_fitted *recalibr
                              wcut_error *error) {
     common c;
     wcut_events found = {.count = 0};
-    wcut_status status = common_create(e, &c) ? fill(e, recalibrated, &c, error) : WCUT_NO_MEMORY;
+    wcut_status status = common_create(e, &c) ? fill_common(e, recalibrated, &c, error) : WCUT_NO_MEMORY;
     if (status == WCUT_OK && c.n > 0) {
-        if (fit(&c, hypot(e->sigma[0], e->sigma[1]) / 2))
+        if (fit_common(&c, hypot(e->sigma[0], e->sigma[1]) / 2))
             find_windows(e, recalibrated, &c, &found);
         else
             status = WCUT_NO_MEMORY;

@@ -2,7 +2,7 @@
 #ifndef WCUT_EXPLAIN_EVENTS_H
 #define WCUT_EXPLAIN_EVENTS_H
 
-#include "explain/fit.h"
+#include "explain/model_fit.h"
 
 enum { WCUT_EVENTS_MAX = 24 };
 

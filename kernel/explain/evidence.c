@@ -58,15 +58,15 @@ static double nan_value(void) { return (double)NAN; }
 /* mean of samples in each bin; NaN where fewer than half of the usual number are there */
 static void bin_samples(const wcut_evidence_cut *c, int n, const double *time, const double *value, int *count,
                         double *out) {
-    int most = 0;
+    int max = 0;
     for (int i = 0; i < c->bins; i++) count[i] = 0, out[i] = 0;
     for (int i = 0; i < n; i++) {
         const double place = (time[i] - c->from) / WCUT_BIN_WIDTH;
         if (!(place >= 0) || place >= c->bins || !isfinite(value[i])) continue;
         count[(int)place]++, out[(int)place] += value[i];
     }
-    for (int i = 0; i < c->bins; i++) most = count[i] > most ? count[i] : most;
-    for (int i = 0; i < c->bins; i++) out[i] = count[i] > 0 && 2 * count[i] >= most ? out[i] / count[i] : nan_value();
+    for (int i = 0; i < c->bins; i++) max = count[i] > max ? count[i] : max;
+    for (int i = 0; i < c->bins; i++) out[i] = count[i] > 0 && 2 * count[i] >= max ? out[i] / count[i] : nan_value();
 }
 
 /* mean of the broken line through a trajectory's values over each bin */
@@ -80,7 +80,7 @@ static void bin_line(const wcut_evidence_cut *c, const wcut_trajectory *t, const
 }
 
 /* signals of a run as faulty instruments would show them; room: 6 x count */
-static wcut_status sense(const wcut_model *model, const double *time, const wcut_response *d, double *room) {
+static wcut_status sense_response(const wcut_model *model, const double *time, const wcut_response *d, double *room) {
     double *value[WCUT_SENSED_COUNT] = {NULL};
     for (int k = 0; k < WCUT_SIGNALS; k++) {
         value[WCUT_SENSED_TENSION_A + k] = room + (size_t)k * (size_t)d->count;
@@ -94,7 +94,7 @@ wcut_status wcut_evidence_bin_recorded(const wcut_evidence_cut *c, const wcut_mo
     const size_t n = (size_t)d->count;
     double *room = wcut_alloc(WCUT_SIGNALS * n, sizeof *room);
     int *count = wcut_alloc((size_t)c->bins, sizeof *count);
-    wcut_status status = room && count ? sense(model, c->recorded.time, d, room) : WCUT_NO_MEMORY;
+    wcut_status status = room && count ? sense_response(model, c->recorded.time, d, room) : WCUT_NO_MEMORY;
     for (int k = 0; status == WCUT_OK && k < WCUT_SIGNALS; k++) {
         for (size_t i = 0; i < n; i++)
             if (!d->present[i]) room[(size_t)k * n + i] = nan_value();
@@ -108,7 +108,7 @@ wcut_status wcut_evidence_bin_recorded(const wcut_evidence_cut *c, const wcut_mo
 /* ---- rows ---- */
 
 /* a trajectory's place of a station: the sample before it and the way to the next */
-static int locate(const wcut_trajectory *t, double station, double *way) {
+static int sample_of_station(const wcut_trajectory *t, double station, double *way) {
     int low = 0, high = t->count - 1;
     while (high - low > 1) {
         const int middle = (low + high) / 2;
@@ -131,14 +131,14 @@ static int across_node(int nodes, double across, double *way) {
 
 wcut_vec3 wcut_response_position(const wcut_trajectory *t, const wcut_response *d, double station, double across) {
     double along, beside;
-    const int i = locate(t, station, &along), j = across_node(d->nodes, across, &beside);
+    const int i = sample_of_station(t, station, &along), j = across_node(d->nodes, across, &beside);
     const wcut_vec3 *low = d->position + (size_t)i * (size_t)d->nodes + j, *high = low + d->nodes;
     return vec3_mix(vec3_mix(low[0], low[1], beside), vec3_mix(high[0], high[1], beside), along);
 }
 
 double wcut_response_speed(const wcut_trajectory *t, const wcut_response *d, double station, double across) {
     double along, beside;
-    const int i = locate(t, station, &along), j = across_node(d->nodes, across, &beside);
+    const int i = sample_of_station(t, station, &along), j = across_node(d->nodes, across, &beside);
     const double *low = d->speed + (size_t)i * (size_t)d->nodes + j, *high = low + d->nodes;
     return (1 - along) * ((1 - beside) * low[0] + beside * low[1]) +
            along * ((1 - beside) * high[0] + beside * high[1]);
@@ -164,7 +164,7 @@ static wcut_status patch_rows(const wcut_evidence_cut *c, const wcut_model *mode
 wcut_status wcut_evidence_bin_exogenous(const wcut_evidence_cut *c, const wcut_model *model, const wcut_response *d,
                                         double *out) {
     double *room = wcut_alloc((size_t)WCUT_SIGNALS * (size_t)d->count, sizeof *room);
-    const wcut_status status = room ? sense(model, c->exogenous.time, d, room) : WCUT_NO_MEMORY;
+    const wcut_status status = room ? sense_response(model, c->exogenous.time, d, room) : WCUT_NO_MEMORY;
     for (int k = 0; status == WCUT_OK && k < WCUT_SIGNALS; k++)
         bin_line(c, &c->exogenous, room + (size_t)k * (size_t)d->count, out + (size_t)k * (size_t)c->bins);
     wcut_free(room);
@@ -284,14 +284,14 @@ void wcut_evidence_destroy(wcut_evidence *e) {
 }
 
 /* when the wire is taut, and when most of it has left; false where it never is */
-static bool find_contact(wcut_evidence_cut *c, const wcut_response *d) {
+static bool find_taut_span(wcut_evidence_cut *c, const wcut_response *d) {
     const wcut_trajectory *t = &c->exogenous;
-    double most = 0;
+    double max = 0;
     int first = -1, last = -1;
-    for (int i = 0; i < d->count; i++) most = fmax(most, d->engaged[i]);
+    for (int i = 0; i < d->count; i++) max = fmax(max, d->engaged[i]);
     for (int i = 0; i < d->count; i++) {
         if (first < 0 && d->present[i] && d->signal[0][i] > 0.25 * c->job->tension) first = i;
-        if (first >= 0 && d->engaged[i] > 0.3 * most) last = i;
+        if (first >= 0 && d->engaged[i] > 0.3 * max) last = i;
     }
     if (first < 0 || last < first) return false;
     c->contact = t->time[first], c->leave = t->time[last];
@@ -317,7 +317,7 @@ static bool make_bins(wcut_evidence_cut *c) {
     return whole && c->station && c->heat && c->pace && c->engaged;
 }
 
-static wcut_status measure(wcut_evidence_cut *c, const wcut_response *d) {
+static wcut_status measure_cut(wcut_evidence_cut *c, const wcut_response *d) {
     const int n = c->recorded.count;
     double *value = wcut_alloc((size_t)n, sizeof *value);
     int *count = wcut_alloc((size_t)c->bins, sizeof *count);
@@ -360,7 +360,7 @@ static wcut_status measure(wcut_evidence_cut *c, const wcut_response *d) {
     return status;
 }
 
-static wcut_status fill_cut(wcut_evidence_cut *c, bool fed_back, wcut_stop *stop, wcut_error *error) {
+static wcut_status fill_evidence_cut(wcut_evidence_cut *c, bool fed_back, wcut_stop *stop, wcut_error *error) {
     wcut_status status = wcut_trajectory_recorded(c->job, c->recording, WINDOW, &c->recorded, error);
     if (status != WCUT_OK) return status;
     status = fed_back ? wcut_trajectory_thin(&c->recorded, FED_BACK_STEP, &c->exogenous)
@@ -369,8 +369,8 @@ static wcut_status fill_cut(wcut_evidence_cut *c, bool fed_back, wcut_stop *stop
     wcut_response d = {0};
     if (status == WCUT_OK) status = wcut_response_run(c->job, NODES_COARSE, &c->exogenous, false, stop, &d, error);
     if (status != WCUT_OK) return status;
-    if (find_contact(c, &d)) status = make_bins(c) ? WCUT_OK : WCUT_NO_MEMORY;
-    if (status == WCUT_OK && c->bins > 0) status = measure(c, &d);
+    if (find_taut_span(c, &d)) status = make_bins(c) ? WCUT_OK : WCUT_NO_MEMORY;
+    if (status == WCUT_OK && c->bins > 0) status = measure_cut(c, &d);
     wcut_response_destroy(&d);
     return status == WCUT_NO_MEMORY ? wcut_fail(error, status, "no memory for cut %d", c->index + 1) : status;
 }
@@ -407,7 +407,7 @@ wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, bool f
         for (int g = 0; g < WCUT_NOISE_GROUPS; g++) e->noise.slow[g] = WCUT_SLOW_NOISE;
 #pragma omp parallel for num_threads(wcut_threads(threads)) schedule(dynamic, 1)
         for (int k = 0; k < cuts; k++)
-            if (e->cut[k].job) failed[k].status = fill_cut(&e->cut[k], fed_back, stop, &failed[k]);
+            if (e->cut[k].job) failed[k].status = fill_evidence_cut(&e->cut[k], fed_back, stop, &failed[k]);
     }
 
     /* rows of the cuts one after the other */

@@ -127,7 +127,7 @@ static wcut_status make_candidate(candidate which, wcut_job *job, wcut_schedule 
 
 /* ---- runs ---- */
 
-static bool add_effects(wcut_job *job, int count, const wcut_effect *effect) {
+static bool add_job_effects(wcut_job *job, int count, const wcut_effect *effect) {
     const int all = job->effect_count + count;
     wcut_effect *list = wcut_alloc((size_t)all, sizeof *list);
     if (!list) return false;
@@ -139,11 +139,11 @@ static bool add_effects(wcut_job *job, int count, const wcut_effect *effect) {
     return true;
 }
 
-static wcut_status run_one(trial *t, const wcut_job *candidate_job, int which, wcut_error *error) {
+static wcut_status run_variant(trial *t, const wcut_job *candidate_job, int which, wcut_error *error) {
     wcut_job *job = wcut_job_copy(candidate_job);
     const int side = which == WITH_A ? 0 : 1;
     bool made = job != NULL;
-    if (made && (which == WITH_A || which == WITH_B)) made = add_effects(job, t->count[side], t->effect[side]);
+    if (made && (which == WITH_A || which == WITH_B)) made = add_job_effects(job, t->count[side], t->effect[side]);
     wcut_status status = made ? WCUT_OK : wcut_fail(error, WCUT_NO_MEMORY, "no memory for a copy of a job");
     if (made && which == OTHER_LAW_A) job->force_law.a *= 1 + LAW_CHANGE;
     if (made && which == OTHER_LAW_B) job->force_law.b *= 1 + LAW_CHANGE;
@@ -156,7 +156,7 @@ static wcut_status run_one(trial *t, const wcut_job *candidate_job, int which, w
 /* ---- the difference ---- */
 
 /* a row of the least squares: what changes with each number, and the difference, over the noise */
-static void add_row(trial *t, const double value[RUNS], bool scan, double noise) {
+static void add_trial_row(trial *t, const double value[RUNS], bool scan, double noise) {
     if (t->rows == t->room) return; /* room was counted */
     double *row = t->row + (size_t)t->rows++ * WIDTH;
     row[0] = (value[OTHER_LAW_A] - value[PLAIN]) / LAW_CHANGE / noise;
@@ -190,7 +190,7 @@ static void add_recording(trial *t) {
             double value[RUNS];
             for (int k = 0; k < RUNS; k++) value[k] = t->run[k].value[c][i];
             const double noise = c < WCUT_SENSED_ALPHA_A ? hypot(NOISE_TENSION, 0.01 * value[PLAIN]) : NOISE_ANGLE;
-            add_row(t, value, false, noise / sqrt(SAMPLE_WORTH));
+            add_trial_row(t, value, false, noise / sqrt(SAMPLE_WORTH));
         }
     }
 }
@@ -228,7 +228,7 @@ static void add_scan(trial *t) {
         if (!counts(t, i) || !counts(t, i - 1)) continue;
         for (int node = 1; node < nodes - 1; node += 3) {
             double value[RUNS];
-            if (face_heights(t, i, node, value)) add_row(t, value, true, NOISE_SCAN);
+            if (face_heights(t, i, node, value)) add_trial_row(t, value, true, NOISE_SCAN);
         }
     }
     const double worth = sqrt(fmin(1, SCAN_WORTH / fmax(t->rows - first, 1)));
@@ -275,8 +275,8 @@ static wcut_status find_left(const trial *t, double *left) {
 
 /* of both ways round, one explanation true and the other refitted, the one that leaves less; the plain model has no
    strength that a refit could take to nothing */
-static wcut_status find_least(trial *t, double *separation, wcut_error *error) {
-    double least = HUGE_VAL;
+static wcut_status find_min(trial *t, double *separation, wcut_error *error) {
+    double min = HUGE_VAL;
     find_counted(t);
     for (t->side = 0; t->side < 2; t->side++) {
         if (t->count[t->side] == 0 && t->count[1 - t->side] > 0) continue;
@@ -287,13 +287,13 @@ static wcut_status find_least(trial *t, double *separation, wcut_error *error) {
         add_priors(t);
         const wcut_status status = find_left(t, &left);
         if (status != WCUT_OK) return wcut_fail(error, status, "%s", wcut_status_text(status));
-        least = fmin(least, left);
+        min = fmin(min, left);
     }
-    *separation = least;
+    *separation = min;
     return WCUT_OK;
 }
 
-static void clear(trial *t) {
+static void clear_trial(trial *t) {
     wcut_schedule_destroy(&t->schedule);
     for (int k = 0; k < RUNS; k++) wcut_predicted_cut_destroy(&t->run[k]);
     wcut_free(t->row);
@@ -301,18 +301,18 @@ static void clear(trial *t) {
     t->rows = 0;
 }
 
-static wcut_status measure(trial *t, candidate which, wcut_job *job, double *separation, wcut_error *error) {
+static wcut_status measure_separation(trial *t, candidate which, wcut_job *job, double *separation, wcut_error *error) {
     wcut_status status = make_candidate(which, job, &t->schedule, error);
     t->block = job->block_size;
-    for (int k = 0; k < RUNS && status == WCUT_OK; k++) status = run_one(t, job, k, error);
+    for (int k = 0; k < RUNS && status == WCUT_OK; k++) status = run_variant(t, job, k, error);
     if (status == WCUT_OK) {
         t->room =
             t->schedule.count * (WCUT_SENSED_COUNT - WCUT_SENSED_TENSION_A + (t->scan ? WCUT_PREDICTED_CUT_NODES : 0));
         t->row = wcut_alloc((size_t)(t->room + COLUMNS) * WIDTH, sizeof *t->row);
         if (!t->row) status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d samples", t->schedule.count);
     }
-    if (status == WCUT_OK) status = find_least(t, separation, error);
-    clear(t);
+    if (status == WCUT_OK) status = find_min(t, separation, error);
+    clear_trial(t);
     return status;
 }
 
@@ -338,8 +338,8 @@ static void name_effects(int count, const wcut_effect *effect, char *text, size_
         if (*c == '_') *c = ' ';
 }
 
-static void tell(const trial *t, int tried, candidate best, double separation, double as_it_is,
-                 char reason[WCUT_DIAGNOSIS_TEXT]) {
+static void tell_experiment(const trial *t, int tried, candidate best, double separation, double as_it_is,
+                            char reason[WCUT_DIAGNOSIS_TEXT]) {
     char a[90], b[90];
     name_effects(t->count[0], t->effect[0], a, sizeof a);
     name_effects(t->count[1], t->effect[1], b, sizeof b);
@@ -354,8 +354,8 @@ static void tell(const trial *t, int tried, candidate best, double separation, d
                  tried, in_words[best], t->scan ? ", scanned," : "", a, b, separation, as_it_is);
 }
 
-static wcut_status check(const wcut_job *job, int count_a, const wcut_effect *a, int count_b, const wcut_effect *b,
-                         bool places, wcut_error *error) {
+static wcut_status check_experiment(const wcut_job *job, int count_a, const wcut_effect *a, int count_b,
+                                    const wcut_effect *b, bool places, wcut_error *error) {
     if (!job || !places || job->mode != WCUT_MODE_PATH)
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "a job with the mounts' path and places for the choice are expected");
@@ -378,7 +378,7 @@ wcut_status wcut_experiment_choose(const wcut_job *job, int count_a, const wcut_
                                    const wcut_effect *b, wcut_stop *stop, wcut_job **best, double *separation,
                                    char reason[WCUT_DIAGNOSIS_TEXT], wcut_error *error) {
     /* check, and whether either explanation moves the face, so that a scan would help */
-    wcut_status status = check(job, count_a, a, count_b, b, best && separation && reason, error);
+    wcut_status status = check_experiment(job, count_a, a, count_b, b, best && separation && reason, error);
     if (status != WCUT_OK) return status;
     trial t = {.count = {count_a, count_b}, .effect = {a, b}, .stop = stop};
     t.scan = moves_face(count_a, a) || moves_face(count_b, b);
@@ -386,14 +386,14 @@ wcut_status wcut_experiment_choose(const wcut_job *job, int count_a, const wcut_
     /* candidates: the cut as it is, then variations of it */
     wcut_job *chosen = NULL;
     candidate choice = AS_IT_IS;
-    double most = -1, as_it_is = 0;
+    double max = -1, as_it_is = 0;
     int tried = 0;
     for (int k = 0; k < CANDIDATES; k++) {
         wcut_job *made = copy_plain(job);
         double found = 0;
 
         /* the separation: difference of both predictions after the best refit */
-        status = made ? measure(&t, (candidate)k, made, &found, error)
+        status = made ? measure_separation(&t, (candidate)k, made, &found, error)
                       : wcut_fail(error, WCUT_NO_MEMORY, "no memory for a copy of a job");
 
         /* a variation that cannot be cut is passed over; the cut as it is must succeed */
@@ -405,10 +405,10 @@ wcut_status wcut_experiment_choose(const wcut_job *job, int count_a, const wcut_
         /* keep the best one so far */
         tried += status == WCUT_OK;
         if (k == AS_IT_IS) as_it_is = found;
-        const bool better = status == WCUT_OK && found > most;
+        const bool better = status == WCUT_OK && found > max;
         status = WCUT_OK;
         wcut_job_destroy(better ? chosen : made);
-        if (better) chosen = made, choice = (candidate)k, most = found;
+        if (better) chosen = made, choice = (candidate)k, max = found;
     }
     if (status != WCUT_OK) {
         wcut_job_destroy(chosen);
@@ -416,9 +416,9 @@ wcut_status wcut_experiment_choose(const wcut_job *job, int count_a, const wcut_
     }
 
     /* the reason in words, and the job handed over */
-    tell(&t, tried, choice, most, as_it_is, reason);
+    tell_experiment(&t, tried, choice, max, as_it_is, reason);
     *best = chosen;
-    *separation = most;
+    *separation = max;
 
     return WCUT_OK;
 }

@@ -25,15 +25,15 @@ static void add_pair(pairs *p, double measured, double predicted, int block) {
 }
 
 /* mean of MEAN bins; NaN where one is missing */
-static double mean_of(const double *bin) {
+static double bin_mean(const double *bin) {
     double sum = 0;
     for (int i = 0; i < MEAN; i++) sum += bin[i];
     return sum / MEAN;
 }
 
 /* both mounts of a second are in one block */
-static void gather(const wcut_evidence *e, wcut_evidence_channel channel, const wcut_forecast *measured,
-                   const wcut_forecast *predicted, pairs *p) {
+static void gather_blocks(const wcut_evidence *e, wcut_evidence_channel channel, const wcut_forecast *measured,
+                          const wcut_forecast *predicted, pairs *p) {
     /* the two rows of each channel (mounts A and B); angles in degrees */
     static const int signal[WCUT_EVIDENCE_CHANNEL_COUNT][2] = {{0, 1}, {0, 1}, {2, 4}, {3, 5}, {0, 0}};
     const double unit =
@@ -55,9 +55,9 @@ static void gather(const wcut_evidence *e, wcut_evidence_channel channel, const 
             for (int side = 0; !is_scan && side < 2; side++) {
                 const size_t at = (size_t)signal[channel][side] * bins + (size_t)(MEAN * i);
                 if (channel == WCUT_EVIDENCE_CHANNEL_SPEED)
-                    add_pair(p, mean_of(measured->speed + speed + at), mean_of(predicted->speed + speed + at), block);
+                    add_pair(p, bin_mean(measured->speed + speed + at), bin_mean(predicted->speed + speed + at), block);
                 else
-                    add_pair(p, unit * mean_of(measured->row + row + at), unit * mean_of(predicted->row + row + at),
+                    add_pair(p, unit * bin_mean(measured->row + row + at), unit * bin_mean(predicted->row + row + at),
                              block);
             }
         }
@@ -69,7 +69,8 @@ static void gather(const wcut_evidence *e, wcut_evidence_channel channel, const 
 }
 
 /* 95 % of rmse over range; sum, number: blocks + 1 each */
-static void bootstrap(const pairs *p, double range, wcut_random *random, double *sum, int *number, wcut_fit *fit) {
+static void bootstrap(const pairs *p, double range, wcut_random *random, double *sum, int *number,
+                      wcut_evidence_score *fit) {
     double draw[DRAWS];
     fit->low = fit->high = (double)NAN;
 
@@ -103,22 +104,23 @@ static void bootstrap(const pairs *p, double range, wcut_random *random, double 
 }
 
 wcut_status wcut_forecast_score(const wcut_evidence *e, const wcut_forecast *measured, const wcut_forecast *predicted,
-                                unsigned long long seed, wcut_fit *fit) {
+                                unsigned long long seed, wcut_evidence_score *fit) {
     /* room for the pairs of any channel over all cuts */
-    size_t most = 0;
-    for (int k = 0; k < e->cuts; k++) most += (size_t)(2 * e->cut[k].bins + e->cut[k].patch.count) + 2;
-    pairs p = {.measured = wcut_alloc(most, sizeof(double)),
-               .predicted = wcut_alloc(most, sizeof(double)),
-               .block = wcut_alloc(most, sizeof(int))};
-    double *sum = wcut_alloc(most, sizeof *sum);
-    int *number = wcut_alloc(most, sizeof *number);
+    size_t max = 0;
+    for (int k = 0; k < e->cuts; k++) max += (size_t)(2 * e->cut[k].bins + e->cut[k].patch.count) + 2;
+    pairs p = {.measured = wcut_alloc(max, sizeof(double)),
+               .predicted = wcut_alloc(max, sizeof(double)),
+               .block = wcut_alloc(max, sizeof(int))};
+    double *sum = wcut_alloc(max, sizeof *sum);
+    int *number = wcut_alloc(max, sizeof *number);
     const bool whole = p.measured && p.predicted && p.block && sum && number;
 
     /* each channel: pairs of values, their score, and its interval from a random seed of its own */
     for (int k = 0; whole && k < WCUT_EVIDENCE_CHANNEL_COUNT; k++) {
-        gather(e, (wcut_evidence_channel)k, measured, predicted, &p);
+        gather_blocks(e, (wcut_evidence_channel)k, measured, predicted, &p);
         const wcut_score s = wcut_score_of(p.count, p.measured, p.predicted, 0);
-        fit[k] = (wcut_fit){.count = s.count, .rmsd = s.rmsd, .nrmsd = s.nrmsd, .rmse_over_range = s.rmse_over_range};
+        fit[k] = (wcut_evidence_score){
+            .count = s.count, .rmsd = s.rmsd, .nrmsd = s.nrmsd, .rmse_over_range = s.rmse_over_range};
         wcut_random random = wcut_random_seed(seed + (unsigned)k);
         bootstrap(&p, s.range, &random, sum, number, &fit[k]);
     }

@@ -12,23 +12,23 @@
 #include "base/sort.h"
 #include "cut/setup.h"
 
-enum { SINES = 3, CUTS_MOST = 8, TRIES = 4 };
+enum { SINES = 3, CUTS_MAX = 8, TRIES = 4 };
 
 /* one sine of each band: no period is a multiple of another, the slowest is still a dozen in a cut of two minutes */
 static const double band[SINES][2] = {{3, 4.3}, {5.1, 7.6}, {8.4, 12}};
-#define AMPLITUDE_LEAST 0.04
-#define AMPLITUDE_MOST 0.055
-#define STEP_LEAST 6.0 /* [s] of the heater: longer than any lag of the wire */
-#define STEP_MOST 14.0
-#define GAP_LEAST 5.0
-#define GAP_MOST 11.0
+#define AMPLITUDE_MIN 0.04
+#define AMPLITUDE_MAX 0.055
+#define STEP_MIN 6.0 /* [s] of the heater: longer than any lag of the wire */
+#define STEP_MAX 14.0
+#define GAP_MIN 5.0
+#define GAP_MAX 11.0
 #define STEP_SIZE 0.1
 /* [1] share of the cut in which the dithered speed may meet the machine's limit, which then clips it */
-#define CLIPPED_MOST 0.1
+#define CLIPPED_MAX 0.1
 /* [1] of the target: what the tension may reach with no feedback at all, below the controller's safe stop at 2.5 */
-#define TENSION_MOST 2.0
+#define TENSION_MAX 2.0
 
-static double between(wcut_random *random, double low, double high) {
+static double draw_between(wcut_random *random, double low, double high) {
     return low + (high - low) * wcut_random_uniform(random);
 }
 
@@ -42,20 +42,20 @@ static double headroom(const wcut_job *job, const wcut_schedule *s, double *spee
         if (s->held[i] && s->engaged[i] >= WCUT_MOST_OF_WIRE) speed[count++] = s->speed[i];
     if (count == 0) return 0;
     wcut_sort(count, speed);
-    const int left_out = (int)(CLIPPED_MOST * (count - 1));
+    const int left_out = (int)(CLIPPED_MAX * (count - 1));
     const double high = speed[count - 1 - left_out] * (1 + STEP_SIZE), low = speed[left_out] * (1 - STEP_SIZE);
     return fmin(job->speed_max / high - 1, 1 - job->speed_min / low);
 }
 
-static void draw_dither(wcut_job *job, double most, wcut_random *random) {
+static void draw_dither(wcut_job *job, double max, wcut_random *random) {
     double sum = 0;
     for (int k = 0; k < SINES; k++) {
-        job->dither[k] = (wcut_dither){.amplitude = between(random, AMPLITUDE_LEAST, AMPLITUDE_MOST),
-                                       .period = between(random, band[k][0], band[k][1]),
-                                       .phase = between(random, 0, 2 * WCUT_PI)};
+        job->dither[k] = (wcut_dither){.amplitude = draw_between(random, AMPLITUDE_MIN, AMPLITUDE_MAX),
+                                       .period = draw_between(random, band[k][0], band[k][1]),
+                                       .phase = draw_between(random, 0, 2 * WCUT_PI)};
         sum += job->dither[k].amplitude;
     }
-    const double factor = fmin(1, fmax(most, 0) / sum);
+    const double factor = fmin(1, fmax(max, 0) / sum);
     for (int k = 0; k < SINES; k++) job->dither[k].amplitude *= factor;
     job->dither_count = SINES;
 }
@@ -69,16 +69,16 @@ static int draw_heat(const wcut_schedule *s, int room, wcut_heat_step *step, wcu
     while (first < last && s->engaged[first] < WCUT_MOST_OF_WIRE) first++;
     while (last > first && s->engaged[last] < WCUT_MOST_OF_WIRE) last--;
     const double end = last * WCUT_PREDICTED_CUT_STEP, span = end - first * WCUT_PREDICTED_CUT_STEP;
-    const double shorter = fmin(1, span / (2 * (STEP_MOST + GAP_MOST)));
-    double time = first * WCUT_PREDICTED_CUT_STEP + shorter * between(random, GAP_LEAST, GAP_MOST);
+    const double shorter = fmin(1, span / (2 * (STEP_MAX + GAP_MAX)));
+    double time = first * WCUT_PREDICTED_CUT_STEP + shorter * draw_between(random, GAP_MIN, GAP_MAX);
     bool up = false;
     while (count < room) {
-        const double to = time + shorter * between(random, STEP_LEAST, STEP_MOST);
+        const double to = time + shorter * draw_between(random, STEP_MIN, STEP_MAX);
         if (to > end || !(to > time)) break;
         /* of two steps one goes up and one down, in either order */
         up = count % 2 == 0 ? wcut_random_uniform(random) < 0.5 : !up;
         step[count++] = (wcut_heat_step){time, to, 1 + (up ? STEP_SIZE : -STEP_SIZE)};
-        time = to + shorter * between(random, GAP_LEAST, GAP_MOST);
+        time = to + shorter * draw_between(random, GAP_MIN, GAP_MAX);
     }
     return count;
 }
@@ -91,13 +91,13 @@ static wcut_status find_peak(const wcut_job *job, double *peak, wcut_error *erro
     wcut_predicted_cut r = {0};
     wcut_status status = wcut_schedule_create(job, &excited, error);
     if (status == WCUT_OK) status = wcut_predicted_cut_run(job, &excited, NULL, &r, error);
-    double most = 0;
+    double max = 0;
     for (int i = 0; status == WCUT_OK && i < r.count; i++)
         if (r.present[i] && excited.held[i] && excited.engaged[i] >= WCUT_MOST_OF_WIRE)
-            most = fmax(most, (r.value[2][i] + r.value[3][i]) / 2);
+            max = fmax(max, (r.value[2][i] + r.value[3][i]) / 2);
     wcut_predicted_cut_destroy(&r);
     wcut_schedule_destroy(&excited);
-    if (status == WCUT_OK) *peak = most / job->tension;
+    if (status == WCUT_OK) *peak = max / job->tension;
     return status;
 }
 
@@ -112,8 +112,8 @@ static wcut_status bound_tension(wcut_job *job, wcut_error *error) {
     for (int k = 0; k < TRIES; k++) {
         double peak = 0;
         const wcut_status status = find_peak(job, &peak, error);
-        if (status != WCUT_OK || peak <= TENSION_MOST) return status;
-        weaken(job, fmax(0.25, 0.97 * log(TENSION_MOST) / log(peak)));
+        if (status != WCUT_OK || peak <= TENSION_MAX) return status;
+        weaken(job, fmax(0.25, 0.97 * log(TENSION_MAX) / log(peak)));
     }
     return WCUT_OK;
 }
@@ -128,7 +128,7 @@ static void forget(wcut_job *job) {
 wcut_status wcut_programme_create(wcut_job *job, const wcut_schedule *schedule, int parts, wcut_random *random,
                                   wcut_error *error) {
     /* room for the heater's steps: a duration holds so many of the shortest at most */
-    const int room = (int)(schedule->count * WCUT_PREDICTED_CUT_STEP / STEP_LEAST) + 2;
+    const int room = (int)(schedule->count * WCUT_PREDICTED_CUT_STEP / STEP_MIN) + 2;
     double *speed = wcut_alloc((size_t)schedule->count, sizeof *speed);
 
     /* the plain job without any excitation, then the programme */
@@ -155,7 +155,7 @@ wcut_status wcut_programme_create(wcut_job *job, const wcut_schedule *schedule, 
 
 /* Run the path backwards where that can be planned: its last station need not be a place to begin from. WCUT_OK, with
    `turned` and then a schedule; WCUT_NO_MEMORY. */
-static wcut_status turn(wcut_job *job, bool *turned, wcut_schedule *schedule, wcut_error *error) {
+static wcut_status reverse_schedule(wcut_job *job, bool *turned, wcut_schedule *schedule, wcut_error *error) {
     wcut_job_reverse(job);
     const wcut_status status = wcut_schedule_create(job, schedule, error);
     *turned = status == WCUT_OK;
@@ -170,7 +170,7 @@ static wcut_status make_cut(const wcut_job *plain, const wcut_schedule *schedule
     wcut_schedule back = {0};
     if (!job) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a copy of a job");
     bool turned = false;
-    wcut_status status = index == 1 ? turn(job, &turned, &back, error) : WCUT_OK;
+    wcut_status status = index == 1 ? reverse_schedule(job, &turned, &back, error) : WCUT_OK;
 
     /* its name says which cut it is */
     char behind[60];
@@ -196,13 +196,13 @@ static wcut_status make_cut(const wcut_job *plain, const wcut_schedule *schedule
 wcut_status wcut_identification_create(const wcut_job *job, int count, unsigned long long seed, wcut_job **out,
                                        wcut_error *error) {
     /* check the arguments, and that there is a path to vary */
-    if (!job || count < 1 || count > CUTS_MOST || !out)
-        return wcut_fail(error, WCUT_BAD_ARGUMENT, "a job and 1 .. %d cuts are expected", CUTS_MOST);
+    if (!job || count < 1 || count > CUTS_MAX || !out)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "a job and 1 .. %d cuts are expected", CUTS_MAX);
     if (job->mode != WCUT_MODE_PATH)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "found a design, expected a job with the mounts' path");
 
     /* one plan for all cuts: the job without excitation */
-    wcut_job *made[CUTS_MOST] = {NULL};
+    wcut_job *made[CUTS_MAX] = {NULL};
     wcut_schedule schedule = {0};
     wcut_random random = wcut_random_seed(seed);
     wcut_job *plain = wcut_job_copy(job);

@@ -113,16 +113,16 @@ static wcut_status run_cut(const wcut_evidence *e, const wcut_model *about, int 
     /* room for all inclusions of this cut, of all columns and phases */
     const wcut_evidence_cut *c = &e->cut[cut];
     const size_t size = WCUT_SIGNALS * (size_t)c->bins;
-    const size_t most = COLUMNS * (size_t)(c->job->block_size.y / PITCH + PHASES + 1);
+    const size_t max = COLUMNS * (size_t)(c->job->block_size.y / PITCH + PHASES + 1);
 
     /* the plain run, with positions: where the wire is when */
     wcut_effect effect[WCUT_DIAGNOSIS_EFFECTS];
     const wcut_job job = wcut_model_job(e, about, cut, effect);
     wcut_response plain = {0};
     double *bins = wcut_alloc(2 * size, sizeof *bins);
-    *b = (blobs){.x = wcut_alloc(most, sizeof(double)),
-                 .y = wcut_alloc(most, sizeof(double)),
-                 .change = wcut_alloc(most * size, sizeof(double))};
+    *b = (blobs){.x = wcut_alloc(max, sizeof(double)),
+                 .y = wcut_alloc(max, sizeof(double)),
+                 .change = wcut_alloc(max * size, sizeof(double))};
     wcut_status status = bins && b->x && b->y && b->change ? WCUT_OK : WCUT_NO_MEMORY;
 
     /* its signals in the bins, as the reference */
@@ -139,7 +139,7 @@ static wcut_status run_cut(const wcut_evidence *e, const wcut_model *about, int 
 }
 
 /* a place's column from the small inclusions around it; false where no wire has felt it */
-static bool spread(const wcut_evidence *e, const blobs *b, double x, double y, double *column) {
+static bool spread_column(const wcut_evidence *e, const blobs *b, double x, double y, double *column) {
     bool felt = false;
     for (int cut = 0; cut < e->cuts; cut++) {
         const wcut_evidence_cut *c = &e->cut[cut];
@@ -180,7 +180,7 @@ static wcut_status list_places(const wcut_evidence *e, const blobs *b, wcut_incl
         const double x = place_share[i / along] * width, y = PITCH * (i % along + 0.5);
         double *column = out->column + (size_t)out->count * (size_t)e->rows;
         memset(column, 0, (size_t)e->rows * sizeof *column);
-        if (!spread(e, b, x, y, column)) continue;
+        if (!spread_column(e, b, x, y, column)) continue;
 
         /* the effect of this place, as wide as its blended column */
         wcut_effect *effect = &out->effect[out->count++];

@@ -16,9 +16,9 @@
 #define DELAY true, false, true
 #define UNSEARCHED false, false, false
 #define UNSEARCHED_INSTRUMENT true, false, false
-#define LINEAR WCUT_FIT_SCALE_LINEAR
-#define LOG WCUT_FIT_SCALE_LOG
-#define RECIPROCAL WCUT_FIT_SCALE_RECIPROCAL
+#define LINEAR WCUT_COORDINATE_SCALE_LINEAR
+#define LOG WCUT_COORDINATE_SCALE_LOG
+#define RECIPROCAL WCUT_COORDINATE_SCALE_RECIPROCAL
 
 #define ROW_WIRE_THERMAL_LAG                                                                     \
     PHYSICS, 0.12, "the wire follows heat and speed with a delay", "time constant %.2f s", 1, 1, \
@@ -174,7 +174,7 @@ const wcut_explanation *wcut_explanation_view(wcut_effect_kind kind) { return &t
 wcut_coordinate wcut_effect_coordinate(const wcut_effect *effect, int k) {
     if (effect->kind == WCUT_EFFECT_EMPIRICAL_FORCE) return wcut_term_coordinate(effect, k);
     if (effect->kind == WCUT_EFFECT_KERF_GROWTH && effect->choice == 1)
-        return (wcut_coordinate){1, WCUT_FIT_SCALE_LINEAR, 0, 1, 0.1, -5, 5};
+        return (wcut_coordinate){1, WCUT_COORDINATE_SCALE_LINEAR, 0, 1, 0.1, -5, 5};
     return table[effect->kind].coordinate[k];
 }
 
@@ -184,12 +184,14 @@ int wcut_effect_coordinates(const wcut_effect *effect) {
     return step ? 2 : table[effect->kind].count;
 }
 
-double wcut_scale_in(wcut_fit_scale scale, double value) {
-    return scale == WCUT_FIT_SCALE_LOG ? log(value) : scale == WCUT_FIT_SCALE_RECIPROCAL ? 1 / value : value;
+double wcut_scale_in(wcut_coordinate_scale scale, double value) {
+    return scale == WCUT_COORDINATE_SCALE_LOG          ? log(value)
+           : scale == WCUT_COORDINATE_SCALE_RECIPROCAL ? 1 / value
+                                                       : value;
 }
 
-double wcut_scale_out(wcut_fit_scale scale, double x) {
-    return scale == WCUT_FIT_SCALE_LOG ? exp(x) : scale == WCUT_FIT_SCALE_RECIPROCAL ? 1 / x : x;
+double wcut_scale_out(wcut_coordinate_scale scale, double x) {
+    return scale == WCUT_COORDINATE_SCALE_LOG ? exp(x) : scale == WCUT_COORDINATE_SCALE_RECIPROCAL ? 1 / x : x;
 }
 
 double wcut_explanation_neutral(wcut_effect_kind kind) {

@@ -5,12 +5,16 @@
 #include "explain/evidence.h"
 
 /* how a value is fitted: as it is, by its logarithm, or by its reciprocal (a stiffness without end is no effect) */
-typedef enum wcut_fit_scale { WCUT_FIT_SCALE_LINEAR, WCUT_FIT_SCALE_LOG, WCUT_FIT_SCALE_RECIPROCAL } wcut_fit_scale;
+typedef enum wcut_coordinate_scale {
+    WCUT_COORDINATE_SCALE_LINEAR,
+    WCUT_COORDINATE_SCALE_LOG,
+    WCUT_COORDINATE_SCALE_RECIPROCAL
+} wcut_coordinate_scale;
 
 /* A value of an effect that is fitted; centre, spread, step and bounds are on the fitted scale. */
 typedef struct wcut_coordinate {
     int at; /* of effect.value */
-    wcut_fit_scale scale;
+    wcut_coordinate_scale scale;
     double centre,
         spread;       /* normal prior: wide enough to leave the plausible range (NOTATION.md, Effects) to the data */
     double step;      /* of the finite difference */
@@ -53,8 +57,8 @@ wcut_coordinate wcut_effect_coordinate(const wcut_effect *effect, int k);
 int wcut_effect_coordinates(const wcut_effect *effect);
 
 /* value on the fitted scale and back */
-double wcut_scale_in(wcut_fit_scale scale, double value);
-double wcut_scale_out(wcut_fit_scale scale, double x);
+double wcut_scale_in(wcut_coordinate_scale scale, double value);
+double wcut_scale_out(wcut_coordinate_scale scale, double x);
 
 /* neutral value of a kind's first coordinate on the fitted scale */
 double wcut_explanation_neutral(wcut_effect_kind kind);

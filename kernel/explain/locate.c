@@ -14,7 +14,7 @@
 #include "base/vec3.h"
 
 /* windows: so many lengths [bins], every quarter of one; then entry, steady part, exit and the whole cut */
-enum { LENGTHS = 9, REGIMES = 3, PART_WINDOWS = REGIMES + 1, LEAST = 4 };
+enum { LENGTHS = 9, REGIMES = 3, PART_WINDOWS = REGIMES + 1, MIN = 4 };
 static const int window_length[LENGTHS] = {4, 6, 8, 12, 16, 24, 32, 48, 64};
 static const char *const regime_name[REGIMES] = {"entry", "steady", "exit"};
 
@@ -22,7 +22,7 @@ static const char *const regime_name[REGIMES] = {"entry", "steady", "exit"};
 enum { STRIPES = 12, LANES = 5, CELLS = STRIPES * LANES };
 
 /* found in one channel of a cut, or one scan, before the rest is set aside */
-enum { MOST = 8 };
+enum { MAX = 8 };
 
 /* response of whitening behind a window [bins]: exp(-40 x 0.5 s / 5 s) is 2 % */
 enum { TAIL = 40 };
@@ -63,17 +63,17 @@ typedef struct search {
 
 /* ---- channels ---- */
 
-static int kind_of(int signal) { return signal < 2 ? 0 : signal < WCUT_SIGNALS ? 1 + signal % 2 : 3; }
+static int signal_kind(int signal) { return signal < 2 ? 0 : signal < WCUT_SIGNALS ? 1 + signal % 2 : 3; }
 
 /* bins before which the wire enters, and from which it leaves: by its usual engaged length */
 static void find_regimes(channel *h, double *room) {
     const wcut_evidence_cut *c = h->c;
     memcpy(room, c->engaged, (size_t)h->n * sizeof *room);
     wcut_sort(h->n, room);
-    const double most = STEADY * room[3 * h->n / 4];
+    const double max = STEADY * room[3 * h->n / 4];
     int first = 0, last = h->n;
-    while (first < h->n && c->engaged[first] < most) first++;
-    while (last > first && c->engaged[last - 1] < most) last--;
+    while (first < h->n && c->engaged[first] < max) first++;
+    while (last > first && c->engaged[last - 1] < max) last--;
     h->regime[0] = 0, h->regime[1] = first, h->regime[2] = last, h->regime[3] = h->n;
 }
 
@@ -158,9 +158,9 @@ static bool window_at(const channel *h, int k, window *w) {
 /* test a window; false where it holds too little */
 static bool test_window(const channel *h, window *w) {
     double product, square;
-    if (w->last - w->first < LEAST) return false;
+    if (w->last - w->first < MIN) return false;
     respond(h, w->first, w->last, 0, &product, &square);
-    if (!(square > 0.02 * LEAST)) return false;
+    if (!(square > 0.02 * MIN)) return false;
     w->t = product / sqrt(square), w->shift = product / square;
     return true;
 }
@@ -169,7 +169,7 @@ static bool test_window(const channel *h, window *w) {
 
 static double lower_half(int n, double *square) {
     double sum = 0;
-    if (n < 2 * LEAST) return 1;
+    if (n < 2 * MIN) return 1;
     wcut_sort(n, square);
     for (int i = 0; i < n / 2; i++) sum += square[i];
     const int half = n / 2;
@@ -217,7 +217,7 @@ static double sidak(double tests, double t) {
 /* Whether neighbours err alike: windows of some length, side by side, against the mean square of all bins. Values that
    are large but in no order are not a place. */
 static bool has_order(const search *s, const channel *h, double own) {
-    double least = 1;
+    double min = 1;
     for (int l = 0; l < LENGTHS; l++) {
         double sum = 0;
         int n = 0;
@@ -225,10 +225,10 @@ static bool has_order(const search *s, const channel *h, double own) {
             window w = {.first = first, .last = first + window_length[l]};
             if (test_window(h, &w)) sum += w.t * w.t, n++;
         }
-        if (n > 0) least = fmin(least, wcut_chi_square_tail(sum / fmax(own, s->dispersion[l]), n));
+        if (n > 0) min = fmin(min, wcut_chi_square_tail(sum / fmax(own, s->dispersion[l]), n));
     }
     const double tests = (double)s->e->cuts * WCUT_SIGNALS * LENGTHS;
-    return least < WCUT_LOCATE_LEVEL / tests;
+    return min < WCUT_LOCATE_LEVEL / tests;
 }
 
 static bool overlaps(const search *s, const window *w) {
@@ -242,7 +242,7 @@ static bool overlaps(const search *s, const window *w) {
 }
 
 /* mean square of a channel beside a window; of all of it where less than a quarter is beside */
-static double beside(const channel *h, const window *w) {
+static double variance_outside(const channel *h, const window *w) {
     double sum = 0;
     int n = 0;
     for (int i = 0; i < h->n; i++)
@@ -253,22 +253,22 @@ static double beside(const channel *h, const window *w) {
 /* the window that stands out most, found again and again with what was found taken out */
 static void search_channel(search *s, int cut, int signal, double *room) {
     const channel h = channel_of(s, cut, signal, room);
-    for (int found = 0; found < MOST && s->count < s->room; found++) {
+    for (int found = 0; found < MAX && s->count < s->room; found++) {
         /* where neighbours do not err alike, a window is also held against the mean square beside it */
         const bool order = has_order(s, &h, mean_square(&h));
         window best = {.t = 0}, w = {.cut = cut, .signal = signal, .left = 0, .right = 1};
-        double most = 0;
+        double max = 0;
 
         /* the largest t of all windows that do not overlap with one already found */
         for (int k = 0; window_at(&h, k, &w); k++) {
             if (overlaps(s, &w) || !test_window(&h, &w)) continue;
             double t = fabs(w.t) / sqrt(s->dispersion[w.kind]);
-            if (!order && t > most) t = fmin(t, fabs(w.t) / sqrt(beside(&h, &w)));
-            if (t > most) most = t, best = w;
+            if (!order && t > max) t = fmin(t, fabs(w.t) / sqrt(variance_outside(&h, &w)));
+            if (t > max) max = t, best = w;
         }
 
         /* its probability among all tests (Sidak 1967); end where nothing stands out */
-        best.p = sidak(s->tests, most);
+        best.p = sidak(s->tests, max);
         if (!(best.p <= WCUT_LOCATE_LEVEL)) return;
 
         /* its share of the misfit */
@@ -357,10 +357,10 @@ static void search_scan(search *s, int cut) {
     const wcut_evidence_cut *c = &s->e->cut[cut];
     double *z = scan_rows(s, cut);
     const double *whole = s->whole + (z - s->residual);
-    for (int found = 0; found < MOST && s->count < s->room && c->patch.count > 0; found++) {
+    for (int found = 0; found < MAX && s->count < s->room && c->patch.count > 0; found++) {
         /* sums over the cells, for sums over rectangles */
         const cells in = sum_cells(s, cut);
-        double own = 0, most = 0;
+        double own = 0, max = 0;
         for (int i = 0; i < c->patch.count; i++) own += z[i] * z[i] / c->patch.count;
 
         /* the rectangle that stands out most */
@@ -368,14 +368,14 @@ static void search_scan(search *s, int cut) {
         while (next_rectangle(&w)) {
             double sum;
             const int count = sum_rectangle(&in, &w, &sum);
-            if (count < LEAST || overlaps(s, &w)) continue;
+            if (count < MIN || overlaps(s, &w)) continue;
             w.t = sum / sqrt(count), w.shift = sum / count;
             const double t = fabs(w.t) / sqrt(fmax(s->scan_dispersion, own));
-            if (t > most) most = t, best = w;
+            if (t > max) max = t, best = w;
         }
 
         /* its probability among all tests; end where nothing stands out */
-        best.p = sidak(s->tests, most);
+        best.p = sidak(s->tests, max);
         if (!(best.p <= WCUT_LOCATE_LEVEL)) return;
 
         /* its share of the misfit, and the shift taken out of its patches */
@@ -439,7 +439,7 @@ static void tell_channel(const search *s, const window *w, const wcut_response *
 
     /* mean over the window, and which channel it is */
     out->mean = unit * h.sigma * sum / (n > 0 ? n : 1);
-    out->channel = (wcut_evidence_channel)(WCUT_EVIDENCE_CHANNEL_TENSION + kind_of(w->signal));
+    out->channel = (wcut_evidence_channel)(WCUT_EVIDENCE_CHANNEL_TENSION + signal_kind(w->signal));
     snprintf(out->column, sizeof out->column, "%s",
              wcut_channel_name((wcut_channel)(WCUT_CHANNEL_TENSION_A + w->signal)));
 
@@ -525,13 +525,13 @@ static wcut_status drive_cuts(const search *s, int count, wcut_response *d, wcut
     return WCUT_OK;
 }
 
-static wcut_status tell(search *s, double *room, int *count, wcut_mismatch *out, wcut_error *error) {
+static wcut_status tell_mismatch(search *s, double *room, int *count, wcut_mismatch *out, wcut_error *error) {
     const double whole = whole_excess(s);
     qsort(s->found, (size_t)s->count, sizeof *s->found, compare_excess);
-    const int most = s->count < WCUT_MISMATCHES ? s->count : WCUT_MISMATCHES;
+    const int max = s->count < WCUT_MISMATCHES ? s->count : WCUT_MISMATCHES;
     wcut_response *d = wcut_alloc((size_t)s->e->cuts, sizeof *d);
-    wcut_status status = d ? drive_cuts(s, most, d, error) : wcut_fail(error, WCUT_NO_MEMORY, "no memory");
-    for (int k = 0; status == WCUT_OK && k < most; k++) {
+    wcut_status status = d ? drive_cuts(s, max, d, error) : wcut_fail(error, WCUT_NO_MEMORY, "no memory");
+    for (int k = 0; status == WCUT_OK && k < max; k++) {
         const window *w = &s->found[k];
         out[k] = (wcut_mismatch){.cut = s->e->cut[w->cut].index, .p_value = w->p, .share = w->excess / whole};
         if (w->signal < WCUT_SIGNALS)
@@ -541,7 +541,7 @@ static wcut_status tell(search *s, double *room, int *count, wcut_mismatch *out,
     }
     for (int k = 0; d && k < s->e->cuts; k++) wcut_response_destroy(&d[k]);
     wcut_free(d);
-    if (status == WCUT_OK) *count = most;
+    if (status == WCUT_OK) *count = max;
     return status;
 }
 
@@ -555,7 +555,7 @@ wcut_status wcut_mismatch_locate(const wcut_evidence *e, const double *residual,
     }
 
     /* copies: what is found is taken out of `residual`, while `whole` stays */
-    search s = {.e = e, .whole = residual, .room = MOST * (WCUT_SIGNALS * e->cuts + scans)};
+    search s = {.e = e, .whole = residual, .room = MAX * (WCUT_SIGNALS * e->cuts + scans)};
     s.residual = wcut_copy(residual, (size_t)e->rows, sizeof *residual);
     s.raw = wcut_alloc((size_t)e->rows, sizeof(double));
     s.found = wcut_alloc((size_t)s.room, sizeof *s.found);
@@ -578,7 +578,7 @@ wcut_status wcut_mismatch_locate(const wcut_evidence *e, const double *residual,
         }
 
         /* findings of all cuts, sorted and written out */
-        status = tell(&s, room, count, out, error);
+        status = tell_mismatch(&s, room, count, out, error);
     } else {
         wcut_fail(error, status, "no memory for %d rows", e->rows);
     }

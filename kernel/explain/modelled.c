@@ -13,7 +13,7 @@
 static wcut_status look_at_rest(wcut_evidence *e, const wcut_fitted *recalibrated, wcut_outside *o, wcut_error *error) {
     o->kept = wcut_events_mask(&o->events, e);
     if (!o->kept) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for events");
-    wcut_status status = wcut_fit_solve(e, &recalibrated->model, &o->rest, error);
+    wcut_status status = wcut_model_fit(e, &recalibrated->model, &o->rest, error);
     if (status == WCUT_OK) o->left = wcut_residual_stats_eval(e, o->rest.residual);
     if (status == WCUT_OK && o->left.slow > ADEQUATE) status = wcut_empirical_find(e, &o->rest, &o->empirical, error);
     if (status == WCUT_OK && o->empirical.fit.residual) o->left = o->empirical.left;

@@ -15,9 +15,9 @@ typedef struct writer {
     int size, at;
 } writer;
 
-static void add(writer *w, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static void put_words(writer *w, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-static void add(writer *w, const char *format, ...) {
+static void put_words(writer *w, const char *format, ...) {
     va_list list;
     va_start(list, format);
     const int length = vsnprintf(w->to + w->at, (size_t)(w->size - w->at), format, list);
@@ -26,13 +26,13 @@ static void add(writer *w, const char *format, ...) {
 }
 
 /* which of three axes a term of place, wave, band or direction is along */
-static int axis_of(int term) { return term < WCUT_TERM_HEAT_STEP ? term % 3 : 1; }
+static int axis_of_term(int term) { return term < WCUT_TERM_HEAT_STEP ? term % 3 : 1; }
 
 void wcut_term_formula(const wcut_effect *e, char *to, int size) {
     const double *v = e->value, turn = atan2(v[1], v[0]);
 
     /* a term of waves has an amplitude and a phase */
-    const char axis = "xyz"[axis_of(e->choice)], length = "WLH"[axis_of(e->choice)];
+    const char axis = "xyz"[axis_of_term(e->choice)], length = "WLH"[axis_of_term(e->choice)];
     switch (e->choice) {
         case WCUT_TERM_POSITION_X:
         case WCUT_TERM_POSITION_Y:
@@ -94,26 +94,28 @@ static void tell_place(writer *w, const wcut_effect *e) {
     const double *v = e->value, c = 100 * v[0];
 
     /* polynomials of degree 1 are told as a difference between two faces */
-    const char *axis = axis_name[axis_of(e->choice)];
+    const char *axis = axis_name[axis_of_term(e->choice)];
     if (e->choice <= WCUT_TERM_POSITION_Z && v[2] < 1.5)
-        add(w, "the force changes by %+.0f %% %s from one face of the block to the other", 2 * c, axis);
+        put_words(w, "the force changes by %+.0f %% %s from one face of the block to the other", 2 * c, axis);
     else if (e->choice <= WCUT_TERM_POSITION_Z)
-        add(w, "the force varies by %+.0f %% %s, as a polynomial of degree %.0f", c, axis, v[2]);
+        put_words(w, "the force varies by %+.0f %% %s, as a polynomial of degree %.0f", c, axis, v[2]);
     else if (e->choice <= WCUT_TERM_WAVE_Z)
-        add(w, "the force varies by +-%.0f %% every %.0f mm %s (layers in the block?)", 100 * hypot(v[0], v[1]), v[2],
-            axis);
+        put_words(w, "the force varies by +-%.0f %% every %.0f mm %s (layers in the block?)", 100 * hypot(v[0], v[1]),
+                  v[2], axis);
     else if (e->choice <= WCUT_TERM_BAND_Z)
-        add(w, "the force is %+.0f %% between %.0f and %.0f mm %s", c, v[2], v[3], axis);
+        put_words(w, "the force is %+.0f %% between %.0f and %.0f mm %s", c, v[2], v[3], axis);
     else if (v[2] > 1.5)
-        add(w,
+        put_words(
+            w,
             "the force depends on the direction of motion: it is %+.0f %% along %c against across it (grain of the "
             "foam?)",
-            2 * c, "xyz"[axis_of(e->choice)]);
+            2 * c, "xyz"[axis_of_term(e->choice)]);
     else
-        add(w,
+        put_words(
+            w,
             "the force depends on the direction of motion: %+.0f %% towards +%c, %+.0f %% towards -%c (grain of the "
             "foam?)",
-            c, "xyz"[axis_of(e->choice)], -c, "xyz"[axis_of(e->choice)]);
+            c, "xyz"[axis_of_term(e->choice)], -c, "xyz"[axis_of_term(e->choice)]);
 }
 
 void wcut_term_clause(const wcut_effect *e, char *to, int size) {
@@ -130,42 +132,43 @@ void wcut_term_clause(const wcut_effect *e, char *to, int size) {
     /* terms of heat, speed, shape, time and number */
     switch (e->choice) {
         case WCUT_TERM_HEAT_STEP:
-            add(&w, "the force changes by %+.0f %% where the heat input is above %.0f J/m2 (another way of melting?)",
-                c, v[2]);
+            put_words(&w,
+                      "the force changes by %+.0f %% where the heat input is above %.0f J/m2 (another way of melting?)",
+                      c, v[2]);
             return;
         case WCUT_TERM_HEAT_HINGE:
-            add(&w, "beyond a heat input of %.0f J/m2 the force changes by %+.0f %% for every %.0f more", v[2], c,
-                v[2]);
+            put_words(&w, "beyond a heat input of %.0f J/m2 the force changes by %+.0f %% for every %.0f more", v[2], c,
+                      v[2]);
             return;
         case WCUT_TERM_HEAT_INVERSE:
-            add(&w, "the force has a part that goes with 1 / Q_eff: %+.0f %% at %.0f J/m2 against %.0f", c, v[2] / 2,
-                v[2]);
+            put_words(&w, "the force has a part that goes with 1 / Q_eff: %+.0f %% at %.0f J/m2 against %.0f", c,
+                      v[2] / 2, v[2]);
             return;
         case WCUT_TERM_LOG_SPEED:
-            add(&w, "the force follows the speed itself: %+.0f %% for twice the speed", c * log(2));
+            put_words(&w, "the force follows the speed itself: %+.0f %% for twice the speed", c * log(2));
             return;
         case WCUT_TERM_CURVATURE:
-            add(&w, "the force follows the curvature of the wire: %+.0f %% at a radius of %.0f mm", c, v[2]);
+            put_words(&w, "the force follows the curvature of the wire: %+.0f %% at a radius of %.0f mm", c, v[2]);
             return;
         case WCUT_TERM_ENTRY:
-            add(&w, "the force is %+.0f %% at entry and settles within %.1f s", c, v[2]);
+            put_words(&w, "the force is %+.0f %% at entry and settles within %.1f s", c, v[2]);
             return;
         case WCUT_TERM_WAY:
-            add(&w, "the force changes by %+.1f %% for every metre that is cut", c * 1000 / v[2]);
+            put_words(&w, "the force changes by %+.1f %% for every metre that is cut", c * 1000 / v[2]);
             return;
         case WCUT_TERM_CLOCK:
-            add(&w, "the force changes by %+.1f %% in 100 s", c);
+            put_words(&w, "the force changes by %+.1f %% in 100 s", c);
             return;
         case WCUT_TERM_ORDER:
             if (v[3] >= 0)
-                add(&w, "the force is %+.0f %% in cuts %.0f to %.0f (another batch of foam, another wire?)", c,
-                    v[3] + 1, v[4] + 1);
+                put_words(&w, "the force is %+.0f %% in cuts %.0f to %.0f (another batch of foam, another wire?)", c,
+                          v[3] + 1, v[4] + 1);
             else
-                add(&w, "the force changes by %+.1f %% from cut to cut", c);
+                put_words(&w, "the force changes by %+.1f %% from cut to cut", c);
             return;
         default:
-            add(&w, "the force follows the %s of the last %.1f s",
-                e->choice == WCUT_TERM_HEAT_MEMORY ? "heat" : "speed", v[2]);
+            put_words(&w, "the force follows the %s of the last %.1f s",
+                      e->choice == WCUT_TERM_HEAT_MEMORY ? "heat" : "speed", v[2]);
     }
 }
 
@@ -173,16 +176,16 @@ void wcut_term_clause(const wcut_effect *e, char *to, int size) {
 
 static void write_equation(wcut_modelled *m) {
     writer w = {m->equation, sizeof m->equation, 0};
-    add(&w, "F = a exp(-b Q_eff) (1");
+    put_words(&w, "F = a exp(-b Q_eff) (1");
     for (int k = 0; k < m->terms; k++) {
         const wcut_effect *e = &m->term[k].effect;
         const bool wave = e->choice >= WCUT_TERM_WAVE_X && e->choice <= WCUT_TERM_WAVE_Z;
         const double c = wave ? hypot(e->value[0], e->value[1]) : e->value[0];
         char formula[80];
         wcut_term_formula(e, formula, sizeof formula);
-        add(&w, " %c %.3g %s", c < 0 ? '-' : '+', fabs(c), formula);
+        put_words(&w, " %c %.3g %s", c < 0 ? '-' : '+', fabs(c), formula);
     }
-    add(&w, ")");
+    put_words(&w, ")");
 }
 
 static void tell_events(writer *w, const wcut_modelled *m) {
@@ -190,14 +193,14 @@ static void tell_events(writer *w, const wcut_modelled *m) {
     for (int k = 1; k < m->events; k++)
         if (fabs(m->event[k].tension) > fabs(e->tension)) e = &m->event[k];
     if (m->events == 1)
-        add(w, "In cut %d from %.0f to %.0f s", e->cut + 1, e->time[0], e->time[1]);
+        put_words(w, "In cut %d from %.0f to %.0f s", e->cut + 1, e->time[0], e->time[1]);
     else
-        add(w, "In %d windows, most of all in cut %d from %.0f to %.0f s,", m->events, e->cut + 1, e->time[0],
-            e->time[1]);
-    add(w,
-        " the force is %+.0f %% (as with %.0f %% of the heat); no other cut repeats it there. The rest is fitted "
-        "without it",
-        100 * e->force, 100 * (1 + e->heat));
+        put_words(w, "In %d windows, most of all in cut %d from %.0f to %.0f s,", m->events, e->cut + 1, e->time[0],
+                  e->time[1]);
+    put_words(w,
+              " the force is %+.0f %% (as with %.0f %% of the heat); no other cut repeats it there. The rest is fitted "
+              "without it",
+              100 * e->force, 100 * (1 + e->heat));
 }
 
 void wcut_modelled_tell(wcut_diagnosis *d) {
@@ -210,29 +213,30 @@ void wcut_modelled_tell(wcut_diagnosis *d) {
     /* the windows that were left out */
     if (m->events > 0) {
         tell_events(&w, m);
-        add(&w,
-            m->after < m->recalibrated
-                ? ": with a level for each window the tension misfit falls from %.3g N to %.3g N."
-                : ".",
-            m->recalibrated, m->after);
+        put_words(&w,
+                  m->after < m->recalibrated
+                      ? ": with a level for each window the tension misfit falls from %.3g N to %.3g N."
+                      : ".",
+                  m->recalibrated, m->after);
     }
 
     /* the terms: an equation, then each in words */
     if (m->terms == 0) return;
     write_equation(m);
-    add(&w, "%sSomething outside the list: ", m->events > 0 ? " " : "");
+    put_words(&w, "%sSomething outside the list: ", m->events > 0 ? " " : "");
     for (int k = 0; k < m->terms; k++) {
         char clause[160];
         wcut_term_clause(&m->term[k].effect, clause, sizeof clause);
-        add(&w, "%s%s", k ? ", and " : "", clause);
+        put_words(&w, "%s%s", k ? ", and " : "", clause);
     }
-    add(&w, ". ");
+    put_words(&w, ". ");
 
     /* what they are worth on cuts that were left out */
-    const wcut_fit *from = &d->held_out_fit[WCUT_FIT_MODEL_RECALIBRATED][WCUT_EVIDENCE_CHANNEL_TENSION];
-    const wcut_fit *to = &d->held_out_fit[WCUT_FIT_MODEL_AFTER][WCUT_EVIDENCE_CHANNEL_TENSION];
+    const wcut_evidence_score *from =
+        &d->held_out_score[WCUT_EVIDENCE_MODEL_RECALIBRATED][WCUT_EVIDENCE_CHANNEL_TENSION];
+    const wcut_evidence_score *to = &d->held_out_score[WCUT_EVIDENCE_MODEL_AFTER][WCUT_EVIDENCE_CHANNEL_TENSION];
     if (from->count > 0 && to->count > 0)
-        add(&w, "With %s the held-out tension misfit %s from %.2g N to %.2g N.",
-            m->terms > 1 ? "these terms" : "this term", to->rmsd < from->rmsd ? "falls" : "does not fall:", from->rmsd,
-            to->rmsd);
+        put_words(&w, "With %s the held-out tension misfit %s from %.2g N to %.2g N.",
+                  m->terms > 1 ? "these terms" : "this term",
+                  to->rmsd < from->rmsd ? "falls" : "does not fall:", from->rmsd, to->rmsd);
 }

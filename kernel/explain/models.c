@@ -6,7 +6,7 @@
 #include "base/fail.h"
 #include "base/threads.h"
 #include "base/vec3.h"
-#include "explain/fit.h"
+#include "explain/model_fit.h"
 
 enum { NODES_COARSE = WCUT_NODES_COARSE };
 

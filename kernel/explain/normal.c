@@ -5,7 +5,7 @@
 #include "base/dense.h"
 #include "base/numbers.h"
 #include "base/threads.h"
-#include "explain/fit.h"
+#include "explain/model_fit.h"
 
 static const double PIVOT_MIN = 1e-11; /* [1] of a matrix of unit diagonal, below which it is singular */
 
@@ -67,8 +67,8 @@ static double dot(int n, const double *a, const double *b) {
 }
 
 /* products of a cut's rows: columns and residual, the scatter's columns with both and with themselves */
-static void fill_cut(const wcut_evidence *e, int cut, const double *column, const double *residual,
-                     wcut_normal_equations *out) {
+static void fill_cut_products(const wcut_evidence *e, int cut, const double *column, const double *residual,
+                              wcut_normal_equations *out) {
     const wcut_evidence_cut *c = &e->cut[cut];
 
     /* the cut's rows lie together */
@@ -103,7 +103,7 @@ static void fill_cut(const wcut_evidence *e, int cut, const double *column, cons
 void wcut_normal_equations_fill(const wcut_evidence *e, const double *column, const double *residual,
                                 wcut_normal_equations *out) {
 #pragma omp parallel for num_threads(wcut_threads(e->threads)) schedule(dynamic, 1)
-    for (int k = 0; k < e->cuts; k++) fill_cut(e, k, column, residual, out);
+    for (int k = 0; k < e->cuts; k++) fill_cut_products(e, k, column, residual, out);
     wcut_normal_equations_weigh(e, out);
 }
 
@@ -168,8 +168,8 @@ void wcut_normal_equations_weigh(const wcut_evidence *e, wcut_normal_equations *
 bool wcut_normal_equations_solve(const wcut_normal_equations *normal, int count, const int *chosen,
                                  const double *centre, const double *precision, int without, double *t,
                                  double *covariance, double *cost) {
-    double m[WCUT_FIT_MAX * WCUT_FIT_MAX], b[WCUT_FIT_MAX], scale[WCUT_FIT_MAX], unit[WCUT_FIT_MAX];
-    if (count > WCUT_FIT_MAX) return false;
+    double m[WCUT_FITTED_MAX * WCUT_FITTED_MAX], b[WCUT_FITTED_MAX], scale[WCUT_FITTED_MAX], unit[WCUT_FITTED_MAX];
+    if (count > WCUT_FITTED_MAX) return false;
     const int n = normal->n;
 
     /* leave one cut out by subtracting its sums */

@@ -10,7 +10,7 @@
 #include "base/vec3.h"
 #include "explain/evidence.h"
 
-enum { ALONG = 24, ACROSS = 10, POINTS = 12000, LEAST = 8 };
+enum { ALONG = 24, ACROSS = 10, POINTS = 12000, MIN = 8 };
 
 /* what a patch of any number of points is not told better than [mm]: the encoder's noise moves whole rows */
 #define FLOOR 0.03
@@ -113,11 +113,11 @@ static void add_point(const wcut_evidence_cut *c, const face *f, double first, d
     s->point = vec3_add(s->point, foot->point), s->normal = vec3_add(s->normal, normal);
 }
 
-static void keep_patches(const sums *patch, wcut_patches *p) {
+static void keep_cut_patches(const sums *patch, wcut_patches *p) {
     double deviation[ALONG * ACROSS];
     for (int k = 0; k < ALONG * ACROSS; k++) {
         const sums *s = &patch[k];
-        if (s->count < LEAST) continue;
+        if (s->count < MIN) continue;
         const int i = p->count++;
         const double n = s->count, mean = s->distance / n;
         p->station[i] = s->station / n, p->across[i] = s->across / n;
@@ -177,7 +177,7 @@ wcut_status wcut_patches_create(const wcut_evidence_cut *c, const wcut_response 
 
         /* sums over the points, then means and errors of the patches that hold enough */
         for (int i = 0; i < n; i++) add_point(c, &f, first, last, point[i], &foot[i], patch);
-        keep_patches(patch, &p);
+        keep_cut_patches(patch, &p);
         find_heat(c, &p);
         *out = p;
     } else {

@@ -44,7 +44,7 @@ static wcut_status plan(const wcut_job *job, planned *p, wcut_error *error) {
 }
 
 /* a schedule ends, whatever was programmed */
-static double dither(const wcut_job *job, double time) { return fmax(wcut_job_pace_eval(job, time), 0.05); }
+static double pace_dither(const wcut_job *job, double time) { return fmax(wcut_job_pace_eval(job, time), 0.05); }
 
 void wcut_schedule_destroy(wcut_schedule *s) {
     wcut_free(s->station);
@@ -65,7 +65,7 @@ static bool make_schedule(size_t room, wcut_schedule *s) {
 }
 
 /* where the mounts are a step later: each segment takes the plan's time, less or more by the dither */
-static double advance(const planned *p, double station, double pace) {
+static double next_mount_station(const planned *p, double station, double pace) {
     const int last = p->history->stations - 1;
     double left = WCUT_PREDICTED_CUT_STEP * pace;
     while (station < last) {
@@ -85,14 +85,14 @@ static double engaged_at(const planned *p, double station) {
 }
 
 /* walk the plan; false where `room` steps do not reach its end */
-static bool walk(const planned *p, int room, wcut_schedule *s) {
+static bool walk_plan(const planned *p, int room, wcut_schedule *s) {
     const int last = p->history->stations - 1;
     double station = 0;
     for (s->count = 0; station < last; s->count++) {
         if (s->count == room) return false;
         const double time = s->count * WCUT_PREDICTED_CUT_STEP;
-        const double pace = engaged_at(p, station) >= WCUT_MOST_OF_WIRE ? dither(p->job, time) : 1;
-        station = advance(p, station, pace);
+        const double pace = engaged_at(p, station) >= WCUT_MOST_OF_WIRE ? pace_dither(p->job, time) : 1;
+        station = next_mount_station(p, station, pace);
         const wcut_history_row *row = &p->history->row[(int)fmin(station, last - 1) + 1];
         s->station[s->count] = station;
         s->heat[s->count] = wcut_job_heat_eval(p->job, time + WCUT_PREDICTED_CUT_STEP / 2);
@@ -113,14 +113,14 @@ wcut_status wcut_schedule_create(const wcut_job *job, wcut_schedule *schedule, w
     wcut_status status = plan(job, &p, error);
     if (status == WCUT_OK) {
         /* room: twice the planned time is usual; a twentieth of the speed is the slowest that is walked */
-        const double most = p.history->row[p.history->stations - 1].time / WCUT_PREDICTED_CUT_STEP / 0.05 + 2;
+        const double max = p.history->row[p.history->stations - 1].time / WCUT_PREDICTED_CUT_STEP / 0.05 + 2;
         const double usual = p.history->row[p.history->stations - 1].time / WCUT_PREDICTED_CUT_STEP * 2 + 100;
-        if (!(most < 1e8))
+        if (!(max < 1e8))
             status = wcut_fail(error, WCUT_DEGENERATE, "the planned run takes %.3g s, expected a day at most",
                                p.history->row[p.history->stations - 1].time);
-        else if (!make_schedule((size_t)fmin(most, usual), &made))
+        else if (!make_schedule((size_t)fmin(max, usual), &made))
             status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for the schedule of a cut");
-        else if (!walk(&p, (int)fmin(most, usual), &made))
+        else if (!walk_plan(&p, (int)fmin(max, usual), &made))
             status = wcut_fail(error, WCUT_DEGENERATE,
                                "the programmed speed takes more than twice the plan's time, expected a dither about 1");
     }
@@ -162,7 +162,7 @@ static bool make_predicted_cut(int count, int nodes, wcut_predicted_cut *r) {
     return whole;
 }
 
-static void keep(const wcut_cut *cut, int i, wcut_predicted_cut *r) {
+static void keep_reading(const wcut_cut *cut, int i, wcut_predicted_cut *r) {
     wcut_station s;
     wcut_cut_view(cut, &s);
     const double value[WCUT_SENSED_COUNT] = {s.speed_a, s.speed_b, s.tension_a, s.tension_b,
@@ -176,7 +176,8 @@ static void keep(const wcut_cut *cut, int i, wcut_predicted_cut *r) {
 }
 
 /* false where it was stopped; a step that the solver does not take is missing, and the next one begins where the wire still is */
-static bool lead(const wcut_job *job, const wcut_schedule *s, wcut_cut *cut, wcut_stop *stop, wcut_predicted_cut *r) {
+static bool follow_schedule(const wcut_job *job, const wcut_schedule *s, wcut_cut *cut, wcut_stop *stop,
+                            wcut_predicted_cut *r) {
     double time = 0;
     for (int i = 0; i < s->count; i++) {
         if (wcut_stop_asked(stop)) return false;
@@ -184,13 +185,13 @@ static bool lead(const wcut_job *job, const wcut_schedule *s, wcut_cut *cut, wcu
         const wcut_vec3 a = wcut_path_at(job->stations, job->mount_a, s->station[i]);
         const wcut_vec3 b = wcut_path_at(job->stations, job->mount_b, s->station[i]);
         if (wcut_cut_drive(cut, a, b, time, s->heat[i], NULL) != WCUT_OK) continue;
-        keep(cut, i, r);
+        keep_reading(cut, i, r);
         time = 0;
     }
     return true;
 }
 
-static wcut_status sense(const wcut_job *job, const wcut_predicted_cut *r, wcut_error *error) {
+static wcut_status sense_readings(const wcut_job *job, const wcut_predicted_cut *r, wcut_error *error) {
     double *time = wcut_alloc((size_t)r->count, sizeof *time);
     if (!time) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d samples", r->count);
     for (int i = 0; i < r->count; i++) time[i] = (i + 1) * WCUT_PREDICTED_CUT_STEP;
@@ -219,9 +220,9 @@ wcut_status wcut_predicted_cut_run(const wcut_job *job, const wcut_schedule *sch
     /* lead the mounts along the schedule, then turn the states into readings */
     if (status == WCUT_OK && !make_predicted_cut(schedule->count, few->nodes, &made))
         status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d samples", schedule->count);
-    if (status == WCUT_OK && !lead(few, schedule, cut, stop, &made))
+    if (status == WCUT_OK && !follow_schedule(few, schedule, cut, stop, &made))
         status = wcut_fail(error, WCUT_INTERRUPTED, "interrupted");
-    if (status == WCUT_OK) status = sense(few, &made, error);
+    if (status == WCUT_OK) status = sense_readings(few, &made, error);
 
     /* release in the order opposite to the creation */
     wcut_cut_destroy(cut);

@@ -11,7 +11,7 @@
 /* how a row is said, and from where on it is worth a word */
 typedef struct phrase {
     const char *format;
-    double unit, least;
+    double unit, min;
 } phrase;
 
 static const phrase scatter_phrase[WCUT_SCATTER_COUNT] = {
@@ -37,7 +37,7 @@ static const phrase further_phrase[FURTHER] = {{"tension readings %.3f s late", 
 
 /* A standard deviation of n coefficients, each known to its error: the interval of a chi-square with as many degrees of
    freedom as are told from their errors. */
-static wcut_estimate spread_of(double sd, double sum_square, double sum_error, int n) {
+static wcut_estimate deviation_interval(double sd, double sum_square, double sum_error, int n) {
     const double told = clamp(n * (1 - sum_error / fmax(sum_square + sum_error, 1e-300)), 1, n);
     wcut_estimate e = {sd, 0, 0};
     e.low = sd * sqrt(told / wcut_chi_square_quantile(0.975, told));
@@ -67,7 +67,7 @@ static void scatter_row(const wcut_evidence *e, const wcut_fitted *f, wcut_scatt
         }
 
     /* the spread of the rig, from the variance and from the values */
-    row->value = spread_of(f->noise.scatter[kind], square, error, n > 0 ? n : 1);
+    row->value = deviation_interval(f->noise.scatter[kind], square, error, n > 0 ? n : 1);
 }
 
 /* the misplacement of mounts that would make the slow noise beyond a sensor's own */
@@ -126,7 +126,7 @@ void wcut_rig_sentence(const wcut_diagnosis *d, int size, char *text) {
     text[0] = 0;
     for (int k = 0; k < d->rig_rows && at < size - 1; k++) {
         const phrase *p = phrase_of(d->rig[k].name);
-        if (!p || fabs(d->rig[k].value.value) < p->least) continue;
+        if (!p || fabs(d->rig[k].value.value) < p->min) continue;
         at += snprintf(text + at, (size_t)(size - at), "%s", at ? ", " : "");
         if (at < size - 1) at += snprintf(text + at, (size_t)(size - at), p->format, p->unit * d->rig[k].value.value);
     }

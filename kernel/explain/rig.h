@@ -2,7 +2,7 @@
 #ifndef WCUT_EXPLAIN_RIG_H
 #define WCUT_EXPLAIN_RIG_H
 
-#include "explain/fit.h"
+#include "explain/model_fit.h"
 
 /* Fill diagnosis->rig by the scatter under a fit. WCUT_OK; WCUT_NO_MEMORY: nothing was written. */
 wcut_status wcut_rig_fill(const wcut_evidence *evidence, const wcut_fitted *fitted, wcut_diagnosis *diagnosis);

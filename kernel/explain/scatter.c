@@ -9,7 +9,7 @@
 #include "base/numbers.h"
 #include "base/random.h"
 #include "base/vec3.h"
-#include "explain/fit.h"
+#include "explain/model_fit.h"
 
 /* Widths: ordinary EPS varies by 5 % in density from block to block; a wire is cut by hand to 1 or 2 mm; load cells return
    to zero within 0.02 N, encoders within 0.05 deg; joints hold back by some tenths of a degree. */
@@ -43,7 +43,7 @@ void wcut_scatter_destroy(wcut_scatter *s) {
 
 /* ---- columns ---- */
 
-static double *add_column(wcut_scatter *s, size_t rows, wcut_scatter_kind kind) {
+static double *add_scatter_column(wcut_scatter *s, size_t rows, wcut_scatter_kind kind) {
     s->kind[s->count] = kind;
     return s->column + (size_t)s->count++ * rows;
 }
@@ -61,7 +61,7 @@ static wcut_status add_levels(const wcut_evidence *e, wcut_scatter *s, wcut_erro
     if (!all) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d rows", e->rows);
     const wcut_status status = wcut_models_rows(e, MODELS, model, all, error);
     for (size_t k = 0; status == WCUT_OK && k < MODELS - 1; k++) {
-        double *column = add_column(s, rows, kind[k]);
+        double *column = add_scatter_column(s, rows, kind[k]);
         for (size_t i = 0; i < rows; i++) column[i] = (all[(k + 1) * rows + i] - all[i]) / wcut_base_step[k];
     }
     wcut_free(all);
@@ -71,7 +71,8 @@ static wcut_status add_levels(const wcut_evidence *e, wcut_scatter *s, wcut_erro
 /* a sensor's zero in one signal */
 static void add_zero(const wcut_evidence *e, wcut_scatter *s, int signal) {
     const double unit = signal < 2 ? 1 : WCUT_PI / 180;
-    double *column = add_column(s, (size_t)e->rows, signal < 2 ? WCUT_SCATTER_TENSION_ZERO : WCUT_SCATTER_ENCODER_ZERO);
+    double *column =
+        add_scatter_column(s, (size_t)e->rows, signal < 2 ? WCUT_SCATTER_TENSION_ZERO : WCUT_SCATTER_ENCODER_ZERO);
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
         for (int i = 0; i < c->bins; i++) column[c->row + signal * c->bins + i] = unit;
@@ -80,7 +81,7 @@ static void add_zero(const wcut_evidence *e, wcut_scatter *s, int signal) {
 
 /* what a joint with play shows of an angle, less the angle, per degree of its half width */
 static void add_friction(const wcut_evidence *e, wcut_scatter *s, int signal) {
-    double *column = add_column(s, (size_t)e->rows, WCUT_SCATTER_FRICTION);
+    double *column = add_scatter_column(s, (size_t)e->rows, WCUT_SCATTER_FRICTION);
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
         double shown = (double)NAN;
@@ -94,8 +95,8 @@ static void add_friction(const wcut_evidence *e, wcut_scatter *s, int signal) {
 }
 
 /* a scanned face moved along its normal, smoothly along the path and linearly across it */
-static void add_face(const wcut_evidence *e, wcut_scatter *s, int knot, bool side_b) {
-    double *column = add_column(s, (size_t)e->rows, WCUT_SCATTER_FACE);
+static void add_face_scatter(const wcut_evidence *e, wcut_scatter *s, int knot, bool side_b) {
+    double *column = add_scatter_column(s, (size_t)e->rows, WCUT_SCATTER_FACE);
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
         for (int i = 0; i < c->patch.count; i++) {
@@ -109,7 +110,7 @@ static void add_face(const wcut_evidence *e, wcut_scatter *s, int knot, bool sid
 
 /* a scan's registration: a shift along an axis, or a turn about it through the block's middle */
 static void add_registration(const wcut_evidence *e, wcut_scatter *s, int axis, bool turn) {
-    double *column = add_column(s, (size_t)e->rows, turn ? WCUT_SCATTER_SCAN_TURN : WCUT_SCATTER_SCAN_SHIFT);
+    double *column = add_scatter_column(s, (size_t)e->rows, turn ? WCUT_SCATTER_SCAN_TURN : WCUT_SCATTER_SCAN_SHIFT);
     for (int k = 0; k < e->cuts; k++) {
         const wcut_evidence_cut *c = &e->cut[k];
         for (int i = 0; i < c->patch.count; i++) {
@@ -221,7 +222,7 @@ wcut_status wcut_scatter_create(wcut_evidence *e, wcut_error *error) {
     /* of scans: the shape of the face, and the registration */
     bool scans = false;
     for (int k = 0; k < e->cuts; k++) scans = scans || e->cut[k].patch.count > 0;
-    for (int k = 0; scans && k < 2 * KNOTS; k++) add_face(e, &s, k / 2, k % 2);
+    for (int k = 0; scans && k < 2 * KNOTS; k++) add_face_scatter(e, &s, k / 2, k % 2);
     for (int k = 0; scans && k < 6; k++) add_registration(e, &s, k % 3, k >= 3);
     wcut_scatter_destroy(&e->scatter);
     e->scatter = s;

@@ -23,7 +23,7 @@ typedef struct wcut_scatter {
 
 /* What a kind of scatter is: `width` of the half-normal prior of its standard deviation, and what it may be at most. */
 typedef struct wcut_scatter_info {
-    double width, most;
+    double width, max;
 } wcut_scatter_info;
 
 const wcut_scatter_info *wcut_scatter_view(wcut_scatter_kind kind);

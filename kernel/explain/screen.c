@@ -18,7 +18,7 @@ static wcut_coordinate first_coordinate(const wcut_effect *effect, int part) {
     return wcut_effect_coordinate(effect, wcut_explanation_view(effect->kind)->count > part ? part : 0);
 }
 
-static double strength(const wcut_effect *effect, int part) {
+static double start_strength(const wcut_effect *effect, int part) {
     const wcut_coordinate c = first_coordinate(effect, part);
     return wcut_scale_in(c.scale, effect->value[c.at]);
 }
@@ -42,7 +42,7 @@ typedef struct making {
     double *rows;      /* as many x rows of the evidence */
 } making;
 
-static void add_column(wcut_screen *s, const wcut_variant *v, int part, bool grouped) {
+static void add_screen_column(wcut_screen *s, const wcut_variant *v, int part, bool grouped) {
     if (!grouped) s->groups++;
     s->column[s->columns++] = (wcut_screen_column){v->effect, v->carried, part, s->groups - 1};
 }
@@ -70,7 +70,7 @@ static bool list_models(making *m, int variants, const wcut_variant *variant) {
             /* the effect of the variant is added to those of the model */
             model->effect[model->effects++] = effect;
             model->carried = model->carried || variant[k].carried;
-            add_column(s, &variant[k], p, p > 0);
+            add_screen_column(s, &variant[k], p, p > 0);
             s->column[s->columns - 1].effect = effect;
         }
     }
@@ -93,7 +93,7 @@ static int drop_known(const wcut_model *about, int variants, wcut_variant *varia
     return kept;
 }
 
-static wcut_status fill_columns(making *m, wcut_error *error) {
+static wcut_status fill_screen_columns(making *m, wcut_error *error) {
     wcut_screen *s = m->s;
     const size_t rows = (size_t)m->e->rows;
     const int simulated = WCUT_BASE + s->columns;
@@ -103,7 +103,7 @@ static wcut_status fill_columns(making *m, wcut_error *error) {
         double *column = s->plain + (size_t)place * rows, step = k < WCUT_BASE ? wcut_base_step[k] : 0;
         if (k >= WCUT_BASE) {
             const wcut_screen_column *c = &s->column[k - WCUT_BASE];
-            step = strength(&c->effect, c->part) - neutral_of(&c->effect, c->part);
+            step = start_strength(&c->effect, c->part) - neutral_of(&c->effect, c->part);
         }
         for (size_t i = 0; i < rows; i++) column[i] = (m->rows[(size_t)(1 + k) * rows + i] - m->rows[i]) / step;
     }
@@ -113,7 +113,7 @@ static wcut_status fill_columns(making *m, wcut_error *error) {
 static void set_priors(making *m) {
     wcut_screen *s = m->s;
     for (int k = 0; k < WCUT_BASE; k++) s->precision[k] = 1 / (wcut_base_spread[k] * wcut_base_spread[k]);
-    double spread[WCUT_FIT_MAX];
+    double spread[WCUT_FITTED_MAX];
     wcut_nuisance_columns(m->e, s->plain + (size_t)WCUT_BASE * (size_t)m->e->rows, spread);
     for (int k = 0; k < s->nuisances; k++) {
         s->precision[WCUT_BASE + k] = 1 / (spread[k] * spread[k]);
@@ -138,9 +138,9 @@ void wcut_screen_destroy(wcut_screen *s) {
 }
 
 static bool make_screen(const wcut_evidence *e, int variants, int inclusions, making *m, wcut_screen *s) {
-    const size_t rows = (size_t)e->rows, most = (size_t)variants + 2 + (size_t)inclusions;
-    const size_t n = WCUT_BASE + (size_t)s->nuisances + most;
-    s->column = wcut_alloc(most, sizeof *s->column);
+    const size_t rows = (size_t)e->rows, max = (size_t)variants + 2 + (size_t)inclusions;
+    const size_t n = WCUT_BASE + (size_t)s->nuisances + max;
+    s->column = wcut_alloc(max, sizeof *s->column);
     s->centre = wcut_alloc(n, sizeof(double));
     s->precision = wcut_alloc(n, sizeof(double));
     s->plain = wcut_alloc(n * rows, sizeof(double));
@@ -180,14 +180,14 @@ wcut_status wcut_screen_create(const wcut_evidence *e, const wcut_model *about, 
     }
 
     /* drive them, and whiten */
-    if (status == WCUT_OK) status = fill_columns(&m, error);
+    if (status == WCUT_OK) status = fill_screen_columns(&m, error);
     if (status == WCUT_OK) {
         // what was simulated place by place comes last
         for (int k = 0; k < inclusions.count; k++) {
             const wcut_variant v = {.effect = inclusions.effect[k]};
             double *column = s.plain + (size_t)(WCUT_BASE + s.nuisances + s.columns) * rows;
             memcpy(column, inclusions.column + (size_t)k * rows, rows * sizeof *column);
-            add_column(&s, &v, 0, false);
+            add_screen_column(&s, &v, 0, false);
         }
 
         /* priors of the columns, and room for their normal equations */
@@ -291,9 +291,9 @@ wcut_status wcut_screen_move(const wcut_evidence *e, const wcut_fitted *fitted, 
 /* ---- the saturated model ---- */
 
 /* groups of the saturated model: the best of every kind, and places of inclusions beside each other */
-static int saturating_groups(const wcut_screened *single, int count, int most, int *group) {
+static int saturating_groups(const wcut_screened *single, int count, int max, int *group) {
     int chosen = 0, places = 0;
-    for (int i = 0; i < count && chosen < most; i++) {
+    for (int i = 0; i < count && chosen < max; i++) {
         bool seen = false;
         const bool place = single[i].effect[0].kind == WCUT_EFFECT_FOAM_INCLUSION;
         for (int k = 0; k < i; k++)
@@ -308,11 +308,11 @@ static int saturating_groups(const wcut_screened *single, int count, int most, i
 
 wcut_status wcut_screen_saturate(wcut_evidence *e, wcut_screen *s) {
     const size_t rows = (size_t)e->rows;
-    int group[SATURATING], column[WCUT_FIT_MAX], n = 0;
-    double centre[WCUT_FIT_MAX], precision[WCUT_FIT_MAX], score;
+    int group[SATURATING], column[WCUT_FITTED_MAX], n = 0;
+    double centre[WCUT_FITTED_MAX], precision[WCUT_FITTED_MAX], score;
     wcut_screened *single = wcut_alloc((size_t)s->groups, sizeof *single);
-    double *plain = wcut_alloc(WCUT_FIT_MAX * rows, sizeof *plain),
-           *white = wcut_alloc(WCUT_FIT_MAX * rows, sizeof *white);
+    double *plain = wcut_alloc(WCUT_FITTED_MAX * rows, sizeof *plain),
+           *white = wcut_alloc(WCUT_FITTED_MAX * rows, sizeof *white);
     double *residual = wcut_alloc(rows, sizeof *residual);
 
     /* a copy of the evidence, whose noise may change */
@@ -326,7 +326,7 @@ wcut_status wcut_screen_saturate(wcut_evidence *e, wcut_screen *s) {
         const int groups = saturating_groups(single, singles, SATURATING, group);
         for (int k = 0; k < s->base + s->nuisances; k++) column[n++] = k;
         for (int g = 0; g < groups; g++)
-            for (int c = 0; c < s->columns && n < WCUT_FIT_MAX; c++)
+            for (int c = 0; c < s->columns && n < WCUT_FITTED_MAX; c++)
                 if (s->column[c].group == group[g]) column[n++] = s->base + s->nuisances + c;
 
         /* their columns and priors */
@@ -363,14 +363,14 @@ wcut_status wcut_screen_saturate(wcut_evidence *e, wcut_screen *s) {
 /* ---- solving ---- */
 
 bool wcut_screen_solve(const wcut_screen *s, int groups, const int *group, wcut_screened *out) {
-    int chosen[WCUT_FIT_MAX], count = 0;
-    double t[WCUT_FIT_MAX], cost;
+    int chosen[WCUT_FITTED_MAX], count = 0;
+    double t[WCUT_FITTED_MAX], cost;
 
     /* recalibration and nuisances are always in, beside the columns of the groups */
     for (int k = 0; k < s->base + s->nuisances; k++) chosen[count++] = k;
     for (int c = 0; c < s->columns; c++)
         for (int g = 0; g < groups; g++)
-            if (s->column[c].group == group[g] && count < WCUT_FIT_MAX) chosen[count++] = s->base + s->nuisances + c;
+            if (s->column[c].group == group[g] && count < WCUT_FITTED_MAX) chosen[count++] = s->base + s->nuisances + c;
     if (!wcut_normal_equations_solve(&s->normal, count, chosen, s->centre, s->precision, -1, t, NULL, &cost))
         return false;
 
@@ -405,7 +405,7 @@ int wcut_screen_singles(const wcut_screen *s, wcut_screened *out) {
     return count;
 }
 
-static wcut_effect_kind kind_of(const wcut_screen *s, int group, int *choice) {
+static wcut_effect_kind group_kind(const wcut_screen *s, int group, int *choice) {
     for (int c = 0; c < s->columns; c++)
         if (s->column[c].group == group) {
             *choice = s->column[c].effect.choice;
@@ -414,7 +414,7 @@ static wcut_effect_kind kind_of(const wcut_screen *s, int group, int *choice) {
     return WCUT_EFFECT_COUNT;
 }
 
-int wcut_screen_pairs(const wcut_screen *s, int most, wcut_screened *out) {
+int wcut_screen_pairs(const wcut_screen *s, int max, wcut_screened *out) {
     int count = 0;
 
     /* every pair of groups, kept in order of gain */
@@ -422,14 +422,14 @@ int wcut_screen_pairs(const wcut_screen *s, int most, wcut_screened *out) {
         for (int j = i + 1; j < s->groups; j++) {
             int first, second;
             const int group[2] = {i, j};
-            const wcut_effect_kind kind = kind_of(s, i, &first);
+            const wcut_effect_kind kind = group_kind(s, i, &first);
             wcut_screened found;
-            if (kind == kind_of(s, j, &second)) continue; /* two of one kind are one explanation */
+            if (kind == group_kind(s, j, &second)) continue; /* two of one kind are one explanation */
             if (!wcut_screen_solve(s, 2, group, &found)) continue;
 
             /* append, or replace the last one if this one gains more */
-            int at = count < most ? count++ : most - 1;
-            if (at == most - 1 && count == most && out[at].groups == 2 && out[at].gain >= found.gain) continue;
+            int at = count < max ? count++ : max - 1;
+            if (at == max - 1 && count == max && out[at].groups == 2 && out[at].gain >= found.gain) continue;
             out[at] = found;
 
             /* move it up to its place */

@@ -2,7 +2,7 @@
 #ifndef WCUT_EXPLAIN_SCREEN_H
 #define WCUT_EXPLAIN_SCREEN_H
 
-#include "explain/fit.h"
+#include "explain/model_fit.h"
 
 /* A column: an effect whose first coordinate is free, at the shape its variant says. */
 typedef struct wcut_screen_column {
@@ -63,6 +63,6 @@ bool wcut_screen_solve(const wcut_screen *screen, int groups, const int *group, 
 int wcut_screen_singles(const wcut_screen *screen, wcut_screened *out);
 
 /* the best pairs of different kinds (or of one kind that may repeat), best first; out: most. Gives how many. */
-int wcut_screen_pairs(const wcut_screen *screen, int most, wcut_screened *out);
+int wcut_screen_pairs(const wcut_screen *screen, int max, wcut_screened *out);
 
 #endif

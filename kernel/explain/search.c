@@ -94,7 +94,7 @@ typedef struct searching {
     int done;
 } searching;
 
-static wcut_status step(searching *g, const char *stage, wcut_error *error) {
+static wcut_status search_step(searching *g, const char *stage, wcut_error *error) {
     if (!wcut_stop_step(g->e->stop, stage, g->done++)) return WCUT_OK;
     return wcut_fail(error, WCUT_INTERRUPTED, "interrupted");
 }
@@ -136,14 +136,14 @@ static wcut_status try_model(searching *g, const wcut_model *start, wcut_error *
     /* no model twice, and no more than there is room for */
     if (s->count == WCUT_CANDIDATES || tried(s, start)) return WCUT_OK;
     wcut_status status =
-        step(g, start->effects > 1 ? "pairs of effects were fitted" : "effects were fitted one by one", error);
+        search_step(g, start->effects > 1 ? "pairs of effects were fitted" : "effects were fitted one by one", error);
     if (status != WCUT_OK) return status;
 
     /* fit in full; one that does not converge is no candidate */
     wcut_candidate c = {.effects = start->effects};
     wcut_model model = *start; /* from the jobs' own wire length: without the effect it has gone where it could */
     model.length_change = 0;
-    status = wcut_fit_solve(g->e, &model, &c.fit, error);
+    status = wcut_model_fit(g->e, &model, &c.fit, error);
     if (status == WCUT_NO_MEMORY || status == WCUT_INTERRUPTED) return status;
     if (status != WCUT_OK) return WCUT_OK;
 
@@ -193,18 +193,18 @@ static int best_of_kinds(const wcut_screen *screen, wcut_screened *out, wcut_err
 }
 
 /* the scale of chance: what a row costs where nothing is left to explain, estimated from the best fit so far */
-static double scale(const wcut_search *s) {
-    double least = s->left.per_row;
-    for (int k = 0; k < s->count; k++) least = fmin(least, s->candidate[k].left.per_row);
-    return fmax(least, 1);
+static double chance_scale(const wcut_search *s) {
+    double min = s->left.per_row;
+    for (int k = 0; k < s->count; k++) min = fmin(min, s->candidate[k].left.per_row);
+    return fmax(min, 1);
 }
 
 /* A delay beyond what readings have in every rig: which effect it is, and how long. Readings are never early. */
 static bool late_readings(const wcut_fitted *f, wcut_effect *effect) {
     const double tension = f->delay[0], angle = f->delay[1];
-    const double least = wcut_explanation_view(WCUT_EFFECT_TENSION_DELAY)->gate;
+    const double min = wcut_explanation_view(WCUT_EFFECT_TENSION_DELAY)->gate;
     const bool alike = angle > 0.5 * tension && angle > 4 * f->delay_error[1];
-    if (tension < least + fmax(2 * f->delay_error[0], 0.01) || tension < 5 * f->delay_error[0]) return false;
+    if (tension < min + fmax(2 * f->delay_error[0], 0.01) || tension < 5 * f->delay_error[0]) return false;
     *effect = wcut_effect_default(alike ? WCUT_EFFECT_CLOCK_OFFSET : WCUT_EFFECT_TENSION_DELAY);
     effect->value[0] = tension;
     return true;
@@ -234,7 +234,7 @@ static wcut_status try_singles(searching *g, wcut_error *error) {
     wcut_screen *screen = &g->screen;
 
     /* columns of the whole library about the recalibrated model */
-    wcut_status status = step(g, "the library was screened", error);
+    wcut_status status = search_step(g, "the library was screened", error);
     if (status == WCUT_OK) status = wcut_screen_create(g->e, &s->none.model, s->none.open, g->without, screen, error);
     if (status != WCUT_OK) return status;
 
@@ -245,7 +245,7 @@ static wcut_status try_singles(searching *g, wcut_error *error) {
 
     // recalibration again, under the noise that is known now
     wcut_fitted again = {0};
-    status = wcut_fit_solve(g->e, &s->none.model, &again, error);
+    status = wcut_model_fit(g->e, &s->none.model, &again, error);
     if (status != WCUT_OK) return status;
     wcut_fitted_destroy(&s->none);
     s->none = again;
@@ -295,7 +295,7 @@ static wcut_status try_pairs(searching *g, wcut_error *error) {
 
     /* the screen about the best single effect */
     const wcut_model about = s->candidate[best].fit.model;
-    wcut_status status = step(g, "the library was screened for a second effect", error);
+    wcut_status status = search_step(g, "the library was screened for a second effect", error);
     if (status != WCUT_OK) return status;
     if (wcut_screen_move(g->e, &s->candidate[best].fit, &g->screen) != WCUT_OK)
         return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a second screen");
@@ -303,7 +303,7 @@ static wcut_status try_pairs(searching *g, wcut_error *error) {
     if (s->next < 0) return WCUT_NO_MEMORY;
 
     /* what would have to be gained to be more than chance */
-    const double chance = WORTH * scale(s);
+    const double chance = WORTH * chance_scale(s);
 
     /* the best single effect with a second one */
     for (int k = 0, full = 0; status == WCUT_OK && k < s->next && full < SECONDS; k++) {
@@ -379,8 +379,8 @@ wcut_status wcut_search_run(wcut_evidence *e, const bool without[WCUT_EFFECT_COU
     searching g = {.e = e, .s = s, .without = without, .done = e->stop ? e->stop->done + 1 : 0};
 
     /* the recalibration: the least that is handed out */
-    wcut_status status = step(&g, "the recalibration was fitted", error);
-    if (status == WCUT_OK) status = wcut_fit_solve(e, &e->at, &s->none, error);
+    wcut_status status = search_step(&g, "the recalibration was fitted", error);
+    if (status == WCUT_OK) status = wcut_model_fit(e, &e->at, &s->none, error);
     const bool fitted = status == WCUT_OK;
     if (status == WCUT_OK) {
         s->left = wcut_residual_stats_eval(e, s->none.standard);

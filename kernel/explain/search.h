@@ -49,7 +49,7 @@ enum { WCUT_SEARCH_STEPS = 12 };
 /*
  * Search a case, in up to WCUT_SEARCH_STEPS steps of evidence->stop.
  * WCUT_OK; WCUT_INTERRUPTED: what was found so far, where `none` was fitted at least, else nothing was written; as
- * wcut_fit_solve: nothing was written.
+ * wcut_model_fit: nothing was written.
  */
 wcut_status wcut_search_run(wcut_evidence *evidence, const bool without[WCUT_EFFECT_COUNT], wcut_search *out,
                             wcut_error *error);

@@ -8,7 +8,7 @@
 #include "base/fail.h"
 #include "base/numbers.h"
 #include "base/vec3.h"
-#include "cut/effects.h"
+#include "cut/active_effects.h"
 #include "cut/track.h"
 
 /* against 1e-10 a tension moves by 1e-5 N in the mean, a thousandth of a sensor noise */
@@ -197,7 +197,7 @@ static double heat_of(const driver *d, int i) {
     return sum / (i - d->last);
 }
 
-static bool advance(driver *d, int i) {
+static bool driver_advance(driver *d, int i) {
     const wcut_trajectory *t = d->trajectory;
     const double wait = t->sample ? (t->time[i] - d->time) / LONGEST : 1; /* an exogenous one is for differences */
     const int steps = (int)clamp(ceil(fmax(wait, t->station[i] - d->station)), 1, 1e6);
@@ -214,7 +214,7 @@ static bool advance(driver *d, int i) {
     return true;
 }
 
-static void keep(const driver *d, int i, wcut_response *out) {
+static void keep_response(const driver *d, int i, wcut_response *out) {
     wcut_station s;
     wcut_cut_view(d->cut, &s);
     const double value[WCUT_SIGNALS] = {s.tension_a, s.tension_b, s.alpha_a, s.beta_a, s.alpha_b, s.beta_b};
@@ -227,7 +227,7 @@ static void keep(const driver *d, int i, wcut_response *out) {
 }
 
 /* the wire leaves station 0 so early that it reaches the first sample at the pace of the first second */
-static void begin(driver *d) {
+static void driver_begin(driver *d) {
     const wcut_trajectory *t = d->trajectory;
     int i = 1;
     while (i < t->count - 1 && t->time[i] - t->time[0] < 1) i++;
@@ -237,7 +237,7 @@ static void begin(driver *d) {
 }
 
 /* a sample between two that were driven: on the line between them */
-static void interpolate(const driver *d, int low, int high, int i, wcut_response *out) {
+static void response_between(const driver *d, int low, int high, int i, wcut_response *out) {
     const double *time = d->trajectory->time, share = (time[i] - time[low]) / (time[high] - time[low]);
     for (int k = 2; k < WCUT_SIGNALS; k++)
         out->signal[k][i] = (1 - share) * out->signal[k][low] + share * out->signal[k][high];
@@ -261,7 +261,7 @@ static void fill_between(const driver *d, double *room, int *driven, wcut_respon
     for (int k = 0; k + 1 < count; k++) /* behind a failure nothing is known */
         for (int i = driven[k] + 1; i < driven[k + 1] && out->present[i] == 0; i++)
             if (d->trajectory->time[driven[k + 1]] - d->trajectory->time[driven[k]] < 2 * LONGEST)
-                interpolate(d, driven[k], driven[k + 1], i, out);
+                response_between(d, driven[k], driven[k + 1], i, out);
 
     // tensions on the line through the middles of the steps, both mounts
     for (int s = 0; s < 2 && count > 1; s++) {
@@ -280,15 +280,15 @@ static void fill_between(const driver *d, double *room, int *driven, wcut_respon
 /* false where it was stopped */
 static bool drive(driver *d, wcut_stop *stop, wcut_response *out) {
     const wcut_trajectory *t = d->trajectory;
-    begin(d);
+    driver_begin(d);
     wcut_cut_set_clock(d->cut, d->time);
     d->last = -1;
     for (int i = 0, failed = 0; i < t->count && failed < GIVE_UP; i++) {
         if (wcut_stop_asked(stop)) return false;
         if (d->middle && i > 0 && i < t->count - 1 && t->time[i] - d->time < SHORTEST) continue;
         if (d->middle) d->middle[i] = t->time[i];
-        const bool there = t->station[i] - d->station < STANDING ? i > 0 : advance(d, i);
-        if (there) keep(d, i, out);
+        const bool there = t->station[i] - d->station < STANDING ? i > 0 : driver_advance(d, i);
+        if (there) keep_response(d, i, out);
         failed = there ? 0 : failed + 1;
     }
     return true;

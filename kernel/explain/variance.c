@@ -81,7 +81,7 @@ void wcut_scatter_estimate(const wcut_evidence *own, const wcut_normal_equations
 static double shared_variance(const wcut_normal_equations *normal, int cut, const double *spread, const double *inverse,
                               int i, const double *covariance) {
     const int n = normal->n, m = normal->m;
-    double k[WCUT_FIT_MAX] = {0}, sum = 0;
+    double k[WCUT_FITTED_MAX] = {0}, sum = 0;
     for (int j = 0; j < m; j++) {
         const double weight = spread[i] * inverse[i * m + j] * spread[j];
         const double *cross = normal->cross + ((size_t)cut * (size_t)m + (size_t)j) * (size_t)n;
@@ -96,7 +96,7 @@ static double shared_variance(const wcut_normal_equations *normal, int cut, cons
 static bool step_scatter(wcut_evidence *own, const wcut_linear *p, wcut_normal_equations *normal, double *t,
                          double *covariance) {
     double square[WCUT_SCATTER_COUNT] = {0};
-    int chosen[WCUT_FIT_MAX], count[WCUT_SCATTER_COUNT] = {0};
+    int chosen[WCUT_FITTED_MAX], count[WCUT_SCATTER_COUNT] = {0};
     double cost;
 
     /* the shared coefficients and their covariance */
@@ -132,7 +132,7 @@ static bool step_scatter(wcut_evidence *own, const wcut_linear *p, wcut_normal_e
         const double v = h / 2 * (sqrt(n * n + 4 * square[k] / h) - n);
         const double from = own->noise.scatter[k] * own->noise.scatter[k];
         const double to = from > 0 ? v * pow(v / from, 0.8) : v;
-        own->noise.scatter[k] = clamp(sqrt(to), 1e-3 * info->width, info->most);
+        own->noise.scatter[k] = clamp(sqrt(to), 1e-3 * info->width, info->max);
     }
     wcut_normal_equations_weigh(own, normal);
 
@@ -219,8 +219,8 @@ static void step_slow(wcut_evidence *own, const wcut_linear *p, int group, const
 
 /* ---- both ---- */
 
-static void fill(const wcut_linear *p, wcut_evidence *own, double *column, double *residual,
-                 wcut_normal_equations *normal) {
+static void fill_equations(const wcut_linear *p, wcut_evidence *own, double *column, double *residual,
+                           wcut_normal_equations *normal) {
     const size_t rows = (size_t)own->rows;
     wcut_evidence_whiten_scatter(own, p->missing);
     for (int k = 0; k < p->n; k++)
@@ -242,15 +242,15 @@ static double prior_score(const wcut_evidence *own) {
 wcut_status wcut_variance_fit(const wcut_linear *p, wcut_evidence *own, double *column, double *residual,
                               wcut_normal_equations *normal, double *score) {
     const size_t rows = (size_t)own->rows;
-    double t[WCUT_FIT_MAX], cost;
-    int chosen[WCUT_FIT_MAX];
+    double t[WCUT_FITTED_MAX], cost;
+    int chosen[WCUT_FITTED_MAX];
     double *left = wcut_alloc(rows, sizeof *left), *room = wcut_alloc(rows, sizeof *room);
     double *covariance = wcut_alloc((size_t)p->n * (size_t)p->n, sizeof *covariance);
     wcut_status status = left && room && covariance ? WCUT_OK : WCUT_NO_MEMORY;
 
     // in turn: the scatter at this slow noise, the slow noise of what scatter and coefficients leave
     for (int round = 0; status == WCUT_OK && round < ROUNDS; round++) {
-        fill(p, own, column, residual, normal);
+        fill_equations(p, own, column, residual, normal);
         for (int k = 0; status == WCUT_OK && k < STEPS; k++)
             if (!step_scatter(own, p, normal, t, covariance)) status = WCUT_NOT_CONVERGED;
         if (status != WCUT_OK) break;
@@ -260,7 +260,7 @@ wcut_status wcut_variance_fit(const wcut_linear *p, wcut_evidence *own, double *
 
     /* the solution under the final variances */
     if (status == WCUT_OK) {
-        fill(p, own, column, residual, normal);
+        fill_equations(p, own, column, residual, normal);
         for (int k = 0; k < p->n; k++) chosen[k] = k;
         if (!wcut_normal_equations_solve(normal, p->n, chosen, p->centre, p->precision, -1, t, NULL, &cost))
             status = WCUT_NOT_CONVERGED;

@@ -15,9 +15,9 @@ typedef struct text {
     size_t size, at;
 } text;
 
-static void add(text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static void append_text(text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-static void add(text *t, const char *format, ...) {
+static void append_text(text *t, const char *format, ...) {
     va_list list;
     va_start(list, format);
     const int length = vsnprintf(t->to + t->at, t->size - t->at, format, list);
@@ -30,7 +30,7 @@ static void add(text *t, const char *format, ...) {
 static void add_number(text *t, const wcut_explanation *p, double value) {
     char number[64];
     snprintf(number, sizeof number, p->number, p->unit * value);
-    add(t, " (%s)", number);
+    append_text(t, " (%s)", number);
 }
 #pragma GCC diagnostic pop
 
@@ -41,14 +41,14 @@ static void add_effect(text *t, const wcut_found_effect *f) {
 
     /* a spot is told by where and how much */
     if (f->effect.kind == WCUT_EFFECT_FOAM_INCLUSION) {
-        add(t, "a spot %.0f %% %s at x %.0f, y %.0f, z %.0f mm, radius %.0f mm", fabs(100 * v[0]),
-            v[0] < 0 ? "softer" : "denser", v[2], v[3], v[4], v[1]);
+        append_text(t, "a spot %.0f %% %s at x %.0f, y %.0f, z %.0f mm, radius %.0f mm", fabs(100 * v[0]),
+                    v[0] < 0 ? "softer" : "denser", v[2], v[3], v[4], v[1]);
         return;
     }
-    add(t, "%s", p->phrase);
-    if (info->choice) add(t, " [%s %s]", info->choice_key, info->choice[f->effect.choice]);
+    append_text(t, "%s", p->phrase);
+    if (info->choice) append_text(t, " [%s %s]", info->choice_key, info->choice[f->effect.choice]);
     if (f->effect.kind == WCUT_EFFECT_KERF_GROWTH && f->effect.choice == 1)
-        add(t, " (%.2f mm for e times the heat)", f->effect.value[1]);
+        append_text(t, " (%.2f mm for e times the heat)", f->effect.value[1]);
     else
         add_number(t, p, f->effect.value[0]);
 }
@@ -59,22 +59,22 @@ void wcut_diagnosis_sentence(wcut_diagnosis *d) {
     char scatter[WCUT_DIAGNOSIS_TEXT - 150];
     switch (d->kind) {
         case WCUT_VERDICT_NONE:
-            add(&t, "Nothing is wrong beyond noise: the recalibrated simulation predicts these cuts");
+            append_text(&t, "Nothing is wrong beyond noise: the recalibrated simulation predicts these cuts");
             wcut_rig_sentence(d, sizeof scatter, scatter);
-            if (scatter[0]) add(&t, " within what the rig scatters (%s)", scatter);
-            add(&t, ".");
+            if (scatter[0]) append_text(&t, " within what the rig scatters (%s)", scatter);
+            append_text(&t, ".");
             return;
         case WCUT_VERDICT_UNKNOWN:
-            add(&t, "Something that is in no list changes these cuts");
+            append_text(&t, "Something that is in no list changes these cuts");
             if (d->mismatches > 0) {
                 const wcut_mismatch *m = &d->mismatch[0];
-                add(&t, ", most of all %s of cut %d from %.0f to %.0f s", m->column, m->cut + 1, m->time[0],
-                    m->time[1]);
+                append_text(&t, ", most of all %s of cut %d from %.0f to %.0f s", m->column, m->cut + 1, m->time[0],
+                            m->time[1]);
             }
-            add(&t, "; no term that was tried holds on cuts left out.");
+            append_text(&t, "; no term that was tried holds on cuts left out.");
             return;
         case WCUT_VERDICT_AMBIGUOUS:
-            add(&t, "Either ");
+            append_text(&t, "Either ");
             break;
         default:
             break;
@@ -82,24 +82,24 @@ void wcut_diagnosis_sentence(wcut_diagnosis *d) {
 
     /* the effects, joined with "and", or "or" where several explain the same */
     for (int k = 0; k < d->effects; k++) {
-        if (k > 0) add(&t, d->kind == WCUT_VERDICT_AMBIGUOUS ? ", or " : ", and ");
+        if (k > 0) append_text(&t, d->kind == WCUT_VERDICT_AMBIGUOUS ? ", or " : ", and ");
         add_effect(&t, &d->effect[k]);
     }
 
     /* a sentence begins with a capital letter */
-    add(&t, ".");
+    append_text(&t, ".");
     if (t.at > 0 && d->kind != WCUT_VERDICT_AMBIGUOUS && d->sentence[0] >= 'a' && d->sentence[0] <= 'z')
         d->sentence[0] = (char)(d->sentence[0] - 'a' + 'A');
 }
 
 /* ---- limits ---- */
 
-enum { LIMITS_MOST = 12 };
+enum { LIMITS_MAX = 12 };
 
-static void limit(wcut_diagnosis *d, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static void add_limit(wcut_diagnosis *d, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-static void limit(wcut_diagnosis *d, const char *format, ...) {
-    if (d->limits == LIMITS_MOST) return;
+static void add_limit(wcut_diagnosis *d, const char *format, ...) {
+    if (d->limits == LIMITS_MAX) return;
     va_list list;
     va_start(list, format);
     vsnprintf(d->limit[d->limits++], WCUT_DIAGNOSIS_TEXT, format, list);
@@ -117,34 +117,35 @@ static int missing_channels(const wcut_recording *r) {
 static void limit_cuts(wcut_diagnosis *d, int cuts, const wcut_diagnosis_cut *cut) {
     /* count what the cuts have: scans, excitations, commanded speeds, empty channels, range of heats */
     int used = 0, scans = 0, excited = 0, commands = 0, missing = 0;
-    double least = HUGE_VAL, most = 0;
+    double min = HUGE_VAL, max = 0;
     for (int k = 0; k < cuts; k++) {
         if (!cut[k].job || !cut[k].recording) {
-            limit(d, "Cut %d is left out: it has no %s.", k + 1, cut[k].job ? "recording" : "job");
+            add_limit(d, "Cut %d is left out: it has no %s.", k + 1, cut[k].job ? "recording" : "job");
             continue;
         }
         used++, scans += cut[k].scan != NULL, commands += has_commands(cut[k].recording);
         excited += cut[k].job->dither_count > 0 || cut[k].job->heat_step_count > 0;
         missing += missing_channels(cut[k].recording);
-        least = fmin(least, cut[k].job->heat), most = fmax(most, cut[k].job->heat);
+        min = fmin(min, cut[k].job->heat), max = fmax(max, cut[k].job->heat);
     }
 
     /* a sentence for everything that is missing */
     if (used == 1)
-        limit(d,
-              "With one cut nothing can be held out, and what belongs to the block is not told from what belongs to "
-              "time.");
-    if (scans == 0) limit(d, "Without a scan nothing can be said of kerf, springback or the scanner.");
+        add_limit(
+            d,
+            "With one cut nothing can be held out, and what belongs to the block is not told from what belongs to "
+            "time.");
+    if (scans == 0) add_limit(d, "Without a scan nothing can be said of kerf, springback or the scanner.");
     if (excited == 0)
-        limit(d,
-              "No cut has an excitation: a clock offset, a short lag and a dependence on the speed are hardly told "
-              "apart (wirecut identify makes such cuts).");
-    if (used > 0 && commands == 0) limit(d, "The commanded speed is not recorded: the diagnosis has less power.");
-    if (missing > 0) limit(d, "%d channels of the recordings are empty and say nothing.", missing);
-    if (used > 0 && most < 1.05 * least)
-        limit(d,
-              "All cuts have one heat: a and b are told apart by the speed alone, and losses of heat are hidden in "
-              "them.");
+        add_limit(d,
+                  "No cut has an excitation: a clock offset, a short lag and a dependence on the speed are hardly told "
+                  "apart (wirecut identify makes such cuts).");
+    if (used > 0 && commands == 0) add_limit(d, "The commanded speed is not recorded: the diagnosis has less power.");
+    if (missing > 0) add_limit(d, "%d channels of the recordings are empty and say nothing.", missing);
+    if (used > 0 && max < 1.05 * min)
+        add_limit(d,
+                  "All cuts have one heat: a and b are told apart by the speed alone, and losses of heat are hidden in "
+                  "them.");
 }
 
 static void limit_calibration(wcut_diagnosis *d, int test_cuts, const wcut_test_cut *calibration) {
@@ -152,32 +153,33 @@ static void limit_calibration(wcut_diagnosis *d, int test_cuts, const wcut_test_
     if (!fit) return; /* one sentence less */
     wcut_calibration_point *none = NULL;
     if (test_cuts == 0)
-        limit(d, "There is no calibration table: a and b come from these cuts alone.");
+        add_limit(d, "There is no calibration table: a and b come from these cuts alone.");
     else if (wcut_calibration_fit(test_cuts, calibration, NULL, fit, none, NULL) == WCUT_OK) {
         const double reference = fit->reference_force, speed = d->b.value * fit->reference_heat * 1000;
         const double ours = speed / log(d->a.value / reference);
         if (reference < d->a.value && fabs(ours - fit->reference_speed) > 4 * fit->reference_speed_error)
-            limit(d,
-                  "The calibration table contradicts the cuts: at %.4f N/mm and %.0f W/m it has %.1f +- %.1f mm/s, the "
-                  "cuts %.1f.",
-                  reference, fit->reference_heat, fit->reference_speed, 2 * fit->reference_speed_error, ours);
+            add_limit(
+                d,
+                "The calibration table contradicts the cuts: at %.4f N/mm and %.0f W/m it has %.1f +- %.1f mm/s, the "
+                "cuts %.1f.",
+                reference, fit->reference_heat, fit->reference_speed, 2 * fit->reference_speed_error, ours);
     }
     wcut_free(fit);
 }
 
 bool wcut_diagnosis_limits(wcut_diagnosis *d, int cuts, const wcut_diagnosis_cut *cut, int test_cuts,
                            const wcut_test_cut *calibration) {
-    d->limit = wcut_alloc(LIMITS_MOST, sizeof *d->limit);
+    d->limit = wcut_alloc(LIMITS_MAX, sizeof *d->limit);
     if (!d->limit) return false;
     limit_cuts(d, cuts, cut);
     if (d->unprofiled[0])
-        limit(d, "Intervals are those of the misfit's curvature, not of its profile: %s.", d->unprofiled);
-    if (d->unproven[0]) limit(d, "There is no forward proof: %s.", d->unproven);
+        add_limit(d, "Intervals are those of the misfit's curvature, not of its profile: %s.", d->unprofiled);
+    if (d->unproven[0]) add_limit(d, "There is no forward proof: %s.", d->unproven);
     limit_calibration(d, test_cuts, calibration);
     for (int k = 0; k < d->effects; k++)
         if (d->effect[k].effect.kind == WCUT_EFFECT_TENSION_GAIN && d->effect[k].effect.choice < 2)
-            limit(d,
-                  "Which of the two tension sensors is off is not told: one gain up and the other down differ by a "
-                  "alone.");
+            add_limit(d,
+                      "Which of the two tension sensors is off is not told: one gain up and the other down differ by a "
+                      "alone.");
     return true;
 }

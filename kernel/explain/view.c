@@ -7,7 +7,7 @@
 #include "base/alloc.h"
 
 /* the scan's patches of a cut, with what of them lies above the recalibrated surface */
-static bool keep_patches(const wcut_patches *p, wcut_diagnosis_view *v) {
+static bool view_patches(const wcut_patches *p, wcut_diagnosis_view *v) {
     if (p->count == 0) return true;
     v->point = wcut_copy(p->point, (size_t)p->count, sizeof *v->point);
     v->distance = wcut_copy(p->distance, (size_t)p->count, sizeof *v->distance);
@@ -46,7 +46,7 @@ wcut_status wcut_view_fill(const wcut_evidence *e, const wcut_fitted *after, int
 
     /* the block, and the scan's patches */
     v->block = c->job->block_size, v->nodes = d.nodes, v->cut = v->rows > 1 ? cut : -1;
-    status = v->surface && keep_patches(&c->patch, v) ? WCUT_OK : WCUT_NO_MEMORY;
+    status = v->surface && view_patches(&c->patch, v) ? WCUT_OK : WCUT_NO_MEMORY;
 
     wcut_response_destroy(&d);
     return status;

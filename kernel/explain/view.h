@@ -2,7 +2,7 @@
 #ifndef WCUT_EXPLAIN_VIEW_H
 #define WCUT_EXPLAIN_VIEW_H
 
-#include "explain/fit.h"
+#include "explain/model_fit.h"
 
 /* The cut of the first mismatch, or the first one of the case, run along its exogenous trajectory under a fit's model. Where
    that fails the view stays empty. WCUT_OK; WCUT_INTERRUPTED, WCUT_NO_MEMORY: what was taken is the view's to free. */

@@ -8,7 +8,7 @@
 #include "base/vec3.h"
 
 /* how far a wire's cross-section at coordinate y is between two faces, 0 .. 1 */
-static double ramp(double y, double size, double depth) {
+static double face_ramp(double y, double size, double depth) {
     return clamp(fmin(y / depth + 0.5, (size - y) / depth + 0.5), 0, 1);
 }
 
@@ -71,7 +71,7 @@ static int find_pieces(const wcut_block *b, wcut_vec3 p, wcut_vec3 q, const slab
 }
 
 static double weight_at(const wcut_block *b, wcut_vec3 x) {
-    return ramp(x.y, b->size.y, b->depth) * ramp(x.z, b->size.z, b->depth);
+    return face_ramp(x.y, b->size.y, b->depth) * face_ramp(x.z, b->size.z, b->depth);
 }
 
 /* Integral of the weight over the slab, and its gradient along y and z. Simpson's rule is exact: on a piece every
@@ -93,7 +93,7 @@ static double integrate(const wcut_block *b, wcut_vec3 p, wcut_vec3 q, const sla
         for (int i = 0; i < 3; i++) {
             const double s = at[k] + h * i / 2, w = simpson[i] * h;
             const wcut_vec3 x = vec3_mix(p, q, s);
-            const double ry = ramp(x.y, b->size.y, b->depth), rz = ramp(x.z, b->size.z, b->depth);
+            const double ry = face_ramp(x.y, b->size.y, b->depth), rz = face_ramp(x.z, b->size.z, b->depth);
             sum += w * ry * rz;
             dp->y += w * slope_y * rz * (1 - s), dq->y += w * slope_y * rz * s;
             dp->z += w * slope_z * ry * (1 - s), dq->z += w * slope_z * ry * s;

@@ -113,7 +113,7 @@ static wcut_status find_reference(int n, const wcut_calibration_point *point, co
 }
 
 /* the arrays that both laws are fitted to, in one block of 8n */
-static wcut_law_data lay_out(int n, const wcut_test_cut *cut, double *block, double **tension) {
+static wcut_law_data lay_out_data(int n, const wcut_test_cut *cut, double *block, double **tension) {
     size_t m = (size_t)n;
     double *q = block, *force = q + m, *weight = force + m, *log_heat = weight + m, *log_speed = log_heat + m;
     *tension = log_speed + m;
@@ -129,8 +129,8 @@ static wcut_law_data lay_out(int n, const wcut_test_cut *cut, double *block, dou
 }
 
 /* why equation (2) does not come out of these cuts */
-static wcut_status explain_failure(wcut_status status, const wcut_calibration *c, const wcut_law_data *d,
-                                   wcut_error *error) {
+static wcut_status explain_no_law(wcut_status status, const wcut_calibration *c, const wcut_law_data *d,
+                                  wcut_error *error) {
     /* the causes one by one, the most specific first */
     int positive = 0;
     for (int i = 0; i < d->n; i++) positive += d->y[i] > 0;
@@ -162,7 +162,7 @@ wcut_status wcut_calibration_fit(int n, const wcut_test_cut *cut, const wcut_cal
     if (status != WCUT_OK) return status;
 
     double *block = wcut_alloc(7 * (size_t)n, sizeof *block), *tension;
-    wcut_fit_point *of_law = wcut_alloc((size_t)n, sizeof *of_law);
+    wcut_law_fit_point *of_law = wcut_alloc((size_t)n, sizeof *of_law);
     wcut_calibration_point *found = wcut_alloc((size_t)n, sizeof *found);
     wcut_calibration c = {.told_apart = 0};
     if (!block || !of_law || !found) {
@@ -171,13 +171,13 @@ wcut_status wcut_calibration_fit(int n, const wcut_test_cut *cut, const wcut_cal
     }
 
     /* columns of the table as arrays; what the cuts span */
-    wcut_law_data data = lay_out(n, cut, block, &tension);
+    wcut_law_data data = lay_out_data(n, cut, block, &tension);
     describe_cuts(n, cut, &data, o.alpha_large, block + 6 * (size_t)n, &c);
 
     /* equation (2): at least two levels of Q_eff are needed */
     status = c.q_effs < 2 ? WCUT_DEGENERATE : wcut_law_fit_solve(&data, &o, &c.force, of_law);
     if (status != WCUT_OK) {
-        explain_failure(status, &c, &data, error);
+        explain_no_law(status, &c, &data, error);
         goto done;
     }
 

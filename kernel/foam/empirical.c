@@ -113,7 +113,7 @@ static part of_wave(const double *v, int axis, const wcut_term_node *node) {
 }
 
 /* 1 between two places, with soft edges */
-static double between(double at, double from, double to, double edge, double *slope) {
+static double soft_window(double at, double from, double to, double edge, double *slope) {
     const double low = tanh((at - from) / edge), high = tanh((at - to) / edge);
     *slope = ((1 - low * low) - (1 - high * high)) / (2 * edge);
     return (low - high) / 2;
@@ -121,7 +121,7 @@ static double between(double at, double from, double to, double edge, double *sl
 
 static part of_band(const double *v, int axis, const wcut_term_node *node) {
     double slope;
-    const double value = between(component(node->x, axis), v[2], v[3], v[4], &slope);
+    const double value = soft_window(component(node->x, axis), v[2], v[3], v[4], &slope);
     return (part){.value = v[0] * value, .by_position = along(axis, v[0] * slope)};
 }
 
@@ -199,7 +199,7 @@ static part of_entry(const wcut_locality *at, const double *v, const wcut_term_n
 static part of_clock(const wcut_locality *at, int term, const double *v, const wcut_term_node *node) {
     const double step = 1 / node->rate, now = at->clock + step;
     double slope = 0.01, value = (v[2] + now) / 100;
-    if (term == WCUT_TERM_WINDOW) value = between(now, v[2], v[3], v[4], &slope);
+    if (term == WCUT_TERM_WINDOW) value = soft_window(now, v[2], v[3], v[4], &slope);
     return (part){.value = v[0] * value, .by_log_rate = -v[0] * slope * step};
 }
 

@@ -33,7 +33,7 @@ typedef struct ranked {
     int index;
 } ranked;
 
-static int compare(const void *a, const void *b) {
+static int compare_ranks(const void *a, const void *b) {
     const ranked *x = a, *y = b;
     if (x->value != y->value) return x->value < y->value ? -1 : 1;
     return x->index - y->index;
@@ -45,7 +45,7 @@ wcut_status wcut_gaussian_scores(int n, const double *value, double *score) {
     ranked *order = wcut_alloc((size_t)n, sizeof *order);
     if (!order) return WCUT_NO_MEMORY;
     for (int i = 0; i < n; i++) order[i] = (ranked){value[i], i};
-    qsort(order, (size_t)n, sizeof *order, compare);
+    qsort(order, (size_t)n, sizeof *order, compare_ranks);
     for (int k = 0; k < n; k++) score[order[k].index] = wcut_gaussian_quantile((k + 1 - 0.375) / (n + 0.25));
     wcut_free(order);
     return WCUT_OK;

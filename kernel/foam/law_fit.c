@@ -10,7 +10,7 @@
 #include "base/numbers.h"
 
 /* more cuts are left out one at a time by leverage, to first order, instead of by refitting */
-enum { REFIT_MOST = 200 };
+enum { REFIT_MAX = 200 };
 
 /* what the residual function sees: the data, the standard deviations as they stand, and the parameters in use */
 typedef struct trial {
@@ -105,9 +105,9 @@ static wcut_status start_with_c(const wcut_law_data *d, const double *weight, co
         root[i] = sqrt(weight[i] * loss_weight[i]) / law_at(x, 2, d->q[i]);
         if (!isfinite(root[i])) return WCUT_DEGENERATE;
     }
-    const double least = 0.05 / (high - low), most = 50 / (high - low);
+    const double min = 0.05 / (high - low), max = 50 / (high - low);
     for (int k = 0; k < 80; k++) {
-        double cost = cost_at_decay(d, root, least * pow(most / least, k / 79.0), work, candidate);
+        double cost = cost_at_decay(d, root, min * pow(max / min, k / 79.0), work, candidate);
         if (cost < best) best = cost, memcpy(x, candidate, sizeof candidate);
     }
     return best < INFINITY ? WCUT_OK : WCUT_DEGENERATE;
@@ -283,7 +283,7 @@ static wcut_status test_flexible(const trial *t, const solution *s, const double
 
 /* the share of each cut in its own fitted value: the diagonal of J (J^T J)^-1 J^T, J scaled and weighted */
 static wcut_status find_leverages(const trial *t, const solution *s, const double *loss_weight, double *work,
-                                  wcut_fit_point *point) {
+                                  wcut_law_fit_point *point) {
     const wcut_law_data *d = t->d;
     int n = d->n, p = s->parameters;
     double inverse[9] = {0}, x[3];
@@ -300,7 +300,7 @@ static wcut_status find_leverages(const trial *t, const solution *s, const doubl
 
 /* each cut predicted by the law of the others */
 static wcut_status leave_out(trial *t, const solution *s, const wcut_calibration_options *o, double *work,
-                             wcut_law_fit *fit, wcut_fit_point *point) {
+                             wcut_law_fit *fit, wcut_law_fit_point *point) {
     const wcut_law_data *d = t->d;
     int n = d->n, p = s->parameters;
 
@@ -312,7 +312,7 @@ static wcut_status leave_out(trial *t, const solution *s, const wcut_calibration
         wcut_status status = WCUT_OK;
 
         /* many cuts: one step by the leverage instead of a new fit (Cook 1977) */
-        if (n > REFIT_MOST) {
+        if (n > REFIT_MAX) {
             double off = point[i].measured - point[i].fitted;
             point[i].left_out = point[i].measured - off / fmax(1 - point[i].leverage, 1e-9);
         } else {
@@ -345,10 +345,10 @@ double wcut_law_fit_error(const wcut_law_fit *fit, double q) {
 }
 
 /* what a reader should look at twice; data on the law itself leave rounding alone, nothing unusual */
-static void mark_unusual(const wcut_law_data *d, int parameters, const wcut_law_fit *fit, wcut_fit_point *point) {
+static void mark_unusual(const wcut_law_data *d, int parameters, const wcut_law_fit *fit, wcut_law_fit_point *point) {
     const double share = (double)parameters / d->n;
     for (int i = 0; i < d->n && fit->scale > 1e-12; i++) {
-        wcut_fit_point *at = &point[i];
+        wcut_law_fit_point *at = &point[i];
         double error = wcut_law_fit_error(fit, d->q[i]);
         at->influence = error > 0 ? (at->fitted - at->left_out) / error : 0;
         at->unusual = (fabs(at->residual) > 3 ? WCUT_UNUSUAL_OUTLIER : 0) +
@@ -378,7 +378,7 @@ static void keep_solution(const trial *t, const solution *s, const wcut_calibrat
 
 /* all that is known beside the parameters; t->sigma is that of the solution */
 static wcut_status examine(trial *t, const solution *s, const wcut_calibration_options *o, double *work,
-                           wcut_law_fit *fit, wcut_fit_point *point) {
+                           wcut_law_fit *fit, wcut_law_fit_point *point) {
     const wcut_law_data *d = t->d;
 
     /* fitted values and standardised residuals */
@@ -386,12 +386,12 @@ static wcut_status examine(trial *t, const solution *s, const wcut_calibration_o
     for (int i = 0; i < d->n; i++) {
         double fitted = law_at(s->x, s->parameters, d->q[i]), off = (d->y[i] - fitted) * sqrt(d->weight[i]);
         double unit = s->report.scale * t->sigma[i];
-        point[i] = (wcut_fit_point){.measured = d->y[i],
-                                    .fitted = fitted,
-                                    .residual = unit > 0 ? off / unit : 0,
-                                    .loss_weight = loss_weight[i],
-                                    .left_out = fitted,
-                                    .relative = d->y[i] / fitted - 1};
+        point[i] = (wcut_law_fit_point){.measured = d->y[i],
+                                        .fitted = fitted,
+                                        .residual = unit > 0 ? off / unit : 0,
+                                        .loss_weight = loss_weight[i],
+                                        .left_out = fitted,
+                                        .relative = d->y[i] / fitted - 1};
     }
 
     /* lack of fit by replicates, or by a more flexible law where there are none */
@@ -413,11 +413,11 @@ static wcut_status examine(trial *t, const solution *s, const wcut_calibration_o
 }
 
 wcut_status wcut_law_fit_solve(const wcut_law_data *d, const wcut_calibration_options *o, wcut_law_fit *fit,
-                               wcut_fit_point *point) {
+                               wcut_law_fit_point *point) {
     /* room for all scratch of the fit */
     size_t n = (size_t)d->n;
     double *work = wcut_alloc(9 * n, sizeof *work);
-    wcut_fit_point *found = wcut_alloc(n, sizeof *found);
+    wcut_law_fit_point *found = wcut_alloc(n, sizeof *found);
     wcut_status status = work && found ? WCUT_OK : WCUT_NO_MEMORY;
     if (status != WCUT_OK) goto done;
 

@@ -20,7 +20,7 @@ typedef struct wcut_law_data {
  * want one that does not fall with Q_eff; WCUT_NOT_CONVERGED; WCUT_NO_MEMORY: nothing was written.
  */
 wcut_status wcut_law_fit_solve(const wcut_law_data *data, const wcut_calibration_options *options, wcut_law_fit *fit,
-                               wcut_fit_point *point);
+                               wcut_law_fit_point *point);
 
 /* the standard error of a fitted law's value at q [J/m^2] by the delta method: sqrt(g^T C g) [N/mm] */
 double wcut_law_fit_error(const wcut_law_fit *fit, double q);

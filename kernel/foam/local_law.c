@@ -9,7 +9,7 @@
 #include "foam/empirical.h"
 #include "foam/force_law.h"
 
-static const wcut_effect *find(const wcut_locality *at, wcut_effect_kind kind) {
+static const wcut_effect *find_local_effect(const wcut_locality *at, wcut_effect_kind kind) {
     for (int e = 0; e < at->count; e++)
         if (at->effect[e].kind == kind) return &at->effect[e];
     return NULL;
@@ -74,7 +74,7 @@ typedef struct power { /* [W/m] and how it changes */
     wcut_vec3 by_position;
 } power;
 
-static void scale(power *q, double factor) {
+static void scale_power(power *q, double factor) {
     q->value *= factor, q->by_speed *= factor, q->by_log_rate *= factor;
     q->by_position = vec3_scale(factor, q->by_position);
 }
@@ -83,7 +83,7 @@ static void scale(power *q, double factor) {
 static void overheat(const wcut_effect *e, double age, double rate, power *q) {
     const double tau = e->value[1], excess = (e->value[0] - 1) * exp(-(age + 1 / rate) / tau);
     const double by_log_rate = excess / tau / rate * q->value;
-    scale(q, 1 + excess);
+    scale_power(q, 1 + excess);
     q->by_log_rate += by_log_rate;
 }
 
@@ -113,7 +113,7 @@ static thermal cool(const wcut_effect *e, const wcut_node_state *s, double heat,
 }
 
 /* q = H(v) theta reaches the foam, not Q */
-static void delay(const wcut_effect *e, const wcut_node_state *s, double rate, double speed, power *q) {
+static void delay_power(const wcut_effect *e, const wcut_node_state *s, double rate, double speed, power *q) {
     const thermal t = cool(e, s, q->value, rate, speed);
     const double follows = 1 - t.hold; /* d theta / d steady */
     const double steady_by_speed = q->by_speed / t.loss - t.steady * t.loss_by_speed / t.loss;
@@ -130,8 +130,9 @@ static double cooled_ends(const wcut_effect *e, double edge, int n, int i) {
 
 static power supply(const wcut_locality *at, double heat, double rate, int n, int i) {
     power q = {.value = heat};
-    const wcut_effect *end = find(at, WCUT_EFFECT_END_COOLING), *air = find(at, WCUT_EFFECT_AIR_OVERHEATING);
-    if (end) scale(&q, cooled_ends(end, at->edge, n, i));
+    const wcut_effect *end = find_local_effect(at, WCUT_EFFECT_END_COOLING),
+                      *air = find_local_effect(at, WCUT_EFFECT_AIR_OVERHEATING);
+    if (end) scale_power(&q, cooled_ends(end, at->edge, n, i));
     if (air) overheat(air, at->age, rate, &q);
     return q;
 }
@@ -143,8 +144,9 @@ wcut_local_law wcut_local_law_eval(const wcut_locality *at, const wcut_block *bl
     /* coefficients at this place, and the heat that arrives at this node */
     const factors f = coefficients(at, block, x, i);
     power q = supply(at, heat, rate, n, i);
-    const wcut_effect *lag = find(at, WCUT_EFFECT_WIRE_THERMAL_LAG), *faster = find(at, WCUT_EFFECT_RATE_DEPENDENCE);
-    if (lag) delay(lag, &at->state[i], rate, speed, &q);
+    const wcut_effect *lag = find_local_effect(at, WCUT_EFFECT_WIRE_THERMAL_LAG),
+                      *faster = find_local_effect(at, WCUT_EFFECT_RATE_DEPENDENCE);
+    if (lag) delay_power(lag, &at->state[i], rate, speed, &q);
     wcut_local_law out = {.heat = q.value};
 
     /* a node at rest has no force */
@@ -179,21 +181,21 @@ wcut_local_law wcut_local_law_eval(const wcut_locality *at, const wcut_block *bl
 wcut_node_state wcut_node_state_after(const wcut_locality *at, double heat, double rate, double speed, double inside,
                                       int n, int i) {
     wcut_node_state state = {.set = true, .way = at->state[i].way + inside * speed / rate};
-    const wcut_effect *lag = find(at, WCUT_EFFECT_WIRE_THERMAL_LAG);
+    const wcut_effect *lag = find_local_effect(at, WCUT_EFFECT_WIRE_THERMAL_LAG);
     power q = supply(at, heat, rate, n, i);
     if (!lag) {
         wcut_term_remember(at, rate, speed, q.value, i, state.held);
         return state;
     }
     const thermal t = cool(lag, &at->state[i], q.value, rate, speed);
-    delay(lag, &at->state[i], rate, speed, &q);
+    delay_power(lag, &at->state[i], rate, speed, &q);
     wcut_term_remember(at, rate, speed, q.value, i, state.held);
     state.theta = t.theta, state.steady = t.steady, state.loss = t.loss;
     return state;
 }
 
 bool wcut_locality_drag(const wcut_locality *at, double *mu, double *smooth) {
-    const wcut_effect *drag = find(at, WCUT_EFFECT_TANGENTIAL_DRAG);
+    const wcut_effect *drag = find_local_effect(at, WCUT_EFFECT_TANGENTIAL_DRAG);
     if (!drag) return false;
     *mu = drag->value[0], *smooth = drag->value[1];
     return true;

@@ -80,8 +80,8 @@ static void add_drag(const motion *m, double mu, double smooth, bool slopes, mat
 }
 
 /* what effects add to the plain force and its slopes */
-static void add_effects(const wcut_locality *local, const motion *m, bool slopes, bool first, bool last,
-                        wcut_resistance *out) {
+static void add_effect_forces(const wcut_locality *local, const motion *m, bool slopes, bool first, bool last,
+                              wcut_resistance *out) {
     const double per_law = m->e->length * m->across / (m->distance * m->distance);
     out->by_log_rate = vec3_add_scaled(out->by_log_rate, -m->law->by_log_rate * per_law, m->move);
     if (slopes) out->by_here = mat3_add_outer(out->by_here, vec3_scale(-per_law, m->move), m->law->by_position);
@@ -152,5 +152,5 @@ void wcut_resistance_eval(const wcut_foam *foam, double heat, double edge, doubl
 
     /* effects add forces along the wire and at the ends */
     const motion m = {move, normal, t, p, distance, along, across, span_length, speed, rate, &e, &at};
-    add_effects(foam->local, &m, slopes, i == 0, i == n - 1, out);
+    add_effect_forces(foam->local, &m, slopes, i == 0, i == n - 1, out);
 }

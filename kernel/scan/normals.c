@@ -13,8 +13,8 @@ enum { BLOCK = 1024 };
 static const double FAR = 1e12;
 static const double FLAT = 1e-6; /* [1] variance across over variance along, below which a neighbourhood is a line */
 
-wcut_normal_options wcut_normal_options_default(void) {
-    return (wcut_normal_options){.neighbours = 16, .side = {0, 0, 1}, .steep = 0.5};
+wcut_normals_options wcut_normals_options_default(void) {
+    return (wcut_normals_options){.neighbours = 16, .side = {0, 0, 1}, .steep = 0.5};
 }
 
 /* a symmetric matrix */
@@ -79,8 +79,8 @@ static void normals_find_normals(const wcut_kd_tree *t, int neighbours, int firs
     }
 }
 
-static wcut_status normals_solve(const wcut_kd_tree *t, const wcut_normal_options *o, int threads, wcut_vec3 *normal,
-                                 wcut_normal_report *report) {
+static wcut_status normals_solve(const wcut_kd_tree *t, const wcut_normals_options *o, int threads, wcut_vec3 *normal,
+                                 wcut_normals_report *report) {
     const int blocks = t->count / BLOCK + (t->count % BLOCK > 0);
 #pragma omp parallel for schedule(dynamic) num_threads(wcut_threads(threads))
     for (int b = 0; b < blocks; b++)
@@ -90,9 +90,9 @@ static wcut_status normals_solve(const wcut_kd_tree *t, const wcut_normal_option
     return wcut_orient(t, o->neighbours, vec3_unit(o->side), o->steep, threads, normal, report);
 }
 
-wcut_status wcut_cloud_normals(int count, const wcut_vec3 *point, const wcut_normal_options *options, int threads,
-                               wcut_vec3 *normal, wcut_normal_report *report) {
-    const wcut_normal_options o = options ? *options : wcut_normal_options_default();
+wcut_status wcut_cloud_normals(int count, const wcut_vec3 *point, const wcut_normals_options *options, int threads,
+                               wcut_vec3 *normal, wcut_normals_report *report) {
+    const wcut_normals_options o = options ? *options : wcut_normals_options_default();
     if (count < 3 || !point || threads < 1 || !normal) return WCUT_BAD_ARGUMENT;
     if (o.neighbours < 2 || o.neighbours > WCUT_KD_NEAREST_MAX || !(o.steep >= 0 && o.steep <= 1) ||
         !is_positive(vec3_length(o.side)))
@@ -102,7 +102,7 @@ wcut_status wcut_cloud_normals(int count, const wcut_vec3 *point, const wcut_nor
     wcut_kd_tree tree;
     wcut_status status = wcut_kd_tree_build(count, point, threads, &tree);
     if (status != WCUT_OK) return status;
-    wcut_normal_report r = {0, 0, 0};
+    wcut_normals_report r = {0, 0, 0};
     wcut_vec3 *found = wcut_alloc((size_t)count, sizeof *found);
     status = found ? normals_solve(&tree, &o, threads, found, &r) : WCUT_NO_MEMORY;
     if (status == WCUT_OK) {

@@ -83,7 +83,7 @@ static void orient_offer(orientation *o, int place, int number) {
 /* ---- the graph ---- */
 
 /* |n . side| of every point that has a normal; who waits is listed, who does not is turned */
-static wcut_status list_waiting(orientation *o, double steep, wcut_normal_report *report) {
+static wcut_status list_waiting(orientation *o, double steep, wcut_normals_report *report) {
     const int count = o->tree->count;
     for (int p = 0; p < count; p++) {
         const double along = vec3_dot(o->normal[p], o->side);
@@ -185,7 +185,7 @@ static int orient_compare(const void *a, const void *b) {
     return (x->number > y->number) - (x->number < y->number);
 }
 
-static wcut_status orient_walk(orientation *o, wcut_normal_report *report) {
+static wcut_status orient_walk(orientation *o, wcut_normals_report *report) {
     const int n = o->waiting_count;
     rank *order = wcut_alloc((size_t)n, sizeof *order);
     const wcut_status status = order ? WCUT_OK : WCUT_NO_MEMORY;
@@ -209,7 +209,7 @@ static wcut_status orient_walk(orientation *o, wcut_normal_report *report) {
 }
 
 wcut_status wcut_orient(const wcut_kd_tree *tree, int neighbours, wcut_vec3 side, double steep, int threads,
-                        wcut_vec3 *normal, wcut_normal_report *report) {
+                        wcut_vec3 *normal, wcut_normals_report *report) {
     orientation o = {.tree = tree, .side = side, .normal = normal};
     o.k = neighbours < NEIGHBOURS_MAX ? neighbours : NEIGHBOURS_MAX;
     o.number = wcut_alloc((size_t)tree->count, sizeof *o.number);

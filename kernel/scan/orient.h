@@ -11,6 +11,6 @@
    the `neighbours` nearest (Hoppe, DeRose, Duchamp, McDonald, Stuetzle 1992); a piece without a fixed one as a whole,
    so that its sum points to the side. Counts go into the report. WCUT_NO_MEMORY: the normals are still unit or 0. */
 wcut_status wcut_orient(const wcut_kd_tree *tree, int neighbours, wcut_vec3 side, double steep, int threads,
-                        wcut_vec3 *normal, wcut_normal_report *report);
+                        wcut_vec3 *normal, wcut_normals_report *report);
 
 #endif

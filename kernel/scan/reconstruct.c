@@ -146,7 +146,7 @@ static wcut_status cut(const job *j, wcut_reconstruction *r) {
     return status;
 }
 
-static wcut_status reconstruct(job *j, wcut_reconstruction *r, wcut_error *error) {
+static wcut_status reconstruct_job(job *j, wcut_reconstruction *r, wcut_error *error) {
     const wcut_reconstruction_options *o = j->options;
     r->point_spacing = point_spacing(&j->tree);
     if (!(r->point_spacing > 0))
@@ -186,7 +186,7 @@ wcut_status wcut_reconstruction_create(const wcut_surface *surface, int count, c
         wcut_free(r);
         return wcut_fail(error, status, "reconstruction: %s", wcut_status_text(status));
     }
-    status = reconstruct(&j, r, error);
+    status = reconstruct_job(&j, r, error);
     wcut_kd_tree_clear(&j.tree);
     if (status != WCUT_OK)
         wcut_reconstruction_destroy(r);

@@ -200,18 +200,19 @@ wcut_status wcut_registration_solve_datum(int pairs, const wcut_datum_pair *pair
 
 /* ---- what is left ---- */
 
-static bool is_finite(wcut_vec3 p) { return isfinite(p.x) && isfinite(p.y) && isfinite(p.z); }
+static bool is_finite_point(wcut_vec3 p) { return isfinite(p.x) && isfinite(p.y) && isfinite(p.z); }
 
 static bool are_datums(int pairs, const wcut_datum_pair *pair, int faces, const wcut_datum_face *face) {
     if (pairs < 0 || faces < 0 || (pairs > 0 && !pair) || (faces > 0 && !face)) return false;
     for (int k = 0; k < pairs; k++)
-        if (!is_finite(pair[k].scan) || !is_finite(pair[k].block)) return false;
+        if (!is_finite_point(pair[k].scan) || !is_finite_point(pair[k].block)) return false;
     for (int k = 0; k < faces; k++) {
         const wcut_datum_face *f = &face[k];
-        if (f->count < 1 || !f->scan || !is_finite(f->point) || !is_finite(f->normal) || !(vec3_length(f->normal) > 0))
+        if (f->count < 1 || !f->scan || !is_finite_point(f->point) || !is_finite_point(f->normal) ||
+            !(vec3_length(f->normal) > 0))
             return false;
         for (int i = 0; i < f->count; i++)
-            if (!is_finite(f->scan[i])) return false;
+            if (!is_finite_point(f->scan[i])) return false;
     }
     return true;
 }

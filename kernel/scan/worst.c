@@ -195,7 +195,7 @@ static area flood(const wcut_lattice *l, const signed char *side, unsigned char 
     return a;
 }
 
-static wcut_worst worst_of(const wcut_lattice *l, const area *a) {
+static wcut_worst worst_area(const wcut_lattice *l, const area *a) {
     const wcut_cell *c = &a->sum;
     const double side = l->side;
     return (wcut_worst){
@@ -232,7 +232,7 @@ wcut_status wcut_worst_list(const wcut_lattice *lattice, int *count, wcut_worst 
         for (int k = 0; k < cells; k++) {
             if (side[k] == 0 || seen[k]) continue;
             const area a = flood(lattice, side, seen, stack, k);
-            place_in(worst, count, worst_of(lattice, &a));
+            place_in(worst, count, worst_area(lattice, &a));
         }
     }
     wcut_free(seen);

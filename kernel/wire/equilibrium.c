@@ -111,8 +111,8 @@ static void place_nodes(int n, const wcut_vec3 *force, const double *length, wcu
 }
 
 /* unbalance is told over the largest force in the chain: that of a taut wire is far above its load */
-static void measure(int n, const wcut_vec3 *force, const double *length, const wcut_vec3 *x, const double *q,
-                    double load, wcut_equilibrium_report *r) {
+static void measure_unbalance(int n, const wcut_vec3 *force, const double *length, const wcut_vec3 *x, const double *q,
+                              double load, wcut_equilibrium_report *r) {
     for (int e = 0; e < n - 1; e++) {
         r->strain = fmax(r->strain, fabs(vec3_distance(x[e], x[e + 1]) / length[e] - 1));
         load = fmax(load, q[e] * length[e]);
@@ -145,7 +145,7 @@ wcut_status wcut_equilibrium_shape(int n, const wcut_vec3 *force, const double *
 
     /* positions and force densities from h, and how well they fit */
     place_nodes(n, force, length, h, x, q);
-    measure(n, force, length, x, q, load, &r);
+    measure_unbalance(n, force, length, x, q, load, &r);
     if (report) *report = r;
 
     return r.strain <= o->tolerance && r.unbalance <= o->tolerance ? WCUT_OK : WCUT_NOT_CONVERGED;

@@ -132,8 +132,8 @@ public unsafe struct wcut_calibration_options
 public unsafe struct wcut_calibration_point
 {
     public double q_eff;
-    public wcut_fit_point force;
-    public wcut_fit_point tension;
+    public wcut_law_fit_point force;
+    public wcut_law_fit_point tension;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_case
@@ -502,8 +502,8 @@ public unsafe struct wcut_diagnosis
     public wcut_rig_row* rig;
     public int cuts;
     public byte* held_out;
-    public wcut_fit fit_0, fit_1, fit_2, fit_3, fit_4, fit_5, fit_6, fit_7, fit_8, fit_9, fit_10, fit_11, fit_12, fit_13, fit_14, fit_15, fit_16, fit_17, fit_18, fit_19;
-    public wcut_fit held_out_fit_0, held_out_fit_1, held_out_fit_2, held_out_fit_3, held_out_fit_4, held_out_fit_5, held_out_fit_6, held_out_fit_7, held_out_fit_8, held_out_fit_9, held_out_fit_10, held_out_fit_11, held_out_fit_12, held_out_fit_13, held_out_fit_14, held_out_fit_15, held_out_fit_16, held_out_fit_17, held_out_fit_18, held_out_fit_19;
+    public wcut_evidence_score score_0, score_1, score_2, score_3, score_4, score_5, score_6, score_7, score_8, score_9, score_10, score_11, score_12, score_13, score_14, score_15, score_16, score_17, score_18, score_19;
+    public wcut_evidence_score held_out_score_0, held_out_score_1, held_out_score_2, held_out_score_3, held_out_score_4, held_out_score_5, held_out_score_6, held_out_score_7, held_out_score_8, held_out_score_9, held_out_score_10, held_out_score_11, held_out_score_12, held_out_score_13, held_out_score_14, held_out_score_15, held_out_score_16, held_out_score_17, held_out_score_18, held_out_score_19;
     public wcut_correction correction;
     public fixed byte withheld[160];
     public wcut_job* improved;
@@ -641,6 +641,16 @@ public unsafe struct wcut_event
     public double heat;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_evidence_score
+{
+    public int count;
+    public double rmsd;
+    public double nrmsd;
+    public double rmse_over_range;
+    public double low;
+    public double high;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_face
 {
     public wcut_surface* surface;
@@ -689,29 +699,6 @@ public unsafe struct wcut_feasibility
     public int station;
     public double radius_min;
     public fixed byte reason[240];
-}
-[StructLayout(LayoutKind.Sequential)]
-public unsafe struct wcut_fit
-{
-    public int count;
-    public double rmsd;
-    public double nrmsd;
-    public double rmse_over_range;
-    public double low;
-    public double high;
-}
-[StructLayout(LayoutKind.Sequential)]
-public unsafe struct wcut_fit_point
-{
-    public double measured;
-    public double fitted;
-    public double residual;
-    public double loss_weight;
-    public double left_out;
-    public double relative;
-    public double leverage;
-    public double influence;
-    public int unusual;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_foot
@@ -908,6 +895,19 @@ public unsafe struct wcut_law_fit
     public double evidence;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_law_fit_point
+{
+    public double measured;
+    public double fitted;
+    public double residual;
+    public double loss_weight;
+    public double left_out;
+    public double relative;
+    public double leverage;
+    public double influence;
+    public int unusual;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_loft_report
 {
     public int used;
@@ -1038,14 +1038,14 @@ public unsafe struct wcut_mould_options
     public wcut_mesh* stock;
 }
 [StructLayout(LayoutKind.Sequential)]
-public unsafe struct wcut_normal_options
+public unsafe struct wcut_normals_options
 {
     public int neighbours;
     public wcut_vec3 side;
     public double steep;
 }
 [StructLayout(LayoutKind.Sequential)]
-public unsafe struct wcut_normal_report
+public unsafe struct wcut_normals_report
 {
     public int undefined;
     public int propagated;
@@ -1888,7 +1888,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern void wcut_cloud_destroy(wcut_cloud* a0);
     [DllImport("wirecut-io")] public static extern int wcut_cloud_keep(int a0, byte* a1, wcut_vec3* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_cloud_locate(int a0, wcut_vec3* a1, int a2, wcut_vec3* a3, int a4, double* a5);
-    [DllImport("wirecut-io")] public static extern wcut_status wcut_cloud_normals(int a0, wcut_vec3* a1, wcut_normal_options* a2, int a3, wcut_vec3* a4, wcut_normal_report* a5);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_cloud_normals(int a0, wcut_vec3* a1, wcut_normals_options* a2, int a3, wcut_vec3* a4, wcut_normals_report* a5);
     [DllImport("wirecut-io")] public static extern wcut_cloud_options wcut_cloud_options_default();
     [DllImport("wirecut-io")] public static extern wcut_status wcut_cloud_read(byte* a0, wcut_cloud_options* a1, wcut_cloud** a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_cloud_source_create(byte* a0, wcut_cloud_options* a1, void** a2, wcut_error* a3);
@@ -2040,7 +2040,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern void wcut_mould_destroy(wcut_mould* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_mould_print(wcut_mould* a0, byte* a1, byte** a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_mould_write(wcut_mould* a0, byte* a1, byte* a2, wcut_error* a3);
-    [DllImport("wirecut-io")] public static extern wcut_normal_options wcut_normal_options_default();
+    [DllImport("wirecut-io")] public static extern wcut_normals_options wcut_normals_options_default();
     [DllImport("wirecut-io")] public static extern byte* wcut_part_name(wcut_part a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_path_clearance(int a0, wcut_vec3* a1, wcut_box* a2, double a3, wcut_path_near* a4);
     [DllImport("wirecut-io")] public static extern byte* wcut_phase_name(wcut_phase a0);

@@ -14,8 +14,8 @@ TEST(any_number_may_be_asked_for) {
     ck_assert_int_eq(wcut_threads(1), 1);
     ck_assert_int_eq(wcut_threads(INT_MIN), 1);
     ck_assert_int_eq(wcut_threads(2), 2);
-    const int most = wcut_threads(INT_MAX);
-    ck_assert(most >= 1 && most <= WCUT_THREADS_MAX);
+    const int max = wcut_threads(INT_MAX);
+    ck_assert(max >= 1 && max <= WCUT_THREADS_MAX);
     ck_assert_int_eq(wcut_threads(1), 1);
 }
 

@@ -182,7 +182,7 @@ static void bench_kernel(int count, const wcut_vec3 *p) {
     wcut_vec3 *normal = get((size_t)count, sizeof *normal);
     for (int threads = 1; threads <= 2; threads++) {
         wcut_clean_report r;
-        wcut_normal_report found;
+        wcut_normals_report found;
         double cpu = now(), start = wall();
         if (wcut_cloud_clean(count, p, NULL, threads, removal, &r) != WCUT_OK) exit(1);
         printf("clean, %d thread(s): %.2f s CPU, %.2f s; kept %d, duplicates %d, outliers %d, limit %.3f mm\n", threads,
@@ -192,8 +192,8 @@ static void bench_kernel(int count, const wcut_vec3 *p) {
         if (wcut_cloud_normals(count, p, NULL, threads, normal, &found) != WCUT_OK) exit(1);
         printf("normals, %d thread(s): %.2f s CPU, %.2f s\n", threads, now() - cpu, wall() - start);
     }
-    wcut_normal_options whole = wcut_normal_options_default();
-    wcut_normal_report found;
+    wcut_normals_options whole = wcut_normals_options_default();
+    wcut_normals_report found;
     whole.steep = 1;
     const double cpu = now();
     if (wcut_cloud_normals(count, p, &whole, 1, normal, &found) != WCUT_OK) exit(1);

@@ -50,19 +50,19 @@ static double time_step(wcut_control *control, const double *tension, long i, lo
 
 /* The same cut again and again: an interruption hits another step in every pass, the step's own cost does not. */
 static bool repeat(const double *tension) {
-    double *least = calloc(REPEATED, sizeof *least), longest = 0, speed;
-    for (int pass = 0; least && pass < PASSES; pass++) {
+    double *min = calloc(REPEATED, sizeof *min), longest = 0, speed;
+    for (int pass = 0; min && pass < PASSES; pass++) {
         wcut_control *control = make();
         for (long i = 0; control && i < REPEATED; i++) {
             const double took = time_step(control, tension, i, REPEATED, &speed);
-            least[i] = pass > 0 ? fmin(least[i], took) : took;
+            min[i] = pass > 0 ? fmin(min[i], took) : took;
         }
         wcut_control_destroy(control);
     }
-    for (long i = 0; least && i < REPEATED; i++) longest = fmax(longest, least[i]);
+    for (long i = 0; min && i < REPEATED; i++) longest = fmax(longest, min[i]);
     printf("least of %d passes over the same %d steps: the dearest step takes %.0f ns\n", PASSES, REPEATED, longest);
-    const bool done = least != NULL;
-    free(least);
+    const bool done = min != NULL;
+    free(min);
     return done;
 }
 
@@ -74,10 +74,10 @@ int main(int argc, char **argv) {
     if (steps < 1 || !control) return 1;
     wcut_random random = wcut_random_seed(1);
     for (int i = 0; i < INPUTS; i++) tension[i] = 2 + 0.05 * wcut_random_normal(&random);
-    double longest = 0, sum = 0, least = INFINITY, speed = 0;
+    double longest = 0, sum = 0, min = INFINITY, speed = 0;
     for (long i = 0; i < 1000000; i++) { /* what the clock itself costs */
         const double begun = now();
-        least = fmin(least, now() - begun);
+        min = fmin(min, now() - begun);
     }
     for (long i = 0; i < steps; i++) {
         const double took = time_step(control, tension, i, steps, &speed);
@@ -92,7 +92,7 @@ int main(int argc, char **argv) {
     printf(
         "%ld steps, clock included (%.0f ns): mean %.0f ns, median %.0f, 99 %% %.0f, 99.99 %% %.0f, longest %.0f ns; "
         "%ld beyond 2 us; ended in \"%s\" at %.2f mm/s\n",
-        steps, least, sum / (double)steps, at_share(bin, steps, 0.5), at_share(bin, steps, 0.99),
+        steps, min, sum / (double)steps, at_share(bin, steps, 0.5), at_share(bin, steps, 0.99),
         at_share(bin, steps, 0.9999), longest, over, wcut_control_state_name(view.state), speed);
     wcut_control_destroy(control);
     return repeat(tension) ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -19,11 +19,11 @@
 #define TO 1180.0
 #define WATCHED 1000.0 /* [mm] where the error is taken */
 
-enum { MOST = 2300, STEPS = 10 };
+enum { MAX = 2300, STEPS = 10 };
 
 typedef struct run { /* what one run said: y of the mounts, speed, alpha */
     int stations, reached;
-    double y[MOST], speed[MOST], alpha[MOST];
+    double y[MAX], speed[MAX], alpha[MAX];
 } run;
 
 static double smooth(double t) {

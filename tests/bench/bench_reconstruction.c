@@ -112,18 +112,18 @@ static double lost_of(const court *c, const wcut_mesh *mesh) {
 static void judge(const char *name, double seconds, const court *c, const wcut_mesh *mesh) {
     const int count = mesh->vertex_count;
     wcut_foot *foot = calloc((size_t)count, sizeof *foot);
-    double sum = 0, most = 0;
+    double sum = 0, max = 0;
     int inside = 0;
     need(foot && wcut_projection_locate(c->projection, count, mesh->vertex, 2, foot) == WCUT_OK, "no feet");
     for (int k = 0; k < count; k++) {
         if (foot[k].beyond || wcut_kd_tree_distance(c->tree, mesh->vertex[k], 2 * SUPPORT) > SUPPORT) continue;
         const double e = foot[k].height - deviation(foot[k].u, foot[k].v);
         sum += e * e;
-        most = fmax(most, fabs(e));
+        max = fmax(max, fabs(e));
         inside++;
     }
     printf("%-28s %7.2f s  %8d vertices  error %.4f mm RMS, %.3f at most  %6.2f %% beyond the support  %5.2f %% lost\n",
-           name, seconds, count, sqrt(sum / inside), most, 100.0 * (count - inside) / count, lost_of(c, mesh));
+           name, seconds, count, sqrt(sum / inside), max, 100.0 * (count - inside) / count, lost_of(c, mesh));
     fflush(stdout);
     free(foot);
 }

@@ -18,7 +18,7 @@ enum { CELL_W = 150, CELL_H = 54, LEFT = 190, TOP = 58, GAP = 10 };
 static const char *const heading[CHANNELS] = {"tension, motion given", "speed, tension held", "alpha", "beta",
                                               "scan, at W/4"};
 static const char *const unit[CHANNELS] = {"N", "mm/s", "deg", "deg", "mm"};
-static const double least[CHANNELS] = {0.01, 0.1, 0.1, 0.1, 0.05}; /* smaller changes are drawn flat */
+static const double min[CHANNELS] = {0.01, 0.1, 0.1, 0.1, 0.05}; /* smaller changes are drawn flat */
 
 typedef struct run {
     int stations;
@@ -159,7 +159,7 @@ static void draw_cell(const run *plain, const run *r, int c, double x, double y)
     const int stations = r->stations < plain->stations ? r->stations : plain->stations;
     const double size = size_of(plain, r, c, stations);
     printf("<path class=\"z\" d=\"M%g %gh%d\"/>\n", x, y + CELL_H / 2.0, CELL_W);
-    if (size < least[c]) return;
+    if (size < min[c]) return;
     for (int m = 0; m < (c < 4 ? 2 : 1); m++) {
         printf("<path class=\"%s\" d=\"", c == 4 ? "f" : m ? "b" : "a");
         for (int k = 0; k < POINTS; k++) {

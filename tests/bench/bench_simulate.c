@@ -46,7 +46,7 @@ typedef struct cost {
 static cost time_cut(int nodes, int stations) {
     wcut_error error = {0};
     wcut_setup *setup = sample_setup(nodes, stations);
-    cost least = {.seconds = 1e9};
+    cost min = {.seconds = 1e9};
     for (int run = 0; run < RUNS; run++) {
         wcut_cut *cut = NULL;
         long iterations = 0;
@@ -60,11 +60,11 @@ static cost time_cut(int nodes, int stations) {
         }
         wcut_cut_destroy(cut);
         const double seconds = cpu_now() - start;
-        if (seconds < least.seconds) least.seconds = seconds;
-        least.iterations = (double)iterations / stations;
+        if (seconds < min.seconds) min.seconds = seconds;
+        min.iterations = (double)iterations / stations;
     }
     wcut_setup_destroy(setup);
-    return least;
+    return min;
 }
 
 static void stream_cut(const char *folder, int nodes, int stations) {

@@ -172,7 +172,7 @@ TEST(the_excitation_is_run_once_the_wire_is_in_and_can_be_left_out) {
     settings.tension_absurd = 400;
     cut(false);
     const wcut_column *c = run->recording.channel;
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < run->recording.samples; i++) {
         const double time = c[WCUT_CHANNEL_TIME].value[i], set = c[WCUT_CHANNEL_HEAT].value[i];
         if (time > 20.1 && time < 29.9) ck_assert(set == 0.9 * job->heat);
@@ -180,12 +180,12 @@ TEST(the_excitation_is_run_once_the_wire_is_in_and_can_be_left_out) {
         if (run->phase[i] == WCUT_PHASE_STEADY) {
             const double factor = c[WCUT_CHANNEL_SPEED_COMMAND].value[i] / run->planned[i];
             ck_assert_double_eq_tol(factor, 1 + 0.2 * sin(2 * acos(-1) * time / 4), 0.03);
-            most = fmax(most, factor);
+            max = fmax(max, factor);
         }
         if (run->phase[i] == WCUT_PHASE_APPROACH)
             ck_assert_double_le(c[WCUT_CHANNEL_SPEED_COMMAND].value[i], settings.speed_max);
     }
-    ck_assert_double_gt(most, 1.15);
+    ck_assert_double_gt(max, 1.15);
     options.excitation = false;
     cut(false);
     for (int i = 0; i < run->recording.samples; i++)

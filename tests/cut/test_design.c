@@ -117,15 +117,15 @@ static bool passes(int n, const wcut_vec3 *x, double side, bool from_b, wcut_vec
 }
 
 static double distance_to_edge(const wcut_curve *edge, wcut_vec3 p) {
-    double least = 1e9;
+    double min = 1e9;
     wcut_vec3 from = point_on(edge, 0);
     for (int i = 1; i <= 500; i++) {
         const wcut_vec3 to = point_on(edge, i / 500.0), d = vec3_sub(to, from);
         const double t = clamp(vec3_dot(vec3_sub(p, from), d) / vec3_dot(d, d), 0, 1);
-        least = fmin(least, vec3_distance(p, vec3_add_scaled(from, t, d)));
+        min = fmin(min, vec3_distance(p, vec3_add_scaled(from, t, d)));
         from = to;
     }
-    return least;
+    return min;
 }
 
 /* What is drawn is what is cut: the wire leaves the block on the edges from the first millimetre on. At the very entry it

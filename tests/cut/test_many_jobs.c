@@ -12,7 +12,7 @@ typedef struct outcome {
     wcut_error error;
     wobble wobble;
     double residual;
-    int stations, iterations, most_iterations, substeps;
+    int stations, iterations, max_iterations, substeps;
 } outcome;
 
 static outcome cut_job(const char *path, int stations) {
@@ -30,7 +30,7 @@ static outcome cut_job(const char *path, int stations) {
         for (int j = 0; j < h->stations; j++) {
             o.residual = fmax(o.residual, h->row[j].residual);
             o.iterations += h->row[j].iterations;
-            if (h->row[j].iterations > o.most_iterations) o.most_iterations = h->row[j].iterations;
+            if (h->row[j].iterations > o.max_iterations) o.max_iterations = h->row[j].iterations;
             if (h->row[j].substeps > o.substeps) o.substeps = h->row[j].substeps;
         }
     }
@@ -41,7 +41,7 @@ static outcome cut_job(const char *path, int stations) {
 }
 
 /* false where there are no such jobs */
-static bool cut_all(const char *pattern, int stations, int least) {
+static bool cut_all(const char *pattern, int stations, int min) {
     glob_t found;
     if (glob(pattern, 0, NULL, &found) != 0) return false;
     const int count = (int)found.gl_pathc;
@@ -64,15 +64,15 @@ static bool cut_all(const char *pattern, int stations, int least) {
         worst.wobble.speed = fmax(worst.wobble.speed, o->wobble.speed);
         worst.wobble.angle = fmax(worst.wobble.angle, o->wobble.angle);
         worst.wobble.force = fmax(worst.wobble.force, o->wobble.force);
-        if (o->most_iterations > worst.most_iterations) worst.most_iterations = o->most_iterations;
+        if (o->max_iterations > worst.max_iterations) worst.max_iterations = o->max_iterations;
         if (o->substeps > worst.substeps) worst.substeps = o->substeps;
     }
     printf(
         "%d jobs, %d stations: iterations %.2f in the mean, %d at most; sub-steps %d at most; residual %.1e at most; "
         "wobble %.1e of the speed, %.1e rad, %.1e of the force\n",
-        count, worst.stations, (double)worst.iterations / worst.stations, worst.most_iterations, worst.substeps,
+        count, worst.stations, (double)worst.iterations / worst.stations, worst.max_iterations, worst.substeps,
         worst.residual, worst.wobble.speed, worst.wobble.angle, worst.wobble.force);
-    ck_assert_int_ge(count, least);
+    ck_assert_int_ge(count, min);
     free(all);
     globfree(&found);
     return true;

@@ -100,9 +100,9 @@ TEST(the_replay_of_a_driven_wire_is_that_wire) {
         ck_assert_int_eq(compare_signal(recording, prediction, k, &worst), SAMPLES);
         ck_assert_msg(worst < 1e-8, "signal %d: %g", k, worst);
     }
-    double most = 0; /* the wire was in the foam at all */
-    for (int i = 0; i < SAMPLES; i++) most = fmax(most, prediction->value[TENSION_A][i]);
-    ck_assert(most > 0.5);
+    double max = 0; /* the wire was in the foam at all */
+    for (int i = 0; i < SAMPLES; i++) max = fmax(max, prediction->value[TENSION_A][i]);
+    ck_assert(max > 0.5);
     forget();
 }
 

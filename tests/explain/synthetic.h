@@ -7,7 +7,7 @@
 #include "base/alloc.h"
 #include "base/random.h"
 #include "cut/trials.h"
-#include "explain/fit.h"
+#include "explain/model_fit.h"
 
 enum { SYNTHETIC_CUTS = 3, SYNTHETIC_SAMPLES = 330 };
 
@@ -136,7 +136,7 @@ static inline wcut_fitted fit_of(const wcut_evidence *e, int effects, wcut_effec
     wcut_fitted f = {.count = 999};
     wcut_error error = {0};
     start.effects = effects, start.effect[0] = effect;
-    const wcut_status status = wcut_fit_solve(e, &start, &f, &error);
+    const wcut_status status = wcut_model_fit(e, &start, &f, &error);
     ck_assert_msg(status == WCUT_OK, "%s", error.text);
     return f;
 }

@@ -32,15 +32,15 @@ static machine_secret one(wcut_effect_kind kind, int choice, double strength, ui
 
 /* the wire's own tension off its target, at most, once the loop has had its time to take hold and before the path ends */
 static double held_within(const wcut_rig_run *run, double from) {
-    double most = 0;
+    double max = 0;
     int samples = 0;
     for (int i = 0; i < run->recording.samples; i++) {
         const double time = run->recording.channel[WCUT_CHANNEL_TIME].value[i];
         if (time < from || time > run->duration - 1) continue;
-        most = fmax(most, fabs(run->tension[i] / run->target - 1)), samples++;
+        max = fmax(max, fabs(run->tension[i] / run->target - 1)), samples++;
     }
     ck_assert_int_gt(samples, 200);
-    return most;
+    return max;
 }
 
 TEST(the_loop_holds_the_tension_and_the_effect_is_found_all_the_same) {
@@ -88,7 +88,7 @@ TEST(a_coarse_recording_is_no_late_one) {
     wcut_model model = e->at;
     ck_assert_int_eq(wcut_evidence_predict(e, &model, false, &error), WCUT_OK);
     model.effects = 1, model.effect[0] = machine_effect(WCUT_EFFECT_CLOCK_OFFSET, 0, 0.02, 0);
-    ck_assert_int_eq(wcut_fit_solve(e, &model, &f, &error), WCUT_OK);
+    ck_assert_int_eq(wcut_model_fit(e, &model, &f, &error), WCUT_OK);
     ck_assert_msg(fabs(f.model.effect[0].value[0]) < 0.03, "%.4f s", f.model.effect[0].value[0]);
     wcut_fitted_destroy(&f);
     wcut_evidence_destroy(e);
@@ -166,7 +166,7 @@ TEST(the_search_finds_nothing_in_residuals_that_are_shuffled_in_time) {
     ck_assert_int_eq(wcut_evidence_create(m.cuts, m.cut, false, 1, NULL, &e, &error), WCUT_OK);
     const wcut_model plain = e->at;
     ck_assert_int_eq(wcut_evidence_predict(e, &plain, false, &error), WCUT_OK);
-    ck_assert_int_eq(wcut_fit_solve(e, &plain, &first, &error), WCUT_OK);
+    ck_assert_int_eq(wcut_model_fit(e, &plain, &first, &error), WCUT_OK);
     ck_assert_int_eq(wcut_evidence_predict(e, &first.model, false, &error), WCUT_OK);
     shuffle(e, &random);
     ck_assert_int_eq(wcut_evidence_predict(e, &first.model, false, &error), WCUT_OK); /* the noise follows */

@@ -33,7 +33,7 @@ static void forget(void) {
 }
 
 static wcut_cross_validation prove(const wcut_fitted *recalibrated, const wcut_fitted *chosen) {
-    wcut_cross_validation p = {.fit = {{{999}}}};
+    wcut_cross_validation p = {.score = {{{999}}}};
     wcut_error error = {0};
     const wcut_status status = wcut_cross_validation_create(evidence, recalibrated, chosen, 1, &p, &error);
     ck_assert_msg(status == WCUT_OK, "%s", error.text);
@@ -44,33 +44,34 @@ TEST(a_true_effect_predicts_left_out_cuts_better_than_any_law) {
     given_a_lag(SYNTHETIC_CUTS, false, 2);
     wcut_cross_validation p = prove(&none, &lag);
     const int tension = WCUT_EVIDENCE_CHANNEL_TENSION, alpha = WCUT_EVIDENCE_CHANNEL_ALPHA;
-    const wcut_fit *before = p.held_out_fit[WCUT_FIT_MODEL_BEFORE],
-                   *again = p.held_out_fit[WCUT_FIT_MODEL_RECALIBRATED];
-    const wcut_fit *after = p.held_out_fit[WCUT_FIT_MODEL_AFTER];
+    const wcut_evidence_score *before = p.held_out_score[WCUT_EVIDENCE_MODEL_BEFORE],
+                              *again = p.held_out_score[WCUT_EVIDENCE_MODEL_RECALIBRATED];
+    const wcut_evidence_score *after = p.held_out_score[WCUT_EVIDENCE_MODEL_AFTER];
     ck_assert_double_lt(after[tension].rmsd, 0.6 * again[tension].rmsd);
     ck_assert_double_lt(after[tension].rmse_over_range, 0.6 * again[tension].rmse_over_range);
     /* a law that is bent to take up a lag is no better than one that is off by a seventh */
     ck_assert_double_lt(after[tension].rmse_over_range, 0.6 * before[tension].rmse_over_range);
     ck_assert_double_lt(after[alpha].rmsd, again[alpha].rmsd);
     /* in sample it is no worse */
-    ck_assert_double_le(p.fit[WCUT_FIT_MODEL_AFTER][tension].rmsd, 1.02 * after[tension].rmsd);
-    for (int m = 0; m < WCUT_FIT_MODEL_BLACK_BOX; m++) {
+    ck_assert_double_le(p.score[WCUT_EVIDENCE_MODEL_AFTER][tension].rmsd, 1.02 * after[tension].rmsd);
+    for (int m = 0; m < WCUT_EVIDENCE_MODEL_BLACK_BOX; m++) {
         for (int k = WCUT_EVIDENCE_CHANNEL_TENSION; k <= WCUT_EVIDENCE_CHANNEL_BETA; k++) {
-            const wcut_fit *f = &p.held_out_fit[m][k];
+            const wcut_evidence_score *f = &p.held_out_score[m][k];
             int bins = 0;
             for (int cut = 0; cut < SYNTHETIC_CUTS; cut++) bins += 2 * (evidence->cut[cut].bins / 2);
             ck_assert(f->count > 0.9 * bins && f->count <= bins);
             ck_assert(f->low > 0 && f->low <= f->rmse_over_range && f->rmse_over_range <= f->high);
         }
         /* programmed cuts have no plan, and these were not scanned */
-        ck_assert_int_eq(p.fit[m][WCUT_EVIDENCE_CHANNEL_SPEED].count, 0);
-        ck_assert_int_eq(p.fit[m][WCUT_EVIDENCE_CHANNEL_SCAN].count, 0);
+        ck_assert_int_eq(p.score[m][WCUT_EVIDENCE_CHANNEL_SPEED].count, 0);
+        ck_assert_int_eq(p.score[m][WCUT_EVIDENCE_CHANNEL_SCAN].count, 0);
     }
     for (int k = 0; k < WCUT_EVIDENCE_CHANNEL_COUNT; k++) {
-        ck_assert_int_eq(p.fit[WCUT_FIT_MODEL_BLACK_BOX][k].count, 0);
-        if (p.fit[WCUT_FIT_MODEL_BEFORE][k].count == 0) continue;
+        ck_assert_int_eq(p.score[WCUT_EVIDENCE_MODEL_BLACK_BOX][k].count, 0);
+        if (p.score[WCUT_EVIDENCE_MODEL_BEFORE][k].count == 0) continue;
         /* what nothing was fitted to is the same, held out or not */
-        ck_assert_double_eq(p.fit[WCUT_FIT_MODEL_BEFORE][k].rmsd, p.held_out_fit[WCUT_FIT_MODEL_BEFORE][k].rmsd);
+        ck_assert_double_eq(p.score[WCUT_EVIDENCE_MODEL_BEFORE][k].rmsd,
+                            p.held_out_score[WCUT_EVIDENCE_MODEL_BEFORE][k].rmsd);
     }
     wcut_cross_validation_destroy(&p);
     forget();
@@ -89,14 +90,15 @@ TEST(jobs_with_the_correction_applied_score_what_the_table_says_of_the_model) {
     }
     wcut_cross_validation again = prove(&none, &none);
     for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) {
-        const wcut_fit *after = &p.fit[WCUT_FIT_MODEL_AFTER][c], *job = &again.fit[WCUT_FIT_MODEL_BEFORE][c];
+        const wcut_evidence_score *after = &p.score[WCUT_EVIDENCE_MODEL_AFTER][c],
+                                  *job = &again.score[WCUT_EVIDENCE_MODEL_BEFORE][c];
         if (c == WCUT_EVIDENCE_CHANNEL_SPEED) continue; /* the applied jobs have a plan, the excited ones had none */
         ck_assert_int_eq(after->count, job->count);
         ck_assert_double_eq(after->rmsd, job->rmsd);
         ck_assert_double_eq(after->rmse_over_range, job->rmse_over_range);
     }
-    ck_assert_double_lt(again.fit[WCUT_FIT_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_TENSION].rmsd,
-                        0.6 * p.fit[WCUT_FIT_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_TENSION].rmsd);
+    ck_assert_double_lt(again.score[WCUT_EVIDENCE_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_TENSION].rmsd,
+                        0.6 * p.score[WCUT_EVIDENCE_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_TENSION].rmsd);
     wcut_cross_validation_destroy(&p);
     wcut_cross_validation_destroy(&again);
     for (int k = 0; k < SYNTHETIC_CUTS; k++) wcut_job_destroy(applied[k]);
@@ -106,13 +108,13 @@ TEST(jobs_with_the_correction_applied_score_what_the_table_says_of_the_model) {
 TEST(one_model_proved_against_itself_gives_equal_figures_for_any_number_of_threads) {
     given_a_lag(2, false, 1);
     wcut_cross_validation one = prove(&none, &none);
-    ck_assert_int_eq(memcmp(one.held_out_fit[WCUT_FIT_MODEL_AFTER], one.held_out_fit[WCUT_FIT_MODEL_RECALIBRATED],
-                            sizeof one.held_out_fit[0]),
+    ck_assert_int_eq(memcmp(one.held_out_score[WCUT_EVIDENCE_MODEL_AFTER],
+                            one.held_out_score[WCUT_EVIDENCE_MODEL_RECALIBRATED], sizeof one.held_out_score[0]),
                      0);
     evidence->threads = 3;
     wcut_cross_validation three = prove(&none, &none);
-    ck_assert_int_eq(memcmp(one.fit, three.fit, sizeof one.fit), 0);
-    ck_assert_int_eq(memcmp(one.held_out_fit, three.held_out_fit, sizeof one.held_out_fit), 0);
+    ck_assert_int_eq(memcmp(one.score, three.score, sizeof one.score), 0);
+    ck_assert_int_eq(memcmp(one.held_out_score, three.held_out_score, sizeof one.held_out_score), 0);
     ck_assert_int_eq(memcmp(one.held_out[1].row, three.held_out[1].row, (size_t)evidence->rows * sizeof(double)), 0);
     wcut_cross_validation_destroy(&one);
     wcut_cross_validation_destroy(&three);
@@ -129,10 +131,11 @@ TEST(one_cut_is_planned_but_nothing_can_be_held_out) {
     given_a_lag(1, true, 1);
     aim(1);
     wcut_cross_validation p = prove(&none, &lag);
-    for (int m = 0; m < WCUT_FIT_MODEL_COUNT; m++)
-        for (int k = 0; k < WCUT_EVIDENCE_CHANNEL_COUNT; k++) ck_assert_int_eq(p.held_out_fit[m][k].count, 0);
-    ck_assert_double_gt(p.fit[WCUT_FIT_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_SPEED].count, 0.9 * evidence->cut[0].bins);
-    ck_assert_double_gt(p.fit[WCUT_FIT_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_SPEED].rmse_over_range, 0);
+    for (int m = 0; m < WCUT_EVIDENCE_MODEL_COUNT; m++)
+        for (int k = 0; k < WCUT_EVIDENCE_CHANNEL_COUNT; k++) ck_assert_int_eq(p.held_out_score[m][k].count, 0);
+    ck_assert_double_gt(p.score[WCUT_EVIDENCE_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_SPEED].count,
+                        0.9 * evidence->cut[0].bins);
+    ck_assert_double_gt(p.score[WCUT_EVIDENCE_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_SPEED].rmse_over_range, 0);
     /* the measured speed of the forecast is that of the recording */
     const double pace = 3.4 * 500 / 120;
     ck_assert_double_eq_tol(p.measured.speed[3], pace, 0.02);
@@ -144,8 +147,8 @@ TEST(a_speed_at_another_tension_than_the_target_is_no_judge_of_a_plan) {
     given_a_lag(1, true, 1);
     aim(1.25);
     wcut_cross_validation p = prove(&none, &none);
-    ck_assert_int_eq(p.fit[WCUT_FIT_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_SPEED].count, 0);
-    ck_assert_int_gt(p.fit[WCUT_FIT_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_TENSION].count, 0);
+    ck_assert_int_eq(p.score[WCUT_EVIDENCE_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_SPEED].count, 0);
+    ck_assert_int_gt(p.score[WCUT_EVIDENCE_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_TENSION].count, 0);
     for (int i = 0; i < 2 * evidence->cut[0].bins; i++) ck_assert(isnan(p.measured.speed[i]));
     wcut_cross_validation_destroy(&p);
     forget();
@@ -163,7 +166,7 @@ TEST(figures_are_a_scores_and_their_interval_holds_them) {
     for (int i = 0; i < 2 * BINS; i++) speed[i] = i, none_there[i] = (double)NAN;
     other[2 * BINS + 5] = (double)NAN; /* a bin of alpha_a */
     const wcut_forecast measured = {row, speed}, predicted = {other, none_there};
-    wcut_fit fit[WCUT_EVIDENCE_CHANNEL_COUNT], again[WCUT_EVIDENCE_CHANNEL_COUNT];
+    wcut_evidence_score fit[WCUT_EVIDENCE_CHANNEL_COUNT], again[WCUT_EVIDENCE_CHANNEL_COUNT];
     ck_assert_int_eq(wcut_forecast_score(&e, &measured, &predicted, 7, fit), WCUT_OK);
     ck_assert_int_eq(fit[WCUT_EVIDENCE_CHANNEL_SPEED].count, 0);
     ck_assert(isnan(fit[WCUT_EVIDENCE_CHANNEL_SPEED].low));
@@ -181,7 +184,7 @@ TEST(figures_are_a_scores_and_their_interval_holds_them) {
         x[i] = (row[at] + row[at + 1]) / 2 * 180 / WCUT_PI, y[i] = (other[at] + other[at + 1]) / 2 * 180 / WCUT_PI;
     }
     score = wcut_score_of(BINS, x, y, 0);
-    const wcut_fit *beta = &fit[WCUT_EVIDENCE_CHANNEL_BETA];
+    const wcut_evidence_score *beta = &fit[WCUT_EVIDENCE_CHANNEL_BETA];
     ck_assert_double_eq_tol(beta->rmsd, score.rmsd, 1e-10);
     /* 60 independent values: 95 % of their root mean square lie within about 18 % */
     ck_assert_double_eq_tol(beta->low / beta->rmse_over_range, 0.82, 0.09);
@@ -198,9 +201,9 @@ TEST(figures_are_a_scores_and_their_interval_holds_them) {
 
 TEST(without_memory_nothing_is_written) {
     given_a_lag(1, true, 1);
-    wcut_cross_validation p = {.fit = {{{.count = 999}}}};
+    wcut_cross_validation p = {.score = {{{.count = 999}}}};
     wcut_error error = {0};
     FIRST_FAILED_ALLOCATIONS(8, wcut_cross_validation_create(evidence, &none, &lag, 1, &p, &error),
-                             p.fit[0][0].count == 999);
+                             p.score[0][0].count == 999);
     forget();
 }

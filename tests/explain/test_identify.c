@@ -82,11 +82,11 @@ TEST(the_same_seed_gives_the_same_cuts_and_another_one_others) {
 TEST(a_machine_with_little_speed_to_spare_gets_a_smaller_dither_and_none_where_there_is_none) {
     wcut_job *job = short_job(), *cut[3] = {NULL};
     wcut_history *plan = run_of(job);
-    const double most = plan->row[plan->stations / 2].speed_a;
+    const double max = plan->row[plan->stations / 2].speed_a;
     double before = 1;
     const double spare[] = {2, 1.2, 1.05};
     for (int k = 0; k < 3; k++) {
-        job->speed_max = most * spare[k];
+        job->speed_max = max * spare[k];
         ck_assert_int_eq(wcut_identification_create(job, 1, 3, &cut[k], NULL), WCUT_OK);
         double sum = 0;
         for (int i = 0; i < cut[k]->dither_count; i++) sum += cut[k]->dither[i].amplitude;
@@ -110,11 +110,11 @@ TEST(even_without_feedback_the_tension_stays_below_twice_the_target) {
     wcut_predicted_cut run = {0};
     ck_assert_int_eq(wcut_schedule_create(cut, &schedule, NULL), WCUT_OK);
     ck_assert_int_eq(wcut_predicted_cut_run(cut, &schedule, NULL, &run, NULL), WCUT_OK);
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < run.count; i++)
         if (run.present[i] && schedule.engaged[i] >= WCUT_MOST_OF_WIRE && schedule.held[i])
-            most = fmax(most, (run.value[2][i] + run.value[3][i]) / 2);
-    ck_assert_msg(most > 1.2 * job->tension && most < 2.01 * job->tension, "%g N", most);
+            max = fmax(max, (run.value[2][i] + run.value[3][i]) / 2);
+    ck_assert_msg(max > 1.2 * job->tension && max < 2.01 * job->tension, "%g N", max);
     wcut_predicted_cut_destroy(&run);
     wcut_schedule_destroy(&schedule);
     wcut_job_destroy(cut);

@@ -377,7 +377,7 @@ TEST(leverages_are_those_of_the_hat_matrix_and_sum_to_the_parameters) {
     given_the_reference_table();
     ck_assert_int_eq(solve(REFERENCE, NULL), WCUT_OK);
     for (int i = 0; i < REFERENCE; i++) {
-        const wcut_fit_point *p = &point[i].force;
+        const wcut_law_fit_point *p = &point[i].force;
         ck_assert_double_eq_tol(p->leverage / force_leverage[i], 1, 1e-7);
         ck_assert_double_eq_tol(p->relative, p->measured / p->fitted - 1, 1e-15);
         ck_assert_double_eq_tol(p->relative, p->residual * fit.force.scale, 1e-12); /* all weights are 1 */

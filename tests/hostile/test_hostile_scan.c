@@ -48,7 +48,7 @@ static double sum[100000], weight[100000];
 
 HOSTILE_VALUE(wcut_cloud_options_default, )
 HOSTILE_VALUE(wcut_clean_options_default, )
-HOSTILE_VALUE(wcut_normal_options_default, )
+HOSTILE_VALUE(wcut_normals_options_default, )
 HOSTILE_OUT(wcut_cloud_unit_eval, wcut_cloud_unit, VEC(sound_scan()[0]), VEC(sound_scan()[SCAN - 1]), VEC(block_of()))
 HOSTILE_OUT(wcut_cloud_span, int, COUNT(SCAN), VALUES(sound_scan(), SCAN))
 HOSTILE_MADE(wcut_thinning_create, wcut_thinning, wcut_thinning_destroy, NUM(1), PTR(&made))
@@ -80,9 +80,9 @@ HOSTILE(wcut_cloud_keep) {
 }
 
 HOSTILE(wcut_cloud_normals) {
-    const wcut_normal_options options = wcut_normal_options_default();
+    const wcut_normals_options options = wcut_normals_options_default();
     static wcut_vec3 normal[SCAN];
-    wcut_normal_report report = {.guessed = 999};
+    wcut_normals_report report = {.guessed = 999};
     hostile_fill(normal, sizeof normal);
     EACH_HOSTILE_ARGUMENT(wcut_cloud_normals,
                           wcut_cloud_normals(COUNT(SCAN), VALUES(sound_scan(), SCAN), RECORD(&options), THREADS(1),

@@ -7,11 +7,11 @@
 enum { COUNT = 4000 };
 
 static wcut_vec3 point[COUNT], normal[COUNT], truth[COUNT];
-static wcut_normal_report report;
+static wcut_normals_report report;
 
 static void outputs_as_before(void) {
     for (int k = 0; k < COUNT; k++) normal[k] = vec3(999, 999, 999);
-    report = (wcut_normal_report){999, 999, 999};
+    report = (wcut_normals_report){999, 999, 999};
 }
 
 static void untouched(void) {
@@ -19,7 +19,7 @@ static void untouched(void) {
     ck_assert_int_eq(report.undefined, 999);
 }
 
-static void found(int count, const wcut_normal_options *options) {
+static void found(int count, const wcut_normals_options *options) {
     outputs_as_before();
     ck_assert_int_eq(wcut_cloud_normals(count, point, options, 1, normal, &report), WCUT_OK);
 }
@@ -48,7 +48,7 @@ TEST(a_plane_has_its_normal_to_the_last_digits) {
     found(COUNT, NULL);
     for (int k = 0; k < COUNT; k++) ck_assert_double_lt(vec3_distance(normal[k], n), 1e-9);
     ck_assert(report.undefined == 0 && report.propagated == 0 && report.guessed == 0);
-    wcut_normal_options o = wcut_normal_options_default();
+    wcut_normals_options o = wcut_normals_options_default();
     o.side = vec3(0, 0, -7);
     found(COUNT, &o);
     for (int k = 0; k < COUNT; k++) ck_assert_double_lt(vec3_distance(normal[k], vec3_scale(-1, n)), 1e-9);
@@ -74,7 +74,7 @@ TEST(noise_tilts_a_normal_by_its_size_over_the_neighbourhoods) {
     const double noise = 0.3, density = COUNT / (400.0 * 1200.0);
     given_true_saddle(0, noise);
     for (int k = 8; k <= 64; k *= 2) {
-        wcut_normal_options o = wcut_normal_options_default();
+        wcut_normals_options o = wcut_normals_options_default();
         o.neighbours = k;
         found(COUNT, &o);
         const double radius = sqrt(k / (WCUT_PI * density));
@@ -121,7 +121,7 @@ static void given_overhang(double lean) {
 
 TEST(beyond_the_vertical_neighbours_decide_and_far_beyond_the_sheet_as_a_whole) {
     int wrong;
-    wcut_normal_options o = wcut_normal_options_default();
+    wcut_normals_options o = wcut_normals_options_default();
     given_overhang(2); /* 25 degrees beyond the vertical */
     o.steep = 0;
     found(COUNT, &o);
@@ -187,9 +187,9 @@ TEST(three_points_are_enough_for_one_normal) {
 
 TEST(two_threads_give_the_same_bytes) {
     static wcut_vec3 other[COUNT];
-    wcut_normal_report second;
+    wcut_normals_report second;
     given_overhang(2.4);
-    wcut_normal_options o = wcut_normal_options_default();
+    wcut_normals_options o = wcut_normals_options_default();
     for (o.steep = 0; o.steep <= 1; o.steep += 0.5) {
         found(COUNT, &o);
         ck_assert_int_eq(wcut_cloud_normals(COUNT, point, &o, 2, other, &second), WCUT_OK);
@@ -200,8 +200,8 @@ TEST(two_threads_give_the_same_bytes) {
 TEST(arguments_outside_their_range_are_refused_and_nothing_is_written) {
     given_true_saddle(0.5, 0);
     outputs_as_before();
-    const wcut_normal_options good = wcut_normal_options_default();
-    wcut_normal_options bad[7] = {good, good, good, good, good, good, good};
+    const wcut_normals_options good = wcut_normals_options_default();
+    wcut_normals_options bad[7] = {good, good, good, good, good, good, good};
     bad[0].neighbours = 1, bad[1].neighbours = 129, bad[2].side = vec3(0, 0, 0), bad[3].side.x = NAN;
     bad[4].steep = -0.1, bad[5].steep = 1.1, bad[6].steep = NAN;
     for (int k = 0; k < 7; k++)

@@ -90,7 +90,7 @@ enum {
 };
 
 /** One cut in one law. */
-typedef struct wcut_fit_point {
+typedef struct wcut_law_fit_point {
     double measured;    /**< [N/mm] */
     double fitted;      /**< [N/mm] */
     double residual;    /**< [1] measured less fitted, in standard deviations of this cut */
@@ -100,13 +100,13 @@ typedef struct wcut_fit_point {
     double leverage;  /**< [1] share of a cut in its own fitted value, in [0, 1]; their sum is the parameters' count */
     double influence; /**< [1] fitted less left out, in standard errors of the fitted value */
     int unusual;      /**< WCUT_UNUSUAL_OUTLIER and its like, added; 0: nothing */
-} wcut_fit_point;
+} wcut_law_fit_point;
 
 /** One cut in a calibration. */
 typedef struct wcut_calibration_point {
-    double q_eff;           /**< [J/m^2] */
-    wcut_fit_point force;   /**< equation (2) */
-    wcut_fit_point tension; /**< equation (1); measured alone where it is not fitted */
+    double q_eff;               /**< [J/m^2] */
+    wcut_law_fit_point force;   /**< equation (2) */
+    wcut_law_fit_point tension; /**< equation (1); measured alone where it is not fitted */
 } wcut_calibration_point;
 
 /** Least squares with relative noise, 95 % intervals, 10 degrees. */

@@ -165,22 +165,22 @@ WCUT_API wcut_status wcut_cloud_clean(int count, const wcut_vec3 *point, const w
 WCUT_API int wcut_cloud_keep(int count, const unsigned char *removal, wcut_vec3 *row);
 
 /** How normals are found. */
-typedef struct wcut_normal_options {
+typedef struct wcut_normals_options {
     int neighbours; /**< k nearest points and the point itself make the plane; default 16; 2 to 128 */
     wcut_vec3 side; /**< the removed half is there; default +z, right for the lower half; not 0 */
     double steep; /**< [1] in 0 .. 1: where |n . side| is at least that, the side decides a normal's sign; a steeper one
                        follows its neighbours (Hoppe 1992). Default 0.5; 1: each connected sheet is turned as a whole,
                        which takes longer and is right under overhangs, too */
-} wcut_normal_options;
+} wcut_normals_options;
 
 /** What was found. */
-typedef struct wcut_normal_report {
+typedef struct wcut_normals_report {
     int undefined;  /**< points whose neighbours are on one line or in one place: their normal is 0 */
     int propagated; /**< points whose sign came from their neighbours */
     int guessed;    /**< of these, the starts of connected pieces that are steep throughout: turned to the side */
-} wcut_normal_report;
+} wcut_normals_report;
 
-WCUT_API wcut_normal_options wcut_normal_options_default(void);
+WCUT_API wcut_normals_options wcut_normals_options_default(void);
 
 /**
  * Normals of a cloud: for each point the direction in which its k nearest points vary least (Pearson 1901), turned
@@ -195,8 +195,8 @@ WCUT_API wcut_normal_options wcut_normal_options_default(void);
  * @return WCUT_OK; WCUT_DEGENERATE (no point has a normal: all are on one line or in one place), WCUT_BAD_ARGUMENT,
  *         WCUT_NO_MEMORY: nothing was written.
  */
-WCUT_API wcut_status wcut_cloud_normals(int count, const wcut_vec3 *point, const wcut_normal_options *options,
-                                        int threads, wcut_vec3 *normal, wcut_normal_report *report);
+WCUT_API wcut_status wcut_cloud_normals(int count, const wcut_vec3 *point, const wcut_normals_options *options,
+                                        int threads, wcut_vec3 *normal, wcut_normals_report *report);
 
 #ifdef __cplusplus
 }

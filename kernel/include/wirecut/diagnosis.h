@@ -130,20 +130,20 @@ typedef struct wcut_mismatch {
 } wcut_mismatch;
 
 /** How far a model is from the measurements of a channel. */
-typedef struct wcut_fit {
+typedef struct wcut_evidence_score {
     int count;                           /**< 0: nothing to compare */
     double rmsd, nrmsd, rmse_over_range; /**< as wcut_score */
     double low, high;                    /**< 95 % of rmse_over_range over resampled blocks; NaN where not run */
-} wcut_fit;
+} wcut_evidence_score;
 
 /** The models that are compared: as the job says, recalibrated, with the effects found, and a mere fit. */
-typedef enum wcut_fit_model {
-    WCUT_FIT_MODEL_BEFORE,
-    WCUT_FIT_MODEL_RECALIBRATED,
-    WCUT_FIT_MODEL_AFTER,
-    WCUT_FIT_MODEL_BLACK_BOX,
-    WCUT_FIT_MODEL_COUNT
-} wcut_fit_model;
+typedef enum wcut_evidence_model {
+    WCUT_EVIDENCE_MODEL_BEFORE,
+    WCUT_EVIDENCE_MODEL_RECALIBRATED,
+    WCUT_EVIDENCE_MODEL_AFTER,
+    WCUT_EVIDENCE_MODEL_BLACK_BOX,
+    WCUT_EVIDENCE_MODEL_COUNT
+} wcut_evidence_model;
 
 /** What the residual depends on, where no known effect explains it. */
 typedef struct wcut_dependence {
@@ -226,8 +226,9 @@ typedef struct wcut_diagnosis {
     wcut_rig_row *rig; /**< the scatter that was found */
     int cuts;
     bool *held_out; /**< cuts: not used in the fit that the held-out figures are of */
-    wcut_fit fit[WCUT_FIT_MODEL_COUNT][WCUT_EVIDENCE_CHANNEL_COUNT];          /**< over all cuts, all fitted */
-    wcut_fit held_out_fit[WCUT_FIT_MODEL_COUNT][WCUT_EVIDENCE_CHANNEL_COUNT]; /**< over the held-out cuts */
+    wcut_evidence_score score[WCUT_EVIDENCE_MODEL_COUNT][WCUT_EVIDENCE_CHANNEL_COUNT]; /**< over all cuts, all fitted */
+    wcut_evidence_score held_out_score[WCUT_EVIDENCE_MODEL_COUNT]
+                                      [WCUT_EVIDENCE_CHANNEL_COUNT]; /**< over the held-out cuts */
     wcut_correction correction; /**< the model called "after", for any job; not to be used where it is withheld */
     char withheld[160];         /**< why there is no correction and no `improved`; "" where there is one */
     wcut_job *improved;        /**< the first cut's job, corrected, without its excitation; NULL where it is withheld */

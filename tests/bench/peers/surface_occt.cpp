@@ -171,16 +171,16 @@ void fit(int stations, int nodes, const char *job) {
     GeomAPI_PointsToBSplineSurface maker(p, 3, 8, GeomAbs_C2, 0.01);
     const double seconds = cpu_now() - start;
     Handle(Geom_BSplineSurface) s = maker.Surface();
-    double most = 0;  // of a sample of nodes: a projection takes long
+    double max = 0;  // of a sample of nodes: a projection takes long
     for (int j = 1; j <= stations; j += stations / 4)
         for (int i = 1; i <= nodes; i += nodes / 4) {
             GeomAPI_ProjectPointOnSurf foot(p.Value(i, j), s, 1e-9);
-            if (foot.NbPoints() > 0 && foot.LowerDistance() > most) most = foot.LowerDistance();
+            if (foot.NbPoints() > 0 && foot.LowerDistance() > max) max = foot.LowerDistance();
         }
     const int poles = s->NbUPoles() * s->NbVPoles();
     char note[120];
     snprintf(note, sizeof note, "PointsToBSplineSurface, %d poles (%.3f %%), worst of 16 nodes %.4f mm", poles,
-             100.0 * poles / (stations * nodes), most);
+             100.0 * poles / (stations * nodes), max);
     say(job, "OCCT", seconds, note);
 }
 

@@ -78,14 +78,14 @@ static inline void give_lists(given_diagnosis *g) {
     g->held_out[2] = true;
 }
 
-static inline void give_fits(wcut_fit fit[WCUT_FIT_MODEL_COUNT][WCUT_EVIDENCE_CHANNEL_COUNT]) {
-    for (int m = 0; m < WCUT_FIT_MODEL_COUNT; m++)
+static inline void give_fits(wcut_evidence_score fit[WCUT_EVIDENCE_MODEL_COUNT][WCUT_EVIDENCE_CHANNEL_COUNT]) {
+    for (int m = 0; m < WCUT_EVIDENCE_MODEL_COUNT; m++)
         for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) {
             const double size = (m == 0 ? 1 : m == 1 ? 0.6 : m == 2 ? 0.1 : 0.2) * (c + 1);
-            fit[m][c] = (wcut_fit){100, size, size / 20, size / 10, size / 12, size / 8};
+            fit[m][c] = (wcut_evidence_score){100, size, size / 20, size / 10, size / 12, size / 8};
         }
-    fit[WCUT_FIT_MODEL_BLACK_BOX][WCUT_EVIDENCE_CHANNEL_SCAN] = (wcut_fit){0};
-    fit[WCUT_FIT_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_SPEED].low = NAN;
+    fit[WCUT_EVIDENCE_MODEL_BLACK_BOX][WCUT_EVIDENCE_CHANNEL_SCAN] = (wcut_evidence_score){0};
+    fit[WCUT_EVIDENCE_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_SPEED].low = NAN;
 }
 
 /* a thermal lag found, an offset of the scan as what else it could be; three cuts, the third held out */
@@ -125,8 +125,8 @@ static inline void give_diagnosis(given_diagnosis *g) {
     d->view.rows = 2, d->view.nodes = 3, d->view.surface = wire, d->view.worst = 1, d->view.time = 14;
     d->view.block = (wcut_vec3){400, 600, 300};
     d->view.points = 2, d->view.point = wire, d->view.distance = above;
-    give_fits(d->fit);
-    give_fits(d->held_out_fit);
+    give_fits(d->score);
+    give_fits(d->held_out_score);
     d->limits = 2, d->limit = g->limit;
     for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) d->noise[c] = c == WCUT_EVIDENCE_CHANNEL_SCAN ? NAN : 0.02;
     d->naive_false = true;

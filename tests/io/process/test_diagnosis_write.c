@@ -96,7 +96,7 @@ TEST(what_was_modelled_is_there_with_its_equation_and_events) {
     ck_assert_double_eq(number(root, "modelled.terms.0.parameters.coefficient.value"), 0.3);
     ck_assert_str_eq(string(root, "modelled.equation"), m->equation);
     ck_assert_str_eq(string(root, "modelled.alternatives.0"), "t / 100 s");
-    ck_assert_double_eq(number(root, "modelled.improvement.tension_N.after"), given.d.held_out_fit[2][1].rmsd);
+    ck_assert_double_eq(number(root, "modelled.improvement.tension_N.after"), given.d.held_out_score[2][1].rmsd);
     ck_assert_double_eq(number(root, "modelled.improvement.tension_N_with_events.recalibrated"), 0.5);
     ck_assert_double_eq(number(root, "modelled.events.0.time_s.1"), 17);
     json_decref(root);

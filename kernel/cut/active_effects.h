@@ -1,6 +1,6 @@
 /* The effects of a run: made ready for a sub-step, remembered after it. A run without them passes all of it by. */
-#ifndef WCUT_CUT_EFFECTS_H
-#define WCUT_CUT_EFFECTS_H
+#ifndef WCUT_CUT_ACTIVE_EFFECTS_H
+#define WCUT_CUT_ACTIVE_EFFECTS_H
 
 #include "cut/run.h"
 

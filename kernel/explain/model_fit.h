@@ -1,11 +1,11 @@
 /* A hypothesis fitted: recalibration and effects together, by the moments of what cannot be fed back. */
-#ifndef WCUT_EXPLAIN_FIT_H
-#define WCUT_EXPLAIN_FIT_H
+#ifndef WCUT_EXPLAIN_MODEL_FIT_H
+#define WCUT_EXPLAIN_MODEL_FIT_H
 
 #include "explain/library.h"
 
 /* base coordinates: ln a, ln b, wire length; beside the effects two delays and, with scans, one constant kerf for all */
-enum { WCUT_BASE = 3, WCUT_DELAYS = 2, WCUT_FIT_MAX = 64 };
+enum { WCUT_BASE = 3, WCUT_DELAYS = 2, WCUT_FITTED_MAX = 64 };
 
 /* [s] readings of a channel are late by a share of a second in every rig */
 #define WCUT_DELAY_SPREAD 0.1
@@ -71,15 +71,15 @@ double wcut_normal_equations_cost(const wcut_normal_equations *normal, int cut, 
 /* What a fit gives. */
 typedef struct wcut_fitted {
     wcut_model model;
-    int count;                   /* coordinates of effects, after the base ones */
-    int effect_of[WCUT_FIT_MAX]; /* count: of the model */
-    wcut_coordinate coordinate[WCUT_FIT_MAX];
-    double x[WCUT_BASE + WCUT_FIT_MAX],
-        error[WCUT_BASE + WCUT_FIT_MAX]; /* WCUT_BASE + count, fitted scale, and standard errors before any
+    int count;                      /* coordinates of effects, after the base ones */
+    int effect_of[WCUT_FITTED_MAX]; /* count: of the model */
+    wcut_coordinate coordinate[WCUT_FITTED_MAX];
+    double x[WCUT_BASE + WCUT_FITTED_MAX],
+        error[WCUT_BASE + WCUT_FITTED_MAX]; /* WCUT_BASE + count, fitted scale, and standard errors before any
                                                      allowance for dispersion */
-    double below[WCUT_BASE + WCUT_FIT_MAX],
-        above[WCUT_BASE + WCUT_FIT_MAX]; /* half widths at 95 %, fitted scale: 1.96 errors, or a profile's */
-    double kerf;                         /* [mm] constant kerf the scans show; NaN without scans */
+    double below[WCUT_BASE + WCUT_FITTED_MAX],
+        above[WCUT_BASE + WCUT_FITTED_MAX]; /* half widths at 95 %, fitted scale: 1.96 errors, or a profile's */
+    double kerf;                            /* [mm] constant kerf the scans show; NaN without scans */
     double kerf_error;
     double cost;          /* -2 ln likelihood, priors included, under its own noise and scatter (wcut_variance_fit) */
     double misfit;        /* whitened misfit, priors included, under the evidence's noise and scatter */
@@ -103,7 +103,7 @@ typedef struct wcut_fitted {
  * residual along the recorded one (Forssell, Ljung 1999: a closed loop's noise does not enter the columns).
  * evidence: predicted under its `at`. WCUT_OK; WCUT_NOT_CONVERGED, WCUT_NO_MEMORY: nothing was written.
  */
-wcut_status wcut_fit_solve(const wcut_evidence *evidence, const wcut_model *start, wcut_fitted *out, wcut_error *error);
+wcut_status wcut_model_fit(const wcut_evidence *evidence, const wcut_model *start, wcut_fitted *out, wcut_error *error);
 void wcut_fitted_destroy(wcut_fitted *fitted);
 
 /*
@@ -111,7 +111,7 @@ void wcut_fitted_destroy(wcut_fitted *fitted);
  * anew at each end and all other coordinates at their best beside it (linear about the fit); a bound, where that comes
  * first. evidence: as at the fit. WCUT_OK; WCUT_NOT_CONVERGED, WCUT_INTERRUPTED, WCUT_NO_MEMORY: nothing was changed.
  */
-wcut_status wcut_fit_profile(const wcut_evidence *evidence, wcut_fitted *fitted, wcut_error *error);
+wcut_status wcut_fitted_profile(const wcut_evidence *evidence, wcut_fitted *fitted, wcut_error *error);
 
 /* the model at other coordinates, WCUT_BASE + count of them */
 wcut_model wcut_fitted_model(const wcut_fitted *fitted, const double *x);

@@ -1,5 +1,5 @@
 /* A hypothesis fitted: recalibration and effects together, by the moments of what cannot be fed back. */
-#include "explain/fit.h"
+#include "explain/model_fit.h"
 
 #include <string.h>
 
@@ -34,7 +34,7 @@ typedef struct fitting {
     double *plain_column, *plain_residual; /* n x rows, rows: as measured */
     double *column;                        /* n x rows, whitened */
     double *residual;                      /* rows, whitened */
-    double centre[WCUT_FIT_MAX], precision[WCUT_FIT_MAX];
+    double centre[WCUT_FITTED_MAX], precision[WCUT_FITTED_MAX];
     wcut_normal_equations normal;
 } fitting;
 
@@ -56,7 +56,7 @@ static bool list_coordinates(const wcut_model *start, wcut_fitted *f) {
     for (int e = 0; e < start->effects; e++) {
         const int count = wcut_effect_coordinates(&start->effect[e]);
         for (int k = 0; k < count; k++) {
-            if (f->count == WCUT_FIT_MAX - WCUT_BASE) return false;
+            if (f->count == WCUT_FITTED_MAX - WCUT_BASE) return false;
             f->effect_of[f->count] = e;
             f->coordinate[f->count++] = wcut_effect_coordinate(&start->effect[e], k);
         }
@@ -75,7 +75,7 @@ static wcut_status fitting_create(const wcut_evidence *e, const wcut_model *star
     g->shared = WCUT_BASE + f->count;
     g->nuisances = wcut_nuisance_count(e);
     g->n = g->shared + g->nuisances;
-    if (g->n > WCUT_FIT_MAX) return WCUT_BAD_ARGUMENT;
+    if (g->n > WCUT_FITTED_MAX) return WCUT_BAD_ARGUMENT;
 
     /* rows and columns of the linear problem, and what the fit hands out */
     g->rows = wcut_alloc((size_t)(1 + g->shared) * rows, sizeof(double));
@@ -107,7 +107,7 @@ static wcut_status fitting_create(const wcut_evidence *e, const wcut_model *star
         g->precision[WCUT_BASE + k] = 1 / (f->coordinate[k].spread * f->coordinate[k].spread);
 
     /* columns of the nuisances: delays of readings, and a kerf where there are scans */
-    double spread[WCUT_FIT_MAX] = {0};
+    double spread[WCUT_FITTED_MAX] = {0};
     double *own = g->plain_column + (size_t)g->shared * rows, *white = g->column + (size_t)g->shared * rows;
     wcut_nuisance_columns(e, own, spread);
     wcut_evidence_residual(e, g->measured);
@@ -137,7 +137,7 @@ static void fitting_destroy(fitting *g) {
     wcut_normal_equations_destroy(&g->normal);
 }
 
-static double step_of(const wcut_fitted *f, int k) {
+static double finite_step(const wcut_fitted *f, int k) {
     const int own = k - WCUT_BASE;
     if (own < 0) return wcut_base_step[k];
     const wcut_coordinate *c = &f->coordinate[own];
@@ -145,17 +145,17 @@ static double step_of(const wcut_fitted *f, int k) {
 }
 
 /* columns of base and effects about the present x, and the rows there */
-static wcut_status take_columns(fitting *g, wcut_error *error) {
-    wcut_model model[1 + WCUT_FIT_MAX];
+static wcut_status take_jacobian(fitting *g, wcut_error *error) {
+    wcut_model model[1 + WCUT_FITTED_MAX];
     wcut_fitted *f = g->f;
     const size_t rows = (size_t)g->e->rows;
 
     /* the model itself, and one with each coordinate moved by its step */
     model[0] = wcut_fitted_model(f, f->x);
     for (int k = 0; k < g->shared; k++) {
-        double x[WCUT_FIT_MAX];
+        double x[WCUT_FITTED_MAX];
         memcpy(x, f->x, sizeof x);
-        x[k] += step_of(f, k);
+        x[k] += finite_step(f, k);
         model[1 + k] = wcut_fitted_model(f, x);
     }
 
@@ -167,7 +167,7 @@ static wcut_status take_columns(fitting *g, wcut_error *error) {
     for (int k = 0; k < g->shared; k++) {
         double *column = g->plain_column + (size_t)k * rows;
         for (size_t i = 0; i < rows; i++)
-            column[i] = (g->rows[(size_t)(1 + k) * rows + i] - g->rows[i]) / step_of(f, k);
+            column[i] = (g->rows[(size_t)(1 + k) * rows + i] - g->rows[i]) / finite_step(f, k);
         wcut_evidence_whiten(g->e, g->measured, column, g->column + (size_t)k * rows);
     }
 
@@ -189,7 +189,7 @@ static void all_columns(int n, int *chosen) {
 
 /* solve for the step; whitened residual in g->residual. False where the columns are dependent. */
 static bool find_step(fitting *g, double *t, double *covariance, double *cost) {
-    int chosen[WCUT_FIT_MAX];
+    int chosen[WCUT_FITTED_MAX];
     all_columns(g->n, chosen);
     set_centres(g);
     wcut_normal_equations_fill(g->e, g->column, g->residual, &g->normal);
@@ -204,8 +204,8 @@ static void exogenous_residual(fitting *g) {
 
 /* what the present x costs once the nuisances are taken out */
 static bool present_cost(fitting *g, double *cost) {
-    int chosen[WCUT_FIT_MAX];
-    double t[WCUT_FIT_MAX];
+    int chosen[WCUT_FITTED_MAX];
+    double t[WCUT_FITTED_MAX];
     for (int k = 0; k < g->nuisances; k++) chosen[k] = g->shared + k;
     set_centres(g);
     wcut_normal_equations_fill(g->e, g->column, g->residual, &g->normal);
@@ -242,11 +242,11 @@ static wcut_status present_rows(fitting *g, wcut_error *error) {
 
 /* Gauss-Newton along the exogenous trajectory: columns anew while the steps are long, then the last ones again */
 static wcut_status iterate(fitting *g, double *covariance, wcut_error *error) {
-    double t[WCUT_FIT_MAX], from[WCUT_FIT_MAX], cost = 0, before = HUGE_VAL, longest = 0;
+    double t[WCUT_FITTED_MAX], from[WCUT_FITTED_MAX], cost = 0, before = HUGE_VAL, longest = 0;
     wcut_status status = WCUT_OK;
     for (int round = 0; status == WCUT_OK && round < ROUNDS; round++) {
         /* columns are taken again at first, and whenever the last step was long */
-        if (round < JACOBIANS || longest > FAR) status = take_columns(g, error);
+        if (round < JACOBIANS || longest > FAR) status = take_jacobian(g, error);
         if (status != WCUT_OK) break;
 
         /* residual at x, and its cost at the start */
@@ -328,18 +328,18 @@ static wcut_status set_anchor(fitting *g, wcut_error *error) {
 
 /* whether what the anchored residual still asks for is within chance: half a unit of cost for every coordinate */
 static bool has_settled(fitting *g, double *covariance) {
-    double t[WCUT_FIT_MAX], present, best;
+    double t[WCUT_FITTED_MAX], present, best;
     if (!present_cost(g, &present) || !find_step(g, t, covariance, &best)) return true;
     return present - best < 2 + 0.001 * best;
 }
 
 /* misfit of every cut, and of every cut predicted from the others, under the noise that all hypotheses share */
-static void judge(fitting *g, const double *t) {
+static void judge_cuts(fitting *g, const double *t) {
     wcut_fitted *f = g->f;
-    int chosen[WCUT_FIT_MAX];
+    int chosen[WCUT_FITTED_MAX];
     all_columns(g->n, chosen);
     for (int k = 0; k < g->e->cuts; k++) {
-        double without[WCUT_FIT_MAX], cost;
+        double without[WCUT_FITTED_MAX], cost;
         f->cut_cost[k] = wcut_normal_equations_cost(&g->normal, k, g->n, chosen, t);
         const bool solved =
             wcut_normal_equations_solve(&g->normal, g->n, chosen, g->centre, g->precision, k, without, NULL, &cost);
@@ -385,10 +385,10 @@ static void keep_residuals(fitting *g, const wcut_evidence *own, const double *t
 }
 
 /* noise and scatter of this hypothesis, the last step under them, and what it is worth */
-static wcut_status finish(fitting *g, double *covariance) {
+static wcut_status finish_fit(fitting *g, double *covariance) {
     wcut_fitted *f = g->f;
-    double t[WCUT_FIT_MAX], from[WCUT_FIT_MAX], cost;
-    int chosen[WCUT_FIT_MAX];
+    double t[WCUT_FITTED_MAX], from[WCUT_FITTED_MAX], cost;
+    int chosen[WCUT_FITTED_MAX];
 
     /* the noise of this hypothesis is fitted in a copy, so that the evidence keeps its own */
     wcut_evidence own = *g->e;
@@ -401,7 +401,7 @@ static wcut_status finish(fitting *g, double *covariance) {
     }
 
     /* cost of each cut, on all cuts and held out */
-    judge(g, t);
+    judge_cuts(g, t);
 
     /* the variances under which the residual is likeliest, and the solution under them */
     wcut_variances_begin(&own.noise);
@@ -445,11 +445,11 @@ static wcut_status finish(fitting *g, double *covariance) {
     return status;
 }
 
-wcut_status wcut_fit_solve(const wcut_evidence *e, const wcut_model *start, wcut_fitted *out, wcut_error *error) {
+wcut_status wcut_model_fit(const wcut_evidence *e, const wcut_model *start, wcut_fitted *out, wcut_error *error) {
     /* room for the problem, and the rows at the model that the evidence was predicted with */
     fitting g = {0};
     wcut_fitted f = {.kerf = 0};
-    double *covariance = wcut_alloc((size_t)WCUT_FIT_MAX * WCUT_FIT_MAX, sizeof *covariance);
+    double *covariance = wcut_alloc((size_t)WCUT_FITTED_MAX * WCUT_FITTED_MAX, sizeof *covariance);
     wcut_status status = covariance ? fitting_create(e, start, &f, &g) : WCUT_NO_MEMORY;
     if (status != WCUT_OK) wcut_fail(error, status, "a fit of %d effects", start->effects);
     if (status == WCUT_OK) status = wcut_models_rows(e, 1, &e->at, g.at_rows, error);
@@ -463,7 +463,7 @@ wcut_status wcut_fit_solve(const wcut_evidence *e, const wcut_model *start, wcut
     }
 
     /* variances, intervals and held-out costs, then hand over */
-    if (status == WCUT_OK) status = finish(&g, covariance);
+    if (status == WCUT_OK) status = finish_fit(&g, covariance);
     fitting_destroy(&g);
     wcut_free(covariance);
     if (status == WCUT_OK)
@@ -477,14 +477,14 @@ wcut_status wcut_fit_solve(const wcut_evidence *e, const wcut_model *start, wcut
 /* ---- profile ---- */
 
 typedef struct summit {
-    double x[WCUT_FIT_MAX], cost;
+    double x[WCUT_FITTED_MAX], cost;
     const double *covariance;
 } summit;
 
 /* cost with coordinate k held at a value: the others go along with it, then take the step that is best beside it */
 static wcut_status held_cost(fitting *g, const summit *s, int k, double value, double *cost, wcut_error *error) {
-    int chosen[WCUT_FIT_MAX], count = 0;
-    double t[WCUT_FIT_MAX];
+    int chosen[WCUT_FITTED_MAX], count = 0;
+    double t[WCUT_FITTED_MAX];
 
     /* move the others along the ridge of the covariance, so that they begin near their best */
     for (int i = 0; i < g->shared; i++) {
@@ -530,14 +530,14 @@ static wcut_status find_end(fitting *g, const summit *s, int k, double side, dou
     return WCUT_OK;
 }
 
-/* everything of a fit at its summit, as wcut_fit_solve leaves it */
+/* everything of a fit at its summit, as wcut_model_fit leaves it */
 static wcut_status climb_again(const wcut_evidence *e, const wcut_model *model, wcut_fitted *f, fitting *g,
                                double *covariance, summit *s, wcut_error *error) {
-    double t[WCUT_FIT_MAX];
+    double t[WCUT_FITTED_MAX];
     wcut_status status = fitting_create(e, model, f, g);
     if (status != WCUT_OK) return wcut_fail(error, status, "a profile of %d effects", model->effects);
     status = wcut_models_rows(e, 1, &e->at, g->at_rows, error);
-    if (status == WCUT_OK) status = take_columns(g, error);
+    if (status == WCUT_OK) status = take_jacobian(g, error);
     if (status == WCUT_OK) status = set_anchor(g, error);
     if (status == WCUT_OK && !find_step(g, t, covariance, &s->cost))
         status = wcut_fail(error, WCUT_NOT_CONVERGED, "the coordinates of a fit depend on each other");
@@ -546,12 +546,12 @@ static wcut_status climb_again(const wcut_evidence *e, const wcut_model *model, 
     return status;
 }
 
-wcut_status wcut_fit_profile(const wcut_evidence *e, wcut_fitted *fitted, wcut_error *error) {
+wcut_status wcut_fitted_profile(const wcut_evidence *e, wcut_fitted *fitted, wcut_error *error) {
     fitting g = {0};
     wcut_fitted f = {.kerf = 0};
     summit s;
-    double half[WCUT_FIT_MAX][2];
-    double *covariance = wcut_alloc((size_t)WCUT_FIT_MAX * WCUT_FIT_MAX, sizeof *covariance);
+    double half[WCUT_FITTED_MAX][2];
+    double *covariance = wcut_alloc((size_t)WCUT_FITTED_MAX * WCUT_FITTED_MAX, sizeof *covariance);
     double *missing = wcut_alloc((size_t)e->rows, sizeof *missing);
 
     // under the noise and the scatter of this hypothesis

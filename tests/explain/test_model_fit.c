@@ -1,6 +1,6 @@
 /* Fits: the normal equations against dense least squares, and true parameters back from cuts of the library's own wire.
    labels: unit plain */
-#include "explain/fit.h"
+#include "explain/model_fit.h"
 
 #include "base/alloc.h"
 #include "base/least_squares.h"
@@ -100,8 +100,8 @@ TEST(columns_that_are_the_same_are_refused_unless_a_prior_holds_them) {
 /* ---- cuts ---- */
 
 /* within so many of its own standard errors */
-static void ck_near(double found, double expected, double error, double most, const char *what) {
-    ck_assert_msg(fabs(found - expected) <= most * error, "%s: found %g +- %g, expected %g", what, found, error,
+static void ck_near(double found, double expected, double error, double max, const char *what) {
+    ck_assert_msg(fabs(found - expected) <= max * error, "%s: found %g +- %g, expected %g", what, found, error,
                   expected);
 }
 
@@ -209,7 +209,7 @@ TEST(a_profile_is_the_curvature_where_the_response_is_straight) {
     wcut_fitted f = fit_of(e, 1, effect_of(WCUT_EFFECT_TENSION_DRIFT, 0.05));
     ck_assert_double_eq(f.below[WCUT_BASE], 1.96 * f.error[WCUT_BASE]);
     f.below[WCUT_BASE] = f.above[WCUT_BASE] = 999;
-    ck_assert_int_eq(wcut_fit_profile(e, &f, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_fitted_profile(e, &f, NULL), WCUT_OK);
     ck_assert_double_eq_tol(f.below[WCUT_BASE], 1.96 * f.error[WCUT_BASE], 0.06 * 1.96 * f.error[WCUT_BASE]);
     ck_assert_double_eq_tol(f.above[WCUT_BASE], 1.96 * f.error[WCUT_BASE], 0.06 * 1.96 * f.error[WCUT_BASE]);
     wcut_fitted_destroy(&f);
@@ -227,7 +227,7 @@ TEST(a_profile_holds_the_truth_and_ends_at_the_bounds) {
     const wcut_coordinate *c = &f.coordinate[0];
     const double x = f.x[WCUT_BASE], truth = wcut_scale_in(c->scale, 100);
     ck_assert_double_lt(x - 1.96 * f.error[WCUT_BASE], c->low); /* the curvature knows no bound */
-    ck_assert_int_eq(wcut_fit_profile(e, &f, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_fitted_profile(e, &f, NULL), WCUT_OK);
     ck_assert_double_eq_tol(x - f.below[WCUT_BASE], c->low, 1e-12);
     ck_assert(x + f.above[WCUT_BASE] > truth && x + f.above[WCUT_BASE] <= c->high);
     wcut_fitted_destroy(&f);
@@ -241,7 +241,8 @@ TEST(a_profile_without_memory_changes_nothing) {
     wcut_evidence *e = evidence_of(&s, 1);
     wcut_fitted f = fit_of(e, 1, effect_of(WCUT_EFFECT_TENSION_DRIFT, 0.05));
     f.below[WCUT_BASE] = f.above[WCUT_BASE] = 999;
-    FIRST_FAILED_ALLOCATIONS(7, wcut_fit_profile(e, &f, NULL), f.below[WCUT_BASE] == 999 && f.above[WCUT_BASE] == 999);
+    FIRST_FAILED_ALLOCATIONS(7, wcut_fitted_profile(e, &f, NULL),
+                             f.below[WCUT_BASE] == 999 && f.above[WCUT_BASE] == 999);
     wcut_fitted_destroy(&f);
     wcut_evidence_destroy(e);
     synthetic_destroy(&s);
@@ -253,7 +254,7 @@ TEST(without_memory_nothing_is_written) {
     wcut_evidence *e = evidence_of(&s, 1);
     const wcut_model start = e->at;
     wcut_fitted f = {.count = 999};
-    FIRST_FAILED_ALLOCATIONS(8, wcut_fit_solve(e, &start, &f, NULL), f.count == 999);
+    FIRST_FAILED_ALLOCATIONS(8, wcut_model_fit(e, &start, &f, NULL), f.count == 999);
     wcut_evidence_destroy(e);
     synthetic_destroy(&s);
 }

@@ -1,9 +1,9 @@
 /* The effects of a run: made ready for a sub-step, remembered after it. */
-#include "cut/effects.h"
+#include "cut/active_effects.h"
 
 #include <stddef.h>
 
-static const wcut_effect *find(const wcut_setup *setup, wcut_effect_kind kind) {
+static const wcut_effect *find_setup_effect(const wcut_setup *setup, wcut_effect_kind kind) {
     for (int e = 0; e < setup->effect_count; e++)
         if (setup->effect[e].kind == kind) return &setup->effect[e];
     return NULL;
@@ -25,13 +25,13 @@ double wcut_cut_fit(wcut_cut *cut, const wcut_target *target, wcut_vec3 *end_a, 
     *end_a = target->end_a, *end_b = target->end_b;
 
     /* a mount that gives carries the end of the wire with it */
-    if (w->loaded && find(cut->setup, WCUT_EFFECT_MOUNT_COMPLIANCE)) {
+    if (w->loaded && find_setup_effect(cut->setup, WCUT_EFFECT_MOUNT_COMPLIANCE)) {
         *end_a = vec3_add(*end_a, w->offset[0]);
         *end_b = vec3_add(*end_b, w->offset[1]);
     }
 
     /* thermal strain at this heat, less where the wire is in air */
-    const wcut_effect *longer = find(cut->setup, WCUT_EFFECT_WIRE_ELONGATION);
+    const wcut_effect *longer = find_setup_effect(cut->setup, WCUT_EFFECT_WIRE_ELONGATION);
     if (!longer) return target->length;
     const double strain = thermal_strain(longer) * target->heat / 60, air = longer->value[2];
     double sum = 0;
@@ -66,8 +66,8 @@ void wcut_extension_apply(wcut_cut *cut, const wcut_target *target, wcut_extensi
     /* the law at a node sees the effects' states */
     out->local = locality_of(cut, target);
     foam->local = &out->local;
-    const wcut_effect *longer = find(setup, WCUT_EFFECT_WIRE_ELONGATION),
-                      *mounts = find(setup, WCUT_EFFECT_MOUNT_COMPLIANCE);
+    const wcut_effect *longer = find_setup_effect(setup, WCUT_EFFECT_WIRE_ELONGATION),
+                      *mounts = find_setup_effect(setup, WCUT_EFFECT_MOUNT_COMPLIANCE);
 
     /* without elongation and compliance the step stays as it is */
     if (!longer && !mounts) return;
