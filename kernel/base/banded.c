@@ -48,6 +48,7 @@ bool wcut_banded_factor(wcut_banded *m) {
             subtract(below + 1, row + 1, below[0], reach);
         }
     }
+
     return true;
 }
 

@@ -50,6 +50,8 @@ const char *wcut_quote(char to[WCUT_QUOTE_SIZE], const char *text, int max, int 
         while (from < end && ((unsigned char)*from & 0xc0) == 0x80) from++;
     if (!tail && keep < length)
         while (end > from && ((unsigned char)*end & 0xc0) == 0x80) end--;
+
+    /* every byte shown as a printable one, an ellipsis where text was cut off */
     size_t used = 0;
     if (tail && keep < length) used = (size_t)snprintf(to, WCUT_QUOTE_SIZE, "...");
     for (; from < end && used + 8 < WCUT_QUOTE_SIZE; from++) {
@@ -58,7 +60,9 @@ const char *wcut_quote(char to[WCUT_QUOTE_SIZE], const char *text, int max, int 
         memcpy(to + used, shown, (size_t)n);
         used += (size_t)n;
     }
+
     to[used] = '\0';
     if (from < end || (!tail && keep < length)) memcpy(to + used, "...", 4);
+
     return to;
 }

@@ -166,6 +166,7 @@ static wcut_status damped_step(solver *s, double damping, double *promised) {
         s->a[entries + (size_t)j * n + j] = sqrt(damping) * s->column[j];
         s->b[m + j] = 0;
     }
+
     wcut_status status = wcut_qr_solve(m + n, n, s->a, s->b, s->step, NULL);
     if (status != WCUT_OK) return status;
 
@@ -177,6 +178,7 @@ static wcut_status damped_step(solver *s, double damping, double *promised) {
         linear += r * r;
     }
     *promised = s->cost - linear;
+
     return WCUT_OK;
 }
 
@@ -190,6 +192,8 @@ static bool step_is_nothing(const solver *s) {
 /* Levenberg-Marquardt with the weights as they stand */
 static wcut_status minimise(solver *s) {
     double damping = 1e-3, growth = 2, promised, cost;
+
+    /* cost and Jacobian at the start */
     if (!least_squares_evaluate(s, s->x, s->r, s->jacobian, &s->cost)) return WCUT_BAD_ARGUMENT;
     memset(s->column, 0, (size_t)s->p->n * sizeof *s->column);
 
@@ -200,6 +204,8 @@ static wcut_status minimise(solver *s) {
         if (status != WCUT_OK) return status;
         if (step_is_nothing(s)) return WCUT_OK;
         s->iterations++;
+
+        /* the trial step; a trial outside the domain counts as a rise */
         for (int j = 0; j < s->p->n; j++) s->x_trial[j] = s->x[j] + s->step[j];
         bool inside = least_squares_evaluate(s, s->x_trial, s->r_trial, NULL, &cost);
         /* near the minimum the fall drowns in rounding: there the linear model is trusted */
@@ -216,6 +222,7 @@ static wcut_status minimise(solver *s) {
             if (damping > 1e200) return WCUT_NOT_CONVERGED;
         }
     }
+
     return WCUT_NOT_CONVERGED;
 }
 
@@ -278,9 +285,12 @@ static wcut_status reweight(solver *s, wcut_loss loss, int degrees, double *scal
             s->root[i] = sqrt(prior_weight(s, i) * omega);
         }
         if (change < 1e-11 && k > 0) return WCUT_OK;
+
+        /* minimise with the new weights */
         wcut_status status = minimise(s);
         if (status != WCUT_OK) return status;
     }
+
     return WCUT_NOT_CONVERGED;
 }
 
@@ -344,6 +354,7 @@ wcut_status wcut_lsq_solve(const wcut_lsq_problem *p, const wcut_lsq_options *op
         degrees += !p->weight || p->weight[i] > 0;
     }
     if (degrees < 0) return WCUT_SINGULAR;
+
     double *block = least_squares_lay_out(&s), *answer = wcut_alloc((size_t)p->n * p->n, sizeof *answer);
     wcut_status status = block && answer ? WCUT_OK : WCUT_NO_MEMORY;
     if (status != WCUT_OK) goto done;

@@ -44,6 +44,7 @@ int wcut_random_below(wcut_random *random, int n) {
 }
 
 double wcut_random_normal(wcut_random *random) {
+    /* the second deviate of the pair before (polar method, Marsaglia 1964) */
     if (random->has_spare) {
         random->has_spare = false;
         return random->spare;
@@ -61,5 +62,6 @@ double wcut_random_normal(wcut_random *random) {
     double scale = sqrt(-2 * log(s) / s);
     random->spare = scale * y;
     random->has_spare = true;
+
     return scale * x;
 }

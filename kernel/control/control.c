@@ -67,10 +67,14 @@ static wcut_status check_settings(const wcut_control_settings *s, wcut_error *er
                   {"tension_stop", s->tension_stop, false},
                   {"tension_absurd", s->tension_absurd, false},
                   {"fault_time", s->fault_time, false}};
+
+    /* each number is positive, or 0 where that switches something off */
     for (size_t i = 0; i < sizeof number / sizeof *number; i++)
         if (!is_positive(number[i].value) && !(number[i].zero && number[i].value == 0))
             return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s: found %g, expected a number %s 0", number[i].name,
                              number[i].value, number[i].zero ? "not less than" : "greater than");
+
+    /* the limits are in order */
     if (s->speed_min >= s->speed_max)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "speed_min: found %g, expected less than speed_max = %g",
                          s->speed_min, s->speed_max);
@@ -78,6 +82,7 @@ static wcut_status check_settings(const wcut_control_settings *s, wcut_error *er
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "tension_stop: found %g, expected more than the target %g and less than tension_absurd = %g",
                          s->tension_stop, s->tension, s->tension_absurd);
+
     return WCUT_OK;
 }
 
@@ -127,6 +132,7 @@ static bool fill_plan(wcut_control *c, const wcut_history *plan) {
 
 wcut_status wcut_control_create(const wcut_control_settings *settings, const wcut_history *plan, wcut_control **out,
                                 wcut_error *error) {
+    /* only a plan that came to its end can lead a whole cut */
     if (!settings || !plan || !out)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "settings, a plan and a place for the controller are expected");
     if (!plan->row || plan->stations < 2 || plan->stations != plan->planned)
@@ -134,21 +140,27 @@ wcut_status wcut_control_create(const wcut_control_settings *settings, const wcu
                          plan->stations, plan->planned);
     wcut_status status = check_settings(settings, error);
     if (status != WCUT_OK) return status;
+
+    /* the controller begins with its caution as the integral, so that it starts slower than planned */
     wcut_control *c = wcut_alloc(1, sizeof *c);
     if (!c) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a controller");
     c->s = *settings;
     c->integral = settings->feedback ? fmin(settings->caution, settings->authority) : 0;
     c->stations = plan->stations;
+
+    /* planned speed of each segment, tension of each station */
     c->planned = wcut_alloc((size_t)c->stations - 1, sizeof *c->planned);
     c->loaded = wcut_alloc((size_t)c->stations, sizeof *c->loaded);
     if (!c->planned || !c->loaded)
         status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a plan of %d stations", c->stations);
     else if (!fill_plan(c, plan))
         status = wcut_fail(error, WCUT_BAD_ARGUMENT, "plan: expected positive speeds and finite tensions");
+
     if (status == WCUT_OK)
         *out = c;
     else
         wcut_control_destroy(c);
+
     return status;
 }
 
@@ -173,11 +185,14 @@ static bool is_stopped(const wcut_control *c) { return c->view.state >= WCUT_CON
 
 /* time passed since the last step; 0 where it stands still, or the clock has just begun */
 static double pass_time(wcut_control *c, double time) {
+    /* the first finite time starts the clock */
     if (!c->begun && isfinite(time)) {
         c->begun = true;
         c->time = time;
         return 0;
     }
+
+    /* forward: the period; too long a gap stops the cut */
     const double dt = c->begun ? time - c->time : 0;
     if (dt > 0 && isfinite(dt)) {
         c->time = time;
@@ -188,8 +203,11 @@ static double pass_time(wcut_control *c, double time) {
         }
         return c->period = dt;
     }
+
+    /* a time that stands still or runs back: dropped, and after some of them a stop */
     c->view.dropped++;
     if (++c->still > STILL_MAX) c->view.state = WCUT_CONTROL_STATE_STOP_STALE;
+
     return 0;
 }
 

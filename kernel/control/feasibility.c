@@ -79,6 +79,7 @@ static void judge_figure(const figure *worst, int station, wcut_feasibility *v) 
 
 /* what makes a cut infeasible whatever its limits; false where nothing does */
 static bool judge_course(const wcut_history *h, wcut_feasibility *v) {
+    /* the largest angle of the wire to its rest direction */
     const wcut_history_row *last = &h->row[h->stations - 1];
     int steep = -1;
     double angle = ANGLE_MAX / DEGREE;
@@ -105,15 +106,19 @@ static bool judge_course(const wcut_history *h, wcut_feasibility *v) {
     } else {
         return false;
     }
+
     return true;
 }
 
 wcut_status wcut_feasibility_eval(const wcut_job *job, const wcut_history *h, const wcut_vec3 *mount_a,
                                   const wcut_vec3 *mount_b, const wcut_robot_limits *limits, wcut_feasibility *verdict,
                                   double *share) {
+    /* check everything before the first station */
     if (!job || !h || !h->row || !h->force_line || !h->position || h->stations < 1 || h->nodes < 1 || !mount_a ||
         !mount_b || !verdict || !vec3_all_finite(h->stations, mount_a) || !vec3_all_finite(h->stations, mount_b))
         return WCUT_BAD_ARGUMENT;
+
+    /* stress by tension: 1 / area of the wire's section */
     const wcut_robot_limits l = limits ? *limits : wcut_robot_limits_default(job);
     double temperature, strength;
     if (!is_positive(job->wire_diameter) || !wcut_limits_wire(job, &l, &temperature, &strength))
@@ -136,7 +141,10 @@ wcut_status wcut_feasibility_eval(const wcut_job *job, const wcut_history *h, co
             if (!fed && f[k].value / f[k].limit > worst.value / worst.limit) worst = f[k], at = j;
         }
     }
+
+    /* a course that cannot be run comes before any figure */
     if (!judge_course(h, &v)) judge_figure(&worst, at, &v);
     *verdict = v;
+
     return WCUT_OK;
 }

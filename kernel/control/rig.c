@@ -152,12 +152,16 @@ static wcut_vec3 noisy_position(rig *r, wcut_vec3 p) {
 }
 
 static bool record(rig *r, const wcut_station *s, reading tension, wcut_rig_run *run) {
+    /* a growing record, and the control's state at this time */
     if (!wcut_rig_run_grow(run)) return false;
     const int j = segment_of(r);
     const double a = mount_way(r->job->mount_a, j), b = mount_way(r->job->mount_b, j), share = a / fmax(a, b);
     const wcut_history_row *row = &r->plan->row[j + 1];
     wcut_control_view control;
+
     wcut_control_look(r->control, &control);
+
+    /* readings with noise; the command is the share of mount A */
     const int i = run->recording.samples++;
     wcut_column *c = run->recording.channel;
     c[WCUT_CHANNEL_TIME].value[i] = r->time;
@@ -172,6 +176,8 @@ static bool record(rig *r, const wcut_station *s, reading tension, wcut_rig_run 
     c[WCUT_CHANNEL_BETA_B].value[i] = noisy(r, s->beta_b, r->o.noise_angle);
     c[WCUT_CHANNEL_SPEED_COMMAND].value[i] = r->command * share;
     c[WCUT_CHANNEL_HEAT].value[i] = r->heat;
+
+    /* measured positions of both mounts */
     const wcut_vec3 at_a = noisy_position(r, s->mount_a), at_b = noisy_position(r, s->mount_b);
     c[WCUT_CHANNEL_A_X].value[i] = at_a.x;
     c[WCUT_CHANNEL_A_Y].value[i] = at_a.y;
@@ -179,22 +185,29 @@ static bool record(rig *r, const wcut_station *s, reading tension, wcut_rig_run 
     c[WCUT_CHANNEL_B_X].value[i] = at_b.x;
     c[WCUT_CHANNEL_B_Y].value[i] = at_b.y;
     c[WCUT_CHANNEL_B_Z].value[i] = at_b.z;
+
+    /* beside the recording: true tension, planned speed, phase, state */
     run->tension[i] = (s->tension_a + s->tension_b) / 2;
     run->planned[i] = row->speed_a;
     /* steady is what is steady at both ends of the segment */
     run->phase[i] = row->phase == WCUT_PHASE_STEADY ? r->plan->row[j].phase : row->phase;
     run->state[i] = control.state;
     run->beyond[i] = r->beyond;
+
     return true;
 }
 
 /* One period: the mounts move by the command of the step before, then the sensors are read and the speed is set. */
 static wcut_status rig_advance(rig *r, reading *tension, wcut_error *error) {
     const double dt = r->o.period;
+
+    /* the machine follows the command with a lag of first order */
     r->speed += (r->command - r->speed) * dt / (r->o.lag + dt);
     r->time += dt;
     r->heat = r->o.excitation ? wcut_job_heat_eval(r->job, r->time) : r->job->heat;
     move_mounts(r, r->speed * dt);
+
+    /* the simulated wire is led to where the mounts are */
     wcut_status status = WCUT_OK;
     if (r->way_a > 0 || r->way_b > 0) {
         wcut_error cause = {0};
@@ -202,35 +215,49 @@ static wcut_status rig_advance(rig *r, reading *tension, wcut_error *error) {
         if (status != WCUT_OK)
             return wcut_fail(error, status, "at %.2f s, station %.2f: %s", r->time, r->station, cause.text);
     }
+
+    /* contact, then readings with noise and delay */
     meet_foam(r);
     wcut_station s;
     wcut_cut_view(r->cut, &s);
     *tension = read_sensors(r, &s);
+
+    /* the controller sets the next command, with the excitation of the programme upon it */
     double speed;
     status = wcut_control_step(r->control, r->time, r->station, tension->a, tension->b, &speed);
     r->command = fmin(speed * excitation_dither(r, s.engaged_length), r->job->speed_max);
+
     return status;
 }
 
 static wcut_status run_loop(rig *r, wcut_progress progress, void *context, wcut_rig_run *run, wcut_error *error) {
+    /* a run may take PATIENCE times its planned time; a sample is recorded every 0.05 s unless asked otherwise */
     const wcut_history *plan = r->plan;
     const double max = 1 + PATIENCE * plan->row[plan->stations - 1].time;
     const int every = r->o.decimation > 0 ? r->o.decimation : (int)fmax(1, floor(0.05 / r->o.period + 0.5));
     wcut_control_view control = {.state = WCUT_CONTROL_STATE_RUN};
+
+    /* periods until the last station */
     for (long step = 1; r->station < plan->stations - 1; step++) {
         reading tension = {0, 0};
         wcut_status status = rig_advance(r, &tension, error);
         if (status != WCUT_OK) return status;
+
+        /* record before the figures are updated, so that a sample holds what was known then */
         wcut_station s;
         wcut_cut_view(r->cut, &s);
         if (step % every == 0 && !record(r, &s, tension, run))
             return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a recording of more than %d samples",
                              run->recording.samples);
+
+        /* largest tension over the target, and whether the controller stopped the cut */
         wcut_control_look(r->control, &control);
         run->overshoot = fmax(run->overshoot, (s.tension_a + s.tension_b) / 2 / run->target - 1);
         run->duration = r->time;
         run->ended = control.state >= WCUT_CONTROL_STATE_STOP_TENSION ? control.state : WCUT_CONTROL_STATE_RUN;
         if (run->ended != WCUT_CONTROL_STATE_RUN && control.speed == 0) return WCUT_OK;
+
+        /* a request to stop, and a run that comes no further */
         if (progress && progress((int)r->station + 1, plan->stations, context) != 0)
             return wcut_fail(error, WCUT_INTERRUPTED, "station %.1f: stopped on request", r->station);
         if (r->time > max)
@@ -238,6 +265,7 @@ static wcut_status run_loop(rig *r, wcut_progress progress, void *context, wcut_
                              r->station, plan->stations - 1, r->time, plan->row[plan->stations - 1].time);
     }
     run->complete = run->ended == WCUT_CONTROL_STATE_RUN;
+
     return WCUT_OK;
 }
 
@@ -268,6 +296,7 @@ static wcut_status check_match(const wcut_job *job, const wcut_history *plan, wc
 wcut_status wcut_rig_run_create(const wcut_job *job, const wcut_history *plan, const wcut_control_settings *control,
                                 const wcut_rig_options *options, wcut_progress progress, void *context,
                                 wcut_rig_run **out, wcut_error *error) {
+    /* check options and that job and plan belong together */
     if (!job || !plan || !control || !out)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "a job, a plan, settings and a place for the run are expected");
     rig r = {.job = job, .plan = plan, .o = options ? *options : wcut_rig_options_default(job)};
@@ -275,11 +304,15 @@ wcut_status wcut_rig_run_create(const wcut_job *job, const wcut_history *plan, c
     wcut_status status = check_rig(&r.o, error);
     if (status == WCUT_OK) status = check_match(job, plan, error);
     if (status == WCUT_OK) status = rig_begin(&r, control, error);
+
+    /* noise comes from the seed alone */
     if (status == WCUT_OK) {
         r.random = wcut_random_seed(r.o.seed);
         run = wcut_alloc(1, sizeof *run);
         if (!run) status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a run");
     }
+
+    /* run, and close the recording whatever ended it */
     if (run) {
         run->target = control->tension;
         status = run_loop(&r, progress, context, run, error);
@@ -287,12 +320,15 @@ wcut_status wcut_rig_run_create(const wcut_job *job, const wcut_history *plan, c
         if (status == WCUT_OK && run->recording.samples == 0)
             status = wcut_fail(error, WCUT_BAD_ARGUMENT, "the cut is over before its first sample");
     }
+
+    /* a run that has samples is handed over, also when it ended early */
     const bool handed = run && run->recording.samples > 0 &&
                         (status == WCUT_OK || status == WCUT_NOT_CONVERGED || status == WCUT_INTERRUPTED);
     if (handed)
         *out = run;
     else
         wcut_rig_run_destroy(run);
+
     wcut_cut_destroy(r.cut);
     wcut_setup_destroy(r.setup);
     wcut_control_destroy(r.control);

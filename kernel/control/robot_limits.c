@@ -107,9 +107,13 @@ wcut_status wcut_robot_limits_check(const wcut_job *job, const wcut_history *his
     if (!job || !history || !history->row || history->stations < 2 || !mount_a || !mount_b || !out ||
         !vec3_all_finite(history->stations, mount_a) || !vec3_all_finite(history->stations, mount_b))
         return WCUT_BAD_ARGUMENT;
+
+    /* limits of the cell, temperature and strength of the wire */
     const wcut_robot_limits l = limits ? *limits : wcut_robot_limits_default(job);
     double temperature, wire_strength;
     if (!wcut_limits_wire(job, &l, &temperature, &wire_strength)) return WCUT_BAD_ARGUMENT;
+
+    /* the checks in the order of the report; values are filled in */
     const double degree = 180 / WCUT_PI;
     wcut_robot_check check[WCUT_ROBOT_CHECKS] = {{"speed of mount A", "mm/s", 0, l.speed, -1, false},
                                                  {"speed of mount B", "mm/s", 0, l.speed, -1, false},
@@ -121,14 +125,19 @@ wcut_status wcut_robot_limits_check(const wcut_job *job, const wcut_history *his
                                                  {"beta at mount B", "deg", 0, l.beta * degree, -1, false},
                                                  {"wire in still air", "degC", 0, l.temperature, -1, false},
                                                  {"stress of the wire in air", "MPa", 0, 0, -1, false}};
+
+    /* mounts' motion and angles; temperature and stress come from the wire */
     const wcut_vec3 *const mount[2] = {mount_a, mount_b};
     check_motion(history, mount, check);
     check[TEMPERATURE].value = temperature;
     check[STRESS].value /= WCUT_PI / 4 * job->wire_diameter * job->wire_diameter;
     check[STRESS].limit = wire_strength;
+
+    /* compare each with its limit */
     for (int i = 0; i < WCUT_ROBOT_CHECKS; i++) {
         check[i].over = check[i].value > check[i].limit * (1 + 1e-9); /* what is at its limit is within it */
         out[i] = check[i];
     }
+
     return WCUT_OK;
 }

@@ -42,17 +42,25 @@ static double turn_error(double from, double to, double share, double at) {
 static double find_worst(path *p, int i, int k, int *worst) {
     double max = 0, chord = 0, time = 0;
     *worst = i + 1;
+
+    /* each station between, at the time when both robots would be there */
     for (int j = i + 1; j < k; j++) {
         const wcut_history_row *f = &p->row[i], *t = &p->row[k], *r = &p->row[j];
         const double share = (r->time - f->time) / (t->time - f->time);
+
+        /* distance across and along the chord of both mounts */
         double across[2], along[2], angle = 0;
         stray(p->a, i, j, k, share, &across[0], &along[0]);
         stray(p->b, i, j, k, share, &across[1], &along[1]);
+
+        /* the angles count where the tool follows the wire */
         if (p->o.frame == WCUT_TOOL_FRAME_FOLLOWING)
             angle = fmax(fmax(turn_error(f->alpha_a, t->alpha_a, share, r->alpha_a),
                               turn_error(f->beta_a, t->beta_a, share, r->beta_a)),
                          fmax(turn_error(f->alpha_b, t->alpha_b, share, r->alpha_b),
                               turn_error(f->beta_b, t->beta_b, share, r->beta_b)));
+
+        /* in shares of their tolerances */
         const double c = fmax(across[0], across[1]), l = fmax(along[0], along[1]);
         const double size = fmax(fmax(c / p->o.chord_tolerance, l / p->o.time_tolerance), angle / p->o.angle_tolerance);
         chord = fmax(chord, c);
@@ -62,10 +70,13 @@ static double find_worst(path *p, int i, int k, int *worst) {
             *worst = j;
         }
     }
+
+    /* the chord is taken: its errors are those of the motion */
     if (max <= 1) {
         p->chord_error = fmax(p->chord_error, chord);
         p->time_error = fmax(p->time_error, time);
     }
+
     return max;
 }
 
@@ -160,11 +171,14 @@ static void finish_motion(wcut_robot_motion *motion, double zone) {
 }
 
 static wcut_status fill_motion(const wcut_history *h, path *p, const unsigned char *keep, wcut_robot_motion *motion) {
+    /* count the stations that are kept, and two leads */
     const int m = h->stations;
     int count = 0;
     for (int j = 0; j < m; j++) count += keep[j];
     motion->target = wcut_alloc((size_t)count + 2, sizeof *motion->target);
     if (!motion->target) return WCUT_NO_MEMORY;
+
+    /* lead in, the stations, lead out */
     int n = 0;
     const double first = fmax(h->row[1].speed_a, h->row[1].speed_b);
     const double last = fmax(h->row[m - 1].speed_a, h->row[m - 1].speed_b);
@@ -174,11 +188,13 @@ static wcut_status fill_motion(const wcut_history *h, path *p, const unsigned ch
         if (keep[j]) motion->target[n++] = at_station(p, j);
     motion->last = n - 1;
     if (p->o.lead_out > 0) motion->target[n++] = lead_target(p, m - 1, p->onward, p->o.lead_out, last);
+
     motion->count = n;
     motion->stations = m;
     motion->chord_error = p->chord_error;
     motion->time_error = p->time_error;
     finish_motion(motion, p->o.zone);
+
     return WCUT_OK;
 }
 
@@ -206,13 +222,19 @@ wcut_status wcut_robot_motion_create(const wcut_history *history, const wcut_vec
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "a history, its path curves and a place for the motion are expected");
     path p = {.row = history->row, .a = mount_a, .b = mount_b, .o = options ? *options : wcut_robot_options_default()};
+
+    /* check the history and the options */
     wcut_status status = check_robot_path(history, mount_a, mount_b, &p.o, error);
     if (status != WCUT_OK) return status;
+
+    /* leads go in the common direction of both mounts */
     if ((p.o.lead_in > 0 && !lead_direction(&p, history->stations, 1, &p.feed)) ||
         (p.o.lead_out > 0 && !lead_direction(&p, history->stations, -1, &p.onward)))
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "a lead: the mounts move against each other all along, expected a common direction");
     const size_t m = (size_t)history->stations;
+
+    /* room, then thin the stations and fill in the targets */
     wcut_robot_motion *motion = wcut_alloc(1, sizeof *motion);
     int *stack = wcut_alloc(m, sizeof *stack);
     unsigned char *keep = wcut_alloc(m, 1);
@@ -221,12 +243,14 @@ wcut_status wcut_robot_motion_create(const wcut_history *history, const wcut_vec
         thin(&p, history->stations, stack, keep);
         status = fill_motion(history, &p, keep, motion);
     }
+
     wcut_free(stack);
     wcut_free(keep);
     if (status == WCUT_OK) {
         *out = motion;
         return WCUT_OK;
     }
+
     wcut_robot_motion_destroy(motion);
     return wcut_fail(error, status, "no memory for the targets of %d stations", history->stations);
 }

@@ -66,6 +66,7 @@ static void clean_gather(cleaning *c) {
 /* the value of a rank, by partition (Hoare 1961); the values are left partly sorted */
 static double clean_select_rank(int n, double *value, int rank) {
     for (int first = 0, last = n - 1; first < last;) {
+        /* part the range about its middle value; equal values stop both sides */
         const double pivot = value[first + (last - first) / 2];
         int i = first, j = last;
         while (i <= j) {
@@ -76,6 +77,8 @@ static double clean_select_rank(int n, double *value, int rank) {
             value[i++] = value[j];
             value[j--] = keep;
         }
+
+        /* go on in the part that holds the rank */
         if (rank <= j)
             last = j;
         else if (rank >= i)
@@ -83,6 +86,7 @@ static double clean_select_rank(int n, double *value, int rank) {
         else
             break;
     }
+
     return value[rank];
 }
 
@@ -132,9 +136,13 @@ static void look_around(cleaning *c, int first, int end) {
 
 static wcut_status find_outliers(cleaning *c) {
     const wcut_clean_options *o = c->options;
+
+    /* both tests off: nothing to do */
     if (o->radius == 0 && o->neighbours == 0) return WCUT_OK;
     clean_gather(c);
     if (c->left <= o->neighbours) return WCUT_DEGENERATE;
+
+    /* a tree over the points that are left, walked in blocks of neighbours */
     double *work = wcut_alloc((size_t)c->left, sizeof *work);
     wcut_status status = work ? wcut_kd_tree_build(c->left, c->some, c->threads, &c->tree) : WCUT_NO_MEMORY;
     if (status == WCUT_OK) {
@@ -142,9 +150,14 @@ static wcut_status find_outliers(cleaning *c) {
 #pragma omp parallel for schedule(dynamic) num_threads(wcut_threads(c->threads))
         for (int b = 0; b < blocks; b++) look_around(c, b * BLOCK, b == blocks - 1 ? c->left : (b + 1) * BLOCK);
     }
+
+    /* the limit from the mean distances: centre and scale, robust or by moments, and no less than a factor of the
+       centre */
     if (status == WCUT_OK && o->neighbours > 0) {
         o->robust ? measure_robust(c, work) : measure_moments(c, work);
         c->report.limit = fmax(c->report.centre + o->deviations * c->report.scale, o->factor_min * c->report.centre);
+
+        /* points beyond the limit are outliers, unless they have another cause already */
         for (int k = 0; k < c->left; k++) {
             unsigned char *removal = &c->removal[c->which[c->tree.index[k]]];
             if (*removal == WCUT_REMOVAL_KEPT && c->distance[k] > c->report.limit) *removal = WCUT_REMOVAL_OUTLIER;
@@ -152,6 +165,7 @@ static wcut_status find_outliers(cleaning *c) {
     }
     wcut_free(work);
     wcut_kd_tree_clear(&c->tree);
+
     return status;
 }
 
@@ -184,18 +198,25 @@ static wcut_status clean(cleaning *c) {
 wcut_status wcut_cloud_clean(int count, const wcut_vec3 *point, const wcut_clean_options *options, int threads,
                              unsigned char *removal, wcut_clean_report *report) {
     const wcut_clean_options o = options ? *options : wcut_clean_options_default();
+
+    /* check everything before the first allocation */
     if (count < 1 || !point || threads < 1 || !removal) return WCUT_BAD_ARGUMENT;
     if (!clean_options_are_usable(&o) || !points_are_usable(count, point)) return WCUT_BAD_ARGUMENT;
+
+    /* the working arrays of all tests */
     cleaning c = {.options = &o, .count = count, .threads = threads, .point = point};
     c.removal = wcut_alloc((size_t)count, 1);
     c.which = wcut_alloc((size_t)count, sizeof *c.which);
     c.some = wcut_alloc((size_t)count, sizeof *c.some);
     c.distance = wcut_alloc((size_t)count, sizeof *c.distance);
     const wcut_status status = c.removal && c.which && c.some && c.distance ? clean(&c) : WCUT_NO_MEMORY;
+
+    /* outputs only once all tests have been made */
     if (status == WCUT_OK) {
         memcpy(removal, c.removal, (size_t)count);
         if (report) *report = c.report;
     }
+
     wcut_free(c.removal);
     wcut_free(c.which);
     wcut_free(c.some);

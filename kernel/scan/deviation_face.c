@@ -54,21 +54,28 @@ static void find_kerf(maker *m) {
 static wcut_status deviation_face_lower(maker *m) {
     const wcut_history *h = m->history;
     const size_t count = (size_t)h->stations * h->nodes;
+
+    /* loft through the stations as they are, for the normals of the wire's surface */
     wcut_surface *wire = NULL;
     wcut_status status =
         wcut_surface_loft(h->stations, h->nodes, h->position, m->merge, &wire, m->face->parameter, NULL);
     if (status == WCUT_OK) status = deviation_face_find_normals(m, wire);
     wcut_surface_destroy(wire);
     if (status != WCUT_OK) return status;
+
+    /* half the kerf along the normal, downwards, then what effects do to the face */
     find_kerf(m);
     for (size_t i = 0; i < count; i++) m->node[i] = vec3_add_scaled(h->position[i], -m->half[i], m->normal[i]);
     status = wcut_face_eval(m->job->effect_count, m->job->effect, m->job->block_size, (int)count, m->normal, m->q_eff,
                             m->node);
+
+    /* the face is the loft through the lowered nodes, at the same parameters */
     wcut_loft_report report;
     if (status == WCUT_OK)
         status =
             wcut_surface_loft(h->stations, h->nodes, m->node, m->merge, &m->face->surface, m->face->parameter, &report);
     if (status == WCUT_OK) m->face->dropped = report.dropped;
+
     return status;
 }
 
@@ -260,11 +267,15 @@ wcut_status wcut_face_create(const wcut_job *job, const wcut_history *history, c
                              const wcut_vec3 *mount_b, double merge, wcut_face **face) {
     if (!face || !deviation_face_is_usable(job, history) || !mount_a != !mount_b || !(merge >= 0))
         return WCUT_BAD_ARGUMENT;
+
+    /* room for the face and what it is made from */
     maker m = {.job = job, .history = history, .merge = merge, .face = wcut_alloc(1, sizeof *m.face)};
     if (!m.face) return WCUT_NO_MEMORY;
     m.face->stations = history->stations, m.face->nodes = history->nodes, m.face->high = job->block_size;
     wcut_status status = deviation_face_make_room(&m) ? WCUT_OK : WCUT_NO_MEMORY;
     if (status == WCUT_OK) status = deviation_face_lower(&m);
+
+    /* grid, stations and bends; a face of fewer than four nodes inside the block cannot be compared */
     if (status == WCUT_OK) {
         deviation_face_fill_grid(&m);
         deviation_face_fill_stations(&m);
@@ -273,11 +284,14 @@ wcut_status wcut_face_create(const wcut_job *job, const wcut_history *history, c
         for (size_t i = 0; i < (size_t)m.face->stations * m.face->nodes; i++) inside += m.face->inside[i];
         if (inside < 4) status = WCUT_DEGENERATE;
     }
+
+    /* release the scratch, and hand the face over */
     void *const scratch[] = {m.q_eff, m.half, m.node, m.normal};
     for (size_t k = 0; k < sizeof scratch / sizeof *scratch; k++) wcut_free(scratch[k]);
     if (status == WCUT_OK)
         *face = m.face;
     else
         wcut_face_destroy(m.face);
+
     return status;
 }

@@ -43,11 +43,15 @@ static bool is_flat(wcut_vec3 a, wcut_vec3 b, wcut_vec3 c) {
 
 wcut_status wcut_face_mesh(const wcut_face *face, wcut_mesh **mesh) {
     if (!face || !mesh) return WCUT_BAD_ARGUMENT;
+
+    /* two triangles a cell at most */
     const size_t cells = ((size_t)face->stations - 1) * ((size_t)face->nodes - 1);
     wcut_mesh *m = NULL;
     if (cells > INT_MAX / 6) return WCUT_BAD_ARGUMENT;
     const wcut_status status = wcut_mesh_create(face->stations * face->nodes, (int)(2 * cells), 0, &m);
     if (status != WCUT_OK) return status;
+
+    /* split each cell along the same diagonal; triangles without an area are left out */
     int count = 0;
     for (int r = 0; r + 1 < face->stations; r++)
         for (int c = 0; c + 1 < face->nodes; c++) {
@@ -60,9 +64,11 @@ wcut_status wcut_face_mesh(const wcut_face *face, wcut_mesh **mesh) {
                 count++;
             }
         }
+
     for (int i = 0; i < m->vertex_count; i++) m->vertex[i] = face->point[i];
     m->triangle_count = count;
     *mesh = m;
+
     return WCUT_OK;
 }
 
@@ -211,6 +217,7 @@ wcut_status wcut_face_map_eval(const wcut_face_map *map, const wcut_face *face, 
             }
         if (area) *area = deviation_map_missing_area(face, present);
     }
+
     wcut_free(weights);
     wcut_free(sums);
     return status;

@@ -33,24 +33,30 @@ void wcut_deviation_summary_destroy(wcut_deviation_summary *summary) {
 
 wcut_status wcut_deviation_summary_create(const wcut_deviation_summary_options *options, const wcut_face *face,
                                           wcut_deviation_summary **summary) {
+    /* patches are squares of about the same size over the window */
     if (!summary || !deviation_summary_is_usable(options)) return WCUT_BAD_ARGUMENT;
     const int columns = parts_of(options->high.x - options->low.x, options->patch);
     const int rows = parts_of(options->high.y - options->low.y, options->patch);
     if ((double)columns * rows > PATCHES_MAX) return WCUT_BAD_ARGUMENT;
     wcut_deviation_summary *s = wcut_alloc(1, sizeof *s);
     if (!s) return WCUT_NO_MEMORY;
+
+    /* the face adds zones by part of the cut: entry, steady, exit */
     s->options = *options, s->face = face;
     s->patch_columns = columns, s->patch_rows = rows, s->parts = face ? WCUT_PARTS : 0;
     const size_t zones = (size_t)s->parts + (size_t)columns * rows;
     s->zone = wcut_alloc(zones, sizeof *s->zone);
     s->found_zone = wcut_alloc(zones, sizeof *s->found_zone);
     wcut_status status = s->zone && s->found_zone ? WCUT_OK : WCUT_NO_MEMORY;
+
+    /* cells for offset, form and noise; bins for the quantiles */
     if (status == WCUT_OK) status = wcut_lattice_create(options, &s->lattice);
     if (status == WCUT_OK) status = wcut_histogram_create(options->bands, options->band, &s->histogram);
     if (status == WCUT_OK)
         *summary = s;
     else
         wcut_deviation_summary_destroy(s);
+
     return status;
 }
 
@@ -96,19 +102,27 @@ static void relate(wcut_deviation_summary *s, const wcut_deviation *d) {
 
 wcut_status wcut_deviation_summary_add(wcut_deviation_summary *summary, int count, const wcut_deviation *deviation) {
     if (!summary || count < 0 || (count > 0 && !deviation)) return WCUT_BAD_ARGUMENT;
+
+    /* counts are int: refuse more than fit */
     long total = count;
     for (int k = 0; k < WCUT_PLACE_COUNT; k++) total += summary->place[k];
     if (total > INT_MAX) return WCUT_BAD_ARGUMENT;
+
+    /* check all before any is added */
     for (int i = 0; i < count; i++)
         if (!isfinite(deviation[i].distance) || !vec3_is_finite(deviation[i].foot) ||
             (unsigned)deviation[i].place >= WCUT_PLACE_COUNT)
             return WCUT_BAD_ARGUMENT;
+
+    /* distances go into the histogram in pieces; one beyond the border is counted and not used */
     double used[PIECE];
     int filled = 0;
     for (int i = 0; i < count; i++) {
         const wcut_deviation *d = &deviation[i];
         summary->place[d->place]++;
         if (d->place > WCUT_PLACE_BORDER) continue;
+
+        /* by part of the cut and by relation, by patch, by cell */
         if (summary->face) relate(summary, d);
         wcut_zone_add(&summary->zone[patch_of(summary, d->foot)], &summary->options, d);
         wcut_lattice_add(&summary->lattice, d);
@@ -117,7 +131,10 @@ wcut_status wcut_deviation_summary_add(wcut_deviation_summary *summary, int coun
         wcut_histogram_add(summary->histogram, filled, used); /* finite, and no more than fit: checked above */
         filled = 0;
     }
+
+    /* the last piece */
     wcut_histogram_add(summary->histogram, filled, used);
+
     return WCUT_OK;
 }
 
@@ -137,12 +154,18 @@ static wcut_relation relation_of(const wcut_deviation_summary *s, int k) {
 
 wcut_status wcut_deviation_summary_eval(wcut_deviation_summary *summary, const wcut_deviation_summary_result **result) {
     if (!summary || !result) return WCUT_BAD_ARGUMENT;
+
+    /* cells are doubled until enough of them hold points */
     wcut_deviation_summary_result *r = &summary->result;
     wcut_lattice coarse;
     wcut_status status = wcut_lattice_coarsen(&summary->lattice, &coarse);
     if (status != WCUT_OK) return status;
+
+    /* worst areas, then offset, form and noise */
     status = wcut_worst_list(&coarse, &r->worsts, summary->found_worst);
     if (status == WCUT_OK) status = wcut_lattice_split(&coarse, &r->split);
+
+    /* statistics, counts by place, zones, relations */
     if (status == WCUT_OK) {
         wcut_histogram_eval(summary->histogram, &r->statistics); /* its arguments are there */
         for (int k = 0; k < WCUT_PLACE_COUNT; k++) r->place[k] = summary->place[k];
@@ -153,6 +176,7 @@ wcut_status wcut_deviation_summary_eval(wcut_deviation_summary *summary, const w
         r->time = relation_of(summary, 0), r->path = relation_of(summary, 1), r->bend = relation_of(summary, 2);
         *result = r;
     }
+
     wcut_free(coarse.cell);
     return status;
 }

@@ -52,6 +52,7 @@ static void sort_few(item *a, int first, int end, int axis) {
 static void select_rank(item *a, int first, int end, int rank, int axis) {
     uint64_t state = (uint64_t)first * 2654435761u + (uint64_t)end;
     while (end - first > INSERTION) {
+        /* the pivot is the median of three items drawn by a seed of the range, so that no order of points is slow */
         const int n = end - first;
         const double pivot =
             median3(a[first + kd_tree_pick(&state, n)].at[axis], a[first + kd_tree_pick(&state, n)].at[axis],
@@ -62,6 +63,8 @@ static void select_rank(item *a, int first, int end, int rank, int axis) {
             while (a[j].at[axis] > pivot) j--;
             if (i <= j) swap_items(&a[i++], &a[j--]);
         }
+
+        /* go on in the part that holds the rank */
         if (rank <= j)
             end = j + 1;
         else if (rank >= i)
@@ -69,6 +72,8 @@ static void select_rank(item *a, int first, int end, int rank, int axis) {
         else
             return;
     }
+
+    /* few items are sorted at once */
     sort_few(a, first, end, axis);
 }
 
@@ -105,27 +110,35 @@ static void kd_tree_divide(wcut_kd_tree *t, item *a, int k, int level, int first
 }
 
 wcut_status wcut_kd_tree_build(int count, const wcut_vec3 *point, int threads, wcut_kd_tree *tree) {
+    /* levels until a leaf holds WCUT_KD_LEAF points at most */
     wcut_kd_tree t = {.count = count};
     while (count >> t.levels > WCUT_KD_LEAF) t.levels++;
     item *items = wcut_alloc((size_t)count, sizeof *items);
     t.point = wcut_alloc((size_t)count, sizeof *t.point);
     t.index = wcut_alloc((size_t)count, sizeof *t.index);
     t.node = wcut_alloc(((size_t)2 << t.levels) - 1, sizeof *t.node);
+
+    /* all or nothing */
     if (!items || !t.point || !t.index || !t.node) {
         wcut_free(items);
         wcut_kd_tree_clear(&t);
         return WCUT_NO_MEMORY;
     }
+
+    /* divide the items in place; the tasks fork where the ranges are large */
     for (int i = 0; i < count; i++) items[i] = (item){{point[i].x, point[i].y, point[i].z}, i};
 #pragma omp parallel num_threads(wcut_threads(threads))
 #pragma omp single
     kd_tree_divide(&t, items, 0, 0, 0, count);
+
+    /* points in the order of the tree, with their numbers */
     for (int i = 0; i < count; i++) {
         t.point[i] = vec3(items[i].at[0], items[i].at[1], items[i].at[2]);
         t.index[i] = items[i].index;
     }
     wcut_free(items);
     *tree = t;
+
     return WCUT_OK;
 }
 

@@ -83,26 +83,36 @@ static inline spot spot_at(const wcut_mesh_corners *t, wcut_vec3 p, double b, do
 /* The closest point by the regions that corners and edges own (Ericson 2005, 5.1.5). An edge without length or a face
    without area owns none: its ends and edges do. */
 static inline spot closest(const wcut_mesh_corners *t, wcut_vec3 p) {
+    /* before corner a */
     const wcut_vec3 ab = vec3_sub(t->b, t->a), ac = vec3_sub(t->c, t->a), ap = vec3_sub(p, t->a);
     const double d1 = vec3_dot(ab, ap), d2 = vec3_dot(ac, ap);
     if (d1 <= 0 && d2 <= 0) return spot_at(t, p, 0, 0, CORNER, 0);
+
+    /* before corner b, then the edge a b */
     const wcut_vec3 bp = vec3_sub(p, t->b);
     const double d3 = vec3_dot(ab, bp), d4 = vec3_dot(ac, bp);
     if (d3 >= 0 && d4 <= d3) return spot_at(t, p, 1, 0, CORNER, 1);
     const double vc = d1 * d4 - d3 * d2;
     if (vc <= 0 && d1 > 0 && d3 < 0) return spot_at(t, p, d1 / (d1 - d3), 0, EDGE, 0);
+
+    /* before corner c, then the edge c a */
     const wcut_vec3 cp = vec3_sub(p, t->c);
     const double d5 = vec3_dot(ab, cp), d6 = vec3_dot(ac, cp);
     if (d6 >= 0 && d5 <= d6) return spot_at(t, p, 0, 1, CORNER, 2);
     const double vb = d5 * d2 - d1 * d6;
     if (vb <= 0 && d2 > 0 && d6 < 0) return spot_at(t, p, 0, d2 / (d2 - d6), EDGE, 2);
+
+    /* the edge b c, by the barycentric coordinate of a */
     const double va = d3 * d6 - d5 * d4, to_c = d4 - d3, to_b = d5 - d6;
     if (va <= 0 && to_c > 0 && to_b > 0) {
         const double w = to_c / (to_c + to_b);
         return spot_at(t, p, 1 - w, w, EDGE, 1);
     }
+
+    /* inside the triangle, by barycentric coordinates */
     const double sum = va + vb + vc;
     if (!(sum > 0)) return spot_at(t, p, 0, 0, CORNER, 0);
+
     return spot_at(t, p, vb / sum, vc / sum, FACE, 0);
 }
 
@@ -255,6 +265,7 @@ WCUT_INLINE int near_lanes(const wcut_mesh_node *n, const float *low, const floa
 
 /* level by level, as long as the lanes fit */
 WCUT_WIDE static void find_front(const wcut_mesh_tree *t, const float *low, const float *high, float limit, front *f) {
+    /* the near lanes of the root */
     enum { ROOM = FRONT * WCUT_MESH_WIDE };
     lane list[ROOM], next[ROOM + WCUT_MESH_WIDE] = {{NULL, 0}};
     int count = near_lanes(&t->node[0], low, high, limit, list);

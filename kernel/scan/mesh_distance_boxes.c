@@ -109,8 +109,11 @@ static void put_leaf(builder *b, int first, int end, float low[3], float high[3]
 /* the node of a range and all below it; gives its number and its box. Each level takes a bit of the code at least, or
    the logarithm to base 8 of those in one cell. */
 static int put_node(builder *b, int first, int end, float low[3], float high[3]) {
+    /* the range divided into as many parts as a node has lanes */
     int bound[WCUT_MESH_WIDE + 1];
     const int parts = mesh_distance_boxes_divide(b->item, first, end, bound), number = b->nodes++;
+
+    /* each lane: a node of its own, a leaf, or empty */
     for (int k = 0; k < WCUT_MESH_WIDE; k++) {
         wcut_mesh_node *node = &b->tree->node[number];
         float l[3] = {INFINITY, INFINITY, INFINITY}, h[3] = {-INFINITY, -INFINITY, -INFINITY};
@@ -121,12 +124,15 @@ static int put_node(builder *b, int first, int end, float low[3], float high[3])
             node->child[k] = ~b->leaves;
             put_leaf(b, bound[k], bound[k + 1], l, h);
         }
+
+        /* the box of the lane, and of the whole node */
         for (int c = 0; c < 3; c++) {
             node->low[c][k] = l[c], node->high[c][k] = h[c];
             low[c] = l[c] < low[c] ? l[c] : low[c];
             high[c] = h[c] > high[c] ? h[c] : high[c];
         }
     }
+
     return number;
 }
 
@@ -168,6 +174,7 @@ static wcut_status sort_triangles(const wcut_mesh *mesh, const wcut_mesh_tree *t
 }
 
 wcut_status wcut_mesh_boxes_build(const wcut_mesh *mesh, wcut_mesh_tree *tree) {
+    /* sort the triangles along the Z-curve, and count what the tree needs */
     const size_t n = (size_t)mesh->triangle_count;
     size_t nodes = 0, leaves = 0;
     uint64_t *item = NULL;
@@ -175,17 +182,22 @@ wcut_status wcut_mesh_boxes_build(const wcut_mesh *mesh, wcut_mesh_tree *tree) {
     tree->triangles = mesh->triangle_count;
     if (sort_triangles(mesh, tree, &item) != WCUT_OK) return WCUT_NO_MEMORY;
     count_nodes(item, 0, (int)n, &nodes, &leaves);
+
+    /* the tree owns all that it needs later, so that the mesh may go */
     tree->point = wcut_copy(mesh->vertex, (size_t)mesh->vertex_count, sizeof *tree->point);
     tree->index = wcut_alloc(n, sizeof *tree->index);
     tree->vertex = wcut_alloc(n, 3 * sizeof *tree->vertex);
     tree->node = wcut_alloc(nodes, sizeof *tree->node);
     tree->leaf = wcut_alloc(leaves, sizeof *tree->leaf);
     const bool there = tree->point && tree->index && tree->vertex && tree->node && tree->leaf;
+
+    /* put the nodes, from the root down */
     if (there) {
         builder b = {.mesh = mesh, .tree = tree, .item = item};
         float low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
         put_node(&b, 0, (int)n, low, high);
     }
+
     wcut_free(item);
     return there ? WCUT_OK : WCUT_NO_MEMORY;
 }

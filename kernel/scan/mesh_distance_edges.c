@@ -28,16 +28,22 @@ static void begin_buckets(int vertices, int *start) {
 static void sort_edges(const wcut_mesh_tree *t, int vertices, int *start, edge *room, edge *sorted) {
     const int edges = 3 * t->triangles;
     int from, to;
+
+    /* count the edges of each higher vertex */
     for (int k = 0; k < edges; k++) {
         ends_of(t, k, &from, &to);
         start[(from > to ? from : to) + 1]++;
     }
+
+    /* put the edges into the buckets of their higher vertex, turned where they run downwards */
     begin_buckets(vertices, start);
     for (int k = 0; k < edges; k++) {
         ends_of(t, k, &from, &to);
         const bool turned = from > to;
         room[start[turned ? from : to]++] = (edge){turned ? to : from, 2 * (unsigned)k + turned};
     }
+
+    /* the same by the lower vertex; the sort is stable, so that equal edges are neighbours */
     for (int v = 0; v <= vertices; v++) start[v] = 0;
     for (int k = 0; k < edges; k++) start[room[k].other + 1]++;
     begin_buckets(vertices, start);
@@ -72,6 +78,7 @@ static void join_edges(wcut_mesh_tree *t, int vertices, const int *end, const ed
 
 static void mesh_distance_edges_find_normals(int vertices, wcut_mesh_tree *t) {
     for (int i = 0; i < t->triangles; i++) {
+        /* the triangle's area vector, and sums over the mesh */
         const wcut_mesh_corners p = wcut_mesh_corners_of(t, i);
         const wcut_vec3 ab = vec3_sub(p.b, p.a), ac = vec3_sub(p.c, p.a), bc = vec3_sub(p.c, p.b);
         const wcut_vec3 area = vec3_scale(0.5, vec3_cross(ab, ac));
@@ -80,14 +87,19 @@ static void mesh_distance_edges_find_normals(int vertices, wcut_mesh_tree *t) {
         t->info.area += size;
         t->info.area_sum = vec3_add(t->info.area_sum, area);
         if (size == 0) continue;
+
+        /* unit normal, and the angles at the three corners */
         const wcut_vec3 n = vec3_scale(1 / size, area);
         const double at_a = atan2(2 * size, vec3_dot(ab, ac)), at_b = atan2(2 * size, -vec3_dot(ab, bc));
         const double angle[3] = {at_a, at_b, fmax(0, WCUT_PI - at_a - at_b)};
+
+        /* add the normal to each corner, weighted by its angle */
         for (int k = 0; k < 3; k++) {
             wcut_vec3 *to = &t->normal[t->vertex[3 * (size_t)i + (size_t)k]];
             *to = vec3_add_scaled(*to, angle[k], n);
         }
     }
+
     for (int v = 0; v < vertices; v++) t->normal[v] = vec3_unit(t->normal[v]);
 }
 

@@ -117,6 +117,8 @@ wcut_status wcut_mesh_map_eval(const wcut_mesh *mesh, const double *sum, const d
         !wcut_are_near(mesh->vertex_count, mesh->vertex) || !is_positive(support) || threads < 1 || !value ||
         !present || !area)
         return WCUT_BAD_ARGUMENT;
+
+    /* which vertices have a point of the scan within the support */
     wcut_kd_tree tree;
     unsigned char *near = wcut_alloc((size_t)mesh->vertex_count, 1);
     wcut_status status = near ? wcut_kd_tree_build(count, point, threads, &tree) : WCUT_NO_MEMORY;
@@ -125,12 +127,15 @@ wcut_status wcut_mesh_map_eval(const wcut_mesh *mesh, const double *sum, const d
 #pragma omp parallel for schedule(dynamic, 1024) num_threads(wcut_threads(threads))
         for (int k = 0; k < mesh->vertex_count; k++)
             near[k] = wcut_kd_tree_distance(&tree, mesh->vertex[k], limit) < limit;
+
+        /* the area without points, and the values where there are some */
         double missing = 0;
         status = missing_area(mesh, support, &tree, threads, &missing);
         if (status == WCUT_OK) status = mesh_map_fill(mesh, sum, weight, near, value, present);
         if (status == WCUT_OK) *area = missing;
         wcut_kd_tree_clear(&tree);
     }
+
     wcut_free(near);
     return status;
 }

@@ -93,23 +93,30 @@ static wcut_status normals_solve(const wcut_kd_tree *t, const wcut_normals_optio
 wcut_status wcut_cloud_normals(int count, const wcut_vec3 *point, const wcut_normals_options *options, int threads,
                                wcut_vec3 *normal, wcut_normals_report *report) {
     const wcut_normals_options o = options ? *options : wcut_normals_options_default();
+
+    /* check the options and every coordinate */
     if (count < 3 || !point || threads < 1 || !normal) return WCUT_BAD_ARGUMENT;
     if (o.neighbours < 2 || o.neighbours > WCUT_KD_NEAREST_MAX || !(o.steep >= 0 && o.steep <= 1) ||
         !is_positive(vec3_length(o.side)))
         return WCUT_BAD_ARGUMENT;
     for (int k = 0; k < count; k++)
         if (!(fabs(point[k].x) <= FAR && fabs(point[k].y) <= FAR && fabs(point[k].z) <= FAR)) return WCUT_BAD_ARGUMENT;
+
+    /* neighbours by a tree; one side for all normals */
     wcut_kd_tree tree;
     wcut_status status = wcut_kd_tree_build(count, point, threads, &tree);
     if (status != WCUT_OK) return status;
     wcut_normals_report r = {0, 0, 0};
     wcut_vec3 *found = wcut_alloc((size_t)count, sizeof *found);
     status = found ? normals_solve(&tree, &o, threads, found, &r) : WCUT_NO_MEMORY;
+
+    /* the normals in the order of the points */
     if (status == WCUT_OK) {
         for (int k = 0; k < count; k++) normal[tree.index[k]] = found[k];
         if (report) *report = r;
     }
     wcut_free(found);
     wcut_kd_tree_clear(&tree);
+
     return status;
 }

@@ -84,6 +84,7 @@ static void orient_offer(orientation *o, int place, int number) {
 
 /* |n . side| of every point that has a normal; who waits is listed, who does not is turned */
 static wcut_status list_waiting(orientation *o, double steep, wcut_normals_report *report) {
+    /* turn each normal towards the side; those at too flat an angle are numbered and wait */
     const int count = o->tree->count;
     for (int p = 0; p < count; p++) {
         const double along = vec3_dot(o->normal[p], o->side);
@@ -93,6 +94,8 @@ static wcut_status list_waiting(orientation *o, double steep, wcut_normals_repor
         o->number[p] = ++o->waiting_count;
     }
     report->propagated = o->waiting_count;
+
+    /* arrays for the points that wait */
     const size_t n = (size_t)o->waiting_count;
     o->waiting = wcut_alloc(n, sizeof *o->waiting);
     o->neighbour = wcut_alloc(n * (size_t)o->k, sizeof *o->neighbour);
@@ -100,11 +103,14 @@ static wcut_status list_waiting(orientation *o, double steep, wcut_normals_repor
     o->heap = wcut_alloc(n, sizeof *o->heap);
     o->done = wcut_alloc(n, sizeof *o->done);
     if (!o->waiting || !o->neighbour || !o->first || !o->heap || !o->done) return WCUT_NO_MEMORY;
+
+    /* how upright each waiting one is, as the order in which guesses are made */
     for (int p = 0; p < count; p++) {
         if (o->number[p] == 0) continue;
         const double upright = fabs(vec3_dot(o->normal[p], o->side));
         o->waiting[o->number[p] - 1] = (waiting_point){p, -1, -1, 0, upright};
     }
+
     return WCUT_OK;
 }
 
@@ -189,14 +195,20 @@ static wcut_status orient_walk(orientation *o, wcut_normals_report *report) {
     const int n = o->waiting_count;
     rank *order = wcut_alloc((size_t)n, sizeof *order);
     const wcut_status status = order ? WCUT_OK : WCUT_NO_MEMORY;
+
+    /* most upright first, in case a piece has no neighbour that is known */
     if (status == WCUT_OK) {
         for (int w = 0; w < n; w++) order[w] = (rank){o->waiting[w].upright, w};
         qsort(order, (size_t)n, sizeof *order, orient_compare);
+
+        /* edges from known points into waiting ones */
         for (size_t e = 0; e < (size_t)n * (size_t)o->k; e++) {
             const int p = o->neighbour[e];
             if (p >= 0 && o->number[p] == 0 && vec3_dot(o->normal[p], o->normal[p]) > 0)
                 orient_offer(o, p, (int)(e / (size_t)o->k));
         }
+
+        /* follow the forest; each piece without a known neighbour begins with a guess */
         orient_follow(o);
         for (int w = 0; w < n; w++) {
             if (o->number[o->waiting[order[w].number].place] == 0) continue;
@@ -204,16 +216,20 @@ static wcut_status orient_walk(orientation *o, wcut_normals_report *report) {
             report->guessed++;
         }
     }
+
     wcut_free(order);
     return status;
 }
 
 wcut_status wcut_orient(const wcut_kd_tree *tree, int neighbours, wcut_vec3 side, double steep, int threads,
                         wcut_vec3 *normal, wcut_normals_report *report) {
+    /* number the points that wait */
     orientation o = {.tree = tree, .side = side, .normal = normal};
     o.k = neighbours < NEIGHBOURS_MAX ? neighbours : NEIGHBOURS_MAX;
     o.number = wcut_alloc((size_t)tree->count, sizeof *o.number);
     wcut_status status = o.number ? list_waiting(&o, steep, report) : WCUT_NO_MEMORY;
+
+    /* find neighbours in blocks, then both directions of every edge, then walk */
     if (status == WCUT_OK && o.waiting_count > 0) {
         const int blocks = o.waiting_count / BLOCK + (o.waiting_count % BLOCK > 0);
 #pragma omp parallel for schedule(dynamic) num_threads(wcut_threads(threads))
@@ -222,6 +238,8 @@ wcut_status wcut_orient(const wcut_kd_tree *tree, int neighbours, wcut_vec3 side
         status = turn_edges(&o);
         if (status == WCUT_OK) status = orient_walk(&o, report);
     }
+
+    /* release the graph */
     wcut_free(o.number);
     wcut_free(o.waiting);
     wcut_free(o.neighbour);

@@ -170,6 +170,8 @@ wcut_status wcut_reconstruction_create(const wcut_surface *surface, int count, c
                                        const wcut_foot *foot, const wcut_reconstruction_options *options, int threads,
                                        wcut_reconstruction **reconstruction, wcut_error *error) {
     const wcut_reconstruction_options o = options ? *options : wcut_reconstruction_options_default();
+
+    /* check arguments, options and the scan */
     if (!surface || !point || !foot || threads < 1 || !reconstruction)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "reconstruction: an argument is missing");
     if (count < MIN)
@@ -177,8 +179,12 @@ wcut_status wcut_reconstruction_create(const wcut_surface *surface, int count, c
     wcut_status status = reconstruct_check_options(&o, error);
     if (status == WCUT_OK) status = check_scan(surface, count, point, foot, error);
     if (status != WCUT_OK) return status;
+
+    /* points on a line span no face */
     if (!wcut_spans_plane(count, point, sizeof *point, NULL))
         return wcut_fail(error, WCUT_DEGENERATE, "scan: its points are in one place or on one line");
+
+    /* a tree for spacing and support */
     job j = {.surface = surface, .count = count, .threads = threads, .point = point, .foot = foot, .options = &o};
     wcut_reconstruction *r = wcut_alloc(1, sizeof *r);
     status = r ? wcut_kd_tree_build(count, point, threads, &j.tree) : WCUT_NO_MEMORY;
@@ -186,11 +192,14 @@ wcut_status wcut_reconstruction_create(const wcut_surface *surface, int count, c
         wcut_free(r);
         return wcut_fail(error, status, "reconstruction: %s", wcut_status_text(status));
     }
+
+    /* reconstruct, and hand over or release */
     status = reconstruct_job(&j, r, error);
     wcut_kd_tree_clear(&j.tree);
     if (status != WCUT_OK)
         wcut_reconstruction_destroy(r);
     else
         *reconstruction = r;
+
     return status;
 }

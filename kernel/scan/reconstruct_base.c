@@ -46,10 +46,14 @@ static bool reconstruct_base_is_usable(const wcut_mesh *m) {
 
 wcut_status wcut_mesh_base(const wcut_mesh *mesh, int flip, wcut_surface **surface) {
     if (!surface || !reconstruct_base_is_usable(mesh)) return WCUT_BAD_ARGUMENT;
+
+    /* direction across the sheet, and two axes in its plane */
     const wcut_vec3 n = reconstruct_base_direction_of(mesh, flip), x = {1, 0, 0}, y = {0, 1, 0};
     if (!(vec3_dot(n, n) > 0)) return WCUT_DEGENERATE;
     const wcut_vec3 along = fabs(n.x) < 0.9 ? x : y;
     const wcut_vec3 e = vec3_unit(vec3_sub(along, vec3_scale(vec3_dot(along, n), n))), f = vec3_cross(n, e);
+
+    /* the extent in the plane, and the mean height */
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY}, height = 0;
     for (int k = 0; k < mesh->vertex_count; k++) {
         const wcut_vec3 p = mesh->vertex[k];
@@ -57,11 +61,14 @@ wcut_status wcut_mesh_base(const wcut_mesh *mesh, int flip, wcut_surface **surfa
         for (int c = 0; c < 2; c++) low[c] = fmin(low[c], at[c]), high[c] = fmax(high[c], at[c]);
         height += vec3_dot(p, n) / mesh->vertex_count;
     }
+
+    /* the corners of the rectangle, as a bilinear surface */
     wcut_vec3 corner[4];
     for (int k = 0; k < 4; k++)
         corner[k] = vec3_add_scaled(vec3_add_scaled(vec3_scale(height, n), k % 2 ? high[0] : low[0], e),
                                     k / 2 ? high[1] : low[1], f);
     const double knot[] = {0, 0, 1, 1};
+
     return wcut_surface_create(1, 1, 2, 2, knot, knot, corner, NULL, surface);
 }
 
@@ -107,12 +114,16 @@ static void cover(const wcut_lattice *l, const corner c[3], wcut_base *base) {
    cells at the mesh's border are no bend, then level. */
 static bool reconstruct_base_spread(const wcut_lattice *l, wcut_base *base) {
     enum { NEAR = 2 };
+
+    /* begin with all covered nodes */
     const int nodes = lattice_nodes(l), columns = l->columns;
     int *queue = wcut_alloc((size_t)nodes, sizeof *queue), last = 0;
     unsigned char *known = wcut_copy(base->covered, (size_t)nodes, 1); /* 1 covered, steps from there + 1 else */
     const bool done = queue && known;
     for (int k = 0; k < nodes && done; k++)
         if (known[k]) queue[last++] = k;
+
+    /* breadth first: each node takes its height from the one it is reached from */
     for (int first = 0; first < last && done; first++) {
         const int k = queue[first], i = k % columns, j = k / columns;
         const int next[] = {i > 0 ? k - 1 : k, i < columns - 1 ? k + 1 : k, j > 0 ? k - columns : k,
@@ -126,6 +137,7 @@ static bool reconstruct_base_spread(const wcut_lattice *l, wcut_base *base) {
             queue[last++] = to;
         }
     }
+
     wcut_free(known);
     wcut_free(queue);
     return done;
@@ -155,16 +167,23 @@ wcut_status wcut_base_lay(const wcut_surface *plane, const wcut_mesh *mesh, int 
                           wcut_base *base) {
     if (!reconstruct_base_is_usable(mesh)) return WCUT_BAD_ARGUMENT;
     const size_t nodes = (size_t)lattice_nodes(lattice);
+
+    /* height and cover of the lattice's nodes */
     wcut_base b = {wcut_alloc(nodes, sizeof *b.height), wcut_alloc(nodes, 1)};
     corner *at = wcut_alloc((size_t)mesh->vertex_count, sizeof *at);
     wcut_status status = b.height && b.covered && at ? WCUT_OK : WCUT_NO_MEMORY;
+
+    /* corners of the mesh on the lattice, then cover it triangle by triangle */
     if (status == WCUT_OK) status = find_corners(plane, mesh, threads, lattice, at);
     for (int t = 0; t < mesh->triangle_count && status == WCUT_OK; t++) {
         const int *v = mesh->triangle + 3 * (size_t)t;
         cover(lattice, (corner[3]){at[v[0]], at[v[1]], at[v[2]]}, &b);
     }
+
+    /* a mesh that covers no node cannot be a base */
     if (status == WCUT_OK && !memchr(b.covered, 1, nodes)) status = WCUT_BAD_ARGUMENT;
     if (status == WCUT_OK && !reconstruct_base_spread(lattice, &b)) status = WCUT_NO_MEMORY;
+
     for (size_t k = 0; k < nodes && status == WCUT_OK; k++)
         lattice->point[k] = vec3_add_scaled(lattice->point[k], b.height[k], lattice->normal[k]);
     wcut_free(at);
@@ -172,6 +191,7 @@ wcut_status wcut_base_lay(const wcut_surface *plane, const wcut_mesh *mesh, int 
         *base = b;
     else
         wcut_base_clear(&b);
+
     return status;
 }
 

@@ -94,10 +94,13 @@ static void reconstruct_field_spread(const plate *p, int reach, unsigned char *r
 /* the points' share of the form, the nodes within reach of them, and a first height for each */
 static wcut_status take_points(plate *p, int count, const wcut_lattice_place *place, const double *height, int reach,
                                double *start) {
+    /* nodes with weight, marked in `scratch` */
     const int nodes = p->columns * p->rows;
     unsigned char *scratch = wcut_alloc((size_t)nodes, 1);
     if (!scratch) return WCUT_NO_MEMORY;
     double *weight = p->image; /* free until the solution begins */
+
+    /* each point: its bilinear weights go into matrix, right side and weight of four nodes */
     for (int k = 0; k < count; k++) {
         double w[CORNERS];
         int corner[CORNERS];
@@ -110,12 +113,17 @@ static wcut_status take_points(plate *p, int count, const wcut_lattice_place *pl
             weight[corner[a]] += w[a];
         }
     }
+
+    /* nodes within reach join in */
     dilate(p, reach, p->active, scratch);
+
+    /* a first height: the mean of the points at a node, spread to nodes without one */
     for (int k = 0; k < nodes; k++) {
         start[k] = weight[k] > 0 ? p->right[k] / weight[k] : 0;
         scratch[k] = weight[k] > 0;
     }
     reconstruct_field_spread(p, reach, scratch, start);
+
     wcut_free(scratch);
     return WCUT_OK;
 }
@@ -280,6 +288,7 @@ static double reconstruct_field_misfit(const plate *p, int count, const wcut_lat
 wcut_status wcut_field_solve(const wcut_lattice *lattice, int count, const wcut_lattice_place *place,
                              const double *height, double density, double smoothing, int reach, int threads,
                              wcut_field *field) {
+    /* the plate on the lattice, with a margin around it for the stencils */
     plate p = {.lattice = lattice, .columns = lattice->columns, .rows = lattice->rows, .threads = threads};
     const size_t nodes = (size_t)lattice_nodes(lattice);
     wcut_field f = {0};
@@ -287,11 +296,15 @@ wcut_status wcut_field_solve(const wcut_lattice *lattice, int count, const wcut_
     wcut_status status = allocate(&p) && room ? WCUT_OK : WCUT_NO_MEMORY;
     double *x = room ? room + p.pad : NULL;
     if (status == WCUT_OK) status = take_points(&p, count, place, height, reach, x);
+
+    /* stiffness sqrt(rho) s^2 of the plate, then conjugate gradients */
     if (status == WCUT_OK) {
         stiffen(&p, sqrt(density) * smoothing * smoothing);
         if (!reconstruct_field_solve(&p, x, &f.iterations)) status = WCUT_NOT_CONVERGED;
         f.rms = reconstruct_field_misfit(&p, count, place, height, x);
     }
+
+    /* the heights are the field's own */
     if (status == WCUT_OK) f.height = wcut_copy(x, nodes, sizeof *x);
     if (status == WCUT_OK && !f.height) status = WCUT_NO_MEMORY;
     wcut_free(room);
@@ -301,6 +314,7 @@ wcut_status wcut_field_solve(const wcut_lattice *lattice, int count, const wcut_
         *field = f;
     else
         wcut_field_clear(&f);
+
     return status;
 }
 

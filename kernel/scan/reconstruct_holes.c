@@ -77,6 +77,8 @@ static int reconstruct_holes_collect(flood *f, double min, wcut_hole *hole) {
 wcut_status wcut_holes_find(const wcut_lattice *lattice, const double *open_area, const unsigned char *outside,
                             double min, int *count, wcut_hole **hole) {
     const size_t nodes = (size_t)lattice_nodes(lattice);
+
+    /* count the holes first, so that the second pass has room for all */
     flood f = {lattice, open_area, outside, wcut_alloc(nodes, 1), wcut_alloc(nodes, sizeof *f.stack), 0};
     wcut_hole *h = NULL;
     int found = 0;
@@ -90,8 +92,10 @@ wcut_status wcut_holes_find(const wcut_lattice *lattice, const double *open_area
     }
     wcut_free(f.seen);
     wcut_free(f.stack);
+
     if (!h) return WCUT_NO_MEMORY;
     *count = found;
     *hole = h;
+
     return WCUT_OK;
 }

@@ -15,6 +15,8 @@ wcut_status wcut_sheet_raise(const wcut_lattice *lattice, const wcut_field *fiel
                              const wcut_kd_tree *tree, double support, wcut_vec3 block, int threads,
                              wcut_sheet *sheet) {
     const int nodes = lattice_nodes(lattice);
+
+    /* the sheet borrows lattice, field and tree */
     wcut_sheet s = {
         .lattice = lattice, .field = field, .covered = covered, .tree = tree, .support = support, .block = block};
     s.vertex = wcut_alloc((size_t)nodes, sizeof *s.vertex);
@@ -33,6 +35,7 @@ wcut_status wcut_sheet_raise(const wcut_lattice *lattice, const wcut_field *fiel
         s.distance[k] = usable ? wcut_kd_tree_distance(tree, s.vertex[k], limit) : limit;
     }
     *sheet = s;
+
     return WCUT_OK;
 }
 
@@ -60,6 +63,7 @@ static void reconstruct_sheet_put(int (*triangle)[3], int *count, int a, int b, 
 }
 
 static split split_cell(const wcut_sheet *s, int cell) {
+    /* the ring of the cell's corners, and the one that has no points */
     int ring[RING], count = 0, missing = 0;
     split c = {0};
     ring_of(s, cell, ring);
@@ -67,8 +71,12 @@ static split split_cell(const wcut_sheet *s, int cell) {
         count += is_measured(s, ring[a]);
         if (!is_measured(s, ring[a])) missing = a;
     }
+
+    /* the ring turned so that the missing corner is known by name */
     const int before = ring[(missing + 3) % RING], at = ring[missing], after = ring[(missing + 1) % RING],
               across = ring[(missing + 2) % RING];
+
+    /* four corners: two triangles; three: one on either side; fewer: none is measured */
     if (count == RING) {
         reconstruct_sheet_put(c.yes, &c.measured, ring[0], ring[1], ring[2]);
         reconstruct_sheet_put(c.yes, &c.measured, ring[0], ring[2], ring[3]);
@@ -79,6 +87,7 @@ static split split_cell(const wcut_sheet *s, int cell) {
         else
             reconstruct_sheet_put(c.no, &c.unmeasured, after, across, before);
     }
+
     return c;
 }
 
@@ -141,11 +150,15 @@ double wcut_sheet_normals(wcut_mesh *mesh) {
 /* a mesh of some triangles of the lattice: raised to the scan, or on the face */
 static wcut_status make_mesh(const wcut_sheet *s, const list *l, bool raised, wcut_mesh **mesh) {
     const int columns = s->lattice->columns, nodes = lattice_nodes(s->lattice);
+
+    /* number the nodes that are used */
     int count = 0, *place = wcut_alloc((size_t)nodes, sizeof *place);
     if (!place) return WCUT_NO_MEMORY;
     for (int k = 0; k < 3 * l->count; k++) place[l->triangle[k]] = 1;
     for (int k = 0; k < nodes; k++)
         if (place[k]) place[k] = ++count;
+
+    /* a mesh of those nodes, with parameters and normals, and heights where it was raised */
     wcut_mesh *m = NULL;
     const unsigned parts = WCUT_MESH_NORMAL | WCUT_MESH_UV | (raised ? WCUT_MESH_SCALAR : 0);
     const wcut_status status = wcut_mesh_create(count, l->count, parts, &m);
@@ -158,9 +171,11 @@ static wcut_status make_mesh(const wcut_sheet *s, const list *l, bool raised, wc
         m->uv[2 * to + 1] = s->lattice->v[k / columns];
         if (raised) m->scalar[to] = s->field->height[k];
     }
+
     for (int k = 0; k < 3 * l->count && status == WCUT_OK; k++) m->triangle[k] = place[l->triangle[k]] - 1;
     wcut_free(place);
     if (status == WCUT_OK) *mesh = m;
+
     return status;
 }
 
@@ -176,6 +191,8 @@ static void cut_cells(const wcut_sheet *s, list *yes, list *no, double *open_are
                       wcut_reconstruction *r) {
     const int columns = s->lattice->columns;
     double meshed = 0;
+
+    /* each cell: measured triangles, open ones, and those beyond the block */
     for (int j = 0; j < s->lattice->rows - 1; j++)
         for (int i = 0; i < columns - 1; i++) {
             const int cell = j * columns + i;
@@ -207,26 +224,35 @@ static void cut_cells(const wcut_sheet *s, list *yes, list *no, double *open_are
             r->supported_area += c.unmeasured ? fmax(own, all * supported_share(s, cell)) : own;
             r->unmeasured_area += open;
         }
+
+    /* the share of the supported area that has no mesh */
     r->lost = r->supported_area > 0 ? 1 - meshed / r->supported_area : 0;
 }
 
 wcut_status wcut_sheet_cut(const wcut_sheet *s, double hole_min, wcut_reconstruction *r) {
     const size_t nodes = (size_t)lattice_nodes(s->lattice);
+
+    /* two lists of triangles: measured and open */
     list yes = {0, wcut_alloc(CELL_TRIANGLES * nodes, 3 * sizeof *yes.triangle)};
     list no = {0, wcut_alloc(CELL_TRIANGLES * nodes, 3 * sizeof *no.triangle)};
     double *open_area = wcut_alloc(nodes, sizeof *open_area);
     unsigned char *outside = wcut_alloc(nodes, 1);
     wcut_status status = yes.triangle && no.triangle && open_area && outside ? WCUT_OK : WCUT_NO_MEMORY;
+
+    /* sort the cells, and mesh the measured ones */
     if (status == WCUT_OK) {
         cut_cells(s, &yes, &no, open_area, outside, r);
         r->farthest = farthest_of(s, &yes);
         status = yes.count ? make_mesh(s, &yes, true, &r->mesh) : WCUT_DEGENERATE;
     }
+
+    /* normals and area of the mesh, then the open part and its holes */
     if (status == WCUT_OK) {
         r->area = wcut_sheet_normals(r->mesh);
         status = make_mesh(s, &no, false, &r->unmeasured);
     }
     if (status == WCUT_OK) status = wcut_holes_find(s->lattice, open_area, outside, hole_min, &r->hole_count, &r->hole);
+
     wcut_free(yes.triangle);
     wcut_free(no.triangle);
     wcut_free(open_area);

@@ -140,6 +140,8 @@ wcut_status wcut_register_distances(void *data, const wcut_motion *motion, wcut_
     wcut_register_cloud *c = data;
     const wcut_status status = find_feet(c, motion);
     if (status != WCUT_OK) return status;
+
+    /* feet of the points under this motion, and normals there */
     int over = 0;
     register_cloud_find_normals(c);
 
@@ -151,6 +153,8 @@ wcut_status wcut_register_distances(void *data, const wcut_motion *motion, wcut_
         c->square[over++] = r * r;
     }
     if (over < MIN) return WCUT_DEGENERATE;
+
+    /* weights by the limit, and the sums of the normal equations */
     const double limit = fmax(sqrt(limit_of(over, c->keep, c->square)), 1e-300);
 
     for (int i = 0; i < c->count; i++) {
@@ -160,7 +164,9 @@ wcut_status wcut_register_distances(void *data, const wcut_motion *motion, wcut_
         if (w == 0) continue;
         register_add(sums, w, c->normal[i], vec3_cross(motion_arm(motion, c->point[i]), c->normal[i]), r);
     }
+
     sums->overlap = (double)over / c->count;
+
     return sums->used < MIN ? WCUT_DEGENERATE : WCUT_OK;
 }
 

@@ -140,15 +140,20 @@ static double apart(const wcut_register_cloud *c, const wcut_motion *a, const wc
 static wcut_status register_coarse_choose(wcut_register_cloud *few, wcut_register_cloud *some,
                                           const wcut_registration_options *options, double length, wcut_motion *motion,
                                           double *rival) {
+    /* a coarse fit needs a coarse tolerance only */
     wcut_registration_options o = *options;
     wcut_motion reached[TRIED + 1];
     double rms[TRIED + 1] = {0};
     int start[TRIED], best = 0;
+
+    /* principal frames of scan and surface; starts are ranked on few points */
     const frame scan = frame_of_cloud(some);
     frame surface;
     o.tolerance = fmax(o.tolerance, 1e-6 * length);
     wcut_status status = frame_of_face(&some->face, &surface);
     if (status == WCUT_OK) status = rank_starts(few, motion->pivot, &scan, &surface, start);
+
+    /* fit from the present motion and from the best starts; another one must be clearly better */
     for (int k = 0; k <= TRIED && status == WCUT_OK; k++) {
         reached[k] = k ? start_of(start[k - 1], motion->pivot, &scan, &surface) : *motion;
         status = register_coarse_approach(some, &o, length, &reached[k], &rms[k]);
@@ -156,11 +161,14 @@ static wcut_status register_coarse_choose(wcut_register_cloud *few, wcut_registe
         if (status == WCUT_OK && k && rms[k] < min) best = k;
     }
     if (status != WCUT_OK) return status;
+
+    /* the best of those that end elsewhere is the rival, for the report */
     *rival = 0;
     for (int k = 0; k <= TRIED; k++)
         if (apart(some, &reached[k], &reached[best]) > 0.01 * length && (!(*rival > 0) || rms[k] < *rival))
             *rival = rms[k];
     *motion = reached[best];
+
     return WCUT_OK;
 }
 

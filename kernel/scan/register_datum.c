@@ -23,12 +23,16 @@ static double weight_of(double sigma) { return sigma > 0 ? 1 / (sigma * sigma) :
 static wcut_status register_datum_residuals(void *data, const wcut_motion *motion, wcut_register_sums *sums) {
     static const wcut_vec3 axis[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const datums *d = data;
+
+    /* pairs: three residuals each, along x, y and z */
     for (int i = 0; i < d->pairs; i++) {
         const wcut_vec3 arm = motion_arm(motion, d->pair[i].scan);
         const wcut_vec3 r = vec3_sub(motion_apply(motion, d->pair[i].scan), d->pair[i].block);
         for (int k = 0; k < 3; k++)
             register_add(sums, weight_of(d->pair[i].sigma), axis[k], vec3_cross(arm, axis[k]), vec3_dot(axis[k], r));
     }
+
+    /* faces: one residual for each point, along the normal */
     for (int i = 0; i < d->faces; i++) {
         const wcut_datum_face *f = &d->face[i];
         const wcut_vec3 n = vec3_unit(f->normal);
@@ -38,6 +42,7 @@ static wcut_status register_datum_residuals(void *data, const wcut_motion *motio
         }
     }
     sums->overlap = 1;
+
     return WCUT_OK;
 }
 
@@ -163,6 +168,7 @@ static wcut_motion register_datum_start(const datums *d, const wcut_registration
 wcut_status wcut_registration_solve_datum(int pairs, const wcut_datum_pair *pair, int faces,
                                           const wcut_datum_face *face, const wcut_registration_options *options,
                                           wcut_registration *registration, wcut_error *error) {
+    /* check the arguments and the options */
     datums d = {pairs, faces, pair, face};
     wcut_registration_options o;
     int known = 0, count = 0;
@@ -171,15 +177,21 @@ wcut_status wcut_registration_solve_datum(int pairs, const wcut_datum_pair *pair
     wcut_status status = wcut_register_options(options, &o, error);
     if (status == WCUT_OK) status = register_datum_check(&d, &known, &count, error);
     if (status != WCUT_OK) return status;
+
+    /* the pivot, and lengths from it */
     wcut_vec3 pivot = {0, 0, 0};
     const double length = find_pivot(&d, &o, &pivot);
     wcut_registration r = wcut_registration_none();
+
+    /* residuals before anything is moved */
     wcut_register_sums before = {.weight = 0};
     const wcut_motion stay = wcut_motion_of(pivot, (double[WCUT_DOF_COUNT]){0});
     status = register_datum_residuals(&d, &stay, &before);
     r.method = WCUT_REGISTRATION_METHOD_DATUM;
     r.points = count;
     r.rms_before = sqrt(before.plain / before.used);
+
+    /* the start in closed form, then least squares in all directions that the datums determine */
     wcut_motion motion = register_datum_start(&d, &o, pivot);
     const wcut_register_problem problem = {.model = register_datum_residuals,
                                            .data = &d,
@@ -188,13 +200,17 @@ wcut_status wcut_registration_solve_datum(int pairs, const wcut_datum_pair *pair
                                            .noise = known ? 1 : o.noise,
                                            .consistency = 1,
                                            .max_iterations = o.max_iterations};
+
     if (status == WCUT_OK) status = wcut_register_solve(&problem, &motion, &r);
     if (status != WCUT_OK && status != WCUT_NOT_CONVERGED)
         return wcut_fail(error, status,
                          "datums: nothing to be determined, or sigmas unknown and no residual more than unknowns");
+
+    /* the noise is known: it is not estimated */
     if (known) r.noise = 0;
     wcut_register_matrix(&motion, r.matrix);
     *registration = r;
+
     return status == WCUT_OK ? status : wcut_fail(error, status, "datums: stopped after %d steps", r.iterations);
 }
 
@@ -240,5 +256,6 @@ wcut_status wcut_datum_residual_eval(const wcut_registration *registration, int 
             to->offset = vec3_scale(to->distance, normal);
         }
     }
+
     return WCUT_OK;
 }

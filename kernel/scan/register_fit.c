@@ -60,6 +60,7 @@ static wcut_status register_fit_solve(wcut_register_cloud *c, const wcut_registr
         return wcut_fail(error, status, "registration: %s", wcut_status_text(status));
     wcut_register_matrix(&motion, r.matrix);
     *registration = r;
+
     return status == WCUT_OK ? status : wcut_fail(error, status, "registration: stopped after %d steps", r.iterations);
 }
 
@@ -85,6 +86,7 @@ static wcut_status register_fit_fit(wcut_register_face face, int count, const wc
     if (status != WCUT_OK) return wcut_fail(error, status, "registration: %s", wcut_status_text(status));
     status = register_fit_solve(&cloud, &o, registration, error);
     wcut_register_sample_clear(&cloud);
+
     return status;
 }
 

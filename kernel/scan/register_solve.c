@@ -38,6 +38,7 @@ static double prior_cost(const wcut_registration_options *o, const double *x) {
 /* from shift and turn to the six parameters: out = T^t H T, T^t g, T = (I, J) times the scale of y */
 static void to_parameters(const wcut_register_problem *p, const wcut_motion *motion, const wcut_register_sums *s,
                           double *h, double *g) {
+    /* T: how shift and turn follow the parameters, the turn through the left Jacobian */
     const mat3 jacobian = wcut_motion_jacobian(motion->x + WCUT_DOF_RX);
     const wcut_vec3 row[3] = {jacobian.x, jacobian.y, jacobian.z};
     double t[N * N] = {0}, ht[N * N] = {0};
@@ -47,6 +48,8 @@ static void to_parameters(const wcut_register_problem *p, const wcut_motion *mot
         t[N * (k + 3) + 4] = row[k].y / p->length;
         t[N * (k + 3) + 5] = row[k].z / p->length;
     }
+
+    /* H T, then T' H T and T' g */
     for (int i = 0; i < N; i++)
         for (int j = 0; j < N; j++)
             for (int k = 0; k < N; k++) ht[N * i + j] += s->h[i < k ? N * i + k : N * k + i] * t[N * k + j];
@@ -199,6 +202,7 @@ static wcut_status register_solve_accept(const wcut_register_problem *p, const w
 static wcut_status register_solve_advance(const wcut_register_problem *p, const normal *n, double variance,
                                           double *damping, wcut_motion *motion, wcut_register_sums *sums,
                                           double settled, double *moved) {
+    /* try steps of growing damping until one lowers the cost */
     const double cost = sums->square / variance + prior_cost(p->options, motion->x);
     for (; *damping < DAMPED_MAX; *damping = fmax(1e-3, 10 * *damping)) {
         double y[N] = {0}, x[N], square = 0;
@@ -228,6 +232,7 @@ static wcut_status register_solve_advance(const wcut_register_problem *p, const 
         return WCUT_OK;
     }
     *moved = INFINITY;
+
     return WCUT_OK;
 }
 
@@ -276,6 +281,7 @@ static wcut_status report(const wcut_register_problem *p, const normal *n, const
 }
 
 wcut_status wcut_register_solve(const wcut_register_problem *p, wcut_motion *motion, wcut_registration *registration) {
+    /* residuals and normal equations at the start */
     wcut_motion at = wcut_motion_of(motion->pivot, motion->x);
     wcut_registration r = *registration;
     wcut_register_sums sums = {.weight = 0};
@@ -284,6 +290,8 @@ wcut_status wcut_register_solve(const wcut_register_problem *p, wcut_motion *mot
     int max = N;
     bool converged = false;
     wcut_status status = p->model(p->data, &at, &sums);
+
+    /* linearise, step, until a step is within the tolerance */
     for (r.iterations = 0; status == WCUT_OK;) {
         register_solve_linearise(p, &at, &sums, max, &n);
         if (n.by_data == 0) return WCUT_DEGENERATE;
@@ -292,16 +300,20 @@ wcut_status wcut_register_solve(const wcut_register_problem *p, wcut_motion *mot
         if (r.iterations >= SETTLED) max = n.by_data;
         if (r.iterations >= p->max_iterations) break;
         const double variance = variance_of(p, &sums, n.rank), settled = settled_step(p, &n, variance);
+
+        /* an accepted step moves the points by `moved`; INFINITY where none was better */
         status = register_solve_advance(p, &n, variance, &damping, &at, &sums, settled, &moved);
         converged = moved <= settled;
         if (isfinite(moved)) r.step = moved;
         if (converged || !isfinite(moved)) break;
         r.iterations++;
     }
+
     if (status == WCUT_OK) status = report(p, &n, &sums, &at, &r);
     if (status != WCUT_OK) return status;
     r.converged = converged;
     *motion = at;
     *registration = r;
+
     return converged ? WCUT_OK : WCUT_NOT_CONVERGED;
 }

@@ -80,9 +80,13 @@ wcut_status wcut_histogram_add(wcut_histogram *histogram, int count, const doubl
         !all_finite(count, deviation))
         return WCUT_BAD_ARGUMENT;
     if (count == 0) return WCUT_OK;
+
+    /* sums about the first value, so that a large offset loses no digits */
     wcut_histogram *t = histogram;
     if (t->count == 0) t->shift = t->min = t->max = deviation[0];
     double sum = 0, squares = 0, plain = 0, above = 0, below = 0;
+
+    /* each deviation: moments, sides, extremes, bands, bin */
     for (int i = 0; i < count; i++) {
         const double d = deviation[i], r = d - t->shift;
         sum += r, squares += r * r, plain += d * d;
@@ -96,8 +100,10 @@ wcut_status wcut_histogram_add(wcut_histogram *histogram, int count, const doubl
         }
         t->bin[signed_bin(d)]++;
     }
+
     t->count += count;
     t->sum += sum, t->squares += squares, t->plain_squares += plain, t->positive_sum += above, t->negative_sum += below;
+
     return WCUT_OK;
 }
 
@@ -124,15 +130,21 @@ static double quantile(const wcut_histogram *t, double p) {
 
 wcut_status wcut_histogram_eval(const wcut_histogram *histogram, wcut_statistics *statistics) {
     if (!histogram || !statistics) return WCUT_BAD_ARGUMENT;
+
+    /* counts and bands are there even without deviations */
     const wcut_histogram *t = histogram;
     wcut_statistics s = {.count = t->count, .positive = t->positive, .negative = t->negative, .bands = t->bands};
     for (int k = 0; k < t->bands; k++) s.band[k] = t->band[k];
+
+    /* mean and standard deviation about the shift */
     if (t->count > 0) {
         const double n = t->count, m = t->sum / n;
         s.mean = t->shift + m;
         s.std = n > 1 ? sqrt(fmax(t->squares - n * m * m, 0) / (n - 1)) : 0;
         s.rms = sqrt(t->plain_squares / n);
         s.mae = (t->positive_sum - t->negative_sum) / n;
+
+        /* quantiles, extremes, and the means of either side */
         s.median = quantile(t, 0.5);
         s.p01 = quantile(t, 0.01), s.p05 = quantile(t, 0.05), s.p95 = quantile(t, 0.95), s.p99 = quantile(t, 0.99);
         s.min = t->min, s.max = t->max;
@@ -140,11 +152,14 @@ wcut_status wcut_histogram_eval(const wcut_histogram *histogram, wcut_statistics
         s.profile = 2 * s.hausdorff;
         s.positive_mean = t->positive ? t->positive_sum / t->positive : 0;
         s.negative_mean = t->negative ? t->negative_sum / t->negative : 0;
+
+        /* shares beyond each band */
         for (int k = 0; k < t->bands; k++) {
             s.over[k] = t->over[k] / n, s.under[k] = t->under[k] / n;
             s.within[k] = (double)(t->count - t->over[k] - t->under[k]) / n;
         }
     }
     *statistics = s;
+
     return WCUT_OK;
 }

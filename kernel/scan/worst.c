@@ -113,6 +113,8 @@ static double noise_square(const wcut_lattice *l, double *scratch) {
 wcut_status wcut_lattice_split(const wcut_lattice *lattice, wcut_split *split) {
     const int count = lattice->columns * lattice->rows;
     double sum = 0, shares = 0, about = 0;
+
+    /* the noise of a single deviation, from cells with several */
     wcut_split s = {.cell = lattice->side};
     double *scratch = wcut_alloc((size_t)count, sizeof *scratch);
     if (!scratch) return WCUT_NO_MEMORY;
@@ -138,6 +140,7 @@ wcut_status wcut_lattice_split(const wcut_lattice *lattice, wcut_split *split) {
         s.form_rms = sqrt(fmax(about / s.cells - noise * shares / s.cells, 0));
     }
     *split = s;
+
     return WCUT_OK;
 }
 
@@ -219,15 +222,20 @@ static void place_in(wcut_worst *list, int *count, wcut_worst w) {
 }
 
 wcut_status wcut_worst_list(const wcut_lattice *lattice, int *count, wcut_worst *worst) {
+    /* room for as many areas as there are cells */
     const int cells = lattice->columns * lattice->rows;
     double *scratch = wcut_alloc((size_t)cells, sizeof *scratch);
     int *stack = wcut_alloc((size_t)cells, sizeof *stack);
     signed char *side = wcut_alloc((size_t)cells, 1);
     unsigned char *seen = wcut_alloc((size_t)cells, 1);
     const bool there = scratch && stack && side && seen;
+
+    /* cells beyond the level, and on which side */
     if (there) {
         const double level = level_of(lattice, scratch);
         for (int k = 0; k < cells; k++) side[k] = (signed char)side_of(lattice, k, level);
+
+        /* connected cells of one side are one area; the worst are kept in order */
         *count = 0;
         for (int k = 0; k < cells; k++) {
             if (side[k] == 0 || seen[k]) continue;
@@ -235,6 +243,7 @@ wcut_status wcut_worst_list(const wcut_lattice *lattice, int *count, wcut_worst 
             place_in(worst, count, worst_area(lattice, &a));
         }
     }
+
     wcut_free(seen);
     wcut_free(side);
     wcut_free(stack);

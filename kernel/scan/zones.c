@@ -38,12 +38,16 @@ static void zones_fill(const wcut_deviation_summary_options *o, const wcut_zone_
 
 void wcut_zones_fill(const wcut_deviation_summary *summary, wcut_zone *zone) {
     static const char *const part[WCUT_PARTS] = {"entry", "steady", "exit"};
+
+    /* the parts of the cut */
     const wcut_deviation_summary_options *o = &summary->options;
     for (int k = 0; k < summary->parts && k < WCUT_PARTS; k++) {
         zone[k] = (wcut_zone){.is_patch = 0};
         snprintf(zone[k].name, sizeof zone[k].name, "%s", part[k]);
         zones_fill(o, &summary->zone[k], &zone[k]);
     }
+
+    /* the patches, row by row, with their rectangles */
     const double wide = (o->high.x - o->low.x) / summary->patch_columns;
     const double long_side = (o->high.y - o->low.y) / summary->patch_rows;
     for (int r = 0; r < summary->patch_rows; r++)

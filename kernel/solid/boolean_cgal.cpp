@@ -40,9 +40,12 @@ bool boolean_load(const wcut_mesh &from, const unsigned char *tag, Mesh &mesh, T
 }
 
 wcut_status boolean_store(Mesh &from, const Tags &tags, wcut_mesh **result, unsigned char **tag) {
+    /* compact the mesh, so that indices are consecutive */
     from.collect_garbage();
     const std::size_t vertices = from.number_of_vertices(), triangles = from.number_of_faces();
     if (vertices > INT_MAX || triangles > INT_MAX / 3) return WCUT_NO_MEMORY;
+
+    /* arrays of our own */
     unsigned char *t = static_cast<unsigned char *>(wcut_alloc(triangles, sizeof *t));
     if (!t) return WCUT_NO_MEMORY;
     wcut_mesh *m = nullptr;
@@ -51,6 +54,8 @@ wcut_status boolean_store(Mesh &from, const Tags &tags, wcut_mesh **result, unsi
         wcut_free(t);
         return status;
     }
+
+    /* vertices, then triangles with their tags */
     for (const auto v : from.vertices()) {
         const auto &p = from.point(v);
         m->vertex[static_cast<std::size_t>(v)] = {p.x(), p.y(), p.z()};
@@ -62,6 +67,7 @@ wcut_status boolean_store(Mesh &from, const Tags &tags, wcut_mesh **result, unsi
     }
     *result = m;
     *tag = t;
+
     return WCUT_OK;
 }
 

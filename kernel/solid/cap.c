@@ -50,12 +50,16 @@ wcut_status wcut_cap_tessellate(const wcut_surface *patch, wcut_sides sides, dou
     wcut_mesh *mesh;
     wcut_tessellation_report report;
     wcut_cap l;
+
+    /* triangles of the patch on a grid */
     wcut_status status = wcut_surface_tessellate(patch, chord_tolerance, &mesh, &report);
     if (status != WCUT_OK) return status;
     const int columns = report.columns, rows = report.rows, borders[4] = {rows, rows, columns, columns};
     status = mesh->triangle_count == 2 * (columns - 1) * (rows - 1) /* none that shrank to nothing was left out */
                  ? wcut_cap_create(mesh->vertex_count, mesh->triangle_count, borders, &l)
                  : WCUT_DEGENERATE;
+
+    /* borders by index: two along y, two along x; coordinates exactly on the sides */
     if (status == WCUT_OK) {
         memcpy(l.vertex, mesh->vertex, (size_t)mesh->vertex_count * sizeof *l.vertex);
         memcpy(l.triangle, mesh->triangle, (size_t)mesh->triangle_count * 3 * sizeof *l.triangle);
@@ -65,6 +69,7 @@ wcut_status wcut_cap_tessellate(const wcut_surface *patch, wcut_sides sides, dou
         *cap = l;
         *chord_error = report.chord_error;
     }
+
     wcut_mesh_destroy(mesh);
     return status;
 }
@@ -93,34 +98,48 @@ static wcut_status enclose_side(const wcut_cap *floor, const wcut_cap *ceiling, 
                                 int *triangle) {
     const int low = floor->border_count[side], high = ceiling->border_count[side], points = low + high;
     const bool along_y = side < 2, turned = side == 0 || side == 3; /* the plane's p runs to the right of who looks */
+
+    /* the polygon's vertices in space */
     wcut_point2d *point = wcut_alloc((size_t)points, sizeof *point);
     int *index = wcut_alloc((size_t)points, sizeof *index);
     wcut_status status = point && index ? WCUT_OK : WCUT_NO_MEMORY;
+
+    /* floor and ceiling borders one after the other */
     if (status == WCUT_OK) {
         for (int k = 0; k < low; k++) index[k] = ceiling->vertex_count + floor->border[side][turned ? low - 1 - k : k];
         for (int k = 0; k < high; k++) index[low + k] = ceiling->border[side][turned ? k : high - 1 - k];
+
+        /* their places in the plane of the side */
         for (int k = 0; k < points; k++) {
             const wcut_vec3 *x = &vertex[index[k]];
             const double p = along_y ? x->y : x->x;
             point[k] = (wcut_point2d){turned ? -p : p, x->z};
         }
+
+        /* triangles of the polygon, by the indices in the mesh */
         status = wcut_polygon_triangulate(1, &points, point, triangle);
         for (int k = 0; status == WCUT_OK && k < 3 * (points - 2); k++) triangle[k] = index[triangle[k]];
     }
+
     wcut_free(index);
     wcut_free(point);
     return status;
 }
 
 wcut_status wcut_cap_enclose(const wcut_cap *floor, const wcut_cap *ceiling, wcut_mesh **mesh) {
+    /* triangles of both faces and of four sides */
     size_t triangles = (size_t)floor->triangle_count + (size_t)ceiling->triangle_count;
     for (int b = 0; b < 4; b++) triangles += (size_t)floor->border_count[b] + (size_t)ceiling->border_count[b] - 2;
     if (triangles > INT_MAX / 3 || ceiling->vertex_count > INT_MAX - floor->vertex_count) return WCUT_BAD_ARGUMENT;
     wcut_mesh *m;
     wcut_status status = wcut_mesh_create(ceiling->vertex_count + floor->vertex_count, (int)triangles, 0, &m);
     if (status != WCUT_OK) return status;
+
+    /* vertices: ceiling, then floor */
     memcpy(m->vertex, ceiling->vertex, (size_t)ceiling->vertex_count * sizeof *m->vertex);
     memcpy(m->vertex + ceiling->vertex_count, floor->vertex, (size_t)floor->vertex_count * sizeof *m->vertex);
+
+    /* triangles: the ceiling as it is, the floor turned */
     int *to = m->triangle;
     memcpy(to, ceiling->triangle, (size_t)ceiling->triangle_count * 3 * sizeof *to);
     to += 3 * (ptrdiff_t)ceiling->triangle_count;
@@ -130,6 +149,8 @@ wcut_status wcut_cap_enclose(const wcut_cap *floor, const wcut_cap *ceiling, wcu
         *to++ = ceiling->vertex_count + c[2];
         *to++ = ceiling->vertex_count + c[1];
     }
+
+    /* sides between the borders */
     for (int b = 0; status == WCUT_OK && b < 4; b++) {
         status = enclose_side(floor, ceiling, b, m->vertex, to);
         to += 3 * (ptrdiff_t)(floor->border_count[b] + ceiling->border_count[b] - 2);
@@ -139,5 +160,6 @@ wcut_status wcut_cap_enclose(const wcut_cap *floor, const wcut_cap *ceiling, wcu
     } else {
         wcut_mesh_destroy(m);
     }
+
     return status;
 }

@@ -20,11 +20,14 @@ static void add_circle(const wcut_key *key, int arcs, double radius, double z, w
 
 /* triangulate loops of vertices seen from above: runs of loop sizes, holes stored counter-clockwise are turned */
 static wcut_status add_region(const wcut_vec3 *vertex, int loops, const int *size, const int *start, int *triangle) {
+    /* room for all loops together */
     int points = 0;
     for (int l = 0; l < loops; l++) points += size[l];
     wcut_point2d *point = wcut_alloc((size_t)points, sizeof *point);
     int *index = wcut_alloc((size_t)points, sizeof *index);
     wcut_status status = point && index ? WCUT_OK : WCUT_NO_MEMORY;
+
+    /* vertices of the loops; holes are turned */
     if (status == WCUT_OK) {
         int made = 0;
         for (int l = 0; l < loops; l++)
@@ -32,10 +35,13 @@ static wcut_status add_region(const wcut_vec3 *vertex, int loops, const int *siz
                 index[made] = start[l] + (l == 0 ? k : size[l] - 1 - k);
                 point[made] = (wcut_point2d){vertex[index[made]].x, vertex[index[made]].y};
             }
+
+        /* triangulate in the plane, then back to indices of the cap */
         status = wcut_polygon_triangulate(loops, size, point, triangle);
         const int corners = 3 * (points + 2 * loops - 4);
         for (int k = 0; status == WCUT_OK && k < corners; k++) triangle[k] = index[triangle[k]];
     }
+
     wcut_free(index);
     wcut_free(point);
     return status;
@@ -67,11 +73,14 @@ static bool keys_fit(wcut_sides sides, int count, const wcut_key *key) {
 /* vertices of corners and circles, then triangles; size and start have room for count + 1 loops */
 static wcut_status fill_flat(wcut_sides s, double z, int count, const wcut_key *key, int *size, int *start,
                              wcut_cap *l) {
+    /* four corners and the borders between them */
     size[0] = 4, start[0] = 0;
     for (int k = 0; k < 4; k++)
         l->vertex[k] = vec3(s.x[k == 1 || k == 2], s.y[k >= 2], z); /* around, counter-clockwise */
     const int border[4][2] = {{0, 3}, {1, 2}, {0, 1}, {3, 2}};
     for (int b = 0; b < 4; b++) memcpy(l->border[b], border[b], sizeof border[b]);
+
+    /* each key: circle, flank and tip */
     int made = 4, points = 4;
     int *to = l->triangle;
     for (int k = 0; k < count; k++) {
@@ -87,18 +96,23 @@ static wcut_status fill_flat(wcut_sides s, double z, int count, const wcut_key *
         to += 3 * (ptrdiff_t)(arcs - 2);
         made += 2 * arcs;
     }
+
+    /* the rest of the face, around the circles */
     l->triangle_count = (int)((to - l->triangle) / 3) + points + 2 * (count + 1) - 4;
+
     return add_region(l->vertex, count + 1, size, start, to);
 }
 
 wcut_status wcut_cap_flat(wcut_sides sides, double z, int count, const wcut_key *key, double chord_tolerance,
                           wcut_cap *cap) {
+    /* each border has two vertices; circles have as many as the chord tolerance asks for */
     if (!keys_fit(sides, count, key)) return WCUT_BAD_ARGUMENT;
     const int borders[4] = {2, 2, 2, 2};
     int *size = wcut_alloc(2 * ((size_t)count + 1), sizeof *size), *start = size ? size + count + 1 : NULL;
     if (!size) return WCUT_NO_MEMORY;
     int arcs = 0;
     for (int k = 0; k < count; k++) arcs += size[k + 1] = wcut_key_arcs(&key[k], chord_tolerance);
+
     wcut_cap l;
     wcut_status status = wcut_cap_create(4 + 2 * arcs, 4 + 4 * arcs + 2 * count, borders, &l);
     if (status == WCUT_OK) {
@@ -109,6 +123,7 @@ wcut_status wcut_cap_flat(wcut_sides sides, double z, int count, const wcut_key 
             wcut_cap_clear(&l);
         }
     }
+
     wcut_free(size);
     return status;
 }

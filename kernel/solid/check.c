@@ -72,16 +72,22 @@ static wcut_vec3 check_spread(const wcut_mesh *m, int t) {
 
 wcut_status wcut_check_boundary(const wcut_mesh *mesh, wcut_half_report *report) {
     fans f = {.first = NULL};
+
+    /* edges by the corner they leave from */
     int *parent = wcut_alloc((size_t)mesh->vertex_count, sizeof *parent);
     wcut_status status = parent ? check_gather(mesh, &f) : WCUT_NO_MEMORY;
     if (status == WCUT_OK) {
         wcut_half_report *r = report;
+
+        /* closed: every edge has two triangles; oriented: they run through it in opposite directions */
         bool two;
         r->oriented = edges_match(mesh, &f, &two);
         r->closed = two && mesh->triangle_count > 0;
         r->pieces = count_pieces(mesh, &f, parent);
         r->volume = wcut_mesh_volume(mesh);
         r->oriented = r->oriented && r->volume > 0;
+
+        /* volume, area and box */
         r->area = 0;
         for (int t = 0; t < mesh->triangle_count; t++) r->area += vec3_length(check_spread(mesh, t)) / 2;
         r->box_low = r->box_high = mesh->vertex_count > 0 ? mesh->vertex[0] : vec3(0, 0, 0);
@@ -91,6 +97,7 @@ wcut_status wcut_check_boundary(const wcut_mesh *mesh, wcut_half_report *report)
             r->box_high = vec3(fmax(r->box_high.x, p.x), fmax(r->box_high.y, p.y), fmax(r->box_high.z, p.z));
         }
     }
+
     wcut_free(f.end);
     wcut_free(f.first);
     wcut_free(parent);
@@ -99,9 +106,12 @@ wcut_status wcut_check_boundary(const wcut_mesh *mesh, wcut_half_report *report)
 
 void wcut_check_draft(const wcut_mesh *mesh, const unsigned char *tag, wcut_vec3 pull, wcut_half_report *report,
                       double *draft) {
+    /* vertices that are not on the cut have no draft */
     for (int v = 0; v < mesh->vertex_count; v++) draft[v] = NAN;
     report->cut_area = report->undercut_area = 0;
     report->draft_min = INFINITY;
+
+    /* each triangle of the cut: asin(N . p) */
     for (int t = 0; t < mesh->triangle_count; t++) {
         if (!tag[t]) continue;
         const wcut_vec3 n = check_spread(mesh, t);
@@ -109,8 +119,12 @@ void wcut_check_draft(const wcut_mesh *mesh, const unsigned char *tag, wcut_vec3
         if (!(area > 0)) continue;
         const double rise = vec3_dot(n, pull) / (2 * area);
         const double angle = asin(clamp(rise, -1, 1));
+
+        /* a vertex has the least draft of its triangles */
         const int *c = mesh->triangle + 3 * (ptrdiff_t)t;
         for (int k = 0; k < 3; k++) draft[c[k]] = fmin(draft[c[k]], angle); /* fmin leaves a NaN out */
+
+        /* areas, and the place of the least draft */
         report->cut_area += area;
         if (angle < 0) report->undercut_area += area;
         if (angle < report->draft_min) {

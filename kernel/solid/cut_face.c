@@ -103,6 +103,7 @@ wcut_status wcut_cut_face_solve(const wcut_division *d, double side, double marg
         f.high = fmax(f.high, f.cap.vertex[k].z);
     }
     *face = f;
+
     return WCUT_OK;
 }
 

@@ -54,6 +54,8 @@ static wcut_status cut_face_fit_lines_new(int count, lines *l) {
 /* halve the coarse intervals, and those that would be left more than twice as wide as a neighbour */
 static wcut_status cut_face_fit_lines_refine(lines *l) {
     const int count = l->count;
+
+    /* an interval more than twice as wide as its neighbour is marked too */
     for (bool more = true; more;) {
         more = false;
         for (int k = 0; k + 1 < count; k++) {
@@ -65,6 +67,8 @@ static wcut_status cut_face_fit_lines_refine(lines *l) {
             }
         }
     }
+
+    /* the new lines: a middle in every marked interval */
     int made = 0, halved = 0;
     for (int k = 0; k + 1 < count; k++) halved += l->coarse[k];
     lines fine;
@@ -76,6 +80,7 @@ static wcut_status cut_face_fit_lines_refine(lines *l) {
     }
     cut_face_fit_lines_clear(l);
     *l = fine;
+
     return WCUT_OK;
 }
 
@@ -103,9 +108,12 @@ static wcut_status cut_face_fit_sample(const wcut_trim *trim, int columns, const
                                        sampled *g, wcut_error *error) {
     wcut_status status = sampled_new(columns, rows, g);
     for (int i = 0; status == WCUT_OK && i < columns; i++) {
+        /* a column of s: its rib gives v at both sides */
         const double x = x_of(trim, s[i]);
         wcut_rib rib;
         status = wcut_trim_rib(trim, x, &rib, error);
+
+        /* each t: the point on the rib, with u continued from the columns before */
         for (int j = 0; status == WCUT_OK && j < rows; j++) {
             const ptrdiff_t k = (ptrdiff_t)j * columns + i;
             wcut_sheet_point p;
@@ -114,15 +122,20 @@ static wcut_status cut_face_fit_sample(const wcut_trim *trim, int columns, const
             if (i > 1) g->u[k] += (g->u[k - 1] - g->u[k - 2]) * (s[i] - s[i - 1]) / (s[i - 1] - s[i - 2]);
             status = wcut_trim_point(trim, x, g->v[k], &g->u[k], &p, error);
             if (status != WCUT_OK) break;
+
+            /* a fold has no face */
             if (!(p.facing > FOLDED))
                 status = wcut_fail(error, WCUT_DEGENERATE, "the cut%s folds over itself at (%.6g, %.6g, %.6g) mm",
                                    trim->sheet->width ? "'s kerf" : "", p.at.x, p.at.y, p.at.z);
+
+            /* exact coordinates on the sides */
             g->at[k] = vec3(x, p.at.y, p.at.z);
             if (t[j] == 0) g->at[k].y = trim->sides.y[0];
             if (t[j] == 1) g->at[k].y = trim->sides.y[1];
         }
     }
     if (status != WCUT_OK) sampled_clear(g);
+
     return status;
 }
 
@@ -130,6 +143,8 @@ static wcut_status cut_face_fit_sample(const wcut_trim *trim, int columns, const
 static wcut_status cut_face_fit_interpolate(const wcut_trim *trim, const lines *s, const lines *t, const sampled *g,
                                             wcut_surface **patch) {
     const size_t count = (size_t)g->columns * (size_t)g->rows;
+
+    /* knots as averages of the lines; control points by interpolation in both directions */
     double *knots_s = wcut_alloc((size_t)g->columns + DEGREE + 1, sizeof *knots_s);
     double *knots_t = wcut_alloc((size_t)g->rows + DEGREE + 1, sizeof *knots_t);
     wcut_vec3 *control = wcut_copy(g->at, count, sizeof *control);
@@ -140,6 +155,7 @@ static wcut_status cut_face_fit_interpolate(const wcut_trim *trim, const lines *
         status = wcut_interpolate_rows(DEGREE, g->columns, knots_s, s->at, g->rows, control);
     }
     if (status == WCUT_OK) status = wcut_interpolate_columns(DEGREE, g->rows, knots_t, t->at, g->columns, control);
+
     for (int j = 0; status == WCUT_OK && j < g->rows; j++)
         for (int i = 0; i < g->columns; i++) { /* what is known is set exactly: x is linear in s (Greville 1967) */
             wcut_vec3 *c = &control[(ptrdiff_t)j * g->columns + i];
@@ -149,8 +165,10 @@ static wcut_status cut_face_fit_interpolate(const wcut_trim *trim, const lines *
             if (j == 0) c->y = trim->sides.y[0];
             if (j == g->rows - 1) c->y = trim->sides.y[1];
         }
+
     if (status == WCUT_OK)
         status = wcut_surface_create(DEGREE, DEGREE, g->columns, g->rows, knots_s, knots_t, control, NULL, patch);
+
     wcut_free(control);
     wcut_free(knots_t);
     wcut_free(knots_s);
@@ -170,10 +188,14 @@ static wcut_status cut_face_fit_compare(const wcut_trim *trim, const wcut_surfac
                                         const lines *t, double held, bool *coarse_s, bool *coarse_t, double *max,
                                         wcut_error *error) {
     sampled g;
+
+    /* the sheet at the same parameters */
     wcut_status status = cut_face_fit_sample(trim, s->count, s->at, t->count, t->at, &g, error);
     if (status != WCUT_OK) return status;
     wcut_vec3 *point = wcut_alloc((size_t)s->count * (size_t)t->count, sizeof *point);
     status = point ? wcut_surface_eval_grid(patch, s->count, s->at, t->count, t->at, point) : WCUT_NO_MEMORY;
+
+    /* the distance of each sample */
     for (int j = 0; status == WCUT_OK && j < t->count; j++)
         for (int i = 0; i < s->count; i++) {
             const ptrdiff_t k = (ptrdiff_t)j * s->count + i;
@@ -185,6 +207,7 @@ static wcut_status cut_face_fit_compare(const wcut_trim *trim, const wcut_surfac
         }
     wcut_free(point);
     sampled_clear(&g);
+
     return status;
 }
 
@@ -208,26 +231,36 @@ static wcut_status cut_face_fit_judge(const wcut_trim *trim, const wcut_surface 
 /* how far the wire's surface was prolonged inside the block, how strongly it is curved, how wide the kerf is */
 static wcut_status measure_extent(const wcut_trim *trim, const sampled *g, const double height[2], wcut_face_fit *fit) {
     const wcut_sheet *sheet = trim->sheet;
+
+    /* parts that are shorter than rounding count as none */
     const double rounding = ROUNDING * fmax(trim->sides.x[1], trim->sides.y[1]);
     fit->entry = fit->exit = fit->wire = 0;
     fit->radius = fit->width_min = INFINITY;
     fit->width_max = 0;
+
+    /* each sample of the grid */
     for (ptrdiff_t k = 0; k < (ptrdiff_t)g->columns * g->rows; k++) {
         const double u = g->u[k], v = g->v[k];
         double wire, feed, larger;
         wcut_sheet_prolonged(sheet, u, v, &wire, &feed);
         if (wire < rounding) wire = 0; /* a wire drawn onto the block's side ends there */
         if (feed < rounding) feed = 0;
+
+        /* prolongations count inside the block only */
         if (g->at[k].z > height[0] && g->at[k].z < height[1]) {
             fit->wire = fmax(fit->wire, wire);
             if (v < sheet->first[1]) fit->entry = fmax(fit->entry, feed);
             if (v > sheet->last[1]) fit->exit = fmax(fit->exit, feed);
         }
+
+        /* the smallest radius of curvature, where the surface was not prolonged */
         if (wire == 0 && feed == 0 && wcut_surface_curvature(sheet->surface, u, v, &larger, NULL) == WCUT_OK &&
             fabs(larger) * fit->radius > 1) {
             fit->radius = 1 / fabs(larger);
             fit->radius_place = g->at[k];
         }
+
+        /* the width of the kerf there */
         wcut_vec3 width = {0, 0, 0};
         if (sheet->width) {
             const wcut_status status = wcut_surface_eval(sheet->width, u, v, 0, &width);
@@ -236,6 +269,7 @@ static wcut_status measure_extent(const wcut_trim *trim, const sampled *g, const
         fit->width_min = fmin(fit->width_min, width.z);
         fit->width_max = fmax(fit->width_max, width.z);
     }
+
     return WCUT_OK;
 }
 
@@ -281,15 +315,19 @@ static wcut_status cut_face_fit_refine(const wcut_trim *trim, double tolerance, 
 
 wcut_status wcut_face_fit_solve(const wcut_trim *trim, const double height[2], double prolong, double tolerance,
                                 wcut_face_fit *fit, wcut_error *error) {
+    /* begin with few lines in both directions */
     lines s = {.count = 0}, t = {.count = 0};
     sampled g = {.columns = 0};
     wcut_face_fit k = {.patch = NULL};
     wcut_status status = cut_face_fit_lines_new(LINES_FIRST, &s);
     if (status == WCUT_OK) status = cut_face_fit_lines_new(LINES_FIRST, &t);
     for (int i = 0; status == WCUT_OK && i < LINES_FIRST; i++) s.at[i] = t.at[i] = i / (LINES_FIRST - 1.0);
+
+    /* refine until the patch is within the tolerance, then measure what was prolonged */
     if (status == WCUT_OK) status = cut_face_fit_refine(trim, tolerance, &s, &t, &g, &k, error);
     if (status == WCUT_OK) status = measure_extent(trim, &g, height, &k);
     if (status == WCUT_OK) status = check_prolonged(trim, &k, prolong, error);
+
     if (status == WCUT_OK) {
         *fit = k;
     } else {
@@ -298,5 +336,6 @@ wcut_status wcut_face_fit_solve(const wcut_trim *trim, const double height[2], d
     sampled_clear(&g);
     cut_face_fit_lines_clear(&t);
     cut_face_fit_lines_clear(&s);
+
     return status;
 }

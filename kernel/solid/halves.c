@@ -72,17 +72,22 @@ static wcut_status name_enclosure(wcut_status status, wcut_error *error) {
 
 wcut_status wcut_halves_by_index(const wcut_division *d, const wcut_cut_face *lower, const wcut_cut_face *upper,
                                  wcut_parts *parts, wcut_error *error) {
+    /* level faces with keys at bottom and top */
     const wcut_sides sides = {{0, d->block.x}, {0, d->block.y}};
     wcut_cap bottom = {.vertex_count = 0}, top = {.vertex_count = 0};
     wcut_parts p = {.lower = {.mesh = NULL}};
     wcut_status status = key_face(d, sides, 0, 0, &bottom, error);
     if (status == WCUT_OK) status = key_face(d, sides, 1, d->block.z, &top, error);
+
+    /* lower half, upper half, and the kerf between them */
     if (status == WCUT_OK) {
         status = halves_enclose(&bottom, &lower->cap, 1, &p.lower);
         if (status == WCUT_OK) status = halves_enclose(&upper->cap, &top, 2, &p.upper);
         if (status == WCUT_OK && d->width) status = halves_enclose(&lower->cap, &upper->cap, 3, &p.kerf);
         name_enclosure(status, error);
     }
+
+    /* a face that is a graph over the plane proves the half simple; else intersections are searched */
     if (status == WCUT_OK) status = prove_simple(wcut_cap_is_graph(&lower->cap), &p.lower, error);
     if (status == WCUT_OK) status = prove_simple(wcut_cap_is_graph(&upper->cap), &p.upper, error);
     if (status == WCUT_OK) {
@@ -90,8 +95,10 @@ wcut_status wcut_halves_by_index(const wcut_division *d, const wcut_cut_face *lo
     } else {
         wcut_parts_clear(&p);
     }
+
     wcut_cap_clear(&top);
     wcut_cap_clear(&bottom);
+
     return status;
 }
 
@@ -112,6 +119,7 @@ static wcut_status make_stock(const wcut_division *d, wcut_part *stock, wcut_err
 /* the space below, above or between the faces, far enough down and up; sides as those of the faces */
 static wcut_status make_space(const wcut_division *d, const wcut_cap *floor, const wcut_cap *ceiling, double margin,
                               const double height[2], wcut_part *space, wcut_error *error) {
+    /* a level face where the space has no cut face on that side */
     const wcut_sides sides = {{0 - margin, d->block.x + margin}, {0 - margin, d->block.y + margin}};
     wcut_cap flat = {.vertex_count = 0};
     const int cut = (ceiling ? 1 : 0) + (floor ? 2 : 0);
@@ -123,12 +131,15 @@ static wcut_status make_space(const wcut_division *d, const wcut_cap *floor, con
     }
     wcut_cap_clear(&flat);
     if (status != WCUT_OK) return status;
+
+    /* two graphs that do not meet prove it simple */
     const int graph = (!floor || wcut_cap_is_graph(floor)) && (!ceiling || wcut_cap_is_graph(ceiling));
     status = prove_simple(graph && cut != 3, space, error);
     if (status == WCUT_OK && space->self_intersections > 0)
         status = wcut_fail(error, WCUT_DEGENERATE, "the cut folds over itself near (%.6g, %.6g, %.6g) mm",
                            space->place.x, space->place.y, space->place.z);
     if (status != WCUT_OK) part_clear(space);
+
     return status;
 }
 
@@ -155,9 +166,12 @@ static wcut_status halves_intersect(const wcut_part *stock, const wcut_part *spa
 
 wcut_status wcut_halves_by_boolean(const wcut_division *d, const wcut_cut_face *lower, const wcut_cut_face *upper,
                                    double margin, wcut_parts *parts, double *block_volume, wcut_error *error) {
+    /* beyond the block and its keys */
     double reach = margin;
     for (int k = 0; k < d->options->key_count; k++) reach = fmax(reach, margin + fabs(d->options->key[k].height));
     const double height[2] = {fmin(0, lower->low) - reach, fmax(d->block.z, upper->high) + reach};
+
+    /* below, above, between */
     const wcut_cap *floor[3] = {NULL, &upper->cap, &lower->cap}, *ceiling[3] = {&lower->cap, NULL, &upper->cap};
     static const char *const name[3] = {"lower half", "upper half", "kerf"};
     wcut_part stock = {.mesh = NULL};
@@ -165,6 +179,8 @@ wcut_status wcut_halves_by_boolean(const wcut_division *d, const wcut_cut_face *
     wcut_part *part[3] = {&p.lower, &p.upper, &p.kerf};
     wcut_status status = WCUT_OK;
     wcut_mesh whole = {.vertex_count = 0};
+
+    /* the stock: given, or the block with its keys */
     if (d->options->stock) { /* borrowed, with tags of its own */
         whole = *d->options->stock;
         stock.tag = wcut_alloc((size_t)whole.triangle_count, sizeof *stock.tag);
@@ -173,6 +189,8 @@ wcut_status wcut_halves_by_boolean(const wcut_division *d, const wcut_cut_face *
         status = make_stock(d, &stock, error);
         if (status == WCUT_OK) whole = *stock.mesh;
     }
+
+    /* each space intersected with the stock is a part */
     const wcut_part from = {.mesh = &whole, .tag = stock.tag};
     for (int k = 0; status == WCUT_OK && k < (d->width ? 3 : 2); k++) {
         wcut_part space = {.mesh = NULL};
@@ -180,6 +198,8 @@ wcut_status wcut_halves_by_boolean(const wcut_division *d, const wcut_cut_face *
         if (status == WCUT_OK) status = halves_intersect(&from, &space, name[k], part[k], error);
         part_clear(&space);
     }
+
+    /* the volume of the whole, for the balance of the parts */
     if (status == WCUT_OK) {
         *block_volume = d->options->stock ? wcut_mesh_volume(&whole) : d->block.x * d->block.y * d->block.z;
         *parts = p;
@@ -187,5 +207,6 @@ wcut_status wcut_halves_by_boolean(const wcut_division *d, const wcut_cut_face *
         wcut_parts_clear(&p);
     }
     part_clear(&stock);
+
     return status;
 }

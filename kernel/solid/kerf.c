@@ -67,24 +67,31 @@ static wcut_status sample_field(const wcut_surface *s, const wcut_mould_options 
 
 wcut_status wcut_kerf_width(const wcut_surface *surface, const wcut_mould_options *options, wcut_surface **width,
                             wcut_error *error) {
+    /* one width everywhere */
     const int count = surface->count_u * surface->count_v;
     double min = options->kerf, max = min;
     wcut_vec3 *control = wcut_alloc((size_t)count, sizeof *control);
     wcut_status status = control ? WCUT_OK : WCUT_NO_MEMORY;
     wcut_surface *made = NULL;
     for (int k = 0; status == WCUT_OK && k < count; k++) control[k] = vec3(0, 0, options->kerf);
+
+    /* or a field of widths, as control points at the knots' averages */
     if (status == WCUT_OK && options->kerf_stations > 0) {
         min = INFINITY, max = -INFINITY;
         status = sample_field(surface, options, control, &min, &max);
         if (status != WCUT_OK) wcut_fail(error, status, "kerf: the field does not fit its stations and nodes");
     }
+
+    /* a kerf that is 0 in places would leave both halves joined there */
     if (status == WCUT_OK && (min < 0 || (max > 0 && !(min > 0))))
         status = wcut_fail(error, WCUT_BAD_ARGUMENT,
                            "kerf: found %.4g to %.4g mm, expected 0 everywhere or more than 0 everywhere", min, max);
+
     if (status == WCUT_OK && max > 0)
         status = wcut_surface_create(surface->degree_u, surface->degree_v, surface->count_u, surface->count_v,
                                      surface->knots_u, surface->knots_v, control, NULL, &made);
     if (status == WCUT_OK) *width = made;
+
     wcut_free(control);
     return status;
 }

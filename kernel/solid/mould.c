@@ -62,6 +62,7 @@ static wcut_status check_key(const wcut_key *key, wcut_vec3 block, wcut_error *e
 }
 
 static wcut_status check_stock(const wcut_mesh *stock, wcut_vec3 block, wcut_error *error) {
+    /* counts, arrays and coordinates */
     const double over = STOCK_SHARE * fmax(block.x, fmax(block.y, block.z));
     if (stock->vertex_count < 4 || stock->triangle_count < 4 || stock->triangle_count > INT_MAX / 3 || !stock->vertex ||
         !stock->triangle || !vec3_all_finite(stock->vertex_count, stock->vertex))
@@ -94,10 +95,12 @@ static wcut_status check_stock(const wcut_mesh *stock, wcut_vec3 block, wcut_err
     if (status == WCUT_DEGENERATE) status = WCUT_BAD_ARGUMENT;
     if (status == WCUT_OK && pairs > 0) status = WCUT_BAD_ARGUMENT;
     if (status == WCUT_BAD_ARGUMENT) wcut_fail(error, status, "stock: the mesh meets itself");
+
     return status;
 }
 
 static wcut_status mould_check_options(const wcut_mould_options *o, wcut_vec3 block, wcut_error *error) {
+    /* numbers and ranges, in the order of the options */
     if (!is_positive(o->chord_tolerance) || !is_positive(o->fit_tolerance))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "tolerances: found %g and %g mm, expected them positive",
                          o->chord_tolerance, o->fit_tolerance);
@@ -116,10 +119,13 @@ static wcut_status mould_check_options(const wcut_mould_options *o, wcut_vec3 bl
     if (o->key_count < 0 || o->key_count > 1000 || (o->key_count > 0 && !o->key) || (o->key_count > 0 && o->stock))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "keys: found %d, expected at most 1000, and none with a stock",
                          o->key_count);
+
+    /* keys and stock against the block */
     for (int k = 0; k < o->key_count; k++) {
         const wcut_status status = check_key(&o->key[k], block, error);
         if (status != WCUT_OK) return status;
     }
+
     return o->stock ? check_stock(o->stock, block, error) : WCUT_OK;
 }
 
@@ -127,14 +133,19 @@ static wcut_status mould_check_options(const wcut_mould_options *o, wcut_vec3 bl
 
 static wcut_status report_half(const wcut_division *d, const wcut_part *part, int upper, wcut_half *half,
                                wcut_error *error) {
+    /* edges, volume and area of the mesh */
     const char *name = upper ? "upper" : "lower";
     const wcut_vec3 pull = vec3_unit(d->options->pull);
     wcut_half_report *r = &half->report;
     const wcut_status status = wcut_check_boundary(part->mesh, r);
     if (status != WCUT_OK) return status;
+
+    /* drafts of the cut; the upper half is pulled the other way */
     half->draft = wcut_alloc((size_t)part->mesh->vertex_count, sizeof *half->draft);
     if (!half->draft) return WCUT_NO_MEMORY;
     wcut_check_draft(part->mesh, part->tag, upper ? vec3_scale(-1, pull) : pull, r, half->draft);
+
+    /* self-intersections refuse the half, open edges are a fault of ours */
     r->self_intersections = part->self_intersections;
     r->key_volume = wcut_keys_volume(d->options, upper);
     if (r->self_intersections > 0)
@@ -145,6 +156,7 @@ static wcut_status report_half(const wcut_division *d, const wcut_part *part, in
     if (!r->closed || !r->oriented)
         return wcut_fail(error, WCUT_INTERNAL, "the %s half is %s", name,
                          r->closed ? "turned inside out" : "not closed");
+
     return WCUT_OK;
 }
 
@@ -228,15 +240,20 @@ static void describe_cut(const faces *f, wcut_mould *m) {
 
 /* exact faces, walls and edges */
 static wcut_status describe_halves(const wcut_division *d, const faces *f, wcut_mould *m, wcut_error *error) {
+    /* keys against the cut face */
     for (int upper = 0; upper < 2; upper++) {
         const wcut_cut_face *face = upper ? f->upper : f->lower;
         wcut_half *half = upper ? &m->upper : &m->lower;
         wcut_status status = wcut_keys_check(d, upper, face, error);
         if (status != WCUT_OK) return status;
+
+        /* walls and exact faces exist for halves made by index only */
         half->report.wall_min = half->report.edge_min = NAN;
         half->report.wall_place = half->report.edge_place = vec3(NAN, NAN, NAN);
         if (m->by_boolean) continue;
         wcut_wall_measure(d, upper, face, &half->report);
+
+        /* exact faces, with the half's own keys */
         wcut_key *own;
         int count;
         status = wcut_keys_of(d->options, upper, &own, &count);
@@ -245,6 +262,7 @@ static wcut_status describe_halves(const wcut_division *d, const faces *f, wcut_
         wcut_free(own);
         if (status != WCUT_OK) return status;
     }
+
     return WCUT_OK;
 }
 
@@ -299,16 +317,20 @@ static wcut_status mould_divide(const wcut_division *d, wcut_mould *m, wcut_erro
     }
     wcut_parts_clear(&parts);
     faces_clear(&f);
+
     return status;
 }
 
 wcut_status wcut_mould_create(const wcut_surface *surface, wcut_vec3 block_size, const wcut_mould_options *options,
                               wcut_mould **mould, wcut_error *error) {
+    /* check arguments and options */
     const wcut_mould_options standard = wcut_mould_default(), *o = options ? options : &standard;
     if (!surface || !mould) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a surface and a place for the mould expected");
     if (!is_positive(block_size.x) || !is_positive(block_size.y) || !is_positive(block_size.z))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "block: found %g x %g x %g mm, expected it positive", block_size.x,
                          block_size.y, block_size.z);
+
+    /* the kerf as a spline over the surface's knots, then the division */
     wcut_surface *width = NULL;
     wcut_mould *m = NULL;
     wcut_status status = mould_check_options(o, block_size, error);
@@ -318,6 +340,8 @@ wcut_status wcut_mould_create(const wcut_surface *surface, wcut_vec3 block_size,
         m = wcut_alloc(1, sizeof *m);
         status = m ? mould_divide(&d, m, error) : WCUT_NO_MEMORY;
     }
+
+    /* hand over, or say where memory ended */
     wcut_surface_destroy(width);
     if (status == WCUT_OK) {
         *mould = m;
@@ -325,5 +349,6 @@ wcut_status wcut_mould_create(const wcut_surface *surface, wcut_vec3 block_size,
     }
     wcut_mould_destroy(m);
     if (status == WCUT_NO_MEMORY) wcut_fail(error, status, "dividing the block: %s", wcut_status_text(status));
+
     return status;
 }

@@ -91,10 +91,13 @@ static double polygon_distance(wcut_point2d a, wcut_point2d b) { return hypot(a.
 /* Join a hole to the border by a bridge there and back from the hole's corner of largest p: holes that lie further are
    joined already. False where no corner of the border sees it. */
 static bool join_hole(region *r, int border, int hole) {
+    /* the hole's corner of largest p */
     int h = hole;
     for (int c = r->corner[hole].after; c != hole; c = r->corner[c].after)
         if (flat_of(r, c).p > flat_of(r, h).p) h = c;
     const wcut_point2d x = flat_of(r, h);
+
+    /* the nearest corner of the border that sees it */
     int best = -1, c = border;
     do {
         if ((best < 0 || polygon_distance(flat_of(r, c), x) < polygon_distance(flat_of(r, best), x)) &&
@@ -103,14 +106,19 @@ static bool join_hole(region *r, int border, int hole) {
         c = r->corner[c].after;
     } while (c != border);
     if (best < 0) return false;
+
+    /* two new corners: there and back along the bridge */
     const int back = r->corners++, again = r->corners++;
     r->corner[back].at = r->corner[h].at;
+
+    /* link the hole into the border, and measure the corners that have changed */
     r->corner[again].at = r->corner[best].at;
     link(r, r->corner[h].before, back);
     link(r, again, r->corner[best].after);
     link(r, best, h);
     link(r, back, again);
     polygon_measure(r, best), polygon_measure(r, h), polygon_measure(r, back), polygon_measure(r, again);
+
     return true;
 }
 
@@ -166,6 +174,7 @@ static bool grazes(const region *r, int c, double share) {
 static bool cut_ears(region *r, int left, int c, int *triangle) {
     int waited = 0;
     while (left > 3) {
+        /* thin ears wait for some rounds, because later cuts may make them wider */
         const corner k = r->corner[c];
         if (waited >= ROUNDS * left) return false;
         const double share = THIN[waited / left];
@@ -174,6 +183,8 @@ static bool cut_ears(region *r, int left, int c, int *triangle) {
             waited++;
             continue;
         }
+
+        /* the ear is a triangle; its neighbours are linked and measured anew */
         *triangle++ = r->corner[k.before].at, *triangle++ = k.at, *triangle++ = r->corner[k.after].at;
         link(r, k.before, k.after);
         polygon_measure(r, k.before), polygon_measure(r, k.after);
@@ -181,8 +192,11 @@ static bool cut_ears(region *r, int left, int c, int *triangle) {
         waited = 0;
         c = r->corner[k.after].after;
     }
+
+    /* the last three corners */
     const corner k = r->corner[c];
     *triangle++ = r->corner[k.before].at, *triangle++ = k.at, *triangle = r->corner[k.after].at;
+
     return k.turn > 0;
 }
 

@@ -20,24 +20,32 @@ typedef struct frame {
 
 /* S(u, v) = S + b S_u + c S_v + b c S_uv beyond the domain, the derivatives there those of this expression */
 static frame eval_frame(const wcut_sheet *sheet, double u, double v, bool second) {
+    /* the nearest parameters inside the domain, and how far beyond it */
     const double at_u = clamp(u, sheet->first[0], sheet->last[0]), at_v = clamp(v, sheet->first[1], sheet->last[1]);
     const double b = u - at_u, c = v - at_v;
     const bool inside = b == 0 && c == 0;
     const int order = (inside ? 1 : 2) + second;
+
+    /* derivatives there; one order more where the surface is continued */
     const ptrdiff_t n = order + 1;
     wcut_vec3 d[16];
     wcut_surface_eval(sheet->surface, at_u, at_v, order, d); /* finite parameters and an order in range: cannot fail */
     frame f = {.at = d[0], .u = d[n], .v = d[1]};
+
+    /* beyond the domain it goes on straight, bilinear in b and c */
     if (!inside) {
         const wcut_vec3 twist = d[n + 1];
         f.at = vec3_add_scaled(vec3_add_scaled(vec3_add_scaled(d[0], b, d[n]), c, d[1]), b * c, twist);
         f.u = vec3_add_scaled(d[n], c, twist);
         f.v = vec3_add_scaled(d[1], b, twist);
     }
+
+    /* second derivatives; along a direction of continuation they vanish */
     if (!second) return f;
     f.uv = d[n + 1];
     if (b == 0) f.uu = inside ? d[2 * n] : vec3_add_scaled(d[2 * n], c, d[2 * n + 1]);
     if (c == 0) f.vv = inside ? d[2] : vec3_add_scaled(d[2], b, d[n + 2]);
+
     return f;
 }
 

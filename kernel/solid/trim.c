@@ -84,6 +84,7 @@ static double trim_size_of(const wcut_trim *m) {
 
 /* Newton's method for x(u, v) = x, y(u, v) = y; `u`, `v`: a guess, then the solution */
 static bool solve_corner(const wcut_trim *m, double x, double y, double *u, double *v) {
+    /* [mm] how close the corner must come */
     const double held = SOLVED * (trim_size_of(m) + fabs(x) + fabs(y));
     double a = *u, b = *v, best = INFINITY;
     for (int k = 0; k < NEWTON_MAX; k++) {
@@ -95,12 +96,15 @@ static bool solve_corner(const wcut_trim *m, double x, double y, double *u, doub
             return true;
         }
         best = fmin(best, miss);
+
+        /* Newton's step in (u, v) */
         const double det = p.along_u.x * p.along_v.y - p.along_u.y * p.along_v.x;
         if (!(fabs(det) > 0)) return false;
         a -= (f * p.along_v.y - g * p.along_v.x) / det;
         b -= (g * p.along_u.x - f * p.along_u.y) / det;
         if (!isfinite(a) || !isfinite(b)) return false;
     }
+
     return false;
 }
 
@@ -145,10 +149,14 @@ static bool guess_level(const net *n, const crossing *rib, double level, int j, 
 static wcut_status find_rib(const wcut_trim *m, const net *n, double x, int *edge, crossing *polygon, wcut_rib *rib,
                             wcut_error *error) {
     const wcut_sides *s = &m->sides;
+
+    /* where every row of the net crosses the plane of x */
     rib->x = x;
     for (int j = 0; j < n->rows; j++)
         if (!cross_row(n, j, x, &edge[j], &polygon[j]))
             return turns_back(error, n->at[(ptrdiff_t)j * n->columns + edge[j]]);
+
+    /* both sides of the block: a guess from the net, then Newton's method */
     for (int k = 0; k < 2; k++) {
         int j = 0;
         const wcut_status status = cross_level(n, polygon, s->y[k], REACHED * trim_size_of(m), &j, error);
@@ -162,8 +170,10 @@ static wcut_status find_rib(const wcut_trim *m, const net *n, double x, int *edg
                              s->y[k], x, k == 0 ? "begins" : "ends", end.y, end.z);
         }
     }
+
     if (!(rib->v[0] < rib->v[1]))
         return wcut_fail(error, WCUT_DEGENERATE, "the cut runs against the feed in the plane x = %.6g mm", x);
+
     return WCUT_OK;
 }
 
@@ -201,6 +211,8 @@ wcut_status wcut_trim_begin(const wcut_sheet *sheet, wcut_sides sides, wcut_trim
     net n = {.columns = 0};
     int *edge = NULL;
     crossing *polygon = NULL;
+
+    /* the net, and room for its crossings */
     wcut_status status = net_fill(sheet, &n);
     if (status == WCUT_OK) {
         m.rib = wcut_alloc(RIBS, sizeof *m.rib);
@@ -226,6 +238,7 @@ wcut_status wcut_trim_begin(const wcut_sheet *sheet, wcut_sides sides, wcut_trim
     wcut_free(polygon);
     wcut_free(edge);
     net_clear(&n);
+
     return status;
 }
 
@@ -235,12 +248,15 @@ void wcut_trim_clear(wcut_trim *trim) {
 }
 
 wcut_status wcut_trim_rib(const wcut_trim *trim, double x, wcut_rib *rib, wcut_error *error) {
+    /* the neighbouring ribs give the guess */
     const wcut_sides *s = &trim->sides;
     const double place = clamp((x - s->x[0]) / (s->x[1] - s->x[0]), 0, 1) * (trim->ribs - 1);
     const int k = place < trim->ribs - 2 ? (int)place : trim->ribs - 2;
     const wcut_rib *a = &trim->rib[k], *b = a + 1;
     const double t = place - k;
     wcut_rib r = {.x = x};
+
+    /* exact corners on both sides of the block */
     for (int e = 0; e < 2; e++) {
         r.u[e] = (1 - t) * a->u[e] + t * b->u[e];
         r.v[e] = (1 - t) * a->v[e] + t * b->v[e];
@@ -249,9 +265,11 @@ wcut_status wcut_trim_rib(const wcut_trim *trim, double x, wcut_rib *rib, wcut_e
                              "the cut does not pass cleanly through the block's side y = %.6g mm at x = %.6g mm",
                              s->y[e], x);
     }
+
     if (!(r.v[0] < r.v[1]))
         return wcut_fail(error, WCUT_DEGENERATE, "the cut runs against the feed in the plane x = %.6g mm", x);
     *rib = r;
+
     return WCUT_OK;
 }
 

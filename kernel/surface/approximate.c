@@ -96,6 +96,7 @@ static wcut_status lines_refine(lines *l) {
     }
     lines_clear(l);
     *l = n;
+
     return WCUT_OK;
 }
 
@@ -204,6 +205,7 @@ static int place_watch(const lines *l, const wcut_map_axis *axis, double *at, in
 static wcut_status approximate_check(wcut_grid_map map, const void *data, const wcut_surface *s, lines *u, lines *v,
                                      const wcut_map_axis *axis_u, const wcut_map_axis *axis_v, double tolerance,
                                      double *max) {
+    /* the places to look at along both directions, and the cell that each is in */
     const size_t room_u = (size_t)QUARTERS * (size_t)u->count + (size_t)axis_u->watched,
                  room_v = (size_t)QUARTERS * (size_t)v->count + (size_t)axis_v->watched;
     double *at = wcut_alloc(2 * room_u + room_v, sizeof *at);
@@ -213,6 +215,8 @@ static wcut_status approximate_check(wcut_grid_map map, const void *data, const 
         double *at_v = at + room_u, *off = at_v + room_v;
         int *cell_v = cell + room_u;
         const int count_u = place_watch(u, axis_u, at, cell), count_v = place_watch(v, axis_v, at_v, cell_v);
+
+        /* one row of places at a time */
         *max = 0;
         for (int j = 0; j < count_v && status == WCUT_OK; j++) {
             status = approximate_measure(map, data, s, count_u, at, 1, &at_v[j], off);
@@ -222,6 +226,7 @@ static wcut_status approximate_check(wcut_grid_map map, const void *data, const 
             }
         }
     }
+
     wcut_free(cell);
     wcut_free(at);
     return status;
@@ -229,6 +234,7 @@ static wcut_status approximate_check(wcut_grid_map map, const void *data, const 
 
 wcut_status wcut_approximate(wcut_grid_map map, const void *data, const wcut_map_axis *axis_u,
                              const wcut_map_axis *axis_v, double tolerance, wcut_surface **surface, double *error) {
+    /* both directions begin with their joints */
     lines u = {.count = 0}, v = {.count = 0};
     wcut_surface *s = NULL;
     double max = 0;
@@ -250,6 +256,7 @@ wcut_status wcut_approximate(wcut_grid_map map, const void *data, const wcut_map
         status = lines_refine(&u);
         if (status == WCUT_OK) status = lines_refine(&v);
     }
+
     if (status == WCUT_OK) {
         *surface = s;
         *error = max;
@@ -258,5 +265,6 @@ wcut_status wcut_approximate(wcut_grid_map map, const void *data, const wcut_map
     wcut_surface_destroy(s);
     lines_clear(&v);
     lines_clear(&u);
+
     return status;
 }

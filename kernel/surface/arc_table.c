@@ -35,6 +35,7 @@ void wcut_arc_table_clear(wcut_arc_table *table) {
 }
 
 wcut_status wcut_arc_table_fill(const wcut_curve *curve, wcut_arc_table *table) {
+    /* PARTS pieces in each span that is not empty */
     wcut_arc_table t = {.curve = curve};
     int spans = 0;
     for (int s = curve->degree; s < curve->control_count; s++) spans += curve->knots[s] < curve->knots[s + 1];
@@ -44,18 +45,23 @@ wcut_status wcut_arc_table_fill(const wcut_curve *curve, wcut_arc_table *table) 
         wcut_arc_table_clear(&t);
         return WCUT_NO_MEMORY;
     }
+
+    /* parameters evenly in each span, and the last knot */
     for (int s = curve->degree; s < curve->control_count; s++) {
         const double a = curve->knots[s], b = curve->knots[s + 1];
         if (!(a < b)) continue;
         for (int k = 0; k < PARTS; k++) t.u[t.count++] = a + (b - a) * k / PARTS;
     }
     t.u[t.count++] = curve->knots[curve->control_count];
+
+    /* lengths by quadrature, added up */
     for (int k = 1; k < t.count; k++) t.length[k] = t.length[k - 1] + arc(curve, t.u[k - 1], t.u[k]);
     if (!isfinite(t.length[t.count - 1])) {
         wcut_arc_table_clear(&t);
         return WCUT_DEGENERATE;
     }
     *table = t;
+
     return WCUT_OK;
 }
 

@@ -51,24 +51,32 @@ static void fill_right(const wcut_band_rows *a, int count, int columns, const do
 }
 
 wcut_status wcut_band_fit(const wcut_band_rows *a, int count, int columns, const double *b, double *x) {
+    /* the band of the normal equations is twice as wide as that of the rows */
     wcut_collocation s = {.count = count, .below = a->width - 1, .above = a->width - 1};
     const size_t band = (size_t)s.below + (size_t)s.above + 1;
     s.entry = wcut_alloc((size_t)count, band * sizeof *s.entry);
     double *diagonal = wcut_alloc((size_t)count, sizeof *diagonal);
     double *sum = wcut_alloc((size_t)count, (size_t)columns * sizeof *sum);
     wcut_status status = s.entry && diagonal && sum ? WCUT_OK : WCUT_NO_MEMORY;
+
+    /* factor; the diagonal before elimination is the scale of the pivots */
     if (status == WCUT_OK) {
         fill_normal(a, &s);
         for (int i = 0; i < count; i++) diagonal[i] = *band_fit_at(&s, i, i);
         status = wcut_collocation_eliminate(&s);
     }
+
+    /* a pivot lost to rounding: the data do not determine this coefficient */
     for (int i = 0; status == WCUT_OK && i < count; i++)
         if (!(*band_fit_at(&s, i, i) > PIVOT_MIN * diagonal[i])) status = WCUT_SINGULAR;
+
+    /* right sides, all columns together */
     if (status == WCUT_OK) {
         fill_right(a, count, columns, b, sum);
         wcut_collocation_solve(&s, columns, sum);
         memcpy(x, sum, (size_t)count * (size_t)columns * sizeof *x);
     }
+
     wcut_free(sum);
     wcut_free(diagonal);
     wcut_free(s.entry);

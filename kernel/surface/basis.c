@@ -31,6 +31,8 @@ int wcut_basis_span(int degree, int count, const double *knots, double u) {
             return guess;
         }
     }
+
+    /* bisection, where the knots are uneven */
     while (high - low > 1) {
         const int middle = low + (high - low) / 2;
         if (knots[middle] > u) {
@@ -39,6 +41,7 @@ int wcut_basis_span(int degree, int count, const double *knots, double u) {
             low = middle;
         }
     }
+
     return low;
 }
 

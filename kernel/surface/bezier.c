@@ -20,11 +20,14 @@ static void bezier_add(wcut_homogeneous *to, double s, double x, double y, doubl
 }
 
 void wcut_bezier_of_surface(const wcut_surface *s, int span_u, int span_v, wcut_bezier *patch) {
+    /* Bezier coefficients of the basis functions on these spans, in both directions */
     const int p = s->degree_u, q = s->degree_v;
     double across[WCUT_BASIS_SIZE][WCUT_BASIS_SIZE], along[WCUT_BASIS_SIZE][WCUT_BASIS_SIZE];
     wcut_homogeneous row[WCUT_BASIS_SIZE][WCUT_BASIS_SIZE] = {{{0}}};
     shares(p, s->knots_u, span_u, along);
     shares(q, s->knots_v, span_v, across);
+
+    /* along v first */
     for (int j = 0; j <= q; j++) /* rows of control points to rows of the patch */
         for (int r = 0; r <= q; r++)
             for (int k = 0; k <= p && across[j][r] != 0; k++) {
@@ -33,6 +36,8 @@ void wcut_bezier_of_surface(const wcut_surface *s, int span_u, int span_v, wcut_
                 const wcut_vec3 c = s->control[from];
                 bezier_add(&row[j][k], across[j][r] * w, c.x, c.y, c.z, 1);
             }
+
+    /* the rectangle of parameters, then along u */
     *patch = (wcut_bezier){.degree_u = p, .degree_v = q};
     patch->u0 = s->knots_u[span_u], patch->u1 = s->knots_u[span_u + 1];
     patch->v0 = s->knots_v[span_v], patch->v1 = s->knots_v[span_v + 1];

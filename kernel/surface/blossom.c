@@ -56,10 +56,13 @@ static void elevated_row(const wcut_net *net, const double *knots, int i, int *f
 }
 
 wcut_status wcut_net_rewrite(const wcut_net *net, int degree, int count, const double *knots, wcut_net *result) {
+    /* the result has the knots asked for */
     wcut_net n;
     const wcut_status status = wcut_net_new(degree, count, net->lanes, &n);
     if (status != WCUT_OK) return status;
     for (int k = 0; k < count + degree + 1; k++) n.knots[k] = knots[k];
+
+    /* each new control point is a polar form: a combination of degree + 1 old ones */
     for (int i = 0; i < count; i++) {
         double share[WCUT_BASIS_SIZE] = {0};
         int first;
@@ -68,6 +71,7 @@ wcut_status wcut_net_rewrite(const wcut_net *net, int degree, int count, const d
         } else {
             wcut_blossom_row(degree, net->count, net->knots, knots, i, &first, share);
         }
+
         wcut_homogeneous *to = n.at + (ptrdiff_t)i * n.lanes;
         for (int r = 0; r <= net->degree; r++) {
             const wcut_homogeneous *from = net->at + (ptrdiff_t)(first + r) * n.lanes;
@@ -78,6 +82,7 @@ wcut_status wcut_net_rewrite(const wcut_net *net, int degree, int count, const d
         }
     }
     *result = n;
+
     return WCUT_OK;
 }
 

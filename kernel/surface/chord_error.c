@@ -49,6 +49,8 @@ static wcut_status place_samples(int degree, int control_count, const double *kn
         s.count += steps;
         if (steps > s.widest) s.widest = steps;
     }
+
+    /* room for the samples, and for the number at which each cell begins */
     s.at = wcut_alloc((size_t)s.count, sizeof *s.at);
     s.start = wcut_alloc((size_t)lines->pieces + 1, sizeof *s.start);
     if (!s.at || !s.start) {
@@ -74,6 +76,7 @@ static wcut_status place_samples(int degree, int control_count, const double *kn
     s.start[lines->pieces] = made;
     s.at[made] = lines->at[lines->pieces];
     *out = s;
+
     return WCUT_OK;
 }
 
@@ -104,6 +107,7 @@ typedef struct cell {
 
 /* the largest distance in a cell; those not above `enough` need not be known, and count as 0 */
 static double cell_error(const cell *c, double enough) {
+    /* corners of the cell; lengths of its sides in parameters */
     const wcut_vec3 p00 = c->point[0], p10 = c->point[c->columns];
     const wcut_vec3 p01 = c->point[c->rows * c->stride], p11 = c->point[c->rows * c->stride + c->columns];
     const double scale_u = 1 / (c->u[c->columns] - c->u[0]), scale_v = 1 / (c->v[c->rows] - c->v[0]);
@@ -114,6 +118,8 @@ static double cell_error(const cell *c, double enough) {
         const wcut_vec3 side[2] = {vec3_sub(p10, p00), vec3_sub(p11, p01)};
         const wcut_vec3 start[2] = {vec3_add_scaled(p00, t, vec3_sub(p11, p10)),
                                     vec3_add_scaled(p00, t, vec3_sub(p01, p00))};
+
+        /* samples: far from the linear point only where the distance may exceed the largest so far */
         const wcut_vec3 *row = c->point + j * c->stride;
         for (int i = 0; i <= c->columns; i++) {
             const double s = (c->u[i] - c->u[0]) * scale_u;
@@ -124,6 +130,7 @@ static double cell_error(const cell *c, double enough) {
             bar = fmax(bar, max * max);
         }
     }
+
     return max;
 }
 
@@ -151,11 +158,15 @@ wcut_status wcut_chord_error(const wcut_surface *s, const wcut_spacing *lines_u,
     wcut_axis u = {.count = 0}, v = {.count = 0};
     wcut_homogeneous *fold = NULL;
     wcut_vec3 *point = NULL;
+
+    /* samples along both directions, and basis functions there */
     wcut_status status = place_samples(s->degree_u, s->count_u, s->knots_u, lines_u, &su);
     if (status == WCUT_OK) status = place_samples(s->degree_v, s->count_v, s->knots_v, lines_v, &sv);
     if (status == WCUT_OK) status = wcut_axis_fill(s->degree_u, s->count_u, s->knots_u, su.count, su.at, 0, &u);
     if (status == WCUT_OK) status = wcut_axis_fill(s->degree_v, s->count_v, s->knots_v, sv.count, sv.at, 0, &v);
     if (status != WCUT_OK) goto done;
+
+    /* one strip of cells at a time */
     fold = wcut_alloc((size_t)s->count_u, sizeof *fold);
     point = wcut_alloc((size_t)su.count, ((size_t)sv.widest + 1) * sizeof *point);
     if (!fold || !point) {
@@ -163,6 +174,7 @@ wcut_status wcut_chord_error(const wcut_surface *s, const wcut_spacing *lines_u,
         goto done;
     }
 
+    /* rows of the strip; the last one is the first of the next */
     *max = 0;
     for (int i = 0; i < lines_u->pieces; i++) error_u[i] = 0;
     for (int j = 0; j < lines_v->pieces; j++) {
@@ -181,5 +193,6 @@ done:
     wcut_axis_clear(&u);
     samples_clear(&sv);
     samples_clear(&su);
+
     return status;
 }

@@ -45,24 +45,30 @@ wcut_status wcut_collocation_eliminate(wcut_collocation *s) {
 
 wcut_status wcut_collocation_factor(int degree, int count, const double *knots, const double *parameter, int slopes,
                                     wcut_collocation *system) {
+    /* the width of the band follows from the parameters */
     wcut_collocation s = {.count = count};
     measure_band(degree, knots, parameter, &s);
     /* a parameter that far from its function's support has a zero on the diagonal, and no band to speak of */
     if (s.below > degree + 1 || s.above > degree + 1) return WCUT_SINGULAR;
+
     s.entry = wcut_alloc((size_t)count, (size_t)(s.below + s.above + 1) * sizeof(double));
     if (!s.entry) return WCUT_NO_MEMORY;
+
+    /* a row for each parameter: basis functions, or their derivatives for an end slope */
     for (int i = 0; i < count; i++) {
         wcut_basis basis;
         const int order = order_of(i, count, slopes);
         wcut_basis_eval(degree, count, knots, parameter[i], order, &basis);
         for (int r = 0; r <= degree; r++) *collocation_at(&s, i, basis.span - degree + r) = basis.value[order][r];
     }
+
     const wcut_status status = wcut_collocation_eliminate(&s);
     if (status == WCUT_OK) {
         *system = s;
     } else {
         wcut_free(s.entry);
     }
+
     return status;
 }
 

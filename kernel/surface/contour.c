@@ -255,6 +255,7 @@ static wcut_status trace_graph(walker *w, const graph *g) {
         }
         if (t[0] < t[1]) status = trace_between(w, g, &end[0], &end[1]);
     }
+
     return status;
 }
 
@@ -352,6 +353,7 @@ static wcut_status contour_divide(walker *w, const cell *k, int depth) {
     contour_halve(k, bend_u == bend_v ? depth % 2 == 0 : bend_u > bend_v, half);
     wcut_status status = contour_divide(w, &half[0], depth + 1);
     if (status == WCUT_OK) status = contour_divide(w, &half[1], depth + 1);
+
     return status;
 }
 
@@ -383,21 +385,27 @@ wcut_status wcut_contour_find(const wcut_surface *s, wcut_vec3 point, wcut_vec3 
     wcut_contour c = {.size = vec3_length(point)};
     const int count = s->count_u * s->count_v;
     double *height = wcut_alloc((size_t)count, sizeof *height);
+
+    /* a shift by less than rounding keeps control points off the plane exactly */
     if (!height) return WCUT_NO_MEMORY;
     for (int k = 0; k < count; k++) c.size = fmax(c.size, vec3_length(s->control[k]));
     const double level = vec3_dot(normal, point) + SHIFT * c.size;
     for (int k = 0; k < count; k++) height[k] = vec3_dot(normal, s->control[k]) - level;
+
+    /* each span that is not empty and whose control points lie on both sides */
     walker w = {.surface = s, .c = &c, .tolerance = tolerance};
     wcut_status status = WCUT_OK;
     for (int j = s->degree_v; j < s->count_v && status == WCUT_OK; j++)
         for (int i = s->degree_u; i < s->count_u && status == WCUT_OK; i++)
             if (s->knots_u[i] < s->knots_u[i + 1] && s->knots_v[j] < s->knots_v[j + 1] && may_meet(s, height, i, j))
                 status = find_in_span(&w, i, j, normal, level);
+
     wcut_free(height);
     if (status == WCUT_OK) {
         *contour = c;
     } else {
         wcut_contour_clear(&c);
     }
+
     return status;
 }

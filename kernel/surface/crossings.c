@@ -53,6 +53,8 @@ static bool is_sliver(const finder *f, int t) {
 
 static wcut_status build(finder *f) {
     const wcut_mesh *m = f->mesh;
+
+    /* a complete binary tree, its leaves in the order of the Z-curve */
     f->leaves = 1;
     while (f->leaves < m->triangle_count) f->leaves *= 2;
     wcut_vec3 *middle = wcut_alloc((size_t)m->triangle_count, sizeof *middle);
@@ -63,6 +65,8 @@ static wcut_status build(finder *f) {
     if (status == WCUT_OK) status = wcut_morton_order(m->triangle_count, middle, 1, &f->order);
     wcut_free(middle);
     if (status != WCUT_OK) return status;
+
+    /* boxes of the leaves; slivers are left out, because their crossings are rounding */
     const node empty = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     for (int k = 0; k < f->leaves; k++) {
         node *leaf = &f->tree[f->leaves - 1 + k];
@@ -70,10 +74,13 @@ static wcut_status build(finder *f) {
         if (k >= m->triangle_count || is_sliver(f, f->order[k])) continue;
         for (int c = 0; c < 3; c++) crossings_widen(leaf, corner(m, f->order[k], c), corner(m, f->order[k], c));
     }
+
+    /* boxes of the inner nodes, from the leaves up */
     for (int k = f->leaves - 2; k >= 0; k--) {
         f->tree[k] = f->tree[2 * k + 1];
         crossings_widen(&f->tree[k], f->tree[2 * k + 2].low, f->tree[2 * k + 2].high);
     }
+
     return WCUT_OK;
 }
 
@@ -217,22 +224,31 @@ static bool coincide(const wcut_mesh *m, int from, int stride, int other, int ot
 
 wcut_status wcut_surface_inspect(const wcut_surface *surface, double chord_tolerance, wcut_surface_report *report) {
     if (!report) return WCUT_BAD_ARGUMENT;
+
+    /* triangles of the surface at this tolerance */
     wcut_mesh *m;
     wcut_tessellation_report grid;
     wcut_status status = wcut_surface_tessellate(surface, chord_tolerance, &m, &grid);
     if (status != WCUT_OK) return status;
     wcut_surface_report r = {.chord_error = grid.chord_error};
     const int columns = grid.columns, rows = grid.rows, top = (rows - 1) * columns, right = columns - 1;
+
+    /* vertices nearer than rounding are one */
     double same = 0;
     for (int k = 0; k < m->vertex_count; k++) same = fmax(same, SAME * vec3_length(m->vertex[k]));
+
+    /* poles: sides of the grid that shrink to a point; closed directions: opposite sides that coincide */
     const bool pole[4] = {coincide(m, 0, 1, 0, 0, columns, same), coincide(m, top, 1, top, 0, columns, same),
                           coincide(m, 0, columns, 0, 0, rows, same), coincide(m, right, columns, right, 0, rows, same)};
     for (int k = 0; k < 4; k++) r.poles += pole[k];
     r.closed_v = coincide(m, 0, 1, top, 1, columns, same);
     r.closed_u = coincide(m, 0, columns, right, columns, rows, same);
+
+    /* folds of the surface, crossings of its triangles */
     find_folds(surface, m, columns, rows, &r);
     status = mesh_crossings_by_parameter(m, &r.crossings, r.crossing_u, r.crossing_v);
     wcut_mesh_destroy(m);
     if (status == WCUT_OK) *report = r;
+
     return status;
 }

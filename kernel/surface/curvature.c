@@ -16,10 +16,16 @@ bool wcut_unit_normal(wcut_vec3 su, wcut_vec3 sv, wcut_vec3 *normal) {
 
 bool wcut_frame_of(const wcut_vec3 *d, wcut_tangent_frame *frame) {
     const wcut_vec3 su = d[3], sv = d[1];
+
+    /* unit normal */
     wcut_tangent_frame t = {.point = d[0]};
     if (!wcut_unit_normal(su, sv, &t.normal)) return false;
+
+    /* first and second fundamental forms: e, f, g and l, m, n */
     const double e = vec3_dot(su, su), f = vec3_dot(su, sv), g = vec3_dot(sv, sv), area2 = e * g - f * f;
     const double l = vec3_dot(d[6], t.normal), m = vec3_dot(d[4], t.normal), n = vec3_dot(d[2], t.normal);
+
+    /* mean and Gaussian curvature, and the principal ones from both */
     t.mean = (e * n - 2 * f * m + g * l) / (2 * area2);
     t.gauss = (l * n - m * m) / area2;
     /* the root is real; where both curvatures are the same rounding may say otherwise */
@@ -31,9 +37,12 @@ bool wcut_frame_of(const wcut_vec3 *d, wcut_tangent_frame *frame) {
     const wcut_vec3 x =
         by_u ? vec3_add_scaled(vec3_scale(-uv, su), uu, sv) : vec3_add_scaled(vec3_scale(vv, su), -uv, sv);
     const bool umbilic = t.larger - t.smaller == 0 || !(vec3_length(x) > 1e-12 * fabs(k) * e * sqrt(g));
+
+    /* at an umbilic every direction is principal */
     t.along = vec3_unit(umbilic ? su : x);
     t.across = vec3_cross(t.normal, t.along);
     *frame = t;
+
     return true;
 }
 

@@ -112,6 +112,7 @@ wcut_status wcut_curve_interpolate_at(int count, const wcut_vec3 *point, const d
         *curve = c;
         c = NULL;
     }
+
     wcut_curve_destroy(c);
     wcut_free(site);
     wcut_free(own);

@@ -99,6 +99,7 @@ static wcut_status finder_build(const wcut_curve *curve, finder *f) {
     f->size = vec3_distance(f->low[0], f->high[0]) + fmax(vec3_length(f->low[0]), vec3_length(f->high[0]));
     if (f->size < FAR) return WCUT_OK;
     finder_clear(f);
+
     return WCUT_DEGENERATE;
 }
 

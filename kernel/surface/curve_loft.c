@@ -46,6 +46,7 @@ static wcut_status sample(sections *s, int nodes) {
 
 /* the largest distance of the cubics through the nodes from their curves, at quarters between the nodes */
 static wcut_status curve_loft_measure(const sections *s, double *max) {
+    /* the cubic's parameters, even in arc length */
     const int n = s->nodes, fine = 4 * (n - 1) + 1;
     double *u = wcut_alloc((size_t)n, sizeof *u), *knots = wcut_alloc((size_t)n + 4, sizeof *knots);
     wcut_vec3 *control = wcut_alloc((size_t)n, sizeof *control), *exact = wcut_alloc((size_t)fine, sizeof *exact);
@@ -68,6 +69,7 @@ static wcut_status curve_loft_measure(const sections *s, double *max) {
             *max = fmax(*max, vec3_distance(p, exact[i]));
         }
     }
+
     wcut_free(exact);
     wcut_free(control);
     wcut_free(knots);
@@ -97,10 +99,13 @@ static void curve_loft_describe(const sections *s, wcut_curve_loft_report *r) {
 
 wcut_status wcut_surface_loft_curves(int count, const wcut_curve *const *curve, double merge, double tolerance,
                                      wcut_surface **surface, double *parameter, wcut_curve_loft_report *report) {
+    /* check all arguments before any work */
     if (count < 2 || !curve || !surface || !(isfinite(merge) && merge >= 0) || !is_positive(tolerance))
         return WCUT_BAD_ARGUMENT;
     for (int j = 0; j < count; j++)
         if (!curve[j]) return WCUT_BAD_ARGUMENT;
+
+    /* twice as many nodes until the sections are within the tolerance */
     sections s;
     wcut_curve_loft_report r = {.used = 0};
     wcut_loft_report loft = {.used = 0};
@@ -111,6 +116,8 @@ wcut_status wcut_surface_loft_curves(int count, const wcut_curve *const *curve, 
         if (status == WCUT_OK) status = curve_loft_measure(&s, &r.section_error);
         if (status == WCUT_OK && r.section_error <= tolerance) break;
     }
+
+    /* the loft through the nodes, and the report */
     if (status == WCUT_OK) status = wcut_surface_loft(count, s.nodes, s.point, merge, surface, parameter, &loft);
     if (status == WCUT_OK && report) {
         curve_loft_describe(&s, &r);
@@ -118,5 +125,6 @@ wcut_status wcut_surface_loft_curves(int count, const wcut_curve *const *curve, 
         *report = r;
     }
     sections_clear(&s);
+
     return status;
 }

@@ -86,6 +86,7 @@ wcut_status wcut_curve_length(const wcut_curve *curve, double from, double to, d
 
 wcut_status wcut_curve_locate_length(const wcut_curve *curve, double length, double *u) {
     if (!curve || !u || !isfinite(length)) return WCUT_BAD_ARGUMENT;
+
     double first, last;
     wcut_curve_domain(curve, &first, &last);
     const double whole = length_between(curve, first, last);
@@ -96,6 +97,8 @@ wcut_status wcut_curve_locate_length(const wcut_curve *curve, double length, dou
         *u = length <= 0 ? first : last;
         return WCUT_OK;
     }
+
+    /* Newton's method inside the bracket, bisection where it leaves it */
     for (int step = 0; step < STEPS_MAX; step++) {
         const double to_here = passed + length_between(curve, low, at), off = to_here - length;
         if (fabs(off) <= 10 * EXACT * whole) break;
@@ -109,5 +112,6 @@ wcut_status wcut_curve_locate_length(const wcut_curve *curve, double length, dou
         if (at <= low || at >= high) break; /* neighbouring doubles */
     }
     *u = at;
+
     return WCUT_OK;
 }

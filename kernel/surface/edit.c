@@ -78,10 +78,14 @@ wcut_status wcut_surface_insert_knot(const wcut_surface *surface, wcut_direction
 wcut_status wcut_surface_split(const wcut_surface *surface, wcut_direction direction, double at, wcut_surface **low,
                                wcut_surface **high) {
     if (!surface || !low || !high || !is_direction(direction)) return WCUT_BAD_ARGUMENT;
+
+    /* the surface as a net of curves along the direction, cut in two */
     wcut_net net = {.count = 0}, a = {.count = 0}, b = {.count = 0};
     wcut_surface *first = NULL;
     wcut_status status = wcut_net_of_surface(surface, direction, &net);
     if (status == WCUT_OK && !may_split(&net, at)) status = WCUT_BAD_ARGUMENT;
+
+    /* both parts, or neither */
     if (status == WCUT_OK) status = wcut_net_split(&net, at, &a, &b);
     if (status == WCUT_OK) status = wcut_surface_of_net(&a, direction, surface, false, &first);
     if (status == WCUT_OK) status = wcut_surface_of_net(&b, direction, surface, false, high);
@@ -93,6 +97,7 @@ wcut_status wcut_surface_split(const wcut_surface *surface, wcut_direction direc
     wcut_net_clear(&b);
     wcut_net_clear(&a);
     wcut_net_clear(&net);
+
     return status;
 }
 
@@ -119,11 +124,15 @@ wcut_status wcut_surface_transpose(const wcut_surface *surface, wcut_surface **r
 
 wcut_status wcut_surface_iso_curve(const wcut_surface *surface, wcut_direction along, double at, wcut_curve **result) {
     if (!surface || !result || !is_direction(along)) return WCUT_BAD_ARGUMENT;
+
+    /* control points as a net across the curve */
     wcut_net across = {.count = 0}, net = {.count = 0};
     wcut_status status =
         wcut_net_of_surface(surface, along == WCUT_DIRECTION_U ? WCUT_DIRECTION_V : WCUT_DIRECTION_U, &across);
     if (status != WCUT_OK) return status;
     const bool inside = at >= across.knots[across.degree] && at <= across.knots[across.count];
+
+    /* fold the net at the parameter: the basis functions across weigh its rows */
     const int degree = along == WCUT_DIRECTION_U ? surface->degree_u : surface->degree_v;
     status = inside ? wcut_net_new(degree, across.lanes, 1, &net) : WCUT_BAD_ARGUMENT;
     if (status == WCUT_OK) {
@@ -137,9 +146,11 @@ wcut_status wcut_surface_iso_curve(const wcut_surface *surface, wcut_direction a
                 const double b = basis.value[0][r];
                 net.at[c].x += b * h.x, net.at[c].y += b * h.y, net.at[c].z += b * h.z, net.at[c].w += b * h.w;
             }
+
         status = wcut_curve_of_net(&net, surface->weights != NULL, result);
     }
     wcut_net_clear(&net);
     wcut_net_clear(&across);
+
     return status;
 }

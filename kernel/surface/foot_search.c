@@ -76,9 +76,12 @@ static wcut_vec3 moved(const slope *f, double du, double dv) {
 
 /* walk down |S - p| from (u, v) within a rectangle {u0, u1, v0, v1} */
 static candidate descend(const wcut_projection *m, wcut_vec3 p, const double box[4], double u, double v) {
+    /* gradient and Hessian of half the squared distance */
     slope f;
     find_slope(m->surface, p, u, v, &f);
     double distance = vec3_distance(f.ders[0], p);
+
+    /* damped Newton steps; a coordinate at its bound that would go beyond is held */
     bool converged = false;
     for (int step = 0; step < STEPS_MAX; step++) {
         const bool held_u = foot_search_is_held(u, box[0], box[1], f.gu),
@@ -86,6 +89,8 @@ static candidate descend(const wcut_projection *m, wcut_vec3 p, const double box
         double du, dv;
         newton_step(&f, held_u, held_v, &du, &dv);
         du = clamp(u + du, box[0], box[1]) - u, dv = clamp(v + dv, box[2], box[3]) - v;
+
+        /* a step below the tolerance is taken by the second-order model, without another evaluation */
         const double length = fabs(du) * sqrt(f.plain_uu) + fabs(dv) * sqrt(f.plain_vv);
         if (length <= LAST * m->size) {
             f.ders[0] = moved(&f, du, dv);
@@ -96,6 +101,8 @@ static candidate descend(const wcut_projection *m, wcut_vec3 p, const double box
             converged = true;
             break;
         }
+
+        /* a quarter of the step until the distance falls */
         slope next;
         double share = 1, new_distance;
         for (;; share /= 4) { /* a full step goes down but where the curvature of the distance is not yet felt */
@@ -103,6 +110,8 @@ static candidate descend(const wcut_projection *m, wcut_vec3 p, const double box
             new_distance = vec3_distance(next.ders[0], p);
             if (new_distance <= distance || share < 1e-6) break;
         }
+
+        /* no way down: the point is not stationary */
         if (new_distance > distance) break;
         u = clamp(u + share * du, box[0], box[1]), v = clamp(v + share * dv, box[2], box[3]);
         distance = new_distance;
@@ -161,10 +170,13 @@ static void search_below(search *s, const wcut_patch *leaf, double leaf_s, doubl
         double bound, s, t;
     } stack[DEPTH];
     int depth = 1;
+
+    /* depth first from the leaf itself */
     stack[0].patch = *leaf;
     stack[0].bound = 0, stack[0].s = leaf_s, stack[0].t = leaf_t;
     descend_in(s, leaf, leaf_s, leaf_t);
     while (depth > 0) {
+        /* excluded by its bound, or solved where it is convex */
         const wcut_patch q = stack[--depth].patch;
         const double at_s = stack[depth].s, at_t = stack[depth].t;
         if (is_excluded(s, stack[depth].bound)) continue;
@@ -173,6 +185,8 @@ static void search_below(search *s, const wcut_patch *leaf, double leaf_s, doubl
             if (!holds_best(s, &q)) descend_in(s, &q, at_s, at_t);
             continue;
         }
+
+        /* else halved, unless the effort is spent: then the bound says how far the answer may be off */
         const double bound = fmax(min, stack[depth].bound);
         if (is_excluded(s, bound)) continue;
         if (s->halvings == HALVINGS_MAX || depth + 2 > DEPTH) {
@@ -180,6 +194,8 @@ static void search_below(search *s, const wcut_patch *leaf, double leaf_s, doubl
             continue;
         }
         if (++s->halvings % PATIENCE == 0) s->same *= 10;
+
+        /* middles of both halves are feet too; bounds of both */
         wcut_patch half[2];
         wcut_patch_halve(s->m->surface, &q, half);
         double near[2], on_s[2] = {0, 0}, on_t[2] = {0, 0};
@@ -277,6 +293,7 @@ void wcut_foot_describe(const wcut_projection *m, wcut_vec3 p, const wcut_foot_j
 }
 
 void wcut_foot_search(const wcut_projection *m, wcut_vec3 p, const wcut_foot *near, wcut_foot *foot) {
+    /* a foot near by gives a first bound */
     search s = {.m = m, .p = p, .best = {.distance = INFINITY}, .lowest = INFINITY};
     const double same = s.same = SAME * (m->size + vec3_length(p));
     if (near)
@@ -292,6 +309,8 @@ void wcut_foot_search(const wcut_projection *m, wcut_vec3 p, const wcut_foot *ne
         wcut_surface_eval(m->surface, s.best.u, s.best.v, 1, d);
         s.best.along_u = d[2], s.best.along_v = d[1];
     }
+
+    /* the foot's fields, and the gap where the search was ended early */
     const wcut_foot_jet at = {s.best.u, s.best.v, s.best.point, s.best.along_u, s.best.along_v};
     wcut_foot_describe(m, p, &at, foot);
     const double distance = foot->distance = s.best.distance, low = fmax(0, s.lowest);

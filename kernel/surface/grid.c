@@ -10,6 +10,7 @@
 
 wcut_status wcut_axis_fill(int degree, int control_count, const double *knots, int count, const double *parameter,
                            int order, wcut_axis *axis) {
+    /* room for the basis functions of all parameters */
     const int size = (order + 1) * (degree + 1);
     int *first = wcut_alloc((size_t)count, sizeof *first);
     double *value = wcut_alloc((size_t)count, (size_t)size * sizeof *value);
@@ -18,6 +19,8 @@ wcut_status wcut_axis_fill(int degree, int control_count, const double *knots, i
         wcut_free(value);
         return WCUT_NO_MEMORY;
     }
+
+    /* values and derivatives to the order asked for, one after the other */
     for (int i = 0; i < count; i++) {
         wcut_basis basis;
         wcut_basis_eval(degree, control_count, knots, parameter[i], order, &basis);
@@ -26,7 +29,9 @@ wcut_status wcut_axis_fill(int degree, int control_count, const double *knots, i
         for (int k = 0; k <= order; k++)
             for (int r = 0; r <= degree; r++) *to++ = basis.value[k][r];
     }
+
     *axis = (wcut_axis){.count = count, .degree = degree, .order = order, .first = first, .value = value};
+
     return WCUT_OK;
 }
 

@@ -51,6 +51,7 @@ static void interpolate_turn(int rows, int count, wcut_vec3 *curve, wcut_vec3 *t
 
 wcut_status wcut_interpolate_rows(int degree, int count, const double *knots, const double *parameter, int rows,
                                   wcut_vec3 *point) {
+    /* factor once for all rows */
     wcut_collocation system;
     wcut_status status = wcut_collocation_factor(degree, count, knots, parameter, 0, &system);
     if (status != WCUT_OK) return status;
@@ -67,6 +68,7 @@ wcut_status wcut_interpolate_rows(int degree, int count, const double *knots, co
     } else {
         status = WCUT_NO_MEMORY;
     }
+
     wcut_free(block);
     wcut_free(system.entry);
     return status;

@@ -79,16 +79,20 @@ static void join_in_space(int count, tip *all, double within, double same) {
 }
 
 static wcut_status make_tips(const wcut_surface *s, const wcut_contour *c, double tolerance, tip **tips) {
+    /* two ends for each piece */
     const int count = 2 * c->piece_count;
     double first[2], last[2];
     wcut_surface_domain(s, first, last);
     const double width[2] = {last[0] - first[0], last[1] - first[1]};
+
     tip *all = wcut_alloc((size_t)count, sizeof *all), **sorted = wcut_alloc((size_t)count, sizeof *sorted);
     if (!all || !sorted) {
         wcut_free(all);
         wcut_free(sorted);
         return WCUT_NO_MEMORY;
     }
+
+    /* the points at the ends, and which are on the border of the surface */
     for (int k = 0; k < count; k++) {
         const wcut_contour_end *e = &c->piece[k / 2].end[k % 2];
         const int d = e->on_v ? 1 : 0;
@@ -97,11 +101,16 @@ static wcut_status make_tips(const wcut_surface *s, const wcut_contour *c, doubl
         wcut_surface_eval(s, e->u, e->v, 0, &all[k].point);
         sorted[k] = &all[k];
     }
+
+    /* join ends on the same line of the grid, sorted by line */
     qsort(sorted, (size_t)count, sizeof *sorted, by_line);
     join_across_lines(count, sorted, width);
+
+    /* the ends that are left: join those that are near each other in space */
     int left = 0; /* few: the rest is quadratic in them */
     for (int k = 0; k < count; k++)
         if (all[k].partner < 0) left++;
+
     tip *few = wcut_alloc((size_t)left, sizeof *few);
     if (few) {
         for (int k = 0, to = 0; k < count; k++)
@@ -119,14 +128,17 @@ static wcut_status make_tips(const wcut_surface *s, const wcut_contour *c, doubl
         wcut_free(all);
         return WCUT_NO_MEMORY;
     }
+
     wcut_free(few);
     *tips = all;
+
     return WCUT_OK;
 }
 
 /* the pieces from an end on, marked as used; `trace` may be NULL, then they are only counted. Returns the points. */
 static int intersect_follow(const wcut_contour *c, const tip *tips, int start, bool *used, wcut_trace *trace,
                             bool *closed) {
+    /* from piece to piece, in either direction */
     int made = 0, at = start;
     *closed = false;
     for (;;) {
@@ -138,6 +150,8 @@ static int intersect_follow(const wcut_contour *c, const tip *tips, int start, b
             if (trace) memcpy(trace->uv + 2 * (ptrdiff_t)made, c->uv + 2 * (ptrdiff_t)from, 2 * sizeof *trace->uv);
             made++;
         }
+
+        /* through the joint to the partner; the start again closes the curve */
         const int next = tips[at ^ 1].partner;
         if (next < 0) return made;
         if (next == start) {
@@ -169,21 +183,27 @@ static wcut_status take_trace(const wcut_surface *s, const wcut_contour *c, cons
 }
 
 static wcut_status join_pieces(const wcut_surface *s, const wcut_contour *c, double tolerance, wcut_traces **traces) {
+    /* ends joined in pairs */
     wcut_traces *all = wcut_alloc(1, sizeof *all);
     tip *tips = NULL;
     bool *used = wcut_alloc((size_t)c->piece_count, sizeof *used);
     wcut_status status = all && used ? make_tips(s, c, tolerance, &tips) : WCUT_NO_MEMORY;
+
+    /* room for the curves; touching places are handed through */
     if (status == WCUT_OK) {
         all->trace = wcut_alloc((size_t)c->piece_count, sizeof *all->trace);
         if (!all->trace) status = WCUT_NO_MEMORY;
         all->touching = c->touching, all->touch_u = c->touch_u, all->touch_v = c->touch_v;
     }
+
+    /* first pass: curves with free ends; second pass: closed ones */
     for (int pass = 0; pass < 2 && status == WCUT_OK; pass++) /* open curves from their ends, then closed ones */
         for (int k = 0; k < 2 * c->piece_count && status == WCUT_OK; k++) {
             if (pass == 0 && tips[k].partner < 0 && !tips[k].on_border) all->loose++;
             if (used[k / 2] || (pass == 0 && tips[k].partner >= 0)) continue;
             status = take_trace(s, c, tips, k, used, all);
         }
+
     wcut_free(used);
     wcut_free(tips);
     if (status == WCUT_OK) {
@@ -191,6 +211,7 @@ static wcut_status join_pieces(const wcut_surface *s, const wcut_contour *c, dou
     } else {
         wcut_traces_destroy(all);
     }
+
     return status;
 }
 
@@ -237,6 +258,7 @@ static int beyond(const face *f, wcut_vec3 p) {
 /* Where a trace passes a bound between an inner and an outer point: bisection along it, then Newton's method for both
    coordinates. */
 static void find_crossing(const face *f, const double *inner, const double *outer, double uv[2], wcut_vec3 *point) {
+    /* bisection along the line between both points; `bound` is the side that is passed */
     double low = 0, high = 1;
     int bound = 0;
     for (int k = 0; k < 40; k++) {
@@ -246,13 +268,18 @@ static void find_crossing(const face *f, const double *inner, const double *oute
         if (b) high = t, bound = b;
         if (!b) low = t;
     }
+
     for (int d = 0; d < 2; d++) uv[d] = (1 - low) * inner[d] + low * outer[d];
     if (!bound) {
         wcut_surface_eval(f->surface, outer[0], outer[1], 0, point);
         bound = beyond(f, *point);
     }
+
+    /* the two conditions: on the face, and on the bound */
     const int axis = (f->axis + (bound + 1) / 2) % 3;
     const double level = coordinate(bound % 2 ? f->block->low : f->block->high, axis);
+
+    /* Newton's method for both */
     for (int k = 0; k < 8; k++) {
         wcut_vec3 d[4];
         wcut_surface_eval(f->surface, uv[0], uv[1], 1, d);
@@ -295,6 +322,8 @@ static wcut_status clip_begin(clip *c, int room) {
 
 static wcut_status clip_end(clip *c) {
     wcut_status status = WCUT_OK;
+
+    /* a growing list of parts */
     if (c->now.count >= 2 && c->to->count == c->room) {
         wcut_trace *more = wcut_alloc(2 * (size_t)c->room + 16, sizeof *more);
         if (more) {
@@ -306,6 +335,8 @@ static wcut_status clip_end(clip *c) {
             status = WCUT_NO_MEMORY;
         }
     }
+
+    /* a part of one point is none */
     if (status == WCUT_OK && c->now.count >= 2) {
         c->to->trace[c->to->count++] = c->now;
     } else {
@@ -313,6 +344,7 @@ static wcut_status clip_end(clip *c) {
         wcut_free(c->now.point);
     }
     c->now = (wcut_trace){.count = 0};
+
     return status;
 }
 
@@ -341,6 +373,8 @@ static wcut_status clip_trace(clip *c, const wcut_trace *t) {
         const bool is_inside = !beyond(&c->f, t->point[k]);
         double uv[2];
         wcut_vec3 point;
+
+        /* from outside to inside: a part begins where the trace crosses the border */
         if (is_inside && !was_inside) {
             status = clip_begin(c, room);
             if (status == WCUT_OK && n > 0) {
@@ -349,6 +383,8 @@ static wcut_status clip_trace(clip *c, const wcut_trace *t) {
             }
         }
         if (status == WCUT_OK && is_inside) clip_add(c, &t->uv[2 * (size_t)k], t->point[k]);
+
+        /* from inside to outside: the part ends where it crosses again */
         if (!is_inside && was_inside) {
             find_crossing(&c->f, &t->uv[2 * (size_t)before], &t->uv[2 * (size_t)k], uv, &point);
             clip_add(c, uv, point);
@@ -356,10 +392,13 @@ static wcut_status clip_trace(clip *c, const wcut_trace *t) {
         }
         was_inside = is_inside;
     }
+
+    /* a trace that ends inside ends its part there; a closed one that never left is one closed part */
     if (status == WCUT_OK && was_inside) {
         c->now.closed = whole && t->closed;
         status = clip_end(c);
     }
+
     return status;
 }
 
@@ -387,6 +426,8 @@ wcut_status wcut_surface_intersect_box(const wcut_surface *surface, const wcut_b
         !vec3_is_finite(block->high) || !(block->low.x < block->high.x) || !(block->low.y < block->high.y) ||
         !(block->low.z < block->high.z))
         return WCUT_BAD_ARGUMENT;
+
+    /* the six faces of the block one after the other */
     clip c = {.to = wcut_alloc(1, sizeof *c.to)};
     if (!c.to) return WCUT_NO_MEMORY;
     wcut_status status = WCUT_OK;
@@ -401,5 +442,6 @@ wcut_status wcut_surface_intersect_box(const wcut_surface *surface, const wcut_b
     } else {
         wcut_traces_destroy(c.to);
     }
+
     return status;
 }

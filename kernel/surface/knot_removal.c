@@ -58,6 +58,7 @@ static int by_change(const void *a, const void *b) {
 
 /* the interior knots of a net, those first whose removal changes least; returns how many change less than `max` */
 static int knot_removal_rank(const wcut_net *net, double max, candidate *list, bool *taken) {
+    /* each distinct interior knot: what its removal would change */
     int count = 0, order = 0;
     for (int r = net->degree + 1, copies = 1; r < net->count; r++) {
         if (net->knots[r + 1] == net->knots[r]) {
@@ -70,7 +71,10 @@ static int knot_removal_rank(const wcut_net *net, double max, candidate *list, b
         order++;
         copies = 1;
     }
+
+    /* the least change first */
     qsort(list, (size_t)count, sizeof *list, by_change);
+
     for (int k = 0; k < order; k++) taken[k] = false;
     int kept = 0;
     for (int k = 0; k < count; k++) { /* neighbours are not removed in one batch: each was ranked as if alone */
@@ -79,6 +83,7 @@ static int knot_removal_rank(const wcut_net *net, double max, candidate *list, b
         taken[at] = true;
         list[kept++] = list[k];
     }
+
     return kept;
 }
 
@@ -92,6 +97,8 @@ typedef struct target {
 
 static double bound_error(const target *t, const wcut_band_rows *a, const wcut_homogeneous *coarse) {
     const int lanes = t->fine->lanes;
+
+    /* each fine control point less its combination of coarse ones */
     double max = 0, max_w = 0, min = INFINITY;
     for (int i = 0; i < a->rows; i++)
         for (int c = 0; c < lanes; c++) {
@@ -102,13 +109,18 @@ static double bound_error(const target *t, const wcut_band_rows *a, const wcut_h
                 d = combine(1, d, -a->value[(ptrdiff_t)i * a->width + r], *h);
                 weight += a->value[(ptrdiff_t)i * a->width + r] * h->w;
             }
+
+            /* the error in space, seen from the middle of the control points */
             if (!t->rational) d.w = 0;
             const wcut_vec3 off = vec3_add_scaled(vec3(d.x, d.y, d.z), -d.w, t->middle);
             max = fmax(max, vec3_length(off));
             max_w = fmax(max_w, fabs(d.w));
             min = fmin(min, weight);
         }
+
+    /* polynomial: the largest difference; rational: (max |dA| + R max |dw|) / min w (NOTATION.md, Surfaces) */
     if (!t->rational) return max;
+
     return min > 0 ? (max + t->radius * max_w) / min : INFINITY;
 }
 
@@ -116,6 +128,8 @@ static double bound_error(const target *t, const wcut_band_rows *a, const wcut_h
 static wcut_status fit_coarse(const target *t, wcut_net *coarse, double *error) {
     const wcut_net *fine = t->fine;
     const int p = fine->degree;
+
+    /* rows of the polar forms: fine control points as combinations of coarse ones */
     int *first = wcut_alloc((size_t)fine->count, sizeof *first);
     double *value = wcut_alloc((size_t)fine->count, (size_t)(p + 1) * sizeof *value);
     wcut_status status = first && value ? WCUT_OK : WCUT_NO_MEMORY;
@@ -124,12 +138,17 @@ static wcut_status fit_coarse(const target *t, wcut_net *coarse, double *error) 
         for (int i = 0; i < fine->count; i++)
             wcut_blossom_row(p, coarse->count, coarse->knots, fine->knots, i, &first[i],
                              value + (ptrdiff_t)i * (p + 1));
+
+        /* least squares; a singular system means that there is no such curve */
         status = wcut_band_fit(&a, coarse->count, 4 * fine->lanes, &fine->at->x, &coarse->at->x);
         if (status == WCUT_OK) *error = bound_error(t, &a, coarse->at);
         if (status == WCUT_SINGULAR) *error = INFINITY, status = WCUT_OK;
+
+        /* weights must stay positive */
         for (ptrdiff_t k = 0; t->rational && k < (ptrdiff_t)coarse->count * coarse->lanes; k++)
             if (!(coarse->at[k].w > 0)) *error = INFINITY;
     }
+
     wcut_free(value);
     wcut_free(first);
     return status;
@@ -203,12 +222,14 @@ static wcut_status knot_removal_thin(wcut_net *net, bool rational, double tolera
         const int count = knot_removal_rank(&coarse, 4 * tolerance, list, taken);
         status = remove_batch(&t, tolerance, list, count, &coarse, error, &removed);
     }
+
     if (status == WCUT_OK) {
         wcut_net_clear(net);
         *net = coarse;
     } else {
         wcut_net_clear(&coarse);
     }
+
     wcut_free(taken);
     wcut_free(list);
     return status;

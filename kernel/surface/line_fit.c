@@ -139,12 +139,15 @@ static wcut_status line_fit_begin(const data *d, wcut_spacing *s) {
 
 /* knots by the density in `s`, which becomes that of the lines laid. *dense: interpolation is the better way */
 static wcut_status next_fit(const data *d, wcut_spacing *s, double *missed, wcut_line_fit *fit, bool *dense) {
+    /* lines by the density; too many are a sign that interpolation is better */
     wcut_spacing lines;
     wcut_status status = wcut_spacing_lines(s, d->rows, &lines);
     *dense = status == WCUT_NOT_CONVERGED;
     if (status != WCUT_OK) return *dense ? WCUT_OK : status;
     wcut_spacing_clear(s);
     *s = lines;
+
+    /* knots on the lines, then least squares */
     wcut_line_fit f;
     status = fit_new(lines.pieces + 3, d->columns, &f);
     if (status != WCUT_OK) return status;
@@ -152,22 +155,27 @@ static wcut_status next_fit(const data *d, wcut_spacing *s, double *missed, wcut
     *dense = f.count > DENSE * d->rows;
     if (!*dense) status = line_fit_solve(d, &f, missed);
     if (status == WCUT_SINGULAR) *dense = true, status = WCUT_OK;
+
     if (status == WCUT_OK && !*dense) {
         *fit = f;
     } else {
         wcut_line_fit_clear(&f);
     }
+
     return status;
 }
 
 wcut_status wcut_line_fit_points(int rows, const double *parameter, int columns, const wcut_vec3 *point,
                                  double tolerance, wcut_line_fit *fit) {
+    /* begin with a density from the data */
     const data d = {.rows = rows, .columns = columns, .parameter = parameter, .point = point};
     wcut_spacing s = {.pieces = 0};
     wcut_line_fit best = {.count = 0}, now = {.count = 0};
     bool dense = false;
     double *missed = wcut_alloc((size_t)rows, sizeof *missed);
     wcut_status status = missed ? line_fit_begin(&d, &s) : WCUT_NO_MEMORY;
+
+    /* fit, and keep the smallest one that holds the tolerance */
     for (int round = 0; status == WCUT_OK && tolerance > 0 && round < ROUNDS_MAX; round++) {
         status = next_fit(&d, &s, missed, &now, &dense);
         if (status != WCUT_OK || dense) break;
@@ -179,10 +187,16 @@ wcut_status wcut_line_fit_points(int rows, const double *parameter, int columns,
         } else {
             wcut_line_fit_clear(&now);
         }
+
+        /* good enough, or no smaller one possible */
         if (best.count > 0 && (round >= ROUNDS_GOOD || (held && error >= ENOUGH * tolerance))) break;
         if (held && best.count <= PIECES_FIRST / 2) break; /* a plane needs no fewer */
+
+        /* the density follows the error of this fit */
         adapt(&d, missed, tolerance, held, &s);
     }
+
+    /* nothing held: the spline through all points */
     if (status == WCUT_OK && best.count == 0) status = line_fit_interpolate(&d, &best);
     if (status == WCUT_OK) {
         *fit = best;
@@ -190,6 +204,7 @@ wcut_status wcut_line_fit_points(int rows, const double *parameter, int columns,
         wcut_line_fit_clear(&best);
     }
     wcut_spacing_clear(&s);
+
     wcut_free(missed);
     return status;
 }

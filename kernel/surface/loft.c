@@ -99,15 +99,21 @@ wcut_status wcut_surface_loft(int stations, int nodes, const wcut_vec3 *position
     if (stations < 2 || nodes < 2 || nodes > INT_MAX / 8 / stations || !position || !surface ||
         !(isfinite(merge) && merge >= 0) || !vec3_all_finite(stations * nodes, position))
         return WCUT_BAD_ARGUMENT;
+
+    /* sections that move by more than `merge` */
     wcut_sections sections;
     wcut_surface *s = NULL;
     wcut_status status = wcut_sections_pick(stations, nodes, position, merge, &sections);
     if (status != WCUT_OK) return status;
+
+    /* cubic in both directions, or of lower degree where there are few points */
     const int kept = sections.kept;
     status = wcut_surface_new(nodes > 3 ? 3 : nodes - 1, kept > 3 ? 3 : kept - 1, nodes, kept, false, &s);
     if (status == WCUT_OK) status = interpolate_grid(nodes, position, &sections, s);
     if (status == WCUT_SINGULAR) status = WCUT_DEGENERATE; /* steps so unequal that a pivot is lost to rounding */
     if (status == WCUT_OK && !vec3_all_finite(kept * nodes, s->control)) status = WCUT_DEGENERATE;
+
+    /* parameters of the stations, and the report */
     if (status == WCUT_OK) {
         if (parameter) wcut_sections_spread(&sections, stations, parameter);
         if (report) *report = (wcut_loft_report){.used = kept, .dropped = stations - kept};
@@ -116,5 +122,6 @@ wcut_status wcut_surface_loft(int stations, int nodes, const wcut_vec3 *position
     }
     wcut_surface_destroy(s);
     wcut_sections_clear(&sections);
+
     return status;
 }

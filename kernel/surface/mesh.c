@@ -19,6 +19,8 @@ wcut_status wcut_mesh_create(int vertex_count, int triangle_count, unsigned part
     const unsigned all = WCUT_MESH_NORMAL | WCUT_MESH_UV | WCUT_MESH_SCALAR;
     if (vertex_count < 0 || triangle_count < 0 || triangle_count > INT_MAX / 3 || (parts & ~all) || !mesh)
         return WCUT_BAD_ARGUMENT;
+
+    /* room for the parts asked for */
     wcut_mesh *m = wcut_alloc(1, sizeof *m);
     if (!m) return WCUT_NO_MEMORY;
     m->vertex_count = vertex_count;
@@ -28,12 +30,15 @@ wcut_status wcut_mesh_create(int vertex_count, int triangle_count, unsigned part
     if (parts & WCUT_MESH_NORMAL) m->normal = wcut_alloc((size_t)vertex_count, sizeof *m->normal);
     if (parts & WCUT_MESH_UV) m->uv = wcut_alloc((size_t)vertex_count, 2 * sizeof *m->uv);
     if (parts & WCUT_MESH_SCALAR) m->scalar = wcut_alloc((size_t)vertex_count, sizeof *m->scalar);
+
+    /* all or nothing */
     if (!m->vertex || !m->triangle || (!m->normal && (parts & WCUT_MESH_NORMAL)) ||
         (!m->uv && (parts & WCUT_MESH_UV)) || (!m->scalar && (parts & WCUT_MESH_SCALAR))) {
         wcut_mesh_destroy(m);
         return WCUT_NO_MEMORY;
     }
     *mesh = m;
+
     return WCUT_OK;
 }
 

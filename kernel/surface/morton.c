@@ -46,6 +46,8 @@ static void plan_cells(sorter *s) {
     /* halves keep the difference of the largest doubles finite */
     const double wide[3] = {high.x / 2 - low.x / 2, high.y / 2 - low.y / 2, high.z / 2 - low.z / 2};
     double cell[3] = {wide[0], wide[1], wide[2]};
+
+    /* the longest cell is halved next, until all bits are given */
     const int all = s->digits * BITS;
     int bits[3] = {0, 0, 0}, axis[3 * BITS] = {0};
     for (int b = all - 1; b >= 0; b--) {
@@ -55,6 +57,8 @@ static void plan_cells(sorter *s) {
         axis[b] = c;
         bits[c]++, cell[c] /= 2;
     }
+
+    /* each axis: cells per mm, and the code of every cell number */
     for (int c = 0; c < 3; c++) {
         s->max[c] = (1 << bits[c]) - 1;
         s->by[c] = wide[c] > 1e-290 ? (s->max[c] + 1) / wide[c] : 0;

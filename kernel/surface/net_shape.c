@@ -53,6 +53,8 @@ wcut_status wcut_net_of_surface(const wcut_surface *s, wcut_direction along, wcu
 wcut_status wcut_surface_of_net(const wcut_net *net, wcut_direction along, const wcut_surface *like, bool turned,
                                 wcut_surface **surface) {
     const bool u = along == WCUT_DIRECTION_U, to_u = u != turned;
+
+    /* the other direction's degree and knots are those of `like` */
     const int degree = u ? like->degree_v : like->degree_u;
     const double *knots = u ? like->knots_v : like->knots_u;
     wcut_surface *s;
@@ -60,9 +62,13 @@ wcut_status wcut_surface_of_net(const wcut_net *net, wcut_direction along, const
         wcut_surface_new(to_u ? net->degree : degree, to_u ? degree : net->degree, to_u ? net->count : net->lanes,
                          to_u ? net->lanes : net->count, like->weights != NULL, &s);
     if (status != WCUT_OK) return status;
+
+    /* knots of both directions */
     double *own = to_u ? s->knots_u : s->knots_v, *other = to_u ? s->knots_v : s->knots_u;
     for (int k = 0; k < net->count + net->degree + 1; k++) own[k] = net->knots[k];
     for (int k = 0; k < net->lanes + degree + 1; k++) other[k] = knots[k];
+
+    /* control points and weights, turned where asked */
     for (int k = 0; k < net->count; k++)
         for (int c = 0; c < net->lanes; c++) {
             const wcut_homogeneous *h = &net->at[(ptrdiff_t)k * net->lanes + c];
@@ -71,5 +77,6 @@ wcut_status wcut_surface_of_net(const wcut_net *net, wcut_direction along, const
             if (s->weights) s->weights[at] = h->w;
         }
     *surface = s;
+
     return WCUT_OK;
 }

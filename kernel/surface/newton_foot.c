@@ -144,6 +144,7 @@ typedef struct lanes {
    e1^2 (|r| + e1) turn beside the least eigenvalue of the Hessian, itself above area / (ss + tt). */
 WCUT_WIDE static void newton_foot_solve(const wcut_span *restrict of, double tolerance, int first, int last,
                                         lanes *restrict l) {
+    /* [1/mm] the tolerance as a factor; the span's own bounds */
     const double shortest = of->speed / tolerance, bends = of->turn * shortest, speed = of->speed;
     const double radius = of->radius;
 #pragma omp simd
@@ -205,6 +206,7 @@ static int newton_foot_collect(const wcut_newton_foot *q, int first, int last, l
                                unsigned char *done, wcut_span_place *start) {
     int more = first;
     for (int k = first; k < last; k++) {
+        /* a foot is handed out in parameters of the surface */
         const int to = l->index[k];
         wcut_span_place *at = &start[to];
         if (l->end[k] == FOUND) {
@@ -217,11 +219,13 @@ static int newton_foot_collect(const wcut_newton_foot *q, int first, int last, l
             done[to] = foot[to].u > q->u[0] && foot[to].u < q->u[q->columns] && foot[to].v > q->v[0] &&
                        foot[to].v < q->v[q->rows];
         } else if (l->end[k] == AGAIN) {
+            /* the others move to the front, for another round */
             l->px[more] = l->px[k], l->py[more] = l->py[k], l->pz[more] = l->pz[k];
             l->s[more] = l->s[k], l->t[more] = l->t[k], l->index[more] = to;
             more++;
         }
     }
+
     return more;
 }
 
@@ -230,6 +234,8 @@ void wcut_newton_foot_batch(const wcut_newton_foot *newton, int count, const wcu
                             wcut_span_place *start) {
     const wcut_newton_foot *q = newton;
     lanes l;
+
+    /* lead each query to its span by the linear models */
     for (int k = 0; k < count;
          k++) { /* from a neighbour, but not each from the last: several are under way at a time */
         if (ahead) wcut_query_prefetch_next(ahead, k);
@@ -237,12 +243,16 @@ void wcut_newton_foot_batch(const wcut_newton_foot *newton, int count, const wcu
         if (k % STRIDE == 0) place = start[k];
         done[k] = 0;
     }
+
+    /* sort by span, so that the lanes of a span lie together */
     sort_by_span(count, start, l.index);
     for (int k = 0; k < count; k++) {
         const int from = l.index[k];
         l.px[k] = query[from].x, l.py[k] = query[from].y, l.pz[k] = query[from].z;
         l.s[k] = start[from].s, l.t[k] = start[from].t;
     }
+
+    /* each span: rounds on the lanes that are left */
     for (int first = 0, last; first < count; first = last) {
         const wcut_span_place *of = &start[l.index[first]];
         for (last = first + 1; last < count; last++) {
@@ -315,23 +325,32 @@ static bool newton_foot_finish(const wcut_newton_foot *q, const wcut_span_place 
 
 bool wcut_newton_foot_slide(const wcut_newton_foot *newton, wcut_vec3 p, wcut_span_place place, wcut_foot_jet *spot) {
     const wcut_newton_foot *q = newton;
+
+    /* one query alone, across spans */
     for (int step = 0; step < STEPS; step++) {
         const wcut_span *of = &q->span[place.row * q->columns + place.column];
         const jet f = jet_at(of, place.s, place.t);
+
+        /* Newton's step, held where the border stops it */
         const wcut_vec3 r = vec3_sub(p, f.at);
         double ds, dt;
         if (!newton_foot_step_of(&f, r, is_held(place.column, q->columns, place.s, vec3_dot(r, f.s)),
                                  is_held(place.row, q->rows, place.t, vec3_dot(r, f.t)), &ds, &dt))
             return false;
+
+        /* clamped to the surface; a step below the tolerance ends the walk */
         const double s = kept(place.column, q->columns, place.s + ds), t = kept(place.row, q->rows, place.t + dt);
         const double cut = fabs(place.s + ds - s) + fabs(place.t + dt - t); /* the border changes the other direction */
         if (fabs(ds) * vec3_length(f.s) + fabs(dt) * vec3_length(f.t) <= LAST * q->tolerance &&
             cut * of->speed <= q->tolerance)
             return newton_foot_finish(q, &place, p, &f, s, t, spot);
+
+        /* into the next span; at the border of the surface there is none */
         place.s = s, place.t = t;
         if (!newton_foot_cross(q->u, q->columns, &place.column, &place.s) ||
             !newton_foot_cross(q->v, q->rows, &place.row, &place.t))
             return false;
     }
+
     return false;
 }

@@ -101,19 +101,26 @@ static double outer_distance(const pyramid *p, int level, range of, const wcut_s
     struct {
         int level, column, row;
     } stack[4 * LEVELS];
+
+    /* depth first from the top of the pyramid */
     int depth = 1;
     stack[0].level = p->levels - 1, stack[0].column = stack[0].row = 0;
     double best = enough;
     while (depth > 0) {
         depth--;
         const int l = stack[depth].level, c = stack[depth].column, r = stack[depth].row;
+
+        /* blocks inside the range are not outside it */
         if (l == level && c >= of.c0 && c <= of.c1 && r >= of.r0 && r <= of.r1) continue;
+
+        /* a block farther than the best cannot improve it */
         const double away = box_distance(from, block_at(p, l, c, r));
         if (away >= best) continue;
         if (l == 0) {
             best = away;
             continue;
         }
+
         for (int i = 0; i < 4; i++) {
             const int column = 2 * c + i % 2, row = 2 * r + i / 2;
             if (column >= p->columns[l - 1] || row >= p->rows[l - 1]) continue;
@@ -121,6 +128,7 @@ static double outer_distance(const pyramid *p, int level, range of, const wcut_s
             depth++;
         }
     }
+
     return best;
 }
 

@@ -207,5 +207,6 @@ wcut_status wcut_newton_foot_create(const wcut_surface *surface, double size, wc
     }
     wcut_newton_foot_destroy(q);
     if (status == WCUT_OK) *newton = NULL;
+
     return status;
 }

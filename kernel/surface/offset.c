@@ -39,12 +39,16 @@ static bool normal_near(const wcut_surface *s, double u, double v, wcut_vec3 *no
 static wcut_status offset_grid(const void *data, int count_u, const double *u, int count_v, const double *v,
                                wcut_vec3 *point) {
     const task *t = data;
+
+    /* basis functions along both directions, with first derivatives */
     const wcut_surface *s = t->surface;
     wcut_axis along = {.count = 0}, across = {.count = 0};
     wcut_status status = wcut_axis_fill(s->degree_u, s->count_u, s->knots_u, count_u, u, 1, &along);
     if (status == WCUT_OK) status = wcut_axis_fill(s->degree_v, s->count_v, s->knots_v, count_v, v, 1, &across);
     wcut_homogeneous *fold = wcut_alloc((size_t)s->count_u, 2 * sizeof *fold);
     if (!fold) status = WCUT_NO_MEMORY;
+
+    /* row by row: fold along v, then the normal at each u */
     for (int j = 0; status == WCUT_OK && j < count_v; j++) {
         wcut_grid_fold(s, &across, j, 0, fold);
         wcut_grid_fold(s, &across, j, 1, fold + s->count_u);
@@ -58,9 +62,11 @@ static wcut_status offset_grid(const void *data, int count_u, const double *u, i
             if (status == WCUT_OK) point[(ptrdiff_t)j * count_u + i] = vec3_add_scaled(d[0], t->distance, n);
         }
     }
+
     wcut_free(fold);
     wcut_axis_clear(&across);
     wcut_axis_clear(&along);
+
     return status;
 }
 
@@ -95,9 +101,13 @@ static wcut_status make_axis(const wcut_surface *s, wcut_direction direction, wc
     if (!place) return WCUT_NO_MEMORY;
     double *joint = place, *watch = place + count + 1;
     int joints = 0, watched = 0;
+
+    /* joints: the ends, and knots whose multiplicity makes second derivatives jump */
     joint[joints++] = knots[degree];
     for (int k = degree; k < count; k++) {
         if (!(knots[k] < knots[k + 1])) continue;
+
+        /* a knot between two spans: its multiplicity decides how smooth the surface is there */
         if (knots[k] > knots[degree]) {
             int times = 1;
             while (knots[k - times] == knots[k]) times++;
@@ -105,11 +115,15 @@ static wcut_status make_axis(const wcut_surface *s, wcut_direction direction, wc
             if (times > degree - 2) joint[joints++] = knots[k];
             if (times >= degree && is_crease(s, direction, knots[k])) *crease = true;
         }
+
+        /* middles of the spans are watched too */
         watch[watched++] = (knots[k] + knots[k + 1]) / 2;
     }
+
     joint[joints++] = knots[count];
     *axis = (wcut_map_axis){.joints = joints, .joint = joint, .watched = watched, .watch = watch};
     *room = place;
+
     return WCUT_OK;
 }
 
@@ -139,6 +153,7 @@ wcut_status wcut_surface_offset(const wcut_surface *surface, double distance, do
     bool crease = false;
     wcut_surface *s = NULL;
     wcut_offset_report r = {.error = 0};
+
     const task t = {.surface = surface, .distance = distance};
 
     /* a surface with a crease has no offset */
@@ -157,6 +172,7 @@ wcut_status wcut_surface_offset(const wcut_surface *surface, double distance, do
         if (report) *report = r;
         s = NULL;
     }
+
     wcut_surface_destroy(s);
     wcut_free(room_v);
     wcut_free(room_u);

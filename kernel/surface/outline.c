@@ -46,6 +46,7 @@ static void outline_append(const wcut_trace *from, bool forth, double tolerance,
 
 /* the line that begins at an end, its traces marked as used; NULL points: no memory */
 static wcut_trace outline_follow(const wcut_traces *t, const ends *e, int start, double tolerance, bool *used) {
+    /* first walk: count the points and the faces */
     wcut_trace line = {.face = t->trace[start / 2].face};
     size_t points = 0;
     int at = start;
@@ -56,6 +57,8 @@ static wcut_trace outline_follow(const wcut_traces *t, const ends *e, int start,
         if (next < 0 || next == (at ^ 1)) break;
         at = next;
     } while (at != start);
+
+    /* room for all of them */
     line.point = wcut_alloc(points, sizeof *line.point);
     line.uv = wcut_alloc(points, 2 * sizeof *line.uv);
     if (!line.point || !line.uv) {
@@ -64,11 +67,15 @@ static wcut_trace outline_follow(const wcut_traces *t, const ends *e, int start,
         line.point = NULL;
         return line;
     }
+
+    /* second walk: append the traces in order */
     for (at = start; !used[at / 2]; at = e->partner[at ^ 1]) {
         used[at / 2] = true;
         outline_append(&t->trace[at / 2], at % 2 == 0, tolerance, &line);
         if (e->partner[at ^ 1] < 0 || e->partner[at ^ 1] == (at ^ 1)) break;
     }
+
+    /* closed where the last end leads back to the first */
     line.closed = t->trace[start / 2].closed || (e->partner[start] >= 0 && e->partner[start] != start);
     if (line.closed && line.count > 2 && vec3_distance(line.point[0], line.point[line.count - 1]) <= tolerance)
         line.count--; /* the first point is not repeated */
@@ -79,12 +86,15 @@ wcut_status wcut_traces_join(const wcut_traces *traces, double tolerance, wcut_t
     if (!traces || !outline || !is_positive(tolerance)) return WCUT_BAD_ARGUMENT;
     for (int k = 0; k < traces->count; k++)
         if (traces->trace[k].count < 2) return WCUT_BAD_ARGUMENT;
+
+    /* ends and their partners */
     ends e = {.count = 2 * traces->count, .partner = wcut_alloc(2 * (size_t)traces->count, sizeof(int))};
     bool *used = wcut_alloc((size_t)traces->count, sizeof *used);
     wcut_traces *all = wcut_alloc(1, sizeof *all);
     if (all) all->trace = wcut_alloc((size_t)traces->count, sizeof *all->trace);
     wcut_status status = e.partner && used && all && all->trace ? WCUT_OK : WCUT_NO_MEMORY;
     if (status == WCUT_OK) outline_join(traces, tolerance, &e);
+
     for (int pass = 0; pass < 2 && status == WCUT_OK; pass++) /* open lines from their free ends, then closed ones */
         for (int k = 0; k < e.count && status == WCUT_OK; k++) {
             if (used[k / 2] || (pass == 0 && e.partner[k] != k)) continue;
@@ -92,6 +102,8 @@ wcut_status wcut_traces_join(const wcut_traces *traces, double tolerance, wcut_t
             if (line.point) all->trace[all->count++] = line;
             if (!line.point) status = WCUT_NO_MEMORY;
         }
+
+    /* loose ends are those without a partner */
     if (status == WCUT_OK) {
         all->touching = traces->touching, all->touch_u = traces->touch_u, all->touch_v = traces->touch_v;
         for (int k = 0; k < e.count; k++) all->loose += e.partner[k] == k;
@@ -99,6 +111,7 @@ wcut_status wcut_traces_join(const wcut_traces *traces, double tolerance, wcut_t
     } else {
         wcut_traces_destroy(all);
     }
+
     wcut_free(used);
     wcut_free(e.partner);
     return status;

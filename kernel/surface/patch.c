@@ -52,9 +52,12 @@ static inline double square_at(const wcut_patch *patch, wcut_vec3 q, double s, d
 }
 
 double wcut_patch_distance(const wcut_patch *patch, wcut_vec3 p, double enough, double *s, double *t) {
+    /* far enough from the ball about the piece: no closer look */
     const wcut_vec3 q = vec3_sub(p, patch->centre), a = patch->side_u, b = patch->side_v;
     const double from_centre = vec3_length(q);
     if (from_centre - patch->radius >= enough) return from_centre - patch->radius;
+
+    /* the nearest point of the parallelogram: free minimum inside, else on an edge */
     const double aa = vec3_dot(a, a), ab = vec3_dot(a, b), bb = vec3_dot(b, b), qa = vec3_dot(q, a),
                  qb = vec3_dot(q, b);
     const double area = aa * bb - ab * ab;
@@ -75,6 +78,7 @@ double wcut_patch_distance(const wcut_patch *patch, wcut_vec3 p, double enough, 
         const double square = square_at(patch, q, edge_s, edge_t);
         if (square < min) min = square, *s = edge_s, *t = edge_t;
     }
+
     return sqrt(min) - patch->thickness;
 }
 
@@ -88,8 +92,12 @@ static double min_quadratic(double g, double h) {
 bool wcut_patch_is_convex(const wcut_patch *q, wcut_vec3 p, double *min) {
     *min = 0;
     if (!isfinite(q->turn_uuu + q->turn_uuv + q->turn_uvv + q->turn_vvv)) return false;
+
+    /* sizes in the middle of the piece */
     const wcut_vec3 r = vec3_sub(q->centre, p);
     const double reach = vec3_length(r), long_u = vec3_length(q->side_u), long_v = vec3_length(q->side_v);
+
+    /* how far first derivatives, then the Hessian's entries, are off at most */
     const double off_u = (q->bend_uu + q->bend_uv) / 2, off_v = (q->bend_uv + q->bend_vv) / 2;
     const double off_uu =
         2 * long_u * off_u + off_u * off_u + q->radius * q->bend_uu + reach * (q->turn_uuu + q->turn_uuv) / 2;
@@ -97,13 +105,20 @@ bool wcut_patch_is_convex(const wcut_patch *q, wcut_vec3 p, double *min) {
         2 * long_v * off_v + off_v * off_v + q->radius * q->bend_vv + reach * (q->turn_uvv + q->turn_vvv) / 2;
     const double off_uv = long_u * off_v + long_v * off_u + off_u * off_v + q->radius * q->bend_uv +
                           reach * (q->turn_uuv + q->turn_uvv) / 2;
+
+    /* lower bounds of the diagonal, upper bound of the mixed entry */
     const double uu = long_u * long_u + vec3_dot(r, q->bow_uu) - off_uu;
     const double vv = long_v * long_v + vec3_dot(r, q->bow_vv) - off_vv;
     const double uv = fabs(vec3_dot(q->side_u, q->side_v) + vec3_dot(r, q->bow_uv)) + off_uv;
+
+    /* positive definite everywhere */
     if (uu > 0 && vv > 0 && uu * vv > uv * uv) return true;
+
+    /* else a lower bound on the distance from the quadratic model */
     const double low = reach * reach / 2 + min_quadratic(vec3_dot(r, q->side_u), uu) +
                        min_quadratic(vec3_dot(r, q->side_v), vv) - uv / 4;
     if (low > 0) *min = sqrt(2 * low);
+
     return false;
 }
 

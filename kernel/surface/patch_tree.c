@@ -107,9 +107,13 @@ static void patch_tree_bound_derivatives(const builder *b, const int range[4], w
                                          double bound[ORDERS][ORDERS]) {
     static const double binomial[ORDERS][ORDERS] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
     double weight[ORDERS][ORDERS], min = 1;
+
+    /* control points of the range, in homogeneous coordinates about c */
     block across, along;
     take_block(b, range, c, &across);
     enclose(&across, &min, &bound[0][0]);
+
+    /* derivatives of the homogeneous surface, bounded by their control points */
     for (int l = 0; l <= order; l++) {
         if (l > 0) differentiate_v(b->surface, l, &across);
         along = across;
@@ -118,6 +122,8 @@ static void patch_tree_bound_derivatives(const builder *b, const int range[4], w
             if (k + l > 0) measure_block(&along, &bound[k][l], &weight[k][l]);
         }
     }
+
+    /* quotient rule: bounds of the rational derivatives, order by order */
     if (!b->surface->weights) return;
     for (int sum = 1; sum <= order; sum++)
         for (int k = 0; k <= sum; k++) {
@@ -196,6 +202,7 @@ static wcut_patch patch_tree_join(const wcut_patch *a, const wcut_patch *c) {
    made where a Taylor polynomial holds, over few spans and no crease; above that a node is the ball about its
    children. */
 static bool patch_tree_decide(builder *b, int node, const int range[4], bool *along_u, int *at, bool *is_ball) {
+    /* a crease divides first, then too many spans */
     const int wide = range[1] - range[0], high = range[3] - range[2];
     *is_ball = true;
     if (find_knot(b, range, 1, along_u, at)) return true;
@@ -204,17 +211,24 @@ static bool patch_tree_decide(builder *b, int node, const int range[4], bool *al
         *at = *along_u ? (range[0] + range[1]) / 2 : (range[2] + range[3]) / 2;
         return true;
     }
+
+    /* whether the piece is flat, and whether a knot of second order divides it */
     *is_ball = false;
     wcut_patch *p = &b->node[node].patch;
     make_patch(b, range, false, p);
     if (find_knot(b, range, 2, along_u, at)) return true;
+
+    /* not flat: halve the longer side */
     if (wide * high > 1 && p->thickness > FLAT * p->radius) {
         const double long_u = vec3_length(p->side_u) + p->bend_uu, long_v = vec3_length(p->side_v) + p->bend_vv;
         *along_u = wide > 1 && (long_u >= long_v || high == 1);
         *at = *along_u ? (range[0] + range[1]) / 2 : (range[2] + range[3]) / 2;
         return true;
     }
+
+    /* flat enough: the full patch with all bounds */
     make_patch(b, range, true, p);
+
     return false;
 }
 

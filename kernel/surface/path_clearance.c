@@ -48,15 +48,20 @@ wcut_status wcut_path_clearance(int count, const wcut_vec3 *mount, const wcut_bo
         !vec3_is_finite(block->low) || !vec3_is_finite(block->high) || !(block->low.x <= block->high.x) ||
         !(block->low.y <= block->high.y) || !(block->low.z <= block->high.z))
         return WCUT_BAD_ARGUMENT;
+
+    /* points nearer than MERGE are one, so that no segment has a length of zero */
     wcut_vec3 *apart = wcut_alloc((size_t)count, sizeof *apart);
     double *share = wcut_alloc((size_t)count, sizeof *share);
     int *kept = wcut_alloc((size_t)count, sizeof *kept), n = 0;
     wcut_status status = apart && share && kept ? WCUT_OK : WCUT_NO_MEMORY;
     for (int k = 0; status == WCUT_OK && k < count; k++)
         if (n == 0 || vec3_distance(mount[k], apart[n - 1]) > MERGE) apart[n] = mount[k], kept[n++] = k;
+
+    /* a mount that stands still is a point */
     if (status == WCUT_OK)
         status = n < 2 ? measure_point(mount[0], block, near)
                        : path_clearance_measure(n, apart, kept, share, block, tolerance, near);
+
     wcut_free(kept);
     wcut_free(share);
     wcut_free(apart);

@@ -80,12 +80,18 @@ static bool measure_gap(const wcut_net *low, const wcut_net *high, double *gap) 
 /* `low` followed by `high`, both clamped, of one degree and lanes */
 static wcut_status reshape_append(const wcut_net *low, const wcut_net *high, wcut_net *result) {
     const int p = low->degree, lanes = low->lanes;
+
+    /* counts must fit */
     if (high->count - 1 > INT_MAX / 8 / lanes - low->count) return WCUT_BAD_ARGUMENT;
     wcut_net n;
     const wcut_status status = wcut_net_new(p, low->count + high->count - 1, lanes, &n);
     if (status != WCUT_OK) return status;
+
+    /* stretch the parameters of the second so that the speed is the same at the joint */
     const double before = edge_speed(low, true), after = edge_speed(high, false), start = low->knots[low->count];
     const double ratio = after / before, stretch = is_positive(ratio) && is_positive(1 / ratio) ? ratio : 1;
+
+    /* knots, then control points with the weights scaled to agree at the joint */
     memcpy(n.knots, low->knots, (size_t)(low->count + p) * sizeof *n.knots);
     for (int k = p + 1; k < high->count + p + 1; k++)
         n.knots[low->count + k - 1] = start + stretch * (high->knots[k] - high->knots[p]);
@@ -97,7 +103,9 @@ static wcut_status reshape_append(const wcut_net *low, const wcut_net *high, wcu
         n.at[(ptrdiff_t)(low->count - 1) * lanes + k] =
             (wcut_homogeneous){weight * h->x, weight * h->y, weight * h->z, weight * h->w};
     }
+
     *result = n;
+
     return wcut_knots_are_valid(p, n.count, n.knots) ? WCUT_OK : WCUT_DEGENERATE; /* a domain lost to rounding */
 }
 
@@ -125,6 +133,8 @@ static wcut_status net_of_degree(const wcut_curve *curve, int degree, wcut_net *
 wcut_status wcut_curve_join(int count, const wcut_curve *const *curve, double tolerance, wcut_curve **result,
                             double *gap) {
     if (count < 1 || !curve || !result || !(isfinite(tolerance) && tolerance >= 0)) return WCUT_BAD_ARGUMENT;
+
+    /* the highest degree of all curves */
     int degree = 1;
     bool rational = false;
     for (int k = 0; k < count; k++) {
@@ -132,6 +142,8 @@ wcut_status wcut_curve_join(int count, const wcut_curve *const *curve, double to
         if (curve[k]->degree > degree) degree = curve[k]->degree;
         rational = rational || curve[k]->weights;
     }
+
+    /* one after the other, and the widest gap */
     wcut_net all = {.count = 0}, next = {.count = 0};
     double widest = 0;
     wcut_status status = net_of_degree(curve[0], degree, &all);
@@ -141,10 +153,13 @@ wcut_status wcut_curve_join(int count, const wcut_curve *const *curve, double to
         if (status == WCUT_OK) status = append_in_place(&all, &next);
         wcut_net_clear(&next);
     }
+
+    /* gaps beyond the tolerance refuse the join, and are reported */
     if (status == WCUT_OK && widest > tolerance) status = WCUT_DEGENERATE;
     if (status == WCUT_OK) status = wcut_curve_of_net(&all, rational, result);
     if (gap && (status == WCUT_OK || status == WCUT_DEGENERATE)) *gap = widest;
     wcut_net_clear(&all);
+
     return status;
 }
 
@@ -179,16 +194,20 @@ static int unite_knots(const wcut_net *a, const wcut_net *b, double *knots) {
 
 /* both nets over one knot vector, in place; what was done to them is kept where memory runs out, their shape too */
 static wcut_status make_compatible(wcut_net *a, wcut_net *b) {
+    /* clamped, and of the same degree */
     wcut_status status = wcut_net_clamp(a);
     if (status == WCUT_OK) status = wcut_net_clamp(b);
     const int degree = a->degree > b->degree ? a->degree : b->degree;
     if (status == WCUT_OK) status = elevate(a, degree - a->degree);
     if (status == WCUT_OK) status = elevate(b, degree - b->degree);
     if (status != WCUT_OK) return status;
+
+    /* the same domain, then the union of both knot vectors */
     move_knots(a, b);
     double *knots = wcut_alloc((size_t)a->count + b->count + 2 * (size_t)degree + 2, sizeof *knots);
     if (!knots) return WCUT_NO_MEMORY;
     const int count = unite_knots(a, b, knots) - degree - 1;
+
     wcut_net *const net[2] = {a, b};
     for (int k = 0; k < 2 && status == WCUT_OK; k++) {
         wcut_net more;
@@ -198,6 +217,7 @@ static wcut_status make_compatible(wcut_net *a, wcut_net *b) {
         wcut_net_clear(net[k]);
         *net[k] = more;
     }
+
     wcut_free(knots);
     return status;
 }
@@ -227,6 +247,8 @@ wcut_status wcut_surface_join(const wcut_surface *low, const wcut_surface *high,
     if (!low || !high || !result || (direction != WCUT_DIRECTION_U && direction != WCUT_DIRECTION_V) ||
         !(isfinite(tolerance) && tolerance >= 0))
         return WCUT_BAD_ARGUMENT;
+
+    /* compatible in the other direction first */
     const wcut_surface *const from[2] = {low, high};
     const wcut_direction other = direction == WCUT_DIRECTION_U ? WCUT_DIRECTION_V : WCUT_DIRECTION_U;
     wcut_net across[2] = {{.count = 0}}, along[2] = {{.count = 0}};
@@ -236,6 +258,8 @@ wcut_status wcut_surface_join(const wcut_surface *low, const wcut_surface *high,
     if (status == WCUT_OK) status = wcut_net_of_surface(high, other, &across[1]);
     if (status == WCUT_OK) status = make_compatible(&across[0], &across[1]);
     if (status == WCUT_OK) status = turn_nets(across, direction, from, along);
+
+    /* the gap between both sides, then append */
     if (status == WCUT_OK) {
         const bool same = measure_gap(&along[0], &along[1], &widest);
         status = same && widest <= tolerance ? append_in_place(&along[0], &along[1]) : WCUT_DEGENERATE;
@@ -244,11 +268,13 @@ wcut_status wcut_surface_join(const wcut_surface *low, const wcut_surface *high,
     /* a surface with the other direction's knots, to hand these on */
     if (status == WCUT_OK) status = wcut_surface_of_net(&across[0], other, low->weights ? low : high, false, &edge);
     if (status == WCUT_OK) status = wcut_surface_of_net(&along[0], direction, edge, false, result);
+
     wcut_surface_destroy(edge);
     for (int k = 0; k < 2; k++) {
         wcut_net_clear(&along[k]);
         wcut_net_clear(&across[k]);
     }
+
     return status;
 }
 

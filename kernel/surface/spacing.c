@@ -64,9 +64,12 @@ static void spacing_raise(double *to, double value) {
 }
 
 static void bound_derivatives(const wcut_surface *s, nets *n) {
+    /* largest factors of first derivatives from control points */
     const int m = s->count_u;
     derivative_steps(s->degree_u, s->count_u, s->knots_u, n->step_u);
     derivative_steps(s->degree_v, s->count_v, s->knots_v, n->step_v);
+
+    /* second differences along u, along v and mixed, each with the largest of its line */
     for (int j = 0; j < s->count_v; j++) {
         const wcut_vec3 *row = s->control + (ptrdiff_t)j * m;
         for (int i = 0; i + 2 < m; i++)
@@ -76,6 +79,8 @@ static void bound_derivatives(const wcut_surface *s, nets *n) {
         for (int i = 0; j + 1 < s->count_v && i + 1 < m; i++) {
             const wcut_vec3 twist = vec3_sub(vec3_sub(row[i + m + 1], row[i + m]), vec3_sub(row[i + 1], row[i]));
             const double scale = n->step_u[i] * n->step_v[j], value = scale * scale * vec3_dot(twist, twist);
+
+            /* mean squares of the speeds, for the balance of the two directions */
             const wcut_vec3 du = vec3_scale(n->step_u[i], vec3_sub(row[i + 1], row[i]));
             const wcut_vec3 dv = vec3_scale(n->step_v[j], vec3_sub(row[i + m], row[i]));
             spacing_raise(&n->mixed_u[i], value);
@@ -95,12 +100,15 @@ static double largest(int count, const double *value) {
 /* the h^2 terms of one direction, in place of the densities: every non-empty knot span a piece */
 static wcut_status estimate_axis(int degree, int count, const double *knots, const double *pure, const double *mixed,
                                  double ratio, wcut_spacing *spacing) {
+    /* a piece for each span that is not empty */
     int pieces = 0;
     for (int s = degree; s < count; s++) pieces += knots[s] < knots[s + 1];
     wcut_spacing result;
     const wcut_status status = spacing_new(pieces, &result);
     if (status != WCUT_OK) return status;
     int piece = 0;
+
+    /* density from second derivatives and the twist of the span */
     for (int s = degree; s < count; s++) {
         if (!(knots[s] < knots[s + 1])) continue;
         const double second = sqrt(largest(degree - 1, pure + s - degree));
@@ -109,9 +117,11 @@ static wcut_status estimate_axis(int degree, int count, const double *knots, con
         result.crease[piece] = piece == 0 || knots[s - degree + 1] == knots[s];
         result.density[piece++] = second + twist * ratio;
     }
+
     result.at[pieces] = knots[count];
     result.crease[pieces] = true;
     *spacing = result;
+
     return WCUT_OK;
 }
 
@@ -139,6 +149,7 @@ static double balance(const wcut_surface *s, const nets *n, double tolerance) {
 
 wcut_status wcut_spacing_estimate(const wcut_surface *s, double chord_tolerance, wcut_spacing *along_u,
                                   wcut_spacing *along_v) {
+    /* bounds by column and row of the net */
     double *work = wcut_alloc((size_t)s->count_u + s->count_v, 4 * sizeof *work);
     if (!work) return WCUT_NO_MEMORY;
     double *second = work + 4 * (ptrdiff_t)s->count_u;
@@ -147,6 +158,7 @@ wcut_status wcut_spacing_estimate(const wcut_surface *s, double chord_tolerance,
     bound_derivatives(s, &n);
     const double rho = balance(s, &n, chord_tolerance);
 
+    /* terms of both directions, with the twist shared by `rho` */
     wcut_spacing u = {.pieces = 0}, v = {.pieces = 0};
     wcut_status status = estimate_axis(s->degree_u, s->count_u, s->knots_u, n.pure_u, n.mixed_u, rho, &u);
     if (status == WCUT_OK)
@@ -161,6 +173,7 @@ wcut_status wcut_spacing_estimate(const wcut_surface *s, double chord_tolerance,
         wcut_spacing_clear(&u);
         wcut_spacing_clear(&v);
     }
+
     wcut_free(work);
     return status;
 }
@@ -182,16 +195,20 @@ static int next_crease(const wcut_spacing *s, int from) {
 static double cells_for(double lines) { return lines <= 1 ? 1 : ceil(lines * (1 - 1e-12)); }
 
 wcut_status wcut_spacing_lines(const wcut_spacing *s, int max, wcut_spacing *lines) {
+    /* cells between creases, in whole numbers */
     double total = 0;
     for (int from = 0, to; from < s->pieces; from = to) {
         to = next_crease(s, from);
         total += cells_for(lines_between(s, from, to));
     }
     if (!(total < max)) return WCUT_NOT_CONVERGED;
+
     wcut_spacing result;
     const wcut_status status = spacing_new((int)total, &result);
     if (status != WCUT_OK) return status;
     int made = 0;
+
+    /* lines at equal sums of the density between two creases */
     for (int from = 0, to; from < s->pieces; from = to) {
         to = next_crease(s, from);
         const double sum = lines_between(s, from, to), cells = cells_for(sum);
@@ -213,9 +230,11 @@ wcut_status wcut_spacing_lines(const wcut_spacing *s, int max, wcut_spacing *lin
             }
         }
     }
+
     result.at[made] = s->at[s->pieces];
     result.crease[made] = true;
     for (int p = 0; p < result.pieces; p++) result.density[p] = 1 / (result.at[p + 1] - result.at[p]);
     *lines = result;
+
     return WCUT_OK;
 }

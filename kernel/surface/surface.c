@@ -39,6 +39,7 @@ wcut_status wcut_surface_new(int degree_u, int degree_v, int count_u, int count_
 wcut_status wcut_surface_create(int degree_u, int degree_v, int count_u, int count_v, const double *knots_u,
                                 const double *knots_v, const wcut_vec3 *control, const double *weights,
                                 wcut_surface **surface) {
+    /* degrees, counts and knots, then the control points */
     if (!knots_u || !knots_v || !control || !surface || degree_u < 1 || degree_u > WCUT_DEGREE_MAX || degree_v < 1 ||
         degree_v > WCUT_DEGREE_MAX || count_u <= degree_u || count_v <= degree_v || count_u > INT_MAX / 8 / count_v)
         return WCUT_BAD_ARGUMENT;
@@ -46,6 +47,8 @@ wcut_status wcut_surface_create(int degree_u, int degree_v, int count_u, int cou
     if (!wcut_knots_are_valid(degree_u, count_u, knots_u) || !wcut_knots_are_valid(degree_v, count_v, knots_v) ||
         !vec3_all_finite(control_count, control) || (weights && !all_positive(control_count, weights)))
         return WCUT_BAD_ARGUMENT;
+
+    /* copies of everything */
     wcut_surface *s;
     const wcut_status status = wcut_surface_new(degree_u, degree_v, count_u, count_v, weights != NULL, &s);
     if (status != WCUT_OK) return status;
@@ -56,6 +59,7 @@ wcut_status wcut_surface_create(int degree_u, int degree_v, int count_u, int cou
         if (weights) s->weights[i] = weights[i];
     }
     *surface = s;
+
     return WCUT_OK;
 }
 
@@ -76,11 +80,14 @@ static wcut_vec3 evaluate_bicubic(const wcut_surface *s, double u, double v) {
 
 /* a point of any surface */
 static wcut_vec3 evaluate_point(const wcut_surface *s, double u, double v) {
+    /* basis functions at u and v */
     wcut_basis bu, bv;
     wcut_basis_eval(s->degree_u, s->count_u, s->knots_u, u, 0, &bu);
     wcut_basis_eval(s->degree_v, s->count_v, s->knots_v, v, 0, &bv);
     wcut_vec3 sum = {0, 0, 0};
     double weight = 0;
+
+    /* fold along u, then along v */
     for (int r = 0; r <= s->degree_v; r++) {
         const ptrdiff_t row = (ptrdiff_t)(bv.span - s->degree_v + r) * s->count_u + bu.span - s->degree_u;
         const wcut_vec3 *control = s->control + row;
@@ -98,14 +105,17 @@ static wcut_vec3 evaluate_point(const wcut_surface *s, double u, double v) {
         }
         sum = vec3_add_scaled(sum, bv.value[0][r], along);
     }
+
     return s->weights ? vec3_scale(1 / weight, sum) : sum;
 }
 
 /* sum[k * n + l] = d^(k+l) (w S) / du^k dv^l for k + l < n: along u first, row by row */
 static void sum_derivatives(const wcut_surface *s, double u, double v, int n, wcut_homogeneous *sum) {
+    /* basis functions with derivatives */
     wcut_basis bu, bv;
     wcut_basis_eval(s->degree_u, s->count_u, s->knots_u, u, n - 1, &bu);
     wcut_basis_eval(s->degree_v, s->count_v, s->knots_v, v, n - 1, &bv);
+
     for (int r = 0; r <= s->degree_v; r++) {
         const ptrdiff_t row = (ptrdiff_t)(bv.span - s->degree_v + r) * s->count_u + bu.span - s->degree_u;
         for (int k = 0; k < n; k++) {
@@ -115,6 +125,8 @@ static void sum_derivatives(const wcut_surface *s, double u, double v, int n, wc
                 const wcut_vec3 *p = &s->control[row + i];
                 along.x += b * p->x, along.y += b * p->y, along.z += b * p->z, along.w += b;
             }
+
+            /* along v, to all orders that are asked for */
             for (int l = 0; k + l < n; l++) {
                 wcut_homogeneous *to = &sum[k * n + l];
                 const double b = bv.value[l][r];
@@ -144,11 +156,15 @@ static inline void sum_polynomial(const wcut_surface *s, int degree_u, int degre
 wcut_status wcut_surface_eval(const wcut_surface *surface, double u, double v, int order, wcut_vec3 *ders) {
     if (!surface || !ders || order < 0 || order > WCUT_ORDER_MAX || !isfinite(u) || !isfinite(v))
         return WCUT_BAD_ARGUMENT;
+
+    /* points only: the bicubic loft has a path of its own */
     if (order == 0) {
         const bool bicubic = !surface->weights && surface->degree_u == 3 && surface->degree_v == 3;
         ders[0] = bicubic ? evaluate_bicubic(surface, u, v) : evaluate_point(surface, u, v);
         return WCUT_OK;
     }
+
+    /* polynomial surfaces need no quotient rule */
     if (!surface->weights) {
         if (surface->degree_u == 3 && surface->degree_v == 3) { /* lofts: the loops unroll */
             sum_polynomial(surface, 3, 3, u, v, order + 1, ders);
@@ -157,10 +173,13 @@ wcut_status wcut_surface_eval(const wcut_surface *surface, double u, double v, i
         }
         return WCUT_OK;
     }
+
+    /* rational: homogeneous sums, then the quotient rule */
     enum { MAX = (WCUT_ORDER_MAX + 1) * (WCUT_ORDER_MAX + 1) };
     wcut_homogeneous sum[MAX] = {{0}};
     sum_derivatives(surface, u, v, order + 1, sum);
     wcut_rational_surface(order, surface->weights != NULL, sum, ders);
+
     return WCUT_OK;
 }
 

@@ -24,10 +24,13 @@ static void surface_fit_turn(int rows, int columns, const wcut_vec3 *from, wcut_
 /* kept x nodes points on a grid of parameters -> a surface that each direction misses by `share` at most */
 static wcut_status fit_grid(int nodes, const double *u, int kept, const double *v, const wcut_vec3 *point, double share,
                             wcut_surface **surface) {
+    /* along v for every node */
     wcut_line_fit along_v = {.count = 0}, along_u = {.count = 0};
     wcut_vec3 *turned = NULL;
     wcut_surface *s = NULL;
     wcut_status status = wcut_line_fit_points(kept, v, nodes, point, share, &along_v);
+
+    /* turned, so that the control points of the first fit are data of the second */
     if (status == WCUT_OK) {
         turned = wcut_alloc((size_t)nodes, (size_t)along_v.count * sizeof *turned);
         if (!turned) status = WCUT_NO_MEMORY;
@@ -36,6 +39,7 @@ static wcut_status fit_grid(int nodes, const double *u, int kept, const double *
         surface_fit_turn(along_v.count, nodes, along_v.control, turned);
         status = wcut_line_fit_points(nodes, u, along_v.count, turned, share, &along_u);
     }
+
     if (status == WCUT_OK) status = wcut_surface_new(3, 3, along_u.count, along_v.count, false, &s);
     if (status == WCUT_OK) {
         memcpy(s->knots_u, along_u.knots, ((size_t)along_u.count + 4) * sizeof *s->knots_u);
@@ -46,6 +50,7 @@ static wcut_status fit_grid(int nodes, const double *u, int kept, const double *
     wcut_free(turned);
     wcut_line_fit_clear(&along_u);
     wcut_line_fit_clear(&along_v);
+
     return status;
 }
 
@@ -53,12 +58,15 @@ static wcut_status fit_grid(int nodes, const double *u, int kept, const double *
 static wcut_status surface_fit_measure(const wcut_surface *s, const wcut_surface *loft, int nodes, const double *u,
                                        int kept, const double *v, const wcut_vec3 *point, double *at_nodes,
                                        double *between) {
+    /* the nodes and the middles between them */
     const int wide = 2 * nodes - 1;
     double *at = wcut_alloc((size_t)wide, sizeof *at);
     wcut_vec3 *a = wcut_alloc((size_t)wide, sizeof *a), *b = wcut_alloc((size_t)wide, sizeof *b);
     wcut_status status = at && a && b ? WCUT_OK : WCUT_NO_MEMORY;
     double max = 0, max_between = 0;
     for (int i = 0; i < wide && status == WCUT_OK; i++) at[i] = i % 2 ? (u[i / 2] + u[i / 2 + 1]) / 2 : u[i / 2];
+
+    /* at nodes against the points, between them against the loft */
     for (int j = 0; j < 2 * kept - 1 && status == WCUT_OK; j++) {
         const double here = j % 2 ? (v[j / 2] + v[j / 2 + 1]) / 2 : v[j / 2];
         status = wcut_surface_eval_grid(s, wide, at, 1, &here, a);
@@ -71,10 +79,12 @@ static wcut_status surface_fit_measure(const wcut_surface *s, const wcut_surface
             }
         }
     }
+
     wcut_free(b);
     wcut_free(a);
     wcut_free(at);
     if (status == WCUT_OK) *at_nodes = max, *between = max_between;
+
     return status;
 }
 
@@ -84,11 +94,15 @@ static wcut_status fit_until_held(const wcut_surface *loft, int nodes, const dou
                                   wcut_surface_fit_report *report) {
     double share = SHARE * tolerance;
     for (int round = 0;; round++) {
+        /* each direction may miss by `share` */
         wcut_surface *s;
         double at_nodes = 0, between = 0;
+
         wcut_status status = fit_grid(nodes, u, kept, v, point, share, &s);
         if (status != WCUT_OK) return status;
         status = surface_fit_measure(s, loft, nodes, u, kept, v, point, &at_nodes, &between);
+
+        /* hold the tolerance together, or try again with less */
         const double max = fmax(at_nodes, between);
         if (status == WCUT_OK && max <= tolerance) {
             report->node_error = at_nodes, report->between_error = between;
@@ -150,6 +164,7 @@ done:
     wcut_free(point);
     wcut_free(u);
     wcut_sections_clear(&sections);
+
     wcut_surface_destroy(loft);
     return status;
 }

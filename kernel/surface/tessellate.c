@@ -41,9 +41,13 @@ static wcut_status lay_lines(wcut_spacing *spacing) {
 static wcut_status tessellate_find_lines(const wcut_surface *s, double tolerance, wcut_spacing *u, wcut_spacing *v,
                                          double *max) {
     const double held = SAMPLED_SHARE * tolerance;
+
+    /* a first estimate from curvature */
     wcut_status status = wcut_spacing_estimate(s, tolerance, u, v);
     for (int round = 0; status == WCUT_OK; round++) {
         if (round == ROUNDS_MAX) return WCUT_NOT_CONVERGED;
+
+        /* lines, and the distance measured on them */
         status = lay_lines(u);
         if (status == WCUT_OK) status = lay_lines(v);
         if (status != WCUT_OK) break;
@@ -52,6 +56,8 @@ static wcut_status tessellate_find_lines(const wcut_surface *s, double tolerance
         if (!error) return WCUT_NO_MEMORY;
         status = wcut_chord_error(s, u, v, held, error, error + u->pieces, max);
         const bool done = status == WCUT_OK && *max <= held;
+
+        /* more lines where the distance was too large */
         if (status == WCUT_OK && !done) {
             refine(u, error, held);
             refine(v, error + u->pieces, held);
@@ -59,6 +65,7 @@ static wcut_status tessellate_find_lines(const wcut_surface *s, double tolerance
         wcut_free(error);
         if (done) break;
     }
+
     return status;
 }
 
@@ -94,6 +101,7 @@ static wcut_status fill_vertices(const wcut_surface *s, const wcut_spacing *line
     wcut_free(fold);
     wcut_axis_clear(&v);
     wcut_axis_clear(&u);
+
     return status;
 }
 
@@ -128,6 +136,8 @@ static wcut_vec3 sum_around(int columns, int rows, const wcut_vec3 *normal, int 
    inwards: forth and back over the grid until nothing changes. False where no vertex has a normal. */
 static bool complete_normals(int columns, int rows, double max, wcut_vec3 *normal) {
     const int count = columns * rows;
+
+    /* normals where the area element is not negligible */
     int missing = 0;
     for (int k = 0; k < count; k++) {
         const double length = vec3_length(normal[k]);
@@ -136,6 +146,8 @@ static bool complete_normals(int columns, int rows, double max, wcut_vec3 *norma
         missing += !has;
     }
     if (missing == count) return false;
+
+    /* fill the rest from their neighbours, forth and back */
     for (bool forth = true; missing > 0; forth = !forth) {
         const int before = missing;
         for (int n = 0; n < count; n++) {
@@ -146,6 +158,7 @@ static bool complete_normals(int columns, int rows, double max, wcut_vec3 *norma
         }
         if (missing == before) return false; /* neighbours that cancel: folded flat, no side is up */
     }
+
     return true;
 }
 
@@ -155,17 +168,24 @@ wcut_status wcut_surface_tessellate(const wcut_surface *surface, double chord_to
     wcut_spacing u = {.pieces = 0}, v = {.pieces = 0};
     wcut_mesh *m = NULL;
     double max = 0, area;
+
+    /* lines, vertices, triangles, normals */
     wcut_status status = tessellate_find_lines(surface, chord_tolerance, &u, &v, &max);
     if (status != WCUT_OK) goto done;
     const int columns = u.pieces + 1, rows = v.pieces + 1;
+
+    /* a vertex at every crossing of two lines, two triangles in every cell */
     status = wcut_mesh_create(columns * rows, 2 * u.pieces * v.pieces, WCUT_MESH_NORMAL | WCUT_MESH_UV, &m);
     if (status == WCUT_OK) status = fill_vertices(surface, &u, &v, m, &area);
     if (status != WCUT_OK) goto done;
+
+    /* triangles without an area are left out; a surface without any normal has no sides */
     fill_triangles(columns, rows, m);
     if (!complete_normals(columns, rows, area, m->normal) || m->triangle_count == 0) {
         status = WCUT_DEGENERATE;
         goto done;
     }
+
     if (report) *report = (wcut_tessellation_report){.chord_error = max, .rows = rows, .columns = columns};
     *mesh = m;
     m = NULL;
@@ -174,5 +194,6 @@ done:
     wcut_mesh_destroy(m);
     wcut_spacing_clear(&v);
     wcut_spacing_clear(&u);
+
     return status;
 }
