@@ -23,6 +23,7 @@ static void print_apply_json(const wcut_correction *c, const char *path) {
 }
 
 static int apply(const app_call *call) {
+    /* the correction and the job that gets it */
     const char *path = app_text(call, "output");
     wcut_correction correction;
     wcut_error error = {0};
@@ -33,12 +34,17 @@ static int apply(const app_call *call) {
     const wcut_job was = *job; /* numbers alone: its arrays may be gone below */
     status = wcut_correction_apply(&correction, job, &error);
     int code = status == WCUT_OK ? APP_DONE : app_fail_status(status, call->operand[1], &error);
+
+    /* the job is written under its new name */
     if (code == APP_DONE) {
         status = wcut_job_write(job, path, &error);
         if (status != WCUT_OK) code = app_fail_status(status, NULL, &error);
     }
+
+    /* words for people, JSON for programs */
     if (code == APP_DONE && !app_given(call, "quiet")) say_apply_summary(&correction, &was, path);
     if (code == APP_DONE && app_given(call, "json")) print_apply_json(&correction, path);
+
     wcut_job_destroy(job);
     return code;
 }

@@ -115,6 +115,7 @@ static void warn(calibration *c, const char *format, ...) {
 
 /* cuts far off the law of the others: which line, by how much, and the slip that would explain it */
 static void warn_of_slips(calibration *c) {
+    /* the columns of the table, by the number of the slip */
     static const char *const column[] = {"", "heat_W_per_m", "speed_mm_s", "engaged_mm", "tension_N", "alpha_deg"};
     for (int k = 0; k < c->slips; k++) {
         const wcut_slip *s = &c->slip[k];
@@ -158,6 +159,7 @@ static void warn_of_angles(calibration *c) {
 
 /* what the user should know before cutting by these numbers */
 static void find_warnings(calibration *c) {
+    /* the log likelihood ratio that speaks against the chosen noise */
     const wcut_calibration *fit = &c->fit;
     bool relative = c->options.noise == WCUT_NOISE_RELATIVE;
     const double against = relative ? -fit->force.evidence : fit->force.evidence;
@@ -192,6 +194,7 @@ static void describe_calibration(calibration *c) {
 }
 
 static int calibrate(const app_call *call) {
+    /* read the table, and make the folder for the results */
     calibration c = {.call = call, .path = call->operand[0]};
     int code = load_calibrate(&c);
     if (code == APP_DONE) code = app_results_begin(&c.results, app_text(call, "output"), result_name);
@@ -209,6 +212,7 @@ static int calibrate(const app_call *call) {
     }
 
     app_results_end(&c.results);
+
     free(c.slip);
     free(c.warning);
     free(c.sentence);

@@ -130,6 +130,7 @@ static int read_registration(const app_call *call, app_compare_options *o) {
 }
 
 static int read_options(const app_call *call, app_compare_options *o) {
+    /* a job among the scans is most likely a wrong order */
     const char *first = strrchr(call->operand[0], '.');
     for (int k = 1; k < call->operand_count && first; k++) {
         const char *ending = strrchr(call->operand[k], '.');
@@ -137,6 +138,8 @@ static int read_options(const app_call *call, app_compare_options *o) {
             return app_fail(APP_USAGE, "compare: found %s before %s, expected the job first: JOB.json SCAN...",
                             call->operand[0], call->operand[k]);
     }
+
+    /* defaults, and the options that are given */
     const long processors = sysconf(_SC_NPROCESSORS_ONLN);
     *o = (app_compare_options){.reference = call->operand[0],
                                .call = call,
@@ -149,27 +152,40 @@ static int read_options(const app_call *call, app_compare_options *o) {
                                .share = app_real(call, "share") / 100,
                                .reconstruct = app_choice(call, "reconstruct"),
                                .threads = processors > 1 ? processors < 64 ? (int)processors : 64 : 1};
+
+    /* numbers that depend on the scan unless they are given */
     if (app_given(call, "threads")) o->threads = app_int(call, "threads");
     if (app_given(call, "normals")) o->normals = app_int(call, "normals");
     if (app_given(call, "support")) o->support = app_real(call, "support");
+
+    /* scans: unit, columns, threads, cleaning */
     o->scans.unit = (wcut_length_unit)app_choice(call, "unit");
     o->scans.columns = app_text(call, "columns");
+
+    /* the title block of the report */
     o->part = app_text(call, "part");
     o->inspector = app_text(call, "inspector");
     o->instrument = app_text(call, "instrument");
     o->date = app_text(call, "date");
+
+    /* a law from a calibration replaces the job's */
     if (app_given(call, "force-law")) o->force_law = app_text(call, "force-law");
     o->reference_unit =
         app_given(call, "reference-unit") ? (wcut_length_unit)app_choice(call, "reference-unit") : o->scans.unit;
     o->scans.threads = o->threads;
     read_cleaning(call, &o->scans);
+
+    /* a reconstruction is needed for a distance to it, and all points for the reconstruction */
     if (o->distance == APP_TO_RECONSTRUCTION && o->reconstruct == 0) o->reconstruct = 1;
     o->scans.hold = app_given(call, "hold") ? app_int(call, "hold") : o->reconstruct ? HOLD_WHOLE : HOLD;
+
+    /* bands of the histogram; the tolerance is one of them */
     int code = read_bands(app_text(call, "bands"), o);
     if (code == APP_DONE && app_given(call, "tolerance")) {
         o->tolerance = app_real(call, "tolerance");
         add_band(o, o->tolerance);
     }
+
     return code == APP_DONE ? read_registration(call, o) : code;
 }
 
@@ -195,9 +211,12 @@ static int write_meshes(const app_comparison *c, app_results *r) {
 }
 
 static int write_compare_report(const app_comparison *c, app_results *r) {
+    /* names of the units in the order of their enumerators */
     wcut_error error = {0};
     static const char *const unit[] = {"mm", "cm", "m", "inch", "ft", "dm", "um"};
     const app_reference *reference = &c->reference;
+
+    /* what the page shows: the comparison, the face, the scan */
     const wcut_report_compare page = {.compared = &c->found,
                                       .title = reference->job ? reference->job->name : NULL,
                                       .reference_sha256 = reference->hash[0] ? reference->hash : NULL,
@@ -214,7 +233,9 @@ static int write_compare_report(const app_comparison *c, app_results *r) {
                                       .spacing = c->scans.spacing,
                                       .unit = unit[c->options.scans.unit],
                                       .border = reference->options.border};
+
     const wcut_status status = wcut_report_compare_write(&page, app_results_path(r, "report.html"), &error);
+
     return app_results_add(r, "report.html", status, &error);
 }
 

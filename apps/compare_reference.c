@@ -141,23 +141,36 @@ static bool is_job(const char *path) {
 
 int app_reference_load(app_reference *reference, const app_reference_options *options) {
     wcut_error error = {0};
+
+    /* nothing is loaded yet */
     app_reference *r = reference;
     const char *path = options->path;
     *r = (app_reference){.path = path, .distance = options->distance, .options = wcut_deviation_options_default()};
+
+    /* a CAD file has no stations, and its surface is not read */
     if (has_ending(path, cad_ending))
         return app_fail(APP_BAD_INPUT,
                         "%s: found a CAD file, expected a job, whose surface is exact, or a mesh: .stl .ply .obj .off "
                         ".glb",
                         path);
+
+    /* a job has stations; a mesh has vertices alone */
     r->is_job = is_job(path);
     r->options.flip = options->flip;
     if (!r->is_job && options->call && app_given(options->call, "edges"))
         return app_fail(APP_BAD_INPUT, "%s: --edges: expected a design, found no job", options->path);
+
+    /* the face and its box */
     const int code = r->is_job ? load_job(r, options) : load_mesh(r, options->unit);
     if (code != APP_DONE) return code;
+
+    /* a mesh has no exact surface to measure to */
     if (!r->is_job && options->distance == APP_TO_SURFACE) r->distance = APP_TO_MESH;
+
+    /* the area in plan, and the hash for the report */
     r->plan = (r->high.x - r->low.x) * (r->high.y - r->low.y);
     const wcut_status status = wcut_source_hash(path, r->hash, &error);
+
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, NULL, &error);
 }
 

@@ -68,6 +68,7 @@ static int prepare_many(app_comparison *c) {
 /* ---- registration ---- */
 
 static int register_datum(app_comparison *c) {
+    /* the datums of the file */
     wcut_error error = {0};
     wcut_datums *datums = NULL;
     wcut_status status = wcut_datums_read(c->options.datum_path, &datums, &error);
@@ -87,6 +88,7 @@ static int register_datum(app_comparison *c) {
                                                      datums->face, c->datum)
                           : WCUT_NO_MEMORY;
     }
+
     wcut_datums_destroy(datums);
     return status == WCUT_OK ? APP_DONE : fail(status, c->options.datum_path, &error);
 }
@@ -120,6 +122,7 @@ static int compare_numbers(const void *a, const void *b) {
 /* The strongest colour is for the deviation that one point in a hundred exceeds, two digits of it; a scan of which no
    point is over the face is refused before it is read on. */
 static wcut_status look(app_comparison *c, int *counted) {
+    /* a sample of the scan, moved as the registration says */
     wcut_vec3 *point = calloc(GLANCE, sizeof *point);
     wcut_deviation *d = calloc(GLANCE, sizeof *d);
     double *size = calloc(GLANCE, sizeof *size);
@@ -127,14 +130,19 @@ static wcut_status look(app_comparison *c, int *counted) {
     const int count = status == WCUT_OK ? glance(c, point) : 0;
     if (status == WCUT_OK) status = wcut_registration_move(&c->registration, count, point, NULL);
     if (status == WCUT_OK) status = app_reference_locate(&c->reference, count, point, c->options.threads, d, NULL);
+
+    /* sizes of the deviations of points on the face */
     *counted = 0;
     for (int k = 0; k < count && status == WCUT_OK; k++)
         if (d[k].place <= WCUT_PLACE_BORDER) size[(*counted)++] = fabs(d[k].distance);
+
+    /* the limit of the colours: the 99th percentile, rounded up to two digits */
     if (*counted > 0) {
         qsort(size, (size_t)*counted, sizeof *size, compare_numbers);
         const double max = fmax(size[(int)(0.99 * (*counted - 1))], 1e-3), unit = pow(10, floor(log10(max)) - 1);
         c->limit = ceil(max / unit) * unit;
     }
+
     free(size);
     free(d);
     free(point);
@@ -178,6 +186,7 @@ static wcut_status make_map(app_comparison *c) {
 
 /* the points' normals, where they are wanted: of what is held, as registered, to the side of the removed half */
 static int find_normals(app_comparison *c) {
+    /* none are wanted, or the points are not held in memory */
     const size_t count = (size_t)c->scans.count;
     wcut_normals_options options = wcut_normals_options_default();
     options.neighbours = c->options.normals;
@@ -185,6 +194,8 @@ static int find_normals(app_comparison *c) {
     if (!c->scans.held)
         return app_fail(APP_USAGE, "--normals: found %d points, expected --hold of at least as many",
                         c->scans.removed[WCUT_REMOVAL_KEPT]);
+
+    /* normals belong to the points as they are moved */
     c->normal = calloc(count, sizeof *c->normal);
     wcut_vec3 *moved = calloc(count, sizeof *moved);
     wcut_status status = c->normal && moved ? WCUT_OK : WCUT_NO_MEMORY;
@@ -194,15 +205,20 @@ static int find_normals(app_comparison *c) {
     }
     if (status == WCUT_OK)
         status = wcut_cloud_normals(c->scans.count, moved, &options, c->options.threads, c->normal, NULL);
+
     free(moved);
     return status == WCUT_OK ? APP_DONE : fail(status, "finding the points' normals", NULL);
 }
 
 static int prepare_comparison(app_comparison *c, app_results *results) {
     wcut_error error = {0};
+
+    /* a first look decides the limit of the colours */
     int counted = 0;
     wcut_status status = look(c, &counted);
     if (status == WCUT_OK && counted == 0) return refuse_elsewhere(c);
+
+    /* support of a point: given, or from the spacing */
     const double spacing = spacing_of(c);
     c->support = c->options.support > 0 ? c->options.support : fmax(1.5, 2.5 * spacing);
     if (status == WCUT_OK) status = begin_survey(c, FOUND);
@@ -214,15 +230,22 @@ static int prepare_comparison(app_comparison *c, app_results *results) {
                         "%s: found a face from (%.6g, %.6g, %.6g) to (%.6g, %.6g, %.6g) mm, too large for its zones: a "
                         "stray vertex, or another --reference-unit?",
                         c->reference.path, low->x, low->y, low->z, high->x, high->y, high->z);
+
+    /* the deviations as they were scanned, for comparison */
     if (status == WCUT_OK && c->options.method != WCUT_REGISTRATION_METHOD_NONE) status = begin_survey(c, UNMOVED);
     if (status == WCUT_OK) status = make_map(c);
+
+    /* arrays for the deviations of the points that are held */
     const size_t count = (size_t)c->scans.count;
     c->deviation = calloc(count, sizeof *c->deviation);
     if (c->options.reconstruct > 0) c->foot = calloc(count, sizeof *c->foot);
     if (status == WCUT_OK && (!c->deviation || (c->options.reconstruct > 0 && !c->foot))) status = WCUT_NO_MEMORY;
+
+    /* the file of coloured points is written as they come */
     if (status == WCUT_OK)
         status = wcut_deviation_stream_create(app_results_path(results, "deviation.ply"), c->limit, c->normal != NULL,
                                               &c->points, &error);
+
     return status == WCUT_OK ? APP_DONE : fail(status, "compare", &error);
 }
 
@@ -256,6 +279,8 @@ static wcut_status spread_deviation(app_comparison *c, int count, const wcut_dev
 
 static int take_piece(void *context, int first, int count, const wcut_vec3 *point) {
     pass *p = context;
+
+    /* before the registration, where there is one */
     app_comparison *c = p->c;
     wcut_error error = {0};
     wcut_status status = WCUT_OK;
@@ -263,20 +288,27 @@ static int take_piece(void *context, int first, int count, const wcut_vec3 *poin
         status = locate_points(c, count, point, p->found, NULL);
         if (status == WCUT_OK) status = wcut_deviation_summary_add(c->summary[UNMOVED], count, p->found);
     }
+
+    /* after the registration, with feet where a reconstruction needs them */
     memcpy(p->moved, point, (size_t)count * sizeof *point);
     if (status == WCUT_OK) status = wcut_registration_move(&c->registration, count, p->moved, NULL);
     wcut_foot *foot = c->foot && c->scans.held && !c->reference.tree ? c->foot + first : NULL;
     if (status == WCUT_OK) status = locate_points(c, count, p->moved, p->found, foot);
     if (status == WCUT_OK && c->options.distance != APP_TO_RECONSTRUCTION)
         status = wcut_deviation_summary_add(c->summary[FOUND], count, p->found);
+
+    /* spread over the map of the face, and into the file */
     if (status == WCUT_OK) status = spread_deviation(c, count, p->found);
     if (status == WCUT_OK)
         status = wcut_deviation_stream_append(c->points, count, p->moved, c->normal ? c->normal + first : NULL,
                                               p->found, &error);
     if (status != WCUT_OK) return fail(status, "measuring deviations", &error);
+
+    /* keep what is held in memory, and show the progress */
     if (c->scans.held) keep_piece(c, first, count, p->moved, p->found);
     if (app_progress_step(first + count - 1, p->total, &p->progress))
         return app_fail(APP_INTERRUPTED, "compare: interrupted after %d of %d points", first + count, p->total);
+
     return APP_DONE;
 }
 
@@ -293,23 +325,31 @@ static int take_sample(void *context, int first, int count, const wcut_vec3 *poi
 }
 
 static int measure_scans(app_comparison *c) {
+    /* a piece of points at a time */
     pass p = {.c = c, .total = c->scans.held ? c->scans.count : c->scans.removed[WCUT_REMOVAL_KEPT]};
     p.moved = calloc(APP_SCAN_PIECE, sizeof *p.moved);
     p.found = calloc(APP_SCAN_PIECE, sizeof *p.found);
     int code = p.moved && p.found ? APP_DONE : fail(WCUT_NO_MEMORY, "compare", NULL);
+
+    /* all points once */
     p.progress = app_progress_begin(c->options.quiet);
     p.progress.unit = "points";
     if (code == APP_DONE) code = app_scans_pass(&c->scans, take_piece, &p);
     app_progress_end(&p.progress);
+
+    /* of a scan that is not held, the sample is measured for the view */
     for (int k = 0; k < c->scans.count && code == APP_DONE && !c->scans.held; k += APP_SCAN_PIECE) {
         const int left = c->scans.count - k;
         code = take_sample(&p, k, left < APP_SCAN_PIECE ? left : APP_SCAN_PIECE, c->scans.point + k);
     }
+
+    /* feet for the reconstruction, where they are not there yet */
     if (code == APP_DONE && c->foot && (!c->scans.held || c->reference.tree)) {
         const wcut_status status = wcut_projection_locate(c->reference.projection, c->scans.count, c->scans.point,
                                                           c->options.threads, c->foot);
         if (status != WCUT_OK) code = fail(status, "measuring deviations", NULL);
     }
+
     free(p.found);
     free(p.moved);
     return code;
@@ -362,24 +402,33 @@ static wcut_status measure_to_scan(app_comparison *c, wcut_deviation *d) {
 
 static int reconstruct_scans(app_comparison *c) {
     wcut_error error = {0};
+
+    /* only where it is asked for */
     if (c->options.reconstruct == 0) return APP_DONE;
     wcut_reconstruction_options options = wcut_reconstruction_options_default();
     /* of a scan that was streamed there is a sample only, whose points are that far apart */
     options.support = fmax(c->support, 2.5 * c->scans.spacing);
+
+    /* the face of a job is bounded by its block, that of a mesh by the mesh */
     if (c->reference.is_job)
         options.block = c->reference.high;
     else
         options.mesh = c->reference.mesh;
+
+    /* the surface that the scan lies over */
     const wcut_surface *surface = NULL;
     const int code = app_reference_base(&c->reference, &surface);
     if (code != APP_DONE) return code;
     wcut_status status = wcut_reconstruction_create(surface, c->scans.count, c->scans.point, c->foot, &options,
                                                     c->options.threads, &c->reconstruction, &error);
     if (status != WCUT_OK) return fail(status, "reconstructing the scan", &error);
+
+    /* deviations of the mesh's vertices, both ways */
     const int vertices = c->reconstruction->mesh->vertex_count, grid = c->mesh->vertex_count;
     wcut_deviation *d = calloc((size_t)(vertices > grid ? vertices : grid), sizeof *d);
     status = d ? measure_to_face(c, d) : WCUT_NO_MEMORY;
     if (status == WCUT_OK) status = measure_to_scan(c, d);
+
     free(d);
     return status == WCUT_OK ? APP_DONE : fail(status, "measuring the reconstruction", NULL);
 }
@@ -415,15 +464,20 @@ static wcut_status fill_map(app_comparison *c, double *unmeasured) {
 
 /* everything that is written, in one place */
 static int conclude_comparison(app_comparison *c) {
+    /* the way back: from the face to the scan */
     static const char *const distance[] = {"surface", "mesh", "reconstruction"};
     double unmeasured = 0;
     wcut_status status = measure_back(c);
     if (status == WCUT_OK) status = fill_map(c, &unmeasured);
+
+    /* figures after and before the registration */
     const wcut_deviation_summary_result *found = NULL, *unmoved = NULL;
     if (status == WCUT_OK) status = wcut_deviation_summary_eval(c->summary[FOUND], &found);
     if (status == WCUT_OK && c->summary[UNMOVED]) status = wcut_deviation_summary_eval(c->summary[UNMOVED], &unmoved);
     if (status != WCUT_OK) return fail(status, "compare", NULL);
     if (found->statistics.count == 0) return refuse_elsewhere(c);
+
+    /* what was compared, and how */
     c->found = (wcut_compared){.reference = c->reference.path,
                                .distance = distance[c->reference.distance],
                                .part = c->options.part,
@@ -448,6 +502,8 @@ static int conclude_comparison(app_comparison *c) {
                                .tolerance = c->options.tolerance,
                                .share = c->options.share,
                                .within = 1};
+
+    /* counts of the cleaning, the gate, and the reconstruction */
     memcpy(c->found.removed, c->scans.removed, sizeof c->found.removed);
     for (int k = 0; k < found->statistics.bands; k++)
         if (found->statistics.band[k] == c->options.tolerance)
@@ -457,10 +513,12 @@ static int conclude_comparison(app_comparison *c) {
         c->found.reconstruction = c->reconstruction;
         c->found.to_scan = &c->to_scan, c->found.to_face = &c->to_face;
     }
+
     return APP_DONE;
 }
 
 int app_comparison_run(app_comparison *comparison, const app_compare_options *options, app_results *results) {
+    /* the face */
     app_comparison *c = comparison;
     *c = (app_comparison){.options = *options};
     const app_compare_options *o = &c->options;
@@ -473,20 +531,29 @@ int app_comparison_run(app_comparison *comparison, const app_compare_options *op
                                              .flip = o->flip,
                                              .quiet = o->quiet};
     int code = app_reference_load(&c->reference, &reference);
+
+    /* a reconstruction needs a surface to lie over */
     const wcut_surface *surface;
     if (code == APP_DONE && o->reconstruct > 0) code = app_reference_base(&c->reference, &surface);
+
+    /* the scan, which must lie where the face is */
     app_scan_options scans = o->scans;
     scans.plan = c->reference.plan;
     if (code == APP_DONE) code = app_scans_read(&c->scans, &scans, o->files, o->scan);
     if (code == APP_DONE) code = check_span(c);
     if (code != APP_DONE) return code;
+
+    /* what is done to many points is prepared once */
     warn_of_unit(c);
     code = prepare_many(c);
+
+    /* the steps, each on what the one before left */
     if (code == APP_DONE) code = register_scan(c);
     if (code == APP_DONE) code = find_normals(c);
     if (code == APP_DONE) code = prepare_comparison(c, results);
     if (code == APP_DONE) code = measure_scans(c);
     if (code == APP_DONE) code = reconstruct_scans(c);
+
     return code == APP_DONE ? conclude_comparison(c) : code;
 }
 

@@ -73,11 +73,14 @@ static bool is_file(const char *path) {
 
 /* Take in a piece. Gives an exit code. */
 static int take_scan(growth *g, const char *path, int count) {
+    /* cleaning needs all points at once */
     app_scans *s = g->scans;
     const bool whole = s->options.cleaned || g->thin_all;
     if (whole && count > CLEANED_MAX - s->count)
         return app_fail(APP_BAD_INPUT, "%s: found more than %d points, expected at most that many to be cleaned", path,
                         CLEANED_MAX);
+
+    /* too many to be held: a sample is kept, and the file is read a second time */
     if (!whole && s->held && count > s->options.hold - s->count) {
         for (int k = 0; k < s->files; k++)
             if (!is_file(s->path[k]))
@@ -89,7 +92,9 @@ static int take_scan(growth *g, const char *path, int count) {
         if (status != WCUT_OK) return app_fail_status(status, path, NULL);
     }
     if (!s->held && s->count >= s->options.hold) return APP_DONE; /* a scan of a room: the sample is full */
+
     const wcut_status status = append_points(g, count, g->piece);
+
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, path, NULL);
 }
 
@@ -104,6 +109,7 @@ static void widen_scan(app_scans *s, int files_before, const wcut_cloud_info *in
 }
 
 static int read_file(growth *g, int file) {
+    /* the scan's unit and columns */
     app_scans *s = g->scans;
     wcut_cloud_options options = wcut_cloud_options_default();
     wcut_cloud_source *source = NULL;
@@ -191,6 +197,7 @@ static int read_scans(growth *g) {
     if (read > 2147483647.0) return app_fail(APP_BAD_INPUT, "found %.0f points, expected at most 2147483647", read);
     s->removed[WCUT_REMOVAL_KEPT] = s->held ? s->count : (int)read;
     if (g->thin_all) s->removed[WCUT_REMOVAL_THINNED] = (int)read - s->count;
+
     return s->options.cleaned && !g->thin_all ? clean_scans(s) : APP_DONE;
 }
 
@@ -218,6 +225,7 @@ void app_scans_clear(app_scans *scans) {
 
 static int pass_file(const app_scans *s, int file, wcut_vec3 *piece, int *first, app_scan_visitor *visit,
                      void *context) {
+    /* the same options as at the first reading */
     wcut_cloud_options options = wcut_cloud_options_default();
     wcut_cloud_source *source = NULL;
     wcut_error error = {0};
@@ -233,6 +241,7 @@ static int pass_file(const app_scans *s, int file, wcut_vec3 *piece, int *first,
         *first += count, read += count;
     }
 
+    /* a file that has changed meanwhile is refused */
     if (status != WCUT_OK) code = app_fail_status(status, NULL, &error);
     if (code == APP_DONE && read != s->scan[file].read)
         code = app_fail(APP_BAD_INPUT, "%s: found %d points at first and %d when read again", s->path[file],

@@ -18,15 +18,20 @@ static void print_choice(FILE *out, const char *words) {
 
 /* After an option that takes a value: what the value may be. */
 static void print_completion_value(FILE *out, const app_option *o) {
+    /* a flag has no value */
     if (o->kind == APP_FLAG) return;
     fprintf(out, "        --%s", o->name);
     if (o->letter) fprintf(out, "|-%c", o->letter);
     fputs(") COMPREPLY=(", out);
+
+    /* lists of effects, one after a comma */
     if (o->kind == APP_EFFECTS) {
         fputs("$(compgen -P \"${word%\"${word##*,}\"}\" -W '", out);
         for (int k = 0; k < WCUT_EFFECT_COUNT; k++) fprintf(out, "%s ", wcut_effect_view((wcut_effect_kind)k)->name);
         fputs("' -- \"${word##*,}\")", out);
     }
+
+    /* words, folders or files */
     if (o->kind == APP_CHOICE) {
         fputs("$(compgen -W '", out);
         print_choice(out, o->value);
@@ -48,6 +53,7 @@ static void print_completion_verb(FILE *out, const app_verb *verb) {
 }
 
 void app_print_completion(FILE *out) {
+    /* the words of the first position: verbs and the options of the command */
     fputs(
         "# completion of wirecut for bash\n"
         "_wirecut() {\n"
@@ -59,7 +65,11 @@ void app_print_completion(FILE *out) {
     for (int i = 0; app_verbs[i]; i++) fprintf(out, "%s ", app_verbs[i]->name);
     print_names(out, &app_self);
     fputs("' -- \"$word\"))\n        return\n    fi\n    case ${COMP_WORDS[1]} in\n", out);
+
+    /* the options of each verb */
     for (int i = 0; app_verbs[i]; i++) print_completion_verb(out, app_verbs[i]);
+
+    /* every other word is a file */
     fputs(
         "    *) return;;\n"
         "    esac\n"

@@ -77,6 +77,7 @@ static int disturb_by(wcut_rig_options *o, const char *item) {
     char expected[120];
     snprintf(expected, sizeof expected, "KEY:NUMBER with a key that --help lists%s%s", near ? "; did you mean " : "",
              near ? near : "");
+
     return refuse_disturbance(item, expected);
 }
 
@@ -132,8 +133,11 @@ static int load_loop(loop *l) {
     const int code = app_job_load(l->call, l->path, &l->job);
     if (code != APP_DONE) return code;
 
+    /* defaults of the library for this job */
     l->settings = wcut_control_settings_default(l->job);
     l->options = wcut_rig_options_default(l->job);
+
+    /* options that replace them, by name */
     const struct {
         const char *name;
         double *to;
@@ -145,10 +149,14 @@ static int load_loop(loop *l) {
                   {"period", &l->options.period}};
     for (size_t i = 0; i < sizeof option / sizeof *option; i++)
         if (app_given(l->call, option[i].name)) *option[i].to = app_real(l->call, option[i].name);
+
+    /* a limit for absurd readings above the limit for a stop */
     if (l->settings.tension_absurd < 2 * l->settings.tension_stop)
         l->settings.tension_absurd = 2 * l->settings.tension_stop;
+
     l->options.seed = (uint64_t)app_int(l->call, "seed");
     l->options.excitation = !app_given(l->call, "no-excitation");
+
     return disturb(l);
 }
 
@@ -240,9 +248,12 @@ static void say_control(const loop *l) {
 }
 
 static int control(const app_call *call) {
+    /* job and options, then the folder for the results */
     loop l = {.call = call, .path = call->operand[0]};
     int code = load_loop(&l);
     if (code == APP_DONE) code = app_results_begin(&l.results, app_text(call, "output"), result_name);
+
+    /* run with feedback and with the plan alone; a run that ended early leaves its part */
     if (code == APP_DONE) {
         app_catch_interrupts();
         code = control_cut(&l);
@@ -251,12 +262,17 @@ static int control(const app_call *call) {
         else if (code == APP_INTERRUPTED || code == APP_NOT_CONVERGED)
             code = write_part(&l) == APP_DONE ? code : APP_NOT_WRITTEN;
     }
+
     if (code == APP_DONE && !app_given(call, "quiet")) say_control(&l);
     if (code == APP_DONE && app_given(call, "json")) fputs(l.results.text, stdout);
+
+    /* a safe stop is an exit code of its own */
     if (code == APP_DONE && recorded(&l)->ended != WCUT_CONTROL_STATE_RUN)
         code = app_fail(APP_OUTSIDE, "%s: safe %s at %.2f s", l.path, wcut_control_state_name(recorded(&l)->ended),
                         recorded(&l)->duration);
+
     app_results_end(&l.results);
+
     wcut_rig_run_destroy(l.plan);
     wcut_rig_run_destroy(l.feedback);
     wcut_history_destroy(l.history);

@@ -57,14 +57,19 @@ static int leave_diagnose_out(run *r, const char *name) {
 }
 
 static int read_diagnose_options(run *r) {
+    /* defaults, as many threads as there are processors */
     r->options = wcut_diagnosis_options_default();
     const long processors = sysconf(_SC_NPROCESSORS_ONLN);
     r->options.threads = app_given(r->call, "threads") ? app_int(r->call, "threads")
                          : processors > 0              ? (int)processors
                                                        : 1;
+
+    /* the seed makes the run repeatable */
     r->options.seed = (unsigned long long)app_int(r->call, "seed");
     r->options.proof = !app_given(r->call, "no-proof");
     r->options.naive = app_given(r->call, "naive");
+
+    /* effects to leave out, separated by commas */
     if (!app_given(r->call, "without")) return APP_DONE;
     const char *list = app_text(r->call, "without");
     int code = APP_DONE;
@@ -76,6 +81,7 @@ static int read_diagnose_options(run *r) {
         if (!list[length]) break;
         list += length + 1;
     }
+
     return code;
 }
 
@@ -167,12 +173,15 @@ static void read_diagnose_calibration(run *r) {
 }
 
 static int load_diagnose(run *r) {
+    /* options, then the case */
     wcut_error error = {0};
     const char *path = r->call->operand[0];
     int code = read_diagnose_options(r);
     if (code != APP_DONE) return code;
     const wcut_status status = wcut_case_read(path, &r->found, &error);
     if (status != WCUT_OK) return app_fail_status(status, NULL, &error);
+
+    /* room for every cut and its files */
     const size_t n = (size_t)r->found->cuts;
     r->trial = calloc(n, sizeof *r->trial);
     r->cut = calloc(n, sizeof *r->cut);
@@ -191,7 +200,10 @@ static int load_diagnose(run *r) {
     }
     read_diagnose_calibration(r);
     if (r->failed) return fail_diagnose_memory();
+
+    /* at least one cut must be usable */
     if (usable > 0) return APP_DONE;
+
     return app_fail(r->code, "%s: no cut with a job and a recording that can be read", path);
 }
 
@@ -226,14 +238,19 @@ static char *name_cut(run *r, int i) {
 }
 
 static int write_diagnose_report(run *r) {
+    /* names of the cuts as the page shows them */
     const wcut_diagnosis *d = r->diagnosis;
     wcut_error error = {0};
     for (int i = 0; i < r->found->cuts; i++) r->cut_name[i] = name_cut(r, i);
     if (r->failed) return fail_diagnose_memory();
+
+    /* how the diagnosis was made */
     const wcut_report_fact option[] = {
         {"effects left out", app_given(r->call, "without") ? app_text(r->call, "without") : "none", 0, ""},
         {"forward proof", r->options.proof ? "run" : "not run", 0, ""},
         {"seed", NULL, (double)r->options.seed, ""}};
+
+    /* the page */
     const wcut_report_diagnose page = {.title = r->found->name,
                                        .diagnosis = d,
                                        .cut_name = (const char *const *)r->cut_name,
@@ -244,6 +261,7 @@ static int write_diagnose_report(run *r) {
                                        .sources = r->sources,
                                        .source = r->source};
     const wcut_status status = wcut_report_diagnose_write(&page, app_results_path(&r->results, "report.html"), &error);
+
     return app_results_add(&r->results, "report.html", status, &error);
 }
 

@@ -25,12 +25,15 @@ enum { EXIT_CODES = sizeof exit_code / sizeof *exit_code };
 
 /* Words between the left margin and TEXT_WIDTH; the cursor stands at `column`. */
 static void print_wrapped(FILE *out, const char *text, int margin, int column) {
+    /* word by word: a new line where the next one does not fit */
     while (*text) {
         int length = (int)strcspn(text, " \n");
         if (column > margin && column + 1 + length > text_width) {
             fprintf(out, "\n");
             column = 0;
         }
+
+        /* fill up to the margin, or put a blank between words */
         if (column < margin) {
             fprintf(out, "%*s", margin - column, "");
             column = margin;
@@ -40,6 +43,8 @@ static void print_wrapped(FILE *out, const char *text, int margin, int column) {
         }
         fprintf(out, "%.*s", length, text);
         column += length;
+
+        /* line feeds of the text are kept */
         text += length;
         for (; *text == ' ' || *text == '\n'; text++)
             if (*text == '\n') fprintf(out, "\n"), column = 0;
@@ -153,12 +158,15 @@ static void json_option(FILE *out, const app_option *o) {
 }
 
 static void json_verb(FILE *out, const app_verb *verb) {
+    /* the verb */
     fputc('{', out);
     json_text(out, "name", verb->name);
     fputc(',', out);
     json_text(out, "brief", verb->brief);
     fputc(',', out);
     json_text(out, "about", verb->about);
+
+    /* its inputs, then its options */
     fputs(",\"inputs\":[", out);
     for (const app_operand *o = verb->operand; o->name; o++) {
         fputs(o == verb->operand ? "{" : ",{", out);

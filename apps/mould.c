@@ -49,12 +49,15 @@ typedef struct moulding {
 /* ---- names ---- */
 
 static int name_mould_files(moulding *m) {
+    /* letters that are safe in every file name */
     static const char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-";
     const char *label = app_given(m->call, "label") ? app_text(m->call, "label") : NULL;
     if (label && (!label[0] || strlen(label) > LABEL_MAX || label[0] == '.' || label[strspn(label, letters)]))
         return app_fail(APP_USAGE,
                         "--label: expected 1 to %d letters, digits, dots, dashes or underscores, not a dot first",
                         LABEL_MAX);
+
+    /* the names of both halves in each format */
     const char *before = label ? label : "", *dash = label ? "-" : "";
     for (int upper = 0; upper < 2; upper++) {
         const char *half = upper ? "upper" : "lower";
@@ -62,11 +65,16 @@ static int name_mould_files(moulding *m) {
             snprintf(m->name[upper * FORMATS + f], RESULT_NAME_SIZE, "%s%s%s.%s", before, dash, half, format[f]);
         snprintf(m->solid[upper], sizeof m->solid[upper], "%.400s %s", label ? label : m->job->name, half);
     }
+
+    /* files of both halves together */
     snprintf(m->name[PAIR], RESULT_NAME_SIZE, "%s%smould.3mf", before, dash);
     snprintf(m->name[CUT], RESULT_NAME_SIZE, "%s%scut.igs", before, dash);
+
+    /* report and summary come last */
     for (int k = 0; k < NAMES; k++) m->result[k] = m->name[k];
     m->result[NAMES] = "report.html";
     m->result[NAMES + 1] = "mould.json";
+
     return APP_DONE;
 }
 
@@ -158,6 +166,7 @@ static int divide(moulding *m) {
     }
 
     const wcut_status status = wcut_mould_create(m->surface, m->job->block_size, &o, &m->mould, &error);
+
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, m->path, &error);
 }
 
@@ -250,14 +259,19 @@ static void say_half(const char *name, const wcut_half_report *r) {
 }
 
 static void say_mould(const moulding *m) {
+    /* each half */
     const wcut_mould *d = m->mould;
     say_half("lower", &d->lower.report);
     say_half("upper", &d->upper.report);
     app_say("volumes of halves and kerf make the block, relative error %.1e", d->volume_error);
+
+    /* the smallest radius against the wire's */
     if (isfinite(d->radius_min))
         app_say("%ssmallest radius of the cut %.4g mm, at (%.4g, %.4g, %.4g); radius of the wire %.4g mm",
                 d->radius_min < d->wire_radius ? "warning: " : "", d->radius_min, d->radius_place.x, d->radius_place.y,
                 d->radius_place.z, d->wire_radius);
+
+    /* what was added to the cut, and what is missing */
     if (d->prolonged_entry > 0 || d->prolonged_exit > 0 || d->prolonged_side > 0)
         app_say(
             "the cut was continued straight: %.3g mm where it begins, %.3g mm where it ends, %.3g mm at the wire's "
@@ -267,12 +281,16 @@ static void say_mould(const moulding *m) {
         app_say("no STEP files%s: the halves are triangle meshes, because %s",
                 app_given(m->call, "iges") ? ", no IGES file" : "",
                 m->stock ? "a stock was cut" : "the cut leaves through top or bottom");
+
     app_say("in %s: %s", m->results.folder, app_results_list(&m->results));
 }
 
 static int give(const moulding *m) {
+    /* for people and for programs */
     if (!app_given(m->call, "quiet")) say_mould(m);
     if (app_given(m->call, "json")) fputs(m->results.text, stdout);
+
+    /* walls and drafts that were asked for are exit codes */
     const wcut_half_report *half[2] = {&m->mould->lower.report, &m->mould->upper.report};
     for (int k = 0; k < 2; k++) {
         const char *name = k ? "upper" : "lower";
@@ -288,16 +306,20 @@ static int give(const moulding *m) {
             return app_fail(APP_OUTSIDE, "%s half: found a draft of %.4g deg, expected at least %.4g deg", name,
                             WCUT_DEG_PER_RAD * half[k]->draft_min, WCUT_DEG_PER_RAD * m->mould->draft_asked);
     }
+
     return APP_DONE;
 }
 
 static int mould(const app_call *call) {
+    /* check the options before the simulation */
     moulding m = {.call = call, .path = call->operand[0]};
     int code = app_check_formats(call, FORMATS_KNOWN);
     if (code == APP_DONE) code = load_moulding(&m);
     if (code == APP_DONE) code = read_pull(app_text(call, "pull"), &m.pull);
     if (code == APP_DONE) code = name_mould_files(&m);
     if (code == APP_DONE) code = app_results_begin(&m.results, app_text(call, "output"), m.result);
+
+    /* simulate, loft, divide, write */
     if (code == APP_DONE) {
         app_catch_interrupts();
         code = run_moulding(&m);
@@ -306,7 +328,9 @@ static int mould(const app_call *call) {
     if (code == APP_DONE) code = divide(&m);
     if (code == APP_DONE) code = write_mould_results(&m);
     if (code == APP_DONE) code = give(&m);
+
     app_results_end(&m.results);
+
     wcut_mould_destroy(m.mould);
     wcut_mesh_destroy(m.stock);
     free(m.kerf);

@@ -53,6 +53,7 @@ static int find_word(const char *words, const char *text) {
 }
 
 static int set_value(const app_verb *verb, const app_option *option, const char *text, app_value *value) {
+    /* the option as it is named in messages */
     char what[64], expected[128];
     snprintf(what, sizeof what, "--%s", option->name);
     double number = 0;
@@ -75,6 +76,7 @@ static int set_value(const app_verb *verb, const app_option *option, const char 
     }
 
     *value = (app_value){.text = text, .number = number};
+
     return APP_DONE;
 }
 
@@ -189,6 +191,7 @@ static int check_complete(const app_verb *verb, int count, const app_call *call)
         return app_fail(APP_USAGE, "--%s is missing: expected %s, a %s (see %s --help)", o->name, o->value, o->help,
                         full_name(verb));
     }
+
     return APP_DONE;
 }
 

@@ -151,6 +151,7 @@ static const char *hook(const app_call *call, const char *option, const char *ot
 }
 
 static int write_programs(export_ *e) {
+    /* names in the programs */
     wcut_error error = {0};
     wcut_robot_names names = wcut_robot_names_default();
     names.title = e->job->name;
@@ -166,6 +167,8 @@ static int write_programs(export_ *e) {
     names.heat = e->job->heat;
     names.tension = e->job->tension;
     names.wire_length = e->length;
+
+    /* a file for each robot, or one for both */
     int code = APP_DONE;
     for (int robot = 0; robot < 2 && code == APP_DONE; robot++) {
         const char *name = wcut_robot_file_name(e->format, robot);
@@ -175,6 +178,7 @@ static int write_programs(export_ *e) {
         if (status == WCUT_BAD_ARGUMENT) return app_fail(APP_USAGE, "path: %s", error.text); /* a name that is none */
         code = app_results_add(&e->results, name, status, &error);
     }
+
     return code;
 }
 
@@ -227,21 +231,28 @@ static void say_motion(const export_ *e) {
 }
 
 static int path(const app_call *call) {
+    /* load, then simulate */
     export_ e = {.call = call, .path = call->operand[0]};
     const char *name[4];
     int code = load_export(&e);
     name_programs(e.format, name);
     if (code == APP_DONE) app_catch_interrupts();
     if (code == APP_DONE) code = run_export(&e);
+
+    /* motion and limits */
     if (code == APP_DONE) code = check_end(&e);
     if (code == APP_DONE) code = make_motion(&e);
     if (code == APP_DONE) code = approach(&e);
     if (code == APP_DONE) code = check_limits(&e);
+
+    /* write only what may be run */
     if (code == APP_DONE) code = app_results_begin(&e.results, app_text(call, "output"), name);
     if (code == APP_DONE) code = write_path_results(&e);
     if (code == APP_DONE && !app_given(call, "quiet")) say_motion(&e);
     if (code == APP_DONE && app_given(call, "json")) fputs(e.results.text, stdout);
+
     app_results_end(&e.results);
+
     wcut_robot_motion_destroy(e.motion);
     free(e.mount_a); /* and mount_b, which lies behind it */
     wcut_history_destroy(e.history);

@@ -52,6 +52,7 @@ static void note_score_bad(scoring *s, int code) {
 /* ---- what is asked for ---- */
 
 static int list_cases(scoring *s) {
+    /* the cases that can be read; one that cannot is reported and passed over */
     const int n = s->call->operand_count;
     s->found = calloc((size_t)n, sizeof *s->found);
     if (!s->found) return fail_score_memory();
@@ -63,6 +64,8 @@ static int list_cases(scoring *s) {
         else
             note_score_bad(s, app_fail_status(status, NULL, &error));
     }
+
+    /* a row for each cut of each case */
     if (s->cuts == 0) return s->code;
     s->trial = calloc((size_t)s->cuts, sizeof *s->trial);
     if (!s->trial) return fail_score_memory();
@@ -73,6 +76,7 @@ static int list_cases(scoring *s) {
                                    .job_path = s->found[c]->cut[k].job,
                                    .recording_path = s->found[c]->cut[k].recording,
                                    .job_of = at};
+
     return APP_DONE;
 }
 
@@ -176,15 +180,20 @@ static bool make_score_room(scoring *s) {
 
 /* Compare every cut that could be read. APP_DONE or APP_INTERRUPTED. */
 static int run_scoring(scoring *s) {
+    /* cuts whose job and recording were read */
     for (int i = 0; i < s->cuts; i++) {
         trial *t = &s->trial[i];
         if (t->recording) s->job[i] = s->trial[t->job_of].job, s->recording[i] = t->recording;
     }
+
+    /* compare them, several at once */
     app_progress progress = app_progress_begin(app_given(s->call, "quiet"));
     progress.unit = "cuts";
     const wcut_status status = wcut_comparison_run(s->cuts, s->job, s->recording, &s->options, app_progress_step,
                                                    &progress, s->comparison, s->error);
     app_progress_end(&progress);
+
+    /* results, and the error of each cut that failed */
     for (int i = 0; i < s->cuts; i++) {
         trial *t = &s->trial[i];
         t->comparison = s->comparison[i];
@@ -194,8 +203,11 @@ static int run_scoring(scoring *s) {
         if (t->error.status != WCUT_INTERRUPTED)
             note_score_bad(s, app_fail_status(t->error.status, t->recording_path, &t->error));
     }
+
+    /* an interruption is told with what was done */
     if (status == WCUT_INTERRUPTED)
         return app_fail(APP_INTERRUPTED, "interrupted after %d of %d cuts", s->scored, s->cuts);
+
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, "score", NULL);
 }
 
@@ -233,6 +245,7 @@ static void find_means(scoring *s) {
 /* ---- the files ---- */
 
 static int write_score_report(scoring *s) {
+    /* the sources with their hashes */
     const app_call *call = s->call;
     const char *role = s->cases > 0 ? "case" : "job";
     wcut_report_source *source = calloc((size_t)call->operand_count, sizeof *source);
@@ -245,6 +258,8 @@ static int write_score_report(scoring *s) {
         source[i] = (wcut_report_source){s->cases == 0 && i > 0 ? "recording" : role, call->operand[i],
                                          hash[i][0] ? hash[i] : NULL};
     }
+
+    /* several cases have no name of their own */
     char title[64];
     snprintf(title, sizeof title, "%d cases, %d cuts", s->cases, s->cuts);
     const wcut_report_score scored = {.title = s->cases > 1    ? title
@@ -261,9 +276,11 @@ static int write_score_report(scoring *s) {
                                       .nodes = app_given(call, "nodes") ? app_int(call, "nodes") : 0,
                                       .sources = call->operand_count,
                                       .source = source};
+
     if (status == WCUT_OK)
         status = wcut_report_score_write(&scored, app_results_path(&s->results, "report.html"), &error);
     const int code = app_results_add(&s->results, "report.html", status, &error);
+
     free(hash);
     free(source);
     return code;
@@ -376,10 +393,13 @@ static void forget_score(scoring *s) {
 }
 
 static int score(const app_call *call) {
+    /* read, then make room for the results */
     scoring s = {.call = call};
     int ended = APP_DONE, code = load_score(&s);
     if (code == APP_DONE && !make_score_room(&s)) code = fail_score_memory();
     if (code == APP_DONE) code = app_results_begin(&s.results, app_text(call, "output"), result_name);
+
+    /* run, and write what was scored */
     if (code == APP_DONE) {
         app_catch_interrupts();
         ended = run_scoring(&s);
@@ -392,9 +412,13 @@ static int score(const app_call *call) {
             app_say("none of %d cuts could be scored: nothing was written", s.cuts);
         }
     }
+
+    /* the exit code of the run, or that of a file that could not be read */
     if (code == APP_DONE) code = ended != APP_DONE ? ended : s.code;
+
     app_results_end(&s.results);
     forget_score(&s);
+
     return code;
 }
 

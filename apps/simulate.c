@@ -86,6 +86,7 @@ static int write_mesh(simulation *s, const wcut_mesh *mesh) {
 
 /* Loft the stations, triangulate, colour by the force on the wire. */
 static int write_surface(simulation *s) {
+    /* the loft through the stations */
     const wcut_history *h = s->history;
     wcut_mesh *mesh = NULL;
     const char *step = "lofting the surface";
@@ -94,15 +95,19 @@ static int write_surface(simulation *s) {
     wcut_status status = parameter ? WCUT_OK : WCUT_NO_MEMORY;
     if (status == WCUT_OK)
         status = wcut_surface_loft(h->stations, h->nodes, h->position, MERGE_MM, &s->surface, parameter, NULL);
+
+    /* triangles within the chord tolerance, coloured by the force */
     if (status == WCUT_OK) {
         step = "triangulating the surface";
         status = wcut_surface_tessellate(s->surface, app_real(s->call, "chord-tolerance"), &mesh, NULL);
     }
     if (status == WCUT_OK) status = wcut_mesh_sample(mesh, h->stations, h->nodes, parameter, h->force_line);
+
     if (status != WCUT_OK)
         code = app_fail(app_exit_code(status), "%s: %s: %s", s->path, step, wcut_status_text(status));
     else
         code = write_mesh(s, mesh);
+
     wcut_mesh_destroy(mesh);
     free(parameter);
     return code;
@@ -145,6 +150,7 @@ static int write_step(simulation *s, const wcut_vec3 *mount_a, const wcut_vec3 *
 }
 
 static int write_path(simulation *s) {
+    /* room for both mounts */
     const wcut_history *h = s->history;
     double length = 0;
     int code = APP_FAILED;
@@ -153,6 +159,8 @@ static int write_path(simulation *s) {
     wcut_vec3 *mount_b = calloc((size_t)h->stations, sizeof *mount_b);
     wcut_status status = mount_a && mount_b ? WCUT_OK : WCUT_NO_MEMORY;
     if (status == WCUT_OK) status = wcut_history_path(s->setup, h, mount_a, mount_b, &length, &error);
+
+    /* as CSV and as STEP curves */
     if (status != WCUT_OK) {
         code = app_fail_status(status, s->path, &error);
     } else {
@@ -163,6 +171,7 @@ static int write_path(simulation *s) {
         }
         if (code == APP_DONE) code = write_step(s, mount_a, mount_b);
     }
+
     free(mount_b);
     free(mount_a);
     return code;
@@ -252,10 +261,13 @@ static int give_summary(const simulation *s) {
 }
 
 static int run_simulate(const app_call *call) {
+    /* check formats and job before the run */
     simulation s = {.call = call, .path = call->operand[0]};
     int ended = APP_DONE, code = app_check_formats(call, FORMATS);
     if (code == APP_DONE) code = load_simulation(&s);
     if (code == APP_DONE) code = app_results_begin(&s.results, app_text(call, "output"), result_name);
+
+    /* a run that ended early leaves its results up to there */
     if (code == APP_DONE) {
         app_catch_interrupts();
         ended = run_simulation(&s);
@@ -264,8 +276,10 @@ static int run_simulate(const app_call *call) {
             if (code == APP_DONE) code = give_summary(&s);
         }
     }
+
     if (code == APP_DONE) code = ended;
     app_results_end(&s.results);
+
     wcut_surface_destroy(s.surface);
     wcut_history_destroy(s.history);
     wcut_setup_destroy(s.setup);

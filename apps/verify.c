@@ -34,6 +34,7 @@ static void print_verify_json(const wcut_verification *v) {
 }
 
 static int verify(const app_call *call) {
+    /* every voucher of the folder, and its files */
     wcut_error error = {0};
     wcut_verification *v = NULL;
     const char *folder = call->operand[0];
@@ -52,6 +53,7 @@ static int verify(const app_call *call) {
     else if (!app_given(call, "quiet"))
         app_say("%s: %d files are as %d voucher%s list%s them", folder, v->count, v->vouchers,
                 v->vouchers == 1 ? "" : "s", v->vouchers == 1 ? "s" : "");
+
     wcut_verification_destroy(v);
     return code;
 }

@@ -14,10 +14,13 @@ static wcut_vec3 at(wcut_vec3 center, wcut_vec3 x, wcut_vec3 y, double t, double
 
 int wcut_arc(wcut_vec3 center, wcut_vec3 x, wcut_vec3 y, double from, double to, wcut_vec3 pole[WCUT_ARC_POLES],
              double weight[WCUT_ARC_POLES], double knot[WCUT_ARC_POLES + 3]) {
+    /* as many pieces as begin in the angle, at most a whole turn */
     size_t pieces = (size_t)ceil(fabs(to - from) / quarter - 1e-9);
     size_t knots = 0;
     if (pieces < 1) pieces = 1;
     if (pieces > 4) pieces = 4;
+
+    /* control points: the ends of the pieces, and between them where their tangents meet */
     const double step = (to - from) / (double)pieces, half = cos(step / 2);
     knot[knots++] = 0;
     for (size_t k = 0; k < pieces; k++) {
@@ -29,8 +32,11 @@ int wcut_arc(wcut_vec3 center, wcut_vec3 x, wcut_vec3 y, double from, double to,
         knot[knots++] = (double)k;
         knot[knots++] = (double)k;
     }
+
+    /* the end, and knots with full multiplicity there */
     pole[2 * pieces] = at(center, x, y, to, 1);
     weight[2 * pieces] = 1;
     for (int k = 0; k < 3; k++) knot[knots++] = (double)pieces;
+
     return 2 * (int)pieces + 1;
 }

@@ -33,6 +33,8 @@ static bool is_curve(const wcut_iges_entry *e) {
 /* the pieces of a composite curve; one that is left out leaves out all */
 static bool add_composite(wcut_iges *f, const wcut_iges_entry *e) {
     wcut_iges_cursor c;
+
+    /* the number of members, limited by what the entity can hold */
     int count = 0, made = 0, number = 0;
     if (!wcut_iges_open(f, e, &c)) return false;
     if (!wcut_iges_int(&c, 1, curve_iges_max_values(&c), &count)) return refuse_curve_iges_data(f, e);
@@ -57,6 +59,7 @@ static bool add_composite(wcut_iges *f, const wcut_iges_entry *e) {
     const bool whole = made == count && f->reader->failure.status == WCUT_OK;
     if (whole) return wcut_curves_add_chain(f->reader, count, piece, "", 0);
     for (int k = 0; k < made; k++) wcut_curve_destroy(piece[k]);
+
     free(piece);
     return f->reader->failure.status == WCUT_OK;
 }
@@ -117,9 +120,13 @@ static bool add_curve_iges_instance(wcut_iges *f, const wcut_iges_entry *e, int 
     wcut_iges_entry figure = {0};
     double shift[3], scale = 1;
     int number = 0, count = 0;
+
+    /* instances are limited in depth, because a file may nest them in a circle */
     const int first = f->reader->set->count;
     if (depth == 0) return wcut_curves_refuse(f->reader, "line %d: found instances nested too deep", e->at + 1);
     if (!wcut_iges_open(f, e, &c)) return false;
+
+    /* the figure, where it stands and its scale */
     if (!wcut_iges_int(&c, 1, 9999999, &number) || !wcut_iges_reals(&c, 3, shift)) return refuse_curve_iges_data(f, e);
     if (!wcut_iges_real(&c, &scale)) scale = 1;
     if (!wcut_iges_find_named(f, e, number, &figure) || !wcut_iges_open(f, &figure, &m)) return false;
@@ -134,6 +141,8 @@ static bool add_curve_iges_instance(wcut_iges *f, const wcut_iges_entry *e, int 
         if (!wcut_iges_int(&m, 1, 9999999, &number)) return refuse_curve_iges_data(f, &figure);
         if (!wcut_iges_find_named(f, &figure, number, &member) || !add_iges_entity(f, &member, depth - 1)) return false;
     }
+
+    /* everything that was added since `first` is moved */
     return set_in_place(f, e, first, scale, (wcut_vec3){shift[0] * f->scale, shift[1] * f->scale, shift[2] * f->scale});
 }
 

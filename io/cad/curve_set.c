@@ -202,6 +202,7 @@ static bool join_chains(wcut_curve_reader *r, int first, loose *l) {
         set->curve[kept++] = l->curve[k];
     }
     set->count = kept;
+
     return done;
 }
 
@@ -209,7 +210,11 @@ bool wcut_curves_join_loose(wcut_curve_reader *r, int first) {
     enum { PIECES_MAX = 2000 };
     loose l = {.curves = r->set->count - first};
     const size_t n = (size_t)l.curves;
+
+    /* two curves cannot be pieces of edges; too many are no edges */
     if (l.curves <= 2 || l.curves > PIECES_MAX) return true;
+
+    /* ends of all curves, and the partner of each end within the gap */
     curve_end *end = wcut_alloc(2 * n, sizeof *end);
     l.curve = wcut_copy(r->set->curve + first, n, sizeof *l.curve);
     l.piece = wcut_alloc(n, sizeof(wcut_curve *));
@@ -218,6 +223,8 @@ bool wcut_curves_join_loose(wcut_curve_reader *r, int first) {
     bool done = end && l.curve && l.piece && l.partner && l.is_turned;
     if (!done) wcut_curves_refuse_memory(r);
     int joints = 0;
+
+    /* an end and the one that it meets; a curve that meets itself is closed */
     for (int k = 0; done && k < 2 * l.curves; k++) end[k] = curve_set_end_of(l.curve[k / 2], k % 2);
     for (int k = 0; done && k < 2 * l.curves; k++) {
         l.partner[k] = find_partner(2 * l.curves, end, k, gap_of(r));
@@ -227,6 +234,7 @@ bool wcut_curves_join_loose(wcut_curve_reader *r, int first) {
 
     /* two curves at least are left, else they are edges that meet */
     if (done && joints > 0 && l.curves - joints / 2 >= 2) done = join_chains(r, first, &l);
+
     wcut_free(end);
     wcut_free(l.curve);
     wcut_free(l.piece);

@@ -51,6 +51,8 @@ static wcut_curve *make_line(wcut_step_source *s, long id, const char *list, con
         const char *body = wcut_p21_find(&s->file, vector), *v = body ? wcut_p21_record(body, "VECTOR") : NULL;
         if (!reference(s, vector, wcut_p21_item(v, 1), &along) || !wcut_step_direction(s, along, &d)) return NULL;
         if (!wcut_p21_read_real(wcut_p21_item(v, 2), &size)) return wcut_step_refuse(s, vector, "no magnitude"), NULL;
+
+        /* both ends lie on the line */
         for (int k = 0; k < 2; k++) {
             const double t = p->parameter[k] * size * s->length;
             end[k] = (wcut_vec3){origin.x + t * d.x, origin.y + t * d.y, origin.z + t * d.z};
@@ -70,13 +72,19 @@ static wcut_curve *make_curve_step_arc(wcut_step_source *s, long id, const char 
     long at = 0;
     double a = 0, b = 0, t[2];
     wcut_vec3 center, x, y, pole[WCUT_ARC_POLES];
+
+    /* the placement, then one radius or two */
     if (!reference(s, id, wcut_p21_item(list, 1), &at) || !wcut_step_placement(s, at, &center, &x, &y)) return NULL;
     bool ok = wcut_p21_read_real(wcut_p21_item(list, 2), &a);
     ok = ok && (is_circle || wcut_p21_read_real(wcut_p21_item(list, 3), &b));
     if (is_circle) b = a;
     if (!ok || !(a > 0 && b > 0 && a <= 1e12 && b <= 1e12)) return wcut_step_refuse(s, id, "no radius"), NULL;
+
+    /* radii in millimetres */
     a *= s->length;
     b *= s->length;
+
+    /* both ends as angles, from the points or from the parameters */
     for (int k = 0; k < 2; k++)
         t[k] = p->has_points ? angle_of(p->point[k], center, x, y, a, b) : fmod(p->parameter[k] * s->angle, TURN);
     if (!isfinite(t[0]) || !isfinite(t[1])) return wcut_step_refuse(s, id, "no angle"), NULL;
@@ -85,11 +93,14 @@ static wcut_curve *make_curve_step_arc(wcut_step_source *s, long id, const char 
     if (!p->forwards && !(t[1] < t[0] - 1e-12)) t[1] -= TURN;
     while (t[1] - t[0] > TURN * (1 + 1e-12)) t[1] -= TURN;
     while (t[0] - t[1] > TURN * (1 + 1e-12)) t[1] += TURN;
+
+    /* the arc as a rational curve of degree 2 */
     char place[32];
     double weight[WCUT_ARC_POLES], knot[WCUT_ARC_POLES + 3];
     snprintf(place, sizeof place, "#%ld", id);
     const wcut_vec3 ax = {a * x.x, a * x.y, a * x.z}, by = {b * y.x, b * y.y, b * y.z};
     const int poles = wcut_arc(center, ax, by, t[0], t[1], pole, weight, knot);
+
     return wcut_curves_make(s->reader, place, 2, poles, knot, pole, weight);
 }
 
@@ -196,16 +207,24 @@ static wcut_curve *make_trimmed(wcut_step_source *s, long id, const char *list, 
 static wcut_curve *make(wcut_step_source *s, long id, const piece *p, int depth) {
     static const piece whole = {.has_parameters = false, .forwards = true};
     static const piece whole_turn = {.has_parameters = true, .forwards = true};
+
+    /* the instance, and a limit to nesting */
     const char *body = wcut_p21_find(&s->file, id), *list;
     long inner = 0;
     if (!body) return wcut_step_refuse(s, id, "no such instance"), NULL;
     if (depth == 0) return wcut_step_refuse(s, id, "curves nested too deep"), NULL;
+
+    /* splines and polylines may be cut */
     if (wcut_step_is_spline(body)) return cut_spline(s, wcut_step_read_spline(s, id, body), p ? p : &whole);
     if (wcut_p21_record(body, "POLYLINE")) return cut_spline(s, wcut_step_read_polyline(s, id, body), p ? p : &whole);
+
+    /* conics; without ends a whole turn */
     if ((list = wcut_p21_record(body, "CIRCLE")) != NULL)
         return make_curve_step_arc(s, id, list, true, p ? p : &whole_turn);
     if ((list = wcut_p21_record(body, "ELLIPSE")) != NULL)
         return make_curve_step_arc(s, id, list, false, p ? p : &whole_turn);
+
+    /* a line has no ends of its own */
     if (p && (list = wcut_p21_record(body, "LINE")) != NULL) return make_line(s, id, list, p);
     if ((list = wcut_p21_record(body, "TRIMMED_CURVE")) != NULL) {
         /* a piece of a piece: between points on it, or, with the basis curve's parameters, a piece of that */
@@ -219,11 +238,16 @@ static wcut_curve *make(wcut_step_source *s, long id, const piece *p, int depth)
         if (wcut_p21_is(wcut_p21_item(list, 4), ".F.")) of.forwards = !of.forwards;
         return reference(s, id, wcut_p21_item(list, 1), &inner) ? make(s, inner, &of, depth - 1) : NULL;
     }
+
+    /* curves that carry another one: the one in space counts */
     static const char *const bearer[] = {"SURFACE_CURVE", "SEAM_CURVE", "INTERSECTION_CURVE"};
     for (int k = 0; k < 3; k++)
         if ((list = wcut_p21_record(body, bearer[k])) != NULL)
             return reference(s, id, wcut_p21_item(list, 1), &inner) ? make(s, inner, p, depth - 1) : NULL;
+
+    /* everything else is left out, with its name */
     leave_curve_step_out(s, body);
+
     return NULL;
 }
 
@@ -293,9 +317,12 @@ static bool turn_curve_step_back(wcut_step_source *s, row *of, int first) {
 
 /* the segments of a composite curve, those of composite segments among them; false: one is refused or left out */
 static bool collect_curve_step(wcut_step_source *s, long id, const char *list, int depth, row *to) {
+    /* the list of segments */
     const char *segments = wcut_p21_item(list, 1);
     if (wcut_p21_length(segments) < 1) return wcut_step_refuse(s, id, "no segments");
     if (depth == 0) return wcut_step_refuse(s, id, "curves nested too deep");
+
+    /* each segment, possibly of a composite curve itself */
     for (const char *item = wcut_p21_item(segments, 0); item; item = wcut_p21_next(item)) {
         long at = 0, parent = 0;
         const int first = to->count;
@@ -313,8 +340,11 @@ static bool collect_curve_step(wcut_step_source *s, long id, const char *list, i
             wcut_curve *curve = make(s, parent, NULL, DEPTH_MAX);
             if (!curve || !push(s, to, curve)) return false;
         }
+
+        /* a segment that runs against the curve is turned */
         if (wcut_p21_is(wcut_p21_item(segment, 1), ".F.") && !turn_curve_step_back(s, to, first)) return false;
     }
+
     return true;
 }
 
@@ -344,12 +374,17 @@ static bool add_set(wcut_step_source *s, long id, const char *list) {
         bool is_curve = true;
         if (!reference(s, id, item, &at)) return false;
         const char *body = wcut_p21_find(&s->file, at);
+
+        /* whatever it is, it must be there */
         if (!body) return wcut_step_refuse(s, at, "no such instance");
         for (size_t k = 0; k < sizeof no_curve / sizeof *no_curve; k++)
             is_curve = is_curve && !wcut_p21_record(body, no_curve[k]);
+
+        /* composite curves by their segments, others whole */
         const char *composite = find_composite(body);
         if (composite ? !add_segments(s, at, composite) : is_curve && !add_step_piece(s, at, NULL, body)) return false;
     }
+
     return true;
 }
 
@@ -372,6 +407,7 @@ static bool add_edge(wcut_step_source *s, const wcut_p21_instance *at, const cha
 
 /* what is added in one place of a part: copies of it stand in the others */
 static bool spread_curve_step(wcut_step_source *s, long id, int first, int places, const wcut_step_place *place) {
+    /* what was added since `first` is the part */
     wcut_curve_set *set = s->reader->set;
     const int count = set->count - first;
 
@@ -391,6 +427,7 @@ static bool spread_curve_step(wcut_step_source *s, long id, int first, int place
                 return false;
             }
         }
+
     return true;
 }
 
@@ -451,6 +488,8 @@ static bool add_representation(wcut_step_source *s, const wcut_p21_instance *rep
     wcut_step_place place[WCUT_STEP_PLACES_MAX];
     const int first = s->reader->set->count;
     int count = 0, places = 0;
+
+    /* the items of the representation that are not mapped */
     memset(reached, 0, (size_t)s->file.count);
     for (const char *item = wcut_p21_item(wcut_step_items(rep->body), 0); item; item = wcut_p21_next(item)) {
         long id = 0;
@@ -461,13 +500,18 @@ static bool add_representation(wcut_step_source *s, const wcut_p21_instance *rep
         reached[at] = 1;
         stack[count++] = at;
     }
+
+    /* everything that these refer to, in this representation's units */
     follow_references(&s->file, stack, count, reached);
     if (!wcut_step_use_units(s, rep->id)) return false;
     for (int k = 0; k < s->file.count; k++) {
         const char *list = reached[k] ? wcut_p21_record(s->file.instance[k].body, "EDGE_CURVE") : NULL;
         if (list && !add_edge(s, &s->file.instance[k], list)) return false;
     }
+
+    /* nothing was added: no places are needed */
     if (s->reader->set->count == first) return true;
+
     return wcut_step_find_places(s, rep->id, place, &places) && spread_curve_step(s, rep->id, first, places, place);
 }
 

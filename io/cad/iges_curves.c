@@ -50,11 +50,14 @@ static wcut_curve *cut_to_range(wcut_iges *f, const wcut_iges_entry *e, wcut_cur
 }
 
 static wcut_curve *read_spline(wcut_iges *f, const wcut_iges_entry *e, wcut_iges_cursor *c, const char *place) {
+    /* counts and flags come before the numbers */
     int last = 0, degree = 0, flag[4];
     bool ok = wcut_iges_int(c, 1, iges_curves_max_values(c), &last) && wcut_iges_int(c, 1, 1000, &degree);
     for (int k = 0; ok && k < 4; k++) ok = wcut_iges_int(c, 0, 1, &flag[k]);
     if (!ok) return refuse_iges_curves_data(f, e);
     if (degree > WCUT_DEGREE_MAX) return wcut_curves_leave_out(f->reader, "a degree above 7"), NULL;
+
+    /* knots, weights and control points lie one after the other */
     const int count = last + 1, knots = count + degree + 1;
     double *value = wcut_alloc((size_t)knots + 4 * (size_t)count, sizeof *value);
     if (!value) return wcut_curves_refuse_memory(f->reader), NULL;
@@ -62,6 +65,8 @@ static wcut_curve *read_spline(wcut_iges *f, const wcut_iges_entry *e, wcut_iges
     wcut_vec3 *control = (wcut_vec3 *)(weight + count);
     wcut_curve *curve = NULL;
     double range[2];
+
+    /* equal weights make a polynomial curve */
     if (wcut_iges_reals(c, knots + 4 * count, value)) {
         bool same = true;
         for (int k = 1; k < count; k++) same = same && weight[k] == weight[0];
@@ -74,6 +79,7 @@ static wcut_curve *read_spline(wcut_iges *f, const wcut_iges_entry *e, wcut_iges
     } else {
         refuse_iges_curves_data(f, e);
     }
+
     free(value);
     return curve;
 }
@@ -84,18 +90,23 @@ static wcut_curve *read_iges_curves_points(wcut_iges *f, const wcut_iges_entry *
     wcut_vec3 *point = wcut_alloc((size_t)count, sizeof *point);
     wcut_curve *curve = NULL;
     if (!point) return wcut_curves_refuse_memory(f->reader), NULL;
+
+    /* flat strings have one height for all points */
     double height = 0;
     bool ok = !is_flat || wcut_iges_real(c, &height);
     for (int k = 0; ok && k < count; k++) {
         point[k].z = height;
         ok = wcut_iges_reals(c, is_flat ? 2 : 3, &point[k].x);
     }
+
+    /* points in millimetres, joined by straight lines */
     if (ok) {
         scale_points(f, point, count);
         curve = wcut_curves_polyline(f->reader, place, count, point);
     } else {
         refuse_iges_curves_data(f, e);
     }
+
     free(point);
     return curve;
 }
@@ -147,14 +158,19 @@ bool wcut_iges_find_named(wcut_iges *f, const wcut_iges_entry *by, int number, w
 }
 
 bool wcut_iges_transform(wcut_iges *f, const wcut_iges_entry *e, wcut_curve *curve) {
+    /* a transformation may have one itself, up to a depth */
     wcut_iges_entry by = *e;
     for (int depth = 0; by.transformation != 0; depth++) {
         wcut_iges_entry to = {0};
         wcut_iges_cursor c;
         double m[3][4] = {{0}}; /* rows, and their shift */
+
+        /* twelve numbers: three rows of a matrix, each with its shift */
         bool ok = wcut_iges_find_named(f, &by, by.transformation, &to) && wcut_iges_open(f, &to, &c);
         if (ok && (to.type != 124 || depth == NESTED_MAX || !wcut_iges_reals(&c, 12, m[0])))
             ok = wcut_curves_refuse(f->reader, "line %d: found no transformation, expected one of type 124", to.at + 1);
+
+        /* move the control points; a curve beyond 1e12 mm is refused */
         for (int k = 0; ok && k < curve->control_count; k++) {
             const wcut_vec3 p = curve->control[k];
             double q[3];
@@ -166,6 +182,7 @@ bool wcut_iges_transform(wcut_iges *f, const wcut_iges_entry *e, wcut_curve *cur
         if (!ok) return false;
         by = to;
     }
+
     return true;
 }
 
@@ -190,7 +207,9 @@ wcut_curve *wcut_iges_curve(wcut_iges *f, const wcut_iges_entry *e) {
     else
         leave_iges_curves_out(f, e);
 
+    /* a curve that cannot be moved is given up */
     if (!curve || wcut_iges_transform(f, e, curve)) return curve;
+
     wcut_curve_destroy(curve);
     return NULL;
 }

@@ -84,6 +84,8 @@ static char next_char(wcut_iges_cursor *c) {
 /* one value without blanks into token, its end passed; "" where it is empty or behind the end */
 static void read_token(wcut_iges_cursor *c, char *token, size_t size) {
     size_t used = 0;
+
+    /* character by character, until the separator or the end of the data */
     for (char ch; !c->ended && (ch = next_char(c)) != c->f->separator;) {
         if (ch == c->f->terminator || ch == '\0') {
             c->ended = true;
@@ -145,6 +147,8 @@ static double find_unit(const char *name) {
 
 static bool read_global(wcut_iges *f) {
     static const double millimetres[] = {0, 25.4, 1, 0, 304.8, 1609344, 1000, 1e6, 0.0254, 1e-3, 10, 2.54e-5};
+
+    /* the separators are those of the standard until the file says otherwise */
     wcut_iges_cursor c = {f, f->global, f->directory, 0, 72, false};
     char token[64];
     double scale = 1;
@@ -155,6 +159,8 @@ static bool read_global(wcut_iges *f) {
     const char *line = f->line[f->global];
     if (!(strncmp(line, "1H,,1H;,", 8) == 0 || strncmp(line, ",,", 2) == 0 || strncmp(line, "1H,,,", 5) == 0))
         return wcut_curves_refuse(f->reader, "found separators other than , and ; in the global section");
+
+    /* twelve fields before the scale */
     for (int k = 1; k <= 12; k++) {
         if (k == 1 && strncmp(line, "1H,", 3) == 0)
             c.at = 4;
@@ -169,11 +175,14 @@ static bool read_global(wcut_iges *f) {
     if (token[0] && !wcut_iges_real(&before, &scale)) scale = 0;
     before = c;
     read_token(&c, token, sizeof token);
+
+    /* the unit by its number, or by its name */
     const bool is_given = token[0] != '\0';
     if (is_given && !wcut_iges_int(&before, 1, 11, &unit)) unit = 0;
     read_token(&c, token, sizeof token);
     const bool by_name = unit == 3 || (!is_given && token[0]);
     f->scale = (by_name ? find_unit(token) : millimetres[unit]) / scale;
+
     if (f->scale > 0 && isfinite(f->scale)) return true;
     return by_name
                ? wcut_curves_refuse(f->reader,

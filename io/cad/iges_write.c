@@ -102,9 +102,12 @@ static void begin_section(iges *f, char section, int width) {
 /* ---- start and global section; gives the number of its lines ---- */
 
 static long put_iges_head(iges *f, const char *name) {
+    /* the start section: one line for people */
     begin_section(f, 'S', GLOBAL);
     f->used = snprintf(f->line, 72, "wirecut %s, lengths in mm", WCUT_VERSION);
     end_line(f);
+
+    /* the global section, field by field (5.3, table 2): separators, names, sizes of numbers */
     begin_section(f, 'G', GLOBAL);
     put_token(f, "1H,", 3, ',');
     put_token(f, "1H;", 3, ',');
@@ -114,6 +117,8 @@ static long put_iges_head(iges *f, const char *name) {
     put_iges_string(f, "wirecut " WCUT_VERSION, ',');
     static const int numbers[] = {32, 38, 6, 308, 15}; /* bits of an integer; range and digits of reals */
     for (int k = 0; k < 5; k++) put_integer(f, numbers[k], ',');
+
+    /* the unit, and the smallest and largest lengths */
     put_iges_string(f, name, ',');
     put_real(f, 1, ',');
     put_integer(f, 2, ',');
@@ -129,6 +134,7 @@ static long put_iges_head(iges *f, const char *name) {
     put_integer(f, 0, ',');
     put_iges_string(f, "19700101.000000", ';');
     end_line(f);
+
     return f->sequence - 1;
 }
 
@@ -280,6 +286,7 @@ static wcut_status write_iges_all(wcut_file *file, wcut_text *text, int count, c
     end_line(&f);
 
     wcut_text_flush(text);
+
     return wcut_file_commit(file, error);
 }
 

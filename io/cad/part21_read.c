@@ -60,6 +60,7 @@ static size_t squeeze(wcut_curve_reader *r, char *text, size_t length) {
     }
 
     *to = '\0';
+
     return (size_t)(to - text);
 }
 

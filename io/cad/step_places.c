@@ -87,6 +87,8 @@ static wcut_step_place after(const wcut_step_place *a, const wcut_step_place *b)
 static bool placement_between(wcut_step_source *s, long id, long from, long to, wcut_step_place *place) {
     wcut_vec3 o[2], x[2], y[2], z[2];
     const long axes[2] = {from, to};
+
+    /* the axes of both placements */
     for (int k = 0; k < 2; k++) {
         if (!wcut_step_placement(s, axes[k], &o[k], &x[k], &y[k])) return false;
         z[k] = (wcut_vec3){x[k].y * y[k].z - x[k].z * y[k].y, x[k].z * y[k].x - x[k].x * y[k].z,
@@ -103,6 +105,7 @@ static bool placement_between(wcut_step_source *s, long id, long from, long to, 
     *place = after(&out, &in);
     const wcut_vec3 moved = turn_step_places(place, o[0]);
     place->shift = (wcut_vec3){o[1].x - moved.x, o[1].y - moved.y, o[1].z - moved.z};
+
     return true;
 }
 
@@ -130,6 +133,7 @@ static bool step_places_use(wcut_step_source *s, long above, const wcut_step_pla
 /* #id relates two representations, with a transformation or as the same place */
 static bool follow_relation(wcut_step_source *s, long id, const char *body, long representation,
                             const wcut_step_place *below, search *f, bool *used) {
+    /* the relation, and what it relates */
     const char *plain = wcut_p21_record(body, "SHAPE_REPRESENTATION_RELATIONSHIP");
     const char *list = body[0] == '(' ? wcut_p21_record(body, "REPRESENTATION_RELATIONSHIP") : plain;
     const char *with = wcut_p21_record(body, "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION");
@@ -137,10 +141,14 @@ static bool follow_relation(wcut_step_source *s, long id, const char *body, long
     if (!list || !wcut_p21_read_reference(wcut_p21_item(list, 2), &part) ||
         !wcut_p21_read_reference(wcut_p21_item(list, 3), &whole))
         return true;
+
+    /* without a transformation both stand in the same place */
     if (!with) {
         if (part == representation) return step_places_use(s, whole, &here, below, f, used);
         return whole != representation || step_places_use(s, part, &here, below, f, used);
     }
+
+    /* the transformation, from the part into the whole */
     if (part != representation) return true;
     wcut_step_place local;
     wcut_p21_read_reference(wcut_p21_item(with, 0), &transformation);

@@ -88,6 +88,7 @@ static wcut_id put_pcurve(wcut_part21 *p, const wcut_curve *c, const wcut_surfac
     const wcut_id vector = wcut_p21_put(p, "VECTOR('',#%ld,1.)", direction);
     const wcut_id line = wcut_p21_put(p, "LINE('',#%ld,#%ld)", point, vector);
     const wcut_id flat = wcut_p21_put(p, "DEFINITIONAL_REPRESENTATION('',(#%ld),#%ld)", line, context);
+
     return wcut_p21_put(p, "PCURVE('',#%ld,#%ld)", surface, flat);
 }
 
@@ -260,10 +261,12 @@ wcut_id wcut_step_shell(wcut_part21 *p, const char *name, const wcut_surface *s,
         wcut_brep_loop loop = {0, 4};
         wcut_brep_face face = {.surface = (wcut_surface *)s, .same_sense = 1, .loop_count = 1};
 
+        /* four vertices, four edges, one loop, one face */
         const wcut_brep sheet = {4, 4, 4, 1, 1, vertex, edge, coedge, &loop, &face};
         const wcut_id shell = put_shell(p, &sheet, "OPEN_SHELL", plane_context);
         if (shell) id = put_named(p, "SHELL_BASED_SURFACE_MODEL", name, true, shell);
     }
+
     free(weight);
     free(room);
     return id;

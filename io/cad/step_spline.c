@@ -73,6 +73,7 @@ wcut_id wcut_step_curve(wcut_part21 *p, const char *name, const wcut_curve *c) {
     }
 
     wcut_text_print(p->text, ";\n");
+
     return id;
 }
 
@@ -132,5 +133,6 @@ wcut_id wcut_step_surface(wcut_part21 *p, const char *name, const wcut_surface *
     }
 
     wcut_text_print(p->text, ";\n");
+
     return id;
 }

@@ -52,10 +52,13 @@ typedef struct units {
 } units;
 
 static bool read_context(wcut_step_source *s, const wcut_p21_instance *at, const char *list, units *u) {
+    /* metres and radians; lengths are converted to millimetres */
     double *const into[2] = {&u->length, &u->angle};
     static const char *const word[2] = {".METRE.", ".RADIAN."};
     static const double scale[2] = {1000, 1};
     *u = (units){0, 0, 0};
+
+    /* units of the context */
     for (const char *item = wcut_p21_item(wcut_p21_item(list, 0), 0); item; item = wcut_p21_next(item)) {
         long id = 0;
         if (!wcut_p21_read_reference(item, &id)) return wcut_step_refuse(s, at->id, "no list of units");
@@ -67,6 +70,8 @@ static bool read_context(wcut_step_source *s, const wcut_p21_instance *at, const
 
     /* a millimetre is 0.001 m, of which a thousand are not quite one: the unit that matters is exact */
     if (fabs(u->length - 1) < 1e-12) u->length = 1;
+
+    /* the accuracy that the file states for its lengths */
     const char *sure = wcut_p21_record(at->body, "GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT");
     long measure = 0;
     if (wcut_p21_read_reference(wcut_p21_item(wcut_p21_item(sure, 0), 0), &measure)) {
@@ -76,6 +81,7 @@ static bool read_context(wcut_step_source *s, const wcut_p21_instance *at, const
         double number = 0;
         if (inside && wcut_p21_read_real(inside + 1, &number) && number > 0) u->accuracy = number * u->length;
     }
+
     return true;
 }
 
@@ -168,6 +174,7 @@ bool wcut_step_placement(wcut_step_source *s, long id, wcut_vec3 *origin, wcut_v
     if (!(size > 1e-9)) return wcut_step_refuse(s, id, "a placement whose axes are parallel");
     *y = (wcut_vec3){y->x / size, y->y / size, y->z / size};
     *x = cross(*y, z);
+
     return true;
 }
 

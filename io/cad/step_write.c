@@ -59,6 +59,7 @@ static shared put_shared(wcut_part21 *p, wcut_step_schema schema) {
     const wcut_id at = wcut_p21_point(p, (wcut_vec3){0, 0, 0}), axis = wcut_p21_direction(p, (wcut_vec3){0, 0, 1});
     const wcut_id ref = wcut_p21_direction(p, (wcut_vec3){1, 0, 0});
     s.origin = wcut_p21_put(p, "AXIS2_PLACEMENT_3D('',#%ld,#%ld,#%ld)", at, axis, ref);
+
     return s;
 }
 

@@ -129,6 +129,7 @@ wcut_status wcut_file_create(const char *path, wcut_file **file, wcut_error *err
     }
 
     *file = made;
+
     return WCUT_OK;
 }
 

@@ -169,5 +169,6 @@ wcut_child_end wcut_child_run(wcut_child_work *work, void *context, const wcut_c
         *data = NULL;
         *length = 0;
     }
+
     return end;
 }

@@ -122,6 +122,7 @@ static wcut_status read_csv_field(scanner *s, int column) {
     while (is_csv_blank(*s->at)) s->at++;
     if (at_line_end(s) || *s->at == ',') return WCUT_OK;
     s->field = s->at;
+
     return refuse_field(s, column, "text after a closing quote", "a comma or the end of the line");
 }
 
@@ -245,6 +246,7 @@ static wcut_status name_column(scanner *s, int c) {
 }
 
 static wcut_status read_csv_header(scanner *s) {
+    /* the first row that is no comment */
     s->field = s->at;
     if (!next_row(s)) return s->field = s->at, refuse_field(s, -1, "no header", "a row with the names of the columns");
 
@@ -266,6 +268,7 @@ static wcut_status read_csv_header(scanner *s) {
     if (name[0] && *wcut_decimal_read(name, &first) == '\0')
         return refuse_field(s, -1, name, "the names of the columns before numbers");
     next_csv_line(s);
+
     return WCUT_OK;
 }
 
@@ -316,18 +319,23 @@ wcut_status wcut_csv_parse(const char *text, size_t length, const char *label, i
     if (length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) s.at += 3;
     s.line_start = s.field = s.at;
 
+    /* another encoding is refused, not read as garbage */
     wcut_status status = WCUT_OK;
     if (length >= 2 && (memcmp(text, "\xff\xfe", 2) == 0 || memcmp(text, "\xfe\xff", 2) == 0))
         status = refuse_field(&s, -1, "UTF-16", "UTF-8");
+
+    /* header, columns, rows */
     if (status == WCUT_OK) status = read_csv_header(&s);
     if (status == WCUT_OK) status = make_columns(&s, numeric_count, numeric);
     if (status == WCUT_OK) status = read_rows(&s);
 
+    /* the scanner's own memory */
     free(s.numeric);
     free(s.scratch);
     if (status == WCUT_OK)
         *table = s.table;
     else
         wcut_table_destroy(s.table);
+
     return status;
 }

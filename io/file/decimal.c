@@ -78,6 +78,8 @@ const char *wcut_decimal_read(const char *text, double *value) {
     static const double power_of_ten[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                           1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
     const char *p = text;
+
+    /* the sign, then digits before and behind the point */
     bool negative = *p == '-';
     if (*p == '-' || *p == '+') p++;
     decimal d = {0, 0, false};
@@ -91,19 +93,25 @@ const char *wcut_decimal_read(const char *text, double *value) {
         digits += p - fraction;
         d.exponent = d.more ? 0 : -(int)(p - fraction < EXPONENT_LIMIT ? p - fraction : EXPONENT_LIMIT);
     }
+
+    /* no digit: no number */
     if (digits == 0) return text;
     p = read_exponent(p, &d.exponent);
 
+    /* more digits or a larger exponent than the fast path takes: the exact one */
     int e = d.exponent;
     if (d.more || (d.mantissa && (e < -MAX_POWER || e > MAX_POWER))) {
         *value = read_any(text);
         return p;
     }
+
+    /* the quotient of two exact doubles, else a ratio in 128 bits */
     double size = 0;
     if (d.mantissa <= (uint64_t)1 << 53 && e >= -22 && e <= 22) /* both exact: one rounding */
         size = e < 0 ? (double)d.mantissa / power_of_ten[-e] : (double)d.mantissa * power_of_ten[e];
     else if (d.mantissa)
         size = round_ratio(d.mantissa, e);
     *value = negative ? -size : size;
+
     return p;
 }

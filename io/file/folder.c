@@ -116,8 +116,11 @@ int wcut_folder_make_temporary(int folder, char name[NAME_MAX + 1], int *fd) {
 static int empty(int folder, const char *first, int depth) {
     int code = 0;
     if (first && unlinkat(folder, first, 0) != 0 && errno != ENOENT) return errno;
+
     DIR *list = open_list(folder);
     if (!list) return errno;
+
+    /* every entry but the folder itself and its parent */
     for (struct dirent *entry = readdir(list); entry; entry = readdir(list)) {
         const char *name = entry->d_name;
         if (strcmp(name, ".") == 0 || strcmp(name, "..") == 0 || unlinkat(folder, name, 0) == 0) continue;
@@ -131,6 +134,7 @@ static int empty(int folder, const char *first, int depth) {
         }
         if (unlinkat(folder, name, AT_REMOVEDIR) != 0 && code == 0) code = errno;
     }
+
     closedir(list);
     return code;
 }

@@ -285,6 +285,7 @@ int wcut_journal_recover(int folder, bool locked, long *owner) {
 }
 
 long wcut_journal_owner(int folder, const char *temporary) {
+    /* the owner stands in the manifest, whether the set moves forward or back */
     long owner = 0;
     wcut_journal journal = {0, wcut_alloc(WCUT_JOURNAL_NAMES_MAX, sizeof *journal.entry)};
     const char *const name[] = {FORWARD, BACK};
@@ -300,9 +301,11 @@ long wcut_journal_owner(int folder, const char *temporary) {
     DIR *list = fd < 0 ? NULL : fdopendir(fd);
     for (struct dirent *entry = list ? readdir(list) : NULL; entry && owner == 0; entry = readdir(list))
         if (!temporary || strcmp(entry->d_name, temporary) != 0) owner = wcut_folder_owner(entry->d_name);
+
     if (list)
         closedir(list);
     else if (fd >= 0)
         close(fd);
+
     return owner;
 }

@@ -30,6 +30,8 @@ json_t *wcut_json_load(wcut_reader *reader, const char *text, size_t length) {
     const int code = errno;
     wcut_locale_restore(before);
     if (root) return root;
+
+    /* the cause, with its place in the file */
     wcut_quote(label, reader->label, WCUT_LABEL_MAX, 1);
     /* jansson has no cause for some of its failed allocations, and calls others an invalid token */
     if (code == ENOMEM || where.text[0] == '\0' || json_error_code(&where) == json_error_out_of_memory)
@@ -38,6 +40,7 @@ json_t *wcut_json_load(wcut_reader *reader, const char *text, size_t length) {
     reader->status =
         wcut_fail(reader->error, WCUT_BAD_FORMAT, "%s: line %d, column %d: %s, expected valid JSON", label, where.line,
                   where.column, nul ? "\\u0000 in a string" : wcut_quote(cause, where.text, 160, 0));
+
     return NULL;
 }
 
@@ -59,6 +62,7 @@ static void print_json_value(char *to, size_t size, const json_t *value) {
             break;
         case JSON_INTEGER:
         case JSON_REAL:
+            /* numbers as they are written elsewhere */
             number[wcut_number_print(json_number_value(value), number)] = '\0';
             snprintf(to, size, "%s", number);
             break;
@@ -67,6 +71,7 @@ static void print_json_value(char *to, size_t size, const json_t *value) {
             snprintf(to, size, "%s", json_is_true(value) ? "true" : "false");
             break;
         case JSON_NULL:
+            /* a key without a value differs from a missing one */
             snprintf(to, size, "%s", value ? "null" : "nothing");
             break;
     }
@@ -129,6 +134,8 @@ static int edit_distance(const char *a, const char *b) {
 static bool refuse_key(wcut_reader *reader, const wcut_place *at, const char *key, const wcut_field *field,
                        int fields) {
     char label[WCUT_QUOTE_SIZE], quote[WCUT_QUOTE_SIZE], path[128], expected[200];
+
+    /* the nearest known key by edit distance, and a list of all */
     int nearest = -1, min = (int)strlen(key) / 3 + 1;
     size_t used = 0;
     expected[0] = '\0';
@@ -139,11 +146,16 @@ static bool refuse_key(wcut_reader *reader, const wcut_place *at, const char *ke
             used +=
                 (size_t)snprintf(expected + used, sizeof expected - used, "%s%s", f ? ", " : "one of ", field[f].key);
     }
+
+    /* name the nearest where it is near enough */
     if (nearest >= 0) snprintf(expected, sizeof expected, "\"%s\"", field[nearest].key);
+
+    /* where it is: the path of keys down to this one */
     print_path(path, sizeof path, at);
     reader->status = wcut_fail(reader->error, WCUT_BAD_FORMAT, "%s: %s: found the unknown key \"%s\", expected %s",
                                wcut_quote(label, reader->label, WCUT_LABEL_MAX, 1), path,
                                wcut_quote(quote, key, WCUT_FOUND_MAX, 0), expected);
+
     return false;
 }
 
@@ -195,6 +207,8 @@ bool wcut_read_array(wcut_reader *reader, const wcut_place *at, int min, int max
 
 bool wcut_read_word(wcut_reader *reader, const wcut_place *at, const char *const *word, int *into) {
     const char *found = json_string_value(at->value);
+
+    /* the nearest known word, and a list of all */
     int nearest = -1, min = found ? (int)strlen(found) / 3 + 1 : 0;
     char list[200] = "";
     size_t used = 0;
@@ -210,8 +224,11 @@ bool wcut_read_word(wcut_reader *reader, const wcut_place *at, const char *const
         else if (used + 5 < sizeof list)
             used += (size_t)snprintf(list + used, sizeof list - used, ", ..") + sizeof list;
     }
+
+    /* a wrong word is a bad argument, a missing one a bad format */
     const wcut_status status = found ? WCUT_BAD_ARGUMENT : WCUT_BAD_FORMAT;
     if (nearest >= 0) return wcut_refuse(reader, at, status, "\"%s\"", word[nearest]);
+
     return wcut_refuse(reader, at, status, "one of %s", list);
 }
 

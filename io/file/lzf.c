@@ -31,5 +31,6 @@ bool wcut_lzf_read(const unsigned char *from, size_t length, unsigned char *to, 
         if (back > out || size - out < n) return false;
         for (size_t k = 0; k < n; k++, out++) to[out] = to[out - back];
     }
+
     return out == size;
 }

@@ -144,6 +144,7 @@ static int print_fraction(uint64_t digits, int places, char *text) {
 }
 
 int wcut_number_print(double value, char text[WCUT_NUMBER_SIZE]) {
+    /* zero and sizes outside the usual range are printed in another way */
     const double size = fabs(value);
     const int sign = signbit(value) ? 1 : 0;
     uint64_t bits;
@@ -153,6 +154,8 @@ int wcut_number_print(double value, char text[WCUT_NUMBER_SIZE]) {
         return sign + 1;
     }
     if (!(size >= 1e-4 && size < 1e15)) return print_any(value, text);
+
+    /* mantissa and exponent of the double */
     memcpy(&bits, &size, sizeof bits);
     const uint64_t hidden = (uint64_t)1 << MANTISSA_BITS;
     const uint64_t mantissa = (bits & (hidden - 1)) | hidden;
@@ -160,8 +163,11 @@ int wcut_number_print(double value, char text[WCUT_NUMBER_SIZE]) {
     /* the digits before the point, or minus the zeros behind it */
     int before = size >= 0.1 ? 0 : size >= 0.01 ? -1 : size >= 0.001 ? -2 : -3;
     while (before >= 0 && size >= (double)power_of_ten[before]) before++;
+
+    /* as few digits as read back the same */
     int places = MAX_DIGITS - before;
     const uint64_t digits = find_shortest(mantissa, exponent, &places);
     if (sign) text[0] = '-';
+
     return sign + print_fraction(digits, places, text + sign);
 }

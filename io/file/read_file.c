@@ -45,6 +45,7 @@ static wcut_status check_kind(int fd, const char *path, wcut_error *error) {
 
 /* read to the end; *text is the caller's to free in any case */
 static wcut_status read_file_all(int fd, const char *path, size_t max, char **text, size_t *length, wcut_error *error) {
+    /* the size that the file states, though a pipe states none */
     size_t capacity = first_size(fd, max), used = 0;
     *text = wcut_alloc(capacity, 1);
     if (!*text) return refuse_file_memory(error, path);
@@ -66,6 +67,7 @@ static wcut_status read_file_all(int fd, const char *path, size_t max, char **te
 
     (*text)[used] = '\0';
     *length = used;
+
     return WCUT_OK;
 }
 

@@ -29,6 +29,7 @@ static inline double load_record(const unsigned char *at, wcut_scalar scalar, co
         case WCUT_SCALAR_F64:
             return as_double(wcut_load_64(at, big_endian));
         case WCUT_SCALAR_I8:
+            /* one byte has no order */
             return (int8_t)at[0];
         case WCUT_SCALAR_U8:
             return at[0];

@@ -103,6 +103,8 @@ wcut_status wcut_results_enter(const char *label, int folder, const char *tempor
     /* what was not possible, with the process that stands in the way where it is known */
     wcut_results_leave(folder, *locked);
     *locked = 0;
+
+    /* no memory, a broken journal, other causes */
     if (code == ENOMEM) return fail_results_memory(error);
     if (code == EBADMSG)
         return wcut_fail(
@@ -113,6 +115,7 @@ wcut_status wcut_results_enter(const char *label, int folder, const char *tempor
     if (code != EWOULDBLOCK && code != EBUSY)
         return fail_code(error, code, label, "the results of an interrupted run cannot be put in their place");
 
+    /* the process that holds the folder */
     owner = wcut_journal_owner(folder, temporary);
     if (owner > 0)
         return wcut_fail(error, WCUT_NOT_WRITTEN,
@@ -157,33 +160,41 @@ static wcut_status results_begin(wcut_results *r, int count, const char *const *
     if (status != WCUT_OK) return status;
     for (int k = 0; k < count; k++) memcpy(r->may[r->declared++], name[k], strlen(name[k]) + 1);
 
+    /* the hidden folder, in which the files are made */
     const int code = wcut_folder_make_temporary(r->fd, r->temporary, &r->inside);
     if (code) {
         r->temporary[0] = '\0';
         return refuse_folder(error, r->folder, strerror(code));
     }
     r->hidden = wcut_results_join(r->folder, r->temporary);
+
     return r->hidden ? WCUT_OK : fail_results_memory(error);
 }
 
 wcut_status wcut_results_create(const char *folder, int count, const char *const *name, wcut_results **results,
                                 wcut_error *error) {
+    /* names are declared before any of them is written */
     if (!folder || !results || count < 0 || count > WCUT_RESULTS_MAX || (count > 0 && !name))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s", wcut_status_text(WCUT_BAD_ARGUMENT));
     for (int k = 0; k < count; k++)
         if (!name[k]) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a result's name is NULL");
     wcut_results *r = wcut_alloc(1, sizeof *r);
     if (!r) return fail_results_memory(error);
+
+    /* nothing is held yet, so that destroy is safe from here on */
     r->fd = r->inside = -1;
     r->folder = wcut_copy_text(folder);
     r->name = wcut_alloc(WCUT_RESULTS_MAX, sizeof *r->name);
     r->may = wcut_alloc((size_t)count, sizeof *r->may);
+
+    /* the folder is looked at only once there is memory for all */
     const wcut_status status =
         r->folder && r->name && r->may ? results_begin(r, count, name, error) : fail_results_memory(error);
     if (status == WCUT_OK)
         *results = r;
     else
         wcut_results_destroy(r);
+
     return status;
 }
 
@@ -276,7 +287,9 @@ static wcut_status print_voucher(wcut_results *r, const char *voucher, const cha
         wcut_text_print(&out, ": \"%s\"", hash);
     }
 
+    /* the object is closed again */
     wcut_text_print(&out, "%s}\n}\n", r->count ? "\n  " : "");
+
     return wcut_text_finish(&out, whole, NULL) == WCUT_OK ? WCUT_OK : fail_results_memory(error);
 }
 
@@ -352,12 +365,15 @@ static wcut_status commit(wcut_results *r, const char *voucher, const char *text
         wcut_results_leave(r->fd, locked);
     }
 
+    /* the text is handed out where it is wanted */
     wcut_free(journal.entry);
     if (status == WCUT_OK && whole)
         *whole = printed;
     else
         free(printed);
+
     wcut_results_reword(r, error);
+
     return status;
 }
 

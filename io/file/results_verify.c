@@ -62,6 +62,8 @@ static wcut_status load_voucher(const char *folder, const char *name, json_t **r
     memset(&cause, 0, sizeof cause);
     struct stat s;
     *root = NULL;
+
+    /* where the voucher would be */
     char *path = wcut_results_join(folder, name);
     if (!path) return WCUT_NO_MEMORY;
 
@@ -74,10 +76,13 @@ static wcut_status load_voucher(const char *folder, const char *name, json_t **r
     wcut_free(path);
     if (!*root && code == ENOMEM) return WCUT_NO_MEMORY;
     if (!*root) return json_error_code(&cause) == json_error_out_of_memory ? WCUT_NO_MEMORY : WCUT_OK;
+
+    /* a voucher has a list of files and their hashes */
     *hashes = json_object_get(*root, "sha256");
     if (json_is_object(*hashes) && json_is_array(json_object_get(*root, "files"))) return WCUT_OK;
     json_decref(*root);
     *root = NULL;
+
     return WCUT_OK;
 }
 
@@ -122,10 +127,14 @@ static wcut_status check_vouchers(wcut_verification *v, const char *folder, int 
 
 wcut_status wcut_results_verify(const char *folder, wcut_verification **verification, wcut_error *error) {
     if (!folder || !verification) return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s", wcut_status_text(WCUT_BAD_ARGUMENT));
+
+    /* the folder, held open */
     const int fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (fd < 0) return wcut_fail_errno(error, WCUT_NOT_FOUND, errno, folder, "cannot be read");
     wcut_verification *v = wcut_alloc(1, sizeof *v);
     int locked = 0;
+
+    /* under the lock, so that no run is half way */
     wcut_status status = v ? wcut_results_enter(folder, fd, NULL, &locked, error) : fail_results_verify_memory(error);
     if (status == WCUT_OK) status = check_vouchers(v, folder, fd, error);
     if (status == WCUT_OK && v->vouchers == 0) {
@@ -134,12 +143,14 @@ wcut_status wcut_results_verify(const char *folder, wcut_verification **verifica
             wcut_fail(error, WCUT_NOT_FOUND, "%s: found no voucher, expected a JSON file with \"files\" and \"sha256\"",
                       wcut_quote(shown, folder, WCUT_LABEL_MAX, 1));
     }
+
     wcut_results_leave(fd, locked);
     close(fd);
     if (status == WCUT_OK)
         *verification = v;
     else
         wcut_verification_destroy(v);
+
     return status;
 }
 

@@ -22,6 +22,7 @@ static char find_ending(const wcut_stream *t) {
 }
 
 const char *wcut_row_peek(wcut_source *s, size_t *length) {
+    /* the window grows until it holds a whole line */
     wcut_stream *t = &s->stream;
     size_t known = 0;
     for (;;) {
@@ -29,14 +30,19 @@ const char *wcut_row_peek(wcut_source *s, size_t *length) {
         const unsigned char *line = t->data + t->at;
         if (!s->ending) s->ending = find_ending(t);
         const unsigned char *feed = s->ending ? memchr(line + known, s->ending, unread - known) : NULL;
+
+        /* a line, or the rest of the file without a line feed */
         if (feed || (t->ended && unread > 0)) {
             *length = feed ? (size_t)(feed - line) + 1 : unread;
             return (const char *)line;
         }
+
+        /* the end of the file */
         if (t->ended) {
             if (t->code) wcut_source_refuse_end(s, "more");
             return NULL;
         }
+
         if (unread == t->capacity) {
             wcut_source_refuse(s, "found more than %zu bytes without a line feed, expected lines", t->capacity);
             return NULL;
@@ -60,6 +66,8 @@ static bool is_word_end(const char *p, char separator) {
 static const char *read_word(const char *at, char separator, double *value) {
     static const char *const words[] = {"infinity", "inf", "nan", "1.#"};
     const char *p = at + (*at == '-' || *at == '+');
+
+    /* which word it is */
     size_t k = 0;
     while (k < 4 && strncasecmp(p, words[k], strlen(words[k])) != 0) k++;
     if (k == 4) return NULL;
@@ -68,13 +76,18 @@ static const char *read_word(const char *at, char separator, double *value) {
     /* behind 1.# a kind of nothing, shortened as the format was, and an exponent */
     if (k == 3)
         while (isalnum((unsigned char)*p) || *p == '+' || *p == '-') p++;
+
+    /* nan may have a payload in brackets */
     if (k == 2 && *p == '(') {
         const char *bracket = p + 1;
         while (isalnum((unsigned char)*bracket) || *bracket == '_') bracket++;
         if (*bracket == ')') p = bracket + 1;
     }
+
+    /* the word ends at a separator or the line's end */
     if (!is_word_end(p, separator)) return NULL;
     *value = NAN;
+
     return p;
 }
 

@@ -95,6 +95,7 @@ wcut_status wcut_file_hash(const char *path, char *text, wcut_error *error) {
     FILE *file = fopen(path, "rb");
     if (!file) return wcut_fail_errno(error, WCUT_NOT_FOUND, errno, path, "cannot be read");
 
+    /* the file in pieces */
     wcut_sha256 hash;
     wcut_sha256_begin(&hash);
     uint8_t buffer[65536], digest[WCUT_SHA256_SIZE];
@@ -104,8 +105,10 @@ wcut_status wcut_file_hash(const char *path, char *text, wcut_error *error) {
     fclose(file);
     if (code) return wcut_fail_errno(error, WCUT_NOT_FOUND, code, path, "cannot be read");
 
+    /* as hexadecimal digits */
     wcut_sha256_end(&hash, digest);
     for (int i = 0; i < WCUT_SHA256_SIZE; i++) snprintf(text + 2 * (size_t)i, 3, "%02x", digest[i]);
+
     return WCUT_OK;
 }
 

@@ -92,5 +92,6 @@ double wcut_unit_stated(const char *text, size_t length) {
                 (asked && end - k <= 6 && strncasecmp(text + k, "length", end - k) == 0);
         k = end;
     }
+
     return 0;
 }

@@ -53,12 +53,16 @@ static wcut_vec3 relative(const layout *l, wcut_vec3 p) {
 /* the views, the place that positions are relative to, and their box, which the format asks for */
 static layout lay_out_views(const wcut_mesh *mesh) {
     layout l = {.low = {FLT_MAX, FLT_MAX, FLT_MAX}, .high = {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
+
+    /* views of the buffer, in the order in which they are written */
     wcut_vec3 low = mesh->vertex[0], high = mesh->vertex[0];
     const size_t n = (size_t)mesh->vertex_count;
     add_view(&l, "POSITION", "VEC3", 3, n, ARRAY_BUFFER);
     if (mesh->normal) add_view(&l, "NORMAL", "VEC3", 3, n, ARRAY_BUFFER);
     if (mesh->scalar) add_view(&l, "COLOR_0", "VEC4", 4, n, ARRAY_BUFFER);
     add_view(&l, NULL, "SCALAR", 1, 3 * (size_t)mesh->triangle_count, INDEX_BUFFER);
+
+    /* the box in double precision */
     for (size_t i = 0; i < n; i++) {
         const wcut_vec3 p = mesh->vertex[i];
         low = (wcut_vec3){fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z)};
@@ -69,11 +73,14 @@ static layout lay_out_views(const wcut_mesh *mesh) {
     const wcut_vec3 middle = {low.x / 2 + high.x / 2, low.y / 2 + high.y / 2, low.z / 2 + high.z / 2};
     const double size = fmax(high.x - low.x, fmax(high.y - low.y, high.z - low.z));
     if (fmax(fabs(middle.x), fmax(fabs(middle.y), fabs(middle.z))) > 10 * size) l.from = middle;
+
+    /* the box again in single precision, as a reader will see it */
     for (size_t i = 0; i < n; i++) {
         const wcut_vec3 p = relative(&l, mesh->vertex[i]);
         const float c[3] = {(float)p.x, (float)p.y, (float)p.z};
         for (int k = 0; k < 3; k++) l.low[k] = fminf(l.low[k], c[k]), l.high[k] = fmaxf(l.high[k], c[k]);
     }
+
     return l;
 }
 
@@ -189,6 +196,8 @@ wcut_status wcut_mesh_write_glb(const wcut_mesh *mesh, const char *path, wcut_er
     char label[WCUT_QUOTE_SIZE];
     wcut_status status = wcut_mesh_check(mesh, path, error);
     if (status != WCUT_OK) return status;
+
+    /* indices are 32 bits, and the file's length too */
     if (mesh->triangle_count > TRIANGLES_MAX)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s: found %d triangles, expected at most %d in a GLB",
                          wcut_quote(label, path, WCUT_LABEL_MAX, 1), mesh->triangle_count, TRIANGLES_MAX);
@@ -204,7 +213,10 @@ wcut_status wcut_mesh_write_glb(const wcut_mesh *mesh, const char *path, wcut_er
     status = wcut_text_finish(&json, &text, &d.length);
     if (status != WCUT_OK) return wcut_fail(error, status, "%s", wcut_status_text(status));
     d.json = text;
+
+    /* positions, normals, colours and indices follow the scene */
     status = wcut_mesh_write(mesh, put_glb, &d, path, error);
+
     free(text);
     return status;
 }

@@ -205,12 +205,16 @@ static bool take_triangles(wcut_source *s, wcut_mesh_builder *g, bool is_gltf, c
                            const int32_t head[2]) {
     wcut_numbered n = {0};
     bool done = true;
+
+    /* vertices in the order of the message; equal ones become one */
     const char *at = data + MESSAGE_HEAD;
     for (int32_t i = 0; done && i < head[0]; i++, at += 3 * sizeof(double)) {
         double position[3];
         take_position(at, is_gltf, position);
         done = wcut_numbered_add(g, &n, position);
     }
+
+    /* triangles: every index is checked, because a file made them */
     for (int32_t t = 0; done && t < head[1]; t++, at += 3 * sizeof(int32_t)) {
         int32_t v[3];
         memcpy(v, at, sizeof v);
@@ -222,11 +226,13 @@ static bool take_triangles(wcut_source *s, wcut_mesh_builder *g, bool is_gltf, c
         }
         done = done && wcut_mesh_builder_triangle(g, v[0], v[1], v[2]);
     }
+
     wcut_numbered_free(&n);
     return done;
 }
 
 static bool refuse_end(wcut_source *s, wcut_child_end end, const request *r, int seconds) {
+    /* how the child ended, as far as it can be told */
     switch (end.how) {
         case WCUT_CHILD_NO_MEMORY:
             return wcut_source_refuse_memory(s);
@@ -241,15 +247,19 @@ static bool refuse_end(wcut_source *s, wcut_child_end end, const request *r, int
         default:
             break;
     }
+
+    /* it wrote more than the limit, or said that there is more */
     if (end.how == WCUT_CHILD_TALKATIVE || end.code == TOO_MANY)
         return wcut_source_refuse(s, "found more than %d %s, expected at most that", r->max,
                                   r->as_vertices ? "vertices" : "triangles");
     if (end.code == TOO_DEEP) return wcut_source_refuse(s, "found nodes nested more than %d deep", DEPTH_MAX);
+
     return wcut_source_refuse(s, "assimp reads no mesh in it, expected a sound %s file", r->ending + 1);
 }
 
 /* what is left of the source, in memory; NULL: refused */
 static char *slurp(wcut_source *s, size_t *size) {
+    /* the stream is read to its end, up to a limit that assimp can hold */
     const size_t max = (size_t)1 << 30;
     char *bytes = NULL;
     size_t room = 0;
@@ -265,8 +275,11 @@ static char *slurp(wcut_source *s, size_t *size) {
         memcpy(bytes + *size, s->stream.data + s->stream.at, got);
         s->stream.at += got;
     }
+
+    /* a read error is told before the bytes are used */
     if (s->failure.status == WCUT_OK && s->stream.code) wcut_source_refuse_end(s, "more");
     if (s->failure.status == WCUT_OK) return bytes;
+
     free(bytes);
     return NULL;
 }
@@ -304,12 +317,16 @@ static bool check_gltf(wcut_source *s, const char *bytes, size_t size) {
 /* the file's mesh as the child sends it, whole; NULL: refused */
 static char *ask(wcut_source *s, request *r, size_t of_each, int seconds, int32_t head[2]) {
     size_t length = 0;
+
+    /* the whole file, because assimp reads from memory */
     char *bytes = slurp(s, &r->size), *data = NULL;
     if (!bytes) {
         if (s->failure.status == WCUT_OK) wcut_source_refuse_end(s, "a mesh");
         return NULL;
     }
     r->bytes = bytes;
+
+    /* a glTF file must hold all it needs */
     if (!check_gltf(s, bytes, r->size)) return free(bytes), NULL;
     char beside[ENOUGH], shown[WCUT_QUOTE_SIZE];
     if (find_neighbour(bytes, r->size, beside)) {
@@ -318,12 +335,15 @@ static char *ask(wcut_source *s, request *r, size_t of_each, int seconds, int32_
             wcut_quote(shown, beside, WCUT_FOUND_MAX, 0));
         return free(bytes), NULL;
     }
+
+    /* the child has limits of time, memory and output */
     const wcut_child_limits limits = {seconds, (size_t)4 << 30, (size_t)r->max * of_each + ENOUGH};
     const wcut_child_end end = wcut_child_run(import, r, &limits, &data, &length);
     free(bytes);
     const bool done = end.how == WCUT_CHILD_DONE && end.code == DONE ? check_message(s, data, length, head)
                                                                      : refuse_end(s, end, r, seconds);
     if (done) return data;
+
     free(data);
     return NULL;
 }

@@ -45,10 +45,14 @@ bool wcut_off_begin(wcut_source *s, wcut_off_reader *r) {
     static const char *const expected = "the counts of vertices, faces and edges";
     size_t length;
     int64_t edges = 0;
+
+    /* a byte order mark is passed over */
     *r = (wcut_off_reader){.source = s};
     s->line = 1;
     if (s->stream.end - s->stream.at >= 3 && memcmp(s->stream.data + s->stream.at, "\xef\xbb\xbf", 3) == 0)
         s->stream.at += 3;
+
+    /* the keyword, whose line may have the counts as well */
     const char *line = expect_off_line(s, &length, "OFF");
     const char *p = line ? read_keyword(s, line, wcut_skip_blanks(line), r) : NULL;
     if (!p) return false;
@@ -65,8 +69,11 @@ bool wcut_off_begin(wcut_source *s, wcut_off_reader *r) {
     p = wcut_skip_blanks(behind);
     if (!wcut_is_line_end(p) && *p != '#' && !wcut_row_count(p, &edges))
         return wcut_source_refuse_text(s, line, p, expected);
+
+    /* counts are limited by what is left of the file */
     wcut_row_done(s, length);
     if (r->faces > INT_MAX) return wcut_source_check_count(s, r->faces, 0, "faces");
+
     return wcut_source_check_count(s, r->vertices, SHORTEST, "vertices");
 }
 
@@ -87,10 +94,14 @@ bool wcut_off_vertex(wcut_off_reader *r, double value[WCUT_FIELDS]) {
 
 bool wcut_off_face(wcut_off_reader *r, int max, int *corner, int *count) {
     wcut_source *s = r->source;
+
+    /* a face is one line */
     size_t length;
     int64_t n = 0, index = 0;
     const char *line = next_line(s, &length);
     if (!line) return s->failure.status == WCUT_OK && wcut_source_refuse_truncated(s, r->faces, "faces");
+
+    /* the number of corners, then the corners; colours behind them are passed over */
     const char *p = wcut_row_count(line, &n);
     if (!p || n > max)
         return wcut_source_refuse_text(s, line, wcut_skip_blanks(line), "a face: its number of corners, and these");
@@ -101,9 +112,12 @@ bool wcut_off_face(wcut_off_reader *r, int max, int *corner, int *count) {
         corner[k] = (int)index;
         p = behind;
     }
+
+    /* one face less */
     *count = (int)n;
     r->faces--;
     wcut_row_done(s, length);
+
     return true;
 }
 

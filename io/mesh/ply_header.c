@@ -87,15 +87,19 @@ static bool read_property(wcut_source *s, const char *line, const char *p, wcut_
     for (int k = e->first; q->field >= 0 && k < m->properties; k++)
         if (m->property[k].field == q->field) return wcut_source_refuse_text(s, line, p, "each coordinate once");
 
+    /* the record's size, for binary files */
     e->size += wcut_scalar_size(q->count ? q->count : q->value);
     e->properties++;
     m->properties++;
+
     return true;
 }
 
 bool wcut_ply_header(wcut_source *s, wcut_ply *m) {
     bool seen = false;
     size_t length;
+
+    /* no vertex or face element is known yet */
     m->vertex = m->face = -1;
     for (const char *line; (line = wcut_row_peek(s, &length)) != NULL; wcut_row_done(s, length)) {
         const char *p = wcut_skip_blanks(line), *rest = next_word(p);

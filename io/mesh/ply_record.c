@@ -76,6 +76,8 @@ static bool read_ascii(wcut_source *s, const wcut_ply *m, const wcut_ply_element
         wcut_row_done(s, length);
     const char *p = line;
     if (!line) return s->failure.status == WCUT_OK && wcut_source_refuse_end(s, "as many lines as elements are stated");
+
+    /* the properties in their order: numbers, and lists that are skipped or are corners */
     for (const wcut_ply_property *q = m->property + e->first; q < m->property + e->first + e->properties; q++) {
         double any;
         if (q->count) {
@@ -87,9 +89,12 @@ static bool read_ascii(wcut_source *s, const wcut_ply *m, const wcut_ply_element
         if (!behind) return wcut_source_refuse_text(s, line, wcut_skip_blanks(p), "a number");
         p = behind;
     }
+
+    /* nothing may follow in the line */
     p = wcut_skip_blanks(p);
     if (!wcut_is_line_end(p)) return wcut_source_refuse_text(s, line, p, "the end of the line");
     wcut_row_done(s, length);
+
     return true;
 }
 
@@ -122,6 +127,8 @@ bool wcut_ply_skip(wcut_source *s, const wcut_ply *m, int first, int end) {
 static bool lay_out_record(wcut_source *s, wcut_ply *m) {
     if (m->vertex < 0) return wcut_source_refuse(s, "found no element vertex, expected one");
     const wcut_ply_element *e = &m->element[m->vertex];
+
+    /* where each coordinate stands in a record */
     bool has[WCUT_FIELDS] = {false};
     size_t offset = 0;
     for (const wcut_ply_property *q = m->property + e->first; q < m->property + e->first + e->properties; q++) {
@@ -133,10 +140,13 @@ static bool lay_out_record(wcut_source *s, wcut_ply *m) {
         }
         offset += wcut_scalar_size(q->count ? q->count : q->value);
     }
+
+    /* x, y and z are required, normals count as three */
     for (int k = 0; k < 3; k++)
         if (!has[k]) return wcut_source_refuse(s, "found no property %c of the element vertex, expected one", "xyz"[k]);
     m->record.size = e->size;
     m->record.fields = has[3] && has[4] && has[5] ? 6 : 3;
+
     return true;
 }
 

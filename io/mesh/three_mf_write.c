@@ -152,18 +152,25 @@ static wcut_status check_three_mf(int count, const wcut_mesh *const *mesh, const
 wcut_status wcut_mesh_write_3mf(int count, const wcut_mesh *const *mesh, const char *const *name, const char *path,
                                 wcut_error *error) {
     wcut_file *file = NULL;
+
+    /* the file appears only once the package is whole */
     wcut_status status = check_three_mf(count, mesh, name, path, error);
     if (status == WCUT_OK) status = wcut_file_create(path, &file, error);
     if (status != WCUT_OK) return status;
+
+    /* the objects are packed one after the other */
     sink s = {0};
     const bool ready = wcut_zip_create(&s.zip, file) && wcut_text_create(&s.text, NULL);
     const bool fits = ready && put_package(&s, count, mesh, name);
+
+    /* what went wrong: memory, the format's limit, or nothing */
     if (!ready || s.text.failed)
         status = wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
     else if (!fits)
         status = wcut_fail(error, WCUT_BAD_ARGUMENT, "found a model of more than 4 GiB, expected less: use STL");
     else
         status = wcut_file_commit(file, error);
+
     wcut_text_destroy(&s.text);
     wcut_zip_destroy(&s.zip);
     wcut_file_destroy(file);

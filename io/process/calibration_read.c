@@ -54,9 +54,11 @@ static wcut_status read_calibration_cut(const wcut_table *table, const int *plac
         return refuse_calibration(error, path, line, table->column[weight].name,
                                   "found no positive weight, expected one");
 
+    /* angles in the API's unit; both mounts have the same tension and angle */
     double alpha = value[ALPHA] * WCUT_RAD_PER_DEG;
     *cut = (wcut_test_cut){value[HEAT], value[SPEED], value[ENGAGED], value[TENSION], value[TENSION], alpha, alpha,
                            mass,        line};
+
     return WCUT_OK;
 }
 

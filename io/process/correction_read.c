@@ -57,7 +57,9 @@ static bool read_correction(wcut_reader *reader, const wcut_place *root, filling
         return false;
     }
 
+    /* no kerf is NaN, not zero */
     of->made.kerf = (double)NAN;
+
     return wcut_read_object(reader, &at, fields, sizeof fields / sizeof *fields, of);
 }
 

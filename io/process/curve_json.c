@@ -83,10 +83,12 @@ bool wcut_read_curve(wcut_reader *reader, const wcut_place *at, void *into) {
                                        "inside it");
     }
 
+    /* the texts were copied into the curve */
     free(c.point);
     free(c.control);
     free(c.knot);
     free(c.weight);
     if (ok) *(wcut_curve **)into = curve;
+
     return ok;
 }

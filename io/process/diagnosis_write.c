@@ -42,16 +42,21 @@ static void put_open(wcut_text *text, bool low, bool high) {
 
 /* "key": {"value": .., "ci95": [.., ..]}; lists of three for points */
 static void put_parameter(wcut_text *text, const wcut_found_effect *found, const wcut_effect_parameter *p) {
+    /* a point is a list of three values with one interval each */
     const wcut_estimate *e = found->parameter + p->at;
     const bool list = p->size == 3;
     bool estimated = true, low = false, high = false;
     wcut_text_print(text, "\"%s\": {\"value\": %s", p->key, list ? "[" : "");
+
+    /* values, and whether all of them were fitted */
     for (int k = 0; k < p->size; k++) {
         wcut_text_put_number(text, k ? ", " : "", found->effect.value[p->at + k]);
         estimated = estimated && found->estimated[p->at + k] && !isnan(e[k].low) && !isnan(e[k].high);
         low = low || isinf(e[k].low), high = high || isinf(e[k].high);
     }
     wcut_text_put_word(text, list ? "]" : "");
+
+    /* intervals, and which ends are open */
     if (estimated) {
         wcut_text_put_word(text, list ? ", \"ci95\": [" : ", \"ci95\": ");
         for (int k = 0; k < p->size; k++) put_interval(text, k ? ", [" : "[", &e[k], p->min, p->max);
@@ -137,6 +142,7 @@ static bool kind_names_effects(wcut_verdict_kind kind) {
 }
 
 static void put_verdict(wcut_text *text, const wcut_diagnosis *d) {
+    /* the effects that the verdict names */
     const bool named = kind_names_effects(d->kind);
     const char *between = "";
     wcut_text_print(text, ",\n  \"verdict\": {\"kind\": \"%s\", \"effects\": [", wcut_verdict_name(d->kind));
@@ -145,9 +151,12 @@ static void put_verdict(wcut_text *text, const wcut_diagnosis *d) {
         wcut_text_print(text, "%s\"%s\"", between, wcut_effect_view(d->effect[e].effect.kind)->name);
         between = ", ";
     }
+
     wcut_text_put_number(text, "], \"confidence\": ", d->confidence);
     wcut_text_put_word(text, ",\n              \"alternatives\": [");
     between = "";
+
+    /* what else could explain the cuts */
     for (int e = 0; e < d->effects; e++) {
         if (named && d->effect[e].present) continue;
         wcut_text_print(text, "%s{\"name\": \"%s\"", between, wcut_effect_view(d->effect[e].effect.kind)->name);
@@ -309,6 +318,8 @@ static void put_event(wcut_text *text, const wcut_event *e) {
 static void put_improvement(wcut_text *text, const wcut_diagnosis *d) {
     const char *between = "";
     wcut_text_put_word(text, ",\n               \"improvement\": {");
+
+    /* channels that have both figures */
     for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) {
         const wcut_evidence_score *from = &d->held_out_score[WCUT_EVIDENCE_MODEL_RECALIBRATED][c];
         const wcut_evidence_score *to = &d->held_out_score[WCUT_EVIDENCE_MODEL_AFTER][c];
@@ -320,6 +331,8 @@ static void put_improvement(wcut_text *text, const wcut_diagnosis *d) {
         wcut_text_put_word(text, "}");
         between = ", ";
     }
+
+    /* events have their own figure: the misfit with a level for each window */
     if (d->modelled.events > 0) {
         wcut_text_print(text, "%s\"tension_N_with_events\": {", between);
         wcut_text_put_number(text, "\"recalibrated\": ", d->modelled.recalibrated);
@@ -336,6 +349,8 @@ static void put_modelled(wcut_text *text, const wcut_diagnosis *d) {
         wcut_text_put_word(text, ",\n  \"modelled\": null");
         return;
     }
+
+    /* terms, the equation, and what they improve */
     wcut_text_put_word(text, ",\n  \"modelled\": {\"terms\": [");
     for (int k = 0; k < m->terms; k++) {
         wcut_text_put_word(text, k ? ",\n                         " : "");
@@ -343,6 +358,8 @@ static void put_modelled(wcut_text *text, const wcut_diagnosis *d) {
     }
     put_diagnosis_string(text, "],\n               \"equation\": ", m->equation);
     put_improvement(text, d);
+
+    /* rivals of the terms, then the windows that were left out */
     wcut_text_put_word(text, ",\n               \"alternatives\": [");
     for (int k = 0; k < m->rivals; k++) put_diagnosis_string(text, k ? ", " : "", m->rival[k]);
     wcut_text_put_word(text, "],\n               \"events\": [");
@@ -354,11 +371,13 @@ static void put_modelled(wcut_text *text, const wcut_diagnosis *d) {
 }
 
 static void put_weighed(wcut_text *text, const wcut_diagnosis *d) {
+    /* hypotheses, best first */
     wcut_text_put_word(text, ",\n  \"ranking\": [");
     for (int i = 0; i < d->hypotheses; i++) {
         wcut_text_put_word(text, i ? ",\n    " : "\n    ");
         put_hypothesis(text, &d->hypothesis[i]);
     }
+
     wcut_text_put_word(text, "],\n  \"dependences\": [");
     for (int i = 0; i < d->dependences; i++) {
         wcut_text_put_word(text, i ? ",\n    " : "\n    ");
@@ -366,6 +385,8 @@ static void put_weighed(wcut_text *text, const wcut_diagnosis *d) {
     }
     wcut_text_put_word(text, "],\n  \"limits\": [");
     for (int i = 0; i < d->limits; i++) put_diagnosis_string(text, i ? ",\n    " : "\n    ", d->limit[i]);
+
+    /* figures of the rig; adequacy and noise */
     wcut_text_put_word(text, "],\n  \"rig\": [");
     for (int i = 0; i < d->rig_rows; i++) {
         wcut_text_put_word(text, i ? ",\n    " : "\n    ");
@@ -378,6 +399,8 @@ static void put_weighed(wcut_text *text, const wcut_diagnosis *d) {
         wcut_text_print(text, "%s\"%s\": ", c ? ", " : "", wcut_evidence_name((wcut_evidence_channel)c));
         wcut_text_put_number(text, "", d->noise[c]);
     }
+
+    /* the control by plain least squares */
     wcut_text_put_word(text, "},\n  \"naive\": ");
     if (d->naive_false || d->naive[0]) { /* else it was not run */
         wcut_text_print(text, "{\"names_an_effect\": %s", d->naive_false ? "true" : "false");
@@ -429,14 +452,20 @@ static bool is_diagnosis_whole(const wcut_diagnosis *d) {
 
 wcut_status wcut_diagnosis_print(const wcut_diagnosis *diagnosis, const char *name, char **text) {
     if (!diagnosis || !name || !text || !is_diagnosis_whole(diagnosis)) return WCUT_BAD_ARGUMENT;
+
+    /* head of the file */
     wcut_text out;
     if (!wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
     wcut_text_print(&out, "{\n  \"format\": \"wirecut-diagnosis/1\",\n  \"version\": \"%s\"", WCUT_VERSION);
     put_diagnosis_string(&out, ",\n  \"case\": ", name);
+
+    /* a diagnosis that was stopped says so, and where */
     if (diagnosis->interrupted) {
         wcut_text_put_word(&out, ",\n  \"interrupted\": true");
         put_diagnosis_string(&out, ",\n  \"stopped\": ", diagnosis->stopped);
     }
+
+    /* the parts in the order of FORMATS.md */
     put_verdict(&out, diagnosis);
     put_diagnosis_effects(&out, diagnosis);
     put_recalibrated(&out, diagnosis);
@@ -447,6 +476,7 @@ wcut_status wcut_diagnosis_print(const wcut_diagnosis *diagnosis, const char *na
     put_weighed(&out, diagnosis);
     put_next(&out, diagnosis);
     wcut_text_put_word(&out, "\n}\n");
+
     return wcut_text_finish(&out, text, NULL);
 }
 

@@ -39,6 +39,8 @@ static bool read_effect(wcut_reader *reader, const wcut_place *at, void *into) {
     wcut_effect *effect = into;
     wcut_place name = wcut_place_member(at, "name");
     int kind = 0;
+
+    /* the name decides which keys may follow */
     if (!json_is_object(at->value)) return wcut_refuse(reader, at, WCUT_BAD_FORMAT, "an effect: {\"name\": .., ..}");
     if (!wcut_read_word(reader, &name, names, &kind)) return false;
     const wcut_effect_info *info = wcut_effect_view((wcut_effect_kind)kind);
@@ -47,12 +49,17 @@ static bool read_effect(wcut_reader *reader, const wcut_place *at, void *into) {
         const wcut_place choice = wcut_place_member(at, info->choice_key);
         if (!wcut_read_word(reader, &choice, info->choice, &chosen)) return false;
     }
+
+    /* defaults first, so that keys may be left out */
     *effect = wcut_effect_choose((wcut_effect_kind)kind, chosen);
     const wcut_effect_parameter *first = wcut_effect_parameters(effect);
     wcut_field field[FIELDS_MAX];
     if (!wcut_read_object(reader, at, field, list_fields(info, first, field), effect)) return false;
+
+    /* ranges are checked last, because a vector is read as a whole */
     for (const wcut_effect_parameter *p = first; p->key; p++)
         if (!check_range(reader, at, p, effect->value + p->at)) return false;
+
     return true;
 }
 

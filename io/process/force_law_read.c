@@ -26,10 +26,14 @@ static bool read_laws(wcut_reader *reader, const wcut_place *root, wcut_force_la
 
 wcut_status wcut_job_read_force_law(wcut_job *job, const char *path, wcut_error *error) {
     if (!job || !path) return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s", wcut_status_text(WCUT_BAD_ARGUMENT));
+
+    /* the whole file in memory, up to a limit */
     char *text = NULL;
     size_t length = 0;
     wcut_status status = wcut_file_read(path, BYTES_MAX, &text, &length, error);
     if (status != WCUT_OK) return status;
+
+    /* parse it, and read both laws */
     wcut_reader reader = {path, error, WCUT_OK};
     json_t *json = wcut_json_load(&reader, text, length);
     free(text);
@@ -37,10 +41,13 @@ wcut_status wcut_job_read_force_law(wcut_job *job, const char *path, wcut_error 
     const wcut_place root = {NULL, NULL, 0, json};
     wcut_force_law force = {0};
     wcut_tension_law tension = {0};
+
+    /* the job is changed only once both are read */
     if (read_laws(&reader, &root, &force, &tension)) {
         job->force_law = force;
         job->tension_law = tension;
     }
     json_decref(json);
+
     return reader.status;
 }

@@ -151,12 +151,15 @@ wcut_status wcut_force_law_print(int n, const wcut_test_cut *cut, const wcut_cal
                                  const wcut_calibration *c, const wcut_calibration_point *point, char **text) {
     if (n < 1 || !cut || !c || !point || !text || !is_force_law_whole(c)) return WCUT_BAD_ARGUMENT;
     wcut_calibration_options o = options ? *options : wcut_calibration_options_default();
+
     if ((unsigned)o.loss > WCUT_LOSS_TUKEY || (unsigned)o.noise > WCUT_NOISE_ABSOLUTE) return WCUT_BAD_ARGUMENT;
     static const char *const loss[] = {"square", "huber", "tukey"}, *const noise[] = {"relative", "absolute"};
     wcut_text out;
     if (!wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
     wcut_text_print(&out, "{\"format\": \"wirecut-force-law/1\", \"noise\": \"%s\", \"loss\": \"%s\"", noise[o.noise],
                     loss[o.loss]);
+
+    /* process, laws and residuals */
     put_force_law_process(&out, c);
     put_law(&out, "force_law", 2, &c->force, c, o.confidence);
     if (c->tension_fitted)
@@ -171,6 +174,7 @@ wcut_status wcut_force_law_print(int n, const wcut_test_cut *cut, const wcut_cal
         return WCUT_NO_MEMORY;
     }
     *text = out.data;
+
     return WCUT_OK;
 }
 

@@ -25,6 +25,7 @@ bool wcut_history_is_usable(const wcut_history *history) {
 /* ---- path.csv ---- */
 
 static void put_history_row(wcut_text *text, const wcut_history *history, int j, wcut_vec3 a, wcut_vec3 b) {
+    /* speeds and angles in the units of files */
     const wcut_history_row *r = &history->row[j];
     /* a speed is that of the way to the station: the first one has none and takes the second's */
     const wcut_history_row *moved = j == 0 && history->stations > 1 ? r + 1 : r;
@@ -42,6 +43,8 @@ static void put_history_row(wcut_text *text, const wcut_history *history, int j,
                             r->beta_a * WCUT_DEG_PER_RAD,
                             r->alpha_b * WCUT_DEG_PER_RAD,
                             r->beta_b * WCUT_DEG_PER_RAD};
+
+    /* which station, when, and in which phase */
     wcut_text_print(text, "%d,", j);
     wcut_text_number(text, r->time);
     wcut_text_print(text, ",%s", wcut_phase_name(r->phase));
@@ -85,6 +88,8 @@ wcut_status wcut_history_write_csv(const wcut_history *history, const wcut_vec3 
 static wcut_station view_station(const wcut_history *h, int j) {
     const wcut_history_row *r = &h->row[j];
     size_t at = (size_t)j * (size_t)h->nodes;
+
+    /* a view into the history's arrays: nothing is copied */
     return (wcut_station){.index = j,
                           .time = r->time,
                           .duration = r->duration,

@@ -270,6 +270,7 @@ static bool read_job_format(wcut_reader *reader, const wcut_place *at, void *job
 }
 
 static bool read_job_keys(wcut_reader *reader, const wcut_place *at, wcut_job *job) {
+    /* each key of a job, and what reads it */
     static const wcut_field fields[] = {
         PART("format", true, read_job_format),     IN_JOB(name, "name", true, wcut_read_text),
         PART("block", true, read_block),           PART("wire", true, read_wire),
@@ -281,6 +282,8 @@ static bool read_job_keys(wcut_reader *reader, const wcut_place *at, wcut_job *j
     /* the format before all else: another format has other keys */
     wcut_place format = wcut_place_member(at, "format");
     if (json_is_object(at->value) && !read_job_format(reader, &format, NULL)) return false;
+
+    /* a job has exactly one of path and design */
     bool path = json_object_get(at->value, "path"), design = json_object_get(at->value, "design");
     if (path && design) return wcut_refuse(reader, at, WCUT_BAD_FORMAT, "either \"path\" or \"design\", not both");
     if (!READ_OBJECT(fields, job)) return false;

@@ -122,11 +122,15 @@ static bool is_job_whole(const wcut_job *job) {
 
 wcut_status wcut_job_print(const wcut_job *job, const char *label, char **text, size_t *length, wcut_error *error) {
     char name[WCUT_QUOTE_SIZE];
+
+    /* a job that cannot be written is refused before any text is made */
     wcut_quote(name, label, WCUT_LABEL_MAX, 1);
     if (!is_job_whole(job))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s: found a job without its name, path or design", name);
     const wcut_status known = wcut_effects_check(job->effect_count, job->effect, error);
     if (known != WCUT_OK) return known;
+
+    /* the text */
     wcut_text out;
     bool made = wcut_text_create(&out, NULL);
     if (made) put_job(&out, job);
@@ -143,8 +147,10 @@ wcut_status wcut_job_print(const wcut_job *job, const char *label, char **text, 
         if (status == WCUT_BAD_FORMAT && error) error->status = WCUT_BAD_ARGUMENT;
         return status == WCUT_BAD_FORMAT ? WCUT_BAD_ARGUMENT : status;
     }
+
     *text = out.data;
     *length = out.count;
+
     return WCUT_OK;
 }
 

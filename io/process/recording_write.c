@@ -32,6 +32,7 @@ static double rounded(wcut_channel channel, double value) {
 static bool is_recording_there(const wcut_column *c, int i) { return !c->present || c->present[i]; }
 
 static wcut_status check_recording(const wcut_recording *r, const char *note, wcut_error *error) {
+    /* samples and note */
     if (r->samples < 1) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a recording: expected at least one sample");
     if (note && strpbrk(note, "\r\n"))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "a recording's note: expected one line");
@@ -54,6 +55,7 @@ static wcut_status check_recording(const wcut_recording *r, const char *note, wc
             (i > 0 && !(rounded(WCUT_CHANNEL_TIME, time->value[i]) > rounded(WCUT_CHANNEL_TIME, time->value[i - 1]))))
             return wcut_fail(error, WCUT_BAD_ARGUMENT,
                              "sample %d: expected a time at least 1e-4 s after the one before", i);
+
     return WCUT_OK;
 }
 

@@ -104,6 +104,7 @@ static void put_score_cut(wcut_text *text, const wcut_scored_cut *cut, bool firs
     wcut_text_put_number(text, ", \"motion_scatter\": ", c->replayed->scatter);
     wcut_text_print(text, ", \"iterations\": %d}", c->replayed->iterations);
 
+    /* scores of both predictions, by channel and part of the cut */
     put_scores(text, ",\n     \"planned\": ", &c->planned_score, "      ");
     put_scores(text, ",\n     \"replayed\": ", &c->replayed_score, "      ");
     wcut_text_put_word(text, "}");
@@ -263,6 +264,7 @@ static void put_score_row(wcut_text *text, const wcut_scored_cut *cut, int i) {
         put_score_value(text, measured && replayed, (x->value[i] - c->replayed->value[k][i]) * unit);
     }
 
+    /* one line for each sample */
     wcut_text_put_word(text, "\n");
 }
 

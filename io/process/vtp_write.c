@@ -139,6 +139,7 @@ wcut_status wcut_vtp_stream_create(const char *path, int stations, int nodes, wc
     made->integer = wcut_alloc((size_t)stations * INTEGERS, sizeof *made->integer);
     made->along = wcut_alloc((size_t)nodes, sizeof *made->along);
 
+    /* the file is created last: nothing is on disk if there is no memory */
     wcut_status status =
         made->real && made->integer && made->along ? wcut_file_create(path, &made->file, error) : no_memory(error);
     if (status != WCUT_OK) {
@@ -147,6 +148,7 @@ wcut_status wcut_vtp_stream_create(const char *path, int stations, int nodes, wc
     }
 
     *stream = made;
+
     return WCUT_OK;
 }
 
@@ -220,7 +222,9 @@ wcut_status wcut_vtp_stream_append(wcut_vtp_stream *s, const wcut_station *stati
     memcpy(s->real + (size_t)s->count * REALS, real, sizeof real);
     memcpy(s->integer + (size_t)s->count * INTEGERS, integer, sizeof integer);
 
+    /* errors of writing are kept by the file and told here */
     s->count++;
+
     return wcut_file_check(s->file, error);
 }
 

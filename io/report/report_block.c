@@ -74,6 +74,8 @@ static void draw_found(drawing *g, const wcut_diagnosis *d, wcut_vec3 block) {
 /* a grid of the wire, time after time, and the scan's patches as a cloud */
 static int fill_shapes(wcut_page_memory *memory, const wcut_diagnosis_view *v, wcut_report_shape *shape) {
     int count = 0;
+
+    /* heights colour the surface */
     const int vertices = v->rows * v->nodes;
     double *height = wcut_page_take(memory, (size_t)vertices, sizeof *height);
     wcut_report_field *field = wcut_page_take(memory, 2, sizeof *field);
@@ -81,6 +83,8 @@ static int fill_shapes(wcut_page_memory *memory, const wcut_diagnosis_view *v, w
     for (int i = 0; i < vertices; i++) height[i] = v->surface[i].z;
     field[0] =
         (wcut_report_field){.label = "height", .unit = "mm", .scale = WCUT_REPORT_SCALE_SEQUENTIAL, .value = height};
+
+    /* the wire, time after time, as a grid */
     shape[count++] = (wcut_report_shape){.name = "surface of the wire, after",
                                          .vertex_count = vertices,
                                          .vertex = v->surface,
@@ -90,6 +94,8 @@ static int fill_shapes(wcut_page_memory *memory, const wcut_diagnosis_view *v, w
                                          .column_label = "node",
                                          .field_count = 1,
                                          .field = field};
+
+    /* the scan, where there is one */
     if (v->points == 0) return count;
     field[1] = (wcut_report_field){.label = "scan above the recalibrated surface",
                                    .unit = "mm",
@@ -100,19 +106,27 @@ static int fill_shapes(wcut_page_memory *memory, const wcut_diagnosis_view *v, w
                                          .vertex = v->point,
                                          .field_count = 1,
                                          .field = field + 1};
+
     return count;
 }
 
 bool wcut_report_block_fill(wcut_page_memory *memory, const wcut_report_diagnose *of, wcut_report_scene *scene) {
     const wcut_diagnosis *d = of->diagnosis;
     const wcut_diagnosis_view *v = &d->view;
+
+    /* without a surface the page has no view */
     if (v->rows < 2 || v->nodes < 2 || !v->surface || v->cut < 0 || v->cut >= d->cuts) return false;
+
+    /* lines of the drawing, shapes of the surface and the scan */
     drawing g = {.memory = memory, .line = wcut_page_take(memory, LINES, sizeof *g.line)};
     wcut_report_shape *shape = wcut_page_take(memory, 2, sizeof *shape);
     if (memory->failed) return false;
+
+    /* what was found, then the wire at the worst moment */
     draw_found(&g, d, v->block);
     wcut_vec3 *wire = add_lines(&g, "wire", wcut_page_text(memory, "at %.1f s", v->time), v->nodes);
     if (wire) memcpy(wire, v->surface + (size_t)v->worst * (size_t)v->nodes, (size_t)v->nodes * sizeof *wire);
+
     *scene =
         (wcut_report_scene){.title = wcut_page_text(memory, "The block, %s", of->cut_name[v->cut]),
                             .note = "The wire where the misfit is worst, what was found in the block, and the scan.",
@@ -121,5 +135,6 @@ bool wcut_report_block_fill(wcut_page_memory *memory, const wcut_report_diagnose
                             .shape = shape,
                             .line_count = g.count,
                             .line = g.line};
+
     return !memory->failed;
 }

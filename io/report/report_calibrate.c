@@ -117,6 +117,7 @@ static double *pick_unusual(page *p, const law *l, const double *y) {
 static wcut_report_chart chart_of_cuts(page *p, const law *l, const char *title, const char *x_label,
                                        const char *x_unit, const double *x, const char *y_label, const char *y_unit,
                                        const double *y, const wcut_report_series *guide) {
+    /* the guide, the cuts, and those that are marked */
     wcut_report_series *series = wcut_page_take(&p->memory, 3, sizeof *series);
     wcut_report_chart chart = {.title = title,
                                .x_label = {x_label, NULL},
@@ -132,11 +133,13 @@ static wcut_report_chart chart_of_cuts(page *p, const law *l, const char *title,
     series[1] = points("test cuts", p->of->cuts, x, y);
     if (unusual) series[2] = points("marked in the table", p->of->cuts, x, unusual);
     chart.series_count = unusual ? 3 : 2;
+
     return chart;
 }
 
 /* the fitted curve with its band, where the law is validated */
 static wcut_report_chart curve_chart(page *p, const law *l, const double *measured) {
+    /* arrays of the page: they live until it is written */
     const wcut_calibration *fit = p->of->fit;
     double *q = take_numbers(p, CURVE), *y = take_numbers(p, CURVE);
     double *low = take_numbers(p, CURVE), *high = take_numbers(p, CURVE);
@@ -158,6 +161,7 @@ static wcut_report_chart curve_chart(page *p, const law *l, const double *measur
              "The band contains the law with %g %% confidence at each Q_eff; a single cut may lie outside.",
              PERCENT * p->of->options->confidence);
     chart.note = note;
+
     return chart;
 }
 
@@ -187,6 +191,7 @@ static wcut_report_chart normal_chart(page *p, const law *l) {
     const int n = p->of->cuts;
     double *residual = take_numbers(p, n), *score = take_numbers(p, n);
     wcut_report_chart none = {.title = ""};
+
     if (p->memory.failed) return none;
 
     /* quantiles of as many normal draws */
@@ -203,6 +208,7 @@ static wcut_report_chart normal_chart(page *p, const law *l) {
     wcut_report_chart chart = chart_of_cuts(p, l, "Residuals against normal quantiles", "normal quantile", "", score,
                                             "residual, standardised", "", residual, &guide);
     chart.note = "In standard deviations of a cut; on the line if the scatter is normal.";
+
     return chart;
 }
 
@@ -228,6 +234,7 @@ static const char *remark(page *p, int i, const wcut_law_fit_point *at) {
 }
 
 static wcut_report_table cut_table(page *p, const law *l, const double *measured, const double *residual) {
+    /* arrays of the page */
     const int n = p->of->cuts;
     wcut_report_column *column = wcut_page_take(&p->memory, COLUMNS, sizeof *column);
     double *fitted = take_numbers(p, n), *standard = take_numbers(p, n), *leverage = take_numbers(p, n);
@@ -266,6 +273,7 @@ static wcut_report_table cut_table(page *p, const law *l, const double *measured
         "Residual: measured less fitted, over fitted; standardised: in standard deviations of a cut. Leverage: "
         "the cut's share in its own fitted value. Influence: by how many of its standard errors that value "
         "moves when the cut is left out.";
+
     return table;
 }
 
@@ -273,6 +281,7 @@ static const char *const parameter[3] = {"a", "b", "c"};
 
 /* standard errors and intervals */
 static wcut_report_table parameter_table(page *p, const law *l) {
+    /* values beside their standard errors and intervals */
     enum { ROWS = 4 };
     static const char *const unit[3] = {A_UNIT, B_UNIT, A_UNIT};
     const double value[3] = {l->fit->a, l->fit->b, l->fit->c};
@@ -296,6 +305,7 @@ static wcut_report_table parameter_table(page *p, const law *l) {
         column[1 + j] =
             (wcut_report_column){.label = parameter[j], .unit = unit[j], .number = number + (size_t)ROWS * (size_t)j};
     }
+
     return table;
 }
 
@@ -347,6 +357,7 @@ static char *section_note(page *p, const law *l) {
 }
 
 static void fill_calibrate_section(page *p, const law *l, wcut_report_section *section) {
+    /* arrays of the page */
     const int n = p->of->cuts;
     double *measured = take_numbers(p, n), *residual = take_numbers(p, n);
     wcut_report_chart *chart = wcut_page_take(&p->memory, CHARTS, sizeof *chart);
@@ -375,6 +386,7 @@ static void fill_calibrate_section(page *p, const law *l, wcut_report_section *s
     table[1] = correlation_table(p, l);
     table[2] = cut_table(p, l, measured, residual);
 
+    /* titles, charts and tables as one section */
     *section = (wcut_report_section){.title = l->title,
                                      .note = section_note(p, l),
                                      .chart_count = charts,
@@ -412,6 +424,7 @@ static int fill_sections(page *p, wcut_report_section *section) {
             of[k].point[i] = k ? &p->of->point[i].tension : &p->of->point[i].force;
         if (!p->memory.failed) fill_calibrate_section(p, &of[k], &section[count++]);
     }
+
     return count;
 }
 
@@ -464,6 +477,7 @@ static int fill_facts(page *p, wcut_report_fact *fact) {
     fact[n++] = (wcut_report_fact){"different heats", NULL, fit->heats, ""};
     fact[n++] = (wcut_report_fact){"different speeds", NULL, fit->speeds, ""};
     fact[n++] = (wcut_report_fact){"cuts with large angles", NULL, fit->large_angles, ""};
+
     return n;
 }
 
@@ -472,6 +486,8 @@ static wcut_status write_calibrate_page(page *p, int sections, const wcut_report
     static const char *const loss[] = {"least squares", "Huber", "Tukey's biweight"};
     const wcut_report_calibrate *of = p->of;
     const wcut_calibration_options *o = of->options;
+
+    /* verdict and facts stand at the top of the page */
     char verdict[512];
     wcut_report_fact fact[16];
     const int facts = fill_facts(p, fact);
@@ -502,6 +518,7 @@ static wcut_status write_calibrate_page(page *p, int sections, const wcut_report
                                 .source = &source,
                                 .option_count = sizeof option / sizeof *option,
                                 .option = option};
+
     return wcut_report_write(&report, path, error);
 }
 

@@ -42,6 +42,7 @@ static wcut_status check_facts(int count, const wcut_report_fact *fact, wcut_err
 }
 
 static wcut_status check_chart(const wcut_report_chart *chart, wcut_error *error) {
+    /* every chart has a title and two axes */
     if (!chart->title || !chart->x_label[0] || !chart->y_label) return bad(error, "chart", chart->title, "no label");
 
     /* the lists themselves */
@@ -72,10 +73,12 @@ static wcut_status check_chart(const wcut_report_chart *chart, wcut_error *error
         if (!a->label || !isfinite(a->from[0]) || !isfinite(a->to[0]) || !isfinite(a->from[1]) || !isfinite(a->to[1]))
             return bad(error, "chart", chart->title, "a span without label or ends");
     }
+
     return WCUT_OK;
 }
 
 static wcut_status check_map(const wcut_report_map *map, wcut_error *error) {
+    /* labels, and a size that the page can draw */
     if (!map->title || !map->x_label || !map->y_label || !map->label) return bad(error, "map", map->title, "no label");
     if (map->rows < 2 || map->columns < 2 || map->rows > CELLS / map->columns || !map->x || !map->y || !map->value)
         return bad(error, "map", map->title, "expected 2 x 2 to 1,000,000 cells");
@@ -99,6 +102,7 @@ static wcut_status check_map(const wcut_report_map *map, wcut_error *error) {
         if (!map->band_label[i] || map->band[i] >= map->rows ||
             (i ? map->band[i] <= map->band[i - 1] : map->band[0] != 0))
             return bad(error, "map", map->title, "bands whose rows do not increase from 0");
+
     return WCUT_OK;
 }
 
@@ -128,6 +132,7 @@ static wcut_status check_shape(const wcut_report_shape *shape, wcut_error *error
          shape->vertex_count / shape->rows != shape->columns || !shape->row_label || !shape->column_label))
         return bad(error, "shape", shape->name, "rows x columns are not the vertices, or have no labels");
 
+    /* triangles name vertices that are there */
     if (!is_list(shape->triangle_count, shape->triangle) || shape->triangle_count > INT_MAX / 3 ||
         (shape->rows && shape->triangle_count))
         return bad(error, "shape", shape->name, "triangles: none for a grid, at most 715827882");
@@ -146,6 +151,7 @@ static wcut_status check_shape(const wcut_report_shape *shape, wcut_error *error
         if (!isfinite(field->tolerance) || field->tolerance < 0)
             return bad(error, "field", field->label, "a tolerance that is not a length");
     }
+
     return WCUT_OK;
 }
 

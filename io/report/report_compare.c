@@ -124,9 +124,12 @@ static wcut_report_table figure_table(page *p) {
 /* ---- worst areas, zones ---- */
 
 static wcut_report_table worst_table(page *p) {
+    /* figures of an area, with their units */
     static const char *const label[] = {"x", "y", "z", "area", "mean", "peak", "volume", "points"};
     static const char *const unit[] = {"mm", "mm", "mm", "mm\xc2\xb2", "mm", "mm", "mm\xc2\xb3", ""};
     const wcut_deviation_summary_result *r = p->c->found;
+
+    /* a row for each area */
     for (int k = 0; k < r->worsts; k++) {
         const wcut_worst *w = &r->worst[k];
         const double figure[] = {w->place.x, w->place.y, w->place.z, w->area, w->mean, w->peak, w->volume, w->count};
@@ -134,6 +137,8 @@ static wcut_report_table worst_table(page *p) {
         p->worst_name[k] = p->worst_label[k];
         for (int f = 0; f < 8; f++) p->worst[f][k] = figure[f];
     }
+
+    /* names, then figures */
     p->worst_column[0] = (wcut_report_column){.label = "area", .text = p->worst_name};
     for (int f = 0; f < 8; f++) p->worst_column[f + 1] = (wcut_report_column){label[f], unit[f], p->worst[f], NULL};
     return (wcut_report_table){.title = "Worst areas",
@@ -186,10 +191,14 @@ static bool fill_stations(page *p) {
     const wcut_report_compare *c = p->of;
     const wcut_face *f = c->face;
     const int vertices = c->mesh->vertex_count, rows = f ? f->stations : 1;
+
+    /* one value for each vertex, missing where there are no points */
     p->value = wcut_page_take(&p->memory, (size_t)vertices, sizeof *p->value);
     p->station = wcut_page_take(&p->memory, 4 * (size_t)rows, sizeof *p->station);
     if (!p->value || !p->station) return false;
     for (int k = 0; k < vertices; k++) p->value[k] = c->present[k] ? c->value[k] : NAN;
+
+    /* the lines of the chart */
     p->mean = p->station + rows, p->low = p->mean + rows, p->high = p->low + rows;
 
     /* a row of the grid is a station */
@@ -204,6 +213,7 @@ static bool fill_stations(page *p) {
         p->station[s] = s;
         p->mean[s] = count ? sum / count : NAN, p->low[s] = count ? low : NAN, p->high[s] = count ? high : NAN;
     }
+
     return true;
 }
 
@@ -248,6 +258,8 @@ static int list_facts(const page *p, wcut_report_fact *fact) {
     if (f->inspector) fact[n++] = (wcut_report_fact){"inspector", f->inspector, 0, ""};
     if (f->instrument) fact[n++] = (wcut_report_fact){"instrument", f->instrument, 0, ""};
     if (f->date) fact[n++] = (wcut_report_fact){"date", f->date, 0, ""};
+
+    /* how many points, and how far they lie */
     fact[n++] = (wcut_report_fact){"deviations", NULL, r->statistics.count, ""};
     fact[n++] = (wcut_report_fact){"points outside", NULL, r->place[WCUT_PLACE_BEYOND], ""};
     fact[n++] = (wcut_report_fact){"RMS", NULL, r->statistics.rms, "mm"};
@@ -255,15 +267,20 @@ static int list_facts(const page *p, wcut_report_fact *fact) {
     fact[n++] = (wcut_report_fact){"face to scan, largest", NULL, f->face_to_scan->max, "mm"};
     fact[n++] = (wcut_report_fact){"constant offset", NULL, r->split.offset, "mm"};
     fact[n++] = (wcut_report_fact){"form, RMS", NULL, r->split.form_rms, "mm"};
+
+    /* the kerf that the scan shows, where a job states one */
     if (f->has_kerf) {
         fact[n++] = (wcut_report_fact){"kerf of the job", NULL, f->kerf, "mm"};
         fact[n++] = (wcut_report_fact){"kerf from the scan", NULL, f->kerf - 2 * r->split.offset, "mm"};
     }
     if (f->unmeasured >= 0) fact[n++] = (wcut_report_fact){"face without points", NULL, f->unmeasured, "mm\xc2\xb2"};
+
+    /* correlations exist where the job is known */
     if (!r->related) return n;
     fact[n++] = (wcut_report_fact){"correlation of |d| with time since entry", NULL, r->time.of_size, ""};
     fact[n++] = (wcut_report_fact){"correlation of |d| with curvature of the path", NULL, r->path.of_size, ""};
     fact[n++] = (wcut_report_fact){"correlation of |d| with curvature of the face", NULL, r->bend.of_size, ""};
+
     return n;
 }
 
@@ -272,6 +289,8 @@ static int list_facts(const page *p, wcut_report_fact *fact) {
 static int list_options(const page *p, wcut_report_fact *option) {
     static const char *const method[] = {"none", "datum", "fit"};
     const wcut_report_compare *of = p->of;
+
+    /* how the comparison was made */
     int n = 0;
     option[n++] = (wcut_report_fact){"distance", p->c->distance, 0, ""};
     option[n++] = (wcut_report_fact){"unit of the scan", of->unit, 0, ""};
@@ -291,6 +310,7 @@ static int list_options(const page *p, wcut_report_fact *option) {
         option[n++] = (wcut_report_fact){"outliers removed beyond deviations", NULL, clean->deviations, ""};
     if (clean && clean->voxel > 0) option[n++] = (wcut_report_fact){"scan thinned to", NULL, clean->voxel, "mm"};
     if (of->spacing > 0) option[n++] = (wcut_report_fact){"view thinned to", NULL, of->spacing, "mm"};
+
     return n;
 }
 
@@ -345,6 +365,7 @@ static wcut_status write_compare_page(page *p, const wcut_report_scene *scene, c
     if (c->reconstruction && !wcut_report_fill_reconstruction(&p->memory, c, &section[sections++]))
         return WCUT_NO_MEMORY;
 
+    /* sources: the reference, then every scan */
     wcut_report_fact fact[FACTS_MAX], option[FACTS_MAX];
     wcut_report_source *source = wcut_page_take(&p->memory, (size_t)c->scans + 1, sizeof *source);
     if (!source) return WCUT_NO_MEMORY;
@@ -352,6 +373,7 @@ static wcut_status write_compare_page(page *p, const wcut_report_scene *scene, c
     for (int k = 0; k < c->scans; k++)
         source[k + 1] = (wcut_report_source){"scan", c->scan[k].name, hash_of(&c->scan[k])};
 
+    /* verdict and facts stand at the top of the page */
     judge_compare(p);
     const wcut_report report = {.verb = "compare",
                                 .title = p->of->title ? p->of->title : c->reference,
@@ -366,6 +388,7 @@ static wcut_status write_compare_page(page *p, const wcut_report_scene *scene, c
                                 .source = source,
                                 .option_count = list_options(p, option),
                                 .option = option};
+
     return wcut_report_write(&report, path, error);
 }
 
@@ -401,6 +424,8 @@ static wcut_status write_scene(page *p, const char *path, wcut_error *error) {
     const wcut_report_field of_scan = {"deviation", "mm", WCUT_REPORT_SCALE_DIVERGING, tolerance, c->deviation};
     wcut_report_shape shape[3];
     int shapes = 0;
+
+    /* the face: a grid of stations, or the triangles of a mesh */
     shape[shapes++] = (wcut_report_shape){.name = "simulated face",
                                           .vertex_count = c->mesh->vertex_count,
                                           .vertex = c->mesh->vertex,
@@ -429,7 +454,10 @@ static wcut_status write_scene(page *p, const char *path, wcut_error *error) {
                                               .field = &of_mesh};
     }
 
+    /* worst areas are marked in the view */
     worst_table(p); /* names the marks */
+
+    /* the view, and the page around it */
     wcut_report_line line[LINES_MAX];
     const wcut_report_scene scene = {.title = "Deviation of the scan from the simulated face",
                                      .note = "Positive: material left above the face. Grey: no points there.",
@@ -438,6 +466,7 @@ static wcut_status write_scene(page *p, const char *path, wcut_error *error) {
                                      .shape = shape,
                                      .line_count = list_lines(p, line),
                                      .line = line};
+
     return write_compare_page(p, &scene, path, error);
 }
 

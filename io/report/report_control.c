@@ -43,10 +43,12 @@ static wcut_report_tone judge_control(page *p) {
         return WCUT_REPORT_TONE_PLAIN;
     }
 
+    /* within 5 % of the target is good */
     const bool good = fabs(with->steady.mean) <= 0.05;
     snprintf(p->verdict, sizeof p->verdict,
              "With feedback the mean tension of the steady phase is %.4g N, %.2g %% from the target of %.3g N; %s.",
              with->target * (1 + with->steady.mean), 100 * fabs(with->steady.mean), with->target, without);
+
     return good ? WCUT_REPORT_TONE_GOOD : WCUT_REPORT_TONE_WARNING;
 }
 
@@ -110,6 +112,7 @@ static void list_figures(const wcut_rig_run *run, double *to) {
 }
 
 static wcut_status write_control_page(page *p, const char *job_path, const char *path, wcut_error *error) {
+    /* names of the figures, in the order in which list_figures fills them */
     static const char *const figure[FIGURES] = {"duration",
                                                 "overshoot, whole cut",
                                                 "mean tension, steady phase",
@@ -119,6 +122,8 @@ static wcut_status write_control_page(page *p, const char *job_path, const char 
                                                 "largest error after the density step",
                                                 "settling within 5 % after it"};
     static const char *const unit[FIGURES] = {"s", "%", "N", "%", "%", "%", "%", "s"};
+
+    /* both runs, with what was recorded */
     const wcut_rig_run *with = p->s->feedback, *plan = p->s->plan;
     const wcut_column *c = with->recording.channel, *d = plan->recording.channel;
 
@@ -143,6 +148,7 @@ static wcut_status write_control_page(page *p, const char *job_path, const char 
     const wcut_report_series alpha[] = {rig_series(with, "with feedback", WCUT_REPORT_MARK_LINE, p->alpha[0]),
                                         rig_series(plan, "plan alone", WCUT_REPORT_MARK_DASHED, p->alpha[1])};
 
+    /* phases are shaded in every chart */
     const wcut_report_chart charts[] = {
         control_chart("Tension, mean of both mounts", "The wire's own, without sensor noise.", "tension", "N", 3,
                       tension, spans, span),
@@ -202,6 +208,7 @@ static wcut_status write_control_page(page *p, const char *job_path, const char 
                                 .source = &source,
                                 .option_count = sizeof option / sizeof *option,
                                 .option = option};
+
     return wcut_report_write(&report, path, error);
 }
 
@@ -227,9 +234,11 @@ wcut_status wcut_report_control_write(const wcut_rig_summary *summary, const cha
     wcut_status status = p.target && p.alpha[0] && p.alpha[1] ? WCUT_OK : WCUT_NO_MEMORY;
     for (int i = 0; !status && i < samples; i++) p.target[i] = summary->control->tension;
 
+    /* the page names the job with its hash */
     if (!status) status = wcut_source_hash(job_path, p.hash, error);
 
     if (!status) status = write_control_page(&p, job_path, path, error);
+
     free(p.target);
     free(p.alpha[0]);
     free(p.alpha[1]);

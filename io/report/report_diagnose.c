@@ -92,6 +92,8 @@ static wcut_report_table effect_table(page *p) {
     /* a row for each parameter of each effect, three for a vector */
     for (int e = 0; e < d->effects; e++) {
         const wcut_found_effect *f = &d->effect[e];
+
+        /* a vector has a row for each component */
         for (const wcut_effect_parameter *q = wcut_effect_view(f->effect.kind)->parameter; q->key; q++)
             for (int k = 0; k < q->size; k++) {
                 const int r = table.rows++;
@@ -106,11 +108,14 @@ static wcut_report_table effect_table(page *p) {
                 high[r] = estimated ? number_words(p, estimate->high) : NULL;
             }
     }
+
     return table;
 }
 
 static wcut_report_table base_table(page *p) {
     const wcut_diagnosis *d = p->d;
+
+    /* values of the jobs and those of the fit */
     const struct {
         const char *name;
         double job;
@@ -120,6 +125,8 @@ static wcut_report_table base_table(page *p) {
                {"wire's length, change [mm]", 0, &d->length_change},
                {"constant kerf that the scans show [mm]", NAN, &d->kerf}};
     enum { ROWS = sizeof row / sizeof *row };
+
+    /* columns: name, value of the job, value found, its interval */
     wcut_report_column *c = columns(p, 5);
     wcut_report_table table = {.title = "Recalibrated", .columns = 5, .column = c};
     table.note = "Recalibrated before effects are fitted, one value for all cuts. These are not effects.";
@@ -137,6 +144,7 @@ static wcut_report_table base_table(page *p) {
     }
 
     table.rows = ROWS;
+
     return table;
 }
 
@@ -221,19 +229,25 @@ static wcut_report_table fit_table(page *p, const char *title, const char *note,
                           : NULL;
         table.rows++;
     }
+
     return table;
 }
 
 static bool fill_worth(page *p, wcut_report_section *section) {
+    /* what the two figures see */
     const wcut_diagnosis *d = p->d;
     static const char *const bias = "Includes a bias.";
     static const char *const blind = "RMSD over range: does not see a bias.";
+
+    /* held-out cuts first, then all; each with and without a bias */
     wcut_report_table *table = wcut_page_take(&p->memory, 4, sizeof *table);
     if (!table) return false;
     table[0] = fit_table(p, "Held-out cuts: RMSE over range", bias, d->held_out_score, true);
     table[1] = fit_table(p, "Held-out cuts: NRMSD", blind, d->held_out_score, false);
     table[2] = fit_table(p, "All cuts, all fitted: RMSE over range", bias, d->score, true);
     table[3] = fit_table(p, "All cuts, all fitted: NRMSD", blind, d->score, false);
+
+    /* leading tables without rows are not shown */
     int first = 0;
     while (first < 4 && table[first].rows == 0) first++;
     if (first == 4) return false;
@@ -244,6 +258,7 @@ static bool fill_worth(page *p, wcut_report_section *section) {
                                          "black box is a regression of the recalibrated residuals without physics.",
                                      .table_count = 4 - first,
                                      .table = table + first};
+
     return !p->memory.failed;
 }
 
@@ -251,6 +266,8 @@ static bool fill_worth(page *p, wcut_report_section *section) {
 
 static wcut_report_table ranking_table(page *p) {
     const wcut_diagnosis *d = p->d;
+
+    /* columns: name, five figures, the reason */
     const int rows = d->hypotheses;
     wcut_report_column *c = columns(p, 7);
     wcut_report_table table = {.title = "All hypotheses, best first", .columns = 7, .column = c};
@@ -264,6 +281,8 @@ static wcut_report_table ranking_table(page *p) {
     for (int k = 0; k < 5; k++) number[k] = numbers(p, &c[k + 1], label[k], k == 4 ? "%" : "", rows);
     const char **why = texts(p, &c[6], "not chosen because", rows);
     if (p->memory.failed) return table;
+
+    /* a row for each hypothesis */
     for (int r = 0; r < rows; r++) {
         const wcut_hypothesis *h = &d->hypothesis[r];
         name[r] = hypothesis_words(p, h);
@@ -272,11 +291,14 @@ static wcut_report_table ranking_table(page *p) {
         why[r] = h->why && h->why[0] ? h->why : "chosen";
     }
     table.rows = rows;
+
     return table;
 }
 
 static wcut_report_table dependence_table(page *p) {
     const wcut_diagnosis *d = p->d;
+
+    /* columns: quantity, where it shows, coefficient with interval, gain */
     const int rows = d->dependences;
     wcut_report_column *c = columns(p, 6);
     wcut_report_table table = {.title = "What the residual depends on", .columns = 6, .column = c};
@@ -289,6 +311,8 @@ static wcut_report_table dependence_table(page *p) {
                **high = texts(p, &c[4], "to", rows);
     double *gain = numbers(p, &c[5], "held-out gain", "", rows);
     if (p->memory.failed) return table;
+
+    /* a row for each quantity */
     for (int r = 0; r < rows; r++) {
         const wcut_dependence *x = &d->dependence[r];
         quantity[r] = x->quantity, channel[r] = wcut_evidence_name(x->channel);
@@ -296,6 +320,7 @@ static wcut_report_table dependence_table(page *p) {
         high[r] = number_words(p, x->coefficient.high), gain[r] = shown(x->gain);
     }
     table.rows = rows;
+
     return table;
 }
 
@@ -348,12 +373,14 @@ static bool fill_where(page *p, wcut_report_section *section) {
         share[r] = shown(100 * m->share), p_value[r] = shown(m->p_value), regime[r] = m->regime;
     }
 
+    /* one table, one section */
     *table = (wcut_report_table){.title = "Where model and measurement differ by more than noise, after recalibration",
                                  .note = "p-values are corrected for the search.",
                                  .rows = rows,
                                  .columns = 12,
                                  .column = c};
     *section = (wcut_report_section){.title = "Where", .table_count = 1, .table = table};
+
     return !p->memory.failed;
 }
 
@@ -383,10 +410,14 @@ static double improvement(const wcut_diagnosis *d) {
 static wcut_status write_diagnose_page(page *p, int sections, const wcut_report_section *section, const char *path,
                                        wcut_error *error) {
     const wcut_diagnosis *d = p->d;
+
+    /* how many cuts were held out */
     int held = 0;
     for (int i = 0; d->held_out && i < d->cuts; i++) held += d->held_out[i];
     char cuts[60];
     snprintf(cuts, sizeof cuts, "%d in all, %d held out", d->cuts, held);
+
+    /* the answer in numbers */
     const wcut_report_fact fact[] = {{"verdict", wcut_verdict_name(d->kind), 0, ""},
                                      {"confidence that it is exactly right", NULL, 100 * d->confidence, "%"},
                                      {"cuts", cuts, 0, ""},
@@ -394,6 +425,7 @@ static wcut_status write_diagnose_page(page *p, int sections, const wcut_report_
                                      {"remaining misfit over that of noise alone", NULL, shown(d->adequacy), ""},
                                      {"p-value of this misfit", NULL, shown(d->adequacy_p), ""},
                                      {"plain least squares would name", d->naive, 0, ""}};
+
     const wcut_report report = {.verb = "diagnose",
                                 .title = p->of->title,
                                 .tone = tone_of(d),
@@ -408,6 +440,7 @@ static wcut_status write_diagnose_page(page *p, int sections, const wcut_report_
                                 .source = p->of->source,
                                 .option_count = p->of->options,
                                 .option = p->of->option};
+
     return wcut_report_write(&report, path, error);
 }
 
@@ -415,9 +448,12 @@ wcut_status wcut_report_diagnose_write(const wcut_report_diagnose *diagnosed, co
     if (!diagnosed || !diagnosed->diagnosis || !path)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "report page: an argument is missing");
     page p = {.of = diagnosed, .d = diagnosed->diagnosis};
+
+    /* sections in the order of the reader's questions: what next, what was found, what it is worth */
     int count = 0;
     wcut_report_section *section = wcut_page_take(&p.memory, SECTIONS_BESIDE_CUTS + (size_t)p.d->cuts, sizeof *section);
     if (section) {
+        /* the view in space, if there is a surface */
         wcut_report_block_fill(&p.memory, diagnosed, &p.scene);
         count += wcut_report_next_fill(&p.memory, diagnosed, &section[count]);
         count += wcut_report_channels_fill(&p.memory, diagnosed, &section[count]);
@@ -427,9 +463,12 @@ wcut_status wcut_report_diagnose_write(const wcut_report_diagnose *diagnosed, co
         count += fill_weighed(&p, &section[count]);
         count += fill_where(&p, &section[count]);
     }
+
+    /* the residuals of every cut */
     for (int cut = 0; section && cut < p.d->cuts; cut++)
         count += wcut_report_residuals_fill(&p.memory, diagnosed, cut, &section[count]);
     const wcut_status status = p.memory.failed ? WCUT_NO_MEMORY : write_diagnose_page(&p, count, section, path, error);
+
     wcut_page_free(&p.memory);
     return status;
 }

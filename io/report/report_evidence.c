@@ -109,6 +109,7 @@ static void name_bands(wcut_page_memory *memory, const grid *g, wcut_report_map 
 
 /* a row of the table for the rows of a channel: which, of which cuts in this order, their noise */
 static wcut_report_table row_table(wcut_page_memory *memory, const wcut_report_diagnose *of, const grid *g) {
+    /* columns of text */
     wcut_report_column *column = wcut_page_take(memory, 4, sizeof *column);
     const char **text[4];
     for (int k = 0; k < 4; k++) text[k] = wcut_page_take(memory, (size_t)g->rows, sizeof *text[k]);
@@ -131,8 +132,10 @@ static wcut_report_table row_table(wcut_page_memory *memory, const wcut_report_d
         text[3][r] = wcut_page_text(memory, "%.2g .. %.2g %s", min, max, wcut_evidence_unit(first->channel));
     }
 
+    /* columns of text */
     static const char *const label[4] = {"rows", "channel", "cuts, in this order", "noise of a bin"};
     for (int k = 0; k < 4; k++) column[k] = (wcut_report_column){.label = label[k], .text = text[k]};
+
     return table;
 }
 
@@ -144,10 +147,13 @@ bool wcut_report_evidence_fill(wcut_page_memory *memory, const wcut_report_diagn
     wcut_report_map *map = wcut_page_take(memory, MODELS, sizeof *map);
     wcut_report_table *table = wcut_page_take(memory, 1, sizeof *table);
     double *value[MODELS];
+
+    /* values of each map on the grid */
     for (int m = 0; m < MODELS; m++) value[m] = fill_evidence_map(memory, &g, m);
     if (memory->failed) return false;
     const double limit = common_limit(memory, &g, value[1]);
 
+    /* the maps differ in title and values alone */
     for (int m = 0; m < MODELS; m++) {
         map[m] = (wcut_report_map){.title = model_title[m],
                                    .x_label = "time",
@@ -167,6 +173,7 @@ bool wcut_report_evidence_fill(wcut_page_memory *memory, const wcut_report_diagn
         name_bands(memory, &g, &map[m]);
     }
 
+    /* the table names the rows of the maps */
     table[0] = row_table(memory, of, &g);
     *section =
         (wcut_report_section){.title = "Evidence",
@@ -178,6 +185,7 @@ bool wcut_report_evidence_fill(wcut_page_memory *memory, const wcut_report_diagn
                               .map = map,
                               .table_count = 1,
                               .table = table};
+
     return !memory->failed;
 }
 
@@ -231,6 +239,7 @@ static void fill_evidence_chart(wcut_page_memory *memory, const wcut_report_diag
     }
     if (count > 0 && t->noise > 0) series[count - 1].low = low, series[count - 1].high = high;
 
+    /* intervals of mismatch are shaded */
     const int spans = list_spans(memory, of->diagnosis, t, span);
     *chart = (wcut_report_chart){.title = t->column,
                                  .x_label = {"time", "station"},
@@ -246,12 +255,16 @@ static void fill_evidence_chart(wcut_page_memory *memory, const wcut_report_diag
 bool wcut_report_residuals_fill(wcut_page_memory *memory, const wcut_report_diagnose *of, int cut,
                                 wcut_report_section *section) {
     const wcut_diagnosis *d = of->diagnosis;
+
+    /* a chart for each channel of the cut */
     wcut_report_chart *chart = wcut_page_take(memory, (size_t)d->traces, sizeof *chart);
     int charts = 0;
     for (int i = 0; chart && i < d->traces; i++)
         if (d->trace[i].cut == cut && d->trace[i].count > 1)
             fill_evidence_chart(memory, of, &d->trace[i], &chart[charts++]);
     if (memory->failed || charts == 0) return false;
+
+    /* a note says whether the cut was held out, and what is shaded */
     *section =
         (wcut_report_section){.title = wcut_page_text(memory, "Residuals, %s", of->cut_name[cut]),
                               .note = d->held_out && d->held_out[cut]
@@ -261,5 +274,6 @@ bool wcut_report_residuals_fill(wcut_page_memory *memory, const wcut_report_diag
                                             "intervals of mismatch are shaded.",
                               .chart_count = charts,
                               .chart = chart};
+
     return !memory->failed;
 }

@@ -18,6 +18,8 @@ static const double *simulated(wcut_page_memory *memory, const wcut_residual_tra
 static int list_windows(wcut_page_memory *memory, const wcut_diagnosis *d, const wcut_residual_trace *t,
                         wcut_report_span *span) {
     int count = 0;
+
+    /* events of this cut */
     for (int k = 0; k < d->modelled.events && count < WINDOWS; k++) {
         const wcut_event *e = &d->modelled.event[k];
         if (e->cut != t->cut) continue;
@@ -25,6 +27,8 @@ static int list_windows(wcut_page_memory *memory, const wcut_diagnosis *d, const
                                            .from = {e->time[0], e->station[0]},
                                            .to = {e->time[1], e->station[1]}};
     }
+
+    /* the worst mismatch of this channel */
     for (int k = 0; k < d->mismatches && count < WINDOWS; k++) {
         const wcut_mismatch *m = &d->mismatch[k];
         if (m->cut != t->cut || strcmp(m->column, t->column) != 0 || !isfinite(m->time[0] + m->time[1])) continue;
@@ -33,6 +37,7 @@ static int list_windows(wcut_page_memory *memory, const wcut_diagnosis *d, const
                                            .to = {m->time[1], m->station[1]}};
         break; /* the worst one alone */
     }
+
     return count;
 }
 
@@ -41,11 +46,17 @@ static void fill_chart(wcut_page_memory *memory, const wcut_report_diagnose *of,
     static const char *const label[SERIES] = {"measured", "simulated before", "recalibrated", "after"};
     static const wcut_report_mark mark[SERIES] = {WCUT_REPORT_MARK_POINTS, WCUT_REPORT_MARK_DASHED,
                                                   WCUT_REPORT_MARK_LINE, WCUT_REPORT_MARK_LINE};
+
+    /* measured values as points, simulated ones as lines */
     const double *value[SERIES] = {t->measured, simulated(memory, t, t->before), simulated(memory, t, t->recalibrated),
                                    simulated(memory, t, t->after)};
+
+    /* arrays of the page */
     wcut_report_series *series = wcut_page_take(memory, SERIES, sizeof *series);
     wcut_report_span *span = wcut_page_take(memory, WINDOWS, sizeof *span);
     int count = 0;
+
+    /* models that were not run have no line */
     for (int m = 0; series && m < SERIES; m++) {
         if (!value[m]) continue;
         series[count] =
@@ -53,6 +64,8 @@ static void fill_chart(wcut_page_memory *memory, const wcut_report_diagnose *of,
         count++;
     }
     if (memory->failed) return;
+
+    /* measured and simulated over time, with the windows that were left out */
     *chart = (wcut_report_chart){.title = wcut_page_text(memory, "%s, %s", t->column, of->cut_name[t->cut]),
                                  .x_label = {"time"},
                                  .x_unit = {"s"},
@@ -72,17 +85,25 @@ static bool is_drawn(const wcut_residual_trace *t, int cut, const char *worst) {
 
 bool wcut_report_channels_fill(wcut_page_memory *memory, const wcut_report_diagnose *of, wcut_report_section *section) {
     const wcut_diagnosis *d = of->diagnosis;
+
+    /* room for all traces, though few are drawn */
     wcut_report_chart *chart = wcut_page_take(memory, (size_t)d->traces + 1, sizeof *chart);
+
+    /* the channel and the cut of the worst misfit, and another cut, held out if there is one */
     const char *column = d->mismatches > 0 ? d->mismatch[0].column : "";
     const int worst = d->mismatches > 0 ? d->mismatch[0].cut : 0;
     int other = -1, count = 0;
     for (int k = 0; d->held_out && k < d->cuts && other < 0; k++)
         if (k != worst && d->held_out[k]) other = k;
+
+    /* all channels of the first, then of the second */
     for (int pass = 0; chart && pass < 2; pass++)
         for (int i = 0; i < d->traces; i++)
             if (is_drawn(&d->trace[i], pass ? other : worst, column))
                 fill_chart(memory, of, &d->trace[i], &chart[count++]);
     if (memory->failed || count == 0) return false;
+
+    /* what the reader sees, and by which models */
     *section = (wcut_report_section){
         .title = "Channels, measured and simulated",
         .note =
@@ -90,20 +111,24 @@ bool wcut_report_channels_fill(wcut_page_memory *memory, const wcut_report_diagn
             "wire's length; after: with what was found. Means over half a second.",
         .chart_count = count,
         .chart = chart};
+
     return true;
 }
 
 /* ---- what to do next ---- */
 
 static const char *next_action(wcut_page_memory *memory, const wcut_found_effect *f) {
+    /* which sensor or place is meant */
     const wcut_effect_info *info = wcut_effect_view(f->effect.kind);
     const char *which = info->choice ? info->choice[f->effect.choice] : "";
     switch (f->effect.kind) {
         case WCUT_EFFECT_TENSION_GAIN:
         case WCUT_EFFECT_TENSION_DRIFT:
+            /* a sensor's gain and drift show under a known weight */
             return wcut_page_text(memory, "Check tension sensor %s: hang a known weight on it, before and after a cut.",
                                   which);
         case WCUT_EFFECT_ANGLE_OFFSET:
+            /* an encoder's zero shows on a straight wire */
             return wcut_page_text(memory, "Set the zero of the encoder %s: with a straight wire it must read 0.",
                                   which);
         case WCUT_EFFECT_CLOCK_OFFSET:
@@ -115,6 +140,7 @@ static const char *next_action(wcut_page_memory *memory, const wcut_found_effect
             return "Clean or change the wire, and cut the first job again: the force must be back.";
         case WCUT_EFFECT_FOAM_INCLUSION:
         case WCUT_EFFECT_FOAM_DENSITY_GRADIENT:
+            /* a fault of the foam stays with the block */
             return "Weigh or probe the block where the force differs, or turn the next block round: the place must "
                    "turn with it.";
         case WCUT_EFFECT_MOUNT_COMPLIANCE:
@@ -122,6 +148,7 @@ static const char *next_action(wcut_page_memory *memory, const wcut_found_effect
         case WCUT_EFFECT_BLOCK_SPRINGBACK:
             return "Measure the block clamped and unclamped, and clamp it as it will be used.";
         default:
+            /* everything else is known well enough to be planned with */
             return wcut_page_text(memory, "Put %s into the jobs (wirecut apply): the simulation then plans with it.",
                                   info->name);
     }
@@ -129,15 +156,20 @@ static const char *next_action(wcut_page_memory *memory, const wcut_found_effect
 
 /* the steps that a verdict asks for; gives how many */
 static int list_steps(wcut_page_memory *memory, const wcut_diagnosis *d, const char **step) {
+    /* what each named effect asks for */
     int count = 0;
     for (int e = 0; e < d->effects && d->kind != WCUT_VERDICT_AMBIGUOUS; e++)
         if (d->effect[e].present && count < 4) step[count++] = next_action(memory, &d->effect[e]);
+
+    /* events: ask what happened then */
     for (int e = 0; e < d->modelled.events && e < 3; e++)
         step[count++] =
             wcut_page_text(memory,
                            "Look up what happened in cut %d from %.0f to %.0f s: supply of the heater, "
                            "lumps on the wire, a hand on the machine.",
                            d->modelled.event[e].cut + 1, d->modelled.event[e].time[0], d->modelled.event[e].time[1]);
+
+    /* terms, alternatives, and an unknown cause */
     if (d->modelled.terms > 0)
         step[count++] =
             "Look for the cause of what the sentence above describes. Until it is known, plan with the term: it "
@@ -148,9 +180,12 @@ static int list_steps(wcut_page_memory *memory, const wcut_diagnosis *d, const c
         step[count++] =
             "Do not recalibrate by these cuts. Make identification cuts (wirecut identify) of the same job, record "
             "the heater's volts and amperes, and diagnose again.";
+
+    /* nothing found, and the correction */
     if (d->kind == WCUT_VERDICT_NONE) step[count++] = "Accept: nothing is wrong beyond noise.";
     if (!d->withheld[0])
         step[count++] = "Recalibrate: put the correction into the jobs of this foam, wire and machine (wirecut apply).";
+
     return count;
 }
 

@@ -98,6 +98,7 @@ static void put_facts(document *d, json_t *object, const char *key, int count, c
 }
 
 static void put_series(document *d, json_t *item, const wcut_report_series *series) {
+    /* a long series is thinned: room for the indices that are kept */
     static const char *const mark[] = {"line", "dashed", "points"};
     int max = series->count < WCUT_REPORT_POINTS ? series->count : WCUT_REPORT_POINTS;
     int *index = wcut_alloc((size_t)max, sizeof *index);
@@ -175,6 +176,7 @@ static void put_map(document *d, json_t *item, const wcut_report_map *map) {
     put_json_array(d, item, "value", wcut_report_pool_add_floats(d->pool, map->rows * map->columns, NULL, map->value));
     put_member(d, item, "blank_missing", json_boolean(map->blank_missing));
 
+    /* bands join the rows of one channel */
     json_t *bands = put_list(d, item, "bands");
     for (int i = 0; i < map->bands; i++) {
         json_t *band = append_object(d, bands);
@@ -251,6 +253,7 @@ static void put_json_shape(document *d, json_t *item, const wcut_report_shape *s
     json_t *fields = put_list(d, item, "fields");
     for (int f = 0; f < shape->field_count; f++)
         put_json_field(d, append_object(d, fields), shape, &view, &shape->field[f]);
+
     free(view.index);
 }
 
@@ -319,5 +322,6 @@ json_t *wcut_report_json(const wcut_report *report, wcut_report_pool *pool) {
         json_decref(root);
         return NULL;
     }
+
     return root;
 }

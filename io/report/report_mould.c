@@ -39,6 +39,8 @@ static wcut_status fill_drafts(page *p) {
 static wcut_report_tone judge_mould(page *p) {
     const wcut_mould *m = p->mould;
     const wcut_half_report *a = &m->lower.report, *b = &m->upper.report;
+
+    /* how far the cut was continued straight at most */
     const double prolonged = fmax(m->prolonged_entry, fmax(m->prolonged_exit, m->prolonged_side));
     const char *halves = "Two closed solids, free of self-intersections, whose volumes add up to the block";
 
@@ -53,22 +55,28 @@ static wcut_report_tone judge_mould(page *p) {
                  halves, a->undercut_area, b->undercut_area);
         return WCUT_REPORT_TONE_WARNING;
     }
+
+    /* a radius below the wire's own cannot have been cut */
     if (m->radius_min < m->wire_radius) {
         snprintf(p->verdict, sizeof p->verdict, "%s, but the cut has a radius of %.3g mm, smaller than the wire's.",
                  halves, m->radius_min);
         return WCUT_REPORT_TONE_WARNING;
     }
+
+    /* what was added beyond the cut is told, but no fault */
     if (prolonged > 0) {
         snprintf(p->verdict, sizeof p->verdict,
                  "%s. The cut ends inside it and was continued straight by up to %.3g mm.", halves, prolonged);
         return WCUT_REPORT_TONE_PLAIN;
     }
     snprintf(p->verdict, sizeof p->verdict, "%s.", halves);
+
     return WCUT_REPORT_TONE_GOOD;
 }
 
 /* figures of both halves side by side */
 static wcut_report_table table_of_halves(const page *p, double number[2][ROWS], wcut_report_column column[4]) {
+    /* rows in the order of the values below */
     static const char *const what[ROWS] = {"volume",      "skin",          "cut face",       "undercut",  "least draft",
                                            "least wall",  "sharpest edge", "keys",           "triangles", "pieces",
                                            "exact faces", "height, least", "height, largest"};
@@ -95,6 +103,7 @@ static wcut_report_table table_of_halves(const page *p, double number[2][ROWS], 
         for (int i = 0; i < ROWS; i++) number[k][i] = value[i];
     }
 
+    /* names, units, and a column for each half */
     column[0] = (wcut_report_column){.label = "figure", .text = what};
     column[1] = (wcut_report_column){.label = "unit", .text = unit};
     column[2] = (wcut_report_column){.label = "lower half", .number = number[0]};
@@ -158,6 +167,7 @@ static wcut_status write_mould_page(page *p, const wcut_report_scene *scene, con
     for (int k = 0; k < 3; k++)
         if (k == 0 || from[k].name) source[sources++] = from[k];
 
+    /* the whole page */
     const wcut_report report = {.verb = "mould",
                                 .title = job->name ? job->name : p->run->job_path,
                                 .tone = judge_mould(p),
@@ -171,6 +181,7 @@ static wcut_status write_mould_page(page *p, const wcut_report_scene *scene, con
                                 .source = source,
                                 .option_count = sizeof option / sizeof *option,
                                 .option = option};
+
     return wcut_report_write(&report, path, error);
 }
 
@@ -212,6 +223,7 @@ wcut_status wcut_report_mould_write(const wcut_report_mould *run, const wcut_job
             .shape_count = 2,
             .shape = shape};
 
+        /* the page around the view */
         status = write_mould_page(&p, &scene, path, error);
     }
 

@@ -28,13 +28,18 @@ static wcut_report_table point_table(wcut_page_memory *m, const wcut_compared *c
                                        "outside, beyond its border",
                                        "with two equally near places"};
     enum { ROWS = WCUT_REMOVAL_COUNT + WCUT_PLACE_COUNT };
+
+    /* counts of the cleaning, then of the comparison */
     double *count;
     wcut_report_column *column = take_report_columns(m, 1, ROWS, &count);
     if (!column) return (wcut_report_table){0};
     for (int k = 0; k < WCUT_REMOVAL_COUNT; k++) count[k] = c->removed[k];
     for (int k = 0; k < WCUT_PLACE_COUNT; k++) count[WCUT_REMOVAL_COUNT + k] = c->found->place[k];
+
+    /* two columns: what happened to the points, and how many */
     column[0] = (wcut_report_column){.label = "points", .text = name};
     column[1].label = "count";
+
     return (wcut_report_table){.title = "Use of the points", .rows = ROWS, .columns = 2, .column = column};
 }
 
@@ -47,6 +52,8 @@ static wcut_report_table motion_table(wcut_page_memory *m, const wcut_registrati
     static const char *const label[] = {"value", "standard error"};
     static const char *const known[] = {"mm", "deg"}, *const unknown[] = {"mm, not determined by the data",
                                                                           "deg, not determined by the data"};
+
+    /* units, which also say what the data did not determine */
     double *number;
     wcut_report_column *column = take_report_columns(m, 3, WCUT_DOF_COUNT, &number);
     const char **unit = wcut_page_take(m, WCUT_DOF_COUNT, sizeof *unit);
@@ -60,6 +67,7 @@ static wcut_report_table motion_table(wcut_page_memory *m, const wcut_registrati
         unit[k] = (r->determined[k] ? known : unknown)[k >= 3];
     }
 
+    /* names, values with their errors, units */
     column[0] = (wcut_report_column){.label = "parameter", .text = name};
     for (int k = 0; k < 2; k++) column[k + 1].label = label[k];
     column[3] = (wcut_report_column){.label = "unit", .text = unit};
@@ -106,7 +114,10 @@ static wcut_report_table matrix_table(wcut_page_memory *m, const wcut_registrati
 }
 
 static wcut_report_table datum_table(wcut_page_memory *m, const wcut_compared *c) {
+    /* columns: place, offset and distance of each datum */
     static const char *const label[] = {"x", "y", "z", "dx", "dy", "dz", "distance"};
+
+    /* a row for each datum */
     double *number;
     wcut_report_column *column = take_report_columns(m, 7, c->datums, &number);
     const char **name = wcut_page_take(m, (size_t)c->datums, sizeof *name);
@@ -133,6 +144,7 @@ static wcut_report_table datum_table(wcut_page_memory *m, const wcut_compared *c
 }
 
 bool wcut_report_fill_registration(wcut_page_memory *m, const wcut_compared *c, wcut_report_section *section) {
+    /* the points are told even where nothing was moved */
     const wcut_registration *r = c->registration;
     const bool moved = r->method != WCUT_REGISTRATION_METHOD_NONE;
     wcut_report_table *table = wcut_page_take(m, 5, sizeof *table);
@@ -154,17 +166,20 @@ bool wcut_report_fill_registration(wcut_page_memory *m, const wcut_compared *c, 
                        r->converged ? "" : " The fit stopped before it had converged.");
     section->table_count = 4;
     if (c->datums > 0) table[section->table_count++] = datum_table(m, c);
+
     return !m->failed;
 }
 
 /* ---- reconstruction ---- */
 
 static wcut_report_table both_table(wcut_page_memory *m, const wcut_compared *c) {
+    /* figures of both directions side by side */
     static const char *const name[] = {
         "vertices",       "mean",   "median",  "standard deviation", "root mean square", "mean size", "1 % are below",
         "99 % are below", "lowest", "highest", "largest (Hausdorff)"};
     static const char *const unit[] = {"", "mm", "mm", "mm", "mm", "mm", "mm", "mm", "mm", "mm", "mm"};
     enum { ROWS = sizeof name / sizeof *name };
+
     const wcut_statistics *const side[] = {c->to_face, c->to_scan};
     double *number;
     wcut_report_column *column = take_report_columns(m, 3, ROWS, &number);
@@ -178,6 +193,7 @@ static wcut_report_table both_table(wcut_page_memory *m, const wcut_compared *c)
         for (int f = 0; f < ROWS; f++) number[k * ROWS + f] = figure[f];
     }
 
+    /* names, one column for each direction, units */
     column[0] = (wcut_report_column){.label = "figure", .text = name};
     column[1].label = "scan to face", column[2].label = "face to scan";
     column[3] = (wcut_report_column){.label = "unit", .text = unit};
@@ -190,8 +206,10 @@ static wcut_report_table both_table(wcut_page_memory *m, const wcut_compared *c)
 }
 
 static wcut_report_table hole_table(wcut_page_memory *m, const wcut_reconstruction *r) {
+    /* columns: where, and how large */
     static const char *const label[] = {"x", "y", "z", "area"};
     static const char *const unit[] = {"mm", "mm", "mm", "mm\xc2\xb2"};
+
     const int rows = r->hole_count < HOLES_MAX ? r->hole_count : HOLES_MAX;
     double *number;
     wcut_report_column *column = take_report_columns(m, 4, rows, &number);
@@ -206,6 +224,7 @@ static wcut_report_table hole_table(wcut_page_memory *m, const wcut_reconstructi
         kind[k] = h->open ? "at the border" : "within the scan";
     }
 
+    /* where a hole is, its centre and its area */
     column[0] = (wcut_report_column){.label = "where", .text = kind};
     for (int f = 0; f < 4; f++) column[f + 1].label = label[f], column[f + 1].unit = unit[f];
     return (wcut_report_table){.title = "Holes in the scan",

@@ -50,6 +50,7 @@ static double or_dash(bool there, double value) { return there ? value : NAN; }
 
 /* a table of scores: a row a channel, the phases' NRMSD at the end */
 static wcut_report_table channel_table(page *p, const char *title, const char *note, const wcut_scores *scores) {
+    /* columns: channel, unit, figures */
     static const char *const label[FIGURES] = {"RMSD",        "NRMSD",       "RMSE / range", "bias",
                                                "correlation", "entry NRMSD", "steady NRMSD", "exit NRMSD"};
     wcut_report_column *column = wcut_page_take(&p->memory, FIGURES + 2, sizeof *column);
@@ -77,10 +78,12 @@ static wcut_report_table channel_table(page *p, const char *title, const char *n
         table.rows++;
     }
 
+    /* names and units, then the figures */
     column[0] = (wcut_report_column){.label = "channel", .text = name};
     column[1] = (wcut_report_column){.label = "unit", .text = unit};
     for (int f = 0; f < FIGURES; f++)
         column[f + 2] = (wcut_report_column){.label = label[f], .number = number + (size_t)f * WCUT_SCORED_COUNT};
+
     return table;
 }
 
@@ -100,6 +103,8 @@ enum { BY_GROUP = sizeof by_group / sizeof *by_group };
 
 static wcut_report_table group_table(page *p, const char *title, const char *note, bool with_bias) {
     const wcut_report_score *of = p->of;
+
+    /* a row for each case or cut */
     wcut_report_column *column = wcut_page_take(&p->memory, BY_GROUP + 1, sizeof *column);
     double *number = wcut_page_take(&p->memory, (size_t)BY_GROUP * (size_t)of->groups, sizeof *number);
     wcut_report_table table = {
@@ -117,12 +122,15 @@ static wcut_report_table group_table(page *p, const char *title, const char *not
         }
         column[c + 1] = (wcut_report_column){.label = by_group[c].label, .number = to};
     }
+
     return table;
 }
 
 /* cuts that could not be scored, and samples that were not predicted */
 static wcut_report_table trouble_table(page *p) {
     const wcut_report_score *of = p->of;
+
+    /* columns: cut and reason */
     wcut_report_column *column = wcut_page_take(&p->memory, 2, sizeof *column);
     const char **name = wcut_page_take(&p->memory, (size_t)of->cuts, sizeof *name),
                **text = wcut_page_take(&p->memory, (size_t)of->cuts, sizeof *text);
@@ -132,6 +140,8 @@ static wcut_report_table trouble_table(page *p) {
     /* only the cuts of which something is missing */
     for (int i = 0; i < of->cuts; i++) {
         const wcut_scored_cut *cut = &of->cut[i];
+
+        /* samples that were not predicted, by cause; a cut without any is not listed */
         char said[200] = "";
         if (cut->comparison) {
             const wcut_prediction *plan = cut->comparison->planned, *replay = cut->comparison->replayed;
@@ -144,8 +154,10 @@ static wcut_report_table trouble_table(page *p) {
         text[table.rows++] = cut->comparison ? join_score(p, said, "", "") : cut->error ? cut->error->text : "";
     }
 
+    /* two columns: which cut, and why */
     column[0] = (wcut_report_column){.label = "cut", .text = name};
     column[1] = (wcut_report_column){.label = "why", .text = text};
+
     return table;
 }
 
@@ -189,6 +201,8 @@ static void fill_series(page *p, const wcut_comparison *c, const wcut_prediction
     static const wcut_scored of_signal[WCUT_SIGNAL_COUNT] = {
         WCUT_SCORED_SPEED_A, WCUT_SCORED_SPEED_B, WCUT_SCORED_TENSION_A, WCUT_SCORED_TENSION_B,
         WCUT_SCORED_ALPHA_A, WCUT_SCORED_BETA_A,  WCUT_SCORED_ALPHA_B,   WCUT_SCORED_BETA_B};
+
+    /* the band is drawn where the score has samples */
     const wcut_score *score = scores ? &scores->of[of_signal[k]][WCUT_PART_ALL] : NULL;
     const bool band = score && score->count > 0;
     const double unit = k < 4 ? 1 : WCUT_DEG_PER_RAD;
@@ -205,6 +219,7 @@ static void fill_series(page *p, const wcut_comparison *c, const wcut_prediction
         low[i] = c->counted[sample] ? y[i] - 2 * score->rmse * unit : NAN;
         high[i] = c->counted[sample] ? y[i] + 2 * score->rmse * unit : NAN;
     }
+
     to->y = y, to->low = low, to->high = high;
 }
 
@@ -215,6 +230,8 @@ static void fill_score_chart(page *p, const wcut_scored_cut *cut, int k, const d
                                                          "Alpha, mount B",   "Beta, mount B"};
     static const char *const label[WCUT_SIGNAL_COUNT] = {"speed", "speed", "tension", "tension",
                                                          "alpha", "beta",  "alpha",   "beta"};
+
+    /* a speed is planned, but not replayed */
     const wcut_comparison *c = cut->comparison;
     const wcut_column *channel = &cut->samples->channel[WCUT_CHANNEL_SPEED_A + k];
     const bool replayed = k >= 2;
@@ -237,6 +254,7 @@ static void fill_score_chart(page *p, const wcut_scored_cut *cut, int k, const d
     fill_series(p, c, c->planned, replayed ? NULL : &c->planned_score, k, d, &series[1]);
     if (replayed) fill_series(p, c, c->replayed, &c->replayed_score, k, d, &series[2]);
 
+    /* two abscissae, and the unit of files */
     *chart = (wcut_report_chart){.title = title[k],
                                  .x_label = {"time", "station"},
                                  .x_unit = {"s", ""},
@@ -253,6 +271,8 @@ static void fill_score_chart(page *p, const wcut_scored_cut *cut, int k, const d
 /* a cut: its channels over time, and its own scores */
 static void fill_score_section(page *p, const wcut_scored_cut *cut, wcut_report_section *section) {
     static const int order[CHARTS] = {0, 1, 2, 3, 4, 6, 5, 7};
+
+    /* arrays of the page */
     const wcut_comparison *c = cut->comparison;
     const wcut_column *recorded = &cut->samples->channel[WCUT_CHANNEL_STATION];
     wcut_report_chart *chart = wcut_page_take(&p->memory, CHARTS, sizeof *chart);
@@ -283,6 +303,8 @@ static void fill_score_section(page *p, const wcut_scored_cut *cut, wcut_report_
              c->from, c->to, c->counted_samples, c->samples);
     table[0] = channel_table(p, "Replayed", NULL, &c->replayed_score);
     table[1] = channel_table(p, "Planned", NULL, &c->planned_score);
+
+    /* the section of this cut */
     *section = (wcut_report_section){.title = name_of(p, cut),
                                      .note = note,
                                      .chart_count = CHARTS,
@@ -337,6 +359,8 @@ static void fill_overview(page *p, const char *note, wcut_report_section *sectio
 static wcut_status write_score_page(page *p, int compared, int shown, int sections, const wcut_report_section *section,
                                     const char *path, wcut_error *error) {
     const wcut_report_score *of = p->of;
+
+    /* the means over all cuts stand behind those of the groups */
     const wcut_scores *planned = &of->planned[of->groups], *replayed = &of->replayed[of->groups];
 
     /* the verdict and the counts in words */
@@ -365,6 +389,7 @@ static wcut_status write_score_page(page *p, int compared, int shown, int sectio
         {"left out before the end", NULL, o->leave, "s"},
         {"nodes along the wire", of->nodes > 0 ? NULL : "as in the jobs", of->nodes, ""}};
 
+    /* the whole page; a cut that could not be scored makes it a warning */
     const wcut_report report = {.verb = "score",
                                 .title = of->title,
                                 .tone = compared < of->cuts ? WCUT_REPORT_TONE_WARNING : WCUT_REPORT_TONE_PLAIN,
@@ -377,6 +402,7 @@ static wcut_status write_score_page(page *p, int compared, int shown, int sectio
                                 .source = of->source,
                                 .option_count = sizeof option / sizeof *option,
                                 .option = option};
+
     return wcut_report_write(&report, path, error);
 }
 
@@ -400,8 +426,10 @@ wcut_status wcut_report_score_write(const wcut_report_score *scored, const char 
     for (int i = 0; !p.memory.failed && chosen && section && i < scored->cuts; i++)
         if (chosen[i]) fill_score_section(&p, &scored->cut[i], &section[sections++]);
 
+    /* written last, so that a page is whole or not there */
     const wcut_status status =
         p.memory.failed ? WCUT_NO_MEMORY : write_score_page(&p, compared, shown, sections, section, path, error);
+
     wcut_page_free(&p.memory);
     return status;
 }

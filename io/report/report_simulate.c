@@ -47,6 +47,7 @@ typedef struct page {
 /* ---- what is copied ---- */
 
 static void fill_page_columns(page *p) {
+    /* each station is a row of the columns */
     for (int s = 0; s < p->history->stations; s++) {
         const wcut_history_row *row = &p->history->row[s];
         const double value[COLUMNS] = {
@@ -71,6 +72,7 @@ static void fill_page_columns(page *p) {
 
 /* the larger principal curvature at every node; none where the surface is a point or an edge */
 static wcut_status fill_curvature(page *p) {
+    /* one parameter for each station */
     const wcut_history *h = p->history;
     double *parameter = calloc((size_t)h->stations, sizeof *parameter);
     wcut_surface *surface = NULL;
@@ -79,6 +81,8 @@ static wcut_status fill_curvature(page *p) {
     /* the surface through the stations gives a parameter for each */
     if (!status)
         status = wcut_surface_loft(h->stations, h->nodes, h->position, p->run->merge, &surface, parameter, NULL);
+
+    /* node by node; a degenerate point has no curvature */
     for (int s = 0; !status && s < h->stations; s++)
         for (int n = 0; !status && n < h->nodes; n++) {
             double *to = &p->curvature[s * h->nodes + n];
@@ -95,6 +99,7 @@ static wcut_status fill_curvature(page *p) {
 }
 
 static wcut_status fill_page(page *p, const wcut_setup *setup, wcut_error *error) {
+    /* room for the columns and maps of the page */
     const wcut_history *h = p->history;
     const size_t stations = (size_t)h->stations, cells = stations * (size_t)h->nodes;
     double *block = calloc(COLUMNS * stations, sizeof *block);
@@ -106,9 +111,12 @@ static wcut_status fill_page(page *p, const wcut_setup *setup, wcut_error *error
     p->mount_b = calloc(stations, sizeof *p->mount_b);
     if (!block || !p->force || !p->curvature || !p->mount_a || !p->mount_b) return WCUT_NO_MEMORY;
 
+    /* columns, and the force where there is one */
     fill_page_columns(p);
     /* outside the foam there is no force, and no colour */
     for (size_t i = 0; i < cells; i++) p->force[i] = h->force_line[i] > 0 ? h->force_line[i] : NAN;
+
+    /* the hash of the job, and the path curves of a whole cut */
     wcut_status status = wcut_source_hash(p->run->job_path, p->hash, error);
     if (status) return status;
     if (h->stations < 2) return WCUT_OK;
@@ -123,6 +131,7 @@ static wcut_status fill_page(page *p, const wcut_setup *setup, wcut_error *error
         free(p->share);
         p->share = NULL;
     }
+
     return fill_curvature(p);
 }
 
@@ -153,6 +162,7 @@ static wcut_report_tone run_tone(page *p) {
         return WCUT_REPORT_TONE_BAD;
     }
 
+    /* the usual end, by how the wire left the block */
     const bool whole = last->phase == WCUT_PHASE_LEFT || p->job->mode == WCUT_MODE_DESIGN;
     const char *end = last->phase == WCUT_PHASE_LEFT ? "leaves the block"
                       : whole                        ? "reaches the end of its design"
@@ -165,6 +175,7 @@ static wcut_report_tone run_tone(page *p) {
         return WCUT_REPORT_TONE_WARNING;
     }
     snprintf(p->verdict, sizeof p->verdict, "The wire %s after %.1f s.", end, last->time);
+
     return whole ? WCUT_REPORT_TONE_GOOD : WCUT_REPORT_TONE_PLAIN;
 }
 
@@ -209,6 +220,8 @@ static wcut_report_chart station_chart(const char *title, const char *label, con
 static wcut_status write_simulate_page(page *p, const wcut_report_scene *scene, const char *path, wcut_error *error) {
     const wcut_history *h = p->history;
     const wcut_job *job = p->job;
+
+    /* phases are shaded in every chart */
     wcut_report_span span[PHASES_MAX];
     const int spans = list_phases(p, span);
 
@@ -259,11 +272,14 @@ static wcut_status write_simulate_page(page *p, const wcut_report_scene *scene, 
                                  .bands = WCUT_FEASIBILITY_MEASURE_COUNT,
                                  .band = row_first,
                                  .band_label = row_name};
+
+    /* sections: limits, the course of the cut, the solver */
     const wcut_report_section section[] = {
         {.title = "Feasibility", .map_count = p->share ? 1 : 0, .map = &map},
         {.title = "Along the cut", .chart_count = CHARTS, .chart = along},
         {.title = "Quality of the solution", .chart_count = SOLVER_CHARTS, .chart = solver}};
 
+    /* three numbers as one text */
     snprintf(p->block, sizeof p->block, "%g \xc3\x97 %g \xc3\x97 %g", job->block_size.x, job->block_size.y,
              job->block_size.z);
 
@@ -302,6 +318,7 @@ static wcut_status write_simulate_page(page *p, const wcut_report_scene *scene, 
                                 .source = &source,
                                 .option_count = sizeof option / sizeof *option,
                                 .option = option};
+
     return wcut_report_write(&report, path, error);
 }
 
@@ -337,8 +354,10 @@ wcut_status wcut_report_simulate_write(const wcut_report_simulate *run, const wc
                                          .shape = &shape,
                                          .line_count = 2,
                                          .line = line};
+
         status = write_simulate_page(&p, history->stations > 1 ? &scene : NULL, path, error);
     }
     clear_page(&p);
+
     return status;
 }

@@ -64,6 +64,7 @@ wcut_status wcut_report_view_create(const wcut_report_shape *shape, int shapes, 
     const double triangle_size = base64 * 3 * sizeof(int) * shape->triangle_count;
     const int max = (int)fmin(WCUT_REPORT_VERTICES, room / vertex_size);
 
+    /* a grid keeps its rows, triangles are kept where they fit, else points are chosen */
     wcut_report_view v = {.count = shape->vertex_count < max ? shape->vertex_count : max};
     if (shape->rows > 0) {
         choose_grid(shape, max, &v);
@@ -72,6 +73,7 @@ wcut_status wcut_report_view_create(const wcut_report_shape *shape, int shapes, 
         v.triangles = true;
     }
 
+    /* the chosen vertices */
     v.index = wcut_alloc((size_t)v.count, sizeof *v.index);
     if (!v.index) return WCUT_NO_MEMORY;
     if (v.rows > 0)
@@ -81,6 +83,7 @@ wcut_status wcut_report_view_create(const wcut_report_shape *shape, int shapes, 
     else
         for (int i = 0; i < v.count; i++) v.index[i] = i;
     *view = v;
+
     return WCUT_OK;
 }
 
@@ -95,6 +98,7 @@ int wcut_report_thin(int count, const double *value, int max, int *index) {
     int kept = 0;
     const int runs = max / 2;
     for (int r = 0; r < runs; r++) {
+        /* the run's lowest, highest and missing value */
         const int from = (int)((long long)count * r / runs), to = (int)((long long)count * (r + 1) / runs);
         int low = -1, high = -1, gap = -1;
         for (int i = from; i < to; i++) {
@@ -114,6 +118,7 @@ int wcut_report_thin(int count, const double *value, int max, int *index) {
             if (low != high) index[kept++] = low < high ? high : low;
         }
     }
+
     return kept;
 }
 

@@ -61,6 +61,7 @@ static int put_page_json(const char *text, size_t size, void *context) {
 
 /* the words without a script: title and verdict */
 static wcut_status put_page_head(wcut_text *out, const wcut_report *report) {
+    /* texts for HTML: valid UTF-8, so that they cannot break the page */
     char *title = wcut_report_text(report->title), *verdict = wcut_report_text(report->verdict);
     char *verb = wcut_report_text(report->verb);
     const bool complete = title && verdict && verb;
@@ -96,6 +97,7 @@ static wcut_status put_page_head(wcut_text *out, const wcut_report *report) {
                  "switched off.</p></noscript>\n</main>\n");
     }
 
+    /* texts were copies */
     free(title);
     free(verdict);
     free(verb);
@@ -135,10 +137,12 @@ static wcut_status check_size(const json_t *document, const wcut_report_pool *po
 }
 
 wcut_status wcut_report_write(const wcut_report *report, const char *path, wcut_error *error) {
+    /* the report is checked before anything is written */
     wcut_status status = wcut_report_check(report, error);
     if (status) return status;
     if (!path) return wcut_fail(error, WCUT_BAD_ARGUMENT, "report: no path");
 
+    /* the document and its arrays, then the page around them */
     wcut_report_pool pool = {0};
     wcut_file *file = NULL;
     wcut_text out = {0};
@@ -146,6 +150,8 @@ wcut_status wcut_report_write(const wcut_report *report, const char *path, wcut_
     status = document ? check_size(document, &pool, error) : WCUT_NO_MEMORY;
     if (!status) status = wcut_file_create(path, &file, error);
     if (!status) status = wcut_text_create(&out, file) ? put_page(&out, report, document, &pool) : WCUT_NO_MEMORY;
+
+    /* the file takes its name only now */
     if (!status) {
         wcut_text_flush(&out);
         status = wcut_file_commit(file, error);
@@ -156,5 +162,6 @@ wcut_status wcut_report_write(const wcut_report *report, const char *path, wcut_
     wcut_file_destroy(file);
     json_decref(document);
     wcut_report_pool_clear(&pool);
+
     return status;
 }

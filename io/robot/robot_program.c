@@ -91,10 +91,12 @@ static void put_comment(wcut_text *text, const char *mark, const char *words) {
 
 static void put_program_head(wcut_text *text, const char *mark, const wcut_robot_motion *m,
                              const wcut_robot_names *names, int robot) {
+    /* what the program is, for whoever opens it at the cell */
     wcut_text_print(text, "%swirecut: mount %c of two that cut one wire; %d targets of %d stations, ", mark,
                     robot ? 'B' : 'A', m->count, m->stations);
     put_rounded(text, "", m->duration, 3);
     wcut_text_print(text, " s\n");
+
     if (names->title && *names->title) put_comment(text, mark, names->title);
     wcut_text_print(text,
                     "%sPositions are in the frame of the foam block: x across from A to B, y the feed, z up.\n"
@@ -244,6 +246,8 @@ static void put_rapid_move(wcut_text *text, const half *h, int id, double speed)
 void wcut_rapid_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_names *names, int robot) {
     const char *p = names->program, side = robot ? 'b' : 'a';
     const unsigned id = run_id(m, names); /* points of different runs have different names, and never meet */
+
+    /* the module, and what the cell has to define */
     wcut_text_print(text, "MODULE %s_%c\n", p, side);
     put_program_head(text, "  ! ", m, names, robot);
     wcut_text_print(
@@ -253,14 +257,20 @@ void wcut_rapid_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robo
         "  PERS tasks %s_tasks{2} := [[\"T_ROB1\"],[\"T_ROB2\"]];\n"
         "  VAR syncident %s_on_%03x;\n  VAR syncident %s_off_%03x;\n  PROC %s_%c_main()\n    ConfL \\Off;\n",
         robot + 1, p, p, p, p, id, p, id, p, side);
+
+    /* to the first target, before both robots are coupled */
     half h = half_of(m, robot, 0);
     put_rapid_move(text, &h, 0, names->approach_speed);
     wcut_text_print(text, ", %s_tool\\WObj:=%s_block;\n", p, p);
+
+    /* the wire is switched on and heated by robot A */
     if (robot == 0 && names->wire_on) wcut_text_print(text, "    %s;\n", names->wire_on);
     if (robot == 0 && names->preheat > 0) {
         put_rounded(text, "    WaitTime ", names->preheat, 3);
         wcut_text_print(text, ";\n");
     }
+
+    /* synchronous moves to all targets */
     wcut_text_print(text, "    SyncMoveOn %s_on_%03x, %s_tasks;\n", p, id, p);
     for (int i = 1; i < m->count; i++) {
         h = half_of(m, robot, i);
@@ -268,6 +278,8 @@ void wcut_rapid_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robo
         put_rapid_move(text, &h, 10 * i, h.speed < 0.01 ? 0.01 : h.speed);
         wcut_text_print(text, ", %s_tool\\WObj:=%s_block;\n", p, p);
     }
+
+    /* both robots are released, the wire is switched off */
     wcut_text_print(text, "    SyncMoveOff %s_off_%03x;\n", p, id);
     if (robot == 0 && names->wire_off) wcut_text_print(text, "    %s;\n", names->wire_off);
     wcut_text_print(text, "  ENDPROC\nENDMODULE\n");
@@ -339,6 +351,8 @@ void wcut_krl_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_
         put_rounded(text, "WAIT SEC ", names->preheat, 3);
         wcut_text_print(text, "\n");
     }
+
+    /* tell the other robot, and wait for it */
     wcut_text_print(text, "$OUT[%d] = TRUE\nWAIT FOR $IN[%d]\n", io, io);
     put_krl_run_id(text, run_id(m, names), io);
 
@@ -352,11 +366,14 @@ void wcut_krl_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_
             wcut_text_print(text, "\n");
             continue;
         }
+
+        /* a move that only turns has no speed of its own */
         if (way < STANDING) {
             put_krl_turning(text, turn * WCUT_DEG_PER_RAD / h.duration);
             put_krl_move(text, &h);
             put_krl_turning(text, ORI_SPEED);
         } else {
+            /* a move along the path: rounding and speed first */
             if (h.zone >= 5e-4) {
                 put_rounded(text, "$APO.CDIS = ", h.zone, 3);
                 wcut_text_print(text, "\n");

@@ -75,12 +75,15 @@ static void put_robot(wcut_text *text, const char *name, wcut_vec3 at, double sp
 }
 
 static void put_motion_json(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_names *names) {
+    /* head of the file, with its errors */
     wcut_text_print(text, "{\n  \"format\": \"wirecut-robot/1\",\n  \"version\": \"%s\",\n  \"job\": ", WCUT_VERSION);
     wcut_text_string(text, names->title ? names->title : "");
     wcut_text_put_number(text, ",\n  \"duration_s\": ", m->duration);
     wcut_text_put_number(text, ",\n  \"chord_error_mm\": ", m->chord_error);
     wcut_text_put_number(text, ",\n  \"time_error_mm\": ", m->time_error);
     wcut_text_print(text, ",\n  \"stations\": %d,\n  \"targets\": [", m->stations);
+
+    /* targets with the state of both robots */
     for (int i = 0; i < m->count; i++) {
         const wcut_robot_target *t = &m->target[i];
         wcut_text_print(text, "%s\n    {\"station\": ", i ? "," : "");
@@ -109,9 +112,12 @@ static bool is_name(const char *name) {
 
 static wcut_status motion_is_writable(const wcut_robot_motion *m, const wcut_robot_names *n, wcut_robot_format format,
                                       int robot, const char *path, wcut_error *error) {
+    /* motion, file and robot */
     if (!m || !m->target || m->count < 2 || !path || !wcut_robot_file_name(format, robot))
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "a robot program: expected a motion, a file name and a robot that the format has a file for");
+
+    /* names go into programs as they are: letters and digits only */
     const char *const name[] = {n->program ? n->program : "", n->wire_on, n->wire_off};
     for (int k = 0; k < 3; k++) {
         char quoted[WCUT_QUOTE_SIZE];
@@ -127,6 +133,8 @@ static wcut_status motion_is_writable(const wcut_robot_motion *m, const wcut_rob
     if (n->sync_io < low || n->sync_io > high)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "sync_io: found %d, expected %d to %d for %s", n->sync_io, low, high,
                          wcut_robot_format_name(format));
+
+    /* settings of the cell are positive or none */
     if (!(n->approach_speed > 0 && n->approach_speed < 1e6) ||
         !(n->approach_acceleration > 0 && n->approach_acceleration < 1e6) || !(n->preheat >= 0 && n->preheat < 1e6) ||
         !(n->heat >= 0 && n->heat < 1e9) || !(n->tension >= 0 && n->tension < 1e9) ||
@@ -135,6 +143,8 @@ static wcut_status motion_is_writable(const wcut_robot_motion *m, const wcut_rob
             error, WCUT_BAD_ARGUMENT,
             "a positive speed and acceleration of the approach, a preheat, heat, tension and wire length of "
             "0 or more are expected");
+
+    /* places and times fit into the digits of the formats */
     for (int i = 0; i < m->count; i++) {
         const wcut_robot_target *t = &m->target[i];
         const double value[] = {t->a.x,  t->a.y,     t->a.z,     t->b.x,    t->b.y,    t->b.z,
@@ -143,6 +153,7 @@ static wcut_status motion_is_writable(const wcut_robot_motion *m, const wcut_rob
             if (!(fabs(value[k]) < 1e9)) /* also what fixed decimals hold */
                 return wcut_fail(error, WCUT_BAD_ARGUMENT, "target %d: found %g, expected less than 1e9", i, value[k]);
     }
+
     return WCUT_OK;
 }
 
@@ -156,6 +167,8 @@ typedef struct program {
 
 static bool put_program(wcut_text *text, const void *context) {
     const program *p = context;
+
+    /* a writer for each format */
     switch (p->format) {
         case WCUT_ROBOT_FORMAT_URSCRIPT:
             wcut_urscript_put(text, p->motion, p->names, p->robot);
@@ -173,6 +186,7 @@ static bool put_program(wcut_text *text, const void *context) {
             put_motion_json(text, p->motion, p->names);
             break;
     }
+
     return true;
 }
 
@@ -191,6 +205,7 @@ wcut_status wcut_robot_summary_print(const wcut_robot_summary *s, char **text) {
     if (!s || !s->job || !s->motion || !s->check || !s->near || (unsigned)s->format >= FORMATS || !text)
         return WCUT_BAD_ARGUMENT;
 
+    /* a text that grows */
     wcut_text out;
     if (!wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
     const wcut_robot_motion *m = s->motion;
@@ -228,6 +243,8 @@ wcut_status wcut_robot_summary_print(const wcut_robot_summary *s, char **text) {
         wcut_text_print(&out, "]}");
     }
 
+    /* the object is closed */
     wcut_text_print(&out, "\n  ]\n}\n");
+
     return wcut_text_finish(&out, text, NULL);
 }

@@ -14,11 +14,14 @@ static bool is_cloud_columns_blank(char c) { return c == ' ' || c == '\t'; }
 
 /* behind the cell at p */
 static const char *cell_end(const char *p, const char *end, char separator) {
+    /* quotes around the cell, if there are any */
     if (*p == '"') {
         for (p++; p < end && *p != '"'; p++) {
         }
         if (p < end) p++;
     }
+
+    /* other separators than a blank end the cell wherever they stand */
     if (separator != ' ') {
         while (p < end && *p != separator) p++;
         return p;
@@ -32,6 +35,7 @@ static const char *cell_end(const char *p, const char *end, char separator) {
         while (next < end && *next != ']' && *next != ')') next++;
         return next < end ? next + 1 : p;
     }
+
     return p;
 }
 
@@ -124,8 +128,12 @@ static bool is_word(char c) { return isalnum((unsigned char)c) || (unsigned char
 
 static name read_cloud_columns_name(const wcut_cell *cell) {
     name found = {-1, PLAIN, 0, 2166136261u};
+
+    /* the axis is kept beside the role: the name "nx" says both */
     int axis = -1;
     bool is_normal = false, is_point = false;
+
+    /* word by word: letters and digits */
     for (int k = 0; k < cell->length;) {
         if (!is_word(cell->at[k])) {
             k++;
@@ -153,11 +161,13 @@ static name read_cloud_columns_name(const wcut_cell *cell) {
         else if (r != STRANGE || (axis < 0 && take_glued(word, n, &axis, &is_normal, &r)))
             found.role = r == STRANGE ? found.role : r;
         else {
+            /* a strange word is hashed, so that columns of one kind are recognised */
             found.role = STRANGE;
             for (size_t c = 0; c < n; c++) found.word = (found.word ^ (unsigned char)tolower(word[c])) * 16777619u;
         }
     }
     if (axis >= 0) found.field = axis + (is_normal ? 3 : 0);
+
     return found;
 }
 
@@ -206,6 +216,8 @@ static const char *take_cloud_columns(const group *g, const group *normals, wcut
 
 const char *wcut_columns_find(int count, const wcut_cell *cell, wcut_columns *columns) {
     group by_role[ROLES];
+
+    /* groups of columns by what their names say of them */
     for (int r = 0; r < ROLES; r++) by_role[r] = (group){.column = {-1, -1, -1, -1, -1, -1}};
     unsigned word = 0;
     bool mixed = false;
@@ -220,14 +232,19 @@ const char *wcut_columns_find(int count, const wcut_cell *cell, wcut_columns *co
         }
         take_column(&by_role[n.field >= 3 && n.role != DERIVED ? PLAIN : n.role], n.field, k, n.unit);
     }
+
+    /* exactly one whole group may be the measured one */
     const group *measured = &by_role[MEASURED], *plain = &by_role[PLAIN], *nominal = &by_role[NOMINAL];
     const bool strange = mixed || is_group_whole(&by_role[STRANGE]) || by_role[STRANGE].twice;
     if (is_group_whole(measured) && plain->count == 0 && !strange) return take_cloud_columns(measured, plain, columns);
     if (is_group_whole(plain) && measured->count == 0 && !strange) return take_cloud_columns(plain, plain, columns);
     if (is_group_whole(nominal) && measured->count == 0 && plain->count == 0 && !strange)
         return "columns of what was measured, not nominal ones alone: say which by the option columns";
+
+    /* say which choice the option has to make */
     if (is_group_whole(measured) || is_group_whole(plain) || strange)
         return "one set of columns x, y, z: say which by the option columns, as x_meas,y_meas,z_meas or 4,5,6";
+
     return "columns named x, y, z: say which they are by the option columns, as east,north,height or 1,2,3";
 }
 
@@ -259,6 +276,8 @@ static int find_column(const char *word, size_t n, int columns, int names, const
 const char *wcut_columns_choose(const char *option, int columns, int names, const wcut_cell *cell,
                                 wcut_columns *chosen) {
     static const char *const expected = "the three (or six, with a normal) columns that the option columns names";
+
+    /* no column is chosen yet */
     int fields = 0;
     wcut_columns c = {.column = {-1, -1, -1, -1, -1, -1}};
     double unit[3] = {0};
@@ -280,5 +299,6 @@ const char *wcut_columns_choose(const char *option, int columns, int names, cons
     if (fields != 3 && fields != WCUT_FIELDS) return expected;
     if (!agree(unit, &c.unit)) return "x, y and z in one unit";
     *chosen = c;
+
     return NULL;
 }

@@ -104,6 +104,7 @@ static bool read_header_line(wcut_cloud_source *s, const char *line, pcd_header 
     h->seen[*which] = true;
     *rest = wcut_skip_blanks(word_end(p));
 
+    /* each keyword has a reader of its own */
     switch (*which) {
         case FIELDS_LINE:
             return read_fields(s, line, *rest, h);
@@ -136,11 +137,14 @@ static wcut_scalar find_scalar(char type, int size) {
 }
 
 static bool check_header(wcut_cloud_source *s, const char *line, const pcd_header *h) {
+    /* keywords that the rows cannot be read without */
     static const int required[] = {FIELDS_LINE, SIZE_LINE, TYPE_LINE, WIDTH_LINE};
     int found = 0;
     for (size_t k = 0; k < sizeof required / sizeof *required; k++)
         if (!h->seen[required[k]])
             return wcut_source_refuse(&s->in, "found DATA, expected %s before it", keyword[required[k]]);
+
+    /* every field must have a type and a size that the reader knows; a coordinate stands once */
     for (int k = 0; k < h->fields; k++) {
         if (h->kind[k] >= 0 && h->kind[k] < 3) found++;
         if (find_scalar(h->type[k], h->size[k]) == WCUT_SCALAR_NONE)
@@ -156,6 +160,7 @@ static bool check_header(wcut_cloud_source *s, const char *line, const pcd_heade
         (h->height == 0 || h->points % h->height != 0 || h->points / h->height != h->width))
         return wcut_source_refuse(&s->in, "found POINTS %lld, expected WIDTH x HEIGHT, %lld x %lld",
                                   (long long)h->points, (long long)h->width, (long long)h->height);
+
     return true;
 }
 
@@ -167,6 +172,7 @@ static int64_t count_points(const pcd_header *h) {
 }
 
 static pcd_rows *make_rows(const pcd_header *h) {
+    /* room for the state and for the field of every column behind it */
     int columns = 0;
     for (int k = 0; k < h->fields; k++) columns += h->count[k];
     pcd_rows *r = wcut_alloc(1, sizeof *r + (size_t)columns * sizeof *r->field);
@@ -174,6 +180,7 @@ static pcd_rows *make_rows(const pcd_header *h) {
     r->field = (int *)(r + 1);
     bool normal[3] = {false, false, false};
     for (int k = 0; k < h->fields; k++) {
+        /* columns of one field belong together; where a coordinate stands in a binary record */
         for (int c = 0; c < h->count[k]; c++) r->field[r->columns++] = h->kind[k];
         if (h->kind[k] >= 3) normal[h->kind[k] - 3] = true;
         if (h->kind[k] >= 0) {
@@ -183,7 +190,10 @@ static pcd_rows *make_rows(const pcd_header *h) {
         }
         r->record.size += (size_t)h->size[k] * (size_t)h->count[k];
     }
+
+    /* normals count where all three components are there */
     r->record.fields = normal[0] && normal[1] && normal[2] ? 6 : 3;
+
     return r;
 }
 
@@ -193,10 +203,14 @@ static bool fill_pcd_text(wcut_cloud_source *s, wcut_batch *b) {
     const pcd_rows *r = s->state;
     double value[WCUT_FIELDS] = {0};
     size_t length;
+
+    /* a row for each point */
     for (; s->left > 0 && b->count < b->capacity; s->left--) {
         const char *line = wcut_row_peek(&s->in, &length), *p = line;
         if (!line)
             return s->in.failure.status == WCUT_OK ? wcut_source_refuse_truncated(&s->in, s->left, "points") : false;
+
+        /* every column is a number; those that are no coordinates are passed over */
         for (int c = 0; c < r->columns; c++) {
             double any;
             const char *behind = wcut_row_number(p, ' ', false, r->field[c] >= 0 ? &value[r->field[c]] : &any);
@@ -207,6 +221,8 @@ static bool fill_pcd_text(wcut_cloud_source *s, wcut_batch *b) {
         if (!wcut_cloud_take(s, b, value)) return false;
         wcut_row_done(&s->in, length);
     }
+
+    /* the rows are read: nothing but the end may follow */
     return s->left > 0 || wcut_source_check_end(&s->in, ((const pcd_rows *)s->state)->record.size);
 }
 
@@ -256,14 +272,20 @@ static bool read_compressed(wcut_cloud_source *s, int64_t points) {
     const uint64_t max = (uint64_t)1 << 31;
     pcd_rows *r = s->state;
     const size_t head = sizeof *r + (size_t)r->columns * sizeof *r->field;
+
+    /* two sizes of 32 bits: packed and unpacked */
     if (wcut_stream_fill(&s->in.stream, 8) < 8) return wcut_source_refuse_end(&s->in, "the sizes of compressed points");
     const unsigned char *at = s->in.stream.data + s->in.stream.at;
     const uint64_t packed = wcut_load_32(at, false), plain = wcut_load_32(at + 4, false);
     const uint64_t wanted = (uint64_t)points * r->record.size;
+
+    /* the unpacked size must be that of the points, and no more than LZF can pack */
     if (points > INT32_MAX || plain != wanted || plain > max || plain > packed * WCUT_LZF_RATIO_MAX)
         return wcut_source_refuse(&s->in, "found %llu bytes compressed to %llu, expected %llu for the points stated",
                                   (unsigned long long)plain, (unsigned long long)packed, (unsigned long long)wanted);
     if (packed > wcut_stream_left(&s->in.stream)) return wcut_source_refuse_end(&s->in, "the compressed points");
+
+    /* the packed bytes */
     s->in.stream.at += 8;
     unsigned char *bytes = read_bytes(s, (size_t)packed);
     if (!bytes) return false;
@@ -279,6 +301,7 @@ static bool read_compressed(wcut_cloud_source *s, int64_t points) {
         done = wcut_lzf_read(bytes, (size_t)packed, (unsigned char *)s->state + head, (size_t)plain) ||
                wcut_source_refuse(&s->in, "found compressed points that do not unpack, expected LZF");
     }
+
     wcut_free(bytes);
     return done && wcut_cloud_state(s, points, 0, "points") && wcut_source_check_end(&s->in, 0);
 }

@@ -47,11 +47,14 @@ static bool read_ptx_numbers(wcut_cloud_source *s, int count, const char *expect
 
 /* ten lines: columns, rows, the scanner's place and axes, and the matrix, whose last row is the shift */
 static bool read_ptx_header(wcut_cloud_source *s, ptx_scan *scan) {
+    /* the grid's size; its product is checked below */
     int64_t columns = 0, rows = 0;
     double unused[3], row[4];
     if (!read_ptx_count(s, "the number of columns of a PTX scan", &columns) ||
         !read_ptx_count(s, "the number of rows of a PTX scan", &rows))
         return false;
+
+    /* place and axes of the scanner are not used: the matrix has them */
     for (int k = 0; k < 4; k++)
         if (!read_ptx_numbers(s, 3, "three numbers, the scanner's place and axes", unused)) return false;
     for (int k = 0; k < 4; k++) {
@@ -66,10 +69,12 @@ static bool read_ptx_header(wcut_cloud_source *s, ptx_scan *scan) {
     if (!wcut_cloud_state(s, count, 8, "points") || !wcut_source_check_count(&s->in, before + count, 0, "points"))
         return false;
     s->info.stated = (int)(before + count);
+
     return true;
 }
 
 static bool read_point(wcut_cloud_source *s, const ptx_scan *scan, wcut_batch *b) {
+    /* three numbers; an intensity behind them is passed over */
     size_t length;
     const char *line = wcut_row_peek(&s->in, &length), *p = line;
     double at[3], value[WCUT_FIELDS] = {0};
@@ -79,6 +84,8 @@ static bool read_point(wcut_cloud_source *s, const ptx_scan *scan, wcut_batch *b
         if (!behind) return wcut_source_refuse_text(&s->in, line, wcut_skip_blanks(p), "a number");
         p = behind;
     }
+
+    /* the row is read, whatever it says */
     wcut_row_done(&s->in, length);
     s->left--;
 
@@ -87,9 +94,12 @@ static bool read_point(wcut_cloud_source *s, const ptx_scan *scan, wcut_batch *b
         s->info.withheld++;
         return true;
     }
+
+    /* the scan's matrix moves the point, row vectors as the format has them */
     for (int k = 0; k < 3; k++)
         value[k] =
             at[0] * scan->matrix[0][k] + at[1] * scan->matrix[1][k] + at[2] * scan->matrix[2][k] + scan->matrix[3][k];
+
     return wcut_cloud_take(s, b, value);
 }
 

@@ -162,13 +162,17 @@ static bool begin_format(wcut_cloud_source *s) {
                                               wcut_cloud_begin_foreign,
                                               wcut_cloud_begin_ptx};
 
+    /* the scale of the unit, and enough bytes to tell the format */
     s->in.scale = wcut_unit_length(s->options.unit);
     if (wcut_stream_fill(&s->in.stream, SNIFF) == 0) return wcut_source_refuse_end(&s->in, "points");
     if (!check_readable(s)) return false;
+
+    /* a reader for each format */
     s->info.format = s->options.format != WCUT_CLOUD_FORMAT_ANY ? s->options.format : find_cloud_format(s);
     s->info.stated = -1;
     if (!begin[s->info.format](s)) return false;
     s->info.unit = s->in.scale;
+
     return true;
 }
 

@@ -5,6 +5,8 @@
 bool wcut_cloud_fill_records(wcut_cloud_source *s, wcut_batch *b) {
     const wcut_record *r = s->state;
     wcut_stream *t = &s->in.stream;
+
+    /* a record must fit into the window */
     if (r->size > t->capacity)
         return wcut_source_refuse(&s->in, "found records of %zu bytes, expected at most %zu", r->size, t->capacity);
     while (s->left > 0 && b->count < b->capacity) {
@@ -20,5 +22,6 @@ bool wcut_cloud_fill_records(wcut_cloud_source *s, wcut_batch *b) {
             t->at += r->size;
         }
     }
+
     return true;
 }

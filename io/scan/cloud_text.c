@@ -158,6 +158,7 @@ static const char *find_doubt(const wcut_cloud_source *s, const char *line, cons
     if (is_counted)
         return "a header: the first column seems to count the rows; say which columns are x, y, z by the option "
                "columns, as 2,3,4";
+
     return NULL;
 }
 
@@ -258,9 +259,13 @@ static bool find_layout(wcut_cloud_source *s, const char *line, const char *end,
                         text_layout *t, bool *is_row) {
     wcut_columns c = {{0, 1, 2, -1, -1, -1}, 0};
     const char *why = NULL;
+
+    /* how the row is divided, and into how many columns */
     find_separator(line, end, t);
     t->columns = count_columns(line, t->separator);
     *is_row = begins_number;
+
+    /* a line that does not begin with a number is a row only where names or an option tell the columns */
     if (!begins_number && !h->text && !s->options.columns) return true;
     if (begins_number && t->columns > WCUT_CELLS_MAX)
         return wcut_source_refuse_text(&s->in, line, line, "at most 1000 columns");
@@ -272,11 +277,17 @@ static bool find_layout(wcut_cloud_source *s, const char *line, const char *end,
     /* a row that begins with a name is known by the numbers in the columns that are wanted */
     if (!begins_number) *is_row = !why && has_numbers(line, t, &c);
     if (!*is_row) return true;
+
+    /* a row it is: the columns must be known */
     if (why && h->text) return refuse_header(s, h, why);
     if (why) return wcut_source_refuse_text(&s->in, line, line, why);
+
+    /* the unit that a header stated */
     why = set_unit(s, c.unit);
     if (why) return h->text ? refuse_header(s, h, why) : wcut_source_refuse_text(&s->in, line, line, why);
     memcpy(t->column, c.column, sizeof c.column);
+
+    /* without names and option the first columns are x y z, unless the rows look otherwise */
     if (!h->text && !s->options.columns) {
         if (!check_commas(s, line, t)) return false;
         assume_columns(line, t);
@@ -284,6 +295,7 @@ static bool find_layout(wcut_cloud_source *s, const char *line, const char *end,
         if (why) return wcut_source_refuse_text(&s->in, line, line, why);
     }
     lay_cloud_text_out(s, t);
+
     return true;
 }
 
@@ -325,17 +337,22 @@ static bool check_zero(wcut_cloud_source *s, const char *line, size_t length, co
 
 static bool read_cloud_text_row(wcut_cloud_source *s, const text_layout *t, const char *line, size_t length,
                                 double *value) {
+    /* column by column; those behind the last one that is wanted are only counted */
     const char *p = line;
     for (int c = 0;; c++) {
         const int k = c <= t->last ? t->field[c] : -1;
         const char *behind = k >= 0 ? read_cell(p, t->separator, t->comma, &value[k]) : skip_column(p, t->separator);
         if (!behind) return wcut_source_refuse_text(&s->in, line, wcut_skip_blanks(p), "a number");
         behind = wcut_skip_blanks(behind);
+
+        /* the end of the line: as many columns as in the first row */
         if (wcut_is_line_end(behind)) {
             if (!check_zero(s, line, length, behind)) return false;
             return c + 1 == t->columns ||
                    wcut_source_refuse_text(&s->in, line, behind, "as many columns as the first row has");
         }
+
+        /* between two columns stands the separator */
         if (t->separator != ' ' && *behind != t->separator)
             return wcut_source_refuse_text(&s->in, line, behind, "the next column");
         if (c + 1 == t->columns)
@@ -346,14 +363,20 @@ static bool read_cloud_text_row(wcut_cloud_source *s, const text_layout *t, cons
 
 static bool fill_text(wcut_cloud_source *s, wcut_batch *b) {
     const text_layout *t = s->state;
+
+    /* until the batch is full or the file ends */
     double value[WCUT_FIELDS] = {0, 0, 0, 0, 0, 0};
     size_t length;
     while (b->count < b->capacity) {
         const char *line = wcut_row_peek(&s->in, &length);
+
+        /* the end of the file, with as many points as it stated */
         if (!line) {
             if (s->in.failure.status != WCUT_OK) return false;
             return s->info.stated < 0 || s->left == 0 || wcut_source_refuse_truncated(&s->in, s->left, "points");
         }
+
+        /* empty lines and comments are passed over */
         const char *p = wcut_skip_blanks(line);
         if (wcut_is_line_end(p) || is_comment(p)) {
             if (!is_comment(p) && !check_zero(s, line, length, p)) return false;
@@ -370,6 +393,7 @@ static bool fill_text(wcut_cloud_source *s, wcut_batch *b) {
         }
         wcut_row_done(&s->in, length);
     }
+
     return true;
 }
 
@@ -394,17 +418,22 @@ static bool read_cloud_text_header_line(wcut_cloud_source *s, const char *line, 
     if (h->words > 0) return true;
     wcut_cell *cell = wcut_alloc(WCUT_CELLS_MAX + 1, sizeof *cell);
     if (!cell) return wcut_source_refuse_memory(&s->in);
+
+    /* the marks of a comment are no text */
     while (*p == '#' || *p == '/' || wcut_is_blank(*p)) p++;
     const char *end = line + length;
     bool is_named = false;
     for (int k = 0; k < 3; k++)
         is_named = is_named || wcut_columns_named(wcut_cells_split(p, end, " ,;"[k], cell), cell);
+
     wcut_free(cell);
     return !is_named || keep_header(s, line, length, true, h);
 }
 
 static bool read_cloud_text_header(wcut_cloud_source *s, text_layout *t, header *h) {
     size_t length;
+
+    /* lines before the first row */
     for (const char *line; (line = wcut_row_peek(&s->in, &length)) != NULL; wcut_row_done(&s->in, length)) {
         const char *p = wcut_skip_blanks(line);
         bool is_count = false, is_row = false;
@@ -419,9 +448,12 @@ static bool read_cloud_text_header(wcut_cloud_source *s, text_layout *t, header 
             if (is_count && h->words > 0) wcut_free(h->text), h->text = NULL;
             if (!is_count && !find_layout(s, line, line + length, is_number, h, t, &is_row)) return false;
         }
+
+        /* the first row ends the header */
         if (is_row) return true;
         if (!is_count && !read_cloud_text_header_line(s, line, length, h)) return false;
     }
+
     return s->in.failure.status == WCUT_OK && wcut_source_refuse_end(&s->in, "a row with the numbers x y z");
 }
 

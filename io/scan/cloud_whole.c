@@ -108,6 +108,7 @@ wcut_status wcut_cloud_read(const char *path, const wcut_cloud_options *options,
     status = g && g->cloud ? WCUT_OK : WCUT_NO_MEMORY;
     if (status == WCUT_OK && o.voxel > 0) status = wcut_thinning_create(o.voxel, &g->thinning);
 
+    /* read it piece by piece */
     if (status == WCUT_OK)
         status = read_whole(source, g, error);
     else
@@ -120,9 +121,11 @@ wcut_status wcut_cloud_read(const char *path, const wcut_cloud_options *options,
     }
 
     if (g) {
+        /* scratch of the reading */
         wcut_thinning_destroy(g->thinning);
         wcut_cloud_destroy(g->cloud);
     }
+
     free(g);
     wcut_cloud_source_destroy(source);
     return status;

@@ -58,6 +58,7 @@ static bool take_datum(wcut_datums *d, const row *r) {
     d->face[d->faces] = (wcut_datum_face){place, normal, r->value[SIGMA], 1, &d->point[d->faces]};
 
     d->faces++;
+
     return true;
 }
 
@@ -65,6 +66,7 @@ wcut_status wcut_datums_read(const char *path, wcut_datums **datums, wcut_error 
     char quote[WCUT_QUOTE_SIZE];
     wcut_table *table = NULL;
 
+    /* read the rows: known columns, no value missing that is needed */
     if (!path || !datums) return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s", wcut_status_text(WCUT_BAD_ARGUMENT));
     wcut_status status = wcut_known_table_read(path, COLUMNS, known, &table, error);
     if (status != WCUT_OK) return status;
@@ -90,6 +92,7 @@ wcut_status wcut_datums_read(const char *path, wcut_datums **datums, wcut_error 
                                wcut_quote(quote, path, WCUT_LABEL_MAX, 1), table->line[r]);
     }
 
+    /* a table without rows is no registration */
     if (status == WCUT_OK && table->rows == 0)
         status = wcut_fail(error, WCUT_BAD_FORMAT, "%s: found no datum, expected at least one",
                            wcut_quote(quote, path, WCUT_LABEL_MAX, 1));
@@ -99,6 +102,7 @@ wcut_status wcut_datums_read(const char *path, wcut_datums **datums, wcut_error 
         *datums = d;
     else
         wcut_datums_destroy(d);
+
     return status;
 }
 

@@ -90,6 +90,8 @@ static void put_provenance(wcut_text *text, const wcut_compared *c) {
     put_text_or_null(text, ", \"date\": ", c->date);
     put_text_or_null(text, "},\n  \"datum_file\": ", c->datum_file);
     write_word(text, ",\n  \"cleaning\": ");
+
+    /* what the cleaning removed */
     const wcut_clean_options *o = c->cleaning;
     if (!o) {
         write_word(text, "null");
@@ -130,6 +132,8 @@ static void put_registration(wcut_text *text, const wcut_compared *c) {
         write_word(text, k == 0 ? "[" : k % 4 == 0 ? "], [" : ", ");
         wcut_text_number(text, r->matrix[k]);
     }
+
+    /* errors after and before, and what the motion turns about */
     put_number(text, "]], \"rms_mm\": ", r->rms);
     put_number(text, ", \"rms_before_mm\": ", r->rms_before);
     put_point(text, ",\n    \"pivot_mm\": [", r->pivot);
@@ -151,11 +155,15 @@ static void put_registration(wcut_text *text, const wcut_compared *c) {
     put_number(text, "]], \"overlap\": ", r->overlap);
     wcut_text_print(text, ", \"points\": %d, \"kept\": %d, \"free\": %d, \"rank\": %d", r->points, r->kept, r->free,
                     r->rank);
+
+    /* whether another motion fits nearly as well, and how the fit ended */
     put_number(text, ", \"rival_rms_mm\": ", r->rival);
     put_count(text, ",\n    \"iterations\": ", r->iterations);
     put_number(text, ", \"step_mm\": ", r->step);
     put_number(text, ", \"standard_error_mm\": ", r->doubt);
     wcut_text_print(text, ", \"converged\": %s", r->converged ? "true" : "false");
+
+    /* what is left of the datums */
     put_datums(text, c->datums, c->datum);
     write_word(text, "}");
 }
@@ -190,6 +198,7 @@ static void put_bands(wcut_text *text, const char *before, const wcut_statistics
 
 /* what stands beside the quantiles: parts, extremes, offset and form */
 static void put_deviation_figures(wcut_text *text, const wcut_deviation_summary_result *r, const char *indent) {
+    /* shares and means of positive and negative deviations */
     const wcut_statistics *s = &r->statistics;
     wcut_text_print(text, ",\n%s", indent);
     const bool any = s->count > 0;
@@ -198,6 +207,8 @@ static void put_deviation_figures(wcut_text *text, const wcut_deviation_summary_
     put_known(text, "}, \"negative\": {\"share\": ", any, any ? (double)s->negative / s->count : 0);
     put_known(text, ", \"mean_mm\": ", s->negative > 0, s->negative_mean);
     wcut_text_print(text, "},\n%s", indent);
+
+    /* extremes: profile (ISO 1101) and Hausdorff distance */
     put_known(text, "\"profile_mm\": ", any, s->profile);
     put_known(text, ", \"hausdorff_scan_to_face_mm\": ", any, s->hausdorff);
 
@@ -232,10 +243,14 @@ static void put_relation(wcut_text *text, const char *before, wcut_relation r) {
 
 static void put_zones(wcut_text *text, const wcut_deviation_summary_result *r) {
     write_word(text, ",\n  \"zones\": [");
+
+    /* zones without points are left out */
     bool first = true;
     for (int k = 0; k < r->zones; k++) {
         const wcut_zone *z = &r->zone[k];
         if (z->count == 0) continue;
+
+        /* name, figures and box */
         put_string(text, first ? "\n    {\"name\": " : ",\n    {\"name\": ", z->name);
         put_count(text, ", \"count\": ", z->count);
         put_number(text, ", \"mean_mm\": ", z->mean);
@@ -270,6 +285,7 @@ static void put_worst(wcut_text *text, const wcut_deviation_summary_result *r) {
 }
 
 static void put_reconstruction(wcut_text *text, const wcut_compared *c) {
+    /* only where the scan was reconstructed */
     const wcut_reconstruction *r = c->reconstruction;
     if (!r) return;
     put_string(text, ",\n  \"reconstruction\": {\"method\": ", c->reconstruction_method);
@@ -280,6 +296,8 @@ static void put_reconstruction(wcut_text *text, const wcut_compared *c) {
     put_number(text, ", \"farthest_mm\": ", r->farthest);
     put_number(text, ", \"spacing_mm\": ", r->spacing);
     put_number(text, ", \"smoothing_mm\": ", r->smoothing);
+
+    /* holes, then deviations in both directions */
     write_word(text, ", \"holes\": [");
     for (int k = 0; k < r->hole_count; k++) {
         put_number(text, k ? ", {\"area_mm2\": " : "{\"area_mm2\": ", r->hole[k].area);
@@ -334,6 +352,7 @@ static void put_document(wcut_text *t, const wcut_compared *c) {
         write_word(t, "}");
     }
 
+    /* zones, worst areas, and the reconstruction at the end */
     put_zones(t, r);
     put_worst(t, r);
     put_reconstruction(t, c);
