@@ -41,8 +41,8 @@ void wcut_smooth(int n, const double *t, const double *y, double width, double *
 
 /* ---- the path ---- */
 
-/* the path's derivative at station j: half the chord of its neighbours, but no more than thrice the shorter of the two
-   chords that meet there, so that no way between two stations leads backwards (Fritsch, Carlson 1980) */
+/* the path's derivative at station j: half the chord of its neighbours, at most three times the shorter of the
+   two chords that meet there, so that the path never runs backwards between stations (Fritsch, Carlson 1980) */
 static wcut_vec3 tangent_at(int m, const wcut_vec3 *p, int j) {
     if (j == 0) return vec3_sub(p[1], p[0]);
     if (j == m - 1) return vec3_sub(p[m - 1], p[m - 2]);

@@ -18,7 +18,7 @@ enum { LENGTHS = 9, REGIMES = 3, PART_WINDOWS = REGIMES + 1, MIN = 4 };
 static const int window_length[LENGTHS] = {4, 6, 8, 12, 16, 24, 32, 48, 64};
 static const char *const regime_name[REGIMES] = {"entry", "steady", "exit"};
 
-/* faces: so many stripes along the path and across it, every rectangle of them */
+/* faces: cells along the path and across it; every rectangle of cells is a window */
 enum { STRIPES = 12, LANES = 5, CELLS = STRIPES * LANES };
 
 /* found in one channel of a cut, or one scan, before the rest is set aside */

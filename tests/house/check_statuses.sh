@@ -1,10 +1,11 @@
-# Every public function that gives a status says in its docstring which:  check_statuses.sh HEADER_FOLDER
+# Every public function has a docstring, and one that gives a status says in it which:  check_statuses.sh HEADER_FOLDER
 # Prints a line for each that does not, and ends with 1 where there was any.
 set -eu
 awk '
 FNR == 1 { comment = "" }
 /^\/\*\*/ { inside = 1; comment = "" }
 inside { comment = comment $0; if (/\*\//) inside = 0; next }
+/^WCUT_API/ && comment == "" { print FILENAME ": " $0 ": no docstring"; broken = 1 }
 /^WCUT_API wcut_status/ {
     functions++
     name = $3

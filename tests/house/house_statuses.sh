@@ -10,5 +10,10 @@ if sh "$check" headers >found || ! grep -q 'wcut_bad' found; then
     echo "not noticed: a function without statuses"
     exit 1
 fi
+printf '/** Good.\n * @return WCUT_OK. */\nWCUT_API wcut_status wcut_good(int a);\nWCUT_API int wcut_mute(void);\n' >headers/a.h
+if sh "$check" headers >found || ! grep -q 'wcut_mute' found; then
+    echo "not noticed: a function without a docstring"
+    exit 1
+fi
 
 sh "$check" "$SOURCE_DIR/kernel/include/wirecut"

@@ -35,7 +35,7 @@ WCUT_API wcut_status wcut_curve_bounds(const wcut_curve *curve, double tolerance
 WCUT_API wcut_status wcut_surface_bounds(const wcut_surface *surface, double tolerance, wcut_box *box);
 
 /**
- * How near a whole curve comes to a block, not its points at some parameters alone: no point is nearer than `distance`.
+ * How near a curve comes to a block at any parameter: no point of the curve is nearer than `distance`.
  *
  * @param[in]  curve     a valid curve
  * @param[in]  block     filled; low <= high, finite
@@ -57,7 +57,7 @@ typedef struct wcut_path_near {
 
 /**
  * How near a mount comes to a block along the whole curve through its stations, between them too: the cubic of
- * wcut_curve_interpolate, dwells passed over, held against the block as by wcut_curve_clearance.
+ * wcut_curve_interpolate, dwells left out, measured as by wcut_curve_clearance.
  *
  * @param[in]  count     stations, at least 1
  * @param[in]  mount     count [mm], finite

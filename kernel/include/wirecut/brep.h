@@ -22,7 +22,7 @@ typedef struct wcut_brep_coedge {
     int reversed; /**< 1: run through from `to` to `from` */
 } wcut_brep_coedge;
 
-/** What part of the solid's skin a face is. */
+/** Which part of the solid's surface a face is. */
 typedef enum wcut_brep_part {
     WCUT_BREP_PART_CUT,      /**< the cut face: spline */
     WCUT_BREP_PART_SIDE_X0,  /**< x = 0: plane, as all up to OPPOSITE */
@@ -34,27 +34,25 @@ typedef enum wcut_brep_part {
     WCUT_BREP_PART_KEY_TIP    /**< the flat end of a key: plane */
 } wcut_brep_part;
 
-/** A piece of the skin. */
+/** A face of the solid. */
 typedef struct wcut_brep_face {
     wcut_brep_part part;
-    wcut_surface
-        *surface;     /**< the border of its domain is the face's one loop, nothing is cut from it; NULL: a plane */
-    int same_sense;   /**< spline: 1 where S_u x S_v points out of the solid, 0 where it points in; plane: 1 */
-    wcut_vec3 origin; /**< plane: a point of it [mm] */
-    wcut_vec3 normal; /**< plane: unit, out of the solid */
+    wcut_surface *surface; /**< untrimmed: the border of its domain is the one loop; NULL: a plane */
+    int same_sense;        /**< spline: 1 where S_u x S_v points out of the solid, 0 where it points in; plane: 1 */
+    wcut_vec3 origin;      /**< plane: a point of it [mm] */
+    wcut_vec3 normal;      /**< plane: unit, out of the solid */
     int first_loop, loop_count; /**< in `loop`, the outer one first, the others its holes */
 } wcut_brep_face;
 
 /** A closed run of coedges: the face lies to its left, seen from outside the solid. */
 typedef struct wcut_brep_loop {
-    int first_coedge,
-        coedge_count; /**< in `coedge`: each ends where the next begins, the last where the first begins */
+    int first_coedge, coedge_count; /**< in `coedge`, each beginning where the one before ends */
 } wcut_brep_loop;
 
 /**
- * One closed shell, exact: the vertices lie on the curves' ends, the curves on both faces that they part, to rounding.
- * The four loop edges of the face WCUT_BREP_PART_CUT are its border curves, in this order for the upper side of the surface
- * (same_sense 1): v = first, u = last, v = last reversed, u = first reversed.
+ * One closed shell, exact to rounding: vertices lie on the ends of the curves, curves on both faces that they
+ * separate. The four loop edges of the face WCUT_BREP_PART_CUT are its border curves, in this order for the upper side
+ * of the surface (same_sense 1): v = first, u = last, v = last reversed, u = first reversed.
  */
 typedef struct wcut_brep {
     int vertex_count, edge_count, coedge_count, loop_count, face_count;

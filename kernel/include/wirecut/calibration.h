@@ -24,7 +24,7 @@ typedef struct wcut_test_cut {
 
 /** What the scatter of the test cuts is proportional to. */
 typedef enum wcut_noise {
-    WCUT_NOISE_RELATIVE, /**< the value itself; default: 44 of 48 measured tables are likelier so, by e^90 in all */
+    WCUT_NOISE_RELATIVE, /**< the value itself; default: 44 of 48 measured tables prefer it */
     WCUT_NOISE_ABSOLUTE  /**< one number for every cut */
 } wcut_noise;
 
@@ -35,7 +35,7 @@ typedef struct wcut_calibration_options {
     double confidence;      /**< [1] of the intervals, in (0, 1); default 0.95 */
     double reference_force; /**< [N/mm] F0 of V0 and the exponent; 0: the geometric mean of the fitted forces */
     double reference_heat;  /**< [W/m] Q_I of V0; 0: the median of the cuts' */
-    double alpha_large;     /**< [rad] deflections beyond it are counted; default 10 deg, the test cut's small angles */
+    double alpha_large;     /**< [rad] cuts with larger deflections are counted; default 10 deg */
 } wcut_calibration_options;
 
 /** What a law was tested against. */
@@ -56,7 +56,7 @@ typedef struct wcut_law_fit {
     double scale;             /**< standard deviation of a cut: relative [1], or [N/mm], as the noise is */
     int degrees;              /**< cuts less fitted parameters */
     double leave_one_out;     /**< root mean square error at cuts left out of the fit, in the unit of scale */
-    int left_out;             /**< cuts that could be left out (the others are needed to have a law at all) */
+    int left_out;             /**< cuts that could be left out; without any of the others the law is not determined */
     wcut_lack_of_fit lack;    /**< what the law was tested against */
     int lack_degrees[2];      /**< of the F statistic */
     double lack_f, lack_p;    /**< F statistic, and the probability of a larger one if the law is right; 1 untested */
@@ -71,7 +71,7 @@ typedef struct wcut_calibration {
     double q_eff_low;          /**< [J/m^2] the least and ... */
     double q_eff_high;         /**< [J/m^2] ... the greatest Q_eff of the cuts: where the laws are validated */
     int heats, speeds, q_effs; /**< different levels of each among the cuts (apart by more than 1e-6) */
-    int told_apart;            /**< 1: the interval of b is narrower than b itself, so that a is told from b */
+    int told_apart;            /**< 1: the interval of b is narrower than b itself: a and b can be separated */
     int large_angles;          /**< cuts with a deflection beyond alpha_large */
     double reference_force;    /**< [N/mm] F0 */
     double reference_heat;     /**< [W/m] Q_I */
@@ -82,7 +82,7 @@ typedef struct wcut_calibration {
     double correlation;           /**< [1] of a and b */
 } wcut_calibration;
 
-/** What is unusual about a cut in a law, for the eye; 5 to 10 % of good cuts have something. */
+/** What is unusual about a cut, to be looked at; 5 to 10 % of good cuts are marked. */
 enum {
     WCUT_UNUSUAL_OUTLIER = 1,    /**< more than 3 standard deviations off the law */
     WCUT_UNUSUAL_LEVERAGE = 2,   /**< leverage beyond 2 p / n (Hoaglin, Welsch 1978): alone at its Q_eff */
@@ -94,12 +94,12 @@ typedef struct wcut_law_fit_point {
     double measured;    /**< [N/mm] */
     double fitted;      /**< [N/mm] */
     double residual;    /**< [1] measured less fitted, in standard deviations of this cut */
-    double loss_weight; /**< [1] what the loss left of its weight; 1 with WCUT_LOSS_SQUARE */
+    double loss_weight; /**< [1] factor of the loss on its weight; 1 with WCUT_LOSS_SQUARE */
     double left_out;    /**< [N/mm] predicted by the law fitted to the others; the fitted value where there is none */
     double relative;    /**< [1] measured less fitted, over fitted */
     double leverage;  /**< [1] share of a cut in its own fitted value, in [0, 1]; their sum is the parameters' count */
     double influence; /**< [1] fitted less left out, in standard errors of the fitted value */
-    int unusual;      /**< WCUT_UNUSUAL_OUTLIER and its like, added; 0: nothing */
+    int unusual;      /**< sum of WCUT_UNUSUAL_...; 0: nothing */
 } wcut_law_fit_point;
 
 /** One cut in a calibration. */
@@ -136,9 +136,9 @@ WCUT_API double wcut_test_cut_tension(const wcut_test_cut *cut);
  *     minimise sum_i weight_i loss((y_i - y(Q_i)) / sigma_i),   sigma_i = y(Q_i) or 1
  *
  * With relative noise sigma is that of the fitted law itself (generalised least squares, Carroll and Ruppert 1988),
- * found by repeating the fit until it stands still; unlike a fit of logarithms this neither shifts the mean nor breaks
+ * found by repeating the fit until it converges; unlike a fit of logarithms this neither shifts the mean nor breaks
  * at a cut whose measured force is not positive. The start is the fit of logarithms. A tension law with a negative c is
- * not admitted: where the data want one, c is held at 0, the nearest admissible law. The leave-one-out error is by
+ * not admitted: where the fit would give one, c is held at 0. The leave-one-out error is by
  * refitting up to 200 cuts, beyond that by leverages.
  *
  * @param[in]  n           cuts, at least 3
@@ -149,7 +149,7 @@ WCUT_API double wcut_test_cut_tension(const wcut_test_cut *cut);
  * @param[out] error       may be NULL; says which cut, or what the cuts lack
  * @return WCUT_OK; WCUT_BAD_ARGUMENT (a value outside its range, or a reference force not below a),
  *         WCUT_DEGENERATE (fewer than two levels of Q_eff, fewer than two of them with a positive force, or a force
- *         that does not fall with Q_eff), WCUT_NOT_CONVERGED (the repeated fit does not come to rest: a scatter as
+ *         that does not fall with Q_eff), WCUT_NOT_CONVERGED (the repeated fit does not converge: the scatter is as
  *         large as the values), WCUT_NO_MEMORY: nothing was written.
  */
 WCUT_API wcut_status wcut_calibration_fit(int n, const wcut_test_cut *cut, const wcut_calibration_options *options,
@@ -169,7 +169,7 @@ typedef enum wcut_slip_column {
 
 /** A cut far off the law of the others. */
 typedef struct wcut_slip {
-    int cut;                 /**< its place in the table */
+    int cut;                 /**< index of the cut in the table */
     wcut_slip_column column; /**< that brings it back to the law when it is multiplied; NONE: no column does */
     double factor;           /**< [1] 0.1, 10, 0.01 or 100; 1 where there is no column */
     double ratio;            /**< [1] its force over that of the law */
@@ -179,8 +179,8 @@ typedef struct wcut_slip {
  * The outliers of a table, and the slipped decimal points that explain them.
  *
  * The law is that of a robust fit (WCUT_LOSS_TUKEY); a column is named where one of its values, moved by one or two
- * decimal places, comes into the range of the other cuts and brings the cut within 3 standard deviations of both laws, the
- * one that comes nearest.
+ * decimal places, comes into the range of the other cuts and brings the cut within 3 standard deviations of both laws,
+ * the one that comes nearest.
  *
  * @param[in]  n       cuts, at least 3
  * @param[in]  cut     n
@@ -214,8 +214,8 @@ WCUT_API wcut_status wcut_law_fit_eval(const wcut_law_fit *law, double confidenc
                                        double *fitted, double *low, double *high);
 
 /**
- * What each value would be were they the expected order of as many standard normal ones (Blom 1958), for a plot that
- * shows by a straight line that residuals are normal.
+ * Normal scores: the expected order statistics of as many standard normal values (Blom 1958), for a normal probability
+ * plot, in which normal residuals lie on a straight line.
  *
  *     score_i = z((rank_i - 3/8) / (n + 1/4)),   P(Z <= z(p)) = p
  *

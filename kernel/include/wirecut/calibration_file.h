@@ -49,6 +49,11 @@ WCUT_API wcut_status wcut_force_law_write(int n, const wcut_test_cut *cut, const
 /**
  * The text of `force_law.json`.
  *
+ * @param[in]  n           cuts, at least 1
+ * @param[in]  cut         n
+ * @param[in]  options     that the fit was made with; NULL for the defaults
+ * @param[in]  calibration of these cuts
+ * @param[in]  point       n
  * @param[out] text the caller's, to free(); ends with a line feed
  * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
  */

@@ -9,7 +9,7 @@
 extern "C" {
 #endif
 
-/** The files of a cut; their names lead to them from where the case file was named. */
+/** The files of a cut: paths that can be opened, with the folder of the case file in front. */
 typedef struct wcut_case_cut {
     char *job;
     char *recording;
@@ -27,7 +27,7 @@ typedef struct wcut_case {
 /**
  * Read a case file, "format": "wirecut-case/1". The files it names are not opened, and need not be there. A name is
  * relative to the case file and may not leave its folder: one that is empty, begins with / or has a part .. is refused;
- * where symbolic links lead is the folder's owner's affair. Keys that begin with x- are ignored, others unknown are
+ * symbolic links are followed. Keys that begin with x- are ignored, others unknown are
  * refused.
  *
  * @param[in]  path  a JSON file

@@ -12,7 +12,7 @@ extern "C" {
 
 /** How a cloud is stored. */
 typedef enum wcut_cloud_format {
-    WCUT_CLOUD_FORMAT_ANY, /**< told by the file's first bytes; an STL without "solid", OBJ and OFF by its name's ending */
+    WCUT_CLOUD_FORMAT_ANY,  /**< by the first bytes; an STL without "solid", OBJ and OFF by the name's ending */
     WCUT_CLOUD_FORMAT_PLY,  /**< ascii, binary of either byte order */
     WCUT_CLOUD_FORMAT_TEXT, /**< XYZ, PTS, ASC, CSV: a point a line */
     WCUT_CLOUD_FORMAT_STL,  /**< the corners of its triangles, so that most come several times; no normals */
@@ -23,7 +23,7 @@ typedef enum wcut_cloud_format {
     /** glTF, by assimp in a process of its own: the vertices of every node, held as a whole, at most 20000000; it is in
         metres with y upwards, and becomes mm with z upwards whatever the option unit says */
     WCUT_CLOUD_FORMAT_GLTF,
-    WCUT_CLOUD_FORMAT_PTX, /**< scans one after the other, each moved by its matrix; beams that met nothing are withheld */
+    WCUT_CLOUD_FORMAT_PTX, /**< scans in sequence, each moved by its matrix; beams without a hit are withheld */
     WCUT_CLOUD_FORMAT_COUNT
 } wcut_cloud_format;
 
@@ -32,7 +32,7 @@ typedef struct wcut_cloud_info {
     wcut_cloud_format format; /**< as found, never WCUT_CLOUD_FORMAT_ANY */
     int has_normals;          /**< 1 where the file has them */
     double unit;              /**< [mm] of the file's unit, as it states it or the options do */
-    int stated;               /**< points that the header claims, -1 where it claims nothing; it was held to it */
+    int stated;               /**< points that the header states, and the file must hold; -1: it states none */
     int read;                 /**< points handed out */
     int not_finite;           /**< points left out since a coordinate is NaN or infinite: scanners write misses so */
     int withheld;             /**< points left out since the file itself says so (LAS) */
@@ -89,11 +89,12 @@ typedef struct wcut_thinning wcut_thinning;
 WCUT_API wcut_status wcut_thinning_create(double voxel, wcut_thinning **thinning);
 
 /**
- * Thin some more points.
+ * Thin further points.
  *
+ * @param[in,out] thinning not in use by another thread
  * @param[in]  count 0 or more
  * @param[in]  point count [mm], finite, up to 1e12
- * @param[out] keep  count: 1 the first of its cube, of all calls, 0 not
+ * @param[out] keep  count: 1: the first of its cube in all calls, 0: not
  * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was written; WCUT_NO_MEMORY: keep is not to be used, nor the thinning.
  */
 WCUT_API wcut_status wcut_thinning_add(wcut_thinning *thinning, int count, const wcut_vec3 *point, unsigned char *keep);
@@ -101,7 +102,7 @@ WCUT_API wcut_status wcut_thinning_add(wcut_thinning *thinning, int count, const
 /** Free a thinning; NULL is allowed. */
 WCUT_API void wcut_thinning_destroy(wcut_thinning *thinning);
 
-/** What became of a point, in the order of the steps. */
+/** Why a point was removed, in the order of the steps. */
 typedef enum wcut_removal {
     WCUT_REMOVAL_KEPT,
     WCUT_REMOVAL_DUPLICATE, /**< as near as `duplicate` to a kept point before it */
@@ -117,7 +118,7 @@ typedef struct wcut_clean_options {
     double radius;     /**< [mm] default 0: no point is isolated */
     int radius_min;    /**< default 4; 1 or more */
     int neighbours;    /**< k, to whose mean distance a point is held; default 10, up to 128; 0: no point is an
- outlier. Outliers in clusters of more than k go unnoticed */
+                            outlier. Outliers in clusters of more than k are not noticed */
     double deviations; /**< m; default 6; not negative */
     double factor_min; /**< [1] default 3; 0 or more */
     int robust;        /**< default 1: centre and scale are median and 1.4826 MAD; 0: mean and standard deviation, which
@@ -132,6 +133,7 @@ typedef struct wcut_clean_report {
     double limit;                    /**< [mm] an outlier's is greater; 0 without that step */
 } wcut_clean_report;
 
+/** The defaults stated at the fields. */
 WCUT_API wcut_clean_options wcut_clean_options_default(void);
 
 /**
@@ -170,7 +172,7 @@ typedef struct wcut_normals_options {
     wcut_vec3 side; /**< the removed half is there; default +z, right for the lower half; not 0 */
     double steep; /**< [1] in 0 .. 1: where |n . side| is at least that, the side decides a normal's sign; a steeper one
                        follows its neighbours (Hoppe 1992). Default 0.5; 1: each connected sheet is turned as a whole,
-                       which takes longer and is right under overhangs, too */
+                       which takes longer and is also right under overhangs */
 } wcut_normals_options;
 
 /** What was found. */
@@ -180,6 +182,7 @@ typedef struct wcut_normals_report {
     int guessed;    /**< of these, the starts of connected pieces that are steep throughout: turned to the side */
 } wcut_normals_report;
 
+/** The defaults stated at the fields. */
 WCUT_API wcut_normals_options wcut_normals_options_default(void);
 
 /**

@@ -25,8 +25,8 @@ typedef enum wcut_length_unit {
 /** How a cloud is read. */
 typedef struct wcut_cloud_options {
     wcut_cloud_format format; /**< default WCUT_CLOUD_FORMAT_ANY */
-    /** of a file that states none; default WCUT_LENGTH_UNIT_MM. A unit that a text's header states (x_m) goes before
-        the default and must be any other one that is given here */
+    /** of a file that states none; default WCUT_LENGTH_UNIT_MM. A unit in the header of a text (x_m) replaces
+        the default; a different unit given here is then refused */
     wcut_length_unit unit;
     /** text: the columns x, y, z, or those and a normal, as names of the header or numbers from 1 with commas between
         them, "x_meas,y_meas,z_meas" or "4,5,6"; borrowed; default NULL: told by the header */
@@ -38,19 +38,20 @@ typedef struct wcut_cloud_options {
 /** A cloud that comes in pieces, however long it is; memory stays below 1 MiB. */
 typedef struct wcut_cloud_source wcut_cloud_source;
 
+/** The defaults stated at the fields. */
 WCUT_API wcut_cloud_options wcut_cloud_options_default(void);
 
 /**
  * Begin to read a cloud.
  *
- * Text: separated by blanks, commas or semicolons, told from the first row; decimal commas where those do not separate;
- * cells may be quoted; comments (#, //), up to ten lines before the rows, lines with the count of the points that follow
- * (PTS, several scans in one file). The last line of words before the rows, or a comment, names the columns: x, y, z,
- * with words such as coordinate or a unit, and of nominal and measured ones those measured. Other names are refused: the
- * option columns says then which columns are meant. Without names the first three columns are x, y, z, and of six the
- * last three are a normal where the first row's has length 1; six that hold two points, or a first one that counts the
- * rows, are refused.
- * PLY: coordinates of any scalar type; other properties, lists and elements are skipped.
+ * Text: separated by blanks, commas or semicolons, told from the first row; decimal commas where those do not
+ * separate; cells may be quoted; comments (#, //), up to ten lines before the rows, lines with the count of the points
+ * that follow (PTS, several scans in one file). The last line of words before the rows, or a comment, names the
+ * columns: x, y, z, with words such as coordinate or a unit, and of nominal and measured ones those measured. Other
+ * names are refused: the option columns says then which columns are meant. Without names the first three columns are
+ * x, y, z, and of six the last three are a normal where the first row's has length 1; six that hold two points, or a
+ * first one that counts the rows, are refused. PLY: coordinates of any scalar type; other properties, lists and
+ * elements are skipped.
  *
  * @param[in]  path    a file, or a pipe
  * @param[in]  options NULL for the defaults; max_points and voxel are not read
@@ -67,6 +68,7 @@ WCUT_API wcut_status wcut_cloud_source_create(const char *path, const wcut_cloud
  * The next points, in the file's order. What stands before a fault is handed out first, then the fault is reported, by
  * this call and every further one.
  *
+ * @param[in,out] source   not in use by another thread
  * @param[in]  capacity 1 or more
  * @param[out] point    capacity [mm], the first `count` of them
  * @param[out] normal   capacity [1], the first `count` of them, length 1 or 0; not written where the file has none; may
@@ -88,7 +90,7 @@ WCUT_API const wcut_cloud_info *wcut_cloud_source_info(const wcut_cloud_source *
 WCUT_API void wcut_cloud_source_destroy(wcut_cloud_source *source);
 
 /**
- * Read a whole cloud into memory; with the option voxel as much as memory needs for the points kept.
+ * Read a whole cloud into memory; with the option voxel memory is needed for the points kept only.
  *
  * @param[in]  path    a file, or a pipe
  * @param[in]  options NULL for the defaults

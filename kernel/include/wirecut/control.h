@@ -32,8 +32,8 @@ typedef struct wcut_control_settings {
     double speed_min;      /**< [mm/s] of the faster mount while it cuts */
     double speed_max;      /**< [mm/s] of the faster mount */
     double acceleration;   /**< [mm/s^2] largest change of the commanded speed, either way; default 200 */
-    double caution;        /**< [1] u to begin with: the first touch would pull e^-caution k; default 1 */
-    double margin;         /**< [mm] before and after contact begins or ends that go at cutting speed; default 10 */
+    double caution;        /**< [1] initial u: the first contact would have the tension e^-caution k; default 1 */
+    double margin;         /**< [mm] of path before and after the contact that are run at cutting speed; default 10 */
     double noise;          /**< [N] a reading within +- this is no load; default 0.1 k */
     double tension_stop;   /**< [N] of either mount, two readings in a row: safe stop; default 2.5 k */
     double tension_absurd; /**< [N] no sensor of this rig can read more; default 25 k */
@@ -43,10 +43,10 @@ typedef struct wcut_control_settings {
 /** What the controller is doing. A stop is latched: the speed ramps to 0 and stays there. */
 typedef enum wcut_control_state {
     WCUT_CONTROL_STATE_RUN,          /**< plan and feedback */
-    WCUT_CONTROL_STATE_HOLD,         /**< the reading was dropped; plan and the correction up to now */
+    WCUT_CONTROL_STATE_HOLD,         /**< the reading was dropped: plan with the last correction */
     WCUT_CONTROL_STATE_STOP_TENSION, /**< over-tension */
-    WCUT_CONTROL_STATE_STOP_ABSURD, /**< sensor not finite, negative beyond its noise or beyond its range, for too long */
-    WCUT_CONTROL_STATE_STOP_STALE   /**< sensor repeats itself, or time stands still, for too long */
+    WCUT_CONTROL_STATE_STOP_ABSURD,  /**< reading not finite, negative beyond its noise or out of range, for too long */
+    WCUT_CONTROL_STATE_STOP_STALE    /**< sensor repeats itself, or time stands still, for too long */
 } wcut_control_state;
 
 /** The controller's last step, for logs and displays. */
@@ -55,7 +55,7 @@ typedef struct wcut_control_view {
     double speed;      /**< [mm/s] commanded, of the faster mount */
     double planned;    /**< [mm/s] at this station, slowed down ahead of what the acceleration allows */
     double tension;    /**< [N] mean of both mounts, filtered */
-    double error;      /**< [1] ln(tension / target), as it was fed back */
+    double error;      /**< [1] ln(tension / target) in the feedback */
     double correction; /**< [1] u */
     int dropped;       /**< readings dropped so far */
 } wcut_control_view;
@@ -70,7 +70,7 @@ WCUT_API wcut_control_settings wcut_control_settings_default(const wcut_job *job
  * drop would need more than 7/10 of the acceleration.
  *
  * @param[in]  settings within the ranges above: all finite, gain, rate, filter, caution, margin and noise not negative,
- * the others positive, speed_min < speed_max, tension < tension_stop < tension_absurd
+ *                      the others positive, speed_min < speed_max, tension < tension_stop < tension_absurd
  * @param[in]  plan     a whole path-mode history of at least two stations; may be freed afterwards
  * @param[out] control  the caller's, to wcut_control_destroy
  * @param[out] error    may be NULL; which setting is wrong
@@ -94,7 +94,7 @@ WCUT_API void wcut_control_destroy(wcut_control *control);
  * @param[in]     tension_b [N] as measured
  * @param[out]    speed     [mm/s] to command, of the faster mount along its path
  * @return WCUT_OK, with wcut_control_look for whether it holds or stops; WCUT_BAD_ARGUMENT: a pointer is NULL, nothing
- *         was written. Readings are data, never misuse.
+ *         was written. No reading is an error.
  */
 WCUT_API wcut_status wcut_control_step(wcut_control *control, double time, double station, double tension_a,
                                        double tension_b, double *speed);

@@ -1,4 +1,4 @@
-/* wirecut/correction.h - what a diagnosis says that jobs should say instead, and putting it into any of them. */
+/* wirecut/correction.h - what a diagnosis changes in jobs, and how it is put into a job. */
 #ifndef WCUT_CORRECTION_H
 #define WCUT_CORRECTION_H
 
@@ -29,8 +29,8 @@ typedef struct wcut_correction {
  * @param[in]  path       "format": "wirecut-diagnosis/1"
  * @param[out] correction
  * @param[out] error      may be NULL; JSON path, found, expected; or why a diagnosis withholds its correction
- * @return WCUT_OK; WCUT_NOT_FOUND (no such file), WCUT_BAD_FORMAT, WCUT_BAD_ARGUMENT (withheld: its verdict is unknown and
- *         nothing was modelled; a value out of range), WCUT_NO_MEMORY: nothing was written.
+ * @return WCUT_OK; WCUT_NOT_FOUND (no such file), WCUT_BAD_FORMAT, WCUT_BAD_ARGUMENT (withheld: its verdict is unknown
+ *         and nothing was modelled; a value out of range), WCUT_NO_MEMORY: nothing was written.
  */
 WCUT_API wcut_status wcut_correction_read(const char *path, wcut_correction *correction, wcut_error *error);
 

@@ -1,4 +1,4 @@
-/* wirecut/crossing.h - where a mesh or a surface runs through itself, folds or shrinks to a point. */
+/* wirecut/crossing.h - where a mesh or a surface intersects itself, folds or shrinks to a point. */
 #ifndef WCUT_CROSSING_H
 #define WCUT_CROSSING_H
 
@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-/** Two triangles of a mesh that run through one another. */
+/** Two triangles of a mesh that cross. */
 typedef struct wcut_crossing {
     int first, second; /**< triangles, first < second */
     wcut_vec3 point;   /**< [mm] where an edge of one meets the other */
@@ -33,18 +33,18 @@ WCUT_API wcut_status wcut_mesh_crossings(const wcut_mesh *mesh, int room, wcut_c
 typedef struct wcut_surface_report {
     int closed_u, closed_v; /**< 1: the edges at both ends of that direction coincide */
     int poles;              /**< of its four edges, those shrunk to a point */
-    int folds; /**< cells of its tessellation in which the normal turns by 60 degrees or more at once: folds, creases
-                                  as sharp */
+    int folds; /**< cells of its tessellation in which the normal turns by 60 degrees or more at once: folds,
+                                  or creases of that angle */
     double fold_u, fold_v; /**< the first one */
     int crossings;         /**< pairs of triangles of its tessellation that cross */
     double crossing_u[2];  /**< parameters of the first pair */
     double crossing_v[2];  /**< */
-    double chord_error;    /**< [mm] of the tessellation that was looked at; finer than that nothing is seen */
+    double chord_error;    /**< [mm] of the tessellation that was inspected; finer faults are not found */
 } wcut_surface_report;
 
 /**
- * Look at a surface's tessellation for folds and places where it runs through itself: a loft whose sections turn over or
- * pass one another.
+ * Search a surface's tessellation for folds and self-intersections, such as of a loft whose sections turn over or pass
+ * one another.
  *
  * @param[in]  surface         a valid surface
  * @param[in]  chord_tolerance [mm] positive

@@ -1,4 +1,4 @@
-/* wirecut/curve_loft.h - a surface through curves that have nothing in common but their order. */
+/* wirecut/curve_loft.h - a surface through curves of different degrees and knots. */
 #ifndef WCUT_CURVE_LOFT_H
 #define WCUT_CURVE_LOFT_H
 
@@ -25,7 +25,7 @@ typedef struct wcut_curve_loft_report {
 /**
  * Bicubic surface through curves of any degrees, knots and weights: each is taken at the same number of points of equal
  * arc length, doubled until the cubics through them miss no curve by more than a tolerance; then as wcut_surface_loft.
- * u is the share of the arc length. A curve without length is a point, all of an edge.
+ * u is the share of the arc length. A curve without length makes an edge that is a point.
  *
  * @param[in]  count     curves, at least 2
  * @param[in]  curve     count valid curves, in order

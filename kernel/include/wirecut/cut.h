@@ -41,9 +41,9 @@ typedef struct wcut_cut_options {
     double tolerance;           /**< [1] largest relative residual to accept; default 1e-10 */
     int max_iterations;         /**< Newton iterations a (sub-)step; default 40 */
     int max_halvings;           /**< a step may be cut into 2^this sub-steps; default 10 */
-    bool weighted;              /**< a loose wire has a weight, 1e-4 of the tension: a slower way through first contacts
-                                     that none is found through without; default false, and wcut_setup_run turns to it by
-                                     itself where a run ends early */
+    bool weighted; /**< a loose wire has a weight of 1e-4 of the tension: slower, for first contacts where no
+                                     equilibrium is found otherwise; default false; wcut_setup_run tries it by itself
+                                     where a run ends early */
 } wcut_cut_options;
 
 /** A station of the history; the arrays are borrowed until the next step of the same cut. */
@@ -73,24 +73,25 @@ typedef struct wcut_station {
 typedef struct wcut_setup wcut_setup; /**< const and shared: job, paths, tables */
 typedef struct wcut_cut wcut_cut;     /**< one run: mutable, belongs to one thread at a time */
 
+/** The defaults stated at the fields. */
 WCUT_API wcut_cut_options wcut_cut_options_default(void);
 
 /**
  * Check a job and prepare everything that runs share.
  *
- * A design is planned first: a wire that runs from edge to edge, foam all about it, with the given extra length. Its ends
- * prolonged along their tangents give the mounts' way, with an approach before the block and a way out behind it; that
- * is what runs of the setup cut, the block before them and no foam elsewhere. Where the plan ends early, so do the runs,
- * with its reason.
+ * A design is planned first: a wire that runs from edge to edge, foam all about it, with the given extra length. Its
+ * ends prolonged along their tangents give the mounts' way, with an approach before the block and a way out behind it.
+ * Runs of the setup follow this path, with foam in the block alone. Where the plan ends early, so do the runs, with
+ * its reason.
  *
  * @param[in]  job     copied; may be freed afterwards
  * @param[in]  options NULL for the defaults
  * @param[out] setup   the caller's, to wcut_setup_destroy after its last cut
  * @param[out] error   may be NULL; says which key is wrong and what was expected
- * @return WCUT_OK; WCUT_BAD_ARGUMENT (a value out of range, an array that its count speaks of is NULL), WCUT_DEGENERATE
- *         (wire shorter than a chord, no contact with the block, a mount inside the block, a design's edge more than
- *         0.1 mm outside it, a design's wire that does not leave the block at its edge), WCUT_NOT_CONVERGED (a design's
- *         first wire has no equilibrium), WCUT_NO_MEMORY: nothing was written.
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a value out of range, an array is NULL though its count is not 0),
+ *         WCUT_DEGENERATE (wire shorter than a chord, no contact with the block, a mount inside the block, a design's
+ *         edge more than 0.1 mm outside it, a design's wire that does not leave the block at its edge),
+ *         WCUT_NOT_CONVERGED (a design's first wire has no equilibrium), WCUT_NO_MEMORY: nothing was written.
  */
 WCUT_API wcut_status wcut_setup_create(const wcut_job *job, const wcut_cut_options *options, wcut_setup **setup,
                                        wcut_error *error);
@@ -125,7 +126,7 @@ WCUT_API const wcut_job *wcut_setup_job(const wcut_setup *setup);
 WCUT_API const wcut_cut_options *wcut_setup_options(const wcut_setup *setup);
 
 /**
- * Begin a run: station 0, the wire hanging trailing in equilibrium.
+ * Begin a run: station 0, the wire in equilibrium, trailing behind the mounts.
  *
  * @param[in]  setup shared, must outlive the cut
  * @param[out] cut   the caller's, to wcut_cut_destroy
@@ -143,8 +144,8 @@ WCUT_API void wcut_cut_destroy(wcut_cut *cut);
  *
  * @param[in,out] cut   a run that has stations left
  * @param[out]    error may be NULL; station and cause
- * @return WCUT_OK; WCUT_NOT_FOUND: the path is over; WCUT_NOT_CONVERGED: the run is over, the station
- *         before it is still in view and valid.
+ * @return WCUT_OK; WCUT_NOT_FOUND: the path is over; WCUT_NOT_CONVERGED: the run is over; wcut_cut_view
+ *         still gives the station before.
  */
 WCUT_API wcut_status wcut_cut_step(wcut_cut *cut, wcut_error *error);
 
@@ -158,13 +159,13 @@ WCUT_API wcut_status wcut_cut_step(wcut_cut *cut, wcut_error *error);
  * @param[in]     duration [s] positive
  * @param[in]     heat     [W/m] over the step, positive
  * @param[out]    error    may be NULL
- * @return WCUT_OK; WCUT_BAD_ARGUMENT; WCUT_NOT_CONVERGED: the state before is still in view and valid.
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT; WCUT_NOT_CONVERGED: the state is as it was.
  */
 WCUT_API wcut_status wcut_cut_drive(wcut_cut *cut, wcut_vec3 mount_a, wcut_vec3 mount_b, double duration, double heat,
                                     wcut_error *error);
 
 /**
- * Look at the station the run is at.
+ * The station at which the run is.
  *
  * @param[in]  cut     a run
  * @param[out] station its arrays are borrowed until the next step or the cut's end

@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-/** Where a point is about the face; the first two count as deviations. */
+/** Where a point is relative to the face; the first two count as deviations. */
 typedef enum wcut_place {
     WCUT_PLACE_INSIDE,
     WCUT_PLACE_BORDER,    /**< counts, but the foot is within `border` of the window's sides or on the face's border */
@@ -33,12 +33,13 @@ typedef struct wcut_deviation {
 
 /** What counts as a deviation. */
 typedef struct wcut_deviation_options {
-    wcut_vec3 low, high; /**< [mm] window: the face is there, and not where its surface goes on; default: everywhere */
+    wcut_vec3 low, high; /**< [mm] window that holds the face; outside it the surface continues; default: all */
     double border;       /**< [mm] default 1; not negative */
     double reach;        /**< [mm] points further away do not belong to the face; default 0: all do */
     int flip;            /**< 1: the face's normal is the other one; default 0 */
 } wcut_deviation_options;
 
+/** The defaults stated at the fields. */
 WCUT_API wcut_deviation_options wcut_deviation_options_default(void);
 
 /** "inside", "border", "beyond", "ambiguous"; NULL outside the enum. */
@@ -76,17 +77,17 @@ WCUT_API wcut_status wcut_deviation_from_mesh(const wcut_mesh_tree *tree, int co
                                               wcut_deviation *deviation);
 
 /**
- * Let feet on a tessellation stand for feet on its surface: u, v become the surface's parameters, triangle -1.
+ * Convert feet on a tessellation to feet on its surface: u, v become the surface's parameters, triangle -1.
  *
  * @param[in]     mesh      with uv, that the deviations are from
  * @param[in]     count     0 or more
  * @param[in,out] deviation count
- * @return WCUT_OK; WCUT_BAD_ARGUMENT (a triangle that the mesh has not): nothing was written.
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a triangle that the mesh does not have): nothing was written.
  */
 WCUT_API wcut_status wcut_deviation_onto_surface(const wcut_mesh *mesh, int count, wcut_deviation *deviation);
 
 /**
- * The way back: how far each query is from the nearest of some points, as a face from its scan.
+ * The distance of each query from the nearest of some points, such as of a face from its scan.
  *
  * @param[in]  count    points, 1 or more
  * @param[in]  point    count [mm], finite, up to 1e12

@@ -1,4 +1,4 @@
-/* wirecut/deviation_file.h - a comparison of scan and face to files: deviation.json, zones.csv, coloured points, mesh. */
+/* wirecut/deviation_file.h - a comparison of scan and face to files: JSON, zones.csv, coloured points and mesh. */
 #ifndef WCUT_DEVIATION_FILE_H
 #define WCUT_DEVIATION_FILE_H
 
@@ -36,15 +36,15 @@ typedef struct wcut_compared {
     int removed[WCUT_REMOVAL_COUNT]; /**< by cause; removed[WCUT_REMOVAL_KEPT] points were compared */
     const wcut_registration *registration;
     int datums;                                   /**< 0 or more */
-    const wcut_datum_residual *datum;             /**< datums: what the registration leaves of them */
+    const wcut_datum_residual *datum;             /**< datums: residuals after the registration */
     const wcut_deviation_summary_result *found;   /**< as registered */
     const wcut_deviation_summary_result *unmoved; /**< as the scan came; the same as `found` without a registration */
     const wcut_statistics *face_to_scan;          /**< [mm] distances of the face from the nearest point; not signed */
-    double resolution;                 /**< [mm] by so much they may be too long, since points were thinned for it */
-    double kerf;                       /**< [mm] that the face was lowered for half of, on average; 0 for a mesh */
-    int has_kerf;                      /**< 1 where the face is a job's: the offset says what the kerf really is */
+    double resolution;                 /**< [mm] these distances may be too large by this: points were thinned */
+    double kerf;                       /**< [mm] mean kerf, by half of which the face was lowered; 0 for a mesh */
+    int has_kerf;                      /**< 1 where the face is a job's: the offset shows the true kerf */
     double unmeasured;                 /**< [mm^2] of the face without points; negative: not known */
-    double support;                    /**< [mm] a point speaks for the face that far around it */
+    double support;                    /**< [mm] radius around a point within which the face counts as measured */
     double tolerance, share;           /**< [mm], [1] the gate; tolerance 0: none */
     int within;                        /**< 1: as much as the gate asks is within the tolerance */
     const char *reconstruction_method; /**< "field" */
@@ -56,6 +56,7 @@ typedef struct wcut_compared {
 /**
  * The text of deviation.json, "wirecut-deviation/1" (FORMATS.md, Deviation).
  *
+ * @param[in]  compared every pointer as its field says
  * @param[out] text the caller's, to free(); ends with a line feed
  * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
  */
@@ -65,8 +66,11 @@ WCUT_API wcut_status wcut_deviation_print(const wcut_compared *compared, char **
    WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as it was; error may be NULL. */
 
 /**
- * The same text into deviation.json.
+ * Write deviation.json: the text of wcut_deviation_print into a file.
  *
+ * @param[in]  compared as for wcut_deviation_print
+ * @param[in]  path     the target, replaced whole or left as it was
+ * @param[out] error    may be NULL
  * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as
  *         it was.
  */
@@ -75,6 +79,9 @@ WCUT_API wcut_status wcut_deviation_write(const wcut_compared *compared, const c
 /**
  * zones.csv: a row a zone; an empty field where a zone has no points.
  *
+ * @param[in]  found of wcut_deviation_summary_eval
+ * @param[in]  path  the target, replaced whole or left as it was
+ * @param[out] error may be NULL
  * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as
  *         it was.
  */
@@ -88,6 +95,8 @@ WCUT_API wcut_status wcut_zones_write(const wcut_deviation_summary_result *found
  * @param[in] value   mesh->vertex_count [mm], finite
  * @param[in] present mesh->vertex_count; NULL: everywhere
  * @param[in] limit   [mm] value of the strongest colour, positive
+ * @param[in]  path    the target, replaced whole or left as it was
+ * @param[out] error   may be NULL
  * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as
  *         it was.
  */
@@ -104,20 +113,29 @@ WCUT_API wcut_status wcut_deviation_mesh_write_obj(const wcut_mesh *mesh, const 
 typedef struct wcut_deviation_stream wcut_deviation_stream;
 
 /**
- * Begin it in a temporary file beside the target. limit: [mm] value of the strongest colour, positive; normals: 1
- * where points come with them.
+ * Begin a stream in a temporary file beside the target.
  *
+ * @param[in]  path    the target
+ * @param[in]  limit   [mm] value of the strongest colour, positive
+ * @param[in]  normals 1 where points come with normals, else 0
+ * @param[out] stream  the caller's, to wcut_deviation_stream_destroy
+ * @param[out] error   may be NULL
  * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: nothing was written.
  */
 WCUT_API wcut_status wcut_deviation_stream_create(const char *path, double limit, int normals,
                                                   wcut_deviation_stream **stream, wcut_error *error);
 
 /**
- * Append count finite points, their normals (NULL if begun without) and deviations; those that do not count are grey
- * and nan.
+ * Append points, their normals and deviations; deviations that do not count are grey and nan.
  *
- * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was appended; WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the stream is of no
- *         use any more, the target is as it was.
+ * @param[in,out] stream    begun, not committed
+ * @param[in]     count     0 or more
+ * @param[in]     point     count [mm], finite
+ * @param[in]     normal    count; NULL where the stream has none
+ * @param[in]     deviation count
+ * @param[out]    error     may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was appended; WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the stream must
+ *         be destroyed, the target is as it was.
  */
 WCUT_API wcut_status wcut_deviation_stream_append(wcut_deviation_stream *stream, int count, const wcut_vec3 *point,
                                                   const wcut_vec3 *normal, const wcut_deviation *deviation,
@@ -126,6 +144,8 @@ WCUT_API wcut_status wcut_deviation_stream_append(wcut_deviation_stream *stream,
 /**
  * Finish the file and put it in its place; the stream stays to be destroyed.
  *
+ * @param[in,out] stream begun, not committed
+ * @param[out]    error  may be NULL
  * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NOT_WRITTEN: the target is as it was.
  */
 WCUT_API wcut_status wcut_deviation_stream_commit(wcut_deviation_stream *stream, wcut_error *error);

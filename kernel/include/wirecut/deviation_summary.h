@@ -1,4 +1,4 @@
-/* wirecut/deviation_summary.h - what the deviations of a whole scan say, taken in as they come: figures, zones, worst areas. */
+/* wirecut/deviation_summary.h - statistics, zones and worst areas of all deviations of a scan, added piece by piece. */
 #ifndef WCUT_DEVIATION_SUMMARY_H
 #define WCUT_DEVIATION_SUMMARY_H
 
@@ -17,7 +17,7 @@ enum { WCUT_WORST_MAX = 10, WCUT_ZONE_NAME = 32 };
 /** How a scan is divided. */
 typedef struct wcut_deviation_summary_options {
     wcut_vec3 low, high;         /**< [mm] the block, or the face's box; low < high in x and y */
-    double patch;                /**< [mm] side that patches of the block have, nearly; default 100; positive */
+    double patch;                /**< [mm] approximate side of the patches of the block; default 100; positive */
     double cell;                 /**< [mm] side of the smallest cell that worst areas consist of; default 1; positive */
     int bands;                   /**< 0 .. WCUT_BANDS_MAX; default 0 */
     double band[WCUT_BANDS_MAX]; /**< [mm] positive tolerances */
@@ -39,25 +39,25 @@ typedef struct wcut_worst {
     wcut_vec3 place;     /**< [mm] mean of its feet */
     wcut_vec3 low, high; /**< [mm] its box in x and y, of the feet in z */
     double area;         /**< [mm^2] of its cells seen along z */
-    double volume;       /**< [mm^3] mean deviation times area: material too much, or too little where negative */
+    double volume;       /**< [mm^3] mean deviation times area: excess material, or missing material where negative */
     double mean;         /**< [mm] of its cells' means */
-    double peak;         /**< [mm] the mean of largest size among its cells' */
+    double peak;         /**< [mm] the cell mean of largest size */
     int count;           /**< deviations */
 } wcut_worst;
 
 /** A deviation in three parts: one constant, what changes from cell to cell, and what changes within a cell. A cell's
-    mean leaves out its lowest and its highest where it has four or more, the noise is a median over cells: strays count
-    in the statistics, not here. */
+    mean leaves out its lowest and its highest where it has four or more, the noise is a median over cells: outliers
+    count in the statistics, not here. */
 typedef struct wcut_split {
     double offset;       /**< [mm] mean of the cells' means, whatever the scan's density */
     double offset_error; /**< [mm] standard error of it by the noise alone */
-    double form_rms;     /**< [mm] of the cells' means about it, their own noise taken off */
-    double noise_rms;    /**< [mm] of deviations about their cell's mean, in the middle one of the cells */
+    double form_rms;     /**< [mm] of the cells' means about it, less their own noise */
+    double noise_rms;    /**< [mm] of deviations about their cell's mean, median over the cells */
     double cell;         /**< [mm] side of a cell: doubled until half of them hold 8 points */
     int cells;           /**< with two points or more */
 } wcut_split;
 
-/** How deviations go with something else: Pearson's r, 0 where either does not change. */
+/** Correlation of deviations with another quantity: Pearson's r, 0 where either is constant. */
 typedef struct wcut_relation {
     double of_deviation; /**< of d */
     double of_size;      /**< of |d| */
@@ -72,13 +72,14 @@ typedef struct wcut_deviation_summary_result {
     int worsts;
     const wcut_worst *worst; /**< by size of volume */
     wcut_split split;
-    int related;                    /**< 1: the relations are known, since a face is */
+    int related;                    /**< 1: the relations are known, because the face is */
     wcut_relation time, path, bend; /**< time since entry, curvature of the path, size of the face's curvature */
 } wcut_deviation_summary_result;
 
-/** A summary that goes on; memory does not grow with the count of points. */
+/** A summary in progress; memory does not grow with the count of points. */
 typedef struct wcut_deviation_summary wcut_deviation_summary;
 
+/** The defaults stated at the fields. */
 WCUT_API wcut_deviation_summary_options wcut_deviation_summary_options_default(void);
 
 /**
@@ -93,11 +94,12 @@ WCUT_API wcut_status wcut_deviation_summary_create(const wcut_deviation_summary_
                                                    wcut_deviation_summary **summary);
 
 /**
- * Take in some deviations.
+ * Add deviations.
  *
+ * @param[in,out] summary   not in use by another thread
  * @param[in] count     0 or more; not more than INT_MAX in all
  * @param[in] deviation count
- * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was taken in; WCUT_NO_MEMORY.
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was added.
  */
 WCUT_API wcut_status wcut_deviation_summary_add(wcut_deviation_summary *summary, int count,
                                                 const wcut_deviation *deviation);

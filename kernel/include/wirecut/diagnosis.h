@@ -33,7 +33,7 @@ typedef enum wcut_verdict_kind { WCUT_VERDICT_LIST(WCUT_VERDICT_ENTRY) WCUT_VERD
 
 /** What of a cut is measured: both mounts together, and the scan. */
 typedef enum wcut_evidence_channel {
-    WCUT_EVIDENCE_CHANNEL_SPEED, /**< [mm/s] of the planned run, while the tension is within 10 % of its target; never fitted */
+    WCUT_EVIDENCE_CHANNEL_SPEED, /**< [mm/s] of the planned run, at tensions within 10 % of the target; never fitted */
     WCUT_EVIDENCE_CHANNEL_TENSION, /**< [N] */
     WCUT_EVIDENCE_CHANNEL_ALPHA,   /**< [deg] */
     WCUT_EVIDENCE_CHANNEL_BETA,    /**< [deg] */
@@ -58,7 +58,7 @@ typedef enum wcut_evidence_channel {
 typedef enum wcut_scatter_kind { WCUT_SCATTER_LIST(WCUT_SCATTER_ENTRY) WCUT_SCATTER_COUNT } wcut_scatter_kind;
 #undef WCUT_SCATTER_ENTRY
 
-/** A cut as it comes in; everything is borrowed. What is missing is NULL, and the diagnosis says what it cost. */
+/** A cut of the case; everything is borrowed. What is missing is NULL; the limits of the diagnosis name it. */
 typedef struct wcut_diagnosis_cut {
     const wcut_job *job;             /**< path mode; NULL: the cut is left out */
     const wcut_recording *recording; /**< NULL: the cut is left out */
@@ -71,7 +71,7 @@ typedef struct wcut_diagnosis_options {
     bool without[WCUT_EFFECT_COUNT]; /**< effects that are taken out of the library; default none */
     bool proof;                      /**< run the forward proof and the black box; default true */
     bool naive;                      /**< run plain least squares beside it, for comparison; default false */
-    unsigned long long seed;         /**< of the simulated nulls; default 1 */
+    unsigned long long seed;         /**< of the simulated null distributions; default 1 */
 } wcut_diagnosis_options;
 
 /** A parameter with its interval. */
@@ -98,7 +98,7 @@ typedef struct wcut_hypothesis {
     int parameters;        /**< fitted beyond recalibration */
     double gain;           /**< fall of the misfit (chi-square units) against recalibration alone */
     double held_out;       /**< the same on cuts that were not fitted, each predicted from the others */
-    double adequacy;       /**< [1] what is left over what noise leaves: 1 is adequate */
+    double adequacy;       /**< [1] remaining misfit over that of noise alone: 1 is adequate */
     double probability;    /**< 0 .. 1, over all hypotheses of the ranking */
     const char *why;       /**< why it was set aside, a constant text; "" of the one that was chosen */
 } wcut_hypothesis;
@@ -136,7 +136,7 @@ typedef struct wcut_evidence_score {
     double low, high;                    /**< 95 % of rmse_over_range over resampled blocks; NaN where not run */
 } wcut_evidence_score;
 
-/** The models that are compared: as the job says, recalibrated, with the effects found, and a mere fit. */
+/** The models that are compared: as the job says, recalibrated, with the effects found, and a fit without physics. */
 typedef enum wcut_evidence_model {
     WCUT_EVIDENCE_MODEL_BEFORE,
     WCUT_EVIDENCE_MODEL_RECALIBRATED,
@@ -153,14 +153,14 @@ typedef struct wcut_dependence {
     double gain;                   /**< fall of the misfit on held-out cuts, chi-square units */
 } wcut_dependence;
 
-/** A window of one cut in which the force was another, and which no other cut repeats. */
+/** A window of one cut in which the force differs, and which no other cut repeats. */
 typedef struct wcut_event {
     int cut;
     double time[2]; /**< [s] of the recording */
     double station[2];
     double tension; /**< [N] by which both tensions differ there, mean */
-    double force;   /**< [1] relative change of the foam's force that would do it */
-    double heat;    /**< [1] relative change of the heat that would do it */
+    double force;   /**< [1] relative change of the foam's force that explains it */
+    double heat;    /**< [1] relative change of the heat that explains it */
 } wcut_event;
 
 /** A residual over time and wire, before and after, as the report draws it. */
@@ -175,17 +175,17 @@ typedef struct wcut_residual_trace {
     double noise;                          /**< standard deviation of a bin's mean by noise alone */
 } wcut_residual_trace;
 
-/** What was modelled of an unknown verdict: terms of empirical_force that hold on cuts left out, and events. */
+/** What was modelled where the verdict is unknown: terms of empirical_force that hold on cuts left out, and events. */
 typedef struct wcut_modelled {
     int terms; /**< 0: nothing was confirmed */
     wcut_found_effect term[WCUT_MODELLED_TERMS];
     char equation[240]; /**< "F = a exp(-b Q_eff) (1 + 0.32 sin(2 pi y / 70.1 mm + 4.06))" */
     int rivals;
-    char rival[WCUT_MODELLED_RIVALS][80]; /**< terms that explain as much, as formulae */
+    char rival[WCUT_MODELLED_RIVALS][80]; /**< terms that explain as much, as formulas */
     int events;
     wcut_event event[WCUT_MODELLED_EVENTS]; /**< windows that were left out of the fit of the rest */
-    double recalibrated, after; /**< [N] of events: misfit of the tensions as the rest says, and with a level for each
-                                   window, told by every other bin of it */
+    double recalibrated, after; /**< [N] of events: misfit of the tensions without, and with a level for each window,
+                                   estimated from every other bin of it */
 } wcut_modelled;
 
 /** Where in space the worst misfit is: a cut as the model called "after" has it, and its scan. */
@@ -232,10 +232,10 @@ typedef struct wcut_diagnosis {
     wcut_correction correction; /**< the model called "after", for any job; not to be used where it is withheld */
     char withheld[160];         /**< why there is no correction and no `improved`; "" where there is one */
     wcut_job *improved;        /**< the first cut's job, corrected, without its excitation; NULL where it is withheld */
-    wcut_job *next_experiment; /**< a cut that would tell the alternatives apart; NULL: none needed */
+    wcut_job *next_experiment; /**< a cut that would separate the alternatives; NULL: none needed */
     char next_reason[WCUT_DIAGNOSIS_TEXT];
     int limits;
-    char (*limit)[WCUT_DIAGNOSIS_TEXT];        /**< what could not be told, and why */
+    char (*limit)[WCUT_DIAGNOSIS_TEXT];        /**< what could not be determined, and why */
     double noise[WCUT_EVIDENCE_CHANNEL_COUNT]; /**< standard deviation of a sample, channel's unit; NaN: none */
     char unprofiled[120];                      /**< why intervals are of the curvature alone; empty: of a profile */
     char unproven[120];                        /**< why there is no forward proof; empty: there is one */
@@ -245,6 +245,7 @@ typedef struct wcut_diagnosis {
     char stopped[80]; /**< "while pairs of effects were fitted": where it was cut short; "" of a whole one */
 } wcut_diagnosis;
 
+/** The defaults stated at the fields. */
 WCUT_API wcut_diagnosis_options wcut_diagnosis_options_default(void);
 
 /** The name of a verdict in files, "physics"; "" outside the enum. */
@@ -255,11 +256,12 @@ WCUT_API const char *wcut_scatter_name(wcut_scatter_kind kind);
 
 /** The name of a channel in files, "tension", and its unit, "N"; "" outside the enum. */
 WCUT_API const char *wcut_evidence_name(wcut_evidence_channel channel);
+/** The unit of a channel in files, "N"; "" outside the enum. */
 WCUT_API const char *wcut_evidence_unit(wcut_evidence_channel channel);
 
 /**
- * Diagnose a case: recalibrate, locate what is left, try every effect and every pair of them, decide, and show on cuts
- * that were not fitted what the decision is worth. Method: NOTATION.md, Diagnosis.
+ * Diagnose a case: recalibrate, locate the remaining misfit, try every effect and every pair of them, decide, and show
+ * by cuts that were not fitted how well the decision predicts. Method: NOTATION.md, Diagnosis.
  *
  * @param[in]  cuts        at least 1
  * @param[in]  cut         cuts
@@ -272,8 +274,8 @@ WCUT_API const char *wcut_evidence_unit(wcut_evidence_channel channel);
  * @param[out] diagnosis   the caller's, to wcut_diagnosis_destroy
  * @param[out] error       may be NULL; the cut and what is wrong with it
  * @return WCUT_OK; WCUT_INTERRUPTED: what was found so far, marked, in its sentence too; nothing where not even the
- *         recalibration was fitted; WCUT_BAD_ARGUMENT (no usable cut), WCUT_DEGENERATE (a job that cannot be simulated),
- *         WCUT_NO_MEMORY: nothing was written.
+ *         recalibration was fitted; WCUT_BAD_ARGUMENT (no usable cut), WCUT_DEGENERATE (a job that cannot be
+ *         simulated), WCUT_NO_MEMORY: nothing was written.
  */
 WCUT_API wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *cut, int test_cuts,
                                            const wcut_test_cut *calibration, const wcut_diagnosis_options *options,

@@ -1,4 +1,4 @@
-/* wirecut/edit.h - curves and surfaces made from others: the same shape written otherwise, or a part of it. */
+/* wirecut/edit.h - curves and surfaces made from others: the same shape in another form, or a part of it. */
 #ifndef WCUT_EDIT_H
 #define WCUT_EDIT_H
 
@@ -48,7 +48,7 @@ WCUT_API wcut_status wcut_curve_reverse(const wcut_curve *curve, wcut_curve **re
 /**
  * The same surface with a knot inserted in one direction; as wcut_curve_insert_knot.
  *
- * @return As wcut_curve_insert_knot; WCUT_BAD_ARGUMENT for no direction, too.
+ * @return As wcut_curve_insert_knot; also WCUT_BAD_ARGUMENT for an unknown direction.
  */
 WCUT_API wcut_status wcut_surface_insert_knot(const wcut_surface *surface, wcut_direction direction, double at,
                                               int times, wcut_surface **result);
@@ -56,7 +56,7 @@ WCUT_API wcut_status wcut_surface_insert_knot(const wcut_surface *surface, wcut_
 /**
  * The two parts of a surface on either side of a parameter of one direction; as wcut_curve_split.
  *
- * @return As wcut_curve_split; WCUT_BAD_ARGUMENT for no direction, too.
+ * @return As wcut_curve_split; also WCUT_BAD_ARGUMENT for an unknown direction.
  */
 WCUT_API wcut_status wcut_surface_split(const wcut_surface *surface, wcut_direction direction, double at,
                                         wcut_surface **low, wcut_surface **high);
@@ -64,13 +64,15 @@ WCUT_API wcut_status wcut_surface_split(const wcut_surface *surface, wcut_direct
 /**
  * The same surface with one direction run through backwards, its normals the other way; as wcut_curve_reverse.
  *
- * @return As wcut_curve_reverse; WCUT_BAD_ARGUMENT for no direction, too.
+ * @return As wcut_curve_reverse; also WCUT_BAD_ARGUMENT for an unknown direction.
  */
 WCUT_API wcut_status wcut_surface_reverse(const wcut_surface *surface, wcut_direction direction, wcut_surface **result);
 
 /**
  * The same surface with u and v exchanged, its normals the other way: result(u, v) = surface(v, u).
  *
+ * @param[in]  surface a valid surface
+ * @param[out] result  the caller's, to wcut_surface_destroy
  * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
  */
 WCUT_API wcut_status wcut_surface_transpose(const wcut_surface *surface, wcut_surface **result);

@@ -1,4 +1,4 @@
-/* wirecut/effects.h - what the plain model leaves out: physics and instrument faults, each nested in it by name. */
+/* wirecut/effects.h - what the plain model leaves out: physics and instrument faults, each switched on by its name. */
 #ifndef WCUT_EFFECTS_H
 #define WCUT_EFFECTS_H
 
@@ -71,7 +71,7 @@ typedef struct wcut_effect_parameter {
     double low, high; /**< what is plausible; the source stands in NOTATION.md */
 } wcut_effect_parameter;
 
-/** What there is to know of a kind of effect. */
+/** Properties of a kind of effect. */
 typedef struct wcut_effect_info {
     const char *name;
     wcut_effect_place place;
@@ -84,7 +84,7 @@ typedef struct wcut_effect_info {
     const wcut_effect_parameter *parameter; /**< of the first choice, the required ones first */
 } wcut_effect_info;
 
-/** What is known of a kind of effect, borrowed; NULL outside the enum. */
+/** The properties of a kind of effect, borrowed; NULL outside the enum. */
 WCUT_API const wcut_effect_info *wcut_effect_view(wcut_effect_kind kind);
 
 /**
@@ -102,14 +102,15 @@ WCUT_API wcut_effect wcut_effect_default(wcut_effect_kind kind);
 /** The same of another choice, 0 .. the number of choices - 1: its own parameters at their initial values. */
 WCUT_API wcut_effect wcut_effect_choose(wcut_effect_kind kind, int choice);
 
-/** The parameters of an effect's kind and choice, ended by a NULL key; NULL for a kind or choice that is none. */
+/** The parameters of an effect's kind and choice, ended by a NULL key; NULL for an unknown kind or choice. */
 WCUT_API const wcut_effect_parameter *wcut_effect_parameters(const wcut_effect *effect);
 
 /** Whether an effect has its neutral size, so that it changes nothing. */
 WCUT_API bool wcut_effect_is_neutral(const wcut_effect *effect);
 
 /**
- * Check effects: known kinds and choices, values in the range that is accepted, none twice that may not repeat.
+ * Check effects: known kinds and choices, values in the accepted range, no repetition of an effect that must not
+ * repeat.
  *
  * @param[in]  count  at least 0
  * @param[in]  effect count
@@ -122,8 +123,8 @@ WCUT_API wcut_status wcut_effects_check(int count, const wcut_effect *effect, wc
 enum { WCUT_SENSED_TENSION_A = 2, WCUT_SENSED_ALPHA_A = 4, WCUT_SENSED_COUNT = 8 };
 
 /**
- * What faulty instruments make of a prediction: clock_offset, tension_delay and encoder_friction before gains, zeros and drifts; other
- * effects are passed over. Signals are speed_a, speed_b, tension_a, tension_b [N], alpha_a, beta_a,
+ * What faulty instruments make of a prediction: clock_offset, tension_delay and encoder_friction before gains, zeros
+ * and drifts; other effects are ignored. Signals are speed_a, speed_b, tension_a, tension_b [N], alpha_a, beta_a,
  * alpha_b, beta_b [rad], as in wcut_prediction; speeds stay as they are (they come with the motion).
  *
  * @param[in]     count   effects, at least 0
@@ -131,7 +132,7 @@ enum { WCUT_SENSED_TENSION_A = 2, WCUT_SENSED_ALPHA_A = 4, WCUT_SENSED_COUNT = 8
  * @param[in]     samples at least 0
  * @param[in]     time    samples [s], strictly increasing, of the recording's clock
  * @param[in]     present samples: 1 where there is a prediction; NULL: everywhere
- * @param[in,out] value   WCUT_SENSED_COUNT times samples; a NULL signal is passed over
+ * @param[in,out] value   WCUT_SENSED_COUNT times samples; a NULL signal is skipped
  * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: the signals are as they were.
  */
 WCUT_API wcut_status wcut_sensors_eval(int count, const wcut_effect *effect, int samples, const double *time,
@@ -139,7 +140,7 @@ WCUT_API wcut_status wcut_sensors_eval(int count, const wcut_effect *effect, int
 
 /**
  * Where points of the cut face are scanned: kerf_growth and block_springback move the face, then scan_scale and
- * scan_offset misplace the scan; other effects are passed over.
+ * scan_offset misplace the scan; other effects are ignored.
  *
  * @param[in]     count  effects, at least 0
  * @param[in]     effect count, checked

@@ -1,5 +1,4 @@
-/* wirecut/equilibrium.h - the same equilibrium as force_density.h, by Newton: a handful of iterations however straight.
- */
+/* wirecut/equilibrium.h - the same equilibrium as force_density.h by Newton's method, for straight wires too. */
 #ifndef WCUT_EQUILIBRIUM_H
 #define WCUT_EQUILIBRIUM_H
 
@@ -24,6 +23,7 @@ typedef struct wcut_equilibrium_report {
     int iterations;   /**< Newton steps taken */
 } wcut_equilibrium_report;
 
+/** The defaults stated at the fields. */
 WCUT_API wcut_equilibrium_options wcut_equilibrium_options_default(void);
 
 /**
@@ -31,7 +31,7 @@ WCUT_API wcut_equilibrium_options wcut_equilibrium_options_default(void);
  *
  *     q_e (X_{e+1} - X_e) - q_{e-1} (X_e - X_{e-1}) + F_e = 0,   |X_{e+1} - X_e| = l_e     (Schek 1974; Newton)
  *
- * No first guess is needed: it starts from the arc that the resultant hangs the chain into.
+ * No first guess is needed: it starts from the shape of a taut wire under the same load.
  *
  * @param[in]     n       nodes, at least 3; the first and the last are fixed
  * @param[in]     force   n [N], not all zero; the first and the last are not read

@@ -49,7 +49,8 @@ WCUT_API wcut_status wcut_step_write(int count, const wcut_shape *shape, wcut_st
 
 /**
  * Surfaces and curves to an IGES 5.3 file: rational B-spline surfaces (type 128) and curves (126) with their names
- * (406 form 15; 50 characters of them, "_" for what is not ASCII). Numbers as in wcut_step_write. Solids are refused: they belong into STEP.
+ * (406 form 15; 50 characters of them, "_" for what is not ASCII). Numbers as in wcut_step_write. Solids are refused:
+ * write them as STEP.
  *
  * @param[in]  count  1 or more
  * @param[in]  shape   count, none of them a solid
@@ -62,7 +63,8 @@ WCUT_API wcut_status wcut_iges_write(int count, const wcut_shape *shape, const c
 
 /**
  * Meshes to a 3MF package (3MF core specification 1.3, deflated), each an object with its name, in millimetres, of
- * type model where it is closed by index and surface where it is open. Coordinates are the shortest numbers that read back as the same double.
+ * type model where it is closed by index and surface where it is open. Coordinates are the shortest numbers that read
+ * back as the same double.
  *
  * @param[in]  count  1 or more
  * @param[in]  mesh   count, borrowed
@@ -75,7 +77,7 @@ WCUT_API wcut_status wcut_iges_write(int count, const wcut_shape *shape, const c
 WCUT_API wcut_status wcut_mesh_write_3mf(int count, const wcut_mesh *const *mesh, const char *const *name,
                                          const char *path, wcut_error *error);
 
-/** A binary STL written triangle by triangle, for more than memory should hold. */
+/** A binary STL written triangle by triangle, for meshes too large for memory. */
 typedef struct wcut_stl_stream wcut_stl_stream;
 
 /**
@@ -91,10 +93,11 @@ WCUT_API wcut_status wcut_stl_stream_create(const char *path, wcut_stl_stream **
 /**
  * Append triangles.
  *
+ * @param[in,out] stream begun, not committed
  * @param[in]  count  0 or more; at most 4294967295 in all
  * @param[in]  corner 3 count [mm], counter-clockwise seen from outside
  * @param[out] error  may be NULL
- * @return WCUT_OK; WCUT_BAD_ARGUMENT: none of them was appended; WCUT_NOT_WRITTEN: the stream is of no more use.
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT: none of them was appended; WCUT_NOT_WRITTEN: the stream must be destroyed.
  */
 WCUT_API wcut_status wcut_stl_stream_append(wcut_stl_stream *stream, int count, const wcut_vec3 *corner,
                                             wcut_error *error);
@@ -102,6 +105,8 @@ WCUT_API wcut_status wcut_stl_stream_append(wcut_stl_stream *stream, int count, 
 /**
  * Put the file in its place; the stream stays to be destroyed.
  *
+ * @param[in,out] stream with at least one triangle
+ * @param[out]    error  may be NULL
  * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT (no triangle was appended), WCUT_NOT_WRITTEN: the
  *         target is as it was.
  */

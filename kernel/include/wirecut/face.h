@@ -1,4 +1,4 @@
-/* wirecut/face.h - the simulated cut face of the lower half: what a scan is held against. */
+/* wirecut/face.h - the simulated cut face of the lower half: what a scan is compared with. */
 #ifndef WCUT_FACE_H
 #define WCUT_FACE_H
 
@@ -54,11 +54,11 @@ WCUT_API wcut_status wcut_face_create(const wcut_job *job, const wcut_history *h
 /** Free a face; NULL is allowed. */
 WCUT_API void wcut_face_destroy(wcut_face *face);
 
-/** [mm] The kerf that a face was lowered for half of, on average over the grid in the block. */
+/** [mm] The mean kerf over the grid in the block; the face is lowered by half of the kerf. */
 WCUT_API double wcut_face_kerf(const wcut_face *face);
 
 /**
- * The grid of a face as triangles, two to a cell, those left out that are drawn back to nothing. Vertices are the grid's
+ * The grid of a face as triangles, two to a cell, without those that have no area. Vertices are the grid's
  * points, all of them, in its order.
  *
  * @param[in]  face
@@ -73,7 +73,7 @@ WCUT_API void wcut_face_locate(const wcut_face *face, double u, double v, double
 
 /**
  * Deviations spread over a face's grid: the mean of what is near each point, weighted by a hat of one step each way;
- * where no weight of `min` comes together, of a window that grows up to `support`.
+ * where the weight there is too small, the mean over a window that grows up to `support`.
  */
 typedef struct wcut_face_map {
     int rows, columns;
@@ -89,13 +89,15 @@ typedef struct wcut_face_map {
  */
 WCUT_API wcut_status wcut_face_map_create(const wcut_face *face, wcut_face_map **map);
 
-/** Spread some deviations; those that are beyond, ambiguous or not finite are passed over. */
+/** Add deviations; those that are beyond, ambiguous or not finite are skipped. */
 WCUT_API void wcut_face_map_add(wcut_face_map *map, const wcut_face *face, int count, const wcut_deviation *deviation);
 
 /**
  * The values of a map.
  *
- * @param[in]  support [mm] how far a point's deviation may come from; not negative
+ * @param[in]  map     of wcut_face_map_create
+ * @param[in]  face    that the map was made for
+ * @param[in]  support [mm] largest distance that a deviation is spread over; not negative
  * @param[out] value   rows x columns [mm]
  * @param[out] present rows x columns: 0 where nothing was measured; then the value is 0
  * @param[out] area    [mm^2] of the face in the block where nothing was measured; may be NULL
@@ -105,8 +107,8 @@ WCUT_API wcut_status wcut_face_map_eval(const wcut_face_map *map, const wcut_fac
                                         unsigned char *present, double *area);
 
 /**
- * Spread deviations from a mesh over its vertices, each by the weights of its foot; those that do not count are passed
- * over. What is at a vertex is sum / weight.
+ * Spread deviations from a mesh over its vertices, each by the weights of its foot; those that do not count are
+ * skipped. The value of a vertex is sum / weight.
  *
  * @param[in]     mesh      that the deviations are from
  * @param[in]     count     0 or more
@@ -126,11 +128,11 @@ WCUT_API wcut_status wcut_mesh_spread(const wcut_mesh *mesh, int count, const wc
  * @param[in]  sum, weight of wcut_mesh_spread
  * @param[in]  count       points of the scan, 1 or more
  * @param[in]  point       count [mm], finite, up to 1e12
- * @param[in]  support     [mm] how far around it a point speaks for the face, positive
+ * @param[in]  support     [mm] radius around a point within which the face counts as measured, positive
  * @param[in]  threads     1 or more; the result does not depend on it
  * @param[out] value       mesh->vertex_count [mm]
  * @param[out] present     mesh->vertex_count: 0 where nothing was measured; then the value is 0
- * @param[out] area        [mm^2] of the mesh without a point within the support, by places that far apart
+ * @param[out] area        [mm^2] of the mesh without a point within the support, sampled at that distance
  * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
  */
 WCUT_API wcut_status wcut_mesh_map_eval(const wcut_mesh *mesh, const double *sum, const double *weight, int count,

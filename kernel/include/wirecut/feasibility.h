@@ -1,4 +1,4 @@
-/* wirecut/feasibility.h - whether a cut can be made, in one word, and why not. */
+/* wirecut/feasibility.h - whether a cut can be made, and if not, why. */
 #ifndef WCUT_FEASIBILITY_H
 #define WCUT_FEASIBILITY_H
 
@@ -11,21 +11,21 @@
 extern "C" {
 #endif
 
-/** The one word. */
+/** The verdict. */
 typedef enum wcut_feasibility_verdict {
     WCUT_FEASIBILITY_VERDICT_FEASIBLE, /**< every figure is below 95 % of its limit */
-    WCUT_FEASIBILITY_VERDICT_AT_LIMIT, /**< one is between 95 % of its limit and the limit, none beyond; a speed is not: a
-                                            wire out of the foam is fed at the largest */
+    WCUT_FEASIBILITY_VERDICT_AT_LIMIT, /**< a figure is between 95 and 100 % of its limit, none beyond; not the speed:
+                                            a wire out of the foam is fed at the largest */
     WCUT_FEASIBILITY_VERDICT_INFEASIBLE
 } wcut_feasibility_verdict;
 
 /** What is judged at every station, the rows of the map. */
 typedef enum wcut_feasibility_measure {
-    WCUT_FEASIBILITY_MEASURE_SPEED, /**< of the faster mount, over the limit */
-    WCUT_FEASIBILITY_MEASURE_ALPHA, /**< larger of both mounts, over the head's range */
-    WCUT_FEASIBILITY_MEASURE_BETA,  /**< larger of both mounts, over the head's range */
-    WCUT_FEASIBILITY_MEASURE_TURN, /**< of the motion of the wire in the foam from step to step, over 90 deg: a wire that
-                                          goes back runs in its own slot, which the model does not know */
+    WCUT_FEASIBILITY_MEASURE_SPEED,  /**< of the faster mount, over the limit */
+    WCUT_FEASIBILITY_MEASURE_ALPHA,  /**< larger of both mounts, over the head's range */
+    WCUT_FEASIBILITY_MEASURE_BETA,   /**< larger of both mounts, over the head's range */
+    WCUT_FEASIBILITY_MEASURE_TURN,   /**< of the wire's motion in the foam from step to step, over 90 deg: a wire that
+                                          goes back runs in its own slot, which is not modelled */
     WCUT_FEASIBILITY_MEASURE_STRESS, /**< of the wire, over its strength at its temperature in air */
     WCUT_FEASIBILITY_MEASURE_COUNT
 } wcut_feasibility_measure;
@@ -34,13 +34,14 @@ typedef enum wcut_feasibility_measure {
 typedef struct wcut_feasibility {
     wcut_feasibility_verdict verdict;
     int station;       /**< of the reason; -1: everywhere, or nowhere */
-    double radius_min; /**< [mm] smallest bend of the wire that the foam can make, T / F over all stations */
+    double radius_min; /**< [mm] smallest radius that the foam can bend the wire to, T / F over all stations */
     char reason[240];  /**< a sentence in ASCII */
 } wcut_feasibility;
 
 /**
- * Judge a cut against the limits of cell and wire before it is made. A run that ends early, or ends with wire in the foam,
- * is infeasible with its reason; so is a wire that stands at more than 100 deg to its rest direction, whatever the limits.
+ * Judge a cut against the limits of cell and wire before it is made. A run that ends early, or ends with wire in the
+ * foam, is infeasible with its reason; so is a wire that stands at more than 100 deg to its rest direction, whatever
+ * the limits.
  *
  * @param[in]  job     that the history came from
  * @param[in]  history at least one station

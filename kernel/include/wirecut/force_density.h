@@ -22,6 +22,7 @@ typedef struct wcut_fdm_report {
     int rounds;    /**< rounds taken */
 } wcut_fdm_report;
 
+/** The defaults stated at the fields. */
 WCUT_API wcut_fdm_options wcut_fdm_options_default(void);
 
 /**

@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-/** A curve on a surface as a polyline, no further from the curve than the tolerance it was asked for with. */
+/** A curve on a surface as a polyline, within the tolerance of the call. */
 typedef struct wcut_trace {
     int count;        /**< points, at least 2 */
     int closed;       /**< 1: the last point is joined to the first, which is not repeated */
@@ -34,18 +34,18 @@ typedef struct wcut_traces {
 } wcut_traces;
 
 /**
- * The curves in which a surface meets a plane: the height over the plane is a B-spline, whose cells are halved until
- * each has no sign or a curve that is a graph over one parameter (in the spirit of Snyder 1992). No loop is missed,
- * however small. A plane that coincides with the surface over an area gives no curve there; one that touches it gives
- * one by chance.
+ * The curves in which a surface meets a plane: the height over the plane is a B-spline, whose cells are halved until a
+ * cell has no change of sign, or holds a curve that is a graph over one parameter (after Snyder 1992). No loop is
+ * missed, however small. A plane that coincides with the surface over an area gives no curve there; one that touches
+ * it may give one or not.
  *
  * @param[in]  surface   a valid surface
  * @param[in]  point     [mm] of the plane, finite
  * @param[in]  normal    finite, not zero, any length
  * @param[in]  tolerance [mm] positive
  * @param[out] traces    the caller's, to wcut_traces_destroy; may hold none
- * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NOT_CONVERGED (more than 2^22 cells: a plane that touches along curves, and a
- *         tolerance far too fine), WCUT_NO_MEMORY: nothing was written.
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NOT_CONVERGED (more than 2^22 cells: a plane that touches along curves, and
+ *         a tolerance far too fine), WCUT_NO_MEMORY: nothing was written.
  */
 WCUT_API wcut_status wcut_surface_intersect_plane(const wcut_surface *surface, wcut_vec3 point, wcut_vec3 normal,
                                                   double tolerance, wcut_traces **traces);
@@ -65,7 +65,7 @@ WCUT_API wcut_status wcut_surface_intersect_box(const wcut_surface *surface, con
 
 /**
  * Join curves end to end: of those on a block's faces, over its edges, the outline of the cut. A cut whose border is
- * outside the block gives closed lines alone.
+ * outside the block gives closed lines only.
  *
  * @param[in]  traces    from wcut_surface_intersect_box or wcut_surface_intersect_plane
  * @param[in]  tolerance [mm] positive; ends nearer than this are one place, the nearest first

@@ -83,9 +83,9 @@ WCUT_API wcut_status wcut_job_create(wcut_job **job);
 WCUT_API void wcut_job_destroy(wcut_job *job);
 
 /**
- * Let a path-mode job have another number of stations: both mount paths are resampled at the same parameter, that of
- * the mean of both paths' arc lengths, on the polylines through the given stations (a chord of a curve never leaves
- * what was programmed). In design mode only the count changes.
+ * Change the number of stations of a path-mode job: both mount paths are resampled at the same parameter, that of
+ * the mean of both paths' arc lengths, on the polylines through the given stations, which are what was programmed
+ * between them. In design mode only the count changes.
  *
  * @param[in,out] job      a filled job
  * @param[in]     stations at least 2

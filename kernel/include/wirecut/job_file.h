@@ -43,7 +43,8 @@ WCUT_API wcut_status wcut_job_read_force_law(wcut_job *job, const char *path, wc
 
 /**
  * Take the two edges of a design from a file of curves, as a CAD program writes it: STEP, IGES, JSON or CSV
- * (wcut_curve_set_read). The curve of lower x becomes that of mount A, and either runs with the feed, turned if need be.
+ * (wcut_curve_set_read). The curve of lower x becomes that of mount A, and each is turned, if necessary, to run with
+ * the feed.
  *
  * @param[in,out] job   in design mode
  * @param[in]     path  a file that holds two curves

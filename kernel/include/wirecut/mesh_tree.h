@@ -21,10 +21,10 @@ typedef struct wcut_mesh_foot {
     double b, c;     /**< weights of the triangle's second and third corner */
     int triangle;    /**< that the foot is in */
     int border;      /**< 1: the foot is on an edge that has one triangle only, or at the end of such an edge */
-    int beyond;      /**< 1: so it is, and the query is beyond the border, not above it */
+    int beyond;      /**< 1: the foot is on the border and the query lies beyond it, not above it */
 } wcut_mesh_foot;
 
-/** What was noticed about a mesh. */
+/** Properties of a mesh. */
 typedef struct wcut_mesh_tree_info {
     int border_edges;      /**< with one triangle: 0 on a closed mesh */
     int nonmanifold_edges; /**< with three or more triangles, or two that are wound against each other: near them the
@@ -50,7 +50,7 @@ WCUT_API wcut_status wcut_mesh_tree_create(const wcut_mesh *mesh, wcut_mesh_tree
 /** Free a tree; NULL is allowed. */
 WCUT_API void wcut_mesh_tree_destroy(wcut_mesh_tree *tree);
 
-/** What was noticed about the mesh, borrowed; NULL for NULL. */
+/** The properties of the mesh, borrowed; NULL for NULL. */
 WCUT_API const wcut_mesh_tree_info *wcut_mesh_tree_view(const wcut_mesh_tree *tree);
 
 /**

@@ -14,7 +14,7 @@
 extern "C" {
 #endif
 
-/** A cone, flat at its end, on the face of a half that the wire does not cut: it finds its place on a base plate. */
+/** A cone, flat at its end, on the face of a half that the wire does not cut: it locates the half on a base plate. */
 typedef struct wcut_key {
     int upper;         /**< 0: on z = 0 of the lower half, 1: on z = H of the upper */
     double x, y;       /**< [mm] of its axis, along z */
@@ -28,9 +28,9 @@ typedef struct wcut_mould_options {
     double chord_tolerance; /**< [mm] between triangles and exact cut face; 0.1 */
     double fit_tolerance;   /**< [mm] between exact cut face and the wire's surface, verified; 0.005 */
     double prolong;         /**< [mm] how far the cut may be continued straight where it ends inside the block; 0 */
-    double kerf;       /**< [mm] foam that vanishes, half on either side of the surface; 0. Not read with a field: */
-    int kerf_stations; /**< rows of the field below; 0: the kerf is the same everywhere */
-    int kerf_nodes;    /**< columns of it, at equal steps of u */
+    double kerf;            /**< [mm] width that the wire removes, half on either side; 0. Not read with a field: */
+    int kerf_stations;      /**< rows of the field below; 0: the kerf is the same everywhere */
+    int kerf_nodes;         /**< columns of it, at equal steps of u */
     const double *kerf_parameter; /**< kerf_stations: v of each row, not decreasing (wcut_surface_loft) */
     const double *kerf_field; /**< kerf_stations x kerf_nodes [mm], not negative; smoothed as the surface's knots do */
     int key_count;
@@ -39,8 +39,8 @@ typedef struct wcut_mould_options {
     wcut_vec3 pull;         /**< [1] direction in which the cast leaves the lower half, the upper half's is opposite;
                                  any length; +z */
     double wire_diameter;   /**< [mm] to judge the surface's smallest radius by; 0 */
-    double wall_asked;      /**< [mm] least wall_min that is wanted; 0 */
-    double draft_asked;     /**< [rad] least draft_min that is wanted; -pi/2: any */
+    double wall_asked;      /**< [mm] required wall_min; 0 */
+    double draft_asked;     /**< [rad] required draft_min; -pi/2: any */
     const wcut_mesh *stock; /**< closed mesh inside the block that is cut in the block's place; NULL */
 } wcut_mould_options;
 
@@ -51,21 +51,20 @@ typedef struct wcut_half_report {
     int self_intersections;      /**< pairs of triangles that touch without sharing a corner, or overlap: 0, proven */
     int pieces;                  /**< connected parts: 1 unless the cut leaves through top or bottom */
     double volume;               /**< [mm3] */
-    double area;                 /**< [mm2] of the whole skin */
+    double area;                 /**< [mm2] of the whole surface */
     double cut_area;             /**< [mm2] of the cut face */
     wcut_vec3 box_low, box_high; /**< [mm] */
     double draft_min;            /**< [rad] least angle between cut face and pull, negative where it is undercut */
     wcut_vec3 draft_place;       /**< [mm] ... and where */
     double undercut_area;        /**< [mm2] of the cut face that turns away from the pull */
     double wall_min;             /**< [mm] least distance, in any direction, from the cut face to the face opposite and
-                                     to pockets in it; and to a side that it turns to: where the way straight from the
-                                     cut face through the half meets the side within 45 deg, so that an edge sharper
-                                     than that is no wall: 0. NaN with a stock, or where the cut leaves through top or
-                                     bottom */
+                                     to pockets in it; and to a side of the block that the inward normal of the cut
+                                     face meets within 45 deg, so that an edge sharper than that gives 0. NaN with a
+                                     stock, or where the cut leaves through top or bottom */
     wcut_vec3 wall_place;        /**< [mm] ... and where on the cut face; NaN likewise */
     double edge_min;             /**< [rad] least angle inside the half between cut face and a side; NaN likewise */
     wcut_vec3 edge_place;        /**< [mm] ... and where; NaN likewise */
-    int wall_held, draft_held;   /**< 1: as asked for; a wall that is not known does not hold unless 0 was asked for */
+    int wall_held, draft_held;   /**< 1: as required; an unknown wall holds only where 0 is required */
     double key_volume;           /**< [mm3] of its keys, those of pockets negative */
 } wcut_half_report;
 

@@ -25,6 +25,9 @@ WCUT_API wcut_status wcut_mould_write(const wcut_mould *mould, const char *name,
 /**
  * The text of `mould.json`: the caller's, to free(); ends with a line feed.
  *
+ * @param[in]  mould from wcut_mould_create
+ * @param[in]  name  of the job, UTF-8
+ * @param[out] text  the caller's, to free(); ends with a line feed
  * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
  */
 WCUT_API wcut_status wcut_mould_print(const wcut_mould *mould, const char *name, char **text);

@@ -20,7 +20,7 @@ typedef struct wcut_foot {
     double height;   /**< [mm] of the query over the tangent plane at the foot, positive on the side of S_u x S_v; its
                           size is the distance unless the query is beyond */
     double gap;      /**< [mm] no point of the surface is closer than distance - gap. 0 (to rounding, 1e-13 of the
-                          surface's size) but where too many points tie, as at the centre of a sphere */
+                          surface's size) except where many points are equally near, as at the centre of a sphere */
     int beyond;      /**< 1: the foot is on the surface's border and the query beyond it, not above it; 0 otherwise */
 } wcut_foot;
 
@@ -40,9 +40,9 @@ WCUT_API wcut_status wcut_projection_create(const wcut_surface *surface, wcut_pr
 WCUT_API void wcut_projection_destroy(wcut_projection *projection);
 
 /**
- * Prepare once more, for a hundred thousand queries or more near a smooth bicubic surface: for each of its spans a radius
- * is found within which a stationary foot is proven to be the closest of all, so that most queries take a few Newton
- * steps. The feet are as exact and as certain as without; where the surface or a query has no quick way, nothing changes.
+ * Prepare once more, for a hundred thousand queries or more near a smooth bicubic surface: for each of its spans a
+ * radius is found within which a stationary foot is proven to be the closest of all, so that most queries take a few
+ * Newton steps. The feet are as exact and as certain as without; where this is not possible, the search is as before.
  *
  * @param[in,out] projection not in use by another thread
  * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: the projection is as it was.
@@ -70,7 +70,7 @@ typedef struct wcut_curve_foot {
     wcut_vec3 point; /**< [mm] C(u) */
     double distance; /**< [mm] from the query */
     double gap;      /**< [mm] no point of the curve is closer than distance - gap; 0 (to rounding, 1e-12 of the curve's
-                          size) but where a continuum of points ties, as at the centre of a circle */
+                          size) except where a whole arc is equally near, as at the centre of a circle */
     int beyond;      /**< 1: the foot is an end of the curve and the query beyond it; 0 otherwise */
 } wcut_curve_foot;
 

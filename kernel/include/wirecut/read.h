@@ -36,18 +36,19 @@ typedef struct wcut_mesh_read_options {
 /** What was read. */
 typedef struct wcut_mesh_read_info {
     wcut_mesh_format format; /**< as found, never WCUT_MESH_FORMAT_ANY */
-    int collapsed;           /**< triangles left out since two corners are in one place: nothing is lost by them */
+    int collapsed;           /**< triangles left out because two corners coincide; they have no area */
     int split;               /**< polygons of more than three corners that became triangles */
     wcut_vec3 low, high;     /**< [mm] the box of the vertices */
 } wcut_mesh_read_info;
 
+/** The defaults stated at the fields. */
 WCUT_API wcut_mesh_read_options wcut_mesh_read_options_default(void);
 
 /**
  * Read a mesh into memory: positions and triangles, wound as in the file. Corners with equal coordinates are one
  * vertex, whatever the file's indices say, so that what is closed in space is closed by index; vertices stand in the
- * order in which they first occur. Normals, colours and texture coordinates are not read. What the file says about its
- * size is held against its length before memory is taken for it.
+ * order in which they first occur. Normals, colours and texture coordinates are not read. The sizes that the file
+ * states are checked against its length before memory is allocated.
  *
  * @param[in]  path    a file
  * @param[in]  options NULL for the defaults
@@ -56,8 +57,8 @@ WCUT_API wcut_mesh_read_options wcut_mesh_read_options_default(void);
  * @param[out] error   may be NULL; line or byte, what was found, what was expected
  * @return WCUT_OK; WCUT_NOT_FOUND (no such file, not readable), WCUT_BAD_FORMAT (no mesh in a known format, malformed,
  *         truncated, more behind its end, a coordinate not finite or beyond 1e12 mm, an index outside the vertices, a
- *         polygon of more than 1024 corners, no triangle, more than options->max_triangles; of the formats that assimp reads:
- *         it failed, crashed, took more than 4 GiB or its time), WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was
+ *         polygon of more than 1024 corners, no triangle, more than options->max_triangles; of the formats that assimp
+ *         reads: it failed, crashed, took more than 4 GiB or its time), WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was
  *         written.
  */
 WCUT_API wcut_status wcut_mesh_read(const char *path, const wcut_mesh_read_options *options, wcut_mesh **mesh,
@@ -69,7 +70,7 @@ typedef enum wcut_curve_format {
     WCUT_CURVE_FORMAT_STEP, /**< ISO 10303-21 with the curves of part 42, in the unit that the file states */
     WCUT_CURVE_FORMAT_IGES, /**< 5.3 and before: types 126, 110 and 106 forms 2, 12, in the unit that the file states */
     WCUT_CURVE_FORMAT_JSON, /**< a CURVE as in a job's edges, or {"curves": [CURVE, ...]} */
-    WCUT_CURVE_FORMAT_CSV, /**< points in columns x_mm, y_mm, z_mm; a column curve, where there is one, counts the curves */
+    WCUT_CURVE_FORMAT_CSV,  /**< points in columns x_mm, y_mm, z_mm; a column curve numbers the curves */
     WCUT_CURVE_FORMAT_COUNT
 } wcut_curve_format;
 
@@ -90,6 +91,7 @@ typedef struct wcut_curve_set {
     char why[240];            /**< their kinds or the reasons, comma-separated; "" where there are none */
 } wcut_curve_set;
 
+/** The defaults stated at the fields. */
 WCUT_API wcut_curve_read_options wcut_curve_read_options_default(void);
 
 /**
@@ -98,12 +100,11 @@ WCUT_API wcut_curve_read_options wcut_curve_read_options_default(void);
  * STEP: the curves of geometric sets, in their order; where there are none, the edges of faces and solids. B-splines,
  * rational or not, come back as they are, poles bit for bit where the unit is mm, and cut where the file trims them;
  * polylines and lines become splines of degree 1, arcs of circles and ellipses rational ones of degree 2, composite
- * curves one curve where their segments meet within 1e-3 mm, else the segments. What else there is (parabolas, offsets,
- * degrees above 7) is left out and told. A file that moves its parts (an assembly) is refused: export the parts where
- * they stand.
- * IGES: arcs (100), composites (102), ellipses (104), points (106), lines (110), B-splines (126), each moved by its
- * transformation (124), likewise. What is a piece of another entity, or lies in a surface's parameters, is left out and
- * told.
+ * curves one curve where their segments meet within 1e-3 mm, else the segments. Other curves (parabolas, offsets,
+ * degrees above 7) are left out and reported. A file that moves its parts (an assembly) is refused: export the parts
+ * where they stand. IGES: arcs (100), composites (102), ellipses (104), points (106), lines (110), B-splines (126),
+ * each moved by its transformation (124), likewise. Pieces of another entity, and curves in a surface's parameters,
+ * are left out and reported.
  *
  * @param[in]  path    a file
  * @param[in]  options NULL for the defaults
@@ -111,8 +112,8 @@ WCUT_API wcut_curve_read_options wcut_curve_read_options_default(void);
  * @param[out] error   may be NULL; line, instance or JSON path, what was found, what was expected
  * @return WCUT_OK; WCUT_NOT_FOUND (no such file, not readable), WCUT_BAD_FORMAT (no curves in a known format,
  *         malformed, truncated, over 256 MB, a number not finite or beyond 1e12 mm, knots or weights that make no
- *         curve, no curve that could be read, more than options->max_curves), WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was
- *         written.
+ *         curve, no curve that could be read, more than options->max_curves), WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY:
+ *         nothing was written.
  */
 WCUT_API wcut_status wcut_curve_set_read(const char *path, const wcut_curve_read_options *options, wcut_curve_set **set,
                                          wcut_error *error);

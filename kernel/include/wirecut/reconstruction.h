@@ -25,7 +25,7 @@ typedef struct wcut_reconstruction_options {
     /** [mm] W, L, H: what of the face lies outside 0 .. W, 0 .. L, 0 .. H is no unmeasured area; default 0: all of
         the face is to be measured */
     wcut_vec3 block;
-    /** borrowed; the face where `surface` is only the plane below it, of wcut_mesh_base: heights are then over the plane,
+    /** borrowed; the face where `surface` is only the plane below it (wcut_mesh_base): heights are then over the plane,
         and what the mesh does not cover is neither face nor hole; default NULL: the surface is the face */
     const wcut_mesh *mesh;
     double hole_min; /**< [mm^2] smaller gaps are counted in unmeasured_area, not listed as holes; default 10 */
@@ -41,7 +41,7 @@ typedef struct wcut_hole {
 /** A scanned face. */
 typedef struct wcut_reconstruction {
     wcut_mesh *mesh; /**< the face as scanned: normals, uv of the closest point of the simulated face, scalar: signed
-                                 deviation [mm] from it, positive on the side of S_u x S_v. Gaps in the scan are gaps here */
+                                 deviation [mm] from it, positive on the side of S_u x S_v. Gaps stay open */
     wcut_mesh *unmeasured; /**< the simulated face where the scan has no points: normals, uv; 0 triangles where it has
                                  everywhere */
     wcut_hole *hole;       /**< hole_count, the largest first */
@@ -59,6 +59,7 @@ typedef struct wcut_reconstruction {
     int iterations;         /**< of the field's solver */
 } wcut_reconstruction;
 
+/** The defaults stated at the fields. */
 WCUT_API wcut_reconstruction_options wcut_reconstruction_options_default(void);
 
 /**

@@ -27,8 +27,8 @@ WCUT_API wcut_status wcut_recording_read(const char *path, wcut_recording **reco
 WCUT_API void wcut_recording_destroy(wcut_recording *recording);
 
 /**
- * Write a recording as FORMATS.md, Recording, describes it: the channels it has, angles in degrees, numbers as the sensors of such a
- * rig resolve them (time 1e-4 s, angles 1e-3 deg, others 1e-4).
+ * Write a recording as FORMATS.md, Recording, describes it: the channels it has, angles in degrees, numbers as the
+ * sensors of such a rig resolve them (time 1e-4 s, angles 1e-3 deg, others 1e-4).
  *
  * @param[in]  recording at least one sample, every required channel; `further` is not written
  * @param[in]  note      one line for a comment at the top; may be NULL

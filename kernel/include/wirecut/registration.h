@@ -71,15 +71,15 @@ typedef struct wcut_registration {
     /** 6 x 6, of the parameters, priors included, independent errors assumed; rows and columns of locked and
         undetermined ones are 0 */
     double covariance[WCUT_DOF_COUNT * WCUT_DOF_COUNT];
-    /** 1: found from data or prior; 0: locked, or the data say nothing of it (or only of a mixture with another
-        one) */
+    /** 1: found from data or prior; 0: locked, or not determined by the data (or only in combination with
+        another one) */
     int determined[WCUT_DOF_COUNT];
     int free; /**< degrees of freedom that are not locked */
-    /** directions that data and priors determine; where it is less than `free`, the others were left where they
-        started, not invented */
+    /** directions that data and priors determine; where it is less than `free`, the others keep their starting
+        values */
     int rank;
     int iterations; /**< Gauss-Newton steps */
-    int converged;  /**< 1: the last step was small enough; 0: it stopped before, and this is the best motion it had */
+    int converged;  /**< 1: the last step was small enough; 0: it stopped before, with the best motion so far */
     double step;    /**< [mm] how far the last step moved the points (RMS) */
     double doubt;   /**< [mm] standard error of where the motion puts the points (RMS), of independent errors */
     int points;     /**< residuals looked at: points of the scan, or 3 per pair and 1 per face point */
@@ -109,7 +109,7 @@ typedef struct wcut_datum_face {
     const wcut_vec3 *scan;   /**< count [mm]; borrowed */
 } wcut_datum_face;
 
-/** What a motion leaves of a datum. */
+/** The residual of a datum after a motion. */
 typedef struct wcut_datum_residual {
     int is_face;      /**< 1: a point of a face; 0: a pair */
     int datum;        /**< which face or pair, from 0 */
@@ -118,6 +118,7 @@ typedef struct wcut_datum_residual {
     double distance;  /**< [mm] length of the offset; of a face signed along its normal */
 } wcut_datum_residual;
 
+/** The defaults stated at the fields. */
 WCUT_API wcut_registration_options wcut_registration_options_default(void);
 
 /** No motion: the identity, everything else 0. */
@@ -138,7 +139,7 @@ WCUT_API wcut_registration wcut_registration_none(void);
  * @param[out] error        may be NULL
  * @return WCUT_OK, also where rank is less than free; WCUT_NOT_CONVERGED: registration holds the last step;
  *         WCUT_BAD_ARGUMENT (also some sigmas 0 and others not), WCUT_DEGENERATE (nothing is left to be determined: all
- *         locked, or data that say nothing; or, sigmas and noise unknown, no residual more than unknowns),
+ *         locked, or data that determine nothing; or, sigmas and noise unknown, no residual more than unknowns),
  *         WCUT_NO_MEMORY: nothing was written.
  */
 WCUT_API wcut_status wcut_registration_solve_datum(int pairs, const wcut_datum_pair *pair, int faces,
@@ -147,7 +148,7 @@ WCUT_API wcut_status wcut_registration_solve_datum(int pairs, const wcut_datum_p
                                                    wcut_registration *registration, wcut_error *error);
 
 /**
- * What a motion leaves of each datum, pairs first, then the points of each face in their order.
+ * The residual of each datum after a motion, pairs first, then the points of each face in their order.
  *
  * @param[in]  registration a motion
  * @param[in]  pairs        0 or more
@@ -165,8 +166,8 @@ WCUT_API wcut_status wcut_datum_residual_eval(const wcut_registration *registrat
  * The motion that brings a scan closest to a surface: distances along the normal of the exact closest point (Chen,
  * Medioni 1991), trimmed (Chetverikov, Stepanov, Krsek 2005), Gauss-Newton.
  *
- * A best fit hides what it is asked to show: deviations that look like a motion vanish in it. Compare with
- * wcut_registration_none, or lock what the fixture holds.
+ * A best fit hides deviations that look like a motion of the scan. Compare with wcut_registration_none, or lock the
+ * degrees of freedom that the fixture holds.
  *
  * @param[in]  projection   of the surface
  * @param[in]  count        points, 6 or more

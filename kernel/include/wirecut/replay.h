@@ -34,8 +34,8 @@ typedef struct wcut_prediction {
     int samples;
     unsigned char *present;           /**< samples: 1 where there is a prediction */
     double *value[WCUT_SIGNAL_COUNT]; /**< samples each [mm/s, N, rad]; 0 where there is none */
-    int without_motion;               /**< samples whose station (or position) is missing: nothing to predict from */
-    int standing;                     /**< samples at which the mounts had not moved on: no step, no prediction */
+    int without_motion;               /**< samples without a station (or position): no prediction */
+    int standing;                     /**< samples at which the mounts had not moved: no step, no prediction */
     int failed;                       /**< samples that the solver, or the plan, did not reach */
     int first_failed;                 /**< the first of them; -1: none */
     wcut_error cause;                 /**< of the first of them; WCUT_OK: none */
@@ -43,6 +43,7 @@ typedef struct wcut_prediction {
     int iterations;                   /**< Newton iterations in all; 0 of a plan */
 } wcut_prediction;
 
+/** The defaults stated at the fields. */
 WCUT_API wcut_replay_options wcut_replay_options_default(void);
 
 /**
@@ -65,10 +66,11 @@ WCUT_API wcut_status wcut_prediction_plan(const wcut_history *plan, const wcut_r
  * (wcut_cut_drive). The speed is an input here; its values are those of the motion that was driven.
  *
  * The motion is the local parabola of least squares over `window` around every sample (Savitzky, Golay 1964, here for
- * any sampling), then kept from going backwards: behind the wire is its kerf. From station 0 to the first sample the
- * wire is led at the pace of the recording's first second. A gap is crossed in steps of one station at most, at an even
- * pace; a sample at which the solver fails is missing, and the next step begins at the last one solved. Heat is the
- * recording's, held over missing samples; without that column the job's, times its programmed factor.
+ * any sampling), then made non-decreasing, because the foam behind the wire is cut already. From station 0 to the
+ * first sample the wire is led at the pace of the recording's first second. A gap is crossed in steps of one station
+ * at most, at an even pace; a sample at which the solver fails is missing, and the next step begins at the last one
+ * solved. Heat is the recording's, held over missing samples; without that column the job's, times its programmed
+ * factor.
  *
  * @param[in]  setup      of the job, path mode and implicit
  * @param[in]  recording  of that job

@@ -1,4 +1,4 @@
-/* wirecut/report.h - one self-contained page of results: what was found, seen in 3-D, in charts and in tables. */
+/* wirecut/report.h - one self-contained page of results: the results in 3-D, in charts and in tables. */
 #ifndef WCUT_REPORT_H
 #define WCUT_REPORT_H
 
@@ -17,7 +17,7 @@ extern "C" {
 
 enum { WCUT_SHA256_TEXT = 65 }; /**< bytes of a SHA-256 as hexadecimal text, with its final zero */
 
-/** How the verdict is meant. */
+/** How good the verdict is. */
 typedef enum wcut_report_tone {
     WCUT_REPORT_TONE_PLAIN,
     WCUT_REPORT_TONE_GOOD,
@@ -126,7 +126,7 @@ typedef struct wcut_report_field {
 
 /**
  * A surface or a cloud with its fields. Quantiles, histogram and shares count every vertex; the view holds every vertex
- * as long as the file stays small, beyond that every k-th row and column of a grid, or an even choice of a cloud.
+ * as long as the file stays small, beyond that every k-th row and column of a grid, or an even selection of a cloud.
  */
 typedef struct wcut_report_shape {
     const char *name;
@@ -185,7 +185,7 @@ typedef struct wcut_report {
 } wcut_report;
 
 /**
- * Write a page that opens from disk in any browser and asks the network for nothing: under 25 MB, scripts pinned by
+ * Write a page that opens from disk in any browser and makes no network request: under 25 MB, scripts pinned by
  * their SHA-256, the same bytes for the same report.
  *
  * @param[in]  report within the limits above
@@ -210,6 +210,9 @@ WCUT_API wcut_status wcut_file_hash(const char *path, char *text, wcut_error *er
  * The same for the sources of a report: "" of one that came through a pipe, which cannot be read once more, and of
  * path NULL.
  *
+ * @param[in]  path  may be NULL
+ * @param[out] text  WCUT_SHA256_TEXT bytes
+ * @param[out] error may be NULL
  * @return WCUT_OK; a regular file that cannot be read again is a failure, with the statuses of wcut_file_hash.
  */
 WCUT_API wcut_status wcut_source_hash(const char *path, char *text, wcut_error *error);

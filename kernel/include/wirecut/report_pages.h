@@ -39,8 +39,8 @@ typedef struct wcut_report_simulate {
  * @param[in]  history of the cut, at least one station
  * @param[in]  path    the target, replaced whole or not at all
  * @param[out] error   may be NULL
- * @return WCUT_OK; WCUT_BAD_ARGUMENT (a NULL that is not allowed), the statuses of wcut_report_write, wcut_file_hash, wcut_history_path and wcut_surface_loft: the target
- * is as it was.
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a NULL that is not allowed), the statuses of wcut_report_write, wcut_file_hash,
+ *         wcut_history_path and wcut_surface_loft: the target is as it was.
  */
 WCUT_API wcut_status wcut_report_simulate_write(const wcut_report_simulate *run, const wcut_setup *setup,
                                                 const wcut_history *history, const char *path, wcut_error *error);
@@ -84,7 +84,8 @@ WCUT_API void wcut_report_calibrate_lack(const wcut_law_fit *fit, char sentence[
  * @param[in]  of    the calibration
  * @param[in]  path  the target, replaced whole or not at all
  * @param[out] error may be NULL
- * @return WCUT_OK; WCUT_BAD_ARGUMENT (a NULL that is not allowed), the statuses of wcut_report_write and wcut_file_hash: the target is as it was.
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a NULL that is not allowed), the statuses of wcut_report_write and
+ *         wcut_file_hash: the target is as it was.
  */
 WCUT_API wcut_status wcut_report_calibrate_write(const wcut_report_calibrate *of, const char *path, wcut_error *error);
 
@@ -95,7 +96,8 @@ WCUT_API wcut_status wcut_report_calibrate_write(const wcut_report_calibrate *of
  * @param[in]  job_path hashed for the provenance
  * @param[in]  path     the target, replaced whole or not at all
  * @param[out] error    may be NULL
- * @return WCUT_OK; WCUT_BAD_ARGUMENT (a NULL that is not allowed), the statuses of wcut_report_write and wcut_file_hash: the target is as it was.
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a NULL that is not allowed), the statuses of wcut_report_write and
+ *         wcut_file_hash: the target is as it was.
  */
 WCUT_API wcut_status wcut_report_control_write(const wcut_rig_summary *summary, const char *job_path, const char *path,
                                                wcut_error *error);
@@ -125,7 +127,8 @@ typedef struct wcut_report_compare {
  * @param[in]  of    the comparison
  * @param[in]  path  the target, replaced whole or not at all
  * @param[out] error may be NULL
- * @return WCUT_OK; WCUT_BAD_ARGUMENT (a NULL that is not allowed), the statuses of wcut_report_write: the target is as it was.
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a NULL that is not allowed), the statuses of wcut_report_write: the target is as
+ *         it was.
  */
 WCUT_API wcut_status wcut_report_compare_write(const wcut_report_compare *of, const char *path, wcut_error *error);
 
@@ -148,7 +151,8 @@ typedef struct wcut_report_diagnose {
  * @param[in]  diagnosed the diagnosis
  * @param[in]  path      the target, replaced whole or not at all
  * @param[out] error     may be NULL
- * @return WCUT_OK; WCUT_BAD_ARGUMENT (a NULL that is not allowed), the statuses of wcut_report_write: the target is as it was.
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a NULL that is not allowed), the statuses of wcut_report_write: the target is as
+ *         it was.
  */
 WCUT_API wcut_status wcut_report_diagnose_write(const wcut_report_diagnose *diagnosed, const char *path,
                                                 wcut_error *error);
@@ -170,7 +174,8 @@ typedef struct wcut_report_mould {
  * @param[in]  mould   the halves
  * @param[in]  path    the target, replaced whole or not at all
  * @param[out] error   may be NULL
- * @return WCUT_OK; WCUT_BAD_ARGUMENT (a NULL that is not allowed), the statuses of wcut_report_write and wcut_file_hash: the target is as it was.
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a NULL that is not allowed), the statuses of wcut_report_write and
+ *         wcut_file_hash: the target is as it was.
  */
 WCUT_API wcut_status wcut_report_mould_write(const wcut_report_mould *run, const wcut_job *job,
                                              const wcut_history *history, const wcut_mould *mould, const char *path,
@@ -197,7 +202,8 @@ typedef struct wcut_report_score {
  * @param[in]  scored the score
  * @param[in]  path   the target, replaced whole or not at all
  * @param[out] error  may be NULL
- * @return WCUT_OK; WCUT_BAD_ARGUMENT (a NULL that is not allowed), the statuses of wcut_report_write: the target is as it was.
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a NULL that is not allowed), the statuses of wcut_report_write: the target is as
+ *         it was.
  */
 WCUT_API wcut_status wcut_report_score_write(const wcut_report_score *scored, const char *path, wcut_error *error);
 

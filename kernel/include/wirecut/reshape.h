@@ -32,14 +32,14 @@ WCUT_API wcut_status wcut_curve_elevate(const wcut_curve *curve, int times, wcut
 /**
  * The same surface with a higher degree in one direction; as wcut_curve_elevate.
  *
- * @return As wcut_curve_elevate; WCUT_BAD_ARGUMENT for no direction, too.
+ * @return As wcut_curve_elevate; also WCUT_BAD_ARGUMENT for an unknown direction.
  */
 WCUT_API wcut_status wcut_surface_elevate(const wcut_surface *surface, wcut_direction direction, int times,
                                           wcut_surface **result);
 
 /**
- * A curve with as many knots removed as a tolerance allows (Lyche, Moerken 1988): knots are ranked by what their removal
- * changes, the remaining control points fitted by least squares. Its ends stay where they are, clamped.
+ * A curve with as many knots removed as a tolerance allows (Lyche, Moerken 1988): knots are ranked by what their
+ * removal changes, the remaining control points fitted by least squares. Its ends stay where they are, clamped.
  *
  * @param[in]  curve     a valid curve
  * @param[in]  tolerance [mm] positive: the two curves are nowhere, at equal parameters, further apart

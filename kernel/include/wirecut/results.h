@@ -13,7 +13,7 @@ extern "C" {
 /** The most files in a set, and the longest name of one with its zero byte. */
 enum { WCUT_RESULTS_MAX = 256, WCUT_RESULTS_NAME_SIZE = 200 };
 
-/** A set of files in the making. The folder keeps its files until wcut_results_commit. */
+/** A set of files that is being written. The folder keeps its files until wcut_results_commit. */
 typedef struct wcut_results wcut_results;
 
 /**
@@ -25,8 +25,8 @@ typedef struct wcut_results wcut_results;
  * @param[in]  folder  where the set goes
  * @param[in]  count   0 .. WCUT_RESULTS_MAX
  * @param[in]  name    count names that the set may have, others too; each must be free or an ordinary file that may be
- *                     replaced, so that a long run does not end before a closed door. What stands under one of them and
- *                     is not in the set is removed with the earlier set. May be NULL where count is 0.
+ *                     replaced, so that a long run does not fail at its end. A file of such a name that is not in
+ *                     the set is removed with the earlier set. May be NULL where count is 0.
  * @param[out] results for wcut_results_destroy
  * @param[out] error   may be NULL; names the folder or the file in it
  * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NOT_WRITTEN (no folder, or one that may not be written to; another process
@@ -40,7 +40,7 @@ WCUT_API wcut_status wcut_results_create(const char *folder, int count, const ch
  *
  * @param[in] results
  * @param[in] name UTF-8 without control characters and '/', no '.' in front
- * @return the path, until the next call; NULL: the name is none, or there is no memory.
+ * @return the path, valid until the next call; NULL: the name is not valid, or no memory.
  */
 WCUT_API const char *wcut_results_path(wcut_results *results, const char *name);
 
@@ -56,7 +56,7 @@ WCUT_API const char *wcut_results_path(wcut_results *results, const char *name);
 WCUT_API wcut_status wcut_results_add(wcut_results *results, const char *name, wcut_error *error);
 
 /**
- * Let an error's text name the folder of the set where it names the hidden one.
+ * Replace the hidden folder in an error's text by the folder of the set.
  *
  * @param[in]     results may be NULL
  * @param[in,out] error   may be NULL
@@ -77,7 +77,7 @@ WCUT_API void wcut_results_reword(const wcut_results *results, wcut_error *error
  * @param[out] whole   the text of the voucher, for free(); may be NULL
  * @param[out] error   may be NULL
  * @return WCUT_OK: wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NOT_WRITTEN, WCUT_NO_MEMORY: the folder has its earlier
- *         files. Where the way back failed too the text says so, and the journal stays.
+ *         files. Where restoring them failed too, the text says so, and the journal stays.
  */
 WCUT_API wcut_status wcut_results_commit(wcut_results *results, const char *voucher, const char *text, char **whole,
                                          wcut_error *error);
@@ -89,7 +89,7 @@ WCUT_API wcut_status wcut_results_commit(wcut_results *results, const char *vouc
  */
 WCUT_API void wcut_results_destroy(wcut_results *results);
 
-/** How a file stands to its voucher. */
+/** State of a file against its voucher. */
 typedef enum wcut_result_state {
     WCUT_RESULT_STATE_WHOLE,   /**< as it was written */
     WCUT_RESULT_STATE_CHANGED, /**< other bytes than those written, or no ordinary file */
@@ -110,7 +110,7 @@ typedef struct wcut_verification {
 } wcut_verification;
 
 /**
- * Hold the files of a folder against the vouchers in it: the JSON files with "files" and "sha256".
+ * Check the files of a folder against the vouchers in it: the JSON files with "files" and "sha256".
  *
  * A set that a killed process left half moved is finished first. A voucher's own figures have no hash.
  *

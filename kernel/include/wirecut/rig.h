@@ -14,7 +14,7 @@
 extern "C" {
 #endif
 
-/** How the rig differs from what the job says, and how it measures. The defaults are those of a true job. */
+/** How the rig differs from what the job says, and how it measures. With the defaults foam and job agree. */
 typedef struct wcut_rig_options {
     double law_a, law_b;   /**< [1] the foam's force law over the job's; default 1 */
     double density;        /**< [1] further factor of `a` on the wire that is beyond density_from; default 1 */
@@ -84,7 +84,7 @@ WCUT_API wcut_status wcut_rig_run_create(const wcut_job *job, const wcut_history
 /** Free a run; NULL is allowed. */
 WCUT_API void wcut_rig_run_destroy(wcut_rig_run *run);
 
-/** What `control.json` tells: one job, the same disturbance, with feedback and with the plan alone. */
+/** The content of `control.json`: one job, the same disturbance, with feedback and with the plan alone. */
 typedef struct wcut_rig_summary {
     const wcut_job *job;
     const wcut_control_settings *control;

@@ -20,8 +20,11 @@ extern "C" {
 WCUT_API wcut_status wcut_rig_summary_print(const wcut_rig_summary *summary, char **text);
 
 /**
- * Write `control.json`: the same text, whole or not at all. As above; WCUT_NOT_WRITTEN: the target is as it was.
+ * Write `control.json`: the same text into a file.
  *
+ * @param[in]  summary every pointer set
+ * @param[in]  path    the target, replaced whole or left as it was
+ * @param[out] error   may be NULL
  * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as
  *         it was.
  */

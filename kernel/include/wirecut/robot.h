@@ -16,7 +16,7 @@ extern "C" {
 
 /** What the tool frame does. Its x axis looks along the wire into the cut, its z axis up, at both mounts. */
 typedef enum wcut_tool_frame {
-    WCUT_TOOL_FRAME_FIXED, /**< along the rest direction, +x at A and -x at B; the head's own axes give way and measure */
+    WCUT_TOOL_FRAME_FIXED,    /**< along the rest direction, +x at A, -x at B; the head's own axes turn and measure */
     WCUT_TOOL_FRAME_FOLLOWING /**< along the wire, by the simulated alpha and beta */
 } wcut_tool_frame;
 
@@ -53,7 +53,7 @@ typedef struct wcut_robot_motion {
     double duration;           /**< [s] */
 } wcut_robot_motion;
 
-/** What the cell and the wire bear; `wcut_robot_limits_default` fills it in. */
+/** Limits of the cell and the wire; `wcut_robot_limits_default` fills them in. */
 typedef struct wcut_robot_limits {
     double speed;           /**< [mm/s] of a mount; default the job's speed_max */
     double acceleration;    /**< [mm/s^2] of a mount; default 1000 */
@@ -77,7 +77,9 @@ typedef struct wcut_robot_check {
 
 enum { WCUT_ROBOT_CHECKS = 10 };
 
+/** The defaults stated at the fields. */
 WCUT_API wcut_robot_options wcut_robot_options_default(void);
+/** The defaults stated at the fields, for a job. */
 WCUT_API wcut_robot_limits wcut_robot_limits_default(const wcut_job *job);
 
 /**
@@ -117,7 +119,7 @@ WCUT_API wcut_status wcut_wire_temperature(double heat, double diameter, double 
                                            double *temperature);
 
 /**
- * Hold a cut against the limits of cell and wire. Speeds and accelerations are those of the stations, not of the
+ * Check a cut against the limits of cell and wire. Speeds and accelerations are those of the stations, not of the
  * thinned targets. The wire's strength falls exponentially from its cold to its hot value and on; the stress is that of
  * the largest tension of either mount, and its check is `over` where it exceeds the strength at the temperature in air.
  *
@@ -127,7 +129,7 @@ WCUT_API wcut_status wcut_wire_temperature(double heat, double diameter, double 
  * @param[in]  mount_b history->stations [mm]
  * @param[in]  limits  NULL for the defaults; all finite and positive, but emissivity 0 .. 1 and any ambient
  * @param[out] check   WCUT_ROBOT_CHECKS
- * @return WCUT_OK, whatever is over; WCUT_BAD_ARGUMENT: nothing was written.
+ * @return WCUT_OK, also where limits are exceeded; WCUT_BAD_ARGUMENT: nothing was written.
  */
 WCUT_API wcut_status wcut_robot_limits_check(const wcut_job *job, const wcut_history *history, const wcut_vec3 *mount_a,
                                              const wcut_vec3 *mount_b, const wcut_robot_limits *limits,

@@ -19,10 +19,10 @@ typedef enum wcut_robot_format {
     WCUT_ROBOT_FORMAT_JSON      /**< both robots in one object, "format": "wirecut-robot/1" */
 } wcut_robot_format;
 
-/** What the programs call things and say in their heads. Both programs carry a run id of 12 bits, made of all targets and
- * the title: urscript and krl exchange it bit by bit over the start signal before they move together, rapid has it in the
- * names of its synchronisation points, so that programs of different runs do not start with each other. Names are letters, digits and _, beginning with a letter, at most 22 long: KRL has no
- * more. */
+/** Names in the programs, and what their heads state. Both programs carry a run id of 12 bits, made of all targets and
+ * the title: urscript and krl exchange it bit by bit over the start signal before they move together, rapid has it in
+ * the names of its synchronisation points, so that programs of different runs do not start with each other. Names are
+ * letters, digits and _, beginning with a letter, at most 22 long: KRL has no more. */
 typedef struct wcut_robot_names {
     const char *title;    /**< the job's; any text, for comments */
     const char *program;  /**< default "wirecut": module and program names get _a and _b */
@@ -37,6 +37,7 @@ typedef struct wcut_robot_names {
     double tension;     /**< [N] for the head; 0, the default: not said */
     double wire_length; /**< [mm] from mount to mount, for the head; 0, the default: not said */
 } wcut_robot_names;
+/** The defaults stated at the fields. */
 WCUT_API wcut_robot_names wcut_robot_names_default(void);
 
 /** The name of a file of a format: robot 0 or 1; a format with one file has a NULL for robot 1. */
@@ -44,7 +45,7 @@ WCUT_API const char *wcut_robot_file_name(wcut_robot_format format, int robot);
 
 /**
  * Write one robot's program, or the one file of csv and json. Positions are in the block frame, to 1e-3 mm (json:
- * exact); what else the cell has to define stands in the program's head.
+ * exact); the program's head lists what the cell has to define.
  *
  * @param[in]  motion
  * @param[in]  names   NULL for the defaults
@@ -52,13 +53,13 @@ WCUT_API const char *wcut_robot_file_name(wcut_robot_format format, int robot);
  * @param[in]  robot   0 or 1
  * @param[in]  path    the target, replaced whole or not at all
  * @param[out] error   may be NULL
- * @return WCUT_OK; WCUT_BAD_ARGUMENT (a name that is none; a digital output that the controller lacks; a robot that the format has no file for), WCUT_NO_MEMORY,
- *         WCUT_NOT_WRITTEN: the target is as it was.
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a name that is not valid; a digital output that the controller lacks; a robot
+ *         that the format has no file for), WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as it was.
  */
 WCUT_API wcut_status wcut_robot_write(const wcut_robot_motion *motion, const wcut_robot_names *names,
                                       wcut_robot_format format, int robot, const char *path, wcut_error *error);
 
-/** What a verb tells of an export. */
+/** The figures of an export. */
 typedef struct wcut_robot_summary {
     const wcut_job *job;
     const wcut_robot_motion *motion;

@@ -17,15 +17,15 @@ typedef struct wcut_score {
     double bias;            /**< mean d */
     double rmsd;            /**< sqrt(sum (d - bias)^2 / (n - 1)), the sample standard deviation; 0 where n = 1 */
     double rmse;            /**< sqrt(sum d^2 / n) */
-    double range;           /**< what is divided by: of the measured values, or as given */
-    double nrmsd;           /**< [1] rmsd / range, blind to a bias; 0 where the range is 0 */
-    double rmse_over_range; /**< [1] sees it; 0 where the range is 0 */
+    double range;           /**< the divisor: range of the measured values, or as given */
+    double nrmsd;           /**< [1] rmsd / range, without the bias; 0 where the range is 0 */
+    double rmse_over_range; /**< [1] rmse / range, with the bias; 0 where the range is 0 */
     double correlation;     /**< [1] Pearson's; 0 where x or y does not vary */
     bool correlated;        /**< whether both vary */
 } wcut_score;
 
 /**
- * The figures of one channel (Rust et al. 2016, note 4, and what it leaves unsaid).
+ * The figures of one channel (Rust et al. 2016, note 4; bias, RMSE and correlation beside it).
  *
  * @param[in]  n         at least 0
  * @param[in]  measured  n, finite
@@ -110,6 +110,7 @@ typedef struct wcut_comparison {
     wcut_scores replayed_score; /**< of tensions and angles; the speed was its input: count 0 */
 } wcut_comparison;
 
+/** The defaults stated at the fields. */
 WCUT_API wcut_comparison_options wcut_comparison_options_default(void);
 
 /**
@@ -138,15 +139,15 @@ WCUT_API void wcut_comparison_destroy(wcut_comparison *comparison);
  * wcut_comparison_create for many cuts, in parallel; the results are the same for any number of threads.
  *
  * @param[in]  n          at least 0
- * @param[in]  job        n; a cut whose job or recording is NULL is passed over
+ * @param[in]  job        n; a cut whose job or recording is NULL is skipped
  * @param[in]  recording  n
  * @param[in]  options    NULL for the defaults
- * @param[in]  progress   may be NULL; begins no run of its own; called by one thread at a time after every cut, with
- * how many were done before it
+ * @param[in]  progress   may be NULL; must not start another run; called by one thread at a time after every cut,
+ *                        with the number of cuts done before it
  * @param[in]  context    handed to progress
- * @param[out] comparison n, NULL where a cut was passed over or failed
+ * @param[out] comparison n, NULL where a cut was skipped or failed
  * @param[out] error      n, with the status of every cut that was tried
- * @return WCUT_OK (whatever failed); WCUT_INTERRUPTED: cuts not begun are NULL, with that status;
+ * @return WCUT_OK, also where cuts failed; WCUT_INTERRUPTED: cuts not begun are NULL, with that status;
  *         WCUT_BAD_ARGUMENT: nothing was written.
  */
 WCUT_API wcut_status wcut_comparison_run(int n, const wcut_job *const *job, const wcut_recording *const *recording,
@@ -157,7 +158,7 @@ WCUT_API wcut_status wcut_comparison_run(int n, const wcut_job *const *job, cons
  * The mean of every score over cuts, as wcut_score_mean.
  *
  * @param[in]  n          at least 0
- * @param[in]  comparison n; NULL ones are passed over
+ * @param[in]  comparison n; NULL ones are skipped
  * @param[out] planned    every score
  * @param[out] replayed   every score
  * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was written.

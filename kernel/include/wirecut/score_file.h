@@ -23,8 +23,13 @@ WCUT_API wcut_status wcut_score_print(int n, const wcut_scored_cut *cut, const w
                                       char **text);
 
 /**
- * wcut_score_print into a file, replaced whole or not at all; WCUT_NOT_WRITTEN, too.
+ * Write score.json: the text of wcut_score_print into a file.
  *
+ * @param[in]  n       at least 1
+ * @param[in]  cut     n
+ * @param[in]  options that they were compared with, NULL for the defaults
+ * @param[in]  path    the target, replaced whole or left as it was
+ * @param[out] error   may be NULL
  * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as
  *         it was.
  */

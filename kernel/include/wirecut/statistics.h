@@ -1,4 +1,4 @@
-/* wirecut/statistics.h - many signed deviations in a few figures, however many they are. */
+/* wirecut/statistics.h - figures of any number of signed deviations. */
 #ifndef WCUT_STATISTICS_H
 #define WCUT_STATISTICS_H
 
@@ -28,11 +28,11 @@ typedef struct wcut_statistics {
     double under[WCUT_BANDS_MAX];  /**< [1] share with d < -band */
 } wcut_statistics;
 
-/** A count of deviations that goes on: sums, and a histogram whose bins grow with size, 11 MiB whatever the count. */
+/** Statistics in progress: sums, and a histogram whose bins grow with size; 11 MiB for any count. */
 typedef struct wcut_histogram wcut_histogram;
 
 /**
- * Begin to count.
+ * Begin statistics.
  *
  * @param[in]  bands 0 .. WCUT_BANDS_MAX
  * @param[in]  band  bands [mm] positive
@@ -42,17 +42,20 @@ typedef struct wcut_histogram wcut_histogram;
 WCUT_API wcut_status wcut_histogram_create(int bands, const double *band, wcut_histogram **histogram);
 
 /**
- * Count some more.
+ * Add deviations.
  *
+ * @param[in,out] histogram not in use by another thread
  * @param[in] count     0 or more; not more than INT_MAX in all
  * @param[in] deviation count [mm], finite
- * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was counted.
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was added.
  */
 WCUT_API wcut_status wcut_histogram_add(wcut_histogram *histogram, int count, const double *deviation);
 
 /**
  * The figures so far.
  *
+ * @param[in]  histogram  with any number of deviations
+ * @param[out] statistics all 0 where there is none
  * @return WCUT_OK; WCUT_BAD_ARGUMENT: nothing was written.
  */
 WCUT_API wcut_status wcut_histogram_eval(const wcut_histogram *histogram, wcut_statistics *statistics);

@@ -21,10 +21,10 @@ typedef struct wcut_surface_fit_report {
 } wcut_surface_fit_report;
 
 /**
- * Bicubic surface by least squares near the wire of every station, with knots only where they are needed: their density
- * follows the fourth root of what is missed, until no node is missed by more than a tolerance, nor the loft through the
- * nodes between them. Parameters as in wcut_surface_loft; the corners are kept. Where a direction needs nearly as many
- * control points as there are nodes it is interpolated.
+ * Bicubic surface by least squares near the wire of every station, with knots only where they are needed: their
+ * density follows the fourth root of the error, until the distance is within a tolerance at every node, and from the
+ * loft through the nodes between them. Parameters as in wcut_surface_loft; the corners are kept. Where a direction
+ * needs nearly as many control points as there are nodes it is interpolated.
  *
  * @param[in]  stations  at least 2
  * @param[in]  nodes     at least 2

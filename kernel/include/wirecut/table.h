@@ -35,7 +35,7 @@ typedef struct wcut_table {
  * @param[in]  numeric_count how many names follow, not negative
  * @param[in]  numeric       numeric_count names of columns that may hold nothing but numbers and missing samples, where
  *                           they are there; in other columns text is tolerated and counts as missing
- * @param[out] table         the caller's, to wcut_table_destroy; 0 rows are a table too
+ * @param[out] table         the caller's, to wcut_table_destroy; a table may have 0 rows
  * @param[out] error         may be NULL; line and column, what was found, what was expected
  * @return WCUT_OK; WCUT_NOT_FOUND (no such file, not readable), WCUT_BAD_FORMAT (no header, columns without a name or
  *         named twice, a row with more or fewer fields than the header, a quote that is not closed, a text or a number
