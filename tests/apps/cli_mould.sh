@@ -108,7 +108,7 @@ assert abs(a["lower"]["volume_mm3"] / b["lower"]["volume_mm3"] - 1) < 1e-9, (a["
 ' || fail "other edges, another mould"
 sed '/,1$/d' edges.csv >one.csv
 run 3 mould "$design" -o e --edges one.csv
-one_line "one.csv: found 1 curves, 0 left out, expected two edges"
+one_line "one.csv: found 1 curve, expected two edges"
 run 3 mould "$path" -o e --edges edges.csv
 one_line "--edges: expected a design, found a path"
 run 3 path "$design" --format csv -o e --edges none.step

@@ -69,15 +69,15 @@ typedef enum wcut_curve_format {
     WCUT_CURVE_FORMAT_ANY,  /**< told by the file's first bytes, or by its name's ending */
     WCUT_CURVE_FORMAT_STEP, /**< ISO 10303-21 with the curves of part 42, in the unit that the file states */
     WCUT_CURVE_FORMAT_IGES, /**< 5.3 and before: types 126, 110 and 106 forms 2, 12, in the unit that the file states */
-    WCUT_CURVE_FORMAT_JSON, /**< a CURVE as in a job's edges, or {"curves": [CURVE, ...]} */
-    WCUT_CURVE_FORMAT_CSV,  /**< points in columns x_mm, y_mm, z_mm; a column curve numbers the curves */
+    WCUT_CURVE_FORMAT_JSON, /**< curves as in a job's edges, or lists of points, in lists or under names; GeoJSON lines */
+    WCUT_CURVE_FORMAT_CSV, /**< a table of points, one a row; kernel/FORMATS.md says what tells its curves apart */
     WCUT_CURVE_FORMAT_COUNT
 } wcut_curve_format;
 
 /** How curves are read. */
 typedef struct wcut_curve_read_options {
     wcut_curve_format format; /**< default WCUT_CURVE_FORMAT_ANY */
-    int interpolate;          /**< CSV: 1 a cubic through the points (default), 0 straight pieces between them */
+    int interpolate;          /**< tables: 1 a cubic through the points (default), 0 straight pieces between them */
     int max_curves;           /**< more curves are refused, 1 or more; default 10000 */
 } wcut_curve_read_options;
 
@@ -101,10 +101,12 @@ WCUT_API wcut_curve_read_options wcut_curve_read_options_default(void);
  * rational or not, come back as they are, poles bit for bit where the unit is mm, and cut where the file trims them;
  * polylines and lines become splines of degree 1, arcs of circles and ellipses rational ones of degree 2, composite
  * curves one curve where their segments meet within 1e-3 mm, else the segments. Other curves (parabolas, offsets,
- * degrees above 7) are left out and reported. A file that moves its parts (an assembly) is refused: export the parts
- * where they stand. IGES: arcs (100), composites (102), ellipses (104), points (106), lines (110), B-splines (126),
+ * degrees above 7) are left out and reported. The parts of an assembly stand where it sets
+ * them. IGES: arcs (100), composites (102), ellipses (104), points (106), lines (110), B-splines (126),
  * each moved by its transformation (124), likewise. Pieces of another entity, and curves in a surface's parameters,
  * are left out and reported.
+ * JSON and tables: a text that has one reading is read; a text with none or two is refused, with two edges in a form
+ * that is read.
  *
  * @param[in]  path    a file
  * @param[in]  options NULL for the defaults

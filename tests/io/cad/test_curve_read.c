@@ -397,11 +397,11 @@ TEST(json_and_csv_hold_curves_in_millimetres) {
     ck_assert_int_eq(set->curve[0]->degree, 1);
     is_at(at(0, 0.5), 1, 0, 0);
     options.interpolate = 1;
-    refuses("a.csv", "x_mm,y_mm\n0,0\n1,0\n", "found no column z_mm");
-    refuses("a.csv", "x_mm,y_mm,z_mm\n0,0,0\n1,,0\n", "line 3: found no y_mm, expected a number");
+    refuses("a.csv", "x_mm,y_mm\n0,0\n1,0\n", "found 2 values without a header");
+    refuses("a.csv", "x_mm,y_mm,z_mm\n0,0,0\n1,,0\n", "line 3: found no y, expected a number");
     refuses("a.csv", "x_mm,y_mm,z_mm\n0,0,0\n0,0,0\n",
             "line 2: found 2 points, expected two or more, neighbours apart");
-    refuses("a.txt", "hello", "found no curves in a known format, expected STEP, IGES, JSON or CSV");
+    refuses("a.bin", "hello", "found no curves in a known format, expected STEP, IGES, JSON or CSV");
 }
 
 /* ---- IGES ---- */
