@@ -6,22 +6,12 @@
 #include <string.h>
 #include <unistd.h>
 #include <wirecut/angle.h>
-#include <wirecut/cloud_file.h>
-#include <wirecut/deviation_file.h>
+#include <wirecut/compare.h>
 
 #include "command.h"
-#include "compare_run.h"
 #include "job.h"
 #include "results.h"
 #include "terminal.h"
-
-/* What a run may leave in its folder, in the order written. */
-static const char *const result_name[] = {"deviation.ply",      "deviation_mesh.ply", "deviation_mesh.obj",
-                                          "reconstruction.ply", "reconstruction.stl", "zones.csv",
-                                          "report.html",        "deviation.json",     NULL};
-
-/* points held in memory, unless something else is asked for */
-enum { HOLD = 500000, HOLD_WHOLE = 2000000 };
 
 /* ---- what is asked for ---- */
 
@@ -38,23 +28,13 @@ static int refuse_bands(const char *text) {
                     text, WCUT_BANDS_MAX - 1);
 }
 
-/* keep the list in order, each tolerance once; there is room for one more than may be listed, that of the gate */
-static void add_band(app_compare_options *o, double band) {
-    int at = o->bands;
-    for (int k = 0; k < o->bands; k++)
-        if (o->band[k] == band) return;
-    for (; at > 0 && o->band[at - 1] > band; at--) o->band[at] = o->band[at - 1];
-    o->band[at] = band;
-    o->bands++;
-}
-
-static int read_bands(const char *text, app_compare_options *o) {
+static int read_bands(const char *text, wcut_compare_options *o) {
     const char *at = text;
     for (;;) {
         double band;
         at = read_number(at, &band);
         if (!at || o->bands == WCUT_BANDS_MAX - 1) return refuse_bands(text);
-        add_band(o, band);
+        o->band[o->bands++] = band;
         if (!*at) return APP_DONE;
         if (*at++ != ',') return refuse_bands(text);
     }
@@ -102,25 +82,20 @@ static int read_dofs(const char *text, wcut_registration_options *options) {
 
 /* ---- options ---- */
 
-static void read_cleaning(const app_call *call, app_scan_options *o) {
-    o->clean = wcut_clean_options_default();
-    o->clean.duplicate = app_given(call, "duplicates") ? 0 : -1;
-    o->clean.radius = app_given(call, "isolated") ? app_real(call, "isolated") : 0;
-    o->clean.voxel = app_given(call, "thin") ? app_real(call, "thin") : 0;
+static void read_cleaning(const app_call *call, wcut_clean_options *clean) {
+    const wcut_clean_options usual = wcut_clean_options_default();
+    if (app_given(call, "duplicates")) clean->duplicate = usual.duplicate;
+    if (app_given(call, "isolated")) clean->radius = app_real(call, "isolated");
+    if (app_given(call, "thin")) clean->voxel = app_real(call, "thin");
     if (app_given(call, "outliers"))
-        o->clean.deviations = app_real(call, "outliers");
-    else
-        o->clean.neighbours = 0;
-    o->cleaned = app_given(call, "duplicates") || app_given(call, "isolated") || app_given(call, "thin") ||
-                 app_given(call, "outliers");
+        clean->neighbours = usual.neighbours, clean->deviations = app_real(call, "outliers");
 }
 
-static int read_registration(const app_call *call, app_compare_options *o) {
+static int read_registration(const app_call *call, wcut_compare_options *o) {
     o->method = (wcut_registration_method)app_choice(call, "register");
-    o->registration = wcut_registration_options_default();
-    o->datum_path = app_text(call, "datum");
+    o->datums = app_text(call, "datum");
     const bool by_datum = o->method == WCUT_REGISTRATION_METHOD_DATUM;
-    if (by_datum != (o->datum_path != NULL))
+    if (by_datum != (o->datums != NULL))
         return app_fail(APP_USAGE, "%s: expected --register datum and --datum FILE together",
                         by_datum ? "--register datum" : "--datum");
     if (!app_given(call, "dof")) return APP_DONE;
@@ -129,8 +104,7 @@ static int read_registration(const app_call *call, app_compare_options *o) {
     return read_dofs(app_text(call, "dof"), &o->registration);
 }
 
-static int read_options(const app_call *call, app_compare_options *o) {
-    /* a job among the scans is most likely a wrong order */
+static int check_order(const app_call *call) {
     const char *first = strrchr(call->operand[0], '.');
     for (int k = 1; k < call->operand_count && first; k++) {
         const char *ending = strrchr(call->operand[k], '.');
@@ -138,121 +112,75 @@ static int read_options(const app_call *call, app_compare_options *o) {
             return app_fail(APP_USAGE, "compare: found %s before %s, expected the job first: JOB.json SCAN...",
                             call->operand[0], call->operand[k]);
     }
+    return APP_DONE;
+}
 
-    /* defaults, and the options that are given */
-    const long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    *o = (app_compare_options){.reference = call->operand[0],
-                               .call = call,
-                               .files = call->operand_count - 1,
-                               .scan = call->operand + 1,
-                               .quiet = app_given(call, "quiet"),
-                               .flip = app_given(call, "flip"),
-                               .distance = (app_distance)app_choice(call, "distance"),
-                               .chord_tolerance = app_real(call, "chord-tolerance"),
-                               .share = app_real(call, "share") / 100,
-                               .reconstruct = app_choice(call, "reconstruct"),
-                               .threads = processors > 1 ? processors < 64 ? (int)processors : 64 : 1};
+static int processors(void) {
+    const long count = sysconf(_SC_NPROCESSORS_ONLN);
+    return count > 1 ? count < 64 ? (int)count : 64 : 1;
+}
 
-    /* numbers that depend on the scan unless they are given */
-    if (app_given(call, "threads")) o->threads = app_int(call, "threads");
+static int read_options(const app_call *call, wcut_compare_options *o) {
+    int code = check_order(call);
+    *o = wcut_compare_options_default();
+
+    /* what is read, and how */
+    o->unit = (wcut_length_unit)app_choice(call, "unit");
+    o->reference_unit =
+        app_given(call, "reference-unit") ? (wcut_length_unit)app_choice(call, "reference-unit") : o->unit;
+    o->columns = app_text(call, "columns");
+    o->flip = app_given(call, "flip");
+    read_cleaning(call, &o->clean);
+
+    /* what is measured */
+    o->distance = (wcut_compare_distance)app_choice(call, "distance");
+    o->chord_tolerance = app_real(call, "chord-tolerance");
+    o->share = app_real(call, "share") / 100;
+    o->reconstruct = app_choice(call, "reconstruct") > 0;
     if (app_given(call, "normals")) o->normals = app_int(call, "normals");
     if (app_given(call, "support")) o->support = app_real(call, "support");
+    if (app_given(call, "tolerance")) o->tolerance = app_real(call, "tolerance");
+    if (app_given(call, "hold")) o->hold = app_int(call, "hold");
+    o->threads = app_given(call, "threads") ? app_int(call, "threads") : processors();
 
-    /* scans: unit, columns, threads, cleaning */
-    o->scans.unit = (wcut_length_unit)app_choice(call, "unit");
-    o->scans.columns = app_text(call, "columns");
-
-    /* the title block of the report */
+    /* the title block */
     o->part = app_text(call, "part");
     o->inspector = app_text(call, "inspector");
     o->instrument = app_text(call, "instrument");
     o->date = app_text(call, "date");
 
-    /* a law from a calibration replaces the job's */
-    if (app_given(call, "force-law")) o->force_law = app_text(call, "force-law");
-    o->reference_unit =
-        app_given(call, "reference-unit") ? (wcut_length_unit)app_choice(call, "reference-unit") : o->scans.unit;
-    o->scans.threads = o->threads;
-    read_cleaning(call, &o->scans);
-
-    /* a reconstruction is needed for a distance to it, and all points for the reconstruction */
-    if (o->distance == APP_TO_RECONSTRUCTION && o->reconstruct == 0) o->reconstruct = 1;
-    o->scans.hold = app_given(call, "hold") ? app_int(call, "hold") : o->reconstruct ? HOLD_WHOLE : HOLD;
-
-    /* bands of the histogram; the tolerance is one of them */
-    int code = read_bands(app_text(call, "bands"), o);
-    if (code == APP_DONE && app_given(call, "tolerance")) {
-        o->tolerance = app_real(call, "tolerance");
-        add_band(o, o->tolerance);
-    }
-
+    o->bands = 0;
+    if (code == APP_DONE) code = read_bands(app_text(call, "bands"), o);
     return code == APP_DONE ? read_registration(call, o) : code;
 }
 
-/* ---- the files ---- */
+/* ---- who watches ---- */
 
-static int write_meshes(const app_comparison *c, app_results *r) {
-    wcut_error error = {0};
-    wcut_status status = wcut_deviation_mesh_write_ply(c->mesh, c->value, c->present, c->limit,
-                                                       app_results_path(r, "deviation_mesh.ply"), &error);
-    int code = app_results_add(r, "deviation_mesh.ply", status, &error);
-    if (code != APP_DONE) return code;
-    status = wcut_deviation_mesh_write_obj(c->mesh, c->value, c->present, c->limit,
-                                           app_results_path(r, "deviation_mesh.obj"), &error);
-    code = app_results_add(r, "deviation_mesh.obj", status, &error);
-    if (code != APP_DONE || !c->reconstruction) return code;
-    const wcut_mesh *mesh = c->reconstruction->mesh;
-    status = wcut_deviation_mesh_write_ply(mesh, mesh->scalar, NULL, c->limit,
-                                           app_results_path(r, "reconstruction.ply"), &error);
-    code = app_results_add(r, "reconstruction.ply", status, &error);
-    if (code != APP_DONE) return code;
-    status = wcut_mesh_write_stl(mesh, app_results_path(r, "reconstruction.stl"), &error);
-    return app_results_add(r, "reconstruction.stl", status, &error);
-}
+typedef struct watching {
+    bool quiet;
+    int stage; /* that the bar is of; -1: none yet */
+    app_progress bar;
+} watching;
 
-static int write_compare_report(const app_comparison *c, app_results *r) {
-    /* names of the units in the order of their enumerators */
-    wcut_error error = {0};
-    static const char *const unit[] = {"mm", "cm", "m", "inch", "ft", "dm", "um"};
-    const app_reference *reference = &c->reference;
+static int watch_progress(wcut_compare_stage stage, int done, int total, void *context) {
+    watching *w = context;
 
-    /* what the page shows: the comparison, the face, the scan */
-    const wcut_report_compare page = {.compared = &c->found,
-                                      .title = reference->job ? reference->job->name : NULL,
-                                      .reference_sha256 = reference->hash[0] ? reference->hash : NULL,
-                                      .face = reference->face,
-                                      .stations = reference->is_job ? reference->history->stations : 0,
-                                      .mount_a = reference->mount_a,
-                                      .mount_b = reference->mount_b,
-                                      .mesh = c->mesh,
-                                      .value = c->value,
-                                      .present = c->present,
-                                      .points = c->scans.count,
-                                      .point = c->scans.point,
-                                      .deviation = c->deviation,
-                                      .spacing = c->scans.spacing,
-                                      .unit = unit[c->options.scans.unit],
-                                      .border = reference->options.border};
-
-    const wcut_status status = wcut_report_compare_write(&page, app_results_path(r, "report.html"), &error);
-
-    return app_results_add(r, "report.html", status, &error);
-}
-
-/* What a run leaves in its folder, under deviation.json. */
-static int write_compare_results(app_comparison *c, app_results *r) {
-    wcut_error error = {0};
-    int code = app_results_add(r, "deviation.ply", wcut_deviation_stream_commit(c->points, &error), &error);
-    if (code == APP_DONE) code = write_meshes(c, r);
-    if (code == APP_DONE) {
-        const wcut_status status = wcut_zones_write(c->found.found, app_results_path(r, "zones.csv"), &error);
-        code = app_results_add(r, "zones.csv", status, &error);
+    /* a bar for each stage whose end is known */
+    if (stage == WCUT_COMPARE_STAGE_READ) return app_is_interrupted();
+    if (w->stage != (int)stage) {
+        app_progress_end(&w->bar);
+        w->bar = app_progress_begin(w->quiet);
+        if (stage == WCUT_COMPARE_STAGE_MEASURE) w->bar.unit = "points";
+        w->stage = (int)stage;
     }
-    if (code == APP_DONE) code = write_compare_report(c, r);
-    if (code != APP_DONE) return code;
-    char *text = NULL;
-    const wcut_status status = wcut_deviation_print(&c->found, &text);
-    return app_results_commit(r, "deviation.json", status, text);
+    const int stop = app_progress_step(done, total, &w->bar);
+    if (done >= total - 1) app_progress_end(&w->bar);
+    return stop;
+}
+
+static void watch_warning(const char *text, void *context) {
+    (void)context;
+    app_say("%s", text);
 }
 
 /* ---- the answer ---- */
@@ -285,43 +213,74 @@ static void say_registration(const wcut_registration *r) {
                 r->step);
 }
 
-static void say_answer(const app_comparison *c, const app_results *results) {
-    const wcut_compared *f = &c->found;
-    app_say("%s: %d points compared, %d outside, %d ambiguous", c->options.scan[0], f->found->statistics.count,
+static void say_answer(const app_call *call, const wcut_compare_result *c, const char *files) {
+    const wcut_compared *f = &c->compared;
+    app_say("%s: %d points compared, %d outside, %d ambiguous", call->operand[1], f->found->statistics.count,
             f->found->place[WCUT_PLACE_BEYOND], f->found->place[WCUT_PLACE_AMBIGUOUS]);
     say_figures("as scanned", f->unmoved);
-    if (c->registration.method != WCUT_REGISTRATION_METHOD_NONE) {
-        say_figures(c->registration.method == WCUT_REGISTRATION_METHOD_FIT ? "best fit" : "by datums", f->found);
-        say_registration(&c->registration);
+    if (f->registration->method != WCUT_REGISTRATION_METHOD_NONE) {
+        say_figures(f->registration->method == WCUT_REGISTRATION_METHOD_FIT ? "best fit" : "by datums", f->found);
+        say_registration(f->registration);
     }
     if (f->has_kerf)
         app_say("kerf from the scan %.3f mm, in the job %.3f mm", f->kerf - 2 * f->found->split.offset, f->kerf);
     if (f->tolerance > 0)
         app_say("%s: required are \xc2\xb1%g mm for %g %% of the points",
                 f->within ? "within tolerance" : "OUTSIDE TOLERANCE", f->tolerance, 100 * f->share);
-    app_say("in %s: %s", results->folder, app_results_list(results));
+    app_say("in %s: %s", app_text(call, "output"), files);
 }
 
-static int give_answer(const app_comparison *c, const app_results *results) {
-    if (!c->options.quiet) say_answer(c, results);
-    if (!c->registration.converged) return APP_NOT_CONVERGED;
-    return c->found.within ? APP_DONE : APP_OUTSIDE;
+static int give_answer(const app_call *call, const wcut_compare_result *c, const char *text) {
+    const char *name[WCUT_COMPARE_FILES_MAX];
+    const int files = wcut_compare_files(c, name);
+    char list[512] = "";
+    size_t used = 0;
+    for (int k = 0; k < files; k++)
+        used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", k ? ", " : "", name[k]);
+    if (!app_given(call, "quiet")) say_answer(call, c, list);
+    if (app_given(call, "json")) fputs(text, stdout);
+    if (!c->compared.registration->converged) return APP_NOT_CONVERGED;
+    return c->compared.within ? APP_DONE : APP_OUTSIDE;
+}
+
+/* ---- the whole ---- */
+
+/* compare, and write the set of files */
+static int compare_files(const app_call *call, const wcut_compare_options *options, wcut_results *results) {
+    const wcut_compare_reference reference = {
+        .path = call->operand[0], .edges = app_text(call, "edges"), .force_law = app_text(call, "force-law")};
+    const int scans = call->operand_count - 1;
+    wcut_compare_scan *scan = calloc((size_t)scans, sizeof *scan);
+    if (!scan) return app_fail_status(WCUT_NO_MEMORY, "compare", NULL);
+    for (int k = 0; k < scans; k++) scan[k].path = call->operand[k + 1];
+
+    wcut_error error = {0};
+    wcut_compare_result *result = NULL;
+    char *text = NULL;
+    watching w = {.quiet = app_given(call, "quiet"), .stage = -1};
+    const wcut_compare_watch watch = {watch_progress, watch_warning, &w};
+    wcut_status status = wcut_compare_run(&reference, scans, scan, options, results, &watch, &result, &error);
+    app_progress_end(&w.bar);
+    if (status == WCUT_OK) status = wcut_compare_write(result, results, &text, &error);
+    const int code = status == WCUT_OK ? give_answer(call, result, text) : app_fail_status(status, NULL, &error);
+
+    free(text);
+    wcut_compare_destroy(result);
+    free(scan);
+    return code;
 }
 
 static int run_compare(const app_call *call) {
-    app_compare_options options;
+    const char *name[WCUT_COMPARE_FILES_MAX + 1] = {NULL};
+    wcut_compare_options options;
     app_results results;
+    wcut_compare_files(NULL, name);
     int code = read_options(call, &options);
-    if (code == APP_DONE) code = app_results_begin(&results, app_text(call, "output"), result_name);
+    if (code == APP_DONE) code = app_results_begin(&results, app_text(call, "output"), name);
     if (code != APP_DONE) return code;
+
     app_catch_interrupts();
-    app_comparison *c = calloc(1, sizeof *c);
-    code = c ? app_comparison_run(c, &options, &results) : app_fail_status(WCUT_NO_MEMORY, "compare", NULL);
-    if (c && code == APP_DONE) code = write_compare_results(c, &results);
-    if (code == APP_DONE && app_given(call, "json")) fputs(results.text, stdout);
-    if (c && code == APP_DONE) code = give_answer(c, &results);
-    if (c) app_comparison_clear(c);
-    free(c);
+    code = compare_files(call, &options, results.set);
     app_results_end(&results);
     return code;
 }

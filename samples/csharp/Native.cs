@@ -5,6 +5,7 @@ using System.Runtime.InteropServices;
 public enum wcut_brep_part { WCUT_BREP_PART_CUT = 0, WCUT_BREP_PART_SIDE_X0 = 1, WCUT_BREP_PART_SIDE_XW = 2, WCUT_BREP_PART_SIDE_Y0 = 3, WCUT_BREP_PART_SIDE_YL = 4, WCUT_BREP_PART_OPPOSITE = 5, WCUT_BREP_PART_KEY_FLANK = 6, WCUT_BREP_PART_KEY_TIP = 7 }
 public enum wcut_channel { WCUT_CHANNEL_TIME = 0, WCUT_CHANNEL_STATION = 1, WCUT_CHANNEL_SPEED_A = 2, WCUT_CHANNEL_SPEED_B = 3, WCUT_CHANNEL_TENSION_A = 4, WCUT_CHANNEL_TENSION_B = 5, WCUT_CHANNEL_ALPHA_A = 6, WCUT_CHANNEL_BETA_A = 7, WCUT_CHANNEL_ALPHA_B = 8, WCUT_CHANNEL_BETA_B = 9, WCUT_CHANNEL_SPEED_COMMAND = 10, WCUT_CHANNEL_HEAT = 11, WCUT_CHANNEL_HEATER_VOLTAGE = 12, WCUT_CHANNEL_HEATER_CURRENT = 13, WCUT_CHANNEL_A_X = 14, WCUT_CHANNEL_A_Y = 15, WCUT_CHANNEL_A_Z = 16, WCUT_CHANNEL_B_X = 17, WCUT_CHANNEL_B_Y = 18, WCUT_CHANNEL_B_Z = 19, WCUT_CHANNEL_COUNT = 20 }
 public enum wcut_cloud_format { WCUT_CLOUD_FORMAT_ANY = 0, WCUT_CLOUD_FORMAT_PLY = 1, WCUT_CLOUD_FORMAT_TEXT = 2, WCUT_CLOUD_FORMAT_STL = 3, WCUT_CLOUD_FORMAT_LAS = 4, WCUT_CLOUD_FORMAT_PCD = 5, WCUT_CLOUD_FORMAT_OBJ = 6, WCUT_CLOUD_FORMAT_OFF = 7, WCUT_CLOUD_FORMAT_GLTF = 8, WCUT_CLOUD_FORMAT_PTX = 9, WCUT_CLOUD_FORMAT_COUNT = 10 }
+public enum wcut_compare_distance { WCUT_COMPARE_DISTANCE_SURFACE = 0, WCUT_COMPARE_DISTANCE_MESH = 1, WCUT_COMPARE_DISTANCE_RECONSTRUCTION = 2, WCUT_COMPARE_DISTANCE_COUNT = 3 }
 public enum wcut_condition { WCUT_CONDITION_TENSION = 0, WCUT_CONDITION_SPEED_MAX = 1, WCUT_CONDITION_SPEED_MIN = 2, WCUT_CONDITION_TIME = 3 }
 public enum wcut_control_state { WCUT_CONTROL_STATE_RUN = 0, WCUT_CONTROL_STATE_HOLD = 1, WCUT_CONTROL_STATE_STOP_TENSION = 2, WCUT_CONTROL_STATE_STOP_ABSURD = 3, WCUT_CONTROL_STATE_STOP_STALE = 4 }
 public enum wcut_curve_format { WCUT_CURVE_FORMAT_ANY = 0, WCUT_CURVE_FORMAT_STEP = 1, WCUT_CURVE_FORMAT_IGES = 2, WCUT_CURVE_FORMAT_JSON = 3, WCUT_CURVE_FORMAT_CSV = 4, WCUT_CURVE_FORMAT_COUNT = 5 }
@@ -215,6 +216,71 @@ public unsafe struct wcut_column
     public byte* present;
     public int missing;
     public int text;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_compare_options
+{
+    public wcut_length_unit unit;
+    public wcut_length_unit reference_unit;
+    public byte* columns;
+    public byte flip;
+    public wcut_compare_distance distance;
+    public double chord_tolerance;
+    public wcut_clean_options clean;
+    public int hold;
+    public wcut_registration_method method;
+    public wcut_registration_options registration;
+    public byte* datums;
+    public int bands;
+    public fixed double band[8];
+    public double tolerance;
+    public double share;
+    public int normals;
+    public byte reconstruct;
+    public double support;
+    public byte* part;
+    public byte* inspector;
+    public byte* instrument;
+    public byte* date;
+    public byte feet;
+    public int threads;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_compare_reference
+{
+    public byte* path;
+    public byte* edges;
+    public byte* force_law;
+    public void* setup;
+    public wcut_history* history;
+    public wcut_mesh* mesh;
+    public wcut_surface* surface;
+    public byte* name;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_compare_result
+{
+    public wcut_compared compared;
+    public wcut_report_compare page;
+    public wcut_deviation* row;
+    public wcut_vec3* normal;
+    public double limit;
+    public byte streamed;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_compare_scan
+{
+    public byte* path;
+    public int count;
+    public wcut_vec3* point;
+    public byte* name;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_compare_watch
+{
+    public IntPtr progress;
+    public IntPtr warn;
+    public void* context;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_compared
@@ -1897,6 +1963,11 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_cloud_source_next(void* a0, int a1, wcut_vec3* a2, wcut_vec3* a3, int* a4, wcut_error* a5);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_cloud_span(int a0, wcut_vec3* a1, int* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_cloud_unit_eval(wcut_vec3 a0, wcut_vec3 a1, wcut_vec3 a2, wcut_cloud_unit* a3);
+    [DllImport("wirecut-io")] public static extern void wcut_compare_destroy(wcut_compare_result* a0);
+    [DllImport("wirecut-io")] public static extern int wcut_compare_files(wcut_compare_result* a0, byte** a1);
+    [DllImport("wirecut-io")] public static extern wcut_compare_options wcut_compare_options_default();
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_compare_run(wcut_compare_reference* a0, int a1, wcut_compare_scan* a2, wcut_compare_options* a3, void* a4, wcut_compare_watch* a5, wcut_compare_result** a6, wcut_error* a7);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_compare_write(wcut_compare_result* a0, void* a1, byte** a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_comparison_create(wcut_job* a0, wcut_recording* a1, wcut_comparison_options* a2, wcut_comparison** a3, wcut_error* a4);
     [DllImport("wirecut-io")] public static extern void wcut_comparison_destroy(wcut_comparison* a0);
     [DllImport("wirecut-io")] public static extern wcut_comparison_options wcut_comparison_options_default();

@@ -117,8 +117,8 @@ for name in "deviation", "reconstruction":
         x, y, z = struct.unpack_from("<3d", body, k * sum(size[t] for t, _ in row) + at["nx"])
         assert z > 0.5 and abs(x * x + y * y + z * z - 1) < 1e-9, (name, k, x, y, z)
 EOF
-run 2 compare "$steady" "$scan" -o normals --normals 16 --hold 1000 --quiet
-one_line "--normals: found 4000 points"
+run 3 compare "$steady" "$scan" -o normals --normals 16 --hold 1000 --quiet
+one_line "normals: found 4000 points"
 
 # the vertices of a mesh are a scan, too
 awk '{ print "v", $0 } END { print "f 1 2 3" }' "$scan" >scan.obj

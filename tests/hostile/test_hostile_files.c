@@ -643,6 +643,52 @@ HOSTILE(wcut_report_compare_write) {
     free(value);
 }
 
+static const wcut_compare_reference *compared_mesh(void) {
+    static wcut_compare_reference reference;
+    reference.mesh = mesh();
+    return &reference;
+}
+
+static const wcut_compare_scan *compared_scan(void) {
+    static wcut_compare_scan scan = {.count = SCAN};
+    scan.point = sound_scan();
+    return &scan;
+}
+
+static wcut_compare_result *comparison_made(void) {
+    static wcut_compare_result *result;
+    if (!result)
+        ck_assert_int_eq(wcut_compare_run(compared_mesh(), 1, compared_scan(), NULL, NULL, NULL, &result, NULL),
+                         WCUT_OK);
+    return result;
+}
+
+HOSTILE_VALUE(wcut_compare_options_default, )
+HOSTILE_MADE(wcut_compare_run, wcut_compare_result, wcut_compare_destroy, PTR(compared_mesh()), COUNT(1),
+             PTR(compared_scan()), OPT(NULL), OPT(NULL), OPT(NULL), PTR(&made), ERR)
+
+HOSTILE_VALUE(wcut_compare_destroy, NULL)
+
+HOSTILE(wcut_compare_files) {
+    const char *name[WCUT_COMPARE_FILES_MAX];
+    ck_assert_int_eq(wcut_compare_files(NULL, NULL), 0);
+    ck_assert_int_eq(wcut_compare_files(comparison_made(), NULL), 0);
+    ck_assert_int_eq(wcut_compare_files(comparison_made(), name), WCUT_COMPARE_FILES_MAX - 2);
+}
+
+/* one that was run without a set is refused, whatever else is broken */
+HOSTILE(wcut_compare_write) {
+    for (int broken = 0; broken < 3; broken++) {
+        char *text = MARK;
+        wcut_error error;
+        ck_assert_int_eq(
+            wcut_compare_write(broken == 0 ? NULL : comparison_made(), broken == 1 ? NULL : fresh_set(), &text, &error),
+            WCUT_BAD_ARGUMENT);
+        ck_assert_ptr_eq(text, MARK);
+    }
+    forget_set();
+}
+
 HOSTILE(wcut_report_score_write) {
     const char *const group[1] = {"one"};
     const wcut_comparison_options o = wcut_comparison_options_default();

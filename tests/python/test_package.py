@@ -220,6 +220,52 @@ class Measurements(unittest.TestCase):
         self.assertAlmostEqual(np.nanmean(moved.distance_mm), 0.25, delta=0.08)
         with self.assertRaisesRegex(wirecut.InputError, "register: found 'best'"):
             wirecut.compare(history, cloud, register="best")
+        with self.assertRaisesRegex(wirecut.InputError, "'noise', which is for a registration"):
+            wirecut.compare(history, cloud, noise=0.1)
+        with self.assertRaisesRegex(wirecut.InputError, "share: found 2, expected 0 to 1"):
+            wirecut.compare(history, cloud, share=2)
+        with self.assertRaisesRegex(wirecut.InputError, "datums: expected a file and the method datum together"):
+            wirecut.compare(history, cloud, register="datum")
+
+    def test_a_comparison_is_that_of_the_command(self):
+        job = os.path.join(SAMPLES, "jobs", "freeform-4.json")
+        scan = os.path.join(SAMPLES, "scans", "freeform-4.ply")
+        with tempfile.TemporaryDirectory() as folder:
+            whole = wirecut.compare(job, scan, register="fit", tolerance=0.5, share=0.5, band=[0.1, 2], threads=2,
+                                    output=folder)
+            files = sorted(os.listdir(folder))
+            self.assertEqual(sorted(whole.document["files"]), files)
+            with open(os.path.join(folder, "deviation.json"), encoding="utf-8") as file:
+                self.assertEqual(json.load(file), whole.document)
+        history = wirecut.simulate(wirecut.Job.read(job))
+        points = wirecut.Cloud.read(scan).points_mm
+        same = wirecut.compare(history, points, register="fit", tolerance=0.5, share=0.5, band=[0.1, 2])
+        self.assertEqual(same.statistics, whole.statistics)
+        self.assertTrue(np.array_equal(same.distance_mm, whole.distance_mm, equal_nan=True))
+        self.assertTrue(np.array_equal(same.matrix, whole.matrix))
+        self.assertEqual(same.within, whole.within)
+        self.assertEqual(same.document["registration"], whole.document["registration"])
+        self.assertEqual(same.document["zones"], whole.document["zones"])
+
+    def test_a_comparison_is_watched_and_warns(self):
+        history = wirecut.simulate(wirecut.Job.read(os.path.join(SAMPLES, "jobs", "steady-400-60.json")))
+        points = history.position_mm[20:60, 10:-10].reshape(-1, 3)
+        seen, said = [], []
+        wirecut.compare(history, points, progress=lambda done, total: seen.append((done, total)) and None, warn=said.append)
+        self.assertEqual(seen[0], (len(points), 0))
+        self.assertEqual(seen[-1], (len(points) - 1, len(points)))
+        self.assertEqual(said, [])
+        with self.assertRaises(KeyboardInterrupt):
+            wirecut.compare(history, points, progress=lambda done, total: True)
+        with self.assertRaisesRegex(wirecut.InputError, "none of them over the face"):
+            wirecut.compare(history, points * 1000 + 5000, warn=said.append)
+        self.assertEqual(len(said), 1)
+        self.assertRegex(said[0], "times as large as the face")
+
+        def stop(text):
+            raise RuntimeError(text)
+        with self.assertRaisesRegex(RuntimeError, "times as large"):
+            wirecut.compare(history, points * 1000 + 5000, warn=stop)
 
     def test_a_table_gives_a_law(self):
         law = wirecut.calibrate(os.path.join(SAMPLES, "calibration", "table.csv"))

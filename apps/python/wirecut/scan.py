@@ -2,12 +2,15 @@
 from __future__ import annotations
 
 import html
-from typing import Any, Dict, Optional
+import json
+import os
+import warnings
+from typing import Any, Callable, Dict, Optional
 
 import numpy as np
 
-from ._core import (InputError, as_points, as_reals, check, ffi, fill, lib, new_error, path_of, points, text_of, threads_of,
-                    view)
+from ._core import (InputError, Progress, Reporter, as_points, check, ffi, fill, free_text, lib, new_error, path_of, points,
+                    reals, text_of, threads_of, view)
 from .geometry import Surface
 from .history import History
 
@@ -50,31 +53,33 @@ class Cloud:
 
 
 class Deviation:
-    """Deviations of a cloud from a face, point by point, and their figures."""
+    """A scan beside a face: every point, and what deviation.json says of them."""
 
-    def __init__(self, rows: np.ndarray, moved_mm: np.ndarray, matrix: np.ndarray) -> None:
+    def __init__(self, handle: Any, held: Any, document: Dict[str, Any]) -> None:
+        self._handle, self._held = handle, held
+        page = handle.page
+        #: what deviation.json holds: figures, bands, zones, worst areas, registration, datums
+        self.document = document
         #: (n) [mm] signed: positive where material was left; NaN where a point does not count
-        self.distance_mm = np.where(rows["place"] <= lib.WCUT_PLACE_BORDER, rows["distance"], np.nan)
+        self.distance_mm = view(handle, page.deviation, (page.points,))
+        #: (n, 3) [mm] the points as registered
+        self.points_mm = view(handle, page.point, (page.points, 3))
         #: (n, 3) [mm] closest points of the face
+        rows = view(handle, handle.row, (page.points,), _DEVIATION).view(_DEVIATION)
         self.foot_mm = rows["foot"]
         #: (n) "inside", "border", "beyond", "ambiguous"
         self.place = np.array([text_of(lib.wcut_place_name(k)) for k in range(lib.WCUT_PLACE_COUNT)])[rows["place"]]
-        #: (n, 3) [mm] the points as registered
-        self.points_mm = moved_mm
         #: (4, 4) scan to block frame
-        self.matrix = matrix
+        self.matrix = np.array(list(handle.compared.registration.matrix)).reshape(4, 4)
+        #: whether as much as the gate asks is within the tolerance; True without a gate
+        self.within = bool(handle.compared.within)
+        #: whether the registration converged; True without one
+        self.converged = bool(handle.compared.registration.converged) or self.matrix.tolist() == np.eye(4).tolist()
 
     @property
     def statistics(self) -> Dict[str, float]:
         """Figures of the points that count, in mm: mean, std, rms, mae, median, p01, p05, p95, p99, min, max, count."""
-        values = np.ascontiguousarray(self.distance_mm[~np.isnan(self.distance_mm)])
-        if not len(values):
-            raise InputError("deviation: found no point over the face, expected some: another unit, or register='fit'?")
-        out, result = ffi.new("wcut_histogram **"), ffi.new("wcut_statistics *")
-        check(lib.wcut_histogram_create(0, ffi.NULL, out))
-        histogram = ffi.gc(out[0], lib.wcut_histogram_destroy)
-        check(lib.wcut_histogram_add(histogram, len(values), as_reals(values)))
-        check(lib.wcut_histogram_eval(histogram, result))
+        result = self._handle.compared.found.statistics
         return {name: getattr(result, name)
                 for name in ("count", "mean", "std", "rms", "mae", "median", "p01", "p05", "p95", "p99", "min", "max")}
 
@@ -91,48 +96,131 @@ class Deviation:
         return f"<table><caption>deviation, mm</caption>{body}</table>"
 
 
-def compare(reference: "History | Surface", cloud: Any, *, register: str = "none", threads: Optional[int] = None,
-            **registration: Any) -> Deviation:
-    """Deviations of a cloud, or of points (n, 3), from the cut face of a history (half a kerf below the wire, inside the
-    block), or from a surface. register: "none" or "fit"; a best fit hides deviations that look like a motion.
-    `registration`: options of wcut_registration_options, such as noise= and keep=."""
-    array = points(cloud.points_mm if isinstance(cloud, Cloud) else cloud, "cloud")
-    options = ffi.new("wcut_deviation_options *", lib.wcut_deviation_options_default())
-    held = []
+def _reference_of(reference: Any, held: list) -> Any:
+    """The C reference of a history, a surface, a mesh or a file."""
+    out = ffi.new("wcut_compare_reference *")
     if isinstance(reference, History):
-        a, b, _ = reference.mounts_mm()
-        out = ffi.new("wcut_face **")
-        check(lib.wcut_face_create(reference._job._handle, reference._handle, as_points(a), as_points(b), 1e-3, out), None,
-              "reference")
-        face = ffi.gc(out[0], lib.wcut_face_destroy)
-        held.append(face)
-        surface, options.low, options.high = face.surface, face.low, face.high
+        out.setup, out.history = reference._setup, reference._handle
     elif isinstance(reference, Surface):
-        surface = reference._handle
+        out.surface = reference._handle
+    elif isinstance(reference, (str, os.PathLike)):
+        held.append(ffi.new("char[]", path_of(reference)))
+        out.path = held[-1]
     else:
-        raise InputError(f"reference: found {type(reference).__name__}, expected a History or a Surface")
-    projection_out = ffi.new("wcut_projection **")
-    check(lib.wcut_projection_create(surface, projection_out), None, "reference")
-    projection = ffi.gc(projection_out[0], lib.wcut_projection_destroy)
+        raise InputError(f"reference: found {type(reference).__name__}, expected a History, a Surface or a file's name")
+    held.append(reference)
+    return out
 
-    # move the points where that is asked for
-    workers, matrix = threads_of(threads), np.eye(4)
-    if register == "fit":
-        settings = ffi.new("wcut_registration_options *", lib.wcut_registration_options_default())
-        fill(settings, registration, "compare")
-        motion, error = ffi.new("wcut_registration *"), new_error()
-        check(lib.wcut_registration_fit(projection, len(array), as_points(array), settings, workers, motion, error), error,
-              "registration")
-        array = array.copy()
-        check(lib.wcut_registration_move(motion, len(array), as_points(array, True), ffi.NULL))
-        matrix = np.array(list(motion.matrix)).reshape(4, 4)
-    elif register != "none":
-        raise InputError(f"register: found {register!r}, expected 'none' or 'fit'")
-    elif registration:
-        raise InputError(f"compare: found the option {sorted(registration)[0]!r}, which is for register='fit'")
 
-    rows = np.zeros(len(array), _DEVIATION)
-    target = ffi.from_buffer("wcut_deviation[]", rows, require_writable=True) if len(rows) else ffi.NULL
-    check(lib.wcut_deviation_from_surface(projection, len(array), as_points(array), options, workers, target, ffi.NULL), None,
-          "cloud")
-    return Deviation(rows, array, matrix)
+def _scans_of(scan: Any, held: list) -> Any:
+    """The C scans of a cloud, points, a file, or a list of files."""
+    if isinstance(scan, (str, os.PathLike)):
+        scan = [scan]
+    if isinstance(scan, (list, tuple)) and scan and all(isinstance(s, (str, os.PathLike)) for s in scan):
+        out = ffi.new("wcut_compare_scan[]", len(scan))
+        for k, name in enumerate(scan):
+            held.append(ffi.new("char[]", path_of(name)))
+            out[k].path = held[-1]
+        return out
+    array = points(scan.points_mm if isinstance(scan, Cloud) else scan, "scan")
+    if not len(array):
+        raise InputError("scan: found no point, expected some")
+    held.append(array)
+    out = ffi.new("wcut_compare_scan[]", 1)
+    out[0].count, out[0].point = len(array), as_points(array)
+    return out
+
+
+_METHOD = {"none": "WCUT_REGISTRATION_METHOD_NONE", "datum": "WCUT_REGISTRATION_METHOD_DATUM",
+           "fit": "WCUT_REGISTRATION_METHOD_FIT"}
+_DISTANCE = {"surface": "WCUT_COMPARE_DISTANCE_SURFACE", "mesh": "WCUT_COMPARE_DISTANCE_MESH",
+             "reconstruction": "WCUT_COMPARE_DISTANCE_RECONSTRUCTION"}
+
+
+def _word(words: Dict[str, str], value: Any, name: str) -> int:
+    if value not in words:
+        raise InputError(f"{name}: found {value!r}, expected one of {', '.join(words)}")
+    return int(getattr(lib, words[value]))
+
+
+def _options_of(values: Dict[str, Any], registers: bool, held: list) -> Any:
+    """The C options from keywords: members of wcut_compare_options, and of wcut_registration_options where there is one."""
+    out = ffi.new("wcut_compare_options *", lib.wcut_compare_options_default())
+    own = {name for name, _ in ffi.typeof("wcut_compare_options").fields} - {"clean", "registration", "method", "bands", "feet"}
+    motion = {k: v for k, v in values.items() if k not in own}
+    for name, value in values.items():
+        if name in motion:
+            continue
+        if name == "band":
+            tolerances = reals(value, "band")
+            if len(tolerances) >= lib.WCUT_BANDS_MAX:
+                raise InputError(f"band: found {len(tolerances)} tolerances, expected at most {lib.WCUT_BANDS_MAX - 1}")
+            out.bands, out.band[0:len(tolerances)] = len(tolerances), list(tolerances)
+        elif isinstance(value, (str, os.PathLike)):
+            held.append(ffi.new("char[]", path_of(value)))
+            fill(out, {name: held[-1]}, "compare")
+        else:
+            fill(out, {name: value}, "compare")
+    if motion and not registers:
+        raise InputError(f"compare: found the option {sorted(motion)[0]!r}, which is for a registration, or for none of both")
+    fill(ffi.addressof(out, "registration"), motion, "compare")
+    return out
+
+
+def compare(reference: "History | Surface | str | os.PathLike", scan: Any, *, register: str = "none",
+            distance: str = "surface", datums: Any = None, output: Any = None, warn: Optional[Callable[[str], Any]] = None,
+            progress: Optional[Progress] = None, threads: Optional[int] = None, clean: Optional[Dict[str, Any]] = None,
+            **options: Any) -> Deviation:
+    """A scan beside a face: registration, every point's deviation, figures, zones, worst areas.
+
+    reference: a History (the face is half a kerf below the wire, inside the block), a Surface, or the file of a job or a
+    mesh. scan: a Cloud, points (n, 3), a cloud file, or a list of them. register: "none", "datum" (by the file `datums`) or
+    "fit"; a best fit hides deviations that look like a motion. output: a folder for the files of `wirecut compare`.
+    warn: called with each doubt; None: Python's warnings. clean: members of wcut_clean_options. Further options: members
+    of wcut_compare_options, such as tolerance=, share=, reconstruct=, and of wcut_registration_options, such as noise=."""
+    held: list = []
+    c_reference, c_scan = _reference_of(reference, held), _scans_of(scan, held)
+    c_options = _options_of(options, register != "none", held)
+    c_options.method, c_options.distance = _word(_METHOD, register, "register"), _word(_DISTANCE, distance, "distance")
+    c_options.feet, c_options.threads = True, threads_of(threads)
+    if clean is not None:
+        fill(ffi.addressof(c_options, "clean"), clean, "clean")
+    if datums is not None:
+        held.append(ffi.new("char[]", path_of(datums)))
+        c_options.datums = held[-1]
+    if len(c_scan) == 1 and not c_scan[0].path and c_options.hold == 0:
+        c_options.hold = max(c_scan[0].count, 500000)  # points in memory are all kept
+
+    # who watches
+    reporter = Reporter(progress)
+    say = warn if warn is not None else (lambda text: warnings.warn(text, stacklevel=3))
+
+    def failed(_kind: Any, value: BaseException, _trace: Any) -> None:
+        reporter.cause = value  # raised when the call has ended
+
+    step = ffi.callback("int(wcut_compare_stage, int, int, void *)",
+                        lambda _stage, done, total, context: reporter.function(done, total, context), error=1, onerror=failed)
+    tell = ffi.callback("void(char *, void *)", lambda text, _context: say(text_of(text)), onerror=failed)
+    watch = ffi.new("wcut_compare_watch *", {"progress": step, "warn": ffi.cast("void(*)(const char *, void *)", tell)})
+
+    # the set of files, if one is wanted
+    error, results = new_error(), ffi.NULL
+    if output is not None:
+        names, made = ffi.new("char *[]", lib.WCUT_COMPARE_FILES_MAX), ffi.new("wcut_results **")
+        count = lib.wcut_compare_files(ffi.NULL, names)
+        check(lib.wcut_results_create(path_of(output), count, names, made, error), error)
+        results = ffi.gc(made[0], lib.wcut_results_destroy)
+
+    out = ffi.new("wcut_compare_result **")
+    status = lib.wcut_compare_run(c_reference, len(c_scan), c_scan, c_options, results, watch, out, error)
+    reporter.check()
+    check(status, error)
+    handle = ffi.gc(out[0], lib.wcut_compare_destroy)
+    text = ffi.new("char **")
+    if output is not None:
+        check(lib.wcut_compare_write(handle, results, text, error), error)
+    else:
+        check(lib.wcut_deviation_print(ffi.addressof(handle.compared), text))
+    document = json.loads(text_of(text[0]))
+    free_text(text[0])
+    return Deviation(handle, held, document)

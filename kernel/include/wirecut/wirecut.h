@@ -1,8 +1,8 @@
 /* wirecut/wirecut.h - the whole public API.
  *
  * ABI. Two shared libraries carry one version: libwirecut (computation) and libwirecut-io (files: the headers
- * *_file.h, case.h, exchange.h, read.h, report.h, report_pages.h, table.h, write.h). Before 1.0 a minor version may
- * change the ABI, so the soname has major and minor version; a patch version changes neither a struct nor a function
+ * *_file.h, case.h, compare.h, exchange.h, read.h, report.h, report_pages.h, table.h, write.h). Before 1.0 a minor
+ * version may change the ABI, so the soname has major and minor version; a patch version changes neither a struct nor a function
  * nor the order of an enumeration. Options structs are filled by their *_default function: take it before setting
  * members, so that members added later have their defaults. Exported symbols are listed in kernel/symbols.txt; one
  * that goes is announced in CHANGELOG.md. */
@@ -17,6 +17,7 @@
 #include <wirecut/case.h>
 #include <wirecut/cloud.h>
 #include <wirecut/cloud_file.h>
+#include <wirecut/compare.h>
 #include <wirecut/control.h>
 #include <wirecut/correction.h>
 #include <wirecut/crossing.h>

@@ -1,0 +1,286 @@
+/* What a scan is compared with: the face that a job leaves, a mesh, or a surface. */
+#include "io/scan/compare_face.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+#include <wirecut/job_file.h>
+#include <wirecut/read.h>
+
+#include "base/alloc.h"
+#include "base/fail.h"
+
+/* Sections nearer than a job's own rounding of its coordinates are one section. */
+#define MERGE_MM 1e-3
+
+/* [1] the area that a mesh shows from one side more than from the other, over its whole area, for it to face that way */
+#define SIDED 1e-3
+
+/* a failure whose text does not name a place gets this one */
+static wcut_status place_failure(wcut_status status, const char *place, wcut_error *error) {
+    char name[WCUT_QUOTE_SIZE];
+    if (status == WCUT_OK || !error) return status;
+    if (!error->text[0] || error->status == WCUT_OK)
+        return wcut_fail(error, status, "%s: %s", wcut_quote(name, place, WCUT_LABEL_MAX, 1), wcut_status_text(status));
+    error->status = status;
+    return status;
+}
+
+/* ---- a job ---- */
+
+typedef struct simulating {
+    const wcut_compare_watch *watch;
+} simulating;
+
+static int pass_station(int station, int stations, void *context) {
+    const wcut_compare_watch *w = ((simulating *)context)->watch;
+    return w && w->progress ? w->progress(WCUT_COMPARE_STAGE_SIMULATE, station, stations, w->context) : 0;
+}
+
+static wcut_status read_job(wcut_compare_face *f, const wcut_compare_reference *r, wcut_error *error) {
+    char name[WCUT_QUOTE_SIZE];
+    wcut_status status = place_failure(wcut_job_read(r->path, &f->owned_job, error), r->path, error);
+    if (status == WCUT_OK && r->force_law)
+        status = place_failure(wcut_job_read_force_law(f->owned_job, r->force_law, error), r->force_law, error);
+    if (status != WCUT_OK || !r->edges) return status;
+
+    // only a design has edges
+    if (f->owned_job->mode != WCUT_MODE_DESIGN)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s: edges: expected a design, found a path",
+                         wcut_quote(name, r->path, WCUT_LABEL_MAX, 1));
+    return place_failure(wcut_job_read_edges(f->owned_job, r->edges, error), r->edges, error);
+}
+
+static wcut_status simulate_job(wcut_compare_face *f, const wcut_compare_reference *r, const wcut_compare_watch *watch,
+                                wcut_error *error) {
+    simulating s = {watch};
+    wcut_status status = read_job(f, r, error);
+    if (status != WCUT_OK) return status;
+
+    // half a face would be compared with a whole scan: what ends early is a failure
+    status = wcut_setup_create(f->owned_job, NULL, &f->owned_setup, error);
+    if (status == WCUT_OK) status = wcut_setup_run(f->owned_setup, pass_station, &s, &f->owned_history, error);
+    f->job = f->owned_job, f->setup = f->owned_setup, f->history = f->owned_history;
+    if (status == WCUT_OK || !error) return status;
+
+    // the solver's text names a station, not the file
+    char name[WCUT_QUOTE_SIZE];
+    const wcut_error told = *error;
+    return wcut_fail(error, status, "%s: %s", wcut_quote(name, r->path, WCUT_LABEL_MAX, 1),
+                     told.text[0] ? told.text : wcut_status_text(status));
+}
+
+static wcut_status make_face(wcut_compare_face *f, wcut_error *error) {
+    const size_t stations = (size_t)f->history->stations;
+    double length;
+    f->mount_a = wcut_alloc(stations, sizeof *f->mount_a);
+    f->mount_b = wcut_alloc(stations, sizeof *f->mount_b);
+    if (!f->mount_a || !f->mount_b) return WCUT_NO_MEMORY;
+    wcut_status status = wcut_history_path(f->setup, f->history, f->mount_a, f->mount_b, &length, error);
+    if (status == WCUT_OK) status = wcut_face_create(f->job, f->history, f->mount_a, f->mount_b, MERGE_MM, &f->face);
+    if (status == WCUT_OK) status = wcut_projection_create(f->face->surface, &f->projection);
+    return status;
+}
+
+static wcut_status load_job(wcut_compare_face *f, const wcut_compare_options *o, wcut_error *error) {
+    wcut_status status = make_face(f, error);
+    if (status == WCUT_OK && f->distance == WCUT_COMPARE_DISTANCE_MESH) {
+        status = wcut_surface_tessellate(f->face->surface, o->chord_tolerance, &f->owned_mesh, NULL);
+        if (status == WCUT_OK) status = wcut_mesh_tree_create(f->owned_mesh, &f->tree);
+        f->mesh = f->owned_mesh;
+    }
+    if (status != WCUT_OK) return place_failure(status, f->name, error);
+
+    // the window is the block
+    f->surface = f->face->surface;
+    f->low = f->face->low, f->high = f->face->high;
+    f->options.low = f->low, f->options.high = f->high;
+    f->kerf = wcut_face_kerf(f->face);
+    return WCUT_OK;
+}
+
+/* ---- a mesh ---- */
+
+static void warn(const wcut_compare_watch *watch, const char *name, const char *text) {
+    char line[2 * WCUT_QUOTE_SIZE], quoted[WCUT_QUOTE_SIZE];
+    if (!watch || !watch->warn) return;
+    snprintf(line, sizeof line, "%s: warning: %s", wcut_quote(quoted, name, WCUT_LABEL_MAX, 1), text);
+    watch->warn(line, watch->context);
+}
+
+/* which way a mesh faces on the whole; a closed one faces no way */
+static void warn_of_mesh(const wcut_compare_face *f, const wcut_mesh_tree_info *info, const wcut_compare_watch *watch) {
+    const bool up = info->area_sum.z > SIDED * info->area, down = info->area_sum.z < -SIDED * info->area;
+    char text[WCUT_QUOTE_SIZE];
+    if (down && !f->options.flip)
+        warn(watch, f->name, "the triangles face down, so deviations are positive below them; flip turns them");
+    if (up && f->options.flip)
+        warn(watch, f->name, "the triangles faced up; after the flip deviations are positive below them");
+    if (info->nonmanifold_edges == 0) return;
+    snprintf(text, sizeof text,
+             "%d edges have three triangles or more, or two wound against each other: the sign of deviations is "
+             "unreliable near them",
+             info->nonmanifold_edges);
+    warn(watch, f->name, text);
+}
+
+static wcut_status load_mesh(wcut_compare_face *f, const wcut_compare_watch *watch, wcut_error *error) {
+    char name[WCUT_QUOTE_SIZE];
+    const wcut_status status = wcut_mesh_tree_create(f->mesh, &f->tree);
+    if (status != WCUT_OK) return place_failure(status, f->name, error);
+    const wcut_mesh_tree_info *info = wcut_mesh_tree_view(f->tree);
+    f->low = info->low, f->high = info->high;
+    warn_of_mesh(f, info, watch);
+    if (f->low.x < f->high.x && f->low.y < f->high.y) return WCUT_OK;
+    return wcut_fail(error, WCUT_DEGENERATE, "%s: found a mesh that has no extent in x or y, expected a cut face",
+                     wcut_quote(name, f->name, WCUT_LABEL_MAX, 1));
+}
+
+/* ---- a surface ---- */
+
+/* its triangles carry the map of colours, whatever distances are taken to */
+static wcut_status load_surface(wcut_compare_face *f, const wcut_compare_options *o, const wcut_compare_watch *watch,
+                                wcut_error *error) {
+    wcut_status status = wcut_surface_tessellate(f->surface, o->chord_tolerance, &f->owned_mesh, NULL);
+    f->mesh = f->owned_mesh;
+    if (status == WCUT_OK) status = wcut_projection_create(f->surface, &f->projection);
+    if (status == WCUT_OK) return load_mesh(f, watch, error);
+    return place_failure(status, f->name, error);
+}
+
+wcut_status wcut_compare_face_base(wcut_compare_face *face, const wcut_surface **surface, wcut_error *error) {
+    wcut_compare_face *f = face;
+    char name[WCUT_QUOTE_SIZE];
+    *surface = f->surface ? f->surface : f->base;
+    if (*surface) return WCUT_OK;
+    wcut_status status = wcut_mesh_base(f->mesh, f->options.flip, &f->base);
+    if (status == WCUT_DEGENERATE)
+        return wcut_fail(error, status,
+                         "%s: found a mesh that is closed, folds over or is steeper than 84 deg somewhere, expected an "
+                         "open sheet over a plane, as a reconstruction needs it",
+                         wcut_quote(name, f->name, WCUT_LABEL_MAX, 1));
+    if (status == WCUT_OK) status = wcut_projection_create(f->base, &f->projection);
+    *surface = f->base;
+    return place_failure(status, f->name, error);
+}
+
+/* ---- any ---- */
+
+/* whether a name ends with one of a list, which ends with NULL */
+static bool has_ending(const char *path, const char *const *ending) {
+    const char *dot = strrchr(path, '.');
+    for (; dot && *ending; ending++)
+        if (strcasecmp(dot, *ending) == 0) return true;
+    return false;
+}
+
+/* a job is JSON: by its ending or its first byte; what comes through a pipe is a job */
+static bool is_job(const char *path) {
+    static const char *const job_ending[] = {".json", NULL};
+    static const char *const mesh_ending[] = {".stl", ".ply", ".obj", ".off", ".glb", ".gltf", NULL};
+    if (has_ending(path, job_ending)) return true;
+    if (has_ending(path, mesh_ending)) return false;
+
+    // the first byte behind blanks and the mark of UTF-8
+    struct stat about;
+    FILE *file = stat(path, &about) == 0 && S_ISREG(about.st_mode) ? fopen(path, "rb") : NULL;
+    if (!file) return true;
+    int c = fgetc(file);
+    for (int k = 0;
+         k < 1000 && (c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == 0xef || c == 0xbb || c == 0xbf); k++)
+        c = fgetc(file);
+    fclose(file);
+    return c == '{' || c == '[';
+}
+
+static wcut_status refuse_change(const wcut_compare_face *f, const char *what, wcut_error *error) {
+    char name[WCUT_QUOTE_SIZE];
+    return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s: %s: expected a job, found none",
+                     wcut_quote(name, f->name, WCUT_LABEL_MAX, 1), what);
+}
+
+static wcut_status load_file(wcut_compare_face *f, const wcut_compare_reference *r, const wcut_compare_options *o,
+                             const wcut_compare_watch *watch, wcut_error *error) {
+    static const char *const cad_ending[] = {".step", ".stp", ".iges", ".igs", NULL};
+    char name[WCUT_QUOTE_SIZE];
+    if (has_ending(r->path, cad_ending))
+        return wcut_fail(error, WCUT_BAD_FORMAT,
+                         "%s: found a CAD file, expected a job, whose surface is exact, or a mesh: .stl .ply .obj .off "
+                         ".glb",
+                         wcut_quote(name, r->path, WCUT_LABEL_MAX, 1));
+    wcut_status status;
+    if (is_job(r->path)) {
+        status = simulate_job(f, r, watch, error);
+        if (status == WCUT_OK) status = load_job(f, o, error);
+    } else {
+        if (r->edges || r->force_law) return refuse_change(f, r->edges ? "edges" : "force law", error);
+        wcut_mesh_read_options options = wcut_mesh_read_options_default();
+        options.unit = o->reference_unit;
+        status = place_failure(wcut_mesh_read(r->path, &options, &f->owned_mesh, NULL, error), r->path, error);
+        f->mesh = f->owned_mesh;
+        if (status == WCUT_OK) status = load_mesh(f, watch, error);
+    }
+    return status == WCUT_OK ? wcut_source_hash(r->path, f->hash, error) : status;
+}
+
+wcut_status wcut_compare_face_load(const wcut_compare_reference *reference, const wcut_compare_options *options,
+                                   const wcut_compare_watch *watch, wcut_compare_face *face, wcut_error *error) {
+    const wcut_compare_reference *r = reference;
+    wcut_compare_face *f = face;
+    *f = (wcut_compare_face){.name = r->name   ? r->name
+                                     : r->path ? r->path
+                                               : "reference",
+                             .distance = options->distance,
+                             .options = wcut_deviation_options_default()};
+    f->options.flip = options->flip;
+    if (!r->path && (r->edges || r->force_law)) return refuse_change(f, r->edges ? "edges" : "force law", error);
+
+    // one of the four
+    wcut_status status;
+    if (r->path) {
+        status = load_file(f, r, options, watch, error);
+    } else if (r->history) {
+        f->job = wcut_setup_job(r->setup), f->setup = r->setup, f->history = r->history;
+        status = load_job(f, options, error);
+    } else if (r->mesh) {
+        f->mesh = r->mesh;
+        status = load_mesh(f, watch, error);
+    } else {
+        f->surface = r->surface;
+        status = load_surface(f, options, watch, error);
+    }
+    if (status != WCUT_OK) return status;
+
+    if (!f->surface && f->distance == WCUT_COMPARE_DISTANCE_SURFACE) f->distance = WCUT_COMPARE_DISTANCE_MESH;
+    f->plan = (f->high.x - f->low.x) * (f->high.y - f->low.y);
+    return WCUT_OK;
+}
+
+void wcut_compare_face_clear(wcut_compare_face *face) {
+    wcut_mesh_tree_destroy(face->tree);
+    wcut_mesh_destroy(face->owned_mesh);
+    wcut_projection_destroy(face->projection);
+    wcut_surface_destroy(face->base);
+    wcut_face_destroy(face->face);
+    wcut_history_destroy(face->owned_history);
+    wcut_setup_destroy(face->owned_setup);
+    wcut_job_destroy(face->owned_job);
+    wcut_free(face->mount_a);
+    wcut_free(face->mount_b);
+    *face = (wcut_compare_face){0};
+}
+
+wcut_status wcut_compare_face_locate(const wcut_compare_face *face, int count, const wcut_vec3 *point, int threads,
+                                     wcut_deviation *deviation, wcut_foot *foot) {
+    const wcut_compare_face *f = face;
+    if (!wcut_compare_face_by_triangles(f))
+        return wcut_deviation_from_surface(f->projection, count, point, &f->options, threads, deviation, foot);
+    const wcut_status status = wcut_deviation_from_mesh(f->tree, count, point, &f->options, threads, deviation);
+    return status == WCUT_OK && f->face ? wcut_deviation_onto_surface(f->mesh, count, deviation) : status;
+}
+
+bool wcut_compare_face_by_triangles(const wcut_compare_face *face) {
+    return !face->surface || face->distance == WCUT_COMPARE_DISTANCE_MESH;
+}
