@@ -18,6 +18,7 @@
 #include "explain/experiment.h"
 #include "explain/locate.h"
 #include "explain/modelled.h"
+#include "explain/redundancy.h"
 #include "explain/rig.h"
 #include "explain/variance.h"
 #include "explain/verdict_text.h"
@@ -52,6 +53,7 @@ void wcut_diagnosis_destroy(wcut_diagnosis *d) {
     wcut_free(d->dependence);
     wcut_free(d->held_out);
     wcut_free(d->rig);
+    wcut_free(d->contradiction);
     wcut_free(d->limit);
     wcut_job_destroy(d->improved);
     wcut_job_destroy(d->next_experiment);
@@ -61,7 +63,8 @@ void wcut_diagnosis_destroy(wcut_diagnosis *d) {
 /* everything in a run */
 typedef struct diagnosing {
     int cuts;
-    const wcut_diagnosis_cut *cut;
+    wcut_redundancy redundancy;    /* what contradicts itself */
+    const wcut_diagnosis_cut *cut; /* its cuts, set right */
     int test_cuts;
     const wcut_test_cut *calibration;
     const wcut_diagnosis_options *options;
@@ -620,6 +623,7 @@ static wcut_status conclude_diagnosis(diagnosing *g, bool searched, wcut_error *
     if (status == WCUT_OK || status == WCUT_INTERRUPTED) {
         wcut_diagnosis_sentence(g->out);
         wcut_modelled_tell(g->out);
+        if (!wcut_contradictions_report(&g->redundancy, searched, g->out)) status = WCUT_NO_MEMORY;
         if (status == WCUT_INTERRUPTED) tell_stop(g, searched);
         if (!wcut_diagnosis_limits(g->out, g->cuts, g->cut, g->test_cuts, g->calibration)) status = WCUT_NO_MEMORY;
     }
@@ -652,7 +656,7 @@ wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *cut, int t
     const wcut_diagnosis_options o = options ? *options : wcut_diagnosis_options_default();
     wcut_status status = check_diagnosis(cuts, cut, test_cuts, calibration, &o, diagnosis, error);
     if (status != WCUT_OK) return status;
-    diagnosing g = {.cuts = cuts, .cut = cut, .test_cuts = test_cuts, .calibration = calibration, .options = &o};
+    diagnosing g = {.cuts = cuts, .test_cuts = test_cuts, .calibration = calibration, .options = &o};
 
     /* begin the progress; the decision has no candidate yet */
     wcut_stop_begin(&g.stop, progress, context, STEPS);
@@ -661,8 +665,12 @@ wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *cut, int t
     if (g.out)
         g.out->cuts = cuts, g.out->view.cut = -1, g.out->held_out = wcut_alloc((size_t)cuts, sizeof *g.out->held_out);
 
-    /* evidence and search */
-    status = g.out && g.out->held_out ? prepare_diagnosis(&g, error) : wcut_fail(error, WCUT_NO_MEMORY, "no memory");
+    /* what needs no physics, then evidence and search */
+    const bool room = g.out && g.out->held_out;
+    status = room ? wcut_redundancy_create(cuts, cut, &g.redundancy) : WCUT_NO_MEMORY;
+    if (status != WCUT_OK) wcut_fail(error, status, "no memory for %d cuts", cuts);
+    g.cut = g.redundancy.cut;
+    if (status == WCUT_OK) status = prepare_diagnosis(&g, error);
     if (status == WCUT_OK) status = wcut_search_run(g.evidence, o.without, &g.search, error);
     const bool recalibrated = g.search.none.predicted != NULL; /* the least that is worth handing out */
 
@@ -687,6 +695,7 @@ wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *cut, int t
     wcut_search_destroy(&g.search);
     wcut_outside_destroy(&g.outside);
     wcut_evidence_destroy(g.evidence);
+    wcut_redundancy_destroy(&g.redundancy);
     wcut_free(g.before);
     return status;
 }

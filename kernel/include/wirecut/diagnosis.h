@@ -79,7 +79,7 @@ typedef struct wcut_estimate {
     double value, low, high; /**< 95 %; low = -inf, high = inf where the data leave it open */
 } wcut_estimate;
 
-enum { WCUT_DIAGNOSIS_EFFECTS = 4, WCUT_DIAGNOSIS_TEXT = 600 };
+enum { WCUT_DIAGNOSIS_EFFECTS = 4, WCUT_DIAGNOSIS_TEXT = 900 };
 enum { WCUT_MODELLED_TERMS = 3, WCUT_MODELLED_RIVALS = 4, WCUT_MODELLED_EVENTS = 24 };
 
 /** An effect that was found, or that stays possible. */
@@ -113,6 +113,36 @@ typedef struct wcut_rig_row {
     int cut[WCUT_RIG_CUTS];
     wcut_estimate of_cut[WCUT_RIG_CUTS];
 } wcut_rig_row;
+
+/* What a recording contradicts, its name in files. */
+#define WCUT_CONTRADICTION_LIST(X)          \
+    X(EXCITATION, "excitation_not_followed") \
+    X(HEATER, "heater_power")               \
+    X(STATION, "station_scale")             \
+    X(SPEED, "speed_scale")                 \
+    X(PLACES, "mount_places")               \
+    X(TENSION_ZERO, "tension_zero")
+
+#define WCUT_CONTRADICTION_ENTRY(name, text) WCUT_CONTRADICTION_##name,
+/** Columns of a recording against each other and against its job, found by subtraction, before any physics. */
+typedef enum wcut_contradiction_kind {
+    WCUT_CONTRADICTION_LIST(WCUT_CONTRADICTION_ENTRY) WCUT_CONTRADICTION_COUNT
+} wcut_contradiction_kind;
+#undef WCUT_CONTRADICTION_ENTRY
+
+/** A contradiction. */
+typedef struct wcut_contradiction {
+    wcut_contradiction_kind kind;
+    char column[32]; /**< that is wrong, or does not follow its job: "station", "speed_command_mm_s" */
+    int cuts;        /**< in which it is, WCUT_RIG_CUTS at most */
+    int cut[WCUT_RIG_CUTS];
+    double found, expected, error; /**< in the unit; error: one standard deviation of found, 0 where it is not told */
+    char unit[8];                  /**< "share" (of the programme, of the set power, of the way), "N", "mm" */
+    bool fault;                    /**< of an instrument; false: the job says what was not done */
+    bool common;                   /**< one value for all cuts */
+    bool repaired;                 /**< the diagnosis is of the case without it */
+    char text[480];                /**< a sentence or two, with figures */
+} wcut_contradiction;
 
 /** A place where simulation and measurement differ by more than noise. */
 typedef struct wcut_mismatch {
@@ -214,6 +244,8 @@ typedef struct wcut_diagnosis {
     double adequacy, adequacy_p;       /**< of the chosen model; p-value against its simulated null */
     int hypotheses;
     wcut_hypothesis *hypothesis; /**< ranked, best first */
+    int contradictions;
+    wcut_contradiction *contradiction; /**< found before any physics, in the order of their checks */
     int mismatches;
     wcut_mismatch *mismatch; /**< largest share first */
     int dependences;         /**< the terms of `modelled`, each as one quantity */
@@ -253,6 +285,9 @@ WCUT_API const char *wcut_verdict_name(wcut_verdict_kind kind);
 
 /** The name of a kind of scatter in files with its unit, "wire_length_mm"; "" outside the enum. */
 WCUT_API const char *wcut_scatter_name(wcut_scatter_kind kind);
+
+/** The name of a kind of contradiction in files, "station_scale"; "" outside the enum. */
+WCUT_API const char *wcut_contradiction_name(wcut_contradiction_kind kind);
 
 /** The name of a channel in files, "tension", and its unit, "N"; "" outside the enum. */
 WCUT_API const char *wcut_evidence_name(wcut_evidence_channel channel);
