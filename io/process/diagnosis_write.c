@@ -141,14 +141,36 @@ static bool kind_names_effects(wcut_verdict_kind kind) {
     return kind == WCUT_VERDICT_PHYSICS || kind == WCUT_VERDICT_INSTRUMENT || kind == WCUT_VERDICT_BOTH;
 }
 
+static const char *effect_name(const wcut_diagnosis *d, int e) {
+    return wcut_effect_view(d->effect[e].effect.kind)->name;
+}
+
+/* whether a name is that of one of the first present effects, or of the first contradictions that are faults */
+static bool is_listed(const wcut_diagnosis *d, int effects, int contradictions, const char *name) {
+    for (int e = 0; e < effects; e++)
+        if (d->effect[e].present && strcmp(effect_name(d, e), name) == 0) return true;
+    for (int k = 0; k < contradictions; k++)
+        if (d->contradiction[k].fault && strcmp(wcut_contradiction_name(d->contradiction[k].kind), name) == 0)
+            return true;
+    return false;
+}
+
 static void put_verdict(wcut_text *text, const wcut_diagnosis *d) {
     /* the effects that the verdict names */
     const bool named = kind_names_effects(d->kind);
     const char *between = "";
     wcut_text_print(text, ",\n  \"verdict\": {\"kind\": \"%s\", \"effects\": [", wcut_verdict_name(d->kind));
-    for (int e = 0; e < d->effects; e++) {
-        if (!named || !d->effect[e].present) continue;
-        wcut_text_print(text, "%s\"%s\"", between, wcut_effect_view(d->effect[e].effect.kind)->name);
+    for (int e = 0; named && e < d->effects; e++) {
+        if (!d->effect[e].present || is_listed(d, e, 0, effect_name(d, e))) continue;
+        wcut_text_print(text, "%s\"%s\"", between, effect_name(d, e));
+        between = ", ";
+    }
+
+    /* instrument faults that contradictions show and no effect stands for */
+    for (int k = 0; named && k < d->contradictions; k++) {
+        const char *name = wcut_contradiction_name(d->contradiction[k].kind);
+        if (!d->contradiction[k].fault || is_listed(d, d->effects, k, name)) continue;
+        wcut_text_print(text, "%s\"%s\"", between, name);
         between = ", ";
     }
 
@@ -280,6 +302,21 @@ static void put_hypothesis(wcut_text *text, const wcut_hypothesis *h) {
     wcut_text_put_word(text, "}");
 }
 
+static void put_contradiction(wcut_text *text, const wcut_contradiction *c) {
+    wcut_text_print(text, "{\"name\": \"%s\"", wcut_contradiction_name(c->kind));
+    put_diagnosis_string(text, ", \"column\": ", c->column);
+    wcut_text_put_word(text, ", \"cuts\": [");
+    for (int k = 0; k < c->cuts; k++) wcut_text_print(text, "%s%d", k ? ", " : "", c->cut[k]);
+    wcut_text_print(text, "], \"unit\": \"%s\"", c->unit);
+    wcut_text_put_number(text, ", \"found\": ", c->found);
+    wcut_text_put_number(text, ", \"expected\": ", c->expected);
+    wcut_text_put_number(text, ", \"standard_error\": ", c->error);
+    wcut_text_print(text, ",\n     \"fault\": %s, \"repaired\": %s", c->fault ? "true" : "false",
+                    c->repaired ? "true" : "false");
+    put_diagnosis_string(text, ", \"sentence\": ", c->text);
+    wcut_text_put_word(text, "}");
+}
+
 /* a row of the rig's table */
 static void put_diagnosis_rig(wcut_text *text, const wcut_rig_row *row) {
     put_diagnosis_string(text, "{\"name\": ", row->name);
@@ -386,7 +423,12 @@ static void put_weighed(wcut_text *text, const wcut_diagnosis *d) {
     wcut_text_put_word(text, "],\n  \"limits\": [");
     for (int i = 0; i < d->limits; i++) put_diagnosis_string(text, i ? ",\n    " : "\n    ", d->limit[i]);
 
-    /* figures of the rig; adequacy and noise */
+    /* contradictions, scatter of the rig, adequacy and noise */
+    wcut_text_put_word(text, "],\n  \"contradictions\": [");
+    for (int i = 0; i < d->contradictions; i++) {
+        wcut_text_put_word(text, i ? ",\n    " : "\n    ");
+        put_contradiction(text, &d->contradiction[i]);
+    }
     wcut_text_put_word(text, "],\n  \"rig\": [");
     for (int i = 0; i < d->rig_rows; i++) {
         wcut_text_put_word(text, i ? ",\n    " : "\n    ");

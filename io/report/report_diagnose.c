@@ -8,8 +8,9 @@
 #include "io/report/page_memory.h"
 #include "io/report/report_evidence.h"
 #include "io/report/report_findings.h"
+#include "io/report/report_instruments.h"
 
-enum { SECTIONS_BESIDE_CUTS = 7 };
+enum { SECTIONS_BESIDE_CUTS = 8 };
 
 typedef struct page {
     const wcut_report_diagnose *of;
@@ -459,6 +460,7 @@ wcut_status wcut_report_diagnose_write(const wcut_report_diagnose *diagnosed, co
         count += wcut_report_channels_fill(&p.memory, diagnosed, &section[count]);
         count += wcut_report_evidence_fill(&p.memory, diagnosed, &section[count]);
         count += fill_found(&p, &section[count]);
+        count += wcut_report_instruments_fill(&p.memory, diagnosed, &section[count]);
         count += fill_worth(&p, &section[count]);
         count += fill_weighed(&p, &section[count]);
         count += fill_where(&p, &section[count]);

@@ -138,9 +138,8 @@ static void add_zero_effect(wcut_diagnosis *d, const wcut_contradiction *c) {
     for (int e = 0; e < d->effects; e++)
         if (d->effect[e].effect.kind == WCUT_EFFECT_TENSION_ZERO && d->effect[e].effect.choice == sensor) return;
     wcut_found_effect *f = &d->effect[d->effects++];
-    *f = (wcut_found_effect){.effect = wcut_effect_choose(WCUT_EFFECT_TENSION_ZERO, sensor),
-                             .present = true,
-                             .confidence = d->confidence};
+    *f = (wcut_found_effect){
+        .effect = wcut_effect_choose(WCUT_EFFECT_TENSION_ZERO, sensor), .present = true, .confidence = d->confidence};
     f->effect.value[0] = c->found;
     f->estimated[0] = true;
     f->parameter[0] = (wcut_estimate){c->found, c->found - 1.96 * c->error, c->found + 1.96 * c->error};

@@ -45,7 +45,8 @@ void wcut_contradiction_add_cut(wcut_contradiction *contradiction, int cut);
 
 /* "cut 3", "cuts 1, 2 and 5", "all cuts" */
 enum { WCUT_CUT_LIST = 120 };
-void wcut_cut_list(const wcut_redundancy *redundancy, const wcut_contradiction *contradiction, char text[WCUT_CUT_LIST]);
+void wcut_cut_list(const wcut_redundancy *redundancy, const wcut_contradiction *contradiction,
+                   char text[WCUT_CUT_LIST]);
 
 /* An own copy of a channel of a cut's recording, to be written; created where the file has none. NULL: no memory. */
 double *wcut_redundancy_column(wcut_redundancy *redundancy, int cut, wcut_channel channel);

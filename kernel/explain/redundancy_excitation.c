@@ -34,7 +34,8 @@ typedef struct series {
 
 static bool is_inside(const wcut_job *job, double station) {
     const double last = job->stations - 1, s = clamp(station, 0, last);
-    const double y = (wcut_path_at(job->stations, job->mount_a, s).y + wcut_path_at(job->stations, job->mount_b, s).y) / 2;
+    const double y =
+        (wcut_path_at(job->stations, job->mount_a, s).y + wcut_path_at(job->stations, job->mount_b, s).y) / 2;
     return y > 0.3 * job->block_size.x && y < job->block_size.y;
 }
 
@@ -148,8 +149,7 @@ static wcut_status compare_cut(wcut_redundancy *all, int cut, broken *b, bool *m
     const bool no_dither = dither.told && dither.value + 3 * dither.error < SHOWN_MIN;
     const bool no_step = step.told && step.value < HEATED_MIN;
     *missed = no_dither || no_step;
-    if (no_dither)
-        b->dithers++, b->dither += dither.value, b->error += dither.error, b->dither_column = dither.column;
+    if (no_dither) b->dithers++, b->dither += dither.value, b->error += dither.error, b->dither_column = dither.column;
     if (no_step) b->steps++, b->step += step.value, b->step_column = step.column;
 
     // a part that cannot be judged goes with the other

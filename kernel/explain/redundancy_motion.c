@@ -99,8 +99,8 @@ static placing placing_of(const wcut_job *job, const wcut_recording *r, int moun
         last = station;
 
         // along the path and beside it
-        const wcut_vec3 tangent = vec3_unit(vec3_sub(place_of(job, mount, fmin(station + 0.5, end)),
-                                                     place_of(job, mount, fmax(station - 0.5, 0))));
+        const wcut_vec3 tangent = vec3_unit(
+            vec3_sub(place_of(job, mount, fmin(station + 0.5, end)), place_of(job, mount, fmax(station - 0.5, 0))));
         const wcut_vec3 off = vec3_sub(p, place_of(job, mount, station));
         const double along = vec3_dot(off, tangent);
         s.n++, s.w += way, s.e += along, s.ww += way * way, s.we += way * along;
@@ -144,9 +144,11 @@ static wcut_status judge(wcut_redundancy *all, const scale *speed, const scale *
     const bool stations = alike || (by_speed && place->count == 0);
     if (!by_speed && !by_place) return WCUT_OK;
     const char *column = stations ? "station" : by_place ? "a_x_mm .. b_z_mm" : "speed_a_mm_s, speed_b_mm_s";
-    wcut_contradiction *c = wcut_contradiction_add(
-        all, stations ? WCUT_CONTRADICTION_STATION : by_place ? WCUT_CONTRADICTION_PLACES : WCUT_CONTRADICTION_SPEED,
-        column);
+    wcut_contradiction *c = wcut_contradiction_add(all,
+                                                   stations   ? WCUT_CONTRADICTION_STATION
+                                                   : by_place ? WCUT_CONTRADICTION_PLACES
+                                                              : WCUT_CONTRADICTION_SPEED,
+                                                   column);
     if (!c) return WCUT_OK;
     for (int cut = 0; cut < all->cuts; cut++)
         if (wcut_redundancy_has(all, cut)) wcut_contradiction_add_cut(c, cut);
@@ -156,11 +158,11 @@ static wcut_status judge(wcut_redundancy *all, const scale *speed, const scale *
     scale other = by_place ? *place : *speed;
     if (!stations) other.mean = 1 / other.mean;
     tell_scale(c, &other,
-               alike                ? "the speeds and the measured places of both mounts"
-               : stations           ? "the speeds of both mounts over time_s"
+               alike                  ? "the speeds and the measured places of both mounts"
+               : stations             ? "the speeds of both mounts over time_s"
                : by_place && by_speed ? "the stations, and the speeds contradict both"
-               : by_place           ? "the stations and the speeds"
-                                    : "the stations and the measured places (or time_s runs so)");
+               : by_place             ? "the stations and the speeds"
+                                      : "the stations and the measured places (or time_s runs so)");
     return stations ? rescale_stations(all, other.mean) : WCUT_OK;
 }
 

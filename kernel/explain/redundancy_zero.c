@@ -80,16 +80,16 @@ static void tell_zero(const wcut_redundancy *all, const reading *q, wcut_contrad
     wcut_cut_list(all, c, cuts);
     c->found = q->mean, c->error = q->error, c->fault = c->repaired = true;
     snprintf(c->unit, sizeof c->unit, "N");
-    snprintf(c->text, sizeof c->text,
-             "%s reads %+.3f +- %.3f N in the air, where the wire is slack, in %s: the zero of this sensor is off. It is "
-             "subtracted.",
-             c->column, q->mean, 1.96 * q->error, cuts);
+    snprintf(
+        c->text, sizeof c->text,
+        "%s reads %+.3f +- %.3f N in the air, where the wire is slack, in %s: the zero of this sensor is off. It is "
+        "subtracted.",
+        c->column, q->mean, 1.96 * q->error, cuts);
 }
 
 /* one zero in all cuts, those too that have no air in them */
 static wcut_status subtract_common(wcut_redundancy *all, wcut_channel channel, const reading *q) {
-    wcut_contradiction *c =
-        wcut_contradiction_add(all, WCUT_CONTRADICTION_TENSION_ZERO, wcut_channel_name(channel));
+    wcut_contradiction *c = wcut_contradiction_add(all, WCUT_CONTRADICTION_TENSION_ZERO, wcut_channel_name(channel));
     for (int cut = 0; c && cut < all->cuts; cut++) {
         if (!wcut_redundancy_has(all, cut)) continue;
         wcut_contradiction_add_cut(c, cut);
@@ -130,8 +130,8 @@ wcut_status wcut_zero_compare(wcut_redundancy *all) {
         for (int cut = 0; cut < all->cuts; cut++)
             if (of[cut].count >= SAMPLES_MIN)
                 alike = alike && fabs(of[cut].mean - q.mean) < fmax(ZERO_MAX, STANDS * of[cut].error);
-        status = alike && q.count > 0 && stands_out(&q) ? subtract_common(all, channel, &q)
-                                                        : subtract_own(all, channel, of);
+        status =
+            alike && q.count > 0 && stands_out(&q) ? subtract_common(all, channel, &q) : subtract_own(all, channel, of);
     }
     wcut_free(of);
     return status;

@@ -7,6 +7,7 @@ public enum wcut_channel { WCUT_CHANNEL_TIME = 0, WCUT_CHANNEL_STATION = 1, WCUT
 public enum wcut_cloud_format { WCUT_CLOUD_FORMAT_ANY = 0, WCUT_CLOUD_FORMAT_PLY = 1, WCUT_CLOUD_FORMAT_TEXT = 2, WCUT_CLOUD_FORMAT_STL = 3, WCUT_CLOUD_FORMAT_LAS = 4, WCUT_CLOUD_FORMAT_PCD = 5, WCUT_CLOUD_FORMAT_OBJ = 6, WCUT_CLOUD_FORMAT_OFF = 7, WCUT_CLOUD_FORMAT_GLTF = 8, WCUT_CLOUD_FORMAT_PTX = 9, WCUT_CLOUD_FORMAT_COUNT = 10 }
 public enum wcut_compare_distance { WCUT_COMPARE_DISTANCE_SURFACE = 0, WCUT_COMPARE_DISTANCE_MESH = 1, WCUT_COMPARE_DISTANCE_RECONSTRUCTION = 2, WCUT_COMPARE_DISTANCE_COUNT = 3 }
 public enum wcut_condition { WCUT_CONDITION_TENSION = 0, WCUT_CONDITION_SPEED_MAX = 1, WCUT_CONDITION_SPEED_MIN = 2, WCUT_CONDITION_TIME = 3 }
+public enum wcut_contradiction_kind { WCUT_CONTRADICTION_EXCITATION = 0, WCUT_CONTRADICTION_HEATER = 1, WCUT_CONTRADICTION_STATION = 2, WCUT_CONTRADICTION_SPEED = 3, WCUT_CONTRADICTION_PLACES = 4, WCUT_CONTRADICTION_TENSION_ZERO = 5, WCUT_CONTRADICTION_COUNT = 6 }
 public enum wcut_control_state { WCUT_CONTROL_STATE_RUN = 0, WCUT_CONTROL_STATE_HOLD = 1, WCUT_CONTROL_STATE_STOP_TENSION = 2, WCUT_CONTROL_STATE_STOP_ABSURD = 3, WCUT_CONTROL_STATE_STOP_STALE = 4 }
 public enum wcut_curve_format { WCUT_CURVE_FORMAT_ANY = 0, WCUT_CURVE_FORMAT_STEP = 1, WCUT_CURVE_FORMAT_IGES = 2, WCUT_CURVE_FORMAT_JSON = 3, WCUT_CURVE_FORMAT_CSV = 4, WCUT_CURVE_FORMAT_COUNT = 5 }
 public enum wcut_direction { WCUT_DIRECTION_U = 0, WCUT_DIRECTION_V = 1 }
@@ -349,6 +350,22 @@ public unsafe struct wcut_comparison_options
     public double leave;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_contradiction
+{
+    public wcut_contradiction_kind kind;
+    public fixed byte column[32];
+    public int cuts;
+    public fixed int cut[64];
+    public double found;
+    public double expected;
+    public double error;
+    public fixed byte unit[8];
+    public byte fault;
+    public byte common;
+    public byte repaired;
+    public fixed byte text[480];
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_control_settings
 {
     public byte feedback;
@@ -543,7 +560,7 @@ public unsafe struct wcut_diagnosis
 {
     public wcut_verdict_kind kind;
     public double confidence;
-    public fixed byte sentence[600];
+    public fixed byte sentence[900];
     public int effects;
     public wcut_found_effect effect_0, effect_1, effect_2, effect_3;
     public wcut_estimate a;
@@ -556,6 +573,8 @@ public unsafe struct wcut_diagnosis
     public double adequacy_p;
     public int hypotheses;
     public wcut_hypothesis* hypothesis;
+    public int contradictions;
+    public wcut_contradiction* contradiction;
     public int mismatches;
     public wcut_mismatch* mismatch;
     public int dependences;
@@ -574,7 +593,7 @@ public unsafe struct wcut_diagnosis
     public fixed byte withheld[160];
     public wcut_job* improved;
     public wcut_job* next_experiment;
-    public fixed byte next_reason[600];
+    public fixed byte next_reason[900];
     public int limits;
     public byte** limit;
     public fixed double noise[5];
@@ -1973,6 +1992,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_comparison_options wcut_comparison_options_default();
     [DllImport("wirecut-io")] public static extern wcut_status wcut_comparison_run(int a0, wcut_job** a1, wcut_recording** a2, wcut_comparison_options* a3, IntPtr a4, void* a5, wcut_comparison** a6, wcut_error* a7);
     [DllImport("wirecut-io")] public static extern byte* wcut_condition_name(wcut_condition a0);
+    [DllImport("wirecut-io")] public static extern byte* wcut_contradiction_name(wcut_contradiction_kind a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_control_create(wcut_control_settings* a0, wcut_history* a1, void** a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern void wcut_control_destroy(void* a0);
     [DllImport("wirecut-io")] public static extern void wcut_control_look(void* a0, wcut_control_view* a1);

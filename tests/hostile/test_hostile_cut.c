@@ -414,6 +414,7 @@ HOSTILE_VALUE(wcut_verdict_name, ANY_ENUM((wcut_verdict_kind)0))
 HOSTILE_VALUE(wcut_evidence_name, ANY_ENUM(WCUT_EVIDENCE_CHANNEL_SPEED))
 HOSTILE_VALUE(wcut_evidence_unit, ANY_ENUM(WCUT_EVIDENCE_CHANNEL_SPEED))
 HOSTILE_VALUE(wcut_scatter_name, ANY_ENUM(WCUT_SCATTER_LEVEL))
+HOSTILE_VALUE(wcut_contradiction_name, ANY_ENUM(WCUT_CONTRADICTION_STATION))
 
 HOSTILE(wcut_diagnosis_create) {
     const wcut_diagnosis_options o = wcut_diagnosis_options_default();

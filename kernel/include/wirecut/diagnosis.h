@@ -115,12 +115,12 @@ typedef struct wcut_rig_row {
 } wcut_rig_row;
 
 /* What a recording contradicts, its name in files. */
-#define WCUT_CONTRADICTION_LIST(X)          \
+#define WCUT_CONTRADICTION_LIST(X)           \
     X(EXCITATION, "excitation_not_followed") \
-    X(HEATER, "heater_power")               \
-    X(STATION, "station_scale")             \
-    X(SPEED, "speed_scale")                 \
-    X(PLACES, "mount_places")               \
+    X(HEATER, "heater_power")                \
+    X(STATION, "station_scale")              \
+    X(SPEED, "speed_scale")                  \
+    X(PLACES, "mount_places")                \
     X(TENSION_ZERO, "tension_zero")
 
 #define WCUT_CONTRADICTION_ENTRY(name, text) WCUT_CONTRADICTION_##name,

@@ -129,6 +129,17 @@ static inline void give_diagnosis(given_diagnosis *g) {
     give_fits(d->held_out_score);
     d->limits = 2, d->limit = g->limit;
     for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) d->noise[c] = c == WCUT_EVIDENCE_CHANNEL_SCAN ? NAN : 0.02;
+    static wcut_contradiction against = {.kind = WCUT_CONTRADICTION_EXCITATION,
+                                         .column = "speed_command_mm_s",
+                                         .cuts = 1,
+                                         .cut = {1},
+                                         .found = 0.01,
+                                         .expected = 1,
+                                         .error = 0.005,
+                                         .unit = "share",
+                                         .repaired = true,
+                                         .text = "The recording of cut 2 does not follow the job's excitation."};
+    d->contradictions = 1, d->contradiction = &against;
     d->naive_false = true;
     snprintf(d->naive, sizeof d->naive, "clock_offset");
 }

@@ -269,6 +269,31 @@ TEST(verdicts_and_channels_have_names_and_what_is_none_has_none) {
     ck_assert_str_eq(wcut_evidence_unit((wcut_evidence_channel)-1), "");
     ck_assert_str_eq(wcut_scatter_name(WCUT_SCATTER_LENGTH), "wire_length_mm");
     ck_assert_str_eq(wcut_scatter_name((wcut_scatter_kind)-1), "");
+    ck_assert_str_eq(wcut_contradiction_name(WCUT_CONTRADICTION_HEATER), "heater_power");
+    ck_assert_str_eq(wcut_contradiction_name((wcut_contradiction_kind)-1), "");
+}
+
+TEST(a_contradiction_is_there_and_an_instrument_s_fault_is_in_the_verdict) {
+    give_diagnosis(&given);
+    json_t *root = printed();
+    ck_assert_str_eq(string(root, "contradictions.0.name"), "excitation_not_followed");
+    ck_assert_str_eq(string(root, "contradictions.0.column"), "speed_command_mm_s");
+    ck_assert_double_eq(number(root, "contradictions.0.cuts.0"), 1);
+    ck_assert_double_eq(number(root, "contradictions.0.standard_error"), 0.005);
+    ck_assert_str_eq(string(root, "contradictions.0.sentence"), given.d.contradiction[0].text);
+    json_t *effects = json_object_get(json_object_get(root, "verdict"), "effects");
+    ck_assert_uint_eq(json_array_size(effects), 1); /* the job's mistake is no effect */
+    json_decref(root);
+
+    // a fault is named once, however many contradictions show it
+    wcut_contradiction both[2] = {given.d.contradiction[0], given.d.contradiction[0]};
+    for (int k = 0; k < 2; k++) both[k].kind = WCUT_CONTRADICTION_STATION, both[k].fault = true;
+    given.d.contradictions = 2, given.d.contradiction = both;
+    root = printed();
+    effects = json_object_get(json_object_get(root, "verdict"), "effects");
+    ck_assert_uint_eq(json_array_size(effects), 2);
+    ck_assert_str_eq(string(root, "verdict.effects.1"), "station_scale");
+    json_decref(root);
 }
 
 /* ---- the example of FORMATS.md ---- */
