@@ -16,5 +16,5 @@ make_case() {
 diagnose_made() {
     run 0 diagnose "$1/case.json" -o "out-$1" --no-proof --threads 1 --quiet
     { echo 'import json, sys; d = json.load(open(sys.argv[1])); v = d["verdict"]'; cat; } >check.py
-    python3 check.py "out-$1/diagnosis.json" || fail "$called: not what EXPECTED.md says"
+    python3 check.py "out-$1/diagnosis.json" || fail "$called: not what is expected"
 }
