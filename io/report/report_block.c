@@ -22,7 +22,7 @@ static wcut_vec3 *add_lines(drawing *g, const char *group, const char *label, in
 
 /* a sphere by three circles */
 static void draw_spot(drawing *g, const wcut_effect *e, const char *label) {
-    const double r = e->value[1], *at = &e->value[2];
+    const double r = e->value[WCUT_FOAM_INCLUSION_RADIUS], *at = &e->value[WCUT_FOAM_INCLUSION_POSITION];
     for (int plane = 0; plane < 3; plane++) {
         wcut_vec3 *p = add_lines(g, "found", plane ? NULL : label, ARC);
         for (int i = 0; p && i < ARC; i++) {
@@ -48,18 +48,21 @@ static void draw_section(drawing *g, wcut_vec3 block, int axis, double at, const
 /* crests of a wave, sides of a band; other terms have no place */
 static void draw_term(drawing *g, const wcut_effect *e, wcut_vec3 block) {
     const char *name = wcut_effect_view(e->kind)->choice[e->choice];
-    const size_t length = strlen(name);
-    const int axis = length > 2 && name[length - 2] == '_' ? name[length - 1] - 'x' : -1;
+    const size_t end = strlen(name);
+    const int axis = end > 2 && name[end - 2] == '_' ? name[end - 1] - 'x' : -1;
     if (axis < 0 || axis > 2) return;
     const double size = axis == 0 ? block.x : axis == 1 ? block.y : block.z;
     if (strncmp(name, "band", 4) == 0) {
-        draw_section(g, block, axis, e->value[2], name);
-        draw_section(g, block, axis, e->value[3], NULL);
+        draw_section(g, block, axis, e->value[WCUT_EMPIRICAL_FORCE_FROM], name);
+        draw_section(g, block, axis, e->value[WCUT_EMPIRICAL_FORCE_TO], NULL);
     }
-    if (strncmp(name, "wave", 4) != 0 || !(e->value[2] > 0)) return;
-    const double turn = PI / 2 - atan2(e->value[1], e->value[0]), first = turn / (2 * PI) * e->value[2];
+    const double length = e->value[WCUT_EMPIRICAL_FORCE_WAVELENGTH];
+    if (strncmp(name, "wave", 4) != 0 || !(length > 0)) return;
+    const double turn =
+                     PI / 2 - atan2(e->value[WCUT_EMPIRICAL_FORCE_COSINE], e->value[WCUT_EMPIRICAL_FORCE_COEFFICIENT]),
+                 first = turn / (2 * PI) * length;
     for (int k = -1; k < LINES; k++) {
-        const double at = first + k * e->value[2];
+        const double at = first + k * length;
         if (at >= 0 && at <= size) draw_section(g, block, axis, at, g->count ? NULL : "crests of the force");
     }
 }
@@ -67,7 +70,8 @@ static void draw_term(drawing *g, const wcut_effect *e, wcut_vec3 block) {
 static void draw_found(drawing *g, const wcut_diagnosis *d, wcut_vec3 block) {
     for (int e = 0; e < d->effects; e++)
         if (d->effect[e].effect.kind == WCUT_EFFECT_FOAM_INCLUSION)
-            draw_spot(g, &d->effect[e].effect, d->effect[e].effect.value[0] < 0 ? "softer spot" : "denser spot");
+            draw_spot(g, &d->effect[e].effect,
+                      d->effect[e].effect.value[WCUT_FOAM_INCLUSION_AMPLITUDE] < 0 ? "softer spot" : "denser spot");
     for (int k = 0; k < d->modelled.terms; k++) draw_term(g, &d->modelled.term[k].effect, block);
 }
 

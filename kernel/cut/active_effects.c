@@ -10,10 +10,12 @@ static const wcut_effect *find_setup_effect(const wcut_setup *setup, wcut_effect
 }
 
 /* wire_elongation: strain at 60 W/m in the foam without tension */
-static double thermal_strain(const wcut_effect *e) { return e->value[0] * e->value[1]; }
+static double thermal_strain(const wcut_effect *e) {
+    return e->value[WCUT_WIRE_ELONGATION_STRAIN] * e->value[WCUT_WIRE_ELONGATION_THERMAL_SHARE];
+}
 
 /* [1/N] 1/EA: what is not of heat is the stretch under 2 N */
-static double softness(const wcut_effect *e) { return (e->value[0] - thermal_strain(e)) / 2; }
+static double softness(const wcut_effect *e) { return (e->value[WCUT_WIRE_ELONGATION_STRAIN] - thermal_strain(e)) / 2; }
 
 double wcut_cut_fit(wcut_cut *cut, const wcut_target *target, wcut_vec3 *end_a, wcut_vec3 *end_b) {
     const wcut_wire *w = &cut->next;
@@ -33,7 +35,8 @@ double wcut_cut_fit(wcut_cut *cut, const wcut_target *target, wcut_vec3 *end_a, 
     /* thermal strain at this heat, less where the wire is in air */
     const wcut_effect *longer = find_setup_effect(cut->setup, WCUT_EFFECT_WIRE_ELONGATION);
     if (!longer) return target->length;
-    const double strain = thermal_strain(longer) * target->heat / 60, air = longer->value[2];
+    const double strain = thermal_strain(longer) * target->heat / 60,
+                 air = longer->value[WCUT_WIRE_ELONGATION_AIR_FACTOR];
     double sum = 0;
 
     /* each edge: its rest length when hot, then longer by its tension */
@@ -84,7 +87,9 @@ void wcut_extension_apply(wcut_cut *cut, const wcut_target *target, wcut_extensi
     }
 
     /* compliance of the mounts, as displacement per tension, and their settling time */
-    if (mounts) out->compliance.mount_compliance = 1 / mounts->value[0], out->compliance.settling = mounts->value[1];
+    if (mounts)
+        out->compliance.mount_compliance = 1 / mounts->value[WCUT_MOUNT_COMPLIANCE_STIFFNESS],
+        out->compliance.settling = mounts->value[WCUT_MOUNT_COMPLIANCE_SETTLING];
     step->compliance = &out->compliance;
 }
 

@@ -18,17 +18,18 @@ static bool is_meant(const wcut_effect *e, int mount) { return e->choice == moun
 static void offset_angle(const wcut_effect *e, const span *s, double *const value[WCUT_SENSED_COUNT]) {
     double *angle = value[WCUT_SENSED_ALPHA_A + e->choice];
     for (int i = 0; angle && i < s->samples; i++)
-        if (span_has(s, i)) angle[i] += e->value[0] * WCUT_PI / 180;
+        if (span_has(s, i)) angle[i] += e->value[WCUT_ANGLE_OFFSET_OFFSET] * WCUT_PI / 180;
 }
 
 /* drift [N]: d t / 100 s, or d (1 - exp(-t/tau)) */
 static double drift_at(const wcut_effect *e, double time) {
-    return e->value[1] > 0 ? -e->value[0] * expm1(-time / e->value[1]) : e->value[0] * time / 100;
+    const double drift = e->value[WCUT_TENSION_DRIFT_DRIFT], tau = e->value[WCUT_TENSION_DRIFT_TIME_CONSTANT];
+    return tau > 0 ? -drift * expm1(-time / tau) : drift * time / 100;
 }
 
 /* what a joint with friction shows: it follows once the angle has left its play (Prandtl 1928) */
 static void hold_angles(const wcut_effect *e, const span *s, double *const value[WCUT_SENSED_COUNT]) {
-    const double half = e->value[0] * WCUT_PI / 180;
+    const double half = e->value[WCUT_ENCODER_FRICTION_HALF_WIDTH] * WCUT_PI / 180;
     for (int k = WCUT_SENSED_ALPHA_A; k < WCUT_SENSED_COUNT; k++) {
         double *angle = value[k], shown = 0;
         bool begun = false;
@@ -43,7 +44,7 @@ static void hold_angles(const wcut_effect *e, const span *s, double *const value
 static void scale_angle(const wcut_effect *e, const span *s, double *const value[WCUT_SENSED_COUNT]) {
     double *angle = value[WCUT_SENSED_ALPHA_A + e->choice];
     for (int i = 0; angle && i < s->samples; i++)
-        if (span_has(s, i)) angle[i] *= 1 + e->value[0];
+        if (span_has(s, i)) angle[i] *= 1 + e->value[WCUT_ANGLE_GAIN_GAIN];
 }
 
 static void spoil_tension(const wcut_effect *e, const span *s, double *const value[WCUT_SENSED_COUNT]) {
@@ -53,9 +54,9 @@ static void spoil_tension(const wcut_effect *e, const span *s, double *const val
         for (int i = 0; i < s->samples; i++) {
             if (!span_has(s, i)) continue;
             if (e->kind == WCUT_EFFECT_TENSION_GAIN)
-                tension[i] *= 1 + e->value[0];
+                tension[i] *= 1 + e->value[WCUT_TENSION_GAIN_GAIN];
             else if (e->kind == WCUT_EFFECT_TENSION_ZERO)
-                tension[i] += e->value[0];
+                tension[i] += e->value[WCUT_TENSION_ZERO_OFFSET];
             else
                 tension[i] += drift_at(e, s->time[i] - s->time[0]);
         }
@@ -65,10 +66,12 @@ static void spoil_tension(const wcut_effect *e, const span *s, double *const val
 /* offset and slope between two times, in the channel's unit */
 static void add_reading(const wcut_effect *e, const span *s, double *const value[WCUT_SENSED_COUNT]) {
     double *signal = value[WCUT_SENSED_TENSION_A + e->choice];
+    const double from = e->value[WCUT_EMPIRICAL_READING_FROM], to = e->value[WCUT_EMPIRICAL_READING_TO];
+    const double offset = e->value[WCUT_EMPIRICAL_READING_OFFSET], slope = e->value[WCUT_EMPIRICAL_READING_SLOPE];
     const double unit = e->choice < 2 ? 1 : WCUT_PI / 180;
     for (int i = 0; signal && i < s->samples; i++)
-        if (span_has(s, i) && s->time[i] >= e->value[2] && s->time[i] <= e->value[3])
-            signal[i] += unit * (e->value[0] + e->value[1] * (s->time[i] - fmax(e->value[2], s->time[0])) / 100);
+        if (span_has(s, i) && s->time[i] >= from && s->time[i] <= to)
+            signal[i] += unit * (offset + slope * (s->time[i] - fmax(from, s->time[0])) / 100);
 }
 
 /* value(t - delay), linear between the samples that are there, held beyond them; t and y: room for them */
@@ -88,9 +91,10 @@ static void shift(const span *s, double delay, double *t, double *y, double *val
 static wcut_status delay_clock(const wcut_effect *e, const span *s, double *const value[WCUT_SENSED_COUNT]) {
     double *work = wcut_alloc((size_t)s->samples, 2 * sizeof *work);
     if (!work) return WCUT_NO_MEMORY;
+    const int at = e->kind == WCUT_EFFECT_TENSION_DELAY ? WCUT_TENSION_DELAY_DELAY : WCUT_CLOCK_OFFSET_DELAY;
     const int end = e->kind == WCUT_EFFECT_TENSION_DELAY ? WCUT_SENSED_ALPHA_A : WCUT_SENSED_COUNT;
     for (int k = WCUT_SENSED_TENSION_A; k < end; k++)
-        if (value[k]) shift(s, e->value[0], work, work + s->samples, value[k]);
+        if (value[k]) shift(s, e->value[at], work, work + s->samples, value[k]);
     wcut_free(work);
     return WCUT_OK;
 }

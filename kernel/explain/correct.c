@@ -4,7 +4,7 @@
 #include <math.h>
 
 static bool is_kerf(const wcut_effect *e) {
-    return e->kind == WCUT_EFFECT_KERF_GROWTH && e->choice == 0 && e->value[0] >= 0;
+    return e->kind == WCUT_EFFECT_KERF_GROWTH && e->choice == 0 && e->value[WCUT_KERF_GROWTH_PER_Q] >= 0;
 }
 
 wcut_correction wcut_fitted_correction(const wcut_fitted *f) {
@@ -15,7 +15,7 @@ wcut_correction wcut_fitted_correction(const wcut_fitted *f) {
     for (int e = 0; e < f->model.effects; e++) {
         const wcut_effect *effect = &f->model.effect[e];
         if (is_kerf(effect) && isfinite(c.kerf))
-            c.kerf_per_q = effect->value[0];
+            c.kerf_per_q = effect->value[WCUT_KERF_GROWTH_PER_Q];
         else if (c.effects < WCUT_CORRECTION_EFFECTS)
             c.effect[c.effects++] = *effect;
     }

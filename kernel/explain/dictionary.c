@@ -45,21 +45,25 @@ wcut_coordinate wcut_term_coordinate(const wcut_effect *effect, int k) {
         case WCUT_TERM_WAVE_X:
         case WCUT_TERM_WAVE_Y:
         case WCUT_TERM_WAVE_Z:
-            if (k == 1) return (wcut_coordinate){WCUT_TERM_COSINE, WCUT_COORDINATE_SCALE_LINEAR, 0, 0.5, 0.03, -3, 3};
+            if (k == 1)
+                return (wcut_coordinate){
+                    WCUT_EMPIRICAL_FORCE_COSINE, WCUT_COORDINATE_SCALE_LINEAR, 0, 0.5, 0.03, -3, 3};
             return (wcut_coordinate){
-                WCUT_TERM_SHAPE, WCUT_COORDINATE_SCALE_LOG, 4.5 /* ln 90 mm */, 1.5, 0.004, 2.7, 7.6};
+                WCUT_EMPIRICAL_FORCE_SHAPE, WCUT_COORDINATE_SCALE_LOG, 4.5 /* ln 90 mm */, 1.5, 0.004, 2.7, 7.6};
         case WCUT_TERM_BAND_X:
         case WCUT_TERM_BAND_Y:
         case WCUT_TERM_BAND_Z:
-            return (wcut_coordinate){WCUT_TERM_SHAPE + k - 1, WCUT_COORDINATE_SCALE_LINEAR, 0, 1e4, 3, -500, 5000};
+            return (wcut_coordinate){
+                WCUT_EMPIRICAL_FORCE_SHAPE + k - 1, WCUT_COORDINATE_SCALE_LINEAR, 0, 1e4, 3, -500, 5000};
         case WCUT_TERM_WINDOW:
-            return (wcut_coordinate){WCUT_TERM_SHAPE + k - 1, WCUT_COORDINATE_SCALE_LINEAR, 0, 1e4, 0.2, -1e4, 1e5};
+            return (wcut_coordinate){
+                WCUT_EMPIRICAL_FORCE_SHAPE + k - 1, WCUT_COORDINATE_SCALE_LINEAR, 0, 1e4, 0.2, -1e4, 1e5};
         case WCUT_TERM_HEAT_STEP:
         case WCUT_TERM_HEAT_HINGE:
             return (wcut_coordinate){
-                WCUT_TERM_SHAPE, WCUT_COORDINATE_SCALE_LOG, 8.5 /* ln 5000 J/m^2 */, 1.5, 0.02, 5, 14};
+                WCUT_EMPIRICAL_FORCE_SHAPE, WCUT_COORDINATE_SCALE_LOG, 8.5 /* ln 5000 J/m^2 */, 1.5, 0.02, 5, 14};
         default:
-            return (wcut_coordinate){WCUT_TERM_SHAPE, WCUT_COORDINATE_SCALE_LOG, 0.5, 1.5, 0.1, -2.3, 5};
+            return (wcut_coordinate){WCUT_EMPIRICAL_FORCE_SHAPE, WCUT_COORDINATE_SCALE_LOG, 0.5, 1.5, 0.1, -2.3, 5};
     }
 }
 
@@ -99,9 +103,9 @@ static void add_entry(list *l, wcut_term term, double shape0, double shape1, boo
     if (l->count == WCUT_ENTRIES_MAX) return;
     wcut_entry *entry = &l->out[l->count++];
     *entry = (wcut_entry){.effect = wcut_effect_choose(WCUT_EFFECT_EMPIRICAL_FORCE, term), .carried = carried};
-    entry->effect.value[WCUT_TERM_COEFFICIENT] = 1;
-    if (shape0 != 0) entry->effect.value[WCUT_TERM_SHAPE] = shape0;
-    if (shape1 != 0) entry->effect.value[WCUT_TERM_SHAPE + 1] = shape1;
+    entry->effect.value[WCUT_EMPIRICAL_FORCE_COEFFICIENT] = 1;
+    if (shape0 != 0) entry->effect.value[WCUT_EMPIRICAL_FORCE_SHAPE] = shape0;
+    if (shape1 != 0) entry->effect.value[WCUT_EMPIRICAL_FORCE_SHAPE + 1] = shape1;
 }
 
 static void add_wave(list *l, wcut_term term, double wavelength) {
@@ -109,8 +113,8 @@ static void add_wave(list *l, wcut_term term, double wavelength) {
     add_entry(l, term, wavelength, 0, false);
     l->out[l->count - 1].pair = true;
     add_entry(l, term, wavelength, 0, false);
-    l->out[l->count - 1].effect.value[WCUT_TERM_COEFFICIENT] = 0;
-    l->out[l->count - 1].effect.value[WCUT_TERM_COSINE] = 1;
+    l->out[l->count - 1].effect.value[WCUT_EMPIRICAL_FORCE_COEFFICIENT] = 0;
+    l->out[l->count - 1].effect.value[WCUT_EMPIRICAL_FORCE_COSINE] = 1;
 }
 
 /* evenly in frequency, close enough for none to fall between two: a third of a turn over the extent */
@@ -132,8 +136,8 @@ static void add_ranges(list *l, int cuts) {
     for (int from = 0; from < cuts && cuts <= 12; from++)
         for (int to = from + 1; to < cuts && to - from + 3 <= cuts; to++) {
             add_entry(l, WCUT_TERM_ORDER, 0, 0, false);
-            l->out[l->count - 1].effect.value[WCUT_TERM_SHAPE + 1] = from;
-            l->out[l->count - 1].effect.value[WCUT_TERM_SHAPE + 2] = to;
+            l->out[l->count - 1].effect.value[WCUT_EMPIRICAL_FORCE_SHAPE + 1] = from;
+            l->out[l->count - 1].effect.value[WCUT_EMPIRICAL_FORCE_SHAPE + 2] = to;
         }
 }
 
@@ -206,17 +210,17 @@ bool wcut_term_place(const wcut_evidence *e, int cut, bool carried, wcut_effect 
     /* write into the term what depends on the cut */
     switch (effect->choice) {
         case WCUT_TERM_ORDER:
-            effect->value[WCUT_TERM_SHAPE] = cut;
+            effect->value[WCUT_EMPIRICAL_FORCE_NUMBER] = cut;
             return true;
         case WCUT_TERM_CLOCK:
-            effect->value[WCUT_TERM_SHAPE] = carried ? time : 0;
+            effect->value[WCUT_EMPIRICAL_FORCE_START_TIME] = carried ? time : 0;
             return true;
         case WCUT_TERM_WAY:
-            effect->value[WCUT_TERM_SHAPE + 1] = carried ? way : 0;
+            effect->value[WCUT_EMPIRICAL_FORCE_START] = carried ? way : 0;
             return true;
         case WCUT_TERM_WINDOW:
             if (WCUT_WINDOW_CUT(effect) != cut) return false;
-            effect->value[1] = 0;
+            effect->value[WCUT_EMPIRICAL_FORCE_COSINE] = 0;
             return true;
         default:
             return true;
@@ -293,7 +297,7 @@ wcut_status wcut_dictionary_eval(const wcut_evidence *e, int cut, const wcut_res
 
     /* no term: 0 in every bin */
     memset(out, 0, (size_t)(WCUT_WEIGHTS * c->bins) * sizeof *out);
-    for (int k = 0; k < 2; k++) w.effect.value[k] *= UNIT;
+    w.effect.value[WCUT_EMPIRICAL_FORCE_COEFFICIENT] *= UNIT, w.effect.value[WCUT_EMPIRICAL_FORCE_COSINE] *= UNIT;
     if (!wcut_term_place(e, cut, entry->carried, &w.effect)) return WCUT_OK;
 
     /* state of the nodes: their memories and the way that each has gone */

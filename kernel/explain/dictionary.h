@@ -33,7 +33,7 @@ wcut_status wcut_dictionary_eval(const wcut_evidence *evidence, int cut, const w
 bool wcut_term_place(const wcut_evidence *evidence, int cut, bool carried, wcut_effect *effect);
 
 /* the cut that a window belongs to is kept in its unused second strength */
-#define WCUT_WINDOW_CUT(effect) ((int)(effect)->value[1] - 1)
+#define WCUT_WINDOW_CUT(effect) ((int)(effect)->value[WCUT_EMPIRICAL_FORCE_COSINE] - 1)
 
 /* how many values of an empirical term are fitted, and the k-th */
 int wcut_term_coordinates(const wcut_effect *effect);

@@ -203,10 +203,12 @@ static wcut_status fill_entries(searching *g, const wcut_model *about, wcut_erro
 
 static bool same_family(const wcut_entry *a, const wcut_entry *b) {
     if (a->effect.choice != b->effect.choice || a->carried != b->carried) return false;
-    if (a->effect.choice == WCUT_TERM_ORDER) return (a->effect.value[3] < 0) == (b->effect.value[3] < 0);
-    if (a->effect.choice <= WCUT_TERM_POSITION_Z) return a->effect.value[2] == b->effect.value[2];
+    if (a->effect.choice == WCUT_TERM_ORDER)
+        return (a->effect.value[WCUT_EMPIRICAL_FORCE_FIRST] < 0) == (b->effect.value[WCUT_EMPIRICAL_FORCE_FIRST] < 0);
+    if (a->effect.choice <= WCUT_TERM_POSITION_Z)
+        return a->effect.value[WCUT_EMPIRICAL_FORCE_DEGREE] == b->effect.value[WCUT_EMPIRICAL_FORCE_DEGREE];
     if (a->effect.choice >= WCUT_TERM_DIRECTION_X && a->effect.choice <= WCUT_TERM_DIRECTION_Z)
-        return a->effect.value[2] == b->effect.value[2];
+        return a->effect.value[WCUT_EMPIRICAL_FORCE_ORDER] == b->effect.value[WCUT_EMPIRICAL_FORCE_ORDER];
     return true;
 }
 
@@ -280,8 +282,8 @@ static wcut_status try_entry(const searching *g, const wcut_fitted *from, const 
     const wcut_entry *entry = &g->entry[p->entry];
     wcut_effect *effect = &model.effect[model.effects++];
     *effect = entry->effect;
-    effect->value[WCUT_TERM_COEFFICIENT] = clamp(p->t[0], -0.8, 0.8);
-    if (p->width > 1) effect->value[WCUT_TERM_COSINE] = clamp(p->t[1], -0.8, 0.8);
+    effect->value[WCUT_EMPIRICAL_FORCE_COEFFICIENT] = clamp(p->t[0], -0.8, 0.8);
+    if (p->width > 1) effect->value[WCUT_EMPIRICAL_FORCE_COSINE] = clamp(p->t[1], -0.8, 0.8);
     model.carried = model.carried || entry->carried;
     *t = (trial){.pick = *p};
     const wcut_status status = wcut_model_fit(g->e, &model, &t->fit, error);
@@ -293,7 +295,7 @@ static wcut_status try_entry(const searching *g, const wcut_fitted *from, const 
 static double significance(const trial *t) {
     double max = 0;
     for (int k = 0; k < t->fit.count; k++)
-        if (t->fit.effect_of[k] == t->fit.model.effects - 1 && t->fit.coordinate[k].at <= WCUT_TERM_COSINE &&
+        if (t->fit.effect_of[k] == t->fit.model.effects - 1 && t->fit.coordinate[k].at <= WCUT_EMPIRICAL_FORCE_COSINE &&
             t->fit.coordinate[k].scale == WCUT_COORDINATE_SCALE_LINEAR)
             max = fmax(max, fabs(t->fit.x[WCUT_BASE + k]) / t->fit.error[WCUT_BASE + k]);
     return max / sqrt(t->noise);
@@ -303,7 +305,8 @@ static double significance(const trial *t) {
 static bool term_is_plausible(const trial *t) {
     const wcut_effect *last = &t->fit.model.effect[t->fit.model.effects - 1];
     const bool band = last->choice >= WCUT_TERM_BAND_X && last->choice <= WCUT_TERM_BAND_Z;
-    if (t->broken || (band && last->value[WCUT_TERM_SHAPE] > last->value[WCUT_TERM_SHAPE + 1])) return false;
+    if (t->broken || (band && last->value[WCUT_EMPIRICAL_FORCE_SHAPE] > last->value[WCUT_EMPIRICAL_FORCE_SHAPE + 1]))
+        return false;
     for (int k = 0; k < t->fit.count; k++) {
         const wcut_coordinate *c = &t->fit.coordinate[k];
         const double x = t->fit.x[WCUT_BASE + k], wide = 1e-6 * (c->high - c->low);

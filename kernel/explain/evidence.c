@@ -41,7 +41,7 @@ wcut_job wcut_model_job(const wcut_evidence *e, const wcut_model *model, int cut
     for (int k = 0; k < model->effects; k++) {
         effect[count] = model->effect[k];
         if (effect[count].kind == WCUT_EFFECT_WIRE_FOULING && model->carried)
-            effect[count].value[2] = way_before(e, cut);
+            effect[count].value[WCUT_WIRE_FOULING_START] = way_before(e, cut);
         if (effect[count].kind == WCUT_EFFECT_EMPIRICAL_FORCE &&
             !wcut_term_place(e, cut, model->carried, &effect[count]))
             continue;

@@ -78,8 +78,9 @@ static wcut_status run_column(const wcut_evidence *e, const wcut_model *about, i
          y += PITCH * PHASES) {
         wcut_effect *blob = &effect[job.effect_count++];
         *blob = wcut_effect_default(WCUT_EFFECT_FOAM_INCLUSION);
-        blob->value[0] = AMPLITUDE, blob->value[1] = RADIUS;
-        blob->value[2] = x, blob->value[3] = y, blob->value[4] = height_at(c, plain, x, y);
+        blob->value[WCUT_FOAM_INCLUSION_AMPLITUDE] = AMPLITUDE, blob->value[WCUT_FOAM_INCLUSION_RADIUS] = RADIUS;
+        double *at = &blob->value[WCUT_FOAM_INCLUSION_POSITION];
+        at[0] = x, at[1] = y, at[2] = height_at(c, plain, x, y);
         b->x[b->count] = x, b->y[b->count++] = y;
     }
     if (job.effect_count == known) return WCUT_OK;
@@ -185,9 +186,11 @@ static wcut_status list_places(const wcut_evidence *e, const blobs *b, wcut_incl
         /* the effect of this place, as wide as its blended column */
         wcut_effect *effect = &out->effect[out->count++];
         *effect = wcut_effect_default(WCUT_EFFECT_FOAM_INCLUSION);
-        effect->value[0] = 1, effect->value[1] = hypot(RADIUS, WIDE_Y);
-        effect->value[2] = x, effect->value[3] = y;
-        effect->value[4] = first->job->mount_a[first->job->stations / 2].z;
+        double *at = &effect->value[WCUT_FOAM_INCLUSION_POSITION];
+        effect->value[WCUT_FOAM_INCLUSION_AMPLITUDE] = 1;
+        effect->value[WCUT_FOAM_INCLUSION_RADIUS] = hypot(RADIUS, WIDE_Y);
+        at[0] = x, at[1] = y;
+        at[2] = first->job->mount_a[first->job->stations / 2].z;
     }
 
     return WCUT_OK;

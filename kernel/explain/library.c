@@ -22,28 +22,34 @@
 
 #define ROW_WIRE_THERMAL_LAG                                                                     \
     PHYSICS, 0.12, "the wire follows heat and speed with a delay", "time constant %.2f s", 1, 1, \
-        {{0, LINEAR, 0, 2, 0.05, 0, 20}}, 3, {                                                   \
+        {{WCUT_WIRE_THERMAL_LAG_TIME_CONSTANT, LINEAR, 0, 2, 0.05, 0, 20}}, 3, {                 \
         {.value = {0.3}}, {.value = {0.8}}, {                                                    \
             .value = { 2 }                                                                       \
         }                                                                                        \
     }
 #define ROW_AIR_OVERHEATING                                                                                \
     PHYSICS, 0.1, "the wire enters the foam overheated by the air", "%.2f times its power at first", 1, 2, \
-        {{0, LINEAR, 1, 1.5, 0.05, 1, 6}, {1, LOG, 0.3, 0.8, 0.1, -2.3, 3}}, 2, {                          \
+        {{WCUT_AIR_OVERHEATING_RATIO, LINEAR, 1, 1.5, 0.05, 1, 6},                                         \
+         {WCUT_AIR_OVERHEATING_TIME_CONSTANT, LOG, 0.3, 0.8, 0.1, -2.3, 3}},                               \
+        2, {                                                                                               \
         {.value = {1.3, 0.7}}, {                                                                           \
             .value = { 1.3, 2.5 }                                                                          \
         }                                                                                                  \
     }
-#define ROW_END_COOLING                                                                   \
-    PHYSICS, 0.03, "the wire is cooler near its mounts", "by %.0f %%", 100, 2,            \
-        {{0, LINEAR, 0, 0.5, 0.03, -0.2, 0.49}, {1, LOG, 4.5, 0.7, 0.08, 2.3, 6.2}}, 4, { \
-        {.value = {0.1, 30}}, {.value = {0.1, 60}}, {.value = {0.1, 100}}, {              \
-            .value = { 0.1, 150 }                                                         \
-        }                                                                                 \
+#define ROW_END_COOLING                                                        \
+    PHYSICS, 0.03, "the wire is cooler near its mounts", "by %.0f %%", 100, 2, \
+        {{WCUT_END_COOLING_AMPLITUDE, LINEAR, 0, 0.5, 0.03, -0.2, 0.49},       \
+         {WCUT_END_COOLING_LENGTH, LOG, 4.5, 0.7, 0.08, 2.3, 6.2}},            \
+        4, {                                                                   \
+        {.value = {0.1, 30}}, {.value = {0.1, 60}}, {.value = {0.1, 100}}, {   \
+            .value = { 0.1, 150 }                                              \
+        }                                                                      \
     }
 #define ROW_FOAM_DENSITY_GRADIENT /* choices: 3 forms of 3 axes; only a step has a place */                    \
     PHYSICS, 0.04, "the foam gets denser across the block", "by %+.0f %%", 100, 1,                             \
-        {{0, LINEAR, 0, 0.8, 0.05, -1.8, 1.8}, {1, LINEAR, 0.5, 0.5, 0.03, 0.02, 0.98}}, 10, {                 \
+        {{WCUT_FOAM_DENSITY_GRADIENT_CHANGE, LINEAR, 0, 0.8, 0.05, -1.8, 1.8},                                 \
+         {WCUT_FOAM_DENSITY_GRADIENT_STEP_AT, LINEAR, 0.5, 0.5, 0.03, 0.02, 0.98}},                            \
+        10, {                                                                                                  \
         {0, {0.1}, false}, {1, {0.1}, false}, {2, {0.1}, false}, {3, {0.1}, false}, {4, {0.1}, false},         \
             {6, {0.1, 0.3}, false}, {6, {0.1, 0.5}, false}, {6, {0.1, 0.7}, false}, {7, {0.1, 0.35}, false}, { \
             7, {0.1, 0.65}, false                                                                              \
@@ -51,43 +57,47 @@
     }
 #define ROW_FOAM_INCLUSION /* its columns are those of places: explain/inclusions.c */  \
     PHYSICS, 0.06, "there is a spot of other density in the block", "%+.0f %%", 100, 5, \
-        {{0, LINEAR, 0, 0.8, 0.05, -0.95, 5},                                           \
-         {1, LOG, 3.9, 0.6, 0.06, 2.3, 5.3},                                            \
-         {2, LINEAR, 0, 1e4, 5, -100, 2000},                                            \
-         {3, LINEAR, 0, 1e4, 5, -100, 5000},                                            \
-         {4, LINEAR, 150, 40, 5, -500, 2000}},                                          \
+        {{WCUT_FOAM_INCLUSION_AMPLITUDE, LINEAR, 0, 0.8, 0.05, -0.95, 5},               \
+         {WCUT_FOAM_INCLUSION_RADIUS, LOG, 3.9, 0.6, 0.06, 2.3, 5.3},                   \
+         {WCUT_FOAM_INCLUSION_POSITION, LINEAR, 0, 1e4, 5, -100, 2000},                 \
+         {WCUT_FOAM_INCLUSION_POSITION + 1, LINEAR, 0, 1e4, 5, -100, 5000},             \
+         {WCUT_FOAM_INCLUSION_POSITION + 2, LINEAR, 150, 40, 5, -500, 2000}},           \
         0, {                                                                            \
         { 0 }                                                                           \
     }
-#define ROW_TANGENTIAL_DRAG                                                                                      \
-    PHYSICS, 0.02, "the foam drags along the wire", "friction %.2f", 1, 1, {{0, LINEAR, 0, 1, 0.03, 0, 3}}, 1, { \
-        {                                                                                                        \
-            .value = { 0.1 }                                                                                     \
-        }                                                                                                        \
+#define ROW_TANGENTIAL_DRAG                                                \
+    PHYSICS, 0.02, "the foam drags along the wire", "friction %.2f", 1, 1, \
+        {{WCUT_TANGENTIAL_DRAG_FRICTION, LINEAR, 0, 1, 0.03, 0, 3}}, 1, {  \
+        {                                                                  \
+            .value = { 0.1 }                                               \
+        }                                                                  \
     }
 #define ROW_WIRE_ELONGATION                                                          \
     PHYSICS, 4e-4, "the hot wire is longer than the cold one", "by %.2f %%", 100, 1, \
-        {{0, LINEAR, 0, 0.006, 3e-4, 0, 0.04}}, 1, {                                 \
+        {{WCUT_WIRE_ELONGATION_STRAIN, LINEAR, 0, 0.006, 3e-4, 0, 0.04}}, 1, {       \
         {                                                                            \
             .value = { 0.002 }                                                       \
         }                                                                            \
     }
-#define ROW_MOUNT_COMPLIANCE                                                                              \
-    PHYSICS, 0.025, "the mounts give way", "%.1f N/mm", 1, 1, {{0, RECIPROCAL, 0, 1.5, 0.02, 0, 5}}, 1, { \
-        {                                                                                                 \
-            .value = { 10 }                                                                               \
-        }                                                                                                 \
+#define ROW_MOUNT_COMPLIANCE                                                      \
+    PHYSICS, 0.025, "the mounts give way", "%.1f N/mm", 1, 1,                     \
+        {{WCUT_MOUNT_COMPLIANCE_STIFFNESS, RECIPROCAL, 0, 1.5, 0.02, 0, 5}}, 1, { \
+        {                                                                         \
+            .value = { 10 }                                                       \
+        }                                                                         \
     }
 #define ROW_RATE_DEPENDENCE                                                             \
     PHYSICS, 0.05, "the foam's force follows the speed itself", "exponent %+.2f", 1, 1, \
-        {{0, LINEAR, 0, 0.6, 0.03, -2, 2}}, 1, {                                        \
+        {{WCUT_RATE_DEPENDENCE_EXPONENT, LINEAR, 0, 0.6, 0.03, -2, 2}}, 1, {            \
         {                                                                               \
             .value = { 0.1 }                                                            \
         }                                                                               \
     }
 #define ROW_WIRE_FOULING                                                                                  \
     PHYSICS, 0.03, "residue on the wire changes the force as it cuts", "by %+.0f %%", 100, 2,             \
-        {{0, LINEAR, 0, 0.5, 0.03, -0.8, 3}, {1, LOG, 6.8, 0.9, 0.1, 3.5, 9.5}}, 8, {                     \
+        {{WCUT_WIRE_FOULING_CHANGE, LINEAR, 0, 0.5, 0.03, -0.8, 3},                                       \
+         {WCUT_WIRE_FOULING_LENGTH, LOG, 6.8, 0.9, 0.1, 3.5, 9.5}},                                       \
+        8, {                                                                                              \
         {0, {0.1, 300}, false}, {0, {0.1, 1000}, false}, {0, {0.1, 3000}, false}, {0, {0.1, 3000}, true}, \
             {1, {0.1, 300}, false}, {1, {0.1, 1000}, false}, {1, {0.1, 3000}, false}, {                   \
             1, {0.1, 3000}, true                                                                          \
@@ -103,66 +113,74 @@
     }
 #define ROW_KERF_GROWTH                                                          \
     PHYSICS, 5e-5, "the kerf grows with the heat", "%.2f mm per kJ/m2", 1000, 1, \
-        {{0, LINEAR, 0, 4e-4, 2e-5, -2e-3, 2e-3}}, 2, {                          \
+        {{WCUT_KERF_GROWTH_PER_Q, LINEAR, 0, 4e-4, 2e-5, -2e-3, 2e-3}}, 2, {     \
         {.value = {1e-4}}, {                                                     \
             .choice = 1, .value = { 0, 0.5 }                                     \
         }                                                                        \
     }
-#define ROW_BLOCK_SPRINGBACK                                                                                         \
-    PHYSICS, 0.4, "the block changed shape after the cut", "%+.1f mm", 1, 1, {{0, LINEAR, 0, 6, 0.1, -50, 50}}, 5, { \
-        {0, {1}, false}, {1, {1}, false}, {2, {1}, false}, {3, {1}, false}, { 4, {1}, false }                        \
+#define ROW_BLOCK_SPRINGBACK                                                                  \
+    PHYSICS, 0.4, "the block changed shape after the cut", "%+.1f mm", 1, 1,                  \
+        {{WCUT_BLOCK_SPRINGBACK_AMPLITUDE, LINEAR, 0, 6, 0.1, -50, 50}}, 5, {                 \
+        {0, {1}, false}, {1, {1}, false}, {2, {1}, false}, {3, {1}, false}, { 4, {1}, false } \
     }
-#define ROW_ANGLE_OFFSET                                                                                         \
-    INSTRUMENT, 0.1, "an angle encoder is offset", "by %+.2f deg", 1, 1, {{0, LINEAR, 0, 5, 0.1, -60, 60}}, 4, { \
-        {0, {1}, false}, {1, {1}, false}, {2, {1}, false}, { 3, {1}, false }                                     \
+#define ROW_ANGLE_OFFSET                                                     \
+    INSTRUMENT, 0.1, "an angle encoder is offset", "by %+.2f deg", 1, 1,     \
+        {{WCUT_ANGLE_OFFSET_OFFSET, LINEAR, 0, 5, 0.1, -60, 60}}, 4, {       \
+        {0, {1}, false}, {1, {1}, false}, {2, {1}, false}, { 3, {1}, false } \
     }
 #define ROW_TENSION_GAIN                                                                          \
     INSTRUMENT, 0.01, "a tension sensor has another gain than it should", "%+.1f %% off", 100, 1, \
-        {{0, LINEAR, 0, 0.2, 0.02, -0.8, 4}}, 2, {                                                \
+        {{WCUT_TENSION_GAIN_GAIN, LINEAR, 0, 0.2, 0.02, -0.8, 4}}, 2, {                           \
         {0, {0.05}, false}, { 1, {0.05}, false }                                                  \
     }
-#define ROW_TENSION_DRIFT                                                                                             \
-    INSTRUMENT, 0.04, "a tension sensor drifts", "%+.2f N in 100 s", 1, 1, {{0, LINEAR, 0, 0.6, 0.02, -20, 20}}, 3, { \
-        {0, {0.1}, false}, {1, {0.1}, false}, { 2, {0.1}, false }                                                     \
+#define ROW_TENSION_DRIFT                                                  \
+    INSTRUMENT, 0.04, "a tension sensor drifts", "%+.2f N in 100 s", 1, 1, \
+        {{WCUT_TENSION_DRIFT_DRIFT, LINEAR, 0, 0.6, 0.02, -20, 20}}, 3, {  \
+        {0, {0.1}, false}, {1, {0.1}, false}, { 2, {0.1}, false }          \
     }
-#define ROW_CLOCK_OFFSET                                                                                  \
-    DELAY, 0.05, "sensors are recorded late", "by %.2f s", 1, 1, {{0, LINEAR, 0, 0.4, 0.02, -5, 5}}, 1, { \
-        {                                                                                                 \
-            .value = { 0.05 }                                                                             \
-        }                                                                                                 \
+#define ROW_CLOCK_OFFSET                                               \
+    DELAY, 0.05, "sensors are recorded late", "by %.2f s", 1, 1,       \
+        {{WCUT_CLOCK_OFFSET_DELAY, LINEAR, 0, 0.4, 0.02, -5, 5}}, 1, { \
+        {                                                              \
+            .value = { 0.05 }                                          \
+        }                                                              \
     }
-#define ROW_TENSION_DELAY                                                                                             \
-    DELAY, 0.05, "the tension sensors are recorded late", "by %.2f s", 1, 1, {{0, LINEAR, 0, 0.4, 0.02, -5, 5}}, 1, { \
-        {                                                                                                             \
-            .value = { 0.05 }                                                                                         \
-        }                                                                                                             \
+#define ROW_TENSION_DELAY                                                    \
+    DELAY, 0.05, "the tension sensors are recorded late", "by %.2f s", 1, 1, \
+        {{WCUT_TENSION_DELAY_DELAY, LINEAR, 0, 0.4, 0.02, -5, 5}}, 1, {      \
+        {                                                                    \
+            .value = { 0.05 }                                                \
+        }                                                                    \
     }
 #define ROW_TENSION_ZERO                                                                       \
     INSTRUMENT, 0.04, "a tension sensor does not read zero without load", "but %+.3f N", 1, 1, \
-        {{0, LINEAR, 0, 0.3, 0.02, -5, 5}}, 2, {                                               \
+        {{WCUT_TENSION_ZERO_OFFSET, LINEAR, 0, 0.3, 0.02, -5, 5}}, 2, {                        \
         {0, {0.1}, false}, { 1, {0.1}, false }                                                 \
     }
 #define ROW_ANGLE_GAIN                                                                            \
     INSTRUMENT, 0.02, "an angle encoder has another gain than it should", "%+.1f %% off", 100, 1, \
-        {{0, LINEAR, 0, 0.2, 0.02, -0.8, 4}}, 4, {                                                \
+        {{WCUT_ANGLE_GAIN_GAIN, LINEAR, 0, 0.2, 0.02, -0.8, 4}}, 4, {                             \
         {0, {0.05}, false}, {1, {0.05}, false}, {2, {0.05}, false}, { 3, {0.05}, false }          \
     }
 #define ROW_ENCODER_FRICTION                                                              \
     INSTRUMENT, 0.5, "the joints of the encoders hold back", "half width %.2f deg", 1, 1, \
-        {{0, LINEAR, 0, 0.5, 0.05, 0, 5}}, 1, {                                           \
+        {{WCUT_ENCODER_FRICTION_HALF_WIDTH, LINEAR, 0, 0.5, 0.05, 0, 5}}, 1, {            \
         { 0, {0.2}, false }                                                               \
     }
-#define ROW_SCAN_OFFSET /* three strengths: its columns are taken one by one */                                       \
-    INSTRUMENT, 0.5, "the scan is displaced", "%.2f mm along x", 1, 3,                                                \
-        {{0, LINEAR, 0, 4, 0.1, -100, 100}, {1, LINEAR, 0, 4, 0.1, -100, 100}, {2, LINEAR, 0, 4, 0.1, -100, 100}}, 1, \
-    {                                                                                                                 \
-        { 0 }                                                                                                         \
+#define ROW_SCAN_OFFSET /* three strengths: its columns are taken one by one */ \
+    INSTRUMENT, 0.5, "the scan is displaced", "%.2f mm along x", 1, 3,          \
+        {{WCUT_SCAN_OFFSET_SHIFT, LINEAR, 0, 4, 0.1, -100, 100},                \
+         {WCUT_SCAN_OFFSET_SHIFT + 1, LINEAR, 0, 4, 0.1, -100, 100},            \
+         {WCUT_SCAN_OFFSET_SHIFT + 2, LINEAR, 0, 4, 0.1, -100, 100}},           \
+        1, {                                                                    \
+        { 0 }                                                                   \
     }
-#define ROW_SCAN_SCALE                                                                                                \
-    INSTRUMENT, 6e-4, "the scan has another scale", "factor %.4f", 1, 1, {{0, LINEAR, 1, 0.02, 1e-3, 0.8, 1.2}}, 1, { \
-        {                                                                                                             \
-            .value = { 1.002 }                                                                                        \
-        }                                                                                                             \
+#define ROW_SCAN_SCALE                                                   \
+    INSTRUMENT, 6e-4, "the scan has another scale", "factor %.4f", 1, 1, \
+        {{WCUT_SCAN_SCALE_SCALE, LINEAR, 1, 0.02, 1e-3, 0.8, 1.2}}, 1, { \
+        {                                                                \
+            .value = { 1.002 }                                           \
+        }                                                                \
     }
 
 #define ROW(name, text, acts) [WCUT_EFFECT_##name] = {WCUT_EFFECT_##name, ROW_##name},
@@ -174,7 +192,7 @@ const wcut_explanation *wcut_explanation_view(wcut_effect_kind kind) { return &t
 wcut_coordinate wcut_effect_coordinate(const wcut_effect *effect, int k) {
     if (effect->kind == WCUT_EFFECT_EMPIRICAL_FORCE) return wcut_term_coordinate(effect, k);
     if (effect->kind == WCUT_EFFECT_KERF_GROWTH && effect->choice == 1)
-        return (wcut_coordinate){1, WCUT_COORDINATE_SCALE_LINEAR, 0, 1, 0.1, -5, 5};
+        return (wcut_coordinate){WCUT_KERF_GROWTH_PER_LOG, WCUT_COORDINATE_SCALE_LINEAR, 0, 1, 0.1, -5, 5};
     return table[effect->kind].coordinate[k];
 }
 
@@ -209,7 +227,7 @@ double wcut_effect_size(const wcut_effect *effect) {
     }
     if (effect->kind == WCUT_EFFECT_KERF_GROWTH &&
         effect->choice == 1) { /* [mm] per e-fold: a range of heats is about one */
-        return fabs(effect->value[1]) / 0.15;
+        return fabs(effect->value[WCUT_KERF_GROWTH_PER_LOG]) / 0.15;
     }
     return sqrt(square) / x->gate;
 }

@@ -29,7 +29,7 @@ static void put_words(writer *w, const char *format, ...) {
 static int axis_of_term(int term) { return term < WCUT_TERM_HEAT_STEP ? term % 3 : 1; }
 
 void wcut_term_formula(const wcut_effect *e, char *to, int size) {
-    const double *v = e->value, turn = atan2(v[1], v[0]);
+    const double *v = e->value, turn = atan2(v[WCUT_EMPIRICAL_FORCE_COSINE], v[WCUT_EMPIRICAL_FORCE_COEFFICIENT]);
 
     /* a term of waves has an amplitude and a phase */
     const char axis = "xyz"[axis_of_term(e->choice)], length = "WLH"[axis_of_term(e->choice)];
@@ -37,74 +37,81 @@ void wcut_term_formula(const wcut_effect *e, char *to, int size) {
         case WCUT_TERM_POSITION_X:
         case WCUT_TERM_POSITION_Y:
         case WCUT_TERM_POSITION_Z:
-            snprintf(to, (size_t)size, "P%.0f(2 %c / %c - 1)", v[2], axis, length);
+            snprintf(to, (size_t)size, "P%.0f(2 %c / %c - 1)", v[WCUT_EMPIRICAL_FORCE_DEGREE], axis, length);
             return;
         case WCUT_TERM_WAVE_X:
         case WCUT_TERM_WAVE_Y:
         case WCUT_TERM_WAVE_Z:
-            snprintf(to, (size_t)size, "sin(2 pi %c / %.1f mm %c %.2f)", axis, v[2], turn < 0 ? '-' : '+', fabs(turn));
+            snprintf(to, (size_t)size, "sin(2 pi %c / %.1f mm %c %.2f)", axis, v[WCUT_EMPIRICAL_FORCE_WAVELENGTH],
+                     turn < 0 ? '-' : '+', fabs(turn));
             return;
         case WCUT_TERM_BAND_X:
         case WCUT_TERM_BAND_Y:
         case WCUT_TERM_BAND_Z:
-            snprintf(to, (size_t)size, "[%.0f mm < %c < %.0f mm]", v[2], axis, v[3]);
+            snprintf(to, (size_t)size, "[%.0f mm < %c < %.0f mm]", v[WCUT_EMPIRICAL_FORCE_FROM], axis,
+                     v[WCUT_EMPIRICAL_FORCE_TO]);
             return;
         case WCUT_TERM_DIRECTION_X:
         case WCUT_TERM_DIRECTION_Y:
         case WCUT_TERM_DIRECTION_Z:
-            snprintf(to, (size_t)size, "cos(%sangle of motion to %c)", v[2] > 1.5 ? "2 " : "", axis);
+            snprintf(to, (size_t)size, "cos(%sangle of motion to %c)", v[WCUT_EMPIRICAL_FORCE_ORDER] > 1.5 ? "2 " : "",
+                     axis);
             return;
         case WCUT_TERM_HEAT_STEP:
-            snprintf(to, (size_t)size, "[Q_eff > %.0f J/m2]", v[2]);
+            snprintf(to, (size_t)size, "[Q_eff > %.0f J/m2]", v[WCUT_EMPIRICAL_FORCE_AT]);
             return;
         case WCUT_TERM_HEAT_HINGE:
-            snprintf(to, (size_t)size, "max(Q_eff / %.0f J/m2 - 1, 0)", v[2]);
+            snprintf(to, (size_t)size, "max(Q_eff / %.0f J/m2 - 1, 0)", v[WCUT_EMPIRICAL_FORCE_AT]);
             return;
         case WCUT_TERM_HEAT_INVERSE:
-            snprintf(to, (size_t)size, "(%.0f J/m2 / Q_eff - 1)", v[2]);
+            snprintf(to, (size_t)size, "(%.0f J/m2 / Q_eff - 1)", v[WCUT_EMPIRICAL_FORCE_Q_REF]);
             return;
         case WCUT_TERM_LOG_SPEED:
-            snprintf(to, (size_t)size, "ln(v / %.0f mm/s)", v[2]);
+            snprintf(to, (size_t)size, "ln(v / %.0f mm/s)", v[WCUT_EMPIRICAL_FORCE_SPEED_REF]);
             return;
         case WCUT_TERM_CURVATURE:
-            snprintf(to, (size_t)size, "(curvature x %.0f mm)", v[2]);
+            snprintf(to, (size_t)size, "(curvature x %.0f mm)", v[WCUT_EMPIRICAL_FORCE_RADIUS]);
             return;
         case WCUT_TERM_ENTRY:
-            snprintf(to, (size_t)size, "exp(-t / %.2f s) since entry", v[2]);
+            snprintf(to, (size_t)size, "exp(-t / %.2f s) since entry", v[WCUT_EMPIRICAL_FORCE_TIME_CONSTANT]);
             return;
         case WCUT_TERM_WAY:
-            snprintf(to, (size_t)size, "way / %.0f mm", v[2]);
+            snprintf(to, (size_t)size, "way / %.0f mm", v[WCUT_EMPIRICAL_FORCE_LENGTH]);
             return;
         case WCUT_TERM_CLOCK:
             snprintf(to, (size_t)size, "t / 100 s");
             return;
         case WCUT_TERM_ORDER:
-            if (v[3] >= 0)
-                snprintf(to, (size_t)size, "[cuts %.0f to %.0f]", v[3] + 1, v[4] + 1);
+            if (v[WCUT_EMPIRICAL_FORCE_FIRST] >= 0)
+                snprintf(to, (size_t)size, "[cuts %.0f to %.0f]", v[WCUT_EMPIRICAL_FORCE_FIRST] + 1,
+                         v[WCUT_EMPIRICAL_FORCE_LAST] + 1);
             else
                 snprintf(to, (size_t)size, "number of the cut");
             return;
         default:
-            snprintf(to, (size_t)size, "(memory of %.2f s of ln %s)", v[2],
+            snprintf(to, (size_t)size, "(memory of %.2f s of ln %s)", v[WCUT_EMPIRICAL_FORCE_TIME_CONSTANT],
                      e->choice == WCUT_TERM_HEAT_MEMORY ? "heat" : "speed");
     }
 }
 
 static void tell_place(writer *w, const wcut_effect *e) {
-    const double *v = e->value, c = 100 * v[0];
+    const double *v = e->value, c = 100 * v[WCUT_EMPIRICAL_FORCE_COEFFICIENT];
 
     /* polynomials of degree 1 are told as a difference between two faces */
     const char *axis = axis_name[axis_of_term(e->choice)];
-    if (e->choice <= WCUT_TERM_POSITION_Z && v[2] < 1.5)
+    if (e->choice <= WCUT_TERM_POSITION_Z && v[WCUT_EMPIRICAL_FORCE_DEGREE] < 1.5)
         put_words(w, "the force changes by %+.0f %% %s from one face of the block to the other", 2 * c, axis);
     else if (e->choice <= WCUT_TERM_POSITION_Z)
-        put_words(w, "the force varies by %+.0f %% %s, as a polynomial of degree %.0f", c, axis, v[2]);
+        put_words(w, "the force varies by %+.0f %% %s, as a polynomial of degree %.0f", c, axis,
+                  v[WCUT_EMPIRICAL_FORCE_DEGREE]);
     else if (e->choice <= WCUT_TERM_WAVE_Z)
-        put_words(w, "the force varies by +-%.0f %% every %.0f mm %s (layers in the block?)", 100 * hypot(v[0], v[1]),
-                  v[2], axis);
+        put_words(w, "the force varies by +-%.0f %% every %.0f mm %s (layers in the block?)",
+                  100 * hypot(v[WCUT_EMPIRICAL_FORCE_COEFFICIENT], v[WCUT_EMPIRICAL_FORCE_COSINE]),
+                  v[WCUT_EMPIRICAL_FORCE_WAVELENGTH], axis);
     else if (e->choice <= WCUT_TERM_BAND_Z)
-        put_words(w, "the force is %+.0f %% between %.0f and %.0f mm %s", c, v[2], v[3], axis);
-    else if (v[2] > 1.5)
+        put_words(w, "the force is %+.0f %% between %.0f and %.0f mm %s", c, v[WCUT_EMPIRICAL_FORCE_FROM],
+                  v[WCUT_EMPIRICAL_FORCE_TO], axis);
+    else if (v[WCUT_EMPIRICAL_FORCE_ORDER] > 1.5)
         put_words(
             w,
             "the force depends on the direction of motion: it is %+.0f %% along %c against across it (grain of the "
@@ -119,7 +126,7 @@ static void tell_place(writer *w, const wcut_effect *e) {
 }
 
 void wcut_term_clause(const wcut_effect *e, char *to, int size) {
-    const double *v = e->value, c = 100 * v[0];
+    const double *v = e->value, c = 100 * v[WCUT_EMPIRICAL_FORCE_COEFFICIENT];
 
     /* terms of place and direction have a function of their own */
     writer w = {to, size, 0};
@@ -134,41 +141,44 @@ void wcut_term_clause(const wcut_effect *e, char *to, int size) {
         case WCUT_TERM_HEAT_STEP:
             put_words(&w,
                       "the force changes by %+.0f %% where the heat input is above %.0f J/m2 (another way of melting?)",
-                      c, v[2]);
+                      c, v[WCUT_EMPIRICAL_FORCE_AT]);
             return;
         case WCUT_TERM_HEAT_HINGE:
-            put_words(&w, "beyond a heat input of %.0f J/m2 the force changes by %+.0f %% for every %.0f more", v[2], c,
-                      v[2]);
+            put_words(&w, "beyond a heat input of %.0f J/m2 the force changes by %+.0f %% for every %.0f more",
+                      v[WCUT_EMPIRICAL_FORCE_AT], c, v[WCUT_EMPIRICAL_FORCE_AT]);
             return;
         case WCUT_TERM_HEAT_INVERSE:
             put_words(&w, "the force has a part that goes with 1 / Q_eff: %+.0f %% at %.0f J/m2 against %.0f", c,
-                      v[2] / 2, v[2]);
+                      v[WCUT_EMPIRICAL_FORCE_Q_REF] / 2, v[WCUT_EMPIRICAL_FORCE_Q_REF]);
             return;
         case WCUT_TERM_LOG_SPEED:
             put_words(&w, "the force follows the speed itself: %+.0f %% for twice the speed", c * log(2));
             return;
         case WCUT_TERM_CURVATURE:
-            put_words(&w, "the force follows the curvature of the wire: %+.0f %% at a radius of %.0f mm", c, v[2]);
+            put_words(&w, "the force follows the curvature of the wire: %+.0f %% at a radius of %.0f mm", c,
+                      v[WCUT_EMPIRICAL_FORCE_RADIUS]);
             return;
         case WCUT_TERM_ENTRY:
-            put_words(&w, "the force is %+.0f %% at entry and settles within %.1f s", c, v[2]);
+            put_words(&w, "the force is %+.0f %% at entry and settles within %.1f s", c,
+                      v[WCUT_EMPIRICAL_FORCE_TIME_CONSTANT]);
             return;
         case WCUT_TERM_WAY:
-            put_words(&w, "the force changes by %+.1f %% for every metre that is cut", c * 1000 / v[2]);
+            put_words(&w, "the force changes by %+.1f %% for every metre that is cut",
+                      c * 1000 / v[WCUT_EMPIRICAL_FORCE_LENGTH]);
             return;
         case WCUT_TERM_CLOCK:
             put_words(&w, "the force changes by %+.1f %% in 100 s", c);
             return;
         case WCUT_TERM_ORDER:
-            if (v[3] >= 0)
+            if (v[WCUT_EMPIRICAL_FORCE_FIRST] >= 0)
                 put_words(&w, "the force is %+.0f %% in cuts %.0f to %.0f (another batch of foam, another wire?)", c,
-                          v[3] + 1, v[4] + 1);
+                          v[WCUT_EMPIRICAL_FORCE_FIRST] + 1, v[WCUT_EMPIRICAL_FORCE_LAST] + 1);
             else
                 put_words(&w, "the force changes by %+.1f %% from cut to cut", c);
             return;
         default:
             put_words(&w, "the force follows the %s of the last %.1f s",
-                      e->choice == WCUT_TERM_HEAT_MEMORY ? "heat" : "speed", v[2]);
+                      e->choice == WCUT_TERM_HEAT_MEMORY ? "heat" : "speed", v[WCUT_EMPIRICAL_FORCE_TIME_CONSTANT]);
     }
 }
 
@@ -180,7 +190,8 @@ static void write_equation(wcut_modelled *m) {
     for (int k = 0; k < m->terms; k++) {
         const wcut_effect *e = &m->term[k].effect;
         const bool wave = e->choice >= WCUT_TERM_WAVE_X && e->choice <= WCUT_TERM_WAVE_Z;
-        const double c = wave ? hypot(e->value[0], e->value[1]) : e->value[0];
+        const double c = wave ? hypot(e->value[WCUT_EMPIRICAL_FORCE_COEFFICIENT], e->value[WCUT_EMPIRICAL_FORCE_COSINE])
+                              : e->value[WCUT_EMPIRICAL_FORCE_COEFFICIENT];
         char formula[80];
         wcut_term_formula(e, formula, sizeof formula);
         put_words(&w, " %c %.3g %s", c < 0 ? '-' : '+', fabs(c), formula);

@@ -65,7 +65,7 @@ static bool list_models(making *m, int variants, const wcut_variant *variant) {
             wcut_model *model = &m->model[1 + WCUT_BASE + s->columns];
             *model = *at;
             wcut_effect effect = variant[k].effect;
-            if (parts == 3) effect.value[p] = 1;
+            if (parts == 3) effect.value[WCUT_SCAN_OFFSET_SHIFT + p] = 1;
 
             /* the effect of the variant is added to those of the model */
             model->effect[model->effects++] = effect;

@@ -206,7 +206,7 @@ static bool late_readings(const wcut_fitted *f, wcut_effect *effect) {
     const bool alike = angle > 0.5 * tension && angle > 4 * f->delay_error[1];
     if (tension < min + fmax(2 * f->delay_error[0], 0.01) || tension < 5 * f->delay_error[0]) return false;
     *effect = wcut_effect_default(alike ? WCUT_EFFECT_CLOCK_OFFSET : WCUT_EFFECT_TENSION_DELAY);
-    effect->value[0] = tension;
+    effect->value[alike ? WCUT_CLOCK_OFFSET_DELAY : WCUT_TENSION_DELAY_DELAY] = tension;
     return true;
 }
 

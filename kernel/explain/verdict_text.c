@@ -41,16 +41,17 @@ static void add_effect(text *t, const wcut_found_effect *f) {
 
     /* a spot is told by where and how much */
     if (f->effect.kind == WCUT_EFFECT_FOAM_INCLUSION) {
-        append_text(t, "a spot %.0f %% %s at x %.0f, y %.0f, z %.0f mm, radius %.0f mm", fabs(100 * v[0]),
-                    v[0] < 0 ? "softer" : "denser", v[2], v[3], v[4], v[1]);
+        const double *at = &v[WCUT_FOAM_INCLUSION_POSITION], amplitude = v[WCUT_FOAM_INCLUSION_AMPLITUDE];
+        append_text(t, "a spot %.0f %% %s at x %.0f, y %.0f, z %.0f mm, radius %.0f mm", fabs(100 * amplitude),
+                    amplitude < 0 ? "softer" : "denser", at[0], at[1], at[2], v[WCUT_FOAM_INCLUSION_RADIUS]);
         return;
     }
     append_text(t, "%s", p->phrase);
     if (info->choice) append_text(t, " [%s %s]", info->choice_key, info->choice[f->effect.choice]);
     if (f->effect.kind == WCUT_EFFECT_KERF_GROWTH && f->effect.choice == 1)
-        append_text(t, " (%.2f mm for e times the heat)", f->effect.value[1]);
+        append_text(t, " (%.2f mm for e times the heat)", v[WCUT_KERF_GROWTH_PER_LOG]);
     else
-        add_number(t, p, f->effect.value[0]);
+        add_number(t, p, v[0]);
 }
 
 void wcut_diagnosis_sentence(wcut_diagnosis *d) {

@@ -12,43 +12,49 @@
 #define END \
     { NULL, 0, 0, false, 0, 0, 0, 0, 0 }
 #define COEFFICIENT \
-    { "coefficient", 0, 1, true, 0, -20, 20, -0.6, 0.6 }
+    { "coefficient", WCUT_EMPIRICAL_FORCE_COEFFICIENT, 1, true, 0, -20, 20, -0.6, 0.6 }
 
 /* key, place, size, required, initial, accepted range, plausible range */
 typedef wcut_effect_parameter parameter;
-const wcut_effect_parameter wcut_term_first[] = {COEFFICIENT, {"degree", 2, 1, false, 1, 1, 4, 1, 3}, END};
+const wcut_effect_parameter wcut_term_first[] = {
+    COEFFICIENT, {"degree", WCUT_EMPIRICAL_FORCE_DEGREE, 1, false, 1, 1, 4, 1, 3}, END};
 static const parameter wave[] = {COEFFICIENT,
-                                 {"cosine", 1, 1, false, 0, -20, 20, -0.6, 0.6},
-                                 {"wavelength_mm", 2, 1, true, 100, 1, 1e6, 30, 500},
+                                 {"cosine", WCUT_EMPIRICAL_FORCE_COSINE, 1, false, 0, -20, 20, -0.6, 0.6},
+                                 {"wavelength_mm", WCUT_EMPIRICAL_FORCE_WAVELENGTH, 1, true, 100, 1, 1e6, 30, 500},
                                  END};
 static const parameter band[] = {COEFFICIENT,
-                                 {"from_mm", 2, 1, true, 0, -1e6, 1e6, 0, 1500},
-                                 {"to_mm", 3, 1, true, 100, -1e6, 1e6, 0, 1500},
-                                 {"edge_mm", 4, 1, false, 5, 0.1, 1e5, 2, 20},
+                                 {"from_mm", WCUT_EMPIRICAL_FORCE_FROM, 1, true, 0, -1e6, 1e6, 0, 1500},
+                                 {"to_mm", WCUT_EMPIRICAL_FORCE_TO, 1, true, 100, -1e6, 1e6, 0, 1500},
+                                 {"edge_mm", WCUT_EMPIRICAL_FORCE_EDGE, 1, false, 5, 0.1, 1e5, 2, 20},
                                  END};
-static const parameter direction[] = {COEFFICIENT, {"order", 2, 1, false, 1, 1, 2, 1, 2}, END};
+static const parameter direction[] = {COEFFICIENT, {"order", WCUT_EMPIRICAL_FORCE_ORDER, 1, false, 1, 1, 2, 1, 2}, END};
 static const parameter heat_step[] = {COEFFICIENT,
-                                      {"at_J_per_m2", 2, 1, true, 5000, 1, 1e7, 1000, 1e5},
-                                      {"width_J_per_m2", 3, 1, false, 300, 1, 1e6, 50, 5000},
+                                      {"at_J_per_m2", WCUT_EMPIRICAL_FORCE_AT, 1, true, 5000, 1, 1e7, 1000, 1e5},
+                                      {"width_J_per_m2", WCUT_EMPIRICAL_FORCE_WIDTH, 1, false, 300, 1, 1e6, 50, 5000},
                                       END};
-static const parameter heat_unit[] = {COEFFICIENT, {"q_ref_J_per_m2", 2, 1, false, 5000, 1, 1e7, 1000, 1e5}, END};
-static const parameter speed_unit[] = {COEFFICIENT, {"v_ref_mm_s", 2, 1, false, 10, 0.01, 1000, 5, 40}, END};
-static const parameter radius[] = {COEFFICIENT, {"radius_mm", 2, 1, false, 100, 0.1, 1e6, 50, 500}, END};
-static const parameter constant[] = {COEFFICIENT, {"time_constant_s", 2, 1, true, 1, 1e-3, 1e4, 0.2, 20}, END};
+static const parameter heat_unit[] = {
+    COEFFICIENT, {"q_ref_J_per_m2", WCUT_EMPIRICAL_FORCE_Q_REF, 1, false, 5000, 1, 1e7, 1000, 1e5}, END};
+static const parameter speed_unit[] = {
+    COEFFICIENT, {"v_ref_mm_s", WCUT_EMPIRICAL_FORCE_SPEED_REF, 1, false, 10, 0.01, 1000, 5, 40}, END};
+static const parameter radius[] = {
+    COEFFICIENT, {"radius_mm", WCUT_EMPIRICAL_FORCE_RADIUS, 1, false, 100, 0.1, 1e6, 50, 500}, END};
+static const parameter constant[] = {
+    COEFFICIENT, {"time_constant_s", WCUT_EMPIRICAL_FORCE_TIME_CONSTANT, 1, true, 1, 1e-3, 1e4, 0.2, 20}, END};
 static const parameter way[] = {COEFFICIENT,
-                                {"length_mm", 2, 1, false, 1000, 0.1, 1e7, 200, 5000},
-                                {"start_mm", 3, 1, false, 0, 0, 1e9, 0, 5000},
+                                {"length_mm", WCUT_EMPIRICAL_FORCE_LENGTH, 1, false, 1000, 0.1, 1e7, 200, 5000},
+                                {"start_mm", WCUT_EMPIRICAL_FORCE_START, 1, false, 0, 0, 1e9, 0, 5000},
                                 END};
-static const parameter start[] = {COEFFICIENT, {"start_s", 2, 1, false, 0, -1e9, 1e9, 0, 1e4}, END};
+static const parameter start[] = {
+    COEFFICIENT, {"start_s", WCUT_EMPIRICAL_FORCE_START_TIME, 1, false, 0, -1e9, 1e9, 0, 1e4}, END};
 static const parameter order[] = {COEFFICIENT,
-                                  {"number", 2, 1, true, 0, 0, 1e6, 0, 20},
-                                  {"from", 3, 1, false, -1, -1, 1e6, 0, 20},
-                                  {"to", 4, 1, false, 1e6, -1, 1e6, 0, 20},
+                                  {"number", WCUT_EMPIRICAL_FORCE_NUMBER, 1, true, 0, 0, 1e6, 0, 20},
+                                  {"from", WCUT_EMPIRICAL_FORCE_FIRST, 1, false, -1, -1, 1e6, 0, 20},
+                                  {"to", WCUT_EMPIRICAL_FORCE_LAST, 1, false, 1e6, -1, 1e6, 0, 20},
                                   END};
 static const parameter window[] = {COEFFICIENT,
-                                   {"from_s", 2, 1, true, 0, -1e6, 1e6, 0, 200},
-                                   {"to_s", 3, 1, true, 1, -1e6, 1e6, 0, 200},
-                                   {"edge_s", 4, 1, false, 0.2, 0.01, 100, 0.05, 1},
+                                   {"from_s", WCUT_EMPIRICAL_FORCE_FROM, 1, true, 0, -1e6, 1e6, 0, 200},
+                                   {"to_s", WCUT_EMPIRICAL_FORCE_TO, 1, true, 1, -1e6, 1e6, 0, 200},
+                                   {"edge_s", WCUT_EMPIRICAL_FORCE_EDGE, 1, false, 0.2, 0.01, 100, 0.05, 1},
                                    END};
 
 #define NAME(name, text, list) text,
@@ -102,14 +108,17 @@ static double legendre(int n, double s, double *slope) {
 static part of_position(const double *v, int axis, const wcut_term_node *node) {
     const double size = component(node->block->size, axis);
     double slope;
-    const double value = legendre((int)lround(v[2]), 2 * component(node->x, axis) / size - 1, &slope);
-    return (part){.value = v[0] * value, .by_position = along(axis, v[0] * slope * 2 / size)};
+    const double value =
+        legendre((int)lround(v[WCUT_EMPIRICAL_FORCE_DEGREE]), 2 * component(node->x, axis) / size - 1, &slope);
+    return (part){.value = v[WCUT_EMPIRICAL_FORCE_COEFFICIENT] * value,
+                  .by_position = along(axis, v[WCUT_EMPIRICAL_FORCE_COEFFICIENT] * slope * 2 / size)};
 }
 
 static part of_wave(const double *v, int axis, const wcut_term_node *node) {
-    const double k = 2 * WCUT_PI / v[2], turn = k * component(node->x, axis);
-    return (part){.value = v[0] * sin(turn) + v[1] * cos(turn),
-                  .by_position = along(axis, k * (v[0] * cos(turn) - v[1] * sin(turn)))};
+    const double sine = v[WCUT_EMPIRICAL_FORCE_COEFFICIENT], cosine = v[WCUT_EMPIRICAL_FORCE_COSINE];
+    const double k = 2 * WCUT_PI / v[WCUT_EMPIRICAL_FORCE_WAVELENGTH], turn = k * component(node->x, axis);
+    return (part){.value = sine * sin(turn) + cosine * cos(turn),
+                  .by_position = along(axis, k * (sine * cos(turn) - cosine * sin(turn)))};
 }
 
 /* 1 between two places, with soft edges */
@@ -121,8 +130,10 @@ static double soft_window(double at, double from, double to, double edge, double
 
 static part of_band(const double *v, int axis, const wcut_term_node *node) {
     double slope;
-    const double value = soft_window(component(node->x, axis), v[2], v[3], v[4], &slope);
-    return (part){.value = v[0] * value, .by_position = along(axis, v[0] * slope)};
+    const double value = soft_window(component(node->x, axis), v[WCUT_EMPIRICAL_FORCE_FROM], v[WCUT_EMPIRICAL_FORCE_TO],
+                                     v[WCUT_EMPIRICAL_FORCE_EDGE], &slope);
+    return (part){.value = v[WCUT_EMPIRICAL_FORCE_COEFFICIENT] * value,
+                  .by_position = along(axis, v[WCUT_EMPIRICAL_FORCE_COEFFICIENT] * slope)};
 }
 
 /* cos and cos 2 of the angle between the node's motion and an axis */
@@ -132,9 +143,9 @@ static part of_direction(const wcut_locality *at, const double *v, int axis, con
     if (!(distance > 0)) return (part){.value = 0};
     const wcut_vec3 d = vec3_scale(1 / distance, move);
     const double c = component(d, axis);
-    const bool twice = v[2] > 1.5;
-    const double slope = v[0] * (twice ? 4 * c : 1) / distance;
-    return (part){.value = v[0] * (twice ? 2 * c * c - 1 : c),
+    const bool twice = v[WCUT_EMPIRICAL_FORCE_ORDER] > 1.5;
+    const double slope = v[WCUT_EMPIRICAL_FORCE_COEFFICIENT] * (twice ? 4 * c : 1) / distance;
+    return (part){.value = v[WCUT_EMPIRICAL_FORCE_COEFFICIENT] * (twice ? 2 * c * c - 1 : c),
                   .by_position = vec3_add_scaled(along(axis, slope), -slope * c, d)};
 }
 
@@ -152,27 +163,28 @@ static double curvature(const wcut_locality *at, const wcut_term_node *node) {
 /* phi of Q_eff = 1000 q / v and d phi / d Q_eff */
 static double of_q_eff(int term, const double *v, double q_eff, double *slope) {
     if (term == WCUT_TERM_HEAT_INVERSE) {
-        *slope = -v[2] / (q_eff * q_eff);
-        return v[2] / q_eff - 1;
+        *slope = -v[WCUT_EMPIRICAL_FORCE_Q_REF] / (q_eff * q_eff);
+        return v[WCUT_EMPIRICAL_FORCE_Q_REF] / q_eff - 1;
     }
-    const double z = (q_eff - v[2]) / v[3], step = (1 + tanh(z)) / 2;
+    const double at = v[WCUT_EMPIRICAL_FORCE_AT], width = v[WCUT_EMPIRICAL_FORCE_WIDTH];
+    const double z = (q_eff - at) / width, step = (1 + tanh(z)) / 2;
     if (term == WCUT_TERM_HEAT_STEP) {
-        *slope = 2 * step * (1 - step) / v[3];
+        *slope = 2 * step * (1 - step) / width;
         return step;
     }
     /* a corner rounded over the width: its slope is the step */
     const double corner = z > 0 ? z + log1p(exp(-2 * z)) / 2 : log1p(exp(2 * z)) / 2;
-    *slope = step / v[2];
-    return corner * v[3] / v[2];
+    *slope = step / at;
+    return corner * width / at;
 }
 
 static part of_heat(int term, const double *v, const wcut_term_node *node) {
     const double q_eff = MM_PER_M * node->heat / node->speed;
     double slope;
     const double value = of_q_eff(term, v, q_eff, &slope);
-    return (part){.value = v[0] * value,
-                  .by_speed = -v[0] * slope * q_eff / node->speed,
-                  .by_heat = v[0] * slope * MM_PER_M / node->speed};
+    return (part){.value = v[WCUT_EMPIRICAL_FORCE_COEFFICIENT] * value,
+                  .by_speed = -v[WCUT_EMPIRICAL_FORCE_COEFFICIENT] * slope * q_eff / node->speed,
+                  .by_heat = v[WCUT_EMPIRICAL_FORCE_COEFFICIENT] * slope * MM_PER_M / node->speed};
 }
 
 /* ---- of time ---- */
@@ -181,26 +193,31 @@ static part of_heat(int term, const double *v, const wcut_term_node *node) {
 static part of_memory(const wcut_locality *at, int term, const double *v, int memory, const wcut_term_node *node) {
     const wcut_node_state *s = &at->state[node->i];
     if (!s->set || memory >= WCUT_TERM_MEMORIES) return (part){.value = 0};
-    const double step = 1 / (node->rate * v[2]), keep = exp(-step);
+    const double step = 1 / (node->rate * v[WCUT_EMPIRICAL_FORCE_TIME_CONSTANT]), keep = exp(-step);
     const bool speed = term == WCUT_TERM_SPEED_MEMORY;
     const double ahead = s->held[memory] - (speed ? ln_speed(node->speed) : log(node->heat));
-    part p = {.value = v[0] * keep * ahead, .by_log_rate = v[0] * keep * step * ahead};
-    if (speed && node->speed > SLOWEST) p.by_speed = -v[0] * keep / node->speed;
-    if (!speed) p.by_heat = -v[0] * keep / node->heat;
+    part p = {.value = v[WCUT_EMPIRICAL_FORCE_COEFFICIENT] * keep * ahead,
+              .by_log_rate = v[WCUT_EMPIRICAL_FORCE_COEFFICIENT] * keep * step * ahead};
+    if (speed && node->speed > SLOWEST) p.by_speed = -v[WCUT_EMPIRICAL_FORCE_COEFFICIENT] * keep / node->speed;
+    if (!speed) p.by_heat = -v[WCUT_EMPIRICAL_FORCE_COEFFICIENT] * keep / node->heat;
     return p;
 }
 
 /* since the wire entered the foam, at the end of the step */
 static part of_entry(const wcut_locality *at, const double *v, const wcut_term_node *node) {
-    const double step = 1 / node->rate, value = v[0] * exp(-(at->age + step) / v[2]);
-    return (part){.value = value, .by_log_rate = value * step / v[2]};
+    const double step = 1 / node->rate, value = v[WCUT_EMPIRICAL_FORCE_COEFFICIENT] *
+                                                exp(-(at->age + step) / v[WCUT_EMPIRICAL_FORCE_TIME_CONSTANT]);
+    return (part){.value = value, .by_log_rate = value * step / v[WCUT_EMPIRICAL_FORCE_TIME_CONSTANT]};
 }
 
 static part of_clock(const wcut_locality *at, int term, const double *v, const wcut_term_node *node) {
     const double step = 1 / node->rate, now = at->clock + step;
-    double slope = 0.01, value = (v[2] + now) / 100;
-    if (term == WCUT_TERM_WINDOW) value = soft_window(now, v[2], v[3], v[4], &slope);
-    return (part){.value = v[0] * value, .by_log_rate = -v[0] * slope * step};
+    double slope = 0.01, value = (v[WCUT_EMPIRICAL_FORCE_START_TIME] + now) / 100;
+    if (term == WCUT_TERM_WINDOW)
+        value = soft_window(now, v[WCUT_EMPIRICAL_FORCE_FROM], v[WCUT_EMPIRICAL_FORCE_TO], v[WCUT_EMPIRICAL_FORCE_EDGE],
+                            &slope);
+    return (part){.value = v[WCUT_EMPIRICAL_FORCE_COEFFICIENT] * value,
+                  .by_log_rate = -v[WCUT_EMPIRICAL_FORCE_COEFFICIENT] * slope * step};
 }
 
 /* ---- all of them ---- */
@@ -218,16 +235,24 @@ static part part_of(const wcut_locality *at, const wcut_effect *e, int memory, c
     /* single terms */
     switch (term) {
         case WCUT_TERM_LOG_SPEED:
-            return (part){.value = v[0] * (ln_speed(node->speed) - log(v[2])),
-                          .by_speed = node->speed > SLOWEST ? v[0] / node->speed : 0};
+            return (part){.value = v[WCUT_EMPIRICAL_FORCE_COEFFICIENT] *
+                                   (ln_speed(node->speed) - log(v[WCUT_EMPIRICAL_FORCE_SPEED_REF])),
+                          .by_speed = node->speed > SLOWEST ? v[WCUT_EMPIRICAL_FORCE_COEFFICIENT] / node->speed : 0};
         case WCUT_TERM_CURVATURE:
-            return (part){.value = v[0] * v[2] * curvature(at, node)};
+            return (part){.value = v[WCUT_EMPIRICAL_FORCE_COEFFICIENT] * v[WCUT_EMPIRICAL_FORCE_RADIUS] *
+                                   curvature(at, node)};
         case WCUT_TERM_ENTRY:
             return of_entry(at, v, node);
         case WCUT_TERM_WAY:
-            return (part){.value = v[0] * (v[3] + at->state[node->i].way) / v[2]};
+            return (part){.value = v[WCUT_EMPIRICAL_FORCE_COEFFICIENT] *
+                                   (v[WCUT_EMPIRICAL_FORCE_START] + at->state[node->i].way) /
+                                   v[WCUT_EMPIRICAL_FORCE_LENGTH]};
         case WCUT_TERM_ORDER:
-            return (part){.value = v[0] * (v[3] < 0 ? v[2] : v[2] >= v[3] && v[2] <= v[4])};
+            return (part){.value = v[WCUT_EMPIRICAL_FORCE_COEFFICIENT] *
+                                   (v[WCUT_EMPIRICAL_FORCE_FIRST] < 0
+                                        ? v[WCUT_EMPIRICAL_FORCE_NUMBER]
+                                        : v[WCUT_EMPIRICAL_FORCE_NUMBER] >= v[WCUT_EMPIRICAL_FORCE_FIRST] &&
+                                              v[WCUT_EMPIRICAL_FORCE_NUMBER] <= v[WCUT_EMPIRICAL_FORCE_LAST])};
         case WCUT_TERM_CLOCK:
         case WCUT_TERM_WINDOW:
             return of_clock(at, term, v, node);
@@ -272,7 +297,9 @@ void wcut_term_remember(const wcut_locality *at, double rate, double speed, doub
         const wcut_effect *e = &at->effect[k];
         if (e->kind != WCUT_EFFECT_EMPIRICAL_FORCE || !wcut_term_remembers(e->choice)) continue;
         const double now = e->choice == WCUT_TERM_SPEED_MEMORY ? ln_speed(speed) : log(heat);
-        held[memories] = s->set ? now + (s->held[memories] - now) * exp(-1 / (rate * e->value[2])) : now;
+        held[memories] =
+            s->set ? now + (s->held[memories] - now) * exp(-1 / (rate * e->value[WCUT_EMPIRICAL_FORCE_TIME_CONSTANT]))
+                   : now;
         memories++;
     }
 }

@@ -35,9 +35,6 @@
 typedef enum wcut_term { WCUT_TERM_LIST(WCUT_TERM_ENTRY) WCUT_TERM_COUNT } wcut_term;
 #undef WCUT_TERM_ENTRY
 
-/* effect.value of a term: its coefficient, of a wave the cosine's too, then what shapes it */
-enum { WCUT_TERM_COEFFICIENT, WCUT_TERM_COSINE, WCUT_TERM_SHAPE };
-
 /* terms with a memory that a wire may have at once: as many as a node keeps */
 enum { WCUT_TERM_MEMORIES = 2 };
 

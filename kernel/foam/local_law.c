@@ -29,13 +29,13 @@ typedef struct factors { /* on a and b, with the gradient of ln c_a */
 static void add_gradient(const wcut_effect *e, const wcut_block *block, wcut_vec3 x, factors *f) {
     const double at[3] = {x.x, x.y, x.z}, size[3] = {block->size.x, block->size.y, block->size.z};
     const int axis = e->choice % 3, form = e->choice / 3;
-    const double g = e->value[0], u = at[axis] / size[axis];
+    const double g = e->value[WCUT_FOAM_DENSITY_GRADIENT_CHANGE], u = at[axis] / size[axis];
     double shape = u - 0.5, by_u = 1;
     if (form == 1) {
         // from the middle to the faces by g, the same mean
         shape = (2 * u - 1) * (2 * u - 1) - 1.0 / 3, by_u = 4 * (2 * u - 1);
     } else if (form == 2) {
-        const double side = tanh((u - e->value[1]) / STEP_WIDTH);
+        const double side = tanh((u - e->value[WCUT_FOAM_DENSITY_GRADIENT_STEP_AT]) / STEP_WIDTH);
         shape = side / 2, by_u = (1 - side * side) / (2 * STEP_WIDTH);
     }
     const double c = 1 + g * shape, slope = g * by_u / size[axis] / c;
@@ -46,8 +46,10 @@ static void add_gradient(const wcut_effect *e, const wcut_block *block, wcut_vec
 }
 
 static void add_inclusion(const wcut_effect *e, wcut_vec3 x, factors *f) {
-    const wcut_vec3 r = vec3_sub(x, vec3(e->value[2], e->value[3], e->value[4]));
-    const double square = e->value[1] * e->value[1], bump = e->value[0] * exp(-vec3_dot(r, r) / (2 * square));
+    const double *at = &e->value[WCUT_FOAM_INCLUSION_POSITION], radius = e->value[WCUT_FOAM_INCLUSION_RADIUS];
+    const wcut_vec3 r = vec3_sub(x, vec3(at[0], at[1], at[2]));
+    const double square = radius * radius,
+                 bump = e->value[WCUT_FOAM_INCLUSION_AMPLITUDE] * exp(-vec3_dot(r, r) / (2 * square));
     f->a *= 1 + bump;
     f->by_position = vec3_add_scaled(f->by_position, -bump / (1 + bump) / square, r);
 }
@@ -60,7 +62,9 @@ static factors coefficients(const wcut_locality *at, const wcut_block *block, wc
         if (e->kind == WCUT_EFFECT_FOAM_DENSITY_GRADIENT) add_gradient(e, block, x, &f);
         if (e->kind == WCUT_EFFECT_FOAM_INCLUSION) add_inclusion(e, x, &f);
         if (e->kind == WCUT_EFFECT_WIRE_FOULING) {
-            const double change = e->value[0] * -expm1(-(e->value[2] + at->state[i].way) / e->value[1]);
+            const double change =
+                e->value[WCUT_WIRE_FOULING_CHANGE] *
+                -expm1(-(e->value[WCUT_WIRE_FOULING_START] + at->state[i].way) / e->value[WCUT_WIRE_FOULING_LENGTH]);
             *(e->choice == 0 ? &f.a : &f.b) *= 1 + change;
         }
     }
@@ -81,7 +85,8 @@ static void scale_power(power *q, double factor) {
 
 /* Q (1 + (ratio - 1) exp(-t/tau)), t the wire's time in the foam at the end of the step */
 static void overheat(const wcut_effect *e, double age, double rate, power *q) {
-    const double tau = e->value[1], excess = (e->value[0] - 1) * exp(-(age + 1 / rate) / tau);
+    const double tau = e->value[WCUT_AIR_OVERHEATING_TIME_CONSTANT],
+                 excess = (e->value[WCUT_AIR_OVERHEATING_RATIO] - 1) * exp(-(age + 1 / rate) / tau);
     const double by_log_rate = excess / tau / rate * q->value;
     scale_power(q, 1 + excess);
     q->by_log_rate += by_log_rate;
@@ -98,8 +103,10 @@ typedef struct thermal {
 /* Exact for a steady temperature that changes evenly over the step (first-order hold) and the mean of both losses:
    theta = steady_1 + (theta_0 - steady_0) E - (steady_1 - steady_0) G. */
 static thermal cool(const wcut_effect *e, const wcut_node_state *s, double heat, double rate, double speed) {
-    const double capacity = e->value[0] * (e->value[2] + e->value[3] * e->value[1]); /* [J/mK] */
-    thermal t = {.loss = e->value[2] + e->value[3] * speed, .loss_by_speed = e->value[3]};
+    const double loss = e->value[WCUT_WIRE_THERMAL_LAG_LOSS], by_speed = e->value[WCUT_WIRE_THERMAL_LAG_LOSS_BY_SPEED];
+    const double capacity = e->value[WCUT_WIRE_THERMAL_LAG_TIME_CONSTANT] *
+                            (loss + by_speed * e->value[WCUT_WIRE_THERMAL_LAG_SPEED_REF]); /* [J/mK] */
+    thermal t = {.loss = loss + by_speed * speed, .loss_by_speed = by_speed};
     t.steady = t.theta = heat / t.loss;
     if (!s->set) return t;
     t.z = (s->loss + t.loss) / (2 * capacity * rate);
@@ -125,7 +132,8 @@ static void delay_power(const wcut_effect *e, const wcut_node_state *s, double r
 
 /* 1 - A (exp(-s_A/l) + exp(-s_B/l)), s the way along the wire to either mount: a rod whose ends are cold */
 static double cooled_ends(const wcut_effect *e, double edge, int n, int i) {
-    return 1 - e->value[0] * (exp(-edge * i / e->value[1]) + exp(-edge * (n - 1 - i) / e->value[1]));
+    const double length = e->value[WCUT_END_COOLING_LENGTH];
+    return 1 - e->value[WCUT_END_COOLING_AMPLITUDE] * (exp(-edge * i / length) + exp(-edge * (n - 1 - i) / length));
 }
 
 static power supply(const wcut_locality *at, double heat, double rate, int n, int i) {
@@ -155,10 +163,11 @@ wcut_local_law wcut_local_law_eval(const wcut_locality *at, const wcut_block *bl
     /* beyond exp(-700) the force is below every double */
     const double b = law->b * f.b * MM_PER_M / speed, exponent = b * q.value;
     if (exponent > 700) return out;
-    const double m = faster ? faster->value[0] : 0;
+    const double m = faster ? faster->value[WCUT_RATE_DEPENDENCE_EXPONENT] : 0;
 
     /* (2) with the effects' factors, and its logarithmic derivatives */
-    out.force = law->a * f.a * exp(-exponent) * (faster ? pow(speed / faster->value[1], m) : 1);
+    out.force =
+        law->a * f.a * exp(-exponent) * (faster ? pow(speed / faster->value[WCUT_RATE_DEPENDENCE_SPEED_REF], m) : 1);
     out.by_speed = out.force * ((exponent + m) / speed - b * q.by_speed);
     out.by_log_rate = -out.force * b * q.by_log_rate;
     out.by_position = vec3_scale(out.force, vec3_add_scaled(f.by_position, -b, q.by_position));
@@ -197,6 +206,6 @@ wcut_node_state wcut_node_state_after(const wcut_locality *at, double heat, doub
 bool wcut_locality_drag(const wcut_locality *at, double *mu, double *smooth) {
     const wcut_effect *drag = find_local_effect(at, WCUT_EFFECT_TANGENTIAL_DRAG);
     if (!drag) return false;
-    *mu = drag->value[0], *smooth = drag->value[1];
+    *mu = drag->value[WCUT_TANGENTIAL_DRAG_FRICTION], *smooth = drag->value[WCUT_TANGENTIAL_DRAG_SPEED_SMOOTH];
     return true;
 }

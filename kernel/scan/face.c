@@ -9,7 +9,8 @@
 
 /* [mm] more kerf than the plain model has: k1 Q, or k2 ln(Q / 1000 J/m^2) */
 static double more_kerf(const wcut_effect *e, double q_eff) {
-    return e->choice == 0 ? e->value[0] * q_eff : e->value[1] * log(q_eff / Q_REF);
+    return e->choice == 0 ? e->value[WCUT_KERF_GROWTH_PER_Q] * q_eff
+                          : e->value[WCUT_KERF_GROWTH_PER_LOG] * log(q_eff / Q_REF);
 }
 
 /* Heights [1] of the block's shapes over u, v in -1 .. 1 along x and y; none of them lifts the middle of its own. */
@@ -32,12 +33,14 @@ static void move_face(const wcut_effect *e, wcut_vec3 block, const wcut_vec3 *no
                       wcut_vec3 *p) {
     if (e->kind == WCUT_EFFECT_KERF_GROWTH) *p = vec3_add_scaled(*p, -more_kerf(e, q_eff[i]) / 2, normal[i]);
     if (e->kind == WCUT_EFFECT_BLOCK_SPRINGBACK)
-        p->z += e->value[0] * shape_of(e->choice, 2 * p->x / block.x - 1, 2 * p->y / block.y - 1);
+        p->z += e->value[WCUT_BLOCK_SPRINGBACK_AMPLITUDE] *
+                shape_of(e->choice, 2 * p->x / block.x - 1, 2 * p->y / block.y - 1);
 }
 
 static void misplace_scan(const wcut_effect *e, wcut_vec3 block, wcut_vec3 *p) {
-    if (e->kind == WCUT_EFFECT_SCAN_SCALE) *p = vec3_mix(vec3_scale(0.5, block), *p, e->value[0]);
-    if (e->kind == WCUT_EFFECT_SCAN_OFFSET) *p = vec3_add(*p, vec3(e->value[0], e->value[1], e->value[2]));
+    if (e->kind == WCUT_EFFECT_SCAN_SCALE) *p = vec3_mix(vec3_scale(0.5, block), *p, e->value[WCUT_SCAN_SCALE_SCALE]);
+    const double *shift = &e->value[WCUT_SCAN_OFFSET_SHIFT];
+    if (e->kind == WCUT_EFFECT_SCAN_OFFSET) *p = vec3_add(*p, vec3(shift[0], shift[1], shift[2]));
 }
 
 wcut_status wcut_face_eval(int count, const wcut_effect *effect, wcut_vec3 block, int points, const wcut_vec3 *normal,

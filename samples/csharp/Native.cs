@@ -675,6 +675,9 @@ public unsafe struct wcut_effect_info
     public byte repeats;
     public byte needs_mounts;
     public wcut_effect_parameter* parameter;
+    public byte* equation;
+    public byte* source;
+    public byte* where;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_effect_parameter

@@ -122,8 +122,8 @@ TEST(the_steady_force_is_the_plain_one_so_speed_answers_every_change_of_the_law)
 
 static wcut_effect term_of(wcut_term term, double c, double shape0, double shape1) {
     wcut_effect e = wcut_effect_choose(WCUT_EFFECT_EMPIRICAL_FORCE, term);
-    e.value[0] = c, e.value[WCUT_TERM_SHAPE] = shape0;
-    if (shape1 != 0) e.value[WCUT_TERM_SHAPE + 1] = shape1;
+    e.value[0] = c, e.value[WCUT_EMPIRICAL_FORCE_SHAPE] = shape0;
+    if (shape1 != 0) e.value[WCUT_EMPIRICAL_FORCE_SHAPE + 1] = shape1;
     return e;
 }
 

@@ -36,7 +36,7 @@ static void find(void) {
 static wcut_effect term_of(wcut_term term, double c, double shape) {
     wcut_effect e = wcut_effect_choose(WCUT_EFFECT_EMPIRICAL_FORCE, term);
     e.value[0] = c;
-    if (shape != 0) e.value[WCUT_TERM_SHAPE] = shape;
+    if (shape != 0) e.value[WCUT_EMPIRICAL_FORCE_SHAPE] = shape;
     return e;
 }
 
@@ -63,7 +63,7 @@ TEST(layers_along_the_feed_are_found_with_wavelength_and_size) {
     find();
     const wcut_effect *e = first_term();
     ck_assert_int_eq(e->choice, WCUT_TERM_WAVE_Y);
-    ck_assert_double_eq_tol(e->value[WCUT_TERM_SHAPE], 72, 1.5);
+    ck_assert_double_eq_tol(e->value[WCUT_EMPIRICAL_FORCE_SHAPE], 72, 1.5);
     ck_assert_double_eq_tol(hypot(e->value[0], e->value[1]), 0.15, 0.015);
     ck_assert_double_gt(found.empirical.held_out, 100);
     ck_assert_double_lt(found.left.slow, 2);
@@ -82,7 +82,7 @@ TEST(a_step_at_a_heat_input_is_found_with_its_place) {
     const wcut_effect *e = first_term();
     ck_assert_msg(e->choice == WCUT_TERM_HEAT_STEP || e->choice == WCUT_TERM_HEAT_HINGE, "%s",
                   wcut_term_name[e->choice]);
-    ck_assert_double_eq_tol(e->value[WCUT_TERM_SHAPE], 4700, 400);
+    ck_assert_double_eq_tol(e->value[WCUT_EMPIRICAL_FORCE_SHAPE], 4700, 400);
     ck_assert_double_gt(e->value[0], 0.1);
     forget();
 }
@@ -97,7 +97,7 @@ TEST(one_cut_confirms_nothing) {
 
 TEST(a_window_of_one_cut_is_an_event_and_does_not_bend_the_rest) {
     wcut_effect window = term_of(WCUT_TERM_WINDOW, 0.6, 12);
-    window.value[WCUT_TERM_SHAPE + 1] = 17;
+    window.value[WCUT_EMPIRICAL_FORCE_SHAPE + 1] = 17;
     const concealed plain = {.noise = 1, .law_a = 1.15, .seed = 65};
     concealed burst = plain;
     burst.effects = 1, burst.effect = window;

@@ -229,7 +229,7 @@ static wcut_effect term_of(wcut_term term, double c, double shape0, double shape
     const double shape[3] = {shape0, shape1, shape2};
     e.value[0] = c;
     for (int k = 0; k < 3; k++)
-        if (shape[k] != 0) e.value[WCUT_TERM_SHAPE + k] = shape[k];
+        if (shape[k] != 0) e.value[WCUT_EMPIRICAL_FORCE_SHAPE + k] = shape[k];
     return e;
 }
 
@@ -272,7 +272,7 @@ TEST(every_empirical_term_is_its_formula) {
         ck_assert_msg(fabs(factor - expected) < 1e-8, "%s: %.15g for %.15g", name, factor, expected);
     }
     wcut_effect wave = term_of(WCUT_TERM_WAVE_Z, 0, 72, 0, 0);
-    wave.value[WCUT_TERM_COSINE] = 0.3;
+    wave.value[WCUT_EMPIRICAL_FORCE_COSINE] = 0.3;
     ck_assert_double_eq_tol(factor_of(wave, 20, at, 2), 1 + 0.3 * cos(2 * WCUT_PI * 30 / 72), 1e-12);
     state[2].way = 300;
     ck_assert_double_eq_tol(factor_of(term_of(WCUT_TERM_WAY, 0.2, 1000, 200, 0), 20, at, 2), 1.1, 1e-12);

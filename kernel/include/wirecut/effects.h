@@ -61,6 +61,89 @@ typedef struct wcut_effect {
     double value[WCUT_EFFECT_VALUES]; /**< as its kind's parameters say */
 } wcut_effect;
 
+/* effect.value of each kind: effect.value[WCUT_WIRE_FOULING_LENGTH]. Keys, units and ranges: wcut_effect_parameters. */
+
+/** wire_thermal_lag: time_constant_s, v_ref_mm_s, H0_W_per_mK, H1_W_s_per_mm_mK */
+enum {
+    WCUT_WIRE_THERMAL_LAG_TIME_CONSTANT,
+    WCUT_WIRE_THERMAL_LAG_SPEED_REF,
+    WCUT_WIRE_THERMAL_LAG_LOSS,
+    WCUT_WIRE_THERMAL_LAG_LOSS_BY_SPEED
+};
+/** air_overheating: air_to_foam_ratio, time_constant_s */
+enum { WCUT_AIR_OVERHEATING_RATIO, WCUT_AIR_OVERHEATING_TIME_CONSTANT };
+/** end_cooling: amplitude, length_mm */
+enum { WCUT_END_COOLING_AMPLITUDE, WCUT_END_COOLING_LENGTH };
+/** foam_density_gradient: relative_change_across_block, step_at_share */
+enum { WCUT_FOAM_DENSITY_GRADIENT_CHANGE, WCUT_FOAM_DENSITY_GRADIENT_STEP_AT };
+/** foam_inclusion: amplitude, radius_mm, position_mm */
+enum { WCUT_FOAM_INCLUSION_AMPLITUDE, WCUT_FOAM_INCLUSION_RADIUS, WCUT_FOAM_INCLUSION_POSITION };
+/** kerf_growth: k1_mm_per_J_m2, k2_mm */
+enum { WCUT_KERF_GROWTH_PER_Q, WCUT_KERF_GROWTH_PER_LOG };
+/** tangential_drag: mu, v_smooth_mm_s */
+enum { WCUT_TANGENTIAL_DRAG_FRICTION, WCUT_TANGENTIAL_DRAG_SPEED_SMOOTH };
+/** wire_elongation: strain_at_60W_2N, thermal_share, air_factor */
+enum { WCUT_WIRE_ELONGATION_STRAIN, WCUT_WIRE_ELONGATION_THERMAL_SHARE, WCUT_WIRE_ELONGATION_AIR_FACTOR };
+/** mount_compliance: stiffness_N_per_mm, settling_s */
+enum { WCUT_MOUNT_COMPLIANCE_STIFFNESS, WCUT_MOUNT_COMPLIANCE_SETTLING };
+/** rate_dependence: exponent, v_ref_mm_s */
+enum { WCUT_RATE_DEPENDENCE_EXPONENT, WCUT_RATE_DEPENDENCE_SPEED_REF };
+/** wire_fouling: relative_change, length_mm, start_mm */
+enum { WCUT_WIRE_FOULING_CHANGE, WCUT_WIRE_FOULING_LENGTH, WCUT_WIRE_FOULING_START };
+/** block_springback: amplitude_mm */
+enum { WCUT_BLOCK_SPRINGBACK_AMPLITUDE };
+/** angle_offset: offset_deg */
+enum { WCUT_ANGLE_OFFSET_OFFSET };
+/** tension_gain: gain_error */
+enum { WCUT_TENSION_GAIN_GAIN };
+/** tension_drift: drift_N, tau_s */
+enum { WCUT_TENSION_DRIFT_DRIFT, WCUT_TENSION_DRIFT_TIME_CONSTANT };
+/** empirical_reading: offset, slope_per_100_s, from_s, to_s */
+enum {
+    WCUT_EMPIRICAL_READING_OFFSET,
+    WCUT_EMPIRICAL_READING_SLOPE,
+    WCUT_EMPIRICAL_READING_FROM,
+    WCUT_EMPIRICAL_READING_TO
+};
+/** clock_offset: delay_s */
+enum { WCUT_CLOCK_OFFSET_DELAY };
+/** tension_delay: delay_s */
+enum { WCUT_TENSION_DELAY_DELAY };
+/** tension_zero: offset_N */
+enum { WCUT_TENSION_ZERO_OFFSET };
+/** angle_gain: gain_error */
+enum { WCUT_ANGLE_GAIN_GAIN };
+/** encoder_friction: half_width_deg */
+enum { WCUT_ENCODER_FRICTION_HALF_WIDTH };
+/** scan_offset: shift_mm */
+enum { WCUT_SCAN_OFFSET_SHIFT };
+/** scan_scale: scale */
+enum { WCUT_SCAN_SCALE_SCALE };
+/** empirical_force: the coefficient, of a wave that of the cosine, too; then what shapes the term */
+enum {
+    WCUT_EMPIRICAL_FORCE_COEFFICIENT,
+    WCUT_EMPIRICAL_FORCE_COSINE,
+    WCUT_EMPIRICAL_FORCE_SHAPE,
+    WCUT_EMPIRICAL_FORCE_DEGREE = WCUT_EMPIRICAL_FORCE_SHAPE,        /**< position: degree */
+    WCUT_EMPIRICAL_FORCE_WAVELENGTH = WCUT_EMPIRICAL_FORCE_SHAPE,    /**< wave: wavelength_mm */
+    WCUT_EMPIRICAL_FORCE_ORDER = WCUT_EMPIRICAL_FORCE_SHAPE,         /**< direction: order */
+    WCUT_EMPIRICAL_FORCE_Q_REF = WCUT_EMPIRICAL_FORCE_SHAPE,         /**< q_eff_inverse: q_ref_J_per_m2 */
+    WCUT_EMPIRICAL_FORCE_SPEED_REF = WCUT_EMPIRICAL_FORCE_SHAPE,     /**< ln_speed: v_ref_mm_s */
+    WCUT_EMPIRICAL_FORCE_RADIUS = WCUT_EMPIRICAL_FORCE_SHAPE,        /**< curvature: radius_mm */
+    WCUT_EMPIRICAL_FORCE_TIME_CONSTANT = WCUT_EMPIRICAL_FORCE_SHAPE, /**< entry, memories: time_constant_s */
+    WCUT_EMPIRICAL_FORCE_START_TIME = WCUT_EMPIRICAL_FORCE_SHAPE,    /**< time: start_s */
+    WCUT_EMPIRICAL_FORCE_FROM = WCUT_EMPIRICAL_FORCE_SHAPE,          /**< band, window: from_mm, from_s */
+    WCUT_EMPIRICAL_FORCE_TO,                                         /**< to_mm, to_s */
+    WCUT_EMPIRICAL_FORCE_EDGE,                                       /**< edge_mm, edge_s */
+    WCUT_EMPIRICAL_FORCE_AT = WCUT_EMPIRICAL_FORCE_SHAPE,            /**< q_eff_step, q_eff_hinge: at_J_per_m2 */
+    WCUT_EMPIRICAL_FORCE_WIDTH,                                      /**< width_J_per_m2 */
+    WCUT_EMPIRICAL_FORCE_LENGTH = WCUT_EMPIRICAL_FORCE_SHAPE,        /**< way: length_mm */
+    WCUT_EMPIRICAL_FORCE_START,                                      /**< start_mm */
+    WCUT_EMPIRICAL_FORCE_NUMBER = WCUT_EMPIRICAL_FORCE_SHAPE,        /**< cut_order: number */
+    WCUT_EMPIRICAL_FORCE_FIRST,                                      /**< from */
+    WCUT_EMPIRICAL_FORCE_LAST                                        /**< to */
+};
+
 /** A parameter of an effect. */
 typedef struct wcut_effect_parameter {
     const char *key;  /**< in files, with its unit; NULL ends the list */
@@ -82,6 +165,9 @@ typedef struct wcut_effect_info {
     bool repeats;                           /**< a job may have several of them */
     bool needs_mounts;                      /**< acts where mounts are: left out of a design's plan */
     const wcut_effect_parameter *parameter; /**< of the first choice, the required ones first */
+    const char *equation;                   /**< symbols: NOTATION.md, Effects */
+    const char *source;                     /**< plausible range, and by which source */
+    const char *where;                      /**< "kernel/foam/local_law.c:overheat", the function with the physics */
 } wcut_effect_info;
 
 /** The properties of a kind of effect, borrowed; NULL outside the enum. */
