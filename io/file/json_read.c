@@ -13,6 +13,7 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "base/locale.h"
+#include "io/file/nearest.h"
 #include "io/file/number.h"
 #include "io/file/utf8.h"
 
@@ -112,25 +113,6 @@ bool wcut_refuse_memory(wcut_reader *reader) {
 
 /* ---- objects ---- */
 
-enum { LONGEST_KEY = 40 };
-
-static int min_of(int a, int b, int c) { return a < b ? (a < c ? a : c) : (b < c ? b : c); }
-
-/* edits between two short words: insertion, deletion, replacement, swap of neighbours (Damerau 1964, restricted) */
-static int edit_distance(const char *a, const char *b) {
-    int n = (int)strlen(a), m = (int)strlen(b);
-    int d[LONGEST_KEY + 1][LONGEST_KEY + 1];
-    for (int i = 0; i <= n; i++) d[i][0] = i;
-    for (int j = 0; j <= m; j++) d[0][j] = j;
-    for (int i = 1; i <= n; i++)
-        for (int j = 1; j <= m; j++) {
-            d[i][j] = min_of(d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1]));
-            bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
-            if (swapped && d[i - 2][j - 2] + 1 < d[i][j]) d[i][j] = d[i - 2][j - 2] + 1;
-        }
-    return d[n][m];
-}
-
 static bool refuse_key(wcut_reader *reader, const wcut_place *at, const char *key, const wcut_field *field,
                        int fields) {
     char label[WCUT_QUOTE_SIZE], quote[WCUT_QUOTE_SIZE], path[128], expected[200];
@@ -140,7 +122,7 @@ static bool refuse_key(wcut_reader *reader, const wcut_place *at, const char *ke
     size_t used = 0;
     expected[0] = '\0';
     for (int f = 0; f < fields; f++) {
-        int distance = strlen(key) <= LONGEST_KEY ? edit_distance(key, field[f].key) : LONGEST_KEY;
+        const int distance = wcut_edit_distance(key, field[f].key);
         if (distance <= min && (nearest < 0 || distance < min)) nearest = f, min = distance;
         if (used < sizeof expected)
             used +=
@@ -217,7 +199,7 @@ bool wcut_read_word(wcut_reader *reader, const wcut_place *at, const char *const
             *into = k;
             return true;
         }
-        const int distance = found && strlen(found) <= LONGEST_KEY ? edit_distance(found, word[k]) : LONGEST_KEY;
+        const int distance = found ? wcut_edit_distance(found, word[k]) : WCUT_NEAREST_MAX;
         if (distance <= min && (nearest < 0 || distance < min)) nearest = k, min = distance;
         if (used + strlen(word[k]) + 8 < sizeof list)
             used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", k ? ", " : "", word[k]);

@@ -42,6 +42,8 @@ run 0 compare job.json scan.xyz -o ../compare --register datum --datum datums.cs
 read_in scan.xyz datums.csv
 run 0 verify ../identify --quiet --json
 cp out ../verification.json
+run 0 sweep study.json -o ../sweep --quiet
+read_in study.json
 run 0 --json-usage
 cp out ../usage.json
 cd ..
@@ -61,6 +63,8 @@ same score.json score/score.json
 same residuals.csv score/residuals.csv
 same deviation.json compare/deviation.json
 same zones.csv compare/zones.csv
+same sweep.json sweep/sweep.json
+same sweep-case.json "$(ls sweep/cases/*/*/case.json | head -n 1)"
 same usage.json usage.json
 
 # an input that has a key too many, or lacks one, is noticed: the examples are read, not passed over

@@ -51,7 +51,7 @@ function check_quoted(header, room, part) {
 
 # public headers whose functions stand in libwirecut-io
 function is_of_files(header) {
-    return header ~ /^wirecut\/([a-z_]+_file|case|exchange|read|write|report|report_pages)\.h$/
+    return header ~ /^wirecut\/([a-z_]+_file|case|exchange|read|write|report|report_pages|study|sweep)\.h$/
 }
 
 function check_angled(header, room, count, item, i) {

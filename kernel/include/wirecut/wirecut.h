@@ -1,11 +1,11 @@
 /* wirecut/wirecut.h - the whole public API.
  *
  * ABI. Two shared libraries carry one version: libwirecut (computation) and libwirecut-io (files: the headers
- * *_file.h, case.h, compare.h, exchange.h, read.h, report.h, report_pages.h, table.h, write.h). Before 1.0 a minor
- * version may change the ABI, so the soname has major and minor version; a patch version changes neither a struct nor a function
- * nor the order of an enumeration. Options structs are filled by their *_default function: take it before setting
- * members, so that members added later have their defaults. Exported symbols are listed in kernel/symbols.txt; one
- * that goes is announced in CHANGELOG.md. */
+ * *_file.h, case.h, compare.h, exchange.h, read.h, report.h, report_pages.h, study.h, sweep.h, table.h, write.h).
+ * Before 1.0 a minor version may change the ABI, so the soname has major and minor version; a patch version changes
+ * neither a struct nor a function nor the order of an enumeration. Options structs are filled by their *_default
+ * function: take it before setting members, so that members added later have their defaults. Exported symbols are
+ * listed in kernel/symbols.txt; one that goes is announced in CHANGELOG.md. */
 #ifndef WCUT_WIRECUT_H
 #define WCUT_WIRECUT_H
 
@@ -70,9 +70,11 @@
 #include <wirecut/score_file.h>
 #include <wirecut/statistics.h>
 #include <wirecut/status.h>
+#include <wirecut/study.h>
 #include <wirecut/summary.h>
 #include <wirecut/surface.h>
 #include <wirecut/surface_fit.h>
+#include <wirecut/sweep.h>
 #include <wirecut/table.h>
 #include <wirecut/vec3.h>
 #include <wirecut/version.h>
