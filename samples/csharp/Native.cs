@@ -38,6 +38,7 @@ public enum wcut_scored { WCUT_SCORED_SPEED = 0, WCUT_SCORED_TENSION = 1, WCUT_S
 public enum wcut_slip_column { WCUT_SLIP_COLUMN_NONE = 0, WCUT_SLIP_COLUMN_HEAT = 1, WCUT_SLIP_COLUMN_SPEED = 2, WCUT_SLIP_COLUMN_ENGAGED = 3, WCUT_SLIP_COLUMN_TENSION = 4, WCUT_SLIP_COLUMN_ALPHA = 5, WCUT_SLIP_COLUMN_COUNT = 6 }
 public enum wcut_status { WCUT_OK = 0, WCUT_BAD_ARGUMENT = 1, WCUT_NO_MEMORY = 2, WCUT_NOT_CONVERGED = 3, WCUT_SINGULAR = 4, WCUT_DEGENERATE = 5, WCUT_NOT_FOUND = 6, WCUT_BAD_FORMAT = 7, WCUT_NOT_WRITTEN = 8, WCUT_INTERRUPTED = 9, WCUT_INTERNAL = 10, WCUT_STATUS_COUNT = 11 }
 public enum wcut_step_schema { WCUT_STEP_SCHEMA_AP214 = 0, WCUT_STEP_SCHEMA_AP242 = 1, WCUT_STEP_SCHEMA_COUNT = 2 }
+public enum wcut_sweep_state { WCUT_SWEEP_STATE_MISSING = 0, WCUT_SWEEP_STATE_DONE = 1, WCUT_SWEEP_STATE_OUTSIDE = 2, WCUT_SWEEP_STATE_NOT_CONVERGED = 3, WCUT_SWEEP_STATE_REFUSED = 4, WCUT_SWEEP_STATE_FAILED = 5, WCUT_SWEEP_STATE_CRASHED = 6, WCUT_SWEEP_STATE_COUNT = 7 }
 public enum wcut_tool_frame { WCUT_TOOL_FRAME_FIXED = 0, WCUT_TOOL_FRAME_FOLLOWING = 1 }
 public enum wcut_verdict_kind { WCUT_VERDICT_NONE = 0, WCUT_VERDICT_PHYSICS = 1, WCUT_VERDICT_INSTRUMENT = 2, WCUT_VERDICT_BOTH = 3, WCUT_VERDICT_AMBIGUOUS = 4, WCUT_VERDICT_UNKNOWN = 5, WCUT_VERDICT_COUNT = 6 }
 
@@ -1725,6 +1726,17 @@ public unsafe struct wcut_slip
     public double ratio;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_slurm
+{
+    public byte* program;
+    public int tasks;
+    public int cpus;
+    public byte* partition;
+    public byte* time;
+    public byte* memory;
+    public byte* modules;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_split
 {
     public double offset;
@@ -1792,6 +1804,20 @@ public unsafe struct wcut_statistics
     public fixed double under[8];
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_study_info
+{
+    public byte* name;
+    public byte* verb;
+    public int cases;
+    public int parameters;
+    public byte** parameter;
+    public int figures;
+    public byte** figure;
+    public byte** pointer;
+    public int best;
+    public byte best_is_highest;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_summary
 {
     public double duration;
@@ -1844,6 +1870,26 @@ public unsafe struct wcut_surface_report
     public fixed double crossing_u[2];
     public fixed double crossing_v[2];
     public double chord_error;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_sweep_counts
+{
+    public int cases;
+    public fixed int state[7];
+    public int ran;
+    public double seconds;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_sweep_options
+{
+    public byte* program;
+    public byte* word;
+    public int jobs;
+    public int share;
+    public int shares;
+    public int limit;
+    public IntPtr progress;
+    public void* context;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_table
@@ -2210,6 +2256,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_setup_path_job(void* a0, wcut_job** a1);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_setup_run(void* a0, IntPtr a1, void* a2, wcut_history** a3, wcut_error* a4);
     [DllImport("wirecut-io")] public static extern wcut_setup_span wcut_setup_stations(void* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_slurm_write(void* a0, wcut_slurm* a1, byte* a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_source_hash(byte* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern byte* wcut_status_text(wcut_status a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_step_write(int a0, wcut_shape* a1, wcut_step_schema a2, byte* a3, wcut_error* a4);
@@ -2217,6 +2264,13 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_stl_stream_commit(void* a0, wcut_error* a1);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_stl_stream_create(byte* a0, void** a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern void wcut_stl_stream_destroy(void* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_study_call_print(void* a0, int a1, byte* a2, byte** a3);
+    [DllImport("wirecut-io")] public static extern void wcut_study_destroy(void* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_study_hash_eval(void* a0, int a1, byte* a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_study_input_print(void* a0, int a1, byte** a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_study_read(byte* a0, void** a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_study_value_print(void* a0, int a1, int a2, byte** a3);
+    [DllImport("wirecut-io")] public static extern wcut_study_info* wcut_study_view(void* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_summary_eval(wcut_history* a0, wcut_summary* a1);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_summary_print(void* a0, wcut_history* a1, byte** a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_summary_write(void* a0, wcut_history* a1, byte* a2, wcut_error* a3);
@@ -2246,6 +2300,18 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_surface_tessellate(wcut_surface* a0, double a1, wcut_mesh** a2, wcut_tessellation_report* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_surface_transform(wcut_surface* a0, wcut_affine* a1, wcut_surface** a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_surface_transpose(wcut_surface* a0, wcut_surface** a1);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_sweep_create(byte* a0, byte* a1, void** a2, wcut_error* a3);
+    [DllImport("wirecut-io")] public static extern void wcut_sweep_destroy(void* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_sweep_figures_query(void* a0, wcut_error* a1);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_sweep_measure(void* a0, wcut_sweep_options* a1, double* a2, double* a3, double* a4, wcut_error* a5);
+    [DllImport("wirecut-io")] public static extern wcut_sweep_options wcut_sweep_options_default();
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_sweep_print(void* a0, byte** a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_sweep_query(void* a0, wcut_sweep_counts* a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_sweep_read(byte* a0, void** a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_sweep_run(void* a0, wcut_sweep_options* a1, wcut_sweep_counts* a2, wcut_error* a3);
+    [DllImport("wirecut-io")] public static extern byte* wcut_sweep_state_name(wcut_sweep_state a0);
+    [DllImport("wirecut-io")] public static extern void* wcut_sweep_view(void* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_sweep_write_csv(void* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern void wcut_table_destroy(wcut_table* a0);
     [DllImport("wirecut-io")] public static extern int wcut_table_locate(wcut_table* a0, byte* a1);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_table_read(byte* a0, int a1, byte** a2, wcut_table** a3, wcut_error* a4);
