@@ -128,6 +128,7 @@ static bool put_content(wcut_text *text, const wcut_study *study, int k) {
     case_option *option = list_options(study, &options);
     if (!option) return false;
 
+    /* files by name and hash, the varied input whole, the others by name */
     wcut_text_put_word(text, "{\"files\":[");
     for (int i = 0; i < study->files; i++) {
         wcut_text_put_string(text, i ? "," : "", study->file[i].name);
@@ -142,6 +143,7 @@ static bool put_content(wcut_text *text, const wcut_study *study, int k) {
     for (int i = study->canonical ? 1 : 0; i < study->inputs; i++)
         wcut_text_put_string(text, i > (study->canonical ? 1 : 0) ? "," : "", study->input[i]);
 
+    /* what the verb is told beside */
     wcut_text_put_word(text, "],\"options\":{");
     for (int i = 0; i < options; i++) {
         wcut_text_put_string(text, i ? "," : "", option[i].name);

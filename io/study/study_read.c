@@ -268,6 +268,8 @@ wcut_status wcut_study_parse(const char *text, size_t length, const char *label,
     json_t *root = wcut_json_load(&reader, text, length);
     if (!root) return reader.status;
     const wcut_place at = {NULL, NULL, 0, root};
+
+    /* an empty study that keeps its text */
     wcut_study *made = wcut_alloc(1, sizeof *made);
     bool whole = made != NULL;
     if (whole) {
@@ -277,6 +279,8 @@ wcut_status wcut_study_parse(const char *text, size_t length, const char *label,
         made->text_length = length;
         whole = made->folder && made->text;
     }
+
+    /* the document, then the files that it names */
     if (!whole) wcut_refuse_memory(&reader);
     if (whole) whole = read_study(&reader, &at, made, base, base_length);
     json_decref(root);
