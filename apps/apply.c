@@ -72,8 +72,8 @@ const app_verb app_verb_apply = {
         "Writes JOB2: JOB with the recalibrated force law and wire length, the kerf that the scans showed, and the "
         "effects found or modelled. The job's own effects and its excitation (dither, heater steps) are left out. "
         "simulate, path, mould, score and control then predict what the diagnosis calls \"after\".\n"
-        "A diagnosis whose verdict is unknown, with nothing modelled, withholds its correction: what it recalibrated "
-        "may stand for what it did not find. The call is then refused.",
+        "A diagnosis whose verdict is unknown, with nothing modelled, withholds its correction: its recalibration "
+        "may compensate for the unknown cause. The call is then refused.",
     .operand = operand,
     .option = option,
     .run = apply,

@@ -165,7 +165,7 @@ static void find_warnings(calibration *c) {
     const double against = relative ? -fit->force.evidence : fit->force.evidence;
 
     /* what the cuts cannot tell: the law's parameters, the tension law, the heat, the speed */
-    if (!fit->told_apart)
+    if (!fit->separable)
         warn(c,
              "%d levels of Q_eff over a factor of %.2f do not separate a from b (correlation %.3f): use V0 and the "
              "exponent near F0, or make cuts at more heats and speeds",

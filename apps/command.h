@@ -96,11 +96,11 @@ struct app_call {
 #define APP_OPTION_HELP \
     { .kind = APP_FLAG, .name = "help", .letter = 'h', .help = "print this help" }
 /* What every verb takes, and the end of its table. */
-#define APP_OPTIONS_OF_ALL                                                                                         \
-    {.kind = APP_FLAG, .name = "json", .help = "print the result as JSON on standard output"},                     \
-        {.kind = APP_FLAG, .name = "quiet", .letter = 'q', .help = "print errors alone: no progress, no summary"}, \
-        APP_OPTION_HELP, {                                                                                         \
-        .kind = APP_END                                                                                            \
+#define APP_OPTIONS_OF_ALL                                                                                        \
+    {.kind = APP_FLAG, .name = "json", .help = "print the result as JSON on standard output"},                    \
+        {.kind = APP_FLAG, .name = "quiet", .letter = 'q', .help = "print errors only: no progress, no summary"}, \
+        APP_OPTION_HELP, {                                                                                        \
+        .kind = APP_END                                                                                           \
     }
 
 extern const app_verb app_self; /* the command without a verb */

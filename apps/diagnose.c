@@ -414,7 +414,8 @@ const app_verb app_verb_diagnose = {
         "physics and of instruments and every pair of them, and decides: physics, instrument, both, none, ambiguous or "
         "unknown. An effect is named only if it improves the prediction of cuts that were not fitted.\nWrites into "
         "DIR: diagnosis.json, report.html, job-improved.json (the first cut's job, recalibrated, with the effects "
-        "found) and, where another cut would tell more, next-experiment.json. The verdict and a table go to standard "
+        "found) and, where another cut would separate the alternatives, next-experiment.json. The verdict and a table "
+        "go to standard "
         "output.\nA file that cannot be read is reported and left out; the command then ends with the exit code of the "
         "first such file. An interrupted diagnosis writes what was found until then, marked as incomplete.",
     .operand = operand,

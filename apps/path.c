@@ -413,7 +413,7 @@ const app_verb app_verb_path = {
         "it.\nurscript and krl: wirecut_a.* and wirecut_b.*, started together by a digital output of each robot that "
         "is wired to an input of the other; after that each keeps the time or the speed of its moves. rapid: two "
         "modules for MultiMove, moves with the same ID end together. csv: robot.csv; json: robot.json.\nMount speeds "
-        "and accelerations, the angles of the Cardan head, and the wire's heat in still air and its stress are "
+        "and accelerations, the angles of the Cardan head, and the wire's temperature in still air and its stress are "
         "compared with limits; exceeded limits are reported.",
     .operand = operand,
     .option = option,

@@ -478,7 +478,7 @@ const app_verb app_verb_score = {
         "Predicts every recording twice. Planned: from the job alone. Replayed: the wire is driven by the recorded "
         "motion; the speed is an input there and is not scored. Writes into DIR: score.json (RMSD, NRMSD over the "
         "range of the measured data, RMSE over range, bias, correlation, by channel and phase), residuals.csv (one row "
-        "a sample) and report.html.\nNRMSD is blind to a bias; RMSE over range is not. The figures of a phase are "
+        "a sample) and report.html.\nNRMSD does not include a bias; RMSE over range does. The figures of a phase are "
         "divided by the range of the whole cut. A residual is the measured less the predicted value.\nA cut that "
         "cannot be scored is reported and the others are scored; the command then ends with the exit code of the first "
         "such cut. Samples at which the replay does not converge have no prediction; their number is reported. The "

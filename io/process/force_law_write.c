@@ -99,8 +99,8 @@ static void put_reference(wcut_text *text, const wcut_calibration *c) {
     wcut_text_put_number(text, ",\n    \"exponent\": ", c->exponent);
     wcut_text_put_number(text, ", \"exponent_standard_error\": ", c->exponent_error);
     wcut_text_put_number(text, ", \"correlation_a_b\": ", c->correlation);
-    wcut_text_print(text, "},\n  \"cuts\": {\"heats\": %d, \"speeds\": %d, \"q_effs\": %d, \"a_told_from_b\": %s, ",
-                    c->heats, c->speeds, c->q_effs, c->told_apart ? "true" : "false");
+    wcut_text_print(text, "},\n  \"cuts\": {\"heats\": %d, \"speeds\": %d, \"q_effs\": %d, \"a_b_separable\": %s, ",
+                    c->heats, c->speeds, c->q_effs, c->separable ? "true" : "false");
     wcut_text_print(text, "\"large_angles\": %d}", c->large_angles);
 }
 

@@ -74,7 +74,7 @@ static wcut_report_tone judge_calibrate(const wcut_report_calibrate *of, char *v
                      "%d cuts give the force law a = %.4g " A_UNIT " (%g %% interval %.4g to %.4g), b = %.4g " B_UNIT
                      " (%.4g to %.4g); a and b %s",
                      of->cuts, f->a, PERCENT * of->options->confidence, f->low[0], f->high[0], f->b, f->low[1],
-                     f->high[1], of->fit->told_apart ? "are separated" : "cannot be separated");
+                     f->high[1], of->fit->separable ? "are separated" : "cannot be separated");
 
     /* what the test of the fit says */
     char *rest = verdict + n;
@@ -86,9 +86,9 @@ static wcut_report_tone judge_calibrate(const wcut_report_calibrate *of, char *v
                  f->lack_p);
 
     /* a law that does not fit, or whose parameters trade against each other, needs a second look */
-    return !fits || !of->fit->told_apart || of->warnings > 0 ? WCUT_REPORT_TONE_WARNING
-           : tested                                          ? WCUT_REPORT_TONE_GOOD
-                                                             : WCUT_REPORT_TONE_PLAIN;
+    return !fits || !of->fit->separable || of->warnings > 0 ? WCUT_REPORT_TONE_WARNING
+           : tested                                         ? WCUT_REPORT_TONE_GOOD
+                                                            : WCUT_REPORT_TONE_PLAIN;
 }
 
 /* ---- charts ---- */
@@ -221,8 +221,8 @@ static const char *remark(page *p, int i, const wcut_law_fit_point *at) {
     const bool large = fabs(cut->alpha_a) > max || fabs(cut->alpha_b) > max;
     const char *const word[] = {at->unusual & WCUT_UNUSUAL_OUTLIER ? "outlier" : NULL,
                                 at->unusual & WCUT_UNUSUAL_LEVERAGE ? "isolated in Q_eff" : NULL,
-                                at->unusual & WCUT_UNUSUAL_INFLUENTIAL ? "moves the law" : NULL,
-                                at->loss_weight < 0.1 ? "hardly counts" : NULL, large ? "large angle" : NULL};
+                                at->unusual & WCUT_UNUSUAL_INFLUENTIAL ? "influential" : NULL,
+                                at->loss_weight < 0.1 ? "low weight" : NULL, large ? "large angle" : NULL};
 
     /* only the words that apply, with commas between them */
     enum { ROOM = 80 };

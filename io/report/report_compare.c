@@ -86,7 +86,7 @@ static void fill_figures(page *p) {
     add_length(p, "median", a->median, b->median);
     add_length(p, "standard deviation", a->std, b->std);
     add_length(p, "root mean square", a->rms, b->rms);
-    add_length(p, "mean size", a->mae, b->mae);
+    add_length(p, "mean |d|", a->mae, b->mae);
     add_length(p, "1 % are below", a->p01, b->p01);
     add_length(p, "5 % are below", a->p05, b->p05);
     add_length(p, "95 % are below", a->p95, b->p95);

@@ -130,7 +130,7 @@ static wcut_report_table base_table(page *p) {
     /* columns: name, value of the job, value found, its interval */
     wcut_report_column *c = columns(p, 5);
     wcut_report_table table = {.title = "Recalibrated", .columns = 5, .column = c};
-    table.note = "Recalibrated before effects are fitted, one value for all cuts. These are not effects.";
+    table.note = "Recalibrated before the effects are fitted; one value for all cuts.";
     if (!c) return table;
 
     const char **name = texts(p, &c[0], "of the plain model", ROWS);
@@ -238,7 +238,7 @@ static bool fill_worth(page *p, wcut_report_section *section) {
     /* what the two figures see */
     const wcut_diagnosis *d = p->d;
     static const char *const bias = "Includes a bias.";
-    static const char *const blind = "RMSD over range: does not see a bias.";
+    static const char *const blind = "RMSD over range: excludes a bias.";
 
     /* held-out cuts first, then all; each with and without a bias */
     wcut_report_table *table = wcut_page_take(&p->memory, 4, sizeof *table);

@@ -137,14 +137,14 @@ static const char *next_action(wcut_page_memory *memory, const wcut_found_effect
         case WCUT_EFFECT_SCAN_SCALE:
             return "Register the scan again on datums of the block, and check the scanner on a known length.";
         case WCUT_EFFECT_WIRE_FOULING:
-            return "Clean or change the wire, and cut the first job again: the force must be back.";
+            return "Clean or change the wire, and cut the first job again: the force must return to its first value.";
         case WCUT_EFFECT_FOAM_INCLUSION:
         case WCUT_EFFECT_FOAM_DENSITY_GRADIENT:
             /* a fault of the foam stays with the block */
             return "Weigh or probe the block where the force differs, or turn the next block round: the place must "
                    "turn with it.";
         case WCUT_EFFECT_MOUNT_COMPLIANCE:
-            return "Pull each mount with 2 N and measure how far it gives.";
+            return "Pull each mount with 2 N and measure its deflection.";
         case WCUT_EFFECT_BLOCK_SPRINGBACK:
             return "Measure the block clamped and unclamped, and clamp it as it will be used.";
         default:
@@ -166,23 +166,23 @@ static int list_steps(wcut_page_memory *memory, const wcut_diagnosis *d, const c
         step[count++] =
             wcut_page_text(memory,
                            "Look up what happened in cut %d from %.0f to %.0f s: supply of the heater, "
-                           "lumps on the wire, a hand on the machine.",
+                           "lumps on the wire, contact with the machine.",
                            d->modelled.event[e].cut + 1, d->modelled.event[e].time[0], d->modelled.event[e].time[1]);
 
     /* terms, alternatives, and an unknown cause */
     if (d->modelled.terms > 0)
         step[count++] =
-            "Look for the cause of what the sentence above describes. Until it is known, plan with the term: it "
-            "held on cuts left out.";
+            "Look for the cause of the effect that is described above. Until it is known, plan with the term: it "
+            "predicts the held-out cuts.";
     if (d->next_experiment)
-        step[count++] = "Cut next-experiment.json and diagnose it with the others: it tells the alternatives apart.";
+        step[count++] = "Cut next-experiment.json and diagnose it with the others: it separates the alternatives.";
     if (d->kind == WCUT_VERDICT_UNKNOWN && d->modelled.terms == 0 && d->modelled.events == 0)
         step[count++] =
             "Do not recalibrate by these cuts. Make identification cuts (wirecut identify) of the same job, record "
             "the heater's volts and amperes, and diagnose again.";
 
     /* nothing found, and the correction */
-    if (d->kind == WCUT_VERDICT_NONE) step[count++] = "Accept: nothing is wrong beyond noise.";
+    if (d->kind == WCUT_VERDICT_NONE) step[count++] = "Accept: no difference beyond noise.";
     if (!d->withheld[0])
         step[count++] = "Recalibrate: put the correction into the jobs of this foam, wire and machine (wirecut apply).";
 

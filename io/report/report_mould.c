@@ -77,9 +77,9 @@ static wcut_report_tone judge_mould(page *p) {
 /* figures of both halves side by side */
 static wcut_report_table table_of_halves(const page *p, double number[2][ROWS], wcut_report_column column[4]) {
     /* rows in the order of the values below */
-    static const char *const what[ROWS] = {"volume",      "skin",          "cut face",       "undercut",  "least draft",
-                                           "least wall",  "sharpest edge", "keys",           "triangles", "pieces",
-                                           "exact faces", "height, least", "height, largest"};
+    static const char *const what[ROWS] = {
+        "volume", "surface",   "cut face", "undercut",    "smallest draft",   "smallest wall",  "sharpest edge",
+        "keys",   "triangles", "pieces",   "exact faces", "height, smallest", "height, largest"};
     static const char *const unit[ROWS] = {"mm\xc2\xb3", "mm\xc2\xb2", "mm\xc2\xb2", "mm\xc2\xb2", "deg", "mm", "deg",
                                            "mm\xc2\xb3", "",           "",           "",           "mm",  "mm"};
 

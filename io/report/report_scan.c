@@ -136,8 +136,8 @@ static wcut_report_table datum_table(wcut_page_memory *m, const wcut_compared *c
     for (int f = 0; f < 7; f++) column[f + 1].label = label[f], column[f + 1].unit = "mm";
     return (wcut_report_table){.title = "Datums",
                                .note =
-                                   "Where the registration puts each datum of the scan, and what is left to the "
-                                   "block's; of a face along its normal.",
+                                   "Each datum of the scan after registration, and its remaining distance to the "
+                                   "block's datum; of a face along its normal.",
                                .rows = c->datums,
                                .columns = 8,
                                .column = column};
@@ -158,12 +158,11 @@ bool wcut_report_fill_registration(wcut_page_memory *m, const wcut_compared *c, 
     table[2] = covariance_table(m, r);
     table[3] = matrix_table(m, r);
     section->title = "Points and registration";
-    section->note =
-        wcut_page_text(m,
-                       "Overlap %.3g %%, RMS of the points used %.4g mm, before %.4g mm; the motion puts the "
-                       "points \xc2\xb1 %.2g mm (standard error, RMS).%s",
-                       100 * r->overlap, r->rms, r->rms_before, r->doubt,
-                       r->converged ? "" : " The fit stopped before it had converged.");
+    section->note = wcut_page_text(m,
+                                   "Overlap %.3g %%, RMS of the points used %.4g mm, before %.4g mm; uncertainty of "
+                                   "the points from the registration \xc2\xb1 %.2g mm (standard error, RMS).%s",
+                                   100 * r->overlap, r->rms, r->rms_before, r->doubt,
+                                   r->converged ? "" : " The fit stopped before it had converged.");
     section->table_count = 4;
     if (c->datums > 0) table[section->table_count++] = datum_table(m, c);
 
@@ -175,7 +174,7 @@ bool wcut_report_fill_registration(wcut_page_memory *m, const wcut_compared *c, 
 static wcut_report_table both_table(wcut_page_memory *m, const wcut_compared *c) {
     /* figures of both directions side by side */
     static const char *const name[] = {
-        "vertices",       "mean",   "median",  "standard deviation", "root mean square", "mean size", "1 % are below",
+        "vertices",       "mean",   "median",  "standard deviation", "root mean square", "mean |d|", "1 % are below",
         "99 % are below", "lowest", "highest", "largest (Hausdorff)"};
     static const char *const unit[] = {"", "mm", "mm", "mm", "mm", "mm", "mm", "mm", "mm", "mm", "mm"};
     enum { ROWS = sizeof name / sizeof *name };

@@ -346,7 +346,7 @@ static void fill_overview(page *p, const char *note, wcut_report_section *sectio
     const wcut_report_score *of = p->of;
     wcut_report_table *table = wcut_page_take(&p->memory, 5, sizeof *table);
     if (p->memory.failed) return;
-    table[0] = group_table(p, "NRMSD", "RMSD over the range of the measured data: does not see a bias.", false);
+    table[0] = group_table(p, "NRMSD", "RMSD over the range of the measured data: excludes a bias.", false);
     table[1] = group_table(p, "RMSE over range", "Includes a bias.", true);
     table[2] = channel_table(p, "Replayed: mean over the cuts", "The speed is an input of the replay.",
                              &of->replayed[of->groups]);

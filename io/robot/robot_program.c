@@ -116,7 +116,7 @@ static void put_program_head(wcut_text *text, const char *mark, const wcut_robot
         wcut_text_print(text, " A calls %s%s%s, to be defined by the cell.\n", names->wire_on ? names->wire_on : "",
                         names->wire_on && names->wire_off ? " and " : "", names->wire_off ? names->wire_off : "");
     else
-        wcut_text_print(text, " nothing is called to switch it.\n");
+        wcut_text_print(text, " these programs do not switch it.\n");
 }
 
 /* angle and axis of a unit quaternion with w >= 0, as a rotation vector */

@@ -132,14 +132,14 @@ static const char *objection(const wcut_search *s, int candidate) {
     const wcut_candidate *c = &s->candidate[candidate];
     const bool small = c->second_size < 1, scans = moves_scans_alone(c, wcut_search_base(s)->model.effects);
     if (c->gain < (small ? GAIN_SMALL : scans ? GAIN_SCAN : GAIN_MIN))
-        return small ? (c->effects > 1 ? "one of the two is too small to be told" : "too small to be told")
+        return small ? (c->effects > 1 ? "one of the two is too small to be named" : "too small to be named")
                      : "no more than chance";
-    if (!is_significant(c, wcut_search_base(s)->model.effects)) return "not told from nothing";
+    if (!is_significant(c, wcut_search_base(s)->model.effects)) return "not significant";
     const double beyond = wcut_search_base(s)->misfit - s->rows;
     if (runs_out(c) && c->fall < BOUND_TAKES * beyond) return "a value ends at the bound of its range";
     if (scans) return NULL;
-    if (c->held_out < HELD_OUT_MIN * c->fall) return "does not hold on cuts that were not fitted";
-    if (2 * c->better <= c->judged) return "holds on half of the cuts or fewer";
+    if (c->held_out < HELD_OUT_MIN * c->fall) return "does not predict held-out cuts";
+    if (2 * c->better <= c->judged) return "predicts half of the held-out cuts or fewer";
     if (!takes_most(s, candidate)) return "leaves most of the misfit";
     return NULL;
 }
@@ -266,7 +266,7 @@ const char *wcut_candidate_why(const wcut_search *s, const wcut_decision *d, int
     if (candidate == s->delayed) return "others explain more beside it";
     const char *why = objection(s, candidate);
     if (why) return why;
-    if (is_outdone(s, candidate)) return "what is too small to be told explains more";
+    if (is_outdone(s, candidate)) return "an effect too small to be named explains more";
     if (!named && !leaves_noise(s, candidate)) return "leaves a misfit that is not noise";
     return c->effects > 1 ? "its second effect is not needed" : "explains less";
 }

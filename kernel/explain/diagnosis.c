@@ -374,9 +374,10 @@ static wcut_status correct(diagnosing *g) {
     wcut_diagnosis *d = g->out;
     d->correction = wcut_fitted_correction(f);
     if (d->kind == WCUT_VERDICT_UNKNOWN && !wcut_outside_fit(&g->outside)) {
-        snprintf(d->withheld, sizeof d->withheld,
-                 "the verdict is unknown and nothing was modelled, so what was recalibrated may stand for what was not "
-                 "found");
+        snprintf(
+            d->withheld, sizeof d->withheld,
+            "the verdict is unknown and nothing was modelled, so the recalibration may compensate for what was not "
+            "found");
         return WCUT_OK;
     }
     wcut_job *job = wcut_job_copy(first_job(g));

@@ -345,11 +345,11 @@ static void tell_experiment(const trial *t, int tried, candidate best, double se
     name_effects(t->count[1], t->effect[1], b, sizeof b);
     if (separation < TOLD_APART)
         snprintf(reason, WCUT_DIAGNOSIS_TEXT,
-                 "None of %d predicted cuts tells %s from %s: at best %s%s, by %.1f standard deviations.", tried, a, b,
-                 in_words[best], t->scan ? ", scanned" : "", separation);
+                 "None of %d predicted cuts separates %s from %s: at best %s%s, by %.1f standard deviations.", tried, a,
+                 b, in_words[best], t->scan ? ", scanned" : "", separation);
     else
         snprintf(reason, WCUT_DIAGNOSIS_TEXT,
-                 "Of %d predicted cuts, %s%s tells %s from %s best: by %.0f standard deviations, against %.0f "
+                 "Of %d predicted cuts, %s%s separates %s from %s best: by %.0f standard deviations, against %.0f "
                  "if the cut were made once more as it is.",
                  tried, in_words[best], t->scan ? ", scanned," : "", a, b, separation, as_it_is);
 }

@@ -140,7 +140,7 @@ void wcut_term_clause(const wcut_effect *e, char *to, int size) {
     switch (e->choice) {
         case WCUT_TERM_HEAT_STEP:
             put_words(&w,
-                      "the force changes by %+.0f %% where the heat input is above %.0f J/m2 (another way of melting?)",
+                      "the force changes by %+.0f %% where the heat input is above %.0f J/m2 (another melting regime?)",
                       c, v[WCUT_EMPIRICAL_FORCE_AT]);
             return;
         case WCUT_TERM_HEAT_HINGE:
@@ -148,7 +148,7 @@ void wcut_term_clause(const wcut_effect *e, char *to, int size) {
                       v[WCUT_EMPIRICAL_FORCE_AT], c, v[WCUT_EMPIRICAL_FORCE_AT]);
             return;
         case WCUT_TERM_HEAT_INVERSE:
-            put_words(&w, "the force has a part that goes with 1 / Q_eff: %+.0f %% at %.0f J/m2 against %.0f", c,
+            put_words(&w, "the force has a part proportional to 1 / Q_eff: %+.0f %% at %.0f J/m2 against %.0f", c,
                       v[WCUT_EMPIRICAL_FORCE_Q_REF] / 2, v[WCUT_EMPIRICAL_FORCE_Q_REF]);
             return;
         case WCUT_TERM_LOG_SPEED:
@@ -163,8 +163,7 @@ void wcut_term_clause(const wcut_effect *e, char *to, int size) {
                       v[WCUT_EMPIRICAL_FORCE_TIME_CONSTANT]);
             return;
         case WCUT_TERM_WAY:
-            put_words(&w, "the force changes by %+.1f %% for every metre that is cut",
-                      c * 1000 / v[WCUT_EMPIRICAL_FORCE_LENGTH]);
+            put_words(&w, "the force changes by %+.1f %% per metre of cut", c * 1000 / v[WCUT_EMPIRICAL_FORCE_LENGTH]);
             return;
         case WCUT_TERM_CLOCK:
             put_words(&w, "the force changes by %+.1f %% in 100 s", c);
@@ -234,7 +233,7 @@ void wcut_modelled_tell(wcut_diagnosis *d) {
     /* the terms: an equation, then each in words */
     if (m->terms == 0) return;
     write_equation(m);
-    put_words(&w, "%sSomething outside the list: ", m->events > 0 ? " " : "");
+    put_words(&w, "%sAn effect outside the library: ", m->events > 0 ? " " : "");
     for (int k = 0; k < m->terms; k++) {
         char clause[160];
         wcut_term_clause(&m->term[k].effect, clause, sizeof clause);

@@ -60,19 +60,19 @@ void wcut_diagnosis_sentence(wcut_diagnosis *d) {
     char scatter[WCUT_DIAGNOSIS_TEXT - 150];
     switch (d->kind) {
         case WCUT_VERDICT_NONE:
-            append_text(&t, "Nothing is wrong beyond noise: the recalibrated simulation predicts these cuts");
+            append_text(&t, "No difference beyond noise: the recalibrated simulation predicts these cuts");
             wcut_rig_sentence(d, sizeof scatter, scatter);
-            if (scatter[0]) append_text(&t, " within what the rig scatters (%s)", scatter);
+            if (scatter[0]) append_text(&t, " within the scatter of the rig (%s)", scatter);
             append_text(&t, ".");
             return;
         case WCUT_VERDICT_UNKNOWN:
-            append_text(&t, "Something that is in no list changes these cuts");
+            append_text(&t, "An unknown effect changes these cuts");
             if (d->mismatches > 0) {
                 const wcut_mismatch *m = &d->mismatch[0];
                 append_text(&t, ", most of all %s of cut %d from %.0f to %.0f s", m->column, m->cut + 1, m->time[0],
                             m->time[1]);
             }
-            append_text(&t, "; no term that was tried holds on cuts left out.");
+            append_text(&t, "; no term that was tried predicts the held-out cuts.");
             return;
         case WCUT_VERDICT_AMBIGUOUS:
             append_text(&t, "Either ");
@@ -134,19 +134,18 @@ static void limit_cuts(wcut_diagnosis *d, int cuts, const wcut_diagnosis_cut *cu
     if (used == 1)
         add_limit(
             d,
-            "With one cut nothing can be held out, and what belongs to the block is not told from what belongs to "
-            "time.");
-    if (scans == 0) add_limit(d, "Without a scan nothing can be said of kerf, springback or the scanner.");
+            "With one cut nothing can be held out, and effects of the block cannot be separated from effects of time.");
+    if (scans == 0) add_limit(d, "Without a scan kerf, springback and errors of the scanner cannot be determined.");
     if (excited == 0)
         add_limit(d,
-                  "No cut has an excitation: a clock offset, a short lag and a dependence on the speed are hardly told "
-                  "apart (wirecut identify makes such cuts).");
+                  "No cut has an excitation: a clock offset, a short lag and a dependence on the speed can hardly be "
+                  "separated (wirecut identify makes such cuts).");
     if (used > 0 && commands == 0) add_limit(d, "The commanded speed is not recorded: the diagnosis has less power.");
-    if (missing > 0) add_limit(d, "%d channels of the recordings are empty and say nothing.", missing);
+    if (missing > 0) add_limit(d, "%d channels of the recordings are empty.", missing);
     if (used > 0 && max < 1.05 * min)
         add_limit(d,
-                  "All cuts have one heat: a and b are told apart by the speed alone, and losses of heat are hidden in "
-                  "them.");
+                  "All cuts have one heat: a and b are separated by the speed only, and they contain any loss of "
+                  "heat.");
 }
 
 static void limit_calibration(wcut_diagnosis *d, int test_cuts, const wcut_test_cut *calibration) {
@@ -154,7 +153,7 @@ static void limit_calibration(wcut_diagnosis *d, int test_cuts, const wcut_test_
     if (!fit) return; /* one sentence less */
     wcut_calibration_point *none = NULL;
     if (test_cuts == 0)
-        add_limit(d, "There is no calibration table: a and b come from these cuts alone.");
+        add_limit(d, "There is no calibration table: a and b come from these cuts only.");
     else if (wcut_calibration_fit(test_cuts, calibration, NULL, fit, none, NULL) == WCUT_OK) {
         const double reference = fit->reference_force, speed = d->b.value * fit->reference_heat * 1000;
         const double ours = speed / log(d->a.value / reference);
@@ -180,7 +179,7 @@ bool wcut_diagnosis_limits(wcut_diagnosis *d, int cuts, const wcut_diagnosis_cut
     for (int k = 0; k < d->effects; k++)
         if (d->effect[k].effect.kind == WCUT_EFFECT_TENSION_GAIN && d->effect[k].effect.choice < 2)
             add_limit(d,
-                      "Which of the two tension sensors is off is not told: one gain up and the other down differ by a "
-                      "alone.");
+                      "It cannot be determined which of the two tension sensors is wrong: one gain up and the other "
+                      "down differ only in a.");
     return true;
 }

@@ -107,7 +107,7 @@ static wcut_status find_reference(int n, const wcut_calibration_point *point, co
 
     /* a and b can be told apart where the interval of b is narrower than b */
     c->correlation = f->correlation[1];
-    c->told_apart = f->high[1] - f->low[1] < f->b;
+    c->separable = f->high[1] - f->low[1] < f->b;
 
     return WCUT_OK;
 }
@@ -139,11 +139,10 @@ static wcut_status explain_no_law(wcut_status status, const wcut_calibration *c,
                          "force law: the repeated fit does not come to rest; the forces scatter too much for the law");
     if (status != WCUT_DEGENERATE) return wcut_fail(error, status, "%s", wcut_status_text(status));
     if (c->q_effs < 2)
-        return wcut_fail(
-            error, status,
-            "force law: found one level of Q_eff (%g J/m^2), expected at least two: a and b cannot be told "
-            "apart; vary the speed or the heat",
-            d->q[0]);
+        return wcut_fail(error, status,
+                         "force law: found one level of Q_eff (%g J/m^2), expected at least two: a and b cannot be "
+                         "separated; vary the speed or the heat",
+                         d->q[0]);
     if (positive < 2)
         return wcut_fail(error, status, "force law: found %d cuts with a positive force, expected at least two",
                          positive);
@@ -164,7 +163,7 @@ wcut_status wcut_calibration_fit(int n, const wcut_test_cut *cut, const wcut_cal
     double *block = wcut_alloc(7 * (size_t)n, sizeof *block), *tension;
     wcut_law_fit_point *of_law = wcut_alloc((size_t)n, sizeof *of_law);
     wcut_calibration_point *found = wcut_alloc((size_t)n, sizeof *found);
-    wcut_calibration c = {.told_apart = 0};
+    wcut_calibration c = {.separable = 0};
     if (!block || !of_law || !found) {
         status = wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
         goto done;

@@ -111,7 +111,7 @@ public unsafe struct wcut_calibration
     public int heats;
     public int speeds;
     public int q_effs;
-    public int told_apart;
+    public int separable;
     public int large_angles;
     public double reference_force;
     public double reference_heat;

@@ -75,10 +75,10 @@ grep -qF nowhere.csv err || fail "$called: the file is not named: $(cat err)"
 said "Cut 2 is left out: it has no recording." "Without a scan"
 
 diagnosed 0 no-scan table.csv "$one" job-2.json:recording-2.csv: "$three"
-said "Without a scan nothing can be said of kerf, springback or the scanner."
+said "Without a scan kerf, springback and errors of the scanner cannot be determined."
 
 diagnosed 0 empty-channels table.csv "$one" job-2.json:no-beta.csv:scan-2.ply "$three"
-said "2 channels of the recordings are empty and say nothing."
+said "2 channels of the recordings are empty."
 
 diagnosed 0 one-heat table.csv "$one" job-1.json:recording-1-again.csv:
 said "All cuts have one heat" "No cut has an excitation"

@@ -155,7 +155,7 @@ TEST(the_table_is_described_before_it_is_believed) {
     ck_assert_int_eq(solve(REFERENCE, NULL), WCUT_OK);
     ck_assert(fit.heats == REFERENCE && fit.speeds == REFERENCE && fit.q_effs == REFERENCE);
     ck_assert_int_eq(fit.large_angles, 1);
-    ck_assert_int_eq(fit.told_apart, 1);
+    ck_assert_int_eq(fit.separable, 1);
     ck_assert_double_eq_tol(fit.q_eff_low, 1000 * 48.2 / 55.62, 1e-9);
     ck_assert_double_eq_tol(fit.q_eff_high, 1000 * 82.0 / 15.26, 1e-9);
     ck_assert_double_gt(fit.correlation, 0.5);
@@ -168,7 +168,7 @@ TEST(one_heat_and_a_narrow_range_do_not_tell_a_from_b) {
         cut[i] = cut_of(60, v, 0.06 * exp(-7e-4 * q) * (1 + 0.01 * wcut_random_normal(&random)), 0.2);
     }
     ck_assert_int_eq(solve(8, NULL), WCUT_OK);
-    ck_assert(fit.heats == 1 && fit.speeds == 8 && fit.told_apart == 0);
+    ck_assert(fit.heats == 1 && fit.speeds == 8 && fit.separable == 0);
     ck_assert_double_gt(fit.correlation, 0.99);
     /* yet the speed at the middle force stands */
     ck_assert_double_lt(fit.reference_speed_error / fit.reference_speed, 0.02);

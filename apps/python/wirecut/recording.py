@@ -86,7 +86,7 @@ class ForceLaw(NamedTuple):
     b_error: float
     a_interval: Tuple[float, float]
     b_interval: Tuple[float, float]
-    told_apart: bool
+    separable: bool
     q_eff_range_J_per_m2: Tuple[float, float]
 
 
@@ -102,4 +102,4 @@ def calibrate(table: Any, weight: Optional[str] = None, **options: Any) -> Force
     check(lib.wcut_calibration_fit(count[0], held, chosen, fit, point, error), error, str(table))
     law = fit.force
     return ForceLaw(law.a, law.b, law.standard_error[0], law.standard_error[1], (law.low[0], law.high[0]),
-                    (law.low[1], law.high[1]), bool(fit.told_apart), (fit.q_eff_low, fit.q_eff_high))
+                    (law.low[1], law.high[1]), bool(fit.separable), (fit.q_eff_low, fit.q_eff_high))

@@ -71,7 +71,7 @@ typedef struct wcut_calibration {
     double q_eff_low;          /**< [J/m^2] the least and ... */
     double q_eff_high;         /**< [J/m^2] ... the greatest Q_eff of the cuts: where the laws are validated */
     int heats, speeds, q_effs; /**< different levels of each among the cuts (apart by more than 1e-6) */
-    int told_apart;            /**< 1: the interval of b is narrower than b itself: a and b can be separated */
+    int separable;             /**< 1: the interval of b is narrower than b itself: a and b can be separated */
     int large_angles;          /**< cuts with a deflection beyond alpha_large */
     double reference_force;    /**< [N/mm] F0 */
     double reference_heat;     /**< [W/m] Q_I */
