@@ -247,6 +247,7 @@ static int give_answer(const app_call *call, const wcut_compare_result *c, const
 
 /* compare, and write the set of files */
 static int compare_files(const app_call *call, const wcut_compare_options *options, wcut_results *results) {
+    /* reference and scans of the call */
     const wcut_compare_reference reference = {
         .path = call->operand[0], .edges = app_text(call, "edges"), .force_law = app_text(call, "force-law")};
     const int scans = call->operand_count - 1;
@@ -254,6 +255,7 @@ static int compare_files(const app_call *call, const wcut_compare_options *optio
     if (!scan) return app_fail_status(WCUT_NO_MEMORY, "compare", NULL);
     for (int k = 0; k < scans; k++) scan[k].path = call->operand[k + 1];
 
+    /* compare with a progress bar; warnings are printed when they occur */
     wcut_error error = {0};
     wcut_compare_result *result = NULL;
     char *text = NULL;
@@ -261,6 +263,8 @@ static int compare_files(const app_call *call, const wcut_compare_options *optio
     const wcut_compare_watch watch = {watch_progress, watch_warning, &w};
     wcut_status status = wcut_compare_run(&reference, scans, scan, options, results, &watch, &result, &error);
     app_progress_end(&w.bar);
+
+    /* write the set of files and print the verdict */
     if (status == WCUT_OK) status = wcut_compare_write(result, results, &text, &error);
     const int code = status == WCUT_OK ? give_answer(call, result, text) : app_fail_status(status, NULL, &error);
 

@@ -165,6 +165,7 @@ static int divide(moulding *m) {
         o.key = key, o.key_count = WCUT_KEYS_AT_CORNERS;
     }
 
+    /* divide the block */
     const wcut_status status = wcut_mould_create(m->surface, m->job->block_size, &o, &m->mould, &error);
 
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, m->path, &error);

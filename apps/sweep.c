@@ -39,6 +39,7 @@ static int refuse_own_option(const char *path, int words, char **word) {
 
 /* the words of the first case are a call that its verb understands */
 static int check_study_call(const char *path, const wcut_study *study) {
+    /* the verb must exist; a similar one is suggested */
     const wcut_study_info *info = wcut_study_view(study);
     const app_verb *verb = find_study_verb(info->verb);
     const char *names[VERBS_MAX] = {NULL};
@@ -58,6 +59,8 @@ static int check_study_call(const char *path, const wcut_study *study) {
         word[words++] = at;
         at[strcspn(at, "\n")] = '\0';
     }
+
+    /* parse them as the verb does, without running it */
     app_call call = {0};
     int code = refuse_own_option(path, words, word);
     if (code == APP_DONE && app_parse(verb, words, word, &call) != APP_DONE)
@@ -169,12 +172,14 @@ static int write_sweep_results(app_results *results, const wcut_sweep *sweep) {
 
 /* the table, the page and the summary of what there is; 1 where a case is not there for good */
 static int collect(const app_call *call, const wcut_sweep *sweep, const char *folder) {
+    /* the set of results, replaced together */
     wcut_error error = {0};
     app_results results = {0};
     int code = app_results_begin(&results, folder, result_name);
     if (code == APP_DONE) code = write_sweep_results(&results, sweep);
     if (code == APP_DONE && app_given(call, "json")) fputs(results.text, stdout);
 
+    /* how the cases ended, in words and by the exit code */
     wcut_sweep_counts counts;
     if (code == APP_DONE) {
         const wcut_status status = wcut_sweep_query(sweep, &counts, &error);
@@ -197,6 +202,8 @@ static int collect(const app_call *call, const wcut_sweep *sweep, const char *fo
 static int measure(const app_call *call, const char *scratch) {
     char program[PATH_MAX], table[PATH_MAX + 16];
     wcut_error error = {0};
+
+    /* plan the study in the temporary folder */
     wcut_sweep *sweep = NULL;
     double seconds = 0, total = 0, bytes = 0;
     int code = app_sweep_program(program);
@@ -215,6 +222,8 @@ static int measure(const app_call *call, const char *scratch) {
         if (status == WCUT_OK) status = wcut_sweep_write_csv(sweep, table, &error);
         if (status != WCUT_OK) code = app_fail_status(status, NULL, &error);
     }
+
+    /* figures of one case, and estimates for all */
     const int cases = wcut_study_view(wcut_sweep_view(sweep))->cases, jobs = app_int(call, "jobs");
     if (code == APP_DONE && app_given(call, "json"))
         printf(
@@ -270,6 +279,7 @@ static int begin_sweep(const app_call *call) {
     wcut_study_destroy(study);
     if (code != APP_DONE) return code;
 
+    /* plan the cases, then give them to Slurm or run them here */
     status = wcut_sweep_create(path, folder, &sweep, &error);
     if (status != WCUT_OK) return app_fail_status(status, NULL, &error);
     if (app_given(call, "slurm") || app_given(call, "slurm-script")) {

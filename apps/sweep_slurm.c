@@ -54,6 +54,8 @@ int app_sweep_slurm(const app_call *call, const wcut_sweep *sweep) {
     }
     if (code == APP_DONE)
         code = app_results_commit_words(&results, name[1], "{\n  \"format\": \"wirecut-slurm/1\"\n}\n");
+
+    /* sbatch gets the path of the script, unless only the script was asked for */
     snprintf(path, sizeof path, "%s/%s", app_text(call, "output"), name[0]);
     if (code == APP_DONE && !app_given(call, "slurm-script")) code = submit(path);
     if (code == APP_DONE && !app_given(call, "quiet")) app_say("in %s: %s", results.folder, app_results_list(&results));

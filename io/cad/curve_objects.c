@@ -80,6 +80,8 @@ static bool read_number_in(object_reader *o, const wcut_place *at, double scale,
 static bool read_object_point(object_reader *o, const wcut_place *at, double scale, wcut_vec3 *point) {
     static const char *const axis[] = {"x", "y", "z"};
     double *to = &point->x, unit;
+
+    /* an array of three numbers, in the unit of the file */
     if (json_is_array(at->value)) {
         if (json_array_size(at->value) != 3)
             return wcut_refuse(&o->json, at, WCUT_BAD_FORMAT, "three numbers, [x, y, z]");
@@ -89,6 +91,8 @@ static bool read_object_point(object_reader *o, const wcut_place *at, double sca
         }
         return true;
     }
+
+    /* an object with members x, y and z, which may name their own unit */
     for (int k = 0; k < 3; k++) {
         const char *key = json_is_object(at->value) ? find_key(at->value, axis[k], &unit) : NULL;
         if (!key) return wcut_refuse(&o->json, at, WCUT_BAD_FORMAT, "a point: [x, y, z] or x, y and z");
@@ -129,12 +133,16 @@ static bool read_point_columns(object_reader *o, const wcut_place *at, const cha
     static const char *const axis[] = {"x", "y", "z"};
     wcut_place column[3];
     double unit[3];
+
+    /* the three arrays, of equal length */
     for (int k = 0; k < 3; k++) {
         const char *key = find_key(at->value, axis[k], &unit[k]);
         column[k] = wcut_place_member(at, key ? key : axis[k]);
         if (!key || json_array_size(column[k].value) != json_array_size(column[0].value))
             return wcut_refuse(&o->json, &column[k], WCUT_BAD_FORMAT, "arrays x, y and z of one length");
     }
+
+    /* limit before memory; the buffer of points goes to the curve, or is freed */
     const size_t count = json_array_size(column[0].value);
     if (count > WCUT_JOB_STATIONS_MAX)
         return wcut_refuse(&o->json, at, WCUT_BAD_FORMAT, "at most %d points", WCUT_JOB_STATIONS_MAX);

@@ -36,6 +36,8 @@ static wcut_curve_format find_curve_format(const char *text, size_t length, cons
         {".geojson", WCUT_CURVE_FORMAT_JSON}, {".csv", WCUT_CURVE_FORMAT_CSV},   {".tsv", WCUT_CURVE_FORMAT_CSV},
         {".txt", WCUT_CURVE_FORMAT_CSV},      {".xyz", WCUT_CURVE_FORMAT_CSV},   {".asc", WCUT_CURVE_FORMAT_CSV},
         {".dat", WCUT_CURVE_FORMAT_CSV}};
+
+    /* the ending decides, except that a STEP file shows itself and a table may contain JSON */
     const size_t n = strlen(label);
     if (strncmp(text, "ISO-10303-21;", 13) == 0) return WCUT_CURVE_FORMAT_STEP;
     for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
@@ -44,6 +46,8 @@ static wcut_curve_format find_curve_format(const char *text, size_t length, cons
         if (known[k].format == WCUT_CURVE_FORMAT_CSV && begins_as_json(text, length)) return WCUT_CURVE_FORMAT_JSON;
         return known[k].format;
     }
+
+    /* without a known ending: the section letter of IGES in column 73, or the first character of JSON */
     if (length > 80 && text[72] == 'S' && (text[80] == '\n' || text[80] == '\r')) return WCUT_CURVE_FORMAT_IGES;
     return begins_as_json(text, length) ? WCUT_CURVE_FORMAT_JSON : WCUT_CURVE_FORMAT_ANY;
 }

@@ -106,6 +106,7 @@ static bool split_line(const char *line, char separator, table_line *to) {
     to->count = 0;
     while (is_table_blank(*p)) p++;
     while (*p) {
+        /* a quoted cell may contain the separator */
         const char *from = p;
         const char quote = *p == '"' || *p == '\'' ? *p : 0;
         if (quote) {
@@ -113,11 +114,15 @@ static bool split_line(const char *line, char separator, table_line *to) {
             if (closing) p = closing + 1;
         }
         while (*p && (separator == ' ' ? !is_table_blank(*p) : *p != separator)) p++;
+
+        /* the cell without the blanks around it, then the separator and blanks behind it */
         if (to->count == WCUT_POINT_CELLS_MAX) return false;
         to->cell[to->count++] = trim_cell(from, p);
         p += *p != '\0';
         while (is_table_blank(*p)) p++;
     }
+
+    /* separators at the end of a line add no cells */
     while (to->count > 0 && to->cell[to->count - 1].length == 0) to->count--;
     return true;
 }
@@ -181,6 +186,8 @@ static void find_table_separator(curve_table *t) {
         const char *text = strip_line(line);
         const char separator = find_line_separator(text);
         if (*text == '#' || *text == '%') continue;
+
+        /* a first row of numbers or of names shows which separator is used */
         int numbers = 0;
         double value;
         t->separator = separator;
@@ -188,6 +195,8 @@ static void find_table_separator(curve_table *t) {
         for (int k = 0; k < t->line.count; k++) numbers += read_cell_number(t, &t->line.cell[k], &value);
         if (numbers >= 3 || wcut_point_columns_named(t->line.count, t->line.cell)) break;
     }
+
+    /* back to the begin: the lines are read again with this separator */
     t->at = begin;
     t->number = 0;
 }
@@ -345,6 +354,8 @@ static bool read_numbers(curve_table *t) {
                                   "line %d: found %d values, expected %d (numbers have a decimal point, or semicolons "
                                   "separate the columns)",
                                   t->line.number, t->line.count, t->columns.columns);
+
+    /* a point of each set of columns; an empty set has no point in this row */
     for (int s = 0; s < t->columns.sets; s++) {
         wcut_vec3 point = {0, 0, 0};
         bool here;
@@ -399,12 +410,16 @@ static bool read_words(curve_table *t, const char *text) {
 static bool read_line(curve_table *t, char *line) {
     const char *text = line;
     while (is_table_blank(*text)) text++;
+
+    /* comments; ">" begins a curve, as in files of GMT */
     if (*text == '#' || *text == '%' || (*text == '/' && text[1] == '/')) return read_comment(t, text);
     if (*text == '>') {
         t->is_block_over = true;
         return read_comment(t, text);
     }
     if (strncasecmp(text, "sep=", 4) == 0 && t->rows == 0) return true;
+
+    /* the cells of the line; an empty line ends a block */
     text = strip_line(line);
     if (!split_line(text, t->separator, &t->line))
         return wcut_curves_refuse(t->r, "line %d: found more than %d values", t->number, WCUT_POINT_CELLS_MAX);
@@ -412,6 +427,8 @@ static bool read_line(curve_table *t, char *line) {
         t->is_block_over = true;
         return true;
     }
+
+    /* a header with names, and a line of units below it */
     if (wcut_point_columns_named(t->line.count, t->line.cell)) return read_header(t);
     const double unit = t->has_header && t->rows == 0 ? wcut_point_columns_unit(t->line.count, t->line.cell) : 0;
     if (unit < 0) return wcut_curves_refuse(t->r, "line %d: found several units, expected one", t->line.number);
@@ -511,6 +528,8 @@ static bool end_beside(curve_table *t) {
 
 static bool end_table(curve_table *t) {
     if (t->rows == 0) return wcut_curves_refuse(t->r, "found no row of numbers, expected points x, y, z");
+
+    /* all coordinates in mm */
     if (t->unit > 0)
         for (int k = 0; k < t->points.count; k++) {
             wcut_vec3 *p = &t->points.point[k].at;

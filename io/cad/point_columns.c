@@ -121,6 +121,8 @@ static column_name read_column_name(const wcut_point_cell *cell) {
     size_t n;
     int at = 0, words = 0;
     bool odd = false, is_id = false, counts = false, is_point = false;
+
+    /* each word by the lists; what an axis means depends on the words before it */
     while (next_word(cell->at, cell->length, &at, &word, &n)) {
         words++;
         const double unit = wcut_unit_find(word, n);

@@ -117,6 +117,8 @@ bool wcut_points_end(wcut_curve_reader *r, const wcut_points *p, int curves, con
                      const char *place) {
     if (curves > r->options->max_curves)
         return wcut_curves_refuse(r, "found more than %d curves, expected at most that", r->options->max_curves);
+
+    /* counting sort by curve, stable, so that the points keep their order */
     int *from = wcut_alloc((size_t)curves + 2, sizeof *from), *order = wcut_alloc((size_t)p->count, sizeof *order);
     wcut_vec3 *point = wcut_alloc((size_t)p->count, sizeof *point);
     bool done = from && order && point;

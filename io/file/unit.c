@@ -76,6 +76,8 @@ static bool is_letter(char c) { return isalpha((unsigned char)c) || (unsigned ch
 
 double wcut_unit_stated(const char *text, size_t length) {
     bool asked = false;
+
+    /* letters make words, all else separates them */
     for (size_t k = 0; k < length;) {
         if (!is_letter(text[k])) {
             k++;

@@ -415,6 +415,7 @@ static void put_weighed(wcut_text *text, const wcut_diagnosis *d) {
         put_hypothesis(text, &d->hypothesis[i]);
     }
 
+    /* quantities that the residual depends on, and limits of the diagnosis */
     wcut_text_put_word(text, "],\n  \"dependences\": [");
     for (int i = 0; i < d->dependences; i++) {
         wcut_text_put_word(text, i ? ",\n    " : "\n    ");

@@ -155,6 +155,8 @@ wcut_status wcut_force_law_print(int n, const wcut_test_cut *cut, const wcut_cal
     if ((unsigned)o.loss > WCUT_LOSS_TUKEY || (unsigned)o.noise > WCUT_NOISE_ABSOLUTE) return WCUT_BAD_ARGUMENT;
     static const char *const loss[] = {"square", "huber", "tukey"}, *const noise[] = {"relative", "absolute"};
     wcut_text out;
+
+    /* format, noise and loss of the fit */
     if (!wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
     wcut_text_print(&out, "{\"format\": \"wirecut-force-law/1\", \"noise\": \"%s\", \"loss\": \"%s\"", noise[o.noise],
                     loss[o.loss]);
@@ -169,6 +171,8 @@ wcut_status wcut_force_law_print(int n, const wcut_test_cut *cut, const wcut_cal
     put_reference(&out, c);
     put_force_law_residuals(&out, n, cut, c, point);
     wcut_text_put(&out, "}\n", 3); /* with its zero */
+
+    /* the buffer goes to the caller only if it is whole */
     if (out.failed) {
         wcut_text_destroy(&out);
         return WCUT_NO_MEMORY;

@@ -39,7 +39,7 @@ static wcut_status add_file(const wcut_compare_result *c, wcut_results *results,
     if (status == WCUT_OK) status = wcut_results_add(results, name, error);
     if (status == WCUT_OK) return WCUT_OK;
 
-    // the user knows the folder, not the hidden one in it
+    /* the user knows the folder, not the hidden one in it */
     wcut_results_reword(results, error);
     if (error && error->text[0]) return status;
     return wcut_fail(error, status, "%s: %s", name, wcut_status_text(status));
@@ -48,13 +48,15 @@ static wcut_status add_file(const wcut_compare_result *c, wcut_results *results,
 wcut_status wcut_compare_write(const wcut_compare_result *result, wcut_results *results, char **text,
                                wcut_error *error) {
     const char *name[WCUT_COMPARE_FILES_MAX];
+
+    /* figures exist only of a comparison that streamed its points into these results */
     if (!result || !results)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "a comparison and a set of results are expected");
     if (!result->streamed)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "deviation.ply: expected a comparison that was run with results");
     if (error) *error = (wcut_error){0};
 
-    // deviation.ply is there since the run, the voucher comes last
+    /* deviation.ply is there since the run, the voucher comes last */
     const int files = wcut_compare_files(result, name);
     wcut_status status = WCUT_OK;
     for (int k = 1; k < files - 1 && status == WCUT_OK; k++) status = add_file(result, results, name[k], error);

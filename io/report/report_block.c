@@ -48,14 +48,20 @@ static void draw_section(drawing *g, wcut_vec3 block, int axis, double at, const
 /* crests of a wave, sides of a band; other terms have no place */
 static void draw_term(drawing *g, const wcut_effect *e, wcut_vec3 block) {
     const char *name = wcut_effect_view(e->kind)->choice[e->choice];
+
+    /* the axis is the last letter of the term's name */
     const size_t end = strlen(name);
     const int axis = end > 2 && name[end - 2] == '_' ? name[end - 1] - 'x' : -1;
     if (axis < 0 || axis > 2) return;
     const double size = axis == 0 ? block.x : axis == 1 ? block.y : block.z;
+
+    /* both sides of a band */
     if (strncmp(name, "band", 4) == 0) {
         draw_section(g, block, axis, e->value[WCUT_EMPIRICAL_FORCE_FROM], name);
         draw_section(g, block, axis, e->value[WCUT_EMPIRICAL_FORCE_TO], NULL);
     }
+
+    /* crests: where the argument of the wave is pi / 2, a wavelength apart */
     const double length = e->value[WCUT_EMPIRICAL_FORCE_WAVELENGTH];
     if (strncmp(name, "wave", 4) != 0 || !(length > 0)) return;
     const double turn =

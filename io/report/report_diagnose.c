@@ -276,6 +276,8 @@ static wcut_report_table ranking_table(page *p) {
         "Gain: decrease of the misfit against recalibration alone, in chi-square units. Held out: the same for cuts "
         "predicted from the other cuts. Adequacy: remaining misfit over that of noise alone; 1 is adequate.";
     if (!c) return table;
+
+    /* all columns exist before the first row is filled */
     const char **name = texts(p, &c[0], "explanation", rows);
     double *number[5];
     static const char *const label[5] = {"parameters", "gain", "held-out gain", "adequacy", "probability"};

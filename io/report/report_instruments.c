@@ -41,7 +41,7 @@ static wcut_report_table contradiction_table(wcut_page_memory *memory, const wcu
         "recorded, of the set power, of the true way.";
     if (!c) return table;
 
-    // what is wrong, where, how much, and what was done about it
+    /* what is wrong, where, how much, and what was done about it */
     const char **column = text_column(memory, &c[0], "column", rows), **what = text_column(memory, &c[1], "what", rows),
                **cuts = text_column(memory, &c[2], "cuts", rows), **found = text_column(memory, &c[3], "found", rows),
                **done = text_column(memory, &c[4], "corrected", rows),
@@ -101,7 +101,7 @@ static wcut_report_table scatter_table(wcut_page_memory *memory, const wcut_diag
                **cuts = text_column(memory, &c[4], "cut by cut", rows);
     if (memory->failed) return table;
 
-    // a row without words of its own keeps its name in files
+    /* a row without words of its own keeps its name in files */
     for (int r = 0; r < rows; r++) {
         const wcut_rig_row *x = &d->rig[r];
         double factor = 1;

@@ -50,6 +50,7 @@ typedef struct number {
 } number;
 
 static wcut_status check_numbers(const wcut_compare_options *o, wcut_error *error) {
+    /* each option with its range; the first one outside is named */
     const number all[] = {
         {.name = "unit", "a wcut_length_unit", o->unit, 0, WCUT_LENGTH_UNIT_COUNT - 1},
         {.name = "reference_unit", "a wcut_length_unit", o->reference_unit, 0, WCUT_LENGTH_UNIT_COUNT - 1},
@@ -150,7 +151,7 @@ static void warn_of_unit(const wcut_comparing *c) {
     if (!c->watch.warn || wcut_cloud_unit_eval(c->cloud.low, c->cloud.high, size, &fit) != WCUT_OK || fit.factor == 1)
         return;
 
-    // by how much, and which factor would do
+    /* by how much, and which factor would do */
     char text[2 * WCUT_QUOTE_SIZE], name[WCUT_QUOTE_SIZE];
     wcut_quote(name, scan_name(c), WCUT_LABEL_MAX, 1);
     if (fit.factor > 0)
@@ -190,7 +191,7 @@ static wcut_status look(wcut_comparing *c, int *counted) {
     if (status == WCUT_OK) status = wcut_registration_move(&c->registration, count, point, NULL);
     if (status == WCUT_OK) status = wcut_compare_face_locate(&c->face, count, point, c->options.threads, d, NULL);
 
-    // the sizes of those that count, in order
+    /* the sizes of those that count, in order */
     *counted = 0;
     for (int k = 0; k < count && status == WCUT_OK; k++)
         if (d[k].place <= WCUT_PLACE_BORDER) size[(*counted)++] = fabs(d[k].distance);
@@ -245,7 +246,7 @@ static wcut_status make_map(wcut_comparing *c) {
     }
     if (status != WCUT_OK) return status;
 
-    // a value for each vertex, and what it is made from
+    /* a value for each vertex, and what it is made from */
     const size_t count = (size_t)c->mesh->vertex_count;
     c->value = wcut_alloc(count, sizeof *c->value);
     c->present = wcut_alloc(count, 1);
@@ -256,6 +257,7 @@ static wcut_status make_map(wcut_comparing *c) {
 
 /* the points' normals, where they are wanted: of what is held, as registered, to the side of the removed half */
 static wcut_status find_normals(wcut_comparing *c, wcut_error *error) {
+    /* without held points there is nothing to fit planes to */
     const size_t count = (size_t)c->cloud.count;
     wcut_normals_options options = wcut_normals_options_default();
     options.neighbours = c->options.normals;
@@ -264,7 +266,7 @@ static wcut_status find_normals(wcut_comparing *c, wcut_error *error) {
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "normals: found %d points, expected to hold at least as many",
                          c->cloud.removed[WCUT_REMOVAL_KEPT]);
 
-    // of the points as registered
+    /* of the points as registered */
     c->normal = wcut_alloc(count, sizeof *c->normal);
     wcut_vec3 *moved = wcut_alloc(count, sizeof *moved);
     wcut_status status = c->normal && moved ? WCUT_OK : WCUT_NO_MEMORY;
@@ -294,7 +296,7 @@ static wcut_status prepare_comparison(wcut_comparing *c, wcut_error *error) {
     if (status == WCUT_OK && counted == 0) return wcut_compare_refuse_elsewhere(c, error);
     c->support = c->options.support > 0 ? c->options.support : fmax(1.5, 2.5 * spacing_of(c));
 
-    // what the figures are gathered in
+    /* what the figures are gathered in */
     if (status == WCUT_OK) status = begin_summary(c, WCUT_COMPARE_FOUND);
     if (status == WCUT_BAD_ARGUMENT) return refuse_zones(c, error);
     if (status == WCUT_OK && c->options.method != WCUT_REGISTRATION_METHOD_NONE)
@@ -302,7 +304,7 @@ static wcut_status prepare_comparison(wcut_comparing *c, wcut_error *error) {
     if (status == WCUT_OK) status = make_map(c);
     if (status == WCUT_OK) status = make_rows(c);
 
-    // the file that is written on the way
+    /* the file that is written on the way */
     if (status == WCUT_OK && c->results) {
         const char *path = wcut_results_path(c->results, "deviation.ply");
         status =
@@ -319,6 +321,8 @@ static void fill_compared(wcut_comparing *c, const wcut_deviation_summary_result
     static const char *const distance[] = {"surface", "mesh", "reconstruction"};
     const wcut_compare_options *o = &c->options;
     wcut_compared *to = &c->result.compared;
+
+    /* names, options and figures: pointers into the comparison, which outlives them */
     *to = (wcut_compared){.reference = c->face.name,
                           .distance = distance[c->face.distance],
                           .part = o->part,
@@ -345,9 +349,11 @@ static void fill_compared(wcut_comparing *c, const wcut_deviation_summary_result
                           .within = 1};
     memcpy(to->removed, c->cloud.removed, sizeof to->removed);
 
-    // the gate
+    /* the gate */
     for (int k = 0; k < found->statistics.bands; k++)
         if (found->statistics.band[k] == o->tolerance) to->within = found->statistics.within[k] >= o->share;
+
+    /* the scan as a mesh, where one was made */
     if (!c->reconstruction) return;
     to->reconstruction_method = "field";
     to->reconstruction = c->reconstruction;
@@ -357,6 +363,8 @@ static void fill_compared(wcut_comparing *c, const wcut_deviation_summary_result
 static void fill_page(wcut_comparing *c) {
     static const char *const unit[WCUT_LENGTH_UNIT_COUNT] = {"mm", "cm", "m", "inch", "ft", "dm", "um"};
     const wcut_compare_face *f = &c->face;
+
+    /* the page shows the arrays of the comparison: no copies */
     c->result.page = (wcut_report_compare){.compared = &c->result.compared,
                                            .title = f->job ? f->job->name : NULL,
                                            .reference_sha256 = f->hash[0] ? f->hash : NULL,
@@ -378,6 +386,7 @@ static void fill_page(wcut_comparing *c) {
 
 /* everything that is told, in one place */
 static wcut_status conclude_comparison(wcut_comparing *c, wcut_error *error) {
+    /* way back from face to scan, then the figures of both positions of the scan */
     double unmeasured = 0;
     wcut_status status = wcut_compare_measure_back(c, &unmeasured, error);
     if (status != WCUT_OK) return status;
@@ -391,7 +400,7 @@ static wcut_status conclude_comparison(wcut_comparing *c, wcut_error *error) {
     fill_page(c);
     if (!c->points) return WCUT_OK;
 
-    // deviation.ply is whole
+    /* deviation.ply is whole */
     status = wcut_deviation_stream_commit(c->points, error);
     if (status == WCUT_OK) status = wcut_results_add(c->results, "deviation.ply", error);
     c->result.streamed = status == WCUT_OK;
@@ -405,12 +414,12 @@ static wcut_status run_steps(wcut_comparing *c, const wcut_compare_reference *re
     const wcut_compare_options *o = &c->options;
     const wcut_surface *surface;
 
-    // the face; a mesh that cannot be reconstructed over is refused before the scan is read
+    /* the face; a mesh that cannot be reconstructed over is refused before the scan is read */
     wcut_status status = wcut_compare_face_load(reference, o, &c->watch, &c->face, error);
     if (status == WCUT_OK && o->reconstruct) status = wcut_compare_face_base(&c->face, &surface, error);
     if (status != WCUT_OK) return status;
 
-    // the scan
+    /* the scan */
     c->cloud = (wcut_compare_cloud){.options = o,
                                     .watch = &c->watch,
                                     .parts = scans,
@@ -423,12 +432,12 @@ static wcut_status run_steps(wcut_comparing *c, const wcut_compare_reference *re
     if (status != WCUT_OK) return status;
     warn_of_unit(c);
 
-    // many queries are worth a preparation
+    /* many queries are worth a preparation */
     if (c->face.projection && c->cloud.removed[WCUT_REMOVAL_KEPT] >= MANY)
         status = wcut_projection_prepare_many(c->face.projection);
     if (status != WCUT_OK) return wcut_compare_fail(status, "compare", error);
 
-    // one beside the other
+    /* one beside the other */
     status = wcut_compare_register(c, error);
     if (status == WCUT_OK) status = find_normals(c, error);
     if (status == WCUT_OK) status = prepare_comparison(c, error);

@@ -65,7 +65,7 @@ static wcut_status begin_sample(growth *g) {
     wcut_status status = wcut_thinning_create(c->spacing, &g->thinning);
     if (status != WCUT_OK) return status;
 
-    // what came before is thinned, too
+    /* what came before is thinned, too */
     wcut_vec3 *all = c->point;
     const int count = c->count;
     c->point = NULL, c->count = 0, g->room = 0;
@@ -85,13 +85,15 @@ static wcut_status take_scan(growth *g, const wcut_compare_scan *part, int count
                              wcut_error *error) {
     wcut_compare_cloud *c = g->cloud;
     char name[WCUT_QUOTE_SIZE];
+
+    /* cleaning and thinning need all points in memory */
     const bool whole = c->cleaned || g->thin_all;
     if (whole && count > CLEANED_MAX - c->count)
         return wcut_fail(error, WCUT_BAD_FORMAT,
                          "%s: found more than %d points, expected at most that many to be cleaned",
                          wcut_quote(name, part_name(part), WCUT_LABEL_MAX, 1), CLEANED_MAX);
 
-    // too many to be held: a sample is, and all parts will be read again
+    /* too many to be held: a sample is, and all parts will be read again */
     if (!whole && c->held && count > c->hold - c->count) {
         for (int k = 0; k < c->parts; k++)
             if (!can_be_read_again(&c->part[k]))
@@ -142,14 +144,14 @@ static wcut_status read_file(growth *g, int part, wcut_error *error) {
     wcut_cloud_source *source = NULL;
     wcut_status status = open_part(c, part, &source, error);
 
-    // piece by piece, until the file ends or the user stops
+    /* piece by piece, until the file ends or the user stops */
     for (int count = 1, read = 0; status == WCUT_OK && count > 0; read += count) {
         status = wcut_cloud_source_next(source, WCUT_COMPARE_PIECE, g->piece, NULL, &count, error);
         if (status == WCUT_OK) status = step_reading(c, part, read + count, error);
         if (status == WCUT_OK) status = take_scan(g, p, count, g->piece, error);
     }
 
-    // what the file held, and its hash
+    /* what the file held, and its hash */
     if (status == WCUT_OK) {
         const wcut_cloud_info *info = wcut_cloud_source_info(source);
         if (info->read == 0)
@@ -168,6 +170,8 @@ static wcut_status read_file(growth *g, int part, wcut_error *error) {
 static wcut_status read_points(growth *g, int part, wcut_error *error) {
     wcut_compare_cloud *c = g->cloud;
     const wcut_compare_scan *p = &c->part[part];
+
+    /* bounds of the points */
     wcut_cloud_info info = {.read = p->count, .low = p->point[0], .high = p->point[0]};
     for (int k = 1; k < p->count; k++) {
         const wcut_vec3 *at = &p->point[k];
@@ -177,6 +181,7 @@ static wcut_status read_points(growth *g, int part, wcut_error *error) {
     widen_scan(c, part, &info);
     c->scan[part] = (wcut_compared_scan){.name = part_name(p), .sha256 = "", .read = p->count};
 
+    /* in pieces, as from a file, so that a callback can stop it */
     wcut_status status = WCUT_OK;
     for (int k = 0; k < p->count && status == WCUT_OK; k += WCUT_COMPARE_PIECE) {
         const int left = p->count - k, count = left < WCUT_COMPARE_PIECE ? left : WCUT_COMPARE_PIECE;
@@ -218,7 +223,7 @@ static wcut_status clean_scan(wcut_compare_cloud *c, wcut_error *error) {
 static wcut_status read_parts(growth *g, wcut_error *error) {
     wcut_compare_cloud *c = g->cloud;
 
-    // room for a piece; where points are only thinned, they are thinned as they come
+    /* room for a piece; where points are only thinned, they are thinned as they come */
     g->piece = wcut_alloc(WCUT_COMPARE_PIECE, sizeof *g->piece);
     g->keep = wcut_alloc(WCUT_COMPARE_PIECE, 1);
     wcut_status status = g->piece && g->keep ? WCUT_OK : WCUT_NO_MEMORY;
@@ -226,12 +231,12 @@ static wcut_status read_parts(growth *g, wcut_error *error) {
     if (status == WCUT_OK && g->thin_all) status = wcut_thinning_create(c->options->clean.voxel, &g->thinning);
     if (status != WCUT_OK) return fail_part(status, c->part, error);
 
-    // all parts, which together are one scan
+    /* all parts, which together are one scan */
     for (int k = 0; k < c->parts && status == WCUT_OK; k++)
         status = c->part[k].path ? read_file(g, k, error) : read_points(g, k, error);
     if (status != WCUT_OK) return status;
 
-    // how many points are compared
+    /* how many points are compared */
     double read = 0;
     for (int k = 0; k < c->parts; k++) read += c->scan[k].read;
     if (read > 2147483647.0)
@@ -282,7 +287,7 @@ static wcut_status pass_file(const wcut_compare_cloud *c, int part, wcut_vec3 *p
     wcut_status status = open_part(c, part, &source, error);
     int read = 0;
 
-    // the same pieces as at the first reading
+    /* the same pieces as at the first reading */
     for (int count = 1; status == WCUT_OK && count > 0; *first += count, read += count) {
         status = wcut_cloud_source_next(source, WCUT_COMPARE_PIECE, piece, NULL, &count, error);
         if (status == WCUT_OK) status = visit(context, *first, count, piece, error);

@@ -46,7 +46,7 @@ static wcut_status read_job(wcut_compare_face *f, const wcut_compare_reference *
         status = place_failure(wcut_job_read_force_law(f->owned_job, r->force_law, error), r->force_law, error);
     if (status != WCUT_OK || !r->edges) return status;
 
-    // only a design has edges
+    /* only a design has edges */
     if (f->owned_job->mode != WCUT_MODE_DESIGN)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s: edges: expected a design, found a path",
                          wcut_quote(name, r->path, WCUT_LABEL_MAX, 1));
@@ -59,13 +59,13 @@ static wcut_status simulate_job(wcut_compare_face *f, const wcut_compare_referen
     wcut_status status = read_job(f, r, error);
     if (status != WCUT_OK) return status;
 
-    // half a face would be compared with a whole scan: what ends early is a failure
+    /* half a face would be compared with a whole scan: what ends early is a failure */
     status = wcut_setup_create(f->owned_job, NULL, &f->owned_setup, error);
     if (status == WCUT_OK) status = wcut_setup_run(f->owned_setup, pass_station, &s, &f->owned_history, error);
     f->job = f->owned_job, f->setup = f->owned_setup, f->history = f->owned_history;
     if (status == WCUT_OK || !error) return status;
 
-    // the solver's text names a station, not the file
+    /* the solver's text names a station, not the file */
     char name[WCUT_QUOTE_SIZE];
     const wcut_error told = *error;
     return wcut_fail(error, status, "%s: %s", wcut_quote(name, r->path, WCUT_LABEL_MAX, 1),
@@ -93,7 +93,7 @@ static wcut_status load_job(wcut_compare_face *f, const wcut_compare_options *o,
     }
     if (status != WCUT_OK) return place_failure(status, f->name, error);
 
-    // the window is the block
+    /* the window is the block */
     f->surface = f->face->surface;
     f->low = f->face->low, f->high = f->face->high;
     f->options.low = f->low, f->options.high = f->high;
@@ -183,7 +183,7 @@ static bool is_job(const char *path) {
     if (has_ending(path, job_ending)) return true;
     if (has_ending(path, mesh_ending)) return false;
 
-    // the first byte behind blanks and the mark of UTF-8
+    /* the first byte behind blanks and the mark of UTF-8 */
     struct stat about;
     FILE *file = stat(path, &about) == 0 && S_ISREG(about.st_mode) ? fopen(path, "rb") : NULL;
     if (!file) return true;
@@ -205,11 +205,15 @@ static wcut_status load_file(wcut_compare_face *f, const wcut_compare_reference 
                              const wcut_compare_watch *watch, wcut_error *error) {
     static const char *const cad_ending[] = {".step", ".stp", ".iges", ".igs", NULL};
     char name[WCUT_QUOTE_SIZE];
+
+    /* a CAD file is refused with what would be accepted */
     if (has_ending(r->path, cad_ending))
         return wcut_fail(error, WCUT_BAD_FORMAT,
                          "%s: found a CAD file, expected a job, whose surface is exact, or a mesh: .stl .ply .obj .off "
                          ".glb",
                          wcut_quote(name, r->path, WCUT_LABEL_MAX, 1));
+
+    /* a job is simulated; a mesh is read in its unit and has no edges or force law to change */
     wcut_status status;
     if (is_job(r->path)) {
         status = simulate_job(f, r, watch, error);
@@ -229,6 +233,8 @@ wcut_status wcut_compare_face_load(const wcut_compare_reference *reference, cons
                                    const wcut_compare_watch *watch, wcut_compare_face *face, wcut_error *error) {
     const wcut_compare_reference *r = reference;
     wcut_compare_face *f = face;
+
+    /* defaults, and the name that messages use */
     *f = (wcut_compare_face){.name = r->name   ? r->name
                                      : r->path ? r->path
                                                : "reference",
@@ -237,7 +243,7 @@ wcut_status wcut_compare_face_load(const wcut_compare_reference *reference, cons
     f->options.flip = options->flip;
     if (!r->path && (r->edges || r->force_law)) return refuse_change(f, r->edges ? "edges" : "force law", error);
 
-    // one of the four
+    /* one of the four */
     wcut_status status;
     if (r->path) {
         status = load_file(f, r, options, watch, error);
@@ -253,6 +259,7 @@ wcut_status wcut_compare_face_load(const wcut_compare_reference *reference, cons
     }
     if (status != WCUT_OK) return status;
 
+    /* distances to the surface need one; area of the face seen from above */
     if (!f->surface && f->distance == WCUT_COMPARE_DISTANCE_SURFACE) f->distance = WCUT_COMPARE_DISTANCE_MESH;
     f->plan = (f->high.x - f->low.x) * (f->high.y - f->low.y);
     return WCUT_OK;

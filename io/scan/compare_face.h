@@ -19,7 +19,7 @@ typedef struct wcut_compare_face {
     wcut_vec3 low, high; /* [mm] the block, or the box */
     double plan;         /* [mm^2] of it seen from above */
 
-    // of a job
+    /* of a job */
     const wcut_job *job;
     const wcut_setup *setup;
     const wcut_history *history;
@@ -30,13 +30,13 @@ typedef struct wcut_compare_face {
     wcut_vec3 *mount_a, *mount_b; /* history->stations [mm] */
     double kerf;                  /* [mm] on average in the block */
 
-    // the exact surface, of a job's face or as given; NULL where the reference is a mesh
+    /* the exact surface, of a job's face or as given; NULL where the reference is a mesh */
     const wcut_surface *surface;
 
-    // the surface that feet are on: the exact one, or `base`
+    /* the surface that feet are on: the exact one, or `base` */
     wcut_projection *projection;
 
-    // of a mesh, or of a surface whose distances are taken to triangles
+    /* of a mesh, or of a surface whose distances are taken to triangles */
     const wcut_mesh *mesh;
     wcut_mesh *owned_mesh;
     wcut_mesh_tree *tree;

@@ -38,7 +38,7 @@ static wcut_status spread_deviation(const pass *p, int count) {
     }
     if (!p->flat) return wcut_mesh_spread(c->mesh, count, p->found, c->sum, c->weight);
 
-    // where on the triangles, and how far from the surface
+    /* where on the triangles, and how far from the surface */
     const wcut_status status =
         wcut_deviation_from_mesh(c->face.tree, count, p->moved, &c->face.options, c->options.threads, p->flat);
     if (status != WCUT_OK) return status;
@@ -50,19 +50,19 @@ static wcut_status measure_piece(const pass *p, int first, int count, const wcut
     wcut_comparing *c = p->c;
     wcut_status status = WCUT_OK;
 
-    // as scanned
+    /* as scanned */
     if (c->summary[WCUT_COMPARE_UNMOVED]) {
         status = locate_points(c, count, point, p->found, NULL);
         if (status == WCUT_OK) status = wcut_deviation_summary_add(c->summary[WCUT_COMPARE_UNMOVED], count, p->found);
     }
 
-    // as registered
+    /* as registered */
     memcpy(p->moved, point, (size_t)count * sizeof *point);
     if (status == WCUT_OK) status = wcut_registration_move(&c->registration, count, p->moved, NULL);
     const bool keeps_feet = c->foot && c->cloud.held && !wcut_compare_face_by_triangles(&c->face);
     if (status == WCUT_OK) status = locate_points(c, count, p->moved, p->found, keeps_feet ? c->foot + first : NULL);
 
-    // to where it is summed up and written
+    /* to where it is summed up and written */
     if (status == WCUT_OK && c->options.distance != WCUT_COMPARE_DISTANCE_RECONSTRUCTION)
         status = wcut_deviation_summary_add(c->summary[WCUT_COMPARE_FOUND], count, p->found);
     if (status == WCUT_OK) status = spread_deviation(p, count);
@@ -79,7 +79,7 @@ static wcut_status take_piece(void *context, int first, int count, const wcut_ve
     if (status != WCUT_OK) return wcut_compare_fail(status, "measuring deviations", error);
     if (c->cloud.held) keep_piece(c, first, count, p->moved, p->found);
 
-    // whoever watches may stop it
+    /* whoever watches may stop it */
     const wcut_compare_watch *w = &c->watch;
     if (!w->progress || !w->progress(WCUT_COMPARE_STAGE_MEASURE, first + count - 1, p->total, w->context))
         return WCUT_OK;
@@ -111,6 +111,8 @@ static wcut_status measure_sample(const pass *p) {
 
 wcut_status wcut_compare_measure(wcut_comparing *comparing, wcut_error *error) {
     wcut_comparing *c = comparing;
+
+    /* buffers of one piece; chords are located too where the surface is exact and the map needs triangles */
     const bool exact = c->face.surface && !c->face.face && !wcut_compare_face_by_triangles(&c->face);
     pass p = {.c = c, .total = c->cloud.held ? c->cloud.count : c->cloud.removed[WCUT_REMOVAL_KEPT]};
     p.moved = wcut_alloc(WCUT_COMPARE_PIECE, sizeof *p.moved);
@@ -119,7 +121,7 @@ wcut_status wcut_compare_measure(wcut_comparing *comparing, wcut_error *error) {
     wcut_status status =
         p.moved && p.found && (!exact || p.flat) ? WCUT_OK : wcut_compare_fail(WCUT_NO_MEMORY, "compare", error);
 
-    // all points, then the sample that stands for them in the view
+    /* all points, then the sample that stands for them in the view */
     if (status == WCUT_OK) status = wcut_compare_cloud_pass(&c->cloud, take_piece, &p, error);
     if (status == WCUT_OK) {
         status = measure_sample(&p);
@@ -180,7 +182,7 @@ wcut_status wcut_compare_reconstruct(wcut_comparing *comparing, wcut_error *erro
     wcut_comparing *c = comparing;
     if (!c->options.reconstruct) return WCUT_OK;
 
-    // of a scan that was streamed there is a sample only, whose points are that far apart
+    /* of a scan that was streamed there is a sample only, whose points are that far apart */
     wcut_reconstruction_options options = wcut_reconstruction_options_default();
     options.support = fmax(c->support, 2.5 * c->cloud.spacing);
     if (c->face.face)
@@ -195,7 +197,7 @@ wcut_status wcut_compare_reconstruct(wcut_comparing *comparing, wcut_error *erro
                                         &c->reconstruction, error);
     if (status != WCUT_OK) return wcut_compare_fail(status, "reconstructing the scan", error);
 
-    // its figures, both ways
+    /* its figures, both ways */
     const int vertices = c->reconstruction->mesh->vertex_count, grid = c->mesh->vertex_count;
     wcut_deviation *d = wcut_alloc((size_t)(vertices > grid ? vertices : grid), sizeof *d);
     status = d ? measure_to_face(c, d) : WCUT_NO_MEMORY;

@@ -9,7 +9,7 @@ static wcut_status register_datum(wcut_comparing *c, wcut_error *error) {
     wcut_status status = wcut_datums_read(c->options.datums, &datums, error);
     if (status != WCUT_OK) return wcut_compare_fail(status, c->options.datums, error);
 
-    // one that did not converge is told at the end
+    /* one that did not converge is told at the end */
     wcut_error told = {0};
     status = wcut_registration_solve_datum(datums->pairs, datums->pair, datums->faces, datums->face,
                                            &c->options.registration, &c->registration, &told);
@@ -18,7 +18,7 @@ static wcut_status register_datum(wcut_comparing *c, wcut_error *error) {
         wcut_fail(error, status, "%s: %s", wcut_quote(name, c->options.datums, WCUT_LABEL_MAX, 1),
                   told.text[0] ? told.text : wcut_status_text(status));
 
-    // what is left of each, a point of a face each
+    /* what is left of each, a point of a face each */
     if (status == WCUT_OK) {
         c->datums = datums->pairs + datums->faces;
         c->datum = wcut_alloc((size_t)c->datums, sizeof *c->datum);
@@ -40,7 +40,7 @@ static wcut_status register_fit(wcut_comparing *c, wcut_error *error) {
                                    : wcut_registration_fit_mesh(f->mesh, f->tree, c->cloud.count, c->cloud.point,
                                                                 &o->registration, o->threads, &c->registration, error);
 
-    // the best pose is given, and that it is in doubt
+    /* the best pose is given, and that it is in doubt */
     if (status == WCUT_OK || status == WCUT_NOT_CONVERGED) return WCUT_OK;
     return wcut_compare_fail(status, "registering the scan", error);
 }

@@ -23,7 +23,7 @@ typedef struct wcut_comparing {
     double support;                     /* [mm] in use */
     double limit;                       /* [mm] value of the strongest colour */
 
-    // what is coloured: the grid of a job's face, the vertices of a mesh
+    /* what is coloured: the grid of a job's face, the vertices of a mesh */
     const wcut_mesh *mesh;
     wcut_mesh *grid; /* of a job: the mesh above */
     double *value;
@@ -31,7 +31,7 @@ typedef struct wcut_comparing {
     wcut_face_map *map;   /* of a job */
     double *sum, *weight; /* of a mesh */
 
-    // the points of cloud.point, moved as registered
+    /* the points of cloud.point, moved as registered */
     double *deviation;   /* cloud.count [mm]; nan where a point does not count */
     wcut_deviation *row; /* cloud.count; NULL unless wanted */
     wcut_vec3 *normal;   /* cloud.count; NULL unless wanted */

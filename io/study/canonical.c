@@ -9,6 +9,8 @@ static int by_key(const void *a, const void *b) { return strcmp(*(const char *co
 
 static void print_object(wcut_text *text, const json_t *value, wcut_hole *hole, void *context) {
     const size_t n = json_object_size(value);
+
+    /* members in the order of their keys */
     const char **key = wcut_alloc(n, sizeof *key);
     if (!key) {
         text->failed = true;
@@ -19,6 +21,7 @@ static void print_object(wcut_text *text, const json_t *value, wcut_hole *hole, 
         key[count++] = json_object_iter_key(at);
     qsort(key, count, sizeof *key, by_key);
 
+    /* {"key":value,...}, values by recursion */
     wcut_text_put(text, "{", 1);
     for (size_t i = 0; i < count; i++) {
         if (i) wcut_text_put(text, ",", 1);
@@ -31,6 +34,7 @@ static void print_object(wcut_text *text, const json_t *value, wcut_hole *hole, 
 }
 
 void wcut_canonical_print(wcut_text *text, const json_t *value, wcut_hole *hole, void *context) {
+    /* a hole prints a parameter's value in place of the input's */
     if (hole && hole(context, value, text)) return;
     switch (json_typeof(value)) {
         case JSON_OBJECT:

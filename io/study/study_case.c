@@ -184,6 +184,8 @@ wcut_status wcut_study_hash_eval(const wcut_study *study, int k, char *hash) {
     wcut_text out;
     char *text = NULL;
     size_t length = 0;
+
+    /* the canonical text of everything that determines the result */
     if (!is_case(study, k) || !hash) return WCUT_BAD_ARGUMENT;
     if (!wcut_text_create(&out, NULL)) return WCUT_NO_MEMORY;
     if (!put_content(&out, study, k)) {
@@ -192,6 +194,7 @@ wcut_status wcut_study_hash_eval(const wcut_study *study, int k, char *hash) {
     }
     if (wcut_text_finish(&out, &text, &length) != WCUT_OK) return WCUT_NO_MEMORY;
 
+    /* its SHA-256 in hexadecimal digits */
     wcut_sha256 sum;
     uint8_t digest[WCUT_SHA256_SIZE];
     wcut_sha256_begin(&sum);
@@ -224,6 +227,8 @@ wcut_status wcut_study_call_print(const wcut_study *study, int k, const char *fo
         wcut_text_put_word(&out, study->input[i]);
         wcut_text_put(&out, "\n", 1);
     }
+
+    /* output folder and options; --quiet keeps the last words of a case to its errors */
     wcut_text_put_word(&out, "-o\n");
     wcut_text_put_word(&out, folder);
     wcut_text_put(&out, "\n", 1);

@@ -100,6 +100,8 @@ static bool read_parameters(wcut_reader *reader, const wcut_place *at, void *int
 
 static bool read_figures(wcut_reader *reader, const wcut_place *at, void *into) {
     wcut_study *study = into;
+
+    /* limits before memory */
     const size_t n = json_object_size(at->value);
     if (!json_is_object(at->value)) return wcut_refuse(reader, at, WCUT_BAD_FORMAT, "an object");
     if (n < 1 || n > WCUT_STUDY_FIGURES_MAX)
@@ -107,6 +109,8 @@ static bool read_figures(wcut_reader *reader, const wcut_place *at, void *into) 
     study->figure = wcut_alloc(n, sizeof *study->figure);
     study->pointer = wcut_alloc(n, sizeof *study->pointer);
     if (!study->figure || !study->pointer) return wcut_refuse_memory(reader);
+
+    /* a name and a JSON pointer into the result, each checked when the study is read */
     for (void *i = json_object_iter((json_t *)at->value); i; i = json_object_iter_next((json_t *)at->value, i)) {
         const wcut_place member = {at, json_object_iter_key(i), 0, json_object_iter_value(i)};
         const int f = study->figures++;
@@ -296,6 +300,8 @@ wcut_status wcut_study_parse(const char *text, size_t length, const char *label,
 
 wcut_status wcut_study_read(const char *path, wcut_study **study, wcut_error *error) {
     if (!path || !study) return wcut_fail(error, WCUT_BAD_ARGUMENT, "wcut_study_read: path or study is NULL");
+
+    /* the text, at most WCUT_STUDY_BYTES_MAX bytes */
     char *text = NULL;
     size_t length = 0;
     wcut_status status = wcut_file_read(path, WCUT_STUDY_BYTES_MAX, &text, &length, error);
@@ -322,11 +328,15 @@ static void free_texts(int count, char **text) {
 
 void wcut_study_destroy(wcut_study *study) {
     if (!study) return;
+
+    /* parameters own their lists */
     for (int p = 0; p < study->parameters && study->parameter; p++) {
         json_decref(study->parameter[p].list);
         wcut_free(study->parameter[p].name);
         wcut_free(study->parameter[p].interval);
     }
+
+    /* lists of texts, then single allocations; JSON by its reference count */
     free_texts(study->inputs, study->input);
     free_texts(study->figures, study->figure);
     free_texts(study->figures, study->pointer);

@@ -138,6 +138,7 @@ static bool put_record(wcut_text *text, const void *context) {
 }
 
 wcut_status wcut_sweep_record_write(const char *folder, wcut_sweep_record *record, wcut_error *error) {
+    /* the voucher of the results, and its hash */
     if (has_result(record->state)) {
         find_result(folder, record);
         char *path = wcut_results_join(folder, record->result);
@@ -151,6 +152,8 @@ wcut_status wcut_sweep_record_write(const char *folder, wcut_sweep_record *recor
             record->result[0] = '\0';
         }
     }
+
+    /* case.json appears whole or not at all */
     char *path = wcut_results_join(folder, "case.json");
     if (!path) return wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
     const wcut_status status = wcut_text_write_file(path, put_record, record, error);

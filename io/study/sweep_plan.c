@@ -45,6 +45,8 @@ static void write_holder(int fd) {
 wcut_status wcut_sweep_lock(wcut_sweep *sweep, bool alone, wcut_error *error) {
     char holder[WCUT_QUOTE_SIZE] = "", shown[WCUT_QUOTE_SIZE], quoted[WCUT_QUOTE_SIZE];
     if (sweep->lock >= 0) return WCUT_OK;
+
+    /* the lock file is never followed as a link */
     char *path = wcut_results_join(sweep->folder, ".sweep-lock");
     if (!path) return fail_plan_memory(error);
     const int fd = open(path, O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
@@ -98,12 +100,16 @@ void wcut_sweep_put_value(wcut_text *text, const wcut_study *study, int k, int p
 static bool put_manifest(wcut_text *text, const void *context) {
     const wcut_study *study = context;
     char hash[WCUT_STUDY_HASH_SIZE];
+
+    /* header: number, hash, parameters */
     wcut_text_put_word(text, "case,hash");
     for (int p = 0; p < study->parameters; p++) {
         wcut_text_put(text, ",", 1);
         wcut_sweep_put_field(text, study->parameter[p].name);
     }
     wcut_text_put(text, "\n", 1);
+
+    /* one row per case */
     for (int k = 0; k < study->info.cases && !text->failed; k++) {
         if (wcut_study_hash_eval(study, k, hash) != WCUT_OK) return false;
         wcut_text_print(text, "%d,%s", k, hash);
@@ -229,6 +235,8 @@ static wcut_status read_part(const char *folder, const char *name, char **text, 
 /* what the plan says beside the study, for free(); it is of this version */
 static wcut_status read_plan(const char *folder, char **study_folder, wcut_error *error) {
     char *text = NULL, label[WCUT_QUOTE_SIZE];
+
+    /* the text of the plan, as JSON */
     size_t length = 0;
     wcut_status status = read_part(folder, "plan.json", &text, &length, error);
     if (status != WCUT_OK) return status;
@@ -237,6 +245,8 @@ static wcut_status read_plan(const char *folder, char **study_folder, wcut_error
     json_t *root = wcut_json_load(&reader, text, length);
     free(text);
     if (!root) return reader.status;
+
+    /* format and version must be these: a plan is run by the version that made it */
     const char *format = json_string_value(json_object_get(root, "format"));
     const char *version = json_string_value(json_object_get(root, "version"));
     const char *where = json_string_value(json_object_get(root, "study_folder"));
@@ -268,6 +278,8 @@ static wcut_status check_plan(const char *folder, wcut_error *error) {
 wcut_status wcut_sweep_read(const char *folder, wcut_sweep **sweep, wcut_error *error) {
     if (!folder || !sweep || strchr(folder, '\n'))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s", wcut_status_text(WCUT_BAD_ARGUMENT));
+
+    /* plan, manifest and study, in this order: the first failure is reported */
     char *study_folder = NULL, *text = NULL, *base = NULL;
     size_t length = 0, base_length = 0;
     wcut_study *study = NULL;

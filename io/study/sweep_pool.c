@@ -131,6 +131,7 @@ static wcut_status prepare_next(pool *p) {
             continue;
         }
 
+        /* folder, input and call of the case: ready to be started */
         wcut_status status = make_case_folder(p, s.folder);
         if (status == WCUT_OK) status = write_input(p, k, s.folder);
         if (status == WCUT_OK && wcut_study_call_print(study, k, s.folder, &s.call) != WCUT_OK)
@@ -180,12 +181,16 @@ static bool split_call(const pool *p, char *call, char *word[WORDS_MAX]) {
 static wcut_status start(pool *p, slot *s) {
     char *word[WORDS_MAX];
     int ends[2];
+
+    /* a pipe takes the last words of the case; no other child inherits its ends */
     if (!split_call(p, s->call, word))
         return wcut_fail(p->error, WCUT_BAD_ARGUMENT, "found a call of more than %d words", WORDS_MAX);
     if (pipe(ends) != 0)
         return wcut_fail_errno(p->error, WCUT_NO_MEMORY, errno, p->options->program, "cannot be started");
     fcntl(ends[0], F_SETFD, FD_CLOEXEC);
     fcntl(ends[1], F_SETFD, FD_CLOEXEC);
+
+    /* start the case; the child does not return from become */
     const pid_t parent = getpid();
     clock_gettime(CLOCK_MONOTONIC, &s->begun);
     s->child = fork();
@@ -196,6 +201,8 @@ static wcut_status start(pool *p, slot *s) {
         close(ends[0]);
         return wcut_fail_errno(p->error, WCUT_NO_MEMORY, code, p->options->program, "cannot be started");
     }
+
+    /* the parent never waits for words */
     fcntl(ends[0], F_SETFL, O_NONBLOCK);
     s->words_fd = ends[0];
     return WCUT_OK;
@@ -363,8 +370,12 @@ wcut_status wcut_sweep_run(wcut_sweep *sweep, const wcut_sweep_options *options,
     if (!sweep || !options || !options->program || options->jobs < 1 || options->jobs > WCUT_SWEEP_JOBS_MAX ||
         options->shares < 1 || options->share < 0 || options->share >= options->shares || options->limit < 0)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s", wcut_status_text(WCUT_BAD_ARGUMENT));
+
+    /* a shared lock: several pools may run parts of one sweep */
     wcut_status status = wcut_sweep_lock(sweep, false, error);
     if (status != WCUT_OK) return status;
+
+    /* room for the running cases and for those that ended and are not recorded yet */
     const int cases = sweep->study->info.cases;
     pool p = {.sweep = sweep,
               .options = options,
@@ -374,6 +385,8 @@ wcut_status wcut_sweep_run(wcut_sweep *sweep, const wcut_sweep_options *options,
               .running = wcut_alloc((size_t)options->jobs, sizeof(slot)),
               .ended = wcut_alloc(2 * (size_t)options->jobs, sizeof(slot))};
     p.counts.cases = options->share < cases ? (cases - options->share - 1) / options->shares + 1 : 0;
+
+    /* run, free, and report counts also after an interrupt */
     status = p.running && p.ended ? run_pool(&p) : fail_pool_memory(error);
     clear_slot(&p.ready);
     wcut_free(p.running);

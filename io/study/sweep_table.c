@@ -253,6 +253,8 @@ static bool put_range(wcut_text *text, const double *value, int cases) {
     int n = 0;
     double *sorted = wcut_alloc((size_t)cases, sizeof *sorted);
     if (!sorted) return false;
+
+    /* values without NaN, sorted */
     for (int k = 0; k < cases; k++)
         if (!isnan(value[k])) sorted[n++] = value[k];
     qsort(sorted, (size_t)n, sizeof *sorted, by_number);
@@ -266,12 +268,16 @@ static bool put_range(wcut_text *text, const double *value, int cases) {
 
 static bool put_columns(wcut_text *text, const wcut_study *study, const wcut_sweep_table *table) {
     bool whole = true;
+
+    /* a range for each parameter */
     wcut_text_put_word(text, ",\n  \"parameters\": [");
     for (int p = 0; p < study->parameters && whole; p++) {
         wcut_text_put_string(text, p ? ",\n    {\"name\": " : "\n    {\"name\": ", study->parameter[p].name);
         whole = put_range(text, table->number + (size_t)p * (size_t)table->cases, table->cases);
         wcut_text_put(text, "}", 1);
     }
+
+    /* a range for each figure, and where it is found in the result */
     wcut_text_put_word(text, "\n  ],\n  \"figures\": [");
     for (int f = 0; f < study->figures && whole; f++) {
         wcut_text_put_string(text, f ? ",\n    {\"name\": " : "\n    {\"name\": ", study->figure[f]);
@@ -302,6 +308,8 @@ static void put_best(wcut_text *text, const wcut_study *study, const wcut_sweep_
 wcut_status wcut_sweep_print(const wcut_sweep *sweep, char **text, wcut_error *error) {
     if (!sweep || !text) return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s", wcut_status_text(WCUT_BAD_ARGUMENT));
     wcut_sweep_table table;
+
+    /* all values of all cases */
     wcut_text out = {0};
     int count[WCUT_SWEEP_STATE_COUNT] = {0};
     wcut_status status = wcut_sweep_table_load(sweep, &table, error);
@@ -319,6 +327,7 @@ wcut_status wcut_sweep_print(const wcut_sweep *sweep, char **text, wcut_error *e
             wcut_text_print(&out, "%s\"%s\": %d", s ? ", " : "", wcut_sweep_state_name((wcut_sweep_state)s), count[s]);
         wcut_text_put_word(&out, "}");
 
+        /* ranges of parameters and figures, and the best cases */
         whole = put_columns(&out, sweep->study, &table);
         put_best(&out, sweep->study, &table);
         wcut_text_put_word(&out, "\n}\n");

@@ -28,7 +28,7 @@ wcut_status wcut_adequacy_p_value(const wcut_evidence *e, double slow, int draws
     double *noise = wcut_alloc((size_t)e->rows, sizeof *noise);
     const bool whole = measured && noise;
     if (whole) {
-        // sensors as the whitening of a good rig takes them, whatever slow noise this case was found to have
+        /* sensors as the whitening of a good rig takes them, whatever slow noise this case was found to have */
         wcut_evidence usual = *e;
         for (int g = 0; g < WCUT_NOISE_GROUPS; g++) usual.noise.slow[g] = WCUT_SLOW_NOISE;
         wcut_random random = wcut_random_seed(seed);

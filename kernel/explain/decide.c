@@ -301,7 +301,7 @@ static wcut_decision decide_effects(const wcut_search *s) {
         return d;
     }
 
-    // what is named must leave noise, or be the right family in another form
+    /* what is named must leave noise, or be the right family in another form */
     const wcut_candidate *best = &s->candidate[d.chosen];
     d.adequacy = best->left.slow;
     if (!leaves_noise(s, d.chosen) && !is_of_another_form(s, d.chosen)) {
@@ -320,7 +320,7 @@ static wcut_decision decide_effects(const wcut_search *s) {
 wcut_decision wcut_search_decide(const wcut_search *s) {
     wcut_decision d = decide_effects(s);
 
-    // late readings alone; or a verdict that needs no delay any more
+    /* late readings alone; or a verdict that needs no delay any more */
     if (d.chosen < 0 && d.kind == WCUT_VERDICT_NONE && s->delayed >= 0) {
         d.chosen = d.rival[0] = s->delayed, d.rivals = 1;
         d.kind = WCUT_VERDICT_INSTRUMENT;

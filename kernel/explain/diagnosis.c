@@ -130,7 +130,7 @@ static wcut_status prepare_diagnosis(diagnosing *g, wcut_error *error) {
     if (status == WCUT_OK) status = wcut_scatter_create(e, error);
     if (status != WCUT_OK) return status;
 
-    // a little scatter to begin with; what there is of it is found by the search
+    /* a little scatter to begin with; what there is of it is found by the search */
     double *missing = wcut_alloc((size_t)e->rows, sizeof *missing);
     if (!missing) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d rows", e->rows);
     wcut_evidence_residual(e, missing);
@@ -380,6 +380,8 @@ static wcut_status correct(diagnosing *g) {
             "found");
         return WCUT_OK;
     }
+
+    /* the corrected job is kept only if the whole correction was applied */
     wcut_job *job = wcut_job_copy(first_job(g));
     if (!job) return WCUT_NO_MEMORY;
     const wcut_status status = wcut_correction_apply(&d->correction, job, NULL);

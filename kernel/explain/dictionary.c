@@ -25,12 +25,16 @@ int wcut_term_coordinates(const wcut_effect *effect) {
         case WCUT_TERM_BAND_Z:
         case WCUT_TERM_WINDOW:
             return 3;
+
+        /* a step, a hinge, a relaxation or a memory: a coefficient and its one scale */
         case WCUT_TERM_HEAT_STEP:
         case WCUT_TERM_HEAT_HINGE:
         case WCUT_TERM_ENTRY:
         case WCUT_TERM_SPEED_MEMORY:
         case WCUT_TERM_HEAT_MEMORY:
             return 2;
+
+        /* all others are linear in their coefficient */
         default:
             return 1;
     }
@@ -50,6 +54,8 @@ wcut_coordinate wcut_term_coordinate(const wcut_effect *effect, int k) {
                     WCUT_EMPIRICAL_FORCE_COSINE, WCUT_COORDINATE_SCALE_LINEAR, 0, 0.5, 0.03, -3, 3};
             return (wcut_coordinate){
                 WCUT_EMPIRICAL_FORCE_SHAPE, WCUT_COORDINATE_SCALE_LOG, 4.5 /* ln 90 mm */, 1.5, 0.004, 2.7, 7.6};
+
+        /* bands and windows: both ends, in mm or s, bounded by the data alone */
         case WCUT_TERM_BAND_X:
         case WCUT_TERM_BAND_Y:
         case WCUT_TERM_BAND_Z:
@@ -62,6 +68,8 @@ wcut_coordinate wcut_term_coordinate(const wcut_effect *effect, int k) {
         case WCUT_TERM_HEAT_HINGE:
             return (wcut_coordinate){
                 WCUT_EMPIRICAL_FORCE_SHAPE, WCUT_COORDINATE_SCALE_LOG, 8.5 /* ln 5000 J/m^2 */, 1.5, 0.02, 5, 14};
+
+        /* time constants, around e^0.5 = 1.6 s */
         default:
             return (wcut_coordinate){WCUT_EMPIRICAL_FORCE_SHAPE, WCUT_COORDINATE_SCALE_LOG, 0.5, 1.5, 0.1, -2.3, 5};
     }

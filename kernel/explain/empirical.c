@@ -345,7 +345,7 @@ static wcut_status confirm_term(searching *g, const wcut_fitted *from, const wcu
     pick best[TRIED] = {{0}};
     trial t[TRIED];
     memset(t, 0, sizeof t);
-    // what the fit leaves with its nuisances in, whitened as the columns are
+    /* what the fit leaves with its nuisances in, whitened as the columns are */
     double *missing = wcut_alloc((size_t)g->e->rows, sizeof *missing);
     double *open = wcut_alloc((size_t)g->e->rows, sizeof *open);
     wcut_status status = missing && open ? WCUT_OK : wcut_fail(error, WCUT_NO_MEMORY, "no memory for a step");

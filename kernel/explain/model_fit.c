@@ -370,7 +370,7 @@ static void keep_residuals(fitting *g, const wcut_evidence *own, const double *t
     wcut_evidence_whiten(own, g->measured, left, f->standard);
     wcut_scatter_standardise(own, &g->normal, f->standard);
 
-    // the scatter of each cut at its likeliest
+    /* the scatter of each cut at its likeliest */
     for (int cut = 0; cut < own->cuts && g->normal.m > 0; cut++) {
         const wcut_evidence_cut *c = &own->cut[cut];
         double *value = f->scatter + (ptrdiff_t)cut * g->normal.m,
@@ -554,7 +554,7 @@ wcut_status wcut_fitted_profile(const wcut_evidence *e, wcut_fitted *fitted, wcu
     double *covariance = wcut_alloc((size_t)WCUT_FITTED_MAX * WCUT_FITTED_MAX, sizeof *covariance);
     double *missing = wcut_alloc((size_t)e->rows, sizeof *missing);
 
-    // under the noise and the scatter of this hypothesis
+    /* under the noise and the scatter of this hypothesis */
     wcut_evidence own = *e;
     own.noise = fitted->noise;
     own.scatter.white = wcut_alloc((size_t)own.scatter.count * (size_t)own.rows, sizeof(double));
@@ -567,7 +567,7 @@ wcut_status wcut_fitted_profile(const wcut_evidence *e, wcut_fitted *fitted, wcu
         status = climb_again(&own, &fitted->model, &f, &g, covariance, &s, error);
     }
 
-    // both ends of every coordinate
+    /* both ends of every coordinate */
     for (int k = WCUT_BASE; status == WCUT_OK && k < g.shared; k++)
         for (int side = 0; status == WCUT_OK && side < 2; side++)
             status = find_end(&g, &s, k, side ? 1 : -1, &half[k][side], error);

@@ -30,7 +30,7 @@ typedef struct wcut_normal_equations {
     double *cut_total;   /* cuts */
     double *cut_log_det; /* cuts: what the scatter adds to the covariance, ln det (I + J S J') */
 
-    // before the scatter: products of the columns, of the scatter's columns J with them, and of J with itself
+    /* before the scatter: products of the columns, of the scatter's columns J with them, and of J with itself */
     int m;
     double *plain_gram;   /* cuts x n x n */
     double *plain_moment; /* cuts x n */

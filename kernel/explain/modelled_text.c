@@ -57,6 +57,8 @@ void wcut_term_formula(const wcut_effect *e, char *to, int size) {
             snprintf(to, (size_t)size, "cos(%sangle of motion to %c)", v[WCUT_EMPIRICAL_FORCE_ORDER] > 1.5 ? "2 " : "",
                      axis);
             return;
+
+        /* terms of the heat input and of the speed */
         case WCUT_TERM_HEAT_STEP:
             snprintf(to, (size_t)size, "[Q_eff > %.0f J/m2]", v[WCUT_EMPIRICAL_FORCE_AT]);
             return;
@@ -69,6 +71,8 @@ void wcut_term_formula(const wcut_effect *e, char *to, int size) {
         case WCUT_TERM_LOG_SPEED:
             snprintf(to, (size_t)size, "ln(v / %.0f mm/s)", v[WCUT_EMPIRICAL_FORCE_SPEED_REF]);
             return;
+
+        /* terms of the wire's shape, of the way and of the time */
         case WCUT_TERM_CURVATURE:
             snprintf(to, (size_t)size, "(curvature x %.0f mm)", v[WCUT_EMPIRICAL_FORCE_RADIUS]);
             return;
@@ -104,6 +108,8 @@ static void tell_place(writer *w, const wcut_effect *e) {
     else if (e->choice <= WCUT_TERM_POSITION_Z)
         put_words(w, "the force varies by %+.0f %% %s, as a polynomial of degree %.0f", c, axis,
                   v[WCUT_EMPIRICAL_FORCE_DEGREE]);
+
+    /* waves and bands in mm of the block */
     else if (e->choice <= WCUT_TERM_WAVE_Z)
         put_words(w, "the force varies by +-%.0f %% every %.0f mm %s (layers in the block?)",
                   100 * hypot(v[WCUT_EMPIRICAL_FORCE_COEFFICIENT], v[WCUT_EMPIRICAL_FORCE_COSINE]),
@@ -111,6 +117,8 @@ static void tell_place(writer *w, const wcut_effect *e) {
     else if (e->choice <= WCUT_TERM_BAND_Z)
         put_words(w, "the force is %+.0f %% between %.0f and %.0f mm %s", c, v[WCUT_EMPIRICAL_FORCE_FROM],
                   v[WCUT_EMPIRICAL_FORCE_TO], axis);
+
+    /* directions: of order 2 both senses of an axis are alike, of order 1 they are opposite */
     else if (v[WCUT_EMPIRICAL_FORCE_ORDER] > 1.5)
         put_words(
             w,
@@ -151,6 +159,8 @@ void wcut_term_clause(const wcut_effect *e, char *to, int size) {
             put_words(&w, "the force has a part proportional to 1 / Q_eff: %+.0f %% at %.0f J/m2 against %.0f", c,
                       v[WCUT_EMPIRICAL_FORCE_Q_REF] / 2, v[WCUT_EMPIRICAL_FORCE_Q_REF]);
             return;
+
+        /* speed and shape of the wire */
         case WCUT_TERM_LOG_SPEED:
             put_words(&w, "the force follows the speed itself: %+.0f %% for twice the speed", c * log(2));
             return;
@@ -158,6 +168,8 @@ void wcut_term_clause(const wcut_effect *e, char *to, int size) {
             put_words(&w, "the force follows the curvature of the wire: %+.0f %% at a radius of %.0f mm", c,
                       v[WCUT_EMPIRICAL_FORCE_RADIUS]);
             return;
+
+        /* time, way and number of the cut: drifts, whose cause the operator may know */
         case WCUT_TERM_ENTRY:
             put_words(&w, "the force is %+.0f %% at entry and settles within %.1f s", c,
                       v[WCUT_EMPIRICAL_FORCE_TIME_CONSTANT]);

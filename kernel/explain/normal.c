@@ -86,7 +86,7 @@ static void fill_cut_products(const wcut_evidence *e, int cut, const double *col
     }
     out->plain_total[cut] = dot(count, residual + from, residual + from);
 
-    // the scatter's columns
+    /* the scatter's columns */
     double *cross = out->cross + k * deep * wide, *cross_moment = out->cross_moment + k * deep;
     double *own = out->own + k * deep * deep;
     for (int i = 0; i < m; i++) {
@@ -121,7 +121,7 @@ static void weigh_cut(const wcut_evidence *e, int cut, wcut_normal_equations *ou
     out->cut_total[cut] = out->plain_total[cut], out->cut_log_det[cut] = 0;
     if (m == 0) return;
 
-    // factor of what the scatter adds, seen from its own coordinates
+    /* factor of what the scatter adds, seen from its own coordinates */
     const double *own = out->own + k * deep * deep;
     for (int i = 0; i < m; i++) spread[i] = e->noise.scatter[e->scatter.kind[i]];
     for (int i = 0; i < m; i++)
@@ -129,7 +129,7 @@ static void weigh_cut(const wcut_evidence *e, int cut, wcut_normal_equations *ou
     if (!wcut_cholesky_factor(m, factor, PIVOT_MIN)) return; /* never: the identity is in it */
     for (int i = 0; i < m; i++) out->cut_log_det[cut] += 2 * log(factor[i * m + i]);
 
-    // w = L^-1 S^1/2 J' r, and row by row of W = L^-1 S^1/2 J' X
+    /* w = L^-1 S^1/2 J' r, and row by row of W = L^-1 S^1/2 J' X */
     double *cross = out->room + k * deep * wide;
     for (int i = 0; i < m; i++) {
         const double *from = out->cross + (k * deep + (size_t)i) * wide;

@@ -53,13 +53,13 @@ void wcut_cut_list(const wcut_redundancy *r, const wcut_contradiction *c, char t
     int usable = 0;
     for (int k = 0; k < r->cuts; k++) usable += wcut_redundancy_has(r, k);
 
-    // all of several are told in two words
+    /* all of several are told in two words */
     if (c->cuts > 1 && c->cuts == usable) {
         snprintf(text, WCUT_CUT_LIST, "all cuts");
         return;
     }
 
-    // names from 1 on, the last one behind "and"
+    /* names from 1 on, the last one behind "and" */
     int at = snprintf(text, WCUT_CUT_LIST, c->cuts == 1 ? "cut" : "cuts");
     for (int k = 0; k < c->cuts && at < WCUT_CUT_LIST - 12; k++)
         at += snprintf(text + at, (size_t)(WCUT_CUT_LIST - at), "%s %d",
@@ -74,7 +74,7 @@ double *wcut_redundancy_column(wcut_redundancy *r, int cut, wcut_channel channel
     wcut_column *c = &own->channel[channel];
     const size_t n = (size_t)own->samples;
 
-    // what is owned already is written again
+    /* what is owned already is written again */
     for (int k = 0; k < r->columns; k++)
         if (r->column[k] == c->value) return r->column[k];
     double **all = wcut_grow(r->column, (size_t)(r->columns + 1) * sizeof *all);
@@ -84,7 +84,7 @@ double *wcut_redundancy_column(wcut_redundancy *r, int cut, wcut_channel channel
     if (!value) return NULL;
     r->column[r->columns++] = value;
 
-    // a channel that the file has not is there from now on, whole; its name is borrowed and never written
+    /* a channel that the file has not is there from now on, whole; its name is borrowed and never written */
     static char made[] = "heat_W_per_m";
     if (!c->name) c->name = made, c->present = NULL, c->missing = 0;
     c->value = value;
@@ -117,7 +117,7 @@ wcut_status wcut_redundancy_create(int cuts, const wcut_diagnosis_cut *given, wc
         if (given[k].recording) r.recording[k] = *given[k].recording;
     }
 
-    // each check sees what those before it set right
+    /* each check sees what those before it set right */
     if (status == WCUT_OK) status = wcut_excitation_compare(&r);
     if (status == WCUT_OK) status = wcut_heater_compare(&r);
     if (status == WCUT_OK) status = wcut_motion_compare(&r);

@@ -70,6 +70,8 @@ static share regress(const series *s) {
     const int n = s->count;
     int blocks = 0;
     if (n < SAMPLES_MIN) return found;
+
+    /* least squares through the origin; half a window of the running mean is left out at each end */
     const double from = s->time[0] + PASS / 2, to = s->time[n - 1] - PASS / 2;
     for (int i = 0; i < n; i++)
         if (s->time[i] >= from && s->time[i] <= to)
@@ -77,7 +79,7 @@ static share regress(const series *s) {
     if (!(square > 0)) return found;
     found.value = product / square;
 
-    // sums of the residual times the programme, block by block
+    /* sums of the residual times the programme, block by block */
     double sum = 0, block = from;
     for (int i = 0; i < n; i++) {
         if (s->time[i] < from || s->time[i] > to) continue;
@@ -117,6 +119,8 @@ static share share_of_steps(const wcut_job *job, const wcut_recording *r) {
     const bool set = r->channel[WCUT_CHANNEL_HEAT].name != NULL;
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
     if (!set) found.column = "heater_V times heater_A";
+
+    /* sums over the samples that have a time and a power, set or measured */
     for (int i = 0; i < r->samples && job->heat_step_count > 0; i++) {
         double time, heat;
         if (!wcut_sample_at(r, WCUT_CHANNEL_TIME, i, &time)) continue;
@@ -125,7 +129,7 @@ static share share_of_steps(const wcut_job *job, const wcut_recording *r) {
         n++, x += factor, y += shown, xx += factor * factor, xy += factor * shown;
     }
 
-    // steps that lie outside the recording say nothing
+    /* steps that lie outside the recording say nothing */
     const double square = xx - x * x / fmax(n, 1);
     if (n < SAMPLES_MIN || square < 1e-5 * n) return found;
     found.told = true;
@@ -152,7 +156,7 @@ static wcut_status compare_cut(wcut_redundancy *all, int cut, broken *b, bool *m
     if (no_dither) b->dithers++, b->dither += dither.value, b->error += dither.error, b->dither_column = dither.column;
     if (no_step) b->steps++, b->step += step.value, b->step_column = step.column;
 
-    // a part that cannot be judged goes with the other
+    /* a part that cannot be judged goes with the other */
     wcut_job *own = &all->job[cut];
     if (no_dither || (no_step && !dither.told)) own->dither_count = 0;
     if (no_step || (no_dither && !step.told)) own->heat_step_count = 0;
@@ -177,6 +181,8 @@ static void tell_excitation(const wcut_redundancy *r, const broken *b, wcut_cont
 wcut_status wcut_excitation_compare(wcut_redundancy *all) {
     broken b = {0};
     wcut_contradiction *c = NULL;
+
+    /* one contradiction lists every cut that does not follow */
     for (int cut = 0; cut < all->cuts; cut++) {
         bool missed = false;
         if (!wcut_redundancy_has(all, cut)) continue;
@@ -187,7 +193,7 @@ wcut_status wcut_excitation_compare(wcut_redundancy *all) {
     }
     if (!c) return WCUT_OK;
 
-    // one row for all of them, by the dither where there is one
+    /* one row for all of them, by the dither where there is one */
     const bool speed = b.dithers > 0;
     snprintf(c->column, sizeof c->column, "%s", speed ? b.dither_column : b.step_column);
     c->found = speed ? b.dither / b.dithers : b.step / b.steps;

@@ -36,6 +36,8 @@ static heater_ratio ratio_of(const wcut_job *job, const wcut_recording *r) {
     heater_ratio out = {0};
     double sum = 0, steps = 0, last = 0, bin_sum = 0, bin_from = 0, bins_square = 0, bins_sum = 0;
     int step_count = 0, bin_count = 0, bins = 0, in_bins = 0;
+
+    /* ratio of measured and set power, sample by sample */
     for (int i = 0; i < r->samples; i++) {
         double power, time;
         const double set = power_set(job, r, i);
@@ -45,7 +47,7 @@ static heater_ratio ratio_of(const wcut_job *job, const wcut_recording *r) {
         if (out.count++ > 0) steps += (ratio - last) * (ratio - last), step_count++;
         last = ratio, sum += ratio;
 
-        // a bin is closed by the first sample behind it
+        /* a bin is closed by the first sample behind it */
         if (bin_count > 0 && time >= bin_from + BIN) {
             bins_sum += bin_sum / bin_count, bins_square += bin_sum / bin_count * (bin_sum / bin_count);
             bins++, in_bins += bin_count, bin_count = 0, bin_sum = 0;
@@ -54,6 +56,8 @@ static heater_ratio ratio_of(const wcut_job *job, const wcut_recording *r) {
         bin_sum += ratio, bin_count++;
     }
     if (out.count < SAMPLES_MIN || bins < 4) return (heater_ratio){0};
+
+    /* steps between neighbours give the white noise; the bins' variance beyond it is slow variation */
     const double white = steps / step_count / 2, mean = bins_sum / bins;
     const double beyond = bins_square / bins - mean * mean - white * bins / in_bins;
     out.mean = sum / out.count, out.slow = sqrt(fmax(beyond, 0));
@@ -77,6 +81,8 @@ static wcut_status set_power(wcut_redundancy *all, int cut) {
     int *at = wcut_alloc(n, sizeof *at), count = 0;
     if (heat && room && at) {
         double *time = room, *power = time + n, *smooth = power + n;
+
+        /* samples with a measured power, and the set power as the default of the others */
         for (int i = 0; i < given->samples; i++) {
             heat[i] = power_set(job, given, i);
             if (!wcut_sample_at(given, WCUT_CHANNEL_TIME, i, &time[count])) continue;
@@ -97,6 +103,8 @@ static void tell_heater(const wcut_redundancy *all, const heater_ratio *q, bool 
     char cuts[WCUT_CUT_LIST];
     const char *against = set ? "heat_W_per_m" : "the job's heat";
     wcut_cut_list(all, c, cuts);
+
+    /* another quantity, a wrong level, or a level that varies: the sentence says what the diagnosis uses */
     if (is_wrong_column(q))
         snprintf(c->text, sizeof c->text,
                  "heater_V times heater_A over the wire's length is %.3g times %s in %s: one of the columns is another "
@@ -119,6 +127,8 @@ wcut_status wcut_heater_compare(wcut_redundancy *all) {
     wcut_contradiction *c = NULL;
     heater_ratio sum = {0};
     bool set = false;
+
+    /* every cut whose power is off: its own figures, and the measured power in place of the set one */
     for (int cut = 0; cut < all->cuts; cut++) {
         if (!wcut_redundancy_has(all, cut)) continue;
         const heater_ratio q = ratio_of(all->cut[cut].job, all->cut[cut].recording);
@@ -131,6 +141,8 @@ wcut_status wcut_heater_compare(wcut_redundancy *all) {
         if (!is_wrong_column(&q) && set_power(all, cut) != WCUT_OK) return WCUT_NO_MEMORY;
     }
     if (!c) return WCUT_OK;
+
+    /* the row shows the mean over these cuts */
     sum.mean /= c->cuts, sum.slow /= c->cuts;
     c->found = sum.mean, c->expected = 1, c->error = fmax(sum.error, sum.slow / sqrt(c->cuts));
     c->fault = true, c->common = true, c->repaired = !is_wrong_column(&sum);

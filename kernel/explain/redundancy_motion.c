@@ -94,11 +94,13 @@ static placing placing_of(const wcut_job *job, const wcut_recording *r, int moun
         double station;
         wcut_vec3 p;
         if (!wcut_sample_at(r, WCUT_CHANNEL_STATION, i, &station) || !measured_place(r, mount, i, &p)) continue;
+
+        /* way along the path, with the sign of the motion */
         if (station < 0 || station > end) continue;
         if (s.n > 0) way += copysign(way_between(job, mount, last, station), station - last);
         last = station;
 
-        // along the path and beside it
+        /* along the path and beside it */
         const wcut_vec3 tangent = vec3_unit(
             vec3_sub(place_of(job, mount, fmin(station + 0.5, end)), place_of(job, mount, fmax(station - 0.5, 0))));
         const wcut_vec3 off = vec3_sub(p, place_of(job, mount, station));
@@ -142,6 +144,8 @@ static wcut_status judge(wcut_redundancy *all, const scale *speed, const scale *
     const double apart = fabs(speed->mean - place->mean);
     const bool alike = by_speed && by_place && apart < SCALE_MAX + 4 * hypot(speed->error, place->error);
     const bool stations = alike || (by_speed && place->count == 0);
+
+    /* the column that the two others contradict */
     if (!by_speed && !by_place) return WCUT_OK;
     const char *column = stations ? "station" : by_place ? "a_x_mm .. b_z_mm" : "speed_a_mm_s, speed_b_mm_s";
     wcut_contradiction *c = wcut_contradiction_add(all,
@@ -153,7 +157,7 @@ static wcut_status judge(wcut_redundancy *all, const scale *speed, const scale *
     for (int cut = 0; cut < all->cuts; cut++)
         if (wcut_redundancy_has(all, cut)) wcut_contradiction_add_cut(c, cut);
 
-    // stations are what the mounts are driven by: they alone need to be set right
+    /* stations are what the mounts are driven by: they alone need to be set right */
     c->repaired = stations;
     scale other = by_place ? *place : *speed;
     if (!stations) other.mean = 1 / other.mean;
@@ -172,6 +176,8 @@ static void find_beside(wcut_redundancy *all, int mount, const wcut_vec3 *beside
     wcut_vec3 sum = {0, 0, 0};
     char column[] = "a_x_mm .. a_z_mm", cuts[WCUT_CUT_LIST];
     if (mount) column[0] = column[10] = 'b';
+
+    /* cuts in which the mount is farther from its path than a rig's scatter */
     for (int cut = 0; cut < all->cuts; cut++) {
         if (!(vec3_length(beside[cut]) > BESIDE_MAX)) continue;
         if (!c) c = wcut_contradiction_add(all, WCUT_CONTRADICTION_PLACES, column);
@@ -180,6 +186,8 @@ static void find_beside(wcut_redundancy *all, int mount, const wcut_vec3 *beside
         sum = vec3_add(sum, beside[cut]);
     }
     if (!c) return;
+
+    /* the mean offset over these cuts */
     sum = vec3_scale(1.0 / c->cuts, sum);
     c->found = vec3_length(sum), c->fault = true;
     snprintf(c->unit, sizeof c->unit, "mm");
@@ -194,6 +202,8 @@ wcut_status wcut_motion_compare(wcut_redundancy *all) {
     scale speed = {0}, place = {0};
     wcut_vec3 *beside = wcut_alloc(2 * (size_t)all->cuts, sizeof *beside);
     if (!beside) return WCUT_NO_MEMORY;
+
+    /* of each cut and mount: speeds over stations, measured positions over the path */
     for (int cut = 0; cut < all->cuts; cut++)
         for (int mount = 0; mount < 2 && wcut_redundancy_has(all, cut); mount++) {
             const wcut_job *job = all->cut[cut].job;
@@ -203,11 +213,13 @@ wcut_status wcut_motion_compare(wcut_redundancy *all) {
             add_places(&s, &place);
             if (s.n >= SAMPLES_MIN) beside[mount * all->cuts + cut] = s.beside;
         }
+
+    /* means and standard errors over the cuts, then the verdict */
     scale_end(&speed, SPEED_ERROR);
     scale_end(&place, PLACE_ERROR);
     const wcut_status status = judge(all, &speed, &place);
 
-    // a scale moves the mean too: it is said once
+    /* a scale moves the mean too: it is said once */
     if (status == WCUT_OK && !scale_is_off(&place))
         for (int mount = 0; mount < 2; mount++) find_beside(all, mount, beside + mount * all->cuts);
     wcut_free(beside);

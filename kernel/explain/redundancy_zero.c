@@ -118,6 +118,8 @@ static wcut_status subtract_own(wcut_redundancy *all, wcut_channel channel, cons
 wcut_status wcut_zero_compare(wcut_redundancy *all) {
     reading *of = wcut_alloc((size_t)all->cuts, sizeof *of);
     wcut_status status = of ? WCUT_OK : WCUT_NO_MEMORY;
+
+    /* each sensor by itself: readings in the air of every cut, and their mean */
     for (int sensor = 0; status == WCUT_OK && sensor < 2; sensor++) {
         const wcut_channel channel = sensor ? WCUT_CHANNEL_TENSION_B : WCUT_CHANNEL_TENSION_A;
         for (int cut = 0; cut < all->cuts; cut++)
@@ -125,7 +127,7 @@ wcut_status wcut_zero_compare(wcut_redundancy *all) {
                                                     : (reading){0};
         const reading q = pool(all->cuts, of);
 
-        // one zero where no cut contradicts it
+        /* one zero where no cut contradicts it */
         bool alike = true;
         for (int cut = 0; cut < all->cuts; cut++)
             if (of[cut].count >= SAMPLES_MIN)

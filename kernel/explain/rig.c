@@ -51,7 +51,7 @@ static void scatter_row(const wcut_evidence *e, const wcut_fitted *f, wcut_scatt
     int n = 0;
     snprintf(row->name, sizeof row->name, "%s", wcut_scatter_name(kind));
 
-    // coefficients of this kind in all cuts; a kind with one column has a value for every cut
+    /* coefficients of this kind in all cuts; a kind with one column has a value for every cut */
     int columns = 0;
     for (int k = 0; k < e->scatter.count; k++) columns += e->scatter.kind[k] == kind;
     for (int cut = 0; cut < e->cuts; cut++)
@@ -95,7 +95,7 @@ wcut_status wcut_rig_fill(const wcut_evidence *e, const wcut_fitted *f, wcut_dia
     for (int k = 0; k < WCUT_SCATTER_COUNT && e->scatter.count > 0; k++)
         if (scans || k < WCUT_SCATTER_FACE) scatter_row(e, f, (wcut_scatter_kind)k, &row[rows++]);
 
-    // delays of readings, and mounts beside their path
+    /* delays of readings, and mounts beside their path */
     for (int k = 0; k < WCUT_DELAYS; k++) {
         const double half = 1.96 * hypot(f->delay_error[k], 0.01);
         snprintf(row[rows].name, sizeof row[rows].name, "%s", further_name[k]);

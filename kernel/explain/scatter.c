@@ -135,7 +135,7 @@ static void misplace(const wcut_job *job, const wcut_vec3 *mount, wcut_random *r
             phase[d][w] = 2 * WCUT_PI * wcut_random_uniform(random);
         }
 
-    // waves of equal height over the way of the mount
+    /* waves of equal height over the way of the mount */
     double way = 0;
     for (int i = 0; i < job->stations; i++) {
         double shift[3] = {0};

@@ -182,7 +182,7 @@ wcut_status wcut_screen_create(const wcut_evidence *e, const wcut_model *about, 
     /* drive them, and whiten */
     if (status == WCUT_OK) status = fill_screen_columns(&m, error);
     if (status == WCUT_OK) {
-        // what was simulated place by place comes last
+        /* what was simulated place by place comes last */
         for (int k = 0; k < inclusions.count; k++) {
             const wcut_variant v = {.effect = inclusions.effect[k]};
             double *column = s.plain + (size_t)(WCUT_BASE + s.nuisances + s.columns) * rows;
@@ -246,7 +246,7 @@ wcut_status wcut_screen_move(const wcut_evidence *e, const wcut_fitted *fitted, 
     int columns = 0, groups = 0, last = -1;
     wcut_status status = plain && white && centre && precision ? WCUT_OK : WCUT_NO_MEMORY;
     if (status == WCUT_OK) {
-        // recalibration and nuisances, then the coordinates of the fit, as nuisances too
+        /* recalibration and nuisances, then the coordinates of the fit, as nuisances too */
         memcpy(plain, s->plain, (size_t)shared * rows * sizeof *plain);
         memcpy(centre, s->centre, (size_t)shared * sizeof *centre);
         memcpy(precision, s->precision, (size_t)shared * sizeof *precision);
@@ -256,7 +256,7 @@ wcut_status wcut_screen_move(const wcut_evidence *e, const wcut_fitted *fitted, 
             precision[shared + k] = 1 / (spread * spread);
         }
 
-        // what is no variant of the fit's own effects
+        /* what is no variant of the fit's own effects */
         for (int c = 0; c < s->columns; c++) {
             const wcut_screen_column column = s->column[c];
             const int at = kept + columns;

@@ -243,7 +243,7 @@ static wcut_status try_singles(searching *g, wcut_error *error) {
     if (status == WCUT_NOT_CONVERGED) status = WCUT_OK; /* the noise stays what it began as */
     if (status != WCUT_OK) return wcut_fail(error, status, "no memory for the saturated model");
 
-    // recalibration again, under the noise that is known now
+    /* recalibration again, under the noise that is known now */
     wcut_fitted again = {0};
     status = wcut_model_fit(g->e, &s->none.model, &again, error);
     if (status != WCUT_OK) return status;

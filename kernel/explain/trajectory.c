@@ -263,7 +263,7 @@ static void fill_between(const driver *d, double *room, int *driven, wcut_respon
             if (d->trajectory->time[driven[k + 1]] - d->trajectory->time[driven[k]] < 2 * LONGEST)
                 response_between(d, driven[k], driven[k + 1], i, out);
 
-    // tensions on the line through the middles of the steps, both mounts
+    /* tensions on the line through the middles of the steps, both mounts */
     for (int s = 0; s < 2 && count > 1; s++) {
         double *value = out->signal[s];
         for (int k = 0; k < count; k++) room[k] = value[driven[k]];

@@ -39,7 +39,7 @@ static void invert_factor(const wcut_evidence *own, const wcut_normal_equations 
         for (int j = 0; j < m; j++) factor[i * m + j] = (i == j) + spread[i] * spread[j] * gram[i * m + j];
     wcut_cholesky_factor(m, factor, 0); /* the identity is in it */
 
-    // columns of the identity, one by one: L x = e, then L' y = x
+    /* columns of the identity, one by one: L x = e, then L' y = x */
     for (int k = 0; k < m; k++) {
         double *x = inverse + (size_t)k * (size_t)m;
         for (int i = 0; i < m; i++) {
@@ -111,7 +111,7 @@ static bool step_scatter(wcut_evidence *own, const wcut_linear *p, wcut_normal_e
         invert_factor(own, normal, cut, spread, inverse);
         scatter_moment(normal, cut, t, moment);
 
-        // expected square of every coefficient: its mean, its own variance, and that of the shared coefficients
+        /* expected square of every coefficient: its mean, its own variance, and that of the shared coefficients */
         for (int i = 0; i < normal->m; i++) {
             const wcut_scatter_kind kind = own->scatter.kind[i];
             double value = 0;
@@ -124,7 +124,7 @@ static bool step_scatter(wcut_evidence *own, const wcut_linear *p, wcut_normal_e
         }
     }
 
-    // the likeliest variance v: n / v - S / v^2 + 1 / h^2 = 0, taken a little further than the step says
+    /* the likeliest variance v: n / v - S / v^2 + 1 / h^2 = 0, taken a little further than the step says */
     for (int k = 0; k < WCUT_SCATTER_COUNT; k++) {
         if (count[k] == 0) continue;
         const wcut_scatter_info *info = wcut_scatter_view((wcut_scatter_kind)k);
@@ -248,7 +248,7 @@ wcut_status wcut_variance_fit(const wcut_linear *p, wcut_evidence *own, double *
     double *covariance = wcut_alloc((size_t)p->n * (size_t)p->n, sizeof *covariance);
     wcut_status status = left && room && covariance ? WCUT_OK : WCUT_NO_MEMORY;
 
-    // in turn: the scatter at this slow noise, the slow noise of what scatter and coefficients leave
+    /* in turn: the scatter at this slow noise, the slow noise of what scatter and coefficients leave */
     for (int round = 0; status == WCUT_OK && round < ROUNDS; round++) {
         fill_equations(p, own, column, residual, normal);
         for (int k = 0; status == WCUT_OK && k < STEPS; k++)
@@ -293,7 +293,7 @@ static void eigen(int n, double *a, double *v) {
             for (int q = p + 1; q < n; q++) {
                 if (a[p * n + q] == 0) continue;
 
-                // the rotation that makes a[p][q] zero
+                /* the rotation that makes a[p][q] zero */
                 const double theta = (a[q * n + q] - a[p * n + p]) / (2 * a[p * n + q]);
                 const double t = (theta < 0 ? -1 : 1) / (fabs(theta) + sqrt(theta * theta + 1));
                 const double c = 1 / sqrt(t * t + 1), s = t * c;
@@ -331,7 +331,7 @@ static void standardise_cut(const wcut_evidence *own, const wcut_normal_equation
         for (int j = 0; j < m; j++) b[i * m + j] = (i == j) + spread[i] * spread[j] * gram[i * m + j];
     eigen(m, b, v);
 
-    // S^1/2 J' z in the eigenvectors' coordinates, weighed, and back
+    /* S^1/2 J' z in the eigenvectors' coordinates, weighed, and back */
     for (int i = 0; i < m; i++) {
         const double *x = own->scatter.white + (size_t)i * (size_t)own->rows + (size_t)c->row;
         moment[i] = 0;

@@ -32,7 +32,7 @@ static void add_gradient(const wcut_effect *e, const wcut_block *block, wcut_vec
     const double g = e->value[WCUT_FOAM_DENSITY_GRADIENT_CHANGE], u = at[axis] / size[axis];
     double shape = u - 0.5, by_u = 1;
     if (form == 1) {
-        // from the middle to the faces by g, the same mean
+        /* from the middle to the faces by g, the same mean */
         shape = (2 * u - 1) * (2 * u - 1) - 1.0 / 3, by_u = 4 * (2 * u - 1);
     } else if (form == 2) {
         const double side = tanh((u - e->value[WCUT_FOAM_DENSITY_GRADIENT_STEP_AT]) / STEP_WIDTH);
