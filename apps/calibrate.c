@@ -223,6 +223,8 @@ static int calibrate(const app_call *call) {
 
 /* ---- the table ---- */
 
+static double calibrate_noise(void) { return wcut_calibration_options_default().noise; }
+
 static const app_operand operand[] = {
     {.name = "TABLE",
      .kind = APP_FILE,
@@ -238,7 +240,7 @@ static const app_option option[] = {
     {.kind = APP_CHOICE,
      .name = "noise",
      .value = "relative|absolute",
-     .standard = "relative",
+     .library = calibrate_noise,
      .help = "scatter of the cuts: proportional to the force, or the same for all"},
     {.kind = APP_TEXT,
      .name = "weights",

@@ -40,14 +40,16 @@ typedef enum app_kind {
 
 typedef struct app_option {
     app_kind kind;
-    const char *name;        /* long, without dashes; the same meaning in every verb */
-    char letter;             /* short, 0 where there is none */
-    bool required;           /* the call is refused without it */
-    const char *value;       /* what help calls the value, "DIR"; NULL for a flag */
-    double low, high;        /* range of a number */
-    const char *standard;    /* value where none is given */
-    double (*library)(void); /* or, for a number, the library's own default; with neither the verb asks app_given */
-    const char *help;        /* a line */
+    const char *name;     /* long, without dashes; the same meaning in every verb */
+    char letter;          /* short, 0 where there is none */
+    bool required;        /* the call is refused without it */
+    const char *value;    /* what help calls the value, "DIR"; NULL for a flag */
+    double low, high;     /* range of a number */
+    const char *standard; /* value where none is given */
+    /* or the library's own: a number, of a choice which of its words; a text. With none of them the verb asks app_given */
+    double (*library)(void);
+    const char *(*library_text)(void);
+    const char *help; /* a line */
 } app_option;
 
 typedef struct app_operand {

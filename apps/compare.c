@@ -291,6 +291,22 @@ static int run_compare(const app_call *call) {
 
 /* ---- the table ---- */
 
+static double compare_unit(void) { return wcut_compare_options_default().unit; }
+static double compare_register(void) { return wcut_compare_options_default().method; }
+static double compare_share(void) { return 100 * wcut_compare_options_default().share; }
+static double compare_distance(void) { return wcut_compare_options_default().distance; }
+static double compare_reconstruct(void) { return wcut_compare_options_default().reconstruct; }
+static double compare_chord_tolerance(void) { return wcut_compare_options_default().chord_tolerance; }
+
+static const char *compare_bands_text(void) {
+    static char text[WCUT_BANDS_MAX * 16];
+    const wcut_compare_options o = wcut_compare_options_default();
+    int used = 0;
+    for (int k = 0; k < o.bands; k++)
+        used += snprintf(text + used, sizeof text - (size_t)used, "%s%g", k ? "," : "", o.band[k]);
+    return text;
+}
+
 static const app_operand operand[] = {
     {.name = "JOB", .kind = APP_FILE, .help = "a job, wirecut-job/1, or a mesh: .stl .ply .obj .off .glb"},
     {.name = "SCAN",
@@ -308,7 +324,7 @@ static const app_option option[] = {
     {.kind = APP_CHOICE,
      .name = "unit",
      .value = "mm|cm|m|inch|ft|dm|um",
-     .standard = "mm",
+     .library = compare_unit,
      .help = "unit of scans that state none, and of a mesh they are compared with (glTF is in metres)"},
     {.kind = APP_CHOICE,
      .name = "reference-unit",
@@ -326,7 +342,7 @@ static const app_option option[] = {
     {.kind = APP_CHOICE,
      .name = "register",
      .value = "none|datum|fit",
-     .standard = "none",
+     .library = compare_register,
      .help = "none: as scanned; datum: by --datum; fit: best fit to the face, which hides deviations that resemble a "
              "rigid motion. The figures as scanned are always reported too"},
     {.kind = APP_FILE,
@@ -378,23 +394,23 @@ static const app_option option[] = {
      .value = "PERCENT",
      .low = 0,
      .high = 100,
-     .standard = "95",
+     .library = compare_share,
      .help = "percentage of the deviations that must be within --tolerance"},
     {.kind = APP_TEXT,
      .name = "bands",
      .value = "LIST",
-     .standard = "0.25,0.5,1,2",
+     .library_text = compare_bands_text,
      .help = "tolerances in mm whose shares are reported"},
     {.kind = APP_CHOICE,
      .name = "distance",
      .value = "surface|mesh|reconstruction",
-     .standard = "surface",
+     .library = compare_distance,
      .help = "distance from the points to the exact surface or to its triangles (a mesh has only those), or from the "
              "reconstructed scan to the surface"},
     {.kind = APP_CHOICE,
      .name = "reconstruct",
      .value = "none|field",
-     .standard = "none",
+     .library = compare_reconstruct,
      .help = "make a mesh of the scan: a smooth field of deviation over the face"},
     {.kind = APP_REAL,
      .name = "support",
@@ -408,7 +424,7 @@ static const app_option option[] = {
      .value = "MM",
      .low = 1e-4,
      .high = 1e3,
-     .standard = "0.01",
+     .library = compare_chord_tolerance,
      .help = "largest distance between triangles and surface, mm, for --distance mesh"},
     {.kind = APP_INT,
      .name = "hold",

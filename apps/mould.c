@@ -346,6 +346,15 @@ static int mould(const app_call *call) {
 /* ---- the table ---- */
 
 /* defaults of the library */
+static double mould_prolong(void) { return wcut_mould_default().prolong; }
+static double mould_stock_unit(void) { return wcut_mesh_read_options_default().unit; }
+static double mould_keys(void) { return wcut_mould_default().key_count > 0; }
+static const char *mould_pull_text(void) {
+    static char text[64];
+    const wcut_vec3 pull = wcut_mould_default().pull;
+    snprintf(text, sizeof text, "%g,%g,%g", pull.x, pull.y, pull.z);
+    return text;
+}
 static double mould_chord_tolerance(void) { return wcut_mould_default().chord_tolerance; }
 static double mould_fit_tolerance(void) { return wcut_mould_default().fit_tolerance; }
 static double mould_scale(void) { return wcut_mould_default().scale; }
@@ -379,7 +388,7 @@ static const app_option option[] = {
      .value = "MM",
      .low = 0,
      .high = 1e6,
-     .standard = "100",
+     .library = mould_prolong,
      .help = "longest straight continuation of a cut that ends inside the block, mm"},
     APP_OPTION_EDGES,
     {.kind = APP_FILE,
@@ -389,12 +398,12 @@ static const app_option option[] = {
     {.kind = APP_CHOICE,
      .name = "stock-unit",
      .value = "mm|cm|m|inch|ft|dm|um",
-     .standard = "mm",
+     .library = mould_stock_unit,
      .help = "unit of that mesh (glTF is in metres)"},
     {.kind = APP_CHOICE,
      .name = "keys",
      .value = "none|pockets|cones",
-     .standard = "none",
+     .library = mould_keys,
      .help = "registration keys on the uncut face of each half: three, near the corners"},
     {.kind = APP_REAL,
      .name = "key-radius",
@@ -433,7 +442,7 @@ static const app_option option[] = {
     {.kind = APP_TEXT,
      .name = "pull",
      .value = "X,Y,Z",
-     .standard = "0,0,1",
+     .library_text = mould_pull_text,
      .help =
          "direction in which the casting leaves the lower half, for draft and undercut; opposite for the upper half"},
     {.kind = APP_CHOICE,

@@ -81,9 +81,18 @@ static int set_value(const app_verb *verb, const app_option *option, const char 
 }
 
 const char *app_standard(const app_option *option, char text[APP_STANDARD_SIZE]) {
+    if (option->library_text) return option->library_text();
     if (!option->library) return option->standard;
-    snprintf(text, APP_STANDARD_SIZE, "%.12g", option->library());
-    return text;
+    if (option->kind != APP_CHOICE) {
+        snprintf(text, APP_STANDARD_SIZE, "%.12g", option->library());
+        return text;
+    }
+
+    /* which of the words between the bars */
+    const char *word = option->value;
+    for (int k = (int)option->library(); k > 0 && word; k--) word = strchr(word, '|') ? strchr(word, '|') + 1 : NULL;
+    if (word) snprintf(text, APP_STANDARD_SIZE, "%.*s", (int)strcspn(word, "|"), word);
+    return word ? text : NULL;
 }
 
 /* The value where none is given passes the same check as a typed one. */

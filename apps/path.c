@@ -270,6 +270,12 @@ static double path_lead_in(void) { return wcut_robot_options_default().lead_in; 
 static double path_lead_out(void) { return wcut_robot_options_default().lead_out; }
 static double path_zone(void) { return wcut_robot_options_default().zone; }
 static double path_sync_io(void) { return wcut_robot_names_default().sync_io; }
+static double path_preheat(void) { return wcut_robot_names_default().preheat; }
+static double path_frame(void) { return wcut_robot_options_default().frame; }
+static const char *path_wire_on_text(void) { return wcut_robot_names_default().wire_on; }
+static const char *path_wire_off_text(void) { return wcut_robot_names_default().wire_off; }
+static double path_cold_strength(void) { return wcut_robot_limits_default(&(wcut_job){0}).cold_strength; }
+static double path_hot_strength(void) { return wcut_robot_limits_default(&(wcut_job){0}).hot_strength; }
 static double path_acceleration(void) { return wcut_robot_limits_default(&(wcut_job){0}).acceleration; }
 static double path_alpha(void) { return wcut_robot_limits_default(&(wcut_job){0}).alpha * WCUT_DEG_PER_RAD; }
 static double path_beta(void) { return wcut_robot_limits_default(&(wcut_job){0}).beta * WCUT_DEG_PER_RAD; }
@@ -325,7 +331,7 @@ static const app_option option[] = {
      .value = "S",
      .low = 0,
      .high = 3600,
-     .standard = "0",
+     .library = path_preheat,
      .help = "time that the wire is heated for at the first target before both robots start, s"},
     {.kind = APP_REAL,
      .name = "zone",
@@ -337,17 +343,19 @@ static const app_option option[] = {
     {.kind = APP_CHOICE,
      .name = "tool-frame",
      .value = "fixed|following",
-     .standard = "fixed",
+     .library = path_frame,
      .help = "orientation of the tool. fixed: along x, the Cardan head takes up the angles; following: along the wire, "
              "by the simulated angles"},
     {.kind = APP_TEXT,
      .name = "wire-on",
      .value = "NAME",
-     .help = "procedure that robot A calls at its first target; default wire_on"},
+     .library_text = path_wire_on_text,
+     .help = "procedure that robot A calls at its first target"},
     {.kind = APP_TEXT,
      .name = "wire-off",
      .value = "NAME",
-     .help = "procedure that robot A calls after its last target; default wire_off"},
+     .library_text = path_wire_off_text,
+     .help = "procedure that robot A calls after its last target"},
     {.kind = APP_INT,
      .name = "sync-io",
      .value = "N",
@@ -387,16 +395,15 @@ static const app_option option[] = {
      .value = "MPA",
      .low = 1,
      .high = 1e4,
-     .standard = "725",
-     .help = "tensile strength of the wire at 20 degC, MPa; default: Kanthal A, maker's data sheet"},
+     .library = path_cold_strength,
+     .help = "tensile strength of the wire at 20 degC, MPa: Kanthal A, maker's data sheet"},
     {.kind = APP_REAL,
      .name = "hot-strength",
      .value = "MPA",
      .low = 1,
      .high = 1e4,
-     .standard = "37",
-     .help =
-         "tensile strength of the wire at 900 degC, MPa; default: Kanthal A, maker's data sheet; exponential between"},
+     .library = path_hot_strength,
+     .help = "tensile strength of the wire at 900 degC, MPa: Kanthal A, maker's data sheet; exponential between"},
     {.kind = APP_FLAG,
      .name = "strict",
      .help = "treat an exceeded limit as an error: nothing is written, the exit code is 5"},

@@ -425,6 +425,7 @@ static int score(const app_call *call) {
 /* ---- the table ---- */
 
 /* defaults of the library */
+static double score_motion(void) { return wcut_comparison_options_default().replay.motion; }
 static double score_window(void) { return wcut_comparison_options_default().replay.window; }
 static double score_settle(void) { return wcut_comparison_options_default().settle; }
 static double score_leave(void) { return wcut_comparison_options_default().leave; }
@@ -442,7 +443,7 @@ static const app_option option[] = {
     {.kind = APP_CHOICE,
      .name = "motion",
      .value = "station|position",
-     .standard = "station",
+     .library = score_motion,
      .help = "motion of the replay: the job's path at the recorded station, or the measured mount positions a_x_mm .. "
              "b_z_mm"},
     {.kind = APP_REAL,

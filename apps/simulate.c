@@ -290,6 +290,7 @@ static int run_simulate(const app_call *call) {
 /* ---- the table ---- */
 
 /* defaults of the library */
+static double simulate_integrator(void) { return wcut_cut_options_default().integrator; }
 static double simulate_chord_tolerance(void) { return wcut_mould_default().chord_tolerance; }
 
 static const app_operand operand[] = {
@@ -303,7 +304,7 @@ static const app_option option[] = {
     {.kind = APP_CHOICE,
      .name = "integrator",
      .value = "implicit|heun",
-     .standard = "implicit",
+     .library = simulate_integrator,
      .help = "implicit: shape, tensions and rate solved together; heun: the scheme of Rust et al. 2016, (9)-(11), "
              "unstable for short steps, kept for comparison"},
     APP_OPTION_STATIONS,

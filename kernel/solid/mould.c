@@ -29,6 +29,7 @@ static const double STOCK_SHARE = 1e-6;
 wcut_mould_options wcut_mould_default(void) {
     return (wcut_mould_options){.chord_tolerance = 0.1,
                                 .fit_tolerance = 0.005,
+                                .prolong = 100,
                                 .scale = 1,
                                 .draft_asked = -WCUT_PI / 2,
                                 .pull = {.x = 0, .y = 0, .z = 1}};

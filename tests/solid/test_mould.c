@@ -436,6 +436,7 @@ static wcut_vec3 design(double s, double t) {
 TEST(a_cut_that_ends_inside_is_continued_straight_as_far_as_is_allowed) {
     wcut_surface *s = cut_of(design);
     wcut_mould_options o = wcut_mould_default();
+    o.prolong = 0;
     cut_refused(s, cut_block, &o, WCUT_DEGENERATE, "ends inside the block");
     o.prolong = 29;
     cut_refused(s, cut_block, &o, WCUT_DEGENERATE, "ends inside the block");
@@ -473,6 +474,7 @@ TEST(a_wire_that_stops_where_it_meets_the_block_may_begin_a_station_later) {
     wcut_surface *s = NULL;
     ck_assert_int_eq(wcut_surface_loft(STATIONS, NODES, x, 0, &s, NULL, NULL), WCUT_OK);
     wcut_mould_options o = wcut_mould_default();
+    o.prolong = 0;
     cut_refused(s, cut_block, &o, WCUT_DEGENERATE, "side y = 0 mm");
     o.prolong = 20;
     wcut_mould *m = cut_divide(s, cut_block, &o);

@@ -27,7 +27,7 @@ typedef struct wcut_key {
 typedef struct wcut_mould_options {
     double chord_tolerance; /**< [mm] between triangles and exact cut face; 0.1 */
     double fit_tolerance;   /**< [mm] between exact cut face and the wire's surface, verified; 0.005 */
-    double prolong;         /**< [mm] how far the cut may be continued straight where it ends inside the block; 0 */
+    double prolong;         /**< [mm] how far the cut may be continued straight where it ends inside the block; 100 */
     double kerf;            /**< [mm] width that the wire removes, half on either side; 0. Not read with a field: */
     int kerf_stations;      /**< rows of the field below; 0: the kerf is the same everywhere */
     int kerf_nodes;         /**< columns of it, at equal steps of u */
