@@ -205,6 +205,8 @@ static int calibrate(const app_call *call) {
     if (code == APP_DONE && app_is_interrupted()) code = app_fail(APP_INTERRUPTED, "%s: interrupted", c.path);
     if (code == APP_DONE) describe_calibration(&c);
     if (code == APP_DONE) code = write_calibrate_results(&c);
+
+    /* results for programs and for people */
     if (code == APP_DONE && app_given(call, "json")) fputs(c.results.text, stdout);
     if (code == APP_DONE && !app_given(call, "quiet")) {
         say_laws(&c);

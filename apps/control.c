@@ -263,6 +263,7 @@ static int control(const app_call *call) {
             code = write_part(&l) == APP_DONE ? code : APP_NOT_WRITTEN;
     }
 
+    /* results for people and for programs */
     if (code == APP_DONE && !app_given(call, "quiet")) say_control(&l);
     if (code == APP_DONE && app_given(call, "json")) fputs(l.results.text, stdout);
 

@@ -158,6 +158,7 @@ static void read_diagnose_cut(run *r, int i) {
             note_diagnose_bad(r, status, &error, "the cut is diagnosed without its scan");
     }
 
+    /* what is missing stays NULL, and the diagnosis says so */
     r->cut[i] = (wcut_diagnosis_cut){.job = t->job, .recording = t->recording, .scan = t->scan};
 }
 

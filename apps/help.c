@@ -112,6 +112,8 @@ void app_print_help(FILE *out, const app_verb *verb) {
     fprintf(out, "\nOptions\n");
     for (const app_option *o = verb->option; o->kind != APP_END; o++) print_help_option(out, o);
     fprintf(out, "\nExit codes\n");
+
+    /* the codes are the same for all verbs */
     for (int i = 0; i < EXIT_CODES; i++) {
         char code[16];
         snprintf(code, sizeof code, "%d", exit_code[i].code);

@@ -194,6 +194,8 @@ static int check_complete(const app_verb *verb, int count, const app_call *call)
     /* no empty name, no option missing that is required */
     for (int i = 0; i < call->operand_count; i++)
         if (!*call->operand[i]) return usage_error(verb, "an input", "", "a name that is not empty");
+
+    /* required options */
     for (int i = 0; i < count; i++) {
         const app_option *o = &verb->option[i];
         if (!o->required || call->value[i].text) continue;

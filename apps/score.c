@@ -277,6 +277,7 @@ static int write_score_report(scoring *s) {
                                       .sources = call->operand_count,
                                       .source = source};
 
+    /* write the page into the set of results */
     if (status == WCUT_OK)
         status = wcut_report_score_write(&scored, app_results_path(&s->results, "report.html"), &error);
     const int code = app_results_add(&s->results, "report.html", status, &error);

@@ -103,6 +103,7 @@ static int write_surface(simulation *s) {
     }
     if (status == WCUT_OK) status = wcut_mesh_sample(mesh, h->stations, h->nodes, parameter, h->force_line);
 
+    /* the message names the step that failed */
     if (status != WCUT_OK)
         code = app_fail(app_exit_code(status), "%s: %s: %s", s->path, step, wcut_status_text(status));
     else

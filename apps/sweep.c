@@ -185,10 +185,14 @@ static int collect(const app_call *call, const wcut_sweep *sweep, const char *fo
         const wcut_status status = wcut_sweep_query(sweep, &counts, &error);
         if (status != WCUT_OK) code = app_fail_status(status, NULL, &error);
     }
+
+    /* counts of the states, and the files */
     if (code == APP_DONE && !app_given(call, "quiet")) {
         say_counts(&counts);
         app_say("in %s: %s", folder, app_results_list(&results));
     }
+
+    /* a rerun completes what is unfinished */
     if (code == APP_DONE && unfinished(&counts))
         code = app_fail(APP_FAILED, "%d of %d cases did not come to their end; the same command runs them again",
                         unfinished(&counts), counts.cases);

@@ -58,6 +58,8 @@ int app_sweep_slurm(const app_call *call, const wcut_sweep *sweep) {
     /* sbatch gets the path of the script, unless only the script was asked for */
     snprintf(path, sizeof path, "%s/%s", app_text(call, "output"), name[0]);
     if (code == APP_DONE && !app_given(call, "slurm-script")) code = submit(path);
+
+    /* the folder and its files */
     if (code == APP_DONE && !app_given(call, "quiet")) app_say("in %s: %s", results.folder, app_results_list(&results));
     app_results_end(&results);
     return code;

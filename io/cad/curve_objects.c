@@ -148,6 +148,8 @@ static bool read_point_columns(object_reader *o, const wcut_place *at, const cha
         return wcut_refuse(&o->json, at, WCUT_BAD_FORMAT, "at most %d points", WCUT_JOB_STATIONS_MAX);
     wcut_vec3 *point = wcut_alloc(count, sizeof *point);
     if (!point) return wcut_refuse_memory(&o->json);
+
+    /* x, y and z of point 0, then of point 1, and so on */
     for (size_t k = 0; k < 3 * count; k++) {
         const wcut_place item = {&column[k % 3], NULL, k / 3, json_array_get(column[k % 3].value, k / 3)};
         if (read_number_in(o, &item, scale_of(o, unit[k % 3]), &point[k / 3].x + k % 3)) continue;
@@ -307,6 +309,8 @@ static bool read_object_node(object_reader *o, const wcut_place *at, const char 
         const wcut_place a = wcut_place_member(&design, "edge_a"), b = wcut_place_member(&design, "edge_b");
         if (a.value && b.value) return read_node(o, &a, "edge_a") && read_node(o, &b, "edge_b");
     }
+
+    /* a unit beside the points holds for all below it; geometry of GeoJSON has a type */
     if (!use_object_unit(o, at)) return false;
     if (json_is_string(type)) return read_geometry(o, at, json_string_value(type), name);
 
@@ -326,6 +330,8 @@ static bool read_object_node(object_reader *o, const wcut_place *at, const char 
         if (json_is_array(member.value) && is_object_point(json_array_get(member.value, 0)))
             return read_point_list(o, &member, unit, name);
     }
+
+    /* else look in the members, of which any may be a curve */
     const char *x = find_key(at->value, "x", &unit);
     if (x && json_is_array(json_object_get(at->value, x))) return read_point_columns(o, at, name);
     if (json_object_size(at->value) == 0)

@@ -185,6 +185,8 @@ static bool join_chains(wcut_curve_reader *r, int first, loose *l) {
     /* an end without a partner begins a chain */
     for (int e = 0; done && e < 2 * l->curves; e++) {
         if (!l->curve[e / 2] || l->partner[e] >= 0 || l->partner[e ^ 1] < 0) continue;
+
+        /* the chain's pieces become one curve, in the slot of its first piece */
         const int count = collect_chain(l, e);
         wcut_curve *whole = join_chain(r, l, count);
         l->curve[e / 2] = whole;

@@ -48,6 +48,8 @@ static wcut_curve *make_line(wcut_step_source *s, long id, const char *list, con
         if (!reference(s, id, wcut_p21_item(list, 1), &at) || !reference(s, id, wcut_p21_item(list, 2), &vector) ||
             !wcut_step_point(s, at, &origin))
             return NULL;
+
+        /* the VECTOR: its direction is made a unit vector, its magnitude scales the parameter */
         const char *body = wcut_p21_find(&s->file, vector), *v = body ? wcut_p21_record(body, "VECTOR") : NULL;
         if (!reference(s, vector, wcut_p21_item(v, 1), &along) || !wcut_step_direction(s, along, &d)) return NULL;
         if (!wcut_p21_read_real(wcut_p21_item(v, 2), &size)) return wcut_step_refuse(s, vector, "no magnitude"), NULL;

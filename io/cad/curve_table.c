@@ -249,6 +249,8 @@ static bool guess_columns(curve_table *t) {
     const int count = t->line.count;
     double value[6] = {0};
     bool is_number[6] = {false};
+
+    /* which of the first six cells are numbers */
     for (int k = 0; k < count && k < 6; k++) is_number[k] = read_cell_number(t, &t->line.cell[k], &value[k]);
     *c = (wcut_point_columns){.columns = count, .sets = 1, .id = {-1, -1}, .index = -1};
 
@@ -270,6 +272,8 @@ static bool guess_columns(curve_table *t) {
                                   expected);
     if (c->sets == 2 && has_normal(value))
         return wcut_curves_refuse(t->r, "line %d: found points with normals, expected %s", t->line.number, expected);
+
+    /* three columns of each point */
     for (int s = 0; s < c->sets; s++)
         c->set[s] = (wcut_point_set){.column = {first + 3 * s, first + 3 * s + 1, first + 3 * s + 2}};
     t->has_columns = true;
@@ -363,6 +367,8 @@ static bool read_numbers(curve_table *t) {
         if (here && !wcut_points_add(t->r, &t->points, s, t->line.number, point)) return false;
         found = found || here;
     }
+
+    /* a row without a point separates two blocks */
     if (!found) {
         t->is_block_over = true;
         return true;
@@ -376,6 +382,8 @@ static bool read_numbers(curve_table *t) {
     t->is_block_over = false;
     row.block = t->blocks - 1;
     if (!read_names(t, &row)) return false;
+
+    /* the number of the point within its curve, where a column has it */
     const int index = t->columns.index;
     if (index >= 0 && (index >= t->line.count || !read_cell_number(t, &t->line.cell[index], &row.index)))
         row.index = NAN;
@@ -442,6 +450,8 @@ static bool read_line(curve_table *t, char *line) {
         numbers += read_cell_number(t, &t->line.cell[k], &value);
     }
     if (numbers >= 2 || (t->has_columns && numbers > 0 && t->line.count > 1)) return read_numbers(t);
+
+    /* a row of absent values separates two blocks, as an empty line does */
     if (absent == t->line.count) {
         t->is_block_over = true;
         return true;

@@ -191,6 +191,8 @@ wcut_curve *wcut_iges_curve(wcut_iges *f, const wcut_iges_entry *e) {
     char place[40];
     wcut_curve *curve = NULL;
     if (!wcut_iges_open(f, e, &c)) return NULL;
+
+    /* messages name the line of the entry in the directory */
     snprintf(place, sizeof place, "line %d", e->at + 1);
 
     /* by the number of the type */

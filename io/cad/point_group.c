@@ -124,6 +124,7 @@ bool wcut_points_end(wcut_curve_reader *r, const wcut_points *p, int curves, con
     bool done = from && order && point;
     if (!done) wcut_curves_refuse_memory(r);
     if (from && order && point) {
+        /* a curve from the points of each group */
         sort_points(p, curves, from, order);
         for (int c = 0; done && c < curves; c++) {
             const struct point_name *name = names && c < names->count ? &names->name[c] : NULL;

@@ -84,6 +84,8 @@ static wcut_id put_pcurve(wcut_part21 *p, const wcut_curve *c, const wcut_surfac
     wcut_text_print(p->text, "CARTESIAN_POINT('',");
     wcut_p21_reals(p, start, 2, 1);
     wcut_text_print(p->text, ");\n");
+
+    /* the other parameter runs from 0 along the side */
     const wcut_id direction = wcut_p21_put(p, "DIRECTION('',%s)", along_u ? "(1.,0.)" : "(0.,1.)");
     const wcut_id vector = wcut_p21_put(p, "VECTOR('',#%ld,1.)", direction);
     const wcut_id line = wcut_p21_put(p, "LINE('',#%ld,#%ld)", point, vector);
@@ -255,6 +257,8 @@ wcut_id wcut_step_shell(wcut_part21 *p, const char *name, const wcut_surface *s,
     if (room && weight) {
         wcut_curve side[4];
         for (int k = 0; k < 4; k++) side[k] = border(s, k, room + (k == 3 ? rows : 0), weight + (k == 3 ? rows : 0));
+
+        /* corners in the order of the loop; the last two edges are run against their direction */
         wcut_vec3 vertex[4] = {s->control[0], s->control[row - 1], s->control[last + row - 1], s->control[last]};
         wcut_brep_edge edge[4] = {{0, 1, &side[0]}, {1, 2, &side[1]}, {3, 2, &side[2]}, {0, 3, &side[3]}};
         wcut_brep_coedge coedge[4] = {{0, 0}, {1, 0}, {2, 1}, {3, 1}};

@@ -285,6 +285,8 @@ wcut_curve *wcut_step_read_spline(wcut_step_source *s, long id, const char *body
 
     /* degree and control points */
     if (!wcut_p21_read_integer(at.degree, 1, 1000, &degree)) return wcut_step_refuse(s, id, "no degree"), NULL;
+
+    /* a higher degree is valid STEP: the curve is left out and counted */
     if (degree > WCUT_DEGREE_MAX) return wcut_curves_leave_out(s->reader, "a degree above 7"), NULL;
     wcut_vec3 *control = read_step_values_points(s, id, at.points, &count);
     if (!control) return NULL;

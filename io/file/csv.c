@@ -99,6 +99,8 @@ static wcut_status read_csv_field(scanner *s, int column) {
             if (*s->at == '\0') return refuse_field(s, column, "a zero byte", "text");
             if (!keep_byte(s, used++, *s->at)) return refuse_csv_memory(s);
         }
+
+        /* blanks before the comma do not belong to the text */
         while (used > 0 && is_csv_blank(s->scratch[used - 1])) s->scratch[--used] = '\0';
         return WCUT_OK;
     }

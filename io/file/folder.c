@@ -117,6 +117,7 @@ static int empty(int folder, const char *first, int depth) {
     int code = 0;
     if (first && unlinkat(folder, first, 0) != 0 && errno != ENOENT) return errno;
 
+    /* the rest, in the order of the folder */
     DIR *list = open_list(folder);
     if (!list) return errno;
 

@@ -272,6 +272,8 @@ static char *slurp(wcut_source *s, size_t *size) {
             wcut_source_refuse_memory(s);
             break;
         }
+
+        /* take what the stream holds, and let it read on */
         memcpy(bytes + *size, s->stream.data + s->stream.at, got);
         s->stream.at += got;
     }

@@ -138,6 +138,8 @@ static bool lay_out_record(wcut_source *s, wcut_ply *m) {
             m->record.field[q->field].offset = offset;
             m->record.field[q->field].factor = 1;
         }
+
+        /* every property takes its room, also those that are not read */
         offset += wcut_scalar_size(q->count ? q->count : q->value);
     }
 

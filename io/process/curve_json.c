@@ -75,6 +75,8 @@ bool wcut_read_curve(wcut_reader *reader, const wcut_place *at, void *into) {
     if (ok) {
         wcut_status status = c.point ? wcut_curve_interpolate(c.points, c.point, &curve)
                                      : wcut_curve_create(c.degree, c.controls, c.knot, c.control, c.weight, &curve);
+
+        /* the message says which of the two kinds was wrong */
         if (status == WCUT_NO_MEMORY) ok = wcut_refuse_memory(reader);
         if (status != WCUT_OK && status != WCUT_NO_MEMORY)
             ok = c.point ? wcut_refuse(reader, at, WCUT_BAD_ARGUMENT, "points of which no two neighbours coincide")

@@ -175,6 +175,8 @@ wcut_status wcut_score_print(int n, const wcut_scored_cut *cut, const wcut_compa
     wcut_text_put_word(&out, ",\n  \"mean\": {");
     put_means(&out, n, comparison, "    ");
     wcut_text_put_word(&out, "}");
+
+    /* figures of each case, then of each cut */
     put_cases(&out, n, cut, comparison);
     wcut_text_put_word(&out, ",\n  \"cuts\": [");
     for (int i = 0; i < n; i++) put_score_cut(&out, &cut[i], i == 0);

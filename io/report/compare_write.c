@@ -62,6 +62,7 @@ wcut_status wcut_compare_write(const wcut_compare_result *result, wcut_results *
     for (int k = 1; k < files - 1 && status == WCUT_OK; k++) status = add_file(result, results, name[k], error);
     if (status != WCUT_OK) return status;
 
+    /* deviation.json makes the set whole */
     char *words = NULL;
     status = wcut_deviation_print(&result->compared, &words);
     if (status == WCUT_OK)

@@ -303,6 +303,8 @@ static int list_options(const page *p, wcut_report_fact *option) {
     /* what the motion came from, and what was removed before */
     const wcut_clean_options *clean = p->c->cleaning;
     if (p->c->datum_file) option[n++] = (wcut_report_fact){"file of datums", p->c->datum_file, 0, ""};
+
+    /* only the steps of cleaning that were asked for */
     if (clean && clean->duplicate >= 0) option[n++] = (wcut_report_fact){"equal points", "once each", 0, ""};
     if (clean && clean->radius > 0)
         option[n++] = (wcut_report_fact){"isolated points removed within", NULL, clean->radius, "mm"};

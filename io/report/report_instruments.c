@@ -96,6 +96,8 @@ static wcut_report_table scatter_table(wcut_page_memory *memory, const wcut_diag
         "Scatter of the rig: standard deviations from cut to cut, estimated from these cuts. It is no effect and not "
         "corrected.";
     if (!c) return table;
+
+    /* name, value, interval and the values of single cuts */
     const char **what = text_column(memory, &c[0], "of", rows), **value = text_column(memory, &c[1], "value", rows),
                **low = text_column(memory, &c[2], "95 % from", rows), **high = text_column(memory, &c[3], "to", rows),
                **cuts = text_column(memory, &c[4], "cut by cut", rows);

@@ -137,6 +137,8 @@ static void put_chart(document *d, json_t *item, const wcut_report_chart *chart)
         put_text(d, axis, "label", chart->x_label[k]);
         put_unit(d, axis, "unit", chart->x_unit[k]);
     }
+
+    /* the ordinate */
     put_text(d, item, "label", chart->y_label);
     put_unit(d, item, "unit", chart->y_unit);
 

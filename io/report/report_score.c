@@ -205,6 +205,8 @@ static void fill_series(page *p, const wcut_comparison *c, const wcut_prediction
     /* the band is drawn where the score has samples */
     const wcut_score *score = scores ? &scores->of[of_signal[k]][WCUT_PART_ALL] : NULL;
     const bool band = score && score->count > 0;
+
+    /* speeds and tensions keep their unit, angles become deg */
     const double unit = k < 4 ? 1 : WCUT_DEG_PER_RAD;
     double *y = wcut_page_take(&p->memory, (size_t)d->count, sizeof *y);
     double *low = band ? wcut_page_take(&p->memory, (size_t)d->count, sizeof *low) : NULL;

@@ -87,6 +87,8 @@ static void put_motion_json(wcut_text *text, const wcut_robot_motion *m, const w
     for (int i = 0; i < m->count; i++) {
         const wcut_robot_target *t = &m->target[i];
         wcut_text_print(text, "%s\n    {\"station\": ", i ? "," : "");
+
+        /* a target between stations has none */
         if (t->station < 0)
             wcut_text_print(text, "null");
         else

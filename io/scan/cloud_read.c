@@ -169,6 +169,8 @@ static bool begin_format(wcut_cloud_source *s) {
 
     /* a reader for each format */
     s->info.format = s->options.format != WCUT_CLOUD_FORMAT_ANY ? s->options.format : find_cloud_format(s);
+
+    /* a reader sets how many points its header states; -1: not stated */
     s->info.stated = -1;
     if (!begin[s->info.format](s)) return false;
     s->info.unit = s->in.scale;

@@ -183,6 +183,7 @@ static double spacing_of(const wcut_comparing *c) {
 /* The strongest colour is for the deviation that one point in a hundred exceeds, two digits of it; a scan of which no
    point is over the face is refused before it is read on. */
 static wcut_status look(wcut_comparing *c, int *counted) {
+    /* GLANCE points spread over the scan, as registered, with their distances */
     wcut_vec3 *point = wcut_alloc(GLANCE, sizeof *point);
     wcut_deviation *d = wcut_alloc(GLANCE, sizeof *d);
     double *size = wcut_alloc(GLANCE, sizeof *size);
@@ -195,6 +196,8 @@ static wcut_status look(wcut_comparing *c, int *counted) {
     *counted = 0;
     for (int k = 0; k < count && status == WCUT_OK; k++)
         if (d[k].place <= WCUT_PLACE_BORDER) size[(*counted)++] = fabs(d[k].distance);
+
+    /* the limit of the colours: the 99 % quantile, rounded up to two digits */
     if (*counted > 0) {
         wcut_sort(*counted, size);
         const double max = fmax(size[(int)(0.99 * (*counted - 1))], 1e-3), unit = pow(10, floor(log10(max)) - 1);
@@ -291,6 +294,7 @@ static wcut_status make_rows(wcut_comparing *c) {
 }
 
 static wcut_status prepare_comparison(wcut_comparing *c, wcut_error *error) {
+    /* the support of a point on the face comes from the spacing of the scan */
     int counted = 0;
     wcut_status status = look(c, &counted);
     if (status == WCUT_OK && counted == 0) return wcut_compare_refuse_elsewhere(c, error);
@@ -381,6 +385,8 @@ static void fill_page(wcut_comparing *c) {
                                            .spacing = c->cloud.spacing,
                                            .unit = unit[c->options.unit],
                                            .border = f->options.border};
+
+    /* what the files need beside the page */
     c->result.row = c->row, c->result.normal = c->normal, c->result.limit = c->limit;
 }
 
@@ -396,6 +402,8 @@ static wcut_status conclude_comparison(wcut_comparing *c, wcut_error *error) {
         status = wcut_deviation_summary_eval(c->summary[WCUT_COMPARE_UNMOVED], &unmoved);
     if (status != WCUT_OK) return wcut_compare_fail(status, "compare", error);
     if (found->statistics.count == 0) return wcut_compare_refuse_elsewhere(c, error);
+
+    /* the structs that deviation.json and the page are written from */
     fill_compared(c, found, unmoved, unmeasured);
     fill_page(c);
     if (!c->points) return WCUT_OK;
@@ -449,6 +457,7 @@ static wcut_status run_steps(wcut_comparing *c, const wcut_compare_reference *re
 wcut_status wcut_compare_run(const wcut_compare_reference *reference, int scans, const wcut_compare_scan *scan,
                              const wcut_compare_options *options, wcut_results *results,
                              const wcut_compare_watch *watch, wcut_compare_result **result, wcut_error *error) {
+    /* check everything before the first file is opened */
     const wcut_compare_options standard = wcut_compare_options_default(), *o = options ? options : &standard;
     wcut_error unread = {0};
     if (!error) error = &unread;
@@ -459,6 +468,7 @@ wcut_status wcut_compare_run(const wcut_compare_reference *reference, int scans,
     if (status == WCUT_OK) status = check_options(o, error);
     if (status != WCUT_OK) return status;
 
+    /* the result owns all that was computed; on failure it is destroyed */
     wcut_comparing *c = wcut_alloc(1, sizeof *c);
     if (!c) return wcut_fail(error, WCUT_NO_MEMORY, "compare: %s", wcut_status_text(WCUT_NO_MEMORY));
     c->options = complete(o);

@@ -106,6 +106,7 @@ static wcut_status take_scan(growth *g, const wcut_compare_scan *part, int count
     }
     if (!c->held && c->count >= c->hold) return WCUT_OK; /* a scan of a room: the sample is full */
 
+    /* the points themselves, or the sample of them */
     const wcut_status status = append_points(g, count, point);
     return status == WCUT_OK ? WCUT_OK : fail_part(status, part, error);
 }
@@ -161,6 +162,8 @@ static wcut_status read_file(growth *g, int part, wcut_error *error) {
         widen_scan(c, part, info);
         c->scan[part] = (wcut_compared_scan){part_name(p), c->hash[part], info->read, info->not_finite, info->withheld};
     }
+
+    /* the whole file has been read: its hash is recorded with the figures */
     if (status == WCUT_OK) status = wcut_source_hash(p->path, c->hash[part], error);
 
     wcut_cloud_source_destroy(source);

@@ -190,6 +190,7 @@ wcut_status wcut_compare_reconstruct(wcut_comparing *comparing, wcut_error *erro
     else if (!c->face.surface)
         options.mesh = c->face.mesh;
 
+    /* heights over the base surface of the face */
     const wcut_surface *surface = NULL;
     wcut_status status = wcut_compare_face_base(&c->face, &surface, error);
     if (status != WCUT_OK) return status;

@@ -6,6 +6,8 @@
 static wcut_status register_datum(wcut_comparing *c, wcut_error *error) {
     char name[WCUT_QUOTE_SIZE];
     wcut_datums *datums = NULL;
+
+    /* pairs of points, and points of plane faces */
     wcut_status status = wcut_datums_read(c->options.datums, &datums, error);
     if (status != WCUT_OK) return wcut_compare_fail(status, c->options.datums, error);
 

@@ -43,6 +43,8 @@ static bool take_datum(wcut_datums *d, const row *r) {
         if (!r->there[SCAN + k]) return false;
         if (r->there[BLOCK + k]) block++, axis = k;
     }
+
+    /* finite and bounded values, a standard deviation of 0 or more */
     for (int k = 0; k < COLUMNS; k++)
         if (!(fabs(r->value[k]) <= FAR)) return false;
     if (r->value[SIGMA] < 0 || (block != 1 && block != 3)) return false;
@@ -53,6 +55,8 @@ static bool take_datum(wcut_datums *d, const row *r) {
         d->pair[d->pairs++] = (wcut_datum_pair){scan, place, r->value[SIGMA]};
         return true;
     }
+
+    /* an uncut face across the axis whose coordinate is given */
     const wcut_vec3 normal = {axis == 0, axis == 1, axis == 2};
     d->point[d->faces] = scan;
     d->face[d->faces] = (wcut_datum_face){place, normal, r->value[SIGMA], 1, &d->point[d->faces]};

@@ -305,6 +305,8 @@ static void put_reconstruction(wcut_text *text, const wcut_compared *c) {
         wcut_text_print(text, ", \"open\": %s}", r->hole[k].open ? "true" : "false");
     }
     write_word(text, "]");
+
+    /* from the mesh of the scan to the face, and back */
     put_statistics(text, ",\n    \"scan_to_face_mm\": ", c->to_face);
     put_statistics(text, ",\n    \"face_to_scan_mm\": ", c->to_scan);
     write_word(text, "}");

@@ -40,6 +40,8 @@ void wcut_canonical_print(wcut_text *text, const json_t *value, wcut_hole *hole,
         case JSON_OBJECT:
             print_object(text, value, hole, context);
             break;
+
+        /* elements keep their order */
         case JSON_ARRAY:
             wcut_text_put(text, "[", 1);
             for (size_t i = 0; i < json_array_size(value); i++) {
@@ -51,6 +53,8 @@ void wcut_canonical_print(wcut_text *text, const json_t *value, wcut_hole *hole,
         case JSON_STRING:
             wcut_text_string(text, json_string_value(value));
             break;
+
+        /* numbers in their shortest form: 1.0 and 1 are one value */
         case JSON_INTEGER:
         case JSON_REAL:
             wcut_text_number(text, json_number_value(value));

@@ -77,6 +77,8 @@ static bool put_script(wcut_text *text, const void *context) {
     put_shell_word(text, slurm->program);
     wcut_text_put_word(text, " sweep ");
     put_shell_word(text, b->sweep->folder);
+
+    /* an array task finds its share by its number */
     wcut_text_print(text, " --task \"$SLURM_ARRAY_TASK_ID\" --tasks %d --jobs %d --quiet\n", tasks, slurm->cpus);
     return !text->failed;
 }

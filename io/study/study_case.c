@@ -134,6 +134,8 @@ static bool put_content(wcut_text *text, const wcut_study *study, int k) {
         wcut_text_put_string(text, i ? "," : "", study->file[i].name);
         wcut_text_put_string(text, ",", study->file[i].hash);
     }
+
+    /* the input with the values of the case; null where none is varied */
     wcut_text_put_word(text, "],\"input\":");
     if (study->canonical)
         put_input(text, study, k);
@@ -153,6 +155,8 @@ static bool put_content(wcut_text *text, const wcut_study *study, int k) {
         else
             put_value(text, study, k, option[i].parameter);
     }
+
+    /* verb and version change the result as well */
     wcut_text_put_string(text, "},\"verb\":", study->verb);
     wcut_text_put_string(text, ",\"version\":", wcut_version_text());
     wcut_text_put(text, "}", 1);
@@ -209,6 +213,8 @@ wcut_status wcut_study_call_print(const wcut_study *study, int k, const char *fo
     wcut_text out;
     int options = 0;
     if (!is_case(study, k) || !folder || !*folder || strchr(folder, '\n') || !text) return WCUT_BAD_ARGUMENT;
+
+    /* fixed and varied options of the case, by name */
     case_option *option = list_options(study, &options);
     if (!option) return WCUT_NO_MEMORY;
     if (!wcut_text_create(&out, NULL)) {

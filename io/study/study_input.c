@@ -28,6 +28,8 @@ static bool cut_out(void *context, const json_t *value, const wcut_text *text) {
 static bool locate_all(wcut_reader *reader, const wcut_place *at, wcut_study *study, json_t *root,
                        const json_t **value) {
     char nearest[WCUT_POINTER_SIZE];
+
+    /* the value that each pointer leads to */
     for (int p = 0; p < study->parameters; p++) {
         const char *name = study->parameter[p].name;
         const wcut_place place = {at, name, 0, json_object_get(at->value, name)};
@@ -39,6 +41,8 @@ static bool locate_all(wcut_reader *reader, const wcut_place *at, wcut_study *st
                                nearest);
         if (!value[p])
             return wcut_refuse(reader, &place, WCUT_BAD_ARGUMENT, "a pointer to a value of %s", study->input[0]);
+
+        /* two parameters must not set the same value */
         for (int q = 0; q < p; q++)
             if (wcut_pointer_overlaps(study->parameter[q].name, name))
                 return wcut_refuse(reader, &place, WCUT_BAD_ARGUMENT, "a place of its own: %s holds it or lies in it",

@@ -288,6 +288,8 @@ wcut_status wcut_study_parse(const char *text, size_t length, const char *label,
     if (!whole) wcut_refuse_memory(&reader);
     if (whole) whole = read_study(&reader, &at, made, base, base_length);
     json_decref(root);
+
+    /* the caller gets a whole study or none */
     if (whole) reader.status = hash_files(made, error);
     if (whole && reader.status == WCUT_OK) {
         fill_info(made);
@@ -341,6 +343,8 @@ void wcut_study_destroy(wcut_study *study) {
     free_texts(study->figures, study->figure);
     free_texts(study->figures, study->pointer);
     json_decref(study->options);
+
+    /* arrays and texts */
     wcut_free(study->parameter);
     wcut_free(study->parameter_name);
     wcut_free(study->folder);

@@ -62,6 +62,8 @@ wcut_status wcut_sweep_lock(wcut_sweep *sweep, bool alone, wcut_error *error) {
                          wcut_quote(shown, sweep->folder, WCUT_LABEL_MAX, 1), holder[0] ? ": " : "",
                          wcut_quote(quoted, holder, WCUT_FOUND_MAX, 0));
     }
+
+    /* the holder's name is for the message of the next one */
     write_holder(fd);
     sweep->lock = fd;
     return WCUT_OK;
@@ -194,6 +196,8 @@ wcut_status wcut_sweep_create(const char *path, const char *folder, wcut_sweep *
     wcut_study *study = NULL;
     wcut_results *set = NULL;
     wcut_sweep *made = NULL;
+
+    /* the study as its author wrote it */
     wcut_status status = wcut_study_read(path, &study, error);
     if (status != WCUT_OK) return status;
 
@@ -292,6 +296,8 @@ wcut_status wcut_sweep_read(const char *folder, wcut_sweep **sweep, wcut_error *
         if (found != WCUT_OK && found != WCUT_NOT_FOUND)
             status = wcut_fail(error, found, "%s", wcut_status_text(found));
     }
+
+    /* the study again, with the folder that its file names are relative to */
     if (status == WCUT_OK)
         status = wcut_study_parse(text, length, "study.json", study_folder, base, base_length, &study, error);
     if (status == WCUT_OK) status = make_sweep(study, folder, sweep, error);

@@ -109,6 +109,8 @@ static bool is_in_pool(const pool *p, const char *hash) {
 /* the next case that is not whole, ready to start; none: ready.folder stays NULL */
 static wcut_status prepare_next(pool *p) {
     const wcut_study *study = p->sweep->study;
+
+    /* a limit counts the cases of this run, also those that are not recorded yet */
     wcut_sweep_record record;
     while (p->next < study->info.cases && !p->stopping) {
         if (p->options->limit > 0 && p->counts.ran + p->running_count + p->ended_count >= p->options->limit)
@@ -339,6 +341,7 @@ static void stop_children(pool *p) {
 /* ---- the run ---- */
 
 static wcut_status run_pool(pool *p) {
+    /* start, wait, start again, then record: the processors do not wait for the disk */
     wcut_status status = prepare_next(p);
     while (status == WCUT_OK && (p->ready.folder || p->running_count > 0) && !p->stopping) {
         status = fill_places(p);
@@ -357,6 +360,8 @@ static wcut_status run_pool(pool *p) {
     stop_children(p);
     const wcut_status last = record_ended(p);
     if (status == WCUT_OK) status = last;
+
+    /* an interrupt is reported with what is whole */
     if (status == WCUT_OK && stopped)
         status = wcut_fail(p->error, WCUT_INTERRUPTED, "%s: interrupted with %d of %d cases whole", p->sweep->folder,
                            p->counts.state[WCUT_SWEEP_STATE_DONE], p->counts.cases);

@@ -80,6 +80,8 @@ static bool put_row(wcut_text *text, listing *l, int k) {
         put_figure(text, value);
         if (value) l->present[f] = 1;
     }
+
+    /* the state of the case ends the row */
     wcut_text_print(text, ",%s\n", wcut_sweep_state_name(found.record.state));
     l->with_result += found.result != NULL;
     json_decref(found.result);
@@ -160,6 +162,8 @@ wcut_status wcut_sweep_write_csv(const wcut_sweep *sweep, const char *path, wcut
     wcut_status status = wcut_file_create(path, &file, error);
     if (status == WCUT_OK && !(wcut_text_create(&text, file) && put_table_rows(&text, &of)))
         status = fail_table_memory(error);
+
+    /* a figure that no result has is a fault of the study */
     const int lost = status == WCUT_OK ? find_lost(&l) : -1;
     if (lost >= 0) status = refuse_lost(sweep, lost, error);
     if (status == WCUT_OK) {
@@ -213,12 +217,16 @@ static void find_best(const wcut_study *study, wcut_sweep_table *table) {
 wcut_status wcut_sweep_table_load(const wcut_sweep *sweep, wcut_sweep_table *table, wcut_error *error) {
     const wcut_study *study = sweep->study;
     const size_t cases = (size_t)study->info.cases;
+
+    /* columns: parameters, then figures; NaN where a case has no number */
     *table = (wcut_sweep_table){.cases = study->info.cases, .columns = study->parameters + study->figures};
     table->number = wcut_alloc(cases * (size_t)table->columns, sizeof *table->number);
     table->state = wcut_alloc(cases, 1);
     table->hash = wcut_alloc(cases, sizeof *table->hash);
     table->best = wcut_alloc(BEST_SHOWN + 1, sizeof *table->best);
     bool whole = table->number && table->state && table->hash && table->best;
+
+    /* one result is in memory at a time */
     for (int k = 0; k < table->cases && whole; k++) {
         found_case found;
         whole = find_case(sweep, k, true, &found);
@@ -332,6 +340,8 @@ wcut_status wcut_sweep_print(const wcut_sweep *sweep, char **text, wcut_error *e
         put_best(&out, sweep->study, &table);
         wcut_text_put_word(&out, "\n}\n");
     }
+
+    /* the caller gets the whole text or none */
     wcut_sweep_table_free(&table);
     if (!whole) wcut_text_destroy(&out);
     return whole && wcut_text_finish(&out, text, NULL) == WCUT_OK ? WCUT_OK : fail_table_memory(error);
