@@ -3,6 +3,7 @@ using System;
 using System.Runtime.InteropServices;
 
 public enum wcut_brep_part { WCUT_BREP_PART_CUT = 0, WCUT_BREP_PART_SIDE_X0 = 1, WCUT_BREP_PART_SIDE_XW = 2, WCUT_BREP_PART_SIDE_Y0 = 3, WCUT_BREP_PART_SIDE_YL = 4, WCUT_BREP_PART_OPPOSITE = 5, WCUT_BREP_PART_KEY_FLANK = 6, WCUT_BREP_PART_KEY_TIP = 7 }
+public enum wcut_camera_kind { WCUT_CAMERA_KIND_PLANE = 0, WCUT_CAMERA_KIND_PINHOLE = 1, WCUT_CAMERA_KIND_FULL = 2 }
 public enum wcut_channel { WCUT_CHANNEL_TIME = 0, WCUT_CHANNEL_STATION = 1, WCUT_CHANNEL_SPEED_A = 2, WCUT_CHANNEL_SPEED_B = 3, WCUT_CHANNEL_TENSION_A = 4, WCUT_CHANNEL_TENSION_B = 5, WCUT_CHANNEL_ALPHA_A = 6, WCUT_CHANNEL_BETA_A = 7, WCUT_CHANNEL_ALPHA_B = 8, WCUT_CHANNEL_BETA_B = 9, WCUT_CHANNEL_SPEED_COMMAND = 10, WCUT_CHANNEL_HEAT = 11, WCUT_CHANNEL_HEATER_VOLTAGE = 12, WCUT_CHANNEL_HEATER_CURRENT = 13, WCUT_CHANNEL_A_X = 14, WCUT_CHANNEL_A_Y = 15, WCUT_CHANNEL_A_Z = 16, WCUT_CHANNEL_B_X = 17, WCUT_CHANNEL_B_Y = 18, WCUT_CHANNEL_B_Z = 19, WCUT_CHANNEL_COUNT = 20 }
 public enum wcut_cloud_format { WCUT_CLOUD_FORMAT_ANY = 0, WCUT_CLOUD_FORMAT_PLY = 1, WCUT_CLOUD_FORMAT_TEXT = 2, WCUT_CLOUD_FORMAT_STL = 3, WCUT_CLOUD_FORMAT_LAS = 4, WCUT_CLOUD_FORMAT_PCD = 5, WCUT_CLOUD_FORMAT_OBJ = 6, WCUT_CLOUD_FORMAT_OFF = 7, WCUT_CLOUD_FORMAT_GLTF = 8, WCUT_CLOUD_FORMAT_PTX = 9, WCUT_CLOUD_FORMAT_COUNT = 10 }
 public enum wcut_compare_distance { WCUT_COMPARE_DISTANCE_SURFACE = 0, WCUT_COMPARE_DISTANCE_MESH = 1, WCUT_COMPARE_DISTANCE_RECONSTRUCTION = 2, WCUT_COMPARE_DISTANCE_COUNT = 3 }
@@ -137,6 +138,41 @@ public unsafe struct wcut_calibration_point
     public double q_eff;
     public wcut_law_fit_point force;
     public wcut_law_fit_point tension;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_camera
+{
+    public wcut_camera_kind kind;
+    public int width;
+    public int height;
+    public fixed double rotation[9];
+    public wcut_vec3 centre;
+    public double focal;
+    public double k1;
+    public double k2;
+    public fixed double homography[9];
+    public wcut_vec3 plane;
+    public wcut_vec3 plane_x;
+    public wcut_vec3 plane_y;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_camera_options
+{
+    public double pixel_sigma;
+    public double rms_max;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_camera_report
+{
+    public int parameters;
+    public int iterations;
+    public double rms;
+    public double sigma;
+    public fixed double covariance[81];
+    public double focal_sigma;
+    public byte left_out;
+    public int suspect;
+    public double flatness;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_case
@@ -1153,11 +1189,85 @@ public unsafe struct wcut_offset_report
     public fixed double crossing_v[2];
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_overlaid
+{
+    public byte* job;
+    public byte* photo;
+    public byte* job_sha256;
+    public byte* photo_sha256;
+    public wcut_vec3 block;
+    public wcut_picture_source* source;
+    public wcut_camera* camera;
+    public wcut_camera_report* report;
+    public int points;
+    public wcut_photo_point* point;
+    public double* residual;
+    public double* leave_one_out;
+    public wcut_history* history;
+    public wcut_overlay* overlay;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_overlay
+{
+    public double resolution;
+    public double covered;
+    public wcut_picture* rectified;
+    public int columns;
+    public int rows;
+    public wcut_rill_patch* patch;
+    public int readable;
+    public int worst_count;
+    public fixed int worst[10];
+    public double readable_share;
+    public wcut_rill_phase phase_0, phase_1, phase_2, phase_3, phase_4;
+    public int curve_count;
+    public wcut_rill_curve* curve;
+    public int differing;
+    public double noise;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_overlay_options
+{
+    public byte upper;
+    public double resolution;
+    public double patch;
+    public int curves;
+    public int threads;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_overlay_style
+{
+    public byte by_force;
+    public double width;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_path_near
 {
     public double distance;
     public double station;
     public wcut_vec3 place;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_photo_point
+{
+    public double u;
+    public double v;
+    public wcut_vec3 place;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_picture
+{
+    public int width;
+    public int height;
+    public int channels;
+    public byte* pixel;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_picture_source
+{
+    public int orientation;
+    public int depth;
+    public byte profile;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_prediction
@@ -1588,6 +1698,47 @@ public unsafe struct wcut_rig_summary
     public byte plan_recorded;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_rill_curve
+{
+    public int station;
+    public int count;
+    public wcut_rill_node* node;
+    public int readable;
+    public double range;
+    public double range_sigma;
+    public byte differs;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_rill_node
+{
+    public wcut_vec3 place;
+    public byte readable;
+    public double deviation;
+    public double sigma;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_rill_patch
+{
+    public wcut_vec3 place;
+    public double station;
+    public double wire;
+    public byte readable;
+    public double angle;
+    public double sigma;
+    public double systematic;
+    public double coherence;
+    public double contrast;
+    public double covered;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_rill_phase
+{
+    public int patches;
+    public int readable;
+    public double median;
+    public double sigma;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_robot_check
 {
     public byte* name;
@@ -2014,6 +2165,9 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_calibration_options wcut_calibration_options_default();
     [DllImport("wirecut-io")] public static extern wcut_status wcut_calibration_slips(int a0, wcut_test_cut* a1, wcut_calibration_options* a2, int* a3, wcut_slip* a4, wcut_error* a5);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_calibration_table_read(byte* a0, byte* a1, int* a2, wcut_test_cut** a3, wcut_error* a4);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_camera_fit(int a0, wcut_photo_point* a1, int a2, int a3, wcut_camera_options* a4, wcut_camera* a5, wcut_camera_report* a6, double* a7, double* a8, wcut_error* a9);
+    [DllImport("wirecut-io")] public static extern wcut_camera_options wcut_camera_options_default();
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_camera_project(wcut_camera* a0, int a1, wcut_vec3* a2, double* a3, double* a4);
     [DllImport("wirecut-io")] public static extern void wcut_case_destroy(wcut_case* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_case_read(byte* a0, wcut_case** a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern byte* wcut_channel_name(wcut_channel a0);
@@ -2181,9 +2335,23 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_mould_print(wcut_mould* a0, byte* a1, byte** a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_mould_write(wcut_mould* a0, byte* a1, byte* a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_normals_options wcut_normals_options_default();
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_overlay_create(wcut_vec3 a0, wcut_history* a1, wcut_camera* a2, wcut_camera_report* a3, wcut_picture* a4, wcut_overlay_options* a5, IntPtr a6, void* a7, wcut_overlay** a8, wcut_error* a9);
+    [DllImport("wirecut-io")] public static extern void wcut_overlay_destroy(wcut_overlay* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_overlay_details(wcut_overlay* a0, wcut_vec3 a1, wcut_history* a2, wcut_picture* a3, double a4, wcut_picture** a5);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_overlay_draw(wcut_overlay* a0, wcut_vec3 a1, wcut_history* a2, wcut_overlay_style* a3, wcut_picture** a4);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_overlay_draw_photo(wcut_overlay* a0, wcut_vec3 a1, wcut_history* a2, wcut_overlay_style* a3, wcut_camera* a4, wcut_picture* a5, wcut_picture** a6);
+    [DllImport("wirecut-io")] public static extern wcut_overlay_options wcut_overlay_options_default();
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_overlay_print(wcut_overlaid* a0, byte** a1);
+    [DllImport("wirecut-io")] public static extern wcut_overlay_style wcut_overlay_style_default();
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_overlay_svg_write(wcut_overlaid* a0, byte* a1, byte* a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern byte* wcut_part_name(wcut_part a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_path_clearance(int a0, wcut_vec3* a1, wcut_box* a2, double a3, wcut_path_near* a4);
     [DllImport("wirecut-io")] public static extern byte* wcut_phase_name(wcut_phase a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_photo_points_read(byte* a0, int* a1, wcut_photo_point** a2, wcut_error* a3);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_picture_create(int a0, int a1, int a2, wcut_picture** a3);
+    [DllImport("wirecut-io")] public static extern void wcut_picture_destroy(wcut_picture* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_picture_read(byte* a0, wcut_picture** a1, wcut_picture_source* a2, wcut_error* a3);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_picture_write(wcut_picture* a0, double a1, byte* a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern byte* wcut_place_name(wcut_place a0);
     [DllImport("wirecut-io")] public static extern void wcut_prediction_destroy(wcut_prediction* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_prediction_plan(wcut_history* a0, wcut_recording* a1, wcut_prediction** a2, wcut_error* a3);
@@ -2214,6 +2382,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_control_write(wcut_rig_summary* a0, byte* a1, byte* a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_diagnose_write(wcut_report_diagnose* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_mould_write(wcut_report_mould* a0, wcut_job* a1, wcut_history* a2, wcut_mould* a3, byte* a4, wcut_error* a5);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_report_overlay_write(wcut_overlaid* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_score_write(wcut_report_score* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_simulate_write(wcut_report_simulate* a0, void* a1, wcut_history* a2, byte* a3, wcut_error* a4);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_write(wcut_report* a0, byte* a1, wcut_error* a2);
@@ -2230,6 +2399,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern void wcut_rig_run_destroy(wcut_rig_run* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_rig_summary_print(wcut_rig_summary* a0, byte** a1);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_rig_summary_write(wcut_rig_summary* a0, byte* a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_rills_write(wcut_overlay* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern byte* wcut_robot_file_name(wcut_robot_format a0, int a1);
     [DllImport("wirecut-io")] public static extern byte* wcut_robot_format_name(wcut_robot_format a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_robot_limits_check(wcut_job* a0, wcut_history* a1, wcut_vec3* a2, wcut_vec3* a3, wcut_robot_limits* a4, wcut_robot_check* a5);
@@ -2333,5 +2503,6 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_vtp_stream_create(byte* a0, int a1, int a2, void** a3, wcut_error* a4);
     [DllImport("wirecut-io")] public static extern void wcut_vtp_stream_destroy(void* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_wire_temperature(double a0, double a1, double a2, double a3, double* a4);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_world_write(wcut_overlay* a0, wcut_vec3 a1, byte* a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_zones_write(wcut_deviation_summary_result* a0, byte* a1, wcut_error* a2);
 }

@@ -40,6 +40,9 @@ run 0 score case.json -o ../score --quiet --settle 0 --leave 0
 read_in case.json recording.csv table.csv
 run 0 compare job.json scan.xyz -o ../compare --register datum --datum datums.csv --reconstruct field --tolerance 5 --quiet
 read_in scan.xyz datums.csv
+python3 "$SOURCE_DIR/tests/photo/plain_png.py" photo.png 640 480
+run 0 overlay job.json photo.png --points points.csv -o ../overlay --patch 50 --curves 2 --resolution 1 --quiet
+read_in points.csv
 run 0 verify ../identify --quiet --json
 cp out ../verification.json
 run 0 sweep study.json -o ../sweep --quiet
@@ -65,6 +68,8 @@ same deviation.json compare/deviation.json
 same zones.csv compare/zones.csv
 same sweep.json sweep/sweep.json
 same sweep-case.json "$(ls sweep/cases/*/*/case.json | head -n 1)"
+same overlay.json overlay/overlay.json
+same rills.csv overlay/rills.csv
 same usage.json usage.json
 
 # an input that has a key too many, or lacks one, is noticed: the examples are read, not passed over

@@ -11,6 +11,7 @@
 #include <wirecut/job.h>
 #include <wirecut/mesh.h>
 #include <wirecut/mould.h>
+#include <wirecut/overlay_file.h>
 #include <wirecut/report.h>
 #include <wirecut/rig.h>
 #include <wirecut/score.h>
@@ -206,6 +207,17 @@ typedef struct wcut_report_score {
  *         it was.
  */
 WCUT_API wcut_status wcut_report_score_write(const wcut_report_score *scored, const char *path, wcut_error *error);
+
+/**
+ * Write the page of a photograph over a simulated cut: angles between rills and wire as a map, the shape that they tell,
+ * the camera's points.
+ *
+ * @param[in]  overlaid all of it
+ * @param[in]  path     the target, replaced whole or not at all
+ * @param[out] error    may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a NULL that is not allowed), the statuses of wcut_report_write: the target is as it was.
+ */
+WCUT_API wcut_status wcut_report_overlay_write(const wcut_overlaid *overlaid, const char *path, wcut_error *error);
 
 #ifdef __cplusplus
 }

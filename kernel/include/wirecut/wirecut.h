@@ -14,6 +14,7 @@
 #include <wirecut/brep.h>
 #include <wirecut/calibration.h>
 #include <wirecut/calibration_file.h>
+#include <wirecut/camera.h>
 #include <wirecut/case.h>
 #include <wirecut/cloud.h>
 #include <wirecut/cloud_file.h>
@@ -50,6 +51,8 @@
 #include <wirecut/mould.h>
 #include <wirecut/mould_file.h>
 #include <wirecut/offset.h>
+#include <wirecut/overlay.h>
+#include <wirecut/overlay_file.h>
 #include <wirecut/plausible.h>
 #include <wirecut/projection.h>
 #include <wirecut/read.h>
