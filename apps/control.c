@@ -107,30 +107,15 @@ static wcut_status simulate_job(loop *l, wcut_setup **setup, wcut_history **hist
     return status;
 }
 
-/* a design's path as the job */
-static wcut_status take_path(loop *l, wcut_error *error) {
-    wcut_setup *setup = NULL;
-    wcut_job *path = NULL;
-    wcut_status status = wcut_setup_create(l->job, NULL, &setup, error);
-    if (status == WCUT_OK) status = wcut_setup_path_job(setup, &path);
-    wcut_setup_destroy(setup);
-    if (status != WCUT_OK) return status;
-    wcut_job_destroy(l->job);
-    l->job = path;
-    return WCUT_OK;
-}
-
 static wcut_status simulate_plan(loop *l, wcut_error *error) {
     wcut_setup *setup = NULL;
-    wcut_status status = WCUT_OK;
-    if (l->job->mode == WCUT_MODE_DESIGN) status = take_path(l, error);
-    if (status == WCUT_OK) status = simulate_job(l, &setup, &l->history, error);
+    const wcut_status status = simulate_job(l, &setup, &l->history, error);
     wcut_setup_destroy(setup);
     return status;
 }
 
 static int load_loop(loop *l) {
-    const int code = app_job_load(l->call, l->path, &l->job);
+    const int code = app_job_load_path(l->call, l->path, &l->job);
     if (code != APP_DONE) return code;
 
     /* defaults of the library for this job */

@@ -121,7 +121,7 @@ static void read_diagnose_cut(run *r, int i) {
     wcut_error error = {0};
 
     /* job and recording; without one of them the cut is left out */
-    wcut_status status = app_job_read(r->call, files->job, &t->job, &error);
+    wcut_status status = app_job_read_cut(r->call, files->job, &t->job, &error);
     if (status == WCUT_OK)
         note_source(r, "job", files->job);
     else
@@ -391,6 +391,7 @@ static const app_option option[] = {
      .low = 1,
      .high = 1024,
      .help = "number of threads; default one for each processor. Results do not depend on it"},
+    APP_OPTION_FORCE_LAW,
     {.kind = APP_EFFECTS,
      .name = "without",
      .value = "EFFECT,...",

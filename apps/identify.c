@@ -23,7 +23,7 @@ typedef struct identification {
 static int load_identify(identification *x) {
     wcut_error error = {0};
     const char *path = x->call->operand[0];
-    const int code = app_job_load(x->call, path, &x->job);
+    const int code = app_job_load_path(x->call, path, &x->job);
     if (code != APP_DONE) return code;
 
     x->count = app_int(x->call, "cuts");
@@ -91,7 +91,7 @@ static int identify(const app_call *call) {
 }
 
 static const app_operand operand[] = {
-    {.name = "JOB", .kind = APP_FILE, .help = "a job file with the mounts' path, wirecut-job/1"},
+    {.name = "JOB", .kind = APP_FILE, .help = "a job file, wirecut-job/1"},
     {.name = NULL},
 };
 
@@ -124,8 +124,8 @@ const app_verb app_verb_identify = {
         "(4 to 5.5 % each, 3 to 12 s) and steps of the heater (10 %, 6 to 14 s). The second one is run backwards where "
         "the path allows it, which separates effects of the place in the block from effects of time.\nWrites into DIR: "
         "identification-1.json and so on, jobs with \"excitation\". The amplitudes are as large as the job's speed "
-        "limits allow and keep the tension below twice its target without feedback. Make these cuts, add their "
-        "recordings to the case, and run wirecut diagnose.",
+        "limits allow and keep the tension below twice its target without feedback. Make these cuts (wirecut "
+        "path writes their programs), add their recordings to the case, and run wirecut diagnose.",
     .operand = operand,
     .option = option,
     .run = identify,

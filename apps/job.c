@@ -2,6 +2,7 @@
 #include "job.h"
 
 #include <stdio.h>
+#include <wirecut/cut.h>
 #include <wirecut/job_file.h>
 
 #include "terminal.h"
@@ -46,6 +47,53 @@ wcut_status app_job_read(const app_call *call, const char *path, wcut_job **job,
     wcut_job_destroy(*job);
     *job = NULL;
     return status;
+}
+
+/* the path that a design becomes, in its place */
+static wcut_status take_path(const char *path, wcut_job **job, wcut_error *error) {
+    wcut_setup *setup = NULL;
+    wcut_job *driven = NULL;
+    wcut_error cause = {0};
+    wcut_status status = wcut_setup_create(*job, NULL, &setup, &cause);
+    if (status != WCUT_OK) snprintf(error->text, sizeof error->text, "%.150s: %.300s", path, cause.text);
+    if (status == WCUT_OK) {
+        status = wcut_setup_path_job(setup, &driven);
+        if (status == WCUT_NOT_CONVERGED)
+            snprintf(error->text, sizeof error->text,
+                     "%.150s: its plan ends early; wirecut simulate says where and why", path);
+    }
+    wcut_setup_destroy(setup);
+    if (status != WCUT_OK) return name_place(status, path, error);
+    wcut_job_destroy(*job);
+    *job = driven;
+    return WCUT_OK;
+}
+
+static wcut_status forget_job(wcut_status status, wcut_job **job) {
+    if (status == WCUT_OK) return WCUT_OK;
+    wcut_job_destroy(*job);
+    *job = NULL;
+    return status;
+}
+
+wcut_status app_job_read_path(const app_call *call, const char *path, wcut_job **job, wcut_error *error) {
+    const wcut_status status = app_job_read(call, path, job, error);
+    if (status != WCUT_OK || (*job)->mode == WCUT_MODE_PATH) return status;
+    return forget_job(take_path(path, job, error), job);
+}
+
+wcut_status app_job_read_cut(const app_call *call, const char *path, wcut_job **job, wcut_error *error) {
+    wcut_status status = app_job_read(NULL, path, job, error);
+    if (status != WCUT_OK) return status;
+    if ((*job)->mode == WCUT_MODE_DESIGN) status = take_path(path, job, error);
+    if (status == WCUT_OK) status = change_job(call, path, *job, error);
+    return forget_job(status, job);
+}
+
+int app_job_load_path(const app_call *call, const char *path, wcut_job **job) {
+    wcut_error error = {0};
+    const wcut_status status = app_job_read_path(call, path, job, &error);
+    return status == WCUT_OK ? APP_DONE : app_fail_status(status, NULL, &error);
 }
 
 int app_job_load(const app_call *call, const char *path, wcut_job **job) {

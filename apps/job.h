@@ -36,4 +36,13 @@ wcut_status app_job_read(const app_call *call, const char *path, wcut_job **job,
 /* The same; says what is wrong and gives an exit code. */
 int app_job_load(const app_call *call, const char *path, wcut_job **job);
 
+/* The same two for verbs that drive mounts: a design becomes the path job that it is cut by, job-path.json of wirecut
+   simulate, planned with the options. */
+wcut_status app_job_read_path(const app_call *call, const char *path, wcut_job **job, wcut_error *error);
+int app_job_load_path(const app_call *call, const char *path, wcut_job **job);
+
+/* For verbs that look at a recording: the path of a design is the one that was cut, planned by the job as it is, and the
+   options change the job behind that. */
+wcut_status app_job_read_cut(const app_call *call, const char *path, wcut_job **job, wcut_error *error);
+
 #endif

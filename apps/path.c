@@ -12,6 +12,8 @@
 
 /* How exactly the least distance of a mount's path to the block is found. */
 #define CLEARANCE_MM 1e-3
+/* How far along its way a mount may be off where the speed is dithered: 5 % of 20 mm/s over 3 s are 0.5 mm. */
+#define EXCITED_MM 0.005
 
 typedef struct export_ {
     const app_call *call;
@@ -33,12 +35,6 @@ static int load_export(export_ *e) {
     const int code = app_job_load(e->call, e->path, &e->job);
     if (code != APP_DONE) return code;
 
-    /* what the programs cannot hold */
-    if (e->job->dither_count + e->job->heat_step_count > 0)
-        return app_fail(APP_BAD_INPUT,
-                        "%s: excitation: found %d sines of the speed and %d heater steps, expected none: the programs "
-                        "have fixed speeds and no heater steps, the recording of such a cut would not follow its job",
-                        e->path, e->job->dither_count, e->job->heat_step_count);
     e->format = (wcut_robot_format)app_choice(e->call, "format");
     const wcut_status status = wcut_setup_create(e->job, NULL, &e->setup, &error);
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, e->path, &error);
@@ -56,6 +52,7 @@ static int run_export(export_ *e) {
     if (!e->mount_a) return app_fail_status(WCUT_NO_MEMORY, e->path, NULL);
     e->mount_b = e->mount_a + stations;
     status = wcut_history_path(e->setup, e->history, e->mount_a, e->mount_b, &e->length, &error);
+    if (status == WCUT_OK) status = wcut_history_excite(e->job, e->history, &error);
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, e->path, &error);
 }
 
@@ -100,6 +97,10 @@ static int make_motion(export_ *e) {
     choose(e->call, "lead-in", 1, &o.lead_in);
     choose(e->call, "lead-out", 1, &o.lead_out);
     choose(e->call, "zone", 1, &o.zone);
+    o.heater = e->job;
+
+    /* a dither is small: thinned as usual it would be gone */
+    if (e->job->dither_count > 0 && o.time_tolerance > EXCITED_MM) o.time_tolerance = EXCITED_MM;
     o.frame = app_choice(e->call, "tool-frame") == 1 ? WCUT_TOOL_FRAME_FOLLOWING : WCUT_TOOL_FRAME_FIXED;
     wcut_status status = wcut_robot_motion_create(e->history, e->mount_a, e->mount_b, &o, &e->motion, &error);
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, e->path, &error);
@@ -158,6 +159,7 @@ static int write_programs(export_ *e) {
     names.sync_io = app_int(e->call, "sync-io");
     names.wire_on = hook(e->call, "wire-on", names.wire_on);
     names.wire_off = hook(e->call, "wire-off", names.wire_off);
+    names.wire_heat = hook(e->call, "wire-heat", names.wire_heat);
 
     /* what the moves keep that have no time of their own, and what the cell sets */
     const wcut_robot_limits l = limits_of(e);
@@ -199,6 +201,12 @@ static void say_motion(const export_ *e) {
     /* the motion and how far it is from the path */
     app_say("%s: %d targets of %d stations, %.1f s; error across the path at most %.2g mm, along it %.2g mm",
             e->job->name, m->count, m->stations, m->duration, m->chord_error, m->time_error);
+
+    if (e->job->dither_count + e->job->heat_step_count > 0)
+        app_say(
+            "excitation: %d sines on the speed are in the programs, %d heater steps call a procedure; time 0 of the "
+            "recording is station 0",
+            e->job->dither_count, e->job->heat_step_count);
 
     /* the place where each mount comes nearest to the block */
     for (int k = 0; k < 2; k++) {
@@ -274,6 +282,7 @@ static double path_preheat(void) { return wcut_robot_names_default().preheat; }
 static double path_frame(void) { return wcut_robot_options_default().frame; }
 static const char *path_wire_on_text(void) { return wcut_robot_names_default().wire_on; }
 static const char *path_wire_off_text(void) { return wcut_robot_names_default().wire_off; }
+static const char *path_wire_heat_text(void) { return wcut_robot_names_default().wire_heat; }
 static double path_cold_strength(void) { return wcut_robot_limits_default(&(wcut_job){0}).cold_strength; }
 static double path_hot_strength(void) { return wcut_robot_limits_default(&(wcut_job){0}).hot_strength; }
 static double path_acceleration(void) { return wcut_robot_limits_default(&(wcut_job){0}).acceleration; }
@@ -356,6 +365,11 @@ static const app_option option[] = {
      .value = "NAME",
      .library_text = path_wire_off_text,
      .help = "procedure that robot A calls after its last target"},
+    {.kind = APP_TEXT,
+     .name = "wire-heat",
+     .value = "NAME",
+     .library_text = path_wire_heat_text,
+     .help = "procedure that robot A calls with a power in W/m at each heater step of an excitation"},
     {.kind = APP_INT,
      .name = "sync-io",
      .value = "N",
@@ -419,7 +433,10 @@ const app_verb app_verb_path = {
         "together. Stations are left out as long as the error stays within a tolerance across the path and one along "
         "it.\nurscript and krl: wirecut_a.* and wirecut_b.*, started together by a digital output of each robot that "
         "is wired to an input of the other; after that each keeps the time or the speed of its moves. rapid: two "
-        "modules for MultiMove, moves with the same ID end together. csv: robot.csv; json: robot.json.\nMount speeds "
+        "modules for MultiMove, moves with the same ID end together. csv: robot.csv; json: robot.json.\nAn "
+        "identification cut (wirecut identify): its sines are in the speeds, and robot A calls a procedure with a "
+        "power "
+        "at every heater step. Time 0 of the recording is station 0.\nMount speeds "
         "and accelerations, the angles of the Cardan head, and the wire's temperature in still air and its stress are "
         "compared with limits; exceeded limits are reported.",
     .operand = operand,

@@ -138,7 +138,7 @@ static wcut_status doubt_trial(const scoring *s, trial *t) {
 /* read a cut's files; what is wrong with them is the cut's */
 static wcut_status read_trial(scoring *s, trial *t) {
     wcut_status status = WCUT_OK;
-    if (&s->trial[t->job_of] == t) status = app_job_read(s->call, t->job_path, &t->job, &t->error);
+    if (&s->trial[t->job_of] == t) status = app_job_read_cut(s->call, t->job_path, &t->job, &t->error);
     if (status == WCUT_OK && !s->trial[t->job_of].job) {
         t->error = s->trial[t->job_of].error; /* the same job could not be read before */
         return t->error.status;

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { SERIES = 4, STEPS = 12, WINDOWS = 16 };
+enum { SERIES = 4, STEPS = 16, WINDOWS = 16 };
 
 /* ---- channels ---- */
 
@@ -122,6 +122,14 @@ static const char *next_action(wcut_page_memory *memory, const wcut_found_effect
     const wcut_effect_info *info = wcut_effect_view(f->effect.kind);
     const char *which = info->choice ? info->choice[f->effect.choice] : "";
     switch (f->effect.kind) {
+        case WCUT_EFFECT_TENSION_ZERO:
+            return wcut_page_text(memory, "Tare tension sensor %s with the wire slack, before every cut.", which);
+        case WCUT_EFFECT_TENSION_DELAY:
+            return "Take the delay out of the tension readings: a filter of the amplifier, or a bus that is read late.";
+        case WCUT_EFFECT_ANGLE_GAIN:
+            return wcut_page_text(memory, "Calibrate the encoder %s at two known angles.", which);
+        case WCUT_EFFECT_ENCODER_FRICTION:
+            return "Clean and oil the joints of the heads: they hold back before they turn.";
         case WCUT_EFFECT_TENSION_GAIN:
         case WCUT_EFFECT_TENSION_DRIFT:
             /* a sensor's gain and drift show under a known weight */
@@ -154,12 +162,38 @@ static const char *next_action(wcut_page_memory *memory, const wcut_found_effect
     }
 }
 
+/* what a contradiction in the recordings asks for; NULL: what its effect asks for */
+static const char *contradiction_action(wcut_page_memory *memory, const wcut_contradiction *c) {
+    switch (c->kind) {
+        case WCUT_CONTRADICTION_EXCITATION:
+            return "Cut the identification cuts again with the programs of wirecut path, which follow their "
+                   "excitation.";
+        case WCUT_CONTRADICTION_HEATER:
+            return "Check the heater's supply under load, and the length of wire that it heats.";
+        case WCUT_CONTRADICTION_STATION:
+            return "Check how the station is recorded: over a known way it must be that of the path.";
+        case WCUT_CONTRADICTION_SPEED:
+            return "Check the speeds and the clock of the recording over a known way.";
+        case WCUT_CONTRADICTION_PLACES:
+            return wcut_page_text(memory, "Measure where the mounts are at the first station (%s).", c->column);
+        default:
+            return NULL;
+    }
+}
+
 /* the steps that a verdict asks for; gives how many */
 static int list_steps(wcut_page_memory *memory, const wcut_diagnosis *d, const char **step) {
-    /* what each named effect asks for */
+    /* what each contradiction asks for, each kind once, then each named effect */
     int count = 0;
+    for (int k = 0; k < d->contradictions && count < 3; k++) {
+        const char *action = contradiction_action(memory, &d->contradiction[k]);
+        bool said = false;
+        for (int j = 0; j < k; j++) said = said || d->contradiction[j].kind == d->contradiction[k].kind;
+        if (action && !said) step[count++] = action;
+    }
+    const int before = count;
     for (int e = 0; e < d->effects && d->kind != WCUT_VERDICT_AMBIGUOUS; e++)
-        if (d->effect[e].present && count < 4) step[count++] = next_action(memory, &d->effect[e]);
+        if (d->effect[e].present && count < before + 4) step[count++] = next_action(memory, &d->effect[e]);
 
     /* events: ask what happened then */
     for (int e = 0; e < d->modelled.events && e < 3; e++)
@@ -182,7 +216,10 @@ static int list_steps(wcut_page_memory *memory, const wcut_diagnosis *d, const c
             "the heater's volts and amperes, and diagnose again.";
 
     /* nothing found, and the correction */
-    if (d->kind == WCUT_VERDICT_NONE) step[count++] = "Accept: no difference beyond noise.";
+    if (d->kind == WCUT_VERDICT_NONE)
+        step[count++] = d->contradictions > 0
+                            ? "Accept the cuts: beside what is said above, no difference beyond noise."
+                            : "Accept: no difference beyond noise.";
     if (!d->withheld[0])
         step[count++] = "Recalibrate: put the correction into the jobs of this foam, wire and machine (wirecut apply).";
 

@@ -89,6 +89,15 @@ static void put_comment(wcut_text *text, const char *mark, const char *words) {
     wcut_text_print(text, "%s%s\n", mark, line);
 }
 
+static int count_heats(const wcut_robot_motion *m) {
+    int count = 0;
+    for (int i = 0; i < m->count; i++) count += m->target[i].heat > 0;
+    return count;
+}
+
+/* the power that robot A sets where target i is reached; 0: none */
+static double heat_at(const wcut_robot_motion *m, int robot, int i) { return robot == 0 ? m->target[i].heat : 0; }
+
 static void put_program_head(wcut_text *text, const char *mark, const wcut_robot_motion *m,
                              const wcut_robot_names *names, int robot) {
     /* what the program is, for whoever opens it at the cell */
@@ -112,6 +121,9 @@ static void put_program_head(wcut_text *text, const char *mark, const wcut_robot
         put_rounded(text, " length from mount to mount ", names->wire_length, 3), wcut_text_print(text, " mm;");
     if (names->preheat > 0)
         put_rounded(text, " heated for ", names->preheat, 3), wcut_text_print(text, " s before the start;");
+    if (count_heats(m) > 0)
+        wcut_text_print(text, " A calls %s with a power in W/m, %d times, to be defined by the cell;", names->wire_heat,
+                        count_heats(m));
     if (names->wire_on || names->wire_off)
         wcut_text_print(text, " A calls %s%s%s, to be defined by the cell.\n", names->wire_on ? names->wire_on : "",
                         names->wire_on && names->wire_off ? " and " : "", names->wire_off ? names->wire_off : "");
@@ -199,6 +211,11 @@ void wcut_urscript_put(wcut_text *text, const wcut_robot_motion *m, const wcut_r
     /* a move for each target; one that neither goes nor turns is a pause */
     half last = h;
     for (int i = 1; i < m->count; i++) {
+        if (heat_at(m, robot, i - 1) > 0) {
+            wcut_text_print(text, "  %s", names->wire_heat);
+            put_rounded(text, "(", heat_at(m, robot, i - 1), 3);
+            wcut_text_print(text, ")\n");
+        }
         h = half_of(m, robot, i);
         if (h.way < STANDING && frame_angle(last.frame, h.frame) < STILL) {
             put_rounded(text, "  sleep(", h.duration, 6);
@@ -223,8 +240,10 @@ void wcut_urscript_put(wcut_text *text, const wcut_robot_motion *m, const wcut_r
 
 /* ---- RAPID: millimetres, quaternions, MultiMove: moves of one ID end together ---- */
 
-static void put_rapid_move(wcut_text *text, const half *h, int id, double speed) {
-    put_rounded(text, "    MoveL [[", h->at.x, 3);
+/* calls: a procedure is called in the middle of the zone (MoveLSync), not when the program runs ahead */
+static void put_rapid_move(wcut_text *text, const half *h, int id, double speed, bool calls) {
+    wcut_text_print(text, "    MoveL%s", calls ? "Sync" : "");
+    put_rounded(text, " [[", h->at.x, 3);
     put_rounded(text, ",", h->at.y, 3);
     put_rounded(text, ",", h->at.z, 3);
     for (int k = 0; k < 4; k++) put_rounded(text, k ? "," : "],[", h->frame[k], 9);
@@ -241,6 +260,13 @@ static void put_rapid_move(wcut_text *text, const half *h, int id, double speed)
         put_rounded(text, ",0.150,", 1.5 * h->zone, 3);
         wcut_text_print(text, ",0.150]");
     }
+}
+
+static void put_rapid_heat(wcut_text *text, const wcut_robot_names *names, double heat) {
+    if (!(heat > 0)) return;
+    wcut_text_print(text, "    %s", names->wire_heat);
+    put_rounded(text, " ", heat, 3);
+    wcut_text_print(text, ";\n");
 }
 
 void wcut_rapid_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_names *names, int robot) {
@@ -260,7 +286,7 @@ void wcut_rapid_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robo
 
     /* to the first target, before both robots are coupled */
     half h = half_of(m, robot, 0);
-    put_rapid_move(text, &h, 0, names->approach_speed);
+    put_rapid_move(text, &h, 0, names->approach_speed, false);
     wcut_text_print(text, ", %s_tool\\WObj:=%s_block;\n", p, p);
 
     /* the wire is switched on and heated by robot A */
@@ -271,18 +297,31 @@ void wcut_rapid_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robo
     }
 
     /* synchronous moves to all targets */
+    put_rapid_heat(text, names, heat_at(m, robot, 0));
     wcut_text_print(text, "    SyncMoveOn %s_on_%03x, %s_tasks;\n", p, id, p);
     for (int i = 1; i < m->count; i++) {
         h = half_of(m, robot, i);
         /* a robot that stands waits for the other; its own speed must not be 0 */
-        put_rapid_move(text, &h, 10 * i, h.speed < 0.01 ? 0.01 : h.speed);
-        wcut_text_print(text, ", %s_tool\\WObj:=%s_block;\n", p, p);
+        const bool calls = heat_at(m, robot, i) > 0;
+        put_rapid_move(text, &h, 10 * i, h.speed < 0.01 ? 0.01 : h.speed, calls);
+        wcut_text_print(text, ", %s_tool\\WObj:=%s_block", p, p);
+        if (calls) wcut_text_print(text, ", \"%s_heat_%d\"", p, i);
+        wcut_text_print(text, ";\n");
     }
 
     /* both robots are released, the wire is switched off */
     wcut_text_print(text, "    SyncMoveOff %s_off_%03x;\n", p, id);
     if (robot == 0 && names->wire_off) wcut_text_print(text, "    %s;\n", names->wire_off);
-    wcut_text_print(text, "  ENDPROC\nENDMODULE\n");
+    wcut_text_print(text, "  ENDPROC\n");
+
+    /* a procedure without a parameter for each change of the heater's power */
+    for (int i = 1; i < m->count; i++) {
+        if (!(heat_at(m, robot, i) > 0)) continue;
+        wcut_text_print(text, "  PROC %s_heat_%d()\n", p, i);
+        put_rapid_heat(text, names, heat_at(m, robot, i));
+        wcut_text_print(text, "  ENDPROC\n");
+    }
+    wcut_text_print(text, "ENDMODULE\n");
 }
 
 /* ---- KRL: millimetres, A B C in degrees, a speed for every move ---- */
@@ -360,6 +399,11 @@ void wcut_krl_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_
     half last = h;
     for (int i = 1; i < m->count; i++) {
         h = half_of(m, robot, i);
+        if (heat_at(m, robot, i - 1) > 0) {
+            wcut_text_print(text, "TRIGGER WHEN DISTANCE=0 DELAY=0 DO %s", names->wire_heat);
+            put_rounded(text, " (", heat_at(m, robot, i - 1), 3);
+            wcut_text_print(text, ") PRIO=-1\n");
+        }
         const double way = flange_distance(printed(last.at), printed(h.at)), turn = frame_angle(last.frame, h.frame);
         if (way < STANDING && turn < STILL) {
             put_rounded(text, "WAIT SEC ", h.duration, 6);

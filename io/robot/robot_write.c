@@ -21,6 +21,7 @@ wcut_robot_names wcut_robot_names_default(void) {
     return (wcut_robot_names){.program = "wirecut",
                               .wire_on = "wire_on",
                               .wire_off = "wire_off",
+                              .wire_heat = "wire_heat",
                               .sync_io = 1,
                               .approach_speed = 50,
                               .approach_acceleration = 1000};
@@ -45,7 +46,7 @@ static void put_csv(wcut_text *text, const wcut_robot_motion *m) {
     wcut_text_print(text,
                     "target,station,time_s,duration_s,a_x_mm,a_y_mm,a_z_mm,b_x_mm,b_y_mm,b_z_mm,speed_a_mm_s,"
                     "speed_b_mm_s,zone_a_mm,zone_b_mm,frame_a_w,frame_a_x,frame_a_y,frame_a_z,frame_b_w,frame_b_x,"
-                    "frame_b_y,frame_b_z\n");
+                    "frame_b_y,frame_b_z,heat_W_per_m\n");
     for (int i = 0; i < m->count; i++) {
         const wcut_robot_target *t = &m->target[i];
         const double millimetre[] = {t->a.x, t->a.y,     t->a.z,     t->b.x,    t->b.y,
@@ -57,6 +58,8 @@ static void put_csv(wcut_text *text, const wcut_robot_motion *m) {
         for (size_t k = 0; k < sizeof millimetre / sizeof *millimetre; k++) put_fixed(text, ",", millimetre[k], 3);
         for (int k = 0; k < 4; k++) put_fixed(text, ",", t->frame_a[k], 9);
         for (int k = 0; k < 4; k++) put_fixed(text, ",", t->frame_b[k], 9);
+        wcut_text_print(text, ",");
+        if (t->heat > 0) put_fixed(text, "", t->heat, 3); /* none: as before */
         wcut_text_print(text, "\n");
     }
 }
@@ -95,6 +98,7 @@ static void put_motion_json(wcut_text *text, const wcut_robot_motion *m, const w
             wcut_text_print(text, "%d", t->station);
         wcut_text_put_number(text, ", \"time_s\": ", t->time);
         wcut_text_put_number(text, ", \"duration_s\": ", t->duration);
+        if (t->heat > 0) wcut_text_put_number(text, ", \"heat_W_per_m\": ", t->heat);
         put_robot(text, "a", t->a, t->speed_a, t->zone_a, t->frame_a);
         put_robot(text, "b", t->b, t->speed_b, t->zone_b, t->frame_b);
         wcut_text_print(text, "}");
@@ -120,8 +124,8 @@ static wcut_status motion_is_writable(const wcut_robot_motion *m, const wcut_rob
                          "a robot program: expected a motion, a file name and a robot that the format has a file for");
 
     /* names go into programs as they are: letters and digits only */
-    const char *const name[] = {n->program ? n->program : "", n->wire_on, n->wire_off};
-    for (int k = 0; k < 3; k++) {
+    const char *const name[] = {n->program ? n->program : "", n->wire_on, n->wire_off, n->wire_heat};
+    for (int k = 0; k < 4; k++) {
         char quoted[WCUT_QUOTE_SIZE];
         if (name[k] && !is_name(name[k]))
             return wcut_fail(error, WCUT_BAD_ARGUMENT,
@@ -149,8 +153,11 @@ static wcut_status motion_is_writable(const wcut_robot_motion *m, const wcut_rob
     /* places and times fit into the digits of the formats */
     for (int i = 0; i < m->count; i++) {
         const wcut_robot_target *t = &m->target[i];
-        const double value[] = {t->a.x,  t->a.y,     t->a.z,     t->b.x,    t->b.y,    t->b.z,
-                                t->time, t->speed_a, t->speed_b, t->zone_a, t->zone_b, t->duration};
+        const double value[] = {t->a.x,     t->a.y,     t->a.z,    t->b.x,    t->b.y,      t->b.z, t->time,
+                                t->speed_a, t->speed_b, t->zone_a, t->zone_b, t->duration, t->heat};
+        if (t->heat > 0 && !n->wire_heat)
+            return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                             "the heater changes its power at target %d, expected a procedure to call", i);
         for (size_t k = 0; k < sizeof value / sizeof *value; k++)
             if (!(fabs(value[k]) < 1e9)) /* also what fixed decimals hold */
                 return wcut_fail(error, WCUT_BAD_ARGUMENT, "target %d: found %g, expected less than 1e9", i, value[k]);
@@ -217,6 +224,9 @@ wcut_status wcut_robot_summary_print(const wcut_robot_summary *s, char **text) {
     wcut_text_string(&out, s->job->name);
     wcut_text_print(&out, ",\n  \"program\": \"%s\",\n  \"stations\": %d,\n  \"targets\": %d",
                     wcut_robot_format_name(s->format), m->stations, m->count);
+    int changes = 0;
+    for (int i = 0; i < m->count; i++) changes += m->target[i].heat > 0;
+    wcut_text_print(&out, ",\n  \"sines\": %d,\n  \"heater_changes\": %d", s->job->dither_count, changes);
     wcut_text_put_number(&out, ",\n  \"duration_s\": ", m->duration);
     wcut_text_put_number(&out, ",\n  \"chord_error_mm\": ", m->chord_error);
     wcut_text_put_number(&out, ",\n  \"time_error_mm\": ", m->time_error);

@@ -151,6 +151,52 @@ static wcut_robot_target lead_target(const path *p, int from, wcut_vec3 directio
     return t;
 }
 
+/* ---- the heater's programme ---- */
+
+/* between two targets both robots go straight and evenly: a target on the way changes nothing */
+static wcut_robot_target target_between(const wcut_robot_target *f, const wcut_robot_target *t, double time) {
+    const double share = (time - f->time) / (t->time - f->time);
+    wcut_robot_target m = {.station = -3, .time = time};
+    m.a = vec3_mix(f->a, t->a, share);
+    m.b = vec3_mix(f->b, t->b, share);
+    double size_a = 0, size_b = 0;
+    for (int k = 0; k < 4; k++) {
+        m.frame_a[k] = f->frame_a[k] + share * (t->frame_a[k] - f->frame_a[k]);
+        m.frame_b[k] = f->frame_b[k] + share * (t->frame_b[k] - f->frame_b[k]);
+        size_a += m.frame_a[k] * m.frame_a[k], size_b += m.frame_b[k] * m.frame_b[k];
+    }
+    for (int k = 0; k < 4; k++) m.frame_a[k] /= sqrt(size_a), m.frame_b[k] /= sqrt(size_b);
+    return m;
+}
+
+/* [s] a change of power so near to a target is told there: a shorter move would be none */
+#define SNAP 0.02
+
+/* the power from a time on is told at a target there */
+static void tell_heat(wcut_robot_motion *motion, double time, double heat) {
+    wcut_robot_target *t = motion->target;
+    int i = motion->first;
+    if (time > t[motion->last].time) return;
+    while (i < motion->last && t[i + 1].time <= time + SNAP) i++;
+    if (i < motion->last && time > t[i].time + SNAP) {
+        const wcut_robot_target between = target_between(&t[i], &t[i + 1], time);
+        for (int k = motion->count; k > i + 1; k--) t[k] = t[k - 1];
+        t[++i] = between;
+        motion->count++, motion->last++;
+    }
+    t[i].heat = heat;
+}
+
+/* where a step begins, and where it ends unless the next begins there */
+static void tell_steps(wcut_robot_motion *motion, const wcut_job *job) {
+    for (int k = 0; k < job->heat_step_count; k++) {
+        const wcut_heat_step *step = &job->heat_step[k];
+        const bool goes_on = k + 1 < job->heat_step_count && job->heat_step[k + 1].from <= step->to;
+        tell_heat(motion, step->from, job->heat * step->factor);
+        if (!goes_on) tell_heat(motion, step->to, job->heat);
+    }
+}
+
 /* durations, speeds and zones from times and places */
 static void finish_motion(wcut_robot_motion *motion, double zone) {
     const int n = motion->count;
@@ -175,7 +221,8 @@ static wcut_status fill_motion(const wcut_history *h, path *p, const unsigned ch
     const int m = h->stations;
     int count = 0;
     for (int j = 0; j < m; j++) count += keep[j];
-    motion->target = wcut_alloc((size_t)count + 2, sizeof *motion->target);
+    const int steps = p->o.heater ? p->o.heater->heat_step_count : 0;
+    motion->target = wcut_alloc((size_t)count + 2 + 2 * (size_t)steps, sizeof *motion->target);
     if (!motion->target) return WCUT_NO_MEMORY;
 
     /* lead in, the stations, lead out */
@@ -193,6 +240,7 @@ static wcut_status fill_motion(const wcut_history *h, path *p, const unsigned ch
     motion->stations = m;
     motion->chord_error = p->chord_error;
     motion->time_error = p->time_error;
+    if (steps > 0) tell_steps(motion, p->o.heater);
     finish_motion(motion, p->o.zone);
 
     return WCUT_OK;

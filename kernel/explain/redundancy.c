@@ -140,9 +140,10 @@ static void add_zero_effect(wcut_diagnosis *d, const wcut_contradiction *c) {
     wcut_found_effect *f = &d->effect[d->effects++];
     *f = (wcut_found_effect){
         .effect = wcut_effect_choose(WCUT_EFFECT_TENSION_ZERO, sensor), .present = true, .confidence = d->confidence};
-    f->effect.value[0] = c->found;
-    f->estimated[0] = true;
-    f->parameter[0] = (wcut_estimate){c->found, c->found - 1.96 * c->error, c->found + 1.96 * c->error};
+    f->effect.value[WCUT_TENSION_ZERO_OFFSET] = c->found;
+    f->estimated[WCUT_TENSION_ZERO_OFFSET] = true;
+    f->parameter[WCUT_TENSION_ZERO_OFFSET] =
+        (wcut_estimate){c->found, c->found - 1.96 * c->error, c->found + 1.96 * c->error};
 }
 
 /* what contradictions make of a verdict; what is not understood, or not told apart, stays so */
@@ -159,7 +160,7 @@ static void change_verdict(wcut_diagnosis *d) {
 
 /* a sentence or two for each, as far as there is room before the verdict's own */
 static void put_before(wcut_diagnosis *d) {
-    static const char nothing[] = "Nothing is wrong beyond noise";
+    static const char nothing[] = "No difference beyond noise";
     char behind[WCUT_DIAGNOSIS_TEXT];
     const bool clean = strncmp(d->sentence, nothing, sizeof nothing - 1) == 0;
     snprintf(behind, sizeof behind, "%s%s", clean ? "Otherwise n" : "", d->sentence + clean);

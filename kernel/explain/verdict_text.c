@@ -34,18 +34,59 @@ static void add_number(text *t, const wcut_explanation *p, double value) {
 }
 #pragma GCC diagnostic pop
 
-static void add_effect(text *t, const wcut_found_effect *f) {
+/* change of density along an axis: by how much, and for a step from where on */
+static void add_gradient_words(text *t, const wcut_diagnosis *d, const wcut_effect *e) {
+    static const char *const along[] = {"across the block (x)", "along the feed (y)", "over the height (z)"};
+    const int axis = e->choice % 3, form = e->choice / 3;
+    const double size = axis == 0 ? d->view.block.x : axis == 1 ? d->view.block.y : d->view.block.z;
+    const double percent = fabs(100 * e->value[WCUT_FOAM_DENSITY_GRADIENT_CHANGE]);
+    const char *more = e->value[WCUT_FOAM_DENSITY_GRADIENT_CHANGE] < 0 ? "softer" : "denser";
+    if (form == 0)
+        append_text(t, "the foam gets %.0f %% %s %s", percent, more, along[axis]);
+    else if (form == 1)
+        append_text(t, "the foam is %.0f %% %s at its sides than in its middle, %s", percent, more, along[axis]);
+    else if (size > 0)
+        append_text(t, "the foam is %.0f %% %s from %c %.0f mm on", percent, more, "xyz"[axis],
+                    e -> value[WCUT_FOAM_DENSITY_GRADIENT_STEP_AT] * size);
+    else
+        append_text(t, "the foam is %.0f %% %s from %.0f %% of its size on, %s", percent, more,
+                    100 * e->value[WCUT_FOAM_DENSITY_GRADIENT_STEP_AT], along[axis]);
+}
+
+/* effects that are told by where and how much; false: by their phrase and first value */
+static bool add_place_words(text *t, const wcut_diagnosis *d, const wcut_effect *e) {
+    const double *v = e->value, *at = &v[WCUT_FOAM_INCLUSION_POSITION];
+    switch (e->kind) {
+        case WCUT_EFFECT_FOAM_INCLUSION:
+            append_text(t, "a spot %.0f %% %s at x %.0f, y %.0f, z %.0f mm, radius %.0f mm",
+                        fabs(100 * v[WCUT_FOAM_INCLUSION_AMPLITUDE]),
+                        v[WCUT_FOAM_INCLUSION_AMPLITUDE] < 0 ? "softer" : "denser", at[0], at[1], at[2],
+                        v[WCUT_FOAM_INCLUSION_RADIUS]);
+            return true;
+        case WCUT_EFFECT_FOAM_DENSITY_GRADIENT:
+            add_gradient_words(t, d, e);
+            return true;
+        case WCUT_EFFECT_END_COOLING:
+            append_text(t, "the wire is %.0f %% cooler at its mounts, fading over %.0f mm",
+                        100 * v[WCUT_END_COOLING_AMPLITUDE], v[WCUT_END_COOLING_LENGTH]);
+            return true;
+        case WCUT_EFFECT_WIRE_FOULING:
+            append_text(t, "residue on the wire changes the force by %+.0f %% over %.0f mm of way",
+                        100 * v[WCUT_WIRE_FOULING_CHANGE], v[WCUT_WIRE_FOULING_LENGTH]);
+            return true;
+        case WCUT_EFFECT_AIR_OVERHEATING:
+            append_text(t, "the wire enters the foam overheated by the air (%.2f times its power at first, for %.1f s)",
+                        v[WCUT_AIR_OVERHEATING_RATIO], v[WCUT_AIR_OVERHEATING_TIME_CONSTANT]);
+            return true;
+        default:
+            return false;
+    }
+}
+
+static void add_effect(text *t, const wcut_diagnosis *d, const wcut_found_effect *f) {
     const wcut_effect_info *info = wcut_effect_view(f->effect.kind);
     const wcut_explanation *p = wcut_explanation_view(f->effect.kind);
-    const double *v = f->effect.value;
-
-    /* a spot is told by where and how much */
-    if (f->effect.kind == WCUT_EFFECT_FOAM_INCLUSION) {
-        const double *at = &v[WCUT_FOAM_INCLUSION_POSITION], amplitude = v[WCUT_FOAM_INCLUSION_AMPLITUDE];
-        append_text(t, "a spot %.0f %% %s at x %.0f, y %.0f, z %.0f mm, radius %.0f mm", fabs(100 * amplitude),
-                    amplitude < 0 ? "softer" : "denser", at[0], at[1], at[2], v[WCUT_FOAM_INCLUSION_RADIUS]);
-        return;
-    }
+    if (add_place_words(t, d, &f->effect)) return;
     append_text(t, "%s", p->phrase);
     if (info->choice) append_text(t, " [%s %s]", info->choice_key, info->choice[f->effect.choice]);
     if (f->effect.kind == WCUT_EFFECT_KERF_GROWTH && f->effect.choice == 1)
@@ -84,7 +125,7 @@ void wcut_diagnosis_sentence(wcut_diagnosis *d) {
     /* the effects, joined with "and", or "or" where several explain the same */
     for (int k = 0; k < d->effects; k++) {
         if (k > 0) append_text(&t, d->kind == WCUT_VERDICT_AMBIGUOUS ? ", or " : ", and ");
-        add_effect(&t, &d->effect[k]);
+        add_effect(&t, d, &d->effect[k]);
     }
 
     /* a sentence begins with a capital letter */

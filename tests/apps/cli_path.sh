@@ -121,12 +121,62 @@ untouched made
 run 2 path "$job" -o made --format krl --zone -1; one_line "--zone"
 run 3 path nowhere.json -o made --format krl
 run 4 path "$job" -o coarse/robot.csv/in --format krl
-# an identification cut's excitation is in no program: refused, not left out without a word
+# an identification cut's programme: speeds follow its sines, heater steps call a procedure, in every format
 python3 -c 'import json, sys
 job = json.load(open(sys.argv[1]))
-job["excitation"] = {"speed": [{"amplitude": 0.05, "period_s": 3, "phase_rad": 0}], "heat": []}
+json.dump(job, open("plain.json", "w"))
+job["excitation"] = {"speed": [{"amplitude": 0.06, "period_s": 3, "phase_rad": 1}],
+                     "heat": [{"from_s": 11.3, "to_s": 18, "factor": 0.9}, {"from_s": 18, "to_s": 24.5, "factor": 1.1}]}
 json.dump(job, open("excited.json", "w"))' "$jobs/steady-400-60.json"
-run 3 path excited.json --format urscript -o excited
-one_line excitation '1 sines of the speed and 0 heater steps'
-untouched excited
+for format in urscript rapid krl csv json; do
+    run 0 path plain.json --format $format -o plain --quiet --lead-out 300 --time-tolerance 0.005
+    run 0 path excited.json --format $format -o excited --lead-out 300
+    grep -q 'excitation: 1 sines on the speed are in the programs, 2 heater steps call a procedure' err || fail "no word: $(cat err)"
+done
+python3 - <<'EOF' || fail "the programs do not follow the excitation"
+import csv, json, math, re
+calls = {"urscript": r"wire_heat\(([0-9.]+)\)", "krl": r"DO wire_heat \(([0-9.]+)\)", "rapid": r"wire_heat ([0-9.]+);"}
+ends = {"urscript": "script", "krl": "src", "rapid": "mod"}
+for name, call in calls.items():
+    a, b = (open(f"excited/wirecut_{k}.{ends[name]}").read() for k in "ab")
+    assert re.findall(call, a) == ["54.000", "66.000", "60.000"], (name, re.findall(call, a))
+    assert not re.findall(call, b), name
+rapid = open("excited/wirecut_a.mod").read()
+assert len(re.findall(r'MoveLSync .*"wirecut_heat_\d+";', rapid)) == 3 and len(re.findall(r"PROC wirecut_heat_\d+\(\)", rapid)) == 3
+
+# speed over that of the plain program at the same place is 1 + sum A sin(2 pi t / P + phase) once the wire is in
+def rows(folder):
+    return [{k: float(v or "nan") for k, v in r.items()} for r in csv.DictReader(open(folder + "/robot.csv"))]
+plain, excited = rows("plain"), rows("excited")
+def plain_speed(y):
+    for p, q in zip(plain, plain[1:]):
+        if p["a_y_mm"] < y <= q["a_y_mm"]:
+            return q["speed_a_mm_s"]
+begin = next(r["time_s"] for r in excited if r["station"] == 0)
+pairs = []
+for p, q in zip(excited, excited[1:]):
+    y, t = (p["a_y_mm"] + q["a_y_mm"]) / 2, (p["time_s"] + q["time_s"]) / 2 - begin
+    if not 250 < y < 1000 or not plain_speed(y):
+        continue
+    pace = 0.06 * math.sin(2 * math.pi * t / 3 + 1)
+    pairs.append((q["speed_a_mm_s"] / plain_speed(y) - 1, pace))
+slope = sum(a * b for a, b in pairs) / sum(b * b for _, b in pairs)
+worst = max(abs(a - b) for a, b in pairs)
+assert len(pairs) > 100 and abs(slope - 1) < 0.05 and worst < 0.02, (len(pairs), slope, worst)
+heats = [(r["time_s"] - begin, r["heat_W_per_m"]) for r in excited if r["heat_W_per_m"] == r["heat_W_per_m"]]
+assert [h for _, h in heats] == [54, 66, 60], heats
+assert all(abs(t - w) < 0.021 for (t, _), w in zip(heats, (11.3, 18, 24.5))), heats
+summary = json.load(open("excited/path.json"))
+assert summary["sines"] == 1 and summary["heater_changes"] == 3, summary
+EOF
+run 2 path excited.json --format krl -o excited --quiet --wire-heat none --lead-out 300
+one_line 'expected a procedure to call'
+
+# a sine that is shorter than the stations can follow is refused with the station
+python3 -c 'import json
+job = json.load(open("excited.json"))
+job["excitation"]["speed"][0]["period_s"] = 0.5
+json.dump(job, open("quick.json", "w"))'
+run 3 path quick.json --format krl -o quick --lead-out 300 --quiet
+one_line 'station' 'the path needs more stations'
 finish

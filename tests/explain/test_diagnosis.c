@@ -217,3 +217,36 @@ TEST(what_cannot_be_diagnosed_is_refused_and_nothing_written) {
     m.job[0]->mode = WCUT_MODE_PATH;
     machine_destroy(&m);
 }
+
+/* ---- the correction, scored again ---- */
+
+/* the model called "after" put into the jobs by the correction is what the table scored: diagnosed anew, the corrected jobs
+   are "before" what they were "after" */
+TEST(corrected_jobs_have_the_figures_that_the_table_calls_after) {
+    const machine_secret secret = {
+        .effects = 1, .effect = {machine_effect(WCUT_EFFECT_WIRE_THERMAL_LAG, 0, 0.8, 0)}, .law_a = 1.1, .seed = 5};
+    machine_case m = machine_create(2, &secret);
+    wcut_diagnosis_options options = wcut_diagnosis_options_default();
+    wcut_diagnosis *d = NULL, *again = NULL;
+    wcut_error error = {0};
+    ck_assert_int_eq(wcut_diagnosis_create(m.cuts, m.cut, 0, NULL, &options, NULL, NULL, &d, &error), WCUT_OK);
+    ck_assert_str_eq(d->withheld, "");
+    for (int k = 0; k < m.cuts; k++) ck_assert_int_eq(wcut_correction_apply(&d->correction, m.job[k], &error), WCUT_OK);
+    ck_assert_int_eq(wcut_diagnosis_create(m.cuts, m.cut, 0, NULL, &options, NULL, NULL, &again, &error), WCUT_OK);
+    for (int c = WCUT_EVIDENCE_CHANNEL_TENSION; c <= WCUT_EVIDENCE_CHANNEL_BETA; c++) {
+        const wcut_evidence_score *after = &d->score[WCUT_EVIDENCE_MODEL_AFTER][c];
+        const wcut_evidence_score *before = &again->score[WCUT_EVIDENCE_MODEL_BEFORE][c];
+        ck_assert_int_gt(after->count, 100);
+        ck_assert_msg(fabs(before->rmse_over_range / after->rmse_over_range - 1) < 0.02, "%s: %g, again %g",
+                      wcut_evidence_name((wcut_evidence_channel)c), after->rmse_over_range, before->rmse_over_range);
+    }
+
+    // and the improved job is the first cut's with it
+    ck_assert_double_eq(d->improved->force_law.a, m.job[0]->force_law.a);
+    ck_assert_double_eq(d->improved->wire_length, m.job[0]->wire_length);
+    ck_assert_int_eq(d->improved->effect_count, 1);
+    ck_assert_int_eq(d->improved->dither_count + d->improved->heat_step_count, 0);
+    wcut_diagnosis_destroy(again);
+    wcut_diagnosis_destroy(d);
+    machine_destroy(&m);
+}

@@ -290,6 +290,13 @@ HOSTILE(wcut_history_path) {
     free(b);
 }
 
+HOSTILE(wcut_history_excite) {
+    wcut_history_row row[3] = {{.time = 0}, {.time = 1, .speed_a = 20}, {.time = 2, .speed_a = 20}};
+    wcut_history few = {.stations = 3, .row = row};
+    EACH_HOSTILE_ARGUMENT(wcut_history_excite, wcut_history_excite(PTR(sound_job()), PTR(&few), OPT(NULL)),
+                          row[2].time == 2, row[2].time = 2);
+}
+
 HOSTILE(wcut_history_kerf) {
     const size_t n = (size_t)sound_history()->stations * (size_t)sound_history()->nodes;
     double *field = calloc(n, sizeof *field);

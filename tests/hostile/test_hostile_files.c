@@ -495,7 +495,7 @@ HOSTILE(wcut_robot_motion_create) {
     wcut_robot_motion *made = MARK;
     EACH_HOSTILE_ARGUMENT(wcut_robot_motion_create,
                           wcut_robot_motion_create(PTR(sound_history()), PTR(sound_job()->mount_a),
-                                                   PTR(sound_job()->mount_b), RECORD(&o), PTR(&made), ERR),
+                                                   PTR(sound_job()->mount_b), RECORD_WORDS(&o, 0, 6), PTR(&made), ERR),
                           made == MARK, (wcut_robot_motion_destroy(made), made = MARK));
 }
 

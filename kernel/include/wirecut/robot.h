@@ -29,17 +29,19 @@ typedef struct wcut_robot_options {
     double lead_out;        /**< [mm] and go on so far behind the last station; default 0 */
     double zone;            /**< [mm] blend radius, at most 2/5 of the shorter neighbouring move; default 1 */
     wcut_tool_frame frame;
+    const wcut_job *heater; /**< whose heater programme runs, its power and its steps; NULL, the default: none */
 } wcut_robot_options;
 
 /** A target that both robots reach at the same moment. */
 typedef struct wcut_robot_target {
-    int station;             /**< of the history; -1: lead-in, -2: lead-out */
+    int station;             /**< of the history; -1: lead-in, -2: lead-out, -3: between stations, of the heater */
     double time, duration;   /**< [s] since the first target; of the move to this one */
     wcut_vec3 a, b;          /**< [mm] block frame */
     double speed_a, speed_b; /**< [mm/s] of the move to this one; first: 0 */
     double zone_a, zone_b;   /**< [mm] 0: exact stop, at the first and the last */
     double frame_a[4];       /**< unit quaternion w, x, y, z of the tool in the block frame, w not negative */
     double frame_b[4];
+    double heat; /**< [W/m] of the wire from here on; 0: as before */
 } wcut_robot_target;
 
 /** The motion of both robots. */
@@ -83,9 +85,23 @@ WCUT_API wcut_robot_options wcut_robot_options_default(void);
 WCUT_API wcut_robot_limits wcut_robot_limits_default(const wcut_job *job);
 
 /**
+ * Let a planned history run at the pace of its job's excitation: the speed of station to station is multiplied by the mean
+ * of 1 + sum A sin(2 pi t / P + phase) over it, from where half of the longest engagement is in the foam; t is 0 at
+ * station 0. Times, durations and speeds of the mounts change, nothing else: tensions and angles stay those of the plan.
+ *
+ * @param[in]     job     its dither; without one nothing changes
+ * @param[in,out] history at least two stations
+ * @param[out]    error   may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (amplitudes of 1 or more together, stations more than a fifth of the shortest
+ *         period apart): the history is as it was.
+ */
+WCUT_API wcut_status wcut_history_excite(const wcut_job *job, wcut_history *history, wcut_error *error);
+
+/**
  * Make the motion of two robots from a history and its path curves: one list of targets for both, so that they stay in
  * step; between targets both go straight and evenly. A station is left out where both mounts stay within the chord
  * tolerance of their paths and the time tolerance of their places at every moment (Ramer 1972, Douglas, Peucker 1973).
+ * Where the heater changes its power there is a target of its own, between stations too.
  *
  * @param[in]  history at least two stations
  * @param[in]  mount_a history->stations [mm], from wcut_history_path

@@ -24,10 +24,12 @@ typedef enum wcut_robot_format {
  * the names of its synchronisation points, so that programs of different runs do not start with each other. Names are
  * letters, digits and _, beginning with a letter, at most 22 long: KRL has no more. */
 typedef struct wcut_robot_names {
-    const char *title;    /**< the job's; any text, for comments */
-    const char *program;  /**< default "wirecut": module and program names get _a and _b */
-    const char *wire_on;  /**< procedure that robot A calls at its first target; NULL: none; default "wire_on" */
-    const char *wire_off; /**< ... after its last; default "wire_off" */
+    const char *title;     /**< the job's; any text, for comments */
+    const char *program;   /**< default "wirecut": module and program names get _a and _b */
+    const char *wire_on;   /**< procedure that robot A calls at its first target; NULL: none; default "wire_on" */
+    const char *wire_off;  /**< ... after its last; default "wire_off" */
+    const char *wire_heat; /**< procedure that robot A calls with a power [W/m] where the heater's programme changes it;
+                                NULL: none, not allowed where it does; default "wire_heat" */
     int sync_io; /**< digital output of one robot that is this input of the other: urscript 0 .. 7, krl 1 .. 255;
                                default 1 */
     double approach_speed;        /**< [mm/s] of the move to the first target, positive; default 50 */
