@@ -1781,6 +1781,7 @@ public unsafe struct wcut_robot_names
     public byte* program;
     public byte* wire_on;
     public byte* wire_off;
+    public byte* wire_heat;
     public int sync_io;
     public double approach_speed;
     public double approach_acceleration;
@@ -1799,6 +1800,7 @@ public unsafe struct wcut_robot_options
     public double lead_out;
     public double zone;
     public wcut_tool_frame frame;
+    public wcut_job* heater;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_robot_summary
@@ -1823,6 +1825,7 @@ public unsafe struct wcut_robot_target
     public double zone_b;
     public fixed double frame_a[4];
     public fixed double frame_b[4];
+    public double heat;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_score
@@ -2294,6 +2297,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern void wcut_histogram_destroy(void* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_histogram_eval(void* a0, wcut_statistics* a1);
     [DllImport("wirecut-io")] public static extern void wcut_history_destroy(wcut_history* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_history_excite(wcut_job* a0, wcut_history* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_history_kerf(wcut_job* a0, wcut_history* a1, double* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_history_path(void* a0, wcut_history* a1, wcut_vec3* a2, wcut_vec3* a3, double* a4, wcut_error* a5);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_history_write_csv(wcut_history* a0, wcut_vec3* a1, wcut_vec3* a2, byte* a3, wcut_error* a4);
