@@ -90,9 +90,9 @@ static void add_effect(text *t, const wcut_diagnosis *d, const wcut_found_effect
     append_text(t, "%s", p->phrase);
     if (info->choice) append_text(t, " [%s %s]", info->choice_key, info->choice[f->effect.choice]);
     if (f->effect.kind == WCUT_EFFECT_KERF_GROWTH && f->effect.choice == 1)
-        append_text(t, " (%.2f mm for e times the heat)", v[WCUT_KERF_GROWTH_PER_LOG]);
+        append_text(t, " (%.2f mm for e times the heat)", f->effect.value[WCUT_KERF_GROWTH_PER_LOG]);
     else
-        add_number(t, p, v[0]);
+        add_number(t, p, f->effect.value[0]);
 }
 
 void wcut_diagnosis_sentence(wcut_diagnosis *d) {
