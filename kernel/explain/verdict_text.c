@@ -57,6 +57,7 @@ static void add_gradient_words(text *t, const wcut_diagnosis *d, const wcut_effe
 static bool add_place_words(text *t, const wcut_diagnosis *d, const wcut_effect *e) {
     const double *v = e->value, *at = &v[WCUT_FOAM_INCLUSION_POSITION];
     switch (e->kind) {
+        /* the foam: where it is denser, and by how much */
         case WCUT_EFFECT_FOAM_INCLUSION:
             append_text(t, "a spot %.0f %% %s at x %.0f, y %.0f, z %.0f mm, radius %.0f mm",
                         fabs(100 * v[WCUT_FOAM_INCLUSION_AMPLITUDE]),
@@ -66,6 +67,8 @@ static bool add_place_words(text *t, const wcut_diagnosis *d, const wcut_effect 
         case WCUT_EFFECT_FOAM_DENSITY_GRADIENT:
             add_gradient_words(t, d, e);
             return true;
+
+        /* the wire: how strong, and over what length or time it fades */
         case WCUT_EFFECT_END_COOLING:
             append_text(t, "the wire is %.0f %% cooler at its mounts, fading over %.0f mm",
                         100 * v[WCUT_END_COOLING_AMPLITUDE], v[WCUT_END_COOLING_LENGTH]);
@@ -78,6 +81,8 @@ static bool add_place_words(text *t, const wcut_diagnosis *d, const wcut_effect 
             append_text(t, "the wire enters the foam overheated by the air (%.2f times its power at first, for %.1f s)",
                         v[WCUT_AIR_OVERHEATING_RATIO], v[WCUT_AIR_OVERHEATING_TIME_CONSTANT]);
             return true;
+
+        /* one number says it all */
         default:
             return false;
     }
