@@ -84,7 +84,7 @@ static wcut_step_place after(const wcut_step_place *a, const wcut_step_place *b)
 }
 
 /* from the axes of one placement to those of another; exactly nothing where they are the same */
-static bool placement_between(wcut_step_source *s, long id, long from, long to, wcut_step_place *place) {
+static bool placement_between(wcut_step_source *s, long from, long to, wcut_step_place *place) {
     wcut_vec3 o[2], x[2], y[2], z[2];
     const long axes[2] = {from, to};
 
@@ -94,7 +94,6 @@ static bool placement_between(wcut_step_source *s, long id, long from, long to, 
         z[k] = (wcut_vec3){x[k].y * y[k].z - x[k].z * y[k].y, x[k].z * y[k].x - x[k].x * y[k].z,
                            x[k].x * y[k].y - x[k].y * y[k].x};
     }
-    (void)id;
     *place = here;
     if (from == to || (are_equal(o[0], o[1]) && are_equal(x[0], x[1]) && are_equal(y[0], y[1]))) return true;
 
@@ -160,7 +159,7 @@ static bool follow_relation(wcut_step_source *s, long id, const char *body, long
 
     /* some programs name the placement in the whole first */
     const bool swapped = !holds(s, part, axis[0]) && holds(s, whole, axis[0]) && holds(s, part, axis[1]);
-    return placement_between(s, id, axis[swapped], axis[!swapped], &local) &&
+    return placement_between(s, axis[swapped], axis[!swapped], &local) &&
            step_places_use(s, whole, &local, below, f, used);
 }
 
@@ -180,7 +179,7 @@ static bool follow_map(wcut_step_source *s, long id, const char *list, long repr
     const char *to = wcut_p21_find(&s->file, target);
     if (!to || !wcut_p21_record(to, "AXIS2_PLACEMENT_3D"))
         return wcut_step_refuse(s, id, "a mapped item that is scaled, expected one set by a placement");
-    if (!placement_between(s, id, origin, target, &local)) return false;
+    if (!placement_between(s, origin, target, &local)) return false;
     if (holder) return step_places_use(s, holder, &local, below, f, used);
     return true;
 }

@@ -159,18 +159,43 @@ static void put_ur_pose(wcut_text *text, const half *h) {
     wcut_text_print(text, "])");
 }
 
+/* the words of a dialect about digital signals */
+typedef struct signal_words {
+    const char *set, *set_to, *set_end;   /* output, its value */
+    const char *wait, *wait_end;          /* seconds */
+    const char *test, *test_for, *refuse; /* input, its value; what is done where it has another */
+    const char *high, *low;
+} signal_words;
+
+static const signal_words ur_signal = {"  set_digital_out(",
+                                       ", ",
+                                       ")\n",
+                                       "  sleep(",
+                                       ")\n",
+                                       "  if (get_digital_in(",
+                                       ") != ",
+                                       "):\n    popup(\"programs of different runs\", \"wirecut\", False, True, True)\n"
+                                       "    halt\n  end\n",
+                                       "True",
+                                       "False"};
+
+static const signal_words krl_signal = {"$OUT[", "] = ",    "\n",    "WAIT SEC ",
+                                        "\n",    "IF $IN[", "] <> ", " THEN\nLOOP\nHALT\nENDLOOP\nENDIF\n",
+                                        "TRUE",  "FALSE"};
+
+static void put_wait(wcut_text *text, const signal_words *w, double time) {
+    put_rounded(text, w->wait, time, 3);
+    wcut_text_put_word(text, w->wait_end);
+}
+
 /* Both robots send and read the run id at the same time, a bit every two BIT_TIME, read in the middle. */
-static void put_ur_run_id(wcut_text *text, unsigned id, int io) {
+static void put_run_id(wcut_text *text, const signal_words *w, unsigned id, int io) {
     for (int k = RUN_ID_BITS - 1; k >= 0; k--) {
-        const char *bit = id >> k & 1 ? "True" : "False";
-        wcut_text_print(text, "  set_digital_out(%d, %s)\n", io, bit);
-        put_rounded(text, "  sleep(", BIT_TIME, 3);
-        wcut_text_print(text,
-                        ")\n  if (get_digital_in(%d) != %s):\n    popup(\"programs of different runs\", \"wirecut\", "
-                        "False, True, True)\n    halt\n  end\n",
-                        io, bit);
-        put_rounded(text, "  sleep(", BIT_TIME, 3);
-        wcut_text_print(text, ")\n");
+        const char *bit = id >> k & 1 ? w->high : w->low;
+        wcut_text_print(text, "%s%d%s%s%s", w->set, io, w->set_to, bit, w->set_end);
+        put_wait(text, w, BIT_TIME);
+        wcut_text_print(text, "%s%d%s%s%s", w->test, io, w->test_for, bit, w->refuse);
+        put_wait(text, w, BIT_TIME);
     }
 }
 
@@ -206,7 +231,7 @@ void wcut_urscript_put(wcut_text *text, const wcut_robot_motion *m, const wcut_r
     /* both are there; the run id; both start */
     wcut_text_print(text, "  set_digital_out(%d, True)\n  while (get_digital_in(%d) == False):\n    sync()\n  end\n",
                     io, io);
-    put_ur_run_id(text, run_id(m, names), io);
+    put_run_id(text, &ur_signal, run_id(m, names), io);
 
     /* a move for each target; one that neither goes nor turns is a pause */
     half last = h;
@@ -351,18 +376,6 @@ static void put_krl_turning(wcut_text *text, double speed) {
     wcut_text_print(text, "\n");
 }
 
-/* as put_ur_run_id */
-static void put_krl_run_id(wcut_text *text, unsigned id, int io) {
-    for (int k = RUN_ID_BITS - 1; k >= 0; k--) {
-        const char *bit = id >> k & 1 ? "TRUE" : "FALSE";
-        wcut_text_print(text, "$OUT[%d] = %s\n", io, bit);
-        put_rounded(text, "WAIT SEC ", BIT_TIME, 3);
-        wcut_text_print(text, "\nIF $IN[%d] <> %s THEN\nLOOP\nHALT\nENDLOOP\nENDIF\n", io, bit);
-        put_rounded(text, "WAIT SEC ", BIT_TIME, 3);
-        wcut_text_print(text, "\n");
-    }
-}
-
 void wcut_krl_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_names *names, int robot) {
     const int io = names->sync_io;
 
@@ -393,7 +406,7 @@ void wcut_krl_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_
 
     /* tell the other robot, and wait for it */
     wcut_text_print(text, "$OUT[%d] = TRUE\nWAIT FOR $IN[%d]\n", io, io);
-    put_krl_run_id(text, run_id(m, names), io);
+    put_run_id(text, &krl_signal, run_id(m, names), io);
 
     /* speeds are those of the printed ways: rounded places must not cost time */
     half last = h;

@@ -2,7 +2,7 @@
 #ifndef WCUT_EXPLAIN_DECIDE_H
 #define WCUT_EXPLAIN_DECIDE_H
 
-#include "explain/search.h"
+#include "explain/candidates.h"
 
 enum { WCUT_RIVALS = 3 };
 

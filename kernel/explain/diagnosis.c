@@ -20,6 +20,7 @@
 #include "explain/modelled.h"
 #include "explain/redundancy.h"
 #include "explain/rig.h"
+#include "explain/scatter.h"
 #include "explain/variance.h"
 #include "explain/verdict_text.h"
 #include "explain/view.h"

@@ -204,37 +204,6 @@ int wcut_dictionary_list(const wcut_evidence *e, wcut_entry *out) {
     return l.count;
 }
 
-/* ---- a term in one cut ---- */
-
-bool wcut_term_place(const wcut_evidence *e, int cut, bool carried, wcut_effect *effect) {
-    /* the way and the time of the cuts before this one */
-    double way = 0, time = 0;
-    for (int k = 0; k < cut; k++) {
-        if (!e->cut[k].job) continue;
-        way += e->cut[k].job->block_size.y;
-        if (e->cut[k].recorded.count > 0) time += e->cut[k].recorded.time[e->cut[k].recorded.count - 1];
-    }
-
-    /* write into the term what depends on the cut */
-    switch (effect->choice) {
-        case WCUT_TERM_ORDER:
-            effect->value[WCUT_EMPIRICAL_FORCE_NUMBER] = cut;
-            return true;
-        case WCUT_TERM_CLOCK:
-            effect->value[WCUT_EMPIRICAL_FORCE_START_TIME] = carried ? time : 0;
-            return true;
-        case WCUT_TERM_WAY:
-            effect->value[WCUT_EMPIRICAL_FORCE_START] = carried ? way : 0;
-            return true;
-        case WCUT_TERM_WINDOW:
-            if (WCUT_WINDOW_CUT(effect) != cut) return false;
-            effect->value[WCUT_EMPIRICAL_FORCE_COSINE] = 0;
-            return true;
-        default:
-            return true;
-    }
-}
-
 /* ---- its phi along a response ---- */
 
 /* small, so that the sum stays on its straight part */

@@ -2,7 +2,8 @@
 #ifndef WCUT_EXPLAIN_DICTIONARY_H
 #define WCUT_EXPLAIN_DICTIONARY_H
 
-#include "explain/model_fit.h"
+#include "explain/coordinate.h"
+#include "explain/evidence.h"
 
 /* An entry: a term of empirical_force at a shape; its coefficient is what is sought. */
 typedef struct wcut_entry {
@@ -27,13 +28,6 @@ typedef enum wcut_weight { WCUT_WEIGHT_EVEN, WCUT_WEIGHT_A, WCUT_WEIGHT_B, WCUT_
  */
 wcut_status wcut_dictionary_eval(const wcut_evidence *evidence, int cut, const wcut_response *response,
                                  const wcut_entry *entry, double *out);
-
-/* What an empirical term is in one cut of a case: time and way before it, its place in the order; a window belongs to one
-   cut alone. False where the term has no part in this cut. */
-bool wcut_term_place(const wcut_evidence *evidence, int cut, bool carried, wcut_effect *effect);
-
-/* the cut that a window belongs to is kept in its unused second strength */
-#define WCUT_WINDOW_CUT(effect) ((int)(effect)->value[WCUT_EMPIRICAL_FORCE_COSINE] - 1)
 
 /* how many values of an empirical term are fitted, and the k-th */
 int wcut_term_coordinates(const wcut_effect *effect);

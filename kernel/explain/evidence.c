@@ -10,7 +10,7 @@
 #include "base/threads.h"
 #include "base/vec3.h"
 #include "cut/setup.h"
-#include "explain/dictionary.h"
+#include "foam/empirical.h"
 
 enum { NODES_FINE = WCUT_NODES_FINE, NODES_COARSE = WCUT_NODES_COARSE, PARTS = 5 };
 
@@ -31,6 +31,35 @@ static double way_before(const wcut_evidence *e, int cut) {
     for (int k = 0; k < cut; k++)
         if (e->cut[k].job) way += e->cut[k].job->block_size.y;
     return way;
+}
+
+bool wcut_term_place(const wcut_evidence *e, int cut, bool carried, wcut_effect *effect) {
+    /* the way and the time of the cuts before this one */
+    double way = 0, time = 0;
+    for (int k = 0; k < cut; k++) {
+        if (!e->cut[k].job) continue;
+        way += e->cut[k].job->block_size.y;
+        if (e->cut[k].recorded.count > 0) time += e->cut[k].recorded.time[e->cut[k].recorded.count - 1];
+    }
+
+    /* write into the term what depends on the cut */
+    switch (effect->choice) {
+        case WCUT_TERM_ORDER:
+            effect->value[WCUT_EMPIRICAL_FORCE_NUMBER] = cut;
+            return true;
+        case WCUT_TERM_CLOCK:
+            effect->value[WCUT_EMPIRICAL_FORCE_START_TIME] = carried ? time : 0;
+            return true;
+        case WCUT_TERM_WAY:
+            effect->value[WCUT_EMPIRICAL_FORCE_START] = carried ? way : 0;
+            return true;
+        case WCUT_TERM_WINDOW:
+            if (WCUT_WINDOW_CUT(effect) != cut) return false;
+            effect->value[WCUT_EMPIRICAL_FORCE_COSINE] = 0;
+            return true;
+        default:
+            return true;
+    }
 }
 
 wcut_job wcut_model_job(const wcut_evidence *e, const wcut_model *model, int cut, wcut_effect *effect) {

@@ -5,7 +5,7 @@
 #include <wirecut/cloud.h>
 #include <wirecut/diagnosis.h>
 
-#include "explain/scatter.h"
+#include "explain/scatter_kind.h"
 #include "explain/trajectory.h"
 
 /* A model of a case: what its cuts share. The plain one has no effects. */
@@ -127,5 +127,12 @@ wcut_vec3 wcut_response_position(const wcut_trajectory *trajectory, const wcut_r
                                  double across);
 double wcut_response_speed(const wcut_trajectory *trajectory, const wcut_response *driven, double station,
                            double across);
+
+/* What an empirical term is in one cut of a case: time and way before it, its place in the order; a window belongs to one
+   cut alone. False where the term has no part in this cut. */
+bool wcut_term_place(const wcut_evidence *evidence, int cut, bool carried, wcut_effect *effect);
+
+/* the cut that a window belongs to is kept in its unused second strength */
+#define WCUT_WINDOW_CUT(effect) ((int)(effect)->value[WCUT_EMPIRICAL_FORCE_COSINE] - 1)
 
 #endif

@@ -2,24 +2,8 @@
 #ifndef WCUT_EXPLAIN_LIBRARY_H
 #define WCUT_EXPLAIN_LIBRARY_H
 
+#include "explain/coordinate.h"
 #include "explain/evidence.h"
-
-/* how a value is fitted: as it is, by its logarithm, or by its reciprocal (a stiffness without end is no effect) */
-typedef enum wcut_coordinate_scale {
-    WCUT_COORDINATE_SCALE_LINEAR,
-    WCUT_COORDINATE_SCALE_LOG,
-    WCUT_COORDINATE_SCALE_RECIPROCAL
-} wcut_coordinate_scale;
-
-/* A value of an effect that is fitted; centre, spread, step and bounds are on the fitted scale. */
-typedef struct wcut_coordinate {
-    int at; /* of effect.value */
-    wcut_coordinate_scale scale;
-    double centre,
-        spread;       /* normal prior: wide enough to leave the plausible range (NOTATION.md, Effects) to the data */
-    double step;      /* of the finite difference */
-    double low, high; /* the fit stays inside */
-} wcut_coordinate;
 
 enum { WCUT_COORDINATES = 5, WCUT_VARIANTS = 64 };
 

@@ -125,10 +125,6 @@ static void compare_held_out(const wcut_evidence *e, const wcut_fitted *none, wc
     }
 }
 
-const wcut_fitted *wcut_search_base(const wcut_search *s) {
-    return s->delayed >= 0 ? &s->candidate[s->delayed].fit : &s->none;
-}
-
 /* Fit a model in full and keep it. WCUT_OK where it did not converge, too: then it is no candidate. */
 static wcut_status try_model(searching *g, const wcut_model *start, wcut_error *error) {
     wcut_search *s = g->s;

@@ -6,9 +6,10 @@
 #include "base/alloc.h"
 #include "base/dense.h"
 #include "base/numbers.h"
+#include "base/symmetric.h"
 #include "base/threads.h"
 
-enum { COLUMNS = WCUT_SCATTER_COLUMNS_MAX, ROUNDS = 3, STEPS = 8, GOLDEN = 14, SWEEPS = 12 };
+enum { COLUMNS = WCUT_SCATTER_COLUMNS_MAX, ROUNDS = 3, STEPS = 8, GOLDEN = 14 };
 
 /* a model's own error: what two simulators of the same physics differ by, slowly [N], [rad] */
 #define MODEL_ERROR_TENSION 0.004
@@ -280,41 +281,6 @@ wcut_status wcut_variance_fit(const wcut_linear *p, wcut_evidence *own, double *
 
 /* ---- standardised rows ---- */
 
-/* eigenvalues and vectors (columns of v) of a symmetric matrix, destroyed: cyclic rotations (Jacobi 1846) */
-static void eigen(int n, double *a, double *v) {
-    for (int i = 0; i < n * n; i++) v[i] = i / n == i % n;
-
-    /* sweeps over all pairs until the off-diagonal part is within rounding */
-    for (int sweep = 0; sweep < SWEEPS; sweep++) {
-        double off = 0, all = 0;
-        for (int i = 0; i < n * n; i++) all += a[i] * a[i], off += i / n == i % n ? 0 : a[i] * a[i];
-        if (off <= 1e-22 * all) return;
-        for (int p = 0; p < n; p++)
-            for (int q = p + 1; q < n; q++) {
-                if (a[p * n + q] == 0) continue;
-
-                /* the rotation that makes a[p][q] zero */
-                const double theta = (a[q * n + q] - a[p * n + p]) / (2 * a[p * n + q]);
-                const double t = (theta < 0 ? -1 : 1) / (fabs(theta) + sqrt(theta * theta + 1));
-                const double c = 1 / sqrt(t * t + 1), s = t * c;
-
-                /* apply it to columns, rows, and the vectors */
-                for (int k = 0; k < n; k++) {
-                    const double x = a[k * n + p], y = a[k * n + q];
-                    a[k * n + p] = c * x - s * y, a[k * n + q] = s * x + c * y;
-                }
-                for (int k = 0; k < n; k++) {
-                    const double x = a[p * n + k], y = a[q * n + k];
-                    a[p * n + k] = c * x - s * y, a[q * n + k] = s * x + c * y;
-                }
-                for (int k = 0; k < n; k++) {
-                    const double x = v[k * n + p], y = v[k * n + q];
-                    v[k * n + p] = c * x - s * y, v[k * n + q] = s * x + c * y;
-                }
-            }
-    }
-}
-
 /*
  * With B = I + S^1/2 J'J S^1/2 the symmetric root is V^-1/2 = I - J S^1/2 (B + B^1/2)^-1 S^1/2 J': a row moves no further
  * than its cut's scatter reaches.
@@ -323,13 +289,14 @@ static void standardise_cut(const wcut_evidence *own, const wcut_normal_equation
     const wcut_evidence_cut *c = &own->cut[cut];
     const int m = normal->m, count = WCUT_SIGNALS * c->bins + c->patch.count;
     const double *gram = normal->own + (size_t)cut * (size_t)m * (size_t)m;
-    double b[COLUMNS * COLUMNS] = {0}, v[COLUMNS * COLUMNS] = {0}, spread[COLUMNS], moment[COLUMNS], in[COLUMNS];
+    double b[COLUMNS * COLUMNS] = {0}, v[COLUMNS * COLUMNS], value[COLUMNS], spread[COLUMNS], moment[COLUMNS],
+                       in[COLUMNS];
 
     /* B, and its eigenvalues and vectors */
     for (int i = 0; i < m; i++) spread[i] = own->noise.scatter[own->scatter.kind[i]];
     for (int i = 0; i < m; i++)
         for (int j = 0; j < m; j++) b[i * m + j] = (i == j) + spread[i] * spread[j] * gram[i * m + j];
-    eigen(m, b, v);
+    wcut_symmetric_eigen(m, b, value, v);
 
     /* S^1/2 J' z in the eigenvectors' coordinates, weighed, and back */
     for (int i = 0; i < m; i++) {
@@ -338,10 +305,10 @@ static void standardise_cut(const wcut_evidence *own, const wcut_normal_equation
         for (int k = 0; k < count; k++) moment[i] += spread[i] * x[k] * z[c->row + k];
     }
     for (int e = 0; e < m; e++) {
-        const double value = fmax(b[e * m + e], 1);
+        const double root = sqrt(fmax(value[e], 1));
         in[e] = 0;
         for (int i = 0; i < m; i++) in[e] += v[i * m + e] * moment[i];
-        in[e] /= value + sqrt(value);
+        in[e] /= root * root + root;
     }
     for (int i = 0; i < m; i++) {
         const double *x = own->scatter.white + (size_t)i * (size_t)own->rows + (size_t)c->row;

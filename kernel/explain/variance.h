@@ -2,7 +2,7 @@
 #ifndef WCUT_EXPLAIN_VARIANCE_H
 #define WCUT_EXPLAIN_VARIANCE_H
 
-#include "explain/model_fit.h"
+#include "explain/normal_equations.h"
 
 /* A linear problem in the rows as they were measured. */
 typedef struct wcut_linear {

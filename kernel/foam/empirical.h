@@ -2,7 +2,8 @@
 #ifndef WCUT_FOAM_EMPIRICAL_H
 #define WCUT_FOAM_EMPIRICAL_H
 
-#include "foam/local_law.h"
+#include "foam/block.h"
+#include "foam/locality.h"
 
 /* Terms of empirical_force, in the order of its choices; the text is the word in files. */
 #define WCUT_TERM_LIST(X)                        \

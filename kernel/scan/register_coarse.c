@@ -3,7 +3,7 @@
 
 #include "base/alloc.h"
 #include "base/numbers.h"
-#include "scan/register_symmetric.h"
+#include "base/symmetric.h"
 #include "surface/foot_search.h"
 
 enum { GRID = 24, TURNS = 24, STARTS = 2 * TURNS, TRIED = 6, FEW = 300, SOME = 600, STEPS = 40 };

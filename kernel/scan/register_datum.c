@@ -4,9 +4,9 @@
 
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "base/symmetric.h"
 #include "scan/register.h"
 #include "scan/register_solve.h"
-#include "scan/register_symmetric.h"
 #include "scan/span.h"
 
 static const double FAR = 1e12;

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/numbers.h"
-#include "scan/register_symmetric.h"
+#include "base/symmetric.h"
 
 enum { N = WCUT_DOF_COUNT, SETTLED = 20 };
 

@@ -4,9 +4,9 @@
 #include <wirecut/cloud.h>
 
 #include "base/numbers.h"
+#include "base/symmetric.h"
 #include "base/vec3.h"
 #include "scan/mesh_distance.h"
-#include "scan/register_symmetric.h"
 
 static const double LINE = 1e-12;  /* [1] variance across over along, below which points are on a line */
 static const double PLACE = 1e-12; /* [1] spread over the size of the coordinates, below which they are in one place */

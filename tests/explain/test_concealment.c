@@ -4,6 +4,7 @@
 #include "cut/cuts.h"
 #include "explain/decide.h"
 #include "explain/machine.h"
+#include "explain/search.h"
 #include "test.h"
 
 static wcut_diagnosis *diagnose_secret(const machine_secret *secret, const bool *without) {

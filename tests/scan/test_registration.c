@@ -5,9 +5,9 @@
 #include <wirecut/registration.h>
 
 #include "base/alloc.h"
+#include "base/symmetric.h"
 #include "scan/faces.h"
 #include "scan/register_motion.h"
-#include "scan/register_symmetric.h"
 #include "scan/sheets.h"
 #include "test.h"
 

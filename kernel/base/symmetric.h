@@ -1,10 +1,10 @@
-/* Eigenvalues and eigenvectors of a small symmetric matrix. */
-#ifndef WCUT_SCAN_REGISTER_SYMMETRIC_H
-#define WCUT_SCAN_REGISTER_SYMMETRIC_H
+/* Eigenvalues and eigenvectors of a small symmetric matrix, and its inverse. */
+#ifndef WCUT_BASE_SYMMETRIC_H
+#define WCUT_BASE_SYMMETRIC_H
 
-enum { WCUT_SYMMETRIC_MAX = 6 };
+enum { WCUT_SYMMETRIC_MAX = 6 }; /* unknowns of wcut_symmetric_solve */
 
-/* a: n x n, finite, destroyed; n at most WCUT_SYMMETRIC_MAX. value: n, the greatest first. vector: n x n, orthonormal,
+/* a: n x n, finite, destroyed. value: n, the greatest first. vector: n x n, orthonormal,
    vector[i * n + k] is the i-th coordinate of the k-th. */
 void wcut_symmetric_eigen(int n, double *a, double *value, double *vector);
 

@@ -1,5 +1,5 @@
 /* Eigenvalues and eigenvectors of a small symmetric matrix: cyclic rotations (Jacobi 1846); its inverse by Cholesky. */
-#include "scan/register_symmetric.h"
+#include "base/symmetric.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -10,7 +10,7 @@
 enum { SWEEPS = 60 }; /* quadratic convergence: ten are many */
 
 /* turn rows and columns p, q so that a[p][q] becomes 0 */
-static void register_symmetric_rotate(int n, double *a, double *vector, int p, int q) {
+static void rotate_pair(int n, double *a, double *vector, int p, int q) {
     const double tau = (a[q * n + q] - a[p * n + p]) / (2 * a[p * n + q]);
     const double t = (tau < 0 ? -1 : 1) / (fabs(tau) + hypot(1, tau)), c = 1 / hypot(1, t), s = t * c;
     for (int k = 0; k < n; k++) {
@@ -29,18 +29,18 @@ static void register_symmetric_rotate(int n, double *a, double *vector, int p, i
 }
 
 /* one pass over all pairs; false where nothing was left to turn */
-static bool sweep(int n, double *a, double *vector) {
+static bool sweep_pairs(int n, double *a, double *vector) {
     bool turned = false;
     for (int p = 0; p < n; p++)
         for (int q = p + 1; q < n; q++)
             if (fabs(a[p * n + q]) > 1e-17 * sqrt(fabs(a[p * n + p] * a[q * n + q])) && fabs(a[p * n + q]) > 1e-300) {
-                register_symmetric_rotate(n, a, vector, p, q);
+                rotate_pair(n, a, vector, p, q);
                 turned = true;
             }
     return turned;
 }
 
-static void order(int n, double *value, double *vector) {
+static void order_values(int n, double *value, double *vector) {
     for (int k = 0; k < n; k++) {
         int max = k;
         for (int j = k + 1; j < n; j++)
@@ -56,9 +56,9 @@ static void order(int n, double *value, double *vector) {
 
 void wcut_symmetric_eigen(int n, double *a, double *value, double *vector) {
     for (int i = 0; i < n * n; i++) vector[i] = i % (n + 1) == 0;
-    for (int k = 0; k < SWEEPS && sweep(n, a, vector); k++) continue;
+    for (int k = 0; k < SWEEPS && sweep_pairs(n, a, vector); k++) continue;
     for (int i = 0; i < n; i++) value[i] = a[i * n + i];
-    order(n, value, vector);
+    order_values(n, value, vector);
 }
 
 int wcut_symmetric_solve(int n, const double *a, const double *b, double *x, double *inverse) {

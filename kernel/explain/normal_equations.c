@@ -1,11 +1,12 @@
 /* Normal equations with priors, whole and by cut, so that any choice of columns and cuts is solved at once. */
+#include "explain/normal_equations.h"
+
 #include <string.h>
 
 #include "base/alloc.h"
 #include "base/dense.h"
 #include "base/numbers.h"
 #include "base/threads.h"
-#include "explain/model_fit.h"
 
 static const double PIVOT_MIN = 1e-11; /* [1] of a matrix of unit diagonal, below which it is singular */
 
