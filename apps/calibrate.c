@@ -104,7 +104,7 @@ static void say_laws(const calibration *c) {
 
 /* ---- warnings ---- */
 
-static void warn(calibration *c, const char *format, ...) {
+static void warn_of_calibration(calibration *c, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
     const int k = c->of.warnings++;
@@ -125,16 +125,18 @@ static void warn_of_slips(calibration *c) {
 
         /* no digit explains it, or one slipped decimal point does */
         if (s->column == WCUT_SLIP_COLUMN_NONE)
-            warn(c, "line %d is an outlier: its force is %.3g times that of the law of the other cuts%s", cut->line,
-                 s->ratio, c->options.loss == WCUT_LOSS_SQUARE ? "; try --robust" : "; it has almost no weight");
+            warn_of_calibration(c, "line %d is an outlier: its force is %.3g times that of the law of the other cuts%s",
+                                cut->line, s->ratio,
+                                c->options.loss == WCUT_LOSS_SQUARE ? "; try --robust" : "; it has almost no weight");
         else
-            warn(c,
-                 "line %d is an outlier: its force is %.3g times that of the law of the other cuts; %s %.6g instead of "
-                 "%.6g would "
-                 "fit: "
-                 "check the decimal point%s",
-                 cut->line, s->ratio, column[s->column], value[s->column] * s->factor, value[s->column],
-                 c->options.loss == WCUT_LOSS_SQUARE ? ", or try --robust" : "; it has almost no weight");
+            warn_of_calibration(
+                c,
+                "line %d is an outlier: its force is %.3g times that of the law of the other cuts; %s %.6g instead of "
+                "%.6g would "
+                "fit: "
+                "check the decimal point%s",
+                cut->line, s->ratio, column[s->column], value[s->column] * s->factor, value[s->column],
+                c->options.loss == WCUT_LOSS_SQUARE ? ", or try --robust" : "; it has almost no weight");
     }
 }
 
@@ -145,16 +147,17 @@ static void warn_of_angles(calibration *c) {
         const double alpha = WCUT_DEG_PER_RAD * fabs(c->cut[i].alpha_a);
         max = fmax(max, alpha);
         if (alpha > 10)
-            warn(c,
-                 "line %d: the wire trails by more than 10 deg, %.3g deg; in a test cut it should be nearly straight",
-                 c->cut[i].line, alpha);
+            warn_of_calibration(
+                c, "line %d: the wire trails by more than 10 deg, %.3g deg; in a test cut it should be nearly straight",
+                c->cut[i].line, alpha);
     }
     if (max < ALPHA_IN_RADIANS)
-        warn(c,
-             "alpha_deg is %.3g or less in every cut: these look like radians (%.3g deg); a wire in a test cut trails "
-             "by 2 "
-             "to 10 deg",
-             max, max * WCUT_DEG_PER_RAD);
+        warn_of_calibration(
+            c,
+            "alpha_deg is %.3g or less in every cut: these look like radians (%.3g deg); a wire in a test cut trails "
+            "by 2 "
+            "to 10 deg",
+            max, max * WCUT_DEG_PER_RAD);
 }
 
 /* what the user should know before cutting by these numbers */
@@ -166,25 +169,29 @@ static void find_warnings(calibration *c) {
 
     /* what the cuts cannot tell: the law's parameters, the tension law, the heat, the speed */
     if (!fit->separable)
-        warn(c,
-             "%d levels of Q_eff over a factor of %.2f do not separate a from b (correlation %.3f): use V0 and the "
-             "exponent near F0, or make cuts at more heats and speeds",
-             fit->q_effs, fit->q_eff_high / fit->q_eff_low, fit->correlation);
+        warn_of_calibration(
+            c,
+            "%d levels of Q_eff over a factor of %.2f do not separate a from b (correlation %.3f): use V0 and the "
+            "exponent near F0, or make cuts at more heats and speeds",
+            fit->q_effs, fit->q_eff_high / fit->q_eff_low, fit->correlation);
     if (fit->tension_fitted && !(fit->tension.low[1] > 0))
-        warn(c,
-             "the tension law is poorly determined: the interval of its b contains 0; use it only in the range of the "
-             "cuts");
+        warn_of_calibration(
+            c,
+            "the tension law is poorly determined: the interval of its b contains 0; use it only in the range of the "
+            "cuts");
     if (fit->heats < 2)
-        warn(c,
-             "only one heat: the cuts cannot show whether the force depends on Q_eff alone or heat is lost elsewhere");
-    if (fit->speeds < 2) warn(c, "only one speed: the cuts cannot show a dependence on the speed itself");
+        warn_of_calibration(
+            c,
+            "only one heat: the cuts cannot show whether the force depends on Q_eff alone or heat is lost elsewhere");
+    if (fit->speeds < 2)
+        warn_of_calibration(c, "only one speed: the cuts cannot show a dependence on the speed itself");
     warn_of_slips(c);
     warn_of_angles(c);
 
     /* the form of the scatter is not to be seen as long as outliers make it */
     if (against > 2 && c->slips == 0)
-        warn(c, "the scatter is rather %s (log likelihood ratio %.1f); try --noise %s",
-             relative ? "absolute" : "relative", against, relative ? "absolute" : "relative");
+        warn_of_calibration(c, "the scatter is rather %s (log likelihood ratio %.1f); try --noise %s",
+                            relative ? "absolute" : "relative", against, relative ? "absolute" : "relative");
 }
 
 static void describe_calibration(calibration *c) {

@@ -104,7 +104,7 @@ static int read_registration(const app_call *call, wcut_compare_options *o) {
     return read_dofs(app_text(call, "dof"), &o->registration);
 }
 
-static int check_order(const app_call *call) {
+static int check_job_first(const app_call *call) {
     const char *first = strrchr(call->operand[0], '.');
     for (int k = 1; k < call->operand_count && first; k++) {
         const char *ending = strrchr(call->operand[k], '.');
@@ -120,8 +120,8 @@ static int processors(void) {
     return count > 1 ? count < 64 ? (int)count : 64 : 1;
 }
 
-static int read_options(const app_call *call, wcut_compare_options *o) {
-    int code = check_order(call);
+static int read_compare_options(const app_call *call, wcut_compare_options *o) {
+    int code = check_job_first(call);
     *o = wcut_compare_options_default();
 
     /* what is read, and how */
@@ -279,7 +279,7 @@ static int run_compare(const app_call *call) {
     wcut_compare_options options;
     app_results results;
     wcut_compare_files(NULL, name);
-    int code = read_options(call, &options);
+    int code = read_compare_options(call, &options);
     if (code == APP_DONE) code = app_results_begin(&results, app_text(call, "output"), name);
     if (code != APP_DONE) return code;
 

@@ -101,7 +101,7 @@ static int disturb(loop *l) {
 
 /* ---- the runs ---- */
 
-static wcut_status simulate_job(loop *l, wcut_setup **setup, wcut_history **history, wcut_error *error) {
+static wcut_status simulate_control_job(loop *l, wcut_setup **setup, wcut_history **history, wcut_error *error) {
     wcut_status status = wcut_setup_create(l->job, NULL, setup, error);
     if (status == WCUT_OK) status = wcut_setup_run(*setup, NULL, NULL, history, error);
     return status;
@@ -109,7 +109,7 @@ static wcut_status simulate_job(loop *l, wcut_setup **setup, wcut_history **hist
 
 static wcut_status simulate_plan(loop *l, wcut_error *error) {
     wcut_setup *setup = NULL;
-    const wcut_status status = simulate_job(l, &setup, &l->history, error);
+    const wcut_status status = simulate_control_job(l, &setup, &l->history, error);
     wcut_setup_destroy(setup);
     return status;
 }

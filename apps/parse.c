@@ -142,7 +142,7 @@ static int refuse_unknown(const app_verb *verb, int count, const char *word) {
 }
 
 /* What getopt_long could not take: a value too few or too many, or a name that is not in the table. */
-static int refuse_option(const app_verb *verb, int count, int code, char **argv) {
+static int refuse_typed_option(const app_verb *verb, int count, int code, char **argv) {
     char letter[] = {'-', (char)optopt, 0};
     int index = optopt ? find_option(verb, count, optopt) : -1;
     if (index < 0) return refuse_unknown(verb, count, optopt && optopt < LONG_FIRST ? letter : argv[optind - 1]);
@@ -167,7 +167,7 @@ static int read_parse_words(const app_verb *verb, int count, int argc, char **ar
             call->operand[call->operand_count++] = optarg;
             continue;
         }
-        if (code == '?' || code == ':') return refuse_option(verb, count, code, argv);
+        if (code == '?' || code == ':') return refuse_typed_option(verb, count, code, argv);
         int index = find_option(verb, count, code);
         int bad = set_value(verb, &verb->option[index], optarg ? optarg : "", &call->value[index]);
         if (bad) return bad;

@@ -75,7 +75,7 @@ static bool mark_all(wcut_iges *f, const wcut_iges_entry *e, wcut_iges_cursor *c
     return true;
 }
 
-static bool is_hidden(const wcut_iges_entry *e) { return e->status[1] == '1'; }
+static bool is_hidden_entry(const wcut_iges_entry *e) { return e->status[1] == '1'; }
 
 /* composite curves, subfigures, groups; anything else is passed over */
 static bool mark_members(wcut_iges *f, const wcut_iges_entry *e) {
@@ -86,7 +86,7 @@ static bool mark_members(wcut_iges *f, const wcut_iges_entry *e) {
     if (e->type != 102 && e->type != 308 && !groups) return true;
     if (!wcut_iges_open(f, e, &c)) return false;
     if (e->type == 102) return mark_all(f, e, &c, WCUT_IGES_PIECE);
-    if (groups) return mark_all(f, e, &c, WCUT_IGES_GROUPED | (is_hidden(e) ? WCUT_IGES_HIDDEN : 0));
+    if (groups) return mark_all(f, e, &c, WCUT_IGES_GROUPED | (is_hidden_entry(e) ? WCUT_IGES_HIDDEN : 0));
 
     /* depth and name come before a subfigure's members */
     wcut_iges_pass(&c);
@@ -152,7 +152,8 @@ static bool add_iges_entity(wcut_iges *f, const wcut_iges_entry *e, int depth) {
     if ((!is_curve(e) && e->type != 408) || (depends && (mark & WCUT_IGES_PIECE))) return true;
 
     /* what the file does not show, and what belongs to an entity that is not read */
-    if (is_hidden(e) || (mark & WCUT_IGES_HIDDEN)) return wcut_curves_leave_out(f->reader, "a hidden entity"), true;
+    if (is_hidden_entry(e) || (mark & WCUT_IGES_HIDDEN))
+        return wcut_curves_leave_out(f->reader, "a hidden entity"), true;
     const bool belongs = depends && !(mark & (WCUT_IGES_MEMBER | WCUT_IGES_GROUPED));
     if (belongs || (e->status[4] == '0' && e->status[5] == '5'))
         return wcut_curves_leave_out(f->reader, "a piece of another entity"), true;

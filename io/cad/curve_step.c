@@ -65,7 +65,7 @@ static wcut_curve *make_line(wcut_step_source *s, long id, const char *list, con
 }
 
 /* the angle of a point of the ellipse center + cos(t) a x + sin(t) b y */
-static double angle_of(wcut_vec3 p, wcut_vec3 center, wcut_vec3 x, wcut_vec3 y, double a, double b) {
+static double arc_angle(wcut_vec3 p, wcut_vec3 center, wcut_vec3 x, wcut_vec3 y, double a, double b) {
     const wcut_vec3 d = {p.x - center.x, p.y - center.y, p.z - center.z};
     return atan2((d.x * y.x + d.y * y.y + d.z * y.z) / b, (d.x * x.x + d.y * x.y + d.z * x.z) / a);
 }
@@ -88,7 +88,7 @@ static wcut_curve *make_curve_step_arc(wcut_step_source *s, long id, const char 
 
     /* both ends as angles, from the points or from the parameters */
     for (int k = 0; k < 2; k++)
-        t[k] = p->has_points ? angle_of(p->point[k], center, x, y, a, b) : fmod(p->parameter[k] * s->angle, TURN);
+        t[k] = p->has_points ? arc_angle(p->point[k], center, x, y, a, b) : fmod(p->parameter[k] * s->angle, TURN);
     if (!isfinite(t[0]) || !isfinite(t[1])) return wcut_step_refuse(s, id, "no angle"), NULL;
     /* the same place twice is a whole turn */
     if (p->forwards && !(t[1] > t[0] + 1e-12)) t[1] += TURN;
@@ -455,7 +455,7 @@ static bool moves_parts(const wcut_step_source *s) {
 
 /* ---- edges of faces: those that a representation's items lead to ---- */
 
-static int place_of(const wcut_p21_file *f, long id) {
+static int record_place(const wcut_p21_file *f, long id) {
     int low = 0, high = f->count;
     while (low < high) {
         const int middle = low + (high - low) / 2;
@@ -477,7 +477,7 @@ static void follow_references(const wcut_p21_file *f, int *stack, int count, uns
                 }
             if (*p == '\0') break;
             if (*p != '#') continue;
-            const int at = place_of(f, strtol(p + 1, NULL, 10));
+            const int at = record_place(f, strtol(p + 1, NULL, 10));
             if (at < 0 || reached[at]) continue;
             reached[at] = 1;
             stack[count++] = at;
@@ -495,7 +495,7 @@ static bool add_representation(wcut_step_source *s, const wcut_p21_instance *rep
     memset(reached, 0, (size_t)s->file.count);
     for (const char *item = wcut_p21_item(wcut_step_items(rep->body), 0); item; item = wcut_p21_next(item)) {
         long id = 0;
-        const int at = wcut_p21_read_reference(item, &id) ? place_of(&s->file, id) : -1;
+        const int at = wcut_p21_read_reference(item, &id) ? record_place(&s->file, id) : -1;
 
         /* mapped items are those of another representation */
         if (at < 0 || reached[at] || wcut_p21_record(s->file.instance[at].body, "MAPPED_ITEM")) continue;

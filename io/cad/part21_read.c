@@ -127,7 +127,7 @@ static bool read_statements(wcut_p21_file *f, char *p) {
     return wcut_curves_refuse(f->reader, "found the end of the file, expected END-ISO-10303-21;");
 }
 
-static int by_number(const void *a, const void *b) {
+static int compare_record_numbers(const void *a, const void *b) {
     const long i = ((const wcut_p21_instance *)a)->id, j = ((const wcut_p21_instance *)b)->id;
     return (i > j) - (i < j);
 }
@@ -138,7 +138,7 @@ bool wcut_p21_open(wcut_curve_reader *r, char *text, size_t length, wcut_p21_fil
     if (strncmp(text, "ISO-10303-21;", 13) != 0)
         return wcut_curves_refuse(r, "found \"%.20s\", expected ISO-10303-21;", text);
     if (!read_statements(f, text)) return false;
-    if (f->count > 0) qsort(f->instance, (size_t)f->count, sizeof *f->instance, by_number);
+    if (f->count > 0) qsort(f->instance, (size_t)f->count, sizeof *f->instance, compare_record_numbers);
     for (int k = 1; k < f->count; k++)
         if (f->instance[k].id == f->instance[k - 1].id)
             return wcut_curves_refuse(r, "found #%ld twice, expected each number once", f->instance[k].id);
@@ -150,7 +150,7 @@ void wcut_p21_close(wcut_p21_file *f) { free(f->instance); }
 const char *wcut_p21_find(const wcut_p21_file *f, long id) {
     const wcut_p21_instance key = {id, NULL};
     const wcut_p21_instance *found =
-        f->count ? bsearch(&key, f->instance, (size_t)f->count, sizeof key, by_number) : NULL;
+        f->count ? bsearch(&key, f->instance, (size_t)f->count, sizeof key, compare_record_numbers) : NULL;
     return found ? found->body : NULL;
 }
 

@@ -127,7 +127,7 @@ static wcut_child_end collect_child(int fd, const wcut_child_limits *limits, cha
 }
 
 /* the child has closed its pipe, or is to end now */
-static wcut_child_end reap(pid_t child, wcut_child_end end) {
+static wcut_child_end reap_child(pid_t child, wcut_child_end end) {
     int state = 0;
     if (end.how != WCUT_CHILD_DONE) kill(child, SIGKILL);
     while (waitpid(child, &state, 0) < 0) {
@@ -160,7 +160,7 @@ wcut_child_end wcut_child_run(wcut_child_work *work, void *context, const wcut_c
     const int code = errno;
     wcut_child_end end = {WCUT_CHILD_NOT_STARTED, code};
     close(ends[1]);
-    if (child > 0) end = reap(child, collect_child(ends[0], limits, data, length));
+    if (child > 0) end = reap_child(child, collect_child(ends[0], limits, data, length));
     close(ends[0]);
 
     /* what a failed child wrote is not handed out */

@@ -297,7 +297,7 @@ static wcut_status make_columns(scanner *s, int numeric_count, const char *const
     return WCUT_OK;
 }
 
-static wcut_status read_rows(scanner *s) {
+static wcut_status read_csv_rows(scanner *s) {
     int rows = 0;
     while (next_row(s)) {
         s->field = s->at;
@@ -329,7 +329,7 @@ wcut_status wcut_csv_parse(const char *text, size_t length, const char *label, i
     /* header, columns, rows */
     if (status == WCUT_OK) status = read_csv_header(&s);
     if (status == WCUT_OK) status = make_columns(&s, numeric_count, numeric);
-    if (status == WCUT_OK) status = read_rows(&s);
+    if (status == WCUT_OK) status = read_csv_rows(&s);
 
     /* the scanner's own memory */
     free(s.numeric);

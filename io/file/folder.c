@@ -113,7 +113,7 @@ int wcut_folder_make_temporary(int folder, char name[NAME_MAX + 1], int *fd) {
 }
 
 /* remove the files of a folder, and its folders down to a depth */
-static int empty(int folder, const char *first, int depth) {
+static int empty_folder(int folder, const char *first, int depth) {
     int code = 0;
     if (first && unlinkat(folder, first, 0) != 0 && errno != ENOENT) return errno;
 
@@ -129,7 +129,7 @@ static int empty(int folder, const char *first, int depth) {
         /* no file: a folder, whose own entries go first */
         const int inner = depth > 1 ? openat(folder, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC) : -1;
         if (inner >= 0) {
-            const int inside = empty(inner, NULL, depth - 1);
+            const int inside = empty_folder(inner, NULL, depth - 1);
             code = code ? code : inside;
             close(inner);
         }
@@ -143,7 +143,7 @@ static int empty(int folder, const char *first, int depth) {
 int wcut_folder_remove_tree(int folder, const char *name, const char *first) {
     const int fd = openat(folder, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
     if (fd < 0) return errno == ENOENT ? 0 : errno;
-    const int code = empty(fd, first, 2);
+    const int code = empty_folder(fd, first, 2);
     close(fd);
     if (code) return code;
     return unlinkat(folder, name, AT_REMOVEDIR) == 0 || errno == ENOENT ? 0 : errno;

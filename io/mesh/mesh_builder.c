@@ -59,7 +59,7 @@ static size_t hash(wcut_vec3 p) {
 }
 
 /* the slot of a point, or the empty one where it belongs */
-static size_t find_slot(const wcut_mesh_builder *builder, wcut_vec3 p) {
+static size_t find_vertex_slot(const wcut_mesh_builder *builder, wcut_vec3 p) {
     size_t at = hash(p) & (builder->slots - 1);
     for (; builder->slot[at]; at = (at + 1) & (builder->slots - 1)) {
         const wcut_vec3 q = builder->vertex[builder->slot[at] - 1];
@@ -76,7 +76,7 @@ static bool widen_mesh_builder(wcut_mesh_builder *builder) {
     free(builder->slot);
     builder->slot = slot;
     builder->slots = slots;
-    for (int i = 0; i < builder->vertices; i++) slot[find_slot(builder, builder->vertex[i])] = i + 1;
+    for (int i = 0; i < builder->vertices; i++) slot[find_vertex_slot(builder, builder->vertex[i])] = i + 1;
     return true;
 }
 
@@ -84,7 +84,7 @@ int wcut_mesh_builder_vertex(wcut_mesh_builder *builder, wcut_vec3 p) {
     p = (wcut_vec3){p.x + 0.0, p.y + 0.0, p.z + 0.0}; /* -0 and 0 are one place */
     if (2 * ((size_t)builder->vertices + 1) > builder->slots && !widen_mesh_builder(builder))
         return wcut_source_refuse_memory(builder->source), -1;
-    const size_t at = find_slot(builder, p);
+    const size_t at = find_vertex_slot(builder, p);
     if (builder->slot[at]) return builder->slot[at] - 1;
     if (builder->vertices == INT_MAX - 1)
         return wcut_source_refuse(builder->source, "found more vertices, expected at most %d", INT_MAX - 1), -1;

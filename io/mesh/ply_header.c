@@ -14,13 +14,13 @@ static wcut_scalar find_ply_header_scalar(const char *p) {
     return WCUT_SCALAR_NONE;
 }
 
-static const char *next_word(const char *p) {
+static const char *next_ply_word(const char *p) {
     while (!wcut_is_blank(*p) && !wcut_is_line_end(p)) p++;
     return wcut_skip_blanks(p);
 }
 
 static bool read_ply_header_format(wcut_source *s, const char *line, const char *p, wcut_ply *m, bool *seen) {
-    const char *version = next_word(p);
+    const char *version = next_ply_word(p);
     if (*seen) return wcut_source_refuse_text(s, line, line, "one format");
     *seen = true;
     m->ascii = wcut_row_has_word(p, "ascii");
@@ -39,7 +39,7 @@ static bool read_element(wcut_source *s, const char *line, const char *p, wcut_p
     if (e->is_face && m->face >= 0) return wcut_source_refuse_text(s, line, p, "one element face");
     if (e->is_vertex) m->vertex = m->elements;
     if (e->is_face) m->face = m->elements;
-    p = next_word(p);
+    p = next_ply_word(p);
     const char *behind = wcut_row_count(p, &e->count);
     if (!behind || !wcut_is_line_end(wcut_skip_blanks(behind)))
         return wcut_source_refuse_text(s, line, p, "a count, an integer that is not negative");
@@ -64,11 +64,11 @@ static bool read_property(wcut_source *s, const char *line, const char *p, wcut_
 
     /* a list: the type of its count */
     if (wcut_row_has_word(p, "list")) {
-        p = next_word(p);
+        p = next_ply_word(p);
         q->count = find_ply_header_scalar(p);
         if (q->count == WCUT_SCALAR_NONE || q->count == WCUT_SCALAR_F32 || q->count == WCUT_SCALAR_F64)
             return wcut_source_refuse_text(s, line, p, "an integer type for a list's count");
-        p = next_word(p);
+        p = next_ply_word(p);
         e->has_list = true;
     }
 
@@ -76,7 +76,7 @@ static bool read_property(wcut_source *s, const char *line, const char *p, wcut_
     q->value = find_ply_header_scalar(p);
     if (q->value == WCUT_SCALAR_NONE)
         return wcut_source_refuse_text(s, line, p, "a type such as float, double or uchar");
-    p = next_word(p);
+    p = next_ply_word(p);
     if (wcut_is_line_end(p)) return wcut_source_refuse_text(s, line, p, "the property's name");
 
     /* which property gives a coordinate or the corners of a face */
@@ -102,7 +102,7 @@ bool wcut_ply_header(wcut_source *s, wcut_ply *m) {
     /* no vertex or face element is known yet */
     m->vertex = m->face = -1;
     for (const char *line; (line = wcut_row_peek(s, &length)) != NULL; wcut_row_done(s, length)) {
-        const char *p = wcut_skip_blanks(line), *rest = next_word(p);
+        const char *p = wcut_skip_blanks(line), *rest = next_ply_word(p);
         bool read = true;
 
         /* the header ends once the format is known */

@@ -48,8 +48,8 @@ static bool read_binary(wcut_source *s, const wcut_ply *m, const wcut_ply_elemen
 /* ---- text ---- */
 
 /* a list's count and values */
-static const char *read_words(wcut_source *s, const char *line, const char *p, const wcut_ply_property *q,
-                              wcut_ply_corners *corners) {
+static const char *read_ply_words(wcut_source *s, const char *line, const char *p, const wcut_ply_property *q,
+                                  wcut_ply_corners *corners) {
     int64_t values = 0;
     const char *behind = wcut_row_count(p, &values);
     if (!behind) return wcut_source_refuse_text(s, line, wcut_skip_blanks(p), "a list's count, 0 or more"), NULL;
@@ -81,7 +81,7 @@ static bool read_ascii(wcut_source *s, const wcut_ply *m, const wcut_ply_element
     for (const wcut_ply_property *q = m->property + e->first; q < m->property + e->first + e->properties; q++) {
         double any;
         if (q->count) {
-            p = read_words(s, line, p, q, corners);
+            p = read_ply_words(s, line, p, q, corners);
             if (!p) return false;
             continue;
         }

@@ -104,14 +104,14 @@ static void put_hash(wcut_text *text, const char *before, const char *hash) {
         wcut_text_print(text, "%snull", before);
 }
 
-static bool is_whole(const wcut_overlaid *o) {
+static bool overlay_is_whole(const wcut_overlaid *o) {
     return o && o->job && o->photo && o->source && o->camera && o->report && o->points > 0 && o->point && o->residual &&
            o->leave_one_out && o->history && o->overlay && o->overlay->rectified && o->overlay->patch;
 }
 
 wcut_status wcut_overlay_print(const wcut_overlaid *o, char **out) {
     wcut_text text = {0};
-    if (!is_whole(o) || !out) return WCUT_BAD_ARGUMENT;
+    if (!overlay_is_whole(o) || !out) return WCUT_BAD_ARGUMENT;
     if (!wcut_text_create(&text, NULL)) return WCUT_NO_MEMORY;
     const wcut_overlay *v = o->overlay;
     wcut_text_print(&text, "{\n  \"format\": \"wirecut-overlay/1\",\n  \"version\": \"%s\"", WCUT_VERSION);

@@ -146,7 +146,7 @@ static const char *effect_name(const wcut_diagnosis *d, int e) {
 }
 
 /* whether a name is that of one of the first present effects, or of the first contradictions that are faults */
-static bool is_listed(const wcut_diagnosis *d, int effects, int contradictions, const char *name) {
+static bool effect_is_listed(const wcut_diagnosis *d, int effects, int contradictions, const char *name) {
     for (int e = 0; e < effects; e++)
         if (d->effect[e].present && strcmp(effect_name(d, e), name) == 0) return true;
     for (int k = 0; k < contradictions; k++)
@@ -161,7 +161,7 @@ static void put_verdict(wcut_text *text, const wcut_diagnosis *d) {
     const char *between = "";
     wcut_text_print(text, ",\n  \"verdict\": {\"kind\": \"%s\", \"effects\": [", wcut_verdict_name(d->kind));
     for (int e = 0; named && e < d->effects; e++) {
-        if (!d->effect[e].present || is_listed(d, e, 0, effect_name(d, e))) continue;
+        if (!d->effect[e].present || effect_is_listed(d, e, 0, effect_name(d, e))) continue;
         wcut_text_print(text, "%s\"%s\"", between, effect_name(d, e));
         between = ", ";
     }
@@ -169,7 +169,7 @@ static void put_verdict(wcut_text *text, const wcut_diagnosis *d) {
     /* instrument faults that contradictions show and no effect stands for */
     for (int k = 0; named && k < d->contradictions; k++) {
         const char *name = wcut_contradiction_name(d->contradiction[k].kind);
-        if (!d->contradiction[k].fault || is_listed(d, d->effects, k, name)) continue;
+        if (!d->contradiction[k].fault || effect_is_listed(d, d->effects, k, name)) continue;
         wcut_text_print(text, "%s\"%s\"", between, name);
         between = ", ";
     }

@@ -12,7 +12,7 @@
 #include "io/process/history_check.h"
 
 /* {"min": .., "max": ..}, the range times a factor */
-static void put_range(wcut_text *text, const char *before, wcut_range range, double factor) {
+static void put_summary_range(wcut_text *text, const char *before, wcut_range range, double factor) {
     wcut_text_print(text, "%s", before);
     wcut_text_put_number(text, "{\"min\": ", factor * range.min);
     wcut_text_put_number(text, ", \"max\": ", factor * range.max);
@@ -66,9 +66,9 @@ static void put_summary_figures(wcut_text *text, const wcut_summary *s) {
     wcut_text_put_number(text, ", \"median\": ", s->speed_median);
     wcut_text_put_number(text, ", \"max\": ", s->speed.max);
     wcut_text_print(text, "}");
-    put_range(text, ",\n  \"alpha_deg\": ", s->alpha, WCUT_DEG_PER_RAD);
-    put_range(text, ",\n  \"beta_deg\": ", s->beta, WCUT_DEG_PER_RAD);
-    put_range(text, ",\n  \"tension_N\": ", s->tension, 1);
+    put_summary_range(text, ",\n  \"alpha_deg\": ", s->alpha, WCUT_DEG_PER_RAD);
+    put_summary_range(text, ",\n  \"beta_deg\": ", s->beta, WCUT_DEG_PER_RAD);
+    put_summary_range(text, ",\n  \"tension_N\": ", s->tension, 1);
     wcut_text_put_number(text, ",\n  \"force_N_per_mm\": {\"max\": ", s->force_line_max);
     wcut_text_put_number(text, "},\n  \"residual\": {\"max\": ", s->residual_max);
     wcut_text_put_number(text, "},\n  \"iterations\": {\"mean\": ", s->iterations_mean);

@@ -33,7 +33,8 @@ static wcut_status write_file(const wcut_compare_result *c, const char *name, co
     return wcut_report_compare_write(p, path, error);
 }
 
-static wcut_status add_file(const wcut_compare_result *c, wcut_results *results, const char *name, wcut_error *error) {
+static wcut_status add_compare_file(const wcut_compare_result *c, wcut_results *results, const char *name,
+                                    wcut_error *error) {
     const char *path = wcut_results_path(results, name);
     wcut_status status = path ? write_file(c, name, path, error) : WCUT_NO_MEMORY;
     if (status == WCUT_OK) status = wcut_results_add(results, name, error);
@@ -59,7 +60,7 @@ wcut_status wcut_compare_write(const wcut_compare_result *result, wcut_results *
     /* deviation.ply is there since the run, the voucher comes last */
     const int files = wcut_compare_files(result, name);
     wcut_status status = WCUT_OK;
-    for (int k = 1; k < files - 1 && status == WCUT_OK; k++) status = add_file(result, results, name[k], error);
+    for (int k = 1; k < files - 1 && status == WCUT_OK; k++) status = add_compare_file(result, results, name[k], error);
     if (status != WCUT_OK) return status;
 
     /* deviation.json makes the set whole */

@@ -447,7 +447,7 @@ static const char *with_error(page *p, double value, double error) {
 }
 
 /* the answer in numbers; gives how many */
-static int fill_facts(page *p, wcut_report_fact *fact) {
+static int fill_law_facts(page *p, wcut_report_fact *fact) {
     const wcut_calibration *fit = p->of->fit;
     const wcut_law_fit *f = &fit->force, *t = &fit->tension;
     int n = 0;
@@ -490,7 +490,7 @@ static wcut_status write_calibrate_page(page *p, int sections, const wcut_report
     /* verdict and facts stand at the top of the page */
     char verdict[512];
     wcut_report_fact fact[16];
-    const int facts = fill_facts(p, fact);
+    const int facts = fill_law_facts(p, fact);
     if (p->memory.failed) return WCUT_NO_MEMORY;
 
     /* settings of the fit, with what the defaults came to */

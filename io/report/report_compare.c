@@ -286,7 +286,7 @@ static int list_facts(const page *p, wcut_report_fact *fact) {
 
 /* ---- the page ---- */
 
-static int list_options(const page *p, wcut_report_fact *option) {
+static int list_compare_options(const page *p, wcut_report_fact *option) {
     static const char *const method[] = {"none", "datum", "fit"};
     const wcut_report_compare *of = p->of;
 
@@ -388,7 +388,7 @@ static wcut_status write_compare_page(page *p, const wcut_report_scene *scene, c
                                 .section = section,
                                 .source_count = c->scans + 1,
                                 .source = source,
-                                .option_count = list_options(p, option),
+                                .option_count = list_compare_options(p, option),
                                 .option = option};
 
     return wcut_report_write(&report, path, error);

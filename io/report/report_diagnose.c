@@ -192,7 +192,7 @@ static bool fill_found(page *p, wcut_report_section *section) {
 
 typedef const wcut_evidence_score (*fits)[WCUT_EVIDENCE_CHANNEL_COUNT];
 
-static double figure_of(const wcut_evidence_score *f, bool with_bias) {
+static double score_figure(const wcut_evidence_score *f, bool with_bias) {
     return f->count > 0 ? shown(with_bias ? f->rmse_over_range : f->nrmsd) : NAN;
 }
 
@@ -217,7 +217,7 @@ static wcut_report_table fit_table(page *p, const char *title, const char *note,
         const int r = table.rows;
         bool there = false;
         for (int m = 0; m < WCUT_EVIDENCE_MODEL_COUNT; m++) {
-            number[m * WCUT_EVIDENCE_CHANNEL_COUNT + r] = figure_of(&fit[m][k], with_bias);
+            number[m * WCUT_EVIDENCE_CHANNEL_COUNT + r] = score_figure(&fit[m][k], with_bias);
             there = there || fit[m][k].count > 0;
         }
         if (!there) continue;

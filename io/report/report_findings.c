@@ -41,8 +41,8 @@ static int list_windows(wcut_page_memory *memory, const wcut_diagnosis *d, const
     return count;
 }
 
-static void fill_chart(wcut_page_memory *memory, const wcut_report_diagnose *of, const wcut_residual_trace *t,
-                       wcut_report_chart *chart) {
+static void fill_trace_chart(wcut_page_memory *memory, const wcut_report_diagnose *of, const wcut_residual_trace *t,
+                             wcut_report_chart *chart) {
     static const char *const label[SERIES] = {"measured", "simulated before", "recalibrated", "after"};
     static const wcut_report_mark mark[SERIES] = {WCUT_REPORT_MARK_POINTS, WCUT_REPORT_MARK_DASHED,
                                                   WCUT_REPORT_MARK_LINE, WCUT_REPORT_MARK_LINE};
@@ -100,7 +100,7 @@ bool wcut_report_channels_fill(wcut_page_memory *memory, const wcut_report_diagn
     for (int pass = 0; chart && pass < 2; pass++)
         for (int i = 0; i < d->traces; i++)
             if (is_drawn(&d->trace[i], pass ? other : worst, column))
-                fill_chart(memory, of, &d->trace[i], &chart[count++]);
+                fill_trace_chart(memory, of, &d->trace[i], &chart[count++]);
     if (memory->failed || count == 0) return false;
 
     /* what the reader sees, and by which models */

@@ -34,7 +34,7 @@ static char *join_score(page *p, const char *a, const char *between, const char 
 }
 
 /* "case, cut", or the cut alone */
-static const char *name_of(page *p, const wcut_scored_cut *cut) {
+static const char *scored_cut_name(page *p, const wcut_scored_cut *cut) {
     return cut->of_case ? join_score(p, cut->of_case, ", ", cut->name) : cut->name;
 }
 
@@ -150,7 +150,7 @@ static wcut_report_table trouble_table(page *p) {
                      "%d samples without motion, %d standing; not reached by the plan: %d, by the replay: %d",
                      replay->without_motion, replay->standing, plan->failed, replay->failed);
         }
-        name[table.rows] = name_of(p, cut);
+        name[table.rows] = scored_cut_name(p, cut);
         text[table.rows++] = cut->comparison ? join_score(p, said, "", "") : cut->error ? cut->error->text : "";
     }
 
@@ -196,8 +196,8 @@ static int list_score_phases(const wcut_comparison *c, const drawn *d, wcut_repo
 }
 
 /* a prediction with a band of two RMSE to either side */
-static void fill_series(page *p, const wcut_comparison *c, const wcut_prediction *from, const wcut_scores *scores,
-                        int k, const drawn *d, wcut_report_series *to) {
+static void fill_score_series(page *p, const wcut_comparison *c, const wcut_prediction *from, const wcut_scores *scores,
+                              int k, const drawn *d, wcut_report_series *to) {
     static const wcut_scored of_signal[WCUT_SIGNAL_COUNT] = {
         WCUT_SCORED_SPEED_A, WCUT_SCORED_SPEED_B, WCUT_SCORED_TENSION_A, WCUT_SCORED_TENSION_B,
         WCUT_SCORED_ALPHA_A, WCUT_SCORED_BETA_A,  WCUT_SCORED_ALPHA_B,   WCUT_SCORED_BETA_B};
@@ -253,8 +253,8 @@ static void fill_score_chart(page *p, const wcut_scored_cut *cut, int k, const d
     series[0].label = "measured", series[0].mark = WCUT_REPORT_MARK_LINE, series[0].y = measured;
     series[1].label = "planned", series[1].mark = WCUT_REPORT_MARK_DASHED;
     series[2].label = "replayed", series[2].mark = WCUT_REPORT_MARK_LINE;
-    fill_series(p, c, c->planned, replayed ? NULL : &c->planned_score, k, d, &series[1]);
-    if (replayed) fill_series(p, c, c->replayed, &c->replayed_score, k, d, &series[2]);
+    fill_score_series(p, c, c->planned, replayed ? NULL : &c->planned_score, k, d, &series[1]);
+    if (replayed) fill_score_series(p, c, c->replayed, &c->replayed_score, k, d, &series[2]);
 
     /* two abscissae, and the unit of files */
     *chart = (wcut_report_chart){.title = title[k],
@@ -307,7 +307,7 @@ static void fill_score_section(page *p, const wcut_scored_cut *cut, wcut_report_
     table[1] = channel_table(p, "Planned", NULL, &c->planned_score);
 
     /* the section of this cut */
-    *section = (wcut_report_section){.title = name_of(p, cut),
+    *section = (wcut_report_section){.title = scored_cut_name(p, cut),
                                      .note = note,
                                      .chart_count = CHARTS,
                                      .chart = chart,

@@ -98,7 +98,7 @@ static wcut_status fill_curvature(page *p) {
     return status;
 }
 
-static wcut_status fill_page(page *p, const wcut_setup *setup, wcut_error *error) {
+static wcut_status fill_station_page(page *p, const wcut_setup *setup, wcut_error *error) {
     /* room for the columns and maps of the page */
     const wcut_history *h = p->history;
     const size_t stations = (size_t)h->stations, cells = stations * (size_t)h->nodes;
@@ -327,7 +327,7 @@ wcut_status wcut_report_simulate_write(const wcut_report_simulate *run, const wc
     if (!run || !run->job_path || !setup || !history || history->stations < 1 || !path)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "report page: an argument is missing");
     page p = {.run = run, .job = wcut_setup_job(setup), .history = history};
-    wcut_status status = fill_page(&p, setup, error);
+    wcut_status status = fill_station_page(&p, setup, error);
     if (!status) {
         /* what colours the surface */
         const wcut_report_field field[] = {

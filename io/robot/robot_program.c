@@ -96,7 +96,7 @@ static int count_heats(const wcut_robot_motion *m) {
 }
 
 /* the power that robot A sets where target i is reached; 0: none */
-static double heat_at(const wcut_robot_motion *m, int robot, int i) { return robot == 0 ? m->target[i].heat : 0; }
+static double target_heat(const wcut_robot_motion *m, int robot, int i) { return robot == 0 ? m->target[i].heat : 0; }
 
 static void put_program_head(wcut_text *text, const char *mark, const wcut_robot_motion *m,
                              const wcut_robot_names *names, int robot) {
@@ -236,9 +236,9 @@ void wcut_urscript_put(wcut_text *text, const wcut_robot_motion *m, const wcut_r
     /* a move for each target; one that neither goes nor turns is a pause */
     half last = h;
     for (int i = 1; i < m->count; i++) {
-        if (heat_at(m, robot, i - 1) > 0) {
+        if (target_heat(m, robot, i - 1) > 0) {
             wcut_text_print(text, "  %s", names->wire_heat);
-            put_rounded(text, "(", heat_at(m, robot, i - 1), 3);
+            put_rounded(text, "(", target_heat(m, robot, i - 1), 3);
             wcut_text_print(text, ")\n");
         }
         h = half_of(m, robot, i);
@@ -322,12 +322,12 @@ void wcut_rapid_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robo
     }
 
     /* synchronous moves to all targets */
-    put_rapid_heat(text, names, heat_at(m, robot, 0));
+    put_rapid_heat(text, names, target_heat(m, robot, 0));
     wcut_text_print(text, "    SyncMoveOn %s_on_%03x, %s_tasks;\n", p, id, p);
     for (int i = 1; i < m->count; i++) {
         h = half_of(m, robot, i);
         /* a robot that stands waits for the other; its own speed must not be 0 */
-        const bool calls = heat_at(m, robot, i) > 0;
+        const bool calls = target_heat(m, robot, i) > 0;
         put_rapid_move(text, &h, 10 * i, h.speed < 0.01 ? 0.01 : h.speed, calls);
         wcut_text_print(text, ", %s_tool\\WObj:=%s_block", p, p);
         if (calls) wcut_text_print(text, ", \"%s_heat_%d\"", p, i);
@@ -341,9 +341,9 @@ void wcut_rapid_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robo
 
     /* a procedure without a parameter for each change of the heater's power */
     for (int i = 1; i < m->count; i++) {
-        if (!(heat_at(m, robot, i) > 0)) continue;
+        if (!(target_heat(m, robot, i) > 0)) continue;
         wcut_text_print(text, "  PROC %s_heat_%d()\n", p, i);
-        put_rapid_heat(text, names, heat_at(m, robot, i));
+        put_rapid_heat(text, names, target_heat(m, robot, i));
         wcut_text_print(text, "  ENDPROC\n");
     }
     wcut_text_print(text, "ENDMODULE\n");
@@ -412,9 +412,9 @@ void wcut_krl_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_
     half last = h;
     for (int i = 1; i < m->count; i++) {
         h = half_of(m, robot, i);
-        if (heat_at(m, robot, i - 1) > 0) {
+        if (target_heat(m, robot, i - 1) > 0) {
             wcut_text_print(text, "TRIGGER WHEN DISTANCE=0 DELAY=0 DO %s", names->wire_heat);
-            put_rounded(text, " (", heat_at(m, robot, i - 1), 3);
+            put_rounded(text, " (", target_heat(m, robot, i - 1), 3);
             wcut_text_print(text, ") PRIO=-1\n");
         }
         const double way = flange_distance(printed(last.at), printed(h.at)), turn = frame_angle(last.frame, h.frame);

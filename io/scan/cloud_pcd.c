@@ -171,7 +171,7 @@ static int64_t count_points(const pcd_header *h) {
     return height > 0 && h->width > INT64_MAX / height ? INT64_MAX : h->width * height;
 }
 
-static pcd_rows *make_rows(const pcd_header *h) {
+static pcd_rows *make_pcd_rows(const pcd_header *h) {
     /* room for the state and for the field of every column behind it */
     int columns = 0;
     for (int k = 0; k < h->fields; k++) columns += h->count[k];
@@ -312,7 +312,7 @@ static bool begin_data(wcut_cloud_source *s, const char *line, const char *how, 
     if (!binary && !wcut_row_has_word(how, "ascii"))
         return wcut_source_refuse_text(&s->in, line, how, "ascii, binary or binary_compressed");
     if (!check_header(s, line, h)) return false;
-    pcd_rows *r = make_rows(h);
+    pcd_rows *r = make_pcd_rows(h);
     if (!r) return wcut_source_refuse_memory(&s->in);
     s->state = r;
     s->info.has_normals = r->record.fields == 6;

@@ -37,7 +37,7 @@ wcut_status wcut_compare_fail(wcut_status status, const char *step, wcut_error *
 
 /* ---- what is asked for ---- */
 
-static wcut_status refuse_option(wcut_error *error, const char *option, double found, const char *expected) {
+static wcut_status refuse_compare_option(wcut_error *error, const char *option, double found, const char *expected) {
     return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s: found %g, expected %s", option, found, expected);
 }
 
@@ -49,7 +49,7 @@ typedef struct number {
     double value, low, high;
 } number;
 
-static wcut_status check_numbers(const wcut_compare_options *o, wcut_error *error) {
+static wcut_status check_compare_numbers(const wcut_compare_options *o, wcut_error *error) {
     /* each option with its range; the first one outside is named */
     const number all[] = {
         {.name = "unit", "a wcut_length_unit", o->unit, 0, WCUT_LENGTH_UNIT_COUNT - 1},
@@ -67,15 +67,15 @@ static wcut_status check_numbers(const wcut_compare_options *o, wcut_error *erro
     };
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (!is_in(all[k].value, all[k].low, all[k].high))
-            return refuse_option(error, all[k].name, all[k].value, all[k].expected);
+            return refuse_compare_option(error, all[k].name, all[k].value, all[k].expected);
     return WCUT_OK;
 }
 
-static wcut_status check_options(const wcut_compare_options *o, wcut_error *error) {
-    const wcut_status status = check_numbers(o, error);
+static wcut_status check_compare_options(const wcut_compare_options *o, wcut_error *error) {
+    const wcut_status status = check_compare_numbers(o, error);
     if (status != WCUT_OK) return status;
     for (int k = 0; k < o->bands; k++)
-        if (!is_in(o->band[k], 1e-9, 1e6)) return refuse_option(error, "band", o->band[k], "1e-9 to 1e6 mm");
+        if (!is_in(o->band[k], 1e-9, 1e6)) return refuse_compare_option(error, "band", o->band[k], "1e-9 to 1e6 mm");
     if ((o->method == WCUT_REGISTRATION_METHOD_DATUM) == (o->datums != NULL)) return WCUT_OK;
     return wcut_fail(error, WCUT_BAD_ARGUMENT, "datums: expected a file and the method datum together");
 }
@@ -284,7 +284,7 @@ static wcut_status find_normals(wcut_comparing *c, wcut_error *error) {
 }
 
 /* room for what is known of each point held */
-static wcut_status make_rows(wcut_comparing *c) {
+static wcut_status make_point_rows(wcut_comparing *c) {
     const size_t count = (size_t)c->cloud.count;
     c->deviation = wcut_alloc(count, sizeof *c->deviation);
     if (c->options.reconstruct) c->foot = wcut_alloc(count, sizeof *c->foot);
@@ -306,7 +306,7 @@ static wcut_status prepare_comparison(wcut_comparing *c, wcut_error *error) {
     if (status == WCUT_OK && c->options.method != WCUT_REGISTRATION_METHOD_NONE)
         status = begin_summary(c, WCUT_COMPARE_UNMOVED);
     if (status == WCUT_OK) status = make_map(c);
-    if (status == WCUT_OK) status = make_rows(c);
+    if (status == WCUT_OK) status = make_point_rows(c);
 
     /* the file that is written on the way */
     if (status == WCUT_OK && c->results) {
@@ -364,7 +364,7 @@ static void fill_compared(wcut_comparing *c, const wcut_deviation_summary_result
     to->to_scan = &c->to_scan, to->to_face = &c->to_face;
 }
 
-static void fill_page(wcut_comparing *c) {
+static void fill_compare_page(wcut_comparing *c) {
     static const char *const unit[WCUT_LENGTH_UNIT_COUNT] = {"mm", "cm", "m", "inch", "ft", "dm", "um"};
     const wcut_compare_face *f = &c->face;
 
@@ -405,7 +405,7 @@ static wcut_status conclude_comparison(wcut_comparing *c, wcut_error *error) {
 
     /* the structs that deviation.json and the page are written from */
     fill_compared(c, found, unmoved, unmeasured);
-    fill_page(c);
+    fill_compare_page(c);
     if (!c->points) return WCUT_OK;
 
     /* deviation.ply is whole */
@@ -465,7 +465,7 @@ wcut_status wcut_compare_run(const wcut_compare_reference *reference, int scans,
     if (!result) return wcut_fail(error, WCUT_BAD_ARGUMENT, "result: found NULL, expected where it goes");
     wcut_status status = check_reference(reference, error);
     if (status == WCUT_OK) status = check_scans(scans, scan, error);
-    if (status == WCUT_OK) status = check_options(o, error);
+    if (status == WCUT_OK) status = check_compare_options(o, error);
     if (status != WCUT_OK) return status;
 
     /* the result owns all that was computed; on failure it is destroyed */

@@ -170,7 +170,7 @@ static wcut_status read_file(growth *g, int part, wcut_error *error) {
     return status;
 }
 
-static wcut_status read_points(growth *g, int part, wcut_error *error) {
+static wcut_status read_part_points(growth *g, int part, wcut_error *error) {
     wcut_compare_cloud *c = g->cloud;
     const wcut_compare_scan *p = &c->part[part];
 
@@ -236,7 +236,7 @@ static wcut_status read_parts(growth *g, wcut_error *error) {
 
     /* all parts, which together are one scan */
     for (int k = 0; k < c->parts && status == WCUT_OK; k++)
-        status = c->part[k].path ? read_file(g, k, error) : read_points(g, k, error);
+        status = c->part[k].path ? read_file(g, k, error) : read_part_points(g, k, error);
     if (status != WCUT_OK) return status;
 
     /* how many points are compared */

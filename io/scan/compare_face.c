@@ -53,8 +53,8 @@ static wcut_status read_job(wcut_compare_face *f, const wcut_compare_reference *
     return place_failure(wcut_job_read_edges(f->owned_job, r->edges, error), r->edges, error);
 }
 
-static wcut_status simulate_job(wcut_compare_face *f, const wcut_compare_reference *r, const wcut_compare_watch *watch,
-                                wcut_error *error) {
+static wcut_status simulate_reference(wcut_compare_face *f, const wcut_compare_reference *r,
+                                      const wcut_compare_watch *watch, wcut_error *error) {
     simulating s = {watch};
     wcut_status status = read_job(f, r, error);
     if (status != WCUT_OK) return status;
@@ -103,7 +103,7 @@ static wcut_status load_job(wcut_compare_face *f, const wcut_compare_options *o,
 
 /* ---- a mesh ---- */
 
-static void warn(const wcut_compare_watch *watch, const char *name, const char *text) {
+static void warn_of_reference(const wcut_compare_watch *watch, const char *name, const char *text) {
     char line[2 * WCUT_QUOTE_SIZE], quoted[WCUT_QUOTE_SIZE];
     if (!watch || !watch->warn) return;
     snprintf(line, sizeof line, "%s: warning: %s", wcut_quote(quoted, name, WCUT_LABEL_MAX, 1), text);
@@ -115,15 +115,16 @@ static void warn_of_mesh(const wcut_compare_face *f, const wcut_mesh_tree_info *
     const bool up = info->area_sum.z > SIDED * info->area, down = info->area_sum.z < -SIDED * info->area;
     char text[WCUT_QUOTE_SIZE];
     if (down && !f->options.flip)
-        warn(watch, f->name, "the triangles face down, so deviations are positive below them; flip turns them");
+        warn_of_reference(watch, f->name,
+                          "the triangles face down, so deviations are positive below them; flip turns them");
     if (up && f->options.flip)
-        warn(watch, f->name, "the triangles faced up; after the flip deviations are positive below them");
+        warn_of_reference(watch, f->name, "the triangles faced up; after the flip deviations are positive below them");
     if (info->nonmanifold_edges == 0) return;
     snprintf(text, sizeof text,
              "%d edges have three triangles or more, or two wound against each other: the sign of deviations is "
              "unreliable near them",
              info->nonmanifold_edges);
-    warn(watch, f->name, text);
+    warn_of_reference(watch, f->name, text);
 }
 
 static wcut_status load_mesh(wcut_compare_face *f, const wcut_compare_watch *watch, wcut_error *error) {
@@ -216,7 +217,7 @@ static wcut_status load_file(wcut_compare_face *f, const wcut_compare_reference 
     /* a job is simulated; a mesh is read in its unit and has no edges or force law to change */
     wcut_status status;
     if (is_job(r->path)) {
-        status = simulate_job(f, r, watch, error);
+        status = simulate_reference(f, r, watch, error);
         if (status == WCUT_OK) status = load_job(f, o, error);
     } else {
         if (r->edges || r->force_law) return refuse_change(f, r->edges ? "edges" : "force law", error);

@@ -87,7 +87,7 @@ static wcut_status take_piece(void *context, int first, int count, const wcut_ve
 }
 
 /* the sample of a scan that was streamed, and feet where they were not taken along */
-static wcut_status take_sample(const pass *p, int first, int count, const wcut_vec3 *point) {
+static wcut_status take_sample_piece(const pass *p, int first, int count, const wcut_vec3 *point) {
     wcut_comparing *c = p->c;
     memcpy(p->moved, point, (size_t)count * sizeof *point);
     wcut_status status = wcut_registration_move(&c->registration, count, p->moved, NULL);
@@ -101,7 +101,7 @@ static wcut_status measure_sample(const pass *p) {
     wcut_status status = WCUT_OK;
     for (int k = 0; k < c->cloud.count && status == WCUT_OK && !c->cloud.held; k += WCUT_COMPARE_PIECE) {
         const int left = c->cloud.count - k;
-        status = take_sample(p, k, left < WCUT_COMPARE_PIECE ? left : WCUT_COMPARE_PIECE, c->cloud.point + k);
+        status = take_sample_piece(p, k, left < WCUT_COMPARE_PIECE ? left : WCUT_COMPARE_PIECE, c->cloud.point + k);
     }
     if (status == WCUT_OK && c->foot && (!c->cloud.held || wcut_compare_face_by_triangles(&c->face)))
         status =
@@ -229,7 +229,7 @@ static wcut_status measure_from_face(wcut_comparing *c) {
     return status;
 }
 
-static wcut_status fill_map(wcut_comparing *c, double *unmeasured) {
+static wcut_status fill_compare_map(wcut_comparing *c, double *unmeasured) {
     if (c->map) return wcut_face_map_eval(c->map, c->face.face, c->support, c->value, c->present, unmeasured);
     return wcut_mesh_map_eval(c->mesh, c->sum, c->weight, c->cloud.count, c->cloud.point,
                               fmax(c->support, sqrt(3) * c->cloud.spacing), c->options.threads, c->value, c->present,
@@ -238,6 +238,6 @@ static wcut_status fill_map(wcut_comparing *c, double *unmeasured) {
 
 wcut_status wcut_compare_measure_back(wcut_comparing *comparing, double *unmeasured, wcut_error *error) {
     wcut_status status = measure_from_face(comparing);
-    if (status == WCUT_OK) status = fill_map(comparing, unmeasured);
+    if (status == WCUT_OK) status = fill_compare_map(comparing, unmeasured);
     return status == WCUT_OK ? WCUT_OK : wcut_compare_fail(status, "compare", error);
 }

@@ -38,7 +38,7 @@ static bool find_case(const wcut_sweep *sweep, int k, bool with_result, found_ca
 }
 
 /* a figure is a number, a text, true or false */
-static const json_t *figure_of(const wcut_study *study, const found_case *found, int f) {
+static const json_t *sweep_figure(const wcut_study *study, const found_case *found, int f) {
     const json_t *value = found->result ? wcut_pointer_locate(found->result, study->pointer[f]) : NULL;
     return json_is_object(value) || json_is_array(value) || json_is_null(value) ? NULL : value;
 }
@@ -75,7 +75,7 @@ static bool put_row(wcut_text *text, listing *l, int k) {
 
     /* what came out, and how it ended */
     for (int f = 0; f < study->figures; f++) {
-        const json_t *value = figure_of(study, &found, f);
+        const json_t *value = sweep_figure(study, &found, f);
         wcut_text_put(text, ",", 1);
         put_figure(text, value);
         if (value) l->present[f] = 1;
@@ -114,7 +114,7 @@ static int find_lost(const listing *l) {
 }
 
 /* the first case that has a result; false: no memory */
-static bool find_result(const wcut_sweep *sweep, found_case *found) {
+static bool find_case_result(const wcut_sweep *sweep, found_case *found) {
     found->result = NULL;
     for (int k = 0; k < sweep->study->info.cases && !found->result; k++)
         if (!find_case(sweep, k, true, found)) return false;
@@ -135,9 +135,9 @@ wcut_status wcut_sweep_figures_query(const wcut_sweep *sweep, wcut_error *error)
     found_case found;
     wcut_status status = WCUT_OK;
     if (!sweep) return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s", wcut_status_text(WCUT_BAD_ARGUMENT));
-    if (!find_result(sweep, &found)) return fail_table_memory(error);
+    if (!find_case_result(sweep, &found)) return fail_table_memory(error);
     for (int f = 0; f < sweep->study->figures && found.result && status == WCUT_OK; f++)
-        if (!figure_of(sweep->study, &found, f)) status = refuse_figure(sweep->study, &found, f, error);
+        if (!sweep_figure(sweep->study, &found, f)) status = refuse_figure(sweep->study, &found, f, error);
     json_decref(found.result);
     return status;
 }
@@ -145,7 +145,7 @@ wcut_status wcut_sweep_figures_query(const wcut_sweep *sweep, wcut_error *error)
 /* a figure that no result has */
 static wcut_status refuse_lost(const wcut_sweep *sweep, int f, wcut_error *error) {
     found_case found;
-    if (!find_result(sweep, &found)) return fail_table_memory(error);
+    if (!find_case_result(sweep, &found)) return fail_table_memory(error);
     const wcut_status status = refuse_figure(sweep->study, &found, f, error);
     json_decref(found.result);
     return status;
@@ -191,7 +191,7 @@ static void fill_case(const wcut_study *study, int k, const found_case *found, w
     }
     for (int f = 0; f < study->figures; f++)
         table->number[(size_t)(study->parameters + f) * (size_t)table->cases + (size_t)k] =
-            number_of(figure_of(study, found, f));
+            number_of(sweep_figure(study, found, f));
     table->state[k] = (unsigned char)found->record.state;
     memcpy(table->hash[k], found->hash, sizeof found->hash);
 }

@@ -233,7 +233,7 @@ static double engaged_length(int n, const wcut_wire *w) {
 }
 
 /* whether no node of the span over the block, x = 0 .. W, is out of the foam */
-static bool is_whole(const wcut_setup *setup, const wcut_wire *w) {
+static bool wire_is_whole(const wcut_setup *setup, const wcut_wire *w) {
     if (setup->foam.embedded) return true;
     for (int i = 0; i < setup->job->nodes; i++) {
         const double x = w->x[i].x, margin = w->length / (setup->job->nodes - 1);
@@ -247,7 +247,7 @@ static wcut_phase phase_of(const wcut_cut *cut) {
     if (!cut->now.loaded) return cut->touched ? WCUT_PHASE_LEFT : WCUT_PHASE_APPROACH;
     if (cut->index < setup->entry_end) return WCUT_PHASE_ENTRY;
     if (cut->index > setup->exit_begin) return WCUT_PHASE_EXIT;
-    if (is_whole(setup, &cut->now)) return WCUT_PHASE_STEADY;
+    if (wire_is_whole(setup, &cut->now)) return WCUT_PHASE_STEADY;
     const double middle = (cut->now.x[0].y + cut->now.x[setup->job->nodes - 1].y) / 2;
     return middle < setup->job->block_size.y / 2 ? WCUT_PHASE_ENTRY : WCUT_PHASE_EXIT;
 }

@@ -5,7 +5,7 @@
 #include "base/alloc.h"
 #include "cut/setup.h"
 
-static bool copy_text(const char *from, char **to) {
+static bool copy_job_text(const char *from, char **to) {
     if (!from) return true;
     return (*to = wcut_copy_text(from)) != NULL;
 }
@@ -34,8 +34,8 @@ wcut_job *wcut_job_copy(const wcut_job *job) {
 
     /* copy what each points to */
     const bool whole =
-        copy_text(job->name, &copy->name) && copy_text(job->foam_material, &copy->foam_material) &&
-        copy_text(job->wire_material, &copy->wire_material) &&
+        copy_job_text(job->name, &copy->name) && copy_job_text(job->foam_material, &copy->foam_material) &&
+        copy_job_text(job->wire_material, &copy->wire_material) &&
         copy_array(job->mount_a, job->stations, sizeof *job->mount_a, (void **)&copy->mount_a) &&
         copy_array(job->mount_b, job->stations, sizeof *job->mount_b, (void **)&copy->mount_b) &&
         copy_curve(job->edge_a, &copy->edge_a) && copy_curve(job->edge_b, &copy->edge_b) &&

@@ -43,7 +43,7 @@ static wcut_doubt *add_doubt(check *c, wcut_channel channel, double ratio, bool 
 
 /* ---- clock and speed ---- */
 
-static double length_of(wcut_vec3 a, wcut_vec3 b) {
+static double distance_between(wcut_vec3 a, wcut_vec3 b) {
     return sqrt(pow(a.x - b.x, 2) + pow(a.y - b.y, 2) + pow(a.z - b.z, 2));
 }
 
@@ -74,13 +74,13 @@ static void check_clock(check *c) {
     for (int i = 1; i < c->recording->samples; i++) {
         if (!column_has(station, i) || !column_has(station, i - 1) || !column_has(speed, i)) continue;
         const double dt = time->value[i] - time->value[i - 1];
-        way += length_of(place_at(c->job, station->value[i]), place_at(c->job, station->value[i - 1]));
+        way += distance_between(place_at(c->job, station->value[i]), place_at(c->job, station->value[i - 1]));
         sum += speed->value[i] * dt;
         span += dt;
     }
 
     /* a machine that stands says nothing */
-    if (!(way > 0.01 * length_of(c->job->mount_a[0], c->job->mount_a[c->job->stations - 1])) || !(fabs(sum) > 0))
+    if (!(way > 0.01 * distance_between(c->job->mount_a[0], c->job->mount_a[c->job->stations - 1])) || !(fabs(sum) > 0))
         return;
 
     /* their ratio is 1 in the right units */
@@ -114,9 +114,9 @@ static void check_places(check *c) {
         if (!column_has(x, i) || !column_has(y, i) || !column_has(z, i) || !column_has(station, i)) continue;
         const wcut_vec3 at = {x->value[i], y->value[i], z->value[i]}, p = place_at(c->job, station->value[i]),
                         zero = {0, 0, 0};
-        off += length_of(at, p);
-        found += length_of(at, zero);
-        expected += length_of(p, zero);
+        off += distance_between(at, p);
+        found += distance_between(at, zero);
+        expected += distance_between(p, zero);
         n++;
     }
 

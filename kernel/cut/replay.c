@@ -126,7 +126,7 @@ typedef struct replay {
 } replay;
 
 /* heat over the step that ends at a sample: recorded, or the last one recorded, or the job's */
-static double heat_at(const replay *r, int sample) {
+static double recorded_heat(const replay *r, int sample) {
     const wcut_column *heat = &r->recording->channel[WCUT_CHANNEL_HEAT];
     const double time = r->recording->channel[WCUT_CHANNEL_TIME].value[sample];
     if (!heat->name) return wcut_job_heat_eval(r->job, time);
@@ -228,7 +228,7 @@ static void run_replay(replay *r) {
     for (int i = 0; i < r->track->count; i++) {
         const int sample = r->track->sample[i];
         wcut_error cause = {0};
-        r->heat = heat_at(r, sample);
+        r->heat = recorded_heat(r, sample);
         if (stands(r, i))
             r->out->standing++;
         else if (lead_mounts(r, i, &cause) == WCUT_OK)

@@ -18,7 +18,7 @@ static wcut_status expect_positive(wcut_error *error, const char *key, double va
     return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s: found %g, expected a number greater than 0", key, value);
 }
 
-static wcut_status check_numbers(const wcut_job *job, wcut_error *error) {
+static wcut_status check_job_numbers(const wcut_job *job, wcut_error *error) {
     /* every number that must be positive, under its key in the job's file */
     const struct {
         const char *key;
@@ -275,7 +275,7 @@ static wcut_vec3 find_feed(const wcut_setup *setup) {
 }
 
 /* room for so many stations */
-static bool make_room(wcut_setup *setup, int stations) {
+static bool make_setup_room(wcut_setup *setup, int stations) {
     const size_t m = (size_t)stations;
     setup->stations = stations;
     setup->part_last = stations - 1;
@@ -313,7 +313,7 @@ static wcut_status take_design(wcut_setup *setup, wcut_error *error) {
     /* the mounts' way that leads the wire along the plan */
     if (status == WCUT_OK) status = wcut_design_path_create(plan, history, &path, error);
     if (status == WCUT_OK) {
-        if (make_room(setup, path.stations)) {
+        if (make_setup_room(setup, path.stations)) {
             take_mounts(setup, path.mount_a, path.mount_b, path.length);
             setup->part_first = path.part_first, setup->part_last = path.part_last;
         } else {
@@ -336,7 +336,7 @@ static wcut_status fill_setup(wcut_setup *setup, wcut_error *error) {
     /* where the wire's ends are at every station */
     if (job->mode == WCUT_MODE_DESIGN && !setup->foam.embedded)
         status = take_design(setup, error);
-    else if (!make_room(setup, job->stations))
+    else if (!make_setup_room(setup, job->stations))
         status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d stations", job->stations);
     else if (setup->foam.embedded)
         status = wcut_design_ends(job, setup->end_a, setup->end_b, setup->length, error);
@@ -357,7 +357,7 @@ static wcut_status fill_setup(wcut_setup *setup, wcut_error *error) {
     return WCUT_OK;
 }
 
-static wcut_status check_options(const wcut_cut_options *o, wcut_error *error) {
+static wcut_status check_cut_options(const wcut_cut_options *o, wcut_error *error) {
     if ((o->integrator == WCUT_INTEGRATOR_IMPLICIT || o->integrator == WCUT_INTEGRATOR_HEUN) &&
         is_positive(o->tolerance) && o->max_iterations >= 1 && o->max_halvings >= 0 && o->max_halvings <= 30)
         return WCUT_OK;
@@ -395,8 +395,8 @@ wcut_status wcut_setup_create(const wcut_job *job, const wcut_cut_options *optio
                               wcut_error *error) {
     const wcut_cut_options o = options ? *options : wcut_cut_options_default();
     if (!job || !out) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a job and a place for the setup are expected");
-    wcut_status status = check_options(&o, error);
-    if (status == WCUT_OK) status = check_numbers(job, error);
+    wcut_status status = check_cut_options(&o, error);
+    if (status == WCUT_OK) status = check_job_numbers(job, error);
     if (status == WCUT_OK) status = check_lists(job, error);
     if (status == WCUT_OK) status = job->mode == WCUT_MODE_PATH ? check_path(job, error) : check_design(job, error);
     if (status == WCUT_OK) status = check_effects(job, o.integrator, error);

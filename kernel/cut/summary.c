@@ -12,7 +12,7 @@ static void widen(wcut_range *range, double a, double b) {
     range->max = fmax(range->max, fmax(a, b));
 }
 
-static void add_row(wcut_summary *s, const wcut_history_row *r) {
+static void add_summary_row(wcut_summary *s, const wcut_history_row *r) {
     widen(&s->speed, front_speed(r), front_speed(r));
     widen(&s->alpha, r->alpha_a, r->alpha_b);
     widen(&s->beta, r->beta_a, r->beta_b);
@@ -41,7 +41,7 @@ wcut_status wcut_summary_eval(const wcut_history *h, wcut_summary *summary) {
 
     /* sums and extremes over the stations */
     for (int j = 0; j < count; j++) {
-        add_row(&s, &h->row[first + j]);
+        add_summary_row(&s, &h->row[first + j]);
         speed[j] = front_speed(&h->row[first + j]);
     }
 

@@ -175,7 +175,7 @@ static void predict(const regression *r, int cut, int signal, const double *w, d
 }
 
 /* a forecast that starts as the recalibrated replay, without speed and faces */
-static bool start(const wcut_evidence *e, const wcut_forecast *from, wcut_forecast *out) {
+static bool start_forecast(const wcut_evidence *e, const wcut_forecast *from, wcut_forecast *out) {
     size_t speeds = 0;
     for (int k = 0; k < e->cuts; k++) speeds += 2 * (size_t)e->cut[k].bins;
     out->row = wcut_copy(from->row, (size_t)e->rows, sizeof(double));
@@ -196,8 +196,8 @@ wcut_status wcut_black_box_run(const wcut_evidence *e, unsigned long long seed, 
     const bool made = regression_create(e, &r);
     int cuts = 0;
     wcut_status status = WCUT_NO_MEMORY;
-    if (made && y && start(e, &p->in_sample[WCUT_EVIDENCE_MODEL_RECALIBRATED], &all) &&
-        start(e, &p->held_out[WCUT_EVIDENCE_MODEL_RECALIBRATED], &held_out)) {
+    if (made && y && start_forecast(e, &p->in_sample[WCUT_EVIDENCE_MODEL_RECALIBRATED], &all) &&
+        start_forecast(e, &p->held_out[WCUT_EVIDENCE_MODEL_RECALIBRATED], &held_out)) {
         /* the target: what the recalibrated simulation leaves along the recorded motion */
         for (int i = 0; i < e->rows; i++) y[i] = measured[i] - replayed[i];
         for (int signal = 0; signal < WCUT_SIGNALS; signal++) {

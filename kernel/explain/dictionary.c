@@ -217,7 +217,7 @@ typedef struct walk {
     double age;
 } walk;
 
-static bool is_inside(wcut_vec3 block, wcut_vec3 p) {
+static bool is_inside_block(wcut_vec3 block, wcut_vec3 p) {
     return p.x >= 0 && p.y >= 0 && p.z >= 0 && p.x <= block.x && p.y <= block.y && p.z <= block.z;
 }
 
@@ -244,7 +244,7 @@ static bool add_nodes(walk *w, int sample, double sum[WCUT_WEIGHTS]) {
         const wcut_term_node node = {
             .block = &block, .x = p, .n = w->d->nodes, .i = j, .rate = 1 / step, .speed = speed, .heat = heat};
         wcut_term_factor factor;
-        const bool inside = is_inside(block.size, p);
+        const bool inside = is_inside_block(block.size, p);
         if (inside && wcut_term_factor_eval(&local, &node, &factor)) {
             const double share[WCUT_WEIGHTS] = {1, 1 - across, across}, phi = (factor.value - 1) / UNIT;
             for (int k = 0; k < WCUT_WEIGHTS; k++) total[k] += share[k] * phi, weight[k] += share[k];

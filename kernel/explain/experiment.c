@@ -168,7 +168,7 @@ static void add_trial_row(trial *t, const double value[RUNS], bool scan, double 
     row[COLUMNS] = (value[WITH_A] - value[WITH_B]) / noise;
 }
 
-static bool counts(const trial *t, int i) {
+static bool is_counted(const trial *t, int i) {
     bool there = i >= t->first && i <= t->last;
     for (int k = 0; k < RUNS; k++) there = there && t->run[k].present[i];
     return there;
@@ -185,7 +185,7 @@ static void find_counted(trial *t) {
 
 static void add_recording(trial *t) {
     for (int i = 0; i < t->schedule.count; i++) {
-        if (!counts(t, i)) continue;
+        if (!is_counted(t, i)) continue;
         for (int c = WCUT_SENSED_TENSION_A; c < WCUT_SENSED_COUNT; c++) {
             double value[RUNS];
             for (int k = 0; k < RUNS; k++) value[k] = t->run[k].value[c][i];
@@ -225,7 +225,7 @@ static bool face_heights(const trial *t, int i, int node, double value[RUNS]) {
 static void add_scan(trial *t) {
     const int first = t->rows, nodes = t->run[PLAIN].nodes;
     for (int i = 1; i < t->schedule.count; i += 2) {
-        if (!counts(t, i) || !counts(t, i - 1)) continue;
+        if (!is_counted(t, i) || !is_counted(t, i - 1)) continue;
         for (int node = 1; node < nodes - 1; node += 3) {
             double value[RUNS];
             if (face_heights(t, i, node, value)) add_trial_row(t, value, true, NOISE_SCAN);

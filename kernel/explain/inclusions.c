@@ -42,7 +42,7 @@ static void blobs_destroy(blobs *b) {
 }
 
 /* where the wire is at x, at a sample; false where it does not reach there */
-static bool wire_at(const wcut_response *d, int sample, double x, double *y, double *z) {
+static bool wire_place_at(const wcut_response *d, int sample, double x, double *y, double *z) {
     const wcut_vec3 *p = d->position + (size_t)sample * (size_t)d->nodes;
     for (int i = 0; i + 1 < d->nodes; i++) {
         if (!(p[i].x <= x && p[i + 1].x > x)) continue;
@@ -57,7 +57,7 @@ static bool wire_at(const wcut_response *d, int sample, double x, double *y, dou
 static double height_at(const wcut_evidence_cut *c, const wcut_response *d, double x, double y) {
     double best = HUGE_VAL, height = c->job->block_size.z / 2, wire_y, wire_z;
     for (int i = 0; i < d->count; i += 5)
-        if (d->present[i] && wire_at(d, i, x, &wire_y, &wire_z) && fabs(wire_y - y) < best)
+        if (d->present[i] && wire_place_at(d, i, x, &wire_y, &wire_z) && fabs(wire_y - y) < best)
             best = fabs(wire_y - y), height = wire_z;
     return height;
 }
@@ -95,7 +95,7 @@ static wcut_status run_column(const wcut_evidence *e, const wcut_model *about, i
     for (int i = 0; status == WCUT_OK && i < c->bins; i++) {
         const double place = (c->middle[i] - c->exogenous.time[0]) / (c->exogenous.time[1] - c->exogenous.time[0]);
         double y, z;
-        if (!wire_at(plain, (int)clamp(place, 0, last), x, &y, &z)) continue;
+        if (!wire_place_at(plain, (int)clamp(place, 0, last), x, &y, &z)) continue;
         int nearest = begun;
         for (int k = begun; k < b->count; k++)
             if (fabs(b->y[k] - y) < fabs(b->y[nearest] - y)) nearest = k;

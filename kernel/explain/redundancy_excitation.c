@@ -32,7 +32,7 @@ typedef struct series {
     double *time, *speed, *programme;
 } series;
 
-static bool is_inside(const wcut_job *job, double station) {
+static bool is_in_foam(const wcut_job *job, double station) {
     const double last = job->stations - 1, s = clamp(station, 0, last);
     const double y =
         (wcut_path_at(job->stations, job->mount_a, s).y + wcut_path_at(job->stations, job->mount_b, s).y) / 2;
@@ -44,7 +44,7 @@ static void series_fill(const wcut_job *job, const wcut_recording *r, wcut_chann
     for (int i = 0; i < r->samples; i++) {
         double time, station, speed;
         if (!wcut_sample_at(r, WCUT_CHANNEL_TIME, i, &time) || !wcut_sample_at(r, WCUT_CHANNEL_STATION, i, &station) ||
-            !wcut_sample_at(r, channel, i, &speed) || !is_inside(job, station) || !(speed > 0.1))
+            !wcut_sample_at(r, channel, i, &speed) || !is_in_foam(job, station) || !(speed > 0.1))
             continue;
         s->time[s->count] = time;
         s->speed[s->count] = log(speed);

@@ -76,7 +76,8 @@ static double weight_at(const wcut_block *b, wcut_vec3 x) {
 
 /* Integral of the weight over the slab, and its gradient along y and z. Simpson's rule is exact: on a piece every
    integrand is a polynomial of degree two at most. The slopes jump at the ends of a piece and are constant inside. */
-static double integrate(const wcut_block *b, wcut_vec3 p, wcut_vec3 q, const slab *c, wcut_vec3 *dp, wcut_vec3 *dq) {
+static double integrate_slab(const wcut_block *b, wcut_vec3 p, wcut_vec3 q, const slab *c, wcut_vec3 *dp,
+                             wcut_vec3 *dq) {
     static const double simpson[3] = {1.0 / 6, 4.0 / 6, 1.0 / 6};
     double at[10], sum = 0;
 
@@ -119,7 +120,7 @@ double wcut_block_engagement(const wcut_block *block, wcut_vec3 p, wcut_vec3 q, 
     if (both_beyond(p.y, q.y, block->size.y, h) || both_beyond(p.z, q.z, block->size.z, h)) return 0;
     slab c;
     if (!clip_x(p.x, q.x, block->size.x, &c)) return 0;
-    const double share = integrate(block, p, q, &c, dp, dq);
+    const double share = integrate_slab(block, p, q, &c, dp, dq);
     const double first = weight_at(block, vec3_mix(p, q, c.from)), last = weight_at(block, vec3_mix(p, q, c.to));
     dp->x = last * c.to_dp - first * c.from_dp;
     dq->x = last * c.to_dq - first * c.from_dq;

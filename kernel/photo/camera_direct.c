@@ -3,31 +3,10 @@
 #include "base/alloc.h"
 #include "base/least_squares.h"
 #include "base/numbers.h"
+#include "base/symmetric.h"
 #include "photo/camera.h"
 
 /* ---- the extent of the places ---- */
-
-/* one rotation of Jacobi's: axes i and j of a symmetric a, whose columns of vectors are v */
-static void rotate_pair(double a[3][3], double v[3][3], int i, int j) {
-    if (a[i][j] == 0) return;
-    const double theta = (a[j][j] - a[i][i]) / (2 * a[i][j]);
-    const double t = (theta < 0 ? -1 : 1) / (fabs(theta) + sqrt(theta * theta + 1)), c = 1 / sqrt(t * t + 1), s = t * c;
-    for (int k = 0; k < 3; k++) {
-        const double p = a[k][i], q = a[k][j];
-        a[k][i] = c * p - s * q;
-        a[k][j] = s * p + c * q;
-    }
-    for (int k = 0; k < 3; k++) {
-        const double p = a[i][k], q = a[j][k];
-        a[i][k] = c * p - s * q;
-        a[j][k] = s * p + c * q;
-    }
-    for (int k = 0; k < 3; k++) {
-        const double p = v[k][i], q = v[k][j];
-        v[k][i] = c * p - s * q;
-        v[k][j] = s * p + c * q;
-    }
-}
 
 void wcut_camera_points_measure(int count, const wcut_photo_point *point, int width, int height,
                                 wcut_camera_points *points) {
@@ -38,31 +17,19 @@ void wcut_camera_points_measure(int count, const wcut_photo_point *point, int wi
     for (int i = 0; i < count; i++) points->mean = vec3_add_scaled(points->mean, 1.0 / count, point[i].place);
 
     /* scatter of the places about their mean, and its principal axes */
-    double a[3][3] = {{0}}, v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    double a[3][3] = {{0}}, v[3][3], spread[3];
     for (int i = 0; i < count; i++) {
         const wcut_vec3 d = vec3_sub(point[i].place, points->mean);
         const double x[3] = {d.x, d.y, d.z};
         for (int j = 0; j < 3; j++)
             for (int k = 0; k < 3; k++) a[j][k] += x[j] * x[k] / count;
     }
-    for (int sweep = 0; sweep < 12; sweep++) {
-        rotate_pair(a, v, 0, 1);
-        rotate_pair(a, v, 0, 2);
-        rotate_pair(a, v, 1, 2);
-    }
 
     /* descending; the third axis makes them right-handed */
-    int order[3] = {0, 1, 2};
-    for (int i = 0; i < 2; i++)
-        for (int j = 0; j < 2 - i; j++)
-            if (a[order[j]][order[j]] < a[order[j + 1]][order[j + 1]]) {
-                const int swap = order[j];
-                order[j] = order[j + 1];
-                order[j + 1] = swap;
-            }
+    wcut_symmetric_eigen(3, &a[0][0], spread, &v[0][0]);
     for (int k = 0; k < 3; k++) {
-        points->axis[k] = vec3(v[0][order[k]], v[1][order[k]], v[2][order[k]]);
-        points->spread[k] = sqrt(fmax(a[order[k]][order[k]], 0));
+        points->axis[k] = vec3(v[0][k], v[1][k], v[2][k]);
+        points->spread[k] = sqrt(fmax(spread[k], 0));
     }
     points->axis[2] = vec3_cross(points->axis[0], points->axis[1]);
 }

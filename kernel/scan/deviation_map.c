@@ -10,7 +10,7 @@ static const double FLAT = 1e-9; /* [mm^2] twice the area of a triangle that is 
 static const double MIN = 3;     /* points that a value is the mean of, where a window may grow to find them */
 
 /* in 0 .. 1; NaN gives 0 */
-static double share_of(double x) { return x > 0 ? fmin(x, 1) : 0; }
+static double clamped_share(double x) { return x > 0 ? fmin(x, 1) : 0; }
 
 void wcut_face_locate(const wcut_face *face, double u, double v, double *row, double *column) {
     int low = 0, high = face->stations - 1;
@@ -22,11 +22,11 @@ void wcut_face_locate(const wcut_face *face, double u, double v, double *row, do
             high = middle;
     }
     const double step = face->parameter[high] - face->parameter[low];
-    const double t = step > 0 ? share_of((v - face->parameter[low]) / step) : 0;
+    const double t = step > 0 ? clamped_share((v - face->parameter[low]) / step) : 0;
     const double begin = face->begin[low] + t * (face->begin[high] - face->begin[low]);
     const double width = face->end[low] + t * (face->end[high] - face->end[low]) - begin;
     *row = low + t;
-    *column = share_of(width > 0 ? (u - begin) / width : 0) * (face->nodes - 1);
+    *column = clamped_share(width > 0 ? (u - begin) / width : 0) * (face->nodes - 1);
 }
 
 double wcut_face_kerf(const wcut_face *face) {

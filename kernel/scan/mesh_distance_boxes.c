@@ -108,7 +108,7 @@ static void put_leaf(builder *b, int first, int end, float low[3], float high[3]
 
 /* the node of a range and all below it; gives its number and its box. Each level takes a bit of the code at least, or
    the logarithm to base 8 of those in one cell. */
-static int put_node(builder *b, int first, int end, float low[3], float high[3]) {
+static int put_box_node(builder *b, int first, int end, float low[3], float high[3]) {
     /* the range divided into as many parts as a node has lanes */
     int bound[WCUT_MESH_WIDE + 1];
     const int parts = mesh_distance_boxes_divide(b->item, first, end, bound), number = b->nodes++;
@@ -119,7 +119,7 @@ static int put_node(builder *b, int first, int end, float low[3], float high[3])
         float l[3] = {INFINITY, INFINITY, INFINITY}, h[3] = {-INFINITY, -INFINITY, -INFINITY};
         const int count = k < parts ? bound[k + 1] - bound[k] : 0;
         if (count > WCUT_MESH_LEAF) {
-            node->child[k] = put_node(b, bound[k], bound[k + 1], l, h);
+            node->child[k] = put_box_node(b, bound[k], bound[k + 1], l, h);
         } else if (count > 0) {
             node->child[k] = ~b->leaves;
             put_leaf(b, bound[k], bound[k + 1], l, h);
@@ -195,7 +195,7 @@ wcut_status wcut_mesh_boxes_build(const wcut_mesh *mesh, wcut_mesh_tree *tree) {
     if (there) {
         builder b = {.mesh = mesh, .tree = tree, .item = item};
         float low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
-        put_node(&b, 0, (int)n, low, high);
+        put_box_node(&b, 0, (int)n, low, high);
     }
 
     wcut_free(item);

@@ -79,7 +79,7 @@ typedef struct corner {
     double x, y, height;
 } corner;
 
-static corner corner_of(const wcut_lattice *l, const wcut_foot *foot, double height) {
+static corner lattice_corner(const wcut_lattice *l, const wcut_foot *foot, double height) {
     const wcut_lattice_place p = wcut_lattice_locate(l, foot->u, foot->v);
     const int column = p.cell % l->columns, row = p.cell / l->columns;
     return (corner){column + (double)p.s, row + (double)p.t, height};
@@ -151,7 +151,8 @@ static wcut_status find_corners(const wcut_surface *plane, const wcut_mesh *mesh
     wcut_status status = foot ? wcut_projection_create(plane, &projection) : WCUT_NO_MEMORY;
     if (status == WCUT_OK) status = wcut_projection_locate(projection, mesh->vertex_count, mesh->vertex, threads, foot);
     for (int k = 0; k < mesh->vertex_count && status == WCUT_OK; k++)
-        at[k] = corner_of(lattice, &foot[k], vec3_dot(vec3_sub(mesh->vertex[k], foot[k].point), lattice->normal[0]));
+        at[k] =
+            lattice_corner(lattice, &foot[k], vec3_dot(vec3_sub(mesh->vertex[k], foot[k].point), lattice->normal[0]));
     wcut_projection_destroy(projection);
     wcut_free(foot);
     return status;

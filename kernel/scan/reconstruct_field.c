@@ -28,7 +28,7 @@ typedef struct plate {
     unsigned char *active;                /* nodes */
 } plate;
 
-static void weights_of(wcut_lattice_place p, double w[CORNERS]) {
+static void corner_weights(wcut_lattice_place p, double w[CORNERS]) {
     const double s = (double)p.s, t = (double)p.t;
     w[0] = (1 - s) * (1 - t), w[1] = s * (1 - t), w[2] = (1 - s) * t, w[3] = s * t;
 }
@@ -104,7 +104,7 @@ static wcut_status take_points(plate *p, int count, const wcut_lattice_place *pl
     for (int k = 0; k < count; k++) {
         double w[CORNERS];
         int corner[CORNERS];
-        weights_of(place[k], w);
+        corner_weights(place[k], w);
         corners_of(p, place[k].cell, corner);
         add_cell(p, place[k].cell, w);
         for (int a = 0; a < CORNERS; a++) {
@@ -277,7 +277,7 @@ static double reconstruct_field_misfit(const plate *p, int count, const wcut_lat
     for (int k = 0; k < count; k++) {
         double w[CORNERS], h = -height[k];
         int corner[CORNERS];
-        weights_of(place[k], w);
+        corner_weights(place[k], w);
         corners_of(p, place[k].cell, corner);
         for (int a = 0; a < CORNERS; a++) h += w[a] * x[corner[a]];
         sum += square(h);

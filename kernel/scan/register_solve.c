@@ -24,7 +24,7 @@ typedef struct normal {
     double pull[N];        /* m: its (x - value) / sigma^2 */
 } normal;
 
-static double scale_of(const wcut_register_problem *p, int k) { return k < WCUT_DOF_RX ? 1 : 1 / p->length; }
+static double parameter_scale(const wcut_register_problem *p, int k) { return k < WCUT_DOF_RX ? 1 : 1 / p->length; }
 
 static double prior_cost(const wcut_registration_options *o, const double *x) {
     double sum = 0;
@@ -104,7 +104,7 @@ static void register_solve_linearise(const wcut_register_problem *p, const wcut_
     for (int i = 0; i < n->m; i++) {
         const int k = n->index[i];
         const wcut_dof *d = &p->options->dof[k];
-        const double scale = scale_of(p, k), sigma = d->sigma / scale;
+        const double scale = parameter_scale(p, k), sigma = d->sigma / scale;
         for (int j = 0; j < n->m; j++) n->h[i * n->m + j] = h[N * k + n->index[j]];
         n->g[i] = g[k];
         n->prior[i] = d->kind == WCUT_DOF_KIND_PRIOR ? 1 / (sigma * sigma) : 0;
@@ -215,7 +215,7 @@ static wcut_status register_solve_advance(const wcut_register_problem *p, const 
 
         /* the cost at the end of the step, of the same residuals */
         memcpy(x, motion->x, sizeof x);
-        for (int i = 0; i < n->m; i++) x[n->index[i]] += y[i] * scale_of(p, n->index[i]);
+        for (int i = 0; i < n->m; i++) x[n->index[i]] += y[i] * parameter_scale(p, n->index[i]);
         const wcut_motion trial = wcut_motion_of(motion->pivot, x);
         wcut_register_sums there = {.weight = 0};
         wcut_status status = cost_at(p, &trial, sums->weight, &there, &square);
@@ -258,7 +258,7 @@ static wcut_status tell_covariance(const wcut_register_problem *p, const normal 
             for (int c = 0; c < r; c++)
                 for (int d = 0; d < r; d++) sum += n->basis[i * m + c] * inverse[c * r + d] * n->basis[j * m + d];
             if (reg->determined[k] && reg->determined[l])
-                reg->covariance[N * k + l] = sum * scale_of(p, k) * scale_of(p, l);
+                reg->covariance[N * k + l] = sum * parameter_scale(p, k) * parameter_scale(p, l);
         }
     return WCUT_OK;
 }

@@ -157,7 +157,7 @@ static double level_of(const wcut_lattice *l, double *scratch) {
 }
 
 /* 1 above the level, -1 below minus it, 0 else */
-static int side_of(const wcut_lattice *l, int k, double level) {
+static int level_side(const wcut_lattice *l, int k, double level) {
     if (l->cell[k].of.count < TOLD) return 0;
     const double mean = worst_mean_of(&l->cell[k]);
     return fabs(mean) < level || mean == 0 ? 0 : mean > 0 ? 1 : -1;
@@ -233,7 +233,7 @@ wcut_status wcut_worst_list(const wcut_lattice *lattice, int *count, wcut_worst 
     /* cells beyond the level, and on which side */
     if (there) {
         const double level = level_of(lattice, scratch);
-        for (int k = 0; k < cells; k++) side[k] = (signed char)side_of(lattice, k, level);
+        for (int k = 0; k < cells; k++) side[k] = (signed char)level_side(lattice, k, level);
 
         /* connected cells of one side are one area; the worst are kept in order */
         *count = 0;

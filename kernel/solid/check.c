@@ -64,7 +64,7 @@ static int count_pieces(const wcut_mesh *m, const fans *f, int *parent) {
 }
 
 /* twice a triangle's area along its normal */
-static wcut_vec3 check_spread(const wcut_mesh *m, int t) {
+static wcut_vec3 triangle_normal_spread(const wcut_mesh *m, int t) {
     const int *c = m->triangle + 3 * (ptrdiff_t)t;
     const wcut_vec3 a = m->vertex[c[0]];
     return vec3_cross(vec3_sub(m->vertex[c[1]], a), vec3_sub(m->vertex[c[2]], a));
@@ -89,7 +89,7 @@ wcut_status wcut_check_boundary(const wcut_mesh *mesh, wcut_half_report *report)
 
         /* volume, area and box */
         r->area = 0;
-        for (int t = 0; t < mesh->triangle_count; t++) r->area += vec3_length(check_spread(mesh, t)) / 2;
+        for (int t = 0; t < mesh->triangle_count; t++) r->area += vec3_length(triangle_normal_spread(mesh, t)) / 2;
         r->box_low = r->box_high = mesh->vertex_count > 0 ? mesh->vertex[0] : vec3(0, 0, 0);
         for (int v = 1; v < mesh->vertex_count; v++) {
             const wcut_vec3 p = mesh->vertex[v];
@@ -114,7 +114,7 @@ void wcut_check_draft(const wcut_mesh *mesh, const unsigned char *tag, wcut_vec3
     /* each triangle of the cut: asin(N . p) */
     for (int t = 0; t < mesh->triangle_count; t++) {
         if (!tag[t]) continue;
-        const wcut_vec3 n = check_spread(mesh, t);
+        const wcut_vec3 n = triangle_normal_spread(mesh, t);
         const double area = vec3_length(n) / 2;
         if (!(area > 0)) continue;
         const double rise = vec3_dot(n, pull) / (2 * area);

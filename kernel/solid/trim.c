@@ -194,7 +194,7 @@ static wcut_status check_over(const wcut_trim *m, const net *n, wcut_error *erro
 }
 
 /* Over the block a wire runs on towards larger x, else planes of x meet it more than once. */
-static wcut_status check_rows(const wcut_trim *m, const net *n, wcut_error *error) {
+static wcut_status check_trim_rows(const wcut_trim *m, const net *n, wcut_error *error) {
     const wcut_sides *s = &m->sides;
     for (int j = 0; j < n->rows; j++)
         for (int i = 0; i + 1 < n->columns; i++) {
@@ -223,7 +223,7 @@ wcut_status wcut_trim_begin(const wcut_sheet *sheet, wcut_sides sides, wcut_trim
 
     /* part of the sheet is over the block, and no row of it turns back along x */
     if (status == WCUT_OK) status = check_over(&m, &n, error);
-    if (status == WCUT_OK) status = check_rows(&m, &n, error);
+    if (status == WCUT_OK) status = check_trim_rows(&m, &n, error);
 
     /* ribs: sections of the sheet in planes of x */
     for (int k = 0; status == WCUT_OK && k < RIBS; k++) {

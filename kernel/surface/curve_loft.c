@@ -34,7 +34,7 @@ static wcut_status sections_fill(int count, const wcut_curve *const *curve, sect
     return status;
 }
 
-static wcut_status sample(sections *s, int nodes) {
+static wcut_status sample_sections(sections *s, int nodes) {
     if (s->count > INT_MAX / 8 / nodes) return WCUT_NOT_CONVERGED;
     wcut_free(s->point);
     s->nodes = nodes;
@@ -112,7 +112,7 @@ wcut_status wcut_surface_loft_curves(int count, const wcut_curve *const *curve, 
     wcut_status status = sections_fill(count, curve, &s);
     for (int nodes = NODES_FIRST; status == WCUT_OK; nodes = 2 * nodes - 1) {
         if (nodes > NODES_MAX) status = WCUT_NOT_CONVERGED;
-        if (status == WCUT_OK) status = sample(&s, nodes);
+        if (status == WCUT_OK) status = sample_sections(&s, nodes);
         if (status == WCUT_OK) status = curve_loft_measure(&s, &r.section_error);
         if (status == WCUT_OK && r.section_error <= tolerance) break;
     }

@@ -18,7 +18,7 @@ enum { ROUNDS_MAX = 60 };
 
 static double length4(wcut_homogeneous h) { return sqrt(h.x * h.x + h.y * h.y + h.z * h.z + h.w * h.w); }
 
-static wcut_homogeneous combine(double a, wcut_homogeneous p, double b, wcut_homogeneous q) {
+static wcut_homogeneous combine_points(double a, wcut_homogeneous p, double b, wcut_homogeneous q) {
     return (wcut_homogeneous){a * p.x + b * q.x, a * p.y + b * q.y, a * p.z + b * q.z, a * p.w + b * q.w};
 }
 
@@ -35,12 +35,12 @@ static double removal_change(const wcut_net *net, int r, int copies, int lane) {
     side[last + 1 - off] = at[(last + 1) * lanes];
     for (; j > i; i++, ii++, j--, jj--) {
         const double a = (u - t[i]) / (t[i + p + 1] - t[i]), b = (u - t[j]) / (t[j + p + 1] - t[j]);
-        side[ii] = combine(1 / a, at[i * lanes], -(1 - a) / a, side[ii - 1]);
-        side[jj] = combine(1 / (1 - b), at[j * lanes], -b / (1 - b), side[jj + 1]);
+        side[ii] = combine_points(1 / a, at[i * lanes], -(1 - a) / a, side[ii - 1]);
+        side[jj] = combine_points(1 / (1 - b), at[j * lanes], -b / (1 - b), side[jj + 1]);
     }
-    if (j < i) return length4(combine(1, side[ii - 1], -1, side[jj + 1]));
+    if (j < i) return length4(combine_points(1, side[ii - 1], -1, side[jj + 1]));
     const double a = (u - t[i]) / (t[i + p + 1] - t[i]);
-    return length4(combine(1, at[i * lanes], -1, combine(a, side[ii + 1], 1 - a, side[ii - 1])));
+    return length4(combine_points(1, at[i * lanes], -1, combine_points(a, side[ii + 1], 1 - a, side[ii - 1])));
 }
 
 /* a distinct knot inside the domain */
@@ -106,7 +106,7 @@ static double bound_error(const target *t, const wcut_band_rows *a, const wcut_h
             double weight = 0;
             for (int r = 0; r < a->width; r++) {
                 const wcut_homogeneous *h = &coarse[(ptrdiff_t)(a->first[i] + r) * lanes + c];
-                d = combine(1, d, -a->value[(ptrdiff_t)i * a->width + r], *h);
+                d = combine_points(1, d, -a->value[(ptrdiff_t)i * a->width + r], *h);
                 weight += a->value[(ptrdiff_t)i * a->width + r] * h->w;
             }
 
