@@ -30,6 +30,8 @@ typedef struct run {
     int test_cuts;
     wcut_test_cut *calibration;
     wcut_diagnosis_options options;
+    wcut_rig_prior rig;    /* of --rig */
+    wcut_recording *still; /* of --still */
     wcut_diagnosis *diagnosis;
     bool failed; /* memory ran out */
     int said, sources;
@@ -173,6 +175,26 @@ static void read_diagnose_calibration(run *r) {
         note_diagnose_bad(r, status, &error, "diagnosed without the calibration table");
 }
 
+/* what the cell knows of itself, and what its sensors read at rest */
+static int read_diagnose_cell(run *r) {
+    wcut_error error = {0};
+    if (app_given(r->call, "rig")) {
+        const char *path = app_text(r->call, "rig");
+        const wcut_status status = wcut_rig_prior_read(path, &r->rig, &error);
+        if (status != WCUT_OK) return app_fail_status(status, NULL, &error);
+        r->options.rig = &r->rig;
+        note_source(r, "rig", path);
+    }
+    if (app_given(r->call, "still")) {
+        const char *path = app_text(r->call, "still");
+        const wcut_status status = wcut_recording_read(path, &r->still, &error);
+        if (status != WCUT_OK) return app_fail_status(status, NULL, &error);
+        r->options.still = r->still;
+        note_source(r, "record at rest", path);
+    }
+    return APP_DONE;
+}
+
 static int load_diagnose(run *r) {
     /* options, then the case */
     wcut_error error = {0};
@@ -188,12 +210,14 @@ static int load_diagnose(run *r) {
     r->cut = calloc(n, sizeof *r->cut);
     r->cut_name = calloc(n, sizeof *r->cut_name);
     r->said_text = calloc(2 * n + 1, sizeof *r->said_text);
-    r->source = calloc(3 * n + 2, sizeof *r->source);
-    r->hash = calloc(3 * n + 2, sizeof *r->hash);
+    r->source = calloc(3 * n + 4, sizeof *r->source);
+    r->hash = calloc(3 * n + 4, sizeof *r->hash);
     if (!r->trial || !r->cut || !r->cut_name || !r->said_text || !r->source || !r->hash) return fail_diagnose_memory();
 
     /* the files, as many as can be read */
     note_source(r, "case", path);
+    code = read_diagnose_cell(r);
+    if (code != APP_DONE) return code;
     int usable = 0;
     for (int i = 0; i < r->found->cuts; i++) {
         read_diagnose_cut(r, i);
@@ -344,6 +368,7 @@ static void forget_diagnose(run *r) {
     for (int i = 0; i < r->said; i++) free(r->said_text[i]);
     for (int i = 0; r->cut_name && i < r->found->cuts; i++) free(r->cut_name[i]);
     wcut_test_cut_destroy(r->calibration);
+    wcut_recording_destroy(r->still);
     wcut_diagnosis_destroy(r->diagnosis);
     wcut_case_destroy(r->found);
     free(r->hash);
@@ -392,6 +417,14 @@ static const app_option option[] = {
      .high = 1024,
      .help = "number of threads; default one for each processor. Results do not depend on it"},
     APP_OPTION_FORCE_LAW,
+    {.kind = APP_FILE,
+     .name = "rig",
+     .value = "FILE",
+     .help = "what the cell knows of itself, wirecut-rig/1; samples/rig.json holds the defaults"},
+    {.kind = APP_FILE,
+     .name = "still",
+     .value = "FILE",
+     .help = "a recording with standing mounts and a slack, cold wire: its tensions are the zeros of the sensors"},
     {.kind = APP_EFFECTS,
      .name = "without",
      .value = "EFFECT,...",

@@ -59,7 +59,7 @@ enum { MISFIT_CUTS = 5 };
 /* whether the scatter of a fit is that of a rig: not at the end of what blocks, wires and sensors differ by */
 static bool scatter_is_plausible(const wcut_fitted *f) {
     for (int k = 0; k < WCUT_SCATTER_COUNT; k++)
-        if (f->noise.scatter[k] > PLAUSIBLE * wcut_scatter_view((wcut_scatter_kind)k)->max) return false;
+        if (f->noise.scatter[k] > PLAUSIBLE * wcut_scatter_view(&f->noise, (wcut_scatter_kind)k)->max) return false;
     return true;
 }
 

@@ -108,6 +108,7 @@ static wcut_status prepare_diagnosis(diagnosing *g, wcut_error *error) {
     if (status == WCUT_OK)
         status = wcut_evidence_create(g->cuts, g->cut, false, g->options->threads, &g->stop, &g->evidence, error);
     if (status != WCUT_OK) return status;
+    if (g->options->rig) wcut_evidence_know(g->evidence, g->options->rig);
     wcut_evidence *e = g->evidence;
 
     /* replay under the jobs' own values: the figures called "before" */
@@ -640,6 +641,14 @@ static wcut_status check_diagnosis(int cuts, const wcut_diagnosis_cut *cut, int 
                                    wcut_diagnosis **out, wcut_error *error) {
     if (cuts < 1 || !cut || !out || test_cuts < 0 || (test_cuts > 0 && !calibration))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "cuts and a place for the diagnosis are expected");
+    for (int k = 0; o->rig && k < WCUT_SCATTER_COUNT; k++)
+        if (!is_positive(o->rig->scatter[k]))
+            return wcut_fail(error, WCUT_BAD_ARGUMENT, "rig: %s: found %g, expected more than 0",
+                             wcut_scatter_name((wcut_scatter_kind)k), o->rig->scatter[k]);
+    if (o->rig && (!is_positive(o->rig->tension_delay) || !is_positive(o->rig->angle_delay)))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "rig: expected delays of more than 0");
+    if (o->still && (o->still->samples < 1 || !o->still->channel[WCUT_CHANNEL_TIME].value))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "still: expected a recording with samples");
     if (o->threads < 1) return wcut_fail(error, WCUT_BAD_ARGUMENT, "found %d threads, expected 1 or more", o->threads);
     for (int k = 0; k < cuts; k++) {
         if (cut[k].job && cut[k].job->mode != WCUT_MODE_PATH)
@@ -671,7 +680,7 @@ wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *cut, int t
 
     /* what needs no physics, then evidence and search */
     const bool room = g.out && g.out->held_out;
-    status = room ? wcut_redundancy_create(cuts, cut, &g.redundancy) : WCUT_NO_MEMORY;
+    status = room ? wcut_redundancy_create(cuts, cut, o.still, &g.redundancy) : WCUT_NO_MEMORY;
     if (status != WCUT_OK) wcut_fail(error, status, "no memory for %d cuts", cuts);
     g.cut = g.redundancy.cut;
     if (status == WCUT_OK) status = prepare_diagnosis(&g, error);

@@ -404,6 +404,12 @@ static wcut_status fill_evidence_cut(wcut_evidence_cut *c, bool fed_back, wcut_s
     return status == WCUT_NO_MEMORY ? wcut_fail(error, status, "no memory for cut %d", c->index + 1) : status;
 }
 
+void wcut_evidence_know(wcut_evidence *e, const wcut_rig_prior *prior) {
+    wcut_scatter_know(prior, e->known);
+    e->noise.known = e->known;
+    e->delay_spread[0] = prior->tension_delay, e->delay_spread[1] = prior->angle_delay;
+}
+
 wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, bool fed_back, int threads, wcut_stop *stop,
                                  wcut_evidence **out, wcut_error *error) {
     wcut_evidence *e = wcut_alloc(1, sizeof *e);
@@ -433,6 +439,8 @@ wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, bool f
     /* the model is the first job's own; every channel begins with the usual slow noise */
     if (status == WCUT_OK) {
         e->at = (wcut_model){.a = first->force_law.a, .b = first->force_law.b};
+        const wcut_rig_prior usual = wcut_rig_prior_default();
+        wcut_evidence_know(e, &usual);
         for (int g = 0; g < WCUT_NOISE_GROUPS; g++) e->noise.slow[g] = WCUT_SLOW_NOISE;
 #pragma omp parallel for num_threads(wcut_threads(threads)) schedule(dynamic, 1)
         for (int k = 0; k < cuts; k++)

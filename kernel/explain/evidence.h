@@ -53,8 +53,10 @@ typedef struct wcut_evidence {
     wcut_evidence_cut *cut;
     wcut_model at; /* what predicted, patches and reference are of */
     int rows;
-    double sigma[WCUT_SIGNALS]; /* [N, rad] of a bin's mean, its white part */
-    wcut_variances noise;       /* that rows are whitened by */
+    double sigma[WCUT_SIGNALS];                  /* [N, rad] of a bin's mean, its white part */
+    wcut_variances noise;                        /* that rows are whitened by */
+    wcut_scatter_info known[WCUT_SCATTER_COUNT]; /* what noise.known points to */
+    double delay_spread[2];                      /* [s] usual delays of tensions and angles */
     double
         path_response[WCUT_NOISE_GROUPS]; /* [N, rad per mm] rms of a group by mounts beside their path; 0: not known */
     wcut_scatter scatter;                 /* no columns before wcut_scatter_create */
@@ -81,6 +83,9 @@ enum { WCUT_NODES_FINE = 31, WCUT_NODES_COARSE = 17 };
 wcut_status wcut_evidence_create(int cuts, const wcut_diagnosis_cut *cut, bool fed_back, int threads, wcut_stop *stop,
                                  wcut_evidence **out, wcut_error *error);
 void wcut_evidence_destroy(wcut_evidence *evidence);
+
+/* what the cell knows of itself, in place of what is usual */
+void wcut_evidence_know(wcut_evidence *evidence, const wcut_rig_prior *prior);
 
 /* Predict along the recorded motion under a model, which becomes `at`; noise and, if `scans`, patches follow. */
 wcut_status wcut_evidence_predict(wcut_evidence *evidence, const wcut_model *model, bool scans, wcut_error *error);

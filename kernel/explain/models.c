@@ -139,7 +139,7 @@ void wcut_nuisance_columns(const wcut_evidence *e, double *column, double *sprea
     const int count = wcut_nuisance_count(e);
     const size_t rows = (size_t)e->rows;
     memset(column, 0, (size_t)count * rows * sizeof *column);
-    for (int k = 0; k < WCUT_DELAYS; k++) spread[k] = WCUT_DELAY_SPREAD;
+    for (int k = 0; k < WCUT_DELAYS; k++) spread[k] = e->delay_spread[k];
     for (int k = 0; k < e->cuts; k++)
         for (int s = 0; s < WCUT_SIGNALS; s++) delay_column(&e->cut[k], s, column + (s < 2 ? 0 : rows));
     if (count == WCUT_DELAYS) return;

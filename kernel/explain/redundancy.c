@@ -104,9 +104,11 @@ void wcut_redundancy_destroy(wcut_redundancy *r) {
     *r = (wcut_redundancy){0};
 }
 
-wcut_status wcut_redundancy_create(int cuts, const wcut_diagnosis_cut *given, wcut_redundancy *out) {
+wcut_status wcut_redundancy_create(int cuts, const wcut_diagnosis_cut *given, const wcut_recording *still,
+                                   wcut_redundancy *out) {
     wcut_redundancy r = {.cuts = cuts,
                          .given = given,
+                         .still = still,
                          .cut = wcut_copy(given, (size_t)cuts, sizeof *r.cut),
                          .job = wcut_alloc((size_t)cuts, sizeof *r.job),
                          .recording = wcut_alloc((size_t)cuts, sizeof *r.recording),

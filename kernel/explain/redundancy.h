@@ -10,6 +10,7 @@ enum { WCUT_CONTRADICTIONS_MAX = 16 };
 typedef struct wcut_redundancy {
     int cuts;
     const wcut_diagnosis_cut *given; /* borrowed */
+    const wcut_recording *still;     /* borrowed; NULL: none */
     wcut_diagnosis_cut *cut;         /* cuts */
     wcut_job *job;                   /* cuts: shallow, what they point to is the caller's */
     wcut_recording *recording;       /* cuts: shallow but for the columns below */
@@ -22,9 +23,10 @@ typedef struct wcut_redundancy {
 /*
  * Compare, in this order, and set right what can be: the programme of an excitation with the recorded speed and heat; the
  * heater's volts times amperes with its set power; stations with speeds and measured places; measured places with the path;
- * tensions in the air with zero. given: cuts, borrowed. WCUT_OK; WCUT_NO_MEMORY: nothing was written.
+ * tensions in the air with zero, or those of a record at rest (still, may be NULL). given: cuts, borrowed. WCUT_OK; WCUT_NO_MEMORY: nothing was written.
  */
-wcut_status wcut_redundancy_create(int cuts, const wcut_diagnosis_cut *given, wcut_redundancy *out);
+wcut_status wcut_redundancy_create(int cuts, const wcut_diagnosis_cut *given, const wcut_recording *still,
+                                   wcut_redundancy *out);
 void wcut_redundancy_destroy(wcut_redundancy *redundancy);
 
 /* ---- what the checks share ---- */

@@ -75,16 +75,30 @@ static wcut_status subtract(wcut_redundancy *all, int cut, wcut_channel channel,
     return WCUT_OK;
 }
 
+/* a sensor in a record at rest: its mean, and the error that noise and the repeatability of a load cell leave */
+static reading read_still(const wcut_recording *r, wcut_channel channel) {
+    reading out = {0};
+    for (int i = 0; i < r->samples; i++) {
+        double tension;
+        if (!wcut_sample_at(r, channel, i, &tension)) continue;
+        out.count++, out.sum += tension, out.square += tension * tension;
+    }
+    if (out.count < SAMPLES_MIN) return (reading){0};
+    out.mean = out.sum / out.count;
+    const double noise = sqrt(fmax(out.square - out.sum * out.mean, 0) / (out.count - 1));
+    out.error = hypot(COLOUR * noise / sqrt(out.count), REPEATS / sqrt(3));
+    return out;
+}
+
 static void tell_zero(const wcut_redundancy *all, const reading *q, wcut_contradiction *c) {
     char cuts[WCUT_CUT_LIST];
     wcut_cut_list(all, c, cuts);
     c->found = q->mean, c->error = q->error, c->fault = c->repaired = true;
     snprintf(c->unit, sizeof c->unit, "N");
-    snprintf(
-        c->text, sizeof c->text,
-        "%s reads %+.3f +- %.3f N in the air, where the wire is slack, in %s: the zero of this sensor is off. It is "
-        "subtracted.",
-        c->column, q->mean, 1.96 * q->error, cuts);
+    const char *where = all->still ? "at rest, which is taken from" : "in the air, where the wire is slack, in";
+    snprintf(c->text, sizeof c->text,
+             "%s reads %+.3f +- %.3f N %s %s: the zero of this sensor is off. It is subtracted.", c->column, q->mean,
+             1.96 * q->error, where, cuts);
 }
 
 /* one zero in all cuts, those too that have no air in them */
@@ -122,6 +136,15 @@ wcut_status wcut_zero_compare(wcut_redundancy *all) {
     /* each sensor by itself: readings in the air of every cut, and their mean */
     for (int sensor = 0; status == WCUT_OK && sensor < 2; sensor++) {
         const wcut_channel channel = sensor ? WCUT_CHANNEL_TENSION_B : WCUT_CHANNEL_TENSION_A;
+
+        /* a record at rest is the better measurement */
+        const reading rest = all->still ? read_still(all->still, channel) : (reading){0};
+        if (rest.count > 0) {
+            if (stands_out(&rest)) status = subtract_common(all, channel, &rest);
+            continue;
+        }
+
+        /* else what the cuts themselves read in the air */
         for (int cut = 0; cut < all->cuts; cut++)
             of[cut] = wcut_redundancy_has(all, cut) ? read_air(all->cut[cut].job, all->cut[cut].recording, channel)
                                                     : (reading){0};

@@ -1,6 +1,8 @@
 /* Kinds of scatter: how wide each usually is, and how wide it may be. */
 #include "explain/scatter_kind.h"
 
+#include "explain/model_fit.h"
+
 #include "base/alloc.h"
 
 /* Widths: ordinary EPS varies by 5 % in density from block to block; a wire is cut by hand to 1 or 2 mm; load cells return
@@ -13,7 +15,22 @@ static const wcut_scatter_info table[WCUT_SCATTER_COUNT] = {
     [WCUT_SCATTER_SCAN_TURN] = {0.015, 0.1},
 };
 
-const wcut_scatter_info *wcut_scatter_view(wcut_scatter_kind kind) { return &table[kind]; }
+const wcut_scatter_info *wcut_scatter_view(const wcut_variances *v, wcut_scatter_kind kind) {
+    return v->known ? &v->known[kind] : &table[kind];
+}
+
+void wcut_scatter_know(const wcut_rig_prior *prior, wcut_scatter_info known[WCUT_SCATTER_COUNT]) {
+    for (int k = 0; k < WCUT_SCATTER_COUNT; k++) {
+        known[k].width = prior->scatter[k];
+        known[k].max = table[k].max * prior->scatter[k] / table[k].width;
+    }
+}
+
+wcut_rig_prior wcut_rig_prior_default(void) {
+    wcut_rig_prior prior = {.tension_delay = WCUT_DELAY_SPREAD, .angle_delay = WCUT_DELAY_SPREAD};
+    for (int k = 0; k < WCUT_SCATTER_COUNT; k++) prior.scatter[k] = table[k].width;
+    return prior;
+}
 
 int wcut_noise_group(int signal) { return signal < 2 ? 0 : signal % 2 ? 2 : 1; }
 

@@ -7,10 +7,16 @@
 /* Signals of a group have one slow noise: both tensions, both alphas, both betas. */
 enum { WCUT_NOISE_GROUPS = 3, WCUT_SCATTER_COLUMNS_MAX = 40 };
 
+/* What a kind of scatter is: `width` of the half-normal prior of its standard deviation, and what it may be at most. */
+typedef struct wcut_scatter_info {
+    double width, max;
+} wcut_scatter_info;
+
 /* What the noise and the scatter of a case are: variance components. */
 typedef struct wcut_variances {
     double slow[WCUT_NOISE_GROUPS];     /* [1] variance of the slow part of the noise over that of the white one */
     double scatter[WCUT_SCATTER_COUNT]; /* standard deviations from cut to cut, in the unit of each kind */
+    const wcut_scatter_info *known;     /* WCUT_SCATTER_COUNT: of this cell; NULL: of an ordinary one */
 } wcut_variances;
 
 /* Columns of the scatter: each is what a cut's rows change by, per unit, and has a coefficient of its own in every cut. */
@@ -21,12 +27,11 @@ typedef struct wcut_scatter {
     double *white;  /* the same, whitened under the evidence's noise */
 } wcut_scatter;
 
-/* What a kind of scatter is: `width` of the half-normal prior of its standard deviation, and what it may be at most. */
-typedef struct wcut_scatter_info {
-    double width, max;
-} wcut_scatter_info;
+/* of the cell that variances are of */
+const wcut_scatter_info *wcut_scatter_view(const wcut_variances *variances, wcut_scatter_kind kind);
 
-const wcut_scatter_info *wcut_scatter_view(wcut_scatter_kind kind);
+/* what a cell knows of itself, as widths and bounds; a bound grows with its width */
+void wcut_scatter_know(const wcut_rig_prior *prior, wcut_scatter_info known[WCUT_SCATTER_COUNT]);
 
 /* group of a signal: 0 tension, 1 alpha, 2 beta */
 int wcut_noise_group(int signal);

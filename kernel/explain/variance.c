@@ -22,7 +22,7 @@ enum { COLUMNS = WCUT_SCATTER_COLUMNS_MAX, ROUNDS = 3, STEPS = 8, GOLDEN = 14 };
 
 void wcut_variances_begin(wcut_variances *v) {
     for (int k = 0; k < WCUT_SCATTER_COUNT; k++)
-        v->scatter[k] = fmax(v->scatter[k], 0.2 * wcut_scatter_view((wcut_scatter_kind)k)->width);
+        v->scatter[k] = fmax(v->scatter[k], 0.2 * wcut_scatter_view(v, (wcut_scatter_kind)k)->width);
 }
 
 /* ---- scatter ---- */
@@ -128,7 +128,7 @@ static bool step_scatter(wcut_evidence *own, const wcut_linear *p, wcut_normal_e
     /* the likeliest variance v: n / v - S / v^2 + 1 / h^2 = 0, taken a little further than the step says */
     for (int k = 0; k < WCUT_SCATTER_COUNT; k++) {
         if (count[k] == 0) continue;
-        const wcut_scatter_info *info = wcut_scatter_view((wcut_scatter_kind)k);
+        const wcut_scatter_info *info = wcut_scatter_view(&own->noise, (wcut_scatter_kind)k);
         const double h = info->width * info->width, n = count[k];
         const double v = h / 2 * (sqrt(n * n + 4 * square[k] / h) - n);
         const double from = own->noise.scatter[k] * own->noise.scatter[k];
@@ -234,7 +234,7 @@ static void fill_equations(const wcut_linear *p, wcut_evidence *own, double *col
 static double prior_score(const wcut_evidence *own) {
     double sum = 0;
     for (int k = 0; k < WCUT_SCATTER_COUNT && own->scatter.count > 0; k++) {
-        const double ratio = own->noise.scatter[k] / wcut_scatter_view((wcut_scatter_kind)k)->width;
+        const double ratio = own->noise.scatter[k] / wcut_scatter_view(&own->noise, (wcut_scatter_kind)k)->width;
         sum += ratio * ratio;
     }
     return sum;

@@ -656,6 +656,8 @@ public unsafe struct wcut_diagnosis_options
     public byte proof;
     public byte naive;
     public ulong seed;
+    public wcut_rig_prior* rig;
+    public wcut_recording* still;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_diagnosis_view
@@ -1659,6 +1661,13 @@ public unsafe struct wcut_rig_options
     public byte excitation;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_rig_prior
+{
+    public fixed double scatter[9];
+    public double tension_delay;
+    public double angle_delay;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_rig_row
 {
     public fixed byte name[32];
@@ -2399,6 +2408,8 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern void wcut_results_reword(void* a0, wcut_error* a1);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_results_verify(byte* a0, wcut_verification** a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_rig_options wcut_rig_options_default(wcut_job* a0);
+    [DllImport("wirecut-io")] public static extern wcut_rig_prior wcut_rig_prior_default();
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_rig_prior_read(byte* a0, wcut_rig_prior* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_rig_run_create(wcut_job* a0, wcut_history* a1, wcut_control_settings* a2, wcut_rig_options* a3, IntPtr a4, void* a5, wcut_rig_run** a6, wcut_error* a7);
     [DllImport("wirecut-io")] public static extern void wcut_rig_run_destroy(wcut_rig_run* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_rig_summary_print(wcut_rig_summary* a0, byte** a1);

@@ -44,6 +44,22 @@ assert a["recalibrated"]["a_N_per_mm"]["job"] == law["a_N_per_mm"], (a["recalibr
 assert a["recalibrated"]["b_m2_per_J"]["job"] == law["b_m2_per_J"], (a["recalibrated"], law)
 EOF
 
+# what an ordinary cell knows of itself changes nothing; a cell that knows more is believed
+printf '{"format": "wirecut-case/1", "name": "one", "cuts": [{"job": "plan/job-path.json", "recording": "loop-design/recording.csv", "scan": null}], "calibration": null}\n' >case.json
+run 0 diagnose case.json -o usual --no-proof --threads 1 --quiet --force-law cal/force_law.json --rig "$SOURCE_DIR/samples/rig.json"
+python3 - <<'EOF' || fail "samples/rig.json is not the default"
+import json
+a, b = (json.load(open(f"{k}/diagnosis.json")) for k in ("usual", "found-job-path"))
+changed = [k for k in a if k not in ("files", "sha256") and a[k] != b[k]]
+assert not changed, changed
+EOF
+printf '{"format": "wirecut-rig/1", "scatter": {"wire_length_mm": 0}}\n' >bad.json
+run 3 diagnose case.json -o bad --quiet --rig bad.json
+one_line 'bad.json: $.scatter.wire_length_mm' 'found 0'
+printf '{"format": "wirecut-rig/1", "scatter": {"wire_lenght_mm": 1}}\n' >bad.json
+run 3 diagnose case.json -o bad --quiet --rig bad.json
+one_line 'wire_lenght_mm'
+
 # a design that cannot be cut is refused with its name
 python3 -c 'import json
 job = json.load(open("design.json"))

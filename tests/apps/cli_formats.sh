@@ -47,6 +47,9 @@ run 0 verify ../identify --quiet --json
 cp out ../verification.json
 run 0 sweep study.json -o ../sweep --quiet
 read_in study.json
+# the one that takes a diagnosis: test_rig_prior reads the sample, which it is
+cmp -s rig.json "$SOURCE_DIR/samples/rig.json" || fail "rig.json of the document is not samples/rig.json"
+read_in rig.json
 run 0 --json-usage
 cp out ../usage.json
 cd ..

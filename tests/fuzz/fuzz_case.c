@@ -5,6 +5,7 @@
 
 #include "io/process/case.h"
 #include "io/process/correction.h"
+#include "io/process/rig_prior.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -45,5 +46,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     wcut_correction correction = {.effects = -1};
     const wcut_status read = wcut_correction_parse((const char *)data, size, "diagnosis.json", &correction, &error);
     check((read == WCUT_OK) == (correction.effects >= 0) && (read == WCUT_OK || error.text[0] != '\0'));
+
+    /* what a cell knows of itself: widths that are positive, or nothing */
+    wcut_rig_prior prior = {.tension_delay = -1};
+    const wcut_status known = wcut_rig_prior_parse((const char *)data, size, "rig.json", &prior, &error);
+    check((known == WCUT_OK) == (prior.tension_delay > 0) && (known == WCUT_OK || error.text[0] != '\0'));
+    for (int k = 0; known == WCUT_OK && k < WCUT_SCATTER_COUNT; k++) check(prior.scatter[k] > 0);
     return 0;
 }

@@ -409,7 +409,7 @@ HOSTILE(wcut_rig_run_create) {
     EACH_HOSTILE_ARGUMENT(
         wcut_rig_run_create,
         wcut_rig_run_create(PTR(sound_job()), PTR(sound_history()), RECORD_WORDS(&s, 1, (int)sizeof s / 8),
-                            RECORD_WORDS(&o, 0, (int)sizeof o / 8 - 1), stop_at_once, NULL, PTR(&made), OPT(NULL)),
+                            RECORD_WORDS(&o, 0, (int)sizeof o / 8 - 3), stop_at_once, NULL, PTR(&made), OPT(NULL)),
         made == MARK, (made == MARK ? (void)0 : wcut_rig_run_destroy(made), made = MARK));
 }
 
@@ -421,6 +421,7 @@ HOSTILE_VALUE(wcut_verdict_name, ANY_ENUM((wcut_verdict_kind)0))
 HOSTILE_VALUE(wcut_evidence_name, ANY_ENUM(WCUT_EVIDENCE_CHANNEL_SPEED))
 HOSTILE_VALUE(wcut_evidence_unit, ANY_ENUM(WCUT_EVIDENCE_CHANNEL_SPEED))
 HOSTILE_VALUE(wcut_scatter_name, ANY_ENUM(WCUT_SCATTER_LEVEL))
+HOSTILE_VALUE(wcut_rig_prior_default, )
 HOSTILE_VALUE(wcut_contradiction_name, ANY_ENUM(WCUT_CONTRADICTION_STATION))
 
 HOSTILE(wcut_diagnosis_create) {

@@ -54,6 +54,13 @@ HOSTILE(wcut_correction_read) {
     EACH_HOSTILE_ARGUMENT(wcut_correction_read, wcut_correction_read(PTR("d.json"), PTR(&c), ERR), c.a == 999,
                           c.a = 999);
 }
+
+HOSTILE(wcut_rig_prior_read) {
+    wcut_rig_prior prior = {.tension_delay = 999};
+    EACH_HOSTILE_ARGUMENT(wcut_rig_prior_read,
+                          wcut_rig_prior_read(PTR(WCUT_SOURCE_DIR "/samples/rig.json"), PTR(&prior), ERR),
+                          prior.tension_delay == 999, prior.tension_delay = 999);
+}
 HOSTILE_MADE(wcut_recording_read, wcut_recording, wcut_recording_destroy, PTR("r.csv"), PTR(&made), ERR)
 HOSTILE_FILE(wcut_recording_write, PTR(sound_recording()), OPT("a note"), PTR(OUT_FILE), ERR)
 HOSTILE_VALUE(wcut_channel_name, ANY_ENUM(WCUT_CHANNEL_TIME))

@@ -67,6 +67,7 @@
 #include <wirecut/results.h>
 #include <wirecut/rig.h>
 #include <wirecut/rig_file.h>
+#include <wirecut/rig_prior_file.h>
 #include <wirecut/robot.h>
 #include <wirecut/robot_file.h>
 #include <wirecut/score.h>
