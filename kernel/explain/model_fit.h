@@ -8,8 +8,7 @@
 /* base coordinates: ln a, ln b, wire length; beside the effects two delays and, with scans, one constant kerf for all */
 enum { WCUT_BASE = 3, WCUT_DELAYS = 2 };
 
-/* [s] readings of a channel are late by a share of a second in every rig */
-#define WCUT_DELAY_SPREAD 0.1
+/* [s] the same where a delay is an effect */
 #define WCUT_DELAY_REST 0.01
 
 /* [mm] a hot wire's kerf in foam is about a millimetre */

@@ -1,8 +1,6 @@
 /* Kinds of scatter: how wide each usually is, and how wide it may be. */
 #include "explain/scatter_kind.h"
 
-#include "explain/model_fit.h"
-
 #include "base/alloc.h"
 
 /* Widths: ordinary EPS varies by 5 % in density from block to block; a wire is cut by hand to 1 or 2 mm; load cells return

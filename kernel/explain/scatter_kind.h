@@ -7,6 +7,9 @@
 /* Signals of a group have one slow noise: both tensions, both alphas, both betas. */
 enum { WCUT_NOISE_GROUPS = 3, WCUT_SCATTER_COLUMNS_MAX = 40 };
 
+/* [s] readings of a channel are late by a share of a second in every rig */
+#define WCUT_DELAY_SPREAD 0.1
+
 /* What a kind of scatter is: `width` of the half-normal prior of its standard deviation, and what it may be at most. */
 typedef struct wcut_scatter_info {
     double width, max;
