@@ -641,14 +641,6 @@ static wcut_status check_diagnosis(int cuts, const wcut_diagnosis_cut *cut, int 
                                    wcut_diagnosis **out, wcut_error *error) {
     if (cuts < 1 || !cut || !out || test_cuts < 0 || (test_cuts > 0 && !calibration))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "cuts and a place for the diagnosis are expected");
-    for (int k = 0; o->rig && k < WCUT_SCATTER_COUNT; k++)
-        if (!is_positive(o->rig->scatter[k]))
-            return wcut_fail(error, WCUT_BAD_ARGUMENT, "rig: %s: found %g, expected more than 0",
-                             wcut_scatter_name((wcut_scatter_kind)k), o->rig->scatter[k]);
-    if (o->rig && (!is_positive(o->rig->tension_delay) || !is_positive(o->rig->angle_delay)))
-        return wcut_fail(error, WCUT_BAD_ARGUMENT, "rig: expected delays of more than 0");
-    if (o->still && (o->still->samples < 1 || !o->still->channel[WCUT_CHANNEL_TIME].value))
-        return wcut_fail(error, WCUT_BAD_ARGUMENT, "still: expected a recording with samples");
     if (o->threads < 1) return wcut_fail(error, WCUT_BAD_ARGUMENT, "found %d threads, expected 1 or more", o->threads);
     for (int k = 0; k < cuts; k++) {
         if (cut[k].job && cut[k].job->mode != WCUT_MODE_PATH)
@@ -658,7 +650,8 @@ static wcut_status check_diagnosis(int cuts, const wcut_diagnosis_cut *cut, int 
             return wcut_fail(error, WCUT_BAD_ARGUMENT, "cut %d: expected a recording with samples and their lines",
                              k + 1);
     }
-    return WCUT_OK;
+    const wcut_status status = wcut_scatter_check(o->rig, error);
+    return status == WCUT_OK ? wcut_redundancy_check(o->still, error) : status;
 }
 
 wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *cut, int test_cuts,
@@ -679,9 +672,8 @@ wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *cut, int t
         g.out->cuts = cuts, g.out->view.cut = -1, g.out->held_out = wcut_alloc((size_t)cuts, sizeof *g.out->held_out);
 
     /* what needs no physics, then evidence and search */
-    const bool room = g.out && g.out->held_out;
-    status = room ? wcut_redundancy_create(cuts, cut, o.still, &g.redundancy) : WCUT_NO_MEMORY;
-    if (status != WCUT_OK) wcut_fail(error, status, "no memory for %d cuts", cuts);
+    status = g.out && g.out->held_out ? wcut_redundancy_create(cuts, cut, o.still, &g.redundancy, error)
+                                      : wcut_fail(error, WCUT_NO_MEMORY, "no memory");
     g.cut = g.redundancy.cut;
     if (status == WCUT_OK) status = prepare_diagnosis(&g, error);
     if (status == WCUT_OK) status = wcut_search_run(g.evidence, o.without, &g.search, error);

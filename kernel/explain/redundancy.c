@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/fail.h"
 
 #define CONTRADICTION_NAME(name, text) [WCUT_CONTRADICTION_##name] = text,
 static const char *const names[] = {WCUT_CONTRADICTION_LIST(CONTRADICTION_NAME)};
@@ -105,7 +106,7 @@ void wcut_redundancy_destroy(wcut_redundancy *r) {
 }
 
 wcut_status wcut_redundancy_create(int cuts, const wcut_diagnosis_cut *given, const wcut_recording *still,
-                                   wcut_redundancy *out) {
+                                   wcut_redundancy *out, wcut_error *error) {
     wcut_redundancy r = {.cuts = cuts,
                          .given = given,
                          .still = still,
@@ -128,7 +129,12 @@ wcut_status wcut_redundancy_create(int cuts, const wcut_diagnosis_cut *given, co
         *out = r;
     else
         wcut_redundancy_destroy(&r);
-    return status;
+    return status == WCUT_OK ? status : wcut_fail(error, status, "no memory for %d cuts", cuts);
+}
+
+wcut_status wcut_redundancy_check(const wcut_recording *still, wcut_error *error) {
+    if (!still || (still->samples > 0 && still->channel[WCUT_CHANNEL_TIME].value)) return WCUT_OK;
+    return wcut_fail(error, WCUT_BAD_ARGUMENT, "still: found no samples, expected some");
 }
 
 /* ---- the verdict ---- */

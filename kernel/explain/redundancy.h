@@ -26,7 +26,11 @@ typedef struct wcut_redundancy {
  * tensions in the air with zero, or those of a record at rest (still, may be NULL). given: cuts, borrowed. WCUT_OK; WCUT_NO_MEMORY: nothing was written.
  */
 wcut_status wcut_redundancy_create(int cuts, const wcut_diagnosis_cut *given, const wcut_recording *still,
-                                   wcut_redundancy *out);
+                                   wcut_redundancy *out, wcut_error *error);
+
+/* WCUT_OK where a record at rest (may be NULL) has samples; else WCUT_BAD_ARGUMENT */
+wcut_status wcut_redundancy_check(const wcut_recording *still, wcut_error *error);
+
 void wcut_redundancy_destroy(wcut_redundancy *redundancy);
 
 /* ---- what the checks share ---- */

@@ -2,6 +2,8 @@
 #include "explain/scatter_kind.h"
 
 #include "base/alloc.h"
+#include "base/fail.h"
+#include "base/numbers.h"
 
 /* Widths: ordinary EPS varies by 5 % in density from block to block; a wire is cut by hand to 1 or 2 mm; load cells return
    to zero within 0.02 N, encoders within 0.05 deg; joints hold back by some tenths of a degree. */
@@ -15,6 +17,18 @@ static const wcut_scatter_info table[WCUT_SCATTER_COUNT] = {
 
 const wcut_scatter_info *wcut_scatter_view(const wcut_variances *v, wcut_scatter_kind kind) {
     return v->known ? &v->known[kind] : &table[kind];
+}
+
+wcut_status wcut_scatter_check(const wcut_rig_prior *prior, wcut_error *error) {
+    if (!prior) return WCUT_OK;
+    for (int k = 0; k < WCUT_SCATTER_COUNT; k++)
+        if (!is_positive(prior->scatter[k]))
+            return wcut_fail(error, WCUT_BAD_ARGUMENT, "rig: %s: found %g, expected more than 0",
+                             wcut_scatter_name((wcut_scatter_kind)k), prior->scatter[k]);
+    if (!is_positive(prior->tension_delay) || !is_positive(prior->angle_delay))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "rig: found delays of %g and %g s, expected more than 0",
+                         prior->tension_delay, prior->angle_delay);
+    return WCUT_OK;
 }
 
 void wcut_scatter_know(const wcut_rig_prior *prior, wcut_scatter_info known[WCUT_SCATTER_COUNT]) {

@@ -33,6 +33,9 @@ typedef struct wcut_scatter {
 /* of the cell that variances are of */
 const wcut_scatter_info *wcut_scatter_view(const wcut_variances *variances, wcut_scatter_kind kind);
 
+/* WCUT_OK where what a cell knows of itself (may be NULL) is positive; else WCUT_BAD_ARGUMENT */
+wcut_status wcut_scatter_check(const wcut_rig_prior *prior, wcut_error *error);
+
 /* what a cell knows of itself, as widths and bounds; a bound grows with its width */
 void wcut_scatter_know(const wcut_rig_prior *prior, wcut_scatter_info known[WCUT_SCATTER_COUNT]);
 

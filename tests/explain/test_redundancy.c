@@ -24,7 +24,7 @@ static double *column(int cut, wcut_channel channel) { return recording(cut)->ch
 
 static wcut_redundancy compare(void) {
     wcut_redundancy r;
-    ck_assert_int_eq(wcut_redundancy_create(m.cuts, m.cut, NULL, &r), WCUT_OK);
+    ck_assert_int_eq(wcut_redundancy_create(m.cuts, m.cut, NULL, &r, NULL), WCUT_OK);
     return r;
 }
 
@@ -273,7 +273,7 @@ TEST(a_record_at_rest_has_the_zeros) {
         for (int cut = 0; cut < m.cuts && i == 0; cut++) add_zero(cut, WCUT_CHANNEL_TENSION_B, 0.12);
     }
     wcut_redundancy r;
-    ck_assert_int_eq(wcut_redundancy_create(m.cuts, m.cut, &still, &r), WCUT_OK);
+    ck_assert_int_eq(wcut_redundancy_create(m.cuts, m.cut, &still, &r, NULL), WCUT_OK);
     const wcut_contradiction *c = only(&r, WCUT_CONTRADICTION_TENSION_ZERO);
     ck_assert_str_eq(c->column, "tension_b_N");
     ck_assert_msg(fabs(c->found - 0.12) < 0.005 && c->common && strstr(c->text, "at rest"), "%s", c->text);
@@ -297,7 +297,7 @@ TEST(two_faults_at_once_are_both_found) {
 TEST(missing_jobs_and_samples_are_passed_over) {
     wcut_diagnosis_cut few[3] = {m.cut[0], {.job = m.job[1]}, {.recording = recording(2)}};
     wcut_redundancy r;
-    ck_assert_int_eq(wcut_redundancy_create(3, few, NULL, &r), WCUT_OK);
+    ck_assert_int_eq(wcut_redundancy_create(3, few, NULL, &r, NULL), WCUT_OK);
     ck_assert_int_eq(r.count, 0);
     ck_assert_ptr_null(r.cut[1].recording);
     wcut_redundancy_destroy(&r);
@@ -306,7 +306,7 @@ TEST(missing_jobs_and_samples_are_passed_over) {
 TEST(no_memory_leaves_nothing_behind) {
     for (int cut = 0; cut < m.cuts; cut++) add_zero(cut, WCUT_CHANNEL_TENSION_A, 0.3), give_heater(cut, 0.9, 0);
     wcut_redundancy r = {0};
-    EACH_FAILED_ALLOCATION(wcut_redundancy_create(m.cuts, m.cut, NULL, &r), r.cut == NULL);
+    EACH_FAILED_ALLOCATION(wcut_redundancy_create(m.cuts, m.cut, NULL, &r, NULL), r.cut == NULL);
     ck_assert_int_eq(r.count, 2);
     wcut_redundancy_destroy(&r);
 }
@@ -333,7 +333,7 @@ static int contradictions_of(const char *set, char letter, int number, wcut_cont
         cut[k] = (wcut_diagnosis_cut){.job = job, .recording = r};
     }
     wcut_redundancy all;
-    ck_assert_int_eq(wcut_redundancy_create(found->cuts, cut, NULL, &all), WCUT_OK);
+    ck_assert_int_eq(wcut_redundancy_create(found->cuts, cut, NULL, &all, NULL), WCUT_OK);
     const int count = all.count;
     if (count > 0) *first = all.found[0];
     wcut_redundancy_destroy(&all);
