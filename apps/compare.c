@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <unistd.h>
 #include <wirecut/angle.h>
 #include <wirecut/compare.h>
@@ -115,6 +116,17 @@ static int check_job_first(const app_call *call) {
     return APP_DONE;
 }
 
+/* a CAD file states its unit */
+static int check_unit(const app_call *call) {
+    static const char *const cad[] = {".step", ".stp", ".p21", ".iges", ".igs"};
+    const char *ending = strrchr(call->operand[0], '.');
+    for (size_t k = 0; ending && app_given(call, "reference-unit") && k < sizeof cad / sizeof *cad; k++)
+        if (strcasecmp(ending, cad[k]) == 0)
+            return app_fail(APP_USAGE, "%s: --reference-unit: found a CAD file, which states its unit",
+                            call->operand[0]);
+    return APP_DONE;
+}
+
 static int processors(void) {
     const long count = sysconf(_SC_NPROCESSORS_ONLN);
     return count > 1 ? count < 64 ? (int)count : 64 : 1;
@@ -122,6 +134,7 @@ static int processors(void) {
 
 static int read_compare_options(const app_call *call, wcut_compare_options *o) {
     int code = check_job_first(call);
+    if (code == APP_DONE) code = check_unit(call);
     *o = wcut_compare_options_default();
 
     /* what is read, and how */
@@ -248,8 +261,10 @@ static int give_answer(const app_call *call, const wcut_compare_result *c, const
 /* compare, and write the set of files */
 static int compare_files(const app_call *call, const wcut_compare_options *options, wcut_results *results) {
     /* reference and scans of the call */
-    const wcut_compare_reference reference = {
-        .path = call->operand[0], .edges = app_text(call, "edges"), .force_law = app_text(call, "force-law")};
+    const wcut_compare_reference reference = {.path = call->operand[0],
+                                              .edges = app_text(call, "edges"),
+                                              .force_law = app_text(call, "force-law"),
+                                              .face = app_text(call, "face")};
     const int scans = call->operand_count - 1;
     wcut_compare_scan *scan = calloc((size_t)scans, sizeof *scan);
     if (!scan) return app_fail_status(WCUT_NO_MEMORY, "compare", NULL);
@@ -308,7 +323,9 @@ static const char *compare_bands_text(void) {
 }
 
 static const app_operand operand[] = {
-    {.name = "JOB", .kind = APP_FILE, .help = "a job, wirecut-job/1, or a mesh: .stl .ply .obj .off .glb"},
+    {.name = "JOB",
+     .kind = APP_FILE,
+     .help = "a job, wirecut-job/1, a mesh: .stl .ply .obj .off .glb, or a face of a CAD file: .step .iges"},
     {.name = "SCAN",
      .kind = APP_FILE,
      .many = true,
@@ -329,7 +346,11 @@ static const app_option option[] = {
     {.kind = APP_CHOICE,
      .name = "reference-unit",
      .value = "mm|cm|m|inch|ft|dm|um",
-     .help = "unit of the mesh alone, where it is not that of the scans"},
+     .help = "unit of the mesh alone, where it is not that of the scans; a CAD file states its own"},
+    {.kind = APP_TEXT,
+     .name = "face",
+     .value = "NAME|N",
+     .help = "of a CAD file with several faces: the one that is compared, by its name or its number from 1"},
     {.kind = APP_TEXT, .name = "part", .value = "TEXT", .help = "title block of the report: what was measured"},
     {.kind = APP_TEXT, .name = "inspector", .value = "TEXT", .help = "title block: who measured it"},
     {.kind = APP_TEXT, .name = "instrument", .value = "TEXT", .help = "title block: with which instrument"},
@@ -405,8 +426,9 @@ static const app_option option[] = {
      .name = "distance",
      .value = "surface|mesh|reconstruction",
      .library = compare_distance,
-     .help = "distance from the points to the exact surface or to its triangles (a mesh has only those), or from the "
-             "reconstructed scan to the surface"},
+     .help = "distance from the points to the exact surface of a job or a CAD file or to triangles (a mesh has only "
+             "those), or "
+             "from the reconstructed scan to the surface"},
     {.kind = APP_CHOICE,
      .name = "reconstruct",
      .value = "none|field",

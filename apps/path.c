@@ -151,6 +151,15 @@ static const char *hook(const app_call *call, const char *option, const char *ot
     return strcmp(app_text(call, option), "none") == 0 ? NULL : app_text(call, option);
 }
 
+/* a refusal that begins with the field of a struct begins with the option that fills it: "wire_on: ", "--wire-on: " */
+static int refuse_field(const app_call *call, const char *text) {
+    char option[40] = "";
+    const size_t n = strcspn(text, ":");
+    for (size_t k = 0; k < n && n < sizeof option; k++) option[k] = (char)(text[k] == '_' ? '-' : text[k]);
+    if (option[0] && app_has(call, option)) return app_fail(APP_USAGE, "path: --%s%s", option, text + n);
+    return app_fail(APP_USAGE, "path: %s", text);
+}
+
 static int write_programs(export_ *e) {
     /* names in the programs */
     wcut_error error = {0};
@@ -177,7 +186,7 @@ static int write_programs(export_ *e) {
         if (!name) continue;
         wcut_status status =
             wcut_robot_write(e->motion, &names, e->format, robot, app_results_path(&e->results, name), &error);
-        if (status == WCUT_BAD_ARGUMENT) return app_fail(APP_USAGE, "path: %s", error.text); /* a name that is none */
+        if (status == WCUT_BAD_ARGUMENT) return refuse_field(e->call, error.text);
         code = app_results_add(&e->results, name, status, &error);
     }
 

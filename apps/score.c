@@ -211,12 +211,24 @@ static int run_scoring(scoring *s) {
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, "score", NULL);
 }
 
-/* a cut as its files name it */
+/* how many bytes of every recording's path are folders that all of them share */
+static size_t find_shared_folders(const scoring *s) {
+    const char *first = s->trial[0].recording_path, *slash = strrchr(first, '/');
+    size_t shared = slash ? (size_t)(slash - first) + 1 : 0;
+    for (int i = 1; i < s->cuts; i++) {
+        const char *path = s->trial[i].recording_path;
+        while (shared > 0 && (strncmp(path, first, shared) != 0 || first[shared - 1] != '/')) shared--;
+    }
+    return shared;
+}
+
+/* A cut as its files name it: outside a case by its recording, without the folders that all share. */
 static void name_cuts(scoring *s) {
+    const size_t shared = s->cuts > 0 ? find_shared_folders(s) : 0;
     for (int i = 0; i < s->cuts; i++) {
         const trial *t = &s->trial[i];
         s->named[i] = (wcut_scored_cut){.of_case = t->of_case,
-                                        .name = !t->of_case ? t->recording_path
+                                        .name = !t->of_case ? t->recording_path + shared
                                                 : t->job    ? t->job->name
                                                             : t->job_path,
                                         .job = t->job_path,
@@ -320,7 +332,10 @@ static void say_row(const char *name, const wcut_scores *planned, const wcut_sco
     for (int k = 0; k < 4; k++) put_score_figure(text[k], sizeof text[k], &planned->of[k][WCUT_PART_ALL], k, what);
     for (int k = 1; k < 4; k++)
         put_score_figure(text[k + 3], sizeof text[k + 3], &replayed->of[k][WCUT_PART_ALL], k, what);
-    app_say("%-24.24s %s %s %s %s   %s %s %s", name, text[0], text[1], text[2], text[3], text[4], text[5], text[6]);
+    const size_t length = strlen(name);
+    const bool is_long = length > 24; /* the end of a path tells more than its beginning */
+    app_say("%s%-*s %s %s %s %s   %s %s %s", is_long ? "..." : "", is_long ? 21 : 24,
+            is_long ? name + length - 21 : name, text[0], text[1], text[2], text[3], text[4], text[5], text[6]);
 }
 
 /* NRMSD is blind to a bias: the two that see it stand below it */

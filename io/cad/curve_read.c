@@ -7,6 +7,7 @@
 #include <strings.h>
 
 #include "base/alloc.h"
+#include "io/file/look.h"
 #include "io/file/read_file.h"
 #include "io/process/curve_json.h"
 
@@ -58,8 +59,11 @@ static bool fill_curve(wcut_curve_reader *r, char *text, size_t length) {
     wcut_curve_set *set = r->set;
     set->format =
         r->options->format != WCUT_CURVE_FORMAT_ANY ? r->options->format : find_curve_format(text, length, r->label);
+    if (set->format == WCUT_CURVE_FORMAT_ANY &&
+        wcut_look_refuse(text, length, r->label, "curves: STEP, IGES, JSON or a table", &r->failure) != WCUT_OK)
+        return false;
     if (set->format == WCUT_CURVE_FORMAT_ANY)
-        return wcut_curves_refuse(r, "found no curves in a known format, expected STEP, IGES, JSON or CSV");
+        return wcut_curves_refuse(r, "found no curves in a known format, expected STEP, IGES, JSON or a table");
     if (!by_format[set->format](r, text, length)) return false;
     if (set->count > 0) return true;
     return set->left_out

@@ -398,13 +398,27 @@ static bool read_curve_step_vertex(wcut_step_source *s, long id, const char *ite
     return reference(s, vertex, wcut_p21_item(list, 1), &at) && wcut_step_point(s, at, point);
 }
 
-static bool add_edge(wcut_step_source *s, const wcut_p21_instance *at, const char *list) {
-    piece p = {.has_points = true, .slack = 1e-2};
-    long curve = 0;
+/* where an edge begins and ends on its curve, and the curve; false: refused */
+static bool read_edge(wcut_step_source *s, long id, const char *list, piece *p, long *curve) {
+    *p = (piece){.has_points = true, .slack = 1e-2};
     for (int k = 0; k < 2; k++)
-        if (!read_curve_step_vertex(s, at->id, wcut_p21_item(list, 1 + k), &p.point[k])) return false;
-    p.forwards = !wcut_p21_is(wcut_p21_item(list, 4), ".F.");
-    return reference(s, at->id, wcut_p21_item(list, 3), &curve) && add_step_piece(s, curve, &p, at->body);
+        if (!read_curve_step_vertex(s, id, wcut_p21_item(list, 1 + k), &p->point[k])) return false;
+    p->forwards = !wcut_p21_is(wcut_p21_item(list, 4), ".F.");
+    return reference(s, id, wcut_p21_item(list, 3), curve);
+}
+
+static bool add_edge(wcut_step_source *s, const wcut_p21_instance *at, const char *list) {
+    piece p;
+    long curve = 0;
+    return read_edge(s, at->id, list, &p, &curve) && add_step_piece(s, curve, &p, at->body);
+}
+
+wcut_curve *wcut_step_edge(wcut_step_source *s, long id) {
+    const char *body = wcut_p21_find(&s->file, id), *list = body ? wcut_p21_record(body, "EDGE_CURVE") : NULL;
+    piece p;
+    long curve = 0;
+    if (!list) return wcut_step_refuse(s, id, "no EDGE_CURVE"), NULL;
+    return read_edge(s, id, list, &p, &curve) ? make(s, curve, &p, DEPTH_MAX) : NULL;
 }
 
 /* what is added in one place of a part: copies of it stand in the others */
@@ -455,56 +469,14 @@ static bool moves_parts(const wcut_step_source *s) {
 
 /* ---- edges of faces: those that a representation's items lead to ---- */
 
-static int record_place(const wcut_p21_file *f, long id) {
-    int low = 0, high = f->count;
-    while (low < high) {
-        const int middle = low + (high - low) / 2;
-        if (f->instance[middle].id < id)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low < f->count && f->instance[low].id == id ? low : -1;
-}
-
-/* every instance that references lead to from those on the stack */
-static void follow_references(const wcut_p21_file *f, int *stack, int count, unsigned char *reached) {
-    while (count > 0) {
-        const char *p = f->instance[stack[--count]].body;
-        for (; *p; p++) {
-            if (*p == '\'')
-                for (p++; *p && *p != '\''; p++) {
-                }
-            if (*p == '\0') break;
-            if (*p != '#') continue;
-            const int at = record_place(f, strtol(p + 1, NULL, 10));
-            if (at < 0 || reached[at]) continue;
-            reached[at] = 1;
-            stack[count++] = at;
-        }
-    }
-}
-
 /* the edges of a representation's items, in its units, wherever it stands */
-static bool add_representation(wcut_step_source *s, const wcut_p21_instance *rep, int *stack, unsigned char *reached) {
+static bool add_representation(wcut_step_source *s, const wcut_p21_instance *rep, unsigned char *reached) {
     wcut_step_place place[WCUT_STEP_PLACES_MAX];
     const int first = s->reader->set->count;
-    int count = 0, places = 0;
+    int places = 0;
 
-    /* the items of the representation that are not mapped */
-    memset(reached, 0, (size_t)s->file.count);
-    for (const char *item = wcut_p21_item(wcut_step_items(rep->body), 0); item; item = wcut_p21_next(item)) {
-        long id = 0;
-        const int at = wcut_p21_read_reference(item, &id) ? record_place(&s->file, id) : -1;
-
-        /* mapped items are those of another representation */
-        if (at < 0 || reached[at] || wcut_p21_record(s->file.instance[at].body, "MAPPED_ITEM")) continue;
-        reached[at] = 1;
-        stack[count++] = at;
-    }
-
-    /* everything that these refer to, in this representation's units */
-    follow_references(&s->file, stack, count, reached);
+    /* everything that its items refer to, in this representation's units */
+    if (!wcut_step_reach(s, rep->body, reached)) return false;
     if (!wcut_step_use_units(s, rep->id)) return false;
     for (int k = 0; k < s->file.count; k++) {
         const char *list = reached[k] ? wcut_p21_record(s->file.instance[k].body, "EDGE_CURVE") : NULL;
@@ -518,13 +490,10 @@ static bool add_representation(wcut_step_source *s, const wcut_p21_instance *rep
 }
 
 static bool add_parts(wcut_step_source *s) {
-    int *stack = wcut_alloc((size_t)s->file.count + 1, sizeof *stack);
     unsigned char *reached = wcut_alloc((size_t)s->file.count + 1, 1);
-    bool done = (stack && reached) || wcut_curves_refuse_memory(s->reader);
-    for (int k = 0; done && stack && reached && k < s->file.count; k++)
-        if (wcut_step_items(s->file.instance[k].body))
-            done = add_representation(s, &s->file.instance[k], stack, reached);
-    wcut_free(stack);
+    bool done = reached || wcut_curves_refuse_memory(s->reader);
+    for (int k = 0; done && reached && k < s->file.count; k++)
+        if (wcut_step_items(s->file.instance[k].body)) done = add_representation(s, &s->file.instance[k], reached);
     wcut_free(reached);
     return done;
 }

@@ -25,6 +25,12 @@ bool wcut_step_placement(wcut_step_source *source, long id, wcut_vec3 *origin, w
 /* "#12: ..." as the reader refuses; gives false */
 bool wcut_step_refuse(wcut_step_source *source, long id, const char *found);
 
+/* the curve of an edge (EDGE_CURVE) from its first vertex to its second. NULL: refused or left out */
+wcut_curve *wcut_step_edge(wcut_step_source *source, long id);
+
+/* knots by their multiplicities into `total` numbers. false: refused */
+bool wcut_step_knots(wcut_step_source *source, long id, const char *times, const char *values, int total, double *knot);
+
 /* a B-spline of any kind */
 bool wcut_step_is_spline(const char *body);
 

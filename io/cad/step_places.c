@@ -2,7 +2,10 @@
 #include "io/cad/step_places.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
+
+#include "base/alloc.h"
 
 enum { DEPTH_MAX = 32 };
 static const double INCREDIBLE = 1e12; /* [mm] */
@@ -56,6 +59,56 @@ long wcut_step_holder(const wcut_step_source *s, long item) {
         if (items && has_item(items, item)) return s->file.instance[k].id;
     }
     return 0;
+}
+
+/* ---- what a representation holds ---- */
+
+static int record_place(const wcut_p21_file *f, long id) {
+    int low = 0, high = f->count;
+    while (low < high) {
+        const int middle = low + (high - low) / 2;
+        if (f->instance[middle].id < id)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < f->count && f->instance[low].id == id ? low : -1;
+}
+
+/* every instance that references lead to from those on the stack */
+static void follow_references(const wcut_p21_file *f, int *stack, int count, unsigned char *reached) {
+    while (count > 0) {
+        const char *p = f->instance[stack[--count]].body;
+        for (; *p; p++) {
+            if (*p == '\'')
+                for (p++; *p && *p != '\''; p++) {
+                }
+            if (*p == '\0') break;
+            if (*p != '#') continue;
+            const int at = record_place(f, strtol(p + 1, NULL, 10));
+            if (at < 0 || reached[at]) continue;
+            reached[at] = 1;
+            stack[count++] = at;
+        }
+    }
+}
+
+bool wcut_step_reach(wcut_step_source *s, const char *representation, unsigned char *reached) {
+    int *stack = wcut_alloc((size_t)s->file.count + 1, sizeof *stack), count = 0;
+    if (!stack) return wcut_curves_refuse_memory(s->reader);
+    memset(reached, 0, (size_t)s->file.count);
+    for (const char *item = wcut_p21_item(wcut_step_items(representation), 0); item; item = wcut_p21_next(item)) {
+        long id = 0;
+        const int at = wcut_p21_read_reference(item, &id) ? record_place(&s->file, id) : -1;
+
+        /* mapped items are those of another representation */
+        if (at < 0 || reached[at] || wcut_p21_record(s->file.instance[at].body, "MAPPED_ITEM")) continue;
+        reached[at] = 1;
+        stack[count++] = at;
+    }
+    follow_references(&s->file, stack, count, reached);
+    wcut_free(stack);
+    return true;
 }
 
 bool wcut_step_use_units(wcut_step_source *s, long representation) {

@@ -20,6 +20,10 @@ long wcut_step_holder(const wcut_step_source *source, long item);
 /* the source's units become those of a representation's context, where it states some; false: refused */
 bool wcut_step_use_units(wcut_step_source *source, long representation);
 
+/* Which instances the items of a representation lead to, but for mapped ones: reached[k] for the k-th of the file. false:
+   refused */
+bool wcut_step_reach(wcut_step_source *source, const char *representation, unsigned char *reached);
+
 /* The places of a representation in the whole: one where nothing moves it, one each where an assembly or a mapped item
    uses it. false: refused */
 bool wcut_step_find_places(wcut_step_source *source, long representation, wcut_step_place place[WCUT_STEP_PLACES_MAX],

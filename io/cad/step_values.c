@@ -207,9 +207,7 @@ wcut_curve *wcut_step_read_polyline(wcut_step_source *s, long id, const char *bo
     return curve;
 }
 
-/* knots by their multiplicities into `total` numbers; false: refused */
-static bool read_step_values_knots(wcut_step_source *s, long id, const char *times, const char *values, int total,
-                                   double *knot) {
+bool wcut_step_knots(wcut_step_source *s, long id, const char *times, const char *values, int total, double *knot) {
     int used = 0;
     const char *time = wcut_p21_item(times, 0), *value = wcut_p21_item(values, 0);
     for (; time && value; time = wcut_p21_next(time), value = wcut_p21_next(value)) {
@@ -298,7 +296,7 @@ wcut_curve *wcut_step_read_spline(wcut_step_source *s, long id, const char *body
     snprintf(place, sizeof place, "#%ld", id);
     if (!knot)
         wcut_curves_refuse_memory(s->reader);
-    else if ((at.kind == KNOTS_LISTED ? read_step_values_knots(s, id, at.times, at.knots, (int)total, knot)
+    else if ((at.kind == KNOTS_LISTED ? wcut_step_knots(s, id, at.times, at.knots, (int)total, knot)
                                       : imply_knots(s, id, at.kind, degree, count, knot)) &&
              (!at.weights || read_step_values_weights(s, id, at.weights, count, knot + total)))
         curve = wcut_curves_make(s->reader, place, degree, count, knot, control, at.weights ? knot + total : NULL);

@@ -13,6 +13,7 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "base/locale.h"
+#include "io/file/look.h"
 #include "io/file/nearest.h"
 #include "io/file/number.h"
 #include "io/file/utf8.h"
@@ -31,6 +32,12 @@ json_t *wcut_json_load(wcut_reader *reader, const char *text, size_t length) {
     const int code = errno;
     wcut_locale_restore(before);
     if (root) return root;
+
+    /* another kind of file, by its first bytes */
+    if (!wcut_look_is_json(text, length)) {
+        reader->status = wcut_look_refuse(text, length, reader->label, "JSON", reader->error);
+        if (reader->status != WCUT_OK) return NULL;
+    }
 
     /* the cause, with its place in the file */
     wcut_quote(label, reader->label, WCUT_LABEL_MAX, 1);
@@ -257,6 +264,14 @@ bool wcut_read_point(wcut_reader *reader, const wcut_place *at, void *into) {
     }
     *(wcut_vec3 *)into = (wcut_vec3){coordinate[0], coordinate[1], coordinate[2]};
     return true;
+}
+
+bool wcut_read_format(wcut_reader *reader, const wcut_place *at, const char *format) {
+    const char *found = json_string_value(at->value);
+    if (found && strcmp(found, format) == 0) return true;
+    const bool other = found && strncmp(found, format, strcspn(format, "/")) != 0; /* not another version of it */
+    const char *use = other ? wcut_look_format(found) : "";
+    return wcut_refuse(reader, at, WCUT_BAD_FORMAT, "\"%s\"%s%s", format, *use ? "; " : "", use);
 }
 
 bool wcut_read_text(wcut_reader *reader, const wcut_place *at, void *into) {

@@ -66,6 +66,9 @@ bool wcut_read_int(wcut_reader *reader, const wcut_place *at, int min, int max, 
 /* [x, y, z]: `into` is a wcut_vec3 */
 bool wcut_read_point(wcut_reader *reader, const wcut_place *at, void *into);
 
+/* whether the place holds the name of a format, "wirecut-job/1"; another one is refused with the verbs that take it */
+bool wcut_read_format(wcut_reader *reader, const wcut_place *at, const char *format);
+
 /* a string: `into` is a char *, the caller's to free; what it held is freed */
 bool wcut_read_text(wcut_reader *reader, const wcut_place *at, void *into);
 

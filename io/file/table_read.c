@@ -7,6 +7,7 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "io/file/csv.h"
+#include "io/file/look.h"
 #include "io/file/read_file.h"
 #include "io/file/table_read.h"
 
@@ -19,6 +20,14 @@ wcut_status wcut_table_read(const char *path, int numeric_count, const char *con
     size_t length;
     wcut_status status = wcut_file_read(path, WCUT_CSV_BYTES_MAX, &text, &length, error);
     if (status != WCUT_OK) return status;
+
+    /* another kind of file, by its first bytes */
+    const wcut_look look = wcut_look_at(text, length, path);
+    if (look.kind && !wcut_look_is_table(look.kind)) {
+        status = wcut_look_refuse(text, length, path, "a table (CSV)", error);
+        free(text);
+        return status;
+    }
 
     /* lines that end with CR alone, of programs older than OS X */
     if (!memchr(text, '\n', length))
@@ -82,6 +91,21 @@ wcut_status wcut_columns_check(const wcut_table *table, int count, const wcut_kn
                      complaint);
 }
 
+/* where no column at all is known, the names tell what the table holds instead: said behind the complaint */
+static void say_kind(const wcut_table *table, int count, const wcut_known_column *known, wcut_error *error) {
+    char header[2000] = "";
+    size_t used = 0;
+    for (int k = 0; k < count; k++)
+        if (known[k].required && wcut_table_locate(table, known[k].name) >= 0) return;
+    for (int c = 0; c < table->columns && used + 2 < sizeof header; c++) {
+        const int n = snprintf(header + used, sizeof header - used, "%s,", table->column[c].name);
+        used = used + (size_t)n < sizeof header ? used + (size_t)n : sizeof header - 1;
+    }
+    const wcut_look look = wcut_look_at(header, used, "");
+    const size_t end = strlen(error->text);
+    if (look.kind) snprintf(error->text + end, sizeof error->text - end, "; found %s: %s", look.kind, look.use);
+}
+
 wcut_status wcut_known_table_read(const char *path, int count, const wcut_known_column *known, wcut_table **table,
                                   wcut_error *error) {
     const char **name = wcut_alloc((size_t)count, sizeof *name);
@@ -90,7 +114,10 @@ wcut_status wcut_known_table_read(const char *path, int count, const wcut_known_
     wcut_table *found = NULL;
     wcut_status status = wcut_table_read(path, count, name, &found, error);
     free(name);
-    if (status == WCUT_OK) status = wcut_columns_check(found, count, known, path, error);
+    if (status == WCUT_OK && found) {
+        status = wcut_columns_check(found, count, known, path, error);
+        if (status == WCUT_BAD_FORMAT && error) say_kind(found, count, known, error);
+    }
     if (status == WCUT_OK)
         *table = found;
     else

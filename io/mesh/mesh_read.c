@@ -7,6 +7,7 @@
 #include <wirecut/cloud_file.h>
 #include "base/alloc.h"
 #include "base/fail.h"
+#include "io/file/look.h"
 #include "io/file/unit.h"
 #include "io/mesh/mesh_formats.h"
 
@@ -65,8 +66,13 @@ static bool fill_mesh(wcut_source *s, wcut_mesh_builder *g, wcut_mesh_format for
         case WCUT_MESH_FORMAT_GLTF:
             return wcut_mesh_fill_foreign(s, g, is_binary ? ".glb" : ".gltf", seconds);
         default:
-            return wcut_source_refuse(s, "found no mesh in a known format, expected STL, PLY, OBJ, OFF or glTF");
+            break;
     }
+    const char *at = (const char *)s->stream.data + s->stream.at;
+    if (wcut_look_refuse(at, s->stream.end - s->stream.at, s->label, "a mesh: STL, PLY, OBJ, OFF or glTF",
+                         &s->failure) != WCUT_OK)
+        return false;
+    return wcut_source_refuse(s, "found no mesh in a known format, expected STL, PLY, OBJ, OFF or glTF");
 }
 
 static bool read(wcut_source *s, wcut_mesh_builder *g, const wcut_mesh_read_options *o, wcut_mesh **mesh,

@@ -77,8 +77,7 @@ static bool read_name(wcut_reader *reader, const wcut_place *at, const filling *
 
 static bool read_case_format(wcut_reader *reader, const wcut_place *at, void *into) {
     (void)into;
-    const char *format = json_string_value(at->value);
-    return (format && strcmp(format, FORMAT) == 0) || wcut_refuse(reader, at, WCUT_BAD_FORMAT, "\"" FORMAT "\"");
+    return wcut_read_format(reader, at, FORMAT);
 }
 
 static bool read_case_name(wcut_reader *reader, const wcut_place *at, void *into) {

@@ -46,8 +46,7 @@ static bool read_correction(wcut_reader *reader, const wcut_place *root, filling
 
     /* a diagnosis, which may withhold its correction and say why */
     const wcut_place format = wcut_place_member(root, "format"), at = wcut_place_member(root, "correction");
-    const char *name = json_string_value(format.value);
-    if (!name || strcmp(name, FORMAT) != 0) return wcut_refuse(reader, &format, WCUT_BAD_FORMAT, "\"" FORMAT "\"");
+    if (!wcut_read_format(reader, &format, FORMAT)) return false;
     if (json_is_null(at.value)) {
         const wcut_place why = wcut_place_member(root, "withheld");
         const char *text = json_string_value(why.value);

@@ -14,8 +14,7 @@ enum { BYTES_MAX = 64 << 20 };
 /* "process" holds both laws as a job has them; the other keys tell how they were found */
 static bool read_laws(wcut_reader *reader, const wcut_place *root, wcut_force_law *force, wcut_tension_law *tension) {
     const wcut_place format = wcut_place_member(root, "format"), process = wcut_place_member(root, "process");
-    const char *name = json_string_value(format.value);
-    if (!name || strcmp(name, FORMAT) != 0) return wcut_refuse(reader, &format, WCUT_BAD_FORMAT, "\"" FORMAT "\"");
+    if (!wcut_read_format(reader, &format, FORMAT)) return false;
     if (!json_is_object(process.value))
         return wcut_refuse(reader, &process, WCUT_BAD_FORMAT, "an object with the laws");
     const wcut_place of_force = wcut_place_member(&process, "force_law");

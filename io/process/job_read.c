@@ -265,8 +265,7 @@ static bool read_excitation(wcut_reader *reader, const wcut_place *at, void *job
 
 static bool read_job_format(wcut_reader *reader, const wcut_place *at, void *job) {
     (void)job;
-    const char *format = json_string_value(at->value);
-    return (format && strcmp(format, FORMAT) == 0) || wcut_refuse(reader, at, WCUT_BAD_FORMAT, "\"" FORMAT "\"");
+    return wcut_read_format(reader, at, FORMAT);
 }
 
 static bool read_job_keys(wcut_reader *reader, const wcut_place *at, wcut_job *job) {

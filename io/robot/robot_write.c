@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <wirecut/robot_file.h>
 #include <wirecut/version.h>
 
@@ -116,6 +117,57 @@ static bool is_name(const char *name) {
     return strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") == length;
 }
 
+/* words of the controllers' languages; RAPID and KRL do not tell capitals apart */
+static bool is_reserved(const char *name, wcut_robot_format format) {
+    static const char *const urscript[] = {"and",      "break",
+                                           "continue", "def",
+                                           "elif",     "else",
+                                           "end",      "False",
+                                           "global",   "halt",
+                                           "if",       "in",
+                                           "local",    "not",
+                                           "or",       "return",
+                                           "run",      "sec",
+                                           "then",     "thread",
+                                           "True",     "while",
+                                           "xor",      "movej",
+                                           "movel",    "movep",
+                                           "movec",    "pose",
+                                           "sleep",    "sync",
+                                           "kill",     "join",
+                                           "None",     "set_digital_out",
+                                           "popup",    "stopl",
+                                           "stopj",    NULL};
+    static const char *const rapid[] = {
+        "alias",    "and",       "backward", "bool",     "case",     "clock",       "connect", "const",     "confdata",
+        "default",  "div",       "do",       "else",     "elseif",   "endfor",      "endfunc", "endif",     "endmodule",
+        "endproc",  "endrecord", "endtest",  "endtrap",  "endwhile", "error",       "exit",    "false",     "for",
+        "from",     "func",      "goto",     "if",       "inout",    "jointtarget", "local",   "main",      "mod",
+        "module",   "movec",     "movej",    "movel",    "moveabsj", "nostepin",    "not",     "num",       "or",
+        "pers",     "pose",      "pos",      "proc",     "raise",    "record",      "return",  "robtarget", "set",
+        "setdo",    "speeddata", "step",     "stop",     "string",   "sysmodule",   "task",    "test",      "then",
+        "to",       "tooldata",  "trap",     "true",     "trynext",  "undo",        "var",     "viewonly",  "waitdi",
+        "waittime", "while",     "with",     "wobjdata", "xor",      "zonedata",    "reset",   "retry",     NULL};
+    static const char *const krl[] = {
+        "and",       "axis",   "bool",    "brake",     "case",     "char",  "circ",   "confirm", "const",
+        "continue",  "decl",   "def",     "deffct",    "default",  "do",    "else",   "end",     "endfct",
+        "endfor",    "endif",  "endloop", "endswitch", "endwhile", "enum",  "exit",   "ext",     "extfct",
+        "false",     "for",    "frame",   "global",    "goto",     "halt",  "if",     "import",  "int",
+        "interrupt", "is",     "lin",     "loop",      "not",      "or",    "pos",    "ptp",     "real",
+        "repeat",    "resume", "return",  "signal",    "spline",   "struc", "switch", "then",    "to",
+        "trigger",   "true",   "until",   "wait",      "when",     "while", "bas",    "slin",    "scirc",
+        "sptp",      "exor",   "b_not",   "b_and",     "b_or",     "e6pos", "e6axis", NULL};
+
+    /* the list of the format; csv and json call nothing */
+    const char *const *word = format == WCUT_ROBOT_FORMAT_URSCRIPT ? urscript
+                              : format == WCUT_ROBOT_FORMAT_RAPID  ? rapid
+                              : format == WCUT_ROBOT_FORMAT_KRL    ? krl
+                                                                   : NULL;
+    for (; word && *word; word++)
+        if (format == WCUT_ROBOT_FORMAT_URSCRIPT ? strcmp(*word, name) == 0 : strcasecmp(*word, name) == 0) return true;
+    return false;
+}
+
 static wcut_status motion_is_writable(const wcut_robot_motion *m, const wcut_robot_names *n, wcut_robot_format format,
                                       int robot, const char *path, wcut_error *error) {
     /* motion, file and robot */
@@ -125,13 +177,17 @@ static wcut_status motion_is_writable(const wcut_robot_motion *m, const wcut_rob
 
     /* names go into programs as they are: letters and digits only */
     const char *const name[] = {n->program ? n->program : "", n->wire_on, n->wire_off, n->wire_heat};
+    static const char *const field[] = {"program", "wire_on", "wire_off", "wire_heat"};
     for (int k = 0; k < 4; k++) {
         char quoted[WCUT_QUOTE_SIZE];
         if (name[k] && !is_name(name[k]))
             return wcut_fail(error, WCUT_BAD_ARGUMENT,
-                             "\"%s\": expected a name of letters, digits and _, beginning with a letter, at most %d "
-                             "long",
-                             wcut_quote(quoted, name[k], WCUT_FOUND_MAX, 0), NAME_MAX);
+                             "%s: found \"%s\", expected a name of letters, digits and _, beginning with a letter, at "
+                             "most %d long",
+                             field[k], wcut_quote(quoted, name[k], WCUT_FOUND_MAX, 0), NAME_MAX);
+        if (name[k] && is_reserved(name[k], format))
+            return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s: found \"%s\", a word of %s itself, expected another name",
+                             field[k], name[k], wcut_robot_format_name(format));
     }
 
     /* outputs that the controller has: eight of Universal Robots, $OUT[0] is none of KUKA */

@@ -67,7 +67,9 @@ static bool read_las_header(wcut_cloud_source *s, const unsigned char *head, wcu
     if (!check_version(s, head)) return false;
     const unsigned format = head[POINT_FORMAT], length = wcut_load_16(head + RECORD_LENGTH, false);
     if (format & 0xc0)
-        return wcut_source_refuse(&s->in, "found compressed points (LAZ), expected LAS without compression");
+        return wcut_source_refuse(&s->in,
+                                  "found compressed points (LAZ), which would need the library LASzip (not in Debian "
+                                  "12), expected LAS: unpack it with laszip or las2las");
     if (format >= FORMATS) return wcut_source_refuse(&s->in, "found point format %u, expected 0 to 10", format);
     if (length < min[format]) return refuse_record(s, format, length, min[format]);
     r->size = length;

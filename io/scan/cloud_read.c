@@ -8,6 +8,7 @@
 #include <wirecut/cloud_file.h>
 #include "base/alloc.h"
 #include "base/fail.h"
+#include "io/file/look.h"
 #include "io/file/unit.h"
 #include "io/scan/cloud_foreign.h"
 #include "io/scan/cloud_source.h"
@@ -132,22 +133,15 @@ static wcut_cloud_format find_cloud_format(wcut_cloud_source *s) {
     return WCUT_CLOUD_FORMAT_TEXT;
 }
 
-/* formats that are known by their first bytes, and not read */
+/* text that is no table of points, by its first bytes */
 static bool check_readable(wcut_cloud_source *s) {
-    static const struct {
-        const char *begin, *name;
-    } refused[] = {{"ASTM-E57", "an E57 file"},     {"PK\003\004", "a ZIP archive"}, {"\037\213", "a gzip archive"},
-                   {"Kaydara FBX", "an FBX model"}, {"ISO-10303", "a STEP file"},    {"\377\376", "UTF-16 text"},
-                   {"\376\377", "UTF-16 text"},     {"%PDF", "a PDF document"},      {"\x89PNG", "a PNG picture"}};
-    for (size_t k = 0; k < sizeof refused / sizeof *refused; k++)
-        if (begins(&s->in.stream, refused[k].begin))
-            return wcut_source_refuse(
-                &s->in,
-                "found %s, expected PLY, XYZ/PTS/PTX/CSV text, STL, OBJ, OFF, glTF, LAS or PCD: export the "
-                "points "
-                "as one of these",
-                refused[k].name);
-    return true;
+    const wcut_stream *t = &s->in.stream;
+    const char *at = (const char *)t->data + t->at;
+    const wcut_look found = wcut_look_at(at, t->end - t->at, s->in.label);
+    if (!found.kind || strstr(found.use, "as SCAN")) return true;
+    wcut_look_refuse(at, t->end - t->at, s->in.label, "PLY, XYZ/PTS/PTX/CSV text, STL, OBJ, OFF, glTF, LAS or PCD",
+                     &s->in.failure);
+    return false;
 }
 
 static bool begin_format(wcut_cloud_source *s) {
@@ -165,10 +159,10 @@ static bool begin_format(wcut_cloud_source *s) {
     /* the scale of the unit, and enough bytes to tell the format */
     s->in.scale = wcut_unit_length(s->options.unit);
     if (wcut_stream_fill(&s->in.stream, SNIFF) == 0) return wcut_source_refuse_end(&s->in, "points");
-    if (!check_readable(s)) return false;
 
     /* a reader for each format */
     s->info.format = s->options.format != WCUT_CLOUD_FORMAT_ANY ? s->options.format : find_cloud_format(s);
+    if (s->info.format == WCUT_CLOUD_FORMAT_TEXT && !check_readable(s)) return false;
 
     /* a reader sets how many points its header states; -1: not stated */
     s->info.stated = -1;

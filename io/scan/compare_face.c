@@ -1,4 +1,4 @@
-/* What a scan is compared with: the face that a job leaves, a mesh, or a surface. */
+/* What a scan is compared with: the face that a job leaves, a mesh, a face of a CAD file, or a surface. */
 #include "io/scan/compare_face.h"
 
 #include <math.h>
@@ -144,11 +144,67 @@ static wcut_status load_mesh(wcut_compare_face *f, const wcut_compare_watch *wat
 /* its triangles carry the map of colours, whatever distances are taken to */
 static wcut_status load_surface(wcut_compare_face *f, const wcut_compare_options *o, const wcut_compare_watch *watch,
                                 wcut_error *error) {
-    wcut_status status = wcut_surface_tessellate(f->surface, o->chord_tolerance, &f->owned_mesh, NULL);
+    wcut_status status = f->trimmed ? wcut_trimmed_mesh(f->trimmed, o->chord_tolerance, &f->owned_mesh)
+                                    : wcut_surface_tessellate(f->surface, o->chord_tolerance, &f->owned_mesh, NULL);
     f->mesh = f->owned_mesh;
     if (status == WCUT_OK) status = wcut_projection_create(f->surface, &f->projection);
     if (status == WCUT_OK) return load_mesh(f, watch, error);
     return place_failure(status, f->name, error);
+}
+
+/* ---- a face of a CAD file ---- */
+
+static wcut_status refuse_choice(const wcut_compare_face *f, const char *path, wcut_error *error) {
+    const wcut_trimmed_set *set = f->faces;
+    char name[WCUT_QUOTE_SIZE], names[160] = "";
+    size_t used = 0;
+
+    /* the numbers and names to choose from, as far as there is room */
+    for (int k = 0; k < set->count && used + 40 < sizeof names; k++) {
+        const int n = snprintf(names + used, sizeof names - used, "%s%d%s%.24s", k ? ", " : "", k + 1,
+                               set->name[k][0] ? " " : "", set->name[k]);
+        used += n > 0 ? (size_t)n : 0;
+    }
+    return wcut_fail(error, WCUT_BAD_FORMAT,
+                     "%s: found %d face%s (%s%s), expected one: choose it by --face NAME or number",
+                     wcut_quote(name, path, WCUT_LABEL_MAX, 1), set->count, set->count == 1 ? "" : "s", names,
+                     used + 40 >= sizeof names ? ", ..." : "");
+}
+
+/* the face that a text names or numbers, or the only one; -1: none, or several */
+static int choose_face(const wcut_trimmed_set *set, const char *choice) {
+    int found = -1;
+    if (!choice) return set->count == 1 ? 0 : -1;
+    for (int k = 0; k < set->count; k++) {
+        if (strcmp(set->name[k], choice) != 0) continue;
+        if (found >= 0) return -1;
+        found = k;
+    }
+    if (found >= 0) return found;
+
+    /* a number from 1 */
+    int number = 0;
+    for (const char *p = choice; *p; p++) {
+        if (*p < '0' || *p > '9' || number > set->count) return -1;
+        number = 10 * number + (*p - '0');
+    }
+    return number >= 1 && number <= set->count ? number - 1 : -1;
+}
+
+static wcut_status load_cad(wcut_compare_face *f, const wcut_compare_reference *r, const wcut_compare_options *o,
+                            const wcut_compare_watch *watch, wcut_error *error) {
+    char text[WCUT_QUOTE_SIZE + 60];
+    const wcut_status status = wcut_trimmed_set_read(r->path, &f->faces, error);
+    if (status != WCUT_OK) return place_failure(status, r->path, error);
+    if (f->faces->left_out > 0) {
+        snprintf(text, sizeof text, "%d left out: %s", f->faces->left_out, f->faces->why);
+        warn(watch, f->name, text);
+    }
+    const int at = choose_face(f->faces, r->face);
+    if (at < 0) return refuse_choice(f, r->path, error);
+    f->trimmed = f->faces->face[at];
+    f->surface = f->trimmed->surface;
+    return load_surface(f, o, watch, error);
 }
 
 wcut_status wcut_compare_face_base(wcut_compare_face *face, const wcut_surface **surface, wcut_error *error) {
@@ -196,6 +252,25 @@ static bool is_job(const char *path) {
     return c == '{' || c == '[';
 }
 
+/* a CAD file by its ending or its first bytes */
+static bool is_cad(const char *path) {
+    static const char *const cad_ending[] = {".step", ".stp", ".p21", ".iges", ".igs", NULL};
+    char head[14] = "";
+    struct stat about;
+    if (has_ending(path, cad_ending)) return true;
+    FILE *file = stat(path, &about) == 0 && S_ISREG(about.st_mode) ? fopen(path, "rb") : NULL;
+    if (!file) return false;
+    const size_t n = fread(head, 1, 13, file);
+    fclose(file);
+    return n == 13 && strcmp(head, "ISO-10303-21;") == 0;
+}
+
+static wcut_status refuse_face(const wcut_compare_face *f, wcut_error *error) {
+    char name[WCUT_QUOTE_SIZE];
+    return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s: --face: expected a CAD file with it, .step or .iges",
+                     wcut_quote(name, f->name, WCUT_LABEL_MAX, 1));
+}
+
 static wcut_status refuse_change(const wcut_compare_face *f, const char *what, wcut_error *error) {
     char name[WCUT_QUOTE_SIZE];
     return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s: %s: expected a job, found none",
@@ -204,19 +279,13 @@ static wcut_status refuse_change(const wcut_compare_face *f, const char *what, w
 
 static wcut_status load_file(wcut_compare_face *f, const wcut_compare_reference *r, const wcut_compare_options *o,
                              const wcut_compare_watch *watch, wcut_error *error) {
-    static const char *const cad_ending[] = {".step", ".stp", ".iges", ".igs", NULL};
-    char name[WCUT_QUOTE_SIZE];
-
-    /* a CAD file is refused with what would be accepted */
-    if (has_ending(r->path, cad_ending))
-        return wcut_fail(error, WCUT_BAD_FORMAT,
-                         "%s: found a CAD file, expected a job, whose surface is exact, or a mesh: .stl .ply .obj .off "
-                         ".glb",
-                         wcut_quote(name, r->path, WCUT_LABEL_MAX, 1));
-
-    /* a job is simulated; a mesh is read in its unit and has no edges or force law to change */
+    /* a job is simulated; a mesh is read in its unit and has no edges or force law to change, nor has a CAD file */
     wcut_status status;
-    if (is_job(r->path)) {
+    if (r->face && !is_cad(r->path)) return refuse_face(f, error);
+    if (is_cad(r->path)) {
+        if (r->edges || r->force_law) return refuse_change(f, r->edges ? "edges" : "force law", error);
+        status = load_cad(f, r, o, watch, error);
+    } else if (is_job(r->path)) {
         status = simulate_reference(f, r, watch, error);
         if (status == WCUT_OK) status = load_job(f, o, error);
     } else {
@@ -242,6 +311,7 @@ wcut_status wcut_compare_face_load(const wcut_compare_reference *reference, cons
                              .distance = options->distance,
                              .options = wcut_deviation_options_default()};
     f->options.flip = options->flip;
+    if (!r->path && r->face) return refuse_face(f, error);
     if (!r->path && (r->edges || r->force_law)) return refuse_change(f, r->edges ? "edges" : "force law", error);
 
     /* one of the four */
@@ -270,6 +340,7 @@ void wcut_compare_face_clear(wcut_compare_face *face) {
     wcut_mesh_tree_destroy(face->tree);
     wcut_mesh_destroy(face->owned_mesh);
     wcut_projection_destroy(face->projection);
+    wcut_trimmed_set_destroy(face->faces);
     wcut_surface_destroy(face->base);
     wcut_face_destroy(face->face);
     wcut_history_destroy(face->owned_history);
@@ -283,6 +354,9 @@ void wcut_compare_face_clear(wcut_compare_face *face) {
 wcut_status wcut_compare_face_locate(const wcut_compare_face *face, int count, const wcut_vec3 *point, int threads,
                                      wcut_deviation *deviation, wcut_foot *foot) {
     const wcut_compare_face *f = face;
+    if (f->trimmed && !wcut_compare_face_by_triangles(f))
+        return wcut_deviation_from_trimmed(f->trimmed, f->projection, count, point, &f->options, threads, deviation,
+                                           foot);
     if (!wcut_compare_face_by_triangles(f))
         return wcut_deviation_from_surface(f->projection, count, point, &f->options, threads, deviation, foot);
     const wcut_status status = wcut_deviation_from_mesh(f->tree, count, point, &f->options, threads, deviation);

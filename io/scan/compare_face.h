@@ -8,6 +8,7 @@
 #include <wirecut/job.h>
 #include <wirecut/mesh_tree.h>
 #include <wirecut/projection.h>
+#include <wirecut/read.h>
 #include <wirecut/report.h>
 
 /* what is borrowed has no owner here: job, history and mesh are the caller's unless `owned_*` is them */
@@ -41,6 +42,10 @@ typedef struct wcut_compare_face {
     wcut_mesh *owned_mesh;
     wcut_mesh_tree *tree;
     wcut_surface *base; /* of a mesh: the plane below it */
+
+    /* of a CAD file: its faces, and the one of them that `surface` is of */
+    wcut_trimmed_set *faces;
+    const wcut_trimmed *trimmed;
 } wcut_compare_face;
 
 /* Read, simulate, prepare. The statuses of wcut_compare_run; the face is to be cleared whatever they are. */

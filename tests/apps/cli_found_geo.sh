@@ -52,7 +52,7 @@ grep -q 'the sign of deviations is unreliable' err || fail "$called: expected a 
 [ -s sides/report.html ] || fail "$called: expected a report"
 above reference-of-unread-format plane scan.xyz 70
 for name in plane.dxf plane.3mf; do
-    asked reference-of-unread-format $name scan.xyz "expected STL, PLY, OBJ, OFF or glTF"
+    asked reference-of-unread-format $name scan.xyz "expected a mesh: STL, PLY, OBJ, OFF or glTF"
 done
 asked gltf-with-bin-beside plane.gltf scan.xyz plane.bin
 

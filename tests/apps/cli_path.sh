@@ -116,7 +116,10 @@ rm -rf made
 run 2 path "$job" -o made; one_line "--format"
 run 2 path "$job" -o made --format gcode; one_line '"gcode"' 'urscript|rapid|krl|csv|json'
 run 2 path "$job" -o made --format krl --sync-io 256; one_line "--sync-io"
-run 2 path "$job" -o made --format krl --wire-on 'x();y'; one_line 'expected a name of letters'
+run 2 path "$job" -o made --format krl --wire-on 'x();y'; one_line '--wire-on: found' 'expected a name of letters'
+for word in 'urscript end' 'urscript if' 'rapid PROC' 'rapid MoveL' 'krl END' 'krl lin'; do
+    run 2 path "$job" -o made --format ${word% *} --wire-off ${word#* }; one_line '--wire-off: found "'${word#* }'", a word of'
+done
 untouched made
 run 2 path "$job" -o made --format krl --zone -1; one_line "--zone"
 run 3 path nowhere.json -o made --format krl

@@ -115,4 +115,29 @@ if [ -c /dev/full ]; then
 fi
 code=0; "$WIRECUT" --version >&- 2>err || code=$?
 called="--version >&-"; [ "$code" -eq 4 ] || fail "$called: exit code $code, expected 4"; one_line "standard output"
+
+# a file in the place of another one is called what it is, with the verb that takes it, in every verb alike
+printf 'solid x\nfacet normal 0 0 1\nendsolid x\n' >a.stl
+printf 'curve,x_mm,y_mm,z_mm\n0,0,0,1\n' >points.csv
+printf 'ISO-10303-21;\nHEADER;\n' >a.step
+job=$jobs/freeform-1.json
+for verb in simulate mould control diagnose score 'path --format csv' 'identify'; do
+    for file in a.stl points.csv a.step; do
+        # shellcheck disable=SC2086 # a verb and its option
+        code=0; "$WIRECUT" $verb $file -o words -q >out 2>err || code=$?
+        called="wirecut $verb $file"
+        [ "$code" -eq 3 ] || fail "$called: exit code $code, expected 3"
+        grep -q "$file: found a .*, expected .*; .*compare" err || fail "$called: expected the kind and its verb: $(cat err)"
+    done
+done
+for file in a.stl a.step "$job"; do
+    run 3 calibrate "$file" -o words; one_line "expected a table (CSV)"
+    run 3 compare "$job" "$jobs/../scans/freeform-4.ply" -o words --register datum --datum "$file"; one_line "$file: found a"
+done
+run 3 mould "$job" -o words --stock points.csv; one_line "points.csv: found a table of points, expected a mesh"
+run 3 mould "$job" -o words --edges a.stl; one_line "a.stl: found a mesh (STL), expected curves"
+run 3 compare "$job" "$job" -o words; one_line "found a job (JSON), expected PLY"
+run 3 diagnose "$job" -o words; one_line '"wirecut-job/1", expected "wirecut-case/1"; simulate'
+run 3 simulate "$job" --force-law "$job" -o words; one_line 'expected "wirecut-force-law/1"; simulate'
+untouched words
 finish

@@ -362,6 +362,20 @@ HOSTILE(wcut_curve_set_read) {
     wcut_curve_destroy(curve);
 }
 
+HOSTILE(wcut_trimmed_set_read) {
+    static const double knot[4] = {0, 0, 1, 1};
+    static const wcut_vec3 corner[4] = {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {10, 10, 0}};
+    wcut_surface *surface = NULL;
+    ck_assert_int_eq(wcut_surface_create(1, 1, 2, 2, knot, knot, corner, NULL, &surface), WCUT_OK);
+    const wcut_shape s = {.name = "s", .surface = surface};
+    ck_assert_int_eq(wcut_iges_write(1, &s, "s.igs", NULL), WCUT_OK);
+    wcut_trimmed_set *made = MARK;
+    EACH_HOSTILE_ARGUMENT(wcut_trimmed_set_read, wcut_trimmed_set_read(PTR("s.igs"), PTR(&made), ERR), made == MARK,
+                          (wcut_trimmed_set_destroy(made), made = MARK));
+    wcut_surface_destroy(surface);
+}
+HOSTILE_VALUE(wcut_trimmed_set_destroy, NULL)
+
 HOSTILE(wcut_mesh_write_3mf) {
     const wcut_mesh *const all[1] = {mesh()};
     const char *const name[1] = {"face"};

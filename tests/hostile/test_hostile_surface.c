@@ -229,6 +229,59 @@ HOSTILE(wcut_surface_loft_curves) {
 HOSTILE_MADE(wcut_mesh_create, wcut_mesh, wcut_mesh_destroy, COUNT(9), COUNT(8), WCUT_MESH_NORMAL, PTR(&made))
 HOSTILE_VALUE(wcut_mesh_destroy, NULL)
 
+/* the sheet with its border as a loop */
+static wcut_trimmed *trimmed(void) {
+    static wcut_trimmed *t;
+    if (!t) {
+        wcut_surface *copy = NULL;
+        const wcut_surface *s = sheet();
+        ck_assert_int_eq(wcut_surface_create(s->degree_u, s->degree_v, s->count_u, s->count_v, s->knots_u, s->knots_v,
+                                             s->control, s->weights, &copy),
+                         WCUT_OK);
+        ck_assert_int_eq(wcut_trimmed_create(copy, 0, NULL, NULL, 1e-2, &t, NULL), WCUT_OK);
+    }
+    return t;
+}
+
+HOSTILE(wcut_trimmed_create) {
+    wcut_trimmed *made = MARK;
+    wcut_curve *ring = NULL;
+    const wcut_surface *s = sheet();
+    ck_assert_int_eq(wcut_surface_iso_curve(s, WCUT_DIRECTION_U, 0.5, &ring), WCUT_OK);
+    static const int one[1] = {1};
+    const wcut_curve *const all[1] = {ring};
+
+    /* an open curve is no loop: what is refused anyway is refused without harm */
+    for (hostile_begin(); hostile_next();) {
+        wcut_surface *own = NULL;
+        ck_assert_int_eq(wcut_surface_create(s->degree_u, s->degree_v, s->count_u, s->count_v, s->knots_u, s->knots_v,
+                                             s->control, s->weights, &own),
+                         WCUT_OK);
+        ck_assert(wcut_trimmed_create(PTR(own), COUNT(1), PTR(&one[0]), PTR(&all[0]), NUM(1e-2), PTR(&made), NULL) !=
+                  WCUT_OK);
+        ck_assert_ptr_eq(made, MARK);
+        wcut_surface_destroy(own);
+    }
+    hostile_end("wcut_trimmed_create");
+    wcut_curve_destroy(ring);
+}
+
+HOSTILE_VALUE(wcut_trimmed_destroy, NULL)
+HOSTILE_VALUE(wcut_trimmed_inside, OPT(trimmed()), ANY_NUM(0.5), ANY_NUM(0.5))
+HOSTILE_VALUE(wcut_trimmed_border, OPT(trimmed()), (wcut_vec3){NAN, 0, 0})
+HOSTILE_MADE(wcut_trimmed_mesh, wcut_mesh, wcut_mesh_destroy, PTR(trimmed()), NUM(0.1), PTR(&made))
+
+HOSTILE(wcut_deviation_from_trimmed) {
+    const wcut_deviation_options o = wcut_deviation_options_default();
+    static const wcut_vec3 point[2] = {{1, 1, 1}, {2, 2, 2}};
+    wcut_deviation d[2];
+    hostile_fill(d, sizeof d);
+    EACH_HOSTILE_ARGUMENT(wcut_deviation_from_trimmed,
+                          wcut_deviation_from_trimmed(PTR(trimmed()), PTR(projection()), COUNT(2), VALUES(point, 2),
+                                                      RECORD(&o), THREADS(1), PTR(&d[0]), OPT(NULL)),
+                          hostile_is_filled(d, sizeof d), hostile_fill(d, sizeof d));
+}
+
 HOSTILE(wcut_surface_tessellate) {
     wcut_mesh *made = MARK;
     wcut_tessellation_report report = {.chord_error = 999};

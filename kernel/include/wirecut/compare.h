@@ -30,7 +30,8 @@ typedef enum wcut_compare_distance {
 
 /** What a scan is compared with: a file, a cut that was simulated, a mesh or a surface; exactly one of them. */
 typedef struct wcut_compare_reference {
-    const char *path;            /**< a job, which is simulated, or a mesh; NULL: one of those below */
+    const char *path;            /**< a job, which is simulated, a mesh or a CAD file; NULL: one of those below */
+    const char *face;            /**< of a CAD file with several faces: a name or a number from 1; NULL: its only one */
     const char *edges;           /**< file whose two curves replace the edges of a design at `path`; NULL: none */
     const char *force_law;       /**< file whose laws replace those of a job at `path`; NULL: none */
     const wcut_setup *setup;     /**< that `history` came from */
@@ -122,9 +123,9 @@ typedef struct wcut_compare_result {
  * @param[in]  watch   may be NULL
  * @param[out] result  the caller's, to wcut_compare_destroy
  * @param[out] error   may be NULL; the file or the option, what was found, what was expected
- * @return WCUT_OK; the statuses of wcut_job_read, wcut_setup_run, wcut_face_create, wcut_mesh_read, wcut_cloud_read,
+ * @return WCUT_OK; the statuses of wcut_job_read, wcut_setup_run, wcut_face_create, wcut_mesh_read, wcut_trimmed_set_read, wcut_cloud_read,
  *         wcut_cloud_clean, wcut_datums_read, wcut_registration_fit, wcut_reconstruction_create and
- *         wcut_deviation_stream_create; WCUT_BAD_FORMAT (a CAD file as reference, no point of the scan over the face, a
+ *         wcut_deviation_stream_create; WCUT_BAD_FORMAT (a CAD file without the face, no point of the scan over the face, a
  *         file that changed between two readings), WCUT_DEGENERATE (the scan is one place or one line, the mesh has no
  *         extent or is no sheet where it must be one), WCUT_BAD_ARGUMENT (an option out of range; options that exclude
  *         each other), WCUT_INTERRUPTED: nothing was written.

@@ -6,6 +6,7 @@
 #include <wirecut/mesh_tree.h>
 #include <wirecut/projection.h>
 #include <wirecut/status.h>
+#include <wirecut/trimmed.h>
 #include <wirecut/vec3.h>
 
 #ifdef __cplusplus
@@ -99,6 +100,25 @@ WCUT_API wcut_status wcut_deviation_onto_surface(const wcut_mesh *mesh, int coun
  */
 WCUT_API wcut_status wcut_cloud_locate(int count, const wcut_vec3 *point, int queries, const wcut_vec3 *query,
                                        int threads, double *distance);
+
+/**
+ * Deviations from the part of a surface that counts: to the exact closest points of the surface. A point whose foot is
+ * outside the loops is beyond; one whose foot is within the options' border of a loop is at the border.
+ *
+ * @param[in]  trimmed    of wcut_trimmed_create
+ * @param[in]  projection of its surface
+ * @param[in]  count      points, 0 or more
+ * @param[in]  point      count [mm], finite, up to 1e12
+ * @param[in]  options    NULL for the defaults
+ * @param[in]  threads    1 or more; the result does not depend on it
+ * @param[out] deviation  count
+ * @param[out] foot       count, or NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_deviation_from_trimmed(const wcut_trimmed *trimmed, const wcut_projection *projection,
+                                                 int count, const wcut_vec3 *point,
+                                                 const wcut_deviation_options *options, int threads,
+                                                 wcut_deviation *deviation, wcut_foot *foot);
 
 #ifdef __cplusplus
 }

@@ -8,6 +8,7 @@
 #include <wirecut/export.h>
 #include <wirecut/mesh.h>
 #include <wirecut/status.h>
+#include <wirecut/trimmed.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -122,6 +123,35 @@ WCUT_API wcut_status wcut_curve_set_read(const char *path, const wcut_curve_read
 
 /** Free what wcut_curve_set_read gave; NULL is allowed. */
 WCUT_API void wcut_curve_set_destroy(wcut_curve_set *set);
+
+/** Faces of a CAD file. */
+typedef struct wcut_trimmed_set {
+    wcut_curve_format format; /**< WCUT_CURVE_FORMAT_STEP or WCUT_CURVE_FORMAT_IGES */
+    int count;                /**< 1 or more */
+    wcut_trimmed **face;      /**< count [mm] */
+    char **name;              /**< count, "" where the file has none */
+    int left_out;             /**< faces and curves in the file that were not read */
+    char why[240];            /**< their kinds or the reasons, comma-separated; "" where there are none */
+} wcut_trimmed_set;
+
+/**
+ * Read the faces of a CAD file, in the unit that it states, where its assembly sets them.
+ *
+ * STEP: faces on B-spline surfaces and planes with the edges that bound them; where there are no faces, B-spline
+ * surfaces as they are. IGES: B-spline surfaces (128) and trimmed ones (144, 142). Every other kind of surface, and a
+ * face whose edges are not on it within 0.01 mm, is left out and reported.
+ *
+ * @param[in]  path  a file
+ * @param[out] set   the caller's, to wcut_trimmed_set_destroy
+ * @param[out] error may be NULL; line or instance, what was found, what was expected
+ * @return WCUT_OK; WCUT_NOT_FOUND (no such file, not readable), WCUT_BAD_FORMAT (neither STEP nor IGES, malformed,
+ *         truncated, over 256 MB, no face that could be read, more than 10000 faces), WCUT_BAD_ARGUMENT,
+ *         WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_trimmed_set_read(const char *path, wcut_trimmed_set **set, wcut_error *error);
+
+/** Free what wcut_trimmed_set_read gave; NULL is allowed. */
+WCUT_API void wcut_trimmed_set_destroy(wcut_trimmed_set *set);
 
 #ifdef __cplusplus
 }

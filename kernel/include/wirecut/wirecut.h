@@ -80,6 +80,7 @@
 #include <wirecut/surface_fit.h>
 #include <wirecut/sweep.h>
 #include <wirecut/table.h>
+#include <wirecut/trimmed.h>
 #include <wirecut/vec3.h>
 #include <wirecut/version.h>
 #include <wirecut/write.h>

@@ -10,6 +10,7 @@
 #include "base/fail.h"
 #include "exchange/given_parts.h"
 #include "io/cad/curve_set.h"
+#include "io/cad/iges_given.h"
 #include "io/given.h"
 #include "test.h"
 
@@ -401,7 +402,7 @@ TEST(json_and_csv_hold_curves_in_millimetres) {
     refuses("a.csv", "x_mm,y_mm,z_mm\n0,0,0\n1,,0\n", "line 3: found no y, expected a number");
     refuses("a.csv", "x_mm,y_mm,z_mm\n0,0,0\n0,0,0\n",
             "line 2: found 2 points, expected two or more, neighbours apart");
-    refuses("a.bin", "hello", "found no curves in a known format, expected STEP, IGES, JSON or CSV");
+    refuses("a.bin", "hello", "found no curves in a known format, expected STEP, IGES, JSON or a table");
 }
 
 /* ---- IGES ---- */
@@ -509,30 +510,6 @@ TEST(iges_arcs_composites_and_transformations_are_read) {
     put_lines(text, lines, "SGGDDDDDDDDDDDDDDPPPPPPPT");
     memcpy(strstr(text, "124,1.,0.,0.,100."), "124,1.,0.,0.,9e20", 17);
     refuses("a.igs", text, "moved beyond 1e12 mm");
-}
-
-/* an entity of a small file: type, form, status and data of one line */
-typedef struct iges_entity {
-    int type, form;
-    const char *status, *data;
-} iges_entity;
-
-/* a file of entities, in a unit by number and name; author: of any letters */
-static void put_iges(char *to, const char *unit, const char *author, int count, const iges_entity *entity) {
-    to += sprintf(to, "%-72sS%7d\n", "start", 1);
-    to += sprintf(to, "%-72sG%7d\n", "1H,,1H;,1Ha,1Hf,1Hs,1Hp,32,38,6,308,15,,", 1);
-    to += sprintf(to, "1.,%s,1,0.01,15H20000101.000000,1.D-6,0.,%s,", unit, author);
-    int letters = 0;
-    for (const char *p = to - 1; *p != '\n'; p--) letters += ((unsigned char)*p & 0xc0) != 0x80;
-    to += sprintf(to, "%*sG%7d\n", 72 - letters, "", 2);
-    to += sprintf(to, "%-72sG%7d\n", ",11,0,;", 3);
-    for (int k = 0; k < count; k++) {
-        const iges_entity *e = &entity[k];
-        to += sprintf(to, "%8d%8d%8d%8d%8d%8d%8d%8d%8sD%7d\n", e->type, k + 1, 0, 0, 0, 0, 0, 0, e->status, 2 * k + 1);
-        to += sprintf(to, "%8d%8d%8d%8d%8d%32sD%7d\n", e->type, 0, 0, 1, e->form, "", 2 * k + 2);
-    }
-    for (int k = 0; k < count; k++) to += sprintf(to, "%-64s%8dP%7d\n", entity[k].data, 2 * k + 1, k + 1);
-    sprintf(to, "S      1G      3D%7dP%7d%40sT      1\n", 2 * count, count, "");
 }
 
 TEST(an_iges_spline_is_the_part_that_its_range_states) {
