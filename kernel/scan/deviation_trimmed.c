@@ -2,6 +2,8 @@
 #include <math.h>
 #include <wirecut/deviation.h>
 
+#include <math.h>
+
 #include "base/alloc.h"
 #include "surface/trimmed.h"
 

@@ -9,6 +9,7 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
+#include "surface/trimmed.h"
 
 enum { STEPS_MIN = 8, STEPS_MAX = 1 << 14, POINTS_MAX = 10000000 };
 
@@ -31,8 +32,9 @@ static wcut_vec3 point_at(const wcut_curve *curve, double share) {
 
 /* even steps of a curve whose chords are within CHORD of it at their middles; a straight line needs the fewest */
 static int count_steps(const wcut_curve *curve) {
-    int steps = STEPS_MIN * (curve->control_count - curve->degree);
-    if (steps > STEPS_MAX) steps = STEPS_MAX;
+    const int spans = curve->control_count - curve->degree;
+    if (spans == 1 && curve->degree == 1) return 1;
+    int steps = spans < STEPS_MIN ? STEPS_MIN : spans < STEPS_MAX ? spans : STEPS_MAX;
     for (; steps < STEPS_MAX; steps *= 2) {
         double worst = 0;
         for (int k = 0; k < steps; k++) {
@@ -177,19 +179,32 @@ int wcut_trimmed_inside(const wcut_trimmed *t, double u, double v) {
     return inside;
 }
 
-double wcut_trimmed_border(const wcut_trimmed *t, wcut_vec3 p) {
-    double least = -1;
+/* how far p is outside of the box of a and b along one axis, at most */
+static double outside_of(double p, double a, double b) {
+    const double below = (a < b ? a : b) - p, above = p - (a > b ? a : b);
+    return below > above ? below : above;
+}
+
+double wcut_trimmed_border_within(const wcut_trimmed *t, wcut_vec3 p, double limit) {
+    double least = limit;
     for (int loop = 0; t && loop < t->loops; loop++)
         for (int k = t->first[loop], last = t->first[loop + 1] - 1; k < t->first[loop + 1]; last = k++) {
             const wcut_vec3 a = t->point[last], b = t->point[k];
+            if (outside_of(p.x, a.x, b.x) > least || outside_of(p.y, a.y, b.y) > least ||
+                outside_of(p.z, a.z, b.z) > least)
+                continue;
             const wcut_vec3 d = {b.x - a.x, b.y - a.y, b.z - a.z}, e = {p.x - a.x, p.y - a.y, p.z - a.z};
             const double size = d.x * d.x + d.y * d.y + d.z * d.z, along = d.x * e.x + d.y * e.y + d.z * e.z;
             const double share = size > 0 ? fmin(fmax(along / size, 0), 1) : 0;
             const wcut_vec3 foot = {a.x + share * d.x, a.y + share * d.y, a.z + share * d.z};
             const double away = trimmed_distance(p, foot);
-            if (least < 0 || away < least) least = away;
+            if (away < least) least = away;
         }
     return least;
+}
+
+double wcut_trimmed_border(const wcut_trimmed *t, wcut_vec3 p) {
+    return t && t->loops > 0 ? wcut_trimmed_border_within(t, p, INFINITY) : -1;
 }
 
 /* ---- triangles ---- */
