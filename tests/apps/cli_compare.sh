@@ -79,9 +79,9 @@ look cad/deviation.json 'd["distance"] == "surface" and near(d["registration"]["
 run 0 compare surface/surface.step "$scan" -o cad --reconstruct field --quiet
 look cad/deviation.json 'near(d["kerf_offset_mm"], -0.6, 0.02)'
 run 2 compare surface/surface.step "$scan" -o cad2 --reference-unit m; one_line "which states its unit"
-run 2 compare "$steady" "$scan" -o cad2 --face 1; one_line "--face: expected a CAD file"
+run 3 compare "$steady" "$scan" -o cad2 --face 1; one_line "--face: expected a CAD file"
 run 0 mould "$steady" -o half --formats step,stl --chord-tolerance 1 --quiet
-run 3 compare half/lower.step "$scan" -o cad2; one_line "found 6 faces" "--face NAME or its number"
+run 3 compare half/lower.step "$scan" -o cad2; one_line "found 6 faces" "--face NAME or number"
 run 3 compare half/lower.step "$scan" -o cad2 --face 9; one_line "found 6 faces"
 run 0 compare half/lower.step "$scan" -o cad --face 1 --quiet
 look cad/deviation.json 'd["distance"] == "surface"'

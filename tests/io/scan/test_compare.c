@@ -367,7 +367,7 @@ TEST(what_cannot_be_compared_is_refused_with_its_place) {
     refused(&both, 1, &scan, NULL, WCUT_BAD_ARGUMENT, "reference: expected one of");
     refused(&history_alone, 1, &scan, NULL, WCUT_BAD_ARGUMENT, "reference: expected one of");
     refused(&changed, 1, &scan, NULL, WCUT_BAD_ARGUMENT, "reference: edges: expected a job");
-    refused(&cad, 1, &scan, NULL, WCUT_BAD_FORMAT, "a.STEP: found a CAD file");
+    refused(&cad, 1, &scan, NULL, WCUT_NOT_FOUND, "a.STEP: cannot be read");
     refused(&lost, 1, &scan, NULL, WCUT_NOT_FOUND, "no.json");
     refused(&r, 0, &scan, NULL, WCUT_BAD_ARGUMENT, "scans: found 0");
     refused(&r, 1, NULL, NULL, WCUT_BAD_ARGUMENT, "scans: found 1");
