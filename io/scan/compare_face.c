@@ -198,7 +198,7 @@ static wcut_status load_cad(wcut_compare_face *f, const wcut_compare_reference *
     if (status != WCUT_OK) return place_failure(status, r->path, error);
     if (f->faces->left_out > 0) {
         snprintf(text, sizeof text, "%d left out: %s", f->faces->left_out, f->faces->why);
-        warn(watch, f->name, text);
+        warn_of_reference(watch, f->name, text);
     }
     const int at = choose_face(f->faces, r->face);
     if (at < 0) return refuse_choice(f, r->path, error);
