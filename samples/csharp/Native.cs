@@ -287,6 +287,7 @@ public unsafe struct wcut_compare_options
 public unsafe struct wcut_compare_reference
 {
     public byte* path;
+    public byte* face;
     public byte* edges;
     public byte* force_law;
     public void* setup;
@@ -2121,6 +2122,25 @@ public unsafe struct wcut_traces
     public int loose;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_trimmed
+{
+    public wcut_surface* surface;
+    public int loops;
+    public int* first;
+    public wcut_vec3* point;
+    public double* uv;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_trimmed_set
+{
+    public wcut_curve_format format;
+    public int count;
+    public wcut_trimmed** face;
+    public byte** name;
+    public int left_out;
+    public fixed byte why[240];
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_vec3
 {
     public double x;
@@ -2249,6 +2269,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_datums_read(byte* a0, wcut_datums** a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_deviation_from_mesh(void* a0, int a1, wcut_vec3* a2, wcut_deviation_options* a3, int a4, wcut_deviation* a5);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_deviation_from_surface(void* a0, int a1, wcut_vec3* a2, wcut_deviation_options* a3, int a4, wcut_deviation* a5, wcut_foot* a6);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_deviation_from_trimmed(wcut_trimmed* a0, void* a1, int a2, wcut_vec3* a3, wcut_deviation_options* a4, int a5, wcut_deviation* a6, wcut_foot* a7);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_deviation_mesh_write_obj(wcut_mesh* a0, double* a1, byte* a2, double a3, byte* a4, wcut_error* a5);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_deviation_mesh_write_ply(wcut_mesh* a0, double* a1, byte* a2, double a3, byte* a4, wcut_error* a5);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_deviation_onto_surface(wcut_mesh* a0, int a1, wcut_deviation* a2);
@@ -2510,6 +2531,13 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern void wcut_thinning_destroy(void* a0);
     [DllImport("wirecut-io")] public static extern void wcut_traces_destroy(wcut_traces* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_traces_join(wcut_traces* a0, double a1, wcut_traces** a2);
+    [DllImport("wirecut-io")] public static extern double wcut_trimmed_border(wcut_trimmed* a0, wcut_vec3 a1);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_trimmed_create(wcut_surface* a0, int a1, int* a2, wcut_curve** a3, double a4, wcut_trimmed** a5, wcut_error* a6);
+    [DllImport("wirecut-io")] public static extern void wcut_trimmed_destroy(wcut_trimmed* a0);
+    [DllImport("wirecut-io")] public static extern int wcut_trimmed_inside(wcut_trimmed* a0, double a1, double a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_trimmed_mesh(wcut_trimmed* a0, double a1, wcut_mesh** a2);
+    [DllImport("wirecut-io")] public static extern void wcut_trimmed_set_destroy(wcut_trimmed_set* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_trimmed_set_read(byte* a0, wcut_trimmed_set** a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern byte* wcut_verdict_name(wcut_verdict_kind a0);
     [DllImport("wirecut-io")] public static extern void wcut_verification_destroy(wcut_verification* a0);
     [DllImport("wirecut-io")] public static extern byte* wcut_version_text();
