@@ -351,14 +351,16 @@ const app_verb app_verb_sweep = {
     .about =
         "A study names an input, the parameters that vary in it (JSON pointers and options), how they are combined "
         "(grid, zip, rows of a CSV, Latin hypercube, Sobol), the verb to run and the figures to collect. Each case "
-        "runs in a process and a folder of its own, cases/HH/HASH, named by the SHA-256 of its content. A case whose "
-        "files are whole is not run again, whatever ended the rest: the same command goes on. A case that fails or "
-        "crashes is recorded in its case.json with its last words and does not stop the others.\n"
-        "Writes into DIR: sweep.csv (a row a case: parameters, figures, status; the same bytes whatever the order), "
+        "runs in its own process and its own folder, cases/HH/HASH, named by the SHA-256 of its content. A case whose "
+        "files are whole is not run again: after an interruption the same command continues the sweep. A case that "
+        "fails "
+        "or crashes is recorded in its case.json with the end of its output and does not stop the others.\n"
+        "Writes into DIR: sweep.csv (one row per case: parameters, figures, status; the same bytes whatever the "
+        "order), "
         "and sweep.json; before the first case plan.json, "
         "study.json, input.json and manifest.csv, the list of the cases.\n"
         "--slurm submits an array job. Each task runs its share; submit again to run what was lost, then --collect. "
-        "--status and --collect work on any machine that sees the folder.",
+        "--status and --collect work on any machine that can read the folder.",
     .operand = operand,
     .option = option,
     .run = sweep_verb,

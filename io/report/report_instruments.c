@@ -37,8 +37,8 @@ static wcut_report_table contradiction_table(wcut_page_memory *memory, const wcu
     wcut_report_column *c = wcut_page_take(memory, COLUMNS, sizeof *c);
     wcut_report_table table = {.title = "Contradictions in the recordings", .columns = COLUMNS, .column = c};
     table.note =
-        "Columns against each other and against the job, before any physics. Percentages are of the programme that is "
-        "recorded, of the set power, of the true way.";
+        "Comparison of the columns with each other and with the job, before effects are fitted. Percentages are of the "
+        "programme that is recorded, of the set power, of the true way.";
     if (!c) return table;
 
     /* what is wrong, where, how much, and what was done about it */
@@ -93,8 +93,8 @@ static wcut_report_table scatter_table(wcut_page_memory *memory, const wcut_diag
     wcut_report_column *c = wcut_page_take(memory, COLUMNS, sizeof *c);
     wcut_report_table table = {.title = "What differs from cut to cut", .columns = COLUMNS, .column = c};
     table.note =
-        "Scatter of the rig: standard deviations from cut to cut, estimated from these cuts. It is no effect and not "
-        "corrected.";
+        "Scatter of the rig: standard deviations from cut to cut, estimated from these cuts. It is not an effect "
+        "and is not corrected.";
     if (!c) return table;
 
     /* name, value, interval and the values of single cuts */

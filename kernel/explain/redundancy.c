@@ -168,10 +168,14 @@ static void change_verdict(wcut_diagnosis *d) {
 
 /* a sentence or two for each, as far as there is room before the verdict's own */
 static void put_before(wcut_diagnosis *d) {
-    static const char nothing[] = "No difference beyond noise";
     char behind[WCUT_DIAGNOSIS_TEXT];
-    const bool clean = strncmp(d->sentence, nothing, sizeof nothing - 1) == 0;
-    snprintf(behind, sizeof behind, "%s%s", clean ? "Otherwise n" : "", d->sentence + clean);
+
+    /* "No difference beyond noise" would contradict the sentences before it */
+    memcpy(behind, d->sentence, sizeof behind);
+    if (d->kind == WCUT_VERDICT_NONE && d->sentence[0] == 'N')
+        snprintf(behind, sizeof behind, "Otherwise n%.*s", (int)sizeof behind - 16, d->sentence + 1);
+
+    /* the sentences that fit */
     const size_t room = sizeof d->sentence - 1 - strlen(behind);
     size_t at = 0;
     for (int k = 0; k < d->contradictions; k++) {

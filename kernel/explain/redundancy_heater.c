@@ -111,11 +111,10 @@ static void tell_heater(const wcut_redundancy *all, const heater_ratio *q, bool 
                  "quantity or in another unit. The product is not used.",
                  q->mean, against, cuts);
     else if (fabs(q->mean - 1) > MEAN_MAX)
-        snprintf(
-            c->text, sizeof c->text,
-            "The heater gives %.1f %% %s than %s says in %s, by heater_V times heater_A over the wire's length. The "
-            "diagnosis uses the product.",
-            100 * fabs(q->mean - 1), q->mean < 1 ? "less" : "more", against, cuts);
+        snprintf(c->text, sizeof c->text,
+                 "The heater power is %.1f %% %s than %s in %s, by heater_V times heater_A over the wire's length. The "
+                 "diagnosis uses the product.",
+                 100 * fabs(q->mean - 1), q->mean < 1 ? "lower" : "higher", against, cuts);
     else
         snprintf(c->text, sizeof c->text,
                  "The heater's power varies by %.1f %% about %s in %s, by heater_V times heater_A. The diagnosis uses "

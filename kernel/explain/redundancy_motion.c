@@ -166,7 +166,7 @@ static wcut_status judge(wcut_redundancy *all, const scale *speed, const scale *
                : stations             ? "the speeds of both mounts over time_s"
                : by_place && by_speed ? "the stations, and the speeds contradict both"
                : by_place             ? "the stations and the speeds"
-                                      : "the stations and the measured places (or time_s runs so)");
+                                      : "the stations and the measured places (or time_s has this error)");
     return stations ? rescale_stations(all, other.mean) : WCUT_OK;
 }
 
@@ -193,8 +193,8 @@ static void find_beside(wcut_redundancy *all, int mount, const wcut_vec3 *beside
     snprintf(c->unit, sizeof c->unit, "mm");
     wcut_cut_list(all, c, cuts);
     snprintf(c->text, sizeof c->text,
-             "Mount %c is beside its path in %s by its measured places: x %+.1f, y %+.1f, z %+.1f mm in the mean. The "
-             "diagnosis keeps to the path.",
+             "Mount %c is beside its path in %s by its measured places: x %+.1f, y %+.1f, z %+.1f mm on average. The "
+             "diagnosis assumes the path.",
              mount ? 'B' : 'A', cuts, sum.x, sum.y, sum.z);
 }
 

@@ -8,6 +8,7 @@
 #include <wirecut/recording_file.h>
 
 #include "explain/machine.h"
+#include "explain/verdict_text.h"
 #include "test.h"
 
 static machine_case m;
@@ -300,6 +301,21 @@ TEST(missing_jobs_and_samples_are_passed_over) {
     ck_assert_int_eq(wcut_redundancy_create(3, few, NULL, &r, NULL), WCUT_OK);
     ck_assert_int_eq(r.count, 0);
     ck_assert_ptr_null(r.cut[1].recording);
+    wcut_redundancy_destroy(&r);
+}
+
+TEST(a_verdict_of_no_difference_follows_the_contradictions_and_does_not_deny_them) {
+    static wcut_diagnosis d;
+    d = (wcut_diagnosis){.kind = WCUT_VERDICT_NONE};
+    give_programme(0, 1, true, true);
+    wcut_redundancy r = compare();
+    ck_assert_int_eq(r.count, 1);
+    wcut_diagnosis_sentence(&d);
+    ck_assert_msg(strncmp(d.sentence, "No difference beyond noise", 26) == 0, "%s", d.sentence);
+    ck_assert(wcut_contradictions_report(&r, false, &d));
+    ck_assert_msg(strncmp(d.sentence, r.found[0].text, strlen(r.found[0].text)) == 0, "%s", d.sentence);
+    ck_assert_msg(strstr(d.sentence, " Otherwise no difference beyond noise") != NULL, "%s", d.sentence);
+    wcut_free(d.contradiction);
     wcut_redundancy_destroy(&r);
 }
 

@@ -1,4 +1,4 @@
-/* wirecut/compare.h - a scan beside the face that a job, a mesh or a surface says it should be (libwirecut-io). */
+/* wirecut/compare.h - comparison of a scan with the face of a job, a mesh or a surface (libwirecut-io). */
 #ifndef WCUT_COMPARE_H
 #define WCUT_COMPARE_H
 
@@ -20,7 +20,7 @@
 extern "C" {
 #endif
 
-/** How distances are taken. */
+/** What distances are measured from and to. */
 typedef enum wcut_compare_distance {
     WCUT_COMPARE_DISTANCE_SURFACE,        /**< from the points to the exact surface; a mesh has only its triangles */
     WCUT_COMPARE_DISTANCE_MESH,           /**< from the points to triangles */
@@ -34,7 +34,7 @@ typedef struct wcut_compare_reference {
     const char *face;            /**< of a CAD file with several faces: a name or a number from 1; NULL: its only one */
     const char *edges;           /**< file whose two curves replace the edges of a design at `path`; NULL: none */
     const char *force_law;       /**< file whose laws replace those of a job at `path`; NULL: none */
-    const wcut_setup *setup;     /**< that `history` came from */
+    const wcut_setup *setup;     /**< the setup of `history` */
     const wcut_history *history; /**< of two stations or more */
     const wcut_mesh *mesh;       /**< [mm] at least one triangle */
     const wcut_surface *surface; /**< [mm] the face itself, not lowered by a kerf and not clipped by a block */
@@ -64,24 +64,24 @@ typedef struct wcut_compare_options {
     wcut_registration_options registration;
     const char *datums;          /**< file of wcut_datums_read, for WCUT_REGISTRATION_METHOD_DATUM alone */
     int bands;                   /**< 0 .. WCUT_BANDS_MAX - 1; default 4 */
-    double band[WCUT_BANDS_MAX]; /**< [mm] tolerances whose shares are told, positive, in any order; default 0.25, 0.5,
-                                      1, 2. That of the gate is added */
+    double band[WCUT_BANDS_MAX]; /**< [mm] tolerances, positive, in any order: the share of deviations within each is
+                                      computed; default 0.25, 0.5, 1, 2. That of the gate is added */
     double tolerance;            /**< [mm] of the gate; default 0: none */
     double share;                /**< [1] of the deviations that must be within it, 0 .. 1; default 0.95 */
     int normals;                 /**< neighbours that make a point's normal, 2 .. 128; default 0: no normals */
     bool reconstruct;            /**< make a mesh of the scan; default no, but for
                                       WCUT_COMPARE_DISTANCE_RECONSTRUCTION, which needs it */
-    double support;              /**< [mm] a point speaks for the face that far around it, positive; default 0: 1.5, or
-                                      2.5 times the spacing of the points if that is more */
+    double support;              /**< [mm] radius around a point within which the face counts as measured, positive;
+                                      default 0: 1.5, or 2.5 times the spacing of the points if that is more */
     const char *part, *inspector, *instrument, *date; /**< the title block; default NULL: not given */
-    bool feet;                                        /**< keep what is known of each point held, in `row` */
+    bool feet;                                        /**< keep the deviation of each point held, in `row` */
     int threads;                                      /**< 1 or more; default 1; the result does not depend on it */
 } wcut_compare_options;
 
 /** The defaults: nothing is removed from the scan, nothing is moved. */
 WCUT_API wcut_compare_options wcut_compare_options_default(void);
 
-/** What takes time in a comparison. */
+/** Stages of a comparison that take time. */
 typedef enum wcut_compare_stage {
     WCUT_COMPARE_STAGE_SIMULATE, /**< stations */
     WCUT_COMPARE_STAGE_READ,     /**< points; how many there will be is not known: total is 0 */
@@ -89,16 +89,16 @@ typedef enum wcut_compare_stage {
     WCUT_COMPARE_STAGE_COUNT
 } wcut_compare_stage;
 
-/** Who watches a comparison. */
+/** Callbacks of a comparison. */
 typedef struct wcut_compare_watch {
-    /** called after each station and each piece of a scan; other than 0: stop. NULL: nobody */
+    /** called after each station and each piece of a scan; other than 0: stop. NULL: none */
     int (*progress)(wcut_compare_stage stage, int done, int total, void *context);
-    /** called with a sentence on what makes the figures doubtful, as soon as that is known. NULL: nobody */
+    /** called with a sentence about a doubt in the figures, as soon as it is known. NULL: none */
     void (*warn)(const char *text, void *context);
     void *context;
 } wcut_compare_watch;
 
-/** A comparison that was made. Borrows the texts of reference, scans and options, and a reference that is no file. */
+/** The result of a comparison. Borrows the texts of reference, scans and options, and a reference that is no file. */
 typedef struct wcut_compare_result {
     wcut_compared compared;    /**< what deviation.json holds */
     wcut_report_compare page;  /**< what report.html shows: the coloured face, the points held as registered */
@@ -115,7 +115,7 @@ typedef struct wcut_compare_result {
  * A scan of more points than are held is read twice; only files can be. A registration that does not converge is no
  * failure: compared.registration->converged is 0, and the figures are of its best pose.
  *
- * @param[in]  reference
+ * @param[in]  reference what the scan is compared with
  * @param[in]  scans   1 or more
  * @param[in]  scan    scans, which together are one scan
  * @param[in]  options NULL for the defaults
@@ -137,13 +137,13 @@ WCUT_API wcut_status wcut_compare_run(const wcut_compare_reference *reference, i
 /** Free a comparison; NULL is allowed. */
 WCUT_API void wcut_compare_destroy(wcut_compare_result *result);
 
-/** The most files of a comparison. */
+/** Maximum number of files of a comparison. */
 enum { WCUT_COMPARE_FILES_MAX = 8 };
 
 /**
  * The files of a comparison, in the order in which they are written; deviation.json, the voucher, is the last.
  *
- * @param[in]  result NULL: all that a comparison may leave
+ * @param[in]  result NULL: all files that a comparison can have
  * @param[out] name   WCUT_COMPARE_FILES_MAX, the first of them, constants
  * @return how many.
  */
@@ -155,7 +155,7 @@ WCUT_API int wcut_compare_files(const wcut_compare_result *result, const char *n
  *
  * @param[in]  result
  * @param[in]  results of the comparison's run; its set is empty afterwards where it was committed
- * @param[out] text    deviation.json as it stands on disk, for free(); may be NULL
+ * @param[out] text    deviation.json as it is on disk, for free(); may be NULL
  * @param[out] error   may be NULL
  * @return WCUT_OK: all files are wholly on disk; WCUT_BAD_ARGUMENT (also where the run was without `results`),
  *         WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the folder has its earlier files.

@@ -143,14 +143,14 @@ typedef enum wcut_contradiction_kind {
 /** A contradiction. */
 typedef struct wcut_contradiction {
     wcut_contradiction_kind kind;
-    char column[32]; /**< that is wrong, or does not follow its job: "station", "speed_command_mm_s" */
+    char column[32]; /**< the wrong column, or the one that does not follow its job: "station", "speed_command_mm_s" */
     int cuts;        /**< in which it is, WCUT_RIG_CUTS at most */
     int cut[WCUT_RIG_CUTS];
-    double found, expected, error; /**< in the unit; error: one standard deviation of found, 0 where it is not told */
+    double found, expected, error; /**< in the unit; error: one standard deviation of found, 0 where it is not known */
     char unit[8];                  /**< "share" (of the programme, of the set power, of the way), "N", "mm" */
-    bool fault;                    /**< of an instrument; false: the job says what was not done */
+    bool fault;                    /**< of an instrument; false: the cut was not made as the job states */
     bool common;                   /**< one value for all cuts */
-    bool repaired;                 /**< the diagnosis is of the case without it */
+    bool repaired;                 /**< the diagnosis uses the corrected case */
     char text[480];                /**< a sentence or two, with figures */
 } wcut_contradiction;
 
@@ -161,7 +161,7 @@ typedef struct wcut_mismatch {
     char column[24]; /**< "alpha_a_deg", or "scan" */
     double time[2];  /**< [s] of the recording */
     double station[2];
-    double wire[2];     /**< [mm] along the wire in the foam; NaN: not told */
+    double wire[2];     /**< [mm] along the wire in the foam; NaN: not determined */
     wcut_vec3 block[2]; /**< [mm] corners of the box where the wire, or the scanned face, was */
     double mean;        /**< measured less predicted, in the channel's unit */
     double share;       /**< 0 .. 1 of the whole misfit beyond noise */

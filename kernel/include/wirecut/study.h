@@ -15,7 +15,7 @@ enum { WCUT_STUDY_CASES_MAX = 1000000, WCUT_STUDY_HASH_SIZE = 65 };
 /** A study file and what it refers to, read. */
 typedef struct wcut_study wcut_study;
 
-/** What a study says; the texts belong to the study. */
+/** The contents of a study; the texts belong to the study. */
 typedef struct wcut_study_info {
     const char *name;             /**< UTF-8 without control characters, as all texts here */
     const char *verb;             /**< "simulate" */
@@ -35,8 +35,8 @@ typedef struct wcut_study_info {
  *
  * @param[in]  path  a JSON file
  * @param[out] study the caller's, to wcut_study_destroy
- * @param[out] error may be NULL; the place, what was found, what was expected: of a pointer that names nothing in the
- *                   input the nearest one, of too many cases their number
+ * @param[out] error may be NULL; the place, what was found, what was expected; for a pointer without a value in the
+ *                   input also the nearest pointer, for too many cases their number
  * @return WCUT_OK; WCUT_NOT_FOUND (no such file, not readable), WCUT_BAD_FORMAT, WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY:
  *         nothing was written.
  */
@@ -46,7 +46,7 @@ WCUT_API wcut_status wcut_study_read(const char *path, wcut_study **study, wcut_
 WCUT_API void wcut_study_destroy(wcut_study *study);
 
 /**
- * What a study says.
+ * The contents of a study.
  *
  * @return borrowed from the study; NULL: study is NULL.
  */
@@ -75,7 +75,7 @@ WCUT_API wcut_status wcut_study_value_print(const wcut_study *study, int k, int 
 WCUT_API wcut_status wcut_study_input_print(const wcut_study *study, int k, char **text);
 
 /**
- * What tells a case from every other: the SHA-256 (FIPS 180-4) of its input, verb, options, the files it uses as they
+ * The hash of a case: the SHA-256 (FIPS 180-4) of its input, verb, options, the files it uses as they
  * are, and the version of the program. Cases of the same hash have the same results.
  *
  * @param[in]  study
@@ -86,8 +86,8 @@ WCUT_API wcut_status wcut_study_input_print(const wcut_study *study, int k, char
 WCUT_API wcut_status wcut_study_hash_eval(const wcut_study *study, int k, char *hash);
 
 /**
- * The words of the command that runs a case, one a line: verb, inputs, -o FOLDER, options. Names of files in them are
- * relative to the study's folder, but for the input that is varied: FOLDER/input.json.
+ * The words of the command that runs a case, one per line: verb, inputs, -o FOLDER, options. Names of files in them are
+ * relative to the study's folder, except the input that is varied: FOLDER/input.json.
  *
  * @param[in]  study
  * @param[in]  k      0 .. cases - 1

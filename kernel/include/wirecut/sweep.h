@@ -12,14 +12,14 @@
 extern "C" {
 #endif
 
-/** How a case stands: X(enumerator, word in files, whether it is final: a sweep does not run it again). */
+/** State of a case: X(enumerator, word in files, whether it is final: a sweep does not run it again). */
 #define WCUT_SWEEP_STATE_LIST(X)                                                                      \
     X(WCUT_SWEEP_STATE_MISSING, "missing", false)            /**< not run, or not to its end */       \
     X(WCUT_SWEEP_STATE_DONE, "done", true)                   /**< with its results */                 \
     X(WCUT_SWEEP_STATE_OUTSIDE, "outside", true)             /**< with results outside a tolerance */ \
     X(WCUT_SWEEP_STATE_NOT_CONVERGED, "not_converged", true) /**< with what was computed */           \
     X(WCUT_SWEEP_STATE_REFUSED, "refused", true)             /**< its input is wrong */               \
-    X(WCUT_SWEEP_STATE_FAILED, "failed", false)              /**< for want of memory, disk */         \
+    X(WCUT_SWEEP_STATE_FAILED, "failed", false)              /**< memory or disk was short */         \
     X(WCUT_SWEEP_STATE_CRASHED, "crashed", false)            /**< ended by a signal */
 
 #define WCUT_SWEEP_STATE_ENTRY(name, word, final) name,
@@ -42,11 +42,11 @@ typedef struct wcut_sweep_options {
     void *context;          /**< for progress */
 } wcut_sweep_options;
 
-/** What became of the cases of a run or of a sweep. */
+/** Counts of the cases of a run or of a sweep. */
 typedef struct wcut_sweep_counts {
     int cases;                         /**< of the share */
-    int state[WCUT_SWEEP_STATE_COUNT]; /**< how many stand in each */
-    int ran;                           /**< run now, whatever their end; the others were whole before */
+    int state[WCUT_SWEEP_STATE_COUNT]; /**< number of cases in each */
+    int ran;                           /**< run now, in whatever state they ended; the others were whole before */
     double seconds;                    /**< [s] sum of the times of those that were run now */
 } wcut_sweep_counts;
 
@@ -87,16 +87,16 @@ WCUT_API void wcut_sweep_destroy(wcut_sweep *sweep);
 WCUT_API const wcut_study *wcut_sweep_view(const wcut_sweep *sweep);
 
 /**
- * Run the cases that are not whole, each in a process and a folder of its own: cases/HH/HASH, HH the first digits of the
- * hash. A case is whole where case.json says so and its files are as their voucher lists them. A case that fails or
- * crashes is recorded with its last words and does not stop the others. Processes that still run when the caller's ends
- * are ended with it.
+ * Run the cases that are not whole, each in a process and a folder of its own: cases/HH/HASH, HH the first digits of
+ * the hash. A case is whole where case.json says so and its files are as their voucher lists them. A case that fails
+ * or crashes is recorded with the end of its output and does not stop the others. Processes that still run when the
+ * caller's process ends are ended with it.
  *
  * @param[in]  sweep
  * @param[in]  options
  * @param[out] counts may be NULL; also filled where the run was interrupted
  * @param[out] error  may be NULL
- * @return WCUT_OK, whatever became of single cases; WCUT_INTERRUPTED (the processes were asked to end and have ended),
+ * @return WCUT_OK, whatever the states of the cases; WCUT_INTERRUPTED (the processes were asked to end and have ended),
  *         WCUT_NOT_WRITTEN (the folder; another sweep runs in it), WCUT_NOT_FOUND (the program cannot be started),
  *         WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: cases that are whole stay.
  */
@@ -104,7 +104,7 @@ WCUT_API wcut_status wcut_sweep_run(wcut_sweep *sweep, const wcut_sweep_options 
                                     wcut_error *error);
 
 /**
- * How the cases stand, by what case.json says.
+ * Count the states of all cases, as their case.json has them.
  *
  * @param[in]  sweep
  * @param[out] counts ran is 0, seconds those of all that were run
@@ -114,36 +114,36 @@ WCUT_API wcut_status wcut_sweep_run(wcut_sweep *sweep, const wcut_sweep_options 
 WCUT_API wcut_status wcut_sweep_query(const wcut_sweep *sweep, wcut_sweep_counts *counts, wcut_error *error);
 
 /**
- * What a whole sweep takes, from its first case, which is run.
+ * Estimate time and disk of a sweep from its first case, which is run.
  *
  * @param[in]  sweep
- * @param[in]  options jobs: for how many processes; share and shares are not looked at
+ * @param[in]  options jobs: for how many processes; share and shares are ignored
  * @param[out] seconds [s] of the first case alone
  * @param[out] total   [s] of all cases with that many processes
  * @param[out] bytes   [byte] on disk of all cases
  * @param[out] error   may be NULL
- * @return WCUT_OK, the statuses of wcut_sweep_run; WCUT_DEGENERATE (the first case has no result; its last words are
- *         the text): nothing was written.
+ * @return WCUT_OK, the statuses of wcut_sweep_run; WCUT_DEGENERATE (the first case has no result; the error has the
+ *         end of its output): nothing was written.
  */
 WCUT_API wcut_status wcut_sweep_measure(wcut_sweep *sweep, const wcut_sweep_options *options, double *seconds,
                                         double *total, double *bytes, wcut_error *error);
 
 /**
- * Whether the first result that there is has every figure of the study: while a sweep runs, a misspelt one is seen.
+ * Check that the first result has every figure of the study: a misspelt pointer is found while the sweep runs.
  *
  * @param[in]  sweep
- * @param[out] error may be NULL; the figure that it has not, and the nearest pointer
+ * @param[out] error may be NULL; the missing figure, and the nearest pointer
  * @return WCUT_OK, also where there is no result yet; WCUT_NOT_FOUND, WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY.
  */
 WCUT_API wcut_status wcut_sweep_figures_query(const wcut_sweep *sweep, wcut_error *error);
 
 /**
- * Write the table of a sweep: a row a case with its parameters, figures and state, in the order of the cases. The same
- * bytes whatever the order, the number of processes and the machine.
+ * Write the table of a sweep: one row per case with its parameters, figures and state, in the order of the cases. The
+ * same bytes whatever the order, the number of processes and the machine.
  *
  * @param[in]  sweep
  * @param[in]  path  the target, replaced whole or not at all
- * @param[out] error may be NULL; of a figure that no result has the nearest pointer
+ * @param[out] error may be NULL; for a figure that no result has also the nearest pointer
  * @return WCUT_OK; WCUT_NOT_FOUND (a figure that no result has), WCUT_BAD_ARGUMENT, WCUT_NOT_WRITTEN, WCUT_NO_MEMORY:
  *         the target is as it was.
  */
@@ -161,7 +161,7 @@ WCUT_API wcut_status wcut_sweep_print(const wcut_sweep *sweep, char **text, wcut
 
 /** An array job of Slurm that runs a planned sweep: task i takes the i-th share of the cases. */
 typedef struct wcut_slurm {
-    const char *program;   /**< the command, a path that every node sees */
+    const char *program;   /**< the command, a path that is valid on every node */
     int tasks;             /**< 1 .. 100000 */
     int cpus;              /**< of a task, processes at a time; at least 1 */
     const char *partition; /**< NULL: the default one; letters, digits and ._-, as time and memory */
@@ -177,7 +177,7 @@ typedef struct wcut_slurm {
  * @param[in]  slurm
  * @param[in]  path  the target, replaced whole or not at all
  * @param[out] error may be NULL
- * @return WCUT_OK; WCUT_BAD_ARGUMENT (a letter that such a word cannot have), WCUT_NOT_WRITTEN, WCUT_NO_MEMORY: the
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a character that such a word cannot have), WCUT_NOT_WRITTEN, WCUT_NO_MEMORY: the
  *         target is as it was.
  */
 WCUT_API wcut_status wcut_slurm_write(const wcut_sweep *sweep, const wcut_slurm *slurm, const char *path,
