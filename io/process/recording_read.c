@@ -20,6 +20,35 @@ static wcut_status refuse_line(wcut_error *error, const char *path, int line, co
     return wcut_fail(error, WCUT_BAD_FORMAT, "%s: line %d: %s", wcut_quote(name, path, WCUT_LABEL_MAX, 1), line, what);
 }
 
+/* whether a row says nothing that the row before it did not say: the same cells in every column */
+static bool is_repeated(const wcut_table *table, int row) {
+    for (int c = 0; c < table->columns; c++) {
+        const wcut_column *x = &table->column[c];
+        const bool there = !x->present || x->present[row], before = !x->present || x->present[row - 1];
+        if (there != before || (there && x->value[row] != x->value[row - 1])) return false;
+    }
+    return true;
+}
+
+/* leave out samples that were written twice */
+static void drop_repeats(wcut_table *table) {
+    int kept = table->rows > 0;
+    for (int i = 1; i < table->rows; i++) {
+        const bool repeated = is_repeated(table, i);
+        for (int c = 0; c < table->columns; c++) {
+            wcut_column *x = &table->column[c];
+            if (repeated) {
+                x->missing -= x->present && !x->present[i];
+                continue;
+            }
+            x->value[kept] = x->value[i];
+            if (x->present) x->present[kept] = x->present[i];
+        }
+        if (!repeated) table->line[kept++] = table->line[i];
+    }
+    table->rows = kept;
+}
+
 /* a clock that every sample has and that runs forward */
 static wcut_status check_time(const wcut_table *table, const char *path, wcut_error *error) {
     const wcut_column *time = &table->column[wcut_table_locate(table, channel_column[WCUT_CHANNEL_TIME].name)];
@@ -55,6 +84,7 @@ wcut_status wcut_recording_read(const char *path, wcut_recording **recording, wc
     if (!path || !recording) return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s", wcut_status_text(WCUT_BAD_ARGUMENT));
     wcut_table *table = NULL;
     wcut_status status = wcut_known_table_read(path, WCUT_CHANNEL_COUNT, channel_column, &table, error);
+    if (status == WCUT_OK) drop_repeats(table);
     if (status == WCUT_OK) status = check_time(table, path, error);
     wcut_recording *r = status == WCUT_OK ? wcut_alloc(1, sizeof *r) : NULL;
     if (status == WCUT_OK && !r) status = wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));

@@ -9,6 +9,9 @@ static const wcut_effect *find_setup_effect(const wcut_setup *setup, wcut_effect
     return NULL;
 }
 
+/* choices of mount_compliance: which mounts give way; the last, both along the feed (y) alone */
+enum { WCUT_MOUNTS_BOTH, WCUT_MOUNTS_A, WCUT_MOUNTS_B, WCUT_MOUNTS_FEED };
+
 /* wire_elongation: strain at 60 W/m in the foam without tension */
 static double thermal_strain(const wcut_effect *e) {
     return e->value[WCUT_WIRE_ELONGATION_STRAIN] * e->value[WCUT_WIRE_ELONGATION_THERMAL_SHARE];
@@ -87,9 +90,14 @@ void wcut_extension_apply(wcut_cut *cut, const wcut_target *target, wcut_extensi
     }
 
     /* compliance of the mounts, as displacement per tension, and their settling time */
-    if (mounts)
-        out->compliance.mount_compliance = 1 / mounts->value[WCUT_MOUNT_COMPLIANCE_STIFFNESS],
+    if (mounts) {
+        const double give = 1 / mounts->value[WCUT_MOUNT_COMPLIANCE_STIFFNESS];
+        const bool feed = mounts->choice == WCUT_MOUNTS_FEED;
+        for (int m = 0; m < 2; m++)
+            if (feed || mounts->choice == WCUT_MOUNTS_BOTH || mounts->choice == (m ? WCUT_MOUNTS_B : WCUT_MOUNTS_A))
+                out->compliance.give[m] = feed ? (wcut_vec3){0, give, 0} : (wcut_vec3){give, give, give};
         out->compliance.settling = mounts->value[WCUT_MOUNT_COMPLIANCE_SETTLING];
+    }
     step->compliance = &out->compliance;
 }
 

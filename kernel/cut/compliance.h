@@ -14,17 +14,18 @@ typedef struct wcut_mount { /* A or B: where it is led to, and how it was bent a
 
 /* A step without has NULL in its place. */
 typedef struct wcut_compliance {
-    const double *rest;      /* n-1 [mm] edges warm and without tension; NULL: all as the step says, and stiff */
-    double softness;         /* [1/N] stretch of an edge a tension, 1/EA */
-    double mount_compliance; /* [mm/N]; 0: rigid */
-    double settling;         /* [s] of a mount */
+    const double *rest; /* n-1 [mm] edges warm and without tension; NULL: all as the step says, and stiff */
+    double softness;    /* [1/N] stretch of an edge a tension, 1/EA */
+    wcut_vec3 give[2];  /* [mm/N] of mounts A and B along x, y, z; 0: rigid */
+    double settling;    /* [s] of a mount */
     wcut_mount mount[2];
 } wcut_compliance;
 
-/* An end of the wire on its mount: X_0 = (c + kappa X_1) / (1 + kappa), and how that moves with X_1, S_0 and ln r. */
+/* An end of the wire on its mount: X_0 = (c + kappa X_1) / (1 + kappa) in each coordinate, and how that moves with X_1, S_0
+   and ln r. */
 typedef struct wcut_end {
     wcut_vec3 at;
-    double by_next;        /* [1] times identity */
+    wcut_vec3 by_next;     /* [1] of each coordinate by its own */
     wcut_vec3 by_tension;  /* [mm/N] */
     wcut_vec3 by_log_rate; /* [mm] */
 } wcut_end;

@@ -163,7 +163,13 @@ static wcut_end end_on_mount(const wcut_step *step, const wcut_vec3 *x, const do
                                rate);
 }
 
-static bool mounts_give(const wcut_step *step) { return step->compliance && step->compliance->mount_compliance > 0; }
+static bool mounts_give(const wcut_step *step) {
+    if (!step->compliance) return false;
+    const wcut_vec3 *give = step->compliance->give;
+    return vec3_dot(give[0], give[0]) + vec3_dot(give[1], give[1]) > 0;
+}
+
+static wcut_vec3 by_coordinate(wcut_vec3 a, wcut_vec3 b) { return (wcut_vec3){a.x * b.x, a.y * b.y, a.z * b.z}; }
 
 void wcut_system_place_ends(const wcut_step *step, const double *s, double log_rate, wcut_vec3 *x) {
     if (!mounts_give(step)) return;
@@ -174,7 +180,7 @@ void wcut_system_place_ends(const wcut_step *step, const double *s, double log_r
 
 /* what an equation has by the end, by what moves the end: the next node, its edge's tension, ln r */
 static void pass_on(wcut_system *y, const wcut_end *end, int row, int e, int next, wcut_vec3 by_end) {
-    add_vector(banded_at(&y->jacobian, row, node_at(next)), vec3_scale(end->by_next, by_end));
+    add_vector(banded_at(&y->jacobian, row, node_at(next)), by_coordinate(end->by_next, by_end));
     *banded_at(&y->jacobian, row, tension_at(e)) += vec3_dot(by_end, end->by_tension);
     y->by_log_rate[row] += vec3_dot(by_end, end->by_log_rate);
 }
@@ -205,7 +211,7 @@ static void put_mounts(wcut_system *y, const wcut_step *step, const wcut_vec3 *x
         /* its share in condition (4) */
         wcut_vec3 by_end = vec3_add(mat3_row_product(u, y->node[here].by_here), mat3_row_product(u, by_next));
         by_end = vec3_add_scaled(by_end, -step->tension, direction_change(&side[m], 3, w));
-        add_vector(y->border + node_at(next), vec3_scale(end.by_next, by_end));
+        add_vector(y->border + node_at(next), by_coordinate(end.by_next, by_end));
         y->border[tension_at(e)] += vec3_dot(by_end, end.by_tension);
         y->condition_by_log_rate += vec3_dot(by_end, end.by_log_rate);
     }

@@ -32,6 +32,7 @@ typedef struct wcut_search {
     wcut_fitted none;
     wcut_residual_stats left; /* of none */
     int rows, cuts;           /* that are there */
+    double saturated;         /* gain of the whole library at once over none, linear */
     int count;                /* candidates fitted: singles, then pairs, each by gain */
     wcut_candidate candidate[WCUT_CANDIDATES];
     int screened; /* the best variant of every kind, by the screen, best first */

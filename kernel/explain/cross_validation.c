@@ -126,7 +126,10 @@ static subject own_subject(const wcut_job *job) {
 }
 
 static wcut_job job_of(const wcut_evidence *e, const subject *s, int cut, wcut_effect *effect) {
-    return s->own ? *e->cut[cut].job : wcut_model_job(e, &s->model, cut, effect);
+    if (s->own) return *e->cut[cut].job;
+    wcut_job job = wcut_model_job(e, &s->model, cut, effect);
+    job.wire_length -= e->cut[cut].own_length; /* a forecast does not know it */
+    return job;
 }
 
 static wcut_status forecast_motion(const wcut_evidence *e, int cut, const subject *s, const wcut_job *job,

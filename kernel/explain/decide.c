@@ -13,18 +13,21 @@
 #define COMMON_MAX 5.0
 #define WORST_MAX 8.0
 #define PATCHES_MAX 2.2
-#define PEAK_MAX 30.0
-/* misfit over the number of rows, under the noise that the saturated model leaves: more, and there is something that no
-   scatter has taken; nulls have 0.85 to 1.11 */
-#define MISFIT_MAX 1.15
-/* with fewer cuts the saturated model takes scatter for effects, and its noise is too small */
-enum { MISFIT_CUTS = 5 };
+#define PEAK_MAX 35.0
 
-/* gains below this are within chance over the whole library: the 0.999 quantile of chi-square (2) over 200 columns, twice
-   over since neighbours in time are not quite independent; nulls of the labelled cases reach 57 */
-#define GAIN_MIN 60.0
+/* gains below this are within chance over the whole library: the 0.999 quantile of chi-square (2) over 200 columns; and what
+   the simulator's own error gains, which grows with the cuts up to so many rows, when nulls of the labelled cases reach 57 */
+#define GAIN_CHANCE 25.0
+#define GAIN_ERROR 35.0
+#define GAIN_ERROR_ROWS 4000.0
 /* what is below its gate of practical size is named only where it cannot be the simulator's own error */
 #define GAIN_SMALL 300.0
+/* a gain of candidates that may not be named, beyond which something is there all the same; nulls reach 102 */
+#define GAIN_UNTOLD 150.0
+/* the same of the whole library at once, some sixty columns; nulls reach 702 */
+#define GAIN_TOGETHER 800.0
+/* misfit over rows under the noise that all share, beyond which scatter may stand for an effect */
+#define MISFIT_LARGE 1.15
 /* what moves scans alone: a shift that all scans have in common against one of each */
 #define GAIN_SCAN 25.0
 /* of the fall of the misfit, the part that cuts which were not fitted must show: right names show 0.94 and more, an
@@ -47,7 +50,7 @@ enum { MISFIT_CUTS = 5 };
 /* of the bounds of the scatter */
 #define PLAUSIBLE 0.95
 /* [s] late readings beside which nothing is wrong */
-#define DELAY_MAX 0.5
+#define DELAY_MAX 1.0
 /* price of a coordinate in units of cost */
 #define PRICE 4.0
 /* an effect of another form: the part of the misfit beyond noise that it takes, and how far it leads the next kind */
@@ -63,23 +66,29 @@ static bool scatter_is_plausible(const wcut_fitted *f) {
     return true;
 }
 
-static bool is_adequate(const wcut_search *s, const wcut_fitted *f, const wcut_residual_stats *left) {
-    return left->slow <= SLOW_MAX && left->common <= COMMON_MAX && left->worst <= WORST_MAX &&
-           left->patches <= PATCHES_MAX && left->peak <= PEAK_MAX &&
-           (s->cuts < MISFIT_CUTS || f->misfit <= MISFIT_MAX * s->rows) && scatter_is_plausible(f);
+/* whether what is left of the recordings, the scans aside, is noise */
+static bool recordings_are_noise(const wcut_residual_stats *left) {
+    return left->slow <= SLOW_MAX && left->common <= COMMON_MAX && left->worst <= WORST_MAX && left->peak <= PEAK_MAX;
 }
 
+bool wcut_residual_is_noise(const wcut_fitted *f, const wcut_residual_stats *left) {
+    return recordings_are_noise(left) && left->patches <= PATCHES_MAX && scatter_is_plausible(f);
+}
+
+/* the least gain of what may be named */
+static double gain_min(const wcut_search *s) { return GAIN_CHANCE + GAIN_ERROR * fmin(s->rows / GAIN_ERROR_ROWS, 1); }
+
 /* whether recalibration, with the delay of late readings, leaves noise and scatter alone */
-static bool is_null(const wcut_search *s) { return is_adequate(s, wcut_search_base(s), &s->left); }
+static bool is_null(const wcut_search *s) { return wcut_residual_is_noise(wcut_search_base(s), &s->left); }
 
 bool wcut_search_explains_delay(const wcut_search *s, int candidate) {
     const wcut_candidate *c = &s->candidate[candidate];
     const wcut_effect *delay = &c->fit.model.effect[c->fit.model.effects - 1];
-    return c->gain > GAIN_MIN && delay->value[0] < DELAY_MAX && is_adequate(s, &c->fit, &c->left);
+    return delay->value[0] < DELAY_MAX && wcut_residual_is_noise(&c->fit, &c->left);
 }
 
-static bool leaves_noise(const wcut_search *s, int candidate) {
-    return is_adequate(s, &s->candidate[candidate].fit, &s->candidate[candidate].left);
+bool wcut_search_leaves_noise(const wcut_search *s, int candidate) {
+    return wcut_residual_is_noise(&s->candidate[candidate].fit, &s->candidate[candidate].left);
 }
 
 double wcut_candidate_score(const wcut_search *s, int candidate) {
@@ -122,21 +131,30 @@ static bool runs_out(const wcut_candidate *c) {
     return false;
 }
 
-/* whether it takes half of the misfit beyond noise: less is the next best of what is not in the library */
+/* what the whole library at once would gain over what candidates are held against */
+static double all_that_is_told(const wcut_search *s) {
+    return s->saturated - (s->none.cost - wcut_search_base(s)->cost);
+}
+
+/* Whether it gains half of what the whole library at once does, or takes half of the misfit under the noise that all share,
+   where there is one: a sensor's fault gains little where its zeros may scatter. Less is the next best of what is not in
+   the library. */
 static bool takes_most(const wcut_search *s, int candidate) {
-    return s->candidate[candidate].fall >= FORM_TAKES * (wcut_search_base(s)->misfit - s->rows);
+    const wcut_candidate *c = &s->candidate[candidate];
+    const double misfit = wcut_search_base(s)->misfit;
+    return c->gain >= FORM_TAKES * all_that_is_told(s) ||
+           (misfit > MISFIT_LARGE * s->rows && c->fall >= FORM_TAKES * (misfit - s->rows));
 }
 
 /* why a candidate cannot be named; NULL where it can */
 static const char *objection(const wcut_search *s, int candidate) {
     const wcut_candidate *c = &s->candidate[candidate];
     const bool small = c->second_size < 1, scans = moves_scans_alone(c, wcut_search_base(s)->model.effects);
-    if (c->gain < (small ? GAIN_SMALL : scans ? GAIN_SCAN : GAIN_MIN))
+    if (c->gain < (small ? GAIN_SMALL : scans ? GAIN_SCAN : gain_min(s)))
         return small ? (c->effects > 1 ? "one of the two is too small to be named" : "too small to be named")
                      : "no more than chance";
     if (!is_significant(c, wcut_search_base(s)->model.effects)) return "not significant";
-    const double beyond = wcut_search_base(s)->misfit - s->rows;
-    if (runs_out(c) && c->fall < BOUND_TAKES * beyond) return "a value ends at the bound of its range";
+    if (runs_out(c) && c->gain < BOUND_TAKES * all_that_is_told(s)) return "a value ends at the bound of its range";
     if (scans) return NULL;
     if (c->held_out < HELD_OUT_MIN * c->fall) return "does not predict held-out cuts";
     if (2 * c->better <= c->judged) return "predicts half of the held-out cuts or fewer";
@@ -176,20 +194,22 @@ static bool second_counts(const wcut_search *s, int pair, int single) {
 
     /* no single effect was found: the pair must gain by itself, and take most of what is beyond noise */
     if (single < 0) {
-        const double beyond = wcut_search_base(s)->misfit - noise;
-        return !is_null(s) && s->candidate[pair].gain > GAIN_PAIR && s->candidate[pair].fall > PAIR_TAKES * beyond;
+        const double misfit = wcut_search_base(s)->misfit;
+        if (is_null(s) && (misfit < MISFIT_LARGE * noise || s->candidate[pair].gain < GAIN_UNTOLD)) return false;
+        return s->candidate[pair].gain > GAIN_PAIR && s->candidate[pair].fall > PAIR_TAKES * (misfit - noise);
     }
 
     /* a second effect that does not act on the force is accepted more easily: the form of the force law cannot
        imitate it */
     const wcut_model *one = &s->candidate[single].fit.model, *both = &s->candidate[pair].fit.model;
     const double first = s->candidate[single].gain;
-    bool off_the_force = true;
+    bool off_the_force = true, scans = true;
     for (int k = 0; k < both->effects; k++) {
         const wcut_effect_place place = wcut_effect_view(both->effect[k].kind)->place;
         bool known = false;
         for (int j = 0; j < one->effects; j++) known = known || both->effect[k].kind == one->effect[j].kind;
         off_the_force = off_the_force && (known || place != WCUT_EFFECT_PLACE_STEP);
+        scans = scans && (known || (place != WCUT_EFFECT_PLACE_STEP && place != WCUT_EFFECT_PLACE_SENSOR));
     }
 
     /* the second effect must take away a given share of what the first one leaves */
@@ -199,7 +219,9 @@ static bool second_counts(const wcut_search *s, int pair, int single) {
     /* and its gain must exceed what an error of the model's form could feign */
     const double error = off_the_force ? MODEL_ERROR : FORM_ERROR;
 
-    return wcut_candidate_score(s, pair) - wcut_candidate_score(s, single) > fmax(GAIN_MIN, error * first);
+    const double least = fmax(scans ? GAIN_SCAN : gain_min(s), error * first);
+
+    return wcut_candidate_score(s, pair) - wcut_candidate_score(s, single) > least;
 }
 
 static wcut_verdict_kind verdict_kind_of(const wcut_model *m) {
@@ -224,6 +246,11 @@ static bool same_kinds(const wcut_model *a, const wcut_model *b) {
 static void list_rivals(const wcut_search *s, wcut_decision *d) {
     const wcut_candidate *best = &s->candidate[d->chosen];
     d->rival[d->rivals++] = d->chosen;
+
+    /* the simulator's own error grows with what is told apart: of a pair, what it says more than one alone */
+    double told = best->gain;
+    for (int k = 0; k < s->count && best->effects > 1; k++)
+        if (s->candidate[k].effects == 1) told = fmin(told, fmax(best->gain - s->candidate[k].gain, 0));
     for (int k = 0; k < s->count && d->rivals < WCUT_RIVALS; k++) {
         const wcut_candidate *c = &s->candidate[k];
         if (k == d->chosen || k == s->delayed || k == s->undelayed || c->effects != best->effects ||
@@ -233,7 +260,7 @@ static void list_rivals(const wcut_search *s, wcut_decision *d) {
         for (int r = 0; r < d->rivals; r++)
             listed = listed || same_kinds(&c->fit.model, &s->candidate[d->rival[r]].fit.model);
         const double behind = wcut_candidate_score(s, d->chosen) - wcut_candidate_score(s, k);
-        if (!listed && behind < RIVAL + 0.01 * best->gain) d->rival[d->rivals++] = k;
+        if (!listed && behind < RIVAL + 0.01 * told) d->rival[d->rivals++] = k;
     }
 }
 
@@ -247,10 +274,13 @@ static double next_kind(const wcut_search *s, int chosen) {
     return next;
 }
 
-/* an inadequate model of the right family: it takes most of the misfit, on cuts left out too, far before any other kind */
+/* An inadequate model of the right family: one effect that takes most of the misfit, on cuts left out too, far before any
+   other kind. What moves scans alone explains no recordings. */
 static bool is_of_another_form(const wcut_search *s, int chosen) {
-    const double beyond = wcut_search_base(s)->misfit - s->rows;
-    return takes_most(s, chosen) && beyond > 0 && wcut_candidate_score(s, chosen) > FORM_LEADS * next_kind(s, chosen);
+    const wcut_candidate *c = &s->candidate[chosen];
+    if (c->effects > 1 || wcut_search_base(s)->misfit <= s->rows) return false;
+    if (moves_scans_alone(c, wcut_search_base(s)->model.effects) && !recordings_are_noise(&c->left)) return false;
+    return takes_most(s, chosen) && wcut_candidate_score(s, chosen) > FORM_LEADS * next_kind(s, chosen);
 }
 
 const char *wcut_candidate_why(const wcut_search *s, const wcut_decision *d, int candidate) {
@@ -267,7 +297,7 @@ const char *wcut_candidate_why(const wcut_search *s, const wcut_decision *d, int
     const char *why = objection(s, candidate);
     if (why) return why;
     if (is_outdone(s, candidate)) return "an effect too small to be named explains more";
-    if (!named && !leaves_noise(s, candidate)) return "leaves a misfit that is not noise";
+    if (!named && !wcut_search_leaves_noise(s, candidate)) return "leaves a misfit that is not noise";
     return c->effects > 1 ? "its second effect is not needed" : "explains less";
 }
 
@@ -279,12 +309,21 @@ static double confidence(const wcut_search *s, const wcut_decision *d) {
     if (d->kind == WCUT_VERDICT_NONE) {
         double max = 0;
         for (int k = 0; k < s->count; k++) max = fmax(max, wcut_candidate_score(s, k));
-        return max > GAIN_MIN / 2 ? 0.7 : 0.9;
+        return max > gain_min(s) / 2 ? 0.7 : 0.9;
     }
     const wcut_candidate *best = &s->candidate[d->chosen];
-    if (!leaves_noise(s, d->chosen)) return 0.7;
+    if (!wcut_search_leaves_noise(s, d->chosen)) return 0.7;
     const double ahead = wcut_candidate_score(s, d->chosen) - next_kind(s, d->chosen);
     return ahead > 3 * RIVAL + 0.03 * best->gain ? 0.97 : 0.8;
+}
+
+/* the best score of what is there beside a bound; a value that ends at one is a fit of something else */
+static double best_score(const wcut_search *s) {
+    double best = 0;
+    for (int k = 0; k < s->count; k++)
+        if (k != s->delayed && k != s->undelayed && !runs_out(&s->candidate[k]))
+            best = fmax(best, wcut_candidate_score(s, k));
+    return best;
 }
 
 /* the verdict before late readings are looked at */
@@ -293,18 +332,19 @@ static wcut_decision decide_effects(const wcut_search *s) {
     wcut_decision d = {.kind = WCUT_VERDICT_NONE, .chosen = -1, .adequacy = s->left.slow};
     const int single = best_of(s, 1), pair = best_of(s, 2);
     d.chosen = single;
-    if (pair >= 0 && second_counts(s, pair, single)) d.chosen = pair;
+    if (pair >= 0 && wcut_search_leaves_noise(s, pair) && second_counts(s, pair, single)) d.chosen = pair;
 
     /* no candidate: either nothing is there, or something that no effect explains */
     if (d.chosen < 0) {
-        if (!is_null(s)) d.kind = WCUT_VERDICT_UNKNOWN;
+        if (!is_null(s) || best_score(s) > GAIN_UNTOLD || all_that_is_told(s) > GAIN_TOGETHER)
+            d.kind = WCUT_VERDICT_UNKNOWN;
         return d;
     }
 
     /* what is named must leave noise, or be the right family in another form */
     const wcut_candidate *best = &s->candidate[d.chosen];
     d.adequacy = best->left.slow;
-    if (!leaves_noise(s, d.chosen) && !is_of_another_form(s, d.chosen)) {
+    if (!wcut_search_leaves_noise(s, d.chosen) && !is_of_another_form(s, d.chosen)) {
         d.kind = WCUT_VERDICT_UNKNOWN;
         return d;
     }

@@ -18,6 +18,12 @@ typedef struct wcut_decision {
 /* Decide by what the search found. */
 wcut_decision wcut_search_decide(const wcut_search *search);
 
+/* whether what a fit leaves is what noise and the scatter of a rig leave */
+bool wcut_residual_is_noise(const wcut_fitted *fitted, const wcut_residual_stats *left);
+
+/* whether a candidate leaves what noise and the scatter of a rig leave */
+bool wcut_search_leaves_noise(const wcut_search *search, int candidate);
+
 /* whether a candidate whose last effect is late readings explains them and leaves noise */
 bool wcut_search_explains_delay(const wcut_search *search, int candidate);
 

@@ -23,6 +23,9 @@ enum { NODES_FINE = WCUT_NODES_FINE, NODES_COARSE = WCUT_NODES_COARSE, PARTS = 5
 #define SETTLE 2.0
 #define LAST 1.5
 
+/* standard deviation of a normal distribution over its median distance from the middle */
+#define NORMAL_OF_MEDIAN 1.4826
+
 /* ---- models ---- */
 
 /* way that a wire has gone through foam in the cuts before, at the middle of the block */
@@ -65,7 +68,7 @@ bool wcut_term_place(const wcut_evidence *e, int cut, bool carried, wcut_effect 
 wcut_job wcut_model_job(const wcut_evidence *e, const wcut_model *model, int cut, wcut_effect *effect) {
     wcut_job job = *e->cut[cut].job;
     job.force_law.a = model->a, job.force_law.b = model->b;
-    job.wire_length += model->length_change;
+    job.wire_length += model->length_change + e->cut[cut].own_length;
     int count = 0;
     for (int k = 0; k < model->effects; k++) {
         effect[count] = model->effect[k];
@@ -96,6 +99,44 @@ static void bin_samples(const wcut_evidence_cut *c, int n, const double *time, c
     }
     for (int i = 0; i < c->bins; i++) max = count[i] > max ? count[i] : max;
     for (int i = 0; i < c->bins; i++) out[i] = count[i] > 0 && 2 * count[i] >= max ? out[i] / count[i] : nan_value();
+}
+
+/* of a normal distribution */
+#define NORMAL_95 1.96
+/* readings beside each other, and how many spreads one may be off their median */
+enum { NEIGHBOURS = 3 };
+#define FAR_READING 6.0
+
+/* distance of reading i from the median of those about it; they are the last ones there are */
+static double off_neighbours(int count, const double *value, int i) {
+    double about[NEIGHBOURS];
+    const int half = NEIGHBOURS / 2, last = count - NEIGHBOURS;
+    const int from = i < half ? 0 : i - half > last ? last : i - half;
+    memcpy(about, value + from, sizeof about);
+    wcut_sort(NEIGHBOURS, about);
+    return fabs(value[i] - about[half]);
+}
+
+/*
+ * Leave out single readings that lie far from those before and after them (Hampel 1974): they become NaN. A signal that
+ * steps takes its neighbours along, and keeps its readings. room: 2 n.
+ */
+static void drop_outliers(int n, double *value, double *room) {
+    double *kept = room, *off = room + n;
+    int count = 0;
+    for (int i = 0; i < n; i++)
+        if (isfinite(value[i])) kept[count++] = value[i];
+    if (count < NEIGHBOURS) return;
+
+    /* the spread that neighbours have, but for one in twenty: a signal that is quiet and then moves keeps what it shows */
+    for (int i = 0; i < count; i++) off[i] = off_neighbours(count, kept, i);
+    wcut_sort(count, off);
+    const double limit = FAR_READING / NORMAL_95 * sorted_quantile(count, off, 0.95);
+    if (!(limit > 0)) return;
+    for (int i = 0, k = 0; i < n; i++) {
+        if (!isfinite(value[i])) continue;
+        if (off_neighbours(count, kept, k++) > limit) value[i] = nan_value();
+    }
 }
 
 /* mean of the broken line through a trajectory's values over each bin */
@@ -216,6 +257,7 @@ void wcut_evidence_residual(const wcut_evidence *e, double *out) {
             for (int i = 0; i < c->bins; i++) out[c->row + s * c->bins + i] = c->measured[s][i] - c->predicted[s][i];
         for (int i = 0; i < c->patch.count; i++) out[c->row + WCUT_SIGNALS * c->bins + i] = c->patch.distance[i];
     }
+    for (int i = 0; e->own_rows && i < e->rows; i++) out[i] += e->own_rows[i];
 }
 
 /* variance of what is new in the next sample, in units of the white noise; the filter of white and slow noise */
@@ -308,6 +350,7 @@ void wcut_evidence_destroy(wcut_evidence *e) {
     if (!e) return;
     for (int k = 0; e->cut && k < e->cuts; k++) destroy_cut(&e->cut[k]);
     wcut_scatter_destroy(&e->scatter);
+    wcut_free(e->own_rows);
     wcut_free(e->cut);
     wcut_free(e);
 }
@@ -348,7 +391,7 @@ static bool make_bins(wcut_evidence_cut *c) {
 
 static wcut_status measure_cut(wcut_evidence_cut *c, const wcut_response *d) {
     const int n = c->recorded.count;
-    double *value = wcut_alloc((size_t)n, sizeof *value);
+    double *value = wcut_alloc(3 * (size_t)n, sizeof *value); /* and room */
     int *count = wcut_alloc((size_t)c->bins, sizeof *count);
 
     /* the recorded signals, averaged in each bin; gaps become NaN */
@@ -359,6 +402,7 @@ static wcut_status measure_cut(wcut_evidence_cut *c, const wcut_response *d) {
                 const int sample = c->recorded.sample[i];
                 value[i] = !column->present || column->present[sample] ? column->value[sample] : nan_value();
             }
+            drop_outliers(n, value, value + n);
             bin_samples(c, n, c->recorded.time, value, count, c->measured[s]);
         }
 
@@ -487,7 +531,7 @@ static double white_noise(const wcut_evidence *e, int s, double *room) {
         }
     }
     const double floor = s < 2 ? 1e-4 : 1e-5; /* [N], [rad]: channels without noise, of simulated recordings */
-    return fmax(1.4826 * median(n, room) / sqrt(2), floor);
+    return fmax(NORMAL_OF_MEDIAN * median(n, room) / sqrt(2), floor);
 }
 
 static wcut_status predict_cut(wcut_evidence *e, int k, bool scans, wcut_error *error) {
@@ -536,6 +580,8 @@ wcut_status wcut_evidence_predict(wcut_evidence *e, const wcut_model *model, boo
 
     /* every cut is driven by itself */
     e->at = *model;
+    wcut_free(e->own_rows);
+    e->own_rows = NULL;
 #pragma omp parallel for num_threads(wcut_threads(e->threads)) schedule(dynamic, 1)
     for (int k = 0; k < e->cuts; k++)
         if (e->cut[k].bins > 0) failed[k].status = predict_cut(e, k, scans, &failed[k]);

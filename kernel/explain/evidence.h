@@ -36,12 +36,13 @@ typedef struct wcut_evidence_cut {
     const wcut_recording *recording;
     const wcut_cloud *scan; /* NULL: none */
     wcut_trajectory recorded, exogenous;
-    double contact, leave;                   /* [s] when the wire is taut, and when it leaves */
-    int bins;                                /* may be 0 */
-    double from;                             /* [s] where the first bin begins */
-    double *middle;                          /* bins [s] */
-    double *measured[WCUT_SIGNALS];          /* bins; NaN where missing */
-    double *predicted[WCUT_SIGNALS];         /* bins, along the recorded motion under `at`; NaN where missing */
+    double own_length;               /* [mm] of this cut's wire over the others', about which all rows are linear */
+    double contact, leave;           /* [s] when the wire is taut, and when it leaves */
+    int bins;                        /* may be 0 */
+    double from;                     /* [s] where the first bin begins */
+    double *middle;                  /* bins [s] */
+    double *measured[WCUT_SIGNALS];  /* bins; NaN where missing */
+    double *predicted[WCUT_SIGNALS]; /* bins, along the recorded motion under `at`; NaN where missing */
     double *station, *heat, *pace, *engaged; /* bins; pace [mm/s] of the faster mount */
     wcut_patches patch;
     wcut_response reference; /* along the exogenous trajectory under `at`, with positions where there is a scan */
@@ -60,6 +61,7 @@ typedef struct wcut_evidence {
     double
         path_response[WCUT_NOISE_GROUPS]; /* [N, rad per mm] rms of a group by mounts beside their path; 0: not known */
     wcut_scatter scatter;                 /* no columns before wcut_scatter_create */
+    double *own_rows; /* rows: what own_length changes, by the scatter's column; NULL: no cut has one */
     int threads;
     wcut_stop *stop; /* NULL: nobody stops what is done with it */
 } wcut_evidence;
@@ -106,7 +108,7 @@ wcut_status wcut_evidence_bin_exogenous(const wcut_evidence_cut *cut, const wcut
 wcut_status wcut_evidence_bin_recorded(const wcut_evidence_cut *cut, const wcut_model *model,
                                        const wcut_response *driven, double *out);
 
-/* Measured less predicted, rows; absent ones are NaN. */
+/* Measured less predicted, rows, as far as linear with every wire of one length; absent ones are NaN. */
 void wcut_evidence_residual(const wcut_evidence *evidence, double *out);
 
 /*

@@ -20,6 +20,8 @@ const double wcut_base_step[WCUT_BASE] = {0.02, 0.02, 0.5};
 #define NORMAL_95 1.96
 #define RISE_95 (NORMAL_95 * NORMAL_95)
 
+/* [1] rows that a model may leave without a prediction: more, and what it does not reach would count as explained */
+#define LOST_MAX 0.01
 /* [standard errors] a step beyond which the columns are taken anew */
 #define FAR 4
 
@@ -307,7 +309,8 @@ static wcut_status set_anchor(fitting *g, wcut_error *error) {
         if (status == WCUT_OK && failed[k].status != WCUT_OK)
             status = wcut_fail(error, failed[k].status, "cut %d: %s", k + 1, failed[k].text);
         for (int i = 0; i < WCUT_SIGNALS * c->bins; i++)
-            g->anchor[c->row + i] = c->measured[i / c->bins][i % c->bins] - g->f->predicted[c->row + i];
+            g->anchor[c->row + i] = c->measured[i / c->bins][i % c->bins] - g->f->predicted[c->row + i] +
+                                    (e->own_rows ? e->own_rows[c->row + i] : 0);
         for (int i = 0; i < c->patch.count; i++) { /* a face has no loop: the exogenous difference is exact */
             const int row = c->row + WCUT_SIGNALS * c->bins + i;
             g->anchor[row] -= g->rows[row] - g->at_rows[row];
@@ -315,10 +318,14 @@ static wcut_status set_anchor(fitting *g, wcut_error *error) {
     }
     wcut_free(failed);
     if (status != WCUT_OK) return status;
+    int there = 0, lost = 0;
     for (int i = 0; i < e->rows; i++) { /* a sample that one run reached and the other did not says nothing */
-        if (isfinite(g->measured[i]) && !isfinite(g->anchor[i])) g->anchor[i] = 0;
+        there += isfinite(g->measured[i]) != 0;
+        if (isfinite(g->measured[i]) && !isfinite(g->anchor[i])) g->anchor[i] = 0, lost++;
         g->at_rows[i] = g->rows[i];
     }
+    if (lost > LOST_MAX * there)
+        return wcut_fail(error, WCUT_NOT_CONVERGED, "no wire spans the mounts in %d of %d rows", lost, there);
 
     /* the residual refers to the new anchor from now on */
     exogenous_residual(g);

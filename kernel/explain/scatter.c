@@ -181,6 +181,43 @@ static wcut_status find_path_response(wcut_evidence *e, wcut_error *error) {
 
 /* ---- creation ---- */
 
+/* rows by which the evidence would differ with one length for all wires */
+static bool keep_own_rows(wcut_evidence *e) {
+    e->own_rows = wcut_alloc((size_t)e->rows, sizeof *e->own_rows);
+    if (!e->own_rows) return false;
+    for (int k = 0; k < e->scatter.count; k++) {
+        if (e->scatter.kind[k] != WCUT_SCATTER_LENGTH) continue;
+        for (int cut = 0; cut < e->cuts; cut++) {
+            const wcut_evidence_cut *c = &e->cut[cut];
+            const double *column = e->scatter.column + (size_t)k * (size_t)e->rows;
+            for (int i = c->row; i < c->row + WCUT_SIGNALS * c->bins + c->patch.count; i++)
+                e->own_rows[i] = c->own_length * column[i];
+        }
+    }
+
+    return true;
+}
+
+/* whitened columns of the scatter */
+static bool whiten_scatter(wcut_evidence *e) {
+    double *missing = wcut_alloc((size_t)e->rows, sizeof *missing);
+    if (!missing) return false;
+    wcut_evidence_residual(e, missing);
+    wcut_evidence_whiten_scatter(e, missing);
+    wcut_free(missing);
+    return true;
+}
+
+wcut_status wcut_scatter_take_lengths(wcut_evidence *e, const double *length, wcut_error *error) {
+    const wcut_model at = e->at;
+    for (int k = 0; k < e->cuts; k++) e->cut[k].own_length = length ? length[k] : 0;
+    wcut_status status = wcut_evidence_predict(e, &at, true, error);
+    if (status == WCUT_OK) status = wcut_scatter_create(e, error);
+    if (status == WCUT_OK && !((!length || keep_own_rows(e)) && whiten_scatter(e)))
+        status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d rows", e->rows);
+    return status;
+}
+
 wcut_status wcut_scatter_create(wcut_evidence *e, wcut_error *error) {
     const size_t room = (size_t)WCUT_SCATTER_COLUMNS_MAX * (size_t)e->rows;
     wcut_scatter s = {.column = wcut_alloc(room, sizeof *s.column), .white = wcut_alloc(room, sizeof *s.white)};

@@ -18,6 +18,7 @@ typedef struct wcut_scatter_info {
 /* What the noise and the scatter of a case are: variance components. */
 typedef struct wcut_variances {
     double slow[WCUT_NOISE_GROUPS];     /* [1] variance of the slow part of the noise over that of the white one */
+    double path;                        /* [mm] mounts beside their path, whose share in all groups `slow` holds */
     double scatter[WCUT_SCATTER_COUNT]; /* standard deviations from cut to cut, in the unit of each kind */
     const wcut_scatter_info *known;     /* WCUT_SCATTER_COUNT: of this cell; NULL: of an ordinary one */
 } wcut_variances;

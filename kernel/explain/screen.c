@@ -306,10 +306,10 @@ static int saturating_groups(const wcut_screened *single, int count, int max, in
     return chosen;
 }
 
-wcut_status wcut_screen_saturate(wcut_evidence *e, wcut_screen *s) {
+wcut_status wcut_screen_saturate(wcut_evidence *e, wcut_screen *s, double *score) {
     const size_t rows = (size_t)e->rows;
     int group[SATURATING], column[WCUT_FITTED_MAX], n = 0;
-    double centre[WCUT_FITTED_MAX], precision[WCUT_FITTED_MAX], score;
+    double centre[WCUT_FITTED_MAX], precision[WCUT_FITTED_MAX], own_score;
     wcut_screened *single = wcut_alloc((size_t)s->groups, sizeof *single);
     double *plain = wcut_alloc(WCUT_FITTED_MAX * rows, sizeof *plain),
            *white = wcut_alloc(WCUT_FITTED_MAX * rows, sizeof *white);
@@ -341,11 +341,12 @@ wcut_status wcut_screen_saturate(wcut_evidence *e, wcut_screen *s) {
     if (status == WCUT_OK) {
         const wcut_linear linear = {n, plain, s->residual, s->missing, centre, precision};
         wcut_variances_begin(&own.noise);
-        status = wcut_variance_fit(&linear, &own, white, residual, &normal, &score);
+        status = wcut_variance_fit(&linear, &own, white, residual, &normal, &own_score);
     }
 
     /* they become the evidence's; everything is weighed anew */
     if (status == WCUT_OK) {
+        if (score) *score = own_score;
         e->noise = own.noise;
         wcut_evidence_whiten_scatter(e, s->missing);
         wcut_screen_weigh(e, s);

@@ -43,9 +43,10 @@ wcut_status wcut_screen_move(const wcut_evidence *evidence, const wcut_fitted *f
 /*
  * The variances of a saturated model: whatever the library could explain is taken out, the best of every kind together, so
  * that no effect is taken for scatter. They become the evidence's own, and the screen is weighed with them.
+ * score: -2 ln likelihood of the saturated model, under its own variances; may be NULL.
  * WCUT_OK; WCUT_NOT_CONVERGED, WCUT_NO_MEMORY: the evidence keeps its noise.
  */
-wcut_status wcut_screen_saturate(wcut_evidence *evidence, wcut_screen *screen);
+wcut_status wcut_screen_saturate(wcut_evidence *evidence, wcut_screen *screen, double *score);
 
 /* What a choice of groups gives. */
 typedef struct wcut_screened {

@@ -17,8 +17,15 @@ enum { SINGLES = 3, SECONDS = 2, PAIRS = 1, BLOCK = 8 };
 #define NEARLY 0.5
 /* or what stands out so far that it is there, however small */
 #define TELLS 300.0
-/* [twice ln likelihood] what a delay must explain beside other effects */
-#define LATE 30.0
+/* [mm] of a wire over the others, beyond which its rows are not straight */
+#define FAR_LENGTH 0.6
+/* [standard errors] a delay that is named: its square is the gain that any other name needs. The nuisance of delays has
+   taken it already, so that the likelihoods with and without the name hardly differ. */
+#define LATE 8.0
+/* [twice ln likelihood] what the whole library at once gains over the best that was fitted, beyond which more is fitted */
+#define UNTOLD 300.0
+/* a pair that gains so many times what the best single one gains */
+#define HALVES 1.5
 /* and what comes near the best of the screen, whose columns are straight lines through bent responses */
 #define CONTENDS 0.25
 
@@ -200,7 +207,7 @@ static bool late_readings(const wcut_fitted *f, wcut_effect *effect) {
     const double tension = f->delay[0], angle = f->delay[1];
     const double min = wcut_explanation_view(WCUT_EFFECT_TENSION_DELAY)->gate;
     const bool alike = angle > 0.5 * tension && angle > 4 * f->delay_error[1];
-    if (tension < min + fmax(2 * f->delay_error[0], 0.01) || tension < 5 * f->delay_error[0]) return false;
+    if (tension < min + fmax(2 * f->delay_error[0], 0.01) || tension < LATE * f->delay_error[0]) return false;
     *effect = wcut_effect_default(alike ? WCUT_EFFECT_CLOCK_OFFSET : WCUT_EFFECT_TENSION_DELAY);
     effect->value[alike ? WCUT_CLOCK_OFFSET_DELAY : WCUT_TENSION_DELAY_DELAY] = tension;
     return true;
@@ -235,7 +242,8 @@ static wcut_status try_singles(searching *g, wcut_error *error) {
     if (status != WCUT_OK) return status;
 
     /* noise under a saturated model, so that no effect is taken for scatter */
-    status = wcut_screen_saturate(g->e, screen);
+    double saturated = HUGE_VAL;
+    status = wcut_screen_saturate(g->e, screen, &saturated);
     if (status == WCUT_NOT_CONVERGED) status = WCUT_OK; /* the noise stays what it began as */
     if (status != WCUT_OK) return wcut_fail(error, status, "no memory for the saturated model");
 
@@ -248,6 +256,7 @@ static wcut_status try_singles(searching *g, wcut_error *error) {
 
     /* what recalibration leaves, and how many rows and cuts count */
     s->left = wcut_residual_stats_eval(g->e, s->none.standard);
+    s->saturated = saturated < HUGE_VAL ? s->none.cost - saturated : 0;
     s->rows = s->cuts = 0;
     for (int k = 0; k < g->e->cuts; k++) s->cuts += g->e->cut[k].bins > 0;
     for (int i = 0; i < g->e->rows; i++) s->rows += isfinite(screen->missing[i]) != 0;
@@ -323,6 +332,112 @@ static wcut_status try_pairs(searching *g, wcut_error *error) {
     return status;
 }
 
+/* A pair that explains far more than any single one, though one of the two is small: the other alone. The screen's columns
+   are straight, and what bends far, as soft mounts do, shows beside another first. */
+static wcut_status try_halves(searching *g, wcut_error *error) {
+    wcut_search *s = g->s;
+    const int single = best_candidate(s, 1), pair = best_candidate(s, 2);
+    if (single < 0 || pair < 0 || s->candidate[pair].gain < HALVES * s->candidate[single].gain) return WCUT_OK;
+    const wcut_model both = s->candidate[pair].fit.model;
+    wcut_status status = WCUT_OK;
+    for (int half = wcut_search_base(s)->model.effects; status == WCUT_OK && half < both.effects; half++) {
+        if (wcut_effect_size(&both.effect[half]) < 1) continue;
+        wcut_model start = wcut_search_base(s)->model;
+        start.effect[start.effects++] = both.effect[half];
+        start.carried = both.carried;
+        status = try_model(g, &start, error);
+    }
+
+    return status;
+}
+
+static int single_of_kind(const wcut_search *s, wcut_effect_kind kind) {
+    for (int c = 0; c < s->count; c++) {
+        const wcut_model *m = &s->candidate[c].fit.model;
+        if (s->candidate[c].effects == 1 && c != s->delayed && m->effect[m->effects - 1].kind == kind) return c;
+    }
+
+    return -1;
+}
+
+/* the start of a kind whose shape is farthest from that of an effect; false where all have its own */
+static bool farthest_start(wcut_effect *effect) {
+    const wcut_explanation *x = wcut_explanation_view(effect->kind);
+    const double own = effect->value[1];
+    double far = 0;
+    for (int k = 0; k < x->starts && own > 0; k++) {
+        const double shape = x->start[k].value[1];
+        if (x->start[k].choice != effect->choice || !(shape > 0) || fabs(log(shape / own)) <= far) continue;
+        far = fabs(log(shape / own));
+        effect->value[0] = x->start[k].value[0], effect->value[1] = shape;
+    }
+
+    return far > 0;
+}
+
+/* Where nothing that was fitted explains the case, the best of every other kind in full: what bends far, as overheating
+   does, is low in a screen of straight lines. Then what is best beside the best of before. */
+static wcut_status try_rest(searching *g, wcut_error *error) {
+    wcut_search *s = g->s;
+    const int before = best_candidate(s, 1);
+    const wcut_verdict_kind kind = wcut_search_decide(s).kind;
+    const bool more = s->saturated > UNTOLD + (before < 0 ? 0 : s->candidate[before].gain);
+    if (kind != WCUT_VERDICT_UNKNOWN && !(kind == WCUT_VERDICT_NONE && more)) return WCUT_OK;
+    const wcut_model *base = &wcut_search_base(s)->model;
+    wcut_status status = WCUT_OK;
+    for (int k = 0; status == WCUT_OK && k < s->screened; k++) {
+        wcut_screened found = s->single[k];
+        if (found.gain < WORTH || single_of_kind(s, found.effect[0].kind) >= 0) continue;
+        wcut_model start = with_effects(base, &found);
+        status = try_model(g, &start, error);
+
+        /* from another shape, where that is fitted too */
+        const int at = single_of_kind(s, found.effect[0].kind);
+        if (status != WCUT_OK || at < 0 || !farthest_start(&found.effect[0])) continue;
+        const wcut_candidate kept = s->candidate[at];
+        s->count = at;
+        start = with_effects(base, &found);
+        status = try_model(g, &start, error);
+        const bool better = s->count > at && s->candidate[at].gain > kept.gain;
+        wcut_fitted other = better ? kept.fit : s->count > at ? s->candidate[at].fit : (wcut_fitted){0};
+        if (!better) s->candidate[at] = kept;
+        wcut_fitted_destroy(&other);
+        s->count = at + 1;
+    }
+    const int best = best_candidate(s, 1);
+    if (status != WCUT_OK || best < 0 || best == before || before < 0) return status;
+    for (int c = 0, full = 0; status == WCUT_OK && c < before + SINGLES && c < s->count && full < SECONDS; c++) {
+        const wcut_model *m = &s->candidate[c].fit.model;
+        wcut_model start = s->candidate[best].fit.model;
+        if (s->candidate[c].effects != 1 || c == s->delayed || c == best || start.effects == WCUT_DIAGNOSIS_EFFECTS ||
+            s->candidate[c].second_size < 1)
+            continue;
+        start.effect[start.effects++] = m->effect[m->effects - 1];
+        status = try_model(g, &start, error);
+        full++;
+    }
+
+    return status;
+}
+
+/* The other forms of the best single effect, where it leaves more than noise: they come before another effect. */
+static wcut_status try_forms(searching *g, wcut_error *error) {
+    wcut_search *s = g->s;
+    const int best = best_candidate(s, 1);
+    if (best < 0 || wcut_search_leaves_noise(s, best)) return WCUT_OK;
+    const wcut_model about = s->candidate[best].fit.model;
+    const wcut_effect effect = about.effect[about.effects - 1];
+    if (effect.kind != WCUT_EFFECT_MOUNT_COMPLIANCE) return WCUT_OK;
+    wcut_status status = WCUT_OK;
+    for (int k = 0; status == WCUT_OK && wcut_effect_view(effect.kind)->choice[k]; k++) {
+        wcut_model start = about;
+        start.effect[start.effects - 1].choice = k;
+        status = try_model(g, &start, error);
+    }
+
+    return status;
+}
+
 /* the verdict with the delay that its nuisances show */
 static wcut_status add_delay(searching *g, wcut_error *error) {
     wcut_search *s = g->s;
@@ -335,9 +450,8 @@ static wcut_status add_delay(searching *g, wcut_error *error) {
     wcut_model start = f->model;
     start.effect[start.effects++] = effect;
     const int count = s->count;
-    const double before = s->candidate[d.chosen].gain;
     const wcut_status status = try_model(g, &start, error);
-    if (s->count > count && s->candidate[count].gain > before + LATE && wcut_search_explains_delay(s, count) &&
+    if (s->count > count && wcut_search_explains_delay(s, count) &&
         wcut_effect_size(&s->candidate[count].fit.model.effect[start.effects - 1]) >= 1)
         s->undelayed = count, s->undelayed_from = d.chosen;
     return status;
@@ -359,6 +473,46 @@ static wcut_status drop_delay(searching *g, wcut_error *error) {
     return status;
 }
 
+/* lengths of the cuts' wires that stand out; gives whether one is beyond what a straight line holds for */
+static bool find_lengths(const wcut_evidence *e, const wcut_fitted *f, double *length) {
+    bool far = false;
+    for (int cut = 0; cut < e->cuts; cut++)
+        for (int k = 0; k < e->scatter.count && e->cut[cut].bins > 0; k++) {
+            const int at = cut * e->scatter.count + k;
+            if (e->scatter.kind[k] != WCUT_SCATTER_LENGTH || fabs(f->scatter[at]) < 3 * f->scatter_error[at]) continue;
+            length[cut] = f->scatter[at];
+            far = far || fabs(length[cut]) > FAR_LENGTH;
+        }
+
+    return far;
+}
+
+/* Wires of other lengths than the job's: the evidence about each cut's own, where that leaves noise alone. Where more is
+   wrong, what came out as a length may be a part of it. */
+static wcut_status take_lengths(searching *g, wcut_error *error) {
+    wcut_evidence *e = g->e;
+    wcut_fitted *f = &g->s->none, again = {0};
+    double *length = wcut_alloc((size_t)e->cuts, sizeof *length);
+    if (!length) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d cuts", e->cuts);
+    const bool far = find_lengths(e, f, length);
+    wcut_status status = far ? wcut_scatter_take_lengths(e, length, error) : WCUT_OK;
+    wcut_free(length);
+    if (!far) return WCUT_OK;
+
+    /* a length at which no wire spans its mounts is none */
+    if (status == WCUT_OK) status = wcut_model_fit(e, &e->at, &again, error);
+    if (status == WCUT_NO_MEMORY || status == WCUT_INTERRUPTED) return status;
+    const wcut_residual_stats left =
+        status == WCUT_OK ? wcut_residual_stats_eval(e, again.standard) : (wcut_residual_stats){0};
+    if (status == WCUT_OK && again.cost < f->cost && wcut_residual_is_noise(&again, &left)) {
+        wcut_fitted_destroy(f);
+        *f = again;
+        return WCUT_OK;
+    }
+    wcut_fitted_destroy(&again);
+    return wcut_scatter_take_lengths(e, NULL, error);
+}
+
 void wcut_search_destroy(wcut_search *s) {
     wcut_fitted_destroy(&s->none);
     for (int k = 0; k < s->count; k++) wcut_fitted_destroy(&s->candidate[k].fit);
@@ -378,6 +532,7 @@ wcut_status wcut_search_run(wcut_evidence *e, const bool without[WCUT_EFFECT_COU
     wcut_status status = search_step(&g, "the recalibration was fitted", error);
     if (status == WCUT_OK) status = wcut_model_fit(e, &e->at, &s->none, error);
     const bool fitted = status == WCUT_OK;
+    if (status == WCUT_OK && e->scatter.count > 0) status = take_lengths(&g, error);
     if (status == WCUT_OK) {
         s->left = wcut_residual_stats_eval(e, s->none.standard);
         status = try_singles(&g, error);
@@ -385,6 +540,9 @@ wcut_status wcut_search_run(wcut_evidence *e, const bool without[WCUT_EFFECT_COU
 
     /* pairs, then the candidates with and without the delay of readings */
     if (status == WCUT_OK) status = try_pairs(&g, error);
+    if (status == WCUT_OK) status = try_halves(&g, error);
+    if (status == WCUT_OK) status = try_rest(&g, error);
+    if (status == WCUT_OK) status = try_forms(&g, error);
     if (status == WCUT_OK) status = drop_delay(&g, error);
     if (status == WCUT_OK) status = add_delay(&g, error);
 

@@ -4,7 +4,7 @@
 
 #include "explain/candidates.h"
 
-enum { WCUT_SEARCH_STEPS = 12 };
+enum { WCUT_SEARCH_STEPS = 28 };
 
 /*
  * Search a case, in up to WCUT_SEARCH_STEPS steps of evidence->stop.

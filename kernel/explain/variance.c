@@ -18,6 +18,7 @@ enum { COLUMNS = WCUT_SCATTER_COLUMNS_MAX, ROUNDS = 3, STEPS = 8, GOLDEN = 14 };
 #define SENSOR_SLOW_MAX 0.75
 /* [mm] mounts beside their path: width of the prior, and the most that is ordinary */
 #define PATH_WIDTH 0.25
+#define PATH_MIN 0.004
 #define PATH_MAX 0.6
 
 void wcut_variances_begin(wcut_variances *v) {
@@ -160,26 +161,6 @@ static void conditional_residual(const wcut_evidence *own, const wcut_linear *p,
     }
 }
 
-/* -2 ln likelihood of a group's signals in a residual under a slow noise */
-static double group_score(wcut_evidence *own, const wcut_linear *p, int group, double slow, const double *residual,
-                          double *room) {
-    const double kept = own->noise.slow[group];
-    double score = 0;
-    own->noise.slow[group] = slow;
-    wcut_evidence_whiten(own, p->missing, residual, room);
-    for (int k = 0; k < own->cuts; k++) {
-        const wcut_evidence_cut *c = &own->cut[k];
-        for (int s = 0; s < WCUT_SIGNALS; s++)
-            for (int i = 0; i < c->bins && wcut_noise_group(s) == group; i++) {
-                const double z = room[c->row + s * c->bins + i];
-                score += z * z;
-            }
-    }
-    score += wcut_evidence_log_det(own, p->missing);
-    own->noise.slow[group] = kept;
-    return score;
-}
-
 /* mean white variance of a group */
 static double group_white(const wcut_evidence *e, int group) {
     double sum = 0;
@@ -188,23 +169,57 @@ static double group_white(const wcut_evidence *e, int group) {
     return sum;
 }
 
-/* the likeliest slow noise of a group, by golden section over its logarithm */
-static void step_slow(wcut_evidence *own, const wcut_linear *p, int group, const double *residual, double *room) {
-    /* the range of the slow share: from what the model's error makes to what mounts beside their path would */
-    const double white = group_white(own, group), model = group == 0 ? MODEL_ERROR_TENSION : MODEL_ERROR_ANGLE;
-    const double path = own->path_response[group];
-    const double low = fmax(WCUT_SLOW_NOISE, model * model / white);
-    const double high = fmax(fmax(SENSOR_SLOW_MAX, 1.01 * low), PATH_MAX * PATH_MAX * path * path / white);
+/* slow noise of a group that mounts beside their path by 1 mm make, over its white one */
+static double path_share(const wcut_evidence *e, int group) {
+    return e->path_response[group] * e->path_response[group] / group_white(e, group);
+}
 
-    /* the width of the prior on the slow standard deviation */
-    const double width = fmax(fmax(PATH_WIDTH * path, model), sqrt(SENSOR_SLOW_MAX * white));
+/* least slow noise of a group: a good sensor's, and what two simulators of the same physics differ by */
+static double slow_least(const wcut_evidence *e, int group) {
+    const double model = group == 0 ? MODEL_ERROR_TENSION : MODEL_ERROR_ANGLE;
+    return fmax(WCUT_SLOW_NOISE, model * model / group_white(e, group));
+}
+
+/* variance of the half-normal prior of a group's own slow noise */
+static double slow_usual(const wcut_evidence *e, int group) { return fmax(SENSOR_SLOW_MAX, slow_least(e, group)); }
+
+/* The slow noise sought: the path's error, of which all groups have their share, or what a group has of its own. */
+typedef struct slow_search {
+    wcut_evidence *own;
+    const wcut_linear *p;
+    const double *residual;
+    double *room;                   /* rows */
+    double rest[WCUT_NOISE_GROUPS]; /* slow noise beside the path's */
+    int group;                      /* -1: of the path's error */
+} slow_search;
+
+/* -2 ln likelihood of a residual, priors included; x: logarithm of the path's error or of a group's own slow noise */
+static double slow_score(slow_search *f, double x) {
+    wcut_evidence *own = f->own;
+    if (f->group < 0)
+        own->noise.path = exp(x);
+    else
+        f->rest[f->group] = exp(x);
+    const double path = own->noise.path;
+    for (int g = 0; g < WCUT_NOISE_GROUPS; g++) own->noise.slow[g] = f->rest[g] + path * path * path_share(own, g);
+
+    /* whitened squares, the determinant, half-normal priors of the standard deviations */
+    wcut_evidence_whiten(own, f->p->missing, f->residual, f->room);
+    double score = wcut_evidence_log_det(own, f->p->missing) + path * path / (PATH_WIDTH * PATH_WIDTH);
+    for (int k = 0; k < own->cuts; k++) {
+        const wcut_evidence_cut *c = &own->cut[k];
+        for (int i = c->row; i < c->row + WCUT_SIGNALS * c->bins; i++) score += f->room[i] * f->room[i];
+    }
+    for (int g = 0; g < WCUT_NOISE_GROUPS; g++) score += f->rest[g] / slow_usual(own, g);
+    return score;
+}
+
+/* the best x between two ends, by golden section; slow_score is left at it */
+static void find_slow(slow_search *f, double low, double high) {
     const double golden = 0.3819660112501051;
-
-    /* the two inner points of the interval */
-    double ends[2] = {log(low), log(high)}, x[2], score[2];
-    for (int k = 0; k < 2; k++) x[k] = ends[k] + (k ? -golden : golden) * (ends[1] - ends[0]);
-    for (int k = 0; k < 2; k++)
-        score[k] = group_score(own, p, group, exp(x[k]), residual, room) + exp(x[k]) * white / (width * width);
+    double ends[2] = {low, high}, x[2], score[2];
+    for (int k = 0; k < 2; k++) x[k] = ends[k] + (k ? -golden : golden) * (high - low);
+    for (int k = 0; k < 2; k++) score[k] = slow_score(f, x[k]);
 
     /* drop the end beside the worse point; the other inner point is used again */
     for (int round = 0; round < GOLDEN && ends[1] - ends[0] > 0.1; round++) {
@@ -212,10 +227,31 @@ static void step_slow(wcut_evidence *own, const wcut_linear *p, int group, const
         ends[worse] = x[worse];
         x[worse] = x[other], score[worse] = score[other];
         x[other] = other ? ends[1] - golden * (ends[1] - ends[0]) : ends[0] + golden * (ends[1] - ends[0]);
-        score[other] =
-            group_score(own, p, group, exp(x[other]), residual, room) + exp(x[other]) * white / (width * width);
+        score[other] = slow_score(f, x[other]);
     }
-    own->noise.slow[group] = exp(score[0] < score[1] ? x[0] : x[1]);
+    slow_score(f, score[0] < score[1] ? x[0] : x[1]);
+}
+
+/*
+ * The likeliest slow noise of what t and the scatter leave. Mounts beside their path move tensions and angles together, so
+ * that their error is one for all groups; a group may have as much again of its own, since the waves of a path are not those
+ * of path_response, and what a sensor drifts by.
+ */
+static void step_slow(wcut_evidence *own, const wcut_linear *p, const double *residual, double *room) {
+    slow_search f = {.own = own, .p = p, .residual = residual, .room = room, .group = -1};
+    bool any = false;
+    for (int g = 0; g < WCUT_NOISE_GROUPS; g++) {
+        f.rest[g] =
+            fmax(own->noise.slow[g] - own->noise.path * own->noise.path * path_share(own, g), slow_least(own, g));
+        any = any || own->path_response[g] > 0;
+    }
+    if (any) find_slow(&f, log(PATH_MIN), log(PATH_MAX));
+    const double path = own->noise.path;
+    for (f.group = 0; f.group < WCUT_NOISE_GROUPS; f.group++) {
+        const double least = slow_least(own, f.group);
+        const double most = fmax(SENSOR_SLOW_MAX, 1.01 * least) + path * path * path_share(own, f.group);
+        find_slow(&f, log(least), log(most));
+    }
 }
 
 /* ---- both ---- */
@@ -256,7 +292,7 @@ wcut_status wcut_variance_fit(const wcut_linear *p, wcut_evidence *own, double *
             if (!step_scatter(own, p, normal, t, covariance)) status = WCUT_NOT_CONVERGED;
         if (status != WCUT_OK) break;
         conditional_residual(own, p, normal, t, left);
-        for (int g = 0; g < WCUT_NOISE_GROUPS; g++) step_slow(own, p, g, left, room);
+        step_slow(own, p, left, room);
     }
 
     /* the solution under the final variances */

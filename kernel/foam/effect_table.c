@@ -81,6 +81,7 @@ static const parameter scale[] = {{"scale", WCUT_SCAN_SCALE_SCALE, 1, true, 1, 0
 
 static const char *const profiles[] = {"x",           "y",      "z",      "x_quadratic", "y_quadratic",
                                        "z_quadratic", "x_step", "y_step", "z_step",      NULL};
+static const char *const mounts[] = {"both", "a", "b", "feed", NULL};
 static const char *const coefficients[] = {"a", "b", NULL};
 static const char *const kerf_laws[] = {"linear", "log", NULL};
 static const char *const shapes[] = {"saddle", "cylinder_x", "cylinder_y", "bowl", "twist", NULL};
@@ -128,9 +129,10 @@ static const char *const sensors[] = {"a", "b", "both", NULL};
         "l_e = l (1 + eps_T (Q_I / 60) (e + 1.4 (1 - e)) + S_e / EA); strain = eps_T + 2 N / EA, eps_T = 0.8 strain", \
         "0.003 to 0.005: 13e-6 1/K and 320 K in foam; EA 2650 to 3900 N (150 to 220 GPa)",                            \
         "kernel/cut/active_effects.c:wcut_extension_apply"
-#define INFO_MOUNT_COMPLIANCE                                                                                        \
-    NULL, NULL, 1, ENDLESS, false, true, compliance, "tau u' = S / k - u, the end of the wire at mount + u",         \
-        "0.5 to 50 N/mm, tau 0.05 to 1 s: a tool head on a long arm to a spindle (judged; laboratory 1 to 17 N/mm)", \
+#define INFO_MOUNT_COMPLIANCE                                                                                         \
+    "mount", mounts, 1, ENDLESS, false, true, compliance,                                                             \
+        "tau u' = S / k - u, the end of the wire at mount + u; mount `a`, `b` or `both`, `feed`: both along y alone", \
+        "0.5 to 50 N/mm, tau 0.05 to 1 s: a tool head on a long arm to a spindle (judged; laboratory 1 to 17 N/mm)",  \
         "kernel/cut/compliance.c:wcut_compliance_end"
 #define INFO_RATE_DEPENDENCE                                                    \
     NULL, NULL, 1, 0, false, false, rate, "(v / v_0)^m, v_0 = 10 mm/s",         \

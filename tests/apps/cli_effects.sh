@@ -15,7 +15,7 @@ with plain '[]'
 with neutral '[{"name": "wire_thermal_lag", "time_constant_s": 0}, {"name": "wire_elongation", "strain_at_60W_2N": 0}]'
 with instrument '[{"name": "tension_gain", "sensor": "a", "gain_error": 0.1}, {"name": "scan_scale", "scale": 1.01}]'
 with lag '[{"name": "wire_thermal_lag", "time_constant_s": 0.6}]'
-with mounts '[{"name": "mount_compliance", "stiffness_N_per_mm": 2}]'
+with mounts '[{"name": "mount_compliance", "mount": "both", "stiffness_N_per_mm": 2}]'
 for name in plain neutral instrument lag mounts; do simulate 0 $name; done
 cmp -s plain/path.csv neutral/path.csv || fail "neutral effects change path.csv"
 cmp -s plain/path.csv instrument/path.csv || fail "instruments change path.csv"
@@ -44,7 +44,7 @@ one_line 'effects[0]' wire_thermal_lag heun
 with misspelt '[{"name": "wire_themal_lag", "time_constant_s": 0.6}]'
 simulate 3 misspelt
 one_line '$.effects[0].name' '"wire_thermal_lag"'
-with design '[{"name": "mount_compliance", "stiffness_N_per_mm": 2}]' "$jobs/freeform-1.json"
+with design '[{"name": "mount_compliance", "mount": "both", "stiffness_N_per_mm": 2}]' "$jobs/freeform-1.json"
 simulate 0 design # along the path that it became, between mounts
 
 finish

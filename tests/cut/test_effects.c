@@ -328,11 +328,36 @@ TEST(mounts_that_give_stand_where_their_springs_hold_the_wire) {
     wcut_job_destroy(job);
 }
 
+TEST(one_mount_gives_or_both_along_the_feed) {
+    wcut_job *job = straight_job(400, 40, 560, 41, 200, 150, 900);
+    wcut_effect e = sized(WCUT_EFFECT_MOUNT_COMPLIANCE, 0.8);
+    for (e.choice = 1; e.choice < 4; e.choice++) {
+        give(job, 1, &e);
+        wcut_history *h = run_of(job);
+        const int j = h->stations - 1, last = h->nodes - 1;
+        const wcut_vec3 *x = nodes_at(h, j);
+        const double *s = tensions_at(h, j);
+        const wcut_vec3 offset[2] = {vec3_sub(x[0], job->mount_a[j]), vec3_sub(x[last], job->mount_b[j])};
+        const wcut_vec3 pull[2] = {vec3_scale(s[0], vec3_unit(vec3_sub(x[1], x[0]))),
+                                   vec3_scale(s[last - 1], vec3_unit(vec3_sub(x[last - 1], x[last])))};
+
+        /* a spring holds what pulls at it, and nothing else moves */
+        for (int m = 0; m < 2; m++) {
+            wcut_vec3 held = e.choice == 3 ? vec3(0, pull[m].y, 0) : pull[m];
+            if (e.choice != 3 && e.choice != m + 1) held = vec3(0, 0, 0);
+            ck_assert_double_lt(vec3_distance(vec3_scale(0.8, offset[m]), held), 1e-6);
+        }
+        wcut_history_destroy(h);
+    }
+    wcut_job_destroy(job);
+}
+
 TEST(a_mount_settles_as_one_exponential_however_it_is_stepped) {
     /* a pull of 2 N along a wire so long that its direction stays */
     const double far = 1e9, k = 0.5, tau = 0.3;
     for (int steps = 1; steps <= 81; steps *= 9) {
-        wcut_compliance y = {.mount_compliance = 1 / k, .settling = tau, .mount = {{.pull = {2, 0, 0}, .set = true}}};
+        wcut_compliance y = {
+            .give = {{1 / k, 1 / k, 1 / k}}, .settling = tau, .mount = {{.pull = {2, 0, 0}, .set = true}}};
         for (int i = 0; i < steps; i++)
             y.mount[0].offset = wcut_compliance_end(&y, 0, vec3(far, 0, 0), 2, far, 0, steps / 0.45).at;
         ck_assert_double_eq_tol(y.mount[0].offset.x, 2 / k * (1 - exp(-0.45 / tau)), 1e-7);
@@ -361,7 +386,7 @@ TEST(jacobian_and_borders_hold_where_wire_and_mounts_give) {
         const wcut_compliance give_way = {
             .rest = rest,
             .softness = 0.003,
-            .mount_compliance = 0.7,
+            .give = {{0.7, 0.3, 0.5}, {0, 0.9, 0}},
             .settling = 0.3,
             .mount = {{x[0], {0.4, 0.1, 0.2}, {1, 0.5, 0}, true}, {x[N - 1], {-0.3, 0.1, 0}, {-1, 0.4, 0.1}, true}}};
         const wcut_step step = {

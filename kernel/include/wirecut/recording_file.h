@@ -12,7 +12,8 @@ extern "C" {
 
 /**
  * Read a recording. Angles are turned from degrees into radians. Samples may be missing in every channel but time
- * (a channel of which every sample is missing has channel[].missing == samples); stations outside the path are kept.
+ * (a channel of which every sample is missing has channel[].missing == samples); stations outside the path are kept. A row
+ * that repeats the one before it in every cell, as loggers write them, is left out.
  *
  * @param[in]  path      a CSV file
  * @param[out] recording the caller's, to wcut_recording_destroy

@@ -90,8 +90,18 @@ TEST(a_station_outside_the_path_is_the_readers_no_matter) {
     forget();
 }
 
+TEST(a_row_that_repeats_the_one_before_it_is_left_out) {
+    ck_assert_int_eq(read_text(HEADER "\n0" ROW "\n0" ROW "\n1,2,,2,3,4,5,6,7,8\n1,2,,2,3,4,5,6,7,8\n2" ROW "\n"),
+                     WCUT_OK);
+    ck_assert_int_eq(recording->samples, 3);
+    ck_assert(recording->channel[WCUT_CHANNEL_TIME].value[2] == 2);
+    ck_assert_int_eq(recording->channel[WCUT_CHANNEL_SPEED_A].missing, 1);
+    ck_assert_int_eq(recording->further->line[2], 6);
+    forget();
+}
+
 TEST(time_that_stands_still_or_runs_backwards_is_refused_with_its_line) {
-    refused(HEADER "\n0" ROW "\n# pause\n1" ROW "\n1" ROW "\n",
+    refused(HEADER "\n0" ROW "\n# pause\n1" ROW "\n1,2,10,11,1.9,2.1,45,-90,180,0\n",
             "line 5: time_s: found 1 after 1, expected a later time");
     refused(HEADER "\n0" ROW "\n-0.5" ROW "\n", "line 3: time_s: found -0.5 after 0");
     refused(HEADER "\n0" ROW "\n" ROW "\n", "line 3: time_s: found a missing sample");
