@@ -8,6 +8,7 @@
 #include "base/fail.h"
 #include "base/numbers.h"
 #include "explain/decide.h"
+#include "explain/scatter.h"
 
 enum { SINGLES = 3, SECONDS = 2, PAIRS = 1, BLOCK = 8 };
 
