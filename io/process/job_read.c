@@ -52,6 +52,7 @@ static bool read_nodes(wcut_reader *reader, const wcut_place *at, void *into) {
 static bool read_wire(wcut_reader *reader, const wcut_place *at, void *job) {
     static const wcut_field fields[] = {
         IN_JOB(wire_diameter, "diameter_mm", true, wcut_read_positive),
+        IN_JOB(wire_density, "density_kg_per_m3", false, wcut_read_not_negative),
         IN_JOB(wire_material, "material", false, wcut_read_text),
         IN_JOB(nodes, "nodes", true, read_nodes),
         IN_JOB(wire_length, "length_mm", false, wcut_read_positive),

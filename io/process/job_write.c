@@ -30,6 +30,7 @@ static void put_block_and_wire(wcut_text *text, const wcut_job *job) {
     if (job->foam_material) wcut_text_put_string(text, ", \"material\": ", job->foam_material);
     wcut_text_put_number(text, "},\n  \"wire\": {\"diameter_mm\": ", job->wire_diameter);
     if (job->wire_material) wcut_text_put_string(text, ", \"material\": ", job->wire_material);
+    if (job->wire_density > 0) wcut_text_put_number(text, ", \"density_kg_per_m3\": ", job->wire_density);
     wcut_text_print(text, ", \"nodes\": %d", job->nodes);
     if (job->mode == WCUT_MODE_PATH || job->wire_length > 0)
         wcut_text_put_number(text, ", \"length_mm\": ", job->wire_length);

@@ -7,6 +7,13 @@
 #include "cut/active_effects.h"
 #include "wire/equilibrium.h"
 
+void wcut_cut_weigh(const wcut_cut *cut, wcut_vec3 *load) {
+    const wcut_setup *setup = cut->setup;
+    const int n = setup->job->nodes;
+    const double edge = setup->weight * setup->length[0] / (n - 1);
+    for (int i = 0; i < n; i++) load[i] = vec3(0, 0, i == 0 || i == n - 1 ? -edge / 2 : -edge);
+}
+
 bool wcut_cut_hang(wcut_cut *cut, const wcut_target *target, const wcut_vec3 *load) {
     const int n = cut->setup->job->nodes;
     const wcut_equilibrium_options options = {.tolerance = 1e-9, .max_iterations = 100};
@@ -34,6 +41,15 @@ bool wcut_cut_touches(const wcut_cut *cut, const wcut_vec3 *x) {
     return false;
 }
 
+/* what the tensions of a wire that hangs or leans are over those of its pattern: its weight is the part of it that is
+   known; 0 without a weight */
+static double weight_scale(const wcut_cut *cut) {
+    const int n = cut->setup->job->nodes;
+    double down = 0;
+    for (int i = 0; i < n; i++) down -= cut->next.pattern[i].z;
+    return cut->setup->weight > 0 && down > 0 ? cut->setup->weight * cut->setup->length[0] / down : 0;
+}
+
 void wcut_cut_feed_free(wcut_cut *cut, const wcut_target *target, double reach, double *elapsed) {
     /* the time: given, or what the faster mount needs at the highest speed */
     const wcut_job *job = cut->setup->job;
@@ -50,7 +66,8 @@ void wcut_cut_feed_free(wcut_cut *cut, const wcut_target *target, double reach, 
     }
 
     /* no tension counts; the condition is the one that set the speed */
-    for (int e = 0; e < n - 1; e++) w->s[e] = 0;
+    const double scale = weight_scale(cut);
+    for (int e = 0; e < n - 1; e++) w->s[e] = scale * cut->hanging_tension[e];
     w->length = target->length;
     w->loaded = false;
     w->required_tension = 0;
@@ -140,7 +157,16 @@ wcut_contact_state wcut_contact_find(wcut_cut *cut, const wcut_target *target) {
         slack = true;
     }
     memcpy(cut->kept, cut->next.pattern, sizeof *cut->kept * (size_t)cut->setup->job->nodes);
-    if (!wcut_cut_touches(cut, cut->hanging_shape)) return WCUT_CONTACT_FREE;
+
+    /* a wire that the foam has let go hangs by its weight, where it has one */
+    if (!wcut_cut_touches(cut, cut->hanging_shape)) {
+        if (slack || cut->setup->weight == 0) return WCUT_CONTACT_FREE;
+        wcut_cut_weigh(cut, cut->next.pattern);
+        memcpy(cut->kept, cut->next.pattern, sizeof *cut->kept * (size_t)cut->setup->job->nodes);
+        if (!wcut_cut_hang(cut, target, cut->next.pattern)) return WCUT_CONTACT_NO_SHAPE;
+        if (!wcut_cut_touches(cut, cut->hanging_shape)) return WCUT_CONTACT_FREE;
+        slack = true;
+    }
     if (cut->weighted) return WCUT_CONTACT_LOADED;
     return slack && !cut->setup->foam.embedded ? lean(cut, target) : WCUT_CONTACT_LOADED;
 }

@@ -66,6 +66,9 @@ typedef enum wcut_contact_state {
     WCUT_CONTACT_LOADED    /* the foam loads it as before; hanging_shape and the pattern are a guess */
 } wcut_contact_state;
 
+/* the weight of each node, that of the half edges beside it: n [N]; zeros where the job gives none */
+void wcut_cut_weigh(const wcut_cut *cut, wcut_vec3 *load);
+
 /* Hang the wire between the target's ends under `load` into cut->hanging_shape and cut->hanging_tension. A wire no
    longer than its chord is straight, without tension. False where there is no such shape. */
 bool wcut_cut_hang(wcut_cut *cut, const wcut_target *target, const wcut_vec3 *load);

@@ -67,16 +67,17 @@ static void copy_wire(int n, int effects, const wcut_wire *from, wcut_wire *to) 
 
 void wcut_contact_rule_set(wcut_cut *cut, wcut_contact_rule rule) {
     cut->contact_rule = rule;
-    cut->weighted = rule == WCUT_CONTACT_HEAVY;
+    cut->weighted = rule == WCUT_CONTACT_HEAVY && cut->setup->weight == 0; /* it has its own */
 }
 
-/* station 0: the wire hangs trailing, under an even load against the feed */
+/* station 0: the wire hangs trailing, under an even load against the feed; one with a weight hangs down */
 static bool begin_cut(wcut_cut *cut) {
     /* an even load against the feed with the sum k gives the first shape */
     const wcut_setup *setup = cut->setup;
     const int n = setup->job->nodes;
     wcut_wire *w = &cut->now;
     for (int i = 0; i < n; i++) w->pattern[i] = vec3_scale(-setup->job->tension / n, setup->feed);
+    if (setup->weight > 0) wcut_cut_weigh(cut, w->pattern);
 
     const wcut_target target = {
         .end_a = setup->end_a[0], .end_b = setup->end_b[0], .length = setup->length[0], .heat = setup->job->heat};
@@ -85,6 +86,7 @@ static bool begin_cut(wcut_cut *cut) {
     /* hang the wire between the mounts, and start from that shape */
     if (!wcut_cut_hang(cut, &target, w->pattern)) return false;
     memcpy(w->x, cut->hanging_shape, sizeof *w->x * (size_t)n);
+    for (int e = 0; e < n - 1 && setup->weight > 0; e++) w->s[e] = cut->hanging_tension[e];
     w->length = setup->length[0];
     w->front_speed = setup->job->speed_max;
     w->loaded = wcut_cut_touches(cut, w->x);
@@ -252,9 +254,10 @@ static wcut_phase phase_of(const wcut_cut *cut) {
     return middle < setup->job->block_size.y / 2 ? WCUT_PHASE_ENTRY : WCUT_PHASE_EXIT;
 }
 
-/* what a mount holds: the pull of its edge and the foam on its own node */
-static double mount_tension(wcut_vec3 mount, wcut_vec3 next, double s, wcut_vec3 force) {
-    return vec3_length(vec3_add_scaled(force, s, vec3_unit(vec3_sub(next, mount))));
+/* what a mount holds: the pull of its edge, the foam on its own node, and that node's weight [N] */
+static double mount_tension(wcut_vec3 mount, wcut_vec3 next, double s, wcut_vec3 force, double weight) {
+    const wcut_vec3 load = vec3(force.x, force.y, force.z - weight);
+    return vec3_length(vec3_add_scaled(load, s, vec3_unit(vec3_sub(next, mount))));
 }
 
 void wcut_cut_view(const wcut_cut *cut, wcut_station *station) {
@@ -263,28 +266,30 @@ void wcut_cut_view(const wcut_cut *cut, wcut_station *station) {
     /* everything of the present station, borrowed from the cut */
     const int n = cut->setup->job->nodes;
     const wcut_wire *w = &cut->now;
-    *station = (wcut_station){.index = cut->index,
-                              .time = cut->time,
-                              .duration = cut->duration,
-                              .nodes = n,
-                              .position = w->x,
-                              .force = w->force,
-                              .force_line = w->line,
-                              .speed = w->speed,
-                              .tension = w->s,
-                              .engaged = w->engaged,
-                              .mount_a = w->end_a,
-                              .mount_b = w->end_b,
-                              .speed_a = cut->speed_a,
-                              .speed_b = cut->speed_b,
-                              .tension_a = mount_tension(w->x[0], w->x[1], w->s[0], w->force[0]),
-                              .tension_b = mount_tension(w->x[n - 1], w->x[n - 2], w->s[n - 2], w->force[n - 1]),
-                              .engaged_length = engaged_length(n, w),
-                              .phase = phase_of(cut),
-                              .condition = w->condition,
-                              .iterations = cut->iterations,
-                              .substeps = cut->substeps,
-                              .residual = cut->residual};
+    const double weight = cut->setup->weight * w->length / (n - 1) / 2; /* of an end */
+    *station =
+        (wcut_station){.index = cut->index,
+                       .time = cut->time,
+                       .duration = cut->duration,
+                       .nodes = n,
+                       .position = w->x,
+                       .force = w->force,
+                       .force_line = w->line,
+                       .speed = w->speed,
+                       .tension = w->s,
+                       .engaged = w->engaged,
+                       .mount_a = w->end_a,
+                       .mount_b = w->end_b,
+                       .speed_a = cut->speed_a,
+                       .speed_b = cut->speed_b,
+                       .tension_a = mount_tension(w->x[0], w->x[1], w->s[0], w->force[0], weight),
+                       .tension_b = mount_tension(w->x[n - 1], w->x[n - 2], w->s[n - 2], w->force[n - 1], weight),
+                       .engaged_length = engaged_length(n, w),
+                       .phase = phase_of(cut),
+                       .condition = w->condition,
+                       .iterations = cut->iterations,
+                       .substeps = cut->substeps,
+                       .residual = cut->residual};
     wcut_chain_angles(n, w->x, &station->alpha_a, &station->beta_a, &station->alpha_b, &station->beta_b);
 }
 

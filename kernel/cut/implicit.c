@@ -213,6 +213,15 @@ static bool hangs_loose(const wcut_cut *cut) {
 static const wcut_vec3 *find_dead_load(wcut_cut *cut, double *weight) {
     const int n = cut->setup->job->nodes;
     const wcut_wire *w = &cut->next;
+
+    /* one with a weight of its own needs none for want of another, and its shape is that of the foam's force */
+    *weight = 0;
+    if (cut->setup->weight > 0) {
+        wcut_cut_weigh(cut, cut->dead_load);
+        return cut->dead_load;
+    }
+
+    /* else a share of what shaped it last, which fades */
     const double k = cut->setup->job->tension;
     const double load = wcut_load_sum(n, w->pattern);
     const double fade = w->loaded ? clamp(1 - w->required_tension / (LOOSE * k), 0, 1) : 1;
@@ -230,7 +239,7 @@ static void stand_still(wcut_cut *cut, const wcut_target *target, double *elapse
         w->force[i] = vec3(0, 0, 0);
         w->line[i] = w->speed[i] = 0;
     }
-    for (int e = 0; e < n - 1; e++) w->s[e] = 0;
+    for (int e = 0; e < n - 1 && cut->setup->weight == 0; e++) w->s[e] = 0;
     memcpy(w->engaged, cut->now.engaged, sizeof *w->engaged * (size_t)n);
     w->required_tension = 0;
     w->condition = WCUT_CONDITION_TIME;
@@ -279,7 +288,8 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, bool brief, do
                          .edge = target->length / (n - 1),
                          .n = n,
                          .was = cut->was,
-                         .dead_load = find_dead_load(cut, &a.weight)};
+                         .dead_load = find_dead_load(cut, &a.weight),
+                         .heavy = setup->weight > 0};
 
     /* effects change the ends, the lengths and the law */
     wcut_extension extension;
@@ -302,7 +312,8 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, bool brief, do
     if (!solved && !(load == WCUT_CONTACT_SLACK && hangs_loose(cut))) return false;
 
     /* it touches and has no tension */
-    if (cut->contact_rule == WCUT_CONTACT_BY_WEIGHT && !cut->weighted && target->duration == 0) {
+    const bool may_weigh = cut->contact_rule == WCUT_CONTACT_BY_WEIGHT && setup->weight == 0;
+    if (may_weigh && !cut->weighted && target->duration == 0) {
         cut->weighted = true;
         memcpy(w->pattern, cut->kept, sizeof *w->pattern * (size_t)n);
         return false;

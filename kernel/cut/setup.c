@@ -5,6 +5,11 @@
 #include "base/fail.h"
 #include "base/numbers.h"
 
+/* [m/s2] standard gravity */
+#define GRAVITY 9.80665
+/* [kg/m3] no metal is denser */
+#define DENSITY_MAX 23000.0
+
 #define COUNT_MAX 10000000 /* nodes, stations, entries of a list: index arithmetic stays within int */
 #define FEED_WAY 0.25      /* [1] wire lengths of way that tell the feed */
 
@@ -37,6 +42,11 @@ static wcut_status check_job_numbers(const wcut_job *job, wcut_error *error) {
         const wcut_status status = expect_positive(error, positive[i].key, positive[i].value);
         if (status != WCUT_OK) return status;
     }
+
+    /* a weight, which may be none */
+    if (!(job->wire_density >= 0 && job->wire_density <= DENSITY_MAX))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "wire.density_kg_per_m3: found %g, expected 0 to %g",
+                         job->wire_density, DENSITY_MAX);
 
     /* limits and counts */
     if (job->speed_min >= job->speed_max)
@@ -366,6 +376,11 @@ static wcut_status check_cut_options(const wcut_cut_options *o, wcut_error *erro
                      "0 to 30 halvings expected");
 }
 
+double wcut_wire_weight(const wcut_job *job) {
+    const double section = WCUT_PI / 4 * job->wire_diameter * job->wire_diameter;
+    return 1e-9 * job->wire_density * GRAVITY * section;
+}
+
 /* a setup of a job that is checked; embedded: of a design's plan */
 static wcut_status create_setup(const wcut_job *job, const wcut_cut_options *options, bool embedded, wcut_setup **out,
                                 wcut_error *error) {
@@ -374,6 +389,7 @@ static wcut_status create_setup(const wcut_job *job, const wcut_cut_options *opt
     wcut_status status;
     setup->options = *options;
     setup->foam.embedded = embedded;
+    setup->weight = embedded ? 0 : wcut_wire_weight(job);
     setup->job = wcut_job_copy(job);
     if (setup->job && pick_effects(setup))
         status = fill_setup(setup, error);
@@ -400,6 +416,11 @@ wcut_status wcut_setup_create(const wcut_job *job, const wcut_cut_options *optio
     if (status == WCUT_OK) status = check_lists(job, error);
     if (status == WCUT_OK) status = job->mode == WCUT_MODE_PATH ? check_path(job, error) : check_design(job, error);
     if (status == WCUT_OK) status = check_effects(job, o.integrator, error);
+    if (status == WCUT_OK && job->wire_density > 0 && o.integrator == WCUT_INTEGRATOR_HEUN)
+        status = wcut_fail(error, WCUT_BAD_ARGUMENT,
+                           "wire.density_kg_per_m3: found %g with the integrator heun, expected implicit: heun is the "
+                           "paper's scheme, without weight",
+                           job->wire_density);
     return status == WCUT_OK ? create_setup(job, &o, false, out, error) : status;
 }
 

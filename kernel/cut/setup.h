@@ -11,7 +11,8 @@ struct wcut_setup {
     wcut_job *job;
     wcut_cut_options options;
     wcut_foam foam;
-    int stations; /* of the run: a design's have an approach before them and a way out behind */
+    double weight; /* [N/mm] of the wire along -z; 0 in a plan, whose wire is all in the foam */
+    int stations;  /* of the run: a design's have an approach before them and a way out behind */
     wcut_vec3 *end_a,
         *end_b;       /* stations: the ends of the simulated wire: mounts, in a plan points of the edge curves */
     int effect_count; /* of those that act in the step and are not neutral */
@@ -30,6 +31,9 @@ typedef struct wcut_design_path {
     wcut_vec3 *mount_a, *mount_b; /* stations */
     double length;
 } wcut_design_path;
+
+/* [N/mm] weight of a wire by its density and diameter */
+double wcut_wire_weight(const wcut_job *job);
 
 /* a deep copy; NULL where there is no memory */
 wcut_job *wcut_job_copy(const wcut_job *job);

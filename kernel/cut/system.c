@@ -125,6 +125,8 @@ static void put_condition(wcut_system *y, const wcut_step *step, const wcut_vec3
         sum = vec3_add(sum, y->node[i].force);
         y->load += vec3_length(y->node[i].force);
     }
+    if (step->heavy)
+        for (int i = 0; i < n; i++) sum = vec3_add(sum, step->dead_load[i]);
 
     /* end tangents, and the tension that the force asks for */
     const wire_end a = end_of(x[0], x[1], x[2]), b = end_of(x[n - 1], x[n - 2], x[n - 3]);
@@ -192,6 +194,8 @@ static void put_mounts(wcut_system *y, const wcut_step *step, const wcut_vec3 *x
     /* directions of the whole force and of the whole opening */
     wcut_vec3 sum = {0, 0, 0};
     for (int i = 0; i < n; i++) sum = vec3_add(sum, y->node[i].force);
+    if (step->heavy)
+        for (int i = 0; i < n; i++) sum = vec3_add(sum, step->dead_load[i]);
     const wire_end side[2] = {end_of(x[0], x[1], x[2]), end_of(x[n - 1], x[n - 2], x[n - 3])};
     const wcut_vec3 u = vec3_unit(sum), w = vec3_unit(vec3_add(side[0].outward, side[1].outward));
     for (int m = 0; m < 2; m++) {

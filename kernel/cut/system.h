@@ -16,6 +16,7 @@ typedef struct wcut_step {
     int n;                             /* nodes */
     const wcut_vec3 *was;              /* n: where each node comes from */
     const wcut_vec3 *dead_load;        /* n [N] what else loads the free nodes; NULL: nothing */
+    bool heavy;                        /* the dead load is a weight: it counts in (4) */
     const wcut_compliance *compliance; /* NULL: the wire keeps its length and its ends stay where they are put */
 } wcut_step;
 

@@ -963,6 +963,7 @@ public unsafe struct wcut_job
     public byte* wire_material;
     public wcut_vec3 block_size;
     public double wire_diameter;
+    public double wire_density;
     public double wire_length;
     public int nodes;
     public double heat;

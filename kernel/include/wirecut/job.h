@@ -37,6 +37,7 @@ typedef struct wcut_job {
 
     wcut_vec3 block_size; /**< [mm] W, L, H: the block fills [0,W] x [0,L] x [0,H] */
     double wire_diameter; /**< [mm] */
+    double wire_density;  /**< [kg/m3] of its material, for its weight along -z; default 0: weightless */
     double wire_length;   /**< [mm] path mode: between the mounts; design mode: not read */
     int nodes;            /**< at least 3 */
 
