@@ -39,7 +39,9 @@ TEST(a_path_job_comes_back_to_the_last_bit) {
     given_job(given_path_job);
     job->mount_a[1] = (wcut_vec3){-1.0 / 3, 5e-324, 1.7976931348623157e308};
     job->mount_b[1] = (wcut_vec3){0.1 + 0.2, -0.0, 123456789012345680.0};
+    job->wire_density = 7150.125;
     write_and_read();
+    ck_assert_double_eq(again->wire_density, 7150.125);
     same(job->mount_a, again->mount_a, 3 * sizeof(wcut_vec3));
     same(job->mount_b, again->mount_b, 3 * sizeof(wcut_vec3));
     same(job->dither, again->dither, sizeof *job->dither);
