@@ -327,11 +327,14 @@ static int mould(const app_call *call) {
     }
     if (code == APP_DONE) code = loft(&m);
     if (code == APP_DONE) code = divide(&m);
+
+    /* files, figures and the exit code */
     if (code == APP_DONE) code = write_mould_results(&m);
     if (code == APP_DONE) code = give(&m);
 
     app_results_end(&m.results);
 
+    /* everything that was made, also after a failure */
     wcut_mould_destroy(m.mould);
     wcut_mesh_destroy(m.stock);
     free(m.kerf);

@@ -37,10 +37,13 @@ static const char *const result_name[] = {
 
 /* four corners of the block's upper face: u and v of each */
 static int read_corners(overlaying *o, const char *text) {
+    /* the corners of the upper face, in the order of the option */
     const wcut_vec3 b = o->job->block_size;
     const wcut_vec3 place[4] = {{0, 0, b.z}, {b.x, 0, b.z}, {b.x, b.y, b.z}, {0, b.y, b.z}};
     o->point = calloc(4, sizeof *o->point);
     if (!o->point) return app_fail_status(WCUT_NO_MEMORY, "overlay", NULL);
+
+    /* eight numbers with commas between them */
     const char *at = text;
     for (int k = 0; k < 8; k++) {
         char *end;
@@ -51,6 +54,8 @@ static int read_corners(overlaying *o, const char *text) {
                 "--corners: found \"%s\", expected eight numbers: u1,v1,u2,v2,u3,v3,u4,v4 (see wirecut overlay "
                 "--help)",
                 text);
+
+        /* u and v by turns */
         if (k % 2)
             o->point[k / 2].v = value;
         else
@@ -95,6 +100,7 @@ static int load_overlay(overlaying *o) {
 /* ---- the run ---- */
 
 static int run_overlay(overlaying *o) {
+    /* the simulated cut, whose wires are drawn */
     wcut_error error = {0};
     app_progress progress = app_progress_begin(app_given(o->call, "quiet"));
     wcut_status status = wcut_setup_create(o->job, NULL, &o->setup, &error);
@@ -109,6 +115,8 @@ static int run_overlay(overlaying *o) {
     options.patch = app_real(o->call, "patch");
     options.curves = app_int(o->call, "curves");
     options.threads = app_int(o->call, "threads");
+
+    /* the picture against the wires, with progress */
     progress = app_progress_begin(app_given(o->call, "quiet"));
     progress.unit = "rows of patches";
     status = wcut_overlay_create(o->job->block_size, o->history, &o->camera, &o->report, o->photo, &options,
@@ -132,6 +140,7 @@ static int write_picture(overlaying *o, const wcut_picture *picture, double reso
 
 /* drawn over from above, cut out by phase, and in its own perspective */
 static int write_drawings(overlaying *o) {
+    /* the wires over the rectified picture */
     const wcut_overlay_style style = {.by_force = app_choice(o->call, "colour") == 0,
                                       .width = wcut_overlay_style_default().width};
     const wcut_vec3 block = o->job->block_size;
@@ -148,6 +157,8 @@ static int write_drawings(overlaying *o) {
         else if (status != WCUT_DEGENERATE)
             code = app_fail_status(status, "overlay", NULL);
     }
+
+    /* the wires over the photograph itself */
     if (code == APP_DONE) {
         status = wcut_overlay_draw_photo(o->overlay, block, o->history, &style, &o->camera, o->photo, &photo);
         code = status == WCUT_OK ? write_picture(o, photo, 0, "overlay-photo.png")
@@ -160,6 +171,7 @@ static int write_drawings(overlaying *o) {
 }
 
 static int write_overlay(overlaying *o) {
+    /* what all files show */
     wcut_error error = {0};
     const wcut_overlaid all = {.job = o->job_path,
                                .photo = o->photo_path,
@@ -186,6 +198,8 @@ static int write_overlay(overlaying *o) {
         code = keep(o, "overlay.svg",
                     wcut_overlay_svg_write(&all, "rectified.png", app_results_path(&o->results, "overlay.svg"), &error),
                     &error);
+
+    /* the measured directions, and the page */
     if (code == APP_DONE)
         code = keep(o, "rills.csv", wcut_rills_write(o->overlay, app_results_path(&o->results, "rills.csv"), &error),
                     &error);
@@ -193,6 +207,8 @@ static int write_overlay(overlaying *o) {
         code = keep(o, "report.html",
                     wcut_report_overlay_write(&all, app_results_path(&o->results, "report.html"), &error), &error);
     if (code != APP_DONE) return code;
+
+    /* overlay.json vouches for the others */
     char *text = NULL;
     const wcut_status status = wcut_overlay_print(&all, &text);
     return app_results_commit(&o->results, "overlay.json", status, text);
@@ -203,11 +219,15 @@ static int write_overlay(overlaying *o) {
 static void say_overlay(const overlaying *o) {
     const wcut_overlay *v = o->overlay;
     const wcut_camera_report *r = &o->report;
+
+    /* what was done to the picture before it was measured */
     if (o->source.orientation > 1)
         app_say("%s: EXIF orientation %d applied: the picture is %d x %d px", o->photo_path, o->source.orientation,
                 o->photo->width, o->photo->height);
     if (o->source.profile) app_say("%s: the embedded colour profile was ignored", o->photo_path);
     if (o->source.depth == 16) app_say("%s: 16 bits a channel were reduced to 8", o->photo_path);
+
+    /* the camera, and how well it meets its points */
     if (o->camera.kind == WCUT_CAMERA_KIND_PLANE)
         app_say(
             "warning: the points do not tell the focal length: the plane of the points is rectified, and the face's "
@@ -226,15 +246,20 @@ static void say_overlay(const overlaying *o) {
         app_say("nothing readable: no rills were found in the picture");
         return;
     }
+
+    /* the verdict */
     app_say("rills read in %d patches, %.0f %% of those seen; %d of %d wires differ from the simulation", v->readable,
             100 * v->readable_share, v->differing, v->curve_count);
 }
 
 static int overlay(const app_call *call) {
     overlaying o = {.call = call, .job_path = call->operand[0], .photo_path = call->operand[1]};
+
+    /* inputs and folder, before the simulation */
     int code = load_overlay(&o);
     if (code == APP_DONE) code = app_results_begin(&o.results, app_text(call, "output"), result_name);
     if (code == APP_DONE) {
+        /* simulate, measure, write; then figures for people and for programs */
         app_catch_interrupts();
         code = run_overlay(&o);
         if (code == APP_DONE) code = write_overlay(&o);
@@ -245,6 +270,8 @@ static int overlay(const app_call *call) {
         if (code == APP_DONE && app_given(call, "json")) fputs(o.results.text, stdout);
     }
     app_results_end(&o.results);
+
+    /* everything that was made, also after a failure */
     wcut_overlay_destroy(o.overlay);
     free(o.left_out);
     free(o.residual);

@@ -211,6 +211,7 @@ static void say_motion(const export_ *e) {
     app_say("%s: %d targets of %d stations, %.1f s; error across the path at most %.2g mm, along it %.2g mm",
             e->job->name, m->count, m->stations, m->duration, m->chord_error, m->time_error);
 
+    /* an excitation is partly in the speeds, partly in calls */
     if (e->job->dither_count + e->job->heat_step_count > 0)
         app_say(
             "excitation: %d sines on the speed are in the programs, %d heater steps call a procedure; time 0 of the "

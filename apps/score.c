@@ -69,6 +69,8 @@ static int list_cases(scoring *s) {
     if (s->cuts == 0) return s->code;
     s->trial = calloc((size_t)s->cuts, sizeof *s->trial);
     if (!s->trial) return fail_score_memory();
+
+    /* each cut reads its own job */
     int at = 0;
     for (int c = 0; c < s->cases; c++)
         for (int k = 0; k < s->found[c]->cuts; k++, at++)

@@ -278,6 +278,7 @@ static int run_simulate(const app_call *call) {
         }
     }
 
+    /* the exit code says how the run ended */
     if (code == APP_DONE) code = ended;
     app_results_end(&s.results);
 

@@ -117,11 +117,15 @@ static int run_cases(const app_call *call, wcut_sweep *sweep, int share, int sha
     wcut_sweep_counts counts;
     int code = app_sweep_program(program);
     if (code != APP_DONE) return code;
+
+    /* this share of the cases, with a progress bar */
     watch seen = {.bar = app_progress_begin(app_given(call, "quiet")), .sweep = sweep};
     seen.bar.unit = "cases";
     wcut_sweep_options options = pool_options(call, sweep, program, &seen);
     options.share = share;
     options.shares = shares;
+
+    /* run; an interrupt ends the processes */
     app_catch_interrupts();
     const wcut_status status = wcut_sweep_run(sweep, &options, &counts, &error);
     app_progress_end(&seen.bar);

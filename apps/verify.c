@@ -46,6 +46,8 @@ static int verify(const app_call *call) {
     for (int k = 0; k < v->count; k++)
         if (v->file[k].state != WCUT_RESULT_STATE_WHOLE)
             app_say("%s: %s, listed by %s", v->file[k].name, state_word(v->file[k].state), v->file[k].voucher);
+
+    /* the exit code */
     int code = APP_DONE;
     if (v->broken)
         code = app_fail(APP_BAD_INPUT, "%s: %d of %d files are not as their voucher lists them", folder, v->broken,

@@ -30,6 +30,7 @@ static bool move_poles(wcut_iges *f, const wcut_iges_entry *e, wcut_surface *sur
 static wcut_surface *cut_range(wcut_iges *f, const wcut_iges_entry *e, wcut_surface *surface, wcut_direction direction,
                                const double range[2]) {
     for (int side = 0; side < 2 && surface; side++) {
+        /* the range must lie in the domain, up to rounding */
         double begin[2], end[2];
         wcut_surface_domain(surface, begin, end);
         const int at = direction == WCUT_DIRECTION_U ? 0 : 1;
@@ -41,6 +42,8 @@ static wcut_surface *cut_range(wcut_iges *f, const wcut_iges_entry *e, wcut_surf
                                       e->at + 1, range[0], range[1], first, last),
                    NULL;
         }
+
+        /* split at the end of the range, and keep the part inside */
         if (side == 0 ? range[0] <= first + slack : range[1] >= last - slack) continue;
         wcut_surface *low = NULL, *high = NULL;
         const wcut_status status = wcut_surface_split(surface, direction, range[side], &low, &high);
@@ -76,6 +79,7 @@ static wcut_surface *read_surface(wcut_iges *f, const wcut_iges_entry *e) {
     if (!wcut_iges_reals(&c, all, value)) {
         refuse_face_data(f, e);
     } else {
+        /* in mm; equal positive weights make a polynomial surface */
         double *weight = value + knots[0] + knots[1];
         wcut_vec3 *control = (wcut_vec3 *)(weight + poles);
         bool same = true;
@@ -111,6 +115,7 @@ static wcut_surface *read_surface(wcut_iges *f, const wcut_iges_entry *e) {
 
 /* the curves of a boundary in space, a composite one by its pieces; false: refused or left out */
 static bool add_boundary(wcut_face_reader *r, wcut_iges *f, const wcut_iges_entry *of, int number, wcut_face_loops *l) {
+    /* 142, a curve on a surface: its curve in space is used, that in parameters is passed over */
     wcut_iges_entry e = {0}, on = {0}, piece = {0};
     wcut_iges_cursor c;
     int curve = 0, count = 0, flag;
@@ -130,6 +135,8 @@ static bool add_boundary(wcut_face_reader *r, wcut_iges *f, const wcut_iges_entr
     }
     if (!wcut_iges_open(f, &on, &c)) return false;
     if (!wcut_iges_int(&c, 1, face_values_max(&c), &count)) return refuse_face_data(f, &on);
+
+    /* each piece is moved as the composite curve is */
     for (int k = 0; k < count; k++) {
         if (!wcut_iges_int(&c, 1, 9999999, &curve)) return refuse_face_data(f, &on);
         if (!wcut_iges_find_named(f, &on, curve, &piece)) return false;
@@ -155,10 +162,14 @@ static bool add_trimmed(wcut_face_reader *r, wcut_iges *f, const wcut_iges_entry
         return refuse_face_data(f, e);
     if (!wcut_iges_find_named(f, e, surface_at, &base)) return false;
     if (base.type != 128) return wcut_curves_leave_out(f->reader, "a trimmed surface that is no B-spline"), true;
+
+    /* without an outer boundary the borders of the surface bound the face */
     if (!wcut_iges_int(&c, 0, 9999999, &outer)) outer = 0;
     if (has_outer != (outer > 0)) return refuse_face_data(f, e);
     if (inner > 0 && !has_outer)
         return wcut_curves_leave_out(f->reader, "a surface with holes and no outer boundary"), true;
+
+    /* the loops, the outer one first */
     bool done = !has_outer || add_boundary(r, f, e, outer, &l);
     for (int k = 0; k < inner && done; k++) {
         int number = 0;

@@ -87,6 +87,8 @@ bool wcut_faces_add(wcut_face_reader *r, wcut_surface *surface, const wcut_face_
         wcut_trimmed_destroy(face);
         return false;
     }
+
+    /* the name, without control characters */
     size_t used = 0;
     for (size_t k = 0; k < length; k++)
         if ((unsigned char)name[k] >= 0x20 && name[k] != 0x7f) copy[used++] = name[k];
@@ -110,6 +112,8 @@ void wcut_trimmed_set_destroy(wcut_trimmed_set *set) {
 
 static bool fill_faces(wcut_face_reader *r, char *text, size_t length) {
     wcut_trimmed_set *set = r->set;
+
+    /* the format by the first bytes; another known format is named in the message */
     if (strncmp(text, "ISO-10303-21;", 13) == 0)
         set->format = WCUT_CURVE_FORMAT_STEP;
     else if (length > 80 && text[72] == 'S' && (text[80] == '\n' || text[80] == '\r'))
@@ -119,6 +123,8 @@ static bool fill_faces(wcut_face_reader *r, char *text, size_t length) {
         return false;
     else
         return wcut_curves_refuse(r->curves, "found no STEP and no IGES file, expected a surface in one of them");
+
+    /* read the faces, and say what was left out */
     const bool done = set->format == WCUT_CURVE_FORMAT_STEP ? wcut_faces_fill_step(r, text, length)
                                                             : wcut_faces_fill_iges(r, text, length);
     set->left_out = r->curves->set->left_out;

@@ -57,6 +57,8 @@ static bool read_poles(wcut_step_source *s, long id, const net *n, int count_u, 
 /* a B-spline surface; NULL: refused, or left out for its degree */
 static wcut_surface *read_spline_surface(wcut_step_source *s, long id, const char *body) {
     const net n = find_net(body);
+
+    /* degrees and the size of the net */
     int degree[2] = {0, 0};
     const int count_u = wcut_p21_length(n.rows), count_v = wcut_p21_length(wcut_p21_item(n.rows, 0));
     if (!wcut_p21_read_integer(n.degree_u, 1, 1000, &degree[0]) ||
@@ -74,6 +76,8 @@ static wcut_surface *read_spline_surface(wcut_step_source *s, long id, const cha
     double *weight = wcut_alloc(n.weights ? poles : 1, sizeof *weight);
     double *knot = wcut_alloc((size_t)total[0] + (size_t)total[1], sizeof *knot);
     wcut_surface *surface = NULL;
+
+    /* an unreadable list has been refused by its reader */
     if (!control || !weight || !knot) {
         wcut_curves_refuse_memory(s->reader);
     } else if (read_poles(s, id, &n, count_u, count_v, control, weight) &&
@@ -92,6 +96,7 @@ static wcut_surface *read_spline_surface(wcut_step_source *s, long id, const cha
 
 /* a plane as a patch that is larger than the loops on it by a tenth; NULL: refused */
 static wcut_surface *make_plane_patch(wcut_step_source *s, long id, const char *list, const wcut_face_loops *l) {
+    /* origin and axes of the plane */
     long at = 0;
     wcut_vec3 o, x, y;
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
@@ -107,6 +112,8 @@ static wcut_surface *make_plane_patch(wcut_step_source *s, long id, const char *
         }
     if (!(high[0] > low[0] && high[1] > low[1]))
         return wcut_curves_leave_out(s->reader, "a plane without an extent"), NULL;
+
+    /* a margin of a tenth, so that no boundary touches the border of the patch */
     for (int a = 0; a < 2; a++) {
         const double more = 0.1 * (high[a] - low[a]);
         low[a] -= more, high[a] += more;
@@ -146,6 +153,7 @@ static bool add_oriented(wcut_face_reader *r, wcut_step_source *s, long id, wcut
 
 /* the bounds of a face; false: refused, or a curve of them was left out */
 static bool read_bounds(wcut_face_reader *r, wcut_step_source *s, long id, const char *bounds, wcut_face_loops *l) {
+    /* each bound, outer or inner, has a loop */
     for (const char *item = wcut_p21_item(bounds, 0); item; item = wcut_p21_next(item)) {
         long bound = 0, loop = 0;
         if (!wcut_p21_read_reference(item, &bound)) return wcut_step_refuse(s, id, "a bound that is none");
@@ -153,6 +161,8 @@ static bool read_bounds(wcut_face_reader *r, wcut_step_source *s, long id, const
         const char *list = body ? wcut_p21_record(body, "FACE_OUTER_BOUND") : NULL;
         if (body && !list) list = wcut_p21_record(body, "FACE_BOUND");
         if (!wcut_p21_read_reference(wcut_p21_item(list, 1), &loop)) return wcut_step_refuse(s, bound, "no loop");
+
+        /* only loops of edges; the edges in the order of the loop */
         const char *of = wcut_p21_find(&s->file, loop), *edges = of ? wcut_p21_record(of, "EDGE_LOOP") : NULL;
         if (!edges) return wcut_curves_leave_out(s->reader, "a face bounded by other than edges"), false;
         if (wcut_p21_length(wcut_p21_item(edges, 1)) < 1) return wcut_step_refuse(s, loop, "no edges");
@@ -185,6 +195,7 @@ static bool place_poles(wcut_step_source *s, long id, const wcut_step_place *pla
 /* a surface with its loops in one place; what cannot be read of it leaves the face out. false: refused */
 static bool add_face(wcut_face_reader *r, wcut_step_source *s, const wcut_p21_instance *at, const char *list,
                      const wcut_step_place *place) {
+    /* the surface that the face lies on */
     long id = 0;
     wcut_face_loops l = {0};
     if (!wcut_p21_read_reference(wcut_p21_item(list, 2), &id))
@@ -202,6 +213,8 @@ static bool add_face(wcut_face_reader *r, wcut_step_source *s, const wcut_p21_in
         surface = make_plane_patch(s, id, plane, &l);
     else if (done)
         leave_surface_out(s, body);
+
+    /* .F.: the normal of the face is opposite to that of the surface */
     if (surface && wcut_p21_is(wcut_p21_item(list, 3), ".F.")) {
         wcut_surface *back = NULL;
         if (wcut_surface_reverse(surface, WCUT_DIRECTION_U, &back) != WCUT_OK) wcut_curves_refuse_memory(s->reader);
@@ -214,6 +227,8 @@ static bool add_face(wcut_face_reader *r, wcut_step_source *s, const wcut_p21_in
         done = place_poles(s, at->id, place, surface);
         for (int k = 0; k < l.curves && done; k++) done = wcut_step_set_in_place(s, at->id, place, l.curve[k]);
     }
+
+    /* the name between apostrophes, where there is one */
     const char *name = wcut_p21_item(list, 0);
     const bool named = name && *name == '\'';
     if (surface && done)

@@ -287,6 +287,7 @@ static wcut_status write_iges_all(wcut_file *file, wcut_text *text, int count, c
 
     wcut_text_flush(text);
 
+    /* the file appears whole or not at all */
     return wcut_file_commit(file, error);
 }
 

@@ -125,6 +125,8 @@ static column_name read_column_name(const wcut_point_cell *cell) {
     /* each word by the lists; what an axis means depends on the words before it */
     while (next_word(cell->at, cell->length, &at, &word, &n)) {
         words++;
+
+        /* an axis, a normal, a unit behind an axis, an axis joined to a word, then names and counts */
         const double unit = wcut_unit_find(word, n);
         if (name.axis < 0 && find_axis(word, n) >= 0)
             name.axis = find_axis(word, n);

@@ -301,6 +301,7 @@ wcut_curve *wcut_step_read_spline(wcut_step_source *s, long id, const char *body
              (!at.weights || read_step_values_weights(s, id, at.weights, count, knot + total)))
         curve = wcut_curves_make(s->reader, place, degree, count, knot, control, at.weights ? knot + total : NULL);
 
+    /* the curve has copies of its numbers */
     free(knot);
     free(control);
     return curve;

@@ -117,6 +117,8 @@ static wcut_look look_at_shape(const view *v, const char *bytes) {
     const size_t dims = strspn(v->first, "STCN4n");
     if (dims <= 4 && strncmp(v->first + dims, "OFF", 3) == 0 && isspace((unsigned char)v->first[dims + 3]))
         return (wcut_look){"a mesh (OFF)", MESH_USE};
+
+    /* LAS: the top bit of the point format marks compression */
     if (strncmp(v->text, "LASF", 4) == 0) {
         const bool packed = is_ending(v, ".laz") || (v->length > 104 && ((unsigned char)v->text[104] & 0x80));
         if (!packed) return (wcut_look){"a cloud (LAS)", CLOUD_USE};

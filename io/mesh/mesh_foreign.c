@@ -227,6 +227,7 @@ static bool take_triangles(wcut_source *s, wcut_mesh_builder *g, bool is_gltf, c
         done = done && wcut_mesh_builder_triangle(g, v[0], v[1], v[2]);
     }
 
+    /* the numbering is needed only while the mesh is built */
     wcut_numbered_free(&n);
     return done;
 }

@@ -54,6 +54,8 @@ static wcut_mesh_format find_mesh_format(const wcut_source *s) {
 
 static bool fill_mesh(wcut_source *s, wcut_mesh_builder *g, wcut_mesh_format format, int seconds) {
     const bool is_binary = s->stream.end - s->stream.at >= 4 && memcmp(s->stream.data + s->stream.at, "glTF", 4) == 0;
+
+    /* a reader for each format; glTF is read by assimp */
     switch (format) {
         case WCUT_MESH_FORMAT_STL:
             return wcut_mesh_fill_stl(s, g);
@@ -68,6 +70,8 @@ static bool fill_mesh(wcut_source *s, wcut_mesh_builder *g, wcut_mesh_format for
         default:
             break;
     }
+
+    /* no mesh: another known format is named in the message */
     const char *at = (const char *)s->stream.data + s->stream.at;
     if (wcut_look_refuse(at, s->stream.end - s->stream.at, s->label, "a mesh: STL, PLY, OBJ, OFF or glTF",
                          &s->failure) != WCUT_OK)

@@ -41,6 +41,8 @@ static void put_fitted(wcut_text *text, const wcut_overlaid *o, const wcut_rill_
 
 static bool put_drawing(wcut_text *text, const void *context) {
     const drawing *d = context;
+
+    /* the block and a margin, in mm */
     const wcut_overlaid *o = d->o;
     const wcut_overlay *v = o->overlay;
     const double w = o->block.x, l = o->block.y, margin = fmax(w, l) / 50;
@@ -51,10 +53,16 @@ static bool put_drawing(wcut_text *text, const void *context) {
     wcut_text_put_word(text,
                        "<style>polyline{fill:none;stroke-width:.6}.fitted{stroke:#e000c0;stroke-dasharray:3 2}"
                        ".block{fill:none;stroke:#000;stroke-width:.6}</style>\n");
+
+    /* the rectified picture below, in its place on the block */
     wcut_text_print(
         text, "<image href=\"%s\" x=\"0\" y=\"0\" width=\"%.6f\" height=\"%.6f\" preserveAspectRatio=\"none\"/>\n",
         d->link, v->rectified->width * v->resolution, v->rectified->height * v->resolution);
+
+    /* the outline of the block */
     wcut_text_print(text, "<rect class=\"block\" x=\"0\" y=\"0\" width=\"%.3f\" height=\"%.3f\"/>\n", w, l);
+
+    /* the simulated wire of each curve, and the one that fits the rills */
     for (int k = 0; k < v->curve_count; k++) {
         put_wire(text, o, v->curve[k].station);
         put_fitted(text, o, &v->curve[k]);

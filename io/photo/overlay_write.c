@@ -15,6 +15,7 @@ static const char *truth(bool value) { return value ? "true" : "false"; }
 /* ---- the document ---- */
 
 static void put_camera(wcut_text *text, const wcut_overlaid *o) {
+    /* a plane camera has neither focal length nor place */
     const wcut_camera *c = o->camera;
     const wcut_camera_report *r = o->report;
     wcut_text_print(text, ",\n  \"camera\": {\"kind\": \"%s\"", kind_word[c->kind]);
@@ -29,6 +30,8 @@ static void put_camera(wcut_text *text, const wcut_overlaid *o) {
             wcut_text_put_number(text, k == 0 ? "[" : k % 3 == 0 ? "], [" : ", ", c->rotation[k]);
         wcut_text_put_word(text, "]]");
     }
+
+    /* errors in the picture, and the point that the others contradict */
     wcut_text_put_number(text, ",\n    \"rms_px\": ", r->rms);
     wcut_text_put_number(text, ", \"sigma_px\": ", r->sigma);
     if (r->suspect >= 0)
@@ -51,6 +54,7 @@ static void put_camera(wcut_text *text, const wcut_overlaid *o) {
 }
 
 static void put_rills(wcut_text *text, const wcut_overlay *o) {
+    /* how much of the face is readable */
     wcut_text_print(text, ",\n  \"rills\": {\"patches\": %d, \"readable\": %d", o->columns * o->rows, o->readable);
     wcut_text_put_number(text, ", \"readable_share\": ", o->readable_share);
     wcut_text_put_number(text, ", \"noise_levels\": ", o->noise);
@@ -113,6 +117,8 @@ wcut_status wcut_overlay_print(const wcut_overlaid *o, char **out) {
     wcut_text text = {0};
     if (!overlay_is_whole(o) || !out) return WCUT_BAD_ARGUMENT;
     if (!wcut_text_create(&text, NULL)) return WCUT_NO_MEMORY;
+
+    /* the sources and the camera */
     const wcut_overlay *v = o->overlay;
     wcut_text_print(&text, "{\n  \"format\": \"wirecut-overlay/1\",\n  \"version\": \"%s\"", WCUT_VERSION);
     wcut_text_put_string(&text, ",\n  \"job\": {\"name\": ", o->job);
@@ -147,6 +153,8 @@ static bool put_rill_rows(wcut_text *text, const void *context) {
     const wcut_overlay *o = context;
     wcut_text_put_word(
         text, "x_mm,y_mm,z_mm,station,wire_deg,angle_deg,sigma_deg,systematic_deg,coherence,contrast_levels,covered\n");
+
+    /* patches that the picture shows; their place and the direction of the wire */
     for (int k = 0; k < o->columns * o->rows; k++) {
         const wcut_rill_patch *p = &o->patch[k];
         if (!(p->covered > 0)) continue;

@@ -146,6 +146,7 @@ wcut_status wcut_picture_parse(const void *bytes, size_t size, const char *label
     }
     if (status != WCUT_OK) return status;
 
+    /* upright, as EXIF says */
     status = wcut_picture_turn(made, found.orientation);
     if (status != WCUT_OK) {
         wcut_picture_destroy(made);

@@ -66,15 +66,20 @@ static int deflate_into(wcut_file *file, z_stream *z, unsigned char *out, int fl
 
 /* the rows; false: no memory */
 static bool write_rows(wcut_file *file, const wcut_picture *p) {
+    /* one row at a time, through deflate */
     const size_t n = (size_t)p->channels, size = (size_t)p->width * n;
     unsigned char *row = wcut_alloc(size + 1, 1), *out = wcut_alloc(CHUNK, 1);
     z_stream z = {.next_out = out, .avail_out = CHUNK};
     bool sound = row && out && deflateInit(&z, LEVEL) == Z_OK;
     for (int r = 0; sound && r < p->height; r++) {
         const unsigned char *from = p->pixel + (size_t)r * size;
+
+        /* the filter SUB: differences to the pixel on the left compress better */
         row[0] = SUB;
         memcpy(row + 1, from, n);
         for (size_t k = n; k < size; k++) row[1 + k] = (unsigned char)(from[k] - from[k - n]);
+
+        /* the last row ends the stream */
         z.next_in = row;
         z.avail_in = (uInt)(size + 1);
         const int code = deflate_into(file, &z, out, r == p->height - 1 ? Z_FINISH : Z_NO_FLUSH);

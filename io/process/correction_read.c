@@ -47,6 +47,8 @@ static bool read_correction(wcut_reader *reader, const wcut_place *root, filling
     /* a diagnosis, which may withhold its correction and say why */
     const wcut_place format = wcut_place_member(root, "format"), at = wcut_place_member(root, "correction");
     if (!wcut_read_format(reader, &format, FORMAT)) return false;
+
+    /* withheld: the reason is a part of the message */
     if (json_is_null(at.value)) {
         const wcut_place why = wcut_place_member(root, "withheld");
         const char *text = json_string_value(why.value);

@@ -87,6 +87,8 @@ wcut_status wcut_history_write_csv(const wcut_history *history, const wcut_vec3 
 
 static wcut_station view_station(const wcut_history *h, int j) {
     const wcut_history_row *r = &h->row[j];
+
+    /* nodes of earlier stations come first */
     size_t at = (size_t)j * (size_t)h->nodes;
 
     /* a view into the history's arrays: nothing is copied */

@@ -363,6 +363,8 @@ static wcut_status write_compare_page(page *p, const wcut_report_scene *scene, c
     int sections = 0;
     section[sections++] = (wcut_report_section){.title = "Figures", .table_count = 3, .table = figures};
     if (f) section[sections++] = (wcut_report_section){.title = "Along the cut", .chart_count = 2, .chart = chart};
+
+    /* points and registration, then the scan as a mesh */
     if (!wcut_report_fill_registration(&p->memory, c, &section[sections++])) return WCUT_NO_MEMORY;
     if (c->reconstruction && !wcut_report_fill_reconstruction(&p->memory, c, &section[sections++]))
         return WCUT_NO_MEMORY;

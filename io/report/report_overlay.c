@@ -60,6 +60,7 @@ static bool fill_map(page *p, figure what, const char *title, const char *label,
 
 /* the deviation of a wire with its 95 % band */
 static bool fill_series(page *p, const wcut_rill_curve *c, wcut_report_series *series) {
+    /* readable nodes of the curve, with an interval of 95 % */
     const size_t n = (size_t)c->readable;
     double *x = wcut_page_take(&p->memory, n, sizeof *x), *y = wcut_page_take(&p->memory, n, sizeof *y);
     double *low = wcut_page_take(&p->memory, n, sizeof *low), *high = wcut_page_take(&p->memory, n, sizeof *high);
@@ -97,12 +98,16 @@ static bool fill_series(page *p, const wcut_rill_curve *c, wcut_report_series *s
 static bool fill_chart(page *p, wcut_report_series *series, wcut_report_chart *chart) {
     const wcut_overlay *v = p->o->overlay;
     int read = 0, seen = 0, count = 0;
+
+    /* curves that are readable; of many of them a sample, evenly spread */
     for (int k = 0; k < v->curve_count; k++) read += v->curve[k].readable > 0;
     const int shown = read < CHART_CURVES ? read : CHART_CURVES;
     for (int k = 0; k < v->curve_count && count < shown; k++) {
         if (v->curve[k].readable == 0 || seen++ < (2 * count + 1) * read / (2 * shown)) continue;
         if (!fill_series(p, &v->curve[k], &series[count++])) return false;
     }
+
+    /* the mean is not determined: a direction has no position */
     *chart = (wcut_report_chart){
         .title = "The wire that fits the rills, minus the simulated one",
         .note = "Along y. The mean of each curve is 0: rills tell directions and no place. The band holds 95 %.",
@@ -118,6 +123,7 @@ static bool fill_chart(page *p, wcut_report_series *series, wcut_report_chart *c
 /* ---- tables ---- */
 
 static bool fill_phases(page *p, wcut_report_column column[5], wcut_report_table *table) {
+    /* phases with patches; medians of those with readable ones */
     enum { NUMBERS = 4 };
     const size_t phases = WCUT_PHASE_LEFT + 1;
     const char **name = wcut_page_take(&p->memory, phases, sizeof *name);
@@ -134,6 +140,8 @@ static bool fill_phases(page *p, wcut_report_column column[5], wcut_report_table
         number[3 * phases + rows] = f->readable ? WCUT_DEG_PER_RAD * f->sigma : (double)NAN;
         rows++;
     }
+
+    /* the columns of the table */
     column[0] = (wcut_report_column){.label = "phase", .text = name};
     column[1] = (wcut_report_column){.label = "patches seen", .number = number};
     column[2] = (wcut_report_column){.label = "with rills", .number = number + phases};
@@ -145,6 +153,8 @@ static bool fill_phases(page *p, wcut_report_column column[5], wcut_report_table
 
 static bool fill_worst(page *p, wcut_report_column column[5], wcut_report_table *table) {
     const wcut_overlay *v = p->o->overlay;
+
+    /* column by column, as a table keeps its numbers */
     const size_t n = (size_t)v->worst_count;
     double *number = wcut_page_take(&p->memory, 5 * n, sizeof *number);
     if (!number) return false;
@@ -159,6 +169,8 @@ static bool fill_worst(page *p, wcut_report_column column[5], wcut_report_table 
                                                                                                         "deg"};
     for (size_t c = 0; c < 5; c++)
         column[c] = (wcut_report_column){.label = label[c], .unit = unit[c], .number = number + c * n};
+
+    /* the table of those patches */
     *table = (wcut_report_table){
         .title = "Patches that stand out most", .rows = v->worst_count, .columns = 5, .column = column};
     return true;
@@ -166,6 +178,8 @@ static bool fill_worst(page *p, wcut_report_column column[5], wcut_report_table 
 
 static bool fill_points(page *p, wcut_report_column column[6], wcut_report_table *table) {
     const wcut_overlaid *o = p->o;
+
+    /* places in mm, residuals in pixels */
     const size_t n = (size_t)o->points;
     double *number = wcut_page_take(&p->memory, 6 * n, sizeof *number);
     if (!number) return false;
@@ -180,6 +194,8 @@ static bool fill_points(page *p, wcut_report_column column[6], wcut_report_table
                                                                                                     "px", "px", "px"};
     for (size_t c = 0; c < 6; c++)
         column[c] = (wcut_report_column){.label = label[c], .unit = unit[c], .number = number + c * n};
+
+    /* the table, one row per point */
     *table = (wcut_report_table){.title = "Points of the camera",
                                  .note = "Left out: distance of the point from a camera that was fitted without it.",
                                  .rows = o->points,
@@ -192,6 +208,8 @@ static bool fill_points(page *p, wcut_report_column column[6], wcut_report_table
 
 static wcut_report_tone judge_overlay(page *p, const char **verdict) {
     const wcut_overlay *v = p->o->overlay;
+
+    /* no rills, rills as simulated, or wires that differ */
     if (v->readable == 0) {
         *verdict = "Nothing readable: the picture shows no rills on the face.";
         return WCUT_REPORT_TONE_WARNING;
@@ -203,6 +221,8 @@ static wcut_report_tone judge_overlay(page *p, const char **verdict) {
                                   v->curve_count);
         return WCUT_REPORT_TONE_GOOD;
     }
+
+    /* the wire that differs most, with its interval of 95 % */
     double largest = 0, sigma = 0;
     for (int k = 0; k < v->curve_count; k++)
         if (v->curve[k].differs && v->curve[k].range > largest)
@@ -216,6 +236,7 @@ static wcut_report_tone judge_overlay(page *p, const char **verdict) {
 }
 
 static int fill_facts(page *p, wcut_report_fact *fact) {
+    /* what the picture shows */
     const wcut_overlaid *o = p->o;
     const wcut_overlay *v = o->overlay;
     int n = 0;
@@ -223,6 +244,8 @@ static int fill_facts(page *p, wcut_report_fact *fact) {
     fact[n++] = (wcut_report_fact){"patches with rills, of those seen", NULL, 100 * v->readable_share, "%"};
     fact[n++] = (wcut_report_fact){"size of a pixel", NULL, v->resolution, "mm"};
     fact[n++] = (wcut_report_fact){"points met by the camera, rms", NULL, o->report->rms, "px"};
+
+    /* a plane camera has no focal length and no height */
     if (o->camera->kind == WCUT_CAMERA_KIND_PLANE) {
         fact[n++] = (wcut_report_fact){"camera", "one plane alone: heights above it shift what is measured", 0, ""};
     } else {
@@ -240,6 +263,8 @@ static int fill_facts(page *p, wcut_report_fact *fact) {
 
 static wcut_status write_overlay_page(page *p, const char *path, wcut_error *error) {
     const wcut_overlaid *o = p->o;
+
+    /* maps, charts and tables */
     wcut_report_map map[3];
     wcut_report_series series[CHART_CURVES];
     wcut_report_chart chart;
@@ -259,6 +284,8 @@ static wcut_status write_overlay_page(page *p, const char *path, wcut_error *err
     const wcut_report_tone tone = judge_overlay(p, &verdict);
     const int facts = fill_facts(p, fact);
     const bool read = o->overlay->readable > 0;
+
+    /* without readable rills only the map of coherence is left */
     const wcut_report_section section[] = {{.title = "Rills beside the wire",
                                             .note = "Counter-clockwise is positive. The pictures stand beside this "
                                                     "page: rectified.png, overlay.png, overlay-photo.png, "
@@ -272,6 +299,8 @@ static wcut_status write_overlay_page(page *p, const char *path, wcut_error *err
                                             .chart = &chart,
                                             .table_count = 1,
                                             .table = &table[2]}};
+
+    /* the page with its sources */
     const wcut_report_source source[] = {{"job", o->job, o->job_sha256}, {"photo", o->photo, o->photo_sha256}};
     const wcut_report report = {.verb = "overlay",
                                 .title = o->photo,

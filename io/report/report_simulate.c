@@ -347,6 +347,8 @@ wcut_status wcut_report_simulate_write(const wcut_report_simulate *run, const wc
                                          .field = field};
         const wcut_report_line line[] = {{"path curves", "A", history->stations, p.mount_a},
                                          {"path curves", "B", history->stations, p.mount_b}};
+
+        /* the scene in the block; a single station has no surface */
         const wcut_report_scene scene = {.title = "Surface swept by the wire",
                                          .note = "Grey: outside the foam, where the wire has no load.",
                                          .block_size = p.job->block_size,

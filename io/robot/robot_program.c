@@ -267,6 +267,7 @@ void wcut_urscript_put(wcut_text *text, const wcut_robot_motion *m, const wcut_r
 
 /* calls: a procedure is called in the middle of the zone (MoveLSync), not when the program runs ahead */
 static void put_rapid_move(wcut_text *text, const half *h, int id, double speed, bool calls) {
+    /* target: position, quaternion, external axes unused */
     wcut_text_print(text, "    MoveL%s", calls ? "Sync" : "");
     put_rounded(text, " [[", h->at.x, 3);
     put_rounded(text, ",", h->at.y, 3);
@@ -274,8 +275,12 @@ static void put_rapid_move(wcut_text *text, const half *h, int id, double speed,
     for (int k = 0; k < 4; k++) put_rounded(text, k ? "," : "],[", h->frame[k], 9);
     wcut_text_print(text, "],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]");
     if (id > 0) wcut_text_print(text, "\\ID:=%d", id);
+
+    /* speed in mm/s, reorientation 500 deg/s */
     put_rounded(text, ", [", speed, 3);
     wcut_text_print(text, ",500,5000,1000], ");
+
+    /* zone: a stop point, or a fly-by radius in mm */
     if (h->zone < 5e-4) {
         wcut_text_print(text, "fine");
     } else {

@@ -48,6 +48,8 @@ static void put_csv(wcut_text *text, const wcut_robot_motion *m) {
                     "target,station,time_s,duration_s,a_x_mm,a_y_mm,a_z_mm,b_x_mm,b_y_mm,b_z_mm,speed_a_mm_s,"
                     "speed_b_mm_s,zone_a_mm,zone_b_mm,frame_a_w,frame_a_x,frame_a_y,frame_a_z,frame_b_w,frame_b_x,"
                     "frame_b_y,frame_b_z,heat_W_per_m\n");
+
+    /* one row per target; lengths to 1e-3 mm, times to 1e-6 s */
     for (int i = 0; i < m->count; i++) {
         const wcut_robot_target *t = &m->target[i];
         const double millimetre[] = {t->a.x, t->a.y,     t->a.z,     t->b.x,    t->b.y,
@@ -57,8 +59,12 @@ static void put_csv(wcut_text *text, const wcut_robot_motion *m) {
         put_fixed(text, ",", t->time, 6);
         put_fixed(text, ",", t->duration, 6);
         for (size_t k = 0; k < sizeof millimetre / sizeof *millimetre; k++) put_fixed(text, ",", millimetre[k], 3);
+
+        /* orientation of both tools as quaternions */
         for (int k = 0; k < 4; k++) put_fixed(text, ",", t->frame_a[k], 9);
         for (int k = 0; k < 4; k++) put_fixed(text, ",", t->frame_b[k], 9);
+
+        /* heat only where it changes */
         wcut_text_print(text, ",");
         if (t->heat > 0) put_fixed(text, "", t->heat, 3); /* none: as before */
         wcut_text_print(text, "\n");
@@ -163,6 +169,8 @@ static bool is_reserved(const char *name, wcut_robot_format format) {
                               : format == WCUT_ROBOT_FORMAT_RAPID  ? rapid
                               : format == WCUT_ROBOT_FORMAT_KRL    ? krl
                                                                    : NULL;
+
+    /* RAPID and KRL do not distinguish upper and lower case */
     for (; word && *word; word++)
         if (format == WCUT_ROBOT_FORMAT_URSCRIPT ? strcmp(*word, name) == 0 : strcasecmp(*word, name) == 0) return true;
     return false;

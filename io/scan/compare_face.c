@@ -290,12 +290,16 @@ static wcut_status load_file(wcut_compare_face *f, const wcut_compare_reference 
         if (status == WCUT_OK) status = load_job(f, o, error);
     } else {
         if (r->edges || r->force_law) return refuse_change(f, r->edges ? "edges" : "force law", error);
+
+        /* a mesh, in its own unit */
         wcut_mesh_read_options options = wcut_mesh_read_options_default();
         options.unit = o->reference_unit;
         status = place_failure(wcut_mesh_read(r->path, &options, &f->owned_mesh, NULL, error), r->path, error);
         f->mesh = f->owned_mesh;
         if (status == WCUT_OK) status = load_mesh(f, watch, error);
     }
+
+    /* the hash of the file goes into the reports */
     return status == WCUT_OK ? wcut_source_hash(r->path, f->hash, error) : status;
 }
 

@@ -233,6 +233,8 @@ wcut_status wcut_sweep_table_load(const wcut_sweep *sweep, wcut_sweep_table *tab
         if (whole) fill_case(study, k, &found, table);
         json_decref(found.result);
     }
+
+    /* the best cases are chosen once all are known */
     if (whole) {
         find_best(study, table);
         return WCUT_OK;

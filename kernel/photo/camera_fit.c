@@ -292,9 +292,12 @@ static wcut_status refuse_misfit(const camera_problem *p, const wcut_camera_repo
 /* a linear start and a fit of all points; limit: [px] rms that is accepted */
 static wcut_status fit_camera(const wcut_camera_points *points, double pixel_sigma, double limit, wcut_camera *c,
                               camera_outcome *outcome, wcut_error *error) {
+    /* up to PLANE_MAX points determine a plane camera, more of them the whole camera */
     bool mirrored = false;
     wcut_status status = points->count <= PLANE_MAX ? fit_plane(points, pixel_sigma, c, outcome)
                                                     : fit_full(points, c, outcome, &mirrored);
+
+    /* a mirror image is named as such: no other message would lead to it */
     if (status == WCUT_OK && mirrored) {
         status = is_mirror_image(points, c, limit, &mirrored);
         if (status == WCUT_OK && mirrored)
@@ -303,6 +306,8 @@ static wcut_status fit_camera(const wcut_camera_points *points, double pixel_sig
                                "places in the block's right-handed frame");
         if (status == WCUT_OK) status = WCUT_NOT_CONVERGED;
     }
+
+    /* what is wrong with the points */
     if (status == WCUT_NOT_CONVERGED)
         return wcut_fail(error, status,
                          "points: no camera sees them so; check that no row is mistyped and no two rows are "

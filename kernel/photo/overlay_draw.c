@@ -124,6 +124,7 @@ wcut_status wcut_overlay_draw_photo(const wcut_overlay *overlay, wcut_vec3 block
     const wcut_status status = wcut_picture_create(photo->width, photo->height, 3, &made);
     if (status != WCUT_OK) return status;
 
+    /* the photograph in three channels, then the wires as the camera sees them */
     for (size_t k = 0; k < (size_t)photo->width * photo->height; k++)
         for (int c = 0; c < 3; c++)
             made->pixel[3 * k + c] = photo->pixel[photo->channels * k + (photo->channels == 1 ? 0 : c)];

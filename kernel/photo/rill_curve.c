@@ -147,6 +147,7 @@ static wcut_status measure_curve(wcut_vec3 block, const wcut_history *h, const w
         slope[k] = slope[first_there + k];
     }
 
+    /* short gaps are bridged; the longest stretch of slopes is integrated to a shape */
     bridge_gaps(curve->count, slope);
     int first = 0;
     const int length = longest_stretch(curve->count, slope, &first);

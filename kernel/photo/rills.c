@@ -91,6 +91,8 @@ static bool window_create(const wcut_grey *g, wcut_vec3 middle, double block_y, 
                  v = (block_y - middle.y) / g->resolution - 0.5;
     *w = (window){.left = (int)floor(u - half) - MARGIN, .top = (int)floor(v - half) - MARGIN};
     w->width = w->height = (int)ceil(2 * half) + 2 * MARGIN + 1;
+
+    /* level, filtered level and gradient of each pixel */
     const size_t n = (size_t)w->width * w->height;
     w->level = wcut_alloc(n, sizeof *w->level);
     w->row = wcut_alloc(n, sizeof *w->row);
@@ -102,6 +104,8 @@ static bool window_create(const wcut_grey *g, wcut_vec3 middle, double block_y, 
         window_clear(w);
         return false;
     }
+
+    /* pixels outside the picture are -1: not known */
     for (int j = 0; j < w->height; j++)
         for (int i = 0; i < w->width; i++) {
             const int c = w->left + i, r = w->top + j;
@@ -307,11 +311,14 @@ static void fill_cells(const window *w, const wcut_grey *g, const wcut_face_grid
 
 wcut_status wcut_rills_measure(const wcut_grey *grey, const wcut_face_grid *grid, wcut_vec3 block, double side,
                                wcut_rill_patch *patch) {
+    /* the patch with its surroundings, so that filters have no border in it */
     window w;
     if (!window_create(grey, patch->place, block.y, side, &w)) return WCUT_NO_MEMORY;
     const double pixels = side / grey->resolution, of_cell = pixels * pixels / (CELLS * CELLS);
     cell s[CELLS * CELLS];
     reading best = {0};
+
+    /* a reading at each scale; the one with the smallest standard deviation is kept */
     for (int k = 0; k < SCALES; k++) {
         filter_window(&w, SCALE[k]);
         fill_cells(&w, grey, grid, block.y, side, patch->place, s);
@@ -322,6 +329,8 @@ wcut_status wcut_rills_measure(const wcut_grey *grey, const wcut_face_grid *grid
         if (k == 0 || (r.readable && (!best.readable || r.sigma < best.sigma))) best = r;
     }
     window_clear(&w);
+
+    /* the reading, or what was seen of the patch where it is not readable */
     patch->readable = best.readable;
     patch->angle = best.angle;
     patch->sigma = best.sigma;
