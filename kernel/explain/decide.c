@@ -4,6 +4,7 @@
 #include <stddef.h>
 
 #include "base/numbers.h"
+#include "explain/confidence.h"
 
 /* A model is adequate where what it leaves over four seconds is what noise and the scatter of a rig leave: over all channels,
    in what both tensions share (mounts beside their path move both), in the worst of some thirty channels, in a scan's
@@ -84,7 +85,8 @@ static bool is_null(const wcut_search *s) { return wcut_residual_is_noise(wcut_s
 bool wcut_search_explains_delay(const wcut_search *s, int candidate) {
     const wcut_candidate *c = &s->candidate[candidate];
     const wcut_effect *delay = &c->fit.model.effect[c->fit.model.effects - 1];
-    return delay->value[0] < DELAY_MAX && wcut_residual_is_noise(&c->fit, &c->left);
+    return delay->value[0] < DELAY_MAX && wcut_effect_size(delay) >= 1 && c->gain > -GAIN_CHANCE &&
+           wcut_residual_is_noise(&c->fit, &c->left);
 }
 
 bool wcut_search_leaves_noise(const wcut_search *s, int candidate) {
@@ -301,20 +303,12 @@ const char *wcut_candidate_why(const wcut_search *s, const wcut_decision *d, int
     return c->effects > 1 ? "its second effect is not needed" : "explains less";
 }
 
-/* How often verdicts of a kind were right on the labelled cases, each left out in turn, as (hits + 1) / (cases + 2); less
-   where the best explanation is not far from the next or hardly beyond chance. */
-static double confidence(const wcut_search *s, const wcut_decision *d) {
-    if (d->kind == WCUT_VERDICT_UNKNOWN) return d->adequacy > 2 * SLOW_MAX ? 0.9 : 0.7;
-    if (d->kind == WCUT_VERDICT_AMBIGUOUS) return 0.5;
-    if (d->kind == WCUT_VERDICT_NONE) {
-        double max = 0;
-        for (int k = 0; k < s->count; k++) max = fmax(max, wcut_candidate_score(s, k));
-        return max > gain_min(s) / 2 ? 0.7 : 0.9;
-    }
-    const wcut_candidate *best = &s->candidate[d->chosen];
-    if (!wcut_search_leaves_noise(s, d->chosen)) return 0.7;
-    const double ahead = wcut_candidate_score(s, d->chosen) - next_kind(s, d->chosen);
-    return ahead > 3 * RIVAL + 0.03 * best->gain ? 0.97 : 0.8;
+/* what the confidence goes by: the best score of all that was fitted, and how many effects are named */
+static double confidence_of(const wcut_search *s, const wcut_decision *d) {
+    double best = 0;
+    for (int k = 0; k < s->count; k++)
+        if (k != s->delayed && k != s->undelayed) best = fmax(best, wcut_candidate_score(s, k));
+    return wcut_confidence_eval(d->kind, best, d->chosen < 0 ? 0 : s->candidate[d->chosen].fit.model.effects);
 }
 
 /* the best score of what is there beside a bound; a value that ends at one is a fit of something else */
@@ -371,6 +365,6 @@ wcut_decision wcut_search_decide(const wcut_search *s) {
         d.adequacy = s->candidate[s->undelayed].left.slow;
         d.kind = verdict_kind_of(&s->candidate[s->undelayed].fit.model);
     }
-    d.confidence = confidence(s, &d);
+    d.confidence = confidence_of(s, &d);
     return d;
 }

@@ -450,7 +450,16 @@ static wcut_status locate_events(diagnosing *g, wcut_error *error) {
     wcut_diagnosis *d = g->out;
     d->mismatch = wcut_alloc(WCUT_MISMATCHES, sizeof *d->mismatch);
     if (!d->mismatch) return WCUT_NO_MEMORY;
-    return wcut_mismatch_locate(g->evidence, g->search.none.residual, &d->mismatches, d->mismatch, error);
+    wcut_status status = wcut_mismatch_locate(g->evidence, g->search.none.residual, &d->mismatches, d->mismatch, error);
+    if (status != WCUT_OK || d->mismatches > 0 || d->kind != WCUT_VERDICT_UNKNOWN) return status;
+
+    /* scatter may have taken all of it, beyond what is ordinary: then the place is in what it took */
+    double *open = wcut_alloc((size_t)g->evidence->rows, sizeof *open);
+    if (!open) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d rows", g->evidence->rows);
+    wcut_evidence_whiten(g->evidence, g->search.none.open, g->search.none.open, open);
+    status = wcut_mismatch_locate(g->evidence, open, &d->mismatches, d->mismatch, error);
+    wcut_free(open);
+    return status;
 }
 
 /* a term as one quantity that the force follows */

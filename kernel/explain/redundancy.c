@@ -85,9 +85,13 @@ double *wcut_redundancy_column(wcut_redundancy *r, int cut, wcut_channel channel
     if (!value) return NULL;
     r->column[r->columns++] = value;
 
-    /* a channel that the file has not is there from now on, whole; its name is borrowed and never written */
-    static char made[] = "heat_W_per_m";
-    if (!c->name) c->name = made, c->present = NULL, c->missing = 0;
+    /* a channel that the file has not is there from now on, whole */
+    if (!c->name) {
+        static const char name[] = "heat_W_per_m";
+        if (!r->made) r->made = wcut_copy(name, sizeof name, 1);
+        if (!r->made) return NULL;
+        c->name = r->made, c->present = NULL, c->missing = 0;
+    }
     c->value = value;
     r->cut[cut].recording = own;
     return value;
@@ -98,6 +102,7 @@ double *wcut_redundancy_column(wcut_redundancy *r, int cut, wcut_channel channel
 void wcut_redundancy_destroy(wcut_redundancy *r) {
     for (int k = 0; k < r->columns; k++) wcut_free(r->column[k]);
     wcut_free(r->column);
+    wcut_free(r->made);
     wcut_free(r->cut);
     wcut_free(r->job);
     wcut_free(r->recording);

@@ -16,6 +16,7 @@ typedef struct wcut_redundancy {
     wcut_recording *recording;       /* cuts: shallow but for the columns below */
     int columns;                     /* that are owned */
     double **column;
+    char *made; /* the name of a channel that a file had not */
     int count;
     wcut_contradiction *found; /* count of WCUT_CONTRADICTIONS_MAX */
 } wcut_redundancy;
