@@ -186,7 +186,8 @@ static void put_verdict(wcut_text *text, const wcut_diagnosis *d) {
         wcut_text_put_word(text, "}");
         between = ", ";
     }
-    put_diagnosis_string(text, "],\n              \"sentence\": ", d->sentence);
+    wcut_text_print(text, "],\n              \"form_told\": %s", d->form_open ? "false" : "true");
+    put_diagnosis_string(text, ", \"sentence\": ", d->sentence);
     wcut_text_put_word(text, "}");
 }
 

@@ -546,6 +546,7 @@ static wcut_status decide(diagnosing *g, bool searched, wcut_error *error) {
         for (int r = 0; r < v->rivals; r++) add_found_effects(g, v->rival[r], false, v->confidence / v->rivals);
     else if (names_effects(g))
         add_found_effects(g, v->chosen, true, v->confidence);
+    d->form_open = d->effects > 0 && d->effect[0].present && !wcut_search_leaves_noise(&g->search, v->chosen);
     report_base(g);
     if (wcut_rig_fill(g->evidence, final_fit(g), d) != WCUT_OK) return WCUT_NO_MEMORY;
     return wcut_adequacy_p_value(g->evidence, d->adequacy, NULLS, g->options->seed, &d->adequacy_p);

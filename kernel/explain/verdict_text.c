@@ -135,6 +135,9 @@ void wcut_diagnosis_sentence(wcut_diagnosis *d) {
 
     /* a sentence begins with a capital letter */
     append_text(&t, ".");
+    if (d->form_open)
+        append_text(&t, " %s not told from these cuts: the form above leaves more than noise.",
+                    d->effects > 1 ? "Their forms are" : "Its form is");
     if (t.at > 0 && d->kind != WCUT_VERDICT_AMBIGUOUS && d->sentence[0] >= 'a' && d->sentence[0] <= 'z')
         d->sentence[0] = (char)(d->sentence[0] - 'a' + 'A');
 }

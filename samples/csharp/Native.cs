@@ -599,6 +599,7 @@ public unsafe struct wcut_diagnosis
     public wcut_verdict_kind kind;
     public double confidence;
     public fixed byte sentence[900];
+    public byte form_open;
     public int effects;
     public wcut_found_effect effect_0, effect_1, effect_2, effect_3;
     public wcut_estimate a;

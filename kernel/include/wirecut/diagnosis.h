@@ -246,7 +246,8 @@ typedef struct wcut_diagnosis {
     wcut_verdict_kind kind;
     double confidence;                  /**< 0 .. 1 that the verdict's effects are exactly right */
     char sentence[WCUT_DIAGNOSIS_TEXT]; /**< for an operator */
-    int effects;                        /**< found and alternative, those present first */
+    bool form_open; /**< the named effects are told as families: their forms leave more than noise */
+    int effects;    /**< found and alternative, those present first */
     wcut_found_effect effect[WCUT_DIAGNOSIS_EFFECTS];
     wcut_estimate a, b, length_change; /**< [N/mm], [m^2/J], [mm]: recalibrated, shared by all cuts */
     wcut_estimate kerf;                /**< [mm] constant kerf that the scans show; NaN without scans */

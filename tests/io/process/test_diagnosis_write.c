@@ -273,6 +273,17 @@ TEST(verdicts_and_channels_have_names_and_what_is_none_has_none) {
     ck_assert_str_eq(wcut_contradiction_name((wcut_contradiction_kind)-1), "");
 }
 
+TEST(a_form_that_is_not_told_is_said) {
+    give_diagnosis(&given);
+    json_t *root = printed();
+    ck_assert(json_is_true(json_object_get(json_object_get(root, "verdict"), "form_told")));
+    json_decref(root);
+    given.d.form_open = true;
+    root = printed();
+    ck_assert(json_is_false(json_object_get(json_object_get(root, "verdict"), "form_told")));
+    json_decref(root);
+}
+
 TEST(a_contradiction_is_there_and_an_instrument_s_fault_is_in_the_verdict) {
     give_diagnosis(&given);
     json_t *root = printed();
