@@ -15,7 +15,7 @@
 
 enum { CALL_WORDS_MAX = 1024, VERBS_MAX = 64 };
 
-static const char *const result_name[] = {"sweep.csv", "sweep.json", NULL};
+static const char *const result_name[] = {"sweep.csv", "report.html", "sweep.json", NULL};
 
 /* ---- the study against the table of verbs ---- */
 
@@ -169,6 +169,9 @@ static int write_sweep_results(app_results *results, const wcut_sweep *sweep) {
     char *text = NULL;
     wcut_status status = wcut_sweep_write_csv(sweep, app_results_path(results, "sweep.csv"), &error);
     int code = app_results_add(results, "sweep.csv", status, &error);
+    if (code != APP_DONE) return code;
+    status = wcut_report_sweep_write(sweep, app_results_path(results, "report.html"), &error);
+    code = app_results_add(results, "report.html", status, &error);
     if (code != APP_DONE) return code;
     status = wcut_sweep_print(sweep, &text, &error);
     return app_results_commit(results, "sweep.json", status, text);
@@ -357,11 +360,10 @@ const app_verb app_verb_sweep = {
         "(grid, zip, rows of a CSV, Latin hypercube, Sobol), the verb to run and the figures to collect. Each case "
         "runs in its own process and its own folder, cases/HH/HASH, named by the SHA-256 of its content. A case whose "
         "files are whole is not run again: after an interruption the same command continues the sweep. A case that "
-        "fails "
-        "or crashes is recorded in its case.json with the end of its output and does not stop the others.\n"
+        "fails or crashes is recorded in its case.json with the end of its output and does not stop the others.\n"
         "Writes into DIR: sweep.csv (one row per case: parameters, figures, status; the same bytes whatever the "
-        "order), "
-        "and sweep.json; before the first case plan.json, "
+        "order), report.html (parallel coordinates, scatter, the best cases) and sweep.json; before the first case "
+        "plan.json, "
         "study.json, input.json and manifest.csv, the list of the cases.\n"
         "--slurm submits an array job. Each task runs its share; submit again to run what was lost, then --collect. "
         "--status and --collect work on any machine that can read the folder.",

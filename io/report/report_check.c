@@ -5,7 +5,7 @@
 #include "base/fail.h"
 #include "io/report/report_page.h"
 
-enum { SERIES = 8, SHAPES = 8, FIELDS = 12, CELLS = 1000000 };
+enum { SERIES = 8, SHAPES = 8, FIELDS = 12, CELLS = 1000000, CASES = 20000, CASE_COLUMNS = 400 };
 
 static wcut_status bad(wcut_error *error, const char *kind, const char *title, const char *what) {
     char quoted[WCUT_QUOTE_SIZE];
@@ -119,6 +119,24 @@ static wcut_status check_table(const wcut_report_table *table, wcut_error *error
     return WCUT_OK;
 }
 
+static wcut_status check_cases(const wcut_report_cases *cases, wcut_error *error) {
+    if (cases->rows < 1 || cases->rows > CASES || cases->columns < 2 || cases->columns > CASE_COLUMNS)
+        return bad(error, "cases", "", "expected 1 to 20,000 rows of 2 to 400 columns");
+    if (!cases->column || !cases->number || !cases->link || !is_list(cases->best_count, cases->best))
+        return bad(error, "cases", "", "columns, numbers, links or best cases are not there");
+    if (cases->parameters < 0 || cases->parameters > cases->columns || cases->goal < -1 ||
+        cases->goal >= cases->columns)
+        return bad(error, "cases", "", "parameters or goal that are no columns");
+
+    /* columns as in a table; the best are rows */
+    const wcut_report_table table = {
+        .title = "cases", .rows = cases->rows, .columns = cases->columns, .column = cases->column};
+    for (int i = 0; i < cases->best_count; i++)
+        if (cases->best[i] < 0 || cases->best[i] >= cases->rows)
+            return bad(error, "cases", "", "a best case that is no row");
+    return check_table(&table, error);
+}
+
 static wcut_status check_shape(const wcut_report_shape *shape, wcut_error *error) {
     if (!shape->name) return bad(error, "shape", "", "no name");
 
@@ -182,6 +200,7 @@ static wcut_status check_section(const wcut_report_section *section, wcut_error 
     for (int i = 0; !status && i < section->chart_count; i++) status = check_chart(&section->chart[i], error);
     for (int i = 0; !status && i < section->map_count; i++) status = check_map(&section->map[i], error);
     for (int i = 0; !status && i < section->table_count; i++) status = check_table(&section->table[i], error);
+    if (!status && section->cases) status = check_cases(section->cases, error);
     return status;
 }
 

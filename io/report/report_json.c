@@ -277,6 +277,37 @@ static void put_report_scene(document *d, json_t *item, const wcut_report_scene 
     }
 }
 
+static void put_cases(document *d, json_t *item, const wcut_report_cases *cases) {
+    /* numbers into the pool, texts into the document */
+    put_int(d, item, "rows", cases->rows);
+    put_int(d, item, "parameters", cases->parameters);
+    json_t *columns = put_list(d, item, "columns");
+    for (int c = 0; c < cases->columns; c++) {
+        const wcut_report_column *column = &cases->column[c];
+        json_t *to = append_object(d, columns);
+        put_text(d, to, "label", column->label);
+        put_unit(d, to, "unit", column->unit);
+        if (column->number)
+            put_json_array(d, to, "numbers", wcut_report_pool_add_doubles(d->pool, cases->rows, NULL, column->number));
+        json_t *texts = column->number ? NULL : put_list(d, to, "texts");
+        for (int r = 0; texts && r < cases->rows; r++)
+            if (json_array_append_new(texts, text_or_null(column->text[r]))) d->failed = true;
+    }
+
+    /* what a case is called, and where its page is */
+    put_json_array(d, item, "number", wcut_report_pool_add_ints(d->pool, cases->rows, cases->number));
+    json_t *links = put_list(d, item, "links");
+    for (int r = 0; r < cases->rows; r++)
+        if (json_array_append_new(links, text_or_null(cases->link[r]))) d->failed = true;
+
+    /* the best */
+    put_int(d, item, "goal", cases->goal);
+    put_member(d, item, "highest", json_boolean(cases->highest));
+    json_t *best = put_list(d, item, "best");
+    for (int i = 0; i < cases->best_count; i++)
+        if (json_array_append_new(best, json_integer(cases->best[i]))) d->failed = true;
+}
+
 static void put_json_section(document *d, json_t *item, const wcut_report_section *section) {
     put_text(d, item, "title", section->title);
     put_text(d, item, "note", section->note);
@@ -286,6 +317,12 @@ static void put_json_section(document *d, json_t *item, const wcut_report_sectio
     for (int i = 0; i < section->map_count; i++) put_map(d, append_object(d, list), &section->map[i]);
     list = put_list(d, item, "tables");
     for (int i = 0; i < section->table_count; i++) put_table(d, append_object(d, list), &section->table[i]);
+
+    /* the cases of a study */
+    if (!section->cases) return;
+    json_t *cases = json_object();
+    put_member(d, item, "cases", cases);
+    put_cases(d, cases, section->cases);
 }
 
 json_t *wcut_report_json(const wcut_report *report, wcut_report_pool *pool) {

@@ -13,6 +13,7 @@
 #include <wirecut/sweep.h>
 
 #include "io/study/study.h"
+#include "io/study/sweep_table.h"
 
 struct wcut_sweep {
     wcut_study *study;
@@ -53,16 +54,5 @@ wcut_status wcut_sweep_lock(wcut_sweep *sweep, bool alone, wcut_error *error);
 /* a value as a field of a CSV, quoted where need be (RFC 4180) */
 void wcut_sweep_put_field(wcut_text *text, const char *value);
 void wcut_sweep_put_value(wcut_text *text, const wcut_study *study, int k, int parameter);
-
-/* sweep_table.c: every case's numbers: parameters, then figures; NaN where there is none or it is no number */
-typedef struct wcut_sweep_table {
-    int cases, columns;
-    double *number;       /* columns x cases */
-    unsigned char *state; /* cases, wcut_sweep_state */
-    char (*hash)[WCUT_STUDY_HASH_SIZE];
-    int best_count, *best; /* cases that have the figure of "best", from the best on */
-} wcut_sweep_table;
-wcut_status wcut_sweep_table_load(const wcut_sweep *sweep, wcut_sweep_table *table, wcut_error *error);
-void wcut_sweep_table_free(wcut_sweep_table *table);
 
 #endif

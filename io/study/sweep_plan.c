@@ -316,3 +316,5 @@ void wcut_sweep_destroy(wcut_sweep *sweep) {
 }
 
 const wcut_study *wcut_sweep_view(const wcut_sweep *sweep) { return sweep ? sweep->study : NULL; }
+
+const char *wcut_sweep_root(const wcut_sweep *sweep) { return sweep->folder; }

@@ -183,17 +183,28 @@ static double number_of(const json_t *value) {
     return json_is_number(value) ? json_number_value(value) : NAN;
 }
 
-static void fill_case(const wcut_study *study, int k, const found_case *found, wcut_sweep_table *table) {
-    for (int p = 0; p < study->parameters; p++) {
-        double number = 0;
+/* a value into its column: a number, or a text */
+static bool take_value(wcut_sweep_table *table, int column, int k, const json_t *value, double number) {
+    table->number[(size_t)column * (size_t)table->cases + (size_t)k] = value ? number_of(value) : number;
+    if (!json_is_string(value)) return true;
+    json_t ***texts = &table->text[column];
+    if (!*texts) *texts = wcut_alloc((size_t)table->cases, sizeof **texts);
+    if (*texts) (*texts)[k] = json_incref((json_t *)value);
+    return *texts != NULL;
+}
+
+static bool fill_case(const wcut_study *study, int k, const found_case *found, wcut_sweep_table *table) {
+    bool whole = true;
+    for (int p = 0; p < study->parameters && whole; p++) {
+        double number = NAN;
         const json_t *value = wcut_study_value(study, k, p, &number);
-        table->number[(size_t)p * (size_t)table->cases + (size_t)k] = value ? number_of(value) : number;
+        whole = take_value(table, p, k, value, number);
     }
-    for (int f = 0; f < study->figures; f++)
-        table->number[(size_t)(study->parameters + f) * (size_t)table->cases + (size_t)k] =
-            number_of(sweep_figure(study, found, f));
+    for (int f = 0; f < study->figures && whole; f++)
+        whole = take_value(table, study->parameters + f, k, sweep_figure(study, found, f), NAN);
     table->state[k] = (unsigned char)found->record.state;
     memcpy(table->hash[k], found->hash, sizeof found->hash);
+    return whole;
 }
 
 /* cases in the order of a figure, those of one value in their own order (insertion into the few that are wanted) */
@@ -224,13 +235,14 @@ wcut_status wcut_sweep_table_load(const wcut_sweep *sweep, wcut_sweep_table *tab
     table->state = wcut_alloc(cases, 1);
     table->hash = wcut_alloc(cases, sizeof *table->hash);
     table->best = wcut_alloc(BEST_SHOWN + 1, sizeof *table->best);
-    bool whole = table->number && table->state && table->hash && table->best;
+    table->text = wcut_alloc((size_t)table->columns, sizeof *table->text);
+    bool whole = table->number && table->state && table->hash && table->best && table->text;
 
     /* one result is in memory at a time */
     for (int k = 0; k < table->cases && whole; k++) {
         found_case found;
         whole = find_case(sweep, k, true, &found);
-        if (whole) fill_case(study, k, &found, table);
+        if (whole) whole = fill_case(study, k, &found, table);
         json_decref(found.result);
     }
 
@@ -244,6 +256,11 @@ wcut_status wcut_sweep_table_load(const wcut_sweep *sweep, wcut_sweep_table *tab
 }
 
 void wcut_sweep_table_free(wcut_sweep_table *table) {
+    for (int c = 0; table->text && c < table->columns; c++) {
+        for (int k = 0; table->text[c] && k < table->cases; k++) json_decref(table->text[c][k]);
+        wcut_free(table->text[c]);
+    }
+    wcut_free(table->text);
     wcut_free(table->number);
     wcut_free(table->state);
     wcut_free(table->hash);

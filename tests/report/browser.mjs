@@ -291,6 +291,34 @@ async function testPlan(browser) {
   await page.close();
 }
 
+// cases of a study: brushes by mouse and by numbers, the list in the goal's order, a point that is picked, links
+async function testCases(browser) {
+  const page = await Page.open(browser, 'cases.html');
+  const selected = () => page.ask("document.querySelector('.cases .share').textContent.split(' ')[0]");
+  assert.equal(await selected(), '100');
+  assert.equal(await page.ask('window.broken'), undefined);
+  // the upper half of the first axis by mouse: positions are those of a frame of 320 pixels with 34 above, 20 below
+  const box = await page.ask("(() => { const b = document.querySelector('.sheet').getBoundingClientRect(); return [b.left, b.top, b.width]; })()");
+  const x = box[0] + Math.min(60, box[2] / 10), y = t => box[1] + 34 + (1 - t) * 266;
+  for (const [type, at] of [['mousePressed', 0.5], ['mouseMoved', 0.7], ['mouseMoved', 1.1], ['mouseReleased', 1.1]])
+    await page.send('Input.dispatchMouseEvent', {type, x, y: y(at), button: 'left', buttons: 1, clickCount: 1});
+  assert.equal(await selected(), '50');
+  // the list: the highest first, each with its own page but the one without
+  assert.deepEqual(await page.ask("[...document.querySelectorAll('.cases .scroll tbody tr td:first-child a')].slice(0, 2).map(a => [a.textContent, a.getAttribute('href')])"),
+    [['198', 'cases/00/report.html'], ['196', 'cases/00/report.html']]);
+  await page.ask("[...document.querySelectorAll('.cases button')].find(b => b.textContent === 'Clear brushes').click()");
+  assert.equal(await selected(), '100');
+  // by numbers: b from 16 to 100, which the case without b is not in
+  await page.ask("for (const [side, value] of [['b from', 16], ['b to', 100]]) { const input = document.querySelector(`[aria-label=\"${side}\"]`); input.value = value; input.dispatchEvent(new Event('change')); }");
+  assert.equal(await selected(), '6');
+  // a point of the scatter names its case
+  await page.ask("(() => { const {cases} = wirecut, c = cases.scatter.canvas, b = c.getBoundingClientRect(), [x, y] = cases.pointPlace(5, c.clientWidth, c.clientHeight); c.dispatchEvent(new MouseEvent('click', {clientX: b.left + x, clientY: b.top + y})); })()");
+  assert.match(await page.ask("document.querySelectorAll('.cases figure')[1].querySelector('.share').textContent"), /^case 10: .*b 25, word odd$/);
+  assert.equal(await page.ask("document.querySelectorAll('.best li').length"), 2);
+  await page.picture('cases.png');
+  await page.close();
+}
+
 // any page: it opens without a word, its charts are drawn, and what is clicked in its middle is what its boxes say
 async function testAny(browser) {
   const page = await Page.open(browser, only);
@@ -306,7 +334,7 @@ async function testAny(browser) {
   await page.close();
 }
 
-for (const [flags, tests] of only ? [[['--use-angle=swiftshader', '--enable-unsafe-swiftshader'], [testAny]]] : [[['--use-angle=swiftshader', '--enable-unsafe-swiftshader'], [testCut, testCloud]], [['--disable-3d-apis'], [testPlan]]]) {
+for (const [flags, tests] of only ? [[['--use-angle=swiftshader', '--enable-unsafe-swiftshader'], [testAny]]] : [[['--use-angle=swiftshader', '--enable-unsafe-swiftshader'], [testCut, testCloud, testCases]], [['--disable-3d-apis'], [testPlan]]]) {
   const browser = new Browser(...flags);
   try {
     for (const test of tests) await test(browser);

@@ -123,7 +123,7 @@ static inline wcut_status pages_write_cut(const pages_data *d, const char *path,
     const wcut_report_column column[] = {
         {"channel", "", NULL, channel}, {"NRMSD", "", nrmsd, NULL}, {"bias", "mm/s", bias, NULL}};
     const wcut_report_table table = {"Fit", NULL, 3, 3, column};
-    const wcut_report_section section = {"Along the cut", NULL, 2, 0, 1, chart, NULL, &table};
+    const wcut_report_section section = {"Along the cut", NULL, 2, 0, 1, chart, NULL, &table, NULL};
     const wcut_report_fact fact[] = {{"duration", NULL, 150, "s"},
                                      {"stations", NULL, STATIONS, ""},
                                      {"speed, median", NULL, 12.1834, "mm/s"},
@@ -222,8 +222,8 @@ static inline wcut_status pages_write_cloud(const pages_data *d, const char *pat
                                  2,
                                  band,
                                  band_label};
-    const wcut_report_section section = {"Evidence", "Where recording and prediction differ.", 1, 1, 0, &chart, &map,
-                                         NULL};
+    const wcut_report_section section = {
+        "Evidence", "Where recording and prediction differ.", 1, 1, 0, &chart, &map, NULL, NULL};
     const wcut_report report = {.verb = "compare",
                                 .title = "mould 7, lower half",
                                 .tone = WCUT_REPORT_TONE_WARNING,
@@ -233,6 +233,28 @@ static inline wcut_status pages_write_cloud(const pages_data *d, const char *pat
                                 .scene = &scene,
                                 .section_count = 1,
                                 .section = &section};
+    return wcut_report_write(&report, path, error);
+}
+
+/* 100 cases: a from 0 to 99, b its square, a word; hostile names and links that lead nowhere */
+static inline wcut_status pages_write_cases(const char *path, wcut_error *error) {
+    enum { ROWS = 100 };
+    static double a[ROWS], b[ROWS];
+    static int number[ROWS];
+    static const char *word[ROWS], *link[ROWS];
+    static const int best[] = {99, 98};
+    for (int r = 0; r < ROWS; r++) {
+        a[r] = r;
+        b[r] = r == 7 ? (double)NAN : (double)r * r;
+        number[r] = 2 * r;
+        word[r] = r % 2 ? "odd" : HOSTILE;
+        link[r] = r == 5 ? NULL : "cases/00/report.html";
+    }
+    const wcut_report_column column[] = {{"/a" HOSTILE, "mm", a, NULL}, {"b", "", b, NULL}, {"word", NULL, NULL, word}};
+    const wcut_report_cases cases = {ROWS, 3, 1, column, number, link, 1, true, 2, best};
+    const wcut_report_section section = {.title = "Cases", .cases = &cases};
+    const wcut_report report = {
+        .verb = "sweep", .title = HOSTILE, .verdict = "100 cases.", .section_count = 1, .section = &section};
     return wcut_report_write(&report, path, error);
 }
 

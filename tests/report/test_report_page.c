@@ -20,6 +20,8 @@ static wcut_status write_pages(const char *folder, wcut_error *error) {
     snprintf(path, sizeof path, "%s/cloud.html", folder);
     if (!status) status = pages_write_cloud(&data, path, error);
     pages_free(&data);
+    snprintf(path, sizeof path, "%s/cases.html", folder);
+    if (!status) status = pages_write_cases(path, error);
     return status;
 }
 
@@ -41,7 +43,7 @@ TEST(a_browser_shows_it_reads_it_back_and_runs_nothing_foreign) {
     ck_assert_msg(write_pages(folder, &error) == WCUT_OK, "%s", error.text);
     const char *const browse[] = {"node", WCUT_SOURCE_DIR "/tests/report/browser.mjs", folder, NULL};
     const int code = run(browse);
-    for (const char *const *name = (const char *const[]){"cut.html", "cloud.html", NULL}; *name; name++) {
+    for (const char *const *name = (const char *const[]){"cut.html", "cloud.html", "cases.html", NULL}; *name; name++) {
         snprintf(path, sizeof path, "%s/%s", folder, *name);
         remove(path);
     }

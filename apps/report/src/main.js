@@ -1,4 +1,5 @@
 // Put the page together: the answer first, then the view, the sections, and where it all came from.
+import {Cases} from './cases.js';
 import {chartFigure, mapFigure} from './chart.js';
 import {report} from './data.js';
 import {Surface} from './surface.js';
@@ -7,6 +8,7 @@ import {element, withUnit} from './text.js';
 
 const page = document.getElementById('page');
 const later = [];
+let shown = null; // the cases of a study
 
 function facts(list, className) {
   return element(
@@ -48,12 +50,15 @@ function abscissa(charts, figures, name) {
 function section(part, i) {
   const charts = part.charts.map(chart => chartFigure(chart, part.charts.length > 1 ? `section-${i}` : null));
   const maps = part.maps.map(map => mapFigure(map));
-  later.push(...charts, ...maps);
+  const cases = part.cases ? new Cases(part.cases, report.scene) : null;
+  later.push(...charts, ...maps, ...(cases ? [cases] : []));
+  if (cases) shown = cases;
   return element(
     'section',
     {},
     element('h2', {}, part.title),
     part.note ? element('p', {className: 'note'}, part.note) : null,
+    cases?.figure,
     abscissa(part.charts, charts, i),
     charts.length
       ? element('p', {className: 'note hint'}, 'Drag across a chart to see a part of it, double-click to see all.')
@@ -102,6 +107,7 @@ later.forEach(part => part.start());
 window.wirecut = {
   report,
   surface,
+  cases: shown,
   pick: (x, y) => {
     const index = surface.view.pick(x, y);
     return index < 0 ? null : surface.select(index);

@@ -106,6 +106,23 @@ typedef struct wcut_report_map {
     const char *const *band_label; /**< bands */
 } wcut_report_map;
 
+/**
+ * Cases of a study: parallel coordinates to brush, a scatter of any two columns, the best cases with their pictures. The
+ * shapes of the page's scene, where it has one, are those of the best cases, in their order.
+ */
+typedef struct wcut_report_cases {
+    int rows;                         /**< cases, at most 20,000 */
+    int columns;                      /**< 2 .. 400 */
+    int parameters;                   /**< how many of the columns, from the first, were set; the others came out */
+    const wcut_report_column *column; /**< columns of numbers, or of texts */
+    const int *number;                /**< rows: what each case is called */
+    const char *const *link;          /**< rows: its own page, a relative path; entries may be NULL */
+    int goal;                         /**< the column that the best are chosen by; -1: none */
+    bool highest;                     /**< else the lowest is the best */
+    int best_count;
+    const int *best; /**< best_count rows, the best first */
+} wcut_report_cases;
+
 /** Charts, maps and tables that belong together. */
 typedef struct wcut_report_section {
     const char *title;
@@ -114,6 +131,7 @@ typedef struct wcut_report_section {
     const wcut_report_chart *chart;
     const wcut_report_map *map;
     const wcut_report_table *table;
+    const wcut_report_cases *cases; /**< may be NULL; stands before the others */
 } wcut_report_section;
 
 /** A value at every vertex of a shape. */

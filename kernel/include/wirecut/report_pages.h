@@ -15,6 +15,7 @@
 #include <wirecut/report.h>
 #include <wirecut/rig.h>
 #include <wirecut/score.h>
+#include <wirecut/sweep.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -218,6 +219,17 @@ WCUT_API wcut_status wcut_report_score_write(const wcut_report_score *scored, co
  * @return WCUT_OK; WCUT_BAD_ARGUMENT (a NULL that is not allowed), the statuses of wcut_report_write: the target is as it was.
  */
 WCUT_API wcut_status wcut_report_overlay_write(const wcut_overlaid *overlaid, const char *path, wcut_error *error);
+
+/**
+ * Write the page of a sweep: parallel coordinates of its cases, a scatter of any two columns, the best cases with the meshes
+ * among their results, links to the cases' own pages. Of more than 10,000 cases every k-th is shown, and the best.
+ *
+ * @param[in]  sweep
+ * @param[in]  path  the target beside the folder "cases", replaced whole or not at all
+ * @param[out] error may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a NULL that is not allowed), the statuses of wcut_report_write: the target is as it was.
+ */
+WCUT_API wcut_status wcut_report_sweep_write(const wcut_sweep *sweep, const char *path, wcut_error *error);
 
 #ifdef __cplusplus
 }

@@ -147,7 +147,7 @@ TEST(numbers_come_back_exact_and_gaps_as_null) {
     const double number[] = {0.1, NAN, -1e-300};
     const wcut_report_column column = {"value", "mm", number, NULL};
     const wcut_report_table table = {"t", NULL, 3, 1, &column};
-    const wcut_report_section section = {"s", NULL, 0, 0, 1, NULL, NULL, &table};
+    const wcut_report_section section = {"s", NULL, 0, 0, 1, NULL, NULL, &table, NULL};
     const wcut_report_fact fact = {"f", NULL, 1.0 / 3, "N"};
     wcut_report report = plain();
     report.section_count = 1, report.section = &section, report.fact_count = 1, report.fact = &fact;
@@ -188,7 +188,7 @@ TEST(more_than_25_megabytes_are_refused_and_the_target_stays) {
         map[k] = (wcut_report_map){"m", NULL,  "x",   "",   "y", "",    "v",
                                    "",  CELLS, CELLS, x,    x,   value, WCUT_REPORT_SCALE_SEQUENTIAL,
                                    0,   false, 0,     NULL, NULL};
-    wcut_report_section section = {"s", NULL, 0, 4, 0, NULL, map, NULL};
+    wcut_report_section section = {"s", NULL, 0, 4, 0, NULL, map, NULL, NULL};
     wcut_report report = plain();
     report.section_count = 1, report.section = &section;
     ck_assert_int_eq(wcut_report_write(&report, path, &error), WCUT_OK);
@@ -226,7 +226,7 @@ TEST(what_breaks_a_limit_is_refused_and_nothing_is_written) {
                                0,   false, 2,   band, name};
         wcut_report_column column[] = {{"n", "", x, NULL}, {"t", "", NULL, text}};
         wcut_report_table table = {"t", NULL, 4, 2, column};
-        wcut_report_section section = {"s", NULL, 1, 1, 1, &chart, &map, &table};
+        wcut_report_section section = {"s", NULL, 1, 1, 1, &chart, &map, &table, NULL};
         wcut_report_field field = {"f", "", WCUT_REPORT_SCALE_DIVERGING, 0.1, y};
         wcut_report_shape shape = {.name = "s",
                                    .vertex_count = 4,
@@ -477,4 +477,33 @@ TEST(a_big_grid_is_thinned_evenly_with_its_last_row_and_column) {
     ck_assert_int_eq(view.index[view.columns - 1], COLUMNS - 1);
     ck_assert_int_eq(view.index[view.count - 1], ROWS * COLUMNS - 1);
     free(view.index);
+}
+
+TEST(cases_outside_their_limits_are_refused_and_those_within_are_not) {
+    given_a_folder();
+    double x[3] = {1, 2, NAN};
+    int number[3] = {0, 1, 2}, best[1] = {2};
+    const char *link[3] = {"a", NULL, "b"}, *word[3] = {"u", NULL, "v"};
+    const wcut_report_column column[] = {{"x", "", x, NULL}, {"w", "", NULL, word}};
+    const wcut_report_cases sound = {3, 2, 1, column, number, link, 0, false, 1, best};
+    for (int broken = -1; broken < 10; broken++) {
+        wcut_report_cases cases = sound;
+        const wcut_report_section section = {.title = "s", .cases = &cases};
+        wcut_report report = plain();
+        report.section_count = 1;
+        report.section = &section;
+        best[0] = broken == 0 ? 3 : 2;
+        if (broken == 1) cases.rows = 0;
+        if (broken == 2) cases.rows = 20001;
+        if (broken == 3) cases.columns = 1;
+        if (broken == 4) cases.column = NULL;
+        if (broken == 5) cases.number = NULL;
+        if (broken == 6) cases.link = NULL;
+        if (broken == 7) cases.goal = 2;
+        if (broken == 8) cases.parameters = 3;
+        if (broken == 9) cases.best = NULL;
+        ck_assert_msg(wcut_report_write(&report, path, &error) == (broken < 0 ? WCUT_OK : WCUT_BAD_ARGUMENT), "%d",
+                      broken);
+    }
+    then_tidy();
 }
