@@ -17,6 +17,7 @@
 enum {
     WCUT_STUDY_BYTES_MAX = 64 << 20, /* of the study, of its input */
     WCUT_STUDY_PARAMETERS_MAX = 64,
+    WCUT_STUDY_VALUES_MAX = 4000000, /* of all ranges together */
     WCUT_STUDY_FIGURES_MAX = 256,
     WCUT_STUDY_INPUTS_MAX = 64
 };
@@ -55,6 +56,7 @@ struct wcut_study {
     json_t *options; /* an object, NULL: none */
     wcut_combine combine;
     int asked, seed; /* cases of a sample */
+    double listed;   /* values of all ranges */
     char *rows;      /* the name of a CSV of rows */
     int parameters, figures;
     wcut_study_parameter *parameter;

@@ -51,13 +51,18 @@ static bool read_range(wcut_reader *reader, const wcut_place *at, range *r) {
 }
 
 /* the values of a range as a list */
-static bool list_range(wcut_reader *reader, const wcut_place *at, const range *r, wcut_study_parameter *p) {
+static bool list_range(wcut_reader *reader, const wcut_place *at, const range *r, wcut_study *study,
+                       wcut_study_parameter *p) {
     if ((r->count > 0) == (r->step > 0))
         return wcut_refuse(reader, at, WCUT_BAD_ARGUMENT, "either \"count\" or \"step\" beside \"from\" and \"to\"");
     const double steps = r->step > 0 ? floor((r->to - r->from) / r->step + STEP_SLACK) : r->count - 1;
     if (steps >= WCUT_STUDY_CASES_MAX)
         return wcut_refuse(reader, at, WCUT_BAD_ARGUMENT, "at most %d values, not %.0f", WCUT_STUDY_CASES_MAX,
                            steps + 1);
+    study->listed += steps + 1;
+    if (study->listed > WCUT_STUDY_VALUES_MAX)
+        return wcut_refuse(reader, at, WCUT_BAD_ARGUMENT, "at most %d values of all ranges together",
+                           WCUT_STUDY_VALUES_MAX);
     p->list = json_array();
     for (int i = 0; i <= (int)steps; i++) {
         /* both ends exactly, the values between them by their share of the way */
@@ -98,7 +103,7 @@ static bool read_value_list(wcut_reader *reader, const wcut_place *at, wcut_stud
     if (!json_is_object(at->value))
         return wcut_refuse(reader, at, WCUT_BAD_FORMAT, "an array of values, or an object with \"from\" and \"to\"");
     if (!read_range(reader, at, &r)) return false;
-    if (!is_sampled(study)) return list_range(reader, at, &r, p);
+    if (!is_sampled(study)) return list_range(reader, at, &r, study, p);
     if (r.count > 0)
         return wcut_refuse(reader, at, WCUT_BAD_ARGUMENT, "no \"count\": \"cases\" says how many samples are drawn");
     *p = (wcut_study_parameter){.name = p->name, .low = r.from, .high = r.to, .step = r.step, .log = r.scale == 1};

@@ -259,6 +259,19 @@ TEST(too_many_cases_are_refused_with_their_number) {
     refused("[50, 60, 70.5]", "{\"from\": 0, \"to\": 1e300, \"step\": 1}", WCUT_BAD_ARGUMENT, "at most 1000000 values");
 }
 
+TEST(ranges_have_a_limit_together) {
+    char text[2000] =
+        "{\"format\": \"wirecut-study/1\", \"name\": \"s\", \"verb\": \"v\", \"input\": \"i\", \"parameters\": {";
+    for (int k = 0; k < 5; k++)
+        snprintf(text + strlen(text), sizeof text - strlen(text),
+                 "%s\"--o%c\": {\"from\": 0, \"to\": 1, \"count\": 1000000}", k ? ", " : "", 'a' + k);
+    strcat(text, "}, \"combine\": \"zip\", \"figures\": {\"f\": \"/f\"}}");
+    wcut_study *s = NULL;
+    wcut_error error;
+    ck_assert_int_eq(parse(text, &s, &error), WCUT_BAD_ARGUMENT);
+    ck_assert_ptr_nonnull(strstr(error.text, "4000000 values of all ranges"));
+}
+
 TEST(what_else_is_wrong_is_refused_with_its_place) {
     refused("wirecut-study/1", "wirecut-job/1", WCUT_BAD_FORMAT, "$.format");
     refused("\"simulate\"", "\"sweep\"", WCUT_BAD_ARGUMENT, "$.verb");
