@@ -1411,6 +1411,20 @@ public unsafe struct wcut_report_calibrate
     public byte** warning;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_report_cases
+{
+    public int rows;
+    public int columns;
+    public int parameters;
+    public wcut_report_column* column;
+    public int* number;
+    public byte** link;
+    public int goal;
+    public byte highest;
+    public int best_count;
+    public int* best;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_report_chart
 {
     public byte* title;
@@ -1561,6 +1575,7 @@ public unsafe struct wcut_report_section
     public wcut_report_chart* chart;
     public wcut_report_map* map;
     public wcut_report_table* table;
+    public wcut_report_cases* cases;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_report_series
@@ -2421,6 +2436,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_overlay_write(wcut_overlaid* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_score_write(wcut_report_score* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_simulate_write(wcut_report_simulate* a0, void* a1, wcut_history* a2, byte* a3, wcut_error* a4);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_report_sweep_write(void* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_write(wcut_report* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_residuals_write(int a0, wcut_scored_cut* a1, byte* a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_results_add(void* a0, byte* a1, wcut_error* a2);
