@@ -39,7 +39,7 @@ static double extra_at(const wcut_job *job, double u) {
            t * t * (1 - t) * m1;
 }
 
-static wcut_status point_at(const wcut_curve *edge, double share, wcut_vec3 *point) {
+static wcut_status edge_point_at(const wcut_curve *edge, double share, wcut_vec3 *point) {
     double first, last;
     wcut_curve_domain(edge, &first, &last);
     return wcut_curve_eval(edge, first + share * (last - first), 0, point);
@@ -106,7 +106,7 @@ wcut_status wcut_design_ends(const wcut_job *job, wcut_vec3 *end_a, wcut_vec3 *e
                              wcut_error *error) {
     for (int j = 0; j < job->stations; j++) {
         const double u = (double)j / (job->stations - 1);
-        const wcut_status a = point_at(job->edge_a, u, &end_a[j]), b = point_at(job->edge_b, u, &end_b[j]);
+        const wcut_status a = edge_point_at(job->edge_a, u, &end_a[j]), b = edge_point_at(job->edge_b, u, &end_b[j]);
         if (a != WCUT_OK || b != WCUT_OK)
             return wcut_fail(error, a != WCUT_OK ? a : b, "design.%s: not a valid curve",
                              a != WCUT_OK ? "edge_a" : "edge_b");
