@@ -13,7 +13,6 @@
 #include <wirecut/sweep.h>
 
 #include "io/study/study.h"
-#include "io/study/sweep_table.h"
 
 struct wcut_sweep {
     wcut_study *study;

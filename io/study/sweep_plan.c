@@ -17,6 +17,7 @@
 #include "io/file/read_file.h"
 #include "io/file/results.h"
 #include "io/study/sweep.h"
+#include "io/study/sweep_table.h"
 
 #define FORMAT "wirecut-sweep-plan/1"
 

@@ -8,6 +8,7 @@
 #include "base/fail.h"
 #include "io/study/pointer.h"
 #include "io/study/sweep.h"
+#include "io/study/sweep_table.h"
 
 #define FORMAT "wirecut-sweep/1"
 
