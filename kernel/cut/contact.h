@@ -29,14 +29,13 @@
         LOADED -> LOADED       accept
         LOADED -> FREE         feed_free
 
-   Weighted (cut->weighted): the loose wire has a weight (implicit.c). Then lean is never used, every touching wire is
-   LOADED, and a solution without tension is accepted too. Which run gets there, and when, is its rule:
+   Weighted (cut->weighted): the loose wire has a weight and a drag (implicit.c). Then lean is never used, every
+   touching wire is LOADED, and a solution without tension is accepted too. Which run gets there, and when, is its rule:
 
         contact_rule     at station 0   what a wire does that touches without tension         used by
         BY_WEIGHT        not weighted   weighted from then on (accept), the sub-step again    the first run
-        BY_LEANING       not weighted   FREE (feed_free), in contact again at the next step   wcut_setup_run, when that ended
-        HEAVY            weighted       LOADED from the first touch on                        the run after that
-                                                                                              early
+        HEAVY            weighted       LOADED from the first touch on                        the run after that,
+                                                                                              where it ended early
 
    A run keeps its rule (wcut_contact_rule_set before its first step); wcut_setup_run keeps the run that came furthest.
 

@@ -82,16 +82,15 @@ static wcut_status fill_history(wcut_cut *cut, wcut_progress progress, void *con
     return status;
 }
 
-/* A run that found no way on, once more under another rule of first contact; it is kept if it comes further. */
-static wcut_status run_again(const wcut_setup *setup, wcut_contact_rule rule, wcut_progress progress, void *context,
-                             wcut_history **history) {
+/* A run that found no way on, once more with a weight from station 0 on; it is kept if it comes further. */
+static wcut_status run_heavy(const wcut_setup *setup, wcut_progress progress, void *context, wcut_history **history) {
     wcut_cut *cut = NULL;
 
     /* a history of its own, because the first one may be the longer */
     wcut_history *h = create_history((*history)->planned, (*history)->nodes);
     wcut_status status = h ? wcut_cut_create(setup, &cut, NULL) : WCUT_NO_MEMORY;
     if (status == WCUT_OK) {
-        wcut_contact_rule_set(cut, rule);
+        wcut_contact_rule_set(cut, WCUT_CONTACT_HEAVY);
         status = fill_history(cut, progress, context, h);
     }
 
@@ -126,12 +125,10 @@ wcut_status wcut_setup_run(const wcut_setup *setup, wcut_progress progress, void
     status = fill_history(cut, progress, context, h);
     wcut_cut_destroy(cut);
 
-    /* where it ends early in path mode: by leaning alone, then with a weight from the beginning */
+    /* where it ends early in path mode: with a weight from the beginning */
     const bool other =
         !setup->foam.embedded && setup->options.integrator == WCUT_INTEGRATOR_IMPLICIT && !setup->options.weighted;
-    if (other && status == WCUT_NOT_CONVERGED)
-        status = run_again(setup, WCUT_CONTACT_BY_LEANING, progress, context, &h);
-    if (other && status == WCUT_NOT_CONVERGED) status = run_again(setup, WCUT_CONTACT_HEAVY, progress, context, &h);
+    if (other && status == WCUT_NOT_CONVERGED) status = run_heavy(setup, progress, context, &h);
 
     /* a design whose plan went no further */
     if (status == WCUT_OK && setup->plan_ended.status != WCUT_OK) {

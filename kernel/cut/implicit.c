@@ -14,14 +14,27 @@
 /* a wire pulled less than this share of k hangs loose: what the foam does to it does not shape it */
 #define SLACK_TENSION 1e-6
 
-/* A wire that touches without tension is given a weight of WEIGHT k, which fades until the foam pulls it with LOOSE k
-   (a wire of 0.15 mm and 600 mm weighs 4e-4 of 2 N): leaning without load, how it lies would be a matter of chance. While
-   it hangs loose so, a part of a step moves it by LOOSE_WAY of its length at most, so that the cut converges in stations;
-   parts may become up to 2^SLOWER times shorter than others. */
+/* A wire that touches without tension is given a weight of WEIGHT k (a wire of 0.15 mm and 600 mm weighs 4e-4 of 2 N):
+   leaning without load, how it lies would be a matter of chance. The air drags as much on it at v_max: where the weight's
+   equilibrium ends (a part of the wire falls over an edge of the block), a drag lets the wire move on at a finite speed,
+   and every short step has a solution. Both fade until the least tension along the wire is LOOSE k, not the pull of the
+   foam: that may come from one side while the other hangs loose. While the wire is loose so, a part of a step moves it by
+   LOOSE_WAY of its length at most, so that the cut converges in stations; parts may become up to 2^SLOWER times shorter
+   than others. */
 #define LOOSE 1e-2
 #define WEIGHT 1e-4
 #define SLOWER 4
 #define LOOSE_WAY 1e-3
+
+/* times its drag that a loose wire is held with at first where Newton does not converge */
+#define STRONGEST_DRAG 100
+
+/* the least tension of an edge [N]: where there is none, a part of the wire hangs loose, whatever pulls the rest */
+static double least_tension(int n, const double *s) {
+    double least = s[0];
+    for (int e = 1; e < n - 1; e++) least = fmin(least, s[e]);
+    return least;
+}
 
 /* the solver's last evaluation becomes the wire */
 static void accept(wcut_cut *cut, const wcut_target *target, double rate, double reach, double pull,
@@ -42,7 +55,7 @@ static void accept(wcut_cut *cut, const wcut_target *target, double rate, double
     }
 
     /* the load pattern is kept for times without load; a mere weight does not become the pattern */
-    const bool pulls = !cut->weighted || pull > LOOSE * cut->setup->job->tension;
+    const bool pulls = !cut->weighted || least_tension(n, w->s) > LOOSE * cut->setup->job->tension;
     if (pulls && wcut_load_sum(n, w->force) > 0) memcpy(w->pattern, w->force, sizeof *w->pattern * (size_t)n);
 
     /* scalars of the step */
@@ -112,6 +125,30 @@ static bool harden(attempt *a, bool by_tension, double log_rate, wcut_solution *
     return true;
 }
 
+/* A loose wire may be swept aside quickly: too far from how it was carried along for Newton. A strong drag keeps it
+   there; from that solution the drag is taken back step by step. */
+static bool release(attempt *a, bool by_tension, double log_rate, wcut_solution *solution) {
+    const double depth = a->cut->setup->foam.block.depth, drag = a->step.drag;
+    double excess = STRONGEST_DRAG, shrink = 0.1;
+    a->step.drag = drag * excess;
+    bool solved = newton(a, depth, by_tension, log_rate, solution);
+    while (solved && excess > 1) {
+        const double trial = fmax(excess * shrink, 1), rate = solution->log_rate;
+        keep_guess(a);
+        a->step.drag = drag * trial;
+        if (newton(a, depth, by_tension, rate, solution)) {
+            excess = trial;
+            continue;
+        }
+        restore_guess(a);
+        solution->log_rate = rate;
+        shrink = sqrt(shrink);
+        if (shrink > 0.95) solved = false;
+    }
+    a->step.drag = drag;
+    return solved;
+}
+
 /* the wire as it was, carried along with its ends: the better guess the shorter the step */
 static void carry(attempt *a) {
     wcut_cut *cut = a->cut;
@@ -149,6 +186,10 @@ static bool solve_attempt(attempt *a, bool by_tension, double speed, wcut_soluti
         }
         solved = newton(a, depth, by_tension, log_rate, solution);
     }
+    if (!solved && a->step.drag > 0 && cut->next.loaded) {
+        carry(a);
+        solved = release(a, by_tension, log_rate, solution);
+    }
     if (!solved && !a->brief && hang(a)) solved = harden(a, by_tension, log_rate, solution);
     if (solved) cut->residual = fmax(cut->residual, solution->residual);
     a->pull = solution->pull;
@@ -173,6 +214,35 @@ static bool solve_at_tension(attempt *a, double guess, double *speed) {
     return *speed <= job->speed_max && *speed >= job->speed_min;
 }
 
+/* T = k once more, from the wire at v_max that is pulled by more than k: slower step by step, until it is not. Where the
+   wire lies along a face most of it hardly moves, and (2) has next to no slope there: too little for Newton in the rate. */
+static bool slow_down(attempt *a, double *speed) {
+    const wcut_job *job = a->cut->setup->job;
+    const double k = job->tension, depth = a->cut->setup->foam.block.depth;
+    const double slowest = log(job->speed_min / a->reach);
+    wcut_solution out = {0};
+    if (!solve(a, false, job->speed_max, &out) || out.pull <= k) return false;
+    double log_rate = out.log_rate, pull = out.pull, step = 0.02;
+    while (pull > k && log_rate > slowest) {
+        keep_guess(a);
+        const double trial = fmax(log_rate - step, slowest);
+        if (newton(a, depth, false, trial, &out)) {
+            log_rate = trial;
+            pull = out.pull;
+            step *= 2;
+            continue;
+        }
+        restore_guess(a);
+        step /= 4;
+        if (step < 1e-4) return false;
+    }
+    if (!newton(a, depth, true, log_rate, &out)) return false;
+    a->cut->residual = fmax(a->cut->residual, out.residual);
+    a->pull = out.pull;
+    *speed = a->reach * exp(out.log_rate);
+    return *speed <= job->speed_max && *speed >= job->speed_min;
+}
+
 /* One side of the complementarity after the other, the one that held last first. */
 static bool solve_complementary(attempt *a, double *speed, wcut_condition *condition) {
     const wcut_job *job = a->cut->setup->job;
@@ -186,6 +256,8 @@ static bool solve_complementary(attempt *a, double *speed, wcut_condition *condi
     if (solve_at_tension(a, guess, speed)) return true;
     *condition = WCUT_CONDITION_SPEED_MAX;
     if (!max_first && solve_at_limit(a, job->speed_max, true, speed)) return true;
+    *condition = WCUT_CONDITION_TENSION;
+    if (slow_down(a, speed)) return true;
     *condition = WCUT_CONDITION_SPEED_MIN;
     return solve_at_limit(a, job->speed_min, false, speed);
 }
@@ -224,7 +296,7 @@ static const wcut_vec3 *find_dead_load(wcut_cut *cut, double *weight) {
     /* else a share of what shaped it last, which fades */
     const double k = cut->setup->job->tension;
     const double load = wcut_load_sum(n, w->pattern);
-    const double fade = w->loaded ? clamp(1 - w->required_tension / (LOOSE * k), 0, 1) : 1;
+    const double fade = w->loaded ? clamp(1 - least_tension(n, w->s) / (LOOSE * k), 0, 1) : 1;
     *weight = cut->weighted && load > 0 ? fade * WEIGHT * k / load : 0;
     if (!(*weight > 0)) return NULL;
     for (int i = 0; i < n; i++) cut->dead_load[i] = vec3_scale(*weight, w->pattern[i]);
@@ -290,6 +362,7 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, bool brief, do
                          .was = cut->was,
                          .dead_load = find_dead_load(cut, &a.weight),
                          .heavy = setup->weight > 0};
+    if (a.step.dead_load) a.step.drag = a.weight * wcut_load_sum(n, w->pattern) / ((n - 2) * setup->job->speed_max);
 
     /* effects change the ends, the lengths and the law */
     wcut_extension extension;
@@ -390,7 +463,7 @@ static wcut_status explain_no_step(const wcut_cut *cut, const wcut_target *targe
    part is halved then is no matter of rounding. */
 static double part_of_step(const wcut_cut *cut, double reach) {
     const wcut_wire *w = &cut->next;
-    const bool loose = !w->loaded || w->required_tension < LOOSE * cut->setup->job->tension;
+    const bool loose = !w->loaded || least_tension(cut->setup->job->nodes, w->s) < LOOSE * cut->setup->job->tension;
     if (cut->contact_rule != WCUT_CONTACT_BY_WEIGHT || !cut->weighted || !loose) return 1;
     double part = 1;
     while (part * reach > LOOSE_WAY * w->length && part > 1.0 / 1024) part /= 2;

@@ -33,9 +33,8 @@ typedef struct wcut_wire {
 
 /* What a wire does that comes to touch while it hangs loose. */
 typedef enum wcut_contact_rule {
-    WCUT_CONTACT_BY_WEIGHT,  /* it leans; where that leaves it without tension it has a weight from then on */
-    WCUT_CONTACT_BY_LEANING, /* it leans, whatever comes of it */
-    WCUT_CONTACT_HEAVY       /* it has a weight from station 0 on */
+    WCUT_CONTACT_BY_WEIGHT, /* it leans; where that leaves it without tension it has a weight from then on */
+    WCUT_CONTACT_HEAVY      /* it has a weight from station 0 on */
 } wcut_contact_rule;
 
 struct wcut_cut {
@@ -49,7 +48,7 @@ struct wcut_cut {
     bool touched; /* the wire has been in contact */
     bool over;    /* a step failed: the run cannot go on */
     wcut_contact_rule contact_rule;
-    bool weighted; /* a loose wire has a weight: the slower way through a first contact, see implicit.c */
+    bool weighted; /* a loose wire has a weight and a drag: the slower way through a first contact, see implicit.c */
     wcut_wire now, next;
     wcut_vec3 *was;           /* n: where the nodes come from in the sub-step being tried */
     wcut_vec3 *hanging_shape; /* n: the wire under its last load between its new ends */

@@ -60,7 +60,8 @@ static void put_lengths(wcut_system *y, const wcut_step *step, const wcut_vec3 *
     }
 }
 
-static void put_equilibrium(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, const double *s, bool slopes) {
+static void put_equilibrium(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, const double *s, double rate,
+                            bool slopes) {
     const wcut_compliance *give = step->compliance;
     const double edge = step->edge, per_edge = 1 / edge;
     for (int i = 1; i < y->n - 1; i++) {
@@ -73,7 +74,8 @@ static void put_equilibrium(wcut_system *y, const wcut_step *step, const wcut_ve
         /* residual: loads of foam and weight, and the pull of both edges */
         const wcut_resistance *f = &y->node[i];
         const int row = node_at(i);
-        const wcut_vec3 load = step->dead_load ? vec3_add(f->force, step->dead_load[i]) : f->force;
+        const wcut_vec3 dragged = vec3_scale(-step->drag * rate, vec3_sub(x[i], step->was[i]));
+        const wcut_vec3 load = step->dead_load ? vec3_add(vec3_add(f->force, step->dead_load[i]), dragged) : f->force;
         put_vector(y->residual + row, vec3_add_scaled(vec3_add_scaled(load, s[i], front), -s[i - 1], back));
 
         if (!slopes) continue;
@@ -89,12 +91,12 @@ static void put_equilibrium(wcut_system *y, const wcut_step *step, const wcut_ve
 
         /* slopes by the positions: the foam's own, and S / l of the edges */
         const double both = give ? s[i] / m + s[i - 1] / l : (s[i] + s[i - 1]) / l;
-        add_block(&y->jacobian, row, row, mat3_add_identity(f->by_here, -both));
+        add_block(&y->jacobian, row, row, mat3_add_identity(f->by_here, -both - step->drag * rate));
         if (i > 1) add_block(&y->jacobian, row, node_at(i - 1), mat3_add_identity(f->by_before, s[i - 1] / l));
         if (i < y->n - 2) add_block(&y->jacobian, row, node_at(i + 1), mat3_add_identity(f->by_after, s[i] / m));
 
         /* slope by ln r */
-        put_vector(y->by_log_rate + row, f->by_log_rate);
+        put_vector(y->by_log_rate + row, vec3_add(f->by_log_rate, dragged));
     }
 }
 
@@ -231,7 +233,7 @@ void wcut_system_eval(wcut_system *y, const wcut_step *step, const wcut_vec3 *x,
         for (int k = 0; k < y->size; k++) y->by_log_rate[k] = y->border[k] = 0;
     }
     put_lengths(y, step, x, s, slopes);
-    put_equilibrium(y, step, x, s, slopes);
+    put_equilibrium(y, step, x, s, rate, slopes);
     put_condition(y, step, x, slopes);
     if (slopes && mounts_give(step)) put_mounts(y, step, x, s, rate);
 }

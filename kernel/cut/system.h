@@ -17,6 +17,7 @@ typedef struct wcut_step {
     const wcut_vec3 *was;              /* n: where each node comes from */
     const wcut_vec3 *dead_load;        /* n [N] what else loads the free nodes; NULL: nothing */
     bool heavy;                        /* the dead load is a weight: it counts in (4) */
+    double drag;                       /* [N s/mm] of the air on a free node; 0: none */
     const wcut_compliance *compliance; /* NULL: the wire keeps its length and its ends stay where they are put */
 } wcut_step;
 

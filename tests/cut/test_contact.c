@@ -1,6 +1,6 @@
 /* First contact of wires that come loose, tilted, one side before the other; mounts that stand still.
    labels: property plain */
-#include "cut/cuts.h"
+#include "cut/random_paths.h"
 #include "test.h"
 
 /* A wire with `slack` to spare at contact, its ends at different heights and speeds. */
@@ -88,15 +88,6 @@ static wcut_job *backwards_job(int stations) {
     return job;
 }
 
-/* largest distance of equal nodes over the block, station j of `count` in both histories [mm] */
-static double apart_over_block(const wcut_history *g, const wcut_history *h, int j, int count) {
-    const wcut_vec3 *x = nodes_at(g, j * (g->stations - 1) / count), *y = nodes_at(h, j * (h->stations - 1) / count);
-    double worst = 0;
-    for (int i = 0; i < g->nodes; i++)
-        if (x[i].x > 0 && x[i].x < 400) worst = fmax(worst, vec3_distance(x[i], y[i]));
-    return worst;
-}
-
 TEST(a_path_that_begins_backwards_is_cut_alike_at_any_number_of_stations) {
     enum { LEVELS = 3, STATIONS = 241, PARTS = 240 };
     wcut_history *h[LEVELS];
@@ -121,6 +112,13 @@ TEST(a_path_that_begins_backwards_is_cut_alike_at_any_number_of_stations) {
     ck_assert_double_lt(fine_max, 0.8 * coarse_max);
     ck_assert_double_gt(log2(coarse_sum / fine_sum), 0.7);
     for (int k = 0; k < LEVELS; k++) wcut_history_destroy(h[k]);
+}
+
+TEST_EACH(a_random_slack_path_is_cut_alike_at_any_number_of_stations, 3) {
+    double apart[RANDOM_LEVELS - 1];
+    ck_assert_int_eq(run_random_path(_i + 1, apart), 0);
+    printf("path %d: 241 to 481 stations %.3f mm, 481 to 961 %.3f mm\n", _i + 1, apart[0], apart[1]);
+    ck_assert_double_lt(apart[1], 1);
 }
 
 static wcut_job *found_job(const char *name) {
