@@ -46,6 +46,7 @@ typedef struct app_option {
     bool required;        /* the call is refused without it */
     const char *value;    /* what help calls the value, "DIR"; NULL for a flag */
     double low, high;     /* range of a number */
+    const char *word;     /* that may stand for a number, which is -1 then; NULL: none */
     const char *standard; /* value where none is given */
     /* or the library's own: a number, of a choice which of its words; a text. With none of them the verb asks app_given */
     double (*library)(void);

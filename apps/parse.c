@@ -34,6 +34,10 @@ static int usage_error(const app_verb *verb, const char *what, const char *found
 static bool read_option_number(const app_option *option, const char *text, double *number) {
     const char *letters = option->kind == APP_INT ? "+-0123456789" : "+-.0123456789eE";
     char *end = NULL;
+    if (option->word && strcmp(text, option->word) == 0) {
+        *number = -1;
+        return true;
+    }
     if (!*text || text[strspn(text, letters)]) return false;
     double value = strtod(text, &end);
     if (*end || !isfinite(value) || value < option->low || value > option->high) return false;
@@ -63,8 +67,9 @@ static int set_value(const app_verb *verb, const app_option *option, const char 
         case APP_INT:
         case APP_REAL:
             if (read_option_number(option, text, &number)) break;
-            snprintf(expected, sizeof expected, "%s from %.12g to %.12g",
-                     option->kind == APP_INT ? "a whole number" : "a number", option->low, option->high);
+            snprintf(expected, sizeof expected, "%s from %.12g to %.12g%s%s",
+                     option->kind == APP_INT ? "a whole number" : "a number", option->low, option->high,
+                     option->word ? ", or " : "", option->word ? option->word : "");
             return usage_error(verb, what, text, expected);
         case APP_CHOICE:
             number = find_word(option->value, text);

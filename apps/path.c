@@ -56,14 +56,16 @@ static int run_export(export_ *e) {
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, e->path, &error);
 }
 
-/* A program must not end with the hot wire in the foam: only a lead-out can take it out behind the path. */
+/* A program must not end with the hot wire in the foam: only a lead-out that clears the block can take it out. */
 static int check_end(const export_ *e) {
     const wcut_history_row *last = &e->history->row[e->history->stations - 1];
-    if (!(last->engaged_length > 0) || app_real(e->call, "lead-out") > 0) return APP_DONE;
-    return app_fail(APP_BAD_INPUT,
-                    "%s: station %d, the last: %.4g mm of the wire are in the foam; expected a path that goes on until "
-                    "the wire has left the block, or --lead-out",
-                    e->path, e->history->stations - 1, last->engaged_length);
+    const double asked = app_real(e->call, "lead-out");
+    if (!(last->engaged_length > 0) || asked < 0 || asked >= e->motion->lead_out) return APP_DONE;
+    return app_fail(
+        APP_BAD_INPUT,
+        "%s: station %d, the last: %.4g mm of the wire are in the foam, a lead-out of %.4g mm would clear the "
+        "block; expected a path that goes on until the wire has left the block, or --lead-out clear",
+        e->path, e->history->stations - 1, last->engaged_length, e->motion->lead_out);
 }
 
 /* How near the mounts' ways come to the block, between the stations too, with their leads. */
@@ -96,6 +98,11 @@ static int make_motion(export_ *e) {
     choose(e->call, "time-tolerance", 1, &o.time_tolerance);
     choose(e->call, "lead-in", 1, &o.lead_in);
     choose(e->call, "lead-out", 1, &o.lead_out);
+
+    /* the word is -1; a path that ends in the foam must be led out of it */
+    const bool inside = e->history->row[e->history->stations - 1].engaged_length > 0;
+    if (o.lead_out < 0 || inside) o.clear = e->job;
+    if (o.lead_out < 0) o.lead_out = 0;
     choose(e->call, "zone", 1, &o.zone);
     o.heater = e->job;
 
@@ -258,8 +265,8 @@ static int path(const app_call *call) {
     if (code == APP_DONE) code = run_export(&e);
 
     /* motion and limits */
-    if (code == APP_DONE) code = check_end(&e);
     if (code == APP_DONE) code = make_motion(&e);
+    if (code == APP_DONE) code = check_end(&e);
     if (code == APP_DONE) code = approach(&e);
     if (code == APP_DONE) code = check_limits(&e);
 
@@ -340,11 +347,12 @@ static const app_option option[] = {
      .help = "length of a straight lead-in before the path, against the feed, mm"},
     {.kind = APP_REAL,
      .name = "lead-out",
-     .value = "MM",
+     .value = "MM|clear",
+     .word = "clear",
      .low = 0,
      .high = 1e4,
      .library = path_lead_out,
-     .help = "length of a straight lead-out after the path, mm"},
+     .help = "length of a straight lead-out after the path, mm; clear: until the wire is 1 mm out of the block"},
     {.kind = APP_REAL,
      .name = "preheat",
      .value = "S",

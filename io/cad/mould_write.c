@@ -2,11 +2,11 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
+#include <wirecut/angle.h>
 #include <wirecut/mould.h>
 #include <wirecut/mould_file.h>
 #include <wirecut/version.h>
 
-#include <wirecut/angle.h>
 #include "base/fail.h"
 #include "io/file/text.h"
 
@@ -46,6 +46,12 @@ static void put_half(wcut_text *text, const char *name, const wcut_half *half) {
     wcut_text_print(text, ", \"exact_faces\": %d}", half->brep ? half->brep->face_count : 0);
 }
 
+/* an angle as the user typed it: 3, not the 3.0000000000000004 of its way through radians */
+static double asked_degrees(double angle) {
+    const double fine = 1e12;
+    return round(WCUT_DEG_PER_RAD * angle * fine) / fine;
+}
+
 static void put_mould_cut(wcut_text *text, const wcut_mould *m) {
     /* volumes and their balance, kerf, errors */
     wcut_text_put_number(text, ",\n  \"kerf_volume_mm3\": ", m->kerf_volume);
@@ -66,7 +72,7 @@ static void put_mould_cut(wcut_text *text, const wcut_mould *m) {
 
     /* what was asked for, and how the halves were made */
     wcut_text_put_number(text, "},\n  \"asked\": {\"wall_mm\": ", m->wall_asked);
-    wcut_text_put_number(text, ", \"draft_deg\": ", WCUT_DEG_PER_RAD * m->draft_asked);
+    wcut_text_put_number(text, ", \"draft_deg\": ", asked_degrees(m->draft_asked));
     wcut_text_put_number(text, ", \"scale\": ", m->scale);
     wcut_text_put_point(text, ", \"pull\": [", m->pull);
     wcut_text_print(text, "},\n  \"made_by\": \"%s\",\n  \"step\": ", m->by_boolean ? "booleans" : "index");

@@ -197,6 +197,40 @@ static void tell_steps(wcut_robot_motion *motion, const wcut_job *job) {
     }
 }
 
+/* how far along `d` a point goes until it has left the box for good; 0 where it never meets it */
+static double way_out(wcut_vec3 p, wcut_vec3 d, wcut_vec3 low, wcut_vec3 high) {
+    const double from[3] = {p.x, p.y, p.z}, by[3] = {d.x, d.y, d.z};
+    const double least[3] = {low.x, low.y, low.z}, largest[3] = {high.x, high.y, high.z};
+    double enter = 0, leave = INFINITY;
+    for (int c = 0; c < 3; c++) {
+        if (by[c] == 0) {
+            if (from[c] < least[c] || from[c] > largest[c]) return 0;
+            continue;
+        }
+        const double one = (least[c] - from[c]) / by[c], other = (largest[c] - from[c]) / by[c];
+        enter = fmax(enter, fmin(one, other));
+        leave = fmin(leave, fmax(one, other));
+    }
+    return leave > enter && isfinite(leave) ? leave : 0;
+}
+
+/* How far the wire of the last station has to be moved along to be clear of the block: its edges in pieces of a
+   millimetre at most, the block with the clearance about it. In the foam the wire trails; coming out it goes straight,
+   that is forwards: as it stands it is the last to leave. */
+static double clear_way(const wcut_history *h, wcut_vec3 block, wcut_vec3 onward) {
+    const double c = WCUT_LEAD_CLEARANCE;
+    const wcut_vec3 *x = h->position + (size_t)(h->stations - 1) * (size_t)h->nodes;
+    double way = 0;
+    for (int i = 0; i + 1 < h->nodes; i++) {
+        const int pieces = (int)fmin(1e4, ceil(vec3_distance(x[i], x[i + 1])) + 1);
+        for (int k = 0; k <= pieces; k++) {
+            const wcut_vec3 p = vec3_mix(x[i], x[i + 1], (double)k / pieces);
+            way = fmax(way, way_out(p, onward, vec3(-c, -c, -c), vec3(block.x + c, block.y + c, block.z + c)));
+        }
+    }
+    return way;
+}
+
 /* durations, speeds and zones from times and places */
 static void finish_motion(wcut_robot_motion *motion, double zone) {
     const int n = motion->count;
@@ -236,6 +270,7 @@ static wcut_status fill_motion(const wcut_history *h, path *p, const unsigned ch
     motion->last = n - 1;
     if (p->o.lead_out > 0) motion->target[n++] = lead_target(p, m - 1, p->onward, p->o.lead_out, last);
 
+    motion->lead_out = p->o.lead_out;
     motion->count = n;
     motion->stations = m;
     motion->chord_error = p->chord_error;
@@ -254,7 +289,8 @@ static wcut_status check_robot_path(const wcut_history *h, const wcut_vec3 *a, c
         (o->frame != WCUT_TOOL_FRAME_FIXED && o->frame != WCUT_TOOL_FRAME_FOLLOWING))
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "positive tolerances, leads and a zone of 0 or more and a known tool frame are expected");
-    if (!h->row || h->stations < 2 || !vec3_all_finite(h->stations, a) || !vec3_all_finite(h->stations, b))
+    if (!h->row || h->stations < 2 || (o->clear && !h->position) || !vec3_all_finite(h->stations, a) ||
+        !vec3_all_finite(h->stations, b))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "a history of at least two stations and finite paths are expected");
     for (int j = 1; j < h->stations; j++) {
         const wcut_history_row *r = &h->row[j];
@@ -277,9 +313,10 @@ wcut_status wcut_robot_motion_create(const wcut_history *history, const wcut_vec
 
     /* leads go in the common direction of both mounts */
     if ((p.o.lead_in > 0 && !lead_direction(&p, history->stations, 1, &p.feed)) ||
-        (p.o.lead_out > 0 && !lead_direction(&p, history->stations, -1, &p.onward)))
+        ((p.o.lead_out > 0 || p.o.clear) && !lead_direction(&p, history->stations, -1, &p.onward)))
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "a lead: the mounts move against each other all along, expected a common direction");
+    if (p.o.clear) p.o.lead_out = fmax(p.o.lead_out, clear_way(history, p.o.clear->block_size, p.onward));
     const size_t m = (size_t)history->stations;
 
     /* room, then thin the stations and fill in the targets */

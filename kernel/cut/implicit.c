@@ -221,7 +221,7 @@ static bool slow_down(attempt *a, double *speed) {
     const double k = job->tension, depth = a->cut->setup->foam.block.depth;
     const double slowest = log(job->speed_min / a->reach);
     wcut_solution out = {0};
-    if (!solve(a, false, job->speed_max, &out) || out.pull <= k) return false;
+    if (!solve_attempt(a, false, job->speed_max, &out) || out.pull <= k) return false;
     double log_rate = out.log_rate, pull = out.pull, step = 0.02;
     while (pull > k && log_rate > slowest) {
         keep_guess(a);

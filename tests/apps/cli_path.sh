@@ -73,7 +73,7 @@ rig=$SOURCE_DIR/../shared/found/rig
 if [ -d "$rig" ]; then
     swing=$rig/standing-mount-does-not-turn/job.json
     for format in urscript krl; do
-        run 0 path "$swing" --format $format --tool-frame following -o turn --quiet --lead-out 50
+        run 0 path "$swing" --format $format --tool-frame following -o turn --quiet --lead-out clear
     done
     [ "$(grep -c 'movel' turn/wirecut_b.script)" -gt 5 ] || fail "the tool of the standing mount does not turn: urscript"
     [ "$(grep -c '^LIN' turn/wirecut_b.src)" -gt 5 ] || fail "the tool of the standing mount does not turn: krl"
@@ -81,15 +81,15 @@ if [ -d "$rig" ]; then
     grep -q 'set_digital_out(1, False)' turn/wirecut_a.script || fail "the start signal is not reset"
     grep -q 'calls wire_on and wire_off, to be defined' turn/wirecut_b.script || fail "hooks are not in the head"
 
-    run 0 path "$rig/approach-ignores-limits/job.json" --format urscript --speed 10 --acceleration 100 -o slow --quiet --lead-out 50
+    run 0 path "$rig/approach-ignores-limits/job.json" --format urscript --speed 10 --acceleration 100 -o slow --quiet --lead-out clear
     grep -m 1 movel slow/wirecut_a.script | grep -q 'a=0.100000, v=0.010000' || fail "the approach ignores limits"
-    run 0 path "$swing" --format rapid -o none --quiet --lead-out 50 --wire-on none --wire-off none --preheat 3
+    run 0 path "$swing" --format rapid -o none --quiet --lead-out clear --wire-on none --wire-off none --preheat 3
     grep -q 'wire_o' none/wirecut_a.mod && fail "none is called all the same"
     grep -q 'WaitTime 3.000' none/wirecut_a.mod || fail "no preheat"
 
-    run 0 path "$rig/krl-speed-prints-zero/job.json" --format krl -o zero --quiet --lead-out 50
+    run 0 path "$rig/krl-speed-prints-zero/job.json" --format krl -o zero --quiet --lead-out clear
     grep -q 'VEL.CP = 0\.0*$' zero/wirecut_b.src && fail "a speed is printed as 0"
-    run 0 path "$rig/krl-arms-drift-by-printed-speed/job.json" --format krl -o drift --quiet --lead-out 50
+    run 0 path "$rig/krl-arms-drift-by-printed-speed/job.json" --format krl -o drift --quiet --lead-out clear
     python3 - drift/wirecut_a.src drift/wirecut_b.src <<'EOF' || fail "the arms drift apart"
 import math, re, sys
 times = []
@@ -124,6 +124,34 @@ untouched made
 run 2 path "$job" -o made --format krl --zone -1; one_line "--zone"
 run 3 path nowhere.json -o made --format krl
 run 4 path "$job" -o coarse/robot.csv/in --format krl
+# a path that ends in the foam: refused with the way that would clear the block, and led out by that way
+python3 -c 'import json, sys
+job = json.load(open(sys.argv[1]))
+for k in "ab":
+    way = job["path"][f"mount_{k}_mm"]
+    job["path"][f"mount_{k}_mm"] = way[:len(way) * 6 // 10]
+json.dump(job, open("short.json", "w"))' "$jobs/steady-400-60.json"
+run 3 path short.json --format csv -o inside --quiet
+one_line 'station 184' 'in the foam' 'lead-out clear'
+run 3 path short.json --format csv -o inside --quiet --lead-out 50
+one_line 'would clear the block'
+cp err refused
+untouched inside
+run 2 path short.json --format csv -o inside --quiet --lead-out clea
+one_line 'or clear'
+run 0 path short.json --format csv -o led --quiet --lead-out clear
+python3 - <<'EOF' || fail "the wire is not led out of the block by the shortest way"
+import csv
+rows = list(csv.DictReader(open("led/robot.csv")))
+before, last = rows[-2], rows[-1]
+way = float(last["a_y_mm"]) - float(before["a_y_mm"])
+refused = float(open("refused").read().split("a lead-out of ")[1].split(" mm")[0])
+assert abs(way - refused) < 1 and last["station"] == "", (way, refused)
+
+# the wire trails its mounts by the sag of the parabola; the block is 1200 mm long
+assert 1201 < float(last["a_y_mm"]) < 1201 + 150, last
+EOF
+
 # an identification cut's programme: speeds follow its sines, heater steps call a procedure, in every format
 python3 -c 'import json, sys
 job = json.load(open(sys.argv[1]))

@@ -1,4 +1,4 @@
-"""campaign.py [--long] [VERB...]: the command's results under faults, counted.
+"""campaign.py [--long] [--step K] [VERB...]: the command's results under faults, counted.
 
 An earlier set of results, of an input A, lies in a folder. A run of an input B into it is killed, or a call of it fails.
 Afterwards the folder holds one whole set under its voucher, A's or B's, and nothing else; whatever happened:
@@ -10,7 +10,7 @@ Afterwards the folder holds one whole set under its voucher, A's or B's, and not
 
 Campaigns: a kill at every system call, a kill at random moments, every system call fails in turn, every allocation fails
 in turn, a full disk (a tmpfs of just too few pages, where one may be mounted; else a limit of file size), two runs at
-once. Without --long: the quick verbs, and every k-th call.
+once. Without --long: the quick verbs, and every k-th call; --step says which k.
 
   WIRECUT      the command       FAULT_SHIM   shim.c as a library      SOURCE_DIR   the repository
 """
@@ -29,7 +29,8 @@ import time
 WIRECUT, SHIM = os.environ["WIRECUT"], os.environ["FAULT_SHIM"]
 SMALL = os.path.join(os.environ["SOURCE_DIR"], "tests/fault/small")
 LONG = "--long" in sys.argv
-STEP = 1 if LONG else 5  # every k-th call
+GIVEN = int(sys.argv[sys.argv.index("--step") + 1]) if "--step" in sys.argv else None
+STEP = GIVEN or (1 if LONG else 5)  # every k-th call
 ERRORS = [errno.EIO, errno.ENOSPC, errno.EACCES, errno.EINTR, errno.ENOENT] if LONG else [errno.ENOSPC]
 
 # verb: voucher, arguments of A, arguments of B
@@ -41,6 +42,7 @@ VERBS = {
     "identify": ("identify.json", ["cA/cut-1/job.json", "--cuts", "2"], ["cA/cut-1/job.json", "--cuts", "3"]),
     "mould": ("mould.json", ["A.json", "--label", "a"], ["B.json", "--label", "b", "--chord-tolerance", "1"]),
     "compare": ("deviation.json", ["A.json", "A.xyz"], ["B.json", "A.xyz"]),
+    "diagnose": ("diagnosis.json", ["cA/case.json", "--no-proof"], ["cA/case.json", "--no-proof", "--seed", "2"]),
     "control": ("control.json", ["cA/cut-1/job.json"], ["cA/cut-1/job.json", "--seed", "2"]),
 }
 QUICK = ["calibrate", "path"]

@@ -20,6 +20,9 @@ typedef enum wcut_tool_frame {
     WCUT_TOOL_FRAME_FOLLOWING /**< along the wire, by the simulated alpha and beta */
 } wcut_tool_frame;
 
+/** [mm] how far a lead-out takes the wire out of the block that it clears. */
+#define WCUT_LEAD_CLEARANCE 1.0
+
 /** How the motion is made from a history. */
 typedef struct wcut_robot_options {
     double chord_tolerance; /**< [mm] either mount's distance from its path; default 0.1 */
@@ -30,6 +33,8 @@ typedef struct wcut_robot_options {
     double zone;            /**< [mm] blend radius, at most 2/5 of the shorter neighbouring move; default 1 */
     wcut_tool_frame frame;
     const wcut_job *heater; /**< whose heater programme runs, its power and its steps; NULL, the default: none */
+    const wcut_job *clear;  /**< whose block the lead-out clears: it is lead_out or longer, until the wire of the last
+                                 station, moved along as it is, is WCUT_LEAD_CLEARANCE out of the block; NULL, the default: lead_out */
 } wcut_robot_options;
 
 /** A target that both robots reach at the same moment. */
@@ -50,6 +55,7 @@ typedef struct wcut_robot_motion {
     wcut_robot_target *target; /**< count */
     int stations;              /**< that it was made from */
     int first, last;           /**< targets between which the wire is over the path: lead-in and -out are outside */
+    double lead_out;           /**< [mm] of the lead-out, 0: none */
     double chord_error;        /**< [mm] largest that thinning left */
     double time_error;         /**< [mm] the same along the path */
     double duration;           /**< [s] */
