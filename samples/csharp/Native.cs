@@ -1797,6 +1797,7 @@ public unsafe struct wcut_robot_motion
     public int stations;
     public int first;
     public int last;
+    public double lead_out;
     public double chord_error;
     public double time_error;
     public double duration;
@@ -1828,6 +1829,7 @@ public unsafe struct wcut_robot_options
     public double zone;
     public wcut_tool_frame frame;
     public wcut_job* heater;
+    public wcut_job* clear;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_robot_summary
