@@ -222,6 +222,8 @@ static bool slow_down(attempt *a, double *speed) {
     const double slowest = log(job->speed_min / a->reach);
     wcut_solution out = {0};
     if (!solve_attempt(a, false, job->speed_max, &out) || out.pull <= k) return false;
+
+    /* longer steps while they are solved, shorter ones where they are not */
     double log_rate = out.log_rate, pull = out.pull, step = 0.02;
     while (pull > k && log_rate > slowest) {
         keep_guess(a);
@@ -236,6 +238,8 @@ static bool slow_down(attempt *a, double *speed) {
         step /= 4;
         if (step < 1e-4) return false;
     }
+
+    /* close to T = k: with the rate as an unknown */
     if (!newton(a, depth, true, log_rate, &out)) return false;
     a->cut->residual = fmax(a->cut->residual, out.residual);
     a->pull = out.pull;

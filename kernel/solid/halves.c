@@ -152,7 +152,10 @@ static wcut_status halves_intersect(const wcut_part *stock, const wcut_part *spa
         wcut_boolean_intersect(stock->mesh, stock->tag, space->mesh, space->tag, &p.mesh, &p.tag, &cause);
     if (status != WCUT_OK)
         return wcut_fail(error, status, "no boolean of the %s and the stock: %s", name,
-                         cause.text[0] ? cause.text : wcut_status_text(status));
+                         cause.text[0]               ? cause.text
+                         : status == WCUT_DEGENERATE ? "the cut runs along a face or through an edge of the stock; "
+                                                       "expected a stock that it passes through or misses"
+                                                     : wcut_status_text(status));
     if (p.mesh->triangle_count == 0)
         status = wcut_fail(error, WCUT_DEGENERATE, "the cut misses the block: there is no %s", name);
     if (status == WCUT_OK) status = wcut_self_intersections(p.mesh, &p.self_intersections, &p.place, error);

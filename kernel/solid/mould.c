@@ -80,7 +80,9 @@ static wcut_status check_stock(const wcut_mesh *stock, wcut_vec3 block, wcut_err
     if (status != WCUT_OK) return status;
     if (!r.closed || !r.oriented)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "stock: the mesh is %s",
-                         r.closed ? "not oriented outwards" : "not closed");
+                         r.closed ? "not oriented outwards"
+                                  : "not closed: an edge lies in one triangle or in more than two (a hole, or bodies "
+                                    "that share a face or an edge, which are one body)");
 
     /* inside the block, but for a share of its size */
     if (r.box_low.x < -over || r.box_low.y < -over || r.box_low.z < -over || r.box_high.x > block.x + over ||
@@ -151,8 +153,9 @@ static wcut_status report_half(const wcut_division *d, const wcut_part *part, in
     r->key_volume = wcut_keys_volume(d->options, upper);
     if (r->self_intersections > 0)
         return wcut_fail(error, WCUT_DEGENERATE,
-                         "the cut folds over itself: %d pairs of triangles of the %s half meet near (%.6g, %.6g, %.6g) "
-                         "mm",
+                         "%s: %d pairs of triangles of the %s half meet near (%.6g, %.6g, %.6g) mm",
+                         d->options->stock ? "the cut folds over itself, or runs along a face of the stock"
+                                           : "the cut folds over itself",
                          r->self_intersections, name, part->place.x, part->place.y, part->place.z);
     if (!r->closed || !r->oriented)
         return wcut_fail(error, WCUT_INTERNAL, "the %s half is %s", name,

@@ -165,7 +165,8 @@ figures f/mould.json
 run 5 mould "$design" -o f $coarse --minimum-draft 89
 grep -q "draft" err || fail "$called: $(cat err)"
 # shellcheck disable=SC2086
-run 0 mould "$path" -o f $coarse --minimum-wall 149 --minimum-draft 80
+run 0 mould "$path" -o f $coarse --minimum-wall 149 --minimum-draft 3
+value f/mould.json 'm["asked"]["draft_deg"] == 3'
 
 # through top and bottom, and a stock: triangles alone, STEP files of an earlier run go
 python3 - "$path" <<'EOF' >rising.json || fail "a rising path"
@@ -195,4 +196,17 @@ sed '$d' stock.off | sed 's/5 6 0/5 5 0/' >open.off
 # shellcheck disable=SC2086
 run 3 mould "$path" -o g $coarse --stock open.off
 one_line "not closed"
+# a stock that the cut only touches, and one of bodies that share a face: the words say so
+words="$SOURCE_DIR/../shared/found/geo/mould-words"
+if [ -d "$words" ]; then
+    python3 "$words/make.py"
+    run 3 mould "$SOURCE_DIR/samples/jobs/steady-400-60.json" --stock touches.obj -o words -q --chord-tolerance 1
+    one_line 'runs along a face of the stock'
+    run 3 mould "$SOURCE_DIR/samples/jobs/steady-400-60.json" --stock step.obj -o words -q --chord-tolerance 1
+    one_line 'runs along a face'
+    run 3 mould "$SOURCE_DIR/samples/jobs/steady-400-60.json" --stock shares.obj -o words -q --chord-tolerance 1
+    one_line 'bodies that share a face'
+else
+    echo "note: no ../shared/found/geo/mould-words here"
+fi
 finish
