@@ -82,6 +82,8 @@ static void sort_out(wcut_table *table, wcut_recording *recording) {
 
 wcut_status wcut_recording_read(const char *path, wcut_recording **recording, wcut_error *error) {
     if (!path || !recording) return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s", wcut_status_text(WCUT_BAD_ARGUMENT));
+
+    /* the table, with repeated rows dropped and time increasing */
     wcut_table *table = NULL;
     wcut_status status = wcut_known_table_read(path, WCUT_CHANNEL_COUNT, channel_column, &table, error);
     if (status == WCUT_OK) drop_repeats(table);
@@ -92,6 +94,8 @@ wcut_status wcut_recording_read(const char *path, wcut_recording **recording, wc
         wcut_table_destroy(table);
         return status;
     }
+
+    /* columns to their channels; angles in rad */
     sort_out(table, r);
     for (int k = 0; k < WCUT_CHANNEL_COUNT; k++) {
         bool angle = strcmp(channel_column[k].unit, "deg") == 0;

@@ -72,6 +72,8 @@ static void fill_column(page *p, int c, wcut_report_column *column) {
     const wcut_study_info *study = wcut_study_view(wcut_sweep_view(p->sweep));
     const int figure = c - study->parameters;
     column->label = figure < 0 ? study->parameter[c] : study->figure[figure];
+
+    /* numbers; a page holds them up to 1e30 */
     if (has_number(p, c)) {
         double *number = wcut_page_take(&p->memory, (size_t)p->rows, sizeof *number);
         for (int r = 0; r < p->rows && number; r++) {
@@ -81,6 +83,8 @@ static void fill_column(page *p, int c, wcut_report_column *column) {
         column->number = number;
         return;
     }
+
+    /* texts of the cases that are shown */
     const char **text = wcut_page_take(&p->memory, (size_t)p->rows, sizeof *text);
     for (int r = 0; r < p->rows && text; r++)
         text[r] = p->table.text[c] ? json_string_value(p->table.text[c][p->row[r]]) : NULL;
@@ -104,6 +108,8 @@ static void fill_cases(page *p, wcut_report_cases *cases) {
     }
     column[columns - 1] = (wcut_report_column){.label = "status", .text = status};
     for (int i = 0; i < p->table.best_count; i++) best[i] = row_of(p, p->table.best[i]);
+
+    /* goal: the column by which the best cases are chosen */
     *cases = (wcut_report_cases){.rows = p->rows,
                                  .columns = columns,
                                  .parameters = study->parameters,
@@ -169,6 +175,8 @@ static wcut_status write_sweep_page(page *p, const wcut_report_cases *cases, con
             fact[facts++] = (wcut_report_fact){wcut_sweep_state_name((wcut_sweep_state)s), NULL, count[s], ""};
     const int done = count[WCUT_SWEEP_STATE_DONE];
     snprintf(verdict, sizeof verdict, "%d of %d cases of %.40s are done.", done, p->table.cases, study->verb);
+
+    /* the best case, where the study has a goal */
     if (p->table.best_count > 0) {
         const int k = p->table.best[0];
         const double value = p->table.number[(size_t)cases->goal * (size_t)p->table.cases + (size_t)k];
@@ -186,6 +194,8 @@ static wcut_status write_sweep_page(page *p, const wcut_report_cases *cases, con
     const wcut_report_section section = {.title = "Cases", .note = note, .cases = cases};
     const wcut_report_scene scene = {.title = "What the best cases cut", .shape_count = p->shapes, .shape = p->shape};
     const wcut_report_fact option[] = {{"verb", study->verb, 0, ""}};
+
+    /* a warning where a case is missing or has failed */
     const wcut_report report = {.verb = "sweep",
                                 .title = title,
                                 .tone = done < p->table.cases ? WCUT_REPORT_TONE_WARNING : WCUT_REPORT_TONE_GOOD,
@@ -205,11 +215,15 @@ wcut_status wcut_report_sweep_write(const wcut_sweep *sweep, const char *path, w
     if (!sweep || !path) return wcut_fail(error, WCUT_BAD_ARGUMENT, "report page: an argument is missing");
     page p = {.sweep = sweep};
     wcut_report_cases cases = {0};
+
+    /* the numbers of all cases, of which a selection is shown */
     wcut_status status = wcut_sweep_table_load(sweep, &p.table, error);
     if (status != WCUT_OK) return status;
     choose_rows(&p);
     if (!p.memory.failed) fill_cases(&p, &cases);
     if (!p.memory.failed) fill_shapes(&p);
+
+    /* the page, if memory sufficed for all of it */
     status = p.memory.failed ? wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY))
                              : write_sweep_page(&p, &cases, path, error);
     for (int i = 0; i < PICTURES; i++) wcut_mesh_destroy(p.mesh[i]);

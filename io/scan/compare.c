@@ -65,6 +65,8 @@ static wcut_status check_compare_numbers(const wcut_compare_options *o, wcut_err
         {.name = "support", "0 to 1e6 mm", o->support, 0, 1e6},
         {.name = "threads", "1 or more", o->threads, 1, INT_MAX},
     };
+
+    /* the message names the option, its value and the range */
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (!is_in(all[k].value, all[k].low, all[k].high))
             return refuse_compare_option(error, all[k].name, all[k].value, all[k].expected);

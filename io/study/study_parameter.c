@@ -55,6 +55,8 @@ static bool list_range(wcut_reader *reader, const wcut_place *at, const range *r
                        wcut_study_parameter *p) {
     if ((r->count > 0) == (r->step > 0))
         return wcut_refuse(reader, at, WCUT_BAD_ARGUMENT, "either \"count\" or \"step\" beside \"from\" and \"to\"");
+
+    /* limits of one range and of all together, before memory */
     const double steps = r->step > 0 ? floor((r->to - r->from) / r->step + STEP_SLACK) : r->count - 1;
     if (steps >= WCUT_STUDY_CASES_MAX)
         return wcut_refuse(reader, at, WCUT_BAD_ARGUMENT, "at most %d values, not %.0f", WCUT_STUDY_CASES_MAX,
@@ -63,6 +65,8 @@ static bool list_range(wcut_reader *reader, const wcut_place *at, const range *r
     if (study->listed > WCUT_STUDY_VALUES_MAX)
         return wcut_refuse(reader, at, WCUT_BAD_ARGUMENT, "at most %d values of all ranges together",
                            WCUT_STUDY_VALUES_MAX);
+
+    /* the values */
     p->list = json_array();
     for (int i = 0; i <= (int)steps; i++) {
         /* both ends exactly, the values between them by their share of the way */
