@@ -8,6 +8,8 @@
 /* A new verb is a file apps/NAME.c that defines `const app_verb app_verb_NAME`, and its NAME in this list. */
 #define APP_VERB_LIST(X) \
     X(simulate)          \
+    X(design)            \
+    X(compensate)        \
     X(calibrate)         \
     X(score) X(control) X(path) X(identify) X(compare) X(overlay) X(mould) X(diagnose) X(apply) X(verify) X(sweep)
 

@@ -5,6 +5,7 @@
 
 #include "base/numbers.h"
 #include "cut/active_effects.h"
+#include "cut/sensitivity.h"
 #include "wire/equilibrium.h"
 
 void wcut_cut_weigh(const wcut_cut *cut, wcut_vec3 *load) {
@@ -55,6 +56,7 @@ void wcut_cut_feed_free(wcut_cut *cut, const wcut_target *target, double reach, 
     const wcut_job *job = cut->setup->job;
     const int n = job->nodes;
     wcut_wire *w = &cut->next;
+    if (cut->sensitivity) wcut_sensitivity_hang(cut, target, w->pattern);
     const double duration = target->duration > 0 ? target->duration : reach / job->speed_max;
 
     /* the wire hangs in its last pattern, without force and outside the foam */

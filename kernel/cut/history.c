@@ -5,6 +5,7 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "cut/run.h"
+#include "cut/sensitivity.h"
 
 static wcut_history *create_history(int stations, int nodes) {
     const size_t m = (size_t)stations, n = (size_t)nodes;
@@ -40,6 +41,7 @@ static void append_station(wcut_history *h, const wcut_cut *cut) {
 
     /* arrays of the nodes go behind those of the last station */
     const size_t n = (size_t)h->nodes, at = (size_t)h->stations * n;
+    if (cut->sensitivity) wcut_sensitivity_store(cut->sensitivity, h->stations);
     memcpy(h->position + at, s.position, n * sizeof *s.position);
     memcpy(h->force + at, s.force, n * sizeof *s.force);
     memcpy(h->force_line + at, s.force_line, n * sizeof *s.force_line);
@@ -139,5 +141,30 @@ wcut_status wcut_setup_run(const wcut_setup *setup, wcut_progress progress, void
     if (error && status != WCUT_OK) *error = h->ended;
     *history = h;
 
+    return status;
+}
+
+wcut_status wcut_setup_differentiate(const wcut_setup *setup, const wcut_end_motion *motion, wcut_vec3 *by,
+                                     wcut_history **history, wcut_error *error) {
+    wcut_cut *cut = NULL;
+    wcut_sensitivity s = {0};
+    wcut_status status = wcut_cut_create(setup, &cut, error);
+    if (status != WCUT_OK) return status;
+    wcut_history *h = create_history(setup->stations, setup->job->nodes);
+    if (h && wcut_sensitivity_create(setup, motion, by, &s)) {
+        cut->sensitivity = &s;
+        wcut_sensitivity_begin(cut);
+        status = fill_history(cut, NULL, NULL, h);
+        if (status == WCUT_OK && s.failed)
+            status = wcut_fail(&h->ended, WCUT_SINGULAR, "a step of the run has no derivative");
+        if (error && status != WCUT_OK) *error = h->ended;
+        *history = h;
+    } else {
+        wcut_history_destroy(h);
+        status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a history of %d stations with its derivatives",
+                           setup->stations);
+    }
+    wcut_sensitivity_destroy(&s);
+    wcut_cut_destroy(cut);
     return status;
 }

@@ -7,6 +7,7 @@
 #include "cut/active_effects.h"
 #include "cut/contact.h"
 #include "cut/run.h"
+#include "cut/sensitivity.h"
 
 /* the softest face, as a share of the wire's length: deeper than a wire hangs at first contact */
 #define SOFTEST_FACE 0.1
@@ -381,6 +382,7 @@ static bool try_substep(wcut_cut *cut, const wcut_target *target, bool brief, do
 
     /* a solution counts if the wire is taut or carries a weight */
     if (solved && (cut->weighted || a.pull >= SLACK_TENSION * setup->job->tension)) {
+        if (cut->sensitivity) wcut_sensitivity_step(cut, &a.step, target, condition);
         accept(cut, target, speed / reach, reach, a.pull, condition, elapsed);
         return true;
     }
@@ -490,6 +492,7 @@ wcut_status wcut_implicit_advance(wcut_cut *cut, const wcut_target *target, doub
                                   .duration = size * target->duration,
                                   .heat = target->heat};
         const bool weighted = cut->weighted;
+        cut->part = to;
         const double limit = part_of_step(cut, reach);
         if (try_substep(cut, &part, limit < 1 && size > limit / 64, elapsed)) {
             cut->substeps++;

@@ -61,6 +61,8 @@ struct wcut_cut {
     double *edge;             /* n-1 [mm] lengths of the edges of the hung wire */
     double *rest;             /* n-1 [mm] the same without tension: other than edge where the wire stretches */
     wcut_solver solver;
+    double part; /* [1] where on the way from station to station the sub-step being tried ends */
+    struct wcut_sensitivity *sensitivity; /* follows the run where it is asked for; NULL: nobody asks */
 };
 
 /* how a run deals with first contact; before its first step */

@@ -1,6 +1,8 @@
 /* Check a job and prepare what its runs share. */
 #include "cut/setup.h"
 
+#include <string.h>
+
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "base/numbers.h"
@@ -259,7 +261,7 @@ static void find_phases(wcut_setup *setup) {
 /* The direction in which the cut begins, across the first chord: the mean motion of both mounts over the first part of
    the way, FEED_WAY wire lengths, the beginning counting most (weights falling evenly to 0). The first step alone would
    be a matter of how finely the path is sampled. */
-static wcut_vec3 find_feed(const wcut_setup *setup) {
+wcut_vec3 wcut_setup_feed(const wcut_setup *setup) {
     /* a chord of the first station, and the way over which is averaged */
     const wcut_vec3 across = vec3_unit(vec3_sub(setup->end_b[0], setup->end_a[0]));
     const double reach = FEED_WAY * setup->length[0];
@@ -361,7 +363,7 @@ static wcut_status fill_setup(wcut_setup *setup, wcut_error *error) {
     if (status != WCUT_OK) return status;
 
     /* direction and phases follow from the stations */
-    setup->feed = find_feed(setup);
+    setup->feed = wcut_setup_feed(setup);
     find_phases(setup);
 
     return WCUT_OK;
@@ -405,6 +407,40 @@ static wcut_status create_setup(const wcut_job *job, const wcut_cut_options *opt
 wcut_status wcut_plan_create(const wcut_job *job, const wcut_cut_options *options, wcut_setup **plan,
                              wcut_error *error) {
     return create_setup(job, options, true, plan, error);
+}
+
+wcut_status wcut_plan_create_between(const wcut_job *job, const wcut_cut_options *options, int stations, int nodes,
+                                     const wcut_vec3 *end_a, const wcut_vec3 *end_b, const double *length,
+                                     wcut_setup **plan, wcut_error *error) {
+    wcut_setup *setup = wcut_alloc(1, sizeof *setup);
+    if (!setup) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a setup");
+    setup->options = *options;
+    setup->foam = (wcut_foam){
+        .law = job->force_law, .block = {.size = job->block_size, .depth = job->wire_diameter}, .embedded = true};
+    setup->job = wcut_job_copy(job);
+    wcut_status status = WCUT_OK;
+    if (!setup->job || !make_setup_room(setup, stations)) {
+        status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d stations", stations);
+    } else {
+        setup->job->nodes = nodes;
+        if (!pick_effects(setup)) status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a setup");
+    }
+
+    /* the ends as given */
+    if (status == WCUT_OK) {
+        memcpy(setup->end_a, end_a, (size_t)stations * sizeof *end_a);
+        memcpy(setup->end_b, end_b, (size_t)stations * sizeof *end_b);
+        memcpy(setup->length, length, (size_t)stations * sizeof *length);
+        status = check_stations(setup, error);
+    }
+    if (status == WCUT_OK) {
+        setup->feed = wcut_setup_feed(setup);
+        find_phases(setup);
+        *plan = setup;
+    } else {
+        wcut_setup_destroy(setup);
+    }
+    return status;
 }
 
 wcut_status wcut_setup_create(const wcut_job *job, const wcut_cut_options *options, wcut_setup **out,

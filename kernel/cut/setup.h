@@ -41,6 +41,9 @@ wcut_job *wcut_job_copy(const wcut_job *job);
 /* run a path from its last station to its first */
 void wcut_job_reverse(wcut_job *job);
 
+/* the direction in which a setup's wire is fed at first, from its ends alone [1] */
+wcut_vec3 wcut_setup_feed(const wcut_setup *setup);
+
 /* the job's name with more behind it; false: no memory, the name is as it was */
 bool wcut_job_name(wcut_job *job, const char *behind);
 
@@ -59,6 +62,12 @@ wcut_status wcut_design_check_edges(const wcut_job *job, const wcut_vec3 *end_a,
    it too. Its run gives the shapes that the path curves lead to. */
 wcut_status wcut_plan_create(const wcut_job *job, const wcut_cut_options *options, wcut_setup **plan,
                              wcut_error *error);
+
+/* The plan of a wire between given ends: `stations` of them with the wire's length each [mm]. The job gives block, wire and
+   process alone; nodes in the place of its own. */
+wcut_status wcut_plan_create_between(const wcut_job *job, const wcut_cut_options *options, int stations, int nodes,
+                                     const wcut_vec3 *end_a, const wcut_vec3 *end_b, const double *length,
+                                     wcut_setup **plan, wcut_error *error);
 
 /* The paths of a design from its plan's history, with an approach before its first station and a way out behind its
    last one. The caller's, to wcut_design_path_destroy. */

@@ -62,6 +62,8 @@ static void add_drag(const motion *m, double mu, double smooth, bool slopes, mat
     const double length = m->e->length, force = m->law->force, d = m->distance;
     wcut_vec3 by_here = vec3_scale(length * (m->law->by_speed * m->rate - 2 * force / d) * share / d, m->move);
     by_here = vec3_add_scaled(by_here, 2 * sine * length * force / d, m->p);
+    const wcut_vec3 by_move = vec3_add_scaled(vec3_scale(turn, by_here), pressing * turn_by * m->rate, m->t);
+    out->by_was = mat3_add_outer(out->by_was, vec3_scale(mu, m->t), by_move);
     by_here = vec3_add_scaled(by_here, length * share, m->law->by_position);
     by_here = vec3_add_scaled(vec3_scale(turn, by_here), pressing * turn_by * m->rate, m->t);
     *here = mat3_add_outer(*here, vec3_scale(-mu, m->t), vec3_add_scaled(by_here, turn * per_length, m->e->by_here));
@@ -132,6 +134,7 @@ void wcut_resistance_eval(const wcut_foam *foam, double heat, double edge, doubl
         const wcut_vec3 by_move = vec3_add_scaled(vec3_scale(w_by_distance * across / distance, move), w, p);
         const double per_length = law * across / square;
         mat3 here = mat3_add_identity((mat3){zero, zero, zero}, -w * across);
+        out->by_was = mat3_add_outer(mat3_add_identity((mat3){zero, zero, zero}, w * across), move, by_move);
         here = mat3_add_outer(here, vec3_scale(-1, move), vec3_add_scaled(by_move, per_length, e.by_here));
         const wcut_vec3 turning =
             vec3_scale(w * along / span_length, p); /* the tangent turns: -(t.move)/|span| p by x[after] */

@@ -22,6 +22,7 @@ typedef struct wcut_resistance {
     double speed;                      /* [mm/s] */
     double engaged;                    /* [1] share of the node's length in the foam */
     mat3 by_before, by_here, by_after; /* [N/mm] d force / d position of the node before, itself, the node after */
+    mat3 by_was;                       /* [N/mm] d force / d position that the node comes from */
     wcut_vec3 by_log_rate;             /* [N] d force / d ln r */
 } wcut_resistance;
 

@@ -50,6 +50,10 @@ read_in study.json
 # the one that takes a diagnosis: test_rig_prior reads the sample, which it is
 cmp -s rig.json "$SOURCE_DIR/samples/rig.json" || fail "rig.json of the document is not samples/rig.json"
 read_in rig.json
+# from a target to a cut, and a machine that does what the job says
+run 0 design "$SOURCE_DIR/samples/targets/saddle.ply" --block 400,600,300 --process job.json --stations 61 --nodes 31 --feed +y --tolerance 1 \
+    --chord-tolerance 2 -o ../nearest --quiet
+run 0 compensate job.json --with job.json --chord-tolerance 2 -o ../compensate --quiet
 run 0 --json-usage
 cp out ../usage.json
 cd ..
@@ -73,6 +77,8 @@ same sweep.json sweep/sweep.json
 same sweep-case.json "$(ls sweep/cases/*/*/case.json | head -n 1)"
 same overlay.json overlay/overlay.json
 same rills.csv overlay/rills.csv
+same feasibility.json nearest/feasibility.json
+same compensation.json compensate/compensation.json
 same usage.json usage.json
 
 # an input that has a key too many, or lacks one, is noticed: the examples are read, not passed over

@@ -249,7 +249,7 @@ TEST(edges_off_the_block_are_refused_with_curve_station_and_by_how_much) {
                {{400, 900, 300}, {0, 0, 0}, 1e-3, {"edges span", "design.extra_length_mm", "they differ by 1000"}},
                {{400, 900, 300}, {-50, 0, 0}, 1, {"design.edge_a", "50 mm outside", "expected edges on the block"}},
                {{400, 900, 300}, {60, 0, 0}, 1, {"design.edge_b", "60 mm outside", "expected edges on the block"}},
-               {{400, 900, 300}, {0, -0.2, 0}, 1, {"station 0", "0.2 mm outside", "expected edges on the block"}},
+               {{400, 900, 300}, {0, -401, 0}, 1, {"station 0", "401 mm outside", "expected edges on the block"}},
                {{520, 900, 300}, {60, 0, 0}, 1, {"station 0", "end A", "expected a wire that leaves the block there"}}};
     for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
         wcut_job *job = sample_job("freeform-4.json");

@@ -4,6 +4,7 @@
 
 #include <wirecut/calibration.h>
 #include <wirecut/cut.h>
+#include <wirecut/design_file.h>
 #include <wirecut/deviation_file.h>
 #include <wirecut/diagnosis.h>
 #include <wirecut/face.h>
@@ -230,6 +231,26 @@ WCUT_API wcut_status wcut_report_overlay_write(const wcut_overlaid *overlaid, co
  * @return WCUT_OK; WCUT_BAD_ARGUMENT (a NULL that is not allowed), the statuses of wcut_report_write: the target is as it was.
  */
 WCUT_API wcut_status wcut_report_sweep_write(const wcut_sweep *sweep, const char *path, wcut_error *error);
+
+/** What a design's page is of. */
+typedef struct wcut_report_design {
+    const char *title;
+    wcut_vec3 block; /**< [mm] of the design, or of the target where there is the map alone */
+    const wcut_design_result *result;
+    const wcut_history *history; /**< of the cut; NULL where there is the map alone */
+    const double *deviation;     /**< result->design->points [mm] of the target's points from the cut; NaN: none */
+} wcut_report_design;
+
+/**
+ * Write the page of a design, or of the map of a target: both in space, the map with its reasons, the curves, the search.
+ *
+ * @param[in]  report the design
+ * @param[in]  path   the target, replaced whole or not at all
+ * @param[out] error  may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a NULL that is not allowed), the statuses of wcut_report_write: the target is as
+ *         it was.
+ */
+WCUT_API wcut_status wcut_report_design_write(const wcut_report_design *report, const char *path, wcut_error *error);
 
 #ifdef __cplusplus
 }

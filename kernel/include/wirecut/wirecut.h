@@ -19,6 +19,8 @@
 #include <wirecut/cloud.h>
 #include <wirecut/cloud_file.h>
 #include <wirecut/compare.h>
+#include <wirecut/compensation.h>
+#include <wirecut/compensation_file.h>
 #include <wirecut/control.h>
 #include <wirecut/correction.h>
 #include <wirecut/crossing.h>
@@ -27,6 +29,8 @@
 #include <wirecut/curve_loft.h>
 #include <wirecut/curve_measure.h>
 #include <wirecut/cut.h>
+#include <wirecut/design.h>
+#include <wirecut/design_file.h>
 #include <wirecut/deviation.h>
 #include <wirecut/deviation_file.h>
 #include <wirecut/deviation_summary.h>

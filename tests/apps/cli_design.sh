@@ -1,0 +1,64 @@
+# wirecut design: a target's cut with everything that is written of it, the map alone, targets and words that are refused.
+. "$SOURCE_DIR/tests/apps/common.sh"
+targets=$SOURCE_DIR/samples/targets
+process="--process $jobs/freeform-1.json"
+quick="--stations 61 --nodes 31 --chord-tolerance 2 --feed +y"
+
+# a saddle: the files, figures that agree, a job that simulates
+# shellcheck disable=SC2086 # words
+run 0 design "$targets/saddle.ply" --block 400,600,300 $process $quick --tolerance 1 -o saddle --json
+for name in design.json job-path.json deviation.json feasibility.ply feasibility.json report.html summary.json surface.step; do
+    [ -s "saddle/$name" ] || fail "$called: no $name"
+done
+python3 - <<'EOF' || fail "figures of a design"
+import json
+said, kept = json.load(open("out")), json.load(open("saddle/feasibility.json"))
+assert said == kept, "--json is not feasibility.json"
+assert kept["within"] and kept["design_mm"]["rms"] < 0.2 and kept["feed"] == "+y", kept
+assert kept["rounds"][-1]["stations"] == 61 and kept["points"]["uncovered"] == 0, kept
+found = json.load(open("saddle/deviation.json"))["found"]["distance_mm"] if "found" in json.load(open("saddle/deviation.json")) else json.load(open("saddle/deviation.json"))["distance_mm"]
+assert abs(found["rms"] - kept["face_mm"]["rms"]) < 1e-9, (found, kept)
+job = json.load(open("saddle/design.json"))
+assert job["block"]["size_mm"] == [400, 600, 300] and job["name"] == "saddle.ply", job["name"]
+EOF
+run 0 verify saddle
+run 0 simulate saddle/job-path.json -o again --chord-tolerance 2 --quiet
+cmp -s saddle/path.csv again/path.csv || fail "the paths are not those of the job"
+
+# the same bytes, whatever the threads
+# shellcheck disable=SC2086
+run 0 design "$targets/saddle.ply" --block 400,600,300 $process $quick --tolerance 1 -o threads --threads 3 --quiet
+diff -r saddle threads >/dev/null || fail "threads change the result: $(diff -rq saddle threads)"
+
+# the map alone; a sphere is refused as one cut
+# shellcheck disable=SC2086
+run 0 design "$targets/sphere.ply" --block 400,600,300 $process --feasibility-only -o map
+python3 - <<'EOF' || fail "the map of a sphere"
+import json
+kept = json.load(open("map/feasibility.json"))
+assert kept["domed_share"] > 0.99 and kept["not_followed"]["domed"] > 0.5 and "design_mm" not in kept, kept
+EOF
+[ -e map/design.json ] && fail "--feasibility-only wrote a design"
+# shellcheck disable=SC2086
+run 5 design "$targets/sphere.ply" --block 400,600,300 $process $quick -o sphere
+grep -q "not held; the target is domed" err || fail "$called: no reason in: $(cat err)"
+
+# what is refused, and nothing is left
+# shellcheck disable=SC2086
+run 3 design "$targets/saddle.ply" --block 400,600,300 $process --unit m -o no
+one_line "the target fills" "differ by 1000"
+# shellcheck disable=SC2086
+run 3 design "$targets/saddle.ply" --block 400,600,100 $process -o no
+one_line "not inside the block's height"
+run 2 design "$targets/saddle.ply" --block 400,600 -o no
+one_line "--block"
+run 2 design "$targets/saddle.ply" --block 400,600,300 -o no
+one_line "--process"
+# shellcheck disable=SC2086
+run 2 design "$targets/saddle.ply" --block 400,600,300 $process --place 1,2 -o no
+one_line "--place"
+echo "not a mesh" >bad.stl
+# shellcheck disable=SC2086
+run 3 design bad.stl --block 400,600,300 $process -o no
+[ -e no ] && fail "a refused target left a folder"
+finish
