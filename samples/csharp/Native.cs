@@ -11,6 +11,8 @@ public enum wcut_condition { WCUT_CONDITION_TENSION = 0, WCUT_CONDITION_SPEED_MA
 public enum wcut_contradiction_kind { WCUT_CONTRADICTION_EXCITATION = 0, WCUT_CONTRADICTION_HEATER = 1, WCUT_CONTRADICTION_STATION = 2, WCUT_CONTRADICTION_SPEED = 3, WCUT_CONTRADICTION_PLACES = 4, WCUT_CONTRADICTION_TENSION_ZERO = 5, WCUT_CONTRADICTION_COUNT = 6 }
 public enum wcut_control_state { WCUT_CONTROL_STATE_RUN = 0, WCUT_CONTROL_STATE_HOLD = 1, WCUT_CONTROL_STATE_STOP_TENSION = 2, WCUT_CONTROL_STATE_STOP_ABSURD = 3, WCUT_CONTROL_STATE_STOP_STALE = 4 }
 public enum wcut_curve_format { WCUT_CURVE_FORMAT_ANY = 0, WCUT_CURVE_FORMAT_STEP = 1, WCUT_CURVE_FORMAT_IGES = 2, WCUT_CURVE_FORMAT_JSON = 3, WCUT_CURVE_FORMAT_CSV = 4, WCUT_CURVE_FORMAT_COUNT = 5 }
+public enum wcut_design_feed { WCUT_DESIGN_FEED_AUTO = 0, WCUT_DESIGN_FEED_PLUS_Y = 1, WCUT_DESIGN_FEED_MINUS_Y = 2, WCUT_DESIGN_FEED_PLUS_X = 3, WCUT_DESIGN_FEED_MINUS_X = 4 }
+public enum wcut_design_reason { WCUT_DESIGN_REASON_NONE = 0, WCUT_DESIGN_REASON_DOMED = 1, WCUT_DESIGN_REASON_TIGHT = 2, WCUT_DESIGN_REASON_ANGLE = 3, WCUT_DESIGN_REASON_PATTERN = 4 }
 public enum wcut_direction { WCUT_DIRECTION_U = 0, WCUT_DIRECTION_V = 1 }
 public enum wcut_dof_kind { WCUT_DOF_KIND_FREE = 0, WCUT_DOF_KIND_LOCKED = 1, WCUT_DOF_KIND_PRIOR = 2 }
 public enum wcut_effect_kind { WCUT_EFFECT_WIRE_THERMAL_LAG = 0, WCUT_EFFECT_AIR_OVERHEATING = 1, WCUT_EFFECT_END_COOLING = 2, WCUT_EFFECT_FOAM_DENSITY_GRADIENT = 3, WCUT_EFFECT_FOAM_INCLUSION = 4, WCUT_EFFECT_TANGENTIAL_DRAG = 5, WCUT_EFFECT_WIRE_ELONGATION = 6, WCUT_EFFECT_MOUNT_COMPLIANCE = 7, WCUT_EFFECT_RATE_DEPENDENCE = 8, WCUT_EFFECT_WIRE_FOULING = 9, WCUT_EFFECT_EMPIRICAL_FORCE = 10, WCUT_EFFECT_KERF_GROWTH = 11, WCUT_EFFECT_BLOCK_SPRINGBACK = 12, WCUT_EFFECT_ANGLE_OFFSET = 13, WCUT_EFFECT_TENSION_GAIN = 14, WCUT_EFFECT_TENSION_DRIFT = 15, WCUT_EFFECT_CLOCK_OFFSET = 16, WCUT_EFFECT_TENSION_DELAY = 17, WCUT_EFFECT_TENSION_ZERO = 18, WCUT_EFFECT_ANGLE_GAIN = 19, WCUT_EFFECT_ENCODER_FRICTION = 20, WCUT_EFFECT_EMPIRICAL_READING = 21, WCUT_EFFECT_SCAN_OFFSET = 22, WCUT_EFFECT_SCAN_SCALE = 23, WCUT_EFFECT_COUNT = 24 }
@@ -388,6 +390,40 @@ public unsafe struct wcut_comparison_options
     public double leave;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_compensation
+{
+    public wcut_job* job;
+    public double before_rms;
+    public double before_max;
+    public double after_rms;
+    public double after_max;
+    public int used;
+    public int strays;
+    public int uncovered;
+    public int runs;
+    public int rounds;
+    public wcut_design_round* round;
+    public int stations;
+    public double* nearer;
+    public double* lag;
+    public double* rise_a;
+    public double* rise_b;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_compensation_result
+{
+    public byte* job;
+    public byte* with;
+    public byte* target;
+    public wcut_compensation* compensation;
+    public double spread;
+    public double smaller_rms;
+    public double smaller_before;
+    public double larger_rms;
+    public double larger_before;
+    public double worth;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_contradiction
 {
     public wcut_contradiction_kind kind;
@@ -548,6 +584,79 @@ public unsafe struct wcut_dependence
     public wcut_evidence_channel channel;
     public wcut_estimate coefficient;
     public double gain;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_design
+{
+    public wcut_job* job;
+    public wcut_job* path;
+    public wcut_design_feed feed;
+    public fixed double turn[12];
+    public double rms;
+    public double max;
+    public double path_rms;
+    public double path_max;
+    public double unpolished_rms;
+    public double start_rms;
+    public int used;
+    public int strays;
+    public int uncovered;
+    public int runs;
+    public int rounds;
+    public wcut_design_round* round;
+    public int points;
+    public wcut_vec3* point;
+    public int stations;
+    public double* lag;
+    public double* sag;
+    public double* extra;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_design_map
+{
+    public wcut_design_feed feed;
+    public double predicted_rms;
+    public double predicted_max;
+    public fixed double feed_rms[5];
+    public double domed_share;
+    public int rows;
+    public int columns;
+    public wcut_vec3* point;
+    public double* bow;
+    public double* gauss;
+    public byte* reason;
+    public fixed double share[5];
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_design_options
+{
+    public wcut_design_feed feed;
+    public int free_edges;
+    public double tolerance;
+    public double angle_max;
+    public int unknowns_max;
+    public int threads;
+    public byte* name;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_design_result
+{
+    public byte* target;
+    public double tolerance;
+    public wcut_design_map* map;
+    public wcut_design* design;
+    public double face_rms;
+    public double face_max;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_design_round
+{
+    public int stations;
+    public int nodes;
+    public int unknowns;
+    public int runs;
+    public double rms;
+    public double max;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_deviation
@@ -1467,6 +1576,15 @@ public unsafe struct wcut_report_compare
     public double border;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_report_design
+{
+    public byte* title;
+    public wcut_vec3 block;
+    public wcut_design_result* result;
+    public wcut_history* history;
+    public double* deviation;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_report_diagnose
 {
     public byte* title;
@@ -2245,6 +2363,11 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern void wcut_comparison_destroy(wcut_comparison* a0);
     [DllImport("wirecut-io")] public static extern wcut_comparison_options wcut_comparison_options_default();
     [DllImport("wirecut-io")] public static extern wcut_status wcut_comparison_run(int a0, wcut_job** a1, wcut_recording** a2, wcut_comparison_options* a3, IntPtr a4, void* a5, wcut_comparison** a6, wcut_error* a7);
+    [DllImport("wirecut-io")] public static extern void wcut_compensation_destroy(wcut_compensation* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_compensation_fit(void* a0, wcut_job* a1, wcut_design_options* a2, IntPtr a3, void* a4, wcut_compensation** a5, wcut_error* a6);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_compensation_measure(void* a0, wcut_job* a1, int a2, double* a3, double* a4, wcut_error* a5);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_compensation_print(wcut_compensation_result* a0, byte** a1);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_compensation_say(wcut_compensation_result* a0, int a1, byte* a2);
     [DllImport("wirecut-io")] public static extern byte* wcut_condition_name(wcut_condition a0);
     [DllImport("wirecut-io")] public static extern byte* wcut_contradiction_name(wcut_contradiction_kind a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_control_create(wcut_control_settings* a0, wcut_history* a1, void** a2, wcut_error* a3);
@@ -2286,6 +2409,20 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_datum_residual_eval(wcut_registration* a0, int a1, wcut_datum_pair* a2, int a3, wcut_datum_face* a4, wcut_datum_residual* a5);
     [DllImport("wirecut-io")] public static extern void wcut_datums_destroy(wcut_datums* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_datums_read(byte* a0, wcut_datums** a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern void wcut_design_destroy(wcut_design* a0);
+    [DllImport("wirecut-io")] public static extern byte* wcut_design_feed_name(wcut_design_feed a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_design_fit(void* a0, wcut_job* a1, wcut_design_options* a2, IntPtr a3, void* a4, wcut_design** a5, wcut_error* a6);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_design_map_create(void* a0, wcut_job* a1, wcut_design_options* a2, wcut_design_map** a3, wcut_error* a4);
+    [DllImport("wirecut-io")] public static extern void wcut_design_map_destroy(wcut_design_map* a0);
+    [DllImport("wirecut-io")] public static extern wcut_design_options wcut_design_options_default();
+    [DllImport("wirecut-io")] public static extern byte* wcut_design_reason_name(wcut_design_reason a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_design_result_print(wcut_design_result* a0, byte** a1);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_design_result_say(wcut_design_result* a0, int a1, byte* a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_design_result_write(wcut_design_result* a0, byte* a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern void wcut_design_target_destroy(void* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_design_target_from_mesh(wcut_mesh* a0, wcut_vec3 a1, void** a2, wcut_error* a3);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_design_target_from_points(int a0, wcut_vec3* a1, wcut_vec3 a2, void** a3, wcut_error* a4);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_design_target_from_surface(wcut_surface* a0, wcut_vec3 a1, void** a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_deviation_from_mesh(void* a0, int a1, wcut_vec3* a2, wcut_deviation_options* a3, int a4, wcut_deviation* a5);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_deviation_from_surface(void* a0, int a1, wcut_vec3* a2, wcut_deviation_options* a3, int a4, wcut_deviation* a5, wcut_foot* a6);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_deviation_from_trimmed(wcut_trimmed* a0, void* a1, int a2, wcut_vec3* a3, wcut_deviation_options* a4, int a5, wcut_deviation* a6, wcut_foot* a7);
@@ -2433,6 +2570,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_calibrate_write(wcut_report_calibrate* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_compare_write(wcut_report_compare* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_control_write(wcut_rig_summary* a0, byte* a1, byte* a2, wcut_error* a3);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_report_design_write(wcut_report_design* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_diagnose_write(wcut_report_diagnose* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_mould_write(wcut_report_mould* a0, wcut_job* a1, wcut_history* a2, wcut_mould* a3, byte* a4, wcut_error* a5);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_overlay_write(wcut_overlaid* a0, byte* a1, wcut_error* a2);
