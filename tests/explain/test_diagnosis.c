@@ -82,7 +82,7 @@ TEST(a_diagnosis_that_is_stopped_keeps_what_it_has) {
                 {1, 100, NULL},
                 {4, 0, "while the library was screened"},
                 {5, 200, "while effects were fitted one by one"},
-                {17, 200, "while the forward proof was run"}};
+                {33, 200, "while the forward proof was run"}};
     const machine_secret secret = lag();
     machine_case m = machine_create(2, &secret);
     wcut_diagnosis_options options = wcut_diagnosis_options_default();
