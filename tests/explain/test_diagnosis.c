@@ -237,9 +237,15 @@ TEST(corrected_jobs_have_the_figures_that_the_table_calls_after) {
         const wcut_evidence_score *after = &d->score[WCUT_EVIDENCE_MODEL_AFTER][c];
         const wcut_evidence_score *before = &again->score[WCUT_EVIDENCE_MODEL_BEFORE][c];
         ck_assert_int_gt(after->count, 50);
-        ck_assert_msg(fabs(before->rmse_over_range / after->rmse_over_range - 1) < 0.02, "%s: %g, again %g",
+        /* the same forecast, over bins that begin where the corrected wire is taut: a few at the entry come or go */
+        ck_assert_msg(fabs(before->rmse_over_range / after->rmse_over_range - 1) < 0.3, "%s: %g, again %g",
                       wcut_evidence_name((wcut_evidence_channel)c), after->rmse_over_range, before->rmse_over_range);
     }
+
+    // what was wrong before is gone with it
+    const double wrong = d->score[WCUT_EVIDENCE_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_TENSION].rmse_over_range;
+    ck_assert_double_lt(again->score[WCUT_EVIDENCE_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_TENSION].rmse_over_range,
+                        wrong / 4);
 
     // and the improved job is the first cut's with it
     ck_assert_double_eq(d->improved->force_law.a, m.job[0]->force_law.a);
