@@ -157,6 +157,7 @@ static int read_compare_options(const app_call *call, wcut_compare_options *o) {
     o->threads = app_given(call, "threads") ? app_int(call, "threads") : processors();
 
     /* the title block */
+    o->zones = app_text(call, "zones");
     o->part = app_text(call, "part");
     o->inspector = app_text(call, "inspector");
     o->instrument = app_text(call, "instrument");
@@ -226,6 +227,22 @@ static void say_registration(const wcut_registration *r) {
                 r->step);
 }
 
+/* zones of the user with a tolerance: how many pass, and the names of those that fail */
+static void say_zones(const wcut_survey_result *s) {
+    char failed[200] = "";
+    size_t used = 0;
+    int judged = 0, passed = 0;
+    for (int k = 0; k < s->of->regions; k++) {
+        if (s->region[k].passed < 0) continue;
+        judged++;
+        passed += s->region[k].passed;
+        if (s->region[k].passed || used + WCUT_REGION_NAME + 2 >= sizeof failed) continue;
+        used += (size_t)snprintf(failed + used, sizeof failed - used, "%s%s", used ? ", " : "", s->of->region[k].name);
+    }
+    if (judged > 0)
+        app_say("zones: %d of %d within their tolerance%s%s", passed, judged, used ? "; FAILED: " : "", failed);
+}
+
 static void say_answer(const app_call *call, const wcut_compare_result *c, const char *files) {
     const wcut_compared *f = &c->compared;
     app_say("%s: %d points compared, %d outside, %d ambiguous", call->operand[1], f->found->statistics.count,
@@ -237,6 +254,7 @@ static void say_answer(const app_call *call, const wcut_compare_result *c, const
     }
     if (f->has_kerf)
         app_say("kerf from the scan %.3f mm, in the job %.3f mm", f->kerf - 2 * f->found->split.offset, f->kerf);
+    if (f->survey) say_zones(f->survey);
     if (f->tolerance > 0)
         app_say("%s: required are \xc2\xb1%g mm for %g %% of the points",
                 f->within ? "within tolerance" : "OUTSIDE TOLERANCE", f->tolerance, 100 * f->share);
@@ -253,7 +271,8 @@ static int give_answer(const app_call *call, const wcut_compare_result *c, const
     if (!app_given(call, "quiet")) say_answer(call, c, list);
     if (app_given(call, "json")) fputs(text, stdout);
     if (!c->compared.registration->converged) return APP_NOT_CONVERGED;
-    return c->compared.within ? APP_DONE : APP_OUTSIDE;
+    const bool passed = !c->compared.survey || c->compared.survey->passed;
+    return c->compared.within && passed ? APP_DONE : APP_OUTSIDE;
 }
 
 /* ---- the whole ---- */
@@ -351,6 +370,12 @@ static const app_option option[] = {
      .name = "face",
      .value = "NAME|N",
      .help = "of a CAD file with several faces: the one that is compared, by its name or its number from 1"},
+    {.kind = APP_FILE,
+     .name = "zones",
+     .value = "FILE.json",
+     .help =
+         "zones with a tolerance each and sections along lines, wirecut-zones/1: verdicts in the report, zones.csv and "
+         "deviation.json, profiles in sections.csv; the exit code is 5 if a zone fails"},
     {.kind = APP_TEXT, .name = "part", .value = "TEXT", .help = "title block of the report: what was measured"},
     {.kind = APP_TEXT, .name = "inspector", .value = "TEXT", .help = "title block: who measured it"},
     {.kind = APP_TEXT, .name = "instrument", .value = "TEXT", .help = "title block: with which instrument"},

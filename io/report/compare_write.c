@@ -8,13 +8,16 @@
 
 int wcut_compare_files(const wcut_compare_result *result, const char *name[WCUT_COMPARE_FILES_MAX]) {
     static const char *const all[WCUT_COMPARE_FILES_MAX] = {
-        "deviation.ply",      "deviation_mesh.ply", "deviation_mesh.obj", "reconstruction.ply",
-        "reconstruction.stl", "zones.csv",          "report.html",        "deviation.json"};
+        "deviation.ply", "deviation_mesh.ply", "deviation_mesh.obj", "reconstruction.ply", "reconstruction.stl",
+        "zones.csv",     "sections.csv",       "report.html",        "deviation.json"};
     int count = 0;
     if (!name) return 0;
-    for (int k = 0; k < WCUT_COMPARE_FILES_MAX; k++)
-        if (!result || result->compared.reconstruction || strncmp(all[k], "reconstruction.", 15) != 0)
-            name[count++] = all[k];
+    const wcut_survey_result *survey = result ? result->compared.survey : NULL;
+    for (int k = 0; k < WCUT_COMPARE_FILES_MAX; k++) {
+        if (result && !result->compared.reconstruction && strncmp(all[k], "reconstruction.", 15) == 0) continue;
+        if (result && !(survey && survey->of->sections > 0) && strcmp(all[k], "sections.csv") == 0) continue;
+        name[count++] = all[k];
+    }
     return count;
 }
 
@@ -29,7 +32,8 @@ static wcut_status write_file(const wcut_compare_result *c, const char *name, co
     if (scan && strcmp(name, "reconstruction.ply") == 0)
         return wcut_deviation_mesh_write_ply(scan, scan->scalar, NULL, c->limit, path, error);
     if (scan && strcmp(name, "reconstruction.stl") == 0) return wcut_mesh_write_stl(scan, path, error);
-    if (strcmp(name, "zones.csv") == 0) return wcut_zones_write(c->compared.found, path, error);
+    if (strcmp(name, "zones.csv") == 0) return wcut_zones_write(c->compared.found, c->compared.survey, path, error);
+    if (strcmp(name, "sections.csv") == 0) return wcut_sections_write(c->compared.survey, path, error);
     return wcut_report_compare_write(p, path, error);
 }
 

@@ -184,6 +184,111 @@ static wcut_report_table zone_table(page *p) {
                                .column = p->zone_column};
 }
 
+/* ---- zones and sections of the user ---- */
+
+/* a table of the zones with their verdicts; false: no memory */
+static bool fill_user_zones(page *p, wcut_report_table *table) {
+    static const char *const label[] = {"tolerance", "required",         "points", "within",
+                                        "mean",      "root mean square", "lowest", "highest"};
+    static const char *const unit[] = {"mm", "%", "", "%", "mm", "mm", "mm", "mm"};
+    const wcut_survey_result *s = p->c->survey;
+    const size_t rows = (size_t)s->of->regions;
+
+    /* names, eight figures, a verdict */
+    const char **text = wcut_page_take(&p->memory, 2 * rows + 1, sizeof *text);
+    double *number = wcut_page_take(&p->memory, 8 * rows + 1, sizeof *number);
+    wcut_report_column *column = wcut_page_take(&p->memory, 10, sizeof *column);
+    if (!text || !number || !column) return false;
+    for (size_t k = 0; k < rows; k++) {
+        const wcut_region *r = &s->of->region[k];
+        const wcut_region_result *f = &s->region[k];
+        const double figure[] = {r->tolerance > 0 ? r->tolerance : NAN,
+                                 r->tolerance > 0 ? 100 * r->share : NAN,
+                                 f->count,
+                                 f->count > 0 && r->tolerance > 0 ? 100 * f->within : NAN,
+                                 f->count > 0 ? f->mean : NAN,
+                                 f->count > 0 ? f->rms : NAN,
+                                 f->count > 0 ? f->min : NAN,
+                                 f->count > 0 ? f->max : NAN};
+        text[k] = r->name;
+        text[rows + k] = f->passed < 0 ? "\xe2\x80\x93" : f->passed ? "pass" : "FAIL";
+        for (size_t c = 0; c < 8; c++) number[c * rows + k] = figure[c];
+    }
+    column[0] = (wcut_report_column){.label = "zone", .text = text};
+    column[1] = (wcut_report_column){.label = "verdict", .text = text + rows};
+    for (size_t c = 0; c < 8; c++) column[c + 2] = (wcut_report_column){label[c], unit[c], number + c * rows, NULL};
+    *table =
+        (wcut_report_table){.title = "Zones of the customer",
+                            .note =
+                                "A zone passes where the required share of its deviations is within its tolerance; "
+                                "one without points fails.",
+                            .rows = s->of->regions,
+                            .columns = 10,
+                            .column = column};
+    return true;
+}
+
+/* two charts of a section: heights, and their difference; false: no memory */
+static bool fill_section_charts(page *p, int k, wcut_report_chart chart[2]) {
+    const wcut_section *of = &p->c->survey->of->section[k];
+    const wcut_section_result *f = &p->c->survey->section[k];
+    const size_t rows = (size_t)f->rows;
+    double *x = wcut_page_take(&p->memory, 4 * rows, sizeof *x);
+    wcut_report_series *series = wcut_page_take(&p->memory, 3, sizeof *series);
+    if (!x || !series) return false;
+    for (size_t i = 0; i < rows; i++) {
+        const wcut_section_row *r = &f->row[i];
+        x[i] = r->along;
+        x[rows + i] = r->count > 0 ? r->nominal : NAN;
+        x[2 * rows + i] = r->count > 0 ? r->measured : NAN;
+        x[3 * rows + i] = r->count > 0 ? r->deviation : NAN;
+    }
+
+    /* nominal dashed, measured drawn through */
+    static const char *const name[] = {"nominal", "measured", "deviation"};
+    for (int s = 0; s < 3; s++)
+        series[s] = (wcut_report_series){.label = name[s],
+                                         .mark = s == 0 ? WCUT_REPORT_MARK_DASHED : WCUT_REPORT_MARK_LINE,
+                                         .count = f->rows,
+                                         .x = {x, NULL},
+                                         .y = x + (size_t)(s + 1) * rows};
+    const char *heights = wcut_page_text(&p->memory, "Section %s: nominal and measured", of->name);
+    const char *gaps = wcut_page_text(&p->memory, "Section %s: deviation", of->name);
+    if (!heights || !gaps) return false;
+    chart[0] = (wcut_report_chart){.title = heights,
+                                   .x_label = {"way along the line", NULL},
+                                   .x_unit = {"mm", NULL},
+                                   .y_label = "height z",
+                                   .y_unit = "mm",
+                                   .series_count = 2,
+                                   .series = series};
+    chart[1] = (wcut_report_chart){.title = gaps,
+                                   .x_label = {"way along the line", NULL},
+                                   .x_unit = {"mm", NULL},
+                                   .y_label = "deviation",
+                                   .y_unit = "mm",
+                                   .series_count = 1,
+                                   .series = series + 2};
+    return true;
+}
+
+/* what the user laid over the face; false: no memory */
+static bool fill_survey(page *p, wcut_report_section *section) {
+    const wcut_survey_result *s = p->c->survey;
+    wcut_report_table *table = wcut_page_take(&p->memory, 1, sizeof *table);
+    wcut_report_chart *chart = wcut_page_take(&p->memory, 2 * (size_t)s->of->sections + 1, sizeof *chart);
+    if (!table || !chart) return false;
+    if (s->of->regions > 0 && !fill_user_zones(p, table)) return false;
+    for (int k = 0; k < s->of->sections; k++)
+        if (!fill_section_charts(p, k, chart + 2 * (size_t)k)) return false;
+    *section = (wcut_report_section){.title = "Zones and sections of the customer",
+                                     .table_count = s->of->regions > 0,
+                                     .table = table,
+                                     .chart_count = 2 * s->of->sections,
+                                     .chart = chart};
+    return true;
+}
+
 /* ---- along the cut ---- */
 
 /* mean, lowest and highest of every station, of the part of the face that is coloured */
@@ -231,13 +336,28 @@ static int list_compare_phases(const wcut_face *f, int max, wcut_report_span *sp
 
 /* ---- what is said ---- */
 
+/* how many zones of the user pass, in a sentence; gives its length */
+static int judge_zones(page *p, char *to, size_t room) {
+    const wcut_survey_result *s = p->c->survey;
+    int judged = 0, passed = 0;
+    for (int k = 0; s && k < s->of->regions; k++) {
+        judged += s->region[k].passed >= 0;
+        passed += s->region[k].passed == 1;
+    }
+    if (judged == 0) return 0;
+    if (passed < judged || p->tone == WCUT_REPORT_TONE_PLAIN)
+        p->tone = passed < judged ? WCUT_REPORT_TONE_BAD : WCUT_REPORT_TONE_GOOD;
+    return snprintf(to, room, "%d of %d zones of the customer are within their tolerance. ", passed, judged);
+}
+
 static void judge_compare(page *p) {
     const wcut_compared *f = p->c;
     const wcut_statistics *s = &f->found->statistics;
     char *to = p->verdict;
     size_t room = sizeof p->verdict;
     p->tone = f->tolerance == 0 ? WCUT_REPORT_TONE_PLAIN : f->within ? WCUT_REPORT_TONE_GOOD : WCUT_REPORT_TONE_BAD;
-    int n = 0;
+    int n = judge_zones(p, to, room);
+    to += n, room -= (size_t)n, n = 0;
     for (int k = 0; k < s->bands && f->tolerance > 0; k++)
         if (s->band[k] == f->tolerance)
             n = snprintf(to, room,
@@ -302,6 +422,7 @@ static int list_compare_options(const page *p, wcut_report_fact *option) {
 
     /* what the motion came from, and what was removed before */
     const wcut_clean_options *clean = p->c->cleaning;
+    if (p->c->zones_file) option[n++] = (wcut_report_fact){"file of zones and sections", p->c->zones_file, 0, ""};
     if (p->c->datum_file) option[n++] = (wcut_report_fact){"file of datums", p->c->datum_file, 0, ""};
 
     /* only the steps of cleaning that were asked for */
@@ -359,8 +480,9 @@ static wcut_status write_compare_page(page *p, const wcut_report_scene *scene, c
 
     /* sections: figures, the cut, the points, the scan as a mesh */
     const wcut_report_table figures[] = {figure_table(p), worst_table(p), zone_table(p)};
-    wcut_report_section section[4];
+    wcut_report_section section[5];
     int sections = 0;
+    if (c->survey && !fill_survey(p, &section[sections++])) return WCUT_NO_MEMORY;
     section[sections++] = (wcut_report_section){.title = "Figures", .table_count = 3, .table = figures};
     if (f) section[sections++] = (wcut_report_section){.title = "Along the cut", .chart_count = 2, .chart = chart};
 

@@ -359,6 +359,10 @@ static void fill_compared(wcut_comparing *c, const wcut_deviation_summary_result
     for (int k = 0; k < found->statistics.bands; k++)
         if (found->statistics.band[k] == o->tolerance) to->within = found->statistics.within[k] >= o->share;
 
+    /* zones of the user, each a gate of its own */
+    to->zones_file = o->zones;
+    to->survey = wcut_survey_eval(c->survey);
+
     /* the scan as a mesh, where one was made */
     if (!c->reconstruction) return;
     to->reconstruction_method = "field";
@@ -425,7 +429,12 @@ static wcut_status run_steps(wcut_comparing *c, const wcut_compare_reference *re
     const wcut_surface *surface;
 
     /* the face; a mesh that cannot be reconstructed over is refused before the scan is read */
-    wcut_status status = wcut_compare_face_load(reference, o, &c->watch, &c->face, error);
+    wcut_status status = o->zones ? wcut_regions_read(o->zones, &c->regions, error) : WCUT_OK;
+    if (status == WCUT_OK && c->regions) {
+        status = wcut_survey_create(c->regions, &c->survey);
+        if (status != WCUT_OK) return wcut_compare_fail(status, o->zones, error);
+    }
+    if (status == WCUT_OK) status = wcut_compare_face_load(reference, o, &c->watch, &c->face, error);
     if (status == WCUT_OK && o->reconstruct) status = wcut_compare_face_base(&c->face, &surface, error);
     if (status != WCUT_OK) return status;
 
@@ -487,6 +496,8 @@ wcut_status wcut_compare_run(const wcut_compare_reference *reference, int scans,
 void wcut_compare_destroy(wcut_compare_result *result) {
     wcut_comparing *c = (wcut_comparing *)result;
     if (!c) return;
+    wcut_survey_destroy(c->survey);
+    wcut_regions_destroy(c->regions);
     wcut_deviation_stream_destroy(c->points);
     wcut_reconstruction_destroy(c->reconstruction);
     wcut_face_map_destroy(c->map);

@@ -65,6 +65,7 @@ static wcut_status measure_piece(const pass *p, int first, int count, const wcut
     /* to where it is summed up and written */
     if (status == WCUT_OK && c->options.distance != WCUT_COMPARE_DISTANCE_RECONSTRUCTION)
         status = wcut_deviation_summary_add(c->summary[WCUT_COMPARE_FOUND], count, p->found);
+    if (status == WCUT_OK && c->survey) status = wcut_survey_add(c->survey, count, p->moved, p->found);
     if (status == WCUT_OK) status = spread_deviation(p, count);
     if (status == WCUT_OK && c->points)
         status = wcut_deviation_stream_append(c->points, count, p->moved, c->normal ? c->normal + first : NULL,

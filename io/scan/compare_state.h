@@ -19,6 +19,8 @@ typedef struct wcut_comparing {
     wcut_registration registration;
     int datums;
     wcut_datum_residual *datum;         /* datums: what the registration leaves of them */
+    wcut_regions *regions;              /* zones and sections of the user; NULL: none */
+    wcut_survey *survey;                /* of them */
     wcut_deviation_summary *summary[2]; /* as registered, as scanned; the second NULL without a registration */
     double support;                     /* [mm] in use */
     double limit;                       /* [mm] value of the strongest colour */

@@ -267,6 +267,56 @@ static void put_zones(wcut_text *text, const wcut_deviation_summary_result *r) {
     write_word(text, "]");
 }
 
+/* ---- zones and sections of the user ---- */
+
+static const char *verdict_word(int passed) { return passed < 0 ? "null" : passed ? "true" : "false"; }
+
+static void put_regions(wcut_text *text, const wcut_survey_result *s) {
+    write_word(text, ",\n  \"user_zones\": [");
+    for (int k = 0; k < s->of->regions; k++) {
+        const wcut_region *r = &s->of->region[k];
+        const wcut_region_result *f = &s->region[k];
+        const bool any = f->count > 0;
+        put_string(text, k ? ",\n    {\"name\": " : "\n    {\"name\": ", r->name);
+        put_known(text, ", \"tolerance_mm\": ", r->tolerance > 0, r->tolerance);
+        put_number(text, ", \"share\": ", r->share);
+        put_count(text, ", \"count\": ", f->count);
+        put_known(text, ", \"mean_mm\": ", any, f->mean);
+        put_known(text, ", \"std_mm\": ", any, f->std);
+        put_known(text, ", \"rms_mm\": ", any, f->rms);
+        put_known(text, ", \"min_mm\": ", any, f->min);
+        put_known(text, ", \"max_mm\": ", any, f->max);
+        put_known(text, ", \"within\": ", any && r->tolerance > 0, f->within);
+        wcut_text_print(text, ", \"passed\": %s}", verdict_word(f->passed));
+    }
+    write_word(text, "]");
+}
+
+static void put_sections(wcut_text *text, const wcut_survey_result *s) {
+    write_word(text, ",\n  \"sections\": [");
+    for (int k = 0; k < s->of->sections; k++) {
+        const wcut_section *of = &s->of->section[k];
+        const wcut_section_result *f = &s->section[k];
+        int measured = 0;
+        double squares = 0, largest = 0;
+        for (int i = 0; i < f->rows; i++) {
+            if (f->row[i].count == 0) continue;
+            measured++;
+            squares += f->row[i].deviation * f->row[i].deviation;
+            largest = fmax(largest, fabs(f->row[i].deviation));
+        }
+        put_string(text, k ? ",\n    {\"name\": " : "\n    {\"name\": ", of->name);
+        put_number(text, ", \"width_mm\": ", of->width);
+        put_number(text, ", \"step_mm\": ", of->step);
+        put_count(text, ", \"steps\": ", f->rows);
+        put_count(text, ", \"measured\": ", measured);
+        put_known(text, ", \"rms_mm\": ", measured > 0, measured ? sqrt(squares / measured) : 0);
+        put_known(text, ", \"largest_mm\": ", measured > 0, largest);
+        write_word(text, "}");
+    }
+    write_word(text, "]");
+}
+
 static void put_worst(wcut_text *text, const wcut_deviation_summary_result *r) {
     write_word(text, ",\n  \"worst\": [");
     for (int k = 0; k < r->worsts; k++) {
@@ -356,6 +406,11 @@ static void put_document(wcut_text *t, const wcut_compared *c) {
 
     /* zones, worst areas, and the reconstruction at the end */
     put_zones(t, r);
+    if (c->survey) {
+        put_string(t, ",\n  \"zones_file\": ", c->zones_file ? c->zones_file : "");
+        put_regions(t, c->survey);
+        put_sections(t, c->survey);
+    }
     put_worst(t, r);
     put_reconstruction(t, c);
     wcut_text_print(t, "\n}\n");
@@ -409,18 +464,44 @@ static void put_zone(wcut_text *t, const wcut_zone *z, int bands) {
         write_word(t, ",");
         if (z->count > 0) wcut_text_number(t, z->within[k]);
     }
-    write_word(t, "\n");
+    write_word(t, ",,,,\n");
 }
 
-wcut_status wcut_zones_write(const wcut_deviation_summary_result *found, const char *path, wcut_error *error) {
+/* a zone of the user: its box where it has one, and behind the bands its tolerance and verdict */
+static void put_user_zone(wcut_text *t, const wcut_region *r, const wcut_region_result *f, int bands) {
+    const bool any = f->count > 0;
+    wcut_text_print(t, "%s,user,%d", r->name, f->count);
+    const double figure[] = {f->mean, f->std, f->rms, 0, f->min, f->max};
+    for (size_t k = 0; k < sizeof figure / sizeof *figure; k++) {
+        write_word(t, ",");
+        if (any && k != 3) wcut_text_number(t, figure[k]);
+    }
+    const double side[] = {r->low.x, r->high.x, r->low.y, r->high.y};
+    for (size_t k = 0; k < sizeof side / sizeof *side; k++) {
+        write_word(t, ",");
+        wcut_text_number(t, side[k]);
+    }
+    for (int k = 0; k < bands; k++) write_word(t, ",");
+    write_word(t, ",");
+    if (r->tolerance > 0) wcut_text_number(t, r->tolerance);
+    put_number(t, ",", r->share);
+    write_word(t, ",");
+    if (any && r->tolerance > 0) wcut_text_number(t, f->within);
+    wcut_text_print(t, ",%s\n", f->passed < 0 ? "" : f->passed ? "pass" : "fail");
+}
+
+wcut_status wcut_zones_write(const wcut_deviation_summary_result *found, const wcut_survey_result *survey,
+                             const char *path, wcut_error *error) {
     wcut_text t;
     if (!found || !path || found->zones < 0 || !are_figures(&found->statistics) || (found->zones > 0 && !found->zone))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "zones: %s", wcut_status_text(WCUT_BAD_ARGUMENT));
     if (!wcut_text_create(&t, NULL)) return wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
     write_word(&t, "zone,kind,count,mean_mm,std_mm,rms_mm,mae_mm,min_mm,max_mm,x_low_mm,x_high_mm,y_low_mm,y_high_mm");
     for (int k = 0; k < found->statistics.bands; k++) put_number(&t, ",within_mm_", found->statistics.band[k]);
-    write_word(&t, "\n");
+    write_word(&t, ",tolerance_mm,share_required,share_within,verdict\n");
     for (int k = 0; k < found->zones; k++) put_zone(&t, &found->zone[k], found->statistics.bands);
+    for (int k = 0; survey && k < survey->of->regions; k++)
+        put_user_zone(&t, &survey->of->region[k], &survey->region[k], found->statistics.bands);
     char *text = NULL;
     wcut_status status = wcut_text_finish(&t, &text, NULL);
     if (status != WCUT_OK) return wcut_fail(error, status, "zones: %s", wcut_status_text(status));

@@ -97,8 +97,8 @@ static wcut_status project_loops(wcut_trimmed *t, double gap, wcut_error *error)
             status =
                 wcut_fail(error, WCUT_DEGENERATE, "a curve of a loop is %.3g mm off the surface", foot[k].distance);
         t->point[k] = foot[k].point;
-        t->uv[2 * k] = foot[k].u;
-        t->uv[2 * k + 1] = foot[k].v;
+        t->uv[2 * (size_t)k] = foot[k].u;
+        t->uv[2 * (size_t)k + 1] = foot[k].v;
     }
     wcut_projection_destroy(projection);
     wcut_free(foot);

@@ -73,6 +73,26 @@ look mesh/deviation.json 'd["unmeasured_mm2"] >= 0 and d["reconstruction"]["vert
 run 0 compare surface/surface.ply "$scan" -o mesh --distance reconstruction --quiet
 look mesh/deviation.json 'd["distance"] == "reconstruction" and near(d["kerf_offset_mm"], -0.6, 0.02)'
 printf 'OFF\n4 4 0\n0 0 0\n400 0 0\n0 1200 0\n0 0 300\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n' >solid.off
+# zones with a tolerance each and sections along lines
+cat >zones.json <<'EOF'
+{"format": "wirecut-zones/1",
+ "zones": [{"name": "inlet", "box_mm": [[0, 0, 0], [400, 300, 300]], "tolerance_mm": 0.8},
+           {"name": "rim", "polygon_mm": [[50, 400], [350, 400], [200, 900]], "tolerance_mm": 0.3, "share_percent": 90},
+           {"name": "outlet", "box_mm": [[0, 1000, 0], [400, 1200, 300]]}],
+ "sections": [{"name": "B-B", "line_mm": [[200, 0], [200, 1200]], "width_mm": 20, "step_mm": 20}]}
+EOF
+run 5 compare "$steady" "$scan" -o zoned --zones zones.json --part "Panel 7"
+grep -q 'zones: 1 of 2 within their tolerance; FAILED: rim' err || fail "$called: expected the verdicts: $(cat err)"
+look zoned/deviation.json '[z["passed"] for z in d["user_zones"]] == [True, False, None] and d["zones_file"] == "zones.json"'
+look zoned/deviation.json 'near(d["user_zones"][0]["mean_mm"], -0.6, 0.01) and near(d["sections"][0]["rms_mm"], 0.6, 0.02)'
+grep -q '^rim,user,.*,0.3,0.9,0,fail$' zoned/zones.csv || fail "zones.csv: expected the verdict of rim: $(grep rim zoned/zones.csv)"
+[ "$(grep -c '^B-B,' zoned/sections.csv)" -eq 60 ] || fail "sections.csv: expected 60 steps"
+grep -q 'zones of the customer' zoned/report.html || fail "report.html: expected the zones"
+sed 's/0.3, "share/0.9, "share/' zones.json >wide.json
+run 0 compare "$steady" "$scan" -o zoned --zones wide.json --quiet
+run 3 compare "$steady" "$scan" -o zoned2 --zones "$steady"; one_line '"wirecut-job/1", expected "wirecut-zones/1"'
+untouched zoned2
+
 # a face of a CAD file: exact, trimmed, one of several, in its own unit
 run 0 compare surface/surface.step "$scan" -o cad --register fit --dof tz:free --quiet
 look cad/deviation.json 'd["distance"] == "surface" and near(d["registration"]["parameters"]["tz_mm"]["value"], 0.6, 0.1)'

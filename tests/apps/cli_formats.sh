@@ -40,6 +40,8 @@ run 0 score case.json -o ../score --quiet --settle 0 --leave 0
 read_in case.json recording.csv table.csv
 run 0 compare job.json scan.xyz -o ../compare --register datum --datum datums.csv --reconstruct field --tolerance 5 --quiet
 read_in scan.xyz datums.csv
+run 0 compare job.json scan.xyz -o ../zoned --zones zones.json --quiet
+read_in zones.json
 python3 "$SOURCE_DIR/tests/photo/plain_png.py" photo.png 640 480
 run 0 overlay job.json photo.png --points points.csv -o ../overlay --patch 50 --curves 2 --resolution 1 --quiet
 read_in points.csv
@@ -73,6 +75,7 @@ same score.json score/score.json
 same residuals.csv score/residuals.csv
 same deviation.json compare/deviation.json
 same zones.csv compare/zones.csv
+same sections.csv zoned/sections.csv
 same sweep.json sweep/sweep.json
 same sweep-case.json "$(ls sweep/cases/*/*/case.json | head -n 1)"
 same overlay.json overlay/overlay.json

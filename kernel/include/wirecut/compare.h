@@ -73,6 +73,7 @@ typedef struct wcut_compare_options {
                                       WCUT_COMPARE_DISTANCE_RECONSTRUCTION, which needs it */
     double support;              /**< [mm] radius around a point within which the face counts as measured, positive;
                                       default 0: 1.5, or 2.5 times the spacing of the points if that is more */
+    const char *zones; /**< file of wcut_regions_read with zones and sections of the user; default NULL: none */
     const char *part, *inspector, *instrument, *date; /**< the title block; default NULL: not given */
     bool feet;                                        /**< keep the deviation of each point held, in `row` */
     int threads;                                      /**< 1 or more; default 1; the result does not depend on it */
@@ -124,7 +125,7 @@ typedef struct wcut_compare_result {
  * @param[out] result  the caller's, to wcut_compare_destroy
  * @param[out] error   may be NULL; the file or the option, what was found, what was expected
  * @return WCUT_OK; the statuses of wcut_job_read, wcut_setup_run, wcut_face_create, wcut_mesh_read, wcut_trimmed_set_read, wcut_cloud_read,
- *         wcut_cloud_clean, wcut_datums_read, wcut_registration_fit, wcut_reconstruction_create and
+ *         wcut_cloud_clean, wcut_datums_read, wcut_regions_read, wcut_registration_fit, wcut_reconstruction_create and
  *         wcut_deviation_stream_create; WCUT_BAD_FORMAT (a CAD file without the face, no point of the scan over the face, a
  *         file that changed between two readings), WCUT_DEGENERATE (the scan is one place or one line, the mesh has no
  *         extent or is no sheet where it must be one), WCUT_BAD_ARGUMENT (an option out of range; options that exclude
@@ -138,7 +139,7 @@ WCUT_API wcut_status wcut_compare_run(const wcut_compare_reference *reference, i
 WCUT_API void wcut_compare_destroy(wcut_compare_result *result);
 
 /** Maximum number of files of a comparison. */
-enum { WCUT_COMPARE_FILES_MAX = 8 };
+enum { WCUT_COMPARE_FILES_MAX = 9 };
 
 /**
  * The files of a comparison, in the order in which they are written; deviation.json, the voucher, is the last.

@@ -10,6 +10,7 @@
 #include <wirecut/reconstruction.h>
 #include <wirecut/registration.h>
 #include <wirecut/status.h>
+#include <wirecut/survey.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -47,6 +48,8 @@ typedef struct wcut_compared {
     double support;                    /**< [mm] radius around a point within which the face counts as measured */
     double tolerance, share;           /**< [mm], [1] the gate; tolerance 0: none */
     int within;                        /**< 1: as much as the gate asks is within the tolerance */
+    const char *zones_file;            /**< that the survey's zones came from; NULL: none */
+    const wcut_survey_result *survey;  /**< zones and sections of the user; NULL: none */
     const char *reconstruction_method; /**< "field" */
     const wcut_reconstruction *reconstruction; /**< NULL where none was made */
     const wcut_statistics *to_scan;            /**< [mm] face to reconstruction, signed; NULL without one */
@@ -80,12 +83,14 @@ WCUT_API wcut_status wcut_deviation_write(const wcut_compared *compared, const c
  * zones.csv: a row a zone; an empty field where a zone has no points.
  *
  * @param[in]  found of wcut_deviation_summary_eval
+ * @param[in]  survey zones of the user, rows of the kind `user`; NULL: none
  * @param[in]  path  the target, replaced whole or left as it was
  * @param[out] error may be NULL
  * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as
  *         it was.
  */
-WCUT_API wcut_status wcut_zones_write(const wcut_deviation_summary_result *found, const char *path, wcut_error *error);
+WCUT_API wcut_status wcut_zones_write(const wcut_deviation_summary_result *found, const wcut_survey_result *survey,
+                                      const char *path, wcut_error *error);
 
 /**
  * A mesh with a deviation at every vertex, to binary PLY (doubles, the scalar `deviation_mm`, a colour) or to OBJ (a

@@ -63,6 +63,7 @@
 #include <wirecut/reconstruction.h>
 #include <wirecut/recording.h>
 #include <wirecut/recording_file.h>
+#include <wirecut/regions.h>
 #include <wirecut/registration.h>
 #include <wirecut/replay.h>
 #include <wirecut/report.h>
@@ -82,6 +83,7 @@
 #include <wirecut/summary.h>
 #include <wirecut/surface.h>
 #include <wirecut/surface_fit.h>
+#include <wirecut/survey.h>
 #include <wirecut/sweep.h>
 #include <wirecut/table.h>
 #include <wirecut/trimmed.h>

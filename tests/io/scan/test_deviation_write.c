@@ -131,8 +131,8 @@ TEST(bad_comparisons_are_refused) {
     ck_assert_int_eq(wcut_deviation_print(&good, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_deviation_write(&good, NULL, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_deviation_write(&good, "/nowhere/at/all.json", NULL), WCUT_NOT_WRITTEN);
-    ck_assert_int_eq(wcut_zones_write(NULL, "zones.csv", NULL), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_zones_write(result, "/nowhere/zones.csv", NULL), WCUT_NOT_WRITTEN);
+    ck_assert_int_eq(wcut_zones_write(NULL, NULL, "zones.csv", NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_zones_write(result, NULL, "/nowhere/zones.csv", NULL), WCUT_NOT_WRITTEN);
     FIRST_FAILED_ALLOCATIONS(1, wcut_deviation_print(&good, &text), true);
     ck_assert_ptr_eq(text, (char *)999);
     forget();
@@ -142,7 +142,7 @@ TEST(zones_are_a_table) {
     wcut_table *table = NULL;
     given_comparison();
     enter_folder();
-    ck_assert_int_eq(wcut_zones_write(result, "zones.csv", NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_zones_write(result, NULL, "zones.csv", NULL), WCUT_OK);
     const char *const numeric[] = {"count", "mean_mm", "rms_mm", "within_mm_0.25"};
     ck_assert_int_eq(wcut_table_read("zones.csv", 4, numeric, &table, NULL), WCUT_OK);
     ck_assert_int_eq(table->rows, 48);
