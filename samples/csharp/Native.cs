@@ -278,6 +278,7 @@ public unsafe struct wcut_compare_options
     public int normals;
     public byte reconstruct;
     public double support;
+    public byte* zones;
     public byte* part;
     public byte* inspector;
     public byte* instrument;
@@ -351,6 +352,8 @@ public unsafe struct wcut_compared
     public double tolerance;
     public double share;
     public int within;
+    public byte* zones_file;
+    public wcut_survey_result* survey;
     public byte* reconstruction_method;
     public wcut_reconstruction* reconstruction;
     public wcut_statistics* to_scan;
@@ -1441,6 +1444,37 @@ public unsafe struct wcut_recording
     public wcut_table* further;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_region
+{
+    public fixed byte name[64];
+    public wcut_vec3 low;
+    public wcut_vec3 high;
+    public int corners;
+    public double* corner;
+    public double tolerance;
+    public double share;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_region_result
+{
+    public int count;
+    public double mean;
+    public double std;
+    public double rms;
+    public double min;
+    public double max;
+    public double within;
+    public int passed;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_regions
+{
+    public int regions;
+    public wcut_region* region;
+    public int sections;
+    public wcut_section* section;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_registration
 {
     public wcut_registration_method method;
@@ -2004,6 +2038,32 @@ public unsafe struct wcut_scores
     public wcut_score of_0, of_1, of_2, of_3, of_4, of_5, of_6, of_7, of_8, of_9, of_10, of_11, of_12, of_13, of_14, of_15, of_16, of_17, of_18, of_19, of_20, of_21, of_22, of_23, of_24, of_25, of_26, of_27, of_28, of_29, of_30, of_31, of_32, of_33, of_34, of_35, of_36, of_37, of_38, of_39, of_40, of_41, of_42, of_43, of_44, of_45, of_46, of_47;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_section
+{
+    public fixed byte name[64];
+    public int points;
+    public double* point;
+    public double width;
+    public double step;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_section_result
+{
+    public int rows;
+    public wcut_section_row* row;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_section_row
+{
+    public double along;
+    public double x;
+    public double y;
+    public int count;
+    public double nominal;
+    public double measured;
+    public double deviation;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_setup_span
 {
     public int stations;
@@ -2171,6 +2231,14 @@ public unsafe struct wcut_surface_report
     public fixed double crossing_u[2];
     public fixed double crossing_v[2];
     public double chord_error;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_survey_result
+{
+    public wcut_regions* of;
+    public wcut_region_result* region;
+    public wcut_section_result* section;
+    public int passed;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_sweep_counts
@@ -2558,6 +2626,8 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern void wcut_recording_destroy(wcut_recording* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_recording_read(byte* a0, wcut_recording** a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_recording_write(wcut_recording* a0, byte* a1, byte* a2, wcut_error* a3);
+    [DllImport("wirecut-io")] public static extern void wcut_regions_destroy(wcut_regions* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_regions_read(byte* a0, wcut_regions** a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_registration_fit(void* a0, int a1, wcut_vec3* a2, wcut_registration_options* a3, int a4, wcut_registration* a5, wcut_error* a6);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_registration_fit_mesh(wcut_mesh* a0, void* a1, int a2, wcut_vec3* a3, wcut_registration_options* a4, int a5, wcut_registration* a6, wcut_error* a7);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_registration_move(wcut_registration* a0, int a1, wcut_vec3* a2, wcut_vec3* a3);
@@ -2612,6 +2682,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern byte* wcut_scored_name(wcut_scored a0);
     [DllImport("wirecut-io")] public static extern byte* wcut_scored_unit(wcut_scored a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_scores_mean(int a0, wcut_comparison** a1, wcut_scores* a2, wcut_scores* a3);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_sections_write(wcut_survey_result* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_sensors_eval(int a0, wcut_effect* a1, int a2, double* a3, byte* a4, double** a5);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_setup_create(wcut_job* a0, wcut_cut_options* a1, void** a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern void wcut_setup_destroy(void* a0);
@@ -2664,6 +2735,10 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_surface_tessellate(wcut_surface* a0, double a1, wcut_mesh** a2, wcut_tessellation_report* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_surface_transform(wcut_surface* a0, wcut_affine* a1, wcut_surface** a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_surface_transpose(wcut_surface* a0, wcut_surface** a1);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_survey_add(void* a0, int a1, wcut_vec3* a2, wcut_deviation* a3);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_survey_create(wcut_regions* a0, void** a1);
+    [DllImport("wirecut-io")] public static extern void wcut_survey_destroy(void* a0);
+    [DllImport("wirecut-io")] public static extern wcut_survey_result* wcut_survey_eval(void* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_sweep_create(byte* a0, byte* a1, void** a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern void wcut_sweep_destroy(void* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_sweep_figures_query(void* a0, wcut_error* a1);
@@ -2705,5 +2780,5 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern void wcut_vtp_stream_destroy(void* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_wire_temperature(double a0, double a1, double a2, double a3, double* a4);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_world_write(wcut_overlay* a0, wcut_vec3 a1, byte* a2, wcut_error* a3);
-    [DllImport("wirecut-io")] public static extern wcut_status wcut_zones_write(wcut_deviation_summary_result* a0, byte* a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_zones_write(wcut_deviation_summary_result* a0, wcut_survey_result* a1, byte* a2, wcut_error* a3);
 }
