@@ -59,10 +59,10 @@ void wcut_cut_list(const wcut_redundancy *redundancy, const wcut_contradiction *
 double *wcut_redundancy_column(wcut_redundancy *redundancy, int cut, wcut_channel channel);
 
 /* the checks; WCUT_OK, WCUT_NO_MEMORY */
-wcut_status wcut_excitation_compare(wcut_redundancy *redundancy);
-wcut_status wcut_heater_compare(wcut_redundancy *redundancy);
-wcut_status wcut_motion_compare(wcut_redundancy *redundancy);
-wcut_status wcut_zero_compare(wcut_redundancy *redundancy);
+wcut_status wcut_excitation_compare(wcut_redundancy *all);
+wcut_status wcut_heater_compare(wcut_redundancy *all);
+wcut_status wcut_motion_compare(wcut_redundancy *all);
+wcut_status wcut_zero_compare(wcut_redundancy *all);
 
 /*
  * Hand the contradictions over: the list, a sentence for each before the diagnosis's own, and, where the search came to its

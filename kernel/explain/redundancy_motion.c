@@ -1,5 +1,6 @@
 /* Whether stations, speeds and measured places tell of one motion, and whether the mounts are on their path. */
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 
 #include "base/alloc.h"
@@ -221,7 +222,7 @@ wcut_status wcut_motion_compare(wcut_redundancy *all) {
 
     /* a scale moves the mean too: it is said once */
     if (status == WCUT_OK && !scale_is_off(&place))
-        for (int mount = 0; mount < 2; mount++) find_beside(all, mount, beside + mount * all->cuts);
+        for (int mount = 0; mount < 2; mount++) find_beside(all, mount, beside + (ptrdiff_t)mount * all->cuts);
     wcut_free(beside);
     return status;
 }
