@@ -164,6 +164,7 @@ static wcut_job *hidden_job(void) {
     if (wcut_curve_interpolate(CURVE, b, &job->edge_b) != WCUT_OK) exit(1);
     job->extra_count = 5;
     job->extra_u = calloc(5, sizeof(double)), job->extra_length = calloc(5, sizeof(double));
+    if (!job->extra_u || !job->extra_length) exit(1);
     for (int k = 0; k < 5; k++) job->extra_u[k] = k / 4.0, job->extra_length[k] = uniform(12, 45);
     return job;
 }
@@ -313,6 +314,7 @@ static wcut_job *curved_job(void) {
     job->wire_length = 640;
     job->mount_a = calloc((size_t)m, sizeof *job->mount_a);
     job->mount_b = calloc((size_t)m, sizeof *job->mount_b);
+    if (!job->mount_a || !job->mount_b) exit(1);
     for (int j = 0; j < m; j++) {
         const double t = j / (m - 1.0), y = -120 + 900 * t;
         job->mount_a[j] = (wcut_vec3){-80, y, 150 + 25 * sin(5 * t)};
