@@ -23,6 +23,12 @@ static double seconds(void) {
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
+/* a number of the environment, or the standard */
+static int setting(const char *name, int standard) {
+    const char *text = getenv(name);
+    return text ? atoi(text) : standard;
+}
+
 /* ---- targets: heights over the block ---- */
 
 static double saddle(double x, double y) { return 150 + 5e-4 * ((x - 200) * (x - 200) - (y - 300) * (y - 300)) * 0.8; }
@@ -130,7 +136,7 @@ static void show_target(int k) {
         printf("%s: %s\n", known[k].name, error.text);
     } else {
         wcut_design_options o = wcut_design_options_default();
-        o.threads = getenv("THREADS") ? atoi(getenv("THREADS")) : 1;
+        o.threads = setting("THREADS", 1);
         show(known[k].name, target, &o, known[k].wanted[0]);
         o.free_edges = 0;
         show(known[k].name, target, &o, known[k].wanted[1]);
@@ -382,8 +388,7 @@ static void show_compensation(void) {
 }
 
 int main(int count, char **argument) {
-    if (getenv("STATIONS")) stations = atoi(getenv("STATIONS"));
-    if (getenv("NODES")) nodes = atoi(getenv("NODES"));
+    stations = setting("STATIONS", stations), nodes = setting("NODES", nodes);
     if (count == 1) printf("bench_inverse [targets | NAME | hidden COUNT | cloud | cost | compensation] ...\n");
     for (int a = 1; a < count; a++) {
         for (int k = 0; k < KNOWN; k++)
