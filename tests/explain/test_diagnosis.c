@@ -103,7 +103,7 @@ TEST(a_diagnosis_that_is_stopped_keeps_what_it_has) {
         ck_assert_int_ge(d->hypotheses, 1);
         ck_assert_int_eq(d->traces, 12);
         ck_assert_int_eq(d->score[WCUT_EVIDENCE_MODEL_AFTER][WCUT_EVIDENCE_CHANNEL_TENSION].count, 0);
-        if (stop[k].stop_at == 17)
+        if (stop[k].stop_at == 33)
             ck_assert_msg(machine_names(d, WCUT_EFFECT_WIRE_THERMAL_LAG, WCUT_EFFECT_WIRE_THERMAL_LAG), "%s",
                           machine_verdict(d));
         else /* what was not tried is not ruled out */
