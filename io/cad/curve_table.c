@@ -314,7 +314,7 @@ static bool read_set(curve_table *t, const wcut_point_set *set, bool *found, wcu
         if (is_absent(cell))
             return wcut_curves_refuse(t->r, "line %d: found no %c, expected a number", t->line.number, 'x' + a);
         if (!read_cell_number(t, cell, &to[a])) return refuse_cell(t, cell, "a number");
-        if (!(fabs(to[a]) <= 1e12))
+        if (!(fabs(to[a]) * (t->unit > 0 ? t->unit : 1) <= 1e12))
             return wcut_curves_refuse(t->r, "line %d: found a coordinate beyond 1e12", t->line.number);
     }
     return true;
