@@ -34,7 +34,7 @@ static wcut_status refuse_csv_memory(scanner *s) {
 }
 
 /* refuse what stands at s->field: "FILE: line 7, column 12 (NAME): found X, expected Y" */
-static wcut_status refuse_field(scanner *s, int column, const char *found, const char *expected) {
+static wcut_status refuse_csv_field(scanner *s, int column, const char *found, const char *expected) {
     char label[WCUT_QUOTE_SIZE], name[WCUT_QUOTE_SIZE], shown[WCUT_QUOTE_SIZE];
     bool known = column >= 0 && column < s->table->columns && s->table->column[column].name;
     return wcut_fail(s->error, WCUT_BAD_FORMAT, "%s: line %d, column %d%s%s%s: found %s, expected %s",
@@ -95,8 +95,8 @@ static wcut_status read_csv_field(scanner *s, int column) {
     if (*s->at != '"') {
         for (; !at_line_end(s) && *s->at != ','; s->at++) {
             if (*s->at == '"')
-                return refuse_field(s, column, "a quote within a field", "quotes around the whole field");
-            if (*s->at == '\0') return refuse_field(s, column, "a zero byte", "text");
+                return refuse_csv_field(s, column, "a quote within a field", "quotes around the whole field");
+            if (*s->at == '\0') return refuse_csv_field(s, column, "a zero byte", "text");
             if (!keep_byte(s, used++, *s->at)) return refuse_csv_memory(s);
         }
 
@@ -112,9 +112,9 @@ static wcut_status read_csv_field(scanner *s, int column) {
         if (s->at == s->end) {
             s->line_start = row;
             s->line = line;
-            return refuse_field(s, column, "an opening quote", "its closing one before the end of the file");
+            return refuse_csv_field(s, column, "an opening quote", "its closing one before the end of the file");
         }
-        if (*s->at == '\0') return refuse_field(s, column, "a zero byte", "text");
+        if (*s->at == '\0') return refuse_csv_field(s, column, "a zero byte", "text");
         if (*s->at == '"' && *++s->at != '"') break;
         if (*s->at == '\n') s->line += s->line < INT_MAX, s->line_start = s->at + 1;
         if (!keep_byte(s, used++, *s->at)) return refuse_csv_memory(s);
@@ -125,7 +125,7 @@ static wcut_status read_csv_field(scanner *s, int column) {
     if (at_line_end(s) || *s->at == ',') return WCUT_OK;
     s->field = s->at;
 
-    return refuse_field(s, column, "text after a closing quote", "a comma or the end of the line");
+    return refuse_csv_field(s, column, "text after a closing quote", "a comma or the end of the line");
 }
 
 static bool equal_word(const char *text, const char *word) {
@@ -172,10 +172,10 @@ static wcut_status read_odd_sample(scanner *s, int column, int row) {
         return miss_sample(s, column, row);
     }
     if (is_decimal_comma(s->scratch))
-        return refuse_field(s, column, s->scratch, "a decimal point, not a decimal comma");
+        return refuse_csv_field(s, column, s->scratch, "a decimal point, not a decimal comma");
     if (behind > s->scratch && *behind == '\0')
-        return refuse_field(s, column, s->scratch, "a number a double can hold");
-    return refuse_field(s, column, s->scratch, "a number, nan or an empty field");
+        return refuse_csv_field(s, column, s->scratch, "a number a double can hold");
+    return refuse_csv_field(s, column, s->scratch, "a number, nan or an empty field");
 }
 
 /* the common case, a bare number and its comma or line end, goes straight to its place */
@@ -201,14 +201,14 @@ static wcut_status read_csv_row(scanner *s, int row) {
         if (status != WCUT_OK) return status;
         if (c + 1 < s->table->columns && *s->at != ',') {
             s->field = s->at;
-            return refuse_field(s, c + 1, "the end of the row", "as many fields as the header has");
+            return refuse_csv_field(s, c + 1, "the end of the row", "as many fields as the header has");
         }
         s->at += *s->at == ',' && c + 1 < s->table->columns;
     }
     s->field = s->at;
     if (!at_line_end(s))
-        return refuse_field(s, -1, "more fields than the header has",
-                            "as many (numbers have a decimal point, not a decimal comma)");
+        return refuse_csv_field(s, -1, "more fields than the header has",
+                                "as many (numbers have a decimal point, not a decimal comma)");
     next_csv_line(s);
     return WCUT_OK;
 }
@@ -238,8 +238,8 @@ static const char *foreign_separator(const scanner *s) {
 /* a name of the header into its column; the index of a table program has none, and is kept as a further column */
 static wcut_status name_column(scanner *s, int c) {
     const char *separated = foreign_separator(s);
-    if (separated) return refuse_field(s, -1, s->scratch, separated);
-    if (is_ambiguous(s, c)) return refuse_field(s, -1, s->scratch, "every column that is used named once");
+    if (separated) return refuse_csv_field(s, -1, s->scratch, separated);
+    if (is_ambiguous(s, c)) return refuse_csv_field(s, -1, s->scratch, "every column that is used named once");
     s->table->column[c].name = s->scratch; /* the scratch buffer becomes the name: the next field gets its own */
     s->scratch = NULL;
     s->scratch_size = 0;
@@ -250,13 +250,14 @@ static wcut_status name_column(scanner *s, int c) {
 static wcut_status read_csv_header(scanner *s) {
     /* the first row that is no comment */
     s->field = s->at;
-    if (!next_row(s)) return s->field = s->at, refuse_field(s, -1, "no header", "a row with the names of the columns");
+    if (!next_row(s))
+        return s->field = s->at, refuse_csv_field(s, -1, "no header", "a row with the names of the columns");
 
     /* names up to the end of the row */
     s->table->column = wcut_alloc(WCUT_CSV_COLUMNS_MAX, sizeof *s->table->column);
     if (!s->table->column) return refuse_csv_memory(s);
     for (int c = 0;; c++) {
-        if (c == WCUT_CSV_COLUMNS_MAX) return refuse_field(s, -1, "more than 1000 columns", "at most that");
+        if (c == WCUT_CSV_COLUMNS_MAX) return refuse_csv_field(s, -1, "more than 1000 columns", "at most that");
         wcut_status status = read_csv_field(s, -1);
         if (status == WCUT_OK) status = name_column(s, c);
         if (status != WCUT_OK) return status;
@@ -268,7 +269,7 @@ static wcut_status read_csv_header(scanner *s) {
     double first;
     const char *name = s->table->column[0].name;
     if (name[0] && *wcut_decimal_read(name, &first) == '\0')
-        return refuse_field(s, -1, name, "the names of the columns before numbers");
+        return refuse_csv_field(s, -1, name, "the names of the columns before numbers");
     next_csv_line(s);
 
     return WCUT_OK;
@@ -301,7 +302,7 @@ static wcut_status read_csv_rows(scanner *s) {
     int rows = 0;
     while (next_row(s)) {
         s->field = s->at;
-        if (rows == s->table->rows) return refuse_field(s, -1, "too many rows", "at most 2147483647");
+        if (rows == s->table->rows) return refuse_csv_field(s, -1, "too many rows", "at most 2147483647");
         wcut_status status = read_csv_row(s, rows++);
         if (status != WCUT_OK) return status;
     }
@@ -324,7 +325,7 @@ wcut_status wcut_csv_parse(const char *text, size_t length, const char *label, i
     /* another encoding is refused, not read as garbage */
     wcut_status status = WCUT_OK;
     if (length >= 2 && (memcmp(text, "\xff\xfe", 2) == 0 || memcmp(text, "\xfe\xff", 2) == 0))
-        status = refuse_field(&s, -1, "UTF-16", "UTF-8");
+        status = refuse_csv_field(&s, -1, "UTF-16", "UTF-8");
 
     /* header, columns, rows */
     if (status == WCUT_OK) status = read_csv_header(&s);

@@ -96,7 +96,7 @@ static size_t print_path(char *to, size_t size, const wcut_place *at) {
 }
 
 bool wcut_refuse(wcut_reader *reader, const wcut_place *at, wcut_status status, const char *format, ...) {
-    char label[WCUT_QUOTE_SIZE], path[128], found[100], expected[256];
+    char label[WCUT_QUOTE_SIZE], path[128], shown[WCUT_QUOTE_SIZE], found[100], expected[256];
     print_path(path, sizeof path, at);
     print_json_value(found, sizeof found, at->value);
     va_list arguments;
@@ -106,7 +106,8 @@ bool wcut_refuse(wcut_reader *reader, const wcut_place *at, wcut_status status, 
     wcut_locale_restore(before);
     va_end(arguments);
     reader->status = wcut_fail(reader->error, status, "%s: %s: found %s, expected %s",
-                               wcut_quote(label, reader->label, WCUT_LABEL_MAX, 1), path, found, expected);
+                               wcut_quote(label, reader->label, WCUT_LABEL_MAX, 1),
+                               wcut_quote(shown, path, (int)sizeof path, 0), found, expected);
     return false;
 }
 

@@ -197,6 +197,7 @@ static bool read_design(wcut_reader *reader, const wcut_place *at, void *into) {
         IN_JOB(stations, "stations", true, read_stations),
         PART("extra_length_mm", true, read_extra),
         IN_JOB(clearance, "clearance_mm", true, wcut_read_not_negative),
+        IN_JOB(overrun, "overrun_mm", false, wcut_read_not_negative),
     };
     ((wcut_job *)into)->mode = WCUT_MODE_DESIGN;
     return READ_OBJECT(fields, into);

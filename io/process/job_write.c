@@ -75,6 +75,7 @@ static void put_design(wcut_text *text, const wcut_job *job) {
         wcut_text_put(text, "]", 1);
     }
     wcut_text_put_number(text, "],\n    \"clearance_mm\": ", job->clearance);
+    if (job->overrun > 0) wcut_text_put_number(text, ",\n    \"overrun_mm\": ", job->overrun);
     wcut_text_put(text, "\n  }", 4);
 }
 

@@ -20,7 +20,7 @@ static double score_unit_of(int scored) {
 /* ---- scores ---- */
 
 /* a figure, or null where there is none */
-static void put_score_figure(wcut_text *text, const char *before, bool there, double value) {
+static void put_score_number(wcut_text *text, const char *before, bool there, double value) {
     wcut_text_put_word(text, before);
     if (there)
         wcut_text_number(text, value);
@@ -29,13 +29,13 @@ static void put_score_figure(wcut_text *text, const char *before, bool there, do
 }
 
 static void put_score(wcut_text *text, const wcut_score *s, double unit) {
-    put_score_figure(text, "\"rmsd\": ", s->count > 0, s->rmsd * unit);
-    put_score_figure(text, ", \"nrmsd\": ", s->range > 0, s->nrmsd);
-    put_score_figure(text, ", \"rmse_over_range\": ", s->range > 0, s->rmse_over_range);
-    put_score_figure(text, ", \"bias\": ", s->count > 0, s->bias * unit);
-    put_score_figure(text, ", \"rmse\": ", s->count > 0, s->rmse * unit);
-    put_score_figure(text, ", \"range\": ", s->count > 0, s->range * unit);
-    put_score_figure(text, ", \"correlation\": ", s->correlated, s->correlation);
+    put_score_number(text, "\"rmsd\": ", s->count > 0, s->rmsd * unit);
+    put_score_number(text, ", \"nrmsd\": ", s->range > 0, s->nrmsd);
+    put_score_number(text, ", \"rmse_over_range\": ", s->range > 0, s->rmse_over_range);
+    put_score_number(text, ", \"bias\": ", s->count > 0, s->bias * unit);
+    put_score_number(text, ", \"rmse\": ", s->count > 0, s->rmse * unit);
+    put_score_number(text, ", \"range\": ", s->count > 0, s->range * unit);
+    put_score_number(text, ", \"correlation\": ", s->correlated, s->correlation);
     wcut_text_print(text, ", \"count\": %d", s->count);
 }
 

@@ -28,7 +28,7 @@ static void choose_grid(const wcut_report_shape *shape, int max, wcut_report_vie
         .count = rows * columns, .rows = rows, .columns = columns, .row_stride = rs, .column_stride = cs};
 }
 
-static void fill_grid(const wcut_report_shape *shape, wcut_report_view *view) {
+static void fill_view_grid(const wcut_report_shape *shape, wcut_report_view *view) {
     for (int r = 0, k = 0; r < view->rows; r++) {
         const int row = at_stride(r, view->row_stride, shape->rows);
         for (int c = 0; c < view->columns; c++)
@@ -77,7 +77,7 @@ wcut_status wcut_report_view_create(const wcut_report_shape *shape, int shapes, 
     v.index = wcut_alloc((size_t)v.count, sizeof *v.index);
     if (!v.index) return WCUT_NO_MEMORY;
     if (v.rows > 0)
-        fill_grid(shape, &v);
+        fill_view_grid(shape, &v);
     else if (v.count < shape->vertex_count)
         fill_cloud(shape, &v);
     else

@@ -22,7 +22,7 @@ static void swap_rows(double *restrict a, double *restrict b, int count) {
     }
 }
 
-static void subtract_row(double *restrict row, const double *restrict pivot_row, double factor, int count) {
+static void subtract_banded_row(double *restrict row, const double *restrict pivot_row, double factor, int count) {
     for (int j = 0; j < count; j++) row[j] -= factor * pivot_row[j];
 }
 
@@ -45,7 +45,7 @@ bool wcut_banded_factor(wcut_banded *m) {
             double *below = banded_at(m, i, k);
             if (below[0] == 0) continue;
             below[0] *= inverse;
-            subtract_row(below + 1, row + 1, below[0], reach);
+            subtract_banded_row(below + 1, row + 1, below[0], reach);
         }
     }
 

@@ -91,7 +91,7 @@ typedef struct law {
 } law;
 
 /* P(X <= x) or P(X > x) for x > 0, whichever is asked, each with its own full relative precision */
-static double probability(const law *l, double x, bool lower) {
+static double tail_of(const law *l, double x, bool lower) {
     double a = l->dof1 / 2, b = l->dof2 / 2;
     if (l->kind == CHI_SQUARE) return gamma_part(a, x / 2, lower);
     if (l->kind == FISHER) {
@@ -108,12 +108,12 @@ static double distribution_quantile(const law *l, double p) {
     double goal = lower ? p : 1 - p, low = 1, high = 1;
 
     /* bracket the quantile, either way by factors of 4 */
-    while (low > DBL_MIN && (probability(l, low, lower) > goal) == lower) low /= 4;
-    while (high < DBL_MAX / 4 && (probability(l, high, lower) > goal) != lower) high *= 4;
+    while (low > DBL_MIN && (tail_of(l, low, lower) > goal) == lower) low /= 4;
+    while (high < DBL_MAX / 4 && (tail_of(l, high, lower) > goal) != lower) high *= 4;
     for (;;) {
         double middle = high > 2 * low ? sqrt(low) * sqrt(high) : low + (high - low) / 2;
         if (!(middle > low && middle < high)) return middle;
-        if ((probability(l, middle, lower) > goal) == lower)
+        if ((tail_of(l, middle, lower) > goal) == lower)
             high = middle;
         else
             low = middle;
@@ -139,7 +139,7 @@ double wcut_gaussian_quantile(double p) {
 
 double wcut_student_tail(double t, double dof) {
     assert(isfinite(t) && is_positive(dof));
-    double tail = probability(&(law){STUDENT, dof, 1}, fabs(t), false);
+    double tail = tail_of(&(law){STUDENT, dof, 1}, fabs(t), false);
     return t < 0 ? 1 - tail : tail;
 }
 
@@ -150,11 +150,11 @@ double wcut_student_quantile(double p, double dof) {
     double goal = fmin(p, 1 - p);
     law l = {STUDENT, dof, 1};
     double low = 0, high = 1;
-    while (probability(&l, high, false) > goal) low = high, high *= 4;
+    while (tail_of(&l, high, false) > goal) low = high, high *= 4;
     for (;;) {
         double middle = low + (high - low) / 2;
         if (!(middle > low && middle < high)) return p < 0.5 ? -middle : middle;
-        if (probability(&l, middle, false) > goal)
+        if (tail_of(&l, middle, false) > goal)
             low = middle;
         else
             high = middle;
@@ -163,7 +163,7 @@ double wcut_student_quantile(double p, double dof) {
 
 double wcut_chi_square_tail(double x, double dof) {
     assert(isfinite(x) && is_positive(dof));
-    return probability(&(law){CHI_SQUARE, dof, 1}, x, false);
+    return tail_of(&(law){CHI_SQUARE, dof, 1}, x, false);
 }
 
 double wcut_chi_square_quantile(double p, double dof) {
@@ -173,7 +173,7 @@ double wcut_chi_square_quantile(double p, double dof) {
 
 double wcut_f_tail(double x, double dof1, double dof2) {
     assert(isfinite(x) && is_positive(dof1) && is_positive(dof2));
-    return x <= 0 ? 1 : probability(&(law){FISHER, dof1, dof2}, x, false);
+    return x <= 0 ? 1 : tail_of(&(law){FISHER, dof1, dof2}, x, false);
 }
 
 double wcut_f_quantile(double p, double dof1, double dof2) {

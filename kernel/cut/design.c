@@ -6,8 +6,6 @@
 #include "base/vec3.h"
 #include "cut/setup.h"
 
-#define EDGE_BEYOND 1.0 /* [1] of the block's width: so far before and behind it may edges run */
-
 /* slope at point i of a monotone cubic (Fritsch, Butland 1984: a harmonic mean where both neighbours rise or fall) */
 static double monotone_slope(int count, const double *u, const double *y, int i) {
     if (count < 2) return 0;
@@ -41,7 +39,7 @@ static double extra_at(const wcut_job *job, double u) {
            t * t * (1 - t) * m1;
 }
 
-static wcut_status point_at(const wcut_curve *edge, double share, wcut_vec3 *point) {
+static wcut_status edge_point_at(const wcut_curve *edge, double share, wcut_vec3 *point) {
     double first, last;
     wcut_curve_domain(edge, &first, &last);
     return wcut_curve_eval(edge, first + share * (last - first), 0, point);
@@ -74,13 +72,12 @@ static double extent(int count, const wcut_vec3 *a, const wcut_vec3 *b) {
     return vec3_distance(low, high);
 }
 
-/* How far a point of an edge is from where one may be: on the block or in it, or before its entry and behind its exit
-   between the planes of its sides, where the wire is out of the foam. */
-static double distance_of_edge(const wcut_block *block, wcut_vec3 p) {
-    const double reach = EDGE_BEYOND * block->size.x;
+/* How far a point of an edge is from where one may be: on the block or in it, or up to `overrun` before its entry and
+   behind its exit between the planes of its sides, where the wire is out of the foam. */
+static double distance_of_edge(const wcut_block *block, double overrun, wcut_vec3 p) {
     const bool beyond = p.y < 0 || p.y > block->size.y;
     const bool between = p.x >= -WCUT_EDGE_TOLERANCE && p.x <= block->size.x + WCUT_EDGE_TOLERANCE;
-    return beyond && between && p.y > -reach && p.y < block->size.y + reach ? 0 : wcut_block_distance(block, p);
+    return beyond && between && p.y >= -overrun && p.y <= block->size.y + overrun ? 0 : wcut_block_distance(block, p);
 }
 
 wcut_status wcut_design_check_edges(const wcut_job *job, const wcut_vec3 *a, const wcut_vec3 *b, wcut_error *error) {
@@ -92,18 +89,18 @@ wcut_status wcut_design_check_edges(const wcut_job *job, const wcut_vec3 *a, con
     int at = -1, edge = 0;
     for (int j = 0; j < job->stations; j++)
         for (int k = 0; k < 2; k++) {
-            const double off = distance_of_edge(&block, k ? b[j] : a[j]);
+            const double off = distance_of_edge(&block, job->overrun, k ? b[j] : a[j]);
             if (off > worst) worst = off, at = j, edge = k;
         }
     if (worst > WCUT_EDGE_TOLERANCE) {
         const wcut_vec3 p = edge ? b[at] : a[at];
-        return wcut_fail(
-            error, WCUT_DEGENERATE,
-            "design.edge_%c: station %d of 0 to %d, (%.6g, %.6g, %.6g) mm, lies %.3g mm outside the block "
-            "of %g x %g x %g mm; expected edges on the block or in it, within %g mm, or in the planes of its sides "
-            "before it and behind it%s",
-            edge ? 'b' : 'a', at, job->stations - 1, p.x, p.y, p.z, worst, block.size.x, block.size.y, block.size.z,
-            WCUT_EDGE_TOLERANCE, hint);
+        return wcut_fail(error, WCUT_DEGENERATE,
+                         "design.edge_%c: station %d of 0 to %d, (%.6g, %.6g, %.6g) mm, lies %.3g mm outside the block "
+                         "of %g x %g x %g mm; expected edges on the block or in it, within %g mm, or up to overrun_mm "
+                         "(%g) before it "
+                         "and behind it%s",
+                         edge ? 'b' : 'a', at, job->stations - 1, p.x, p.y, p.z, worst, block.size.x, block.size.y,
+                         block.size.z, WCUT_EDGE_TOLERANCE, job->overrun, hint);
     }
 
     /* edges on the block, but with a size that suggests another unit */
@@ -119,7 +116,7 @@ wcut_status wcut_design_ends(const wcut_job *job, wcut_vec3 *end_a, wcut_vec3 *e
                              wcut_error *error) {
     for (int j = 0; j < job->stations; j++) {
         const double u = (double)j / (job->stations - 1);
-        const wcut_status a = point_at(job->edge_a, u, &end_a[j]), b = point_at(job->edge_b, u, &end_b[j]);
+        const wcut_status a = edge_point_at(job->edge_a, u, &end_a[j]), b = edge_point_at(job->edge_b, u, &end_b[j]);
         if (a != WCUT_OK || b != WCUT_OK)
             return wcut_fail(error, a != WCUT_OK ? a : b, "design.%s: not a valid curve",
                              a != WCUT_OK ? "edge_a" : "edge_b");

@@ -104,6 +104,8 @@ static wcut_status check_design(const wcut_job *job, wcut_error *error) {
             return wcut_fail(error, WCUT_BAD_ARGUMENT, "design.extra_length_mm[%d][1]: found %g, expected 0 or more", i,
                              job->extra_length[i]);
     }
+    if (!(job->overrun >= 0 && isfinite(job->overrun)))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "design.overrun_mm: found %g, expected 0 or more", job->overrun);
     if (!(job->clearance >= 0 && isfinite(job->clearance)))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "design.clearance_mm: found %g, expected 0 or more", job->clearance);
     return WCUT_OK;

@@ -118,11 +118,11 @@ static const char *const sensors[] = {"a", "b", "both", NULL};
     NULL, NULL, 1, 0, true, false, inclusion, "c_a = 1 + A exp(-abs(X - P)^2 / 2 R^2)",                     \
         "A -0.6 to 1, R 15 to 100 mm: a void, a fused lump (judged; laboratory A -0.5 to 0.3, R 39 to 64)", \
         "kernel/foam/local_law.c:add_inclusion"
-#define INFO_TANGENTIAL_DRAG                                                                                         \
-    NULL, NULL, 1, 0, false, false, drag,                                                                            \
-        "f_i - mu abs(f_i - (f_i t_i) t_i) tanh(v_t / v_s) t_i: Coulomb on what presses across the wire; v_t speed " \
-        "along it, v_s = 0.3 mm/s",                                                                                  \
-        "0.02 to 0.7, a melt film to dry rubbing (judged; laboratory 0.06 to 0.66)",                                 \
+#define INFO_TANGENTIAL_DRAG                                                                                  \
+    NULL, NULL, 1, 0, false, false, drag,                                                                     \
+        "f_i - mu abs(f_i - (f_i t_i) t_i) tanh(v_t / v_s) t_i: Coulomb friction under the force across the " \
+        "wire; v_t speed along it, v_s = 0.3 mm/s",                                                           \
+        "0.02 to 0.7, a melt film to dry rubbing (judged; laboratory 0.06 to 0.66)",                          \
         "kernel/foam/resistance.c:add_drag"
 #define INFO_WIRE_ELONGATION                                                                                          \
     NULL, NULL, 1, 0, false, true, elongation,                                                                        \
@@ -134,19 +134,20 @@ static const char *const sensors[] = {"a", "b", "both", NULL};
         "tau u' = S / k - u, the end of the wire at mount + u; mount `a`, `b` or `both`, `feed`: both along y alone", \
         "0.5 to 50 N/mm, tau 0.05 to 1 s: a tool head on a long arm to a spindle (judged; laboratory 1 to 17 N/mm)",  \
         "kernel/cut/compliance.c:wcut_compliance_end"
-#define INFO_RATE_DEPENDENCE                                                    \
-    NULL, NULL, 1, 0, false, false, rate, "(v / v_0)^m, v_0 = 10 mm/s",         \
-        "-0.5 to 0.5, melts thin with shear (judged; laboratory 0.26 to 0.38)", \
+#define INFO_RATE_DEPENDENCE                                                         \
+    NULL, NULL, 1, 0, false, false, rate, "(v / v_0)^m, v_0 = 10 mm/s",              \
+        "-0.5 to 0.5, the melt is shear-thinning (judged; laboratory 0.26 to 0.38)", \
         "kernel/foam/local_law.c:wcut_local_law_eval"
-#define INFO_WIRE_FOULING                                                                                        \
-    "on", coefficients, 1, 0, true, false, fouling,                                                              \
-        "c_a or c_b = 1 + c (1 - exp(-(w_0 + w_i) / l)), w_i way of the node in the foam before the step, w_0 "  \
-        "brought along",                                                                                         \
-        "c 0.1 to 0.4, l 200 to 5000 mm, a tenth of a cut to ten cuts (judged; laboratory 0.12, 650 to 790 mm)", \
+#define INFO_WIRE_FOULING                                                                                            \
+    "on", coefficients, 1, 0, true, false, fouling,                                                                  \
+        "c_a or c_b = 1 + c (1 - exp(-(w_0 + w_i) / l)), w_i way of the node in the foam before the step, w_0 that " \
+        "way "                                                                                                       \
+        "before the run",                                                                                            \
+        "c 0.1 to 0.4, l 200 to 5000 mm, a tenth of a cut to ten cuts (judged; laboratory 0.12, 650 to 790 mm)",     \
         "kernel/foam/local_law.c:coefficients"
-#define INFO_EMPIRICAL_FORCE                                                                            \
-    "term", wcut_term_name, 2, 0, true, false, wcut_term_first,                                         \
-        "F (1 + sum c phi), the sum over all such terms; below 1/2 it goes over into exp(2 s + 1) / 2", \
+#define INFO_EMPIRICAL_FORCE                                                                             \
+    "term", wcut_term_name, 2, 0, true, false, wcut_term_first,                                          \
+        "F (1 + sum c phi), the sum over all such terms; below 1/2 it is continued by exp(2 s + 1) / 2", \
         "c -0.6 to 0.6: what has no name yet", "kernel/foam/empirical.c:wcut_term_factor_eval"
 #define INFO_KERF_GROWTH                                                                    \
     "law", kerf_laws, 2, 0, false, false, kerf,                                             \

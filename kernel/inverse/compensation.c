@@ -78,6 +78,21 @@ static wcut_status correct_finely(wcut_descent *s, const wcut_design_target *tar
 
 /* ---- the answer ---- */
 
+/* Whether the corrected paths are a job: the search bends paths without the checks of one, such as a wire that is longer than
+   the distance of its ends. WCUT_NO_MEMORY, or WCUT_OK with the answer. */
+static wcut_status is_runnable(const wcut_setup *setup, const wcut_design_curves *c, bool *answer) {
+    wcut_job *job = NULL;
+    wcut_setup *made = NULL;
+    wcut_status status = wcut_setup_path_job(setup, &job);
+    if (status != WCUT_OK) return status;
+    wcut_design_correct(c, setup->stations, setup->end_a, setup->end_b, job->mount_a, job->mount_b, NULL, NULL, NULL);
+    status = wcut_setup_create(job, NULL, &made, NULL);
+    *answer = status == WCUT_OK;
+    wcut_setup_destroy(made);
+    wcut_job_destroy(job);
+    return status == WCUT_NO_MEMORY ? status : WCUT_OK;
+}
+
 static wcut_status keep_correction(const wcut_setup *setup, const wcut_design_curves *c, const wcut_descent *s,
                                    wcut_compensation *out) {
     const size_t m = (size_t)setup->stations;
@@ -120,6 +135,14 @@ wcut_status wcut_compensation_fit(const wcut_design_target *target, const wcut_j
     if (!room) status = WCUT_NO_MEMORY;
     if (status == WCUT_OK) status = correct_coarsely(&s, target, setup, &o, &c);
     if (status == WCUT_OK) status = correct_finely(&s, target, setup, &o, &c, reached);
+
+    /* paths that no job may have are no correction */
+    bool runnable = true;
+    if (status == WCUT_OK) status = is_runnable(setup, &c, &runnable);
+    if (status == WCUT_OK && !runnable) {
+        memset(c.value, 0, sizeof c.value);
+        reached[1] = reached[0];
+    }
     if (status == WCUT_OK) status = keep_correction(setup, &c, &s, made);
 
     /* what it is worth */

@@ -161,6 +161,7 @@ static wcut_status make_design_job(const wcut_job *job, const wcut_design_target
         if (!out->name) return WCUT_NO_MEMORY;
     }
     out->block_size = t->block;
+    out->overrun = t->block.x; /* the sagging wire covers the block */
     out->extra_count = job->stations;
     out->extra_u = wcut_alloc(m, sizeof *out->extra_u);
     out->extra_length = wcut_alloc(m, sizeof *out->extra_length);

@@ -29,7 +29,7 @@ static wcut_status check_gather(const wcut_mesh *m, fans *f) {
     return WCUT_OK;
 }
 
-static int times(const fans *f, int from, int to) {
+static int count_edge(const fans *f, int from, int to) {
     int n = 0;
     for (int k = f->first[from]; k < f->first[from + 1]; k++) n += f->end[k] == to;
     return n;
@@ -41,7 +41,7 @@ static bool edges_match(const wcut_mesh *m, const fans *f, bool *two) {
     *two = true;
     for (int v = 0; v < m->vertex_count; v++)
         for (int k = f->first[v]; k < f->first[v + 1]; k++) {
-            const int along = times(f, v, f->end[k]), back = times(f, f->end[k], v);
+            const int along = count_edge(f, v, f->end[k]), back = count_edge(f, f->end[k], v);
             match = match && along == 1 && back == 1;
             *two = *two && along + back == 2;
         }

@@ -65,8 +65,8 @@ static wcut_status brep_new(int keys, wcut_brep **brep) {
 
 /* ---- faces and loops, in the order in which they are added ---- */
 
-static void add_face(wcut_brep *b, bool upper, wcut_brep_part part, wcut_surface *surface, wcut_vec3 origin,
-                     wcut_vec3 normal) {
+static void add_brep_face(wcut_brep *b, bool upper, wcut_brep_part part, wcut_surface *surface, wcut_vec3 origin,
+                          wcut_vec3 normal) {
     b->face[b->face_count++] = (wcut_brep_face){.part = part,
                                                 .surface = surface,
                                                 .same_sense = !surface || !upper,
@@ -125,14 +125,14 @@ static wcut_status add_block_faces(wcut_brep *b, bool upper, const wcut_surface 
     wcut_surface *copy;
     const wcut_status status = copy_surface(patch, &copy);
     if (status != WCUT_OK) return status;
-    add_face(b, upper, WCUT_BREP_PART_CUT, copy, vec3(0, 0, 0), vec3(0, 0, 0));
+    add_brep_face(b, upper, WCUT_BREP_PART_CUT, copy, vec3(0, 0, 0), vec3(0, 0, 0));
     add_loop(b, upper, 4, cut);
     const wcut_vec3 normal[4] = {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}};
     for (int k = 0; k < 4; k++) { /* x low, x high, y low, y high: their planes pass two opposite corners */
-        add_face(b, upper, WCUT_BREP_PART_SIDE_X0 + k, NULL, b->vertex[CORNERS + (k % 2 ? 2 : 0)], normal[k]);
+        add_brep_face(b, upper, WCUT_BREP_PART_SIDE_X0 + k, NULL, b->vertex[CORNERS + (k % 2 ? 2 : 0)], normal[k]);
         add_loop(b, upper, 4, side[k]);
     }
-    add_face(b, upper, WCUT_BREP_PART_OPPOSITE, NULL, b->vertex[CORNERS], vec3(0, 0, upper ? 1 : -1));
+    add_brep_face(b, upper, WCUT_BREP_PART_OPPOSITE, NULL, b->vertex[CORNERS], vec3(0, 0, upper ? 1 : -1));
     add_loop(b, upper, 4, opposite);
     return WCUT_OK;
 }
@@ -176,7 +176,7 @@ static wcut_status add_key_flank(wcut_brep *b, bool upper, int half, int e, cons
     const wcut_status status =
         wcut_surface_create(ARC_DEGREE, 1, ARC_CONTROL, 2, arc_knots, line_knots, control, weight, &flank);
     if (status != WCUT_OK) return status;
-    add_face(b, !upper, WCUT_BREP_PART_KEY_FLANK, flank, vec3(0, 0, 0), vec3(0, 0, 0));
+    add_brep_face(b, !upper, WCUT_BREP_PART_KEY_FLANK, flank, vec3(0, 0, 0), vec3(0, 0, 0));
     const int around[4] = {e + 1 + half, e + 5 + 1 - half, -(e + 3 + half), -(e + 5 + half)};
     add_loop(b, !upper, 4, around);
     return WCUT_OK;
@@ -195,7 +195,8 @@ static wcut_status add_keys(wcut_brep *b, bool upper, double level, int count, c
             const wcut_status status = add_key_flank(b, upper, half, e, &key[k], level);
             if (status != WCUT_OK) return status;
         }
-        add_face(b, upper, WCUT_BREP_PART_KEY_TIP, NULL, b->vertex[b->edge[e + 2].from], vec3(0, 0, upper ? 1 : -1));
+        add_brep_face(b, upper, WCUT_BREP_PART_KEY_TIP, NULL, b->vertex[b->edge[e + 2].from],
+                      vec3(0, 0, upper ? 1 : -1));
         add_loop(b, upper, 2, tip);
     }
     return WCUT_OK;

@@ -1097,6 +1097,7 @@ public unsafe struct wcut_job
     public double* extra_u;
     public double* extra_length;
     public double clearance;
+    public double overrun;
     public int dither_count;
     public wcut_dither* dither;
     public int heat_step_count;

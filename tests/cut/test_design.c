@@ -249,7 +249,7 @@ TEST(edges_off_the_block_are_refused_with_curve_station_and_by_how_much) {
                {{400, 900, 300}, {0, 0, 0}, 1e-3, {"edges span", "design.extra_length_mm", "they differ by 1000"}},
                {{400, 900, 300}, {-50, 0, 0}, 1, {"design.edge_a", "50 mm outside", "expected edges on the block"}},
                {{400, 900, 300}, {60, 0, 0}, 1, {"design.edge_b", "60 mm outside", "expected edges on the block"}},
-               {{400, 900, 300}, {0, -401, 0}, 1, {"station 0", "401 mm outside", "expected edges on the block"}},
+               {{400, 900, 300}, {0, -0.2, 0}, 1, {"station 0", "0.2 mm outside", "expected edges on the block"}},
                {{520, 900, 300}, {60, 0, 0}, 1, {"station 0", "end A", "expected a wire that leaves the block there"}}};
     for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
         wcut_job *job = sample_job("freeform-4.json");
@@ -277,6 +277,24 @@ TEST(edges_within_the_tolerance_and_a_little_inside_are_cut) {
         wcut_history *h = run_of(job);
         ck_assert_int_eq(h->row[h->stations - 1].phase, WCUT_PHASE_LEFT);
         wcut_history_destroy(h);
+        wcut_job_destroy(job);
+    }
+}
+
+TEST(edges_that_the_job_lets_run_over_are_cut) {
+    /* 50 mm before the entry: refused, but where the job says so */
+    for (int allowed = 0; allowed < 2; allowed++) {
+        wcut_job *job = sample_job("freeform-4.json");
+        job->stations = 61;
+        job->overrun = allowed ? 60 : 49;
+        shift_edge(job->edge_a, vec3(0, -50, 0), 1);
+        shift_edge(job->edge_b, vec3(0, -50, 0), 1);
+        wcut_setup *setup = NULL;
+        wcut_error error = {0};
+        const wcut_status status = wcut_setup_create(job, NULL, &setup, &error);
+        ck_assert_msg(status == (allowed ? WCUT_OK : WCUT_DEGENERATE), "%s", error.text);
+        if (!allowed) ck_assert_ptr_nonnull(strstr(error.text, "50 mm outside"));
+        wcut_setup_destroy(setup);
         wcut_job_destroy(job);
     }
 }

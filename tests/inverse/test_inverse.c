@@ -118,6 +118,7 @@ static wcut_job *hidden_job(void) {
     job->mode = WCUT_MODE_DESIGN;
     ck_assert_int_eq(wcut_curve_interpolate(POINTS, a, &job->edge_a), WCUT_OK);
     ck_assert_int_eq(wcut_curve_interpolate(POINTS, b, &job->edge_b), WCUT_OK);
+    job->overrun = job->block_size.x; /* the edges go on behind the block */
     job->extra_count = 3;
     job->extra_u = wcut_alloc(3, sizeof(double)), job->extra_length = wcut_alloc(3, sizeof(double));
     const double u[3] = {0, 0.5, 1}, extra[3] = {15, 30, 18};

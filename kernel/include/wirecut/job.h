@@ -62,6 +62,9 @@ typedef struct wcut_job {
     double *extra_u;      /**< extra_count, strictly increasing in [0, 1] */
     double *extra_length; /**< extra_count [mm], not negative: wire beyond |P_a P_b| */
     double clearance;     /**< [mm] design mode: both mounts keep it from the block */
+    double
+        overrun; /**< [mm] design mode: so far before the block and behind it may edges run, between the planes of its
+                         sides; default 0 */
 
     int dither_count;
     wcut_dither *dither; /**< identification cuts: speed programme */
