@@ -36,7 +36,9 @@ run 2 identify job.json -o d --cuts 9
 one_line cuts
 run 3 identify missing.json -o d
 one_line missing.json
-run 3 identify "$jobs/freeform-1.json" -o d
-one_line freeform-1.json path
 untouched d
+
+# a design is cut along the path that it becomes
+run 0 identify "$jobs/freeform-1.json" -o design --quiet
+grep -q '"path"' design/identification-1.json || fail "no path in the cut of a design"
 finish
