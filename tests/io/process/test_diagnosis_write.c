@@ -296,8 +296,9 @@ TEST(a_contradiction_is_there_and_an_instrument_s_fault_is_in_the_verdict) {
     ck_assert_uint_eq(json_array_size(effects), 1); /* the job's mistake is no effect */
     json_decref(root);
 
-    // a fault is named once, however many contradictions show it
-    wcut_contradiction both[2] = {given.d.contradiction[0], given.d.contradiction[0]};
+    /* a fault is named once, however many contradictions show it */
+    static wcut_contradiction both[2];
+    both[0] = both[1] = given.d.contradiction[0];
     for (int k = 0; k < 2; k++) both[k].kind = WCUT_CONTRADICTION_STATION, both[k].fault = true;
     given.d.contradictions = 2, given.d.contradiction = both;
     root = printed();

@@ -265,7 +265,7 @@ TEST(ranges_have_a_limit_together) {
     for (int k = 0; k < 5; k++)
         snprintf(text + strlen(text), sizeof text - strlen(text),
                  "%s\"--o%c\": {\"from\": 0, \"to\": 1, \"count\": 1000000}", k ? ", " : "", 'a' + k);
-    strcat(text, "}, \"combine\": \"zip\", \"figures\": {\"f\": \"/f\"}}");
+    snprintf(text + strlen(text), sizeof text - strlen(text), "}, \"combine\": \"zip\", \"figures\": {\"f\": \"/f\"}}");
     wcut_study *s = NULL;
     wcut_error error;
     ck_assert_int_eq(parse(text, &s, &error), WCUT_BAD_ARGUMENT);
