@@ -155,6 +155,7 @@ TEST(a_stop_and_a_failed_allocation_leave_nothing) {
     wcut_overlay_options options = wcut_overlay_options_default();
     options.patch = 100, options.resolution = 1, options.curves = 2;
     EACH_FAILED_ALLOCATION(wcut_overlay_create(FLAT_BLOCK, h, &c, NULL, p, &options, NULL, NULL, &o, NULL), o == NULL);
+    wcut_overlay_destroy(o);
     wcut_picture_destroy(p);
     forget_history(h);
 }
