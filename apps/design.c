@@ -57,6 +57,11 @@ static int load_process(designing *d) {
     }
     if (code != APP_DONE) return code;
 
+    /* a path is not used: its count is that of the job, not of the options */
+    free(d->process->mount_a);
+    free(d->process->mount_b);
+    d->process->mount_a = d->process->mount_b = NULL;
+
     /* options before the job's own */
     if (app_given(call, "heat") || !app_given(call, "process")) d->process->heat = app_real(call, "heat");
     if (app_given(call, "tension") || !app_given(call, "process")) d->process->tension = app_real(call, "tension");
