@@ -239,7 +239,7 @@ static bool add_face(wcut_face_reader *r, wcut_step_source *s, const wcut_p21_in
     return s->reader->failure.status == WCUT_OK;
 }
 
-static const char *find_face(const char *body) {
+static const char *find_step_face(const char *body) {
     const char *list = wcut_p21_record(body, "ADVANCED_FACE");
     return list ? list : wcut_p21_record(body, "FACE_SURFACE");
 }
@@ -249,13 +249,13 @@ static bool add_held(wcut_face_reader *r, wcut_step_source *s, const wcut_p21_in
     wcut_step_place place[WCUT_STEP_PLACES_MAX];
     int places = 0, faces = 0;
     if (!wcut_step_reach(s, rep->body, reached)) return false;
-    for (int k = 0; k < s->file.count; k++) faces += reached[k] && find_face(s->file.instance[k].body);
+    for (int k = 0; k < s->file.count; k++) faces += reached[k] && find_step_face(s->file.instance[k].body);
     if (faces == 0) return true;
     if (!wcut_step_use_units(s, rep->id) || !wcut_step_find_places(s, rep->id, place, &places)) return false;
     for (int p = 0; p < places; p++)
         for (int k = 0; k < s->file.count; k++) {
             const wcut_p21_instance *at = &s->file.instance[k];
-            const char *list = reached[k] ? find_face(at->body) : NULL;
+            const char *list = reached[k] ? find_step_face(at->body) : NULL;
             if (list && !add_face(r, s, at, list, &place[p])) return false;
         }
     return true;
@@ -279,7 +279,7 @@ static bool add_faces(wcut_face_reader *r, wcut_step_source *s) {
     int faces = 0;
     bool done = reached || wcut_curves_refuse_memory(s->reader);
     for (int k = 0; done && reached && k < s->file.count; k++) {
-        faces += find_face(s->file.instance[k].body) != NULL;
+        faces += find_step_face(s->file.instance[k].body) != NULL;
         if (wcut_step_items(s->file.instance[k].body)) done = add_held(r, s, &s->file.instance[k], reached);
     }
     wcut_free(reached);
@@ -287,7 +287,7 @@ static bool add_faces(wcut_face_reader *r, wcut_step_source *s) {
     /* faces that no representation holds stand where they are */
     const bool none = r->set->count == 0 && s->reader->set->left_out == 0;
     for (int k = 0; done && none && faces > 0 && k < s->file.count; k++) {
-        const char *list = find_face(s->file.instance[k].body);
+        const char *list = find_step_face(s->file.instance[k].body);
         if (list) done = add_face(r, s, &s->file.instance[k], list, NULL);
     }
     return done && faces == 0 ? add_loose(r, s) : done;

@@ -277,7 +277,7 @@ static void put_report_scene(document *d, json_t *item, const wcut_report_scene 
     }
 }
 
-static void put_cases(document *d, json_t *item, const wcut_report_cases *cases) {
+static void put_sweep_cases(document *d, json_t *item, const wcut_report_cases *cases) {
     /* numbers into the pool, texts into the document */
     put_int(d, item, "rows", cases->rows);
     put_int(d, item, "parameters", cases->parameters);
@@ -322,7 +322,7 @@ static void put_json_section(document *d, json_t *item, const wcut_report_sectio
     if (!section->cases) return;
     json_t *cases = json_object();
     put_member(d, item, "cases", cases);
-    put_cases(d, cases, section->cases);
+    put_sweep_cases(d, cases, section->cases);
 }
 
 json_t *wcut_report_json(const wcut_report *report, wcut_report_pool *pool) {

@@ -44,7 +44,7 @@ static void choose_rows(page *p) {
         if (k % stride == 0 || is_best(p, k)) p->row[p->rows++] = k;
 }
 
-static int row_of(const page *p, int k) {
+static int sweep_row_of(const page *p, int k) {
     for (int r = 0; r < p->rows; r++)
         if (p->row[r] == k) return r;
     return 0;
@@ -107,7 +107,7 @@ static void fill_cases(page *p, wcut_report_cases *cases) {
         link[r] = link_of(p, p->row[r], "report.html");
     }
     column[columns - 1] = (wcut_report_column){.label = "status", .text = status};
-    for (int i = 0; i < p->table.best_count; i++) best[i] = row_of(p, p->table.best[i]);
+    for (int i = 0; i < p->table.best_count; i++) best[i] = sweep_row_of(p, p->table.best[i]);
 
     /* goal: the column by which the best cases are chosen */
     *cases = (wcut_report_cases){.rows = p->rows,
@@ -140,7 +140,7 @@ static wcut_mesh *read_picture(page *p, int k) {
 }
 
 /* what the best cases cut, coloured by height */
-static void fill_shapes(page *p) {
+static void fill_sweep_shapes(page *p) {
     for (int i = 0; i < p->table.best_count && i < PICTURES && p->shapes == i && !p->memory.failed; i++) {
         const int k = p->table.best[i];
         wcut_mesh *mesh = p->mesh[i] = read_picture(p, k);
@@ -221,7 +221,7 @@ wcut_status wcut_report_sweep_write(const wcut_sweep *sweep, const char *path, w
     if (status != WCUT_OK) return status;
     choose_rows(&p);
     if (!p.memory.failed) fill_cases(&p, &cases);
-    if (!p.memory.failed) fill_shapes(&p);
+    if (!p.memory.failed) fill_sweep_shapes(&p);
 
     /* the page, if memory sufficed for all of it */
     status = p.memory.failed ? wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY))

@@ -41,7 +41,7 @@ static wcut_status say_outside(wcut_vec3 block, int count, const wcut_vec3 *poin
 }
 
 /* a target whose size says that its numbers are of another unit than the block's */
-static wcut_status check_size(wcut_vec3 block, int count, const wcut_vec3 *point, wcut_error *error) {
+static wcut_status check_target_size(wcut_vec3 block, int count, const wcut_vec3 *point, wcut_error *error) {
     wcut_vec3 low = point[0], high = low;
     for (int k = 1; k < count; k++) {
         low = vec3(fmin(low.x, point[k].x), fmin(low.y, point[k].y), 0);
@@ -166,7 +166,7 @@ wcut_status wcut_design_target_from_surface(const wcut_surface *surface, wcut_ve
 
     /* from above */
     double beside = 0;
-    if (status == WCUT_OK) status = check_size(block, count, sample, error);
+    if (status == WCUT_OK) status = check_target_size(block, count, sample, error);
     if (status == WCUT_OK) status = check_fold(block, sample, &beside, error);
     if (status == WCUT_OK) {
         const int kept = keep_over(block, beside, count, sample);
@@ -259,7 +259,7 @@ wcut_status wcut_design_target_from_mesh(const wcut_mesh *mesh, wcut_vec3 block,
     wcut_mesh_tree *tree = NULL;
     status = wcut_mesh_tree_create(mesh, &tree);
     if (status != WCUT_OK) return wcut_fail(error, status, "the target: %s", wcut_status_text(status));
-    status = check_size(block, mesh->vertex_count, mesh->vertex, error);
+    status = check_target_size(block, mesh->vertex_count, mesh->vertex, error);
     if (status == WCUT_OK) status = check_sheet(mesh, wcut_mesh_tree_view(tree), error);
     wcut_vec3 *sample = NULL, *place = NULL;
     wcut_mesh_foot *foot = NULL;
@@ -329,7 +329,7 @@ wcut_status wcut_design_target_from_points(int count, const wcut_vec3 *point, wc
     if (count < 1 || !vec3_all_finite(count, point))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "the target: expected points with finite coordinates");
 
-    status = check_size(block, count, point, error);
+    status = check_target_size(block, count, point, error);
     if (status != WCUT_OK) return status;
 
     /* an even choice of them */

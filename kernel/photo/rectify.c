@@ -49,7 +49,7 @@ double wcut_rectify_resolution(const wcut_face_grid *grid, wcut_vec3 block, cons
 
 /* weights of four neighbours at a fraction t between the middle two (Keys 1981): images of the pixel grid, which linear
    interpolation leaves, would turn the direction of fine rills */
-static void cubic_weights(double t, double w[4]) {
+static void sample_weights(double t, double w[4]) {
     w[0] = t * (-0.5 + t * (1 - 0.5 * t));
     w[1] = 1 + t * t * (-2.5 + 1.5 * t);
     w[2] = t * (0.5 + t * (2 - 1.5 * t));
@@ -60,8 +60,8 @@ static void cubic_weights(double t, double w[4]) {
 static void take_sample(const wcut_picture *photo, wcut_pixel p, double *sum) {
     const int n = photo->channels, i = (int)fmin(p.u, photo->width - 2), j = (int)fmin(p.v, photo->height - 2);
     double wu[4], wv[4];
-    cubic_weights(p.u - i, wu);
-    cubic_weights(p.v - j, wv);
+    sample_weights(p.u - i, wu);
+    sample_weights(p.v - j, wv);
     for (int b = 0; b < 4; b++) {
         const int row = (int)clamp(j + b - 1, 0, photo->height - 1);
         for (int a = 0; a < 4; a++) {
