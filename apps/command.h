@@ -99,6 +99,16 @@ struct app_call {
         .kind = APP_TEXT, .name = "formats", .value = "LIST",                             \
         .help = "files to write, with commas: some of " known "; all where none is given" \
     }
+#define APP_OPTION_CHORD_TOLERANCE                                                                   \
+    {                                                                                                \
+        .kind = APP_REAL, .name = "chord-tolerance", .value = "MM", .low = 1e-4, .high = 1e3,        \
+        .library = app_chord_tolerance, .help = "largest distance between triangles and surface, mm" \
+    }
+#define APP_OPTION_THREADS                                                                       \
+    {                                                                                            \
+        .kind = APP_INT, .name = "threads", .value = "N", .low = 1, .high = 64, .standard = "1", \
+        .help = "number of threads. Results do not depend on it"                                 \
+    }
 #define APP_OPTION_HELP \
     { .kind = APP_FLAG, .name = "help", .letter = 'h', .help = "print this help" }
 /* What every verb takes, and the end of its table. */
@@ -130,6 +140,9 @@ int app_check_formats(const app_call *call, const char *known);  /* every word o
 int app_int(const app_call *call, const char *option);
 double app_real(const app_call *call, const char *option);
 int app_choice(const app_call *call, const char *option); /* which word of `value`, from 0 */
+
+/* simulation.c: the library's own default of APP_OPTION_CHORD_TOLERANCE. */
+double app_chord_tolerance(void);
 
 /* suggest.c: the name nearest to a misspelt one; NULL where none is near. Names are closed by NULL. */
 const char *app_suggest(const char *typed, const char *const *name);

@@ -213,8 +213,6 @@ static int run_compensate(const app_call *call) {
 
 /* ---- the table ---- */
 
-static double compensate_chord_tolerance(void) { return wcut_mould_default().chord_tolerance; }
-
 static const app_operand operand[] = {
     {.name = "JOB", .kind = APP_FILE, .help = "a job file, wirecut-job/1: what is to be cut"},
     {.name = NULL},
@@ -255,21 +253,9 @@ static const app_option option[] = {
      .high = 100,
      .standard = "0.1",
      .help = "rms deviation below which a correction is said to be not worth it, mm"},
-    {.kind = APP_REAL,
-     .name = "chord-tolerance",
-     .value = "MM",
-     .low = 1e-4,
-     .high = 1e3,
-     .library = compensate_chord_tolerance,
-     .help = "largest distance between triangles and surface, mm"},
+    APP_OPTION_CHORD_TOLERANCE,
     APP_OPTION_FORMATS(FORMATS),
-    {.kind = APP_INT,
-     .name = "threads",
-     .value = "N",
-     .low = 1,
-     .high = 64,
-     .standard = "1",
-     .help = "number of threads. Results do not depend on it"},
+    APP_OPTION_THREADS,
     APP_OPTIONS_OF_ALL,
 };
 

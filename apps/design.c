@@ -315,7 +315,6 @@ static int run_designing(const app_call *call) {
 /* ---- the table ---- */
 
 /* defaults of the library */
-static double design_chord_tolerance(void) { return wcut_mould_default().chord_tolerance; }
 
 static const app_operand operand[] = {
     {.name = "TARGET",
@@ -403,21 +402,9 @@ static const app_option option[] = {
      .low = 21,
      .high = 2000,
      .help = "nodes along the wire; default 121, or those of the job"},
-    {.kind = APP_REAL,
-     .name = "chord-tolerance",
-     .value = "MM",
-     .low = 1e-4,
-     .high = 1e3,
-     .library = design_chord_tolerance,
-     .help = "largest distance between triangles and surface, mm"},
+    APP_OPTION_CHORD_TOLERANCE,
     APP_OPTION_FORMATS(FORMATS),
-    {.kind = APP_INT,
-     .name = "threads",
-     .value = "N",
-     .low = 1,
-     .high = 64,
-     .standard = "1",
-     .help = "number of threads. Results do not depend on it"},
+    APP_OPTION_THREADS,
     APP_OPTIONS_OF_ALL,
 };
 

@@ -358,7 +358,6 @@ static const char *mould_pull_text(void) {
     snprintf(text, sizeof text, "%g,%g,%g", pull.x, pull.y, pull.z);
     return text;
 }
-static double mould_chord_tolerance(void) { return wcut_mould_default().chord_tolerance; }
 static double mould_fit_tolerance(void) { return wcut_mould_default().fit_tolerance; }
 static double mould_scale(void) { return wcut_mould_default().scale; }
 static double mould_minimum_wall(void) { return wcut_mould_default().wall_asked; }
@@ -372,13 +371,7 @@ static const app_option option[] = {
     APP_OPTION_OUTPUT,
     APP_OPTION_STATIONS,
     APP_OPTION_NODES,
-    {.kind = APP_REAL,
-     .name = "chord-tolerance",
-     .value = "MM",
-     .low = 1e-4,
-     .high = 1e3,
-     .library = mould_chord_tolerance,
-     .help = "largest distance between triangles and surface, mm"},
+    APP_OPTION_CHORD_TOLERANCE,
     {.kind = APP_REAL,
      .name = "fit-tolerance",
      .value = "MM",

@@ -87,7 +87,6 @@ static int run_simulate(const app_call *call) {
 /* ---- the table ---- */
 
 /* defaults of the library */
-static double simulate_chord_tolerance(void) { return wcut_mould_default().chord_tolerance; }
 
 static const app_operand operand[] = {
     {.name = "JOB", .kind = APP_FILE, .help = "a job file, wirecut-job/1"},
@@ -105,13 +104,7 @@ static const app_option option[] = {
              "unstable for short steps, kept for comparison"},
     APP_OPTION_STATIONS,
     APP_OPTION_NODES,
-    {.kind = APP_REAL,
-     .name = "chord-tolerance",
-     .value = "MM",
-     .low = 1e-4,
-     .high = 1e3,
-     .library = simulate_chord_tolerance,
-     .help = "largest distance between triangles and surface, mm"},
+    APP_OPTION_CHORD_TOLERANCE,
     APP_OPTION_FORMATS(FORMATS),
     APP_OPTION_FORCE_LAW,
     APP_OPTIONS_OF_ALL,

@@ -202,6 +202,8 @@ int app_simulation_say(const app_simulation *s) {
     return APP_DONE;
 }
 
+double app_chord_tolerance(void) { return wcut_mould_default().chord_tolerance; }
+
 void app_simulation_clear(app_simulation *s) {
     app_results_end(&s->results);
     wcut_surface_destroy(s->surface);

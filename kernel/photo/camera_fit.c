@@ -15,6 +15,12 @@ static const double FLAT = 0.01, LINE = 0.005;
 /* a focal length that is known worse than this is not used */
 static const double FOCAL_SHARE = 0.1;
 
+/* how many parameters a camera of a kind has with so many points */
+static int parameters_of(wcut_camera_kind kind, int count) {
+    if (kind == WCUT_CAMERA_KIND_PLANE) return HOMOGRAPHY;
+    return kind == WCUT_CAMERA_KIND_PINHOLE ? 7 : count >= K2_MIN ? 9 : 8;
+}
+
 /* the points of a fit, one of them may be left out */
 typedef struct camera_problem {
     int count, without; /* without: -1 for none */
@@ -125,9 +131,10 @@ static wcut_status fit_plane(const wcut_camera_points *points, double pixel_sigm
     wcut_status status = wcut_camera_plane(points, camera, &determined);
     if (status != WCUT_OK) return status;
 
-    camera_problem p = {.count = points->count, .without = -1, .point = points->point, .parameters = 7};
+    camera_problem p = {.count = points->count, .without = -1, .point = points->point};
     wcut_camera pinhole = *camera;
     pinhole.kind = WCUT_CAMERA_KIND_PINHOLE;
+    p.parameters = parameters_of(pinhole.kind, points->count);
     if (determined) {
         status = refine_camera(&p, &pinhole, outcome);
         if (status == WCUT_NO_MEMORY) return status;
@@ -140,7 +147,7 @@ static wcut_status fit_plane(const wcut_camera_points *points, double pixel_sigm
     }
 
     camera->kind = WCUT_CAMERA_KIND_PLANE;
-    p.parameters = HOMOGRAPHY;
+    p.parameters = parameters_of(camera->kind, points->count);
     return refine_camera(&p, camera, outcome);
 }
 
@@ -152,7 +159,7 @@ static wcut_status fit_full(const wcut_camera_points *points, wcut_camera *camer
 
     camera->kind = WCUT_CAMERA_KIND_FULL;
     camera_problem p = {.count = points->count, .without = -1, .point = points->point};
-    p.parameters = points->count >= K2_MIN ? 9 : 8;
+    p.parameters = parameters_of(camera->kind, points->count);
     status = refine_camera(&p, camera, outcome);
     return status == WCUT_SINGULAR ? WCUT_NOT_CONVERGED : status;
 }
@@ -358,10 +365,7 @@ wcut_status wcut_camera_fit(int count, const wcut_photo_point *point, int width,
 
     /* each point beside a camera that does not know it */
     camera_problem p = {.count = count, .without = -1, .point = point};
-    p.parameters = found.kind == WCUT_CAMERA_KIND_PLANE     ? HOMOGRAPHY
-                   : found.kind == WCUT_CAMERA_KIND_PINHOLE ? 7
-                   : count >= K2_MIN                        ? 9
-                                                            : 8;
+    p.parameters = parameters_of(found.kind, count);
     wcut_camera_report r;
     fill_report(&p, &found, &outcome, o.pixel_sigma, &points, &r);
     double *left = wcut_alloc((size_t)count, sizeof *left);
