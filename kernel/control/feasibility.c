@@ -10,6 +10,8 @@
 #define NEAR_LIMIT 0.95 /* [1] from here on a figure is at its limit */
 #define ANGLE_MAX 100.0 /* [deg] beyond it a wire points back past its mount, whatever the head can do */
 #define TURN_MAX 90.0   /* [deg] */
+#define LOOP_MIN 270.0  /* [deg] an edge that turns by more to one side comes back to itself, or winds up */
+#define EDGE_STEPS 1000 /* over which the turning of an edge is summed */
 #define DEGREE (180.0 / WCUT_PI)
 
 const char *wcut_feasibility_name(wcut_feasibility_verdict verdict) {
@@ -75,6 +77,39 @@ static void judge_figure(const figure *worst, int station, wcut_feasibility *v) 
     v->station = station;
     snprintf(v->reason, sizeof v->reason, "%s: %.4g %s at station %d, limit %.4g %s", worst->name, worst->value,
              worst->unit, station, worst->limit, worst->unit);
+}
+
+/* by how much a drawn edge turns to one side in the plane of its side of the block, y and z, at most [deg] */
+static double edge_turning(const wcut_curve *edge) {
+    double first, last, sum = 0, turning = 0;
+    wcut_vec3 before = {0, 0, 0};
+    wcut_curve_domain(edge, &first, &last);
+    for (int k = 0; k <= EDGE_STEPS; k++) {
+        wcut_vec3 ders[2];
+        if (wcut_curve_eval(edge, first + (last - first) * k / EDGE_STEPS, 1, ders) != WCUT_OK) return 0;
+
+        /* the angle from the direction before; a direction along x has none */
+        const wcut_vec3 d = {0, ders[1].y, ders[1].z};
+        sum += atan2(before.y * d.z - before.z * d.y, before.y * d.y + before.z * d.z);
+        turning = fmax(turning, fabs(sum));
+        if (vec3_length(d) > 0) before = d;
+    }
+    return turning * DEGREE;
+}
+
+/* a design whose edge runs in a loop: the wire would have to go through its own cut */
+static bool judge_edges(const wcut_job *job, wcut_feasibility *v) {
+    if (job->mode != WCUT_MODE_DESIGN || !job->edge_a || !job->edge_b) return false;
+    const double a = edge_turning(job->edge_a), b = edge_turning(job->edge_b);
+    if (!(fmax(a, b) > LOOP_MIN)) return false;
+    v->verdict = WCUT_FEASIBILITY_VERDICT_INFEASIBLE;
+    v->station = -1;
+    snprintf(
+        v->reason, sizeof v->reason,
+        "edge %c runs in a loop: it turns by %.4g deg to one side, more than %g; the wire would run through its own "
+        "cut, which is not modelled",
+        a >= b ? 'A' : 'B', fmax(a, b), LOOP_MIN);
+    return true;
 }
 
 /* what makes a cut infeasible whatever its limits; false where nothing does */
@@ -143,7 +178,7 @@ wcut_status wcut_feasibility_eval(const wcut_job *job, const wcut_history *h, co
     }
 
     /* a course that cannot be run comes before any figure */
-    if (!judge_course(h, &v)) judge_figure(&worst, at, &v);
+    if (!judge_edges(job, &v) && !judge_course(h, &v)) judge_figure(&worst, at, &v);
     *verdict = v;
 
     return WCUT_OK;

@@ -7,6 +7,17 @@ if [ ! -d "$found/geo" ]; then
     exit 77
 fi
 
+# every folder has a test, here, in cli_mould (words) or in test_found_curves (curves of IGES and STEP): a new one fails
+# here until it has
+known="bytes-behind-the-last-element coff-as-scan csv-header-with-blanks csv-takes-nominal-for-measured gltf-with-bin-beside
+    iges-spline-range-ignored iges-unit-by-name iges-utf8-name mesh-reference-has-no-unit mould-words pcd-compressed
+    ply-header-with-cr poisson-off-by-millimetres ptx-and-pts-blocks reference-of-unread-format
+    registration-gives-up-on-noise report-refuses-two-sided-mesh step-assembly-that-moves-nothing step-edges-in-pieces
+    stl-ascii-taken-for-binary stl-ply-nan-of-microsoft __pycache__"
+for path in "$found"/geo/*/; do
+    case " $(echo $known) " in *" $(basename "$path") "*) ;; *) fail "no test of $path" ;; esac
+done
+
 # above FOLDER REFERENCE SCAN POINTS [OPTION...]: the points lie 0.25 mm above the plane, outside a tolerance of 0.1 mm
 above() {
     folder=$found/geo/$1 reference=$2 scan=$3 points=$4

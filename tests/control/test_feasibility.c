@@ -67,6 +67,23 @@ TEST(exchanged_edges_are_infeasible_for_the_wires_angle) {
     wcut_job_destroy(job);
 }
 
+TEST(an_edge_that_runs_in_a_loop_is_infeasible_and_one_that_turns_half_round_is_not_called_so) {
+    for (int k = 0; k < 2; k++) {
+        wcut_job *job = design();
+        wcut_vec3 point[21];
+        for (int i = 0; i < 21; i++) {
+            const double angle = (k ? 1 : 2) * WCUT_PI * i / 20;
+            point[i] = vec3(job->block_size.x, 450 - 300 * cos(angle), 150 + 100 * sin(angle));
+        }
+        wcut_curve_destroy(job->edge_b);
+        ck_assert_int_eq(wcut_curve_interpolate(21, point, &job->edge_b), WCUT_OK);
+        const wcut_feasibility v = verdict_on(job, NULL);
+        ck_assert_msg((strstr(v.reason, "edge B runs in a loop: it turns by 3") != NULL) == (k == 0), "%s", v.reason);
+        if (k == 0) ck_assert_int_eq(v.verdict, WCUT_FEASIBILITY_VERDICT_INFEASIBLE);
+        wcut_job_destroy(job);
+    }
+}
+
 TEST(a_path_that_ends_in_the_foam_or_early_is_infeasible) {
     wcut_job *job = straight_job(400, 60, 540, 31, 30, -20, 200);
     wcut_feasibility v = verdict_on(job, NULL);

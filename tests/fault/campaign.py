@@ -1,16 +1,18 @@
-"""campaign.py [--long] [--step K] [VERB...]: the command's results under faults, counted.
+"""campaign.py [--long] [--runs N] [--step K] [VERB...]: the command's results under faults, counted.
 
 An earlier set of results, of an input A, lies in a folder. A run of an input B into it is killed, or a call of it fails.
 Afterwards the folder holds one whole set under its voucher, A's or B's, and nothing else; whatever happened:
 
-  lost    neither set is whole, also after `wirecut verify`, which finishes what a dead run began
+  lost    neither set is whole, also after `wirecut verify`, which finishes what a dead run began; of a sweep: the same
+          command, given again, does not come to the table of a run without faults
   mixed   a voucher stands in the folder, and a file that it lists is not the one it lists
   crash   the command ended by a signal that was not ours
   untold  a run failed without a line that says why, or with an exit code that does not fit
 
 Campaigns: a kill at every system call, a kill at random moments, every system call fails in turn, every allocation fails
-in turn, a full disk (a tmpfs of just too few pages, where one may be mounted; else a limit of file size), two runs at
-once. Without --long: the quick verbs, and every k-th call; --step says which k.
+in turn, a full disk (a tmpfs of just too few pages, where one may be mounted; else a limit of file size), files and a folder
+without the right to write, two runs at once. Without --long: the quick verbs, and every k-th call; --step says which k.
+--runs: of the calls of a verb so many at most, evenly spread, one of the error numbers at each.
 
   WIRECUT      the command       FAULT_SHIM   shim.c as a library      SOURCE_DIR   the repository
 """
@@ -29,9 +31,27 @@ import time
 WIRECUT, SHIM = os.environ["WIRECUT"], os.environ["FAULT_SHIM"]
 SMALL = os.path.join(os.environ["SOURCE_DIR"], "tests/fault/small")
 LONG = "--long" in sys.argv
-GIVEN = int(sys.argv[sys.argv.index("--step") + 1]) if "--step" in sys.argv else None
-STEP = GIVEN or (1 if LONG else 5)  # every k-th call
+
+
+def number(option):
+    return int(sys.argv[sys.argv.index(option) + 1]) if option in sys.argv else None
+
+
+STEP = number("--step") or (1 if LONG else 5)  # every k-th call
+RUNS = number("--runs")
 ERRORS = [errno.EIO, errno.ENOSPC, errno.EACCES, errno.EINTR, errno.ENOENT] if LONG else [errno.ENOSPC]
+
+# one effect alone is looked for, which is quick: every other one is left out
+EFFECTS = """wire_thermal_lag air_overheating end_cooling foam_density_gradient foam_inclusion tangential_drag wire_elongation
+    mount_compliance rate_dependence wire_fouling empirical_force kerf_growth block_springback angle_offset tension_drift
+    clock_offset tension_delay tension_zero angle_gain encoder_friction empirical_reading scan_offset scan_scale""".split()
+WITHOUT = ["--no-proof", "--without", ",".join(EFFECTS)]
+TARGET = [os.path.join(os.environ["SOURCE_DIR"], "samples/targets/bicubic.ply"), "--block", "400,600,300", "--process",
+          os.path.join(os.environ["SOURCE_DIR"], "samples/jobs/freeform-1.json"), "--nodes", "31", "--chord-tolerance", "5",
+          "--feed", "+y", "--tolerance", "50", "--stations"]
+MADE = os.path.abspath("inputs")
+PICTURE = [f"{MADE}/picture.png", "--points", f"{MADE}/points.csv", "--curves", "2", "--resolution"]
+WORSE = ["cA/cut-1/job.json", "--with", f"{MADE}/improved.json", "--chord-tolerance"]
 
 # verb: voucher, arguments of A, arguments of B
 VERBS = {
@@ -40,14 +60,38 @@ VERBS = {
     "simulate": ("summary.json", ["A.json"], ["B.json", "--chord-tolerance", "1"]),
     "score": ("score.json", ["cA/case.json"], ["cA/case.json", "--settle", "1"]),
     "identify": ("identify.json", ["cA/cut-1/job.json", "--cuts", "2"], ["cA/cut-1/job.json", "--cuts", "3"]),
-    "mould": ("mould.json", ["A.json", "--label", "a"], ["B.json", "--label", "b", "--chord-tolerance", "1"]),
+    "mould": ("mould.json", ["A.json", "--label", "a", "--chord-tolerance", "2"],
+              ["B.json", "--label", "b", "--chord-tolerance", "1"]),
     "compare": ("deviation.json", ["A.json", "A.xyz"], ["B.json", "A.xyz"]),
-    "diagnose": ("diagnosis.json", ["cA/case.json", "--no-proof"], ["cA/case.json", "--no-proof", "--seed", "2"]),
     "control": ("control.json", ["cA/cut-1/job.json"], ["cA/cut-1/job.json", "--seed", "2"]),
+    "compensate": ("compensation.json", [*WORSE, "5"], [*WORSE, "4"]),
+    "sweep": ("sweep.json", [f"{MADE}/A.json"], [f"{MADE}/B.json"]),
+    "overlay": ("overlay.json", ["A.json", *PICTURE, "8"], ["A.json", *PICTURE, "9"]),
+    "diagnose": ("diagnosis.json", ["cA/case.json", *WITHOUT], ["cA/case.json", *WITHOUT, "--seed", "2"]),
+    "design": ("feasibility.json", [*TARGET, "41"], [*TARGET, "43"]),
 }
 QUICK = ["calibrate", "path"]
 counts = {}
 worst = []
+
+
+def make_inputs():
+    """what is too plain to be kept in the repository"""
+    os.makedirs(MADE, exist_ok=True)
+    subprocess.run([sys.executable, os.path.join(os.environ["SOURCE_DIR"], "tests/photo/plain_png.py"), f"{MADE}/picture.png",
+                    "160", "120"], check=True)
+    with open(f"{MADE}/points.csv", "w", encoding="ascii") as file:
+        file.write("u_px,v_px,x_mm,y_mm,z_mm\n25,100,0,0,300\n125,102,400,0,300\n120,15,400,900,300\n35,12,0,900,300\n")
+    with open(f"{SMALL}/cA/cut-1/job.json", encoding="utf-8") as file:
+        job = json.load(file)
+    job["effects"] = [{"name": "wire_elongation", "strain_at_60W_2N": 0.004}]
+    with open(f"{MADE}/improved.json", "w", encoding="utf-8") as file:
+        json.dump(job, file)
+    for name, heats in (("A", [70]), ("B", [70, 80])):
+        with open(f"{MADE}/{name}.json", "w", encoding="utf-8") as file:
+            json.dump({"format": "wirecut-study/1", "name": "faults", "verb": "simulate", "input": f"{SMALL}/A.json",
+                       "options": {"stations": 20, "nodes": 15, "formats": "csv"},
+                       "parameters": {"/process/heat_W_per_m": heats}, "figures": {"duration_s": "/duration_s"}}, file)
 
 
 def add(campaign, what, place=None):
@@ -72,6 +116,13 @@ def contents(folder):
 
 def command(verb, which, folder):
     return [WIRECUT, verb, *VERBS[verb][which], "-o", folder, "-q"]
+
+
+def spread(count, step):
+    """every step-th of the calls 1 to count, or so many of them as --runs says"""
+    if RUNS and count > RUNS:
+        return [1 + (count - 1) * k // (RUNS - 1) for k in range(RUNS)]
+    return list(range(1, count + 1, step))
 
 
 def run(arguments, fault=None, limit=None):
@@ -99,23 +150,19 @@ def is_mixed(folder, voucher):
     return any(found.get(name) != digest for name, digest in listed.items())
 
 
-def judge(campaign, place, folder, voucher, sets, must=None):
-    """sets: the contents that are right; must: the one that has to be there"""
-    add(campaign, "runs")
-    if is_mixed(folder, voucher):
-        add(campaign, "mixed", place)
-    code, words = verify(folder)
-    found = {name: digest for name, digest in contents(folder).items() if not name.startswith(".wirecut-")}
-    if code != 0 or found not in sets or (must is not None and found != must):
-        add(campaign, "lost", f"{place}: verify {code} {words.strip()}: {sorted(set(found) ^ set(sets[0]))[:4]}")
-
-
 def told(code, words):
     return code > 0 and words.startswith("wirecut: ") and words.count("\n") == 1
 
 
+def told_of_sweep(code, words):
+    """a case that failed has its words in its own folder; the run says how many did"""
+    return code > 0 and bool(words.strip())
+
+
 class Trial:
     """the good sets of a verb, and a folder to fail in"""
+
+    told = staticmethod(told)
 
     def __init__(self, verb):
         self.verb, self.voucher = verb, VERBS[verb][0]
@@ -145,21 +192,58 @@ class Trial:
             sys.exit(f"{self.verb}: the shim counts {count} calls: it does not stand before the C library")
         return count
 
+    def judge(self, campaign, place, must=None, folder=None):
+        """must: the set that has to be there, 0 or 1; None: either"""
+        folder = folder or self.folder
+        add(campaign, "runs")
+        if is_mixed(folder, self.voucher):
+            add(campaign, "mixed", place)
+        code, words = verify(folder)
+        found = {name: digest for name, digest in contents(folder).items() if not name.startswith(".wirecut-")}
+        if code != 0 or found not in self.good or (must is not None and found != self.good[must]):
+            add(campaign, "lost", f"{place}: verify {code} {words.strip()}: {sorted(set(found) ^ set(self.good[0]))[:4]}")
+
+    def go_on(self, campaign, place):
+        """whoever comes next leaves nothing of a dead run behind"""
+        code, words = run(command(self.verb, 1, self.folder))
+        if code != 0 or contents(self.folder) != self.good[0]:
+            add(campaign, "lost", f"{place}: the next run ends with {code} {words.strip()}, leaves {sorted(os.listdir(self.folder))}")
+
+
+class SweepTrial(Trial):
+    """a sweep's folder grows: what is right is its table, and that each set in it is whole"""
+
+    told = staticmethod(told_of_sweep)
+
+    def judge(self, campaign, place, must=None, folder=None):
+        folder = folder or self.folder
+        add(campaign, "runs")
+        for where, _, files in os.walk(folder):
+            if any(name in files and is_mixed(where, name) for name in ("plan.json", "sweep.json", "summary.json")):
+                add(campaign, "mixed", f"{place}: {where}")
+        if must == 1 and verify(folder)[0] != 0:
+            add(campaign, "lost", f"{place}: done, but not whole")
+        os.chmod(folder, 0o755)
+        code, words = run(command(self.verb, 2, folder))
+        left = [name for _, folders, files in os.walk(folder) for name in folders + files if name.startswith(".wirecut-")]
+        tables = ("sweep.csv", "manifest.csv")
+        if code != 0 or left or any(contents(folder).get(name) != self.good[1][name] for name in tables):
+            add(campaign, "lost", f"{place}: the same command ends with {code} {words.strip()}, leaves {left}")
+
+    def go_on(self, campaign, place):
+        pass
+
 
 def kill_at_every_call(trial, step):
     campaign = "kill at a system call"
-    for n in range(1, trial.calls("call") + 1, step):
+    for n in spread(trial.calls("call"), step):
         trial.reset()
         code, words = run(command(trial.verb, 2, trial.folder), {"FAULT_AT": str(n), "FAULT_WHAT": "call", "FAULT_HOW": "kill"})
         place = f"{trial.verb}, call {n}"
         if code not in (-signal.SIGKILL, 0):
             add(campaign, "crash", f"{place}: ended with {code}: {words}")
-        judge(campaign, place, trial.folder, trial.voucher, trial.good)
-
-        # whoever comes next leaves nothing of it behind
-        code, words = run(command(trial.verb, 1, trial.folder))
-        if code != 0 or contents(trial.folder) != trial.good[0]:
-            add(campaign, "lost", f"{place}: the next run ends with {code} {words.strip()}, leaves {sorted(os.listdir(trial.folder))}")
+        trial.judge(campaign, place)
+        trial.go_on(campaign, place)
 
 
 def kill_at_random(trial, runs):
@@ -175,35 +259,35 @@ def kill_at_random(trial, runs):
         time.sleep(dice.random() * length)
         process.kill()
         process.wait()
-        judge(campaign, f"{trial.verb}, kill {k}", trial.folder, trial.voucher, trial.good)
+        trial.judge(campaign, f"{trial.verb}, kill {k}")
 
 
 def every_call_fails(trial, step):
     campaign = "a system call fails"
-    for n in range(1, trial.calls("call") + 1, step):
-        for code_wanted in ERRORS:
+    for k, n in enumerate(spread(trial.calls("call"), step)):
+        for code_wanted in [ERRORS[k % len(ERRORS)]] if RUNS else ERRORS:
             trial.reset()
             code, words = run(command(trial.verb, 2, trial.folder),
                               {"FAULT_AT": str(n), "FAULT_WHAT": "call", "FAULT_HOW": str(code_wanted)})
             place = f"{trial.verb}, call {n}, {errno.errorcode[code_wanted]}"
             if code < 0:
                 add(campaign, "crash", f"{place}: signal {-code}")
-            if code != 0 and not told(code, words):
+            if code != 0 and not trial.told(code, words):
                 add(campaign, "untold", f"{place}: {code} {words}")
-            judge(campaign, place, trial.folder, trial.voucher, trial.good, trial.good[1] if code == 0 else None)
+            trial.judge(campaign, place, 1 if code == 0 else None)
 
 
 def every_allocation_fails(trial, step):
     campaign = "an allocation fails"
-    for n in range(1, trial.calls("memory") + 1, step):
+    for n in spread(trial.calls("memory"), step):
         trial.reset()
         code, words = run(command(trial.verb, 2, trial.folder), {"FAULT_AT": str(n), "FAULT_WHAT": "memory"})
         place = f"{trial.verb}, allocation {n}"
         if code < 0:
             add(campaign, "crash", f"{place}: signal {-code}: {words}")
-        if code != 0 and "memory" not in words.lower():
+        if code != 0 and not (told_of_sweep(code, words) if trial.verb == "sweep" else "memory" in words.lower()):
             add(campaign, "untold", f"{place}: {code} {words}")
-        judge(campaign, place, trial.folder, trial.voucher, trial.good, trial.good[1] if code == 0 else None)
+        trial.judge(campaign, place, 1 if code == 0 else None)
 
 
 def mount(folder, pages):
@@ -212,12 +296,15 @@ def mount(folder, pages):
                           check=False).returncode == 0
 
 
+def pages_of(folder, page=4096):
+    return sum((os.path.getsize(os.path.join(where, name)) + page - 1) // page
+               for where, _, files in os.walk(folder) for name in files)
+
+
 def full_disk(trial, sizes):
     """a disk with room for the old set and a part of the new one"""
     campaign = "a full disk"
-    page = 4096
-    size = [sum((os.path.getsize(f"good-{trial.verb}-{k}/{name}") + page - 1) // page for name in trial.good[k - 1])
-            for k in (1, 2)]
+    size = [pages_of(f"good-{trial.verb}-{k}") for k in (1, 2)]
     folder = os.path.abspath(f"disk-{trial.verb}")
     for k in range(sizes):
         pages = size[0] + (size[1] + 6) * (k + 1) // (sizes + 1)
@@ -225,15 +312,18 @@ def full_disk(trial, sizes):
             print("note: no tmpfs may be mounted here: a full disk is tried by a limit of file size alone")
             break
         try:
-            for name in trial.good[0]:
-                shutil.copy(f"good-{trial.verb}-1/{name}", folder)
+            shutil.copytree(f"good-{trial.verb}-1", folder, dirs_exist_ok=True)
             code, words = run(command(trial.verb, 2, folder))
             place = f"{trial.verb}, {pages} pages"
             if code < 0:
                 add(campaign, "crash", f"{place}: signal {-code}")
-            if code != 0 and not (told(code, words) and code == 4 and "No space left" in words):
+            if code != 0 and not (trial.told(code, words) and code == 4 and "No space left" in words):
                 add(campaign, "untold", f"{place}: {code} {words}")
-            judge(campaign, place, folder, trial.voucher, trial.good, trial.good[1 if code == 0 else 0])
+
+            # a sweep goes on where there is room again
+            if trial.verb == "sweep":
+                subprocess.run(["mount", "-o", f"remount,nr_blocks={2 * sum(size) + 100}", folder], check=True)
+            trial.judge(campaign, place, 1 if code == 0 else 0, folder)
         finally:
             subprocess.run(["umount", folder], check=True)
     for k in range(sizes):
@@ -244,9 +334,42 @@ def full_disk(trial, sizes):
         place = f"{trial.verb}, files up to {limit} bytes"
         if code < 0:
             add(campaign, "crash", f"{place}: signal {-code}")
-        if code != 0 and not (told(code, words) and code == 4):
+        if code != 0 and not (trial.told(code, words) and code == 4):
             add(campaign, "untold", f"{place}: {code} {words}")
-        judge(campaign, place, trial.folder, trial.voucher, trial.good, trial.good[1 if code == 0 else 0])
+        trial.judge(campaign, place, 1 if code == 0 else 0)
+
+
+def nobody():
+    """root may write anywhere: the right is lost with the name"""
+    if os.getuid() == 0:
+        os.setgroups([])
+        os.setgid(65534)
+        os.setuid(65534)
+
+
+def no_right_to_write(trial):
+    """files of mode 0444, and a folder of mode 0555"""
+    campaign = "no right to write"
+    for mode, folder_mode in ((0o444, 0o755), (0o644, 0o555), (0o444, 0o555)):
+        trial.reset()
+        for where, folders, files in os.walk(trial.folder, topdown=False):
+            for name in files:
+                os.chmod(os.path.join(where, name), mode)
+            os.chmod(where, folder_mode)
+            for name in [*files, "."]:
+                if os.getuid() == 0:
+                    os.chown(os.path.join(where, name), 65534, 65534)
+        code, words = run(command(trial.verb, 2, trial.folder), limit=nobody)
+        place = f"{trial.verb}, files {mode:o}, folder {folder_mode:o}"
+        if code < 0:
+            add(campaign, "crash", f"{place}: signal {-code}")
+        if code != 0 and not (trial.told(code, words) and code == 4):
+            add(campaign, "untold", f"{place}: {code} {words}")
+        if folder_mode == 0o555 and code == 0:
+            add(campaign, "lost", f"{place}: done, though nothing could be written")
+        for where, _, _ in os.walk(trial.folder):
+            os.chmod(where, 0o755)
+        trial.judge(campaign, place, 1 if code == 0 else 0)
 
 
 def two_at_once(trial, runs):
@@ -260,27 +383,33 @@ def two_at_once(trial, runs):
                 add(campaign, "crash", f"{trial.verb}, pair {k}: signal {-process.returncode}")
             elif process.returncode not in (0, 4) or (process.returncode == 4 and "process" not in words):
                 add(campaign, "untold", f"{trial.verb}, pair {k}: {process.returncode} {words}")
-        judge(campaign, f"{trial.verb}, pair {k}", trial.folder, trial.voucher, trial.good)
+        trial.judge(campaign, f"{trial.verb}, pair {k}")
+
+
+def report():
+    print(f"{'campaign':24} {'runs':>6} {'lost':>6} {'mixed':>6} {'crash':>6} {'untold':>6}")
+    for campaign, figures in counts.items():
+        print(f"{campaign:24}", *(f"{figures.get(what, 0):6}" for what in ("runs", "lost", "mixed", "crash", "untold")))
+    print("\n".join(worst), flush=True)
+    return sum(count for figures in counts.values() for what, count in figures.items() if what != "runs")
 
 
 def main():
     verbs = [word for word in sys.argv[1:] if word in VERBS] or (list(VERBS) if LONG else QUICK)
+    make_inputs()
     for verb in verbs:
-        trial = Trial(verb)
-        kill_at_every_call(trial, STEP if LONG or verb == QUICK[0] else 2 * STEP)
-        kill_at_random(trial, 200 if LONG else 10)
-        every_call_fails(trial, STEP if LONG or verb == QUICK[0] else 2 * STEP)
+        trial = SweepTrial(verb) if verb == "sweep" else Trial(verb)
+        step = STEP if LONG or verb == QUICK[0] else 2 * STEP
+        kill_at_every_call(trial, step)
+        kill_at_random(trial, (RUNS or 200) if LONG else 10)
+        every_call_fails(trial, step)
         memory = trial.calls("memory")
         every_allocation_fails(trial, max(1, memory // (1000 if LONG else 40)))
         full_disk(trial, 12 if LONG else 3)
-        two_at_once(trial, 50 if LONG else 5)
-    bad = 0
-    print(f"{'campaign':24} {'runs':>6} {'lost':>6} {'mixed':>6} {'crash':>6} {'untold':>6}")
-    for campaign, figures in counts.items():
-        print(f"{campaign:24}", *(f"{figures.get(what, 0):6}" for what in ("runs", "lost", "mixed", "crash", "untold")))
-        bad += sum(count for what, count in figures.items() if what != "runs")
-    print("\n".join(worst))
-    sys.exit(bad > 0)
+        no_right_to_write(trial)
+        two_at_once(trial, min(RUNS or 50, 50) if LONG else 5)
+        print(f"{verb}: {trial.calls('call')} system calls, {memory} allocations", flush=True)
+    sys.exit(report() > 0)
 
 
 main()

@@ -39,9 +39,9 @@ typedef struct wcut_feasibility {
 } wcut_feasibility;
 
 /**
- * Judge a cut against the limits of cell and wire before it is made. A run that ends early, or ends with wire in the
- * foam, is infeasible with its reason; so is a wire that stands at more than 100 deg to its rest direction, whatever
- * the limits.
+ * Judge a cut against the limits of cell and wire before it is made. Infeasible whatever the limits, with its reason: a
+ * design with an edge that runs in a loop (turns by more than 270 deg to one side), a run that ends early or with wire
+ * in the foam, a wire that stands at more than 100 deg to its rest direction.
  *
  * @param[in]  job     that the history came from
  * @param[in]  history at least one station
