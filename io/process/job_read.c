@@ -12,6 +12,7 @@
 #include "io/file/read_file.h"
 #include "io/process/curve_json.h"
 #include "io/process/effect_json.h"
+#include "io/process/rig_json.h"
 
 #define FORMAT "wirecut-job/1"
 enum { POINTS_MAX = WCUT_JOB_STATIONS_MAX, PROGRAMME_MAX = 10000 };
@@ -58,9 +59,6 @@ static bool read_wire(wcut_reader *reader, const wcut_place *at, void *job) {
         IN_JOB(wire_length, "length_mm", false, wcut_read_positive),
     };
     if (!READ_OBJECT(fields, job)) return false;
-    wcut_place length = wcut_place_member(at, "length_mm");
-    if (!length.value && json_object_get(at->above->value, "path"))
-        return wcut_refuse(reader, &length, WCUT_BAD_FORMAT, "a number greater than 0: a job with a path needs it");
     return true;
 }
 
@@ -81,10 +79,18 @@ bool wcut_read_tension_law(wcut_reader *reader, const wcut_place *at, void *law)
     return READ_OBJECT(fields, law);
 }
 
+/* cold foam is cut by a blade alone; `at` is in the process of the job */
+static bool read_heat(wcut_reader *reader, const wcut_place *at, void *into) {
+    const json_t *rig = json_object_get(at->above->above->value, "rig");
+    const char *kind = json_string_value(json_object_get(rig, "kind"));
+    if (kind && strcmp(kind, wcut_rig_name(WCUT_RIG_KIND_BLADE)) == 0) return wcut_read_not_negative(reader, at, into);
+    return wcut_read_positive(reader, at, into);
+}
+
 static bool read_process(wcut_reader *reader, const wcut_place *at, void *job) {
     static const wcut_field fields[] = {
-        IN_JOB(heat, "heat_W_per_m", true, wcut_read_positive),
-        IN_JOB(tension, "tension_N", true, wcut_read_positive),
+        IN_JOB(heat, "heat_W_per_m", true, read_heat),
+        IN_JOB(tension, "tension_N", false, wcut_read_positive),
         IN_JOB(force_law, "force_law", true, wcut_read_force_law),
         IN_JOB(tension_law, "tension_law", false, wcut_read_tension_law),
     };
@@ -131,11 +137,22 @@ static bool read_mount_b(wcut_reader *reader, const wcut_place *at, void *into) 
                            (void **)&job->mount_b);
 }
 
+/* one tool that holds both mounts, in the place of the two lists */
+static bool read_tool_path(wcut_reader *reader, const wcut_place *at, void *job) {
+    static const wcut_field fields[] = {
+        PART("tool", true, wcut_read_tool),
+        IN_JOB(mount_a_in_tool, "mount_a_in_tool_mm", true, wcut_read_point),
+        IN_JOB(mount_b_in_tool, "mount_b_in_tool_mm", true, wcut_read_point),
+    };
+    return READ_OBJECT(fields, job) && wcut_read_mounts(reader, at, job);
+}
+
 static bool read_path(wcut_reader *reader, const wcut_place *at, void *job) {
     static const wcut_field fields[] = {
         PART("mount_a_mm", true, read_mount_a),
         PART("mount_b_mm", true, read_mount_b),
     };
+    if (json_object_get(at->value, "tool")) return read_tool_path(reader, at, job);
     return READ_OBJECT(fields, job);
 }
 
@@ -277,6 +294,7 @@ static bool read_job_keys(wcut_reader *reader, const wcut_place *at, wcut_job *j
         PART("block", true, read_block),           PART("wire", true, read_wire),
         PART("process", true, read_process),       PART("path", false, read_path),
         PART("design", false, read_design),        PART("limits", false, read_limits),
+        PART("rig", false, wcut_read_rig),         PART("feed", false, wcut_read_feed),
         PART("kerf", false, read_job_kerf),        PART("excitation", false, read_excitation),
         PART("effects", false, wcut_read_effects),
     };
@@ -288,7 +306,8 @@ static bool read_job_keys(wcut_reader *reader, const wcut_place *at, wcut_job *j
     bool path = json_object_get(at->value, "path"), design = json_object_get(at->value, "design");
     if (path && design) return wcut_refuse(reader, at, WCUT_BAD_FORMAT, "either \"path\" or \"design\", not both");
     if (!READ_OBJECT(fields, job)) return false;
-    return path || design || wcut_refuse(reader, at, WCUT_BAD_FORMAT, "a \"path\" or a \"design\" in it");
+    if (!path && !design) return wcut_refuse(reader, at, WCUT_BAD_FORMAT, "a \"path\" or a \"design\" in it");
+    return wcut_read_rig_fits(reader, at, job);
 }
 
 wcut_status wcut_job_parse(const char *text, size_t length, const char *label, wcut_job **job, wcut_error *error) {

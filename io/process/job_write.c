@@ -8,6 +8,7 @@
 #include "io/file/text.h"
 #include "io/process/effect_json.h"
 #include "io/process/job.h"
+#include "io/process/rig_json.h"
 
 static void put_job_points(wcut_text *text, const char *before, int count, const wcut_vec3 *point) {
     wcut_text_print(text, "%s[", before);
@@ -32,14 +33,13 @@ static void put_block_and_wire(wcut_text *text, const wcut_job *job) {
     if (job->wire_material) wcut_text_put_string(text, ", \"material\": ", job->wire_material);
     if (job->wire_density > 0) wcut_text_put_number(text, ", \"density_kg_per_m3\": ", job->wire_density);
     wcut_text_print(text, ", \"nodes\": %d", job->nodes);
-    if (job->mode == WCUT_MODE_PATH || job->wire_length > 0)
-        wcut_text_put_number(text, ", \"length_mm\": ", job->wire_length);
+    if (job->wire_length > 0) wcut_text_put_number(text, ", \"length_mm\": ", job->wire_length);
     wcut_text_put(text, "}", 1);
 }
 
 static void put_job_process(wcut_text *text, const wcut_job *job) {
     wcut_text_put_number(text, ",\n  \"process\": {\n    \"heat_W_per_m\": ", job->heat);
-    wcut_text_put_number(text, ",\n    \"tension_N\": ", job->tension);
+    if (job->rig.kind == WCUT_RIG_KIND_TWO_ARMS) wcut_text_put_number(text, ",\n    \"tension_N\": ", job->tension);
     wcut_text_put_number(text, ",\n    \"force_law\": {\"a_N_per_mm\": ", job->force_law.a);
     wcut_text_put_number(text, ", \"b_m2_per_J\": ", job->force_law.b);
     wcut_text_put(text, "}", 1);
@@ -102,7 +102,10 @@ static void put_job(wcut_text *text, const wcut_job *job) {
     wcut_text_put_string(text, "{\n  \"format\": \"wirecut-job/1\",\n  \"name\": ", job->name);
     put_block_and_wire(text, job);
     put_job_process(text, job);
-    if (job->mode == WCUT_MODE_PATH) {
+    wcut_put_rig(text, job);
+    if (job->tool) {
+        wcut_put_tool(text, job);
+    } else if (job->mode == WCUT_MODE_PATH) {
         put_job_points(text, ",\n  \"path\": {\n    \"mount_a_mm\": ", job->stations, job->mount_a);
         put_job_points(text, ",\n    \"mount_b_mm\": ", job->stations, job->mount_b);
         wcut_text_put(text, "\n  }", 4);
@@ -118,6 +121,8 @@ static void put_job(wcut_text *text, const wcut_job *job) {
 static bool is_job_whole(const wcut_job *job) {
     if (!job->name || job->stations < 0 || job->dither_count < 0 || job->heat_step_count < 0) return false;
     if ((job->dither_count > 0 && !job->dither) || (job->heat_step_count > 0 && !job->heat_step)) return false;
+    if (job->feed.count < 0 || (job->feed.count > 0 && !job->feed.speed)) return false;
+    if (job->feed.kind == WCUT_FEED_KIND_TIME && job->feed.count > 0 && !job->feed.time) return false;
     if (job->mode == WCUT_MODE_PATH) return job->mount_a && job->mount_b;
     return job->edge_a && job->edge_b && job->extra_u && job->extra_length;
 }

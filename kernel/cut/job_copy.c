@@ -26,6 +26,8 @@ wcut_job *wcut_job_copy(const wcut_job *job) {
     /* pointers of the original are not the copy's: clear them, so that destroy is safe at any point */
     copy->name = copy->foam_material = copy->wire_material = NULL;
     copy->mount_a = copy->mount_b = NULL;
+    copy->tool = NULL;
+    copy->feed.speed = copy->feed.time = NULL;
     copy->edge_a = copy->edge_b = NULL;
     copy->extra_u = copy->extra_length = NULL;
     copy->dither = NULL;
@@ -38,6 +40,9 @@ wcut_job *wcut_job_copy(const wcut_job *job) {
         copy_job_text(job->wire_material, &copy->wire_material) &&
         copy_array(job->mount_a, job->stations, sizeof *job->mount_a, (void **)&copy->mount_a) &&
         copy_array(job->mount_b, job->stations, sizeof *job->mount_b, (void **)&copy->mount_b) &&
+        copy_array(job->tool, job->stations, sizeof *job->tool, (void **)&copy->tool) &&
+        copy_array(job->feed.speed, job->feed.count, sizeof(double), (void **)&copy->feed.speed) &&
+        copy_array(job->feed.time, job->feed.count, sizeof(double), (void **)&copy->feed.time) &&
         copy_curve(job->edge_a, &copy->edge_a) && copy_curve(job->edge_b, &copy->edge_b) &&
         copy_array(job->extra_u, job->extra_count, sizeof(double), (void **)&copy->extra_u) &&
         copy_array(job->extra_length, job->extra_count, sizeof(double), (void **)&copy->extra_length) &&
@@ -55,6 +60,17 @@ void wcut_job_reverse(wcut_job *job) {
         const wcut_vec3 a = job->mount_a[i], b = job->mount_b[i];
         job->mount_a[i] = job->mount_a[j], job->mount_b[i] = job->mount_b[j];
         job->mount_a[j] = a, job->mount_b[j] = b;
+        if (!job->tool) continue;
+        const wcut_pose tool = job->tool[i];
+        job->tool[i] = job->tool[j];
+        job->tool[j] = tool;
+    }
+
+    /* the speed of a step is that of the station at its other end */
+    double *speed = job->feed.kind == WCUT_FEED_KIND_STATIONS ? job->feed.speed : NULL;
+    for (int i = 1, j = job->stations - 1; speed && i < j; i++, j--) {
+        const double v = speed[i];
+        speed[i] = speed[j], speed[j] = v;
     }
 }
 

@@ -6,6 +6,7 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "cut/job_rig.h"
 
 /* [m/s2] standard gravity */
 #define GRAVITY 9.80665
@@ -34,14 +35,22 @@ static wcut_status check_job_numbers(const wcut_job *job, wcut_error *error) {
                     {"block.size_mm[1]", job->block_size.y},
                     {"block.size_mm[2]", job->block_size.z},
                     {"wire.diameter_mm", job->wire_diameter},
-                    {"process.heat_W_per_m", job->heat},
-                    {"process.tension_N", job->tension},
                     {"process.force_law.a_N_per_mm", job->force_law.a},
                     {"process.force_law.b_m2_per_J", job->force_law.b},
                     {"limits.speed_max_mm_s", job->speed_max},
                     {"limits.speed_min_mm_s", job->speed_min}};
     for (size_t i = 0; i < sizeof positive / sizeof *positive; i++) {
         const wcut_status status = expect_positive(error, positive[i].key, positive[i].value);
+        if (status != WCUT_OK) return status;
+    }
+
+    /* the cold law F = a is that of a blade; a tension is held by two arms */
+    if (!(job->heat == 0 && job->rig.kind == WCUT_RIG_KIND_BLADE)) {
+        const wcut_status status = expect_positive(error, "process.heat_W_per_m", job->heat);
+        if (status != WCUT_OK) return status;
+    }
+    if (job->rig.kind == WCUT_RIG_KIND_TWO_ARMS) {
+        const wcut_status status = expect_positive(error, "process.tension_N", job->tension);
         if (status != WCUT_OK) return status;
     }
 
@@ -89,7 +98,9 @@ static wcut_status check_path(const wcut_job *job, wcut_error *error) {
     if (!job->mount_a || !job->mount_b || !vec3_all_finite(job->stations, job->mount_a) ||
         !vec3_all_finite(job->stations, job->mount_b))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "path: expected %d finite positions of each mount", job->stations);
-    return expect_positive(error, "wire.length_mm", job->wire_length);
+    const bool answer =
+        job->rig.kind == WCUT_RIG_KIND_BLADE || (job->rig.kind == WCUT_RIG_KIND_BOW && job->rig.pretension > 0);
+    return answer ? WCUT_OK : expect_positive(error, "wire.length_mm", job->wire_length);
 }
 
 static wcut_status check_design(const wcut_job *job, wcut_error *error) {
@@ -453,12 +464,16 @@ wcut_status wcut_setup_create(const wcut_job *job, const wcut_cut_options *optio
     if (status == WCUT_OK) status = check_job_numbers(job, error);
     if (status == WCUT_OK) status = check_lists(job, error);
     if (status == WCUT_OK) status = job->mode == WCUT_MODE_PATH ? check_path(job, error) : check_design(job, error);
+    if (status == WCUT_OK) status = wcut_rig_check(job, error);
     if (status == WCUT_OK) status = check_effects(job, o.integrator, error);
     if (status == WCUT_OK && job->wire_density > 0 && o.integrator == WCUT_INTEGRATOR_HEUN)
         status = wcut_fail(error, WCUT_BAD_ARGUMENT,
                            "wire.density_kg_per_m3: found %g with the integrator heun, expected implicit: heun is the "
                            "paper's scheme, without weight",
                            job->wire_density);
+    if (status == WCUT_OK && (job->rig.kind != WCUT_RIG_KIND_TWO_ARMS || job->feed.kind != WCUT_FEED_KIND_NONE))
+        status = wcut_fail(error, WCUT_BAD_ARGUMENT, "rig.kind: found %s%s, expected two arms without a feed",
+                           wcut_rig_name(job->rig.kind), job->feed.kind ? " with a feed" : "");
     return status == WCUT_OK ? create_setup(job, &o, false, out, error) : status;
 }
 

@@ -19,6 +19,7 @@ public enum wcut_effect_kind { WCUT_EFFECT_WIRE_THERMAL_LAG = 0, WCUT_EFFECT_AIR
 public enum wcut_effect_place { WCUT_EFFECT_PLACE_STEP = 0, WCUT_EFFECT_PLACE_FACE = 1, WCUT_EFFECT_PLACE_SENSOR = 2, WCUT_EFFECT_PLACE_SCAN = 3 }
 public enum wcut_evidence_channel { WCUT_EVIDENCE_CHANNEL_SPEED = 0, WCUT_EVIDENCE_CHANNEL_TENSION = 1, WCUT_EVIDENCE_CHANNEL_ALPHA = 2, WCUT_EVIDENCE_CHANNEL_BETA = 3, WCUT_EVIDENCE_CHANNEL_SCAN = 4, WCUT_EVIDENCE_CHANNEL_COUNT = 5 }
 public enum wcut_feasibility_verdict { WCUT_FEASIBILITY_VERDICT_FEASIBLE = 0, WCUT_FEASIBILITY_VERDICT_AT_LIMIT = 1, WCUT_FEASIBILITY_VERDICT_INFEASIBLE = 2 }
+public enum wcut_feed_kind { WCUT_FEED_KIND_NONE = 0, WCUT_FEED_KIND_CONSTANT = 1, WCUT_FEED_KIND_STATIONS = 2, WCUT_FEED_KIND_TIME = 3 }
 public enum wcut_integrator { WCUT_INTEGRATOR_IMPLICIT = 0, WCUT_INTEGRATOR_HEUN = 1 }
 public enum wcut_lack_of_fit { WCUT_LACK_OF_FIT_UNTESTED = 0, WCUT_LACK_OF_FIT_REPLICATE = 1, WCUT_LACK_OF_FIT_FLEXIBLE = 2 }
 public enum wcut_length_unit { WCUT_LENGTH_UNIT_MM = 0, WCUT_LENGTH_UNIT_CM = 1, WCUT_LENGTH_UNIT_M = 2, WCUT_LENGTH_UNIT_INCH = 3, WCUT_LENGTH_UNIT_FOOT = 4, WCUT_LENGTH_UNIT_DM = 5, WCUT_LENGTH_UNIT_UM = 6, WCUT_LENGTH_UNIT_COUNT = 7 }
@@ -35,6 +36,7 @@ public enum wcut_report_mark { WCUT_REPORT_MARK_LINE = 0, WCUT_REPORT_MARK_DASHE
 public enum wcut_report_scale { WCUT_REPORT_SCALE_SEQUENTIAL = 0, WCUT_REPORT_SCALE_DIVERGING = 1 }
 public enum wcut_report_tone { WCUT_REPORT_TONE_PLAIN = 0, WCUT_REPORT_TONE_GOOD = 1, WCUT_REPORT_TONE_WARNING = 2, WCUT_REPORT_TONE_BAD = 3 }
 public enum wcut_result_state { WCUT_RESULT_STATE_WHOLE = 0, WCUT_RESULT_STATE_CHANGED = 1, WCUT_RESULT_STATE_MISSING = 2 }
+public enum wcut_rig_kind { WCUT_RIG_KIND_TWO_ARMS = 0, WCUT_RIG_KIND_BOW = 1, WCUT_RIG_KIND_BLADE = 2 }
 public enum wcut_robot_format { WCUT_ROBOT_FORMAT_URSCRIPT = 0, WCUT_ROBOT_FORMAT_RAPID = 1, WCUT_ROBOT_FORMAT_KRL = 2, WCUT_ROBOT_FORMAT_CSV = 3, WCUT_ROBOT_FORMAT_JSON = 4 }
 public enum wcut_scatter_kind { WCUT_SCATTER_LEVEL = 0, WCUT_SCATTER_LEVEL_B = 1, WCUT_SCATTER_LENGTH = 2, WCUT_SCATTER_TENSION_ZERO = 3, WCUT_SCATTER_ENCODER_ZERO = 4, WCUT_SCATTER_FRICTION = 5, WCUT_SCATTER_FACE = 6, WCUT_SCATTER_SCAN_SHIFT = 7, WCUT_SCATTER_SCAN_TURN = 8, WCUT_SCATTER_COUNT = 9 }
 public enum wcut_scored { WCUT_SCORED_SPEED = 0, WCUT_SCORED_TENSION = 1, WCUT_SCORED_ALPHA = 2, WCUT_SCORED_BETA = 3, WCUT_SCORED_SPEED_A = 4, WCUT_SCORED_SPEED_B = 5, WCUT_SCORED_TENSION_A = 6, WCUT_SCORED_TENSION_B = 7, WCUT_SCORED_ALPHA_A = 8, WCUT_SCORED_BETA_A = 9, WCUT_SCORED_ALPHA_B = 10, WCUT_SCORED_BETA_B = 11, WCUT_SCORED_COUNT = 12 }
@@ -942,6 +944,14 @@ public unsafe struct wcut_feasibility
     public fixed byte reason[240];
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_feed
+{
+    public wcut_feed_kind kind;
+    public int count;
+    public double* speed;
+    public double* time;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_foot
 {
     public double u;
@@ -1087,10 +1097,15 @@ public unsafe struct wcut_job
     public double speed_min;
     public double kerf_width;
     public double kerf_per_q;
+    public wcut_rig rig;
+    public wcut_feed feed;
     public wcut_mode mode;
     public int stations;
     public wcut_vec3* mount_a;
     public wcut_vec3* mount_b;
+    public wcut_pose* tool;
+    public wcut_vec3 mount_a_in_tool;
+    public wcut_vec3 mount_b_in_tool;
     public wcut_curve* edge_a;
     public wcut_curve* edge_b;
     public int extra_count;
@@ -1386,6 +1401,12 @@ public unsafe struct wcut_picture_source
     public int orientation;
     public int depth;
     public byte profile;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_pose
+{
+    public wcut_vec3 at;
+    public fixed double turn[4];
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_prediction
@@ -1802,6 +1823,15 @@ public unsafe struct wcut_residual_trace
     public double* recalibrated;
     public double* after;
     public double noise;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_rig
+{
+    public wcut_rig_kind kind;
+    public double pretension;
+    public double stiffness;
+    public double wire_stiffness;
+    public double expansion;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_rig_figures
@@ -2369,6 +2399,16 @@ public unsafe struct wcut_verified_file
     public wcut_result_state state;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_wire_material
+{
+    public byte* name;
+    public double modulus;
+    public double expansion;
+    public double cold_strength;
+    public double hot_strength;
+    public double hot_temperature;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_worst
 {
     public wcut_vec3 place;
@@ -2540,6 +2580,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_fdm_solve(int a0, wcut_vec3* a1, double* a2, wcut_fdm_options* a3, double* a4, wcut_vec3* a5, wcut_fdm_report* a6);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_feasibility_eval(wcut_job* a0, wcut_history* a1, wcut_vec3* a2, wcut_vec3* a3, wcut_robot_limits* a4, wcut_feasibility* a5, double* a6);
     [DllImport("wirecut-io")] public static extern byte* wcut_feasibility_name(wcut_feasibility_verdict a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_feed_eval(wcut_feed* a0, int a1, double a2, double a3, double* a4);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_file_hash(byte* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern double wcut_force_law_eval(wcut_force_law* a0, double a1, double a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_force_law_print(int a0, wcut_test_cut* a1, wcut_calibration_options* a2, wcut_calibration* a3, wcut_calibration_point* a4, byte** a5);
@@ -2563,6 +2604,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern void wcut_job_destroy(wcut_job* a0);
     [DllImport("wirecut-io")] public static extern double wcut_job_heat_eval(wcut_job* a0, double a1);
     [DllImport("wirecut-io")] public static extern double wcut_job_pace_eval(wcut_job* a0, double a1);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_job_place_mounts(wcut_job* a0, wcut_error* a1);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_job_read(byte* a0, wcut_job** a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_job_read_edges(wcut_job* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_job_read_force_law(wcut_job* a0, byte* a1, wcut_error* a2);
@@ -2612,6 +2654,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_picture_read(byte* a0, wcut_picture** a1, wcut_picture_source* a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_picture_write(wcut_picture* a0, double a1, byte* a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern byte* wcut_place_name(wcut_place a0);
+    [DllImport("wirecut-io")] public static extern wcut_vec3 wcut_pose_point(wcut_pose* a0, wcut_vec3 a1);
     [DllImport("wirecut-io")] public static extern void wcut_prediction_destroy(wcut_prediction* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_prediction_plan(wcut_history* a0, wcut_recording* a1, wcut_prediction** a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_prediction_replay(void* a0, wcut_recording* a1, wcut_replay_options* a2, wcut_prediction** a3, wcut_error* a4);
@@ -2657,6 +2700,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern byte* wcut_results_path(void* a0, byte* a1);
     [DllImport("wirecut-io")] public static extern void wcut_results_reword(void* a0, wcut_error* a1);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_results_verify(byte* a0, wcut_verification** a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern byte* wcut_rig_name(wcut_rig_kind a0);
     [DllImport("wirecut-io")] public static extern wcut_rig_options wcut_rig_options_default(wcut_job* a0);
     [DllImport("wirecut-io")] public static extern wcut_rig_prior wcut_rig_prior_default();
     [DllImport("wirecut-io")] public static extern wcut_status wcut_rig_prior_read(byte* a0, wcut_rig_prior* a1, wcut_error* a2);
@@ -2779,6 +2823,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_vtp_stream_commit(void* a0, wcut_error* a1);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_vtp_stream_create(byte* a0, int a1, int a2, void** a3, wcut_error* a4);
     [DllImport("wirecut-io")] public static extern void wcut_vtp_stream_destroy(void* a0);
+    [DllImport("wirecut-io")] public static extern wcut_wire_material* wcut_wire_material_view(byte* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_wire_temperature(double a0, double a1, double a2, double a3, double* a4);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_world_write(wcut_overlay* a0, wcut_vec3 a1, byte* a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_zones_write(wcut_deviation_summary_result* a0, wcut_survey_result* a1, byte* a2, wcut_error* a3);

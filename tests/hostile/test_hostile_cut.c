@@ -196,6 +196,27 @@ HOSTILE(wcut_face_eval) {
 
 /* ---- cuts ---- */
 
+static const wcut_pose *sound_pose(void) {
+    static const wcut_pose pose = {{1, 2, 3}, {0.6, 0.8, 0, 0}};
+    return &pose;
+}
+
+static const wcut_feed *sound_feed(void) {
+    static double speed[] = {5, 6};
+    static const wcut_feed feed = {WCUT_FEED_KIND_STATIONS, 2, speed, NULL};
+    return &feed;
+}
+
+/* a job with one pose; made once, freed with the process */
+static wcut_job *tool_job_once(void) {
+    static wcut_job *job;
+    if (job || wcut_job_create(&job) != WCUT_OK) return job;
+    job->stations = 1;
+    job->tool = wcut_alloc(1, sizeof *job->tool);
+    if (job->tool) job->tool[0] = *sound_pose();
+    return job;
+}
+
 HOSTILE_VALUE(wcut_cut_options_default, )
 HOSTILE_VALUE(wcut_phase_name, ANY_ENUM(WCUT_PHASE_ENTRY))
 HOSTILE_VALUE(wcut_condition_name, ANY_ENUM(WCUT_CONDITION_TENSION))
@@ -204,6 +225,11 @@ HOSTILE_VALUE(wcut_job_destroy, NULL)
 HOSTILE_VALUE(wcut_job_heat_eval, sound_job(), ANY_NUM(3))
 HOSTILE_VALUE(wcut_job_pace_eval, sound_job(), ANY_NUM(3))
 HOSTILE_STATUS(wcut_job_resample, PTR(short_job_once()), INT(81))
+HOSTILE_STATUS(wcut_job_place_mounts, PTR(tool_job_once()), OPT(NULL))
+HOSTILE_VALUE(wcut_pose_point, sound_pose(), (wcut_vec3){1, 2, 3})
+HOSTILE_VALUE(wcut_rig_name, ANY_ENUM(WCUT_RIG_KIND_BOW))
+HOSTILE_VALUE(wcut_wire_material_view, OPT("NiCr"))
+HOSTILE_OUT(wcut_feed_eval, double, PTR(sound_feed()), INT(1), NUM(2.0), NUM(3.0))
 static wcut_correction *correction(void) {
     static wcut_correction c;
     c = (wcut_correction){.a = 0.05, .b = 6e-4, .length_change = 0.1, .kerf = 1, .effects = 1};

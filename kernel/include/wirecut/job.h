@@ -6,6 +6,7 @@
 #include <wirecut/effects.h>
 #include <wirecut/export.h>
 #include <wirecut/force_law.h>
+#include <wirecut/job_rig.h>
 #include <wirecut/status.h>
 #include <wirecut/vec3.h>
 
@@ -38,11 +39,11 @@ typedef struct wcut_job {
     wcut_vec3 block_size; /**< [mm] W, L, H: the block fills [0,W] x [0,L] x [0,H] */
     double wire_diameter; /**< [mm] */
     double wire_density;  /**< [kg/m3] of its material, for its weight along -z; default 0: weightless */
-    double wire_length;   /**< [mm] path mode: between the mounts; design mode: not read */
-    int nodes;            /**< at least 3 */
+    double wire_length; /**< [mm] path mode: between the mounts; design mode, blade, bow with a pretension: not read */
+    int nodes;          /**< at least 3 */
 
-    double heat;    /**< [W/m] */
-    double tension; /**< [N] target at each mount, k */
+    double heat;    /**< [W/m] positive; 0 of a blade: F = a */
+    double tension; /**< [N] target at each mount, k; of a bow or a blade not read: its tension is an answer */
     wcut_force_law force_law;
     wcut_tension_law tension_law; /**< a = 0 where the job gives none */
     double speed_max;             /**< [mm/s] of the faster mount; default 100 */
@@ -51,10 +52,15 @@ typedef struct wcut_job {
     double kerf_width; /**< [mm] default 0 */
     double kerf_per_q; /**< [mm m^2/J] growth with the local Q_eff; default 0 */
 
+    wcut_rig rig;   /**< what holds the wire */
+    wcut_feed feed; /**< commanded speed; a bow and a blade have one */
+
     wcut_mode mode;
     int stations;       /**< at least 2 */
     wcut_vec3 *mount_a; /**< path mode: stations [mm]; NULL in design mode */
     wcut_vec3 *mount_b; /**< path mode: stations [mm]; NULL in design mode */
+    wcut_pose *tool;    /**< stations; NULL where mounts are given: else both mounts are points of this one tool */
+    wcut_vec3 mount_a_in_tool, mount_b_in_tool; /**< [mm] with a tool */
 
     wcut_curve *edge_a;   /**< design mode: where the wire enters the block's side A */
     wcut_curve *edge_b;   /**< design mode: ... and side B */
@@ -89,13 +95,24 @@ WCUT_API void wcut_job_destroy(wcut_job *job);
 /**
  * Change the number of stations of a path-mode job: both mount paths are resampled at the same parameter, that of
  * the mean of both paths' arc lengths, on the polylines through the given stations, which are what was programmed
- * between them. In design mode only the count changes.
+ * between them; a tool turns evenly from station to station. Speeds of stations follow. In design mode only the count
+ * changes.
  *
  * @param[in,out] job      a filled job
  * @param[in]     stations at least 2
  * @return WCUT_OK; WCUT_BAD_ARGUMENT, WCUT_NO_MEMORY: the job is as it was.
  */
 WCUT_API wcut_status wcut_job_resample(wcut_job *job, int stations);
+
+/**
+ * Give a path-mode job the mounts that its tool leads: of every station both mounts' places by the tool's pose.
+ *
+ * @param[in,out] job   with tool; mount_a and mount_b are replaced; the poses get unit quaternions, w not negative
+ * @param[out]    error may be NULL; the station
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (no tool, a pose that is no rotation: a quaternion that is more than 1e-3 off
+ *         unit length), WCUT_NO_MEMORY: the job is as it was.
+ */
+WCUT_API wcut_status wcut_job_place_mounts(wcut_job *job, wcut_error *error);
 
 /**
  * Heater power at a time of a recording: the job's, times the factor of the step of its programme that holds there.

@@ -49,6 +49,7 @@
 #include <wirecut/intersect.h>
 #include <wirecut/job.h>
 #include <wirecut/job_file.h>
+#include <wirecut/job_rig.h>
 #include <wirecut/loss.h>
 #include <wirecut/mesh.h>
 #include <wirecut/mesh_tree.h>

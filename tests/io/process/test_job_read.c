@@ -121,7 +121,7 @@ TEST(unknown_keys_are_refused_with_the_near_one) {
     PATH("\"x-note\"", "\"note\"", WCUT_BAD_FORMAT, "$: found the unknown key \"note\", expected \"name\"");
     PATH("\"x-note\"", "\"comment\"", WCUT_BAD_FORMAT,
          "$: found the unknown key \"comment\", expected one of format, name, block, wire, process, path, design, "
-         "limits, kerf, excitation, effects");
+         "limits, rig, feed, kerf, excitation, effects");
     PATH("\"kerf\": {", "\"kerf\": {\"a\\n\\u001b[2J\\u009b\": 1, ", WCUT_BAD_FORMAT,
          "$.kerf: found the unknown key \"a\\x0a\\x1b[2J\xc2\\x9b\", expected one of width_mm, per_J_m2_mm");
     DESIGN("\"weights\"", "\"weight\"", WCUT_BAD_FORMAT,

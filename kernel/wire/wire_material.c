@@ -1,0 +1,26 @@
+/* What heating wires are made of: stiffness, thermal expansion and strength by the name of the alloy. Figures of the
+   makers' data sheets (Kanthal: resistance heating alloys); expansion and strength of other sources differ by 10 %. */
+#include <ctype.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <wirecut/job_rig.h>
+
+/* the more special name first */
+static const wcut_wire_material material[] = {
+    {"kanthal", 220e3, 12e-6, 725, 37, 900},    {"fecral", 220e3, 12e-6, 725, 37, 900},
+    {"nikrothal", 220e3, 15e-6, 810, 100, 900}, {"nichrome", 220e3, 15e-6, 810, 100, 900},
+    {"nicr", 220e3, 15e-6, 810, 100, 900},
+};
+
+/* whether a text begins with a word in small letters */
+static bool begins_with(const char *text, const char *word) {
+    while (*word && tolower((unsigned char)*text) == *word) text++, word++;
+    return !*word;
+}
+
+const wcut_wire_material *wcut_wire_material_view(const char *name) {
+    for (const char *at = name; at && *at; at++)
+        for (size_t k = 0; k < sizeof material / sizeof *material; k++)
+            if (begins_with(at, material[k].name)) return &material[k];
+    return NULL;
+}
