@@ -107,7 +107,8 @@ TEST(a_pose_that_is_no_rotation_is_refused) {
 
 TEST(a_rig_and_its_job_do_not_contradict_each_other) {
     refused(JOB(NICR, HOT ", \"tension_N\": 2", BOW, FEED, TOOL), "the tension of a bow is an answer");
-    refused(JOB(NICR, "\"heat_W_per_m\": 0", BOW, FEED, TOOL), "$.process.heat_W_per_m: found 0, expected a number greater than 0");
+    refused(JOB(NICR, "\"heat_W_per_m\": 0", BOW, FEED, TOOL),
+            "$.process.heat_W_per_m: found 0, expected a number greater than 0");
     refused(JOB(NICR ", \"length_mm\": 510", HOT, BOW, FEED, TOOL), "none beside rig.pretension_N");
     refused(JOB(NICR, HOT, "\"kind\": \"bow\"", FEED, TOOL),
             "a number greater than 0, or a wire.length_mm in its place");
