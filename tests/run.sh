@@ -5,11 +5,12 @@
 # once more under the address and undefined sanitizers, and short fuzzing. A table says what each step cost; the last line
 # how many passed, failed and were skipped. The exit code is 0 only where nothing failed.
 #   --quick    dev build and its tests alone
-#   --nightly  clang-tidy of every source; the slow tests, too; the tests labelled `plain` under sanitizers, too
+#   --nightly  clang-tidy of every source; the slow tests, too; the tests labelled `plain` under sanitizers, too. Where
+#              clang-tidy finds nothing in a clean checkout, tests/analysed.txt then names this commit: commit it.
 # A test is `plain` where it is long and only its numbers are new: under sanitizers shorter ones run the same code, and
 # tests/hostile every public function.
-# WCUT_FUZZ_SECONDS (5): time for each fuzzer. WCUT_BASE: clang-tidy looks at what changed since this commit (else the last
-# tag, else where the branch left origin/main; where there is none of these, at everything).
+# WCUT_FUZZ_SECONDS (5): time for each fuzzer. WCUT_BASE: clang-tidy looks at what changed since this commit (else the one
+# that tests/analysed.txt names, else the last tag; where the checkout has none of these, at everything).
 set -u
 cd "$(dirname "$0")/.." || exit 1
 . tests/packages.sh
@@ -119,9 +120,12 @@ check_format() {
 tidy_base() {
     $nightly && return 0
     head=$(git rev-parse -q --verify HEAD 2>/dev/null) || return 0
-    for base in "${WCUT_BASE-}" "$(git describe --tags --abbrev=0 2>/dev/null)" "$(git merge-base HEAD origin/main 2>/dev/null)"; do
+    for base in "${WCUT_BASE-}" "$(cat tests/analysed.txt 2>/dev/null)" "$(git describe --tags --abbrev=0 2>/dev/null)"; do
         base=$(git rev-parse -q --verify "$base^{commit}" 2>/dev/null) || continue
-        [ "$base" = "$head" ] || { echo "$base"; return 0; }
+        # only a commit of this history says what changed since
+        git merge-base --is-ancestor "$base" "$head" 2>/dev/null || continue
+        echo "$base"
+        return 0
     done
 }
 
@@ -146,7 +150,10 @@ check_tidy() {
     echo "$(wc -l <build/tidy.list) sources"
     # shellcheck disable=SC2016 # for the inner shell
     <build/tidy.list xargs -r -P "$jobs" -n 1 sh -c 'clang-tidy-14 -p build/dev --quiet "$0" 2>"build/tidy.$$" ||
-            { cat "build/tidy.$$" >&2; exit 1; }; rm -f "build/tidy.$$"'
+            { cat "build/tidy.$$" >&2; exit 1; }; rm -f "build/tidy.$$"' || return 1
+
+    # every source of a clean checkout was looked at: what changes from here on is enough next time
+    if $nightly && [ -z "$(git status --porcelain)" ]; then git rev-parse HEAD >tests/analysed.txt; fi
 }
 
 # objectIndex: a wcut_vec3 is read as three doubles by design

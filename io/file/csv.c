@@ -25,6 +25,8 @@ typedef struct scanner {
     const char *const *known;
     char *scratch; /* a field without its quotes */
     size_t scratch_size;
+    wcut_csv_text *take; /* who gets fields that are text; NULL: nobody */
+    void *context;
 } scanner;
 
 static wcut_status refuse_csv_memory(scanner *s) {
@@ -169,6 +171,7 @@ static wcut_status read_odd_sample(scanner *s, int column, int row) {
     bool absent = s->scratch[0] == '\0' || equal_word(s->scratch, "nan");
     if (absent || !s->numeric[column]) {
         s->table->column[column].text += !absent;
+        if (!absent && s->take && !s->take(s->context, row, column, s->scratch)) return refuse_csv_memory(s);
         return miss_sample(s, column, row);
     }
     if (is_decimal_comma(s->scratch))
@@ -310,35 +313,49 @@ static wcut_status read_csv_rows(scanner *s) {
     return WCUT_OK;
 }
 
-wcut_status wcut_csv_parse(const char *text, size_t length, const char *label, int numeric_count,
-                           const char *const *numeric, wcut_table **table, wcut_error *error) {
-    scanner s = {.at = text, .end = text + length, .line = 1, .label = label, .error = error};
-    s.known = numeric;
-    s.known_count = numeric_count;
-    s.table = wcut_alloc(1, sizeof *s.table);
-    if (!s.table) return refuse_csv_memory(&s);
+/* the text from its first byte to its last; a table or an error */
+static wcut_status scan_csv(scanner *s, wcut_table **table) {
+    const char *text = s->at;
+    const size_t length = (size_t)(s->end - text);
+    s->line = 1;
+    s->table = wcut_alloc(1, sizeof *s->table);
+    if (!s->table) return refuse_csv_memory(s);
 
     /* a byte order mark of UTF-8 is passed over */
-    if (length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) s.at += 3;
-    s.line_start = s.field = s.at;
+    if (length >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0) s->at += 3;
+    s->line_start = s->field = s->at;
 
     /* another encoding is refused, not read as garbage */
     wcut_status status = WCUT_OK;
     if (length >= 2 && (memcmp(text, "\xff\xfe", 2) == 0 || memcmp(text, "\xfe\xff", 2) == 0))
-        status = refuse_csv_field(&s, -1, "UTF-16", "UTF-8");
+        status = refuse_csv_field(s, -1, "UTF-16", "UTF-8");
 
     /* header, columns, rows */
-    if (status == WCUT_OK) status = read_csv_header(&s);
-    if (status == WCUT_OK) status = make_columns(&s, numeric_count, numeric);
-    if (status == WCUT_OK) status = read_csv_rows(&s);
+    if (status == WCUT_OK) status = read_csv_header(s);
+    if (status == WCUT_OK) status = make_columns(s, s->known_count, s->known);
+    if (status == WCUT_OK) status = read_csv_rows(s);
 
     /* the scanner's own memory */
-    free(s.numeric);
-    free(s.scratch);
+    free(s->numeric);
+    free(s->scratch);
     if (status == WCUT_OK)
-        *table = s.table;
+        *table = s->table;
     else
-        wcut_table_destroy(s.table);
+        wcut_table_destroy(s->table);
 
     return status;
+}
+
+wcut_status wcut_csv_parse(const char *text, size_t length, const char *label, int numeric_count,
+                           const char *const *numeric, wcut_table **table, wcut_error *error) {
+    scanner s = {.at = text, .end = text + length, .label = label, .error = error};
+    s.known = numeric;
+    s.known_count = numeric_count;
+    return scan_csv(&s, table);
+}
+
+wcut_status wcut_csv_parse_texts(const char *text, size_t length, const char *label, wcut_csv_text *take, void *context,
+                                 wcut_table **table, wcut_error *error) {
+    scanner s = {.at = text, .end = text + length, .label = label, .error = error, .take = take, .context = context};
+    return scan_csv(&s, table);
 }

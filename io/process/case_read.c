@@ -187,6 +187,20 @@ wcut_status wcut_format_read(const char *path, char *format, wcut_error *error) 
     return status;
 }
 
+const char *wcut_case_file(const wcut_case *found, int i) {
+    if (i == 0 && found->calibration) return found->calibration;
+    i -= found->calibration != NULL;
+
+    /* those of each cut that has one */
+    for (int k = 0; k < found->cuts; k++) {
+        const wcut_case_cut *cut = &found->cut[k];
+        const char *const name[] = {cut->job, cut->recording, cut->scan};
+        for (size_t n = 0; n < sizeof name / sizeof *name; n++)
+            if (name[n] && i-- == 0) return name[n];
+    }
+    return NULL;
+}
+
 void wcut_case_destroy(wcut_case *found) {
     if (!found) return;
     for (int i = 0; i < found->cuts; i++) {

@@ -43,7 +43,7 @@ typedef struct wcut_study_parameter {
 
 /* a file that cases use as it is */
 typedef struct wcut_study_file {
-    const char *name; /* as the study names it; borrowed */
+    char *name; /* relative to the study's folder, or from the root */
     char hash[WCUT_STUDY_HASH_SIZE];
 } wcut_study_file;
 
@@ -67,6 +67,7 @@ struct wcut_study {
     char *canonical; /* the input without the values of parameters; NULL: no parameter is a pointer */
     int *order;      /* the parameters that are pointers, as they come in it */
     int places;      /* how many */
+    bool recorded;   /* the varied input is a case of recordings, whose files lie beside it */
     int files;
     wcut_study_file *file;
     char *text, *base; /* the study as it was read; the input that is varied, NULL: none */
@@ -97,5 +98,8 @@ void wcut_canonical_print(wcut_text *text, const json_t *value, wcut_hole *hole,
 
 /* the path of a file that the study names, for free(); NULL: no memory */
 char *wcut_study_join(const wcut_study *study, const char *name);
+
+/* study_input.c: the same of a file that the varied input names, relative to the study's folder */
+char *wcut_study_beside_input(const wcut_study *study, const char *name);
 
 #endif

@@ -227,7 +227,7 @@ wcut_status wcut_study_call_print(const wcut_study *study, int k, const char *fo
     wcut_text_put(&out, "\n", 1);
     if (study->canonical) {
         wcut_text_put_word(&out, folder);
-        wcut_text_put_word(&out, "/input.json\n");
+        wcut_text_put_word(&out, study->recorded ? "/input/case.json\n" : "/input.json\n");
     }
     for (int i = study->canonical ? 1 : 0; i < study->inputs; i++) {
         wcut_text_put_word(&out, study->input[i]);

@@ -59,12 +59,20 @@ static bool locate_all(wcut_reader *reader, const wcut_place *at, wcut_study *st
     return true;
 }
 
-/* A case names files relative to its own folder: a copy elsewhere would lose them. */
-static bool check_kind(wcut_reader *reader, const wcut_place *at, const json_t *root) {
+/* A case of recordings names files relative to its own folder: they go with it into the folder of each run. */
+static bool is_recorded(const json_t *root) {
     const char *format = json_string_value(json_object_get(root, "format"));
-    if (!format || strcmp(format, "wirecut-case/1") != 0) return true;
-    return wcut_refuse(reader, at, WCUT_BAD_ARGUMENT,
-                       "options alone as parameters: the input is a case, whose files lie beside it");
+    return format && strcmp(format, "wirecut-case/1") == 0;
+}
+
+char *wcut_study_beside_input(const wcut_study *study, const char *name) {
+    const char *input = study->input[0], *slash = strrchr(input, '/');
+    const size_t length = slash ? (size_t)(slash - input) + 1 : 0;
+    char *path = wcut_alloc(length + strlen(name) + 1, 1);
+    if (!path) return NULL;
+    memcpy(path, input, length);
+    memcpy(path + length, name, strlen(name) + 1);
+    return path;
 }
 
 static bool print_template(wcut_reader *reader, const wcut_place *at, wcut_study *study, json_t *root) {
@@ -72,7 +80,8 @@ static bool print_template(wcut_reader *reader, const wcut_place *at, wcut_study
     cutting c = {study, wcut_alloc((size_t)study->parameters, sizeof *c.value)};
     study->order = wcut_alloc((size_t)study->parameters, sizeof *study->order);
     bool whole = (c.value && study->order) || wcut_refuse_memory(reader);
-    if (whole) whole = check_kind(reader, at, root) && locate_all(reader, at, study, root, c.value);
+    study->recorded = is_recorded(root);
+    if (whole) whole = locate_all(reader, at, study, root, c.value);
     if (whole) {
         whole = wcut_text_create(&text, NULL);
         if (whole) wcut_canonical_print(&text, root, cut_out, &c);

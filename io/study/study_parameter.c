@@ -146,8 +146,17 @@ bool wcut_study_read_parameters(wcut_reader *reader, const wcut_place *at, wcut_
 
 /* ---- rows ---- */
 
-/* every column is a parameter, every row a case */
-static bool take_rows(wcut_reader *reader, const wcut_place *at, wcut_study *study, const wcut_table *table) {
+/* a field that is no number: true, false or a text */
+static bool take_row_text(void *context, int row, int column, const char *text) {
+    json_t *value = strcmp(text, "true") == 0    ? json_true()
+                    : strcmp(text, "false") == 0 ? json_false()
+                                                 : json_string_nocheck(text);
+    return json_array_append_new(context, json_pack("[i,i,o]", row, column, value)) == 0;
+}
+
+/* every column is a parameter, every row a case; texts: [row, column, value] of the fields that are no numbers */
+static bool take_rows(wcut_reader *reader, const wcut_place *at, wcut_study *study, const wcut_table *table,
+                      const json_t *texts) {
     if (table->rows < 1 || table->rows > WCUT_STUDY_CASES_MAX)
         return wcut_refuse(reader, at, WCUT_BAD_ARGUMENT, "a file of 1 to %d rows, not %d", WCUT_STUDY_CASES_MAX,
                            table->rows);
@@ -156,11 +165,26 @@ static bool take_rows(wcut_reader *reader, const wcut_place *at, wcut_study *stu
         const wcut_column *column = &table->column[c];
         const wcut_place place = {at, column->name, 0, NULL};
         if (!read_parameter(reader, &place, study)) return false;
-        if (column->missing > 0)
-            return wcut_refuse(reader, at, WCUT_BAD_FORMAT, "a number in every row of column %s", column->name);
+        if (column->missing > column->text)
+            return wcut_refuse(reader, at, WCUT_BAD_FORMAT, "a value in every row of column %s", column->name);
         json_t *list = study->parameter[c].list = json_array();
         for (int r = 0; r < table->rows; r++)
             if (json_array_append_new(list, json_real(column->value[r]))) return wcut_refuse_memory(reader);
+    }
+
+    /* texts take the places that they left empty */
+    for (size_t i = 0; i < json_array_size(texts); i++) {
+        const json_t *field = json_array_get(texts, i);
+        const json_int_t row = json_integer_value(json_array_get(field, 0));
+        const json_int_t column = json_integer_value(json_array_get(field, 1));
+        json_t *value = json_incref(json_array_get(field, 2));
+        if (json_array_set_new(study->parameter[column].list, (size_t)row, value)) return wcut_refuse_memory(reader);
+    }
+
+    /* as values of a list are */
+    for (int c = 0; c < table->columns; c++) {
+        const wcut_place place = {at, table->column[c].name, 0, NULL};
+        if (!check_list(reader, &place, &study->parameter[c])) return false;
     }
     return true;
 }
@@ -171,10 +195,13 @@ bool wcut_study_read_rows(wcut_reader *reader, const wcut_place *at, wcut_study 
     size_t length = 0;
     if (!path) return wcut_refuse_memory(reader);
     reader->status = wcut_file_read(path, WCUT_STUDY_BYTES_MAX, &text, &length, reader->error);
-    if (reader->status == WCUT_OK) reader->status = wcut_csv_parse(text, length, path, 0, NULL, &table, reader->error);
+    json_t *texts = json_array();
+    if (reader->status == WCUT_OK)
+        reader->status = wcut_csv_parse_texts(text, length, path, take_row_text, texts, &table, reader->error);
     free(text);
     wcut_free(path);
-    const bool whole = table && take_rows(reader, at, study, table);
+    const bool whole = table && take_rows(reader, at, study, table, texts);
+    json_decref(texts);
     wcut_table_destroy(table);
     return whole;
 }

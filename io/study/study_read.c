@@ -7,6 +7,7 @@
 #include "base/fail.h"
 #include "io/file/read_file.h"
 #include "io/file/utf8.h"
+#include "io/process/case.h"
 #include "io/study/pointer.h"
 #include "io/study/study.h"
 
@@ -152,18 +153,21 @@ static wcut_status add_study_file(wcut_study *study, const char *name, wcut_erro
     wcut_study_file *grown = wcut_grow(study->file, (size_t)(study->files + 1) * sizeof *grown);
     if (!grown) return wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
     study->file = grown;
-    char *path = wcut_study_join(study, name);
-    if (!path) return wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
-    study->file[study->files].name = name;
-    const wcut_status status = wcut_file_hash(path, study->file[study->files].hash, error);
+    char *path = wcut_study_join(study, name), *own = wcut_copy_text(name);
+    wcut_status status = path && own ? wcut_file_hash(path, study->file[study->files].hash, error)
+                                     : wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
     wcut_free(path);
-    if (status == WCUT_OK) study->files++;
+
+    /* a file that cannot be read is not in the list */
+    if (status == WCUT_OK)
+        study->file[study->files++].name = own;
+    else
+        wcut_free(own);
     return status;
 }
 
-/* a text among options that is a file's name: its content is a part of the case. Others are words. */
-static wcut_status add_if_file(wcut_study *study, const json_t *value, wcut_error *error) {
-    const char *name = json_string_value(value);
+/* a text that is a file's name: its content is a part of the case. Others are words. */
+static wcut_status add_if_file(wcut_study *study, const char *name, wcut_error *error) {
     if (!name || !*name) return WCUT_OK;
     for (int i = 0; i < study->files; i++)
         if (strcmp(study->file[i].name, name) == 0) return WCUT_OK;
@@ -173,17 +177,49 @@ static wcut_status add_if_file(wcut_study *study, const json_t *value, wcut_erro
                                     : wcut_fail(error, status, "%s", wcut_status_text(status));
 }
 
+/* a file that a recorded case names, or may name as a value of a parameter */
+static wcut_status add_beside_input(wcut_study *study, const char *name, wcut_error *error) {
+    char *path = wcut_study_beside_input(study, name);
+    if (!path) return wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
+    const wcut_status status = add_if_file(study, path, error);
+    wcut_free(path);
+    return status;
+}
+
+/* the files of a recorded case: those of its own text, and those that parameters put in their place */
+static wcut_status hash_recorded(wcut_study *study, wcut_error *error) {
+    wcut_case *found = NULL;
+    char *path = wcut_study_join(study, study->input[0]);
+    if (!path) return wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
+    const char *slash = strrchr(path, '/');
+    const size_t folder = slash ? (size_t)(slash - path) + 1 : 0;
+    wcut_status status = wcut_case_parse(study->base, study->base_length, path, &found, error);
+    wcut_free(path);
+    for (int i = 0; status == WCUT_OK && wcut_case_file(found, i); i++)
+        status = add_beside_input(study, wcut_case_file(found, i) + folder, error);
+    wcut_case_destroy(found);
+
+    /* texts of the parameters that are pointers */
+    for (int p = 0; p < study->parameters; p++)
+        for (size_t i = 0; *study->parameter[p].name == '/' && i < json_array_size(study->parameter[p].list); i++) {
+            const char *name = json_string_value(json_array_get(study->parameter[p].list, i));
+            if (name && *name && status == WCUT_OK) status = add_beside_input(study, name, error);
+        }
+    return status;
+}
+
 static wcut_status hash_files(wcut_study *study, wcut_error *error) {
     wcut_status status = WCUT_OK;
     for (int i = study->canonical ? 1 : 0; i < study->inputs && status == WCUT_OK; i++)
         status = add_study_file(study, study->input[i], error);
     for (void *i = json_object_iter(study->options); i && status == WCUT_OK;
          i = json_object_iter_next(study->options, i))
-        status = add_if_file(study, json_object_iter_value(i), error);
+        status = add_if_file(study, json_string_value(json_object_iter_value(i)), error);
     for (int p = 0; p < study->parameters; p++)
         for (size_t i = 0; *study->parameter[p].name == '-' && i < json_array_size(study->parameter[p].list); i++)
-            if (status == WCUT_OK) status = add_if_file(study, json_array_get(study->parameter[p].list, i), error);
-    return status;
+            if (status == WCUT_OK)
+                status = add_if_file(study, json_string_value(json_array_get(study->parameter[p].list, i)), error);
+    return status == WCUT_OK && study->recorded ? hash_recorded(study, error) : status;
 }
 
 /* ---- the whole ---- */
@@ -343,6 +379,8 @@ void wcut_study_destroy(wcut_study *study) {
     free_texts(study->figures, study->figure);
     free_texts(study->figures, study->pointer);
     json_decref(study->options);
+
+    for (int i = 0; i < study->files; i++) wcut_free(study->file[i].name);
 
     /* arrays and texts */
     wcut_free(study->parameter);

@@ -1,7 +1,7 @@
 /* A sweep's folder, for the files of this room.
 
      plan.json, study.json, input.json, manifest.csv    the plan, under plan.json
-     cases/HH/HASH/input.json                           of a case: its input,
+     cases/HH/HASH/input.json                           of a case: its input (of recordings: input/case.json and its files),
      cases/HH/HASH/...                                  the verb's results under their own voucher,
      cases/HH/HASH/case.json                            and, written last, how it ended
      sweep.csv, report.html, sweep.json                 what was collected, under sweep.json
@@ -46,6 +46,11 @@ wcut_status wcut_sweep_record_write(const char *folder, wcut_sweep_record *recor
 
 /* the result of a case as a document, for json_decref; NULL: it has none */
 json_t *wcut_sweep_result_load(const char *folder, const wcut_sweep_record *record);
+
+/* sweep_input.c: the input of case k into its folder, which is there; none is written where no parameter is a pointer. A
+   case of recordings gets its files beside it, by links where the file system has them. WCUT_OK; WCUT_NOT_WRITTEN,
+   WCUT_NOT_FOUND (a file of the case cannot be read), WCUT_NO_MEMORY */
+wcut_status wcut_sweep_input_write(const wcut_study *study, int k, const char *folder, wcut_error *error);
 
 /* sweep_plan.c: take the lock, alone or beside others. WCUT_OK; WCUT_NOT_WRITTEN */
 wcut_status wcut_sweep_lock(wcut_sweep *sweep, bool alone, wcut_error *error);

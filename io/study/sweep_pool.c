@@ -87,16 +87,6 @@ static wcut_status make_case_folder(pool *p, const char *folder) {
     return WCUT_OK;
 }
 
-static wcut_status write_input(pool *p, int k, const char *folder) {
-    char *text = NULL, path[4096 + 16];
-    wcut_status status = wcut_study_input_print(p->sweep->study, k, &text);
-    if (status != WCUT_OK) return fail_pool_memory(p->error);
-    snprintf(path, sizeof path, "%s/input.json", folder);
-    if (*text) status = wcut_file_write_whole(path, text, strlen(text), p->error);
-    free(text);
-    return status;
-}
-
 /* the same case may stand twice in a study */
 static bool is_in_pool(const pool *p, const char *hash) {
     for (int i = 0; i < p->options->jobs; i++)
@@ -135,7 +125,7 @@ static wcut_status prepare_next(pool *p) {
 
         /* folder, input and call of the case: ready to be started */
         wcut_status status = make_case_folder(p, s.folder);
-        if (status == WCUT_OK) status = write_input(p, k, s.folder);
+        if (status == WCUT_OK) status = wcut_sweep_input_write(study, k, s.folder, p->error);
         if (status == WCUT_OK && wcut_study_call_print(study, k, s.folder, &s.call) != WCUT_OK)
             status = fail_pool_memory(p->error);
         if (status != WCUT_OK) {

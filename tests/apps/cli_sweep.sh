@@ -110,6 +110,46 @@ grep -q '^warning: figure duration_s: .*the nearest is /duration_s$' err || fail
 run 2 sweep study.json
 one_line --output
 
+# rows of numbers and texts: a case of recordings, whose files go with it into the folder of each run
+cp -r "$SOURCE_DIR/tests/fault/small/cA" recorded
+cp recorded/case.json untouched.json
+recording=cut-1/recording.csv
+mkdir recorded/more
+head -n 40 "recorded/$recording" >recorded/more/short.csv
+cat >rows.csv <<END
+/cuts/0/recording,/name
+$recording,"whole, as it was"
+more/short.csv,short
+END
+cat >recorded.json <<END
+{"format": "wirecut-study/1", "name": "recordings", "verb": "score", "input": "recorded/case.json", "combine": "rows",
+ "rows": "rows.csv", "figures": {"samples": "/cuts/0/samples"}}
+END
+run 0 sweep recorded.json -o h -j 2 --quiet
+cmp -s untouched.json recorded/case.json || fail "the study's own case was changed"
+python3 - "$WIRECUT" recorded/case.json <<'END' || fail "not the figures of the recordings"
+import csv, glob, json, os, subprocess, sys
+rows = list(csv.DictReader(open("h/sweep.csv")))
+assert [r["/name"] for r in rows] == ["whole, as it was", "short"], rows
+subprocess.run([sys.argv[1], "score", sys.argv[2], "-o", "alone", "--quiet"], check=True)
+whole = json.load(open("alone/score.json"))["cuts"][0]["samples"]
+assert float(rows[0]["samples"]) == whole > float(rows[1]["samples"]) > 0, (rows, whole)
+links = [os.stat(p).st_nlink for p in glob.glob("h/cases/*/*/input/**/*.csv", recursive=True)]
+assert len(links) >= 2 and min(links) > 1, links
+END
+
+# a file that changes makes the cases of its study new; a name that no case may have is the failure of its own case
+head -n 60 "recorded/$recording" >recorded/more/short.csv
+run 0 sweep recorded.json -o h
+grep -q '^2 cases run, 0 were whole$' err || fail "$called: expected two cases to be run: $(cat err)"
+printf '../outside.csv,outside\n' >>rows.csv
+run 0 sweep recorded.json -o h
+grep -q '^1 of 3 cases: refused$' err || fail "$called: expected one refused: $(cat err)"
+grep -lqF "a name inside the case's folder" h/cases/*/*/case.json || fail "no last words of a name outside"
+printf ',\n' >>rows.csv
+run 3 sweep recorded.json -o bad --quiet
+one_line 'a value in every row of column'
+
 # two sweeps in one folder: the second refuses, and names the first
 rm -rf g
 "$WIRECUT" sweep study.json -o g --quiet &

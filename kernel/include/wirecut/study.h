@@ -87,7 +87,8 @@ WCUT_API wcut_status wcut_study_hash_eval(const wcut_study *study, int k, char *
 
 /**
  * The words of the command that runs a case, one per line: verb, inputs, -o FOLDER, options. Names of files in them are
- * relative to the study's folder, except the input that is varied: FOLDER/input.json.
+ * relative to the study's folder, except the input that is varied: FOLDER/input.json, or FOLDER/input/case.json where it is a
+ * case of recordings.
  *
  * @param[in]  study
  * @param[in]  k      0 .. cases - 1
