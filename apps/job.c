@@ -20,6 +20,8 @@ static wcut_status name_place(wcut_status status, const char *path, wcut_error *
 
 static wcut_status change_job(const app_call *call, const char *path, wcut_job *job, wcut_error *error) {
     if (gives(call, "nodes")) job->nodes = app_int(call, "nodes");
+    if (gives(call, "cold-strength")) job->wire_cold_strength = app_real(call, "cold-strength");
+    if (gives(call, "hot-strength")) job->wire_hot_strength = app_real(call, "hot-strength");
     if (gives(call, "stations")) {
         const wcut_status status = wcut_job_resample(job, app_int(call, "stations"));
         if (status != WCUT_OK) return name_place(status, path, error);

@@ -29,6 +29,22 @@
         .help = "the force and tension law of force_law.json, instead of the job's own" \
     }
 
+#define APP_OPTIONS_STRENGTH                                                             \
+    {                                                                                    \
+        .kind = APP_REAL,                                                                \
+        .name = "cold-strength",                                                         \
+        .value = "MPA",                                                                  \
+        .low = 1,                                                                        \
+        .high = 1e4,                                                                     \
+        .help = "tensile strength of the wire at 20 degC, MPa, in place of the job's",   \
+    },                                                                                   \
+    {                                                                                    \
+        .kind = APP_REAL, .name = "hot-strength", .value = "MPA", .low = 1, .high = 1e4, \
+        .help =                                                                          \
+            "the same at 900 degC, in place of the job's; between both, and on, the "    \
+            "strength is exponential in the temperature",                                \
+    }
+
 /* Reads a job and applies the options above that the verb has and the call gives. A NULL call gives none. On failure
    *job is NULL and the error's text names the file. */
 wcut_status app_job_read(const app_call *call, const char *path, wcut_job **job, wcut_error *error);

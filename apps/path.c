@@ -119,8 +119,6 @@ static wcut_robot_limits limits_of(const export_ *e) {
     choose(e->call, "acceleration", 1, &l.acceleration);
     choose(e->call, "alpha", WCUT_RAD_PER_DEG, &l.alpha);
     choose(e->call, "beta", WCUT_RAD_PER_DEG, &l.beta);
-    choose(e->call, "cold-strength", 1, &l.cold_strength);
-    choose(e->call, "hot-strength", 1, &l.hot_strength);
     return l;
 }
 
@@ -300,8 +298,6 @@ static double path_frame(void) { return wcut_robot_options_default().frame; }
 static const char *path_wire_on_text(void) { return wcut_robot_names_default().wire_on; }
 static const char *path_wire_off_text(void) { return wcut_robot_names_default().wire_off; }
 static const char *path_wire_heat_text(void) { return wcut_robot_names_default().wire_heat; }
-static double path_cold_strength(void) { return wcut_robot_limits_default(&(wcut_job){0}).cold_strength; }
-static double path_hot_strength(void) { return wcut_robot_limits_default(&(wcut_job){0}).hot_strength; }
 static double path_acceleration(void) { return wcut_robot_limits_default(&(wcut_job){0}).acceleration; }
 static double path_alpha(void) { return wcut_robot_limits_default(&(wcut_job){0}).alpha * WCUT_DEG_PER_RAD; }
 static double path_beta(void) { return wcut_robot_limits_default(&(wcut_job){0}).beta * WCUT_DEG_PER_RAD; }
@@ -422,20 +418,7 @@ static const app_option option[] = {
      .high = 90,
      .library = path_beta,
      .help = "largest beta of the head, deg"},
-    {.kind = APP_REAL,
-     .name = "cold-strength",
-     .value = "MPA",
-     .low = 1,
-     .high = 1e4,
-     .library = path_cold_strength,
-     .help = "tensile strength of the wire at 20 degC, MPa: Kanthal A, maker's data sheet"},
-    {.kind = APP_REAL,
-     .name = "hot-strength",
-     .value = "MPA",
-     .low = 1,
-     .high = 1e4,
-     .library = path_hot_strength,
-     .help = "tensile strength of the wire at 900 degC, MPa: Kanthal A, maker's data sheet; exponential between"},
+    APP_OPTIONS_STRENGTH,
     {.kind = APP_FLAG,
      .name = "strict",
      .help = "treat an exceeded limit as an error: nothing is written, the exit code is 5"},

@@ -107,6 +107,7 @@ static const app_option option[] = {
     APP_OPTION_CHORD_TOLERANCE,
     APP_OPTION_FORMATS(FORMATS),
     APP_OPTION_FORCE_LAW,
+    APP_OPTIONS_STRENGTH,
     APP_OPTIONS_OF_ALL,
 };
 

@@ -50,11 +50,22 @@ static bool read_nodes(wcut_reader *reader, const wcut_place *at, void *into) {
     return wcut_read_int(reader, at, 3, WCUT_JOB_NODES_MAX, into);
 }
 
+static bool read_emissivity(wcut_reader *reader, const wcut_place *at, void *into) {
+    double emissivity;
+    if (!wcut_read_positive(reader, at, &emissivity)) return false;
+    if (emissivity > 1) return wcut_refuse(reader, at, WCUT_BAD_ARGUMENT, "a number greater than 0 and at most 1");
+    *(double *)into = emissivity;
+    return true;
+}
+
 static bool read_wire(wcut_reader *reader, const wcut_place *at, void *job) {
     static const wcut_field fields[] = {
         IN_JOB(wire_diameter, "diameter_mm", true, wcut_read_positive),
         IN_JOB(wire_density, "density_kg_per_m3", false, wcut_read_not_negative),
         IN_JOB(wire_material, "material", false, wcut_read_text),
+        IN_JOB(wire_cold_strength, "cold_strength_MPa", false, wcut_read_positive),
+        IN_JOB(wire_hot_strength, "hot_strength_MPa", false, wcut_read_positive),
+        IN_JOB(wire_emissivity, "emissivity", false, read_emissivity),
         IN_JOB(nodes, "nodes", true, read_nodes),
         IN_JOB(wire_length, "length_mm", false, wcut_read_positive),
     };

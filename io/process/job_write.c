@@ -32,6 +32,9 @@ static void put_block_and_wire(wcut_text *text, const wcut_job *job) {
     wcut_text_put_number(text, "},\n  \"wire\": {\"diameter_mm\": ", job->wire_diameter);
     if (job->wire_material) wcut_text_put_string(text, ", \"material\": ", job->wire_material);
     if (job->wire_density > 0) wcut_text_put_number(text, ", \"density_kg_per_m3\": ", job->wire_density);
+    if (job->wire_cold_strength > 0) wcut_text_put_number(text, ", \"cold_strength_MPa\": ", job->wire_cold_strength);
+    if (job->wire_hot_strength > 0) wcut_text_put_number(text, ", \"hot_strength_MPa\": ", job->wire_hot_strength);
+    if (job->wire_emissivity > 0) wcut_text_put_number(text, ", \"emissivity\": ", job->wire_emissivity);
     wcut_text_print(text, ", \"nodes\": %d", job->nodes);
     if (job->wire_length > 0) wcut_text_put_number(text, ", \"length_mm\": ", job->wire_length);
     wcut_text_put(text, "}", 1);

@@ -7,17 +7,22 @@
 #define ZERO_CELSIUS 273.15
 #define HOTTEST 3000 /* [degC] */
 
+/* what a job states of its wire, else that of its material */
+static double stated_or(double stated, double otherwise) { return stated > 0 ? stated : otherwise; }
+
 wcut_robot_limits wcut_robot_limits_default(const wcut_job *job) {
+    const wcut_wire_material *named = wcut_wire_material_view(job->wire_material);
+    const wcut_wire_material *of = named ? named : wcut_wire_material_view("Kanthal");
     return (wcut_robot_limits){.speed = job->speed_max,
                                .acceleration = 1000,
                                .alpha = 60 * WCUT_PI / 180,
                                .beta = 30 * WCUT_PI / 180,
                                .ambient = 20,
-                               .emissivity = 0.7,
+                               .emissivity = stated_or(job->wire_emissivity, of->emissivity),
                                .temperature = 900,
-                               .cold_strength = 725,
-                               .hot_strength = 37,
-                               .hot_temperature = 900};
+                               .cold_strength = stated_or(job->wire_cold_strength, of->cold_strength),
+                               .hot_strength = stated_or(job->wire_hot_strength, of->hot_strength),
+                               .hot_temperature = of->hot_temperature};
 }
 
 /* ---- the wire ---- */

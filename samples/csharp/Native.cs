@@ -1087,6 +1087,9 @@ public unsafe struct wcut_job
     public wcut_vec3 block_size;
     public double wire_diameter;
     public double wire_density;
+    public double wire_cold_strength;
+    public double wire_hot_strength;
+    public double wire_emissivity;
     public double wire_length;
     public int nodes;
     public double heat;
@@ -2407,6 +2410,7 @@ public unsafe struct wcut_wire_material
     public double cold_strength;
     public double hot_strength;
     public double hot_temperature;
+    public double emissivity;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_worst

@@ -27,10 +27,18 @@ assert d["chord_error_mm"] <= 0.1 and d["targets"][0]["time_s"] == 0
 assert abs(sum(t["duration_s"] for t in d["targets"]) - d["duration_s"]) < 1e-9
 EOF
 
-# 2 N on 0.15 mm are 113 MPa, more than the wire bears at its temperature in air: a warning, an error if asked
-run 0 path "$job" --format csv -o made
+# 2 N on 0.15 mm are 113 MPa, which nickel-chromium bears at its temperature in air and Kanthal A does not: a warning, an
+# error if asked; the verdict of simulate takes the same options
+run 0 path "$job" --format csv -o made --strict
+grep -q 'warning: stress' err && fail "a warning: $(cat err)"
+kanthal='--cold-strength 725 --hot-strength 34'
+run 0 path "$job" --format csv -o made $kanthal
 grep -q 'warning: stress of the wire in air: 113' err || fail "no warning: $(cat err)"
-run 5 path "$job" --format csv -o strict --strict
+run 0 simulate "$job" --nodes 31 --formats csv -o judged
+grep -q '^feasible: ' err || fail "not feasible: $(cat err)"
+run 0 simulate "$job" --nodes 31 --formats csv -o judged $kanthal
+grep -q '^warning: infeasible: stress of the wire: 113' err || fail "feasible: $(cat err)"
+run 5 path "$job" --format csv -o strict --strict $kanthal
 one_line 'stress of the wire in air: 113' 'nothing was written'
 untouched strict
 run 0 path "$job" --format csv -o made --alpha 20

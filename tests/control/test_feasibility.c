@@ -56,6 +56,45 @@ TEST(a_cut_within_its_limits_is_feasible_and_one_beyond_is_not_with_its_place) {
     wcut_job_destroy(job);
 }
 
+TEST(the_wires_strength_is_the_jobs_or_that_of_its_material_or_of_kanthal_a) {
+    /* 2 N on 0.15 mm at 65 W/m: more than Kanthal A bears in air, less than nickel-chromium */
+    wcut_job *job = design();
+    const wcut_robot_limits stated = wcut_robot_limits_default(job);
+    ck_assert(stated.cold_strength == 810 && stated.hot_strength == 100 && stated.emissivity == 0.88);
+    ck_assert_int_eq(verdict_on(job, NULL).verdict, WCUT_FEASIBILITY_VERDICT_FEASIBLE);
+
+    wcut_free(job->wire_material);
+    job->wire_material = NULL;
+    const wcut_robot_limits kanthal = wcut_robot_limits_default(job);
+    ck_assert(kanthal.cold_strength == 725 && kanthal.hot_strength == 34 && kanthal.emissivity == 0.7);
+    const wcut_feasibility v = verdict_on(job, NULL);
+    ck_assert_int_eq(v.verdict, WCUT_FEASIBILITY_VERDICT_INFEASIBLE);
+    ck_assert_msg(strstr(v.reason, "stress of the wire"), "%s", v.reason);
+
+    /* what the job states comes before both */
+    job->wire_cold_strength = 900, job->wire_hot_strength = 200, job->wire_emissivity = 0.5;
+    const wcut_robot_limits own = wcut_robot_limits_default(job);
+    ck_assert(own.cold_strength == 900 && own.hot_strength == 200 && own.emissivity == 0.5);
+    ck_assert_int_eq(verdict_on(job, NULL).verdict, WCUT_FEASIBILITY_VERDICT_FEASIBLE);
+    wcut_job_destroy(job);
+}
+
+TEST(every_sample_job_is_feasible) {
+    static const char *const name[] = {"freeform-1",    "freeform-2",    "freeform-3",    "freeform-4",
+                                       "steady-300-50", "steady-300-60", "steady-300-70", "steady-300-85",
+                                       "steady-400-50", "steady-400-60", "steady-400-70", "steady-400-85",
+                                       "steady-500-50", "steady-500-60", "steady-500-70", "steady-500-85"};
+    for (size_t k = 0; k < sizeof name / sizeof *name; k++) {
+        char file[32];
+        snprintf(file, sizeof file, "%s.json", name[k]);
+        wcut_job *job = sample_job(file);
+        job->nodes = 41;
+        const wcut_feasibility v = verdict_on(job, NULL);
+        ck_assert_msg(v.verdict == WCUT_FEASIBILITY_VERDICT_FEASIBLE, "%s: %s", name[k], v.reason);
+        wcut_job_destroy(job);
+    }
+}
+
 TEST(exchanged_edges_are_infeasible_for_the_wires_angle) {
     wcut_job *job = design();
     wcut_curve *edge = job->edge_a;

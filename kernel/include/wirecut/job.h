@@ -36,11 +36,15 @@ typedef struct wcut_job {
     char *foam_material; /**< UTF-8, may be NULL */
     char *wire_material; /**< UTF-8, may be NULL */
 
-    wcut_vec3 block_size; /**< [mm] W, L, H: the block fills [0,W] x [0,L] x [0,H] */
-    double wire_diameter; /**< [mm] */
-    double wire_density;  /**< [kg/m3] of its material, for its weight along -z; default 0: weightless */
-    double wire_length; /**< [mm] path mode: between the mounts; design mode, blade, bow with a pretension: not read */
-    int nodes;          /**< at least 3 */
+    wcut_vec3 block_size;      /**< [mm] W, L, H: the block fills [0,W] x [0,L] x [0,H] */
+    double wire_diameter;      /**< [mm] */
+    double wire_density;       /**< [kg/m3] of its material, for its weight along -z; default 0: weightless */
+    double wire_cold_strength; /**< [MPa] tensile, at 20 degC; default 0: that of its material */
+    double wire_hot_strength;  /**< [MPa] tensile, at 900 degC; default 0: the same */
+    double wire_emissivity;    /**< [1] of its oxidised surface, up to 1; default 0: the same */
+    double wire_length;        /**< [mm] path mode: between the mounts; design mode, blade, bow with a pretension: not
+                                    read */
+    int nodes;                 /**< at least 3 */
 
     double heat;    /**< [W/m] positive; 0 of a blade: F = a */
     double tension; /**< [N] target at each mount, k; of a bow or a blade not read: its tension is an answer */

@@ -83,6 +83,7 @@ typedef struct wcut_wire_material {
     double cold_strength;   /**< [MPa] tensile, at 20 degC */
     double hot_strength;    /**< [MPa] at hot_temperature; exponential between */
     double hot_temperature; /**< [degC] */
+    double emissivity;      /**< [1] of the oxidised surface */
 } wcut_wire_material;
 
 /** The properties of a wire's material by its name, borrowed; NULL where it is NULL or none of those known. */

@@ -63,15 +63,16 @@ typedef struct wcut_robot_motion {
 
 /** Limits of the cell and the wire; `wcut_robot_limits_default` fills them in. */
 typedef struct wcut_robot_limits {
-    double speed;           /**< [mm/s] of a mount; default the job's speed_max */
-    double acceleration;    /**< [mm/s^2] of a mount; default 1000 */
-    double alpha, beta;     /**< [rad] largest size of the head's angles; default 60 and 30 deg */
-    double ambient;         /**< [degC] default 20 */
-    double emissivity;      /**< [1] of the oxidised wire; default 0.7 */
+    double speed;        /**< [mm/s] of a mount; default the job's speed_max */
+    double acceleration; /**< [mm/s^2] of a mount; default 1000 */
+    double alpha, beta;  /**< [rad] largest size of the head's angles; default 60 and 30 deg */
+    double ambient;      /**< [degC] default 20 */
+    double
+        emissivity; /**< [1] of the oxidised wire; default the job's, or that of the wire's material, Kanthal A where it has none */
     double temperature;     /**< [degC] of the wire in air; default 900 */
-    double cold_strength;   /**< [MPa] at 20 degC; default 725, Kanthal A */
-    double hot_strength;    /**< [MPa] at hot_temperature; default 37, Kanthal A */
-    double hot_temperature; /**< [degC] default 900 */
+    double cold_strength;   /**< [MPa] at 20 degC; default as the emissivity */
+    double hot_strength;    /**< [MPa] at hot_temperature; default as the emissivity */
+    double hot_temperature; /**< [degC] default that of the wire's material, 900 */
 } wcut_robot_limits;
 
 /** One figure against its limit. */

@@ -40,8 +40,11 @@ TEST(a_path_job_comes_back_to_the_last_bit) {
     job->mount_a[1] = (wcut_vec3){-1.0 / 3, 5e-324, 1.7976931348623157e308};
     job->mount_b[1] = (wcut_vec3){0.1 + 0.2, -0.0, 123456789012345680.0};
     job->wire_density = 7150.125;
+    job->wire_cold_strength = 810.5, job->wire_hot_strength = 100.25, job->wire_emissivity = 0.875;
     write_and_read();
     ck_assert_double_eq(again->wire_density, 7150.125);
+    ck_assert(again->wire_cold_strength == 810.5 && again->wire_hot_strength == 100.25);
+    ck_assert_double_eq(again->wire_emissivity, 0.875);
     same(job->mount_a, again->mount_a, 3 * sizeof(wcut_vec3));
     same(job->mount_b, again->mount_b, 3 * sizeof(wcut_vec3));
     same(job->dither, again->dither, sizeof *job->dither);
