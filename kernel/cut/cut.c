@@ -195,6 +195,14 @@ static wcut_status advance_wire(wcut_cut *cut, const wcut_target *target, wcut_i
     return WCUT_OK;
 }
 
+/* with a commanded speed the step's duration is given, and the tension is the answer */
+static wcut_status time_by_feed(const wcut_cut *cut, int j, wcut_target *target) {
+    const wcut_feed *feed = &cut->setup->job->feed;
+    if (feed->kind == WCUT_FEED_KIND_NONE || cut->setup->foam.embedded) return WCUT_OK;
+    const double way = fmax(vec3_distance(target->end_a, cut->now.end_a), vec3_distance(target->end_b, cut->now.end_b));
+    return wcut_feed_eval(feed, j, cut->time, way, &target->duration);
+}
+
 wcut_status wcut_cut_step(wcut_cut *cut, wcut_error *error) {
     if (!cut) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a run is expected");
     const wcut_setup *setup = cut->setup;
@@ -202,10 +210,11 @@ wcut_status wcut_cut_step(wcut_cut *cut, wcut_error *error) {
     if (j >= setup->stations)
         return wcut_fail(error, WCUT_NOT_FOUND, "station %d: the path ends with station %d", j, j - 1);
     if (cut->over) return wcut_fail(error, WCUT_NOT_CONVERGED, "station %d: the run has ended before", j);
-    const wcut_target target = {
+    wcut_target target = {
         .end_a = setup->end_a[j], .end_b = setup->end_b[j], .length = setup->length[j], .heat = setup->job->heat};
     wcut_error cause = {0};
-    const wcut_status status = advance_wire(cut, &target, setup->options.integrator, &cause);
+    wcut_status status = time_by_feed(cut, j, &target);
+    if (status == WCUT_OK) status = advance_wire(cut, &target, setup->options.integrator, &cause);
     if (status == WCUT_OK) return WCUT_OK;
     cut->over = true;
     return wcut_fail(error, status, "station %d: %s", j, cause.text);

@@ -471,9 +471,12 @@ wcut_status wcut_setup_create(const wcut_job *job, const wcut_cut_options *optio
                            "wire.density_kg_per_m3: found %g with the integrator heun, expected implicit: heun is the "
                            "paper's scheme, without weight",
                            job->wire_density);
-    if (status == WCUT_OK && (job->rig.kind != WCUT_RIG_KIND_TWO_ARMS || job->feed.kind != WCUT_FEED_KIND_NONE))
-        status = wcut_fail(error, WCUT_BAD_ARGUMENT, "rig.kind: found %s%s, expected two arms without a feed",
-                           wcut_rig_name(job->rig.kind), job->feed.kind ? " with a feed" : "");
+    if (status == WCUT_OK && job->feed.kind != WCUT_FEED_KIND_NONE && o.integrator == WCUT_INTEGRATOR_HEUN)
+        status = wcut_fail(error, WCUT_BAD_ARGUMENT,
+                           "feed: found one with the integrator heun, expected implicit: heun solves for the speed");
+    if (status == WCUT_OK && job->rig.kind != WCUT_RIG_KIND_TWO_ARMS)
+        status =
+            wcut_fail(error, WCUT_BAD_ARGUMENT, "rig.kind: found %s, expected two_arms", wcut_rig_name(job->rig.kind));
     return status == WCUT_OK ? create_setup(job, &o, false, out, error) : status;
 }
 

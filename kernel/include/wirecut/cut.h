@@ -32,7 +32,7 @@ typedef enum wcut_condition {
     WCUT_CONDITION_TENSION,   /**< (4) holds with equality */
     WCUT_CONDITION_SPEED_MAX, /**< v = v_max and T < k, or no contact */
     WCUT_CONDITION_SPEED_MIN, /**< v = v_min and T > k */
-    WCUT_CONDITION_TIME       /**< time-driven: the step's duration was given */
+    WCUT_CONDITION_TIME       /**< time-driven: the step's duration was given, by a feed or by the caller */
 } wcut_condition;
 
 /** Settings of the solver; the job says what is cut, these say how finely it is solved. */
@@ -140,7 +140,8 @@ WCUT_API wcut_status wcut_cut_create(const wcut_setup *setup, wcut_cut **cut, wc
 WCUT_API void wcut_cut_destroy(wcut_cut *cut);
 
 /**
- * Advance to the next station, tension-driven. Allocates nothing.
+ * Advance to the next station, tension-driven, or at the commanded speed of a job with a feed: then the tensions are the
+ * answer. Allocates nothing.
  *
  * @param[in,out] cut   a run that has stations left
  * @param[out]    error may be NULL; station and cause
