@@ -47,7 +47,8 @@ static bool read_effect(wcut_reader *reader, const wcut_place *at, void *into) {
     int chosen = 0;
     if (info->choice_key) { /* what else an effect is told by may depend on it */
         const wcut_place choice = wcut_place_member(at, info->choice_key);
-        if (!wcut_read_word(reader, &choice, info->choice, &chosen)) return false;
+        const bool first = !choice.value && !info->choice_required; /* of a kind that had one form alone */
+        if (!first && !wcut_read_word(reader, &choice, info->choice, &chosen)) return false;
     }
 
     /* defaults first, so that keys may be left out */
@@ -81,7 +82,8 @@ bool wcut_read_effects(wcut_reader *reader, const wcut_place *at, void *into) {
 static void put_effect_json_effect(wcut_text *text, const wcut_effect *effect) {
     const wcut_effect_info *info = wcut_effect_view(effect->kind);
     wcut_text_print(text, "{\"name\": \"%s\"", info->name);
-    if (info->choice_key) wcut_text_print(text, ", \"%s\": \"%s\"", info->choice_key, info->choice[effect->choice]);
+    if (info->choice_required || effect->choice > 0)
+        wcut_text_print(text, ", \"%s\": \"%s\"", info->choice_key, info->choice[effect->choice]);
     for (const wcut_effect_parameter *p = wcut_effect_parameters(effect); p->key; p++) {
         wcut_text_print(text, ", \"%s\": %s", p->key, p->size == 3 ? "[" : "");
         for (int k = 0; k < p->size; k++) {

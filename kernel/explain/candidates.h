@@ -19,6 +19,7 @@ typedef struct wcut_residual_stats {
 typedef struct wcut_candidate {
     wcut_fitted fit;
     int effects; /* beside a delay */
+    bool form;   /* the best single effect in another form of its family: it counts where it leaves noise */
     /* against late readings, where there are any, else against recalibration: */
     double gain;        /* twice the logarithm of the ratio of likelihoods, each under its own scatter */
     double fall;        /* of the misfit, under the scatter that all share */

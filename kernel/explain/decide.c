@@ -184,8 +184,19 @@ static bool is_outdone(const wcut_search *s, int candidate) {
 static int best_of(const wcut_search *s, int effects) {
     int best = -1;
     for (int k = 0; k < s->count; k++)
-        if (k != s->delayed && k != s->undelayed && s->candidate[k].effects == effects && may_be_named(s, k) &&
-            !is_outdone(s, k) && (best < 0 || wcut_candidate_score(s, k) > wcut_candidate_score(s, best)))
+        if (k != s->delayed && k != s->undelayed && !s->candidate[k].form && s->candidate[k].effects == effects &&
+            may_be_named(s, k) && !is_outdone(s, k) &&
+            (best < 0 || wcut_candidate_score(s, k) > wcut_candidate_score(s, best)))
+            best = k;
+    return best;
+}
+
+/* the best of the other forms, each of which leaves noise; -1 where there is none */
+static int best_form(const wcut_search *s) {
+    int best = -1;
+    for (int k = 0; k < s->count; k++)
+        if (s->candidate[k].form && may_be_named(s, k) && !is_outdone(s, k) &&
+            (best < 0 || wcut_candidate_score(s, k) > wcut_candidate_score(s, best)))
             best = k;
     return best;
 }
@@ -210,6 +221,10 @@ static bool second_counts(const wcut_search *s, int pair, int single) {
         const wcut_effect_place place = wcut_effect_view(both->effect[k].kind)->place;
         bool known = false;
         for (int j = 0; j < one->effects; j++) known = known || both->effect[k].kind == one->effect[j].kind;
+
+        /* readings that are late by less than is named are scatter, which the first effect has beside it */
+        if (!known && wcut_explanation_view(both->effect[k].kind)->delay && wcut_effect_size(&both->effect[k]) < 1)
+            return false;
         off_the_force = off_the_force && (known || place != WCUT_EFFECT_PLACE_STEP);
         scans = scans && (known || (place != WCUT_EFFECT_PLACE_STEP && place != WCUT_EFFECT_PLACE_SENSOR));
     }
@@ -327,6 +342,12 @@ static wcut_decision decide_effects(const wcut_search *s) {
     const int single = best_of(s, 1), pair = best_of(s, 2);
     d.chosen = single;
     if (pair >= 0 && wcut_search_leaves_noise(s, pair) && second_counts(s, pair, single)) d.chosen = pair;
+
+    /* another form of one effect, where that leaves noise, comes before a pair that explains no more */
+    const int form = best_form(s);
+    if (form >= 0 && (d.chosen < 0 || !wcut_search_leaves_noise(s, d.chosen) ||
+                      wcut_candidate_score(s, form) >= wcut_candidate_score(s, d.chosen)))
+        d.chosen = form;
 
     /* no candidate: either nothing is there, or something that no effect explains */
     if (d.chosen < 0) {

@@ -20,12 +20,15 @@
 #define LOG WCUT_COORDINATE_SCALE_LOG
 #define RECIPROCAL WCUT_COORDINATE_SCALE_RECIPROCAL
 
-#define ROW_WIRE_THERMAL_LAG                                                                     \
-    PHYSICS, 0.12, "the wire follows heat and speed with a delay", "time constant %.2f s", 1, 1, \
-        {{WCUT_WIRE_THERMAL_LAG_TIME_CONSTANT, LINEAR, 0, 2, 0.05, 0, 20}}, 3, {                 \
-        {.value = {0.3}}, {.value = {0.8}}, {                                                    \
-            .value = { 2 }                                                                       \
-        }                                                                                        \
+#define ROW_WIRE_THERMAL_LAG /* one time constant; two of them have a share and a slow one beside it */ \
+    PHYSICS, 0.12, "the wire follows heat and speed with a delay", "time constant %.2f s", 1, 1,        \
+        {{WCUT_WIRE_THERMAL_LAG_TIME_CONSTANT, LINEAR, 0, 2, 0.05, 0, 20},                              \
+         {WCUT_WIRE_THERMAL_LAG_SLOW_SHARE, LINEAR, 0.3, 0.3, 0.02, 0.02, 0.95},                        \
+         {WCUT_WIRE_THERMAL_LAG_SLOW_TIME_CONSTANT, LOG, 1.6, 0.8, 0.1, -0.7, 3.9}},                    \
+        3, {                                                                                            \
+        {.value = {0.3}}, {.value = {0.8}}, {                                                           \
+            .value = { 2 }                                                                              \
+        }                                                                                               \
     }
 #define ROW_AIR_OVERHEATING                                                                                \
     PHYSICS, 0.1, "the wire enters the foam overheated by the air", "%.2f times its power at first", 1, 2, \
@@ -45,15 +48,16 @@
             .value = { 0.1, 150 }                                              \
         }                                                                      \
     }
-#define ROW_FOAM_DENSITY_GRADIENT /* choices: 3 forms of 3 axes; only a step has a place */                    \
-    PHYSICS, 0.04, "the foam gets denser across the block", "by %+.0f %%", 100, 1,                             \
-        {{WCUT_FOAM_DENSITY_GRADIENT_CHANGE, LINEAR, 0, 0.8, 0.05, -1.8, 1.8},                                 \
-         {WCUT_FOAM_DENSITY_GRADIENT_STEP_AT, LINEAR, 0.5, 0.5, 0.03, 0.02, 0.98}},                            \
-        10, {                                                                                                  \
-        {0, {0.1}, false}, {1, {0.1}, false}, {2, {0.1}, false}, {3, {0.1}, false}, {4, {0.1}, false},         \
-            {6, {0.1, 0.3}, false}, {6, {0.1, 0.5}, false}, {6, {0.1, 0.7}, false}, {7, {0.1, 0.35}, false}, { \
-            7, {0.1, 0.65}, false                                                                              \
-        }                                                                                                      \
+#define ROW_FOAM_DENSITY_GRADIENT /* choices: 4 forms of 3 axes; a step has a place, a band a width beside it */ \
+    PHYSICS, 0.04, "the foam gets denser across the block", "by %+.0f %%", 100, 1,                               \
+        {{WCUT_FOAM_DENSITY_GRADIENT_CHANGE, LINEAR, 0, 0.8, 0.05, -1.8, 1.8},                                   \
+         {WCUT_FOAM_DENSITY_GRADIENT_STEP_AT, LINEAR, 0.5, 0.5, 0.03, 0.02, 0.98},                               \
+         {WCUT_FOAM_DENSITY_GRADIENT_BAND, LINEAR, 0.2, 0.2, 0.02, 0.02, 0.9}},                                  \
+        10, {                                                                                                    \
+        {0, {0.1}, false}, {1, {0.1}, false}, {2, {0.1}, false}, {3, {0.1}, false}, {4, {0.1}, false},           \
+            {6, {0.1, 0.3}, false}, {6, {0.1, 0.5}, false}, {6, {0.1, 0.7}, false}, {7, {0.1, 0.35}, false}, {   \
+            7, {0.1, 0.65}, false                                                                                \
+        }                                                                                                        \
     }
 #define ROW_FOAM_INCLUSION /* its columns are those of places: explain/inclusions.c */  \
     PHYSICS, 0.06, "there is a spot of other density in the block", "%+.0f %%", 100, 5, \
@@ -116,10 +120,12 @@
             .choice = 1, .value = { 0, 0.5 }                                     \
         }                                                                        \
     }
-#define ROW_BLOCK_SPRINGBACK                                                                  \
-    PHYSICS, 0.4, "the block changed shape after the cut", "%+.1f mm", 1, 1,                  \
-        {{WCUT_BLOCK_SPRINGBACK_AMPLITUDE, LINEAR, 0, 6, 0.1, -50, 50}}, 5, {                 \
-        {0, {1}, false}, {1, {1}, false}, {2, {1}, false}, {3, {1}, false}, { 4, {1}, false } \
+#define ROW_BLOCK_SPRINGBACK                                                                                    \
+    PHYSICS, 0.4, "the block changed shape after the cut", "%+.1f mm", 1, 1,                                    \
+        {{WCUT_BLOCK_SPRINGBACK_AMPLITUDE, LINEAR, 0, 6, 0.1, -50, 50}}, 7, {                                   \
+        {0, {1}, false}, {1, {1}, false}, {2, {1}, false}, {3, {1}, false}, {4, {1}, false}, {5, {1}, false}, { \
+            6, {1}, false                                                                                       \
+        }                                                                                                       \
     }
 #define ROW_ANGLE_OFFSET                                                     \
     INSTRUMENT, 0.1, "an angle encoder is offset", "by %+.2f deg", 1, 1,     \
@@ -194,10 +200,76 @@ wcut_coordinate wcut_effect_coordinate(const wcut_effect *effect, int k) {
     return table[effect->kind].coordinate[k];
 }
 
+/* how many choices of a kind are no forms but places: choice = form times this and the place; 0: it has one form */
+static int bases_of(wcut_effect_kind kind) {
+    switch (kind) {
+        case WCUT_EFFECT_FOAM_DENSITY_GRADIENT:
+            return 3; /* axes */
+        case WCUT_EFFECT_WIRE_FOULING:
+            return 2; /* coefficients */
+        case WCUT_EFFECT_WIRE_THERMAL_LAG:
+        case WCUT_EFFECT_END_COOLING:
+        case WCUT_EFFECT_TANGENTIAL_DRAG:
+        case WCUT_EFFECT_MOUNT_COMPLIANCE:
+            return 1;
+        default:
+            return 0;
+    }
+}
+
 int wcut_effect_coordinates(const wcut_effect *effect) {
     if (effect->kind == WCUT_EFFECT_EMPIRICAL_FORCE) return wcut_term_coordinates(effect);
-    const bool step = effect->kind == WCUT_EFFECT_FOAM_DENSITY_GRADIENT && effect->choice >= 6;
-    return step ? 2 : table[effect->kind].count;
+    const int form = effect->choice / (bases_of(effect->kind) > 0 ? bases_of(effect->kind) : 1);
+
+    /* a step has a place, a band a width, too; what grows without end has no length of its own */
+    if (effect->kind == WCUT_EFFECT_FOAM_DENSITY_GRADIENT) return form < 2 ? 1 : form;
+    if (effect->kind == WCUT_EFFECT_WIRE_THERMAL_LAG) return form == 1 ? 3 : 1;
+    if (effect->kind == WCUT_EFFECT_WIRE_FOULING) return form == 1 || form == 2 ? 1 : 2;
+    return table[effect->kind].count;
+}
+
+/* [mm] way, [mm/s] speed at which forms without a scale of their own have the value that is fitted */
+#define FOULING_WAY 1000.0
+#define FILM_SPEED 3.0
+/* where a second time constant, a wider draught and a band begin, against what the first form has */
+#define FAST_SHARE 0.5
+#define GAUSSIAN_WIDER 1.5
+
+bool wcut_effect_form(const wcut_effect *effect, int nth, wcut_effect *form) {
+    const int bases = bases_of(effect->kind);
+    if (bases == 0) return false;
+    const int choice = effect->choice % bases + nth * bases;
+    wcut_effect next = wcut_effect_choose(effect->kind, choice);
+    if (!wcut_effect_parameters(&next)) return false;
+    *form = *effect;
+    if (choice == effect->choice) return true;
+
+    /* the same strength, and what else the two forms have in common */
+    const double *v = effect->value;
+    next.value[0] = v[0];
+    switch (effect->kind) {
+        case WCUT_EFFECT_WIRE_THERMAL_LAG:
+            if (nth == 1) next.value[0] = FAST_SHARE * v[0], next.value[WCUT_WIRE_THERMAL_LAG_SLOW_SHARE] = 0.3;
+            break;
+        case WCUT_EFFECT_END_COOLING:
+            next.value[1] = v[1] * (nth == 1 ? GAUSSIAN_WIDER : 1 / GAUSSIAN_WIDER);
+            break;
+        case WCUT_EFFECT_TANGENTIAL_DRAG:
+            if (nth == 1) next.value[1] = FILM_SPEED;
+            break;
+        case WCUT_EFFECT_WIRE_FOULING:
+            next.value[1] = FOULING_WAY;
+            if (effect->choice < bases) next.value[0] = -v[0] * expm1(-FOULING_WAY / v[1]);
+            break;
+        case WCUT_EFFECT_MOUNT_COMPLIANCE:
+            next.value[1] = v[1];
+            break;
+        default:
+            break;
+    }
+    *form = next;
+
+    return true;
 }
 
 double wcut_scale_in(wcut_coordinate_scale scale, double value) {

@@ -5,7 +5,7 @@
 #include "explain/coordinate.h"
 #include "explain/evidence.h"
 
-enum { WCUT_COORDINATES = 5, WCUT_VARIANTS = 64 };
+enum { WCUT_COORDINATES = 5, WCUT_VARIANTS = 80 };
 
 /* where a screen takes the column of a variant: choice, values 0 and 1, and what it needs */
 typedef struct wcut_start {
@@ -39,6 +39,10 @@ wcut_coordinate wcut_effect_coordinate(const wcut_effect *effect, int k);
 
 /* how many things of an effect are fitted; a step of density has a place beside its size */
 int wcut_effect_coordinates(const wcut_effect *effect);
+
+/* The nth form of an effect's family, at the same place, where its fit begins: the effect itself among them. False where
+   there are no more. */
+bool wcut_effect_form(const wcut_effect *effect, int nth, wcut_effect *form);
 
 /* value on the fitted scale and back */
 double wcut_scale_in(wcut_coordinate_scale scale, double value);

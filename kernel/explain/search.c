@@ -100,6 +100,7 @@ typedef struct searching {
     wcut_search *s;
     const bool *without;
     int done;
+    int formed; /* candidate whose other forms were tried; -1: none */
 } searching;
 
 static wcut_status search_step(searching *g, const char *stage, wcut_error *error) {
@@ -287,17 +288,50 @@ static wcut_status try_singles(searching *g, wcut_error *error) {
 static int best_candidate(const wcut_search *s, int effects) {
     int best = -1;
     for (int k = 0; k < s->count; k++)
-        if (s->candidate[k].effects == effects && k != s->delayed &&
+        if (s->candidate[k].effects == effects && k != s->delayed && !s->candidate[k].form &&
             (best < 0 || s->candidate[k].gain > s->candidate[best].gain))
             best = k;
     return best;
+}
+
+/* The other forms of the best single effect, where it leaves more than noise: they come before another effect. Of mounts
+   all are kept; another form counts where it leaves noise, else the first one stands for its family. */
+static wcut_status try_forms(searching *g, wcut_error *error) {
+    wcut_search *s = g->s;
+    const int best = best_candidate(s, 1);
+    if (best < 0 || best == g->formed || wcut_search_leaves_noise(s, best)) return WCUT_OK;
+    g->formed = best;
+    const wcut_model about = s->candidate[best].fit.model;
+    const int at = about.effects - 1;
+    const bool mounts = about.effect[at].kind == WCUT_EFFECT_MOUNT_COMPLIANCE;
+    wcut_status status = WCUT_OK;
+    for (int nth = 0; status == WCUT_OK; nth++) {
+        wcut_model start = about;
+        if (!wcut_effect_form(&about.effect[at], nth, &start.effect[at])) return WCUT_OK;
+        const int count = s->count;
+        status = try_model(g, &start, error);
+        if (mounts || s->count == count) continue;
+        s->candidate[count].form = true;
+        if (wcut_search_leaves_noise(s, count)) continue;
+        wcut_fitted_destroy(&s->candidate[count].fit);
+        s->count = count;
+    }
+
+    return status;
+}
+
+/* whether another form of one effect leaves noise and explains as much as any pair of the screen promises */
+static bool form_suffices(const wcut_search *s) {
+    for (int k = 0; k < s->count; k++)
+        if (s->candidate[k].form && (s->pairs == 0 || s->candidate[k].gain >= s->pair[0].gain)) return true;
+    return false;
 }
 
 /* what to add to the best single ones, and the best pairs of the screen */
 static wcut_status try_pairs(searching *g, wcut_error *error) {
     wcut_search *s = g->s;
     const int best = best_candidate(s, 1);
-    if (best < 0) return WCUT_OK;
+    if (best < 0 || form_suffices(s)) return WCUT_OK;
 
     /* the screen about the best single effect */
     const wcut_model about = s->candidate[best].fit.model;
@@ -410,30 +444,12 @@ static wcut_status try_rest(searching *g, wcut_error *error) {
     for (int c = 0, full = 0; status == WCUT_OK && c < before + SINGLES && c < s->count && full < SECONDS; c++) {
         const wcut_model *m = &s->candidate[c].fit.model;
         wcut_model start = s->candidate[best].fit.model;
-        if (s->candidate[c].effects != 1 || c == s->delayed || c == best || start.effects == WCUT_DIAGNOSIS_EFFECTS ||
-            s->candidate[c].second_size < 1)
+        if (s->candidate[c].effects != 1 || s->candidate[c].form || c == s->delayed || c == best ||
+            start.effects == WCUT_DIAGNOSIS_EFFECTS || s->candidate[c].second_size < 1)
             continue;
         start.effect[start.effects++] = m->effect[m->effects - 1];
         status = try_model(g, &start, error);
         full++;
-    }
-
-    return status;
-}
-
-/* The other forms of the best single effect, where it leaves more than noise: they come before another effect. */
-static wcut_status try_forms(searching *g, wcut_error *error) {
-    wcut_search *s = g->s;
-    const int best = best_candidate(s, 1);
-    if (best < 0 || wcut_search_leaves_noise(s, best)) return WCUT_OK;
-    const wcut_model about = s->candidate[best].fit.model;
-    const wcut_effect effect = about.effect[about.effects - 1];
-    if (effect.kind != WCUT_EFFECT_MOUNT_COMPLIANCE) return WCUT_OK;
-    wcut_status status = WCUT_OK;
-    for (int k = 0; status == WCUT_OK && wcut_effect_view(effect.kind)->choice[k]; k++) {
-        wcut_model start = about;
-        start.effect[start.effects - 1].choice = k;
-        status = try_model(g, &start, error);
     }
 
     return status;
@@ -527,7 +543,7 @@ wcut_status wcut_search_run(wcut_evidence *e, const bool without[WCUT_EFFECT_COU
     s->delayed = s->undelayed = -1;
 
     /* steps of progress follow those of the caller */
-    searching g = {.e = e, .s = s, .without = without, .done = e->stop ? e->stop->done + 1 : 0};
+    searching g = {.e = e, .s = s, .without = without, .done = e->stop ? e->stop->done + 1 : 0, .formed = -1};
 
     /* the recalibration: the least that is handed out */
     wcut_status status = search_step(&g, "the recalibration was fitted", error);
@@ -539,7 +555,8 @@ wcut_status wcut_search_run(wcut_evidence *e, const bool without[WCUT_EFFECT_COU
         status = try_singles(&g, error);
     }
 
-    /* pairs, then the candidates with and without the delay of readings */
+    /* forms of the best, pairs, then the candidates with and without the delay of readings */
+    if (status == WCUT_OK) status = try_forms(&g, error);
     if (status == WCUT_OK) status = try_pairs(&g, error);
     if (status == WCUT_OK) status = try_halves(&g, error);
     if (status == WCUT_OK) status = try_rest(&g, error);

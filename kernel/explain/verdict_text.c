@@ -34,7 +34,7 @@ static void add_number(text *t, const wcut_explanation *p, double value) {
 }
 #pragma GCC diagnostic pop
 
-/* change of density along an axis: by how much, and for a step from where on */
+/* change of density along an axis: by how much, and for a step from where on, for a band from where to where */
 static void add_gradient_words(text *t, const wcut_diagnosis *d, const wcut_effect *e) {
     static const char *const along[] = {"across the block (x)", "along the feed (y)", "over the height (z)"};
     const int axis = e->choice % 3, form = e->choice / 3;
@@ -45,12 +45,23 @@ static void add_gradient_words(text *t, const wcut_diagnosis *d, const wcut_effe
         append_text(t, "the foam gets %.0f %% %s %s", percent, more, along[axis]);
     else if (form == 1)
         append_text(t, "the foam is %.0f %% %s at its sides than in its middle, %s", percent, more, along[axis]);
-    else if (size > 0)
+    else if (form == 3) {
+        const double middle = e->value[WCUT_FOAM_DENSITY_GRADIENT_STEP_AT],
+                     half = e->value[WCUT_FOAM_DENSITY_GRADIENT_BAND] / 2;
+        append_text(t, "the foam is %.0f %% %s from %c %.0f to %.0f mm", percent, more, "xyz"[axis],
+                    (middle - half) * size, (middle + half) * size);
+    } else if (size > 0)
         append_text(t, "the foam is %.0f %% %s from %c %.0f mm on", percent, more, "xyz"[axis],
                     e -> value[WCUT_FOAM_DENSITY_GRADIENT_STEP_AT] * size);
     else
         append_text(t, "the foam is %.0f %% %s from %.0f %% of its size on, %s", percent, more,
                     100 * e->value[WCUT_FOAM_DENSITY_GRADIENT_STEP_AT], along[axis]);
+}
+
+/* forms of fouling beside the first, which ends at a limit */
+static const char *fouling_words(int form) {
+    static const char *const words[] = {"", ", evenly", ", by its root", ", and falls off each time"};
+    return words[form];
 }
 
 /* effects that are told by where and how much; false: by their phrase and first value */
@@ -70,12 +81,13 @@ static bool add_place_words(text *t, const wcut_diagnosis *d, const wcut_effect 
 
         /* the wire: how strong, and over what length or time it fades */
         case WCUT_EFFECT_END_COOLING:
-            append_text(t, "the wire is %.0f %% cooler at its mounts, fading over %.0f mm",
-                        100 * v[WCUT_END_COOLING_AMPLITUDE], v[WCUT_END_COOLING_LENGTH]);
+            append_text(t, "the wire is %.0f %% cooler at its mounts, fading over %.0f mm%s",
+                        100 * v[WCUT_END_COOLING_AMPLITUDE], v[WCUT_END_COOLING_LENGTH],
+                        e->choice == 1 ? " like a Gaussian" : "");
             return true;
         case WCUT_EFFECT_WIRE_FOULING:
-            append_text(t, "residue on the wire changes the force by %+.0f %% over %.0f mm of way",
-                        100 * v[WCUT_WIRE_FOULING_CHANGE], v[WCUT_WIRE_FOULING_LENGTH]);
+            append_text(t, "residue on the wire changes the force by %+.0f %% over %.0f mm of way%s",
+                        100 * v[WCUT_WIRE_FOULING_CHANGE], v[WCUT_WIRE_FOULING_LENGTH], fouling_words(e->choice / 2));
             return true;
         case WCUT_EFFECT_AIR_OVERHEATING:
             append_text(t, "the wire enters the foam overheated by the air (%.2f times its power at first, for %.1f s)",
@@ -93,7 +105,8 @@ static void add_effect(text *t, const wcut_diagnosis *d, const wcut_found_effect
     const wcut_explanation *p = wcut_explanation_view(f->effect.kind);
     if (add_place_words(t, d, &f->effect)) return;
     append_text(t, "%s", p->phrase);
-    if (info->choice) append_text(t, " [%s %s]", info->choice_key, info->choice[f->effect.choice]);
+    if (info->choice && (info->choice_required || f->effect.choice > 0))
+        append_text(t, " [%s %s]", info->choice_key, info->choice[f->effect.choice]);
     if (f->effect.kind == WCUT_EFFECT_KERF_GROWTH && f->effect.choice == 1)
         append_text(t, " (%.2f mm for e times the heat)", f->effect.value[WCUT_KERF_GROWTH_PER_LOG]);
     else

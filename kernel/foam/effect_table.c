@@ -20,6 +20,14 @@ static const parameter thermal_lag[] = {
     {"H0_W_per_mK", WCUT_WIRE_THERMAL_LAG_LOSS, 1, false, 0.059, 1e-6, 10, 0.03, 0.1},
     {"H1_W_s_per_mm_mK", WCUT_WIRE_THERMAL_LAG_LOSS_BY_SPEED, 1, false, 0.0079, 0, 10, 0.004, 0.016},
     END};
+static const parameter thermal_lag_two[] = {
+    {"time_constant_s", WCUT_WIRE_THERMAL_LAG_TIME_CONSTANT, 1, true, 0, 0, 60, 0.1, 3},
+    {"v_ref_mm_s", WCUT_WIRE_THERMAL_LAG_SPEED_REF, 1, false, 10, 0.01, 1000, 5, 40},
+    {"H0_W_per_mK", WCUT_WIRE_THERMAL_LAG_LOSS, 1, false, 0.059, 1e-6, 10, 0.03, 0.1},
+    {"H1_W_s_per_mm_mK", WCUT_WIRE_THERMAL_LAG_LOSS_BY_SPEED, 1, false, 0.0079, 0, 10, 0.004, 0.016},
+    {"slow_share", WCUT_WIRE_THERMAL_LAG_SLOW_SHARE, 1, false, 0.3, 0, 1, 0.1, 0.6},
+    {"slow_time_constant_s", WCUT_WIRE_THERMAL_LAG_SLOW_TIME_CONSTANT, 1, false, 5, 1e-3, 1000, 1, 20},
+    END};
 static const parameter air_overheating[] = {
     {"air_to_foam_ratio", WCUT_AIR_OVERHEATING_RATIO, 1, true, 1, 0.1, 10, 1.1, 2.5},
     {"time_constant_s", WCUT_AIR_OVERHEATING_TIME_CONSTANT, 1, true, 1, 1e-3, 1000, 0.2, 5},
@@ -30,6 +38,11 @@ static const parameter end_cooling[] = {{"amplitude", WCUT_END_COOLING_AMPLITUDE
 static const parameter gradient[] = {
     {"relative_change_across_block", WCUT_FOAM_DENSITY_GRADIENT_CHANGE, 1, true, 0, -1.9, 1.9, -0.8, 0.8},
     {"step_at_share", WCUT_FOAM_DENSITY_GRADIENT_STEP_AT, 1, false, 0.5, 0, 1, 0.1, 0.9},
+    END};
+static const parameter gradient_band[] = {
+    {"relative_change_across_block", WCUT_FOAM_DENSITY_GRADIENT_CHANGE, 1, true, 0, -0.99, 1.9, -0.8, 0.8},
+    {"step_at_share", WCUT_FOAM_DENSITY_GRADIENT_STEP_AT, 1, false, 0.5, 0, 1, 0.1, 0.9},
+    {"band_share", WCUT_FOAM_DENSITY_GRADIENT_BAND, 1, false, 0.2, 1e-3, 1, 0.05, 0.5},
     END};
 static const parameter inclusion[] = {{"amplitude", WCUT_FOAM_INCLUSION_AMPLITUDE, 1, true, 0, -0.99, 20, -0.6, 1},
                                       {"radius_mm", WCUT_FOAM_INCLUSION_RADIUS, 1, true, 50, 0.1, 1e5, 15, 100},
@@ -79,122 +92,128 @@ static const parameter friction[] = {{"half_width_deg", WCUT_ENCODER_FRICTION_HA
 static const parameter offset[] = {{"shift_mm", WCUT_SCAN_OFFSET_SHIFT, 3, true, 0, -1000, 1000, -5, 5}, END};
 static const parameter scale[] = {{"scale", WCUT_SCAN_SCALE_SCALE, 1, true, 1, 0.5, 2, 0.98, 1.02}, END};
 
+static const char *const lags[] = {"wire", "two", "melt", NULL};
+static const char *const coolings[] = {"exponential", "gaussian", NULL};
+static const char *const drags[] = {"coulomb", "speed", NULL};
 static const char *const profiles[] = {"x",           "y",      "z",      "x_quadratic", "y_quadratic",
-                                       "z_quadratic", "x_step", "y_step", "z_step",      NULL};
+                                       "z_quadratic", "x_step", "y_step", "z_step",      "x_band",
+                                       "y_band",      "z_band", NULL};
 static const char *const mounts[] = {"both", "a", "b", "feed", NULL};
-static const char *const coefficients[] = {"a", "b", NULL};
+static const char *const residues[] = {"a",      "b",         "a_linear",  "b_linear", "a_root",
+                                       "b_root", "a_falling", "b_falling", NULL};
 static const char *const kerf_laws[] = {"linear", "log", NULL};
-static const char *const shapes[] = {"saddle", "cylinder_x", "cylinder_y", "bowl", "twist", NULL};
+static const char *const shapes[] = {"saddle", "cylinder_x", "cylinder_y", "bowl", "twist", "cubic_x", "cubic_y", NULL};
 static const char *const angles[] = {"alpha_a_deg", "beta_a_deg", "alpha_b_deg", "beta_b_deg", NULL};
 static const char *const readings[] = {"tension_a_N", "tension_b_N", "alpha_a_deg", "beta_a_deg",
                                        "alpha_b_deg", "beta_b_deg",  NULL};
 static const char *const sensors[] = {"a", "b", "both", NULL};
 
-/* choice, strengths, neutral, repeats, needs mounts, parameters; equation; what is plausible and by which source; where the
-   physics is */
+/* choice and whether a job must choose, strengths, neutral, repeats, needs mounts, parameters; equation; what is plausible
+   and by which source; where the physics is */
 #define INFO_WIRE_THERMAL_LAG                                                                                      \
-    NULL, NULL, 1, 0, false, false, thermal_lag,                                                                   \
+    "form", false, lags, 1, 0, false, false, thermal_lag,                                                          \
         "C theta' = Q_i - H(v) theta, H = H_0 + H_1 v, C = tau (H_0 + H_1 v_0), H_0 = 0.059 W/mK, H_1 = 0.0079 W " \
-        "s/(mm m K)",                                                                                              \
+        "s/(mm m K); two: q = H ((1 - s) theta + s theta_2), theta_2 with tau_2; melt: q / v follows Q_i / v "     \
+        "with tau",                                                                                                \
         "tau 0.1 to 3 s; 0.058 J/mK of Kanthal A 0.15 mm over 0.14 W/mK: 0.4 s", "kernel/foam/local_law.c:delay_power"
 #define INFO_AIR_OVERHEATING                                                                                \
-    NULL, NULL, 1, 1, false, false, air_overheating,                                                        \
+    NULL, false, NULL, 1, 1, false, false, air_overheating,                                                 \
         "o = 1 + (rho - 1) exp(-t / tau), t since the wire entered the foam",                               \
         "rho 1.1 to 2.5: 2.1 by 650 degC in air and 320 in foam at 65 W/m, less behind a short way in air", \
         "kernel/foam/local_law.c:overheat"
-#define INFO_END_COOLING                                                                                            \
-    NULL, NULL, 1, 0, false, true, end_cooling,                                                                     \
-        "e_i = 1 - A (exp(-s_A / l) + exp(-s_B / l)), s the way along the wire to each mount",                      \
-        "A 0.05 to 0.4, l 20 to 200 mm (judged; laboratory 0.13 to 0.35, 116 to 127 mm): conduction along 11 W/mK " \
-        "alone reaches 1 mm, a cooled mount and its draught farther",                                               \
+#define INFO_END_COOLING                                                                                               \
+    "form", false, coolings, 1, 0, false, true, end_cooling,                                                           \
+        "e_i = 1 - A (exp(-s_A / l) + exp(-s_B / l)), s the way along the wire to each mount; gaussian: of (s / l)^2", \
+        "A 0.05 to 0.4, l 20 to 200 mm (judged; laboratory 0.13 to 0.35, 116 to 127 mm): conduction along 11 W/mK "    \
+        "alone reaches 1 mm, a cooled mount and its draught farther",                                                  \
         "kernel/foam/local_law.c:cooled_ends"
 #define INFO_FOAM_DENSITY_GRADIENT                                                                                 \
-    "axis", profiles, 1, 0, true, false, gradient,                                                                 \
+    "axis", true, profiles, 1, 0, true, false, gradient,                                                           \
         "c_a = 1 + g (u - 1/2), u = x / W, y / L or z / H; quadratic: 1 + g ((2u - 1)^2 - 1/3); step at s: 1 + g " \
-        "tanh((u - s) / 0.02) / 2",                                                                                \
+        "tanh((u - s) / 0.02) / 2; band of width w about s: a step at s - w / 2 less one at s + w / 2",            \
         "0.1 to 0.3 within a moulded EPS block (judged), 0.8 across a bad one (laboratory)",                       \
         "kernel/foam/local_law.c:add_gradient"
 #define INFO_FOAM_INCLUSION                                                                                 \
-    NULL, NULL, 1, 0, true, false, inclusion, "c_a = 1 + A exp(-abs(X - P)^2 / 2 R^2)",                     \
+    NULL, false, NULL, 1, 0, true, false, inclusion, "c_a = 1 + A exp(-abs(X - P)^2 / 2 R^2)",              \
         "A -0.6 to 1, R 15 to 100 mm: a void, a fused lump (judged; laboratory A -0.5 to 0.3, R 39 to 64)", \
         "kernel/foam/local_law.c:add_inclusion"
 #define INFO_TANGENTIAL_DRAG                                                                                  \
-    NULL, NULL, 1, 0, false, false, drag,                                                                     \
+    "law", false, drags, 1, 0, false, false, drag,                                                            \
         "f_i - mu abs(f_i - (f_i t_i) t_i) tanh(v_t / v_s) t_i: Coulomb friction under the force across the " \
-        "wire; v_t speed along it, v_s = 0.3 mm/s",                                                           \
+        "wire; v_t speed along it, v_s = 0.3 mm/s; speed: v_t / v_s in place of tanh",                        \
         "0.02 to 0.7, a melt film to dry rubbing (judged; laboratory 0.06 to 0.66)",                          \
         "kernel/foam/resistance.c:add_drag"
 #define INFO_WIRE_ELONGATION                                                                                          \
-    NULL, NULL, 1, 0, false, true, elongation,                                                                        \
+    NULL, false, NULL, 1, 0, false, true, elongation,                                                                 \
         "l_e = l (1 + eps_T (Q_I / 60) (e + 1.4 (1 - e)) + S_e / EA); strain = eps_T + 2 N / EA, eps_T = 0.8 strain", \
         "0.003 to 0.005: 13e-6 1/K and 320 K in foam; EA 2650 to 3900 N (150 to 220 GPa)",                            \
         "kernel/cut/active_effects.c:wcut_extension_apply"
 #define INFO_MOUNT_COMPLIANCE                                                                                         \
-    "mount", mounts, 1, ENDLESS, false, true, compliance,                                                             \
+    "mount", true, mounts, 1, ENDLESS, false, true, compliance,                                                       \
         "tau u' = S / k - u, the end of the wire at mount + u; mount `a`, `b` or `both`, `feed`: both along y alone", \
         "0.5 to 50 N/mm, tau 0.05 to 1 s: a tool head on a long arm to a spindle (judged; laboratory 1 to 17 N/mm)",  \
         "kernel/cut/compliance.c:wcut_compliance_end"
 #define INFO_RATE_DEPENDENCE                                                         \
-    NULL, NULL, 1, 0, false, false, rate, "(v / v_0)^m, v_0 = 10 mm/s",              \
+    NULL, false, NULL, 1, 0, false, false, rate, "(v / v_0)^m, v_0 = 10 mm/s",       \
         "-0.5 to 0.5, the melt is shear-thinning (judged; laboratory 0.26 to 0.38)", \
         "kernel/foam/local_law.c:wcut_local_law_eval"
 #define INFO_WIRE_FOULING                                                                                            \
-    "on", coefficients, 1, 0, true, false, fouling,                                                                  \
+    "on", true, residues, 1, 0, true, false, fouling,                                                                \
         "c_a or c_b = 1 + c (1 - exp(-(w_0 + w_i) / l)), w_i way of the node in the foam before the step, w_0 that " \
         "way "                                                                                                       \
-        "before the run",                                                                                            \
+        "before the run; linear c w / l, root c sqrt(w / l), falling c times the part of w / l behind the point",    \
         "c 0.1 to 0.4, l 200 to 5000 mm, a tenth of a cut to ten cuts (judged; laboratory 0.12, 650 to 790 mm)",     \
         "kernel/foam/local_law.c:coefficients"
 #define INFO_EMPIRICAL_FORCE                                                                             \
-    "term", wcut_term_name, 2, 0, true, false, wcut_term_first,                                          \
+    "term", true, wcut_term_name, 2, 0, true, false, wcut_term_first,                                    \
         "F (1 + sum c phi), the sum over all such terms; below 1/2 it is continued by exp(2 s + 1) / 2", \
         "c -0.6 to 0.6: what has no name yet", "kernel/foam/empirical.c:wcut_term_factor_eval"
 #define INFO_KERF_GROWTH                                                                    \
-    "law", kerf_laws, 2, 0, false, false, kerf,                                             \
+    "law", true, kerf_laws, 2, 0, false, false, kerf,                                       \
         "face moved by -(k_1 Q_eff) / 2, or -(k_2 ln(Q_eff / 1000)) / 2, along its normal", \
         "1.6e-4 mm m^2/J (a kerf of 0.16 mm per kJ/m^2)", "kernel/scan/face.c:more_kerf"
 #define INFO_BLOCK_SPRINGBACK                                                                                          \
-    "shape", shapes, 1, 0, true, false, springback,                                                                    \
-        "face raised by A (u^2 - v^2) saddle, A u^2 cylinder_x, A v^2 cylinder_y, A (u^2 + v^2) bowl, A u v twist; u " \
-        "= 2x/W - 1, v = 2y/L - 1",                                                                                    \
+    "shape", true, shapes, 1, 0, true, false, springback,                                                              \
+        "face raised by A (u^2 - v^2) saddle, A u^2 cylinder_x, A v^2 cylinder_y, A (u^2 + v^2) bowl, A u v twist, A " \
+        "u^3 cubic_x, A v^3 cubic_y; u = 2x/W - 1, v = 2y/L - 1",                                                      \
         "1 to 5 mm on a block of 600 mm (laboratory)", "kernel/scan/face.c:shape_of"
-#define INFO_ANGLE_OFFSET                                                                                           \
-    "channel", angles, 1, 0, true, false, angle, "angle + offset", "5 deg: an encoder mounted one tooth of 72 off", \
-        "kernel/cut/sensors.c:offset_angle"
-#define INFO_TENSION_GAIN                                                                    \
-    "sensor", sensors, 1, 0, true, false, gain, "tension (1 + gain) of sensor a, b or both", \
+#define INFO_ANGLE_OFFSET                                                \
+    "channel", true, angles, 1, 0, true, false, angle, "angle + offset", \
+        "5 deg: an encoder mounted one tooth of 72 off", "kernel/cut/sensors.c:offset_angle"
+#define INFO_TENSION_GAIN                                                                          \
+    "sensor", true, sensors, 1, 0, true, false, gain, "tension (1 + gain) of sensor a, b or both", \
         "0.15: a bridge badly calibrated (judged; laboratory 0.02 to 0.05)", "kernel/cut/sensors.c:spoil_tension"
-#define INFO_TENSION_DRIFT                                                                          \
-    "sensor", sensors, 1, 0, true, false, drift, "tension + d t / 100 s, or d (1 - exp(-t / tau))", \
+#define INFO_TENSION_DRIFT                                                                                \
+    "sensor", true, sensors, 1, 0, true, false, drift, "tension + d t / 100 s, or d (1 - exp(-t / tau))", \
         "0.5 N: a quarter of the working tension (judged; laboratory 0.16)", "kernel/cut/sensors.c:drift_at"
 #define INFO_EMPIRICAL_READING                                                           \
-    "channel", readings, 2, 0, true, false, reading,                                     \
+    "channel", true, readings, 2, 0, true, false, reading,                               \
         "channel + o + s (t - t_1) / 100 s from t_1 to t_2, in the unit of the channel", \
         "a burst, a reading that jumps", "kernel/cut/sensors.c:add_reading"
-#define INFO_CLOCK_OFFSET                                                                          \
-    NULL, NULL, 1, 0, false, false, clock, "tensions and angles at t - delay, speeds as they are", \
+#define INFO_CLOCK_OFFSET                                                                                 \
+    NULL, false, NULL, 1, 0, false, false, clock, "tensions and angles at t - delay, speeds as they are", \
         "0.3 s: two loggers that are started by hand (judged; laboratory 0.12)", "kernel/cut/sensors.c:delay_clock"
 #define INFO_TENSION_DELAY                                                                 \
-    NULL, NULL, 1, 0, false, false, tension_delay, "tensions at t - delay",                \
+    NULL, false, NULL, 1, 0, false, false, tension_delay, "tensions at t - delay",         \
         "0.2 s: a load cell's filter and its bus (judged; second laboratory 0.04 to 0.2)", \
         "kernel/cut/sensors.c:delay_clock"
-#define INFO_TENSION_ZERO                                                                                          \
-    "sensor", sensors, 1, 0, true, false, zero, "tension + z", "0.5 N: a quarter of the working tension (judged)", \
-        "kernel/cut/sensors.c:spoil_tension"
-#define INFO_ANGLE_GAIN                                                                                      \
-    "channel", angles, 1, 0, true, false, angle_gain, "angle (1 + g)", "0.15: as a tension's gain (judged)", \
+#define INFO_TENSION_ZERO                                            \
+    "sensor", true, sensors, 1, 0, true, false, zero, "tension + z", \
+        "0.5 N: a quarter of the working tension (judged)", "kernel/cut/sensors.c:spoil_tension"
+#define INFO_ANGLE_GAIN                                                                                            \
+    "channel", true, angles, 1, 0, true, false, angle_gain, "angle (1 + g)", "0.15: as a tension's gain (judged)", \
         "kernel/cut/sensors.c:scale_angle"
 #define INFO_ENCODER_FRICTION                                                                \
-    NULL, NULL, 1, 0, false, false, friction,                                                \
+    NULL, false, NULL, 1, 0, false, false, friction,                                         \
         "the joint follows once the angle has left its play of half width h (Prandtl 1928)", \
         "1 deg (judged; second laboratory 0.1 to 0.5)", "kernel/cut/sensors.c:hold_angles"
 #define INFO_SCAN_OFFSET                                                                        \
-    NULL, NULL, 3, 0, false, false, offset, "X + shift",                                        \
+    NULL, false, NULL, 3, 0, false, false, offset, "X + shift",                                 \
         "5 mm (judged: beyond, a registration by eye would show it; laboratory 0.9 to 4.8 mm)", \
         "kernel/scan/face.c:misplace_scan"
-#define INFO_SCAN_SCALE                                                                 \
-    NULL, NULL, 1, 1, false, false, scale, "middle of the block + scale (X - middle)",  \
-        "2 % (judged: beyond, a registration by eye would show it; laboratory 0.25 %)", \
+#define INFO_SCAN_SCALE                                                                       \
+    NULL, false, NULL, 1, 1, false, false, scale, "middle of the block + scale (X - middle)", \
+        "2 % (judged: beyond, a registration by eye would show it; laboratory 0.25 %)",       \
         "kernel/scan/face.c:misplace_scan"
 
 #define INFO(name, text, acts) [WCUT_EFFECT_##name] = {text, WCUT_EFFECT_PLACE_##acts, INFO_##name},
@@ -224,7 +243,12 @@ static int choices_of(const wcut_effect_info *info) {
 const wcut_effect_parameter *wcut_effect_parameters(const wcut_effect *effect) {
     const wcut_effect_info *info = wcut_effect_view(effect->kind);
     if (!info || effect->choice < 0 || effect->choice >= choices_of(info)) return NULL;
-    return effect->kind == WCUT_EFFECT_EMPIRICAL_FORCE ? wcut_term_parameters(effect->choice) : info->parameter;
+    if (effect->kind == WCUT_EFFECT_EMPIRICAL_FORCE) return wcut_term_parameters(effect->choice);
+
+    /* forms that have more to tell than the first of their kind */
+    if (effect->kind == WCUT_EFFECT_WIRE_THERMAL_LAG && effect->choice == 1) return thermal_lag_two;
+    if (effect->kind == WCUT_EFFECT_FOAM_DENSITY_GRADIENT && effect->choice >= 9) return gradient_band;
+    return info->parameter;
 }
 
 wcut_effect wcut_effect_choose(wcut_effect_kind kind, int choice) {

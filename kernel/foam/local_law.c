@@ -22,21 +22,34 @@ typedef struct factors { /* on a and b, with the gradient of ln c_a */
     wcut_vec3 by_position;
 } factors;
 
+/* [1] residue takes no more than this of a coefficient, however far it grows */
+#define FOULING_MIN (-0.95)
 /* [1] width of a step of density over the block's length */
 #define STEP_WIDTH 0.02
 
-/* density along an axis: linear, quadratic about the middle, or a step; choice is the form times 3 and the axis */
+/* a side that turns from -1 to 1 at s, and its slope */
+static double side_of(double u, double s, double *slope) {
+    const double side = tanh((u - s) / STEP_WIDTH);
+    *slope = (1 - side * side) / STEP_WIDTH;
+    return side;
+}
+
+/* density along an axis: linear, quadratic about the middle, a step or a band; choice is the form times 3 and the axis */
 static void add_gradient(const wcut_effect *e, const wcut_block *block, wcut_vec3 x, factors *f) {
     const double at[3] = {x.x, x.y, x.z}, size[3] = {block->size.x, block->size.y, block->size.z};
     const int axis = e->choice % 3, form = e->choice / 3;
     const double g = e->value[WCUT_FOAM_DENSITY_GRADIENT_CHANGE], u = at[axis] / size[axis];
-    double shape = u - 0.5, by_u = 1;
+    const double s = e->value[WCUT_FOAM_DENSITY_GRADIENT_STEP_AT];
+    const double half = e->value[WCUT_FOAM_DENSITY_GRADIENT_BAND] / 2;
+    double shape = u - 0.5, by_u = 1, first, second;
+
+    /* quadratic: from the middle to the faces by g, the same mean; a band lies about s, half of it to either side */
     if (form == 1) {
-        /* from the middle to the faces by g, the same mean */
         shape = (2 * u - 1) * (2 * u - 1) - 1.0 / 3, by_u = 4 * (2 * u - 1);
     } else if (form == 2) {
-        const double side = tanh((u - e->value[WCUT_FOAM_DENSITY_GRADIENT_STEP_AT]) / STEP_WIDTH);
-        shape = side / 2, by_u = (1 - side * side) / (2 * STEP_WIDTH);
+        shape = side_of(u, s, &first) / 2, by_u = first / 2;
+    } else if (form == 3) {
+        shape = (side_of(u, s - half, &first) - side_of(u, s + half, &second)) / 2, by_u = (first - second) / 2;
     }
     const double c = 1 + g * shape, slope = g * by_u / size[axis] / c;
     f->a *= c;
@@ -54,6 +67,18 @@ static void add_inclusion(const wcut_effect *e, wcut_vec3 x, factors *f) {
     f->by_position = vec3_add_scaled(f->by_position, -bump / (1 + bump) / square, r);
 }
 
+/* growth of residue by the way w of a node over the length l: exponential to a limit, even, by the root, or even until it
+   falls off after every l; choice is the form times 2 and the coefficient */
+static double fouling_change(const wcut_effect *e, double way) {
+    const double share = way / e->value[WCUT_WIRE_FOULING_LENGTH];
+    const int form = e->choice / 2;
+    const double grown = form == 0   ? -expm1(-share)
+                         : form == 1 ? share
+                         : form == 2 ? sqrt(share)
+                                     : share - floor(share);
+    return fmax(e->value[WCUT_WIRE_FOULING_CHANGE] * grown, FOULING_MIN);
+}
+
 /* fouling: as far as the node has cut before the step */
 static factors coefficients(const wcut_locality *at, const wcut_block *block, wcut_vec3 x, int i) {
     factors f = {1, 1, {0, 0, 0}};
@@ -61,12 +86,9 @@ static factors coefficients(const wcut_locality *at, const wcut_block *block, wc
         const wcut_effect *e = &at->effect[k];
         if (e->kind == WCUT_EFFECT_FOAM_DENSITY_GRADIENT) add_gradient(e, block, x, &f);
         if (e->kind == WCUT_EFFECT_FOAM_INCLUSION) add_inclusion(e, x, &f);
-        if (e->kind == WCUT_EFFECT_WIRE_FOULING) {
-            const double change =
-                e->value[WCUT_WIRE_FOULING_CHANGE] *
-                -expm1(-(e->value[WCUT_WIRE_FOULING_START] + at->state[i].way) / e->value[WCUT_WIRE_FOULING_LENGTH]);
-            *(e->choice == 0 ? &f.a : &f.b) *= 1 + change;
-        }
+        if (e->kind == WCUT_EFFECT_WIRE_FOULING)
+            *(e->choice % 2 == 0 ? &f.a : &f.b) *=
+                1 + fouling_change(e, e->value[WCUT_WIRE_FOULING_START] + at->state[i].way);
     }
     return f;
 }
@@ -92,6 +114,12 @@ static void overheat(const wcut_effect *e, double age, double rate, power *q) {
     q->by_log_rate += by_log_rate;
 }
 
+/* forms of wire_thermal_lag: the wire, the wire with a slower part, the melt */
+enum { WCUT_LAG_WIRE, WCUT_LAG_TWO, WCUT_LAG_MELT };
+
+/* [mm/s] a melt is no hotter than at this speed */
+#define MELT_SPEED_MIN 1.0
+
 /* Temperatures of a node with C dtheta/dt = Q - H(v) theta over a step. */
 typedef struct thermal {
     double loss, loss_by_speed;       /* H [W/mK] */
@@ -101,39 +129,69 @@ typedef struct thermal {
 } thermal;
 
 /* Exact for a steady temperature that changes evenly over the step (first-order hold) and the mean of both losses:
-   theta = steady_1 + (theta_0 - steady_0) E - (steady_1 - steady_0) G. */
-static thermal cool(const wcut_effect *e, const wcut_node_state *s, double heat, double rate, double speed) {
+   theta = steady_1 + (theta_0 - steady_0) E - (steady_1 - steady_0) G. tau, from: of the part that is meant. */
+static thermal cool_part(const wcut_effect *e, const wcut_node_state *s, double tau, double from, double heat,
+                         double rate, double speed) {
+    const bool melt = e->choice == WCUT_LAG_MELT;
     const double loss = e->value[WCUT_WIRE_THERMAL_LAG_LOSS], by_speed = e->value[WCUT_WIRE_THERMAL_LAG_LOSS_BY_SPEED];
-    const double capacity = e->value[WCUT_WIRE_THERMAL_LAG_TIME_CONSTANT] *
-                            (loss + by_speed * e->value[WCUT_WIRE_THERMAL_LAG_SPEED_REF]); /* [J/mK] */
+    const double capacity = tau * (loss + by_speed * e->value[WCUT_WIRE_THERMAL_LAG_SPEED_REF]); /* [J/mK] */
     thermal t = {.loss = loss + by_speed * speed, .loss_by_speed = by_speed};
+
+    /* the melt follows Q / v at one time constant, whatever the speed: H is v itself */
+    if (melt) t.loss = fmax(speed, MELT_SPEED_MIN), t.loss_by_speed = speed > MELT_SPEED_MIN;
     t.steady = t.theta = heat / t.loss;
     if (!s->set) return t;
-    t.z = (s->loss + t.loss) / (2 * capacity * rate);
-    t.z_by_speed = t.loss_by_speed / (2 * capacity * rate);
+    t.z = melt ? 1 / (tau * rate) : (s->loss + t.loss) / (2 * capacity * rate);
+    t.z_by_speed = melt ? 0 : t.loss_by_speed / (2 * capacity * rate);
     t.decay = exp(-t.z);
     t.hold = -expm1(-t.z) / t.z;
-    const double ahead = s->theta - s->steady, change = t.steady - s->steady;
+    const double ahead = from - s->steady, change = t.steady - s->steady;
     t.theta += ahead * t.decay - change * t.hold;
     t.theta_by_z = -ahead * t.decay - change * (t.decay - t.hold) / t.z;
     return t;
 }
 
-/* q = H(v) theta reaches the foam, not Q */
-static void delay_power(const wcut_effect *e, const wcut_node_state *s, double rate, double speed, power *q) {
-    const thermal t = cool(e, s, q->value, rate, speed);
-    const double follows = 1 - t.hold; /* d theta / d steady */
-    const double steady_by_speed = q->by_speed / t.loss - t.steady * t.loss_by_speed / t.loss;
-    q->by_speed = t.loss_by_speed * t.theta + t.loss * (follows * steady_by_speed + t.theta_by_z * t.z_by_speed);
-    q->by_log_rate = follows * q->by_log_rate - t.loss * t.theta_by_z * t.z;
-    q->by_position = vec3_scale(follows, q->by_position);
-    q->value = t.loss * t.theta;
+static thermal cool(const wcut_effect *e, const wcut_node_state *s, double heat, double rate, double speed) {
+    return cool_part(e, s, e->value[WCUT_WIRE_THERMAL_LAG_TIME_CONSTANT], s->theta, heat, rate, speed);
 }
 
-/* 1 - A (exp(-s_A/l) + exp(-s_B/l)), s the way along the wire to either mount: a rod whose ends are cold */
+static thermal cool_slow(const wcut_effect *e, const wcut_node_state *s, double heat, double rate, double speed) {
+    return cool_part(e, s, e->value[WCUT_WIRE_THERMAL_LAG_SLOW_TIME_CONSTANT], s->slow, heat, rate, speed);
+}
+
+/* q = H(v) theta of one part reaches the foam, not Q */
+static power lagged_power(const thermal *t, const power *q) {
+    const double follows = 1 - t->hold; /* d theta / d steady */
+    const double steady_by_speed = q->by_speed / t->loss - t->steady * t->loss_by_speed / t->loss;
+    return (power){
+        .value = t->loss * t->theta,
+        .by_speed = t->loss_by_speed * t->theta + t->loss * (follows * steady_by_speed + t->theta_by_z * t->z_by_speed),
+        .by_log_rate = follows * q->by_log_rate - t->loss * t->theta_by_z * t->z,
+        .by_position = vec3_scale(follows, q->by_position)};
+}
+
+/* of two parts: the share of the slow one beside the other */
+static void delay_power(const wcut_effect *e, const wcut_node_state *s, double rate, double speed, power *q) {
+    const thermal t = cool(e, s, q->value, rate, speed);
+    power fast = lagged_power(&t, q);
+    if (e->choice == WCUT_LAG_TWO) {
+        const thermal u = cool_slow(e, s, q->value, rate, speed);
+        power slow = lagged_power(&u, q);
+        const double share = e->value[WCUT_WIRE_THERMAL_LAG_SLOW_SHARE];
+        scale_power(&fast, 1 - share);
+        scale_power(&slow, share);
+        fast.value += slow.value, fast.by_speed += slow.by_speed, fast.by_log_rate += slow.by_log_rate;
+        fast.by_position = vec3_add(fast.by_position, slow.by_position);
+    }
+    *q = fast;
+}
+
+/* 1 - A (exp(-s_A/l) + exp(-s_B/l)), s the way along the wire to either mount: a rod whose ends are cold; the same of the
+   squares of s/l: a draught of air about each mount */
 static double cooled_ends(const wcut_effect *e, double edge, int n, int i) {
-    const double length = e->value[WCUT_END_COOLING_LENGTH];
-    return 1 - e->value[WCUT_END_COOLING_AMPLITUDE] * (exp(-edge * i / length) + exp(-edge * (n - 1 - i) / length));
+    double a = edge * i / e->value[WCUT_END_COOLING_LENGTH], b = edge * (n - 1 - i) / e->value[WCUT_END_COOLING_LENGTH];
+    if (e->choice == 1) a *= a, b *= b;
+    return 1 - e->value[WCUT_END_COOLING_AMPLITUDE] * (exp(-a) + exp(-b));
 }
 
 static power supply(const wcut_locality *at, double heat, double rate, int n, int i) {
@@ -197,15 +255,17 @@ wcut_node_state wcut_node_state_after(const wcut_locality *at, double heat, doub
         return state;
     }
     const thermal t = cool(lag, &at->state[i], q.value, rate, speed);
+    if (lag->choice == WCUT_LAG_TWO) state.slow = cool_slow(lag, &at->state[i], q.value, rate, speed).theta;
     delay_power(lag, &at->state[i], rate, speed, &q);
     wcut_term_remember(at, rate, speed, q.value, i, state.held);
     state.theta = t.theta, state.steady = t.steady, state.loss = t.loss;
     return state;
 }
 
-bool wcut_locality_drag(const wcut_locality *at, double *mu, double *smooth) {
-    const wcut_effect *drag = find_local_effect(at, WCUT_EFFECT_TANGENTIAL_DRAG);
-    if (!drag) return false;
-    *mu = drag->value[WCUT_TANGENTIAL_DRAG_FRICTION], *smooth = drag->value[WCUT_TANGENTIAL_DRAG_SPEED_SMOOTH];
+bool wcut_locality_drag(const wcut_locality *at, wcut_drag *drag) {
+    const wcut_effect *e = find_local_effect(at, WCUT_EFFECT_TANGENTIAL_DRAG);
+    if (!e) return false;
+    *drag = (wcut_drag){(wcut_drag_law)e->choice, e->value[WCUT_TANGENTIAL_DRAG_FRICTION],
+                        e->value[WCUT_TANGENTIAL_DRAG_SPEED_SMOOTH]};
     return true;
 }

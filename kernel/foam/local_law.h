@@ -25,7 +25,15 @@ wcut_local_law wcut_local_law_eval(const wcut_locality *at, const wcut_block *bl
 wcut_node_state wcut_node_state_after(const wcut_locality *at, double heat, double rate, double speed, double inside,
                                       int n, int i);
 
-/* mu and v_smooth [mm/s] of drag along the wire; false where there is none */
-bool wcut_locality_drag(const wcut_locality *at, double *mu, double *smooth);
+/* choices of tangential_drag: Coulomb's, or growing with the speed along the wire */
+typedef enum wcut_drag_law { WCUT_DRAG_LAW_COULOMB, WCUT_DRAG_LAW_SPEED } wcut_drag_law;
+
+typedef struct wcut_drag {
+    wcut_drag_law law;
+    double mu, speed; /* [1]; [mm/s] over which Coulomb's is smoothed at rest, or at which the other has mu */
+} wcut_drag;
+
+/* drag along the wire; false where there is none */
+bool wcut_locality_drag(const wcut_locality *at, wcut_drag *drag);
 
 #endif

@@ -9,8 +9,9 @@
 typedef struct wcut_node_state {
     bool set;       /* false: nothing yet, it is in its steady state */
     double way;     /* [mm] it has cut */
-    double theta;   /* [K] wire over ambient */
-    double steady;  /* [K] where theta was heading, Q / H(v) */
+    double theta;   /* [K] wire over ambient; of the melt Q / v [W s/(m mm)] */
+    double steady;  /* the same, where theta was heading: Q / H(v) */
+    double slow;    /* [K] the same of the slow part, where there is one */
     double loss;    /* [W/mK] H(v) */
     double held[2]; /* [ln mm/s] or [ln W/m]: of empirical terms with a memory, in their order */
 } wcut_node_state;

@@ -43,11 +43,13 @@ typedef struct motion {           /* of a node with force, and how long a piece 
 } motion;
 
 /* - mu |f_n| tanh(v_t / v_smooth) t, v_t the speed along the wire; |f_n| = F L |t x d|^2 presses, what the foam's force
-   has across the wire (Coulomb) */
-static void add_drag(const motion *m, double mu, double smooth, bool slopes, mat3 *before, mat3 *here, mat3 *after,
+   has across the wire (Coulomb); or - mu |f_n| v_t / v_r t, growing with the speed as a film of melt does */
+static void add_drag(const motion *m, const wcut_drag *drag, bool slopes, mat3 *before, mat3 *here, mat3 *after,
                      wcut_resistance *out) {
-    /* Coulomb friction along the wire, smoothed by tanh at rest */
-    const double sliding = m->rate * m->along, turn = tanh(sliding / smooth), turn_by = (1 - turn * turn) / smooth;
+    /* friction along the wire: Coulomb's, smoothed by tanh at rest, or of a film */
+    const bool film = drag->law == WCUT_DRAG_LAW_SPEED;
+    const double mu = drag->mu, sliding = m->rate * m->along, ratio = sliding / drag->speed;
+    const double turn = film ? ratio : tanh(ratio), turn_by = (film ? 1 : 1 - turn * turn) / drag->speed;
     const double sine = m->across / m->distance, share = sine * sine, per_length = m->law->force * share;
     const double pressing = per_length * m->e->length;
     out->force = vec3_add_scaled(out->force, -mu * pressing * turn, m->t);
@@ -87,10 +89,10 @@ static void add_effect_forces(const wcut_locality *local, const motion *m, bool 
     const double per_law = m->e->length * m->across / (m->distance * m->distance);
     out->by_log_rate = vec3_add_scaled(out->by_log_rate, -m->law->by_log_rate * per_law, m->move);
     if (slopes) out->by_here = mat3_add_outer(out->by_here, vec3_scale(-per_law, m->move), m->law->by_position);
-    double mu, smooth;
-    if (!wcut_locality_drag(local, &mu, &smooth)) return;
+    wcut_drag drag;
+    if (!wcut_locality_drag(local, &drag)) return;
     mat3 *before = first ? &out->by_here : &out->by_before, *after = last ? &out->by_here : &out->by_after;
-    add_drag(m, mu, smooth, slopes, before, &out->by_here, after, out);
+    add_drag(m, &drag, slopes, before, &out->by_here, after, out);
 }
 
 void wcut_resistance_eval(const wcut_foam *foam, double heat, double edge, double rate, int n, const wcut_vec3 *x,

@@ -24,8 +24,12 @@ static double shape_of(int shape, double u, double v) {
             return v * v; /* curved along y */
         case 3:
             return u * u + v * v; /* bowl */
-        default:
+        case 4:
             return u * v; /* twist */
+        case 5:
+            return u * u * u; /* an S along x */
+        default:
+            return v * v * v; /* an S along y */
     }
 }
 

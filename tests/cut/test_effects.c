@@ -468,7 +468,7 @@ TEST(what_cannot_be_simulated_is_refused_with_its_place) {
     give(job, 1, e);
     ck_assert_int_eq(wcut_setup_create(job, NULL, &setup, &error), WCUT_BAD_ARGUMENT);
     e[0] = sized(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0.1);
-    e[0].choice = 9;
+    e[0].choice = 12;
     give(job, 1, e);
     ck_assert_int_eq(wcut_setup_create(job, NULL, &setup, &error), WCUT_BAD_ARGUMENT);
     wcut_job_destroy(job);

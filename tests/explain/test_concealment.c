@@ -96,6 +96,20 @@ TEST(a_coarse_recording_is_no_late_one) {
     machine_destroy(&m);
 }
 
+/* ---- one in another form than the library's first ---- */
+
+TEST(a_lag_with_a_slow_part_is_a_lag_in_that_form) {
+    machine_secret secret = {.effects = 1, .effect = {wcut_effect_choose(WCUT_EFFECT_WIRE_THERMAL_LAG, 1)}, .seed = 21};
+    secret.effect[0].value[0] = 0.4, secret.effect[0].value[WCUT_WIRE_THERMAL_LAG_SLOW_SHARE] = 0.4;
+    check_named(&secret);
+}
+
+TEST(a_lag_of_the_melt_is_a_lag_in_that_form) {
+    machine_secret secret = {.effects = 1, .effect = {wcut_effect_choose(WCUT_EFFECT_WIRE_THERMAL_LAG, 2)}, .seed = 22};
+    secret.effect[0].value[0] = 1;
+    check_named(&secret);
+}
+
 /* ---- two at once ---- */
 
 TEST(two_effects_at_once_are_both_named) {

@@ -63,6 +63,38 @@ TEST(without_memory_every_effect_is_its_formula) {
     }
 }
 
+TEST(every_form_of_a_family_is_its_formula) {
+    const wcut_vec3 at = vec3(100, 450, 30);
+    const double f = plain_law(heat, 20);
+
+    // a band half of 0.2 to either side of 0.75 of the length: the node lies in its middle; and at its side
+    wcut_effect e = effect_of(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0.4, 0.75, 10);
+    e.value[WCUT_FOAM_DENSITY_GRADIENT_BAND] = 0.2;
+    ck_assert_double_eq_tol(law_of(e, 20, at, 2) / f, 1 + 0.4 * tanh(0.1 / 0.02), 1e-12);
+    e.value[1] = 0.65;
+    ck_assert_double_eq_tol(law_of(e, 20, at, 2) / f, 1 + 0.2 * tanh(0.2 / 0.02), 1e-12);
+    e.value[1] = 0.2;
+    ck_assert_double_eq_tol(law_of(e, 20, at, 2) / f, 1, 1e-12);
+
+    // residue after 300 mm: even, by the root, and even until it falls off
+    state[2] = (wcut_node_state){.way = 300};
+    ck_assert_double_eq_tol(law_of(effect_of(WCUT_EFFECT_WIRE_FOULING, 0.2, 500, 2), 20, at, 2) / f, 1.12, 1e-14);
+    ck_assert_double_eq_tol(law_of(effect_of(WCUT_EFFECT_WIRE_FOULING, 0.2, 500, 4), 20, at, 2) / f,
+                            1 + 0.2 * sqrt(0.6), 1e-14);
+    ck_assert_double_eq_tol(law_of(effect_of(WCUT_EFFECT_WIRE_FOULING, 0.2, 120, 6), 20, at, 2) / f, 1.1, 1e-14);
+    ck_assert_double_eq_tol(law_of(effect_of(WCUT_EFFECT_WIRE_FOULING, -0.9, 100, 2), 20, at, 2) / f, 0.05, 1e-14);
+    e = effect_of(WCUT_EFFECT_WIRE_FOULING, 0.2, 500, 3);
+    ck_assert_double_eq_tol(law_of(e, 20, at, 2), law.a * exp(-law.b * 1.12 * heat * 50), 1e-16);
+
+    // gaussian ends
+    e = effect_of(WCUT_EFFECT_END_COOLING, 0.3, 8, 1);
+    for (int i = 0; i < N; i++) {
+        const double a = i * edge / 8, b = (N - 1 - i) * edge / 8;
+        ck_assert_double_eq_tol(law_of(e, 20, at, i), plain_law(heat * (1 - 0.3 * (exp(-a * a) + exp(-b * b))), 20),
+                                1e-16);
+    }
+}
+
 TEST(overheated_wire_cools_with_its_time_in_the_foam) {
     const wcut_effect e = effect_of(WCUT_EFFECT_AIR_OVERHEATING, 1.6, 0.8, 0);
     const wcut_locality l = locality(1, &e);
@@ -113,6 +145,44 @@ TEST(a_held_speed_lets_the_lag_run_out_as_one_exponential_however_it_is_stepped)
     ck_assert_double_eq_tol(lagged(&e, 10, 25, 30, 8), heat, 1e-10);
 }
 
+/* heat jumps at one speed and is held: what reaches the foam after `time`, in so many steps */
+static double after_a_jump(const wcut_effect *e, double from, double to, double time, int steps) {
+    const wcut_locality l = locality(1, e);
+    const double rate = steps / time;
+    state[1] = (wcut_node_state){0};
+    state[1] = wcut_node_state_after(&l, from, 10, 10, 1, N, 1);
+
+    // the jump itself takes no time
+    state[1] = wcut_node_state_after(&l, to, 1e12, 10, 1, N, 1);
+    for (int k = 1; k < steps; k++) state[1] = wcut_node_state_after(&l, to, rate, 10, 1, N, 1);
+    return wcut_local_law_eval(&l, &block, &law, to, rate, 10, N, x[1], 1).heat;
+}
+
+TEST(two_time_constants_are_two_exponentials_and_the_melt_is_one_at_any_speed) {
+    wcut_effect e = wcut_effect_choose(WCUT_EFFECT_WIRE_THERMAL_LAG, 1);
+    e.value[0] = 0.2, e.value[WCUT_WIRE_THERMAL_LAG_SLOW_SHARE] = 0.38;
+    e.value[WCUT_WIRE_THERMAL_LAG_SLOW_TIME_CONSTANT] = 7.2;
+    for (int steps = 1; steps <= 64; steps *= 4)
+        ck_assert_double_eq_tol(after_a_jump(&e, 60, 80, 1.5, steps),
+                                80 - 20 * (0.62 * exp(-1.5 / 0.2) + 0.38 * exp(-1.5 / 7.2)), 1e-9);
+
+    // without a slow share it is the wire's own lag
+    e.value[WCUT_WIRE_THERMAL_LAG_SLOW_SHARE] = 0;
+    const wcut_effect one = effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.2, 0, 0);
+    ck_assert_double_eq_tol(after_a_jump(&e, 60, 80, 0.3, 4), after_a_jump(&one, 60, 80, 0.3, 4), 1e-12);
+
+    // the melt: Q / v follows with the time constant, at twice the speed as well
+    const wcut_effect melt = effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.5, 0, 2);
+    const wcut_locality l = locality(1, &melt);
+    ck_assert_double_eq_tol(after_a_jump(&melt, 60, 80, 0.9, 4), 80 - 20 * exp(-0.9 / 0.5), 1e-9);
+    state[1] = (wcut_node_state){0};
+    state[1] = wcut_node_state_after(&l, heat, 10, 10, 1, N, 1);
+    state[1] = wcut_node_state_after(&l, heat, 1e12, 20, 1, N, 1);
+    for (int k = 0; k < 3; k++) state[1] = wcut_node_state_after(&l, heat, 10, 20, 1, N, 1);
+    const double q = wcut_local_law_eval(&l, &block, &law, heat, 10, 20, N, x[1], 1).heat;
+    ck_assert_double_eq_tol(q, heat * (1 + exp(-0.4 / 0.5)), 1e-9); /* Q / v halves: v (Q/v) from 2 Q to Q */
+}
+
 TEST(an_even_change_of_heat_is_followed_exactly_behind_by_the_time_constant) {
     /* at one speed, theta obeys C theta' = Q - H theta: for Q = Q0 + p t it trails by tau p / H once settled */
     const wcut_effect e = effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.5, 0, 0);
@@ -142,6 +212,13 @@ TEST(drag_pulls_back_along_the_wire_by_mu_times_what_presses) {
     const wcut_vec3 drag = vec3_sub(b.force, a.force);
     ck_assert_double_eq_tol(drag.x, -0.25 * fabs(a.force.y) * tanh(5 / 0.3), 1e-15); /* y is across the wire */
     ck_assert(fabs(drag.y) < 1e-17 && fabs(drag.z) < 1e-17);
+
+    // of a film: as much as the speed along the wire, 5 mm/s, is of 4
+    const wcut_effect film = effect_of(WCUT_EFFECT_TANGENTIAL_DRAG, 0.25, 4, 1);
+    const wcut_locality thin = locality(1, &film);
+    const wcut_foam smeared = {.law = law, .block = block, .local = &thin};
+    wcut_resistance_eval(&smeared, heat, edge, 5, N, x, was, 2, false, &b);
+    ck_assert_double_eq_tol(b.force.x - a.force.x, -0.25 * fabs(a.force.y) * 5 / 4, 1e-15);
     ck_assert_double_eq(a.line, b.line);
 }
 
@@ -153,8 +230,9 @@ static void given_a_moving_wire(wcut_random *random) {
                     150 + 2 * wcut_random_uniform(random));
         was[i] = vec3_sub(x[i], vec3(wcut_random_uniform(random) - 0.5, 3 + 2 * wcut_random_uniform(random),
                                      wcut_random_uniform(random) - 0.5));
-        state[i] = (wcut_node_state){
-            true, 40, 280 + 60 * wcut_random_uniform(random), 280 + 60 * wcut_random_uniform(random), 0.2, {2.2, 4}};
+        state[i] = (wcut_node_state){.set = true, .way = 40, .slow = 300, .loss = 0.2, .held = {2.2, 4}};
+        state[i].theta = 280 + 60 * wcut_random_uniform(random);
+        state[i].steady = 280 + 60 * wcut_random_uniform(random);
     }
 }
 
@@ -220,6 +298,17 @@ TEST(all_effects_at_once_have_exact_derivatives) {
     for (int k = 0; k < 9; k++) given[k] = e[k];
     given[1].value[2] = 195, given[1].value[3] = 10, given[1].value[4] = 140;
     ck_assert_double_lt(worst_derivative(9, given, 3), 1e-7);
+}
+
+TEST(every_form_has_exact_derivatives) {
+    wcut_effect e[4] = {
+        effect_of(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0.8, 0.5, 9), effect_of(WCUT_EFFECT_TANGENTIAL_DRAG, 0.3, 20, 1),
+        effect_of(WCUT_EFFECT_END_COOLING, 0.4, 9, 1), wcut_effect_choose(WCUT_EFFECT_WIRE_THERMAL_LAG, 1)};
+    e[0].value[WCUT_FOAM_DENSITY_GRADIENT_BAND] = 0.02;
+    e[3].value[0] = 0.3, e[3].value[WCUT_WIRE_THERMAL_LAG_SLOW_TIME_CONSTANT] = 2;
+    ck_assert_double_lt(worst_derivative(4, e, 3), 1e-7);
+    e[3] = effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.3, 0, 2);
+    ck_assert_double_lt(worst_derivative(4, e, 4), 1e-7);
 }
 
 /* ---- empirical terms ---- */

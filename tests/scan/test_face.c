@@ -31,8 +31,8 @@ TEST(every_effect_moves_a_point_by_its_formula) {
     e.value[1] = 0.5;
     expect(e, p, vec3_add_scaled(p, -0.25 * log(3), vec3(0, 0.6, 0.8)));
     const wcut_vec3 q = {400, 150, 140}; /* u = 1, v = -0.5 */
-    const double height[] = {0.75, 1, 0.25, 1.25, -0.5};
-    for (int shape = 0; shape < 5; shape++)
+    const double height[] = {0.75, 1, 0.25, 1.25, -0.5, 1, -0.125};
+    for (int shape = 0; shape < 7; shape++)
         expect(sized(WCUT_EFFECT_BLOCK_SPRINGBACK, 2, shape), q, vec3(400, 150, 140 + 2 * height[shape]));
     expect(sized(WCUT_EFFECT_SCAN_SCALE, 1.01, 0), p, vec3(301, 148.5, 139.9));
     e = sized(WCUT_EFFECT_SCAN_OFFSET, 1, 0);

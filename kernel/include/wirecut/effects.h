@@ -52,7 +52,7 @@ typedef enum wcut_effect_place {
     WCUT_EFFECT_PLACE_SCAN    /**< a fault of the scanner or of its registration */
 } wcut_effect_place;
 
-enum { WCUT_EFFECT_VALUES = 5 };
+enum { WCUT_EFFECT_VALUES = 6 };
 
 /** An effect with its parameters, each in the unit that its key names (angles in deg, as in files). */
 typedef struct wcut_effect {
@@ -63,19 +63,21 @@ typedef struct wcut_effect {
 
 /* effect.value of each kind: effect.value[WCUT_WIRE_FOULING_LENGTH]. Keys, units and ranges: wcut_effect_parameters. */
 
-/** wire_thermal_lag: time_constant_s, v_ref_mm_s, H0_W_per_mK, H1_W_s_per_mm_mK */
+/** wire_thermal_lag: time_constant_s, v_ref_mm_s, H0_W_per_mK, H1_W_s_per_mm_mK; two: slow_share, slow_time_constant_s */
 enum {
     WCUT_WIRE_THERMAL_LAG_TIME_CONSTANT,
     WCUT_WIRE_THERMAL_LAG_SPEED_REF,
     WCUT_WIRE_THERMAL_LAG_LOSS,
-    WCUT_WIRE_THERMAL_LAG_LOSS_BY_SPEED
+    WCUT_WIRE_THERMAL_LAG_LOSS_BY_SPEED,
+    WCUT_WIRE_THERMAL_LAG_SLOW_SHARE,
+    WCUT_WIRE_THERMAL_LAG_SLOW_TIME_CONSTANT
 };
 /** air_overheating: air_to_foam_ratio, time_constant_s */
 enum { WCUT_AIR_OVERHEATING_RATIO, WCUT_AIR_OVERHEATING_TIME_CONSTANT };
 /** end_cooling: amplitude, length_mm */
 enum { WCUT_END_COOLING_AMPLITUDE, WCUT_END_COOLING_LENGTH };
-/** foam_density_gradient: relative_change_across_block, step_at_share */
-enum { WCUT_FOAM_DENSITY_GRADIENT_CHANGE, WCUT_FOAM_DENSITY_GRADIENT_STEP_AT };
+/** foam_density_gradient: relative_change_across_block, step_at_share, band_share */
+enum { WCUT_FOAM_DENSITY_GRADIENT_CHANGE, WCUT_FOAM_DENSITY_GRADIENT_STEP_AT, WCUT_FOAM_DENSITY_GRADIENT_BAND };
 /** foam_inclusion: amplitude, radius_mm, position_mm */
 enum { WCUT_FOAM_INCLUSION_AMPLITUDE, WCUT_FOAM_INCLUSION_RADIUS, WCUT_FOAM_INCLUSION_POSITION };
 /** kerf_growth: k1_mm_per_J_m2, k2_mm */
@@ -159,6 +161,7 @@ typedef struct wcut_effect_info {
     const char *name;
     wcut_effect_place place;
     const char *choice_key;                 /**< NULL where there is nothing to choose */
+    bool choice_required;                   /**< a job must choose; else the first is meant */
     const char *const *choice;              /**< names, ended by NULL */
     int strengths;                          /**< value[0] .. value[strengths - 1] are its size */
     double neutral;                         /**< at which all of them give the plain model back, bit for bit */

@@ -237,7 +237,12 @@ TEST(an_effect_is_refused_by_name_not_ignored) {
            "$.effects[0].time_constant_s: found -1, expected a number from 0 to 60");
     EFFECT("{\"name\": \"foam_density_gradient\", \"relative_change_across_block\": 0}", WCUT_BAD_FORMAT,
            "$.effects[0].axis: found nothing, expected one of x, y, z, x_quadratic, y_quadratic, z_quadratic, x_step, "
-           "y_step, z_step");
+           "y_step, z_step, x_band, y_band, z_band");
+    EFFECT("{\"name\": \"wire_thermal_lag\", \"form\": \"melted\", \"time_constant_s\": 1}", WCUT_BAD_ARGUMENT,
+           "$.effects[0].form: found \"melted\", expected \"melt\"");
+    EFFECT("{\"name\": \"wire_thermal_lag\", \"time_constant_s\": 1, \"slow_share\": 0.3}", WCUT_BAD_FORMAT,
+           "$.effects[0]: found the unknown key \"slow_share\", expected one of name, form, time_constant_s, "
+           "v_ref_mm_s, H0_W_per_mK, H1_W_s_per_mm_mK");
     EFFECT("{\"name\": \"foam_density_gradient\", \"axis\": \"w\", \"relative_change_across_block\": 0}",
            WCUT_BAD_ARGUMENT, "$.effects[0].axis: found \"w\", expected \"x\"");
     EFFECT("{\"name\": \"rate_dependence\", \"exponent\": 0}, {\"name\": \"rate_dependence\", \"exponent\": 0}",
@@ -247,6 +252,26 @@ TEST(an_effect_is_refused_by_name_not_ignored) {
            "$.effects[0].position_mm: found an array of 3, expected coordinates from -1e+06 to 1e+06");
     EFFECT("7", WCUT_BAD_FORMAT, "$.effects[0]: found 7, expected an effect: {\"name\": .., ..}");
 #undef EFFECT
+}
+
+TEST(an_effect_without_a_form_has_the_first_one) {
+    static const struct {
+        const char *text;
+        int choice;
+    } given[] = {{"{\"name\": \"wire_thermal_lag\", \"time_constant_s\": 1}", 0},
+                 {"{\"name\": \"wire_thermal_lag\", \"form\": \"melt\", \"time_constant_s\": 1}", 2},
+                 {"{\"name\": \"tangential_drag\", \"law\": \"speed\", \"mu\": 1}", 1},
+                 {"{\"name\": \"end_cooling\", \"amplitude\": 0.1, \"length_mm\": 9}", 0}};
+    for (size_t k = 0; k < sizeof given / sizeof *given; k++) {
+        char list[300];
+        snprintf(list, sizeof list, "\"effects\": [%s]", given[k].text);
+        char *text = given_changed(given_path_job, "\"effects\": []", list);
+        ck_assert_msg(parse(text, strlen(text)) == WCUT_OK, "%s", error.text);
+        free(text);
+        ck_assert_int_eq(job->effect_count, 1);
+        ck_assert_int_eq(job->effect[0].choice, given[k].choice);
+        forget();
+    }
 }
 
 TEST(a_locale_with_decimal_commas_changes_nothing) {
