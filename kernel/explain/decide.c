@@ -191,14 +191,35 @@ static int best_of(const wcut_search *s, int effects) {
     return best;
 }
 
-/* the best of the other forms, each of which leaves noise; -1 where there is none */
+static bool same_kinds(const wcut_model *a, const wcut_model *b) {
+    if (a->effects != b->effects) return false;
+    for (int i = 0; i < a->effects; i++) {
+        bool found = false;
+        for (int j = 0; j < b->effects; j++) found = found || a->effect[i].kind == b->effect[j].kind;
+        if (!found) return false;
+    }
+    return true;
+}
+
+/* the best of the other forms: one that leaves noise before one that does not; -1 where there is none */
 static int best_form(const wcut_search *s) {
     int best = -1;
-    for (int k = 0; k < s->count; k++)
-        if (s->candidate[k].form && may_be_named(s, k) && !is_outdone(s, k) &&
-            (best < 0 || wcut_candidate_score(s, k) > wcut_candidate_score(s, best)))
+    for (int k = 0; k < s->count; k++) {
+        if (!s->candidate[k].form || !may_be_named(s, k) || is_outdone(s, k)) continue;
+        const bool noise = wcut_search_leaves_noise(s, k), was = best >= 0 && wcut_search_leaves_noise(s, best);
+        if (best < 0 || (noise && !was) || (noise == was && wcut_candidate_score(s, k) > wcut_candidate_score(s, best)))
             best = k;
+    }
     return best;
+}
+
+/* Whether another form of one effect takes the place of what was chosen: where it leaves noise, of all that explains no more;
+   else of the first form, which stood for the family. */
+static bool form_counts(const wcut_search *s, int form, int chosen) {
+    const double ahead = chosen < 0 ? 0 : wcut_candidate_score(s, form) - wcut_candidate_score(s, chosen);
+    if (wcut_search_leaves_noise(s, form)) return chosen < 0 || !wcut_search_leaves_noise(s, chosen) || ahead >= 0;
+    return chosen >= 0 && !wcut_search_leaves_noise(s, chosen) && ahead > RIVAL &&
+           same_kinds(&s->candidate[form].fit.model, &s->candidate[chosen].fit.model);
 }
 
 /* whether a pair says more than its better half */
@@ -250,16 +271,6 @@ static wcut_verdict_kind verdict_kind_of(const wcut_model *m) {
     return physics && instrument ? WCUT_VERDICT_BOTH : physics ? WCUT_VERDICT_PHYSICS : WCUT_VERDICT_INSTRUMENT;
 }
 
-static bool same_kinds(const wcut_model *a, const wcut_model *b) {
-    if (a->effects != b->effects) return false;
-    for (int i = 0; i < a->effects; i++) {
-        bool found = false;
-        for (int j = 0; j < b->effects; j++) found = found || a->effect[i].kind == b->effect[j].kind;
-        if (!found) return false;
-    }
-    return true;
-}
-
 static void list_rivals(const wcut_search *s, wcut_decision *d) {
     const wcut_candidate *best = &s->candidate[d->chosen];
     d->rival[d->rivals++] = d->chosen;
@@ -298,6 +309,17 @@ static bool is_of_another_form(const wcut_search *s, int chosen) {
     if (c->effects > 1 || wcut_search_base(s)->misfit <= s->rows) return false;
     if (moves_scans_alone(c, wcut_search_base(s)->model.effects) && !recordings_are_noise(&c->left)) return false;
     return takes_most(s, chosen) && wcut_candidate_score(s, chosen) > FORM_LEADS * next_kind(s, chosen);
+}
+
+bool wcut_search_tells_form(const wcut_search *s, int chosen) {
+    if (!wcut_search_leaves_noise(s, chosen)) return false;
+    for (int k = 0; k < s->count; k++) {
+        const wcut_model *a = &s->candidate[k].fit.model, *b = &s->candidate[chosen].fit.model;
+        if (k == chosen || !(s->candidate[k].form || s->candidate[chosen].form) || !same_kinds(a, b)) continue;
+        if (wcut_search_leaves_noise(s, k) && wcut_candidate_score(s, chosen) - wcut_candidate_score(s, k) < RIVAL)
+            return false;
+    }
+    return true;
 }
 
 const char *wcut_candidate_why(const wcut_search *s, const wcut_decision *d, int candidate) {
@@ -343,11 +365,9 @@ static wcut_decision decide_effects(const wcut_search *s) {
     d.chosen = single;
     if (pair >= 0 && wcut_search_leaves_noise(s, pair) && second_counts(s, pair, single)) d.chosen = pair;
 
-    /* another form of one effect, where that leaves noise, comes before a pair that explains no more */
+    /* another form of one effect comes before a pair that explains no more */
     const int form = best_form(s);
-    if (form >= 0 && (d.chosen < 0 || !wcut_search_leaves_noise(s, d.chosen) ||
-                      wcut_candidate_score(s, form) >= wcut_candidate_score(s, d.chosen)))
-        d.chosen = form;
+    if (form >= 0 && form_counts(s, form, d.chosen)) d.chosen = form;
 
     /* no candidate: either nothing is there, or something that no effect explains */
     if (d.chosen < 0) {

@@ -24,6 +24,9 @@ bool wcut_residual_is_noise(const wcut_fitted *fitted, const wcut_residual_stats
 /* whether a candidate leaves what noise and the scatter of a rig leave */
 bool wcut_search_leaves_noise(const wcut_search *search, int candidate);
 
+/* whether the form of a candidate's effect is told: it leaves noise, and no other form of it explains as much */
+bool wcut_search_tells_form(const wcut_search *search, int chosen);
+
 /* whether a candidate whose last effect is late readings explains them and leaves noise */
 bool wcut_search_explains_delay(const wcut_search *search, int candidate);
 

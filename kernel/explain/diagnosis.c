@@ -15,6 +15,7 @@
 #include "explain/correct.h"
 #include "explain/cross_validation.h"
 #include "explain/decide.h"
+#include "explain/droop.h"
 #include "explain/experiment.h"
 #include "explain/locate.h"
 #include "explain/modelled.h"
@@ -72,6 +73,19 @@ static wcut_status keep_before(diagnosing *g) {
     return WCUT_OK;
 }
 
+/* without the entries in which the wires hang by their weight: all that was made of them, again */
+static wcut_status leave_droop_out(diagnosing *g, wcut_fitted *first, wcut_error *error) {
+    wcut_evidence *e = g->evidence;
+    g->out->droop = wcut_droop_leave_out(e, first->open);
+    if (g->out->droop == 0) return WCUT_OK;
+    wcut_fitted_destroy(first);
+    wcut_free(g->before);
+    g->before = NULL;
+    wcut_status status = wcut_evidence_predict(e, &g->job_model, false, error);
+    if (status == WCUT_OK) status = keep_before(g);
+    return status == WCUT_OK ? wcut_model_fit(e, &e->at, first, error) : status;
+}
+
 static wcut_status prepare_diagnosis(diagnosing *g, wcut_error *error) {
     /* gather the cuts; the model is the jobs' own so far */
     wcut_status status = report_step(g, "the recordings were replayed", 0, error);
@@ -90,6 +104,7 @@ static wcut_status prepare_diagnosis(diagnosing *g, wcut_error *error) {
     if (status == WCUT_OK) status = report_step(g, "the recalibration was fitted", 1, error);
     wcut_fitted first = {0};
     if (status == WCUT_OK) status = wcut_model_fit(e, &e->at, &first, error);
+    if (status == WCUT_OK) status = leave_droop_out(g, &first, error);
     if (status != WCUT_OK) return status;
     const wcut_model recalibrated = first.model;
     wcut_fitted_destroy(&first);
@@ -546,7 +561,7 @@ static wcut_status decide(diagnosing *g, bool searched, wcut_error *error) {
         for (int r = 0; r < v->rivals; r++) add_found_effects(g, v->rival[r], false, v->confidence / v->rivals);
     else if (names_effects(g))
         add_found_effects(g, v->chosen, true, v->confidence);
-    d->form_open = d->effects > 0 && d->effect[0].present && !wcut_search_leaves_noise(&g->search, v->chosen);
+    d->form_open = d->effects > 0 && d->effect[0].present && !wcut_search_tells_form(&g->search, v->chosen);
     report_base(g);
     if (wcut_rig_fill(g->evidence, final_fit(g), d) != WCUT_OK) return WCUT_NO_MEMORY;
     return wcut_adequacy_p_value(g->evidence, d->adequacy, NULLS, g->options->seed, &d->adequacy_p);

@@ -295,7 +295,7 @@ static int best_candidate(const wcut_search *s, int effects) {
 }
 
 /* The other forms of the best single effect, where it leaves more than noise: they come before another effect. Of mounts
-   all are kept; another form counts where it leaves noise, else the first one stands for its family. */
+   all are kept, of other families what explains more than the first. */
 static wcut_status try_forms(searching *g, wcut_error *error) {
     wcut_search *s = g->s;
     const int best = best_candidate(s, 1);
@@ -312,7 +312,7 @@ static wcut_status try_forms(searching *g, wcut_error *error) {
         status = try_model(g, &start, error);
         if (mounts || s->count == count) continue;
         s->candidate[count].form = true;
-        if (wcut_search_leaves_noise(s, count)) continue;
+        if (wcut_search_leaves_noise(s, count) || s->candidate[count].gain > s->candidate[best].gain + WORTH) continue;
         wcut_fitted_destroy(&s->candidate[count].fit);
         s->count = count;
     }
@@ -323,7 +323,9 @@ static wcut_status try_forms(searching *g, wcut_error *error) {
 /* whether another form of one effect leaves noise and explains as much as any pair of the screen promises */
 static bool form_suffices(const wcut_search *s) {
     for (int k = 0; k < s->count; k++)
-        if (s->candidate[k].form && (s->pairs == 0 || s->candidate[k].gain >= s->pair[0].gain)) return true;
+        if (s->candidate[k].form && wcut_search_leaves_noise(s, k) &&
+            (s->pairs == 0 || s->candidate[k].gain >= s->pair[0].gain))
+            return true;
     return false;
 }
 
@@ -560,6 +562,7 @@ wcut_status wcut_search_run(wcut_evidence *e, const bool without[WCUT_EFFECT_COU
     if (status == WCUT_OK) status = try_pairs(&g, error);
     if (status == WCUT_OK) status = try_halves(&g, error);
     if (status == WCUT_OK) status = try_rest(&g, error);
+    if (status == WCUT_OK) status = try_forms(&g, error); /* of another best one */
     if (status == WCUT_OK) status = try_forms(&g, error);
     if (status == WCUT_OK) status = drop_delay(&g, error);
     if (status == WCUT_OK) status = add_delay(&g, error);

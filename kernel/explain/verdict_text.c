@@ -149,7 +149,7 @@ void wcut_diagnosis_sentence(wcut_diagnosis *d) {
     /* a sentence begins with a capital letter */
     append_text(&t, ".");
     if (d->form_open)
-        append_text(&t, " %s not told from these cuts: the form above leaves more than noise.",
+        append_text(&t, " %s not told from these cuts: the form above leaves more than noise, or another as little.",
                     d->effects > 1 ? "Their forms are" : "Its form is");
     if (t.at > 0 && d->kind != WCUT_VERDICT_AMBIGUOUS && d->sentence[0] >= 'a' && d->sentence[0] <= 'z')
         d->sentence[0] = (char)(d->sentence[0] - 'a' + 'A');
@@ -234,6 +234,12 @@ bool wcut_diagnosis_limits(wcut_diagnosis *d, int cuts, const wcut_diagnosis_cut
     d->limit = wcut_alloc(LIMITS_MAX, sizeof *d->limit);
     if (!d->limit) return false;
     limit_cuts(d, cuts, cut);
+    if (d->droop > 0)
+        add_limit(
+            d,
+            "The slack wires hang by their weight before they touch, which the jobs do not say (density_kg_per_m3): "
+            "the first %.0f s in the foam at most are left out.",
+            d->droop);
     if (d->unprofiled[0])
         add_limit(d, "Intervals are those of the misfit's curvature, not of its profile: %s.", d->unprofiled);
     if (d->unproven[0]) add_limit(d, "There is no forward proof: %s.", d->unproven);

@@ -1,4 +1,5 @@
 /* Evidence: bins of what was measured and predicted, and noise made white. */
+#include "explain/droop.h"
 #include "explain/evidence.h"
 
 #include "base/alloc.h"
@@ -161,5 +162,51 @@ TEST(without_memory_nothing_is_written) {
     wcut_evidence *e = NULL;
     wcut_error error = {0};
     FIRST_FAILED_ALLOCATIONS(3, wcut_evidence_create(1, s.cut, false, 1, NULL, &e, &error), !e);
+    synthetic_destroy(&s);
+}
+
+/* directions that point down by `deg` at the entry and come into line within six seconds or so */
+static void let_hang(const wcut_evidence *e, int cut, double deg, double *open) {
+    const wcut_evidence_cut *c = &e->cut[cut];
+    for (int s = 3; s < WCUT_SIGNALS; s += 2)
+        for (int i = 0; i < c->bins; i++) open[c->row + s * c->bins + i] -= deg * WCUT_PI / 180 * exp(-i / 4.0);
+}
+
+TEST(entries_in_which_every_wire_hangs_are_left_out_and_no_other) {
+    synthetic s = synthetic_create(2, &noisy);
+    wcut_evidence *e = evidence_of(&s, 1);
+    const size_t rows = (size_t)e->rows;
+    double *open = wcut_alloc(rows, sizeof *open);
+    const int bins[2] = {e->cut[0].bins, e->cut[1].bins};
+    wcut_evidence_residual(e, open);
+
+    // noise alone, and one cut alone: nothing goes
+    ck_assert_double_eq(wcut_droop_leave_out(e, open), 0);
+    let_hang(e, 0, 1, open);
+    ck_assert_double_eq(wcut_droop_leave_out(e, open), 0);
+    ck_assert_int_eq(e->rows, (int)rows);
+
+    // both, as gravity has it: the first seconds go, what is left stands where it stood
+    let_hang(e, 1, 1, open);
+    const double middle = e->cut[1].middle[bins[1] - 1], last = e->cut[1].measured[4][bins[1] - 1];
+    const double seconds = wcut_droop_leave_out(e, open);
+    ck_assert(seconds >= 4 && seconds <= 12);
+    for (int k = 0; k < 2; k++) {
+        const wcut_evidence_cut *c = &e->cut[k];
+        ck_assert(c->bins < bins[k] && c->bins >= bins[k] / 2);
+        ck_assert_double_eq_tol(c->middle[0], c->from + WCUT_BIN_WIDTH / 2, 1e-12);
+        ck_assert_int_eq(c->row, k ? WCUT_SIGNALS * e->cut[0].bins : 0);
+    }
+    ck_assert_int_eq(e->rows, WCUT_SIGNALS * (e->cut[0].bins + e->cut[1].bins));
+    ck_assert_double_eq(e->cut[1].middle[e->cut[1].bins - 1], middle);
+    ck_assert_double_eq(e->cut[1].measured[4][e->cut[1].bins - 1], last);
+
+    // up is no weight
+    wcut_evidence_residual(e, open);
+    let_hang(e, 0, -1, open);
+    let_hang(e, 1, -1, open);
+    ck_assert_double_eq(wcut_droop_leave_out(e, open), 0);
+    wcut_free(open);
+    wcut_evidence_destroy(e);
     synthetic_destroy(&s);
 }

@@ -252,7 +252,8 @@ typedef struct wcut_diagnosis {
     wcut_estimate a, b, length_change; /**< [N/mm], [m^2/J], [mm]: recalibrated, shared by all cuts */
     wcut_estimate kerf;                /**< [mm] constant kerf that the scans show; NaN without scans */
     double a_job, b_job;               /**< what the jobs say */
-    double adequacy, adequacy_p;       /**< of the chosen model; p-value against its simulated null */
+    double droop;                /**< [s] left out at the entry, where slack wires hang by their weight; 0: nothing */
+    double adequacy, adequacy_p; /**< of the chosen model; p-value against its simulated null */
     int hypotheses;
     wcut_hypothesis *hypothesis; /**< ranked, best first */
     int contradictions;
