@@ -722,6 +722,7 @@ public unsafe struct wcut_diagnosis
     public wcut_estimate kerf;
     public double a_job;
     public double b_job;
+    public double droop;
     public double adequacy;
     public double adequacy_p;
     public int hypotheses;
@@ -816,7 +817,7 @@ public unsafe struct wcut_effect
 {
     public wcut_effect_kind kind;
     public int choice;
-    public fixed double value[5];
+    public fixed double value[6];
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_effect_info
@@ -824,6 +825,7 @@ public unsafe struct wcut_effect_info
     public byte* name;
     public wcut_effect_place place;
     public byte* choice_key;
+    public byte choice_required;
     public byte** choice;
     public int strengths;
     public double neutral;
@@ -972,8 +974,8 @@ public unsafe struct wcut_force_law
 public unsafe struct wcut_found_effect
 {
     public wcut_effect effect;
-    public wcut_estimate parameter_0, parameter_1, parameter_2, parameter_3, parameter_4;
-    public fixed byte estimated[5];
+    public wcut_estimate parameter_0, parameter_1, parameter_2, parameter_3, parameter_4, parameter_5;
+    public fixed byte estimated[6];
     public byte present;
     public double confidence;
 }
