@@ -72,6 +72,7 @@ static void put_diagnosis_effect(wcut_text *text, const wcut_found_effect *found
     const wcut_effect_info *info = wcut_effect_view(found->effect.kind);
     wcut_text_print(text, "{\"name\": \"%s\", \"present\": %s", info->name, found->present ? "true" : "false");
     wcut_text_put_number(text, ", \"confidence\": ", found->confidence);
+    if (found->cut > 0) wcut_text_print(text, ", \"cut\": %d", found->cut);
     wcut_text_put_word(text, ", \"parameters\": {");
     const char *between = "";
     if (info->choice_key) {

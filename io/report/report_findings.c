@@ -141,6 +141,11 @@ static const char *next_action(wcut_page_memory *memory, const wcut_found_effect
                                   which);
         case WCUT_EFFECT_CLOCK_OFFSET:
             return "Synchronise the clocks of robot and sensors, or trigger both from one signal.";
+        case WCUT_EFFECT_WIRE_LENGTH:
+            return wcut_page_text(memory, "Cut wires against a stop, and put the length of cut %d into its job.",
+                                  f->cut);
+        case WCUT_EFFECT_BLOCK_SHIFT:
+            return "Put the block against its stops, and measure where its corner is in the frame of the robots.";
         case WCUT_EFFECT_SCAN_OFFSET:
         case WCUT_EFFECT_SCAN_SCALE:
             return "Register the scan again on datums of the block, and check the scanner on a known length.";

@@ -233,7 +233,11 @@ wcut_status wcut_cut_drive(wcut_cut *cut, wcut_vec3 mount_a, wcut_vec3 mount_b, 
     if (chord > wire)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "the mounts are %.6g mm apart, the wire is %.6g mm long", chord,
                          wire);
-    const wcut_target target = {.end_a = mount_a, .end_b = mount_b, .length = wire, .duration = duration, .heat = heat};
+    const wcut_target target = {.end_a = vec3_sub(mount_a, setup->shift),
+                                .end_b = vec3_sub(mount_b, setup->shift),
+                                .length = wire,
+                                .duration = duration,
+                                .heat = heat};
     return advance_wire(cut, &target, WCUT_INTEGRATOR_IMPLICIT, error);
 }
 

@@ -140,12 +140,17 @@ static wcut_status check_effects(const wcut_job *job, wcut_integrator integrator
     return status;
 }
 
+/* a wire of another length than the job states, a block that lies elsewhere */
+static bool is_of_setup(wcut_effect_kind kind) {
+    return kind == WCUT_EFFECT_WIRE_LENGTH || kind == WCUT_EFFECT_BLOCK_SHIFT;
+}
+
 /* the physics that the step has to compute, apart from all else that a job may name */
 static bool pick_effects(wcut_setup *setup) {
     const wcut_job *job = setup->job;
     setup->effect = wcut_alloc((size_t)job->effect_count, sizeof *setup->effect);
     for (int e = 0; setup->effect && e < job->effect_count; e++)
-        if (acts_in_step(&job->effect[e]) &&
+        if (acts_in_step(&job->effect[e]) && !is_of_setup(job->effect[e].kind) &&
             !(setup->foam.embedded && wcut_effect_view(job->effect[e].kind)->needs_mounts))
             setup->effect[setup->effect_count++] = job->effect[e]; /* a plan has no mounts to give way */
     return setup->effect != NULL;
@@ -310,12 +315,20 @@ static bool make_setup_room(wcut_setup *setup, int stations) {
     return setup->end_a && setup->end_b && setup->length;
 }
 
-/* the mounts' way as given, with one length of wire */
+/* the mounts' way as given, with one length of wire; in the frame of the block as it lies */
 static void take_mounts(wcut_setup *setup, const wcut_vec3 *a, const wcut_vec3 *b, double length) {
+    const wcut_job *job = setup->job;
+    for (int e = 0; e < job->effect_count; e++) {
+        const double *d = job->effect[e].value;
+        if (job->effect[e].kind == WCUT_EFFECT_WIRE_LENGTH) setup->longer = d[WCUT_WIRE_LENGTH_CHANGE];
+        if (job->effect[e].kind == WCUT_EFFECT_BLOCK_SHIFT) setup->shift = vec3(d[0], d[1], d[2]);
+    }
+
+    /* stations of the run */
     for (int j = 0; j < setup->stations; j++) {
-        setup->end_a[j] = a[j];
-        setup->end_b[j] = b[j];
-        setup->length[j] = length;
+        setup->end_a[j] = vec3_sub(a[j], setup->shift);
+        setup->end_b[j] = vec3_sub(b[j], setup->shift);
+        setup->length[j] = length + setup->longer;
     }
 }
 
@@ -504,12 +517,16 @@ wcut_status wcut_setup_path_job(const wcut_setup *setup, wcut_job **job) {
     /* a job in path mode, with the stations of the setup */
     path->mode = WCUT_MODE_PATH;
     path->stations = setup->stations;
-    path->wire_length = setup->length[0];
+    path->wire_length = setup->length[0] - setup->longer; /* the path keeps the effects that say so */
     path->mount_a = wcut_copy(setup->end_a, m, sizeof *path->mount_a);
     path->mount_b = wcut_copy(setup->end_b, m, sizeof *path->mount_b);
     if (!path->mount_a || !path->mount_b) {
         wcut_job_destroy(path);
         return WCUT_NO_MEMORY;
+    }
+    for (size_t j = 0; j < m; j++) {
+        path->mount_a[j] = vec3_add(path->mount_a[j], setup->shift);
+        path->mount_b[j] = vec3_add(path->mount_b[j], setup->shift);
     }
     *job = path;
 

@@ -17,6 +17,8 @@ struct wcut_setup {
         *end_b;       /* stations: the ends of the simulated wire: mounts, in a plan points of the edge curves */
     int effect_count; /* of those that act in the step and are not neutral */
     wcut_effect *effect;
+    wcut_vec3 shift;           /* [mm] of the block: mounts are that far back in its frame */
+    double longer;             /* [mm] the wire is than its job states */
     double *length;            /* stations [mm] of the simulated wire */
     wcut_vec3 feed;            /* [1] direction in which the cut begins */
     int entry_end;             /* the last station at which the wire still gains slack at the beginning of the cut */

@@ -14,6 +14,7 @@
 #include "explain/black_box.h"
 #include "explain/correct.h"
 #include "explain/cross_validation.h"
+#include "explain/cut_length.h"
 #include "explain/decide.h"
 #include "explain/droop.h"
 #include "explain/experiment.h"
@@ -623,6 +624,7 @@ static wcut_status conclude_diagnosis(diagnosing *g, bool searched, wcut_error *
     if (status == WCUT_OK || status == WCUT_INTERRUPTED) {
         wcut_diagnosis_sentence(g->out);
         wcut_modelled_tell(g->out);
+        if (searched) wcut_cut_length_report(g->out);
         if (!wcut_contradictions_report(&g->redundancy, searched, g->out)) status = WCUT_NO_MEMORY;
         if (status == WCUT_INTERRUPTED) tell_stop(g, searched);
         if (!wcut_diagnosis_limits(g->out, g->cuts, g->cut, g->test_cuts, g->calibration)) status = WCUT_NO_MEMORY;

@@ -115,6 +115,19 @@
     UNSEARCHED_INSTRUMENT, HUGE_VAL, "a channel reads more than it should", "%+.3f", 1, 0, {{0}}, 0, { \
         { 0 }                                                                                          \
     }
+#define ROW_WIRE_LENGTH                                                                               \
+    UNSEARCHED_INSTRUMENT, 3, "the wire has another length than its job states", "by %+.1f mm", 1, 1, \
+        {{WCUT_WIRE_LENGTH_CHANGE, LINEAR, 0, 4, 0.1, -50, 50}}, 0, {                                 \
+        { 0 }                                                                                         \
+    }
+#define ROW_BLOCK_SHIFT /* beside a displaced scan: explain/search.c */              \
+    UNSEARCHED_INSTRUMENT, 0.5, "the block lies displaced", "%.2f mm along x", 1, 3, \
+        {{WCUT_BLOCK_SHIFT_SHIFT, LINEAR, 0, 4, 0.1, -100, 100},                     \
+         {WCUT_BLOCK_SHIFT_SHIFT + 1, LINEAR, 0, 4, 0.1, -100, 100},                 \
+         {WCUT_BLOCK_SHIFT_SHIFT + 2, LINEAR, 0, 4, 0.1, -100, 100}},                \
+        0, {                                                                         \
+        { 0 }                                                                        \
+    }
 #define ROW_KERF_GROWTH                                                          \
     PHYSICS, 5e-5, "the kerf grows with the heat", "%.2f mm per kJ/m2", 1000, 1, \
         {{WCUT_KERF_GROWTH_PER_Q, LINEAR, 0, 4e-4, 2e-5, -2e-3, 2e-3}}, 2, {     \

@@ -27,6 +27,8 @@ enum { SINGLES = 3, SECONDS = 2, PAIRS = 1, BLOCK = 8 };
 #define UNTOLD 300.0
 /* a pair that gains so many times what the best single one gains */
 #define HALVES 1.5
+/* [twice ln likelihood] by which a displaced block must explain more than a displaced scan */
+#define GAIN_SHIFT 25.0
 /* and what comes near the best of the screen, whose columns are straight lines through bent responses */
 #define CONTENDS 0.25
 
@@ -457,6 +459,30 @@ static wcut_status try_rest(searching *g, wcut_error *error) {
     return status;
 }
 
+/* A displaced scan, or a displaced block: both move the face of every scan, but the block meets the wire elsewhere, too. It
+   is named only where that shows. */
+static wcut_status try_shift(searching *g, wcut_error *error) {
+    wcut_search *s = g->s;
+    const int chosen = wcut_search_decide(s).chosen;
+    if (chosen < 0 || g->without[WCUT_EFFECT_BLOCK_SHIFT]) return WCUT_OK;
+    wcut_model start = s->candidate[chosen].fit.model;
+    const int count = s->count;
+    int at = -1;
+    for (int e = 0; e < start.effects; e++)
+        if (start.effect[e].kind == WCUT_EFFECT_SCAN_OFFSET) at = e;
+    if (at < 0) return WCUT_OK;
+
+    /* a face lies behind where its scan is seen */
+    const wcut_effect scan = start.effect[at];
+    start.effect[at] = wcut_effect_default(WCUT_EFFECT_BLOCK_SHIFT);
+    for (int k = 0; k < 3; k++) start.effect[at].value[k] = -scan.value[k];
+    const wcut_status status = try_model(g, &start, error);
+    if (s->count == count || s->candidate[count].gain > s->candidate[chosen].gain + GAIN_SHIFT) return status;
+    wcut_fitted_destroy(&s->candidate[count].fit);
+    s->count = count;
+    return status;
+}
+
 /* the verdict with the delay that its nuisances show */
 static wcut_status add_delay(searching *g, wcut_error *error) {
     wcut_search *s = g->s;
@@ -564,6 +590,7 @@ wcut_status wcut_search_run(wcut_evidence *e, const bool without[WCUT_EFFECT_COU
     if (status == WCUT_OK) status = try_rest(&g, error);
     if (status == WCUT_OK) status = try_forms(&g, error); /* of another best one */
     if (status == WCUT_OK) status = try_forms(&g, error);
+    if (status == WCUT_OK) status = try_shift(&g, error);
     if (status == WCUT_OK) status = drop_delay(&g, error);
     if (status == WCUT_OK) status = add_delay(&g, error);
 

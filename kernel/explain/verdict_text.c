@@ -245,6 +245,12 @@ bool wcut_diagnosis_limits(wcut_diagnosis *d, int cuts, const wcut_diagnosis_cut
     if (d->unproven[0]) add_limit(d, "There is no forward proof: %s.", d->unproven);
     limit_calibration(d, test_cuts, calibration);
     for (int k = 0; k < d->effects; k++)
+        if (d->effect[k].effect.kind == WCUT_EFFECT_SCAN_OFFSET)
+            add_limit(
+                d,
+                "A block that lies displaced the other way by as much would be scanned alike: the wire's tension and "
+                "directions do not tell it from the scanner here.");
+    for (int k = 0; k < d->effects; k++)
         if (d->effect[k].effect.kind == WCUT_EFFECT_TENSION_GAIN && d->effect[k].effect.choice < 2)
             add_limit(d,
                       "It cannot be determined which of the two tension sensors is wrong: one gain up and the other "

@@ -71,6 +71,8 @@ static const parameter fouling[] = {{"relative_change", WCUT_WIRE_FOULING_CHANGE
                                     {"length_mm", WCUT_WIRE_FOULING_LENGTH, 1, true, 1000, 0.1, 1e7, 200, 5000},
                                     {"start_mm", WCUT_WIRE_FOULING_START, 1, false, 0, 0, 1e9, 0, 5000},
                                     END};
+static const parameter wire_length[] = {{"change_mm", WCUT_WIRE_LENGTH_CHANGE, 1, true, 0, -1e4, 1e4, -5, 5}, END};
+static const parameter block_shift[] = {{"shift_mm", WCUT_BLOCK_SHIFT_SHIFT, 3, true, 0, -1e4, 1e4, -5, 5}, END};
 static const parameter springback[] = {{"amplitude_mm", WCUT_BLOCK_SPRINGBACK_AMPLITUDE, 1, true, 0, -100, 100, -5, 5},
                                        END};
 static const parameter angle[] = {{"offset_deg", WCUT_ANGLE_OFFSET_OFFSET, 1, true, 0, -90, 90, -5, 5}, END};
@@ -168,6 +170,13 @@ static const char *const sensors[] = {"a", "b", "both", NULL};
     "term", true, wcut_term_name, 2, 0, true, false, wcut_term_first,                                    \
         "F (1 + sum c phi), the sum over all such terms; below 1/2 it is continued by exp(2 s + 1) / 2", \
         "c -0.6 to 0.6: what has no name yet", "kernel/foam/empirical.c:wcut_term_factor_eval"
+#define INFO_WIRE_LENGTH                                                                                  \
+    NULL, false, NULL, 1, 0, false, true, wire_length, "l + d, the wire longer than wire.length_mm by d", \
+        "5 mm: a wire cut by hand is off by 2 mm (judged; second laboratory 2 mm)", "kernel/cut/setup.c:take_mounts"
+#define INFO_BLOCK_SHIFT                                                                 \
+    NULL, false, NULL, 3, 0, false, true, block_shift,                                   \
+        "mounts at X - d in the frame of a block that lies d from where the job has it", \
+        "5 mm (judged; second laboratory 1 to 2 mm)", "kernel/cut/setup.c:take_mounts"
 #define INFO_KERF_GROWTH                                                                    \
     "law", true, kerf_laws, 2, 0, false, false, kerf,                                       \
         "face moved by -(k_1 Q_eff) / 2, or -(k_2 ln(Q_eff / 1000)) / 2, along its normal", \

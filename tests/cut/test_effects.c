@@ -268,6 +268,40 @@ TEST(a_wire_that_heat_makes_longer_cuts_like_a_longer_wire) {
     wcut_job_destroy(job);
 }
 
+TEST(a_wire_of_another_length_and_a_block_that_lies_elsewhere_are_a_job_that_says_so) {
+    wcut_job *job = swinging_job(41, 40), *same = swinging_job(41, 40);
+    wcut_effect e[2] = {sized(WCUT_EFFECT_WIRE_LENGTH, 1.5), sized(WCUT_EFFECT_BLOCK_SHIFT, 2)};
+    e[1].value[1] = -3, e[1].value[2] = 0.5;
+    give(job, 2, e);
+    same->wire_length += 1.5;
+    for (int j = 0; j < same->stations; j++) {
+        same->mount_a[j] = vec3_sub(same->mount_a[j], vec3(2, -3, 0.5));
+        same->mount_b[j] = vec3_sub(same->mount_b[j], vec3(2, -3, 0.5));
+    }
+    wcut_history *h = run_of(job), *expected = run_of(same);
+    ck_assert_double_eq(difference_of(h, expected), 0);
+    wcut_history_destroy(h);
+    wcut_history_destroy(expected);
+
+    // driven by the mounts' positions, too
+    for (int k = 0; k < 2; k++) {
+        wcut_setup *setup = NULL;
+        wcut_cut *cut = NULL;
+        wcut_station s[2];
+        ck_assert_int_eq(wcut_setup_create(k ? same : job, NULL, &setup, NULL), WCUT_OK);
+        ck_assert_int_eq(wcut_cut_create(setup, &cut, NULL), WCUT_OK);
+        const wcut_job *from = k ? same : job;
+        ck_assert_int_eq(wcut_cut_drive(cut, from->mount_a[1], from->mount_b[1], 0.5, 60, NULL), WCUT_OK);
+        wcut_cut_view(cut, &s[k]);
+        const wcut_vec3 there = vec3_sub(job->mount_a[1], vec3(2, -3, 0.5));
+        ck_assert_double_lt(vec3_distance(s[k].mount_a, there), 1e-12);
+        wcut_cut_destroy(cut);
+        wcut_setup_destroy(setup);
+    }
+    wcut_job_destroy(job);
+    wcut_job_destroy(same);
+}
+
 TEST(every_edge_is_as_much_longer_as_its_tension_stretches_it) {
     wcut_job *job = steady_job();
     wcut_effect e = sized(WCUT_EFFECT_WIRE_ELONGATION, 0.002);

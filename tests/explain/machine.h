@@ -22,6 +22,7 @@ typedef struct machine_secret {
     wcut_effect effect[2];
     double law_a, law_b; /* [1] the foam's over the job's; 0: 1 */
     double level[3];     /* [1] of each cut's own block over the usual one; 0: 1 */
+    double longer[3];    /* [mm] each cut's wire over its job's */
     double noise;        /* [1] of the rig's own; 0: 1 */
     double delay;        /* [s] of the tension's readings; 0: none */
     int decimation;      /* steps of the loop (40 Hz) a sample; 0: 20 Hz */
@@ -112,6 +113,7 @@ static inline wcut_rig_run *machine_record(const wcut_job *job, int cut, const m
     real.effect_count = secret->effects, real.effect = effect;
     real.force_law.a *= secret->law_a > 0 ? secret->law_a : 1;
     real.force_law.a *= secret->level[cut] > 0 ? secret->level[cut] : 1;
+    real.wire_length += secret->longer[cut];
     real.force_law.b *= secret->law_b > 0 ? secret->law_b : 1;
     const wcut_status status = wcut_rig_run_create(&real, plan, &control, &o, NULL, NULL, &run, &error);
     const wcut_recording *r = run ? &run->recording : NULL;

@@ -96,6 +96,19 @@ TEST(a_coarse_recording_is_no_late_one) {
     machine_destroy(&m);
 }
 
+/* ---- a wrong wire in one cut ---- */
+
+TEST(a_wire_far_too_long_in_one_cut_is_named_with_its_cut) {
+    const machine_secret secret = {.longer = {0, 4.5, 0}, .seed = 24};
+    wcut_diagnosis *d = diagnose_secret(&secret, NULL);
+    ck_assert_msg(machine_names(d, WCUT_EFFECT_WIRE_LENGTH, WCUT_EFFECT_WIRE_LENGTH), "%s", machine_verdict(d));
+    ck_assert_int_eq(d->kind, WCUT_VERDICT_INSTRUMENT);
+    ck_assert_int_eq(d->effect[0].cut, 2);
+    ck_assert_double_eq_tol(d->effect[0].effect.value[0], 4.5, 0.5);
+    ck_assert_ptr_nonnull(strstr(d->sentence, "The wire of cut 2 is"));
+    wcut_diagnosis_destroy(d);
+}
+
 /* ---- one in another form than the library's first ---- */
 
 TEST(a_lag_with_a_slow_part_is_a_lag_in_that_form) {

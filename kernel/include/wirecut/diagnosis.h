@@ -97,6 +97,7 @@ typedef struct wcut_found_effect {
     wcut_effect effect;                          /**< as a job would name it */
     wcut_estimate parameter[WCUT_EFFECT_VALUES]; /**< of effect.value, in the unit of its key */
     bool estimated[WCUT_EFFECT_VALUES];          /**< false: kept at its initial value */
+    int cut;                                     /**< from 1, of which it is alone; 0: all */
     bool present;                                /**< named by the verdict; false: an alternative */
     double confidence;                           /**< 0 .. 1 that it is present */
 } wcut_found_effect;

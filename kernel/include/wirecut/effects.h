@@ -12,7 +12,8 @@ extern "C" {
 #endif
 
 /* Effect, its name in files, where it acts. Physics acts in the STEP of the simulator or on the cut FACE, an instrument
-   fault on what SENSORs record or on the SCAN. Equations: NOTATION.md, Effects. */
+   fault on what SENSORs record or on the SCAN; a wire or a block that is not as the job states acts in the STEP, too.
+   Equations: NOTATION.md, Effects. */
 #define WCUT_EFFECT_LIST(X)                                 \
     X(WIRE_THERMAL_LAG, "wire_thermal_lag", STEP)           \
     X(AIR_OVERHEATING, "air_overheating", STEP)             \
@@ -25,6 +26,8 @@ extern "C" {
     X(RATE_DEPENDENCE, "rate_dependence", STEP)             \
     X(WIRE_FOULING, "wire_fouling", STEP)                   \
     X(EMPIRICAL_FORCE, "empirical_force", STEP)             \
+    X(WIRE_LENGTH, "wire_length", STEP)                     \
+    X(BLOCK_SHIFT, "block_shift", STEP)                     \
     X(KERF_GROWTH, "kerf_growth", FACE)                     \
     X(BLOCK_SPRINGBACK, "block_springback", FACE)           \
     X(ANGLE_OFFSET, "angle_offset", SENSOR)                 \
@@ -92,6 +95,10 @@ enum { WCUT_MOUNT_COMPLIANCE_STIFFNESS, WCUT_MOUNT_COMPLIANCE_SETTLING };
 enum { WCUT_RATE_DEPENDENCE_EXPONENT, WCUT_RATE_DEPENDENCE_SPEED_REF };
 /** wire_fouling: relative_change, length_mm, start_mm */
 enum { WCUT_WIRE_FOULING_CHANGE, WCUT_WIRE_FOULING_LENGTH, WCUT_WIRE_FOULING_START };
+/** wire_length: change_mm */
+enum { WCUT_WIRE_LENGTH_CHANGE };
+/** block_shift: shift_mm */
+enum { WCUT_BLOCK_SHIFT_SHIFT };
 /** block_springback: amplitude_mm */
 enum { WCUT_BLOCK_SPRINGBACK_AMPLITUDE };
 /** angle_offset: offset_deg */
