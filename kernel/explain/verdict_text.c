@@ -244,6 +244,8 @@ bool wcut_diagnosis_limits(wcut_diagnosis *d, int cuts, const wcut_diagnosis_cut
         add_limit(d, "Intervals are those of the misfit's curvature, not of its profile: %s.", d->unprofiled);
     if (d->unproven[0]) add_limit(d, "There is no forward proof: %s.", d->unproven);
     limit_calibration(d, test_cuts, calibration);
+
+    /* what the named effects cannot be told from */
     for (int k = 0; k < d->effects; k++)
         if (d->effect[k].effect.kind == WCUT_EFFECT_SCAN_OFFSET)
             add_limit(

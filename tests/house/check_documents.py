@@ -131,8 +131,8 @@ class Checker:
             self.fault(path, 1, f"equation ({n}) has no row | ({n}) | equation | `file:function` |")
         listed = re.findall(r'X\(\w+, "(\w+)"', (self.tree / "kernel/include/wirecut/effects.h").read_text())
         for name in listed:
-            row = re.search(rf"^\| .*`{name}`.*\|$", text, re.M)
-            if not row or not FILE.search(row.group(0).rsplit(" | ", 1)[-1]):
+            rows = re.findall(rf"^\| .*`{name}`.*\|$", text, re.M)  # a symbol may have the same name
+            if not any(FILE.search(row.rsplit(" | ", 1)[-1]) for row in rows):
                 self.fault(path, 1, f"effect {name} has no row | `{name}` | equation | neutral | plausible, source | "
                                     "`file:function` | in section Effects")
 
