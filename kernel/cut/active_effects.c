@@ -20,10 +20,40 @@ static double thermal_strain(const wcut_effect *e) {
 /* [1/N] 1/EA: what is not of heat is the stretch under 2 N */
 static double softness(const wcut_effect *e) { return (e->value[WCUT_WIRE_ELONGATION_STRAIN] - thermal_strain(e)) / 2; }
 
+/* Edges of a bow's wire, warm by the engagement they come with, and the tension that it has where it is straight; its
+   ends where the frame has them then. */
+static double fit_bow(wcut_cut *cut, const wcut_target *target, wcut_vec3 *end_a, wcut_vec3 *end_b) {
+    const wcut_setup *setup = cut->setup;
+    const wcut_bow *bow = &setup->bow;
+    const wcut_wire *w = &cut->next;
+    const int n = setup->job->nodes;
+
+    /* strains in air and in foam at the speed of the feed */
+    const double way = fmax(vec3_distance(target->end_a, w->end_a), vec3_distance(target->end_b, w->end_b));
+    double air, foam, rest = 0;
+    wcut_bow_warm(bow, setup->job, target->heat, target->duration > 0 ? way / target->duration : 0, &air, &foam);
+    for (int e = 0; e < n - 1; e++) {
+        const double share = (w->engaged[e] + w->engaged[e + 1]) / 2;
+        cut->rest[e] = target->length / (n - 1) * (1 + share * foam + (1 - share) * air);
+        rest += cut->rest[e];
+    }
+
+    /* straight under its own tension, or slack between the ends of a frame that nothing pulls */
+    cut->frame = wcut_frame_at(bow, target->end_a, target->end_b);
+    cut->taut = wcut_bow_tension(bow, rest);
+    const double closing = bow->give * (cut->taut - bow->pretension);
+    *end_a = wcut_frame_end(&cut->frame, closing, 0);
+    *end_b = wcut_frame_end(&cut->frame, closing, 1);
+    for (int e = 0; e < n - 1; e++) cut->edge[e] = cut->rest[e] * (1 + bow->softness * cut->taut);
+    return rest * (1 + bow->softness * cut->taut);
+}
+
 double wcut_cut_fit(wcut_cut *cut, const wcut_target *target, wcut_vec3 *end_a, wcut_vec3 *end_b) {
     const wcut_wire *w = &cut->next;
     const int n = cut->setup->job->nodes;
     const double edge = target->length / (n - 1);
+
+    if (cut->setup->bow.on) return fit_bow(cut, target, end_a, end_b);
 
     /* rest lengths and present lengths are equal without effects */
     for (int e = 0; e < n - 1; e++) cut->rest[e] = cut->edge[e] = edge;
@@ -63,10 +93,24 @@ static wcut_locality locality_of(const wcut_cut *cut, const wcut_target *target)
                            .edge = target->length / (cut->setup->job->nodes - 1)};
 }
 
+/* a bow's wire stretches on a frame that gives; one that does neither has the lengths of a plain step */
+static void apply_bow(const wcut_cut *cut, wcut_extension *out, wcut_step *step) {
+    const wcut_bow *bow = &cut->setup->bow;
+    step->frame = &cut->frame;
+    if (bow->softness == 0 && bow->expansion == 0) return;
+    double sum = 0;
+    const wcut_wire *w = &cut->next;
+    for (int e = 0; e < step->n - 1; e++) sum += cut->rest[e] * (1 + bow->softness * (w->loaded ? w->s[e] : cut->taut));
+    step->edge = sum / (step->n - 1); /* what the foam acts on: the wire as long as it is now */
+    out->compliance = (wcut_compliance){.rest = cut->rest, .softness = bow->softness};
+    step->compliance = &out->compliance;
+}
+
 void wcut_extension_apply(wcut_cut *cut, const wcut_target *target, wcut_extension *out, wcut_foam *foam,
                           wcut_step *step) {
     const wcut_setup *setup = cut->setup;
     const wcut_wire *w = &cut->next;
+    if (setup->bow.on) apply_bow(cut, out, step);
     if (setup->effect_count == 0) return;
 
     /* the law at a node sees the effects' states */

@@ -21,9 +21,9 @@ bool wcut_cut_hang(wcut_cut *cut, const wcut_target *target, const wcut_vec3 *lo
     wcut_vec3 a, b;
     const double length = wcut_cut_fit(cut, target, &a, &b), chord = vec3_distance(a, b);
     cut->hanging_shape[0] = a, cut->hanging_shape[n - 1] = b;
-    if (length <= chord * (1 + 1e-12)) {
+    if (cut->taut > 0 || length <= chord * (1 + 1e-12)) {
         for (int i = 1; i < n - 1; i++) cut->hanging_shape[i] = vec3_mix(a, b, (double)i / (n - 1));
-        for (int e = 0; e < n - 1; e++) cut->hanging_tension[e] = 0;
+        for (int e = 0; e < n - 1; e++) cut->hanging_tension[e] = cut->taut;
         return true;
     }
     if (wcut_equilibrium_shape(n, load, cut->edge, &options, cut->hanging_shape, cut->hanging_tension, NULL) != WCUT_OK)
@@ -69,7 +69,7 @@ void wcut_cut_feed_free(wcut_cut *cut, const wcut_target *target, double reach, 
 
     /* no tension counts; the condition is the one that set the speed */
     const double scale = weight_scale(cut);
-    for (int e = 0; e < n - 1; e++) w->s[e] = scale * cut->hanging_tension[e];
+    for (int e = 0; e < n - 1; e++) w->s[e] = cut->taut > 0 ? cut->taut : scale * cut->hanging_tension[e];
     w->length = target->length;
     w->loaded = false;
     w->required_tension = 0;
@@ -159,6 +159,13 @@ wcut_contact_state wcut_contact_find(wcut_cut *cut, const wcut_target *target) {
         slack = true;
     }
     memcpy(cut->kept, cut->next.pattern, sizeof *cut->kept * (size_t)cut->setup->job->nodes);
+
+    /* a bow's taut wire hangs on no pattern: it is loaded where it touches, straight or as it was */
+    if (cut->taut > 0) {
+        const bool touches =
+            wcut_cut_touches(cut, cut->hanging_shape) || (cut->next.loaded && wcut_cut_touches(cut, cut->was));
+        return touches ? WCUT_CONTACT_LOADED : WCUT_CONTACT_FREE;
+    }
 
     /* a wire that the foam has let go hangs by its weight, where it has one */
     if (!wcut_cut_touches(cut, cut->hanging_shape)) {

@@ -69,7 +69,8 @@ typedef enum wcut_contact_state {
 void wcut_cut_weigh(const wcut_cut *cut, wcut_vec3 *load);
 
 /* Hang the wire between the target's ends under `load` into cut->hanging_shape and cut->hanging_tension. A wire no
-   longer than its chord is straight, without tension. False where there is no such shape. */
+   longer than its chord is straight, without tension; a bow's taut one with its own (cut->taut). False where there is no
+   such shape. */
 bool wcut_cut_hang(wcut_cut *cut, const wcut_target *target, const wcut_vec3 *load);
 
 /* sum of the loads' sizes over the free nodes [N] */

@@ -86,7 +86,7 @@ static bool begin_cut(wcut_cut *cut) {
     /* hang the wire between the mounts, and start from that shape */
     if (!wcut_cut_hang(cut, &target, w->pattern)) return false;
     memcpy(w->x, cut->hanging_shape, sizeof *w->x * (size_t)n);
-    for (int e = 0; e < n - 1 && setup->weight > 0; e++) w->s[e] = cut->hanging_tension[e];
+    for (int e = 0; e < n - 1 && (setup->weight > 0 || cut->taut > 0); e++) w->s[e] = cut->hanging_tension[e];
     w->length = setup->length[0];
     w->front_speed = setup->job->speed_max;
     w->loaded = wcut_cut_touches(cut, w->x);
@@ -230,7 +230,7 @@ wcut_status wcut_cut_drive(wcut_cut *cut, wcut_vec3 mount_a, wcut_vec3 mount_b, 
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "time-driven steps are for mounts and the implicit integrator");
     const double wire = setup->length[0];
     const double chord = vec3_distance(mount_a, mount_b);
-    if (chord > wire)
+    if (chord > wire && !setup->bow.on)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "the mounts are %.6g mm apart, the wire is %.6g mm long", chord,
                          wire);
     const wcut_target target = {.end_a = vec3_sub(mount_a, setup->shift),

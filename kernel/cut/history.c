@@ -128,8 +128,8 @@ wcut_status wcut_setup_run(const wcut_setup *setup, wcut_progress progress, void
     wcut_cut_destroy(cut);
 
     /* where it ends early in path mode: with a weight from the beginning */
-    const bool other =
-        !setup->foam.embedded && setup->options.integrator == WCUT_INTEGRATOR_IMPLICIT && !setup->options.weighted;
+    const bool other = !setup->foam.embedded && !setup->bow.on &&
+                       setup->options.integrator == WCUT_INTEGRATOR_IMPLICIT && !setup->options.weighted;
     if (other && status == WCUT_NOT_CONVERGED) status = run_heavy(setup, progress, context, &h);
 
     /* a design whose plan went no further */

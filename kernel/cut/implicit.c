@@ -160,6 +160,12 @@ static void carry(attempt *a) {
     for (int i = 1; i < n - 1; i++)
         cut->hanging_shape[i] = vec3_add(was[i], vec3_mix(way_a, way_b, (double)i / (n - 1)));
     memcpy(cut->hanging_tension, cut->next.s, sizeof *cut->hanging_tension * (size_t)(n - 1));
+    if (!a->step.frame) return;
+
+    /* a frame closed as it was */
+    const double closing = wcut_frame_closing(a->step.frame, was[0], was[n - 1]);
+    cut->hanging_shape[0] = wcut_frame_end(a->step.frame, closing, 0);
+    cut->hanging_shape[n - 1] = wcut_frame_end(a->step.frame, closing, 1);
 }
 
 /* the wire hung in its last load; a loose one is pulled by its weight only */
@@ -176,7 +182,7 @@ static bool hang(attempt *a) {
 static bool solve_attempt(attempt *a, bool by_tension, double speed, wcut_solution *solution) {
     wcut_cut *cut = a->cut;
     const double log_rate = log(speed / a->reach), depth = cut->setup->foam.block.depth;
-    const bool carry_first = cut->next.loaded && a->weight > 0;
+    const bool carry_first = cut->next.loaded && (a->weight > 0 || cut->taut > 0);
     bool solved = false;
     for (int turn = 0; turn < 2 && !solved; turn++) {
         if ((turn == 0) == carry_first) {
@@ -316,7 +322,7 @@ static void stand_still(wcut_cut *cut, const wcut_target *target, double *elapse
         w->force[i] = vec3(0, 0, 0);
         w->line[i] = w->speed[i] = 0;
     }
-    for (int e = 0; e < n - 1 && cut->setup->weight == 0; e++) w->s[e] = 0;
+    for (int e = 0; e < n - 1 && cut->setup->weight == 0; e++) w->s[e] = cut->taut;
     memcpy(w->engaged, cut->now.engaged, sizeof *w->engaged * (size_t)n);
     w->required_tension = 0;
     w->condition = WCUT_CONDITION_TIME;

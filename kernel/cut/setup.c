@@ -131,6 +131,12 @@ static wcut_status check_effects(const wcut_job *job, wcut_integrator integrator
     for (int e = 0; status == WCUT_OK && e < job->effect_count; e++) {
         const wcut_effect_info *info = wcut_effect_view(job->effect[e].kind);
         if (!acts_in_step(&job->effect[e])) continue;
+        if (job->rig.kind == WCUT_RIG_KIND_BOW &&
+            (job->effect[e].kind == WCUT_EFFECT_WIRE_ELONGATION || job->effect[e].kind == WCUT_EFFECT_MOUNT_COMPLIANCE))
+            return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                             "effects[%d]: found %s with the rig bow, expected none: frame and wire of a bow give by "
+                             "rig.stiffness_N_per_mm, rig.wire_stiffness_N and rig.expansion_per_K",
+                             e, info->name);
         if (integrator == WCUT_INTEGRATOR_HEUN)
             return wcut_fail(error, WCUT_BAD_ARGUMENT,
                              "effects[%d]: found %s with the integrator heun, expected implicit: heun is the paper's "
@@ -201,7 +207,7 @@ static wcut_status check_stations(const wcut_setup *setup, wcut_error *error) {
         const double chord = vec3_distance(a, b), length = setup->length[j];
 
         /* only where it begins may the wire be straight: under load a straight wire would need endless tension */
-        if (length < chord * (1 - 1e-9))
+        if (length < chord * (1 - 1e-9) && !setup->bow.on)
             return wcut_fail(
                 error, WCUT_DEGENERATE,
                 "station %d: the wire (%.6g mm) is shorter than the distance of its ends (%.6g mm) by %.3g mm%s", j,
@@ -261,8 +267,9 @@ static double slack_of(const wcut_setup *setup, int j) {
 static void find_phases(wcut_setup *setup) {
     const int m = setup->stations;
     double fastest = 0;
-    for (int j = 1; j < m; j++) fastest = fmax(fastest, fabs(slack_of(setup, j) - slack_of(setup, j - 1)));
-    const double even = fastest / 50;
+    for (int j = 1; j < m && !setup->bow.on; j++)
+        fastest = fmax(fastest, fabs(slack_of(setup, j) - slack_of(setup, j - 1)));
+    const double even = setup->bow.on ? 1 : fastest / 50; /* the ends of a bow stay where they are to each other */
     int j = 1;
     while (j < m && fabs(slack_of(setup, j) - slack_of(setup, j - 1)) <= even) j++;
     while (j < m && slack_of(setup, j) - slack_of(setup, j - 1) > even) j++;
@@ -370,6 +377,8 @@ static wcut_status fill_setup(wcut_setup *setup, wcut_error *error) {
     wcut_status status = WCUT_OK;
     setup->foam.law = job->force_law;
     setup->foam.block = (wcut_block){.size = job->block_size, .depth = job->wire_diameter};
+    if (job->rig.kind == WCUT_RIG_KIND_BOW) status = wcut_bow_create(job, &setup->bow, error);
+    if (status != WCUT_OK) return status;
 
     /* where the wire's ends are at every station */
     if (job->mode == WCUT_MODE_DESIGN && !setup->foam.embedded)
@@ -379,7 +388,7 @@ static wcut_status fill_setup(wcut_setup *setup, wcut_error *error) {
     else if (setup->foam.embedded)
         status = wcut_design_ends(job, setup->end_a, setup->end_b, setup->length, error);
     else
-        take_mounts(setup, job->mount_a, job->mount_b, job->wire_length);
+        take_mounts(setup, job->mount_a, job->mount_b, setup->bow.on ? setup->bow.natural : job->wire_length);
 
     /* whether a wire can go there, and meets the block */
     if (status == WCUT_OK && setup->foam.embedded)
@@ -409,6 +418,12 @@ double wcut_wire_weight(const wcut_job *job) {
     return 1e-9 * job->wire_density * GRAVITY * section;
 }
 
+/* [N] what the forces of a bow are measured by: its pretension, or what the block's width of foam resists with at most */
+static double bow_scale(const wcut_job *job) {
+    if (job->rig.pretension > 0) return job->rig.pretension;
+    return job->tension > 0 ? job->tension : job->force_law.a * job->block_size.x;
+}
+
 /* a setup of a job that is checked; embedded: of a design's plan */
 static wcut_status create_setup(const wcut_job *job, const wcut_cut_options *options, bool embedded, wcut_setup **out,
                                 wcut_error *error) {
@@ -419,6 +434,7 @@ static wcut_status create_setup(const wcut_job *job, const wcut_cut_options *opt
     setup->foam.embedded = embedded;
     setup->weight = embedded ? 0 : wcut_wire_weight(job);
     setup->job = wcut_job_copy(job);
+    if (setup->job && job->rig.kind == WCUT_RIG_KIND_BOW) setup->job->tension = bow_scale(job);
     if (setup->job && pick_effects(setup))
         status = fill_setup(setup, error);
     else
@@ -487,9 +503,15 @@ wcut_status wcut_setup_create(const wcut_job *job, const wcut_cut_options *optio
     if (status == WCUT_OK && job->feed.kind != WCUT_FEED_KIND_NONE && o.integrator == WCUT_INTEGRATOR_HEUN)
         status = wcut_fail(error, WCUT_BAD_ARGUMENT,
                            "feed: found one with the integrator heun, expected implicit: heun solves for the speed");
-    if (status == WCUT_OK && job->rig.kind != WCUT_RIG_KIND_TWO_ARMS)
+    if (status == WCUT_OK && job->rig.kind == WCUT_RIG_KIND_BLADE)
+        status = wcut_fail(error, WCUT_BAD_ARGUMENT, "rig.kind: found %s, expected two_arms or bow",
+                           wcut_rig_name(job->rig.kind));
+    if (status == WCUT_OK && job->wire_density > 0 && job->rig.kind == WCUT_RIG_KIND_BOW)
         status =
-            wcut_fail(error, WCUT_BAD_ARGUMENT, "rig.kind: found %s, expected two_arms", wcut_rig_name(job->rig.kind));
+            wcut_fail(error, WCUT_BAD_ARGUMENT,
+                      "wire.density_kg_per_m3: found %g with the rig bow, expected none: a taut wire hangs by less "
+                      "than 0.1 mm, its weight is left out",
+                      job->wire_density);
     return status == WCUT_OK ? create_setup(job, &o, false, out, error) : status;
 }
 

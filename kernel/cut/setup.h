@@ -5,6 +5,7 @@
 #include <wirecut/cut.h>
 #include <wirecut/history.h>
 
+#include "cut/bow.h"
 #include "foam/resistance.h"
 
 struct wcut_setup {
@@ -20,6 +21,7 @@ struct wcut_setup {
     wcut_vec3 shift;           /* [mm] of the block: mounts are that far back in its frame */
     double longer;             /* [mm] the wire is than its job states */
     double *length;            /* stations [mm] of the simulated wire */
+    wcut_bow bow;              /* not `on`: the job has none */
     wcut_vec3 feed;            /* [1] direction in which the cut begins */
     int entry_end;             /* the last station at which the wire still gains slack at the beginning of the cut */
     int exit_begin;            /* the first station from which it loses slack to the end */

@@ -25,9 +25,9 @@ void wcut_solver_destroy(wcut_solver *o) {
 }
 
 /* Merit of the line search: squares of forces over k, lengths over an edge, the condition over k. */
-static double merit_of(const wcut_system *y, const wcut_step *step, bool by_tension) {
-    const double force = 1 / step->tension, length = 1 / step->edge;
-    double sum = by_tension ? y->condition * y->condition * force * force : 0;
+static double merit_of(const wcut_system *y, const wcut_step *step, bool bordered) {
+    const double force = 1 / step->tension, length = 1 / step->edge, unit = step->frame ? length : force;
+    double sum = bordered ? y->condition * y->condition * unit * unit : 0;
     for (int k = 0; k < y->size; k++) {
         const double r = y->residual[k] * (k % 4 == 0 ? length : force);
         sum += r * r;
@@ -35,13 +35,13 @@ static double merit_of(const wcut_system *y, const wcut_step *step, bool by_tens
     return sum;
 }
 
-static double worst_misfit(wcut_misfit m, bool by_tension) {
+static double worst_misfit(wcut_misfit m, bool bordered) {
     const double worst = fmax(m.balance, m.strain);
-    return by_tension ? fmax(worst, m.condition) : worst;
+    return bordered ? fmax(worst, m.condition) : worst;
 }
 
-/* Newton direction in unknowns and ln r; false where the matrix is singular */
-static bool find_direction(wcut_solver *o, bool by_tension, double *log_rate_step) {
+/* Newton direction in unknowns and what borders them, ln r or a bow's closing; false where the matrix is singular */
+static bool find_direction(wcut_solver *o, bool bordered, double *log_rate_step) {
     wcut_system *y = &o->system;
 
     /* solve J dx = -r for a fixed rate */
@@ -50,7 +50,7 @@ static bool find_direction(wcut_solver *o, bool by_tension, double *log_rate_ste
     if (!wcut_banded_factor(&y->jacobian)) return false;
     for (int k = 0; k < y->size; k++) o->step_by_residual[k] = -y->residual[k];
     wcut_banded_solve(&y->jacobian, o->step_by_residual);
-    if (!by_tension) return all_finite(y->size, o->step_by_residual);
+    if (!bordered) return all_finite(y->size, o->step_by_residual);
 
     /* solve for the border: how the unknowns follow ln r */
     memcpy(o->step_by_rate, y->by_log_rate, bytes);
@@ -83,16 +83,22 @@ static void try_step(wcut_solver *o, double t, const wcut_vec3 *x, const double 
 
 /* Take the longest of halving steps that lowers the merit; false where none does. A rate is not let change by more than
    a factor of e at once: (2) is exponential. */
-static bool backtrack(wcut_solver *o, const wcut_step *step, bool by_tension, double merit, double log_rate_step,
+static bool backtrack(wcut_solver *o, const wcut_step *step, bool bordered, double merit, double log_rate_step,
                       wcut_vec3 *x, double *s, double *log_rate) {
     const int n = o->system.n;
-    const double longest = fabs(log_rate_step) > 1 ? 1 / fabs(log_rate_step) : 1;
+    const wcut_frame *frame = step->frame;
+    const double closing = frame ? wcut_frame_closing(frame, x[0], x[n - 1]) : 0;
+    const double longest = !frame && fabs(log_rate_step) > 1 ? 1 / fabs(log_rate_step) : 1;
     for (double t = longest; t > 1e-4 * longest; t /= 2) {
-        const double trial_rate = *log_rate + t * log_rate_step;
+        const double trial_rate = *log_rate + (frame ? 0 : t * log_rate_step);
         try_step(o, t, x, s);
+        for (int end = 0; end < 2 && frame; end++)
+            o->trial_x[end == 0 ? 0 : n - 1] = wcut_frame_end(frame, closing + t * log_rate_step, end);
         wcut_system_place_ends(step, o->trial_s, trial_rate, o->trial_x);
+
+        /* as long a step as lowers the merit */
         wcut_system_eval(&o->system, step, o->trial_x, o->trial_s, trial_rate, false);
-        if (!(merit_of(&o->system, step, by_tension) < (1 - 0.1 * t) * merit)) continue;
+        if (!(merit_of(&o->system, step, bordered) < (1 - 0.1 * t) * merit)) continue;
         memcpy(x, o->trial_x, sizeof *x * (size_t)n);
         memcpy(s, o->trial_s, sizeof *s * (size_t)(n - 1));
         *log_rate = trial_rate;
@@ -111,18 +117,19 @@ static bool is_pulled(int n, const double *s, double tolerance, double tension) 
 void wcut_solver_run(wcut_solver *o, const wcut_step *step, bool by_tension, double tolerance, int max_iterations,
                      wcut_vec3 *x, double *s, wcut_solution *out) {
     wcut_system *y = &o->system;
+    const bool bordered = by_tension || step->frame;
     out->converged = false;
     wcut_system_place_ends(step, s, out->log_rate, x);
     for (out->iterations = 0;; out->iterations++) {
         wcut_system_eval(y, step, x, s, out->log_rate, true);
-        out->residual = worst_misfit(wcut_system_misfit(y, step), by_tension);
+        out->residual = worst_misfit(wcut_system_misfit(y, step), bordered);
         out->pull = y->pull;
         const bool met = out->residual <= tolerance;
         out->converged = met && is_pulled(y->n, s, 1e-6, step->tension);
         if (met || out->iterations >= max_iterations || !isfinite(out->residual)) return;
         double log_rate_step;
-        if (!find_direction(o, by_tension, &log_rate_step)) return;
-        const double merit = merit_of(y, step, by_tension);
-        if (!backtrack(o, step, by_tension, merit, log_rate_step, x, s, &out->log_rate)) return;
+        if (!find_direction(o, bordered, &log_rate_step)) return;
+        const double merit = merit_of(y, step, bordered);
+        if (!backtrack(o, step, bordered, merit, log_rate_step, x, s, &out->log_rate)) return;
     }
 }

@@ -24,7 +24,8 @@ bool wcut_solver_create(int n, wcut_solver *o);
 void wcut_solver_destroy(wcut_solver *o);
 
 /* Solve from the guess in x (n, ends fixed), s (n-1) and solution->log_rate; with `by_tension` the rate is an unknown
-   and (4) an equation, without it the rate is given. x and s hold the last iterate in every case. */
+   and (4) an equation, without it the rate is given; on a bow's frame the ends of x are a guess too. x and s hold the
+   last iterate in every case. */
 void wcut_solver_run(wcut_solver *o, const wcut_step *step, bool by_tension, double tolerance, int max_iterations,
                      wcut_vec3 *x, double *s, wcut_solution *out);
 

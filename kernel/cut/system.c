@@ -223,6 +223,50 @@ static void put_mounts(wcut_system *y, const wcut_step *step, const wcut_vec3 *x
     }
 }
 
+/* ---- ends on the frame of a bow ---- */
+
+typedef struct pulled_end { /* an end edge of the wire, as the frame feels it */
+    double length;          /* [mm] */
+    double along;           /* [mm] of the edge, out of the end's side towards B */
+    double less;            /* [1] an edge that gets longer by its tension turns less */
+} pulled_end;
+
+static pulled_end end_pull(const wcut_step *step, const wcut_vec3 *x, const double *s, int e) {
+    const double l = wcut_edge_length(step->compliance, step->edge, e, s[e]);
+    return (pulled_end){.length = l,
+                        .along = vec3_dot(vec3_sub(x[e + 1], x[e]), step->frame->along),
+                        .less = 1 - s[e] * wcut_edge_softness(step->compliance, e) / l};
+}
+
+static wcut_vec3 mat3_times(mat3 a, wcut_vec3 v) { return vec3(vec3_dot(a.x, v), vec3_dot(a.y, v), vec3_dot(a.z, v)); }
+
+/* (T - P) / k_b - u = 0 beside the equations of the wire, whose ends move by -+ u / 2 along the chord (cut/bow.h) */
+static void put_frame(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, const double *s, bool slopes) {
+    const wcut_frame *f = step->frame;
+    const int n = y->n, last = n - 2;
+    const pulled_end a = end_pull(step, x, s, 0), b = end_pull(step, x, s, last);
+    const double tension = (s[0] * a.along / a.length + s[last] * b.along / b.length) / 2;
+    y->chord_pull = tension;
+    y->condition = f->give * (tension - f->pretension) - wcut_frame_closing(f, x[0], x[n - 1]);
+    if (!slopes) return;
+
+    /* the row: by the tensions of both end edges and the nodes next to the ends, then by u itself */
+    const double turn_a = s[0] / a.length, turn_b = s[last] / b.length;
+    for (int k = 0; k < y->size; k++) y->by_log_rate[k] = y->border[k] = 0;
+    y->border[tension_at(0)] += f->give / 2 * a.along / a.length * a.less;
+    y->border[tension_at(last)] += f->give / 2 * b.along / b.length * b.less;
+    add_vector(y->border + node_at(1), vec3_scale(f->give / 2 * turn_a, f->along));
+    add_vector(y->border + node_at(n - 2), vec3_scale(-f->give / 2 * turn_b, f->along));
+    y->condition_by_log_rate = -f->give / 4 * (turn_a + turn_b) - 1;
+
+    /* the column: lengths of both end edges, equilibrium of the nodes next to the ends */
+    const wcut_vec3 in = vec3_scale(0.5, f->along), out = vec3_scale(-0.5, f->along);
+    y->by_log_rate[tension_at(0)] -= a.along / (2 * a.length);
+    y->by_log_rate[tension_at(last)] -= b.along / (2 * b.length);
+    add_vector(y->by_log_rate + node_at(1), mat3_times(mat3_add_identity(y->node[1].by_before, turn_a), in));
+    add_vector(y->by_log_rate + node_at(n - 2), mat3_times(mat3_add_identity(y->node[n - 2].by_after, turn_b), out));
+}
+
 void wcut_system_eval(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, const double *s, double log_rate,
                       bool slopes) {
     const double rate = exp(log_rate);
@@ -234,7 +278,8 @@ void wcut_system_eval(wcut_system *y, const wcut_step *step, const wcut_vec3 *x,
     }
     put_lengths(y, step, x, s, slopes);
     put_equilibrium(y, step, x, s, rate, slopes);
-    put_condition(y, step, x, slopes);
+    put_condition(y, step, x, slopes && !step->frame);
+    if (step->frame) put_frame(y, step, x, s, slopes);
     if (slopes && mounts_give(step)) put_mounts(y, step, x, s, rate);
 }
 
@@ -242,8 +287,9 @@ wcut_misfit wcut_system_misfit(const wcut_system *y, const wcut_step *step) {
     /* a load far below the target tension is held to what rounding of the target allows; where a dead load shapes the
        wire, that is the measure, however much more the foam pulls already */
     double scale = fmax(y->load, 1e-6 * step->tension);
+    if (step->frame) scale = fmax(scale, 1e-3 * y->chord_pull); /* a bow is taut without a load */
     if (step->dead_load) scale = fmin(scale, 1e-4 * step->tension);
-    wcut_misfit m = {.condition = fabs(y->condition) / step->tension};
+    wcut_misfit m = {.condition = fabs(y->condition) / (step->frame ? step->edge : step->tension)};
     for (int e = 0; e < y->n - 1; e++) m.strain = fmax(m.strain, fabs(y->residual[tension_at(e)]) / step->edge);
     for (int i = 1; i < y->n - 1; i++)
         for (int c = 0; c < 3; c++) m.balance = fmax(m.balance, fabs(y->residual[node_at(i) + c]) / scale);

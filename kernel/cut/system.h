@@ -4,6 +4,7 @@
 #define WCUT_CUT_SYSTEM_H
 
 #include "base/banded.h"
+#include "cut/bow.h"
 #include "cut/compliance.h"
 #include "foam/resistance.h"
 
@@ -19,6 +20,7 @@ typedef struct wcut_step {
     bool heavy;                        /* the dead load is a weight: it counts in (4) */
     double drag;                       /* [N s/mm] of the air on a free node; 0: none */
     const wcut_compliance *compliance; /* NULL: the wire keeps its length and its ends stay where they are put */
+    const wcut_frame *frame; /* a bow, at a given rate: its closing u and equation take the place of ln r and (4) */
 } wcut_step;
 
 /* Unknowns in the order S_0, X_1, S_1, X_2, .., X_{n-2}, S_{n-2} (S edge tensions [N]); the equations in the same
@@ -28,12 +30,13 @@ typedef struct wcut_system {
     int n, size; /* nodes; 4 n - 7 */
     wcut_banded jacobian;
     double *residual;    /* size: [N] and [mm] */
-    double *by_log_rate; /* size: d residual / d ln r */
+    double *by_log_rate; /* size: d residual / d ln r; of a bow d u */
     double *border;      /* size: d condition / d unknown */
-    double condition;    /* [N] |sum f| - k |t_0 + t_{n-1}| */
+    double condition;    /* [N] |sum f| - k |t_0 + t_{n-1}|; of a bow [mm] (T - P) / k_b - u */
     double condition_by_log_rate;
     double load;           /* [N] sum |f_i| */
     double pull;           /* [N] |sum f| / |t_0 + t_{n-1}|: the tension that the foam's force asks for */
+    double chord_pull;     /* [N] T of a bow: pull of both end edges along the chord */
     wcut_resistance *node; /* n: the foam's force on each node, as of the last evaluation */
 } wcut_system;
 
@@ -41,7 +44,7 @@ typedef struct wcut_system {
 typedef struct wcut_misfit {
     double balance;   /* [1] unbalanced force of a node over the load */
     double strain;    /* [1] */
-    double condition; /* [1] of (4), over k */
+    double condition; /* [1] of (4), over k; of a bow's closing, over an edge */
 } wcut_misfit;
 
 bool wcut_system_create(int n, wcut_system *y);
