@@ -39,11 +39,11 @@ static double fit_bow(wcut_cut *cut, const wcut_target *target, wcut_vec3 *end_a
     }
 
     /* straight under its own tension, or slack between the ends of a frame that nothing pulls */
-    cut->frame = wcut_frame_at(bow, target->end_a, target->end_b);
+    cut->frame = wcut_bow_frame_at(bow, target->end_a, target->end_b);
     cut->taut = wcut_bow_tension(bow, rest);
     const double closing = bow->give * (cut->taut - bow->pretension);
-    *end_a = wcut_frame_end(&cut->frame, closing, 0);
-    *end_b = wcut_frame_end(&cut->frame, closing, 1);
+    *end_a = wcut_bow_frame_end(&cut->frame, closing, 0);
+    *end_b = wcut_bow_frame_end(&cut->frame, closing, 1);
     for (int e = 0; e < n - 1; e++) cut->edge[e] = cut->rest[e] * (1 + bow->softness * cut->taut);
     return rest * (1 + bow->softness * cut->taut);
 }

@@ -87,18 +87,18 @@ double wcut_bow_tension(const wcut_bow *bow, double rest) {
     return soft > 0 ? fmax(missing / soft, 0) : 0;
 }
 
-wcut_frame wcut_frame_at(const wcut_bow *bow, wcut_vec3 a, wcut_vec3 b) {
-    return (wcut_frame){.middle = vec3_mix(a, b, 0.5),
-                        .along = vec3_unit(vec3_sub(b, a)),
-                        .distance = bow->distance,
-                        .pretension = bow->pretension,
-                        .give = bow->give};
+wcut_bow_frame wcut_bow_frame_at(const wcut_bow *bow, wcut_vec3 a, wcut_vec3 b) {
+    return (wcut_bow_frame){.middle = vec3_mix(a, b, 0.5),
+                            .along = vec3_unit(vec3_sub(b, a)),
+                            .distance = bow->distance,
+                            .pretension = bow->pretension,
+                            .give = bow->give};
 }
 
-wcut_vec3 wcut_frame_end(const wcut_frame *frame, double closing, int end) {
+wcut_vec3 wcut_bow_frame_end(const wcut_bow_frame *frame, double closing, int end) {
     return vec3_add_scaled(frame->middle, (end == 0 ? -0.5 : 0.5) * (frame->distance - closing), frame->along);
 }
 
-double wcut_frame_closing(const wcut_frame *frame, wcut_vec3 a, wcut_vec3 b) {
+double wcut_bow_frame_closing(const wcut_bow_frame *frame, wcut_vec3 a, wcut_vec3 b) {
     return frame->distance - vec3_dot(vec3_sub(b, a), frame->along);
 }

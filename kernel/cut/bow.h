@@ -24,10 +24,10 @@ typedef struct wcut_bow {
 } wcut_bow;
 
 /* of a step: where the frame is */
-typedef struct wcut_frame {
+typedef struct wcut_bow_frame {
     wcut_vec3 middle, along; /* [mm] between its ends; [1] from A to B */
     double distance, pretension, give;
-} wcut_frame;
+} wcut_bow_frame;
 
 /* The bow of a checked job from its mounts; WCUT_DEGENERATE where their distance changes, where the frame is too soft for
    the pretension, or where nothing can give and the wire is too short. */
@@ -40,10 +40,10 @@ void wcut_bow_warm(const wcut_bow *bow, const wcut_job *job, double heat, double
 double wcut_bow_tension(const wcut_bow *bow, double rest);
 
 /* the frame with its ends led to a and b */
-wcut_frame wcut_frame_at(const wcut_bow *bow, wcut_vec3 a, wcut_vec3 b);
+wcut_bow_frame wcut_bow_frame_at(const wcut_bow *bow, wcut_vec3 a, wcut_vec3 b);
 
 /* [mm] an end, 0 at A and 1 at B, of a frame that is closed by u; and the closing of a frame with its ends at a and b */
-wcut_vec3 wcut_frame_end(const wcut_frame *frame, double closing, int end);
-double wcut_frame_closing(const wcut_frame *frame, wcut_vec3 a, wcut_vec3 b);
+wcut_vec3 wcut_bow_frame_end(const wcut_bow_frame *frame, double closing, int end);
+double wcut_bow_frame_closing(const wcut_bow_frame *frame, wcut_vec3 a, wcut_vec3 b);
 
 #endif

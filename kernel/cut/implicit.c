@@ -163,9 +163,9 @@ static void carry(attempt *a) {
     if (!a->step.frame) return;
 
     /* a frame closed as it was */
-    const double closing = wcut_frame_closing(a->step.frame, was[0], was[n - 1]);
-    cut->hanging_shape[0] = wcut_frame_end(a->step.frame, closing, 0);
-    cut->hanging_shape[n - 1] = wcut_frame_end(a->step.frame, closing, 1);
+    const double closing = wcut_bow_frame_closing(a->step.frame, was[0], was[n - 1]);
+    cut->hanging_shape[0] = wcut_bow_frame_end(a->step.frame, closing, 0);
+    cut->hanging_shape[n - 1] = wcut_bow_frame_end(a->step.frame, closing, 1);
 }
 
 /* the wire hung in its last load; a loose one is pulled by its weight only */

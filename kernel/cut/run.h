@@ -61,9 +61,9 @@ struct wcut_cut {
     double *edge;             /* n-1 [mm] lengths of the edges of the hung wire */
     double *rest;             /* n-1 [mm] the same without tension: other than edge where the wire stretches */
     wcut_solver solver;
-    wcut_frame frame; /* of a bow at the target of the sub-step being tried, after wcut_cut_fit */
-    double taut;      /* [N] tension of a bow's straight wire there, 0: it is slack, or no bow */
-    double part;      /* [1] where on the way from station to station the sub-step being tried ends */
+    wcut_bow_frame frame; /* of a bow at the target of the sub-step being tried, after wcut_cut_fit */
+    double taut;          /* [N] tension of a bow's straight wire there, 0: it is slack, or no bow */
+    double part;          /* [1] where on the way from station to station the sub-step being tried ends */
     struct wcut_sensitivity *sensitivity; /* follows the run where it is asked for; NULL: nobody asks */
 };
 

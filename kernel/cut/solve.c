@@ -86,14 +86,14 @@ static void try_step(wcut_solver *o, double t, const wcut_vec3 *x, const double 
 static bool backtrack(wcut_solver *o, const wcut_step *step, bool bordered, double merit, double log_rate_step,
                       wcut_vec3 *x, double *s, double *log_rate) {
     const int n = o->system.n;
-    const wcut_frame *frame = step->frame;
-    const double closing = frame ? wcut_frame_closing(frame, x[0], x[n - 1]) : 0;
+    const wcut_bow_frame *frame = step->frame;
+    const double closing = frame ? wcut_bow_frame_closing(frame, x[0], x[n - 1]) : 0;
     const double longest = !frame && fabs(log_rate_step) > 1 ? 1 / fabs(log_rate_step) : 1;
     for (double t = longest; t > 1e-4 * longest; t /= 2) {
         const double trial_rate = *log_rate + (frame ? 0 : t * log_rate_step);
         try_step(o, t, x, s);
         for (int end = 0; end < 2 && frame; end++)
-            o->trial_x[end == 0 ? 0 : n - 1] = wcut_frame_end(frame, closing + t * log_rate_step, end);
+            o->trial_x[end == 0 ? 0 : n - 1] = wcut_bow_frame_end(frame, closing + t * log_rate_step, end);
         wcut_system_place_ends(step, o->trial_s, trial_rate, o->trial_x);
 
         /* as long a step as lowers the merit */

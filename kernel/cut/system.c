@@ -242,12 +242,12 @@ static wcut_vec3 mat3_times(mat3 a, wcut_vec3 v) { return vec3(vec3_dot(a.x, v),
 
 /* (T - P) / k_b - u = 0 beside the equations of the wire, whose ends move by -+ u / 2 along the chord (cut/bow.h) */
 static void put_frame(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, const double *s, bool slopes) {
-    const wcut_frame *f = step->frame;
+    const wcut_bow_frame *f = step->frame;
     const int n = y->n, last = n - 2;
     const pulled_end a = end_pull(step, x, s, 0), b = end_pull(step, x, s, last);
     const double tension = (s[0] * a.along / a.length + s[last] * b.along / b.length) / 2;
     y->chord_pull = tension;
-    y->condition = f->give * (tension - f->pretension) - wcut_frame_closing(f, x[0], x[n - 1]);
+    y->condition = f->give * (tension - f->pretension) - wcut_bow_frame_closing(f, x[0], x[n - 1]);
     if (!slopes) return;
 
     /* the row: by the tensions of both end edges and the nodes next to the ends, then by u itself */

@@ -20,7 +20,7 @@ typedef struct wcut_step {
     bool heavy;                        /* the dead load is a weight: it counts in (4) */
     double drag;                       /* [N s/mm] of the air on a free node; 0: none */
     const wcut_compliance *compliance; /* NULL: the wire keeps its length and its ends stay where they are put */
-    const wcut_frame *frame; /* a bow, at a given rate: its closing u and equation take the place of ln r and (4) */
+    const wcut_bow_frame *frame; /* a bow, at a given rate: its closing u and equation take the place of ln r and (4) */
 } wcut_step;
 
 /* Unknowns in the order S_0, X_1, S_1, X_2, .., X_{n-2}, S_{n-2} (S edge tensions [N]); the equations in the same
