@@ -489,12 +489,16 @@ wcut_status wcut_setup_create(const wcut_job *job, const wcut_cut_options *optio
                               wcut_error *error) {
     const wcut_cut_options o = options ? *options : wcut_cut_options_default();
     if (!job || !out) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a job and a place for the setup are expected");
+
+    /* each part of the job by itself */
     wcut_status status = check_cut_options(&o, error);
     if (status == WCUT_OK) status = check_job_numbers(job, error);
     if (status == WCUT_OK) status = check_lists(job, error);
     if (status == WCUT_OK) status = job->mode == WCUT_MODE_PATH ? check_path(job, error) : check_design(job, error);
     if (status == WCUT_OK) status = wcut_rig_check(job, error);
     if (status == WCUT_OK) status = check_effects(job, o.integrator, error);
+
+    /* what does not go together */
     if (status == WCUT_OK && job->wire_density > 0 && o.integrator == WCUT_INTEGRATOR_HEUN)
         status = wcut_fail(error, WCUT_BAD_ARGUMENT,
                            "wire.density_kg_per_m3: found %g with the integrator heun, expected implicit: heun is the "
