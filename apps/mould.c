@@ -20,13 +20,17 @@ enum {
     LABEL_MAX = 40,
     FORMATS = 5,
     STEP = 4,
-    HALF_FILES = 2 * FORMATS,
-    PAIR = HALF_FILES,
+    PART_FILES = 3 * FORMATS, /* of lower, upper, frame */
+    PAIR = PART_FILES,
     CUT,
     NAMES
 };
 
+enum { KEYS_NONE, KEYS_POCKETS, KEYS_CONES, KEYS_LUGS };
+
 static const char *const format[FORMATS] = {"stl", "obj", "ply", "3mf", "step"};
+static const char *const part_name[3] = {"lower", "upper", "frame"};
+static const wcut_mould_part part_of[3] = {WCUT_MOULD_PART_LOWER, WCUT_MOULD_PART_UPPER, WCUT_MOULD_PART_FRAME};
 
 typedef struct moulding {
     const app_call *call;
@@ -39,9 +43,9 @@ typedef struct moulding {
     wcut_mesh *stock;
     wcut_vec3 pull;
     wcut_mould *mould;
-    char name[NAMES][RESULT_NAME_SIZE]; /* lower.stl .. lower.step, upper.stl .., mould.3mf, cut.igs,
+    char name[NAMES][RESULT_NAME_SIZE]; /* lower.stl .. lower.step, upper.stl .., frame.stl .., mould.3mf, cut.igs,
                                                       with the label */
-    char solid[2][512];                 /* what CAD programs show */
+    const char *title;                  /* what CAD programs show before the name of a part */
     const char *result[NAMES + 3];      /* all that a run may write, and the NULL that closes the list */
     app_results results;
 } moulding;
@@ -57,14 +61,11 @@ static int name_mould_files(moulding *m) {
                         "--label: expected 1 to %d letters, digits, dots, dashes or underscores, not a dot first",
                         LABEL_MAX);
 
-    /* the names of both halves in each format */
+    /* the names of both halves and the frame in each format */
     const char *before = label ? label : "", *dash = label ? "-" : "";
-    for (int upper = 0; upper < 2; upper++) {
-        const char *half = upper ? "upper" : "lower";
-        for (int f = 0; f < FORMATS; f++)
-            snprintf(m->name[upper * FORMATS + f], RESULT_NAME_SIZE, "%s%s%s.%s", before, dash, half, format[f]);
-        snprintf(m->solid[upper], sizeof m->solid[upper], "%.400s %s", label ? label : m->job->name, half);
-    }
+    for (int k = 0; k < PART_FILES; k++)
+        snprintf(m->name[k], RESULT_NAME_SIZE, "%s%s%s.%s", before, dash, part_name[k / FORMATS], format[k % FORMATS]);
+    m->title = label ? label : m->job->name;
 
     /* files of both halves together */
     snprintf(m->name[PAIR], RESULT_NAME_SIZE, "%s%smould.3mf", before, dash);
@@ -154,11 +155,21 @@ static int divide(moulding *m) {
     if (app_given(m->call, "minimum-draft")) o.draft_asked = app_real(m->call, "minimum-draft") * WCUT_RAD_PER_DEG;
     o.stock = m->stock;
 
+    /* what holds the halves over each other, and what is between them */
+    o.thickness = app_real(m->call, "thickness");
+    o.frame_wall = app_real(m->call, "frame");
+    o.frame_clearance = app_real(m->call, "frame-clearance");
+    if (keys == KEYS_LUGS) {
+        o.lug_radius = app_real(m->call, "key-radius");
+        o.lug_height = app_real(m->call, "key-height");
+        o.lug_clearance = app_real(m->call, "key-clearance");
+    }
+
     /* keys at the corners: pins stand out, sockets go in */
-    if (keys > 0) {
+    if (keys == KEYS_POCKETS || keys == KEYS_CONES) {
         const double height = app_real(m->call, "key-height");
         const wcut_status status = wcut_keys_at_corners(m->job->block_size, app_real(m->call, "key-radius"),
-                                                        keys == 1 ? -height : height, key);
+                                                        keys == KEYS_POCKETS ? -height : height, key);
         if (status != WCUT_OK)
             return app_fail(APP_USAGE,
                             "--key-height: a key of that radius is lower, because its flanks meet in a point");
@@ -173,11 +184,12 @@ static int divide(moulding *m) {
 
 /* ---- the files ---- */
 
-static wcut_status write_half(const moulding *m, int upper, int f, const char *path, wcut_error *error) {
-    const wcut_half *half = upper ? &m->mould->upper : &m->mould->lower;
-    const wcut_mesh *mesh = half->mesh;
-    const char *name = m->solid[upper];
-    const wcut_shape shape = {.name = name, .solid = half->brep};
+static const wcut_mesh *part_mesh(const moulding *m, int part) {
+    return part == 2 ? m->mould->frame : part ? m->mould->upper.mesh : m->mould->lower.mesh;
+}
+
+static wcut_status write_part(const moulding *m, int part, int f, const char *path, wcut_error *error) {
+    const wcut_mesh *mesh = part_mesh(m, part);
     switch (f) {
         case 0:
             return wcut_mesh_write_stl(mesh, path, error);
@@ -186,26 +198,31 @@ static wcut_status write_half(const moulding *m, int upper, int f, const char *p
         case 2:
             return wcut_mesh_write_ply(mesh, NULL, path, error);
         case 3:
-            return wcut_mesh_write_3mf(1, &mesh, &name, path, error);
+            return wcut_mould_write_3mf(m->mould, m->title, part_of[part], app_choice(m->call, "layout"), path, error);
         default:
-            return wcut_step_write(1, &shape, (wcut_step_schema)app_choice(m->call, "step-schema"), path, error);
+            return wcut_mould_write_step(m->mould, m->title, part_of[part],
+                                         (wcut_step_schema)app_choice(m->call, "step-schema"), path, error);
     }
 }
 
+/* both halves and the frame, then all of them in one 3MF, with the casting where it is assembled */
 static int write_halves(moulding *m) {
     wcut_error error = {0};
-    for (int k = 0; k < HALF_FILES; k++) {
-        const int upper = k / FORMATS, f = k % FORMATS;
-        if (!app_wants_format(m->call, format[f])) continue;
-        if (f == STEP && m->mould->by_boolean) continue; /* triangles alone: there are no exact faces */
-        const wcut_status status = write_half(m, upper, f, app_results_path(&m->results, m->name[k]), &error);
+    for (int k = 0; k < PART_FILES; k++) {
+        const int part = k / FORMATS, f = k % FORMATS;
+        if (!app_wants_format(m->call, format[f]) || !part_mesh(m, part)) continue;
+        if (f == STEP && part < 2 && m->mould->by_boolean) continue; /* triangles alone: there are no exact faces */
+        const wcut_status status = write_part(m, part, f, app_results_path(&m->results, m->name[k]), &error);
         const int code = app_results_add(&m->results, m->name[k], status, &error);
         if (code != APP_DONE) return code;
     }
     if (!app_wants_format(m->call, "3mf")) return APP_DONE;
-    const wcut_mesh *const both[2] = {m->mould->lower.mesh, m->mould->upper.mesh};
-    const char *const name[2] = {m->solid[0], m->solid[1]};
-    const wcut_status status = wcut_mesh_write_3mf(2, both, name, app_results_path(&m->results, m->name[PAIR]), &error);
+    const int for_print = app_choice(m->call, "layout");
+    unsigned parts = WCUT_MOULD_PART_LOWER | WCUT_MOULD_PART_UPPER;
+    if (m->mould->frame) parts |= WCUT_MOULD_PART_FRAME;
+    if (m->mould->thickness > 0 && !for_print) parts |= WCUT_MOULD_PART_CASTING;
+    const wcut_status status = wcut_mould_write_3mf(m->mould, m->title, parts, for_print,
+                                                    app_results_path(&m->results, m->name[PAIR]), &error);
     return app_results_add(&m->results, m->name[PAIR], status, &error);
 }
 
@@ -264,7 +281,11 @@ static void say_mould(const moulding *m) {
     const wcut_mould *d = m->mould;
     say_half("lower", &d->lower.report);
     say_half("upper", &d->upper.report);
-    app_say("volumes of halves and kerf make the block, relative error %.1e", d->volume_error);
+    if (d->thickness > 0)
+        app_say("casting between the halves: %.6g mm3, %.4g mm thick along the normals", d->kerf_volume, d->thickness);
+    if (d->frame) app_say("frame: %.6g mm3", d->frame_volume);
+    app_say("volumes of halves and %s make the block, relative error %.1e", d->thickness > 0 ? "casting" : "kerf",
+            d->volume_error);
 
     /* the smallest radius against the wire's */
     if (isfinite(d->radius_min))
@@ -291,24 +312,29 @@ static int give(const moulding *m) {
     if (!app_given(m->call, "quiet")) say_mould(m);
     if (app_given(m->call, "json")) fputs(m->results.text, stdout);
 
-    /* walls and drafts that were asked for are exit codes */
+    /* walls and drafts that were asked for are exit codes; each that falls short is named with its place */
+    int code = APP_DONE;
     const wcut_half_report *half[2] = {&m->mould->lower.report, &m->mould->upper.report};
     for (int k = 0; k < 2; k++) {
         const char *name = k ? "upper" : "lower";
         if (!half[k]->wall_held && !isfinite(half[k]->wall_min))
-            return app_fail(
+            code = app_fail(
                 APP_OUTSIDE,
                 "%s half: the wall is not known, because the half was made by booleans; expected at least %.4g mm",
                 name, m->mould->wall_asked);
-        if (!half[k]->wall_held)
-            return app_fail(APP_OUTSIDE, "%s half: found a wall of %.4g mm, expected at least %.4g mm", name,
-                            half[k]->wall_min, m->mould->wall_asked);
+        else if (!half[k]->wall_held)
+            code = app_fail(APP_OUTSIDE,
+                            "%s half: found a wall of %.4g mm at (%.4g, %.4g, %.4g) mm, expected at least %.4g mm",
+                            name, half[k]->wall_min, half[k]->wall_place.x, half[k]->wall_place.y,
+                            half[k]->wall_place.z, m->mould->wall_asked);
         if (!half[k]->draft_held)
-            return app_fail(APP_OUTSIDE, "%s half: found a draft of %.4g deg, expected at least %.4g deg", name,
-                            WCUT_DEG_PER_RAD * half[k]->draft_min, WCUT_DEG_PER_RAD * m->mould->draft_asked);
+            code = app_fail(APP_OUTSIDE,
+                            "%s half: found a draft of %.4g deg at (%.4g, %.4g, %.4g) mm, expected at least %.4g deg",
+                            name, WCUT_DEG_PER_RAD * half[k]->draft_min, half[k]->draft_place.x, half[k]->draft_place.y,
+                            half[k]->draft_place.z, WCUT_DEG_PER_RAD * m->mould->draft_asked);
     }
 
-    return APP_DONE;
+    return code;
 }
 
 static int mould(const app_call *call) {
@@ -359,6 +385,10 @@ static const char *mould_pull_text(void) {
     return text;
 }
 static double mould_fit_tolerance(void) { return wcut_mould_default().fit_tolerance; }
+static double mould_key_clearance(void) { return wcut_mould_default().lug_clearance; }
+static double mould_thickness(void) { return wcut_mould_default().thickness; }
+static double mould_frame(void) { return wcut_mould_default().frame_wall; }
+static double mould_frame_clearance(void) { return wcut_mould_default().frame_clearance; }
 static double mould_scale(void) { return wcut_mould_default().scale; }
 static double mould_minimum_wall(void) { return wcut_mould_default().wall_asked; }
 
@@ -398,23 +428,60 @@ static const app_option option[] = {
      .help = "unit of that mesh (glTF is in metres)"},
     {.kind = APP_CHOICE,
      .name = "keys",
-     .value = "none|pockets|cones",
+     .value = "none|pockets|cones|lugs",
      .library = mould_keys,
-     .help = "registration keys on the uncut face of each half: three, near the corners"},
+     .help = "pockets or cones: three keys on the outer face of each half, near the corners, for a base plate; lugs: "
+             "three boxes beside each half, cones of the lower in pockets of the upper, register the halves to each "
+             "other"},
     {.kind = APP_REAL,
      .name = "key-radius",
      .value = "MM",
      .low = 0.1,
      .high = 1e4,
      .standard = "15",
-     .help = "radius of a key on its face, mm"},
+     .help = "radius of a key on its face, mm; a lug is three radii wide"},
     {.kind = APP_REAL,
      .name = "key-height",
      .value = "MM",
      .low = 0.1,
      .high = 1e4,
      .standard = "12",
-     .help = "height of a cone or depth of a pocket, mm; its flanks are inclined by 20 deg"},
+     .help = "height of a cone or depth of a pocket, mm; its flanks are inclined by 20 deg, of a long cone by less"},
+    {.kind = APP_REAL,
+     .name = "key-clearance",
+     .value = "MM",
+     .low = 0,
+     .high = 10,
+     .library = mould_key_clearance,
+     .help = "gap around the cones of lugs in their pockets, mm"},
+    {.kind = APP_REAL,
+     .name = "thickness",
+     .value = "MM",
+     .low = 0,
+     .high = 1e4,
+     .library = mould_thickness,
+     .help =
+         "thickness of the casting between the halves, along the normals of the cut, in place of the job's kerf, mm; "
+         "for printed or milled moulds"},
+    {.kind = APP_REAL,
+     .name = "frame",
+     .value = "MM",
+     .low = 0,
+     .high = 1e4,
+     .library = mould_frame,
+     .help = "wall of a frame around the block in which both halves lie, mm; 0: none; not with lugs"},
+    {.kind = APP_REAL,
+     .name = "frame-clearance",
+     .value = "MM",
+     .low = 0,
+     .high = 100,
+     .library = mould_frame_clearance,
+     .help = "gap between block and frame, mm"},
+    {.kind = APP_CHOICE,
+     .name = "layout",
+     .value = "assembled|print",
+     .standard = "assembled",
+     .help = "places in the 3MF files: as in the block, or on a printer's bed, every half on its outer face"},
     {.kind = APP_REAL,
      .name = "scale",
      .value = "FACTOR",
@@ -462,7 +529,8 @@ const app_verb app_verb_mould = {
     .about =
         "Simulates the cut of a job and divides its block along the surface, with the job's kerf. Writes into DIR the "
         "lower and the upper half, each as lower.stl, .obj, .ply, .3mf and .step (a closed solid of exact faces), "
-        "mould.3mf (both), report.html (both in 3-D, with their drafts) and mould.json: volumes, walls, drafts, and "
+        "mould.3mf (all parts), report.html (both in 3-D, with their drafts) and mould.json: volumes, walls, drafts, "
+        "and "
         "whether both are closed, oriented and free of self-intersections.\nThe wall is the least distance, in any "
         "direction, from the cut face to the opposite face, to pockets in it, and to a side of the block that the cut "
         "face is inclined towards by 45 deg or more. The least angle of the edges between cut face and sides is "

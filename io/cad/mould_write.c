@@ -70,12 +70,15 @@ static void put_mould_cut(wcut_text *text, const wcut_mould *m) {
     wcut_text_put_point(text, ", \"at_mm\": [", m->radius_place);
     wcut_text_put_number(text, ", \"wire\": ", m->wire_radius);
 
-    /* what was asked for, and how the halves were made */
+    /* what was asked for, what holds the halves, and how they were made */
     wcut_text_put_number(text, "},\n  \"asked\": {\"wall_mm\": ", m->wall_asked);
     wcut_text_put_number(text, ", \"draft_deg\": ", asked_degrees(m->draft_asked));
+    wcut_text_put_number(text, ", \"thickness_mm\": ", m->thickness);
     wcut_text_put_number(text, ", \"scale\": ", m->scale);
     wcut_text_put_point(text, ", \"pull\": [", m->pull);
-    wcut_text_print(text, "},\n  \"made_by\": \"%s\",\n  \"step\": ", m->by_boolean ? "booleans" : "index");
+    wcut_text_print(text, "},\n  \"lugs\": %d", m->lugs);
+    if (m->frame) wcut_text_put_number(text, ",\n  \"frame_volume_mm3\": ", m->frame_volume);
+    wcut_text_print(text, ",\n  \"made_by\": \"%s\",\n  \"step\": ", m->by_boolean ? "booleans" : "index");
     wcut_text_string(text, m->by_boolean ? "not written: made by booleans, the halves are triangles without exact faces"
                                          : "exact faces");
 }

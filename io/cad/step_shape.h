@@ -3,6 +3,7 @@
 #define WCUT_IO_CAD_STEP_SHAPE_H
 
 #include <wirecut/brep.h>
+#include <wirecut/exchange.h>
 
 #include "io/cad/part21.h"
 
@@ -17,7 +18,7 @@ bool wcut_step_has_border(const wcut_surface *surface);
    0: no memory */
 wcut_id wcut_step_shell(wcut_part21 *p, const char *name, const wcut_surface *surface, wcut_id plane_context);
 
-/* a manifold solid B-rep. 0: no memory */
-wcut_id wcut_step_solid(wcut_part21 *p, const char *name, const wcut_brep *solid, wcut_id plane_context);
+/* a manifold solid B-rep of a shape, with its colours in the context of space where it has them. 0: no memory */
+wcut_id wcut_step_solid(wcut_part21 *p, const wcut_shape *shape, wcut_id plane_context, wcut_id space_context);
 
 #endif

@@ -12,6 +12,7 @@
 typedef struct pieces {
     const wcut_brep *b;
     wcut_id plane_context;
+    bool named;                       /* faces have the names of their parts */
     wcut_id *vertex, *edge, *surface; /* of each vertex, edge and face */
     int *face;                        /* two of each edge, -1 where there is none: the spline faces it bounds */
 } pieces;
@@ -148,6 +149,13 @@ static wcut_id put_loop(wcut_part21 *p, const pieces *n, const wcut_brep_loop *l
     return loop;
 }
 
+/* what a face is, for who looks at it in a CAD program */
+static const char *part_word(wcut_brep_part part) {
+    static const char *const word[] = {"cut face",   "side x = 0", "side x = W", "side y = 0", "side y = L",
+                                       "outer face", "key flank",  "key end",    "lug",        "frame"};
+    return (unsigned)part < sizeof word / sizeof *word ? word[part] : "";
+}
+
 static wcut_id put_step_solid_face(wcut_part21 *p, const pieces *n, int face) {
     const wcut_brep_face *f = &n->b->face[face];
     const wcut_brep_loop *loop = n->b->loop + f->first_loop;
@@ -161,7 +169,7 @@ static wcut_id put_step_solid_face(wcut_part21 *p, const pieces *n, int face) {
         at -= loop[k].coedge_count + 1;
     }
     const wcut_id id = wcut_p21_begin(p);
-    wcut_text_print(p->text, "ADVANCED_FACE('',");
+    wcut_text_print(p->text, "ADVANCED_FACE('%s',", n->named ? part_word(f->part) : "");
     wcut_p21_references(p, first, f->loop_count, 1);
     wcut_text_print(p->text, ",#%ld,%s);\n", n->surface[face], !f->surface || f->same_sense ? ".T." : ".F.");
     return id;
@@ -181,14 +189,14 @@ static void put_pieces(wcut_part21 *p, pieces *n, wcut_id *face) {
     for (int k = 0; k < b->face_count; k++) face[k] = put_step_solid_face(p, n, k);
 }
 
-/* a shell of all faces; 0: no memory */
-static wcut_id put_shell(wcut_part21 *p, const wcut_brep *b, const char *kind, wcut_id plane_context) {
+/* A shell of all faces; 0: no memory. face: room for the faces' numbers, with names of their parts; NULL: neither. */
+static wcut_id put_shell(wcut_part21 *p, const wcut_brep *b, const char *kind, wcut_id plane_context, wcut_id *face) {
     const size_t vertices = (size_t)b->vertex_count, edges = (size_t)b->edge_count, faces = (size_t)b->face_count;
     wcut_id *id = wcut_alloc(vertices + edges + 2 * faces, sizeof *id);
-    int *face = wcut_alloc(2 * edges, sizeof *face);
+    int *beside = wcut_alloc(2 * edges, sizeof *beside);
     wcut_id shell = 0;
-    if (id && face) {
-        pieces n = {b, plane_context, id, id + vertices, id + vertices + edges, face};
+    if (id && beside) {
+        pieces n = {b, plane_context, face != NULL, id, id + vertices, id + vertices + edges, beside};
         wcut_id *written = id + vertices + edges + faces;
         put_pieces(p, &n, written);
         shell = wcut_p21_begin(p);
@@ -196,8 +204,9 @@ static wcut_id put_shell(wcut_part21 *p, const wcut_brep *b, const char *kind, w
         for (size_t k = 0; k < faces; k++)
             wcut_text_print(p->text, "%s#%ld", k == 0 ? "(" : k % 8 ? "," : ",\n", written[k]);
         wcut_text_print(p->text, "));\n");
+        if (face) memcpy(face, written, faces * sizeof *face);
     }
-    free(face);
+    free(beside);
     free(id);
     return shell;
 }
@@ -211,9 +220,58 @@ static wcut_id put_named(wcut_part21 *p, const char *kind, const char *name, boo
     return id;
 }
 
-wcut_id wcut_step_solid(wcut_part21 *p, const char *name, const wcut_brep *solid, wcut_id plane_context) {
-    const wcut_id shell = put_shell(p, solid, "CLOSED_SHELL", plane_context);
-    return shell ? put_named(p, "MANIFOLD_SOLID_BREP", name, false, shell) : 0;
+/* ---- colours ---- */
+
+/* a style of presentation: both sides filled with a colour */
+static wcut_id put_step_colour(wcut_part21 *p, unsigned rgb) {
+    const wcut_id colour = wcut_p21_begin(p);
+    wcut_text_print(p->text, "COLOUR_RGB('',");
+    for (int k = 16; k >= 0; k -= 8) {
+        wcut_p21_real(p, (rgb >> k & 0xff) / 255.0);
+        wcut_text_print(p->text, k ? "," : ");\n");
+    }
+    const wcut_id fill = wcut_p21_put(p, "FILL_AREA_STYLE_COLOUR('',#%ld)", colour);
+    const wcut_id area = wcut_p21_put(p, "FILL_AREA_STYLE('',(#%ld))", fill);
+    const wcut_id surface = wcut_p21_put(p, "SURFACE_STYLE_FILL_AREA(#%ld)", area);
+    const wcut_id side = wcut_p21_put(p, "SURFACE_SIDE_STYLE('',(#%ld))", surface);
+    const wcut_id usage = wcut_p21_put(p, "SURFACE_STYLE_USAGE(.BOTH.,#%ld)", side);
+    return wcut_p21_put(p, "PRESENTATION_STYLE_ASSIGNMENT((#%ld))", usage);
+}
+
+static bool is_key(wcut_brep_part part) {
+    return part == WCUT_BREP_PART_KEY_FLANK || part == WCUT_BREP_PART_KEY_TIP || part == WCUT_BREP_PART_LUG;
+}
+
+/* the solid in its colour, each face in that of its part */
+static void put_styles(wcut_part21 *p, const wcut_shape *shape, wcut_id solid, const wcut_id *face, wcut_id space) {
+    const wcut_id body = put_step_colour(p, shape->colour), cut = put_step_colour(p, shape->cut_colour);
+    const wcut_id key = put_step_colour(p, shape->key_colour);
+    const wcut_id first = wcut_p21_put(p, "STYLED_ITEM('',(#%ld),#%ld)", body, solid);
+    for (int k = 0; k < shape->solid->face_count; k++) {
+        const wcut_brep_part part = shape->solid->face[k].part;
+        wcut_p21_put(p, "STYLED_ITEM('',(#%ld),#%ld)",
+                     part == WCUT_BREP_PART_CUT ? cut
+                     : is_key(part)             ? key
+                                                : body,
+                     face[k]);
+    }
+    wcut_p21_begin(p);
+    wcut_text_print(p->text, "MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION('',");
+    wcut_p21_references(p, first, shape->solid->face_count + 1, 1);
+    wcut_text_print(p->text, ",#%ld);\n", space);
+}
+
+wcut_id wcut_step_solid(wcut_part21 *p, const wcut_shape *shape, wcut_id plane_context, wcut_id space_context) {
+    wcut_id *face = NULL, solid = 0;
+    if (shape->coloured) {
+        face = wcut_alloc((size_t)shape->solid->face_count, sizeof *face);
+        if (!face) return 0;
+    }
+    const wcut_id shell = put_shell(p, shape->solid, "CLOSED_SHELL", plane_context, face);
+    if (shell) solid = put_named(p, "MANIFOLD_SOLID_BREP", shape->name, false, shell);
+    if (solid && face) put_styles(p, shape, solid, face, space_context);
+    free(face);
+    return solid;
 }
 
 /* ---- a surface by itself: a face with its border ---- */
@@ -267,7 +325,7 @@ wcut_id wcut_step_shell(wcut_part21 *p, const char *name, const wcut_surface *s,
 
         /* four vertices, four edges, one loop, one face */
         const wcut_brep sheet = {4, 4, 4, 1, 1, vertex, edge, coedge, &loop, &face};
-        const wcut_id shell = put_shell(p, &sheet, "OPEN_SHELL", plane_context);
+        const wcut_id shell = put_shell(p, &sheet, "OPEN_SHELL", plane_context, NULL);
         if (shell) id = put_named(p, "SHELL_BASED_SURFACE_MODEL", name, true, shell);
     }
 

@@ -67,7 +67,7 @@ static shared put_shared(wcut_part21 *p, wcut_step_schema schema) {
 static wcut_id put_geometry(wcut_part21 *p, const wcut_shape *shape, const shared *s, const char **kind) {
     if (shape->solid) {
         *kind = "ADVANCED_BREP_SHAPE_REPRESENTATION";
-        return wcut_step_solid(p, shape->name, shape->solid, s->plane);
+        return wcut_step_solid(p, shape, s->plane, s->space);
     }
     if (shape->curve) {
         *kind = "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION";

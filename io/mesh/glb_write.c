@@ -31,7 +31,7 @@ typedef struct layout {
     view view[4];
     int views;
     size_t bytes;   /* of the buffer */
-    wcut_vec3 from; /* [mm] positions are relative to it: single precision keeps what a far part has of digits */
+    wcut_vec3 from; /* [mm] positions are relative to it: the middle: an error of at most 2^-24 of the half size */
     float low[3], high[3];
 } layout;
 
@@ -69,10 +69,8 @@ static layout lay_out_views(const wcut_mesh *mesh) {
         high = (wcut_vec3){fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z)};
     }
 
-    /* a part that is farther away than it is large begins at its own middle */
-    const wcut_vec3 middle = {low.x / 2 + high.x / 2, low.y / 2 + high.y / 2, low.z / 2 + high.z / 2};
-    const double size = fmax(high.x - low.x, fmax(high.y - low.y, high.z - low.z));
-    if (fmax(fabs(middle.x), fmax(fabs(middle.y), fabs(middle.z))) > 10 * size) l.from = middle;
+    /* positions begin at the part's own middle, in whole mm: the node's matrix leads there, in double precision */
+    l.from = (wcut_vec3){round(low.x / 2 + high.x / 2), round(low.y / 2 + high.y / 2), round(low.z / 2 + high.z / 2)};
 
     /* the box again in single precision, as a reader will see it */
     for (size_t i = 0; i < n; i++) {

@@ -1,4 +1,6 @@
 /* Meshes to a 3MF package (3MF core specification 1.3): named objects in millimetres, exact numbers. */
+#include <limits.h>
+#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -74,11 +76,28 @@ static void put_vertex(wcut_text *text, wcut_vec3 v) {
     text->count += used + 3;
 }
 
-static void put_object(sink *s, const wcut_mesh *mesh, const char *name, int id) {
+static void put_material(wcut_text *text, const char *name, unsigned colour) {
+    wcut_text_print(text, "<base name=\"");
+    put_three_mf_escaped(text, name);
+    wcut_text_print(text, "\" displaycolor=\"#%06X\"/>\n", colour & 0xffffff);
+}
+
+/* the group of an object's materials, numbered behind all objects */
+static void put_materials(sink *s, const wcut_mesh_object *o, int id) {
+    wcut_text_print(&s->text, "<basematerials id=\"%d\">\n", id);
+    put_material(&s->text, o->material, o->colour);
+    if (o->mark) put_material(&s->text, o->marked_material, o->marked_colour);
+    wcut_text_print(&s->text, "</basematerials>\n");
+}
+
+static void put_object(sink *s, const wcut_mesh_object *o, int id, int materials) {
+    const wcut_mesh *mesh = o->mesh;
     wcut_text_print(&s->text, "<object id=\"%d\" type=\"%s\" name=\"", id,
                     is_three_mf_closed(mesh) ? "model" : "surface");
-    put_three_mf_escaped(&s->text, name);
-    wcut_text_print(&s->text, "\"><mesh><vertices>\n");
+    put_three_mf_escaped(&s->text, o->name);
+    wcut_text_print(&s->text, "\"");
+    if (o->material) wcut_text_print(&s->text, " pid=\"%d\" pindex=\"0\"", materials);
+    wcut_text_print(&s->text, "><mesh><vertices>\n");
     for (int i = 0; i < mesh->vertex_count; i++) {
         put_vertex(&s->text, mesh->vertex[i]);
         if (s->text.count > DRAIN) drain(s);
@@ -86,22 +105,42 @@ static void put_object(sink *s, const wcut_mesh *mesh, const char *name, int id)
     wcut_text_print(&s->text, "</vertices><triangles>\n");
     for (size_t t = 0; t < (size_t)mesh->triangle_count; t++) {
         const int *v = mesh->triangle + 3 * t;
-        wcut_text_print(&s->text, "<triangle v1=\"%d\" v2=\"%d\" v3=\"%d\"/>\n", v[0], v[1], v[2]);
+        wcut_text_print(&s->text, "<triangle v1=\"%d\" v2=\"%d\" v3=\"%d\"", v[0], v[1], v[2]);
+        if (o->mark && o->mark[t]) wcut_text_print(&s->text, " pid=\"%d\" p1=\"1\"", materials);
+        wcut_text_print(&s->text, "/>\n");
         if (s->text.count > DRAIN) drain(s);
     }
     wcut_text_print(&s->text, "</triangles></mesh></object>\n");
 }
 
-static void put_model(sink *s, int count, const wcut_mesh *const *mesh, const char *const *name) {
+/* an object in its place: by rows of a matrix that stands behind a row of coordinates */
+static void put_three_mf_item(wcut_text *text, const wcut_mesh_object *o, int id) {
+    wcut_text_print(text, "<item objectid=\"%d\"", id);
+    if (o->turned || o->move.x != 0 || o->move.y != 0 || o->move.z != 0) {
+        const double turn = o->turned ? -1 : 1,
+                     m[12] = {1, 0, 0, 0, turn, 0, 0, 0, turn, o->move.x, o->move.y, o->move.z};
+        wcut_text_print(text, " transform=\"");
+        for (int k = 0; k < 12; k++) {
+            if (k) wcut_text_put(text, " ", 1);
+            wcut_text_number(text, m[k] + 0.0);
+        }
+        wcut_text_print(text, "\"");
+    }
+    wcut_text_print(text, "/>\n");
+}
+
+static void put_model(sink *s, int count, const wcut_mesh_object *object) {
     wcut_text_print(&s->text,
                     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"millimeter\" xml:lang=\"en-US\" "
                     "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
                     "<metadata name=\"Application\">wirecut %s</metadata>\n<resources>\n",
                     WCUT_VERSION);
-    for (int k = 0; k < count; k++) put_object(s, mesh[k], name[k], k + 1);
+    for (int k = 0; k < count; k++)
+        if (object[k].material) put_materials(s, &object[k], count + 1 + k);
+    for (int k = 0; k < count; k++) put_object(s, &object[k], k + 1, count + 1 + k);
     wcut_text_print(&s->text, "</resources>\n<build>\n");
     for (int k = 0; k < count; k++) {
-        wcut_text_print(&s->text, "<item objectid=\"%d\"/>\n", k + 1);
+        put_three_mf_item(&s->text, &object[k], k + 1);
         if (s->text.count > DRAIN) drain(s);
     }
     wcut_text_print(&s->text, "</build>\n</model>\n");
@@ -124,7 +163,7 @@ static const char relationships[] =
     "</Relationships>\n";
 
 /* false: longer than 4 GiB */
-static bool put_package(sink *s, int count, const wcut_mesh *const *mesh, const char *const *name) {
+static bool put_package(sink *s, int count, const wcut_mesh_object *object) {
     wcut_zip_begin(&s->zip, "[Content_Types].xml");
     wcut_zip_put(&s->zip, content_types, sizeof content_types - 1);
     wcut_zip_end(&s->zip);
@@ -132,36 +171,41 @@ static bool put_package(sink *s, int count, const wcut_mesh *const *mesh, const 
     wcut_zip_put(&s->zip, relationships, sizeof relationships - 1);
     wcut_zip_end(&s->zip);
     wcut_zip_begin(&s->zip, "3D/3dmodel.model");
-    put_model(s, count, mesh, name);
+    put_model(s, count, object);
     wcut_zip_end(&s->zip);
     return wcut_zip_finish(&s->zip);
 }
 
-static wcut_status check_three_mf(int count, const wcut_mesh *const *mesh, const char *const *name, const char *path,
-                                  wcut_error *error) {
-    if (count < 1 || !mesh || !name) return wcut_fail(error, WCUT_BAD_ARGUMENT, "found no mesh to write to a 3MF");
+static wcut_status check_three_mf(int count, const wcut_mesh_object *object, const char *path, wcut_error *error) {
+    if (count < 1 || count > INT_MAX / 2 || !object)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "found no mesh to write to a 3MF");
     for (int k = 0; k < count; k++) {
-        const wcut_status status = wcut_mesh_check(mesh[k], path, error);
+        const wcut_mesh_object *o = &object[k];
+        const wcut_status status = wcut_mesh_check(o->mesh, path, error);
         if (status != WCUT_OK) return status;
-        if (!name[k] || !wcut_utf8_is_plain(name[k]))
+        if (!o->name || !wcut_utf8_is_plain(o->name) || (o->material && !wcut_utf8_is_plain(o->material)) ||
+            (o->marked_material && !wcut_utf8_is_plain(o->marked_material)))
             return wcut_fail(error, WCUT_BAD_ARGUMENT, "mesh %d: found a name that is not plain UTF-8", k);
+        if (o->mark && (!o->material || !o->marked_material))
+            return wcut_fail(error, WCUT_BAD_ARGUMENT, "mesh %d: found marked triangles, expected two materials", k);
+        if (!isfinite(o->move.x) || !isfinite(o->move.y) || !isfinite(o->move.z))
+            return wcut_fail(error, WCUT_BAD_ARGUMENT, "mesh %d: found a place that is not finite", k);
     }
     return WCUT_OK;
 }
 
-wcut_status wcut_mesh_write_3mf(int count, const wcut_mesh *const *mesh, const char *const *name, const char *path,
-                                wcut_error *error) {
+wcut_status wcut_mesh_write_3mf(int count, const wcut_mesh_object *object, const char *path, wcut_error *error) {
     wcut_file *file = NULL;
 
     /* the file appears only once the package is whole */
-    wcut_status status = check_three_mf(count, mesh, name, path, error);
+    wcut_status status = check_three_mf(count, object, path, error);
     if (status == WCUT_OK) status = wcut_file_create(path, &file, error);
     if (status != WCUT_OK) return status;
 
     /* the objects are packed one after the other */
     sink s = {0};
     const bool ready = wcut_zip_create(&s.zip, file) && wcut_text_create(&s.text, NULL);
-    const bool fits = ready && put_package(&s, count, mesh, name);
+    const bool fits = ready && put_package(&s, count, object);
 
     /* what went wrong: memory, the format's limit, or nothing */
     if (!ready || s.text.failed)

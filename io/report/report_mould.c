@@ -1,13 +1,15 @@
 /* The page of a divided block: both halves to turn, coloured by their draft, and what they measure. */
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <wirecut/angle.h>
 #include <wirecut/report_pages.h>
 
 #include "base/fail.h"
 
-enum { ROWS = 13 };
+enum { ROWS = 13, ASKED = 4, SHAPES = 4 };
 
 /* everything the page borrows */
 typedef struct page {
@@ -15,8 +17,9 @@ typedef struct page {
     const wcut_job *job;
     const wcut_history *history;
     const wcut_mould *mould;
-    double *draft[2]; /* of the halves' vertices [deg] */
-    char verdict[512], block[96], pull[96], hash[3][WCUT_SHA256_TEXT];
+    double *draft[2];  /* of the halves' vertices [deg] */
+    double *height[2]; /* of the vertices of casting and frame [mm]; NULL without one */
+    char verdict[768], block[96], pull[96], hash[3][WCUT_SHA256_TEXT];
 } page;
 
 static const wcut_half *mould_half_of(const page *p, int upper) { return upper ? &p->mould->upper : &p->mould->lower; }
@@ -34,7 +37,57 @@ static wcut_status fill_drafts(page *p) {
     return WCUT_OK;
 }
 
+/* a field that shapes without a draft have, too */
+static wcut_status fill_heights(page *p) {
+    for (int k = 0; k < 2; k++) {
+        const wcut_mesh *mesh = k ? p->mould->frame : p->mould->thickness > 0 ? p->mould->kerf : NULL;
+        if (!mesh) continue;
+        p->height[k] = calloc((size_t)mesh->vertex_count, sizeof(double));
+        if (!p->height[k]) return WCUT_NO_MEMORY;
+        for (int v = 0; v < mesh->vertex_count; v++) p->height[k][v] = mesh->vertex[v].z;
+    }
+    return WCUT_OK;
+}
+
 /* ---- what is said ---- */
+
+/* a figure that was asked for, of one half */
+typedef struct asked {
+    const char *half, *what, *unit;
+    double found, least;
+    wcut_vec3 at;
+    int held;
+} asked;
+
+/* walls, then drafts, lower before upper */
+static void list_asked(const wcut_mould *m, asked row[ASKED]) {
+    for (int k = 0; k < 2; k++) {
+        const wcut_half_report *r = k ? &m->upper.report : &m->lower.report;
+        const char *half = k ? "upper half" : "lower half";
+        row[k] = (asked){half, "wall", "mm", r->wall_min, m->wall_asked, r->wall_place, r->wall_held};
+        row[2 + k] = (asked){
+            half,           "draft",      "deg", WCUT_DEG_PER_RAD * r->draft_min, WCUT_DEG_PER_RAD * m->draft_asked,
+            r->draft_place, r->draft_held};
+    }
+}
+
+/* what falls short, by how much and where: "upper half: wall 2.1 mm at (4, 300, 98) mm, required 5 mm" */
+static void tell_shortfalls(page *p, const asked row[ASKED], const char *halves) {
+    int used = snprintf(p->verdict, sizeof p->verdict, "%s, but", halves);
+    const char *before = " ";
+    for (int k = 0; k < ASKED && used < (int)sizeof p->verdict; k++) {
+        const asked *a = &row[k];
+        if (a->held) continue;
+        used += isfinite(a->found)
+                    ? snprintf(p->verdict + used, sizeof p->verdict - (size_t)used,
+                               "%s%s: %s %.4g %s at (%.4g, %.4g, %.4g) mm, required %.4g %s", before, a->half, a->what,
+                               a->found, a->unit, a->at.x, a->at.y, a->at.z, a->least, a->unit)
+                    : snprintf(p->verdict + used, sizeof p->verdict - (size_t)used,
+                               "%s%s: %s not known, required %.4g %s", before, a->half, a->what, a->least, a->unit);
+        before = "; ";
+    }
+    if (used < (int)sizeof p->verdict) snprintf(p->verdict + used, sizeof p->verdict - (size_t)used, ".");
+}
 
 static wcut_report_tone judge_mould(page *p) {
     const wcut_mould *m = p->mould;
@@ -46,7 +99,9 @@ static wcut_report_tone judge_mould(page *p) {
 
     /* the worst news is the verdict */
     if (!a->wall_held || !b->wall_held || !a->draft_held || !b->draft_held) {
-        snprintf(p->verdict, sizeof p->verdict, "%s, but a wall or a draft is less than required.", halves);
+        asked row[ASKED];
+        list_asked(m, row);
+        tell_shortfalls(p, row, halves);
         return WCUT_REPORT_TONE_BAD;
     }
     if (a->undercut_area > 0 || b->undercut_area > 0) {
@@ -115,6 +170,38 @@ static wcut_report_table table_of_halves(const page *p, double number[2][ROWS], 
                                .column = column};
 }
 
+/* what was asked for and what was found, with its place */
+typedef struct asked_columns {
+    const char *half[ASKED], *what[ASKED], *unit[ASKED], *held[ASKED];
+    double found[ASKED], least[ASKED], x[ASKED], y[ASKED], z[ASKED];
+    wcut_report_column column[9];
+} asked_columns;
+
+static wcut_report_table table_of_asked(const page *p, asked_columns *c) {
+    asked row[ASKED];
+    list_asked(p->mould, row);
+    for (int k = 0; k < ASKED; k++) {
+        const asked *a = &row[k];
+        const bool any = k < 2 ? !(a->least > 0) : !(a->least > -90);
+        c->half[k] = a->half, c->what[k] = a->what, c->unit[k] = a->unit;
+        c->held[k] = any ? "nothing required" : a->held ? "held" : "falls short";
+        c->found[k] = a->found, c->least[k] = any ? (double)NAN : a->least;
+        c->x[k] = a->at.x, c->y[k] = a->at.y, c->z[k] = a->at.z;
+    }
+    const wcut_report_column column[9] = {{.label = "half", .text = c->half},
+                                          {.label = "figure", .text = c->what},
+                                          {.label = "smallest", .number = c->found},
+                                          {.label = "required", .number = c->least},
+                                          {.label = "unit", .text = c->unit},
+                                          {.label = "at x [mm]", .number = c->x},
+                                          {.label = "y [mm]", .number = c->y},
+                                          {.label = "z [mm]", .number = c->z},
+                                          {.label = "", .text = c->held}};
+    memcpy(c->column, column, sizeof column);
+    return (wcut_report_table){
+        .title = "Walls and drafts, and where they are smallest", .rows = ASKED, .columns = 9, .column = c->column};
+}
+
 /* ---- the page ---- */
 
 static wcut_status write_mould_page(page *p, const wcut_report_scene *scene, const char *path, wcut_error *error) {
@@ -125,7 +212,9 @@ static wcut_status write_mould_page(page *p, const wcut_report_scene *scene, con
     double number[2][ROWS];
     wcut_report_column column[4];
     const wcut_report_table table = table_of_halves(p, number, column);
-    const wcut_report_section section = {.title = "Figures of the halves", .table_count = 1, .table = &table};
+    asked_columns places;
+    const wcut_report_table both[2] = {table_of_asked(p, &places), table};
+    const wcut_report_section section = {.title = "Figures of the halves", .table_count = 2, .table = both};
 
     /* texts of three numbers */
     snprintf(p->block, sizeof p->block, "%g \xc3\x97 %g \xc3\x97 %g", job->block_size.x, job->block_size.y,
@@ -134,25 +223,29 @@ static wcut_status write_mould_page(page *p, const wcut_report_scene *scene, con
     const double radius = isfinite(m->radius_min) && m->radius_min < 1e9 ? m->radius_min : NAN;
 
     /* the answer in numbers */
-    const wcut_report_fact fact[] = {{"block, x by y by z", p->block, 0, "mm"},
-                                     {"lower half", NULL, m->lower.report.volume, "mm\xc2\xb3"},
-                                     {"upper half", NULL, m->upper.report.volume, "mm\xc2\xb3"},
-                                     {"kerf", NULL, m->kerf_volume, "mm\xc2\xb3"},
-                                     {"error of the volumes, relative to the block", NULL, m->volume_error, ""},
-                                     {"kerf, smallest", NULL, m->kerf_min, "mm"},
-                                     {"kerf, largest", NULL, m->kerf_max, "mm"},
-                                     {"distance of the exact face from the wire's surface", NULL, m->fit_error, "mm"},
-                                     {"distance of the triangles from the exact face", NULL, m->chord_error, "mm"},
-                                     {"straight continuation at the entry", NULL, m->prolonged_entry, "mm"},
-                                     {"straight continuation at the exit", NULL, m->prolonged_exit, "mm"},
-                                     {"straight continuation at the wire's ends", NULL, m->prolonged_side, "mm"},
-                                     {"smallest radius of the cut", NULL, radius, "mm"},
-                                     {"radius of the wire", NULL, m->wire_radius, "mm"}};
+    const wcut_report_fact fact[] = {
+        {"block, x by y by z", p->block, 0, "mm"},
+        {"lower half", NULL, m->lower.report.volume, "mm\xc2\xb3"},
+        {"upper half", NULL, m->upper.report.volume, "mm\xc2\xb3"},
+        {m->thickness > 0 ? "casting between the halves" : "kerf", NULL, m->kerf_volume, "mm\xc2\xb3"},
+        {"frame", m->frame ? NULL : "none", m->frame_volume, m->frame ? "mm\xc2\xb3" : ""},
+        {"error of the volumes, relative to the block", NULL, m->volume_error, ""},
+        {"distance of the cut faces, smallest", NULL, m->kerf_min, "mm"},
+        {"distance of the cut faces, largest", NULL, m->kerf_max, "mm"},
+        {"distance of the exact face from the wire's surface", NULL, m->fit_error, "mm"},
+        {"distance of the triangles from the exact face", NULL, m->chord_error, "mm"},
+        {"straight continuation at the entry", NULL, m->prolonged_entry, "mm"},
+        {"straight continuation at the exit", NULL, m->prolonged_exit, "mm"},
+        {"straight continuation at the wire's ends", NULL, m->prolonged_side, "mm"},
+        {"smallest radius of the cut", NULL, radius, "mm"},
+        {"radius of the wire", NULL, m->wire_radius, "mm"}};
 
     /* settings of the run */
     const wcut_report_fact option[] = {{"chord tolerance", NULL, p->run->chord_tolerance, "mm"},
                                        {"fit tolerance", NULL, p->run->fit_tolerance, "mm"},
                                        {"longest straight continuation", NULL, p->run->prolong, "mm"},
+                                       {"thickness of the casting", NULL, m->thickness, "mm"},
+                                       {"lugs of each half", NULL, m->lugs, ""},
                                        {"scale", NULL, m->scale, ""},
                                        {"pull out of the lower half, x, y, z", p->pull, 0, ""},
                                        {"required wall", NULL, m->wall_asked, "mm"},
@@ -185,6 +278,46 @@ static wcut_status write_mould_page(page *p, const wcut_report_scene *scene, con
     return wcut_report_write(&report, path, error);
 }
 
+static wcut_report_shape shape_of(const char *name, const wcut_mesh *mesh, const wcut_report_field *field) {
+    return (wcut_report_shape){.name = name,
+                               .vertex_count = mesh->vertex_count,
+                               .vertex = mesh->vertex,
+                               .triangle_count = mesh->triangle_count,
+                               .triangle = mesh->triangle,
+                               .field_count = 1,
+                               .field = field};
+}
+
+static int fill_shapes(const page *p, wcut_report_field field[SHAPES], wcut_report_shape shape[SHAPES]) {
+    const wcut_mould *m = p->mould;
+    for (int k = 0; k < 2; k++) {
+        field[k] = (wcut_report_field){k ? "draft of the upper half" : "draft of the lower half", "deg",
+                                       WCUT_REPORT_SCALE_SEQUENTIAL, 0, p->draft[k]};
+        shape[k] = shape_of(k ? "upper half" : "lower half", mould_half_of(p, k)->mesh, &field[k]);
+    }
+    int count = 2;
+    for (int k = 0; k < 2; k++) {
+        const wcut_mesh *mesh = k ? m->frame : m->thickness > 0 ? m->kerf : NULL;
+        if (!mesh) continue;
+        field[count] = (wcut_report_field){"height", "mm", WCUT_REPORT_SCALE_SEQUENTIAL, 0, p->height[k]};
+        shape[count] = shape_of(k ? "frame" : "casting", mesh, &field[count]);
+        count++;
+    }
+    return count;
+}
+
+/* a mark at the place of every wall and draft that falls short */
+static int mark_shortfalls(const asked row[ASKED], wcut_report_line line[ASKED]) {
+    static const char *const label[ASKED] = {"wall of the lower half", "wall of the upper half",
+                                             "draft of the lower half", "draft of the upper half"};
+    int lines = 0;
+    for (int k = 0; k < ASKED; k++)
+        if (!row[k].held && isfinite(row[k].at.x))
+            line[lines++] =
+                (wcut_report_line){.group = "falls short", .label = label[k], .count = 1, .point = &row[k].at};
+    return lines;
+}
+
 wcut_status wcut_report_mould_write(const wcut_report_mould *run, const wcut_job *job, const wcut_history *history,
                                     const wcut_mould *mould, const char *path, wcut_error *error) {
     if (!run || !run->job_path || !job || !mould || !path)
@@ -193,40 +326,38 @@ wcut_status wcut_report_mould_write(const wcut_report_mould *run, const wcut_job
 
     /* copies and hashes */
     wcut_status status = fill_drafts(&p);
+    if (!status) status = fill_heights(&p);
     if (!status) status = wcut_source_hash(run->job_path, p.hash[0], error);
     if (!status) status = wcut_source_hash(run->stock_path, p.hash[1], error);
     if (!status) status = wcut_source_hash(run->edges_path, p.hash[2], error);
 
-    /* each half is a shape, coloured by its draft */
+    /* each half is a shape, coloured by its draft; frame and casting are grey */
     if (!status) {
-        wcut_report_field field[2];
-        wcut_report_shape shape[2];
-        for (int k = 0; k < 2; k++) {
-            const wcut_mesh *mesh = mould_half_of(&p, k)->mesh;
-            field[k] = (wcut_report_field){k ? "draft of the upper half" : "draft of the lower half", "deg",
-                                           WCUT_REPORT_SCALE_SEQUENTIAL, 0, p.draft[k]};
-            shape[k] = (wcut_report_shape){.name = k ? "upper half" : "lower half",
-                                           .vertex_count = mesh->vertex_count,
-                                           .vertex = mesh->vertex,
-                                           .triangle_count = mesh->triangle_count,
-                                           .triangle = mesh->triangle,
-                                           .field_count = 1,
-                                           .field = &field[k]};
-        }
+        wcut_report_field field[SHAPES];
+        wcut_report_shape shape[SHAPES];
+        asked row[ASKED];
+        wcut_report_line line[ASKED];
+        list_asked(mould, row);
+        const int shapes = fill_shapes(&p, field, shape), lines = mark_shortfalls(row, line);
 
         /* the block in the size of the halves */
         const double f = mould->scale;
         const wcut_report_scene scene = {
             .title = "The halves",
-            .note = "Grey: faces that the wire does not cut.",
+            .note = lines > 0 ? "Grey: faces that the wire does not cut. Marks: where a wall or a draft falls short."
+                              : "Grey: faces that the wire does not cut.",
             .block_size = {f * job->block_size.x, f * job->block_size.y, f * job->block_size.z},
-            .shape_count = 2,
-            .shape = shape};
+            .shape_count = shapes,
+            .shape = shape,
+            .line_count = lines,
+            .line = line};
 
         /* the page around the view */
         status = write_mould_page(&p, &scene, path, error);
     }
 
+    free(p.height[1]);
+    free(p.height[0]);
     free(p.draft[1]);
     free(p.draft[0]);
     return status;

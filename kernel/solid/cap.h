@@ -28,8 +28,16 @@ void wcut_cap_clear(wcut_cap *cap);
 /* does every vertical line meet the cap once? proven by the exact turn of every triangle seen from above */
 int wcut_cap_is_graph(const wcut_cap *cap);
 
+/* A box that stands out of a side x low (0) or x high (1): its own border 1 - side lies in that side, inside it. */
+typedef struct wcut_cap_lug {
+    int side;
+    wcut_cap floor, ceiling; /* their borders have two vertices */
+} wcut_cap_lug;
+
 /* The solid between two caps over the same sides; they do not touch. The ceiling's triangles come first, then the
-   floor's, then those of the sides. WCUT_DEGENERATE (borders that cross), WCUT_NO_MEMORY: nothing was written. */
-wcut_status wcut_cap_enclose(const wcut_cap *floor, const wcut_cap *ceiling, wcut_mesh **mesh);
+   floor's, then those of the sides, then those of the lugs, which do not meet. WCUT_DEGENERATE (borders that cross),
+   WCUT_NO_MEMORY: nothing was written. */
+wcut_status wcut_cap_enclose(const wcut_cap *floor, const wcut_cap *ceiling, int lugs, const wcut_cap_lug *lug,
+                             wcut_mesh **mesh);
 
 #endif

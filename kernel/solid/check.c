@@ -104,6 +104,21 @@ wcut_status wcut_check_boundary(const wcut_mesh *mesh, wcut_half_report *report)
     return status;
 }
 
+wcut_status wcut_check_open_edge(const wcut_mesh *mesh, bool *found, wcut_vec3 *place) {
+    fans f = {.first = NULL};
+    const wcut_status status = check_gather(mesh, &f);
+    *found = false;
+    for (int v = 0; status == WCUT_OK && !*found && v < mesh->vertex_count; v++)
+        for (int k = f.first[v]; !*found && k < f.first[v + 1]; k++) {
+            if (count_edge(&f, v, f.end[k]) == 1 && count_edge(&f, f.end[k], v) == 1) continue;
+            *found = true;
+            *place = vec3_mix(mesh->vertex[v], mesh->vertex[f.end[k]], 0.5);
+        }
+    wcut_free(f.end);
+    wcut_free(f.first);
+    return status;
+}
+
 void wcut_check_draft(const wcut_mesh *mesh, const unsigned char *tag, wcut_vec3 pull, wcut_half_report *report,
                       double *draft) {
     /* vertices that are not on the cut have no draft */

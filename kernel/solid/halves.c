@@ -41,9 +41,10 @@ static wcut_status key_face(const wcut_division *d, wcut_sides sides, int upper,
 }
 
 /* the solid between two caps; the cut's triangles are the ceiling's, the floor's or both (sum of 1 and 2) */
-static wcut_status halves_enclose(const wcut_cap *floor, const wcut_cap *ceiling, int cut, wcut_part *part) {
+static wcut_status halves_enclose(const wcut_cap *floor, const wcut_cap *ceiling, int cut, int lugs,
+                                  const wcut_cap_lug *lug, wcut_part *part) {
     wcut_part p = {.mesh = NULL};
-    wcut_status status = wcut_cap_enclose(floor, ceiling, &p.mesh);
+    wcut_status status = wcut_cap_enclose(floor, ceiling, lugs, lug, &p.mesh);
     if (status != WCUT_OK) return status;
     p.tag = wcut_alloc((size_t)p.mesh->triangle_count, sizeof *p.tag);
     if (!p.tag) {
@@ -70,20 +71,44 @@ static wcut_status name_enclosure(wcut_status status, wcut_error *error) {
     return status;
 }
 
+static void clear_lugs(wcut_cap_lug lug[2][WCUT_LUGS]) {
+    for (int upper = 0; upper < 2; upper++)
+        for (int k = 0; k < WCUT_LUGS; k++) {
+            wcut_cap_clear(&lug[upper][k].floor);
+            wcut_cap_clear(&lug[upper][k].ceiling);
+        }
+}
+
+/* the caps of all lugs; a zeroed array, also on failure to be cleared */
+static wcut_status make_lugs(const wcut_division *d, const wcut_lug (*place)[WCUT_LUGS],
+                             wcut_cap_lug lug[2][WCUT_LUGS]) {
+    wcut_status status = WCUT_OK;
+    for (int upper = 0; place && upper < 2; upper++)
+        for (int k = 0; status == WCUT_OK && k < WCUT_LUGS; k++) {
+            wcut_cap_lug *l = &lug[upper][k];
+            l->side = place[upper][k].side;
+            status = wcut_lug_caps(&place[upper][k], upper, d->options->chord_tolerance, &l->floor, &l->ceiling);
+        }
+    return status;
+}
+
 wcut_status wcut_halves_by_index(const wcut_division *d, const wcut_cut_face *lower, const wcut_cut_face *upper,
-                                 wcut_parts *parts, wcut_error *error) {
+                                 const wcut_lug (*place)[WCUT_LUGS], wcut_parts *parts, wcut_error *error) {
     /* level faces with keys at bottom and top */
     const wcut_sides sides = {{0, d->block.x}, {0, d->block.y}};
     wcut_cap bottom = {.vertex_count = 0}, top = {.vertex_count = 0};
     wcut_parts p = {.lower = {.mesh = NULL}};
+    wcut_cap_lug lug[2][WCUT_LUGS] = {{{.side = 0}}};
+    const int lugs = place ? WCUT_LUGS : 0;
     wcut_status status = key_face(d, sides, 0, 0, &bottom, error);
     if (status == WCUT_OK) status = key_face(d, sides, 1, d->block.z, &top, error);
+    if (status == WCUT_OK) status = make_lugs(d, place, lug);
 
     /* lower half, upper half, and the kerf between them */
     if (status == WCUT_OK) {
-        status = halves_enclose(&bottom, &lower->cap, 1, &p.lower);
-        if (status == WCUT_OK) status = halves_enclose(&upper->cap, &top, 2, &p.upper);
-        if (status == WCUT_OK && d->width) status = halves_enclose(&lower->cap, &upper->cap, 3, &p.kerf);
+        status = halves_enclose(&bottom, &lower->cap, 1, lugs, lug[0], &p.lower);
+        if (status == WCUT_OK) status = halves_enclose(&upper->cap, &top, 2, lugs, lug[1], &p.upper);
+        if (status == WCUT_OK && d->width) status = halves_enclose(&lower->cap, &upper->cap, 3, 0, NULL, &p.kerf);
         name_enclosure(status, error);
     }
 
@@ -96,6 +121,7 @@ wcut_status wcut_halves_by_index(const wcut_division *d, const wcut_cut_face *lo
         wcut_parts_clear(&p);
     }
 
+    clear_lugs(lug);
     wcut_cap_clear(&top);
     wcut_cap_clear(&bottom);
 
@@ -110,7 +136,7 @@ static wcut_status make_stock(const wcut_division *d, wcut_part *stock, wcut_err
     wcut_cap bottom = {.vertex_count = 0}, top = {.vertex_count = 0};
     wcut_status status = key_face(d, sides, 0, 0, &bottom, error);
     if (status == WCUT_OK) status = key_face(d, sides, 1, d->block.z, &top, error);
-    if (status == WCUT_OK) status = halves_enclose(&bottom, &top, 0, stock);
+    if (status == WCUT_OK) status = halves_enclose(&bottom, &top, 0, 0, NULL, stock);
     wcut_cap_clear(&top);
     wcut_cap_clear(&bottom);
     return status;
@@ -126,7 +152,7 @@ static wcut_status make_space(const wcut_division *d, const wcut_cap *floor, con
     wcut_status status = WCUT_OK;
     if (cut != 3) status = wcut_cap_flat(sides, ceiling ? height[0] : height[1], 0, NULL, 1, &flat);
     if (status == WCUT_OK) {
-        status = halves_enclose(floor ? floor : &flat, ceiling ? ceiling : &flat, cut, space);
+        status = halves_enclose(floor ? floor : &flat, ceiling ? ceiling : &flat, cut, 0, NULL, space);
         name_enclosure(status, error);
     }
     wcut_cap_clear(&flat);
@@ -143,19 +169,65 @@ static wcut_status make_space(const wcut_division *d, const wcut_cap *floor, con
     return status;
 }
 
+/* how far a point is from a cap along z, INFINITY beside it */
+static double cap_distance(const wcut_cap *cap, wcut_vec3 p) {
+    double least = INFINITY;
+    for (int t = 0; t < cap->triangle_count; t++) {
+        const int *c = cap->triangle + 3 * (ptrdiff_t)t;
+        const wcut_vec3 a = cap->vertex[c[0]], b = cap->vertex[c[1]], d = cap->vertex[c[2]];
+        if (p.x < fmin(a.x, fmin(b.x, d.x)) || p.x > fmax(a.x, fmax(b.x, d.x)) || p.y < fmin(a.y, fmin(b.y, d.y)) ||
+            p.y > fmax(a.y, fmax(b.y, d.y)))
+            continue;
+        const wcut_vec3 n = vec3_cross(vec3_sub(b, a), vec3_sub(d, a));
+        if (fabs(n.z) > 0) least = fmin(least, fabs(vec3_dot(vec3_sub(p, a), n) / n.z));
+    }
+    return least;
+}
+
+/* Where a stock lies in the cut most: the middle of that triangle of its whose corners are nearest to a face of the cut. */
+static wcut_status find_contact(const wcut_mesh *stock, const wcut_cap *floor, const wcut_cap *ceiling,
+                                wcut_vec3 *place) {
+    double *off = wcut_alloc((size_t)stock->vertex_count, sizeof *off), least = INFINITY;
+    if (!off) return WCUT_NO_MEMORY;
+    for (int v = 0; v < stock->vertex_count; v++) {
+        off[v] = floor ? cap_distance(floor, stock->vertex[v]) : INFINITY;
+        if (ceiling) off[v] = fmin(off[v], cap_distance(ceiling, stock->vertex[v]));
+    }
+    for (int t = 0; t < stock->triangle_count; t++) {
+        const int *c = stock->triangle + 3 * (ptrdiff_t)t;
+        const double most = fmax(off[c[0]], fmax(off[c[1]], off[c[2]]));
+        if (most >= least && t > 0) continue;
+        least = most;
+        *place = vec3_scale(1.0 / 3, vec3_add(stock->vertex[c[0]], vec3_add(stock->vertex[c[1]], stock->vertex[c[2]])));
+    }
+    wcut_free(off);
+    return WCUT_OK;
+}
+
+/* a boolean that failed, in words with a place */
+static wcut_status fail_boolean(wcut_status status, const wcut_error *cause, const char *name, const wcut_mesh *stock,
+                                const wcut_cap *floor, const wcut_cap *ceiling, wcut_error *error) {
+    wcut_vec3 at = {0, 0, 0};
+    if (cause->text[0] || status != WCUT_DEGENERATE)
+        return wcut_fail(error, status, "no boolean of the %s and the stock: %s", name,
+                         cause->text[0] ? cause->text : wcut_status_text(status));
+    if (find_contact(stock, floor, ceiling, &at) != WCUT_OK) return WCUT_NO_MEMORY;
+    return wcut_fail(
+        error, status,
+        "no boolean of the %s and the stock: the cut runs along a face or through an edge of the stock near "
+        "(%.6g, %.6g, %.6g) mm; expected a stock that it passes through or misses",
+        name, at.x, at.y, at.z);
+}
+
 /* what stock and space have in common */
-static wcut_status halves_intersect(const wcut_part *stock, const wcut_part *space, const char *name, wcut_part *part,
+static wcut_status halves_intersect(const wcut_part *stock, const wcut_part *space, const char *name,
+                                    const wcut_cap *floor, const wcut_cap *ceiling, wcut_part *part,
                                     wcut_error *error) {
     wcut_part p = {.mesh = NULL};
     wcut_error cause = {.text = ""};
     wcut_status status =
         wcut_boolean_intersect(stock->mesh, stock->tag, space->mesh, space->tag, &p.mesh, &p.tag, &cause);
-    if (status != WCUT_OK)
-        return wcut_fail(error, status, "no boolean of the %s and the stock: %s", name,
-                         cause.text[0]               ? cause.text
-                         : status == WCUT_DEGENERATE ? "the cut runs along a face or through an edge of the stock; "
-                                                       "expected a stock that it passes through or misses"
-                                                     : wcut_status_text(status));
+    if (status != WCUT_OK) return fail_boolean(status, &cause, name, stock->mesh, floor, ceiling, error);
     if (p.mesh->triangle_count == 0)
         status = wcut_fail(error, WCUT_DEGENERATE, "the cut misses the block: there is no %s", name);
     if (status == WCUT_OK) status = wcut_self_intersections(p.mesh, &p.self_intersections, &p.place, error);
@@ -198,7 +270,7 @@ wcut_status wcut_halves_by_boolean(const wcut_division *d, const wcut_cut_face *
     for (int k = 0; status == WCUT_OK && k < (d->width ? 3 : 2); k++) {
         wcut_part space = {.mesh = NULL};
         status = make_space(d, floor[k], ceiling[k], margin, height, &space, error);
-        if (status == WCUT_OK) status = halves_intersect(&from, &space, name[k], part[k], error);
+        if (status == WCUT_OK) status = halves_intersect(&from, &space, name[k], floor[k], ceiling[k], part[k], error);
         part_clear(&space);
     }
 

@@ -3,6 +3,7 @@
 #define WCUT_SOLID_HALVES_H
 
 #include "solid/cut_face.h"
+#include "solid/lugs.h"
 
 typedef struct wcut_part {
     wcut_mesh *mesh;
@@ -15,9 +16,10 @@ typedef struct wcut_parts {
     wcut_part lower, upper, kerf; /* kerf: empty where there is none */
 } wcut_parts;
 
-/* The parts of the block; both faces are inside it (leaves 0 of wcut_cut_face_place). */
+/* The parts of the block; both faces are inside it (leaves 0 of wcut_cut_face_place). place: the lugs of both halves,
+   NULL: none. */
 wcut_status wcut_halves_by_index(const wcut_division *d, const wcut_cut_face *lower, const wcut_cut_face *upper,
-                                 wcut_parts *parts, wcut_error *error);
+                                 const wcut_lug (*place)[WCUT_LUGS], wcut_parts *parts, wcut_error *error);
 
 /* The parts of the stock, or of the block; the faces reach beyond its sides by `margin`. *block_volume: [mm3] of it,
    without keys */

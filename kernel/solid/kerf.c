@@ -69,14 +69,16 @@ wcut_status wcut_kerf_width(const wcut_surface *surface, const wcut_mould_option
                             wcut_error *error) {
     /* one width everywhere */
     const int count = surface->count_u * surface->count_v;
-    double min = options->kerf, max = min;
+    const bool given = options->thickness > 0;
+    const double even = given ? options->thickness : options->kerf;
+    double min = even, max = min;
     wcut_vec3 *control = wcut_alloc((size_t)count, sizeof *control);
     wcut_status status = control ? WCUT_OK : WCUT_NO_MEMORY;
     wcut_surface *made = NULL;
-    for (int k = 0; status == WCUT_OK && k < count; k++) control[k] = vec3(0, 0, options->kerf);
+    for (int k = 0; status == WCUT_OK && k < count; k++) control[k] = vec3(0, 0, even);
 
     /* or a field of widths, as control points at the knots' averages */
-    if (status == WCUT_OK && options->kerf_stations > 0) {
+    if (status == WCUT_OK && !given && options->kerf_stations > 0) {
         min = INFINITY, max = -INFINITY;
         status = sample_field(surface, options, control, &min, &max);
         if (status != WCUT_OK) wcut_fail(error, status, "kerf: the field does not fit its stations and nodes");

@@ -51,15 +51,16 @@ wcut_status wcut_keys_of(const wcut_mould_options *options, int upper, wcut_key 
 }
 
 /* a frustum between similar polygons */
+double wcut_key_volume(const wcut_key *key, double chord_tolerance) {
+    const int arcs = wcut_key_arcs(key, chord_tolerance);
+    const double share = arcs / 2.0 * sin(2 * WCUT_PI / arcs), r = key->radius, q = key->tip_radius;
+    return share * key->height / 3 * (r * r + r * q + q * q);
+}
+
 double wcut_keys_volume(const wcut_mould_options *o, int upper) {
     double sum = 0;
-    for (int k = 0; k < o->key_count; k++) {
-        const wcut_key *key = &o->key[k];
-        if (!key->upper != !upper) continue;
-        const int arcs = wcut_key_arcs(key, o->chord_tolerance);
-        const double share = arcs / 2.0 * sin(2 * WCUT_PI / arcs), r = key->radius, q = key->tip_radius;
-        sum += share * key->height / 3 * (r * r + r * q + q * q);
-    }
+    for (int k = 0; k < o->key_count; k++)
+        if (!o->key[k].upper == !upper) sum += wcut_key_volume(&o->key[k], o->chord_tolerance);
     return sum;
 }
 

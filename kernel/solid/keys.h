@@ -13,6 +13,9 @@ int wcut_key_arcs(const wcut_key *key, double chord_tolerance);
 /* those of one half, for wcut_free; WCUT_NO_MEMORY: nothing was written */
 wcut_status wcut_keys_of(const wcut_mould_options *options, int upper, wcut_key **own, int *count);
 
+/* [mm3] of one key, exact for its triangles; negative of a pocket */
+double wcut_key_volume(const wcut_key *key, double chord_tolerance);
+
 /* [mm3] that the keys of a half add to it, exact for their triangles; pockets count negative */
 double wcut_keys_volume(const wcut_mould_options *options, int upper);
 

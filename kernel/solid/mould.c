@@ -10,6 +10,7 @@
 #include "base/vec3.h"
 #include "solid/boolean.h"
 #include "solid/check.h"
+#include "solid/frame.h"
 #include "solid/halves.h"
 #include "solid/kerf.h"
 #include "solid/keys.h"
@@ -30,6 +31,8 @@ wcut_mould_options wcut_mould_default(void) {
     return (wcut_mould_options){.chord_tolerance = 0.1,
                                 .fit_tolerance = 0.005,
                                 .prolong = 100,
+                                .lug_clearance = 0.1,
+                                .frame_clearance = 0.2,
                                 .scale = 1,
                                 .draft_asked = -WCUT_PI / 2,
                                 .pull = {.x = 0, .y = 0, .z = 1}};
@@ -39,6 +42,7 @@ static void half_clear(wcut_half *half) {
     wcut_mesh_destroy(half->mesh);
     wcut_brep_destroy(half->brep);
     wcut_free(half->draft);
+    wcut_free(half->cut);
 }
 
 void wcut_mould_destroy(wcut_mould *mould) {
@@ -46,6 +50,8 @@ void wcut_mould_destroy(wcut_mould *mould) {
     half_clear(&mould->lower);
     half_clear(&mould->upper);
     wcut_mesh_destroy(mould->kerf);
+    wcut_mesh_destroy(mould->frame);
+    wcut_brep_destroy(mould->frame_brep);
     wcut_free(mould);
 }
 
@@ -78,11 +84,19 @@ static wcut_status check_stock(const wcut_mesh *stock, wcut_vec3 block, wcut_err
     wcut_half_report r = {.closed = 0};
     wcut_status status = wcut_check_boundary(stock, &r);
     if (status != WCUT_OK) return status;
-    if (!r.closed || !r.oriented)
-        return wcut_fail(error, WCUT_BAD_ARGUMENT, "stock: the mesh is %s",
-                         r.closed ? "not oriented outwards"
-                                  : "not closed: an edge lies in one triangle or in more than two (a hole, or bodies "
-                                    "that share a face or an edge, which are one body)");
+    if (!r.closed || !r.oriented) {
+        bool found;
+        wcut_vec3 at = {0, 0, 0};
+        status = wcut_check_open_edge(stock, &found, &at);
+        if (status != WCUT_OK) return status;
+        if (!found) return wcut_fail(error, WCUT_BAD_ARGUMENT, "stock: the mesh is not oriented outwards");
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "stock: the mesh is not %s near (%.6g, %.6g, %.6g) mm",
+                         r.closed
+                             ? "oriented alike on both sides of an edge"
+                             : "closed: an edge lies in one triangle or in more than two (a hole, or bodies that share "
+                               "a face or an edge, which are one body)",
+                         at.x, at.y, at.z);
+    }
 
     /* inside the block, but for a share of its size */
     if (r.box_low.x < -over || r.box_low.y < -over || r.box_low.z < -over || r.box_high.x > block.x + over ||
@@ -102,6 +116,30 @@ static wcut_status check_stock(const wcut_mesh *stock, wcut_vec3 block, wcut_err
     return status;
 }
 
+/* what holds the halves over each other */
+static wcut_status check_holders(const wcut_mould_options *o, wcut_error *error) {
+    if (!(o->lug_radius >= 0) || !isfinite(o->lug_radius) || !(o->lug_clearance >= 0) || !isfinite(o->lug_clearance) ||
+        (o->lug_radius > 0 && !is_positive(o->lug_height)))
+        return wcut_fail(
+            error, WCUT_BAD_ARGUMENT,
+            "lugs: found a radius of %g, a height of %g and a clearance of %g mm, expected a positive height "
+            "and none of the others negative",
+            o->lug_radius, o->lug_height, o->lug_clearance);
+    if (!(o->frame_wall >= 0) || !isfinite(o->frame_wall) || !(o->frame_clearance >= 0) ||
+        !isfinite(o->frame_clearance))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                         "frame: found a wall of %g and a clearance of %g mm, expected neither negative", o->frame_wall,
+                         o->frame_clearance);
+    if (o->lug_radius > 0 && o->frame_wall > 0)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                         "lugs and a frame: expected one of them, the frame stands where lugs do");
+    if ((o->lug_radius > 0 || o->frame_wall > 0) && o->stock)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                         "%s with a stock: expected one of them, its sides are not the block's",
+                         o->lug_radius > 0 ? "lugs" : "a frame");
+    return WCUT_OK;
+}
+
 static wcut_status mould_check_options(const wcut_mould_options *o, wcut_vec3 block, wcut_error *error) {
     /* numbers and ranges, in the order of the options */
     if (!is_positive(o->chord_tolerance) || !is_positive(o->fit_tolerance))
@@ -112,6 +150,8 @@ static wcut_status mould_check_options(const wcut_mould_options *o, wcut_vec3 bl
                          o->prolong, o->kerf, o->wire_diameter);
     if (o->kerf_stations != 0 && (o->kerf_stations < 2 || o->kerf_nodes < 2 || !o->kerf_parameter || !o->kerf_field))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "kerf: expected a field of at least 2 x 2 values");
+    if (!(o->thickness >= 0) || !isfinite(o->thickness))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "thickness: found %g mm, expected it not negative", o->thickness);
     if (!(o->wall_asked >= 0) || !(fabs(o->draft_asked) <= WCUT_PI / 2))
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "wall %g mm, draft %g rad: expected a length and an angle up to pi/2", o->wall_asked,
@@ -123,7 +163,9 @@ static wcut_status mould_check_options(const wcut_mould_options *o, wcut_vec3 bl
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "keys: found %d, expected at most 1000, and none with a stock",
                          o->key_count);
 
-    /* keys and stock against the block */
+    /* lugs and frame; keys and stock against the block */
+    const wcut_status held = check_holders(o, error);
+    if (held != WCUT_OK) return held;
     for (int k = 0; k < o->key_count; k++) {
         const wcut_status status = check_key(&o->key[k], block, error);
         if (status != WCUT_OK) return status;
@@ -132,10 +174,18 @@ static wcut_status mould_check_options(const wcut_mould_options *o, wcut_vec3 bl
     return o->stock ? check_stock(o->stock, block, error) : WCUT_OK;
 }
 
+/* faces of the cut: one and the same where there is no kerf */
+typedef struct faces {
+    wcut_cut_face made[2];
+    const wcut_cut_face *lower, *upper;
+    int lugs;
+    wcut_lug lug[2][WCUT_LUGS]; /* lugs of them of each half */
+} faces;
+
 /* ---- what came out ---- */
 
-static wcut_status report_half(const wcut_division *d, const wcut_part *part, int upper, wcut_half *half,
-                               wcut_error *error) {
+static wcut_status report_half(const wcut_division *d, const wcut_part *part, const faces *f, int upper,
+                               wcut_half *half, wcut_error *error) {
     /* edges, volume and area of the mesh */
     const char *name = upper ? "upper" : "lower";
     const wcut_vec3 pull = vec3_unit(d->options->pull);
@@ -151,6 +201,8 @@ static wcut_status report_half(const wcut_division *d, const wcut_part *part, in
     /* self-intersections refuse the half, open edges are a fault of ours */
     r->self_intersections = part->self_intersections;
     r->key_volume = wcut_keys_volume(d->options, upper);
+    for (int k = 0; k < f->lugs; k++)
+        r->key_volume += wcut_lug_volume(&f->lug[upper][k], upper, d->options->chord_tolerance);
     if (r->self_intersections > 0)
         return wcut_fail(error, WCUT_DEGENERATE,
                          "%s: %d pairs of triangles of the %s half meet near (%.6g, %.6g, %.6g) mm",
@@ -203,17 +255,13 @@ static void scale_mould(wcut_mould *m, double f) {
     scale_half(&m->lower, f);
     scale_half(&m->upper, f);
     scale_mesh(m->kerf, f);
-    m->kerf_volume *= f * f * f, m->block_volume *= f * f * f;
+    scale_mesh(m->frame, f);
+    if (m->frame_brep) wcut_brep_scale(m->frame_brep, f);
+    m->kerf_volume *= f * f * f, m->block_volume *= f * f * f, m->frame_volume *= f * f * f;
     m->scale = f;
 }
 
 /* ---- the division ---- */
-
-/* faces of the cut: one and the same where there is no kerf */
-typedef struct faces {
-    wcut_cut_face made[2];
-    const wcut_cut_face *lower, *upper;
-} faces;
 
 static void faces_clear(faces *f) {
     wcut_cut_face_clear(&f->made[0]);
@@ -262,7 +310,8 @@ static wcut_status describe_halves(const wcut_division *d, const faces *f, wcut_
         int count;
         status = wcut_keys_of(d->options, upper, &own, &count);
         if (status != WCUT_OK) return status;
-        status = wcut_brep_of_half(face->fit.patch, upper, upper ? d->block.z : 0, count, own, &half->brep);
+        status = wcut_brep_of_half(face->fit.patch, upper, upper ? d->block.z : 0, count, own, f->lugs, f->lug[upper],
+                                   &half->brep);
         wcut_free(own);
         if (status != WCUT_OK) return status;
     }
@@ -271,16 +320,23 @@ static wcut_status describe_halves(const wcut_division *d, const faces *f, wcut_
 }
 
 /* parts from the faces, by index or by booleans */
-static wcut_status make_parts(const wcut_division *d, const faces *f, wcut_mould *m, wcut_parts *parts,
-                              wcut_error *error) {
+static wcut_status make_parts(const wcut_division *d, faces *f, wcut_mould *m, wcut_parts *parts, wcut_error *error) {
     int leaves = 0;
     wcut_status status = d->options->stock ? WCUT_OK : wcut_cut_face_place(d, f->lower, f->upper, &leaves, error);
     if (status != WCUT_OK) return status;
     m->by_boolean = leaves || d->options->stock;
     if (!m->by_boolean) {
         m->block_volume = d->block.x * d->block.y * d->block.z;
-        return wcut_halves_by_index(d, f->lower, f->upper, parts, error);
+        if (d->options->lug_radius > 0) {
+            status = wcut_lugs_place(d, &f->lower->cap, &f->upper->cap, f->lug, error);
+            if (status != WCUT_OK) return status;
+            f->lugs = m->lugs = WCUT_LUGS;
+        }
+        return wcut_halves_by_index(d, f->lower, f->upper, f->lugs ? f->lug : NULL, parts, error);
     }
+    if (d->options->lug_radius > 0)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                         "lugs: the cut leaves through top or bottom, expected one that stays between them");
     const double margin = MARGIN_SHARE * fmax(d->block.x, d->block.y);
     faces wide;
     status = fit_faces(d, margin, &wide, error);
@@ -288,6 +344,18 @@ static wcut_status make_parts(const wcut_division *d, const faces *f, wcut_mould
         status = wcut_halves_by_boolean(d, wide.lower, wide.upper, margin, parts, &m->block_volume, error);
     faces_clear(&wide);
     return status;
+}
+
+/* the frame, seen by the same check as the halves */
+static wcut_status frame_halves(const wcut_division *d, wcut_mould *m, wcut_error *error) {
+    const wcut_mould_options *o = d->options;
+    if (!(o->frame_wall > 0)) return WCUT_OK;
+    wcut_status status = wcut_frame_create(d->block, o->frame_wall, o->frame_clearance, &m->frame, &m->frame_brep);
+    wcut_half_report r = {.closed = 0};
+    if (status == WCUT_OK) status = wcut_check_boundary(m->frame, &r);
+    if (status != WCUT_OK) return status;
+    m->frame_volume = r.volume;
+    return r.closed && r.oriented ? WCUT_OK : wcut_fail(error, WCUT_INTERNAL, "the frame is not closed");
 }
 
 static wcut_status mould_divide(const wcut_division *d, wcut_mould *m, wcut_error *error) {
@@ -303,13 +371,16 @@ static wcut_status mould_divide(const wcut_division *d, wcut_mould *m, wcut_erro
     }
 
     /* check both halves; the mould takes over their meshes */
-    if (status == WCUT_OK) status = report_half(d, &parts.lower, 0, &m->lower, error);
-    if (status == WCUT_OK) status = report_half(d, &parts.upper, 1, &m->upper, error);
+    if (status == WCUT_OK) status = report_half(d, &parts.lower, &f, 0, &m->lower, error);
+    if (status == WCUT_OK) status = report_half(d, &parts.upper, &f, 1, &m->upper, error);
     if (status == WCUT_OK) {
         m->lower.mesh = parts.lower.mesh, m->upper.mesh = parts.upper.mesh, m->kerf = parts.kerf.mesh;
+        m->lower.cut = parts.lower.tag, m->upper.cut = parts.upper.tag;
         parts.lower.mesh = parts.upper.mesh = parts.kerf.mesh = NULL;
+        parts.lower.tag = parts.upper.tag = NULL;
         status = mould_balance(m, error);
     }
+    if (status == WCUT_OK) status = frame_halves(d, m, error);
     if (status == WCUT_OK) {
         /* scale for shrinkage, then judge walls and drafts at the final size */
         const wcut_mould_options *o = d->options;
@@ -317,6 +388,7 @@ static wcut_status mould_divide(const wcut_division *d, wcut_mould *m, wcut_erro
         judge_half(o, &m->lower.report);
         judge_half(o, &m->upper.report);
         m->wire_radius = o->wire_diameter / 2;
+        m->thickness = o->thickness;
         m->wall_asked = o->wall_asked, m->draft_asked = o->draft_asked, m->pull = vec3_unit(o->pull);
     }
     wcut_parts_clear(&parts);

@@ -22,6 +22,11 @@ enum {
     KEY_FACES = 3,
     KEY_LOOPS = 4, /* the hole, two flanks, the tip */
     KEY_COEDGES = 12,
+    LUG_VERTICES = 8, /* around the face with the key, then around the one opposite */
+    LUG_EDGES = 12,   /* around the face with the key, across, around the one opposite */
+    LUG_FACES = 5,
+    LUG_LOOPS = 6, /* the hole in the block's side, five faces */
+    LUG_COEDGES = 24,
     ARC_DEGREE = 3,
     ARC_CONTROL = 4
 };
@@ -45,16 +50,17 @@ void wcut_brep_destroy(wcut_brep *brep) {
     wcut_free(brep);
 }
 
-static wcut_status brep_new(int keys, wcut_brep **brep) {
+static wcut_status brep_new(int keys, int lugs, wcut_brep **brep) {
     wcut_brep *b = wcut_alloc(1, sizeof *b);
     if (!b) return WCUT_NO_MEMORY;
-    b->vertex_count = BLOCK_VERTICES + KEY_VERTICES * keys;
-    b->edge_count = BLOCK_EDGES + KEY_EDGES * keys;
+    const size_t all = (size_t)(keys + lugs), boxes = (size_t)lugs;
+    b->vertex_count = BLOCK_VERTICES + KEY_VERTICES * (keys + lugs) + LUG_VERTICES * lugs;
+    b->edge_count = BLOCK_EDGES + KEY_EDGES * (keys + lugs) + LUG_EDGES * lugs;
     b->vertex = wcut_alloc((size_t)b->vertex_count, sizeof *b->vertex);
     b->edge = wcut_alloc((size_t)b->edge_count, sizeof *b->edge);
-    b->coedge = wcut_alloc(BLOCK_COEDGES + KEY_COEDGES * (size_t)keys, sizeof *b->coedge);
-    b->loop = wcut_alloc(BLOCK_FACES + KEY_LOOPS * (size_t)keys, sizeof *b->loop);
-    b->face = wcut_alloc(BLOCK_FACES + KEY_FACES * (size_t)keys, sizeof *b->face);
+    b->coedge = wcut_alloc(BLOCK_COEDGES + KEY_COEDGES * all + LUG_COEDGES * boxes, sizeof *b->coedge);
+    b->loop = wcut_alloc(BLOCK_FACES + KEY_LOOPS * all + LUG_LOOPS * boxes, sizeof *b->loop);
+    b->face = wcut_alloc(BLOCK_FACES + KEY_FACES * all + LUG_FACES * boxes, sizeof *b->face);
     if (b->vertex && b->edge && b->coedge && b->loop && b->face) {
         *brep = b;
         return WCUT_OK;
@@ -119,7 +125,22 @@ static wcut_status copy_surface(const wcut_surface *s, wcut_surface **copy) {
                                s->weights, copy);
 }
 
-static wcut_status add_block_faces(wcut_brep *b, bool upper, const wcut_surface *patch) {
+/* first edge of the k-th lug's box; its cone or pocket follows it */
+static int lug_edge(int keys, int k) { return BLOCK_EDGES + KEY_EDGES * keys + (LUG_EDGES + KEY_EDGES) * k; }
+static int lug_vertex(int keys, int k) {
+    return BLOCK_VERTICES + KEY_VERTICES * keys + (LUG_VERTICES + KEY_VERTICES) * k;
+}
+
+/* the holes that lugs make in a side, which is the face added last */
+static void add_lug_holes(wcut_brep *b, bool upper, int side, int keys, int lugs, const wcut_lug *lug) {
+    for (int k = 0; k < lugs; k++) {
+        const int e = lug_edge(keys, k) + 1, hole[4] = {-e, e + 4, e + 8, -(e + 5)};
+        if (lug[k].side == side) add_loop(b, upper, 4, hole);
+    }
+}
+
+static wcut_status add_block_faces(wcut_brep *b, bool upper, const wcut_surface *patch, int keys, int lugs,
+                                   const wcut_lug *lug) {
     static const int cut[4] = {1, 2, -3, -4}, opposite[4] = {12, 11, -10, -9};
     static const int side[4][4] = {{-12, -5, 4, 8}, {10, -7, -2, 6}, {9, -6, -1, 5}, {-11, -8, 3, 7}};
     wcut_surface *copy;
@@ -131,6 +152,7 @@ static wcut_status add_block_faces(wcut_brep *b, bool upper, const wcut_surface 
     for (int k = 0; k < 4; k++) { /* x low, x high, y low, y high: their planes pass two opposite corners */
         add_brep_face(b, upper, WCUT_BREP_PART_SIDE_X0 + k, NULL, b->vertex[CORNERS + (k % 2 ? 2 : 0)], normal[k]);
         add_loop(b, upper, 4, side[k]);
+        add_lug_holes(b, upper, k, keys, lugs, lug);
     }
     add_brep_face(b, upper, WCUT_BREP_PART_OPPOSITE, NULL, b->vertex[CORNERS], vec3(0, 0, upper ? 1 : -1));
     add_loop(b, upper, 4, opposite);
@@ -146,9 +168,8 @@ static void arc_control(const wcut_key *key, int half, double radius, double z, 
     }
 }
 
-/* vertices, arcs and lines of the k-th key; its flank from angle 0 to pi is half 0 */
-static wcut_status add_key_edges(wcut_brep *b, int k, const wcut_key *key, double level) {
-    const int v = BLOCK_VERTICES + KEY_VERTICES * k, e = BLOCK_EDGES + KEY_EDGES * k;
+/* vertices from v on, arcs and lines from e on; the flank from angle 0 to pi is half 0 */
+static wcut_status add_key_edges(wcut_brep *b, int v, int e, const wcut_key *key, double level) {
     const double radius[2] = {key->radius, key->tip_radius}, z[2] = {level, level + wcut_key_rise(key)};
     for (int end = 0; end < 2; end++)
         for (int half = 0; half < 2; half++) {
@@ -182,35 +203,96 @@ static wcut_status add_key_flank(wcut_brep *b, bool upper, int half, int e, cons
     return WCUT_OK;
 }
 
-static wcut_status add_keys(wcut_brep *b, bool upper, double level, int count, const wcut_key *key) {
-    for (int k = 0; k < count; k++) { /* the holes belong to the face that was added last */
-        const int e = BLOCK_EDGES + KEY_EDGES * k, hole[2] = {e + 1, e + 2};
-        const wcut_status status = add_key_edges(b, k, &key[k], level);
+/* the edges of a key and its hole, which belongs to the face that was added last */
+static wcut_status add_key_hole(wcut_brep *b, bool upper, int v, int e, const wcut_key *key, double level) {
+    const int hole[2] = {e + 1, e + 2};
+    const wcut_status status = add_key_edges(b, v, e, key, level);
+    if (status == WCUT_OK) add_loop(b, upper, 2, hole);
+    return status;
+}
+
+/* its flank and its end */
+static wcut_status add_key_faces(wcut_brep *b, bool upper, int e, const wcut_key *key, double level) {
+    const int tip[2] = {-(e + 4), -(e + 3)};
+    for (int half = 0; half < 2; half++) {
+        const wcut_status status = add_key_flank(b, upper, half, e, key, level);
         if (status != WCUT_OK) return status;
-        add_loop(b, upper, 2, hole);
+    }
+    add_brep_face(b, upper, WCUT_BREP_PART_KEY_TIP, NULL, b->vertex[b->edge[e + 2].from], vec3(0, 0, upper ? 1 : -1));
+    add_loop(b, upper, 2, tip);
+    return WCUT_OK;
+}
+
+static wcut_status add_keys(wcut_brep *b, bool upper, double level, int count, const wcut_key *key) {
+    for (int k = 0; k < count; k++) {
+        const int v = BLOCK_VERTICES + KEY_VERTICES * k, e = BLOCK_EDGES + KEY_EDGES * k;
+        const wcut_status status = add_key_hole(b, upper, v, e, &key[k], level);
+        if (status != WCUT_OK) return status;
     }
     for (int k = 0; k < count; k++) {
-        const int e = BLOCK_EDGES + KEY_EDGES * k, tip[2] = {-(e + 4), -(e + 3)};
-        for (int half = 0; half < 2; half++) {
-            const wcut_status status = add_key_flank(b, upper, half, e, &key[k], level);
-            if (status != WCUT_OK) return status;
-        }
-        add_brep_face(b, upper, WCUT_BREP_PART_KEY_TIP, NULL, b->vertex[b->edge[e + 2].from],
-                      vec3(0, 0, upper ? 1 : -1));
-        add_loop(b, upper, 2, tip);
+        const wcut_status status = add_key_faces(b, upper, BLOCK_EDGES + KEY_EDGES * k, &key[k], level);
+        if (status != WCUT_OK) return status;
+    }
+    return WCUT_OK;
+}
+
+/* ---- lugs ---- */
+
+/* around the face with the key, counter-clockwise seen from above, from the block's side on; then opposite */
+static void add_lug_edges(wcut_brep *b, int v, int e, const wcut_lug *lug) {
+    for (int k = 0; k < CORNERS; k++) {
+        const int next = (k + 1) % CORNERS;
+        b->vertex[v + k] = vec3(lug->corner[k].x, lug->corner[k].y, lug->level);
+        b->vertex[v + CORNERS + k] = vec3(lug->corner[k].x, lug->corner[k].y, lug->far);
+        b->edge[e + k] = (wcut_brep_edge){.from = v + k, .to = v + next};
+        b->edge[e + CORNERS + k] = (wcut_brep_edge){.from = v + k, .to = v + CORNERS + k};
+        b->edge[e + 2 * CORNERS + k] = (wcut_brep_edge){.from = v + CORNERS + k, .to = v + CORNERS + next};
+    }
+}
+
+/* five faces of a box and its cone or pocket, which stands on the face that looks to the other half */
+static wcut_status add_lug(wcut_brep *b, bool upper, int v, int first, const wcut_lug *lug) {
+    const int e = first + 1, key_edge = first + LUG_EDGES;
+    const int keyed[4] = {e, e + 1, e + 2, e + 3}, far[4] = {-(e + 11), -(e + 10), -(e + 9), -(e + 8)};
+
+    /* the face with the key: seen from the half's opposite side it is turned, as are its key's faces */
+    add_brep_face(b, upper, WCUT_BREP_PART_LUG, NULL, b->vertex[v], vec3(0, 0, upper ? -1 : 1));
+    add_loop(b, upper, 4, keyed);
+    const wcut_status status = add_key_hole(b, !upper, v + LUG_VERTICES, key_edge, &lug->key, lug->level);
+    if (status != WCUT_OK) return status;
+
+    /* the face opposite and the three sides that are not on the block */
+    add_brep_face(b, upper, WCUT_BREP_PART_LUG, NULL, b->vertex[v + CORNERS], vec3(0, 0, upper ? 1 : -1));
+    add_loop(b, upper, 4, far);
+    for (int k = 1; k < CORNERS; k++) {
+        const int next = (k + 1) % CORNERS, around[4] = {e + 8 + k, -(e + 4 + next), -(e + k), e + 4 + k};
+        const wcut_vec3 along = vec3_unit(vec3_sub(b->vertex[v + next], b->vertex[v + k]));
+        add_brep_face(b, upper, WCUT_BREP_PART_LUG, NULL, b->vertex[v + k], vec3(along.y, -along.x, 0));
+        add_loop(b, upper, 4, around);
+    }
+
+    return add_key_faces(b, !upper, key_edge, &lug->key, lug->level);
+}
+
+static wcut_status add_lugs(wcut_brep *b, bool upper, int keys, int lugs, const wcut_lug *lug) {
+    for (int k = 0; k < lugs; k++) {
+        const wcut_status status = add_lug(b, upper, lug_vertex(keys, k), lug_edge(keys, k), &lug[k]);
+        if (status != WCUT_OK) return status;
     }
     return WCUT_OK;
 }
 
 wcut_status wcut_brep_of_half(const wcut_surface *patch, int upper, double level, int key_count, const wcut_key *key,
-                              wcut_brep **brep) {
+                              int lugs, const wcut_lug *lug, wcut_brep **brep) {
     wcut_brep *b;
-    wcut_status status = brep_new(key_count, &b);
+    wcut_status status = brep_new(key_count, lugs, &b);
     if (status != WCUT_OK) return status;
     add_block_vertices(b, patch, level);
+    for (int k = 0; k < lugs; k++) add_lug_edges(b, lug_vertex(key_count, k), lug_edge(key_count, k), &lug[k]);
     status = add_block_edges(b, patch);
-    if (status == WCUT_OK) status = add_block_faces(b, upper, patch);
+    if (status == WCUT_OK) status = add_block_faces(b, upper, patch, key_count, lugs, lug);
     if (status == WCUT_OK) status = add_keys(b, upper, level, key_count, key);
+    if (status == WCUT_OK) status = add_lugs(b, upper, key_count, lugs, lug);
     if (status == WCUT_OK) {
         *brep = b;
     } else {

@@ -4,10 +4,12 @@
 
 #include <wirecut/mould.h>
 
+#include "solid/lugs.h"
+
 /* The half below (upper 0) or above (1) a patch over (s, t) whose borders lie in the block's sides; level: z of the
-   face that is not cut; keys: those of this half. WCUT_NO_MEMORY: nothing was written. */
+   face that is not cut; keys, lugs: those of this half. WCUT_NO_MEMORY: nothing was written. */
 wcut_status wcut_brep_of_half(const wcut_surface *patch, int upper, double level, int key_count, const wcut_key *key,
-                              wcut_brep **brep);
+                              int lugs, const wcut_lug *lug, wcut_brep **brep);
 
 /* everything times a factor */
 void wcut_brep_scale(wcut_brep *brep, double factor);

@@ -2,7 +2,7 @@
 using System;
 using System.Runtime.InteropServices;
 
-public enum wcut_brep_part { WCUT_BREP_PART_CUT = 0, WCUT_BREP_PART_SIDE_X0 = 1, WCUT_BREP_PART_SIDE_XW = 2, WCUT_BREP_PART_SIDE_Y0 = 3, WCUT_BREP_PART_SIDE_YL = 4, WCUT_BREP_PART_OPPOSITE = 5, WCUT_BREP_PART_KEY_FLANK = 6, WCUT_BREP_PART_KEY_TIP = 7 }
+public enum wcut_brep_part { WCUT_BREP_PART_CUT = 0, WCUT_BREP_PART_SIDE_X0 = 1, WCUT_BREP_PART_SIDE_XW = 2, WCUT_BREP_PART_SIDE_Y0 = 3, WCUT_BREP_PART_SIDE_YL = 4, WCUT_BREP_PART_OPPOSITE = 5, WCUT_BREP_PART_KEY_FLANK = 6, WCUT_BREP_PART_KEY_TIP = 7, WCUT_BREP_PART_LUG = 8, WCUT_BREP_PART_FRAME = 9 }
 public enum wcut_camera_kind { WCUT_CAMERA_KIND_PLANE = 0, WCUT_CAMERA_KIND_PINHOLE = 1, WCUT_CAMERA_KIND_FULL = 2 }
 public enum wcut_channel { WCUT_CHANNEL_TIME = 0, WCUT_CHANNEL_STATION = 1, WCUT_CHANNEL_SPEED_A = 2, WCUT_CHANNEL_SPEED_B = 3, WCUT_CHANNEL_TENSION_A = 4, WCUT_CHANNEL_TENSION_B = 5, WCUT_CHANNEL_ALPHA_A = 6, WCUT_CHANNEL_BETA_A = 7, WCUT_CHANNEL_ALPHA_B = 8, WCUT_CHANNEL_BETA_B = 9, WCUT_CHANNEL_SPEED_COMMAND = 10, WCUT_CHANNEL_HEAT = 11, WCUT_CHANNEL_HEATER_VOLTAGE = 12, WCUT_CHANNEL_HEATER_CURRENT = 13, WCUT_CHANNEL_A_X = 14, WCUT_CHANNEL_A_Y = 15, WCUT_CHANNEL_A_Z = 16, WCUT_CHANNEL_B_X = 17, WCUT_CHANNEL_B_Y = 18, WCUT_CHANNEL_B_Z = 19, WCUT_CHANNEL_COUNT = 20 }
 public enum wcut_cloud_format { WCUT_CLOUD_FORMAT_ANY = 0, WCUT_CLOUD_FORMAT_PLY = 1, WCUT_CLOUD_FORMAT_TEXT = 2, WCUT_CLOUD_FORMAT_STL = 3, WCUT_CLOUD_FORMAT_LAS = 4, WCUT_CLOUD_FORMAT_PCD = 5, WCUT_CLOUD_FORMAT_OBJ = 6, WCUT_CLOUD_FORMAT_OFF = 7, WCUT_CLOUD_FORMAT_GLTF = 8, WCUT_CLOUD_FORMAT_PTX = 9, WCUT_CLOUD_FORMAT_COUNT = 10 }
@@ -27,6 +27,7 @@ public enum wcut_loss { WCUT_LOSS_SQUARE = 0, WCUT_LOSS_HUBER = 1, WCUT_LOSS_TUK
 public enum wcut_mesh_format { WCUT_MESH_FORMAT_ANY = 0, WCUT_MESH_FORMAT_STL = 1, WCUT_MESH_FORMAT_PLY = 2, WCUT_MESH_FORMAT_OBJ = 3, WCUT_MESH_FORMAT_OFF = 4, WCUT_MESH_FORMAT_GLTF = 5, WCUT_MESH_FORMAT_COUNT = 6 }
 public enum wcut_mode { WCUT_MODE_PATH = 0, WCUT_MODE_DESIGN = 1 }
 public enum wcut_motion { WCUT_MOTION_STATION = 0, WCUT_MOTION_POSITION = 1 }
+public enum wcut_mould_part { WCUT_MOULD_PART_LOWER = 1, WCUT_MOULD_PART_UPPER = 2, WCUT_MOULD_PART_FRAME = 4, WCUT_MOULD_PART_CASTING = 8 }
 public enum wcut_noise { WCUT_NOISE_RELATIVE = 0, WCUT_NOISE_ABSOLUTE = 1 }
 public enum wcut_part { WCUT_PART_ALL = 0, WCUT_PART_ENTRY = 1, WCUT_PART_STEADY = 2, WCUT_PART_EXIT = 3, WCUT_PART_COUNT = 4 }
 public enum wcut_phase { WCUT_PHASE_APPROACH = 0, WCUT_PHASE_ENTRY = 1, WCUT_PHASE_STEADY = 2, WCUT_PHASE_EXIT = 3, WCUT_PHASE_LEFT = 4 }
@@ -994,6 +995,7 @@ public unsafe struct wcut_frame
 public unsafe struct wcut_half
 {
     public wcut_mesh* mesh;
+    public byte* cut;
     public double* draft;
     public wcut_brep* brep;
     public wcut_half_report report;
@@ -1201,6 +1203,19 @@ public unsafe struct wcut_mesh_foot
     public int beyond;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_mesh_object
+{
+    public wcut_mesh* mesh;
+    public byte* name;
+    public byte* material;
+    public byte* marked_material;
+    public byte* mark;
+    public uint colour;
+    public uint marked_colour;
+    public int turned;
+    public wcut_vec3 move;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_mesh_read_info
 {
     public wcut_mesh_format format;
@@ -1261,6 +1276,9 @@ public unsafe struct wcut_mould
 {
     public wcut_half lower;
     public wcut_half upper;
+    public wcut_mesh* frame;
+    public wcut_brep* frame_brep;
+    public double frame_volume;
     public wcut_mesh* kerf;
     public double kerf_volume;
     public double block_volume;
@@ -1274,6 +1292,8 @@ public unsafe struct wcut_mould
     public wcut_vec3 radius_place;
     public double kerf_min;
     public double kerf_max;
+    public double thickness;
+    public int lugs;
     public double scale;
     public double wire_radius;
     public double wall_asked;
@@ -1294,6 +1314,12 @@ public unsafe struct wcut_mould_options
     public double* kerf_field;
     public int key_count;
     public wcut_key* key;
+    public double thickness;
+    public double lug_radius;
+    public double lug_height;
+    public double lug_clearance;
+    public double frame_wall;
+    public double frame_clearance;
     public double scale;
     public wcut_vec3 pull;
     public double wire_diameter;
@@ -2114,6 +2140,10 @@ public unsafe struct wcut_shape
     public wcut_brep* solid;
     public wcut_surface* surface;
     public wcut_curve* curve;
+    public int coloured;
+    public uint colour;
+    public uint cut_colour;
+    public uint key_colour;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_slip
@@ -2632,7 +2662,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern void wcut_mesh_tree_destroy(void* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_mesh_tree_locate(void* a0, int a1, wcut_vec3* a2, int a3, wcut_mesh_foot* a4);
     [DllImport("wirecut-io")] public static extern wcut_mesh_tree_info* wcut_mesh_tree_view(void* a0);
-    [DllImport("wirecut-io")] public static extern wcut_status wcut_mesh_write_3mf(int a0, wcut_mesh** a1, byte** a2, byte* a3, wcut_error* a4);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_mesh_write_3mf(int a0, wcut_mesh_object* a1, byte* a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_mesh_write_glb(wcut_mesh* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_mesh_write_obj(wcut_mesh* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_mesh_write_ply(wcut_mesh* a0, byte* a1, byte* a2, wcut_error* a3);
@@ -2642,6 +2672,8 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern void wcut_mould_destroy(wcut_mould* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_mould_print(wcut_mould* a0, byte* a1, byte** a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_mould_write(wcut_mould* a0, byte* a1, byte* a2, wcut_error* a3);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_mould_write_3mf(wcut_mould* a0, byte* a1, uint a2, int a3, byte* a4, wcut_error* a5);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_mould_write_step(wcut_mould* a0, byte* a1, wcut_mould_part a2, wcut_step_schema a3, byte* a4, wcut_error* a5);
     [DllImport("wirecut-io")] public static extern wcut_normals_options wcut_normals_options_default();
     [DllImport("wirecut-io")] public static extern wcut_status wcut_overlay_create(wcut_vec3 a0, wcut_history* a1, wcut_camera* a2, wcut_camera_report* a3, wcut_picture* a4, wcut_overlay_options* a5, IntPtr a6, void* a7, wcut_overlay** a8, wcut_error* a9);
     [DllImport("wirecut-io")] public static extern void wcut_overlay_destroy(wcut_overlay* a0);

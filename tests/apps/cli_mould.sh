@@ -159,7 +159,7 @@ one_line "none.stl"
 # walls and drafts that are asked for and not there: files, and 5
 # shellcheck disable=SC2086
 run 5 mould "$path" -o f $coarse --minimum-wall 151
-grep -q "half: found a wall of 150 mm, expected at least 151 mm" err || fail "$called: $(cat err)"
+grep -q "half: found a wall of 150 mm at (.*) mm, expected at least 151 mm" err || fail "$called: $(cat err)"
 figures f/mould.json
 # shellcheck disable=SC2086
 run 5 mould "$design" -o f $coarse --minimum-draft 89
@@ -196,6 +196,43 @@ sed '$d' stock.off | sed 's/5 6 0/5 5 0/' >open.off
 # shellcheck disable=SC2086
 run 3 mould "$path" -o g $coarse --stock open.off
 one_line "not closed"
+# halves that are registered to each other, a casting between them, colours and names of what they are, a layout for printing
+# shellcheck disable=SC2086
+run 0 mould "$design" -o l $coarse --keys lugs --key-radius 12 --key-height 10 --thickness 8 --layout print
+figures l/mould.json
+value l/mould.json 'm["lugs"] == 3 and m["asked"]["thickness_mm"] == 8 and abs(m["kerf_mm"]["max"] - 8) < 1e-9'
+value l/mould.json 'm["lower"]["exact_faces"] == m["upper"]["exact_faces"] == 30 and m["volume_error"] < 1e-12'
+grep -q "ADVANCED_FACE('cut face'" l/lower.step && grep -q COLOUR_RGB l/upper.step || fail "lower.step says not what it is"
+python3 - l/mould.3mf <<'EOF2' || fail "mould.3mf"
+import sys, zipfile, xml.etree.ElementTree as xml
+ns = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
+model = xml.fromstring(zipfile.ZipFile(sys.argv[1]).read("3D/3dmodel.model"))
+names = [b.get("name") for b in model.iter(ns + "base")]
+assert names == ["lower half", "cut face", "upper half", "cut face"], names
+assert [o.get("name").split()[-1] for o in model.iter(ns + "object")] == ["lower", "upper"]
+boxes = []
+for item in model.iter(ns + "item"):
+    m = [float(n) for n in item.get("transform").split()]
+    mesh = next(o for o in model.iter(ns + "object") if o.get("id") == item.get("objectid"))
+    points = [[float(v.get(k)) for k in "xyz"] for v in mesh.iter(ns + "vertex")]
+    moved = [[sum(p[r] * m[3 * r + c] for r in range(3)) + m[9 + c] for c in range(3)] for p in points]
+    boxes.append([[min(p[c] for p in moved), max(p[c] for p in moved)] for c in range(3)])
+    assert any(t.get("p1") == "1" for t in mesh.iter(ns + "triangle")), "no cut face"
+assert all(abs(b[2][0]) < 1e-9 and abs(b[1][0]) < 1e-9 for b in boxes), boxes
+assert boxes[1][0][0] - boxes[0][0][1] > 5, boxes
+EOF2
+# shellcheck disable=SC2086
+run 0 mould "$design" -o r $coarse --frame 15 --thickness 4
+value r/mould.json 'abs(m["frame_volume_mm3"] / (300 * (430.4 * 930.4 - 400.4 * 900.4)) - 1) < 1e-9 and "frame.step" in m["files"]'
+# shellcheck disable=SC2086
+run 3 mould "$design" -o r $coarse --frame 15 --keys lugs
+one_line "lugs and a frame"
+# what falls short is named with its place, each
+# shellcheck disable=SC2086
+run 5 mould "$design" -o r $coarse --minimum-wall 200 --minimum-draft 89 -q
+[ "$(grep -c 'at (.*) mm, expected at least' err)" = 4 ] || fail "not all are named: $(cat err)"
+grep -q 'upper half.*: wall .* mm at (' r/report.html || fail "the page does not say where"
+
 # a stock that the cut only touches, and one of bodies that share a face: the words say so
 words="$SOURCE_DIR/../shared/found/geo/mould-words"
 if [ -d "$words" ]; then
@@ -203,9 +240,9 @@ if [ -d "$words" ]; then
     run 3 mould "$SOURCE_DIR/samples/jobs/steady-400-60.json" --stock touches.obj -o words -q --chord-tolerance 1
     one_line 'runs along a face of the stock'
     run 3 mould "$SOURCE_DIR/samples/jobs/steady-400-60.json" --stock step.obj -o words -q --chord-tolerance 1
-    one_line 'runs along a face'
+    one_line 'runs along a face or through an edge of the stock near ('
     run 3 mould "$SOURCE_DIR/samples/jobs/steady-400-60.json" --stock shares.obj -o words -q --chord-tolerance 1
-    one_line 'bodies that share a face'
+    one_line 'bodies that share a face or an edge, which are one body) near ('
 else
     echo "note: no ../shared/found/geo/mould-words here"
 fi

@@ -97,7 +97,7 @@ static void bench_mesh(void) {
 
 static void bench_step(void) {
     wcut_surface *s = make_surface(2000, 200);
-    const wcut_shape shape = {"cut", NULL, s, NULL};
+    const wcut_shape shape = {.name = "cut", .surface = s};
     double seconds;
     wcut_error error;
     TIMED(RUNS, seconds, check(wcut_step_write(1, &shape, WCUT_STEP_SCHEMA_AP214, "bench.step", &error), &error));

@@ -45,7 +45,7 @@ static wcut_mesh *cutter_of(const wcut_mould *m, double chord_tolerance) {
     }
     const wcut_sides wide = {{-2, 402}, {-4.5, 904.5}};
     check(wcut_cap_flat(wide, -10, 0, NULL, 1, &floor), "floor");
-    check(wcut_cap_enclose(&floor, &face, &mesh), "cutter");
+    check(wcut_cap_enclose(&floor, &face, 0, NULL, &mesh), "cutter");
     wcut_cap_clear(&floor);
     wcut_cap_clear(&face);
     return mesh;
@@ -57,7 +57,7 @@ static wcut_mesh *block_mesh(void) {
     wcut_mesh *mesh;
     check(wcut_cap_flat(sides, 0, 0, NULL, 1, &floor), "block");
     check(wcut_cap_flat(sides, block.z, 0, NULL, 1, &ceiling), "block");
-    check(wcut_cap_enclose(&floor, &ceiling, &mesh), "block");
+    check(wcut_cap_enclose(&floor, &ceiling, 0, NULL, &mesh), "block");
     wcut_cap_clear(&ceiling);
     wcut_cap_clear(&floor);
     return mesh;

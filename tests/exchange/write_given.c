@@ -45,14 +45,14 @@ static void put_curve(FILE *file, const char *name, const wcut_curve *c) {
 static void write_parts(FILE *file) {
     wcut_surface *loft = given_loft(41, 31), *cylinder = given_cylinder(), *patch = given_patch();
     wcut_curve *curve = given_curve(), *arc = given_arc();
-    const wcut_shape shape[] = {{"loft", NULL, loft, NULL},
-                                {"cylinder 'quoted' \xc3\xbc", NULL, cylinder, NULL},
-                                {"curve", NULL, NULL, curve},
-                                {"arc", NULL, NULL, arc}};
+    const wcut_shape shape[] = {{.name = "loft", .surface = loft},
+                                {.name = "cylinder 'quoted' \xc3\xbc", .surface = cylinder},
+                                {.name = "curve", .curve = curve},
+                                {.name = "arc", .curve = arc}};
     must(wcut_step_write(4, shape, WCUT_STEP_SCHEMA_AP214, "parts.step", &error));
     must(wcut_step_write(4, shape, WCUT_STEP_SCHEMA_AP242, "parts-242.step", &error));
     must(wcut_iges_write(4, shape, "parts.igs", &error));
-    const wcut_shape sheet = {"loft", NULL, patch, NULL};
+    const wcut_shape sheet = {.name = "loft", .surface = patch};
     must(wcut_step_write(1, &sheet, WCUT_STEP_SCHEMA_AP214, "patch.step", &error));
     put_surface(file, "loft", loft);
     put_surface(file, "cylinder", cylinder);
@@ -70,7 +70,7 @@ static void write_solids(FILE *file) {
     given_solid lower, upper;
     given_solid_create(&lower, 0);
     given_solid_create(&upper, 1);
-    const wcut_shape both[] = {{"lower", &lower.brep, NULL, NULL}, {"upper", &upper.brep, NULL, NULL}};
+    const wcut_shape both[] = {{.name = "lower", .solid = &lower.brep}, {.name = "upper", .solid = &upper.brep}};
     must(wcut_step_write(2, both, WCUT_STEP_SCHEMA_AP214, "solids.step", &error));
     must(wcut_step_write(2, both, WCUT_STEP_SCHEMA_AP242, "solids-242.step", &error));
     put_number(file, " \"volume\": {\"lower\": ", lower.volume);
@@ -89,11 +89,12 @@ static void write_mould(FILE *file) {
     options.key_count = 3;
     options.key = key;
     must(wcut_mould_create(loft, (wcut_vec3){400, 600, 200}, &options, &mould, &error));
-    const wcut_shape both[] = {{"lower", mould->lower.brep, NULL, NULL}, {"upper", mould->upper.brep, NULL, NULL}};
+    const wcut_shape both[] = {{.name = "lower", .solid = mould->lower.brep},
+                               {.name = "upper", .solid = mould->upper.brep}};
     must(wcut_step_write(2, both, WCUT_STEP_SCHEMA_AP214, "mould.step", &error));
     const wcut_mesh *mesh[] = {mould->lower.mesh, mould->upper.mesh};
-    static const char *const name[] = {"lower", "upper"};
-    must(wcut_mesh_write_3mf(2, mesh, name, "mould.3mf", &error));
+    const wcut_mesh_object object[] = {{.mesh = mesh[0], .name = "lower"}, {.mesh = mesh[1], .name = "upper"}};
+    must(wcut_mesh_write_3mf(2, object, "mould.3mf", &error));
     for (int k = 0; k < 2; k++) {
         static const char *const target[][4] = {{"lower.stl", "lower.ply", "lower.obj", "lower.glb"},
                                                 {"upper.stl", "upper.ply", "upper.obj", "upper.glb"}};
@@ -102,7 +103,7 @@ static void write_mould(FILE *file) {
         must(wcut_mesh_write_obj(mesh[k], target[k][2], &error));
         must(wcut_mesh_write_glb(mesh[k], target[k][3], &error));
         const wcut_half_report *r = k ? &mould->upper.report : &mould->lower.report;
-        fprintf(file, " \"%s\": {\"triangles\": %d, \"vertices\": %d, ", name[k], mesh[k]->triangle_count,
+        fprintf(file, " \"%s\": {\"triangles\": %d, \"vertices\": %d, ", object[k].name, mesh[k]->triangle_count,
                 mesh[k]->vertex_count);
         put_number(file, "\"volume\": ", r->volume);
         put_number(file, ", \"area\": ", r->area);

@@ -415,11 +415,9 @@ HOSTILE(wcut_trimmed_set_read) {
 HOSTILE_VALUE(wcut_trimmed_set_destroy, NULL)
 
 HOSTILE(wcut_mesh_write_3mf) {
-    const wcut_mesh *const all[1] = {mesh()};
-    const char *const name[1] = {"face"};
+    const wcut_mesh_object all[1] = {{.mesh = mesh(), .name = "face"}};
     /* a sheet is no solid: what is refused anyway must be refused without harm */
-    for (hostile_begin(); hostile_next();)
-        wcut_mesh_write_3mf(COUNT(1), PTR(&all[0]), PTR(&name[0]), PTR(OUT_FILE), ERR);
+    for (hostile_begin(); hostile_next();) wcut_mesh_write_3mf(COUNT(1), PTR(&all[0]), PTR(OUT_FILE), ERR);
     hostile_end("wcut_mesh_write_3mf");
 }
 
@@ -527,6 +525,9 @@ HOSTILE_MADE(wcut_mould_create, wcut_mould, wcut_mould_destroy, PTR(sound_face()
 HOSTILE_ARRAY(wcut_keys_at_corners, wcut_key, WCUT_KEYS_AT_CORNERS, VEC(sound_job()->block_size), NUM(10), NUM(6))
 HOSTILE_TEXT(wcut_mould_print, PTR(mould()), PTR("m"), PTR(&made))
 HOSTILE_FILE(wcut_mould_write, PTR(mould()), PTR("m"), PTR(OUT_FILE), ERR)
+HOSTILE_FILE(wcut_mould_write_3mf, PTR(mould()), PTR("m"), COUNT(3), ANY_INT(0), PTR(OUT_FILE), ERR)
+HOSTILE_FILE(wcut_mould_write_step, PTR(mould()), PTR("m"), ANY_ENUM(WCUT_MOULD_PART_LOWER),
+             ANY_ENUM(WCUT_STEP_SCHEMA_AP214), PTR(OUT_FILE), ERR)
 
 /* ---- robots, the rig ---- */
 

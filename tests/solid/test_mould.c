@@ -210,11 +210,11 @@ static wcut_vec3 on_edge(const wcut_brep *b, int e, double t) {
 }
 
 /* the volume by the divergence theorem over the exact faces, each split finely: to 1e-3 of it */
-static void check_brep(const wcut_half *half, int keys) {
+static void check_brep(const wcut_half *half, int keys, int lugs) {
     const wcut_brep *b = half->brep;
     ck_assert_ptr_nonnull(b);
-    ck_assert_int_eq(b->face_count, 6 + 3 * keys);
-    ck_assert_int_eq(b->loop_count, b->face_count + keys);
+    ck_assert_int_eq(b->face_count, 6 + 3 * keys + 8 * lugs);
+    ck_assert_int_eq(b->loop_count, b->face_count + keys + 2 * lugs);
     /* Euler, Poincare: V - E + F - holes = 2 for one shell without handles */
     ck_assert_int_eq(b->vertex_count - b->edge_count + b->face_count - (b->loop_count - b->face_count), 2);
     int *used = calloc((size_t)b->edge_count * 2, sizeof *used);
@@ -222,7 +222,7 @@ static void check_brep(const wcut_half *half, int keys) {
     int seen = 0;
     for (int f = 0; f < b->face_count; f++) {
         const wcut_brep_face *face = &b->face[f];
-        ck_assert_int_eq(face->loop_count, face->part == WCUT_BREP_PART_OPPOSITE ? 1 + keys : 1);
+        if (lugs == 0) ck_assert_int_eq(face->loop_count, face->part == WCUT_BREP_PART_OPPOSITE ? 1 + keys : 1);
         for (int l = face->first_loop; l < face->first_loop + face->loop_count; l++) {
             const wcut_brep_loop *loop = &b->loop[l];
             ck_assert_int_eq(loop->first_coedge, seen);
@@ -293,7 +293,7 @@ TEST(exact_faces_are_a_closed_shell_whose_edges_lie_on_both_their_faces) {
         o.scale = k == 2 ? 1.02 : 1;
         wcut_mould *m = cut_divide(s, cut_block, &o);
         const int keys = k == 0 ? 0 : 3;
-        check_brep(&m->lower, keys), check_brep(&m->upper, keys);
+        check_brep(&m->lower, keys, 0), check_brep(&m->upper, keys, 0);
         check_senses(&m->lower), check_senses(&m->upper);
         ck_assert(m->lower.brep->face[0].part == WCUT_BREP_PART_CUT && m->lower.brep->face[0].same_sense == 1);
         ck_assert(m->upper.brep->face[0].part == WCUT_BREP_PART_CUT && m->upper.brep->face[0].same_sense == 0);
@@ -386,6 +386,104 @@ TEST(keys_at_corners_fit_in_one_way_only_and_refuse_what_has_no_tip) {
         across += k < 3 ? (key[k].x - 200) * (key[k].y - 450) : 0;
     }
     ck_assert_double_ne(across, 0);
+}
+
+/* the cone (first of a lower half's lugs) or pocket of every lug: z of foot and end, radius at both, axis */
+typedef struct lug_key {
+    double x, y, foot, end, radius, tip;
+} lug_key;
+
+static int lug_keys(const wcut_brep *b, lug_key *key) {
+    int count = 0;
+    for (int f = 0; f < b->face_count; f++) {
+        if (b->face[f].part != WCUT_BREP_PART_KEY_FLANK || b->face[f + 1].part != WCUT_BREP_PART_KEY_FLANK) continue;
+        const wcut_vec3 *c = b->face[f].surface->control; /* from angle 0 to pi on the face, then at the end */
+        key[count++] = (lug_key){(c[0].x + c[3].x) / 2, (c[0].y + c[3].y) / 2, c[0].z, c[4].z,
+                                 (c[0].x - c[3].x) / 2, (c[4].x - c[7].x) / 2};
+    }
+    return count;
+}
+
+TEST(lugs_register_the_halves_to_each_other_and_all_stays_closed_and_exact) {
+    wcut_surface *s = cut_of(cut_hilly);
+    for (int k = 0; k < 3; k++) {
+        wcut_mould_options o = wcut_mould_default();
+        o.chord_tolerance = 1, o.lug_radius = 12, o.lug_height = 10, o.lug_clearance = 0.15;
+        o.thickness = 8 * k, o.scale = k == 2 ? 1.02 : 1;
+        wcut_mould *m = cut_divide(s, cut_block, &o);
+        const double f = o.scale;
+        check_brep(&m->lower, 0, 3), check_brep(&m->upper, 0, 3);
+        check_senses(&m->lower), check_senses(&m->upper);
+        ck_assert(m->lugs == 3 && m->lower.report.pieces == 1 && m->upper.report.pieces == 1);
+        ck_assert(m->lower.report.box_low.x < -f * 30 && m->lower.report.box_high.x > f * 430);
+
+        /* every cone stands in a pocket: on its floor, with the clearance around its flank */
+        lug_key cone[3], pocket[3];
+        ck_assert(lug_keys(m->lower.brep, cone) == 3 && lug_keys(m->upper.brep, pocket) == 3);
+        for (int j = 0; j < 3; j++) {
+            const lug_key *a = &cone[j], *b = &pocket[j];
+            ck_assert(a->x < 0 || a->x > 400 * f);
+            ck_assert_double_le(fabs(a->x - b->x) + fabs(a->y - b->y) + fabs(a->end - b->end), 1e-9);
+            ck_assert_double_le(fabs(b->end - b->foot - 10 * f), 1e-9);
+            const double share = (b->foot - a->foot) / (a->end - a->foot);
+            ck_assert(share > 0 && share < 1 && a->tip >= 6 * f - 1e-9);
+            ck_assert_double_le(fabs(b->radius - (a->radius + share * (a->tip - a->radius)) - 0.15 * f), 1e-9);
+            ck_assert_double_le(fabs(b->tip - a->tip - 0.15 * f), 1e-9);
+        }
+
+        /* one way only: two at x = 0, one at x = W */
+        ck_assert(cone[0].x < 0 && cone[1].x < 0 && cone[2].x > 400 * f && cone[1].y > cone[0].y);
+        wcut_mould_destroy(m);
+    }
+    wcut_surface_destroy(s);
+}
+
+TEST(lugs_without_room_are_refused_with_their_place) {
+    wcut_surface *s = cut_of(low_wall);
+    wcut_mould_options o = wcut_mould_default();
+    o.lug_radius = 12, o.lug_height = 10;
+    cut_refused(s, cut_block, &o, WCUT_BAD_ARGUMENT, "no room at x = 0");
+    o.frame_wall = 10;
+    cut_refused(s, cut_block, &o, WCUT_BAD_ARGUMENT, "lugs and a frame");
+    o.frame_wall = 0, o.lug_height = 0;
+    cut_refused(s, cut_block, &o, WCUT_BAD_ARGUMENT, "positive height");
+    o.lug_radius = 0, o.frame_wall = -1;
+    cut_refused(s, cut_block, &o, WCUT_BAD_ARGUMENT, "frame: found a wall of -1");
+    o.frame_wall = 0, o.thickness = -1;
+    cut_refused(s, cut_block, &o, WCUT_BAD_ARGUMENT, "thickness: found -1");
+    wcut_surface_destroy(s);
+    s = cut_of(cut_tilted);
+    o = wcut_mould_default();
+    o.lug_radius = 200, o.lug_height = 10;
+    cut_refused(s, cut_block, &o, WCUT_BAD_ARGUMENT, "no room");
+    wcut_surface_destroy(s);
+}
+
+TEST(a_casting_has_its_thickness_along_the_normals_and_a_frame_closes_around_the_block) {
+    wcut_surface *s = cut_of(cut_tilted);
+    wcut_mould_options o = wcut_mould_default();
+    o.thickness = 20, o.kerf = 3, o.frame_wall = 15, o.frame_clearance = 0.5, o.scale = 2;
+    wcut_mould *m = cut_divide(s, cut_block, &o);
+
+    /* of a plane: area over the block times thickness, whatever the kerf */
+    const double area = 400.0 * 900 * sqrt(1 + 0.1 * 0.1 + 0.05 * 0.05);
+    ck_assert_double_le(fabs(m->kerf_volume / 8 / (20 * area) - 1), 1e-9);
+    ck_assert(m->thickness == 20 && fabs(m->kerf_min - 20) < 1e-9 && fabs(m->kerf_max - 20) < 1e-9);
+
+    /* outer box less inner box, closed, by triangles and by faces */
+    const double outer = 431.0 * 931 * 300, inner = 401.0 * 901 * 300;
+    ck_assert(cut_is_closed(m->frame));
+    ck_assert_double_le(fabs(cut_volume(m->frame) / 8 / (outer - inner) - 1), 1e-12);
+    ck_assert_double_le(fabs(m->frame_volume / 8 / (outer - inner) - 1), 1e-12);
+    const wcut_half frame = {.brep = m->frame_brep};
+    check_senses(&frame);
+    ck_assert(m->frame_brep->face_count == 10 && m->frame_brep->loop_count == 12);
+    int used[48] = {0};
+    for (int k = 0; k < m->frame_brep->coedge_count; k++)
+        used[2 * m->frame_brep->coedge[k].edge + (m->frame_brep->coedge[k].reversed != 0)]++;
+    for (int k = 0; k < 48; k++) ck_assert_int_eq(used[k], 1);
+    wcut_mould_destroy(m);
+    wcut_surface_destroy(s);
 }
 
 TEST(halves_grow_with_the_shrinkage) {

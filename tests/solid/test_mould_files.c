@@ -55,6 +55,64 @@ TEST(the_figures_are_printed_and_written_alike_with_null_for_what_is_not_known) 
     wcut_surface_destroy(s);
 }
 
+/* how often a word stands in a file */
+static int times(const char *path, const char *word) {
+    FILE *f = fopen(path, "rb");
+    ck_assert_ptr_nonnull(f);
+    char *text = calloc(1, 4000000);
+    ck_assert_ptr_nonnull(text);
+    ck_assert_uint_gt(fread(text, 1, 3999999, f), 0);
+    ck_assert_int_eq(fclose(f), 0);
+    int count = 0;
+    for (const char *at = text; (at = strstr(at, word)) != NULL; at++) count++;
+    free(text);
+    return count;
+}
+
+TEST(parts_are_written_with_colours_and_names_and_what_is_missing_is_refused) {
+    wcut_surface *s = cut_of(cut_level);
+    wcut_mould_options o = wcut_mould_default();
+    o.lug_radius = 12, o.lug_height = 10;
+    wcut_mould *m = cut_divide(s, cut_block, &o);
+    wcut_error error = {.text = ""};
+    const wcut_mould_part lower = WCUT_MOULD_PART_LOWER, upper = WCUT_MOULD_PART_UPPER;
+    ck_assert_int_eq(wcut_mould_write_step(m, "panel", lower, WCUT_STEP_SCHEMA_AP214, "a.step", &error), WCUT_OK);
+
+    /* a style for the solid and each of its faces, three colours, faces by their names */
+    const int faces = m->lower.brep->face_count;
+    ck_assert_int_eq(times("a.step", "=STYLED_ITEM("), 1 + faces);
+    ck_assert_int_eq(times("a.step", "COLOUR_RGB("), 3);
+    ck_assert_int_eq(times("a.step", "ADVANCED_FACE('cut face'"), 1);
+    ck_assert_int_eq(times("a.step", "ADVANCED_FACE('lug'"), 15);
+    ck_assert_int_eq(times("a.step", "ADVANCED_FACE('key flank'"), 6);
+    ck_assert_int_eq(times("a.step", "MANIFOLD_SOLID_BREP('panel lower'"), 1);
+    ck_assert_int_eq(unlink("a.step"), 0);
+    ck_assert_int_eq(wcut_mould_write_3mf(m, "panel", lower | upper, 1, "a.3mf", &error), WCUT_OK);
+    ck_assert_int_eq(access("a.3mf", R_OK), 0);
+    ck_assert_int_eq(unlink("a.3mf"), 0);
+
+    /* parts that are not there, sums where one is meant, no part */
+    const unsigned bad[] = {0, 4, 8, 16, 1 | 4};
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; k++)
+        ck_assert_int_eq(wcut_mould_write_3mf(m, "panel", bad[k], 0, "a.3mf", &error), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_mould_write_step(m, "panel", 3, WCUT_STEP_SCHEMA_AP214, "a.step", &error), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_mould_write_step(m, NULL, lower, WCUT_STEP_SCHEMA_AP214, "a.step", &error),
+                     WCUT_BAD_ARGUMENT);
+    ck_assert_int_ne(access("a.3mf", F_OK), 0);
+    ck_assert_int_ne(access("a.step", F_OK), 0);
+    wcut_mould_destroy(m);
+
+    /* halves by booleans are triangles */
+    wcut_surface *leaving = cut_of(cut_leaving);
+    m = cut_divide(leaving, cut_block, NULL);
+    ck_assert_int_eq(wcut_mould_write_step(m, "panel", lower, WCUT_STEP_SCHEMA_AP214, "a.step", &error),
+                     WCUT_BAD_ARGUMENT);
+    ck_assert_msg(strstr(error.text, "exact faces") != NULL, "%s", error.text);
+    wcut_mould_destroy(m);
+    wcut_surface_destroy(leaving);
+    wcut_surface_destroy(s);
+}
+
 TEST(the_kerf_of_a_history_grows_with_the_heat_left_per_area) {
     enum { STATIONS = 3, NODES = 2 };
     wcut_history_row row[STATIONS] = {{.time = 0}, {.time = 2}, {.time = 5}};

@@ -25,13 +25,15 @@ typedef struct wcut_brep_coedge {
 /** Which part of the solid's surface a face is. */
 typedef enum wcut_brep_part {
     WCUT_BREP_PART_CUT,      /**< the cut face: spline */
-    WCUT_BREP_PART_SIDE_X0,  /**< x = 0: plane, as all up to OPPOSITE */
+    WCUT_BREP_PART_SIDE_X0,  /**< x = 0: plane, as all up to OPPOSITE; with a hole for every lug on it */
     WCUT_BREP_PART_SIDE_XW,  /**< x = W */
     WCUT_BREP_PART_SIDE_Y0,  /**< y = 0 */
     WCUT_BREP_PART_SIDE_YL,  /**< y = L */
     WCUT_BREP_PART_OPPOSITE, /**< z = 0 of the lower half, z = H of the upper: with a hole for every registration key */
     WCUT_BREP_PART_KEY_FLANK, /**< half a cone: spline, rational */
-    WCUT_BREP_PART_KEY_TIP    /**< the flat end of a key: plane */
+    WCUT_BREP_PART_KEY_TIP,   /**< the flat end of a key: plane */
+    WCUT_BREP_PART_LUG,       /**< of a locating lug: plane */
+    WCUT_BREP_PART_FRAME      /**< of a frame around the halves: plane */
 } wcut_brep_part;
 
 /** A face of the solid. */

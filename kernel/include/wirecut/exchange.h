@@ -19,6 +19,10 @@ typedef struct wcut_shape {
     const wcut_brep *solid;
     const wcut_surface *surface;
     const wcut_curve *curve;
+    int coloured;        /**< 1: a solid whose faces have the colours below and the names of their parts */
+    unsigned colour;     /**< 0xRRGGBB, sRGB: of the solid */
+    unsigned cut_colour; /**< ... of its cut face */
+    unsigned key_colour; /**< ... of keys, their flanks and ends */
 } wcut_shape;
 
 /** The application protocol of a STEP file; geometry is the same in both. */
@@ -61,21 +65,33 @@ WCUT_API wcut_status wcut_step_write(int count, const wcut_shape *shape, wcut_st
  */
 WCUT_API wcut_status wcut_iges_write(int count, const wcut_shape *shape, const char *path, wcut_error *error);
 
+/** A mesh as an object of a 3MF package. All borrowed. */
+typedef struct wcut_mesh_object {
+    const wcut_mesh *mesh;
+    const char *name;               /**< UTF-8 */
+    const char *material;           /**< UTF-8, of the object's triangles; NULL: none, and no colour */
+    const char *marked_material;    /**< UTF-8, of the marked ones; NULL where mark is */
+    const unsigned char *mark;      /**< mesh->triangle_count: not 0 where a triangle is of the second material; NULL */
+    unsigned colour, marked_colour; /**< 0xRRGGBB of the materials, sRGB */
+    int turned;                     /**< 1: half a turn about the x axis before it is moved, its upper side down */
+    wcut_vec3 move;                 /**< [mm] where the object is put: its coordinates stay as they are */
+} wcut_mesh_object;
+
 /**
- * Meshes to a 3MF package (3MF core specification 1.3, deflated), each an object with its name, in millimetres, of
- * type model where it is closed by index and surface where it is open. Coordinates are the shortest numbers that read
- * back as the same double.
+ * Meshes to a 3MF package (3MF core specification 1.3, deflated), each an object with its name, colours and place, in
+ * millimetres, of type model where it is closed by index and surface where it is open. Coordinates are the shortest
+ * numbers that read back as the same double.
  *
  * @param[in]  count  1 or more
- * @param[in]  mesh   count, borrowed
- * @param[in]  name   count, UTF-8
+ * @param[in]  object count
  * @param[in]  path   the target, replaced whole or left as it was
  * @param[out] error  may be NULL
  * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT (as the writers of write.h; a name that is not UTF-8
- *         or holds control characters), WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as it was.
+ *         or holds control characters, a mark without materials), WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as
+ *         it was.
  */
-WCUT_API wcut_status wcut_mesh_write_3mf(int count, const wcut_mesh *const *mesh, const char *const *name,
-                                         const char *path, wcut_error *error);
+WCUT_API wcut_status wcut_mesh_write_3mf(int count, const wcut_mesh_object *object, const char *path,
+                                         wcut_error *error);
 
 /** A binary STL written triangle by triangle, for meshes too large for memory. */
 typedef struct wcut_stl_stream wcut_stl_stream;

@@ -35,6 +35,15 @@ typedef struct wcut_mould_options {
     const double *kerf_field; /**< kerf_stations x kerf_nodes [mm], not negative; smoothed as the surface's knots do */
     int key_count;
     const wcut_key *key;    /**< key_count, apart from each other and from the block's edges */
+    double thickness;       /**< [mm] of the casting between the halves, along the normals of the cut, half on either
+                                 side, in place of the kerf: no wire cuts both faces at once; 0: none */
+    double lug_radius;      /**< [mm] of the cones of the locating lugs; 0: no lugs. Three boxes beside each half, two
+                                 at x = 0 and one at x = W, so that the halves fit in one way only. Cones of the lower
+                                 half end on the floors of pockets of the upper, at the distance of the cut faces */
+    double lug_height;      /**< [mm] of a cone that is in its pocket; positive with lugs */
+    double lug_clearance;   /**< [mm] between flank of cone and pocket, radially; 0.1 */
+    double frame_wall;      /**< [mm] of a frame around the block in which both halves lie; 0: none; not with lugs */
+    double frame_clearance; /**< [mm] between block and frame; 0.2 */
     double scale;           /**< [1] 1 + shrinkage of the cast: both halves are larger by it, from the origin; 1 */
     wcut_vec3 pull;         /**< [1] direction in which the cast leaves the lower half, the upper half's is opposite;
                                  any length; +z */
@@ -65,12 +74,13 @@ typedef struct wcut_half_report {
     double edge_min;             /**< [rad] least angle inside the half between cut face and a side; NaN likewise */
     wcut_vec3 edge_place;        /**< [mm] ... and where; NaN likewise */
     int wall_held, draft_held;   /**< 1: as required; an unknown wall holds only where 0 is required */
-    double key_volume;           /**< [mm3] of its keys, those of pockets negative */
+    double key_volume;           /**< [mm3] of its keys and lugs, those of pockets negative */
 } wcut_half_report;
 
 /** One half. */
 typedef struct wcut_half {
-    wcut_mesh *mesh; /**< closed, oriented outwards; vertices shared by index */
+    wcut_mesh *mesh;    /**< closed, oriented outwards; vertices shared by index */
+    unsigned char *cut; /**< triangle_count: 1 where it is of the cut face */
     double *draft; /**< vertex_count [rad]: least angle to the pull of the cut face's triangles there, NaN elsewhere */
     wcut_brep *brep; /**< the same solid exactly; NULL where the cut leaves through top or bottom, or with a stock */
     wcut_half_report report;
@@ -79,18 +89,23 @@ typedef struct wcut_half {
 /** Both halves and what they have in common. */
 typedef struct wcut_mould {
     wcut_half lower, upper;
-    wcut_mesh *kerf;           /**< closed: what is between the halves; NULL where the kerf is 0 everywhere */
-    double kerf_volume;        /**< [mm3] of it */
-    double block_volume;       /**< [mm3] of the block or the stock */
-    double volume_error;       /**< [1] |lower + upper + kerf - keys - block| / block */
-    double fit_error;          /**< [mm] measured: largest distance from the wire's surface to the exact cut face */
-    double chord_error;        /**< [mm] measured: largest distance from triangles to the exact cut face */
+    wcut_mesh *frame;      /**< closed; NULL without one */
+    wcut_brep *frame_brep; /**< the same exactly; NULL without one */
+    double frame_volume;   /**< [mm3] of it */
+    wcut_mesh *kerf;       /**< closed: what is between the halves, the casting of a thickness; NULL where both are 0 */
+    double kerf_volume;    /**< [mm3] of it */
+    double block_volume;   /**< [mm3] of the block or the stock */
+    double volume_error;   /**< [1] |lower + upper + kerf - keys - block| / block */
+    double fit_error;      /**< [mm] measured: largest distance from the wire's surface to the exact cut face */
+    double chord_error;    /**< [mm] measured: largest distance from triangles to the exact cut face */
     double prolonged_entry;    /**< [mm] how far the cut was continued inside the block where it begins, 0 if not */
     double prolonged_exit;     /**< [mm] ... and where it ends */
     double prolonged_side;     /**< [mm] ... and at the ends of the wire */
     double radius_min;         /**< [mm] least radius of curvature of the cut, INFINITY where it is flat */
     wcut_vec3 radius_place;    /**< [mm] ... and where */
     double kerf_min, kerf_max; /**< [mm] over the cut face */
+    double thickness;          /**< [mm] as asked for */
+    int lugs;                  /**< of each half */
     double scale;              /**< [1] as asked for */
     double wire_radius;        /**< [mm] as asked for */
     double wall_asked;         /**< [mm] as asked for */
@@ -115,7 +130,8 @@ WCUT_API wcut_mould_options wcut_mould_default(void);
  * @param[in]  options    NULL: the defaults
  * @param[out] mould      the caller's, to wcut_mould_destroy; closed, oriented, free of self-intersections
  * @param[out] error      may be NULL; what is wrong and where in the block
- * @return WCUT_OK; WCUT_BAD_ARGUMENT (an option out of range, keys that meet, a stock that is not closed or not inside
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (an option out of range, keys that meet, no room for lugs, lugs or a frame with a
+ *         stock or both together, lugs where the cut leaves through top or bottom, a stock that is not closed or not inside
  *         the block); WCUT_DEGENERATE (the cut misses the block, grazes a face, runs along an edge or through a corner,
  *         ends inside the block further than `prolong`, folds over itself, its kerf folds); WCUT_NOT_CONVERGED (no
  *         bicubic surface within fit_tolerance, no triangles within chord_tolerance, of a size that fits);

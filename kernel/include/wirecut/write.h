@@ -51,7 +51,8 @@ WCUT_API wcut_status wcut_mesh_write_obj(const wcut_mesh *mesh, const char *path
 WCUT_API wcut_status wcut_mesh_write_ply(const wcut_mesh *mesh, const char *name, const char *path, wcut_error *error);
 
 /**
- * Binary glTF in metres as glTF demands (scale on the root node, coordinates in mm), scalar as vertex colour.
+ * Binary glTF in metres as glTF demands (scale on the root node, coordinates in mm from the part's middle, to
+ * 2^-24 of its half size), scalar as vertex colour.
  *
  * @param[in]  mesh  at least one triangle
  * @param[in]  path  the target, replaced whole or left as it was

@@ -12,9 +12,9 @@
 
 static wcut_error error;
 
-static wcut_shape surface_shape(const wcut_surface *s) { return (wcut_shape){"s", NULL, s, NULL}; }
+static wcut_shape surface_shape(const wcut_surface *s) { return (wcut_shape){.name = "s", .surface = s}; }
 
-static wcut_shape curve_shape(const wcut_curve *c) { return (wcut_shape){"c", NULL, NULL, c}; }
+static wcut_shape curve_shape(const wcut_curve *c) { return (wcut_shape){.name = "c", .curve = c}; }
 
 /* ---- STEP ---- */
 
@@ -52,7 +52,7 @@ TEST(solids_share_their_edges_and_every_reference_leads_somewhere) {
     wcut_shape shape[2];
     for (int k = 0; k < 2; k++) {
         given_solid_create(&solid[k], k);
-        shape[k] = (wcut_shape){k ? "upper" : "lower", &solid[k].brep, NULL, NULL};
+        shape[k] = (wcut_shape){.name = k ? "upper" : "lower", .solid = &solid[k].brep};
     }
     enter_folder();
     ck_assert_int_eq(wcut_step_write(2, shape, WCUT_STEP_SCHEMA_AP214, "a.step", &error), WCUT_OK);
@@ -197,11 +197,11 @@ TEST(shapes_that_are_none_are_refused) {
     given_solid solid;
     given_solid_create(&solid, 0);
     enter_folder();
-    wcut_shape shape = {"a", NULL, NULL, NULL};
+    wcut_shape shape = {.name = "a"};
     refuses(&shape, "shape 0: found not exactly one of solid, surface and curve");
-    shape = (wcut_shape){"a", NULL, patch, arc};
+    shape = (wcut_shape){.name = "a", .surface = patch, .curve = arc};
     refuses(&shape, "shape 0: found not exactly one of solid, surface and curve");
-    shape = (wcut_shape){NULL, NULL, patch, NULL};
+    shape = (wcut_shape){.surface = patch};
     refuses(&shape, "shape 0: found no name");
     shape = surface_shape(patch);
     patch->control[3].y = NAN;
@@ -212,7 +212,7 @@ TEST(shapes_that_are_none_are_refused) {
     shape = curve_shape(arc);
     arc->weights[2] = 0;
     refuses(&shape, "shape 0: found a weight that is not positive");
-    shape = (wcut_shape){"a", &solid.brep, NULL, NULL};
+    shape = (wcut_shape){.name = "a", .solid = &solid.brep};
     solid.coedge[5].reversed ^= 1;
     refuses(&shape, "shape 0: found a loop that is open");
     solid.coedge[5].edge = 12;
@@ -233,7 +233,7 @@ TEST(misuse_and_closed_doors_are_told_apart) {
     wcut_curve *arc = given_arc();
     given_solid solid;
     given_solid_create(&solid, 0);
-    const wcut_shape shape = curve_shape(arc), block = {"b", &solid.brep, NULL, NULL};
+    const wcut_shape shape = curve_shape(arc), block = {.name = "b", .solid = &solid.brep};
     enter_folder();
     ck_assert_int_eq(wcut_step_write(0, &shape, WCUT_STEP_SCHEMA_AP214, "a", NULL), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_step_write(1, NULL, WCUT_STEP_SCHEMA_AP214, "a", NULL), WCUT_BAD_ARGUMENT);
@@ -252,7 +252,7 @@ TEST(misuse_and_closed_doors_are_told_apart) {
 TEST(without_memory_the_target_is_as_it_was) {
     given_solid solid;
     given_solid_create(&solid, 0);
-    const wcut_shape shape[] = {{"b", &solid.brep, NULL, NULL}, surface_shape(solid.patch)};
+    const wcut_shape shape[] = {{.name = "b", .solid = &solid.brep}, surface_shape(solid.patch)};
     enter_folder();
     write_file("a.step", "before");
     EACH_FAILED_ALLOCATION(wcut_step_write(2, shape, WCUT_STEP_SCHEMA_AP214, "a.step", NULL),

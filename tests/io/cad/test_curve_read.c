@@ -68,7 +68,7 @@ static void is_same(const wcut_curve *a, const wcut_curve *b) {
 
 TEST(our_own_step_and_iges_come_back_bit_for_bit_whatever_the_locale) {
     wcut_curve *curve = given_curve(), *arc = given_arc();
-    const wcut_shape shape[] = {{"path a", NULL, NULL, curve}, {"arc 'b'", NULL, NULL, arc}};
+    const wcut_shape shape[] = {{.name = "path a", .curve = curve}, {.name = "arc 'b'", .curve = arc}};
     enter_folder();
     ck_assert_ptr_nonnull(setlocale(LC_ALL, "de_DE.UTF-8"));
     ck_assert_int_eq(wcut_step_write(2, shape, WCUT_STEP_SCHEMA_AP214, "a.step", NULL), WCUT_OK);
@@ -94,7 +94,7 @@ TEST(our_own_step_and_iges_come_back_bit_for_bit_whatever_the_locale) {
 TEST(a_solid_gives_its_edges) {
     given_solid solid;
     given_solid_create(&solid, 0);
-    const wcut_shape shape = {"lower", &solid.brep, NULL, NULL};
+    const wcut_shape shape = {.name = "lower", .solid = &solid.brep};
     enter_folder();
     ck_assert_int_eq(wcut_step_write(1, &shape, WCUT_STEP_SCHEMA_AP214, "a.step", NULL), WCUT_OK);
     ck_assert_msg(wcut_curve_set_read("a.step", NULL, &set, &error) == WCUT_OK, "%s", error.text);

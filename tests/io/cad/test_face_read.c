@@ -50,7 +50,7 @@ static void is_same(const wcut_surface *a, const wcut_surface *b) {
 
 TEST(our_own_surfaces_come_back_bit_for_bit) {
     wcut_surface *patch = given_patch();
-    const wcut_shape shape = {"patch", NULL, patch, NULL};
+    const wcut_shape shape = {.name = "patch", .surface = patch};
     static const char *const name[] = {"a.step", "b.step", "a.igs"};
     enter_folder();
     ck_assert_int_eq(wcut_step_write(1, &shape, WCUT_STEP_SCHEMA_AP214, name[0], NULL), WCUT_OK);
@@ -90,7 +90,7 @@ TEST(the_faces_of_a_solid_are_trimmed_by_their_edges_and_face_outwards) {
     for (int upper = 0; upper < 2; upper++) {
         given_solid solid;
         given_solid_create(&solid, upper);
-        const wcut_shape shape = {"half", &solid.brep, NULL, NULL};
+        const wcut_shape shape = {.name = "half", .solid = &solid.brep};
         wcut_trimmed_set *found = NULL;
         ck_assert_int_eq(wcut_step_write(1, &shape, WCUT_STEP_SCHEMA_AP214, "a.step", NULL), WCUT_OK);
         ck_assert_msg(wcut_trimmed_set_read("a.step", &found, &error) == WCUT_OK, "%s", error.text);

@@ -280,15 +280,20 @@ static const char *values_of(const json_t *root, size_t accessor, size_t size, s
     return data + at;
 }
 
-/* the root's matrix turns millimetres with z up into metres with y up */
-static void check_root(const json_t *root) {
+/* the root's matrix turns millimetres with z up into metres with y up, from a middle in whole millimetres on */
+static wcut_vec3 check_root(const json_t *root) {
     const json_t *node = item(root, "nodes", (size_t)number_at(json_object_get(item(root, "scenes", 0), "nodes"), 0));
     const json_t *matrix = json_object_get(node, "matrix");
     static const double expected[16] = {0.001, 0, 0, 0, 0, 0, -0.001, 0, 0, 0.001, 0, 0, 0, 0, 0, 1};
-    for (size_t k = 0; k < 16; k++) ck_assert_double_eq_tol(number_at(matrix, k), expected[k], 1e-9);
+    for (size_t k = 0; k < 16; k++)
+        if (k < 12 || k > 14) ck_assert_double_eq_tol(number_at(matrix, k), expected[k], 1e-9);
+    const wcut_vec3 from = {1000 * number_at(matrix, 12), -1000 * number_at(matrix, 14), 1000 * number_at(matrix, 13)};
+    ck_assert_double_le(fabs(from.x - round(from.x)) + fabs(from.y - round(from.y)) + fabs(from.z - round(from.z)),
+                        1e-8);
     ck_assert_ptr_null(json_object_get(node, "mesh"));
     const json_t *child = item(root, "nodes", (size_t)number_at(json_object_get(node, "children"), 0));
     ck_assert(json_integer_value(json_object_get(child, "mesh")) == 0 && json_object_get(child, "mesh"));
+    return from;
 }
 
 static size_t attribute(const json_t *primitive, const char *name) {
@@ -297,8 +302,20 @@ static size_t attribute(const json_t *primitive, const char *name) {
     return (size_t)json_integer_value(index);
 }
 
-/* every triangle's corners, colours and normals are those of the mesh, in single precision */
-static void check_triangles(const json_t *root, const char *data, size_t bytes) {
+/* the power of two that is not less than what any coordinate is away from a place */
+static double reach_of(wcut_vec3 from) {
+    double reach = 0;
+    for (int v = 0; v < mesh.vertex_count; v++) {
+        const wcut_vec3 p = mesh.vertex[v];
+        reach = fmax(reach, fmax(fabs(p.x - from.x), fmax(fabs(p.y - from.y), fabs(p.z - from.z))));
+    }
+    return exp2(ceil(log2(reach)));
+}
+
+/* every triangle's corners, colours and normals are those of the mesh, to half a unit of single precision of the half
+   size, read back in double precision */
+static void check_triangles(const json_t *root, wcut_vec3 from, const char *data, size_t bytes) {
+    const double size = reach_of(from);
     const json_t *primitive = json_array_get(json_object_get(item(root, "meshes", 0), "primitives"), 0);
     size_t vertices, normals, colours, corners;
     const char *p = values_of(root, attribute(primitive, "POSITION"), 12, &vertices, data, bytes);
@@ -316,8 +333,10 @@ static void check_triangles(const json_t *root, const char *data, size_t bytes) 
         memcpy(normal, n + 12 * (size_t)index, sizeof normal);
         memcpy(colour, c + 16 * (size_t)index, sizeof colour);
         int v = mesh.triangle[k];
-        ck_assert(position[0] == (float)mesh.vertex[v].x && position[1] == (float)mesh.vertex[v].y &&
-                  position[2] == (float)mesh.vertex[v].z);
+        const wcut_vec3 x = mesh.vertex[v];
+        const double off[3] = {from.x + (double)position[0] - x.x, from.y + (double)position[1] - x.y,
+                               from.z + (double)position[2] - x.z};
+        for (int i = 0; i < 3; i++) ck_assert_double_le(fabs(off[i]), ldexp(size, -25) + 2e-9);
         ck_assert_double_eq_tol(normal[2], mesh.normal[v].z, 1e-6);
         double rgb[3];
         wcut_colour(mesh.scalar[v] / 0.02, rgb);
@@ -336,14 +355,38 @@ TEST(glb_holds_the_triangles_colours_and_the_scale_to_metres) {
     const char *data;
     char *glb = read_back("a.glb", &length);
     json_t *root = open_glb(glb, length, &data, &bytes);
-    check_root(root);
-    check_triangles(root, data, bytes);
+    check_triangles(root, check_root(root), data, bytes);
     const json_t *material = item(root, "materials", 0);
     ck_assert(json_is_true(json_object_get(material, "doubleSided")));
     ck_assert(json_number_value(json_object_get(json_object_get(material, "pbrMetallicRoughness"), "metallicFactor")) ==
               0);
     json_decref(root);
     free(glb);
+    teardown();
+}
+
+/* 4.5 km from the origin single precision alone would be 0.25 mm off */
+TEST(glb_far_from_the_origin_is_exact_relative_to_the_part) {
+    setup(23, 31);
+    for (int k = 0; k < 2; k++) {
+        for (int v = 0; v < mesh.vertex_count; v++) { /* a part of 1.2 m, then one of 75 mm: 2e-6 mm */
+            const double share = k ? 1.0 / 16 : 1;
+            mesh.vertex[v].x = 4.5e6 + share * (mesh.vertex[v].x - (k ? 4.5e6 : 0));
+            mesh.vertex[v].y = -4.5e6 + share * (mesh.vertex[v].y + (k ? 4.5e6 : 0));
+            mesh.vertex[v].z *= share;
+        }
+        written(wcut_mesh_write_glb(&mesh, "a.glb", &error));
+        size_t length, bytes;
+        const char *data;
+        char *glb = read_back("a.glb", &length);
+        json_t *root = open_glb(glb, length, &data, &bytes);
+        const wcut_vec3 from = check_root(root);
+        ck_assert(fabs(from.x - 4.5e6) < 1000 && fabs(from.y + 4.5e6) < 1000);
+        check_triangles(root, from, data, bytes);
+        ck_assert(reach_of(from) == (k ? 64 : 1024));
+        json_decref(root);
+        free(glb);
+    }
     teardown();
 }
 

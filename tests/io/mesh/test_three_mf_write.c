@@ -1,5 +1,6 @@
 /* 3MF out: a ZIP archive that unpacks, and a model with exact numbers, names and types. */
 #include <locale.h>
+#include <math.h>
 #include <stdint.h>
 #include <wirecut/exchange.h>
 #include <zlib.h>
@@ -56,11 +57,11 @@ static int face[12] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
 static wcut_mesh tetrahedron = {4, 4, corner, NULL, NULL, NULL, face};
 
 TEST(both_halves_are_named_models_in_millimetres_with_exact_numbers) {
-    const wcut_mesh *mesh[] = {&tetrahedron, &tetrahedron};
-    const char *const name[] = {"lower", "upper <\"&\xc3\xbc\">"};
+    const wcut_mesh_object object[] = {{.mesh = &tetrahedron, .name = "lower"},
+                                       {.mesh = &tetrahedron, .name = "upper <\"&\xc3\xbc\">"}};
     enter_folder();
     ck_assert_ptr_nonnull(setlocale(LC_ALL, "de_DE.UTF-8"));
-    ck_assert_int_eq(wcut_mesh_write_3mf(2, mesh, name, "a.3mf", &error), WCUT_OK);
+    ck_assert_int_eq(wcut_mesh_write_3mf(2, object, "a.3mf", &error), WCUT_OK);
     setlocale(LC_ALL, "C");
     char *model = unpack("a.3mf", "3D/3dmodel.model");
     ck_assert_ptr_nonnull(strstr(model, "<model unit=\"millimeter\""));
@@ -80,10 +81,9 @@ TEST(both_halves_are_named_models_in_millimetres_with_exact_numbers) {
 
 TEST(an_open_mesh_is_a_surface_and_a_large_one_is_whole) {
     wcut_mesh sheet = given_mesh(90, 80);
-    const wcut_mesh *mesh = &sheet;
-    const char *const name = "sheet";
+    const wcut_mesh_object object = {.mesh = &sheet, .name = "sheet"};
     enter_folder();
-    ck_assert_int_eq(wcut_mesh_write_3mf(1, &mesh, &name, "a.3mf", &error), WCUT_OK);
+    ck_assert_int_eq(wcut_mesh_write_3mf(1, &object, "a.3mf", &error), WCUT_OK);
     char *model = unpack("a.3mf", "3D/3dmodel.model");
     ck_assert_ptr_nonnull(strstr(model, "type=\"surface\""));
     int vertices = 0, triangles = 0;
@@ -95,19 +95,59 @@ TEST(an_open_mesh_is_a_surface_and_a_large_one_is_whole) {
     forget_mesh(&sheet);
 }
 
-TEST(what_is_no_mesh_and_no_name_is_refused) {
-    const wcut_mesh *mesh = &tetrahedron, *none = NULL;
-    const char *good = "a", *bad[] = {"\xff", "a\nb", "\xed\xa0\x80", NULL};
+TEST(colours_names_and_places_are_in_the_package) {
+    static const unsigned char mark[4] = {0, 1, 0, 0};
+    const wcut_mesh_object object[] = {{.mesh = &tetrahedron, .name = "plain"},
+                                       {.mesh = &tetrahedron,
+                                        .name = "upper half",
+                                        .material = "foam",
+                                        .marked_material = "cut & face",
+                                        .mark = mark,
+                                        .colour = 0x0a0b0c,
+                                        .marked_colour = 0xff8000,
+                                        .turned = 1,
+                                        .move = {410, 0.5, 300}}};
     enter_folder();
-    for (int k = 0; k < 4; k++)
-        ck_assert_int_eq(wcut_mesh_write_3mf(1, &mesh, &bad[k], "a.3mf", &error), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_mesh_write_3mf(0, &mesh, &good, "a.3mf", NULL), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_mesh_write_3mf(1, NULL, &good, "a.3mf", NULL), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_mesh_write_3mf(1, &none, &good, "a.3mf", NULL), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_mesh_write_3mf(1, &mesh, NULL, "a.3mf", NULL), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_mesh_write_3mf(1, &mesh, &good, NULL, NULL), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_mesh_write_3mf(1, &mesh, &good, "none/a.3mf", NULL), WCUT_NOT_WRITTEN);
+    ck_assert_int_eq(wcut_mesh_write_3mf(2, object, "a.3mf", &error), WCUT_OK);
+    char *model = unpack("a.3mf", "3D/3dmodel.model");
+    static const char *const part[] = {
+        "<basematerials id=\"4\">\n<base name=\"foam\" displaycolor=\"#0A0B0C\"/>\n"
+        "<base name=\"cut &#38; face\" displaycolor=\"#FF8000\"/>\n</basematerials>",
+        "<object id=\"1\" type=\"model\" name=\"plain\"><mesh>",
+        "name=\"upper half\" pid=\"4\" pindex=\"0\"><mesh>",
+        "<triangle v1=\"0\" v2=\"1\" v3=\"3\" pid=\"4\" p1=\"1\"/>",
+        "<item objectid=\"1\"/>",
+        "<item objectid=\"2\" transform=\"1 0 0 0 -1 0 0 0 -1 410 0.5 300\"/>"};
+    for (size_t k = 0; k < sizeof part / sizeof *part; k++)
+        ck_assert_msg(strstr(model, part[k]) != NULL, "no %s in %s", part[k], model);
+    ck_assert_ptr_null(strstr(model, "<basematerials id=\"3\""));
+    free(model);
+    leave_folder();
+}
+
+TEST(what_is_no_mesh_and_no_name_is_refused) {
+    const char *bad[] = {"\xff", "a\nb", "\xed\xa0\x80", NULL};
+    static const unsigned char mark[4] = {0, 1, 0, 0};
+    wcut_mesh_object object = {.mesh = &tetrahedron};
+    enter_folder();
+    for (int k = 0; k < 4; k++) {
+        object.name = bad[k];
+        ck_assert_int_eq(wcut_mesh_write_3mf(1, &object, "a.3mf", &error), WCUT_BAD_ARGUMENT);
+    }
+    object.name = "a", object.material = bad[0];
+    ck_assert_int_eq(wcut_mesh_write_3mf(1, &object, "a.3mf", NULL), WCUT_BAD_ARGUMENT);
+    object.material = "foam", object.mark = mark;
+    ck_assert_int_eq(wcut_mesh_write_3mf(1, &object, "a.3mf", NULL), WCUT_BAD_ARGUMENT);
+    object.mark = NULL, object.move.x = NAN;
+    ck_assert_int_eq(wcut_mesh_write_3mf(1, &object, "a.3mf", NULL), WCUT_BAD_ARGUMENT);
+    object.move.x = 0;
+    const wcut_mesh_object none = {.name = "a"};
+    ck_assert_int_eq(wcut_mesh_write_3mf(0, &object, "a.3mf", NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_mesh_write_3mf(1, NULL, "a.3mf", NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_mesh_write_3mf(1, &none, "a.3mf", NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_mesh_write_3mf(1, &object, NULL, NULL), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_mesh_write_3mf(1, &object, "none/a.3mf", NULL), WCUT_NOT_WRITTEN);
     ck_assert_int_eq(count_entries("."), 0);
-    EACH_FAILED_ALLOCATION(wcut_mesh_write_3mf(1, &mesh, &good, "a.3mf", NULL), count_entries(".") == 0);
+    EACH_FAILED_ALLOCATION(wcut_mesh_write_3mf(1, &object, "a.3mf", NULL), count_entries(".") == 0);
     leave_folder();
 }
