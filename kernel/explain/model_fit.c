@@ -7,6 +7,7 @@
 #include "base/fail.h"
 #include "base/numbers.h"
 #include "base/threads.h"
+#include "base/vec3.h"
 #include "explain/variance.h"
 
 enum { NODES_FINE = WCUT_NODES_FINE, ROUNDS = 7, JACOBIANS = 1, ANCHORS = 4, ENDS = 3 };
@@ -37,8 +38,27 @@ typedef struct fitting {
     double *column;                        /* n x rows, whitened */
     double *residual;                      /* rows, whitened */
     double centre[WCUT_FITTED_MAX], precision[WCUT_FITTED_MAX];
+    double shortest; /* [mm] change of length at which every wire still spans its mounts */
     wcut_normal_equations normal;
 } fitting;
+
+/* [mm] that a wire keeps over the distance of its mounts */
+#define SLACK_MIN 0.02
+
+/* how much shorter all wires may be, at most; at their own length they span their mounts */
+static double shortest_length(const wcut_evidence *e) {
+    double shortest = -HUGE_VAL;
+    for (int k = 0; k < e->cuts; k++) {
+        const wcut_evidence_cut *c = &e->cut[k];
+        double chord = 0;
+        if (c->bins == 0) continue;
+        for (int j = 0; j < c->job->stations; j++)
+            chord = fmax(chord, vec3_distance(c->job->mount_a[j], c->job->mount_b[j]));
+        shortest = fmax(shortest, chord + SLACK_MIN - c->job->wire_length - c->own_length);
+    }
+
+    return fmin(shortest, 0);
+}
 
 static double value_at(const wcut_fitted *f, int k) {
     const wcut_coordinate *c = &f->coordinate[k];
@@ -103,7 +123,8 @@ static wcut_status fitting_create(const wcut_evidence *e, const wcut_model *star
         !f->predicted || !f->column || !g->plain_column || !g->plain_residual)
         return WCUT_NO_MEMORY;
 
-    /* priors of the base coordinates and of the effects */
+    /* priors of the base coordinates and of the effects; how short a wire may be */
+    g->shortest = shortest_length(e);
     for (int k = 0; k < WCUT_BASE; k++) g->precision[k] = 1 / (wcut_base_spread[k] * wcut_base_spread[k]);
     for (int k = 0; k < f->count; k++)
         g->precision[WCUT_BASE + k] = 1 / (f->coordinate[k].spread * f->coordinate[k].spread);
@@ -224,6 +245,7 @@ static double move(const fitting *g, const double *from, const double *step, con
     f->at_bound = false;
     for (int k = 0; k < g->shared; k++) {
         double to = from[k] + share * step[k];
+        if (k == WCUT_BASE - 1) to = fmax(to, g->shortest); /* the length */
         if (k >= WCUT_BASE) {
             const wcut_coordinate *c = &f->coordinate[k - WCUT_BASE];
             if (to <= c->low || to >= c->high) f->at_bound = true;
