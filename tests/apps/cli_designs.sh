@@ -1,5 +1,6 @@
 # A design where a path job is expected: control, score, identify and diagnose take it, and give what they give for the path
 # job that wirecut simulate makes of it. And a force law of a file in a diagnosis.
+# labels: cli plain
 . "$SOURCE_DIR/tests/apps/common.sh"
 cp "$jobs/freeform-2.json" design.json
 run 0 simulate design.json -o plan --quiet

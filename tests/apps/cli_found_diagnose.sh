@@ -1,5 +1,6 @@
 # wirecut diagnose on recordings on which it once named the wrong thing, in ../shared/found/rig: what is said of each
 # there. Two of them here, their neighbours in cli_found_diagnose_more. Where they are absent the test is skipped.
+# labels: cli plain
 . "$SOURCE_DIR/tests/apps/common.sh"
 . "$SOURCE_DIR/tests/apps/found_diagnose.sh"
 

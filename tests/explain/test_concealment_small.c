@@ -1,5 +1,5 @@
 /* What a diagnosis must not depend on: the order of the cuts, and which mount is called A. Two short cuts each.
-   labels: unit */
+   labels: unit plain */
 #include "explain/machine.h"
 #include "test.h"
 

@@ -23,8 +23,9 @@ trap 'rm -rf --one-file-system root' EXIT
 mkdir root/given
 cp "$PACKAGES"/*.deb "$SOURCE_DIR/samples/jobs/freeform-1.json" root/given/
 chroot root apt-get update -qq
-chroot root apt-get install -qq -y --no-install-recommends /given/libwirecut0.1_*.deb /given/wirecut_*.deb \
-    /given/python3-wirecut_*.deb >install.log 2>&1 || { tail -n 20 install.log; exit 1; }
+# the shell of the root finds the files by their pattern: outside of it there are none
+chroot root sh -c 'apt-get install -qq -y --no-install-recommends /given/libwirecut0.1_*.deb /given/wirecut_*.deb \
+    /given/python3-wirecut_*.deb' >install.log 2>&1 || { tail -n 20 install.log; exit 1; }
 
 # the command, and what comes with it
 chroot root wirecut simulate /given/freeform-1.json -o /given/out --stations 40 --nodes 31 --quiet

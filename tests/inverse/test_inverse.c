@@ -1,4 +1,5 @@
-/* From a target to a cut: what comes back of a hidden design, what cannot be reached, and that nothing depends on threads. */
+/* From a target to a cut: what comes back of a hidden design, what cannot be reached, and that nothing depends on threads.
+   labels: unit plain */
 #include <string.h>
 
 #include "cut/setup.h"

@@ -1,4 +1,4 @@
-/* labels: unit oracle
+/* labels: unit oracle plain
    Tessellation: the tolerance held where nobody looked before, sides, poles and creases; fields on the mesh. */
 #include <stdio.h>
 #include <wirecut/mesh.h>
