@@ -38,6 +38,7 @@ typedef enum wcut_evidence_channel {
     WCUT_EVIDENCE_CHANNEL_ALPHA,   /**< [deg] */
     WCUT_EVIDENCE_CHANNEL_BETA,    /**< [deg] */
     WCUT_EVIDENCE_CHANNEL_SCAN,    /**< [mm] signed distance along the face's normal */
+    WCUT_EVIDENCE_CHANNEL_FORCE,   /**< [N] of a blade, against its advance */
     WCUT_EVIDENCE_CHANNEL_COUNT
 } wcut_evidence_channel;
 
@@ -173,7 +174,7 @@ typedef struct wcut_mismatch {
 /** How far a model is from the measurements of a channel. */
 typedef struct wcut_evidence_score {
     int count;                           /**< 0: nothing to compare */
-    double rmsd, nrmsd, rmse_over_range; /**< as wcut_score */
+    double rmsd, rmse, nrmsd, rmse_over_range; /**< as wcut_score */
     double low, high;                    /**< 95 % of rmse_over_range over resampled blocks; NaN where not run */
 } wcut_evidence_score;
 
@@ -253,8 +254,7 @@ typedef struct wcut_diagnosis {
     wcut_estimate a, b, length_change; /**< [N/mm], [m^2/J], [mm]: recalibrated, shared by all cuts */
     wcut_estimate kerf;                /**< [mm] constant kerf that the scans show; NaN without scans */
     double a_job, b_job;               /**< what the jobs say */
-    double swift; /**< [1] tension's noise from half second to half second over what its readings say; 0: not known */
-    double droop; /**< [s] left out at the entry, where slack wires hang by their weight; 0: nothing */
+    double droop;                /**< [s] left out at the entry, where slack wires hang by their weight; 0: nothing */
     double adequacy, adequacy_p; /**< of the chosen model; p-value against its simulated null */
     int hypotheses;
     wcut_hypothesis *hypothesis; /**< ranked, best first */
