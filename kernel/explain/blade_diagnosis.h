@@ -14,7 +14,7 @@ typedef struct wcut_blade_run {
     wcut_stop *stop;
     wcut_blade_case data;
     wcut_blade_search search;
-    wcut_error *left_out; /* cuts: why a cut is left out; WCUT_OK where it is not */
+    wcut_error *left_out;    /* cuts: why a cut is left out; WCUT_OK where it is not */
     double **before;         /* [N] under the jobs alone */
     double **box, **box_out; /* [N] of the black box; NULL without a proof */
     wcut_diagnosis *out;

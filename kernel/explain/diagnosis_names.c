@@ -9,7 +9,8 @@ const char *wcut_verdict_name(wcut_verdict_kind kind) {
 }
 
 const char *wcut_evidence_name(wcut_evidence_channel channel) {
-    static const char *const names[WCUT_EVIDENCE_CHANNEL_COUNT] = {"speed", "tension", "alpha", "beta", "scan", "force"};
+    static const char *const names[WCUT_EVIDENCE_CHANNEL_COUNT] = {"speed", "tension", "alpha",
+                                                                   "beta",  "scan",    "force"};
     return (unsigned)channel < WCUT_EVIDENCE_CHANNEL_COUNT ? names[channel] : "";
 }
 

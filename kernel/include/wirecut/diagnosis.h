@@ -173,9 +173,9 @@ typedef struct wcut_mismatch {
 
 /** How far a model is from the measurements of a channel. */
 typedef struct wcut_evidence_score {
-    int count;                           /**< 0: nothing to compare */
+    int count;                                 /**< 0: nothing to compare */
     double rmsd, rmse, nrmsd, rmse_over_range; /**< as wcut_score */
-    double low, high;                    /**< 95 % of rmse_over_range over resampled blocks; NaN where not run */
+    double low, high;                          /**< 95 % of rmse_over_range over resampled blocks; NaN where not run */
 } wcut_evidence_score;
 
 /** The models that are compared: as the job says, recalibrated, with the effects found, and a fit without physics. */

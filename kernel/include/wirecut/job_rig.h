@@ -26,8 +26,8 @@ typedef struct wcut_rig {
     double stiffness;   /**< [N/mm] force along the wire over the way by which the frame's ends come closer; positive;
                                 default INFINITY: rigid */
     double
-        wire_stiffness; /**< [N] EA of the wire; INFINITY: it does not stretch; default 0: of material and diameter */
-    double expansion;   /**< [1/K] of the wire, not negative; default -1: of its material */
+        wire_stiffness;  /**< [N] EA of the wire; INFINITY: it does not stretch; default 0: of material and diameter */
+    double expansion;    /**< [1/K] of the wire, not negative; default -1: of its material */
     bool force_in_block; /**< the force sensor's readings are in the block frame; default: in that of the tool */
 } wcut_rig;
 
