@@ -83,12 +83,10 @@
             .value = { 0.002 }                                                       \
         }                                                                            \
     }
-#define ROW_MOUNT_COMPLIANCE                                                     \
-    PHYSICS, 0.025, "the mounts give way", "%.1f N/mm", 1, 2,                    \
-        {{WCUT_MOUNT_COMPLIANCE_STIFFNESS, RECIPROCAL, 0, 1.5, 0.02, 0, 5},      \
-         {WCUT_MOUNT_COMPLIANCE_SETTLING, LOG, -1.2, 0.7, 0.15, -7, 2}},         \
-        4, {                                                                     \
-        {0, {10}, false}, {1, {10}, false}, {2, {10}, false}, { 3, {10}, false } \
+#define ROW_MOUNT_COMPLIANCE                                                      \
+    PHYSICS, 0.025, "the mounts give way", "%.1f N/mm", 1, 1,                     \
+        {{WCUT_MOUNT_COMPLIANCE_STIFFNESS, RECIPROCAL, 0, 1.5, 0.02, 0, 5}}, 4, { \
+        {0, {10}, false}, {1, {10}, false}, {2, {10}, false}, { 3, {10}, false }  \
     }
 #define ROW_RATE_DEPENDENCE                                                             \
     PHYSICS, 0.05, "the foam's force follows the speed itself", "exponent %+.2f", 1, 1, \

@@ -103,6 +103,7 @@ typedef struct searching {
     const bool *without;
     int done;
     int formed; /* candidate whose other forms were tried; -1: none */
+    bool paired;
 } searching;
 
 static wcut_status search_step(searching *g, const char *stage, wcut_error *error) {
@@ -306,6 +307,10 @@ static wcut_status try_forms(searching *g, wcut_error *error) {
     const wcut_model about = s->candidate[best].fit.model;
     const int at = about.effects - 1;
     const bool mounts = about.effect[at].kind == WCUT_EFFECT_MOUNT_COMPLIANCE;
+
+    /* behind the pairs: what is explained needs no other form, but for mounts, which bend too far for a screen */
+    const int chosen = g->paired ? wcut_search_decide(s).chosen : -1;
+    if (chosen >= 0 && !mounts && wcut_search_leaves_noise(s, chosen)) return WCUT_OK;
     wcut_status status = WCUT_OK;
     for (int nth = 0; status == WCUT_OK; nth++) {
         wcut_model start = about;
@@ -322,11 +327,12 @@ static wcut_status try_forms(searching *g, wcut_error *error) {
     return status;
 }
 
-/* whether another form of one effect leaves noise and explains as much as any pair of the screen promises */
+/* whether another form of one effect leaves noise and explains as much as any pair of the screen promises, which is a fall of
+   the misfit under the scatter that all share */
 static bool form_suffices(const wcut_search *s) {
     for (int k = 0; k < s->count; k++)
         if (s->candidate[k].form && wcut_search_leaves_noise(s, k) &&
-            (s->pairs == 0 || s->candidate[k].gain >= s->pair[0].gain))
+            (s->pairs == 0 || s->candidate[k].fall >= s->pair[0].gain))
             return true;
     return false;
 }
@@ -586,6 +592,7 @@ wcut_status wcut_search_run(wcut_evidence *e, const bool without[WCUT_EFFECT_COU
     /* forms of the best, pairs, then the candidates with and without the delay of readings */
     if (status == WCUT_OK) status = try_forms(&g, error);
     if (status == WCUT_OK) status = try_pairs(&g, error);
+    g.paired = true;
     if (status == WCUT_OK) status = try_halves(&g, error);
     if (status == WCUT_OK) status = try_rest(&g, error);
     if (status == WCUT_OK) status = try_forms(&g, error); /* of another best one */
