@@ -18,11 +18,13 @@ int app_results_begin(app_results *results, const char *folder, const char *cons
 
 const char *app_results_path(app_results *results, const char *name) {
     const char *path = wcut_results_path(results->set, name);
-    return path ? path : ""; /* no memory: nothing can be written there */
+    results->lacks_memory = results->lacks_memory || !path;
+    return path ? path : ""; /* nothing can be written there: the next add says why */
 }
 
 int app_results_add(app_results *results, const char *name, wcut_status status, const wcut_error *error) {
     wcut_error told = error ? *error : (wcut_error){0};
+    if (results->lacks_memory) return app_fail_status(WCUT_NO_MEMORY, name, NULL);
     if (status == WCUT_OK) status = wcut_results_add(results->set, name, &told);
     if (status != WCUT_OK) {
         wcut_results_reword(results->set, &told);

@@ -2,6 +2,7 @@
 #ifndef APP_RESULTS_H
 #define APP_RESULTS_H
 
+#include <stdbool.h>
 #include <wirecut/results.h>
 #include <wirecut/status.h>
 
@@ -12,6 +13,7 @@ typedef struct app_results {
     wcut_results *set;
     int count;
     const char *name[APP_RESULTS_MAX]; /* in the order written, the voucher last once it is committed */
+    bool lacks_memory;                 /* for the path of a result */
     char *text;                        /* the voucher as it stands on disk; NULL before */
 } app_results;
 

@@ -33,7 +33,7 @@ static wcut_status refuse_file_memory(wcut_error *error, const char *path) {
 }
 
 /* a device has no end: it would fill the memory up to the limit, or wait for somebody to type */
-static wcut_status check_file_kind(int fd, const char *path, wcut_error *error) {
+wcut_status wcut_file_check_kind(int fd, const char *path, wcut_error *error) {
     struct stat s;
     char name[WCUT_QUOTE_SIZE];
     if (fstat(fd, &s) != 0) return wcut_fail_errno(error, WCUT_NOT_FOUND, errno, path, "cannot be read");
@@ -76,7 +76,7 @@ wcut_status wcut_file_read(const char *path, size_t max, char **text, size_t *le
     if (fd < 0) return wcut_fail_errno(error, WCUT_NOT_FOUND, errno, path, "cannot be read");
     char *found = NULL;
     size_t count = 0;
-    wcut_status status = check_file_kind(fd, path, error);
+    wcut_status status = wcut_file_check_kind(fd, path, error);
     if (status == WCUT_OK) status = read_file_all(fd, path, max, &found, &count, error);
     close(fd); /* nothing was written: a failed close loses nothing */
     if (status != WCUT_OK) {

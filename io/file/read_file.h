@@ -9,4 +9,7 @@
    WCUT_BAD_FORMAT (more than `max` bytes), WCUT_NO_MEMORY: nothing was written. */
 wcut_status wcut_file_read(const char *path, size_t max, char **text, size_t *length, wcut_error *error);
 
+/* Whether an open file is a file or a pipe; a device has no end. WCUT_OK; WCUT_NOT_FOUND (a folder), WCUT_BAD_FORMAT. */
+wcut_status wcut_file_check_kind(int fd, const char *path, wcut_error *error);
+
 #endif

@@ -1,6 +1,7 @@
 /* A run's files, put into their folder together or not at all: written in a hidden folder, moved out by a journal. */
 #include <errno.h>
 #include <fcntl.h>
+#include <jansson.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,8 +16,11 @@
 #include "io/file/atomic.h"
 #include "io/file/folder.h"
 #include "io/file/journal.h"
+#include "io/file/read_file.h"
 #include "io/file/results.h"
 #include "io/file/text.h"
+
+enum { VOUCHER_MAX = 256 << 20 }; /* bytes: a verb's whole result may stand in it */
 
 typedef char result_name[WCUT_RESULTS_NAME_SIZE];
 
@@ -312,22 +316,74 @@ static bool is_in_set(const wcut_results *r, const char *name) {
     return false;
 }
 
-/* what an earlier run left under a name of ours that this one did not write would lie beside another's results */
-static void drop_earlier(const wcut_results *r, const char *voucher, wcut_journal *journal) {
+static bool is_in_journal(const wcut_journal *journal, const char *name) {
+    for (int k = 0; k < journal->count; k++)
+        if (strcmp(journal->entry[k].name, name) == 0) return true;
+    return false;
+}
+
+/* a file that goes away with the earlier set; one that is none stays */
+static void drop_file(const wcut_results *r, const char *voucher, const char *name, wcut_journal *journal) {
     struct stat s;
-    for (int k = 0; k < r->declared; k++) {
-        const char *name = r->may[k];
-        if (strcmp(name, voucher) == 0 || is_in_set(r, name)) continue;
-        if (fstatat(r->fd, name, &s, AT_SYMLINK_NOFOLLOW) != 0 || !S_ISREG(s.st_mode)) continue;
-        journal->entry[journal->count].remove = true;
-        memcpy(journal->entry[journal->count++].name, name, strlen(name) + 1);
+    if (strcmp(name, voucher) == 0 || is_in_set(r, name) || is_in_journal(journal, name)) return;
+    if (fstatat(r->fd, name, &s, AT_SYMLINK_NOFOLLOW) != 0 || !S_ISREG(s.st_mode)) return;
+    if (journal->count + r->count + 1 >= WCUT_JOURNAL_NAMES_MAX) return;
+    journal->entry[journal->count].remove = true;
+    memcpy(journal->entry[journal->count++].name, name, strlen(name) + 1);
+}
+
+/* the object of hashes of the earlier voucher, for json_decref; NULL where there is none */
+static wcut_status load_earlier(const wcut_results *r, const char *voucher, json_t **hashes, wcut_error *error) {
+    struct stat s;
+    *hashes = NULL;
+    if (fstatat(r->fd, voucher, &s, AT_SYMLINK_NOFOLLOW) != 0 || !S_ISREG(s.st_mode)) return WCUT_OK;
+
+    /* it is there: what cannot be read is not taken for nothing */
+    char *path = wcut_results_join(r->folder, voucher), *text = NULL;
+    size_t length = 0;
+    wcut_status status = path ? wcut_file_read(path, VOUCHER_MAX, &text, &length, error) : fail_results_memory(error);
+    wcut_free(path);
+    if (status != WCUT_OK) return status == WCUT_NO_MEMORY ? status : WCUT_NOT_WRITTEN;
+    json_error_t cause;
+    memset(&cause, 0, sizeof cause);
+    json_t *root = json_loadb(text, length, JSON_REJECT_DUPLICATES, &cause);
+    free(text);
+    if (!root && json_error_code(&cause) == json_error_out_of_memory) return fail_results_memory(error);
+
+    /* a file of that name that lists nothing is no voucher */
+    json_t *found = json_object_get(root, "sha256");
+    if (json_is_object(found)) *hashes = json_incref(found);
+    json_decref(root);
+
+    return WCUT_OK;
+}
+
+/* What an earlier run left would lie beside another's results: files under names of ours that this run did not write, and
+   what the earlier voucher lists (halves of another label), unless somebody changed it since or keeps it from us. */
+static wcut_status drop_earlier(const wcut_results *r, const char *voucher, wcut_journal *journal, wcut_error *error) {
+    json_t *hashes, *hash;
+    const char *name;
+    for (int k = 0; k < r->declared; k++) drop_file(r, voucher, r->may[k], journal);
+
+    /* the earlier set's own list */
+    wcut_status status = load_earlier(r, voucher, &hashes, error);
+    if (status != WCUT_OK || !hashes) return status;
+    json_object_foreach(hashes, name, hash) {
+        wcut_result_state state;
+        if (status != WCUT_OK || !json_is_string(hash) || !wcut_result_name_is_fine(name)) continue;
+        if (is_in_set(r, name) || is_in_journal(journal, name) || faccessat(r->fd, name, R_OK, AT_EACCESS) != 0)
+            continue;
+        status = wcut_result_state_find(r->folder, name, json_string_value(hash), &state, error);
+        if (status == WCUT_OK && state == WCUT_RESULT_STATE_WHOLE) drop_file(r, voucher, name, journal);
     }
+    json_decref(hashes);
+
+    return status == WCUT_OK || status == WCUT_NO_MEMORY ? status : WCUT_NOT_WRITTEN;
 }
 
 /* the folder is locked: what goes away, what comes, and the voucher last */
 static wcut_status publish(wcut_results *r, const char *voucher, wcut_journal *journal, wcut_error *error) {
-    wcut_status status = WCUT_OK;
-    drop_earlier(r, voucher, journal);
+    wcut_status status = drop_earlier(r, voucher, journal, error);
     for (int k = 0; k < r->count && status == WCUT_OK; k++) status = place(r, r->name[k], journal, error);
     if (status == WCUT_OK) status = place(r, voucher, journal, error);
     if (status != WCUT_OK) return status;

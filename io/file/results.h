@@ -8,6 +8,10 @@
 /* hexadecimal digits of a SHA-256, with the zero byte */
 enum { WCUT_RESULT_HASH_SIZE = 65, WCUT_RESULTS_WAIT_S = 30 };
 
+/* the state of a file of a folder by its hash; a file that cannot be read is an error, not a changed one */
+wcut_status wcut_result_state_find(const char *folder, const char *name, const char *hash, wcut_result_state *state,
+                                   wcut_error *error);
+
 /* "FOLDER/NAME", or NULL where there is no memory; for wcut_free */
 char *wcut_results_join(const char *folder, const char *name);
 

@@ -18,9 +18,8 @@ static wcut_status fail_results_verify_memory(wcut_error *error) {
     return wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
 }
 
-/* the state of a file by its hash; a file that cannot be read is an error, not a changed one */
-static wcut_status find_state(const char *folder, const char *name, const char *hash, wcut_result_state *state,
-                              wcut_error *error) {
+wcut_status wcut_result_state_find(const char *folder, const char *name, const char *hash, wcut_result_state *state,
+                                   wcut_error *error) {
     struct stat s;
     char found[WCUT_RESULT_HASH_SIZE];
     char *path = wcut_results_join(folder, name);
@@ -50,7 +49,7 @@ static wcut_status add_file(wcut_verification *v, const char *folder, const char
     /* a name that leaves the folder is no file of this set */
     wcut_status status = WCUT_OK;
     if (json_is_string(hash) && wcut_result_name_is_fine(name))
-        status = find_state(folder, name, json_string_value(hash), &f->state, error);
+        status = wcut_result_state_find(folder, name, json_string_value(hash), &f->state, error);
     v->broken += f->state != WCUT_RESULT_STATE_WHOLE;
     return status;
 }

@@ -10,6 +10,7 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
+#include "io/file/read_file.h"
 
 static wcut_status begin_stream(size_t window, wcut_stream *s) {
     s->data = wcut_alloc(window + 1, 1);
@@ -22,7 +23,8 @@ wcut_status wcut_stream_open(const char *path, wcut_stream *stream, wcut_error *
     struct stat about;
     if (s.fd < 0) return wcut_fail_errno(error, WCUT_NOT_FOUND, errno, path, "cannot be read");
     if (fstat(s.fd, &about) == 0 && S_ISREG(about.st_mode)) s.size = about.st_size;
-    const wcut_status status = begin_stream(WCUT_STREAM_WINDOW, &s);
+    wcut_status status = wcut_file_check_kind(s.fd, path, error);
+    if (status == WCUT_OK) status = begin_stream(WCUT_STREAM_WINDOW, &s);
     if (status == WCUT_OK)
         *stream = s;
     else

@@ -20,7 +20,7 @@ typedef struct wcut_stream {
     int code;                    /* errno of a read that failed: it ends the stream */
 } wcut_stream;
 
-/* WCUT_OK; WCUT_NOT_FOUND (with a message), WCUT_NO_MEMORY (without): nothing to close */
+/* WCUT_OK; WCUT_NOT_FOUND, WCUT_BAD_FORMAT of a device (with a message), WCUT_NO_MEMORY (without): nothing to close */
 wcut_status wcut_stream_open(const char *path, wcut_stream *stream, wcut_error *error);
 wcut_status wcut_stream_open_memory(const void *bytes, size_t size, size_t window, wcut_stream *stream);
 void wcut_stream_close(wcut_stream *stream);

@@ -8,7 +8,7 @@
 #include "base/fail.h"
 #include "io/file/csv.h"
 #include "io/file/look.h"
-#include "io/file/read_file.h"
+#include "io/file/stream.h"
 #include "io/file/table_read.h"
 
 wcut_status wcut_table_read(const char *path, int numeric_count, const char *const *numeric, wcut_table **table,
@@ -16,24 +16,25 @@ wcut_status wcut_table_read(const char *path, int numeric_count, const char *con
     bool named = path && table && numeric_count >= 0 && (numeric || numeric_count == 0);
     for (int k = 0; named && k < numeric_count; k++) named = numeric[k] != NULL;
     if (!named) return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s", wcut_status_text(WCUT_BAD_ARGUMENT));
-    char *text;
-    size_t length;
-    wcut_status status = wcut_file_read(path, WCUT_CSV_BYTES_MAX, &text, &length, error);
+
+    /* read through a window, so that only the table is held */
+    char name[WCUT_QUOTE_SIZE];
+    wcut_stream stream;
+    wcut_status status = wcut_stream_open(path, &stream, error);
+    if (status == WCUT_NO_MEMORY)
+        wcut_fail(error, status, "%s: %s", wcut_quote(name, path, WCUT_LABEL_MAX, 1), wcut_status_text(status));
     if (status != WCUT_OK) return status;
+    const size_t length = wcut_stream_fill(&stream, stream.capacity);
+    const char *head = (const char *)stream.data;
 
     /* another kind of file, by its first bytes */
-    const wcut_look look = wcut_look_at(text, length, path);
-    if (look.kind && !wcut_look_is_table(look.kind)) {
-        status = wcut_look_refuse(text, length, path, "a table (CSV)", error);
-        free(text);
-        return status;
-    }
+    const wcut_look look = wcut_look_at(head, length, path);
+    if (look.kind && !wcut_look_is_table(look.kind))
+        status = wcut_look_refuse(head, length, path, "a table (CSV)", error);
+    else
+        status = wcut_csv_read(&stream, path, numeric_count, numeric, table, error);
 
-    /* lines that end with CR alone, of programs older than OS X */
-    if (!memchr(text, '\n', length))
-        for (char *p = text; (p = memchr(p, '\r', (size_t)(text + length - p))) != NULL;) *p = '\n';
-    status = wcut_csv_parse(text, length, path, numeric_count, numeric, table, error);
-    free(text);
+    wcut_stream_close(&stream);
     return status;
 }
 
@@ -106,13 +107,6 @@ static void say_kind(const wcut_table *table, int count, const wcut_known_column
     if (look.kind) snprintf(error->text + end, sizeof error->text - end, "; found %s: %s", look.kind, look.use);
 }
 
-wcut_status wcut_known_columns_check(const wcut_table *table, int count, const wcut_known_column *known,
-                                     const char *label, wcut_error *error) {
-    const wcut_status status = wcut_columns_check(table, count, known, label, error);
-    if (status == WCUT_BAD_FORMAT && error) say_kind(table, count, known, error);
-    return status;
-}
-
 wcut_status wcut_known_table_read(const char *path, int count, const wcut_known_column *known, wcut_table **table,
                                   wcut_error *error) {
     const char **name = wcut_alloc((size_t)count, sizeof *name);
@@ -121,7 +115,10 @@ wcut_status wcut_known_table_read(const char *path, int count, const wcut_known_
     wcut_table *found = NULL;
     wcut_status status = wcut_table_read(path, count, name, &found, error);
     free(name);
-    if (status == WCUT_OK) status = wcut_known_columns_check(found, count, known, path, error);
+    if (status == WCUT_OK && found) {
+        status = wcut_columns_check(found, count, known, path, error);
+        if (status == WCUT_BAD_FORMAT && error) say_kind(found, count, known, error);
+    }
     if (status == WCUT_OK)
         *table = found;
     else

@@ -47,13 +47,11 @@ run 0 score "$job" changed.csv -o scored; said 'look like radians'
 
 # separators and headers of other programs
 grep -v '^#' "$recording" | tr , ';' >changed.csv
-run 0 score "$job" changed.csv -o scored --quiet
-grep -v '^#' "$recording" | tr ,. ';,' >changed.csv
-run 0 score "$job" changed.csv -o scored --quiet
+run 3 score "$job" changed.csv -o none; said 'not by semicolons'
 grep -v '^#' "$recording" | tr , ' ' >changed.csv
-run 0 score "$job" changed.csv -o scored --quiet
+run 3 score "$job" changed.csv -o none; said 'not by blanks'
 grep -v '^#' "$recording" | tr , '\t' >changed.csv
-run 0 score "$job" changed.csv -o scored --quiet
+run 3 score "$job" changed.csv -o none; said 'not by tabs'
 tr '\n' '\r' <"$recording" >changed.csv
 run 0 score "$job" changed.csv -o scored --quiet
 awk '/^#/ { print; next } !n { n = 1; print "," $0; next } { print k++ "," $0 }' "$recording" >changed.csv

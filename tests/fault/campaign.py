@@ -405,7 +405,7 @@ def main():
         every_call_fails(trial, step)
         memory = trial.calls("memory")
         every_allocation_fails(trial, max(1, memory // (1000 if LONG else 40)))
-        full_disk(trial, 12 if LONG else 3)
+        full_disk(trial, min(RUNS or 12, 12) if LONG else 3)
         no_right_to_write(trial)
         two_at_once(trial, min(RUNS or 50, 50) if LONG else 5)
         print(f"{verb}: {trial.calls('call')} system calls, {memory} allocations", flush=True)

@@ -20,7 +20,7 @@ static wcut_status parse(const char *text) {
     wcut_table_destroy(table);
     table = NULL;
     memset(&error, 0, sizeof error);
-    return wcut_csv_parse(text, strlen(text), "t.csv", 2, numeric, &table, &error);
+    return wcut_csv_parse(text, strlen(text), WCUT_STREAM_WINDOW, "t.csv", 2, numeric, &table, &error);
 }
 
 static void forget(void) {
@@ -84,45 +84,12 @@ TEST(no_rows_are_a_table_too) {
     forget();
 }
 
-/* two rows of x and y whose first is 1 and 2.5, whose second has no y */
-static void check_two_rows(const char *text) {
-    ck_assert_msg(parse(text) == WCUT_OK, "%s: %s", text, error.text);
-    ck_assert_msg(table->columns == 2 && table->rows == 2, "%s: %d columns, %d rows", text, table->columns,
-                  table->rows);
-    const wcut_column *x = &table->column[0], *y = &table->column[1];
-    ck_assert_str_eq(x->name, "x");
-    ck_assert_str_eq(y->name, "y");
-    ck_assert(x->value[0] == 1 && y->value[0] == 2.5 && x->value[1] == -3 && y->missing == 1);
-    forget();
-}
-
-TEST(four_separators_are_told_by_the_header) {
-    check_two_rows("x,y\n1,2.5\n-3,\n");
-    check_two_rows("x;y\n1;2.5\n-3;\n");
-    check_two_rows("# of another program, with commas\nx ; y\r\n1 ; 2,5\r\n-3 ; nan\r\n");
-    check_two_rows("x\ty\n1\t2.5\n-3\t\n");
-    check_two_rows(" x\t y\n1\t 2,5 \n -3\tnan\n");
-    check_two_rows("x y\n1 2.5\n-3 nan\n");
-    check_two_rows("  x   y \n  1.0   2,5\n -3.0 \t nan  \n");
-    check_two_rows("\"x\" \"y\"\n1 \"2.5\"\n-3 \"nan\"\n");
-    check_two_rows("\"x\";\"y\"\n\"1\";\"2,5\"\n-3;\n");
-}
-
-TEST(a_single_name_with_a_blank_is_one_column) {
-    ck_assert_int_eq(parse("wire tension\n1.5\n"), WCUT_OK);
-    ck_assert_int_eq(table->columns, 1);
-    ck_assert_str_eq(table->column[0].name, "wire tension");
-    forget();
-}
-
 TEST(malformed_text_is_refused_with_line_column_and_what_was_expected) {
     refused("", "line 1, column 1: found no header");
     refused("# only words\n", "found no header");
     refused("1,2\n3,4\n", "the names of the columns");
     refused("x,y,x\n", "line 1, column 5: found x, expected every column that is used named once");
-    refused("x;y\n1;2;3\n", "line 2, column 4: found more fields than the header has");
-    refused("x y\n1 2\n3\n", "line 3, column 2 (y): found the end of the row");
-    refused("x\ty\n1\t2 3\n", "line 2, column 3 (y): found 2 3");
+    refused("x;y\n1;2\n", "not by semicolons");
     refused("x,y\n1,2\n3\n", "line 3, column 2 (y): found the end of the row");
     refused("x,y\n1,2,3\n", "line 2, column 4: found more fields than the header has");
     refused("x,y\n0,5,1,5\n", "not a decimal comma");
@@ -137,7 +104,8 @@ TEST(malformed_text_is_refused_with_line_column_and_what_was_expected) {
     refused("x,y\n1,a\"b\n", "found a quote within a field");
     refused("\xff\xfex\0,\0", "found UTF-16");
     const char zero[] = "x,y\n1,\0002\n";
-    ck_assert_int_eq(wcut_csv_parse(zero, sizeof zero - 1, "t.csv", 2, numeric, &table, &error), WCUT_BAD_FORMAT);
+    ck_assert_int_eq(wcut_csv_parse(zero, sizeof zero - 1, WCUT_STREAM_WINDOW, "t.csv", 2, numeric, &table, &error),
+                     WCUT_BAD_FORMAT);
     ck_assert_ptr_nonnull(strstr(error.text, "found a zero byte"));
     char wide[2 * 1001 + 1] = "";
     for (int c = 0; c < 1001; c++) memcpy(wide + 2 * c, "a,", 2);
@@ -232,6 +200,76 @@ TEST(text_that_is_no_number_is_not_touched) {
     ck_assert_ptr_eq(wcut_decimal_read(tail, &value), tail + 1);
 }
 
+/* the table of a text through a window, as words; the refusal where there is none */
+static void say_table(const char *text, size_t window, char *said, size_t size) {
+    wcut_table *found = NULL;
+    wcut_error why = {WCUT_OK, ""};
+    const wcut_status status = wcut_csv_parse(text, strlen(text), window, "t.csv", 2, numeric, &found, &why);
+    size_t used = (size_t)snprintf(said, size, "%d %s\n", (int)status, why.text);
+    for (int i = 0; found && i < found->rows; i++) {
+        used += (size_t)snprintf(said + used, size - used, "%d:", found->line[i]);
+        for (int c = 0; c < found->columns; c++) {
+            const wcut_column *x = &found->column[c];
+            used += (size_t)snprintf(said + used, size - used, " %s %.17g %d", x->name, x->value[i],
+                                     !x->present || x->present[i]);
+        }
+        ck_assert_uint_lt(used, size);
+    }
+    wcut_table_destroy(found);
+}
+
+TEST(a_table_does_not_depend_on_the_window) {
+    static const char *const texts[] = {
+        "# a comment that is longer than many windows are, and then one more\nx,y,\"a, "
+        "\"\"b\"\"\nc\"\r\n1,2,3\r\n\n4,,text\n5,6",
+        "x,y\n\"1\",2\n3,\"4\n\"\n",
+        "x,y\r1,2\r\r3,4\r",
+        "\xef\xbb\xbfx,y\n1,2\n  \n3,4,5\n",
+        "x,y\n1,2\"3\n4,5\n6,7\n",
+        "x,y\n1,2\n3,\"4\n5,6\n",
+        "x y\n1 2\n",
+        "# only\n\n",
+        ""};
+    for (size_t t = 0; t < sizeof texts / sizeof *texts; t++) {
+        static char whole[4000], part[4000];
+        say_table(texts[t], WCUT_STREAM_WINDOW, whole, sizeof whole);
+        for (size_t window = 24; window < 130; window++) {
+            say_table(texts[t], window, part, sizeof part);
+            ck_assert_msg(strcmp(whole, part) == 0, "window of %zu bytes: found %s\nexpected %s", window, part, whole);
+        }
+    }
+}
+
+TEST(a_row_fits_into_the_window_or_is_refused_and_a_comment_need_not) {
+    char said[4000];
+    say_table("# a comment that is longer than the window is\nx,y\n1,2\n", 16, said, sizeof said);
+    ck_assert_str_eq(said, "0 \n3: x 1 1 y 2 1");
+    say_table("x,y\n1,2\n3,12345678901234567890\n", 16, said, sizeof said);
+    ck_assert_str_eq(said, "7 t.csv: line 3, column 1: found a longer row, expected at most 16 bytes\n");
+    say_table("x,y\n1,2\n3,\"4\n5,6\n7,8\n9,10\n11,12\n", 16, said, sizeof said);
+    ck_assert_str_eq(said,
+                     "7 t.csv: line 3, column 3: found an opening quote, expected its closing one within 16 bytes\n");
+}
+
+TEST(samples_missing_before_and_behind_the_first_rows_are_where_they_were) {
+    enum { ROWS = 5000 };
+    char *text = wcut_alloc(ROWS, 16);
+    size_t used = (size_t)sprintf(text, "x,y\n");
+    for (int i = 0; i < ROWS; i++)
+        used +=
+            (size_t)(i % 1000 == 700 ? sprintf(text + used, "%d,\n", i) : sprintf(text + used, "%d,%d\n", i, 2 * i));
+    ck_assert_int_eq(parse(text), WCUT_OK);
+    ck_assert_int_eq(table->rows, ROWS);
+    ck_assert(table->column[0].present == NULL && table->column[1].missing == 5);
+    for (int i = 0; i < ROWS; i++) {
+        const bool there = i % 1000 != 700;
+        ck_assert(table->column[0].value[i] == i && table->column[1].present[i] == there);
+        ck_assert(table->column[1].value[i] == (there ? 2 * i : 0) && table->line[i] == i + 2);
+    }
+    wcut_free(text);
+    forget();
+}
+
 TEST(a_locale_with_decimal_commas_changes_nothing) {
     ck_assert_ptr_nonnull(setlocale(LC_ALL, "de_DE.UTF-8"));
     ck_assert_int_eq(parse("x,y\n1.5,1.7976931348623157e308\n"), WCUT_OK);
@@ -242,9 +280,10 @@ TEST(a_locale_with_decimal_commas_changes_nothing) {
 }
 
 TEST(every_failing_allocation_is_reported_and_nothing_is_written) {
-    const char *text = "x,y,\"name\"\n1,,\"a\"\n3,4,5\n";
+    char text[2000] = "x,y,\"name\"\n1,,\"a\"\n3,4,5\n";
+    for (int i = 0; i < 100; i++) strcat(text, "6,7,8\n"); /* more rows than there is room for at first */
     wcut_table *found = (wcut_table *)&error;
-    EACH_FAILED_ALLOCATION(wcut_csv_parse(text, strlen(text), "t.csv", 2, numeric, &found, &error),
+    EACH_FAILED_ALLOCATION(wcut_csv_parse(text, strlen(text), WCUT_STREAM_WINDOW, "t.csv", 2, numeric, &found, &error),
                            found == (wcut_table *)&error);
     wcut_table_destroy(found);
 }

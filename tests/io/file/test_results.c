@@ -92,6 +92,35 @@ TEST(declared_names_that_were_not_written_go_and_others_stay) {
     leave_folder();
 }
 
+/* a set of one file, of a name that it chose itself */
+static void commit_named(const char *folder, const char *name) {
+    wcut_results *set = NULL;
+    ck_assert_int_eq(wcut_results_create(folder, 0, NULL, &set, &error), WCUT_OK);
+    put(set, name, name);
+    ck_assert_msg(wcut_results_commit(set, "v.json", "{}", NULL, &error) == WCUT_OK, "%s", error.text);
+    wcut_results_destroy(set);
+}
+
+TEST(what_the_earlier_voucher_lists_goes_with_it_unless_it_was_changed) {
+    commit_named("names", "one");
+    commit_named("names", "two");
+    ck_assert(access("names/one", F_OK) != 0 && access("names/two", F_OK) == 0);
+
+    /* a file that somebody changed is nobody's any more */
+    ck_assert_int_eq(wcut_file_write_whole("names/two", "mine", 4, &error), WCUT_OK);
+    commit_named("names", "three");
+    ck_assert(access("names/two", F_OK) == 0 && access("names/three", F_OK) == 0);
+
+    /* a name that leaves the folder, and a voucher that is none */
+    static const char bad[] = "{\"files\": [], \"sha256\": {\"../names/three\": \"0\", \"three\": 7}}";
+    ck_assert_int_eq(wcut_file_write_whole("names/v.json", bad, strlen(bad), &error), WCUT_OK);
+    commit_named("names", "four");
+    ck_assert(access("names/three", F_OK) == 0);
+    ck_assert_int_eq(wcut_file_write_whole("names/v.json", "[1", 2, &error), WCUT_OK);
+    commit_named("names", "five");
+    ck_assert(access("names/four", F_OK) == 0 && access("names/five", F_OK) == 0);
+}
+
 TEST(permissions_stay_but_set_user_id_goes) {
     struct stat s;
     enter_folder();
