@@ -503,6 +503,7 @@ static wcut_status scan_text(scanner *s, const char *text, size_t length, size_t
     if (wcut_stream_open_memory(text, length, window, &stream) != WCUT_OK) return refuse_csv_memory(s);
     s->stream = &stream;
     const wcut_status status = scan_csv(s, table);
+    s->stream = NULL;
     wcut_stream_close(&stream);
     return status;
 }
