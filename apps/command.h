@@ -11,7 +11,8 @@
     X(design)            \
     X(compensate)        \
     X(calibrate)         \
-    X(score) X(control) X(path) X(identify) X(compare) X(overlay) X(mould) X(diagnose) X(apply) X(verify) X(sweep)
+    X(score)             \
+    X(control) X(path) X(identify) X(compare) X(overlay) X(mould) X(diagnose) X(apply) X(verify) X(sweep) X(facade)
 
 /* How the command ends. */
 #define APP_EXIT_LIST(X)                                                                            \

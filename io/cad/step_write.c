@@ -1,7 +1,9 @@
 /* STEP files (ISO 10303-21, application protocols 214 and 242): a product for each shape, in millimetres. */
+#include <math.h>
 #include <stdlib.h>
 #include <wirecut/version.h>
 
+#include "base/alloc.h"
 #include "base/fail.h"
 #include "io/cad/shape_check.h"
 #include "io/cad/step_shape.h"
@@ -83,23 +85,34 @@ static wcut_id put_geometry(wcut_part21 *p, const wcut_shape *shape, const share
     return wcut_p21_put(p, "GEOMETRIC_SET('',(#%ld))", surface);
 }
 
-/* a product and its shape; false: no memory */
-static bool put_step_shape(wcut_part21 *p, const wcut_shape *shape, const shared *s) {
-    const char *kind = "";
-    const wcut_id geometry = put_geometry(p, shape, s, &kind);
-    if (geometry == 0) return false;
-    const wcut_id representation = wcut_p21_put(p, "%s('',(#%ld,#%ld),#%ld)", kind, s->origin, geometry, s->space);
+/* a product in the file, as an assembly refers to it */
+typedef struct step_part {
+    wcut_id definition, representation;
+} step_part;
+
+/* the product that a representation is the shape of */
+static wcut_id put_product(wcut_part21 *p, const char *name, const shared *s, wcut_id representation) {
     const wcut_id product = wcut_p21_begin(p);
     wcut_text_print(p->text, "PRODUCT(");
-    wcut_p21_string(p, shape->name);
+    wcut_p21_string(p, name);
     wcut_text_print(p->text, ",");
-    wcut_p21_string(p, shape->name);
+    wcut_p21_string(p, name);
     wcut_text_print(p->text, ",'',(#%ld));\n", s->mechanical);
     const wcut_id version = wcut_p21_put(p, "PRODUCT_DEFINITION_FORMATION('','',#%ld)", product);
     const wcut_id definition = wcut_p21_put(p, "PRODUCT_DEFINITION('design','',#%ld,#%ld)", version, s->design);
     const wcut_id property = wcut_p21_put(p, "PRODUCT_DEFINITION_SHAPE('','',#%ld)", definition);
     wcut_p21_put(p, "SHAPE_DEFINITION_REPRESENTATION(#%ld,#%ld)", property, representation);
     wcut_p21_put(p, "PRODUCT_RELATED_PRODUCT_CATEGORY('part',$,(#%ld))", product);
+    return definition;
+}
+
+/* a product and its shape; false: no memory */
+static bool put_step_shape(wcut_part21 *p, const wcut_shape *shape, const shared *s, step_part *part) {
+    const char *kind = "";
+    const wcut_id geometry = put_geometry(p, shape, s, &kind);
+    if (geometry == 0) return false;
+    part->representation = wcut_p21_put(p, "%s('',(#%ld,#%ld),#%ld)", kind, s->origin, geometry, s->space);
+    part->definition = put_product(p, shape->name, s, part->representation);
     return true;
 }
 
@@ -116,7 +129,8 @@ static bool put_shapes(wcut_text *text, const void *context) {
     put_step_header(text, whole->shape[0].name, whole->schema);
     const shared s = put_shared(&p, whole->schema);
     bool done = true;
-    for (int k = 0; done && k < whole->count; k++) done = put_step_shape(&p, &whole->shape[k], &s);
+    step_part unused;
+    for (int k = 0; done && k < whole->count; k++) done = put_step_shape(&p, &whole->shape[k], &s, &unused);
     wcut_text_print(text, "ENDSEC;\nEND-ISO-10303-21;\n");
     return done;
 }
@@ -128,4 +142,88 @@ wcut_status wcut_step_write(int count, const wcut_shape *shape, wcut_step_schema
     if (status == WCUT_OK && (unsigned)schema >= WCUT_STEP_SCHEMA_COUNT)
         status = wcut_fail(error, WCUT_BAD_ARGUMENT, "found an unknown STEP schema, expected AP214 or AP242");
     return status == WCUT_OK ? wcut_text_write_file(path, put_shapes, &whole, error) : status;
+}
+
+/* ---- assemblies ---- */
+
+typedef struct assembly {
+    const char *name;
+    shapes parts;
+    int places;
+    const wcut_step_place *place; /* places */
+} assembly;
+
+/* An occurrence of a part: a usage, and the transformation that carries the part's origin to its place (part 44). */
+static void put_occurrence(wcut_part21 *p, const wcut_step_place *place, int number, const step_part *part,
+                           const step_part *whole, wcut_id from, wcut_id to) {
+    const wcut_id usage = wcut_p21_begin(p);
+    wcut_text_print(p->text, "NEXT_ASSEMBLY_USAGE_OCCURRENCE('%d',", number + 1);
+    wcut_p21_string(p, place->name);
+    wcut_text_print(p->text, ",'',#%ld,#%ld,$);\n", whole->definition, part->definition);
+    const wcut_id property = wcut_p21_put(p, "PRODUCT_DEFINITION_SHAPE('','',#%ld)", usage);
+    const wcut_id carry = wcut_p21_put(p, "ITEM_DEFINED_TRANSFORMATION('','',#%ld,#%ld)", from, to);
+    const wcut_id relation = wcut_p21_put(p,
+                                          "(REPRESENTATION_RELATIONSHIP('','',#%ld,#%ld)\n"
+                                          "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(#%ld)\n"
+                                          "SHAPE_REPRESENTATION_RELATIONSHIP())",
+                                          part->representation, whole->representation, carry);
+    wcut_p21_put(p, "CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(#%ld,#%ld)", relation, property);
+}
+
+static bool put_assembly(wcut_text *text, const void *context) {
+    const assembly *a = context;
+    wcut_part21 p = {text, 0};
+    put_step_header(text, a->name, a->parts.schema);
+    const shared s = put_shared(&p, a->parts.schema);
+    step_part *part = wcut_alloc((size_t)a->parts.count, sizeof *part), whole;
+    wcut_id *axis = wcut_alloc((size_t)a->places, sizeof *axis);
+    bool done = part && axis;
+
+    /* the parts, then the places of all occurrences */
+    for (int k = 0; done && k < a->parts.count; k++) done = put_step_shape(&p, &a->parts.shape[k], &s, &part[k]);
+    for (int k = 0; done && k < a->places; k++) {
+        const wcut_id at = wcut_p21_point(&p, a->place[k].origin);
+        const wcut_id z = wcut_p21_direction(&p, a->place[k].z), x = wcut_p21_direction(&p, a->place[k].x);
+        axis[k] = wcut_p21_put(&p, "AXIS2_PLACEMENT_3D('',#%ld,#%ld,#%ld)", at, z, x);
+    }
+
+    /* the assembly has them all, and uses each part where one says */
+    if (done) {
+        whole.representation = wcut_p21_begin(&p);
+        wcut_text_print(text, "SHAPE_REPRESENTATION('',(#%ld", s.origin);
+        for (int k = 0; k < a->places; k++) wcut_text_print(text, "%s#%ld", k % 10 ? "," : ",\n", axis[k]);
+        wcut_text_print(text, "),#%ld);\n", s.space);
+        whole.definition = put_product(&p, a->name, &s, whole.representation);
+        for (int k = 0; k < a->places; k++)
+            put_occurrence(&p, &a->place[k], k, &part[a->place[k].shape], &whole, s.origin, axis[k]);
+    }
+    wcut_text_print(text, "ENDSEC;\nEND-ISO-10303-21;\n");
+    wcut_free(part);
+    wcut_free(axis);
+    return done;
+}
+
+/* axes of length 1 and perpendicular, a finite origin, a shape that is there */
+static bool is_place_fine(const wcut_step_place *place, int count) {
+    const wcut_vec3 x = place->x, z = place->z, o = place->origin;
+    const double dot = x.x * z.x + x.y * z.y + x.z * z.z, size = fabs(o.x) + fabs(o.y) + fabs(o.z);
+    return place->name && place->shape >= 0 && place->shape < count && size <= 1e12 &&
+           fabs(x.x * x.x + x.y * x.y + x.z * x.z - 1) <= 1e-9 && fabs(z.x * z.x + z.y * z.y + z.z * z.z - 1) <= 1e-9 &&
+           fabs(dot) <= 1e-9;
+}
+
+wcut_status wcut_step_write_assembly(const char *name, int count, const wcut_shape *shape, int places,
+                                     const wcut_step_place *place, const char *path, wcut_error *error) {
+    wcut_status status = wcut_shapes_check(count, shape, path, error);
+    if (status != WCUT_OK) return status;
+    if (!name || places < 1 || !place)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "assembly: expected a name and at least one place");
+    for (int k = 0; k < places; k++)
+        if (!is_place_fine(&place[k], count))
+            return wcut_fail(error, WCUT_BAD_ARGUMENT,
+                             "assembly: place %d: expected a name, a shape of 0 to %d, a finite origin, and two "
+                             "perpendicular axes of length 1",
+                             k, count - 1);
+    const assembly whole = {name, {count, shape, WCUT_STEP_SCHEMA_AP214}, places, place};
+    return wcut_text_write_file(path, put_assembly, &whole, error);
 }

@@ -251,6 +251,8 @@ static void put_json_shape(document *d, json_t *item, const wcut_report_shape *s
     if (view.triangles)
         put_json_array(d, item, "triangle_array",
                        wcut_report_pool_add_ints(d->pool, 3 * shape->triangle_count, shape->triangle));
+    if (view.triangles && shape->part)
+        put_json_array(d, item, "part", wcut_report_pool_add_ints(d->pool, shape->vertex_count, shape->part));
     put_json_array(d, item, "position", wcut_report_pool_add_points(d->pool, view.count, view.index, shape->vertex));
     json_t *fields = put_list(d, item, "fields");
     for (int f = 0; f < shape->field_count; f++)
@@ -303,6 +305,7 @@ static void put_sweep_cases(document *d, json_t *item, const wcut_report_cases *
     /* the best */
     put_int(d, item, "goal", cases->goal);
     put_member(d, item, "highest", json_boolean(cases->highest));
+    put_text(d, item, "called", cases->called ? cases->called : "case");
     json_t *best = put_list(d, item, "best");
     for (int i = 0; i < cases->best_count; i++)
         if (json_array_append_new(best, json_integer(cases->best[i]))) d->failed = true;

@@ -38,7 +38,7 @@ typedef struct wcut_study_parameter {
     double step;      /* samples are low + a multiple of it; 0: any number */
     bool log;         /* evenly spread in the logarithm */
     int *interval;    /* cases: of a Latin hypercube; else NULL */
-    size_t at;        /* where its value goes in the canonical input; of an option 0 */
+    size_t at;        /* where its value goes in the canonical input; of an option, and of the whole input, 0 */
 } wcut_study_parameter;
 
 /* a file that cases use as it is */

@@ -33,7 +33,7 @@ static bool locate_all(wcut_reader *reader, const wcut_place *at, wcut_study *st
     for (int p = 0; p < study->parameters; p++) {
         const char *name = study->parameter[p].name;
         const wcut_place place = {at, name, 0, json_object_get(at->value, name)};
-        if (*name != '/') continue;
+        if (*name == '-') continue;
         value[p] = wcut_pointer_locate(root, name);
         if (!value[p] && wcut_pointer_nearest(root, name, nearest))
             return wcut_refuse(reader, &place, WCUT_BAD_ARGUMENT,
@@ -51,7 +51,7 @@ static bool locate_all(wcut_reader *reader, const wcut_place *at, wcut_study *st
 
     /* a value of its own marks each place: true, false and null are one and the same wherever they stand */
     for (int p = 0; p < study->parameters; p++) {
-        if (!value[p]) continue;
+        if (!value[p] || value[p] == root) continue; /* the whole input needs no mark: it is the first value */
         json_t *mark = json_object();
         value[p] = mark;
         if (!wcut_pointer_replace(root, study->parameter[p].name, mark)) return wcut_refuse_memory(reader);

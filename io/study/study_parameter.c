@@ -116,7 +116,7 @@ static bool read_value_list(wcut_reader *reader, const wcut_place *at, wcut_stud
 
 static bool read_parameter(wcut_reader *reader, const wcut_place *at, wcut_study *study) {
     wcut_study_parameter *p = &study->parameter[study->parameters++];
-    const bool pointer = *at->key == '/' && wcut_pointer_is_valid(at->key);
+    const bool pointer = *at->key != '-' && wcut_pointer_is_valid(at->key); /* "": the whole input */
     const bool option = strncmp(at->key, "--", 2) == 0 && at->key[2] &&
                         strspn(at->key, "abcdefghijklmnopqrstuvwxyz-") == strlen(at->key);
     if (!wcut_utf8_is_plain(at->key) || (!pointer && !option))

@@ -246,7 +246,7 @@ static bool check_rows(wcut_reader *reader, const wcut_place *at, const wcut_stu
 
 static bool has_pointer(const wcut_study *study) {
     for (int p = 0; p < study->parameters; p++)
-        if (*study->parameter[p].name == '/') return true;
+        if (*study->parameter[p].name != '-') return true;
     return false;
 }
 

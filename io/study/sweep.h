@@ -55,6 +55,10 @@ wcut_status wcut_sweep_input_write(const wcut_study *study, int k, const char *f
 /* sweep_plan.c: take the lock, alone or beside others. WCUT_OK; WCUT_NOT_WRITTEN */
 wcut_status wcut_sweep_lock(wcut_sweep *sweep, bool alone, wcut_error *error);
 
+/* sweep_plan.c: make the folder of a study and put its plan there, as wcut_sweep_create; the study is the sweep's then,
+   and freed on failure */
+wcut_status wcut_sweep_plan(wcut_study *study, const char *folder, wcut_sweep **sweep, wcut_error *error);
+
 /* a value as a field of a CSV, quoted where need be (RFC 4180) */
 void wcut_sweep_put_field(wcut_text *text, const char *value);
 void wcut_sweep_put_value(wcut_text *text, const wcut_study *study, int k, int parameter);

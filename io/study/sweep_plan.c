@@ -190,30 +190,13 @@ static wcut_status make_sweep(wcut_study *study, const char *folder, wcut_sweep 
     return WCUT_OK;
 }
 
-wcut_status wcut_sweep_create(const char *path, const char *folder, wcut_sweep **sweep, wcut_error *error) {
+wcut_status wcut_sweep_plan(wcut_study *study, const char *folder, wcut_sweep **sweep, wcut_error *error) {
     static const char *const name[] = {"study.json", "input.json", "manifest.csv", "plan.json"};
-    if (!path || !folder || !sweep || strchr(folder, '\n'))
-        return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s", wcut_status_text(WCUT_BAD_ARGUMENT));
-    wcut_study *study = NULL;
     wcut_results *set = NULL;
     wcut_sweep *made = NULL;
 
-    /* the study as its author wrote it */
-    wcut_status status = wcut_study_read(path, &study, error);
-    if (status != WCUT_OK) return status;
-
-    /* names stay what they are when the working folder is another one */
-    char *absolute = absolute_folder(study);
-    if (absolute) {
-        wcut_free(study->folder);
-        study->folder = absolute;
-    } else {
-        wcut_study_destroy(study);
-        return fail_plan_memory(error);
-    }
-
     /* the folder, its lock, and then the plan */
-    status = wcut_results_create(folder, 4, name, &set, error);
+    wcut_status status = wcut_results_create(folder, 4, name, &set, error);
     if (status == WCUT_OK)
         status = make_sweep(study, folder, &made, error);
     else
@@ -226,6 +209,26 @@ wcut_status wcut_sweep_create(const char *path, const char *folder, wcut_sweep *
     else
         wcut_sweep_destroy(made);
     return status;
+}
+
+wcut_status wcut_sweep_create(const char *path, const char *folder, wcut_sweep **sweep, wcut_error *error) {
+    if (!path || !folder || !sweep || strchr(folder, '\n'))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "%s", wcut_status_text(WCUT_BAD_ARGUMENT));
+    wcut_study *study = NULL;
+
+    /* the study as its author wrote it */
+    const wcut_status status = wcut_study_read(path, &study, error);
+    if (status != WCUT_OK) return status;
+
+    /* names stay what they are when the working folder is another one */
+    char *absolute = absolute_folder(study);
+    if (!absolute) {
+        wcut_study_destroy(study);
+        return fail_plan_memory(error);
+    }
+    wcut_free(study->folder);
+    study->folder = absolute;
+    return wcut_sweep_plan(study, folder, sweep, error);
 }
 
 /* a file of the plan into memory */

@@ -93,31 +93,42 @@ static void add_loop(wcut_brep *b, bool upper, int count, const int *coded) {
 
 /* ---- the block ---- */
 
-/* corners of the patch, around; below or above them those of the face that is not cut */
-static void add_block_vertices(wcut_brep *b, const wcut_surface *patch, double level) {
+/* the k-th corner of a patch, around */
+static wcut_vec3 patch_corner(const wcut_surface *patch, int k) {
     const ptrdiff_t last_row = (ptrdiff_t)(patch->count_v - 1) * patch->count_u;
     const ptrdiff_t corner[CORNERS] = {0, patch->count_u - 1, last_row + patch->count_u - 1, last_row};
+    return patch->control[corner[k]];
+}
+
+/* the k-th border of a patch, from corner to corner as edges of the block run */
+static wcut_status patch_border(const wcut_surface *patch, int k, wcut_curve **curve) {
+    double first[2], last[2];
+    wcut_surface_domain(patch, first, last);
+    const wcut_direction along = k % 2 ? WCUT_DIRECTION_V : WCUT_DIRECTION_U;
+    const double at = k == 0 ? first[1] : k == 1 ? last[0] : k == 2 ? last[1] : first[0];
+    return wcut_surface_iso_curve(patch, along, at, curve);
+}
+
+/* corners of the patch, around; below or above them those of the face that is not cut, or of the second patch */
+static void add_block_vertices(wcut_brep *b, const wcut_surface *patch, const wcut_surface *second, double level) {
     for (int k = 0; k < CORNERS; k++) {
-        b->vertex[k] = patch->control[corner[k]];
-        b->vertex[CORNERS + k] = vec3(b->vertex[k].x, b->vertex[k].y, level);
+        b->vertex[k] = patch_corner(patch, k);
+        b->vertex[CORNERS + k] = second ? patch_corner(second, k) : vec3(b->vertex[k].x, b->vertex[k].y, level);
     }
 }
 
-/* borders of the patch, then the uprights, then the edges of the face that is not cut, as the borders run */
-static wcut_status add_block_edges(wcut_brep *b, const wcut_surface *patch) {
+/* borders of the patch, then the uprights, then the edges opposite, as the borders run */
+static wcut_status add_block_edges(wcut_brep *b, const wcut_surface *patch, const wcut_surface *second) {
     const int end[CORNERS][2] = {{0, 1}, {1, 2}, {3, 2}, {0, 3}};
-    double first[2], last[2];
-    wcut_surface_domain(patch, first, last);
-    for (int k = 0; k < CORNERS; k++) {
+    wcut_status status = WCUT_OK;
+    for (int k = 0; k < CORNERS && status == WCUT_OK; k++) {
         b->edge[k] = (wcut_brep_edge){.from = end[k][0], .to = end[k][1]};
         b->edge[CORNERS + k] = (wcut_brep_edge){.from = k, .to = CORNERS + k};
         b->edge[2 * CORNERS + k] = (wcut_brep_edge){.from = CORNERS + end[k][0], .to = CORNERS + end[k][1]};
-        const wcut_direction along = k % 2 ? WCUT_DIRECTION_V : WCUT_DIRECTION_U;
-        const double at = k == 0 ? first[1] : k == 1 ? last[0] : k == 2 ? last[1] : first[0];
-        const wcut_status status = wcut_surface_iso_curve(patch, along, at, &b->edge[k].curve);
-        if (status != WCUT_OK) return status;
+        status = patch_border(patch, k, &b->edge[k].curve);
+        if (status == WCUT_OK && second) status = patch_border(second, k, &b->edge[2 * CORNERS + k].curve);
     }
-    return WCUT_OK;
+    return status;
 }
 
 static wcut_status copy_surface(const wcut_surface *s, wcut_surface **copy) {
@@ -139,9 +150,21 @@ static void add_lug_holes(wcut_brep *b, bool upper, int side, int keys, int lugs
     }
 }
 
-static wcut_status add_block_faces(wcut_brep *b, bool upper, const wcut_surface *patch, int keys, int lugs,
-                                   const wcut_lug *lug) {
-    static const int cut[4] = {1, 2, -3, -4}, opposite[4] = {12, 11, -10, -9};
+/* the face opposite: flat, or the second patch, whose normal points into the solid */
+static wcut_status add_opposite_face(wcut_brep *b, bool upper, const wcut_surface *second) {
+    static const int opposite[4] = {12, 11, -10, -9};
+    wcut_surface *copy = NULL;
+    const wcut_status status = second ? copy_surface(second, &copy) : WCUT_OK;
+    if (status != WCUT_OK) return status;
+    add_brep_face(b, upper, WCUT_BREP_PART_OPPOSITE, copy, b->vertex[CORNERS], vec3(0, 0, upper ? 1 : -1));
+    if (copy) b->face[b->face_count - 1].same_sense = upper;
+    add_loop(b, upper, 4, opposite);
+    return WCUT_OK;
+}
+
+static wcut_status add_block_faces(wcut_brep *b, bool upper, const wcut_surface *patch, const wcut_surface *second,
+                                   int keys, int lugs, const wcut_lug *lug) {
+    static const int cut[4] = {1, 2, -3, -4};
     static const int side[4][4] = {{-12, -5, 4, 8}, {10, -7, -2, 6}, {9, -6, -1, 5}, {-11, -8, 3, 7}};
     wcut_surface *copy;
     const wcut_status status = copy_surface(patch, &copy);
@@ -154,9 +177,7 @@ static wcut_status add_block_faces(wcut_brep *b, bool upper, const wcut_surface 
         add_loop(b, upper, 4, side[k]);
         add_lug_holes(b, upper, k, keys, lugs, lug);
     }
-    add_brep_face(b, upper, WCUT_BREP_PART_OPPOSITE, NULL, b->vertex[CORNERS], vec3(0, 0, upper ? 1 : -1));
-    add_loop(b, upper, 4, opposite);
-    return WCUT_OK;
+    return add_opposite_face(b, upper, second);
 }
 
 /* ---- keys ---- */
@@ -287,12 +308,27 @@ wcut_status wcut_brep_of_half(const wcut_surface *patch, int upper, double level
     wcut_brep *b;
     wcut_status status = brep_new(key_count, lugs, &b);
     if (status != WCUT_OK) return status;
-    add_block_vertices(b, patch, level);
+    add_block_vertices(b, patch, NULL, level);
     for (int k = 0; k < lugs; k++) add_lug_edges(b, lug_vertex(key_count, k), lug_edge(key_count, k), &lug[k]);
-    status = add_block_edges(b, patch);
-    if (status == WCUT_OK) status = add_block_faces(b, upper, patch, key_count, lugs, lug);
+    status = add_block_edges(b, patch, NULL);
+    if (status == WCUT_OK) status = add_block_faces(b, upper, patch, NULL, key_count, lugs, lug);
     if (status == WCUT_OK) status = add_keys(b, upper, level, key_count, key);
     if (status == WCUT_OK) status = add_lugs(b, upper, key_count, lugs, lug);
+    if (status == WCUT_OK) {
+        *brep = b;
+    } else {
+        wcut_brep_destroy(b);
+    }
+    return status;
+}
+
+wcut_status wcut_brep_between(const wcut_surface *floor, const wcut_surface *ceiling, wcut_brep **brep) {
+    wcut_brep *b;
+    wcut_status status = brep_new(0, 0, &b);
+    if (status != WCUT_OK) return status;
+    add_block_vertices(b, ceiling, floor, 0);
+    status = add_block_edges(b, ceiling, floor);
+    if (status == WCUT_OK) status = add_block_faces(b, false, ceiling, floor, 0, 0, NULL);
     if (status == WCUT_OK) {
         *brep = b;
     } else {

@@ -11,6 +11,9 @@
 wcut_status wcut_brep_of_half(const wcut_surface *patch, int upper, double level, int key_count, const wcut_key *key,
                               int lugs, const wcut_lug *lug, wcut_brep **brep);
 
+/* The solid between two patches over the same sides, the ceiling above the floor. WCUT_NO_MEMORY: nothing was written. */
+wcut_status wcut_brep_between(const wcut_surface *floor, const wcut_surface *ceiling, wcut_brep **brep);
+
 /* everything times a factor */
 void wcut_brep_scale(wcut_brep *brep, double factor);
 

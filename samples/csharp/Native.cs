@@ -18,6 +18,9 @@ public enum wcut_dof_kind { WCUT_DOF_KIND_FREE = 0, WCUT_DOF_KIND_LOCKED = 1, WC
 public enum wcut_effect_kind { WCUT_EFFECT_WIRE_THERMAL_LAG = 0, WCUT_EFFECT_AIR_OVERHEATING = 1, WCUT_EFFECT_END_COOLING = 2, WCUT_EFFECT_FOAM_DENSITY_GRADIENT = 3, WCUT_EFFECT_FOAM_INCLUSION = 4, WCUT_EFFECT_TANGENTIAL_DRAG = 5, WCUT_EFFECT_WIRE_ELONGATION = 6, WCUT_EFFECT_MOUNT_COMPLIANCE = 7, WCUT_EFFECT_RATE_DEPENDENCE = 8, WCUT_EFFECT_WIRE_FOULING = 9, WCUT_EFFECT_EMPIRICAL_FORCE = 10, WCUT_EFFECT_WIRE_LENGTH = 11, WCUT_EFFECT_BLOCK_SHIFT = 12, WCUT_EFFECT_KERF_GROWTH = 13, WCUT_EFFECT_BLOCK_SPRINGBACK = 14, WCUT_EFFECT_ANGLE_OFFSET = 15, WCUT_EFFECT_TENSION_GAIN = 16, WCUT_EFFECT_TENSION_DRIFT = 17, WCUT_EFFECT_CLOCK_OFFSET = 18, WCUT_EFFECT_TENSION_DELAY = 19, WCUT_EFFECT_TENSION_ZERO = 20, WCUT_EFFECT_ANGLE_GAIN = 21, WCUT_EFFECT_ENCODER_FRICTION = 22, WCUT_EFFECT_EMPIRICAL_READING = 23, WCUT_EFFECT_SCAN_OFFSET = 24, WCUT_EFFECT_SCAN_SCALE = 25, WCUT_EFFECT_COUNT = 26 }
 public enum wcut_effect_place { WCUT_EFFECT_PLACE_STEP = 0, WCUT_EFFECT_PLACE_FACE = 1, WCUT_EFFECT_PLACE_SENSOR = 2, WCUT_EFFECT_PLACE_SCAN = 3 }
 public enum wcut_evidence_channel { WCUT_EVIDENCE_CHANNEL_SPEED = 0, WCUT_EVIDENCE_CHANNEL_TENSION = 1, WCUT_EVIDENCE_CHANNEL_ALPHA = 2, WCUT_EVIDENCE_CHANNEL_BETA = 3, WCUT_EVIDENCE_CHANNEL_SCAN = 4, WCUT_EVIDENCE_CHANNEL_COUNT = 5 }
+public enum wcut_facade_field_kind { WCUT_FACADE_FIELD_CONSTANT = 0, WCUT_FACADE_FIELD_LINEAR = 1, WCUT_FACADE_FIELD_SINE = 2, WCUT_FACADE_FIELD_GRID = 3, WCUT_FACADE_FIELD_ATTRACTOR = 4 }
+public enum wcut_facade_lattice { WCUT_FACADE_LATTICE_PLANE = 0, WCUT_FACADE_LATTICE_CYLINDER = 1, WCUT_FACADE_LATTICE_SURFACE = 2, WCUT_FACADE_LATTICE_FREE = 3 }
+public enum wcut_facade_match { WCUT_FACADE_MATCH_NONE = 0, WCUT_FACADE_MATCH_EDGE = 1, WCUT_FACADE_MATCH_TANGENT = 2 }
 public enum wcut_feasibility_verdict { WCUT_FEASIBILITY_VERDICT_FEASIBLE = 0, WCUT_FEASIBILITY_VERDICT_AT_LIMIT = 1, WCUT_FEASIBILITY_VERDICT_INFEASIBLE = 2 }
 public enum wcut_feed_kind { WCUT_FEED_KIND_NONE = 0, WCUT_FEED_KIND_CONSTANT = 1, WCUT_FEED_KIND_STATIONS = 2, WCUT_FEED_KIND_TIME = 3 }
 public enum wcut_integrator { WCUT_INTEGRATOR_IMPLICIT = 0, WCUT_INTEGRATOR_HEUN = 1 }
@@ -851,6 +854,38 @@ public unsafe struct wcut_effect_parameter
     public double high;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_element
+{
+    public wcut_job* job;
+    public double* border_0, border_1, border_2, border_3;
+    public byte upper;
+    public wcut_element_options options;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_element_face
+{
+    public wcut_vec3 block;
+    public wcut_surface* surface;
+    public wcut_vec3* point;
+    public double* force;
+    public double* moved;
+    public double* cut_0, cut_1, cut_2, cut_3;
+    public double moved_max;
+    public double fit_error;
+    public double radius_min;
+    public double volume;
+    public double area;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_element_options
+{
+    public double thickness;
+    public double density;
+    public byte moulds;
+    public double chord_tolerance;
+    public byte* formats;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_equilibrium_options
 {
     public double tolerance;
@@ -895,6 +930,130 @@ public unsafe struct wcut_evidence_score
     public double rmse_over_range;
     public double low;
     public double high;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_facade
+{
+    public wcut_facade_match match;
+    public int rows;
+    public int columns;
+    public int elements;
+    public wcut_facade_element* element;
+    public int joints;
+    public wcut_facade_joint* joint;
+    public double moved;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_facade_description
+{
+    public byte* name;
+    public wcut_facade* facade;
+    public int variants;
+    public byte** variant_name;
+    public int* variant;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_facade_element
+{
+    public int row;
+    public int column;
+    public int turn;
+    public byte mirrored;
+    public wcut_vec3 origin;
+    public wcut_vec3 x;
+    public wcut_vec3 y;
+    public wcut_vec3 z;
+    public wcut_job* job;
+    public double* border_0, border_1, border_2, border_3;
+    public fixed int joint[4];
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_facade_field
+{
+    public wcut_facade_field_kind kind;
+    public double value;
+    public fixed double slope[2];
+    public double amplitude;
+    public double period;
+    public double direction;
+    public double phase;
+    public int rows;
+    public int columns;
+    public double* grid;
+    public int points;
+    public double* place;
+    public double radius;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_facade_item
+{
+    public int distinct;
+    public fixed byte hash[65];
+    public wcut_sweep_state state;
+    public byte feasible;
+    public fixed byte reason[240];
+    public double duration;
+    public double speed_min;
+    public double speed_max;
+    public double radius_min;
+    public double foam_lower;
+    public double foam_upper;
+    public double area;
+    public double moved_max;
+    public double panel_volume;
+    public double panel_mass;
+    public wcut_element_face* face;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_facade_joint
+{
+    public fixed int element[2];
+    public fixed int border[2];
+    public byte reversed;
+    public double opening_min;
+    public double opening_max;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_facade_placement
+{
+    public int row;
+    public int column;
+    public int turn;
+    public byte mirrored;
+    public int job;
+    public wcut_vec3 origin;
+    public wcut_vec3 x;
+    public wcut_vec3 y;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_facade_plan
+{
+    public wcut_facade_lattice lattice;
+    public int rows;
+    public int columns;
+    public double radius;
+    public wcut_surface* surface;
+    public double joint;
+    public wcut_facade_match match;
+    public double match_move;
+    public int placements;
+    public wcut_facade_placement* placement;
+    public int jobs;
+    public wcut_job** job;
+    public int heights;
+    public wcut_facade_field* height;
+    public int extras;
+    public wcut_facade_field* extra;
+    public double overrun;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_facade_results
+{
+    public wcut_facade_description* description;
+    public int distinct;
+    public wcut_facade_item* item;
+    public wcut_element_face** face;
+    public wcut_joint_report* joint;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_face
@@ -1127,6 +1286,15 @@ public unsafe struct wcut_job
     public wcut_heat_step* heat_step;
     public int effect_count;
     public wcut_effect* effect;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_joint_report
+{
+    public double gap_max;
+    public double step_max;
+    public double angle_min;
+    public double angle_median;
+    public double angle_max;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_key
@@ -1406,6 +1574,14 @@ public unsafe struct wcut_overlay_style
     public double width;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_panel
+{
+    public wcut_mesh* mesh;
+    public wcut_brep* solid;
+    public double volume;
+    public double area;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_path_near
 {
     public double distance;
@@ -1620,6 +1796,7 @@ public unsafe struct wcut_report_cases
     public byte highest;
     public int best_count;
     public int* best;
+    public byte* called;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_report_chart
@@ -1808,6 +1985,7 @@ public unsafe struct wcut_report_shape
     public int* triangle;
     public int field_count;
     public wcut_report_field* field;
+    public int* part;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_report_simulate
@@ -2232,6 +2410,15 @@ public unsafe struct wcut_statistics
     public fixed double under[8];
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_step_place
+{
+    public byte* name;
+    public int shape;
+    public wcut_vec3 origin;
+    public wcut_vec3 x;
+    public wcut_vec3 z;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_study_info
 {
     public byte* name;
@@ -2599,10 +2786,30 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_effect_parameter* wcut_effect_parameters(wcut_effect* a0);
     [DllImport("wirecut-io")] public static extern wcut_effect_info* wcut_effect_view(wcut_effect_kind a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_effects_check(int a0, wcut_effect* a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern void wcut_element_destroy(wcut_element* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_element_face_create(wcut_surface* a0, wcut_vec3 a1, double** a2, int a3, int a4, wcut_vec3* a5, double* a6, wcut_element_face** a7, wcut_error* a8);
+    [DllImport("wirecut-io")] public static extern void wcut_element_face_destroy(wcut_element_face* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_element_face_interpolate(wcut_vec3 a0, double* a1, wcut_element_face** a2);
+    [DllImport("wirecut-io")] public static extern wcut_element_options wcut_element_options_default();
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_element_read(byte* a0, wcut_element** a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_element_result_print(wcut_element* a0, void* a1, wcut_history* a2, wcut_element_face* a3, wcut_panel* a4, byte* a5, byte** a6);
     [DllImport("wirecut-io")] public static extern wcut_equilibrium_options wcut_equilibrium_options_default();
     [DllImport("wirecut-io")] public static extern wcut_status wcut_equilibrium_solve(int a0, wcut_vec3* a1, double* a2, wcut_equilibrium_options* a3, wcut_vec3* a4, double* a5, wcut_equilibrium_report* a6);
     [DllImport("wirecut-io")] public static extern byte* wcut_evidence_name(wcut_evidence_channel a0);
     [DllImport("wirecut-io")] public static extern byte* wcut_evidence_unit(wcut_evidence_channel a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_facade_create(wcut_facade_plan* a0, wcut_facade** a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern void wcut_facade_description_destroy(wcut_facade_description* a0);
+    [DllImport("wirecut-io")] public static extern void wcut_facade_destroy(wcut_facade* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_facade_field_eval(int a0, wcut_facade_field* a1, double* a2, double a3, double a4, double* a5);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_facade_points(wcut_facade* a0, wcut_element_face** a1, wcut_vec3* a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_facade_print(wcut_facade_results* a0, byte** a1);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_facade_read(byte* a0, wcut_facade_description** a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern void wcut_facade_results_destroy(wcut_facade_results* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_facade_results_read(wcut_facade_description* a0, wcut_element_options* a1, void* a2, wcut_facade_results** a3, wcut_error* a4);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_facade_sweep_create(wcut_facade_description* a0, wcut_element_options* a1, byte* a2, void** a3, wcut_error* a4);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_facade_write_csv(wcut_facade_results* a0, byte* a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_facade_write_glb(wcut_facade_results* a0, byte* a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_facade_write_step(wcut_facade_results* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_face_create(wcut_job* a0, wcut_history* a1, wcut_vec3* a2, wcut_vec3* a3, double a4, wcut_face** a5);
     [DllImport("wirecut-io")] public static extern void wcut_face_destroy(wcut_face* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_face_eval(int a0, wcut_effect* a1, wcut_vec3 a2, int a3, wcut_vec3* a4, double* a5, wcut_vec3* a6);
@@ -2647,6 +2854,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_job_read_force_law(wcut_job* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_job_resample(wcut_job* a0, int a1);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_job_write(wcut_job* a0, byte* a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_joint_eval(wcut_facade* a0, int a1, wcut_element_face* a2, wcut_element_face* a3, wcut_joint_report* a4);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_keys_at_corners(wcut_vec3 a0, double a1, double a2, wcut_key* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_law_fit_eval(wcut_law_fit* a0, double a1, int a2, double* a3, double* a4, double* a5, double* a6);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_mesh_base(wcut_mesh* a0, int a1, wcut_surface** a2);
@@ -2684,6 +2892,8 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_overlay_print(wcut_overlaid* a0, byte** a1);
     [DllImport("wirecut-io")] public static extern wcut_overlay_style wcut_overlay_style_default();
     [DllImport("wirecut-io")] public static extern wcut_status wcut_overlay_svg_write(wcut_overlaid* a0, byte* a1, byte* a2, wcut_error* a3);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_panel_create(wcut_element_face* a0, double a1, double a2, wcut_panel** a3, wcut_error* a4);
+    [DllImport("wirecut-io")] public static extern void wcut_panel_destroy(wcut_panel* a0);
     [DllImport("wirecut-io")] public static extern byte* wcut_part_name(wcut_part a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_path_clearance(int a0, wcut_vec3* a1, wcut_box* a2, double a3, wcut_path_near* a4);
     [DllImport("wirecut-io")] public static extern byte* wcut_phase_name(wcut_phase a0);
@@ -2725,6 +2935,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_control_write(wcut_rig_summary* a0, byte* a1, byte* a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_design_write(wcut_report_design* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_diagnose_write(wcut_report_diagnose* a0, byte* a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_report_facade_write(wcut_facade_results* a0, byte* a1, byte* a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_mould_write(wcut_report_mould* a0, wcut_job* a1, wcut_history* a2, wcut_mould* a3, byte* a4, wcut_error* a5);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_overlay_write(wcut_overlaid* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_score_write(wcut_report_score* a0, byte* a1, wcut_error* a2);
@@ -2779,6 +2990,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_source_hash(byte* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern byte* wcut_status_text(wcut_status a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_step_write(int a0, wcut_shape* a1, wcut_step_schema a2, byte* a3, wcut_error* a4);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_step_write_assembly(byte* a0, int a1, wcut_shape* a2, int a3, wcut_step_place* a4, byte* a5, wcut_error* a6);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_stl_stream_append(void* a0, int a1, wcut_vec3* a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_stl_stream_commit(void* a0, wcut_error* a1);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_stl_stream_create(byte* a0, void** a1, wcut_error* a2);

@@ -49,6 +49,8 @@ run 0 verify ../identify --quiet --json
 cp out ../verification.json
 run 0 sweep study.json -o ../sweep --quiet
 read_in study.json
+run 0 facade wave.json -o ../facade --thickness 12 --formats csv -j 2 --quiet
+read_in wave.json
 # the one that takes a diagnosis: test_rig_prior reads the sample, which it is
 cmp -s rig.json "$SOURCE_DIR/samples/rig.json" || fail "rig.json of the document is not samples/rig.json"
 read_in rig.json
@@ -76,6 +78,8 @@ same residuals.csv score/residuals.csv
 same deviation.json compare/deviation.json
 same zones.csv compare/zones.csv
 same sections.csv zoned/sections.csv
+same facade-result.json facade/facade.json
+same element-result.json "$(ls facade/cases/*/*/element.json | head -n 1)"
 same sweep.json sweep/sweep.json
 same sweep-case.json "$(ls sweep/cases/*/*/case.json | head -n 1)"
 same overlay.json overlay/overlay.json

@@ -10,8 +10,8 @@ made_of() {
         wcut_curve_set_read | wcut_mesh_read | wcut_trimmed_set_read) echo "$1_memory" ;;
         wcut_table_read) echo wcut_csv_parse ;;
         wcut_job_read_edges) echo wcut_curve_set_read_memory ;;
-        wcut_case_read | wcut_correction_read | wcut_format_read | wcut_job_read | wcut_picture_read | wcut_rig_prior_read | \
-            wcut_study_read)
+        wcut_case_read | wcut_correction_read | wcut_element_read | wcut_facade_read | wcut_format_read | wcut_job_read | \
+            wcut_picture_read | wcut_rig_prior_read | wcut_study_read)
             echo "${1%_read}_parse" ;;
         *) echo "$1" ;;
     esac

@@ -251,7 +251,7 @@ static inline wcut_status pages_write_cases(const char *path, wcut_error *error)
         link[r] = r == 5 ? NULL : "cases/00/report.html";
     }
     const wcut_report_column column[] = {{"/a" HOSTILE, "mm", a, NULL}, {"b", "", b, NULL}, {"word", NULL, NULL, word}};
-    const wcut_report_cases cases = {ROWS, 3, 1, column, number, link, 1, true, 2, best};
+    const wcut_report_cases cases = {ROWS, 3, 1, column, number, link, 1, true, 2, best, NULL};
     const wcut_report_section section = {.title = "Cases", .cases = &cases};
     const wcut_report report = {
         .verb = "sweep", .title = HOSTILE, .verdict = "100 cases.", .section_count = 1, .section = &section};

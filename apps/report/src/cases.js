@@ -6,7 +6,8 @@ import {element, extent, labelled, number} from './text.js';
 const TOP = 34; // room for an axis' name and its highest value
 const FOOT = 20;
 const FONT = '12px system-ui, sans-serif';
-const LISTED = 20;
+const LISTED = 20; // of the cases of a study; of the parts of a whole all but the largest
+const LISTED_PARTS = 1000;
 
 // a column as positions in [0, 1] on its axis, with the values at its ends; words get places of their own
 function axisOf(column) {
@@ -104,17 +105,29 @@ export class Cases {
     this.brush = this.axes.map(() => null);
     this.on = new Uint8Array(cases.rows).fill(1);
     this.goal = cases.goal < 0 ? this.axes.findIndex(axis => !axis.words) : cases.goal;
+    this.sign = cases.highest ? -1 : 1; // of the order in the list
     if (this.goal < 0) this.goal = 0;
     const names = cases.columns.map(column => column.label);
-    this.parallel = sheet(320, `Parallel coordinates of ${cases.rows} cases over ${names.join(', ')}.`, (...a) =>
-      this.paintParallel(...a)
+    this.parallel = sheet(
+      320,
+      `Parallel coordinates of ${cases.rows} ${cases.called}s over ${names.join(', ')}.`,
+      (...a) => this.paintParallel(...a)
     );
     // a narrow screen scrolls along the axes
     this.parallel.canvas.style.minWidth = `${72 * this.axes.length}px`;
-    this.scatter = sheet(320, 'Scatter of the cases over two columns.', (...a) => this.paintScatter(...a));
+    this.scatter = sheet(320, `Scatter of the ${cases.called}s over two columns.`, (...a) => this.paintScatter(...a));
     this.count = element('p', {className: 'note share', 'aria-live': 'polite'});
-    this.list = element('div', {className: 'scroll', tabIndex: 0, role: 'region', 'aria-label': 'Selected cases'});
-    this.pick = element('p', {className: 'note share', 'aria-live': 'polite'}, 'Click a point to see its case.');
+    this.list = element('div', {
+      className: 'scroll',
+      tabIndex: 0,
+      role: 'region',
+      'aria-label': `Selected ${cases.called}s`
+    });
+    this.pick = element(
+      'p',
+      {className: 'note share', 'aria-live': 'polite'},
+      `Click a point to see its ${cases.called}.`
+    );
     const numeric = this.axes.map((axis, i) => (axis.words ? -1 : i)).filter(i => i >= 0);
     this.x = numeric[0] ?? 0;
     this.y = this.axes[this.goal].words ? (numeric[1] ?? this.x) : this.goal;
@@ -138,7 +151,7 @@ export class Cases {
     return element('label', {}, `${label} `, select);
   }
 
-  link(r, text = `case ${this.number[r]}`) {
+  link(r, text = `${this.cases.called} ${this.number[r]}`) {
     const href = this.cases.links[r];
     return href ? element('a', {href}, text) : text;
   }
@@ -154,6 +167,7 @@ export class Cases {
     this.steerBrush();
     this.goalChooser = this.chooser('Colour and order by', this.goal, i => {
       this.goal = i;
+      this.sign = this.cases.highest && i === this.cases.goal ? -1 : 1;
       this.refresh();
     });
     return element(
@@ -165,7 +179,7 @@ export class Cases {
       element(
         'p',
         {className: 'note hint'},
-        'Drag along an axis to select cases; click it to take the selection away.'
+        `Drag along an axis to select ${this.cases.called}s; click it to take the selection away.`
       ),
       this.brushTable(),
       this.count,
@@ -259,7 +273,7 @@ export class Cases {
         ? 1
         : 0;
     const chosen = this.on.reduce((n, v) => n + v, 0);
-    this.count.textContent = `${number(chosen)} of ${number(this.cases.rows)} cases are selected.`;
+    this.count.textContent = `${number(chosen)} of ${number(this.cases.rows)} ${this.cases.called}s are selected.`;
     this.entries.forEach((pair, i) => {
       const range = this.brush[i];
       pair?.forEach((entry, k) => {
@@ -349,24 +363,50 @@ export class Cases {
     });
   }
 
+  orderBy(i) {
+    if (i === this.goal) this.sign = -this.sign;
+    else [this.goal, this.sign] = [i, 1];
+    this.goalChooser.querySelector('select').value = String(i);
+    this.refresh();
+  }
+
+  // what is known of a row, for who picked it in space
+  about(r) {
+    if (!(r >= 0 && r < this.cases.rows)) return [];
+    const words = this.axes.map(axis => `${labelled(axis.column.label, axis.column.unit)} ${axis.show(r)}`).join(', ');
+    return [this.link(r), `: ${words}`];
+  }
+
   fillList() {
     const rows = Array.from({length: this.cases.rows}, (_, r) => r).filter(r => this.on[r]);
-    const {value} = this.axes[this.goal],
-      sign = this.cases.highest && this.goal === this.cases.goal ? -1 : 1;
-    const key = r => (Number.isNaN(value[r]) ? Infinity : sign * value[r]);
+    const {value} = this.axes[this.goal];
+    const key = r => (Number.isNaN(value[r]) ? Infinity : this.sign * value[r]);
     rows.sort((a, b) => key(a) - key(b) || a - b);
-    const head = element('tr', {}, element('th', {scope: 'col'}, 'case'));
-    this.axes.forEach(axis =>
+    const head = element('tr', {}, element('th', {scope: 'col'}, this.cases.called));
+    this.axes.forEach((axis, i) => {
+      // a click orders by the column, another one turns the order
+      const own = i === this.goal;
+      const button = element(
+        'button',
+        {type: 'button', className: 'sort'},
+        labelled(axis.column.label, axis.column.unit) + (own ? (this.sign > 0 ? ' \u25b2' : ' \u25bc') : '')
+      );
+      button.addEventListener('click', () => this.orderBy(i));
       head.append(
         element(
           'th',
-          {scope: 'col', className: axis.words ? '' : 'number'},
-          labelled(axis.column.label, axis.column.unit)
+          {
+            scope: 'col',
+            className: axis.words ? '' : 'number',
+            'aria-sort': own ? (this.sign > 0 ? 'ascending' : 'descending') : 'none'
+          },
+          button
         )
-      )
-    );
+      );
+    });
     const body = element('tbody');
-    for (const r of rows.slice(0, LISTED))
+    const listed = this.cases.called === 'case' ? LISTED : LISTED_PARTS;
+    for (const r of rows.slice(0, listed))
       body.append(
         element(
           'tr',
@@ -377,7 +417,7 @@ export class Cases {
       );
     this.list.replaceChildren(
       element('table', {}, element('thead', {}, head), body),
-      rows.length > LISTED ? element('p', {className: 'note'}, `The first ${LISTED} of ${number(rows.length)}.`) : ''
+      rows.length > listed ? element('p', {className: 'note'}, `The first ${listed} of ${number(rows.length)}.`) : ''
     );
   }
 

@@ -100,6 +100,7 @@ if (report.scene) {
   page.append(surface.figure);
 }
 page.append(...report.sections.map(section), provenance());
+if (surface && shown) surface.aboutPart = row => shown.about(row);
 surface?.start();
 later.forEach(part => part.start());
 

@@ -84,6 +84,8 @@ export class Surface {
     this.histogram = new Histogram();
     this.words = element('p', {className: 'note share'});
     this.readout = element('dl', {className: 'readout', 'aria-live': 'polite'});
+    this.part = element('p', {className: 'note share', 'aria-live': 'polite'});
+    this.aboutPart = null; // what the page says of a part of a shape
     this.profiles = element('div', {className: 'charts'});
     this.canvas = element('canvas', {tabIndex: 0, role: 'img'});
     this.overlay = element('canvas', {className: 'overlay', 'aria-hidden': 'true'});
@@ -115,6 +117,7 @@ export class Surface {
         this.range
       ),
       this.finder,
+      this.part,
       this.readout,
       this.profiles,
       this.statistics()
@@ -354,6 +357,7 @@ export class Surface {
     this.index = index;
     if (index < 0) {
       this.readout.replaceChildren();
+      this.part.replaceChildren();
       this.profiles.replaceChildren();
       this.view.clearLines('picked');
       this.view.draw();
@@ -362,6 +366,7 @@ export class Surface {
     const point = this.at(index),
       {shape} = this;
     if (!typed) this.found(index);
+    if (this.aboutPart && given(shape.part)) this.part.replaceChildren(...this.aboutPart(ints(shape.part)[index]));
     const pairs = [
       ...(shape.rows
         ? [
@@ -434,7 +439,7 @@ export class Surface {
           )
         );
       }
-    } else {
+    } else if (!given(shape.part)) {
       const position = floats(shape.position),
         y0 = position[3 * index + 1];
       const half = this.slab(position),

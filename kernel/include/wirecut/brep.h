@@ -29,7 +29,8 @@ typedef enum wcut_brep_part {
     WCUT_BREP_PART_SIDE_XW,  /**< x = W */
     WCUT_BREP_PART_SIDE_Y0,  /**< y = 0 */
     WCUT_BREP_PART_SIDE_YL,  /**< y = L */
-    WCUT_BREP_PART_OPPOSITE, /**< z = 0 of the lower half, z = H of the upper: with a hole for every registration key */
+    WCUT_BREP_PART_OPPOSITE, /**< z = 0 of the lower half, z = H of the upper: with a hole for every registration key; of
+                                  a panel a spline, its other face */
     WCUT_BREP_PART_KEY_FLANK, /**< half a cone: spline, rational */
     WCUT_BREP_PART_KEY_TIP,   /**< the flat end of a key: plane */
     WCUT_BREP_PART_LUG,       /**< of a locating lug: plane */

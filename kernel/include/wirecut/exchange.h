@@ -51,6 +51,32 @@ typedef enum wcut_step_schema {
 WCUT_API wcut_status wcut_step_write(int count, const wcut_shape *shape, wcut_step_schema schema, const char *path,
                                      wcut_error *error);
 
+/** A part where an assembly sets it: its own frame's origin, x and z in the assembly's. */
+typedef struct wcut_step_place {
+    const char *name; /**< UTF-8, of this occurrence */
+    int shape;        /**< which of the shapes */
+    wcut_vec3 origin; /**< [mm] */
+    wcut_vec3 x, z;   /**< unit, perpendicular */
+} wcut_step_place;
+
+/**
+ * Shapes to a STEP file as an assembly: each shape once, a part that is set as often as there are places for it, by
+ * transformations (AP214). Numbers as in wcut_step_write.
+ *
+ * @param[in]  name   of the assembly, UTF-8
+ * @param[in]  count  of shapes, 1 or more
+ * @param[in]  shape  count
+ * @param[in]  places 1 or more
+ * @param[in]  place  places
+ * @param[in]  path   the target, replaced whole or left as it was
+ * @param[out] error  may be NULL; shape or place, what was found, what was expected
+ * @return WCUT_OK: the file is wholly on disk; WCUT_BAD_ARGUMENT (as wcut_step_write; a place of a shape that is not
+ *         there, or with axes that are not perpendicular of length 1), WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is
+ *         as it was.
+ */
+WCUT_API wcut_status wcut_step_write_assembly(const char *name, int count, const wcut_shape *shape, int places,
+                                              const wcut_step_place *place, const char *path, wcut_error *error);
+
 /**
  * Surfaces and curves to an IGES 5.3 file: rational B-spline surfaces (type 128) and curves (126) with their names
  * (406 form 15; 50 characters of them, "_" for what is not ASCII). Numbers as in wcut_step_write. Solids are refused:

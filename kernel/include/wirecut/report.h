@@ -120,7 +120,8 @@ typedef struct wcut_report_cases {
     int goal;                         /**< the column that the best are chosen by; -1: none */
     bool highest;                     /**< else the lowest is the best */
     int best_count;
-    const int *best; /**< best_count rows, the best first */
+    const int *best;    /**< best_count rows, the best first */
+    const char *called; /**< what a row is; NULL: "case" */
 } wcut_report_cases;
 
 /** Charts, maps and tables that belong together. */
@@ -157,6 +158,7 @@ typedef struct wcut_report_shape {
     const int *triangle;      /**< triangle_count x 3 */
     int field_count;          /**< at most 12 */
     const wcut_report_field *field;
+    const int *part; /**< vertex_count: the row of the page's cases that a vertex belongs to; NULL: none */
 } wcut_report_shape;
 
 /** A line in the view, or with one point a mark; lines of one group are shown and hidden together. */

@@ -7,6 +7,7 @@
 #include <wirecut/design_file.h>
 #include <wirecut/deviation_file.h>
 #include <wirecut/diagnosis.h>
+#include <wirecut/facade_file.h>
 #include <wirecut/face.h>
 #include <wirecut/history.h>
 #include <wirecut/job.h>
@@ -231,6 +232,19 @@ WCUT_API wcut_status wcut_report_overlay_write(const wcut_overlaid *overlaid, co
  * @return WCUT_OK; WCUT_BAD_ARGUMENT (a NULL that is not allowed), the statuses of wcut_report_write: the target is as it was.
  */
 WCUT_API wcut_status wcut_report_sweep_write(const wcut_sweep *sweep, const char *path, wcut_error *error);
+
+/**
+ * Write the page of a facade: the whole of it in space, coloured by the force or by any figure of its elements, and a
+ * table of the elements with links to their own pages.
+ *
+ * @param[in]  results
+ * @param[in]  source  the description's file, for the provenance; may be NULL
+ * @param[in]  path    the target beside the folder "cases", replaced whole or not at all
+ * @param[out] error   may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (a NULL that is not allowed), the statuses of wcut_report_write: the target is as it was.
+ */
+WCUT_API wcut_status wcut_report_facade_write(const wcut_facade_results *results, const char *source, const char *path,
+                                              wcut_error *error);
 
 /** What a design's page is of. */
 typedef struct wcut_report_design {

@@ -41,6 +41,8 @@
 #include <wirecut/equilibrium.h>
 #include <wirecut/exchange.h>
 #include <wirecut/export.h>
+#include <wirecut/facade.h>
+#include <wirecut/facade_file.h>
 #include <wirecut/face.h>
 #include <wirecut/feasibility.h>
 #include <wirecut/force_density.h>

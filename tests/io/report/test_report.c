@@ -485,7 +485,7 @@ TEST(cases_outside_their_limits_are_refused_and_those_within_are_not) {
     int number[3] = {0, 1, 2}, best[1] = {2};
     const char *link[3] = {"a", NULL, "b"}, *word[3] = {"u", NULL, "v"};
     const wcut_report_column column[] = {{"x", "", x, NULL}, {"w", "", NULL, word}};
-    const wcut_report_cases sound = {3, 2, 1, column, number, link, 0, false, 1, best};
+    const wcut_report_cases sound = {3, 2, 1, column, number, link, 0, false, 1, best, NULL};
     for (int broken = -1; broken < 10; broken++) {
         wcut_report_cases cases = sound;
         const wcut_report_section section = {.title = "s", .cases = &cases};
