@@ -95,6 +95,21 @@ static void put_diagnosis_effects(wcut_text *text, const wcut_diagnosis *d) {
     wcut_text_put_word(text, "]");
 }
 
+/* what is present, but of no consequence for the cut */
+static void put_small_effects(wcut_text *text, const wcut_diagnosis *d) {
+    const wcut_small_effect *small = &d->small_effect;
+    wcut_text_put_word(text, ",\n  \"small_effects\": [");
+    if (d->small_effects > 0) {
+        wcut_text_put_word(text, "\n    {\"effect\": ");
+        put_diagnosis_effect(text, &small->found);
+        wcut_text_put_number(text, ", \"gain\": ", small->gain);
+        wcut_text_put_number(text, ",\n     \"moves_tension_N\": ", small->tension);
+        wcut_text_put_number(text, ", \"moves_face_mm\": ", small->face);
+        wcut_text_put_word(text, "}");
+    }
+    wcut_text_put_word(text, "]");
+}
+
 /* "key": {"value", "ci95", "job"}: a number of the plain model that was set anew */
 static void put_base(wcut_text *text, const char *before, const wcut_estimate *e, double job) {
     wcut_text_put_number(text, before, e->value);
@@ -176,6 +191,7 @@ static void put_verdict(wcut_text *text, const wcut_diagnosis *d) {
     }
 
     wcut_text_put_number(text, "], \"confidence\": ", d->confidence);
+    wcut_text_put_number(text, ", \"confidence_by\": ", d->confidence_by);
     wcut_text_put_word(text, ",\n              \"alternatives\": [");
     between = "";
 
@@ -486,6 +502,8 @@ static bool is_diagnosis_whole(const wcut_diagnosis *d) {
         return false;
     for (int e = 0; e < d->effects; e++)
         if (!is_effect(&d->effect[e].effect)) return false;
+    if (d->small_effects < 0 || d->small_effects > 1) return false;
+    if (d->small_effects == 1 && !is_effect(&d->small_effect.found.effect)) return false;
     for (int i = 0; i < d->hypotheses; i++) {
         const wcut_hypothesis *h = &d->hypothesis[i];
         if (h->count < 0 || h->count > 2) return false;
@@ -513,6 +531,7 @@ wcut_status wcut_diagnosis_print(const wcut_diagnosis *diagnosis, const char *na
     /* the parts in the order of FORMATS.md */
     put_verdict(&out, diagnosis);
     put_diagnosis_effects(&out, diagnosis);
+    put_small_effects(&out, diagnosis);
     put_recalibrated(&out, diagnosis);
     put_correction(&out, diagnosis);
     put_modelled(&out, diagnosis);

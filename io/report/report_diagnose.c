@@ -113,6 +113,43 @@ static wcut_report_table effect_table(page *p) {
     return table;
 }
 
+/* what stands out, but is of no consequence for the cut: a row for each number that was fitted */
+static wcut_report_table small_table(page *p) {
+    const wcut_found_effect *f = &p->d->small_effect.found;
+    wcut_report_column *c = columns(p, 7);
+    wcut_report_table table = {.title = "Present, but too small to matter", .columns = 7, .column = c};
+    if (!c) return table;
+
+    /* what it is, its interval, what it moves */
+    const char **effect = texts(p, &c[0], "effect", WCUT_EFFECT_VALUES);
+    const char **key = texts(p, &c[1], "parameter", WCUT_EFFECT_VALUES);
+    const char **value = texts(p, &c[2], "value", WCUT_EFFECT_VALUES);
+    const char **low = texts(p, &c[3], "95 % from", WCUT_EFFECT_VALUES);
+    const char **high = texts(p, &c[4], "to", WCUT_EFFECT_VALUES);
+    const char **tension = texts(p, &c[5], "moves the tensions [N]", WCUT_EFFECT_VALUES);
+    const char **face = texts(p, &c[6], "moves the face [mm]", WCUT_EFFECT_VALUES);
+    if (p->memory.failed) return table;
+    table.note =
+        "It stands out of noise and scatter, on cuts left out too, but is below the size worth acting on. What it "
+        "moves is its largest part, means over 0.5 s and over patches of the scans.";
+    for (const wcut_effect_parameter *q = wcut_effect_view(f->effect.kind)->parameter; q->key; q++)
+        for (int k = 0; k < q->size; k++) {
+            const wcut_estimate *estimate = &f->parameter[q->at + k];
+            if (!f->estimated[q->at + k]) continue;
+
+            /* what it moves is said once */
+            const int r = table.rows++;
+            effect[r] = words_of(p, &f->effect);
+            key[r] = q->size == 1 ? q->key : wcut_page_text(&p->memory, "%s, %c", q->key, 'x' + k);
+            value[r] = number_words(p, estimate->value);
+            low[r] = number_words(p, estimate->low), high[r] = number_words(p, estimate->high);
+            tension[r] = r == 0 ? number_words(p, p->d->small_effect.tension) : NULL;
+            face[r] = r == 0 ? number_words(p, p->d->small_effect.face) : NULL;
+        }
+
+    return table;
+}
+
 static wcut_report_table base_table(page *p) {
     const wcut_diagnosis *d = p->d;
 
@@ -177,10 +214,11 @@ static wcut_report_table next_table(page *p) {
 }
 
 static bool fill_found(page *p, wcut_report_section *section) {
-    wcut_report_table *table = wcut_page_take(&p->memory, 4, sizeof *table);
+    wcut_report_table *table = wcut_page_take(&p->memory, 5, sizeof *table);
     int count = 0;
     if (!table) return false;
     if (p->d->effects > 0) table[count++] = effect_table(p);
+    if (p->d->small_effects > 0) table[count++] = small_table(p);
     table[count++] = base_table(p);
     if (p->d->limits + p->of->said > 0) table[count++] = limit_table(p);
     if (p->d->next_experiment) table[count++] = next_table(p);

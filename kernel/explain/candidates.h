@@ -4,7 +4,7 @@
 
 #include "explain/screen.h"
 
-enum { WCUT_CANDIDATES = 24, WCUT_SCREENED = 12 };
+enum { WCUT_CANDIDATES = 40, WCUT_SCREENED = 12 };
 
 /* What a fit leaves, against what noise would leave. */
 typedef struct wcut_residual_stats {
@@ -15,6 +15,9 @@ typedef struct wcut_residual_stats {
     double worst;   /* largest `slow` of a cut's channel */
     double peak;    /* largest square of a mean over four seconds, times their number */
 } wcut_residual_stats;
+
+/* of a residual (rows), whitened so that noise has unit variance */
+wcut_residual_stats wcut_residual_stats_eval(const wcut_evidence *evidence, const double *residual);
 
 typedef struct wcut_candidate {
     wcut_fitted fit;

@@ -4,7 +4,7 @@
 
 #include <wirecut/diagnosis.h>
 
-/* [1] kind of the verdict; score: of the best candidate, not below 0; effects: how many are named */
-double wcut_confidence_eval(wcut_verdict_kind kind, double score, int effects);
+/* [1] kind of the verdict; x: as wcut_decision.confidence_by */
+double wcut_confidence_eval(wcut_verdict_kind kind, double x);
 
 #endif

@@ -152,15 +152,21 @@ static bool takes_most(const wcut_search *s, int candidate) {
 static const char *objection(const wcut_search *s, int candidate) {
     const wcut_candidate *c = &s->candidate[candidate];
     const bool small = c->second_size < 1, scans = moves_scans_alone(c, wcut_search_base(s)->model.effects);
-    if (c->gain < (small ? GAIN_SMALL : scans ? GAIN_SCAN : gain_min(s)))
-        return small ? (c->effects > 1 ? "one of the two is too small to be named" : "too small to be named")
-                     : "no more than chance";
-    if (!is_significant(c, wcut_search_base(s)->model.effects)) return "not significant";
+    const bool two = c->effects > 1;
+
+    /* what it gains, by size */
+    if (c->gain < GAIN_CHANCE) return "no more than chance";
+    if (c->gain < gain_min(s) && !scans) return "no more than the simulator's own error may feign";
+    if (c->gain < GAIN_SMALL && small) return two ? "one of the two is too small to be named" : "too small to be named";
+
+    /* what it is, and what it does on cuts that were not fitted */
+    if (!is_significant(c, wcut_search_base(s)->model.effects))
+        return "a strength is within two standard errors of nothing";
     if (runs_out(c) && c->gain < BOUND_TAKES * all_that_is_told(s)) return "a value ends at the bound of its range";
     if (scans) return NULL;
-    if (c->held_out < HELD_OUT_MIN * c->fall) return "does not predict held-out cuts";
+    if (c->held_out < HELD_OUT_MIN * c->fall) return "shows less than half of its gain on cuts that were not fitted";
     if (2 * c->better <= c->judged) return "predicts half of the held-out cuts or fewer";
-    if (!takes_most(s, candidate)) return "leaves most of the misfit";
+    if (!takes_most(s, candidate)) return "explains less than half of what there is";
     return NULL;
 }
 
@@ -326,13 +332,15 @@ const char *wcut_candidate_why(const wcut_search *s, const wcut_decision *d, int
     const bool named = d->kind != WCUT_VERDICT_NONE && d->kind != WCUT_VERDICT_UNKNOWN;
     if (candidate < 0) {
         if (d->kind == WCUT_VERDICT_NONE) return "";
-        return is_null(s) ? "another explains more" : "leaves a misfit that is not noise";
+        if (!is_null(s)) return "leaves a misfit that is not noise";
+        return named ? "another explains more" : "effects that may not be named explain more";
     }
     if (named && candidate == d->chosen) return "";
     for (int r = 0; named && r < d->rivals; r++)
         if (candidate == d->rival[r]) return "explains as much as the first";
     const wcut_candidate *c = &s->candidate[candidate];
     if (candidate == s->delayed) return "others explain more beside it";
+    if (candidate == d->small) return "present, but too small to matter";
     const char *why = objection(s, candidate);
     if (why) return why;
     if (is_outdone(s, candidate)) return "an effect too small to be named explains more";
@@ -340,27 +348,64 @@ const char *wcut_candidate_why(const wcut_search *s, const wcut_decision *d, int
     return c->effects > 1 ? "its second effect is not needed" : "explains less";
 }
 
-/* what the confidence goes by: the best score of all that was fitted, and how many effects are named */
-static double confidence_of(const wcut_search *s, const wcut_decision *d) {
-    double best = 0;
-    for (int k = 0; k < s->count; k++)
-        if (k != s->delayed && k != s->undelayed) best = fmax(best, wcut_candidate_score(s, k));
-    return wcut_confidence_eval(d->kind, best, d->chosen < 0 ? 0 : s->candidate[d->chosen].fit.model.effects);
+/* what is left over its limit: the worst of all that noise and scatter are held against */
+static double over_limits(const wcut_search *s) {
+    const wcut_residual_stats *left = &s->left;
+    double worst = fmax(left->slow / SLOW_MAX, left->common / COMMON_MAX);
+    worst = fmax(worst, fmax(left->worst / WORST_MAX, fmax(left->patches / PATCHES_MAX, left->peak / PEAK_MAX)));
+    for (int k = 0; k < WCUT_SCATTER_COUNT; k++)
+        worst = fmax(worst, s->none.noise.scatter[k] /
+                                (PLAUSIBLE * wcut_scatter_view(&s->none.noise, (wcut_scatter_kind)k)->max));
+    return worst;
 }
 
-/* the best score of what is there beside a bound; a value that ends at one is a fit of something else */
+/* what the confidence goes by (confidence.c) */
+static double confidence_by(const wcut_search *s, const wcut_decision *d) {
+    if (d->kind == WCUT_VERDICT_NONE) return log1p(fmax(all_that_is_told(s), 0)) / 5;
+    if (d->kind == WCUT_VERDICT_UNKNOWN) return fmin(over_limits(s), 3);
+    return d->chosen >= 0 && s->candidate[d->chosen].fit.model.effects > 1;
+}
+
+/* whether every effect is below its size of consequence */
+static bool is_small(const wcut_search *s, int candidate) {
+    const wcut_model *m = &s->candidate[candidate].fit.model;
+    for (int k = wcut_search_base(s)->model.effects; k < m->effects; k++)
+        if (wcut_effect_size(&m->effect[k]) >= 1) return false;
+    return true;
+}
+
+/* The best score of what is there beside a bound: a value that ends at one is a fit of something else. What is small and
+   leaves noise is no sign of more than itself. */
 static double best_score(const wcut_search *s) {
     double best = 0;
     for (int k = 0; k < s->count; k++)
-        if (k != s->delayed && k != s->undelayed && !runs_out(&s->candidate[k]))
+        if (k != s->delayed && k != s->undelayed && !runs_out(&s->candidate[k]) &&
+            !(is_small(s, k) && wcut_search_leaves_noise(s, k)))
             best = fmax(best, wcut_candidate_score(s, k));
     return best;
+}
+
+/* An effect below its size of consequence that stands out all the same, where nothing is named: the best single one, farther
+   than nulls do, on cuts left out too, leaving noise. Where that holds for the next best alone, it takes what is not its own. */
+static int find_small(const wcut_search *s, const wcut_decision *d) {
+    int best = -1;
+    if (d->kind != WCUT_VERDICT_NONE) return best;
+    for (int k = 0; k < s->count; k++)
+        if (s->candidate[k].effects == 1 && k != s->delayed && k != s->undelayed &&
+            (best < 0 || wcut_candidate_score(s, k) > wcut_candidate_score(s, best)))
+            best = k;
+    if (best < 0 || !is_small(s, best)) return -1;
+    const wcut_candidate *c = &s->candidate[best];
+    const bool stands_out =
+        c->gain > GAIN_UNTOLD && !runs_out(c) && is_significant(c, wcut_search_base(s)->model.effects);
+    const bool holds = c->held_out >= HELD_OUT_MIN * c->fall && 2 * c->better > c->judged;
+    return stands_out && holds && wcut_search_leaves_noise(s, best) ? best : -1;
 }
 
 /* the verdict before late readings are looked at */
 static wcut_decision decide_effects(const wcut_search *s) {
     /* the best single effect, unless a pair says more */
-    wcut_decision d = {.kind = WCUT_VERDICT_NONE, .chosen = -1, .adequacy = s->left.slow};
+    wcut_decision d = {.kind = WCUT_VERDICT_NONE, .chosen = -1, .small = -1, .adequacy = s->left.slow};
     const int single = best_of(s, 1), pair = best_of(s, 2);
     d.chosen = single;
     if (pair >= 0 && wcut_search_leaves_noise(s, pair) && second_counts(s, pair, single)) d.chosen = pair;
@@ -406,6 +451,8 @@ wcut_decision wcut_search_decide(const wcut_search *s) {
         d.adequacy = s->candidate[s->undelayed].left.slow;
         d.kind = verdict_kind_of(&s->candidate[s->undelayed].fit.model);
     }
-    d.confidence = confidence_of(s, &d);
+    d.small = find_small(s, &d);
+    d.confidence_by = confidence_by(s, &d);
+    d.confidence = wcut_confidence_eval(d.kind, d.confidence_by);
     return d;
 }

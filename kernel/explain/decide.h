@@ -11,8 +11,10 @@ typedef struct wcut_decision {
     int chosen;             /* candidate that the verdict is about, or that comes nearest; -1: recalibration alone */
     int rivals;             /* of an ambiguous verdict, `chosen` the first of them */
     int rival[WCUT_RIVALS]; /* candidates */
+    int small;              /* candidate whose last effect is there but below its size of consequence; -1: none is */
     double confidence;
-    double adequacy; /* [1] slow misfit that is left over that of noise */
+    double confidence_by; /* what the confidence goes by, see confidence.c */
+    double adequacy;      /* [1] slow misfit that is left over that of noise */
 } wcut_decision;
 
 /* Decide by what the search found. */

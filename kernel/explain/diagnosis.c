@@ -18,6 +18,7 @@
 #include "explain/decide.h"
 #include "explain/droop.h"
 #include "explain/experiment.h"
+#include "explain/found.h"
 #include "explain/locate.h"
 #include "explain/modelled.h"
 #include "explain/redundancy.h"
@@ -148,29 +149,6 @@ static const wcut_fitted *final_fit(const diagnosing *g) {
 #define MODEL_ERROR_A 0.012
 #define MODEL_ERROR_B 0.004
 
-/* Standard error with what the linear fit does not know: slow noise beyond the whitening, and the simulator's own error
-   against another simulator of the same physics, 4 % of a strength. */
-static double widened(double error, double value, double slow) {
-    return hypot(1.2 * error * sqrt(fmax(slow, 1)), 0.04 * value);
-}
-
-/* a profile's half width, widened alike */
-static double widened_95(double half, double value, double slow) { return 1.96 * widened(half / 1.96, value, slow); }
-
-static void estimate(const wcut_fitted *f, int k, double slow, wcut_estimate *out) {
-    const wcut_coordinate *c = &f->coordinate[k];
-    const double x = f->x[WCUT_BASE + k], own = c->scale == WCUT_COORDINATE_SCALE_LOG ? 1 : x;
-    const double below = widened_95(f->below[WCUT_BASE + k], own, slow);
-    const double above = widened_95(f->above[WCUT_BASE + k], own, slow);
-    const double ends[2] = {fmax(x - below, c->low), fmin(x + above, c->high)};
-    out->value = wcut_scale_out(c->scale, x);
-    out->low = wcut_scale_out(c->scale, ends[0]), out->high = wcut_scale_out(c->scale, ends[1]);
-    if (c->scale == WCUT_COORDINATE_SCALE_RECIPROCAL) {
-        const double swap = out->low;
-        out->low = out->high, out->high = swap;
-    }
-}
-
 static void add_found_effects(diagnosing *g, int candidate, bool present, double confidence) {
     wcut_diagnosis *d = g->out;
     const wcut_candidate *c = &g->search.candidate[candidate];
@@ -179,27 +157,28 @@ static void add_found_effects(diagnosing *g, int candidate, bool present, double
         bool listed = false;
         for (int k = 0; k < d->effects; k++) listed = listed || d->effect[k].effect.kind == c->fit.model.effect[e].kind;
         if (listed) continue;
-
-        /* the values of the start, each as an interval of no width */
-        wcut_found_effect *f = &d->effect[d->effects++];
-        *f = (wcut_found_effect){.effect = c->fit.model.effect[e], .present = present, .confidence = confidence};
-        for (int k = 0; k < WCUT_EFFECT_VALUES; k++)
-            f->parameter[k] = (wcut_estimate){f->effect.value[k], f->effect.value[k], f->effect.value[k]};
-
-        /* replace those that were fitted, with intervals widened by what the fit leaves */
-        for (int k = 0; k < c->fit.count; k++) {
-            if (c->fit.effect_of[k] != e) continue;
-            const int at = c->fit.coordinate[k].at;
-            estimate(&c->fit, k, c->left.slow, &f->parameter[at]);
-            f->effect.value[at] = f->parameter[at].value;
-            f->estimated[at] = true;
-        }
+        wcut_found_effect_fill(&c->fit, e, c->left.slow, &d->effect[d->effects]);
+        d->effect[d->effects].present = present;
+        d->effect[d->effects++].confidence = confidence;
     }
+}
+
+/* what is there, but of no consequence for the cut */
+static void report_small(diagnosing *g) {
+    wcut_diagnosis *d = g->out;
+    if (g->decision.small < 0) return;
+    const wcut_candidate *c = &g->search.candidate[g->decision.small];
+    wcut_small_effect *small = &d->small_effect;
+    wcut_found_effect_fill(&c->fit, c->fit.model.effects - 1, c->left.slow, &small->found);
+    small->found.present = true, small->found.confidence = d->confidence;
+    small->gain = c->gain;
+    wcut_small_effect_measure(g->evidence, &c->fit, small);
+    d->small_effects = 1;
 }
 
 /* model: the part of the value that the simulators differ by */
 static wcut_estimate positive(double x, double error, double slow, double model) {
-    const double half = 1.96 * hypot(widened(error, 0, slow), model);
+    const double half = 1.96 * hypot(wcut_found_widen(error, 0, slow), model);
     return (wcut_estimate){exp(x), exp(x - half), exp(x + half)};
 }
 
@@ -216,7 +195,7 @@ static void report_base(diagnosing *g) {
     d->b = positive(f->x[1], f->error[1], slow, MODEL_ERROR_B);
 
     /* the length change and the kerf have symmetric intervals at 95 % (1.96 sigma) */
-    const double half = 1.96 * widened(f->error[2], 0, slow);
+    const double half = 1.96 * wcut_found_widen(f->error[2], 0, slow);
     d->length_change = (wcut_estimate){f->x[2], f->x[2] - half, f->x[2] + half};
     const double kerf = 1.96 * f->kerf_error;
     d->kerf = (wcut_estimate){f->kerf, f->kerf - kerf, f->kerf + kerf};
@@ -236,8 +215,15 @@ static void report_base(diagnosing *g) {
 
 /* ---- ranking ---- */
 
-/* a gain that is no chance, though it may be a part of another's */
-#define SPEAKS 50.0
+/* a gain in the screen that chance reaches */
+#define SCREEN_CHANCE 25.0
+
+/* why an effect was screened alone and not fitted */
+static const char *screened_why(const wcut_screened *f) {
+    return f->gain < SCREEN_CHANCE ? "no more than chance"
+           : f->size[0] < 1        ? "too small to matter"
+                                   : "explains less, as the screen has it";
+}
 
 static int by_score(const void *a, const void *b) {
     const wcut_hypothesis *x = a, *y = b;
@@ -281,15 +267,12 @@ static wcut_status rank(diagnosing *g) {
             full = full || (s->candidate[j].effects == 1 &&
                             s->candidate[j].fit.model.effect[0].kind == s->single[k].effect[0].kind);
         if (full) continue;
-        d->hypothesis[d->hypotheses++] =
-            (wcut_hypothesis){.count = 1,
-                              .effect = {s->single[k].effect[0]},
-                              .parameters = 1,
-                              .gain = s->single[k].gain,
-                              .adequacy = s->left.slow,
-                              .why = names_effects(g) && s->single[k].gain > SPEAKS ? "explains less"
-                                     : s->single[k].size[0] < 1                     ? "too small to matter"
-                                                                                    : "no more than chance"};
+        d->hypothesis[d->hypotheses++] = (wcut_hypothesis){.count = 1,
+                                                           .effect = {s->single[k].effect[0]},
+                                                           .parameters = 1,
+                                                           .gain = s->single[k].gain,
+                                                           .adequacy = s->left.slow,
+                                                           .why = screened_why(&s->single[k])};
     }
     qsort(d->hypothesis, (size_t)d->hypotheses, sizeof *d->hypothesis, by_score);
 
@@ -494,16 +477,8 @@ static void report_terms(diagnosing *g) {
     /* each empirical term as a found effect: its values, then those that were fitted, with intervals */
     for (int e = 0; m->fit.residual && e < m->fit.model.effects && out->terms < WCUT_MODELLED_TERMS; e++) {
         wcut_found_effect *f = &out->term[out->terms++];
-        *f = (wcut_found_effect){.effect = m->fit.model.effect[e], .present = true};
-        for (int k = 0; k < WCUT_EFFECT_VALUES; k++)
-            f->parameter[k] = (wcut_estimate){f->effect.value[k], f->effect.value[k], f->effect.value[k]};
-        for (int k = 0; k < m->fit.count; k++) {
-            if (m->fit.effect_of[k] != e) continue;
-            const int at = m->fit.coordinate[k].at;
-            estimate(&m->fit, k, m->left.slow, &f->parameter[at]);
-            f->effect.value[at] = f->parameter[at].value;
-            f->estimated[at] = true;
-        }
+        wcut_found_effect_fill(&m->fit, e, m->left.slow, f);
+        f->present = true;
 
         /* how a term depends on which cut is left out */
         add_dependence(g->out, f, m->held_out);
@@ -538,10 +513,13 @@ static wcut_status model(diagnosing *g, wcut_error *error) {
 static wcut_status profile(diagnosing *g, bool searched, wcut_error *error) {
     const wcut_decision *v = &g->decision;
     const bool rivals = v->kind == WCUT_VERDICT_AMBIGUOUS;
-    const int count = rivals ? v->rivals : names_effects(g);
+    const bool small = v->small >= 0;
+    const int count = rivals ? v->rivals : names_effects(g) || small;
     wcut_status status = searched ? WCUT_OK : WCUT_INTERRUPTED;
-    for (int r = 0; status == WCUT_OK && r < count; r++)
-        status = wcut_fitted_profile(g->evidence, &g->search.candidate[rivals ? v->rival[r] : v->chosen].fit, error);
+    for (int r = 0; status == WCUT_OK && r < count; r++) {
+        const int candidate = rivals ? v->rival[r] : small ? v->small : v->chosen;
+        status = wcut_fitted_profile(g->evidence, &g->search.candidate[candidate].fit, error);
+    }
     if (status == WCUT_NO_MEMORY) return status;
     if (count > 0 && status != WCUT_OK)
         snprintf(g->out->unprofiled, sizeof g->out->unprofiled, "%.110s",
@@ -556,12 +534,14 @@ static wcut_status decide(diagnosing *g, bool searched, wcut_error *error) {
     g->decision = wcut_search_decide(&g->search);
     const wcut_decision *v = &g->decision;
     d->kind = v->kind, d->confidence = v->confidence, d->adequacy = v->adequacy;
+    d->confidence_by = v->confidence_by;
     const wcut_status status = profile(g, searched, error);
     if (status != WCUT_OK) return status;
     if (v->kind == WCUT_VERDICT_AMBIGUOUS)
         for (int r = 0; r < v->rivals; r++) add_found_effects(g, v->rival[r], false, v->confidence / v->rivals);
     else if (names_effects(g))
         add_found_effects(g, v->chosen, true, v->confidence);
+    report_small(g);
     d->form_open = d->effects > 0 && d->effect[0].present && !wcut_search_tells_form(&g->search, v->chosen);
     report_base(g);
     if (wcut_rig_fill(g->evidence, final_fit(g), d) != WCUT_OK) return WCUT_NO_MEMORY;
@@ -663,7 +643,7 @@ wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *cut, int t
 
     /* begin the progress; the decision has no candidate yet */
     wcut_stop_begin(&g.stop, progress, context, STEPS);
-    g.decision.chosen = -1;
+    g.decision.chosen = g.decision.small = -1;
     g.out = wcut_alloc(1, sizeof *g.out);
     if (g.out)
         g.out->cuts = cuts, g.out->view.cut = -1, g.out->held_out = wcut_alloc((size_t)cuts, sizeof *g.out->held_out);

@@ -41,7 +41,7 @@
     }
 #define ROW_END_COOLING                                                        \
     PHYSICS, 0.03, "the wire is cooler near its mounts", "by %.0f %%", 100, 2, \
-        {{WCUT_END_COOLING_AMPLITUDE, LINEAR, 0, 0.5, 0.03, -0.2, 0.49},       \
+        {{WCUT_END_COOLING_AMPLITUDE, LINEAR, 0, 0.5, 0.03, -0.2, 0.499},      \
          {WCUT_END_COOLING_LENGTH, LOG, 4.5, 0.7, 0.08, 2.3, 6.2}},            \
         4, {                                                                   \
         {.value = {0.1, 30}}, {.value = {0.1, 60}}, {.value = {0.1, 100}}, {   \

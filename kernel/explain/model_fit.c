@@ -7,10 +7,9 @@
 #include "base/fail.h"
 #include "base/numbers.h"
 #include "base/threads.h"
-#include "base/vec3.h"
 #include "explain/variance.h"
 
-enum { NODES_FINE = WCUT_NODES_FINE, ROUNDS = 7, JACOBIANS = 1, ANCHORS = 4, ENDS = 3 };
+enum { NODES_FINE = WCUT_NODES_FINE, ROUNDS = 7, JACOBIANS = 1, ANCHORS = 4, ENDS = 3, BOUNDED = 3 };
 
 /* priors of what a job may have mis-set: ln a, ln b, which no table holds better than a factor of 1.6; and the wire's
    length [mm], which a job states to a tenth: the rounding alone */
@@ -25,6 +24,8 @@ const double wcut_base_step[WCUT_BASE] = {0.02, 0.02, 0.5};
 #define LOST_MAX 0.01
 /* [standard errors] a step beyond which the columns are taken anew */
 #define FAR 4
+/* [1] precision of a coordinate that is held at its bound, over what the rows know of it */
+#define HELD 1e6
 
 typedef struct fitting {
     const wcut_evidence *e;
@@ -38,27 +39,9 @@ typedef struct fitting {
     double *column;                        /* n x rows, whitened */
     double *residual;                      /* rows, whitened */
     double centre[WCUT_FITTED_MAX], precision[WCUT_FITTED_MAX];
-    double shortest; /* [mm] change of length at which every wire still spans its mounts */
+    bool held[WCUT_FITTED_MAX]; /* at a bound, by a prior there */
     wcut_normal_equations normal;
 } fitting;
-
-/* [mm] that a wire keeps over the distance of its mounts */
-#define SLACK_MIN 0.02
-
-/* how much shorter all wires may be, at most; at their own length they span their mounts */
-static double shortest_length(const wcut_evidence *e) {
-    double shortest = -HUGE_VAL;
-    for (int k = 0; k < e->cuts; k++) {
-        const wcut_evidence_cut *c = &e->cut[k];
-        double chord = 0;
-        if (c->bins == 0) continue;
-        for (int j = 0; j < c->job->stations; j++)
-            chord = fmax(chord, vec3_distance(c->job->mount_a[j], c->job->mount_b[j]));
-        shortest = fmax(shortest, chord + SLACK_MIN - c->job->wire_length - c->own_length);
-    }
-
-    return fmin(shortest, 0);
-}
 
 static double value_at(const wcut_fitted *f, int k) {
     const wcut_coordinate *c = &f->coordinate[k];
@@ -123,8 +106,7 @@ static wcut_status fitting_create(const wcut_evidence *e, const wcut_model *star
         !f->predicted || !f->column || !g->plain_column || !g->plain_residual)
         return WCUT_NO_MEMORY;
 
-    /* priors of the base coordinates and of the effects; how short a wire may be */
-    g->shortest = shortest_length(e);
+    /* priors of the base coordinates and of the effects */
     for (int k = 0; k < WCUT_BASE; k++) g->precision[k] = 1 / (wcut_base_spread[k] * wcut_base_spread[k]);
     for (int k = 0; k < f->count; k++)
         g->precision[WCUT_BASE + k] = 1 / (f->coordinate[k].spread * f->coordinate[k].spread);
@@ -210,13 +192,55 @@ static void all_columns(int n, int *chosen) {
     for (int k = 0; k < n; k++) chosen[k] = k;
 }
 
-/* solve for the step; whitened residual in g->residual. False where the columns are dependent. */
-static bool find_step(fitting *g, double *t, double *covariance, double *cost) {
+/* Hold the coordinates that a step takes beyond a bound at that bound, by a prior there. Gives how many more are held:
+   a likelihood beyond what is plausible is none. */
+static int hold_at_bounds(fitting *g, const double *t) {
+    int more = 0;
+    for (int k = WCUT_BASE; k < g->shared; k++) {
+        const wcut_coordinate *c = &g->f->coordinate[k - WCUT_BASE];
+        const double to = g->f->x[k] + t[k], known = g->normal.gram[(size_t)k * (size_t)g->n + (size_t)k];
+        if (g->held[k] || (to >= c->low && to <= c->high)) continue;
+        g->centre[k] = (to < c->low ? c->low : c->high) - g->f->x[k];
+        g->precision[k] = HELD * (known + g->precision[k]);
+        g->held[k] = true, more++;
+    }
+    return more;
+}
+
+/* priors as they are: no coordinate is held */
+static void release_bounds(fitting *g) {
+    for (int k = 0; k < g->f->count; k++)
+        g->precision[WCUT_BASE + k] = 1 / (g->f->coordinate[k].spread * g->f->coordinate[k].spread);
+    memset(g->held, 0, sizeof g->held);
+    set_centres(g);
+}
+
+/* The step to the least cost within the bounds, by the sums that are filled; the priors are left as the solution has them.
+   covariance: as if there were no bounds; may be NULL. False where the columns are dependent. */
+static bool solve_within_bounds(fitting *g, double *t, double *covariance, double *cost) {
     int chosen[WCUT_FITTED_MAX];
     all_columns(g->n, chosen);
-    set_centres(g);
+    release_bounds(g);
+    bool solved =
+        wcut_normal_equations_solve(&g->normal, g->n, chosen, g->centre, g->precision, -1, t, covariance, cost);
+
+    /* each round holds one more at least */
+    while (solved && hold_at_bounds(g, t) > 0)
+        solved = wcut_normal_equations_solve(&g->normal, g->n, chosen, g->centre, g->precision, -1, t, NULL, cost);
+    return solved;
+}
+
+/* the step with what is held already, whatever it takes beyond a bound */
+static bool solve_held(fitting *g, double *t, double *cost) {
+    int chosen[WCUT_FITTED_MAX];
+    all_columns(g->n, chosen);
+    return wcut_normal_equations_solve(&g->normal, g->n, chosen, g->centre, g->precision, -1, t, NULL, cost);
+}
+
+/* solve for the step; whitened residual in g->residual. False where the columns are dependent. */
+static bool find_step(fitting *g, double *t, double *covariance, double *cost) {
     wcut_normal_equations_fill(g->e, g->column, g->residual, &g->normal);
-    return wcut_normal_equations_solve(&g->normal, g->n, chosen, g->centre, g->precision, -1, t, covariance, cost);
+    return solve_within_bounds(g, t, covariance, cost);
 }
 
 /* residual at the present x, by the difference along the exogenous trajectory */
@@ -230,7 +254,7 @@ static bool present_cost(fitting *g, double *cost) {
     int chosen[WCUT_FITTED_MAX];
     double t[WCUT_FITTED_MAX];
     for (int k = 0; k < g->nuisances; k++) chosen[k] = g->shared + k;
-    set_centres(g);
+    release_bounds(g);
     wcut_normal_equations_fill(g->e, g->column, g->residual, &g->normal);
     if (!wcut_normal_equations_solve(&g->normal, g->nuisances, chosen, g->centre, g->precision, -1, t, NULL, cost))
         return false;
@@ -245,7 +269,6 @@ static double move(const fitting *g, const double *from, const double *step, con
     f->at_bound = false;
     for (int k = 0; k < g->shared; k++) {
         double to = from[k] + share * step[k];
-        if (k == WCUT_BASE - 1) to = fmax(to, g->shortest); /* the length */
         if (k >= WCUT_BASE) {
             const wcut_coordinate *c = &f->coordinate[k - WCUT_BASE];
             if (to <= c->low || to >= c->high) f->at_bound = true;
@@ -417,13 +440,11 @@ static void keep_residuals(fitting *g, const wcut_evidence *own, const double *t
 static wcut_status finish_fit(fitting *g, double *covariance) {
     wcut_fitted *f = g->f;
     double t[WCUT_FITTED_MAX], from[WCUT_FITTED_MAX], cost;
-    int chosen[WCUT_FITTED_MAX];
 
     /* the noise of this hypothesis is fitted in a copy, so that the evidence keeps its own */
     wcut_evidence own = *g->e;
     own.scatter.white = wcut_alloc((size_t)own.scatter.count * (size_t)own.rows, sizeof(double));
     if (!own.scatter.white) return WCUT_NO_MEMORY;
-    all_columns(g->n, chosen);
     if (!find_step(g, t, covariance, &f->misfit)) {
         wcut_free(own.scatter.white);
         return WCUT_NOT_CONVERGED;
@@ -432,18 +453,27 @@ static wcut_status finish_fit(fitting *g, double *covariance) {
     /* cost of each cut, on all cuts and held out */
     judge_cuts(g, t);
 
-    /* the variances under which the residual is likeliest, and the solution under them */
-    wcut_variances_begin(&own.noise);
-    const wcut_linear linear = {.n = g->n,
-                                .column = g->plain_column,
-                                .residual = g->plain_residual,
-                                .missing = g->measured,
-                                .centre = g->centre,
-                                .precision = g->precision};
-    wcut_status status = wcut_variance_fit(&linear, &own, g->column, g->residual, &g->normal, &f->cost);
-    if (status == WCUT_OK &&
-        !wcut_normal_equations_solve(&g->normal, g->n, chosen, g->centre, g->precision, -1, t, covariance, &cost))
-        status = WCUT_NOT_CONVERGED;
+    /* The variances under which the residual is likeliest, and the solution under them. What is held at a bound is held here
+       too; what another noise takes beyond one is held in turn. */
+    const wcut_variances begin = own.noise;
+    wcut_status status = WCUT_OK;
+    for (int round = 0, more = 1; status == WCUT_OK && more > 0 && round < BOUNDED; round++) {
+        own.noise = begin;
+        wcut_variances_begin(&own.noise);
+        const wcut_linear linear = {.n = g->n,
+                                    .column = g->plain_column,
+                                    .residual = g->plain_residual,
+                                    .missing = g->measured,
+                                    .centre = g->centre,
+                                    .precision = g->precision};
+        status = wcut_variance_fit(&linear, &own, g->column, g->residual, &g->normal, &f->cost);
+        if (status == WCUT_OK && !solve_held(g, t, &cost)) status = WCUT_NOT_CONVERGED;
+        if (status == WCUT_OK) more = hold_at_bounds(g, t);
+    }
+
+    /* the covariance as if there were no bounds */
+    double free_step[WCUT_FITTED_MAX];
+    if (status == WCUT_OK && !solve_within_bounds(g, free_step, covariance, &cost)) status = WCUT_NOT_CONVERGED;
 
     /* errors from the covariance, half widths before any profile */
     if (status == WCUT_OK) {
@@ -455,7 +485,7 @@ static wcut_status finish_fit(fitting *g, double *covariance) {
         f->at_bound = f->at_bound || bound;
         for (int k = 0; k < g->shared; k++) {
             f->error[k] = sqrt(covariance[k * g->n + k]);
-            f->below[k] = f->above[k] = NORMAL_95 * f->error[k];
+            f->below[k] = f->above[k] = NORMAL_95 * fmax(f->error[k], wcut_fitted_jackknife(g->e, f, k));
         }
 
         /* delays of the readings, then the kerf, as far as there are scans */
@@ -503,6 +533,19 @@ wcut_status wcut_model_fit(const wcut_evidence *e, const wcut_model *start, wcut
     return status;
 }
 
+double wcut_fitted_jackknife(const wcut_evidence *e, const wcut_fitted *f, int k) {
+    const int shared = WCUT_BASE + f->count;
+    double mean = 0, square = 0;
+    int n = 0;
+    for (int cut = 0; cut < e->cuts; cut++)
+        if (e->cut[cut].bins > 0) mean += f->without[cut * shared + k], n++;
+    if (n < 3) return 0; /* two cuts do not show how cuts differ */
+    mean /= n;
+    for (int cut = 0; cut < e->cuts; cut++)
+        if (e->cut[cut].bins > 0) square += pow(f->without[cut * shared + k] - mean, 2);
+    return sqrt(square * (n - 1) / n);
+}
+
 /* ---- profile ---- */
 
 typedef struct summit {
@@ -530,7 +573,7 @@ static wcut_status held_cost(fitting *g, const summit *s, int k, double value, d
     /* the residual there, and the best step of the others about it */
     const wcut_status status = present_rows(g, error);
     if (status != WCUT_OK) return status;
-    set_centres(g);
+    release_bounds(g);
     wcut_normal_equations_fill(g->e, g->column, g->residual, &g->normal);
     if (!wcut_normal_equations_solve(&g->normal, count, chosen, g->centre, g->precision, -1, t, NULL, cost))
         return wcut_fail(error, WCUT_NOT_CONVERGED, "the coordinates beside a profile depend on each other");
@@ -600,8 +643,10 @@ wcut_status wcut_fitted_profile(const wcut_evidence *e, wcut_fitted *fitted, wcu
     for (int k = WCUT_BASE; status == WCUT_OK && k < g.shared; k++)
         for (int side = 0; status == WCUT_OK && side < 2; side++)
             status = find_end(&g, &s, k, side ? 1 : -1, &half[k][side], error);
-    for (int k = WCUT_BASE; status == WCUT_OK && k < g.shared; k++)
-        fitted->below[k] = half[k][0], fitted->above[k] = half[k][1];
+    for (int k = WCUT_BASE; status == WCUT_OK && k < g.shared; k++) {
+        const double cuts = NORMAL_95 * wcut_fitted_jackknife(e, fitted, k);
+        fitted->below[k] = fmax(half[k][0], cuts), fitted->above[k] = fmax(half[k][1], cuts);
+    }
 
     /* the profile replaces the half widths only after the last end was found */
     fitting_destroy(&g);

@@ -63,6 +63,10 @@ void wcut_fitted_destroy(wcut_fitted *fitted);
  */
 wcut_status wcut_fitted_profile(const wcut_evidence *evidence, wcut_fitted *fitted, wcut_error *error);
 
+/* The standard deviation of coordinate k by leaving out each cut in turn (Tukey's jackknife): what the cuts differ by among
+   themselves, whatever the noise model says. 0 below three cuts. */
+double wcut_fitted_jackknife(const wcut_evidence *evidence, const wcut_fitted *fitted, int k);
+
 /* the model at other coordinates, WCUT_BASE + count of them */
 wcut_model wcut_fitted_model(const wcut_fitted *fitted, const double *x);
 

@@ -57,6 +57,18 @@ static wcut_estimate of_cut(const wcut_fitted *f, wcut_scatter_kind kind, double
     return (wcut_estimate){value, value - half, value + half};
 }
 
+/* What the levels of all blocks have in common is a and b, not scatter: the columns of the scatter are those of the plain model,
+   so that the fit of an effect may leave a part of a in them. 0 of other kinds. */
+static double common_value(const wcut_evidence *e, const wcut_fitted *f, wcut_scatter_kind kind) {
+    double sum = 0;
+    int n = 0;
+    if (kind != WCUT_SCATTER_LEVEL && kind != WCUT_SCATTER_LEVEL_B) return 0;
+    for (int cut = 0; cut < e->cuts; cut++)
+        for (int k = 0; k < e->scatter.count && e->cut[cut].bins > 0; k++)
+            if (e->scatter.kind[k] == kind) sum += f->scatter[cut * e->scatter.count + k], n++;
+    return n > 1 ? sum / n : 0;
+}
+
 static void scatter_row(const wcut_evidence *e, const wcut_fitted *f, wcut_scatter_kind kind, wcut_rig_row *row) {
     double square = 0, error = 0;
     int n = 0;
@@ -65,6 +77,8 @@ static void scatter_row(const wcut_evidence *e, const wcut_fitted *f, wcut_scatt
     /* coefficients of this kind in all cuts; a kind with one column has a value for every cut */
     int columns = 0;
     for (int k = 0; k < e->scatter.count; k++) columns += e->scatter.kind[k] == kind;
+    const double middle = common_value(e, f, kind);
+    double centred = 0;
     for (int cut = 0; cut < e->cuts; cut++)
         for (int k = 0; k < e->scatter.count && e->cut[cut].bins > 0; k++) {
             if (e->scatter.kind[k] != kind) continue;
@@ -72,13 +86,15 @@ static void scatter_row(const wcut_evidence *e, const wcut_fitted *f, wcut_scatt
             const double wide = f->scatter_error[cut * e->scatter.count + k];
             if (!(wide > 0)) continue;
             square += value * value, error += wide * wide, n++;
+            centred += (value - middle) * (value - middle);
             if (columns > 1 || row->cuts == WCUT_RIG_CUTS) continue;
             row->cut[row->cuts] = cut;
-            row->of_cut[row->cuts++] = of_cut(f, kind, value, wide);
+            row->of_cut[row->cuts++] = of_cut(f, kind, value - middle, wide);
         }
 
-    /* the spread of the rig, from the variance and from the values */
-    row->value = deviation_interval(f->noise.scatter[kind], square, error, n > 0 ? n : 1);
+    /* the spread of the rig, from the variance and from the values, without what all cuts have in common */
+    const double share = square > 0 ? sqrt((centred + error) / (square + error)) : 1;
+    row->value = deviation_interval(share * f->noise.scatter[kind], centred, error, n > 0 ? n : 1);
 }
 
 /* The misplacement of mounts that would make the slow noise beyond a sensor's own. Long waves are not in it, lengths and faces

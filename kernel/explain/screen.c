@@ -234,56 +234,64 @@ static bool is_known(const wcut_model *about, const wcut_effect *effect) {
     return false;
 }
 
-wcut_status wcut_screen_move(const wcut_evidence *e, const wcut_fitted *fitted, wcut_screen *s) {
-    const size_t rows = (size_t)e->rows;
-
-    /* columns: recalibration and nuisances, those of the fit, those that are left */
-    const int shared = s->base + s->nuisances, kept = shared + fitted->count;
-    const size_t room = (size_t)kept + (size_t)s->columns;
-    double *plain = wcut_alloc(room * rows, sizeof *plain), *white = wcut_alloc((room + 1) * rows, sizeof *white);
-    double *centre = wcut_alloc(room, sizeof *centre), *precision = wcut_alloc(room, sizeof *precision);
-    wcut_normal_equations normal = {0};
-    int columns = 0, groups = 0, last = -1;
-    wcut_status status = plain && white && centre && precision ? WCUT_OK : WCUT_NO_MEMORY;
-    if (status == WCUT_OK) {
-        /* recalibration and nuisances, then the coordinates of the fit, as nuisances too */
-        memcpy(plain, s->plain, (size_t)shared * rows * sizeof *plain);
-        memcpy(centre, s->centre, (size_t)shared * sizeof *centre);
-        memcpy(precision, s->precision, (size_t)shared * sizeof *precision);
-        memcpy(plain + (size_t)shared * rows, fitted->column, (size_t)fitted->count * rows * sizeof *plain);
-        for (int k = 0; k < fitted->count; k++) {
-            const double spread = fitted->coordinate[k].spread;
-            precision[shared + k] = 1 / (spread * spread);
-        }
-
-        /* what is no variant of the fit's own effects */
-        for (int c = 0; c < s->columns; c++) {
-            const wcut_screen_column column = s->column[c];
-            const int at = kept + columns;
-            if (is_known(&fitted->model, &column.effect)) continue;
-            if (column.group != last) groups++;
-            last = column.group;
-            memcpy(plain + (size_t)at * rows, s->plain + (size_t)(shared + c) * rows, rows * sizeof *plain);
-            centre[at] = s->centre[shared + c], precision[at] = s->precision[shared + c];
-            s->column[columns] = column;
-            s->column[columns++].group = groups - 1;
-        }
-        status = wcut_normal_equations_create(kept + columns, e->scatter.count, e->cuts, &normal);
+/* recalibration and nuisances, then the coordinates of a fit, as nuisances too, then the columns that are no variant of
+   what it has; gives how many groups there are */
+static int copy_columns(const wcut_screen *from, const wcut_fitted *fitted, size_t rows, wcut_screen *to) {
+    const int shared = from->base + from->nuisances, kept = shared + fitted->count;
+    memcpy(to->plain, from->plain, (size_t)shared * rows * sizeof *to->plain);
+    memcpy(to->centre, from->centre, (size_t)shared * sizeof *to->centre);
+    memcpy(to->precision, from->precision, (size_t)shared * sizeof *to->precision);
+    memcpy(to->plain + (size_t)shared * rows, fitted->column, (size_t)fitted->count * rows * sizeof *to->plain);
+    for (int k = 0; k < fitted->count; k++) {
+        const double spread = fitted->coordinate[k].spread;
+        to->precision[shared + k] = 1 / (spread * spread);
     }
 
-    /* on failure the screen stays as it was */
+    /* groups are numbered anew */
+    int groups = 0, last = -1;
+    for (int c = 0; c < from->columns; c++) {
+        const wcut_screen_column column = from->column[c];
+        const int at = kept + to->columns;
+        if (is_known(&fitted->model, &column.effect)) continue;
+        if (column.group != last) groups++;
+        last = column.group;
+        memcpy(to->plain + (size_t)at * rows, from->plain + (size_t)(shared + c) * rows, rows * sizeof *to->plain);
+        to->centre[at] = from->centre[shared + c], to->precision[at] = from->precision[shared + c];
+        to->column[to->columns] = column;
+        to->column[to->columns++].group = groups - 1;
+    }
+
+    return groups;
+}
+
+wcut_status wcut_screen_about(const wcut_evidence *e, const wcut_screen *from, const wcut_fitted *fitted,
+                              wcut_screen *out) {
+    const size_t rows = (size_t)e->rows;
+    const size_t room = (size_t)(from->base + from->nuisances + fitted->count + from->columns);
+    wcut_screen s = {.base = from->base, .nuisances = from->nuisances + fitted->count};
+
+    /* one more white row is the residual's */
+    s.column = wcut_alloc((size_t)from->columns + 1, sizeof *s.column); /* may be none */
+    s.centre = wcut_alloc(room, sizeof *s.centre);
+    s.precision = wcut_alloc(room, sizeof *s.precision);
+    s.plain = wcut_alloc(room * rows, sizeof *s.plain);
+    s.white = wcut_alloc((room + 1) * rows, sizeof *s.white);
+    s.residual = wcut_copy(fitted->open, rows, sizeof *s.residual);
+    s.missing = wcut_copy(from->missing, rows, sizeof *s.missing);
+    const bool there = s.column && s.centre && s.precision && s.plain && s.white && s.residual && s.missing;
+    wcut_status status = there ? WCUT_OK : WCUT_NO_MEMORY;
+
+    /* its columns, and their sums */
+    if (there) {
+        s.groups = copy_columns(from, fitted, rows, &s);
+        status = wcut_normal_equations_create(s.base + s.nuisances + s.columns, e->scatter.count, e->cuts, &s.normal);
+    }
     if (status != WCUT_OK) {
-        wcut_free(plain), wcut_free(white), wcut_free(centre), wcut_free(precision);
+        wcut_screen_destroy(&s);
         return status;
     }
-
-    /* replace the columns; the residual is that of the fit */
-    wcut_free(s->plain), wcut_free(s->white), wcut_free(s->centre), wcut_free(s->precision);
-    wcut_normal_equations_destroy(&s->normal);
-    s->plain = plain, s->white = white, s->centre = centre, s->precision = precision, s->normal = normal;
-    s->nuisances += fitted->count, s->columns = columns, s->groups = groups;
-    memcpy(s->residual, fitted->open, rows * sizeof *s->residual);
-    wcut_screen_weigh(e, s);
+    wcut_screen_weigh(e, &s);
+    *out = s;
 
     return WCUT_OK;
 }
@@ -426,7 +434,7 @@ int wcut_screen_pairs(const wcut_screen *s, int max, wcut_screened *out) {
             const wcut_effect_kind kind = group_kind(s, i, &first);
             wcut_screened found;
             if (kind == group_kind(s, j, &second)) continue; /* two of one kind are one explanation */
-            if (!wcut_screen_solve(s, 2, group, &found)) continue;
+            if (!wcut_screen_solve(s, 2, group, &found) || found.size[0] == 0 || found.size[1] == 0) continue;
 
             /* append, or replace the last one if this one gains more */
             int at = count < max ? count++ : max - 1;

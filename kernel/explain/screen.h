@@ -36,9 +36,10 @@ void wcut_screen_weigh(const wcut_evidence *evidence, wcut_screen *screen);
 /*
  * The screen about a fit of the same library: its residual, its effects' own columns beside recalibration, no variant of
  * what it has already. The other columns stay those of the plain model: what two effects have in common is of second order.
- * WCUT_OK; WCUT_NO_MEMORY: the screen is as it was.
+ * out: the caller's, to wcut_screen_destroy. WCUT_OK; WCUT_NO_MEMORY: nothing was written.
  */
-wcut_status wcut_screen_move(const wcut_evidence *evidence, const wcut_fitted *fitted, wcut_screen *screen);
+wcut_status wcut_screen_about(const wcut_evidence *evidence, const wcut_screen *plain, const wcut_fitted *fitted,
+                              wcut_screen *out);
 
 /*
  * The variances of a saturated model: whatever the library could explain is taken out, the best of every kind together, so
@@ -54,7 +55,7 @@ typedef struct wcut_screened {
     double gain;           /* fall of the cost */
     wcut_effect effect[2]; /* at the strength found */
     bool carried;
-    double size[2]; /* in gates */
+    double size[2]; /* in gates; 0: on the far side of a bound that is its neutral value */
 } wcut_screened;
 
 /* groups: 1 or 2, different. False where they cannot be told apart. */
@@ -63,7 +64,7 @@ bool wcut_screen_solve(const wcut_screen *screen, int groups, const int *group, 
 /* every single group, best gain first; out: screen->groups. Gives how many. */
 int wcut_screen_singles(const wcut_screen *screen, wcut_screened *out);
 
-/* the best pairs of different kinds (or of one kind that may repeat), best first; out: most. Gives how many. */
+/* the best pairs of different kinds, both on the side that their bounds allow, best first; out: max. Gives how many. */
 int wcut_screen_pairs(const wcut_screen *screen, int max, wcut_screened *out);
 
 #endif

@@ -7,10 +7,11 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "base/sort.h"
 #include "explain/decide.h"
 #include "explain/scatter.h"
 
-enum { SINGLES = 3, SECONDS = 2, PAIRS = 1, BLOCK = 8 };
+enum { SINGLES = 3, FIRSTS = 3, SECONDS = 3, SECONDS_MAX = 8, PAIRS = 1 };
 
 /* a gain below this of a thousand rows' misfit is in the noise of the search over the whole library */
 #define WORTH 12.0
@@ -20,6 +21,8 @@ enum { SINGLES = 3, SECONDS = 2, PAIRS = 1, BLOCK = 8 };
 #define TELLS 300.0
 /* [mm] of a wire over the others, beyond which its rows are not straight */
 #define FAR_LENGTH 0.6
+/* [standard errors] of the mean of all wires' lengths, beyond which it is an effect */
+#define ALIKE 4.0
 /* [standard errors] a delay that is named: its square is the gain that any other name needs. The nuisance of delays has
    taken it already, so that the likelihoods with and without the name hardly differ. */
 #define LATE 8.0
@@ -32,72 +35,11 @@ enum { SINGLES = 3, SECONDS = 2, PAIRS = 1, BLOCK = 8 };
 /* and what comes near the best of the screen, whose columns are straight lines through bent responses */
 #define CONTENDS 0.25
 
-/* ---- residual statistics ---- */
-
-typedef struct block_sums {
-    double sum, peak;
-    int blocks;
-} block_sums;
-
-/* squares of block sums over their length */
-static block_sums slow_part(int n, const double *z) {
-    block_sums t = {0};
-    for (int i = 0; i + BLOCK <= n; i += BLOCK) {
-        double sum = 0;
-        for (int k = 0; k < BLOCK; k++) sum += z[i + k];
-        t.sum += sum * sum / BLOCK, t.peak = fmax(t.peak, sum * sum / BLOCK);
-        t.blocks++;
-    }
-    return t;
-}
-
-wcut_residual_stats wcut_residual_stats_eval(const wcut_evidence *e, const double *residual) {
-    wcut_residual_stats left = {0};
-    block_sums slow = {0}, common = {0};
-    double sum = 0, patches = 0;
-    int rows = 0, patch_count = 0;
-
-    /* sums over all cuts */
-    for (int k = 0; k < e->cuts; k++) {
-        const wcut_evidence_cut *c = &e->cut[k];
-        const double *z = residual + c->row;
-
-        /* each channel: its slow part, and the worst of them */
-        for (int s = 0; s < WCUT_SIGNALS; s++) {
-            const block_sums t = slow_part(c->bins, z + (ptrdiff_t)s * c->bins);
-            slow.sum += t.sum, slow.blocks += t.blocks;
-            left.peak = fmax(left.peak, t.peak);
-            if (t.blocks > 4) left.worst = fmax(left.worst, t.sum / t.blocks);
-        }
-
-        /* means over four seconds of what both tensions share */
-        for (int i = 0; i + BLOCK <= c->bins; i += BLOCK) {
-            double both = 0;
-            for (int j = i; j < i + BLOCK; j++) both += z[j] + z[c->bins + j];
-            common.sum += both * both / (2 * BLOCK), common.blocks++;
-        }
-
-        /* all rows, then the patches of the scan */
-        for (int i = 0; i < WCUT_SIGNALS * c->bins; i++) sum += z[i] * z[i];
-        rows += WCUT_SIGNALS * c->bins;
-        const double *p = z + (ptrdiff_t)WCUT_SIGNALS * c->bins;
-        for (int i = 0; i < c->patch.count; i++) patches += p[i] * p[i];
-        patch_count += c->patch.count;
-    }
-
-    /* means; 0 where there is nothing */
-    left.per_row = rows ? sum / rows : 0;
-    left.slow = slow.blocks ? slow.sum / slow.blocks : 0;
-    left.common = common.blocks ? common.sum / common.blocks : 0;
-    left.patches = patch_count ? patches / patch_count : 0;
-
-    return left;
-}
-
 /* ---- candidates ---- */
 
 typedef struct searching {
-    wcut_screen screen; /* of the whole library */
+    wcut_screen screen;             /* of the whole library, about what candidates are held against */
+    bool seconded[WCUT_CANDIDATES]; /* single ones beside which a second effect was sought */
     wcut_evidence *e;
     wcut_search *s;
     const bool *without;
@@ -182,7 +124,7 @@ static wcut_model with_effects(const wcut_model *base, const wcut_screened *foun
     return m;
 }
 
-/* the best variant of every kind; gives how many */
+/* the best variant of every kind on the side that its bounds allow; gives how many */
 static int best_of_kinds(const wcut_screen *screen, wcut_screened *out, wcut_error *error) {
     wcut_screened *all = wcut_alloc((size_t)screen->groups, sizeof *all);
     if (!all) {
@@ -194,6 +136,7 @@ static int best_of_kinds(const wcut_screen *screen, wcut_screened *out, wcut_err
     for (int i = 0; i < n; i++) {
         bool seen = false;
         for (int k = 0; k < count; k++) seen = seen || out[k].effect[0].kind == all[i].effect[0].kind;
+        if (all[i].size[0] == 0) continue;
         if (!seen && count < WCUT_EFFECT_COUNT) out[count++] = all[i];
     }
     wcut_free(all);
@@ -207,19 +150,27 @@ static double chance_scale(const wcut_search *s) {
     return fmax(min, 1);
 }
 
-/* A delay beyond what readings have in every rig: which effect it is, and how long. Readings are never early. */
+/* whether a delay [s] stands out of what every rig has */
+static bool is_late(double delay, double error) {
+    const double min = wcut_explanation_view(WCUT_EFFECT_TENSION_DELAY)->gate;
+    return delay >= min + fmax(2 * error, 0.01) && delay >= LATE * error;
+}
+
+/* A delay beyond what readings have in every rig: which effect it is, and how long. Readings are never early. Angles follow
+   the wire without delay, so that late ones are late whatever else is wrong; a tension may follow late by its physics. */
 static bool late_readings(const wcut_fitted *f, wcut_effect *effect) {
     const double tension = f->delay[0], angle = f->delay[1];
-    const double min = wcut_explanation_view(WCUT_EFFECT_TENSION_DELAY)->gate;
-    const bool alike = angle > 0.5 * tension && angle > 4 * f->delay_error[1];
-    if (tension < min + fmax(2 * f->delay_error[0], 0.01) || tension < LATE * f->delay_error[0]) return false;
+    const bool angles = is_late(angle, f->delay_error[1]), tensions = is_late(tension, f->delay_error[0]);
+    const bool alike = angles || (angle > 0.5 * tension && angle > 4 * f->delay_error[1]);
+    if (!angles && !tensions) return false;
     *effect = wcut_effect_default(alike ? WCUT_EFFECT_CLOCK_OFFSET : WCUT_EFFECT_TENSION_DELAY);
-    effect->value[alike ? WCUT_CLOCK_OFFSET_DELAY : WCUT_TENSION_DELAY_DELAY] = tension;
+    effect->value[alike ? WCUT_CLOCK_OFFSET_DELAY : WCUT_TENSION_DELAY_DELAY] = angles ? angle : tension;
     return true;
 }
 
 /* Late readings before anything else: they are in every cut, and whatever is slow would be taken for them. They are kept
-   where they leave noise alone; where more is wrong they wait for it (add_delay). */
+   where they leave noise alone; where more is wrong, late angles are one effect among others, and late tensions wait for
+   what else there is (add_delay). */
 static wcut_status try_delay(searching *g, wcut_error *error) {
     wcut_search *s = g->s;
     wcut_effect effect;
@@ -228,12 +179,23 @@ static wcut_status try_delay(searching *g, wcut_error *error) {
     start.effect[start.effects++] = effect;
     const wcut_status status = try_model(g, &start, error);
     if (status != WCUT_OK || s->count == 0) return status;
-    if (!wcut_search_explains_delay(s, 0)) {
+    if (wcut_search_explains_delay(s, 0)) {
+        s->delayed = 0, s->left = s->candidate[0].left, s->candidate[0].effects = 0;
+    } else if (!is_late(s->none.delay[1], s->none.delay_error[1])) {
         s->count = 0;
         wcut_fitted_destroy(&s->candidate[0].fit);
-        return WCUT_OK;
     }
-    s->delayed = 0, s->left = s->candidate[0].left, s->candidate[0].effects = 0;
+    return WCUT_OK;
+}
+
+/* the screen about what candidates are held against, where that has a delay */
+static wcut_status screen_base(searching *g, wcut_error *error) {
+    if (g->s->delayed < 0) return WCUT_OK;
+    wcut_screen about;
+    if (wcut_screen_about(g->e, &g->screen, wcut_search_base(g->s), &about) != WCUT_OK)
+        return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a screen beside a delay");
+    wcut_screen_destroy(&g->screen);
+    g->screen = about;
     return WCUT_OK;
 }
 
@@ -268,7 +230,7 @@ static wcut_status try_singles(searching *g, wcut_error *error) {
 
     /* late readings join the base if they leave noise alone */
     status = try_delay(g, error);
-    if (status == WCUT_OK && s->delayed >= 0) status = wcut_screen_move(g->e, wcut_search_base(s), screen);
+    if (status == WCUT_OK) status = screen_base(g, error);
     if (status != WCUT_OK) return status;
 
     /* the best variant of each kind, and the best pairs */
@@ -337,35 +299,99 @@ static bool form_suffices(const wcut_search *s) {
     return false;
 }
 
+/* whether the candidate that gains the most leaves noise */
+static bool best_leaves_noise(const wcut_search *s) {
+    const int single = best_candidate(s, 1), pair = best_candidate(s, 2);
+    if (single < 0) return true;
+    const bool paired = pair >= 0 && s->candidate[pair].gain > s->candidate[single].gain;
+    return wcut_search_leaves_noise(s, paired ? pair : single);
+}
+
+/* A pair to try: a single one that was fitted, and what the screen about it would add. */
+typedef struct second {
+    int first; /* candidate */
+    wcut_screened found;
+    double gain; /* fall of the misfit by both, under the noise that all share */
+} second;
+
+enum { SECONDS_LISTED = FIRSTS * WCUT_EFFECT_COUNT };
+
+/* what the screen about a single one would add, put into a list in order of what both gain */
+static wcut_status list_seconds(searching *g, int first, int *count, second *list, wcut_error *error) {
+    wcut_search *s = g->s;
+    wcut_screened found[WCUT_EFFECT_COUNT];
+    wcut_screen about;
+    wcut_status status = search_step(g, "the library was screened for a second effect", error);
+    if (status != WCUT_OK) return status;
+    if (wcut_screen_about(g->e, &g->screen, &s->candidate[first].fit, &about) != WCUT_OK)
+        return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a second screen");
+    const int kinds = best_of_kinds(&about, found, error);
+    wcut_screen_destroy(&about);
+    if (kinds < 0) return WCUT_NO_MEMORY;
+
+    /* what is more than chance, and large enough or plain to see */
+    const double chance = WORTH * chance_scale(s);
+    for (int k = 0; k < kinds && *count < SECONDS_LISTED; k++) {
+        const wcut_screened *f = &found[k];
+        if (f->gain < chance || (f->size[0] < NEARLY && f->gain < TELLS)) continue;
+        const second add = {first, *f, s->candidate[first].fall + f->gain};
+        int at = (*count)++;
+        for (; at > 0 && list[at - 1].gain < add.gain; at--) list[at] = list[at - 1];
+        list[at] = add;
+    }
+
+    /* of the best one the list is kept */
+    if (first == best_candidate(s, 1)) {
+        s->next = kinds;
+        memcpy(s->second, found, (size_t)kinds * sizeof *found);
+    }
+
+    return WCUT_OK;
+}
+
+/* What to add to the best single ones, beside which nothing was sought yet: a second effect lost to another variant or kind of
+   the first is found beside its own. */
+static wcut_status try_seconds(searching *g, wcut_error *error) {
+    wcut_search *s = g->s;
+    second *list = wcut_alloc(SECONDS_LISTED, sizeof *list);
+    if (!list) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for pairs of effects");
+    wcut_status status = WCUT_OK;
+    int count = 0;
+    for (int n = 0; status == WCUT_OK && n < FIRSTS; n++) {
+        const int best = best_candidate(s, 1);
+        int first = -1;
+        for (int k = 0; k < s->count; k++)
+            if (s->candidate[k].effects == 1 && k != s->delayed && !g->seconded[k] && !s->candidate[k].form &&
+                s->candidate[k].fit.model.effects < WCUT_DIAGNOSIS_EFFECTS &&
+                (first < 0 || s->candidate[k].gain > s->candidate[first].gain))
+                first = k;
+        if (first < 0 || s->candidate[first].gain < CONTENDS * s->candidate[best].gain) break;
+        g->seconded[first] = true;
+        status = list_seconds(g, first, &count, list, error);
+    }
+
+    /* the best of them in full, more of them while what explains the most leaves more than noise; two orders of the same pair
+       are one */
+    for (int k = 0, full = 0; status == WCUT_OK && k < count && full < SECONDS_MAX; k++) {
+        if (full >= SECONDS && best_leaves_noise(s)) break;
+        const wcut_model start = with_effects(&s->candidate[list[k].first].fit.model, &list[k].found);
+        if (tried(s, &start)) continue;
+        status = try_model(g, &start, error);
+        full++;
+    }
+    wcut_free(list);
+    return status;
+}
+
 /* what to add to the best single ones, and the best pairs of the screen */
 static wcut_status try_pairs(searching *g, wcut_error *error) {
     wcut_search *s = g->s;
     const int best = best_candidate(s, 1);
     if (best < 0 || form_suffices(s)) return WCUT_OK;
-
-    /* the screen about the best single effect */
-    const wcut_model about = s->candidate[best].fit.model;
-    wcut_status status = search_step(g, "the library was screened for a second effect", error);
-    if (status != WCUT_OK) return status;
-    if (wcut_screen_move(g->e, &s->candidate[best].fit, &g->screen) != WCUT_OK)
-        return wcut_fail(error, WCUT_NO_MEMORY, "no memory for a second screen");
-    s->next = best_of_kinds(&g->screen, s->second, error);
-    if (s->next < 0) return WCUT_NO_MEMORY;
-
-    /* what would have to be gained to be more than chance */
-    const double chance = WORTH * chance_scale(s);
-
-    /* the best single effect with a second one */
-    for (int k = 0, full = 0; status == WCUT_OK && k < s->next && full < SECONDS; k++) {
-        if (s->second[k].gain < fmax(chance, CONTENDS * s->second[0].gain) ||
-            (s->second[k].size[0] < NEARLY && s->second[k].gain < TELLS))
-            continue;
-        const wcut_model start = with_effects(&about, &s->second[k]);
-        status = try_model(g, &start, error);
-        full++;
-    }
+    wcut_status status = try_seconds(g, error);
 
     /* the best pairs of the screen that beat every single one */
+    const double chance = WORTH * chance_scale(s);
     for (int k = 0, full = 0; status == WCUT_OK && k < s->pairs && full < PAIRS; k++) {
         const wcut_screened *p = &s->pair[k];
         if (p->gain < s->candidate[best].gain + chance || fmin(p->size[0], p->size[1]) < 1) continue;
@@ -421,7 +447,7 @@ static bool farthest_start(wcut_effect *effect) {
 }
 
 /* Where nothing that was fitted explains the case, the best of every other kind in full: what bends far, as overheating
-   does, is low in a screen of straight lines. Then what is best beside the best of before. */
+   does, is low in a screen of straight lines. */
 static wcut_status try_rest(searching *g, wcut_error *error) {
     wcut_search *s = g->s;
     const int before = best_candidate(s, 1);
@@ -449,19 +475,6 @@ static wcut_status try_rest(searching *g, wcut_error *error) {
         wcut_fitted_destroy(&other);
         s->count = at + 1;
     }
-    const int best = best_candidate(s, 1);
-    if (status != WCUT_OK || best < 0 || best == before || before < 0) return status;
-    for (int c = 0, full = 0; status == WCUT_OK && c < before + SINGLES && c < s->count && full < SECONDS; c++) {
-        const wcut_model *m = &s->candidate[c].fit.model;
-        wcut_model start = s->candidate[best].fit.model;
-        if (s->candidate[c].effects != 1 || s->candidate[c].form || c == s->delayed || c == best ||
-            start.effects == WCUT_DIAGNOSIS_EFFECTS || s->candidate[c].second_size < 1)
-            continue;
-        start.effect[start.effects++] = m->effect[m->effects - 1];
-        status = try_model(g, &start, error);
-        full++;
-    }
-
     return status;
 }
 
@@ -524,17 +537,34 @@ static wcut_status drop_delay(searching *g, wcut_error *error) {
     return status;
 }
 
-/* lengths of the cuts' wires that stand out; gives whether one is beyond what a straight line holds for */
-static bool find_lengths(const wcut_evidence *e, const wcut_fitted *f, double *length) {
-    bool far = false;
+/* whether wires are longer, or shorter, all alike: that is no scatter; a hot wire is longer than a cold one */
+static bool are_alike(int n, const double *length) {
+    double mean = 0, square = 0;
+    if (n < 3) return false;
+    for (int k = 0; k < n; k++) mean += length[k] / n;
+    for (int k = 0; k < n; k++) square += (length[k] - mean) * (length[k] - mean) / (n - 1);
+    return fabs(mean) > ALIKE * sqrt(square / n);
+}
+
+/* Lengths of the cuts' wires that stand out; gives whether one is farther from the others than a straight line holds for.
+   room: as many as cuts. */
+static bool find_lengths(const wcut_evidence *e, const wcut_fitted *f, double *length, double *room) {
+    int n = 0;
     for (int cut = 0; cut < e->cuts; cut++)
         for (int k = 0; k < e->scatter.count && e->cut[cut].bins > 0; k++) {
             const int at = cut * e->scatter.count + k;
-            if (e->scatter.kind[k] != WCUT_SCATTER_LENGTH || fabs(f->scatter[at]) < 3 * f->scatter_error[at]) continue;
-            length[cut] = f->scatter[at];
-            far = far || fabs(length[cut]) > FAR_LENGTH;
+            if (e->scatter.kind[k] != WCUT_SCATTER_LENGTH) continue;
+            if (fabs(f->scatter[at]) >= 3 * f->scatter_error[at]) length[cut] = f->scatter[at];
+            room[n++] = length[cut];
         }
+    if (n == 0 || are_alike(n, room)) return false;
 
+    /* against the middle one */
+    wcut_sort(n, room);
+    const double middle = sorted_median(n, room);
+    bool far = false;
+    for (int cut = 0; cut < e->cuts; cut++)
+        far = far || (e->cut[cut].bins > 0 && fabs(length[cut] - middle) > FAR_LENGTH);
     return far;
 }
 
@@ -543,9 +573,9 @@ static bool find_lengths(const wcut_evidence *e, const wcut_fitted *f, double *l
 static wcut_status take_lengths(searching *g, wcut_error *error) {
     wcut_evidence *e = g->e;
     wcut_fitted *f = &g->s->none, again = {0};
-    double *length = wcut_alloc((size_t)e->cuts, sizeof *length);
+    double *length = wcut_alloc(2 * (size_t)e->cuts, sizeof *length);
     if (!length) return wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d cuts", e->cuts);
-    const bool far = find_lengths(e, f, length);
+    const bool far = find_lengths(e, f, length, length + e->cuts);
     wcut_status status = far ? wcut_scatter_take_lengths(e, length, error) : WCUT_OK;
     wcut_free(length);
     if (!far) return WCUT_OK;
@@ -595,8 +625,8 @@ wcut_status wcut_search_run(wcut_evidence *e, const bool without[WCUT_EFFECT_COU
     g.paired = true;
     if (status == WCUT_OK) status = try_halves(&g, error);
     if (status == WCUT_OK) status = try_rest(&g, error);
+    if (status == WCUT_OK) status = try_seconds(&g, error);
     if (status == WCUT_OK) status = try_forms(&g, error); /* of another best one */
-    if (status == WCUT_OK) status = try_forms(&g, error);
     if (status == WCUT_OK) status = try_shift(&g, error);
     if (status == WCUT_OK) status = drop_delay(&g, error);
     if (status == WCUT_OK) status = add_delay(&g, error);

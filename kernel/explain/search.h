@@ -4,7 +4,7 @@
 
 #include "explain/candidates.h"
 
-enum { WCUT_SEARCH_STEPS = 28 };
+enum { WCUT_SEARCH_STEPS = 52 };
 
 /*
  * Search a case, in up to WCUT_SEARCH_STEPS steps of evidence->stop.
@@ -14,7 +14,5 @@ enum { WCUT_SEARCH_STEPS = 28 };
 wcut_status wcut_search_run(wcut_evidence *evidence, const bool without[WCUT_EFFECT_COUNT], wcut_search *out,
                             wcut_error *error);
 void wcut_search_destroy(wcut_search *search);
-
-wcut_residual_stats wcut_residual_stats_eval(const wcut_evidence *evidence, const double *residual);
 
 #endif

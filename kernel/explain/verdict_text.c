@@ -113,6 +113,17 @@ static void add_effect(text *t, const wcut_diagnosis *d, const wcut_found_effect
         add_number(t, p, f->effect.value[0]);
 }
 
+/* what is there, but of no consequence: what it moves */
+static void add_small(text *t, const wcut_diagnosis *d) {
+    const wcut_small_effect *small = &d->small_effect;
+    if (d->small_effects == 0) return;
+    append_text(t, " Present, but too small to matter for the cut: ");
+    add_effect(t, d, &small->found);
+    append_text(t, "; it moves the tensions by %.3f N at most", small->tension);
+    if (isfinite(small->face)) append_text(t, " and the face by %.2f mm", small->face);
+    append_text(t, ".");
+}
+
 void wcut_diagnosis_sentence(wcut_diagnosis *d) {
     /* the beginning depends on the verdict */
     text t = {d->sentence, sizeof d->sentence, 0};
@@ -123,6 +134,7 @@ void wcut_diagnosis_sentence(wcut_diagnosis *d) {
             wcut_rig_sentence(d, sizeof scatter, scatter);
             if (scatter[0]) append_text(&t, " within the scatter of the rig (%s)", scatter);
             append_text(&t, ".");
+            add_small(&t, d);
             return;
         case WCUT_VERDICT_UNKNOWN:
             append_text(&t, "An unknown effect changes these cuts");

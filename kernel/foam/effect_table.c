@@ -32,7 +32,7 @@ static const parameter air_overheating[] = {
     {"air_to_foam_ratio", WCUT_AIR_OVERHEATING_RATIO, 1, true, 1, 0.1, 10, 1.1, 2.5},
     {"time_constant_s", WCUT_AIR_OVERHEATING_TIME_CONSTANT, 1, true, 1, 1e-3, 1000, 0.2, 5},
     END};
-static const parameter end_cooling[] = {{"amplitude", WCUT_END_COOLING_AMPLITUDE, 1, true, 0, -5, 0.49, 0.05, 0.4},
+static const parameter end_cooling[] = {{"amplitude", WCUT_END_COOLING_AMPLITUDE, 1, true, 0, -5, 0.499, 0.05, 0.4},
                                         {"length_mm", WCUT_END_COOLING_LENGTH, 1, true, 100, 0.01, 1e6, 20, 200},
                                         END};
 static const parameter gradient[] = {

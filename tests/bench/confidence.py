@@ -8,8 +8,6 @@ import numpy as np
 
 from rig_score import judge
 
-DELAYS = {"tension_delay", "clock_offset"}
-
 
 def names_of(effects):
     return [e if isinstance(e, str) else e["name"] for e in effects]
@@ -24,16 +22,6 @@ def is_right(truth, verdict):
     return kind == truth["kind"] and set(names_of(verdict["effects"])) == {e["name"] for e in truth["effects"]}
 
 
-def best_score(diagnosis):
-    """what the best explanation that was fitted in full gains, its parameters paid for"""
-    best = 0
-    for row in diagnosis["ranking"]:
-        names = set(names_of(row["effects"]))
-        if row["probability"] > 0 and names and not names <= DELAYS:
-            best = max(best, row["gain"] - 4 * row["parameters"])
-    return best
-
-
 def cases_of(folder, answers, number):
     for truth in json.load(open(answers))["cases"]:
         path = os.path.join(folder, truth["case"], "diagnosis.json")
@@ -42,8 +30,7 @@ def cases_of(folder, answers, number):
         diagnosis = json.load(open(path))
         kind = diagnosis["verdict"]["kind"]
         group = kind if kind in ("none", "unknown", "ambiguous") else "named"
-        x = float(len(diagnosis["verdict"]["effects"]) > 1) if group == "named" else math.log1p(best_score(diagnosis)) / 5
-        yield group, x, is_right(truth, diagnosis["verdict"]), number
+        yield group, diagnosis["verdict"]["confidence_by"], is_right(truth, diagnosis["verdict"]), number
 
 
 def fit(cases, ridge=1.0):

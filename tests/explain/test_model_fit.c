@@ -159,6 +159,44 @@ TEST(where_nothing_is_concealed_effects_gain_no_more_than_chance) {
     synthetic_destroy(&s);
 }
 
+/* A lag of no length is a bound. Noise asks for a lag below it in about half of all cases: what lies beyond gains nothing. */
+TEST(a_value_beyond_its_bound_gains_no_likelihood) {
+    int held = 0;
+    for (uint64_t seed = 30; seed < 34 && held == 0; seed++) {
+        const concealed what = {.noise = 1, .seed = seed};
+        synthetic s = synthetic_create(2, &what);
+        wcut_evidence *e = evidence_of(&s, 2);
+        const wcut_effect lag = effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.3);
+        wcut_fitted none = fit_of(e, 0, lag), f = fit_of(e, 1, lag);
+        ck_assert_double_ge(f.x[WCUT_BASE], f.coordinate[0].low);
+
+        /* at the bound: the model without it, its cost, and the same base; an interval all the same */
+        if (f.x[WCUT_BASE] == 0) {
+            held++;
+            ck_assert_double_eq_tol(f.cost, none.cost, 0.5);
+            ck_assert_double_eq_tol(f.misfit, none.misfit, 0.5);
+            ck_assert_double_eq_tol(f.x[0], none.x[0], 0.2 * none.error[0]);
+            ck_assert_double_gt(f.error[WCUT_BASE], 0.001);
+        }
+        wcut_fitted_destroy(&none);
+        wcut_fitted_destroy(&f);
+        wcut_evidence_destroy(e);
+        synthetic_destroy(&s);
+    }
+    ck_assert_int_ge(held, 1);
+}
+
+TEST(the_jackknife_of_equal_cuts_is_zero_and_that_of_two_is_not_told) {
+    double without[3 * 4] = {1, 2, 3, 4, 1, 2, 3, 5, 1, 2, 3, 9};
+    wcut_evidence_cut cut[3] = {{.bins = 1}, {.bins = 1}, {.bins = 1}};
+    wcut_evidence e = {.cuts = 3, .cut = cut};
+    const wcut_fitted f = {.count = 1, .without = without};
+    ck_assert_double_eq(wcut_fitted_jackknife(&e, &f, 2), 0);
+    ck_assert_double_eq_tol(wcut_fitted_jackknife(&e, &f, 3), sqrt(2.0 / 3 * (4 + 1 + 9)), 1e-12); /* about 6 */
+    cut[2].bins = 0;                                                                               /* left out */
+    ck_assert_double_eq(wcut_fitted_jackknife(&e, &f, 3), 0);
+}
+
 TEST(a_faulty_instrument_is_fitted_along_the_same_motion) {
     wcut_effect gain = effect_of(WCUT_EFFECT_TENSION_GAIN, 0.04);
     const concealed what = {.effects = 1, .effect = gain, .noise = 1, .seed = 23};

@@ -102,6 +102,14 @@ typedef struct wcut_found_effect {
     double confidence;                           /**< 0 .. 1 that it is present */
 } wcut_found_effect;
 
+/** An effect that stands out of noise and scatter, but is below its size of consequence: the verdict does not name it. */
+typedef struct wcut_small_effect {
+    wcut_found_effect found;
+    double gain;    /**< twice the logarithm of the ratio of likelihoods with and without it */
+    double tension; /**< [N] that it moves the tensions by at most, means over 0.5 s */
+    double face;    /**< [mm] that it moves the scanned faces by at most, means over patches; NaN without scans */
+} wcut_small_effect;
+
 /** One hypothesis of the ranking: none, one effect, or two. */
 typedef struct wcut_hypothesis {
     int count;             /**< effects: 0 (recalibration alone), 1 or 2 */
@@ -246,10 +254,13 @@ typedef struct wcut_diagnosis_view {
 typedef struct wcut_diagnosis {
     wcut_verdict_kind kind;
     double confidence;                  /**< 0 .. 1 that the verdict's effects are exactly right */
+    double confidence_by;               /**< [1] what of the search it goes by: the abscissa of its regression */
     char sentence[WCUT_DIAGNOSIS_TEXT]; /**< for an operator */
     bool form_open; /**< the named effects are told as families: their forms leave more than noise */
     int effects;    /**< found and alternative, those present first */
     wcut_found_effect effect[WCUT_DIAGNOSIS_EFFECTS];
+    int small_effects;                 /**< 0 or 1: present, but of no consequence for the cut */
+    wcut_small_effect small_effect;    /**< where there is one */
     wcut_estimate a, b, length_change; /**< [N/mm], [m^2/J], [mm]: recalibrated, shared by all cuts */
     wcut_estimate kerf;                /**< [mm] constant kerf that the scans show; NaN without scans */
     double a_job, b_job;               /**< what the jobs say */

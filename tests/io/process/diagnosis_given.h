@@ -92,7 +92,7 @@ static inline void give_fits(wcut_evidence_score fit[WCUT_EVIDENCE_MODEL_COUNT][
 static inline void give_diagnosis(given_diagnosis *g) {
     memset(g, 0, sizeof *g);
     wcut_diagnosis *d = &g->d;
-    d->kind = WCUT_VERDICT_PHYSICS, d->confidence = 0.93;
+    d->kind = WCUT_VERDICT_PHYSICS, d->confidence = 0.93, d->confidence_by = 0.5;
     snprintf(d->sentence, sizeof d->sentence, "The wire's temperature follows its load with a lag of 0.8 s.");
     d->effects = 2;
     d->effect[0] = given_effect(WCUT_EFFECT_WIRE_THERMAL_LAG, true, 0.93);

@@ -102,6 +102,28 @@ TEST(what_was_modelled_is_there_with_its_equation_and_events) {
     json_decref(root);
 }
 
+TEST(what_is_too_small_to_matter_is_there_with_what_it_moves) {
+    give_diagnosis(&given);
+    given.d.small_effects = 1;
+    given.d.small_effect = (wcut_small_effect){given.d.effect[0], 170, 0.012, NAN};
+    json_t *root = printed();
+    ck_assert_uint_eq(json_array_size(at(root, "small_effects")), 1);
+    ck_assert_str_eq(string(root, "small_effects.0.effect.name"), "wire_thermal_lag");
+    ck_assert_double_eq(number(root, "small_effects.0.effect.parameters.time_constant_s.value"), 0.8);
+    ck_assert_double_eq(number(root, "small_effects.0.gain"), 170);
+    ck_assert_double_eq(number(root, "small_effects.0.moves_tension_N"), 0.012);
+    ck_assert(json_is_null(at(root, "small_effects.0.moves_face_mm")));
+    json_decref(root);
+
+    /* a count of what there is no place for, and an effect that is none */
+    char *text = NULL;
+    given.d.small_effects = 2;
+    ck_assert_int_eq(wcut_diagnosis_print(&given.d, "c07", &text), WCUT_BAD_ARGUMENT);
+    given.d.small_effects = 1, given.d.small_effect.found.effect.choice = 7;
+    ck_assert_int_eq(wcut_diagnosis_print(&given.d, "c07", &text), WCUT_BAD_ARGUMENT);
+    ck_assert_ptr_null(text);
+}
+
 TEST(every_key_of_the_format_is_there_with_its_value) {
     give_diagnosis(&given);
     json_t *root = printed();
@@ -109,8 +131,10 @@ TEST(every_key_of_the_format_is_there_with_its_value) {
     ck_assert_str_eq(string(root, "case"), "c\"07\"");
     ck_assert_str_eq(string(root, "verdict.kind"), "physics");
     ck_assert_uint_eq(json_array_size(at(root, "verdict.effects")), 1);
+    ck_assert_uint_eq(json_array_size(at(root, "small_effects")), 0);
     ck_assert_str_eq(string(root, "verdict.effects.0"), "wire_thermal_lag");
     ck_assert_double_eq(number(root, "verdict.confidence"), 0.93);
+    ck_assert_double_eq(number(root, "verdict.confidence_by"), 0.5);
     ck_assert_str_eq(string(root, "verdict.alternatives.0.name"), "scan_offset");
     ck_assert_double_eq(number(root, "verdict.alternatives.0.confidence"), 0.05);
     ck_assert_str_eq(string(root, "verdict.sentence"), given.d.sentence);
