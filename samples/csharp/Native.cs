@@ -716,10 +716,13 @@ public unsafe struct wcut_diagnosis
 {
     public wcut_verdict_kind kind;
     public double confidence;
+    public double confidence_by;
     public fixed byte sentence[900];
     public byte form_open;
     public int effects;
     public wcut_found_effect effect_0, effect_1, effect_2, effect_3;
+    public int small_effects;
+    public wcut_small_effect small_effect;
     public wcut_estimate a;
     public wcut_estimate b;
     public wcut_estimate length_change;
@@ -2341,6 +2344,14 @@ public unsafe struct wcut_slurm
     public byte* time;
     public byte* memory;
     public byte* modules;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_small_effect
+{
+    public wcut_found_effect found;
+    public double gain;
+    public double tension;
+    public double face;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_split
