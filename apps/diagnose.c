@@ -8,6 +8,7 @@
 
 #include "command.h"
 #include "job.h"
+#include "recording.h"
 #include "results.h"
 #include "terminal.h"
 
@@ -129,11 +130,21 @@ static void read_diagnose_cut(run *r, int i) {
     else
         note_diagnose_bad(r, status, &error, "the cut is left out");
     if (status == WCUT_OK) {
-        status = wcut_recording_read(files->recording, &t->recording, &error);
+        status = wcut_recording_read(files->recording, &r->found->format, &t->recording, &error);
         if (status == WCUT_OK)
             note_source(r, "recording", files->recording);
         else
             note_diagnose_bad(r, status, &error, "the cut is left out");
+    }
+
+    /* stations from positions, where the file has none */
+    if (status == WCUT_OK) {
+        status = wcut_recording_place(t->job, t->recording, &error);
+        if (status != WCUT_OK) {
+            note_diagnose_bad(r, status, &error, "the cut is left out");
+            wcut_recording_destroy(t->recording);
+            t->recording = NULL;
+        }
     }
 
     /* a recording that cannot belong to its job is left out, a doubtful one is kept */
@@ -187,7 +198,7 @@ static int read_diagnose_cell(run *r) {
     }
     if (app_given(r->call, "still")) {
         const char *path = app_text(r->call, "still");
-        const wcut_status status = wcut_recording_read(path, &r->still, &error);
+        const wcut_status status = wcut_recording_read(path, &r->found->format, &r->still, &error);
         if (status != WCUT_OK) return app_fail_status(status, NULL, &error);
         r->options.still = r->still;
         note_source(r, "record at rest", path);
@@ -203,6 +214,8 @@ static int load_diagnose(run *r) {
     if (code != APP_DONE) return code;
     const wcut_status status = wcut_case_read(path, &r->found, &error);
     if (status != WCUT_OK) return app_fail_status(status, NULL, &error);
+    code = app_recording_format(r->call, &r->found->format);
+    if (code != APP_DONE) return code;
 
     /* room for every cut and its files */
     const size_t n = (size_t)r->found->cuts;
@@ -417,6 +430,7 @@ static const app_option option[] = {
      .high = 1024,
      .help = "number of threads; default one for each processor. Results do not depend on it"},
     APP_OPTION_FORCE_LAW,
+    APP_OPTIONS_RECORDING,
     {.kind = APP_FILE,
      .name = "rig",
      .value = "FILE",

@@ -8,6 +8,7 @@
 
 #include "command.h"
 #include "job.h"
+#include "recording.h"
 #include "results.h"
 #include "terminal.h"
 
@@ -15,7 +16,8 @@
 typedef struct trial {
     const char *of_case; /* NULL: none */
     const char *job_path, *recording_path;
-    int job_of; /* the trial that reads the job: an earlier one where they share it */
+    const wcut_recording_format *format; /* how the recording is read */
+    int job_of;                          /* the trial that reads the job: an earlier one where they share it */
     wcut_job *job;
     wcut_recording *recording;
     wcut_comparison *comparison;
@@ -28,6 +30,7 @@ typedef struct scoring {
     wcut_comparison_options options;
     int cases, cuts, scored, code; /* code: the first bad cut's */
     wcut_case **found;             /* cases */
+    wcut_recording_format format;  /* of recordings without a case */
     trial *trial;                  /* cuts */
     const wcut_job **job;
     const wcut_recording **recording;
@@ -64,6 +67,10 @@ static int list_cases(scoring *s) {
         else
             note_score_bad(s, app_fail_status(status, NULL, &error));
     }
+    for (int c = 0; c < s->cases; c++) {
+        const int code = app_recording_format(s->call, &s->found[c]->format);
+        if (code != APP_DONE) return code;
+    }
 
     /* a row for each cut of each case */
     if (s->cuts == 0) return s->code;
@@ -77,6 +84,7 @@ static int list_cases(scoring *s) {
             s->trial[at] = (trial){.of_case = s->found[c]->name,
                                    .job_path = s->found[c]->cut[k].job,
                                    .recording_path = s->found[c]->cut[k].recording,
+                                   .format = &s->found[c]->format,
                                    .job_of = at};
 
     return APP_DONE;
@@ -91,9 +99,13 @@ static int list_recordings(scoring *s) {
             s->call->operand[0]);
     s->trial = calloc((size_t)s->cuts, sizeof *s->trial);
     if (!s->trial) return fail_score_memory();
+    const int code = app_recording_format(s->call, &s->format);
     for (int i = 0; i < s->cuts; i++)
-        s->trial[i] = (trial){.job_path = s->call->operand[0], .recording_path = s->call->operand[i + 1], .job_of = 0};
-    return APP_DONE;
+        s->trial[i] = (trial){.job_path = s->call->operand[0],
+                              .recording_path = s->call->operand[i + 1],
+                              .format = &s->format,
+                              .job_of = 0};
+    return code;
 }
 
 /* the first operand says what they all are */
@@ -145,7 +157,8 @@ static wcut_status read_trial(scoring *s, trial *t) {
         t->error = s->trial[t->job_of].error; /* the same job could not be read before */
         return t->error.status;
     }
-    if (status == WCUT_OK) status = wcut_recording_read(t->recording_path, &t->recording, &t->error);
+    if (status == WCUT_OK) status = wcut_recording_read(t->recording_path, t->format, &t->recording, &t->error);
+    if (status == WCUT_OK) status = wcut_recording_place(s->trial[t->job_of].job, t->recording, &t->error);
     return status == WCUT_OK ? doubt_trial(s, t) : status;
 }
 
@@ -485,6 +498,7 @@ static const app_option option[] = {
      .high = 1e6,
      .library = score_leave,
      .help = "time left out before the wire leaves the block, s"},
+    APP_OPTIONS_RECORDING,
     APP_OPTION_NODES,
     APP_OPTION_FORCE_LAW,
     APP_OPTIONS_OF_ALL,

@@ -7,6 +7,8 @@ steady-WIDTH-HEAT.json   the cutting tests of Rust et al. 2016, 2.5: blocks 300,
                          exit: they part. One path a width, cut at four heats.
 freeform-1..4.json       surfaces of 400 x 900 mm as in section 3, designed by two edge curves and a function of extra
                          wire length (2.6): different moving directions and distances of the edge curves.
+blade-1.json             one robot draws a cold, straight knife through a block: upright but for 15 deg, fed at 12 mm/s,
+                         lifted along its edge in the middle of the cut, where the force falls with the sliding.
 """
 import json
 import math
@@ -127,6 +129,31 @@ def freeform_jobs():
         [[0.0, 5.0], [0.2, 12.0], [0.6, 40.0], [1.0, 8.0]])
 
 
+# ---- a blade --------------------------------------------------------------------------------------------------------
+
+
+def blade_job():
+    """The edge is the tool's z, from the handle down to the tip, its origin; the feed is y."""
+    tilt, feed, lift = math.radians(15), 5.0, 4.0  # mm a station, along y and at most up
+    turn = [round(math.cos((math.pi - tilt) / 2), 9), round(math.sin((math.pi - tilt) / 2), 9), 0.0, 0.0]
+    poses, z = [], 30.0
+    for k in range(81):
+        y = -60 + feed * k
+        z += lift * (smooth((y - 60) / 60) - smooth((y - 150) / 60)) if k else 0.0
+        poses.append([100.0, rounded(y), rounded(z)] + turn)
+    return {
+        "format": "wirecut-job/1",
+        "name": "cold blade, drawn along its edge in the middle",
+        "rig": {"kind": "blade", "force_frame": "tool"},
+        "block": {"size_mm": [200, 300, 220], "material": "EPS 15 kg/m3"},
+        "wire": {"diameter_mm": 0.5, "nodes": 101},
+        "process": {"heat_W_per_m": 0, "force_law": {"a_N_per_mm": 0.3, "b_m2_per_J": 1e-4}},
+        "feed": {"speed_mm_s": 12.0},
+        "path": {"tool": poses, "mount_a_in_tool_mm": [0.0, 0.0, -300.0], "mount_b_in_tool_mm": [0.0, 0.0, 0.0]},
+        "effects": [{"name": "slice_softening", "sliding_ratio": 1.0}],
+    }
+
+
 # ---- files ----------------------------------------------------------------------------------------------------------
 
 
@@ -150,6 +177,7 @@ def main():
     os.makedirs(folder, exist_ok=True)
     jobs = {f"steady-{w}-{q}": steady_job(w, q) for w in (300, 400, 500) for q in (50, 60, 70, 85)}
     jobs.update(freeform_jobs())
+    jobs["blade-1"] = blade_job()
     for name, made in jobs.items():
         with open(os.path.join(folder, name + ".json"), "w", encoding="utf-8", newline="\n") as file:
             file.write(text(made) + "\n")

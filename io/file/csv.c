@@ -1,4 +1,5 @@
-/* CSV text to columns of numbers, in one pass through a window that holds a row, after RFC 4180 with comments. */
+/* CSV text to columns of numbers, in one pass through a window that holds a row, after RFC 4180 with comments and four
+   separators. */
 #include "io/file/csv.h"
 
 #include <limits.h>
@@ -22,6 +23,7 @@ typedef struct scanner {
     const char *at, *end, *line_start;
     const char *field; /* where the field begins that is being read */
     int line;          /* of `at`, from 1 */
+    char separator;    /* of fields: comma, semicolon, tab, or blank for any number of blanks and tabs */
     const char *label;
     wcut_error *error;
     wcut_table *table;
@@ -51,7 +53,13 @@ static wcut_status refuse_csv_field(scanner *s, int column, const char *found, c
                      known ? ")" : "", wcut_quote(shown, found, WCUT_FOUND_MAX, 0), expected);
 }
 
-static bool is_csv_blank(char c) { return c == ' ' || c == '\t'; }
+/* what may stand around a field and does not belong to it */
+static bool is_csv_blank(const scanner *s, char c) { return c == ' ' || (c == '\t' && s->separator != '\t'); }
+
+/* whether a field ends before this byte, be it by the separator alone */
+static bool is_csv_separator(const scanner *s, char c) {
+    return s->separator == ' ' ? is_csv_blank(s, c) : c == s->separator;
+}
 
 static bool at_line_end(const scanner *s) {
     return s->at == s->end || *s->at == '\n' || (*s->at == '\r' && s->at[1] == '\n');
@@ -93,7 +101,7 @@ static void take_bytes(scanner *s, const char *behind) {
 
 /* Behind the line feed that ends the row in [from, to), where quoted fields may hold others; NULL: it is not there.
    *quote: the opening quote of a field that is not closed there, or NULL. */
-static const char *find_row_end(const char *from, const char *to, const char **quote) {
+static const char *find_row_end(char separator, const char *from, const char *to, const char **quote) {
     const char *feed = memchr(from, '\n', (size_t)(to - from));
     *quote = NULL;
     if (!memchr(from, '"', (size_t)((feed ? feed : to) - from))) return feed ? feed + 1 : NULL;
@@ -110,7 +118,9 @@ static const char *find_row_end(const char *from, const char *to, const char **q
         }
         if (*p == '\n') return p + 1;
         if (*p == '"' && begins) *quote = p;
-        begins = *p == ',' || (begins && is_csv_blank(*p));
+        const bool blank = *p == ' ' || *p == '\t';
+        begins = (separator ? *p == separator : *p == ',' || *p == ';') ||
+                 (blank && (begins || separator == ' ' || !separator));
     }
 
     return NULL;
@@ -120,7 +130,7 @@ static const char *find_row_end(const char *from, const char *to, const char **q
 static wcut_status load_row(scanner *s) {
     for (;;) {
         const char *quote = NULL;
-        s->end = find_row_end(s->at, window_end(s), &quote);
+        s->end = find_row_end(s->separator, s->at, window_end(s), &quote);
         if (s->end) return WCUT_OK;
         const size_t unread = s->stream->end - s->stream->at;
         if (s->stream->ended) break;
@@ -176,7 +186,7 @@ static wcut_status next_row(scanner *s, bool *found) {
         const wcut_status status = load_row(s);
         if (status != WCUT_OK) return status;
         const char *p = s->at;
-        while (is_csv_blank(*p)) p++;
+        while (is_csv_blank(s, *p)) p++;
         s->line_start = s->field = s->at;
         *found = !(p == s->end || *p == '\n' || (*p == '\r' && p[1] == '\n'));
         if (*found) return check_read(s);
@@ -187,6 +197,16 @@ static wcut_status next_row(scanner *s, bool *found) {
 }
 
 /* ---- fields ---- */
+
+/* Behind a field: go past the separator to the next one; false at the end of the row. Blanks that separate were passed
+   with those behind the field, and such a row may end with some. */
+static bool pass_separator(scanner *s) {
+    if (at_line_end(s)) return false;
+    if (s->separator == ' ') return s->at > s->line_start && is_csv_blank(s, s->at[-1]);
+    if (*s->at != s->separator) return false;
+    s->at++;
+    return true;
+}
 
 /* keep one more byte of a field (and a zero behind it) */
 static bool keep_byte(scanner *s, size_t used, char c) {
@@ -207,19 +227,20 @@ static wcut_status read_csv_field(scanner *s, int column) {
     size_t used = 0;
     if (!keep_byte(s, 0, '\0')) return refuse_csv_memory(s);
 
-    /* a plain field ends at the comma or the line's end, without the blanks around it */
-    while (is_csv_blank(*s->at)) s->at++;
+    /* a plain field ends at the separator or the line's end, without the blanks around it */
+    while (is_csv_blank(s, *s->at)) s->at++;
     s->field = s->at;
     if (*s->at != '"') {
-        for (; !at_line_end(s) && *s->at != ','; s->at++) {
+        for (; !at_line_end(s) && !is_csv_separator(s, *s->at); s->at++) {
             if (*s->at == '"')
                 return refuse_csv_field(s, column, "a quote within a field", "quotes around the whole field");
             if (*s->at == '\0') return refuse_csv_field(s, column, "a zero byte", "text");
             if (!keep_byte(s, used++, *s->at)) return refuse_csv_memory(s);
         }
 
-        /* blanks before the comma do not belong to the text */
-        while (used > 0 && is_csv_blank(s->scratch[used - 1])) s->scratch[--used] = '\0';
+        /* blanks before the separator do not belong to the text */
+        while (used > 0 && is_csv_blank(s, s->scratch[used - 1])) s->scratch[--used] = '\0';
+        while (is_csv_blank(s, *s->at)) s->at++;
         return WCUT_OK;
     }
 
@@ -239,11 +260,11 @@ static wcut_status read_csv_field(scanner *s, int column) {
     }
 
     /* only blanks may follow the closing quote */
-    while (is_csv_blank(*s->at)) s->at++;
-    if (at_line_end(s) || *s->at == ',') return WCUT_OK;
+    while (is_csv_blank(s, *s->at)) s->at++;
+    if (at_line_end(s) || is_csv_separator(s, *s->at) || is_csv_separator(s, s->at[-1])) return WCUT_OK;
     s->field = s->at;
 
-    return refuse_csv_field(s, column, "text after a closing quote", "a comma or the end of the line");
+    return refuse_csv_field(s, column, "text after a closing quote", "a separator or the end of the line");
 }
 
 static bool equal_word(const char *text, const char *word) {
@@ -252,15 +273,17 @@ static bool equal_word(const char *text, const char *word) {
     return *text == *word;
 }
 
-/* a number with one comma and no other separator, "0,5" */
-static bool is_decimal_comma(const char *text) {
+/* a number with one comma and no point, "0,5" */
+static bool read_decimal_comma(const char *text, double *value) {
     char point[64];
-    double value;
     const char *comma = strchr(text, ',');
     if (!comma || strchr(text, '.') || strchr(comma + 1, ',') || strlen(text) >= sizeof point) return false;
     memcpy(point, text, strlen(text) + 1);
     point[comma - text] = '.';
-    return *wcut_decimal_read(point, &value) == '\0';
+    double read;
+    if (*wcut_decimal_read(point, &read) != '\0' || !isfinite(read)) return false;
+    *value = read;
+    return true;
 }
 
 /* a sample that is not there */
@@ -284,30 +307,37 @@ static wcut_status read_odd_sample(scanner *s, int column, int row) {
     double *value = &s->table->column[column].value[row];
     const char *behind = wcut_decimal_read(s->scratch, value);
     if (behind > s->scratch && *behind == '\0' && isfinite(*value)) return WCUT_OK;
+
+    /* where no commas separate, a number may have a decimal comma */
+    double comma;
+    const bool decimal_comma = read_decimal_comma(s->scratch, &comma);
+    if (decimal_comma && s->separator != ',') return *value = comma, WCUT_OK;
+
+    /* nothing, or text */
     bool absent = s->scratch[0] == '\0' || equal_word(s->scratch, "nan");
     if (absent || !s->numeric[column]) {
         s->table->column[column].text += !absent;
         if (!absent && s->take && !s->take(s->context, row, column, s->scratch)) return refuse_csv_memory(s);
         return miss_sample(s, column, row);
     }
-    if (is_decimal_comma(s->scratch))
-        return refuse_csv_field(s, column, s->scratch, "a decimal point, not a decimal comma");
+    if (decimal_comma) return refuse_csv_field(s, column, s->scratch, "a decimal point, not a decimal comma");
     if (behind > s->scratch && *behind == '\0')
         return refuse_csv_field(s, column, s->scratch, "a number a double can hold");
     return refuse_csv_field(s, column, s->scratch, "a number, nan or an empty field");
 }
 
-/* the common case, a bare number and its comma or line end, goes straight to its place */
+/* the common case, a bare number and its separator or line end, goes straight to its place */
 static wcut_status read_sample(scanner *s, int column, int row) {
     const char *start = s->at;
-    while (is_csv_blank(*s->at)) s->at++;
+    while (is_csv_blank(s, *s->at)) s->at++;
     s->field = s->at;
     double *value = &s->table->column[column].value[row];
     const char *behind = wcut_decimal_read(s->at, value);
     if (behind > s->at && isfinite(*value)) {
+        const bool ends = is_csv_separator(s, *behind) || is_csv_blank(s, *behind);
         s->at = behind;
-        while (is_csv_blank(*s->at)) s->at++;
-        if (*s->at == ',' || at_line_end(s)) return WCUT_OK;
+        while (is_csv_blank(s, *s->at)) s->at++;
+        if ((s->separator == ' ' && ends) || *s->at == s->separator || at_line_end(s)) return WCUT_OK;
     }
     s->at = start;
     return read_odd_sample(s, column, row);
@@ -318,11 +348,10 @@ static wcut_status read_csv_row(scanner *s, int row) {
     for (int c = 0; c < s->table->columns; c++) {
         wcut_status status = read_sample(s, c, row);
         if (status != WCUT_OK) return status;
-        if (c + 1 < s->table->columns && *s->at != ',') {
+        if (c + 1 < s->table->columns && !pass_separator(s)) {
             s->field = s->at;
             return refuse_csv_field(s, c + 1, "the end of the row", "as many fields as the header has");
         }
-        s->at += *s->at == ',' && c + 1 < s->table->columns;
     }
     s->field = s->at;
     if (!at_line_end(s))
@@ -340,24 +369,41 @@ static bool is_ambiguous(const scanner *s, int c) {
     return twice && used;
 }
 
-/* A header that is one name with separators other than commas in it: a file of another program. Blanks separate where
-   they do so in the row below too: a name may have one. */
-static const char *foreign_separator(const scanner *s) {
-    if (strchr(s->scratch, ';')) return "columns separated by commas, not by semicolons";
-    if (s->table->columns > 0 || *s->at == ',') return NULL;
-    if (strchr(s->scratch, '\t')) return "columns separated by commas, not by tabs";
+/* whether a byte stands in the header's line outside quotes */
+static bool header_has(const scanner *s, char byte) {
+    bool quoted = false;
+    for (const char *p = s->at; p < s->end && *p != '\n'; p++) {
+        if (*p == '"') quoted = !quoted;
+        if (*p == byte && !quoted) return true;
+    }
+    return false;
+}
+
+/* whether blanks separate: in the header and in the row below too, because a single name may have one */
+static bool blanks_separate(const scanner *s) {
     const char *row = memchr(s->at, '\n', (size_t)(s->end - s->at));
-    if (!row || !strchr(s->scratch, ' ')) return NULL;
+    if (!row || !header_has(s, ' ')) return false;
+
+    /* the row below: a number, blanks, and something else */
     double value;
-    while (row < window_end(s) && (is_csv_blank(*row) || *row == '\n')) row++;
-    const char *behind = wcut_decimal_read(row, &value);
-    return behind > row && *behind == ' ' ? "columns separated by commas, not by blanks" : NULL;
+    while (row < window_end(s) && (*row == ' ' || *row == '\t' || *row == '\n')) row++;
+    const char *behind = wcut_decimal_read(row, &value), *next = behind;
+    while (*next == ' ') next++;
+    return behind > row && next > behind && next < window_end(s) && *next != '\n' && *next != '\r';
+}
+
+/* what separates the names of the header, and every field below: semicolons before commas, because numbers may have
+   decimal commas between them */
+static char find_separator(const scanner *s) {
+    return header_has(s, ';')    ? ';'
+           : header_has(s, ',')  ? ','
+           : header_has(s, '\t') ? '\t'
+           : blanks_separate(s)  ? ' '
+                                 : ',';
 }
 
 /* a name of the header into its column; the index of a table program has none, and is kept as a further column */
 static wcut_status name_column(scanner *s, int c) {
-    const char *separated = foreign_separator(s);
-    if (separated) return refuse_csv_field(s, -1, s->scratch, separated);
     if (is_ambiguous(s, c)) return refuse_csv_field(s, -1, s->scratch, "every column that is used named once");
     s->table->column[c].name = s->scratch; /* the scratch buffer becomes the name: the next field gets its own */
     s->scratch = NULL;
@@ -373,6 +419,8 @@ static wcut_status read_csv_header(scanner *s) {
     if (begun != WCUT_OK) return begun;
     if (!found) return refuse_csv_field(s, -1, "no header", "a row with the names of the columns");
 
+    s->separator = find_separator(s);
+
     /* names up to the end of the row */
     s->table->column = wcut_alloc(WCUT_CSV_COLUMNS_MAX, sizeof *s->table->column);
     if (!s->table->column) return refuse_csv_memory(s);
@@ -381,8 +429,7 @@ static wcut_status read_csv_header(scanner *s) {
         wcut_status status = read_csv_field(s, -1);
         if (status == WCUT_OK) status = name_column(s, c);
         if (status != WCUT_OK) return status;
-        if (*s->at != ',') break;
-        s->at++;
+        if (!pass_separator(s)) break;
     }
 
     /* a row of numbers is no header */

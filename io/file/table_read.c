@@ -107,6 +107,13 @@ static void say_kind(const wcut_table *table, int count, const wcut_known_column
     if (look.kind) snprintf(error->text + end, sizeof error->text - end, "; found %s: %s", look.kind, look.use);
 }
 
+wcut_status wcut_known_columns_check(const wcut_table *table, int count, const wcut_known_column *known,
+                                     const char *label, wcut_error *error) {
+    const wcut_status status = wcut_columns_check(table, count, known, label, error);
+    if (status == WCUT_BAD_FORMAT && error) say_kind(table, count, known, error);
+    return status;
+}
+
 wcut_status wcut_known_table_read(const char *path, int count, const wcut_known_column *known, wcut_table **table,
                                   wcut_error *error) {
     const char **name = wcut_alloc((size_t)count, sizeof *name);
@@ -115,10 +122,7 @@ wcut_status wcut_known_table_read(const char *path, int count, const wcut_known_
     wcut_table *found = NULL;
     wcut_status status = wcut_table_read(path, count, name, &found, error);
     free(name);
-    if (status == WCUT_OK && found) {
-        status = wcut_columns_check(found, count, known, path, error);
-        if (status == WCUT_BAD_FORMAT && error) say_kind(found, count, known, error);
-    }
+    if (status == WCUT_OK) status = wcut_known_columns_check(found, count, known, path, error);
     if (status == WCUT_OK)
         *table = found;
     else

@@ -16,6 +16,10 @@ typedef struct wcut_known_column {
 wcut_status wcut_columns_check(const wcut_table *table, int count, const wcut_known_column *known, const char *label,
                                wcut_error *error);
 
+/* the same; where nothing of the table is known, what it holds instead is said behind the names */
+wcut_status wcut_known_columns_check(const wcut_table *table, int count, const wcut_known_column *known,
+                                     const char *label, wcut_error *error);
+
 /* a file to a table whose known columns are numeric and in place */
 wcut_status wcut_known_table_read(const char *path, int count, const wcut_known_column *known, wcut_table **table,
                                   wcut_error *error);

@@ -92,16 +92,22 @@ static void put_materials(sink *s, const wcut_mesh_object *o, int id) {
 
 static void put_object(sink *s, const wcut_mesh_object *o, int id, int materials) {
     const wcut_mesh *mesh = o->mesh;
+
+    /* its name, and whether it is a body or an open surface */
     wcut_text_print(&s->text, "<object id=\"%d\" type=\"%s\" name=\"", id,
                     is_three_mf_closed(mesh) ? "model" : "surface");
     put_three_mf_escaped(&s->text, o->name);
     wcut_text_print(&s->text, "\"");
     if (o->material) wcut_text_print(&s->text, " pid=\"%d\" pindex=\"0\"", materials);
+
+    /* vertices, handed to the file whenever the text has grown */
     wcut_text_print(&s->text, "><mesh><vertices>\n");
     for (int i = 0; i < mesh->vertex_count; i++) {
         put_vertex(&s->text, mesh->vertex[i]);
         if (s->text.count > DRAIN) drain(s);
     }
+
+    /* triangles; a marked one has the second colour */
     wcut_text_print(&s->text, "</vertices><triangles>\n");
     for (size_t t = 0; t < (size_t)mesh->triangle_count; t++) {
         const int *v = mesh->triangle + 3 * t;

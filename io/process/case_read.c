@@ -10,6 +10,7 @@
 #include "io/file/read_file.h"
 #include "io/process/case.h"
 #include "io/process/job.h"
+#include "io/process/recording_format.h"
 
 #define FORMAT "wirecut-case/1"
 
@@ -89,6 +90,14 @@ static bool read_calibration(wcut_reader *reader, const wcut_place *at, void *in
     return json_is_null(at->value) || read_name(reader, at, of, &of->made->calibration);
 }
 
+static bool read_case_columns(wcut_reader *reader, const wcut_place *at, void *into) {
+    return wcut_read_columns(reader, at, &((filling *)into)->made->format);
+}
+
+static bool read_case_period(wcut_reader *reader, const wcut_place *at, void *into) {
+    return wcut_read_period(reader, at, &((filling *)into)->made->format.period);
+}
+
 static bool read_cut_job(wcut_reader *reader, const wcut_place *at, void *into) {
     cut_filling *to = into;
     return read_name(reader, at, to->of, &to->cut.job);
@@ -128,7 +137,9 @@ static bool read_case(wcut_reader *reader, const wcut_place *at, filling *of) {
     static const wcut_field fields[] = {{"format", true, read_case_format, 0},
                                         {"name", true, read_case_name, 0},
                                         {"cuts", true, read_cuts, 0},
-                                        {"calibration", false, read_calibration, 0}};
+                                        {"calibration", false, read_calibration, 0},
+                                        {"columns", false, read_case_columns, 0},
+                                        {"period_s", false, read_case_period, 0}};
     /* the format before all else: another format has other keys */
     const wcut_place format = wcut_place_member(at, "format");
     if (json_is_object(at->value) && !read_case_format(reader, &format, NULL)) return false;
@@ -210,6 +221,7 @@ void wcut_case_destroy(wcut_case *found) {
     }
     free(found->cut);
     free(found->calibration);
+    wcut_recording_format_clear(&found->format);
     free(found->name);
     free(found);
 }

@@ -266,6 +266,7 @@ static void put_channels(wcut_text *text, const wcut_evidence_score fit[WCUT_EVI
         if (f->count < 1) continue;
         wcut_text_print(text, "%s\"%s\": {", between, wcut_evidence_name((wcut_evidence_channel)c));
         wcut_text_put_number(text, "\"rmsd\": ", f->rmsd);
+        wcut_text_put_number(text, ", \"rmse\": ", f->rmse);
         wcut_text_put_number(text, ", \"nrmsd\": ", f->nrmsd);
         wcut_text_put_number(text, ", \"rmse_over_range\": ", f->rmse_over_range);
         if (isfinite(f->low) && isfinite(f->high)) put_pair(text, ", \"rmse_over_range_ci95\": [", f->low, f->high);

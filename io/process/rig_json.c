@@ -22,6 +22,15 @@ static bool read_kind(wcut_reader *reader, const wcut_place *at, void *into) {
     return true;
 }
 
+/* the frame of a force sensor's readings: a word to whether it is the block's */
+static bool read_force_frame(wcut_reader *reader, const wcut_place *at, void *into) {
+    static const char *const frame_word[] = {"tool", "block", NULL};
+    int frame;
+    if (!wcut_read_word(reader, at, frame_word, &frame)) return false;
+    *(bool *)into = frame == 1;
+    return true;
+}
+
 bool wcut_read_rig(wcut_reader *reader, const wcut_place *at, void *job) {
     /* of two arms and a blade nothing but the kind is asked */
     static const wcut_field fields[] = {
@@ -30,12 +39,16 @@ bool wcut_read_rig(wcut_reader *reader, const wcut_place *at, void *job) {
         IN_RIG(stiffness, "stiffness_N_per_mm", false, wcut_read_positive),
         IN_RIG(wire_stiffness, "wire_stiffness_N", false, wcut_read_positive),
         IN_RIG(expansion, "expansion_per_K", false, wcut_read_not_negative),
+        IN_RIG(force_in_block, "force_frame", false, read_force_frame),
     };
     wcut_rig *rig = &((wcut_job *)job)->rig;
     if (!READ_OBJECT(fields, rig)) return false;
     for (size_t k = 1; k < sizeof fields / sizeof *fields; k++) {
         const wcut_place place = wcut_place_member(at, fields[k].key);
-        if (place.value && rig->kind != WCUT_RIG_KIND_BOW)
+        const bool frame = fields[k].read == read_force_frame;
+        if (frame && place.value && rig->kind == WCUT_RIG_KIND_TWO_ARMS)
+            return wcut_refuse(reader, &place, WCUT_BAD_FORMAT, "no such key: two arms have tension sensors");
+        if (!frame && place.value && rig->kind != WCUT_RIG_KIND_BOW)
             return wcut_refuse(reader, &place, WCUT_BAD_FORMAT, "no such key: it is of a bow, this is a rig of kind %s",
                                kind_word[rig->kind]);
     }
@@ -220,6 +233,7 @@ void wcut_put_rig(wcut_text *text, const wcut_job *job) {
         if (bow && !isinf(rig->stiffness)) wcut_text_put_number(text, ", \"stiffness_N_per_mm\": ", rig->stiffness);
         if (bow && rig->wire_stiffness > 0) wcut_text_put_number(text, ", \"wire_stiffness_N\": ", rig->wire_stiffness);
         if (bow && rig->expansion >= 0) wcut_text_put_number(text, ", \"expansion_per_K\": ", rig->expansion);
+        if (rig->force_in_block) wcut_text_print(text, ", \"force_frame\": \"block\"");
         wcut_text_put(text, "}", 1);
     }
     put_feed(text, &job->feed);

@@ -14,9 +14,9 @@ static wcut_status check_correction(const wcut_correction *c, const wcut_job *jo
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "correction: found %d effects, expected 0 to %d", c->effects,
                          WCUT_CORRECTION_EFFECTS);
 
-    /* the wire must keep a positive length; only a job with mounts has one */
-    const bool path = job->mode == WCUT_MODE_PATH;
-    if (!isfinite(c->length_change) || (path && !is_positive(job->wire_length + c->length_change)))
+    /* the wire must keep a positive length; only a job with mounts has one, and a blade has none */
+    const bool path = job->mode == WCUT_MODE_PATH, wire = path && job->rig.kind != WCUT_RIG_KIND_BLADE;
+    if (!isfinite(c->length_change) || (wire && !is_positive(job->wire_length + c->length_change)))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "correction: found a change of the wire by %g mm, the job has %g mm",
                          c->length_change, job->wire_length);
 

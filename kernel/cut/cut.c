@@ -5,6 +5,7 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "base/numbers.h"
+#include "cut/blade.h"
 #include "cut/contact.h"
 #include "cut/run.h"
 #include "wire/chain.h"
@@ -76,6 +77,7 @@ static bool begin_cut(wcut_cut *cut) {
     const wcut_setup *setup = cut->setup;
     const int n = setup->job->nodes;
     wcut_wire *w = &cut->now;
+    if (setup->job->rig.kind == WCUT_RIG_KIND_BLADE) return wcut_blade_begin(cut), true;
     for (int i = 0; i < n; i++) w->pattern[i] = vec3_scale(-setup->job->tension / n, setup->feed);
     if (setup->weight > 0) wcut_cut_weigh(cut, w->pattern);
 
@@ -174,8 +176,11 @@ static wcut_status advance_wire(wcut_cut *cut, const wcut_target *target, wcut_i
     copy_wire(n, cut->setup->effect_count, &cut->now, &cut->next);
 
     /* solve the step by the chosen integrator */
-    const wcut_status status = integrator == WCUT_INTEGRATOR_HEUN ? wcut_heun_advance(cut, target, &elapsed, error)
-                                                                  : wcut_implicit_advance(cut, target, &elapsed, error);
+    const bool blade = cut->setup->job->rig.kind == WCUT_RIG_KIND_BLADE;
+    const wcut_status status = blade ? wcut_blade_advance(cut, target, &elapsed, error)
+                               : integrator == WCUT_INTEGRATOR_HEUN
+                                   ? wcut_heun_advance(cut, target, &elapsed, error)
+                                   : wcut_implicit_advance(cut, target, &elapsed, error);
     if (status != WCUT_OK) return status;
 
     /* swap: the next wire becomes the present one */
@@ -303,6 +308,10 @@ void wcut_cut_view(const wcut_cut *cut, wcut_station *station) {
                        .iterations = cut->iterations,
                        .substeps = cut->substeps,
                        .residual = cut->residual};
+    if (cut->setup->job->rig.kind == WCUT_RIG_KIND_BLADE) {
+        station->tension_a = wcut_blade_reaction(n, w->force, true);
+        station->tension_b = wcut_blade_reaction(n, w->force, false);
+    }
     wcut_chain_angles(n, w->x, &station->alpha_a, &station->beta_a, &station->alpha_b, &station->beta_b);
 }
 

@@ -246,6 +246,9 @@ wcut_status wcut_prediction_replay(const wcut_setup *setup, const wcut_recording
     wcut_status status = check_replay(setup, recording, prediction, error);
     if (status == WCUT_OK && (!(o.window >= 0 && isfinite(o.window)) || (unsigned)o.motion > WCUT_MOTION_POSITION))
         status = wcut_fail(error, WCUT_BAD_ARGUMENT, "a window of 0 s or more and a known motion are expected");
+    if (status == WCUT_OK && setup->job->rig.kind == WCUT_RIG_KIND_BLADE)
+        status = wcut_fail(error, WCUT_BAD_ARGUMENT,
+                           "found a blade, expected a wire: a blade has forces in place of tensions, see diagnose");
     if (status == WCUT_OK) status = check_heat(recording, error);
 
     /* the track of the mounts, smoothed */

@@ -215,7 +215,8 @@ static wcut_status check_stations(const wcut_setup *setup, wcut_error *error) {
         if (!(chord > 1e-6 * length))
             return wcut_fail(error, WCUT_DEGENERATE, "station %d: both ends of the wire are in one place", j);
 
-        const wcut_status status = setup->foam.embedded ? WCUT_OK : check_mounts(setup, j, error);
+        const bool free = setup->foam.embedded || setup->job->rig.kind == WCUT_RIG_KIND_BLADE; /* a tip may be inside */
+        const wcut_status status = free ? WCUT_OK : check_mounts(setup, j, error);
         if (status != WCUT_OK) return status;
 
         /* a station at which nothing moves has no direction and no time */
@@ -335,7 +336,7 @@ static void take_mounts(wcut_setup *setup, const wcut_vec3 *a, const wcut_vec3 *
     for (int j = 0; j < setup->stations; j++) {
         setup->end_a[j] = vec3_sub(a[j], setup->shift);
         setup->end_b[j] = vec3_sub(b[j], setup->shift);
-        setup->length[j] = length + setup->longer;
+        setup->length[j] = job->rig.kind == WCUT_RIG_KIND_BLADE ? vec3_distance(a[j], b[j]) : length + setup->longer;
     }
 }
 
@@ -507,9 +508,6 @@ wcut_status wcut_setup_create(const wcut_job *job, const wcut_cut_options *optio
     if (status == WCUT_OK && job->feed.kind != WCUT_FEED_KIND_NONE && o.integrator == WCUT_INTEGRATOR_HEUN)
         status = wcut_fail(error, WCUT_BAD_ARGUMENT,
                            "feed: found one with the integrator heun, expected implicit: heun solves for the speed");
-    if (status == WCUT_OK && job->rig.kind == WCUT_RIG_KIND_BLADE)
-        status = wcut_fail(error, WCUT_BAD_ARGUMENT, "rig.kind: found %s, expected two_arms or bow",
-                           wcut_rig_name(job->rig.kind));
     if (status == WCUT_OK && job->wire_density > 0 && job->rig.kind == WCUT_RIG_KIND_BOW)
         status =
             wcut_fail(error, WCUT_BAD_ARGUMENT,

@@ -67,6 +67,14 @@ wcut_vec3 wcut_path_at(int m, const wcut_vec3 *p, double station) {
 static bool track_has(const wcut_column *c, int i) { return !c->present || c->present[i]; }
 
 wcut_status wcut_track_check(int stations, const wcut_recording *recording, wcut_error *error) {
+    /* the channels of two arms, with their stations */
+    for (int k = WCUT_CHANNEL_TIME; k <= WCUT_CHANNEL_BETA_B; k++)
+        if (!recording->channel[k].value)
+            return wcut_fail(error, WCUT_BAD_ARGUMENT, "found a recording without %s, expected one of two arms%s",
+                             wcut_channel_name((wcut_channel)k),
+                             k == WCUT_CHANNEL_STATION ? " with stations (wcut_recording_place)" : "");
+
+    /* stations on the path, forward */
     const wcut_column *station = &recording->channel[WCUT_CHANNEL_STATION];
     const int *line = recording->further->line;
     double furthest = -HUGE_VAL;

@@ -12,10 +12,12 @@
 #include "cut/setup.h"
 #include "explain/adequacy.h"
 #include "explain/black_box.h"
+#include "explain/blade_diagnosis.h"
 #include "explain/correct.h"
 #include "explain/cross_validation.h"
 #include "explain/cut_length.h"
 #include "explain/decide.h"
+#include "explain/diagnosis_check.h"
 #include "explain/droop.h"
 #include "explain/experiment.h"
 #include "explain/found.h"
@@ -613,22 +615,16 @@ static wcut_status conclude_diagnosis(diagnosing *g, bool searched, wcut_error *
     return status;
 }
 
-static wcut_status check_diagnosis(int cuts, const wcut_diagnosis_cut *cut, int test_cuts,
-                                   const wcut_test_cut *calibration, const wcut_diagnosis_options *o,
-                                   wcut_diagnosis **out, wcut_error *error) {
-    if (cuts < 1 || !cut || !out || test_cuts < 0 || (test_cuts > 0 && !calibration))
-        return wcut_fail(error, WCUT_BAD_ARGUMENT, "cuts and a place for the diagnosis are expected");
-    if (o->threads < 1) return wcut_fail(error, WCUT_BAD_ARGUMENT, "found %d threads, expected 1 or more", o->threads);
-    for (int k = 0; k < cuts; k++) {
-        if (cut[k].job && cut[k].job->mode != WCUT_MODE_PATH)
-            return wcut_fail(error, WCUT_BAD_ARGUMENT, "cut %d: found a design, expected a job with the mounts' path",
-                             k + 1);
-        if (cut[k].recording && (cut[k].recording->samples < 1 || !cut[k].recording->further))
-            return wcut_fail(error, WCUT_BAD_ARGUMENT, "cut %d: expected a recording with samples and their lines",
-                             k + 1);
+/* a blade has no wire to replay: its forces are diagnosed by themselves, the diagnosis is handed over whole or not */
+static wcut_status diagnose_blade(diagnosing *g, const wcut_diagnosis_cut *cut, wcut_diagnosis **diagnosis,
+                                  wcut_error *error) {
+    const wcut_status status = wcut_blade_diagnose(g->cuts, cut, g->options, &g->stop, g->out, error);
+    if (status == WCUT_OK) {
+        *diagnosis = g->out;
+        g->out = NULL;
     }
-    const wcut_status status = wcut_scatter_check(o->rig, error);
-    return status == WCUT_OK ? wcut_redundancy_check(o->still, error) : status;
+    wcut_diagnosis_destroy(g->out);
+    return status;
 }
 
 wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *cut, int test_cuts,
@@ -637,7 +633,7 @@ wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *cut, int t
                                   wcut_error *error) {
     /* check all arguments before any work */
     const wcut_diagnosis_options o = options ? *options : wcut_diagnosis_options_default();
-    wcut_status status = check_diagnosis(cuts, cut, test_cuts, calibration, &o, diagnosis, error);
+    wcut_status status = wcut_diagnosis_check(cuts, cut, test_cuts, calibration, &o, diagnosis, error);
     if (status != WCUT_OK) return status;
     diagnosing g = {.cuts = cuts, .test_cuts = test_cuts, .calibration = calibration, .options = &o};
 
@@ -647,6 +643,11 @@ wcut_status wcut_diagnosis_create(int cuts, const wcut_diagnosis_cut *cut, int t
     g.out = wcut_alloc(1, sizeof *g.out);
     if (g.out)
         g.out->cuts = cuts, g.out->view.cut = -1, g.out->held_out = wcut_alloc((size_t)cuts, sizeof *g.out->held_out);
+
+    if (wcut_diagnosis_is_of_blade(cuts, cut) && g.out && g.out->held_out) {
+        wcut_stop_begin(&g.stop, progress, context, WCUT_BLADE_STEPS);
+        return diagnose_blade(&g, cut, diagnosis, error);
+    }
 
     /* what needs no physics, then evidence and search */
     status = g.out && g.out->held_out ? wcut_redundancy_create(cuts, cut, o.still, &g.redundancy, error)

@@ -9,12 +9,13 @@ const char *wcut_verdict_name(wcut_verdict_kind kind) {
 }
 
 const char *wcut_evidence_name(wcut_evidence_channel channel) {
-    static const char *const names[WCUT_EVIDENCE_CHANNEL_COUNT] = {"speed", "tension", "alpha", "beta", "scan"};
+    static const char *const names[WCUT_EVIDENCE_CHANNEL_COUNT] = {"speed", "tension", "alpha",
+                                                                   "beta",  "scan",    "force"};
     return (unsigned)channel < WCUT_EVIDENCE_CHANNEL_COUNT ? names[channel] : "";
 }
 
 const char *wcut_evidence_unit(wcut_evidence_channel channel) {
-    static const char *const units[WCUT_EVIDENCE_CHANNEL_COUNT] = {"mm/s", "N", "deg", "deg", "mm"};
+    static const char *const units[WCUT_EVIDENCE_CHANNEL_COUNT] = {"mm/s", "N", "deg", "deg", "mm", "N"};
     return (unsigned)channel < WCUT_EVIDENCE_CHANNEL_COUNT ? units[channel] : "";
 }
 

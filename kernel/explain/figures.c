@@ -35,7 +35,7 @@ static double bin_mean(const double *bin) {
 static void gather_blocks(const wcut_evidence *e, wcut_evidence_channel channel, const wcut_forecast *measured,
                           const wcut_forecast *predicted, pairs *p) {
     /* the two rows of each channel (mounts A and B); angles in degrees */
-    static const int signal[WCUT_EVIDENCE_CHANNEL_COUNT][2] = {{0, 1}, {0, 1}, {2, 4}, {3, 5}, {0, 0}};
+    static const int signal[WCUT_EVIDENCE_CHANNEL_COUNT][2] = {{0, 1}, {0, 1}, {2, 4}, {3, 5}, {0, 0}, {0, 0}};
     const double unit =
         channel == WCUT_EVIDENCE_CHANNEL_ALPHA || channel == WCUT_EVIDENCE_CHANNEL_BETA ? 180 / WCUT_PI : 1;
     size_t speed = 0;
@@ -115,12 +115,15 @@ wcut_status wcut_forecast_score(const wcut_evidence *e, const wcut_forecast *mea
     int *number = wcut_alloc(max, sizeof *number);
     const bool whole = p.measured && p.predicted && p.block && sum && number;
 
+    /* a blade's force is not among the rows */
+    fit[WCUT_EVIDENCE_CHANNEL_FORCE] = (wcut_evidence_score){.count = 0};
+
     /* each channel: pairs of values, their score, and its interval from a random seed of its own */
-    for (int k = 0; whole && k < WCUT_EVIDENCE_CHANNEL_COUNT; k++) {
+    for (int k = 0; whole && k < WCUT_EVIDENCE_CHANNEL_FORCE; k++) {
         gather_blocks(e, (wcut_evidence_channel)k, measured, predicted, &p);
         const wcut_score s = wcut_score_of(p.count, p.measured, p.predicted, 0);
         fit[k] = (wcut_evidence_score){
-            .count = s.count, .rmsd = s.rmsd, .nrmsd = s.nrmsd, .rmse_over_range = s.rmse_over_range};
+            .count = s.count, .rmsd = s.rmsd, .rmse = s.rmse, .nrmsd = s.nrmsd, .rmse_over_range = s.rmse_over_range};
         wcut_random random = wcut_random_seed(seed + (unsigned)k);
         bootstrap(&p, s.range, &random, sum, number, &fit[k]);
     }

@@ -200,6 +200,11 @@ wcut_status wcut_identification_create(const wcut_job *job, int count, unsigned 
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "a job and 1 .. %d cuts are expected", CUTS_MAX);
     if (job->mode != WCUT_MODE_PATH)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "found a design, expected a job with the mounts' path");
+    if (job->rig.kind == WCUT_RIG_KIND_BLADE)
+        return wcut_fail(
+            error, WCUT_BAD_ARGUMENT,
+            "found a blade, expected a wire: dither and heater steps are for a hot wire; of a blade cut once "
+            "more with another ratio of sliding to advance");
 
     /* one plan for all cuts: the job without excitation */
     wcut_job *made[CUTS_MAX] = {NULL};

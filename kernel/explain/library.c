@@ -95,6 +95,11 @@
             .value = { 0.1 }                                                            \
         }                                                                               \
     }
+#define ROW_SLICE_SOFTENING /* of two arms it is not searched: their wire slides along itself only by its sag */ \
+    UNSEARCHED, 0.2, "the force falls where the edge slides along itself", "half at a ratio of %.2f", 1, 1,      \
+        {{WCUT_SLICE_SOFTENING_RATIO, RECIPROCAL, 0, 2, 0.1, 0, 20}}, 0, {                                       \
+        { 0 }                                                                                                    \
+    }
 #define ROW_WIRE_FOULING                                                                                  \
     PHYSICS, 0.03, "residue on the wire changes the force as it cuts", "by %+.0f %%", 100, 2,             \
         {{WCUT_WIRE_FOULING_CHANGE, LINEAR, 0, 0.5, 0.03, -0.8, 3},                                       \

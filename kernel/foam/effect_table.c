@@ -64,6 +64,10 @@ static const parameter compliance[] = {
     {"stiffness_N_per_mm", WCUT_MOUNT_COMPLIANCE_STIFFNESS, 1, true, ENDLESS, 0.05, ENDLESS, 0.5, 50},
     {"settling_s", WCUT_MOUNT_COMPLIANCE_SETTLING, 1, false, 0.3, 0, 60, 0.05, 1},
     END};
+static const parameter slice[] = {
+    {"sliding_ratio", WCUT_SLICE_SOFTENING_RATIO, 1, true, ENDLESS, 0.01, ENDLESS, 0.1, 20},
+    {"exponent", WCUT_SLICE_SOFTENING_EXPONENT, 1, false, 1, 0.05, 10, 0.5, 2},
+    END};
 static const parameter rate[] = {{"exponent", WCUT_RATE_DEPENDENCE_EXPONENT, 1, true, 0, -5, 5, -0.5, 0.5},
                                  {"v_ref_mm_s", WCUT_RATE_DEPENDENCE_SPEED_REF, 1, false, 10, 0.01, 1000, 5, 40},
                                  END};
@@ -159,6 +163,12 @@ static const char *const sensors[] = {"a", "b", "both", NULL};
     NULL, false, NULL, 1, 0, false, false, rate, "(v / v_0)^m, v_0 = 10 mm/s",       \
         "-0.5 to 0.5, the melt is shear-thinning (judged; laboratory 0.26 to 0.38)", \
         "kernel/foam/local_law.c:wcut_local_law_eval"
+#define INFO_SLICE_SOFTENING                                                                                           \
+    NULL, false, NULL, 1, ENDLESS, false, false, slice,                                                                \
+        "f_i / (1 + (xi / xi_0)^2)^m, xi = abs(d t) / abs(d x t): sliding along the edge over advance across it, m = " \
+        "1",                                                                                                           \
+        "xi_0 0.3 to 3: 1 where cutting takes all work (Atkins, Xu, Jeronimidis 2004)",                                \
+        "kernel/foam/resistance.c:soften"
 #define INFO_WIRE_FOULING                                                                                            \
     "on", true, residues, 1, 0, true, false, fouling,                                                                \
         "c_a or c_b = 1 + c (1 - exp(-(w_0 + w_i) / l)), w_i way of the node in the foam before the step, w_0 that " \

@@ -262,6 +262,13 @@ wcut_node_state wcut_node_state_after(const wcut_locality *at, double heat, doub
     return state;
 }
 
+bool wcut_locality_slice(const wcut_locality *at, double *ratio, double *exponent) {
+    const wcut_effect *slice = find_local_effect(at, WCUT_EFFECT_SLICE_SOFTENING);
+    if (!slice) return false;
+    *ratio = slice->value[WCUT_SLICE_SOFTENING_RATIO], *exponent = slice->value[WCUT_SLICE_SOFTENING_EXPONENT];
+    return true;
+}
+
 bool wcut_locality_drag(const wcut_locality *at, wcut_drag *drag) {
     const wcut_effect *e = find_local_effect(at, WCUT_EFFECT_TANGENTIAL_DRAG);
     if (!e) return false;

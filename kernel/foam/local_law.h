@@ -25,6 +25,9 @@ wcut_local_law wcut_local_law_eval(const wcut_locality *at, const wcut_block *bl
 wcut_node_state wcut_node_state_after(const wcut_locality *at, double heat, double rate, double speed, double inside,
                                       int n, int i);
 
+/* xi_0 and m of softening by sliding along the wire; false where there is none */
+bool wcut_locality_slice(const wcut_locality *at, double *ratio, double *exponent);
+
 /* choices of tangential_drag: Coulomb's, or growing with the speed along the wire */
 typedef enum wcut_drag_law { WCUT_DRAG_LAW_COULOMB, WCUT_DRAG_LAW_SPEED } wcut_drag_law;
 

@@ -83,6 +83,35 @@ static void add_drag(const motion *m, const wcut_drag *drag, bool slopes, mat3 *
     *before = (mat3){vec3_sub(before->x, turning.x), vec3_sub(before->y, turning.y), vec3_sub(before->z, turning.z)};
 }
 
+static mat3 mat3_scaled(double s, mat3 a) { return (mat3){vec3_scale(s, a.x), vec3_scale(s, a.y), vec3_scale(s, a.z)}; }
+
+/* The force times g = (1 + u / xi_0^2)^-m with u = (along / across)^2, the ratio of sliding along the edge to advance
+   across it (slice-push cutting; Atkins, Xu, Jeronimidis 2004). */
+static void soften(const motion *m, double ratio, double exponent, bool slopes, mat3 *before, mat3 *here, mat3 *after,
+                   wcut_resistance *out) {
+    if (!(m->across > 0)) return; /* there is no force */
+    const double a = m->along, c = m->across, base = 1 + a * a / (c * c) / (ratio * ratio);
+    const double g = pow(base, -exponent), by_u = -exponent * g / base / (ratio * ratio);
+    const wcut_vec3 force = out->force;
+    out->force = vec3_scale(g, force);
+    out->line *= g;
+    out->by_log_rate = vec3_scale(g, out->by_log_rate);
+    if (!slopes) return;
+
+    /* the plain slopes, then g's own: by the motion, and by the tangent that the neighbours turn */
+    *here = mat3_scaled(g, *here);
+    if (before != here) *before = mat3_scaled(g, *before);
+    if (after != here && after != before) *after = mat3_scaled(g, *after);
+    out->by_was = mat3_scaled(g, out->by_was);
+    const wcut_vec3 by_move =
+        vec3_add_scaled(vec3_scale(2 * a / (c * c) * by_u, m->t), -2 * a * a / (c * c * c) * by_u, m->p);
+    const wcut_vec3 by_turn = vec3_scale((2 * a / c + 2 * a * a * a / (c * c * c)) * by_u / m->span, m->p);
+    *here = mat3_add_outer(*here, force, by_move);
+    out->by_was = mat3_add_outer(out->by_was, force, vec3_scale(-1, by_move));
+    *after = mat3_add_outer(*after, force, by_turn);
+    *before = mat3_add_outer(*before, force, vec3_scale(-1, by_turn));
+}
+
 /* what effects add to the plain force and its slopes */
 static void add_effect_forces(const wcut_locality *local, const motion *m, bool slopes, bool first, bool last,
                               wcut_resistance *out) {
@@ -90,8 +119,11 @@ static void add_effect_forces(const wcut_locality *local, const motion *m, bool 
     out->by_log_rate = vec3_add_scaled(out->by_log_rate, -m->law->by_log_rate * per_law, m->move);
     if (slopes) out->by_here = mat3_add_outer(out->by_here, vec3_scale(-per_law, m->move), m->law->by_position);
     wcut_drag drag;
-    if (!wcut_locality_drag(local, &drag)) return;
+    double ratio, exponent;
     mat3 *before = first ? &out->by_here : &out->by_before, *after = last ? &out->by_here : &out->by_after;
+    if (wcut_locality_slice(local, &ratio, &exponent))
+        soften(m, ratio, exponent, slopes, before, &out->by_here, after, out);
+    if (!wcut_locality_drag(local, &drag)) return;
     add_drag(m, &drag, slopes, before, &out->by_here, after, out);
 }
 

@@ -194,11 +194,15 @@ static void place_row(const wcut_section *s, double along, wcut_section_row *row
 
 const wcut_survey_result *wcut_survey_eval(wcut_survey *s) {
     if (!s) return NULL;
+
+    /* zones: one that fails fails the whole */
     s->result = (wcut_survey_result){.of = s->of, .region = s->region, .section = s->section, .passed = 1};
     for (int k = 0; k < s->of->regions; k++) {
         s->region[k] = region_result(&s->of->region[k], &s->zone[k]);
         if (s->region[k].passed == 0) s->result.passed = 0;
     }
+
+    /* sections: the means of each step, empty where nothing was measured */
     for (int c = 0; c < s->of->sections; c++) {
         const wcut_section *of = &s->of->section[c];
         const profile *p = &s->profile[c];

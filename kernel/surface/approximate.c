@@ -90,6 +90,8 @@ static wcut_status lines_refine(lines *l) {
     lines n;
     const wcut_status status = lines_new(l->count + more, &n);
     if (status != WCUT_OK) return status;
+
+    /* old and new ones in order; a middle is no joint */
     for (int i = 0, to = 0; i < l->count; i++) {
         n.at[to] = l->at[i], n.joint[to++] = l->joint[i];
         if (i + 1 < l->count && l->coarse[i]) n.at[to++] = (l->at[i] + l->at[i + 1]) / 2;
@@ -257,6 +259,7 @@ wcut_status wcut_approximate(wcut_grid_map map, const void *data, const wcut_map
         if (status == WCUT_OK) status = lines_refine(&v);
     }
 
+    /* the caller gets a surface whose error was measured, or none */
     if (status == WCUT_OK) {
         *surface = s;
         *error = max;

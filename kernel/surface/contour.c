@@ -244,6 +244,8 @@ static wcut_status trace_graph(walker *w, const graph *g) {
         const double middle = (at[k] + at[k + 1]) / 2;
         if (is_above(contour_value_at(g->m, edge[0], middle)) == is_above(contour_value_at(g->m, edge[1], middle)))
             continue;
+
+        /* a break at an end of the cell lies on the graph, one at a root on the side that it is of */
         wcut_contour_end end[2];
         double t[2];
         for (int e = 0; e < 2; e++) {

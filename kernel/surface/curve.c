@@ -91,6 +91,8 @@ wcut_status wcut_curve_interpolate_at(int count, const wcut_vec3 *point, const d
     if (count < 2 || count > INT_MAX / 8 - 2 || !point || !curve || !vec3_all_finite(count, point) ||
         (first && !vec3_is_finite(*first)) || (last && !vec3_is_finite(*last)))
         return WCUT_BAD_ARGUMENT;
+
+    /* parameters ascend; without them chord lengths are taken below */
     for (int i = 0; parameter && i < count; i++)
         if (!isfinite(parameter[i]) || (i > 0 && !(parameter[i] > parameter[i - 1]))) return WCUT_BAD_ARGUMENT;
 
@@ -106,6 +108,8 @@ wcut_status wcut_curve_interpolate_at(int count, const wcut_vec3 *point, const d
         wcut_knots_average(degree, sites, site, c->knots);
         if (!wcut_knots_are_valid(degree, sites, c->knots)) status = WCUT_DEGENERATE;
     }
+
+    /* the control points, by one banded system */
     const int slopes = (first ? WCUT_SLOPE_FIRST : 0) | (last ? WCUT_SLOPE_LAST : 0);
     if (status == WCUT_OK) status = solve_sites(c, site, slopes);
     if (status == WCUT_OK) {

@@ -139,6 +139,8 @@ wcut_status wcut_surface_iso_curve(const wcut_surface *surface, wcut_direction a
         wcut_basis basis;
         wcut_basis_eval(across.degree, across.count, across.knots, at, 0, &basis);
         const double *knots = along == WCUT_DIRECTION_U ? surface->knots_u : surface->knots_v;
+
+        /* knots along the curve are the surface's; degree + 1 rows across carry weight */
         for (int k = 0; k < net.count + degree + 1; k++) net.knots[k] = knots[k];
         for (int r = 0; r <= across.degree; r++)
             for (int c = 0; c < net.count; c++) {

@@ -437,6 +437,8 @@ wcut_status wcut_surface_intersect_box(const wcut_surface *surface, const wcut_b
         c.number = k;
         status = intersect_face(&c, tolerance);
     }
+
+    /* all traces or none */
     if (status == WCUT_OK) {
         *traces = c.to;
     } else {

@@ -198,6 +198,8 @@ static wcut_status knot_removal_thin(wcut_net *net, bool rational, double tolera
     *error = 0;
     wcut_status status = wcut_net_clamp(net);
     if (status != WCUT_OK) return status;
+
+    /* every error is against the net as it came, so that batches do not add up */
     wcut_net fine = *net, coarse = {.count = 0};
     const size_t max = (size_t)net->count;
     candidate *list = wcut_alloc(max, sizeof *list);
@@ -223,6 +225,7 @@ static wcut_status knot_removal_thin(wcut_net *net, bool rational, double tolera
         status = remove_batch(&t, tolerance, list, count, &coarse, error, &removed);
     }
 
+    /* the net is replaced only where everything went well */
     if (status == WCUT_OK) {
         wcut_net_clear(net);
         *net = coarse;

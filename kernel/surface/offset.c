@@ -56,6 +56,8 @@ static wcut_status offset_grid(const void *data, int count_u, const double *u, i
             wcut_homogeneous sum[4] = {wcut_grid_along(&along, i, 0, fold),
                                        wcut_grid_along(&along, i, 0, fold + s->count_u),
                                        wcut_grid_along(&along, i, 1, fold)};
+
+            /* at a pole the normal of its neighbourhood */
             wcut_vec3 d[4], n;
             wcut_rational_surface(1, s->weights != NULL, sum, d);
             if (!wcut_unit_normal(d[2], d[1], &n) && !normal_near(s, u[i], v[j], &n)) status = WCUT_DEGENERATE;

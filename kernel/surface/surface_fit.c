@@ -80,6 +80,7 @@ static wcut_status surface_fit_measure(const wcut_surface *s, const wcut_surface
         }
     }
 
+    /* both figures or none */
     wcut_free(b);
     wcut_free(a);
     wcut_free(at);

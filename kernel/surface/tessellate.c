@@ -92,6 +92,8 @@ static wcut_status fill_vertices(const wcut_surface *s, const wcut_spacing *line
                                        wcut_grid_along(&u, i, 1, fold)};
             wcut_vec3 ders[4];
             wcut_rational_surface(1, s->weights != NULL, sum, ders);
+
+            /* normals keep their length here: the longest is the scale by which a pole is told */
             mesh->vertex[at] = ders[0];
             mesh->normal[at] = vec3_cross(ders[2], ders[1]);
             mesh->uv[2 * at] = lines_u->at[i], mesh->uv[2 * at + 1] = lines_v->at[j];

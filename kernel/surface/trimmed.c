@@ -268,6 +268,8 @@ wcut_status wcut_trimmed_mesh(const wcut_trimmed *t, double chord_tolerance, wcu
     wcut_mesh *all = NULL;
     wcut_tessellation_report report;
     if (!t || !mesh) return WCUT_BAD_ARGUMENT;
+
+    /* without loops the whole surface is the face */
     wcut_status status = wcut_surface_tessellate(t->surface, chord_tolerance, &all, &report);
     if (status != WCUT_OK || t->loops == 0) {
         if (status == WCUT_OK) *mesh = all;
@@ -279,6 +281,8 @@ wcut_status wcut_trimmed_mesh(const wcut_trimmed *t, double chord_tolerance, wcu
     const int columns = parts_u * (report.columns - 1) + 1, rows = parts_v * (report.rows - 1) + 1;
     double *line = wcut_alloc((size_t)columns + (size_t)rows, sizeof *line);
     int *number = wcut_alloc((size_t)columns * (size_t)rows, sizeof *number);
+
+    /* the cells of this grid that the loops leave, clipped along them */
     if (line && number && columns <= INT_MAX / 8 / rows) {
         for (int k = 0; k < columns; k++) line[k] = grid_line(all, report.columns, true, parts_u, k);
         for (int k = 0; k < rows; k++) line[columns + k] = grid_line(all, report.columns, false, parts_v, k);

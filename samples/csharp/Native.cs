@@ -4,7 +4,7 @@ using System.Runtime.InteropServices;
 
 public enum wcut_brep_part { WCUT_BREP_PART_CUT = 0, WCUT_BREP_PART_SIDE_X0 = 1, WCUT_BREP_PART_SIDE_XW = 2, WCUT_BREP_PART_SIDE_Y0 = 3, WCUT_BREP_PART_SIDE_YL = 4, WCUT_BREP_PART_OPPOSITE = 5, WCUT_BREP_PART_KEY_FLANK = 6, WCUT_BREP_PART_KEY_TIP = 7, WCUT_BREP_PART_LUG = 8, WCUT_BREP_PART_FRAME = 9 }
 public enum wcut_camera_kind { WCUT_CAMERA_KIND_PLANE = 0, WCUT_CAMERA_KIND_PINHOLE = 1, WCUT_CAMERA_KIND_FULL = 2 }
-public enum wcut_channel { WCUT_CHANNEL_TIME = 0, WCUT_CHANNEL_STATION = 1, WCUT_CHANNEL_SPEED_A = 2, WCUT_CHANNEL_SPEED_B = 3, WCUT_CHANNEL_TENSION_A = 4, WCUT_CHANNEL_TENSION_B = 5, WCUT_CHANNEL_ALPHA_A = 6, WCUT_CHANNEL_BETA_A = 7, WCUT_CHANNEL_ALPHA_B = 8, WCUT_CHANNEL_BETA_B = 9, WCUT_CHANNEL_SPEED_COMMAND = 10, WCUT_CHANNEL_HEAT = 11, WCUT_CHANNEL_HEATER_VOLTAGE = 12, WCUT_CHANNEL_HEATER_CURRENT = 13, WCUT_CHANNEL_A_X = 14, WCUT_CHANNEL_A_Y = 15, WCUT_CHANNEL_A_Z = 16, WCUT_CHANNEL_B_X = 17, WCUT_CHANNEL_B_Y = 18, WCUT_CHANNEL_B_Z = 19, WCUT_CHANNEL_COUNT = 20 }
+public enum wcut_channel { WCUT_CHANNEL_TIME = 0, WCUT_CHANNEL_STATION = 1, WCUT_CHANNEL_SPEED_A = 2, WCUT_CHANNEL_SPEED_B = 3, WCUT_CHANNEL_TENSION_A = 4, WCUT_CHANNEL_TENSION_B = 5, WCUT_CHANNEL_ALPHA_A = 6, WCUT_CHANNEL_BETA_A = 7, WCUT_CHANNEL_ALPHA_B = 8, WCUT_CHANNEL_BETA_B = 9, WCUT_CHANNEL_SPEED_COMMAND = 10, WCUT_CHANNEL_HEAT = 11, WCUT_CHANNEL_HEATER_VOLTAGE = 12, WCUT_CHANNEL_HEATER_CURRENT = 13, WCUT_CHANNEL_A_X = 14, WCUT_CHANNEL_A_Y = 15, WCUT_CHANNEL_A_Z = 16, WCUT_CHANNEL_B_X = 17, WCUT_CHANNEL_B_Y = 18, WCUT_CHANNEL_B_Z = 19, WCUT_CHANNEL_FORCE_X = 20, WCUT_CHANNEL_FORCE_Y = 21, WCUT_CHANNEL_FORCE_Z = 22, WCUT_CHANNEL_MOMENT_X = 23, WCUT_CHANNEL_MOMENT_Y = 24, WCUT_CHANNEL_MOMENT_Z = 25, WCUT_CHANNEL_SPEED = 26, WCUT_CHANNEL_TOOL_X = 27, WCUT_CHANNEL_TOOL_Y = 28, WCUT_CHANNEL_TOOL_Z = 29, WCUT_CHANNEL_COUNT = 30 }
 public enum wcut_cloud_format { WCUT_CLOUD_FORMAT_ANY = 0, WCUT_CLOUD_FORMAT_PLY = 1, WCUT_CLOUD_FORMAT_TEXT = 2, WCUT_CLOUD_FORMAT_STL = 3, WCUT_CLOUD_FORMAT_LAS = 4, WCUT_CLOUD_FORMAT_PCD = 5, WCUT_CLOUD_FORMAT_OBJ = 6, WCUT_CLOUD_FORMAT_OFF = 7, WCUT_CLOUD_FORMAT_GLTF = 8, WCUT_CLOUD_FORMAT_PTX = 9, WCUT_CLOUD_FORMAT_COUNT = 10 }
 public enum wcut_compare_distance { WCUT_COMPARE_DISTANCE_SURFACE = 0, WCUT_COMPARE_DISTANCE_MESH = 1, WCUT_COMPARE_DISTANCE_RECONSTRUCTION = 2, WCUT_COMPARE_DISTANCE_COUNT = 3 }
 public enum wcut_condition { WCUT_CONDITION_TENSION = 0, WCUT_CONDITION_SPEED_MAX = 1, WCUT_CONDITION_SPEED_MIN = 2, WCUT_CONDITION_TIME = 3 }
@@ -15,9 +15,9 @@ public enum wcut_design_feed { WCUT_DESIGN_FEED_AUTO = 0, WCUT_DESIGN_FEED_PLUS_
 public enum wcut_design_reason { WCUT_DESIGN_REASON_NONE = 0, WCUT_DESIGN_REASON_DOMED = 1, WCUT_DESIGN_REASON_TIGHT = 2, WCUT_DESIGN_REASON_ANGLE = 3, WCUT_DESIGN_REASON_PATTERN = 4 }
 public enum wcut_direction { WCUT_DIRECTION_U = 0, WCUT_DIRECTION_V = 1 }
 public enum wcut_dof_kind { WCUT_DOF_KIND_FREE = 0, WCUT_DOF_KIND_LOCKED = 1, WCUT_DOF_KIND_PRIOR = 2 }
-public enum wcut_effect_kind { WCUT_EFFECT_WIRE_THERMAL_LAG = 0, WCUT_EFFECT_AIR_OVERHEATING = 1, WCUT_EFFECT_END_COOLING = 2, WCUT_EFFECT_FOAM_DENSITY_GRADIENT = 3, WCUT_EFFECT_FOAM_INCLUSION = 4, WCUT_EFFECT_TANGENTIAL_DRAG = 5, WCUT_EFFECT_WIRE_ELONGATION = 6, WCUT_EFFECT_MOUNT_COMPLIANCE = 7, WCUT_EFFECT_RATE_DEPENDENCE = 8, WCUT_EFFECT_WIRE_FOULING = 9, WCUT_EFFECT_EMPIRICAL_FORCE = 10, WCUT_EFFECT_WIRE_LENGTH = 11, WCUT_EFFECT_BLOCK_SHIFT = 12, WCUT_EFFECT_KERF_GROWTH = 13, WCUT_EFFECT_BLOCK_SPRINGBACK = 14, WCUT_EFFECT_ANGLE_OFFSET = 15, WCUT_EFFECT_TENSION_GAIN = 16, WCUT_EFFECT_TENSION_DRIFT = 17, WCUT_EFFECT_CLOCK_OFFSET = 18, WCUT_EFFECT_TENSION_DELAY = 19, WCUT_EFFECT_TENSION_ZERO = 20, WCUT_EFFECT_ANGLE_GAIN = 21, WCUT_EFFECT_ENCODER_FRICTION = 22, WCUT_EFFECT_EMPIRICAL_READING = 23, WCUT_EFFECT_SCAN_OFFSET = 24, WCUT_EFFECT_SCAN_SCALE = 25, WCUT_EFFECT_COUNT = 26 }
+public enum wcut_effect_kind { WCUT_EFFECT_WIRE_THERMAL_LAG = 0, WCUT_EFFECT_AIR_OVERHEATING = 1, WCUT_EFFECT_END_COOLING = 2, WCUT_EFFECT_FOAM_DENSITY_GRADIENT = 3, WCUT_EFFECT_FOAM_INCLUSION = 4, WCUT_EFFECT_TANGENTIAL_DRAG = 5, WCUT_EFFECT_WIRE_ELONGATION = 6, WCUT_EFFECT_MOUNT_COMPLIANCE = 7, WCUT_EFFECT_RATE_DEPENDENCE = 8, WCUT_EFFECT_SLICE_SOFTENING = 9, WCUT_EFFECT_WIRE_FOULING = 10, WCUT_EFFECT_EMPIRICAL_FORCE = 11, WCUT_EFFECT_WIRE_LENGTH = 12, WCUT_EFFECT_BLOCK_SHIFT = 13, WCUT_EFFECT_KERF_GROWTH = 14, WCUT_EFFECT_BLOCK_SPRINGBACK = 15, WCUT_EFFECT_ANGLE_OFFSET = 16, WCUT_EFFECT_TENSION_GAIN = 17, WCUT_EFFECT_TENSION_DRIFT = 18, WCUT_EFFECT_CLOCK_OFFSET = 19, WCUT_EFFECT_TENSION_DELAY = 20, WCUT_EFFECT_TENSION_ZERO = 21, WCUT_EFFECT_ANGLE_GAIN = 22, WCUT_EFFECT_ENCODER_FRICTION = 23, WCUT_EFFECT_EMPIRICAL_READING = 24, WCUT_EFFECT_SCAN_OFFSET = 25, WCUT_EFFECT_SCAN_SCALE = 26, WCUT_EFFECT_COUNT = 27 }
 public enum wcut_effect_place { WCUT_EFFECT_PLACE_STEP = 0, WCUT_EFFECT_PLACE_FACE = 1, WCUT_EFFECT_PLACE_SENSOR = 2, WCUT_EFFECT_PLACE_SCAN = 3 }
-public enum wcut_evidence_channel { WCUT_EVIDENCE_CHANNEL_SPEED = 0, WCUT_EVIDENCE_CHANNEL_TENSION = 1, WCUT_EVIDENCE_CHANNEL_ALPHA = 2, WCUT_EVIDENCE_CHANNEL_BETA = 3, WCUT_EVIDENCE_CHANNEL_SCAN = 4, WCUT_EVIDENCE_CHANNEL_COUNT = 5 }
+public enum wcut_evidence_channel { WCUT_EVIDENCE_CHANNEL_SPEED = 0, WCUT_EVIDENCE_CHANNEL_TENSION = 1, WCUT_EVIDENCE_CHANNEL_ALPHA = 2, WCUT_EVIDENCE_CHANNEL_BETA = 3, WCUT_EVIDENCE_CHANNEL_SCAN = 4, WCUT_EVIDENCE_CHANNEL_FORCE = 5, WCUT_EVIDENCE_CHANNEL_COUNT = 6 }
 public enum wcut_facade_field_kind { WCUT_FACADE_FIELD_CONSTANT = 0, WCUT_FACADE_FIELD_LINEAR = 1, WCUT_FACADE_FIELD_SINE = 2, WCUT_FACADE_FIELD_GRID = 3, WCUT_FACADE_FIELD_ATTRACTOR = 4 }
 public enum wcut_facade_lattice { WCUT_FACADE_LATTICE_PLANE = 0, WCUT_FACADE_LATTICE_CYLINDER = 1, WCUT_FACADE_LATTICE_SURFACE = 2, WCUT_FACADE_LATTICE_FREE = 3 }
 public enum wcut_facade_match { WCUT_FACADE_MATCH_NONE = 0, WCUT_FACADE_MATCH_EDGE = 1, WCUT_FACADE_MATCH_TANGENT = 2 }
@@ -189,6 +189,7 @@ public unsafe struct wcut_case
     public int cuts;
     public wcut_case_cut* cut;
     public byte* calibration;
+    public wcut_recording_format format;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_case_cut
@@ -262,6 +263,14 @@ public unsafe struct wcut_column
     public byte* present;
     public int missing;
     public int text;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_column_map
+{
+    public wcut_channel channel;
+    public byte* column;
+    public double factor;
+    public double offset;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_compare_options
@@ -748,8 +757,8 @@ public unsafe struct wcut_diagnosis
     public wcut_rig_row* rig;
     public int cuts;
     public byte* held_out;
-    public wcut_evidence_score score_0, score_1, score_2, score_3, score_4, score_5, score_6, score_7, score_8, score_9, score_10, score_11, score_12, score_13, score_14, score_15, score_16, score_17, score_18, score_19;
-    public wcut_evidence_score held_out_score_0, held_out_score_1, held_out_score_2, held_out_score_3, held_out_score_4, held_out_score_5, held_out_score_6, held_out_score_7, held_out_score_8, held_out_score_9, held_out_score_10, held_out_score_11, held_out_score_12, held_out_score_13, held_out_score_14, held_out_score_15, held_out_score_16, held_out_score_17, held_out_score_18, held_out_score_19;
+    public wcut_evidence_score score_0, score_1, score_2, score_3, score_4, score_5, score_6, score_7, score_8, score_9, score_10, score_11, score_12, score_13, score_14, score_15, score_16, score_17, score_18, score_19, score_20, score_21, score_22, score_23;
+    public wcut_evidence_score held_out_score_0, held_out_score_1, held_out_score_2, held_out_score_3, held_out_score_4, held_out_score_5, held_out_score_6, held_out_score_7, held_out_score_8, held_out_score_9, held_out_score_10, held_out_score_11, held_out_score_12, held_out_score_13, held_out_score_14, held_out_score_15, held_out_score_16, held_out_score_17, held_out_score_18, held_out_score_19, held_out_score_20, held_out_score_21, held_out_score_22, held_out_score_23;
     public wcut_correction correction;
     public fixed byte withheld[160];
     public wcut_job* improved;
@@ -757,7 +766,7 @@ public unsafe struct wcut_diagnosis
     public fixed byte next_reason[900];
     public int limits;
     public byte** limit;
-    public fixed double noise[5];
+    public fixed double noise[6];
     public fixed byte unprofiled[120];
     public fixed byte unproven[120];
     public byte naive_false;
@@ -776,7 +785,7 @@ public unsafe struct wcut_diagnosis_cut
 public unsafe struct wcut_diagnosis_options
 {
     public int threads;
-    public fixed byte without[26];
+    public fixed byte without[27];
     public byte proof;
     public byte naive;
     public ulong seed;
@@ -929,6 +938,7 @@ public unsafe struct wcut_evidence_score
 {
     public int count;
     public double rmsd;
+    public double rmse;
     public double nrmsd;
     public double rmse_over_range;
     public double low;
@@ -1673,8 +1683,15 @@ public unsafe struct wcut_reconstruction_options
 public unsafe struct wcut_recording
 {
     public int samples;
-    public wcut_column channel_0, channel_1, channel_2, channel_3, channel_4, channel_5, channel_6, channel_7, channel_8, channel_9, channel_10, channel_11, channel_12, channel_13, channel_14, channel_15, channel_16, channel_17, channel_18, channel_19;
+    public wcut_column channel_0, channel_1, channel_2, channel_3, channel_4, channel_5, channel_6, channel_7, channel_8, channel_9, channel_10, channel_11, channel_12, channel_13, channel_14, channel_15, channel_16, channel_17, channel_18, channel_19, channel_20, channel_21, channel_22, channel_23, channel_24, channel_25, channel_26, channel_27, channel_28, channel_29;
     public wcut_table* further;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_recording_format
+{
+    public int maps;
+    public wcut_column_map* map;
+    public double period;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_region
@@ -2045,6 +2062,7 @@ public unsafe struct wcut_rig
     public double stiffness;
     public double wire_stiffness;
     public double expansion;
+    public byte force_in_block;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_rig_figures
@@ -2928,7 +2946,11 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_reconstruction_options wcut_reconstruction_options_default();
     [DllImport("wirecut-io")] public static extern wcut_status wcut_recording_check(wcut_job* a0, wcut_recording* a1, int* a2, wcut_doubt* a3);
     [DllImport("wirecut-io")] public static extern void wcut_recording_destroy(wcut_recording* a0);
-    [DllImport("wirecut-io")] public static extern wcut_status wcut_recording_read(byte* a0, wcut_recording** a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern void wcut_recording_format_clear(wcut_recording_format* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_recording_format_parse(byte* a0, wcut_recording_format* a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern byte wcut_recording_has_force(wcut_recording* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_recording_place(wcut_job* a0, wcut_recording* a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_recording_read(byte* a0, wcut_recording_format* a1, wcut_recording** a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_recording_write(wcut_recording* a0, byte* a1, byte* a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern void wcut_regions_destroy(wcut_regions* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_regions_read(byte* a0, wcut_regions** a1, wcut_error* a2);

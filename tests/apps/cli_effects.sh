@@ -16,9 +16,11 @@ with neutral '[{"name": "wire_thermal_lag", "time_constant_s": 0}, {"name": "wir
 with instrument '[{"name": "tension_gain", "sensor": "a", "gain_error": 0.1}, {"name": "scan_scale", "scale": 1.01}]'
 with lag '[{"name": "wire_thermal_lag", "time_constant_s": 0.6}]'
 with mounts '[{"name": "mount_compliance", "mount": "both", "stiffness_N_per_mm": 2}]'
-for name in plain neutral instrument lag mounts; do simulate 0 $name; done
+with slice '[{"name": "slice_softening", "sliding_ratio": 0.5}]'
+for name in plain neutral instrument lag mounts slice; do simulate 0 $name; done
 cmp -s plain/path.csv neutral/path.csv || fail "neutral effects change path.csv"
 cmp -s plain/path.csv instrument/path.csv || fail "instruments change path.csv"
+cmp -s plain/path.csv slice/path.csv && fail "softening by sliding changes nothing"
 cmp -s plain/path.csv lag/path.csv && fail "a thermal lag changes nothing"
 # what acts behind the wire is said not to show, in the summary and to whoever reads
 python3 - <<'EOF' || fail "summary.json does not tell which effects show"

@@ -21,6 +21,8 @@ run 0 simulate job.json -o ../path --quiet
 read_in job.json
 run 0 simulate design.json -o ../design --quiet
 read_in design.json
+run 0 simulate bow.json -o ../bow --quiet
+read_in bow.json
 run 0 path design.json --edges curves.json --format csv -o ../curves --quiet
 run 0 path design.json --edges curves.csv --format csv -o ../curves --quiet
 read_in curves.json curves.csv

@@ -4,7 +4,7 @@
 
 python3 "$SOURCE_DIR/samples/make_jobs.py" made || fail "make_jobs.py"
 diff -r made "$jobs" || fail "samples/jobs are not what samples/make_jobs.py makes"
-[ "$(find "$jobs" -name '*.json' | wc -l)" -eq 16 ] || fail "16 sample jobs expected"
+[ "$(find "$jobs" -name '*.json' | wc -l)" -eq 17 ] || fail "17 sample jobs expected"
 
 for job in "$jobs"/*.json; do
     name=$(basename "$job" .json)

@@ -47,11 +47,24 @@ run 0 score "$job" changed.csv -o scored; said 'look like radians'
 
 # separators and headers of other programs
 grep -v '^#' "$recording" | tr , ';' >changed.csv
-run 3 score "$job" changed.csv -o none; said 'not by semicolons'
+run 0 score "$job" changed.csv -o scored --quiet
+grep -v '^#' "$recording" | tr ,. ';,' >changed.csv
+run 0 score "$job" changed.csv -o scored --quiet
 grep -v '^#' "$recording" | tr , ' ' >changed.csv
-run 3 score "$job" changed.csv -o none; said 'not by blanks'
+run 0 score "$job" changed.csv -o scored --quiet
 grep -v '^#' "$recording" | tr , '\t' >changed.csv
-run 3 score "$job" changed.csv -o none; said 'not by tabs'
+run 0 score "$job" changed.csv -o scored --quiet
+
+# a log of another program: other names and units, no clock, no stations but positions
+sed '0,/time_s/s/time_s/stamp/' "$recording" >changed.csv
+run 3 score "$job" changed.csv -o none; said 'missing time_s'
+run 0 score "$job" changed.csv -o scored --quiet --columns 'time_s=stamp'
+run 3 score "$job" changed.csv -o none --columns 'time_s=clock'; said 'no column clock'
+run 2 score "$job" changed.csv -o none --columns 'time=stamp'; said 'the name of a channel'
+run 3 score "$job" "$recording" -o none --period 0.05; said 'found time_s and a constant period'
+run 0 score "$job" changed.csv -o scored --quiet --period 0.05
+sed '0,/,station,/s/,station,/,progress,/' "$recording" >changed.csv
+run 0 score "$job" changed.csv -o scored --quiet
 tr '\n' '\r' <"$recording" >changed.csv
 run 0 score "$job" changed.csv -o scored --quiet
 awk '/^#/ { print; next } !n { n = 1; print "," $0; next } { print k++ "," $0 }' "$recording" >changed.csv

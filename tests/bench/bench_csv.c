@@ -50,7 +50,7 @@ static double best_of(int rounds, int what, size_t *bytes) {
             *bytes = length;
         } else {
             wcut_recording *recording = NULL;
-            if (wcut_recording_read(scratch, &recording, NULL) != WCUT_OK) exit(1);
+            if (wcut_recording_read(scratch, NULL, &recording, NULL) != WCUT_OK) exit(1);
             best = best < now() - start ? best : now() - start;
             wcut_recording_destroy(recording);
         }

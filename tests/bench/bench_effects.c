@@ -79,7 +79,7 @@ static int replay(const char *folder, double a, double b, int count, wcut_effect
     snprintf(path, sizeof path, "%s/job.json", folder);
     int ok = wcut_job_read(path, &job, &error) == WCUT_OK;
     snprintf(path, sizeof path, "%s/recording.csv", folder);
-    ok = ok && wcut_recording_read(path, &recording, &error) == WCUT_OK;
+    ok = ok && wcut_recording_read(path, NULL, &recording, &error) == WCUT_OK;
     for (int k = 0; ok && k < 2; k++) {
         wcut_setup *setup = NULL;
         job->force_law.a = a, job->force_law.b = b;

@@ -24,7 +24,7 @@ static int score_cut(const wcut_case_cut *cut, int nodes, tally *t) {
     wcut_error error = {WCUT_OK, ""};
     const double start = cpu_now();
     wcut_status status = wcut_job_read(cut->job, &job, &error);
-    if (!status) status = wcut_recording_read(cut->recording, &recording, &error);
+    if (!status) status = wcut_recording_read(cut->recording, NULL, &recording, &error);
     const double between = cpu_now();
     if (!status && nodes > 0) job->nodes = nodes;
     if (!status) status = wcut_comparison_create(job, recording, NULL, &c, &error);

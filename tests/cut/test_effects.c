@@ -49,6 +49,7 @@ TEST(at_its_neutral_value_each_is_the_plain_model_bit_for_bit_and_near_it_near_t
         if (!acts_in_step(k)) continue;
         wcut_effect near = neutral;
         near.value[0] = k == WCUT_EFFECT_MOUNT_COMPLIANCE   ? 1e9
+                        : k == WCUT_EFFECT_SLICE_SOFTENING  ? 1e4
                         : k == WCUT_EFFECT_WIRE_THERMAL_LAG ? 1e-9
                                                             : neutral.value[0] + 1e-9;
         give(job, 1, &near);

@@ -345,7 +345,7 @@ static int contradictions_of(const char *set, char letter, int number, wcut_cont
         wcut_job *job = NULL;
         wcut_recording *r = NULL;
         ck_assert_int_eq(wcut_job_read(found->cut[k].job, &job, NULL), WCUT_OK);
-        ck_assert_int_eq(wcut_recording_read(found->cut[k].recording, &r, NULL), WCUT_OK);
+        ck_assert_int_eq(wcut_recording_read(found->cut[k].recording, NULL, &r, NULL), WCUT_OK);
         cut[k] = (wcut_diagnosis_cut){.job = job, .recording = r};
     }
     wcut_redundancy all;

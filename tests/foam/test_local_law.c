@@ -222,6 +222,27 @@ TEST(drag_pulls_back_along_the_wire_by_mu_times_what_presses) {
     ck_assert_double_eq(a.line, b.line);
 }
 
+TEST(sliding_along_the_wire_softens_the_force_by_its_ratio_to_the_advance) {
+    /* 1 mm along and 4 mm across: xi = 1/4, F / (1 + (xi / xi_0)^2)^m */
+    const wcut_effect e = effect_of(WCUT_EFFECT_SLICE_SOFTENING, 0.5, 2, 0);
+    const wcut_locality l = locality(1, &e);
+    const wcut_foam plain = {.law = law, .block = block}, soft = {.law = law, .block = block, .local = &l};
+    for (int i = 0; i < N; i++) x[i] = vec3(100 + 5 * i, 50, 150), was[i] = vec3(100 + 5 * i - 1, 46, 150);
+    wcut_resistance a, b;
+    wcut_resistance_eval(&plain, heat, edge, 5, N, x, was, 2, false, &a);
+    wcut_resistance_eval(&soft, heat, edge, 5, N, x, was, 2, false, &b);
+    const double expected = pow(1.25, -2);
+    ck_assert_double_eq_tol(b.force.y / a.force.y, expected, 1e-14);
+    ck_assert_double_eq_tol(b.force.x / a.force.x, expected, 1e-14);
+    ck_assert_double_eq_tol(b.line / a.line, expected, 1e-14);
+
+    /* across alone nothing changes */
+    for (int i = 0; i < N; i++) was[i].x = x[i].x;
+    wcut_resistance_eval(&plain, heat, edge, 5, N, x, was, 2, false, &a);
+    wcut_resistance_eval(&soft, heat, edge, 5, N, x, was, 2, false, &b);
+    ck_assert(a.force.y == b.force.y);
+}
+
 /* ---- derivatives ---- */
 
 static void given_a_moving_wire(wcut_random *random) {
@@ -288,16 +309,16 @@ static double worst_derivative(int count, const wcut_effect *e, unsigned seed) {
 }
 
 TEST(all_effects_at_once_have_exact_derivatives) {
-    const wcut_effect e[9] = {
+    const wcut_effect e[10] = {
         effect_of(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, 0.8, 0, 1),  effect_of(WCUT_EFFECT_FOAM_INCLUSION, 0.7, 20, 0),
         effect_of(WCUT_EFFECT_FOAM_DENSITY_GRADIENT, -0.8, 0, 2), effect_of(WCUT_EFFECT_RATE_DEPENDENCE, -0.3, 0, 0),
         effect_of(WCUT_EFFECT_WIRE_FOULING, 0.3, 0, 1),           effect_of(WCUT_EFFECT_END_COOLING, 0.4, 9, 0),
         effect_of(WCUT_EFFECT_AIR_OVERHEATING, 1.5, 0.7, 0),      effect_of(WCUT_EFFECT_WIRE_THERMAL_LAG, 0.3, 0, 0),
-        effect_of(WCUT_EFFECT_TANGENTIAL_DRAG, 0.5, 2, 0)};
-    wcut_effect given[9];
-    for (int k = 0; k < 9; k++) given[k] = e[k];
+        effect_of(WCUT_EFFECT_TANGENTIAL_DRAG, 0.5, 2, 0),        effect_of(WCUT_EFFECT_SLICE_SOFTENING, 0.4, 1.3, 0)};
+    wcut_effect given[10];
+    for (int k = 0; k < 10; k++) given[k] = e[k];
     given[1].value[2] = 195, given[1].value[3] = 10, given[1].value[4] = 140;
-    ck_assert_double_lt(worst_derivative(9, given, 3), 1e-7);
+    ck_assert_double_lt(worst_derivative(10, given, 3), 1e-7);
 }
 
 TEST(every_form_has_exact_derivatives) {

@@ -1,4 +1,5 @@
 /* Any bytes as a case: never a crash, and no name that leaves the folder. */
+#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,10 +38,26 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (found) {
         check(found->name && found->cuts > 0);
         check_name(found->calibration);
+        check(found->format.period >= 0 && found->format.maps <= WCUT_CHANNEL_COUNT);
+        for (int k = 0; k < found->format.maps; k++) {
+            const wcut_column_map *m = &found->format.map[k];
+            check(m->column && m->column[0] && m->factor != 0 && isfinite(m->factor) && isfinite(m->offset));
+        }
         check(wcut_format_parse((const char *)data, size, "folder/case.json", format, &error) == WCUT_OK);
         check(strcmp(format, "wirecut-case/1") == 0);
     }
     wcut_case_destroy(found);
+
+    /* the same bytes as a text of columns */
+    char *text = malloc(size + 1);
+    if (text) {
+        wcut_recording_format columns = {0};
+        memcpy(text, data, size);
+        text[size] = '\0';
+        check((wcut_recording_format_parse(text, &columns, &error) == WCUT_OK) || columns.maps == 0);
+        wcut_recording_format_clear(&columns);
+        free(text);
+    }
 
     /* a diagnosis is read for its correction alone */
     wcut_correction correction = {.effects = -1};

@@ -9,7 +9,7 @@
 static void fuzz_recording(const char *path) {
     wcut_recording *r = NULL;
     wcut_error error = {WCUT_OK, ""};
-    check_refusal(wcut_recording_read(path, &r, &error), r != NULL, &error);
+    check_refusal(wcut_recording_read(path, NULL, &r, &error), r != NULL, &error);
     for (int k = 0; r && k < WCUT_CHANNEL_COUNT; k++)
         for (int i = 0; r->channel[k].value && i < r->samples; i++) check(isfinite(r->channel[k].value[i]));
     for (int i = 1; r && i < r->samples; i++)

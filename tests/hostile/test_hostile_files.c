@@ -61,7 +61,14 @@ HOSTILE(wcut_rig_prior_read) {
                           wcut_rig_prior_read(PTR(WCUT_SOURCE_DIR "/samples/rig.json"), PTR(&prior), ERR),
                           prior.tension_delay == 999, prior.tension_delay = 999);
 }
-HOSTILE_MADE(wcut_recording_read, wcut_recording, wcut_recording_destroy, PTR("r.csv"), PTR(&made), ERR)
+HOSTILE_MADE(wcut_recording_read, wcut_recording, wcut_recording_destroy, PTR("r.csv"),
+             OPT(&(wcut_recording_format){0}), PTR(&made), ERR)
+HOSTILE_VALUE(wcut_recording_format_clear, NULL)
+HOSTILE(wcut_recording_format_parse) {
+    wcut_recording_format format = {.period = 999};
+    EACH_HOSTILE_ARGUMENT(wcut_recording_format_parse, wcut_recording_format_parse(PTR("time_s=t"), PTR(&format), ERR),
+                          format.period == 999, (wcut_recording_format_clear(&format), format.period = 999));
+}
 HOSTILE_FILE(wcut_recording_write, PTR(sound_recording()), OPT("a note"), PTR(OUT_FILE), ERR)
 HOSTILE_VALUE(wcut_channel_name, ANY_ENUM(WCUT_CHANNEL_TIME))
 HOSTILE_VALUE(wcut_table_destroy, NULL)

@@ -69,12 +69,15 @@ def diagnose(case: Any, *, progress: Optional[Progress] = None, **options: Any) 
     check(lib.wcut_case_read(path_of(case), out, error), error)
     files = ffi.gc(out[0], lib.wcut_case_destroy)
 
+    def read_recording(path: Any, out: Any, failure: Any) -> Any:
+        return lib.wcut_recording_read(path, ffi.addressof(files, "format"), out, failure)
+
     # the files of every cut
     held: List[Any] = []
     cuts = ffi.new("wcut_diagnosis_cut[]", files.cuts)
     for k in range(files.cuts):
         for member, kind, reader, destroy in (("job", "wcut_job **", lib.wcut_job_read, lib.wcut_job_destroy),
-                                              ("recording", "wcut_recording **", lib.wcut_recording_read,
+                                              ("recording", "wcut_recording **", read_recording,
                                                lib.wcut_recording_destroy)):
             item = ffi.new(kind)
             check(reader(getattr(files.cut[k], member), item, error), error)

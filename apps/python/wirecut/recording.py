@@ -18,10 +18,17 @@ class Recording:
         self._handle = ffi.gc(handle, lib.wcut_recording_destroy)
 
     @classmethod
-    def read(cls, path: Any) -> "Recording":
-        """A recording file."""
+    def read(cls, path: Any, columns: str = "", period: float = 0.0) -> "Recording":
+        """A recording file; columns: which of its columns the channels are, "time_s=timestamp,force_x_N=Fx*0.001";
+        period [s]: constant time between rows of a file without a clock."""
         out, error = ffi.new("wcut_recording **"), new_error()
-        check(lib.wcut_recording_read(path_of(path), out, error), error)
+        named = ffi.new("wcut_recording_format *")
+        check(lib.wcut_recording_format_parse(columns.encode(), named, error), error)
+        named.period = period
+        try:
+            check(lib.wcut_recording_read(path_of(path), named, out, error), error)
+        finally:
+            lib.wcut_recording_format_clear(named)
         return cls(out[0])
 
     @property

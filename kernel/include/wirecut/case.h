@@ -3,6 +3,7 @@
 #define WCUT_CASE_H
 
 #include <wirecut/export.h>
+#include <wirecut/recording_file.h>
 #include <wirecut/status.h>
 
 #ifdef __cplusplus
@@ -18,10 +19,11 @@ typedef struct wcut_case_cut {
 
 /** A case. */
 typedef struct wcut_case {
-    char *name;         /**< UTF-8 */
-    int cuts;           /**< at least 1 */
-    wcut_case_cut *cut; /**< cuts */
-    char *calibration;  /**< NULL: none */
+    char *name;                   /**< UTF-8 */
+    int cuts;                     /**< at least 1 */
+    wcut_case_cut *cut;           /**< cuts */
+    char *calibration;            /**< NULL: none */
+    wcut_recording_format format; /**< how its recordings are read: "columns", "period_s" */
 } wcut_case;
 
 /**

@@ -38,6 +38,7 @@ typedef enum wcut_evidence_channel {
     WCUT_EVIDENCE_CHANNEL_ALPHA,   /**< [deg] */
     WCUT_EVIDENCE_CHANNEL_BETA,    /**< [deg] */
     WCUT_EVIDENCE_CHANNEL_SCAN,    /**< [mm] signed distance along the face's normal */
+    WCUT_EVIDENCE_CHANNEL_FORCE,   /**< [N] of a blade, against its advance */
     WCUT_EVIDENCE_CHANNEL_COUNT
 } wcut_evidence_channel;
 
@@ -180,9 +181,9 @@ typedef struct wcut_mismatch {
 
 /** How far a model is from the measurements of a channel. */
 typedef struct wcut_evidence_score {
-    int count;                           /**< 0: nothing to compare */
-    double rmsd, nrmsd, rmse_over_range; /**< as wcut_score */
-    double low, high;                    /**< 95 % of rmse_over_range over resampled blocks; NaN where not run */
+    int count;                                 /**< 0: nothing to compare */
+    double rmsd, rmse, nrmsd, rmse_over_range; /**< as wcut_score */
+    double low, high;                          /**< 95 % of rmse_over_range over resampled blocks; NaN where not run */
 } wcut_evidence_score;
 
 /** The models that are compared: as the job says, recalibrated, with the effects found, and a fit without physics. */

@@ -24,6 +24,7 @@ extern "C" {
     X(WIRE_ELONGATION, "wire_elongation", STEP)             \
     X(MOUNT_COMPLIANCE, "mount_compliance", STEP)           \
     X(RATE_DEPENDENCE, "rate_dependence", STEP)             \
+    X(SLICE_SOFTENING, "slice_softening", STEP)             \
     X(WIRE_FOULING, "wire_fouling", STEP)                   \
     X(EMPIRICAL_FORCE, "empirical_force", STEP)             \
     X(WIRE_LENGTH, "wire_length", STEP)                     \
@@ -93,6 +94,8 @@ enum { WCUT_WIRE_ELONGATION_STRAIN, WCUT_WIRE_ELONGATION_THERMAL_SHARE, WCUT_WIR
 enum { WCUT_MOUNT_COMPLIANCE_STIFFNESS, WCUT_MOUNT_COMPLIANCE_SETTLING };
 /** rate_dependence: exponent, v_ref_mm_s */
 enum { WCUT_RATE_DEPENDENCE_EXPONENT, WCUT_RATE_DEPENDENCE_SPEED_REF };
+/** slice_softening: sliding_ratio, exponent */
+enum { WCUT_SLICE_SOFTENING_RATIO, WCUT_SLICE_SOFTENING_EXPONENT };
 /** wire_fouling: relative_change, length_mm, start_mm */
 enum { WCUT_WIRE_FOULING_CHANGE, WCUT_WIRE_FOULING_LENGTH, WCUT_WIRE_FOULING_START };
 /** wire_length: change_mm */

@@ -2,6 +2,7 @@
 #ifndef WCUT_JOB_RIG_H
 #define WCUT_JOB_RIG_H
 
+#include <stdbool.h>
 #include <wirecut/export.h>
 #include <wirecut/status.h>
 #include <wirecut/vec3.h>
@@ -17,7 +18,7 @@ typedef enum wcut_rig_kind {
     WCUT_RIG_KIND_BLADE     /**< straight between its ends, whatever loads it */
 } wcut_rig_kind;
 
-/** What holds the wire; all but the kind is of a bow. Equations: NOTATION.md, Rigs. */
+/** What holds the wire; all but kind and force frame is of a bow. Equations: NOTATION.md, Rigs. */
 typedef struct wcut_rig {
     wcut_rig_kind kind; /**< default two arms */
     double pretension;  /**< [N] of the cold wire, straight, before it is loaded; 0, the default: the job's
@@ -25,8 +26,9 @@ typedef struct wcut_rig {
     double stiffness;   /**< [N/mm] force along the wire over the way by which the frame's ends come closer; positive;
                                 default INFINITY: rigid */
     double
-        wire_stiffness; /**< [N] EA of the wire; INFINITY: it does not stretch; default 0: of material and diameter */
-    double expansion;   /**< [1/K] of the wire, not negative; default -1: of its material */
+        wire_stiffness;  /**< [N] EA of the wire; INFINITY: it does not stretch; default 0: of material and diameter */
+    double expansion;    /**< [1/K] of the wire, not negative; default -1: of its material */
+    bool force_in_block; /**< the force sensor's readings are in the block frame; default: in that of the tool */
 } wcut_rig;
 
 /** What the commanded speed depends on. */

@@ -2,7 +2,9 @@
 #ifndef WCUT_RECORDING_H
 #define WCUT_RECORDING_H
 
+#include <stdbool.h>
 #include <wirecut/export.h>
+#include <wirecut/job.h>
 #include <wirecut/status.h>
 #include <wirecut/table.h>
 
@@ -10,7 +12,7 @@
 extern "C" {
 #endif
 
-/* Channel, column without its unit, unit, whether every recording has it. */
+/* Channel, column without its unit, unit, whether a recording of two arms has it. */
 #define WCUT_CHANNEL_LIST(X)                     \
     X(TIME, "time", "s", 1)                      \
     X(STATION, "station", "", 1)                 \
@@ -31,10 +33,22 @@ extern "C" {
     X(A_Z, "a_z", "mm", 0)                       \
     X(B_X, "b_x", "mm", 0)                       \
     X(B_Y, "b_y", "mm", 0)                       \
-    X(B_Z, "b_z", "mm", 0)
+    X(B_Z, "b_z", "mm", 0)                       \
+    X(FORCE_X, "force_x", "N", 0)                \
+    X(FORCE_Y, "force_y", "N", 0)                \
+    X(FORCE_Z, "force_z", "N", 0)                \
+    X(MOMENT_X, "moment_x", "Nm", 0)             \
+    X(MOMENT_Y, "moment_y", "Nm", 0)             \
+    X(MOMENT_Z, "moment_z", "Nm", 0)             \
+    X(SPEED, "speed", "mm_s", 0)                 \
+    X(TOOL_X, "x", "mm", 0)                      \
+    X(TOOL_Y, "y", "mm", 0)                      \
+    X(TOOL_Z, "z", "mm", 0)
 
 #define WCUT_CHANNEL_ENTRY(name, stem, unit, required) WCUT_CHANNEL_##name,
-/** The channels that the program knows; `time`, `station` and the eight of the mounts are in every recording. */
+/** The channels that the program knows. `time` is in every recording. One of two arms has the eight of the mounts and
+   `station` or the mounts' positions a_x .. b_z; one of a tool with a force sensor has force_x .. force_z and the tool's
+   positions x .. z or its `speed`. */
 typedef enum wcut_channel { WCUT_CHANNEL_LIST(WCUT_CHANNEL_ENTRY) WCUT_CHANNEL_COUNT } wcut_channel;
 #undef WCUT_CHANNEL_ENTRY
 
@@ -44,6 +58,22 @@ typedef struct wcut_recording {
     wcut_column channel[WCUT_CHANNEL_COUNT]; /**< [s, 1, mm/s, N, rad, W/m, V, A, mm]; name NULL: not in the file */
     wcut_table *further;                     /**< the file's other columns, as they are, and every row's line */
 } wcut_recording;
+
+/** Whether a recording is one of a tool with a force sensor; false: of two arms. */
+WCUT_API bool wcut_recording_has_force(const wcut_recording *recording);
+
+/**
+ * Give a recording without `station` this channel from the mounts' positions: for each sample the place of the job's
+ * path that is next to both mounts together (least squares), not more than one station behind the samples before it.
+ * Samples without a position have no station. A recording with the channel, or of a tool, is left as it is.
+ *
+ * @param[in]     job       path mode
+ * @param[in,out] recording as read
+ * @param[out]    error     may be NULL
+ * @return WCUT_OK; WCUT_BAD_ARGUMENT (no path, neither stations nor positions), WCUT_NO_MEMORY: the recording is as it
+ *         was.
+ */
+WCUT_API wcut_status wcut_recording_place(const wcut_job *job, wcut_recording *recording, wcut_error *error);
 
 /**
  * The column of a channel in a file, "speed_a_mm_s".

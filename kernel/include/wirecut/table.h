@@ -27,9 +27,10 @@ typedef struct wcut_table {
 } wcut_table;
 
 /**
- * Read a CSV file: a header row, then one row a sample; fields separated by commas, quoted where need be; lines that
- * begin with # are comments, empty lines are skipped; a byte order mark and CRLF are tolerated. Numbers have a decimal
- * point whatever the locale and become the nearest double.
+ * Read a CSV file: a header row, then one row a sample; fields separated by commas, semicolons, tabs or blanks, as the
+ * header has them, quoted where need be; lines that begin with # are comments, empty lines are skipped; a byte order
+ * mark and CRLF are tolerated. Numbers have a decimal point whatever the locale, between other separators than commas
+ * a decimal comma too, and become the nearest double.
  *
  * @param[in]  path          a file, or a pipe
  * @param[in]  numeric_count how many names follow, not negative

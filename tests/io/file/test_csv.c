@@ -84,12 +84,45 @@ TEST(no_rows_are_a_table_too) {
     forget();
 }
 
+/* two rows of x and y whose first is 1 and 2.5, whose second has no y */
+static void check_two_rows(const char *text) {
+    ck_assert_msg(parse(text) == WCUT_OK, "%s: %s", text, error.text);
+    ck_assert_msg(table->columns == 2 && table->rows == 2, "%s: %d columns, %d rows", text, table->columns,
+                  table->rows);
+    const wcut_column *x = &table->column[0], *y = &table->column[1];
+    ck_assert_str_eq(x->name, "x");
+    ck_assert_str_eq(y->name, "y");
+    ck_assert(x->value[0] == 1 && y->value[0] == 2.5 && x->value[1] == -3 && y->missing == 1);
+    forget();
+}
+
+TEST(four_separators_are_told_by_the_header) {
+    check_two_rows("x,y\n1,2.5\n-3,\n");
+    check_two_rows("x;y\n1;2.5\n-3;\n");
+    check_two_rows("# of another program, with commas\nx ; y\r\n1 ; 2,5\r\n-3 ; nan\r\n");
+    check_two_rows("x\ty\n1\t2.5\n-3\t\n");
+    check_two_rows(" x\t y\n1\t 2,5 \n -3\tnan\n");
+    check_two_rows("x y\n1 2.5\n-3 nan\n");
+    check_two_rows("  x   y \n  1.0   2,5\n -3.0 \t nan  \n");
+    check_two_rows("\"x\" \"y\"\n1 \"2.5\"\n-3 \"nan\"\n");
+    check_two_rows("\"x\";\"y\"\n\"1\";\"2,5\"\n-3;\n");
+}
+
+TEST(a_single_name_with_a_blank_is_one_column) {
+    ck_assert_int_eq(parse("wire tension\n1.5\n"), WCUT_OK);
+    ck_assert_int_eq(table->columns, 1);
+    ck_assert_str_eq(table->column[0].name, "wire tension");
+    forget();
+}
+
 TEST(malformed_text_is_refused_with_line_column_and_what_was_expected) {
     refused("", "line 1, column 1: found no header");
     refused("# only words\n", "found no header");
     refused("1,2\n3,4\n", "the names of the columns");
     refused("x,y,x\n", "line 1, column 5: found x, expected every column that is used named once");
-    refused("x;y\n1;2\n", "not by semicolons");
+    refused("x;y\n1;2;3\n", "line 2, column 4: found more fields than the header has");
+    refused("x y\n1 2\n3\n", "line 3, column 2 (y): found the end of the row");
+    refused("x\ty\n1\t2 3\n", "line 2, column 3 (y): found 2 3");
     refused("x,y\n1,2\n3\n", "line 3, column 2 (y): found the end of the row");
     refused("x,y\n1,2,3\n", "line 2, column 4: found more fields than the header has");
     refused("x,y\n0,5,1,5\n", "not a decimal comma");

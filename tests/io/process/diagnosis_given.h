@@ -82,7 +82,7 @@ static inline void give_fits(wcut_evidence_score fit[WCUT_EVIDENCE_MODEL_COUNT][
     for (int m = 0; m < WCUT_EVIDENCE_MODEL_COUNT; m++)
         for (int c = 0; c < WCUT_EVIDENCE_CHANNEL_COUNT; c++) {
             const double size = (m == 0 ? 1 : m == 1 ? 0.6 : m == 2 ? 0.1 : 0.2) * (c + 1);
-            fit[m][c] = (wcut_evidence_score){100, size, size / 20, size / 10, size / 12, size / 8};
+            fit[m][c] = (wcut_evidence_score){100, size, size * 1.25, size / 20, size / 10, size / 12, size / 8};
         }
     fit[WCUT_EVIDENCE_MODEL_BLACK_BOX][WCUT_EVIDENCE_CHANNEL_SCAN] = (wcut_evidence_score){0};
     fit[WCUT_EVIDENCE_MODEL_BEFORE][WCUT_EVIDENCE_CHANNEL_SPEED].low = NAN;

@@ -42,7 +42,7 @@ TEST(what_is_written_is_read_back_to_the_printed_precision) {
     made.channel[WCUT_CHANNEL_BETA_A].present = present;
     made.channel[WCUT_CHANNEL_HEATER_VOLTAGE].name = NULL;
     ck_assert_int_eq(wcut_recording_write(&made, "a note, with commas", path, &error), WCUT_OK);
-    ck_assert_int_eq(wcut_recording_read(path, &read_back, &error), WCUT_OK);
+    ck_assert_int_eq(wcut_recording_read(path, NULL, &read_back, &error), WCUT_OK);
     ck_assert_int_eq(read_back->samples, SAMPLES);
     ck_assert_int_eq(read_back->further->columns, 0);
     ck_assert_ptr_null(read_back->channel[WCUT_CHANNEL_HEATER_VOLTAGE].name);
