@@ -209,6 +209,8 @@ static void report_base(diagnosing *g) {
     d->noise[WCUT_EVIDENCE_CHANNEL_ALPHA] = bin * DEGREES * (g->evidence->sigma[2] + g->evidence->sigma[4]) / 2;
     d->noise[WCUT_EVIDENCE_CHANNEL_BETA] = bin * DEGREES * (g->evidence->sigma[3] + g->evidence->sigma[5]) / 2;
 
+    d->swift = wcut_evidence_swiftness(g->evidence);
+
     /* of scans, the noise of a point within its patch */
     for (int k = 0; k < g->cuts; k++)
         if (g->evidence->cut[k].patch.count > 0)

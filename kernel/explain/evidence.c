@@ -389,6 +389,21 @@ static bool make_bins(wcut_evidence_cut *c) {
     return whole && c->station && c->heat && c->pace && c->engaged;
 }
 
+/* Noise of a bin's mean by the median step from reading to reading, which nothing slow reaches; readings that repeat
+   themselves more often than not say nothing: 0. room: n. */
+static double noise_within(const wcut_evidence_cut *c, int n, const double *value, double *room) {
+    int steps = 0, readings = 0;
+    for (int i = 0; i < n; i++) {
+        const double place = (c->recorded.time[i] - c->from) / WCUT_BIN_WIDTH;
+        if (!(place >= 0) || place >= c->bins || !isfinite(value[i])) continue;
+        readings++;
+        if (i > 0 && isfinite(value[i - 1])) room[steps++] = fabs(value[i] - value[i - 1]);
+    }
+    if (steps < 2 * c->bins) return 0;
+    wcut_sort(steps, room);
+    return NORMAL_OF_MEDIAN * sorted_median(steps, room) / sqrt(2) / sqrt((double)readings / c->bins);
+}
+
 static wcut_status measure_cut(wcut_evidence_cut *c, const wcut_response *d) {
     const int n = c->recorded.count;
     double *value = wcut_alloc(3 * (size_t)n, sizeof *value); /* and room */
@@ -404,6 +419,7 @@ static wcut_status measure_cut(wcut_evidence_cut *c, const wcut_response *d) {
             }
             drop_outliers(n, value, value + n);
             bin_samples(c, n, c->recorded.time, value, count, c->measured[s]);
+            if (c->bins > 0) c->within[s] = noise_within(c, n, value, value + n);
         }
 
         /* station, heat and engaged length in the same bins */
@@ -532,6 +548,19 @@ static double white_noise(const wcut_evidence *e, int s, double *room) {
     }
     const double floor = s < 2 ? 1e-4 : 1e-5; /* [N], [rad]: channels without noise, of simulated recordings */
     return fmax(NORMAL_OF_MEDIAN * median(n, room) / sqrt(2), floor);
+}
+
+double wcut_evidence_swiftness(const wcut_evidence *e) {
+    double most = 0;
+    for (int s = 0; s < 2; s++) {
+        double square = 0;
+        int cuts = 0;
+        for (int k = 0; k < e->cuts; k++)
+            if (e->cut[k].bins > 0 && e->cut[k].within[s] > 0) square += pow(e->cut[k].within[s], 2), cuts++;
+        if (cuts > 0) most = fmax(most, e->sigma[s] / sqrt(square / cuts));
+    }
+
+    return most;
 }
 
 static wcut_status predict_cut(wcut_evidence *e, int k, bool scans, wcut_error *error) {

@@ -42,6 +42,7 @@ typedef struct wcut_evidence_cut {
     double from;                     /* [s] where the first bin begins */
     double *middle;                  /* bins [s] */
     double *measured[WCUT_SIGNALS];  /* bins; NaN where missing */
+    double within[WCUT_SIGNALS];     /* [N, rad] of a bin's mean by the steps from reading to reading; 0: not known */
     double *predicted[WCUT_SIGNALS]; /* bins, along the recorded motion under `at`; NaN where missing */
     double *station, *heat, *pace, *engaged; /* bins; pace [mm/s] of the faster mount */
     wcut_patches patch;
@@ -107,6 +108,10 @@ wcut_status wcut_evidence_bin_exogenous(const wcut_evidence_cut *cut, const wcut
 /* Signals of a prediction along the recorded motion in the bins of a cut; out: 6 x bins. */
 wcut_status wcut_evidence_bin_recorded(const wcut_evidence_cut *cut, const wcut_model *model,
                                        const wcut_response *driven, double *out);
+
+/* [1] What bins of the tension differ by from one to the next over what readings within them say, the larger of both mounts:
+   beyond a few there is something faster than a bin, which the noise takes in. 0: not known. */
+double wcut_evidence_swiftness(const wcut_evidence *evidence);
 
 /* Measured less predicted, rows, as far as linear with every wire of one length; absent ones are NaN. */
 void wcut_evidence_residual(const wcut_evidence *evidence, double *out);

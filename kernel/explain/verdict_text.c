@@ -169,7 +169,10 @@ void wcut_diagnosis_sentence(wcut_diagnosis *d) {
 
 /* ---- limits ---- */
 
-enum { LIMITS_MAX = 12 };
+enum { LIMITS_MAX = 14 };
+
+/* [1] a filter of the amplifier and coarse digits make three of it */
+#define SWIFT 5.0
 
 static void add_limit(wcut_diagnosis *d, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
@@ -246,6 +249,12 @@ bool wcut_diagnosis_limits(wcut_diagnosis *d, int cuts, const wcut_diagnosis_cut
     d->limit = wcut_alloc(LIMITS_MAX, sizeof *d->limit);
     if (!d->limit) return false;
     limit_cuts(d, cuts, cut);
+    if (d->swift > SWIFT)
+        add_limit(d,
+                  "The tension changes from one half second to the next by %.0f times what its readings say: something "
+                  "faster "
+                  "(ripple of the heater, vibration) counts as noise here and hides what is small.",
+                  d->swift);
     if (d->droop > 0)
         add_limit(
             d,

@@ -1,4 +1,4 @@
-/* Evidence: bins of what was measured and predicted, and noise made white. */
+/* Evidence: bins of what was measured and predicted at any rate, and noise made white. */
 #include "explain/droop.h"
 #include "explain/evidence.h"
 
@@ -208,5 +208,97 @@ TEST(entries_in_which_every_wire_hangs_are_left_out_and_no_other) {
     ck_assert_double_eq(wcut_droop_leave_out(e, open), 0);
     wcut_free(open);
     wcut_evidence_destroy(e);
+    synthetic_destroy(&s);
+}
+
+/* ---- rates, ripple, spikes ---- */
+
+/* a recording on finer samples: on straight lines between its own, with noise of each reading's own */
+static wcut_recording *finer(const wcut_recording *r, int times, double noise, wcut_random *random) {
+    wcut_recording *out = blank_recording((r->samples - 1) * times + 1, SYNTHETIC_STEP / times);
+    add_channel(out, WCUT_CHANNEL_HEAT);
+    for (int c = WCUT_CHANNEL_STATION; c <= WCUT_CHANNEL_HEAT; c++) {
+        if (!r->channel[c].value) continue;
+        const double size = c == WCUT_CHANNEL_TENSION_A || c == WCUT_CHANNEL_TENSION_B ? 0.02 * noise : 0;
+        for (int i = 0; i < out->samples; i++) {
+            const int k = i / times < r->samples - 1 ? i / times : r->samples - 2;
+            const double share = (double)(i - k * times) / times;
+            out->channel[c].value[i] = (1 - share) * r->channel[c].value[k] + share * r->channel[c].value[k + 1] +
+                                       size * wcut_random_normal(random);
+        }
+    }
+    return out;
+}
+
+static void exchange_recording(synthetic *s, wcut_recording *r) {
+    wcut_recording_destroy(s->recording[0]);
+    s->recording[0] = r;
+    s->cut[0].recording = r;
+}
+
+TEST(a_recording_at_500_Hz_has_the_same_bins_with_less_noise) {
+    synthetic s = synthetic_create(1, &nothing);
+    wcut_random random = wcut_random_seed(41);
+    wcut_evidence *slow = evidence_of(&s, 1);
+    exchange_recording(&s, finer(s.recording[0], 50, 1, &random));
+    wcut_evidence *fast = evidence_of(&s, 1);
+    ck_assert_int_eq(fast->rows, slow->rows);
+    ck_assert_double_eq_tol(fast->cut[0].from, slow->cut[0].from, 1e-9);
+
+    // 250 readings a bin: the noise of their mean; the bins are those of five readings, as far as a signal that moves by 0.3 N
+    // within one is known by five
+    const double expected = 0.02 / sqrt(250);
+    for (int m = 0; m < 2; m++) {
+        ck_assert_double_eq_tol(fast->cut[0].within[m] / expected, 1, 0.1);
+        for (int i = 0; i < fast->cut[0].bins; i++) {
+            ck_assert_double_le(fabs(fast->cut[0].measured[m][i] - slow->cut[0].measured[m][i]), 0.03);
+            ck_assert_double_le(fabs(fast->cut[0].predicted[m][i] - slow->cut[0].predicted[m][i]), 0.03);
+        }
+    }
+    wcut_evidence_destroy(fast);
+    wcut_evidence_destroy(slow);
+    synthetic_destroy(&s);
+}
+
+TEST(what_is_faster_than_a_bin_is_told_from_the_noise_of_readings) {
+    synthetic s = synthetic_create(1, &noisy);
+    wcut_evidence *e = evidence_of(&s, 1);
+    ck_assert_double_lt(wcut_evidence_swiftness(e), 3);
+    wcut_evidence_destroy(e);
+
+    // a ripple of 0.1 N and 1.1 s under quiet readings at 200 Hz
+    wcut_random random = wcut_random_seed(42);
+    exchange_recording(&s, finer(s.recording[0], 20, 0.1, &random));
+    for (int i = 0; i < s.recording[0]->samples; i++)
+        for (int m = 0; m < 2; m++)
+            s.recording[0]->channel[WCUT_CHANNEL_TENSION_A + m].value[i] +=
+                0.1 * sin(2 * WCUT_PI * i * SYNTHETIC_STEP / 20 / 1.1);
+    e = evidence_of(&s, 1);
+    ck_assert_double_gt(wcut_evidence_swiftness(e), 5);
+    wcut_evidence_destroy(e);
+    synthetic_destroy(&s);
+}
+
+TEST(spikes_and_lost_readings_leave_the_bins_where_they_were) {
+    synthetic s = synthetic_create(1, &noisy);
+    wcut_evidence *clean = evidence_of(&s, 1);
+    wcut_random random = wcut_random_seed(43);
+    int spikes = 0;
+    for (int i = 5; i + 5 < s.recording[0]->samples; i++) {
+        const double draw = wcut_random_uniform(&random);
+
+        // one reading in fifty is off by 1 N, another is missing
+        if (draw < 0.02)
+            s.recording[0]->channel[WCUT_CHANNEL_TENSION_A].value[i] += draw < 0.01 ? 1 : -1, spikes++, i += 2;
+        if (draw > 0.98) lose_sample(s.recording[0], WCUT_CHANNEL_TENSION_A, i);
+    }
+    ck_assert_int_gt(spikes, 3);
+    wcut_evidence *e = evidence_of(&s, 1);
+    for (int i = 0; i < e->cut[0].bins; i++)
+        ck_assert_msg(fabs(e->cut[0].measured[0][i] - clean->cut[0].measured[0][i]) < 0.04, "bin %d: %g, clean %g", i,
+                      e->cut[0].measured[0][i], clean->cut[0].measured[0][i]);
+    ck_assert_double_lt(e->sigma[0], 1.5 * clean->sigma[0]);
+    wcut_evidence_destroy(e);
+    wcut_evidence_destroy(clean);
     synthetic_destroy(&s);
 }

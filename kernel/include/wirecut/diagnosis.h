@@ -265,7 +265,8 @@ typedef struct wcut_diagnosis {
     wcut_estimate a, b, length_change; /**< [N/mm], [m^2/J], [mm]: recalibrated, shared by all cuts */
     wcut_estimate kerf;                /**< [mm] constant kerf that the scans show; NaN without scans */
     double a_job, b_job;               /**< what the jobs say */
-    double droop;                /**< [s] left out at the entry, where slack wires hang by their weight; 0: nothing */
+    double swift; /**< [1] tension's noise from half second to half second over what its readings say; 0: not known */
+    double droop; /**< [s] left out at the entry, where slack wires hang by their weight; 0: nothing */
     double adequacy, adequacy_p; /**< of the chosen model; p-value against its simulated null */
     int hypotheses;
     wcut_hypothesis *hypothesis; /**< ranked, best first */
