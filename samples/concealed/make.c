@@ -234,7 +234,7 @@ static void write_answer(const concealed *c, const char *path) {
     FILE *out = fopen(path, "w");
     if (!out) stop(path, NULL);
     fprintf(out, "{\"case\": \"%s\", \"effect\": \"%s\"", c->name, info->name);
-    if (info->choice_key) fprintf(out, ", \"%s\": \"%s\"", info->choice_key, info->choice[c->effect.choice]);
+    if (info->choice_required) fprintf(out, ", \"%s\": \"%s\"", info->choice_key, info->choice[c->effect.choice]);
     for (const wcut_effect_parameter *p = wcut_effect_parameters(&c->effect); p->key; p++) {
         fprintf(out, ", \"%s\": %s", p->key, p->size == 3 ? "[" : "");
         for (int k = 0; k < p->size; k++) fprintf(out, "%s%g", k ? ", " : "", c->effect.value[p->at + k]);
