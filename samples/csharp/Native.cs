@@ -738,6 +738,7 @@ public unsafe struct wcut_diagnosis
     public wcut_estimate kerf;
     public double a_job;
     public double b_job;
+    public double swift;
     public double droop;
     public double adequacy;
     public double adequacy_p;
