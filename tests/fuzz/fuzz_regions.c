@@ -21,7 +21,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     wcut_regions *r = NULL;
     wcut_error error = {WCUT_OK, ""};
     if (!path) return 0;
-    check_refusal(wcut_regions_read(path, &r, &error), r != NULL, &error);
+    const wcut_status status = wcut_regions_read(path, &r, &error);
+    check_refusal(status, r != NULL, &error);
     for (int k = 0; r && k < r->regions; k++) check_region(&r->region[k]);
     for (int k = 0; r && k < r->sections; k++) check_section(&r->section[k]);
     wcut_regions_destroy(r);
