@@ -368,8 +368,9 @@ static const app_option option[] = {
      .help = "unit of the mesh alone, where it is not that of the scans; a CAD file states its own"},
     {.kind = APP_TEXT,
      .name = "face",
-     .value = "NAME|N",
-     .help = "of a CAD file with several faces: the one that is compared, by its name or its number from 1"},
+     .value = "NAME|N,..",
+     .help =
+         "of a CAD file with several faces: those that are compared, by their names or their numbers from 1, or all"},
     {.kind = APP_FILE,
      .name = "zones",
      .value = "FILE.json",

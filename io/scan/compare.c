@@ -431,7 +431,7 @@ static wcut_status run_steps(wcut_comparing *c, const wcut_compare_reference *re
     /* the face; a mesh that cannot be reconstructed over is refused before the scan is read */
     wcut_status status = o->zones ? wcut_regions_read(o->zones, &c->regions, error) : WCUT_OK;
     if (status == WCUT_OK && c->regions) {
-        status = wcut_survey_create(c->regions, &c->survey);
+        status = wcut_survey_create(c->regions, o->bands, o->band, &c->survey);
         if (status != WCUT_OK) return wcut_compare_fail(status, o->zones, error);
     }
     if (status == WCUT_OK) status = wcut_compare_face_load(reference, o, &c->watch, &c->face, error);
@@ -452,8 +452,7 @@ static wcut_status run_steps(wcut_comparing *c, const wcut_compare_reference *re
     warn_of_unit(c);
 
     /* many queries are worth a preparation */
-    if (c->face.projection && c->cloud.removed[WCUT_REMOVAL_KEPT] >= MANY)
-        status = wcut_projection_prepare_many(c->face.projection);
+    if (c->face.projection && c->cloud.removed[WCUT_REMOVAL_KEPT] >= MANY) status = wcut_compare_face_prepare(&c->face);
     if (status != WCUT_OK) return wcut_compare_fail(status, "compare", error);
 
     /* one beside the other */

@@ -1,6 +1,7 @@
 /* What a scan is compared with: the face that a job leaves, a mesh, a face of a CAD file, or a surface. */
 #include "io/scan/compare_face.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -11,6 +12,7 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
+#include "io/scan/face_choice.h"
 
 /* Sections nearer than a job's own rounding of its coordinates are one section. */
 #define MERGE_MM 1e-3
@@ -144,8 +146,7 @@ static wcut_status load_mesh(wcut_compare_face *f, const wcut_compare_watch *wat
 /* its triangles carry the map of colours, whatever distances are taken to */
 static wcut_status load_surface(wcut_compare_face *f, const wcut_compare_options *o, const wcut_compare_watch *watch,
                                 wcut_error *error) {
-    wcut_status status = f->trimmed ? wcut_trimmed_mesh(f->trimmed, o->chord_tolerance, &f->owned_mesh)
-                                    : wcut_surface_tessellate(f->surface, o->chord_tolerance, &f->owned_mesh, NULL);
+    wcut_status status = wcut_surface_tessellate(f->surface, o->chord_tolerance, &f->owned_mesh, NULL);
     f->mesh = f->owned_mesh;
     if (status == WCUT_OK) status = wcut_projection_create(f->surface, &f->projection);
     if (status == WCUT_OK) return load_mesh(f, watch, error);
@@ -157,54 +158,93 @@ static wcut_status load_surface(wcut_compare_face *f, const wcut_compare_options
 static wcut_status refuse_choice(const wcut_compare_face *f, const char *path, wcut_error *error) {
     const wcut_trimmed_set *set = f->faces;
     char name[WCUT_QUOTE_SIZE], names[160] = "";
-    size_t used = 0;
-
-    /* the numbers and names to choose from, as far as there is room */
-    for (int k = 0; k < set->count && used + 40 < sizeof names; k++) {
-        const int n = snprintf(names + used, sizeof names - used, "%s%d%s%.24s", k ? ", " : "", k + 1,
-                               set->name[k][0] ? " " : "", set->name[k]);
-        used += n > 0 ? (size_t)n : 0;
-    }
+    wcut_face_list(set, names, sizeof names);
     return wcut_fail(error, WCUT_BAD_FORMAT,
-                     "%s: found %d face%s (%s%s), expected one: choose it by --face NAME or number",
-                     wcut_quote(name, path, WCUT_LABEL_MAX, 1), set->count, set->count == 1 ? "" : "s", names,
-                     used + 40 >= sizeof names ? ", ..." : "");
+                     "%s: found %d face%s (%s), expected a choice: --face NAME or number, several with commas, or all",
+                     wcut_quote(name, path, WCUT_LABEL_MAX, 1), set->count, set->count == 1 ? "" : "s", names);
 }
 
-/* the face that a text names or numbers, or the only one; -1: none, or several */
-static int choose_face(const wcut_trimmed_set *set, const char *choice) {
-    int found = -1;
-    if (!choice) return set->count == 1 ? 0 : -1;
-    for (int k = 0; k < set->count; k++) {
-        if (strcmp(set->name[k], choice) != 0) continue;
-        if (found >= 0) return -1;
-        found = k;
-    }
-    if (found >= 0) return found;
+static wcut_status refuse_several(const wcut_compare_face *f, wcut_error *error) {
+    char name[WCUT_QUOTE_SIZE];
+    return wcut_fail(
+        error, WCUT_BAD_ARGUMENT,
+        "%s: --face: several faces have distances to their surfaces alone, expected --distance surface and "
+        "no reconstruction",
+        wcut_quote(name, f->name, WCUT_LABEL_MAX, 1));
+}
 
-    /* a number from 1 */
-    int number = 0;
-    for (const char *p = choice; *p; p++) {
-        if (*p < '0' || *p > '9' || number > set->count) return -1;
-        number = 10 * number + (*p - '0');
+/* one mesh behind another, in the first's place */
+static wcut_status append_mesh(wcut_mesh **mesh, const wcut_mesh *more) {
+    const wcut_mesh *a = *mesh;
+    if (more->vertex_count > INT_MAX - a->vertex_count || more->triangle_count > INT_MAX / 3 - a->triangle_count)
+        return WCUT_BAD_ARGUMENT;
+    const size_t n = (size_t)a->vertex_count, m = (size_t)more->vertex_count, t = (size_t)a->triangle_count;
+    wcut_mesh *both;
+    const wcut_status status = wcut_mesh_create((int)(n + m), a->triangle_count + more->triangle_count,
+                                                WCUT_MESH_NORMAL | WCUT_MESH_UV, &both);
+    if (status != WCUT_OK) return status;
+    memcpy(both->vertex, a->vertex, n * sizeof *both->vertex);
+    memcpy(both->vertex + n, more->vertex, m * sizeof *both->vertex);
+    memcpy(both->normal, a->normal, n * sizeof *both->normal);
+    memcpy(both->normal + n, more->normal, m * sizeof *both->normal);
+    memcpy(both->uv, a->uv, 2 * n * sizeof *both->uv);
+    memcpy(both->uv + 2 * n, more->uv, 2 * m * sizeof *both->uv);
+    memcpy(both->triangle, a->triangle, 3 * t * sizeof *both->triangle);
+    for (size_t k = 0; k < 3 * (size_t)more->triangle_count; k++)
+        both->triangle[3 * t + k] = more->triangle[k] + a->vertex_count;
+    wcut_mesh_destroy(*mesh);
+    *mesh = both;
+    return WCUT_OK;
+}
+
+/* the triangles of all faces that were chosen, and projections of those behind the first */
+static wcut_status load_others(wcut_compare_face *f, const int *face, int count, const wcut_compare_options *o) {
+    f->other = wcut_alloc((size_t)count, sizeof *f->other);
+    f->other_projection = wcut_alloc((size_t)count, sizeof *f->other_projection);
+    if (!f->other || !f->other_projection) return WCUT_NO_MEMORY;
+    for (int k = 1; k < count; k++) {
+        wcut_mesh *mesh = NULL;
+        const wcut_trimmed *t = f->faces->face[face[k]];
+        wcut_status status = wcut_trimmed_mesh(t, o->chord_tolerance, &mesh);
+        if (status == WCUT_OK) status = append_mesh(&f->owned_mesh, mesh);
+        wcut_mesh_destroy(mesh);
+        if (status == WCUT_OK) status = wcut_projection_create(t->surface, &f->other_projection[f->others]);
+        if (status != WCUT_OK) return status;
+        f->other[f->others++] = t;
     }
-    return number >= 1 && number <= set->count ? number - 1 : -1;
+    return WCUT_OK;
+}
+
+static wcut_status load_chosen(wcut_compare_face *f, const int *face, int count, const wcut_compare_options *o,
+                               const wcut_compare_watch *watch, wcut_error *error) {
+    if (count > 1 && (o->distance != WCUT_COMPARE_DISTANCE_SURFACE || o->reconstruct)) return refuse_several(f, error);
+    f->trimmed = f->faces->face[face[0]];
+    f->surface = f->trimmed->surface;
+    wcut_status status = wcut_trimmed_mesh(f->trimmed, o->chord_tolerance, &f->owned_mesh);
+    if (status == WCUT_OK) status = load_others(f, face, count, o);
+    f->mesh = f->owned_mesh;
+    if (status == WCUT_OK) status = wcut_projection_create(f->surface, &f->projection);
+    if (status == WCUT_OK) return load_mesh(f, watch, error);
+    return place_failure(status, f->name, error);
 }
 
 static wcut_status load_cad(wcut_compare_face *f, const wcut_compare_reference *r, const wcut_compare_options *o,
                             const wcut_compare_watch *watch, wcut_error *error) {
     char text[WCUT_QUOTE_SIZE + 60];
-    const wcut_status status = wcut_trimmed_set_read(r->path, &f->faces, error);
+    wcut_status status = wcut_trimmed_set_read(r->path, &f->faces, error);
     if (status != WCUT_OK) return place_failure(status, r->path, error);
     if (f->faces->left_out > 0) {
         snprintf(text, sizeof text, "%d left out: %s", f->faces->left_out, f->faces->why);
         warn_of_reference(watch, f->name, text);
     }
-    const int at = choose_face(f->faces, r->face);
-    if (at < 0) return refuse_choice(f, r->path, error);
-    f->trimmed = f->faces->face[at];
-    f->surface = f->trimmed->surface;
-    return load_surface(f, o, watch, error);
+
+    /* the faces that were chosen, the first of them the reference's surface */
+    int *face = wcut_alloc((size_t)f->faces->count, sizeof *face);
+    if (!face) return place_failure(WCUT_NO_MEMORY, r->path, error);
+    const int count = wcut_face_choose(f->faces, r->face, face);
+    status = count > 0 ? load_chosen(f, face, count, o, watch, error) : refuse_choice(f, r->path, error);
+    wcut_free(face);
+    return status;
 }
 
 wcut_status wcut_compare_face_base(wcut_compare_face *face, const wcut_surface **surface, wcut_error *error) {
@@ -344,6 +384,9 @@ void wcut_compare_face_clear(wcut_compare_face *face) {
     wcut_mesh_tree_destroy(face->tree);
     wcut_mesh_destroy(face->owned_mesh);
     wcut_projection_destroy(face->projection);
+    for (int k = 0; face->other_projection && k < face->others; k++) wcut_projection_destroy(face->other_projection[k]);
+    wcut_free(face->other_projection);
+    wcut_free(face->other);
     wcut_trimmed_set_destroy(face->faces);
     wcut_surface_destroy(face->base);
     wcut_face_destroy(face->face);
@@ -355,12 +398,45 @@ void wcut_compare_face_clear(wcut_compare_face *face) {
     *face = (wcut_compare_face){0};
 }
 
+wcut_status wcut_compare_face_prepare(wcut_compare_face *face) {
+    wcut_status status = face->projection ? wcut_projection_prepare_many(face->projection) : WCUT_OK;
+    for (int k = 0; status == WCUT_OK && k < face->others; k++)
+        status = wcut_projection_prepare_many(face->other_projection[k]);
+    return status;
+}
+
+/* Of two faces the one that the point belongs to: where it counts before where it does not, then the nearer one. Beyond
+   the border of both it is ambiguous only where it is so on one. */
+static bool is_better(const wcut_deviation *a, const wcut_deviation *b) {
+    const bool counts_a = a->place <= WCUT_PLACE_BORDER, counts_b = b->place <= WCUT_PLACE_BORDER;
+    if (counts_a != counts_b) return counts_a;
+    if (!counts_a && a->place != b->place) return a->place == WCUT_PLACE_AMBIGUOUS;
+    return fabs(a->distance) < fabs(b->distance);
+}
+
+/* by several faces: each point by the best of them */
+static wcut_status locate_on_others(const wcut_compare_face *f, int count, const wcut_vec3 *point, int threads,
+                                    wcut_deviation *deviation) {
+    wcut_deviation *on = wcut_alloc((size_t)count, sizeof *on);
+    wcut_status status = on || count == 0 ? WCUT_OK : WCUT_NO_MEMORY;
+    for (int k = 0; status == WCUT_OK && k < f->others; k++) {
+        status = wcut_deviation_from_trimmed(f->other[k], f->other_projection[k], count, point, &f->options, threads,
+                                             on, NULL);
+        for (int i = 0; status == WCUT_OK && i < count; i++)
+            if (is_better(&on[i], &deviation[i])) deviation[i] = on[i];
+    }
+    wcut_free(on);
+    return status;
+}
+
 wcut_status wcut_compare_face_locate(const wcut_compare_face *face, int count, const wcut_vec3 *point, int threads,
                                      wcut_deviation *deviation, wcut_foot *foot) {
     const wcut_compare_face *f = face;
-    if (f->trimmed && !wcut_compare_face_by_triangles(f))
-        return wcut_deviation_from_trimmed(f->trimmed, f->projection, count, point, &f->options, threads, deviation,
-                                           foot);
+    if (f->trimmed && !wcut_compare_face_by_triangles(f)) {
+        const wcut_status status =
+            wcut_deviation_from_trimmed(f->trimmed, f->projection, count, point, &f->options, threads, deviation, foot);
+        return status == WCUT_OK && f->others > 0 ? locate_on_others(f, count, point, threads, deviation) : status;
+    }
     if (!wcut_compare_face_by_triangles(f))
         return wcut_deviation_from_surface(f->projection, count, point, &f->options, threads, deviation, foot);
     const wcut_status status = wcut_deviation_from_mesh(f->tree, count, point, &f->options, threads, deviation);

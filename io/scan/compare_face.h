@@ -43,9 +43,13 @@ typedef struct wcut_compare_face {
     wcut_mesh_tree *tree;
     wcut_surface *base; /* of a mesh: the plane below it */
 
-    /* of a CAD file: its faces, and the one of them that `surface` is of */
+    /* of a CAD file: its faces, and the one of them that `surface` is of; the others that are compared with it, with a
+       projection each */
     wcut_trimmed_set *faces;
     const wcut_trimmed *trimmed;
+    int others;
+    const wcut_trimmed **other; /* others */
+    wcut_projection **other_projection;
 } wcut_compare_face;
 
 /* Read, simulate, prepare. The statuses of wcut_compare_run; the face is to be cleared whatever they are. */
@@ -55,6 +59,9 @@ wcut_status wcut_compare_face_load(const wcut_compare_reference *reference, cons
 /* The surface that a scan is reconstructed over: the exact one, or the plane below a mesh. WCUT_DEGENERATE: the mesh is
    no sheet. */
 wcut_status wcut_compare_face_base(wcut_compare_face *face, const wcut_surface **surface, wcut_error *error);
+
+/* Before many queries. Statuses of wcut_projection_prepare_many. */
+wcut_status wcut_compare_face_prepare(wcut_compare_face *face);
 
 void wcut_compare_face_clear(wcut_compare_face *face);
 

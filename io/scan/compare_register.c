@@ -36,7 +36,7 @@ static wcut_status register_datum(wcut_comparing *c, wcut_error *error) {
 static wcut_status register_fit(wcut_comparing *c, wcut_error *error) {
     const wcut_compare_face *f = &c->face;
     const wcut_compare_options *o = &c->options;
-    const wcut_status status = f->surface
+    const wcut_status status = f->surface && f->others == 0
                                    ? wcut_registration_fit(f->projection, c->cloud.count, c->cloud.point,
                                                            &o->registration, o->threads, &c->registration, error)
                                    : wcut_registration_fit_mesh(f->mesh, f->tree, c->cloud.count, c->cloud.point,

@@ -284,6 +284,7 @@ static void put_regions(wcut_text *text, const wcut_survey_result *s) {
         put_known(text, ", \"mean_mm\": ", any, f->mean);
         put_known(text, ", \"std_mm\": ", any, f->std);
         put_known(text, ", \"rms_mm\": ", any, f->rms);
+        put_known(text, ", \"mae_mm\": ", any, f->mae);
         put_known(text, ", \"min_mm\": ", any, f->min);
         put_known(text, ", \"max_mm\": ", any, f->max);
         put_known(text, ", \"within\": ", any && r->tolerance > 0, f->within);
@@ -471,17 +472,20 @@ static void put_zone(wcut_text *t, const wcut_zone *z, int bands) {
 static void put_user_zone(wcut_text *t, const wcut_region *r, const wcut_region_result *f, int bands) {
     const bool any = f->count > 0;
     wcut_text_print(t, "%s,user,%d", r->name, f->count);
-    const double figure[] = {f->mean, f->std, f->rms, 0, f->min, f->max};
+    const double figure[] = {f->mean, f->std, f->rms, f->mae, f->min, f->max};
     for (size_t k = 0; k < sizeof figure / sizeof *figure; k++) {
         write_word(t, ",");
-        if (any && k != 3) wcut_text_number(t, figure[k]);
+        if (any) wcut_text_number(t, figure[k]);
     }
     const double side[] = {r->low.x, r->high.x, r->low.y, r->high.y};
     for (size_t k = 0; k < sizeof side / sizeof *side; k++) {
         write_word(t, ",");
         wcut_text_number(t, side[k]);
     }
-    for (int k = 0; k < bands; k++) write_word(t, ",");
+    for (int k = 0; k < bands; k++) {
+        write_word(t, ",");
+        if (any) wcut_text_number(t, f->within_band[k]);
+    }
     write_word(t, ",");
     if (r->tolerance > 0) wcut_text_number(t, r->tolerance);
     put_number(t, ",", r->share);
@@ -493,7 +497,8 @@ static void put_user_zone(wcut_text *t, const wcut_region *r, const wcut_region_
 wcut_status wcut_zones_write(const wcut_deviation_summary_result *found, const wcut_survey_result *survey,
                              const char *path, wcut_error *error) {
     wcut_text t;
-    if (!found || !path || found->zones < 0 || !are_figures(&found->statistics) || (found->zones > 0 && !found->zone))
+    if (!found || !path || found->zones < 0 || !are_figures(&found->statistics) || (found->zones > 0 && !found->zone) ||
+        (survey && survey->bands != found->statistics.bands))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "zones: %s", wcut_status_text(WCUT_BAD_ARGUMENT));
     if (!wcut_text_create(&t, NULL)) return wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
     write_word(&t, "zone,kind,count,mean_mm,std_mm,rms_mm,mae_mm,min_mm,max_mm,x_low_mm,x_high_mm,y_low_mm,y_high_mm");

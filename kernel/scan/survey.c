@@ -10,8 +10,8 @@
 
 /* sums of a zone */
 typedef struct zone_sums {
-    int count, within;
-    double sum, squares, min, max;
+    int count, within, in_band[WCUT_BANDS_MAX];
+    double sum, sizes, squares, min, max;
 } zone_sums;
 
 /* sums of a section: by step the feet's heights, the points' heights, the deviations */
@@ -25,6 +25,8 @@ typedef struct profile {
 
 struct wcut_survey {
     const wcut_regions *of;
+    int bands;
+    double band[WCUT_BANDS_MAX];
     zone_sums *zone;
     profile *profile;
     wcut_region_result *region;
@@ -60,11 +62,16 @@ static bool regions_are_usable(const wcut_regions *r) {
     return true;
 }
 
-wcut_status wcut_survey_create(const wcut_regions *regions, wcut_survey **survey) {
-    if (!regions_are_usable(regions) || !survey) return WCUT_BAD_ARGUMENT;
+wcut_status wcut_survey_create(const wcut_regions *regions, int bands, const double *band, wcut_survey **survey) {
+    if (!regions_are_usable(regions) || !survey || bands < 0 || bands > WCUT_BANDS_MAX || (bands > 0 && !band))
+        return WCUT_BAD_ARGUMENT;
+    for (int k = 0; k < bands; k++)
+        if (!(band[k] > 0) || !isfinite(band[k])) return WCUT_BAD_ARGUMENT;
     wcut_survey *s = wcut_alloc(1, sizeof *s);
     if (!s) return WCUT_NO_MEMORY;
     s->of = regions;
+    s->bands = bands;
+    for (int k = 0; k < bands; k++) s->band[k] = band[k];
     s->zone = wcut_alloc((size_t)regions->regions, sizeof *s->zone);
     s->region = wcut_alloc((size_t)regions->regions, sizeof *s->region);
     s->profile = wcut_alloc((size_t)regions->sections, sizeof *s->profile);
@@ -108,12 +115,14 @@ static bool is_in_region(const wcut_region *r, wcut_vec3 p) {
     return inside;
 }
 
-static void add_to_zone(zone_sums *z, double tolerance, double d) {
+static void add_to_zone(const wcut_survey *s, zone_sums *z, double tolerance, double d) {
     z->min = z->count == 0 || d < z->min ? d : z->min;
     z->max = z->count == 0 || d > z->max ? d : z->max;
     z->count++;
     z->within += fabs(d) <= tolerance;
+    for (int k = 0; k < s->bands; k++) z->in_band[k] += fabs(d) <= s->band[k];
     z->sum += d;
+    z->sizes += fabs(d);
     z->squares += d * d;
 }
 
@@ -152,7 +161,7 @@ wcut_status wcut_survey_add(wcut_survey *s, int count, const wcut_vec3 *point, c
         if (d->place > WCUT_PLACE_BORDER || !isfinite(d->distance)) continue;
         for (int r = 0; r < s->of->regions; r++)
             if (is_in_region(&s->of->region[r], d->foot))
-                add_to_zone(&s->zone[r], s->of->region[r].tolerance, d->distance);
+                add_to_zone(s, &s->zone[r], s->of->region[r].tolerance, d->distance);
         for (int c = 0; c < s->of->sections; c++) add_to_profile(&s->of->section[c], &s->profile[c], point[k], d);
     }
     return WCUT_OK;
@@ -160,10 +169,12 @@ wcut_status wcut_survey_add(wcut_survey *s, int count, const wcut_vec3 *point, c
 
 /* ---- results ---- */
 
-static wcut_region_result region_result(const wcut_region *r, const zone_sums *z) {
+static wcut_region_result region_result(const wcut_survey *s, const wcut_region *r, const zone_sums *z) {
     wcut_region_result found = {.count = z->count, .passed = r->tolerance > 0 ? 0 : -1};
     if (z->count == 0) return found;
     found.mean = z->sum / z->count;
+    found.mae = z->sizes / z->count;
+    for (int k = 0; k < s->bands; k++) found.within_band[k] = (double)z->in_band[k] / z->count;
     found.rms = sqrt(z->squares / z->count);
     const double variance = z->count > 1 ? (z->squares - z->count * found.mean * found.mean) / (z->count - 1) : 0;
     found.std = variance > 0 ? sqrt(variance) : 0;
@@ -196,9 +207,10 @@ const wcut_survey_result *wcut_survey_eval(wcut_survey *s) {
     if (!s) return NULL;
 
     /* zones: one that fails fails the whole */
-    s->result = (wcut_survey_result){.of = s->of, .region = s->region, .section = s->section, .passed = 1};
+    s->result =
+        (wcut_survey_result){.of = s->of, .bands = s->bands, .region = s->region, .section = s->section, .passed = 1};
     for (int k = 0; k < s->of->regions; k++) {
-        s->region[k] = region_result(&s->of->region[k], &s->zone[k]);
+        s->region[k] = region_result(s, &s->of->region[k], &s->zone[k]);
         if (s->region[k].passed == 0) s->result.passed = 0;
     }
 

@@ -53,7 +53,7 @@ void wcut_brep_destroy(wcut_brep *brep) {
 static wcut_status brep_new(int keys, int lugs, wcut_brep **brep) {
     wcut_brep *b = wcut_alloc(1, sizeof *b);
     if (!b) return WCUT_NO_MEMORY;
-    const size_t all = (size_t)(keys + lugs), boxes = (size_t)lugs;
+    const size_t all = (size_t)keys + (size_t)lugs, boxes = (size_t)lugs;
     b->vertex_count = BLOCK_VERTICES + KEY_VERTICES * (keys + lugs) + LUG_VERTICES * lugs;
     b->edge_count = BLOCK_EDGES + KEY_EDGES * (keys + lugs) + LUG_EDGES * lugs;
     b->vertex = wcut_alloc((size_t)b->vertex_count, sizeof *b->vertex);

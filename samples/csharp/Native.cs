@@ -1712,9 +1712,11 @@ public unsafe struct wcut_region_result
     public double mean;
     public double std;
     public double rms;
+    public double mae;
     public double min;
     public double max;
     public double within;
+    public fixed double within_band[8];
     public int passed;
 }
 [StructLayout(LayoutKind.Sequential)]
@@ -2520,6 +2522,7 @@ public unsafe struct wcut_surface_report
 public unsafe struct wcut_survey_result
 {
     public wcut_regions* of;
+    public int bands;
     public wcut_region_result* region;
     public wcut_section_result* section;
     public int passed;
@@ -3066,7 +3069,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_surface_transform(wcut_surface* a0, wcut_affine* a1, wcut_surface** a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_surface_transpose(wcut_surface* a0, wcut_surface** a1);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_survey_add(void* a0, int a1, wcut_vec3* a2, wcut_deviation* a3);
-    [DllImport("wirecut-io")] public static extern wcut_status wcut_survey_create(wcut_regions* a0, void** a1);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_survey_create(wcut_regions* a0, int a1, double* a2, void** a3);
     [DllImport("wirecut-io")] public static extern void wcut_survey_destroy(void* a0);
     [DllImport("wirecut-io")] public static extern wcut_survey_result* wcut_survey_eval(void* a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_sweep_create(byte* a0, byte* a1, void** a2, wcut_error* a3);

@@ -380,7 +380,7 @@ static const wcut_regions *sound_regions(void) {
 
 static wcut_survey *sound_survey(void) {
     static wcut_survey *survey;
-    if (!survey) ck_assert_int_eq(wcut_survey_create(sound_regions(), &survey), WCUT_OK);
+    if (!survey) ck_assert_int_eq(wcut_survey_create(sound_regions(), 0, NULL, &survey), WCUT_OK);
     return survey;
 }
 
@@ -394,7 +394,9 @@ HOSTILE(wcut_regions_read) {
                           (wcut_regions_destroy(made), made = MARK));
 }
 HOSTILE_VALUE(wcut_regions_destroy, NULL)
-HOSTILE_MADE(wcut_survey_create, wcut_survey, wcut_survey_destroy, PTR(sound_regions()), PTR(&made))
+static const double survey_band[2] = {0.5, 1};
+HOSTILE_MADE(wcut_survey_create, wcut_survey, wcut_survey_destroy, PTR(sound_regions()), COUNT(2),
+             VALUES(survey_band, 2), PTR(&made))
 HOSTILE_VALUE(wcut_survey_eval, OPT(sound_survey()))
 HOSTILE_VALUE(wcut_survey_destroy, NULL)
 

@@ -1,8 +1,9 @@
 // Tables: numbers right-aligned with the decimals their column needs.
 import {decimals, element, fixed, labelled, number} from './text.js';
 
-// own: every number has its own decimals, for columns that mix quantities
+// own: every number has its own decimals, for columns that mix quantities; a column of units says that they do
 export function tableFigure(table, own = false) {
+  const mixed = own || table.columns.some(column => !column.numbers && column.label === 'unit');
   const head = element('tr'),
     body = element('tbody');
   const show = table.columns.map(column => {
@@ -15,7 +16,7 @@ export function tableFigure(table, own = false) {
       largest = Math.max(0, ...there.map(Math.abs)),
       smallest = Math.min(...there.map(v => Math.abs(v) || Infinity));
     // a column that spans many decades cannot share its decimals
-    const alone = own || largest >= 1e7 || largest / smallest > 1e5 || largest < 1e-4;
+    const alone = mixed || largest >= 1e7 || largest / smallest > 1e5 || largest < 1e-4;
     return r =>
       element(
         'td',

@@ -30,9 +30,10 @@ typedef enum wcut_compare_distance {
 
 /** What a scan is compared with: a file, a cut that was simulated, a mesh or a surface; exactly one of them. */
 typedef struct wcut_compare_reference {
-    const char *path;            /**< a job, which is simulated, a mesh or a CAD file; NULL: one of those below */
-    const char *face;            /**< of a CAD file with several faces: a name or a number from 1; NULL: its only one */
-    const char *edges;           /**< file whose two curves replace the edges of a design at `path`; NULL: none */
+    const char *path;  /**< a job, which is simulated, a mesh or a CAD file; NULL: one of those below */
+    const char *face;  /**< of a CAD file with several faces: names or numbers from 1 with commas, or "all"; NULL: its
+                                      only one. Of several each point is compared with the nearest it belongs to */
+    const char *edges; /**< file whose two curves replace the edges of a design at `path`; NULL: none */
     const char *force_law;       /**< file whose laws replace those of a job at `path`; NULL: none */
     const wcut_setup *setup;     /**< the setup of `history` */
     const wcut_history *history; /**< of two stations or more */

@@ -12,7 +12,7 @@ extern "C" {
 
 enum { WCUT_REGION_NAME = 64, WCUT_REGIONS_MAX = 200, WCUT_SECTIONS_MAX = 50, WCUT_REGION_POINTS_MAX = 1000 };
 
-/** A zone: a box, or a polygon seen along z. */
+/** A zone: a box, or a polygon seen along z, such as the border of a face. */
 typedef struct wcut_region {
     char name[WCUT_REGION_NAME];
     wcut_vec3 low, high; /**< [mm] of a polygon its box in x and y and all heights */

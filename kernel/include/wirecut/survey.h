@@ -5,6 +5,7 @@
 #include <wirecut/deviation.h>
 #include <wirecut/export.h>
 #include <wirecut/regions.h>
+#include <wirecut/statistics.h>
 #include <wirecut/status.h>
 #include <wirecut/vec3.h>
 
@@ -14,11 +15,12 @@ extern "C" {
 
 /** What was measured in a zone. */
 typedef struct wcut_region_result {
-    int count;             /**< deviations whose feet are in it; where it is 0 so is the rest */
-    double mean, std, rms; /**< [mm] */
-    double min, max;       /**< [mm] */
-    double within;         /**< [1] share with |d| <= tolerance; 0 without one */
-    int passed;            /**< 1, or 0 where too few are within or none was measured; -1 without a tolerance */
+    int count;                          /**< deviations whose feet are in it; where it is 0 so is the rest */
+    double mean, std, rms, mae;         /**< [mm] mae: mean |d| */
+    double min, max;                    /**< [mm] */
+    double within;                      /**< [1] share with |d| <= tolerance; 0 without one */
+    double within_band[WCUT_BANDS_MAX]; /**< [1] share with |d| <= each band of the survey */
+    int passed; /**< 1, or 0 where too few are within or none was measured; -1 without a tolerance */
 } wcut_region_result;
 
 /** A step of a section. */
@@ -38,6 +40,7 @@ typedef struct wcut_section_result {
 /** What was measured in all of them. */
 typedef struct wcut_survey_result {
     const wcut_regions *of;             /**< that the survey was made for */
+    int bands;                          /**< of each zone */
     const wcut_region_result *region;   /**< of->regions */
     const wcut_section_result *section; /**< of->sections */
     int passed;                         /**< 0 where a zone failed, else 1 */
@@ -50,10 +53,13 @@ typedef struct wcut_survey wcut_survey;
  * Begin a survey.
  *
  * @param[in]  regions borrowed for as long as the survey lives
+ * @param[in]  bands   0 .. WCUT_BANDS_MAX
+ * @param[in]  band    bands [mm] positive tolerances whose shares are counted in every zone
  * @param[out] survey  the caller's, to wcut_survey_destroy
  * @return WCUT_OK; WCUT_BAD_ARGUMENT (also a section of more than 1,000,000 steps), WCUT_NO_MEMORY: nothing was written.
  */
-WCUT_API wcut_status wcut_survey_create(const wcut_regions *regions, wcut_survey **survey);
+WCUT_API wcut_status wcut_survey_create(const wcut_regions *regions, int bands, const double *band,
+                                        wcut_survey **survey);
 
 /**
  * Add points and their deviations; those beyond or ambiguous are skipped.

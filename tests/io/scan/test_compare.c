@@ -1,5 +1,7 @@
 /* A scan beside a face in one call: closed forms on a plane and a wave, each kind of reference, refusals, faults. */
 #include <wirecut/compare.h>
+#include <wirecut/edit.h>
+#include <wirecut/exchange.h>
 #include <wirecut/surface_fit.h>
 
 #include "cut/trials.h"
@@ -157,6 +159,56 @@ static void end_job(void) {
     wcut_setup_destroy(setup);
     wcut_job_destroy(job);
     leave_folder();
+}
+
+TEST(several_faces_of_a_cad_file_are_one_reference_across_their_seams) {
+    wcut_mesh *m = sheet(wave);
+    wcut_surface *surface = NULL, *half[2];
+    ck_assert_int_eq(wcut_surface_loft(SIDE, SIDE, m->vertex, 1e-6, &surface, NULL, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_surface_split(surface, WCUT_DIRECTION_U, 0.37, &half[0], &half[1]), WCUT_OK);
+    const wcut_shape shape[] = {{.name = "left", .surface = half[0]}, {.name = "right", .surface = half[1]}};
+    wcut_error error = {0};
+    enter_folder();
+    ck_assert_int_eq(wcut_step_write(2, shape, WCUT_STEP_SCHEMA_AP214, "two.step", &error), WCUT_OK);
+    const wcut_compare_scan scan = scan_of(wave, 20.0 / 60, 0.3);
+    wcut_compare_options o = wcut_compare_options_default();
+    o.feet = true, o.threads = 2;
+    const wcut_compare_reference whole = {.surface = surface}, all = {.path = "two.step", .face = "all"};
+    wcut_compare_result *a = compare(&whole, &scan, &o), *b = compare(&all, &scan, &o);
+    ck_assert_int_eq(b->compared.found->statistics.count, SCAN);
+    for (int k = 0; k < SCAN; k++) ck_assert_double_le(fabs(a->row[k].distance - b->row[k].distance), 1e-6);
+    ck_assert_double_gt(b->page.mesh->vertex[b->page.mesh->vertex_count - 1].x, 150); /* the map has both */
+    wcut_compare_destroy(b);
+
+    /* by their numbers the same; one alone leaves the points of the other beyond */
+    const wcut_compare_reference listed = {.path = "two.step", .face = "2,1"}, one = {.path = "two.step", .face = "2"};
+    b = compare(&listed, &scan, &o);
+    for (int k = 0; k < SCAN; k++) ck_assert_double_le(fabs(a->row[k].distance - b->row[k].distance), 1e-6);
+    wcut_compare_destroy(b);
+    b = compare(&one, &scan, &o);
+    ck_assert_int_lt(b->compared.found->statistics.count, SCAN - 100);
+    wcut_compare_destroy(b);
+
+    /* what is no choice, and what several faces do not have */
+    static const char *const bad[] = {"3", "1,1", "1,", "none", ""};
+    for (size_t k = 0; k <= sizeof bad / sizeof *bad; k++) {
+        const bool none = k == sizeof bad / sizeof *bad;
+        const wcut_compare_reference r = {.path = "two.step", .face = none ? NULL : bad[k]};
+        wcut_compare_result *no = NULL;
+        ck_assert_int_eq(wcut_compare_run(&r, 1, &scan, &o, NULL, NULL, &no, &error), WCUT_BAD_FORMAT);
+        ck_assert_msg(strstr(error.text, "(1, 2)") != NULL, "%s", error.text);
+        ck_assert_ptr_null(no);
+    }
+    o.reconstruct = true;
+    wcut_compare_result *no = NULL;
+    ck_assert_int_eq(wcut_compare_run(&all, 1, &scan, &o, NULL, NULL, &no, &error), WCUT_BAD_ARGUMENT);
+    ck_assert_msg(strstr(error.text, "several faces") != NULL, "%s", error.text);
+    leave_folder();
+    wcut_compare_destroy(a);
+    wcut_surface_destroy(half[0]);
+    wcut_surface_destroy(half[1]);
+    wcut_surface_destroy(surface);
+    wcut_mesh_destroy(m);
 }
 
 TEST(a_file_and_what_is_in_memory_give_the_same_digits) {

@@ -1,5 +1,8 @@
 /* Zones and sections of a user: read from JSON, measured against closed forms, written; what is refused. */
 #include <math.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <wirecut/mould_file.h>
 #include <wirecut/survey.h>
 #include <wirecut/table.h>
 
@@ -37,6 +40,85 @@ static void make_points(void) {
     }
 }
 
+/* the outer face of a half with three pockets, each of radius 6 mm at 9 mm from two sides */
+static void write_half(const char *path) {
+    static const wcut_vec3 block = {100, 80, 60};
+    wcut_vec3 node[4] = {{-10, -10, 40}, {110, -10, 40}, {-10, 90, 40}, {110, 90, 40}};
+    wcut_key key[WCUT_KEYS_AT_CORNERS];
+    wcut_surface *cut = NULL;
+    wcut_mould *mould = NULL;
+    wcut_mould_options o = wcut_mould_default();
+    ck_assert_int_eq(wcut_surface_loft(2, 2, node, 0, &cut, NULL, NULL), WCUT_OK);
+    ck_assert_int_eq(wcut_keys_at_corners(block, 6, -5, key), WCUT_OK);
+    o.key = key, o.key_count = WCUT_KEYS_AT_CORNERS, o.chord_tolerance = 1;
+    ck_assert_msg(wcut_mould_create(cut, block, &o, &mould, &error) == WCUT_OK, "%s", error.text);
+    ck_assert_int_eq(wcut_mould_write_step(mould, "half", WCUT_MOULD_PART_LOWER, WCUT_STEP_SCHEMA_AP214, path, &error),
+                     WCUT_OK);
+    wcut_mould_destroy(mould);
+    wcut_surface_destroy(cut);
+}
+
+TEST(a_zone_is_a_face_of_a_cad_file_without_its_holes) {
+    wcut_survey *survey = NULL;
+    enter_folder();
+    ck_assert_int_eq(mkdir("cad", 0700), 0);
+    write_half("cad/half.step");
+    write_file("cad/zones.json",
+               "{\"format\": \"wirecut-zones/1\", \"zones\": [{\"name\": \"back\", \"tolerance_mm\": 1, "
+               "\"step_face\": {\"file\": \"half.step\", \"face\": \"outer face\"}}, {\"name\": \"top\", "
+               "\"step_face\": {\"file\": \"half.step\", \"face\": \"cut face\"}}]}");
+    ck_assert_msg(wcut_regions_read("cad/zones.json", &regions, &error) == WCUT_OK, "%s", error.text);
+
+    /* every millimetre of 110 x 90 mm */
+    wcut_vec3 *x = wcut_alloc(9900, sizeof *x);
+    wcut_deviation *d = wcut_alloc(9900, sizeof *d);
+    int back = 0, top = 0;
+    for (int k = 0; k < 9900; k++) {
+        x[k] = (wcut_vec3){k % 110 - 4.5, k / 110 - 4.5, 0};
+        d[k] = (wcut_deviation){.distance = 0.5, .foot = x[k], .place = WCUT_PLACE_INSIDE};
+        const bool in = x[k].x > 0 && x[k].x < 100 && x[k].y > 0 && x[k].y < 80;
+        const double hole =
+            fmin(hypot(x[k].x - 9, x[k].y - 9), fmin(hypot(x[k].x - 91, x[k].y - 9), hypot(x[k].x - 9, x[k].y - 71)));
+        top += in;
+        back += in && hole > 6;
+    }
+    ck_assert_int_eq(wcut_survey_create(regions, 0, NULL, &survey), WCUT_OK);
+    ck_assert_int_eq(wcut_survey_add(survey, 9900, x, d), WCUT_OK);
+    const wcut_survey_result *r = wcut_survey_eval(survey);
+    ck_assert_int_eq(top, 8000);
+    ck_assert_int_eq(r->region[0].count, back);
+    ck_assert_int_eq(r->region[1].count, top);
+    ck_assert_int_eq(r->region[0].passed, 1);
+    wcut_survey_destroy(survey);
+    wcut_regions_destroy(regions);
+    wcut_free(d);
+    wcut_free(x);
+
+    /* what is no face, or seen on edge */
+    static const struct {
+        const char *face, *words;
+    } bad[] = {{"{\"file\": \"half.step\"}", "one face of the file"},
+               {"{\"file\": \"half.step\", \"face\": 99}", "one face of the file"},
+               {"{\"file\": \"half.step\", \"face\": \"side x = 0\"}", "seen on edge"},
+               {"{\"file\": \"none.step\"}", "none.step"},
+               {"{\"file\": 3}", "the name of a STEP or IGES file"},
+               {"{\"file\": \"half.step\", \"face\": []}", "a name or a number"},
+               {"{\"file\": \"half.step\", \"colour\": 1}", "alone"},
+               {"7", "the name of a STEP or IGES file"}};
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
+        char text[400];
+        snprintf(text, sizeof text,
+                 "{\"format\": \"wirecut-zones/1\", \"zones\": [{\"name\": \"a\", \"step_face\": %s}]}", bad[k].face);
+        write_file("cad/zones.json", text);
+        regions = NULL;
+        ck_assert_int_ne(wcut_regions_read("cad/zones.json", &regions, &error), WCUT_OK);
+        ck_assert_msg(!regions && strstr(error.text, bad[k].words) != NULL, "%s: %s", bad[k].face, error.text);
+    }
+    unlink("cad/half.step");
+    unlink("cad/zones.json");
+    leave_folder();
+}
+
 TEST(zones_and_sections_hold_what_lies_in_them) {
     wcut_survey *survey = NULL;
     enter_folder();
@@ -44,7 +126,8 @@ TEST(zones_and_sections_hold_what_lies_in_them) {
     ck_assert(regions->regions == 4 && regions->sections == 2);
     make_points();
     deviation[POINTS - 1].place = WCUT_PLACE_BEYOND;
-    ck_assert_int_eq(wcut_survey_create(regions, &survey), WCUT_OK);
+    static const double band[] = {0.02, 0.05};
+    ck_assert_int_eq(wcut_survey_create(regions, 2, band, &survey), WCUT_OK);
     ck_assert_int_eq(wcut_survey_add(survey, 100, point, deviation), WCUT_OK);
     ck_assert_int_eq(wcut_survey_add(survey, POINTS - 100, point + 100, deviation + 100), WCUT_OK);
     const wcut_survey_result *r = wcut_survey_eval(survey);
@@ -53,6 +136,8 @@ TEST(zones_and_sections_hold_what_lies_in_them) {
     const wcut_region_result *f = r->region;
     ck_assert(f[0].count == 200 && f[0].within == 1 && f[0].passed == 1);
     ck_assert_double_eq_tol(f[0].mean, 0.05, 1e-12);
+    ck_assert_double_eq_tol(f[0].mae, 0.05, 1e-12);
+    ck_assert(f[0].within_band[0] == 0.2 && f[0].within_band[1] == 0.5 && r->bands == 2);
     ck_assert_double_eq_tol(f[0].rms, 0.01 * sqrt(33.25), 1e-12);
     ck_assert_double_eq_tol(f[0].min, 0.005, 1e-15);
     ck_assert_double_eq_tol(f[0].max, 0.095, 1e-15);
@@ -102,7 +187,8 @@ TEST(what_is_no_zone_and_no_section_is_refused_with_its_place) {
     } bad[] = {
         {"{\"format\": \"wirecut-job/1\"}", "expected \"wirecut-zones/1\"; simulate"},
         {"{\"format\": \"wirecut-zones/1\"}", "a zone or a section at least"},
-        {"{\"format\": \"wirecut-zones/1\", \"zones\": [{\"name\": \"a\"}]}", "either \"box_mm\" or \"polygon_mm\""},
+        {"{\"format\": \"wirecut-zones/1\", \"zones\": [{\"name\": \"a\"}]}",
+         "one of \"box_mm\", \"polygon_mm\", \"step_face\""},
         {"{\"format\": \"wirecut-zones/1\", \"zones\": [{\"name\": \"a,b\", \"box_mm\": [[0,0,0],[1,1,1]]}]}",
          "$.zones[0].name: found \"a,b\", expected a name"},
         {"{\"format\": \"wirecut-zones/1\", \"zones\": [{\"name\": \"a\", \"box_mm\": [[0,0,0],[1,-1,1]]}]}",
@@ -139,15 +225,15 @@ TEST(what_is_no_zone_and_no_section_is_refused_with_its_place) {
                "\"step_mm\": 1e-9}]}");
     ck_assert_int_eq(wcut_regions_read("zones.json", &regions, &error), WCUT_OK);
     wcut_survey *survey = NULL;
-    ck_assert_int_eq(wcut_survey_create(regions, &survey), WCUT_BAD_ARGUMENT);
-    ck_assert_int_eq(wcut_survey_create(NULL, &survey), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_survey_create(regions, 0, NULL, &survey), WCUT_BAD_ARGUMENT);
+    ck_assert_int_eq(wcut_survey_create(NULL, 0, NULL, &survey), WCUT_BAD_ARGUMENT);
     ck_assert_int_eq(wcut_survey_add(NULL, 0, NULL, NULL), WCUT_BAD_ARGUMENT);
     ck_assert_ptr_null(wcut_survey_eval(NULL));
     wcut_regions_destroy(regions);
     regions = NULL;
     write_file("zones.json", ZONES);
     EACH_FAILED_ALLOCATION(wcut_regions_read("zones.json", &regions, &error), !regions);
-    EACH_FAILED_ALLOCATION(wcut_survey_create(regions, &survey), !survey);
+    EACH_FAILED_ALLOCATION(wcut_survey_create(regions, 0, NULL, &survey), !survey);
     wcut_survey_destroy(survey);
     wcut_regions_destroy(regions);
     leave_folder();
