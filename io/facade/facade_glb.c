@@ -156,7 +156,8 @@ static void put_indices(wcut_text *t) {
 /* the normal of the face at a sample, of length 1 in single precision too */
 static bool put_normal(wcut_text *t, const wcut_element_face *face, int i) {
     wcut_vec3 ders[4];
-    if (wcut_surface_eval(face->surface, (double)(i % N) / (N - 1), (double)(i / N) / (N - 1), 1, ders) != WCUT_OK)
+    const int row = i / N, column = i % N;
+    if (wcut_surface_eval(face->surface, (double)column / (N - 1), (double)row / (N - 1), 1, ders) != WCUT_OK)
         return false;
     const wcut_vec3 u = ders[2], v = ders[1];
     const wcut_vec3 n = {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};

@@ -488,7 +488,8 @@ static bool read_description(wcut_reader *reader, const wcut_place *at, wcut_des
 }
 
 /* the plan's arrays from what was read, and the facade laid out */
-static wcut_status lay_out_description(wcut_describing *d, const char *label, wcut_facade **facade, wcut_error *error) {
+static wcut_status lay_out_description(const wcut_describing *d, const char *label, wcut_facade **facade,
+                                       wcut_error *error) {
     wcut_facade_field height[WCUT_FACADE_SUM_MAX], extra[WCUT_FACADE_SUM_MAX];
     const wcut_job **job = wcut_alloc((size_t)d->variants, sizeof *job);
     if (!job) return wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
@@ -497,15 +498,15 @@ static wcut_status lay_out_description(wcut_describing *d, const char *label, wc
     for (int k = 0; k < d->extras; k++) extra[k] = d->field[d->extra[k]].field;
 
     /* a tenth of the block's height for kinks, where nothing is said */
-    wcut_facade_plan *p = &d->plan;
-    p->jobs = d->variants, p->job = job;
-    p->heights = d->heights, p->height = height;
-    p->extras = d->extras, p->extra = extra;
-    p->placements = d->placements, p->placement = d->placement;
-    if (!(p->match_move > 0)) p->match_move = job[0]->block_size.z / 10;
+    wcut_facade_plan p = d->plan;
+    p.jobs = d->variants, p.job = job;
+    p.heights = d->heights, p.height = height;
+    p.extras = d->extras, p.extra = extra;
+    p.placements = d->placements, p.placement = d->placement;
+    if (!(p.match_move > 0)) p.match_move = job[0]->block_size.z / 10;
     wcut_error said = {.text = ""};
     char quoted[WCUT_QUOTE_SIZE];
-    const wcut_status status = wcut_facade_create(p, facade, &said);
+    const wcut_status status = wcut_facade_create(&p, facade, &said);
     wcut_free(job);
     return status == WCUT_OK
                ? status

@@ -84,9 +84,11 @@ static bool is_figure_known(const facade_page *p, int figure) {
 
 /* every how manieth sample the view has each way */
 static int stride_of(int elements) {
-    int stride = 1;
-    while ((N - 1) / stride > 2 && (double)elements * ((N - 1) / stride + 1) * ((N - 1) / stride + 1) > VERTICES_SHOWN)
+    int stride = 1, side = N;
+    while (side > 3 && elements > VERTICES_SHOWN / (side * side)) {
         stride *= 2;
+        side = (N - 1) / stride + 1;
+    }
     return stride;
 }
 

@@ -213,8 +213,8 @@ static wcut_status make_edge(const edge_lines *lines, const wcut_facade_element 
     for (int k = 0; k < count; k++) {
         /* on the block the shared heights, beyond it what follows */
         const int inside = (k - before) * EVERY;
-        const double way =
-            k < before ? -overrun * (before - k) / before : overrun * (k - before - LAST / EVERY) / BEYOND;
+        const int beyond = k < before ? k - before : k - before - LAST / EVERY;
+        const double way = overrun * beyond / BEYOND;
         if (inside >= 0 && inside <= LAST) {
             point[k] = wcut_border_point(block, border, inside, e->border[border][inside]);
             continue;

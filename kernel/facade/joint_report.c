@@ -99,8 +99,8 @@ wcut_status wcut_facade_points(const wcut_facade *facade, const wcut_element_fac
         const wcut_facade_element *element = &facade->element[e];
         const wcut_vec3 block = element->job->block_size;
         for (int k = 0; k < COUNT * COUNT; k++) {
-            const wcut_vec3 flat =
-                vec3(block.x * (k % COUNT) / END, block.y * (k / COUNT) / END, element->mirrored ? block.z : 0);
+            const int row = k / COUNT, column = k % COUNT;
+            const wcut_vec3 flat = vec3(block.x * column / END, block.y * row / END, element->mirrored ? block.z : 0);
             point[(ptrdiff_t)e * COUNT * COUNT + k] = wcut_element_point(element, face[e] ? face[e]->point[k] : flat);
         }
         take_joint_points(facade, e, point);

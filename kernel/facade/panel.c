@@ -21,7 +21,8 @@ static wcut_status check_bend(const wcut_element_face *face, double thickness, w
     wcut_vec3 at = {0, 0, 0};
     for (int k = 0; k < LOOKS * LOOKS; k++) {
         double larger, smaller;
-        const double u = (double)(k % LOOKS) / (LOOKS - 1), v = (double)(k / LOOKS) / (LOOKS - 1);
+        const int row = k / LOOKS, column = k % LOOKS;
+        const double u = (double)column / (LOOKS - 1), v = (double)row / (LOOKS - 1);
         wcut_status status = wcut_surface_curvature(face->surface, u, v, &larger, &smaller);
         const double bend = fmax(larger * thickness, smaller * thickness) / fabs(thickness);
         if (status == WCUT_OK && bend > max) {

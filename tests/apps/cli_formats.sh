@@ -30,7 +30,7 @@ run 0 mould design.json -o ../mould --quiet
 run 0 control job.json -o ../control --quiet
 # a job with an excitation has no programs, nor has a path that ends in the foam: the design has
 run 0 path design.json --format json -o ../robot --quiet
-run 0 path design.json --format csv -o ../robot --quiet --json
+run 0 path design.json --format csv -o ../robot-csv --quiet --json
 cp out ../path.json
 run 0 identify job.json -o ../identify --quiet --json
 cp out ../identification.json
@@ -51,7 +51,8 @@ run 0 verify ../identify --quiet --json
 cp out ../verification.json
 run 0 sweep study.json -o ../sweep --quiet
 read_in study.json
-run 0 facade wave.json -o ../facade --thickness 12 --formats csv -j 2 --quiet
+# the wire of the example is too thin for its tension: the elements are cut, and said to be infeasible
+run 6 facade wave.json -o ../facade --thickness 12 --formats csv -j 2 --quiet
 read_in wave.json
 # the one that takes a diagnosis: test_rig_prior reads the sample, which it is
 cmp -s rig.json "$SOURCE_DIR/samples/rig.json" || fail "rig.json of the document is not samples/rig.json"
@@ -69,7 +70,7 @@ same path.csv design/path.csv
 same mould.json mould/mould.json
 same control.json control/control.json
 same robot.json robot/robot.json
-same robot.csv robot/robot.csv
+same robot.csv robot-csv/robot.csv
 same path.json path.json
 same identification.json identification.json
 same voucher.json identification.json

@@ -68,8 +68,8 @@ static inline wcut_surface *graph(wcut_vec3 block, given_height height) {
     enum { STATIONS = 41, NODES = 31 };
     wcut_vec3 *p = wcut_alloc(STATIONS * NODES, sizeof *p);
     for (int k = 0; k < STATIONS * NODES; k++) {
-        const double x = -20 + (block.x + 40) * (k % NODES) / (NODES - 1),
-                     y = -20 + (block.y + 40) * (k / NODES) / (STATIONS - 1);
+        const int row = k / NODES, column = k % NODES;
+        const double x = -20 + (block.x + 40) * column / (NODES - 1), y = -20 + (block.y + 40) * row / (STATIONS - 1);
         p[k] = (wcut_vec3){x, y, height(x, y)};
     }
     wcut_surface *s = NULL;

@@ -29,7 +29,8 @@ TEST(a_face_without_shared_edges_is_the_cut) {
         wcut_element_face *face = face_of(height[k], NULL);
         for (int i = 0; i < POINTS; i++) {
             const wcut_vec3 p = face->point[i];
-            ck_assert(p.x == block.x * (i % N) / END && p.y == block.y * (i / N) / END);
+            const int row = i / N, column = i % N;
+            ck_assert(p.x == block.x * column / END && p.y == block.y * row / END);
             ck_assert(fabs(p.z - height[k](p.x, p.y)) < within[k] && face->moved[i] == 0);
         }
         ck_assert(face->fit_error < within[k]);

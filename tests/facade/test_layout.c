@@ -56,14 +56,20 @@ TEST(fields_have_their_closed_forms) {
 
 TEST(a_grid_of_a_plane_is_that_plane_and_passes_its_values) {
     double plane[12], rough[12] = {0, 3, -1, 5, 2, 2, 8, 1, 0, 4, 4, -3};
-    for (int k = 0; k < 12; k++) plane[k] = 2 + 5 * (k % 4) - 3 * (k / 4);
+    for (int k = 0; k < 12; k++) {
+        const int row = k / 4, column = k % 4;
+        plane[k] = 2 + 5 * column - 3 * row;
+    }
     wcut_facade_field f = {.kind = WCUT_FACADE_FIELD_GRID, .rows = 3, .columns = 4, .grid = plane};
     for (int k = 0; k < 50; k++) {
         const double u = 12.0 * k, v = 8.0 * k;
         ck_assert(fabs(field_value(f, u, v) - (2 + 15 * u / 600 - 6 * v / 400)) < 1e-9);
     }
     f.grid = rough;
-    for (int k = 0; k < 12; k++) ck_assert(fabs(field_value(f, 200.0 * (k % 4), 200.0 * (k / 4)) - rough[k]) < 1e-12);
+    for (int k = 0; k < 12; k++) {
+        const int row = k / 4, column = k % 4;
+        ck_assert(fabs(field_value(f, 200.0 * column, 200.0 * row) - rough[k]) < 1e-12);
+    }
 }
 
 /* ---- places ---- */
@@ -83,7 +89,8 @@ TEST(every_turn_is_a_rotation_that_keeps_the_block_in_its_cell) {
         /* its corners are those of the cell, where wcut_cell_share says */
         const double wide = turn % 2 ? 200 : 300, deep = turn % 2 ? 300 : 200;
         for (int corner = 0; corner < 4; corner++) {
-            const double i = corner % 2, j = corner / 2;
+            const int right = corner % 2, up = corner / 2;
+            const double i = right, j = up;
             double share[2];
             wcut_cell_share(turn, mirrored, i, j, share);
             const double x = c.origin.x + i * 300 * c.x.x + j * 200 * c.y.x,
