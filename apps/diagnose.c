@@ -34,7 +34,8 @@ typedef struct run {
     wcut_rig_prior rig;    /* of --rig */
     wcut_recording *still; /* of --still */
     wcut_diagnosis *diagnosis;
-    bool failed; /* memory ran out */
+    bool failed;  /* memory ran out */
+    bool stopped; /* memory ran out for an input, or it has no hash: said, and nothing is written */
     int said, sources;
     char **said_text;               /* 2 found->cuts + 1 */
     char **cut_name;                /* found->cuts */
@@ -106,7 +107,8 @@ static char *join_diagnose(run *r, const char *a, const char *b, const char *c) 
 /* a file that cannot be read is said, here and on the page, and the diagnosis goes on without it */
 static void note_diagnose_bad(run *r, wcut_status status, const wcut_error *error, const char *loss) {
     const int code = app_fail_status(status, NULL, error);
-    if (r->code == APP_DONE) r->code = code;
+    if (r->code == APP_DONE || status == WCUT_NO_MEMORY) r->code = code;
+    r->stopped = r->stopped || status == WCUT_NO_MEMORY;
     r->said_text[r->said++] = join_diagnose(r, error->text, ": ", loss);
 }
 
@@ -115,7 +117,9 @@ static void note_source(run *r, const char *role, const char *path) {
     wcut_error error = {0};
     const wcut_status status = wcut_source_hash(path, hash, &error);
     r->source[r->sources++] = (wcut_report_source){role, path, hash[0] ? hash : NULL};
-    if (status != WCUT_OK && r->code == APP_DONE) r->code = app_fail_status(status, NULL, &error);
+    if (status == WCUT_OK) return;
+    r->code = app_fail_status(status, NULL, &error);
+    r->stopped = true;
 }
 
 static void read_diagnose_cut(run *r, int i) {
@@ -232,11 +236,12 @@ static int load_diagnose(run *r) {
     code = read_diagnose_cell(r);
     if (code != APP_DONE) return code;
     int usable = 0;
-    for (int i = 0; i < r->found->cuts; i++) {
+    for (int i = 0; i < r->found->cuts && !r->stopped; i++) {
         read_diagnose_cut(r, i);
         usable += r->trial[i].recording != NULL;
     }
-    read_diagnose_calibration(r);
+    if (!r->stopped) read_diagnose_calibration(r);
+    if (r->stopped) return r->code;
     if (r->failed) return fail_diagnose_memory();
 
     /* at least one cut must be usable */

@@ -322,21 +322,24 @@ static bool is_in_journal(const wcut_journal *journal, const char *name) {
     return false;
 }
 
-/* a file that goes away with the earlier set; one that is none stays */
-static void drop_file(const wcut_results *r, const char *voucher, const char *name, wcut_journal *journal) {
+/* a file that goes away with the earlier set; one that is none stays. 0 or an errno */
+static int drop_file(const wcut_results *r, const char *voucher, const char *name, wcut_journal *journal) {
     struct stat s;
-    if (strcmp(name, voucher) == 0 || is_in_set(r, name) || is_in_journal(journal, name)) return;
-    if (fstatat(r->fd, name, &s, AT_SYMLINK_NOFOLLOW) != 0 || !S_ISREG(s.st_mode)) return;
-    if (journal->count + r->count + 1 >= WCUT_JOURNAL_NAMES_MAX) return;
+    if (strcmp(name, voucher) == 0 || is_in_set(r, name) || is_in_journal(journal, name)) return 0;
+    if (fstatat(r->fd, name, &s, AT_SYMLINK_NOFOLLOW) != 0) return errno == ENOENT ? 0 : errno;
+    if (!S_ISREG(s.st_mode) || journal->count + r->count + 1 >= WCUT_JOURNAL_NAMES_MAX) return 0;
     journal->entry[journal->count].remove = true;
     memcpy(journal->entry[journal->count++].name, name, strlen(name) + 1);
+    return 0;
 }
 
 /* the object of hashes of the earlier voucher, for json_decref; NULL where there is none */
 static wcut_status load_earlier(const wcut_results *r, const char *voucher, json_t **hashes, wcut_error *error) {
     struct stat s;
     *hashes = NULL;
-    if (fstatat(r->fd, voucher, &s, AT_SYMLINK_NOFOLLOW) != 0 || !S_ISREG(s.st_mode)) return WCUT_OK;
+    if (fstatat(r->fd, voucher, &s, AT_SYMLINK_NOFOLLOW) != 0)
+        return errno == ENOENT ? WCUT_OK : fail_name(error, r, voucher, errno, "cannot be read");
+    if (!S_ISREG(s.st_mode)) return WCUT_OK;
 
     /* it is there: what cannot be read is not taken for nothing */
     char *path = wcut_results_join(r->folder, voucher), *text = NULL;
@@ -346,9 +349,11 @@ static wcut_status load_earlier(const wcut_results *r, const char *voucher, json
     if (status != WCUT_OK) return status == WCUT_NO_MEMORY ? status : WCUT_NOT_WRITTEN;
     json_error_t cause;
     memset(&cause, 0, sizeof cause);
+    errno = 0;
     json_t *root = json_loadb(text, length, JSON_REJECT_DUPLICATES, &cause);
+    const bool lacking = !root && (errno == ENOMEM || json_error_code(&cause) == json_error_out_of_memory);
     free(text);
-    if (!root && json_error_code(&cause) == json_error_out_of_memory) return fail_results_memory(error);
+    if (lacking) return fail_results_memory(error);
 
     /* a file of that name that lists nothing is no voucher */
     json_t *found = json_object_get(root, "sha256");
@@ -358,27 +363,41 @@ static wcut_status load_earlier(const wcut_results *r, const char *voucher, json
     return WCUT_OK;
 }
 
+/* a file of the earlier voucher with the hash that it lists; one that somebody changed, or keeps from us, stays */
+static wcut_status drop_listed(const wcut_results *r, const char *voucher, const char *name, const char *hash,
+                               wcut_journal *journal, wcut_error *error) {
+    wcut_result_state state;
+    if (is_in_set(r, name) || is_in_journal(journal, name)) return WCUT_OK;
+    if (faccessat(r->fd, name, R_OK, AT_EACCESS) != 0)
+        return errno == ENOENT || errno == EACCES ? WCUT_OK : fail_name(error, r, name, errno, "cannot be read");
+
+    /* the bytes tell whose it is */
+    const wcut_status status = wcut_result_state_find(r->folder, name, hash, &state, error);
+    if (status != WCUT_OK) return status == WCUT_NO_MEMORY ? status : WCUT_NOT_WRITTEN;
+    const int code = state == WCUT_RESULT_STATE_WHOLE ? drop_file(r, voucher, name, journal) : 0;
+    return code ? fail_name(error, r, name, code, "cannot be read") : WCUT_OK;
+}
+
 /* What an earlier run left would lie beside another's results: files under names of ours that this run did not write, and
-   what the earlier voucher lists (halves of another label), unless somebody changed it since or keeps it from us. */
+   what the earlier voucher lists (halves of another label). */
 static wcut_status drop_earlier(const wcut_results *r, const char *voucher, wcut_journal *journal, wcut_error *error) {
     json_t *hashes, *hash;
     const char *name;
-    for (int k = 0; k < r->declared; k++) drop_file(r, voucher, r->may[k], journal);
+    for (int k = 0; k < r->declared; k++) {
+        const int code = drop_file(r, voucher, r->may[k], journal);
+        if (code) return fail_name(error, r, r->may[k], code, "cannot be read");
+    }
 
     /* the earlier set's own list */
     wcut_status status = load_earlier(r, voucher, &hashes, error);
     if (status != WCUT_OK || !hashes) return status;
     json_object_foreach(hashes, name, hash) {
-        wcut_result_state state;
-        if (status != WCUT_OK || !json_is_string(hash) || !wcut_result_name_is_fine(name)) continue;
-        if (is_in_set(r, name) || is_in_journal(journal, name) || faccessat(r->fd, name, R_OK, AT_EACCESS) != 0)
-            continue;
-        status = wcut_result_state_find(r->folder, name, json_string_value(hash), &state, error);
-        if (status == WCUT_OK && state == WCUT_RESULT_STATE_WHOLE) drop_file(r, voucher, name, journal);
+        if (status == WCUT_OK && json_is_string(hash) && wcut_result_name_is_fine(name))
+            status = drop_listed(r, voucher, name, json_string_value(hash), journal, error);
     }
     json_decref(hashes);
 
-    return status == WCUT_OK || status == WCUT_NO_MEMORY ? status : WCUT_NOT_WRITTEN;
+    return status;
 }
 
 /* the folder is locked: what goes away, what comes, and the voucher last */

@@ -151,7 +151,9 @@ def is_mixed(folder, voucher):
 
 
 def told(code, words):
-    return code > 0 and words.startswith("wirecut: ") and words.count("\n") == 1
+    """a line that says why; verbs over many files say one of each, and what became of the whole"""
+    lines = words.strip().split("\n")
+    return code > 0 and lines[0].startswith("wirecut: ") and len(lines) <= 2
 
 
 def told_of_sweep(code, words):

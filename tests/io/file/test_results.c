@@ -102,6 +102,7 @@ static void commit_named(const char *folder, const char *name) {
 }
 
 TEST(what_the_earlier_voucher_lists_goes_with_it_unless_it_was_changed) {
+    enter_folder();
     commit_named("names", "one");
     commit_named("names", "two");
     ck_assert(access("names/one", F_OK) != 0 && access("names/two", F_OK) == 0);
@@ -119,6 +120,8 @@ TEST(what_the_earlier_voucher_lists_goes_with_it_unless_it_was_changed) {
     ck_assert_int_eq(wcut_file_write_whole("names/v.json", "[1", 2, &error), WCUT_OK);
     commit_named("names", "five");
     ck_assert(access("names/four", F_OK) == 0 && access("names/five", F_OK) == 0);
+    ck_assert_int_eq(system("rm -r names"), 0);
+    leave_folder();
 }
 
 TEST(permissions_stay_but_set_user_id_goes) {
