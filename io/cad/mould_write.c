@@ -7,6 +7,7 @@
 #include <wirecut/mould_file.h>
 #include <wirecut/version.h>
 
+#include "base/degrees.h"
 #include "base/fail.h"
 #include "io/file/text.h"
 
@@ -46,12 +47,6 @@ static void put_half(wcut_text *text, const char *name, const wcut_half *half) {
     wcut_text_print(text, ", \"exact_faces\": %d}", half->brep ? half->brep->face_count : 0);
 }
 
-/* an angle as the user typed it: 3, not the 3.0000000000000004 of its way through radians */
-static double asked_degrees(double angle) {
-    const double fine = 1e12;
-    return round(WCUT_DEG_PER_RAD * angle * fine) / fine;
-}
-
 static void put_mould_cut(wcut_text *text, const wcut_mould *m) {
     /* volumes and their balance, kerf, errors */
     wcut_text_put_number(text, ",\n  \"kerf_volume_mm3\": ", m->kerf_volume);
@@ -72,7 +67,7 @@ static void put_mould_cut(wcut_text *text, const wcut_mould *m) {
 
     /* what was asked for, what holds the halves, and how they were made */
     wcut_text_put_number(text, "},\n  \"asked\": {\"wall_mm\": ", m->wall_asked);
-    wcut_text_put_number(text, ", \"draft_deg\": ", asked_degrees(m->draft_asked));
+    wcut_text_put_number(text, ", \"draft_deg\": ", typed_degrees(m->draft_asked));
     wcut_text_put_number(text, ", \"thickness_mm\": ", m->thickness);
     wcut_text_put_number(text, ", \"scale\": ", m->scale);
     wcut_text_put_point(text, ", \"pull\": [", m->pull);

@@ -7,6 +7,7 @@
 #include <wirecut/angle.h>
 #include <wirecut/report_pages.h>
 
+#include "base/degrees.h"
 #include "base/fail.h"
 
 enum { ROWS = 13, ASKED = 4, SHAPES = 4 };
@@ -65,9 +66,9 @@ static void list_asked(const wcut_mould *m, asked row[ASKED]) {
         const wcut_half_report *r = k ? &m->upper.report : &m->lower.report;
         const char *half = k ? "upper half" : "lower half";
         row[k] = (asked){half, "wall", "mm", r->wall_min, m->wall_asked, r->wall_place, r->wall_held};
-        row[2 + k] = (asked){
-            half,           "draft",      "deg", WCUT_DEG_PER_RAD * r->draft_min, WCUT_DEG_PER_RAD * m->draft_asked,
-            r->draft_place, r->draft_held};
+        row[2 + k] =
+            (asked){half,           "draft",      "deg", WCUT_DEG_PER_RAD * r->draft_min, typed_degrees(m->draft_asked),
+                    r->draft_place, r->draft_held};
     }
 }
 
@@ -249,7 +250,7 @@ static wcut_status write_mould_page(page *p, const wcut_report_scene *scene, con
                                        {"scale", NULL, m->scale, ""},
                                        {"pull out of the lower half, x, y, z", p->pull, 0, ""},
                                        {"required wall", NULL, m->wall_asked, "mm"},
-                                       {"required draft", NULL, WCUT_DEG_PER_RAD * m->draft_asked, "deg"}};
+                                       {"required draft", NULL, typed_degrees(m->draft_asked), "deg"}};
 
     /* only the files that were given */
     const wcut_report_source from[3] = {{"job", p->run->job_path, p->hash[0][0] ? p->hash[0] : NULL},

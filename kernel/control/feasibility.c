@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 
+#include "base/degrees.h"
 #include "base/numbers.h"
 #include "base/vec3.h"
 #include "control/robot_limits.h"
@@ -52,8 +53,9 @@ static void measure_station(const wcut_history *h, const wcut_robot_limits *l, d
     const double alpha = fmax(fabs(r->alpha_a), fabs(r->alpha_b)), beta = fmax(fabs(r->beta_a), fabs(r->beta_b));
     f[WCUT_FEASIBILITY_MEASURE_SPEED] = (figure){"speed of a mount", "mm/s", fmax(r->speed_a, r->speed_b), l->speed};
     f[WCUT_FEASIBILITY_MEASURE_ALPHA] =
-        (figure){"alpha of the wire at a mount", "deg", alpha * DEGREE, l->alpha * DEGREE};
-    f[WCUT_FEASIBILITY_MEASURE_BETA] = (figure){"beta of the wire at a mount", "deg", beta * DEGREE, l->beta * DEGREE};
+        (figure){"alpha of the wire at a mount", "deg", alpha * DEGREE, typed_degrees(l->alpha)};
+    f[WCUT_FEASIBILITY_MEASURE_BETA] =
+        (figure){"beta of the wire at a mount", "deg", beta * DEGREE, typed_degrees(l->beta)};
     f[WCUT_FEASIBILITY_MEASURE_TURN] = (figure){"turn of the wire", "deg", turn_at(h, j), TURN_MAX};
     f[WCUT_FEASIBILITY_MEASURE_STRESS] =
         (figure){"stress of the wire", "MPa", fmax(r->tension_a, r->tension_b) * stress_per_tension, strength};

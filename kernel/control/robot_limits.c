@@ -1,6 +1,7 @@
 /* A cut against what cell and wire bear: speeds, accelerations, the head's angles, heat and stress of the wire. */
 #include "control/robot_limits.h"
 
+#include "base/degrees.h"
 #include "base/numbers.h"
 #include "base/vec3.h"
 
@@ -83,15 +84,14 @@ wcut_status wcut_robot_limits_check(const wcut_job *job, const wcut_history *his
     if (!wcut_limits_wire(job, &l, &temperature, &wire_strength)) return WCUT_BAD_ARGUMENT;
 
     /* the checks in the order of the report; values are filled in */
-    const double degree = 180 / WCUT_PI;
     wcut_robot_check check[WCUT_ROBOT_CHECKS] = {{"speed of mount A", "mm/s", 0, l.speed, -1, false},
                                                  {"speed of mount B", "mm/s", 0, l.speed, -1, false},
                                                  {"acceleration of mount A", "mm/s^2", 0, l.acceleration, -1, false},
                                                  {"acceleration of mount B", "mm/s^2", 0, l.acceleration, -1, false},
-                                                 {"alpha at mount A", "deg", 0, l.alpha * degree, -1, false},
-                                                 {"alpha at mount B", "deg", 0, l.alpha * degree, -1, false},
-                                                 {"beta at mount A", "deg", 0, l.beta * degree, -1, false},
-                                                 {"beta at mount B", "deg", 0, l.beta * degree, -1, false},
+                                                 {"alpha at mount A", "deg", 0, typed_degrees(l.alpha), -1, false},
+                                                 {"alpha at mount B", "deg", 0, typed_degrees(l.alpha), -1, false},
+                                                 {"beta at mount A", "deg", 0, typed_degrees(l.beta), -1, false},
+                                                 {"beta at mount B", "deg", 0, typed_degrees(l.beta), -1, false},
                                                  {"wire in still air", "degC", 0, l.temperature, -1, false},
                                                  {"stress of the wire in air", "MPa", 0, 0, -1, false}};
 

@@ -591,6 +591,7 @@ TEST(limits_are_told_with_their_numbers_and_their_station) {
     ck_assert_int_eq(check[3].station, 40);
     ck_assert_double_eq_tol(check[4].value, 0.3 * 180 / acos(-1), 1e-9);
     ck_assert(check[4].over && !check[5].over);
+    ck_assert(check[6].limit == 30); /* not 29.999999999999996 */
     ck_assert_double_eq_tol(check[8].value, 759.4, 1);
     ck_assert_double_eq_tol(check[9].value, 2 / (acos(-1) / 4 * 0.15 * 0.15), 1e-9);                   /* 113 MPa */
     ck_assert_double_eq_tol(check[9].limit, 725 * pow(34.0 / 725, (check[8].value - 20) / 880), 1e-9); /* 55.4 MPa */
