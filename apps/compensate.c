@@ -95,7 +95,7 @@ static int plan_target(compensating *c) {
 }
 
 static int load_compensation(compensating *c) {
-    int code = app_job_load(NULL, c->path, &c->job);
+    int code = app_job_load(c->call, c->path, &c->job);
     if (code == APP_DONE) code = load_machine(c);
     if (code != APP_DONE) return code;
     c->options = wcut_design_options_default();
@@ -255,6 +255,7 @@ static const app_option option[] = {
      .help = "rms deviation below which a correction is said to be not worth it, mm"},
     APP_OPTION_CHORD_TOLERANCE,
     APP_OPTION_FORMATS(FORMATS),
+    APP_OPTION_FORCE_LAW,
     APP_OPTION_THREADS,
     APP_OPTIONS_OF_ALL,
 };
