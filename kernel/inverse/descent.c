@@ -10,7 +10,7 @@
 #define FLOOR 1e-1  /* [1] of the mean diagonal: what hardly matters is damped as if it did so much */
 #define LITTLE 0.01 /* [1] two steps that lower the cost by less end a round */
 
-enum { UNKNOWNS_MAX = WCUT_DESIGN_CURVES * WCUT_KNOTS_MAX };
+enum { UNKNOWNS_MAX = WCUT_DESIGN_CURVES * WCUT_KNOTS_MAX, FAILURES = 6 };
 
 bool wcut_descent_create(int points, wcut_design_progress progress, void *context, wcut_descent *s) {
     const size_t n = UNKNOWNS_MAX;
@@ -107,6 +107,17 @@ void wcut_descent_note(wcut_descent *s, const wcut_trial *search, const wcut_des
     if (s->progress && s->progress(&s->round[s->rounds - 1], s->context) != 0) s->stopped = true;
 }
 
+/* A step's curves with their derivatives. After one that has failed the next may fail too: its cost first, and derivatives
+   where it is below the limit. */
+static wcut_status try_design_curves(wcut_descent *s, wcut_trial *search, const wcut_design_curves *c, double limit,
+                                     wcut_reached *there) {
+    if (limit < HUGE_VAL && !search->borrowed) {
+        const wcut_status status = wcut_trial_eval(search, c, NULL, NULL, there);
+        if (status != WCUT_OK || !(there->cost < limit)) return status;
+    }
+    return wcut_trial_eval(search, c, s->trial_normal, s->trial_gradient, there);
+}
+
 wcut_status wcut_descent_improve(wcut_descent *s, wcut_trial *search, wcut_design_curves *c, int steps, double goal,
                                  wcut_reached *reached) {
     const int n = wcut_design_unknowns(c), before = search->runs;
@@ -120,7 +131,7 @@ wcut_status wcut_descent_improve(wcut_descent *s, wcut_trial *search, wcut_desig
         wcut_trial_weigh(search);
         status = wcut_trial_eval(search, c, s->normal, s->gradient, reached);
     }
-    for (int k = 0, failed = 0, little = 0; status == WCUT_OK && k < steps && failed < 4 && !s->stopped;) {
+    for (int k = 0, failed = 0, little = 0; status == WCUT_OK && k < steps && failed < FAILURES && !s->stopped;) {
         if (reached->rms <= goal && reached->uncovered == 0) break;
         wcut_design_curves trial;
         wcut_reached there;
@@ -133,9 +144,17 @@ wcut_status wcut_descent_improve(wcut_descent *s, wcut_trial *search, wcut_desig
             continue;
         }
         take_design_step(c, s->step, &trial);
-        const wcut_status tried = wcut_trial_eval(search, &trial, s->trial_normal, s->trial_gradient, &there);
+        const wcut_status tried = try_design_curves(s, search, &trial, failed > 0 ? reached->cost : HUGE_VAL, &there);
         if (tried == WCUT_NO_MEMORY) status = tried;
-        if (tried != WCUT_OK || !(there.cost < reached->cost)) {
+        const bool lower = tried == WCUT_OK && there.cost < reached->cost;
+        if (search->borrowed && !lower) {
+            /* borrowed derivatives lead no further; where they lead nowhere those of this size may */
+            if (k > 0) break;
+            search->borrowed = false;
+            if (status == WCUT_OK) status = wcut_trial_eval(search, c, s->normal, s->gradient, reached);
+            continue;
+        }
+        if (!lower) {
             damping = fmax(8 * damping, 1e-5), failed++;
             continue;
         }

@@ -11,7 +11,7 @@
 #include "inverse/descent.h"
 #include "inverse/prepare.h"
 
-enum { FIRST_COEFFICIENTS = 8, STARTS = 3 };
+enum { FIRST_COEFFICIENTS = 8, STARTS = 3, BORROWED_MIN = 121 };
 
 #define WORTH 0.95 /* [1] more coefficients are worth it where the rms falls below this share */
 
@@ -97,11 +97,28 @@ static wcut_status grow_curves(wcut_descent *s, wcut_trial *search, const wcut_d
     return status;
 }
 
+/* a level's search, which may borrow from the one before; at first it chooses a start */
+static wcut_status search_level(wcut_descent *s, wcut_trial *search, wcut_trial *before, int steps,
+                                const wcut_design_options *o, double *start_rms, wcut_design_curves *best,
+                                wcut_reached *reached) {
+    wcut_status status = WCUT_OK;
+    if (!before->target) {
+        status = choose_start(s, search, o, start_rms, best);
+        search->known = false;
+    } else if (before->stations >= BORROWED_MIN) {
+        status = wcut_trial_borrow(search, before, best);
+    }
+    if (status == WCUT_OK) status = wcut_descent_improve(s, search, best, steps, o->tolerance / 4, reached);
+    if (status == WCUT_OK) wcut_descent_note(s, search, best, reached);
+    return status;
+}
+
 static wcut_status climb_levels(wcut_descent *s, const wcut_design_target *t, const wcut_job *job,
                                 const wcut_design_options *o, double *start_rms, wcut_design_curves *best,
                                 wcut_reached *reached) {
-    const struct { int stations, nodes, steps; } level[3] = {{61, 31, 6}, {121, 61, 4}, {job->stations, job->nodes, 4}};
+    const struct { int stations, nodes, steps; } level[3] = {{61, 31, 6}, {121, 61, 4}, {job->stations, job->nodes, 8}};
     wcut_status status = WCUT_OK;
+    wcut_trial before = {0};
     bool grown = false;
 
     /* coarse runs first; levels that are finer than the job are passed over */
@@ -109,20 +126,15 @@ static wcut_status climb_levels(wcut_descent *s, const wcut_design_target *t, co
         wcut_trial search;
         if (l < 2 && level[l].stations >= job->stations && level[l].nodes >= job->nodes) continue;
         status = open_trial(t, job, o, level[l].stations, level[l].nodes, &search);
-        if (status != WCUT_OK) return status;
-        if (start_rms) {
-            status = choose_start(s, &search, o, start_rms, best);
-            start_rms = NULL;
-            search.known = false;
-        }
-        if (status == WCUT_OK)
-            status = wcut_descent_improve(s, &search, best, level[l].steps, o->tolerance / 4, reached);
-        if (status == WCUT_OK) wcut_descent_note(s, &search, best, reached);
+        if (status != WCUT_OK) break;
+        status = search_level(s, &search, &before, level[l].steps, o, start_rms, best, reached);
         if (status == WCUT_OK && !grown && l >= 1) status = grow_curves(s, &search, o, best, reached);
         for (int k = 0; status == WCUT_OK && k < t->count; k++) s->strays[k] = !(search.weight[k] > 0);
-        wcut_trial_destroy(&search);
+        wcut_trial_destroy(&before);
+        before = search;
         grown = l >= 1;
     }
+    wcut_trial_destroy(&before);
     return status;
 }
 
@@ -211,10 +223,14 @@ static wcut_status take_paths(const wcut_design_target *t, const wcut_design_opt
     return status;
 }
 
-/* what the robots do: the paths of the job, polished until their own face is nearest to the target */
-static wcut_status polish_paths(const wcut_design_target *t, const wcut_design_options *o, wcut_descent *s,
+/* What the robots do: the paths of the job, polished until their own face is nearest to the target. Strays are those of the
+   plan: where the wire comes into the block the paths' face may be further off than any noise, and is to come nearer. */
+static wcut_status polish_paths(const wcut_design_target *target, const wcut_design_options *o, wcut_descent *s,
                                 wcut_design *d, wcut_error *error) {
     wcut_compensation *polished = NULL;
+    wcut_design_target kept = *target;
+    const wcut_design_target *t = &kept;
+    kept.count = d->points, kept.point = d->point, kept.robust = false;
     if (s->stopped) return take_paths(t, o, d, error);
     const wcut_status status = wcut_compensation_fit(t, d->job, o, s->progress, s->context, &polished, error);
     if (status != WCUT_OK && status != WCUT_INTERRUPTED) return status;

@@ -311,7 +311,7 @@ static wcut_status run_paths(wcut_trial *s, const wcut_design_curves *c, bool sl
     return wcut_setup_run(&moved, NULL, NULL, history, NULL);
 }
 
-static wcut_status run_trial(wcut_trial *s, const wcut_design_curves *c, bool slopes, wcut_history **history) {
+wcut_status wcut_trial_run(wcut_trial *s, const wcut_design_curves *c, bool slopes, wcut_history **history) {
     const wcut_status status = s->base ? run_paths(s, c, slopes, history) : run_curves(s, c, slopes, history);
     s->runs++;
     return status == WCUT_OK || status == WCUT_NO_MEMORY ? status : WCUT_NOT_CONVERGED;
@@ -335,7 +335,7 @@ wcut_status wcut_trial_eval(wcut_trial *s, const wcut_design_curves *c, double *
                             wcut_reached *reached) {
     wcut_history *h = NULL;
     equations e = {.unknowns = wcut_design_unknowns(c), .normal = normal, .gradient = gradient};
-    wcut_status status = run_trial(s, c, normal != NULL, &h);
+    wcut_status status = wcut_trial_run(s, c, normal != NULL && !s->borrowed, &h);
     if (status == WCUT_OK && s->face) status = find_face(s, h);
     if (status == WCUT_OK) {
         *reached = (wcut_reached){0};

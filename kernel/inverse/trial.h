@@ -34,6 +34,7 @@ typedef struct wcut_trial {
     double *room;         /* points, and unknowns_max */
     wcut_vec3 *face;      /* stations x nodes: of a job with a kerf or effects on the face; NULL without */
     bool known;           /* foot holds feet of these stations and nodes */
+    bool borrowed;        /* by holds derivatives of coarser runs: those of this size are not computed */
     int runs;
 } wcut_trial;
 
@@ -54,6 +55,15 @@ wcut_status wcut_trial_create(const wcut_design_target *target, const wcut_job *
 wcut_status wcut_trial_create_path(const wcut_design_target *target, const wcut_setup *base, int threads, int nodes,
                                    int unknowns_max, wcut_trial *s);
 void wcut_trial_destroy(wcut_trial *s);
+
+/* The derivatives of a coarser run of the same curves, between its nodes, in the place of a finer search's own: from size to
+   size they change by little, and residuals of the finer runs lead to the same end. What cannot be run is not borrowed.
+   WCUT_OK, WCUT_NO_MEMORY. */
+wcut_status wcut_trial_borrow(wcut_trial *s, wcut_trial *coarse, const wcut_design_curves *c);
+
+/* A run of curves, its derivatives in `by` where they are asked for. WCUT_OK; WCUT_NOT_CONVERGED: no such run;
+   WCUT_NO_MEMORY. */
+wcut_status wcut_trial_run(wcut_trial *s, const wcut_design_curves *c, bool slopes, wcut_history **history);
 
 /* Run curves and measure them. normal (unknowns x unknowns) and gradient (unknowns) of the cost's half, the bounds
    left out, where they are not NULL. WCUT_OK; WCUT_NOT_CONVERGED: no such run; WCUT_NO_MEMORY. */

@@ -1,6 +1,6 @@
 /* From targets to cuts: how near they come, and what it takes (kernel/MEASURED.md).
 
-   bench_inverse [targets | NAME | hidden COUNT | cloud | cost | compensation] ...; seconds are of the processor. */
+   bench_inverse [targets | NAME | hidden COUNT | cloud | panels N | cost | compensation] ...; seconds are of the processor. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,6 +10,8 @@
 
 #include "cut/sensitivity.h"
 #include "cut/setup.h"
+#include "inverse/feet.h"
+#include "inverse/target.h"
 
 #define PI 3.14159265358979323846
 
@@ -139,7 +141,7 @@ static void show_target(int k) {
         o.threads = setting("THREADS", 1);
         show(known[k].name, target, &o, known[k].wanted[0]);
         o.free_edges = 0;
-        show(known[k].name, target, &o, known[k].wanted[1]);
+        if (!setting("FREE_ONLY", 0)) show(known[k].name, target, &o, known[k].wanted[1]);
     }
     wcut_design_target_destroy(target);
     wcut_surface_destroy(surface);
@@ -166,6 +168,7 @@ static wcut_job *hidden_job(void) {
         b[k] = (wcut_vec3){block.x, y - ahead, 150 + uniform(-35, 35)};
     }
     job->mode = WCUT_MODE_DESIGN;
+    job->overrun = block.x; /* edges go on behind the block */
     if (wcut_curve_interpolate(CURVE, a, &job->edge_a) != WCUT_OK) exit(1);
     if (wcut_curve_interpolate(CURVE, b, &job->edge_b) != WCUT_OK) exit(1);
     job->extra_count = 5;
@@ -230,6 +233,26 @@ static double normal_deviate(void) {
     return sum;
 }
 
+/* [mm] rms of an exact target from the plan of a job */
+static double plan_off(const wcut_job *job, const wcut_design_target *exact) {
+    const wcut_cut_options cut = wcut_cut_options_default();
+    wcut_setup *plan = NULL;
+    wcut_history *h = NULL;
+    wcut_wire_foot *foot = calloc((size_t)exact->count, sizeof *foot);
+    double sum = 0;
+    int used = 0;
+    if (wcut_plan_create(job, &cut, &plan, NULL) != WCUT_OK) exit(1);
+    if (wcut_setup_run(plan, NULL, NULL, &h, NULL) != WCUT_OK) exit(1);
+    const wcut_wire_face face = {h->stations, h->nodes, h->position};
+    wcut_wire_feet(&face, exact->count, exact->point, false, 1, foot);
+    for (int k = 0; k < exact->count; k++)
+        if (!(foot[k].beside > 0)) sum += foot[k].height * foot[k].height, used++;
+    free(foot);
+    wcut_history_destroy(h);
+    wcut_setup_destroy(plan);
+    return sqrt(sum / used);
+}
+
 static void show_cloud(int known_target) {
     enum { POINTS = 5000 };
     wcut_vec3 *point = calloc(POINTS, sizeof *point);
@@ -257,9 +280,11 @@ static void show_cloud(int known_target) {
             wcut_compensation_measure(exact, d->path, 1, &rms, &max, &error);
         if (d)
             printf(
-                "cloud of %s: %.3f mm rms of its points, %d strays; path to the true surface %.4f rms, %.3f max, %.2f "
-                "s\n",
-                known[known_target].name, d->rms, d->strays, rms, max, seconds() - start);
+                "cloud of %s: %.3f mm rms of its points, %d strays; true surface from the plan %.4f rms, from the path "
+                "%.4f "
+                "rms, %.3f max, %.2f s\n",
+                known[known_target].name, d->rms, d->strays, exact ? plan_off(d->job, exact) : NAN, rms, max,
+                seconds() - start);
         wcut_design_target_destroy(exact);
         wcut_surface_destroy(surface);
         wcut_design_destroy(d);
@@ -267,6 +292,65 @@ static void show_cloud(int known_target) {
     }
     wcut_design_target_destroy(target);
     free(point);
+}
+
+/* ---- panels ---- */
+
+/* a bicubic patch over random heights, one of those of INVERSE.md: heights of +-30 mm */
+static double bicubic(double x, double y) {
+    static double control[16];
+    if (control[0] == 0) {
+        unsigned long long kept = seed;
+        seed = 7;
+        for (int k = 0; k < 16; k++) control[k] = uniform(-30, 30);
+        seed = kept;
+    }
+    const double t[2] = {x / block.x, y / block.y};
+    double b[2][4];
+    for (int d = 0; d < 2; d++) {
+        const double r = 1 - t[d];
+        b[d][0] = r * r * r, b[d][1] = 3 * t[d] * r * r, b[d][2] = 3 * t[d] * t[d] * r, b[d][3] = t[d] * t[d] * t[d];
+    }
+    double z = 150;
+    for (int k = 0; k < 16; k++) z += b[1][k / 4] * b[0][k % 4] * control[k];
+    return z;
+}
+
+static void show_panels(int most) {
+    static const struct {
+        const char *name;
+        height z;
+        double held;
+    } shape[] = {{"bicubic", bicubic, 0.5}, {"sines", sines, 0.25}, {"sphere", sphere, 0.42}};
+    for (int k = 0; k < 3; k++) {
+        wcut_surface *surface = surface_of(shape[k].z);
+        wcut_design_target *target = NULL;
+        wcut_design_panels *p = NULL;
+        wcut_error error = {0};
+        wcut_job *job = process();
+        wcut_design_options o = wcut_design_options_default();
+        const double start = seconds();
+        o.tolerance = shape[k].held;
+        wcut_status status = wcut_design_target_from_surface(surface, block, &target, &error);
+        if (status == WCUT_OK)
+            status = wcut_design_panels_fit(target, job, &o, most, shape[k].held, say_round, NULL, &p, &error);
+        double step = 0, angle = 0;
+        for (int n = 0; p && n < p->joints; n++)
+            step = fmax(step, p->joint[n].step_max), angle = fmax(angle, p->joint[n].angle_max);
+        if (p)
+            printf(
+                "%s: %d across, %d along: %.3f mm rms, %.2f max (held: %.2f); step %.2f mm, angle %.2f deg at most; %d "
+                "runs, %.1f s\n",
+                shape[k].name, p->across, p->along, p->rms, p->max, shape[k].held, step, angle * 180 / PI, p->runs,
+                seconds() - start);
+        else
+            printf("%s: %s\n", shape[k].name, error.text);
+        fflush(stdout);
+        wcut_design_panels_destroy(p);
+        wcut_job_destroy(job);
+        wcut_design_target_destroy(target);
+        wcut_surface_destroy(surface);
+    }
 }
 
 /* ---- what derivatives cost ---- */
@@ -389,14 +473,17 @@ static void show_compensation(void) {
 
 int main(int count, char **argument) {
     stations = setting("STATIONS", stations), nodes = setting("NODES", nodes);
-    if (count == 1) printf("bench_inverse [targets | NAME | hidden COUNT | cloud | cost | compensation] ...\n");
+    if (count == 1)
+        printf("bench_inverse [targets | NAME | hidden COUNT | cloud | panels N | cost | compensation] ...\n");
     for (int a = 1; a < count; a++) {
         for (int k = 0; k < KNOWN; k++)
             if (strcmp(argument[a], known[k].name) == 0 || strcmp(argument[a], "targets") == 0) show_target(k);
         if (strcmp(argument[a], "hidden") == 0)
             show_hidden(a + 1 < count ? atoi(argument[++a]) : 10);
         else if (strcmp(argument[a], "cloud") == 0)
-            show_cloud(0);
+            show_cloud(0), show_cloud(3), show_cloud(6);
+        else if (strcmp(argument[a], "panels") == 0)
+            show_panels(a + 1 < count ? atoi(argument[++a]) : 4);
         else if (strcmp(argument[a], "cost") == 0)
             show_cost();
         else if (strcmp(argument[a], "compensation") == 0)
