@@ -14,11 +14,20 @@
 
 #define FORMATS APP_SIMULATION_FORMATS
 
-enum { SENTENCE = 512 };
+enum { SENTENCE = 512, PANELS = 16 };
+
+/* Of each panel its design and the job of its paths. */
+#define PANEL_FILES(n) "panel-" #n "-design.json", "panel-" #n "-job.json"
+#define PANELS_FILES                                                                                                \
+    PANEL_FILES(1), PANEL_FILES(2), PANEL_FILES(3), PANEL_FILES(4), PANEL_FILES(5), PANEL_FILES(6), PANEL_FILES(7), \
+        PANEL_FILES(8), PANEL_FILES(9), PANEL_FILES(10), PANEL_FILES(11), PANEL_FILES(12), PANEL_FILES(13),         \
+        PANEL_FILES(14), PANEL_FILES(15), PANEL_FILES(16)
 
 /* What a design may leave in its folder, in the order written. */
-static const char *const result_name[] = {"design.json",      APP_SIMULATION_FILES, "deviation.json", "feasibility.ply",
-                                          "feasibility.json", "report.html",        "summary.json",   NULL};
+static const char *const result_name[] = {"design.json",    APP_SIMULATION_FILES, PANELS_FILES,
+                                          "deviation.json", "feasibility.ply",    "feasibility.json",
+                                          "report.html",    "summary.json",       NULL};
+static const char *const panel_name[2 * PANELS] = {PANELS_FILES};
 
 typedef struct designing {
     const app_call *call;
@@ -29,6 +38,7 @@ typedef struct designing {
     wcut_design_options options;
     wcut_design_map *map;
     wcut_design *design;
+    wcut_design_panels *panels; /* two or more */
     app_simulation cut;
     wcut_face *face;
     wcut_deviation *deviation; /* of the design's points from the face */
@@ -53,7 +63,8 @@ static int load_process(designing *d) {
         const wcut_status status = wcut_job_create(&d->process);
         if (status != WCUT_OK) return app_fail_status(status, NULL, NULL);
         d->process->wire_diameter = 0.15;
-        d->process->stations = 241, d->process->nodes = 121;
+        d->process->heat = 65, d->process->tension = 2, d->process->clearance = 80;
+        d->process->nodes = 121;
     }
     if (code != APP_DONE) return code;
 
@@ -63,12 +74,11 @@ static int load_process(designing *d) {
     d->process->mount_a = d->process->mount_b = NULL;
 
     /* options before the job's own */
-    if (app_given(call, "heat") || !app_given(call, "process")) d->process->heat = app_real(call, "heat");
-    if (app_given(call, "tension") || !app_given(call, "process")) d->process->tension = app_real(call, "tension");
-    if (app_given(call, "clearance") || !(d->process->clearance > 0))
-        d->process->clearance = app_real(call, "clearance");
-    if (app_given(call, "stations") || app_given(call, "process")) d->process->stations = app_int(call, "stations");
+    if (app_given(call, "heat")) d->process->heat = app_real(call, "heat");
+    if (app_given(call, "tension")) d->process->tension = app_real(call, "tension");
+    if (app_given(call, "clearance")) d->process->clearance = app_real(call, "clearance");
     if (app_given(call, "nodes")) d->process->nodes = app_int(call, "nodes");
+    d->process->stations = app_int(call, "stations");
     d->process->block_size = d->block;
     if (!app_given(call, "force-law")) return APP_DONE;
     const wcut_status status = wcut_job_read_force_law(d->process, app_text(call, "force-law"), &error);
@@ -100,12 +110,31 @@ static int say_round(const wcut_design_round *round, void *context) {
     return app_is_interrupted();
 }
 
+/* as few panels as hold the tolerance; one of them is a design as any other */
+static int search_panels(designing *d) {
+    wcut_error error = {0};
+    const wcut_status status = wcut_design_panels_fit(d->target, d->process, &d->options, app_int(d->call, "panels"),
+                                                      d->options.tolerance, say_round, d, &d->panels, &error);
+    if (status != WCUT_OK && !(status == WCUT_INTERRUPTED && d->panels))
+        return app_fail_status(status, d->path, &error);
+    if (d->panels->count > 1) {
+        d->result.panels = d->panels;
+        d->result.face_rms = d->panels->rms, d->result.face_max = d->panels->max;
+        return APP_DONE;
+    }
+    d->design = d->panels->panel[0].design;
+    d->panels->panel[0].design = NULL;
+    d->result.design = d->design;
+    return APP_DONE;
+}
+
 static int search_design(designing *d) {
     wcut_error error = {0};
     wcut_status status = wcut_design_map_create(d->target, d->process, &d->options, &d->map, &error);
     if (status != WCUT_OK) return app_fail_status(status, d->path, &error);
     d->result.map = d->map;
     if (app_given(d->call, "feasibility-only")) return APP_DONE;
+    if (app_int(d->call, "panels") > 1) return search_panels(d);
     status = wcut_design_fit(d->target, d->process, &d->options, say_round, d, &d->design, &error);
     if (status != WCUT_OK && status != WCUT_INTERRUPTED) return app_fail_status(status, d->path, &error);
     d->result.design = d->design;
@@ -208,6 +237,12 @@ static int write_map(designing *d) {
     if (status == WCUT_OK)
         status = wcut_deviation_mesh_write_ply(mesh, m->bow, NULL, limit, app_results_path(results, name), &error);
     wcut_mesh_destroy(mesh);
+    const int code = app_results_add(results, name, status, &error);
+    if (code != APP_DONE) return code;
+
+    /* the same from above */
+    name = "feasibility.png";
+    status = wcut_design_map_write_png(m, limit, app_results_path(results, name), &error);
     return app_results_add(results, name, status, &error);
 }
 
@@ -237,8 +272,24 @@ static int write_figures(designing *d, bool last) {
     return app_results_add(results, name, status, &error);
 }
 
+static int write_panels(designing *d) {
+    app_results *results = &d->cut.results;
+    for (int k = 0; k < d->panels->count; k++) {
+        const wcut_design *one = d->panels->panel[k].design;
+        for (int file = 0; file < 2; file++) {
+            wcut_error error = {0};
+            const char *name = panel_name[2 * k + file];
+            const wcut_status status =
+                wcut_job_write(file ? one->path : one->job, app_results_path(results, name), &error);
+            const int code = app_results_add(results, name, status, &error);
+            if (code != APP_DONE) return code;
+        }
+    }
+    return APP_DONE;
+}
+
 static int write_design_files(designing *d) {
-    int code = APP_DONE;
+    int code = d->result.panels ? write_panels(d) : APP_DONE;
     if (d->design) {
         code = write_design(d);
         if (code == APP_DONE) code = app_simulation_write(&d->cut);
@@ -265,6 +316,7 @@ static void clear_designing(designing *d) {
     d->cut.job = NULL; /* the design's */
     app_simulation_clear(&d->cut);
     wcut_design_destroy(d->design);
+    wcut_design_panels_destroy(d->panels);
     wcut_design_map_destroy(d->map);
     wcut_design_target_destroy(d->target);
     wcut_job_destroy(d->process);
@@ -282,7 +334,8 @@ static int say_result(const designing *d) {
         fputs(text, stdout);
         free(text);
     }
-    return d->design && !(d->result.face_rms <= d->result.tolerance) ? APP_OUTSIDE : APP_DONE;
+    const bool cut = d->design || d->result.panels;
+    return cut && !(d->result.face_rms <= d->result.tolerance) ? APP_OUTSIDE : APP_DONE;
 }
 
 static int run_designing(const app_call *call) {
@@ -320,7 +373,8 @@ static const app_operand operand[] = {
     {.name = "TARGET",
      .kind = APP_FILE,
      .help =
-         "an open sheet over the block: a mesh (.stl .obj .ply .off .glb) or a cloud (.xyz .csv .pts .ply .pcd .las)"},
+         "an open sheet over the block: faces of CAD within their borders (.step .iges), a mesh (.stl .obj .ply .off "
+         ".glb) or a cloud (.xyz .csv .pts .ply .pcd .las)"},
     {.name = NULL},
 };
 
@@ -337,22 +391,19 @@ static const app_option option[] = {
      .value = "W_PER_M",
      .low = 0.1,
      .high = 1e5,
-     .standard = "65",
-     .help = "heat of the wire, W/m; with --process default that of the job"},
+     .help = "heat of the wire, W/m; default that of the job, or 65"},
     {.kind = APP_REAL,
      .name = "tension",
      .value = "N",
      .low = 1e-3,
      .high = 1e4,
-     .standard = "2",
-     .help = "tension at the mounts, N; with --process default that of the job"},
+     .help = "tension at the mounts, N; default that of the job, or 2"},
     {.kind = APP_REAL,
      .name = "clearance",
      .value = "MM",
      .low = 0,
      .high = 1e5,
-     .standard = "80",
-     .help = "distance that both mounts keep from the block, mm"},
+     .help = "distance that both mounts keep from the block, mm; default that of the job, or 80"},
     {.kind = APP_TEXT,
      .name = "place",
      .value = "WHERE",
@@ -364,6 +415,10 @@ static const app_option option[] = {
      .value = "mm|cm|m|inch|ft|dm|um",
      .standard = "mm",
      .help = "unit of the target's numbers, where the file states none"},
+    {.kind = APP_TEXT,
+     .name = "face",
+     .value = "NAME|N",
+     .help = "of a CAD file: the face that is the target, by its name or its number from 1; default all of them"},
     {.kind = APP_REAL,
      .name = "tolerance",
      .value = "MM",
@@ -381,6 +436,13 @@ static const app_option option[] = {
      .value = "auto|+y|-y|+x|-x",
      .standard = "auto",
      .help = "direction of feed in the target's block; auto: the one of the best map"},
+    {.kind = APP_INT,
+     .name = "panels",
+     .value = "N",
+     .low = 1,
+     .high = PANELS,
+     .standard = "1",
+     .help = "where one cut does not hold the tolerance, as few panels as do, up to so many: across, along or both"},
     {.kind = APP_REAL,
      .name = "angle",
      .value = "DEG",
@@ -416,9 +478,14 @@ const app_verb app_verb_design = {
         "DIR: "
         "design.json (a job of design mode), job-path.json and all else that simulate writes of it, deviation.json "
         "(the "
-        "target's points from the face that the paths cut), feasibility.ply and feasibility.json (what of the target "
+        "target's points from the face that the paths cut), feasibility.ply, feasibility.png and feasibility.json "
+        "(what of the target "
         "no "
-        "wire can follow, and why) and report.html.\nA wire in steady foam is an asymptotic curve of the surface that "
+        "wire can follow, and why) and report.html. With panels it writes panel-K-design.json and panel-K-job.json of "
+        "each, "
+        "which simulate and path take, and feasibility.json has their places, deviations and joints; with "
+        "--edge-heights "
+        "fixed their common edges lie on the target.\nA wire in steady foam is an asymptotic curve of the surface that "
         "it "
         "cuts: where the target is domed, no cut follows it. The map says so before anything is simulated.\nThe "
         "design's "

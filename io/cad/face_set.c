@@ -97,6 +97,24 @@ bool wcut_faces_add(wcut_face_reader *r, wcut_surface *surface, const wcut_face_
     return true;
 }
 
+int wcut_trimmed_set_find(const wcut_trimmed_set *set, const char *choice) {
+    int found = -1, number = 0;
+    if (!set || !choice) return -1;
+    for (int k = 0; k < set->count; k++) {
+        if (strcmp(set->name[k], choice) != 0) continue;
+        if (found >= 0) return -1;
+        found = k;
+    }
+    if (found >= 0) return found;
+
+    /* a number from 1 */
+    for (const char *p = choice; *p; p++) {
+        if (*p < '0' || *p > '9' || number > set->count) return -1;
+        number = 10 * number + (*p - '0');
+    }
+    return number >= 1 && number <= set->count ? number - 1 : -1;
+}
+
 void wcut_trimmed_set_destroy(wcut_trimmed_set *set) {
     if (!set) return;
     for (int k = 0; k < set->count; k++) {

@@ -3,6 +3,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <wirecut/angle.h>
 #include <wirecut/design_file.h>
 #include <wirecut/version.h>
 
@@ -32,6 +33,17 @@ wcut_status wcut_design_result_say(const wcut_design_result *r, int size, char *
     if (!r || !r->map || size < 1 || !text) return WCUT_BAD_ARGUMENT;
     const wcut_design_map *m = r->map;
     const wcut_design_reason reason = main_reason(m);
+    if (r->panels) {
+        double step = 0;
+        for (int k = 0; k < r->panels->joints; k++) step = fmax(step, r->panels->joint[k].step_max);
+        snprintf(
+            text, (size_t)size,
+            "%d panels, %d across and %d along, come to %.3g mm rms of the target (%.3g mm at most): the tolerance of "
+            "%.3g mm rms is %s; where they meet the step is %.3g mm at most.",
+            r->panels->count, r->panels->across, r->panels->along, r->face_rms, r->face_max, r->tolerance,
+            r->face_rms <= r->tolerance ? "held" : "not held", step);
+        return WCUT_OK;
+    }
     if (!r->design) {
         snprintf(text, (size_t)size,
                  "Fed along %s, a cut comes to %.3g mm rms at worst (%.3g mm at most) by the map: %s%s.",
@@ -106,6 +118,44 @@ static void put_design_figures(wcut_text *text, const wcut_design_result *r) {
     wcut_text_print(text, "]");
 }
 
+static void put_panels(wcut_text *text, const wcut_design_result *r) {
+    const wcut_design_panels *p = r->panels;
+    wcut_text_put_number(text, ",\n  \"face_mm\": {\"rms\": ", r->face_rms);
+    wcut_text_put_number(text, ", \"max\": ", r->face_max);
+    wcut_text_print(text,
+                    "},\n  \"within\": %s,\n  \"runs\": %d,\n  \"across\": %d,\n  \"along\": %d,\n  \"panels\": [",
+                    r->face_rms <= r->tolerance ? "true" : "false", p->runs, p->across, p->along);
+
+    /* each with its place in the target's block and the turn that leads from its own block to its design's */
+    for (int k = 0; k < p->count; k++) {
+        const wcut_design_panel *one = &p->panel[k];
+        wcut_text_put_number(text, k ? ",\n    {\"low_mm\": [" : "\n    {\"low_mm\": [", one->low.x);
+        wcut_text_put_number(text, ", ", one->low.y);
+        wcut_text_put_number(text, "], \"high_mm\": [", one->high.x);
+        wcut_text_put_number(text, ", ", one->high.y);
+        wcut_text_print(text, "], \"feed\": ");
+        wcut_text_string(text, wcut_design_feed_name(one->design->feed));
+        wcut_text_put_number(text, ", \"predicted_rms_mm\": ", one->predicted_rms);
+        wcut_text_put_number(text, ", \"rms_mm\": ", one->design->path_rms);
+        wcut_text_put_number(text, ", \"max_mm\": ", one->design->path_max);
+        wcut_text_print(text, ", \"turn\": [");
+        for (int n = 0; n < 12; n++) wcut_text_put_number(text, n ? ", " : "", one->design->turn[n]);
+        wcut_text_print(text, "]}");
+    }
+    wcut_text_print(text, "],\n  \"joints\": [");
+    for (int k = 0; k < p->joints; k++) {
+        const wcut_design_joint *one = &p->joint[k];
+        wcut_text_print(text, "%s\n    {\"panels\": [%d, %d], \"places\": %d", k ? "," : "", one->first + 1,
+                        one->second + 1, one->places);
+        wcut_text_put_number(text, ", \"step_mm\": {\"rms\": ", one->step_rms);
+        wcut_text_put_number(text, ", \"max\": ", one->step_max);
+        wcut_text_put_number(text, "}, \"angle_deg\": {\"rms\": ", one->angle_rms * WCUT_DEG_PER_RAD);
+        wcut_text_put_number(text, ", \"max\": ", one->angle_max * WCUT_DEG_PER_RAD);
+        wcut_text_print(text, "}}");
+    }
+    wcut_text_print(text, "]");
+}
+
 static wcut_status print_result(const wcut_design_result *r, char **text, size_t *length) {
     if (!r || !r->target || !r->map) return WCUT_BAD_ARGUMENT;
     wcut_text out;
@@ -118,6 +168,7 @@ static wcut_status print_result(const wcut_design_result *r, char **text, size_t
     wcut_text_put_number(&out, ",\n  \"tolerance_mm\": ", r->tolerance);
     put_design_map(&out, r->map);
     if (r->design) put_design_figures(&out, r);
+    if (r->panels) put_panels(&out, r);
     wcut_text_print(&out, "\n}\n");
     return wcut_text_finish(&out, text, length);
 }

@@ -2,11 +2,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <wirecut/angle.h>
 #include <wirecut/report_pages.h>
 
 #include "base/fail.h"
 
-enum { REASONS = 5, ROUNDS_MAX = 64, TEXT = 512 };
+enum { REASONS = 5, ROUNDS_MAX = 64, TEXT = 512, PANEL_COLUMNS = 8, JOINT_COLUMNS = 6 };
 
 /* everything the page borrows */
 typedef struct design_page {
@@ -14,6 +15,7 @@ typedef struct design_page {
     const wcut_design_map *map;
     const wcut_design *design;
     double *station, *x, *y, *reason, *round, *rms;
+    double *panel[PANEL_COLUMNS], *joint[JOINT_COLUMNS]; /* columns of tables */
     char verdict[TEXT], hash[WCUT_SHA256_TEXT];
 } design_page;
 
@@ -24,6 +26,36 @@ static void clear_design_page(design_page *p) {
     free(p->reason);
     free(p->round);
     free(p->rms);
+    for (int k = 0; k < PANEL_COLUMNS; k++) free(p->panel[k]);
+    for (int k = 0; k < JOINT_COLUMNS; k++) free(p->joint[k]);
+}
+
+/* numbers of the tables of panels and joints */
+static bool fill_panels(design_page *p) {
+    const wcut_design_panels *of = p->report->result->panels;
+    if (!of) return true;
+    for (int k = 0; k < PANEL_COLUMNS; k++)
+        if (!(p->panel[k] = calloc((size_t)of->count, sizeof(double)))) return false;
+    for (int k = 0; k < JOINT_COLUMNS; k++)
+        if (!(p->joint[k] = calloc((size_t)of->joints, sizeof(double)))) return false;
+    for (int k = 0; k < of->count; k++) {
+        const wcut_design_panel *one = &of->panel[k];
+        const double value[PANEL_COLUMNS] = {
+            k + 1.0,     one->low.x,         one->high.x,           one->low.y,
+            one->high.y, one->predicted_rms, one->design->path_rms, one->design->path_max};
+        for (int c = 0; c < PANEL_COLUMNS; c++) p->panel[c][k] = value[c];
+    }
+    for (int k = 0; k < of->joints; k++) {
+        const wcut_design_joint *one = &of->joint[k];
+        const double value[JOINT_COLUMNS] = {one->first + 1.0,
+                                             one->second + 1.0,
+                                             one->step_rms,
+                                             one->step_max,
+                                             one->angle_rms * WCUT_DEG_PER_RAD,
+                                             one->angle_max * WCUT_DEG_PER_RAD};
+        for (int c = 0; c < JOINT_COLUMNS; c++) p->joint[c][k] = value[c];
+    }
+    return true;
 }
 
 static wcut_status fill_design_page(design_page *p, wcut_error *error) {
@@ -36,7 +68,7 @@ static wcut_status fill_design_page(design_page *p, wcut_error *error) {
     p->reason = calloc(cells, sizeof *p->reason);
     p->round = calloc(ROUNDS_MAX, sizeof *p->round);
     p->rms = calloc(ROUNDS_MAX, sizeof *p->rms);
-    if (!p->station || !p->x || !p->y || !p->reason || !p->round || !p->rms) return WCUT_NO_MEMORY;
+    if (!p->station || !p->x || !p->y || !p->reason || !p->round || !p->rms || !fill_panels(p)) return WCUT_NO_MEMORY;
 
     /* abscissae, and the map's reasons as numbers */
     for (size_t k = 0; k < stations; k++) p->station[k] = (double)k;
@@ -131,10 +163,31 @@ static wcut_status write_design_page(design_page *p, const wcut_report_scene *sc
                                            .y_unit = "mm",
                                            .series_count = 1,
                                            .series = &rounds};
+
+    /* panels and where they meet */
+    const wcut_design_panels *panels = r->panels;
+    const wcut_report_column of_panel[PANEL_COLUMNS] = {
+        {"panel", NULL, p->panel[0], NULL},       {"x from", "mm", p->panel[1], NULL},
+        {"x to", "mm", p->panel[2], NULL},        {"y from", "mm", p->panel[3], NULL},
+        {"y to", "mm", p->panel[4], NULL},        {"predicted rms", "mm", p->panel[5], NULL},
+        {"reached rms", "mm", p->panel[6], NULL}, {"at most", "mm", p->panel[7], NULL}};
+    const wcut_report_column of_joint[JOINT_COLUMNS] = {
+        {"panel", NULL, p->joint[0], NULL},       {"and panel", NULL, p->joint[1], NULL},
+        {"step, rms", "mm", p->joint[2], NULL},   {"step at most", "mm", p->joint[3], NULL},
+        {"angle, rms", "deg", p->joint[4], NULL}, {"angle at most", "deg", p->joint[5], NULL}};
+    const wcut_report_table in_panels[2] = {
+        {.title = "Panels", .rows = panels ? panels->count : 0, .columns = PANEL_COLUMNS, .column = of_panel},
+        {.title = "Joints",
+         .note = "Between the faces of two panels along the line where they meet.",
+         .rows = panels ? panels->joints : 0,
+         .columns = JOINT_COLUMNS,
+         .column = of_joint}};
     const wcut_report_section section[] = {
         {.title = "Feasibility", .map_count = 2, .map = map, .table_count = 1, .table = &table},
-        {.title = "The design", .chart_count = 2, .chart = curve},
-        {.title = "The search", .chart_count = 1, .chart = &convergence}};
+        {.title = "The panels", .table_count = 2, .table = in_panels}};
+    const wcut_report_section of_cut[] = {section[0],
+                                          {.title = "The design", .chart_count = 2, .chart = curve},
+                                          {.title = "The search", .chart_count = 1, .chart = &convergence}};
 
     /* the answer in numbers */
     const wcut_report_fact fact[] = {{"tolerance", NULL, r->tolerance, "mm rms"},
@@ -148,15 +201,19 @@ static wcut_status write_design_page(design_page *p, const wcut_report_scene *sc
     const wcut_report_source source = {"target", r->target, p->hash[0] ? p->hash : NULL};
     const wcut_report report = {.verb = "design",
                                 .title = p->report->title,
-                                .tone = !d                            ? WCUT_REPORT_TONE_PLAIN
+                                .tone = !d && !panels                 ? WCUT_REPORT_TONE_PLAIN
                                         : r->face_rms <= r->tolerance ? WCUT_REPORT_TONE_GOOD
                                                                       : WCUT_REPORT_TONE_BAD,
                                 .verdict = p->verdict,
-                                .fact_count = d ? 8 : 4,
+                                .fact_count = d        ? 8
+                                              : panels ? 5
+                                                       : 4,
                                 .fact = fact,
                                 .scene = scene,
-                                .section_count = d ? 3 : 1,
-                                .section = section,
+                                .section_count = d        ? 3
+                                                 : panels ? 2
+                                                          : 1,
+                                .section = d ? of_cut : section,
                                 .source_count = 1,
                                 .source = &source};
     return wcut_report_write(&report, path, error);

@@ -14,6 +14,7 @@
 #include "io/file/number.h"
 #include "io/file/text.h"
 #include "io/mesh/mesh_write.h"
+#include "io/scan/colour.h"
 
 /* ---- colours ---- */
 
@@ -25,7 +26,7 @@ static const unsigned char anchor[ANCHORS][3] = {{0, 79, 155},    {57, 116, 179}
                                                  {193, 133, 102}, {167, 90, 46},   {139, 44, 0}};
 static const unsigned char missing[3] = {158, 163, 168};
 
-static void colour_of(double value, double limit, unsigned char rgb[3]) {
+void wcut_deviation_colour(double value, double limit, unsigned char rgb[3]) {
     const double t = value / limit, s = (t < -1 ? 0 : t > 1 ? 2 : 1 + t) * (ANCHORS - 1) / 2;
     const int low = s < ANCHORS - 2 ? (int)s : ANCHORS - 2;
     for (int k = 0; k < 3; k++)
@@ -44,7 +45,7 @@ static void put_deviation_colour_value(wcut_text *text, bool there, double value
     unsigned char rgb[3];
     const double shown = there ? value : NAN;
     if (there)
-        colour_of(value, limit, rgb);
+        wcut_deviation_colour(value, limit, rgb);
     else
         memcpy(rgb, missing, sizeof rgb);
     wcut_text_put(text, &shown, sizeof shown);
@@ -175,7 +176,7 @@ static void put_coloured_ply(wcut_text *text, const wcut_mesh *mesh, const void 
 static void put_coloured(wcut_text *text, const coloured *c, const wcut_mesh *mesh, int i) {
     unsigned char rgb[3];
     if (is_deviation_colour_there(c, i))
-        colour_of(c->value[i], c->limit, rgb);
+        wcut_deviation_colour(c->value[i], c->limit, rgb);
     else
         memcpy(rgb, missing, sizeof rgb);
     wcut_text_put(text, "v", 1);

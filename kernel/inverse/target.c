@@ -14,9 +14,10 @@
 
 #define BESIDE 0.25      /* [1] of the block's width: what lies further beside it says nothing of it */
 #define STEEP 0.1        /* [1] least upward part of a target's normal: 84 deg */
+#define ABOVE 0.1        /* [mm] two faces of a target this far apart at a place lie above each other */
 #define COVERED_MIN 0.25 /* [1] of the block's plan */
 
-enum { ACROSS = 33, ROWS_MAX = 129, SAMPLES = 61, POINTS_MIN = 50, CLOUD_MAX = 6000 };
+enum { ACROSS = 33, ROWS_MAX = 129, SAMPLES = 61, POINTS_MIN = 50, CLOUD_MAX = 6000, FACES_MAX = 100 };
 
 /* ---- points that stand for a target, and its heights ---- */
 
@@ -24,14 +25,22 @@ static bool over_block(wcut_vec3 block, wcut_vec3 p, double beside) {
     return p.x >= -beside && p.x <= block.x + beside && p.y >= -beside && p.y <= block.y + beside;
 }
 
+/* the box of points */
+static void find_corners(int count, const wcut_vec3 *point, wcut_vec3 corner[2]) {
+    corner[0] = corner[1] = point[0];
+    for (int k = 1; k < count; k++) {
+        const wcut_vec3 p = point[k], low = corner[0], high = corner[1];
+        corner[0] = vec3(fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z));
+        corner[1] = vec3(fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z));
+    }
+}
+
 /* the box of points, for words of a wrong unit */
 static wcut_status say_outside(wcut_vec3 block, int count, const wcut_vec3 *point, const char *what,
                                wcut_error *error) {
-    wcut_vec3 low = point[0], high = low;
-    for (int k = 1; k < count; k++) {
-        low = vec3(fmin(low.x, point[k].x), fmin(low.y, point[k].y), fmin(low.z, point[k].z));
-        high = vec3(fmax(high.x, point[k].x), fmax(high.y, point[k].y), fmax(high.z, point[k].z));
-    }
+    wcut_vec3 corner[2];
+    find_corners(count, point, corner);
+    const wcut_vec3 low = corner[0], high = corner[1];
     return wcut_fail(
         error, WCUT_DEGENERATE,
         "the target fills x %.6g .. %.6g, y %.6g .. %.6g, z %.6g .. %.6g mm, the block 0 .. %g, 0 .. %g, 0 "
@@ -109,29 +118,40 @@ static void lay_lattice(const wcut_design_target *t, int rows, wcut_vec3 *place)
         }
 }
 
-/* ---- a surface ---- */
+/* ---- faces of surfaces ---- */
 
-static wcut_status sample_surface(const wcut_surface *s, wcut_vec3 *point, wcut_error *error) {
+/* a grid of points on a face, and which of them are inside its loops */
+typedef struct face_grid {
+    wcut_vec3 *point; /* SAMPLES x SAMPLES */
+    bool *inside;
+} face_grid;
+
+static wcut_status sample_face(const wcut_trimmed *face, const face_grid *grid, wcut_error *error) {
     double first[2], last[2], u[SAMPLES], v[SAMPLES];
-    wcut_surface_domain(s, first, last);
+    wcut_surface_domain(face->surface, first, last);
     for (int k = 0; k < SAMPLES; k++) {
         u[k] = first[0] + (last[0] - first[0]) * k / (SAMPLES - 1);
         v[k] = first[1] + (last[1] - first[1]) * k / (SAMPLES - 1);
     }
-    const wcut_status status = wcut_surface_eval_grid(s, SAMPLES, u, SAMPLES, v, point);
+    const wcut_status status = wcut_surface_eval_grid(face->surface, SAMPLES, u, SAMPLES, v, grid->point);
     if (status != WCUT_OK) return wcut_fail(error, status, "%s", wcut_status_text(status));
 
+    /* what is beside the loops does not count */
+    for (int j = 0; j < SAMPLES; j++)
+        for (int i = 0; i < SAMPLES; i++) grid->inside[j * SAMPLES + i] = wcut_trimmed_inside(face, u[i], v[j]) != 0;
     return WCUT_OK;
 }
 
-/* One side up all over what is over the block; *beside: how far beside it the surface is a sheet too [mm]. A face that a
+/* One side up all over what is over the block; *beside: how far beside it the face is a sheet too [mm]. A face that a
    wire swept folds where the wire hung free. */
-static wcut_status check_fold(wcut_vec3 block, const wcut_vec3 *point, double *beside, wcut_error *error) {
+static wcut_status check_fold(wcut_vec3 block, const face_grid *grid, double *beside, wcut_error *error) {
     int up[2] = {0, 0}, down[2] = {0, 0}, steep = 0;
     for (int j = 0; j + 1 < SAMPLES; j++)
         for (int i = 0; i + 1 < SAMPLES; i++) {
-            const wcut_vec3 *p = point + (size_t)j * SAMPLES + i;
-            if (!over_block(block, p[0], BESIDE * block.x)) continue;
+            const int at = j * SAMPLES + i;
+            const wcut_vec3 *p = grid->point + at;
+            if (!grid->inside[at] || !grid->inside[at + SAMPLES + 1] || !over_block(block, p[0], BESIDE * block.x))
+                continue;
             const wcut_vec3 n = vec3_unit(vec3_cross(vec3_sub(p[1], p[0]), vec3_sub(p[SAMPLES], p[0])));
             const int inside = over_block(block, p[0], 0) && over_block(block, p[SAMPLES + 1], 0);
             up[inside] += n.z > STEEP, down[inside] += n.z < -STEEP;
@@ -152,53 +172,120 @@ static wcut_status check_fold(wcut_vec3 block, const wcut_vec3 *point, double *b
     return WCUT_OK;
 }
 
-wcut_status wcut_design_target_from_surface(const wcut_surface *surface, wcut_vec3 block, wcut_design_target **target,
-                                            wcut_error *error) {
-    int rows = 0, count = SAMPLES * SAMPLES;
-    wcut_status status = check_block(block, surface, target, error);
-    if (status != WCUT_OK) return status;
+/* every face on its grid: all points for the size, then those over the block, *kept of them, in the place of all */
+static wcut_status sample_faces(wcut_vec3 block, int faces, const wcut_trimmed *const *face, wcut_vec3 *point,
+                                int *kept, wcut_error *error) {
+    enum { N = SAMPLES * SAMPLES };
+    face_grid grid = {wcut_alloc(N, sizeof *grid.point), wcut_alloc(N, sizeof *grid.inside)};
+    wcut_status status =
+        grid.point && grid.inside ? WCUT_OK : wcut_fail(error, WCUT_NO_MEMORY, "no memory for a target");
+    wcut_vec3 corner[2] = {{0, 0, 0}, {0, 0, 0}};
+    int count = 0;
+    for (int pass = 0; pass < 2 && status == WCUT_OK; pass++) {
+        count = 0;
+        for (int f = 0; f < faces && status == WCUT_OK; f++) {
+            double beside = HUGE_VAL;
+            status = sample_face(face[f], &grid, error);
+            if (status == WCUT_OK && pass == 1) status = check_fold(block, &grid, &beside, error);
+            for (int k = 0; k < N && status == WCUT_OK; k++)
+                if (grid.inside[k] && (pass == 0 || over_block(block, grid.point[k], beside)))
+                    point[count++] = grid.point[k];
+        }
+
+        /* the unit of all of it, then whether enough is over the block; words of the box of all */
+        if (status == WCUT_OK && pass == 0 && count == 0)
+            status = wcut_fail(error, WCUT_DEGENERATE, "the target has no point inside its borders");
+        if (status == WCUT_OK && pass == 0) status = check_target_size(block, count, point, error);
+        if (status == WCUT_OK && pass == 0) find_corners(count, point, corner);
+        if (status == WCUT_OK && pass == 1 && count < POINTS_MIN)
+            status = say_outside(block, 2, corner, "it is not over the block", error);
+    }
+    *kept = count;
+    wcut_free(grid.point);
+    wcut_free(grid.inside);
+    return status;
+}
+
+/* points on one face: the feet of places near it; what is beyond its border is not it. A place that another face has
+   too must have it at the same height. */
+static wcut_status locate_face(const wcut_design_target *t, const wcut_trimmed *face, int places,
+                               const wcut_vec3 *place, wcut_foot *foot, wcut_vec3 *found, bool *has,
+                               wcut_error *error) {
     wcut_projection *projection = NULL;
-    wcut_foot *foot = NULL;
-    wcut_vec3 *sample = wcut_alloc((size_t)count, sizeof *sample), *place = NULL;
+    wcut_status status = wcut_projection_create(face->surface, &projection);
+    if (status == WCUT_OK) status = wcut_projection_locate(projection, places, place, 1, foot);
+    wcut_projection_destroy(projection);
+    if (status != WCUT_OK) return wcut_fail(error, status, "the target: %s", wcut_status_text(status));
+    for (int k = 0; k < places; k++) {
+        const wcut_vec3 p = foot[k].point;
+        if (foot[k].beyond || !over_block(t->block, p, 0) || !wcut_trimmed_inside(face, foot[k].u, foot[k].v)) continue;
+        const double apart = fabs(found[k].z - p.z), aside = hypot(found[k].x - p.x, found[k].y - p.y);
+        if (has[k] && apart > ABOVE && aside < apart / 4)
+            return wcut_fail(error, WCUT_DEGENERATE,
+                             "two faces of the target lie above each other at (%.4g, %.4g) mm, %.4g and %.4g mm high; "
+                             "expected one height over every place of the block",
+                             p.x, p.y, fmin(p.z, found[k].z), fmax(p.z, found[k].z));
+        if (!has[k] || vec3_distance(p, place[k]) < vec3_distance(found[k], place[k])) found[k] = p;
+        has[k] = true;
+    }
+    return WCUT_OK;
+}
+
+/* the points of all faces at the lattice over the block */
+static wcut_status locate_faces(wcut_design_target *t, int rows, int faces, const wcut_trimmed *const *face,
+                                wcut_error *error) {
+    const size_t places = (size_t)ACROSS * (size_t)rows;
+    wcut_vec3 *place = wcut_alloc(places, sizeof *place), *found = wcut_alloc(places, sizeof *found);
+    wcut_foot *foot = wcut_alloc(places, sizeof *foot);
+    bool *has = wcut_alloc(places, sizeof *has);
+    wcut_status status = WCUT_OK;
+    if (!place || !found || !foot || !has) status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a target");
+    if (status == WCUT_OK) lay_lattice(t, rows, place);
+    for (int f = 0; f < faces && status == WCUT_OK; f++)
+        status = locate_face(t, face[f], (int)places, place, foot, found, has, error);
+    for (size_t k = 0; k < places && status == WCUT_OK; k++)
+        if (has[k]) t->point[t->count++] = found[k];
+    if (status == WCUT_OK) t->covered = (double)t->count / (double)places;
+    wcut_free(place);
+    wcut_free(found);
+    wcut_free(foot);
+    wcut_free(has);
+    return status;
+}
+
+wcut_status wcut_design_target_from_faces(int faces, const wcut_trimmed *const *face, wcut_vec3 block,
+                                          wcut_design_target **target, wcut_error *error) {
+    int rows = 0, kept = 0;
+    wcut_status status = check_block(block, face, target, error);
+    if (status != WCUT_OK) return status;
+    if (faces < 1 || faces > FACES_MAX)
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "the target: found %d faces, expected 1 to %d", faces, FACES_MAX);
+    for (int f = 0; f < faces; f++)
+        if (!face[f] || !face[f]->surface) return wcut_fail(error, WCUT_BAD_ARGUMENT, "the target: a face is missing");
+
+    /* heights from above through all faces, then points on them */
+    wcut_vec3 *sample = wcut_alloc((size_t)faces * SAMPLES * SAMPLES, sizeof *sample);
     wcut_design_target *t = create_target(block, &rows);
     if (!t || !sample) status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for a target");
-    if (status == WCUT_OK) status = sample_surface(surface, sample, error);
-
-    /* from above */
-    double beside = 0;
-    if (status == WCUT_OK) status = check_target_size(block, count, sample, error);
-    if (status == WCUT_OK) status = check_fold(block, sample, &beside, error);
-    if (status == WCUT_OK) {
-        const int kept = keep_over(block, beside, count, sample);
-        if (kept < POINTS_MIN) status = say_outside(block, count, sample, "it is not over the block", error);
-        if (status == WCUT_OK) status = fit_heights(t, kept, sample, error);
-    }
-
-    /* points on it: the feet of places near it; what is beyond its border is not it */
-    if (status == WCUT_OK && t) {
-        const size_t places = (size_t)ACROSS * (size_t)rows;
-        place = wcut_alloc(places, sizeof *place);
-        foot = wcut_alloc(places, sizeof *foot);
-        status = place && foot ? wcut_projection_create(surface, &projection) : WCUT_NO_MEMORY;
-        if (status == WCUT_OK) {
-            lay_lattice(t, rows, place);
-            status = wcut_projection_locate(projection, (int)places, place, 1, foot);
-        }
-        if (status != WCUT_OK) wcut_fail(error, status, "the target: %s", wcut_status_text(status));
-        for (size_t k = 0; status == WCUT_OK && k < places; k++)
-            if (!foot[k].beyond && over_block(block, foot[k].point, 0)) t->point[t->count++] = foot[k].point;
-        if (status == WCUT_OK) t->covered = (double)t->count / (double)places;
-    }
-    if (status == WCUT_OK && t) status = check_whole_target(t, error);
-    wcut_projection_destroy(projection);
-    wcut_free(foot);
-    wcut_free(place);
+    if (status == WCUT_OK) status = sample_faces(block, faces, face, sample, &kept, error);
+    if (status == WCUT_OK) status = fit_heights(t, kept, sample, error);
+    if (status == WCUT_OK) status = locate_faces(t, rows, faces, face, error);
+    if (status == WCUT_OK) status = check_whole_target(t, error);
     wcut_free(sample);
     if (status == WCUT_OK)
         *target = t;
     else
         wcut_design_target_destroy(t);
     return status;
+}
+
+wcut_status wcut_design_target_from_surface(const wcut_surface *surface, wcut_vec3 block, wcut_design_target **target,
+                                            wcut_error *error) {
+    wcut_trimmed whole = {0};
+    const wcut_trimmed *const face = &whole;
+    memcpy(&whole.surface, &surface, sizeof surface); /* it is only read */
+    if (!surface) return wcut_fail(error, WCUT_BAD_ARGUMENT, "a target, a block and a place for it are expected");
+    return wcut_design_target_from_faces(1, &face, block, target, error);
 }
 
 /* ---- a mesh ---- */
@@ -370,6 +457,34 @@ void wcut_design_target_destroy(wcut_design_target *t) {
     wcut_free(t->point);
     wcut_heights_clear(&t->heights);
     wcut_free(t);
+}
+
+/* ---- parts ---- */
+
+wcut_status wcut_design_target_window(const wcut_design_target *target, wcut_vec3 low, wcut_vec3 high,
+                                      wcut_design_target **out) {
+    wcut_design_target *t = wcut_copy(target, 1, sizeof *target);
+    if (!t) return WCUT_NO_MEMORY;
+    const size_t coefficients = (size_t)(target->heights.cells_x + 3) * (size_t)(target->heights.cells_y + 3);
+    t->block = vec3(high.x - low.x, high.y - low.y, target->block.z);
+    t->count = 0;
+    t->point = wcut_alloc((size_t)target->count, sizeof *t->point);
+    t->heights.coefficient = wcut_copy(target->heights.coefficient, coefficients, sizeof *t->heights.coefficient);
+    t->heights.low = vec3(target->heights.low.x - low.x, target->heights.low.y - low.y, 0);
+    t->heights.high = vec3(target->heights.high.x - low.x, target->heights.high.y - low.y, 0);
+    wcut_status status = t->point && t->heights.coefficient ? WCUT_OK : WCUT_NO_MEMORY;
+
+    /* the points in the window, from its corner */
+    for (int k = 0; status == WCUT_OK && k < target->count; k++) {
+        const wcut_vec3 p = vec3(target->point[k].x - low.x, target->point[k].y - low.y, target->point[k].z);
+        if (over_block(t->block, p, 0)) t->point[t->count++] = p;
+    }
+    if (status == WCUT_OK && t->count < POINTS_MIN) status = WCUT_DEGENERATE;
+    if (status == WCUT_OK)
+        *out = t;
+    else
+        wcut_design_target_destroy(t);
+    return status;
 }
 
 /* ---- feeds ---- */

@@ -19,6 +19,11 @@ struct wcut_design_target {
    wcut_design_target_destroy. */
 wcut_status wcut_design_target_turn(const wcut_design_target *target, wcut_design_feed feed, wcut_design_target **out);
 
+/* The part of a target over a window of its block, as a target of a block of its own, whose corner is `low`. WCUT_DEGENERATE:
+   fewer than 50 of its points are there; WCUT_NO_MEMORY. */
+wcut_status wcut_design_target_window(const wcut_design_target *target, wcut_vec3 low, wcut_vec3 high,
+                                      wcut_design_target **out);
+
 /* a place of the block as another feed sees it, and back */
 wcut_vec3 wcut_design_turn(wcut_design_feed feed, wcut_vec3 block, wcut_vec3 p);
 

@@ -423,6 +423,13 @@ HOSTILE(wcut_trimmed_set_read) {
 }
 HOSTILE_VALUE(wcut_trimmed_set_destroy, NULL)
 
+static const wcut_trimmed_set *empty_set(void) {
+    static const wcut_trimmed_set empty;
+    return &empty;
+}
+
+HOSTILE_VALUE(wcut_trimmed_set_find, OPT(empty_set()), OPT("1"))
+
 HOSTILE(wcut_mesh_write_3mf) {
     const wcut_mesh_object all[1] = {{.mesh = mesh(), .name = "face"}};
     /* a sheet is no solid: what is refused anyway must be refused without harm */

@@ -67,6 +67,16 @@ HOSTILE_VALUE(wcut_design_destroy, NULL)
 HOSTILE_MADE(wcut_design_target_from_surface, wcut_design_target, wcut_design_target_destroy, PTR(surface_once()),
              VEC(given_block), PTR(&made), OPT((wcut_error *)NULL))
 
+static const wcut_trimmed *const *faces_once(void) {
+    static wcut_trimmed whole;
+    static const wcut_trimmed *face[1] = {&whole};
+    whole.surface = surface_once();
+    return face;
+}
+
+HOSTILE_MADE(wcut_design_target_from_faces, wcut_design_target, wcut_design_target_destroy, COUNT(1), PTR(faces_once()),
+             VEC(given_block), PTR(&made), OPT((wcut_error *)NULL))
+
 HOSTILE_MADE(wcut_design_target_from_mesh, wcut_design_target, wcut_design_target_destroy, PTR(mesh_once()),
              VEC(given_block), PTR(&made), OPT((wcut_error *)NULL))
 
@@ -82,6 +92,19 @@ HOSTILE(wcut_design_fit) {
                           wcut_design_fit(PTR(target_once()), PTR(process_once()), RECORD_WORDS(options_once(), 0, 4),
                                           stop, OPT((void *)NULL), PTR(&made), OPT((wcut_error *)NULL)),
                           made == MARK, (wcut_design_destroy(made), made = MARK));
+}
+
+/* ---- panels ---- */
+
+HOSTILE_VALUE(wcut_design_panels_destroy, NULL)
+
+HOSTILE(wcut_design_panels_fit) {
+    wcut_design_panels *made = MARK;
+    EACH_HOSTILE_ARGUMENT(
+        wcut_design_panels_fit,
+        wcut_design_panels_fit(PTR(target_once()), PTR(process_once()), RECORD_WORDS(options_once(), 0, 4), COUNT(1),
+                               NUM(0.5), stop, OPT((void *)NULL), PTR(&made), OPT((wcut_error *)NULL)),
+        made == MARK, (wcut_design_panels_destroy(made), made = MARK));
 }
 
 /* ---- compensation ---- */
@@ -119,6 +142,32 @@ static wcut_compensation_result *worth_once(void) {
     return &result;
 }
 
+/* with all that its page shows */
+static wcut_compensation_result *page_once(void) {
+    static double curve[2];
+    static wcut_design_round round = {.stations = 2, .nodes = 5, .unknowns = 4, .runs = 1, .rms = 0.1};
+    static wcut_compensation found = {.rounds = 1,
+                                      .round = &round,
+                                      .before_rms = 1,
+                                      .after_rms = 0.1,
+                                      .stations = 2,
+                                      .nearer = curve,
+                                      .lag = curve,
+                                      .rise_a = curve,
+                                      .rise_b = curve,
+                                      .branch = -1};
+    static wcut_compensation_result result = {
+        .job = WCUT_SOURCE_DIR "/README.md", .with = "diagnosis.json", .compensation = &found};
+    return &result;
+}
+
+HOSTILE(wcut_report_compensate_write) {
+    EACH_HOSTILE_ARGUMENT(
+        wcut_report_compensate_write,
+        wcut_report_compensate_write(PTR("a page"), PTR(page_once()), PTR(OUT_FILE), OPT((wcut_error *)NULL)),
+        access(OUT_FILE, F_OK) != 0, remove(OUT_FILE));
+}
+
 HOSTILE_TEXT(wcut_compensation_print, PTR(worth_once()), PTR(&made))
 
 HOSTILE(wcut_compensation_say) {
@@ -129,6 +178,8 @@ HOSTILE(wcut_compensation_say) {
 
 HOSTILE_TEXT(wcut_design_result_print, PTR(result_once()), PTR(&made))
 HOSTILE_FILE(wcut_design_result_write, PTR(result_once()), PTR(OUT_FILE), OPT((wcut_error *)NULL))
+
+HOSTILE_FILE(wcut_design_map_write_png, PTR(result_once()->map), NUM(1), PTR(OUT_FILE), OPT((wcut_error *)NULL))
 
 HOSTILE(wcut_design_result_say) {
     char text[200] = "";

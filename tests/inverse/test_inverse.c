@@ -185,3 +185,54 @@ TEST(a_map_and_the_first_steps_of_a_design_without_memory_leave_nothing) {
     wcut_job_destroy(job);
     wcut_design_target_destroy(target);
 }
+
+/* ---- panels ---- */
+
+/* a dome that is cut by straight wires along y: less of it is left the narrower the panels are */
+TEST(a_dome_in_four_panels_across_is_nearer_than_one_cut_and_its_joints_are_stated) {
+    wcut_design_target *target = given_target(dome);
+    wcut_job *job = given_process(41, 21);
+    wcut_design_options o = wcut_design_options_default();
+    wcut_design_panels *panels = NULL;
+    wcut_error error = {0};
+    o.feed = WCUT_DESIGN_FEED_PLUS_Y;
+    o.unknowns_max = 8;
+    ck_assert_msg(wcut_design_panels_fit(target, job, &o, 4, 0.01, NULL, NULL, &panels, &error) == WCUT_OK, "%s",
+                  error.text);
+
+    /* one cut of the dome leaves 5 mm: four hold no hundredth either, but come much nearer */
+    ck_assert_int_eq(panels->count, 4);
+    ck_assert_int_eq(panels->across * panels->along, 4);
+    ck_assert_double_lt(panels->rms, 1);
+    ck_assert_double_gt(panels->max, panels->rms);
+    ck_assert_int_ge(panels->joints, 3);
+    for (int k = 0; k < panels->joints; k++) {
+        const wcut_design_joint *joint = &panels->joint[k];
+        ck_assert_int_gt(joint->places, 20);
+        ck_assert_double_le(joint->step_rms, joint->step_max);
+        ck_assert_double_lt(joint->step_max, 5);
+        ck_assert_double_lt(joint->angle_max, 0.3);
+    }
+    wcut_design_panels_destroy(panels);
+    wcut_job_destroy(job);
+    wcut_design_target_destroy(target);
+}
+
+TEST(a_target_that_one_cut_holds_is_one_panel) {
+    wcut_design_target *target = given_target(saddle);
+    wcut_job *job = given_process(41, 21);
+    wcut_design_options o = wcut_design_options_default();
+    wcut_design_panels *panels = NULL;
+    o.feed = WCUT_DESIGN_FEED_PLUS_Y;
+    o.unknowns_max = 8;
+    ck_assert_int_eq(wcut_design_panels_fit(target, job, &o, 3, 2, NULL, NULL, &panels, NULL), WCUT_OK);
+    ck_assert_int_eq(panels->count, 1);
+    ck_assert_int_eq(panels->joints, 0);
+    ck_assert_double_le(panels->rms, 2);
+    wcut_design_panels_destroy(panels);
+    panels = NULL;
+    FIRST_FAILED_ALLOCATIONS(20, wcut_design_panels_fit(target, job, &o, 3, 2, NULL, NULL, &panels, NULL),
+                             panels == NULL);
+    wcut_job_destroy(job);
+    wcut_design_target_destroy(target);
+}

@@ -145,3 +145,60 @@ TEST(a_target_without_memory_leaves_nothing) {
     wcut_design_target_destroy(target);
     wcut_surface_destroy(surface);
 }
+
+/* ---- faces of CAD ---- */
+
+/* a closed line as one curve of straight pieces, on the saddle */
+static wcut_curve *square_on_saddle(double low_x, double low_y, double high_x, double high_y) {
+    enum { SIDE = 40 };
+    static wcut_vec3 point[4 * SIDE + 1];
+    static double knot[4 * SIDE + 3];
+    const double x[5] = {low_x, high_x, high_x, low_x, low_x}, y[5] = {low_y, low_y, high_y, high_y, low_y};
+    for (int k = 0; k <= 4 * SIDE; k++) {
+        const int side = k < 4 * SIDE ? k / SIDE : 3;
+        const double t = k / (double)SIDE - side;
+        const double px = x[side] + t * (x[side + 1] - x[side]), py = y[side] + t * (y[side + 1] - y[side]);
+        point[k] = vec3(px, py, saddle(px, py));
+        knot[k + 1] = k;
+    }
+    knot[0] = 0, knot[4 * SIDE + 2] = knot[4 * SIDE + 1];
+    wcut_curve *curve = NULL;
+    ck_assert_int_eq(wcut_curve_create(1, 4 * SIDE + 1, knot, point, NULL, &curve), WCUT_OK);
+    return curve;
+}
+
+TEST(of_a_trimmed_face_what_is_inside_its_borders_is_the_target) {
+    wcut_curve *outer = square_on_saddle(-10, -10, 410, 610), *hole = square_on_saddle(100, 200, 250, 400);
+    const wcut_curve *const curve[2] = {outer, hole};
+    const int curves[2] = {1, 1};
+    wcut_trimmed *face = NULL;
+    wcut_error error = {0};
+    ck_assert_msg(wcut_trimmed_create(given_surface(saddle), 2, curves, curve, 0.5, &face, &error) == WCUT_OK, "%s",
+                  error.text);
+    const wcut_trimmed *const faces[2] = {face, face};
+    wcut_design_target *target = NULL;
+    ck_assert_msg(wcut_design_target_from_faces(1, faces, given_block, &target, &error) == WCUT_OK, "%s", error.text);
+
+    /* the hole is an eighth of the block; the heights go on over it */
+    ck_assert_double_eq_tol(target->covered, 1 - 150.0 * 200 / (400 * 600), 0.02);
+    for (int k = 0; k < target->count; k++) {
+        const wcut_vec3 p = target->point[k];
+        ck_assert(!(p.x > 101 && p.x < 249 && p.y > 201 && p.y < 399));
+    }
+    ck_assert_double_eq_tol(wcut_heights_eval(&target->heights, 175, 300).z, saddle(175, 300), 0.1);
+    wcut_design_target_destroy(target);
+
+    /* the same face twice is one sheet; a second one above the first is none */
+    ck_assert_int_eq(wcut_design_target_from_faces(2, faces, given_block, &target, NULL), WCUT_OK);
+    wcut_design_target_destroy(target);
+    const wcut_affine up = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 6}};
+    wcut_trimmed above = {0};
+    ck_assert_int_eq(wcut_surface_transform(face->surface, &up, &above.surface), WCUT_OK);
+    const wcut_trimmed *const two[2] = {face, &above};
+    ck_assert_int_eq(wcut_design_target_from_faces(2, two, given_block, &target, &error), WCUT_DEGENERATE);
+    ck_assert_msg(strstr(error.text, "above each other") != NULL, "%s", error.text);
+    wcut_surface_destroy(above.surface);
+    wcut_trimmed_destroy(face);
+    wcut_curve_destroy(outer);
+    wcut_curve_destroy(hole);
+}

@@ -8,6 +8,7 @@
 #include <wirecut/mesh.h>
 #include <wirecut/status.h>
 #include <wirecut/surface.h>
+#include <wirecut/trimmed.h>
 #include <wirecut/vec3.h>
 
 #ifdef __cplusplus
@@ -30,6 +31,20 @@ typedef struct wcut_design_target wcut_design_target;
  */
 WCUT_API wcut_status wcut_design_target_from_surface(const wcut_surface *surface, wcut_vec3 block,
                                                      wcut_design_target **target, wcut_error *error);
+
+/**
+ * The same from faces of a CAD file: what is inside their borders counts.
+ *
+ * @param[in]  faces  1 .. 100
+ * @param[in]  face   faces; together one height over every place of the block
+ * @param[in]  block  [mm] W, L, H
+ * @param[out] target the caller's, to wcut_design_target_destroy
+ * @param[out] error  may be NULL
+ * @return WCUT_OK; WCUT_DEGENERATE (as wcut_design_target_from_surface; two faces above each other), WCUT_BAD_ARGUMENT,
+ *         WCUT_NO_MEMORY: nothing was written.
+ */
+WCUT_API wcut_status wcut_design_target_from_faces(int faces, const wcut_trimmed *const *face, wcut_vec3 block,
+                                                   wcut_design_target **target, wcut_error *error);
 
 /**
  * The same from triangles.

@@ -3,6 +3,7 @@
 #define WCUT_DESIGN_FILE_H
 
 #include <wirecut/design.h>
+#include <wirecut/design_panels.h>
 #include <wirecut/export.h>
 #include <wirecut/status.h>
 
@@ -15,9 +16,10 @@ typedef struct wcut_design_result {
     const char *target; /**< the file's name */
     double tolerance;   /**< [mm] that the rms is to hold */
     const wcut_design_map *map;
-    const wcut_design *design; /**< NULL: the map alone */
-    double face_rms;           /**< [mm] of the face that the robot's paths cut; not read without a design */
-    double face_max;           /**< [mm] */
+    const wcut_design *design;        /**< NULL: the map alone, or panels */
+    const wcut_design_panels *panels; /**< two or more; NULL: one cut or none */
+    double face_rms; /**< [mm] of the face that the robot's paths cut; not read without a design or panels */
+    double face_max; /**< [mm] */
 } wcut_design_result;
 
 /**
@@ -39,6 +41,19 @@ WCUT_API wcut_status wcut_design_result_print(const wcut_design_result *result, 
  *         it was.
  */
 WCUT_API wcut_status wcut_design_result_write(const wcut_design_result *result, const char *path, wcut_error *error);
+
+/**
+ * Write a map as a PNG picture from above, x to the right and y up: orange where a wire runs above the target, blue
+ * where below, grey at 0; striped where the bow exceeds the tolerance and has a reason.
+ *
+ * @param[in]  map   of wcut_design_map_create
+ * @param[in]  limit [mm] of the strongest colours, positive
+ * @param[in]  path  the target, replaced whole or not at all
+ * @param[out] error may be NULL
+ * @return WCUT_OK: wholly on disk; WCUT_BAD_ARGUMENT, WCUT_NOT_WRITTEN, WCUT_NO_MEMORY: the target is as it was.
+ */
+WCUT_API wcut_status wcut_design_map_write_png(const wcut_design_map *map, double limit, const char *path,
+                                               wcut_error *error);
 
 /**
  * One sentence on a result: whether the tolerance is held, how near the cut comes and why not nearer.

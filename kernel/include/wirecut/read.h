@@ -150,6 +150,9 @@ typedef struct wcut_trimmed_set {
  */
 WCUT_API wcut_status wcut_trimmed_set_read(const char *path, wcut_trimmed_set **set, wcut_error *error);
 
+/** The index of the face that a text names, or numbers from 1; -1: none, several of that name, or an argument is NULL. */
+WCUT_API int wcut_trimmed_set_find(const wcut_trimmed_set *set, const char *choice);
+
 /** Free what wcut_trimmed_set_read gave; NULL is allowed. */
 WCUT_API void wcut_trimmed_set_destroy(wcut_trimmed_set *set);
 

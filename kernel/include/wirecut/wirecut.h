@@ -31,6 +31,7 @@
 #include <wirecut/cut.h>
 #include <wirecut/design.h>
 #include <wirecut/design_file.h>
+#include <wirecut/design_panels.h>
 #include <wirecut/deviation.h>
 #include <wirecut/deviation_file.h>
 #include <wirecut/deviation_summary.h>
