@@ -14,10 +14,11 @@
 
 #define FORMATS APP_SIMULATION_FORMATS
 
-enum { SENTENCE = 512 };
+enum { SENTENCE = 900 };
 
 /* What a compensation may leave in its folder, in the order written. */
-static const char *const result_name[] = {"job-corrected.json", APP_SIMULATION_FILES, "compensation.json", NULL};
+static const char *const result_name[] = {"job-corrected.json", APP_SIMULATION_FILES, "report.html",
+                                          "compensation.json", NULL};
 
 typedef struct compensating {
     const app_call *call;
@@ -27,6 +28,9 @@ typedef struct compensating {
     wcut_design_target *target;
     wcut_design_options options;
     wcut_compensation *found;
+    wcut_correction correction; /* of a diagnosis */
+    bool diagnosed;
+    double *moved; /* machine's effects [mm] */
     app_simulation cut;
     wcut_compensation_result result;
 } compensating;
@@ -47,7 +51,6 @@ static void drop_instruments(wcut_job *job) {
 static int load_machine(compensating *c) {
     const char *with = app_text(c->call, "with");
     wcut_error error = {0};
-    wcut_correction correction;
     wcut_setup *setup = NULL;
     wcut_job *improved = NULL;
     wcut_status status = wcut_setup_create(c->job, NULL, &setup, &error);
@@ -66,10 +69,11 @@ static int load_machine(compensating *c) {
         wcut_job_destroy(c->machine);
         c->machine = improved;
     } else {
-        status = wcut_correction_read(with, &correction, &error);
+        status = wcut_correction_read(with, &c->correction, &error);
         if (status != WCUT_OK) return app_fail_status(status, NULL, &error);
-        status = wcut_correction_apply(&correction, c->machine, &error);
+        status = wcut_correction_apply(&c->correction, c->machine, &error);
         if (status != WCUT_OK) return app_fail_status(status, with, &error);
+        c->diagnosed = true;
     }
     drop_instruments(c->machine);
     return APP_DONE;
@@ -120,27 +124,63 @@ static int say_compensation_round(const wcut_design_round *round, void *context)
     return app_is_interrupted();
 }
 
-/* the same jobs on a machine whose effects have other sizes */
-static wcut_status measure_beside(const compensating *c, double factor, double *before, double *after) {
-    wcut_job *const job[2] = {c->machine, c->found->job};
-    double *const rms[2] = {before, after};
-    wcut_status status = WCUT_OK;
-    for (int k = 0; k < 2 && status == WCUT_OK; k++) {
-        double max;
-        const int count = job[k]->effect_count;
-        wcut_effect *kept = calloc((size_t)count + 1, sizeof *kept);
-        if (!kept) return WCUT_NO_MEMORY;
-        for (int e = 0; e < count; e++) {
-            kept[e] = job[k]->effect[e];
-            for (int v = 0; v < wcut_effect_view(kept[e].kind)->strengths; v++) job[k]->effect[e].value[v] *= factor;
-        }
-        const double kerf = job[k]->kerf_per_q;
-        job[k]->kerf_per_q *= factor;
-        status = wcut_compensation_measure(c->target, job[k], c->options.threads, rms[k], &max, NULL);
-        for (int e = 0; e < count; e++) job[k]->effect[e] = kept[e];
-        job[k]->kerf_per_q = kerf;
-        free(kept);
+/* a job's effects at an end of their intervals, or by the spread smaller or larger */
+static void change_sizes(const compensating *c, int larger, wcut_job *job) {
+    const double factor = larger ? 1 + c->result.spread : 1 - c->result.spread;
+    const wcut_correction *found = &c->correction;
+    for (int e = 0; e < job->effect_count; e++) {
+        wcut_effect *effect = &job->effect[e];
+        for (int k = 0; c->result.interval && k < found->effects; k++)
+            if (found->effect[k].kind == effect->kind && found->effect[k].choice == effect->choice)
+                *effect = larger ? found->high[k] : found->low[k];
+        for (int v = 0; !c->result.interval && v < wcut_effect_view(effect->kind)->strengths; v++)
+            effect->value[v] *= factor;
     }
+    if (!c->result.interval)
+        job->kerf_per_q *= factor;
+    else if (job->kerf_per_q > 0)
+        job->kerf_per_q = larger ? found->kerf_per_q_high : found->kerf_per_q_low;
+}
+
+/* a job's deviation with other effects, which are taken back */
+static wcut_status measure_changed(const compensating *c, wcut_job *job,
+                                   void (*change)(const compensating *, int, wcut_job *), int which, double *rms) {
+    const int count = job->effect_count;
+    const double kerf = job->kerf_per_q;
+    double max;
+    wcut_effect *kept = calloc((size_t)count + 1, sizeof *kept);
+    if (!kept) return WCUT_NO_MEMORY;
+    for (int e = 0; e < count; e++) kept[e] = job->effect[e];
+    change(c, which, job);
+    const wcut_status status = wcut_compensation_measure(c->target, job, c->options.threads, rms, &max, NULL);
+    for (int e = 0; e < count; e++) job->effect[e] = kept[e];
+    job->effect_count = count;
+    job->kerf_per_q = kerf;
+    free(kept);
+    return status;
+}
+
+/* effects that were taken for smaller or larger than they are: both jobs */
+static wcut_status measure_beside(const compensating *c, int larger, double *before, double *after) {
+    const wcut_status status = measure_changed(c, c->machine, change_sizes, larger, before);
+    return status == WCUT_OK ? measure_changed(c, c->found->job, change_sizes, larger, after) : status;
+}
+
+/* all but one effect away */
+static void leave_one(const compensating *c, int which, wcut_job *job) {
+    (void)c;
+    job->effect[0] = job->effect[which];
+    job->effect_count = 1;
+    job->kerf_per_q = 0;
+}
+
+static wcut_status measure_effects(compensating *c) {
+    const int count = c->machine->effect_count;
+    c->moved = calloc((size_t)count + 1, sizeof *c->moved);
+    wcut_status status = c->moved ? WCUT_OK : WCUT_NO_MEMORY;
+    for (int e = 0; e < count && status == WCUT_OK; e++)
+        status = measure_changed(c, c->machine, leave_one, e, &c->moved[e]);
+    c->result.effects = count, c->result.effect = c->machine->effect, c->result.moved = c->moved;
     return status;
 }
 
@@ -151,10 +191,11 @@ static int find_compensation(compensating *c) {
     if (status != WCUT_OK && status != WCUT_INTERRUPTED) return app_fail_status(status, c->path, &error);
     c->result.compensation = c->found;
 
-    /* effects that were taken for smaller or larger than they are */
-    status = measure_beside(c, 1 - c->result.spread, &c->result.smaller_before, &c->result.smaller_rms);
-    if (status == WCUT_OK)
-        status = measure_beside(c, 1 + c->result.spread, &c->result.larger_before, &c->result.larger_rms);
+    /* effects that were taken for smaller or larger than they are, and each alone */
+    c->result.interval = c->diagnosed && c->correction.intervals > 0;
+    status = measure_beside(c, 0, &c->result.smaller_before, &c->result.smaller_rms);
+    if (status == WCUT_OK) status = measure_beside(c, 1, &c->result.larger_before, &c->result.larger_rms);
+    if (status == WCUT_OK) status = measure_effects(c);
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, c->path, NULL);
 }
 
@@ -174,7 +215,12 @@ static int write_compensation(compensating *c) {
     if (code == APP_DONE) code = app_simulation_write(s);
     if (code != APP_DONE) return code;
 
-    /* the figures vouch for the rest */
+    /* the page, then the figures, which vouch for the rest */
+    const char *slash = strrchr(c->path, '/'), *page = "report.html";
+    status = wcut_report_compensate_write(slash ? slash + 1 : c->path, &c->result, app_results_path(&s->results, page),
+                                          &error);
+    code = app_results_add(&s->results, page, status, &error);
+    if (code != APP_DONE) return code;
     char *text = NULL;
     status = wcut_compensation_print(&c->result, &text);
     return app_results_commit(&s->results, "compensation.json", status, text);
@@ -205,6 +251,7 @@ static int run_compensate(const app_call *call) {
     c.cut.job = NULL;
     app_simulation_clear(&c.cut);
     wcut_compensation_destroy(c.found);
+    free(c.moved);
     wcut_design_target_destroy(c.target);
     wcut_job_destroy(c.machine);
     wcut_job_destroy(c.job);
@@ -228,7 +275,7 @@ static const app_option option[] = {
     {.kind = APP_FILE,
      .name = "target",
      .value = "FILE",
-     .help = "a mesh or a cloud in the block's frame that is wanted; default the face that JOB plans"},
+     .help = "what is wanted in the block's frame, of CAD, a mesh or a cloud; default the face that JOB plans"},
     {.kind = APP_TEXT,
      .name = "place",
      .value = "WHERE",
@@ -239,13 +286,19 @@ static const app_option option[] = {
      .value = "mm|cm|m|inch|ft|dm|um",
      .standard = "mm",
      .help = "unit of the numbers of --target, where the file states none"},
+    {.kind = APP_TEXT,
+     .name = "face",
+     .value = "NAME|N",
+     .help = "of --target as a CAD file: its face, by its name or its number from 1; default all of them"},
     {.kind = APP_REAL,
      .name = "spread",
      .value = "SHARE",
      .low = 0,
      .high = 0.9,
      .standard = "0.1",
-     .help = "by how much the effects may be smaller or larger than assumed: the gain is stated for both"},
+     .help =
+         "by how much the effects may be smaller or larger than assumed, the gain being stated for both; a diagnosis "
+         "with 95 % intervals has their ends instead"},
     {.kind = APP_REAL,
      .name = "worth",
      .value = "MM",
@@ -269,7 +322,8 @@ const app_verb app_verb_compensate = {
         "machine cuts, with the effects of a diagnosis, comes nearest to what JOB plans, or to a target. Writes into "
         "DIR: "
         "job-corrected.json (both mounts' paths, with the effects, so that simulate and path give the machine's own "
-        "speeds), what simulate writes of it, and compensation.json.\nFaults of instruments in the diagnosis are left "
+        "speeds), what simulate writes of it, report.html and compensation.json.\nFaults of instruments in the "
+        "diagnosis are left "
         "out: "
         "they do not move the face.",
     .operand = operand,

@@ -28,6 +28,11 @@ assert kept["after_mm"]["rms"] < kept["before_mm"]["rms"] and kept["smaller_mm"]
 job = json.load(open("out-1/job-corrected.json"))
 assert [e["name"] for e in job["effects"]] == ["wire_elongation"], job["effects"]
 assert len(job["path"]["mount_a_mm"]) == 61
+assert kept["ends"] == "spread" and kept["spread"] == 0.1 and kept["branch_station"] is None, kept
+assert [e["name"] for e in kept["effects"]] == ["wire_elongation"], kept["effects"]
+assert abs(kept["effects"][0]["moves_mm"] - kept["before_mm"]["rms"]) < 1e-9, kept["effects"]
+page = open("out-1/report.html").read()
+assert "What it is worth" in page and "wire_elongation" in page
 EOF
 run 0 verify out-1
 grep -q "is removed" err && fail "$called: verify repeats the words of compensate"
@@ -35,6 +40,30 @@ grep -q "is removed" err && fail "$called: verify repeats the words of compensat
 # the same bytes, whatever the threads
 run 0 compensate job.json --with improved.json -o out-2 --chord-tolerance 2 --threads 3 --quiet
 diff -r out-1 out-2 >/dev/null || fail "threads change the result: $(diff -rq out-1 out-2)"
+
+# a diagnosis: the gain at the ends of its interval; an effect that hardly moves the face is not worth it
+python3 - <<'EOF'
+import json
+effects = [{"name": "wire_elongation", "strain_at_60W_2N": 0.004}, {"name": "end_cooling", "amplitude": 0.001, "length_mm": 20}]
+found = {"format": "wirecut-diagnosis/1",
+         "correction": {"a_N_per_mm": 0.1, "b_m2_per_J": 8.6e-4, "length_change_mm": 0, "kerf": None, "effects": effects},
+         "effects": [{"name": "wire_elongation", "parameters": {"strain_at_60W_2N": {"value": 0.004, "ci95": [0.002, 0.006]}}}]}
+json.dump(found, open("diagnosis.json", "w"))
+found["effects"][0]["parameters"]["strain_at_60W_2N"]["ci95"] = [0.002, "much"]
+json.dump(found, open("no-interval.json", "w"))
+EOF
+run 0 compensate job.json --with diagnosis.json -o out-3 --chord-tolerance 2
+grep -q "ends of the effects' 95 % intervals" err || fail "$called: no interval in: $(cat err)"
+grep -q "end_cooling alone moves the face" err || fail "$called: no effect that is not worth it in: $(cat err)"
+python3 - <<'EOF' || fail "figures at the ends of an interval"
+import json
+kept = json.load(open("out-3/compensation.json"))
+assert kept["ends"] == "ci95" and "spread" not in kept, kept
+assert kept["smaller_mm"]["before_rms"] < 0.7 * kept["before_mm"]["rms"] < 0.7 * kept["larger_mm"]["before_rms"], kept
+assert [e["worth_it"] for e in kept["effects"]] == [True, False], kept["effects"]
+EOF
+run 3 compensate job.json --with no-interval.json -o no
+one_line "ci95" "interval"
 
 # what is refused
 run 3 compensate job.json --with other.json -o no

@@ -17,7 +17,9 @@ typedef struct wcut_compensation {
     double before_rms, before_max; /**< [mm] of the target's points from the face that the job cuts */
     double after_rms, after_max;   /**< [mm] the same of the corrected job */
     int used, strays, uncovered;   /**< points, as in wcut_design */
-    int runs;                      /**< simulations in all */
+    int branch; /**< station from which on the corrected wire bows to the other side than it did before: another solution
+                     of first contact; -1: nowhere */
+    int runs;   /**< simulations in all */
     int rounds;
     wcut_design_round *round; /**< rounds */
     int stations;             /**< of the job */

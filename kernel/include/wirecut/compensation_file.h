@@ -16,12 +16,16 @@ typedef struct wcut_compensation_result {
     const char *with;   /**< of what the machine does */
     const char *target; /**< of the target; NULL: the job's own planned face */
     const wcut_compensation *compensation;
-    double spread;         /**< [1] by which the effects' sizes were changed for the two figures below */
+    int interval; /**< 1: the figures below are at the ends of the diagnosis' 95 % intervals; 0: changed by the spread */
+    double spread;         /**< [1] by which the effects' sizes were changed for the figures below, without intervals */
     double smaller_rms;    /**< [mm] after, where the effects are smaller by the spread than assumed */
     double smaller_before; /**< [mm] before, where they are */
     double larger_rms;     /**< [mm] after, where they are larger by it */
     double larger_before;  /**< [mm] before, where they are */
     double worth;          /**< [mm] rms below which a correction is not worth it */
+    int effects;           /**< of the machine, 0 or more */
+    const wcut_effect *effect; /**< effects */
+    const double *moved;       /**< effects [mm] rms by which each alone moves the face off its target */
 } wcut_compensation_result;
 
 /**

@@ -21,6 +21,10 @@ typedef struct wcut_correction {
     double kerf_per_q;    /**< [mm m^2/J] its growth with Q_eff */
     int effects;          /**< 0 .. WCUT_CORRECTION_EFFECTS */
     wcut_effect effect[WCUT_CORRECTION_EFFECTS]; /**< physics and instruments */
+    int intervals; /**< effects, a growing kerf among them, whose size has a 95 % interval; not read by apply */
+    double kerf_per_q_low, kerf_per_q_high; /**< [mm m^2/J] the ends of its interval; kerf_per_q where there is none */
+    /** the effects with their sizes at the ends of their intervals, or as they are where there is none */
+    wcut_effect low[WCUT_CORRECTION_EFFECTS], high[WCUT_CORRECTION_EFFECTS];
 } wcut_correction;
 
 /**

@@ -3,6 +3,7 @@
 #define WCUT_REPORT_PAGES_H
 
 #include <wirecut/calibration.h>
+#include <wirecut/compensation_file.h>
 #include <wirecut/cut.h>
 #include <wirecut/design_file.h>
 #include <wirecut/deviation_file.h>
@@ -265,6 +266,18 @@ typedef struct wcut_report_design {
  *         it was.
  */
 WCUT_API wcut_status wcut_report_design_write(const wcut_report_design *report, const char *path, wcut_error *error);
+
+/**
+ * Write the page of a compensation: what it removes, also where the effects are off, each effect alone, the correction.
+ *
+ * @param[in]  title
+ * @param[in]  result with a whole compensation and a job that can be read
+ * @param[in]  path   the target, replaced whole or not at all
+ * @param[out] error  may be NULL
+ * @return As wcut_report_design_write.
+ */
+WCUT_API wcut_status wcut_report_compensate_write(const char *title, const wcut_compensation_result *result,
+                                                  const char *path, wcut_error *error);
 
 #ifdef __cplusplus
 }
