@@ -418,6 +418,7 @@ public unsafe struct wcut_compensation
     public int used;
     public int strays;
     public int uncovered;
+    public int branch;
     public int runs;
     public int rounds;
     public wcut_design_round* round;
@@ -434,12 +435,16 @@ public unsafe struct wcut_compensation_result
     public byte* with;
     public byte* target;
     public wcut_compensation* compensation;
+    public int interval;
     public double spread;
     public double smaller_rms;
     public double smaller_before;
     public double larger_rms;
     public double larger_before;
     public double worth;
+    public int effects;
+    public wcut_effect* effect;
+    public double* moved;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_contradiction
@@ -498,6 +503,11 @@ public unsafe struct wcut_correction
     public double kerf_per_q;
     public int effects;
     public wcut_effect effect_0, effect_1, effect_2, effect_3, effect_4, effect_5, effect_6, effect_7;
+    public int intervals;
+    public double kerf_per_q_low;
+    public double kerf_per_q_high;
+    public wcut_effect low_0, low_1, low_2, low_3, low_4, low_5, low_6, low_7;
+    public wcut_effect high_0, high_1, high_2, high_3, high_4, high_5, high_6, high_7;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_crossing
@@ -630,6 +640,17 @@ public unsafe struct wcut_design
     public double* extra;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_design_joint
+{
+    public int first;
+    public int second;
+    public int places;
+    public double step_rms;
+    public double step_max;
+    public double angle_rms;
+    public double angle_max;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_design_map
 {
     public wcut_design_feed feed;
@@ -657,12 +678,34 @@ public unsafe struct wcut_design_options
     public byte* name;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_design_panel
+{
+    public wcut_vec3 low;
+    public wcut_vec3 high;
+    public double predicted_rms;
+    public wcut_design* design;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_design_panels
+{
+    public int across;
+    public int along;
+    public int count;
+    public wcut_design_panel* panel;
+    public int joints;
+    public wcut_design_joint* joint;
+    public double rms;
+    public double max;
+    public int runs;
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_design_result
 {
     public byte* target;
     public double tolerance;
     public wcut_design_map* map;
     public wcut_design* design;
+    public wcut_design_panels* panels;
     public double face_rms;
     public double face_max;
 }
@@ -2780,12 +2823,16 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_design_fit(void* a0, wcut_job* a1, wcut_design_options* a2, IntPtr a3, void* a4, wcut_design** a5, wcut_error* a6);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_design_map_create(void* a0, wcut_job* a1, wcut_design_options* a2, wcut_design_map** a3, wcut_error* a4);
     [DllImport("wirecut-io")] public static extern void wcut_design_map_destroy(wcut_design_map* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_design_map_write_png(wcut_design_map* a0, double a1, byte* a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_design_options wcut_design_options_default();
+    [DllImport("wirecut-io")] public static extern void wcut_design_panels_destroy(wcut_design_panels* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_design_panels_fit(void* a0, wcut_job* a1, wcut_design_options* a2, int a3, double a4, IntPtr a5, void* a6, wcut_design_panels** a7, wcut_error* a8);
     [DllImport("wirecut-io")] public static extern byte* wcut_design_reason_name(wcut_design_reason a0);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_design_result_print(wcut_design_result* a0, byte** a1);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_design_result_say(wcut_design_result* a0, int a1, byte* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_design_result_write(wcut_design_result* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern void wcut_design_target_destroy(void* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_design_target_from_faces(int a0, wcut_trimmed** a1, wcut_vec3 a2, void** a3, wcut_error* a4);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_design_target_from_mesh(wcut_mesh* a0, wcut_vec3 a1, void** a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_design_target_from_points(int a0, wcut_vec3* a1, wcut_vec3 a2, void** a3, wcut_error* a4);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_design_target_from_surface(wcut_surface* a0, wcut_vec3 a1, void** a2, wcut_error* a3);
@@ -2969,6 +3016,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern void wcut_report_calibrate_scatter(wcut_report_calibrate* a0, wcut_law_fit* a1, byte* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_calibrate_write(wcut_report_calibrate* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_compare_write(wcut_report_compare* a0, byte* a1, wcut_error* a2);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_report_compensate_write(byte* a0, wcut_compensation_result* a1, byte* a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_control_write(wcut_rig_summary* a0, byte* a1, byte* a2, wcut_error* a3);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_design_write(wcut_report_design* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_report_diagnose_write(wcut_report_diagnose* a0, byte* a1, wcut_error* a2);
@@ -3103,6 +3151,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern int wcut_trimmed_inside(wcut_trimmed* a0, double a1, double a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_trimmed_mesh(wcut_trimmed* a0, double a1, wcut_mesh** a2);
     [DllImport("wirecut-io")] public static extern void wcut_trimmed_set_destroy(wcut_trimmed_set* a0);
+    [DllImport("wirecut-io")] public static extern int wcut_trimmed_set_find(wcut_trimmed_set* a0, byte* a1);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_trimmed_set_read(byte* a0, wcut_trimmed_set** a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern byte* wcut_verdict_name(wcut_verdict_kind a0);
     [DllImport("wirecut-io")] public static extern void wcut_verification_destroy(wcut_verification* a0);
