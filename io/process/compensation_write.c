@@ -22,6 +22,8 @@ wcut_status wcut_compensation_say(const wcut_compensation_result *r, int size, c
                  c->before_rms, r->worth);
         return WCUT_OK;
     }
+
+    /* the gain, also where the effects are off */
     int used = snprintf(text, (size_t)size,
                         "The face comes to %.3g mm rms of its target, %.3g mm before: %.0f %% is removed; ",
                         c->after_rms, c->before_rms, 100 * removed_share(c->before_rms, c->after_rms));
@@ -35,6 +37,8 @@ wcut_status wcut_compensation_say(const wcut_compensation_result *r, int size, c
             text + used, (size_t)(size - used),
             "%.0f %% where the effects are %.0f %% smaller than assumed, %.0f %% where they are as much larger.",
             smaller, 100 * r->spread, larger);
+
+    /* what is not worth it, and what to be careful of */
     for (int e = 0; e < r->effects && used < size; e++)
         if (r->moved[e] < r->worth)
             used += snprintf(text + used, (size_t)(size - used), " %s alone moves the face by %.2g mm: not worth it.",

@@ -33,6 +33,8 @@ wcut_status wcut_design_result_say(const wcut_design_result *r, int size, char *
     if (!r || !r->map || size < 1 || !text) return WCUT_BAD_ARGUMENT;
     const wcut_design_map *m = r->map;
     const wcut_design_reason reason = main_reason(m);
+
+    /* panels, the map alone, or one cut */
     if (r->panels) {
         double step = 0;
         for (int k = 0; k < r->panels->joints; k++) step = fmax(step, r->panels->joint[k].step_max);

@@ -38,6 +38,8 @@ static bool fill_panels(design_page *p) {
         if (!(p->panel[k] = calloc((size_t)of->count, sizeof(double)))) return false;
     for (int k = 0; k < JOINT_COLUMNS; k++)
         if (!(p->joint[k] = calloc((size_t)of->joints, sizeof(double)))) return false;
+
+    /* a row for each panel, then for each joint */
     for (int k = 0; k < of->count; k++) {
         const wcut_design_panel *one = &of->panel[k];
         const double value[PANEL_COLUMNS] = {

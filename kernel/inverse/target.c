@@ -152,6 +152,8 @@ static wcut_status check_fold(wcut_vec3 block, const face_grid *grid, double *be
             const wcut_vec3 *p = grid->point + at;
             if (!grid->inside[at] || !grid->inside[at + SAMPLES + 1] || !over_block(block, p[0], BESIDE * block.x))
                 continue;
+
+            /* which way it faces, over the block and beside it */
             const wcut_vec3 n = vec3_unit(vec3_cross(vec3_sub(p[1], p[0]), vec3_sub(p[SAMPLES], p[0])));
             const int inside = over_block(block, p[0], 0) && over_block(block, p[SAMPLES + 1], 0);
             up[inside] += n.z > STEEP, down[inside] += n.z < -STEEP;

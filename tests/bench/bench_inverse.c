@@ -296,7 +296,7 @@ static void show_cloud(int known_target) {
 
 /* ---- panels ---- */
 
-/* a bicubic patch over random heights, one of those of INVERSE.md: heights of +-30 mm */
+/* a bicubic patch over random heights: control heights of +-30 mm */
 static double bicubic(double x, double y) {
     static double control[16];
     if (control[0] == 0) {
