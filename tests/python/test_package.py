@@ -4,11 +4,13 @@ import json
 import os
 import pickle
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
 import threading
 import unittest
+import zlib
 
 import numpy as np
 
@@ -206,6 +208,47 @@ class Geometry(unittest.TestCase):
         total = mould.lower.volume_mm3 + mould.upper.volume_mm3 + mould.kerf_volume_mm3
         self.assertAlmostEqual(total / np.prod(job.block_size_mm), 1, delta=1e-9)
         self.assertAlmostEqual(mould.lower.mesh.volume_mm3 / mould.lower.volume_mm3, 1, delta=1e-9)
+
+
+def chunk(kind, data):
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+
+def write_grey(path, grey):
+    """An 8 bit grey PNG of an array (rows, columns)."""
+    head = struct.pack(">IIBBBBB", grey.shape[1], grey.shape[0], 8, 0, 0, 0, 0)
+    rows = b"".join(b"\0" + row.tobytes() for row in grey.astype(np.uint8))
+    with open(path, "wb") as out:
+        out.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+
+
+class Photographs(unittest.TestCase):
+    def test_a_camera_above_a_flat_face_reads_no_rills_of_an_even_picture(self):
+        history = wirecut.simulate(planar_job())
+
+        # 800 mm above the middle, looking down: u along x, v against y
+        places = np.array([[x, y, z] for z in (100, 160) for x in (0, 300) for y in (0, 300)], float)
+        depth = 900 - places[:, 2]
+        u = 319.5 + 700 * (places[:, 0] - 150) / depth
+        v = 239.5 - 700 * (places[:, 1] - 150) / depth
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "photo.png")
+            write_grey(path, np.full((480, 640), 128))
+            seen = wirecut.overlay(history, path, np.column_stack([u, v, places]), patch=60, curves=2)
+            self.assertEqual(seen.camera, "full")
+            self.assertAlmostEqual(seen.focal_px, 700, delta=0.1)
+            self.assertLess(seen.reprojection_rms_px, 0.01)
+            self.assertGreater(seen.covered_share, 0.99)
+            self.assertEqual(seen.rectified.shape[2], 4)
+            self.assertFalse(seen.readable.any())
+            self.assertTrue(np.isnan(seen.angle_deg).all() and seen.angle_deg.shape == (5, 5))
+            seen.write_rills(os.path.join(folder, "rills.csv"))
+            with open(os.path.join(folder, "rills.csv")) as lines:
+                self.assertIn(len(lines.readlines()), range(2, 27))
+            with self.assertRaises(wirecut.InputError):
+                wirecut.overlay(history, path, places)
+            with self.assertRaises(wirecut.InputError):
+                wirecut.overlay(history, os.path.join(folder, "none.png"), np.column_stack([u, v, places]))
 
 
 class Measurements(unittest.TestCase):

@@ -18,6 +18,7 @@ from .geometry import Curve, Feet, Mesh, Surface, write_shapes
 from .history import History, simulate
 from .job import Job
 from .mould import Half, Mould, mould
+from .photo import Overlay, overlay
 from .recording import ForceLaw, Recording, Score, calibrate, score
 from .scan import Cloud, Deviation, compare
 
@@ -25,7 +26,7 @@ __version__ = _text_of(_lib.wcut_version_text())
 
 __all__ = [
     "Cloud", "Controller", "ConvergenceError", "Curve", "Deviation", "Diagnosis", "Error", "Feet", "ForceLaw",
-    "GeometryError", "Half", "History", "InputError", "InternalError", "Job", "Mesh", "Mould", "OutputError", "Recording",
-    "RobotMotion", "Score", "Surface", "calibrate", "compare", "diagnose", "from_compas", "mould", "robot_motion", "score",
+    "GeometryError", "Half", "History", "InputError", "InternalError", "Job", "Mesh", "Mould", "OutputError", "Overlay",
+    "Recording", "RobotMotion", "Score", "Surface", "calibrate", "compare", "diagnose", "from_compas", "mould", "overlay", "robot_motion", "score",
     "simulate", "to_compas", "write_shapes",
 ]
