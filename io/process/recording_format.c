@@ -55,7 +55,7 @@ static wcut_status refuse_part(wcut_error *error, const char *part, size_t lengt
 }
 
 /* *FACTOR, then +OFFSET or -OFFSET, up to the end of the part */
-static bool read_scale(const char *at, const char *end, wcut_column_map *map) {
+static bool read_factor(const char *at, const char *end, wcut_column_map *map) {
     if (at == end) return true;
     const char *behind = wcut_decimal_read(at + 1, &map->factor);
     if (behind == at + 1 || behind > end || !isfinite(map->factor) || map->factor == 0) return false;
@@ -79,7 +79,7 @@ static wcut_status parse_map(const char *part, size_t length, wcut_recording_for
     if (star == column) return refuse_part(error, part, length, "a column's name behind =");
     if (!add_map(f, channel, column, (size_t)(star - column)))
         return wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
-    if (!read_scale(star, end, &f->map[f->maps - 1]))
+    if (!read_factor(star, end, &f->map[f->maps - 1]))
         return refuse_part(error, part, length, "*FACTOR, not 0, and perhaps +OFFSET or -OFFSET behind the column");
 
     return WCUT_OK;

@@ -140,6 +140,8 @@ static wcut_status map_columns(const wcut_recording_format *f, wcut_table *t, co
                              wcut_quote(label, path, WCUT_LABEL_MAX, 1),
                              wcut_quote(quoted, m->column, WCUT_FOUND_MAX, 0), name);
         }
+
+        /* a copy under the channel's name, in its unit */
         const wcut_status status = add_column(t, name, from, error);
         if (status != WCUT_OK) return status;
         wcut_column *c = &t->column[t->columns - 1];
@@ -232,6 +234,8 @@ wcut_status wcut_recording_read(const char *path, const wcut_recording_format *f
     status = read_channels(path, f, &table, error);
     if (status == WCUT_OK && f->period == 0) drop_repeats(table);
     if (status == WCUT_OK) status = check_time(table, path, error);
+
+    /* a recording takes the table over */
     wcut_recording *r = status == WCUT_OK ? wcut_alloc(1, sizeof *r) : NULL;
     if (status == WCUT_OK && !r) status = refuse_memory(error);
     if (status != WCUT_OK) {

@@ -6,7 +6,7 @@
 #include "base/vec3.h"
 #include "cut/active_effects.h"
 
-static void place_nodes(int n, wcut_vec3 a, wcut_vec3 b, wcut_vec3 *x) {
+static void place_on_line(int n, wcut_vec3 a, wcut_vec3 b, wcut_vec3 *x) {
     for (int i = 0; i < n; i++) x[i] = vec3_mix(a, b, (double)i / (n - 1));
 }
 
@@ -16,7 +16,7 @@ void wcut_blade_begin(wcut_cut *cut) {
     w->end_a = setup->end_a[0], w->end_b = setup->end_b[0];
     w->length = setup->length[0];
     w->condition = WCUT_CONDITION_TIME;
-    place_nodes(setup->job->nodes, w->end_a, w->end_b, w->x);
+    place_on_line(setup->job->nodes, w->end_a, w->end_b, w->x);
 
     /* what of it is in the foam where it begins */
     wcut_vec3 unused[2];
@@ -71,7 +71,7 @@ wcut_status wcut_blade_advance(wcut_cut *cut, const wcut_target *target, double 
 
     /* from line to line */
     for (int i = 0; i < n; i++) cut->was[i] = w->x[i];
-    place_nodes(n, target->end_a, target->end_b, w->x);
+    place_on_line(n, target->end_a, target->end_b, w->x);
     load_nodes(cut, target, 1 / target->duration);
 
     /* the step is taken as it is: there is nothing to solve */

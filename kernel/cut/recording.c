@@ -20,12 +20,12 @@ static bool has_place(const wcut_recording *r, int i) {
     return true;
 }
 
-static wcut_vec3 place(const wcut_recording *r, int channel, int i) {
+static wcut_vec3 mount_place(const wcut_recording *r, int channel, int i) {
     return vec3(r->channel[channel].value[i], r->channel[channel + 1].value[i], r->channel[channel + 2].value[i]);
 }
 
 /* squared distance of both mounts from the chords of a segment, and where on it */
-static double segment_distance(const wcut_job *job, int j, wcut_vec3 a, wcut_vec3 b, double *share) {
+static double chord_distance(const wcut_job *job, int j, wcut_vec3 a, wcut_vec3 b, double *share) {
     const wcut_vec3 da = vec3_sub(job->mount_a[j + 1], job->mount_a[j]);
     const wcut_vec3 db = vec3_sub(job->mount_b[j + 1], job->mount_b[j]);
     const wcut_vec3 ea = vec3_sub(a, job->mount_a[j]), eb = vec3_sub(b, job->mount_b[j]);
@@ -46,7 +46,7 @@ static double next_station(const wcut_job *job, double last, double reach, wcut_
     double best = HUGE_VAL, station = last, way = 0;
     for (int j = (int)fmax(last - 1, 0); j < job->stations - 1 && way <= reach; j++) {
         double share;
-        const double distance = segment_distance(job, j, a, b, &share);
+        const double distance = chord_distance(job, j, a, b, &share);
         if (distance < best) best = distance, station = j + share;
         if (j >= (int)last) way += segment_way(job, j);
     }
@@ -57,6 +57,8 @@ wcut_status wcut_recording_place(const wcut_job *job, wcut_recording *recording,
     if (!job || !recording || recording->samples < 1 || job->mode != WCUT_MODE_PATH || !job->mount_a || !job->mount_b ||
         job->stations < 2)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "a job with the mounts' path and a recording are expected");
+
+    /* only a recording of mounts without the channel gets one */
     wcut_column *station = &recording->channel[WCUT_CHANNEL_STATION];
     if (station->name || wcut_recording_has_force(recording)) return WCUT_OK;
     for (int k = WCUT_CHANNEL_A_X; k <= WCUT_CHANNEL_B_Z; k++)
@@ -82,10 +84,13 @@ wcut_status wcut_recording_place(const wcut_job *job, wcut_recording *recording,
             made.missing++;
             continue;
         }
-        const wcut_vec3 a = place(recording, WCUT_CHANNEL_A_X, i), b = place(recording, WCUT_CHANNEL_B_X, i);
+
+        /* reach: as far as the mounts can have come since the last place */
+        const wcut_vec3 a = mount_place(recording, WCUT_CHANNEL_A_X, i),
+                        b = mount_place(recording, WCUT_CHANNEL_B_X, i);
         const double moved = before < 0 ? HUGE_VAL
-                                        : fmax(vec3_distance(a, place(recording, WCUT_CHANNEL_A_X, before)),
-                                               vec3_distance(b, place(recording, WCUT_CHANNEL_B_X, before)));
+                                        : fmax(vec3_distance(a, mount_place(recording, WCUT_CHANNEL_A_X, before)),
+                                               vec3_distance(b, mount_place(recording, WCUT_CHANNEL_B_X, before)));
         last = made.value[i] = next_station(job, last, AHEAD * moved + AHEAD_MM, a, b);
         before = i;
     }

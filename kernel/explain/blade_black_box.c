@@ -38,6 +38,7 @@ static void fill_columns(const wcut_blade_cut *cut, double *x) {
 }
 
 static void scale_columns(regression *r) {
+    /* sums for the mean in the first pass, for the deviation in the second */
     double n = 0;
     for (int pass = 0; pass < 2; pass++)
         for (int k = 0; k < r->c->cuts; k++)
@@ -49,6 +50,8 @@ static void scale_columns(regression *r) {
                     else
                         r->deviation[j] += (*x - r->mean[j] / n) * (*x - r->mean[j] / n);
                 }
+
+    /* then every column has mean 0 and deviation 1 */
     for (int k = 0; k < r->c->cuts; k++)
         for (int b = 0; b < r->c->cut[k].bins; b++)
             for (int j = 1; j < COLUMNS; j++) {
@@ -59,7 +62,7 @@ static void scale_columns(regression *r) {
 }
 
 /* weights learnt from all cuts but two; false where they are not determined */
-static bool learn(const regression *r, int but, int and_but, double ridge, double w[COLUMNS]) {
+static bool learn_weights(const regression *r, int but, int and_but, double ridge, double w[COLUMNS]) {
     double a[COLUMNS * COLUMNS] = {0};
     memset(w, 0, sizeof(double) * COLUMNS);
     double weights = 0;
@@ -77,6 +80,8 @@ static bool learn(const regression *r, int but, int and_but, double ridge, doubl
             }
         }
     }
+
+    /* the ridge shrinks all but the constant */
     for (int i = 1; i < COLUMNS; i++) a[i * COLUMNS + i] += ridge * weights;
     if (weights == 0 || !wcut_cholesky_factor(COLUMNS, a, 0)) return false;
     wcut_cholesky_solve(COLUMNS, a, w);
@@ -91,7 +96,7 @@ static double answer(const regression *r, int k, int b, const double w[COLUMNS])
 }
 
 /* the ridge that predicts the others best, each of them left out beside the cut in question */
-static double choose_ridge(const regression *r, int but) {
+static double choose_blade_ridge(const regression *r, int but) {
     double best = ridge_of[RIDGES - 1], min = HUGE_VAL;
     for (int l = 0; l < RIDGES; l++) {
         double sum = 0, w[COLUMNS];
@@ -99,7 +104,7 @@ static double choose_ridge(const regression *r, int but) {
         for (int k = 0; whole && k < r->c->cuts; k++) {
             const wcut_blade_cut *cut = &r->c->cut[k];
             if (k == but || cut->bins == 0) continue;
-            whole = learn(r, but, k, ridge_of[l], w);
+            whole = learn_weights(r, but, k, ridge_of[l], w);
             for (int b = 0; whole && b < cut->bins; b++) {
                 const double d =
                     wcut_blade_transform(r->c, cut->force[b]) - wcut_blade_transform(r->c, answer(r, k, b, w));
@@ -113,9 +118,9 @@ static double choose_ridge(const regression *r, int but) {
 
 static void predict_cuts(const regression *r, bool left_out, double **to) {
     double w[COLUMNS] = {0};
-    bool known = !left_out && learn(r, -1, -1, choose_ridge(r, -1), w);
+    bool known = !left_out && learn_weights(r, -1, -1, choose_blade_ridge(r, -1), w);
     for (int k = 0; k < r->c->cuts; k++) {
-        if (left_out) known = learn(r, k, k, choose_ridge(r, k), w);
+        if (left_out) known = learn_weights(r, k, k, choose_blade_ridge(r, k), w);
         for (int b = 0; b < r->c->cut[k].bins; b++) to[k][b] = known ? answer(r, k, b, w) : 0;
     }
 }
@@ -128,6 +133,8 @@ wcut_status wcut_blade_black_box(const wcut_blade_case *c, double **in_sample, d
         whole = r.x[k] != NULL;
         if (whole) fill_columns(&c->cut[k], r.x[k]);
     }
+
+    /* learn on one scale, believe within the forces that were seen */
     if (whole) {
         scale_columns(&r);
         for (int k = 0; k < c->cuts; k++)

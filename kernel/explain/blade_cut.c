@@ -21,7 +21,7 @@ void wcut_blade_cut_destroy(wcut_blade_cut *c) {
     *c = (wcut_blade_cut){0};
 }
 
-static bool make_bins(int bins, wcut_blade_cut *c) {
+static bool make_blade_bins(int bins, wcut_blade_cut *c) {
     const size_t n = (size_t)bins;
     double **column[] = {&c->time, &c->station, &c->way, &c->advance, &c->slide, &c->force, &c->along};
     bool whole = true;
@@ -36,7 +36,7 @@ static bool make_bins(int bins, wcut_blade_cut *c) {
 
 /* ---- the tool ---- */
 
-static wcut_vec3 turned(const wcut_pose *pose, wcut_vec3 v) {
+static wcut_vec3 turn_vector(const wcut_pose *pose, wcut_vec3 v) {
     return vec3_sub(wcut_pose_point(pose, v), wcut_pose_point(pose, vec3(0, 0, 0)));
 }
 
@@ -44,10 +44,10 @@ static wcut_vec3 turned(const wcut_pose *pose, wcut_vec3 v) {
 static wcut_status find_edge(const wcut_job *job, wcut_blade_cut *c, wcut_error *error) {
     const wcut_vec3 a = job->mount_a_in_tool, b = job->mount_b_in_tool;
     const wcut_vec3 own = vec3_unit(vec3_sub(b, a));
-    c->line.edge = vec3_unit(turned(&job->tool[0], own));
+    c->line.edge = vec3_unit(turn_vector(&job->tool[0], own));
     c->line.from = vec3_dot(own, a), c->line.to = vec3_dot(own, b);
     for (int j = 1; j < job->stations; j++)
-        if (vec3_distance(vec3_unit(turned(&job->tool[j], own)), c->line.edge) > TURN_MAX)
+        if (vec3_distance(vec3_unit(turn_vector(&job->tool[j], own)), c->line.edge) > TURN_MAX)
             return wcut_fail(error, WCUT_DEGENERATE,
                              "the blade turns by more than %.2g rad along its path: such recordings "
                              "are not diagnosed",
@@ -85,7 +85,7 @@ static wcut_vec3 path_point(const wcut_job *job, double way) {
 }
 
 /* the tool's origin: measured, or by the station, or by the speed along the path */
-static bool place_of(samples *s, int i, wcut_vec3 *place) {
+static bool find_place(samples *s, int i, wcut_vec3 *place) {
     const wcut_recording *r = s->r;
     if (r->channel[WCUT_CHANNEL_TOOL_X].value) {
         for (int k = 0; k < 3; k++)
@@ -108,7 +108,7 @@ static bool place_of(samples *s, int i, wcut_vec3 *place) {
 static bool whole_sample(samples *s, int i, wcut_vec3 *place) {
     for (int k = 0; k < 3; k++)
         if (!there(s->r, WCUT_CHANNEL_FORCE_X + k, i)) return false;
-    return place_of(s, i, place);
+    return find_place(s, i, place);
 }
 
 /* the way gone at every sample, by the speed */
@@ -149,7 +149,7 @@ static wcut_status find_normal(samples *s, wcut_blade_cut *c, wcut_error *error)
 static wcut_vec3 force_of(const samples *s, int i) {
     const wcut_vec3 read = vec3(value(s->r, WCUT_CHANNEL_FORCE_X, i), value(s->r, WCUT_CHANNEL_FORCE_Y, i),
                                 value(s->r, WCUT_CHANNEL_FORCE_Z, i));
-    return s->job->rig.force_in_block ? read : turned(&s->job->tool[0], read);
+    return s->job->rig.force_in_block ? read : turn_vector(&s->job->tool[0], read);
 }
 
 /* a bin being filled: sums over its samples, and where it began */
@@ -180,6 +180,8 @@ static void fill_bins(samples *s, wcut_blade_cut *c) {
     double before = 0;
     for (int i = 0; i < s->r->samples; i++) {
         if (!whole_sample(s, i, &at)) continue;
+
+        /* whether the tool was led back for another pass */
         const double time = value(s->r, WCUT_CHANNEL_TIME, i);
         const wcut_vec3 step = vec3_sub(at, last);
         const bool led_back = f.count > 0 && (vec3_length(step) > JUMP || vec3_dot(step, s->normal) < -BACK);
@@ -190,11 +192,15 @@ static void fill_bins(samples *s, wcut_blade_cut *c) {
             f.count = 0;
         }
         c->passes += led_back;
+
+        /* the sample belongs to the bin that is open, or opens one */
         if (f.count == 0) f = (filling){.begin = time, .start = at};
         f.count++, f.time += time;
         f.place = vec3_add(f.place, at), f.force = vec3_add(f.force, force_of(s, i));
         last = at, before = time;
     }
+
+    /* the last bin ends with the recording */
     if (f.count > 1) close_bin(&f, before, last, c);
     c->passes++;
 }
@@ -271,7 +277,7 @@ wcut_status wcut_blade_cut_create(const wcut_diagnosis_cut *cut, wcut_blade_cut 
     if (status == WCUT_OK) status = find_normal(&s, &c, error);
 
     /* never more bins than samples */
-    if (status == WCUT_OK && !make_bins(r->samples + 1, &c))
+    if (status == WCUT_OK && !make_blade_bins(r->samples + 1, &c))
         status = wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d samples", r->samples);
     if (status == WCUT_OK) fill_bins(&s, &c);
     if (status == WCUT_OK && c.bins < BINS_MIN)

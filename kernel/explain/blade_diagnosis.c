@@ -39,6 +39,8 @@ static wcut_status gather_cuts(wcut_blade_run *g, wcut_error *error) {
     wcut_status status = g->data.cut && g->left_out && force
                              ? WCUT_OK
                              : wcut_fail(error, WCUT_NO_MEMORY, "no memory for %d cuts", g->cuts);
+
+    /* every cut that has both files, in bins */
     int used = 0;
     for (int k = 0; status == WCUT_OK && k < g->cuts; k++) {
         status = check_cut(k, &g->cut[k], error);
@@ -130,7 +132,7 @@ static wcut_estimate estimate_of(double value, double error) {
 }
 
 /* the named effect with its interval: on the fitted scale, then as a job has it */
-static void add_effect(wcut_blade_run *g) {
+static void add_named_effect(wcut_blade_run *g) {
     const wcut_blade_candidate *x = &g->search.candidate[g->search.chosen];
     wcut_found_effect *f = &g->out->effect[g->out->effects++];
     *f = (wcut_found_effect){.effect = x->fit.model.effect, .present = true, .confidence = g->search.confidence};
@@ -150,7 +152,7 @@ static void add_effect(wcut_blade_run *g) {
 }
 
 /* of the cuts that are used there is one at least */
-static const wcut_job *first_job(const wcut_blade_run *g) {
+static const wcut_job *first_blade_job(const wcut_blade_run *g) {
     const wcut_job *job = NULL;
     for (int k = 0; k < g->cuts && !job; k++) job = g->data.cut[k].job;
     assert(job);
@@ -160,7 +162,7 @@ static const wcut_job *first_job(const wcut_blade_run *g) {
 static void report_law(wcut_blade_run *g) {
     wcut_diagnosis *d = g->out;
     const wcut_blade_fit *f = g->search.chosen >= 0 ? &g->search.candidate[g->search.chosen].fit : &g->search.none;
-    const wcut_job *job = first_job(g);
+    const wcut_job *job = first_blade_job(g);
     const wcut_estimate log_a = estimate_of(f->model.x[WCUT_BLADE_LAW], f->error[WCUT_BLADE_LAW]);
     d->a_job = job->force_law.a, d->b_job = job->force_law.b;
     d->a = (wcut_estimate){exp(log_a.value), exp(log_a.low), exp(log_a.high)};
@@ -172,7 +174,7 @@ static void report_law(wcut_blade_run *g) {
 /* the corrected job; where nothing is named the recalibration may only compensate for what was not found */
 static wcut_status correct_job(wcut_blade_run *g) {
     wcut_diagnosis *d = g->out;
-    const wcut_job *job = first_job(g);
+    const wcut_job *job = first_blade_job(g);
     d->correction = (wcut_correction){.a = d->a.value, .b = d->b.value, .kerf = (double)NAN};
     if (g->search.chosen < 0 && d->kind != WCUT_VERDICT_NONE) {
         snprintf(d->withheld, sizeof d->withheld,
@@ -193,16 +195,20 @@ static wcut_status correct_job(wcut_blade_run *g) {
 static void decide_blade(wcut_blade_run *g) {
     wcut_diagnosis *d = g->out;
     const wcut_blade_search *s = &g->search;
+
+    /* named, no more than noise, or not explained */
     d->adequacy = s->adequacy, d->adequacy_p = s->adequacy > NOISE_ONLY ? 0 : 1;
     if (s->chosen >= 0) {
         d->kind = WCUT_VERDICT_PHYSICS, d->confidence = s->confidence;
         d->form_open = s->adequacy > NOISE_ONLY;
-        add_effect(g);
+        add_named_effect(g);
     } else if (s->adequacy <= NOISE_ONLY) {
         d->kind = WCUT_VERDICT_NONE, d->confidence = 0.9;
     } else {
         d->kind = WCUT_VERDICT_UNKNOWN, d->confidence = 0.5;
     }
+
+    /* the law, and the noise of a bin in the mean over cuts */
     report_law(g);
     for (int k = 0; k < WCUT_EVIDENCE_CHANNEL_COUNT; k++) d->noise[k] = (double)NAN;
     double noise = 0;

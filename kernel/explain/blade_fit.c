@@ -87,7 +87,7 @@ static bool in_domain(const fitting *f, const double *x) {
            (x[WCUT_BLADE_BASE] >= f->model.coordinate.low && x[WCUT_BLADE_BASE] <= f->model.coordinate.high);
 }
 
-static bool model_rows(void *data, const double *x, double *r, double *jacobian) {
+static bool eval_model_rows(void *data, const double *x, double *r, double *jacobian) {
     fitting *f = data;
     const int n = wcut_blade_unknowns(&f->model);
     if (!in_domain(f, x) || !eval_rows(f, x, r)) return false;
@@ -110,7 +110,7 @@ static bool model_rows(void *data, const double *x, double *r, double *jacobian)
 
 /* ---- fits ---- */
 
-static bool make_room(const wcut_blade_case *c, fitting *f) {
+static bool make_fit_room(const wcut_blade_case *c, fitting *f) {
     int longest = 0;
     for (int k = 0; k < c->cuts; k++) {
         if (c->cut[k].bins > longest) longest = c->cut[k].bins;
@@ -123,15 +123,18 @@ static bool make_room(const wcut_blade_case *c, fitting *f) {
 }
 
 /* the best model for all cuts but one; cost may be NULL */
-static wcut_status fit_without(const wcut_blade_case *c, const wcut_blade_model *start, int left_out,
+static wcut_status fit_but_one(const wcut_blade_case *c, const wcut_blade_model *start, int left_out,
                                wcut_blade_model *out, double *cost) {
     fitting f = {.c = c, .model = *start, .left_out = left_out};
     wcut_blade_model best = *start;
+
+    /* a few rounds of reweighting settle which samples are strange */
     wcut_lsq_options o = wcut_lsq_options_default();
     o.loss = WCUT_LOSS_HUBER, o.scale = 1, o.max_rounds = 12, o.max_iterations = 25, o.tolerance = 1e-5;
     wcut_lsq_report report;
-    wcut_status status = make_room(c, &f) ? WCUT_OK : WCUT_NO_MEMORY;
-    const wcut_lsq_problem problem = {.m = f.rows, .n = wcut_blade_unknowns(start), .model = model_rows, .data = &f};
+    wcut_status status = make_fit_room(c, &f) ? WCUT_OK : WCUT_NO_MEMORY;
+    const wcut_lsq_problem problem = {
+        .m = f.rows, .n = wcut_blade_unknowns(start), .model = eval_model_rows, .data = &f};
     if (status == WCUT_OK) status = wcut_lsq_solve(&problem, &o, best.x, NULL, NULL, &report);
 
     /* a last iterate will do; unknowns that nothing determines stay where they began */
@@ -147,7 +150,7 @@ static wcut_status fit_without(const wcut_blade_case *c, const wcut_blade_model 
     return status;
 }
 
-static double rmse_of(const wcut_blade_cut *cut, const double *force) {
+static double cut_rmse(const wcut_blade_cut *cut, const double *force) {
     double sum = 0;
     for (int b = 0; b < cut->bins; b++) sum += (cut->force[b] - force[b]) * (cut->force[b] - force[b]);
     return cut->bins > 0 ? sqrt(sum / cut->bins) : 0;
@@ -158,11 +161,11 @@ wcut_status wcut_blade_fit_run(const wcut_blade_case *c, const wcut_blade_model 
                             .rmse = wcut_alloc((size_t)c->cuts, sizeof(double)),
                             .rmse_out = wcut_alloc((size_t)c->cuts, sizeof(double))};
     if (!out->force || !out->rmse || !out->rmse_out) return WCUT_NO_MEMORY;
-    wcut_status status = fit_without(c, start, -1, &out->model, &out->cost);
+    wcut_status status = fit_but_one(c, start, -1, &out->model, &out->cost);
     for (int k = 0; status == WCUT_OK && k < c->cuts; k++) {
         if (!c->cut[k].job) continue;
         status = wcut_blade_predict(&c->cut[k], &out->model, out->force[k]);
-        out->rmse[k] = rmse_of(&c->cut[k], out->force[k]);
+        out->rmse[k] = cut_rmse(&c->cut[k], out->force[k]);
     }
     return status;
 }
@@ -178,10 +181,10 @@ wcut_status wcut_blade_fit_leave_out(const wcut_blade_case *c, wcut_blade_fit *f
     for (int k = 0; k < c->cuts; k++) {
         wcut_blade_model m;
         if (!c->cut[k].job) continue;
-        wcut_status status = fit_without(c, &fit->model, k, &m, NULL);
+        wcut_status status = fit_but_one(c, &fit->model, k, &m, NULL);
         if (status == WCUT_OK) status = wcut_blade_predict(&c->cut[k], &m, fit->held_out[k]);
         if (status != WCUT_OK) return status;
-        fit->rmse_out[k] = rmse_of(&c->cut[k], fit->held_out[k]);
+        fit->rmse_out[k] = cut_rmse(&c->cut[k], fit->held_out[k]);
         for (int j = 0; j < n; j++) sum[j] += m.x[j], square[j] += m.x[j] * m.x[j];
         used++;
     }

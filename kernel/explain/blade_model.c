@@ -58,7 +58,7 @@ static double law_of(const wcut_blade_cut *c, double a, int b) {
     return a * exp(-c->job->force_law.b * q);
 }
 
-static wcut_status predict(const wcut_blade_cut *c, const wcut_blade_model *m, double build_up, double *force) {
+static wcut_status predict_force(const wcut_blade_cut *c, const wcut_blade_model *m, double build_up, double *force) {
     const wcut_vec3 place = vec3(0, m->x[WCUT_BLADE_FEED], m->x[WCUT_BLADE_UP]);
     double *engaged = wcut_alloc((size_t)c->bins, sizeof *engaged);
     if (!engaged) return WCUT_NO_MEMORY;
@@ -79,10 +79,10 @@ static wcut_status predict(const wcut_blade_cut *c, const wcut_blade_model *m, d
 }
 
 wcut_status wcut_blade_predict(const wcut_blade_cut *cut, const wcut_blade_model *model, double *force) {
-    return predict(cut, model, exp(model->x[WCUT_BLADE_BUILD_UP]), force);
+    return predict_force(cut, model, exp(model->x[WCUT_BLADE_BUILD_UP]), force);
 }
 
 wcut_status wcut_blade_predict_job(const wcut_blade_cut *cut, double *force) {
     const wcut_blade_model m = wcut_blade_model_begin(cut->job->force_law.a);
-    return predict(cut, &m, 0, force);
+    return predict_force(cut, &m, 0, force);
 }

@@ -21,7 +21,7 @@ static const wcut_blade_fit *final_blade_fit(const wcut_blade_run *g) {
 
 /* ---- the rig ---- */
 
-static wcut_rig_row *add_row(wcut_diagnosis *d, const char *name, double value, double error) {
+static wcut_rig_row *add_blade_row(wcut_diagnosis *d, const char *name, double value, double error) {
     wcut_rig_row *row = &d->rig[d->rig_rows++];
     snprintf(row->name, sizeof row->name, "%s", name);
     row->value = (wcut_estimate){value, value - 1.96 * error, value + 1.96 * error};
@@ -39,7 +39,7 @@ static void add_cut_row(wcut_blade_run *g, const char *name, double (*value)(con
                         double (*error)(const wcut_blade_cut *)) {
     double sum = 0, square = 0;
     int n = 0;
-    wcut_rig_row *row = add_row(g->out, name, 0, 0);
+    wcut_rig_row *row = add_blade_row(g->out, name, 0, 0);
     for (int k = 0; k < g->cuts; k++) {
         const wcut_blade_cut *c = &g->data.cut[k];
         if (c->bins == 0) continue;
@@ -88,10 +88,14 @@ static bool solve_weight(const wcut_blade_run *g, double *weight, double *error)
             square += c->zero[i] * c->zero[i];
         }
     }
+
+    /* solve, if there are more readings than unknowns and the poses differ */
     const bool solved = a && b && rows > UNKNOWNS && wcut_qr_solve(rows, UNKNOWNS, a, b, x, inverse) == WCUT_OK;
     wcut_free(a);
     wcut_free(b);
     if (!solved) return false;
+
+    /* readings in air scatter by the noise, and the rest of the fit by a tenth of the zeros */
     double noise = 0;
     for (int k = 0; k < g->cuts; k++) noise = fmax(noise, g->data.cut[k].noise);
     *weight = x[3];
@@ -107,15 +111,15 @@ static bool fill_rig(wcut_blade_run *g) {
     /* what no file says of the block */
     const wcut_blade_fit *f = final_blade_fit(g);
     const double way = exp(f->model.x[WCUT_BLADE_BUILD_UP]);
-    add_row(d, "force_build_up_mm", way, way * f->error[WCUT_BLADE_BUILD_UP]);
-    add_row(d, "block_along_feed_mm", f->model.x[WCUT_BLADE_FEED], f->error[WCUT_BLADE_FEED]);
-    add_row(d, "block_up_mm", f->model.x[WCUT_BLADE_UP], f->error[WCUT_BLADE_UP]);
+    add_blade_row(d, "force_build_up_mm", way, way * f->error[WCUT_BLADE_BUILD_UP]);
+    add_blade_row(d, "block_along_feed_mm", f->model.x[WCUT_BLADE_FEED], f->error[WCUT_BLADE_FEED]);
+    add_blade_row(d, "block_up_mm", f->model.x[WCUT_BLADE_UP], f->error[WCUT_BLADE_UP]);
 
     /* sensor and strategy, cut by cut */
     static const char *const zero_name[] = {"force_zero_x_N", "force_zero_y_N", "force_zero_z_N"};
     for (int axis = 0; axis < 3; axis++) add_cut_row(g, zero_name[axis], zero_value, axis, zero_error);
     double weight, error;
-    if (solve_weight(g, &weight, &error)) add_row(d, "tool_weight_N", weight, error);
+    if (solve_weight(g, &weight, &error)) add_blade_row(d, "tool_weight_N", weight, error);
     add_cut_row(g, "sliding_mm_s_per_N", gain_value, 0, gain_error);
     add_cut_row(g, "sliding_ratio_in_air", gain_value, 1, no_error);
     add_cut_row(g, "force_along_over_across", along_value, 0, no_error);
@@ -140,6 +144,8 @@ static wcut_mismatch stretch(const wcut_blade_run *g, int k, int from, int to, d
                        .station = {HUGE_VAL, -HUGE_VAL},
                        .wire = {(double)NAN, (double)NAN},
                        .block = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}}};
+
+    /* residual of the recalibrated model, and the box of the tool's places */
     double sum = 0, square = 0;
     for (int b = from; b < to; b++) {
         const double d = c->force[b] - g->search.none.force[k][b];
@@ -167,8 +173,12 @@ static bool locate_stretches(wcut_blade_run *g) {
     for (int k = 0; k < g->cuts; k++)
         for (int b = 0; b < g->data.cut[k].bins; b++, bins++)
             whole += pow(g->data.cut[k].force[b] - g->search.none.force[k][b], 2);
+
+    /* no more stretches than bins */
     d->mismatch = wcut_alloc((size_t)bins + 1, sizeof *d->mismatch);
     if (!d->mismatch) return false;
+
+    /* a stretch ends with its pass, or where the residual changes sign */
     for (int k = 0; k < g->cuts; k++) {
         const wcut_blade_cut *c = &g->data.cut[k];
         for (int b = 0, from = 0; b < c->bins; b++) {
@@ -180,6 +190,8 @@ static bool locate_stretches(wcut_blade_run *g) {
             from = b + 1;
         }
     }
+
+    /* the largest first */
     qsort(d->mismatch, (size_t)d->mismatches, sizeof *d->mismatch, larger_share);
     if (d->mismatches > MISMATCHES) d->mismatches = MISMATCHES;
     return true;
@@ -229,6 +241,8 @@ static bool rank_candidates(wcut_blade_run *g) {
     if (!d->hypothesis) return false;
     d->hypothesis[d->hypotheses++] =
         (wcut_hypothesis){.adequacy = s->adequacy, .probability = 1, .why = s->chosen >= 0 ? "explains less" : ""};
+
+    /* each effect by its gain on left-out cuts; what was set aside counts a tenth */
     double sum = 1;
     for (int k = 0; k < s->count; k++) {
         const wcut_blade_candidate *x = &s->candidate[k];
@@ -239,6 +253,8 @@ static bool rank_candidates(wcut_blade_run *g) {
         h->probability = x->why[0] ? 0.1 * exp(t * t / 2) : exp(t * t / 2);
         sum += h->probability;
     }
+
+    /* in all they are 1 */
     for (int k = 0; k < d->hypotheses; k++) d->hypothesis[k].probability /= sum;
     qsort(d->hypothesis, (size_t)d->hypotheses, sizeof *d->hypothesis, more_likely);
     return true;

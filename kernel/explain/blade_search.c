@@ -51,7 +51,7 @@ static double pooled_rmse(const wcut_blade_case *c, double *const *force) {
     return n > 0 ? sqrt(sum / n) : 0;
 }
 
-static void judge(const wcut_blade_case *c, const wcut_blade_fit *none, wcut_blade_candidate *x) {
+static void judge_candidate(const wcut_blade_case *c, const wcut_blade_fit *none, wcut_blade_candidate *x) {
     double sum = 0, square = 0;
     for (int k = 0; k < c->cuts; k++) {
         if (!(none->rmse_out[k] > 0) || !(x->fit.rmse_out[k] > 0)) continue;
@@ -132,7 +132,7 @@ static bool rivals(const wcut_blade_candidate *x) {
 }
 
 /* the best of those that pass; a rival that gains nearly as much takes the name away */
-static void choose(wcut_blade_search *s) {
+static void choose_candidate(wcut_blade_search *s) {
     s->chosen = -1;
     for (int k = 0; k < s->count; k++) {
         wcut_blade_candidate *x = &s->candidate[k];
@@ -140,6 +140,8 @@ static void choose(wcut_blade_search *s) {
         if (x->why[0]) continue;
         if (s->chosen < 0 || x->gain > s->candidate[s->chosen].gain) s->chosen = k;
     }
+
+    /* rivals may take the name away */
     if (s->chosen < 0) return;
     wcut_blade_candidate *best = &s->candidate[s->chosen];
     for (int k = 0; k < s->count; k++) {
@@ -148,6 +150,8 @@ static void choose(wcut_blade_search *s) {
         if (best->gain < RIVAL * x->gain) best->why = "another effect explains the cuts as well";
         if (!x->why[0]) x->why = best->why[0] ? best->why : "explains less";
     }
+
+    /* what is named, and how sure it is */
     if (best->why[0])
         s->chosen = -1;
     else
@@ -189,10 +193,10 @@ wcut_status wcut_blade_search_run(const wcut_blade_case *c, const bool without[W
         if (status != WCUT_OK) return status;
         x->fit.model.effect.value[t->coordinate.at] =
             wcut_scale_out(t->coordinate.scale, x->fit.model.x[WCUT_BLADE_BASE]);
-        judge(c, &s->none, x);
+        judge_candidate(c, &s->none, x);
     }
     if (status != WCUT_OK) return status;
-    choose(s);
+    choose_candidate(s);
     find_adequacy(c, s);
 
     return WCUT_OK;

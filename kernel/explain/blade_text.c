@@ -8,9 +8,9 @@
 
 enum { LIMITS = 12 };
 
-static void add_line(wcut_diagnosis *d, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static void add_blade_limit(wcut_diagnosis *d, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-static void add_line(wcut_diagnosis *d, const char *format, ...) {
+static void add_blade_limit(wcut_diagnosis *d, const char *format, ...) {
     if (d->limits == LIMITS) return;
     va_list list;
     va_start(list, format);
@@ -19,7 +19,7 @@ static void add_line(wcut_diagnosis *d, const char *format, ...) {
 }
 
 /* RMSE [N] of left-out cuts; of all where none was left out */
-static double rmse_of(const wcut_diagnosis *d, wcut_evidence_model m) {
+static double left_out_rmse(const wcut_diagnosis *d, wcut_evidence_model m) {
     const wcut_evidence_score *out = &d->held_out_score[m][WCUT_EVIDENCE_CHANNEL_FORCE];
     return out->count > 0 ? out->rmse : d->score[m][WCUT_EVIDENCE_CHANNEL_FORCE].rmse;
 }
@@ -27,9 +27,12 @@ static double rmse_of(const wcut_diagnosis *d, wcut_evidence_model m) {
 /* ---- the sentence ---- */
 
 static int put_subject(const wcut_diagnosis *d, char *to, size_t size) {
+    /* the effect's first value with its interval */
     const wcut_found_effect *f = &d->effect[0];
     const wcut_estimate *e = &f->parameter[0];
     static const char *const axis[] = {"across the block (x)", "along the feed (y)", "over the height (z)"};
+
+    /* a sentence for each kind that is tried */
     switch (f->effect.kind) {
         case WCUT_EFFECT_SLICE_SOFTENING:
             return snprintf(
@@ -73,8 +76,12 @@ static void put_place(const wcut_diagnosis *d, char *to, size_t size) {
 
 static void tell_verdict(wcut_blade_run *g) {
     wcut_diagnosis *d = g->out;
-    const double before = rmse_of(d, WCUT_EVIDENCE_MODEL_BEFORE), set = rmse_of(d, WCUT_EVIDENCE_MODEL_RECALIBRATED);
-    const double after = rmse_of(d, WCUT_EVIDENCE_MODEL_AFTER), box = rmse_of(d, WCUT_EVIDENCE_MODEL_BLACK_BOX);
+    const double before = left_out_rmse(d, WCUT_EVIDENCE_MODEL_BEFORE),
+                 set = left_out_rmse(d, WCUT_EVIDENCE_MODEL_RECALIBRATED);
+    const double after = left_out_rmse(d, WCUT_EVIDENCE_MODEL_AFTER),
+                 box = left_out_rmse(d, WCUT_EVIDENCE_MODEL_BLACK_BOX);
+
+    /* figures of left-out cuts, where they are */
     char proof[200] = "", place[160];
     put_place(d, place, sizeof place);
     if (g->options->proof)
@@ -116,39 +123,41 @@ static void tell_limits(wcut_blade_run *g) {
     for (int k = 0; k < g->cuts; k++) {
         used += g->data.cut[k].bins > 0;
         if (g->left_out[k].text[0])
-            add_line(d, "Cut %d is left out: %s.", k + 1, g->left_out[k].text);
+            add_blade_limit(d, "Cut %d is left out: %s.", k + 1, g->left_out[k].text);
         else if (g->data.cut[k].bins == 0)
-            add_line(d, "Cut %d is left out: it has no %s.", k + 1, g->cut[k].job ? "recording" : "job");
+            add_blade_limit(d, "Cut %d is left out: it has no %s.", k + 1, g->cut[k].job ? "recording" : "job");
     }
 
     /* what the files do not have */
-    add_line(
+    add_blade_limit(
         d,
         "The engaged length is not in the data. It is that of the job's block, less what earlier passes have cut, at a "
         "place that is fitted along the feed and up; the force builds up over a way that is fitted. These are "
         "nuisances, "
         "shared by all cuts: an error of the engaged length within a cut is a part of what remains.");
-    add_line(
+    add_blade_limit(
         d,
         "The sensor's zero is what it reads in the first second of each recording, and is taken away. A gain of one "
         "axis "
         "and a of the force law are one and the same in these forces. Friction along the edge and a turned sensor both "
         "move force from one axis to another (force_along_over_across): the force along the edge is shown, and not "
         "used.");
+
+    /* what these cuts cannot tell */
     if (used < 3)
-        add_line(
+        add_blade_limit(
             d,
             "With %d cut%s no effect is named: it has to hold on cuts that are left out of the fit, of three or more.",
             used, used == 1 ? "" : "s");
     if (!g->search.contrast)
-        add_line(
+        add_blade_limit(
             d,
             "All cuts slide by the same strategy. Where sliding follows the force, more force goes with more sliding "
             "within a cut, whatever sliding does: its effect cannot be told. A cut with another ratio of sliding to "
             "advance would tell it.");
     if (d->kind == WCUT_VERDICT_PHYSICS && d->form_open)
-        add_line(d,
-                 "The exponent of the effect is kept at its default: these cuts do not tell the form from the size.");
+        add_blade_limit(
+            d, "The exponent of the effect is kept at its default: these cuts do not tell the form from the size.");
 }
 
 bool wcut_blade_tell(wcut_blade_run *g) {

@@ -12,13 +12,17 @@ bool wcut_diagnosis_is_of_blade(int cuts, const wcut_diagnosis_cut *cut) {
 }
 
 /* what a rig's recording must have before anything looks into it */
-static wcut_status check_rig(int k, const wcut_diagnosis_cut *cut, wcut_error *error) {
+static wcut_status check_recorded_rig(int k, const wcut_diagnosis_cut *cut, wcut_error *error) {
     if (!cut->job || !cut->recording || cut->job->rig.kind == WCUT_RIG_KIND_BLADE) return WCUT_OK;
+
+    /* a bow's recordings have no model of their own */
     if (cut->job->rig.kind == WCUT_RIG_KIND_BOW)
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "cut %d: found a bow, expected two arms or a blade: recordings of bows are "
                          "not diagnosed",
                          k + 1);
+
+    /* two arms: the clock, stations, speeds, tensions and angles */
     for (int c = WCUT_CHANNEL_TIME; c <= WCUT_CHANNEL_BETA_B; c++)
         if (!cut->recording->channel[c].value)
             return wcut_fail(error, WCUT_BAD_ARGUMENT, "cut %d: found a recording without %s, expected one of two arms",
@@ -39,7 +43,7 @@ wcut_status wcut_diagnosis_check(int cuts, const wcut_diagnosis_cut *cut, int te
         if (cut[k].recording && (cut[k].recording->samples < 1 || !cut[k].recording->further))
             return wcut_fail(error, WCUT_BAD_ARGUMENT, "cut %d: expected a recording with samples and their lines",
                              k + 1);
-        const wcut_status status = check_rig(k, &cut[k], error);
+        const wcut_status status = check_recorded_rig(k, &cut[k], error);
         if (status != WCUT_OK) return status;
     }
     const wcut_status status = wcut_scatter_check(o->rig, error);

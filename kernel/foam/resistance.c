@@ -90,6 +90,8 @@ static mat3 mat3_scaled(double s, mat3 a) { return (mat3){vec3_scale(s, a.x), ve
 static void soften(const motion *m, double ratio, double exponent, bool slopes, mat3 *before, mat3 *here, mat3 *after,
                    wcut_resistance *out) {
     if (!(m->across > 0)) return; /* there is no force */
+
+    /* the factor and how it changes with u */
     const double a = m->along, c = m->across, base = 1 + a * a / (c * c) / (ratio * ratio);
     const double g = pow(base, -exponent), by_u = -exponent * g / base / (ratio * ratio);
     const wcut_vec3 force = out->force;

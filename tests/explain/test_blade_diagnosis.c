@@ -154,6 +154,35 @@ TEST(rigs_that_differ_and_recordings_of_the_other_rig_are_refused) {
     wcut_recording_destroy(r);
 }
 
+TEST(want_of_memory_leaves_no_diagnosis) {
+    wcut_job *job[3];
+    wcut_recording *recording[3];
+    wcut_diagnosis_cut cut[3] = {{0}};
+    wcut_diagnosis_options o = wcut_diagnosis_options_default();
+    for (int k = WCUT_EFFECT_COUNT - 1; k >= 0; k--) o.without[k] = k != WCUT_EFFECT_SLICE_SOFTENING;
+    for (int k = 0; k < 3; k++) {
+        job[k] = blade_job(k);
+        recording[k] = record(job[k], 3 + (uint64_t)k);
+        cut[k] = (wcut_diagnosis_cut){job[k], recording[k], NULL};
+    }
+
+    /* each of the first allocations, then some of those of the fits, until one comes to its end */
+    wcut_diagnosis *d = (wcut_diagnosis *)&error;
+    int failed = 0;
+    for (long k = 1;; k += k < 60 ? 1 : k / 2) {
+        wcut_alloc_fail_at(k);
+        const wcut_status status = wcut_diagnosis_create(3, cut, 0, NULL, &o, NULL, NULL, &d, &error);
+        wcut_alloc_fail_at(0);
+        if (status == WCUT_OK) break;
+        ck_assert_msg(status == WCUT_NO_MEMORY, "allocation %ld: %s", k, error.text);
+        ck_assert(d == (wcut_diagnosis *)&error);
+        failed++;
+    }
+    ck_assert_int_gt(failed, 60);
+    wcut_diagnosis_destroy(d);
+    for (int k = 0; k < 3; k++) wcut_job_destroy(job[k]), wcut_recording_destroy(recording[k]);
+}
+
 TEST(an_edge_feels_what_earlier_passes_have_left) {
     /* upright edge, tip at z = 40 in the first pass and at 10 in the second; a block 100 mm high */
     enum { N = 60 };
