@@ -10,7 +10,7 @@ double wcut_found_widen(double error, double value, double slow);
 
 /* Effect e of a fit: the values of the start, each as an interval of no width, then those that were fitted, with intervals
    widened by what the fit leaves. */
-void wcut_found_effect_fill(const wcut_fitted *fit, int e, double slow, wcut_found_effect *out);
+void wcut_found_effect_fill(const wcut_fitted *fit, int e, double slow, wcut_found_effect *found);
 
 /* how far the last effect of a fit moves tensions [N] and scanned faces [mm], at most; linear about the fit */
 void wcut_small_effect_measure(const wcut_evidence *evidence, const wcut_fitted *fit, wcut_small_effect *out);

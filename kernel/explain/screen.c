@@ -267,7 +267,7 @@ static int copy_columns(const wcut_screen *from, const wcut_fitted *fitted, size
 wcut_status wcut_screen_about(const wcut_evidence *e, const wcut_screen *from, const wcut_fitted *fitted,
                               wcut_screen *out) {
     const size_t rows = (size_t)e->rows;
-    const size_t room = (size_t)(from->base + from->nuisances + fitted->count + from->columns);
+    const size_t room = (size_t)from->base + (size_t)from->nuisances + (size_t)fitted->count + (size_t)from->columns;
     wcut_screen s = {.base = from->base, .nuisances = from->nuisances + fitted->count};
 
     /* one more white row is the residual's */

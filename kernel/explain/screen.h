@@ -38,7 +38,7 @@ void wcut_screen_weigh(const wcut_evidence *evidence, wcut_screen *screen);
  * what it has already. The other columns stay those of the plain model: what two effects have in common is of second order.
  * out: the caller's, to wcut_screen_destroy. WCUT_OK; WCUT_NO_MEMORY: nothing was written.
  */
-wcut_status wcut_screen_about(const wcut_evidence *evidence, const wcut_screen *plain, const wcut_fitted *fitted,
+wcut_status wcut_screen_about(const wcut_evidence *evidence, const wcut_screen *from, const wcut_fitted *fitted,
                               wcut_screen *out);
 
 /*
