@@ -105,6 +105,7 @@ static int make_motion(export_ *e) {
     if (o.lead_out < 0) o.lead_out = 0;
     choose(e->call, "zone", 1, &o.zone);
     o.heater = e->job;
+    if (e->job->rig.kind != WCUT_RIG_KIND_TWO_ARMS) o.tool = e->job;
 
     /* a dither is small: thinned as usual it would be gone */
     if (e->job->dither_count > 0 && o.time_tolerance > EXCITED_MM) o.time_tolerance = EXCITED_MM;
@@ -140,10 +141,10 @@ static int check_limits(export_ *e) {
 }
 
 /* the files of a format, path.json, and the NULL that closes the list */
-static void name_programs(wcut_robot_format format, const char *name[4]) {
+static void name_programs(wcut_robot_format format, bool single, const char *name[4]) {
     int count = 0;
-    for (int robot = 0; robot < 2; robot++) {
-        name[count] = wcut_robot_file_name(format, robot);
+    for (int robot = 0; robot < (single ? 1 : 2); robot++) {
+        name[count] = wcut_robot_file_name(format, single ? WCUT_ROBOT_SINGLE : robot);
         count += name[count] != NULL;
     }
     name[count] = "path.json";
@@ -181,12 +182,14 @@ static int write_programs(export_ *e) {
     names.approach_acceleration = l.acceleration;
     names.preheat = app_real(e->call, "preheat");
     names.heat = e->job->heat;
-    names.tension = e->job->tension;
-    names.wire_length = e->length;
+    names.tension = e->job->rig.kind == WCUT_RIG_KIND_BOW ? e->job->rig.pretension : e->job->tension;
+    if (e->job->rig.kind == WCUT_RIG_KIND_TWO_ARMS) names.wire_length = e->length; /* else the rig sets it */
 
-    /* a file for each robot, or one for both */
+    /* a file for each robot, or one for both or for the only one */
     int code = APP_DONE;
-    for (int robot = 0; robot < 2 && code == APP_DONE; robot++) {
+    const bool single = e->motion->single;
+    for (int k = 0; k < (single ? 1 : 2) && code == APP_DONE; k++) {
+        const int robot = single ? WCUT_ROBOT_SINGLE : k;
         const char *name = wcut_robot_file_name(e->format, robot);
         if (!name) continue;
         wcut_status status =
@@ -258,7 +261,7 @@ static int path(const app_call *call) {
     export_ e = {.call = call, .path = call->operand[0]};
     const char *name[4];
     int code = load_export(&e);
-    name_programs(e.format, name);
+    name_programs(e.format, code == APP_DONE && e.job->rig.kind != WCUT_RIG_KIND_TWO_ARMS, name);
     if (code == APP_DONE) app_catch_interrupts();
     if (code == APP_DONE) code = run_export(&e);
 
@@ -428,13 +431,14 @@ static const app_option option[] = {
 
 const app_verb app_verb_path = {
     .name = "path",
-    .brief = "write the programs of two synchronised robots for a job",
+    .brief = "write the programs of two synchronised robots, or of the one of a bow or blade, for a job",
     .about =
         "Simulates the job and writes the motion of both mounts as programs for two robots that reach every target "
         "together. Stations are left out as long as the error stays within a tolerance across the path and one along "
         "it.\nurscript and krl: wirecut_a.* and wirecut_b.*, started together by a digital output of each robot that "
         "is wired to an input of the other; after that each keeps the time or the speed of its moves. rapid: two "
-        "modules for MultiMove, moves with the same ID end together. csv: robot.csv; json: robot.json.\nAn "
+        "modules for MultiMove, moves with the same ID end together. csv: robot.csv; json: robot.json. A bow or a "
+        "blade is led by one robot: one program, wirecut.*, with the poses of its tool.\nAn "
         "identification cut (wirecut identify): its sines are in the speeds, and robot A calls a procedure with a "
         "power "
         "at every heater step. Time 0 of the recording is station 0.\nMount speeds "

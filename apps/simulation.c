@@ -1,6 +1,7 @@
 /* A cut that was run, and the files that hold it. */
 #include "simulation.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -154,6 +155,21 @@ static int write_path_job(app_simulation *s) {
     return app_results_add(&s->results, name, status, &error);
 }
 
+/* what users of a bow ask for: figures, stations, the map of its face, the feed chart */
+static int write_bow(app_simulation *s) {
+    wcut_error error = {0};
+    const wcut_status made = wcut_bow_results_create(s->setup, s->history, NULL, &s->bow, &error);
+    int code = made == WCUT_OK ? APP_DONE : app_fail_status(made, s->path, &error);
+    for (int k = WCUT_BOW_FILE_FIGURES; code == APP_DONE && k <= WCUT_BOW_FILE_CHART; k++) {
+        const char *name = wcut_bow_file_name((wcut_bow_file)k);
+        if (k > WCUT_BOW_FILE_FIGURES && !app_wants_format(s->call, "csv")) continue;
+        const wcut_status status =
+            wcut_bow_results_write(s->bow, s->history, (wcut_bow_file)k, app_results_path(&s->results, name), &error);
+        code = app_results_add(&s->results, name, status, &error);
+    }
+    return code;
+}
+
 int app_simulation_write(app_simulation *s) {
     bool surface = s->history->stations >= 2; /* a run that ended at its start swept none */
     int code = write_history(s);
@@ -161,6 +177,7 @@ int app_simulation_write(app_simulation *s) {
     if (code == APP_DONE && surface) code = write_path(s);
     const bool whole = s->history->stations == s->history->planned;
     if (code == APP_DONE && whole && s->job->mode == WCUT_MODE_DESIGN) code = write_path_job(s);
+    if (code == APP_DONE && surface && s->job->rig.kind == WCUT_RIG_KIND_BOW) code = write_bow(s);
     return code;
 }
 
@@ -174,6 +191,23 @@ static void say_effects(const wcut_job *job) {
         app_say("note: %s acts on %s, not on the wire: these results do not show it", info->name,
                 info->place == WCUT_EFFECT_PLACE_SENSOR ? "recordings" : "the scanned face or its scan");
     }
+}
+
+/* the three things that users of a bow ask for, at the job's own heat */
+static void say_bow(const wcut_bow_results *r, double heat) {
+    app_say(
+        "the wire bows by %.3g mm at most, at station %d; the face departs from the ruled surface by %.3g mm at most, "
+        "at station %d",
+        r->bow.value, r->bow.station, fabs(r->departure_max.value), r->departure_max.station);
+    app_say("tension %.3g N at most of %.3g N that the wire bears at %.0f degC; force on the tool %.3g N at most",
+            r->tension_max, r->strength, r->temperature, r->force_max);
+    const wcut_feed_chart_row *c = &r->chart[WCUT_FEED_CHART_HEATS / 2];
+    const double *bow = wcut_feed_chart_bows();
+    app_say("largest feed at %.3g W/m: %.3g mm/s for a bow of %g mm, %.3g for %g, %.3g for %g%s", heat, c->feed[0],
+            bow[0], c->feed[1], bow[1], c->feed[2], bow[2], c->too_hot ? "; the wire is too hot in air" : "");
+    if (r->slack_share > 0)
+        app_say("warning: the wire hangs slack at %.0f %% of the stations: its heat takes the pretension",
+                100 * r->slack_share);
 }
 
 /* one word and its reason */
@@ -197,6 +231,7 @@ int app_simulation_say(const app_simulation *s) {
             s->history->planned, sum.duration, sum.speed.min, sum.speed.max);
     app_say("largest residual %.1e, %.1f iterations per station", sum.residual_max, sum.iterations_mean);
     say_effects(s->job);
+    if (s->bow) say_bow(s->bow, s->job->heat);
     say_feasibility(s);
     app_say("in %s: %s", s->results.folder, app_results_list(&s->results));
     return APP_DONE;
@@ -206,6 +241,7 @@ double app_chord_tolerance(void) { return wcut_mould_default().chord_tolerance; 
 
 void app_simulation_clear(app_simulation *s) {
     app_results_end(&s->results);
+    wcut_bow_results_destroy(s->bow);
     wcut_surface_destroy(s->surface);
     wcut_history_destroy(s->history);
     wcut_setup_destroy(s->setup);

@@ -14,7 +14,7 @@
 /* What the files of a cut are called, in the order written. */
 #define APP_SIMULATION_FILES                                                                               \
     "history.vtp", "surface.stl", "surface.obj", "surface.ply", "surface.glb", "path.csv", "surface.step", \
-        "job-path.json"
+        "job-path.json", "bow.json", "bow.csv", "bow_map.csv", "feed_chart.csv"
 
 typedef struct app_simulation {
     const app_call *call; /* with the options formats and chord-tolerance */
@@ -24,6 +24,7 @@ typedef struct app_simulation {
     wcut_history *history;
     wcut_surface *surface; /* through the stations */
     wcut_status ended;     /* how the run ended */
+    wcut_bow_results *bow; /* of a bow */
     app_results results;
 } app_simulation;
 

@@ -9,8 +9,10 @@
 #include <wirecut/report_pages.h>
 
 #include "base/fail.h"
+#include "io/report/report_bow.h"
 
-#define FLAT 1e-6 /* [1/mm] a radius of 1 km is flat: what is left is rounding */
+#define DEPARTED 0.1 /* [mm] a face within it is ruled as far as anybody sees */
+#define FLAT 1e-6    /* [1/mm] a radius of 1 km is flat: what is left is rounding */
 /* what is plotted of every station */
 enum {
     TIME,
@@ -42,6 +44,9 @@ typedef struct page {
     char verdict[512], block[96], hash[WCUT_SHA256_TEXT];
     double *share; /* measures x stations; NULL: not judged */
     wcut_feasibility feasibility;
+    wcut_bow_results *bow; /* of a bow; its section borrows what is in bow_parts */
+    wcut_report_bow bow_parts;
+    wcut_report_section bow_section;
 } page;
 
 /* ---- what is copied ---- */
@@ -132,7 +137,11 @@ static wcut_status fill_station_page(page *p, const wcut_setup *setup, wcut_erro
         p->share = NULL;
     }
 
-    return fill_curvature(p);
+    /* what users of a bow ask for; a wire beyond the range of its limits has none of it */
+    if (p->job->rig.kind == WCUT_RIG_KIND_BOW && wcut_bow_results_create(setup, h, NULL, &p->bow, error) == WCUT_OK)
+        status = wcut_report_bow_fill(&p->bow_parts, p->bow, p->column[TIME], p->column[STATION], &p->bow_section);
+
+    return status ? status : fill_curvature(p);
 }
 
 static void clear_page(page *p) {
@@ -142,6 +151,8 @@ static void clear_page(page *p) {
     free(p->mount_a);
     free(p->mount_b);
     free(p->share);
+    wcut_report_bow_clear(&p->bow_parts);
+    wcut_bow_results_destroy(p->bow);
 }
 
 /* ---- what is said ---- */
@@ -273,8 +284,9 @@ static wcut_status write_simulate_page(page *p, const wcut_report_scene *scene, 
                                  .band = row_first,
                                  .band_label = row_name};
 
-    /* sections: limits, the course of the cut, the solver */
+    /* sections: the bow of a bow, limits, the course of the cut, the solver */
     const wcut_report_section section[] = {
+        p->bow_section,
         {.title = "Feasibility", .map_count = p->share ? 1 : 0, .map = &map},
         {.title = "Along the cut", .chart_count = CHARTS, .chart = along},
         {.title = "Quality of the solution", .chart_count = SOLVER_CHARTS, .chart = solver}};
@@ -291,7 +303,7 @@ static wcut_status write_simulate_page(page *p, const wcut_report_scene *scene, 
         {"nodes along the wire", NULL, h->nodes, ""},
         {"block, x by y by z", p->block, 0, "mm"},
         {"heat", NULL, job->heat, "W/m"},
-        {"target tension", NULL, job->tension, "N"},
+        {p->bow ? "pretension, cold" : "target tension", NULL, p->bow ? job->rig.pretension : job->tension, "N"},
         {"foam", job->foam_material ? job->foam_material : "not stated", 0, ""},
         {"wire", job->wire_material ? job->wire_material : "not stated", 0, ""},
         {"wire diameter", NULL, job->wire_diameter, "mm"},
@@ -312,8 +324,8 @@ static wcut_status write_simulate_page(page *p, const wcut_report_scene *scene, 
                                 .fact_count = sizeof fact / sizeof *fact,
                                 .fact = fact,
                                 .scene = scene,
-                                .section_count = sizeof section / sizeof *section,
-                                .section = section,
+                                .section_count = sizeof section / sizeof *section - (p->bow ? 0 : 1),
+                                .section = section + (p->bow ? 0 : 1),
                                 .source_count = 1,
                                 .source = &source,
                                 .option_count = sizeof option / sizeof *option,
@@ -333,7 +345,9 @@ wcut_status wcut_report_simulate_write(const wcut_report_simulate *run, const wc
         const wcut_report_field field[] = {
             {"force across the wire", "N/mm", WCUT_REPORT_SCALE_SEQUENTIAL, 0, p.force},
             {"speed of the wire", "mm/s", WCUT_REPORT_SCALE_SEQUENTIAL, 0, history->speed},
-            {"largest curvature", "1/mm", WCUT_REPORT_SCALE_DIVERGING, FLAT, p.curvature}};
+            {"largest curvature", "1/mm", WCUT_REPORT_SCALE_DIVERGING, FLAT, p.curvature},
+            {"departure from the ruled surface", "mm", WCUT_REPORT_SCALE_DIVERGING, DEPARTED,
+             p.bow ? p.bow->departure : NULL}};
 
         /* the surface, and the path curves beside it */
         const wcut_report_shape shape = {.name = "swept surface",
@@ -343,7 +357,7 @@ wcut_status wcut_report_simulate_write(const wcut_report_simulate *run, const wc
                                          .columns = history->nodes,
                                          .row_label = "station",
                                          .column_label = "node",
-                                         .field_count = sizeof field / sizeof *field,
+                                         .field_count = sizeof field / sizeof *field - (p.bow ? 0 : 1),
                                          .field = field};
         const wcut_report_line line[] = {{"path curves", "A", history->stations, p.mount_a},
                                          {"path curves", "B", history->stations, p.mount_b}};

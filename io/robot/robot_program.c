@@ -20,8 +20,9 @@ typedef struct half {
     const double *frame;
 } half;
 
-static half half_of(const wcut_robot_motion *m, int robot, int i) {
+static half half_of(const wcut_robot_motion *m, int arm, int i) {
     const wcut_robot_target *t = &m->target[i];
+    const int robot = arm == 1; /* one robot is in the place of A */
     const double speed = robot ? t->speed_b : t->speed_a;
     return (half){.at = robot ? t->b : t->a,
                   .speed = speed,
@@ -96,22 +97,40 @@ static int count_heats(const wcut_robot_motion *m) {
 }
 
 /* the power that robot A sets where target i is reached; 0: none */
-static double target_heat(const wcut_robot_motion *m, int robot, int i) { return robot == 0 ? m->target[i].heat : 0; }
+static double target_heat(const wcut_robot_motion *m, int robot, int i) { return robot != 1 ? m->target[i].heat : 0; }
+
+/* what stands behind the name of a program */
+static const char *suffix_of(int robot) {
+    static const char *const text[] = {"_a", "_b", ""};
+    return text[robot];
+}
+
+/* whether a program switches the wire: A's, or the only one */
+static bool switches(int robot) { return robot != 1; }
 
 static void put_program_head(wcut_text *text, const char *mark, const wcut_robot_motion *m,
                              const wcut_robot_names *names, int robot) {
     /* what the program is, for whoever opens it at the cell */
-    wcut_text_print(text, "%swirecut: mount %c of two that cut one wire; %d targets of %d stations, ", mark,
-                    robot ? 'B' : 'A', m->count, m->stations);
+    if (m->single)
+        wcut_text_print(text, "%swirecut: one arm that holds the wire by both ends; %d targets of %d stations, ", mark,
+                        m->count, m->stations);
+    else
+        wcut_text_print(text, "%swirecut: mount %c of two that cut one wire; %d targets of %d stations, ", mark,
+                        robot ? 'B' : 'A', m->count, m->stations);
     put_rounded(text, "", m->duration, 3);
     wcut_text_print(text, " s\n");
 
     if (names->title && *names->title) put_comment(text, mark, names->title);
-    wcut_text_print(text,
-                    "%sPositions are in the frame of the foam block: x across from A to B, y the feed, z up.\n"
-                    "%sTool: its x axis looks along the wire into the cut, its z axis up.\n"
-                    "%sRun id %03x: the other program has the same, or neither starts.\n",
-                    mark, mark, mark, run_id(m, names));
+    wcut_text_print(text, "%sPositions are in the frame of the foam block: x across from A to B, y the feed, z up.\n",
+                    mark);
+    if (m->single)
+        wcut_text_print(
+            text, "%sTool: the frame of the job's poses, in which both ends of the wire have their places.\n", mark);
+    else
+        wcut_text_print(text,
+                        "%sTool: its x axis looks along the wire into the cut, its z axis up.\n"
+                        "%sRun id %03x: the other program has the same, or neither starts.\n",
+                        mark, mark, run_id(m, names));
 
     /* what the cell sets before it starts */
     wcut_text_print(text, "%sWire:", mark);
@@ -122,11 +141,12 @@ static void put_program_head(wcut_text *text, const char *mark, const wcut_robot
     if (names->preheat > 0)
         put_rounded(text, " heated for ", names->preheat, 3), wcut_text_print(text, " s before the start;");
     if (count_heats(m) > 0)
-        wcut_text_print(text, " A calls %s with a power in W/m, %d times, to be defined by the cell;", names->wire_heat,
-                        count_heats(m));
+        wcut_text_print(text, " %s %s with a power in W/m, %d times, to be defined by the cell;",
+                        m->single ? "calls" : "A calls", names->wire_heat, count_heats(m));
     if (names->wire_on || names->wire_off)
-        wcut_text_print(text, " A calls %s%s%s, to be defined by the cell.\n", names->wire_on ? names->wire_on : "",
-                        names->wire_on && names->wire_off ? " and " : "", names->wire_off ? names->wire_off : "");
+        wcut_text_print(text, " %s %s%s%s, to be defined by the cell.\n", m->single ? "It calls" : "A calls",
+                        names->wire_on ? names->wire_on : "", names->wire_on && names->wire_off ? " and " : "",
+                        names->wire_off ? names->wire_off : "");
     else
         wcut_text_print(text, " these programs do not switch it.\n");
 }
@@ -203,35 +223,42 @@ void wcut_urscript_put(wcut_text *text, const wcut_robot_motion *m, const wcut_r
     const int io = names->sync_io;
 
     /* the head: what is to be set at the cell */
-    wcut_text_print(text, "def %s_%c():\n", names->program, robot ? 'b' : 'a');
+    wcut_text_print(text, "def %s%s():\n", names->program, suffix_of(robot));
     put_program_head(text, "  # ", m, names, robot);
-    wcut_text_print(
-        text,
-        "  # To be set: block, the pose of the foam block in this robot's base; the TCP; digital output %d\n"
-        "  # of either controller wired to input %d of the other. Both start together and then keep the\n"
-        "  # time of every move; their clocks are not coupled.\n"
-        "  block = p[0, 0, 0, 0, 0, 0]\n",
-        io, io);
+    if (m->single)
+        wcut_text_print(text,
+                        "  # To be set: block, the pose of the foam block in the robot's base; the TCP.\n"
+                        "  block = p[0, 0, 0, 0, 0, 0]\n");
+    else
+        wcut_text_print(
+            text,
+            "  # To be set: block, the pose of the foam block in this robot's base; the TCP; digital output %d\n"
+            "  # of either controller wired to input %d of the other. Both start together and then keep the\n"
+            "  # time of every move; their clocks are not coupled.\n"
+            "  block = p[0, 0, 0, 0, 0, 0]\n",
+            io, io);
 
     /* no start signal of an earlier run, then to the first target */
     const double acceleration = names->approach_acceleration / 1000;
-    wcut_text_print(text, "  set_digital_out(%d, False)\n", io);
+    if (!m->single) wcut_text_print(text, "  set_digital_out(%d, False)\n", io);
     half h = half_of(m, robot, 0);
     wcut_text_print(text, "  movel(");
     put_ur_pose(text, &h);
     put_rounded(text, ", a=", acceleration, 6);
     put_rounded(text, ", v=", names->approach_speed / 1000, 6);
     wcut_text_print(text, ")\n");
-    if (robot == 0 && names->wire_on) wcut_text_print(text, "  %s()\n", names->wire_on);
-    if (robot == 0 && names->preheat > 0) {
+    if (switches(robot) && names->wire_on) wcut_text_print(text, "  %s()\n", names->wire_on);
+    if (switches(robot) && names->preheat > 0) {
         put_rounded(text, "  sleep(", names->preheat, 3);
         wcut_text_print(text, ")\n");
     }
 
     /* both are there; the run id; both start */
-    wcut_text_print(text, "  set_digital_out(%d, True)\n  while (get_digital_in(%d) == False):\n    sync()\n  end\n",
-                    io, io);
-    put_run_id(text, &ur_signal, run_id(m, names), io);
+    if (!m->single) {
+        wcut_text_print(
+            text, "  set_digital_out(%d, True)\n  while (get_digital_in(%d) == False):\n    sync()\n  end\n", io, io);
+        put_run_id(text, &ur_signal, run_id(m, names), io);
+    }
 
     /* a move for each target; one that neither goes nor turns is a pause */
     half last = h;
@@ -258,15 +285,16 @@ void wcut_urscript_put(wcut_text *text, const wcut_robot_motion *m, const wcut_r
     }
 
     /* tell the other robot, switch the wire off */
-    wcut_text_print(text, "  set_digital_out(%d, False)\n", io);
-    if (robot == 0 && names->wire_off) wcut_text_print(text, "  %s()\n", names->wire_off);
+    if (!m->single) wcut_text_print(text, "  set_digital_out(%d, False)\n", io);
+    if (switches(robot) && names->wire_off) wcut_text_print(text, "  %s()\n", names->wire_off);
     wcut_text_print(text, "end\n");
 }
 
 /* ---- RAPID: millimetres, quaternions, MultiMove: moves of one ID end together ---- */
 
-/* calls: a procedure is called in the middle of the zone (MoveLSync), not when the program runs ahead */
-static void put_rapid_move(wcut_text *text, const half *h, int id, double speed, bool calls) {
+/* calls: a procedure is called in the middle of the zone (MoveLSync), not when the program runs ahead; timed: the move takes
+   its duration, however much of it the tool turns */
+static void put_rapid_move(wcut_text *text, const half *h, int id, double speed, bool timed, bool calls) {
     /* target: position, quaternion, external axes unused */
     wcut_text_print(text, "    MoveL%s", calls ? "Sync" : "");
     put_rounded(text, " [[", h->at.x, 3);
@@ -278,7 +306,9 @@ static void put_rapid_move(wcut_text *text, const half *h, int id, double speed,
 
     /* speed in mm/s, reorientation 500 deg/s */
     put_rounded(text, ", [", speed, 3);
-    wcut_text_print(text, ",500,5000,1000], ");
+    wcut_text_print(text, ",500,5000,1000]");
+    if (timed) put_rounded(text, "\\T:=", h->duration, 6);
+    wcut_text_print(text, ", ");
 
     /* zone: a stop point, or a fly-by radius in mm */
     if (h->zone < 5e-4) {
@@ -300,48 +330,54 @@ static void put_rapid_heat(wcut_text *text, const wcut_robot_names *names, doubl
 }
 
 void wcut_rapid_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_names *names, int robot) {
-    const char *p = names->program, side = robot ? 'b' : 'a';
+    const char *p = names->program, *side = suffix_of(robot);
     const unsigned id = run_id(m, names); /* points of different runs have different names, and never meet */
 
     /* the module, and what the cell has to define */
-    wcut_text_print(text, "MODULE %s_%c\n", p, side);
+    wcut_text_print(text, "MODULE %s%s\n", p, side);
     put_program_head(text, "  ! ", m, names, robot);
-    wcut_text_print(
-        text,
-        "  ! To be defined in task T_ROB%d: tooldata %s_tool, wobjdata %s_block (the foam block).\n"
-        "  ! Needs MultiMove; moves of one ID end together in both tasks.\n"
-        "  PERS tasks %s_tasks{2} := [[\"T_ROB1\"],[\"T_ROB2\"]];\n"
-        "  VAR syncident %s_on_%03x;\n  VAR syncident %s_off_%03x;\n  PROC %s_%c_main()\n    ConfL \\Off;\n",
-        robot + 1, p, p, p, p, id, p, id, p, side);
+    if (m->single)
+        wcut_text_print(text,
+                        "  ! To be defined: tooldata %s_tool, wobjdata %s_block (the foam block).\n  PROC %s_main()\n"
+                        "    ConfL \\Off;\n",
+                        p, p, p);
+    else
+        wcut_text_print(
+            text,
+            "  ! To be defined in task T_ROB%d: tooldata %s_tool, wobjdata %s_block (the foam block).\n"
+            "  ! Needs MultiMove; moves of one ID end together in both tasks.\n"
+            "  PERS tasks %s_tasks{2} := [[\"T_ROB1\"],[\"T_ROB2\"]];\n"
+            "  VAR syncident %s_on_%03x;\n  VAR syncident %s_off_%03x;\n  PROC %s%s_main()\n    ConfL \\Off;\n",
+            robot + 1, p, p, p, p, id, p, id, p, side);
 
     /* to the first target, before both robots are coupled */
     half h = half_of(m, robot, 0);
-    put_rapid_move(text, &h, 0, names->approach_speed, false);
+    put_rapid_move(text, &h, 0, names->approach_speed, false, false);
     wcut_text_print(text, ", %s_tool\\WObj:=%s_block;\n", p, p);
 
     /* the wire is switched on and heated by robot A */
-    if (robot == 0 && names->wire_on) wcut_text_print(text, "    %s;\n", names->wire_on);
-    if (robot == 0 && names->preheat > 0) {
+    if (switches(robot) && names->wire_on) wcut_text_print(text, "    %s;\n", names->wire_on);
+    if (switches(robot) && names->preheat > 0) {
         put_rounded(text, "    WaitTime ", names->preheat, 3);
         wcut_text_print(text, ";\n");
     }
 
     /* synchronous moves to all targets */
     put_rapid_heat(text, names, target_heat(m, robot, 0));
-    wcut_text_print(text, "    SyncMoveOn %s_on_%03x, %s_tasks;\n", p, id, p);
+    if (!m->single) wcut_text_print(text, "    SyncMoveOn %s_on_%03x, %s_tasks;\n", p, id, p);
     for (int i = 1; i < m->count; i++) {
         h = half_of(m, robot, i);
         /* a robot that stands waits for the other; its own speed must not be 0 */
         const bool calls = target_heat(m, robot, i) > 0;
-        put_rapid_move(text, &h, 10 * i, h.speed < 0.01 ? 0.01 : h.speed, calls);
+        put_rapid_move(text, &h, m->single ? 0 : 10 * i, h.speed < 0.01 ? 0.01 : h.speed, m->single, calls);
         wcut_text_print(text, ", %s_tool\\WObj:=%s_block", p, p);
         if (calls) wcut_text_print(text, ", \"%s_heat_%d\"", p, i);
         wcut_text_print(text, ";\n");
     }
 
     /* both robots are released, the wire is switched off */
-    wcut_text_print(text, "    SyncMoveOff %s_off_%03x;\n", p, id);
-    if (robot == 0 && names->wire_off) wcut_text_print(text, "    %s;\n", names->wire_off);
+    if (!m->single) wcut_text_print(text, "    SyncMoveOff %s_off_%03x;\n", p, id);
+    if (switches(robot) && names->wire_off) wcut_text_print(text, "    %s;\n", names->wire_off);
     wcut_text_print(text, "  ENDPROC\n");
 
     /* a procedure without a parameter for each change of the heater's power */
@@ -385,33 +421,40 @@ void wcut_krl_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_
     const int io = names->sync_io;
 
     /* the head: what is to be set at the cell */
-    wcut_text_print(text, "DEF %s_%c ( )\n", names->program, robot ? 'b' : 'a');
+    wcut_text_print(text, "DEF %s%s ( )\n", names->program, suffix_of(robot));
     put_program_head(text, "; ", m, names, robot);
-    wcut_text_print(
-        text,
-        "; To be set: TOOL_DATA[1], BASE_DATA[1] (the foam block); output %d of either controller wired to\n"
-        "; input %d of the other. Both start together and then keep the speed of every move; their clocks\n"
-        "; are not coupled.\n"
-        "BAS (#INITMOV,0)\n$TOOL = TOOL_DATA[1]\n$BASE = BASE_DATA[1]\n$ORI_TYPE = #VAR\n$ADVANCE = 3\n",
-        io, io);
+    if (m->single)
+        wcut_text_print(text, "; To be set: TOOL_DATA[1], BASE_DATA[1] (the foam block).\n");
+    else
+        wcut_text_print(
+            text,
+            "; To be set: TOOL_DATA[1], BASE_DATA[1] (the foam block); output %d of either controller wired to\n"
+            "; input %d of the other. Both start together and then keep the speed of every move; their clocks\n"
+            "; are not coupled.\n",
+            io, io);
+    wcut_text_print(text,
+                    "BAS (#INITMOV,0)\n$TOOL = TOOL_DATA[1]\n$BASE = BASE_DATA[1]\n$ORI_TYPE = #VAR\n$ADVANCE = 3\n");
     put_rounded(text, "$ACC.CP = ", names->approach_acceleration / 1000, 6);
     wcut_text_print(text, "\n");
     put_krl_turning(text, ORI_SPEED);
 
     /* block coincidence where the arm stands, no start signal of an earlier run, then to the first target */
-    wcut_text_print(text, "PTP $AXIS_ACT\n$OUT[%d] = FALSE\n", io);
+    wcut_text_print(text, "PTP $AXIS_ACT\n");
+    if (!m->single) wcut_text_print(text, "$OUT[%d] = FALSE\n", io);
     half h = half_of(m, robot, 0);
     put_krl_speed(text, names->approach_speed);
     put_krl_move(text, &h);
-    if (robot == 0 && names->wire_on) wcut_text_print(text, "%s ( )\n", names->wire_on);
-    if (robot == 0 && names->preheat > 0) {
+    if (switches(robot) && names->wire_on) wcut_text_print(text, "%s ( )\n", names->wire_on);
+    if (switches(robot) && names->preheat > 0) {
         put_rounded(text, "WAIT SEC ", names->preheat, 3);
         wcut_text_print(text, "\n");
     }
 
     /* tell the other robot, and wait for it */
-    wcut_text_print(text, "$OUT[%d] = TRUE\nWAIT FOR $IN[%d]\n", io, io);
-    put_run_id(text, &krl_signal, run_id(m, names), io);
+    if (!m->single) {
+        wcut_text_print(text, "$OUT[%d] = TRUE\nWAIT FOR $IN[%d]\n", io, io);
+        put_run_id(text, &krl_signal, run_id(m, names), io);
+    }
 
     /* speeds are those of the printed ways: rounded places must not cost time */
     half last = h;
@@ -447,7 +490,7 @@ void wcut_krl_put(wcut_text *text, const wcut_robot_motion *m, const wcut_robot_
     }
 
     /* tell the other robot, switch the wire off */
-    wcut_text_print(text, "$OUT[%d] = FALSE\n", io);
-    if (robot == 0 && names->wire_off) wcut_text_print(text, "%s ( )\n", names->wire_off);
+    if (!m->single) wcut_text_print(text, "$OUT[%d] = FALSE\n", io);
+    if (switches(robot) && names->wire_off) wcut_text_print(text, "%s ( )\n", names->wire_off);
     wcut_text_print(text, "END\n");
 }

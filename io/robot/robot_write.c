@@ -10,12 +10,12 @@
 #include "io/robot/robot_program.h"
 
 static const struct {
-    const char *text, *file[2];
-} known[] = {{"urscript", {"wirecut_a.script", "wirecut_b.script"}},
-             {"rapid", {"wirecut_a.mod", "wirecut_b.mod"}},
-             {"krl", {"wirecut_a.src", "wirecut_b.src"}},
-             {"csv", {"robot.csv", NULL}},
-             {"json", {"robot.json", NULL}}};
+    const char *text, *file[3]; /* of two robots, of one */
+} known[] = {{"urscript", {"wirecut_a.script", "wirecut_b.script", "wirecut.script"}},
+             {"rapid", {"wirecut_a.mod", "wirecut_b.mod", "wirecut.mod"}},
+             {"krl", {"wirecut_a.src", "wirecut_b.src", "wirecut.src"}},
+             {"csv", {"robot.csv", NULL, "robot.csv"}},
+             {"json", {"robot.json", NULL, "robot.json"}}};
 enum { FORMATS = sizeof known / sizeof *known, NAME_MAX = 22, IO_MAX = 255 };
 
 wcut_robot_names wcut_robot_names_default(void) {
@@ -33,7 +33,7 @@ const char *wcut_robot_format_name(wcut_robot_format format) {
 }
 
 const char *wcut_robot_file_name(wcut_robot_format format, int robot) {
-    return (unsigned)format < FORMATS && (robot == 0 || robot == 1) ? known[format].file[robot] : NULL;
+    return (unsigned)format < FORMATS && robot >= 0 && robot <= WCUT_ROBOT_SINGLE ? known[format].file[robot] : NULL;
 }
 
 /* ---- table ---- */
@@ -43,7 +43,34 @@ static void put_fixed(wcut_text *text, const char *before, double value, int dec
     wcut_text_fixed(text, value, decimals);
 }
 
+/* one robot: its tool's place and turn */
+static void put_single_csv(wcut_text *text, const wcut_robot_motion *m) {
+    wcut_text_print(
+        text,
+        "target,station,time_s,duration_s,x_mm,y_mm,z_mm,speed_mm_s,zone_mm,frame_w,frame_x,frame_y,frame_z,"
+        "heat_W_per_m\n");
+    for (int i = 0; i < m->count; i++) {
+        const wcut_robot_target *t = &m->target[i];
+        const double millimetre[] = {t->a.x, t->a.y, t->a.z, t->speed_a, t->zone_a};
+        wcut_text_print(text, "%d,", i);
+        if (t->station >= 0) wcut_text_print(text, "%d", t->station); /* none: a lead */
+        put_fixed(text, ",", t->time, 6);
+        put_fixed(text, ",", t->duration, 6);
+
+        /* place, speed and zone, then the turn, and the heat where it changes */
+        for (size_t k = 0; k < sizeof millimetre / sizeof *millimetre; k++) put_fixed(text, ",", millimetre[k], 3);
+        for (int k = 0; k < 4; k++) put_fixed(text, ",", t->frame_a[k], 9);
+        wcut_text_print(text, ",");
+        if (t->heat > 0) put_fixed(text, "", t->heat, 3);
+        wcut_text_print(text, "\n");
+    }
+}
+
 static void put_csv(wcut_text *text, const wcut_robot_motion *m) {
+    if (m->single) {
+        put_single_csv(text, m);
+        return;
+    }
     wcut_text_print(text,
                     "target,station,time_s,duration_s,a_x_mm,a_y_mm,a_z_mm,b_x_mm,b_y_mm,b_z_mm,speed_a_mm_s,"
                     "speed_b_mm_s,zone_a_mm,zone_b_mm,frame_a_w,frame_a_x,frame_a_y,frame_a_z,frame_b_w,frame_b_x,"
@@ -106,8 +133,8 @@ static void put_motion_json(wcut_text *text, const wcut_robot_motion *m, const w
         wcut_text_put_number(text, ", \"time_s\": ", t->time);
         wcut_text_put_number(text, ", \"duration_s\": ", t->duration);
         if (t->heat > 0) wcut_text_put_number(text, ", \"heat_W_per_m\": ", t->heat);
-        put_robot(text, "a", t->a, t->speed_a, t->zone_a, t->frame_a);
-        put_robot(text, "b", t->b, t->speed_b, t->zone_b, t->frame_b);
+        put_robot(text, m->single ? "tool" : "a", t->a, t->speed_a, t->zone_a, t->frame_a);
+        if (!m->single) put_robot(text, "b", t->b, t->speed_b, t->zone_b, t->frame_b);
         wcut_text_print(text, "}");
     }
     wcut_text_print(text, "\n  ]\n}\n");
@@ -179,7 +206,8 @@ static bool is_reserved(const char *name, wcut_robot_format format) {
 static wcut_status motion_is_writable(const wcut_robot_motion *m, const wcut_robot_names *n, wcut_robot_format format,
                                       int robot, const char *path, wcut_error *error) {
     /* motion, file and robot */
-    if (!m || !m->target || m->count < 2 || !path || !wcut_robot_file_name(format, robot))
+    if (!m || !m->target || m->count < 2 || !path || !wcut_robot_file_name(format, robot) ||
+        m->single != (robot == WCUT_ROBOT_SINGLE))
         return wcut_fail(error, WCUT_BAD_ARGUMENT,
                          "a robot program: expected a motion, a file name and a robot that the format has a file for");
 

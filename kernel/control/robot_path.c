@@ -5,6 +5,7 @@
 #include "base/fail.h"
 #include "base/numbers.h"
 #include "base/vec3.h"
+#include "cut/job_rig.h"
 
 #define BLEND 0.4 /* [1] of the shorter neighbouring move: two zones never meet */
 
@@ -250,6 +251,50 @@ static void finish_motion(wcut_robot_motion *motion, double zone) {
     motion->duration = motion->target[n - 1].time;
 }
 
+/* the tool's pose at a target: of its station, moved along a lead; between stations of the heater by the time */
+static wcut_pose pose_at(const path *p, const wcut_robot_motion *motion, int i) {
+    const wcut_robot_target *t = &motion->target[i];
+    const wcut_job *job = p->o.tool;
+    const int last = motion->stations - 1, j = t->station >= 0 ? t->station : t->station == -1 ? 0 : last;
+    if (t->station != -3) {
+        wcut_pose pose = wcut_job_pose(job, j);
+        if (t->station < 0) pose.at = vec3_add(pose.at, vec3_sub(t->a, p->a[j]));
+        return pose;
+    }
+
+    /* the station before the moment, and the share of the way to the next */
+    const double time =
+        t->time + p->row[motion->target[motion->first].station].time - motion->target[motion->first].time;
+    int k = 0;
+    while (k < last - 1 && p->row[k + 1].time <= time) k++;
+    const double share = (time - p->row[k].time) / (p->row[k + 1].time - p->row[k].time);
+    const wcut_pose from = wcut_job_pose(job, k), to = wcut_job_pose(job, k + 1);
+    return wcut_pose_mix(&from, &to, fmin(fmax(share, 0), 1));
+}
+
+/* both mounts of a target give way to the tool that holds them */
+static void lead_by_tool(const path *p, wcut_robot_motion *motion) {
+    motion->single = true;
+    for (int i = 0; i < motion->count; i++) {
+        const wcut_pose pose = pose_at(p, motion, i);
+        const double sign = pose.turn[0] < 0 ? -1 : 1;
+        wcut_robot_target *t = &motion->target[i];
+        for (int k = 0; k < 4; k++) t->frame_a[k] = t->frame_b[k] = sign * pose.turn[k];
+        t->b = pose.at; /* a is still the mount's: pose_at looks at it */
+    }
+
+    /* places, speeds and zones of the tool */
+    for (int i = 0; i < motion->count; i++) motion->target[i].a = motion->target[i].b;
+    for (int i = 1; i < motion->count; i++) {
+        wcut_robot_target *t = &motion->target[i];
+        t->speed_a = t->speed_b = vec3_distance(t[-1].a, t->a) / t->duration;
+    }
+    for (int i = 1; i < motion->count - 1; i++) {
+        wcut_robot_target *t = &motion->target[i];
+        t->zone_a = t->zone_b = fmin(p->o.zone, BLEND * fmin(t->speed_a * t->duration, t[1].speed_a * t[1].duration));
+    }
+}
+
 static wcut_status fill_motion(const wcut_history *h, path *p, const unsigned char *keep, wcut_robot_motion *motion) {
     /* count the stations that are kept, and two leads */
     const int m = h->stations;
@@ -277,6 +322,7 @@ static wcut_status fill_motion(const wcut_history *h, path *p, const unsigned ch
     motion->time_error = p->time_error;
     if (steps > 0) tell_steps(motion, p->o.heater);
     finish_motion(motion, p->o.zone);
+    if (p->o.tool) lead_by_tool(p, motion);
 
     return WCUT_OK;
 }
@@ -292,6 +338,8 @@ static wcut_status check_robot_path(const wcut_history *h, const wcut_vec3 *a, c
     if (!h->row || h->stations < 2 || (o->clear && !h->position) || !vec3_all_finite(h->stations, a) ||
         !vec3_all_finite(h->stations, b))
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "a history of at least two stations and finite paths are expected");
+    if (o->tool && (o->tool->stations < h->stations || (!o->tool->tool && (!o->tool->mount_a || !o->tool->mount_b))))
+        return wcut_fail(error, WCUT_BAD_ARGUMENT, "tool: expected a job whose tool or mounts led the history");
     for (int j = 1; j < h->stations; j++) {
         const wcut_history_row *r = &h->row[j];
         if (!(r->time > r[-1].time) || !is_positive(fmax(r->speed_a, r->speed_b)))

@@ -44,7 +44,8 @@ static double fit_bow(wcut_cut *cut, const wcut_target *target, wcut_vec3 *end_a
     const double closing = bow->give * (cut->taut - bow->pretension);
     *end_a = wcut_bow_frame_end(&cut->frame, closing, 0);
     *end_b = wcut_bow_frame_end(&cut->frame, closing, 1);
-    for (int e = 0; e < n - 1; e++) cut->edge[e] = cut->rest[e] * (1 + bow->softness * cut->taut);
+    for (int e = 0; e < n - 1; e++)
+        cut->edge[e] = cut->rest[e] * (1 + bow->softness * (w->loaded ? w->s[e] : cut->taut));
     return rest * (1 + bow->softness * cut->taut);
 }
 
@@ -99,9 +100,9 @@ static void apply_bow(const wcut_cut *cut, wcut_extension *out, wcut_step *step)
     step->frame = &cut->frame;
     if (bow->softness == 0 && bow->expansion == 0) return;
     double sum = 0;
-    const wcut_wire *w = &cut->next;
-    for (int e = 0; e < step->n - 1; e++) sum += cut->rest[e] * (1 + bow->softness * (w->loaded ? w->s[e] : cut->taut));
-    step->edge = sum / (step->n - 1); /* what the foam acts on: the wire as long as it is now */
+    for (int e = 0; e < step->n - 1; e++) sum += cut->edge[e];
+    step->edge = sum / (step->n - 1);
+    step->lengths = cut->edge; /* the foam acts on the wire as long as it is where it comes from */
     out->compliance = (wcut_compliance){.rest = cut->rest, .softness = bow->softness};
     step->compliance = &out->compliance;
 }

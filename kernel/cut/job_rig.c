@@ -58,6 +58,18 @@ wcut_pose wcut_pose_mix(const wcut_pose *a, const wcut_pose *b, double t) {
     return p;
 }
 
+wcut_pose wcut_job_pose(const wcut_job *job, int j) {
+    if (job->tool) return job->tool[j];
+    const wcut_vec3 d = vec3_unit(vec3_sub(job->mount_b[j], job->mount_a[j]));
+    wcut_pose p = {.at = vec3_mix(job->mount_a[j], job->mount_b[j], 0.5), .turn = {1 + d.x, 0, -d.z, d.y}};
+
+    /* from x to d: 1 + x . d and x cross d; against x half a turn about z */
+    const double size = sqrt(p.turn[0] * p.turn[0] + d.z * d.z + d.y * d.y);
+    if (!(size > 1e-9)) return (wcut_pose){.at = p.at, .turn = {0, 0, 0, 1}};
+    for (int k = 0; k < 4; k++) p.turn[k] /= size;
+    return p;
+}
+
 wcut_status wcut_job_place_mounts(wcut_job *job, wcut_error *error) {
     if (!job || !job->tool || job->stations < 1 || !vec3_is_finite(job->mount_a_in_tool) ||
         !vec3_is_finite(job->mount_b_in_tool))

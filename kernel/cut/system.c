@@ -267,11 +267,19 @@ static void put_frame(wcut_system *y, const wcut_step *step, const wcut_vec3 *x,
     add_vector(y->by_log_rate + node_at(n - 2), mat3_times(mat3_add_identity(y->node[n - 2].by_after, turn_b), out));
 }
 
+/* [mm] the length of wire that node i stands for, twice that at the ends */
+static double length_at(const wcut_step *step, int i) {
+    if (!step->lengths) return step->edge;
+    const int before = i > 0 ? i - 1 : 0, behind = i < step->n - 1 ? i : step->n - 2;
+    return (step->lengths[before] + step->lengths[behind]) / 2;
+}
+
 void wcut_system_eval(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, const double *s, double log_rate,
                       bool slopes) {
     const double rate = exp(log_rate);
     for (int i = 0; i < y->n; i++)
-        wcut_resistance_eval(step->foam, step->heat, step->edge, rate, y->n, x, step->was, i, slopes, &y->node[i]);
+        wcut_resistance_eval(step->foam, step->heat, length_at(step, i), rate, y->n, x, step->was, i, slopes,
+                             &y->node[i]);
     if (slopes) {
         wcut_banded_clear(&y->jacobian);
         for (int k = 0; k < y->size; k++) y->by_log_rate[k] = y->border[k] = 0;

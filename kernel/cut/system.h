@@ -14,6 +14,7 @@ typedef struct wcut_step {
     double heat;                       /* [W/m] */
     double tension;                    /* [N] k */
     double edge;                       /* [mm] new rest length of an edge */
+    const double *lengths;             /* n-1 [mm] of the edges that the foam acts on; NULL: all `edge` */
     int n;                             /* nodes */
     const wcut_vec3 *was;              /* n: where each node comes from */
     const wcut_vec3 *dead_load;        /* n [N] what else loads the free nodes; NULL: nothing */

@@ -23,7 +23,8 @@ static void given_a_tool(void) {
     job->tool = wcut_copy(pose, 3, sizeof *pose);
     job->mount_a_in_tool = vec3(-50, 0, 10);
     job->mount_b_in_tool = vec3(450, 0, 10);
-    job->rig = (wcut_rig){WCUT_RIG_KIND_BOW, 30, 8, 0, -1, false};
+    job->rig =
+        (wcut_rig){.kind = WCUT_RIG_KIND_BOW, .pretension = 30, .stiffness = 8, .wire_stiffness = 0, .expansion = -1};
     job->feed = (wcut_feed){WCUT_FEED_KIND_STATIONS, 3, wcut_copy(speed, 3, sizeof *speed), NULL};
     ck_assert_msg(wcut_job_place_mounts(job, &error) == WCUT_OK, "%s", error.text);
 }

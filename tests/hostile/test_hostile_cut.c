@@ -207,6 +207,28 @@ static const wcut_feed *sound_feed(void) {
     return &feed;
 }
 
+/* a bow and its run; made once, freed with the process */
+static wcut_setup *bow_setup(void) {
+    static wcut_setup *setup;
+    if (setup) return setup;
+    wcut_job *job = coarse_job();
+    static double feed[] = {20};
+    const wcut_rig rig = job->rig;
+    job->rig =
+        (wcut_rig){.kind = WCUT_RIG_KIND_BOW, .pretension = 8, .stiffness = 8, .wire_stiffness = 3500, .expansion = 0};
+    job->feed = (wcut_feed){WCUT_FEED_KIND_CONSTANT, 1, feed, NULL};
+    wcut_setup_create(job, NULL, &setup, NULL);
+    job->rig = rig;
+    job->feed = (wcut_feed){WCUT_FEED_KIND_NONE, 0, NULL, NULL};
+    return setup;
+}
+
+static wcut_history *bow_history(void) {
+    static wcut_history *h;
+    if (!h) wcut_setup_run(bow_setup(), NULL, NULL, &h, NULL);
+    return h;
+}
+
 /* a job with one pose; made once, freed with the process */
 static wcut_job *tool_job_once(void) {
     static wcut_job *job;
@@ -227,6 +249,27 @@ HOSTILE_VALUE(wcut_job_pace_eval, sound_job(), ANY_NUM(3))
 HOSTILE_STATUS(wcut_job_resample, PTR(short_job_once()), INT(81))
 HOSTILE_STATUS(wcut_job_place_mounts, PTR(tool_job_once()), OPT(NULL))
 HOSTILE_VALUE(wcut_pose_point, sound_pose(), (wcut_vec3){1, 2, 3})
+HOSTILE_VALUE(wcut_feed_chart_bows, )
+HOSTILE_VALUE(wcut_bow_results_destroy, NULL)
+HOSTILE_VALUE(wcut_bow_file_name, ANY_ENUM(WCUT_BOW_FILE_MAP))
+
+HOSTILE(wcut_bow_results_create) {
+    const wcut_robot_limits limits = wcut_robot_limits_default(sound_job());
+    wcut_bow_results *made = MARK;
+    EACH_HOSTILE_ARGUMENT(
+        wcut_bow_results_create,
+        wcut_bow_results_create(PTR(bow_setup()), PTR(bow_history()), RECORD(&limits), PTR(&made), OPT(NULL)),
+        made == MARK, (wcut_bow_results_destroy(made), made = MARK));
+}
+
+static wcut_bow_results *bow_results(void) {
+    static wcut_bow_results *r;
+    if (!r) wcut_bow_results_create(bow_setup(), bow_history(), NULL, &r, NULL);
+    return r;
+}
+
+HOSTILE_FILE(wcut_bow_results_write, PTR(bow_results()), PTR(bow_history()), ENUM(WCUT_BOW_FILE_STATIONS),
+             PTR(OUT_FILE), OPT(NULL))
 HOSTILE_VALUE(wcut_rig_name, ANY_ENUM(WCUT_RIG_KIND_BOW))
 HOSTILE_VALUE(wcut_wire_material_view, OPT("NiCr"))
 HOSTILE_OUT(wcut_feed_eval, double, PTR(sound_feed()), INT(1), NUM(2.0), NUM(3.0))

@@ -35,6 +35,8 @@ typedef struct wcut_robot_options {
     const wcut_job *heater; /**< whose heater programme runs, its power and its steps; NULL, the default: none */
     const wcut_job *clear;  /**< whose block the lead-out clears: it is lead_out or longer, until the wire of the last
                                  station, moved along as it is, is WCUT_LEAD_CLEARANCE out of the block; NULL, the default: lead_out */
+    const wcut_job *tool;   /**< of a bow or a blade: the motion is that of the one robot that holds it; NULL, the
+                                 default: two robots */
 } wcut_robot_options;
 
 /** A target that both robots reach at the same moment. */
@@ -49,8 +51,14 @@ typedef struct wcut_robot_target {
     double heat; /**< [W/m] of the wire from here on; 0: as before */
 } wcut_robot_target;
 
-/** The motion of both robots. */
+/** The one robot of a bow or a blade, in the place of robot 0 or 1. */
+#define WCUT_ROBOT_SINGLE 2
+
+/** The motion of both robots, or of one. */
 typedef struct wcut_robot_motion {
+    bool single;               /**< one robot: a, speed_a, zone_a and frame_a of its targets are of its tool; b .. are not
+                                    read. Its tool is the job's; where that has none its origin is half way between the
+                                    mounts, x along the wire from A to B, turned from the block's the shorter way */
     int count;                 /**< at least 2 */
     wcut_robot_target *target; /**< count */
     int stations;              /**< that it was made from */

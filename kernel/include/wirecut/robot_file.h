@@ -42,7 +42,8 @@ typedef struct wcut_robot_names {
 /** The defaults stated at the fields. */
 WCUT_API wcut_robot_names wcut_robot_names_default(void);
 
-/** The name of a file of a format: robot 0 or 1; a format with one file has a NULL for robot 1. */
+/** The name of a file of a format: robot 0 or 1; a format with one file has a NULL for robot 1. WCUT_ROBOT_SINGLE: the one
+ * file of one robot. */
 WCUT_API const char *wcut_robot_file_name(wcut_robot_format format, int robot);
 
 /**
@@ -52,11 +53,11 @@ WCUT_API const char *wcut_robot_file_name(wcut_robot_format format, int robot);
  * @param[in]  motion
  * @param[in]  names   NULL for the defaults
  * @param[in]  format
- * @param[in]  robot   0 or 1
+ * @param[in]  robot   0 or 1; of a motion of one robot WCUT_ROBOT_SINGLE
  * @param[in]  path    the target, replaced whole or not at all
  * @param[out] error   may be NULL
  * @return WCUT_OK; WCUT_BAD_ARGUMENT (a name that is not valid; a digital output that the controller lacks; a robot
- *         that the format has no file for), WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as it was.
+ *         that the format or the motion has no file for), WCUT_NO_MEMORY, WCUT_NOT_WRITTEN: the target is as it was.
  */
 WCUT_API wcut_status wcut_robot_write(const wcut_robot_motion *motion, const wcut_robot_names *names,
                                       wcut_robot_format format, int robot, const char *path, wcut_error *error);

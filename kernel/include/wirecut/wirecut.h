@@ -11,6 +11,8 @@
 
 #include <wirecut/angle.h>
 #include <wirecut/bounds.h>
+#include <wirecut/bow.h>
+#include <wirecut/bow_file.h>
 #include <wirecut/brep.h>
 #include <wirecut/calibration.h>
 #include <wirecut/calibration_file.h>
