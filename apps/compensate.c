@@ -100,6 +100,8 @@ static int plan_target(compensating *c) {
 
 static int load_compensation(compensating *c) {
     int code = app_job_load(c->call, c->path, &c->job);
+    if (code == APP_DONE)
+        code = app_require_two_arms(c->job, c->path, "a correction moves the mounts against each other");
     if (code == APP_DONE) code = load_machine(c);
     if (code != APP_DONE) return code;
     c->options = wcut_design_options_default();

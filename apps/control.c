@@ -115,7 +115,10 @@ static wcut_status simulate_plan(loop *l, wcut_error *error) {
 }
 
 static int load_loop(loop *l) {
-    const int code = app_job_load_path(l->call, l->path, &l->job);
+    int code = app_job_load_path(l->call, l->path, &l->job);
+    if (code == APP_DONE)
+        code = app_require_two_arms(l->job, l->path,
+                                    "the loop holds the tension of a wire between two arms by their speed");
     if (code != APP_DONE) return code;
 
     /* defaults of the library for this job */

@@ -23,7 +23,12 @@ typedef struct identification {
 static int load_identify(identification *x) {
     wcut_error error = {0};
     const char *path = x->call->operand[0];
-    const int code = app_job_load_path(x->call, path, &x->job);
+    int code = app_job_load_path(x->call, path, &x->job);
+    if (code == APP_DONE)
+        code = app_require_two_arms(
+            x->job, path,
+            "the programme varies a speed that the tension sets; one that is commanded is varied by "
+            "feed.profile");
     if (code != APP_DONE) return code;
 
     x->count = app_int(x->call, "cuts");

@@ -103,3 +103,9 @@ int app_job_load(const app_call *call, const char *path, wcut_job **job) {
     const wcut_status status = app_job_read(call, path, job, &error);
     return status == WCUT_OK ? APP_DONE : app_fail_status(status, NULL, &error);
 }
+
+int app_require_two_arms(const wcut_job *job, const char *path, const char *reason) {
+    if (job->rig.kind == WCUT_RIG_KIND_TWO_ARMS) return APP_DONE;
+    return app_fail(APP_BAD_INPUT, "%s: rig.kind: found %s, expected two_arms: %s", path, wcut_rig_name(job->rig.kind),
+                    reason);
+}

@@ -52,6 +52,9 @@ wcut_status app_job_read(const app_call *call, const char *path, wcut_job **job,
 /* The same; says what is wrong and gives an exit code. */
 int app_job_load(const app_call *call, const char *path, wcut_job **job);
 
+/* Refuses a job of a bow or a blade where a verb makes no sense for it, with the reason. Gives an exit code. */
+int app_require_two_arms(const wcut_job *job, const char *path, const char *reason);
+
 /* The same two for verbs that drive mounts: a design becomes the path job that it is cut by, job-path.json of wirecut
    simulate, planned with the options. */
 wcut_status app_job_read_path(const app_call *call, const char *path, wcut_job **job, wcut_error *error);

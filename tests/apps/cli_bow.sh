@@ -1,4 +1,4 @@
-# A bow from the command line: its sample jobs, what simulate writes of them, one robot's programs, its mould, bad input.
+# A bow from the command line: its sample jobs, what simulate writes of them, one robot's programs, and every other verb; bad input.
 . "$SOURCE_DIR/tests/apps/common.sh"
 bow=$SOURCE_DIR/samples/bow
 
@@ -72,8 +72,37 @@ assert abs(targets[-1]["time_s"] - sum(t["duration_s"] for t in targets)) < 1e-9
 EOT
 
 # a mould divides the block along the face of a bow
-run 0 mould "$bow/wing.json" -o mould --formats stl
+run 0 mould "$bow/ruled.json" -o mould --formats stl
 [ -s mould/mould.json ] || fail "no mould"
+
+# its own path as a recording and its own surface as a scan come back as they are
+run 0 score "$bow/ruled.json" ruled/path.csv -o score
+python3 - <<'EOT' || fail "a bow does not come back as its own recording"
+import json
+for kind in ("planned", "replayed"):
+    mean = json.load(open("score/score.json"))["mean"][kind]
+    assert mean["tension"]["rmsd"] < (1e-6 if kind == "planned" else 0.05), (kind, mean["tension"])
+EOT
+run 0 simulate "$bow/ruled.json" -o scan --formats ply --quiet
+run 0 compare "$bow/ruled.json" scan/surface.ply -o compare
+python3 - <<'EOT' || fail "the face of a bow does not lie half a kerf below its wire"
+import json
+d = json.load(open("compare/deviation.json"))
+assert abs(d["distance_mm"]["mean"] - 1.695 / 2) < 0.02, d["distance_mm"]
+EOT
+
+# verbs that make no sense for a bow say why, and write nothing
+refuse() {
+    reason=$1
+    shift
+    run 3 "$@" -o none
+    one_line 'rig.kind: found bow, expected two_arms' "$reason"
+    untouched none
+}
+refuse 'the loop holds the tension' control "$bow/ruled.json"
+refuse 'varied by feed.profile' identify "$bow/ruled.json"
+refuse 'moves the mounts against each other' compensate "$bow/ruled.json" --with "$bow/ruled.json"
+refuse 'a design shapes a slack wire' design scan/surface.ply --block 400,300,200 --process "$bow/ruled.json"
 
 # bad input
 change() {
