@@ -2,6 +2,7 @@
 using System;
 using System.Runtime.InteropServices;
 
+public enum wcut_bow_file { WCUT_BOW_FILE_FIGURES = 0, WCUT_BOW_FILE_STATIONS = 1, WCUT_BOW_FILE_MAP = 2, WCUT_BOW_FILE_CHART = 3 }
 public enum wcut_brep_part { WCUT_BREP_PART_CUT = 0, WCUT_BREP_PART_SIDE_X0 = 1, WCUT_BREP_PART_SIDE_XW = 2, WCUT_BREP_PART_SIDE_Y0 = 3, WCUT_BREP_PART_SIDE_YL = 4, WCUT_BREP_PART_OPPOSITE = 5, WCUT_BREP_PART_KEY_FLANK = 6, WCUT_BREP_PART_KEY_TIP = 7, WCUT_BREP_PART_LUG = 8, WCUT_BREP_PART_FRAME = 9 }
 public enum wcut_camera_kind { WCUT_CAMERA_KIND_PLANE = 0, WCUT_CAMERA_KIND_PINHOLE = 1, WCUT_CAMERA_KIND_FULL = 2 }
 public enum wcut_channel { WCUT_CHANNEL_TIME = 0, WCUT_CHANNEL_STATION = 1, WCUT_CHANNEL_SPEED_A = 2, WCUT_CHANNEL_SPEED_B = 3, WCUT_CHANNEL_TENSION_A = 4, WCUT_CHANNEL_TENSION_B = 5, WCUT_CHANNEL_ALPHA_A = 6, WCUT_CHANNEL_BETA_A = 7, WCUT_CHANNEL_ALPHA_B = 8, WCUT_CHANNEL_BETA_B = 9, WCUT_CHANNEL_SPEED_COMMAND = 10, WCUT_CHANNEL_HEAT = 11, WCUT_CHANNEL_HEATER_VOLTAGE = 12, WCUT_CHANNEL_HEATER_CURRENT = 13, WCUT_CHANNEL_A_X = 14, WCUT_CHANNEL_A_Y = 15, WCUT_CHANNEL_A_Z = 16, WCUT_CHANNEL_B_X = 17, WCUT_CHANNEL_B_Y = 18, WCUT_CHANNEL_B_Z = 19, WCUT_CHANNEL_FORCE_X = 20, WCUT_CHANNEL_FORCE_Y = 21, WCUT_CHANNEL_FORCE_Z = 22, WCUT_CHANNEL_MOMENT_X = 23, WCUT_CHANNEL_MOMENT_Y = 24, WCUT_CHANNEL_MOMENT_Z = 25, WCUT_CHANNEL_SPEED = 26, WCUT_CHANNEL_TOOL_X = 27, WCUT_CHANNEL_TOOL_Y = 28, WCUT_CHANNEL_TOOL_Z = 29, WCUT_CHANNEL_COUNT = 30 }
@@ -58,6 +59,43 @@ public unsafe struct wcut_affine
     public wcut_vec3 y;
     public wcut_vec3 z;
     public wcut_vec3 shift;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_bow_place
+{
+    public double value;
+    public int station;
+    public int node;
+    public wcut_vec3 at;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_bow_results
+{
+    public int stations;
+    public int nodes;
+    public wcut_bow_row* row;
+    public double* departure;
+    public wcut_bow_place bow;
+    public wcut_bow_place departure_max;
+    public double tension_max;
+    public int tension_station;
+    public double force_max;
+    public double moment_max;
+    public double slack_share;
+    public double temperature;
+    public double strength;
+    public wcut_feed_chart_row chart_0, chart_1, chart_2, chart_3, chart_4, chart_5, chart_6, chart_7, chart_8, chart_9, chart_10;
+}
+[StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_bow_row
+{
+    public double bow;
+    public int node;
+    public double closing;
+    public wcut_vec3 force;
+    public wcut_vec3 moment;
+    public double tension;
+    public double departure_max;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_box
@@ -1171,6 +1209,18 @@ public unsafe struct wcut_feed
     public double* time;
 }
 [StructLayout(LayoutKind.Sequential)]
+public unsafe struct wcut_feed_chart_row
+{
+    public double heat;
+    public double temperature;
+    public byte too_hot;
+    public double strength;
+    public fixed double feed[3];
+    public fixed double kerf[3];
+    public fixed double tension[3];
+    public fixed double allowed[3];
+}
+[StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_foot
 {
     public double u;
@@ -2252,6 +2302,7 @@ public unsafe struct wcut_robot_limits
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_robot_motion
 {
+    public byte single;
     public int count;
     public wcut_robot_target* target;
     public int stations;
@@ -2290,6 +2341,7 @@ public unsafe struct wcut_robot_options
     public wcut_tool_frame frame;
     public wcut_job* heater;
     public wcut_job* clear;
+    public wcut_job* tool;
 }
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct wcut_robot_summary
@@ -2739,6 +2791,10 @@ public unsafe struct wcut_zone
 
 public static unsafe class Native
 {
+    [DllImport("wirecut-io")] public static extern byte* wcut_bow_file_name(wcut_bow_file a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_bow_results_create(void* a0, wcut_history* a1, wcut_robot_limits* a2, wcut_bow_results** a3, wcut_error* a4);
+    [DllImport("wirecut-io")] public static extern void wcut_bow_results_destroy(wcut_bow_results* a0);
+    [DllImport("wirecut-io")] public static extern wcut_status wcut_bow_results_write(wcut_bow_results* a0, wcut_history* a1, wcut_bow_file a2, byte* a3, wcut_error* a4);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_calibration_fit(int a0, wcut_test_cut* a1, wcut_calibration_options* a2, wcut_calibration* a3, wcut_calibration_point* a4, wcut_error* a5);
     [DllImport("wirecut-io")] public static extern wcut_calibration_options wcut_calibration_options_default();
     [DllImport("wirecut-io")] public static extern wcut_status wcut_calibration_slips(int a0, wcut_test_cut* a1, wcut_calibration_options* a2, int* a3, wcut_slip* a4, wcut_error* a5);
@@ -2904,6 +2960,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern wcut_status wcut_fdm_solve(int a0, wcut_vec3* a1, double* a2, wcut_fdm_options* a3, double* a4, wcut_vec3* a5, wcut_fdm_report* a6);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_feasibility_eval(wcut_job* a0, wcut_history* a1, wcut_vec3* a2, wcut_vec3* a3, wcut_robot_limits* a4, wcut_feasibility* a5, double* a6);
     [DllImport("wirecut-io")] public static extern byte* wcut_feasibility_name(wcut_feasibility_verdict a0);
+    [DllImport("wirecut-io")] public static extern double* wcut_feed_chart_bows();
     [DllImport("wirecut-io")] public static extern wcut_status wcut_feed_eval(wcut_feed* a0, int a1, double a2, double a3, double* a4);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_file_hash(byte* a0, byte* a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern double wcut_force_law_eval(wcut_force_law* a0, double a1, double a2);
