@@ -56,10 +56,10 @@ typedef struct wcut_robot_target {
 
 /** The motion of both robots, or of one. */
 typedef struct wcut_robot_motion {
-    bool single;               /**< one robot: a, speed_a, zone_a and frame_a of its targets are of its tool; b .. are not
+    bool single; /**< one robot: a, speed_a, zone_a and frame_a of its targets are of its tool; b .. are not
                                     read. Its tool is the job's; where that has none its origin is half way between the
                                     mounts, x along the wire from A to B, turned from the block's the shorter way */
-    int count;                 /**< at least 2 */
+    int count;   /**< at least 2 */
     wcut_robot_target *target; /**< count */
     int stations;              /**< that it was made from */
     int first, last;           /**< targets between which the wire is over the path: lead-in and -out are outside */
