@@ -91,6 +91,8 @@ static void fill_table(wcut_report_bow *b, const wcut_bow_results *r) {
                                                               "mm",
                                                               "mm",
                                                               "mm"};
+
+    /* a row of the chart is a column of figures here */
     for (int k = 0; k < WCUT_FEED_CHART_HEATS; k++) {
         const wcut_feed_chart_row *c = &r->chart[k];
         b->chart[HEAT][k] = c->heat, b->chart[TEMPERATURE][k] = c->temperature, b->chart[STRENGTH][k] = c->strength;
@@ -100,6 +102,8 @@ static void fill_table(wcut_report_bow *b, const wcut_bow_results *r) {
             b->chart[KERF + w][k] = c->kerf[w];
         }
     }
+
+    /* the table */
     for (int c = 0; c < WCUT_REPORT_BOW_COLUMNS; c++)
         b->column[c] = (wcut_report_column){.label = label[c], .unit = unit[c], .number = b->chart[c]};
     b->table = (wcut_report_table){.title = "Largest feed for a bow",

@@ -7,7 +7,6 @@
 
 #include "base/numbers.h"
 #include "control/robot_limits.h"
-#include "foam/force_law.h"
 
 static const double bow_limit[WCUT_FEED_CHART_BOWS] = {0.5, 1, 2};
 
