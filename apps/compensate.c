@@ -61,6 +61,12 @@ static int load_machine(compensating *c) {
 
     /* a job, else a diagnosis */
     if (wcut_job_read(with, &improved, NULL) == WCUT_OK) {
+        if (app_given(c->call, "force-law")) {
+            wcut_job_destroy(improved);
+            return app_fail(APP_USAGE,
+                            "compensate: --force-law: expected a diagnosis by --with, found a job, which has the "
+                            "machine's law");
+        }
         if (improved->mode != WCUT_MODE_PATH || improved->stations != c->machine->stations) {
             wcut_job_destroy(improved);
             return app_fail(APP_BAD_INPUT, "%s: found a job of other paths, expected the improved job of %s", with,

@@ -72,5 +72,10 @@ echo '{"format": "wirecut-case/1"}' >case.json
 run 3 compensate job.json --with case.json -o no
 run 2 compensate job.json -o no
 one_line "--with"
+run 3 compensate job.json --with improved.json --force-law any.json -o no
+one_line "any.json"
+"$WIRECUT" calibrate "$SOURCE_DIR/samples/calibration/table.csv" -o law -q || fail "no force law"
+run 2 compensate job.json --with improved.json --force-law law/force_law.json -o no
+one_line "--force-law" "machine's law"
 [ -e no ] && fail "a refused compensation left a folder"
 finish
