@@ -36,12 +36,9 @@ for format in urscript krl rapid csv json; do
     rm -rf dither plain
 done
 
-# separators are named; old line ends, an index without a name, a column that is not used and stands twice are read
+# blanks and tabs between columns, old line ends, an index without a name, a column that is not used and stands twice are read
 logs=$rig/log-that-is-not-comma-separated
-run 3 score "$logs/job.json" "$logs/space.csv" -o none; said 'columns separated by commas, not by blanks'
-run 3 score "$logs/job.json" "$logs/tab.csv" -o none; said 'columns separated by commas, not by tabs'
-untouched none
-for name in cr index twice; do run 0 score "$logs/job.json" "$logs/$name.csv" -o "log-$name" --quiet; done
+for name in space tab cr index twice; do run 0 score "$logs/job.json" "$logs/$name.csv" -o "log-$name" --quiet; done
 
 # units and signs to which NRMSD is blind are seen at once
 bias=$rig/score-prints-what-is-blind-to-bias
@@ -60,21 +57,22 @@ END
 run 3 path "$rig/stale-start-signal/job.json" --format urscript -o early --quiet
 one_line 'in the foam' '--lead-out clear'
 for format in urscript krl rapid; do
-    run 0 path "$rig/stale-start-signal/job.json" --format $format -o start --quiet --lead-out clear
-    run 0 path "$rig/hook-that-nobody-defined/job.json" --format $format -o hook --quiet --lead-out clear
-    run 0 path "$rig/hook-that-nobody-defined/job.json" --format $format -o none --quiet --lead-out clear --wire-on none --wire-off none
-    grep -q 'wire_o[nf]' none/wirecut_[ab].* && fail "$format: a hook that is not wanted is called"
-    grep -h 'wire_on' hook/wirecut_a.* | head -n 1 | grep -q 'to be defined' || fail "$format: the hook is not in the head"
+    run 0 path "$rig/stale-start-signal/job.json" --format $format -o start-$format --quiet --lead-out clear
+    run 0 path "$rig/hook-that-nobody-defined/job.json" --format $format -o hook-$format --quiet --lead-out clear
+    run 0 path "$rig/hook-that-nobody-defined/job.json" --format $format -o none-$format --quiet --lead-out clear --wire-on none --wire-off none
+    grep -q 'wire_o[nf]' none-$format/wirecut_[ab].* && fail "$format: a hook that is not wanted is called"
+    grep -h 'wire_on' hook-$format/wirecut_a.* | head -n 1 | grep -q 'to be defined' || fail "$format: the hook is not in the head"
 done
 run 2 path "$rig/hook-that-nobody-defined/job.json" --format urscript -o no --lead-out clear --wire-on end
 one_line '--wire-on' 'a word of'
 python3 - <<'END' || fail "the start signal is not reset before the first motion"
 import re
+folder = {"script": "start-urscript", "src": "start-krl"}
 motion = {"script": r"\bmove[ljp]\(", "src": r"^\s*(PTP (?!\$AXIS_ACT)|LIN )"}
 reset = {"script": r"set_digital_out\(\d+, False\)", "src": r"\$OUT\[\d+\] ?= ?FALSE"}
 for ending in motion:
     for side in "ab": # RAPID has no such signal: its two tasks meet by name
-        lines = open(f"start/wirecut_{side}.{ending}").read().split("\n")
+        lines = open(f"{folder[ending]}/wirecut_{side}.{ending}").read().split("\n")
         first = next(k for k, line in enumerate(lines) if re.search(motion[ending], line))
         assert any(re.search(reset[ending], line) for line in lines[:first]), (ending, side, lines[:first][-5:])
 END
