@@ -635,3 +635,24 @@ wcut_status wcut_evidence_predict(wcut_evidence *e, const wcut_model *model, boo
     wcut_free(room);
     return WCUT_OK;
 }
+
+/* [mm] that a wire keeps over the distance of its mounts */
+#define SLACK_MIN 0.02
+
+double wcut_model_shortest(const wcut_evidence *e) {
+    double shortest = -HUGE_VAL;
+
+    /* cuts without samples are not simulated */
+    for (int k = 0; k < e->cuts; k++) {
+        const wcut_evidence_cut *c = &e->cut[k];
+        double chord = 0;
+        if (c->bins == 0) continue;
+
+        /* the longest distance of the mounts on the way */
+        for (int j = 0; j < c->job->stations; j++)
+            chord = fmax(chord, vec3_distance(c->job->mount_a[j], c->job->mount_b[j]));
+        shortest = fmax(shortest, chord + SLACK_MIN - c->job->wire_length - c->own_length);
+    }
+
+    return fmin(shortest, 0);
+}

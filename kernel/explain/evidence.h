@@ -96,6 +96,9 @@ wcut_status wcut_evidence_predict(wcut_evidence *evidence, const wcut_model *mod
 /* The job of a cut under a model; effect: room for WCUT_DIAGNOSIS_EFFECTS. Borrows everything. */
 wcut_job wcut_model_job(const wcut_evidence *evidence, const wcut_model *model, int cut, wcut_effect *effect);
 
+/* [mm] the change of length, at most 0, at which every wire still spans its mounts */
+double wcut_model_shortest(const wcut_evidence *evidence);
+
 /* Rows of a prediction along the exogenous trajectory: what its signals, instruments and face come to. out: rows, those of
    other cuts are not touched. */
 wcut_status wcut_evidence_rows(const wcut_evidence *evidence, int cut, const wcut_model *model,

@@ -40,6 +40,7 @@ typedef struct fitting {
     double *residual;                      /* rows, whitened */
     double centre[WCUT_FITTED_MAX], precision[WCUT_FITTED_MAX];
     bool held[WCUT_FITTED_MAX]; /* at a bound, by a prior there */
+    double shortest;            /* [mm] change of length at which every wire still spans its mounts */
     wcut_normal_equations normal;
 } fitting;
 
@@ -106,7 +107,8 @@ static wcut_status fitting_create(const wcut_evidence *e, const wcut_model *star
         !f->predicted || !f->column || !g->plain_column || !g->plain_residual)
         return WCUT_NO_MEMORY;
 
-    /* priors of the base coordinates and of the effects */
+    /* priors of the base coordinates and of the effects; how short a wire may be */
+    g->shortest = wcut_model_shortest(e);
     for (int k = 0; k < WCUT_BASE; k++) g->precision[k] = 1 / (wcut_base_spread[k] * wcut_base_spread[k]);
     for (int k = 0; k < f->count; k++)
         g->precision[WCUT_BASE + k] = 1 / (f->coordinate[k].spread * f->coordinate[k].spread);
@@ -269,6 +271,7 @@ static double move(const fitting *g, const double *from, const double *step, con
     f->at_bound = false;
     for (int k = 0; k < g->shared; k++) {
         double to = from[k] + share * step[k];
+        if (k == WCUT_BASE - 1) to = fmax(to, g->shortest); /* the length */
         if (k >= WCUT_BASE) {
             const wcut_coordinate *c = &f->coordinate[k - WCUT_BASE];
             if (to <= c->low || to >= c->high) f->at_bound = true;
