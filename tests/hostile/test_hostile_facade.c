@@ -17,6 +17,7 @@ static void begin_facade(void) {
     const wcut_element_options options = wcut_element_options_default();
     enter_folder();
     wcut_job *job = flat_job(300, 300, 160);
+    wcut_free(job->name);
     job->name = wcut_copy_text("flat");
     job->wire_diameter = 0.2, job->heat = 60, job->tension = 2;
     job->force_law = (wcut_force_law){0.1, 8.6e-4};

@@ -27,6 +27,6 @@ __version__ = _text_of(_lib.wcut_version_text())
 __all__ = [
     "Cloud", "Controller", "ConvergenceError", "Curve", "Deviation", "Diagnosis", "Error", "Feet", "ForceLaw",
     "GeometryError", "Half", "History", "InputError", "InternalError", "Job", "Mesh", "Mould", "OutputError", "Overlay",
-    "Recording", "RobotMotion", "Score", "Surface", "calibrate", "compare", "diagnose", "from_compas", "mould", "overlay", "robot_motion", "score",
-    "simulate", "to_compas", "write_shapes",
+    "Recording", "RobotMotion", "Score", "Surface", "calibrate", "compare", "diagnose", "from_compas", "mould",
+    "overlay", "robot_motion", "score", "simulate", "to_compas", "write_shapes",
 ]
