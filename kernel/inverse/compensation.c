@@ -103,7 +103,8 @@ static wcut_status find_correction(wcut_descent *s, const wcut_design_target *ta
 static wcut_vec3 bow_of_wire(const wcut_history *h, int station, wcut_vec3 *chord) {
     const wcut_vec3 *x = h->position + (size_t)station * (size_t)h->nodes;
     *chord = vec3_sub(x[h->nodes - 1], x[0]);
-    return vec3_sub(x[h->nodes / 2], vec3_mix(x[0], x[h->nodes - 1], (h->nodes / 2) / (h->nodes - 1.0)));
+    const int middle = h->nodes / 2;
+    return vec3_sub(x[middle], vec3_mix(x[0], x[h->nodes - 1], middle / (h->nodes - 1.0)));
 }
 
 /* the first station at which a wire that is in the foam bows to the other side than before; -1: none */
