@@ -60,7 +60,12 @@ static int load_machine(compensating *c) {
     if (status != WCUT_OK) return app_fail_status(status, c->path, NULL);
 
     /* a job, else a diagnosis */
-    if (wcut_job_read(with, &improved, NULL) == WCUT_OK) {
+    char format[WCUT_FORMAT_SIZE];
+    status = wcut_format_read(with, format, &error);
+    if (status != WCUT_OK) return app_fail_status(status, NULL, &error);
+    if (strcmp(format, "wirecut-job/1") == 0) {
+        status = wcut_job_read(with, &improved, &error);
+        if (status != WCUT_OK) return app_fail_status(status, NULL, &error);
         if (app_given(c->call, "force-law")) {
             wcut_job_destroy(improved);
             return app_fail(APP_USAGE,

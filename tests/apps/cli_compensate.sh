@@ -70,6 +70,9 @@ run 3 compensate job.json --with other.json -o no
 one_line "other paths"
 echo '{"format": "wirecut-case/1"}' >case.json
 run 3 compensate job.json --with case.json -o no
+sed 's/"nodes": 31/"nodes": -1/' improved.json >bad.json
+run 3 compensate job.json --with bad.json -o no
+one_line "bad.json" '$.wire.nodes'
 run 2 compensate job.json -o no
 one_line "--with"
 run 3 compensate job.json --with improved.json --force-law any.json -o no

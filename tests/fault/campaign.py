@@ -68,7 +68,7 @@ VERBS = {
     "sweep": ("sweep.json", [f"{MADE}/A.json"], [f"{MADE}/B.json"]),
     "overlay": ("overlay.json", ["A.json", *PICTURE, "8"], ["A.json", *PICTURE, "9"]),
     "diagnose": ("diagnosis.json", ["cA/case.json", *WITHOUT], ["cA/case.json", *WITHOUT, "--seed", "2"]),
-    "design": ("feasibility.json", [*TARGET, "41"], [*TARGET, "43"]),
+    "design": ("summary.json", [*TARGET, "41"], [*TARGET, "43"]),
 }
 QUICK = ["calibrate", "path"]
 counts = {}
