@@ -2,7 +2,7 @@
 standard error.
 
 What it says there goes to the file `terminal`, its standard output to `out`. With --interrupt the signal is sent as
-soon as progress is seen, or as it has come to N with --after. Ends with the command's exit code, 128 + n where it died of signal n.
+soon as progress is seen, or as it has come to N with --after (-N: to N steps before the last). Ends with the command's exit code, 128 + n where it died of signal n.
 """
 import os
 import pty
@@ -38,7 +38,8 @@ while True:
     if not read:
         break
     said += read
-    if interrupt and any(int(at) >= after for at in re.findall(rb"\] (\d+)/\d+ st", said)):
+    steps = re.findall(rb"\] (\d+)/(\d+) st", said)
+    if interrupt and any(int(at) >= (after if after >= 0 else int(end) + after) for at, end in steps):
         process.send_signal(interrupt)
         interrupt = None
 with open("terminal", "wb") as file:
