@@ -140,7 +140,7 @@ static wcut_status find_faces_box(int faces, wcut_trimmed *const *face, wcut_box
 }
 
 /* a face where a motion sets it */
-static wcut_status move_face(const wcut_registration *place, wcut_trimmed *face) {
+static wcut_status move_target_face(const wcut_registration *place, wcut_trimmed *face) {
     const double *m = place->matrix;
     const wcut_affine map = {{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}, {m[3], m[7], m[11]}};
     wcut_surface *moved = NULL;
@@ -184,7 +184,7 @@ static int load_target_faces(const app_call *call, const char *path, wcut_vec3 b
         status = find_faces_box(faces, set->face + first, &box);
         if (status == WCUT_OK) code = find_place(app_text(call, "place"), block, box, &place);
         for (int f = first; code == APP_DONE && status == WCUT_OK && f < first + faces; f++)
-            status = move_face(&place, set->face[f]);
+            status = move_target_face(&place, set->face[f]);
         if (code == APP_DONE && status == WCUT_OK)
             status = wcut_design_target_from_faces(faces, (const wcut_trimmed *const *)set->face + first, block, target,
                                                    &error);

@@ -188,7 +188,7 @@ static const wcut_mesh *part_mesh(const moulding *m, int part) {
     return part == 2 ? m->mould->frame : part ? m->mould->upper.mesh : m->mould->lower.mesh;
 }
 
-static wcut_status write_part(const moulding *m, int part, int f, const char *path, wcut_error *error) {
+static wcut_status write_mould_part(const moulding *m, int part, int f, const char *path, wcut_error *error) {
     const wcut_mesh *mesh = part_mesh(m, part);
     switch (f) {
         case 0:
@@ -212,7 +212,7 @@ static int write_halves(moulding *m) {
         const int part = k / FORMATS, f = k % FORMATS;
         if (!app_wants_format(m->call, format[f]) || !part_mesh(m, part)) continue;
         if (f == STEP && part < 2 && m->mould->by_boolean) continue; /* triangles alone: there are no exact faces */
-        const wcut_status status = write_part(m, part, f, app_results_path(&m->results, m->name[k]), &error);
+        const wcut_status status = write_mould_part(m, part, f, app_results_path(&m->results, m->name[k]), &error);
         const int code = app_results_add(&m->results, m->name[k], status, &error);
         if (code != APP_DONE) return code;
     }

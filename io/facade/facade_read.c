@@ -444,7 +444,7 @@ static bool read_match_move(wcut_reader *reader, const wcut_place *at, void *int
 }
 
 /* what belongs together is there together */
-static bool check_parts(wcut_reader *reader, const wcut_place *at, const wcut_describing *d) {
+static bool check_facade_parts(wcut_reader *reader, const wcut_place *at, const wcut_describing *d) {
     const wcut_place variants = wcut_place_member(at, "variants"), deal = wcut_place_member(at, "deal");
     const wcut_place job = wcut_place_member(at, "job"), design = wcut_place_member(at, "design");
     if (job.value && variants.value)
@@ -481,7 +481,7 @@ static bool read_description(wcut_reader *reader, const wcut_place *at, wcut_des
                                         {"elements", false, read_elements, 0}};
     const wcut_place format = wcut_place_member(at, "format");
     if (json_is_object(at->value) && !read_facade_format(reader, &format, NULL)) return false;
-    if (!wcut_read_object(reader, at, fields, sizeof fields / sizeof *fields, d) || !check_parts(reader, at, d))
+    if (!wcut_read_object(reader, at, fields, sizeof fields / sizeof *fields, d) || !check_facade_parts(reader, at, d))
         return false;
     const wcut_place deal = wcut_place_member(at, "deal");
     return d->placement || deal_cells(reader, &deal, d);

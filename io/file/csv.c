@@ -394,7 +394,7 @@ static bool blanks_separate(const scanner *s) {
 
 /* what separates the names of the header, and every field below: semicolons before commas, because numbers may have
    decimal commas between them */
-static char find_separator(const scanner *s) {
+static char find_csv_separator(const scanner *s) {
     return header_has(s, ';')    ? ';'
            : header_has(s, ',')  ? ','
            : header_has(s, '\t') ? '\t'
@@ -419,7 +419,7 @@ static wcut_status read_csv_header(scanner *s) {
     if (begun != WCUT_OK) return begun;
     if (!found) return refuse_csv_field(s, -1, "no header", "a row with the names of the columns");
 
-    s->separator = find_separator(s);
+    s->separator = find_csv_separator(s);
 
     /* names up to the end of the row */
     s->table->column = wcut_alloc(WCUT_CSV_COLUMNS_MAX, sizeof *s->table->column);

@@ -49,7 +49,7 @@ static bool put_stations(wcut_text *text, const void *context) {
     return true;
 }
 
-static bool put_map(wcut_text *text, const void *context) {
+static bool put_bow_map(wcut_text *text, const void *context) {
     const whole *w = context;
     wcut_text_put_word(text, "station,node,x_mm,y_mm,z_mm,departure_mm\n");
     for (int j = 0; j < w->results->stations; j++)
@@ -65,7 +65,7 @@ static bool put_map(wcut_text *text, const void *context) {
     return true;
 }
 
-static bool put_chart(wcut_text *text, const void *context) {
+static bool put_feed_chart(wcut_text *text, const void *context) {
     const whole *w = context;
     const double *bow = wcut_feed_chart_bows();
     wcut_text_put_word(text,
@@ -85,7 +85,7 @@ static bool put_chart(wcut_text *text, const void *context) {
 
 /* ---- figures ---- */
 
-static void put_place(wcut_text *text, const char *before, const wcut_bow_place *p) {
+static void put_bow_place(wcut_text *text, const char *before, const wcut_bow_place *p) {
     wcut_text_put_number(text, before, p->value);
     wcut_text_print(text, ", \"station\": %d, \"node\": %d, \"at_mm\": ", p->station, p->node);
     wcut_text_put_point(text, "[", p->at);
@@ -102,8 +102,8 @@ static bool put_figures(wcut_text *text, const void *context) {
     const wcut_bow_results *r = ((const whole *)context)->results;
     wcut_text_print(text, "{\n  \"format\": \"wirecut-bow/1\",\n  \"version\": \"%s\",\n  \"stations\": %d",
                     WCUT_VERSION, r->stations);
-    put_place(text, ",\n  \"bow\": {\"max_mm\": ", &r->bow);
-    put_place(text, ",\n  \"departure\": {\"max_mm\": ", &r->departure_max);
+    put_bow_place(text, ",\n  \"bow\": {\"max_mm\": ", &r->bow);
+    put_bow_place(text, ",\n  \"departure\": {\"max_mm\": ", &r->departure_max);
 
     /* the wire and what the tool feels */
     wcut_text_put_number(text, ",\n  \"tension\": {\"max_N\": ", r->tension_max);
@@ -134,7 +134,7 @@ static bool put_figures(wcut_text *text, const void *context) {
 
 wcut_status wcut_bow_results_write(const wcut_bow_results *results, const wcut_history *history, wcut_bow_file file,
                                    const char *path, wcut_error *error) {
-    static wcut_text_writer *const writer[] = {put_figures, put_stations, put_map, put_chart};
+    static wcut_text_writer *const writer[] = {put_figures, put_stations, put_bow_map, put_feed_chart};
     if (!results || !history || !path || (unsigned)file >= sizeof writer / sizeof *writer ||
         results->stations != history->stations || results->nodes != history->nodes)
         return wcut_fail(error, WCUT_BAD_ARGUMENT, "a bow: expected its results, their history and a file name");

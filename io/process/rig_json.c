@@ -55,7 +55,7 @@ bool wcut_read_rig(wcut_reader *reader, const wcut_place *at, void *job) {
     return true;
 }
 
-static bool refuse_key(wcut_reader *reader, const wcut_place *at, const char *key, const char *why) {
+static bool refuse_rig_key(wcut_reader *reader, const wcut_place *at, const char *key, const char *why) {
     const wcut_place place = wcut_place_member(at, key);
     return wcut_refuse(reader, &place, WCUT_BAD_FORMAT, "%s", why);
 }
@@ -65,12 +65,12 @@ static bool length_fits(wcut_reader *reader, const wcut_place *job_at, const wcu
     const wcut_place at = wcut_place_member(job_at, "wire"), rig_at = wcut_place_member(job_at, "rig");
     const bool length = json_object_get(at.value, "length_mm"), path = job->mode == WCUT_MODE_PATH;
     if (path && !length && job->rig.kind == WCUT_RIG_KIND_TWO_ARMS)
-        return refuse_key(reader, &at, "length_mm", "a number greater than 0: a job with a path needs it");
+        return refuse_rig_key(reader, &at, "length_mm", "a number greater than 0: a job with a path needs it");
     if (job->rig.kind != WCUT_RIG_KIND_BOW) return true;
     if (length && job->rig.pretension > 0)
-        return refuse_key(reader, &at, "length_mm", "none beside rig.pretension_N: the pretension sets the length");
+        return refuse_rig_key(reader, &at, "length_mm", "none beside rig.pretension_N: the pretension sets the length");
     return length || job->rig.pretension > 0 ||
-           refuse_key(reader, &rig_at, "pretension_N", "a number greater than 0, or a wire.length_mm in its place");
+           refuse_rig_key(reader, &rig_at, "pretension_N", "a number greater than 0, or a wire.length_mm in its place");
 }
 
 bool wcut_read_rig_fits(wcut_reader *reader, const wcut_place *at, wcut_job *job) {
@@ -80,20 +80,20 @@ bool wcut_read_rig_fits(wcut_reader *reader, const wcut_place *at, wcut_job *job
     /* the tension is held by two arms, else it is an answer */
     const bool tension = json_object_get(process.value, "tension_N");
     if (kind == WCUT_RIG_KIND_TWO_ARMS && !tension)
-        return refuse_key(reader, &process, "tension_N", "a number greater than 0: two arms hold it");
+        return refuse_rig_key(reader, &process, "tension_N", "a number greater than 0: two arms hold it");
     if (kind != WCUT_RIG_KIND_TWO_ARMS && tension)
-        return refuse_key(reader, &process, "tension_N",
-                          kind == WCUT_RIG_KIND_BOW ? "none: the tension of a bow is an answer (rig.pretension_N)"
-                                                    : "none: the tension of a blade is an answer");
+        return refuse_rig_key(reader, &process, "tension_N",
+                              kind == WCUT_RIG_KIND_BOW ? "none: the tension of a bow is an answer (rig.pretension_N)"
+                                                        : "none: the tension of a blade is an answer");
 
     /* one tool, straight at rest, fed at a commanded speed */
     if (kind != WCUT_RIG_KIND_TWO_ARMS && job->mode != WCUT_MODE_PATH)
-        return refuse_key(reader, at, "design",
-                          "a path: a design shapes a slack wire, bow and blade are straight at rest");
+        return refuse_rig_key(reader, at, "design",
+                              "a path: a design shapes a slack wire, bow and blade are straight at rest");
     if (kind == WCUT_RIG_KIND_TWO_ARMS && job->tool)
-        return refuse_key(reader, at, "path", "mount_a_mm and mount_b_mm: each of two arms has a mount of its own");
+        return refuse_rig_key(reader, at, "path", "mount_a_mm and mount_b_mm: each of two arms has a mount of its own");
     if (kind != WCUT_RIG_KIND_TWO_ARMS && !feed.value)
-        return refuse_key(reader, at, "feed", "a commanded speed: bow and blade have no other");
+        return refuse_rig_key(reader, at, "feed", "a commanded speed: bow and blade have no other");
     return length_fits(reader, at, job);
 }
 

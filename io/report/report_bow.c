@@ -8,7 +8,7 @@
 enum { BOW, DEPARTURE, FORCE, CLOSING, SERIES };
 enum { CELLS_MAX = 1000000 };
 
-static void fill_series(wcut_report_bow *b, const wcut_bow_results *r, const double *time, const double *station) {
+static void fill_bow_series(wcut_report_bow *b, const wcut_bow_results *r, const double *time, const double *station) {
     static const char *const label[SERIES] = {"bow", "departure", "force on the tool", "closing of the frame"};
     for (int j = 0; j < r->stations; j++) {
         const wcut_bow_row *row = &r->row[j];
@@ -37,7 +37,7 @@ static wcut_report_chart along_chart(const char *title, const char *label, const
 }
 
 /* the map of the face: stations across, nodes along the wire upward */
-static void fill_map(wcut_report_bow *b, const wcut_bow_results *r, const double *station) {
+static void fill_bow_map(wcut_report_bow *b, const wcut_bow_results *r, const double *station) {
     for (int i = 0; i < r->nodes; i++) {
         b->node[i] = i;
         for (int j = 0; j < r->stations; j++)
@@ -73,7 +73,7 @@ enum {
     KERF = ALLOWED + WCUT_FEED_CHART_BOWS
 };
 
-static void fill_table(wcut_report_bow *b, const wcut_bow_results *r) {
+static void fill_bow_table(wcut_report_bow *b, const wcut_bow_results *r) {
     static const char *const label[WCUT_REPORT_BOW_COLUMNS] = {
         "heat",         "wire in air",         "strength",      "feed, bow 0.5 mm", "feed, 1 mm",
         "feed, 2 mm",   "allowed, bow 0.5 mm", "allowed, 1 mm", "allowed, 2 mm",    "kerf at bow of 0.5 mm",
@@ -149,14 +149,14 @@ wcut_status wcut_report_bow_fill(wcut_report_bow *b, const wcut_bow_results *r, 
     snprintf(b->note, sizeof b->note,
              "Steady, straight cuts with the widest engagement of this one. Solid: what heat and strength of the wire "
              "allow.");
-    fill_series(b, r, time, station);
-    fill_table(b, r);
+    fill_bow_series(b, r, time, station);
+    fill_bow_table(b, r);
     fill_feed_chart(b);
     b->charts[1] =
         along_chart("Bow of the wire, and departure of the face", "largest of the station", "mm", 2, b->along);
     b->charts[2] = along_chart("Force on the tool", "force", "N", 1, &b->along[FORCE]);
     b->charts[3] = along_chart("Closing of the frame", "closing", "mm", 1, &b->along[CLOSING]);
-    if (b->turned) fill_map(b, r, station);
+    if (b->turned) fill_bow_map(b, r, station);
 
     *section = (wcut_report_section){.title = "Bow of the wire",
                                      .chart_count = 4,

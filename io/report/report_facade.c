@@ -158,7 +158,7 @@ static const char *state_of(const wcut_facade_item *item) {
                                                   : wcut_sweep_state_name(item->state);
 }
 
-static void fill_table(facade_page *p, wcut_report_cases *cases) {
+static void fill_element_table(facade_page *p, wcut_report_cases *cases) {
     const wcut_facade_results *r = p->results;
     const wcut_facade *f = r->description->facade;
     const size_t n = (size_t)f->elements;
@@ -266,7 +266,7 @@ wcut_status wcut_report_facade_write(const wcut_facade_results *results, const c
     wcut_report_cases cases = {0};
     fill_element_figures(&p);
     wcut_status status = p.memory.failed ? WCUT_NO_MEMORY : fill_view(&p);
-    if (status == WCUT_OK) fill_table(&p, &cases);
+    if (status == WCUT_OK) fill_element_table(&p, &cases);
     if (p.memory.failed) status = WCUT_NO_MEMORY;
     status = status == WCUT_OK ? write_facade_page(&p, &cases, source, path, error)
                                : wcut_fail(error, status, "report page: %s", wcut_status_text(status));

@@ -279,7 +279,7 @@ static wcut_status write_mould_page(page *p, const wcut_report_scene *scene, con
     return wcut_report_write(&report, path, error);
 }
 
-static wcut_report_shape shape_of(const char *name, const wcut_mesh *mesh, const wcut_report_field *field) {
+static wcut_report_shape mould_shape_of(const char *name, const wcut_mesh *mesh, const wcut_report_field *field) {
     return (wcut_report_shape){.name = name,
                                .vertex_count = mesh->vertex_count,
                                .vertex = mesh->vertex,
@@ -289,19 +289,19 @@ static wcut_report_shape shape_of(const char *name, const wcut_mesh *mesh, const
                                .field = field};
 }
 
-static int fill_shapes(const page *p, wcut_report_field field[SHAPES], wcut_report_shape shape[SHAPES]) {
+static int fill_mould_shapes(const page *p, wcut_report_field field[SHAPES], wcut_report_shape shape[SHAPES]) {
     const wcut_mould *m = p->mould;
     for (int k = 0; k < 2; k++) {
         field[k] = (wcut_report_field){k ? "draft of the upper half" : "draft of the lower half", "deg",
                                        WCUT_REPORT_SCALE_SEQUENTIAL, 0, p->draft[k]};
-        shape[k] = shape_of(k ? "upper half" : "lower half", mould_half_of(p, k)->mesh, &field[k]);
+        shape[k] = mould_shape_of(k ? "upper half" : "lower half", mould_half_of(p, k)->mesh, &field[k]);
     }
     int count = 2;
     for (int k = 0; k < 2; k++) {
         const wcut_mesh *mesh = k ? m->frame : m->thickness > 0 ? m->kerf : NULL;
         if (!mesh) continue;
         field[count] = (wcut_report_field){"height", "mm", WCUT_REPORT_SCALE_SEQUENTIAL, 0, p->height[k]};
-        shape[count] = shape_of(k ? "frame" : "casting", mesh, &field[count]);
+        shape[count] = mould_shape_of(k ? "frame" : "casting", mesh, &field[count]);
         count++;
     }
     return count;
@@ -339,7 +339,7 @@ wcut_status wcut_report_mould_write(const wcut_report_mould *run, const wcut_job
         asked row[ASKED];
         wcut_report_line line[ASKED];
         list_asked(mould, row);
-        const int shapes = fill_shapes(&p, field, shape), lines = mark_shortfalls(row, line);
+        const int shapes = fill_mould_shapes(&p, field, shape), lines = mark_shortfalls(row, line);
 
         /* the block in the size of the halves */
         const double f = mould->scale;

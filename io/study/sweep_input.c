@@ -21,7 +21,7 @@ static wcut_status fail_input_memory(wcut_error *error) {
 }
 
 /* every folder of a path, from its byte `from` on */
-static wcut_status make_folders(char *path, size_t from, wcut_error *error) {
+static wcut_status make_input_folders(char *path, size_t from, wcut_error *error) {
     for (char *slash = strchr(path + from, '/'); slash; slash = strchr(slash + 1, '/')) {
         *slash = '\0';
         const int failure = mkdir(path, 0777) == 0 || errno == EEXIST ? 0 : errno;
@@ -32,7 +32,7 @@ static wcut_status make_folders(char *path, size_t from, wcut_error *error) {
 }
 
 /* the bytes of one file into another, where the file system has no second name for it */
-static wcut_status copy_file(const char *from, const char *to, wcut_error *error) {
+static wcut_status copy_input_file(const char *from, const char *to, wcut_error *error) {
     wcut_file *file = NULL;
     char *bytes = wcut_alloc(COPY_BYTES, 1);
     FILE *in = bytes ? fopen(from, "rbe") : NULL;
@@ -67,11 +67,11 @@ static wcut_status place_file(const char *from, const char *name, const char *fo
     snprintf(to, size, "%s/%s", folder, name);
 
     /* a link of an earlier run may lead to what the file was before */
-    wcut_status status = make_folders(to, strlen(folder) + 1, error);
+    wcut_status status = make_input_folders(to, strlen(folder) + 1, error);
     if (status == WCUT_OK && unlink(to) != 0 && errno != ENOENT)
         status = wcut_fail_errno(error, WCUT_NOT_WRITTEN, errno, to, "not replaced");
     if (status == WCUT_OK && linkat(AT_FDCWD, from, AT_FDCWD, to, AT_SYMLINK_FOLLOW) != 0)
-        status = copy_file(from, to, error);
+        status = copy_input_file(from, to, error);
     wcut_free(to);
     return status;
 }
@@ -106,7 +106,7 @@ wcut_status wcut_sweep_input_write(const wcut_study *study, int k, const char *f
     wcut_status status = *text && !path ? fail_input_memory(error) : WCUT_OK;
     if (path) {
         snprintf(path, size, "%s/%s", folder, study->recorded ? "input/case.json" : "input.json");
-        if (study->recorded) status = make_folders(path, strlen(folder) + 1, error);
+        if (study->recorded) status = make_input_folders(path, strlen(folder) + 1, error);
         if (status == WCUT_OK) status = wcut_file_write_whole(path, text, strlen(text), error);
         if (status == WCUT_OK && study->recorded) {
             path[strlen(path) - strlen("/case.json")] = '\0';

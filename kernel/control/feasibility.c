@@ -100,7 +100,7 @@ static double edge_turning(const wcut_curve *edge) {
 }
 
 /* a design whose edge runs in a loop: the wire would have to go through its own cut */
-static bool judge_edges(const wcut_job *job, wcut_feasibility *v) {
+static bool judge_edge_loops(const wcut_job *job, wcut_feasibility *v) {
     if (job->mode != WCUT_MODE_DESIGN || !job->edge_a || !job->edge_b) return false;
     const double a = edge_turning(job->edge_a), b = edge_turning(job->edge_b);
     if (!(fmax(a, b) > LOOP_MIN)) return false;
@@ -180,7 +180,7 @@ wcut_status wcut_feasibility_eval(const wcut_job *job, const wcut_history *h, co
     }
 
     /* a course that cannot be run comes before any figure */
-    if (!judge_edges(job, &v) && !judge_course(h, &v)) judge_figure(&worst, at, &v);
+    if (!judge_edge_loops(job, &v) && !judge_course(h, &v)) judge_figure(&worst, at, &v);
     *verdict = v;
 
     return WCUT_OK;

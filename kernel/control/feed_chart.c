@@ -18,7 +18,7 @@ typedef struct shape {
 } shape;
 
 /* shape of a wire that bows by b */
-static shape shape_of(double distance, double width, double b) {
+static shape chart_shape_of(double distance, double width, double b) {
     const double w = fmin(width, distance), tail = (distance - w) / 2;
     return (shape){w, tail, 2 * b / (w * (tail + w / 4))};
 }
@@ -39,7 +39,7 @@ static double natural_of(const shape *s, double pull, double softness) {
 static double missing_at(const wcut_bow *bow, double width, double b, double rest, double pull) {
     const double distance = bow->distance - bow->give * (pull - bow->pretension);
     if (!(distance > b)) return -rest;
-    const shape s = shape_of(distance, width, b);
+    const shape s = chart_shape_of(distance, width, b);
     return natural_of(&s, pull, bow->softness) - rest;
 }
 
@@ -79,7 +79,7 @@ static void chart_one(const wcut_setup *setup, double width, double heat, double
         double air, foam;
         wcut_bow_warm(bow, job, heat, speed, &air, &foam);
         pull = pull_of(bow, width, b, bow->natural * (1 + share * foam + (1 - share) * air));
-        const double load = shape_of(bow->distance - bow->give * (pull - bow->pretension), width, b).turn * pull;
+        const double load = chart_shape_of(bow->distance - bow->give * (pull - bow->pretension), width, b).turn * pull;
 
         /* (2) inverted; foam that never resists so much sets no limit */
         double next = 0;
@@ -92,7 +92,7 @@ static void chart_one(const wcut_setup *setup, double width, double heat, double
         if (settled) break;
     }
     *feed = speed;
-    *tension = pull * hypot(1, shape_of(bow->distance, width, b).turn * fmin(width, bow->distance) / 2);
+    *tension = pull * hypot(1, chart_shape_of(bow->distance, width, b).turn * fmin(width, bow->distance) / 2);
 }
 
 /* the feed, or the one at which the wire that bows less is pulled as much as it bears; 0 where that is less than nothing */

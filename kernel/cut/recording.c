@@ -25,7 +25,7 @@ static wcut_vec3 mount_place(const wcut_recording *r, int channel, int i) {
 }
 
 /* squared distance of both mounts from the chords of a segment, and where on it */
-static double chord_distance(const wcut_job *job, int j, wcut_vec3 a, wcut_vec3 b, double *share) {
+static double distance_from_step(const wcut_job *job, int j, wcut_vec3 a, wcut_vec3 b, double *share) {
     const wcut_vec3 da = vec3_sub(job->mount_a[j + 1], job->mount_a[j]);
     const wcut_vec3 db = vec3_sub(job->mount_b[j + 1], job->mount_b[j]);
     const wcut_vec3 ea = vec3_sub(a, job->mount_a[j]), eb = vec3_sub(b, job->mount_b[j]);
@@ -46,7 +46,7 @@ static double next_station(const wcut_job *job, double last, double reach, wcut_
     double best = HUGE_VAL, station = last, way = 0;
     for (int j = (int)fmax(last - 1, 0); j < job->stations - 1 && way <= reach; j++) {
         double share;
-        const double distance = chord_distance(job, j, a, b, &share);
+        const double distance = distance_from_step(job, j, a, b, &share);
         if (distance < best) best = distance, station = j + share;
         if (j >= (int)last) way += segment_way(job, j);
     }

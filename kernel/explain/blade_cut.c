@@ -85,7 +85,7 @@ static wcut_vec3 path_point(const wcut_job *job, double way) {
 }
 
 /* the tool's origin: measured, or by the station, or by the speed along the path */
-static bool find_place(samples *s, int i, wcut_vec3 *place) {
+static bool find_blade_place(samples *s, int i, wcut_vec3 *place) {
     const wcut_recording *r = s->r;
     if (r->channel[WCUT_CHANNEL_TOOL_X].value) {
         for (int k = 0; k < 3; k++)
@@ -108,7 +108,7 @@ static bool find_place(samples *s, int i, wcut_vec3 *place) {
 static bool whole_sample(samples *s, int i, wcut_vec3 *place) {
     for (int k = 0; k < 3; k++)
         if (!there(s->r, WCUT_CHANNEL_FORCE_X + k, i)) return false;
-    return find_place(s, i, place);
+    return find_blade_place(s, i, place);
 }
 
 /* the way gone at every sample, by the speed */

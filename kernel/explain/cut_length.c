@@ -16,7 +16,7 @@ static const wcut_rig_row *length_row(const wcut_diagnosis *d) {
     return NULL;
 }
 
-static void add_length(wcut_diagnosis *d, int cut, const wcut_estimate *length) {
+static void add_cut_length(wcut_diagnosis *d, int cut, const wcut_estimate *length) {
     wcut_found_effect *f = &d->effect[d->effects++];
     *f = (wcut_found_effect){.effect = wcut_effect_default(WCUT_EFFECT_WIRE_LENGTH),
                              .cut = cut + 1,
@@ -43,7 +43,7 @@ void wcut_cut_length_report(wcut_diagnosis *d) {
         const wcut_estimate *length = &row->of_cut[k];
         if (fabs(length->value) < least || fabs(length->value) < STANDS_OUT * (length->high - length->low) / 2)
             continue;
-        add_length(d, row->cut[k], length);
+        add_cut_length(d, row->cut[k], length);
         char text[120];
         const int size = snprintf(text, sizeof text, "The wire of cut %d is %.1f mm %s than its job states. ",
                                   row->cut[k] + 1, fabs(length->value), length->value > 0 ? "longer" : "shorter");

@@ -150,7 +150,7 @@ static void lay_joint(const wcut_design_target *t, const wcut_design_panel *firs
 }
 
 /* a direction of a design's frame in that of the panel's block */
-static wcut_vec3 turn_back(wcut_design_feed feed, wcut_vec3 v) {
+static wcut_vec3 turn_panel_back(wcut_design_feed feed, wcut_vec3 v) {
     if (feed == WCUT_DESIGN_FEED_MINUS_Y) return vec3(-v.x, -v.y, v.z);
     if (feed == WCUT_DESIGN_FEED_PLUS_X) return vec3(v.y, -v.x, v.z);
     if (feed == WCUT_DESIGN_FEED_MINUS_X) return vec3(-v.y, v.x, v.z);
@@ -198,8 +198,8 @@ static wcut_status measure_joint(const wcut_design_target *t, const wcut_design_
     double steps = 0, angles = 0;
     for (int k = 0; k < JOINT_PLACES; k++) {
         if (foot[0][k].beside > BESIDE || foot[1][k].beside > BESIDE) continue;
-        const wcut_vec3 a = turn_back(panel[0]->design->feed, foot[0][k].normal);
-        const wcut_vec3 b = turn_back(panel[1]->design->feed, foot[1][k].normal);
+        const wcut_vec3 a = turn_panel_back(panel[0]->design->feed, foot[0][k].normal);
+        const wcut_vec3 b = turn_panel_back(panel[1]->design->feed, foot[1][k].normal);
         const double step = foot[0][k].height - foot[1][k].height;
         const double angle = atan2(vec3_length(vec3_cross(a, b)), vec3_dot(a, b));
         steps += step * step, angles += angle * angle;

@@ -26,7 +26,7 @@ static bool over_block(wcut_vec3 block, wcut_vec3 p, double beside) {
 }
 
 /* the box of points */
-static void find_corners(int count, const wcut_vec3 *point, wcut_vec3 corner[2]) {
+static void find_target_corners(int count, const wcut_vec3 *point, wcut_vec3 corner[2]) {
     corner[0] = corner[1] = point[0];
     for (int k = 1; k < count; k++) {
         const wcut_vec3 p = point[k], low = corner[0], high = corner[1];
@@ -39,7 +39,7 @@ static void find_corners(int count, const wcut_vec3 *point, wcut_vec3 corner[2])
 static wcut_status say_outside(wcut_vec3 block, int count, const wcut_vec3 *point, const char *what,
                                wcut_error *error) {
     wcut_vec3 corner[2];
-    find_corners(count, point, corner);
+    find_target_corners(count, point, corner);
     const wcut_vec3 low = corner[0], high = corner[1];
     return wcut_fail(
         error, WCUT_DEGENERATE,
@@ -198,7 +198,7 @@ static wcut_status sample_faces(wcut_vec3 block, int faces, const wcut_trimmed *
         if (status == WCUT_OK && pass == 0 && count == 0)
             status = wcut_fail(error, WCUT_DEGENERATE, "the target has no point inside its borders");
         if (status == WCUT_OK && pass == 0) status = check_target_size(block, count, point, error);
-        if (status == WCUT_OK && pass == 0) find_corners(count, point, corner);
+        if (status == WCUT_OK && pass == 0) find_target_corners(count, point, corner);
         if (status == WCUT_OK && pass == 1 && count < POINTS_MIN)
             status = say_outside(block, 2, corner, "it is not over the block", error);
     }

@@ -318,7 +318,7 @@ wcut_status wcut_trial_run(wcut_trial *s, const wcut_design_curves *c, bool slop
 }
 
 /* where the face is at the nodes: a job with a kerf or effects on the face leaves it beside its wire */
-static wcut_status find_face(wcut_trial *s, const wcut_history *h) {
+static wcut_status find_trial_face(wcut_trial *s, const wcut_history *h) {
     wcut_face *face = NULL;
     wcut_status status = wcut_face_create(s->job, h, NULL, NULL, MERGE, &face);
     double *u = wcut_alloc((size_t)h->nodes, sizeof *u);
@@ -336,7 +336,7 @@ wcut_status wcut_trial_eval(wcut_trial *s, const wcut_design_curves *c, double *
     wcut_history *h = NULL;
     equations e = {.unknowns = wcut_design_unknowns(c), .normal = normal, .gradient = gradient};
     wcut_status status = wcut_trial_run(s, c, normal != NULL && !s->borrowed, &h);
-    if (status == WCUT_OK && s->face) status = find_face(s, h);
+    if (status == WCUT_OK && s->face) status = find_trial_face(s, h);
     if (status == WCUT_OK) {
         *reached = (wcut_reached){0};
         if (normal) {

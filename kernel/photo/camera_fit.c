@@ -16,7 +16,7 @@ static const double FLAT = 0.01, LINE = 0.005;
 static const double FOCAL_SHARE = 0.1;
 
 /* how many parameters a camera of a kind has with so many points */
-static int parameters_of(wcut_camera_kind kind, int count) {
+static int camera_parameters_of(wcut_camera_kind kind, int count) {
     if (kind == WCUT_CAMERA_KIND_PLANE) return HOMOGRAPHY;
     return kind == WCUT_CAMERA_KIND_PINHOLE ? 7 : count >= K2_MIN ? 9 : 8;
 }
@@ -134,7 +134,7 @@ static wcut_status fit_plane(const wcut_camera_points *points, double pixel_sigm
     camera_problem p = {.count = points->count, .without = -1, .point = points->point};
     wcut_camera pinhole = *camera;
     pinhole.kind = WCUT_CAMERA_KIND_PINHOLE;
-    p.parameters = parameters_of(pinhole.kind, points->count);
+    p.parameters = camera_parameters_of(pinhole.kind, points->count);
     if (determined) {
         status = refine_camera(&p, &pinhole, outcome);
         if (status == WCUT_NO_MEMORY) return status;
@@ -147,7 +147,7 @@ static wcut_status fit_plane(const wcut_camera_points *points, double pixel_sigm
     }
 
     camera->kind = WCUT_CAMERA_KIND_PLANE;
-    p.parameters = parameters_of(camera->kind, points->count);
+    p.parameters = camera_parameters_of(camera->kind, points->count);
     return refine_camera(&p, camera, outcome);
 }
 
@@ -159,7 +159,7 @@ static wcut_status fit_full(const wcut_camera_points *points, wcut_camera *camer
 
     camera->kind = WCUT_CAMERA_KIND_FULL;
     camera_problem p = {.count = points->count, .without = -1, .point = points->point};
-    p.parameters = parameters_of(camera->kind, points->count);
+    p.parameters = camera_parameters_of(camera->kind, points->count);
     status = refine_camera(&p, camera, outcome);
     return status == WCUT_SINGULAR ? WCUT_NOT_CONVERGED : status;
 }
@@ -365,7 +365,7 @@ wcut_status wcut_camera_fit(int count, const wcut_photo_point *point, int width,
 
     /* each point beside a camera that does not know it */
     camera_problem p = {.count = count, .without = -1, .point = point};
-    p.parameters = parameters_of(found.kind, count);
+    p.parameters = camera_parameters_of(found.kind, count);
     wcut_camera_report r;
     fill_report(&p, &found, &outcome, o.pixel_sigma, &points, &r);
     double *left = wcut_alloc((size_t)count, sizeof *left);

@@ -237,7 +237,7 @@ static wcut_status check_overlay(wcut_vec3 block, const wcut_history *h, const w
 }
 
 /* the side of the face from which a camera looks: +1 above it */
-static double side_of(const wcut_face_grid *g, const wcut_camera *camera) {
+static double side_of_wire(const wcut_face_grid *g, const wcut_camera *camera) {
     double sum = 0, count = 0;
     for (int k = 0; k < g->columns * g->rows; k++)
         if (g->station[k] >= 0) sum += g->z[k], count += 1;
@@ -256,7 +256,7 @@ static wcut_status prepare_face(wcut_vec3 block, const wcut_history *h, const wc
             status == WCUT_DEGENERATE ? "the simulated wires pass no place of the block" : wcut_status_text(status));
     /* a camera on the other side sees the other half, or its points are mirrored */
     if (camera->kind != WCUT_CAMERA_KIND_PLANE) {
-        if (side_of(g, camera) != (o->upper ? -1 : 1))
+        if (side_of_wire(g, camera) != (o->upper ? -1 : 1))
             status = wcut_fail(
                 error, WCUT_DEGENERATE,
                 "overlay: the points put the camera %s the face; expected it %s: the other half is in the picture, "

@@ -9,7 +9,7 @@
    same number runs to the next corner, upright 16 + 4 ring + k from below to above */
 enum { CORNERS = 4, VERTICES = 16, EDGES = 24, FACES = 10, LOOPS = 12, COEDGES = 48, TRIANGLES = 32 };
 
-static int at(int level, int ring, int k) { return 8 * level + 4 * ring + k % CORNERS; }
+static int frame_point(int level, int ring, int k) { return 8 * level + 4 * ring + k % CORNERS; }
 static int upright(int ring, int k) { return VERTICES + 4 * ring + k % CORNERS; }
 
 static void put_frame_vertices(wcut_vec3 block, double wall, double clearance, wcut_vec3 *vertex) {
@@ -17,7 +17,7 @@ static void put_frame_vertices(wcut_vec3 block, double wall, double clearance, w
         for (int ring = 0; ring < 2; ring++)
             for (int k = 0; k < CORNERS; k++) {
                 const double out = clearance + (ring ? 0 : wall);
-                vertex[at(level, ring, k)] =
+                vertex[frame_point(level, ring, k)] =
                     vec3(k == 1 || k == 2 ? block.x + out : -out, k >= 2 ? block.y + out : -out, level ? block.z : 0);
             }
 }
@@ -31,10 +31,14 @@ static int *put_square(int *to, int a, int b, int c, int d) {
 /* above, below, outside, inside */
 static void put_frame_triangles(int *to) {
     for (int k = 0; k < CORNERS; k++) {
-        to = put_square(to, at(1, 0, k), at(1, 0, k + 1), at(1, 1, k + 1), at(1, 1, k));
-        to = put_square(to, at(0, 0, k), at(0, 1, k), at(0, 1, k + 1), at(0, 0, k + 1));
-        to = put_square(to, at(0, 0, k), at(0, 0, k + 1), at(1, 0, k + 1), at(1, 0, k));
-        to = put_square(to, at(0, 1, k), at(1, 1, k), at(1, 1, k + 1), at(0, 1, k + 1));
+        to = put_square(to, frame_point(1, 0, k), frame_point(1, 0, k + 1), frame_point(1, 1, k + 1),
+                        frame_point(1, 1, k));
+        to = put_square(to, frame_point(0, 0, k), frame_point(0, 1, k), frame_point(0, 1, k + 1),
+                        frame_point(0, 0, k + 1));
+        to = put_square(to, frame_point(0, 0, k), frame_point(0, 0, k + 1), frame_point(1, 0, k + 1),
+                        frame_point(1, 0, k));
+        to = put_square(to, frame_point(0, 1, k), frame_point(1, 1, k), frame_point(1, 1, k + 1),
+                        frame_point(0, 1, k + 1));
     }
 }
 
@@ -58,7 +62,7 @@ static void add_ring(wcut_brep *b, int a, int c, int d, int e) {
 static void put_frame_faces(wcut_brep *b) {
     /* above and below, each with the hole for the halves */
     for (int level = 0; level < 2; level++) {
-        const int out = at(level, 0, 0) + 1, in = at(level, 1, 0) + 1;
+        const int out = frame_point(level, 0, 0) + 1, in = frame_point(level, 1, 0) + 1;
         add_plane(b, b->vertex[out - 1], vec3(0, 0, level ? 1 : -1));
         if (level) {
             add_ring(b, out, out + 1, out + 2, out + 3);
@@ -72,10 +76,10 @@ static void put_frame_faces(wcut_brep *b) {
     /* walls, outside and inside */
     static const wcut_vec3 outwards[CORNERS] = {{0, -1, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}};
     for (int k = 0; k < CORNERS; k++) {
-        add_plane(b, b->vertex[at(0, 0, k)], outwards[k]);
-        add_ring(b, at(0, 0, k) + 1, upright(0, k + 1) + 1, -(at(1, 0, k) + 1), -(upright(0, k) + 1));
-        add_plane(b, b->vertex[at(0, 1, k)], vec3_scale(-1, outwards[k]));
-        add_ring(b, -(at(0, 1, k) + 1), upright(1, k) + 1, at(1, 1, k) + 1, -(upright(1, k + 1) + 1));
+        add_plane(b, b->vertex[frame_point(0, 0, k)], outwards[k]);
+        add_ring(b, frame_point(0, 0, k) + 1, upright(0, k + 1) + 1, -(frame_point(1, 0, k) + 1), -(upright(0, k) + 1));
+        add_plane(b, b->vertex[frame_point(0, 1, k)], vec3_scale(-1, outwards[k]));
+        add_ring(b, -(frame_point(0, 1, k) + 1), upright(1, k) + 1, frame_point(1, 1, k) + 1, -(upright(1, k + 1) + 1));
     }
 }
 
@@ -97,11 +101,12 @@ static wcut_status frame_brep(const wcut_vec3 *vertex, wcut_brep **brep) {
     for (int level = 0; level < 2; level++)
         for (int ring = 0; ring < 2; ring++)
             for (int k = 0; k < CORNERS; k++)
-                b->edge[at(level, ring, k)] =
-                    (wcut_brep_edge){.from = at(level, ring, k), .to = at(level, ring, k + 1)};
+                b->edge[frame_point(level, ring, k)] =
+                    (wcut_brep_edge){.from = frame_point(level, ring, k), .to = frame_point(level, ring, k + 1)};
     for (int ring = 0; ring < 2; ring++)
         for (int k = 0; k < CORNERS; k++)
-            b->edge[upright(ring, k)] = (wcut_brep_edge){.from = at(0, ring, k), .to = at(1, ring, k)};
+            b->edge[upright(ring, k)] =
+                (wcut_brep_edge){.from = frame_point(0, ring, k), .to = frame_point(1, ring, k)};
     put_frame_faces(b);
     *brep = b;
     return WCUT_OK;

@@ -185,8 +185,8 @@ static double cap_distance(const wcut_cap *cap, wcut_vec3 p) {
 }
 
 /* Where a stock lies in the cut most: the middle of that triangle of its whose corners are nearest to a face of the cut. */
-static wcut_status find_contact(const wcut_mesh *stock, const wcut_cap *floor, const wcut_cap *ceiling,
-                                wcut_vec3 *place) {
+static wcut_status find_stock_contact(const wcut_mesh *stock, const wcut_cap *floor, const wcut_cap *ceiling,
+                                      wcut_vec3 *place) {
     double *off = wcut_alloc((size_t)stock->vertex_count, sizeof *off), least = INFINITY;
     if (!off) return WCUT_NO_MEMORY;
     for (int v = 0; v < stock->vertex_count; v++) {
@@ -211,7 +211,7 @@ static wcut_status fail_boolean(wcut_status status, const wcut_error *cause, con
     if (cause->text[0] || status != WCUT_DEGENERATE)
         return wcut_fail(error, status, "no boolean of the %s and the stock: %s", name,
                          cause->text[0] ? cause->text : wcut_status_text(status));
-    if (find_contact(stock, floor, ceiling, &at) != WCUT_OK) return WCUT_NO_MEMORY;
+    if (find_stock_contact(stock, floor, ceiling, &at) != WCUT_OK) return WCUT_NO_MEMORY;
     return wcut_fail(
         error, status,
         "no boolean of the %s and the stock: the cut runs along a face or through an edge of the stock near "

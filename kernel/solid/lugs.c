@@ -56,7 +56,7 @@ static double choose_place(const wcut_division *d, const wcut_cap *lower, const 
     return best;
 }
 
-static void set_corners(const wcut_division *d, int side, double y, double wide, wcut_vec3 corner[4]) {
+static void set_lug_corners(const wcut_division *d, int side, double y, double wide, wcut_vec3 corner[4]) {
     const double x = side ? d->block.x : 0, out = side ? x + wide : x - wide;
     const double first = side ? y + wide : y, second = side ? y : y + wide;
     corner[0] = vec3(x, first, 0), corner[1] = vec3(x, second, 0);
@@ -90,7 +90,7 @@ wcut_status wcut_lugs_place(const wcut_division *d, const wcut_cap *lower, const
         const double slope = fmin(TAN_FLANK, (1 - TIP_MIN) * r / rise);
         wcut_lug *a = &made[0][k], *b = &made[1][k];
         *a = (wcut_lug){.side = side_of[k], .level = low, .far = low - thick};
-        set_corners(d, side_of[k], y, wide, a->corner);
+        set_lug_corners(d, side_of[k], y, wide, a->corner);
         a->key = (wcut_key){.upper = 1,
                             .x = x + (side_of[k] ? wide : -wide) / 2,
                             .y = y + wide / 2,

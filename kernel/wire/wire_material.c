@@ -13,7 +13,7 @@ static const wcut_wire_material material[] = {
 };
 
 /* whether a text begins with a word in small letters */
-static bool begins_with(const char *text, const char *word) {
+static bool is_alloy_prefix(const char *text, const char *word) {
     while (*word && tolower((unsigned char)*text) == *word) text++, word++;
     return !*word;
 }
@@ -21,6 +21,6 @@ static bool begins_with(const char *text, const char *word) {
 const wcut_wire_material *wcut_wire_material_view(const char *name) {
     for (const char *at = name; at && *at; at++)
         for (size_t k = 0; k < sizeof material / sizeof *material; k++)
-            if (begins_with(at, material[k].name)) return &material[k];
+            if (is_alloy_prefix(at, material[k].name)) return &material[k];
     return NULL;
 }
