@@ -1,4 +1,5 @@
 /* wirecut design: a target surface to the job that cuts it nearest, with what it reaches and why not more. */
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -57,7 +58,8 @@ static int load_process(designing *d) {
     int code = APP_DONE;
     if (app_given(call, "process")) {
         code = app_job_load(NULL, app_text(call, "process"), &d->process);
-        if (code == APP_DONE && d->process)
+        assert(code != APP_DONE || d->process);
+        if (code == APP_DONE)
             code = app_require_two_arms(d->process, app_text(call, "process"), "a design shapes a slack wire");
     } else if (!app_given(call, "force-law")) {
         code = app_fail(APP_USAGE, "expected --process JOB.json, or --force-law FILE with --heat and --tension");

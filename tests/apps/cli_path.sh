@@ -81,13 +81,13 @@ rig=$SOURCE_DIR/../shared/found/rig
 if [ -d "$rig" ]; then
     swing=$rig/standing-mount-does-not-turn/job.json
     for format in urscript krl; do
-        run 0 path "$swing" --format $format --tool-frame following -o turn --quiet --lead-out clear
+        run 0 path "$swing" --format $format --tool-frame following -o turn-$format --quiet --lead-out clear
     done
-    [ "$(grep -c 'movel' turn/wirecut_b.script)" -gt 5 ] || fail "the tool of the standing mount does not turn: urscript"
-    [ "$(grep -c '^LIN' turn/wirecut_b.src)" -gt 5 ] || fail "the tool of the standing mount does not turn: krl"
-    grep -q 'BAS (#INITMOV,0)' turn/wirecut_a.src && grep -q '^PTP' turn/wirecut_a.src || fail "krl is not initialised"
-    grep -q 'set_digital_out(1, False)' turn/wirecut_a.script || fail "the start signal is not reset"
-    grep -q 'calls wire_on and wire_off, to be defined' turn/wirecut_b.script || fail "hooks are not in the head"
+    [ "$(grep -c 'movel' turn-urscript/wirecut_b.script)" -gt 5 ] || fail "the tool of the standing mount does not turn: urscript"
+    [ "$(grep -c '^LIN' turn-krl/wirecut_b.src)" -gt 5 ] || fail "the tool of the standing mount does not turn: krl"
+    grep -q 'BAS (#INITMOV,0)' turn-krl/wirecut_a.src && grep -q '^PTP' turn-krl/wirecut_a.src || fail "krl is not initialised"
+    grep -q 'set_digital_out(1, False)' turn-urscript/wirecut_a.script || fail "the start signal is not reset"
+    grep -q 'calls wire_on and wire_off, to be defined' turn-urscript/wirecut_b.script || fail "hooks are not in the head"
 
     run 0 path "$rig/approach-ignores-limits/job.json" --format urscript --speed 10 --acceleration 100 -o slow --quiet --lead-out clear
     grep -m 1 movel slow/wirecut_a.script | grep -q 'a=0.100000, v=0.010000' || fail "the approach ignores limits"
@@ -168,8 +168,8 @@ job["excitation"] = {"speed": [{"amplitude": 0.06, "period_s": 3, "phase_rad": 1
                      "heat": [{"from_s": 11.3, "to_s": 18, "factor": 0.9}, {"from_s": 18, "to_s": 24.5, "factor": 1.1}]}
 json.dump(job, open("excited.json", "w"))' "$jobs/steady-400-60.json"
 for format in urscript rapid krl csv json; do
-    run 0 path plain.json --format $format -o plain --quiet --lead-out 300 --time-tolerance 0.005
-    run 0 path excited.json --format $format -o excited --lead-out 300
+    run 0 path plain.json --format $format -o plain-$format --quiet --lead-out 300 --time-tolerance 0.005
+    run 0 path excited.json --format $format -o excited-$format --lead-out 300
     grep -q 'excitation: 1 sines on the speed are in the programs, 2 heater steps call a procedure' err || fail "no word: $(cat err)"
 done
 python3 - <<'EOF' || fail "the programs do not follow the excitation"
@@ -177,16 +177,16 @@ import csv, json, math, re
 calls = {"urscript": r"wire_heat\(([0-9.]+)\)", "krl": r"DO wire_heat \(([0-9.]+)\)", "rapid": r"wire_heat ([0-9.]+);"}
 ends = {"urscript": "script", "krl": "src", "rapid": "mod"}
 for name, call in calls.items():
-    a, b = (open(f"excited/wirecut_{k}.{ends[name]}").read() for k in "ab")
+    a, b = (open(f"excited-{name}/wirecut_{k}.{ends[name]}").read() for k in "ab")
     assert re.findall(call, a) == ["54.000", "66.000", "60.000"], (name, re.findall(call, a))
     assert not re.findall(call, b), name
-rapid = open("excited/wirecut_a.mod").read()
+rapid = open("excited-rapid/wirecut_a.mod").read()
 assert len(re.findall(r'MoveLSync .*"wirecut_heat_\d+";', rapid)) == 3 and len(re.findall(r"PROC wirecut_heat_\d+\(\)", rapid)) == 3
 
 # speed over that of the plain program at the same place is 1 + sum A sin(2 pi t / P + phase) once the wire is in
 def rows(folder):
     return [{k: float(v or "nan") for k, v in r.items()} for r in csv.DictReader(open(folder + "/robot.csv"))]
-plain, excited = rows("plain"), rows("excited")
+plain, excited = rows("plain-csv"), rows("excited-csv")
 def plain_speed(y):
     for p, q in zip(plain, plain[1:]):
         if p["a_y_mm"] < y <= q["a_y_mm"]:
@@ -205,10 +205,10 @@ assert len(pairs) > 100 and abs(slope - 1) < 0.05 and worst < 0.02, (len(pairs),
 heats = [(r["time_s"] - begin, r["heat_W_per_m"]) for r in excited if r["heat_W_per_m"] == r["heat_W_per_m"]]
 assert [h for _, h in heats] == [54, 66, 60], heats
 assert all(abs(t - w) < 0.021 for (t, _), w in zip(heats, (11.3, 18, 24.5))), heats
-summary = json.load(open("excited/path.json"))
+summary = json.load(open("excited-json/path.json"))
 assert summary["sines"] == 1 and summary["heater_changes"] == 3, summary
 EOF
-run 2 path excited.json --format krl -o excited --quiet --wire-heat none --lead-out 300
+run 2 path excited.json --format krl -o excited-krl --quiet --wire-heat none --lead-out 300
 one_line 'expected a procedure to call'
 
 # a sine that is shorter than the stations can follow is refused with the station
