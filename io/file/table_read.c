@@ -1,4 +1,5 @@
 /* CSV files to tables, and which of their columns a format knows. */
+#include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -122,6 +123,7 @@ wcut_status wcut_known_table_read(const char *path, int count, const wcut_known_
     wcut_table *found = NULL;
     wcut_status status = wcut_table_read(path, count, name, &found, error);
     free(name);
+    assert(status != WCUT_OK || found);
     if (status == WCUT_OK) status = wcut_known_columns_check(found, count, known, path, error);
     if (status == WCUT_OK)
         *table = found;

@@ -2,6 +2,7 @@
 #include "io/report/report_bow.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -15,14 +16,14 @@ static void fill_bow_series(wcut_report_bow *b, const wcut_bow_results *r, const
         const wcut_vec3 f = row->force;
         const double value[SERIES] = {row->bow, row->departure_max, sqrt(f.x * f.x + f.y * f.y + f.z * f.z),
                                       row->closing};
-        for (int k = 0; k < SERIES; k++) b->series[k * r->stations + j] = value[k];
+        for (int k = 0; k < SERIES; k++) b->series[(ptrdiff_t)k * r->stations + j] = value[k];
     }
     for (int k = 0; k < SERIES; k++)
         b->along[k] = (wcut_report_series){.label = label[k],
                                            .mark = k == DEPARTURE ? WCUT_REPORT_MARK_DASHED : WCUT_REPORT_MARK_LINE,
                                            .count = r->stations,
                                            .x = {time, station},
-                                           .y = b->series + k * r->stations};
+                                           .y = b->series + (ptrdiff_t)k * r->stations};
 }
 
 static wcut_report_chart along_chart(const char *title, const char *label, const char *unit, int count,
@@ -78,19 +79,8 @@ static void fill_bow_table(wcut_report_bow *b, const wcut_bow_results *r) {
         "heat",         "wire in air",         "strength",      "feed, bow 0.5 mm", "feed, 1 mm",
         "feed, 2 mm",   "allowed, bow 0.5 mm", "allowed, 1 mm", "allowed, 2 mm",    "kerf at bow of 0.5 mm",
         "kerf at 1 mm", "kerf at 2 mm"};
-    static const char *const unit[WCUT_REPORT_BOW_COLUMNS] = {"W/m",
-                                                              "\xc2\xb0"
-                                                              "C",
-                                                              "N",
-                                                              "mm/s",
-                                                              "mm/s",
-                                                              "mm/s",
-                                                              "mm/s",
-                                                              "mm/s",
-                                                              "mm/s",
-                                                              "mm",
-                                                              "mm",
-                                                              "mm"};
+    static const char *const unit[WCUT_REPORT_BOW_COLUMNS] = {"W/m",  "\302\260C", "N",    "mm/s", "mm/s", "mm/s",
+                                                              "mm/s", "mm/s",      "mm/s", "mm",   "mm",   "mm"};
 
     /* a row of the chart is a column of figures here */
     for (int k = 0; k < WCUT_FEED_CHART_HEATS; k++) {
