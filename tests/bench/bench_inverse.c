@@ -344,7 +344,7 @@ static void show_panels(int most) {
                 shape[k].name, p->across, p->along, p->rms, p->max, shape[k].held, step, angle * 180 / PI, p->runs,
                 seconds() - start);
         else
-            printf("%s: %s\n", shape[k].name, error.text);
+            printf("%s: %s (%s)\n", shape[k].name, error.text, wcut_status_text(status));
         fflush(stdout);
         wcut_design_panels_destroy(p);
         wcut_job_destroy(job);

@@ -111,7 +111,7 @@ TEST(colours_names_and_places_are_in_the_package) {
     ck_assert_int_eq(wcut_mesh_write_3mf(2, object, "a.3mf", &error), WCUT_OK);
     char *model = unpack("a.3mf", "3D/3dmodel.model");
     static const char *const part[] = {
-        "<basematerials id=\"4\">\n<base name=\"foam\" displaycolor=\"#0A0B0C\"/>\n"
+        "<basematerials id=\"4\">\n<base name=\"foam\" displaycolor=\"#0A0B0C\"/>\n<base name=",
         "<base name=\"cut &#38; face\" displaycolor=\"#FF8000\"/>\n</basematerials>",
         "<object id=\"1\" type=\"model\" name=\"plain\"><mesh>",
         "name=\"upper half\" pid=\"4\" pindex=\"0\"><mesh>",
