@@ -412,6 +412,7 @@ static void forget_score(scoring *s) {
     }
     for (int i = 0; i < s->cases; i++) wcut_case_destroy(s->found[i]);
     free(s->found);
+    wcut_recording_format_clear(&s->format);
     free(s->trial);
     free(s->job);
     free(s->recording);
