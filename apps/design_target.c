@@ -157,7 +157,7 @@ static int choose_faces(const app_call *call, const char *path, const wcut_trimm
     *first = 0, *faces = set->count;
     if (!app_given(call, "face")) return APP_DONE;
     const char *choice = app_text(call, "face");
-    const int at = wcut_trimmed_set_find(set, choice);
+    const int at = wcut_trimmed_set_find(set, choice, strlen(choice));
     if (at < 0)
         return app_fail(APP_BAD_INPUT,
                         "%s: --face: found \"%.60s\", expected the name of one of its %d faces or its number", path,

@@ -97,20 +97,20 @@ bool wcut_faces_add(wcut_face_reader *r, wcut_surface *surface, const wcut_face_
     return true;
 }
 
-int wcut_trimmed_set_find(const wcut_trimmed_set *set, const char *choice) {
+int wcut_trimmed_set_find(const wcut_trimmed_set *set, const char *choice, size_t length) {
     int found = -1, number = 0;
-    if (!set || !choice) return -1;
+    if (!set || !choice || length == 0) return -1;
     for (int k = 0; k < set->count; k++) {
-        if (strcmp(set->name[k], choice) != 0) continue;
+        if (strlen(set->name[k]) != length || strncmp(set->name[k], choice, length) != 0) continue;
         if (found >= 0) return -1;
         found = k;
     }
     if (found >= 0) return found;
 
     /* a number from 1 */
-    for (const char *p = choice; *p; p++) {
-        if (*p < '0' || *p > '9' || number > set->count) return -1;
-        number = 10 * number + (*p - '0');
+    for (size_t k = 0; k < length; k++) {
+        if (choice[k] < '0' || choice[k] > '9' || number > set->count) return -1;
+        number = 10 * number + (choice[k] - '0');
     }
     return number >= 1 && number <= set->count ? number - 1 : -1;
 }

@@ -20,14 +20,8 @@ char *wcut_facade_join(wcut_reader *reader, const wcut_place *at, const wcut_des
         wcut_refuse(reader, at, WCUT_BAD_FORMAT, "a file's name");
         return NULL;
     }
-    const size_t length = *name == '/' ? 0 : strlen(d->folder);
-    char *path = wcut_alloc(length + strlen(name) + 1, 1);
-    if (!path) {
-        (void)wcut_refuse_memory(reader);
-        return NULL;
-    }
-    memcpy(path, d->folder, length);
-    memcpy(path + length, name, strlen(name) + 1);
+    char *path = wcut_path_join(d->folder, *name == '/' ? 0 : strlen(d->folder), name);
+    if (!path) (void)wcut_refuse_memory(reader);
     return path;
 }
 
@@ -585,10 +579,8 @@ wcut_status wcut_facade_read(const char *path, wcut_facade_description **descrip
     if (status != WCUT_OK) return status;
 
     /* its folder, with the slash */
-    const char *slash = strrchr(path, '/');
-    char *folder = wcut_copy_text(path);
+    char *folder = wcut_path_join(path, wcut_folder_length(path), "");
     if (folder) {
-        folder[slash ? slash - path + 1 : 0] = '\0';
         status = wcut_facade_parse(text, length, path, folder, description, error);
     } else {
         status = wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));

@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -86,4 +87,17 @@ wcut_status wcut_file_read(const char *path, size_t max, char **text, size_t *le
     *text = found;
     *length = count;
     return WCUT_OK;
+}
+
+size_t wcut_folder_length(const char *path) {
+    const char *slash = strrchr(path, '/');
+    return slash ? (size_t)(slash - path) + 1 : 0;
+}
+
+char *wcut_path_join(const char *folder, size_t length, const char *name) {
+    char *path = wcut_alloc(length + strlen(name) + 1, 1);
+    if (!path) return NULL;
+    memcpy(path, folder, length);
+    memcpy(path + length, name, strlen(name) + 1);
+    return path;
 }

@@ -66,10 +66,8 @@ static bool read_name(wcut_reader *reader, const wcut_place *at, const filling *
     if (!*name || *name == '/' || has_parent(name))
         return wcut_refuse(reader, at, WCUT_BAD_ARGUMENT,
                            "a name inside the case's folder, without / before or .. in it");
-    char *path = wcut_alloc(of->length + strlen(name) + 1, 1);
+    char *path = wcut_path_join(of->folder, of->length, name);
     if (!path) return wcut_refuse_memory(reader);
-    memcpy(path, of->folder, of->length);
-    memcpy(path + of->length, name, strlen(name) + 1);
     *into = path;
     return check_inside(reader, at, of, path);
 }
@@ -153,8 +151,7 @@ wcut_status wcut_case_parse(const char *text, size_t length, const char *path, w
     json_t *root = wcut_json_load(&reader, text, length);
     if (!root) return reader.status;
     const wcut_place at = {NULL, NULL, 0, root};
-    const char *slash = strrchr(path, '/');
-    filling of = {wcut_alloc(1, sizeof(wcut_case)), path, slash ? (size_t)(slash - path) + 1 : 0};
+    filling of = {wcut_alloc(1, sizeof(wcut_case)), path, wcut_folder_length(path)};
     const bool whole = of.made ? read_case(&reader, &at, &of) : wcut_refuse_memory(&reader);
     json_decref(root);
     if (!whole) {

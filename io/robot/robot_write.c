@@ -43,6 +43,22 @@ static void put_fixed(wcut_text *text, const char *before, double value, int dec
     wcut_text_fixed(text, value, decimals);
 }
 
+/* the beginning of a target's row: its number, times, and `count` lengths */
+static void put_row_begin(wcut_text *text, int i, const wcut_robot_target *t, size_t count, const double *millimetre) {
+    wcut_text_print(text, "%d,", i);
+    if (t->station >= 0) wcut_text_print(text, "%d", t->station); /* none: a lead */
+    put_fixed(text, ",", t->time, 6);
+    put_fixed(text, ",", t->duration, 6);
+    for (size_t k = 0; k < count; k++) put_fixed(text, ",", millimetre[k], 3);
+}
+
+/* the end of a target's row: the heat only where it changes */
+static void put_row_end(wcut_text *text, const wcut_robot_target *t) {
+    wcut_text_print(text, ",");
+    if (t->heat > 0) put_fixed(text, "", t->heat, 3);
+    wcut_text_print(text, "\n");
+}
+
 /* one robot: its tool's place and turn */
 static void put_single_csv(wcut_text *text, const wcut_robot_motion *m) {
     wcut_text_print(
@@ -52,17 +68,11 @@ static void put_single_csv(wcut_text *text, const wcut_robot_motion *m) {
     for (int i = 0; i < m->count; i++) {
         const wcut_robot_target *t = &m->target[i];
         const double millimetre[] = {t->a.x, t->a.y, t->a.z, t->speed_a, t->zone_a};
-        wcut_text_print(text, "%d,", i);
-        if (t->station >= 0) wcut_text_print(text, "%d", t->station); /* none: a lead */
-        put_fixed(text, ",", t->time, 6);
-        put_fixed(text, ",", t->duration, 6);
 
-        /* place, speed and zone, then the turn, and the heat where it changes */
-        for (size_t k = 0; k < sizeof millimetre / sizeof *millimetre; k++) put_fixed(text, ",", millimetre[k], 3);
+        /* place, speed and zone, then the turn */
+        put_row_begin(text, i, t, sizeof millimetre / sizeof *millimetre, millimetre);
         for (int k = 0; k < 4; k++) put_fixed(text, ",", t->frame_a[k], 9);
-        wcut_text_print(text, ",");
-        if (t->heat > 0) put_fixed(text, "", t->heat, 3);
-        wcut_text_print(text, "\n");
+        put_row_end(text, t);
     }
 }
 
@@ -81,20 +91,12 @@ static void put_csv(wcut_text *text, const wcut_robot_motion *m) {
         const wcut_robot_target *t = &m->target[i];
         const double millimetre[] = {t->a.x, t->a.y,     t->a.z,     t->b.x,    t->b.y,
                                      t->b.z, t->speed_a, t->speed_b, t->zone_a, t->zone_b};
-        wcut_text_print(text, "%d,", i);
-        if (t->station >= 0) wcut_text_print(text, "%d", t->station); /* none: a lead */
-        put_fixed(text, ",", t->time, 6);
-        put_fixed(text, ",", t->duration, 6);
-        for (size_t k = 0; k < sizeof millimetre / sizeof *millimetre; k++) put_fixed(text, ",", millimetre[k], 3);
+        put_row_begin(text, i, t, sizeof millimetre / sizeof *millimetre, millimetre);
 
         /* orientation of both tools as quaternions */
         for (int k = 0; k < 4; k++) put_fixed(text, ",", t->frame_a[k], 9);
         for (int k = 0; k < 4; k++) put_fixed(text, ",", t->frame_b[k], 9);
-
-        /* heat only where it changes */
-        wcut_text_print(text, ",");
-        if (t->heat > 0) put_fixed(text, "", t->heat, 3); /* none: as before */
-        wcut_text_print(text, "\n");
+        put_row_end(text, t);
     }
 }
 

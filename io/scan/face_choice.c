@@ -5,31 +5,12 @@
 #include <stdio.h>
 #include <string.h>
 
-/* the face that `length` bytes name or number; -1: none, or a name that several have */
-static int find_face(const wcut_trimmed_set *set, const char *text, size_t length) {
-    int found = -1;
-    for (int k = 0; k < set->count; k++) {
-        if (strlen(set->name[k]) != length || strncmp(set->name[k], text, length) != 0) continue;
-        if (found >= 0) return -1;
-        found = k;
-    }
-    if (found >= 0 || length == 0) return length ? found : -1;
-
-    /* a number from 1 */
-    int number = 0;
-    for (size_t k = 0; k < length; k++) {
-        if (text[k] < '0' || text[k] > '9' || number > set->count) return -1;
-        number = 10 * number + (text[k] - '0');
-    }
-    return number >= 1 && number <= set->count ? number - 1 : -1;
-}
-
 int wcut_face_choose(const wcut_trimmed_set *set, const char *choice, int *face) {
     face[0] = 0;
     if (!choice) return set->count == 1;
 
     /* a whole text that is a name comes before its commas */
-    face[0] = find_face(set, choice, strlen(choice));
+    face[0] = wcut_trimmed_set_find(set, choice, strlen(choice));
     if (face[0] >= 0) return 1;
     if (strcmp(choice, "all") == 0) {
         for (int k = 0; k < set->count; k++) face[k] = k;
@@ -40,7 +21,7 @@ int wcut_face_choose(const wcut_trimmed_set *set, const char *choice, int *face)
     int count = 0;
     for (const char *at = choice; count < set->count; count++) {
         const size_t length = strcspn(at, ",");
-        const int found = find_face(set, at, length);
+        const int found = wcut_trimmed_set_find(set, at, length);
         bool again = false;
         for (int k = 0; k < count; k++) again = again || face[k] == found;
         if (found < 0 || again) return 0;

@@ -174,8 +174,7 @@ static bool take_face(wcut_reader *reader, const wcut_place *at, const wcut_trim
 
 /* a file beside that of the zones */
 static bool join_path(const char *beside, const char *name, char *path, size_t size) {
-    const char *slash = strrchr(beside, '/');
-    const int folder = name[0] == '/' || !slash ? 0 : (int)(slash + 1 - beside);
+    const int folder = name[0] == '/' ? 0 : (int)wcut_folder_length(beside);
     const int n = snprintf(path, size, "%.*s%s", folder, beside, name);
     return n > 0 && (size_t)n < size;
 }

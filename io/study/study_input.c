@@ -4,6 +4,7 @@
 
 #include "base/alloc.h"
 #include "base/fail.h"
+#include "io/file/read_file.h"
 #include "io/study/pointer.h"
 #include "io/study/study.h"
 
@@ -66,13 +67,7 @@ static bool is_recorded(const json_t *root) {
 }
 
 char *wcut_study_beside_input(const wcut_study *study, const char *name) {
-    const char *input = study->input[0], *slash = strrchr(input, '/');
-    const size_t length = slash ? (size_t)(slash - input) + 1 : 0;
-    char *path = wcut_alloc(length + strlen(name) + 1, 1);
-    if (!path) return NULL;
-    memcpy(path, input, length);
-    memcpy(path + length, name, strlen(name) + 1);
-    return path;
+    return wcut_path_join(study->input[0], wcut_folder_length(study->input[0]), name);
 }
 
 static bool print_template(wcut_reader *reader, const wcut_place *at, wcut_study *study, json_t *root) {

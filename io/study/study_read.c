@@ -191,8 +191,7 @@ static wcut_status hash_recorded(wcut_study *study, wcut_error *error) {
     wcut_case *found = NULL;
     char *path = wcut_study_join(study, study->input[0]);
     if (!path) return wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));
-    const char *slash = strrchr(path, '/');
-    const size_t folder = slash ? (size_t)(slash - path) + 1 : 0;
+    const size_t folder = wcut_folder_length(path);
     wcut_status status = wcut_case_parse(study->base, study->base_length, path, &found, error);
     wcut_free(path);
     for (int i = 0; status == WCUT_OK && wcut_case_file(found, i); i++)
@@ -225,12 +224,7 @@ static wcut_status hash_files(wcut_study *study, wcut_error *error) {
 /* ---- the whole ---- */
 
 char *wcut_study_join(const wcut_study *study, const char *name) {
-    const size_t length = *name == '/' ? 0 : strlen(study->folder);
-    char *path = wcut_alloc(length + strlen(name) + 1, 1);
-    if (!path) return NULL;
-    memcpy(path, study->folder, length);
-    memcpy(path + length, name, strlen(name) + 1);
-    return path;
+    return wcut_path_join(study->folder, *name == '/' ? 0 : strlen(study->folder), name);
 }
 
 /* parameters stand in the file, or are the columns of the rows' file, but not both */
@@ -346,10 +340,8 @@ wcut_status wcut_study_read(const char *path, wcut_study **study, wcut_error *er
     if (status != WCUT_OK) return status;
 
     /* its folder, with the slash */
-    const char *slash = strrchr(path, '/');
-    char *folder = wcut_copy_text(path);
+    char *folder = wcut_path_join(path, wcut_folder_length(path), "");
     if (folder) {
-        folder[slash ? slash - path + 1 : 0] = '\0';
         status = wcut_study_parse(text, length, path, folder, NULL, 0, study, error);
     } else {
         status = wcut_fail(error, WCUT_NO_MEMORY, "%s", wcut_status_text(WCUT_NO_MEMORY));

@@ -11,6 +11,7 @@
 #include "base/alloc.h"
 #include "base/fail.h"
 #include "io/file/atomic.h"
+#include "io/file/read_file.h"
 #include "io/process/case.h"
 #include "io/study/sweep.h"
 
@@ -84,8 +85,7 @@ static wcut_status place_files(const wcut_study *study, const char *text, const 
 
     /* a value that no case may have: the verb refuses it, and the case is recorded as failed */
     const wcut_status parsed = wcut_case_parse(text, strlen(text), path, &found, NULL);
-    const char *slash = strrchr(path, '/');
-    const size_t length = slash ? (size_t)(slash - path) + 1 : 0;
+    const size_t length = wcut_folder_length(path);
     wcut_free(path);
     if (parsed != WCUT_OK) return parsed == WCUT_NO_MEMORY ? fail_input_memory(error) : WCUT_OK;
 

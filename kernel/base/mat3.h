@@ -23,6 +23,11 @@ static inline mat3 mat3_add(mat3 a, mat3 b) {
     return (mat3){vec3_add(a.x, b.x), vec3_add(a.y, b.y), vec3_add(a.z, b.z)};
 }
 
+/* a v */
+static inline wcut_vec3 mat3_times(mat3 a, wcut_vec3 v) {
+    return vec3(vec3_dot(a.x, v), vec3_dot(a.y, v), vec3_dot(a.z, v));
+}
+
 /* u^T a */
 static inline wcut_vec3 mat3_row_product(wcut_vec3 u, mat3 a) {
     return vec3_add_scaled(vec3_add_scaled(vec3_scale(u.x, a.x), u.y, a.y), u.z, a.z);

@@ -238,10 +238,6 @@ static pulled_end end_pull(const wcut_step *step, const wcut_vec3 *x, const doub
                         .less = 1 - s[e] * wcut_edge_softness(step->compliance, e) / l};
 }
 
-static wcut_vec3 system_mat3_times(mat3 a, wcut_vec3 v) {
-    return vec3(vec3_dot(a.x, v), vec3_dot(a.y, v), vec3_dot(a.z, v));
-}
-
 /* (T - P) / k_b - u = 0 beside the equations of the wire, whose ends move by -+ u / 2 along the chord (cut/bow.h) */
 static void put_frame(wcut_system *y, const wcut_step *step, const wcut_vec3 *x, const double *s, bool slopes) {
     const wcut_bow_frame *f = step->frame;
@@ -265,9 +261,8 @@ static void put_frame(wcut_system *y, const wcut_step *step, const wcut_vec3 *x,
     const wcut_vec3 in = vec3_scale(0.5, f->along), out = vec3_scale(-0.5, f->along);
     y->by_log_rate[tension_at(0)] -= a.along / (2 * a.length);
     y->by_log_rate[tension_at(last)] -= b.along / (2 * b.length);
-    add_vector(y->by_log_rate + node_at(1), system_mat3_times(mat3_add_identity(y->node[1].by_before, turn_a), in));
-    add_vector(y->by_log_rate + node_at(n - 2),
-               system_mat3_times(mat3_add_identity(y->node[n - 2].by_after, turn_b), out));
+    add_vector(y->by_log_rate + node_at(1), mat3_times(mat3_add_identity(y->node[1].by_before, turn_a), in));
+    add_vector(y->by_log_rate + node_at(n - 2), mat3_times(mat3_add_identity(y->node[n - 2].by_after, turn_b), out));
 }
 
 /* [mm] the length of wire that node i stands for, twice that at the ends */

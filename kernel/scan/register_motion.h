@@ -22,10 +22,6 @@ wcut_motion wcut_motion_between(wcut_vec3 pivot, mat3 rotation, wcut_vec3 from, 
 /* d(R q) = (J dw) x (R q): J, 3 x 3, of a rotation vector w */
 mat3 wcut_motion_jacobian(const double *w);
 
-static inline wcut_vec3 mat3_times(mat3 a, wcut_vec3 v) {
-    return vec3(vec3_dot(a.x, v), vec3_dot(a.y, v), vec3_dot(a.z, v));
-}
-
 /* R (p - pivot) */
 static inline wcut_vec3 motion_arm(const wcut_motion *m, wcut_vec3 p) {
     return mat3_times(m->rotation, vec3_sub(p, m->pivot));

@@ -3208,7 +3208,7 @@ public static unsafe class Native
     [DllImport("wirecut-io")] public static extern int wcut_trimmed_inside(wcut_trimmed* a0, double a1, double a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_trimmed_mesh(wcut_trimmed* a0, double a1, wcut_mesh** a2);
     [DllImport("wirecut-io")] public static extern void wcut_trimmed_set_destroy(wcut_trimmed_set* a0);
-    [DllImport("wirecut-io")] public static extern int wcut_trimmed_set_find(wcut_trimmed_set* a0, byte* a1);
+    [DllImport("wirecut-io")] public static extern int wcut_trimmed_set_find(wcut_trimmed_set* a0, byte* a1, UIntPtr a2);
     [DllImport("wirecut-io")] public static extern wcut_status wcut_trimmed_set_read(byte* a0, wcut_trimmed_set** a1, wcut_error* a2);
     [DllImport("wirecut-io")] public static extern byte* wcut_verdict_name(wcut_verdict_kind a0);
     [DllImport("wirecut-io")] public static extern void wcut_verification_destroy(wcut_verification* a0);

@@ -428,7 +428,7 @@ static const wcut_trimmed_set *empty_set(void) {
     return &empty;
 }
 
-HOSTILE_VALUE(wcut_trimmed_set_find, OPT(empty_set()), OPT("1"))
+HOSTILE_VALUE(wcut_trimmed_set_find, OPT(empty_set()), OPT("1"), 1)
 
 HOSTILE(wcut_mesh_write_3mf) {
     const wcut_mesh_object all[1] = {{.mesh = mesh(), .name = "face"}};

@@ -2,6 +2,7 @@
 #ifndef WCUT_READ_H
 #define WCUT_READ_H
 
+#include <stddef.h>
 #include <wirecut/cloud.h>
 #include <wirecut/cloud_file.h>
 #include <wirecut/curve.h>
@@ -150,8 +151,15 @@ typedef struct wcut_trimmed_set {
  */
 WCUT_API wcut_status wcut_trimmed_set_read(const char *path, wcut_trimmed_set **set, wcut_error *error);
 
-/** The index of the face that a text names, or numbers from 1; -1: none, several of that name, or an argument is NULL. */
-WCUT_API int wcut_trimmed_set_find(const wcut_trimmed_set *set, const char *choice);
+/**
+ * The face that a text names, or numbers from 1.
+ *
+ * @param[in] set    faces, or NULL
+ * @param[in] choice `length` bytes, which hold no zero; or NULL
+ * @param[in] length of the text
+ * @return its index; -1: none, several of that name, no text, or an argument is NULL.
+ */
+WCUT_API int wcut_trimmed_set_find(const wcut_trimmed_set *set, const char *choice, size_t length);
 
 /** Free what wcut_trimmed_set_read gave; NULL is allowed. */
 WCUT_API void wcut_trimmed_set_destroy(wcut_trimmed_set *set);
